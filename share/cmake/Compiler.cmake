@@ -1,0 +1,22 @@
+# Warnings and sanitizers of every Limpet target; third-party headers are SYSTEM and stay silent.
+add_library(limpet_options INTERFACE)
+target_compile_options(
+  limpet_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Werror)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC 12 misreads Eigen's and libstdc++'s inlined loops at -O2; Clang checks the same code without these.
+  target_compile_options(limpet_options INTERFACE -Wno-array-bounds -Wno-stringop-overflow
+                                                  -Wno-maybe-uninitialized -Wno-restrict)
+endif()
+# Equal input must give equal bits: no contraction that depends on inlining.
+target_compile_options(limpet_options INTERFACE -ffp-contract=off)
+if(LIMPET_SANITIZE)
+  target_compile_options(limpet_options INTERFACE -fsanitize=${LIMPET_SANITIZE} -fno-omit-frame-pointer
+                                                  -fno-sanitize-recover=all)
+  target_link_options(limpet_options INTERFACE -fsanitize=${LIMPET_SANITIZE})
+endif()
+target_include_directories(limpet_options INTERFACE "${CMAKE_SOURCE_DIR}" "${CMAKE_SOURCE_DIR}/share")
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+endif()

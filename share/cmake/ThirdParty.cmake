@@ -1,0 +1,57 @@
+# Every third-party library, as a target named thirdparty::<name>. Packages: share/tools/packages.txt.
+find_package(Threads REQUIRED)
+find_package(fmt REQUIRED)
+find_package(Eigen3 REQUIRED)
+find_package(yaml-cpp REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(octomap REQUIRED)
+find_package(SUNDIALS 6.4 REQUIRED COMPONENTS cvode nvecserial)
+find_package(mrpt-poses REQUIRED)
+
+add_library(thirdparty::eigen ALIAS Eigen3::Eigen)
+add_library(thirdparty::fmt ALIAS fmt::fmt)
+add_library(thirdparty::json ALIAS nlohmann_json::nlohmann_json)
+
+add_library(thirdparty_yaml INTERFACE)
+target_link_libraries(thirdparty_yaml INTERFACE yaml-cpp)
+add_library(thirdparty::yaml ALIAS thirdparty_yaml)
+
+add_library(thirdparty_sundials INTERFACE)
+target_link_libraries(thirdparty_sundials INTERFACE SUNDIALS::cvode SUNDIALS::nvecserial)
+add_library(thirdparty::sundials ALIAS thirdparty_sundials)
+
+add_library(thirdparty_mrpt INTERFACE)
+target_link_libraries(thirdparty_mrpt INTERFACE mrpt::poses)
+add_library(thirdparty::mrpt ALIAS thirdparty_mrpt)
+
+add_library(thirdparty_octomap INTERFACE)
+target_include_directories(thirdparty_octomap SYSTEM INTERFACE ${OCTOMAP_INCLUDE_DIRS})
+target_link_libraries(thirdparty_octomap INTERFACE ${OCTOMAP_LIBRARIES})
+add_library(thirdparty::octomap ALIAS thirdparty_octomap)
+
+# Debian's component packages of OpenCV carry no CMake configuration; only the GUI-laden meta-package does.
+add_library(thirdparty_opencv INTERFACE)
+target_include_directories(thirdparty_opencv SYSTEM INTERFACE /usr/include/opencv4)
+foreach(module core imgproc imgcodecs)
+  find_library(OPENCV_${module} opencv_${module} REQUIRED)
+  target_link_libraries(thirdparty_opencv INTERFACE ${OPENCV_${module}})
+endforeach()
+add_library(thirdparty::opencv ALIAS thirdparty_opencv)
+
+find_path(ZSTD_INCLUDE zstd.h REQUIRED)
+find_library(ZSTD_LIBRARY zstd REQUIRED)
+add_library(thirdparty_zstd INTERFACE)
+target_include_directories(thirdparty_zstd SYSTEM INTERFACE ${ZSTD_INCLUDE})
+target_link_libraries(thirdparty_zstd INTERFACE ${ZSTD_LIBRARY})
+add_library(thirdparty::zstd ALIAS thirdparty_zstd)
+
+find_path(XXHASH_INCLUDE xxhash.h REQUIRED)
+find_library(XXHASH_LIBRARY xxhash REQUIRED)
+add_library(thirdparty_xxhash INTERFACE)
+target_include_directories(thirdparty_xxhash SYSTEM INTERFACE ${XXHASH_INCLUDE})
+target_link_libraries(thirdparty_xxhash INTERFACE ${XXHASH_LIBRARY})
+add_library(thirdparty::xxhash ALIAS thirdparty_xxhash)
+
+if(BUILD_TESTING)
+  find_package(GTest REQUIRED)
+endif()

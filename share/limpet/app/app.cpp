@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/app/app.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace limpet {
+
+std::string AppContext::Global(std::string_view key) const {
+  const auto found = std::ranges::find_if(
+      globals, [key](const ConfigEntry& entry) { return EqualsIgnoringCase(entry.key, key); });
+  return found == globals.end() ? "" : found->value;
+}
+
+App::App(const AppContext& context) : context_(context) {}
+
+void App::Deliver(const MessagePtr& message) {
+  const auto found = handlers_.find(message->name);
+  if (found != handlers_.end()) {
+    for (const Handler& handler : found->second) {
+      handler(message);
+    }
+  }
+  for (const auto& [filter, handler] : wildcard_handlers_) {
+    if (MatchesWildcard(filter.variable_pattern, message->name)) {
+      handler(message);
+    }
+  }
+}
+
+void App::AddHandler(const std::string& name, Seconds interval, Handler handler) {
+  handlers_[name].push_back(std::move(handler));
+  context_.link->Subscribe(name, interval);
+}
+
+void App::SubscribeRaw(const WildcardFilter& filter,
+                       std::function<void(const MessagePtr&)> handler) {
+  wildcard_handlers_.emplace_back(filter, std::move(handler));
+  context_.link->SubscribeWildcard(filter);
+}
+
+void App::SubscribeRaw(const std::string& name, std::function<void(const MessagePtr&)> handler) {
+  AddHandler(name, Seconds(0.0), std::move(handler));
+}
+
+void App::PublishRaw(std::string name, Value value, std::string source_aux) {
+  context_.link->Publish(std::move(name), std::move(value), std::move(source_aux));
+}
+
+void App::Warn(const std::string& id, const std::string& text) {
+  const auto [position, is_new] = warnings_.try_emplace(id, text);
+  if (is_new) {
+    PublishWarnings();
+  }
+}
+
+void App::ClearWarning(const std::string& id) {
+  if (warnings_.erase(id) > 0) {
+    PublishWarnings();
+  }
+}
+
+void App::PublishWarnings() {
+  std::string variable = context_.name + "_WARNINGS";
+  std::ranges::transform(variable, variable.begin(), [](char c) {
+    return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  });
+  std::string text;
+  for (const auto& [id, meaning] : warnings_) {
+    text += (text.empty() ? "" : "; ") + id + ": " + meaning;
+  }
+  PublishRaw(variable, text.empty() ? std::string("none") : text);
+}
+
+Random App::MakeRandom(std::string_view part) const {
+  return Random(MixSeed(context_.seed, context_.name + "/" + context_.session), part);
+}
+
+}  // namespace limpet

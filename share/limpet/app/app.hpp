@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// An app: mail in, Tick, mail out. It knows no transport, reads no clock and owns no thread, so the
+// same class runs embedded on virtual time and as a process of a community.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "limpet/core/config.hpp"
+#include "limpet/core/message.hpp"
+#include "limpet/core/random.hpp"
+#include "limpet/core/units.hpp"
+#include "limpet/pubsub/database.hpp"
+#include "limpet/topics/topic.hpp"
+
+namespace limpet {
+
+/// The transport seam: what an app needs from whatever carries its mail (embedded database, later
+/// TCP).
+class AppLink {
+ public:
+  virtual ~AppLink() = default;
+  /// Sends a write; source, time and community are filled in.
+  virtual void Publish(std::string name, Value value, std::string source_aux) = 0;
+  virtual void Subscribe(const std::string& name, Seconds interval) = 0;
+  virtual void SubscribeWildcard(const WildcardFilter& filter) = 0;
+  /// MOOS time: seconds since 1970 times warp.
+  [[nodiscard]] virtual Seconds Now() const = 0;
+};
+
+/// Everything an app is handed at construction.
+struct AppContext {
+  std::string name;  ///< MOOS name; names its block, its mail and its random stream
+  AppLink* link = nullptr;
+  std::vector<ConfigEntry> globals;  ///< of the mission file, first wins: Community, LatOrigin, ...
+  std::filesystem::path mission_folder;  ///< where relative file parameters start
+  std::filesystem::path run_folder;      ///< this session's output
+  std::filesystem::path prior_folder;    ///< former session to load; empty if none
+  std::string session;                   ///< discovery, change, ...
+  std::uint64_t seed = 1;
+
+  /// Value of a mission global, or "".
+  [[nodiscard]] std::string Global(std::string_view key) const;
+};
+
+/// Base of all apps. One thread runs callbacks and Tick, so an app has no locks.
+class App {
+ public:
+  explicit App(const AppContext& context);
+  virtual ~App() = default;
+  App(const App&) = delete;
+  App& operator=(const App&) = delete;
+
+  /// Called at AppTick (default: the registered rate), after all mail up to `now`.
+  virtual void Tick(Seconds now) { static_cast<void>(now); }
+  /// Called once at an orderly end, after the last mail.
+  virtual void Finish(Seconds now) { static_cast<void>(now); }
+
+  /// Hands one message to its handlers. For the runner.
+  void Deliver(const MessagePtr& message);
+  [[nodiscard]] const std::string& name() const { return context_.name; }
+  /// Warnings now raised, id to text.
+  [[nodiscard]] const std::map<std::string, std::string>& warnings() const { return warnings_; }
+
+ protected:
+  /// Calls `handler` for each message of `topic`. Text that does not decode raises a warning and is
+  /// counted. `interval` > 0 drops messages that come sooner.
+  template <class A, class T>
+  void Subscribe(const Topic<T>& topic, void (A::*handler)(const Stamped<T>&),
+                 Seconds interval = Seconds(0.0)) {
+    AddHandler(topic.name, interval, [this, handler](const MessagePtr& message) {
+      std::optional<T> value = TopicCodec<T>::Decode(message->value);
+      if (!value) {
+        Warn("BAD_MAIL_" + message->name, "does not decode; sent by " + message->source);
+        return;
+      }
+      (static_cast<A*>(this)->*handler)(Stamped<T>{message->time, std::move(*value)});
+    });
+  }
+  /// Every variable that matches, undecoded.
+  void SubscribeRaw(const WildcardFilter& filter, std::function<void(const MessagePtr&)> handler);
+  /// One variable, undecoded: for names and types that only the mission knows.
+  void SubscribeRaw(const std::string& name, std::function<void(const MessagePtr&)> handler);
+
+  template <class T>
+  void Publish(const Topic<T>& topic, const T& value, std::string source_aux = "") {
+    context_.link->Publish(topic.name, TopicCodec<T>::Encode(value), std::move(source_aux));
+  }
+  void PublishRaw(std::string name, Value value, std::string source_aux = "");
+
+  /// Raises a health warning; published once per change as <APP>_WARNINGS.
+  void Warn(const std::string& id, const std::string& text);
+  void ClearWarning(const std::string& id);
+
+  [[nodiscard]] Seconds now() const { return context_.link->Now(); }
+  /// This app's own random stream; `part` names one user of it.
+  [[nodiscard]] Random MakeRandom(std::string_view part) const;
+  [[nodiscard]] const AppContext& context() const { return context_; }
+
+ private:
+  using Handler = std::function<void(const MessagePtr&)>;
+  void AddHandler(const std::string& name, Seconds interval, Handler handler);
+  void PublishWarnings();
+
+  AppContext context_;
+  std::unordered_map<std::string, std::vector<Handler>> handlers_;
+  std::vector<std::pair<WildcardFilter, Handler>> wildcard_handlers_;
+  std::map<std::string, std::string> warnings_;
+};
+
+}  // namespace limpet

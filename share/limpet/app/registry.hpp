@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Apps by name. An app registers itself with one line at the end of its .cpp:
+// LIMPET_REGISTER_APP(NavApp, "pNav", 10.0)
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "limpet/app/app.hpp"
+#include "limpet/core/params.hpp"
+
+namespace limpet {
+
+struct AppEntry {
+  double default_tick_hz = 4.0;
+  std::function<std::vector<ParamSpec>()>
+      describe;  ///< names, units, defaults; their `set` must not be called
+  std::function<std::unique_ptr<App>(const AppContext&, const ConfigBlock&)> create;
+};
+
+/// The one singleton: filled before main by the registration lines.
+[[nodiscard]] std::map<std::string, AppEntry>& AppRegistry();
+
+/// Keys that MOOS gives every app; the runner reads them, apps do not.
+[[nodiscard]] const std::vector<std::string>& CommonAppKeys();
+
+template <class A>
+[[nodiscard]] AppEntry MakeAppEntry(double default_tick_hz) {
+  return {
+      .default_tick_hz = default_tick_hz,
+      .describe =
+          [] {
+            typename A::Params defaults;
+            return DescribeParams(defaults);
+          },
+      .create = [](const AppContext& context, const ConfigBlock& block) -> std::unique_ptr<App> {
+        return std::make_unique<A>(context, ReadParams<typename A::Params>(block, CommonAppKeys()));
+      }};
+}
+
+}  // namespace limpet
+
+/// Makes an app known under its process name, with its default AppTick [Hz].
+#define LIMPET_REGISTER_APP(Class, process_name, default_tick_hz)                           \
+  static const bool limpet_registered_##Class = [] {                                        \
+    ::limpet::AppRegistry()[process_name] = ::limpet::MakeAppEntry<Class>(default_tick_hz); \
+    return true;                                                                            \
+  }()

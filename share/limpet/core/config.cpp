@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/core/config.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace limpet {
+namespace {
+
+char Lower(char letter) {
+  return static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+}
+
+std::size_t EditDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substituted = diagonal + (Lower(a[i - 1]) == Lower(b[j - 1]) ? 0U : 1U);
+      diagonal = std::exchange(row[j], std::min({substituted, row[j] + 1, row[j - 1] + 1}));
+    }
+  }
+  return row.back();
+}
+
+std::string Join(const std::vector<ConfigProblem>& problems) {
+  std::string text;
+  for (const ConfigProblem& problem : problems) {
+    text += (text.empty() ? "" : "\n") + problem.Format();
+  }
+  return text;
+}
+
+}  // namespace
+
+const ConfigEntry* ConfigBlock::Find(std::string_view key) const {
+  const auto found = std::ranges::find_if(
+      entries, [key](const ConfigEntry& entry) { return EqualsIgnoringCase(entry.key, key); });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+std::string ConfigProblem::Format() const {
+  const std::string place =
+      where.line > 0 ? fmt::format("{}:{}", where.file, where.line) : where.file;
+  return fmt::format("{}: {}{}{}", place, key, key.empty() ? "" : ": ", text);
+}
+
+ConfigError::ConfigError(std::vector<ConfigProblem> problems)
+    : std::runtime_error(Join(problems)), problems_(std::move(problems)) {}
+ConfigError::ConfigError(ConfigProblem problem)
+    : ConfigError(std::vector<ConfigProblem>{std::move(problem)}) {}
+
+std::string NearestWord(std::string_view word, const std::vector<std::string>& candidates) {
+  std::size_t best_distance = word.size() / 2 + 1;  // farther than half the word is another word
+  std::string best;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = EditDistance(word, candidate);
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+bool EqualsIgnoringCase(std::string_view a, std::string_view b) {
+  return std::ranges::equal(a, b, {}, Lower, Lower);
+}
+
+std::string_view Trim(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) {
+    return {};
+  }
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+std::vector<std::string> Split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  while (true) {
+    const std::size_t end = text.find(separator, begin);
+    parts.emplace_back(text.substr(begin, end - begin));
+    if (end == std::string_view::npos) {
+      return parts;
+    }
+    begin = end + 1;
+  }
+}
+
+}  // namespace limpet

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/core/params.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace limpet {
+namespace {
+
+std::string AllowedText(const Range<double>& range, std::string_view unit) {
+  const std::string suffix = unit.empty() ? "" : fmt::format(" {}", unit);
+  if (range.low && range.high) {
+    return fmt::format("{} to {}{}", TextOf(*range.low), TextOf(*range.high), suffix);
+  }
+  if (range.low) {
+    return fmt::format("at least {}{}", TextOf(*range.low), suffix);
+  }
+  return unit.empty() ? "a number" : fmt::format("a number in {}", unit);
+}
+
+bool IsInside(double value, const Range<double>& range) {
+  // A bound that went through degrees and back may miss itself by an ulp.
+  constexpr double kSlack = 1e-12;
+  return (!range.low || value >= *range.low - kSlack) &&
+         (!range.high || value <= *range.high + kSlack);
+}
+
+}  // namespace
+
+void ParamCollector::DeclareNumber(const char* name, const char* unit, double default_value,
+                                   const char* help, const Range<double>& range,
+                                   std::function<void(double)> store) {
+  ParamSpec spec{.name = name,
+                 .unit = unit,
+                 .default_text = fmt::format("{:.10g}", default_value),
+                 .allowed = AllowedText(range, unit),
+                 .help = help,
+                 .is_repeatable = false,
+                 .set = nullptr};
+  spec.set = [range, store = std::move(store),
+              allowed = spec.allowed](std::string_view text) -> std::optional<std::string> {
+    const std::optional<double> value = ParseNumber(text);
+    if (!value || !IsInside(*value, range)) {
+      return fmt::format("`{}` is not allowed; allowed: {}", text, allowed);
+    }
+    store(*value);
+    return std::nullopt;
+  };
+  specs_.push_back(std::move(spec));
+}
+
+void ParamCollector::operator()(const char* name, double& field, const char* help,
+                                Range<double> range) {
+  DeclareNumber(name, "", field, help, range, [&field](double value) { field = value; });
+}
+
+void ParamCollector::operator()(const char* name, int& field, const char* help, Range<int> range) {
+  Range<double> as_double;
+  if (range.low) as_double.low = *range.low;
+  if (range.high) as_double.high = *range.high;
+  DeclareNumber(name, "", field, help, as_double, [](double) {});
+  ParamSpec& spec = specs_.back();
+  spec.set = [&field, check = spec.set,
+              allowed = spec.allowed](std::string_view text) -> std::optional<std::string> {
+    if (const auto complaint = check(text)) {
+      return complaint;
+    }
+    const std::optional<std::int64_t> value = ParseInteger(text);
+    if (!value || *value != static_cast<int>(*value)) {
+      return fmt::format("`{}` is not a whole number; allowed: {}", text, allowed);
+    }
+    field = static_cast<int>(*value);
+    return std::nullopt;
+  };
+}
+
+void ParamCollector::operator()(const char* name, bool& field, const char* help) {
+  ParamSpec spec{.name = name,
+                 .unit = "",
+                 .default_text = field ? "true" : "false",
+                 .allowed = "true or false",
+                 .help = help,
+                 .is_repeatable = false,
+                 .set = nullptr};
+  spec.set = [&field](std::string_view text) -> std::optional<std::string> {
+    const std::optional<bool> value = ParseFlag(text);
+    if (!value) {
+      return fmt::format("`{}` is not allowed; allowed: true or false", text);
+    }
+    field = *value;
+    return std::nullopt;
+  };
+  specs_.push_back(std::move(spec));
+}
+
+void ParamCollector::operator()(const char* name, std::string& field, const char* help) {
+  ParamSpec spec{.name = name,
+                 .unit = "",
+                 .default_text = field,
+                 .allowed = "text",
+                 .help = help,
+                 .is_repeatable = false,
+                 .set = nullptr};
+  spec.set = [&field](std::string_view text) -> std::optional<std::string> {
+    field = std::string(text);
+    return std::nullopt;
+  };
+  specs_.push_back(std::move(spec));
+}
+
+void ParamCollector::operator()(const char* name, std::vector<std::string>& field,
+                                const char* help) {
+  ParamSpec spec{.name = name,
+                 .unit = "",
+                 .default_text = fmt::format("{}", fmt::join(field, ", ")),
+                 .allowed = "text, one per line",
+                 .help = help,
+                 .is_repeatable = true,
+                 .set = nullptr};
+  spec.set = [&field,
+              is_default = true](std::string_view text) mutable -> std::optional<std::string> {
+    if (std::exchange(is_default, false)) {
+      field.clear();  // the first line replaces the defaults, the next ones add
+    }
+    field.emplace_back(text);
+    return std::nullopt;
+  };
+  specs_.push_back(std::move(spec));
+}
+
+void ParamCollector::Choice(const char* name, std::string& field, const char* help,
+                            std::vector<std::string> choices) {
+  ParamSpec spec{.name = name,
+                 .unit = "",
+                 .default_text = field,
+                 .allowed = fmt::format("{}", fmt::join(choices, ", ")),
+                 .help = help,
+                 .is_repeatable = false,
+                 .set = nullptr};
+  spec.set = [&field, choices = std::move(choices),
+              allowed = spec.allowed](std::string_view text) -> std::optional<std::string> {
+    if (std::ranges::find(choices, text) == choices.end()) {
+      return fmt::format("`{}` is not allowed; allowed: {}", text, allowed);
+    }
+    field = std::string(text);
+    return std::nullopt;
+  };
+  specs_.push_back(std::move(spec));
+}
+
+std::vector<ConfigProblem> ApplyBlock(const ConfigBlock& block, const std::vector<ParamSpec>& specs,
+                                      const std::vector<std::string>& also_known) {
+  std::vector<std::string> known = also_known;
+  std::ranges::transform(specs, std::back_inserter(known), &ParamSpec::name);
+  std::vector<ConfigProblem> problems;
+  for (const ConfigEntry& entry : block.entries) {
+    const auto matches = [&entry](const std::string& name) {
+      return EqualsIgnoringCase(name, entry.key);
+    };
+    const auto spec = std::ranges::find_if(specs, matches, &ParamSpec::name);
+    if (spec != specs.end()) {
+      if (const auto complaint = spec->set(entry.value)) {
+        problems.push_back({entry.where, entry.key, *complaint});
+      }
+      continue;
+    }
+    if (std::ranges::any_of(also_known, matches)) {
+      continue;
+    }
+    const std::string nearest = NearestWord(entry.key, known);
+    problems.push_back(
+        {entry.where, entry.key,
+         fmt::format("unknown key in {}{}", block.name,
+                     nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest))});
+  }
+  return problems;
+}
+
+}  // namespace limpet

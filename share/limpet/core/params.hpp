@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// A parameter is declared once, in its struct's Describe: name, type, default, unit, meaning,
+// range. The parser, the checks, --example, --interface and the docs all come from that.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "limpet/core/config.hpp"
+#include "limpet/core/number_text.hpp"
+#include "limpet/core/units.hpp"
+
+namespace limpet {
+
+/// Inclusive bounds of a parameter.
+template <class T>
+struct Range {
+  std::optional<T> low;
+  std::optional<T> high;
+};
+template <class T>
+[[nodiscard]] Range<T> InRange(T low, T high) {
+  return {low, high};
+}
+template <class T>
+[[nodiscard]] Range<T> AtLeast(T low) {
+  return {low, std::nullopt};
+}
+
+/// One declared parameter, free of its type.
+struct ParamSpec {
+  std::string name;
+  std::string unit;  ///< symbol of the text unit, "" if none
+  std::string default_text;
+  std::string allowed;  ///< e.g. "1 to 6000 m"
+  std::string help;
+  bool is_repeatable = false;
+  /// Parses and stores; the complaint if the text is no allowed value.
+  std::function<std::optional<std::string>(std::string_view)> set;
+};
+
+/// The visitor that `Describe(visit)` talks to; collects the declarations of one params struct.
+class ParamCollector {
+ public:
+  void operator()(const char* name, double& field, const char* help, Range<double> range = {});
+  void operator()(const char* name, int& field, const char* help, Range<int> range = {});
+  void operator()(const char* name, bool& field, const char* help);
+  void operator()(const char* name, std::string& field, const char* help);
+  /// One entry per line of the block.
+  void operator()(const char* name, std::vector<std::string>& field, const char* help);
+  /// A string that must be one of `choices`.
+  void Choice(const char* name, std::string& field, const char* help,
+              std::vector<std::string> choices);
+
+  template <class D>
+  void operator()(const char* name, Quantity<D>& field, const char* help,
+                  Range<Quantity<D>> range = {}) {
+    Range<double> in_text;
+    if (range.low) in_text.low = range.low->in_text_unit();
+    if (range.high) in_text.high = range.high->in_text_unit();
+    DeclareNumber(name, D::kSymbol, field.in_text_unit(), help, in_text,
+                  [&field](double text) { field = Quantity<D>::FromTextUnit(text); });
+  }
+
+  [[nodiscard]] const std::vector<ParamSpec>& specs() const { return specs_; }
+
+ private:
+  void DeclareNumber(const char* name, const char* unit, double default_value, const char* help,
+                     const Range<double>& range, std::function<void(double)> store);
+  std::vector<ParamSpec> specs_;
+};
+
+template <class P>
+[[nodiscard]] std::vector<ParamSpec> DescribeParams(P& params) {
+  ParamCollector collector;
+  params.Describe(collector);
+  return collector.specs();
+}
+
+/// Applies `block` to `specs`: every problem of every line, with the nearest known key. Keys listed
+/// in `also_known` are somebody else's and pass.
+[[nodiscard]] std::vector<ConfigProblem> ApplyBlock(
+    const ConfigBlock& block, const std::vector<ParamSpec>& specs,
+    const std::vector<std::string>& also_known = {});
+
+/// Reads a params struct. Throws ConfigError with every problem of the block.
+template <class P>
+[[nodiscard]] P ReadParams(const ConfigBlock& block,
+                           const std::vector<std::string>& also_known = {}) {
+  P params;
+  const std::vector<ConfigProblem> problems = ApplyBlock(block, DescribeParams(params), also_known);
+  if (!problems.empty()) {
+    throw ConfigError(problems);
+  }
+  return params;
+}
+
+}  // namespace limpet

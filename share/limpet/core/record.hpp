@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Flat records as `key=value,key=value` text. A record declares its fields once:
+//   template <class V> void Describe(V& visit) { visit("north", north); visit("altitude",
+//   altitude); }
+// Fields: double, int, bool, std::string (no comma, no '='), and std::optional<double> (absent when
+// unknown).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "limpet/core/number_text.hpp"
+
+namespace limpet {
+
+class RecordWriter {
+ public:
+  void operator()(const char* name, const double& field) { Append(name, TextOf(field)); }
+  void operator()(const char* name, const int& field) { Append(name, std::to_string(field)); }
+  void operator()(const char* name, const bool& field) { Append(name, field ? "true" : "false"); }
+  void operator()(const char* name, const std::string& field) { Append(name, field); }
+  void operator()(const char* name, const std::optional<double>& field) {
+    if (field) Append(name, TextOf(*field));
+  }
+  [[nodiscard]] std::string& text() { return text_; }
+
+ private:
+  void Append(const char* name, std::string_view value);
+  std::string text_;
+};
+
+/// Reads fields by name; a field that is missing or malformed makes the whole record bad (optional
+/// ones may be missing).
+class RecordReader {
+ public:
+  explicit RecordReader(std::string_view text);
+  void operator()(const char* name, double& field);
+  void operator()(const char* name, int& field);
+  void operator()(const char* name, bool& field);
+  void operator()(const char* name, std::string& field);
+  void operator()(const char* name, std::optional<double>& field);
+  [[nodiscard]] bool is_good() const { return is_good_; }
+
+ private:
+  struct Pair {
+    std::string_view key;
+    std::string_view value;
+  };
+  [[nodiscard]] std::optional<std::string_view> Find(std::string_view name) const;
+  std::vector<Pair> pairs_;
+  bool is_good_ = true;
+};
+
+template <class R>
+[[nodiscard]] std::string EncodeRecord(const R& record) {
+  RecordWriter writer;
+  R copy = record;  // Describe is not const, so that one declaration serves reading and writing
+  copy.Describe(writer);
+  return std::move(writer.text());
+}
+
+template <class R>
+[[nodiscard]] std::optional<R> DecodeRecord(std::string_view text) {
+  RecordReader reader(text);
+  R record;
+  record.Describe(reader);
+  return reader.is_good() ? std::optional<R>(std::move(record)) : std::nullopt;
+}
+
+}  // namespace limpet

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// scenario.yaml: the truth, for the simulator and the scorer only.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limpet/core/config.hpp"
+
+namespace limpet {
+
+struct ScenarioOpi {
+  std::string name;
+  std::string color;
+  double radius_m = 0.5;
+  std::map<std::string, std::optional<Eigen::Vector3d>>
+      places;  ///< session to NED of the centre; nothing: absent then
+  /// Where it is in `session`, or nothing.
+  [[nodiscard]] std::optional<Eigen::Vector3d> Place(const std::string& session) const;
+};
+
+struct Scenario {
+  struct Seabed {
+    double depth_m = 7.5;    ///< at the datum
+    double slope_deg = 0.0;  ///< going down towards slope_toward_deg (clockwise from north)
+    double slope_toward_deg = 0.0;
+    double roughness_m = 0.05;  ///< standard deviation of the relief
+    int seed = 1;
+  } seabed;
+  struct Water {
+    double visibility_m = 8.0;
+    double current_north_mps = 0.0;
+    double current_east_mps = 0.0;
+  } water;
+  struct Start {
+    double north_m = 0.0;
+    double east_m = 0.0;
+    double heading_deg = 0.0;
+  } start;
+  std::vector<ScenarioOpi> opis;
+  std::string camera = "rendered";  ///< or boxes
+  struct Sensors {
+    double dvl_dropout_per_min = 0.0;
+    double dvl_outlier_share = 0.0;
+    double yaw_bias_deg_per_h = 1.0;
+    double heading_sigma_deg = 0.5;
+    double gps_sigma_m = 0.4;
+    double false_detections_per_image = 0.01;
+  } sensors;
+};
+
+/// Reads and checks scenario.yaml; unknown keys, wrong types and values out of range are problems.
+/// Throws ConfigError with every problem, each with file and line.
+[[nodiscard]] Scenario LoadScenario(const std::filesystem::path& file);
+
+/// NED depth of the true seabed at (north, east) [m]: slope plus a smooth random relief of standard
+/// deviation roughness_m.
+[[nodiscard]] double SeabedDepth(const Scenario::Seabed& seabed, double north, double east);
+
+}  // namespace limpet

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <bit>
+#include <cstring>
+
+#include "limpet/topics/mapping.hpp"
+#include "limpet/topics/sensors.hpp"
+
+namespace limpet {
+namespace {
+
+static_assert(std::endian::native == std::endian::little,
+              "binary topics are written as they lie in memory");
+
+class ByteWriter {
+ public:
+  explicit ByteWriter(std::size_t size) { bytes_.reserve(size); }
+  void Magic(const char* four) { Raw(four, 4); }
+  void Zeros(std::size_t count) { bytes_.resize(bytes_.size() + count); }
+  template <class T>
+  void Put(T value) {
+    Raw(&value, sizeof value);
+  }
+  void Raw(const void* data, std::size_t size) {
+    const auto* first = static_cast<const std::byte*>(data);
+    bytes_.insert(bytes_.end(), first, first + size);
+  }
+  Binary Take() { return std::move(bytes_); }
+
+ private:
+  Binary bytes_;
+};
+
+class ByteReader {
+ public:
+  explicit ByteReader(const Binary& bytes) : bytes_(bytes) {}
+  [[nodiscard]] bool HasMagic(const char* four) {
+    std::array<char, 4> found{};
+    return Raw(found.data(), found.size()) && std::memcmp(found.data(), four, 4) == 0;
+  }
+  template <class T>
+  bool Get(T& value) {
+    return Raw(&value, sizeof value);
+  }
+  bool Skip(std::size_t count) {
+    const bool fits = left() >= count;
+    position_ += fits ? count : 0;
+    return fits;
+  }
+  bool Raw(void* data, std::size_t size) {
+    if (left() < size) {
+      return false;
+    }
+    std::memcpy(data, bytes_.data() + position_, size);
+    position_ += size;
+    return true;
+  }
+  [[nodiscard]] std::size_t left() const { return bytes_.size() - position_; }
+
+ private:
+  const Binary& bytes_;
+  std::size_t position_ = 0;
+};
+
+constexpr std::size_t kCameraHeader = 32;
+constexpr std::size_t kGridHeader = 48;
+constexpr std::size_t kGridCell = 12;
+constexpr std::uint32_t kMaxImageSide = 16384;
+constexpr std::uint32_t kMaxGridSide = 1U << 16U;
+
+}  // namespace
+
+Value TopicCodec<CameraFrame>::Encode(const CameraFrame& frame) {
+  ByteWriter out(kCameraHeader + frame.bgr.size());
+  out.Magic("LCF1");
+  out.Put(frame.frame);
+  out.Put(frame.exposure.value());
+  out.Put(static_cast<std::uint32_t>(frame.width_px));
+  out.Put(static_cast<std::uint32_t>(frame.height_px));
+  out.Zeros(8);
+  out.Raw(frame.bgr.data(), frame.bgr.size());
+  return out.Take();
+}
+
+std::optional<CameraFrame> TopicCodec<CameraFrame>::Decode(const Value& value) {
+  const auto* bytes = std::get_if<Binary>(&value);
+  if (bytes == nullptr) {
+    return std::nullopt;
+  }
+  ByteReader in(*bytes);
+  CameraFrame frame;
+  double exposure = 0.0;
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  const bool has_header = in.HasMagic("LCF1") && in.Get(frame.frame) && in.Get(exposure) &&
+                          in.Get(width) && in.Get(height) && in.Skip(8);
+  if (!has_header || width > kMaxImageSide || height > kMaxImageSide ||
+      in.left() != std::size_t{3} * width * height) {
+    return std::nullopt;
+  }
+  frame.exposure = Seconds(exposure);
+  frame.width_px = static_cast<int>(width);
+  frame.height_px = static_cast<int>(height);
+  frame.bgr.resize(in.left());
+  in.Raw(frame.bgr.data(), frame.bgr.size());
+  return frame;
+}
+
+Value TopicCodec<GridDelta>::Encode(const GridDelta& delta) {
+  ByteWriter out(kGridHeader + kGridCell * delta.cells.size());
+  out.Magic("LGD1");
+  out.Put(static_cast<std::uint32_t>(delta.cells.size()));
+  out.Put(delta.frame.north_min);
+  out.Put(delta.frame.east_min);
+  out.Put(delta.frame.cell_m);
+  out.Put(static_cast<std::uint32_t>(delta.frame.rows));
+  out.Put(static_cast<std::uint32_t>(delta.frame.columns));
+  out.Zeros(8);
+  for (const GridDelta::Cell& cell : delta.cells) {
+    out.Put(cell.index);
+    out.Put(cell.seen_height);
+    out.Put(cell.seabed_down);
+  }
+  return out.Take();
+}
+
+std::optional<GridDelta> TopicCodec<GridDelta>::Decode(const Value& value) {
+  const auto* bytes = std::get_if<Binary>(&value);
+  if (bytes == nullptr) {
+    return std::nullopt;
+  }
+  ByteReader in(*bytes);
+  GridDelta delta;
+  std::uint32_t count = 0;
+  std::uint32_t rows = 0;
+  std::uint32_t columns = 0;
+  const bool has_header = in.HasMagic("LGD1") && in.Get(count) && in.Get(delta.frame.north_min) &&
+                          in.Get(delta.frame.east_min) && in.Get(delta.frame.cell_m) &&
+                          in.Get(rows) && in.Get(columns) && in.Skip(8);
+  if (!has_header || rows > kMaxGridSide || columns > kMaxGridSide ||
+      in.left() != kGridCell * count) {
+    return std::nullopt;
+  }
+  delta.frame.rows = static_cast<int>(rows);
+  delta.frame.columns = static_cast<int>(columns);
+  delta.cells.resize(count);
+  for (GridDelta::Cell& cell : delta.cells) {
+    in.Get(cell.index);
+    in.Get(cell.seen_height);
+    in.Get(cell.seabed_down);
+    if (cell.index >= std::uint64_t{rows} * columns) {
+      return std::nullopt;
+    }
+  }
+  return delta;
+}
+
+}  // namespace limpet

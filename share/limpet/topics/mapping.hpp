@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// What pMap believes about the ground and the objects on it; what a former session left.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "limpet/core/message.hpp"
+#include "limpet/topics/topic.hpp"
+
+namespace limpet {
+
+/// Geometry of the survey grid: cells of `cell_m`, row-major by north then east, from the
+/// south-west corner.
+struct GridFrame {
+  double north_min = 0.0, east_min = 0.0;
+  double cell_m = 0.25;
+  int rows = 0;     ///< along north
+  int columns = 0;  ///< along east
+};
+
+/// Cells that changed since the last message. `seen_height` is the greatest height above the seabed
+/// up to which the cell has been seen [m], negative never happens: 0 is "bottom seen" and absent
+/// cells were never seen.
+struct GridDelta {
+  GridFrame frame;
+  struct Cell {
+    std::uint32_t index = 0;
+    float seen_height = 0.0F;
+    float seabed_down = 0.0F;  ///< NED depth of the seabed here [m], from the DVL beams near by
+  };
+  std::vector<Cell> cells;
+};
+/// Header of 48 little-endian bytes (magic "LGD1", count u32, north_min, east_min, cell_m f64,
+/// rows, columns u32, 8 reserved), then 12 bytes per cell.
+template <>
+struct TopicCodec<GridDelta> {
+  [[nodiscard]] static Value Encode(const GridDelta& delta);
+  [[nodiscard]] static std::optional<GridDelta> Decode(const Value& value);
+};
+
+/// Shares of the area that the vehicle believes it has seen, 0 to 1.
+struct Coverage {
+  double seabed = 0.0;    ///< bottom inside the image
+  double band = 0.0;      ///< mean over the heights of the band
+  double band_top = 0.0;  ///< at the greatest height
+  template <class V>
+  void Describe(V& visit) {
+    visit("seabed", seabed), visit("band", band), visit("band_top", band_top);
+  }
+};
+
+/// The 4-way posterior of `paper.md` section 4; the four sum to one. In a discovery session only
+/// `appeared` and `nothing` are non-zero and mean "is there" and "is not".
+struct ChangePosterior {
+  double confirmed = 0.0, removed = 0.0, appeared = 0.0, nothing = 0.0;
+};
+
+/// An object of potential interest, as map and smoother together know it.
+struct OpiBelief {
+  int id = 0;                        ///< unique in the session
+  int landmark = -1;                 ///< NAV_LANDMARKS id, or -1 if only the former session knew it
+  int prior_id = -1;                 ///< id in SESSION_PRIOR, or -1
+  std::array<double, 3> ned{};       ///< smoother's position, else the former session's [m]
+  std::array<double, 6> cov{};       ///< as Landmark::cov
+  std::array<double, 3> centroid{};  ///< of the map's OPI voxels [m]
+  std::array<double, 3> centroid_sd{};  ///< their spread [m]
+  std::string color;
+  double probability = 0.0;  ///< that an object is there now
+  ChangePosterior posterior;
+  std::string decided;   ///< confirmed, removed, new, moved, uncertain; discovery: new or uncertain
+  int looks = 0;         ///< independent looks of this session, with or without a detection
+  double entropy = 0.0;  ///< of the posterior [nats]
+};
+struct OpiBeliefs {
+  std::vector<OpiBelief> opis;
+};
+template <>
+struct TopicCodec<OpiBeliefs> : JsonCodec<OpiBeliefs> {};
+
+/// An object that a former session found.
+struct PriorOpi {
+  int id = 0;
+  std::array<double, 3> ned{};
+  std::array<double, 6> cov{};
+  std::string color;
+  double log_likelihood_ratio =
+      0.0;  ///< Lambda of the former session: ln P(looks | present) / P(looks | absent)
+  int looks = 0;
+};
+struct SessionPrior {
+  std::string session;  ///< name of the former session
+  std::vector<PriorOpi> opis;
+};
+template <>
+struct TopicCodec<SessionPrior> : JsonCodec<SessionPrior> {};
+
+namespace topics {
+inline const Topic<GridDelta> kMapDelta{"MAP_DELTA", "changed cells of the survey grid, 2 Hz"};
+inline const Topic<Coverage> kMapCoverage{"MAP_COVERAGE", "believed coverage, 2 Hz"};
+inline const Topic<OpiBeliefs> kMapOpis{"MAP_OPIS",
+                                        "objects and their status, on change, at most 2 Hz"};
+inline const Topic<Binary> kMapSnapshot{"MAP_SNAPSHOT",
+                                        "whole semantic octree, on MAP_SNAPSHOT_REQUEST"};
+inline const Topic<std::string> kMapSnapshotRequest{"MAP_SNAPSHOT_REQUEST",
+                                                    "asks for MAP_SNAPSHOT"};
+inline const Topic<SessionPrior> kSessionPrior{"SESSION_PRIOR",
+                                               "objects of the loaded former session"};
+inline const Topic<std::string> kSessionSave{"SESSION_SAVE",
+                                             "asks pSession to save; value says why"};
+inline const Topic<std::string> kSessionSaved{"SESSION_SAVED", "a generation is complete on disk"};
+}  // namespace topics
+
+template <>
+struct TopicCodec<Binary> {
+  [[nodiscard]] static Value Encode(const Binary& value) { return value; }
+  [[nodiscard]] static std::optional<Binary> Decode(const Value& value) {
+    const auto* bytes = std::get_if<Binary>(&value);
+    return bytes != nullptr ? std::optional<Binary>(*bytes) : std::nullopt;
+  }
+};
+
+}  // namespace limpet

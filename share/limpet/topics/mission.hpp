@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// What pSurvey, pHelm and pPilot tell each other and the operator.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limpet/topics/topic.hpp"
+
+namespace limpet {
+
+/// The rectangle to survey, NED [m], the margin around it that the vehicle may use, and the band of
+/// heights above the seabed in which objects may float.
+struct SurveyArea {
+  double north_min = 0.0, north_max = 0.0, east_min = 0.0, east_max = 0.0;
+  double margin = 2.0;
+  double object_height_max = 2.0;
+  template <class V>
+  void Describe(V& visit) {
+    visit("north_min", north_min), visit("north_max", north_max);
+    visit("east_min", east_min), visit("east_max", east_max);
+    visit("margin", margin), visit("object_height_max", object_height_max);
+  }
+};
+
+struct HomePoint {
+  double north = 0.0, east = 0.0;
+  template <class V>
+  void Describe(V& visit) {
+    visit("north", north), visit("east", east);
+  }
+};
+
+/// One arc or line of a Dubins path; curvature 1/m, positive turns to starboard.
+struct PathSegment {
+  double curvature = 0.0;
+  double length = 0.0;
+};
+
+/// The path the helm chose: where it starts, its segments, and why it was chosen.
+struct HelmPath {
+  int id = 0;
+  double north = 0.0, east = 0.0, yaw = 0.0;
+  std::vector<PathSegment> segments;
+  std::string purpose;  ///< e.g. cover, revisit, home
+};
+template <>
+struct TopicCodec<HelmPath> : JsonCodec<HelmPath> {};
+
+/// One option of a decision as each behavior valued it; metres of path (nats in paper mode).
+struct OptionBid {
+  std::string behavior;
+  double value = 0.0;
+  double weight = 1.0;
+  bool has_veto = false;
+  std::string why;
+};
+struct BiddenOption {
+  std::string source;  ///< generator: beam, view_tree, home, ...
+  double length = 0.0;
+  double total = 0.0;
+  std::array<double, 2> end{};  ///< north, east of its end [m]
+  std::vector<OptionBid> bids;
+};
+struct HelmBids {
+  int path_id = 0;
+  std::string cause;   ///< why the helm decided now
+  int considered = 0;  ///< options valued; only the best few are listed
+  std::vector<BiddenOption> options;
+};
+template <>
+struct TopicCodec<HelmBids> : JsonCodec<HelmBids> {};
+
+/// Normalised thrust of each thruster, -1 to 1, in the order of the vehicle file.
+struct ThrusterCommand {
+  double t1 = 0.0, t2 = 0.0, t3 = 0.0, t4 = 0.0, t5 = 0.0, t6 = 0.0;
+  template <class V>
+  void Describe(V& visit) {
+    visit("t1", t1), visit("t2", t2), visit("t3", t3), visit("t4", t4), visit("t5", t5),
+        visit("t6", t6);
+  }
+};
+
+namespace topics {
+inline const Topic<SurveyArea> kSurveyArea{"SURVEY_AREA", "area to cover"};
+inline const Topic<HomePoint> kSurveyHome{"SURVEY_HOME",
+                                          "where the vehicle started and returns to"};
+inline const Topic<std::string> kSurveyPhase{"SURVEY_PHASE",
+                                             "IDLE, ALIGN, DIVE, SURVEY, RETURN, ASCEND, DONE"};
+inline const Topic<bool> kDeploy{"DEPLOY", "start the mission"};
+inline const Topic<bool> kReturn{"RETURN", "end the survey and go home"};
+inline const Topic<bool> kManualOverride{"MOOS_MANUAL_OVERRIDE", "true parks the helm"};
+inline const Topic<HelmPath> kHelmPath{"HELM_PATH", "path being followed"};
+inline const Topic<HelmBids> kHelmBids{"HELM_BIDS", "last decision: options, bids, reasons"};
+inline const Topic<double> kDesiredHeading{"DESIRED_HEADING", "degrees clockwise from north"};
+inline const Topic<double> kDesiredSpeed{"DESIRED_SPEED", "m/s"};
+inline const Topic<double> kDesiredDepth{"DESIRED_DEPTH", "m, positive down"};
+inline const Topic<double> kDesiredTurnRate{
+    "DESIRED_TURN_RATE", "feed-forward of the course [rad/s], starboard positive"};
+inline const Topic<ThrusterCommand> kThrusterCommand{"THRUSTER_COMMAND", "to the thrusters, 10 Hz"};
+inline const Topic<std::string> kMissionEnd{"MISSION_END",
+                                            "home, aborted or timeout: the session is over"};
+}  // namespace topics
+
+}  // namespace limpet

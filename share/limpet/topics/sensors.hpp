@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// What the vehicle's sensors say. On a real vehicle its drivers write these; in simulation
+// uSimSensors and uSimCamera.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limpet/core/message.hpp"
+#include "limpet/topics/topic.hpp"
+
+namespace limpet {
+
+/// Accelerometer, gyro and magnetic heading, body FRD.
+struct ImuSample {
+  double fx = 0.0, fy = 0.0, fz = 0.0;  ///< specific force [m/s^2]; (0, 0, -9.81) at rest and level
+  double p = 0.0, q = 0.0, r = 0.0;     ///< rates [rad/s]
+  double heading =
+      0.0;  ///< magnetic heading corrected to true north [rad]; absolute, error nearly constant
+
+  template <class V>
+  void Describe(V& visit) {
+    visit("fx", fx), visit("fy", fy), visit("fz", fz);
+    visit("p", p), visit("q", q), visit("r", r), visit("heading", heading);
+  }
+};
+
+/// Bottom-track velocity at the DVL's lever arm in body axes [m/s], its 1-sigma, vertical altitude
+/// [m] and slant ranges [m] of four beams 25 deg from vertical at azimuth 45, 135, 225, 315 deg.
+/// Absent: not measured.
+struct DvlSample {
+  bool has_lock = false;
+  std::optional<double> u, v, w;
+  std::optional<double> altitude;
+  std::optional<double> b1, b2, b3, b4;
+  double sd_horizontal = 0.01, sd_vertical = 0.005;
+
+  template <class V>
+  void Describe(V& visit) {
+    visit("has_lock", has_lock);
+    visit("u", u), visit("v", v), visit("w", w), visit("altitude", altitude);
+    visit("b1", b1), visit("b2", b2), visit("b3", b3), visit("b4", b4);
+    visit("sd_horizontal", sd_horizontal), visit("sd_vertical", sd_vertical);
+  }
+  [[nodiscard]] std::array<std::optional<double>, 4> beams() const { return {b1, b2, b3, b4}; }
+};
+
+/// A fix at the surface in the mission's local frame [m]; the error is mostly correlated over
+/// minutes.
+struct GpsFix {
+  double north = 0.0, east = 0.0, sd = 0.0;
+  template <class V>
+  void Describe(V& visit) {
+    visit("north", north), visit("east", east), visit("sd", sd);
+  }
+};
+
+/// One image, 8-bit BGR, row-major, as exposed at `exposure` (MOOS time).
+struct CameraFrame {
+  std::uint32_t frame = 0;
+  Seconds exposure;
+  int width_px = 0;
+  int height_px = 0;
+  std::vector<std::uint8_t> bgr;  ///< width * height * 3 bytes
+};
+/// Header of 32 little-endian bytes (magic "LCF1", frame u32, exposure f64, width u32, height u32,
+/// 8 reserved), pixels.
+template <>
+struct TopicCodec<CameraFrame> {
+  [[nodiscard]] static Value Encode(const CameraFrame& frame);
+  [[nodiscard]] static std::optional<CameraFrame> Decode(const Value& value);
+};
+
+/// A detector's box: centre and size in pixels.
+struct Box {
+  double u = 0.0, v = 0.0, w = 0.0, h = 0.0;
+  double confidence = 0.0;
+  std::string color;  ///< class: yellow, orange, green, ...
+};
+
+/// All boxes of one frame; sent for every frame, also when it shows nothing.
+struct Detections {
+  int frame = 0;
+  Seconds exposure;
+  std::vector<Box> boxes;
+};
+template <>
+struct TopicCodec<Detections> : JsonCodec<Detections> {};
+
+namespace topics {
+inline const Topic<ImuSample> kImuData{"IMU_DATA", "inertial measurement unit, 50 Hz"};
+inline const Topic<double> kFogYawRate{"FOG_YAW_RATE",
+                                       "fibre-optic gyro, body z rate [rad/s], 50 Hz"};
+inline const Topic<double> kDepthSensor{"DEPTH_SENSOR",
+                                        "depth of the body origin from pressure [m], 20 Hz"};
+inline const Topic<DvlSample> kDvlData{"DVL_DATA", "Doppler velocity log, 5 Hz"};
+inline const Topic<GpsFix> kGpsData{"GPS_DATA", "GPS fix in the local frame, 1 Hz at the surface"};
+inline const Topic<CameraFrame> kCameraFrame{"CAMERA_FRAME", "down-looking image, 4 fps"};
+inline const Topic<Detections> kDetections{"DETECTIONS", "boxes of each frame, also of empty ones"};
+}  // namespace topics
+
+}  // namespace limpet

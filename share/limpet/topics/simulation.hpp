@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// SIM_*: the truth. Written by uSim apps; read by uSim apps and the scorer, by nothing on board.
+#pragma once
+
+#include "limpet/core/frames.hpp"
+#include "limpet/topics/topic.hpp"
+
+namespace limpet {
+
+/// True state of the vehicle. NED, body FRD; metres, radians, seconds.
+struct SimTruth {
+  double north = 0.0, east = 0.0, down = 0.0;
+  double roll = 0.0, pitch = 0.0, yaw = 0.0;
+  double u = 0.0, v = 0.0, w = 0.0;  ///< velocity over ground in the body frame [m/s]
+  double p = 0.0, q = 0.0, r = 0.0;  ///< body rates [rad/s]
+  double fx = 0.0, fy = 0.0,
+         fz = 0.0;  ///< specific force in the body frame [m/s^2], what an accelerometer feels
+
+  template <class V>
+  void Describe(V& visit) {
+    visit("north", north), visit("east", east), visit("down", down);
+    visit("roll", roll), visit("pitch", pitch), visit("yaw", yaw);
+    visit("u", u), visit("v", v), visit("w", w);
+    visit("p", p), visit("q", q), visit("r", r);
+    visit("fx", fx), visit("fy", fy), visit("fz", fz);
+  }
+  [[nodiscard]] Pose pose() const { return {{north, east, down}, roll, pitch, yaw}; }
+};
+
+namespace topics {
+inline const Topic<SimTruth> kSimTruth{"SIM_TRUTH", "true state of the vehicle, 50 Hz"};
+inline const Topic<std::string> kSimEvent{"SIM_EVENT",
+                                          "surfaced, submerged, touched_bottom, left_bottom"};
+}  // namespace topics
+
+}  // namespace limpet
