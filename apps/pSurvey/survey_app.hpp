@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "limpet/app/app.hpp"
+#include "limpet/core/params.hpp"
+#include "limpet/topics/mapping.hpp"
+#include "limpet/topics/mission.hpp"
+#include "limpet/topics/navigation.hpp"
+
+namespace limpet {
+
+/// The mission manager: announces the area, walks through the phases (align at the surface, dive,
+/// survey, return, ascend) and ends the mission. The survey ends when the coverage target is
+/// reached and no object still wants a look.
+class SurveyApp final : public App {
+ public:
+  struct Params {
+    Meters north_min{-15.0}, north_max{15.0}, east_min{-18.0}, east_max{18.0};
+    Meters margin{2.0};
+    Meters object_height_max{2.0};
+    Meters altitude{4.0};
+    Meters altitude_tolerance{0.3};
+    Seconds align{30.0};
+    double coverage_target = 0.975;
+    std::string coverage_kind = "band_top";
+    double settled_entropy = 0.25;
+    int settled_looks = 2;
+    Meters home_radius{1.0};
+    Meters surface_depth{0.35};
+    Seconds stall{240.0};
+    Seconds max_time{5400.0};
+    template <class Visitor>
+    void Describe(Visitor& visit) {
+      visit("area_north_min_m", north_min, "South edge of the area");
+      visit("area_north_max_m", north_max, "North edge of the area");
+      visit("area_east_min_m", east_min, "West edge of the area");
+      visit("area_east_max_m", east_max, "East edge of the area");
+      visit("margin_m", margin, "Strip around the area that the vehicle may use",
+            InRange(Meters(0.0), Meters(100.0)));
+      visit("object_height_max_m", object_height_max,
+            "Objects float up to this height above the seabed; 0 covers the bottom alone",
+            InRange(Meters(0.0), Meters(10.0)));
+      visit("altitude_m", altitude,
+            "Survey altitude; the dive ends within altitude_tolerance_m of it",
+            InRange(Meters(0.5), Meters(50.0)));
+      visit("altitude_tolerance_m", altitude_tolerance, "How near the altitude must be",
+            InRange(Meters(0.05), Meters(5.0)));
+      visit("align_s", align, "Time at the surface to collect GPS fixes before the dive",
+            InRange(Seconds(0.0), Seconds(3600.0)));
+      visit("coverage_target", coverage_target, "Share of the area to see before going home",
+            InRange(0.0, 1.0));
+      visit.Choice(
+          "coverage_kind", coverage_kind,
+          "What the target counts: the bottom, the mean over the band, or its greatest height",
+          {"seabed", "band", "band_top"});
+      visit("settled_entropy", settled_entropy,
+            "An object whose status entropy [nats] is below this needs no revisit",
+            InRange(0.0, 1.4));
+      visit("settled_looks", settled_looks, "... or that was looked at this often in the session",
+            InRange(1, 100));
+      visit("home_radius_m", home_radius, "Home is reached within this distance",
+            InRange(Meters(0.2), Meters(50.0)));
+      visit("surface_depth_m", surface_depth, "Shallower than this is at the surface",
+            InRange(Meters(0.0), Meters(5.0)));
+      visit("stall_s", stall, "Go home when coverage has not grown for this long",
+            InRange(Seconds(10.0), Seconds(86400.0)));
+      visit("max_time_s", max_time, "Go home after this time under way",
+            InRange(Seconds(10.0), Seconds(864000.0)));
+    }
+  };
+
+  SurveyApp(const AppContext& context, const Params& params);
+  void Tick(Seconds now) override;
+
+ private:
+  enum class Phase { kIdle, kAlign, kDive, kSurvey, kReturn, kAscend, kDone };
+
+  void OnNav(const Stamped<NavState>& nav) { nav_ = nav.value; }
+  void OnDeploy(const Stamped<bool>& deploy);
+  void OnReturn(const Stamped<bool>& request);
+  void OnCoverage(const Stamped<Coverage>& coverage);
+  void OnOpis(const Stamped<OpiBeliefs>& opis) { opis_ = opis.value; }
+
+  void Enter(Phase phase, Seconds now);
+  void GoHome(const std::string& reason, const std::string& ended, Seconds now);
+  void AlignAtSurface(Seconds now);
+  void Survey(Seconds now);
+  [[nodiscard]] bool HasOpenRevisit() const;
+  [[nodiscard]] double CoveredShare(const Coverage& coverage) const;
+  [[nodiscard]] double DistanceHome() const;
+
+  Params params_;
+  Phase phase_ = Phase::kIdle;
+  Seconds phase_since_;
+  std::optional<Seconds> deployed_;
+  Seconds last_progress_;
+  double best_share_ = 0.0;
+  std::optional<NavState> nav_;
+  std::optional<HomePoint> home_;
+  Coverage coverage_;
+  OpiBeliefs opis_;
+  std::string ended_ = "home";
+};
+
+}  // namespace limpet

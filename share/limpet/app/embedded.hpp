@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "limpet/app/app.hpp"
+#include "limpet/core/config.hpp"
+#include "limpet/pubsub/database.hpp"
+
+namespace limpet {
+
+/// What an embedded community is made of.
+struct EmbeddedSetup {
+  std::string community;
+  std::vector<std::string> apps;    ///< process names in launch order; each must be registered
+  std::vector<ConfigBlock> blocks;  ///< ProcessConfig blocks; an app without one takes its defaults
+  std::vector<ConfigEntry> globals;
+  std::filesystem::path mission_folder;
+  std::filesystem::path run_folder;
+  std::filesystem::path prior_folder;
+  std::string session;
+  std::uint64_t seed = 1;
+  Seconds start{1767225600.0};  ///< virtual time begins at 2026-01-01T00:00:00Z
+  /// If set, mail for which it says no is not delivered to that app.
+  std::function<bool(const std::string& app, const std::string& variable)> may_hear;
+};
+
+/// Hosts the database and all apps of a mission in one thread on virtual time. Mail is delivered at
+/// the instant it is written, in launch order, until all is quiet; then the next tick is due. Same
+/// setup, same bits.
+class EmbeddedCommunity {
+ public:
+  /// Builds every app. Throws ConfigError with the problems of all of them.
+  explicit EmbeddedCommunity(EmbeddedSetup setup);
+  ~EmbeddedCommunity();
+
+  /// Runs the next due tick and all mail it causes.
+  void Step();
+  /// Writes a variable as an operator would.
+  void Poke(const std::string& name, Value value);
+  /// Calls `observer` for every write, in order.
+  void Observe(std::function<void(const Message&)> observer);
+  /// Ends every app in launch order; the last call.
+  void Finish();
+
+  [[nodiscard]] Seconds now() const;
+  /// Virtual seconds since the start.
+  [[nodiscard]] Seconds elapsed() const;
+  [[nodiscard]] const Database& database() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace limpet

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// A behavior bids on where to go next (options, in metres of path) and on how to move now (course,
+// speed, depth).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limpet/helm/peak.hpp"
+#include "limpet/helm/situation.hpp"
+#include "limpet/planning/option.hpp"
+
+namespace limpet {
+
+/// A health warning that a behavior asks the helm to raise.
+struct BehaviorWarning {
+  std::string id;
+  std::string text;
+};
+
+/// How now: preferences over course [rad], speed [m/s] and depth [m]; absent means no opinion.
+struct MotionBid {
+  std::optional<Peak> course;
+  std::optional<Peak> speed;
+  std::optional<Peak> depth;
+  std::optional<double> turn_rate;  ///< feed-forward of the course [rad/s], starboard positive
+  std::optional<BehaviorWarning> warning;
+};
+
+/// What one reason contributes to a bid.
+struct Reason {
+  const char* name;
+  double value;
+};
+
+/// Where next: the worth of one option in metres of path (nats in paper mode), with reasons; or a
+/// veto.
+struct Bid {
+  double value = 0.0;
+  std::vector<Reason> why;
+  std::optional<std::string> veto;
+};
+
+/// A function of parameters and a snapshot: no look-ups by name, no clock, no side effects. A
+/// behavior may bid on either decision or on both. Its run state (conditions, flags, pwt, updates)
+/// is the host's business.
+class Behavior {
+ public:
+  virtual ~Behavior() = default;
+
+  /// How now; called every helm tick while running.
+  [[nodiscard]] virtual MotionBid Move(const VehicleState& state) {
+    static_cast<void>(state);
+    return {};
+  }
+
+  /// True if a view decision is wanted while this behavior runs.
+  [[nodiscard]] virtual bool WantsView() const { return false; }
+  /// Adds this behavior's terms, times `weight`, to what the option search looks for.
+  virtual void Shape(const Situation& now, double weight, SearchObjective& objective) const {
+    static_cast<void>(now), static_cast<void>(weight), static_cast<void>(objective);
+  }
+  /// Paths of its own, e.g. the way home.
+  virtual void Offer(const Situation& now, std::vector<Option>& options) const {
+    static_cast<void>(now), static_cast<void>(options);
+  }
+  /// Values any option; nothing means no opinion.
+  [[nodiscard]] virtual std::optional<Bid> Value(const Option& option, const Situation& now) const {
+    static_cast<void>(option), static_cast<void>(now);
+    return std::nullopt;
+  }
+};
+
+}  // namespace limpet

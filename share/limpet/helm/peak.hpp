@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace limpet {
+
+/// A preference over one decision variable: 1 on the flat top around `summit`, falling linearly to
+/// 0 at the base. For courses the distance is the shorter way round.
+struct Peak {
+  double summit = 0.0;
+  double flat_half_width = 0.0;
+  double base_half_width = 1.0;  ///< REQUIRES: > flat_half_width
+};
+
+struct WeightedPeak {
+  Peak peak;
+  double weight = 1.0;
+};
+
+/// Value of a peak at a distance from its summit, in [0, 1].
+[[nodiscard]] double PeakValue(const Peak& peak, double distance);
+
+/// The exact maximiser of the weighted sum over [low, high]. The sum is piecewise linear, so its
+/// maximum is at a summit, a knee or an end of the domain; among equals the summit of the heaviest
+/// peak wins. REQUIRES: !peaks.empty().
+[[nodiscard]] double MaximizeOverInterval(std::span<const WeightedPeak> peaks, double low,
+                                          double high);
+
+/// The same over the circle; angles in radians, result in (-pi, pi]. REQUIRES: !peaks.empty().
+[[nodiscard]] double MaximizeOverCircle(std::span<const WeightedPeak> peaks);
+
+}  // namespace limpet
