@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "apps/limpet/session_runner.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "limpet/app/embedded.hpp"
+#include "limpet/app/registry.hpp"
+
+namespace limpet {
+
+std::atomic<bool> interrupt_requested{false};
+
+namespace {
+
+constexpr double kLastMailSeconds =
+    2.0;  // after the end is announced, so that the last save reaches the disk
+
+EmbeddedSetup SetupFor(const MissionFile& mission, const SessionPlan& plan) {
+  EmbeddedSetup setup{.community = mission.Global("Community"),
+                      .apps = EmbeddedApps(mission),
+                      .blocks = mission.blocks,
+                      .globals = mission.globals,
+                      .mission_folder = plan.mission_folder,
+                      .run_folder = plan.run_folder,
+                      .prior_folder = plan.prior_folder,
+                      .session = plan.session,
+                      .seed = plan.seed,
+                      .may_hear = nullptr};
+  if (!plan.delivers_truth_on_board) {
+    setup.may_hear = [](const std::string& app, const std::string& variable) {
+      return app.starts_with("uSim") || !variable.starts_with("SIM_");
+    };
+  }
+  return setup;
+}
+
+}  // namespace
+
+std::vector<std::string> EmbeddedApps(const MissionFile& mission) {
+  static const std::vector<std::string> network_apps{
+      "LimpetDB", "MOOSDB", "pShare", "pStation", "uScope", "uXMS", "pMarineViewer", "uMAC"};
+  std::vector<std::string> apps;
+  for (const LaunchEntry& launch : mission.launches) {
+    if (std::ranges::find(network_apps, launch.binary) == network_apps.end()) {
+      apps.push_back(launch.binary);
+    }
+  }
+  return apps;
+}
+
+void ApplySetting(MissionFile& mission, const std::string& setting) {
+  const std::size_t dot = setting.find('.');
+  const std::size_t equals = setting.find('=');
+  if (dot == std::string::npos || equals == std::string::npos || dot > equals) {
+    throw ConfigError({{}, "--set", fmt::format("`{}` is not app.key=value", setting)});
+  }
+  const std::string owner = setting.substr(0, dot);
+  ConfigEntry entry{.key = setting.substr(dot + 1, equals - dot - 1),
+                    .value = setting.substr(equals + 1),
+                    .where = {.file = "--set " + setting, .line = 0}};
+  const bool is_app = AppRegistry().contains(owner);
+  const std::string block_name = is_app ? owner : "pHelm";
+  if (!is_app) {  // a behavior, by its name: the helm applies it to its .bhv file
+    entry.value = owner + "." + entry.key + "=" + entry.value;
+    entry.key = "behavior_setting";
+  }
+  auto block = std::ranges::find_if(
+      mission.blocks, [&](const ConfigBlock& b) { return EqualsIgnoringCase(b.name, block_name); });
+  if (block == mission.blocks.end()) {
+    mission.blocks.push_back({.name = block_name, .where = entry.where, .entries = {}});
+    block = std::prev(mission.blocks.end());
+  }
+  if (is_app) {
+    std::erase_if(block->entries,
+                  [&](const ConfigEntry& old) { return EqualsIgnoringCase(old.key, entry.key); });
+  }
+  block->entries.push_back(std::move(entry));
+}
+
+SessionOutcome RunSession(const MissionFile& mission, const SessionPlan& plan,
+                          const MessageObserver& observer) {
+  const auto begin = std::chrono::steady_clock::now();
+  std::filesystem::create_directories(plan.run_folder);
+  EmbeddedCommunity community(SetupFor(mission, plan));
+  SessionOutcome outcome{.ended = "timeout", .duration = Seconds(0.0)};
+  std::optional<Seconds> ended_at;
+  community.Observe([&](const Message& message) {
+    if (message.name == "MISSION_END") {
+      outcome.ended = std::get<std::string>(message.value);
+      ended_at = message.time;
+    }
+    observer(message);
+  });
+  community.Step();
+  community.Poke("DEPLOY", std::string("true"));
+  while (community.elapsed() < plan.longest) {
+    if (interrupt_requested) {
+      outcome.ended = "aborted";
+      break;
+    }
+    if (ended_at && community.now() - *ended_at > Seconds(kLastMailSeconds)) {
+      break;
+    }
+    community.Step();
+  }
+  community.Finish();
+  outcome.duration = community.elapsed();
+  outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return outcome;
+}
+
+}  // namespace limpet

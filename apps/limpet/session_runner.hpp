@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "limpet/core/message.hpp"
+#include "limpet/core/units.hpp"
+#include "limpet/mission/mission_file.hpp"
+
+namespace limpet {
+
+/// One session of a mission, run embedded.
+struct SessionPlan {
+  std::string session;  ///< discovery, change, ...
+  std::filesystem::path mission_folder;
+  std::filesystem::path run_folder;    ///< created if missing
+  std::filesystem::path prior_folder;  ///< run folder of the session to compare with; empty if none
+  std::uint64_t seed = 1;
+  Seconds longest{3.0 * 3600.0};  ///< virtual time after which the session is cut
+  bool delivers_truth_on_board =
+      true;  ///< false withholds SIM_* from every app that is not a simulator
+};
+
+struct SessionOutcome {
+  std::string ended;  ///< home, aborted or timeout
+  Seconds duration;   ///< virtual
+  double wall_s = 0.0;
+};
+
+/// Set by the signal handler; the runner stops at the next step and ends every app in order.
+extern std::atomic<bool> interrupt_requested;
+
+using MessageObserver = std::function<void(const Message&)>;
+
+/// Runs a session to its end. Throws ConfigError before anything is written if the mission does not
+/// build.
+[[nodiscard]] SessionOutcome RunSession(const MissionFile& mission, const SessionPlan& plan,
+                                        const MessageObserver& observer);
+
+/// Applies `app.key=value` (or `behavior_name.key=value`) to a mission. Throws ConfigError.
+void ApplySetting(MissionFile& mission, const std::string& setting);
+
+/// Processes of the ANTLER block that an embedded run hosts: all but the database and what needs a
+/// network or a console.
+[[nodiscard]] std::vector<std::string> EmbeddedApps(const MissionFile& mission);
+
+}  // namespace limpet
