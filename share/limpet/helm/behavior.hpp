@@ -49,6 +49,9 @@ class Behavior {
  public:
   virtual ~Behavior() = default;
 
+  /// Called when the behavior begins to run, at first and after each idle spell.
+  virtual void Start(const VehicleState& state) { static_cast<void>(state); }
+
   /// How now; called every helm tick while running.
   [[nodiscard]] virtual MotionBid Move(const VehicleState& state) {
     static_cast<void>(state);
@@ -66,8 +69,9 @@ class Behavior {
     static_cast<void>(now), static_cast<void>(options);
   }
   /// Values any option; nothing means no opinion.
-  [[nodiscard]] virtual std::optional<Bid> Value(const Option& option, const Situation& now) const {
-    static_cast<void>(option), static_cast<void>(now);
+  [[nodiscard]] virtual std::optional<Bid> Value(const Prospect& prospect,
+                                                 const Situation& now) const {
+    static_cast<void>(prospect), static_cast<void>(now);
     return std::nullopt;
   }
 };

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Snapshots that behaviors judge: one for how to move now, one for where to go next.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "limpet/core/units.hpp"
+#include "limpet/planning/ground.hpp"
+#include "limpet/planning/objective.hpp"
+#include "limpet/planning/option.hpp"
+#include "limpet/planning/region.hpp"
+#include "limpet/planning/sight_along.hpp"
+#include "limpet/topics/mapping.hpp"
+#include "limpet/topics/mission.hpp"
+#include "limpet/topics/navigation.hpp"
+
+namespace limpet {
+
+/// What path following asks for now.
+struct Guidance {
+  double course = 0.0;     ///< [rad]
+  double turn_rate = 0.0;  ///< feed-forward [rad/s], starboard positive
+  double cross_track = 0.0;  ///< starboard of the path positive [m]
+  double remaining = 0.0;    ///< path left [m]
+};
+
+/// For "how now".
+struct VehicleState {
+  Seconds now;
+  NavState nav;
+  std::optional<Guidance> guidance;        ///< absent without a path
+  std::optional<SurveyArea> area;
+};
+
+/// For "where next". Pointers are never null and outlive the decision.
+struct Situation {
+  Seconds now;
+  Pose2 pose;                ///< where options start
+  const Ground* ground = nullptr;
+  const Region* region = nullptr;
+  Meters turn_radius{3.0};
+  HomePoint home;
+  std::vector<OpiBelief> opis;
+  Coverage coverage;
+  double travelled = 0.0;    ///< path since the helm first decided [m]
+};
+
+/// An option with what its whole motion would newly show.
+struct Prospect {
+  const Option* option = nullptr;
+  NewSight sight;
+
+  [[nodiscard]] const DubinsPath& path() const { return option->path; }
+  [[nodiscard]] double length() const { return option->path.length(); }
+};
+
+using SearchObjective = Objective;
+
+}  // namespace limpet
