@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pHelm/view_planner.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limpet/planning/beam_search.hpp"
+#include "limpet/planning/gap_paths.hpp"
+
+namespace limpet {
+
+ViewPlanner::ViewPlanner(const HelmParams& params, Random random)
+    : params_(params), random_(std::move(random)) {}
+
+void ViewPlanner::SetArea(const SurveyArea& area) {
+  area_ = area;
+  grid_ = std::make_unique<SurveyGrid>(area);
+  ground_ = std::make_unique<Ground>(
+      *grid_, Footprint(params_.survey_altitude.value(), area.object_height_max,
+                        params_.camera.geometry()));
+  sight_ = std::make_unique<SightAlong>(*ground_);
+  region_ = std::make_unique<Region>(
+      area, std::max(0.0, area.margin - params_.tracking_allowance.value()));
+  DropPath();
+}
+
+void ViewPlanner::SetOpis(const std::vector<OpiBelief>& opis) {
+  const auto same_decision = [](const OpiBelief& a, const OpiBelief& b) {
+    return a.id == b.id && a.decided == b.decided;
+  };
+  objects_changed_ = objects_changed_ || !std::ranges::equal(opis, opis_, same_decision);
+  opis_ = opis;
+}
+
+void ViewPlanner::Apply(const GridDelta& delta) {
+  if (grid_) {
+    static_cast<void>(grid_->Apply(delta));  // another frame is another area's late mail
+  }
+}
+
+void ViewPlanner::DropPath() {
+  has_path_ = false;
+  path_ = DubinsPath();
+  decided_by_.clear();
+}
+
+std::optional<Guidance> ViewPlanner::Guide(const NavState& nav) {
+  if (!has_path_) {
+    return std::nullopt;
+  }
+  const Pose2 here{.north = nav.north, .east = nav.east, .yaw = nav.yaw};
+  steering_ = guidance_.Steer(here, std::hypot(nav.u, nav.v));
+  return Guidance{.course = steering_.course,
+                  .turn_rate = steering_.turn_rate,
+                  .cross_track = steering_.cross_track,
+                  .remaining = path_.length() - steering_.progress};
+}
+
+std::string ViewPlanner::CauseToDecide(std::span<const WeightedBehavior> running,
+                                       const NavState&) const {
+  const auto same_name = [](const WeightedBehavior& a, const std::string& b) { return a.name == b; };
+  if (!has_path_) {
+    return "no path";
+  }
+  if (!std::ranges::equal(running, decided_by_, same_name)) {
+    return "other behaviors are running";
+  }
+  if (path_.length() - steering_.progress <= params_.arrival.value()) {
+    return "arrived";
+  }
+  if (std::abs(steering_.cross_track) > params_.off_track.value()) {
+    return "off track";
+  }
+  if (params_.planner == "paper") {
+    return "";  // the paper's planner decides at viewpoints alone
+  }
+  if (objects_changed_) {
+    return "objects changed";
+  }
+  return steering_.progress >= params_.replan_every.value() ? "periodic" : "";
+}
+
+Pose2 ViewPlanner::StartPose(const NavState& nav) const {
+  // From the path where it is being followed: a new path then joins it without a step in course.
+  if (has_path_ && std::abs(steering_.cross_track) < 0.5 * params_.off_track.value()) {
+    return path_.At(steering_.progress);
+  }
+  return {.north = nav.north, .east = nav.east, .yaw = nav.yaw};
+}
+
+std::vector<Option> ViewPlanner::GatherOptions(std::span<const WeightedBehavior> running,
+                                               const Situation& now) {
+  Objective objective{.w_cover = 0.0, .w_frontier = 0.0, .targets = {}};
+  for (const WeightedBehavior& behavior : running) {
+    behavior.behavior->Shape(now, behavior.weight, objective);
+  }
+  std::vector<Option> options;
+  const auto add = [&options](std::vector<Option> more) {
+    std::ranges::move(more, std::back_inserter(options));
+  };
+  if (objective.w_cover > 0.0 || !objective.targets.empty()) {
+    BeamParams beam;
+    beam.turn_radius = params_.turning_radius;
+    beam.horizon = params_.horizon;
+    beam.width = params_.beam_width;
+    add(BeamSearch(now.pose, *ground_, *region_, objective, beam));
+    GapParams gaps;
+    gaps.turn_radius = params_.turning_radius;
+    add(GapPaths(now.pose, *ground_, *region_, objective, gaps));
+    if (has_path_ && steering_.progress < path_.length() - params_.replan_every.value()) {
+      options.push_back({.source = "rest", .path = path_.Suffix(steering_.progress)});
+    }
+  }
+  for (const WeightedBehavior& behavior : running) {
+    behavior.behavior->Offer(now, options);
+  }
+  return options;
+}
+
+ViewDecision ViewPlanner::DecideLikeThePaper(const Situation& now) {
+  if (!paper_) {
+    PaperParams paper;
+    paper.turn_radius = params_.turning_radius;
+    paper.nodes = params_.paper_nodes;
+    paper.lambda = params_.paper_lambda;
+    paper.gain = params_.gain == "coverage" ? PaperGain::kCoverage
+                 : has_former_session_      ? PaperGain::kChange
+                                            : PaperGain::kDiscovery;
+    paper_ = std::make_unique<PaperPlanner>(paper, *region_, random_);
+  }
+  ViewDecision decision;
+  decision.chosen = paper_->Next(now.pose, *ground_, opis_, coverage_.seabed);
+  decision.bids.considered = params_.paper_nodes;
+  if (decision.chosen) {
+    const Pose2 end = decision.chosen->path.end();
+    decision.bids.options.push_back({.source = decision.chosen->source,
+                                     .length = decision.chosen->path.length(),
+                                     .total = paper_->log_gain(),
+                                     .end = {end.north, end.east},
+                                     .bids = {{.behavior = "paper",
+                                               .value = paper_->log_gain(),
+                                               .weight = 1.0,
+                                               .has_veto = false,
+                                               .why = "ln L of the best branch [nat]"}}});
+  }
+  return decision;
+}
+
+void ViewPlanner::Follow(const Option& option) {
+  travelled_ += has_path_ ? steering_.progress : 0.0;
+  path_ = option.path;
+  has_path_ = true;
+  ++path_id_;
+  guidance_.Follow(path_.start(), path_.segments());
+  steering_ = {};
+}
+
+std::optional<ViewDecision> ViewPlanner::DecideIfDue(std::span<const WeightedBehavior> running,
+                                                     const NavState& nav, Seconds now) {
+  const bool is_wanted = std::ranges::any_of(
+      running, [](const WeightedBehavior& b) { return b.behavior->WantsView(); });
+  if (!is_wanted || !ground_) {
+    DropPath();
+    return std::nullopt;
+  }
+  const std::string cause = CauseToDecide(running, nav);
+  if (cause.empty()) {
+    return std::nullopt;
+  }
+  ground_->Update(*grid_);
+  const Situation situation{.now = now,
+                            .pose = StartPose(nav),
+                            .ground = ground_.get(),
+                            .region = region_.get(),
+                            .turn_radius = params_.turning_radius,
+                            .home = home_,
+                            .opis = opis_,
+                            .coverage = coverage_,
+                            .travelled = travelled_};
+  const bool covers = std::ranges::any_of(
+      running, [](const WeightedBehavior& b) { return b.name == "cover"; });
+  ViewDecision decision =
+      params_.planner == "paper" && covers
+          ? DecideLikeThePaper(situation)
+          : DecideView(running, situation, GatherOptions(running, situation), *sight_);
+  objects_changed_ = false;
+  decided_by_.clear();
+  std::ranges::transform(running, std::back_inserter(decided_by_), &WeightedBehavior::name);
+  if (decision.chosen) {
+    Follow(*decision.chosen);
+  }
+  decision.bids.cause = cause;
+  decision.bids.path_id = path_id_;
+  return decision;
+}
+
+}  // namespace limpet

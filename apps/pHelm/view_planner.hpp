@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "apps/pHelm/helm_params.hpp"
+#include "limpet/core/random.hpp"
+#include "limpet/helm/view_decision.hpp"
+#include "limpet/planning/line_of_sight.hpp"
+#include "limpet/planning/paper_planner.hpp"
+#include "limpet/survey/survey_grid.hpp"
+
+namespace limpet {
+
+/// "Where next": mirrors the survey grid, tracks the path in force, and when a decision is due gathers options and lets the
+/// running behaviors value them.
+class ViewPlanner {
+ public:
+  ViewPlanner(const HelmParams& params, Random random);
+
+  void SetArea(const SurveyArea& area);
+  void SetHome(const HomePoint& home) { home_ = home; }
+  void SetOpis(const std::vector<OpiBelief>& opis);
+  void SetCoverage(const Coverage& coverage) { coverage_ = coverage; }
+  void SetFormerSession(bool is_loaded) { has_former_session_ = is_loaded; }
+  void Apply(const GridDelta& delta);
+
+  /// Where to steer for the path in force; nothing without one.
+  [[nodiscard]] std::optional<Guidance> Guide(const NavState& nav);
+  /// Decides if a decision is due; the chosen path is then in force.
+  [[nodiscard]] std::optional<ViewDecision> DecideIfDue(std::span<const WeightedBehavior> running,
+                                                        const NavState& nav, Seconds now);
+  /// Forgets the path, e.g. when nobody wants a view any more.
+  void DropPath();
+
+  [[nodiscard]] const DubinsPath& path() const { return path_; }
+  [[nodiscard]] const std::optional<SurveyArea>& area() const { return area_; }
+
+ private:
+  struct World;
+  [[nodiscard]] std::string CauseToDecide(std::span<const WeightedBehavior> running,
+                                          const NavState& nav) const;
+  [[nodiscard]] Pose2 StartPose(const NavState& nav) const;
+  [[nodiscard]] std::vector<Option> GatherOptions(std::span<const WeightedBehavior> running,
+                                                  const Situation& now);
+  [[nodiscard]] ViewDecision DecideLikeThePaper(const Situation& now);
+  void Follow(const Option& option);
+
+  HelmParams params_;
+  Random random_;
+  std::optional<SurveyArea> area_;
+  std::unique_ptr<SurveyGrid> grid_;
+  std::unique_ptr<Ground> ground_;
+  std::unique_ptr<SightAlong> sight_;
+  std::unique_ptr<Region> region_;
+  std::unique_ptr<PaperPlanner> paper_;
+  HomePoint home_;
+  std::vector<OpiBelief> opis_;
+  Coverage coverage_;
+  bool has_former_session_ = false;
+
+  DubinsPath path_;
+  bool has_path_ = false;
+  bool objects_changed_ = false;
+  std::vector<std::string> decided_by_;  ///< names of behaviors that were running at the last decision
+  LineOfSight guidance_;
+  LineOfSight::Steering steering_;
+  double travelled_ = 0.0;          ///< along finished paths [m]
+  int path_id_ = 0;
+};
+
+}  // namespace limpet

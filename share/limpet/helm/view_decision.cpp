@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/helm/view_decision.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace limpet {
+namespace {
+
+struct ValuedOption {
+  std::size_t index = 0;
+  bool has_veto = false;
+  BiddenOption bidden;
+};
+
+std::string WhyText(const Bid& bid) {
+  if (bid.veto) {
+    return *bid.veto;
+  }
+  std::string text;
+  for (const Reason& reason : bid.why) {
+    text += fmt::format("{}{}={:.2f}", text.empty() ? "" : " ", reason.name, reason.value);
+  }
+  return text;
+}
+
+ValuedOption ValueOption(std::span<const WeightedBehavior> behaviors, const Situation& now,
+                         const Option& option, std::size_t index, SightAlong& sight) {
+  const Prospect prospect{.option = &option, .sight = sight(option.path)};
+  const Pose2 end = option.path.end();
+  ValuedOption valued{.index = index, .has_veto = false, .bidden = {}};
+  valued.bidden.source = option.source;
+  valued.bidden.length = option.path.length();
+  valued.bidden.end = {end.north, end.east};
+  for (const WeightedBehavior& running : behaviors) {
+    const std::optional<Bid> bid = running.behavior->Value(prospect, now);
+    if (!bid) {
+      continue;
+    }
+    valued.has_veto = valued.has_veto || bid->veto.has_value();
+    valued.bidden.total += running.weight * bid->value;
+    valued.bidden.bids.push_back({.behavior = running.name,
+                                  .value = bid->value,
+                                  .weight = running.weight,
+                                  .has_veto = bid->veto.has_value(),
+                                  .why = WhyText(*bid)});
+  }
+  return valued;
+}
+
+}  // namespace
+
+ViewDecision DecideView(std::span<const WeightedBehavior> behaviors, const Situation& now,
+                        std::vector<Option> options, SightAlong& sight, int listed) {
+  std::vector<ValuedOption> valued;
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    valued.push_back(ValueOption(behaviors, now, options[i], i, sight));
+  }
+  std::ranges::stable_sort(valued, [](const ValuedOption& a, const ValuedOption& b) {
+    return a.has_veto != b.has_veto ? b.has_veto : a.bidden.total > b.bidden.total;
+  });
+  ViewDecision decision;
+  decision.bids.considered = static_cast<int>(options.size());
+  if (!valued.empty() && !valued.front().has_veto) {
+    decision.chosen = std::move(options[valued.front().index]);
+  }
+  for (std::size_t i = 0; i < std::min(valued.size(), static_cast<std::size_t>(listed)); ++i) {
+    decision.bids.options.push_back(std::move(valued[i].bidden));
+  }
+  return decision;
+}
+
+}  // namespace limpet
