@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/vision/image_file.hpp"
+
+#include <algorithm>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+namespace limpet {
+
+Expected<Image> ReadImage(const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file)) {
+    return Error{file.string() + ": no such file"};
+  }
+  cv::Mat pixels;
+  try {
+    pixels = cv::imread(file.string(), cv::IMREAD_COLOR);
+  } catch (const cv::Exception& exception) {
+    return Error{file.string() + ": " + exception.what()};
+  }
+  if (pixels.empty()) {
+    return Error{file.string() + ": not an image that can be read"};
+  }
+  Image image{pixels.cols, pixels.rows, {}};
+  const std::size_t row_bytes = 3 * static_cast<std::size_t>(pixels.cols);
+  image.bgr.resize(row_bytes * static_cast<std::size_t>(pixels.rows));
+  for (int row = 0; row < pixels.rows; ++row) {
+    std::copy_n(pixels.ptr(row), row_bytes, &image.bgr[static_cast<std::size_t>(row) * row_bytes]);
+  }
+  return image;
+}
+
+Expected<bool> WriteImage(const std::filesystem::path& file, const ImageView& image) {
+  // OpenCV takes no const pixels, but imwrite leaves them alone.
+  const cv::Mat pixels(
+      image.height_px, image.width_px, CV_8UC3,
+      const_cast<std::uint8_t*>(image.bgr));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+  try {
+    if (cv::imwrite(file.string(), pixels)) {
+      return true;
+    }
+  } catch (const cv::Exception& exception) {
+    return Error{file.string() + ": " + exception.what()};
+  }
+  return Error{file.string() + ": cannot be written"};
+}
+
+}  // namespace limpet

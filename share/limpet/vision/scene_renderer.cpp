@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/vision/scene_renderer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "limpet/core/random.hpp"
+#include "limpet/core/require.hpp"
+#include "limpet/vision/sphere_painter.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr int kLinearLevels = 4096;
+constexpr std::size_t kNoiseLength = 1U << 16U;
+constexpr double kNoiseLevels = 2.2;  ///< 1-sigma of the sensor noise in 8-bit levels
+constexpr double kVignetteAtCorner = 0.22;
+
+/// The counter-based generator behind noise and specks (SplitMix64's finalizer).
+std::uint64_t Hash(std::uint64_t counter) {
+  std::uint64_t x = counter * 0x9e3779b97f4a7c15ULL + 0x632be59bd9b4e019ULL;
+  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebULL;
+  return x ^ (x >> 31U);
+}
+
+/// Smooth noise in -1 .. 1 of a place, one random value per unit cell.
+float PatchNoise(double x, double y, std::uint64_t seed) {
+  const double cell_x = std::floor(x);
+  const double cell_y = std::floor(y);
+  const auto corner = [cell_x, cell_y, seed](int i, int j) {
+    const auto a = static_cast<std::uint64_t>(static_cast<std::int64_t>(cell_x) + i);
+    const auto b = static_cast<std::uint64_t>(static_cast<std::int64_t>(cell_y) + j);
+    return static_cast<float>(Hash(seed ^ (a * 0x8da6b343ULL) ^ (b * 0xd8163841ULL)) >> 40U) /
+               8388608.0F -
+           1.0F;
+  };
+  const auto tx = static_cast<float>(x - cell_x);
+  const auto ty = static_cast<float>(y - cell_y);
+  const float right = tx * tx * (3.0F - 2.0F * tx);
+  const float low = ty * ty * (3.0F - 2.0F * ty);
+  return std::lerp(std::lerp(corner(0, 0), corner(1, 0), right),
+                   std::lerp(corner(0, 1), corner(1, 1), right), low);
+}
+
+/// 8-bit level of linear light, gamma 2.2, with room for the noise at both ends.
+std::vector<std::uint8_t> ToneCurve() {
+  std::vector<std::uint8_t> curve(kLinearLevels);
+  for (int i = 0; i < kLinearLevels; ++i) {
+    const double level = std::pow(static_cast<double>(i) / (kLinearLevels - 1), 1.0 / 2.2);
+    curve[static_cast<std::size_t>(i)] =
+        static_cast<std::uint8_t>(std::lround(9.0 + 236.0 * level));
+  }
+  return curve;
+}
+
+/// Draws within +-9 levels, so that adding one to the tone curve cannot overflow.
+std::vector<std::int8_t> NoiseTable(std::uint64_t seed, std::size_t row_length) {
+  Random random(seed, "camera noise");
+  std::vector<std::int8_t> noise(kNoiseLength + row_length);
+  for (std::int8_t& value : noise) {
+    value = static_cast<std::int8_t>(std::clamp(std::lround(random.Normal(kNoiseLevels)), -9L, 9L));
+  }
+  return noise;
+}
+
+}  // namespace
+
+/// The camera of one frame in the world.
+struct SceneRenderer::View {
+  Eigen::Matrix3d R_WC;
+  Eigen::Vector3d p_W;  ///< camera [m]
+  double origin_north;  ///< corner of a texture tile near the camera, so that floats stay fine [m]
+  double origin_east;
+};
+
+SceneRenderer::SceneRenderer(const SceneSettings& settings)
+    : settings_(settings),
+      water_(WaterOptics::OfVisibility(settings.visibility_m)),
+      texture_(settings.seed),
+      relief_(settings.seabed_depth),
+      columns_(static_cast<std::size_t>((settings.camera.width_px + kBlock - 1) / kBlock + 1)),
+      rows_(static_cast<std::size_t>((settings.camera.height_px + kBlock - 1) / kBlock + 1)),
+      nodes_(columns_ * rows_ * kLayers),
+      places_(columns_ * rows_),
+      row_values_(columns_ * kLayers),
+      tone_curve_(ToneCurve()),
+      noise_(NoiseTable(settings.seed, 3 * static_cast<std::size_t>(settings.camera.width_px))) {
+  LIMPET_REQUIRE(settings.seabed_depth != nullptr, "a scene needs a seabed");
+}
+
+float SceneRenderer::Vignette(double u, double v) const {
+  const CameraGeometry& camera = settings_.camera;
+  const double du = u - camera.cx();
+  const double dv = v - camera.cy();
+  const double corner2 = camera.cx() * camera.cx() + camera.cy() * camera.cy();
+  return static_cast<float>(1.0 - kVignetteAtCorner * (du * du + dv * dv) / corner2);
+}
+
+void SceneRenderer::FillNode(const View& view, int column, int row, double& distance) {
+  const CameraGeometry& camera = settings_.camera;
+  const double u = column * kBlock;
+  const double v = row * kBlock;
+  const Eigen::Vector3d ray = view.R_WC * Eigen::Vector3d((u - camera.cx()) / camera.fx(),
+                                                          (v - camera.cy()) / camera.fy(), 1.0);
+  // Newton steps from the neighbour's distance (in units of the ray) to the relief.
+  constexpr double kFarthest = 60.0;
+  SeabedRelief::Surface ground;
+  for (int step = 0; step < 2; ++step) {
+    const Eigen::Vector3d p = view.p_W + distance * ray;
+    ground = relief_.At(p.x(), p.y());
+    const double closing = ray.z() - ground.slope_north * ray.x() - ground.slope_east * ray.y();
+    distance = closing > 0.02 ? distance + (ground.depth - p.z()) / closing : kFarthest;
+    distance = std::clamp(distance, 0.05, kFarthest);
+  }
+  const Eigen::Vector3d p = view.p_W + distance * ray;
+  places_[static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)] =
+      Eigen::Vector2f(static_cast<float>(p.x() - view.p_W.x()),
+                      static_cast<float>(p.y() - view.p_W.y()));
+  constexpr double kQ8PerMeter = 256.0 * SeabedTexture::kTexelsPerMeter;
+  node(kAcross, column, row) = static_cast<float>((p.y() - view.origin_east) * kQ8PerMeter);
+  node(kAlong, column, row) = static_cast<float>((p.x() - view.origin_north) * kQ8PerMeter);
+  // Relief is lit from the south-west; patches of weed are darker and greener.
+  const double relief = 1.0 + 0.8 * ground.slope_north + 0.5 * ground.slope_east;
+  const float weed = 0.6F * PatchNoise(p.x() / 2.7, p.y() / 2.7, settings_.seed) +
+                     0.4F * PatchNoise(p.x() / 0.9, p.y() / 0.9, settings_.seed + 1);
+  constexpr std::array<float, 3> kWeed{0.16F, 0.09F, 0.15F};
+  const double range = distance * ray.norm();
+  const float vignette = Vignette(u, v);
+  for (int c = 0; c < 3; ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    const auto left_over = static_cast<float>(std::exp(-water_.attenuation_per_m[i] * range));
+    const auto light = static_cast<float>(water_.illumination[i] * std::clamp(relief, 0.4, 1.6));
+    node(static_cast<Layer>(kGain + c), column, row) =
+        4096.0F * light * vignette * left_over * (1.0F + kWeed[i] * weed);
+    node(static_cast<Layer>(kVeil + c), column, row) =
+        4095.0F * static_cast<float>(water_.veil[i]) * vignette * (1.0F - left_over);
+  }
+}
+
+void SceneRenderer::FillNodes(const View& view, std::span<const Sphere> spheres) {
+  double first = 4.0;
+  for (int row = 0; row < static_cast<int>(rows_); ++row) {
+    double distance = first;
+    for (int column = 0; column < static_cast<int>(columns_); ++column) {
+      FillNode(view, column, row, distance);
+      first = column == 0 ? distance : first;
+    }
+  }
+  for (const Sphere& sphere : spheres) {
+    DropShadow(view, sphere);
+  }
+}
+
+void SceneRenderer::DropShadow(const View& view, const Sphere& sphere) {
+  const Eigen::Vector2f center((sphere.p_W - view.p_W).head<2>().cast<float>());
+  if (center.norm() > 30.0F) {
+    return;  // farther than the camera can see a shadow
+  }
+  // Light from the whole sky: the higher the sphere, the wider and fainter its shadow.
+  const double height = std::max(
+      relief_.At(sphere.p_W.x(), sphere.p_W.y()).depth - sphere.p_W.z() - sphere.radius, 0.0);
+  const double spread = sphere.radius + 0.5 * height;
+  const auto darkness =
+      static_cast<float>(0.55 * sphere.radius * sphere.radius / (spread * spread));
+  const auto reach2 = static_cast<float>(spread * spread);
+  for (int row = 0; row < static_cast<int>(rows_); ++row) {
+    for (int column = 0; column < static_cast<int>(columns_); ++column) {
+      const Eigen::Vector2f& place =
+          places_[static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)];
+      const float distance2 = (place - center).squaredNorm();
+      if (distance2 < 5.0F * reach2) {
+        const float light = 1.0F - darkness * std::exp(-distance2 / reach2);
+        for (int c = 0; c < 3; ++c) {
+          node(static_cast<Layer>(kGain + c), column, row) *= light;
+        }
+      }
+    }
+  }
+}
+
+void SceneRenderer::ShadeSeabedRow(int row, std::vector<std::uint16_t>& linear) {
+  const auto upper = static_cast<std::size_t>(row / kBlock) * kLayers * columns_;
+  const float low = (static_cast<float>(row % kBlock) + 0.5F) / kBlock;
+  for (std::size_t i = 0; i < row_values_.size(); ++i) {
+    const float above = nodes_[upper + i];
+    row_values_[i] = above + low * (nodes_[upper + kLayers * columns_ + i] - above);
+  }
+  const auto& colors = texture_.colors();
+  const auto width = static_cast<std::size_t>(settings_.camera.width_px);
+  for (std::size_t block = 0; block + 1 < columns_; ++block) {
+    // Fixed point with 4 more bits for the steps inside the block.
+    std::array<std::int32_t, kLayers> value{};
+    std::array<std::int32_t, kLayers> step{};
+    for (std::size_t layer = 0; layer < kLayers; ++layer) {
+      const float left = row_values_[layer * columns_ + block];
+      const float right = row_values_[layer * columns_ + block + 1];
+      step[layer] = static_cast<std::int32_t>((right - left) * (16.0F / kBlock));
+      value[layer] = static_cast<std::int32_t>(left * 16.0F) + step[layer] / 2;
+    }
+    const std::size_t end = std::min((block + 1) * kBlock, width);
+    for (std::size_t column = block * kBlock; column < end; ++column) {
+      const int bright = texture_.Sample(value[kAcross] >> 4, value[kAlong] >> 4);
+      const auto& color = colors[static_cast<std::size_t>(bright)];
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::int32_t light =
+            ((color[c] * (value[kGain + c] >> 4)) >> 12) + (value[kVeil + c] >> 4);
+        linear[3 * column + c] = static_cast<std::uint16_t>(std::min(light, kLinearLevels - 1));
+      }
+      for (std::size_t layer = 0; layer < kLayers; ++layer) {
+        value[layer] += step[layer];
+      }
+    }
+  }
+}
+
+void SceneRenderer::Develop(const std::vector<std::uint16_t>& linear, std::uint64_t counter,
+                            std::uint8_t* bgr) const {
+  const std::int8_t* noise = noise_.data() + Hash(settings_.seed ^ Hash(counter)) % kNoiseLength;
+  for (std::size_t i = 0; i < linear.size(); ++i) {
+    bgr[i] = static_cast<std::uint8_t>(tone_curve_[linear[i]] + noise[i]);
+  }
+}
+
+/// Drifting particles that shine in front of everything: two or three pixels each.
+void SceneRenderer::AddSpecks(std::uint32_t frame, Image& image) const {
+  const int count = static_cast<int>(160.0 / settings_.visibility_m);
+  for (int speck = 0; speck < count; ++speck) {
+    const std::uint64_t bits = Hash(
+        settings_.seed ^ Hash((std::uint64_t{frame} << 16U) + static_cast<std::uint64_t>(speck)));
+    const auto column =
+        static_cast<std::size_t>((bits & 0xffffU) % static_cast<unsigned>(image.width_px - 1));
+    const auto row = static_cast<std::size_t>(((bits >> 16U) & 0xffffU) %
+                                              static_cast<unsigned>(image.height_px - 1));
+    const auto glow = static_cast<int>(12 + ((bits >> 32U) & 31U));
+    for (std::size_t dy = 0; dy < 2; ++dy) {
+      for (std::size_t dx = 0; dx < 2; ++dx) {
+        std::uint8_t* pixel =
+            &image.bgr[3 * ((row + dy) * static_cast<std::size_t>(image.width_px) + column + dx)];
+        for (int c = 0; c < 3; ++c) {
+          pixel[c] = static_cast<std::uint8_t>(std::min(pixel[c] + glow, 255));
+        }
+      }
+    }
+  }
+}
+
+Image SceneRenderer::Render(const Pose& X_WB, std::span<const Sphere> spheres,
+                            std::uint32_t frame) {
+  const CameraGeometry& camera = settings_.camera;
+  const Eigen::Matrix3d R_WB = RotationOf(X_WB);
+  const Eigen::Vector3d p_W = X_WB.p_WB + R_WB * camera.p_BC;
+  constexpr double kTile = SeabedTexture::kSize / SeabedTexture::kTexelsPerMeter;
+  const View view{.R_WC = R_WB * CameraGeometry::R_BC(),
+                  .p_W = p_W,
+                  .origin_north = kTile * std::floor(p_W.x() / kTile),
+                  .origin_east = kTile * std::floor(p_W.y() / kTile)};
+  FillNodes(view, spheres);
+  std::vector<SpherePainter> painters;
+  for (const Sphere& sphere : spheres) {
+    if (auto painter = SpherePainter::Make(camera, X_WB, sphere, water_, relief_)) {
+      painters.push_back(*painter);
+    }
+  }
+  std::ranges::stable_sort(painters, std::ranges::greater(), &SpherePainter::range);
+
+  Image image{camera.width_px, camera.height_px, {}};
+  const std::size_t row_bytes = 3 * static_cast<std::size_t>(camera.width_px);
+  image.bgr.resize(row_bytes * static_cast<std::size_t>(camera.height_px));
+  std::vector<std::uint16_t> linear(row_bytes);
+  const double vignette_curve =
+      kVignetteAtCorner / (camera.cx() * camera.cx() + camera.cy() * camera.cy());
+  for (int row = 0; row < camera.height_px; ++row) {
+    ShadeSeabedRow(row, linear);
+    for (SpherePainter& painter : painters) {
+      if (row >= painter.first_row() && row < painter.last_row()) {
+        painter.PaintRow(row, vignette_curve, linear);
+      }
+    }
+    Develop(linear, (std::uint64_t{frame} << 16U) + static_cast<std::uint64_t>(row),
+            &image.bgr[static_cast<std::size_t>(row) * row_bytes]);
+  }
+  AddSpecks(frame, image);
+  return image;
+}
+
+}  // namespace limpet

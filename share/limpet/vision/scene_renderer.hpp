@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limpet/core/camera_geometry.hpp"
+#include "limpet/core/frames.hpp"
+#include "limpet/vision/image.hpp"
+#include "limpet/vision/seabed_relief.hpp"
+#include "limpet/vision/seabed_texture.hpp"
+#include "limpet/vision/sphere.hpp"
+#include "limpet/vision/water_optics.hpp"
+
+namespace limpet {
+
+struct SceneSettings {
+  CameraGeometry camera;
+  SeabedDepthFunction seabed_depth;  ///< [m] at (north, east) [m]; smooth over 0.25 m
+  double visibility_m = 8.0;
+  std::uint64_t seed = 1;  ///< of texture, patches, specks and sensor noise
+};
+
+/// Pictures of a rough seabed with spheres through hazy water, from a camera that looks down.
+/// Equal settings, pose, spheres and frame number give equal bytes. Not thread-safe.
+class SceneRenderer {
+ public:
+  explicit SceneRenderer(const SceneSettings& settings);
+
+  /// What the camera of a body at `X_WB` sees in frame number `frame`. Spheres of a colour that the
+  /// table lacks are grey.
+  [[nodiscard]] Image Render(const Pose& X_WB, std::span<const Sphere> spheres,
+                             std::uint32_t frame);
+
+ private:
+  /// What varies slowly over the image, at the corners of blocks of kBlock pixels: place in the
+  /// texture [1/256 texel], and per channel what is left of the seabed's light and the veil before
+  /// it.
+  enum Layer { kAcross, kAlong, kGain, kVeil = kGain + 3, kLayers = kVeil + 3 };
+  struct View;  // of one frame
+
+  void FillNodes(const View& view, std::span<const Sphere> spheres);
+  void FillNode(const View& view, int column, int row, double& distance);
+  void DropShadow(const View& view, const Sphere& sphere);
+  void ShadeSeabedRow(int row, std::vector<std::uint16_t>& linear);
+  void AddSpecks(std::uint32_t frame, Image& image) const;
+  void Develop(const std::vector<std::uint16_t>& linear, std::uint64_t counter,
+               std::uint8_t* bgr) const;
+  [[nodiscard]] float Vignette(double u, double v) const;
+  [[nodiscard]] float& node(Layer layer, int column, int row) {
+    return nodes_[(static_cast<std::size_t>(row) * kLayers + layer) * columns_ +
+                  static_cast<std::size_t>(column)];
+  }
+
+  static constexpr int kBlock = 8;
+  SceneSettings settings_;
+  WaterOptics water_;
+  SeabedTexture texture_;
+  SeabedRelief relief_;
+  std::size_t columns_;  ///< nodes per row
+  std::size_t rows_;
+  std::vector<float> nodes_;
+  std::vector<Eigen::Vector2f> places_;  ///< north, east of the nodes [m], relative to the camera
+  std::vector<float> row_values_;
+  std::vector<std::uint8_t> tone_curve_;
+  std::vector<std::int8_t> noise_;
+};
+
+}  // namespace limpet

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+namespace limpet {
+
+/// How water dims and veils what lies behind it: I = J exp(-c d) + A (1 - exp(-c d)) per channel,
+/// linear light. The visibility is the distance at which the clearest channel, green, keeps 5 % of
+/// a contrast; red fades faster by the absorption of water itself.
+struct WaterOptics {
+  std::array<double, 3> attenuation_per_m{};            ///< c; blue, green, red [1/m]
+  std::array<double, 3> veil{0.23, 0.25, 0.075};        ///< A; blue, green, red
+  std::array<double, 3> illumination{0.80, 1.0, 0.70};  ///< of a surface that faces up
+
+  /// REQUIRES: visibility_m > 0.
+  [[nodiscard]] static WaterOptics OfVisibility(double visibility_m);
+};
+
+}  // namespace limpet
