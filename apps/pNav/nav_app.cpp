@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pNav/nav_app.hpp"
+
+#include <cmath>
+
+#include "limpet/app/registry.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kAttitudePeriod = 0.049;  // [s] the smoother needs no more than 20 Hz
+constexpr double kAltitudeMaxAge = 1.5;    // [s]
+
+AttitudeParams AttitudeParamsOf(const NavApp::Params& params) {
+  return {.heading_sigma = params.heading_sigma, .alignment = params.alignment};
+}
+
+NavigatorParams NavigatorParamsOf(const NavApp::Params& params) {
+  NavigatorParams result;
+  result.odometry.dvl_B = {params.dvl_x.value(), params.dvl_y.value(), params.dvl_z.value()};
+  result.velocity_gate.jump = params.dvl_jump;
+  result.frame_wait = params.frame_wait;
+  return result;
+}
+
+}  // namespace
+
+NavApp::NavApp(const AppContext& context, const Params& params)
+    : App(context),
+      params_(params),
+      attitude_(AttitudeParamsOf(params)),
+      navigator_(NavigatorParamsOf(params)) {
+  Subscribe(topics::kImuData, &NavApp::OnImu);
+  Subscribe(topics::kFogYawRate, &NavApp::OnFog);
+  Subscribe(topics::kDvlData, &NavApp::OnDvl);
+  Subscribe(topics::kDepthSensor, &NavApp::OnDepth);
+  Subscribe(topics::kGpsData, &NavApp::OnGps);
+  Subscribe(topics::kDetections, &NavApp::OnDetections);
+}
+
+void NavApp::OnFog(const Stamped<double>& rate) {
+  attitude_.AddFogRate(rate.time.value(), rate.value);
+}
+
+void NavApp::OnImu(const Stamped<ImuSample>& imu) {
+  const ImuSample& sample = imu.value;
+  const double t = imu.time.value();
+  attitude_.AddInertial({.t = t,
+                         .force = {sample.fx, sample.fy, sample.fz},
+                         .rate = {sample.p, sample.q, sample.r},
+                         .heading = sample.heading});
+  if (attitude_.is_aligned() && t - last_attitude_t_ >= kAttitudePeriod) {
+    navigator_.AddAttitude(*attitude_.estimate());
+    last_attitude_t_ = t;
+  }
+}
+
+void NavApp::OnDvl(const Stamped<DvlSample>& dvl) {
+  const DvlSample& sample = dvl.value;
+  const double t = dvl.time.value();
+  last_dvl_t_ = t;
+  std::optional<Eigen::Vector3d> velocity;
+  if (sample.has_lock && sample.u && sample.v && sample.w) {
+    velocity = Eigen::Vector3d(*sample.u, *sample.v, *sample.w);
+    last_lock_t_ = t;
+  }
+  if (sample.altitude) {
+    altitude_ = Stamped<double>{dvl.time, *sample.altitude};
+  }
+  navigator_.AddVelocity(t, velocity);
+  if (navigator_.has_started()) {
+    attitude_.SetBodyVelocity(navigator_.Estimate(t).v_B);
+    PublishBeams(dvl);
+  }
+}
+
+void NavApp::OnDepth(const Stamped<double>& depth) {
+  last_depth_t_ = depth.time.value();
+  navigator_.AddDepth(depth.time.value(), depth.value);
+}
+
+void NavApp::OnGps(const Stamped<GpsFix>& fix) {
+  navigator_.AddGps(fix.time.value(), {fix.value.north, fix.value.east}, fix.value.sd);
+}
+
+void NavApp::OnDetections(const Stamped<Detections>& detections) {
+  FrameDetections frame;
+  frame.frame = detections.value.frame;
+  frame.t = detections.value.exposure.value();
+  for (const Box& box : detections.value.boxes) {
+    frame.boxes.push_back({box.u, box.v, box.w, box.h, box.confidence, box.color});
+  }
+  navigator_.AddFrame(frame);
+}
+
+void NavApp::Tick(Seconds now) {
+  navigator_.Advance(now.value());
+  WatchSensors(now.value());
+  if (navigator_.has_started()) {
+    PublishState(now.value());
+    PublishSights();
+  }
+}
+
+void NavApp::PublishState(double now) {
+  const NavigatorEstimate estimate = navigator_.Estimate(now);
+  const MoosPose moos = MoosFromNed(estimate.X_WB.p_WB, estimate.X_WB.yaw);
+  Publish(topics::kNavX, moos.x);
+  Publish(topics::kNavY, moos.y);
+  Publish(topics::kNavHeading, moos.heading_deg);
+  Publish(topics::kNavYaw, moos.yaw);
+  Publish(topics::kNavPitch, estimate.X_WB.pitch);
+  Publish(topics::kNavRoll, estimate.X_WB.roll);
+  Publish(topics::kNavDepth, moos.depth);
+  const Eigen::Vector3d v_W = RotationOf(estimate.X_WB) * estimate.v_B;
+  Publish(topics::kNavSpeed, v_W.head<2>().norm());
+
+  NavState state;
+  state.north = estimate.X_WB.p_WB.x(), state.east = estimate.X_WB.p_WB.y();
+  state.down = estimate.X_WB.p_WB.z();
+  state.roll = estimate.X_WB.roll, state.pitch = estimate.X_WB.pitch;
+  state.yaw = estimate.X_WB.yaw;
+  state.u = estimate.v_B.x(), state.v = estimate.v_B.y(), state.w = estimate.v_B.z();
+  state.yaw_rate = estimate.yaw_rate;
+  if (altitude_ && now - altitude_->time.value() < kAltitudeMaxAge) {
+    state.altitude = altitude_->value;
+    Publish(topics::kNavAltitude, altitude_->value);
+  }
+  state.sd_north = estimate.sd_p.x(), state.sd_east = estimate.sd_p.y();
+  state.sd_down = estimate.sd_p.z(), state.sd_yaw = estimate.sd_yaw;
+  Publish(topics::kNavState, state);
+
+  const Pose reckoned = navigator_.DeadReckoned(now);
+  Publish(topics::kNavDeadReckoning, DeadReckoning{.north = reckoned.p_WB.x(),
+                                                   .east = reckoned.p_WB.y(),
+                                                   .down = reckoned.p_WB.z(),
+                                                   .yaw = reckoned.yaw});
+}
+
+void NavApp::PublishSights() {
+  for (const PosedFrame& posed : navigator_.TakeFrames()) {
+    const Pose& X_WB = posed.X_WB;
+    Sight sight{.frame = posed.detections.frame,
+                .exposure = Seconds(posed.detections.t),
+                .ned = {X_WB.p_WB.x(), X_WB.p_WB.y(), X_WB.p_WB.z()},
+                .roll = X_WB.roll,
+                .pitch = X_WB.pitch,
+                .yaw = X_WB.yaw,
+                .altitude = {},
+                .boxes = {}};
+    if (altitude_ && std::abs(posed.detections.t - altitude_->time.value()) < kAltitudeMaxAge) {
+      sight.altitude = altitude_->value;
+    }
+    for (std::size_t i = 0; i < posed.detections.boxes.size(); ++i) {
+      const BoxDetection& box = posed.detections.boxes[i];
+      sight.boxes.push_back(
+          {{box.u, box.v, box.w, box.h, box.confidence, box.color}, posed.landmarks[i]});
+    }
+    Publish(topics::kNavSight, sight);
+  }
+}
+
+void NavApp::PublishBeams(const Stamped<DvlSample>& dvl) {
+  const Pose X_WB = navigator_.Estimate(dvl.time.value()).X_WB;
+  const DvlSample& sample = dvl.value;
+  Publish(topics::kNavBeams, PosedBeams{.north = X_WB.p_WB.x(),
+                                        .east = X_WB.p_WB.y(),
+                                        .down = X_WB.p_WB.z(),
+                                        .roll = X_WB.roll,
+                                        .pitch = X_WB.pitch,
+                                        .yaw = X_WB.yaw,
+                                        .b1 = sample.b1,
+                                        .b2 = sample.b2,
+                                        .b3 = sample.b3,
+                                        .b4 = sample.b4});
+}
+
+void NavApp::WatchSensors(double now) {
+  const auto watch = [&](const char* id, double last, const char* text) {
+    if (now - last > params_.stale_after.value()) {
+      Warn(id, text);
+    } else {
+      ClearWarning(id);
+    }
+  };
+  watch("IMU_STALE", last_attitude_t_, "no IMU_DATA within stale_after_s");
+  watch("DVL_STALE", last_dvl_t_, "no DVL_DATA within stale_after_s");
+  watch("DVL_NO_LOCK", last_lock_t_, "no bottom lock within stale_after_s");
+  watch("DEPTH_STALE", last_depth_t_, "no DEPTH_SENSOR within stale_after_s");
+}
+
+LIMPET_REGISTER_APP(NavApp, "pNav", 10.0);
+
+}  // namespace limpet

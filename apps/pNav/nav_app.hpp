@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "estimation/attitude/attitude_filter.hpp"
+#include "estimation/navigation/navigator.hpp"
+#include "limpet/app/app.hpp"
+#include "limpet/core/params.hpp"
+#include "limpet/topics/mapping.hpp"
+#include "limpet/topics/navigation.hpp"
+#include "limpet/topics/sensors.hpp"
+
+namespace limpet {
+
+/// Says where the vehicle is and where the objects are: attitude filter and semantic smoother.
+/// Silent until the heading is aligned and a GPS fix has been seen.
+class NavApp final : public App {
+ public:
+  struct Params {
+    Radians heading_sigma = Radians::FromTextUnit(0.5);
+    Seconds alignment{5.0};
+    Meters dvl_x{-0.2}, dvl_y{0.0}, dvl_z{0.18};
+    MetersPerSecond dvl_jump{0.15};
+    Seconds frame_wait{0.4};
+    Seconds stale_after{2.0};
+
+    template <class Visitor>
+    void Describe(Visitor& visit) {
+      using namespace literals;
+      visit("heading_sigma_deg", heading_sigma, "1-sigma of the magnetic heading at the start",
+            InRange(0.01_deg, 30.0_deg));
+      visit("alignment_s", alignment, "The heading is averaged this long at the start",
+            InRange(0.0_s, 120.0_s));
+      visit("dvl_x_m", dvl_x, "DVL's lever arm, forward");
+      visit("dvl_y_m", dvl_y, "DVL's lever arm, to starboard");
+      visit("dvl_z_m", dvl_z, "DVL's lever arm, down");
+      visit("dvl_jump_mps", dvl_jump, "Change of velocity that is no outlier",
+            InRange(0.01_mps, 5.0_mps));
+      visit("frame_wait_s", frame_wait, "Boxes are waited for this long after the exposure",
+            InRange(0.0_s, 3.0_s));
+      visit("stale_after_s", stale_after, "A sensor silent for longer raises a warning",
+            InRange(0.1_s, 60.0_s));
+    }
+  };
+
+  NavApp(const AppContext& context, const Params& params);
+  void Tick(Seconds now) override;
+
+ private:
+  void OnImu(const Stamped<ImuSample>& imu);
+  void OnFog(const Stamped<double>& rate);
+  void OnDvl(const Stamped<DvlSample>& dvl);
+  void OnDepth(const Stamped<double>& depth);
+  void OnGps(const Stamped<GpsFix>& fix);
+  void OnDetections(const Stamped<Detections>& detections);
+
+  void PublishState(double now);
+  void PublishSights();
+  void PublishBeams(const Stamped<DvlSample>& dvl);
+  void WatchSensors(double now);
+
+  Params params_;
+  AttitudeFilter attitude_;
+  Navigator navigator_;
+  double last_attitude_t_ = -1e18, last_dvl_t_ = -1e18, last_lock_t_ = -1e18, last_depth_t_ = -1e18;
+  std::optional<Stamped<double>> altitude_;
+};
+
+}  // namespace limpet

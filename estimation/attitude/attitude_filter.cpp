@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/attitude/attitude_filter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "limpet/core/frames.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kGravity = 9.81;
+constexpr double kFogMaxAge = 0.2;    // [s] beyond it the IMU's own z rate serves
+constexpr double kLongestStep = 0.5;  // [s] a longer gap is integrated as this much
+
+/// Roll and pitch that make `force` the reaction to gravity (0, 0, -g).
+Eigen::Vector2d TiltFromForce(const Eigen::Vector3d& force) {
+  return {std::atan2(-force.y(), -force.z()),
+          std::atan2(force.x(), std::hypot(force.y(), force.z()))};
+}
+
+}  // namespace
+
+void AttitudeFilter::AddFogRate(double t, double rate) {
+  if (std::isfinite(rate)) {
+    fog_t_ = t;
+    fog_rate_ = rate;
+  }
+}
+
+bool AttitudeFilter::is_aligned() const {
+  return estimate_ && estimate_->t - start_t_ >= params_.alignment.value();
+}
+
+void AttitudeFilter::Start(const InertialInput& input) {
+  const double sd = params_.tilt_sigma.value();
+  const double bias_sd = params_.gyro_bias_sigma.value();
+  x_ << TiltFromForce(input.force), 0.0, 0.0;
+  P_ = Eigen::Vector4d(sd * sd, sd * sd, bias_sd * bias_sd, bias_sd * bias_sd).asDiagonal();
+  start_t_ = input.t;
+  heading_offset_ = input.heading;
+  heading_count_ = 1;
+}
+
+void AttitudeFilter::AddInertial(const InertialInput& input) {
+  const bool is_finite =
+      input.force.allFinite() && input.rate.allFinite() && std::isfinite(input.heading);
+  if (!is_finite || (estimate_ && input.t <= estimate_->t)) {
+    return;
+  }
+  const bool has_fog = input.t - fog_t_ < kFogMaxAge;
+  Eigen::Vector3d rate = input.rate;
+  rate.z() = has_fog ? fog_rate_ : rate.z();
+  if (!estimate_) {
+    Start(input);
+  } else {
+    Predict(rate, std::min(input.t - estimate_->t, kLongestStep));
+    AlignHeading(input.heading);
+  }
+  CorrectTilt(input, rate.z());
+
+  const double since = input.t - start_t_;
+  const double drift = params_.yaw_bias_sigma.value() * since;
+  const double walk = params_.yaw_random_walk.value() * std::sqrt(since);
+  estimate_ =
+      AttitudeEstimate{.t = input.t,
+                       .roll = x_(0),
+                       .pitch = x_(1),
+                       .yaw = WrapAngle(heading_offset_ + yaw_integral_),
+                       .yaw_rate = yaw_rate_,
+                       .sd_roll = std::hypot(std::sqrt(P_(0, 0)), params_.tilt_floor.value()),
+                       .sd_pitch = std::hypot(std::sqrt(P_(1, 1)), params_.tilt_floor.value()),
+                       .sd_yaw = std::hypot(params_.heading_sigma.value(), drift, walk)};
+}
+
+void AttitudeFilter::Predict(const Eigen::Vector3d& rate, double dt) {
+  const double cr = std::cos(x_(0)), sr = std::sin(x_(0));
+  const double cp = std::max(std::cos(x_(1)), 0.05), tp = std::sin(x_(1)) / cp;
+  const double p = rate.x() - x_(2), q = rate.y() - x_(3), r = rate.z();
+  yaw_rate_ = (q * sr + r * cr) / cp;
+  yaw_integral_ += yaw_rate_ * dt;
+
+  Eigen::Matrix4d F = Eigen::Matrix4d::Identity();
+  F(0, 0) += dt * tp * (q * cr - r * sr);
+  F(0, 1) = dt * (q * sr + r * cr) / (cp * cp);
+  F(0, 2) = -dt;
+  F(0, 3) = -dt * tp * sr;
+  F(1, 0) = -dt * (q * sr + r * cr);
+  F(1, 3) = -dt * cr;
+  x_(0) = WrapAngle(x_(0) + dt * (p + tp * (q * sr + r * cr)));
+  x_(1) += dt * (q * cr - r * sr);
+  const double noise = params_.gyro_noise.value() * params_.gyro_noise.value() * dt;
+  const double walk = params_.gyro_bias_walk.value() * params_.gyro_bias_walk.value() * dt;
+  P_ = F * P_ * F.transpose();
+  P_.diagonal() += Eigen::Vector4d(noise, noise, walk, walk);
+}
+
+void AttitudeFilter::CorrectTilt(const InertialInput& input, double yaw_body_rate) {
+  const Eigen::Vector3d rate(input.rate.x() - x_(2), input.rate.y() - x_(3), yaw_body_rate);
+  const Eigen::Vector3d force = input.force - rate.cross(v_WB_B_);
+  if (std::abs(force.norm() - kGravity) > params_.force_gate) {
+    return;  // the vehicle accelerates, or a wave slaps it
+  }
+  const Eigen::Vector2d tilt = TiltFromForce(force);
+  // One tilt is as good as `tilt_sigma` over a second: samples closer in time share their error.
+  const double dt = estimate_ ? std::min(input.t - estimate_->t, 1.0) : 1.0;
+  const double R = params_.tilt_sigma.value() * params_.tilt_sigma.value() / std::max(dt, 1e-3);
+  for (int axis = 0; axis < 2; ++axis) {
+    const Eigen::Vector4d gain = P_.col(axis) / (P_(axis, axis) + R);
+    const double residual = axis == 0 ? WrapAngle(tilt(0) - x_(0)) : tilt(1) - x_(1);
+    x_ += gain * residual;
+    P_ -= (gain * P_.row(axis)).eval();
+  }
+  P_ = (0.5 * (P_ + P_.transpose())).eval();
+}
+
+void AttitudeFilter::AlignHeading(double heading) {
+  if (is_aligned()) {
+    return;
+  }
+  ++heading_count_;
+  const double offset = WrapAngle(heading - yaw_integral_ - heading_offset_);
+  heading_offset_ = WrapAngle(heading_offset_ + offset / heading_count_);
+}
+
+}  // namespace limpet

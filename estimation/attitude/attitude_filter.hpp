@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Roll, pitch and yaw from inertial sensors and a fibre-optic gyro.
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "limpet/core/units.hpp"
+
+namespace limpet {
+
+/// What the attitude filter believes at `t` [s]; angles [rad] of R_WB = Rz(yaw) Ry(pitch) Rx(roll).
+struct AttitudeEstimate {
+  double t = 0.0;
+  double roll = 0.0, pitch = 0.0, yaw = 0.0;
+  double yaw_rate = 0.0;  ///< [rad/s]
+  double sd_roll = 0.0, sd_pitch = 0.0, sd_yaw = 0.0;
+};
+
+/// One inertial sample, body FRD: specific force [m/s^2], rates [rad/s], heading [rad, true north].
+struct InertialInput {
+  double t = 0.0;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  Eigen::Vector3d rate = Eigen::Vector3d::Zero();
+  double heading = 0.0;
+};
+
+struct AttitudeParams {
+  Radians gyro_noise{0.002};        ///< of p, q over one second [rad/sqrt(s)]
+  Radians gyro_bias_walk{2e-5};     ///< random walk of their biases over one second
+  Radians gyro_bias_sigma{0.005};   ///< at the start [rad/s, as an angle per second]
+  Radians tilt_sigma{0.03};         ///< of one tilt from specific force, waves included
+  double force_gate = 0.4;          ///< | |f| - g | beyond which gravity is not trusted [m/s^2]
+  Radians tilt_floor{0.0047};       ///< slow errors that averaging does not remove
+  Radians heading_sigma{0.00873};   ///< of the magnetic heading, constant over a session
+  Seconds alignment{5.0};           ///< magnetic heading is averaged this long at the start
+  Radians yaw_random_walk{3.5e-6};  ///< of the fibre-optic gyro over one second [rad/sqrt(s)]
+  Radians yaw_bias_sigma{9.7e-6};   ///< its bias over one second [rad/s]
+};
+
+/// Extended Kalman filter over roll, pitch and the biases of p and q; specific force, less the
+/// centripetal part that the known body velocity explains, gives the tilt while it looks like
+/// gravity. Yaw is the integral of the fibre-optic gyro, turned into a yaw rate through roll and
+/// pitch, from the magnetic heading averaged over the alignment time: absolute error constant,
+/// increments good.
+class AttitudeFilter {
+ public:
+  explicit AttitudeFilter(const AttitudeParams& params) : params_(params) {}
+
+  /// Body z rate of the fibre-optic gyro [rad/s]; used until it is older than 0.2 s.
+  void AddFogRate(double t, double rate);
+  /// Advances the filter. Samples that are not newer than the last one, or not finite, are dropped.
+  void AddInertial(const InertialInput& input);
+  /// Body velocity over ground [m/s], for the centripetal part of the specific force.
+  void SetBodyVelocity(const Eigen::Vector3d& v_WB_B) { v_WB_B_ = v_WB_B; }
+
+  [[nodiscard]] bool is_aligned() const;
+  [[nodiscard]] const std::optional<AttitudeEstimate>& estimate() const { return estimate_; }
+  [[nodiscard]] Eigen::Vector2d gyro_bias() const { return x_.tail<2>(); }
+
+ private:
+  void Start(const InertialInput& input);
+  void Predict(const Eigen::Vector3d& rate, double dt);
+  void CorrectTilt(const InertialInput& input, double yaw_body_rate);
+  void AlignHeading(double heading);
+
+  AttitudeParams params_;
+  Eigen::Vector4d x_ = Eigen::Vector4d::Zero();  ///< roll, pitch, bias of p, bias of q
+  Eigen::Matrix4d P_ = Eigen::Matrix4d::Identity();
+  Eigen::Vector3d v_WB_B_ = Eigen::Vector3d::Zero();
+  double fog_t_ = -1e9, fog_rate_ = 0.0;
+  double start_t_ = 0.0;
+  double yaw_integral_ = 0.0, yaw_rate_ = 0.0;  ///< since the start
+  double heading_offset_ = 0.0;                 ///< yaw at the start, averaged
+  int heading_count_ = 0;
+  std::optional<AttitudeEstimate> estimate_;
+};
+
+}  // namespace limpet

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/navigation/odometry_track.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "limpet/core/require.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kLongestExtrapolation = 0.3;  // [s]
+constexpr double kDropoutAge = 0.5;            // [s] without velocity before it counts as a dropout
+
+Eigen::Matrix3d RotationOf(const AttitudeEstimate& a) {
+  return RotationFromRollPitchYaw(a.roll, a.pitch, a.yaw);
+}
+
+double Mix(double a, double b, double share) { return a + share * (b - a); }
+
+}  // namespace
+
+void OdometryTrack::AddAttitude(const AttitudeEstimate& attitude) {
+  Sample sample{.attitude = attitude};
+  if (!samples_.empty()) {
+    const Sample& last = samples_.back();
+    if (attitude.t <= last.attitude.t) {
+      return;
+    }
+    sample.attitude.yaw = last.attitude.yaw + WrapAngle(attitude.yaw - last.attitude.yaw);
+    Integrate(last, sample);
+  }
+  samples_.push_back(sample);
+}
+
+void OdometryTrack::AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B) {
+  if (t <= velocity_t_) {
+    return;
+  }
+  previous_t_ = has_velocity_ ? velocity_t_ : t;
+  previous_ = has_velocity_ ? velocity_ : v_dvl_B.value_or(Eigen::Vector3d::Zero());
+  velocity_t_ = t;
+  if (v_dvl_B) {
+    velocity_ = *v_dvl_B;
+    accepted_t_ = t;
+    has_velocity_ = true;
+  }
+  // What was held since the last row is integrated again with the interpolated velocity.
+  const auto is_older = [this](const Sample& s) { return s.attitude.t <= previous_t_; };
+  auto sample = std::ranges::partition_point(samples_, is_older);
+  for (; sample != samples_.end(); ++sample) {
+    if (sample != samples_.begin()) {
+      Integrate(*std::prev(sample), *sample);
+    }
+  }
+}
+
+Eigen::Vector3d OdometryTrack::VelocityAt(double t) const {
+  if (t >= velocity_t_ || velocity_t_ <= previous_t_) {
+    return velocity_;
+  }
+  const double share = std::clamp((t - previous_t_) / (velocity_t_ - previous_t_), 0.0, 1.0);
+  return previous_ + share * (velocity_ - previous_);
+}
+
+void OdometryTrack::Integrate(const Sample& from, Sample& to) const {
+  const double dt = to.attitude.t - from.attitude.t;
+  const Eigen::Vector3d v_from = RotationOf(from.attitude) * VelocityAt(from.attitude.t);
+  const Eigen::Vector3d v_to = RotationOf(to.attitude) * VelocityAt(to.attitude.t);
+  const Eigen::Vector3d moved = 0.5 * dt * (v_from + v_to);
+  to.p_dvl = from.p_dvl + moved;
+  to.path = from.path + moved.head<2>().norm();
+  const double age = to.attitude.t - accepted_t_;
+  to.bridge_variance = from.bridge_variance;
+  if (age > kDropoutAge) {
+    const double sd = params_.bridge_velocity + params_.bridge_growth * age;
+    to.bridge_variance += sd * sd * dt * params_.bridge_correlation.value();
+  }
+}
+
+OdometryTrack::Sample OdometryTrack::SampleAt(double t) const {
+  LIMPET_REQUIRE(!samples_.empty(), "no attitude yet");
+  const auto is_older = [t](const Sample& s) { return s.attitude.t < t; };
+  const auto next = std::ranges::partition_point(samples_, is_older);
+  if (next == samples_.begin()) {
+    return samples_.front();
+  }
+  if (next == samples_.end()) {
+    Sample end = samples_.back();
+    const double ahead = std::min(t - end.attitude.t, kLongestExtrapolation);
+    end.attitude.yaw += end.attitude.yaw_rate * ahead;
+    end.attitude.t += ahead;
+    Integrate(samples_.back(), end);
+    return end;
+  }
+  const Sample& a = *std::prev(next);
+  const Sample& b = *next;
+  const double share = (t - a.attitude.t) / (b.attitude.t - a.attitude.t);
+  Sample between = a;
+  between.attitude.t = t;
+  between.attitude.roll = Mix(a.attitude.roll, b.attitude.roll, share);
+  between.attitude.pitch = Mix(a.attitude.pitch, b.attitude.pitch, share);
+  between.attitude.yaw = Mix(a.attitude.yaw, b.attitude.yaw, share);
+  between.attitude.yaw_rate = Mix(a.attitude.yaw_rate, b.attitude.yaw_rate, share);
+  between.p_dvl = a.p_dvl + share * (b.p_dvl - a.p_dvl);
+  between.path = Mix(a.path, b.path, share);
+  between.bridge_variance = Mix(a.bridge_variance, b.bridge_variance, share);
+  return between;
+}
+
+AttitudeEstimate OdometryTrack::AttitudeAt(double t) const { return SampleAt(t).attitude; }
+
+TrackPose OdometryTrack::At(double t) const {
+  const Sample sample = SampleAt(t);
+  const AttitudeEstimate& a = sample.attitude;
+  TrackPose pose;
+  pose.t = a.t;
+  pose.X_DB = {sample.p_dvl - RotationOf(a) * params_.dvl_B, a.roll, a.pitch, a.yaw};
+  const Eigen::Vector3d rate_B(0.0, 0.0, a.yaw_rate);
+  pose.v_B = VelocityAt(t) - rate_B.cross(params_.dvl_B);
+  pose.yaw_rate = a.yaw_rate;
+  return pose;
+}
+
+OdometryStep OdometryTrack::Between(double from, double to) const {
+  const Sample a = SampleAt(from), b = SampleAt(to);
+  const Eigen::Vector3d p_a = a.p_dvl - RotationOf(a.attitude) * params_.dvl_B;
+  const Eigen::Vector3d p_b = b.p_dvl - RotationOf(b.attitude) * params_.dvl_B;
+  const Eigen::Matrix3d R_level = RotationFromRollPitchYaw(0.0, 0.0, a.attitude.yaw);
+  OdometryStep step;
+  step.motion << R_level.transpose() * (p_b - p_a), b.attitude.yaw - a.attitude.yaw;
+  step.duration = to - from;
+  step.path = b.path - a.path;
+
+  const double white = params_.velocity_noise * params_.velocity_noise *
+                       params_.velocity_period.value() * step.duration;
+  const double scale =
+      params_.scale_sigma * params_.scale_sigma * params_.scale_correlation.value() * step.path;
+  const double bridge = b.bridge_variance - a.bridge_variance;
+  const double yaw_rate_variance =
+      params_.yaw_walk * params_.yaw_walk +
+      params_.yaw_bias * params_.yaw_bias * params_.yaw_bias_correlation.value();
+  const double xy = white + scale + bridge + 1e-6;
+  // Attitude errors tilt the track: its depth is worth little, the depth sensor's much.
+  const double z = white + bridge + 5e-5 * step.duration + 1e-6;
+  step.variance << xy, xy, z, yaw_rate_variance * step.duration + 1e-9;
+  return step;
+}
+
+void OdometryTrack::DropBefore(double t) {
+  while (samples_.size() > 2 && samples_[1].attitude.t < t) {
+    samples_.pop_front();
+  }
+}
+
+}  // namespace limpet

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Dead reckoning between nodes: attitude and bottom-track velocity compounded into one
+// displacement.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "estimation/attitude/attitude_filter.hpp"
+#include "limpet/core/frames.hpp"
+#include "limpet/core/units.hpp"
+
+namespace limpet {
+
+struct OdometryParams {
+  Eigen::Vector3d dvl_B = {-0.2, 0.0, 0.18};  ///< lever arm of the DVL in the body frame [m]
+  double velocity_noise = 0.012;              ///< of one horizontal velocity sample [m/s]
+  Seconds velocity_period{0.2};
+  double scale_sigma = 0.0037;      ///< scale and misalignment together, as a share of the way
+  Meters scale_correlation{30.0};   ///< way after which their error is taken as new
+  double bridge_velocity = 0.03;    ///< error of the bridging model as a dropout begins [m/s]
+  double bridge_growth = 0.02;      ///< and its growth per second [m/s^2]
+  Seconds bridge_correlation{0.4};  ///< of that error
+  double yaw_walk = 3.5e-6;         ///< [rad/sqrt(s)]
+  double yaw_bias = 9.7e-6;         ///< [rad/s], new every `yaw_bias_correlation`
+  Seconds yaw_bias_correlation{600.0};
+};
+
+/// Motion from one time to another in the levelled heading frame of the first: x forward, y right,
+/// z down [m], change of yaw [rad]; variances of each; way travelled [m].
+struct OdometryStep {
+  Eigen::Vector4d motion = Eigen::Vector4d::Zero();
+  Eigen::Vector4d variance = Eigen::Vector4d::Zero();
+  double duration = 0.0;
+  double path = 0.0;
+};
+
+/// Body pose in the track's own drifting frame, oriented by the attitude filter's yaw.
+struct TrackPose {
+  double t = 0.0;
+  Pose X_DB;
+  Eigen::Vector3d v_B = Eigen::Vector3d::Zero();  ///< of the body origin [m/s]
+  double yaw_rate = 0.0;
+};
+
+/// Compounds attitude and velocity samples, each in time order, and answers for any time of the
+/// last seconds. The velocity between two samples is their linear interpolation; after the last one
+/// it is held. A missing velocity is bridged by the last accepted one.
+class OdometryTrack {
+ public:
+  explicit OdometryTrack(const OdometryParams& params) : params_(params) {}
+
+  void AddAttitude(const AttitudeEstimate& attitude);
+  /// Velocity of the DVL in body axes [m/s] at `t`; nothing when the DVL had no lock or lied.
+  void AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B);
+
+  [[nodiscard]] bool is_empty() const { return samples_.empty(); }
+  [[nodiscard]] double first_time() const { return samples_.front().attitude.t; }
+  [[nodiscard]] double last_time() const { return samples_.back().attitude.t; }
+  /// Up to here later velocities change nothing any more.
+  [[nodiscard]] double settled_time() const { return velocity_t_; }
+  /// Seconds since the last accepted velocity, at `t`.
+  [[nodiscard]] double BridgeAge(double t) const { return t - accepted_t_; }
+
+  /// REQUIRES: !is_empty(). Times outside the buffer answer with its ends, extrapolated by at most
+  /// 0.3 s at the new end.
+  [[nodiscard]] TrackPose At(double t) const;
+  [[nodiscard]] AttitudeEstimate AttitudeAt(double t) const;
+  /// REQUIRES: !is_empty(), from <= to.
+  [[nodiscard]] OdometryStep Between(double from, double to) const;
+  /// Forgets what is older than `t`.
+  void DropBefore(double t);
+
+ private:
+  struct Sample {
+    AttitudeEstimate attitude;                        ///< yaw unwrapped
+    Eigen::Vector3d p_dvl = Eigen::Vector3d::Zero();  ///< of the DVL in the track's frame
+    double path = 0.0;
+    double bridge_variance = 0.0;  ///< horizontal, accumulated over dropouts [m^2]
+  };
+  [[nodiscard]] Eigen::Vector3d VelocityAt(double t) const;
+  [[nodiscard]] Sample SampleAt(double t) const;
+  void Integrate(const Sample& from, Sample& to) const;
+
+  OdometryParams params_;
+  std::deque<Sample> samples_;
+  bool has_velocity_ = false;
+  double velocity_t_ = -1e18, previous_t_ = -1e18;  ///< of the last two velocity rows
+  double accepted_t_ = -1e18;
+  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero(), previous_ = Eigen::Vector3d::Zero();
+};
+
+}  // namespace limpet

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/attitude/attitude_filter.hpp"
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "limpet/core/frames.hpp"
+#include "limpet/core/random.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kPeriod = 0.02;
+
+/// What ideal sensors say in a steady attitude at constant body velocity and yaw rate.
+InertialInput Steady(double t, double roll, double pitch, double yaw, double yaw_rate = 0.0,
+                     const Eigen::Vector3d& v_B = Eigen::Vector3d::Zero()) {
+  const Eigen::Matrix3d R = RotationFromRollPitchYaw(roll, pitch, yaw);
+  const Eigen::Vector3d rate = R.transpose() * Eigen::Vector3d(0.0, 0.0, yaw_rate);
+  return {.t = t,
+          .force = R.transpose() * Eigen::Vector3d(0.0, 0.0, -9.81) + rate.cross(v_B),
+          .rate = rate,
+          .heading = yaw};
+}
+
+void Feed(AttitudeFilter& filter, double until, double roll, double pitch, double yaw) {
+  const double start = filter.estimate() ? filter.estimate()->t : 0.0;
+  for (double t = start + kPeriod; t < until; t += kPeriod) {
+    const InertialInput input = Steady(t, roll, pitch, yaw);
+    filter.AddFogRate(t, input.rate.z());
+    filter.AddInertial(input);
+  }
+}
+
+TEST(AttitudeFilter, FindsTheTiltOfAVehicleAtRest) {
+  AttitudeFilter filter{AttitudeParams{}};
+  Feed(filter, 10.0, 0.1, -0.05, 1.0);
+  EXPECT_NEAR(filter.estimate()->roll, 0.1, 1e-3);
+  EXPECT_NEAR(filter.estimate()->pitch, -0.05, 1e-3);
+}
+
+TEST(AttitudeFilter, AveragesTheHeadingOverTheAlignment) {
+  Random random(1);
+  AttitudeFilter filter{AttitudeParams{}};
+  for (double t = 0.0; t < 6.0; t += kPeriod) {
+    InertialInput input = Steady(t, 0.0, 0.0, 3.1);
+    input.heading += random.Normal(0.05);
+    filter.AddInertial(input);
+  }
+  EXPECT_TRUE(filter.is_aligned());
+  EXPECT_NEAR(WrapAngle(filter.estimate()->yaw - 3.1), 0.0, 0.01);
+}
+
+TEST(AttitudeFilter, KeepsItsHeadingWhenTheCompassIsDisturbedLater) {
+  AttitudeFilter filter{AttitudeParams{}};
+  Feed(filter, 6.0, 0.0, 0.0, 0.5);
+  for (double t = 6.0; t < 20.0; t += kPeriod) {
+    InertialInput input = Steady(t, 0.0, 0.0, 0.5);
+    input.heading = 1.5;
+    filter.AddInertial(input);
+  }
+  EXPECT_NEAR(filter.estimate()->yaw, 0.5, 1e-6);
+}
+
+TEST(AttitudeFilter, TurnsTheBodyRateIntoAYawRateThroughRollAndPitch) {
+  AttitudeFilter filter{AttitudeParams{}};
+  Feed(filter, 6.0, 0.2, 0.0, 0.0);
+  double yaw = 0.0;
+  for (double t = 6.0; t < 16.0; t += kPeriod) {
+    const InertialInput input = Steady(t, 0.2, 0.0, yaw, 0.1);
+    filter.AddFogRate(t, input.rate.z());
+    filter.AddInertial(input);
+    yaw += 0.1 * kPeriod;
+  }
+  EXPECT_NEAR(filter.estimate()->yaw_rate, 0.1, 2e-3);
+  EXPECT_NEAR(filter.estimate()->yaw, 1.0, 0.01);
+}
+
+TEST(AttitudeFilter, StaysLevelInALongTurnWhenItKnowsTheSpeed) {
+  AttitudeFilter filter{AttitudeParams{}};
+  Feed(filter, 6.0, 0.0, 0.0, 0.0);
+  const Eigen::Vector3d v_B(0.5, 0.0, 0.0);
+  filter.SetBodyVelocity(v_B);
+  for (double t = 6.0; t < 60.0; t += kPeriod) {
+    filter.AddInertial(Steady(t, 0.0, 0.0, 0.167 * t, 0.167, v_B));
+  }
+  EXPECT_NEAR(filter.estimate()->roll, 0.0, 1e-3);
+}
+
+TEST(AttitudeFilter, LearnsTheBiasOfTheGyros) {
+  AttitudeFilter filter{AttitudeParams{}};
+  for (double t = 0.0; t < 300.0; t += kPeriod) {
+    InertialInput input = Steady(t, 0.0, 0.0, 0.0);
+    input.rate.x() += 0.003;
+    filter.AddInertial(input);
+  }
+  EXPECT_NEAR(filter.gyro_bias().x(), 0.003, 5e-4);
+  EXPECT_NEAR(filter.estimate()->roll, 0.0, 2e-3);
+}
+
+TEST(AttitudeFilter, DoesNotTakeABumpForATilt) {
+  AttitudeFilter filter{AttitudeParams{}};
+  Feed(filter, 10.0, 0.0, 0.0, 0.0);
+  for (double t = 10.0; t < 11.0; t += kPeriod) {
+    InertialInput input = Steady(t, 0.0, 0.0, 0.0);
+    input.force.y() += 5.0;
+    filter.AddInertial(input);
+  }
+  EXPECT_NEAR(filter.estimate()->roll, 0.0, 1e-3);
+}
+
+TEST(AttitudeFilter, DropsSamplesThatAreNotNumbersOrComeFromThePast) {
+  AttitudeFilter filter{AttitudeParams{}};
+  Feed(filter, 1.0, 0.0, 0.0, 0.0);
+  const double t = filter.estimate()->t;
+  InertialInput broken = Steady(2.0, 0.0, 0.0, 0.0);
+  broken.force.x() = std::nan("");
+  filter.AddInertial(broken);
+  filter.AddInertial(Steady(0.5, 1.0, 0.0, 0.0));
+  EXPECT_EQ(filter.estimate()->t, t);
+}
+
+}  // namespace
+}  // namespace limpet
