@@ -37,7 +37,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Sight, frame, exposure, ned, roll, pitch, yaw
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChangePosterior, confirmed, removed, appeared, nothing)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OpiBelief, id, landmark, prior_id, ned, cov, centroid,
                                    centroid_sd, color, probability, posterior, decided, looks,
-                                   entropy)
+                                   entropy, log_likelihood_ratio)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OpiBeliefs, opis)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PriorOpi, id, ned, cov, color, log_likelihood_ratio, looks)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SessionPrior, session, opis)

@@ -73,6 +73,8 @@ struct OpiBelief {
   std::string decided;   ///< confirmed, removed, new, moved, uncertain; discovery: new or uncertain
   int looks = 0;         ///< independent looks of this session, with or without a detection
   double entropy = 0.0;  ///< of the posterior [nats]
+  /// Lambda of this session: ln P(looks | present) / P(looks | absent).
+  double log_likelihood_ratio = 0.0;
 };
 struct OpiBeliefs {
   std::vector<OpiBelief> opis;

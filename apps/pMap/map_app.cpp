@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pMap/map_app.hpp"
+
+#include <array>
+
+#include "apps/pMap/map_conversions.hpp"
+#include "estimation/mapping/dvl_beams.hpp"
+#include "limpet/app/registry.hpp"
+
+namespace limpet {
+
+MapApp::MapApp(const AppContext& context, const Params& params)
+    : App(context),
+      params_(params),
+      camera_(params.camera.geometry()),
+      book_(params.status, camera_) {
+  Subscribe(topics::kSurveyArea, &MapApp::OnArea);
+  Subscribe(topics::kSurveyPhase, &MapApp::OnPhase);
+  Subscribe(topics::kNavSight, &MapApp::OnSight);
+  Subscribe(topics::kNavBeams, &MapApp::OnBeams);
+  Subscribe(topics::kNavLandmarks, &MapApp::OnLandmarks);
+  Subscribe(topics::kSessionPrior, &MapApp::OnPrior);
+}
+
+void MapApp::OnArea(const Stamped<SurveyArea>& area) {
+  if (area.value.north_max <= area.value.north_min || area.value.east_max <= area.value.east_min) {
+    Warn("AREA_EMPTY", "SURVEY_AREA has no extent");
+    return;
+  }
+  ClearWarning("AREA_EMPTY");
+  if (!area_ || EncodeRecord(*area_) != EncodeRecord(area.value)) {
+    area_ = area.value;
+    grid_.emplace(area.value, params_.cell.value());
+  }
+}
+
+void MapApp::OnPhase(const Stamped<std::string>& phase) { phase_ = phase.value; }
+
+bool MapApp::IsMapping() const {
+  // Without a mission manager (a replayed log, a bench) every frame counts.
+  return phase_.empty() || phase_ == "DIVE" || phase_ == "SURVEY" || phase_ == "RETURN";
+}
+
+std::optional<double> MapApp::AltitudeOf(const Sight& sight) {
+  if (sight.altitude) {
+    altitude_ = Stamped<double>{sight.exposure, *sight.altitude};
+  }
+  const bool is_fresh = altitude_ && sight.exposure - altitude_->time <= params_.altitude_lasts;
+  return is_fresh ? std::optional<double>(altitude_->value) : std::nullopt;
+}
+
+void MapApp::OnSight(const Stamped<Sight>& sight) {
+  const std::optional<double> altitude = AltitudeOf(sight.value);
+  if (last_sight_ && sight.value.exposure <= *last_sight_) {
+    Warn("SIGHT_OUT_OF_ORDER", "a frame came late and was left out");
+    return;
+  }
+  last_sight_ = sight.value.exposure;
+  if (!IsMapping() || !altitude || *altitude > params_.highest_view.value()) {
+    return;
+  }
+  book_.AddSight(RecordOf(sight.value));
+  if (grid_) {
+    grid_->Observe(sight.value.pose(), *altitude, camera_);
+  }
+}
+
+void MapApp::OnBeams(const Stamped<PosedBeams>& beams) {
+  const PosedBeams& ping = beams.value;
+  for (const BeamEnd& end : BeamEnds(ping.pose(), {ping.b1, ping.b2, ping.b3, ping.b4})) {
+    if (grid_ && end.is_seabed) {
+      grid_->SetSeabed(end.p_W.x(), end.p_W.y(), end.p_W.z());
+    }
+  }
+}
+
+void MapApp::OnLandmarks(const Stamped<Landmarks>& landmarks) {
+  book_.SetLandmarks(ConfirmedOf(landmarks.value));
+}
+
+void MapApp::OnPrior(const Stamped<SessionPrior>& prior) { book_.SetFormer(FormerOf(prior.value)); }
+
+void MapApp::Tick(Seconds now) {
+  if (last_publish_ && now - *last_publish_ < params_.publish_every) {
+    return;
+  }
+  last_publish_ = now;
+  if (grid_) {
+    if (const GridDelta delta = grid_->TakeDelta(); !delta.cells.empty()) {
+      Publish(topics::kMapDelta, delta);
+    }
+    Publish(topics::kMapCoverage, grid_->coverage());
+  }
+  PublishObjects();
+}
+
+void MapApp::PublishObjects() {
+  OpiBeliefs beliefs;
+  for (const ObjectStatus& status : book_.Assess()) {
+    beliefs.opis.push_back(BeliefOf(status));
+  }
+  Value encoded = TopicCodec<OpiBeliefs>::Encode(beliefs);
+  if (!last_objects_ || *last_objects_ != encoded) {
+    PublishRaw(topics::kMapOpis.name, encoded);
+    last_objects_ = std::move(encoded);
+  }
+}
+
+LIMPET_REGISTER_APP(MapApp, "pMap", 4.0);
+
+}  // namespace limpet

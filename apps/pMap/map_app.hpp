@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "estimation/change/status_book.hpp"
+#include "limpet/app/app.hpp"
+#include "limpet/core/camera_params.hpp"
+#include "limpet/survey/survey_grid.hpp"
+#include "limpet/topics/mapping.hpp"
+#include "limpet/topics/mission.hpp"
+#include "limpet/topics/navigation.hpp"
+
+namespace limpet {
+
+/// What the vehicle believes about the ground and the objects on it: coverage, the status of every
+/// object, and the semantic octree.
+class MapApp final : public App {
+ public:
+  struct Params {
+    CameraParams camera;
+    StatusParams status;
+    Meters cell{0.25};
+    Meters highest_view{6.5};
+    Seconds publish_every{0.5};
+    Seconds altitude_lasts{5.0};
+    template <class V>
+    void Describe(V& visit) {
+      using namespace literals;
+      camera.Describe(visit);
+      status.Describe(visit);
+      visit("cell_m", cell, "Cell of the survey grid", InRange(0.05_m, 5.0_m));
+      visit("highest_view_m", highest_view, "Frames from higher above the seabed show nothing",
+            InRange(0.5_m, 100.0_m));
+      visit("publish_every_s", publish_every, "Shortest time between two reports of the map",
+            InRange(0.1_s, 60.0_s));
+      visit("altitude_lasts_s", altitude_lasts, "How long an altitude stands in for a lost one",
+            InRange(0.1_s, 60.0_s));
+    }
+  };
+
+  MapApp(const AppContext& context, const Params& params);
+  void Tick(Seconds now) override;
+
+ private:
+  void OnArea(const Stamped<SurveyArea>& area);
+  void OnPhase(const Stamped<std::string>& phase);
+  void OnSight(const Stamped<Sight>& sight);
+  void OnBeams(const Stamped<PosedBeams>& beams);
+  void OnLandmarks(const Stamped<Landmarks>& landmarks);
+  void OnPrior(const Stamped<SessionPrior>& prior);
+  [[nodiscard]] bool IsMapping() const;
+  [[nodiscard]] std::optional<double> AltitudeOf(const Sight& sight);
+  void PublishObjects();
+
+  Params params_;
+  CameraGeometry camera_;
+  StatusBook book_;
+  std::optional<SurveyArea> area_;
+  std::optional<SurveyGrid> grid_;
+  std::string phase_;
+  std::optional<Stamped<double>> altitude_;
+  std::optional<Seconds> last_sight_;
+  std::optional<Seconds> last_publish_;
+  std::optional<Value> last_objects_;
+};
+
+}  // namespace limpet

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/change/detection_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace limpet {
+namespace {
+
+/// Contrast falls off within this share of the visibility around kHalfRange of it.
+constexpr double kHalfRange = 0.9;
+constexpr double kFallOff = 0.05;
+constexpr int kDiscPoints = 24;
+
+double SmoothStep(double x) {
+  const double t = std::clamp(x, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+/// Offset of the i-th of kDiscPoints points spread evenly over the unit disc (sunflower).
+Eigen::Vector2d DiscPoint(int i) {
+  const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
+  const double radius = std::sqrt((i + 0.5) / kDiscPoints);
+  return {radius * std::cos(golden * i), radius * std::sin(golden * i)};
+}
+
+}  // namespace
+
+double DetectionModel::Detects(double range, double share) const {
+  const double reach = visibility.value();
+  const double contrast = 1.0 / (1.0 + std::exp((range - kHalfRange * reach) / (kFallOff * reach)));
+  const double inside = SmoothStep((share - share_none) / std::max(share_full - share_none, 1e-6));
+  return best * contrast * inside;
+}
+
+double VisibleShare(const CameraGeometry& camera, const Pose& X_WB, const Eigen::Vector3d& p_W,
+                    double radius) {
+  const Eigen::Vector3d p_C = camera.InCamera(X_WB, p_W);
+  if (p_C.z() < 0.1) {
+    return 0.0;
+  }
+  const double u = camera.cx() + camera.fx() * p_C.x() / p_C.z();
+  const double v = camera.cy() + camera.fy() * p_C.y() / p_C.z();
+  const double radius_u = camera.fx() * radius / p_C.z();
+  const double radius_v = camera.fy() * radius / p_C.z();
+  int inside = 0;
+  for (int i = 0; i < kDiscPoints; ++i) {
+    const Eigen::Vector2d offset = DiscPoint(i);
+    const double pu = u + radius_u * offset.x();
+    const double pv = v + radius_v * offset.y();
+    inside += pu >= 0.0 && pu < camera.width_px && pv >= 0.0 && pv < camera.height_px ? 1 : 0;
+  }
+  return static_cast<double>(inside) / kDiscPoints;
+}
+
+}  // namespace limpet

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "limpet/core/camera_geometry.hpp"
+#include "limpet/core/params.hpp"
+#include "limpet/core/units.hpp"
+
+namespace limpet {
+
+/// How well the detector sees: the chance that one frame shows a box for an object that is there,
+/// and for a place where there is none. `paper.md` sections 3 (miss) and 4.
+struct DetectionModel {
+  double best = 0.95;             ///< chance per frame close by and wholly inside the image
+  Meters visibility{8.0};         ///< range at which contrast is gone
+  double share_none = 0.25;       ///< share of the object inside the image below which it is missed
+  double share_full = 0.75;       ///< and above which the image's border does not matter
+  double false_per_image = 0.03;  ///< boxes per image that show nothing
+
+  template <class V>
+  void Describe(V& visit) {
+    using namespace literals;
+    visit("detection_best", best, "Chance per frame to detect an object close by",
+          InRange(0.05, 0.999));
+    visit("visibility_m", visibility, "Range at which an object's contrast is gone",
+          InRange(0.5_m, 100.0_m));
+    visit("detection_share_none", share_none,
+          "Share of an object inside the image below which it is missed", InRange(0.0, 0.9));
+    visit("detection_share_full", share_full,
+          "Share of an object inside the image above which the border does not matter",
+          InRange(0.05, 1.0));
+    visit("false_detections_per_image", false_per_image, "Boxes per image that show nothing",
+          InRange(1e-4, 1.0));
+  }
+
+  /// Chance of a box in one frame for an object `range` metres away of which `share` is inside the
+  /// image.
+  [[nodiscard]] double Detects(double range, double share) const;
+};
+
+/// Share of a sphere's disc (centre p_W, NED, radius [m]) that lies inside the image; 0 behind the
+/// camera.
+[[nodiscard]] double VisibleShare(const CameraGeometry& camera, const Pose& X_WB,
+                                  const Eigen::Vector3d& p_W, double radius);
+
+}  // namespace limpet

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limpet/core/params.hpp"
+#include "limpet/core/units.hpp"
+
+namespace limpet {
+
+/// When frames count as one look and looks as one pass, and how often a whole pass goes wrong.
+struct LookParams {
+  Meters new_look_distance{0.5};
+  Radians new_look_angle = Radians::FromTextUnit(15.0);
+  Seconds new_pass_gap{8.0};
+  double pass_failure = 0.02;     ///< chance that a pass misses an object that it passed over
+  double pass_clutter = 2e-4;     ///< chance that a pass sees something lasting where there is none
+  double failing_detects = 0.05;  ///< share of the detection rate left in a failing pass
+  double clutter_detects = 0.7;   ///< chance per frame of a box on lasting clutter
+
+  template <class V>
+  void Describe(V& visit) {
+    using namespace literals;
+    visit("new_look_distance_m", new_look_distance,
+          "Frames from closer viewpoints than this are one look", InRange(0.05_m, 10.0_m));
+    visit("new_look_angle_deg", new_look_angle,
+          "Frames from directions closer than this are one look", InRange(1.0_deg, 90.0_deg));
+    visit("new_pass_gap_s", new_pass_gap, "Out of sight longer than this starts a new pass",
+          InRange(1.0_s, 600.0_s));
+    visit("pass_failure", pass_failure,
+          "Chance that a whole pass misses an object it should have seen", InRange(1e-5, 0.5));
+    visit("pass_clutter", pass_clutter,
+          "Chance that something lasting looks like an object at a given place",
+          InRange(1e-7, 0.5));
+    visit("failing_detects", failing_detects, "Share of the detection rate left in a failing pass",
+          InRange(0.0, 0.9));
+    visit("clutter_detects", clutter_detects, "Chance per frame of a box on lasting clutter",
+          InRange(0.01, 0.99));
+  }
+};
+
+/// What one frame said about one place that it could have seen.
+struct FrameEvidence {
+  double time = 0.0;                               ///< [s]
+  Eigen::Vector3d p_OC = Eigen::Vector3d::Zero();  ///< camera relative to the place, NED [m]
+  double detects = 0.0;                            ///< chance of a box here if an object is there
+  double false_alarm = 0.0;                        ///< chance of a box here if none is
+  bool has_box = false;
+};
+
+/// Collects what the frames of one session said about one place, as looks (frames from nearly one
+/// viewpoint count together as one witness) and passes (looks of one pass share what made them
+/// fail), and turns it into Lambda = ln P(seen | present) / P(seen | absent).
+class LookLog {
+ public:
+  explicit LookLog(const LookParams& params) : params_(params) {}
+
+  /// REQUIRES: frames come in order of time; detects and false_alarm in (0, 1).
+  void Add(const FrameEvidence& frame);
+  /// Lambda over all passes, the one under way included.
+  [[nodiscard]] double Lambda() const;
+  [[nodiscard]] int looks() const { return looks_; }
+  [[nodiscard]] int looks_with_box() const;
+  [[nodiscard]] int passes() const { return passes_; }
+
+ private:
+  /// ln P of what was seen, under four states of the world; sums over looks of a pass.
+  struct Evidence {
+    double present = 0.0, present_failing = 0.0, absent = 0.0, absent_clutter = 0.0;
+    Evidence& operator+=(const Evidence& other);
+    [[nodiscard]] Evidence operator/(double n) const;
+  };
+  struct Look {
+    Eigen::Vector3d p_OC = Eigen::Vector3d::Zero();
+    Evidence sum;  ///< over frames; a look counts as its mean
+    int frames = 0;
+    bool has_box = false;
+    [[nodiscard]] Evidence mean() const { return sum / static_cast<double>(frames); }
+  };
+
+  [[nodiscard]] Evidence Weigh(const FrameEvidence& frame) const;
+  [[nodiscard]] bool IsNewViewpoint(const FrameEvidence& frame) const;
+  [[nodiscard]] double PassLambda(const Evidence& pass) const;
+  void CloseLook();
+  void ClosePass();
+
+  LookParams params_;
+  std::optional<Look> look_;
+  std::optional<Evidence> pass_;  ///< closed looks of the pass under way
+  double last_time_ = 0.0;
+  double closed_lambda_ = 0.0;  ///< of the passes before
+  int looks_ = 0;
+  int closed_looks_with_box_ = 0;
+  int passes_ = 0;
+};
+
+}  // namespace limpet

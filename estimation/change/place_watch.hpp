@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "estimation/change/detection_model.hpp"
+#include "estimation/change/look_log.hpp"
+#include "estimation/change/matching.hpp"
+
+namespace limpet {
+
+/// A detector's box, pixels, with the landmark it was associated with, or -1.
+struct SightedDetection {
+  double u = 0.0, v = 0.0, w = 0.0, h = 0.0;
+  double confidence = 0.0;
+  std::string color;
+  int landmark = -1;
+};
+
+/// One camera frame as the map needs it.
+struct SightRecord {
+  double time = 0.0;  ///< [s]
+  Pose X_WB;
+  std::vector<SightedDetection> boxes;
+};
+
+/// What it takes to judge a place in a frame.
+struct WatchModel {
+  CameraGeometry camera;
+  DetectionModel detection;
+  double object_radius = 0.5;    ///< [m]
+  double least_detection = 0.2;  ///< frames with less chance of a box say nothing
+};
+
+/// Whose box a detection is, seen from one place.
+enum class BoxOwner { kThisPlace, kAnotherPlace, kUnknown };
+using OwnerOf = std::function<BoxOwner(const SightedDetection&)>;
+
+/// A place where an object is or may be, and what this session's frames said about it. Boxes of
+/// unknown owner count when they fall near the place's projection; the false-alarm rate is that of
+/// so large a part of the image.
+class PlaceWatch {
+ public:
+  PlaceWatch(const PlacedObject& place, const LookParams& looks) : place_(place), log_(looks) {}
+
+  /// Judges one frame; frames in order of time.
+  void See(const SightRecord& sight, const WatchModel& model, const OwnerOf& owner_of);
+  [[nodiscard]] const LookLog& log() const { return log_; }
+  [[nodiscard]] const PlacedObject& place() const { return place_; }
+
+ private:
+  PlacedObject place_;
+  LookLog log_;
+};
+
+}  // namespace limpet

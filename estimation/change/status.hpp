@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The 4-way posterior of one place and what is decided from it. `paper.md` section 4.
+#pragma once
+
+#include <string_view>
+
+#include "limpet/core/params.hpp"
+
+namespace limpet {
+
+/// What is taken for granted before any look.
+struct StatusPriors {
+  double presence = 0.02;    ///< pi: an object at a given place in the former session
+  double survival = 0.5;     ///< s: it is still there
+  double appearance = 0.02;  ///< a: one has come to a place that had none
+  double decide_at = 0.9;    ///< a status is decided from this probability on
+
+  template <class V>
+  void Describe(V& visit) {
+    visit("presence_prior", presence, "Chance of an object at a given place", InRange(1e-5, 0.5));
+    visit("survival_prior", survival, "Chance that a former object is still there",
+          InRange(0.01, 0.99));
+    visit("appearance_prior", appearance, "Chance that an object came to an empty place",
+          InRange(1e-5, 0.5));
+    visit("decide_at", decide_at, "Probability from which a status is decided",
+          InRange(0.5, 0.999));
+  }
+};
+
+/// The four sum to one.
+struct StatusPosterior {
+  double confirmed = 0.0, removed = 0.0, appeared = 0.0, nothing = 0.0;
+  /// That an object is there now.
+  [[nodiscard]] double present() const { return confirmed + appeared; }
+  [[nodiscard]] double Entropy() const;  ///< [nats]
+};
+
+enum class Status { kUncertain, kConfirmed, kRemoved, kNew, kMoved, kNothing };
+[[nodiscard]] std::string_view NameOf(Status status);
+
+/// Change session: weights C: pi s e^(Ld+Lc), R: pi (1-s) e^Ld, N: (1-pi) a e^Lc,
+/// nothing: (1-pi)(1-a); Ld, Lc: Lambda of the former and of this session.
+[[nodiscard]] StatusPosterior ChangeStatus(double lambda_former, double lambda_now,
+                                           const StatusPriors& priors);
+/// Discovery session: an object is there (appeared) or not (nothing).
+[[nodiscard]] StatusPosterior DiscoveryStatus(double lambda_now, const StatusPriors& priors);
+
+/// The status that reaches decide_at, else uncertain; without a look nothing is decided.
+[[nodiscard]] Status Decide(const StatusPosterior& posterior, int looks,
+                            const StatusPriors& priors);
+
+}  // namespace limpet

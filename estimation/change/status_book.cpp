@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/change/status_book.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "limpet/core/require.hpp"
+
+namespace limpet {
+namespace {
+
+/// A place that moves farther than this is judged again from all frames.
+constexpr double kRejudgeDistance = 0.3;
+
+double HorizontalDistance(const PlacedObject& a, const PlacedObject& b) {
+  return (a.ned - b.ned).head<2>().norm();
+}
+
+bool HasMoved(const PlaceWatch& watch, const PlacedObject& place) {
+  return (watch.place().ned - place.ned).norm() > kRejudgeDistance;
+}
+
+}  // namespace
+
+StatusBook::StatusBook(const StatusParams& params, const CameraGeometry& camera)
+    : params_(params),
+      model_{.camera = camera,
+             .detection = params.detection,
+             .object_radius = params.object_radius.value()} {}
+
+void StatusBook::SetFormer(std::vector<FormerObject> former) {
+  former_watch_.assign(former.size(), std::nullopt);
+  former_ = std::move(former);
+  // Former objects take the first ids, so that they keep them when they are found again.
+  next_id_ = std::max(next_id_, static_cast<int>(former_->size()) + 1);
+  MatchFormer();
+  WatchFormer();
+}
+
+void StatusBook::AddSight(SightRecord sight) {
+  LIMPET_REQUIRE(sights_.empty() || sight.time >= sights_.back().time, "sights out of order");
+  for (std::size_t i = 0; i < sight.boxes.size(); ++i) {
+    for (std::size_t j = i + 1; j < sight.boxes.size(); ++j) {
+      seen_together_.emplace(std::minmax(sight.boxes[i].landmark, sight.boxes[j].landmark));
+    }
+  }
+  for (auto& [landmark, watch] : landmark_watch_) {
+    watch.See(sight, model_, OwnerForLandmark(landmark));
+  }
+  for (std::size_t i = 0; i < former_watch_.size(); ++i) {
+    if (former_watch_[i]) {
+      former_watch_[i]->See(sight, model_, OwnerForFormer(i));
+    }
+  }
+  sights_.push_back(std::move(sight));
+}
+
+void StatusBook::SetLandmarks(const std::vector<KnownLandmark>& landmarks) {
+  landmarks_ = landmarks;
+  std::ranges::sort(landmarks_, {}, &KnownLandmark::id);
+  MergeLandmarks();
+  WatchLandmarks();
+  if (former_) {
+    MatchFormer();
+    WatchFormer();
+  }
+}
+
+int StatusBook::Representative(int landmark) const {
+  const auto found = representative_.find(landmark);
+  return found == representative_.end() ? -1 : found->second;
+}
+
+void StatusBook::Replay(PlaceWatch& watch, const OwnerOf& owner_of) const {
+  for (const SightRecord& sight : sights_) {
+    watch.See(sight, model_, owner_of);
+  }
+}
+
+OwnerOf StatusBook::OwnerForLandmark(int landmark) const {
+  return [this, landmark](const SightedDetection& box) {
+    const int owner = Representative(box.landmark);
+    if (owner < 0) return BoxOwner::kUnknown;
+    return owner == landmark ? BoxOwner::kThisPlace : BoxOwner::kAnotherPlace;
+  };
+}
+
+OwnerOf StatusBook::OwnerForFormer(std::size_t) const {
+  // A former place is watched by itself only while no landmark stands for it, so every confirmed
+  // landmark is another object.
+  return [this](const SightedDetection& box) {
+    return Representative(box.landmark) < 0 ? BoxOwner::kUnknown : BoxOwner::kAnotherPlace;
+  };
+}
+
+bool StatusBook::AreOne(const KnownLandmark& a, const KnownLandmark& b) const {
+  return HorizontalDistance(a.object, b.object) < params_.merge_within.value() &&
+         !seen_together_.contains(std::minmax(a.id, b.id));
+}
+
+void StatusBook::MergeLandmarks() {
+  std::vector<const KnownLandmark*> by_looks;
+  for (const KnownLandmark& landmark : landmarks_) {
+    by_looks.push_back(&landmark);
+  }
+  std::ranges::stable_sort(by_looks,
+                           [](const auto* a, const auto* b) { return a->looks > b->looks; });
+  objects_.clear();
+  representative_.clear();
+  for (const KnownLandmark* landmark : by_looks) {
+    const auto same = std::ranges::find_if(
+        objects_, [&](const KnownLandmark& object) { return AreOne(object, *landmark); });
+    representative_[landmark->id] = same == objects_.end() ? landmark->id : same->id;
+    if (same == objects_.end()) {
+      objects_.push_back(*landmark);
+    }
+  }
+  std::ranges::sort(objects_, {}, &KnownLandmark::id);
+}
+
+void StatusBook::WatchLandmarks() {
+  std::erase_if(landmark_watch_,
+                [this](const auto& entry) { return Representative(entry.first) != entry.first; });
+  for (const KnownLandmark& object : objects_) {
+    const auto found = landmark_watch_.find(object.id);
+    if (found != landmark_watch_.end() && !HasMoved(found->second, object.object)) {
+      continue;
+    }
+    PlaceWatch watch(object.object, params_.looks);
+    Replay(watch, OwnerForLandmark(object.id));
+    landmark_watch_.insert_or_assign(object.id, std::move(watch));
+  }
+}
+
+void StatusBook::MatchFormer() {
+  std::vector<PlacedObject> former;
+  std::vector<PlacedObject> now;
+  for (const FormerObject& object : *former_) {
+    former.push_back(object.object);
+  }
+  for (const KnownLandmark& object : objects_) {
+    now.push_back(object.object);
+  }
+  match_ = MatchSessions(former, now, params_.matching);
+}
+
+PlacedObject StatusBook::FormerPlace(std::size_t index) const {
+  PlacedObject place = (*former_)[index].object;
+  place.ned = match_.offset.Apply(place.ned);
+  place.cov.topLeftCorner<2, 2>() += match_.shift_cov;
+  return place;
+}
+
+void StatusBook::WatchFormer() {
+  for (std::size_t i = 0; i < former_->size(); ++i) {
+    std::optional<PlaceWatch>& watch = former_watch_[i];
+    if (match_.now_of_former[i] >= 0) {
+      watch.reset();
+      continue;
+    }
+    const PlacedObject place = FormerPlace(i);
+    if (!watch || HasMoved(*watch, place)) {
+      watch.emplace(place, params_.looks);
+      Replay(*watch, OwnerForFormer(i));
+    }
+  }
+}
+
+int StatusBook::IdOfLandmark(int landmark) {
+  const auto [entry, is_new] = id_of_landmark_.try_emplace(landmark, next_id_);
+  next_id_ += is_new ? 1 : 0;
+  return entry->second;
+}
+
+ObjectStatus StatusBook::StatusOfFormer(std::size_t index) const {
+  const FormerObject& former = (*former_)[index];
+  const int now = match_.now_of_former[index];
+  const KnownLandmark* object = now < 0 ? nullptr : &objects_[static_cast<std::size_t>(now)];
+  const LookLog& log =
+      object != nullptr ? landmark_watch_.at(object->id).log() : former_watch_[index]->log();
+  ObjectStatus status{.id = static_cast<int>(index) + 1,
+                      .landmark = object != nullptr ? object->id : -1,
+                      .former = former.id,
+                      .object = object != nullptr ? object->object : FormerPlace(index),
+                      .lambda = log.Lambda(),
+                      .looks = log.looks(),
+                      .looks_with_box = log.looks_with_box(),
+                      .posterior = ChangeStatus(former.lambda, log.Lambda(), params_.priors)};
+  status.decided = Decide(status.posterior, status.looks, params_.priors);
+  return status;
+}
+
+std::optional<ObjectStatus> StatusBook::StatusOfNewcomer(std::size_t index) {
+  const KnownLandmark& object = objects_[index];
+  const LookLog& log = landmark_watch_.at(object.id).log();
+  ObjectStatus status{
+      .landmark = object.id,
+      .object = object.object,
+      .lambda = log.Lambda(),
+      .looks = log.looks(),
+      .looks_with_box = log.looks_with_box(),
+      .posterior = former_ ? ChangeStatus(params_.unlisted_lambda, log.Lambda(), params_.priors)
+                           : DiscoveryStatus(log.Lambda(), params_.priors)};
+  status.decided = Decide(status.posterior, status.looks, params_.priors);
+  if (status.decided == Status::kNothing) {
+    return std::nullopt;
+  }
+  status.id = IdOfLandmark(object.id);
+  return status;
+}
+
+std::vector<ObjectStatus> StatusBook::Assess() {
+  std::vector<ObjectStatus> objects;
+  std::vector<bool> is_matched(objects_.size(), false);
+  for (std::size_t i = 0; former_ && i < former_->size(); ++i) {
+    objects.push_back(StatusOfFormer(i));
+    if (match_.now_of_former[i] >= 0) {
+      is_matched[static_cast<std::size_t>(match_.now_of_former[i])] = true;
+    }
+  }
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    if (is_matched[i]) continue;
+    if (std::optional<ObjectStatus> status = StatusOfNewcomer(i)) {
+      objects.push_back(std::move(*status));
+    }
+  }
+  PairMoved(objects);
+  return objects;
+}
+
+void StatusBook::PairMoved(std::vector<ObjectStatus>& objects) const {
+  for (ObjectStatus& removed : objects) {
+    if (removed.decided != Status::kRemoved) continue;
+    const auto moved = std::ranges::find_if(objects, [&](const ObjectStatus& other) {
+      return other.decided == Status::kNew && other.object.color == removed.object.color &&
+             HorizontalDistance(other.object, removed.object) < params_.moved_within.value();
+    });
+    if (moved == objects.end()) continue;
+    moved->decided = Status::kMoved;
+    moved->former = removed.former;
+    removed.former = -1;  // its story goes on in the other entry
+  }
+  std::erase_if(objects, [](const ObjectStatus& object) {
+    return object.decided == Status::kRemoved && object.former < 0;
+  });
+}
+
+}  // namespace limpet

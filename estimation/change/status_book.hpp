@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "estimation/change/place_watch.hpp"
+#include "estimation/change/status.hpp"
+
+namespace limpet {
+
+struct StatusParams {
+  DetectionModel detection;
+  LookParams looks;
+  StatusPriors priors;
+  MatchingParams matching;
+  Meters object_radius{0.5};
+  Meters merge_within{1.2};
+  Meters moved_within{2.5};
+  double unlisted_lambda = -3.5;
+
+  template <class V>
+  void Describe(V& visit) {
+    using namespace literals;
+    detection.Describe(visit);
+    looks.Describe(visit);
+    priors.Describe(visit);
+    matching.Describe(visit);
+    visit("object_radius_m", object_radius, "Radius of the objects looked for",
+          InRange(0.05_m, 5.0_m));
+    visit("merge_within_m", merge_within,
+          "Landmarks closer than this and never seen together are one object",
+          InRange(0.0_m, 10.0_m));
+    visit("moved_within_m", moved_within,
+          "A removed and a new object of one colour closer than this have moved",
+          InRange(0.0_m, 50.0_m));
+    visit("unlisted_lambda", unlisted_lambda,
+          "Former session's Lambda at a place where it listed nothing", InRange(-30.0, 0.0));
+  }
+};
+
+/// A confirmed landmark of this session's smoother.
+struct KnownLandmark {
+  int id = 0;
+  PlacedObject object;
+  int looks = 0;
+};
+
+/// An object that the former session found, in its frame.
+struct FormerObject {
+  int id = 0;
+  PlacedObject object;
+  double lambda = 0.0;  ///< of the former session
+  int looks = 0;
+};
+
+/// What is believed about one object.
+struct ObjectStatus {
+  int id = 0;           ///< unique in the session and lasting
+  int landmark = -1;    ///< this session's landmark, or -1
+  int former = -1;      ///< former session's object, or -1
+  PlacedObject object;  ///< this session's estimate, else the former one in this session's frame
+  double lambda = 0.0;  ///< of this session
+  int looks = 0;
+  int looks_with_box = 0;
+  StatusPosterior posterior;
+  Status decided = Status::kUncertain;
+};
+
+/// Everything one session knows about the status of objects: frames and landmarks in, posteriors
+/// out. Keeps all frames, because a landmark is confirmed only some frames after it was first seen.
+class StatusBook {
+ public:
+  StatusBook(const StatusParams& params, const CameraGeometry& camera);
+
+  /// Makes this a change session. Call before the first frame, or lose nothing: frames are
+  /// replayed.
+  void SetFormer(std::vector<FormerObject> former);
+  /// Frames in order of time.
+  void AddSight(SightRecord sight);
+  /// All confirmed landmarks as now estimated; one that is absent is forgotten.
+  void SetLandmarks(const std::vector<KnownLandmark>& landmarks);
+
+  /// All objects, former ones first, then by id. What is certainly nothing is left out.
+  [[nodiscard]] std::vector<ObjectStatus> Assess();
+  [[nodiscard]] const FrameOffset& offset() const { return match_.offset; }
+  [[nodiscard]] const std::vector<SightRecord>& sights() const { return sights_; }
+  /// The landmark that stands for `landmark` after merging; -1 if it is not confirmed.
+  [[nodiscard]] int Representative(int landmark) const;
+
+ private:
+  void Replay(PlaceWatch& watch, const OwnerOf& owner_of) const;
+  [[nodiscard]] OwnerOf OwnerForLandmark(int landmark) const;
+  [[nodiscard]] OwnerOf OwnerForFormer(std::size_t index) const;
+  void MergeLandmarks();
+  [[nodiscard]] bool AreOne(const KnownLandmark& a, const KnownLandmark& b) const;
+  void WatchLandmarks();
+  void WatchFormer();
+  [[nodiscard]] PlacedObject FormerPlace(std::size_t index) const;
+  void MatchFormer();
+  [[nodiscard]] int IdOfLandmark(int landmark);
+  [[nodiscard]] ObjectStatus StatusOfFormer(std::size_t index) const;
+  [[nodiscard]] std::optional<ObjectStatus> StatusOfNewcomer(std::size_t index);
+  void PairMoved(std::vector<ObjectStatus>& objects) const;
+
+  StatusParams params_;
+  WatchModel model_;
+  std::vector<SightRecord> sights_;
+  std::optional<std::vector<FormerObject>> former_;
+  std::vector<KnownLandmark> landmarks_;  ///< as given
+  std::vector<KnownLandmark> objects_;    ///< merged: one per object, by id
+  std::map<int, int> representative_;     ///< landmark to the one that stands for it
+  std::set<std::pair<int, int>> seen_together_;
+  std::map<int, PlaceWatch> landmark_watch_;
+  std::vector<std::optional<PlaceWatch>> former_watch_;
+  SessionMatch match_;
+  std::map<int, int> id_of_landmark_;
+  int next_id_ = 1;
+};
+
+}  // namespace limpet
