@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/survey/survey_grid.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "limpet/core/require.hpp"
+#include "limpet/survey/view_cone.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr int kMostBeamWeight = 8;
+
+GridFrame FrameOf(const SurveyArea& area, double cell_m) {
+  LIMPET_REQUIRE(cell_m > 0.0, "cells need a size");
+  LIMPET_REQUIRE(area.north_max > area.north_min && area.east_max > area.east_min,
+                 "the survey area is empty");
+  // A rounding error must not add a row.
+  const auto cells = [cell_m](double extent) {
+    return static_cast<int>(std::ceil(extent / cell_m - 1e-6));
+  };
+  return {.north_min = area.north_min,
+          .east_min = area.east_min,
+          .cell_m = cell_m,
+          .rows = cells(area.north_max - area.north_min),
+          .columns = cells(area.east_max - area.east_min)};
+}
+
+/// Uniform in [0, 1), a function of the cell and the axis alone.
+float HashToUnit(std::uint32_t cell, std::uint32_t axis) {
+  std::uint32_t x = cell * 2U + axis + 0x9e3779b9U;
+  x = (x ^ (x >> 16U)) * 0x85ebca6bU;
+  x = (x ^ (x >> 13U)) * 0xc2b2ae35U;
+  x ^= x >> 16U;
+  return static_cast<float>(x >> 8U) * 0x1p-24F;
+}
+
+}  // namespace
+
+SurveyGrid::SurveyGrid(const SurveyArea& area, double cell_m)
+    : SurveyGrid(FrameOf(area, cell_m), area.object_height_max) {}
+
+SurveyGrid::SurveyGrid(const GridFrame& frame, double object_height_max)
+    : frame_(frame), height_max_(std::max(0.0, object_height_max)) {
+  LIMPET_REQUIRE(frame.rows > 0 && frame.columns > 0 && frame.cell_m > 0.0, "empty grid frame");
+  const std::size_t count =
+      static_cast<std::size_t>(frame.rows) * static_cast<std::size_t>(frame.columns);
+  seen_.assign(count, kNeverSeen);
+  seabed_.assign(count, 0.0F);
+  seabed_source_.assign(count, SeabedSource::kNone);
+  beam_count_.assign(count, 0);
+  is_changed_.assign(count, 0);
+  changed_.reserve(count);
+  jitter_north_.resize(count);
+  jitter_east_.resize(count);
+  const auto cell_m = static_cast<float>(frame.cell_m);
+  for (std::size_t i = 0; i < count; ++i) {
+    jitter_north_[i] = cell_m * HashToUnit(static_cast<std::uint32_t>(i), 0);
+    jitter_east_[i] = cell_m * HashToUnit(static_cast<std::uint32_t>(i), 1);
+  }
+}
+
+std::size_t SurveyGrid::Index(int row, int column) const {
+  LIMPET_REQUIRE(row >= 0 && row < frame_.rows && column >= 0 && column < frame_.columns,
+                 "cell outside the survey grid");
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(frame_.columns) +
+         static_cast<std::size_t>(column);
+}
+
+void SurveyGrid::Observe(const Pose& X_WB, double altitude, const CameraGeometry& camera) {
+  if (!(altitude > 0.0)) {
+    return;
+  }
+  const ViewCone cone(X_WB, camera, kDiscInset);
+  const double guessed_down = X_WB.p_WB.z() + altitude;
+  const CellBox box = cone.CellsBelow(frame_, guessed_down);
+  for (int row = box.row_min; row <= box.row_max; ++row) {
+    const double north_edge = frame_.north_min + row * frame_.cell_m;
+    for (int column = box.column_min; column <= box.column_max; ++column) {
+      const std::size_t cell = Index(row, column);
+      const double down =
+          seabed_source_[cell] == SeabedSource::kNone ? guessed_down : seabed_[cell];
+      const double east = frame_.east_min + column * frame_.cell_m + jitter_east_[cell];
+      const auto height = cone.SeenHeight({north_edge + jitter_north_[cell], east, down});
+      if (height) {
+        Raise(cell, static_cast<float>(std::min(*height, height_max_)),
+              static_cast<float>(guessed_down));
+      }
+    }
+  }
+}
+
+void SurveyGrid::Raise(std::size_t cell, float height, float seabed_down) {
+  if (seabed_source_[cell] == SeabedSource::kNone) {
+    seabed_[cell] = seabed_down;
+    seabed_source_[cell] = SeabedSource::kAltitude;
+  }
+  if (height > seen_[cell]) {
+    seen_[cell] = height;
+    MarkChanged(cell);
+  }
+}
+
+void SurveyGrid::MarkChanged(std::size_t cell) {
+  ++version_;
+  if (is_changed_[cell] == 0) {
+    is_changed_[cell] = 1;
+    changed_.push_back(static_cast<std::uint32_t>(cell));
+  }
+}
+
+void SurveyGrid::SetSeabed(double north, double east, double down) {
+  const auto first = [this](double offset) {
+    return static_cast<int>(std::ceil((offset - kSeabedReach) / frame_.cell_m - 0.5));
+  };
+  const auto last = [this](double offset) {
+    return static_cast<int>(std::floor((offset + kSeabedReach) / frame_.cell_m - 0.5));
+  };
+  const double dn = north - frame_.north_min, de = east - frame_.east_min;
+  for (int row = std::max(0, first(dn)); row <= std::min(frame_.rows - 1, last(dn)); ++row) {
+    for (int column = std::max(0, first(de)); column <= std::min(frame_.columns - 1, last(de));
+         ++column) {
+      const double off_north = (row + 0.5) * frame_.cell_m - dn;
+      const double off_east = (column + 0.5) * frame_.cell_m - de;
+      if (std::hypot(off_north, off_east) > kSeabedReach) {
+        continue;
+      }
+      const std::size_t cell = Index(row, column);
+      const bool had_beam = seabed_source_[cell] == SeabedSource::kBeam;
+      const int weight = had_beam ? std::min<int>(beam_count_[cell], kMostBeamWeight) : 0;
+      const double before = had_beam ? static_cast<double>(seabed_[cell]) : down;
+      seabed_[cell] = static_cast<float>(before + (down - before) / (weight + 1));
+      seabed_source_[cell] = SeabedSource::kBeam;
+      beam_count_[cell] = static_cast<std::uint8_t>(weight + 1);
+      if (seen_[cell] >= 0.0F) {
+        MarkChanged(cell);
+      }
+    }
+  }
+}
+
+GridDelta SurveyGrid::TakeDelta() {
+  GridDelta delta;
+  delta.frame = frame_;
+  delta.cells.reserve(changed_.size());
+  for (const std::uint32_t cell : changed_) {
+    delta.cells.push_back(
+        {.index = cell, .seen_height = seen_[cell], .seabed_down = seabed_[cell]});
+    is_changed_[cell] = 0;
+  }
+  changed_.clear();
+  return delta;
+}
+
+bool SurveyGrid::Apply(const GridDelta& delta) {
+  const GridFrame& other = delta.frame;
+  if (other.rows != frame_.rows || other.columns != frame_.columns ||
+      other.cell_m != frame_.cell_m || other.north_min != frame_.north_min ||
+      other.east_min != frame_.east_min) {
+    return false;
+  }
+  for (const GridDelta::Cell& change : delta.cells) {
+    if (change.index >= seen_.size()) {
+      return false;
+    }
+  }
+  for (const GridDelta::Cell& change : delta.cells) {
+    seabed_[change.index] = change.seabed_down;
+    seabed_source_[change.index] = SeabedSource::kBeam;
+    beam_count_[change.index] = kMostBeamWeight;
+    Raise(change.index, change.seen_height, change.seabed_down);
+  }
+  return true;
+}
+
+Coverage SurveyGrid::coverage() const {
+  constexpr double kTopTolerance = 1e-3;
+  const double low = std::min(kObjectRadius, height_max_);
+  double bottom = 0.0, band = 0.0, top = 0.0;
+  for (const float height : seen_) {
+    const auto h = static_cast<double>(height);
+    bottom += h >= 0.0 ? 1.0 : 0.0;
+    top += h >= height_max_ - kTopTolerance ? 1.0 : 0.0;
+    if (height_max_ > low) {
+      band += std::clamp((h - low) / (height_max_ - low), 0.0, 1.0);
+    } else {
+      band += h >= height_max_ ? 1.0 : 0.0;
+    }
+  }
+  const auto count = static_cast<double>(seen_.size());
+  return {.seabed = bottom / count, .band = band / count, .band_top = top / count};
+}
+
+std::optional<double> SurveyGrid::SeenHeight(int row, int column) const {
+  const float height = seen_[Index(row, column)];
+  return height >= 0.0F ? std::optional<double>(height) : std::nullopt;
+}
+
+std::optional<double> SurveyGrid::Seabed(int row, int column) const {
+  const std::size_t cell = Index(row, column);
+  return seabed_source_[cell] == SeabedSource::kNone ? std::nullopt
+                                                     : std::optional<double>(seabed_[cell]);
+}
+
+}  // namespace limpet

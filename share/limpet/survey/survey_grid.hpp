@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "limpet/core/camera_geometry.hpp"
+#include "limpet/topics/mapping.hpp"
+#include "limpet/topics/mission.hpp"
+
+namespace limpet {
+
+/// What of the survey area has been seen: per cell the greatest height above the seabed up to which
+/// an object would have been seen there. One number is enough because the image narrows upwards:
+/// what is inside the image at one height was inside it at every lower one.
+///
+/// Rule. A cell's bottom is seen when its sample point is inside the image. An object floating at
+/// height h counts as seen when at least 60 % of its disc is in the image, that is, when its centre
+/// is at least `kDiscInset` inside every edge of the image at h (0.158 radii: the chord that leaves
+/// 60 % of a disc). With a level camera at altitude a the height seen at body offset (x forward, y
+/// starboard) is therefore
+///     h = a - max((|y| + inset) / tan(across/2), (|x| + inset) / tan(along/2)),
+/// clipped to [0, object_height_max]. Roll and pitch turn the four side planes; h stays the least
+/// of four linear bounds. Three frames are not counted: at 4 fps and 0.5 m/s they are 0.25 m of
+/// track, far less than the image is long.
+///
+/// Sample points are jittered inside their cells by a fixed hash, because a planner that sees
+/// regular cell centres learns to leave gaps between them.
+class SurveyGrid {
+ public:
+  /// Inset of an object's centre from the image's edge [m], for discs of 0.5 m radius.
+  static constexpr double kDiscInset = 0.08;
+  /// Objects' centres float no lower than their radius [m]; the band of Coverage starts here.
+  static constexpr double kObjectRadius = 0.5;
+
+  /// A grid over `area`; cells at the north and east edge may reach beyond it by less than a cell.
+  /// REQUIRES: a non-empty area, cell_m > 0.
+  explicit SurveyGrid(const SurveyArea& area, double cell_m = 0.25);
+  /// The mirror of a grid that is known by its deltas.
+  SurveyGrid(const GridFrame& frame, double object_height_max);
+
+  /// Marks what the camera sees from `X_WB`. `altitude` [m] is the vertical distance to the seabed
+  /// below the vehicle; it stands in where the seabed's depth is not known.
+  void Observe(const Pose& X_WB, double altitude, const CameraGeometry& camera);
+  /// A point of the seabed (a DVL beam's end): moves the depth of the cells within
+  /// `kSeabedReach` towards `down` [m].
+  void SetSeabed(double north, double east, double down);
+  static constexpr double kSeabedReach = 0.75;
+
+  /// Cells seen higher, or with a new seabed depth, since the last call; each once.
+  [[nodiscard]] GridDelta TakeDelta();
+  /// Merges another grid's changes; false, with nothing changed, if its frame is another one.
+  [[nodiscard]] bool Apply(const GridDelta& delta);
+
+  [[nodiscard]] Coverage coverage() const;
+  [[nodiscard]] const GridFrame& frame() const { return frame_; }
+  [[nodiscard]] double object_height_max() const { return height_max_; }
+  /// Greatest height seen [m], or nothing if not even the bottom has been.
+  [[nodiscard]] std::optional<double> SeenHeight(int row, int column) const;
+  /// NED depth of the seabed [m], or nothing.
+  [[nodiscard]] std::optional<double> Seabed(int row, int column) const;
+  /// Raw heights, row-major, `kNeverSeen` where never seen: for planners' inner loops.
+  [[nodiscard]] std::span<const float> heights() const { return seen_; }
+  static constexpr float kNeverSeen = -1.0F;
+  /// Increases with every change; mirrors compare it to know whether they are stale.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
+
+ private:
+  enum class SeabedSource : std::uint8_t { kNone, kAltitude, kBeam };
+  [[nodiscard]] std::size_t Index(int row, int column) const;
+  void Raise(std::size_t cell, float height, float seabed_down);
+  void MarkChanged(std::size_t cell);
+
+  GridFrame frame_;
+  double height_max_;
+  std::vector<float> seen_;
+  std::vector<float> seabed_;
+  std::vector<SeabedSource> seabed_source_;
+  std::vector<std::uint8_t> beam_count_;
+  std::vector<float> jitter_north_, jitter_east_;  ///< offset of the sample point in its cell [m]
+  std::vector<std::uint8_t> is_changed_;
+  std::vector<std::uint32_t> changed_;
+  std::uint64_t version_ = 0;
+};
+
+}  // namespace limpet

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "limpet/core/camera_geometry.hpp"
+#include "limpet/topics/mapping.hpp"
+
+namespace limpet {
+
+/// Cells of a grid, bounds inclusive; empty when a minimum exceeds its maximum.
+struct CellBox {
+  int row_min = 0, row_max = -1;
+  int column_min = 0, column_max = -1;
+};
+
+/// The four side planes of the camera's view in W. A point p is inside side i when
+/// normal_i . (p - apex) >= 0, and an object's centre is well inside when that is >= inset_i.
+class ViewCone {
+ public:
+  /// `disc_inset` [m], horizontal for a level camera, is how far inside the image an object's
+  /// centre must be.
+  ViewCone(const Pose& X_WB, const CameraGeometry& camera, double disc_inset);
+
+  /// Greatest height above the seabed point `p_W` at which an object's centre would be well inside
+  /// the image, at least 0; nothing if the seabed point itself is outside the image, or if the
+  /// camera is tilted so far that seeing high does not imply seeing low.
+  [[nodiscard]] std::optional<double> SeenHeight(const Eigen::Vector3d& p_W) const;
+
+  /// Cells that can be inside the image of a seabed at NED depth `seabed_down` [m], with slack for
+  /// relief of a tenth of the altitude.
+  [[nodiscard]] CellBox CellsBelow(const GridFrame& frame, double seabed_down) const;
+
+ private:
+  Eigen::Vector3d apex_;
+  std::array<Eigen::Vector3d, 4> normals_;  ///< scaled so that a level camera's are (.., tan)
+  std::array<Eigen::Vector3d, 4> corners_;  ///< directions of the image's corners
+  double inset_;
+  bool looks_down_ = true;
+};
+
+}  // namespace limpet

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/survey/survey_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace limpet {
+namespace {
+
+const SurveyArea kArea{.north_min = -15.0,
+                       .north_max = 15.0,
+                       .east_min = -18.0,
+                       .east_max = 18.0,
+                       .margin = 2.0,
+                       .object_height_max = 2.0};
+
+Pose At(double north, double east, double yaw = 0.0) {
+  Pose pose;
+  pose.p_WB = {north, east, 3.5};
+  pose.yaw = yaw;
+  return pose;
+}
+
+int RowOf(const SurveyGrid& grid, double north) {
+  return static_cast<int>((north - grid.frame().north_min) / grid.frame().cell_m);
+}
+int ColumnOf(const SurveyGrid& grid, double east) {
+  return static_cast<int>((east - grid.frame().east_min) / grid.frame().cell_m);
+}
+
+double SeenArea(const SurveyGrid& grid, double height) {
+  double cells = 0.0;
+  for (const float h : grid.heights()) {
+    cells += static_cast<double>(h) >= height ? 1.0 : 0.0;
+  }
+  return cells * grid.frame().cell_m * grid.frame().cell_m;
+}
+
+TEST(SurveyGrid, CoversTheAreaWithWholeCells) {
+  const SurveyGrid grid(kArea);
+  EXPECT_EQ(grid.frame().rows, 120);
+  EXPECT_EQ(grid.frame().columns, 144);
+}
+
+TEST(SurveyGrid, StartsWithNothingSeen) {
+  const SurveyGrid grid(kArea);
+  EXPECT_EQ(grid.coverage().seabed, 0.0);
+  EXPECT_FALSE(grid.SeenHeight(60, 70).has_value());
+}
+
+TEST(SurveyGrid, OneImageShowsItsFootprintOnTheBottom) {
+  SurveyGrid grid(kArea);
+  grid.Observe(At(0.0, 0.0), 4.0, CameraGeometry{});
+  EXPECT_NEAR(SeenArea(grid, 0.0), 6.713 * 4.619, 1.0);
+}
+
+TEST(SurveyGrid, TheImageIsHalfAsWideAtTheTopOfTheBand) {
+  SurveyGrid grid(kArea);
+  grid.Observe(At(0.0, 0.0), 4.0, CameraGeometry{});
+  const double inset = 2.0 * SurveyGrid::kDiscInset;
+  EXPECT_NEAR(SeenArea(grid, 2.0), (3.356 - inset) * (2.309 - inset), 0.5);
+}
+
+TEST(SurveyGrid, TheImageIsWideAcrossTheTrack) {
+  SurveyGrid grid(kArea);
+  grid.Observe(At(0.0, 0.0, std::numbers::pi / 2.0), 4.0, CameraGeometry{});  // heading east
+  EXPECT_TRUE(grid.SeenHeight(RowOf(grid, 3.0), ColumnOf(grid, 0.0)).has_value());
+  EXPECT_FALSE(grid.SeenHeight(RowOf(grid, 0.0), ColumnOf(grid, 3.0)).has_value());
+}
+
+TEST(SurveyGrid, RollMovesTheFootprintToTheRaisedSide) {
+  SurveyGrid grid(kArea);
+  Pose rolled = At(0.0, 0.0);
+  rolled.roll = 0.3;  // starboard down: the camera looks to port
+  grid.Observe(rolled, 4.0, CameraGeometry{});
+  EXPECT_TRUE(grid.SeenHeight(RowOf(grid, 0.0), ColumnOf(grid, -4.5)).has_value());
+  EXPECT_FALSE(grid.SeenHeight(RowOf(grid, 0.0), ColumnOf(grid, 3.0)).has_value());
+}
+
+TEST(SurveyGrid, ALaterLowerLookNeverForgetsAHigherOne) {
+  SurveyGrid grid(kArea);
+  grid.Observe(At(0.0, 0.0), 4.0, CameraGeometry{});
+  const double before = SeenArea(grid, 1.0);
+  grid.Observe(At(0.0, 2.5), 4.0, CameraGeometry{});
+  EXPECT_GE(SeenArea(grid, 1.0), before);
+  EXPECT_DOUBLE_EQ(grid.SeenHeight(RowOf(grid, 0.1), ColumnOf(grid, 0.1)).value(), 2.0);
+}
+
+TEST(SurveyGrid, KnownReliefRaisesTheBottomIntoTheNarrowPartOfTheView) {
+  SurveyGrid flat(kArea), ridge(kArea);
+  for (double east = -5.0; east < 5.0; east += 0.5) {
+    ridge.SetSeabed(0.0, east, 6.0);  // 1.5 m above the flat bottom at 7.5 m
+  }
+  flat.Observe(At(0.0, 0.0), 4.0, CameraGeometry{});
+  ridge.Observe(At(0.0, 0.0), 4.0, CameraGeometry{});
+  EXPECT_LT(SeenArea(ridge, 0.0), SeenArea(flat, 0.0));
+}
+
+TEST(SurveyGrid, SeabedIsUnknownUntilMeasuredAndThenAveraged) {
+  SurveyGrid grid(kArea);
+  const int row = RowOf(grid, 1.0), column = ColumnOf(grid, 1.0);
+  EXPECT_FALSE(grid.Seabed(row, column).has_value());
+  grid.SetSeabed(1.0, 1.0, 7.0);
+  grid.SetSeabed(1.0, 1.0, 8.0);
+  EXPECT_NEAR(grid.Seabed(row, column).value(), 7.5, 1e-6);
+}
+
+TEST(SurveyGrid, AMirrorFedWithDeltasIsTheSameGrid) {
+  SurveyGrid grid(kArea), mirror(kArea);
+  for (int i = 0; i < 5; ++i) {
+    grid.SetSeabed(i, i, 7.4);
+    grid.Observe(At(i, 2.0 * i, 0.3 * i), 4.0, CameraGeometry{});
+    ASSERT_TRUE(mirror.Apply(grid.TakeDelta()));
+  }
+  EXPECT_TRUE(std::equal(grid.heights().begin(), grid.heights().end(), mirror.heights().begin()));
+}
+
+TEST(SurveyGrid, ADeltaHoldsEachChangedCellOnce) {
+  SurveyGrid grid(kArea);
+  grid.Observe(At(0.0, 0.0), 4.0, CameraGeometry{});
+  grid.Observe(At(0.1, 0.0), 4.0, CameraGeometry{});
+  const GridDelta delta = grid.TakeDelta();
+  std::vector<std::uint32_t> cells;
+  for (const GridDelta::Cell& cell : delta.cells) {
+    cells.push_back(cell.index);
+  }
+  std::sort(cells.begin(), cells.end());
+  EXPECT_EQ(std::adjacent_find(cells.begin(), cells.end()), cells.end());
+  EXPECT_TRUE(grid.TakeDelta().cells.empty());
+}
+
+TEST(SurveyGrid, RefusesADeltaOfAnotherFrame) {
+  SurveyGrid grid(kArea), coarse(kArea, 0.5);
+  coarse.Observe(At(0.0, 0.0), 4.0, CameraGeometry{});
+  EXPECT_FALSE(grid.Apply(coarse.TakeDelta()));
+  EXPECT_EQ(grid.coverage().seabed, 0.0);
+}
+
+TEST(SurveyGrid, CoverageIsAnHonestShareWhenLanesLeaveThinGaps) {
+  // Lanes 6.8 m apart leave gaps of 0.09 m: 1.3 % of the bottom, less than a cell wide.
+  SurveyGrid grid(SurveyArea{0.0, 20.0, 0.0, 68.0, 2.0, 0.0});
+  for (int lane = 0; lane < 10; ++lane) {
+    for (double north = -3.0; north < 23.0; north += 0.25) {
+      grid.Observe(At(north, 6.8 * lane + 3.4), 4.0, CameraGeometry{});
+    }
+  }
+  EXPECT_NEAR(1.0 - grid.coverage().seabed, (6.8 - 6.713) / 6.8, 0.003);
+}
+
+TEST(SurveyGrid, BandCoverageIsTheMeanOverTheHeightsOfObjects) {
+  SurveyGrid grid(SurveyArea{-0.25, 0.25, -0.25, 0.25, 2.0, 2.0});
+  grid.Observe(At(0.0, 0.0), 2.75, CameraGeometry{});  // seen to about 2.4 m at most: to the top
+  EXPECT_NEAR(grid.coverage().band, 1.0, 0.05);
+  EXPECT_GT(grid.coverage().band, grid.coverage().band_top - 1e-9);
+}
+
+}  // namespace
+}  // namespace limpet
