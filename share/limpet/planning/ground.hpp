@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "limpet/core/camera_geometry.hpp"
+#include "limpet/planning/pose2.hpp"
+#include "limpet/survey/survey_grid.hpp"
+
+namespace limpet {
+
+/// What a level camera at survey altitude shows: half extents of the image at each layer of the
+/// band, from the bottom up.
+class Footprint {
+ public:
+  static constexpr int kLayers = 4;
+  /// Heights of the layers above the seabed [m]: k/3 of the band; all 0 if the band is.
+  Footprint(double altitude, double object_height_max, const CameraGeometry& camera);
+
+  [[nodiscard]] double half_across(int layer) const { return across_[Slot(layer)]; }
+  [[nodiscard]] double half_along(int layer) const { return along_[Slot(layer)]; }
+  /// Width of the image, mean over the layers [m].
+  [[nodiscard]] double swath() const;
+  /// Height above the seabed of a layer [m].
+  [[nodiscard]] double height(int layer) const { return height_[Slot(layer)]; }
+
+ private:
+  static std::size_t Slot(int layer) { return static_cast<std::size_t>(layer); }
+  std::array<double, kLayers> across_{}, along_{}, height_{};
+};
+
+/// The planner's copy of a survey grid: per cell the number of layers seen, 0 to
+/// Footprint::kLayers. Because layers nest, area and border of all layers are sums over these
+/// numbers alone.
+class Ground {
+ public:
+  Ground(const SurveyGrid& grid, const Footprint& footprint);
+  /// Takes the grid's present state; cheap if it has not changed since.
+  void Update(const SurveyGrid& grid);
+
+  [[nodiscard]] const GridFrame& frame() const { return frame_; }
+  [[nodiscard]] const Footprint& footprint() const { return footprint_; }
+  [[nodiscard]] std::span<const std::uint8_t> levels() const { return levels_; }
+  /// Share of (cell, layer) seen.
+  [[nodiscard]] double SeenShare() const;
+  /// Share of cells seen up to `layer`.
+  [[nodiscard]] double SeenShare(int layer) const;
+
+ private:
+  GridFrame frame_;
+  Footprint footprint_;
+  std::vector<std::uint8_t> levels_;
+  std::uint64_t version_ = ~std::uint64_t{0};
+};
+
+}  // namespace limpet

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+namespace limpet {
+
+/// A pose in the horizontal plane: NED [m], yaw clockwise from north [rad].
+struct Pose2 {
+  double north = 0.0;
+  double east = 0.0;
+  double yaw = 0.0;
+};
+
+/// Where `from` gets to after `length` [m] along a curve of constant `curvature` [1/m, positive to
+/// starboard]. Exact; the yaw is not wrapped.
+[[nodiscard]] inline Pose2 Advance(const Pose2& from, double curvature, double length) {
+  const double half_turn = 0.5 * curvature * length;
+  // sin(x)/x keeps a straight line and a shallow arc on one smooth formula.
+  const double chord = std::abs(half_turn) < 1e-6 ? length * (1.0 - half_turn * half_turn / 6.0)
+                                                  : length * std::sin(half_turn) / half_turn;
+  return {.north = from.north + chord * std::cos(from.yaw + half_turn),
+          .east = from.east + chord * std::sin(from.yaw + half_turn),
+          .yaw = from.yaw + 2.0 * half_turn};
+}
+
+[[nodiscard]] inline double Distance(const Pose2& a, const Pose2& b) {
+  return std::hypot(a.north - b.north, a.east - b.east);
+}
+
+}  // namespace limpet

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "limpet/planning/dubins_path.hpp"
+#include "limpet/topics/mission.hpp"
+
+namespace limpet {
+
+/// The operating region: the survey area and the margin around it, which the vehicle never leaves.
+class Region {
+ public:
+  explicit Region(const SurveyArea& area);
+  Region(const SurveyArea& area, double margin);
+
+  [[nodiscard]] bool Contains(double north, double east) const;
+  [[nodiscard]] bool Contains(const Pose2& pose) const { return Contains(pose.north, pose.east); }
+  /// Exact for arcs and lines, not sampled.
+  [[nodiscard]] bool Contains(const DubinsPath& path) const;
+  [[nodiscard]] bool Contains(const Pose2& from, const PathSegment& segment) const;
+  /// A full turn of `radius` to port or to starboard stays inside: the vehicle, which cannot stop
+  /// or back up, can always go on from here.
+  [[nodiscard]] bool IsRecoverable(const Pose2& pose, Meters radius) const;
+  /// How far `pose` is outside [m], 0 inside.
+  [[nodiscard]] double Outside(const Pose2& pose) const;
+
+  /// The path joined to a shortest word to `to` that stays inside, or the shortest word of all if
+  /// none does.
+  [[nodiscard]] DubinsPath ShortestInside(const Pose2& from, const Pose2& to, Meters radius) const;
+
+  [[nodiscard]] double north_min() const { return north_min_; }
+  [[nodiscard]] double north_max() const { return north_max_; }
+  [[nodiscard]] double east_min() const { return east_min_; }
+  [[nodiscard]] double east_max() const { return east_max_; }
+
+ private:
+  double north_min_, north_max_, east_min_, east_max_;
+};
+
+}  // namespace limpet

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "limpet/core/random.hpp"
+#include "limpet/planning/ground.hpp"
+#include "limpet/planning/region.hpp"
+
+namespace limpet {
+
+/// Kernel density of the seen ground on a coarse grid (Gaussian, sigma a third of the swath): where
+/// a new view is worth least.
+class SeenDensity {
+ public:
+  explicit SeenDensity(const Ground& ground);
+  /// Density at a place, 0 (nothing seen near by) to 1 (the most seen place).
+  [[nodiscard]] double At(double north, double east) const;
+  /// A pose inside the region, accepted with probability 1 - At; bounded: after `tries` the last
+  /// one drawn.
+  [[nodiscard]] Pose2 Sample(const Region& region, Random& random, int tries = 32) const;
+
+ private:
+  double north_min_, east_min_, cell_m_;
+  int rows_, columns_;
+  std::vector<double> density_;
+};
+
+}  // namespace limpet

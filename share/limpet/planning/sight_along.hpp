@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "limpet/planning/dubins_path.hpp"
+#include "limpet/planning/ground.hpp"
+
+namespace limpet {
+
+/// What a motion would newly show, each cell once, means over the layers of the band.
+struct NewSight {
+  double new_area = 0.0;         ///< [m^2]
+  double frontier_growth = 0.0;  ///< of the border between seen and unseen [m]; the area's edge
+                                 ///< counts as seen
+
+  NewSight& operator+=(const NewSight& other) {
+    new_area += other.new_area;
+    frontier_growth += other.frontier_growth;
+    return *this;
+  }
+};
+
+/// Levels of the cells that motions raise one after another, with undo. Works on its own copy of a
+/// ground's levels and allocates nothing after construction.
+class SightWorkspace {
+ public:
+  explicit SightWorkspace(const Ground& ground);
+  /// Takes over the ground's levels again and forgets all motions.
+  void Reset(const Ground& ground);
+
+  /// Spacing of the images that stand for the swept motion [m].
+  static constexpr double kStep = 0.5;
+
+  /// Sweeps from `from` along `segment`: images every kStep and at the end, not at the start.
+  NewSight Sweep(const Pose2& from, const PathSegment& segment);
+  /// One image.
+  NewSight Look(const Pose2& at);
+  /// A mark for Rewind.
+  [[nodiscard]] std::size_t Mark() const { return changes_.size(); }
+  /// Takes back everything since `mark`.
+  void Rewind(std::size_t mark);
+  /// Cells raised so far and their level before, oldest first.
+  struct Change {
+    std::uint32_t cell = 0;
+    std::uint8_t before = 0;
+    std::uint8_t after = 0;
+  };
+  [[nodiscard]] std::span<const Change> changes() const { return changes_; }
+  /// Raises cells as another workspace of the same ground did; no gain is counted.
+  void Replay(std::span<const Change> changes);
+
+ private:
+  void LookLayer(const Pose2& at, int layer);
+  void RaiseSpan(int row, int column_begin, int column_end, std::uint8_t level);
+  void Raise(std::size_t cell, std::uint8_t level);
+
+  GridFrame frame_;
+  Footprint footprint_;
+  std::size_t stride_;                ///< of the padded levels
+  std::vector<std::uint8_t> levels_;  ///< padded by a ring of fully seen cells
+  std::vector<Change> changes_;
+  long raised_ = 0;  ///< layers, summed over cells, since the last call
+  long border_ = 0;  ///< edges between cells, summed over layers
+};
+
+/// What a path would newly show. The workspace is reused from call to call: one per user.
+class SightAlong {
+ public:
+  explicit SightAlong(const Ground& ground) : ground_(ground), workspace_(ground) {}
+  [[nodiscard]] NewSight operator()(const DubinsPath& path);
+
+ private:
+  const Ground& ground_;
+  SightWorkspace workspace_;
+};
+
+}  // namespace limpet
