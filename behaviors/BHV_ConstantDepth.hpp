@@ -17,7 +17,8 @@ class BHV_ConstantDepth final : public Behavior {
     void Describe(Visitor& visit) {
       visit("depth", depth, "Depth to keep", InRange(Meters(0.0), Meters(6000.0)));
       visit("peakwidth", peakwidth, "Depths this near are as good", AtLeast(Meters(0.0)));
-      visit("basewidth", basewidth, "Preference falls to nothing over this depth", AtLeast(Meters(0.01)));
+      visit("basewidth", basewidth, "Preference falls to nothing over this depth",
+            AtLeast(Meters(0.01)));
     }
   };
   explicit BHV_ConstantDepth(const Params& params) : params_(params) {}

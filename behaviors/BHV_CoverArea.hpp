@@ -6,8 +6,8 @@
 
 namespace limpet {
 
-/// Values the new ground an option would show, each cell once, less what it costs to fly and the ragged border it leaves
-/// behind. Metres of path; `paper.md` section 5.
+/// Values the new ground an option would show, each cell once, less what it costs to fly and the
+/// ragged border it leaves behind. Metres of path; `paper.md` section 5.
 class BHV_CoverArea final : public Behavior {
  public:
   struct Params {

@@ -20,7 +20,8 @@ void BHV_HoldAltitude::TrackSeabed(const VehicleState& state) {
   const double measured = state.nav.down + *state.nav.altitude;
   const double elapsed = (state.now - seen_at_).value();
   const double tau = params_.smoothing.value();
-  // DVL altitude jumps where a beam meets an object; the average keeps the vehicle from bobbing over it.
+  // DVL altitude jumps where a beam meets an object; the average keeps the vehicle from bobbing
+  // over it.
   const double share = seabed_down_ && tau > 0.0 ? 1.0 - std::exp(-elapsed / tau) : 1.0;
   seabed_down_ = seabed_down_.value_or(measured) * (1.0 - share) + measured * share;
   seen_at_ = state.now;
@@ -29,7 +30,10 @@ void BHV_HoldAltitude::TrackSeabed(const VehicleState& state) {
 MotionBid BHV_HoldAltitude::Move(const VehicleState& state) {
   TrackSeabed(state);
   if (!seabed_down_ || state.now - seen_at_ > params_.memory) {
-    return {.course = {}, .speed = {}, .depth = {}, .turn_rate = {},
+    return {.course = {},
+            .speed = {},
+            .depth = {},
+            .turn_rate = {},
             .warning = BehaviorWarning{"ALTITUDE_LOST", "no bottom lock"}};
   }
   const double summit = std::max(*seabed_down_ - params_.altitude.value(), 0.0);

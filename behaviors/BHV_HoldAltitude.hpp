@@ -8,8 +8,9 @@
 
 namespace limpet {
 
-/// Prefers depths that keep the vehicle `altitude_m` above the seabed. Bottom lock that was lost holds the last seabed for
-/// `memory_s`; after that it is silent, so that other behaviors decide the depth.
+/// Prefers depths that keep the vehicle `altitude_m` above the seabed. Bottom lock that was lost
+/// holds the last seabed for `memory_s`; after that it is silent, so that other behaviors decide
+/// the depth.
 class BHV_HoldAltitude final : public Behavior {
  public:
   struct Params {
@@ -22,7 +23,8 @@ class BHV_HoldAltitude final : public Behavior {
     void Describe(Visitor& visit) {
       visit("altitude_m", altitude, "Height to keep above the seabed",
             InRange(Meters(0.3), Meters(100.0)));
-      visit("tolerance_m", tolerance, "Depths this near are as good", InRange(Meters(0.0), Meters(10.0)));
+      visit("tolerance_m", tolerance, "Depths this near are as good",
+            InRange(Meters(0.0), Meters(10.0)));
       visit("skirt_m", skirt, "Preference falls to nothing over this depth",
             InRange(Meters(0.1), Meters(100.0)));
       visit("smoothing_s", smoothing, "Time constant over which the seabed is averaged",

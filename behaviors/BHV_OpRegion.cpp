@@ -35,7 +35,8 @@ std::optional<Bid> BHV_OpRegion::Value(const Prospect& prospect, const Situation
   Bid bid;
   const bool starts_inside = now.region->Outside(now.pose) <= 0.0;
   const bool leads_in = now.region->Outside(prospect.path().end()) <= 0.0;
-  if (starts_inside && !now.region->Contains(prospect.path()) && prospect.option->source != "home") {
+  if (starts_inside && !now.region->Contains(prospect.path()) &&
+      prospect.option->source != "home") {
     bid.veto = "leaves the operating region";
   } else if (!starts_inside && !leads_in && prospect.option->source != "home") {
     bid.veto = "does not lead back into the operating region";

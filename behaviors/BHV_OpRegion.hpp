@@ -6,8 +6,8 @@
 
 namespace limpet {
 
-/// Vetoes options that leave the operating region (area and margin), and steers back inside should the vehicle have left
-/// it. A vehicle that starts outside may use options that lead it in.
+/// Vetoes options that leave the operating region (area and margin), and steers back inside should
+/// the vehicle have left it. A vehicle that starts outside may use options that lead it in.
 class BHV_OpRegion final : public Behavior {
  public:
   struct Params {

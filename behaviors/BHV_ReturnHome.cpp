@@ -31,7 +31,8 @@ std::optional<Bid> BHV_ReturnHome::Value(const Prospect& prospect, const Situati
     return Bid{.value = -to_go, .why = {{"to_go", to_go}}, .veto = {}};
   }
   const double overrun = std::max(0.0, now.travelled + to_go - params_.range.value());
-  return Bid{.value = -params_.lateness_weight * overrun, .why = {{"overrun", overrun}}, .veto = {}};
+  return Bid{
+      .value = -params_.lateness_weight * overrun, .why = {{"overrun", overrun}}, .veto = {}};
 }
 
 LIMPET_REGISTER_BEHAVIOR(BHV_ReturnHome);

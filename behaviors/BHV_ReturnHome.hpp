@@ -9,8 +9,9 @@
 
 namespace limpet {
 
-/// Offers the way home. With `when = now` it values every option by how far from home it would leave the vehicle; with
-/// `when = late` it charges options that would make the vehicle overrun its range on the way back.
+/// Offers the way home. With `when = now` it values every option by how far from home it would
+/// leave the vehicle; with `when = late` it charges options that would make the vehicle overrun its
+/// range on the way back.
 class BHV_ReturnHome final : public Behavior {
  public:
   struct Params {

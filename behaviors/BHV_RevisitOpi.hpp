@@ -8,9 +8,10 @@
 
 namespace limpet {
 
-/// Values what another look would tell about each object's status: the expected drop of the posterior's entropy, earlier
-/// looks more (`paper.md` section 5). Former objects that nobody has looked at yet come first in a change session, because
-/// their status is the least known. The worth falls to zero by itself once an object has been looked at.
+/// Values what another look would tell about each object's status: the expected drop of the
+/// posterior's entropy, earlier looks more (`paper.md` section 5). Former objects that nobody has
+/// looked at yet come first in a change session, because their status is the least known. The worth
+/// falls to zero by itself once an object has been looked at.
 class BHV_RevisitOpi final : public Behavior {
  public:
   struct Params {

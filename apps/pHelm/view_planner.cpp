@@ -60,7 +60,9 @@ std::optional<Guidance> ViewPlanner::Guide(const NavState& nav) {
 
 std::string ViewPlanner::CauseToDecide(std::span<const WeightedBehavior> running,
                                        const NavState&) const {
-  const auto same_name = [](const WeightedBehavior& a, const std::string& b) { return a.name == b; };
+  const auto same_name = [](const WeightedBehavior& a, const std::string& b) {
+    return a.name == b;
+  };
   if (!has_path_) {
     return "no path";
   }
@@ -179,8 +181,8 @@ std::optional<ViewDecision> ViewPlanner::DecideIfDue(std::span<const WeightedBeh
                             .opis = opis_,
                             .coverage = coverage_,
                             .travelled = travelled_};
-  const bool covers = std::ranges::any_of(
-      running, [](const WeightedBehavior& b) { return b.name == "cover"; });
+  const bool covers =
+      std::ranges::any_of(running, [](const WeightedBehavior& b) { return b.name == "cover"; });
   ViewDecision decision =
       params_.planner == "paper" && covers
           ? DecideLikeThePaper(situation)

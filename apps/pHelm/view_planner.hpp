@@ -16,8 +16,8 @@
 
 namespace limpet {
 
-/// "Where next": mirrors the survey grid, tracks the path in force, and when a decision is due gathers options and lets the
-/// running behaviors value them.
+/// "Where next": mirrors the survey grid, tracks the path in force, and when a decision is due
+/// gathers options and lets the running behaviors value them.
 class ViewPlanner {
  public:
   ViewPlanner(const HelmParams& params, Random random);
@@ -66,10 +66,11 @@ class ViewPlanner {
   DubinsPath path_;
   bool has_path_ = false;
   bool objects_changed_ = false;
-  std::vector<std::string> decided_by_;  ///< names of behaviors that were running at the last decision
+  std::vector<std::string>
+      decided_by_;  ///< names of behaviors that were running at the last decision
   LineOfSight guidance_;
   LineOfSight::Steering steering_;
-  double travelled_ = 0.0;          ///< along finished paths [m]
+  double travelled_ = 0.0;  ///< along finished paths [m]
   int path_id_ = 0;
 };
 

@@ -19,8 +19,8 @@ namespace limpet {
 
 /// What path following asks for now.
 struct Guidance {
-  double course = 0.0;     ///< [rad]
-  double turn_rate = 0.0;  ///< feed-forward [rad/s], starboard positive
+  double course = 0.0;       ///< [rad]
+  double turn_rate = 0.0;    ///< feed-forward [rad/s], starboard positive
   double cross_track = 0.0;  ///< starboard of the path positive [m]
   double remaining = 0.0;    ///< path left [m]
 };
@@ -29,21 +29,21 @@ struct Guidance {
 struct VehicleState {
   Seconds now;
   NavState nav;
-  std::optional<Guidance> guidance;        ///< absent without a path
+  std::optional<Guidance> guidance;  ///< absent without a path
   std::optional<SurveyArea> area;
 };
 
 /// For "where next". Pointers are never null and outlive the decision.
 struct Situation {
   Seconds now;
-  Pose2 pose;                ///< where options start
+  Pose2 pose;  ///< where options start
   const Ground* ground = nullptr;
   const Region* region = nullptr;
   Meters turn_radius{3.0};
   HomePoint home;
   std::vector<OpiBelief> opis;
   Coverage coverage;
-  double travelled = 0.0;    ///< path since the helm first decided [m]
+  double travelled = 0.0;  ///< path since the helm first decided [m]
 };
 
 /// An option with what its whole motion would newly show.

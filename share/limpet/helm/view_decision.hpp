@@ -24,8 +24,9 @@ struct ViewDecision {
   HelmBids bids;
 };
 
-/// "Where next": every running behavior values every option; values times weights are added, vetoed options dropped, the best
-/// taken; among equals the first offered. At most `listed` options go into the bids.
+/// "Where next": every running behavior values every option; values times weights are added, vetoed
+/// options dropped, the best taken; among equals the first offered. At most `listed` options go
+/// into the bids.
 [[nodiscard]] ViewDecision DecideView(std::span<const WeightedBehavior> behaviors,
                                       const Situation& now, std::vector<Option> options,
                                       SightAlong& sight, int listed = 5);

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/helm/view_decision.hpp"
+
+#include <functional>
+
+#include <gtest/gtest.h>
+
+namespace limpet {
+namespace {
+
+using Judge = std::function<std::optional<Bid>(const Prospect&)>;
+
+class JudgingBehavior final : public Behavior {
+ public:
+  explicit JudgingBehavior(Judge judge) : judge_(std::move(judge)) {}
+  [[nodiscard]] std::optional<Bid> Value(const Prospect& prospect,
+                                         const Situation&) const override {
+    return judge_(prospect);
+  }
+
+ private:
+  Judge judge_;
+};
+
+class ViewDecisionTest : public ::testing::Test {
+ protected:
+  static Option Straight(const std::string& source, double length) {
+    return {.source = source, .path = DubinsPath({}, {{.curvature = 0.0, .length = length}})};
+  }
+  ViewDecision Decide(std::vector<WeightedBehavior> behaviors) {
+    Situation now;
+    now.ground = &ground_;
+    now.region = &region_;
+    return DecideView(behaviors, now, {Straight("short", 3.0), Straight("long", 9.0)}, sight_);
+  }
+
+  SurveyArea area_{.north_min = -10, .north_max = 10, .east_min = -10, .east_max = 10};
+  SurveyGrid grid_{area_};
+  Ground ground_{grid_, Footprint(4.0, 2.0, CameraGeometry{})};
+  Region region_{area_};
+  SightAlong sight_{ground_};
+};
+
+TEST_F(ViewDecisionTest, AddsWeightedBidsAndTakesTheBest) {
+  JudgingBehavior likes_long(
+      [](const Prospect& p) { return Bid{.value = p.length(), .why = {}, .veto = {}}; });
+  JudgingBehavior likes_short(
+      [](const Prospect& p) { return Bid{.value = -p.length(), .why = {}, .veto = {}}; });
+  EXPECT_EQ(Decide({{"a", 1.0, &likes_long}, {"b", 0.5, &likes_short}}).chosen->source, "long");
+  EXPECT_EQ(Decide({{"a", 1.0, &likes_long}, {"b", 2.0, &likes_short}}).chosen->source, "short");
+}
+
+TEST_F(ViewDecisionTest, DropsVetoedOptionsHoweverGood) {
+  JudgingBehavior likes_long(
+      [](const Prospect& p) { return Bid{.value = p.length(), .why = {}, .veto = {}}; });
+  JudgingBehavior forbids_long([](const Prospect& p) {
+    Bid bid;
+    if (p.length() > 5.0) {
+      bid.veto = "too long";
+    }
+    return bid;
+  });
+  const ViewDecision decision = Decide({{"a", 1.0, &likes_long}, {"b", 1.0, &forbids_long}});
+  EXPECT_EQ(decision.chosen->source, "short");
+  EXPECT_EQ(decision.bids.options.back().bids.back().why, "too long");
+}
+
+TEST_F(ViewDecisionTest, ChoosesNothingWhenAllIsVetoed) {
+  JudgingBehavior forbids(
+      [](const Prospect&) { return Bid{.value = 0.0, .why = {}, .veto = "no"}; });
+  EXPECT_FALSE(Decide({{"a", 1.0, &forbids}}).chosen.has_value());
+}
+
+TEST_F(ViewDecisionTest, ExplainsEachBidWithItsReasons) {
+  JudgingBehavior behavior([](const Prospect& p) {
+    return Bid{.value = 1.0, .why = {{"length", p.length()}}, .veto = {}};
+  });
+  EXPECT_EQ(Decide({{"a", 1.0, &behavior}}).bids.options.front().bids.front().why, "length=3.00");
+}
+
+}  // namespace
+}  // namespace limpet
