@@ -50,12 +50,11 @@ std::optional<Guidance> ViewPlanner::Guide(const NavState& nav) {
   if (!has_path_) {
     return std::nullopt;
   }
-  const Pose2 here{.north = nav.north, .east = nav.east, .yaw = nav.yaw};
-  steering_ = guidance_.Steer(here, std::hypot(nav.u, nav.v));
+  steering_ = guidance_.Update(nav.north, nav.east, std::hypot(nav.u, nav.v));
   return Guidance{.course = steering_.course,
                   .turn_rate = steering_.turn_rate,
                   .cross_track = steering_.cross_track,
-                  .remaining = path_.length() - steering_.progress};
+                  .remaining = steering_.remaining};
 }
 
 std::string ViewPlanner::CauseToDecide(std::span<const WeightedBehavior> running,
@@ -69,7 +68,7 @@ std::string ViewPlanner::CauseToDecide(std::span<const WeightedBehavior> running
   if (!std::ranges::equal(running, decided_by_, same_name)) {
     return "other behaviors are running";
   }
-  if (path_.length() - steering_.progress <= params_.arrival.value()) {
+  if (steering_.has_arrived || steering_.remaining <= params_.arrival.value()) {
     return "arrived";
   }
   if (std::abs(steering_.cross_track) > params_.off_track.value()) {
@@ -92,33 +91,47 @@ Pose2 ViewPlanner::StartPose(const NavState& nav) const {
   return {.north = nav.north, .east = nav.east, .yaw = nav.yaw};
 }
 
-std::vector<Option> ViewPlanner::GatherOptions(std::span<const WeightedBehavior> running,
-                                               const Situation& now) {
+Objective ViewPlanner::ObjectiveOf(std::span<const WeightedBehavior> running,
+                                   const Situation& now) const {
   Objective objective{.w_cover = 0.0, .w_frontier = 0.0, .targets = {}};
   for (const WeightedBehavior& behavior : running) {
     behavior.behavior->Shape(now, behavior.weight, objective);
   }
+  return objective;
+}
+
+std::vector<Option> ViewPlanner::SearchOptions(const Situation& now, const Objective& objective) {
+  BeamParams beam;
+  beam.turn_radius = params_.turning_radius;
+  beam.horizon = params_.horizon;
+  beam.width = params_.beam_width;
+  std::vector<Option> options = BeamSearch(now.pose, *ground_, *region_, objective, beam);
+  GapParams gaps;
+  gaps.turn_radius = params_.turning_radius;
+  std::ranges::move(GapPaths(now.pose, *ground_, *region_, objective, gaps),
+                    std::back_inserter(options));
+  const bool is_worth_resuming =
+      has_path_ && steering_.progress + params_.replan_every.value() < path_.length();
+  if (is_worth_resuming) {
+    options.push_back({.source = "rest", .path = path_.Suffix(steering_.progress)});
+  }
+  return options;
+}
+
+ViewDecision ViewPlanner::Decide(std::span<const WeightedBehavior> running, const Situation& now) {
+  const Objective objective = ObjectiveOf(running, now);
+  const bool is_covering = objective.w_cover > 0.0;
+  if (is_covering && params_.planner == "paper") {
+    return DecideLikeThePaper(now);
+  }
   std::vector<Option> options;
-  const auto add = [&options](std::vector<Option> more) {
-    std::ranges::move(more, std::back_inserter(options));
-  };
-  if (objective.w_cover > 0.0 || !objective.targets.empty()) {
-    BeamParams beam;
-    beam.turn_radius = params_.turning_radius;
-    beam.horizon = params_.horizon;
-    beam.width = params_.beam_width;
-    add(BeamSearch(now.pose, *ground_, *region_, objective, beam));
-    GapParams gaps;
-    gaps.turn_radius = params_.turning_radius;
-    add(GapPaths(now.pose, *ground_, *region_, objective, gaps));
-    if (has_path_ && steering_.progress < path_.length() - params_.replan_every.value()) {
-      options.push_back({.source = "rest", .path = path_.Suffix(steering_.progress)});
-    }
+  if (is_covering || !objective.targets.empty()) {
+    options = SearchOptions(now, objective);
   }
   for (const WeightedBehavior& behavior : running) {
     behavior.behavior->Offer(now, options);
   }
-  return options;
+  return DecideView(running, now, std::move(options), *sight_);
 }
 
 ViewDecision ViewPlanner::DecideLikeThePaper(const Situation& now) {
@@ -155,8 +168,9 @@ void ViewPlanner::Follow(const Option& option) {
   path_ = option.path;
   has_path_ = true;
   ++path_id_;
-  guidance_.Follow(path_.start(), path_.segments());
-  steering_ = {};
+  const Pose2& start = path_.start();
+  guidance_.SetPath({start.north, start.east, start.yaw}, path_.segments());
+  steering_ = {.remaining = path_.length()};
 }
 
 std::optional<ViewDecision> ViewPlanner::DecideIfDue(std::span<const WeightedBehavior> running,
@@ -181,12 +195,7 @@ std::optional<ViewDecision> ViewPlanner::DecideIfDue(std::span<const WeightedBeh
                             .opis = opis_,
                             .coverage = coverage_,
                             .travelled = travelled_};
-  const bool covers =
-      std::ranges::any_of(running, [](const WeightedBehavior& b) { return b.name == "cover"; });
-  ViewDecision decision =
-      params_.planner == "paper" && covers
-          ? DecideLikeThePaper(situation)
-          : DecideView(running, situation, GatherOptions(running, situation), *sight_);
+  ViewDecision decision = Decide(running, situation);
   objects_changed_ = false;
   decided_by_.clear();
   std::ranges::transform(running, std::back_inserter(decided_by_), &WeightedBehavior::name);

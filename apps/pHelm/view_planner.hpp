@@ -41,12 +41,14 @@ class ViewPlanner {
   [[nodiscard]] const std::optional<SurveyArea>& area() const { return area_; }
 
  private:
-  struct World;
   [[nodiscard]] std::string CauseToDecide(std::span<const WeightedBehavior> running,
                                           const NavState& nav) const;
   [[nodiscard]] Pose2 StartPose(const NavState& nav) const;
-  [[nodiscard]] std::vector<Option> GatherOptions(std::span<const WeightedBehavior> running,
-                                                  const Situation& now);
+  [[nodiscard]] Objective ObjectiveOf(std::span<const WeightedBehavior> running,
+                                      const Situation& now) const;
+  [[nodiscard]] std::vector<Option> SearchOptions(const Situation& now, const Objective& objective);
+  [[nodiscard]] ViewDecision Decide(std::span<const WeightedBehavior> running,
+                                    const Situation& now);
   [[nodiscard]] ViewDecision DecideLikeThePaper(const Situation& now);
   void Follow(const Option& option);
 
