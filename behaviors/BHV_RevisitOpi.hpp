@@ -41,6 +41,7 @@ class BHV_RevisitOpi final : public Behavior {
     }
   };
   explicit BHV_RevisitOpi(const Params& params) : params_(params) {}
+  [[nodiscard]] bool IsAboutObjects() const override { return true; }
   [[nodiscard]] bool WantsView() const override { return true; }
   void Shape(const Situation& now, double weight, SearchObjective& objective) const override;
   void Offer(const Situation& now, std::vector<Option>& options) const override;

@@ -58,6 +58,8 @@ class Behavior {
     return {};
   }
 
+  /// True if it bids for looks at objects: left out when a survey is to weigh coverage alone.
+  [[nodiscard]] virtual bool IsAboutObjects() const { return false; }
   /// True if a view decision is wanted while this behavior runs.
   [[nodiscard]] virtual bool WantsView() const { return false; }
   /// Adds this behavior's terms, times `weight`, to what the option search looks for.

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pHelm/helm_app.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "limpet/app/registry.hpp"
+#include "limpet/core/frames.hpp"
+#include "limpet/core/number_text.hpp"
+
+namespace limpet {
+namespace {
+
+std::vector<BehaviorFile> LoadBehaviorFiles(const AppContext& context, const HelmParams& params) {
+  std::vector<BehaviorFile> files;
+  for (const std::string& name : params.behaviors) {
+    files.push_back(LoadBehaviors(context.mission_folder / name));
+  }
+  return files;
+}
+
+/// `speed:0:1:21`; the helm maximises over the continuum, so the points only have to be there.
+MotionDomain ReadDomain(const std::vector<std::string>& lines) {
+  MotionDomain domain;
+  std::vector<ConfigProblem> problems;
+  for (const std::string& line : lines) {
+    const std::vector<std::string> parts = Split(line, ':');
+    const auto low = parts.size() >= 4 ? ParseNumber(parts[1]) : std::nullopt;
+    const auto high = parts.size() >= 4 ? ParseNumber(parts[2]) : std::nullopt;
+    const std::string name(Trim(parts[0]));
+    if (!low || !high || *low >= *high) {
+      problems.push_back({{}, "domain", fmt::format("`{}` is not name:low:high:points", line)});
+    } else if (name == "speed") {
+      domain.speed_low = *low, domain.speed_high = *high;
+    } else if (name == "depth") {
+      domain.depth_low = *low, domain.depth_high = *high;
+    } else if (name != "course") {
+      problems.push_back(
+          {{},
+           "domain",
+           fmt::format("no decision variable `{}`; known: course, speed, depth", name)});
+    }
+  }
+  if (!problems.empty()) {
+    throw ConfigError(problems);
+  }
+  return domain;
+}
+
+}  // namespace
+
+HelmApp::HelmApp(const AppContext& context, const Params& params)
+    : App(context),
+      params_(params),
+      host_(LoadBehaviorFiles(context, params), params.behavior_setting),
+      planner_(params, MakeRandom("views")),
+      domain_(ReadDomain(params.domain)) {
+  Subscribe(topics::kNavState, &HelmApp::OnNav);
+  Subscribe(topics::kManualOverride, &HelmApp::OnOverride);
+  Subscribe(topics::kSurveyArea, &HelmApp::OnArea);
+  Subscribe(topics::kSurveyHome, &HelmApp::OnHome);
+  Subscribe(topics::kMapDelta, &HelmApp::OnDelta);
+  Subscribe(topics::kMapCoverage, &HelmApp::OnCoverage);
+  Subscribe(topics::kMapOpis, &HelmApp::OnOpis);
+  Subscribe(topics::kSessionPrior, &HelmApp::OnPrior);
+  SubscribeToConditions();
+}
+
+void HelmApp::SubscribeToConditions() {
+  for (const std::string& variable : host_.Variables()) {
+    SubscribeRaw(variable, [this](const MessagePtr& message) {
+      host_.SetVariable(message->name, message->value);
+    });
+  }
+}
+
+void HelmApp::OnArea(const Stamped<SurveyArea>& area) { planner_.SetArea(area.value); }
+
+void HelmApp::OnPrior(const Stamped<SessionPrior>& prior) {
+  planner_.SetFormerSession(!prior.value.opis.empty());
+}
+
+void HelmApp::Post(const std::vector<HelmPost>& posts) {
+  for (const HelmPost& post : posts) {
+    PublishRaw(post.variable, post.value, post.aux);
+  }
+}
+
+void HelmApp::PostInitialValues() {
+  if (!has_posted_initial_) {
+    has_posted_initial_ = true;
+    Post(host_.InitialPosts());
+  }
+}
+
+std::vector<WeightedBehavior> HelmApp::Bidders() const {
+  std::vector<WeightedBehavior> bidders = host_.running();
+  if (params_.gain == "coverage") {  // the paper's eq. (17): objects have no say
+    std::erase_if(bidders, [](const WeightedBehavior& running) {
+      return running.behavior->IsAboutObjects();
+    });
+  }
+  return bidders;
+}
+
+void HelmApp::Tick(Seconds now) {
+  PostInitialValues();
+  if (!nav_) {
+    AllStop("MissingNav");
+    PublishState();
+    return;
+  }
+  VehicleState state{
+      .now = now, .nav = *nav_, .guidance = planner_.Guide(*nav_), .area = planner_.area()};
+  Post(host_.Update(state));
+  for (const BehaviorWarning& warning : host_.TakeWarnings()) {
+    Warn(warning.id, warning.text);
+  }
+  if (is_parked_) {
+    planner_.DropPath();
+    AllStop("ManualOverride");
+  } else {
+    DecideView(now);
+    state.guidance = planner_.Guide(*nav_);
+    Steer(state);
+  }
+  PublishState();
+}
+
+void HelmApp::DecideView(Seconds now) {
+  const std::vector<WeightedBehavior> bidders = Bidders();
+  const std::optional<ViewDecision> decision = planner_.DecideIfDue(bidders, *nav_, now);
+  if (!decision) {
+    return;
+  }
+  Publish(topics::kHelmBids, decision->bids);
+  if (decision->chosen) {
+    ClearWarning("NO_OPTION");
+    Publish(topics::kHelmPath,
+            ToHelmPath(decision->chosen->path, decision->bids.path_id, decision->chosen->source));
+  } else {
+    Warn("NO_OPTION", "no option is left: all vetoed or none offered");
+  }
+}
+
+void HelmApp::Steer(const VehicleState& state) {
+  const std::vector<WeightedBehavior> bidders = Bidders();
+  const MotionDecision decision = DecideMotion(bidders, state, domain_);
+  for (const BehaviorWarning& warning : decision.warnings) {
+    Warn(warning.id, warning.text);
+  }
+  if (decision.warnings.empty()) {
+    ClearWarning("ALTITUDE_LOST");
+    ClearWarning("OUTSIDE_REGION");
+  }
+  if (decision.active.empty()) {
+    AllStop("NothingToDo");
+    return;
+  }
+  if (const std::string missing = decision.Missing(); !missing.empty()) {
+    AllStop("MissingDecVars:" + missing);
+    return;
+  }
+  allstop_text_ = "clear";
+  Publish(topics::kDesiredHeading, MoosHeadingFromYaw(*decision.course));
+  Publish(topics::kDesiredSpeed, *decision.speed);
+  Publish(topics::kDesiredDepth, *decision.depth);
+  Publish(topics::kDesiredTurnRate, decision.turn_rate.value_or(0.0));
+}
+
+void HelmApp::AllStop(const std::string& why) {
+  if (allstop_text_ != why) {  // once: a pilot that hears nothing more goes to zero by itself
+    Publish(topics::kDesiredSpeed, 0.0);
+    Publish(topics::kDesiredTurnRate, 0.0);
+    Publish(topics::kDesiredDepth, 0.0);
+  }
+  allstop_text_ = why;
+}
+
+void HelmApp::PublishState() {
+  static const Topic<std::string> kState{"IVPHELM_STATE", "DRIVE or PARK"};
+  static const Topic<std::string> kAllStop{"IVPHELM_ALLSTOP", "clear, or why all is stopped"};
+  const std::string state = is_parked_ ? "PARK" : "DRIVE";
+  if (state + allstop_text_ == published_state_) {
+    return;
+  }
+  published_state_ = state + allstop_text_;
+  Publish(kState, state);
+  Publish(kAllStop, allstop_text_);
+}
+
+LIMPET_REGISTER_APP(HelmApp, "pHelm", 10.0);
+
+}  // namespace limpet

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/pHelm/helm_params.hpp"
+#include "apps/pHelm/view_planner.hpp"
+#include "limpet/app/app.hpp"
+#include "limpet/helm/behavior_host.hpp"
+#include "limpet/helm/motion_decision.hpp"
+
+namespace limpet {
+
+/// Hosts behaviors and arbitrates their bids: which view next (HELM_PATH, explained in HELM_BIDS),
+/// and how to move now (DESIRED_HEADING, DESIRED_SPEED, DESIRED_DEPTH). Parks on
+/// MOOS_MANUAL_OVERRIDE.
+class HelmApp final : public App {
+ public:
+  using Params = HelmParams;
+  HelmApp(const AppContext& context, const Params& params);
+  void Tick(Seconds now) override;
+
+ private:
+  void OnNav(const Stamped<NavState>& nav) { nav_ = nav.value; }
+  void OnOverride(const Stamped<bool>& parked) { is_parked_ = parked.value; }
+  void OnArea(const Stamped<SurveyArea>& area);
+  void OnHome(const Stamped<HomePoint>& home) { planner_.SetHome(home.value); }
+  void OnDelta(const Stamped<GridDelta>& delta) { planner_.Apply(delta.value); }
+  void OnCoverage(const Stamped<Coverage>& coverage) { planner_.SetCoverage(coverage.value); }
+  void OnOpis(const Stamped<OpiBeliefs>& opis) { planner_.SetOpis(opis.value.opis); }
+  void OnPrior(const Stamped<SessionPrior>& prior);
+
+  void SubscribeToConditions();
+  void PostInitialValues();
+  void Post(const std::vector<HelmPost>& posts);
+  void DecideView(Seconds now);
+  void Steer(const VehicleState& state);
+  void AllStop(const std::string& why);
+  void PublishState();
+  [[nodiscard]] std::vector<WeightedBehavior> Bidders() const;
+
+  Params params_;
+  BehaviorHost host_;
+  ViewPlanner planner_;
+  MotionDomain domain_;
+  std::optional<NavState> nav_;
+  bool is_parked_ = false;
+  bool has_posted_initial_ = false;
+  std::string allstop_text_;     ///< clear, or why all is stopped
+  std::string published_state_;  ///< state and all-stop as last posted
+};
+
+}  // namespace limpet
