@@ -32,26 +32,36 @@ class Footprint {
   std::array<double, kLayers> across_{}, along_{}, height_{};
 };
 
+/// How much each layer of the band counts, from the bottom up; they sum to one. More weight at the
+/// bottom covers the seabed sooner and the band's top later.
+using LayerWeights = std::array<double, Footprint::kLayers>;
+inline constexpr LayerWeights kUniformLayers = {0.25, 0.25, 0.25, 0.25};
+
 /// The planner's copy of a survey grid: per cell the number of layers seen, 0 to
 /// Footprint::kLayers. Because layers nest, area and border of all layers are sums over these
 /// numbers alone.
 class Ground {
  public:
-  Ground(const SurveyGrid& grid, const Footprint& footprint);
+  Ground(const SurveyGrid& grid, const Footprint& footprint,
+         const LayerWeights& weights = kUniformLayers);
   /// Takes the grid's present state; cheap if it has not changed since.
   void Update(const SurveyGrid& grid);
 
   [[nodiscard]] const GridFrame& frame() const { return frame_; }
   [[nodiscard]] const Footprint& footprint() const { return footprint_; }
+  [[nodiscard]] const LayerWeights& weights() const { return weights_; }
   [[nodiscard]] std::span<const std::uint8_t> levels() const { return levels_; }
   /// Share of (cell, layer) seen.
   [[nodiscard]] double SeenShare() const;
+  /// Changes with every update that found something new.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
   /// Share of cells seen up to `layer`.
   [[nodiscard]] double SeenShare(int layer) const;
 
  private:
   GridFrame frame_;
   Footprint footprint_;
+  LayerWeights weights_;
   std::vector<std::uint8_t> levels_;
   std::uint64_t version_ = ~std::uint64_t{0};
 };

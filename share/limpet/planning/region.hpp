@@ -20,6 +20,11 @@ class Region {
   /// A full turn of `radius` to port or to starboard stays inside: the vehicle, which cannot stop
   /// or back up, can always go on from here.
   [[nodiscard]] bool IsRecoverable(const Pose2& pose, Meters radius) const;
+  /// How far the better of the two turning circles reaches outside [m]; 0 if recoverable.
+  [[nodiscard]] double Deficit(const Pose2& pose, Meters radius) const;
+  /// Whether a vehicle at `from` may do `segment`: inside and recoverable at its end or, for one
+  /// that drifted out, at least no worse off than before.
+  [[nodiscard]] bool Allows(const Pose2& from, const PathSegment& segment, Meters radius) const;
   /// How far `pose` is outside [m], 0 inside.
   [[nodiscard]] double Outside(const Pose2& pose) const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace limpet {
 
-/// What a motion would newly show, each cell once, means over the layers of the band.
+/// What a motion would newly show, each cell once, weighted means over the layers of the band.
 struct NewSight {
   double new_area = 0.0;         ///< [m^2]
   double frontier_growth = 0.0;  ///< of the border between seen and unseen [m]; the area's edge
@@ -53,28 +54,37 @@ class SightWorkspace {
   void Replay(std::span<const Change> changes);
 
  private:
-  void LookLayer(const Pose2& at, int layer);
-  void RaiseSpan(int row, int column_begin, int column_end, std::uint8_t level);
+  struct Span {
+    int begin = 0, end = 0;
+  };
+  class RowSlicer;
+  void LookRow(int row, const std::array<Span, Footprint::kLayers>& spans);
+  void RaiseSpan(int row, Span span, std::uint8_t level);
   void Raise(std::size_t cell, std::uint8_t level);
+  [[nodiscard]] NewSight TakeGain();
 
   GridFrame frame_;
   Footprint footprint_;
   std::size_t stride_;                ///< of the padded levels
   std::vector<std::uint8_t> levels_;  ///< padded by a ring of fully seen cells
   std::vector<Change> changes_;
-  long raised_ = 0;  ///< layers, summed over cells, since the last call
-  long border_ = 0;  ///< edges between cells, summed over layers
+  std::array<double, Footprint::kLayers + 1> worth_{};  ///< weight of a cell's lowest layers
+  double raised_ = 0.0;                                 ///< weight gained since the last call
+  double border_ = 0.0;                                 ///< weight of the edges between cells
 };
 
 /// What a path would newly show. The workspace is reused from call to call: one per user.
 class SightAlong {
  public:
-  explicit SightAlong(const Ground& ground) : ground_(ground), workspace_(ground) {}
+  /// `ground` must outlive this; its updates are followed.
+  explicit SightAlong(const Ground& ground)
+      : ground_(ground), workspace_(ground), version_(ground.version()) {}
   [[nodiscard]] NewSight operator()(const DubinsPath& path);
 
  private:
   const Ground& ground_;
   SightWorkspace workspace_;
+  std::uint64_t version_;
 };
 
 }  // namespace limpet

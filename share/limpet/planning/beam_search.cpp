@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/planning/beam_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <tuple>
+
+namespace limpet {
+namespace {
+
+/// Paths that leave the region on their way back into it pay this per metre and motion.
+constexpr double kDeficitPrice = 5.0;
+/// States nearer to each other than this are one: the better stays.
+constexpr double kSamePlace = 0.5;
+constexpr double kSameYaw = std::numbers::pi / 12.0;
+
+struct Node {
+  Pose2 pose;
+  int parent = -1;
+  double curvature = 0.0;
+  double value = 0.0;
+  std::uint32_t targets_seen = 0;  ///< bit per target
+  std::size_t change_begin = 0, change_end = 0;
+};
+
+using Bin = std::tuple<int, int, int>;
+
+Bin BinOf(const Pose2& pose) {
+  return {static_cast<int>(std::floor(pose.north / kSamePlace)),
+          static_cast<int>(std::floor(pose.east / kSamePlace)),
+          static_cast<int>(std::floor(WrapAngle(pose.yaw) / kSameYaw))};
+}
+
+class Search {
+ public:
+  Search(const Pose2& start, const Ground& ground, const Region& region, const Objective& objective,
+         const BeamParams& params)
+      : region_(region),
+        objective_(objective),
+        params_(params),
+        workspace_(ground),
+        swath_(ground.footprint().swath()) {
+    const double tight = 1.0 / params.turn_radius.value();
+    curvatures_ = {0.0, -0.5 * tight, 0.5 * tight, -tight, tight};
+    target_count_ = std::min<std::size_t>(objective.targets.size(), Objective::kMaxTargets);
+    nodes_.push_back({.pose = start});
+    beam_.push_back(0);
+  }
+
+  void Run() {
+    const int depths = std::max(
+        1, static_cast<int>(std::lround(params_.horizon.value() / params_.primitive.value())));
+    for (int depth = 0; depth < depths; ++depth) {
+      candidates_.clear();
+      for (const int node : beam_) {
+        Expand(node, depth);
+      }
+      if (candidates_.empty()) {
+        return;
+      }
+      Keep();
+    }
+  }
+
+  /// The best leaves whose first two motions differ.
+  [[nodiscard]] std::vector<Option> Offers() const {
+    std::vector<Option> offers;
+    std::vector<std::array<double, 2>> openings;
+    for (const int leaf : beam_) {
+      if (leaf == 0 || static_cast<int>(offers.size()) >= params_.offers) {
+        break;
+      }
+      const std::vector<double> motions = MotionsTo(leaf);
+      const std::array<double, 2> opening = {motions.front(),
+                                             motions.size() > 1 ? motions[1] : 0.0};
+      if (std::find(openings.begin(), openings.end(), opening) != openings.end()) {
+        continue;
+      }
+      openings.push_back(opening);
+      DubinsPath path(nodes_.front().pose);
+      for (const double curvature : motions) {
+        path.Append({.curvature = curvature, .length = params_.primitive.value()});
+      }
+      offers.push_back({"beam", path, nodes_[static_cast<std::size_t>(leaf)].value});
+    }
+    return offers;
+  }
+
+ private:
+  void Expand(int index, int depth) {
+    Restore(index);
+    const std::size_t mark = workspace_.Mark();
+    const Node from = nodes_[static_cast<std::size_t>(index)];
+    for (const double curvature : curvatures_) {
+      const PathSegment motion{.curvature = curvature, .length = params_.primitive.value()};
+      if (!region_.Allows(from.pose, motion, params_.turn_radius)) {
+        continue;
+      }
+      Node next{.pose = Advance(from.pose, curvature, motion.length),
+                .parent = index,
+                .curvature = curvature,
+                .value = from.value - motion.length,
+                .targets_seen = from.targets_seen};
+      const NewSight gain = workspace_.Sweep(from.pose, motion);
+      next.value += objective_.w_cover * gain.new_area / swath_ -
+                    objective_.w_frontier * gain.frontier_growth -
+                    kDeficitPrice * region_.Deficit(next.pose, params_.turn_radius);
+      SeeTargets(from.pose, motion, depth * motion.length, next);
+      next.change_begin = changes_.size();
+      const auto changed = workspace_.changes().subspan(mark);
+      changes_.insert(changes_.end(), changed.begin(), changed.end());
+      next.change_end = changes_.size();
+      workspace_.Rewind(mark);
+      candidates_.push_back(next);
+    }
+  }
+
+  /// Brings the workspace to the state after the motions that lead to `index`.
+  void Restore(int index) {
+    workspace_.Rewind(0);
+    chain_.clear();
+    for (int i = index; i > 0; i = nodes_[static_cast<std::size_t>(i)].parent) {
+      chain_.push_back(i);
+    }
+    for (auto i = chain_.rbegin(); i != chain_.rend(); ++i) {
+      const Node& node = nodes_[static_cast<std::size_t>(*i)];
+      workspace_.Replay(
+          std::span(changes_).subspan(node.change_begin, node.change_end - node.change_begin));
+    }
+  }
+
+  void SeeTargets(const Pose2& from, const PathSegment& motion, double s_before, Node& next) const {
+    for (std::size_t i = 0; i < target_count_; ++i) {
+      const std::uint32_t bit = 1U << i;
+      const Target& target = objective_.targets[i];
+      for (double s = SightWorkspace::kStep;
+           (next.targets_seen & bit) == 0 && s <= motion.length + 1e-9;
+           s += SightWorkspace::kStep) {
+        const Pose2 pose = Advance(from, motion.curvature, s);
+        if (std::hypot(pose.north - target.north, pose.east - target.east) <= target.radius) {
+          next.targets_seen |= bit;
+          next.value +=
+              target.value * std::max(0.0, 1.0 - (s_before + s) / objective_.target_decay_m);
+        }
+      }
+    }
+  }
+
+  /// The best candidates, one per place, become the beam.
+  void Keep() {
+    std::vector<std::size_t> order(candidates_.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      order[i] = i;
+    }
+    std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+      return candidates_[a].value > candidates_[b].value;
+    });
+    beam_.clear();
+    std::vector<Bin> taken;
+    for (const std::size_t i : order) {
+      if (static_cast<int>(beam_.size()) >= params_.width) {
+        break;
+      }
+      const Bin bin = BinOf(candidates_[i].pose);
+      const auto place = std::lower_bound(taken.begin(), taken.end(), bin);
+      if (place != taken.end() && *place == bin) {
+        continue;
+      }
+      taken.insert(place, bin);
+      beam_.push_back(static_cast<int>(nodes_.size()));
+      nodes_.push_back(candidates_[i]);
+    }
+  }
+
+  [[nodiscard]] std::vector<double> MotionsTo(int leaf) const {
+    std::vector<double> motions;
+    for (int i = leaf; i > 0; i = nodes_[static_cast<std::size_t>(i)].parent) {
+      motions.push_back(nodes_[static_cast<std::size_t>(i)].curvature);
+    }
+    std::reverse(motions.begin(), motions.end());
+    return motions;
+  }
+
+  const Region& region_;
+  const Objective& objective_;
+  const BeamParams& params_;
+  SightWorkspace workspace_;
+  double swath_;
+  std::array<double, 5> curvatures_{};
+  std::size_t target_count_ = 0;
+  std::vector<Node> nodes_, candidates_;
+  std::vector<int> beam_, chain_;
+  std::vector<SightWorkspace::Change> changes_;
+};
+
+}  // namespace
+
+std::vector<Option> BeamSearch(const Pose2& start, const Ground& ground, const Region& region,
+                               const Objective& objective, const BeamParams& params) {
+  Search search(start, ground, region, objective, params);
+  search.Run();
+  return search.Offers();
+}
+
+}  // namespace limpet

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "tests/bench/planner_study/study_run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "limpet/planning/target_tour.hpp"
+#include "tests/bench/planner_study/study_scorer.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kFrameSpacing = 0.125;  // 4 fps at 0.5 m/s
+constexpr double kSeabedDown = 7.5;
+
+Pose2 RandomStart(const Region& region, Meters radius, Random& random) {
+  for (;;) {
+    const Pose2 pose{random.Uniform(region.north_min(), region.north_max()),
+                     random.Uniform(region.east_min(), region.east_max()),
+                     random.Uniform(-std::numbers::pi, std::numbers::pi)};
+    if (region.IsRecoverable(pose, radius)) {
+      return pose;
+    }
+  }
+}
+
+LayerWeights Weights(double bottom) {
+  const double sum = bottom + 3.0;
+  return {bottom / sum, 1.0 / sum, 1.0 / sum, 1.0 / sum};
+}
+
+class Flight {
+ public:
+  Flight(const StudyCase& study, std::uint64_t seed)
+      : study_(study),
+        camera_(CameraOf(study)),
+        region_(study.area),
+        random_(seed, "study"),
+        grid_(study.area),
+        ground_(grid_, Footprint(study.altitude, study.area.object_height_max, camera_),
+                Weights(study.bottom_weight)),
+        sight_(ground_),
+        scorer_(study.area, study.altitude, camera_, random_),
+        paper_(study.paper, region_, Random(seed, "paper")),
+        objective_(study.objective) {
+    pose_ = study.has_fixed_start ? Pose2{-12.5, -15.5, 0.5 * std::numbers::pi}
+                                  : RandomStart(region_, study.beam.turn_radius, random_);
+    if (study.is_change) {
+      objective_.targets = FormerObjects(study.target_value);
+    }
+    Arrive(pose_, 0.0);
+  }
+
+  StudyResult Run() {
+    while (path_ < study_.path_max_m && grid_.coverage().band_top < study_.band_top_stop) {
+      ground_.Update(grid_);
+      const auto begin = std::chrono::steady_clock::now();
+      const std::optional<Option> chosen = Decide();
+      const std::chrono::duration<double, std::milli> took =
+          std::chrono::steady_clock::now() - begin;
+      ++decisions_;
+      total_ms_ += took.count();
+      result_.plan_ms_max = std::max(result_.plan_ms_max, took.count());
+      if (!chosen || chosen->path.length() < kFrameSpacing) {
+        break;
+      }
+      Execute(chosen->path);
+    }
+    result_.seabed90 = scorer_.seabed().PathAt(0.90);
+    result_.seabed95 = scorer_.seabed().PathAt(0.95);
+    result_.band95 = scorer_.band().PathAt(0.95);
+    result_.band99 = scorer_.band().PathAt(0.99);
+    result_.top975 = top_.PathAt(0.975);
+    result_.plan_ms_mean = total_ms_ / std::max(1, decisions_);
+    return result_;
+  }
+
+ private:
+  std::optional<Option> Decide() {
+    if (study_.planner == "paper") {
+      return paper_.Next(pose_, ground_, {}, ground_.SeenShare(0));
+    }
+    std::vector<Option> options = BeamSearch(pose_, ground_, region_, objective_, study_.beam);
+    for (Option& option : GapPaths(pose_, ground_, region_, objective_, study_.gap)) {
+      options.push_back(std::move(option));
+    }
+    if (auto tour = TargetTour(pose_, region_, objective_, study_.beam.turn_radius)) {
+      options.push_back(std::move(*tour));
+    }
+    std::optional<Option> best;
+    double best_rate = 0.0;
+    for (const Option& option : options) {
+      const double rate = ValueOf(option.path, objective_, ground_, sight_) / option.path.length();
+      if (!best || rate > best_rate) {
+        best = option;
+        best_rate = rate;
+      }
+    }
+    return best;
+  }
+
+  void Execute(const DubinsPath& path) {
+    const double flown =
+        study_.planner == "paper" ? path.length() : std::min(study_.execute_m, path.length());
+    const double from = path_;
+    const int frames = std::max(1, static_cast<int>(flown / kFrameSpacing));
+    for (int i = 1; i <= frames; ++i) {
+      Arrive(path.At(i * flown / frames), from + i * flown / frames);
+    }
+  }
+
+  void Arrive(const Pose2& pose, double path) {
+    pose_ = pose;
+    path_ = path;
+    result_.track.push_back(pose);
+    scorer_.Frame(pose, path);
+    Pose X_WB;
+    X_WB.p_WB = {pose.north, pose.east, kSeabedDown - study_.altitude};
+    X_WB.yaw = pose.yaw;
+    grid_.Observe(X_WB, study_.altitude, camera_);
+    top_.Note(path, grid_.coverage().band_top);
+    std::erase_if(objective_.targets, [&pose](const Target& target) {
+      return std::hypot(pose.north - target.north, pose.east - target.east) <= target.radius;
+    });
+    if (study_.is_change && objective_.targets.empty() && !result_.targets_seen) {
+      result_.targets_seen = path;
+    }
+  }
+
+  const StudyCase& study_;
+  CameraGeometry camera_;
+  Region region_;
+  Random random_;
+  SurveyGrid grid_;
+  Ground ground_;
+  SightAlong sight_;
+  StudyScorer scorer_;
+  PaperPlanner paper_;
+  Objective objective_;
+  Pose2 pose_;
+  double path_ = 0.0, total_ms_ = 0.0;
+  int decisions_ = 0;
+  LevelLog top_;
+  StudyResult result_;
+};
+
+}  // namespace
+
+CameraGeometry CameraOf(const StudyCase& study) {
+  CameraGeometry camera;
+  if (study.camera == "60x45") {
+    camera.fov_across = RadiansFromDegrees(60.0);
+    camera.fov_along = RadiansFromDegrees(45.0);
+  }
+  return camera;
+}
+
+std::vector<Target> FormerObjects(double value) {
+  std::vector<Target> targets;
+  for (const auto& [north, east] :
+       {std::pair{4.0, 1.0}, std::pair{2.0, 10.0}, std::pair{6.0, -3.0}, std::pair{-6.0, -5.0}}) {
+    targets.push_back({.north = north, .east = east, .radius = 1.5, .value = value});
+  }
+  return targets;
+}
+
+StudyResult RunStudy(const StudyCase& study, std::uint64_t seed) {
+  return Flight(study, seed).Run();
+}
+
+}  // namespace limpet

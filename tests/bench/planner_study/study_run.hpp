@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limpet/planning/beam_search.hpp"
+#include "limpet/planning/gap_paths.hpp"
+#include "limpet/planning/paper_planner.hpp"
+
+namespace limpet {
+
+/// One planner on one area, with perfect knowledge of the pose.
+struct StudyCase {
+  std::string planner = "beam";  ///< beam or paper
+  std::string camera = "80x60";  ///< or 60x45
+  SurveyArea area{-15.0, 15.0, -18.0, 18.0, 2.0, 2.0};
+  double altitude = 4.0;
+  double execute_m = 8.0;  ///< flown before the next decision
+  double path_max_m = 700.0;
+  double band_top_stop = 0.99;   ///< of the planner's own grid
+  bool has_fixed_start = false;  ///< (-12.5, -15.5) heading east; else random
+  bool is_change = false;        ///< former objects of Table 1 are targets
+  double target_value = 60.0;
+  Objective objective;
+  double bottom_weight = 1.0;  ///< of the lowest layer against each other one
+  BeamParams beam;
+  GapParams gap;
+  PaperParams paper;
+};
+
+struct StudyResult {
+  std::optional<double> seabed90, seabed95, band95, band99, top975, targets_seen;
+  double plan_ms_mean = 0.0, plan_ms_max = 0.0;
+  std::vector<Pose2> track;
+};
+
+[[nodiscard]] StudyResult RunStudy(const StudyCase& study, std::uint64_t seed);
+[[nodiscard]] CameraGeometry CameraOf(const StudyCase& study);
+/// Former objects of Table 1 (north, east).
+[[nodiscard]] std::vector<Target> FormerObjects(double value);
+
+}  // namespace limpet
