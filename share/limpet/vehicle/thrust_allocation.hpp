@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "limpet/vehicle/thruster_layout.hpp"
+
+namespace limpet {
+
+/// Turns a wanted wrench into thruster commands: weighted pseudo-inverse, and when thrusters
+/// saturate yaw is served first, then heave, then pitch, then surge and sway by one common factor,
+/// so that direction is kept. Roll cannot be commanded.
+class ThrustAllocation {
+ public:
+  struct Result {
+    ThrusterVector command;     ///< normalised, each in [-1, 1]
+    Wrench achieved;            ///< what these commands make [N, N m]
+    bool is_saturated = false;  ///< something of the wanted wrench had to be left out
+  };
+  /// `price` weighs the use of each thruster; equal prices spread the load.
+  ThrustAllocation(const ThrusterLayout& layout, const ThrusterVector& price);
+  explicit ThrustAllocation(const ThrusterLayout& layout)
+      : ThrustAllocation(layout, ThrusterVector::Ones()) {}
+
+  [[nodiscard]] Result Allocate(const Wrench& wanted) const;
+
+ private:
+  ThrusterLayout layout_;
+  Eigen::Matrix<double, 6, kThrusters> wrench_per_thrust_;
+  Eigen::Matrix<double, kThrusters, 6> thrust_per_wrench_;  // column of roll is zero
+};
+
+}  // namespace limpet

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+#include <Eigen/Core>
+
+namespace limpet {
+
+inline constexpr int kThrusters = 6;
+using ThrusterVector = Eigen::Matrix<double, kThrusters, 1>;
+/// Force [N] and moment [N m] on the body origin: X, Y, Z, K, M, N.
+using Wrench = Eigen::Matrix<double, 6, 1>;
+
+/// A thruster pushes the vehicle along its axis.
+struct Thruster {
+  Eigen::Vector3d p_B;
+  Eigen::Vector3d axis_B;
+};
+
+/// Four vectored thrusters in the horizontal plane (fore starboard, fore port, aft starboard, aft
+/// port; each pushes forward and, by 45 deg, sideways) and two vertical ones (fore, aft; positive
+/// pushes down). Roll is left to the righting moment.
+struct ThrusterLayout {
+  static constexpr double kDiagonal = 0.70710678118654752;  // cos and sin of 45 deg
+  std::array<Thruster, kThrusters> thrusters = {
+      Thruster{{0.2, 0.2, 0.0}, {kDiagonal, -kDiagonal, 0.0}},
+      {{0.2, -0.2, 0.0}, {kDiagonal, kDiagonal, 0.0}},
+      {{-0.2, 0.2, 0.0}, {kDiagonal, kDiagonal, 0.0}},
+      {{-0.2, -0.2, 0.0}, {kDiagonal, -kDiagonal, 0.0}},
+      {{0.2, 0.0, 0.0}, {0.0, 0.0, 1.0}},
+      {{-0.2, 0.0, 0.0}, {0.0, 0.0, 1.0}}};
+  /// Either way, at normalised command 1 or -1. Four times this at 45 deg is 35 N: 1 m/s.
+  double max_thrust_n = 12.5;
+  /// First-order lag from command to thrust.
+  double lag_s = 0.12;
+
+  /// Column i is the wrench of 1 N of thruster i.
+  [[nodiscard]] Eigen::Matrix<double, 6, kThrusters> WrenchPerThrust() const;
+};
+
+}  // namespace limpet
