@@ -51,7 +51,7 @@ TEST(VehicleModel, RunsAtAboutOneMetrePerSecondAtFullThrust) {
   const VehicleModel model = StillWater();
   ThrusterVector full = ThrusterVector::Zero();
   full.head<4>().setConstant(model.params().thrusters.max_thrust_n);
-  const StateVector x = After(model, Submerged(model, 5.0), full, 20.0);
+  const StateVector x = After(model, Submerged(model, 5.0), full, 8.0);
   EXPECT_NEAR(x(state_index::kVelocity), 1.0, 0.1);
 }
 

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pPilot/heading_controller.hpp"
+
+#include "limpet/core/frames.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr int kYaw = 5;
+/// Farther off than this [rad] the vehicle is turning, not holding: nothing to learn for a bias.
+constexpr double kHolding = 0.3;
+
+}  // namespace
+
+HeadingController::HeadingController(const Gains& gains, const Hydrodynamics& hydro)
+    : gains_(gains),
+      inertia_(hydro.mass_matrix(kYaw, kYaw)),
+      hydro_(hydro),
+      integral_(gains.integral, gains.integral_limit) {}
+
+double HeadingController::Update(const Input& input, double dt, bool is_saturated) {
+  const double error = WrapAngle(input.desired_yaw - input.yaw);
+  const double asked = std::clamp(gains_.heading * error, -gains_.max_rate, gains_.max_rate);
+  const double wanted_rate = input.desired_turn_rate + asked;
+  const double held = std::abs(error) < kHolding ? error : 0.0;
+  const double acceleration =
+      gains_.rate * (wanted_rate - input.yaw_rate) + integral_.Update(held, dt, is_saturated);
+  return inertia_ * acceleration + DragForce(hydro_, kYaw, wanted_rate);
+}
+
+}  // namespace limpet

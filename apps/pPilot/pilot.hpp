@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "apps/pPilot/depth_controller.hpp"
+#include "apps/pPilot/heading_controller.hpp"
+#include "apps/pPilot/speed_controller.hpp"
+#include "apps/pPilot/sway_controller.hpp"
+#include "limpet/topics/mission.hpp"
+#include "limpet/topics/navigation.hpp"
+#include "limpet/vehicle/thrust_allocation.hpp"
+#include "limpet/vehicle/vehicle_params.hpp"
+
+namespace limpet {
+
+/// What the helm wants now. NED, radians.
+struct DesiredMotion {
+  double yaw = 0.0;
+  double speed = 0.0;      ///< over ground [m/s]
+  double depth = 0.0;      ///< [m], positive down
+  double turn_rate = 0.0;  ///< feed-forward [rad/s]
+};
+
+/// All control laws and the thrust allocation: from estimate and wish to thruster commands. Pure:
+/// no clock, no mail.
+class Pilot {
+ public:
+  struct Gains {
+    HeadingController::Gains heading;
+    SpeedController::Gains speed;
+    SwayController::Gains sway;
+    DepthController::Gains depth;
+  };
+  Pilot(const Gains& gains, const VehicleParams& vehicle);
+
+  /// One control step, `dt` [s] after the last.
+  [[nodiscard]] ThrusterCommand Update(const NavState& nav, const DesiredMotion& desired,
+                                       double dt);
+  /// Forgets what integrals and references hold; for after an interruption.
+  void Reset(const NavState& nav);
+  [[nodiscard]] bool is_saturated() const { return is_saturated_; }
+
+ private:
+  [[nodiscard]] Wrench WantedWrench(const NavState& nav, const DesiredMotion& desired, double dt);
+
+  HeadingController heading_;
+  SpeedController speed_;
+  SwayController sway_;
+  DepthController depth_;
+  ThrustAllocation allocation_;
+  bool is_saturated_ = false;
+};
+
+}  // namespace limpet

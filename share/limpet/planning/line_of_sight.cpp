@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/planning/line_of_sight.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "limpet/core/frames.hpp"
+#include "limpet/core/require.hpp"
+
+namespace limpet {
+namespace {
+
+/// Flatter than this [1/m] is a line: a sagitta below a micrometre in 10 m.
+constexpr double kFlat = 1e-7;
+constexpr double kRunOut = 1e6;  // [m]
+
+}  // namespace
+
+LineOfSight::Waypose LineOfSight::Along(const Piece& piece, double length) {
+  const Waypose& start = piece.start;
+  const double half = 0.5 * piece.curvature * length;
+  const double chord =
+      std::abs(piece.curvature) < kFlat ? length : 2.0 * std::sin(half) / piece.curvature;
+  return {.north = start.north + chord * std::cos(start.yaw + half),
+          .east = start.east + chord * std::sin(start.yaw + half),
+          .yaw = start.yaw + 2.0 * half};
+}
+
+void LineOfSight::SetPath(const Waypose& start, const std::vector<PathSegment>& segments) {
+  pieces_.clear();
+  pieces_.reserve(segments.size() + 1);
+  length_ = 0.0;
+  progress_ = 0.0;
+  Waypose end = start;
+  for (const PathSegment& segment : segments) {
+    if (segment.length <= 0.0) continue;
+    pieces_.push_back({end, segment.curvature, segment.length, length_});
+    end = Along(pieces_.back(), segment.length);
+    length_ += segment.length;
+  }
+  pieces_.push_back({end, 0.0, kRunOut, length_});
+}
+
+double LineOfSight::Nearest(const Piece& piece, double north, double east, double low,
+                            double high) {
+  const double curvature = piece.curvature;
+  const double dn = north - piece.start.north;
+  const double de = east - piece.start.east;
+  const double c = std::cos(piece.start.yaw);
+  const double s = std::sin(piece.start.yaw);
+  if (std::abs(curvature) < kFlat) return std::clamp(dn * c + de * s, low, high);
+  // Seen from the arc's centre the point lies where the path has this yaw.
+  const double from_center_n = dn * curvature + s;
+  const double from_center_e = de * curvature - c;
+  const double yaw = std::atan2(from_center_n, -from_center_e);
+  const double middle = 0.5 * (low + high);
+  const double turn = WrapAngle(yaw - piece.start.yaw - curvature * middle);
+  return std::clamp(middle + turn / curvature, low, high);
+}
+
+double LineOfSight::NearestAhead(double north, double east) const {
+  const double limit = progress_ + params_.search.value();
+  double best = progress_;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (const Piece& piece : pieces_) {
+    if (piece.begin > limit) break;
+    const double low = std::max(0.0, progress_ - piece.begin);
+    const double high = std::min(piece.length, limit - piece.begin);
+    if (low > high) continue;
+    const double along = Nearest(piece, north, east, low, high);
+    const Waypose at = Along(piece, along);
+    const double distance = std::hypot(north - at.north, east - at.east);
+    if (distance < best_distance) {
+      best = piece.begin + along;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+LineOfSight::Waypose LineOfSight::At(double progress) const {
+  LIMPET_REQUIRE(has_path(), "SetPath comes first");
+  const auto after = std::ranges::upper_bound(pieces_, progress, {}, &Piece::begin);
+  const Piece& piece = after == pieces_.begin() ? *after : *std::prev(after);
+  return Along(piece, progress - piece.begin);
+}
+
+/// The path's own turn, averaged over the time in which the vehicle can answer it (a Dubins path's
+/// curvature jumps, a vehicle's turn rate does not), and the turn back to the path.
+double LineOfSight::TurnRate(double cross_track, double speed) const {
+  const double window = std::max(0.05, 2.0 * params_.preview.value() * speed);
+  const double curvature = (At(progress_ + window).yaw - At(progress_).yaw) / window;
+  // On the outside of an arc there is more way to go for the same turn.
+  const double stretch = std::clamp(1.0 - curvature * cross_track, 0.5, 2.0);
+  const double lookahead = params_.lookahead.value();
+  const double reach = std::hypot(lookahead, cross_track);
+  const double closing = speed * cross_track * lookahead / (reach * reach * reach);
+  return curvature * speed / stretch + closing;
+}
+
+LineOfSight::Steering LineOfSight::Update(double north, double east, double speed) {
+  LIMPET_REQUIRE(has_path(), "SetPath comes first");
+  progress_ = NearestAhead(north, east);
+  const Waypose at = At(progress_);
+  const double cross_track =
+      -std::sin(at.yaw) * (north - at.north) + std::cos(at.yaw) * (east - at.east);
+  const double limit = params_.max_intercept.value();
+  const double intercept =
+      std::clamp(std::atan2(-cross_track, params_.lookahead.value()), -limit, limit);
+  return {.progress = std::min(progress_, length_),
+          .remaining = std::max(0.0, length_ - progress_),
+          .cross_track = cross_track,
+          .path_course = WrapAngle(at.yaw),
+          .course = WrapAngle(at.yaw + intercept),
+          .turn_rate = TurnRate(cross_track, speed),
+          .has_arrived = progress_ >= length_};
+}
+
+}  // namespace limpet
