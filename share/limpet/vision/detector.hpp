@@ -12,8 +12,8 @@ namespace limpet {
 class Detector {
  public:
   virtual ~Detector() = default;
-  /// Boxes of what is visible, clipped at the image's border, the most confident first. Equal images
-  /// give equal boxes, whatever was seen before.
+  /// Boxes of what is visible, clipped at the image's border, the most confident first. Equal
+  /// images give equal boxes, whatever was seen before.
   [[nodiscard]] virtual std::vector<Box> Detect(const ImageView& image) = 0;
 };
 
