@@ -84,6 +84,7 @@ SceneRenderer::SceneRenderer(const SceneSettings& settings)
       nodes_(columns_ * rows_ * kLayers),
       places_(columns_ * rows_),
       row_values_(columns_ * kLayers),
+      brightness_(columns_ * kBlock),
       tone_curve_(ToneCurve()),
       noise_(NoiseTable(settings.seed, 3 * static_cast<std::size_t>(settings.camera.width_px))) {
   LIMPET_REQUIRE(settings.seabed_depth != nullptr, "a scene needs a seabed");
@@ -132,7 +133,7 @@ void SceneRenderer::FillNode(const View& view, int column, int row, double& dist
     const auto left_over = static_cast<float>(std::exp(-water_.attenuation_per_m[i] * range));
     const auto light = static_cast<float>(water_.illumination[i] * std::clamp(relief, 0.4, 1.6));
     node(static_cast<Layer>(kGain + c), column, row) =
-        4096.0F * light * vignette * left_over * (1.0F + kWeed[i] * weed);
+        light * vignette * left_over * (1.0F + kWeed[i] * weed);
     node(static_cast<Layer>(kVeil + c), column, row) =
         4095.0F * static_cast<float>(water_.veil[i]) * vignette * (1.0F - left_over);
   }
@@ -179,46 +180,62 @@ void SceneRenderer::DropShadow(const View& view, const Sphere& sphere) {
   }
 }
 
-void SceneRenderer::ShadeSeabedRow(int row, std::vector<std::uint16_t>& linear) {
+/// Interpolates the nodes' layers to a row and reads the texture along it.
+void SceneRenderer::SampleSeabedRow(int row) {
   const auto upper = static_cast<std::size_t>(row / kBlock) * kLayers * columns_;
   const float low = (static_cast<float>(row % kBlock) + 0.5F) / kBlock;
   for (std::size_t i = 0; i < row_values_.size(); ++i) {
     const float above = nodes_[upper + i];
     row_values_[i] = above + low * (nodes_[upper + kLayers * columns_ + i] - above);
   }
-  const auto& colors = texture_.colors();
-  const auto width = static_cast<std::size_t>(settings_.camera.width_px);
+  const float* across = &row_values_[kAcross * columns_];
+  const float* along = &row_values_[kAlong * columns_];
   for (std::size_t block = 0; block + 1 < columns_; ++block) {
-    // Fixed point with 4 more bits for the steps inside the block.
-    std::array<std::int32_t, kLayers> value{};
-    std::array<std::int32_t, kLayers> step{};
-    for (std::size_t layer = 0; layer < kLayers; ++layer) {
-      const float left = row_values_[layer * columns_ + block];
-      const float right = row_values_[layer * columns_ + block + 1];
-      step[layer] = static_cast<std::int32_t>((right - left) * (16.0F / kBlock));
-      value[layer] = static_cast<std::int32_t>(left * 16.0F) + step[layer] / 2;
+    // Four more bits for the steps inside the block.
+    const auto step_u = static_cast<std::int32_t>((across[block + 1] - across[block]) * 2.0F);
+    const auto step_v = static_cast<std::int32_t>((along[block + 1] - along[block]) * 2.0F);
+    std::int32_t u = static_cast<std::int32_t>(across[block] * 16.0F) + step_u / 2;
+    std::int32_t v = static_cast<std::int32_t>(along[block] * 16.0F) + step_v / 2;
+    float* bright = &brightness_[block * kBlock];
+    for (int i = 0; i < kBlock; ++i, u += step_u, v += step_v) {
+      bright[i] = static_cast<float>(texture_.Sample(u >> 4, v >> 4));
     }
-    const std::size_t end = std::min((block + 1) * kBlock, width);
-    for (std::size_t column = block * kBlock; column < end; ++column) {
-      const int bright = texture_.Sample(value[kAcross] >> 4, value[kAlong] >> 4);
-      const auto& color = colors[static_cast<std::size_t>(bright)];
-      for (std::size_t c = 0; c < 3; ++c) {
-        const std::int32_t light =
-            ((color[c] * (value[kGain + c] >> 4)) >> 12) + (value[kVeil + c] >> 4);
-        linear[3 * column + c] = static_cast<std::uint16_t>(std::min(light, kLinearLevels - 1));
-      }
-      for (std::size_t layer = 0; layer < kLayers; ++layer) {
-        value[layer] += step[layer];
+  }
+}
+
+void SceneRenderer::ShadeSeabedRow(LinearRow& linear) const {
+  static_assert(kBlock == 8, "the steps inside a block");
+  constexpr std::array<float, kBlock> kStep{0.0625F, 0.1875F, 0.3125F, 0.4375F,
+                                            0.5625F, 0.6875F, 0.8125F, 0.9375F};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const float* gains = &row_values_[(kGain + c) * columns_];
+    const float* veils = &row_values_[(kVeil + c) * columns_];
+    const auto [tone, warmth] = SeabedTexture::kTone[c];
+    for (std::size_t block = 0; block + 1 < columns_; ++block) {
+      const float gain = gains[block];
+      const float veil = veils[block];
+      const float gain_step = gains[block + 1] - gain;
+      const float veil_step = veils[block + 1] - veil;
+      const float* bright = &brightness_[block * kBlock];
+      float* light = &linear[c][block * kBlock];
+      for (std::size_t i = 0; i < kBlock; ++i) {
+        light[i] = (tone + warmth * bright[i]) * bright[i] * (gain + kStep[i] * gain_step) + veil +
+                   kStep[i] * veil_step;
       }
     }
   }
 }
 
-void SceneRenderer::Develop(const std::vector<std::uint16_t>& linear, std::uint64_t counter,
+void SceneRenderer::Develop(const LinearRow& linear, std::uint64_t counter,
                             std::uint8_t* bgr) const {
   const std::int8_t* noise = noise_.data() + Hash(settings_.seed ^ Hash(counter)) % kNoiseLength;
-  for (std::size_t i = 0; i < linear.size(); ++i) {
-    bgr[i] = static_cast<std::uint8_t>(tone_curve_[linear[i]] + noise[i]);
+  const auto width = static_cast<std::size_t>(settings_.camera.width_px);
+  for (std::size_t column = 0; column < width; ++column) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int light = std::min(static_cast<int>(linear[c][column]), kLinearLevels - 1);
+      bgr[3 * column + c] = static_cast<std::uint8_t>(tone_curve_[static_cast<std::size_t>(light)] +
+                                                      noise[3 * column + c]);
+    }
   }
 }
 
@@ -267,11 +284,13 @@ Image SceneRenderer::Render(const Pose& X_WB, std::span<const Sphere> spheres,
   Image image{camera.width_px, camera.height_px, {}};
   const std::size_t row_bytes = 3 * static_cast<std::size_t>(camera.width_px);
   image.bgr.resize(row_bytes * static_cast<std::size_t>(camera.height_px));
-  std::vector<std::uint16_t> linear(row_bytes);
+  LinearRow linear;
+  linear.fill(std::vector<float>(brightness_.size()));
   const double vignette_curve =
       kVignetteAtCorner / (camera.cx() * camera.cx() + camera.cy() * camera.cy());
   for (int row = 0; row < camera.height_px; ++row) {
-    ShadeSeabedRow(row, linear);
+    SampleSeabedRow(row);
+    ShadeSeabedRow(linear);
     for (SpherePainter& painter : painters) {
       if (row >= painter.first_row() && row < painter.last_row()) {
         painter.PaintRow(row, vignette_curve, linear);

@@ -11,6 +11,7 @@
 #include "limpet/core/camera_geometry.hpp"
 #include "limpet/core/frames.hpp"
 #include "limpet/vision/image.hpp"
+#include "limpet/vision/linear_row.hpp"
 #include "limpet/vision/seabed_relief.hpp"
 #include "limpet/vision/seabed_texture.hpp"
 #include "limpet/vision/sphere.hpp"
@@ -46,10 +47,10 @@ class SceneRenderer {
   void FillNodes(const View& view, std::span<const Sphere> spheres);
   void FillNode(const View& view, int column, int row, double& distance);
   void DropShadow(const View& view, const Sphere& sphere);
-  void ShadeSeabedRow(int row, std::vector<std::uint16_t>& linear);
+  void SampleSeabedRow(int row);
+  void ShadeSeabedRow(LinearRow& linear) const;
   void AddSpecks(std::uint32_t frame, Image& image) const;
-  void Develop(const std::vector<std::uint16_t>& linear, std::uint64_t counter,
-               std::uint8_t* bgr) const;
+  void Develop(const LinearRow& linear, std::uint64_t counter, std::uint8_t* bgr) const;
   [[nodiscard]] float Vignette(double u, double v) const;
   [[nodiscard]] float& node(Layer layer, int column, int row) {
     return nodes_[(static_cast<std::size_t>(row) * kLayers + layer) * columns_ +
@@ -65,7 +66,8 @@ class SceneRenderer {
   std::size_t rows_;
   std::vector<float> nodes_;
   std::vector<Eigen::Vector2f> places_;  ///< north, east of the nodes [m], relative to the camera
-  std::vector<float> row_values_;
+  std::vector<float> row_values_;        ///< the nodes' layers at the height of one row
+  std::vector<float> brightness_;        ///< of the seabed along one row, 0 to 255
   std::vector<std::uint8_t> tone_curve_;
   std::vector<std::int8_t> noise_;
 };

@@ -115,14 +115,6 @@ SeabedTexture::SeabedTexture(std::uint64_t seed)
           static_cast<std::uint8_t>(std::clamp(255.0F * bright, 0.0F, 255.0F));
     }
   }
-  for (std::size_t i = 0; i < colors_.size(); ++i) {
-    const double bright = static_cast<double>(i) / 255.0;
-    const double light = 0.05 + 0.75 * bright * bright;
-    // Stones are greyish green, sand is warm.
-    colors_[i] = {static_cast<std::uint16_t>(4095.0 * light * (0.72 - 0.14 * bright)),
-                  static_cast<std::uint16_t>(4095.0 * light * 0.86),
-                  static_cast<std::uint16_t>(4095.0 * light * (0.80 + 0.16 * bright))};
-  }
 }
 
 }  // namespace limpet

@@ -29,15 +29,14 @@ class SeabedTexture {
     const int lower = texel[kStride] * (256 - right) + texel[kStride + 1] * right;
     return (upper * (256 - low) + lower * low) >> 16;
   }
-  /// Linear blue, green, red (0 to 4095) of a brightness: dark is stone, bright is sand.
-  [[nodiscard]] const std::array<std::array<std::uint16_t, 3>, 256>& colors() const {
-    return colors_;
-  }
+  /// Linear blue, green, red (0 to 4095) of a brightness b: (kTone[c][0] + kTone[c][1] b) b.
+  /// Dark is greyish green stone, bright is warm sand.
+  static constexpr std::array<std::array<float, 2>, 3> kTone{
+      {{2.6F, 0.0156F}, {3.0F, 0.0218F}, {2.6F, 0.0250F}}};
 
  private:
   static constexpr int kStride = kSize + 1;  ///< one texel more, so that a sample needs no wrap
   std::vector<std::uint8_t> texels_;
-  std::array<std::array<std::uint16_t, 3>, 256> colors_{};
 };
 
 }  // namespace limpet

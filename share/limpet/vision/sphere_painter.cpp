@@ -31,7 +31,9 @@ SpherePainter::SpherePainter(const CameraGeometry& camera, const Pose& X_WB, con
       albedo_(AlbedoOf(sphere.color).value_or(Albedo{0.3F, 0.3F, 0.3F})),
       R_WC_(RotationOf(X_WB) * CameraGeometry::R_BC()),
       camera_W_(X_WB.p_WB + RotationOf(X_WB) * camera.p_BC),
-      light_C_(R_WC_.transpose() * Eigen::Vector3d(0.20, 0.15, -0.97).normalized()) {
+      light_C_(R_WC_.transpose() * Eigen::Vector3d(0.20, 0.15, -0.97).normalized()),
+      fx_(camera.fx()),
+      fy_(camera.fy()) {
   for (std::size_t c = 0; c < 3; ++c) {
     transmission_[c] = std::exp(-water.attenuation_per_m[c] * image.range);
   }
@@ -53,8 +55,7 @@ SpherePainter::Sample SpherePainter::Trace(double x, double y) const {
   const double along = ray.dot(p_C_);
   const double length2 = ray.squaredNorm();
   const double passes2 = p_C_.squaredNorm() - along * along / length2;
-  const double focal = 0.5 * (camera_.fx() + camera_.fy());
-  const double pixels = focal / p_C_.z();
+  const double pixels = 0.5 * (fx_ + fy_) / p_C_.z();
   const double miss = std::sqrt(std::max(passes2, 0.0)) - radius_;
   const double depth2 = std::max(radius_ * radius_ - passes2, 0.0);
   return {.coverage = std::clamp(0.5 - miss * pixels, 0.0, 1.0),
@@ -66,9 +67,9 @@ bool SpherePainter::IsBuried(const Eigen::Vector3d& hit) {
   return p_W.z() > relief_->At(p_W.x(), p_W.y()).depth;
 }
 
-void SpherePainter::PaintRow(int row, double vignette_curve, std::vector<std::uint16_t>& linear) {
+void SpherePainter::PaintRow(int row, double vignette_curve, LinearRow& linear) {
   const double v = row + 0.5;
-  const double y = (v - camera_.cy()) / camera_.fy();
+  const double y = (v - camera_.cy()) / fy_;
   const std::optional<Chord> chord = ChordOfSphere(camera_, p_C_, radius_, v);
   // A row that misses the outline by less than a pixel still shows a little of it.
   const double left = chord ? chord->left : image_.outline.left;
@@ -77,7 +78,7 @@ void SpherePainter::PaintRow(int row, double vignette_curve, std::vector<std::ui
   const int last = std::min(static_cast<int>(std::ceil(right)) + 1, camera_.width_px);
   for (int column = first; column < last; ++column) {
     const double u = column + 0.5;
-    const Sample sample = Trace((u - camera_.cx()) / camera_.fx(), y);
+    const Sample sample = Trace((u - camera_.cx()) / fx_, y);
     if (sample.coverage <= 0.0 || (touches_seabed_ && IsBuried(sample.hit))) {
       continue;
     }
@@ -92,9 +93,8 @@ void SpherePainter::PaintRow(int row, double vignette_curve, std::vector<std::ui
       const double left_over = std::min(transmission_[c] * (1.0 + gain * (1.0 + 0.5 * gain)), 1.0);
       const double glow = left_over * albedo_[c] * light * water_.illumination[c] +
                           (1.0 - left_over) * water_.veil[c];
-      std::uint16_t& value = linear[3 * static_cast<std::size_t>(column) + c];
-      value = static_cast<std::uint16_t>(
-          std::clamp(value + sample.coverage * (vignette * glow - value), 0.0, 4095.0));
+      float& value = linear[c][static_cast<std::size_t>(column)];
+      value += static_cast<float>(sample.coverage * (vignette * glow - value));
     }
   }
 }

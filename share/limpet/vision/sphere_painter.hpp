@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
+#include <array>
 #include <optional>
-#include <vector>
 
 #include <Eigen/Core>
 
 #include "limpet/core/camera_geometry.hpp"
 #include "limpet/core/frames.hpp"
 #include "limpet/vision/color_table.hpp"
+#include "limpet/vision/linear_row.hpp"
 #include "limpet/vision/seabed_relief.hpp"
 #include "limpet/vision/sphere.hpp"
 #include "limpet/vision/sphere_box.hpp"
@@ -29,9 +29,8 @@ class SpherePainter {
   [[nodiscard]] double range() const { return image_.range; }
   [[nodiscard]] int first_row() const;
   [[nodiscard]] int last_row() const;  ///< exclusive
-  /// `linear` holds blue, green, red (0 to 4095) of each pixel of `row`; `vignette_curve` is the
-  /// fall of brightness per squared pixel from the centre.
-  void PaintRow(int row, double vignette_curve, std::vector<std::uint16_t>& linear);
+  /// `vignette_curve` is the fall of brightness per squared pixel from the image's centre.
+  void PaintRow(int row, double vignette_curve, LinearRow& linear);
 
  private:
   SpherePainter(const CameraGeometry& camera, const Pose& X_WB, const Sphere& sphere,
@@ -54,6 +53,8 @@ class SpherePainter {
   Eigen::Vector3d camera_W_;
   Eigen::Vector3d light_C_;               ///< unit vector towards the light
   std::array<double, 3> transmission_{};  ///< at range()
+  double fx_;
+  double fy_;
   bool touches_seabed_ = false;
 };
 

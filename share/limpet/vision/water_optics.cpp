@@ -12,7 +12,7 @@ WaterOptics WaterOptics::OfVisibility(double visibility_m) {
   constexpr double kContrastLeft = 0.05;
   const double green = -std::log(kContrastLeft) / visibility_m;
   // What red and blue lose beyond green in coastal water [1/m].
-  constexpr double kExtraRed = 0.16;
+  constexpr double kExtraRed = 0.12;
   constexpr double kExtraBlue = 0.03;
   WaterOptics optics;
   optics.attenuation_per_m = {green + kExtraBlue, green, green + kExtraRed};

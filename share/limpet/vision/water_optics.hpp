@@ -10,8 +10,8 @@ namespace limpet {
 /// a contrast; red fades faster by the absorption of water itself.
 struct WaterOptics {
   std::array<double, 3> attenuation_per_m{};            ///< c; blue, green, red [1/m]
-  std::array<double, 3> veil{0.23, 0.25, 0.075};        ///< A; blue, green, red
-  std::array<double, 3> illumination{0.80, 1.0, 0.70};  ///< of a surface that faces up
+  std::array<double, 3> veil{0.22, 0.26, 0.09};         ///< A; blue, green, red
+  std::array<double, 3> illumination{0.95, 1.1, 1.05};  ///< of a surface that faces up
 
   /// REQUIRES: visibility_m > 0.
   [[nodiscard]] static WaterOptics OfVisibility(double visibility_m);

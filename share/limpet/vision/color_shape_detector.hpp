@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "limpet/vision/blob_finder.hpp"
+#include "limpet/vision/detector.hpp"
+#include "limpet/vision/ellipse.hpp"
+#include "limpet/vision/outline_refiner.hpp"
+
+namespace limpet {
+
+struct ColorShapeSettings {
+  double least_radius_px = 8.0;    ///< of an object's image
+  double least_confidence = 0.30;  ///< boxes below are not reported
+};
+
+/// Coloured balls by what sets them apart from the water around them: regions of a reduced image
+/// that stand out in an opponent colour at any level (so haze, which scales contrasts, does not
+/// matter), full ellipses among them, then the outline at full resolution. The class follows the
+/// direction of the colour contrast. Learns nothing.
+class ColorShapeDetector final : public Detector {
+ public:
+  explicit ColorShapeDetector(const ColorShapeSettings& settings = {}) : settings_(settings) {}
+  [[nodiscard]] std::vector<Box> Detect(const ImageView& image) override;
+
+ private:
+  struct Candidate {
+    Ellipse ellipse;  ///< pixels of the full image
+    PixelRect rect;
+    double quality = 0.0;
+  };
+  void Shrink(const ImageView& image);
+  void FillPlanes();
+  void CollectCandidates(const Plane& plane, std::vector<Candidate>& candidates) const;
+  [[nodiscard]] bool Assess(const Blob& blob, Candidate& candidate) const;
+  [[nodiscard]] bool Verify(const ImageView& image, const Candidate& candidate, Box& box) const;
+
+  ColorShapeSettings settings_;
+  int factor_ = 4;  ///< full over reduced resolution
+  Image small_;
+  std::vector<Plane> planes_;
+};
+
+}  // namespace limpet

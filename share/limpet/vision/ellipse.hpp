@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include <Eigen/Core>
+
+#include "limpet/vision/sphere_box.hpp"
+
+namespace limpet {
+
+/// The outline { center + axes * (cos t, sin t) }, pixels.
+struct Ellipse {
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d axes = Eigen::Matrix2d::Identity();
+
+  /// With the second moments of a region that it fills.
+  [[nodiscard]] static Ellipse OfMoments(const Eigen::Vector2d& center,
+                                         const Eigen::Matrix2d& covariance);
+  [[nodiscard]] Eigen::Vector2d At(double scale, double cosine, double sine) const {
+    return center + scale * (axes * Eigen::Vector2d(cosine, sine));
+  }
+  /// Distance of a point from the centre, in radii towards it: 1 on the outline.
+  [[nodiscard]] double Scale(const Eigen::Vector2d& point) const;
+  /// Radius of the circle with the same area.
+  [[nodiscard]] double MeanRadius() const;
+  [[nodiscard]] double Elongation() const;
+  /// Upright rectangle around the part inside an image of this size.
+  [[nodiscard]] PixelRect VisiblePart(int width_px, int height_px) const;
+};
+
+/// Least squares over points on an outline: an ellipse if they go round far enough. Works in the
+/// coordinates of `guess`, where the outline is nearly the unit circle.
+[[nodiscard]] std::optional<Ellipse> FitEllipse(std::span<const Eigen::Vector2d> points,
+                                                const Ellipse& guess);
+
+}  // namespace limpet
