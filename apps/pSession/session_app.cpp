@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pSession/session_app.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "limpet/app/registry.hpp"
+#include "limpet/session/durable_file.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void Refuse(const std::string& file, const std::string& why) {
+  throw ConfigError(ConfigProblem{.where = {.file = file, .line = 0}, .key = "", .text = why});
+}
+
+std::string TextOf(const Binary& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace
+
+SessionApp::SessionApp(const AppContext& context, const Params& params)
+    : App(context), params_(params) {
+  if (!context.prior_folder.empty()) {
+    LoadFormer();
+  }
+  Subscribe(topics::kSurveyArea, &SessionApp::OnArea);
+  Subscribe(topics::kMapOpis, &SessionApp::OnObjects);
+  Subscribe(topics::kNavSight, &SessionApp::OnSight);
+  Subscribe(topics::kMapSnapshot, &SessionApp::OnSnapshot);
+  Subscribe(topics::kSessionSave, &SessionApp::OnSave);
+  CopyMission();
+  if (!context.run_folder.empty()) {
+    writer_.emplace(context.run_folder / "session");
+  }
+}
+
+void SessionApp::LoadFormer() {
+  const Expected<StoredSession> stored = LoadSession(context().prior_folder);
+  if (!stored) {
+    Refuse("former session", stored.error().text);
+  }
+  const Expected<SessionRecord> former = RecordOf(stored->files);
+  if (!former) {
+    Refuse("former session " + context().prior_folder.string(), former.error().text);
+  }
+  prior_ = PriorOf(stored->facts, former->objects);
+}
+
+void SessionApp::CopyMission() {
+  std::error_code absent;  // a test or a bench has no mission folder
+  for (const fs::directory_entry& entry :
+       fs::directory_iterator(context().mission_folder, absent)) {
+    // What the vehicle was told; scenario.yaml is the truth, which it must not know.
+    const std::string extension = entry.path().extension().string();
+    if (extension != ".moos" && extension != ".bhv") continue;
+    if (Expected<std::string> text = ReadWhole(entry.path())) {
+      record_.mission[entry.path().filename().string()] = *std::move(text);
+    }
+  }
+}
+
+void SessionApp::OnSave(const Stamped<std::string>& cause) { StartSaving(cause.value, cause.time); }
+
+void SessionApp::StartSaving(const std::string& cause, Seconds now) {
+  pending_ = Pending{cause, now};
+  Publish(topics::kMapSnapshotRequest, cause);
+}
+
+void SessionApp::OnSnapshot(const Stamped<Binary>& map) {
+  record_.map = TextOf(map.value);
+  if (pending_) {
+    Commit(pending_->cause, map.time);
+  }
+}
+
+void SessionApp::Tick(Seconds now) {
+  if (prior_) {
+    Publish(topics::kSessionPrior, *prior_);
+    prior_.reset();
+  }
+  if (!last_save_) {
+    Commit("start", now);  // self-describing from its first second
+  } else if (pending_ && now - pending_->since > params_.map_within) {
+    Warn("MAP_SILENT", "no MAP_SNAPSHOT: saved with the last map known");
+    Commit(pending_->cause, now);
+  } else if (!pending_ && now - *last_save_ >= params_.save_every) {
+    StartSaving("periodic", now);
+  }
+}
+
+void SessionApp::Finish(Seconds now) {
+  if (!last_save_ || pending_ || now > *last_save_) {
+    Commit(pending_ ? pending_->cause : "end", now);
+  }
+}
+
+void SessionApp::Commit(const std::string& cause, Seconds now) {
+  pending_.reset();
+  last_save_ = now;
+  if (!writer_) {
+    return;
+  }
+  const SessionFacts facts{.limpet = "",
+                           .mission = context().mission_folder.filename().string(),
+                           .session = context().session,
+                           .community = context().Global("Community"),
+                           .seed = context().seed,
+                           .lat_origin = context().Global("LatOrigin"),
+                           .long_origin = context().Global("LongOrigin"),
+                           .saved_at = now.value(),
+                           .cause = cause};
+  const Expected<int> generation = writer_->Commit(facts, FilesOf(record_));
+  if (!generation) {
+    Warn("SESSION_NOT_SAVED", generation.error().text);
+    return;
+  }
+  ClearWarning("SESSION_NOT_SAVED");
+  Publish(topics::kSessionSaved, fmt::format("generation={},cause={}", *generation, cause));
+}
+
+LIMPET_REGISTER_APP(SessionApp, "pSession", 2.0);
+
+}  // namespace limpet

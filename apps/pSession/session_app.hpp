@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "limpet/app/app.hpp"
+#include "limpet/core/params.hpp"
+#include "limpet/session/session_record.hpp"
+
+namespace limpet {
+
+/// Saves what the session knows, a generation at a time, and hands over what a former one knew.
+/// A former session that is missing or damaged is a ConfigError: nothing flies on half a memory.
+class SessionApp final : public App {
+ public:
+  struct Params {
+    Seconds save_every{60.0};
+    Seconds map_within{2.0};
+    template <class V>
+    void Describe(V& visit) {
+      using namespace literals;
+      visit("save_every_s", save_every, "Time between two saved generations",
+            InRange(1.0_s, 3600.0_s));
+      visit("map_within_s", map_within, "Wait this long for the map, then save without a new one",
+            InRange(0.1_s, 60.0_s));
+    }
+  };
+
+  SessionApp(const AppContext& context, const Params& params);
+  void Tick(Seconds now) override;
+  void Finish(Seconds now) override;
+
+ private:
+  void OnArea(const Stamped<SurveyArea>& area) { record_.area = area.value; }
+  void OnObjects(const Stamped<OpiBeliefs>& objects) { record_.objects = objects.value; }
+  void OnSight(const Stamped<Sight>& sight) { record_.sights.push_back(sight.value); }
+  void OnSnapshot(const Stamped<Binary>& map);
+  void OnSave(const Stamped<std::string>& cause);
+  void LoadFormer();
+  void CopyMission();
+  void StartSaving(const std::string& cause, Seconds now);
+  void Commit(const std::string& cause, Seconds now);
+
+  struct Pending {
+    std::string cause;
+    Seconds since;
+  };
+  Params params_;
+  SessionRecord record_;
+  std::optional<SessionWriter> writer_;
+  std::optional<SessionPrior> prior_;
+  std::optional<Pending> pending_;  ///< waits for the map
+  std::optional<Seconds> last_save_;
+};
+
+}  // namespace limpet

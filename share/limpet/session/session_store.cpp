@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/session/session_store.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limpet/session/checksum.hpp"
+#include "limpet/session/durable_file.hpp"
+
+namespace limpet {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SessionFacts, limpet, mission, session, community, seed,
+                                   lat_origin, long_origin, saved_at, cause)
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* kFormat = "limpet-session";
+constexpr int kVersion = 1;
+constexpr const char* kManifest = "manifest.json";
+
+std::string GenerationName(int generation) { return fmt::format("g{:06d}", generation); }
+
+std::string TextOf(const json& value) {
+  return value.dump(1, ' ', false, json::error_handler_t::replace);
+}
+
+/// The one way to write this body: a reader accepts no other bytes, so that no bit of the manifest
+/// can change unnoticed.
+std::string SealedText(const json& body) {
+  return TextOf(json{{"body", body}, {"xxh3_64", ChecksumOf(TextOf(body))}}) + "\n";
+}
+
+json BodyOf(const SessionFacts& facts, int generation, const SessionFiles& files) {
+  json listed = json::array();
+  for (const auto& [name, bytes] : files) {
+    listed.push_back({{"name", name}, {"size", bytes.size()}, {"xxh3_64", ChecksumOf(bytes)}});
+  }
+  return {{"format", kFormat},
+          {"version", kVersion},
+          {"generation", generation},
+          {"facts", facts},
+          {"files", listed}};
+}
+
+std::optional<Error> WriteGeneration(const fs::path& folder, const SessionFiles& files) {
+  std::error_code failure;
+  fs::remove_all(folder, failure);  // what an interrupted save left
+  fs::create_directories(folder, failure);
+  for (const auto& [name, bytes] : files) {
+    const fs::path file = folder / name;
+    fs::create_directories(file.parent_path(), failure);
+    if (failure) {
+      return Error{name + ": cannot create its folder: " + failure.message()};
+    }
+    if (std::optional<Error> error = WriteDurably(file, bytes)) {
+      return error;
+    }
+  }
+  return SyncFolder(folder);
+}
+
+void RemoveOtherGenerations(const fs::path& folder, const std::string& kept) {
+  std::error_code ignored;  // a leftover costs space only
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_directory() && name.starts_with("g") && name != kept) {
+      fs::remove_all(entry.path(), ignored);
+    }
+  }
+}
+
+Error Damaged(const fs::path& file, const std::string& why) {
+  return Error{file.string() + ": " + why};
+}
+
+Expected<json> ReadManifest(const fs::path& file) {
+  const Expected<std::string> text = ReadWhole(file);
+  if (!text) {
+    return Damaged(file, "missing: no complete session here");
+  }
+  const json manifest = json::parse(*text, nullptr, false);
+  if (!manifest.is_object() || !manifest.contains("body") ||
+      SealedText(manifest.at("body")) != *text) {
+    return Damaged(file, "damaged: its checksum does not match");
+  }
+  const json& body = manifest.at("body");
+  if (body.value("format", "") != kFormat || body.value("version", 0) != kVersion) {
+    return Damaged(file, fmt::format("is no session of format version {}", kVersion));
+  }
+  return body;
+}
+
+std::optional<Error> ReadListed(const json& listed, const fs::path& folder,
+                                StoredSession& session) {
+  for (const json& entry : listed) {
+    const std::string name = entry.at("name");
+    if (fs::path(name).is_absolute() || name.find("..") != std::string::npos) {
+      return Damaged(folder, "lists a file outside the session: " + name);
+    }
+    Expected<std::string> bytes = ReadWhole(folder / name);
+    if (!bytes) {
+      return Damaged(folder / name, "missing");
+    }
+    if (bytes->size() != entry.at("size").get<std::size_t>()) {
+      return Damaged(folder / name, fmt::format("damaged: {} bytes instead of {}", bytes->size(),
+                                                entry.at("size").get<std::size_t>()));
+    }
+    if (ChecksumOf(*bytes) != entry.at("xxh3_64").get<std::string>()) {
+      return Damaged(folder / name, "damaged: its checksum does not match");
+    }
+    session.files[name] = *std::move(bytes);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Expected<int> SessionWriter::Commit(SessionFacts facts, const SessionFiles& files) {
+  facts.limpet = LIMPET_VERSION;
+  const int generation = generation_ + 1;
+  const std::string name = GenerationName(generation);
+  if (std::optional<Error> error = WriteGeneration(folder_ / name, files)) {
+    return *error;
+  }
+  const std::string manifest = SealedText(BodyOf(facts, generation, files));
+  if (std::optional<Error> error = WriteDurably(folder_ / kManifest, manifest)) {
+    return *error;
+  }
+  generation_ = generation;
+  RemoveOtherGenerations(folder_, name);
+  return generation;
+}
+
+Expected<StoredSession> LoadSession(const fs::path& folder) {
+  const bool is_inside = !fs::exists(folder / kManifest) && fs::is_directory(folder / "session");
+  const fs::path home = is_inside ? folder / "session" : folder;
+  const Expected<json> body = ReadManifest(home / kManifest);
+  if (!body) {
+    return body.error();
+  }
+  try {
+    StoredSession session;
+    session.facts = body->at("facts").get<SessionFacts>();
+    session.generation = body->at("generation").get<int>();
+    const fs::path files = home / GenerationName(session.generation);
+    if (std::optional<Error> error = ReadListed(body->at("files"), files, session)) {
+      return *error;
+    }
+    return session;
+  } catch (const json::exception& problem) {
+    return Damaged(home / kManifest, std::string("lacks an entry: ") + problem.what());
+  }
+}
+
+}  // namespace limpet

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// A session on disk: numbered generations, of which the manifest names the last complete one.
+//   session/manifest.json     names, sizes and checksums of all files; itself checksummed
+//   session/g000012/...       the files
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "limpet/core/expected.hpp"
+
+namespace limpet {
+
+/// File name (may contain one folder, `mission/x.moos`) to bytes; sorted, so equal content gives
+/// equal files.
+using SessionFiles = std::map<std::string, std::string>;
+
+/// What the manifest says about the session as a whole.
+struct SessionFacts {
+  std::string limpet;   ///< version that wrote it; filled in by the writer
+  std::string mission;  ///< name of the mission folder
+  std::string session;  ///< discovery, change, ...
+  std::string community;
+  std::uint64_t seed = 0;
+  std::string lat_origin, long_origin;  ///< datum, as the mission file has it
+  double saved_at = 0.0;                ///< MOOS time [s]
+  std::string cause;                    ///< why this generation was saved
+};
+
+struct StoredSession {
+  SessionFacts facts;
+  int generation = 0;
+  SessionFiles files;
+};
+
+/// Writes generations of one session. A crash at any moment leaves the last complete one.
+class SessionWriter {
+ public:
+  /// `folder` is created on the first commit.
+  explicit SessionWriter(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  /// Writes one generation and then forgets the one before; its number, or why it failed.
+  [[nodiscard]] Expected<int> Commit(SessionFacts facts, const SessionFiles& files);
+
+ private:
+  std::filesystem::path folder_;
+  int generation_ = 0;
+};
+
+/// Loads the last complete generation. `folder` is a session folder or one that contains
+/// `session/`. Any missing, damaged or altered file is an error that names it; nothing is loaded by
+/// halves.
+[[nodiscard]] Expected<StoredSession> LoadSession(const std::filesystem::path& folder);
+
+}  // namespace limpet

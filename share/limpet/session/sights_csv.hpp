@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "limpet/core/expected.hpp"
+#include "limpet/topics/navigation.hpp"
+
+namespace limpet {
+
+/// One row per frame: frame,t,north,east,down,roll,pitch,yaw,altitude,boxes; boxes are
+/// `u:v:w:h:confidence:color:landmark` joined by blanks. Metres, radians, pixels; t is MOOS time.
+[[nodiscard]] std::string SightsToCsv(const std::vector<Sight>& sights);
+[[nodiscard]] Expected<std::vector<Sight>> SightsFromCsv(std::string_view text);
+
+}  // namespace limpet

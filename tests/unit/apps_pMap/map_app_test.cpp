@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pMap/map_app.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limpet/app/test_link.hpp"
+#include "tests/support/flyover.hpp"
+
+namespace limpet {
+namespace {
+
+using testing::Detector;
+using testing::Fly;
+using testing::Leg;
+using testing::Sphere;
+
+constexpr SurveyArea kArea{.north_min = -15, .north_max = 15, .east_min = -18, .east_max = 18};
+
+Landmark LandmarkOf(const Sphere& sphere) {
+  return {.id = sphere.landmark,
+          .ned = {sphere.ned.x(), sphere.ned.y(), sphere.ned.z()},
+          .cov = {0.04, 0, 0, 0.04, 0, 0.09},
+          .color = sphere.color,
+          .looks = 5,
+          .is_confirmed = true,
+          .prior_id = -1};
+}
+
+/// pMap with mail as a survey would send it.
+class MapAppTest : public ::testing::Test {
+ protected:
+  AppContext Context() {
+    AppContext context;
+    context.name = "pMap";
+    context.link = &link_;
+    return context;
+  }
+
+  void Survey(const Leg& leg, const std::vector<Sphere>& spheres, const Detector& detector = {}) {
+    for (const Sight& sight : Fly(leg, link_.time, spheres, detector, random_)) {
+      link_.time = sight.exposure;
+      link_.Send(app_, topics::kNavSight, sight);
+      app_.Tick(link_.time);
+    }
+    link_.time += Seconds(20.0);
+  }
+  void Confirm(const std::vector<Sphere>& spheres) {
+    Landmarks landmarks;
+    for (const Sphere& sphere : spheres) {
+      landmarks.landmarks.push_back(LandmarkOf(sphere));
+    }
+    link_.Send(app_, topics::kNavLandmarks, landmarks);
+    link_.time += Seconds(1.0);
+    app_.Tick(link_.time);
+  }
+  std::vector<OpiBelief> Objects() {
+    return link_.Last(topics::kMapOpis).value_or(OpiBeliefs{}).opis;
+  }
+
+  TestLink link_;
+  Random random_{1};
+  MapApp app_{Context(), MapApp::Params{}};
+};
+
+const Sphere kYellow{.ned = {4, 1, 5.5}, .color = "yellow", .landmark = 3};
+
+TEST_F(MapAppTest, ReportsCoverageOfTheGroundItFlewOver) {
+  link_.Send(app_, topics::kSurveyArea, kArea);
+  Survey({.north = -10, .length = 20}, {});
+  const std::optional<Coverage> coverage = link_.Last(topics::kMapCoverage);
+  ASSERT_TRUE(coverage);
+  EXPECT_NEAR(coverage->seabed, (20.0 + 4.62) * 6.71 / (30.0 * 36.0), 0.02);
+}
+
+TEST_F(MapAppTest, SendsEachChangedCellOnce) {
+  link_.Send(app_, topics::kSurveyArea, kArea);
+  Survey({.north = -10, .length = 20}, {});
+  link_.published.clear();
+  link_.time += Seconds(1.0);
+  app_.Tick(link_.time);
+  EXPECT_FALSE(link_.Last(topics::kMapDelta));
+}
+
+TEST_F(MapAppTest, SeesNothingBeforeTheDive) {
+  link_.Send(app_, topics::kSurveyArea, kArea);
+  link_.Send(app_, topics::kSurveyPhase, std::string("ALIGN"));
+  Survey({.north = -10, .length = 20}, {});
+  EXPECT_EQ(link_.Last(topics::kMapCoverage)->seabed, 0.0);
+}
+
+TEST_F(MapAppTest, IsSureOfAnObjectAfterOneCleanPass) {
+  Survey({.north = -1, .east = 1, .length = 10}, {kYellow});
+  Confirm({kYellow});
+  ASSERT_EQ(Objects().size(), 1U);
+  EXPECT_EQ(Objects()[0].decided, "new");
+  EXPECT_GT(Objects()[0].probability, 0.95);
+}
+
+TEST_F(MapAppTest, DoesNotTakeAFalseDetectionForAnObject) {
+  const Sphere ghost{.ned = {4, 1, 5.5}, .color = "yellow", .landmark = 9};
+  Survey({.north = -1, .east = 1, .length = 4}, {});
+  Survey({.north = 3.8, .east = 1, .length = 0.2}, {ghost});
+  Survey({.north = 4, .east = 1, .length = 6}, {});
+  Confirm({ghost});
+  for (const OpiBelief& opi : Objects()) {
+    EXPECT_EQ(opi.decided, "uncertain");
+    EXPECT_LT(opi.probability, 0.5);
+  }
+}
+
+TEST_F(MapAppTest, LeavesAFormerObjectUncertainUntilItHasLooked) {
+  SessionPrior prior{.session = "discovery",
+                     .opis = {{.id = 1,
+                               .ned = {4, 1, 5.5},
+                               .cov = {0.04, 0, 0, 0.04, 0, 0.09},
+                               .color = "yellow",
+                               .log_likelihood_ratio = 8.0,
+                               .looks = 5}}};
+  link_.Send(app_, topics::kSessionPrior, prior);
+  link_.time += Seconds(1.0);
+  app_.Tick(link_.time);
+  ASSERT_EQ(Objects().size(), 1U);
+  EXPECT_EQ(Objects()[0].decided, "uncertain");
+  EXPECT_EQ(Objects()[0].looks, 0);
+  EXPECT_GT(Objects()[0].entropy, 0.6);
+}
+
+TEST_F(MapAppTest, DecidesAllFourWaysInAChangeSession) {
+  const Sphere newcomer{.ned = {4, 8, 6.0}, .color = "orange", .landmark = 4};
+  SessionPrior prior{.session = "discovery",
+                     .opis = {{.id = 1,
+                               .ned = {4.3, 1.2, 5.6},
+                               .cov = {0.04, 0, 0, 0.04, 0, 0.09},
+                               .color = "yellow",
+                               .log_likelihood_ratio = 8.0,
+                               .looks = 5},
+                              {.id = 2,
+                               .ned = {8, -4, 7.0},
+                               .cov = {0.04, 0, 0, 0.04, 0, 0.09},
+                               .color = "orange",
+                               .log_likelihood_ratio = 8.0,
+                               .looks = 5}}};
+  link_.Send(app_, topics::kSessionPrior, prior);
+  Survey({.north = -3, .east = 1, .length = 16}, {kYellow, newcomer});
+  Survey({.north = -3, .east = 8, .length = 16}, {kYellow, newcomer});
+  Survey({.north = -3, .east = -4, .length = 16}, {kYellow, newcomer});
+  Confirm({kYellow, newcomer});
+  std::vector<std::string> decided;
+  for (const OpiBelief& opi : Objects()) {
+    decided.push_back(opi.decided);
+    const ChangePosterior& p = opi.posterior;
+    EXPECT_NEAR(p.confirmed + p.removed + p.appeared + p.nothing, 1.0, 1e-12);
+  }
+  EXPECT_THAT(decided, ::testing::ElementsAre("confirmed", "removed", "new"));
+}
+
+}  // namespace
+}  // namespace limpet

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pSession/session_app.hpp"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limpet/app/test_link.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SessionAppTest : public ::testing::Test {
+ protected:
+  AppContext Context(const std::string& session, const fs::path& prior = {}) {
+    AppContext context;
+    context.name = "pSession";
+    context.link = &link_;
+    context.mission_folder = folder_.path() / "table1";
+    context.run_folder = folder_.path() / session;
+    context.prior_folder = prior;
+    context.session = session;
+    return context;
+  }
+  static OpiBeliefs OneObject() {
+    OpiBelief opi;
+    opi.id = 1;
+    opi.landmark = 3;
+    opi.ned = {4, 1, 5.5};
+    opi.color = "yellow";
+    opi.probability = 0.98;
+    opi.decided = "new";
+    opi.log_likelihood_ratio = 8.5;
+    return {.opis = {opi}};
+  }
+  /// A discovery session from start to end.
+  void Discover() {
+    SessionApp app(Context("discovery"), {});
+    app.Tick(link_.time);
+    link_.Send(app, topics::kMapOpis, OneObject());
+    link_.Send(app, topics::kSessionSave, std::string("home"));
+    link_.Send(app, topics::kMapSnapshot, Binary{std::byte{1}, std::byte{2}});
+  }
+  testing::TemporaryFolder folder_;
+  TestLink link_;
+};
+
+TEST_F(SessionAppTest, IsSelfDescribingFromItsFirstSecond) {
+  fs::create_directories(folder_.path() / "table1");
+  std::ofstream(folder_.path() / "table1" / "mission.moos") << "Community = alpha\n";
+  std::ofstream(folder_.path() / "table1" / "scenario.yaml") << "the truth\n";
+  SessionApp app(Context("discovery"), {});
+  app.Tick(link_.time);
+  const Expected<StoredSession> stored = LoadSession(folder_.path() / "discovery");
+  ASSERT_TRUE(stored);
+  EXPECT_EQ(stored->facts.mission, "table1");
+  EXPECT_EQ(stored->files.at("mission/mission.moos"), "Community = alpha\n");
+  EXPECT_FALSE(stored->files.contains("mission/scenario.yaml"));
+}
+
+TEST_F(SessionAppTest, SavesTheMapItAskedFor) {
+  Discover();
+  EXPECT_EQ(link_.Last(topics::kMapSnapshotRequest), "home");
+  EXPECT_EQ(link_.Last(topics::kSessionSaved), "generation=2,cause=home");
+  EXPECT_EQ(LoadSession(folder_.path() / "discovery")->files.at("map.ot"), "\1\2");
+}
+
+TEST_F(SessionAppTest, SavesWithoutAMapThatDoesNotCome) {
+  SessionApp app(Context("discovery"), {});
+  app.Tick(link_.time);
+  link_.Send(app, topics::kSessionSave, std::string("home"));
+  app.Tick(link_.time + Seconds(3.0));
+  EXPECT_EQ(link_.Last(topics::kSessionSaved), "generation=2,cause=home");
+  EXPECT_TRUE(app.warnings().contains("MAP_SILENT"));
+}
+
+TEST_F(SessionAppTest, SavesEveryMinute) {
+  SessionApp app(Context("discovery"), {});
+  app.Tick(link_.time);
+  app.Tick(link_.time + Seconds(59.0));
+  EXPECT_FALSE(link_.Last(topics::kMapSnapshotRequest));
+  app.Tick(link_.time + Seconds(60.0));
+  EXPECT_EQ(link_.Last(topics::kMapSnapshotRequest), "periodic");
+}
+
+TEST_F(SessionAppTest, SavesWhatCameLateAtTheEnd) {
+  SessionApp app(Context("discovery"), {});
+  app.Tick(link_.time);
+  link_.Send(app, topics::kMapOpis, OneObject());
+  app.Finish(link_.time + Seconds(1.0));
+  EXPECT_THAT(LoadSession(folder_.path() / "discovery")->files.at("objects.json"),
+              ::testing::HasSubstr("yellow"));
+}
+
+TEST_F(SessionAppTest, HandsTheFormerSessionOverAtItsStart) {
+  Discover();
+  SessionApp app(Context("change", folder_.path() / "discovery"), {});
+  EXPECT_FALSE(link_.Last(topics::kSessionPrior));
+  app.Tick(link_.time);
+  const std::optional<SessionPrior> prior = link_.Last(topics::kSessionPrior);
+  ASSERT_TRUE(prior);
+  EXPECT_EQ(prior->session, "discovery");
+  ASSERT_EQ(prior->opis.size(), 1U);
+  EXPECT_EQ(prior->opis[0].color, "yellow");
+}
+
+TEST_F(SessionAppTest, RefusesADamagedFormerSessionByName) {
+  Discover();
+  const fs::path objects = folder_.path() / "discovery" / "session" / "g000002" / "objects.json";
+  std::ofstream(objects, std::ios::app) << " ";
+  try {
+    SessionApp app(Context("change", folder_.path() / "discovery"), {});
+    FAIL() << "took a damaged session";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("objects.json: damaged"));
+  }
+  EXPECT_FALSE(fs::exists(folder_.path() / "change"));
+}
+
+TEST_F(SessionAppTest, RefusesAMissingFormerSession) {
+  EXPECT_THROW(SessionApp(Context("change", folder_.path() / "nowhere"), {}), ConfigError);
+}
+
+}  // namespace
+}  // namespace limpet

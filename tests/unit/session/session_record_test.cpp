@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/session/session_record.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limpet/session/sights_csv.hpp"
+
+namespace limpet {
+namespace {
+
+OpiBelief Object(int id, int landmark, double probability) {
+  OpiBelief opi;
+  opi.id = id;
+  opi.landmark = landmark;
+  opi.ned = {4, 1, 5.5};
+  opi.cov = {0.04, 0, 0, 0.04, 0, 0.09};
+  opi.color = "yellow";
+  opi.probability = probability;
+  opi.looks = 5;
+  opi.log_likelihood_ratio = 8.5;
+  return opi;
+}
+
+Sight Frame(int frame) {
+  Sight sight;
+  sight.frame = frame;
+  sight.exposure = Seconds(1767225600.0 + 0.25 * frame);
+  return sight;
+}
+
+SessionRecord Sample() {
+  SessionRecord record;
+  record.area = SurveyArea{.north_min = -15, .north_max = 15, .east_min = -18, .east_max = 18};
+  record.objects.opis = {Object(1, 3, 0.98)};
+  Sight sight = Frame(12);
+  sight.ned = {1.5, -2.25, 3.5};
+  sight.yaw = 0.5;
+  sight.altitude = 4.0;
+  sight.boxes = {
+      {{.u = 320.5, .v = 100, .w = 80, .h = 81, .confidence = 0.9, .color = "yellow"}, 3},
+      {{.u = 10, .v = 20, .w = 30, .h = 40, .confidence = 0.5, .color = "green"}, -1}};
+  record.sights = {sight, Frame(13)};
+  record.map = std::string("\0ot", 3);
+  record.mission["mission.moos"] = "Community = alpha\n";
+  return record;
+}
+
+TEST(SessionRecord, ComesBackFromItsFiles) {
+  const SessionRecord saved = Sample();
+  const Expected<SessionRecord> loaded = RecordOf(FilesOf(saved));
+  ASSERT_TRUE(loaded);
+  EXPECT_EQ(FilesOf(*loaded), FilesOf(saved));
+  EXPECT_EQ(loaded->sights.size(), 2U);
+  EXPECT_EQ(loaded->sights[0].boxes[1].box.color, "green");
+  EXPECT_FALSE(loaded->sights[1].altitude);
+  EXPECT_EQ(loaded->map, saved.map);
+}
+
+TEST(SessionRecord, NamesTheFileThatItDoesNotUnderstand) {
+  SessionFiles files = FilesOf(Sample());
+  files["sights.csv"] += "12,not a number\n";
+  const Expected<SessionRecord> loaded = RecordOf(files);
+  ASSERT_FALSE(loaded);
+  EXPECT_THAT(loaded.error().text, ::testing::StartsWith("sights.csv: line 4"));
+}
+
+TEST(SessionPrior, HandsOverObjectsThatWereThere) {
+  OpiBeliefs objects = Sample().objects;
+  objects.opis.push_back(Object(2, -1, 0.02));
+  SessionFacts facts;
+  facts.session = "discovery";
+  const SessionPrior prior = PriorOf(facts, objects);
+  ASSERT_EQ(prior.opis.size(), 1U);
+  EXPECT_EQ(prior.opis[0].id, 1);
+  EXPECT_EQ(prior.opis[0].log_likelihood_ratio, 8.5);
+  EXPECT_EQ(prior.session, "discovery");
+}
+
+TEST(SightsCsv, RefusesATextWithoutItsHeader) { EXPECT_FALSE(SightsFromCsv("1,2,3\n")); }
+
+}  // namespace
+}  // namespace limpet
