@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "apps/limpet/report/opi_score.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limpet {
+namespace {
+
+constexpr double kMatchRadius = 2.5;
+/// An object farther than this from its former place was moved.
+constexpr double kMovedDistance = 0.5;
+
+struct Belief {
+  const OpiBelief* opi = nullptr;
+  Eigen::Vector3d ned = Eigen::Vector3d::Zero();
+  Eigen::Vector3d sd = Eigen::Vector3d::Zero();
+};
+
+struct Place {
+  const ScenarioOpi* opi = nullptr;
+  Eigen::Vector3d ned = Eigen::Vector3d::Zero();
+};
+
+Eigen::Vector3d VectorOf(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
+
+/// The smoother's last word on the object, else what the map has.
+Belief BeliefOf(const OpiBelief& opi, const std::vector<Landmark>& landmarks) {
+  std::array<double, 3> ned = opi.ned;
+  std::array<double, 6> cov = opi.cov;
+  for (const Landmark& landmark : landmarks) {
+    if (opi.landmark >= 0 && landmark.id == opi.landmark) ned = landmark.ned, cov = landmark.cov;
+  }
+  const auto sd = [&cov](std::size_t i) { return std::sqrt(std::max(cov[i], 0.0)); };
+  return {&opi, VectorOf(ned), {sd(0), sd(3), sd(5)}};
+}
+
+bool SaysPresent(const OpiBelief& opi) {
+  return opi.decided == "new" || opi.decided == "confirmed" || opi.decided == "moved";
+}
+
+double ProbabilityOf(const OpiBelief& opi) {
+  const ChangePosterior& p = opi.posterior;
+  if (opi.decided == "confirmed") return p.confirmed;
+  if (opi.decided == "removed") return p.removed;
+  if (opi.decided == "new") return p.appeared;
+  return std::max({p.confirmed, p.removed, p.appeared, p.nothing});
+}
+
+/// For each place the belief it is matched with, or nullptr; nearest pairs first.
+std::vector<const Belief*> Match(const std::vector<Place>& places,
+                                 const std::vector<Belief>& beliefs) {
+  struct Pair {
+    double distance;
+    std::size_t place, belief;
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t j = 0; j < beliefs.size(); ++j) {
+      const double distance = (places[i].ned - beliefs[j].ned).norm();
+      if (distance <= kMatchRadius) pairs.push_back({distance, i, j});
+    }
+  }
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
+  std::vector<const Belief*> matched(places.size(), nullptr);
+  std::vector<bool> is_taken(beliefs.size(), false);
+  for (const Pair& pair : pairs) {
+    if (matched[pair.place] != nullptr || is_taken[pair.belief]) continue;
+    matched[pair.place] = &beliefs[pair.belief];
+    is_taken[pair.belief] = true;
+  }
+  return matched;
+}
+
+bool Contains(const std::vector<const Belief*>& matched, const Belief& belief) {
+  return std::find(matched.begin(), matched.end(), &belief) != matched.end();
+}
+
+void ScorePresence(const SessionRecord& record, const Scenario& scenario,
+                   const CommonOffset& offset, OpiScores& scores) {
+  std::vector<Belief> beliefs;
+  for (const OpiBelief& opi : record.opis) {
+    if (SaysPresent(opi)) beliefs.push_back(BeliefOf(opi, record.landmarks));
+  }
+  std::vector<Place> places;
+  for (const ScenarioOpi& opi : scenario.opis) {
+    if (const auto place = opi.Place(record.name)) places.push_back({&opi, *place});
+  }
+  const auto matched = Match(places, beliefs);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const ScenarioOpi& truth = *places[i].opi;
+    if (matched[i] == nullptr) {
+      scores.missed.push_back(truth.name);
+      continue;
+    }
+    const Belief& belief = *matched[i];
+    OpiScore score{.truth = truth.name, .color = truth.color, .radius_m = truth.radius_m};
+    score.truth_ned = places[i].ned;
+    score.slam_ned = belief.ned;
+    score.slam_sd = belief.sd;
+    score.map_centroid = VectorOf(belief.opi->centroid);
+    score.map_sd = VectorOf(belief.opi->centroid_sd);
+    score.probability = belief.opi->probability;
+    score.error_m = (belief.ned - places[i].ned).norm();
+    score.aligned_error_m = (offset.Apply(belief.ned) - places[i].ned).norm();
+    score.looks = belief.opi->looks;
+    scores.found.push_back(std::move(score));
+  }
+  for (const Belief& belief : beliefs) {
+    if (Contains(matched, belief)) continue;
+    scores.invented.push_back({belief.ned, belief.opi->color, belief.opi->probability});
+  }
+}
+
+std::optional<std::string> ExpectedStatus(const ScenarioOpi& opi) {
+  const auto before = opi.Place("discovery");
+  const auto now = opi.Place("change");
+  if (before && now) return (*before - *now).norm() > kMovedDistance ? "moved" : "confirmed";
+  if (before) return "removed";
+  if (now) return "new";
+  return std::nullopt;
+}
+
+/// True for what is left over at the old place of an object that was moved.
+bool IsTraceOfAMove(const Belief& belief, const Scenario& scenario) {
+  return std::any_of(scenario.opis.begin(), scenario.opis.end(), [&](const ScenarioOpi& opi) {
+    const auto before = opi.Place("discovery");
+    return ExpectedStatus(opi) == "moved" && belief.opi->decided == "removed" &&
+           (*before - belief.ned).norm() <= kMatchRadius;
+  });
+}
+
+void ScoreChanges(const SessionRecord& record, const Scenario& scenario, OpiScores& scores) {
+  std::vector<Belief> beliefs;
+  for (const OpiBelief& opi : record.opis)
+    beliefs.push_back(BeliefOf(opi, record.landmarks));
+  std::vector<Place> places;
+  for (const ScenarioOpi& opi : scenario.opis) {
+    auto place = opi.Place("change");
+    if (!place) place = opi.Place("discovery");
+    if (place) places.push_back({&opi, *place});
+  }
+  const auto matched = Match(places, beliefs);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    ChangeScore score{places[i].opi->name, ExpectedStatus(*places[i].opi), "uncertain", 0.0, {}};
+    if (matched[i] != nullptr) {
+      const OpiBelief& opi = *matched[i]->opi;
+      if (!opi.decided.empty()) score.decided = opi.decided;
+      score.probability = ProbabilityOf(opi);
+      score.ned = matched[i]->ned;
+    }
+    scores.changes.push_back(std::move(score));
+  }
+  for (const Belief& belief : beliefs) {
+    const bool is_decided = SaysPresent(*belief.opi) || belief.opi->decided == "removed";
+    if (!is_decided || Contains(matched, belief) || IsTraceOfAMove(belief, scenario)) continue;
+    scores.changes.push_back(
+        {std::nullopt, std::nullopt, belief.opi->decided, ProbabilityOf(*belief.opi), belief.ned});
+  }
+}
+
+}  // namespace
+
+OpiScores ScoreOpis(const SessionRecord& record, const Scenario& scenario,
+                    const CommonOffset& offset) {
+  OpiScores scores;
+  ScorePresence(record, scenario, offset, scores);
+  if (record.name == "change") ScoreChanges(record, scenario, scores);
+  return scores;
+}
+
+}  // namespace limpet

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/limpet/report/nav_score.hpp"
+#include "apps/limpet/report/session_record.hpp"
+#include "limpet/mission/scenario.hpp"
+
+namespace limpet {
+
+/// A true object and where the vehicle says it is. NED [m].
+struct OpiScore {
+  std::string truth;
+  std::string color;  ///< the true one
+  double radius_m = 0.5;
+  Eigen::Vector3d truth_ned = Eigen::Vector3d::Zero();
+  Eigen::Vector3d slam_ned = Eigen::Vector3d::Zero();
+  Eigen::Vector3d slam_sd = Eigen::Vector3d::Zero();
+  Eigen::Vector3d map_centroid = Eigen::Vector3d::Zero();
+  Eigen::Vector3d map_sd = Eigen::Vector3d::Zero();
+  double probability = 0.0;
+  double error_m = 0.0;
+  double aligned_error_m = 0.0;  ///< after the session's common offset and heading
+  int looks = 0;
+};
+
+/// A reported object that is not there.
+struct FalseOpi {
+  Eigen::Vector3d ned = Eigen::Vector3d::Zero();
+  std::string color;
+  double probability = 0.0;
+};
+
+/// What became of a true object between the sessions, and what the vehicle decided.
+struct ChangeScore {
+  std::optional<std::string> truth;     ///< nothing: a decision about nothing
+  std::optional<std::string> expected;  ///< confirmed, removed, new, moved
+  std::string decided;                  ///< one of these, or uncertain
+  double probability = 0.0;             ///< of what was decided
+  std::optional<Eigen::Vector3d> ned;   ///< where the vehicle says; nothing: it knows of no object
+  [[nodiscard]] bool is_right() const { return expected && *expected == decided; }
+};
+
+struct OpiScores {
+  std::vector<OpiScore> found;
+  std::vector<std::string> missed;
+  std::vector<FalseOpi> invented;
+  std::vector<ChangeScore> changes;  ///< empty unless the session is a change session
+};
+
+/// Matches reported and true objects one to one, nearest first, within 2.5 m.
+[[nodiscard]] OpiScores ScoreOpis(const SessionRecord& record, const Scenario& scenario,
+                                  const CommonOffset& offset);
+
+}  // namespace limpet

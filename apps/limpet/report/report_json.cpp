@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "apps/limpet/report/report_json.hpp"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+namespace limpet {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json Rounded(double value, double scale) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::round(value * scale) / scale + 0.0;  // + 0.0 turns -0 into 0
+}
+Json Length(double metres) { return Rounded(metres, 1e3); }
+Json Share(double share) { return Rounded(share, 1e4); }
+Json Time(double seconds) { return Rounded(seconds, 1e2); }
+Json Optional(const std::optional<double>& value, Json (*write)(double)) {
+  return value ? write(*value) : Json(nullptr);
+}
+Json Point(const Eigen::Vector3d& p) { return {Length(p.x()), Length(p.y()), Length(p.z())}; }
+
+Json Levels(const std::vector<CoverageLevel>& levels, double lowest) {
+  Json list = Json::array();
+  for (const CoverageLevel& level : levels) {
+    if (level.level < lowest) continue;
+    list.push_back({{"level", level.level},
+                    {"path_m", Optional(level.path_m, Length)},
+                    {"time_s", Optional(level.time_s, Time)}});
+  }
+  return list;
+}
+
+Json Navigation(const NavScore& nav) {
+  return {{"position_rmse_m", Length(nav.position_rmse_m)},
+          {"aligned_rmse_m", Length(nav.aligned_rmse_m)},
+          {"final_error_m", Length(nav.final_error_m)},
+          {"dead_reckoning_final_error_m", Length(nav.dead_reckoning_final_error_m)},
+          {"nees_mean", Share(nav.nees_mean)}};
+}
+
+Json Opis(const std::vector<OpiScore>& opis) {
+  Json list = Json::array();
+  for (const OpiScore& opi : opis) {
+    list.push_back({{"truth", opi.truth},
+                    {"truth_ned_m", Point(opi.truth_ned)},
+                    {"slam_ned_m", Point(opi.slam_ned)},
+                    {"slam_sd_m", Point(opi.slam_sd)},
+                    {"map_centroid_ned_m", Point(opi.map_centroid)},
+                    {"map_sd_m", Point(opi.map_sd)},
+                    {"error_m", Length(opi.error_m)},
+                    {"aligned_error_m", Length(opi.aligned_error_m)},
+                    {"looks", opi.looks}});
+  }
+  return list;
+}
+
+Json FalseOpis(const std::vector<FalseOpi>& opis) {
+  Json list = Json::array();
+  for (const FalseOpi& opi : opis) {
+    list.push_back(
+        {{"ned_m", Point(opi.ned)}, {"class", opi.color}, {"probability", Share(opi.probability)}});
+  }
+  return list;
+}
+
+Json Changes(const std::vector<ChangeScore>& changes) {
+  Json list = Json::array();
+  for (const ChangeScore& change : changes) {
+    list.push_back({{"truth", change.truth ? Json(*change.truth) : Json(nullptr)},
+                    {"expected", change.expected ? Json(*change.expected) : Json(nullptr)},
+                    {"decided", change.decided},
+                    {"probability", Share(change.probability)},
+                    {"ned_m", change.ned ? Point(*change.ned) : Json(nullptr)}});
+  }
+  return list;
+}
+
+Json Session(const SessionScore& session) {
+  Json out = {{"coverage", Levels(session.coverage.seabed, 0.90)},
+              {"detectable", Levels(session.coverage.band, 0.95)},
+              {"covered", Share(session.coverage.covered)},
+              {"detected_band", Share(session.coverage.detected_band)},
+              {"path_m", Length(session.path_m)},
+              {"duration_s", Time(session.duration_s)},
+              {"wall_s", Optional(session.wall_s, Length)},
+              {"realtime_factor", Optional(session.realtime_factor(), Time)},
+              {"ended", session.ended},
+              {"home_error_m", Optional(session.home_error_m, Length)},
+              {"nav", Navigation(session.nav)},
+              {"opis", Opis(session.opis.found)},
+              {"missed", session.opis.missed},
+              {"false", FalseOpis(session.opis.invented)}};
+  if (session.name == "change") {
+    out["prior_opis_seen_path_m"] = Optional(session.coverage.prior_opis_seen_path_m, Length);
+    out["changes"] = Changes(session.opis.changes);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string ReportJson(const RunScore& run) {
+  const ReportSettings& settings = run.settings;
+  const auto footprint = settings.footprint_m();
+  const auto centimetres = [](double metres) { return Rounded(metres, 1e2); };
+  Json report = {{"limpet", settings.version},
+                 {"mission", settings.mission},
+                 {"seed", settings.seed},
+                 {"settings",
+                  {{"planner", settings.planner},
+                   {"gain", settings.gain},
+                   {"camera", settings.camera},
+                   {"footprint_m", {centimetres(footprint[0]), centimetres(footprint[1])}},
+                   {"object_height_max_m", settings.object_height_max_m}}},
+                 {"sessions", Json::object()}};
+  for (const SessionScore& session : run.sessions) {
+    report["sessions"][session.name] = Session(session);
+  }
+  return report.dump(2) + "\n";
+}
+
+}  // namespace limpet

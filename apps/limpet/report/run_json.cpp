@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/limpet/report/report_json.hpp"
+#include "limpet/core/config.hpp"
+
+namespace limpet {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Eigen::Vector3d PointFrom(const Json& in) {
+  return {in.at(0).get<double>(), in.at(1).get<double>(), in.at(2).get<double>()};
+}
+
+Json PlaceJson(const std::optional<Eigen::Vector3d>& place) {
+  return place ? Json{place->x(), place->y(), place->z()} : Json(nullptr);
+}
+
+Json ScenarioJson(const Scenario& scenario) {
+  Json opis = Json::array();
+  for (const ScenarioOpi& opi : scenario.opis) {
+    Json places = Json::object();
+    for (const auto& [session, place] : opi.places)
+      places[session] = PlaceJson(place);
+    opis.push_back(
+        {{"name", opi.name}, {"color", opi.color}, {"radius_m", opi.radius_m}, {"places", places}});
+  }
+  const Scenario::Seabed& seabed = scenario.seabed;
+  return {{"seabed",
+           {{"depth_m", seabed.depth_m},
+            {"slope_deg", seabed.slope_deg},
+            {"slope_toward_deg", seabed.slope_toward_deg},
+            {"roughness_m", seabed.roughness_m},
+            {"seed", seabed.seed}}},
+          {"visibility_m", scenario.water.visibility_m},
+          {"current_north_mps", scenario.water.current_north_mps},
+          {"current_east_mps", scenario.water.current_east_mps},
+          {"start",
+           {{"north_m", scenario.start.north_m},
+            {"east_m", scenario.start.east_m},
+            {"heading_deg", scenario.start.heading_deg}}},
+          {"camera", scenario.camera},
+          {"opis", opis}};
+}
+
+Scenario ScenarioFrom(const Json& in) {
+  Scenario scenario;
+  const Json& seabed = in.at("seabed");
+  scenario.seabed = {seabed.at("depth_m"), seabed.at("slope_deg"), seabed.at("slope_toward_deg"),
+                     seabed.at("roughness_m"), seabed.at("seed")};
+  scenario.water = {in.at("visibility_m"), in.at("current_north_mps"), in.at("current_east_mps")};
+  const Json& start = in.at("start");
+  scenario.start = {start.at("north_m"), start.at("east_m"), start.at("heading_deg")};
+  scenario.camera = in.at("camera");
+  for (const Json& item : in.at("opis")) {
+    ScenarioOpi opi{item.at("name"), item.at("color"), item.at("radius_m"), {}};
+    for (const auto& [session, place] : item.at("places").items()) {
+      auto& entry = opi.places[session];
+      if (!place.is_null()) entry = PointFrom(place);
+    }
+    scenario.opis.push_back(std::move(opi));
+  }
+  return scenario;
+}
+
+Json SettingsJson(const ReportSettings& settings) {
+  const CameraGeometry& camera = settings.camera_geometry;
+  return {{"version", settings.version},
+          {"mission", settings.mission},
+          {"seed", settings.seed},
+          {"planner", settings.planner},
+          {"gain", settings.gain},
+          {"camera", settings.camera},
+          {"width_px", camera.width_px},
+          {"height_px", camera.height_px},
+          {"fov_across_rad", camera.fov_across},
+          {"fov_along_rad", camera.fov_along},
+          {"lever_arm_m", {camera.p_BC.x(), camera.p_BC.y(), camera.p_BC.z()}},
+          {"altitude_m", settings.altitude_m},
+          {"frame_rate_hz", settings.frame_rate_hz},
+          {"object_radius_m", settings.object_radius_m},
+          {"object_height_max_m", settings.object_height_max_m},
+          {"command", settings.command}};
+}
+
+ReportSettings SettingsFrom(const Json& in) {
+  ReportSettings settings;
+  settings.version = in.at("version");
+  settings.mission = in.at("mission");
+  settings.seed = in.at("seed");
+  settings.planner = in.at("planner");
+  settings.gain = in.at("gain");
+  settings.camera = in.at("camera");
+  CameraGeometry& camera = settings.camera_geometry;
+  camera.width_px = in.at("width_px");
+  camera.height_px = in.at("height_px");
+  camera.fov_across = in.at("fov_across_rad");
+  camera.fov_along = in.at("fov_along_rad");
+  const Json& lever = in.at("lever_arm_m");
+  camera.p_BC = PointFrom(lever);
+  settings.altitude_m = in.at("altitude_m");
+  settings.frame_rate_hz = in.at("frame_rate_hz");
+  settings.object_radius_m = in.at("object_radius_m");
+  settings.object_height_max_m = in.at("object_height_max_m");
+  settings.command = in.at("command");
+  return settings;
+}
+
+/// Wall times of a former report: the one thing a log cannot tell.
+std::map<std::string, double> FormerWallTimes(const std::filesystem::path& report) {
+  std::map<std::string, double> wall;
+  std::ifstream file(report);
+  const Json json = Json::parse(file, nullptr, false);
+  if (!json.is_object() || !json.contains("sessions")) return wall;
+  for (const auto& [name, session] : json["sessions"].items()) {
+    const auto entry = session.find("wall_s");
+    if (entry != session.end() && entry->is_number()) wall[name] = entry->get<double>();
+  }
+  return wall;
+}
+
+}  // namespace
+
+std::string RunJson(const ReportSettings& settings, const Scenario& scenario) {
+  return Json{{"settings", SettingsJson(settings)}, {"scenario", ScenarioJson(scenario)}}.dump(2) +
+         "\n";
+}
+
+RunDescription ReadRun(const std::filesystem::path& run) {
+  const std::filesystem::path path = run / "run.json";
+  std::ifstream file(path);
+  if (!file) {
+    throw ConfigError(
+        ConfigProblem{{path.string(), 0}, "run.json", "not there: not a run's folder"});
+  }
+  try {
+    const Json json = Json::parse(file);
+    RunDescription description{SettingsFrom(json.at("settings")),
+                               ScenarioFrom(json.at("scenario"))};
+    description.settings.wall_s = FormerWallTimes(run / "report.json");
+    return description;
+  } catch (const Json::exception& error) {
+    throw ConfigError(ConfigProblem{{path.string(), 0}, "run.json", error.what()});
+  }
+}
+
+}  // namespace limpet

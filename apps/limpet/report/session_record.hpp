@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/limpet/report/pose_track.hpp"
+#include "limpet/core/message.hpp"
+#include "limpet/topics/mapping.hpp"
+#include "limpet/topics/mission.hpp"
+#include "limpet/topics/navigation.hpp"
+
+namespace limpet {
+
+/// The survey grid as it was at the end of the session, and when each cell was first seen.
+struct GridRecord {
+  GridFrame frame;
+  std::vector<float> seen_height;  ///< greatest height seen [m]; -1 where never seen
+  std::vector<float> seabed_down;  ///< [m]; meaningful where seen
+  void Apply(const GridDelta& delta);
+};
+
+/// One decision of the helm: the path it chose and what it was offered.
+struct DecisionRecord {
+  Seconds time;
+  HelmPath path;
+  std::optional<HelmBids> bids;
+};
+
+/// How sure the vehicle was about its objects at one time.
+struct BeliefRecord {
+  Seconds time;
+  int opi = 0;
+  ChangePosterior posterior;
+};
+
+/// All that a report needs to know about one session, gathered message by message: from the running
+/// session or from its log, with the same result. Unknown and malformed messages are passed over.
+struct SessionRecord {
+  explicit SessionRecord(std::string session_name) : name(std::move(session_name)) {}
+  void Collect(const Message& message);
+  /// True for the variables that Collect reads; for a reader that wants to skip the rest.
+  [[nodiscard]] static bool Listens(const std::string& variable);
+
+  /// Start of the first phase of this name, or nothing.
+  [[nodiscard]] std::optional<Seconds> PhaseStart(const std::string& phase) const;
+
+  std::string name;  ///< discovery or change
+  PoseTrack truth;   ///< SIM_TRUTH, at most 25 Hz
+  PoseTrack nav;     ///< NAV_STATE
+  /// 1-sigma of north, east, down [m] and yaw [rad], one for each pose of `nav`.
+  std::vector<std::array<float, 4>> nav_sd;
+  PoseTrack dead_reckoning;
+  std::vector<Landmark> landmarks;    ///< as last published
+  std::vector<OpiBelief> opis;        ///< as last published
+  std::vector<BeliefRecord> beliefs;  ///< every change of every posterior
+  std::vector<Stamped<Coverage>> believed_coverage;
+  GridRecord grid;
+  std::vector<DecisionRecord> decisions;
+  std::vector<Stamped<std::string>> phases;
+  std::optional<SurveyArea> area;
+  std::optional<HomePoint> home;
+  std::string ended;  ///< MISSION_END; empty when the session was cut short
+};
+
+}  // namespace limpet

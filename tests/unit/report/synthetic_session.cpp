@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include "synthetic_session.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "limpet/topics/simulation.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kSpeed = 0.5;
+constexpr double kHalfNorth = 15.0, kHalfEast = 18.0;
+constexpr double kDepth = 3.5;
+
+struct Point {
+  double north, east, yaw;
+};
+
+/// Lanes along north joined by half circles, by the distance along them.
+Point PointAt(double way, double spacing) {
+  const double lane = 2.0 * (kHalfNorth - 2.5);
+  const double turn = std::numbers::pi * spacing / 2.0;
+  const int k = static_cast<int>(way / (lane + turn));
+  const double s = way - k * (lane + turn);
+  const double east = -kHalfEast + 2.5 + k * spacing;
+  const double sign = k % 2 == 0 ? 1.0 : -1.0;
+  if (s <= lane) return {sign * (s - 0.5 * lane), east, sign > 0.0 ? 0.0 : std::numbers::pi};
+  const double angle = (s - lane) / (spacing / 2.0);
+  return {sign * (0.5 * lane + 0.5 * spacing * std::sin(angle)),
+          east + 0.5 * spacing * (1.0 - std::cos(angle)),
+          sign > 0.0 ? angle : WrapAngle(std::numbers::pi - angle)};
+}
+
+double LengthOfWay(double spacing) {
+  const double lanes = std::floor((2.0 * kHalfEast - 5.0) / spacing + 1e-9) + 1.0;
+  return lanes * 2.0 * (kHalfNorth - 2.5) + (lanes - 1.0) * std::numbers::pi * spacing / 2.0;
+}
+
+class Recorder {
+ public:
+  template <class T>
+  void Post(const Topic<T>& topic, double time, const T& value) {
+    messages.push_back({topic.name, TopicCodec<T>::Encode(value), Seconds(kEpoch + time), "pTest",
+                        "", "alpha", -1});
+  }
+  std::vector<Message> messages;
+};
+
+/// What the image shows of the grid from here, as pMap would say.
+GridDelta DeltaAt(const Point& p) {
+  GridDelta delta;
+  delta.frame = {-kHalfNorth, -kHalfEast, 0.25, 120, 144};
+  for (int row = 0; row < delta.frame.rows; ++row) {
+    for (int column = 0; column < delta.frame.columns; ++column) {
+      const double north = -kHalfNorth + (row + 0.5) * 0.25 - p.north;
+      const double east = -kHalfEast + (column + 0.5) * 0.25 - p.east;
+      const double along = std::abs(north * std::cos(p.yaw) + east * std::sin(p.yaw));
+      const double across = std::abs(-north * std::sin(p.yaw) + east * std::cos(p.yaw));
+      const double height = std::min(4.0 - along / std::tan(0.5235987755982988),
+                                     4.0 - across / std::tan(0.6981317007977318));
+      if (height < 0.0) continue;
+      const double down =
+          7.5 + 0.15 * std::sin(0.4 * (north + p.north)) * std::cos(0.3 * (east + p.east));
+      delta.cells.push_back({static_cast<std::uint32_t>(row * delta.frame.columns + column),
+                             static_cast<float>(std::min(height, 2.0)), static_cast<float>(down)});
+    }
+  }
+  return delta;
+}
+
+HelmPath PathAhead(const Point& p, int id, const std::string& purpose) {
+  return {id, p.north, p.east, p.yaw, {{0.0, 8.0}, {1.0 / 3.0, 3.0}}, purpose};
+}
+
+HelmBids BidsFor(const HelmPath& path) {
+  HelmBids bids{path.id, "path end", 120, {}};
+  for (int i = 0; i < 4; ++i) {
+    const double turn = path.yaw + 0.35 * (i - 1);
+    bids.options.push_back({i < 3 ? "beam" : "home",
+                            11.0,
+                            7.5 - 2.0 * i,
+                            {path.north + 9.0 * std::cos(turn), path.east + 9.0 * std::sin(turn)},
+                            {{"BHV_CoverArea", 7.5 - 2.0 * i, 1.0, false, "useful 18 m"}}});
+  }
+  return bids;
+}
+
+void PostPose(Recorder& out, const SyntheticSession& session, double t, const Point& p, double down,
+              double way) {
+  SimTruth truth;
+  truth.north = p.north, truth.east = p.east, truth.down = down, truth.yaw = p.yaw;
+  out.Post(topics::kSimTruth, t, truth);
+  NavState nav;
+  nav.north = p.north + session.nav_offset_m, nav.east = p.east, nav.down = down, nav.yaw = p.yaw;
+  nav.sd_north = nav.sd_east = nav.sd_down = session.nav_sd_m;
+  out.Post(topics::kNavState, t, nav);
+  DeadReckoning reckoning;
+  reckoning.north = p.north + session.dead_reckoning_drift * way, reckoning.east = p.east;
+  reckoning.down = down;
+  out.Post(topics::kNavDeadReckoning, t, reckoning);
+}
+
+/// Objects become known one after the other, ever surer.
+OpiBeliefs BeliefsAt(const SyntheticSession& session, double done) {
+  OpiBeliefs beliefs;
+  for (std::size_t i = 0; i < session.opis.size(); ++i) {
+    const double since =
+        done - static_cast<double>(i) / (static_cast<double>(session.opis.size()) + 1.0);
+    if (since < 0.0) continue;
+    OpiBelief opi = session.opis[i];
+    const double share = 1.0 - std::exp(-12.0 * since);
+    for (double* p : {&opi.posterior.confirmed, &opi.posterior.removed, &opi.posterior.appeared}) {
+      *p = done >= 1.0 ? *p : 0.25 + share * (*p - 0.25);
+    }
+    beliefs.opis.push_back(opi);
+  }
+  return beliefs;
+}
+
+}  // namespace
+
+Scenario Table1Scenario() {
+  Scenario scenario;
+  scenario.start = {-12.5, -15.5, 90.0};
+  scenario.seabed.roughness_m = 0.0;
+  const auto place = [](double n, double e, double d) {
+    return std::optional<Eigen::Vector3d>(Eigen::Vector3d(n, e, d));
+  };
+  const std::optional<Eigen::Vector3d> absent;
+  scenario.opis = {
+      {"OPI 1", "yellow", 0.5, {{"discovery", place(4, 1, 5.5)}, {"change", place(4, 1, 5.5)}}},
+      {"OPI 2", "orange", 0.5, {{"discovery", place(2, 10, 7)}, {"change", absent}}},
+      {"OPI 3", "green", 0.5, {{"discovery", place(6, -3, 5.5)}, {"change", absent}}},
+      {"OPI 4", "yellow", 0.5, {{"discovery", place(-6, -5, 6.5)}, {"change", place(-6, -5, 6.5)}}},
+      {"OPI 5", "orange", 0.5, {{"discovery", absent}, {"change", place(-3, 11, 6)}}}};
+  return scenario;
+}
+
+ReportSettings Table1Settings() {
+  ReportSettings settings;
+  settings.mission = "table1";
+  settings.camera = "boxes";
+  settings.command = "limpet survey missions/table1 --seed 1";
+  settings.wall_s = {{"discovery", 12.5}, {"change", 14.25}};
+  return settings;
+}
+
+std::vector<OpiBelief> RightBeliefs(const Scenario& scenario, const std::string& session,
+                                    double error_m) {
+  std::vector<OpiBelief> beliefs;
+  for (const ScenarioOpi& truth : scenario.opis) {
+    const auto before = truth.Place("discovery");
+    const auto now = truth.Place(session);
+    if (!now && (session == "discovery" || !before)) continue;
+    OpiBelief opi;
+    opi.id = static_cast<int>(beliefs.size());
+    const Eigen::Vector3d place = now ? *now : *before;
+    opi.ned = {place.x(), place.y() + error_m, place.z()};
+    opi.cov = {0.04, 0.01, 0.0, 0.09, 0.0, 0.02};
+    opi.centroid = {place.x() + 0.1, place.y() + error_m, place.z() - 0.1};
+    opi.centroid_sd = {0.25, 0.3, 0.2};
+    opi.color = truth.color;
+    opi.probability = now ? 0.98 : 0.03;
+    opi.looks = 7;
+    const bool is_change = session == "change";
+    opi.decided = !now ? "removed" : is_change && before ? "confirmed" : "new";
+    opi.posterior = !now                  ? ChangePosterior{0.02, 0.96, 0.01, 0.01}
+                    : is_change && before ? ChangePosterior{0.97, 0.01, 0.01, 0.01}
+                                          : ChangePosterior{0.01, 0.01, 0.95, 0.03};
+    beliefs.push_back(opi);
+  }
+  return beliefs;
+}
+
+std::vector<Message> MessagesOf(const SyntheticSession& session) {
+  Recorder out;
+  out.Post(topics::kSurveyArea, 0.0, {-kHalfNorth, kHalfNorth, -kHalfEast, kHalfEast, 2.0, 2.0});
+  out.Post(topics::kSurveyHome, 0.0, {-12.5, -15.5});
+  out.Post(topics::kSurveyPhase, 0.0, std::string("DIVE"));
+  constexpr int kDiveTicks = 200;
+  const Point start = PointAt(0.0, session.lane_spacing_m);
+  for (int i = 0; i < kDiveTicks; ++i) {
+    PostPose(out, session, 0.1 * i, start, kDepth * i / kDiveTicks, 0.0);
+  }
+  out.Post(topics::kSurveyPhase, 20.0, std::string("SURVEY"));
+  const double length =
+      std::min(LengthOfWay(session.lane_spacing_m), session.seconds_of_survey * kSpeed);
+  const int ticks = static_cast<int>(length / kSpeed * 10.0);
+  int path_id = 0;
+  for (int i = 0; i <= ticks; ++i) {
+    const double t = 20.0 + 0.1 * i, way = 0.1 * i * kSpeed;
+    const Point p = PointAt(way, session.lane_spacing_m);
+    PostPose(out, session, t, p, kDepth, way);
+    if (i % 10 == 0) out.Post(topics::kMapDelta, t, DeltaAt(p));
+    if (i % 160 == 0) {
+      const HelmPath path = PathAhead(p, ++path_id, i % 800 == 0 ? "revisit" : "cover");
+      out.Post(topics::kHelmPath, t, path);
+      out.Post(topics::kHelmBids, t, BidsFor(path));
+    }
+    if (i % 20 == 0) {
+      const double done = static_cast<double>(i) / ticks;
+      out.Post(topics::kMapCoverage, t, Coverage{done, 0.97 * done, 0.95 * done});
+      out.Post(topics::kMapOpis, t, BeliefsAt(session, done));
+    }
+  }
+  const double end = 20.0 + 0.1 * ticks;
+  out.Post(topics::kMapOpis, end, OpiBeliefs{session.opis});
+  out.Post(topics::kSurveyPhase, end, std::string("ASCEND"));
+  out.Post(topics::kMissionEnd, end, std::string("home"));
+  return std::move(out.messages);
+}
+
+SessionRecord RecordOf(const SyntheticSession& session) {
+  SessionRecord record(session.name);
+  for (const Message& message : MessagesOf(session))
+    record.Collect(message);
+  return record;
+}
+
+}  // namespace limpet
