@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include "apps/limpet/verbs/survey.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/limpet/cli.hpp"
+#include "apps/limpet/report/progress_line.hpp"
+#include "apps/limpet/report/report.hpp"
+#include "apps/limpet/report/terminal_report.hpp"
+#include "apps/limpet/session_runner.hpp"
+#include "apps/pHelm/helm_params.hpp"
+#include "apps/pSurvey/survey_app.hpp"
+#include "limpet/app/registry.hpp"
+#include "limpet/mission/mission_file.hpp"
+#include "limpet/mission/scenario.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kHelp =
+    R"(usage: limpet survey <mission folder> [options]
+
+Surveys the mission's area once per session (embedded, on virtual time, no port opened),
+compares the sessions, and reports what is confirmed, new or removed.
+
+  --seed N             every random draw comes from it (default 1)
+  --out DIR            run folder (default runs/<mission>-<seed>)
+  --sessions LIST      sessions of scenario.yaml in order (default discovery,change)
+  --set OWNER.KEY=V    override a parameter of an app, or of a behavior by its name
+  --planner P          limpet, or paper: the 2025 paper's planner
+  --gain G             full, or coverage: objects have no say
+  --without-truth      withhold SIM_* from every app on board (the result must not change)
+)";
+
+struct SurveyCommand {
+  fs::path mission_folder;
+  std::string mission_name;
+  std::uint64_t seed = 1;
+  fs::path out;
+  std::vector<std::string> sessions;
+  std::vector<std::string> settings;
+  std::string planner, gain;
+  bool delivers_truth_on_board = true;
+  std::string command_line;
+};
+
+SurveyCommand ReadCommand(std::span<const std::string> args) {
+  const Arguments given(args, {"seed", "out", "sessions", "set", "planner", "gain"},
+                        {"without-truth", "help"});
+  if (given.positionals().size() != 1) {
+    throw UsageError("survey takes one mission folder, e.g. missions/table1");
+  }
+  SurveyCommand command;
+  command.mission_folder = fs::path(given.positionals()[0]).lexically_normal();
+  if (!command.mission_folder.has_filename()) {
+    command.mission_folder = command.mission_folder.parent_path();
+  }
+  command.mission_name = command.mission_folder.filename().string();
+  command.seed = static_cast<std::uint64_t>(given.Integer("seed", 1, 0));
+  command.out =
+      given.Find("out").value_or(fmt::format("runs/{}-{}", command.mission_name, command.seed));
+  command.sessions = Split(given.Find("sessions").value_or("discovery,change"), ',');
+  command.settings = given.All("set");
+  command.planner = given.Find("planner").value_or("");
+  command.gain = given.Find("gain").value_or("");
+  command.delivers_truth_on_board = !given.Has("without-truth");
+  for (const auto& [option, value] :
+       {std::pair{"planner", command.planner}, std::pair{"gain", command.gain}}) {
+    if (!value.empty()) {
+      command.settings.push_back(fmt::format("pHelm.{}={}", option, value));
+    }
+  }
+  command.command_line =
+      fmt::format("limpet survey missions/{} --seed {}", command.mission_name, command.seed);
+  for (const std::string& setting : command.settings) {
+    command.command_line += " --set " + setting;
+  }
+  return command;
+}
+
+/// A run may replace an earlier run, but nothing else.
+void PrepareRunFolder(const fs::path& out) {
+  if (fs::exists(out) && !fs::is_empty(out) && !fs::exists(out / "run.json")) {
+    throw UsageError(
+        fmt::format("{} holds something that is not a run; choose another --out", out.string()));
+  }
+  for (const char* part : {"figures", "report.json", "report.html", "run.json"}) {
+    fs::remove_all(out / part);
+  }
+  fs::create_directories(out);
+}
+
+template <class P>
+P ReadAppParams(const MissionFile& mission, const std::string& app) {
+  const ConfigBlock* block = mission.Block(app);
+  return block != nullptr ? ReadParams<P>(*block, CommonAppKeys()) : P{};
+}
+
+ReportSettings SettingsOf(const SurveyCommand& command, const MissionFile& mission,
+                          const Scenario& scenario) {
+  const auto helm = ReadAppParams<HelmParams>(mission, "pHelm");
+  const auto survey = ReadAppParams<SurveyApp::Params>(mission, "pSurvey");
+  const ConfigBlock* camera = mission.Block("uSimCamera");
+  const ConfigEntry* kind = camera != nullptr ? camera->Find("camera") : nullptr;
+  ReportSettings settings;
+  settings.mission = command.mission_name;
+  settings.seed = command.seed;
+  settings.planner = helm.planner;
+  settings.gain = helm.gain;
+  settings.camera = kind != nullptr && kind->value != "scenario" ? kind->value : scenario.camera;
+  settings.camera_geometry = helm.camera.geometry();
+  settings.altitude_m = survey.altitude.value();
+  settings.object_height_max_m = survey.object_height_max.value();
+  settings.object_radius_m = scenario.opis.empty() ? 0.5 : scenario.opis.front().radius_m;
+  settings.command = command.command_line;
+  return settings;
+}
+
+/// Objects must lie where the vehicle is asked to look; an object elsewhere is a slip of the pen.
+void CheckScenario(const Scenario& scenario, const SurveyApp::Params& survey, const fs::path& file,
+                   const std::vector<std::string>& sessions) {
+  std::vector<ConfigProblem> problems;
+  for (const ScenarioOpi& opi : scenario.opis) {
+    for (const std::string& session : sessions) {
+      const auto place = opi.Place(session);
+      const bool is_inside =
+          !place ||
+          (place->x() >= survey.north_min.value() && place->x() <= survey.north_max.value() &&
+           place->y() >= survey.east_min.value() && place->y() <= survey.east_max.value());
+      if (!is_inside) {
+        problems.push_back(
+            {{.file = file.string(), .line = 0},
+             opi.name,
+             fmt::format("{} [{}, {}] is outside the area north {} to {}, east {} to {} of pSurvey",
+                         session, place->x(), place->y(), survey.north_min.value(),
+                         survey.north_max.value(), survey.east_min.value(),
+                         survey.east_max.value())});
+      }
+    }
+  }
+  if (!problems.empty()) {
+    throw ConfigError(problems);
+  }
+}
+
+class SurveyRun {
+ public:
+  explicit SurveyRun(SurveyCommand command)
+      : command_(std::move(command)),
+        mission_(LoadMission(command_.mission_folder / "mission.moos")),
+        scenario_(LoadScenario(command_.mission_folder / "scenario.yaml")) {
+    for (const std::string& setting : command_.settings) {
+      ApplySetting(mission_, setting);
+    }
+    settings_ = SettingsOf(command_, mission_, scenario_);
+    CheckScenario(scenario_, ReadAppParams<SurveyApp::Params>(mission_, "pSurvey"),
+                  command_.mission_folder / "scenario.yaml", command_.sessions);
+  }
+
+  int Run() {
+    PrepareRunFolder(command_.out);
+    WriteRunDescription(settings_, scenario_, command_.out);
+    for (std::size_t i = 0; i < command_.sessions.size() && !interrupt_requested; ++i) {
+      RunOne(command_.sessions[i], i > 0 ? command_.out / command_.sessions[i - 1] : fs::path());
+    }
+    const RunScore score = WriteReport(records_, scenario_, settings_, command_.out);
+    PrintReport(score);
+    fmt::print("\nreport: {}\n", (command_.out / "report.html").string());
+    const bool all_home =
+        std::ranges::all_of(outcomes_, [](const auto& o) { return o.ended == "home"; });
+    return all_home && !interrupt_requested ? kOk : kFailed;
+  }
+
+ private:
+  void RunOne(const std::string& session, const fs::path& prior) {
+    const SessionPlan plan{.session = session,
+                           .mission_folder = command_.mission_folder,
+                           .run_folder = command_.out / session,
+                           .prior_folder = prior,
+                           .seed = command_.seed,
+                           .delivers_truth_on_board = command_.delivers_truth_on_board};
+    fs::remove_all(plan.run_folder);
+    SessionRecord& record = records_.emplace_back(session);
+    ProgressLine progress(session);
+    const SessionOutcome outcome = RunSession(mission_, plan, [&](const Message& message) {
+      record.Collect(message);
+      if (message.name == "MAP_COVERAGE") {
+        ReportProgress(record, progress);
+      }
+    });
+    settings_.wall_s[session] = outcome.wall_s;
+    outcomes_.push_back(outcome);
+    if (record.ended.empty()) {
+      record.ended = outcome.ended;
+    }
+  }
+
+  static void ReportProgress(const SessionRecord& record, ProgressLine& progress) {
+    if (record.believed_coverage.empty() || record.phases.empty()) {
+      return;
+    }
+    const Coverage& coverage = record.believed_coverage.back().value;
+    if (progress.IsDue(coverage.band_top)) {
+      progress.Update(coverage.band_top,
+                      fmt::format("{:<7} seabed {:3.0f} %  band {:3.0f} %  objects {}",
+                                  record.phases.back().value, 100.0 * coverage.seabed,
+                                  100.0 * coverage.band, record.opis.size()));
+    }
+  }
+
+  SurveyCommand command_;
+  MissionFile mission_;
+  Scenario scenario_;
+  ReportSettings settings_;
+  std::vector<SessionRecord> records_;
+  std::vector<SessionOutcome> outcomes_;
+};
+
+}  // namespace
+
+int RunSurvey(std::span<const std::string> args) {
+  if (std::ranges::find(args, "--help") != args.end()) {
+    fmt::print("{}", kHelp);
+    return kOk;
+  }
+  return SurveyRun(ReadCommand(args)).Run();
+}
+
+}  // namespace limpet
