@@ -58,6 +58,9 @@ struct Scenario {
 /// Throws ConfigError with every problem, each with file and line.
 [[nodiscard]] Scenario LoadScenario(const std::filesystem::path& file);
 
+/// The same from text; `file` names it in problems.
+[[nodiscard]] Scenario ParseScenario(const std::string& text, const std::string& file);
+
 /// NED depth of the true seabed at (north, east) [m]: slope plus a smooth random relief of standard
 /// deviation roughness_m.
 [[nodiscard]] double SeabedDepth(const Scenario::Seabed& seabed, double north, double east);

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/mission/mission_file.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "limpet/mission/mission_lines.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr std::size_t kPeerLineBytes = 2000;  // MOOS stops reading the file at such a line
+
+class MissionParser {
+ public:
+  explicit MissionParser(std::string file) { mission_.file = std::move(file); }
+
+  MissionFile Run(const std::vector<TextLine>& lines, std::vector<ConfigProblem> warnings) {
+    mission_.warnings = std::move(warnings);
+    variables_.Learn(lines);
+    for (const TextLine& line : lines) {
+      ParseLine(line);
+    }
+    if (place_ != Place::kTop) {
+      Complain(block_.where, block_.name, "the block has no closing `}`");
+    }
+    ParseLaunches();
+    if (!problems_.empty()) {
+      throw ConfigError(problems_);
+    }
+    return std::move(mission_);
+  }
+
+ private:
+  enum class Place { kTop, kBeforeBrace, kBlock };
+
+  void Complain(const SourceLine& where, std::string key, std::string text) {
+    problems_.push_back({where, std::move(key), std::move(text)});
+  }
+  void WarnOf(const SourceLine& where, std::string key, std::string text) {
+    mission_.warnings.push_back({where, std::move(key), std::move(text)});
+  }
+
+  void ParseLine(const TextLine& raw) {
+    if (raw.text.size() >= kPeerLineBytes) {
+      WarnOf(raw.where, "", "a line of 2000 bytes or more: MOOS would read no further");
+    }
+    // MOOS's helm reads its own block with quotes left in place.
+    const bool keeps_quotes = place_ == Place::kBlock && block_.name.starts_with("pHelm");
+    const bool had_quotes = raw.text.find('"') != std::string::npos;
+    TextLine line{CleanMissionLine(raw.text, keeps_quotes), raw.where};
+    if (line.text.empty()) {
+      return;
+    }
+    line.text = variables_.Substitute(line, problems_);
+    switch (place_) {
+      case Place::kTop:
+        ParseTop(line, had_quotes);
+        break;
+      case Place::kBeforeBrace:
+        ParseBrace(line);
+        break;
+      case Place::kBlock:
+        ParseInBlock(line);
+        break;
+    }
+  }
+
+  void ParseTop(const TextLine& line, bool had_quotes) {
+    // `/* ... */` banners are no comments to MOOS either; they survive because it ignores them.
+    if (line.text.starts_with("/*") || line.text.starts_with('*')) {
+      return;
+    }
+    KeyValue pair = SplitKeyValue(line.text);
+    if (EqualsIgnoringCase(pair.key, "ProcessConfig")) {
+      OpenBlock(pair.value, line.where);
+    } else if (line.text.starts_with('{') || line.text.starts_with('}')) {
+      Complain(line.where, line.text, "a brace without a `ProcessConfig = name` before it");
+    } else if (!pair.has_equals || pair.key.empty()) {
+      WarnOf(line.where, line.text, "is not `key = value`; ignored");
+    } else if (!IsDefine(pair.key) && !pair.value.empty()) {
+      if (!had_quotes) {
+        std::erase_if(pair.value, [](char letter) { return letter == ' ' || letter == '\t'; });
+      }
+      mission_.globals.push_back({pair.key, pair.value, line.where});
+    }
+  }
+
+  static bool IsDefine(std::string_view key) {
+    constexpr std::string_view kDefine = "define:";
+    return EqualsIgnoringCase(key.substr(0, kDefine.size()), kDefine);
+  }
+
+  /// Also takes `ProcessConfig = name {`, which MOOS overlooks.
+  void OpenBlock(std::string_view name, const SourceLine& where) {
+    const bool has_brace = name.ends_with('{');
+    if (has_brace) {
+      name = Trim(name.substr(0, name.size() - 1));
+    }
+    block_ = {.name = std::string(name), .where = where, .entries = {}};
+    place_ = has_brace ? Place::kBlock : Place::kBeforeBrace;
+    if (name.empty()) {
+      Complain(where, "ProcessConfig", "needs a name");
+    }
+  }
+
+  void ParseBrace(const TextLine& line) {
+    if (!line.text.starts_with('{')) {
+      Complain(line.where, block_.name, fmt::format("`{{` must come before `{}`", line.text));
+      place_ = Place::kTop;
+      ParseTop(line, false);
+      return;
+    }
+    place_ = Place::kBlock;
+    const std::string_view rest = Trim(std::string_view(line.text).substr(1));
+    if (!rest.empty()) {
+      ParseInBlock({std::string(rest), line.where});
+    }
+  }
+
+  void ParseInBlock(const TextLine& line) {
+    KeyValue pair = SplitKeyValue(line.text);
+    if (line.text.starts_with('}')) {
+      CloseBlock();
+    } else if (line.text.starts_with('{')) {
+      Complain(line.where, block_.name, "a second `{`; is a `}` missing above?");
+    } else if (EqualsIgnoringCase(pair.key, "ProcessConfig")) {
+      Complain(line.where, block_.name, "the block has no closing `}` before the next one");
+      CloseBlock();
+      OpenBlock(pair.value, line.where);
+    } else if (!pair.has_equals || pair.key.empty()) {
+      Complain(line.where, block_.name,
+               fmt::format("`{}` is neither a comment (//) nor `key = value`", line.text));
+    } else if (!IsDefine(pair.key)) {
+      const bool has_value =
+          !pair.value.empty() || line.text.find_first_of("[]") != std::string::npos;
+      if (has_value) {
+        block_.entries.push_back({pair.key, pair.value, line.where});
+      } else {
+        WarnOf(line.where, pair.key, "has no value; ignored");
+      }
+    }
+  }
+
+  void CloseBlock() {
+    place_ = Place::kTop;
+    if (const ConfigBlock* first = mission_.Block(block_.name)) {
+      WarnOf(block_.where, block_.name,
+             fmt::format("second block of this name; only the first, {}:{}, counts",
+                         first->where.file, first->where.line));
+      return;
+    }
+    mission_.blocks.push_back(std::move(block_));
+  }
+
+  void ParseLaunches() {
+    const ConfigBlock* antler = mission_.Block("ANTLER");
+    if (antler == nullptr) {
+      return;
+    }
+    for (const ConfigEntry& entry : antler->entries) {
+      if (EqualsIgnoringCase(entry.key, "Run")) {
+        ParseLaunch(entry);
+      }
+    }
+  }
+
+  /// `binary [@ opt=val, opt=val] [~ name]`.
+  void ParseLaunch(const ConfigEntry& run) {
+    std::string_view text = run.value;
+    LaunchEntry launch{.binary = {}, .moos_name = {}, .options = {}, .where = run.where};
+    if (const std::size_t tilde = text.rfind('~'); tilde != std::string_view::npos) {
+      launch.moos_name = std::string(Trim(text.substr(tilde + 1)));
+      text = text.substr(0, tilde);
+    }
+    const std::size_t at = text.find('@');
+    launch.binary = std::string(Trim(text.substr(0, at)));
+    if (at != std::string_view::npos) {
+      for (const std::string& option : Split(text.substr(at + 1), ',')) {
+        KeyValue pair = SplitKeyValue(option);
+        const std::string bare(Trim(option));
+        if (!bare.empty()) {  // InhibitMOOSParams and its like stand without a value
+          launch.options.push_back({pair.has_equals ? pair.key : bare, pair.value, run.where});
+        }
+      }
+    }
+    if (launch.binary.empty()) {
+      Complain(run.where, "Run", fmt::format("`{}` names no program", run.value));
+      return;
+    }
+    if (launch.moos_name.empty()) {
+      launch.moos_name = std::filesystem::path(launch.binary).filename().string();
+    }
+    mission_.launches.push_back(std::move(launch));
+  }
+
+  MissionFile mission_;
+  MissionVariables variables_;
+  std::vector<ConfigProblem> problems_;
+  Place place_ = Place::kTop;
+  ConfigBlock block_;
+};
+
+}  // namespace
+
+const ConfigBlock* MissionFile::Block(std::string_view name) const {
+  const auto found = std::ranges::find_if(
+      blocks, [name](const ConfigBlock& block) { return EqualsIgnoringCase(block.name, name); });
+  return found == blocks.end() ? nullptr : &*found;
+}
+
+std::string MissionFile::Global(std::string_view key) const {
+  const auto found = std::ranges::find_if(
+      globals, [key](const ConfigEntry& entry) { return EqualsIgnoringCase(entry.key, key); });
+  return found == globals.end() ? "" : found->value;
+}
+
+PlugOptions MissionPlugOptions(const std::filesystem::path& file) {
+  PlugOptions options;
+  options.search_folders = PlugFoldersAround(file);
+  options.undefined = PlugOptions::Undefined::kKeepMacro;
+  return options;
+}
+
+std::vector<TextLine> ConfigLines(std::string_view text, const std::filesystem::path& file,
+                                  const PlugOptions& options,
+                                  std::vector<ConfigProblem>& warnings) {
+  if (options.macros.empty() && !HasPlugDirective(text)) {
+    return SplitLines(text, file.string());
+  }
+  PlugResult result = ExpandPlugs(text, file, options);
+  std::ranges::move(result.warnings, std::back_inserter(warnings));
+  return std::move(result.lines);
+}
+
+MissionFile ParseMission(std::string_view text, const std::string& file) {
+  return ParseMission(text, file, MissionPlugOptions(file));
+}
+
+MissionFile ParseMission(std::string_view text, const std::string& file,
+                         const PlugOptions& options) {
+  std::vector<ConfigProblem> warnings;
+  const std::vector<TextLine> lines = ConfigLines(text, file, options, warnings);
+  return MissionParser(file).Run(lines, std::move(warnings));
+}
+
+MissionFile LoadMission(const std::filesystem::path& file) {
+  return ParseMission(ReadTextFile(file), file.string());
+}
+
+}  // namespace limpet

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// How MOOS reads one line of a mission file: comments, quotes, `key = value`, `${NAME}`.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "limpet/core/config.hpp"
+#include "limpet/mission/source_text.hpp"
+
+namespace limpet {
+
+/// Removes the comment and outer blanks, and the first pair of double quotes (`//` inside it is
+/// text) unless `keeps_quotes`.
+[[nodiscard]] std::string CleanMissionLine(std::string_view line, bool keeps_quotes);
+
+/// `key = value`, both trimmed; `key` is empty if there is no `=`.
+struct KeyValue {
+  std::string key;
+  std::string value;
+  bool has_equals = false;
+};
+[[nodiscard]] KeyValue SplitKeyValue(std::string_view line);
+
+/// The values of `${NAME}`: every `NAME = value` line of the file, last one first, then the
+/// environment.
+class MissionVariables {
+ public:
+  void Learn(const std::vector<TextLine>& lines);
+  /// Replaces each `${NAME}` once. Unknown ones lose their braces, as in MOOS, and are problems.
+  [[nodiscard]] std::string Substitute(const TextLine& line,
+                                       std::vector<ConfigProblem>& problems) const;
+
+ private:
+  std::map<std::string, std::string, std::less<>> values_;
+};
+
+}  // namespace limpet

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/mission/plug.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "limpet/mission/plug_condition.hpp"
+#include "limpet/mission/plug_macros.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxLines =
+    1'000'000;  // fragments that include each other's copies grow fast
+constexpr std::size_t kMaxDepth = 64;
+
+/// First word and the rest of a line, both trimmed.
+struct Words {
+  std::string_view first;
+  std::string_view rest;
+};
+Words FirstWord(std::string_view line) {
+  line = Trim(line);
+  const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+  return {line.substr(0, end), Trim(line.substr(end))};
+}
+
+/// `<name>` and `name` mean the same tag.
+std::string_view TagName(std::string_view text) {
+  text = Trim(text);
+  return text.starts_with('<') && text.ends_with('>') ? Trim(text.substr(1, text.size() - 2))
+                                                      : text;
+}
+
+class Expander {
+ public:
+  explicit Expander(const PlugOptions& options) : options_(options) {}
+
+  PlugResult Run(std::string_view text, const fs::path& file) {
+    for (const fs::path& macro_file : options_.macro_files) {
+      ReadMacroFile(macro_file);
+    }
+    for (const auto& [name, value] : options_.macros) {
+      macros_.Define(name, value);
+    }
+    ExpandFile(text, file, options_.tag);
+    return std::move(result_);
+  }
+
+ private:
+  [[noreturn]] static void Fail(const SourceLine& where, std::string_view key, std::string text) {
+    throw ConfigError({where, std::string(key), std::move(text)});
+  }
+  void WarnOf(const SourceLine& where, std::string_view key, std::string text) {
+    result_.warnings.push_back({where, std::string(key), std::move(text)});
+  }
+
+  void ExpandFile(std::string_view text, const fs::path& file, std::string_view tag) {
+    open_files_.push_back(file.lexically_normal());
+    if (open_files_.size() > kMaxDepth) {
+      Fail({file.string(), 0}, "#include", "nested too deeply");
+    }
+    std::vector<TextLine> lines = SplitLines(text, file.string());
+    const SourceLine end{file.string(), static_cast<int>(lines.size()) + 1};
+    if (tag.empty()) {
+      ExpandLines(lines, end);
+    } else {
+      ExpandSection(lines, tag, end);
+    }
+    Put("", end);
+    open_files_.pop_back();
+  }
+
+  void ExpandLines(const std::vector<TextLine>& lines, const SourceLine& end) {
+    PlugConditions conditions(macros_, options_.undefined == PlugOptions::Undefined::kRefuse);
+    for (const TextLine& line : lines) {
+      const Words words = FirstWord(line.text);
+      if (conditions.Takes(words.first, words.rest, line.where) || !conditions.is_active()) {
+        continue;
+      }
+      if (words.first == "#include") {
+        Include(words.rest, line.where);
+      } else if (words.first == "#define") {
+        Define(words.rest, line.where);
+      } else if (words.first != "<tag>") {
+        Emit(line);
+      }
+    }
+    conditions.RequireClosed(end);
+  }
+
+  /// The lines from each marker of `tag` to the next marker; directives in them are skipped.
+  void ExpandSection(const std::vector<TextLine>& lines, std::string_view tag,
+                     const SourceLine& end) {
+    bool is_inside = false;
+    bool is_found = false;
+    for (const TextLine& line : lines) {
+      const Words words = FirstWord(line.text);
+      if (words.first == "<tag>") {
+        is_inside = TagName(words.rest) == TagName(tag);
+        is_found = is_found || is_inside;
+      } else if (is_inside && !words.first.starts_with('#')) {
+        Emit(line);
+      }
+    }
+    if (!is_found) {
+      WarnOf({end.file, 0}, "<tag>", fmt::format("no section `{}`", tag));
+    }
+  }
+
+  void Put(std::string text, const SourceLine& where) {
+    if (result_.lines.size() >= kMaxLines) {
+      Fail(where, "", fmt::format("expands to more than {} lines", kMaxLines));
+    }
+    result_.lines.push_back({std::move(text), where});
+  }
+
+  void Emit(const TextLine& line) {
+    PlugMacros::Expansion expansion = macros_.Expand(line.text);
+    if (expansion.is_too_long) {
+      Fail(line.where, "", "expands to a line of more than 1 MiB; does a macro hold itself?");
+    }
+    if (expansion.undefined.empty()) {
+      Put(std::move(expansion.text), line.where);
+      return;
+    }
+    const std::string complaint = UndefinedText(expansion.undefined.front());
+    const bool is_comment = Trim(line.text).starts_with("//");
+    if (options_.undefined == PlugOptions::Undefined::kRefuse && !is_comment) {
+      Fail(line.where, "$(" + expansion.undefined.front() + ")", complaint);
+    }
+    if (!is_comment) {
+      WarnOf(line.where, "$(" + expansion.undefined.front() + ")", complaint);
+    }
+    const bool keeps_line = options_.undefined == PlugOptions::Undefined::kKeepLine;
+    Put(keeps_line ? line.text : std::move(expansion.text), line.where);
+  }
+
+  [[nodiscard]] std::string UndefinedText(const std::string& macro) const {
+    const std::string nearest = NearestWord(macro, macros_.Names());
+    return fmt::format("undefined macro{}",
+                       nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest));
+  }
+
+  void Define(std::string_view rest, const SourceLine& where) {
+    const Words words = FirstWord(rest);
+    std::string_view name = words.first;
+    if (name.starts_with("$(") && name.ends_with(')')) {
+      name = name.substr(2, name.size() - 3);
+    }
+    if (name.empty()) {
+      Fail(where, "#define", "needs a name");
+    }
+    if (macros_.Define(name, words.rest)) {
+      WarnOf(where, "#define", fmt::format("`{}` had another value; the last one wins", name));
+    }
+  }
+
+  void Include(std::string_view rest, const SourceLine& where) {
+    const PlugMacros::Expansion expansion = macros_.Expand(rest);
+    std::string_view name = Trim(expansion.text);
+    std::string_view tag;
+    if (const std::size_t open = name.rfind('<'); open != std::string_view::npos) {
+      tag = TagName(name.substr(open));
+      name = Trim(name.substr(0, open));
+    }
+    if (name.size() >= 2 && name.starts_with('"') && name.ends_with('"')) {
+      name = name.substr(1, name.size() - 2);
+    }
+    const std::optional<fs::path> file = FindInclude(name);
+    if (!file) {
+      Fail(where, "#include", fmt::format("`{}` is not found{}", name, SearchedText()));
+    }
+    if (std::ranges::find(open_files_, file->lexically_normal()) != open_files_.end()) {
+      Fail(where, "#include", fmt::format("`{}` includes itself", name));
+    }
+    ExpandFile(ReadTextFile(*file), *file, tag);
+  }
+
+  [[nodiscard]] std::optional<fs::path> FindInclude(std::string_view name) const {
+    std::vector<fs::path> folders{open_files_.front().parent_path()};
+    folders.insert(folders.end(), options_.search_folders.begin(), options_.search_folders.end());
+    for (const fs::path& folder : folders) {
+      std::error_code ignored;
+      if (!name.empty() && fs::is_regular_file(folder / name, ignored)) {
+        return folder / name;  // an absolute name replaces the folder
+      }
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::string SearchedText() const {
+    std::string text = " beside this file";
+    for (const fs::path& folder : options_.search_folders) {
+      text += ", nor in " + folder.string();
+    }
+    return text;
+  }
+
+  /// Later lines may use earlier ones; a conflicting redefinition is ignored.
+  void ReadMacroFile(const fs::path& file) {
+    for (const TextLine& line : SplitLines(ReadTextFile(file), file.string())) {
+      const std::string_view text = Trim(line.text);
+      if (text.empty() || text.starts_with('#') || text.starts_with("//")) {
+        continue;
+      }
+      const std::size_t equals = text.find('=');
+      const std::string_view name = Trim(text.substr(0, equals));
+      if (equals == std::string_view::npos || name.empty()) {
+        Fail(line.where, "", fmt::format("`{}` is not NAME=value", text));
+      }
+      const std::string value = macros_.Expand(Trim(text.substr(equals + 1))).text;
+      if (const auto old = macros_.Find(name); old && *old != value) {
+        WarnOf(line.where, name, "has another value already; this one is ignored");
+      } else {
+        macros_.Define(name, value);
+      }
+    }
+  }
+
+  const PlugOptions& options_;
+  PlugMacros macros_;
+  std::vector<fs::path> open_files_;  ///< from the input to the fragment being read
+  PlugResult result_;
+};
+
+void AddPlugFoldersAbove(fs::path folder, std::vector<fs::path>& found) {
+  std::error_code ignored;
+  for (int level = 0; level < 32; ++level) {
+    const fs::path candidate = folder / "plugs";
+    const bool is_known = std::ranges::find(found, candidate) != found.end();
+    if (!is_known && fs::is_directory(candidate, ignored)) {
+      found.push_back(candidate);
+    }
+    if (folder == folder.parent_path()) {
+      return;
+    }
+    folder = folder.parent_path();
+  }
+}
+
+}  // namespace
+
+bool HasPlugDirective(std::string_view text) {
+  constexpr std::array<std::string_view, 8> kDirectives{
+      "#include", "#define", "#ifdef", "#ifndef", "#elseifdef", "#else", "#endif", "<tag>"};
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    if (std::ranges::find(kDirectives, FirstWord(text.substr(0, end)).first) != kDirectives.end()) {
+      return true;
+    }
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return false;
+}
+
+PlugResult ExpandPlugs(std::string_view text, const fs::path& file, const PlugOptions& options) {
+  return Expander(options).Run(text, file);
+}
+
+std::vector<fs::path> PlugFoldersAround(const fs::path& file) {
+  std::vector<fs::path> absolute;
+  std::error_code ignored;
+  AddPlugFoldersAbove(fs::absolute(file, ignored).lexically_normal().parent_path(), absolute);
+  AddPlugFoldersAbove(fs::read_symlink("/proc/self/exe", ignored).parent_path(), absolute);
+  std::vector<fs::path> folders;
+  for (const fs::path& folder : absolute) {
+    folders.push_back(fs::proximate(folder, ignored));
+  }
+  return folders;
+}
+
+}  // namespace limpet

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/mission/scenario.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include "limpet/mission/source_text.hpp"
+#include "limpet/mission/yaml_reader.hpp"
+
+namespace limpet {
+namespace {
+
+using internal::TextOfNode;
+using internal::YamlReader;
+
+constexpr double kFarthest_m = 1e5;  // from the datum; beyond it a local grid means nothing
+
+void ReadSeabed(YamlReader& in, const YAML::Node& node, Scenario::Seabed& seabed) {
+  const std::string path = "seabed";
+  in.ReadMap(node, path,
+             {in.Number(path, "depth_m", seabed.depth_m, InRange(0.5, 6000.0)),
+              in.Number(path, "slope_deg", seabed.slope_deg, InRange(0.0, 45.0)),
+              in.Number(path, "slope_toward_deg", seabed.slope_toward_deg, InRange(-360.0, 360.0)),
+              in.Number(path, "roughness_m", seabed.roughness_m, InRange(0.0, 2.0)),
+              in.Integer(path, "seed", seabed.seed, InRange(0.0, 2147483647.0))});
+}
+
+void ReadWater(YamlReader& in, const YAML::Node& node, Scenario::Water& water) {
+  const std::string path = "water";
+  in.ReadMap(node, path,
+             {in.Number(path, "visibility_m", water.visibility_m, InRange(0.1, 100.0)),
+              in.Number(path, "current_north_mps", water.current_north_mps, InRange(-3.0, 3.0)),
+              in.Number(path, "current_east_mps", water.current_east_mps, InRange(-3.0, 3.0))});
+}
+
+void ReadStart(YamlReader& in, const YAML::Node& node, Scenario::Start& start) {
+  const std::string path = "start";
+  in.ReadMap(node, path,
+             {in.Number(path, "north_m", start.north_m, InRange(-kFarthest_m, kFarthest_m)),
+              in.Number(path, "east_m", start.east_m, InRange(-kFarthest_m, kFarthest_m)),
+              in.Number(path, "heading_deg", start.heading_deg, InRange(-360.0, 360.0))});
+}
+
+void ReadSensors(YamlReader& in, const YAML::Node& node, Scenario::Sensors& sensors) {
+  const std::string path = "sensors";
+  in.ReadMap(
+      node, path,
+      {in.Number(path, "dvl_dropout_per_min", sensors.dvl_dropout_per_min, InRange(0.0, 60.0)),
+       in.Number(path, "dvl_outlier_share", sensors.dvl_outlier_share, InRange(0.0, 1.0)),
+       in.Number(path, "yaw_bias_deg_per_h", sensors.yaw_bias_deg_per_h, InRange(-360.0, 360.0)),
+       in.Number(path, "heading_sigma_deg", sensors.heading_sigma_deg, InRange(0.0, 45.0)),
+       in.Number(path, "gps_sigma_m", sensors.gps_sigma_m, InRange(0.0, 100.0)),
+       in.Number(path, "false_detections_per_image", sensors.false_detections_per_image,
+                 InRange(0.0, 10.0))});
+}
+
+/// `[n, e, d]`, or nothing and a complaint.
+std::optional<Eigen::Vector3d> ReadPlace(YamlReader& in, const YAML::Node& node,
+                                         const std::string& key) {
+  std::array<double, 3> ned{};
+  bool is_good = node.IsSequence() && node.size() == ned.size();
+  for (std::size_t i = 0; is_good && i < ned.size(); ++i) {
+    const std::optional<double> value = YamlReader::NumberIn(node[i]);
+    is_good = value && std::abs(*value) <= kFarthest_m;
+    ned[i] = value.value_or(0.0);
+  }
+  if (!is_good) {
+    in.Complain(node, key,
+                fmt::format("{} is not allowed; allowed: [north, east, down] in metres, or null",
+                            TextOfNode(node)));
+    return std::nullopt;
+  }
+  return Eigen::Vector3d(ned[0], ned[1], ned[2]);
+}
+
+/// Any word may name a session, but not one that is a slip of the pen away from a known key.
+std::string MisspeltKey(const std::string& key) {
+  static const std::vector<std::string> known{"name", "color", "radius_m", "discovery", "change"};
+  const std::string nearest = NearestWord(key, known);
+  const bool is_near =
+      !nearest.empty() && !key.starts_with(nearest) &&
+      std::max(nearest.size(), key.size()) - std::min(nearest.size(), key.size()) <= 1;
+  return is_near ? nearest : "";
+}
+
+void ReadSessionPlace(YamlReader& in, const std::string& path, const std::string& key,
+                      const YAML::Node& node, ScenarioOpi& opi) {
+  const std::string known = MisspeltKey(key);
+  if (key != "discovery" && key != "change" && !known.empty()) {
+    in.Complain(node, path + "." + key, fmt::format("unknown key; did you mean `{}`?", known));
+  } else if (node.IsNull()) {
+    opi.places[key] = std::nullopt;
+  } else if (const auto place = ReadPlace(in, node, path + "." + key)) {
+    opi.places[key] = place;
+  }
+}
+
+ScenarioOpi ReadOpi(YamlReader& in, const YAML::Node& node, const std::string& path) {
+  ScenarioOpi opi;
+  const auto read_name = [&](const YAML::Node& name) {
+    if (!name.IsScalar() || name.Scalar().empty()) {
+      in.Complain(name, path + ".name", fmt::format("{} is no name", TextOfNode(name)));
+      return;
+    }
+    opi.name = name.Scalar();
+  };
+  in.ReadMap(node, path,
+             {{"name", read_name},
+              in.Choice(path, "color", opi.color,
+                        {"yellow", "orange", "green", "red", "blue", "white", "black", "purple"}),
+              in.Number(path, "radius_m", opi.radius_m, InRange(0.05, 5.0))},
+             [&](const std::string& key, const YAML::Node& place) {
+               ReadSessionPlace(in, path, key, place, opi);
+             });
+  if (node.IsMap() && (!node["name"] || !node["color"])) {
+    in.Complain(node, path, "needs a name and a color");
+  }
+  return opi;
+}
+
+void ReadOpis(YamlReader& in, const YAML::Node& node, std::vector<ScenarioOpi>& opis) {
+  if (!node.IsSequence() && !node.IsNull()) {
+    in.Complain(node, "opis", fmt::format("{} is not allowed; allowed: a list", TextOfNode(node)));
+    return;
+  }
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    ScenarioOpi opi = ReadOpi(in, node[i], fmt::format("opis[{}]", i));
+    if (!opi.name.empty() && std::ranges::count(opis, opi.name, &ScenarioOpi::name) > 0) {
+      in.Complain(node[i], fmt::format("opis[{}].name", i),
+                  fmt::format("`{}` is the name of two objects", opi.name));
+    }
+    opis.push_back(std::move(opi));
+  }
+}
+
+/// An object must be in the water: not above the surface, not wholly inside the seabed.
+void CheckPlaces(YamlReader& in, const YAML::Node& opis, const Scenario& scenario) {
+  for (std::size_t i = 0; i < scenario.opis.size(); ++i) {
+    const ScenarioOpi& opi = scenario.opis[i];
+    for (const auto& [session, place] : opi.places) {
+      if (!place) {
+        continue;
+      }
+      const double bottom = SeabedDepth(scenario.seabed, place->x(), place->y());
+      if (place->z() - opi.radius_m < 0.0 || place->z() - opi.radius_m > bottom) {
+        in.Complain(opis[i], fmt::format("opis[{}].{}", i, session),
+                    fmt::format("`{}` is not in the water: down {:.2f} m, radius {:.2f} m, seabed "
+                                "at {:.2f} m",
+                                opi.name, place->z(), opi.radius_m, bottom));
+      }
+    }
+  }
+}
+
+Scenario ReadScenario(YamlReader& in, const YAML::Node& root) {
+  Scenario scenario;
+  YAML::Node opis;
+  in.ReadMap(root, "",
+             {{"seabed", [&](const YAML::Node& n) { ReadSeabed(in, n, scenario.seabed); }},
+              {"water", [&](const YAML::Node& n) { ReadWater(in, n, scenario.water); }},
+              {"start", [&](const YAML::Node& n) { ReadStart(in, n, scenario.start); }},
+              {"opis",
+               [&](const YAML::Node& n) {
+                 opis = n;
+                 ReadOpis(in, n, scenario.opis);
+               }},
+              in.Choice("", "camera", scenario.camera, {"rendered", "boxes"}),
+              {"sensors", [&](const YAML::Node& n) { ReadSensors(in, n, scenario.sensors); }}});
+  if (in.problems().empty()) {
+    CheckPlaces(in, opis, scenario);
+  }
+  return scenario;
+}
+
+}  // namespace
+
+std::optional<Eigen::Vector3d> ScenarioOpi::Place(const std::string& session) const {
+  const auto found = places.find(session);
+  return found == places.end() ? std::nullopt : found->second;
+}
+
+Scenario ParseScenario(const std::string& text, const std::string& file) {
+  YamlReader in(file);
+  Scenario scenario;
+  try {
+    scenario = ReadScenario(in, YAML::Load(text));
+  } catch (const YAML::Exception& error) {
+    in.Complain(error.mark.line + 1, "", "not YAML: " + error.msg);
+  }
+  if (!in.problems().empty()) {
+    throw ConfigError(in.problems());
+  }
+  return scenario;
+}
+
+Scenario LoadScenario(const std::filesystem::path& file) {
+  return ParseScenario(ReadTextFile(file), file.string());
+}
+
+}  // namespace limpet

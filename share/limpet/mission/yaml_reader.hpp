@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Checked reading of YAML maps, for this library only.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "limpet/core/config.hpp"
+#include "limpet/core/params.hpp"
+
+namespace YAML {
+class Node;
+}
+
+namespace limpet::internal {
+
+/// Reads YAML maps by known keys and collects every problem: unknown or repeated keys, wrong types,
+/// values out of range.
+class YamlReader {
+ public:
+  explicit YamlReader(std::string file) : file_(std::move(file)) {}
+
+  using Handler = std::function<void(const YAML::Node& value)>;
+  struct Field {
+    std::string key;
+    Handler read;
+  };
+  /// Calls the handler of each key of `map`; `other` takes unknown keys, which are problems without
+  /// it. Keys in problems are shown below `path`, e.g. `seabed.depth_m`.
+  void ReadMap(const YAML::Node& map, const std::string& path, const std::vector<Field>& fields,
+               const std::function<void(const std::string& key, const YAML::Node&)>& other = {});
+
+  /// Stores a number in range.
+  [[nodiscard]] Field Number(const std::string& path, const char* key, double& field,
+                             Range<double> range);
+  [[nodiscard]] Field Integer(const std::string& path, const char* key, int& field,
+                              Range<double> range);
+  [[nodiscard]] Field Choice(const std::string& path, const char* key, std::string& field,
+                             std::vector<std::string> choices);
+
+  /// A finite number, or nothing.
+  [[nodiscard]] static std::optional<double> NumberIn(const YAML::Node& node);
+  void Complain(const YAML::Node& node, const std::string& key, std::string text);
+  void Complain(int line, const std::string& key, std::string text);
+  [[nodiscard]] const std::vector<ConfigProblem>& problems() const { return problems_; }
+
+ private:
+  std::string file_;
+  std::vector<ConfigProblem> problems_;
+};
+
+/// How a node reads in a complaint.
+[[nodiscard]] std::string TextOfNode(const YAML::Node& node);
+
+}  // namespace limpet::internal

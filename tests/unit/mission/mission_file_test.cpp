@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/mission/mission_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace limpet {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::string ErrorsOf(const std::string& text) {
+  try {
+    static_cast<void>(ParseMission(text, "m.moos"));
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(MissionFile, ReadsGlobalsWithoutCase) {
+  const MissionFile mission = ParseMission("  communitY = alpha  // the vehicle\n", "m.moos");
+  EXPECT_EQ(mission.Global("Community"), "alpha");
+}
+
+TEST(MissionFile, DropsBlanksInsideGlobals) {
+  EXPECT_EQ(ParseMission("LatOrigin = 43. 72\t1\n", "m.moos").Global("LatOrigin"), "43.721");
+}
+
+TEST(MissionFile, KeepsBlanksOfQuotedGlobals) {
+  EXPECT_EQ(ParseMission("Title = \"a // b\" // c\n", "m.moos").Global("title"), "a // b");
+}
+
+TEST(MissionFile, KeepsBlocksInFileOrderWithTheirLines) {
+  const MissionFile mission =
+      ParseMission("ProcessConfig = pA\n{\n  x = 1 2\n  X = 3\n} trailing text\n", "m.moos");
+  const ConfigBlock* block = mission.Block("PA");
+  ASSERT_NE(block, nullptr);
+  ASSERT_EQ(block->entries.size(), 2U);
+  EXPECT_EQ(block->entries[0].value, "1 2");
+  EXPECT_EQ(block->entries[1].where.line, 4);
+}
+
+TEST(MissionFile, AcceptsABraceOnTheHeaderLine) {
+  EXPECT_NE(ParseMission("processconfig=pA {\nx=1\n}\n", "m.moos").Block("pA"), nullptr);
+}
+
+TEST(MissionFile, UsesOnlyTheFirstBlockOfAName) {
+  const MissionFile mission =
+      ParseMission("ProcessConfig = pA\n{\nx=1\n}\nProcessConfig = pA\n{\nx=2\n}\n", "m.moos");
+  EXPECT_EQ(mission.Block("pA")->Find("x")->value, "1");
+  EXPECT_EQ(mission.warnings.size(), 1U);
+}
+
+TEST(MissionFile, KeepsQuotesInTheHelmsBlockOnly) {
+  const MissionFile mission = ParseMission(
+      "ProcessConfig = pHelmIvP\n{\nx=\"a\"\n}\nProcessConfig = pB\n{\nx=\"a\"\n}\n", "m.moos");
+  EXPECT_EQ(mission.Block("pHelmIvP")->Find("x")->value, "\"a\"");
+  EXPECT_EQ(mission.Block("pB")->Find("x")->value, "a");
+}
+
+TEST(MissionFile, DropsEntriesWithoutValueUnlessBracketed) {
+  const MissionFile mission =
+      ParseMission("ProcessConfig = pA\n{\nx =\nleft_context[a] =\n}\n", "m.moos");
+  ASSERT_EQ(mission.Block("pA")->entries.size(), 1U);
+  EXPECT_EQ(mission.Block("pA")->entries[0].key, "left_context[a]");
+}
+
+TEST(MissionFile, ListsLaunchesWithNamesAndOptions) {
+  const MissionFile mission = ParseMission(
+      "ProcessConfig = ANTLER\n{\n  Run = MOOSDB @ NewConsole = false\n"
+      "  Run = bin/pHelm @ NewConsole = false, ExtraProcessParams = HP ~ pHelm_Standby\n"
+      "  Run = /opt/pNav\n}\n",
+      "m.moos");
+  ASSERT_EQ(mission.launches.size(), 3U);
+  EXPECT_EQ(mission.launches[0].moos_name, "MOOSDB");
+  EXPECT_EQ(mission.launches[0].options[0].value, "false");
+  EXPECT_EQ(mission.launches[1].binary, "bin/pHelm");
+  EXPECT_EQ(mission.launches[1].moos_name, "pHelm_Standby");
+  EXPECT_EQ(mission.launches[1].options[1].key, "ExtraProcessParams");
+  EXPECT_EQ(mission.launches[2].moos_name, "pNav");
+}
+
+TEST(MissionFile, ReplacesVariablesByTheLastDefinition) {
+  const MissionFile mission = ParseMission(
+      "define: HOST = alpha\nServerHost = ${HOST}\nProcessConfig = pA\n{\nHOST = bravo\n}\n",
+      "m.moos");
+  EXPECT_EQ(mission.Global("ServerHost"), "bravo");
+  EXPECT_EQ(mission.Global("define:HOST"), "");
+}
+
+TEST(MissionFile, NamesAnUndefinedVariable) {
+  EXPECT_THAT(ErrorsOf("\nServerHost = ${LIMPET_NO_SUCH}\n"),
+              HasSubstr("m.moos:2: ${LIMPET_NO_SUCH}"));
+}
+
+TEST(MissionFile, ReadsLinesOfAnyLengthAndCarriageReturns) {
+  const std::string value(5000, 'x');
+  const MissionFile mission = ParseMission("A = " + value + "\r\nB = 2\r\n", "m.moos");
+  EXPECT_EQ(mission.Global("A"), value);
+  EXPECT_EQ(mission.Global("B"), "2");
+  EXPECT_EQ(mission.warnings.size(), 1U);
+}
+
+TEST(MissionFile, IgnoresBannersAsMoosDoes) {
+  EXPECT_TRUE(ParseMission("/* === banner ===\n * a = b\n */\n", "m.moos").globals.empty());
+}
+
+TEST(MissionFile, ReportsEveryBadLineOfABlock) {
+  const std::string errors = ErrorsOf("ProcessConfig = pA\n{\nfoo\nx=1\n# bar\n}\n");
+  EXPECT_THAT(errors, HasSubstr("m.moos:3: pA: `foo` is neither a comment"));
+  EXPECT_THAT(errors, HasSubstr("m.moos:5: pA: `# bar`"));
+}
+
+TEST(MissionFile, ReportsAMissingClosingBrace) {
+  EXPECT_THAT(ErrorsOf("ProcessConfig = pA\n{\nx=1\nProcessConfig = pB\n{\n}\n"),
+              HasSubstr("m.moos:4: pA: the block has no closing `}`"));
+  EXPECT_THAT(ErrorsOf("ProcessConfig = pA\n{\nx=1\n"), HasSubstr("m.moos:1: pA"));
+}
+
+TEST(MissionFile, ReportsAMissingOpeningBraceAndGoesOn) {
+  const std::string errors = ErrorsOf("ProcessConfig = pA\nx = 1\n}\n");
+  EXPECT_THAT(errors, HasSubstr("m.moos:2: pA: `{` must come before"));
+}
+
+TEST(MissionFile, LoadsTheIverMissionWhole) {
+  const std::filesystem::path file =
+      std::filesystem::path(LIMPET_SOURCE_DIR) /
+      "../shared/data/iver_umassd/simulation/iver__18_12_2016_____17_26_26/"
+      "iver__18_12_2016_____17_26_26._moos";
+  if (!std::filesystem::exists(file)) {
+    GTEST_SKIP() << "no shared data";
+  }
+  const MissionFile mission = LoadMission(file);
+  EXPECT_EQ(mission.Global("Community"), "iver");
+  EXPECT_EQ(mission.launches.size(), 9U);
+  EXPECT_NE(mission.Block("pHelmIvP"), nullptr);
+}
+
+TEST(MissionFile, LoadsOurOwnMissionsWithTheirPlugs) {
+  const MissionFile mission =
+      LoadMission(std::filesystem::path(LIMPET_SOURCE_DIR) / "missions/table1/mission.moos");
+  const ConfigBlock* nav = mission.Block("pNav");
+  ASSERT_NE(nav, nullptr);
+  ASSERT_NE(nav->Find("camera_fov_across_deg"), nullptr);
+  EXPECT_EQ(nav->Find("camera_fov_across_deg")->value, "80");
+  EXPECT_THAT(nav->Find("camera_width_px")->where.file, HasSubstr("plug_camera.moos"));
+  EXPECT_TRUE(mission.warnings.empty());
+}
+
+}  // namespace
+}  // namespace limpet

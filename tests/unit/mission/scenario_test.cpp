@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/mission/scenario.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limpet/mission/seabed.hpp"
+
+namespace limpet {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string ErrorsOf(const std::string& text) {
+  try {
+    static_cast<void>(ParseScenario(text, "s.yaml"));
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Scenario, LoadsTheTruthOfTable1) {
+  const Scenario scenario =
+      LoadScenario(std::filesystem::path(LIMPET_SOURCE_DIR) / "missions/table1/scenario.yaml");
+  ASSERT_EQ(scenario.opis.size(), 5U);
+  EXPECT_DOUBLE_EQ(scenario.seabed.depth_m, 7.5);
+  EXPECT_EQ(scenario.opis[1].color, "orange");
+  EXPECT_EQ(scenario.opis[1].Place("discovery"), Eigen::Vector3d(2, 10, 7));
+  EXPECT_EQ(scenario.opis[1].Place("change"), std::nullopt);
+  EXPECT_EQ(scenario.opis[4].Place("discovery"), std::nullopt);
+}
+
+TEST(Scenario, TakesDefaultsForWhatIsAbsent) {
+  const Scenario scenario = ParseScenario("camera: boxes\n", "s.yaml");
+  EXPECT_EQ(scenario.camera, "boxes");
+  EXPECT_DOUBLE_EQ(scenario.water.visibility_m, 8.0);
+}
+
+TEST(Scenario, NamesUnknownKeysWithTheNearest) {
+  EXPECT_THAT(ErrorsOf("seabed:\n  depht_m: 7\n"),
+              HasSubstr("s.yaml:2: seabed.depht_m: unknown key; did you mean `depth_m`?"));
+  EXPECT_THAT(ErrorsOf("watr: {}\n"), HasSubstr("did you mean `water`?"));
+}
+
+TEST(Scenario, ReportsEveryProblemAtOnce) {
+  const std::string errors = ErrorsOf(
+      "seabed: {depth_m: -3}\nwater: {visibility_m: clear}\ncamera: renderd\nsensors: [1]\n");
+  EXPECT_THAT(errors, HasSubstr("s.yaml:1: seabed.depth_m: `-3` is not allowed; allowed: 0.5 to"));
+  EXPECT_THAT(errors, HasSubstr("s.yaml:2: water.visibility_m: `clear`"));
+  EXPECT_THAT(errors, HasSubstr("s.yaml:3: camera: `renderd` is not allowed"));
+  EXPECT_THAT(errors, HasSubstr("s.yaml:4: sensors: a list of 1 is not allowed; allowed: a map"));
+}
+
+TEST(Scenario, AcceptsAnySessionNameForAPlace) {
+  const Scenario scenario = ParseScenario(
+      "opis:\n  - {name: A, color: red, winter: [1, 2, 3], change2: null}\n", "s.yaml");
+  EXPECT_EQ(scenario.opis[0].Place("winter"), Eigen::Vector3d(1, 2, 3));
+  EXPECT_TRUE(scenario.opis[0].places.contains("change2"));
+}
+
+TEST(Scenario, RefusesAMisspeltSession) {
+  EXPECT_THAT(ErrorsOf("opis:\n  - {name: A, color: red, chnage: null}\n"),
+              HasSubstr("s.yaml:2: opis[0].chnage: unknown key; did you mean `change`?"));
+}
+
+TEST(Scenario, RefusesAPlaceThatIsNoTriple) {
+  EXPECT_THAT(ErrorsOf("opis:\n  - {name: A, color: red, discovery: [1, 2]}\n"),
+              HasSubstr("opis[0].discovery: a list of 2 is not allowed"));
+}
+
+TEST(Scenario, RefusesTwoObjectsOfOneName) {
+  EXPECT_THAT(ErrorsOf("opis:\n  - {name: A, color: red}\n  - {name: A, color: red}\n"),
+              HasSubstr("s.yaml:3: opis[1].name: `A` is the name of two objects"));
+}
+
+TEST(Scenario, RefusesAnObjectInsideTheSeabedOrInTheAir) {
+  EXPECT_THAT(ErrorsOf("opis:\n  - {name: A, color: red, discovery: [0, 0, 9]}\n"),
+              HasSubstr("`A` is not in the water"));
+  EXPECT_THAT(ErrorsOf("opis:\n  - {name: A, color: red, discovery: [0, 0, 0.2]}\n"),
+              HasSubstr("`A` is not in the water"));
+}
+
+TEST(Scenario, RefusesAKeyGivenTwice) {
+  EXPECT_THAT(ErrorsOf("camera: boxes\ncamera: boxes\n"), HasSubstr("s.yaml:2: camera: is given"));
+}
+
+TEST(Scenario, NamesTheLineWhereTheYamlBreaks) {
+  EXPECT_THAT(ErrorsOf("camera: boxes\nopis: [\n"), HasSubstr("not YAML"));
+}
+
+TEST(Scenario, SaysWhichFileCannotBeRead) {
+  EXPECT_THROW(static_cast<void>(LoadScenario("/nonexistent/scenario.yaml")), ConfigError);
+}
+
+TEST(Seabed, SlopesDownTowardsItsDirection) {
+  const Scenario::Seabed scenario{
+      .depth_m = 10.0, .slope_deg = 45.0, .slope_toward_deg = 90.0, .roughness_m = 0.0, .seed = 1};
+  EXPECT_NEAR(SeabedDepth(scenario, 100.0, 3.0), 13.0, 1e-9);
+}
+
+TEST(Seabed, HasReliefOfTheGivenStandardDeviationAndNoMean) {
+  for (const int seed : {1, 2, 3}) {
+    const Seabed seabed({.depth_m = 10.0, .roughness_m = 0.2, .seed = seed});
+    double sum = 0.0;
+    double squares = 0.0;
+    int count = 0;
+    for (double north = -60.0; north < 60.0; north += 0.37) {
+      for (double east = -60.0; east < 60.0; east += 0.41) {
+        const double relief = seabed.Depth(north, east) - 10.0;
+        sum += relief;
+        squares += relief * relief;
+        ++count;
+      }
+    }
+    EXPECT_NEAR(sum / count, 0.0, 0.005);
+    EXPECT_NEAR(std::sqrt(squares / count), 0.2, 0.01);
+  }
+}
+
+TEST(Seabed, IsTheSameSurfaceBothWays) {
+  const Scenario::Seabed scenario{.roughness_m = 0.1, .seed = 7};
+  const Seabed seabed(scenario);
+  EXPECT_EQ(seabed.Depth(3.1, -4.7), SeabedDepth(scenario, 3.1, -4.7));
+}
+
+TEST(Seabed, DiffersBySeed) {
+  EXPECT_NE(SeabedDepth({.roughness_m = 0.1, .seed = 1}, 1.0, 1.0),
+            SeabedDepth({.roughness_m = 0.1, .seed = 2}, 1.0, 1.0));
+}
+
+TEST(Seabed, IsSmooth) {
+  const Seabed seabed({.roughness_m = 0.05, .seed = 1});
+  for (double north = -5.0; north < 5.0; north += 0.01) {
+    EXPECT_NEAR(seabed.Depth(north, 1.0), seabed.Depth(north + 0.01, 1.0), 0.01);
+  }
+}
+
+}  // namespace
+}  // namespace limpet
