@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <memory>
-#include <optional>
 #include <string>
-#include <unordered_map>
+#include <string_view>
 #include <vector>
 
 #include "limpet/core/message.hpp"
 #include "limpet/helm/behavior.hpp"
 #include "limpet/helm/view_decision.hpp"
 #include "limpet/mission/behavior_file.hpp"
+#include "limpet/mission/flag.hpp"
+#include "limpet/mission/mode_set.hpp"
 
 namespace limpet {
 
@@ -21,8 +23,8 @@ struct HelmPost {
   std::string aux;  ///< which behavior or rule
 };
 
-/// Builds the behaviors of .bhv files and keeps their run states: modes, conditions, flags and updates, as MOOS-IvP
-/// defines them (idle, running, active).
+/// Builds the behaviors of .bhv files and keeps their run states: modes, conditions, flags and
+/// updates, as MOOS-IvP defines them.
 class BehaviorHost {
  public:
   /// Throws ConfigError with every problem of every behavior; an unknown parameter is one.
@@ -34,25 +36,28 @@ class BehaviorHost {
   [[nodiscard]] std::vector<std::string> Variables() const;
   /// Posts of `initialize` lines.
   [[nodiscard]] std::vector<HelmPost> InitialPosts() const;
-  /// Takes mail: the value table, and updates of behaviors.
+  /// Takes mail: a value for the conditions, or an update of behaviors.
   void SetVariable(const std::string& name, const Value& value);
 
-  /// Evaluates modes and conditions; starts what begins to run; returns flags and changed modes to post.
+  /// Evaluates modes and conditions; starts what begins to run; returns flags and changed modes.
   [[nodiscard]] std::vector<HelmPost> Update(const VehicleState& state);
   /// Behaviors now running, in file order.
   [[nodiscard]] const std::vector<WeightedBehavior>& running() const { return running_; }
-  [[nodiscard]] std::vector<std::string> IdleNames() const;
-  /// What the last updates said that could not be applied, oldest first; cleared by the call.
+  /// Updates that could not be applied since the last call, oldest first.
   [[nodiscard]] std::vector<BehaviorWarning> TakeWarnings();
 
  private:
   struct Hosted;
-  const Value* Find(std::string_view name) const;
-  void AddBehavior(const ConfigBlock& block, std::vector<ConfigProblem>& problems);
+  [[nodiscard]] const Value* Find(std::string_view name) const;
+  void AddBehavior(ConfigBlock block, std::vector<ConfigProblem>& problems);
+  void UpdateRunState(Hosted& hosted, const VehicleState& state, std::vector<HelmPost>& posts);
+  void PostFlags(const Hosted& hosted, const std::vector<Flag>& flags, const VehicleState& state,
+                 std::vector<HelmPost>& posts);
   void ApplyUpdate(Hosted& hosted, const std::string& text);
 
-  std::vector<BehaviorFile> files_;
-  std::unordered_map<std::string, Value> variables_;
+  std::vector<InitialPost> initializes_;
+  std::unique_ptr<ModeSet> modes_;
+  std::map<std::string, Value, std::less<>> variables_;
   std::vector<std::unique_ptr<Hosted>> hosted_;
   std::vector<WeightedBehavior> running_;
   std::vector<BehaviorWarning> warnings_;
