@@ -86,21 +86,51 @@ class UsualColors {
   Eigen::Matrix3d whiten_ = Eigen::Matrix3d::Zero();
 };
 
-}  // namespace
-
-void ColorShapeDetector::Shrink(const ImageView& image) {
-  factor_ = std::max(1, (image.width_px + kSmallWidth / 2) / kSmallWidth);
-  small_.width_px = image.width_px / factor_;
-  small_.height_px = image.height_px / factor_;
-  small_.bgr.resize(3 * static_cast<std::size_t>(small_.width_px) *
-                    static_cast<std::size_t>(small_.height_px));
+/// Means over `factor` x `factor` pixels; a remainder at the right and bottom is left out.
+void Reduce(const ImageView& image, int factor, Image& reduced) {
+  reduced.width_px = image.width_px / factor;
+  reduced.height_px = image.height_px / factor;
+  reduced.bgr.resize(3 * static_cast<std::size_t>(reduced.width_px) *
+                     static_cast<std::size_t>(reduced.height_px));
   // OpenCV takes no const pixels, but resize leaves its source alone.
   const cv::Mat full(
       image.height_px, image.width_px, CV_8UC3,
       const_cast<std::uint8_t*>(image.bgr));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
-  cv::Mat reduced(small_.height_px, small_.width_px, CV_8UC3, small_.bgr.data());
-  const cv::Rect whole(0, 0, small_.width_px * factor_, small_.height_px * factor_);
-  cv::resize(full(whole), reduced, reduced.size(), 0.0, 0.0, cv::INTER_AREA);
+  cv::Mat target(reduced.height_px, reduced.width_px, CV_8UC3, reduced.bgr.data());
+  const cv::Rect whole(0, 0, reduced.width_px * factor, reduced.height_px * factor);
+  cv::resize(full(whole), target, target.size(), 0.0, 0.0, cv::INTER_AREA);
+}
+
+/// Of boxes that share more than half of the smaller one, the most confident.
+std::vector<Box> WithoutRepeats(const std::vector<Box>& boxes) {
+  const auto rect = [](const Box& box) {
+    return PixelRect{box.u - 0.5 * box.w, box.v - 0.5 * box.h, box.u + 0.5 * box.w,
+                     box.v + 0.5 * box.h};
+  };
+  std::vector<Box> kept;
+  for (const Box& box : boxes) {
+    const bool repeats = std::ranges::any_of(kept, [&box, &rect](const Box& other) {
+      const double least = std::min(rect(box).area(), rect(other).area());
+      return Intersection(rect(box), rect(other)).area() > 0.5 * least;
+    });
+    if (!repeats) {
+      kept.push_back(box);
+    }
+  }
+  return kept;
+}
+
+/// Rises from 0 at `low` to 1 at `high`.
+double Ramp(double value, double low, double high) {
+  return std::clamp((value - low) / (high - low), 0.0, 1.0);
+}
+
+}  // namespace
+
+void ColorShapeDetector::Shrink(const ImageView& image) {
+  factor_ = std::max(1, (image.width_px + kSmallWidth / 2) / kSmallWidth);
+  Reduce(image, std::max(1, factor_ / 2), half_);
+  Reduce(image, factor_, small_);
 }
 
 /// Four planes: yellowness, redness and greenness (differences over the sum, so that shading drops
@@ -166,47 +196,74 @@ void ColorShapeDetector::CollectCandidates(const Plane& plane,
   }
 }
 
-bool ColorShapeDetector::Verify(const ImageView& image, const Candidate& candidate,
-                                Box& box) const {
-  const std::optional<Contrast> first = MeasureContrast(image, candidate.ellipse, kFullNoise);
-  if (!first) {
-    return false;
+/// At the finest resolution at which the colour stands out from the noise: faint outlines need the
+/// mean of more pixels.
+std::optional<ColorShapeDetector::Finding> ColorShapeDetector::Refine(const ImageView& image,
+                                                                      const Ellipse& guess) const {
+  constexpr double kClear = 5.0;
+  const int half = std::max(1, factor_ / 2);
+  struct Scaled {
+    ImageView view;
+    int factor;
+    double noise;
+  };
+  const std::array<Scaled, 3> pyramid{{{image, 1, kFullNoise},
+                                       {half_.view(), half, 0.6 * kFullNoise},
+                                       {small_.view(), factor_, kSmallNoise}}};
+  for (const Scaled& scaled : pyramid) {
+    const double f = scaled.factor;
+    const Ellipse ellipse{guess.center / f, guess.axes / f};
+    const std::optional<Contrast> contrast = MeasureContrast(scaled.view, ellipse, scaled.noise);
+    const bool is_last = scaled.factor == factor_;
+    if (!contrast || (!is_last && (contrast->separation < kClear))) {
+      continue;
+    }
+    std::optional<RefinedOutline> outline = RefineOutline(scaled.view, ellipse, *contrast);
+    if (!outline) {
+      return std::nullopt;
+    }
+    const std::optional<Contrast> settled =
+        MeasureContrast(scaled.view, outline->ellipse, scaled.noise);
+    if (!settled) {
+      return std::nullopt;
+    }
+    outline->ellipse = {outline->ellipse.center * f, outline->ellipse.axes * f};
+    return Finding{*outline, *settled};
   }
-  const std::optional<RefinedOutline> outline = RefineOutline(image, candidate.ellipse, *first);
-  if (!outline || outline->support < 0.5 || outline->sides < 0.25 ||
-      outline->ellipse.Elongation() > 1.9 ||
-      outline->ellipse.MeanRadius() < settings_.least_radius_px) {
-    return false;
+  return std::nullopt;
+}
+
+std::optional<Box> ColorShapeDetector::Verify(const ImageView& image,
+                                              const Candidate& candidate) const {
+  const std::optional<Finding> finding = Refine(image, candidate.ellipse);
+  if (!finding) {
+    return std::nullopt;
   }
-  const std::optional<Contrast> contrast = MeasureContrast(image, outline->ellipse, kFullNoise);
-  if (!contrast) {
-    return false;
-  }
-  const std::optional<PaintClass> paint = ClassifyPaint(*contrast);
-  if (!paint) {
-    return false;
-  }
-  const PixelRect rect = outline->ellipse.VisiblePart(image.width_px, image.height_px);
-  if (rect.area() <= 0.0) {
-    return false;
-  }
-  box = {.u = rect.center_u(),
-         .v = rect.center_v(),
-         .w = rect.width(),
-         .h = rect.height(),
-         .confidence = contrast->support * outline->support,
-         .color = paint->color};
+  const auto& [outline, contrast] = *finding;
+  const PixelRect rect = outline.ellipse.VisiblePart(image.width_px, image.height_px);
+  const std::optional<PaintClass> paint = ClassifyPaint(contrast);
   if (getenv("DBG")) {
-    const Eigen::Vector3d d = contrast->inside - contrast->outside;
+    const Eigen::Vector3d d = contrast.inside - contrast.outside;
     printf(
         "cand q %.2f rect %.0f %.0f %.0f %.0f | sup %.2f sides %.2f rough %.3f elong %.2f r %.1f | "
-        "sep %.1f csup %.2f | dB %.0f dG %.0f dR %.0f | out %.0f %.0f %.0f\n",
-        candidate.quality, rect.left, rect.top, rect.width(), rect.height(), outline->support,
-        outline->sides, outline->roughness, outline->ellipse.Elongation(),
-        outline->ellipse.MeanRadius(), contrast->separation, contrast->support, d(0), d(1), d(2),
-        contrast->outside(0), contrast->outside(1), contrast->outside(2));
+        "sep %.1f csup %.2f | dB %.0f dG %.0f dR %.0f | %s %.2f\n",
+        candidate.quality, rect.left, rect.top, rect.width(), rect.height(), outline.support,
+        outline.sides, outline.roughness, outline.ellipse.Elongation(),
+        outline.ellipse.MeanRadius(), contrast.separation, contrast.support, d(0), d(1), d(2),
+        paint ? paint->color.c_str() : "none", paint ? paint->certainty : 0.0);
   }
-  return box.confidence >= settings_.least_confidence;
+  if (!paint || outline.sides < 0.2 || outline.ellipse.Elongation() > 1.9 ||
+      outline.ellipse.MeanRadius() < settings_.least_radius_px || rect.area() <= 0.0) {
+    return std::nullopt;
+  }
+  const double shape = Ramp(outline.support, 0.4, 0.9) * Ramp(0.12 - outline.roughness, 0.0, 0.06);
+  const double color = Ramp(contrast.separation, 1.0, 6.0) * Ramp(contrast.support, 0.5, 0.95);
+  return Box{.u = rect.center_u(),
+             .v = rect.center_v(),
+             .w = rect.width(),
+             .h = rect.height(),
+             .confidence = std::sqrt(std::sqrt(shape * color) * Ramp(paint->certainty, -0.5, 1.0)),
+             .color = paint->color};
 }
 
 std::vector<Box> ColorShapeDetector::Detect(const ImageView& image) {
@@ -227,13 +284,13 @@ std::vector<Box> ColorShapeDetector::Detect(const ImageView& image) {
       continue;
     }
     chosen.push_back(candidate);
-    Box box;
-    if (Verify(image, candidate, box)) {
-      boxes.push_back(box);
+    const std::optional<Box> box = Verify(image, candidate);
+    if (box && box->confidence >= settings_.least_confidence) {
+      boxes.push_back(*box);
     }
   }
   std::ranges::stable_sort(boxes, std::ranges::greater(), &Box::confidence);
-  return boxes;
+  return WithoutRepeats(boxes);
 }
 
 }  // namespace limpet

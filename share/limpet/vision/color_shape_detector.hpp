@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "limpet/vision/blob_finder.hpp"
@@ -30,14 +31,20 @@ class ColorShapeDetector final : public Detector {
     PixelRect rect;
     double quality = 0.0;
   };
+  struct Finding {
+    RefinedOutline outline;  ///< pixels of the full image
+    Contrast contrast;
+  };
   void Shrink(const ImageView& image);
   void FillPlanes();
   void CollectCandidates(const Plane& plane, std::vector<Candidate>& candidates) const;
   [[nodiscard]] bool Assess(const Blob& blob, Candidate& candidate) const;
-  [[nodiscard]] bool Verify(const ImageView& image, const Candidate& candidate, Box& box) const;
+  [[nodiscard]] std::optional<Finding> Refine(const ImageView& image, const Ellipse& guess) const;
+  [[nodiscard]] std::optional<Box> Verify(const ImageView& image, const Candidate& candidate) const;
 
   ColorShapeSettings settings_;
-  int factor_ = 4;  ///< full over reduced resolution
+  int factor_ = 4;  ///< full over least resolution
+  Image half_;
   Image small_;
   std::vector<Plane> planes_;
 };
