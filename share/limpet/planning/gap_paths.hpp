@@ -13,7 +13,8 @@ namespace limpet {
 
 struct GapParams {
   Meters turn_radius{3.0};
-  int patches = 12;  ///< unseen patches tried, largest and nearest first
+  Meters tile{4.0};  ///< patches are cut to this size
+  int patches = 16;  ///< unseen patches tried, largest and nearest first
   int offers = 3;
   /// Patches smaller than this, mean over layers [m^2], are not worth a path of their own.
   double min_patch_m2 = 0.05;

@@ -144,9 +144,7 @@ void SightWorkspace::Raise(std::size_t cell, std::uint8_t level) {
     border_ += std::abs(worth_after - other) - std::abs(worth_before - other);
   }
   raised_ += worth_after - worth_before;
-  changes_.push_back({.cell = static_cast<std::uint32_t>(cell),
-                      .before = before,
-                      .after = level});
+  changes_.push_back({.cell = static_cast<std::uint32_t>(cell), .before = before, .after = level});
   levels_[cell] = level;
 }
 

@@ -82,6 +82,9 @@ class Flight {
     if (study_.planner == "paper") {
       return paper_.Next(pose_, ground_, {}, ground_.SeenShare(0));
     }
+    if (ground_.SeenShare(0) > study_.late_share) {
+      objective_.w_frontier = study_.late_frontier;
+    }
     std::vector<Option> options = BeamSearch(pose_, ground_, region_, objective_, study_.beam);
     for (Option& option : GapPaths(pose_, ground_, region_, objective_, study_.gap)) {
       options.push_back(std::move(option));
