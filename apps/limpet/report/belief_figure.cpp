@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "apps/limpet/report/figures.hpp"
+#include "apps/limpet/report/map_symbols.hpp"
+#include "apps/limpet/report/plot_axes.hpp"
+
+namespace limpet {
+namespace {
+
+using Point = SvgCanvas::Point;
+
+constexpr double kLeft = 92.0, kWidth = 614.0, kRow = 44.0, kTop = 92.0;
+
+struct Shares {
+  std::vector<double> path, confirmed, appeared, removed;
+};
+
+/// Posteriors of each object over the way, as steps: each holds until the next.
+std::map<int, Shares> SharesOf(const SessionRecord& record, double start_path, double far) {
+  std::map<int, Shares> shares;
+  const auto add = [](Shares& to, double path, const ChangePosterior& p) {
+    to.path.push_back(path);
+    to.confirmed.push_back(p.confirmed);
+    to.appeared.push_back(p.confirmed + p.appeared);
+    to.removed.push_back(p.confirmed + p.appeared + p.removed);
+  };
+  std::map<int, ChangePosterior> last;
+  for (const BeliefRecord& belief : record.beliefs) {
+    const double path = std::clamp(record.truth.PathAt(belief.time.value()) - start_path, 0.0, far);
+    Shares& to = shares[belief.opi];
+    if (last.contains(belief.opi)) add(to, path, last[belief.opi]);
+    add(to, path, belief.posterior);
+    last[belief.opi] = belief.posterior;
+  }
+  for (auto& [opi, to] : shares)
+    add(to, far, last[opi]);
+  return shares;
+}
+
+/// Name of the true object that the belief ended on.
+std::string NameOf(const FigureSource& source, int id) {
+  const auto& opis = source.record.opis;
+  const auto opi =
+      std::find_if(opis.begin(), opis.end(), [&](const OpiBelief& o) { return o.id == id; });
+  if (opi == opis.end()) return fmt::format("id {}", id);
+  std::string name = fmt::format("id {}", id);
+  double nearest = 2.5;
+  for (const ScenarioOpi& truth : source.scenario.opis) {
+    for (const auto& [session, place] : truth.places) {
+      if (!place) continue;
+      const double distance =
+          (*place - Eigen::Vector3d(opi->ned[0], opi->ned[1], opi->ned[2])).norm();
+      if (distance < nearest) nearest = distance, name = truth.name;
+    }
+  }
+  return name;
+}
+
+void DrawRow(SvgCanvas& canvas, double top, double far, const std::string& name,
+             const Shares& shares) {
+  const auto at = [&](double path, double share) {
+    return Point(kLeft + kWidth * path / far, top + (kRow - 10.0) * (1.0 - share));
+  };
+  const auto fill = [&](const std::vector<double>& low, const std::vector<double>& high,
+                        std::string_view color) {
+    std::vector<Point> outline;
+    for (std::size_t i = 0; i < shares.path.size(); ++i)
+      outline.push_back(at(shares.path[i], high[i]));
+    for (std::size_t i = shares.path.size(); i-- > 0;)
+      outline.push_back(at(shares.path[i], low[i]));
+    canvas.Polygon(outline, {.fill = color, .opacity = 0.85});
+  };
+  canvas.Rect(at(0.0, 1.0), {kWidth, kRow - 10.0}, {.fill = palette::kUnseen});
+  const std::vector<double> zero(shares.path.size(), 0.0);
+  fill(zero, shares.confirmed, palette::kGreen);
+  fill(shares.confirmed, shares.appeared, palette::kBlue);
+  fill(shares.appeared, shares.removed, palette::kVermillion);
+  canvas.Text({kLeft - 12.0, top + 0.5 * (kRow - 10.0) + 4.0}, name,
+              {.size = 12.5, .anchor = Anchor::kEnd, .is_bold = true});
+}
+
+}  // namespace
+
+Figure BeliefFigure(const FigureSource& source) {
+  const double far = std::max(source.score.coverage.curve.path_m.back(), 1.0);
+  const double start_path =
+      source.record.truth.PathAt(source.score.survey_start_s + source.record.truth.time(0));
+  const std::map<int, Shares> shares = SharesOf(source.record, start_path, far);
+  const double height = kRow * static_cast<double>(shares.size());
+  SvgCanvas canvas(kLeft + kWidth + 24.0, kTop + height + 48.0, "Belief about each object");
+  canvas.Text({kLeft - 26.0, 24.0}, "How sure it was about each object as it went",
+              {.size = 17.0, .is_bold = true});
+  canvas.Text({kLeft - 26.0, 44.0},
+              RunName(source) + " \u00b7 the posterior, stacked: full height is 1",
+              {.size = 12.5, .fill = palette::kMuted});
+  const bool is_change = source.record.name == "change";
+  double x = kLeft;
+  const auto key = [&](std::string_view color, const std::string& text, double width) {
+    canvas.Rect({x, 62.0}, {14.0, 14.0}, {.fill = color, .opacity = 0.85});
+    canvas.Text({x + 20.0, 73.0}, text);
+    x += width;
+  };
+  if (is_change) key(palette::kGreen, "confirmed", 110.0);
+  key(palette::kBlue, is_change ? "new" : "is there", is_change ? 80.0 : 100.0);
+  if (is_change) key(palette::kVermillion, "removed", 100.0);
+  key(palette::kUnseen, is_change ? "never anything" : "nothing there, or not yet met", 180.0);
+  PlotAxes axes(canvas, {.corner = {kLeft, kTop},
+                         .size = {kWidth, height},
+                         .x = {0.0, far},
+                         .y = {0.0, 1.0},
+                         .x_label = "way since the survey began [m]",
+                         .y_label = "",
+                         .y_ticks = 0});
+  double top = kTop + 4.0;
+  for (const auto& [id, share] : shares) {
+    DrawRow(canvas, top, far, NameOf(source, id), share);
+    top += kRow;
+  }
+  return {source.record.name + "_belief.svg",
+          "One row per object the vehicle ever considered. A row that ends in one full colour "
+          "ended in a sure "
+          "decision.",
+          canvas.Finish()};
+}
+
+}  // namespace limpet

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "apps/limpet/report/figures.hpp"
+#include "apps/limpet/report/map_axes.hpp"
+#include "apps/limpet/report/map_symbols.hpp"
+#include "apps/limpet/report/verdict.hpp"
+
+namespace limpet {
+namespace {
+
+using Point = SvgCanvas::Point;
+
+void DrawChange(MapAxes& map, const ChangeScore& change) {
+  if (!change.ned) return;
+  const Point at = map.At(change.ned->x(), change.ned->y());
+  DrawStatus(map.canvas(), at, change.decided, 8.0);
+  const Point label = at + Point(15.0, -5.0);
+  map.canvas().Text(label, change.truth.value_or("nothing is here"),
+                    {.size = 13.0, .fill = palette::kMapInk, .is_bold = true, .has_halo = true});
+  map.canvas().Text(label + Point(0.0, 15.0),
+                    fmt::format("{} {:.3f}", change.decided, change.probability),
+                    {.fill = palette::kMapInk, .has_halo = true});
+  if (change.is_right()) return;
+  map.canvas().Circle(at, 14.0, {.stroke = palette::kVermillion, .width = 2.5});
+  map.canvas().Text(label + Point(0.0, 30.0),
+                    fmt::format("wrong: {}", change.expected.value_or("there was never anything")),
+                    {.fill = palette::kVermillion, .is_bold = true, .has_halo = true});
+}
+
+void DrawChangeLegend(MapAxes& map) {
+  map.LegendHeading("Decided");
+  const char* const meanings[][2] = {{"confirmed", "confirmed: there both times"},
+                                     {"removed", "removed: there before only"},
+                                     {"new", "new: there now only"},
+                                     {"moved", "moved: there, elsewhere"},
+                                     {"uncertain", "uncertain"}};
+  for (const auto& meaning : meanings) {
+    const std::string status = meaning[0];
+    map.Legend(
+        [status](SvgCanvas& canvas, const Point& at) { DrawStatus(canvas, at, status, 6.5); },
+        meaning[1]);
+  }
+  map.LegendHeading("Truth");
+  map.Legend(
+      [](SvgCanvas& canvas, const Point& at) {
+        canvas.Circle(at, 8.0, {.stroke = palette::kMapInk, .width = 1.4});
+      },
+      "object there now");
+  map.Legend(
+      [](SvgCanvas& canvas, const Point& at) {
+        canvas.Circle(at, 8.0, {.stroke = palette::kMapMuted, .width = 1.4, .dash = "3 3"});
+      },
+      "object there before only");
+  map.Legend(
+      [](SvgCanvas& canvas, const Point& at) {
+        canvas.Circle(at, 9.0, {.stroke = palette::kVermillion, .width = 2.5});
+      },
+      "decision is wrong");
+}
+
+}  // namespace
+
+Figure ChangeFigure(const FigureSource& source) {
+  const SessionRecord& record = source.record;
+  const OpiScores& opis = source.score.opis;
+  const SurveyArea area = AreaOf(record);
+  MapAxes map(area,
+              fmt::format("What changed: {} of {} statuses right", StatusesRight(source.score),
+                          opis.changes.size()),
+              RunName(source) + " \u00b7 with the probability of what was decided");
+  map.BeginMap();
+  map.Raster(record.grid, [](std::size_t) { return palette::Rgb{246, 249, 250}; });
+  map.Outline(area);
+  for (const ScenarioOpi& opi : source.scenario.opis) {
+    const auto now = opi.Place("change");
+    const auto before = opi.Place("discovery");
+    if (now) DrawTruth(map, *now, opi.radius_m);
+    if (before && !now) {
+      map.canvas().Circle(map.At(before->x(), before->y()), opi.radius_m * map.pixels_per_metre(),
+                          {.stroke = palette::kMapMuted, .width = 1.4, .dash = "3 3"});
+    }
+  }
+  for (const ChangeScore& change : opis.changes)
+    DrawChange(map, change);
+  map.EndMap();
+  DrawChangeLegend(map);
+  return {record.name + "_status.svg",
+          "Shape and colour both tell the status. Rings are the truth, at true size: drawn through "
+          "for what is there now, dashed for what was there before. White ground was seen in this "
+          "session.",
+          map.Finish()};
+}
+
+}  // namespace limpet

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "apps/limpet/report/figures.hpp"
+#include "apps/limpet/report/map_axes.hpp"
+
+namespace limpet {
+namespace {
+
+struct DepthRange {
+  double shallow = 0.0, deep = 1.0;
+  [[nodiscard]] double ShareOf(double down) const {
+    return std::clamp((down - shallow) / (deep - shallow), 0.0, 1.0);
+  }
+};
+
+/// The middle 99 % of the depths, widened to half a metre at least: a flat bottom must look flat.
+DepthRange RangeOf(const GridRecord& grid) {
+  std::vector<double> depths;
+  for (std::size_t i = 0; i < grid.seen_height.size(); ++i) {
+    if (grid.seen_height[i] >= 0.0F) depths.push_back(static_cast<double>(grid.seabed_down[i]));
+  }
+  if (depths.empty()) return {};
+  std::sort(depths.begin(), depths.end());
+  const std::size_t tail = depths.size() / 200;
+  DepthRange range{depths[tail], depths[depths.size() - 1 - tail]};
+  const double missing = 0.5 - (range.deep - range.shallow);
+  if (missing > 0.0) range.shallow -= 0.5 * missing, range.deep += 0.5 * missing;
+  return range;
+}
+
+/// Root mean square of mapped less true depth over the cells seen [m].
+double ErrorOf(const GridRecord& grid, const Scenario::Seabed& seabed) {
+  double squares = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < grid.seen_height.size(); ++i) {
+    if (grid.seen_height[i] < 0.0F) continue;
+    const auto columns = static_cast<std::size_t>(grid.frame.columns);
+    const double north =
+        grid.frame.north_min + (static_cast<double>(i / columns) + 0.5) * grid.frame.cell_m;
+    const double east =
+        grid.frame.east_min + (static_cast<double>(i % columns) + 0.5) * grid.frame.cell_m;
+    const double error =
+        static_cast<double>(grid.seabed_down[i]) - SeabedDepth(seabed, north, east);
+    squares += error * error;
+    ++count;
+  }
+  return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0.0;
+}
+
+}  // namespace
+
+Figure DepthFigure(const FigureSource& source) {
+  const GridRecord& grid = source.record.grid;
+  const SurveyArea area = AreaOf(source.record);
+  const DepthRange range = RangeOf(grid);
+  const double error = ErrorOf(grid, source.scenario.seabed);
+  MapAxes map(area,
+              fmt::format("Depth of the bottom as mapped: {:.2f} m rms from the truth", error),
+              RunName(source) + " \u00b7 from the DVL\u2019s four beams, cells of 0.25 m");
+  map.BeginMap();
+  map.Raster(grid, [&](std::size_t cell) {
+    const double share = range.ShareOf(static_cast<double>(grid.seabed_down[cell]));
+    return palette::Viridis(std::round((1.0 - share) * 200.0) / 200.0);  // shallow is bright
+  });
+  map.Outline(area);
+  map.EndMap();
+  map.ColorBar([](double share) { return palette::Viridis(share); },
+               fmt::format("{:.2f} m deep", range.deep),
+               fmt::format("{:.2f} m deep", range.shallow), "Depth below the surface");
+  return {
+      source.record.name + "_depth.svg",
+      "Every cell carries the depth that the DVL's beams near by gave. The scale spans the middle "
+      "99 % of the depths, and half a metre at least.",
+      map.Finish()};
+}
+
+}  // namespace limpet

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace limpet {
+
+/// Round values from `low` to `high`: steps of 1, 2 or 5 times a power of ten, at most about
+/// `count`.
+[[nodiscard]] std::vector<double> TickMarks(double low, double high, int count);
+
+/// A tick's value in as few digits as it needs, with a true minus sign.
+[[nodiscard]] std::string TickText(double value);
+
+}  // namespace limpet

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "apps/limpet/report/figures.hpp"
+#include "apps/limpet/report/map_axes.hpp"
+#include "apps/limpet/report/map_symbols.hpp"
+
+namespace limpet {
+namespace {
+
+using Point = SvgCanvas::Point;
+
+constexpr Paint kTruePath{.stroke = palette::kMapInk, .width = 1.7};
+constexpr Paint kEstimatedPath{.stroke = palette::kBlue, .width = 1.4, .dash = "5 3"};
+constexpr Paint kOption{.stroke = palette::kMapMuted, .width = 0.7, .opacity = 0.45};
+
+std::vector<Point> PointsOf(const MapAxes& map, const PoseTrack& track) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < track.size(); ++i) {
+    points.push_back(map.At(track.north(i), track.east(i)));
+  }
+  return Simplified(points, 0.3);
+}
+
+std::string_view PurposeColor(const std::string& purpose) {
+  if (purpose.find("revisit") != std::string::npos) return palette::kVermillion;
+  if (purpose.find("home") != std::string::npos) return palette::kPurple;
+  return palette::kHalo;
+}
+
+void DrawDecisions(MapAxes& map, const std::vector<DecisionRecord>& decisions) {
+  for (const DecisionRecord& decision : decisions) {
+    const Point start = map.At(decision.path.north, decision.path.east);
+    if (!decision.bids) continue;
+    for (const BiddenOption& option : decision.bids->options) {
+      const Point end = map.At(option.end[0], option.end[1]);
+      map.canvas().Line(start, end, kOption);
+      map.canvas().Circle(end, 1.7, {.fill = palette::kMapMuted, .opacity = 0.6});
+    }
+  }
+}
+
+void DrawDecisionPoints(MapAxes& map, const std::vector<DecisionRecord>& decisions) {
+  for (const DecisionRecord& decision : decisions) {
+    if (decision.path.segments.empty()) continue;
+    map.canvas().Circle(
+        map.At(decision.path.north, decision.path.east), 3.6,
+        {.fill = PurposeColor(decision.path.purpose), .stroke = palette::kMapInk, .width = 1.3});
+  }
+}
+
+/// An arrowhead about every 15 m of way, so that the track can be read in its order.
+void DrawDirection(MapAxes& map, const PoseTrack& truth) {
+  double next = 7.5;
+  for (std::size_t i = 1; i < truth.size(); ++i) {
+    if (truth.path(i) < next) continue;
+    const Point step =
+        map.At(truth.north(i), truth.east(i)) - map.At(truth.north(i - 1), truth.east(i - 1));
+    if (step.norm() < 1e-6) continue;  // on the spot, e.g. while diving
+    next = truth.path(i) + 15.0;
+    DrawTriangle(map.canvas(), map.At(truth.north(i), truth.east(i)), 5.5,
+                 std::atan2(step.x(), -step.y()), {.fill = palette::kMapInk});
+  }
+}
+
+palette::Rgb HeightColor(double height, double top) {
+  constexpr double kLevels = 8.0;
+  const double share = top > 0.0 ? std::clamp(height / top, 0.0, 1.0) : 1.0;
+  return palette::Coverage(std::round(share * kLevels) / kLevels);
+}
+
+void DrawTrackLegend(MapAxes& map, double top) {
+  const auto line = [](const Paint& paint) {
+    return [paint](SvgCanvas& canvas, const Point& at) {
+      canvas.Line(at - Point(12.0, 0.0), at + Point(12.0, 0.0), paint);
+    };
+  };
+  const auto dot = [](std::string_view fill) {
+    return [fill](SvgCanvas& canvas, const Point& at) {
+      canvas.Circle(at, 3.6, {.fill = fill, .stroke = palette::kMapInk, .width = 1.3});
+    };
+  };
+  map.LegendHeading("Vehicle");
+  map.Legend(line(kTruePath), "true track");
+  map.Legend(line(kEstimatedPath), "track as estimated\nat the time");
+  map.Legend(DrawHome, "start and home");
+  map.LegendHeading("Decisions");
+  map.Legend(dot(palette::kHalo), "chose to cover");
+  map.Legend(dot(palette::kVermillion), "chose to look at an object");
+  map.Legend(dot(palette::kPurple), "chose to go home");
+  map.Legend(line(kOption), "options not taken,\nto their ends");
+  map.LegendHeading("Objects");
+  map.Legend(
+      [](SvgCanvas& canvas, const Point& at) {
+        canvas.Circle(at, 7.0, {.stroke = palette::kMapInk, .width = 1.4});
+      },
+      "true place and size");
+  map.ColorBar([top](double share) { return HeightColor(share * top, top); }, "bottom only",
+               fmt::format("up to {:g} m", top), "Seen, by height above bottom");
+}
+
+}  // namespace
+
+Figure TrackFigure(const FigureSource& source) {
+  const SessionRecord& record = source.record;
+  const auto footprint = source.settings.footprint_m();
+  const SurveyArea area = AreaOf(record);
+  MapAxes map(
+      area,
+      fmt::format("Where it went and what it chose: {} m of way", std::lround(source.score.path_m)),
+      fmt::format("{} \u00b7 image {:.2f} \u00d7 {:.2f} m on the bottom", RunName(source),
+                  footprint[0], footprint[1]));
+  map.BeginMap();
+  map.Raster(record.grid, [&](std::size_t cell) {
+    return HeightColor(static_cast<double>(record.grid.seen_height[cell]), area.object_height_max);
+  });
+  map.Outline(area);
+  DrawDecisions(map, record.decisions);
+  map.canvas().Polyline(PointsOf(map, record.truth), kTruePath);
+  map.canvas().Polyline(PointsOf(map, record.nav), kEstimatedPath);
+  DrawDirection(map, record.truth);
+  DrawDecisionPoints(map, record.decisions);
+  for (const ScenarioOpi& opi : source.scenario.opis) {
+    const auto place = opi.Place(record.name);
+    if (!place) continue;
+    DrawTruth(map, *place, opi.radius_m);
+    map.canvas().Text(map.At(place->x(), place->y()) + Point(11.0, -9.0), opi.name,
+                      {.fill = palette::kMapInk, .is_bold = true, .has_halo = true});
+  }
+  DrawHome(map.canvas(), map.At(source.scenario.start.north_m, source.scenario.start.east_m));
+  map.EndMap();
+  DrawTrackLegend(map, area.object_height_max);
+  return {record.name + "_track.svg",
+          "The ground is shaded by the greatest height above the bottom up to which the vehicle "
+          "believes to have seen it; grey was never seen. Dots mark where the helm decided, thin "
+          "lines lead to the ends of the options it listed. The dashed line is the area to survey.",
+          map.Finish()};
+}
+
+}  // namespace limpet
