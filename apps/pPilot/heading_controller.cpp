@@ -6,7 +6,7 @@
 namespace limpet {
 namespace {
 
-constexpr int kYaw = 5;
+constexpr int kSurge = 0, kSway = 1, kYaw = 5;
 /// Farther off than this [rad] the vehicle is turning, not holding: nothing to learn for a bias.
 constexpr double kHolding = 0.3;
 
@@ -25,7 +25,10 @@ double HeadingController::Update(const Input& input, double dt, bool is_saturate
   const double held = std::abs(error) < kHolding ? error : 0.0;
   const double acceleration =
       gains_.rate * (wanted_rate - input.yaw_rate) + integral_.Update(held, dt, is_saturated);
-  return inertia_ * acceleration + DragForce(hydro_, kYaw, wanted_rate);
+  // Fossen 2011 eq. 6.43: added masses of surge and sway differ.
+  const double munk = (hydro_.mass_matrix(kSway, kSway) - hydro_.mass_matrix(kSurge, kSurge)) *
+                      input.u_water * input.v_water;
+  return inertia_ * acceleration + DragForce(hydro_, kYaw, wanted_rate) + munk;
 }
 
 }  // namespace limpet

@@ -8,19 +8,21 @@ namespace limpet {
 
 /// Heading to yaw moment: error to a wanted turn rate, on top of the rate fed forward; rate error
 /// and the drag of the wanted rate to a moment. Equals PD with rate feed-forward while the wanted
-/// rate is within its limit.
+/// rate is within its limit. The Munk moment of a flow from the side is fed forward: the body has
+/// no fins and would turn across a current.
 class HeadingController {
  public:
   struct Gains {
-    double heading = 0.7;         ///< wanted rate per error [1/s]
-    double rate = 2.5;            ///< wanted acceleration per rate error [1/s]
-    double integral = 0.3;        ///< acceleration per error and second [1/s^3]
+    double heading = 1.3;         ///< wanted rate per error [1/s]
+    double rate = 3.2;            ///< wanted acceleration per rate error [1/s]
+    double integral = 0.5;        ///< acceleration per error and second [1/s^3]
     double max_rate = 0.5;        ///< of what the error asks for [rad/s]
     double integral_limit = 2.0;  ///< [rad/s^2]
   };
   struct Input {
     double yaw = 0.0, yaw_rate = 0.0;                   ///< [rad, rad/s]
     double desired_yaw = 0.0, desired_turn_rate = 0.0;  ///< [rad, rad/s]
+    double u_water = 0.0, v_water = 0.0;  ///< velocity through the water, as estimated [m/s]
   };
   HeadingController(const Gains& gains, const Hydrodynamics& hydro);
 

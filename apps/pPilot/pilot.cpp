@@ -12,13 +12,14 @@ Pilot::Pilot(const Gains& gains, const VehicleParams& vehicle)
     : heading_(gains.heading, DeriveHydrodynamics(vehicle)),
       speed_(gains.speed, DeriveHydrodynamics(vehicle)),
       sway_(gains.sway, DeriveHydrodynamics(vehicle)),
+      drift_(gains.drift),
       depth_(gains.depth, DeriveHydrodynamics(vehicle)),
       allocation_(vehicle.thrusters) {}
 
 void Pilot::Reset(const NavState& nav) {
   heading_.Reset();
   speed_.Reset(nav.u);
-  sway_.Reset();
+  drift_.Reset();
   depth_.Reset(nav.down);
   is_saturated_ = false;
 }
@@ -28,11 +29,23 @@ Wrench Pilot::WantedWrench(const NavState& nav, const DesiredMotion& desired, do
   // Facing away from the wanted course, speed would only carry the vehicle off its path.
   const double facing = std::max(0.0, std::cos(WrapAngle(desired.yaw - nav.yaw)));
   Wrench wanted = Wrench::Zero();
-  wanted(0) = speed_.Update(nav.u, facing * desired.speed, dt, is_saturated_);
-  wanted(1) = sway_.Update({nav.u, nav.v, desired.turn_rate}, dt, is_saturated_);
+  const double lack = speed_.Lack(nav.u, facing * desired.speed, dt);
+  const Eigen::Vector2d current_B =
+      drift_.Update(nav.yaw, Eigen::Vector2d(lack, -nav.v), dt, is_saturated_);
+  wanted(0) = speed_.Force(lack, current_B.x());
+  wanted(1) = sway_.Force({.u = nav.u,
+                           .v = nav.v,
+                           .turn_rate = nav.yaw_rate,
+                           .current_u = current_B.x(),
+                           .current_v = current_B.y()});
   wanted(2) = depth_.Update({nav.down, v_W.z(), desired.depth}, dt, is_saturated_);
-  wanted(5) =
-      heading_.Update({nav.yaw, nav.yaw_rate, desired.yaw, desired.turn_rate}, dt, is_saturated_);
+  wanted(5) = heading_.Update({.yaw = nav.yaw,
+                               .yaw_rate = nav.yaw_rate,
+                               .desired_yaw = desired.yaw,
+                               .desired_turn_rate = desired.turn_rate,
+                               .u_water = nav.u - current_B.x(),
+                               .v_water = -current_B.y()},
+                              dt, is_saturated_);
   return wanted;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/pPilot/depth_controller.hpp"
+#include "apps/pPilot/drift_estimate.hpp"
 #include "apps/pPilot/heading_controller.hpp"
 #include "apps/pPilot/speed_controller.hpp"
 #include "apps/pPilot/sway_controller.hpp"
@@ -28,6 +29,7 @@ class Pilot {
     HeadingController::Gains heading;
     SpeedController::Gains speed;
     SwayController::Gains sway;
+    DriftEstimate::Gains drift;
     DepthController::Gains depth;
   };
   Pilot(const Gains& gains, const VehicleParams& vehicle);
@@ -45,6 +47,7 @@ class Pilot {
   HeadingController heading_;
   SpeedController speed_;
   SwayController sway_;
+  DriftEstimate drift_;
   DepthController depth_;
   ThrustAllocation allocation_;
   bool is_saturated_ = false;

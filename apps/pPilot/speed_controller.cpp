@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "apps/pPilot/speed_controller.hpp"
 
+#include <algorithm>
+
 namespace limpet {
 namespace {
 
@@ -9,22 +11,24 @@ constexpr int kSurge = 0;
 }  // namespace
 
 SpeedController::SpeedController(const Gains& gains, const Hydrodynamics& hydro)
-    : gains_(gains), hydro_(hydro), integral_(gains.integral, gains.integral_limit) {}
+    : gains_(gains), hydro_(hydro) {}
 
 void SpeedController::Reset(double speed) {
-  integral_.Reset();
   reference_ = speed;
+  ramp_ = 0.0;
 }
 
-double SpeedController::Update(double speed, double desired_speed, double dt, bool is_saturated) {
+double SpeedController::Lack(double speed, double desired_speed, double dt) {
   const double step = gains_.max_acceleration * dt;
-  const double before = reference_;
-  reference_ += std::clamp(desired_speed - reference_, -step, step);
-  const double ramp = dt > 0.0 ? (reference_ - before) / dt : 0.0;
-  const double error = reference_ - speed;
-  const double acceleration =
-      ramp + gains_.speed * error + integral_.Update(error, dt, is_saturated);
-  return hydro_.mass_matrix(kSurge, kSurge) * acceleration + DragForce(hydro_, kSurge, reference_);
+  const double change = std::clamp(desired_speed - reference_, -step, step);
+  reference_ += change;
+  ramp_ = dt > 0.0 ? change / dt : 0.0;
+  return reference_ - speed;
+}
+
+double SpeedController::Force(double lack, double current) const {
+  return hydro_.mass_matrix(kSurge, kSurge) * (ramp_ + gains_.speed * lack) +
+         DragForce(hydro_, kSurge, reference_ - current);
 }
 
 }  // namespace limpet

@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "apps/pPilot/integral_term.hpp"
 #include "limpet/vehicle/hydrodynamics.hpp"
 
 namespace limpet {
 
-/// Speed over ground to surge force: the drag of the wanted speed is fed forward, a PI controller
-/// finds the rest (current, wear). The wanted speed is ramped.
+/// Speed over ground to surge force: the drag of the wanted speed through the water is fed forward,
+/// the error is pulled in proportionally; the integral part is DriftEstimate. The wanted speed is
+/// ramped.
 class SpeedController {
  public:
   struct Gains {
     double speed = 1.0;              ///< acceleration per error [1/s]
-    double integral = 0.25;          ///< [1/s^2]
     double max_acceleration = 0.25;  ///< of the ramp [m/s^2]
-    double integral_limit = 0.7;     ///< [m/s^2]
   };
   SpeedController(const Gains& gains, const Hydrodynamics& hydro);
 
-  /// Surge force [N] for speeds over ground [m/s].
-  double Update(double speed, double desired_speed, double dt, bool is_saturated);
+  /// Moves the ramp on; what the speed over ground lacks of it [m/s].
+  double Lack(double speed, double desired_speed, double dt);
+  /// Surge force [N] in a current along the nose [m/s].
+  [[nodiscard]] double Force(double lack, double current) const;
   /// Starts again from a speed.
   void Reset(double speed);
 
  private:
   Gains gains_;
   Hydrodynamics hydro_;
-  IntegralTerm integral_;
   double reference_ = 0.0;
+  double ramp_ = 0.0;
 };
 
 }  // namespace limpet

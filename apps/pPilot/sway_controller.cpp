@@ -1,17 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "apps/pPilot/sway_controller.hpp"
 
+#include <algorithm>
+
 namespace limpet {
+namespace {
+
+constexpr int kSurge = 0, kSway = 1;
+
+}  // namespace
 
 SwayController::SwayController(const Gains& gains, const Hydrodynamics& hydro)
-    : gains_(gains), hydro_(hydro), integral_(gains.integral, gains.integral_limit) {}
+    : gains_(gains), hydro_(hydro) {}
 
-double SwayController::Update(const Input& input, double dt, bool is_saturated) {
-  const double acceleration =
-      -gains_.speed * input.v + integral_.Update(-input.v, dt, is_saturated);
-  // Fossen 2011 eq. 6.43: in sway, surge momentum turns with the vehicle.
-  const double centripetal = hydro_.mass_matrix(0, 0) * input.u * input.turn_rate;
-  const double force = hydro_.mass_matrix(1, 1) * acceleration + centripetal;
+double SwayController::Force(const Input& input) const {
+  const double m_u = hydro_.mass_matrix(kSurge, kSurge);
+  const double m_v = hydro_.mass_matrix(kSway, kSway);
+  // In sway the momentum of surge turns with the vehicle (Fossen 2011 eq. 6.43); and the current in
+  // body axes turns the other way while its velocity over ground stays along the nose.
+  const double through_water = input.u - input.current_u;
+  const double turning = (m_u * through_water + m_v * input.current_u) * input.turn_rate;
+  const double force =
+      -m_v * gains_.speed * input.v + turning + DragForce(hydro_, kSway, -input.current_v);
   return std::clamp(force, -gains_.max_force, gains_.max_force);
 }
 

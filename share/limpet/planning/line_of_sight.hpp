@@ -21,7 +21,7 @@ class LineOfSight {
     Meters search{2.0};     ///< how far ahead of the last progress the nearest point is sought
     Radians max_intercept = Radians::FromTextUnit(60.0);  ///< greatest angle towards the path
     /// The turn rate is that of the path this much later: makes up for the vehicle's lag.
-    Seconds preview{0.4};
+    Seconds preview{0.35};
   };
 
   /// NED [m, rad].
