@@ -9,13 +9,13 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
+#include "apps/limpet/mission_check.hpp"
 #include "apps/limpet/report/progress_line.hpp"
 #include "apps/limpet/report/report.hpp"
 #include "apps/limpet/report/terminal_report.hpp"
 #include "apps/limpet/session_runner.hpp"
 #include "apps/pHelm/helm_params.hpp"
 #include "apps/pSurvey/survey_app.hpp"
-#include "limpet/app/registry.hpp"
 #include "limpet/mission/mission_file.hpp"
 #include "limpet/mission/scenario.hpp"
 
@@ -97,12 +97,6 @@ void PrepareRunFolder(const fs::path& out) {
   fs::create_directories(out);
 }
 
-template <class P>
-P ReadAppParams(const MissionFile& mission, const std::string& app) {
-  const ConfigBlock* block = mission.Block(app);
-  return block != nullptr ? ReadParams<P>(*block, CommonAppKeys()) : P{};
-}
-
 ReportSettings SettingsOf(const SurveyCommand& command, const MissionFile& mission,
                           const Scenario& scenario) {
   const auto helm = ReadAppParams<HelmParams>(mission, "pHelm");
@@ -123,33 +117,6 @@ ReportSettings SettingsOf(const SurveyCommand& command, const MissionFile& missi
   return settings;
 }
 
-/// Objects must lie where the vehicle is asked to look; an object elsewhere is a slip of the pen.
-void CheckScenario(const Scenario& scenario, const SurveyApp::Params& survey, const fs::path& file,
-                   const std::vector<std::string>& sessions) {
-  std::vector<ConfigProblem> problems;
-  for (const ScenarioOpi& opi : scenario.opis) {
-    for (const std::string& session : sessions) {
-      const auto place = opi.Place(session);
-      const bool is_inside =
-          !place ||
-          (place->x() >= survey.north_min.value() && place->x() <= survey.north_max.value() &&
-           place->y() >= survey.east_min.value() && place->y() <= survey.east_max.value());
-      if (!is_inside) {
-        problems.push_back(
-            {{.file = file.string(), .line = 0},
-             opi.name,
-             fmt::format("{} [{}, {}] is outside the area north {} to {}, east {} to {} of pSurvey",
-                         session, place->x(), place->y(), survey.north_min.value(),
-                         survey.north_max.value(), survey.east_min.value(),
-                         survey.east_max.value())});
-      }
-    }
-  }
-  if (!problems.empty()) {
-    throw ConfigError(problems);
-  }
-}
-
 class SurveyRun {
  public:
   explicit SurveyRun(SurveyCommand command)
@@ -160,8 +127,11 @@ class SurveyRun {
       ApplySetting(mission_, setting);
     }
     settings_ = SettingsOf(command_, mission_, scenario_);
-    CheckScenario(scenario_, ReadAppParams<SurveyApp::Params>(mission_, "pSurvey"),
-                  command_.mission_folder / "scenario.yaml", command_.sessions);
+    const std::vector<ConfigProblem> problems =
+        CheckGeometry(mission_, scenario_, (command_.mission_folder / "scenario.yaml").string());
+    if (!problems.empty()) {
+      throw ConfigError(problems);
+    }
   }
 
   int Run() {

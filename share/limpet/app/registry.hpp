@@ -19,6 +19,8 @@ struct AppEntry {
   std::function<std::vector<ParamSpec>()>
       describe;  ///< names, units, defaults; their `set` must not be called
   std::function<std::unique_ptr<App>(const AppContext&, const ConfigBlock&)> create;
+  /// Every problem of a block, without building the app.
+  std::function<std::vector<ConfigProblem>(const ConfigBlock&)> check;
 };
 
 /// The one singleton: filled before main by the registration lines.
