@@ -228,7 +228,7 @@ std::optional<ColorShapeDetector::Finding> ColorShapeDetector::Refine(const Imag
       return std::nullopt;
     }
     outline->ellipse = {outline->ellipse.center * f, outline->ellipse.axes * f};
-    return Finding{*outline, *settled};
+    return Finding{*outline, *settled, scaled.factor};
   }
   return std::nullopt;
 }
@@ -239,24 +239,19 @@ std::optional<Box> ColorShapeDetector::Verify(const ImageView& image,
   if (!finding) {
     return std::nullopt;
   }
-  const auto& [outline, contrast] = *finding;
+  const auto& [outline, contrast, factor] = *finding;
   const PixelRect rect = outline.ellipse.VisiblePart(image.width_px, image.height_px);
-  const std::optional<PaintClass> paint = ClassifyPaint(contrast);
-  if (getenv("DBG")) {
-    const Eigen::Vector3d d = contrast.inside - contrast.outside;
-    printf(
-        "cand q %.2f rect %.0f %.0f %.0f %.0f | sup %.2f sides %.2f rough %.3f elong %.2f r %.1f | "
-        "sep %.1f csup %.2f | dB %.0f dG %.0f dR %.0f | %s %.2f\n",
-        candidate.quality, rect.left, rect.top, rect.width(), rect.height(), outline.support,
-        outline.sides, outline.roughness, outline.ellipse.Elongation(),
-        outline.ellipse.MeanRadius(), contrast.separation, contrast.support, d(0), d(1), d(2),
-        paint ? paint->color.c_str() : "none", paint ? paint->certainty : 0.0);
-  }
+  // A cut ball may show its dim side only: there, what light it has tells more than the mean.
+  const bool is_cut = outline.sides < 0.8;
+  const Eigen::Vector3d& shown = is_cut ? contrast.lit : contrast.inside;
+  const std::optional<PaintClass> paint = ClassifyPaint(shown - contrast.outside);
   if (!paint || outline.sides < 0.2 || outline.ellipse.Elongation() > 1.9 ||
       outline.ellipse.MeanRadius() < settings_.least_radius_px || rect.area() <= 0.0) {
     return std::nullopt;
   }
-  const double shape = Ramp(outline.support, 0.4, 0.9) * Ramp(0.12 - outline.roughness, 0.0, 0.06);
+  const double allowed = finding->AllowedWobble();
+  const double wobble = outline.roughness * outline.ellipse.MeanRadius();
+  const double shape = Ramp(outline.support, 0.4, 0.9) * Ramp(allowed - wobble, 0.0, 0.5 * allowed);
   const double color = Ramp(contrast.separation, 1.0, 6.0) * Ramp(contrast.support, 0.5, 0.95);
   return Box{.u = rect.center_u(),
              .v = rect.center_v(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -34,6 +35,13 @@ class ColorShapeDetector final : public Detector {
   struct Finding {
     RefinedOutline outline;  ///< pixels of the full image
     Contrast contrast;
+    int factor = 1;  ///< full resolution over the one it was found at
+
+    /// Distance of edges from the ellipse [px] at which nothing speaks for a ball any more.
+    [[nodiscard]] double AllowedWobble() const {
+      const double radius = outline.ellipse.MeanRadius();
+      return std::min(0.10 * radius, 1.3 + 0.4 * factor + 0.01 * radius);
+    }
   };
   void Shrink(const ImageView& image);
   void FillPlanes();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 namespace limpet {
 namespace {
@@ -40,22 +41,76 @@ Eigen::Vector3d ColorAt(const ImageView& image, const Eigen::Vector2d& p) {
           static_cast<double>(pixel[2])};
 }
 
-/// Mean and covariance of colours.
-struct ColorSums {
-  double count = 0.0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+/// Colours and where they were seen, in radii from the centre.
+struct SampleSet {
+  std::array<Eigen::Vector3d, kDirections> colors;
+  std::array<Eigen::Vector2d, kDirections> places;
+  std::size_t size = 0;
 
-  void Add(const Eigen::Vector3d& color) {
-    count += 1.0;
-    sum += color;
-    squares += color * color.transpose();
+  [[nodiscard]] Eigen::Vector3d Color() const { return Mean(colors); }
+  /// Mean of the brighter half.
+  [[nodiscard]] Eigen::Vector3d LitColor() const {
+    std::array<Eigen::Vector3d, kDirections> sorted = colors;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(size / 2);
+    std::nth_element(
+        sorted.begin(), middle, sorted.begin() + static_cast<std::ptrdiff_t>(size),
+        [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.sum() > b.sum(); });
+    const Eigen::Vector3d sum =
+        std::accumulate(sorted.begin(), middle, Eigen::Vector3d(Eigen::Vector3d::Zero()));
+    return sum / static_cast<double>(size / 2);
   }
-  [[nodiscard]] Eigen::Vector3d Mean() const { return sum / count; }
+  [[nodiscard]] Eigen::Vector2d Place() const { return Mean(places); }
   [[nodiscard]] Eigen::Matrix3d Covariance() const {
-    return squares / count - Mean() * Mean().transpose();
+    const Eigen::Vector3d mean = Color();
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < size; ++i) {
+      sum += (colors[i] - mean) * (colors[i] - mean).transpose();
+    }
+    return sum / static_cast<double>(size);
+  }
+
+ private:
+  template <class V>
+  [[nodiscard]] V Mean(const std::array<V, kDirections>& all) const {
+    V sum = V::Zero();
+    for (std::size_t i = 0; i < size; ++i) {
+      sum += all[i];
+    }
+    return sum / static_cast<double>(size);
   }
 };
+
+/// Every second direction of two rings, as far as they lie inside the image.
+SampleSet SampleRings(const ImageView& image, const Ellipse& ellipse,
+                      const std::array<double, 2>& scales) {
+  SampleSet samples;
+  for (std::size_t i = 0; i < kDirections; i += 2) {
+    const Direction& direction = Directions()[i];
+    for (const double scale : scales) {
+      const Eigen::Vector2d p = ellipse.At(scale, direction.cosine, direction.sine);
+      if (IsInside(image, p)) {
+        samples.colors[samples.size] = ColorAt(image, p);
+        samples.places[samples.size++] = scale * Eigen::Vector2d(direction.cosine, direction.sine);
+      }
+    }
+  }
+  return samples;
+}
+
+/// Change of colour per radius; short arcs, which cannot tell, give less.
+using Trend = Eigen::Matrix<double, 3, 2>;
+Trend TrendOf(const SampleSet& samples) {
+  const Eigen::Vector3d color = samples.Color();
+  const Eigen::Vector2d place = samples.Place();
+  Eigen::Matrix2d normal = 0.1 * static_cast<double>(samples.size) * Eigen::Matrix2d::Identity();
+  Trend right = Trend::Zero();
+  for (std::size_t i = 0; i < samples.size; ++i) {
+    const Eigen::Vector2d offset = samples.places[i] - place;
+    normal += offset * offset.transpose();
+    right += (samples.colors[i] - color) * offset.transpose();
+  }
+  return right * normal.inverse();
+}
 
 /// Where on one ray from the centre, in radii, the projected colour falls half way from the inside
 /// to the outside of this very ray. Nothing at the image's border or without an edge.
@@ -63,8 +118,8 @@ class RayEdge {
  public:
   RayEdge(const ImageView& image, const Ellipse& guess, const Contrast& contrast)
       : image_(&image), guess_(&guess), contrast_(&contrast) {
-    const double radius = guess.MeanRadius();
-    steps_ = std::clamp(static_cast<int>(radius * (kLast - kFirst)), 12, 64);
+    radius_ = guess.MeanRadius();
+    steps_ = std::clamp(static_cast<int>(radius_ * (kLast - kFirst)), 12, 64);
     step_ = (kLast - kFirst) / steps_;
     profile_.resize(static_cast<std::size_t>(steps_));
     full_ = contrast.weights.dot(contrast.inside - contrast.outside);
@@ -126,7 +181,7 @@ class RayEdge {
 
   /// Moves the split to where the profile crosses the mean of its two sides near it.
   [[nodiscard]] double Sharpen(int split, int count) const {
-    const int reach = std::max(2, steps_ / 8);
+    const int reach = std::clamp(steps_ / 8, 2, 8);
     const int begin = std::max(0, split - reach);
     const int end = std::min(count, split + reach);
     const auto mean = [this](int from, int to) {
@@ -149,6 +204,7 @@ class RayEdge {
   const ImageView* image_;
   const Ellipse* guess_;
   const Contrast* contrast_;
+  double radius_;
   int steps_;
   double step_;
   double full_;
@@ -194,45 +250,32 @@ std::optional<Ellipse> FitTrimmed(std::vector<Eigen::Vector2d>& points, const El
 
 std::optional<Contrast> MeasureContrast(const ImageView& image, const Ellipse& ellipse,
                                         double noise) {
-  ColorSums inside;
-  ColorSums outside;
-  std::array<Eigen::Vector3d, 2 * kDirections> ring;
-  std::size_t ring_size = 0;
-  int possible = 0;
-  for (int i = 0; i < kDirections; i += 2) {
-    const Direction& direction = Directions()[static_cast<std::size_t>(i)];
-    for (const double scale : {0.3, 0.7}) {
-      const Eigen::Vector2d p = ellipse.At(scale, direction.cosine, direction.sine);
-      if (IsInside(image, p)) {
-        inside.Add(ColorAt(image, p));
-      }
-    }
-    for (const double scale : {1.3, 1.5}) {
-      const Eigen::Vector2d p = ellipse.At(scale, direction.cosine, direction.sine);
-      ++possible;
-      if (IsInside(image, p)) {
-        ring[ring_size] = ColorAt(image, p);
-        outside.Add(ring[ring_size++]);
-      }
-    }
-  }
-  if (inside.count < 12.0 || outside.count < 0.25 * possible) {
+  const SampleSet inside = SampleRings(image, ellipse, {0.3, 0.75});
+  SampleSet outside = SampleRings(image, ellipse, {1.25, 1.45});
+  if (inside.size < 12 || outside.size < kDirections / 4) {
     return std::nullopt;
   }
-  Contrast contrast;
-  contrast.inside = inside.Mean();
-  contrast.outside = outside.Mean();
+  // Vignette and haze change the water's colour across the object: compare with the colour that
+  // the ring's trend has at the inside samples.
+  const Trend trend = TrendOf(outside);
+  for (std::size_t i = 0; i < outside.size; ++i) {
+    outside.colors[i] += trend * (inside.Place() - outside.places[i]);
+  }
+  const Eigen::Vector3d difference = inside.Color() - outside.Color();
   const Eigen::Matrix3d spread = 0.5 * (inside.Covariance() + outside.Covariance()) +
                                  noise * noise * Eigen::Matrix3d::Identity();
-  const Eigen::Vector3d difference = contrast.inside - contrast.outside;
+  Contrast contrast;
+  contrast.inside = inside.Color();
+  contrast.lit = inside.LitColor();
+  contrast.outside = outside.Color();
   contrast.weights = spread.llt().solve(difference);
   const double full = contrast.weights.dot(difference);
   contrast.separation = std::sqrt(std::max(full, 0.0));
   int different = 0;
-  for (std::size_t i = 0; i < ring_size; ++i) {
-    different += contrast.weights.dot(contrast.inside - ring[i]) > 0.5 * full ? 1 : 0;
+  for (std::size_t i = 0; i < outside.size; ++i) {
+    different += contrast.weights.dot(contrast.inside - outside.colors[i]) > 0.5 * full ? 1 : 0;
   }
-  contrast.support = static_cast<double>(different) / static_cast<double>(ring_size);
+  contrast.support = static_cast<double>(different) / static_cast<double>(outside.size);
   return contrast;
 }
 

@@ -13,6 +13,7 @@ namespace limpet {
 /// How an ellipse's inside differs from what is around it.
 struct Contrast {
   Eigen::Vector3d inside = Eigen::Vector3d::Zero();   ///< mean blue, green, red
+  Eigen::Vector3d lit = Eigen::Vector3d::Zero();      ///< mean of the brighter half of the inside
   Eigen::Vector3d outside = Eigen::Vector3d::Zero();  ///< mean blue, green, red of the ring around
   Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< projection that separates the two best
   double separation = 0.0;  ///< distance of the means in standard deviations of both

@@ -21,9 +21,8 @@ struct Rule {
 
 }  // namespace
 
-std::optional<PaintClass> ClassifyPaint(const Contrast& contrast) {
-  // Differences in units of the greatest: haze scales all three, red a little more.
-  const Eigen::Vector3d difference = contrast.inside - contrast.outside;
+std::optional<PaintClass> ClassifyPaint(const Eigen::Vector3d& difference) {
+  // In units of the greatest: haze scales all three, red a little more.
   const Eigen::Vector3d d = difference / std::max(difference.cwiseAbs().maxCoeff(), 1e-6);
   const double b = d(0);
   const double g = d(1);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "limpet/vision/outline_refiner.hpp"
+#include <Eigen/Core>
 
 namespace limpet {
 
@@ -16,6 +16,6 @@ struct PaintClass {
 /// The paint whose contrast against water and seabed looks like this one: by the signs and ratios
 /// of the colour differences, which haze only scales. Nothing if no paint does, such as a dark
 /// stone.
-[[nodiscard]] std::optional<PaintClass> ClassifyPaint(const Contrast& contrast);
+[[nodiscard]] std::optional<PaintClass> ClassifyPaint(const Eigen::Vector3d& difference);
 
 }  // namespace limpet
