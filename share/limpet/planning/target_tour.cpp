@@ -1,6 +1,61 @@
+// SPDX-License-Identifier: MIT
 #include "limpet/planning/target_tour.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "limpet/planning/pass_tour.hpp"
+
 namespace limpet {
-std::optional<Option> TargetTour(const Pose2&, const Region&, const Objective&, Meters) {
-  return {};
+namespace {
+
+constexpr std::size_t kMostStops = 8;
+constexpr int kHeadings = 8;
+/// Passing to one side is enough when that is within this share of the target's radius.
+constexpr double kOffsetShare = 0.7;
+
+Stop PassesOf(const Target& target, const Region& region, Meters turn_radius) {
+  Stop stop;
+  for (int heading = 0; heading < kHeadings; ++heading) {
+    const double yaw = 2.0 * std::numbers::pi * heading / kHeadings;
+    for (const double side : {0.0, -kOffsetShare, kOffsetShare}) {
+      const Pose2 pose{target.north - side * target.radius * std::sin(yaw),
+                       target.east + side * target.radius * std::cos(yaw), yaw};
+      if (region.IsRecoverable(pose, turn_radius)) {
+        stop.push_back({.in = pose, .length = 0.0});
+      }
+    }
+  }
+  return stop;
 }
+
+}  // namespace
+
+std::optional<Option> TargetTour(const Pose2& start, const Region& region,
+                                 const Objective& objective, Meters turn_radius) {
+  std::vector<Target> nearest = objective.targets;
+  std::stable_sort(nearest.begin(), nearest.end(), [&start](const Target& a, const Target& b) {
+    return std::hypot(a.north - start.north, a.east - start.east) <
+           std::hypot(b.north - start.north, b.east - start.east);
+  });
+  nearest.resize(std::min(nearest.size(), kMostStops));
+  std::vector<Stop> stops;
+  for (const Target& target : nearest) {
+    Stop stop = PassesOf(target, region, turn_radius);
+    if (!stop.empty()) {
+      stops.push_back(std::move(stop));
+    }
+  }
+  if (stops.empty()) {
+    return std::nullopt;
+  }
+  const PassTour tour = PlanPassTour(start, stops, region, turn_radius);
+  return Option{.source = "tour",
+                .path = tour.path,
+                .estimate = TargetValueOf(tour.path, objective) - tour.path.length()};
+}
+
 }  // namespace limpet
