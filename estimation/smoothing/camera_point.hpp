@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "estimation/smoothing/camera_model.hpp"
+#include "estimation/smoothing/nav_vector.hpp"
+
+namespace limpet {
+
+/// A landmark in the camera frame, with its derivatives by the body's pose and by the landmark.
+struct CameraPoint {
+  Eigen::Vector3d p_C;
+  Eigen::Matrix<double, 3, 6> J_pose;
+  Eigen::Matrix3d J_landmark;
+};
+
+/// p_C = R_CB (R_BW (p_W - p_WB) - p_BC).
+[[nodiscard]] CameraPoint CameraPointOf(const CameraModel& camera, const NavVector& x,
+                                        const Eigen::Vector3d& p_W);
+
+}  // namespace limpet

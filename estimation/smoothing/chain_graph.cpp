@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/smoothing/chain_graph.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "limpet/core/require.hpp"
+
+namespace limpet {
+
+int ChainGraph::AddNode(const NavVector& x, std::optional<Term> step) {
+  LIMPET_REQUIRE(nodes_.empty() != step.has_value(), "every node but the first has a step");
+  nodes_.push_back({.x = x, .step = std::move(step), .terms = {}});
+  return node_count() - 1;
+}
+
+TermId ChainGraph::AddTerm(int node_index, Term term) {
+  if (term.landmark() >= 0) {
+    ChainLandmark& seen = landmark(term.landmark());
+    LIMPET_REQUIRE(seen.is_used, "a term needs its landmark");
+    seen.nodes.insert(std::ranges::upper_bound(seen.nodes, node_index), node_index);
+  }
+  node(node_index).terms.push_back({next_serial_, std::move(term)});
+  return {node_index, next_serial_++};
+}
+
+void ChainGraph::RemoveTerm(const TermId& id) {
+  std::vector<ChainNode::Entry>& terms = node(id.node).terms;
+  const auto found = std::ranges::find(terms, id.serial, &ChainNode::Entry::serial);
+  if (found == terms.end()) {
+    return;
+  }
+  if (found->term.landmark() >= 0) {
+    std::vector<int>& seen_by = landmark(found->term.landmark()).nodes;
+    seen_by.erase(std::ranges::find(seen_by, id.node));
+  }
+  terms.erase(found);
+}
+
+int ChainGraph::AddLandmark(const Eigen::Vector3d& p) {
+  const auto free = std::ranges::find(landmarks_, false, &ChainLandmark::is_used);
+  const auto slot = static_cast<int>(free - landmarks_.begin());
+  if (free == landmarks_.end()) {
+    landmarks_.emplace_back();
+  }
+  landmark(slot) = {.is_used = true, .p = p, .terms = {}, .nodes = {}};
+  return slot;
+}
+
+void ChainGraph::RemoveLandmark(int slot) {
+  for (const int seen_by : std::exchange(landmark(slot).nodes, {})) {
+    std::erase_if(node(seen_by).terms,
+                  [slot](const ChainNode::Entry& entry) { return entry.term.landmark() == slot; });
+  }
+  landmark(slot) = {};
+}
+
+void ChainGraph::AddLandmarkTerm(int slot, Term term) {
+  LIMPET_REQUIRE(term.landmark() == slot && landmark(slot).is_used, "a term on its landmark");
+  landmark(slot).terms.push_back(std::move(term));
+}
+
+int ChainGraph::FirstNodeOf(int slot) const {
+  const std::vector<int>& nodes = landmark(slot).nodes;
+  return nodes.empty() ? node_count() : nodes.front();
+}
+
+void ChainGraph::Linearize(int index, const Term& term, LinearTerm& out) const {
+  TermPoint at{.previous = nullptr, .pose = &node(index).x, .landmark = nullptr};
+  if (term.landmark() >= 0) {
+    at.landmark = &landmark(term.landmark()).p;
+  }
+  term.Linearize(at, out);
+}
+
+void ChainGraph::LinearizeStep(int index, LinearTerm& out) const {
+  node(index).step->Linearize({&node(index - 1).x, &node(index).x, nullptr}, out);
+}
+
+double ChainGraph::Cost() const {
+  double cost = 0.0;
+  LinearTerm linear;
+  for (int i = 0; i < node_count(); ++i) {
+    if (i > 0) {
+      LinearizeStep(i, linear);
+      cost += linear.cost;
+    }
+    for (const ChainNode::Entry& entry : node(i).terms) {
+      Linearize(i, entry.term, linear);
+      cost += linear.cost;
+    }
+  }
+  for (const ChainLandmark& seen : landmarks_) {
+    for (const Term& term : seen.terms) {
+      term.Linearize({nullptr, nullptr, &seen.p}, linear);
+      cost += linear.cost;
+    }
+  }
+  return cost;
+}
+
+}  // namespace limpet

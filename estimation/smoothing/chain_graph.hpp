@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "estimation/smoothing/term.hpp"
+
+namespace limpet {
+
+/// Names a term, so that it can be taken out again.
+struct TermId {
+  int node = -1;
+  int serial = -1;
+};
+
+/// A pose of the chain, its own terms and the step from the pose before it.
+struct ChainNode {
+  struct Entry {
+    int serial;
+    Term term;
+  };
+  NavVector x = NavVector::Zero();  ///< where the node is linearised
+  std::optional<Term> step;
+  std::vector<Entry> terms;
+};
+
+/// A landmark. Its number is a slot that is used again after the landmark's removal.
+struct ChainLandmark {
+  bool is_used = false;
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();  ///< where it is linearised
+  std::vector<Term> terms;                      ///< on the landmark alone
+  std::vector<int> nodes;                       ///< that see it, ascending, one entry per term
+};
+
+/// Poses in order of time, each tied to its neighbours, and landmarks that any pose may see: the
+/// factor graph of eq. (6). Holds variables and terms; solving is somebody else's.
+class ChainGraph {
+ public:
+  int AddNode(const NavVector& x, std::optional<Term> step);
+  /// REQUIRES: a term on a landmark names one in use.
+  TermId AddTerm(int node, Term term);
+  void RemoveTerm(const TermId& id);
+  int AddLandmark(const Eigen::Vector3d& p);
+  /// Also removes every term on it.
+  void RemoveLandmark(int landmark);
+  /// REQUIRES: `term` is on this landmark alone.
+  void AddLandmarkTerm(int landmark, Term term);
+
+  [[nodiscard]] int node_count() const { return static_cast<int>(nodes_.size()); }
+  [[nodiscard]] int slot_count() const { return static_cast<int>(landmarks_.size()); }
+  [[nodiscard]] const ChainNode& node(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] ChainNode& node(int i) { return nodes_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const ChainLandmark& landmark(int i) const {
+    return landmarks_[static_cast<std::size_t>(i)];
+  }
+  [[nodiscard]] ChainLandmark& landmark(int i) { return landmarks_[static_cast<std::size_t>(i)]; }
+  /// First node that sees the landmark, or node_count() if none does.
+  [[nodiscard]] int FirstNodeOf(int landmark) const;
+
+  /// Linearises term `i` of a node, or its step, where the variables now are.
+  void Linearize(int node, const Term& term, LinearTerm& out) const;
+  void LinearizeStep(int node, LinearTerm& out) const;
+  /// Sum of all losses where the variables now are.
+  [[nodiscard]] double Cost() const;
+
+ private:
+  std::vector<ChainNode> nodes_;
+  std::vector<ChainLandmark> landmarks_;
+  int next_serial_ = 0;
+};
+
+}  // namespace limpet

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "estimation/smoothing/camera_point.hpp"
+#include "limpet/core/units.hpp"
+
+namespace limpet {
+
+/// Distance of a sphere of known radius from the size of its uncut box:
+///   r = (mean of the centre's distances in the camera's xz and yz planes - measured) / sigma.
+/// In each of these planes a half-angle a of the box means exactly radius / sin(a). Use with a
+/// robust loss, and never on boxes that the border cuts.
+class RangeFactor {
+ public:
+  static constexpr int kDim = 1;
+  using Residual = Eigen::Matrix<double, kDim, 1>;
+  using Jacobian = Eigen::Matrix<double, kDim, 6>;
+  using LandmarkJacobian = Eigen::Matrix<double, kDim, 3>;
+
+  /// `camera` must outlive the factor.
+  RangeFactor(const CameraModel& camera, Meters measured, Meters sigma)
+      : camera_(&camera), measured_(measured.value()), inv_sigma_(1.0 / sigma.value()) {}
+
+  [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p_W,
+                                  Jacobian* J_pose = nullptr,
+                                  LandmarkJacobian* J_landmark = nullptr) const {
+    const CameraPoint point = CameraPointOf(*camera_, x, p_W);
+    const Eigen::Vector3d& p = point.p_C;
+    const double xz = std::max(std::hypot(p.x(), p.z()), 1e-6);
+    const double yz = std::max(std::hypot(p.y(), p.z()), 1e-6);
+    const Eigen::RowVector3d J_C =
+        0.5 * inv_sigma_ * Eigen::RowVector3d(p.x() / xz, p.y() / yz, p.z() / xz + p.z() / yz);
+    if (J_pose != nullptr) *J_pose = J_C * point.J_pose;
+    if (J_landmark != nullptr) *J_landmark = J_C * point.J_landmark;
+    return Residual((0.5 * (xz + yz) - measured_) * inv_sigma_);
+  }
+
+ private:
+  const CameraModel* camera_;
+  double measured_, inv_sigma_;
+};
+
+}  // namespace limpet

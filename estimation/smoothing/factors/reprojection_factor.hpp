@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "estimation/smoothing/camera_point.hpp"
+
+namespace limpet {
+
+/// The centre of a landmark's box:  r = (projected - measured) / sigma, per axis [px]; paper eq.
+/// (6), fourth sum. An axis along which the border cuts the box has an infinite sigma and counts
+/// nothing. Behind or near the camera the residual is large and its derivative zero, so that a wild
+/// estimate does no harm.
+class ReprojectionFactor {
+ public:
+  static constexpr int kDim = 2;
+  using Residual = Eigen::Matrix<double, kDim, 1>;
+  using Jacobian = Eigen::Matrix<double, kDim, 6>;
+  using LandmarkJacobian = Eigen::Matrix<double, kDim, 3>;
+
+  /// `camera` must outlive the factor.
+  ReprojectionFactor(const CameraModel& camera, const Eigen::Vector2d& measured_px,
+                     const Eigen::Vector2d& sigma_px)
+      : camera_(&camera), measured_(measured_px), inv_sigma_(sigma_px.cwiseInverse()) {}
+
+  [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p_W,
+                                  Jacobian* J_pose = nullptr,
+                                  LandmarkJacobian* J_landmark = nullptr) const {
+    const CameraPoint point = CameraPointOf(*camera_, x, p_W);
+    const Eigen::Vector3d& p = point.p_C;
+    LandmarkJacobian J_C = LandmarkJacobian::Zero();
+    Residual r = Residual::Constant(kLost).cwiseProduct(inv_sigma_);
+    if (p.z() > kNearest) {
+      const double k = 1.0 / p.z();
+      r = Residual(camera_->cx + camera_->fx * p.x() * k, camera_->cy + camera_->fy * p.y() * k);
+      r = (r - measured_).cwiseProduct(inv_sigma_);
+      J_C << camera_->fx * k, 0.0, -camera_->fx * p.x() * k * k,  //
+          0.0, camera_->fy * k, -camera_->fy * p.y() * k * k;
+      J_C = (inv_sigma_.asDiagonal() * J_C).eval();
+    }
+    if (J_pose != nullptr) *J_pose = J_C * point.J_pose;
+    if (J_landmark != nullptr) *J_landmark = J_C * point.J_landmark;
+    return r;
+  }
+
+ private:
+  static constexpr double kNearest = 0.2;  ///< [m]
+  static constexpr double kLost = 1000.0;  ///< [px]
+  const CameraModel* camera_;
+  Eigen::Vector2d measured_, inv_sigma_;
+};
+
+}  // namespace limpet

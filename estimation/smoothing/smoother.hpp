@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The seam between what is estimated and how it is solved.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "estimation/smoothing/chain_graph.hpp"
+
+namespace limpet {
+
+/// How a solve went. A direction that nothing observes is held where it is and named, not fatal.
+struct SolveReport {
+  bool has_converged = false;
+  int iterations = 0;
+  int eliminated_nodes = 0;  ///< work done
+  double cost = 0.0;         ///< of Converge; 0 after Update, which does not ask
+  std::string reason;
+};
+
+/// Joint covariance of the newest pose (first six) and landmarks (three each, in the order asked).
+using JointCovariance = Eigen::MatrixXd;
+
+/// Estimates a chain of poses and landmarks.
+class Smoother {
+ public:
+  virtual ~Smoother() = default;
+
+  /// Appends a pose, `step` apart from the newest one.
+  virtual int AddNode(const NavVector& x, std::optional<Term> step) = 0;
+  virtual TermId AddTerm(int node, Term term) = 0;
+  virtual void RemoveTerm(const TermId& id) = 0;
+  virtual int AddLandmark(const Eigen::Vector3d& p) = 0;
+  virtual void RemoveLandmark(int landmark) = 0;
+  virtual void AddLandmarkTerm(int landmark, Term term) = 0;
+
+  /// Takes in what is new; cheap, near the optimum.
+  virtual SolveReport Update() = 0;
+  /// Iterates to the optimum.
+  virtual SolveReport Converge() = 0;
+
+  [[nodiscard]] virtual const ChainGraph& graph() const = 0;
+  /// Estimates as of the last Update.
+  [[nodiscard]] virtual NavVector PoseAt(int node) const = 0;
+  [[nodiscard]] virtual Eigen::Vector3d LandmarkAt(int landmark) const = 0;
+  [[nodiscard]] virtual JointCovariance Covariance(const std::vector<int>& landmarks) const = 0;
+  [[nodiscard]] virtual NavCovariance PoseCovariance(int node) const = 0;
+};
+
+}  // namespace limpet

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// A factor on the chain's variables, free of its type: what the solvers see.
+#pragma once
+
+#include <functional>
+#include <utility>
+
+#include <Eigen/Core>
+
+#include "estimation/smoothing/loss.hpp"
+#include "estimation/smoothing/nav_vector.hpp"
+
+namespace limpet {
+
+/// Where a term is linearised. A term reads only what it depends on.
+struct TermPoint {
+  const NavVector* previous = nullptr;
+  const NavVector* pose = nullptr;
+  const Eigen::Vector3d* landmark = nullptr;
+};
+
+/// Whitened, reweighted residual and Jacobians of a term; only the first `rows` rows count.
+struct LinearTerm {
+  int rows = 0;
+  Eigen::Matrix<double, 6, 1> r;
+  Eigen::Matrix<double, 6, 6> J_previous, J_pose;
+  Eigen::Matrix<double, 6, 3> J_landmark;
+  double cost = 0.0;
+};
+
+/// A factor with its loss, bound to a kind of variables: a pose, a step between neighbouring poses,
+/// a pose and a landmark, or a landmark alone.
+class Term {
+ public:
+  template <class F>
+  [[nodiscard]] static Term OnPose(F factor, Loss loss = Loss::LeastSquares()) {
+    return Term([factor, loss](const TermPoint& at, LinearTerm& out) {
+      typename F::Jacobian J;
+      Store(factor.Evaluate(*at.pose, &J), loss, out, J, out.J_pose);
+    });
+  }
+  template <class F>
+  [[nodiscard]] static Term OnStep(F factor, Loss loss = Loss::LeastSquares()) {
+    return Term([factor, loss](const TermPoint& at, LinearTerm& out) {
+      typename F::Jacobian J_previous, J_pose;
+      const double weight = Store(factor.Evaluate(*at.previous, *at.pose, &J_previous, &J_pose),
+                                  loss, out, J_pose, out.J_pose);
+      out.J_previous.topRows<F::kDim>() = weight * J_previous;
+    });
+  }
+  template <class F>
+  [[nodiscard]] static Term OnSight(F factor, int landmark, Loss loss = Loss::LeastSquares()) {
+    Term term([factor, loss](const TermPoint& at, LinearTerm& out) {
+      typename F::Jacobian J_pose;
+      typename F::LandmarkJacobian J_landmark;
+      const double weight = Store(factor.Evaluate(*at.pose, *at.landmark, &J_pose, &J_landmark),
+                                  loss, out, J_pose, out.J_pose);
+      out.J_landmark.template topRows<F::kDim>() = weight * J_landmark;
+    });
+    term.landmark_ = landmark;
+    return term;
+  }
+  template <class F>
+  [[nodiscard]] static Term OnLandmark(F factor, int landmark, Loss loss = Loss::LeastSquares()) {
+    Term term([factor, loss](const TermPoint& at, LinearTerm& out) {
+      typename F::LandmarkJacobian J;
+      Store(factor.Evaluate(*at.landmark, &J), loss, out, J, out.J_landmark);
+    });
+    term.landmark_ = landmark;
+    return term;
+  }
+
+  void Linearize(const TermPoint& at, LinearTerm& out) const { linearize_(at, out); }
+  /// Landmark the term depends on, or -1.
+  [[nodiscard]] int landmark() const { return landmark_; }
+
+ private:
+  using Linearizer = std::function<void(const TermPoint&, LinearTerm&)>;
+  explicit Term(Linearizer linearize) : linearize_(std::move(linearize)) {}
+
+  template <class Residual, class Jacobian, class Target>
+  static double Store(const Residual& r, Loss loss, LinearTerm& out, const Jacobian& J,
+                      Target& target) {
+    constexpr int kRows = Residual::RowsAtCompileTime;
+    const double norm = r.norm();
+    const double weight = loss.SqrtWeight(norm);
+    out.rows = kRows;
+    out.r.template head<kRows>() = weight * r;
+    target.template topRows<kRows>() = weight * J;
+    out.cost = loss.Cost(norm);
+    return weight;
+  }
+
+  Linearizer linearize_;
+  int landmark_ = -1;
+};
+
+}  // namespace limpet
