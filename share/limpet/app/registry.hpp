@@ -40,7 +40,12 @@ template <class A>
           },
       .create = [](const AppContext& context, const ConfigBlock& block) -> std::unique_ptr<App> {
         return std::make_unique<A>(context, ReadParams<typename A::Params>(block, CommonAppKeys()));
-      }};
+      },
+      .check =
+          [](const ConfigBlock& block) {
+            typename A::Params params;
+            return ApplyBlock(block, DescribeParams(params), CommonAppKeys());
+          }};
 }
 
 }  // namespace limpet
