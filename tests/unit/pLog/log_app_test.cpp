@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pLog/log_app.hpp"
+
+#include <fstream>
+#include <iterator>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limpet/app/registry.hpp"
+#include "limpet/app/test_link.hpp"
+#include "limpet/logbook/alog_reader.hpp"
+
+namespace limpet {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+class LogAppTest : public ::testing::Test {
+ protected:
+  LogAppTest() {
+    folder_ =
+        std::filesystem::path(::testing::TempDir()) /
+        ("plog_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::filesystem::remove_all(folder_);
+    context_.name = "pLog";
+    context_.link = &link_;
+    context_.run_folder = folder_;
+    context_.session = "discovery";
+  }
+  ~LogAppTest() override { std::filesystem::remove_all(folder_); }
+  LogAppTest(const LogAppTest&) = delete;
+  LogAppTest& operator=(const LogAppTest&) = delete;
+
+  void Send(App& app, const std::string& name, Value value) const {
+    app.Deliver(std::make_shared<const Message>(Message{.name = name,
+                                                        .value = std::move(value),
+                                                        .time = link_.time,
+                                                        .source = "pNav",
+                                                        .source_aux = "",
+                                                        .community = ""}));
+  }
+  [[nodiscard]] std::vector<std::string> Logged() const {
+    Expected<AlogReader> opened = AlogReader::Open(folder_ / "discovery.alog");
+    if (!opened) {
+      return {};
+    }
+    AlogReader reader = *std::move(opened);
+    std::vector<std::string> names;
+    for (AlogEntry entry; reader.Next(entry);) {
+      names.emplace_back(entry.name);
+    }
+    return names;
+  }
+  [[nodiscard]] std::string Bytes() const {
+    std::ifstream in(folder_ / "discovery.alog");
+    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  }
+
+  std::filesystem::path folder_;
+  TestLink link_;
+  AppContext context_;
+};
+
+TEST_F(LogAppTest, LogsEverythingButBinaries) {
+  LogApp app(context_, {});
+  Send(app, "NAV_X", 1.0);
+  Send(app, "CAMERA_FRAME", Binary{std::byte{1}});
+  Send(app, "MODE", std::string("ACTIVE"));
+  app.Finish(link_.time);
+  EXPECT_THAT(Logged(), ElementsAre("NAV_X", "MODE"));
+}
+
+TEST_F(LogAppTest, HasTheFileReadableAfterATick) {
+  LogApp app(context_, {});
+  Send(app, "NAV_X", 1.0);
+  app.Tick(link_.time);
+  EXPECT_THAT(Logged(), ElementsAre("NAV_X"));
+}
+
+TEST_F(LogAppTest, LeavesNothingBeforeTheFirstMessage) {
+  LogApp app(context_, {});
+  app.Tick(link_.time);
+  EXPECT_FALSE(std::filesystem::exists(folder_));
+}
+
+TEST_F(LogAppTest, FollowsPatternsAndOmissions) {
+  LogApp::Params params;
+  params.wildcard_patterns = {"NAV_*, MODE"};
+  params.wildcard_omit_patterns = {"*_SPEED"};
+  LogApp app(context_, params);
+  for (const char* name : {"NAV_X", "NAV_SPEED", "MODE", "DEPLOY"}) {
+    Send(app, name, 1.0);
+  }
+  app.Finish(link_.time);
+  EXPECT_THAT(Logged(), ElementsAre("NAV_X", "MODE"));
+}
+
+TEST_F(LogAppTest, LogsAListedVariableAtMostAtItsRate) {
+  LogApp::Params params;
+  params.wildcard_logging = false;
+  params.logged = {"NAV_X @ 1.0, NOSYNC"};
+  LogApp app(context_, params);
+  for (int i = 0; i < 5; ++i) {
+    Send(app, "NAV_X", static_cast<double>(i));
+    link_.time += Seconds(0.5);
+  }
+  app.Finish(link_.time);
+  EXPECT_THAT(link_.subscriptions, ElementsAre("NAV_X"));
+  EXPECT_EQ(Logged().size(), 3U);
+}
+
+TEST_F(LogAppTest, WritesTheSameBytesForTheSameMail) {
+  const auto run = [this] {
+    TestLink link;
+    context_.link = &link;
+    LogApp app(context_, {});
+    Send(app, "NAV_X", 1.5);
+    app.Finish(link.time);
+    return Bytes();
+  };
+  const std::string first = run();
+  EXPECT_EQ(first, run());
+  EXPECT_EQ(first.find(folder_.string()), std::string::npos) << "no absolute path in a log";
+}
+
+TEST_F(LogAppTest, NamesTheFolderByDateInACommunity) {
+  context_.run_folder.clear();
+  LogApp::Params params;
+  params.path = folder_.string();
+  params.file = "LOG_ALPHA";
+  LogApp app(context_, params);
+  Send(app, "NAV_X", 1.5);
+  app.Finish(link_.time);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "LOG_ALPHA_1_1_2026_____00_00_00" /
+                                      "LOG_ALPHA_1_1_2026_____00_00_00.alog"));
+}
+
+TEST_F(LogAppTest, WarnsWhenTheLogCannotBeCreated) {
+  context_.run_folder = "/proc/no_such_folder";
+  LogApp app(context_, {});
+  Send(app, "NAV_X", 1.0);
+  EXPECT_TRUE(app.warnings().contains("LOG_FAILED"));
+}
+
+TEST_F(LogAppTest, RefusesALogLineWithoutRate) {
+  LogApp::Params params;
+  params.logged = {"NAV_X @ often"};
+  EXPECT_THROW(LogApp(context_, params), ConfigError);
+}
+
+TEST_F(LogAppTest, ReadsAMoosLoggerBlock) {
+  ConfigBlock block{.name = "pLog", .where = {}, .entries = {}};
+  for (const auto& [key, value] :
+       std::vector<std::pair<std::string, std::string>>{{"AsyncLog", "true"},
+                                                        {"Log", "NAV_X @ 0.1, NOSYNC"},
+                                                        {"WildCardLogging", "true"},
+                                                        {"WildCardOmitPattern", "*_STATUS"},
+                                                        {"WildCardOmitPattern", "DB_VARSUMMARY"},
+                                                        {"LogAuxSrc", "true"},
+                                                        {"DoublePrecision", "8"},
+                                                        {"FileTimeStamp", "true"},
+                                                        {"File", "LOG_A"}}) {
+    block.entries.push_back({key, value, {"m.moos", 1}});
+  }
+  const auto params = ReadParams<LogApp::Params>(block, CommonAppKeys());
+  EXPECT_EQ(params.double_precision, 8);
+  EXPECT_THAT(params.wildcard_omit_patterns, ElementsAre("*_STATUS", "DB_VARSUMMARY"));
+}
+
+}  // namespace
+}  // namespace limpet
