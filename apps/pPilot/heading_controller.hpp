@@ -22,7 +22,9 @@ class HeadingController {
   struct Input {
     double yaw = 0.0, yaw_rate = 0.0;                   ///< [rad, rad/s]
     double desired_yaw = 0.0, desired_turn_rate = 0.0;  ///< [rad, rad/s]
-    double u_water = 0.0, v_water = 0.0;  ///< velocity through the water, as estimated [m/s]
+    /// Velocity through the water while the course is held: of v_water the current's part only,
+    /// since feeding the measured sway back into yaw would destabilise it [m/s].
+    double u_water = 0.0, v_water = 0.0;
   };
   HeadingController(const Gains& gains, const Hydrodynamics& hydro);
 

@@ -24,27 +24,32 @@ void Pilot::Reset(const NavState& nav) {
   is_saturated_ = false;
 }
 
-Wrench Pilot::WantedWrench(const NavState& nav, const DesiredMotion& desired, double dt) {
-  const Eigen::Vector3d v_W = RotationOf(nav.pose()) * Eigen::Vector3d(nav.u, nav.v, nav.w);
+Eigen::Vector2d Pilot::HorizontalForce(const NavState& nav, const DesiredMotion& desired,
+                                       double dt) {
   // Facing away from the wanted course, speed would only carry the vehicle off its path.
   const double facing = std::max(0.0, std::cos(WrapAngle(desired.yaw - nav.yaw)));
+  if (!desired.speed) speed_.Reset(nav.u);
+  const double lack = desired.speed ? speed_.Lack(nav.u, facing * *desired.speed, dt) : 0.0;
+  current_B_ = drift_.Update(nav.yaw, {lack, -nav.v}, dt, is_saturated_);
+  const double sway = sway_.Force({.u = nav.u,
+                                   .v = nav.v,
+                                   .turn_rate = nav.yaw_rate,
+                                   .current_u = current_B_.x(),
+                                   .current_v = current_B_.y()});
+  return {desired.speed ? speed_.Force(lack, current_B_.x()) : 0.0, sway};
+}
+
+Wrench Pilot::WantedWrench(const NavState& nav, const DesiredMotion& desired, double dt) {
+  const Eigen::Vector3d v_W = RotationOf(nav.pose()) * Eigen::Vector3d(nav.u, nav.v, nav.w);
   Wrench wanted = Wrench::Zero();
-  const double lack = speed_.Lack(nav.u, facing * desired.speed, dt);
-  const Eigen::Vector2d current_B =
-      drift_.Update(nav.yaw, Eigen::Vector2d(lack, -nav.v), dt, is_saturated_);
-  wanted(0) = speed_.Force(lack, current_B.x());
-  wanted(1) = sway_.Force({.u = nav.u,
-                           .v = nav.v,
-                           .turn_rate = nav.yaw_rate,
-                           .current_u = current_B.x(),
-                           .current_v = current_B.y()});
+  wanted.head<2>() = HorizontalForce(nav, desired, dt);
   wanted(2) = depth_.Update({nav.down, v_W.z(), desired.depth}, dt, is_saturated_);
   wanted(5) = heading_.Update({.yaw = nav.yaw,
                                .yaw_rate = nav.yaw_rate,
                                .desired_yaw = desired.yaw,
                                .desired_turn_rate = desired.turn_rate,
-                               .u_water = nav.u - current_B.x(),
-                               .v_water = -current_B.y()},
+                               .u_water = nav.u - current_B_.x(),
+                               .v_water = -current_B_.y()},
                               dt, is_saturated_);
   return wanted;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "apps/pPilot/depth_controller.hpp"
 #include "apps/pPilot/drift_estimate.hpp"
 #include "apps/pPilot/heading_controller.hpp"
@@ -16,9 +18,9 @@ namespace limpet {
 /// What the helm wants now. NED, radians.
 struct DesiredMotion {
   double yaw = 0.0;
-  double speed = 0.0;      ///< over ground [m/s]
-  double depth = 0.0;      ///< [m], positive down
-  double turn_rate = 0.0;  ///< feed-forward [rad/s]
+  std::optional<double> speed;  ///< over ground [m/s]; absent: coast, no surge force
+  double depth = 0.0;           ///< [m], positive down
+  double turn_rate = 0.0;       ///< feed-forward [rad/s]
 };
 
 /// All control laws and the thrust allocation: from estimate and wish to thruster commands. Pure:
@@ -42,6 +44,9 @@ class Pilot {
   [[nodiscard]] bool is_saturated() const { return is_saturated_; }
 
  private:
+  /// Surge and sway force [N].
+  [[nodiscard]] Eigen::Vector2d HorizontalForce(const NavState& nav, const DesiredMotion& desired,
+                                                double dt);
   [[nodiscard]] Wrench WantedWrench(const NavState& nav, const DesiredMotion& desired, double dt);
 
   HeadingController heading_;
@@ -50,6 +55,7 @@ class Pilot {
   DriftEstimate drift_;
   DepthController depth_;
   ThrustAllocation allocation_;
+  Eigen::Vector2d current_B_ = Eigen::Vector2d::Zero();  ///< as estimated in the last step [m/s]
   bool is_saturated_ = false;
 };
 

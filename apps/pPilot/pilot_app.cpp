@@ -54,7 +54,7 @@ DesiredMotion PilotApp::Desired(Seconds now) {
     return desired;
   }
   Warn("DESIRED_STALE", "no fresh DESIRED_*: surge stopped, heading and depth held");
-  desired.speed = 0.0;
+  desired.speed.reset();
   desired.turn_rate = 0.0;
   return desired;
 }

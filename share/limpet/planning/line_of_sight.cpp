@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "limpet/core/frames.hpp"
 #include "limpet/core/require.hpp"
@@ -16,26 +17,16 @@ constexpr double kRunOut = 1e6;  // [m]
 
 }  // namespace
 
-LineOfSight::Waypose LineOfSight::Along(const Piece& piece, double length) {
-  const Waypose& start = piece.start;
-  const double half = 0.5 * piece.curvature * length;
-  const double chord =
-      std::abs(piece.curvature) < kFlat ? length : 2.0 * std::sin(half) / piece.curvature;
-  return {.north = start.north + chord * std::cos(start.yaw + half),
-          .east = start.east + chord * std::sin(start.yaw + half),
-          .yaw = start.yaw + 2.0 * half};
-}
-
-void LineOfSight::SetPath(const Waypose& start, const std::vector<PathSegment>& segments) {
+void LineOfSight::SetPath(const Pose2& start, const std::vector<PathSegment>& segments) {
   pieces_.clear();
   pieces_.reserve(segments.size() + 1);
   length_ = 0.0;
   progress_ = 0.0;
-  Waypose end = start;
+  Pose2 end = start;
   for (const PathSegment& segment : segments) {
     if (segment.length <= 0.0) continue;
     pieces_.push_back({end, segment.curvature, segment.length, length_});
-    end = Along(pieces_.back(), segment.length);
+    end = Advance(end, segment.curvature, segment.length);
     length_ += segment.length;
   }
   pieces_.push_back({end, 0.0, kRunOut, length_});
@@ -68,7 +59,7 @@ double LineOfSight::NearestAhead(double north, double east) const {
     const double high = std::min(piece.length, limit - piece.begin);
     if (low > high) continue;
     const double along = Nearest(piece, north, east, low, high);
-    const Waypose at = Along(piece, along);
+    const Pose2 at = Advance(piece.start, piece.curvature, along);
     const double distance = std::hypot(north - at.north, east - at.east);
     if (distance < best_distance) {
       best = piece.begin + along;
@@ -78,11 +69,11 @@ double LineOfSight::NearestAhead(double north, double east) const {
   return best;
 }
 
-LineOfSight::Waypose LineOfSight::At(double progress) const {
+Pose2 LineOfSight::At(double progress) const {
   LIMPET_REQUIRE(has_path(), "SetPath comes first");
   const auto after = std::ranges::upper_bound(pieces_, progress, {}, &Piece::begin);
   const Piece& piece = after == pieces_.begin() ? *after : *std::prev(after);
-  return Along(piece, progress - piece.begin);
+  return Advance(piece.start, piece.curvature, progress - piece.begin);
 }
 
 /// The path's own turn, averaged over the time in which the vehicle can answer it (a Dubins path's
@@ -101,7 +92,7 @@ double LineOfSight::TurnRate(double cross_track, double speed) const {
 LineOfSight::Steering LineOfSight::Update(double north, double east, double speed) {
   LIMPET_REQUIRE(has_path(), "SetPath comes first");
   progress_ = NearestAhead(north, east);
-  const Waypose at = At(progress_);
+  const Pose2 at = At(progress_);
   const double cross_track =
       -std::sin(at.yaw) * (north - at.north) + std::cos(at.yaw) * (east - at.east);
   const double limit = params_.max_intercept.value();

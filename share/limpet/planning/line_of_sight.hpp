@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "limpet/core/units.hpp"
+#include "limpet/planning/pose2.hpp"
 #include "limpet/topics/mission.hpp"
 
 namespace limpet {
@@ -24,11 +25,6 @@ class LineOfSight {
     Seconds preview{0.35};
   };
 
-  /// NED [m, rad].
-  struct Waypose {
-    double north = 0.0, east = 0.0, yaw = 0.0;
-  };
-
   struct Steering {
     double progress = 0.0;     ///< along the path [m]
     double remaining = 0.0;    ///< to its end [m], 0 beyond
@@ -43,7 +39,7 @@ class LineOfSight {
   explicit LineOfSight(const Params& params) : params_(params) {}
 
   /// Takes a new path and forgets all progress. Segments without length are passed over.
-  void SetPath(const Waypose& start, const std::vector<PathSegment>& segments);
+  void SetPath(const Pose2& start, const std::vector<PathSegment>& segments);
   void SetPath(const HelmPath& path) { SetPath({path.north, path.east, path.yaw}, path.segments); }
 
   /// For a vehicle at (north, east) with `speed` over ground [m/s]. REQUIRES: has_path().
@@ -52,16 +48,15 @@ class LineOfSight {
   [[nodiscard]] bool has_path() const { return !pieces_.empty(); }
   [[nodiscard]] double length() const { return length_; }
   /// Where the path is at `progress` >= 0; its yaw is not wrapped. REQUIRES: has_path().
-  [[nodiscard]] Waypose At(double progress) const;
+  [[nodiscard]] Pose2 At(double progress) const;
 
  private:
   struct Piece {
-    Waypose start;
+    Pose2 start;
     double curvature = 0.0;
     double length = 0.0;
     double begin = 0.0;  ///< progress at its start
   };
-  [[nodiscard]] static Waypose Along(const Piece& piece, double length);
   /// Where in [low, high] of its own length a piece is nearest to a point. Exact for
   /// high - low shorter than a full turn.
   [[nodiscard]] static double Nearest(const Piece& piece, double north, double east, double low,

@@ -21,8 +21,8 @@ void Rk4Integrator::Step(const ThrusterVector& wanted_thrust, double h, bool wit
 
 void Rk4Integrator::Advance(const ThrusterVector& wanted_thrust, double duration,
                             std::vector<TimedEvent>& events) {
-  // 1e-9: a duration that is a whole number of steps but for rounding must not gain a step.
-  const double count = std::max(1.0, std::ceil(duration / options_.step_s - 1e-9));
+  // MOOS time resolves 0.2 microseconds: a whole number of steps must not gain one by rounding.
+  const double count = std::max(1.0, std::ceil(duration / options_.step_s - 1e-3));
   const double h = duration / count;
   const double begin = time_;
   const bool with_seabed = model_->IsNearSeabed(x_, duration);

@@ -27,7 +27,7 @@ LineOfSight OnLanes() {
 TEST(LineOfSight, SteersThePathsOwnCourseOnThePath) {
   LineOfSight sight = OnLanes();
   for (double s = 0.0; s < sight.length(); s += 0.1) {
-    const LineOfSight::Waypose at = sight.At(s);
+    const Pose2 at = sight.At(s);
     const LineOfSight::Steering steering = sight.Update(at.north, at.east, kSpeed);
     ASSERT_NEAR(steering.progress, s, 1e-9);
     ASSERT_NEAR(steering.cross_track, 0.0, 1e-9);
@@ -37,7 +37,7 @@ TEST(LineOfSight, SteersThePathsOwnCourseOnThePath) {
 
 TEST(LineOfSight, EndsWhereTheSegmentsEnd) {
   const LineOfSight sight = OnLanes();
-  const LineOfSight::Waypose end = sight.At(sight.length());
+  const Pose2 end = sight.At(sight.length());
   EXPECT_NEAR(end.north, 0.0, 1e-9);
   EXPECT_NEAR(end.east, 6.0, 1e-9);
   EXPECT_NEAR(end.yaw, kPi, 1e-9);
@@ -54,7 +54,7 @@ TEST(LineOfSight, MeasuresCrossTrackExactlyOnArcsOfEitherHand) {
   for (const double curvature : {0.4, -0.4}) {
     LineOfSight sight({.search = Meters(20.0)});
     sight.SetPath({1.0, 2.0, 0.7}, {{curvature, 6.0}});
-    const LineOfSight::Waypose at = sight.At(4.0);
+    const Pose2 at = sight.At(4.0);
     const double starboard = 0.35;
     const LineOfSight::Steering steering = sight.Update(
         at.north - starboard * std::sin(at.yaw), at.east + starboard * std::cos(at.yaw), kSpeed);
@@ -66,7 +66,7 @@ TEST(LineOfSight, MeasuresCrossTrackExactlyOnArcsOfEitherHand) {
 TEST(LineOfSight, FeedsForwardTheTurnRateOfAnArc) {
   LineOfSight sight;
   sight.SetPath({0.0, 0.0, 0.0}, {{-1.0 / 3.0, 12.0}});
-  const LineOfSight::Waypose at = sight.At(1.5);
+  const Pose2 at = sight.At(1.5);
   EXPECT_NEAR(sight.Update(at.north, at.east, kSpeed).turn_rate, -kSpeed / 3.0, 1e-9);
 }
 
@@ -89,7 +89,7 @@ TEST(LineOfSight, FollowsAPathThatCrossesItselfInItsOwnOrder) {
   sight.SetPath({0.0, 0.0, 0.0}, {{0.0, 8.0}, {1.0 / 3.0, 4.5 * kPi}, {0.0, 8.0}});
   double last = 0.0;
   for (double s = 0.0; s < sight.length(); s += 0.05) {
-    const LineOfSight::Waypose at = sight.At(s);
+    const Pose2 at = sight.At(s);
     const double progress = sight.Update(at.north, at.east, kSpeed).progress;
     ASSERT_NEAR(progress, s, 1e-6);
     ASSERT_GE(progress, last);
@@ -101,7 +101,7 @@ TEST(LineOfSight, FollowsMoreThanOneFullCircle) {
   LineOfSight sight;
   sight.SetPath({0.0, 0.0, 0.0}, {{1.0 / 3.0, 15.0 * kPi}});
   for (double s = 0.0; s < sight.length(); s += 0.05) {
-    const LineOfSight::Waypose at = sight.At(s);
+    const Pose2 at = sight.At(s);
     ASSERT_NEAR(sight.Update(at.north, at.east, kSpeed).progress, s, 1e-6);
   }
 }
@@ -124,10 +124,10 @@ TEST(LineOfSight, NearestPointIsNoFartherThanAnySampleAhead) {
                   {{random.Uniform(-0.4, 0.4), 2.0}, {0.0, 1.0}, {random.Uniform(-0.4, 0.4), 3.0}});
     const double north = random.Uniform(-3.0, 3.0);
     const double east = random.Uniform(-3.0, 3.0);
-    const LineOfSight::Waypose found = sight.At(sight.Update(north, east, kSpeed).progress);
+    const Pose2 found = sight.At(sight.Update(north, east, kSpeed).progress);
     const double distance = std::hypot(north - found.north, east - found.east);
     for (double s = 0.0; s <= 4.0; s += 0.01) {
-      const LineOfSight::Waypose at = sight.At(s);
+      const Pose2 at = sight.At(s);
       ASSERT_LE(distance, std::hypot(north - at.north, east - at.east) + 1e-9);
     }
   }

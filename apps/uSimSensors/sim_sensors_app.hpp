@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/uSimSensors/sample_clock.hpp"
+#include "limpet/app/app.hpp"
+#include "limpet/core/params.hpp"
+#include "limpet/mission/scenario.hpp"
+#include "limpet/topics/simulation.hpp"
+
+namespace limpet {
+
+/// The vehicle's sensors, fed by the truth. A sensor is one file with a model that has
+/// `std::optional<T> Sample(const SimTruth&, Seconds)`, and one line in the constructor.
+class SimSensorsApp final : public App {
+ public:
+  struct Params {
+    std::string scenario = "scenario.yaml";
+    template <class Visitor>
+    void Describe(Visitor& visit) {
+      visit("scenario", scenario, "Truth of the mission, relative to its folder");
+    }
+  };
+
+  SimSensorsApp(const AppContext& context, const Params& params);
+  /// With a scenario made in code.
+  SimSensorsApp(const AppContext& context, const Scenario& scenario);
+
+ private:
+  template <class T, class Model>
+  void Add(const Topic<T>& topic, Hertz rate, Model model) {
+    sensors_.push_back([this, &topic, clock = SampleClock(rate),
+                        model = std::move(model)](const Stamped<SimTruth>& truth) mutable {
+      if (!clock.IsDue(truth.time)) return;
+      if (const auto sample = model.Sample(truth.value, truth.time)) Publish(topic, *sample);
+    });
+  }
+  void OnTruth(const Stamped<SimTruth>& truth);
+
+  std::vector<std::function<void(const Stamped<SimTruth>&)>> sensors_;
+};
+
+}  // namespace limpet

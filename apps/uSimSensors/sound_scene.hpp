@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace limpet {
+
+/// What sound meets: the seabed and spheres in the water.
+class SoundScene {
+ public:
+  struct Sphere {
+    Eigen::Vector3d center_W;
+    double radius = 0.5;
+  };
+  SoundScene(std::function<double(double north, double east)> seabed, std::vector<Sphere> spheres);
+
+  /// Distance [m] along a ray (`direction_W` of unit length) to what it meets first, if that lies
+  /// within `max_range`.
+  [[nodiscard]] std::optional<double> Range(const Eigen::Vector3d& origin_W,
+                                            const Eigen::Vector3d& direction_W,
+                                            double max_range) const;
+
+ private:
+  [[nodiscard]] std::optional<double> ToSeabed(const Eigen::Vector3d& origin_W,
+                                               const Eigen::Vector3d& direction_W) const;
+
+  std::function<double(double, double)> seabed_;
+  std::vector<Sphere> spheres_;
+};
+
+}  // namespace limpet

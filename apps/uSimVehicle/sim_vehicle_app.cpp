@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "apps/uSimVehicle/sim_vehicle_app.hpp"
+
+#include <memory>
+
+#include "limpet/app/registry.hpp"
+#include "limpet/mission/seabed.hpp"
+
+namespace limpet {
+namespace {
+
+VehicleSimulation MakeSimulation(const Scenario& scenario, const std::string& integrator) {
+  const Scenario::Water& water = scenario.water;
+  VehicleModel model(VehicleParams{}, {water.current_north_mps, water.current_east_mps, 0.0},
+                     [seabed = Seabed(scenario.seabed)](double north, double east) {
+                       return seabed.Depth(north, east);
+                     });
+  return {std::move(model),
+          {.north = scenario.start.north_m,
+           .east = scenario.start.east_m,
+           .yaw = RadiansFromDegrees(scenario.start.heading_deg)},
+          integrator == "rk4" ? IntegratorKind::kRk4 : IntegratorKind::kCvode};
+}
+
+SimTruth TruthOf(const VehicleMotion& motion) {
+  const Pose& pose = motion.X_WB;
+  return {.north = pose.p_WB.x(),
+          .east = pose.p_WB.y(),
+          .down = pose.p_WB.z(),
+          .roll = pose.roll,
+          .pitch = pose.pitch,
+          .yaw = pose.yaw,
+          .u = motion.v_WB_B.x(),
+          .v = motion.v_WB_B.y(),
+          .w = motion.v_WB_B.z(),
+          .p = motion.omega_B.x(),
+          .q = motion.omega_B.y(),
+          .r = motion.omega_B.z(),
+          .fx = motion.specific_force_B.x(),
+          .fy = motion.specific_force_B.y(),
+          .fz = motion.specific_force_B.z()};
+}
+
+}  // namespace
+
+SimVehicleApp::SimVehicleApp(const AppContext& context, const Params& params)
+    : SimVehicleApp(context, params, LoadScenario(context.mission_folder / params.scenario)) {}
+
+SimVehicleApp::SimVehicleApp(const AppContext& context, const Params& params,
+                             const Scenario& scenario)
+    : App(context), simulation_(MakeSimulation(scenario, params.integrator)) {
+  Subscribe(topics::kThrusterCommand, &SimVehicleApp::OnCommand);
+}
+
+void SimVehicleApp::OnCommand(const Stamped<ThrusterCommand>& command) {
+  const ThrusterCommand& c = command.value;
+  command_ << c.t1, c.t2, c.t3, c.t4, c.t5, c.t6;
+}
+
+void SimVehicleApp::Tick(Seconds now) {
+  const Seconds duration = last_tick_ ? now - *last_tick_ : Seconds(0.0);
+  last_tick_ = now;
+  if (duration > Seconds(0.0)) {
+    for (const TimedEvent& event : simulation_.Advance(command_, duration)) {
+      Publish(topics::kSimEvent, std::string(EventName(event.event)));
+    }
+    if (simulation_.failures() > 0) {
+      Warn("INTEGRATOR_FAILED", "CVODE gave up a step; fixed steps bridged it");
+    }
+  }
+  Publish(topics::kSimTruth, TruthOf(simulation_.motion()));
+}
+
+LIMPET_REGISTER_APP(SimVehicleApp, "uSimVehicle", 50.0);
+
+}  // namespace limpet

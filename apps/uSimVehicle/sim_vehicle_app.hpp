@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "limpet/app/app.hpp"
+#include "limpet/core/params.hpp"
+#include "limpet/mission/scenario.hpp"
+#include "limpet/topics/mission.hpp"
+#include "limpet/topics/simulation.hpp"
+#include "limpet/vehicle/vehicle_simulation.hpp"
+
+namespace limpet {
+
+/// The vehicle in its water: THRUSTER_COMMAND in, the truth out. A command holds until the next.
+class SimVehicleApp final : public App {
+ public:
+  struct Params {
+    std::string scenario = "scenario.yaml";
+    std::string integrator = "cvode";
+    template <class Visitor>
+    void Describe(Visitor& visit) {
+      visit("scenario", scenario, "Truth of the mission, relative to its folder");
+      visit.Choice("integrator", integrator, "cvode: the reference; rk4: faster, for many runs",
+                   {"cvode", "rk4"});
+    }
+  };
+
+  SimVehicleApp(const AppContext& context, const Params& params);
+  /// With a scenario made in code.
+  SimVehicleApp(const AppContext& context, const Params& params, const Scenario& scenario);
+  void Tick(Seconds now) override;
+
+ private:
+  void OnCommand(const Stamped<ThrusterCommand>& command);
+
+  VehicleSimulation simulation_;
+  ThrusterVector command_ = ThrusterVector::Zero();
+  std::optional<Seconds> last_tick_;
+};
+
+}  // namespace limpet

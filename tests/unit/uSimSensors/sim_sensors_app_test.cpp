@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "apps/uSimSensors/sim_sensors_app.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "limpet/app/test_link.hpp"
+#include "limpet/topics/sensors.hpp"
+
+namespace limpet {
+namespace {
+
+AppContext ContextFor(TestLink& link, std::uint64_t seed = 1) {
+  AppContext context;
+  context.name = "uSimSensors";
+  context.link = &link;
+  context.seed = seed;
+  return context;
+}
+
+struct Outbox {
+  std::vector<MessagePtr> mail;
+  [[nodiscard]] std::ptrdiff_t Count(const std::string& name) const {
+    return std::ranges::count_if(mail, [&name](const auto& m) { return m->name == name; });
+  }
+};
+
+Outbox TenSeconds(double down, std::uint64_t seed) {
+  TestLink link;
+  SimSensorsApp app(ContextFor(link, seed), Scenario{});
+  for (int i = 0; i < 500; ++i) {
+    SimTruth truth;
+    truth.down = down;
+    link.Send(app, topics::kSimTruth, truth);
+    link.time += Seconds(0.02);
+  }
+  return {std::move(link.published)};
+}
+
+TEST(SimSensorsApp, PublishesEachSensorAtItsRate) {
+  const Outbox run = TenSeconds(3.5, 1);
+  EXPECT_EQ(run.Count("IMU_DATA"), 500);
+  EXPECT_EQ(run.Count("FOG_YAW_RATE"), 500);
+  EXPECT_EQ(run.Count("DEPTH_SENSOR"), 200);
+  EXPECT_EQ(run.Count("DVL_DATA"), 50);
+}
+
+TEST(SimSensorsApp, HasGpsAtTheSurfaceOnly) {
+  EXPECT_EQ(TenSeconds(3.5, 1).Count("GPS_DATA"), 0);
+  EXPECT_EQ(TenSeconds(0.13, 1).Count("GPS_DATA"), 10);
+}
+
+TEST(SimSensorsApp, GivesTheSameBitsForTheSameSeed) {
+  const Outbox one = TenSeconds(0.13, 7);
+  const Outbox two = TenSeconds(0.13, 7);
+  ASSERT_EQ(one.mail.size(), two.mail.size());
+  for (std::size_t i = 0; i < one.mail.size(); ++i) {
+    ASSERT_EQ(one.mail[i]->value, two.mail[i]->value);
+  }
+}
+
+TEST(SimSensorsApp, GivesOtherNoiseForAnotherSeed) {
+  EXPECT_NE(TenSeconds(3.5, 7).mail.back()->value, TenSeconds(3.5, 8).mail.back()->value);
+}
+
+}  // namespace
+}  // namespace limpet

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "apps/uSimVehicle/sim_vehicle_app.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "limpet/app/test_link.hpp"
+
+namespace limpet {
+namespace {
+
+AppContext ContextFor(TestLink& link) {
+  AppContext context;
+  context.name = "uSimVehicle";
+  context.link = &link;
+  return context;
+}
+
+Scenario Table() {
+  Scenario scenario;
+  scenario.start = {.north_m = -12.5, .east_m = -15.5, .heading_deg = 90.0};
+  return scenario;
+}
+
+SimVehicleApp::Params ParamsFor(const std::string& integrator) {
+  SimVehicleApp::Params params;
+  params.integrator = integrator;
+  return params;
+}
+
+class SimVehicle {
+ public:
+  explicit SimVehicle(const Scenario& scenario, const std::string& integrator = "cvode")
+      : app_(ContextFor(link_), ParamsFor(integrator), scenario) {}
+  void Run(const ThrusterCommand& command, double seconds) {
+    link_.Send(app_, topics::kThrusterCommand, command);
+    for (int i = 0; i < static_cast<int>(std::lround(50.0 * seconds)); ++i) {
+      app_.Tick(link_.time);
+      link_.time += Seconds(0.02);
+    }
+  }
+  [[nodiscard]] SimTruth Truth() const { return *link_.Last(topics::kSimTruth); }
+  [[nodiscard]] std::vector<std::string> Events() const {
+    std::vector<std::string> events;
+    for (const MessagePtr& message : link_.published) {
+      if (message->name == topics::kSimEvent.name) {
+        events.push_back(std::get<std::string>(message->value));
+      }
+    }
+    return events;
+  }
+  [[nodiscard]] std::size_t CountOfTruths() const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        link_.published, [](const auto& m) { return m->name == topics::kSimTruth.name; }));
+  }
+  [[nodiscard]] const App& app() const { return app_; }
+
+ private:
+  TestLink link_;
+  SimVehicleApp app_;
+};
+
+constexpr ThrusterCommand kDown{.t5 = 0.6, .t6 = 0.6};
+
+TEST(SimVehicleApp, StartsAfloatAtTheScenariosStart) {
+  SimVehicle vehicle(Table());
+  vehicle.Run({}, 1.0);
+  const SimTruth truth = vehicle.Truth();
+  EXPECT_NEAR(truth.north, -12.5, 1e-6);
+  EXPECT_NEAR(truth.east, -15.5, 1e-6);
+  EXPECT_NEAR(truth.yaw, M_PI / 2.0, 1e-9);
+  EXPECT_LT(truth.down, 0.2);
+}
+
+TEST(SimVehicleApp, PublishesTheTruthAtEveryTick) {
+  SimVehicle vehicle(Table());
+  vehicle.Run({}, 2.0);
+  EXPECT_EQ(vehicle.CountOfTruths(), 100U);
+}
+
+TEST(SimVehicleApp, TellsOfSubmergingAndOfTheBottom) {
+  SimVehicle vehicle(Table());
+  vehicle.Run(kDown, 60.0);
+  EXPECT_EQ(vehicle.Events(), (std::vector<std::string>{"submerged", "touched_bottom"}));
+  EXPECT_TRUE(vehicle.app().warnings().empty());
+}
+
+TEST(SimVehicleApp, DriftsWithTheScenariosCurrent) {
+  Scenario scenario = Table();
+  scenario.water.current_east_mps = 0.1;
+  SimVehicle vehicle(scenario);
+  vehicle.Run({}, 10.02);
+  EXPECT_NEAR(vehicle.Truth().east, -15.5 + 1.0, 1e-3);
+}
+
+TEST(SimVehicleApp, FliesTheSameTrackWithEitherIntegrator) {
+  SimVehicle cvode(Table(), "cvode");
+  SimVehicle rk4(Table(), "rk4");
+  const ThrusterCommand forward{.t1 = 0.3, .t2 = 0.35, .t3 = 0.3, .t4 = 0.35, .t5 = 0.2, .t6 = 0.2};
+  cvode.Run(forward, 30.0);
+  rk4.Run(forward, 30.0);
+  EXPECT_NEAR(cvode.Truth().north, rk4.Truth().north, 1e-4);
+  EXPECT_NEAR(cvode.Truth().east, rk4.Truth().east, 1e-4);
+}
+
+}  // namespace
+}  // namespace limpet
