@@ -262,6 +262,10 @@ std::optional<Box> ColorShapeDetector::Verify(const ImageView& image,
 }
 
 std::vector<Box> ColorShapeDetector::Detect(const ImageView& image) {
+  constexpr int kLeastSide = 32;
+  if (image.width_px < kLeastSide || image.height_px < kLeastSide) {
+    return {};
+  }
   Shrink(image);
   FillPlanes();
   std::vector<Candidate> candidates;

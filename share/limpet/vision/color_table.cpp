@@ -11,12 +11,14 @@ struct Paint {
   Albedo albedo;
 };
 // Buoy paints, linear blue, green, red.
-constexpr std::array<Paint, 6> kPaints{{{"yellow", {0.05F, 0.62F, 0.85F}},
+constexpr std::array<Paint, 8> kPaints{{{"yellow", {0.05F, 0.62F, 0.85F}},
                                         {"orange", {0.03F, 0.22F, 0.85F}},
                                         {"red", {0.04F, 0.04F, 0.62F}},
                                         {"green", {0.10F, 0.48F, 0.06F}},
                                         {"white", {0.85F, 0.85F, 0.85F}},
-                                        {"blue", {0.60F, 0.14F, 0.04F}}}};
+                                        {"blue", {0.60F, 0.14F, 0.04F}},
+                                        {"black", {0.02F, 0.02F, 0.02F}},
+                                        {"purple", {0.45F, 0.05F, 0.40F}}}};
 
 }  // namespace
 

@@ -77,7 +77,7 @@ struct SceneRenderer::View {
 SceneRenderer::SceneRenderer(const SceneSettings& settings)
     : settings_(settings),
       water_(WaterOptics::OfVisibility(settings.visibility_m)),
-      texture_(settings.seed),
+      texture_(settings.seabed_seed),
       relief_(settings.seabed_depth),
       columns_(static_cast<std::size_t>((settings.camera.width_px + kBlock - 1) / kBlock + 1)),
       rows_(static_cast<std::size_t>((settings.camera.height_px + kBlock - 1) / kBlock + 1)),
@@ -86,7 +86,8 @@ SceneRenderer::SceneRenderer(const SceneSettings& settings)
       row_values_(columns_ * kLayers),
       brightness_(columns_ * kBlock),
       tone_curve_(ToneCurve()),
-      noise_(NoiseTable(settings.seed, 3 * static_cast<std::size_t>(settings.camera.width_px))) {
+      noise_(
+          NoiseTable(settings.noise_seed, 3 * static_cast<std::size_t>(settings.camera.width_px))) {
   LIMPET_REQUIRE(settings.seabed_depth != nullptr, "a scene needs a seabed");
 }
 
@@ -123,8 +124,8 @@ void SceneRenderer::FillNode(const View& view, int column, int row, double& dist
   node(kAlong, column, row) = static_cast<float>((p.x() - view.origin_north) * kQ8PerMeter);
   // Relief is lit from the south-west; patches of weed are darker and greener.
   const double relief = 1.0 + 0.8 * ground.slope_north + 0.5 * ground.slope_east;
-  const float weed = 0.6F * PatchNoise(p.x() / 2.7, p.y() / 2.7, settings_.seed) +
-                     0.4F * PatchNoise(p.x() / 0.9, p.y() / 0.9, settings_.seed + 1);
+  const float weed = 0.6F * PatchNoise(p.x() / 2.7, p.y() / 2.7, settings_.seabed_seed) +
+                     0.4F * PatchNoise(p.x() / 0.9, p.y() / 0.9, settings_.seabed_seed + 1);
   constexpr std::array<float, 3> kWeed{0.16F, 0.09F, 0.15F};
   const double range = distance * ray.norm();
   const float vignette = Vignette(u, v);
@@ -228,7 +229,8 @@ void SceneRenderer::ShadeSeabedRow(LinearRow& linear) const {
 
 void SceneRenderer::Develop(const LinearRow& linear, std::uint64_t counter,
                             std::uint8_t* bgr) const {
-  const std::int8_t* noise = noise_.data() + Hash(settings_.seed ^ Hash(counter)) % kNoiseLength;
+  const std::int8_t* noise =
+      noise_.data() + Hash(settings_.noise_seed ^ Hash(counter)) % kNoiseLength;
   const auto width = static_cast<std::size_t>(settings_.camera.width_px);
   for (std::size_t column = 0; column < width; ++column) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -243,8 +245,8 @@ void SceneRenderer::Develop(const LinearRow& linear, std::uint64_t counter,
 void SceneRenderer::AddSpecks(std::uint32_t frame, Image& image) const {
   const int count = static_cast<int>(160.0 / settings_.visibility_m);
   for (int speck = 0; speck < count; ++speck) {
-    const std::uint64_t bits = Hash(
-        settings_.seed ^ Hash((std::uint64_t{frame} << 16U) + static_cast<std::uint64_t>(speck)));
+    const std::uint64_t bits = Hash(settings_.noise_seed ^ Hash((std::uint64_t{frame} << 16U) +
+                                                                static_cast<std::uint64_t>(speck)));
     const auto column =
         static_cast<std::size_t>((bits & 0xffffU) % static_cast<unsigned>(image.width_px - 1));
     const auto row = static_cast<std::size_t>(((bits >> 16U) & 0xffffU) %

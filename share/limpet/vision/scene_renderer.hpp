@@ -23,7 +23,8 @@ struct SceneSettings {
   CameraGeometry camera;
   SeabedDepthFunction seabed_depth;  ///< [m] at (north, east) [m]; smooth over 0.25 m
   double visibility_m = 8.0;
-  std::uint64_t seed = 1;  ///< of texture, patches, specks and sensor noise
+  std::uint64_t seabed_seed = 1;  ///< of texture and patches: the same place in every session
+  std::uint64_t noise_seed = 1;   ///< of specks and sensor noise
 };
 
 /// Pictures of a rough seabed with spheres through hazy water, from a camera that looks down.

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limpet/app/app.hpp"
+#include "limpet/core/camera_params.hpp"
+#include "limpet/core/params.hpp"
+#include "limpet/mission/scenario.hpp"
+#include "limpet/topics/sensors.hpp"
+#include "limpet/topics/simulation.hpp"
+#include "limpet/vision/box_model.hpp"
+#include "limpet/vision/scene_renderer.hpp"
+#include "limpet/vision/sphere.hpp"
+
+namespace limpet {
+
+/// The down-looking camera of the simulated vehicle: images of the scenario's seabed and objects,
+/// or directly the boxes that a detector would find in them.
+class SimCameraApp final : public App {
+ public:
+  struct Params {
+    std::string scenario = "scenario.yaml";
+    std::string camera = "scenario";
+    Hertz rate{4.0};
+    Meters least_depth{0.5};
+    CameraParams geometry;
+    template <class Visitor>
+    void Describe(Visitor& visit) {
+      using namespace literals;
+      visit("scenario", scenario, "The truth; relative to the mission's folder");
+      visit.Choice("camera", camera, "Images, boxes, or what the scenario says",
+                   {"scenario", "rendered", "boxes"});
+      visit("rate_hz", rate, "Frames per second", InRange(0.1_hz, 50.0_hz));
+      visit("least_depth_m", least_depth, "No frames while the body is higher than this",
+            InRange(0.0_m, 100.0_m));
+      geometry.Describe(visit);
+    }
+  };
+
+  /// Throws ConfigError if the scenario cannot be read.
+  SimCameraApp(const AppContext& context, const Params& params);
+
+ private:
+  void OnTruth(const Stamped<SimTruth>& truth);
+  void PublishImage(const Stamped<SimTruth>& truth);
+  void PublishBoxes(const Stamped<SimTruth>& truth);
+
+  Params params_;
+  std::vector<Sphere> spheres_;
+  std::optional<SceneRenderer> renderer_;  ///< unless boxes are drawn
+  BoxModel box_model_;
+  Random box_random_;
+  double last_slot_ = -1.0;  ///< exposures are the first truth in each 1/rate of MOOS time
+  std::uint32_t frame_ = 0;
+};
+
+}  // namespace limpet
