@@ -13,6 +13,8 @@ namespace {
 
 /// Paths that leave the region on their way back into it pay this per metre and motion.
 constexpr double kDeficitPrice = 5.0;
+/// Share of the beam that each first motion keeps for itself, so that the offers are alternatives.
+constexpr double kOpeningShare = 0.05;
 /// States nearer to each other than this are one: the better stays.
 constexpr double kSamePlace = 0.5;
 constexpr double kSameYaw = std::numbers::pi / 12.0;
@@ -21,6 +23,7 @@ struct Node {
   Pose2 pose;
   int parent = -1;
   double curvature = 0.0;
+  int opening = -1;  ///< index of the first motion
   double value = 0.0;
   std::uint32_t targets_seen = 0;  ///< bit per target
   std::size_t change_begin = 0, change_end = 0;
@@ -65,26 +68,24 @@ class Search {
     }
   }
 
-  /// The best leaves whose first two motions differ.
+  /// The best leaf of each first motion.
   [[nodiscard]] std::vector<Option> Offers() const {
     std::vector<Option> offers;
-    std::vector<std::array<double, 2>> openings;
+    std::array<bool, 5> is_offered{};
     for (const int leaf : beam_) {
       if (leaf == 0 || static_cast<int>(offers.size()) >= params_.offers) {
         break;
       }
-      const std::vector<double> motions = MotionsTo(leaf);
-      const std::array<double, 2> opening = {motions.front(),
-                                             motions.size() > 1 ? motions[1] : 0.0};
-      if (std::find(openings.begin(), openings.end(), opening) != openings.end()) {
+      const Node& node = nodes_[static_cast<std::size_t>(leaf)];
+      if (is_offered[static_cast<std::size_t>(node.opening)]) {
         continue;
       }
-      openings.push_back(opening);
+      is_offered[static_cast<std::size_t>(node.opening)] = true;
       DubinsPath path(nodes_.front().pose);
-      for (const double curvature : motions) {
+      for (const double curvature : MotionsTo(leaf)) {
         path.Append({.curvature = curvature, .length = params_.primitive.value()});
       }
-      offers.push_back({"beam", path, nodes_[static_cast<std::size_t>(leaf)].value});
+      offers.push_back({"beam", path, node.value});
     }
     return offers;
   }
@@ -94,7 +95,8 @@ class Search {
     Restore(index);
     const std::size_t mark = workspace_.Mark();
     const Node from = nodes_[static_cast<std::size_t>(index)];
-    for (const double curvature : curvatures_) {
+    for (std::size_t i = 0; i < curvatures_.size(); ++i) {
+      const double curvature = curvatures_[i];
       const PathSegment motion{.curvature = curvature, .length = params_.primitive.value()};
       if (!region_.Allows(from.pose, motion, params_.turn_radius)) {
         continue;
@@ -102,6 +104,7 @@ class Search {
       Node next{.pose = Advance(from.pose, curvature, motion.length),
                 .parent = index,
                 .curvature = curvature,
+                .opening = depth == 0 ? static_cast<int>(i) : from.opening,
                 .value = from.value - motion.length,
                 .targets_seen = from.targets_seen};
       const NewSight gain = workspace_.Sweep(from.pose, motion);
@@ -158,20 +161,36 @@ class Search {
     std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
       return candidates_[a].value > candidates_[b].value;
     });
-    beam_.clear();
     std::vector<Bin> taken;
+    std::vector<bool> is_kept(order.size(), false);
+    const int reserved = static_cast<int>(std::lround(kOpeningShare * params_.width));
+    std::array<int, 5> per_opening{};
+    int kept = 0;
+    const auto keep_while = [&](auto has_room) {
+      for (const std::size_t i : order) {
+        if (is_kept[i] || !has_room(candidates_[i])) {
+          continue;
+        }
+        const Bin bin = BinOf(candidates_[i].pose);
+        const auto place = std::lower_bound(taken.begin(), taken.end(), bin);
+        if (place == taken.end() || *place != bin) {
+          taken.insert(place, bin);
+          is_kept[i] = true;
+          ++kept;
+          ++per_opening[static_cast<std::size_t>(candidates_[i].opening)];
+        }
+      }
+    };
+    keep_while([&](const Node& node) {
+      return per_opening[static_cast<std::size_t>(node.opening)] < reserved;
+    });
+    keep_while([&](const Node&) { return kept < params_.width; });
+    beam_.clear();
     for (const std::size_t i : order) {
-      if (static_cast<int>(beam_.size()) >= params_.width) {
-        break;
+      if (is_kept[i]) {
+        beam_.push_back(static_cast<int>(nodes_.size()));
+        nodes_.push_back(candidates_[i]);
       }
-      const Bin bin = BinOf(candidates_[i].pose);
-      const auto place = std::lower_bound(taken.begin(), taken.end(), bin);
-      if (place != taken.end() && *place == bin) {
-        continue;
-      }
-      taken.insert(place, bin);
-      beam_.push_back(static_cast<int>(nodes_.size()));
-      nodes_.push_back(candidates_[i]);
     }
   }
 

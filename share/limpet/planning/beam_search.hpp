@@ -23,7 +23,7 @@ struct BeamParams {
 /// likes best. Every state on the way is inside the region and recoverable. Deterministic; its work
 /// is bounded by width x 5 x horizon / primitive sweeps. If the start is not recoverable (drift,
 /// current) the search first gets back: states that are less far outside are allowed.
-/// Offers differ in their first motions; best first; empty only if nothing stays inside.
+/// Offers differ in their first motion; best first; empty only if nothing stays inside.
 [[nodiscard]] std::vector<Option> BeamSearch(const Pose2& start, const Ground& ground,
                                              const Region& region, const Objective& objective,
                                              const BeamParams& params);

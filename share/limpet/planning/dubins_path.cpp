@@ -12,8 +12,11 @@ namespace limpet {
 namespace {
 
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
-/// An arc this close to a full turn is a rounded 0: nobody means a loop of 2 pi - 1e-9.
-constexpr double kRoundedZero = 1e-9;
+/// An arc this close to a full turn is a rounded 0 (square roots of differences lose half the
+/// digits): nobody means a loop of 2 pi - 1e-7.
+constexpr double kRoundedZero = 1e-7;
+/// Circles with centres this close are one: the direction between them is noise.
+constexpr double kSameCircle = 1e-7;
 constexpr double kSameCurvature = 1e-12;
 
 /// Angle of an arc in [0, 2 pi), where -1e-16 is 0 and not a full turn.
@@ -47,6 +50,7 @@ std::optional<Word> Csc(const Problem& p, int first, int last) {
   double straight = 0.0, course = direction;
   if (first == last) {
     straight = std::sqrt(squared);
+    course = straight < kSameCircle ? p.alpha : direction;
   } else {
     const double left_over = squared - 4.0;
     if (left_over < 0.0) {

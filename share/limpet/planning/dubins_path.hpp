@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "limpet/core/units.hpp"
@@ -17,7 +18,9 @@ class DubinsPath {
   explicit DubinsPath(const Pose2& start, std::vector<PathSegment> segments = {});
 
   [[nodiscard]] const Pose2& start() const { return start_; }
-  [[nodiscard]] const std::vector<PathSegment>& segments() const { return segments_; }
+  [[nodiscard]] const std::vector<PathSegment>& segments() const& { return segments_; }
+  /// Of a temporary by value, so that a range-for over it is safe.
+  [[nodiscard]] std::vector<PathSegment> segments() && { return std::move(segments_); }
   [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] Pose2 end() const { return At(length_); }
 

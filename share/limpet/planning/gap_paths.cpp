@@ -12,25 +12,41 @@
 namespace limpet {
 namespace {
 
-/// Passes along both axes of a patch, both ways, that keep it inside the image at the top of the
-/// band; those that would be trapped at the border are left out.
+constexpr int kHeadings = 8;
+/// Longer than needed, for the corners of the image [m].
+constexpr double kRunSlack = 0.5;
+
+/// It can be reached and left without leaving the region.
+bool IsFlyable(const Pass& pass, const Region& region, Meters turn_radius) {
+  const Pose2 backwards{pass.in.north, pass.in.east, pass.in.yaw + std::numbers::pi};
+  return region.IsRecoverable(pass.out(), turn_radius) &&
+         region.IsRecoverable(backwards, turn_radius);
+}
+
+/// Passes over a patch along its axes and between them, both ways, that keep it inside the image at
+/// the top of the band; those that would be trapped at the border are left out.
 Stop PassesOf(const Patch& patch, const Footprint& footprint, const Region& region,
               Meters turn_radius) {
   const int top = Footprint::kLayers - 1;
   Stop stop;
-  for (int quarter = 0; quarter < 4; ++quarter) {
-    const double yaw = patch.axis_yaw + quarter * 0.5 * std::numbers::pi;
-    const bool is_lengthwise = quarter % 2 == 0;
-    const double along = is_lengthwise ? patch.length : patch.width;
-    const double across = is_lengthwise ? patch.width : patch.length;
+  for (int i = 0; i < kHeadings; ++i) {
+    const double off_axis = 2.0 * std::numbers::pi * i / kHeadings;
+    const double c = std::abs(std::cos(off_axis)), s = std::abs(std::sin(off_axis));
+    const double along = patch.length * c + patch.width * s;
+    const double across = patch.length * s + patch.width * c;
+    const bool is_lengthwise = i % (kHeadings / 2) == 0;
     if (!is_lengthwise && across > 2.0 * footprint.half_across(top)) {
       continue;
     }
-    const double run = std::max(0.0, along - 2.0 * footprint.half_along(top) + 0.5);
-    const Pose2 centre{patch.north, patch.east, yaw};
-    const Pass pass{.in = Advance(centre, 0.0, -0.5 * run), .length = run};
-    if (region.IsRecoverable(pass.out(), turn_radius)) {
-      stop.push_back(pass);
+    const double run = std::max(0.0, along - 2.0 * footprint.half_along(top) + kRunSlack);
+    const Pose2 centre{patch.north, patch.east, patch.axis_yaw + off_axis};
+    // At the border a shorter pass may be flyable where the whole one is not.
+    for (const double share : {1.0, 0.5, 0.0}) {
+      const Pass pass{.in = Advance(centre, 0.0, -0.5 * share * run), .length = share * run};
+      if (IsFlyable(pass, region, turn_radius)) {
+        stop.push_back(pass);
+        break;
+      }
     }
   }
   return stop;
@@ -71,6 +87,9 @@ std::vector<Option> GapPaths(const Pose2& start, const Ground& ground, const Reg
   std::vector<Option> options;
   for (const double end : tour.reached) {
     DubinsPath path = tour.path.Prefix(end);
+    if (!region.Contains(path)) {
+      break;
+    }
     const double value = ValueOf(path, objective, ground, sight);
     options.push_back({.source = "gap", .path = std::move(path), .estimate = value});
   }

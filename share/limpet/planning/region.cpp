@@ -104,6 +104,10 @@ double Region::Outside(const Pose2& pose) const {
 }
 
 DubinsPath Region::ShortestInside(const Pose2& from, const Pose2& to, Meters radius) const {
+  DubinsPath shortest = ShortestDubins(from, to, radius);
+  if (Contains(shortest)) {
+    return shortest;
+  }
   const DubinsPath* best = nullptr;
   const std::vector<DubinsPath> paths = AllDubins(from, to, radius);
   for (const DubinsPath& path : paths) {
@@ -111,7 +115,7 @@ DubinsPath Region::ShortestInside(const Pose2& from, const Pose2& to, Meters rad
       best = &path;
     }
   }
-  return best != nullptr ? *best : ShortestDubins(from, to, radius);
+  return best != nullptr ? *best : shortest;
 }
 
 }  // namespace limpet

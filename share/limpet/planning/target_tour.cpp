@@ -24,7 +24,8 @@ Stop PassesOf(const Target& target, const Region& region, Meters turn_radius) {
     for (const double side : {0.0, -kOffsetShare, kOffsetShare}) {
       const Pose2 pose{target.north - side * target.radius * std::sin(yaw),
                        target.east + side * target.radius * std::cos(yaw), yaw};
-      if (region.IsRecoverable(pose, turn_radius)) {
+      const Pose2 backwards{pose.north, pose.east, yaw + std::numbers::pi};
+      if (region.IsRecoverable(pose, turn_radius) && region.IsRecoverable(backwards, turn_radius)) {
         stop.push_back({.in = pose, .length = 0.0});
       }
     }
@@ -52,7 +53,13 @@ std::optional<Option> TargetTour(const Pose2& start, const Region& region,
   if (stops.empty()) {
     return std::nullopt;
   }
-  const PassTour tour = PlanPassTour(start, stops, region, turn_radius);
+  PassTour tour = PlanPassTour(start, stops, region, turn_radius);
+  for (std::size_t i = tour.reached.size(); i-- > 0 && !region.Contains(tour.path);) {
+    tour.path = tour.path.Prefix(i > 0 ? tour.reached[i - 1] : 0.0);
+  }
+  if (tour.path.length() == 0.0) {
+    return std::nullopt;
+  }
   return Option{.source = "tour",
                 .path = tour.path,
                 .estimate = TargetValueOf(tour.path, objective) - tour.path.length()};

@@ -25,7 +25,7 @@ struct StudyCase {
   bool is_change = false;        ///< former objects of Table 1 are targets
   double target_value = 60.0;
   Objective objective;
-  double late_share = 2.0;     ///< seabed share from which late_frontier holds
+  double late_share = 2.0;  ///< seabed share from which late_frontier holds
   double late_frontier = 1.0;
   double bottom_weight = 1.0;  ///< of the lowest layer against each other one
   BeamParams beam;

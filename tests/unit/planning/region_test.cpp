@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/planning/region.hpp"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "limpet/core/random.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr Meters kRadius{3.0};
+const Region kRegion(SurveyArea{-15.0, 15.0, -18.0, 18.0, 2.0, 2.0});
+
+TEST(Region, IsTheAreaAndItsMargin) {
+  EXPECT_TRUE(kRegion.Contains(16.9, 19.9));
+  EXPECT_FALSE(kRegion.Contains(17.1, 0.0));
+}
+
+TEST(Region, NoticesAnArcThatLeavesAndComesBack) {
+  // Heading north-east 1 m from the northern border: the bulge of the arc is outside, its end not.
+  const Pose2 from{16.5, 0.0, 0.25 * kPi};
+  const PathSegment arc{.curvature = 1.0 / 3.0, .length = 3.0 * 0.5 * kPi};
+  EXPECT_TRUE(kRegion.Contains(Advance(from, arc.curvature, arc.length)));
+  EXPECT_FALSE(kRegion.Contains(from, arc));
+}
+
+TEST(Region, AgreesWithSamplingAlongRandomPaths) {
+  Random random(1);
+  for (int i = 0; i < 3000; ++i) {
+    const auto pose = [&random] {
+      return Pose2{random.Uniform(-17.0, 17.0), random.Uniform(-20.0, 20.0),
+                   random.Uniform(-kPi, kPi)};
+    };
+    const DubinsPath path = ShortestDubins(pose(), pose(), kRadius);
+    bool is_inside = true;
+    double farthest = 0.0;
+    path.Sample(0.005, [&](const Pose2& at, double) {
+      is_inside = is_inside && kRegion.Contains(at);
+      farthest = std::max(farthest, kRegion.Outside(at));
+    });
+    if (farthest == 0.0 || farthest > 1e-4) {  // a touch between samples may go either way
+      const bool may_touch = is_inside && !kRegion.Contains(path);
+      EXPECT_TRUE(kRegion.Contains(path) == is_inside || may_touch);
+    }
+  }
+}
+
+TEST(Region, IsRecoverableInTheMiddleWithAnyHeading) {
+  for (double yaw = -kPi; yaw < kPi; yaw += 0.1) {
+    EXPECT_TRUE(kRegion.IsRecoverable({0.0, 0.0, yaw}, kRadius));
+  }
+}
+
+TEST(Region, IsNotRecoverableHeadingOutAtTheBorder) {
+  EXPECT_FALSE(kRegion.IsRecoverable({16.0, 0.0, 0.0}, kRadius));
+  EXPECT_TRUE(kRegion.IsRecoverable({16.0, 0.0, 0.5 * kPi}, kRadius));  // along it
+}
+
+TEST(Region, FromARecoverableStateThereIsAlwaysAnAllowedMotion) {
+  Random random(2);
+  Pose2 pose{0.0, 0.0, 0.3};
+  for (int i = 0; i < 5000; ++i) {
+    std::vector<PathSegment> allowed;
+    for (const double curvature : {-1.0 / 3.0, -1.0 / 6.0, 0.0, 1.0 / 6.0, 1.0 / 3.0}) {
+      const PathSegment motion{curvature, 2.5};
+      if (kRegion.Allows(pose, motion, kRadius)) {
+        allowed.push_back(motion);
+      }
+    }
+    ASSERT_FALSE(allowed.empty());
+    const PathSegment& motion = allowed[random.Index(allowed.size())];
+    ASSERT_TRUE(kRegion.Contains(pose, motion));
+    pose = Advance(pose, motion.curvature, motion.length);
+  }
+}
+
+TEST(Region, LetsADriftedVehicleComeBackButNotGoFarther) {
+  const Pose2 outside{17.5, 0.0, 0.0};  // heading out
+  EXPECT_TRUE(kRegion.Allows(outside, {1.0 / 3.0, 2.5}, kRadius));
+  EXPECT_FALSE(kRegion.Allows(outside, {0.0, 2.5}, kRadius));
+}
+
+TEST(Region, ShortestInsideStaysInsideWhereAWordDoes) {
+  // Along the border: the shortest word bulges out, another does not.
+  Random random(3);
+  for (int i = 0; i < 500; ++i) {
+    const Pose2 from{random.Uniform(10.0, 17.0), random.Uniform(-20.0, 20.0), 0.5 * kPi};
+    const Pose2 to{random.Uniform(10.0, 17.0), random.Uniform(-20.0, 20.0), -0.5 * kPi};
+    bool exists = false;
+    for (const DubinsPath& path : AllDubins(from, to, kRadius)) {
+      exists = exists || kRegion.Contains(path);
+    }
+    EXPECT_EQ(kRegion.Contains(kRegion.ShortestInside(from, to, kRadius)), exists);
+  }
+}
+
+}  // namespace
+}  // namespace limpet
