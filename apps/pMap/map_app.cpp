@@ -13,13 +13,16 @@ MapApp::MapApp(const AppContext& context, const Params& params)
     : App(context),
       params_(params),
       camera_(params.camera.geometry()),
-      book_(params.status, camera_) {
+      book_(params.status, camera_),
+      octree_(params.voxel),
+      layer_({.threshold = params.object_threshold}, params.status, camera_) {
   Subscribe(topics::kSurveyArea, &MapApp::OnArea);
   Subscribe(topics::kSurveyPhase, &MapApp::OnPhase);
   Subscribe(topics::kNavSight, &MapApp::OnSight);
   Subscribe(topics::kNavBeams, &MapApp::OnBeams);
   Subscribe(topics::kNavLandmarks, &MapApp::OnLandmarks);
   Subscribe(topics::kSessionPrior, &MapApp::OnPrior);
+  Subscribe(topics::kMapSnapshotRequest, &MapApp::OnSnapshotRequest);
 }
 
 void MapApp::OnArea(const Stamped<SurveyArea>& area) {
@@ -60,6 +63,7 @@ void MapApp::OnSight(const Stamped<Sight>& sight) {
     return;
   }
   book_.AddSight(RecordOf(sight.value));
+  layer_.AddSight(book_.sights().back(), book_);
   if (grid_) {
     grid_->Observe(sight.value.pose(), *altitude, camera_);
   }
@@ -68,6 +72,7 @@ void MapApp::OnSight(const Stamped<Sight>& sight) {
 void MapApp::OnBeams(const Stamped<PosedBeams>& beams) {
   const PosedBeams& ping = beams.value;
   for (const BeamEnd& end : BeamEnds(ping.pose(), {ping.b1, ping.b2, ping.b3, ping.b4})) {
+    octree_.InsertBeam(ping.pose().p_WB, end.p_W);
     if (grid_ && end.is_seabed) {
       grid_->SetSeabed(end.p_W.x(), end.p_W.y(), end.p_W.z());
     }
@@ -94,16 +99,34 @@ void MapApp::Tick(Seconds now) {
   PublishObjects();
 }
 
+void MapApp::UpdateObjects() {
+  objects_ = book_.Assess();
+  layer_.SetObjects(objects_, book_, octree_);
+}
+
 void MapApp::PublishObjects() {
+  UpdateObjects();
   OpiBeliefs beliefs;
-  for (const ObjectStatus& status : book_.Assess()) {
-    beliefs.opis.push_back(BeliefOf(status));
+  for (const ObjectStatus& status : objects_) {
+    OpiBelief belief = BeliefOf(status);
+    if (const std::optional<ObjectCluster> cluster = layer_.Cluster(status.id)) {
+      belief.centroid = {cluster->centre.x(), cluster->centre.y(), cluster->centre.z()};
+      belief.centroid_sd = {cluster->deviation.x(), cluster->deviation.y(), cluster->deviation.z()};
+    }
+    beliefs.opis.push_back(std::move(belief));
   }
   Value encoded = TopicCodec<OpiBeliefs>::Encode(beliefs);
   if (!last_objects_ || *last_objects_ != encoded) {
     PublishRaw(topics::kMapOpis.name, encoded);
     last_objects_ = std::move(encoded);
   }
+}
+
+void MapApp::OnSnapshotRequest(const Stamped<std::string>&) {
+  UpdateObjects();
+  const std::string bytes = octree_.Serialize();
+  const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
+  Publish(topics::kMapSnapshot, Binary(first, first + bytes.size()));
 }
 
 LIMPET_REGISTER_APP(MapApp, "pMap", 4.0);

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "estimation/change/status_book.hpp"
+#include "estimation/mapping/object_layer.hpp"
+#include "estimation/mapping/semantic_octree.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/core/camera_params.hpp"
 #include "limpet/survey/survey_grid.hpp"
@@ -22,6 +24,8 @@ class MapApp final : public App {
     CameraParams camera;
     StatusParams status;
     Meters cell{0.25};
+    Meters voxel{0.2};
+    double object_threshold = 0.7;
     Meters highest_view{6.5};
     Seconds publish_every{0.5};
     Seconds altitude_lasts{5.0};
@@ -31,6 +35,9 @@ class MapApp final : public App {
       camera.Describe(visit);
       status.Describe(visit);
       visit("cell_m", cell, "Cell of the survey grid", InRange(0.05_m, 5.0_m));
+      visit("voxel_m", voxel, "Voxel of the semantic octree", InRange(0.05_m, 2.0_m));
+      visit("object_threshold", object_threshold, "P_a from which a voxel belongs to an object",
+            InRange(0.51, 0.95));
       visit("highest_view_m", highest_view, "Frames from higher above the seabed show nothing",
             InRange(0.5_m, 100.0_m));
       visit("publish_every_s", publish_every, "Shortest time between two reports of the map",
@@ -52,11 +59,16 @@ class MapApp final : public App {
   void OnPrior(const Stamped<SessionPrior>& prior);
   [[nodiscard]] bool IsMapping() const;
   [[nodiscard]] std::optional<double> AltitudeOf(const Sight& sight);
+  void OnSnapshotRequest(const Stamped<std::string>& request);
+  void UpdateObjects();
   void PublishObjects();
 
   Params params_;
   CameraGeometry camera_;
   StatusBook book_;
+  SemanticOctree octree_;
+  ObjectLayer layer_;
+  std::vector<ObjectStatus> objects_;
   std::optional<SurveyArea> area_;
   std::optional<SurveyGrid> grid_;
   std::string phase_;

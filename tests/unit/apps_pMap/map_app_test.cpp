@@ -155,5 +155,33 @@ TEST_F(MapAppTest, DecidesAllFourWaysInAChangeSession) {
   EXPECT_THAT(decided, ::testing::ElementsAre("confirmed", "removed", "new"));
 }
 
+TEST_F(MapAppTest, PutsTheCentroidAtTheSpheresCentre) {
+  const Sphere off_grid{.ned = {4.07, 1.03, 5.56}, .color = "yellow", .landmark = 3};
+  Survey({.north = -1, .east = 0, .length = 10}, {off_grid});
+  Confirm({off_grid});
+  ASSERT_EQ(Objects().size(), 1U);
+  const auto& centroid = Objects()[0].centroid;
+  EXPECT_LT((Eigen::Vector3d(centroid[0], centroid[1], centroid[2]) - off_grid.ned).norm(), 0.2);
+  EXPECT_NE(centroid[0], off_grid.ned.x()) << "from the voxels, not from the smoother";
+  EXPECT_NEAR(Objects()[0].centroid_sd[0], 0.25, 0.1);
+}
+
+TEST_F(MapAppTest, SendsItsMapOnRequest) {
+  link_.Send(app_, topics::kNavBeams,
+             PosedBeams{.down = 3.5, .b1 = 4.4, .b2 = 4.4, .b3 = 4.4, .b4 = 4.4});
+  Survey({.north = -1, .east = 0, .length = 10}, {kYellow});
+  Confirm({kYellow});
+  link_.Send(app_, topics::kMapSnapshotRequest, std::string("test"));
+  const std::optional<Binary> bytes = link_.Last(topics::kMapSnapshot);
+  ASSERT_TRUE(bytes);
+  const Expected<SemanticOctree> map =
+      SemanticOctree::Parse({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+  ASSERT_TRUE(map);
+  const std::optional<VoxelBelief> top = map->At(kYellow.ned - Eigen::Vector3d(0, 0, 0.45));
+  ASSERT_TRUE(top);
+  EXPECT_GT(top->object, std::log(0.7 / 0.3));
+  EXPECT_EQ(top->label, VoxelLabel::kNew);
+}
+
 }  // namespace
 }  // namespace limpet

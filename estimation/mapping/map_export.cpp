@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/mapping/map_export.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <octomap/ColorOcTree.h>
+
+namespace limpet {
+namespace {
+
+constexpr std::array<const char*, 6> kLabelNames{"ground",  "uncertain", "confirmed",
+                                                 "removed", "new",       "moved"};
+
+double Probability(float log_odds) { return 1.0 / (1.0 + std::exp(-log_odds)); }
+
+/// Occupied leaves cut to the tree's resolution, so that every voxel stands for itself.
+std::vector<Voxel> OccupiedVoxels(const SemanticOctree& octree) {
+  const double edge = octree.resolution();
+  std::vector<Voxel> voxels;
+  for (const Voxel& leaf : octree.Leaves()) {
+    if (leaf.belief.occupied <= 0.0F) continue;
+    const int n = std::max(1, static_cast<int>(std::lround(leaf.size / edge)));
+    for (int i = 0; i < n * n * n; ++i) {
+      const Eigen::Vector3d cell(i % n, i / n % n, i / n / n);
+      const Eigen::Vector3d offset = (cell + Eigen::Vector3d::Constant(0.5)) * edge -
+                                     Eigen::Vector3d::Constant(0.5 * leaf.size);
+      voxels.push_back({.p_W = leaf.p_W + offset, .size = edge, .belief = leaf.belief});
+    }
+  }
+  return voxels;
+}
+
+}  // namespace
+
+VoxelColor ColorOf(const VoxelBelief& belief) {
+  switch (belief.label) {
+    case VoxelLabel::kGround:
+      return {150, 140, 125};
+    case VoxelLabel::kUncertain:
+      return {240, 228, 66};
+    case VoxelLabel::kConfirmed:
+      return {0, 114, 178};
+    case VoxelLabel::kRemoved:
+      return {213, 94, 0};
+    case VoxelLabel::kNew:
+      return {0, 158, 115};
+    case VoxelLabel::kMoved:
+      return {204, 121, 167};
+  }
+  return {255, 255, 255};
+}
+
+std::string ToCsv(const SemanticOctree& octree) {
+  std::string text = "north_m,east_m,down_m,size_m,p_occupied,p_object,p_exists,label\n";
+  for (const Voxel& voxel : OccupiedVoxels(octree)) {
+    fmt::format_to(std::back_inserter(text),
+                   "{:.3f},{:.3f},{:.3f},{:.3f},{:.4f},{:.4f},{:.4f},{}\n", voxel.p_W.x(),
+                   voxel.p_W.y(), voxel.p_W.z(), voxel.size, Probability(voxel.belief.occupied),
+                   Probability(voxel.belief.object), Probability(voxel.belief.exists),
+                   kLabelNames.at(static_cast<std::size_t>(voxel.belief.label)));
+  }
+  return text;
+}
+
+std::string ToPly(const SemanticOctree& octree) {
+  const std::vector<Voxel> voxels = OccupiedVoxels(octree);
+  std::string text = fmt::format(
+      "ply\nformat ascii 1.0\nelement vertex {}\nproperty float x\nproperty float y\n"
+      "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+      "end_header\n",
+      voxels.size());
+  for (const Voxel& voxel : voxels) {
+    const VoxelColor color = ColorOf(voxel.belief);
+    fmt::format_to(std::back_inserter(text), "{:.3f} {:.3f} {:.3f} {} {} {}\n", voxel.p_W.y(),
+                   voxel.p_W.x(), -voxel.p_W.z(), color.red, color.green, color.blue);
+  }
+  return text;
+}
+
+std::string ToColorOctree(const SemanticOctree& octree) {
+  octomap::ColorOcTree tree(octree.resolution());
+  for (const Voxel& voxel : OccupiedVoxels(octree)) {
+    const octomap::point3d at(static_cast<float>(voxel.p_W.y()), static_cast<float>(voxel.p_W.x()),
+                              static_cast<float>(-voxel.p_W.z()));
+    if (octomap::ColorOcTreeNode* node = tree.setNodeValue(at, voxel.belief.occupied, true)) {
+      const VoxelColor color = ColorOf(voxel.belief);
+      node->setColor(color.red, color.green, color.blue);
+    }
+  }
+  tree.updateInnerOccupancy();
+  std::ostringstream out(std::ios::binary);
+  tree.write(out);
+  return std::move(out).str();
+}
+
+}  // namespace limpet

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/mapping/object_layer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limpet {
+namespace {
+
+constexpr double kWellVisible = 0.75;  ///< share of the object inside the image that makes a look
+constexpr double kBorder = 2.0;        ///< a box nearer to the image's border is cut [px]
+constexpr float kOccupiedPerLook = 0.85F;
+constexpr double kFormerLogOdds = 2.2;  ///< P_a = 0.9 for an object that only a former session saw
+constexpr double kVirtualHeight = 3.0;  ///< former objects are drawn as seen from here above [m]
+
+double LogOdds(double p) {
+  const double safe = std::clamp(p, 1e-6, 1.0 - 1e-6);
+  return std::log(safe / (1.0 - safe));
+}
+
+bool IsCut(const SightedDetection& box, const CameraGeometry& camera) {
+  return box.u - 0.5 * box.w < kBorder || box.u + 0.5 * box.w > camera.width_px - kBorder ||
+         box.v - 0.5 * box.h < kBorder || box.v + 0.5 * box.h > camera.height_px - kBorder;
+}
+
+VoxelLabel LabelOf(const ObjectStatus& status) {
+  switch (status.decided) {
+    case Status::kConfirmed:
+      return VoxelLabel::kConfirmed;
+    case Status::kRemoved:
+      return VoxelLabel::kRemoved;
+    case Status::kNew:
+      return VoxelLabel::kNew;
+    case Status::kMoved:
+      return VoxelLabel::kMoved;
+    case Status::kUncertain:
+    case Status::kNothing:
+      break;
+  }
+  return VoxelLabel::kUncertain;
+}
+
+/// The look that shows a whole object from straight above.
+ObjectLook VirtualLook(const Eigen::Vector3d& ned, double radius, const CameraGeometry& camera) {
+  const double depth = kVirtualHeight + radius;
+  return {.X_WB = {.p_WB = ned - Eigen::Vector3d(0.0, 0.0, depth)},
+          .box = {.u = camera.cx(),
+                  .v = camera.cy(),
+                  .w = 2.0 * radius * camera.fx() / depth,
+                  .h = 2.0 * radius * camera.fy() / depth,
+                  .confidence = 0.9,
+                  .color = {}},
+          .object_W = ned};
+}
+
+}  // namespace
+
+bool ObjectLayer::IsNewViewpoint(const Painted& object, const Eigen::Vector3d& p_OC) const {
+  if (!object.last_viewpoint) {
+    return true;
+  }
+  const Eigen::Vector3d& last = *object.last_viewpoint;
+  return (p_OC - last).norm() >= status_.looks.new_look_distance.value() ||
+         p_OC.normalized().dot(last.normalized()) <= std::cos(status_.looks.new_look_angle.value());
+}
+
+void ObjectLayer::Look(Painted& object, const SightRecord& sight, const StatusBook& book) const {
+  const Eigen::Vector3d& ned = object.status.object.ned;
+  const Eigen::Vector3d p_OC = sight.X_WB.p_WB - ned;
+  if (object.status.landmark < 0 || !IsNewViewpoint(object, p_OC)) {
+    return;
+  }
+  const auto box = std::ranges::find_if(sight.boxes, [&](const SightedDetection& seen) {
+    return book.Representative(seen.landmark) == object.status.landmark && !IsCut(seen, camera_);
+  });
+  if (box != sight.boxes.end()) {
+    object.looks.push_back({.X_WB = sight.X_WB, .box = *box, .object_W = ned});
+  } else {
+    const double share = VisibleShare(camera_, sight.X_WB, ned, status_.object_radius.value());
+    if (share < kWellVisible) return;
+    const double detects = status_.detection.Detects(p_OC.norm(), share);
+    const double false_alarm = status_.detection.false_per_image;
+    object.miss_log_odds += std::min(std::log((1.0 - detects) / (1.0 - false_alarm)), 0.0);
+  }
+  object.last_viewpoint = p_OC;
+  object.is_stale = true;
+}
+
+void ObjectLayer::AddSight(const SightRecord& sight, const StatusBook& book) {
+  for (auto& [id, object] : objects_) {
+    Look(object, sight, book);
+  }
+}
+
+void ObjectLayer::Follow(Painted& object, const ObjectStatus& status,
+                         const StatusBook& book) const {
+  const bool is_another = object.status.landmark != status.landmark;
+  const double moved = (object.status.object.ned - status.object.ned).norm();
+  object.is_stale = object.is_stale || is_another || moved > params_.repaint_at.value() ||
+                    object.status.decided != status.decided;
+  const Eigen::Vector3d painted_at = object.status.object.ned;
+  object.status = status;
+  if (is_another) {
+    object.looks.clear();
+    object.miss_log_odds = 0.0;
+    object.last_viewpoint.reset();
+    for (const SightRecord& sight : book.sights()) {
+      Look(object, sight, book);
+    }
+  } else if (!object.is_stale) {
+    object.status.object.ned = painted_at;  // small steps add up until they are worth a repaint
+  }
+}
+
+void ObjectLayer::SetObjects(const std::vector<ObjectStatus>& objects, const StatusBook& book,
+                             SemanticOctree& octree) {
+  std::map<int, Painted> kept;
+  for (const ObjectStatus& status : objects) {
+    const auto known = objects_.find(status.id);
+    Painted object = known != objects_.end() ? std::move(known->second) : Painted{};
+    if (known != objects_.end()) {
+      objects_.erase(known);
+    }
+    Follow(object, status, book);
+    kept.emplace(status.id, std::move(object));
+  }
+  for (const auto& [id, gone] : objects_) {
+    for (const auto& [key, log_odds] : gone.log_odds) {
+      octree.Forget(CentreOf(key, octree.resolution()));
+    }
+  }
+  objects_ = std::move(kept);
+  for (auto& [id, object] : objects_) {
+    if (object.is_stale) {
+      Repaint(object, octree);
+    }
+  }
+}
+
+std::map<VoxelKey, double> ObjectLayer::Gather(const Painted& object, double radius,
+                                               double resolution) const {
+  std::map<VoxelKey, double> sum;
+  for (const ObjectLook& look : object.looks) {
+    const Eigen::Vector3d shift = object.status.object.ned - look.object_W;
+    std::map<VoxelKey, double> strongest;  // many rays of one look in one voxel are one witness
+    for (const VoxelEvidence& point : NearSurface(look, camera_, radius, 0.5 * resolution)) {
+      double& best = strongest[KeyOf(point.p_W + shift, resolution)];
+      best = std::max(best, point.log_odds);
+    }
+    for (const auto& [key, log_odds] : strongest) {
+      sum[key] += log_odds;
+    }
+  }
+  for (auto& [key, log_odds] : sum) {
+    log_odds += object.miss_log_odds;
+  }
+  if (sum.empty() && object.status.former >= 0) {
+    const ObjectLook look = VirtualLook(object.status.object.ned, radius, camera_);
+    for (const VoxelEvidence& point : NearSurface(look, camera_, radius, 0.5 * resolution)) {
+      sum[KeyOf(point.p_W, resolution)] = kFormerLogOdds;
+    }
+  }
+  return sum;
+}
+
+void ObjectLayer::Repaint(Painted& object, SemanticOctree& octree) const {
+  const double resolution = octree.resolution();
+  double radius = object.looks.empty() ? status_.object_radius.value() : 0.0;
+  for (const ObjectLook& look : object.looks) {
+    radius += RadiusFromBox(look, camera_) / static_cast<double>(object.looks.size());
+  }
+  std::map<VoxelKey, double> painted = Gather(object, radius, resolution);
+  for (const auto& [key, log_odds] : object.log_odds) {
+    if (!painted.contains(key)) {
+      octree.Forget(CentreOf(key, resolution));
+    }
+  }
+  const auto looks = static_cast<float>(std::max<std::size_t>(object.looks.size(), 1));
+  std::vector<VoxelKey> certain;
+  for (const auto& [key, log_odds] : painted) {
+    octree.Set(CentreOf(key, resolution),
+               {.occupied = kOccupiedPerLook * looks,
+                .object = static_cast<float>(log_odds),
+                .exists = static_cast<float>(LogOdds(object.status.posterior.present())),
+                .label = LabelOf(object.status)});
+    if (log_odds > LogOdds(params_.threshold)) {
+      certain.push_back(key);
+    }
+  }
+  object.log_odds = std::move(painted);
+  object.cluster = LargestCluster(certain, radius, resolution);
+  object.is_stale = false;
+}
+
+std::optional<ObjectCluster> ObjectLayer::Cluster(int object) const {
+  const auto found = objects_.find(object);
+  return found == objects_.end() ? std::nullopt : found->second.cluster;
+}
+
+}  // namespace limpet

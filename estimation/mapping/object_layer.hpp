@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "estimation/change/status_book.hpp"
+#include "estimation/mapping/object_look.hpp"
+#include "estimation/mapping/semantic_octree.hpp"
+#include "estimation/mapping/voxel_cluster.hpp"
+
+namespace limpet {
+
+/// Paints the objects of the smoother into the semantic octree, from independent looks only. Keeps
+/// the looks, so that an object whose landmark moves takes its voxels along.
+class ObjectLayer {
+ public:
+  struct Params {
+    double threshold = 0.7;  ///< P_a of an object's voxel
+    Meters repaint_at{0.1};  ///< a landmark that moves farther takes its voxels along
+  };
+
+  ObjectLayer(const Params& params, const StatusParams& status, const CameraGeometry& camera)
+      : params_(params), status_(status), camera_(camera) {}
+
+  /// One frame: at most one look at each known object.
+  void AddSight(const SightRecord& sight, const StatusBook& book);
+  /// All objects as now believed; new ones are judged from all frames of the book. Paints what has
+  /// changed.
+  void SetObjects(const std::vector<ObjectStatus>& objects, const StatusBook& book,
+                  SemanticOctree& octree);
+  /// The object's largest cluster of voxels; nothing before they pass the threshold.
+  [[nodiscard]] std::optional<ObjectCluster> Cluster(int object) const;
+
+ private:
+  struct Painted {
+    ObjectStatus status;
+    std::vector<ObjectLook> looks;                  ///< with a box
+    double miss_log_odds = 0.0;                     ///< of looks without one
+    std::optional<Eigen::Vector3d> last_viewpoint;  ///< camera relative to the object [m]
+    std::map<VoxelKey, double> log_odds;            ///< P_a per voxel, as painted
+    std::optional<ObjectCluster> cluster;
+    bool is_stale = true;
+  };
+
+  void Look(Painted& object, const SightRecord& sight, const StatusBook& book) const;
+  [[nodiscard]] bool IsNewViewpoint(const Painted& object, const Eigen::Vector3d& p_OC) const;
+  void Follow(Painted& object, const ObjectStatus& status, const StatusBook& book) const;
+  void Repaint(Painted& object, SemanticOctree& octree) const;
+  [[nodiscard]] std::map<VoxelKey, double> Gather(const Painted& object, double radius,
+                                                  double resolution) const;
+
+  Params params_;
+  StatusParams status_;
+  CameraGeometry camera_;
+  std::map<int, Painted> objects_;  ///< by ObjectStatus::id
+};
+
+}  // namespace limpet

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "estimation/change/place_watch.hpp"
+
+namespace limpet {
+
+/// A voxel that a look touched, and what the look says about it: ln(P / (1 - P)) of belonging to an
+/// object.
+struct VoxelEvidence {
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< a point of the near surface, NED [m]
+  double log_odds = 0.0;
+};
+
+/// P = 0.5 + (p_c - 0.5) exp(-r^2 / 2 s^2): how much a pixel at distance `r_px` from the centre of
+/// a box of half size `s_px` and confidence `p_c` belongs to the object (eq 8 with its floor at one
+/// half, so that the box's border is no evidence against).
+[[nodiscard]] double ObjectProbability(double r_px, double s_px, double confidence);
+
+/// One independent look at an object: its box, seen from a pose.
+struct ObjectLook {
+  Pose X_WB;
+  SightedDetection box;
+  Eigen::Vector3d object_W = Eigen::Vector3d::Zero();  ///< the smoother's centre then, NED [m]
+};
+
+/// Radius of the sphere that fills the look's box at the object's range [m].
+[[nodiscard]] double RadiusFromBox(const ObjectLook& look, const CameraGeometry& camera);
+
+/// The near surface of the sphere in the box: the box is divided into cells whose rays meet the
+/// sphere around the box's centre ray at the object's range. `spacing` [m] is that of the points.
+[[nodiscard]] std::vector<VoxelEvidence> NearSurface(const ObjectLook& look,
+                                                     const CameraGeometry& camera, double radius,
+                                                     double spacing);
+
+/// Centre of the sphere of `radius` whose surface the points sample from above: least squares on
+/// the distances. Nothing for fewer than four points.
+[[nodiscard]] std::optional<Eigen::Vector3d> SphereCentre(
+    const std::vector<Eigen::Vector3d>& points, double radius);
+
+}  // namespace limpet

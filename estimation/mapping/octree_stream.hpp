@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "limpet/core/expected.hpp"
+
+namespace limpet {
+
+inline constexpr const char* kSemanticTreeType = "SemanticOcTree";
+
+struct OctreeHeader {
+  double resolution = 0.0;  ///< [m]
+  std::size_t nodes = 0;
+  std::size_t data_begin = 0;  ///< offset of the first node
+};
+
+/// Reads the header of a serialised semantic octree and walks its nodes, so that a reader may then
+/// trust their number, their depth and the length of the stream.
+[[nodiscard]] Expected<OctreeHeader> CheckOctreeStream(std::string_view bytes);
+
+}  // namespace limpet
