@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "apps/limpet/verbs/verbs.hpp"
 
+#include "apps/limpet/verbs/report.hpp"
 #include "apps/limpet/verbs/survey.hpp"
+#include "apps/limpet/verbs/tables.hpp"
 
 namespace limpet {
 
 const std::vector<Verb>& Verbs() {
   static const std::vector<Verb> verbs{
       {"survey", "survey twice, embedded, and report what changed", RunSurvey},
+      {"report", "figures and page again from a run's logs", RunReport},
+      {"tables", "many seeds: the paper's tables beside ours", RunTables},
   };
   return verbs;
 }
