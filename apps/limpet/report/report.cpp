@@ -4,6 +4,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "apps/limpet/report/figures.hpp"
+#include "apps/limpet/report/html_page.hpp"
 #include "apps/limpet/report/report_json.hpp"
 
 namespace limpet {
@@ -32,6 +34,14 @@ RunScore WriteReport(const std::vector<SessionRecord>& records, const Scenario& 
   RunScore run = ScoreRun(records, scenario, settings);
   WriteRunDescription(settings, scenario, out);
   WriteFile(out / "report.json", ReportJson(run));
+  std::filesystem::create_directories(out / "figures");
+  std::vector<std::vector<Figure>> figures;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    figures.push_back(FiguresOf({records[i], run.sessions[i], settings, scenario}));
+    for (const Figure& figure : figures.back())
+      WriteFile(out / "figures" / figure.file, figure.svg);
+  }
+  WriteFile(out / "report.html", HtmlPage(run, figures));
   return run;
 }
 

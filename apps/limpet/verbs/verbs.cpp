@@ -2,7 +2,9 @@
 #include "apps/limpet/verbs/verbs.hpp"
 
 #include "apps/limpet/verbs/check.hpp"
+#include "apps/limpet/verbs/report.hpp"
 #include "apps/limpet/verbs/survey.hpp"
+#include "apps/limpet/verbs/tables.hpp"
 
 namespace limpet {
 
@@ -10,6 +12,8 @@ const std::vector<Verb>& Verbs() {
   static const std::vector<Verb> verbs{
       {"survey", "survey twice, embedded, and report what changed", RunSurvey},
       {"check", "report every problem of a mission", RunCheck},
+      {"report", "figures and page again from a run's logs", RunReport},
+      {"tables", "many seeds: the paper's tables beside ours", RunTables},
   };
   return verbs;
 }

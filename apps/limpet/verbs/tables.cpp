@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "apps/limpet/verbs/tables.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "apps/limpet/cli.hpp"
+#include "apps/limpet/report/paper_tables.hpp"
+#include "apps/limpet/report/progress_line.hpp"
+#include "apps/limpet/verbs/child_runs.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kHelp =
+    R"(usage: limpet tables <mission folder> [options]
+
+Surveys with one seed after the other, several at a time, and prints the paper's tables
+beside ours. Each run keeps <out>/<seed>/report.json. Seeds already done are not run again.
+
+  --runs N             number of seeds (default 10)
+  --seed N             first seed (default 1)
+  --jobs J             runs at a time (default: one per core)
+  --out DIR            default runs/tables-<mission>
+  --json               print tables.json instead of the tables
+  --sessions, --set, --gain, --planner, --without-truth: as of limpet survey
+)";
+
+struct TablesCommand {
+  fs::path mission_folder, out;
+  int first_seed = 1, runs = 10, jobs = 1;
+  bool prints_json = false;
+  std::vector<std::string> survey_options;
+  /// The same for equal configurations; results of others must not be mixed in.
+  [[nodiscard]] std::string Fingerprint() const {
+    return fmt::format("{} {}\n", mission_folder.filename().string(),
+                       fmt::join(survey_options, " "));
+  }
+  [[nodiscard]] fs::path RunFolder(int seed) const { return out / std::to_string(seed); }
+  /// Left beside a run's folder when its process has ended.
+  [[nodiscard]] fs::path EndMark(int seed) const { return out / fmt::format("{}.exit", seed); }
+};
+
+TablesCommand ReadCommand(std::span<const std::string> args) {
+  const std::vector<std::string> passed_on{"sessions", "set", "gain", "planner"};
+  std::vector<std::string> with_value{"runs", "seed", "jobs", "out"};
+  with_value.insert(with_value.end(), passed_on.begin(), passed_on.end());
+  const Arguments given(args, with_value, {"json", "without-truth", "help"});
+  if (given.positionals().size() != 1) {
+    throw UsageError("tables takes one mission folder, e.g. missions/table1");
+  }
+  TablesCommand command;
+  command.mission_folder = fs::path(given.positionals()[0]).lexically_normal();
+  if (!command.mission_folder.has_filename()) {
+    command.mission_folder = command.mission_folder.parent_path();
+  }
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  command.runs = given.Integer("runs", 10, 1);
+  command.first_seed = given.Integer("seed", 1, 0);
+  command.jobs = given.Integer("jobs", cores, 1);
+  command.out =
+      given.Find("out").value_or("runs/tables-" + command.mission_folder.filename().string());
+  command.prints_json = given.Has("json");
+  for (const std::string& option : passed_on) {
+    for (const std::string& value : given.All(option)) {
+      command.survey_options.push_back(fmt::format("--{}={}", option, value));
+    }
+  }
+  if (given.Has("without-truth")) command.survey_options.emplace_back("--without-truth");
+  return command;
+}
+
+std::string TextOf(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+void Write(const fs::path& path, const std::string& text) {
+  std::ofstream file(path);
+  file << text;
+  if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
+}
+
+/// Runs of another configuration in the same folder would make the tables a lie.
+void PrepareFolder(const TablesCommand& command) {
+  const fs::path mark = command.out / "options.txt";
+  if (fs::exists(mark) && TextOf(mark) != command.Fingerprint()) {
+    throw UsageError(fmt::format("{} holds runs with other options ({}); choose another --out",
+                                 command.out.string(), TextOf(mark).substr(0, 120)));
+  }
+  if (!fs::exists(mark) && fs::exists(command.out) && !fs::is_empty(command.out)) {
+    throw UsageError(
+        fmt::format("{} holds something else; choose another --out", command.out.string()));
+  }
+  fs::create_directories(command.out);
+  Write(mark, command.Fingerprint());
+}
+
+/// Runs every seed that is not done; false if interrupted.
+bool RunMissing(const TablesCommand& command) {
+  std::vector<int> seeds;
+  std::vector<ChildRun> runs;
+  for (int seed = command.first_seed; seed < command.first_seed + command.runs; ++seed) {
+    if (fs::exists(command.EndMark(seed))) continue;
+    ChildRun run{{"survey", command.mission_folder.string(), "--seed", std::to_string(seed),
+                  "--out", command.RunFolder(seed).string()},
+                 command.out / fmt::format("{}.txt", seed)};
+    run.args.insert(run.args.end(), command.survey_options.begin(), command.survey_options.end());
+    seeds.push_back(seed);
+    runs.push_back(std::move(run));
+  }
+  const std::size_t known = static_cast<std::size_t>(command.runs) - runs.size();
+  ProgressLine progress("tables");
+  if (known > 0) progress.Note(fmt::format("{} of {} seeds are already done", known, command.runs));
+  std::size_t ended = known;
+  progress.Update(static_cast<double>(ended) / command.runs, "started");
+  return RunChildren(runs, command.jobs, [&](const ChildEnd& end) {
+    const int seed = seeds[end.index];
+    Write(command.EndMark(seed), std::to_string(end.exit_code) + "\n");
+    if (!fs::exists(command.RunFolder(seed) / "report.json")) {
+      progress.Note(fmt::format("seed {} left no report (exit code {}): see {}", seed,
+                                end.exit_code, runs[end.index].log.string()));
+    }
+    ++ended;
+    progress.Update(static_cast<double>(ended) / command.runs,
+                    fmt::format("{} of {} runs, last seed {}", ended, command.runs, seed));
+  });
+}
+
+RunStatistics Gather(const TablesCommand& command) {
+  RunStatistics statistics;
+  statistics.mission = command.mission_folder.filename().string();
+  for (int seed = command.first_seed; seed < command.first_seed + command.runs; ++seed) {
+    if (!fs::exists(command.EndMark(seed))) continue;
+    const auto error = statistics.Add(TextOf(command.RunFolder(seed) / "report.json"));
+    if (error) statistics.failed.push_back(static_cast<std::uint64_t>(seed));
+  }
+  return statistics;
+}
+
+}  // namespace
+
+int RunTables(std::span<const std::string> args) {
+  if (std::ranges::find(args, "--help") != args.end()) {
+    fmt::print("{}", kHelp);
+    return kOk;
+  }
+  const TablesCommand command = ReadCommand(args);
+  if (!fs::exists(command.mission_folder / "mission.moos")) {
+    throw UsageError(fmt::format("no mission in {}", command.mission_folder.string()));
+  }
+  PrepareFolder(command);
+  const bool is_complete = RunMissing(command);
+  const RunStatistics statistics = Gather(command);
+  const auto tables = PaperTables(statistics);
+  const std::string json = TablesJson(statistics, command.Fingerprint());
+  Write(command.out / "tables.json", json);
+  Write(command.out / "tables.md", Markdown(tables));
+  fmt::print("{}", command.prints_json ? json : PlainText(tables));
+  if (!is_complete) fmt::print(stderr, "interrupted: the same command goes on where it stopped\n");
+  return is_complete && statistics.failed.empty() ? kOk : kFailed;
+}
+
+}  // namespace limpet

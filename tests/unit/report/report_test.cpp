@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "apps/limpet/report/report.hpp"
+
+#include <fstream>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/limpet/report/report_json.hpp"
+#include "limpet/core/config.hpp"
+
+#include "synthetic_session.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string TextOfFile(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+std::vector<SessionRecord> TwoSessions() {
+  std::vector<SessionRecord> records;
+  for (const std::string name : {"discovery", "change"}) {
+    SyntheticSession session;
+    session.name = name;
+    session.opis = RightBeliefs(Table1Scenario(), name, 0.3);
+    records.push_back(RecordOf(session));
+  }
+  return records;
+}
+
+/// A report of two whole sessions, written once for all tests.
+class Report : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    WriteReport(TwoSessions(), Table1Scenario(), Table1Settings(), Folder());
+  }
+  static fs::path Folder() { return fs::path(testing::TempDir()) / "limpet_report_test"; }
+  static nlohmann::ordered_json Json() {
+    return nlohmann::ordered_json::parse(TextOfFile(Folder() / "report.json"));
+  }
+  static std::vector<std::string> KeysOf(const nlohmann::ordered_json& object) {
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : object.items())
+      keys.push_back(key);
+    return keys;
+  }
+};
+
+TEST_F(Report, HasTheContractsKeysInItsOrder) {
+  EXPECT_THAT(KeysOf(Json()),
+              testing::ElementsAre("limpet", "mission", "seed", "settings", "sessions"));
+}
+
+TEST_F(Report, HasTheContractsKeysOfADiscoverySession) {
+  EXPECT_THAT(KeysOf(Json()["sessions"]["discovery"]),
+              testing::ElementsAre("coverage", "detectable", "covered", "detected_band", "path_m",
+                                   "duration_s", "wall_s", "realtime_factor", "ended",
+                                   "home_error_m", "nav", "opis", "missed", "false"));
+}
+
+TEST_F(Report, AddsTheKeysOfAChangeSession) {
+  const auto change = Json()["sessions"]["change"];
+  EXPECT_TRUE(change.contains("prior_opis_seen_path_m") && change.contains("changes"));
+}
+
+TEST_F(Report, StatesTheFootprintToTheCentimetre) {
+  EXPECT_EQ(Json()["settings"]["footprint_m"].dump(), "[6.71,4.62]");
+}
+
+TEST_F(Report, ListsFiveChangesOfTable1) {
+  EXPECT_EQ(Json()["sessions"]["change"]["changes"].size(), 5U);
+}
+
+TEST_F(Report, ComputesTheRealTimeFactor) {
+  const auto session = Json()["sessions"]["discovery"];
+  EXPECT_NEAR(session["realtime_factor"].get<double>(), session["duration_s"].get<double>() / 12.5,
+              0.01);
+}
+
+TEST_F(Report, LeavesNoHalfWrittenFile) {
+  for (const auto& entry : fs::recursive_directory_iterator(Folder())) {
+    EXPECT_NE(entry.path().extension(), ".part");
+  }
+}
+
+TEST_F(Report, NeedsNothingFromTheNetwork) {
+  const std::string page = TextOfFile(Folder() / "report.html");
+  EXPECT_THAT(page, Not(HasSubstr("src=\"http")));
+  EXPECT_THAT(page, Not(HasSubstr("<link")));
+  EXPECT_THAT(page, Not(HasSubstr("<script")));
+}
+
+TEST_F(Report, SaysHowToRunItAgain) {
+  EXPECT_THAT(TextOfFile(Folder() / "report.html"),
+              HasSubstr("limpet survey missions/table1 --seed 1"));
+}
+
+TEST_F(Report, DrawsEveryFigureOfAChangeSession) {
+  for (const char* name :
+       {"track", "status", "objects", "belief", "coverage", "depth", "navigation"}) {
+    EXPECT_TRUE(fs::exists(Folder() / "figures" / (std::string("change_") + name + ".svg")))
+        << name;
+  }
+}
+
+TEST_F(Report, ReadsItsOwnDescriptionBack) {
+  const RunDescription run = ReadRun(Folder());
+  EXPECT_EQ(RunJson(run.settings, run.scenario), RunJson(Table1Settings(), Table1Scenario()));
+}
+
+TEST_F(Report, KeepsTheWallTimesOfTheFirstReport) {
+  EXPECT_EQ(ReadRun(Folder()).settings.wall_s.at("change"), 14.25);
+}
+
+TEST(ReportJson, IsTheSameForTheSameRecords) {
+  SyntheticSession session;
+  session.seconds_of_survey = 20.0;
+  const std::vector<SessionRecord> records{RecordOf(session)};
+  EXPECT_EQ(ReportJson(ScoreRun(records, Table1Scenario(), Table1Settings())),
+            ReportJson(ScoreRun(records, Table1Scenario(), Table1Settings())));
+}
+
+TEST(ReportJson, SaysNullForALevelNeverReached) {
+  SyntheticSession session;
+  session.seconds_of_survey = 20.0;
+  const RunScore run = ScoreRun({RecordOf(session)}, Table1Scenario(), Table1Settings());
+  const auto json = nlohmann::json::parse(ReportJson(run));
+  EXPECT_TRUE(json["sessions"]["discovery"]["coverage"][0]["path_m"].is_null());
+}
+
+TEST(ReportJson, SaysNullForAWallTimeNobodyTook) {
+  ReportSettings settings = Table1Settings();
+  settings.wall_s.clear();
+  const RunScore run = ScoreRun({SessionRecord("discovery")}, Table1Scenario(), settings);
+  EXPECT_TRUE(nlohmann::json::parse(ReportJson(run))["sessions"]["discovery"]["wall_s"].is_null());
+}
+
+TEST(ReadRun, NamesTheFileThatIsMissing) {
+  try {
+    (void)ReadRun("/nowhere/at/all");
+    FAIL() << "read a run that is not there";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("run.json"));
+  }
+}
+
+}  // namespace
+}  // namespace limpet
