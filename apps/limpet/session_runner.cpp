@@ -15,6 +15,7 @@ std::atomic<bool> interrupt_requested{false};
 
 namespace {
 
+constexpr Seconds kDeployAfter(1.0);  // the helm has posted its initial values by then
 constexpr double kLastMailSeconds =
     2.0;  // after the end is announced, so that the last save reaches the disk
 
@@ -94,7 +95,9 @@ SessionOutcome RunSession(const MissionFile& mission, const SessionPlan& plan,
     }
     observer(message);
   });
-  community.Step();
+  while (community.elapsed() < kDeployAfter && !interrupt_requested) {
+    community.Step();
+  }
   community.Poke("DEPLOY", std::string("true"));
   while (community.elapsed() < plan.longest) {
     if (interrupt_requested) {

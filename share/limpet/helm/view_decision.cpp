@@ -8,6 +8,8 @@
 namespace limpet {
 namespace {
 
+constexpr double kShortestUnit = 1.0;  // [m]: an option of no length must not divide by zero
+
 struct ValuedOption {
   std::size_t index = 0;
   bool has_veto = false;
@@ -46,6 +48,7 @@ ValuedOption ValueOption(std::span<const WeightedBehavior> behaviors, const Situ
                                   .has_veto = bid->veto.has_value(),
                                   .why = WhyText(*bid)});
   }
+  valued.bidden.rate = valued.bidden.total / std::max(valued.bidden.length, kShortestUnit);
   return valued;
 }
 
@@ -58,7 +61,7 @@ ViewDecision DecideView(std::span<const WeightedBehavior> behaviors, const Situa
     valued.push_back(ValueOption(behaviors, now, options[i], i, sight));
   }
   std::ranges::stable_sort(valued, [](const ValuedOption& a, const ValuedOption& b) {
-    return a.has_veto != b.has_veto ? b.has_veto : a.bidden.total > b.bidden.total;
+    return a.has_veto != b.has_veto ? b.has_veto : a.bidden.rate > b.bidden.rate;
   });
   ViewDecision decision;
   decision.bids.considered = static_cast<int>(options.size());

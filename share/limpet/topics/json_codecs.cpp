@@ -44,7 +44,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SessionPrior, session, opis)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PathSegment, curvature, length)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmPath, id, north, east, yaw, segments, purpose)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OptionBid, behavior, value, weight, has_veto, why)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BiddenOption, source, length, total, end, bids)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BiddenOption, source, length, total, rate, end, bids)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmBids, path_id, cause, considered, options)
 
 template <class T>

@@ -60,7 +60,8 @@ struct OptionBid {
 struct BiddenOption {
   std::string source;  ///< generator: beam, view_tree, home, ...
   double length = 0.0;
-  double total = 0.0;
+  double total = 0.0;           ///< weighted sum of the bids
+  double rate = 0.0;            ///< total per metre of its length: what decides
   std::array<double, 2> end{};  ///< north, east of its end [m]
   std::vector<OptionBid> bids;
 };
