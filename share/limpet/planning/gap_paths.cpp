@@ -52,12 +52,19 @@ Stop PassesOf(const Patch& patch, const Footprint& footprint, const Region& regi
   return stop;
 }
 
-/// Near and large first.
+/// The largest patches that the finish needs; of these the nearest and largest.
 std::vector<Patch> WorthVisiting(const Pose2& start, const Ground& ground,
                                  const GapParams& params) {
+  const GridFrame& frame = ground.frame();
   std::vector<Patch> patches = UnseenPatches(ground, params.tile.value());
   std::erase_if(patches,
                 [&](const Patch& patch) { return patch.missing_m2 < params.min_patch_m2; });
+  double may_stay =
+      (1.0 - params.finish_share) * frame.rows * frame.columns * frame.cell_m * frame.cell_m;
+  while (!patches.empty() && patches.back().unseen_m2 <= may_stay) {
+    may_stay -= patches.back().unseen_m2;
+    patches.pop_back();
+  }
   const auto score = [&start](const Patch& patch) {
     return patch.missing_m2 /
            (10.0 + std::hypot(patch.north - start.north, patch.east - start.east));
@@ -68,10 +75,8 @@ std::vector<Patch> WorthVisiting(const Pose2& start, const Ground& ground,
   return patches;
 }
 
-}  // namespace
-
-std::vector<Option> GapPaths(const Pose2& start, const Ground& ground, const Region& region,
-                             const Objective& objective, const GapParams& params) {
+PassTour TourOf(const Pose2& start, const Ground& ground, const Region& region,
+                const GapParams& params) {
   std::vector<Stop> stops;
   for (const Patch& patch : WorthVisiting(start, ground, params)) {
     Stop stop = PassesOf(patch, ground.footprint(), region, params.turn_radius);
@@ -79,10 +84,26 @@ std::vector<Option> GapPaths(const Pose2& start, const Ground& ground, const Reg
       stops.push_back(std::move(stop));
     }
   }
-  if (stops.empty()) {
-    return {};
+  return PlanPassTour(start, stops, region, params.turn_radius);
+}
+
+}  // namespace
+
+std::optional<Option> GapTour(const Pose2& start, const Ground& ground, const Region& region,
+                              const GapParams& params) {
+  const PassTour tour = TourOf(start, ground, region, params);
+  for (auto end = tour.reached.rbegin(); end != tour.reached.rend(); ++end) {
+    DubinsPath path = tour.path.Prefix(*end);
+    if (region.Contains(path)) {
+      return Option{.source = "gap_tour", .path = path, .estimate = -path.length()};
+    }
   }
-  const PassTour tour = PlanPassTour(start, stops, region, params.turn_radius);
+  return std::nullopt;
+}
+
+std::vector<Option> GapPaths(const Pose2& start, const Ground& ground, const Region& region,
+                             const Objective& objective, const GapParams& params) {
+  const PassTour tour = TourOf(start, ground, region, params);
   SightAlong sight(ground);
   std::vector<Option> options;
   for (const double end : tour.reached) {

@@ -72,6 +72,7 @@ std::vector<Patch> UnseenPatches(const Ground& ground, double tile_m) {
       }
       if (!cells.empty()) {
         patches.push_back(PatchOf(cells, frame.cell_m));
+        patches.back().unseen_m2 = static_cast<double>(cells.size()) * frame.cell_m * frame.cell_m;
         patches.back().missing_m2 = weight * frame.cell_m * frame.cell_m;
       }
     }

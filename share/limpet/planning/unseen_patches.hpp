@@ -13,6 +13,7 @@ struct Patch {
   double axis_yaw = 0.0;           ///< of its long axis [rad]
   double length = 0.0;             ///< along the long axis [m]
   double width = 0.0;              ///< across it [m]
+  double unseen_m2 = 0.0;          ///< area not seen up to the top
   double missing_m2 = 0.0;         ///< area unseen, weighted mean over the layers
 };
 

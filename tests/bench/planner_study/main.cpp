@@ -43,6 +43,8 @@ bool Apply(Settings& settings, const std::string& key, const std::string& text) 
       {"w_cover", [&] { study.objective.w_cover = number; }},
       {"w_frontier", [&] { study.objective.w_frontier = number; }},
       {"bottom", [&] { study.bottom_weight = number; }},
+      {"gap_share", [&] { study.gap_share = number; }},
+      {"finish", [&] { study.gap.finish_share = number; }},
       {"late_share", [&] { study.late_share = number; }},
       {"late", [&] { study.late_frontier = number; }},
       {"decay", [&] { study.objective.target_decay_m = number; }},

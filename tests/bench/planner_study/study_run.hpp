@@ -25,6 +25,7 @@ struct StudyCase {
   bool is_change = false;        ///< former objects of Table 1 are targets
   double target_value = 60.0;
   Objective objective;
+  double gap_share = 0.9;   ///< of the band's top, from which gap paths are offered
   double late_share = 2.0;  ///< seabed share from which late_frontier holds
   double late_frontier = 1.0;
   double bottom_weight = 1.0;  ///< of the lowest layer against each other one
@@ -37,6 +38,8 @@ struct StudyResult {
   std::optional<double> seabed90, seabed95, band95, band99, top975, targets_seen;
   double plan_ms_mean = 0.0, plan_ms_max = 0.0;
   std::vector<Pose2> track;
+  GridFrame frame;
+  std::vector<float> heights;  ///< of the planner's grid at the end
 };
 
 [[nodiscard]] StudyResult RunStudy(const StudyCase& study, std::uint64_t seed);

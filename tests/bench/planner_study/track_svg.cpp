@@ -11,6 +11,25 @@ namespace {
 constexpr double kScale = 16.0;  // pixels per metre
 constexpr int kFramesPerStroke = 8;
 
+/// Cells not seen up to the top of the band: dark if not even at the bottom.
+template <class X, class Y>
+void DrawUnseen(std::ofstream& svg, const StudyCase& study, const StudyResult& result, X x, Y y) {
+  const GridFrame& frame = result.frame;
+  for (int row = 0; row < frame.rows; ++row) {
+    for (int column = 0; column < frame.columns; ++column) {
+      const auto height = static_cast<double>(
+          result.heights[static_cast<std::size_t>(row * frame.columns + column)]);
+      if (height < study.area.object_height_max - 1e-3) {
+        svg << fmt::format(
+            "<rect x='{:.1f}' y='{:.1f}' width='{:.1f}' height='{:.1f}' fill='{}'/>\n",
+            x(frame.east_min + column * frame.cell_m),
+            y(frame.north_min + (row + 1) * frame.cell_m), frame.cell_m * kScale,
+            frame.cell_m * kScale, height < 0.0 ? "#888" : "#ddd");
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void WriteTrackSvg(const std::string& file, const StudyCase& study, const StudyResult& result) {
@@ -31,6 +50,7 @@ void WriteTrackSvg(const std::string& file, const StudyCase& study, const StudyR
         (area.east_max - area.east_min + 2.0 * grow) * kScale,
         (area.north_max - area.north_min + 2.0 * grow) * kScale);
   }
+  DrawUnseen(svg, study, result, x, y);
   const auto count = static_cast<double>(result.track.size());
   for (std::size_t i = 0; i + kFramesPerStroke < result.track.size(); i += kFramesPerStroke) {
     const Pose2& a = result.track[i];
