@@ -6,6 +6,7 @@
 
 #include "estimation/association/assignment.hpp"
 #include "estimation/smoothing/camera_point.hpp"
+#include "estimation/smoothing/factors/landmark_prior_factor.hpp"
 
 namespace limpet {
 namespace {
@@ -177,6 +178,7 @@ void ObjectTracker::Retriangulate(TrackedObject& object) {
       object.looks, [this](int node) { return smoother_.PoseAt(node); }, camera_, params_.model);
   object.p = found.p;
   object.covariance = found.covariance;
+  object.worst_residual = found.worst_residual;
 }
 
 void ObjectTracker::ConfirmIfDue(TrackedObject& object, double now) {
@@ -186,12 +188,19 @@ void ObjectTracker::ConfirmIfDue(TrackedObject& object, double now) {
   const auto recent = std::ranges::count_if(object.looks, [&](const Look& look) {
     return look.reading.is_usable() && now - look.t <= params_.confirm_within_s;
   });
-  if (recent < params_.looks_to_confirm ||
-      object.hits < params_.confirm_hit_share * object.expected) {
+  const double sd = std::sqrt(object.covariance.diagonal().maxCoeff());
+  if (recent < params_.looks_to_confirm || object.LogOdds() < params_.confirm_log_odds ||
+      object.hits < params_.confirm_hit_share * object.expected || sd > params_.confirm_sd_m ||
+      object.worst_residual > params_.confirm_residual) {
     return;
   }
   object.id = next_id_++;
   object.slot = smoother_.AddLandmark(object.p);
+  const double hold = params_.place_prior_m * params_.place_prior_m;
+  smoother_.AddLandmarkTerm(
+      object.slot,
+      Term::OnLandmark(LandmarkPriorFactor(object.p, hold * Eigen::Matrix3d::Identity()),
+                       object.slot));
   for (std::size_t i = 0; i < object.looks.size(); ++i) {
     AddTerms(object, object.looks[i], i == 0);
   }

@@ -33,6 +33,7 @@ struct TrackedObject {
   std::vector<Look> looks;
   Eigen::Vector3d p = Eigen::Vector3d::Zero();               ///< NED [m], as of the last solution
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< tentative: relative to its poses
+  double worst_residual = 0.0;                               ///< tentative: whitened, of its looks
   double last_path = 0.0;                                    ///< way travelled when last seen [m]
   double far = 0.0;   ///< greatest distance it was seen at [m]
   int expected = 0;   ///< frames that should have shown it
@@ -43,6 +44,8 @@ struct TrackedObject {
   [[nodiscard]] double last_seen() const { return looks.back().t; }
   /// The class most boxes gave it; the first in the alphabet if equal.
   [[nodiscard]] std::string Color() const;
+  /// Sum of ln(c / (1 - c)) over the confidences of its looks.
+  [[nodiscard]] double LogOdds() const;
 };
 
 }  // namespace limpet

@@ -29,6 +29,15 @@ std::string TrackedObject::Color() const {
   return most == votes.end() ? "" : most->first;
 }
 
+double TrackedObject::LogOdds() const {
+  double sum = 0.0;
+  for (const Look& look : looks) {
+    const double c = std::clamp(look.confidence, 0.05, 0.95);
+    sum += std::log(c / (1.0 - c));
+  }
+  return sum;
+}
+
 Eigen::Vector3d PlaceAlongRay(const Look& look, const NavVector& x, const CameraModel& camera,
                               const ObjectModel& model) {
   const Pose X_WB = PoseOf(x);
