@@ -5,73 +5,166 @@
 #include <cmath>
 #include <utility>
 
+#include "estimation/smoothing/mrpt_poses.hpp"
 #include "limpet/core/require.hpp"
 
 namespace limpet {
+namespace {
+
+constexpr double kBufferLength = 20.0;  // [s] of samples behind the present
+
+}  // namespace
 
 Navigator::Navigator(const NavigatorParams& params)
-    : params_(params), gate_(params.velocity_gate), track_(params.odometry) {}
+    : params_(params),
+      gate_(params.velocity_gate),
+      track_(params.odometry),
+      smoother_(params.smoother),
+      tracker_(smoother_, params_.camera, params.objects) {}
 
-void Navigator::AddAttitude(const AttitudeEstimate& attitude) { track_.AddAttitude(attitude); }
+void Navigator::AddAttitude(const AttitudeEstimate& attitude) {
+  const bool is_finite = std::isfinite(attitude.t) && std::isfinite(attitude.roll) &&
+                         std::isfinite(attitude.pitch) && std::isfinite(attitude.yaw);
+  if (!is_finite || (!track_.is_empty() && attitude.t <= track_.last_time())) {
+    ++counts_.stale_samples;
+    return;
+  }
+  track_.AddAttitude(attitude);
+}
 
 void Navigator::AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B) {
   const bool is_good = v_dvl_B && gate_.Accepts(t, *v_dvl_B);
+  counts_.velocities += v_dvl_B && !is_good ? 1 : 0;
   track_.AddVelocity(t, is_good ? v_dvl_B : std::nullopt);
 }
 
+void Navigator::AddAltitude(double t, double altitude) {
+  if (std::isfinite(altitude) && altitude > 0.0 &&
+      (altitudes_.empty() || t > altitudes_.back().t)) {
+    altitudes_.push_back({t, altitude});
+  }
+}
+
 void Navigator::AddDepth(double t, double depth) {
-  if (track_.is_empty() || !std::isfinite(depth)) {
+  if (!std::isfinite(depth) || (!depths_.empty() && t <= depths_.back().t)) {
+    ++counts_.stale_samples;
     return;
   }
-  const double error = depth - (track_.At(t).X_DB.p_WB.z() + p_WD_.z());
-  p_WD_.z() += 0.05 * error;
+  depths_.push_back({t, depth});
 }
 
 void Navigator::AddGps(double t, const Eigen::Vector2d& p_W, double sd) {
-  if (track_.is_empty() || !p_W.allFinite() || !(sd > 0.0)) {
+  if (!p_W.allFinite() || !(sd > 0.0) || (!fixes_.empty() && t <= fixes_.back().t)) {
+    ++counts_.stale_samples;
     return;
   }
-  ++fix_count_;
-  const Eigen::Vector2d offset = p_W - track_.At(t).X_DB.p_WB.head<2>();
-  p_WD_.head<2>() += (offset - p_WD_.head<2>()) / fix_count_;
-  if (fix_count_ == 1) {
-    first_p_WD_ = p_WD_;
-  }
+  fixes_.push_back({t, p_W, sd});
 }
 
 void Navigator::AddFrame(const FrameDetections& frame) { waiting_.push_back(frame); }
 
 void Navigator::Advance(double now) {
-  if (track_.is_empty() || !has_started()) {
+  if (track_.is_empty()) {
     waiting_.clear();
     return;
   }
-  std::ranges::stable_sort(waiting_, {}, &FrameDetections::t);
-  const double head = now - params_.frame_wait.value();
-  auto frame = waiting_.begin();
-  for (; frame != waiting_.end() && frame->t <= head; ++frame) {
-    posed_.push_back({*frame, Estimate(frame->t).X_WB, std::vector<int>(frame->boxes.size(), -1)});
+  // Velocities that are still to come would change what lies behind the last one.
+  const double ready = now - params_.frame_wait.value();
+  const double settled = std::max(track_.settled_time(), now - 1.5);
+  const double limit = std::min({ready, settled, track_.last_time()});
+  StartIfPossible(std::min(now, track_.last_time()));
+  if (has_started()) {
+    WorkOff(limit);
   }
-  waiting_.erase(waiting_.begin(), frame);
-  track_.DropBefore(now - 10.0);
+  const double keep = (has_started() ? head_time() : now) - kBufferLength;
+  track_.DropBefore(keep);
+  const auto is_old = [keep](const Sample& sample) { return sample.t < keep; };
+  depths_.erase(depths_.begin(), std::ranges::find_if_not(depths_, is_old));
+  altitudes_.erase(altitudes_.begin(), std::ranges::find_if_not(altitudes_, is_old));
+}
+
+SolveReport Navigator::Finish() {
+  if (!has_started()) {
+    return {};
+  }
+  WorkOff(track_.last_time());
+  SolveReport report = smoother_.Converge();
+  tracker_.Refresh();
+  if (tracker_.Review()) {
+    smoother_.Update();
+    report = smoother_.Converge();
+  }
+  tracker_.Refresh();
+  ++landmark_version_;
+  return report;
+}
+
+NavVector Navigator::Predict(double t) const {
+  NavVector x = smoother_.PoseAt(node_count() - 1);
+  const OdometryStep step = track_.Between(head_time(), std::max(t, head_time()));
+  const double c = std::cos(x(kNavYaw)), s = std::sin(x(kNavYaw));
+  x(kNavX) += c * step.motion.x() - s * step.motion.y();
+  x(kNavY) += s * step.motion.x() + c * step.motion.y();
+  x(kNavZ) += step.motion.z();
+  x(kNavYaw) += step.motion.w();
+  const AttitudeEstimate attitude = track_.AttitudeAt(t);
+  x(kNavPitch) = attitude.pitch;
+  x(kNavRoll) = attitude.roll;
+  return x;
 }
 
 NavigatorEstimate Navigator::Estimate(double t) const {
-  LIMPET_REQUIRE(has_started(), "no fix yet");
+  LIMPET_REQUIRE(has_started(), "no pose yet");
   const TrackPose track = track_.At(t);
   NavigatorEstimate estimate{
-      .t = t, .X_WB = track.X_DB, .v_B = track.v_B, .yaw_rate = track.yaw_rate};
-  estimate.X_WB.p_WB += p_WD_;
-  estimate.X_WB.yaw = WrapAngle(estimate.X_WB.yaw);
+      .t = t, .X_WB = PoseOf(Predict(t)), .v_B = track.v_B, .yaw_rate = track.yaw_rate};
+  // Levelled pose of the head, then the step: MRPT carries the covariance through the composition.
+  const OdometryStep step = track_.Between(head_time(), std::max(t, head_time()));
+  NavVector head = smoother_.PoseAt(node_count() - 1), motion = NavVector::Zero();
+  head.tail<2>().setZero();
+  motion.head<4>() = step.motion;
+  NavCovariance motion_covariance = NavCovariance::Zero();
+  motion_covariance.diagonal().head<4>() = step.variance;
+  auto pdf = MrptPosePdf(head, smoother_.Covariance({}));
+  pdf += MrptPosePdf(motion, motion_covariance);
+  const NavCovariance covariance = CovarianceOf(pdf);
+  estimate.sd_p = covariance.diagonal().head<3>().cwiseMax(0.0).cwiseSqrt();
+  estimate.sd_yaw = std::sqrt(std::max(covariance(kNavYaw, kNavYaw), 0.0));
   return estimate;
 }
 
 Pose Navigator::DeadReckoned(double t) const {
-  Pose pose = Estimate(t).X_WB;
-  pose.p_WB.head<2>() += first_p_WD_.head<2>() - p_WD_.head<2>();
+  Pose pose = track_.At(t).X_DB;
+  pose.p_WB += p_WD_;
+  pose.p_WB.z() = Predict(t)(kNavZ);
+  pose.yaw = WrapAngle(pose.yaw);
   return pose;
 }
 
 std::vector<PosedFrame> Navigator::TakeFrames() { return std::exchange(posed_, {}); }
+
+std::vector<LandmarkEstimate> Navigator::Landmarks() const {
+  std::vector<LandmarkEstimate> landmarks;
+  for (const TrackedObject& object : tracker_.objects()) {
+    if (object.is_landmark()) {
+      landmarks.push_back({.id = object.id,
+                           .p = object.p,
+                           .covariance = smoother_.Covariance({object.slot}).block<3, 3>(6, 6),
+                           .color = object.Color(),
+                           .looks = static_cast<int>(object.looks.size()),
+                           .prior_id = object.prior_id});
+    }
+  }
+  std::ranges::sort(landmarks, {}, &LandmarkEstimate::id);
+  return landmarks;
+}
+
+std::vector<SmoothedPose> Navigator::Smoothed() const {
+  std::vector<SmoothedPose> poses;
+  for (int i = 0; i < node_count(); ++i) {
+    poses.push_back({node_times_[static_cast<std::size_t>(i)], PoseOf(smoother_.PoseAt(i))});
+  }
+  return poses;
+}
 
 }  // namespace limpet

@@ -2,15 +2,20 @@
 // The estimator behind pNav and `limpet nav`: measurements in, poses and landmarks out.
 #pragma once
 
+#include <deque>
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "estimation/association/detection.hpp"
+#include "estimation/association/object_tracker.hpp"
 #include "estimation/attitude/attitude_filter.hpp"
 #include "estimation/navigation/odometry_track.hpp"
+#include "estimation/navigation/session_matching.hpp"
 #include "estimation/navigation/velocity_gate.hpp"
+#include "estimation/smoothing/arrow_smoother.hpp"
 #include "limpet/core/frames.hpp"
 
 namespace limpet {
@@ -18,7 +23,18 @@ namespace limpet {
 struct NavigatorParams {
   OdometryParams odometry;
   VelocityGateParams velocity_gate;
-  Seconds frame_wait{0.6};  ///< boxes of a frame are waited for this long after its exposure
+  CameraModel camera;
+  ObjectTrackerParams objects;
+  ArrowParams smoother;
+  Seconds frame_wait{0.6};    ///< boxes of a frame are waited for this long after its exposure
+  Seconds node_period{1.0};   ///< longest time between poses of the chain
+  Meters node_distance{0.5};  ///< and longest way
+  Meters depth_sigma{0.015};  ///< of the depths of one second together, bias included
+  Radians tilt_sigma{0.0047};
+  Meters start_sigma{5.0};        ///< of the first position, before any fix
+  Seconds gps_correlation{60.0};  ///< of the error of fixes
+  Seconds fix_wait{0.0};          ///< start at the origin when no fix comes in time; 0: never
+  SessionMatchingParams session;
 };
 
 /// Pose and velocity at `t`, as known now; 1-sigma of the pose.
@@ -38,8 +54,30 @@ struct PosedFrame {
   std::vector<int> landmarks;
 };
 
+struct LandmarkEstimate {
+  int id = 0;
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  std::string color;
+  int looks = 0;
+  int prior_id = -1;
+};
+
+/// A pose of the chain, smoothed.
+struct SmoothedPose {
+  double t = 0.0;
+  Pose X_WB;
+};
+
+/// What was refused, since the start.
+struct NavigatorCounts {
+  int velocities = 0, depths = 0, fixes = 0, late_frames = 0, stale_samples = 0, looks = 0;
+};
+
 /// Measurements come in order of arrival, each with its time of measurement [s]; `Advance` then
-/// works off what is complete.
+/// works off what is complete, in order of time: the chain's head stays `frame_wait` behind, and
+/// dead reckoning leads from it to the present. Values that are not numbers are refused and
+/// counted.
 class Navigator {
  public:
   explicit Navigator(const NavigatorParams& params);
@@ -47,30 +85,72 @@ class Navigator {
   void AddAttitude(const AttitudeEstimate& attitude);
   /// Velocity of the DVL in body axes [m/s]; nothing without lock.
   void AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B);
+  void AddAltitude(double t, double altitude);
   void AddDepth(double t, double depth);
   /// Fix in W [m] with its 1-sigma.
   void AddGps(double t, const Eigen::Vector2d& p_W, double sd);
   void AddFrame(const FrameDetections& frame);
+  void SetFormerObjects(std::vector<FormerObject> objects) { former_ = std::move(objects); }
   void Advance(double now);
+  /// Works off what is left and iterates to the optimum.
+  SolveReport Finish();
 
-  /// True once a fix has said where in W the vehicle is.
-  [[nodiscard]] bool has_started() const { return fix_count_ > 0; }
-  /// REQUIRES: has_started().
+  /// True once the chain has its first pose.
+  [[nodiscard]] bool has_started() const { return !node_times_.empty(); }
+  /// REQUIRES: has_started(), and t no older than the chain's head.
   [[nodiscard]] NavigatorEstimate Estimate(double t) const;
   /// Bottom track alone from the first fix. REQUIRES: has_started().
   [[nodiscard]] Pose DeadReckoned(double t) const;
   /// Frames posed since the last call, in order of exposure.
   [[nodiscard]] std::vector<PosedFrame> TakeFrames();
+  [[nodiscard]] std::vector<LandmarkEstimate> Landmarks() const;
+  /// Grows whenever Landmarks() may answer differently.
+  [[nodiscard]] int landmark_version() const { return landmark_version_; }
+  [[nodiscard]] std::vector<SmoothedPose> Smoothed() const;
+  [[nodiscard]] const ObjectTracker& tracker() const { return tracker_; }
+  [[nodiscard]] int node_count() const { return static_cast<int>(node_times_.size()); }
+  [[nodiscard]] const NavigatorCounts& counts() const { return counts_; }
 
  private:
+  struct Fix {
+    double t;
+    Eigen::Vector2d p_W;
+    double sd;
+  };
+  struct Sample {
+    double t, value;
+  };
+  [[nodiscard]] double head_time() const { return node_times_.back(); }
+  [[nodiscard]] double NextKeyframe() const;
+  void Start(double t, const Eigen::Vector2d& p_W);
+  void StartIfPossible(double limit);
+  void WorkOff(double limit);
+  /// Appends a pose at `t`, or takes the head if it is that old.
+  int NodeAt(double t);
+  void AddTilt(int node, double t);
+  void AddDepthTerm(int node, double since, double t);
+  void TakeFix(const Fix& fix);
+  void TakeFrame(const FrameDetections& frame);
+  void ReviewObjects(double t);
+  [[nodiscard]] NavVector Predict(double t) const;
+  [[nodiscard]] std::optional<double> AltitudeAt(double t) const;
+
   NavigatorParams params_;
   VelocityGate gate_;
   OdometryTrack track_;
+  ArrowSmoother smoother_;
+  ObjectTracker tracker_;
+  std::deque<Sample> depths_, altitudes_;
+  std::deque<Fix> fixes_;
   std::vector<FrameDetections> waiting_;
   std::vector<PosedFrame> posed_;
-  int fix_count_ = 0;
-  Eigen::Vector3d p_WD_ = Eigen::Vector3d::Zero();  ///< of the track's frame in W
-  Eigen::Vector3d first_p_WD_ = Eigen::Vector3d::Zero();
+  std::vector<double> node_times_;
+  std::vector<FormerObject> former_;
+  double last_fix_t_ = -1e18, last_review_t_ = -1e18, first_time_ = -1.0;
+  bool needs_review_ = false;
+  int refused_fixes_ = 0, refused_depths_ = 0, landmark_version_ = 0;
+  Eigen::Vector3d p_WD_ = Eigen::Vector3d::Zero();  ///< of the track's frame at the start, in W
+  NavigatorCounts counts_;
 };
 
 }  // namespace limpet

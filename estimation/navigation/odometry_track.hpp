@@ -68,6 +68,8 @@ class OdometryTrack {
   /// 0.3 s at the new end.
   [[nodiscard]] TrackPose At(double t) const;
   [[nodiscard]] AttitudeEstimate AttitudeAt(double t) const;
+  /// Way travelled since the first sample [m].
+  [[nodiscard]] double PathAt(double t) const { return SampleAt(t).path; }
   /// REQUIRES: !is_empty(), from <= to.
   [[nodiscard]] OdometryStep Between(double from, double to) const;
   /// Forgets what is older than `t`.

@@ -7,10 +7,12 @@ find_package(nlohmann_json REQUIRED)
 find_package(octomap REQUIRED)
 find_package(SUNDIALS 6.4 REQUIRED COMPONENTS cvode nvecserial)
 find_package(mrpt-poses REQUIRED)
+find_package(ZLIB REQUIRED)
 
 add_library(thirdparty::eigen ALIAS Eigen3::Eigen)
 add_library(thirdparty::fmt ALIAS fmt::fmt)
 add_library(thirdparty::json ALIAS nlohmann_json::nlohmann_json)
+add_library(thirdparty::zlib ALIAS ZLIB::ZLIB)
 
 add_library(thirdparty_yaml INTERFACE)
 target_link_libraries(thirdparty_yaml INTERFACE yaml-cpp)

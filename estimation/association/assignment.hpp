@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace limpet {
+
+/// One-to-one assignment of rows to columns with the least total cost, where leaving a row without
+/// a column costs `unassigned`. Entries of `costs` at or above it are never chosen. Returns the
+/// column of each row, or -1. Deterministic: of equal totals, the one found first.
+[[nodiscard]] std::vector<int> AssignOneToOne(const Eigen::MatrixXd& costs, double unassigned);
+
+}  // namespace limpet

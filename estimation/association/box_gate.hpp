@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "estimation/association/box_reading.hpp"
+#include "estimation/smoothing/nav_vector.hpp"
+
+namespace limpet {
+
+/// Joint uncertainty of a pose and an object: first six of the pose, last three of the object.
+using SightCovariance = Eigen::Matrix<double, 9, 9>;
+
+struct BoxGateParams {
+  double model_error_px = 4.0;         ///< that no covariance knows of
+  double model_error_share = 0.08;     ///< further share of the box's size
+  double range_sigma = 0.2;            ///< relative, of the distance from size
+  double new_object_share = 0.1;       ///< of boxes that show what no object explains
+  double confused_class_share = 0.03;  ///< of boxes with the wrong class
+  double chi2_per_gate = 16.3;         ///< no match beyond this squared Mahalanobis distance
+  double overlap_share = 0.4;          ///< of the box: centres nearer than this always may match
+};
+
+/// How well a box fits an object: -2 ln of its likelihood, and of being something new.
+struct BoxMatch {
+  double cost = 0.0;
+  double new_cost = 0.0;
+  double distance2 = 0.0;  ///< squared Mahalanobis distance
+};
+
+/// Compares a box with where an object of `radius` at `p_W` should appear. Axes that a border cuts
+/// are compared by the one edge that shows; whole boxes also by their size. Nothing when the box
+/// cannot be the object.
+[[nodiscard]] std::optional<BoxMatch> MatchBox(const BoxDetection& box, const BoxReading& reading,
+                                               const NavVector& x, const Eigen::Vector3d& p_W,
+                                               const SightCovariance& covariance, double radius,
+                                               bool is_same_class, const CameraModel& camera,
+                                               const BoxGateParams& params);
+
+}  // namespace limpet

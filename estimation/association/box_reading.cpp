@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/association/box_reading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace limpet {
+namespace {
+
+constexpr double kNearest = 0.2;  // [m] a sphere nearer to the camera plane has no box
+
+struct Interval {
+  double low, high;
+};
+
+/// Where the tangents to a circle at (side, depth) meet the image line.
+std::optional<Interval> EdgesOf(double side, double depth, double radius, double f, double c) {
+  const double distance = std::hypot(side, depth);
+  if (depth < kNearest || distance <= radius) {
+    return std::nullopt;
+  }
+  const double middle = std::atan2(side, depth), half = std::asin(radius / distance);
+  constexpr double kLimit = 1.5;  // [rad]
+  return Interval{c + f * std::tan(std::max(middle - half, -kLimit)),
+                  c + f * std::tan(std::min(middle + half, kLimit))};
+}
+
+std::optional<Interval> Clip(const std::optional<Interval>& edges, double size) {
+  if (!edges || edges->high <= 0.0 || edges->low >= size) {
+    return std::nullopt;
+  }
+  return Interval{std::max(edges->low, 0.0), std::min(edges->high, size)};
+}
+
+}  // namespace
+
+BoxReading ReadBox(const BoxDetection& box, const CameraModel& camera, const BoxNoise& noise) {
+  BoxReading reading;
+  const double left = box.u - 0.5 * box.w, right = box.u + 0.5 * box.w;
+  const double top = box.v - 0.5 * box.h, bottom = box.v + 0.5 * box.h;
+  reading.is_cut_u = left < noise.border_px || right > camera.width_px - noise.border_px;
+  reading.is_cut_v = top < noise.border_px || bottom > camera.height_px - noise.border_px;
+  const auto mid = [](double low, double high, double f, double c, double& half) {
+    const double a = std::atan((low - c) / f), b = std::atan((high - c) / f);
+    half = 0.5 * (b - a);
+    return c + f * std::tan(0.5 * (a + b));
+  };
+  reading.centre_px = {mid(left, right, camera.fx, camera.cx, reading.half_angle.x()),
+                       mid(top, bottom, camera.fy, camera.cy, reading.half_angle.y())};
+  const double doubt = 1.0 + noise.doubt * (1.0 - std::clamp(box.confidence, 0.0, 1.0));
+  constexpr double kUnused = std::numeric_limits<double>::infinity();
+  reading.sigma_px = {
+      reading.is_cut_u ? kUnused : (noise.floor_px + noise.share_of_size * box.w) * doubt,
+      reading.is_cut_v ? kUnused : (noise.floor_px + noise.share_of_size * box.h) * doubt};
+  return reading;
+}
+
+std::optional<double> BoxReading::Range(double radius) const {
+  if (!is_whole() || radius <= 0.0 || half_angle.minCoeff() < 1e-3) {
+    return std::nullopt;
+  }
+  return 0.5 * radius * (1.0 / std::sin(half_angle.x()) + 1.0 / std::sin(half_angle.y()));
+}
+
+std::optional<BoxDetection> BoxOfSphere(const Eigen::Vector3d& p_C, double radius,
+                                        const CameraModel& camera) {
+  const auto u = Clip(EdgesOf(p_C.x(), p_C.z(), radius, camera.fx, camera.cx), camera.width_px);
+  const auto v = Clip(EdgesOf(p_C.y(), p_C.z(), radius, camera.fy, camera.cy), camera.height_px);
+  if (!u || !v) {
+    return std::nullopt;
+  }
+  BoxDetection box;
+  box.u = 0.5 * (u->low + u->high), box.w = u->high - u->low;
+  box.v = 0.5 * (v->low + v->high), box.h = v->high - v->low;
+  return box;
+}
+
+Eigen::Vector3d RayOfPixel(const Eigen::Vector2d& pixel, const CameraModel& camera) {
+  return Eigen::Vector3d((pixel.x() - camera.cx) / camera.fx, (pixel.y() - camera.cy) / camera.fy,
+                         1.0)
+      .normalized();
+}
+
+}  // namespace limpet

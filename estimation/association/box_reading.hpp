@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// What a box says about the sphere it shows, and the box that a sphere would have.
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "estimation/association/detection.hpp"
+#include "estimation/smoothing/camera_model.hpp"
+
+namespace limpet {
+
+struct BoxNoise {
+  double floor_px = 2.0;        ///< 1-sigma of a sure box's centre [px]
+  double share_of_size = 0.02;  ///< further share of the box's size
+  double doubt = 2.0;           ///< times (1 + doubt (1 - confidence))
+  double border_px = 2.0;       ///< an edge this near the border is taken as cut
+  double range_floor_m = 0.05;  ///< 1-sigma of the range from size [m]
+  double range_share = 0.12;    ///< further share of the range
+};
+
+/// Direction and, of uncut boxes, distance of a sphere's centre.
+struct BoxReading {
+  /// Pixel of the mid-angle between the box's edges, per axis: where a sphere's centre projects,
+  /// whatever its radius; the centre of its box is not that place.
+  Eigen::Vector2d centre_px = Eigen::Vector2d::Zero();
+  Eigen::Vector2d sigma_px = Eigen::Vector2d::Zero();  ///< infinite along an axis that is cut
+  Eigen::Vector2d half_angle = Eigen::Vector2d::Zero();
+  bool is_cut_u = false, is_cut_v = false;
+
+  [[nodiscard]] bool is_whole() const { return !is_cut_u && !is_cut_v; }
+  [[nodiscard]] bool is_usable() const { return !(is_cut_u && is_cut_v); }
+  /// Mean distance in the camera's xz and yz planes [m] of a sphere of `radius`, if the box is
+  /// whole.
+  [[nodiscard]] std::optional<double> Range(double radius) const;
+};
+
+[[nodiscard]] BoxReading ReadBox(const BoxDetection& box, const CameraModel& camera,
+                                 const BoxNoise& noise);
+
+/// Box of a sphere at `p_C`, clipped to the image; nothing when it is out of sight.
+[[nodiscard]] std::optional<BoxDetection> BoxOfSphere(const Eigen::Vector3d& p_C, double radius,
+                                                      const CameraModel& camera);
+
+/// Unit ray of a pixel in the camera frame.
+[[nodiscard]] Eigen::Vector3d RayOfPixel(const Eigen::Vector2d& pixel, const CameraModel& camera);
+
+}  // namespace limpet

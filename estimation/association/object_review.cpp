@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// The tracker's second thoughts: looks that do not fit, landmarks that are one, landmarks that are
+// none.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "estimation/association/object_tracker.hpp"
+#include "estimation/smoothing/factors/reprojection_factor.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kModelError = 0.05;  // [m] between two landmarks of one object, beyond covariance
+
+}  // namespace
+
+bool ObjectTracker::Review() {
+  bool has_changed = RemoveOutliers();
+  has_changed = MergeDuplicates() || has_changed;
+  for (TrackedObject& object : objects_) {
+    const bool is_false = object.is_landmark() && object.expected >= params_.drop_after_expected &&
+                          object.hits < params_.drop_hit_share * object.expected;
+    const bool is_empty = object.is_landmark() && object.looks.empty();
+    if (is_false || is_empty) {
+      smoother_.RemoveLandmark(object.slot);
+      object.looks.clear();
+      object.slot = -1;
+      has_changed = true;
+    }
+  }
+  std::erase_if(objects_, [](const TrackedObject& object) { return object.looks.empty(); });
+  return has_changed;
+}
+
+bool ObjectTracker::RemoveOutliers() {
+  bool has_changed = false;
+  for (TrackedObject& object : objects_) {
+    if (!object.is_landmark()) {
+      continue;
+    }
+    const Eigen::Vector3d p = smoother_.LandmarkAt(object.slot);
+    const auto does_not_fit = [&](const Look& look) {
+      if (look.terms.empty()) {
+        return false;
+      }
+      const ReprojectionFactor factor(camera_, look.reading.centre_px, look.reading.sigma_px);
+      return factor.Evaluate(smoother_.PoseAt(look.node), p).norm() > params_.outlier_sigma;
+    };
+    for (const Look& look : object.looks) {
+      if (does_not_fit(look)) {
+        for (const TermId& term : look.terms)
+          smoother_.RemoveTerm(term);
+      }
+    }
+    const auto removed = std::erase_if(object.looks, does_not_fit);
+    rejected_looks_ += static_cast<int>(removed);
+    has_changed = has_changed || removed > 0;
+  }
+  return has_changed;
+}
+
+bool ObjectTracker::AreSeenTogether(const TrackedObject& a, const TrackedObject& b) const {
+  auto i = a.looks.begin();
+  auto j = b.looks.begin();
+  while (i != a.looks.end() && j != b.looks.end()) {
+    if (i->frame == j->frame) {
+      return true;
+    }
+    (i->frame < j->frame ? i : j)++;
+  }
+  return false;
+}
+
+bool ObjectTracker::MergeDuplicates() {
+  for (TrackedObject& a : objects_) {
+    for (TrackedObject& b : objects_) {
+      if (!a.is_landmark() || !b.is_landmark() || a.id >= b.id || a.Color() != b.Color()) {
+        continue;
+      }
+      const Eigen::Vector3d d = smoother_.LandmarkAt(a.slot) - smoother_.LandmarkAt(b.slot);
+      if (d.norm() > params_.merge_distance_m || AreSeenTogether(a, b)) {
+        continue;
+      }
+      const Eigen::MatrixXd joint = smoother_.Covariance({a.slot, b.slot});
+      Eigen::Matrix3d S = joint.block<3, 3>(6, 6) + joint.block<3, 3>(9, 9) -
+                          joint.block<3, 3>(6, 9) - joint.block<3, 3>(9, 6);
+      S.diagonal().array() += kModelError * kModelError;
+      const double one = d.dot(S.llt().solve(d)) + std::log(S.determinant()) +
+                         3.0 * std::log(2.0 * std::numbers::pi);
+      const double two = -2.0 * std::log(params_.objects_per_m3);
+      // Two spheres cannot overlap, so within a radius there is one, whatever the covariance says.
+      if (one < two || d.norm() < params_.model.radius_m) {
+        Merge(a, b);
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void ObjectTracker::Merge(TrackedObject& into, TrackedObject& from) {
+  smoother_.RemoveLandmark(from.slot);
+  from.slot = -1;
+  for (Look& look : from.looks) {
+    look.terms.clear();
+    AddTerms(into, look, false);
+    into.looks.push_back(std::move(look));
+  }
+  from.looks.clear();
+  std::ranges::stable_sort(into.looks, {}, &Look::frame);
+  into.expected += from.expected;
+  into.hits += from.hits;
+  into.last_path = std::max(into.last_path, from.last_path);
+  into.far = std::max(into.far, from.far);
+  std::erase_if(objects_, [](const TrackedObject& object) { return object.looks.empty(); });
+}
+
+}  // namespace limpet

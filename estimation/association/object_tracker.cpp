@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/association/object_tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "estimation/association/assignment.hpp"
+#include "estimation/smoothing/camera_point.hpp"
+#include "estimation/smoothing/factors/landmark_prior_factor.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kImpossible = 1e6;
+constexpr double kAmbiguous = 2.0;  // -2 ln of the likelihood ratio that tells two objects apart
+constexpr double kGuessedRadius = 0.4;   // [m] to expect boxes with when the radius is not known
+constexpr double kPoseDriftFloor = 0.1;  // [m] of a tentative object against the pose
+constexpr double kMarginShare = 0.12;    // of the image, inside which an object should be seen
+
+}  // namespace
+
+ObjectTracker::ObjectTracker(Smoother& smoother, const CameraModel& camera,
+                             const ObjectTrackerParams& params)
+    : smoother_(smoother), camera_(camera), params_(params) {}
+
+bool ObjectTracker::IsUsable(const BoxDetection& box) const {
+  return box.confidence >= params_.min_confidence && box.w > 1.0 && box.h > 1.0;
+}
+
+std::vector<int> ObjectTracker::Process(const TrackerFrame& frame) {
+  const std::vector<BoxDetection>& boxes = frame.detections->boxes;
+  std::vector<int> shown(boxes.size(), -1);
+  std::vector<int> seen;
+  std::vector<Candidate> candidates;
+  for (int i = 0; frame.node >= 0 && i < static_cast<int>(boxes.size()); ++i) {
+    const BoxDetection& box = boxes[static_cast<std::size_t>(i)];
+    if (IsUsable(box)) {
+      candidates.push_back({i, ReadBox(box, camera_, params_.model.noise)});
+    }
+  }
+  DropStale(frame.detections->t);
+  const std::size_t known = objects_.size();
+  const Eigen::MatrixXd costs = Costs(frame, candidates);
+  const std::vector<int> assigned = AssignOneToOne(costs, 0.0);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const int object = assigned[i];
+    int rivals = 0;
+    for (Eigen::Index j = 0; j < costs.cols(); ++j) {
+      const bool is_taken = std::ranges::count(assigned, static_cast<int>(j)) > 0;
+      rivals += object >= 0 && j != object && !is_taken &&
+                costs(row, j) < costs(row, object) + kAmbiguous;
+    }
+    if (rivals > 0) {
+      continue;  // it may show either: left out rather than guessed
+    }
+    const auto index = static_cast<std::size_t>(candidates[i].detection);
+    Look look{.frame = frame.detections->frame,
+              .detection = candidates[i].detection,
+              .node = frame.node,
+              .t = frame.detections->t,
+              .reading = candidates[i].reading,
+              .color = boxes[index].color,
+              .confidence = boxes[index].confidence,
+              .altitude = frame.altitude,
+              .terms = {}};
+    if (object >= 0) {
+      seen.push_back(object);
+      TrackedObject& shows = objects_[static_cast<std::size_t>(object)];
+      AddLook(shows, std::move(look), frame);
+      shown[index] = shows.id;
+    } else if (look.reading.is_usable()) {
+      Start(std::move(look), frame);
+    }
+  }
+  for (std::size_t j = known; j < objects_.size(); ++j) {
+    seen.push_back(static_cast<int>(j));
+  }
+  CountVisibility(frame, seen);
+  for (TrackedObject& object : objects_) {
+    ConfirmIfDue(object, frame.detections->t);
+  }
+  return shown;
+}
+
+Eigen::MatrixXd ObjectTracker::Costs(const TrackerFrame& frame,
+                                     const std::vector<Candidate>& candidates) const {
+  const auto rows = static_cast<Eigen::Index>(candidates.size());
+  const auto columns = static_cast<Eigen::Index>(objects_.size());
+  Eigen::MatrixXd costs = Eigen::MatrixXd::Constant(rows, columns, kImpossible);
+  if (rows == 0 || columns == 0) {
+    return costs;
+  }
+  std::vector<int> slots;
+  for (const TrackedObject& object : objects_) {
+    if (object.is_landmark()) slots.push_back(object.slot);
+  }
+  const Eigen::MatrixXd joint = smoother_.Covariance(slots);
+  const double radius = params_.model.radius_m > 0.0 ? params_.model.radius_m : kGuessedRadius;
+  int row_in_joint = 6;
+  for (Eigen::Index j = 0; j < columns; ++j) {
+    const TrackedObject& object = objects_[static_cast<std::size_t>(j)];
+    const SightCovariance covariance = CovarianceWith(object, frame.path, joint, row_in_joint);
+    row_in_joint += object.is_landmark() ? 3 : 0;
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const Candidate& candidate = candidates[static_cast<std::size_t>(i)];
+      const BoxDetection& box =
+          frame.detections->boxes[static_cast<std::size_t>(candidate.detection)];
+      const auto match = MatchBox(box, candidate.reading, frame.x, object.p, covariance, radius,
+                                  object.Color() == box.color, camera_, params_.gate);
+      // Costs are against being something new, so that zero divides.
+      if (match && match->cost < match->new_cost) {
+        costs(i, j) = match->cost - match->new_cost;
+      }
+    }
+  }
+  return costs;
+}
+
+SightCovariance ObjectTracker::CovarianceWith(const TrackedObject& object, double path,
+                                              const Eigen::MatrixXd& joint, int row) const {
+  SightCovariance covariance = SightCovariance::Zero();
+  if (object.is_landmark()) {
+    covariance.topLeftCorner<6, 6>() = joint.topLeftCorner<6, 6>();
+    covariance.bottomRightCorner<3, 3>() = joint.block<3, 3>(row, row);
+    covariance.topRightCorner<6, 3>() = joint.block<6, 3>(0, row);
+    covariance.bottomLeftCorner<3, 6>() = joint.block<3, 6>(row, 0);
+    return covariance;
+  }
+  const double drift = kPoseDriftFloor + params_.drift_share * (path - object.last_path);
+  covariance.bottomRightCorner<3, 3>() =
+      object.covariance + drift * drift * Eigen::Matrix3d::Identity();
+  covariance(kNavPitch, kNavPitch) = covariance(kNavRoll, kNavRoll) = 1e-4;
+  return covariance;
+}
+
+void ObjectTracker::CountVisibility(const TrackerFrame& frame, const std::vector<int>& seen) {
+  for (std::size_t j = 0; j < objects_.size(); ++j) {
+    TrackedObject& object = objects_[j];
+    if (std::ranges::count(seen, static_cast<int>(j)) > 0) {
+      ++object.expected;
+      ++object.hits;
+      continue;
+    }
+    const Eigen::Vector3d p = CameraPointOf(camera_, frame.x, object.p).p_C;
+    if (p.z() < 0.5 || p.norm() > object.far + 0.5) {
+      continue;
+    }
+    const double u = (camera_.cx + camera_.fx * p.x() / p.z()) / camera_.width_px;
+    const double v = (camera_.cy + camera_.fy * p.y() / p.z()) / camera_.height_px;
+    object.expected += std::min({u, 1.0 - u, v, 1.0 - v}) > kMarginShare ? 1 : 0;
+  }
+}
+
+void ObjectTracker::AddLook(TrackedObject& object, Look look, const TrackerFrame& frame) {
+  const bool is_new_pass = look.t - object.last_seen() > params_.confirm_within_s;
+  object.last_path = frame.path;
+  object.far = std::max(object.far, CameraPointOf(camera_, frame.x, object.p).p_C.norm());
+  object.looks.push_back(std::move(look));
+  if (object.is_landmark()) {
+    AddTerms(object, object.looks.back(), is_new_pass);
+  } else {
+    Retriangulate(object);
+  }
+}
+
+void ObjectTracker::Start(Look look, const TrackerFrame& frame) {
+  TrackedObject object;
+  object.last_path = frame.path;
+  object.looks.push_back(std::move(look));
+  Retriangulate(object);
+  object.far = CameraPointOf(camera_, frame.x, object.p).p_C.norm();
+  objects_.push_back(std::move(object));
+}
+
+void ObjectTracker::Retriangulate(TrackedObject& object) {
+  const Triangulation found = Triangulate(
+      object.looks, [this](int node) { return smoother_.PoseAt(node); }, camera_, params_.model);
+  object.p = found.p;
+  object.covariance = found.covariance;
+  object.worst_residual = found.worst_residual;
+}
+
+void ObjectTracker::ConfirmIfDue(TrackedObject& object, double now) {
+  if (object.is_landmark()) {
+    return;
+  }
+  const auto recent = std::ranges::count_if(object.looks, [&](const Look& look) {
+    return look.reading.is_usable() && now - look.t <= params_.confirm_within_s;
+  });
+  const double sd = std::sqrt(object.covariance.diagonal().maxCoeff());
+  if (recent < params_.looks_to_confirm || object.LogOdds() < params_.confirm_log_odds ||
+      object.hits < params_.confirm_hit_share * object.expected || sd > params_.confirm_sd_m ||
+      object.worst_residual > params_.confirm_residual) {
+    return;
+  }
+  object.id = next_id_++;
+  object.slot = smoother_.AddLandmark(object.p);
+  const double hold = params_.place_prior_m * params_.place_prior_m;
+  smoother_.AddLandmarkTerm(
+      object.slot,
+      Term::OnLandmark(LandmarkPriorFactor(object.p, hold * Eigen::Matrix3d::Identity()),
+                       object.slot));
+  for (std::size_t i = 0; i < object.looks.size(); ++i) {
+    AddTerms(object, object.looks[i], i == 0);
+  }
+}
+
+void ObjectTracker::AddTerms(TrackedObject& object, Look& look, bool with_seabed) {
+  for (Term& term : TermsOfLook(look, object.slot, camera_, params_.model, with_seabed)) {
+    look.terms.push_back(smoother_.AddTerm(look.node, std::move(term)));
+  }
+}
+
+void ObjectTracker::DropStale(double now) {
+  std::erase_if(objects_, [&](const TrackedObject& object) {
+    return !object.is_landmark() && now - object.last_seen() > params_.confirm_within_s;
+  });
+}
+
+void ObjectTracker::Refresh() {
+  for (TrackedObject& object : objects_) {
+    if (object.is_landmark()) {
+      object.p = smoother_.LandmarkAt(object.slot);
+    }
+  }
+}
+
+}  // namespace limpet

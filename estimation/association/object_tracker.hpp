@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "estimation/association/box_gate.hpp"
+#include "estimation/association/detection.hpp"
+#include "estimation/association/triangulation.hpp"
+#include "estimation/smoothing/smoother.hpp"
+
+namespace limpet {
+
+struct ObjectTrackerParams {
+  ObjectModel model;
+  BoxGateParams gate;
+  double min_confidence = 0.45;  ///< boxes below are not used
+  int looks_to_confirm = 3;
+  double confirm_log_odds = 2.5;  ///< sum of ln(c / (1 - c)) over the looks' confidences
+  double confirm_sd_m = 0.8;      ///< worst 1-sigma of the place, else more looks are needed
+  double confirm_residual = 3.5;  ///< worst whitened residual of a look
+  double place_prior_m = 3.0;     ///< weak hold on a landmark where it was born
+  double confirm_within_s = 20.0;
+  double confirm_hit_share = 0.25;  ///< of the frames that should have shown it
+  double drop_hit_share = 0.1;      ///< a landmark seen in fewer is a false one
+  int drop_after_expected = 40;
+  double drift_share = 0.01;      ///< of the way since last seen, for tentative objects
+  double outlier_sigma = 6.0;     ///< a look that fits worse after solving is taken out again
+  double merge_distance_m = 2.5;  ///< landmarks further apart are never one
+  double objects_per_m3 = 1e-3;   ///< how crowded the water is
+};
+
+/// One frame at a pose: what the tracker works on.
+struct TrackerFrame {
+  const FrameDetections* detections = nullptr;
+  NavVector x = NavVector::Zero();
+  int node = -1;  ///< of the chain, newest; -1 when the frame has no usable box
+  double path = 0.0;
+  std::optional<double> altitude;
+};
+
+/// Decides which box shows which object, and what is an object at all. Tentative objects live here;
+/// confirmed ones are landmarks of the smoother, whose terms are added, moved and taken out here.
+class ObjectTracker {
+ public:
+  /// `smoother` must outlive the tracker.
+  ObjectTracker(Smoother& smoother, const CameraModel& camera, const ObjectTrackerParams& params);
+
+  /// True if a box is worth a node of its own.
+  [[nodiscard]] bool IsUsable(const BoxDetection& box) const;
+  /// Associates the boxes of one frame; the smoother must be up to date with its node. Returns per
+  /// box the landmark's id, or -1. The smoother is to be updated afterwards if it returns any.
+  [[nodiscard]] std::vector<int> Process(const TrackerFrame& frame);
+  /// After an update: takes out looks that do not fit, merges duplicates, drops false landmarks.
+  /// True if the graph changed.
+  bool Review();
+  /// Copies landmark estimates from the smoother.
+  void Refresh();
+
+  [[nodiscard]] const std::vector<TrackedObject>& objects() const { return objects_; }
+  [[nodiscard]] std::vector<TrackedObject>& objects() { return objects_; }
+  [[nodiscard]] int rejected_looks() const { return rejected_looks_; }
+
+ private:
+  struct Candidate {
+    int detection;
+    BoxReading reading;
+  };
+  [[nodiscard]] Eigen::MatrixXd Costs(const TrackerFrame& frame,
+                                      const std::vector<Candidate>& candidates) const;
+  [[nodiscard]] SightCovariance CovarianceWith(const TrackedObject& object, double path,
+                                               const Eigen::MatrixXd& joint, int row) const;
+  void CountVisibility(const TrackerFrame& frame, const std::vector<int>& seen);
+  void AddLook(TrackedObject& object, Look look, const TrackerFrame& frame);
+  void Start(Look look, const TrackerFrame& frame);
+  void ConfirmIfDue(TrackedObject& object, double now);
+  void AddTerms(TrackedObject& object, Look& look, bool with_seabed);
+  void DropStale(double now);
+  bool RemoveOutliers();
+  bool MergeDuplicates();
+  void Merge(TrackedObject& into, TrackedObject& from);
+  [[nodiscard]] bool AreSeenTogether(const TrackedObject& a, const TrackedObject& b) const;
+  void Retriangulate(TrackedObject& object);
+
+  Smoother& smoother_;
+  const CameraModel& camera_;
+  ObjectTrackerParams params_;
+  std::vector<TrackedObject> objects_;
+  int next_id_ = 1;
+  int rejected_looks_ = 0;
+};
+
+}  // namespace limpet

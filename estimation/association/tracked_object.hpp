@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "estimation/association/box_reading.hpp"
+#include "estimation/smoothing/chain_graph.hpp"
+
+namespace limpet {
+
+/// One box that was taken to show an object.
+struct Look {
+  int frame = 0;
+  int detection = 0;  ///< index of the box in its frame
+  int node = 0;       ///< pose of the chain at the exposure
+  double t = 0.0;
+  BoxReading reading;
+  std::string color;
+  double confidence = 0.0;
+  std::optional<double> altitude;  ///< above the seabed then [m]
+  std::vector<TermId> terms;       ///< of the graph, once the object is a landmark
+};
+
+/// Something that boxes hint at: tentative until enough of them agree, then a landmark.
+struct TrackedObject {
+  int id = -1;    ///< given with the landmark, from 1 on, never used again
+  int slot = -1;  ///< in the smoother; -1 while tentative
+  std::vector<Look> looks;
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();               ///< NED [m], as of the last solution
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< tentative: relative to its poses
+  double worst_residual = 0.0;                               ///< tentative: whitened, of its looks
+  double last_path = 0.0;                                    ///< way travelled when last seen [m]
+  double far = 0.0;   ///< greatest distance it was seen at [m]
+  int expected = 0;   ///< frames that should have shown it
+  int hits = 0;       ///< of these, how many did
+  int prior_id = -1;  ///< object of the former session it was matched with
+
+  [[nodiscard]] bool is_landmark() const { return slot >= 0; }
+  [[nodiscard]] double last_seen() const { return looks.back().t; }
+  /// The class most boxes gave it; the first in the alphabet if equal.
+  [[nodiscard]] std::string Color() const;
+  /// Sum of ln(c / (1 - c)) over the confidences of its looks.
+  [[nodiscard]] double LogOdds() const;
+};
+
+}  // namespace limpet

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "estimation/association/tracked_object.hpp"
+#include "estimation/smoothing/camera_model.hpp"
+#include "estimation/smoothing/nav_vector.hpp"
+
+namespace limpet {
+
+/// What is known of objects before any look.
+struct ObjectModel {
+  BoxNoise noise;
+  double radius_m = 0.5;  ///< 0: unknown
+  double height_m = 0.9;  ///< of the centre above the seabed
+  double height_sigma_m = 0.8;
+  double huber = 1.345;
+};
+
+struct Triangulation {
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
+  double worst_residual = 0.0;  ///< whitened, over the looks
+};
+
+/// Where an object is, from its looks at poses taken as known: bearing, range of whole boxes, and
+/// the seabed below the first look.
+[[nodiscard]] Triangulation Triangulate(const std::vector<Look>& looks,
+                                        const std::function<NavVector(int)>& pose_of,
+                                        const CameraModel& camera, const ObjectModel& model);
+
+/// A first guess from one look.
+[[nodiscard]] Eigen::Vector3d PlaceAlongRay(const Look& look, const NavVector& x,
+                                            const CameraModel& camera, const ObjectModel& model);
+
+/// The terms that a look puts on pose and landmark; none for a box that both borders cut.
+/// `with_seabed`: also the weak hint of the seabed's depth, once per pass.
+[[nodiscard]] std::vector<Term> TermsOfLook(const Look& look, int slot, const CameraModel& camera,
+                                            const ObjectModel& model, bool with_seabed);
+
+}  // namespace limpet

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/replay/replay.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace limpet {
+namespace {
+
+constexpr double kOnlinePeriod = 0.19;  // [s] between rows of online.csv
+
+/// Feeds one row after the other and keeps what the estimator says.
+class Replayer {
+ public:
+  Replayer(const NavigatorParams& params, const std::function<double()>& clock)
+      : navigator_(params), clock_(clock) {}
+
+  void operator()(const AttitudeEstimate& row) {
+    navigator_.AddAttitude(row);
+    AdvanceTo(row.t);
+  }
+  void operator()(const DvlRow& row) {
+    navigator_.AddVelocity(row.t, row.velocity);
+    if (row.altitude) navigator_.AddAltitude(row.t, *row.altitude);
+    AdvanceTo(row.t);
+  }
+  void operator()(const DepthRow& row) { navigator_.AddDepth(row.t, row.depth); }
+  void operator()(const GpsRow& row) {
+    navigator_.AddGps(row.t, row.p_W, row.sd);
+    AdvanceTo(row.t);
+  }
+  void operator()(const FrameRow& row) {
+    navigator_.AddFrame(row.frame);
+    for (int i = 0; i < static_cast<int>(row.frame.boxes.size()); ++i) {
+      landmark_of_[{row.frame.frame, i}] = -1;
+    }
+    AdvanceTo(row.arrival);
+  }
+
+  ReplayResult Finish() {
+    result_.finish = navigator_.Finish();
+    result_.smoothed = navigator_.Smoothed();
+    result_.landmarks = navigator_.Landmarks();
+    result_.counts = navigator_.counts();
+    result_.counts.looks = navigator_.tracker().rejected_looks();
+    for (const TrackedObject& object : navigator_.tracker().objects()) {
+      for (const Look& look : object.looks) {
+        if (object.is_landmark()) landmark_of_[{look.frame, look.detection}] = object.id;
+      }
+    }
+    for (const auto& [box, landmark] : landmark_of_) {
+      result_.associations.push_back({box.first, box.second, landmark});
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void AdvanceTo(double t) {
+    now_ = std::max(now_, t);
+    const int before = navigator_.node_count();
+    const double start = clock_();
+    navigator_.Advance(now_);
+    const int added = navigator_.node_count() - before;
+    if (!navigator_.has_started()) {
+      return;
+    }
+    const NavigatorEstimate estimate = navigator_.Estimate(now_);
+    for (int i = 0; i < added; ++i) {
+      result_.update_s.push_back((clock_() - start) / added);
+    }
+    if (result_.online.empty() || now_ - result_.online.back().t >= kOnlinePeriod) {
+      result_.online.push_back({now_, estimate.X_WB});
+      result_.reckoned.push_back({now_, navigator_.DeadReckoned(now_)});
+    }
+  }
+
+  Navigator navigator_;
+  const std::function<double()>& clock_;
+  double now_ = -1e18;
+  std::map<std::pair<int, int>, int> landmark_of_;
+  ReplayResult result_;
+};
+
+}  // namespace
+
+NavigatorParams ParamsForStream(const StreamMeta& meta) {
+  NavigatorParams params;
+  params.camera = meta.camera;
+  params.odometry.dvl_B = meta.dvl_B;
+  params.odometry.yaw_walk = meta.yaw_random_walk;
+  params.odometry.yaw_bias = meta.yaw_bias_sigma;
+  params.odometry.scale_sigma = std::hypot(meta.dvl_scale_sigma, meta.dvl_misalign_sigma);
+  params.objects.model.radius_m = meta.opi_radius;
+  params.fix_wait = Seconds(5.0);
+  return params;
+}
+
+ReplayResult Replay(const SensorStream& stream, const NavigatorParams& params,
+                    const std::function<double()>& clock) {
+  Replayer replayer(params, clock);
+  for (const StreamRow& row : stream.rows) {
+    std::visit(replayer, row);
+  }
+  return replayer.Finish();
+}
+
+}  // namespace limpet

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "estimation/navigation/navigator.hpp"
+#include "estimation/replay/sensor_stream.hpp"
+
+namespace limpet {
+
+/// The navigator's parameters for a stream's vehicle.
+[[nodiscard]] NavigatorParams ParamsForStream(const StreamMeta& meta);
+
+struct ReplayAssociation {
+  int frame = 0;
+  int detection = 0;
+  int landmark = -1;
+};
+
+/// Everything `limpet nav` writes.
+struct ReplayResult {
+  std::vector<SmoothedPose> online, smoothed, reckoned;
+  std::vector<LandmarkEstimate> landmarks;
+  std::vector<ReplayAssociation> associations;
+  std::vector<double> update_s;  ///< per node, up to its published pose
+  SolveReport finish;
+  NavigatorCounts counts;
+};
+
+/// Runs the navigator over a stream in order of arrival. `clock` [s] only times the updates.
+[[nodiscard]] ReplayResult Replay(const SensorStream& stream, const NavigatorParams& params,
+                                  const std::function<double()>& clock);
+
+}  // namespace limpet

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/replay/sensor_stream.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "limpet/core/config.hpp"
+
+namespace limpet {
+namespace {
+
+/// A line that cannot be understood.
+struct BadLine {
+  std::string why;
+};
+
+/// The fields of one line; numbers by column.
+class Fields {
+ public:
+  explicit Fields(std::string_view line) {
+    for (std::size_t start = 0; start <= line.size();) {
+      const std::size_t comma = std::min(line.find(',', start), line.size());
+      fields_.push_back(Trim(line.substr(start, comma - start)));
+      start = comma + 1;
+    }
+  }
+  [[nodiscard]] std::string_view kind() const { return fields_.front(); }
+  [[nodiscard]] std::size_t size() const { return fields_.size(); }
+  void Expect(std::size_t columns) const {
+    if (fields_.size() != columns) {
+      throw BadLine{fmt::format("{} has {} columns, not {}", kind(), fields_.size(), columns)};
+    }
+  }
+  /// nan and inf are read as they are; who uses them must check.
+  [[nodiscard]] double Number(std::size_t i) const {
+    const std::string_view text = i < fields_.size() ? fields_[i] : std::string_view();
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) {
+      throw BadLine{fmt::format("column {} of {} is `{}`, not a number", i + 1, kind(), text)};
+    }
+    return value;
+  }
+  [[nodiscard]] int Integer(std::size_t i) const {
+    const double value = Number(i);
+    if (value != std::floor(value) || std::abs(value) > 2e9) {
+      throw BadLine{fmt::format("column {} of {} is not a whole number", i + 1, kind())};
+    }
+    return static_cast<int>(value);
+  }
+  [[nodiscard]] std::optional<double> Optional(std::size_t i) const {
+    return i < fields_.size() && fields_[i].empty() ? std::nullopt
+                                                    : std::optional<double>(Number(i));
+  }
+  [[nodiscard]] bool AreFinite(std::size_t first) const {
+    for (std::size_t i = first; i < fields_.size(); ++i) {
+      if (!fields_[i].empty() && !std::isfinite(Number(i))) return false;
+    }
+    return true;
+  }
+
+ private:
+  std::vector<std::string_view> fields_;
+};
+
+DvlRow ParseDvl(const Fields& f) {
+  f.Expect(13);
+  DvlRow row{.t = f.Number(1), .velocity = {}, .altitude = f.Optional(8)};
+  if (f.Integer(2) != 0) {
+    row.velocity = Eigen::Vector3d(f.Number(3), f.Number(4), f.Number(5));
+  }
+  return row;
+}
+
+BoxDetection ParseDetection(const Fields& f, const FrameDetections& frame) {
+  f.Expect(11);
+  if (f.Integer(3) != frame.frame) {
+    throw BadLine{fmt::format("a DET of frame {} among those of {}", f.Integer(3), frame.frame)};
+  }
+  return {.u = f.Number(5),
+          .v = f.Number(6),
+          .w = f.Number(7),
+          .h = f.Number(8),
+          .confidence = f.Number(9),
+          .color = std::to_string(f.Integer(10))};
+}
+
+/// Turns lines into rows; DET rows belong to the FRM before them.
+class StreamParser {
+ public:
+  explicit StreamParser(SensorStream& stream) : stream_(stream) {}
+
+  void Take(std::string_view line) {
+    if (line.empty() || line.front() == '#') {
+      return;
+    }
+    const Fields f(line);
+    const std::string_view kind = f.kind();
+    if ((missing_boxes_ > 0) != (kind == "DET")) {
+      throw BadLine{missing_boxes_ > 0 ? "a DET of the frame before is missing"
+                                       : "a DET beyond those its frame announced"};
+    }
+    if (kind == "DET") {
+      --missing_boxes_;
+      TakeBox(f);
+    } else if (kind == "FRM") {
+      f.Expect(5);
+      missing_boxes_ = f.Integer(4);
+      stream_.rows.push_back(FrameRow{
+          .arrival = f.Number(2), .frame = {.frame = f.Integer(3), .t = f.Number(1), .boxes = {}}});
+    } else if (!f.AreFinite(1)) {
+      ++stream_.refused_rows;
+    } else if (kind == "ATT") {
+      f.Expect(8);
+      stream_.rows.push_back(AttitudeEstimate{.t = f.Number(1),
+                                              .roll = f.Number(2),
+                                              .pitch = f.Number(3),
+                                              .yaw = f.Number(4),
+                                              .yaw_rate = 0.0,
+                                              .sd_roll = f.Number(5),
+                                              .sd_pitch = f.Number(6),
+                                              .sd_yaw = f.Number(7)});
+    } else if (kind == "DVL") {
+      stream_.rows.push_back(ParseDvl(f));
+    } else if (kind == "DEP") {
+      f.Expect(4);
+      stream_.rows.push_back(DepthRow{f.Number(1), f.Number(2)});
+    } else if (kind == "GPS") {
+      f.Expect(5);
+      stream_.rows.push_back(GpsRow{f.Number(1), {f.Number(2), f.Number(3)}, f.Number(4)});
+    } else {
+      throw BadLine{fmt::format("`{}` is no kind of row (ATT, DVL, DEP, GPS, FRM, DET)", kind)};
+    }
+  }
+  void Finish() const {
+    if (missing_boxes_ > 0) throw BadLine{"the last frame's DET rows are missing"};
+  }
+
+ private:
+  void TakeBox(const Fields& f) {
+    FrameDetections& frame = std::get<FrameRow>(stream_.rows.back()).frame;
+    if (!f.AreFinite(1)) {
+      ++stream_.refused_rows;
+      frame.boxes.emplace_back();  // keeps the numbering; its confidence is 0
+      return;
+    }
+    frame.boxes.push_back(ParseDetection(f, frame));
+  }
+  SensorStream& stream_;
+  int missing_boxes_ = 0;
+};
+
+void TakeMeta(std::string_view line, StreamMeta& meta) {
+  const Fields f(line);
+  CameraModel& camera = meta.camera;
+  const auto vector = [&f] { return Eigen::Vector3d(f.Number(1), f.Number(2), f.Number(3)); };
+  if (f.kind() == "image_size") {
+    camera.width_px = f.Number(1), camera.height_px = f.Number(2);
+  } else if (f.kind() == "intrinsics_fx_fy_cx_cy") {
+    camera.fx = f.Number(1), camera.fy = f.Number(2);
+    camera.cx = f.Number(3), camera.cy = f.Number(4);
+  } else if (f.kind() == "cam_pos_body") {
+    camera.p_BC = vector();
+  } else if (f.kind() == "cam_R_body_from_cam") {
+    for (int i = 0; i < 9; ++i) {
+      camera.R_BC(i / 3, i % 3) = f.Number(static_cast<std::size_t>(i) + 1);
+    }
+  } else if (f.kind() == "dvl_pos_body") {
+    meta.dvl_B = vector();
+  } else if (f.kind() == "yaw_arw_rad_per_sqrt_s") {
+    meta.yaw_random_walk = f.Number(1);
+  } else if (f.kind() == "yaw_bias_sigma_rad_per_s") {
+    meta.yaw_bias_sigma = f.Number(1);
+  } else if (f.kind() == "dvl_scale_sigma") {
+    meta.dvl_scale_sigma = f.Number(1);
+  } else if (f.kind() == "dvl_misalign_sigma") {
+    meta.dvl_misalign_sigma = f.Number(1);
+  } else if (f.kind() == "opi_radius") {
+    meta.opi_radius = f.Number(1);
+  }
+}
+
+/// Calls `take` with each line of a file; the error names the line it choked on.
+template <class Take>
+std::optional<Error> ForEachLine(const std::filesystem::path& file, Take take) {
+  const Expected<std::vector<std::string>> lines = ReadLines(file);
+  if (!lines) {
+    return lines.error();
+  }
+  for (std::size_t i = 0; i < lines->size(); ++i) {
+    try {
+      take((*lines)[i]);
+    } catch (const BadLine& bad) {
+      return Error{fmt::format("{}:{}: {}", file.string(), i + 1, bad.why)};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Expected<SensorStream> LoadSensorStream(const std::filesystem::path& folder) {
+  SensorStream stream;
+  const auto meta = [&stream](std::string_view line) { TakeMeta(line, stream.meta); };
+  if (std::optional<Error> error = ForEachLine(folder / "meta.csv", meta)) {
+    return *error;
+  }
+  StreamParser parser(stream);
+  const std::filesystem::path file = folder / "stream.csv.gz";
+  const auto row = [&parser](std::string_view line) { parser.Take(line); };
+  if (std::optional<Error> error = ForEachLine(file, row)) {
+    return *error;
+  }
+  try {
+    parser.Finish();
+  } catch (const BadLine& bad) {
+    return Error{fmt::format("{}: {}", file.string(), bad.why)};
+  }
+  if (stream.rows.empty()) {
+    return Error{fmt::format("{}: holds no measurement", file.string())};
+  }
+  return stream;
+}
+
+}  // namespace limpet

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// A recorded sensor stream: a folder with meta.csv and stream.csv.gz.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "estimation/association/detection.hpp"
+#include "estimation/attitude/attitude_filter.hpp"
+#include "estimation/smoothing/camera_model.hpp"
+#include "limpet/core/expected.hpp"
+
+namespace limpet {
+
+/// What meta.csv says of vehicle and sensors.
+struct StreamMeta {
+  CameraModel camera;
+  Eigen::Vector3d dvl_B = Eigen::Vector3d::Zero();
+  double yaw_random_walk = 3.5e-6;  ///< [rad/sqrt(s)]
+  double yaw_bias_sigma = 9.7e-6;   ///< [rad/s]
+  double dvl_scale_sigma = 0.002;
+  double dvl_misalign_sigma = 0.0026;  ///< [rad]
+  double opi_radius = 0.5;             ///< [m]
+};
+
+/// `velocity` is empty without bottom lock.
+struct DvlRow {
+  double t = 0.0;
+  std::optional<Eigen::Vector3d> velocity;
+  std::optional<double> altitude;
+};
+struct DepthRow {
+  double t = 0.0, depth = 0.0;
+};
+struct GpsRow {
+  double t = 0.0;
+  Eigen::Vector2d p_W = Eigen::Vector2d::Zero();
+  double sd = 0.0;
+};
+struct FrameRow {
+  double arrival = 0.0;
+  FrameDetections frame;
+};
+using StreamRow = std::variant<AttitudeEstimate, DvlRow, DepthRow, GpsRow, FrameRow>;
+
+struct SensorStream {
+  StreamMeta meta;
+  std::vector<StreamRow> rows;  ///< in order of arrival
+  int refused_rows = 0;         ///< that held a value that is no finite number
+};
+
+/// Reads a stream. The error names file and line.
+[[nodiscard]] Expected<SensorStream> LoadSensorStream(const std::filesystem::path& folder);
+
+/// The lines of a text file, or of a gzip file; the error names file and line.
+[[nodiscard]] Expected<std::vector<std::string>> ReadLines(const std::filesystem::path& file);
+
+}  // namespace limpet
