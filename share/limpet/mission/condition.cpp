@@ -198,7 +198,7 @@ bool MatchesFields(std::string_view a, std::string_view b) {
   if (shorter.size() > longer.size()) {
     shorter.swap(longer);
   }
-  return std::ranges::search(longer, shorter).begin() != longer.end();
+  return std::search(longer.begin(), longer.end(), shorter.begin(), shorter.end()) != longer.end();
 }
 
 }  // namespace limpet

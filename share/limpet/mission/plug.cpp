@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxLines =
     1'000'000;  // fragments that include each other's copies grow fast
+constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;
 constexpr std::size_t kMaxDepth = 64;
 
 /// First word and the rest of a line, both trimmed.
@@ -114,8 +115,9 @@ class Expander {
   }
 
   void Put(std::string text, const SourceLine& where) {
-    if (result_.lines.size() >= kMaxLines) {
-      Fail(where, "", fmt::format("expands to more than {} lines", kMaxLines));
+    bytes_ += text.size();
+    if (result_.lines.size() >= kMaxLines || bytes_ > kMaxBytes) {
+      Fail(where, "", "the expansion is too big: more than a million lines or 64 MiB");
     }
     result_.lines.push_back({std::move(text), where});
   }
@@ -227,6 +229,7 @@ class Expander {
   PlugMacros macros_;
   std::vector<fs::path> open_files_;  ///< from the input to the fragment being read
   PlugResult result_;
+  std::size_t bytes_ = 0;
 };
 
 void AddPlugFoldersAbove(fs::path folder, std::vector<fs::path>& found) {

@@ -10,7 +10,7 @@ namespace limpet {
 /// The true seabed with its coefficients worked out once: a sloping plane plus a relief of zero
 /// mean, the sum of sinusoids with wavelengths of 1 to 8 m drawn from the scenario's seed. About
 /// 30 ns a point, no allocation, safe to share between threads. SeabedDepth() is the same surface
-/// at some ten times that cost.
+/// at some thirty times that cost.
 class Seabed {
  public:
   explicit Seabed(const Scenario::Seabed& scenario);

@@ -49,7 +49,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmBids, path_id, cause, considered, options
 
 template <class T>
 Value JsonCodec<T>::Encode(const T& value) {
-  return nlohmann::json(value).dump();
+  // Broken UTF-8 in a name must not throw here, where nothing may throw.
+  return nlohmann::json(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 template <class T>

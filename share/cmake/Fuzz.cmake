@@ -1,0 +1,23 @@
+# limpet_fuzz(<name> DEPENDS lib...): the libFuzzer program fuzz_<name> of <name>_fuzz.cpp, and a test that it survives
+# one quick pass over the seeds: every file under missions, plugs and the target's own corpus/<name>.
+if(LIMPET_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "LIMPET_FUZZ needs Clang: cmake --preset fuzz")
+  endif()
+  target_compile_options(limpet_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
+function(limpet_fuzz name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
+  add_executable(fuzz_${name} "${name}_fuzz.cpp")
+  list(TRANSFORM ARG_DEPENDS PREPEND limpet::)
+  target_link_libraries(fuzz_${name} PRIVATE limpet_options ${ARG_DEPENDS} thirdparty::fmt thirdparty::eigen)
+  target_link_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
+  set(corpus "${CMAKE_CURRENT_BINARY_DIR}/corpus/${name}")
+  file(MAKE_DIRECTORY "${corpus}")
+  set(seeds "${CMAKE_SOURCE_DIR}/missions" "${CMAKE_SOURCE_DIR}/plugs")
+  if(IS_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/corpus/${name}")
+    list(APPEND seeds "${CMAKE_CURRENT_SOURCE_DIR}/corpus/${name}")
+  endif()
+  add_test(NAME fuzz_${name} COMMAND fuzz_${name} -runs=20000 -max_total_time=10 -timeout=10 "${corpus}" ${seeds})
+endfunction()

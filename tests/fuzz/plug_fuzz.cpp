@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "limpet/mission/plug.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using Undefined = limpet::PlugOptions::Undefined;
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  for (const Undefined undefined :
+       {Undefined::kKeepLine, Undefined::kKeepMacro, Undefined::kRefuse}) {
+    limpet::PlugOptions options;
+    options.macros = {{"A", "$(B)"}, {"B", ""}};
+    options.undefined = undefined;
+    try {
+      static_cast<void>(limpet::ExpandPlugs(text, "fuzz.moos", options));
+    } catch (const limpet::ConfigError&) {
+      continue;  // a refusal is a fine answer
+    }
+  }
+  return 0;
+}
