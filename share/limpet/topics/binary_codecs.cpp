@@ -51,6 +51,9 @@ class ByteReader {
     if (left() < size) {
       return false;
     }
+    if (size == 0) {
+      return true;  // an empty vector may have no address, which memcpy must not see
+    }
     std::memcpy(data, bytes_.data() + position_, size);
     position_ += size;
     return true;

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "tests/layers/layers.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace limpet::layers {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::string ReadAll(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+std::vector<SourceFile> TreeFiles() {
+  const std::filesystem::path root(LIMPET_SOURCE_DIR);
+  std::vector<SourceFile> files;
+  for (const char* top : {"share/limpet", "estimation", "behaviors", "apps", "tests"}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / top)) {
+      const std::string extension = entry.path().extension().string();
+      if (entry.is_regular_file() && (extension == ".cpp" || extension == ".hpp")) {
+        files.push_back(
+            {entry.path().lexically_relative(root).generic_string(), ReadAll(entry.path())});
+      }
+    }
+  }
+  return files;
+}
+
+const LayerTable& SmallTable() {
+  static const LayerTable table = ReadLayerTable(
+      "text\n| library | what | may use | kept out |\n| --- | --- | --- | --- |\n"
+      "| core | units | - | fmt |\n| vision | eyes | core | OpenCV |\n"
+      "| estimation/* | beliefs | core, each other | |\n\n| app | later table | core | |\n");
+  return table;
+}
+
+std::vector<std::string> Check(const std::vector<SourceFile>& files) {
+  return Violations(files, SmallTable());
+}
+
+TEST(Layers, EveryIncludeOfTheTreeIsInTheTableOfTheArchitecture) {
+  const std::vector<SourceFile> files = TreeFiles();
+  EXPECT_GT(files.size(), 100U) << "the tree was not found";
+  const LayerTable table =
+      ReadLayerTable(ReadAll(std::filesystem::path(LIMPET_SOURCE_DIR) / "docs/architecture.md"));
+  EXPECT_GT(table.size(), 10U) << "the table was not found";
+  EXPECT_THAT(Violations(files, table), IsEmpty());
+}
+
+TEST(LayerTable, EndsWithItsMarkdownTable) {
+  EXPECT_EQ(SmallTable().size(), 3U);
+  EXPECT_THAT(SmallTable().at("core").may_use, IsEmpty());
+  EXPECT_THAT(SmallTable().at("estimation").may_use, ElementsAre("core", "estimation"));
+}
+
+TEST(Layers, FindsAnEdgeThatTheTableLacks) {
+  EXPECT_THAT(
+      Check({{"share/limpet/core/a.hpp", "\n#include \"limpet/vision/b.hpp\"\n"}}),
+      ElementsAre("share/limpet/core/a.hpp:2: limpet/vision/b.hpp: `core` may not use `vision`"));
+  EXPECT_THAT(Check({{"estimation/change/a.cpp", "# include \"limpet/vision/b.hpp\""}}),
+              ElementsAre(HasSubstr("`estimation` may not use `vision`")));
+}
+
+TEST(Layers, FindsALibraryWithoutARow) {
+  EXPECT_THAT(Check({{"share/limpet/extra/a.hpp", "#include \"limpet/core/units.hpp\"\n"}}),
+              ElementsAre(HasSubstr("`extra` has no row")));
+}
+
+TEST(Layers, KeepsAppsApartButForTheFrontCommand) {
+  const std::string text = "#include \"apps/pNav/nav_app.hpp\"\n";
+  EXPECT_THAT(Check({{"apps/pMap/a.cpp", text}}), ElementsAre(HasSubstr("another app")));
+  EXPECT_THAT(Check({{"apps/limpet/a.cpp", text}, {"apps/pNav/b.cpp", text}}), IsEmpty());
+}
+
+TEST(Layers, LetsNothingButTestsIncludeTests) {
+  const std::string text = "#include \"tests/support/temporary_folder.hpp\"\n";
+  EXPECT_THAT(Check({{"apps/limpet/a.cpp", text}}), ElementsAre(HasSubstr("but tests")));
+  EXPECT_THAT(Check({{"tests/unit/a.cpp", text}}), IsEmpty());
+}
+
+TEST(Layers, KeepsThirdPartyHeadersOutOfWhatOthersReach) {
+  const SourceFile header{"share/limpet/vision/a.hpp", "#include <opencv2/core.hpp>\n"};
+  const SourceFile between{"share/limpet/vision/b.hpp", "#include \"limpet/vision/a.hpp\"\n"};
+  EXPECT_THAT(Check({header, {"share/limpet/vision/a.cpp", between.text}}), IsEmpty());
+  EXPECT_THAT(
+      Check({header, between, {"apps/uSimCamera/c.cpp", "#include \"limpet/vision/b.hpp\"\n"}}),
+      ElementsAre(HasSubstr("vision/a.hpp:1: opencv2/core.hpp: OpenCV stays out")));
+}
+
+TEST(Layers, KeepsThirdPartyToTheLibrariesWhoseRowNamesIt) {
+  EXPECT_THAT(Check({{"share/limpet/core/a.cpp", "#include <opencv2/core.hpp>\n"}}),
+              ElementsAre(HasSubstr("`core` may not use OpenCV")));
+}
+
+TEST(Layers, WantsIncludePathsFromTheRoot) {
+  EXPECT_THAT(Check({{"share/limpet/core/a.cpp", "#include \"a.hpp\"\n"}}),
+              ElementsAre(HasSubstr("from the repository root")));
+}
+
+}  // namespace
+}  // namespace limpet::layers
