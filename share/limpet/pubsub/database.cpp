@@ -2,6 +2,7 @@
 #include "limpet/pubsub/database.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "limpet/core/require.hpp"
 
@@ -140,8 +141,11 @@ Database::WriteResult Database::Write(Message message, Seconds now) {
   }
   variable.latest = std::make_shared<const Message>(std::move(message));
   for (Subscriber& subscriber : variable.subscribers) {
-    const bool is_due = subscriber.interval.value() <= 0.0 || !subscriber.last_delivery ||
-                        now - *subscriber.last_delivery >= subscriber.interval;
+    const double interval = subscriber.interval.value();  // not a number means never
+    const bool is_due =
+        interval <= 0.0 ||
+        (!subscriber.last_delivery ? !std::isnan(interval)
+                                   : (now - *subscriber.last_delivery).value() >= interval);
     if (is_due) {
       subscriber.last_delivery = now;
       clients_[subscriber.client].mail.push_back(variable.latest);
