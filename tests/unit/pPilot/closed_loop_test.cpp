@@ -19,9 +19,9 @@ constexpr double kPi = std::numbers::pi;
 /// A vehicle whose navigation is perfect but one control period old, as on board.
 class Vessel {
  public:
-  explicit Vessel(const Eigen::Vector3d& current_W)
-      : simulation_(VehicleModel(VehicleParams{}, current_W, [](double, double) { return 7.5; }),
-                    {}, IntegratorKind::kRk4),
+  explicit Vessel(const Eigen::Vector3d& current_W, const VehicleParams& built = {})
+      : simulation_(VehicleModel(built, current_W, [](double, double) { return 7.5; }), {},
+                    IntegratorKind::kRk4),
         pilot_(Pilot::Gains{}, VehicleParams{}),
         nav_(Truth()) {
     pilot_.Reset(nav_);
@@ -100,6 +100,24 @@ INSTANTIATE_TEST_SUITE_P(Currents, LaneTurnLane,
                                          Eigen::Vector3d(0.1, 0.0, 0.0),
                                          Eigen::Vector3d(0.0, 0.1, 0.0),
                                          Eigen::Vector3d(-0.07, -0.07, 0.0)));
+
+/// The pilot believes VehicleParams{}; the vehicle is built otherwise.
+class BuiltOtherwise : public testing::TestWithParam<std::pair<double, double>> {};
+
+TEST_P(BuiltOtherwise, StaysNearThePathThoughThePilotDoesNotKnow) {
+  const auto [drag, net_buoyancy] = GetParam();
+  VehicleParams built;
+  built.drag_coefficient *= drag;
+  built.net_buoyancy_n = net_buoyancy;
+  Vessel vessel({0.0, 0.1, 0.0}, built);
+  vessel.Hold({0.0, 0.0, 3.5, 0.0}, 40.0);
+  const Track track = Follow(vessel, kLaneTurnLane, 3.5);
+  EXPECT_LE(track.rms, 0.15);
+  EXPECT_LE(track.depth_max, 0.15);
+}
+INSTANTIATE_TEST_SUITE_P(DragAndBuoyancy, BuiltOtherwise,
+                         testing::Values(std::pair(1.4, 3.0), std::pair(0.6, 3.0),
+                                         std::pair(1.0, 8.0)));
 
 TEST(ClosedLoop, FollowsACircleOfThreeMetresWithLittleSideslip) {
   Vessel vessel(Eigen::Vector3d::Zero());
