@@ -120,6 +120,12 @@ std::vector<Box> WithoutRepeats(const std::vector<Box>& boxes) {
   return kept;
 }
 
+/// A ball's image is stretched away from the centre of the image by perspective: up to here.
+double MostElongation(const Eigen::Vector2d& center, const ImageView& image) {
+  const Eigen::Vector2d middle(0.5 * image.width_px, 0.5 * image.height_px);
+  return 1.3 + 0.45 * (center - middle).squaredNorm() / middle.squaredNorm();
+}
+
 /// Rises from 0 at `low` to 1 at `high`.
 double Ramp(double value, double low, double high) {
   return std::clamp((value - low) / (high - low), 0.0, 1.0);
@@ -245,13 +251,16 @@ std::optional<Box> ColorShapeDetector::Verify(const ImageView& image,
   const bool is_cut = outline.sides < 0.8;
   const Eigen::Vector3d& shown = is_cut ? contrast.lit : contrast.inside;
   const std::optional<PaintClass> paint = ClassifyPaint(shown - contrast.outside);
-  if (!paint || outline.sides < 0.2 || outline.ellipse.Elongation() > 1.9 ||
-      outline.ellipse.MeanRadius() < settings_.least_radius_px || rect.area() <= 0.0) {
+  if (!paint || outline.sides < 0.2 || outline.ellipse.MeanRadius() < settings_.least_radius_px ||
+      rect.area() <= 0.0) {
     return std::nullopt;
   }
   const double allowed = finding->AllowedWobble();
   const double wobble = outline.roughness * outline.ellipse.MeanRadius();
-  const double shape = Ramp(outline.support, 0.4, 0.9) * Ramp(allowed - wobble, 0.0, 0.5 * allowed);
+  const double stretch = is_cut ? 2.0 : MostElongation(outline.ellipse.center, image);
+  const double shape = Ramp(outline.support, 0.4, 0.9) *
+                       Ramp(stretch - outline.ellipse.Elongation(), 0.0, 0.1) *
+                       Ramp(allowed - wobble, 0.0, 0.5 * allowed);
   const double color = Ramp(contrast.separation, 1.0, 6.0) * Ramp(contrast.support, 0.5, 0.95);
   return Box{.u = rect.center_u(),
              .v = rect.center_v(),

@@ -28,16 +28,18 @@ std::optional<PaintClass> ClassifyPaint(const Eigen::Vector3d& difference) {
   const double g = d(1);
   const double r = d(2);
   constexpr double kMargin = 0.15;
-  const std::array<Rule, 6> rules{{
+  const std::array<Rule, 7> rules{{
       {"yellow",
        std::min({Inside(g - 0.30 * r, 0.0, 1.0, kMargin), Inside(r - 0.95 * g, 0.0, 1.0, kMargin),
                  Inside(b - 0.25 * g, -2.0, 0.0, kMargin)})},
-      {"orange", std::min({Inside(g, -0.22, 0.30, kMargin), Inside(r, 0.6, 2.0, kMargin),
+      {"orange", std::min({Inside(g, -0.30, 0.30, kMargin), Inside(r, 0.6, 2.0, kMargin),
                            Inside(b, -2.0, 0.0, kMargin)})},
-      {"red", std::min({Inside(g, -2.0, -0.22, kMargin), Inside(r, 0.4, 2.0, kMargin),
+      {"red", std::min({Inside(g, -2.0, -0.30, kMargin), Inside(r, 0.4, 2.0, kMargin),
                         Inside(b, -2.0, 0.0, kMargin)})},
       {"green", std::min({Inside(g, 0.6, 2.0, kMargin), Inside(r - 0.95 * g, -3.0, 0.0, kMargin),
                           Inside(b - 0.40 * g, -3.0, 0.0, kMargin)})},
+      {"purple", std::min({Inside(b, 0.3, 2.0, kMargin), Inside(r, 0.15, 2.0, kMargin),
+                           Inside(g, -2.0, -0.1, kMargin)})},
       {"white", Inside(std::min({b, g, r}), 0.55, 2.0, kMargin)},
       {"blue", std::min(Inside(b, 0.6, 2.0, kMargin), Inside(std::max(g, r), -2.0, 0.1, kMargin))},
   }};
