@@ -87,7 +87,7 @@ class Flight {
       objective_.w_frontier = study_.late_frontier;
     }
     std::vector<Option> options = BeamSearch(pose_, ground_, region_, objective_, study_.beam);
-    if (ground_.SeenShare(Footprint::kLayers - 1) > study_.gap_share) {
+    if (UsefulShare(options) < study_.gap_below) {
       for (Option& option : GapPaths(pose_, ground_, region_, objective_, study_.gap)) {
         options.push_back(std::move(option));
       }
@@ -105,6 +105,13 @@ class Flight {
       }
     }
     return best;
+  }
+
+  /// Metres of useful track per metre of the first option, the beam's best.
+  double UsefulShare(const std::vector<Option>& options) {
+    return options.empty() ? 0.0
+                           : sight_(options.front().path).new_area / ground_.footprint().swath() /
+                                 options.front().path.length();
   }
 
   void Execute(const DubinsPath& path) {

@@ -25,10 +25,11 @@ struct StudyCase {
   bool is_change = false;        ///< former objects of Table 1 are targets
   double target_value = 60.0;
   Objective objective;
-  double gap_share = 0.9;   ///< of the band's top, from which gap paths are offered
+  /// Gap paths are offered when the beam's best shows less than this [m of useful track per m].
+  double gap_below = 0.02;
   double late_share = 2.0;  ///< seabed share from which late_frontier holds
   double late_frontier = 1.0;
-  double bottom_weight = 1.0;  ///< of the lowest layer against each other one
+  double bottom_weight = 2.0;  ///< of the lowest layer against each other one
   BeamParams beam;
   GapParams gap;
   PaperParams paper;
