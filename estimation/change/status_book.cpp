@@ -168,6 +168,26 @@ void StatusBook::WatchFormer() {
   }
 }
 
+double StatusBook::FormerLambdaAt(const KnownLandmark& newcomer) {
+  if (former_views_.empty()) {
+    return params_.unlisted_lambda;
+  }
+  PlacedObject place = newcomer.object;
+  place.ned = match_.offset.Undo(place.ned);
+  place.cov.topLeftCorner<2, 2>() += match_.shift_cov;
+  const auto known = former_lambda_.find(newcomer.id);
+  if (known != former_lambda_.end() && !HasMoved(known->second, place)) {
+    return known->second.log().Lambda();
+  }
+  PlaceWatch watch(place, params_.looks);
+  for (const SightRecord& view : former_views_) {
+    watch.See(view, model_, [](const SightedDetection&) { return BoxOwner::kAnotherPlace; });
+  }
+  return former_lambda_.insert_or_assign(newcomer.id, std::move(watch))
+      .first->second.log()
+      .Lambda();
+}
+
 int StatusBook::IdOfLandmark(int landmark) {
   const auto [entry, is_new] = id_of_landmark_.try_emplace(landmark, next_id_);
   next_id_ += is_new ? 1 : 0;
@@ -201,7 +221,7 @@ std::optional<ObjectStatus> StatusBook::StatusOfNewcomer(std::size_t index) {
       .lambda = log.Lambda(),
       .looks = log.looks(),
       .looks_with_box = log.looks_with_box(),
-      .posterior = former_ ? ChangeStatus(params_.unlisted_lambda, log.Lambda(), params_.priors)
+      .posterior = former_ ? ChangeStatus(FormerLambdaAt(object), log.Lambda(), params_.priors)
                            : DiscoveryStatus(log.Lambda(), params_.priors)};
   status.decided = Decide(status.posterior, status.looks, params_.priors);
   if (status.decided == Status::kNothing) {
