@@ -43,7 +43,7 @@ void StatusBook::AddSight(SightRecord sight) {
   LIMPET_REQUIRE(sights_.empty() || sight.time >= sights_.back().time, "sights out of order");
   for (std::size_t i = 0; i < sight.boxes.size(); ++i) {
     for (std::size_t j = i + 1; j < sight.boxes.size(); ++j) {
-      seen_together_.emplace(std::minmax(sight.boxes[i].landmark, sight.boxes[j].landmark));
+      seen_together_.insert(std::minmax(sight.boxes[i].landmark, sight.boxes[j].landmark));
     }
   }
   for (auto& [landmark, watch] : landmark_watch_) {
@@ -189,9 +189,19 @@ double StatusBook::FormerLambdaAt(const KnownLandmark& newcomer) {
 }
 
 int StatusBook::IdOfLandmark(int landmark) {
-  const auto [entry, is_new] = id_of_landmark_.try_emplace(landmark, next_id_);
-  next_id_ += is_new ? 1 : 0;
-  return entry->second;
+  const auto known = id_of_landmark_.find(landmark);
+  if (known != id_of_landmark_.end()) {
+    return known->second;
+  }
+  // A landmark that now stands for another one goes on under that one's id.
+  for (const auto& [other, representative] : representative_) {
+    const auto inherited = id_of_landmark_.find(other);
+    if (representative == landmark && inherited != id_of_landmark_.end()) {
+      return inherited->second;
+    }
+  }
+  id_of_landmark_[landmark] = next_id_;
+  return next_id_++;
 }
 
 ObjectStatus StatusBook::StatusOfFormer(std::size_t index) const {

@@ -77,6 +77,7 @@ TEST(LookLog, AMissWhereLittleWasVisibleSaysLittle) {
   log.Add(
       {.time = 0.0, .p_OC = {0, 0, -3}, .detects = 0.2, .false_alarm = 0.003, .has_box = false});
   EXPECT_GT(log.Lambda(), -0.25);
+  EXPECT_EQ(log.looks(), 0) << "and is no look that an operator would count";
 }
 
 }  // namespace
