@@ -53,6 +53,14 @@ std::vector<FormerObject> FormerOf(const SessionPrior& prior) {
   return former;
 }
 
+std::vector<SightRecord> FormerViewsOf(const SessionPrior& prior) {
+  std::vector<SightRecord> views;
+  for (const auto& [t, north, east, down, roll, pitch, yaw] : prior.views) {
+    views.push_back({.time = t, .X_WB = {{north, east, down}, roll, pitch, yaw}, .boxes = {}});
+  }
+  return views;
+}
+
 OpiBelief BeliefOf(const ObjectStatus& status) {
   const Eigen::Vector3d& ned = status.object.ned;
   const Eigen::Matrix3d& cov = status.object.cov;

@@ -13,6 +13,7 @@ namespace limpet {
 [[nodiscard]] SightRecord RecordOf(const Sight& sight);
 [[nodiscard]] std::vector<KnownLandmark> ConfirmedOf(const Landmarks& landmarks);
 [[nodiscard]] std::vector<FormerObject> FormerOf(const SessionPrior& prior);
+[[nodiscard]] std::vector<SightRecord> FormerViewsOf(const SessionPrior& prior);
 /// Without the map's centroid, which the octree knows.
 [[nodiscard]] OpiBelief BeliefOf(const ObjectStatus& status);
 

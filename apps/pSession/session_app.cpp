@@ -44,11 +44,11 @@ void SessionApp::LoadFormer() {
   if (!stored) {
     Refuse("former session", stored.error().text);
   }
-  const Expected<SessionRecord> former = RecordOf(stored->files);
+  const Expected<SessionMemory> former = MemoryOf(stored->files);
   if (!former) {
     Refuse("former session " + context().prior_folder.string(), former.error().text);
   }
-  prior_ = PriorOf(stored->facts, former->objects);
+  prior_ = PriorOf(stored->facts, *former);
 }
 
 void SessionApp::CopyMission() {
@@ -59,7 +59,7 @@ void SessionApp::CopyMission() {
     const std::string extension = entry.path().extension().string();
     if (extension != ".moos" && extension != ".bhv") continue;
     if (Expected<std::string> text = ReadWhole(entry.path())) {
-      record_.mission[entry.path().filename().string()] = *std::move(text);
+      memory_.mission[entry.path().filename().string()] = *std::move(text);
     }
   }
 }
@@ -72,7 +72,7 @@ void SessionApp::StartSaving(const std::string& cause, Seconds now) {
 }
 
 void SessionApp::OnSnapshot(const Stamped<Binary>& map) {
-  record_.map = TextOf(map.value);
+  memory_.map = TextOf(map.value);
   if (pending_) {
     Commit(pending_->cause, map.time);
   }
@@ -114,7 +114,7 @@ void SessionApp::Commit(const std::string& cause, Seconds now) {
                            .long_origin = context().Global("LongOrigin"),
                            .saved_at = now.value(),
                            .cause = cause};
-  const Expected<int> generation = writer_->Commit(facts, FilesOf(record_));
+  const Expected<int> generation = writer_->Commit(facts, FilesOf(memory_));
   if (!generation) {
     Warn("SESSION_NOT_SAVED", generation.error().text);
     return;

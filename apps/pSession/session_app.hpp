@@ -6,7 +6,7 @@
 
 #include "limpet/app/app.hpp"
 #include "limpet/core/params.hpp"
-#include "limpet/session/session_record.hpp"
+#include "limpet/session/session_memory.hpp"
 
 namespace limpet {
 
@@ -32,9 +32,9 @@ class SessionApp final : public App {
   void Finish(Seconds now) override;
 
  private:
-  void OnArea(const Stamped<SurveyArea>& area) { record_.area = area.value; }
-  void OnObjects(const Stamped<OpiBeliefs>& objects) { record_.objects = objects.value; }
-  void OnSight(const Stamped<Sight>& sight) { record_.sights.push_back(sight.value); }
+  void OnArea(const Stamped<SurveyArea>& area) { memory_.area = area.value; }
+  void OnObjects(const Stamped<OpiBeliefs>& objects) { memory_.objects = objects.value; }
+  void OnSight(const Stamped<Sight>& sight) { memory_.sights.push_back(sight.value); }
   void OnSnapshot(const Stamped<Binary>& map);
   void OnSave(const Stamped<std::string>& cause);
   void LoadFormer();
@@ -47,7 +47,7 @@ class SessionApp final : public App {
     Seconds since;
   };
   Params params_;
-  SessionRecord record_;
+  SessionMemory memory_;
   std::optional<SessionWriter> writer_;
   std::optional<SessionPrior> prior_;
   std::optional<Pending> pending_;  ///< waits for the map

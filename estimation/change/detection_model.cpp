@@ -9,8 +9,8 @@ namespace limpet {
 namespace {
 
 /// Contrast falls off within this share of the visibility around kHalfRange of it.
-constexpr double kHalfRange = 0.9;
-constexpr double kFallOff = 0.05;
+constexpr double kHalfRange = 1.1;
+constexpr double kFallOff = 0.06;
 constexpr int kDiscPoints = 24;
 
 double SmoothStep(double x) {

@@ -12,10 +12,10 @@ namespace limpet {
 /// How well the detector sees: the chance that one frame shows a box for an object that is there,
 /// and for a place where there is none. `paper.md` sections 3 (miss) and 4.
 struct DetectionModel {
-  double best = 0.95;             ///< chance per frame close by and wholly inside the image
+  double best = 0.97;             ///< chance per frame close by and wholly inside the image
   Meters visibility{8.0};         ///< range at which contrast is gone
-  double share_none = 0.25;       ///< share of the object inside the image below which it is missed
-  double share_full = 0.75;       ///< and above which the image's border does not matter
+  double share_none = 0.2;        ///< share of the object inside the image below which it is missed
+  double share_full = 0.6;        ///< and above which the image's border does not matter
   double false_per_image = 0.03;  ///< boxes per image that show nothing
 
   template <class V>

@@ -59,18 +59,19 @@ void LookLog::Add(const FrameEvidence& frame) {
   }
   last_time_ = frame.time;
   if (!look_) {
-    look_ = Look{.p_OC = frame.p_OC, .sum = {}, .frames = 0, .has_box = false};
-    ++looks_;
+    look_ = Look{.p_OC = frame.p_OC, .sum = {}};
     passes_ += pass_ ? 0 : 1;
     pass_ = pass_.value_or(Evidence{});
   }
   look_->sum += Weigh(frame);
+  look_->detects += frame.detects;
   look_->has_box = look_->has_box || frame.has_box;
   ++look_->frames;
 }
 
 void LookLog::CloseLook() {
   *pass_ += look_->mean();
+  closed_looks_ += look_->counts() ? 1 : 0;
   closed_looks_with_box_ += look_->has_box ? 1 : 0;
   look_.reset();
 }
@@ -97,6 +98,8 @@ double LookLog::Lambda() const {
   pass += look_->mean();
   return closed_lambda_ + PassLambda(pass);
 }
+
+int LookLog::looks() const { return closed_looks_ + (look_ && look_->counts() ? 1 : 0); }
 
 int LookLog::looks_with_box() const {
   return closed_looks_with_box_ + (look_ && look_->has_box ? 1 : 0);

@@ -62,7 +62,8 @@ class LookLog {
   void Add(const FrameEvidence& frame);
   /// Lambda over all passes, the one under way included.
   [[nodiscard]] double Lambda() const;
-  [[nodiscard]] int looks() const { return looks_; }
+  /// Looks that would more likely than not have shown an object, or that did show a box.
+  [[nodiscard]] int looks() const;
   [[nodiscard]] int looks_with_box() const;
   [[nodiscard]] int passes() const { return passes_; }
 
@@ -75,10 +76,12 @@ class LookLog {
   };
   struct Look {
     Eigen::Vector3d p_OC = Eigen::Vector3d::Zero();
-    Evidence sum;  ///< over frames; a look counts as its mean
+    Evidence sum;          ///< over frames; a look counts as its mean
+    double detects = 0.0;  ///< sum over frames
     int frames = 0;
     bool has_box = false;
     [[nodiscard]] Evidence mean() const { return sum / static_cast<double>(frames); }
+    [[nodiscard]] bool counts() const { return has_box || detects >= 0.5 * frames; }
   };
 
   [[nodiscard]] Evidence Weigh(const FrameEvidence& frame) const;
@@ -92,7 +95,7 @@ class LookLog {
   std::optional<Evidence> pass_;  ///< closed looks of the pass under way
   double last_time_ = 0.0;
   double closed_lambda_ = 0.0;  ///< of the passes before
-  int looks_ = 0;
+  int closed_looks_ = 0;
   int closed_looks_with_box_ = 0;
   int passes_ = 0;
 };

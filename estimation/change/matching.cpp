@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "estimation/change/assignment.hpp"
@@ -132,12 +133,14 @@ class SessionMatcher {
 }  // namespace
 
 Eigen::Vector3d FrameOffset::Apply(const Eigen::Vector3d& former) const {
-  const Eigen::Vector2d arm = former.head<2>() - pivot;
-  const double c = std::cos(turn);
-  const double s = std::sin(turn);
   const Eigen::Vector2d moved =
-      pivot + Eigen::Vector2d(c * arm.x() - s * arm.y(), s * arm.x() + c * arm.y()) + shift;
+      pivot + Eigen::Rotation2Dd(turn) * (former.head<2>() - pivot) + shift;
   return {moved.x(), moved.y(), former.z()};
+}
+
+Eigen::Vector3d FrameOffset::Undo(const Eigen::Vector3d& now) const {
+  const Eigen::Vector2d moved = pivot + Eigen::Rotation2Dd(-turn) * (now.head<2>() - pivot - shift);
+  return {moved.x(), moved.y(), now.z()};
 }
 
 SessionMatch MatchSessions(const std::vector<PlacedObject>& former,

@@ -25,6 +25,7 @@ struct FrameOffset {
   double turn = 0.0;                                ///< [rad]
   Eigen::Vector2d pivot = Eigen::Vector2d::Zero();  ///< mean of the former objects
   [[nodiscard]] Eigen::Vector3d Apply(const Eigen::Vector3d& former) const;
+  [[nodiscard]] Eigen::Vector3d Undo(const Eigen::Vector3d& now) const;
 };
 
 struct MatchingParams {

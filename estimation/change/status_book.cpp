@@ -43,7 +43,7 @@ void StatusBook::AddSight(SightRecord sight) {
   LIMPET_REQUIRE(sights_.empty() || sight.time >= sights_.back().time, "sights out of order");
   for (std::size_t i = 0; i < sight.boxes.size(); ++i) {
     for (std::size_t j = i + 1; j < sight.boxes.size(); ++j) {
-      seen_together_.emplace(std::minmax(sight.boxes[i].landmark, sight.boxes[j].landmark));
+      seen_together_.insert(std::minmax(sight.boxes[i].landmark, sight.boxes[j].landmark));
     }
   }
   for (auto& [landmark, watch] : landmark_watch_) {
@@ -168,10 +168,40 @@ void StatusBook::WatchFormer() {
   }
 }
 
+double StatusBook::FormerLambdaAt(const KnownLandmark& newcomer) {
+  if (former_views_.empty()) {
+    return params_.unlisted_lambda;
+  }
+  PlacedObject place = newcomer.object;
+  place.ned = match_.offset.Undo(place.ned);
+  place.cov.topLeftCorner<2, 2>() += match_.shift_cov;
+  const auto known = former_lambda_.find(newcomer.id);
+  if (known != former_lambda_.end() && !HasMoved(known->second, place)) {
+    return known->second.log().Lambda();
+  }
+  PlaceWatch watch(place, params_.looks);
+  for (const SightRecord& view : former_views_) {
+    watch.See(view, model_, [](const SightedDetection&) { return BoxOwner::kAnotherPlace; });
+  }
+  return former_lambda_.insert_or_assign(newcomer.id, std::move(watch))
+      .first->second.log()
+      .Lambda();
+}
+
 int StatusBook::IdOfLandmark(int landmark) {
-  const auto [entry, is_new] = id_of_landmark_.try_emplace(landmark, next_id_);
-  next_id_ += is_new ? 1 : 0;
-  return entry->second;
+  const auto known = id_of_landmark_.find(landmark);
+  if (known != id_of_landmark_.end()) {
+    return known->second;
+  }
+  // A landmark that now stands for another one goes on under that one's id.
+  for (const auto& [other, representative] : representative_) {
+    const auto inherited = id_of_landmark_.find(other);
+    if (representative == landmark && inherited != id_of_landmark_.end()) {
+      return inherited->second;
+    }
+  }
+  id_of_landmark_[landmark] = next_id_;
+  return next_id_++;
 }
 
 ObjectStatus StatusBook::StatusOfFormer(std::size_t index) const {
@@ -201,7 +231,7 @@ std::optional<ObjectStatus> StatusBook::StatusOfNewcomer(std::size_t index) {
       .lambda = log.Lambda(),
       .looks = log.looks(),
       .looks_with_box = log.looks_with_box(),
-      .posterior = former_ ? ChangeStatus(params_.unlisted_lambda, log.Lambda(), params_.priors)
+      .posterior = former_ ? ChangeStatus(FormerLambdaAt(object), log.Lambda(), params_.priors)
                            : DiscoveryStatus(log.Lambda(), params_.priors)};
   status.decided = Decide(status.posterior, status.looks, params_.priors);
   if (status.decided == Status::kNothing) {

@@ -80,6 +80,10 @@ class StatusBook {
   /// Makes this a change session. Call before the first frame, or lose nothing: frames are
   /// replayed.
   void SetFormer(std::vector<FormerObject> former);
+  /// Where the former session looked from, in its frame and in order of time (no boxes needed):
+  /// what it would have seen at places where it lists nothing. Without them `unlisted_lambda`
+  /// stands in.
+  void SetFormerViews(std::vector<SightRecord> views) { former_views_ = std::move(views); }
   /// Frames in order of time.
   void AddSight(SightRecord sight);
   /// All confirmed landmarks as now estimated; one that is absent is forgotten.
@@ -100,6 +104,7 @@ class StatusBook {
   [[nodiscard]] bool AreOne(const KnownLandmark& a, const KnownLandmark& b) const;
   void WatchLandmarks();
   void WatchFormer();
+  [[nodiscard]] double FormerLambdaAt(const KnownLandmark& newcomer);
   [[nodiscard]] PlacedObject FormerPlace(std::size_t index) const;
   void MatchFormer();
   [[nodiscard]] int IdOfLandmark(int landmark);
@@ -111,6 +116,7 @@ class StatusBook {
   WatchModel model_;
   std::vector<SightRecord> sights_;
   std::optional<std::vector<FormerObject>> former_;
+  std::vector<SightRecord> former_views_;
   std::vector<KnownLandmark> landmarks_;  ///< as given
   std::vector<KnownLandmark> objects_;    ///< merged: one per object, by id
   std::map<int, int> representative_;     ///< landmark to the one that stands for it
@@ -118,6 +124,7 @@ class StatusBook {
   std::map<int, PlaceWatch> landmark_watch_;
   std::vector<std::optional<PlaceWatch>> former_watch_;
   SessionMatch match_;
+  std::map<int, PlaceWatch> former_lambda_;  ///< of newcomers' places, by landmark
   std::map<int, int> id_of_landmark_;
   int next_id_ = 1;
 };

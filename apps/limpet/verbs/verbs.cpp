@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/limpet/verbs/verbs.hpp"
 
+#include "apps/limpet/verbs/change.hpp"
 #include "apps/limpet/verbs/check.hpp"
 #include "apps/limpet/verbs/report.hpp"
 #include "apps/limpet/verbs/survey.hpp"
@@ -11,6 +12,7 @@ namespace limpet {
 const std::vector<Verb>& Verbs() {
   static const std::vector<Verb> verbs{
       {"survey", "survey twice, embedded, and report what changed", RunSurvey},
+      {"change", "compare two saved sessions again", RunChange},
       {"check", "report every problem of a mission", RunCheck},
       {"report", "figures and page again from a run's logs", RunReport},
       {"tables", "many seeds: the paper's tables beside ours", RunTables},

@@ -40,7 +40,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OpiBelief, id, landmark, prior_id, ned, cov, 
                                    entropy, log_likelihood_ratio)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OpiBeliefs, opis)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PriorOpi, id, ned, cov, color, log_likelihood_ratio, looks)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SessionPrior, session, opis)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SessionPrior, session, opis, views)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PathSegment, curvature, length)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmPath, id, north, east, yaw, segments, purpose)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OptionBid, behavior, value, weight, has_veto, why)

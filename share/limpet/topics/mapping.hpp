@@ -95,6 +95,9 @@ struct PriorOpi {
 struct SessionPrior {
   std::string session;  ///< name of the former session
   std::vector<PriorOpi> opis;
+  /// Where it looked from, thinned to independent looks: t [s], north, east, down [m], roll, pitch,
+  /// yaw [rad]. Tells a new object from one that was never looked for.
+  std::vector<std::array<double, 7>> views;
 };
 template <>
 struct TopicCodec<SessionPrior> : JsonCodec<SessionPrior> {};

@@ -27,6 +27,25 @@ Landmark LandmarkOf(const Sphere& sphere) {
           .prior_id = -1};
 }
 
+struct FormerOpi {
+  int id;
+  std::array<double, 3> ned;
+  std::string color;
+};
+SessionPrior Former(const std::vector<FormerOpi>& objects) {
+  SessionPrior prior;
+  prior.session = "discovery";
+  for (const FormerOpi& object : objects) {
+    prior.opis.push_back({.id = object.id,
+                          .ned = object.ned,
+                          .cov = {0.04, 0, 0, 0.04, 0, 0.09},
+                          .color = object.color,
+                          .log_likelihood_ratio = 8.0,
+                          .looks = 5});
+  }
+  return prior;
+}
+
 /// pMap with mail as a survey would send it.
 class MapAppTest : public ::testing::Test {
  protected:
@@ -110,13 +129,7 @@ TEST_F(MapAppTest, DoesNotTakeAFalseDetectionForAnObject) {
 }
 
 TEST_F(MapAppTest, LeavesAFormerObjectUncertainUntilItHasLooked) {
-  SessionPrior prior{.session = "discovery",
-                     .opis = {{.id = 1,
-                               .ned = {4, 1, 5.5},
-                               .cov = {0.04, 0, 0, 0.04, 0, 0.09},
-                               .color = "yellow",
-                               .log_likelihood_ratio = 8.0,
-                               .looks = 5}}};
+  const SessionPrior prior = Former({{1, {4, 1, 5.5}, "yellow"}});
   link_.Send(app_, topics::kSessionPrior, prior);
   link_.time += Seconds(1.0);
   app_.Tick(link_.time);
@@ -128,19 +141,7 @@ TEST_F(MapAppTest, LeavesAFormerObjectUncertainUntilItHasLooked) {
 
 TEST_F(MapAppTest, DecidesAllFourWaysInAChangeSession) {
   const Sphere newcomer{.ned = {4, 8, 6.0}, .color = "orange", .landmark = 4};
-  SessionPrior prior{.session = "discovery",
-                     .opis = {{.id = 1,
-                               .ned = {4.3, 1.2, 5.6},
-                               .cov = {0.04, 0, 0, 0.04, 0, 0.09},
-                               .color = "yellow",
-                               .log_likelihood_ratio = 8.0,
-                               .looks = 5},
-                              {.id = 2,
-                               .ned = {8, -4, 7.0},
-                               .cov = {0.04, 0, 0, 0.04, 0, 0.09},
-                               .color = "orange",
-                               .log_likelihood_ratio = 8.0,
-                               .looks = 5}}};
+  const SessionPrior prior = Former({{1, {4.3, 1.2, 5.6}, "yellow"}, {2, {8, -4, 7}, "orange"}});
   link_.Send(app_, topics::kSessionPrior, prior);
   Survey({.north = -3, .east = 1, .length = 16}, {kYellow, newcomer});
   Survey({.north = -3, .east = 8, .length = 16}, {kYellow, newcomer});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limpet/session/session_record.hpp"
+#include "limpet/session/session_memory.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,10 +29,10 @@ Sight Frame(int frame) {
   return sight;
 }
 
-SessionRecord Sample() {
-  SessionRecord record;
-  record.area = SurveyArea{.north_min = -15, .north_max = 15, .east_min = -18, .east_max = 18};
-  record.objects.opis = {Object(1, 3, 0.98)};
+SessionMemory Sample() {
+  SessionMemory memory;
+  memory.area = SurveyArea{.north_min = -15, .north_max = 15, .east_min = -18, .east_max = 18};
+  memory.objects.opis = {Object(1, 3, 0.98)};
   Sight sight = Frame(12);
   sight.ned = {1.5, -2.25, 3.5};
   sight.yaw = 0.5;
@@ -40,15 +40,15 @@ SessionRecord Sample() {
   sight.boxes = {
       {{.u = 320.5, .v = 100, .w = 80, .h = 81, .confidence = 0.9, .color = "yellow"}, 3},
       {{.u = 10, .v = 20, .w = 30, .h = 40, .confidence = 0.5, .color = "green"}, -1}};
-  record.sights = {sight, Frame(13)};
-  record.map = std::string("\0ot", 3);
-  record.mission["mission.moos"] = "Community = alpha\n";
-  return record;
+  memory.sights = {sight, Frame(13)};
+  memory.map = std::string("\0ot", 3);
+  memory.mission["mission.moos"] = "Community = alpha\n";
+  return memory;
 }
 
-TEST(SessionRecord, ComesBackFromItsFiles) {
-  const SessionRecord saved = Sample();
-  const Expected<SessionRecord> loaded = RecordOf(FilesOf(saved));
+TEST(SessionMemory, ComesBackFromItsFiles) {
+  const SessionMemory saved = Sample();
+  const Expected<SessionMemory> loaded = MemoryOf(FilesOf(saved));
   ASSERT_TRUE(loaded);
   EXPECT_EQ(FilesOf(*loaded), FilesOf(saved));
   EXPECT_EQ(loaded->sights.size(), 2U);
@@ -57,24 +57,36 @@ TEST(SessionRecord, ComesBackFromItsFiles) {
   EXPECT_EQ(loaded->map, saved.map);
 }
 
-TEST(SessionRecord, NamesTheFileThatItDoesNotUnderstand) {
+TEST(SessionMemory, NamesTheFileThatItDoesNotUnderstand) {
   SessionFiles files = FilesOf(Sample());
   files["sights.csv"] += "12,not a number\n";
-  const Expected<SessionRecord> loaded = RecordOf(files);
+  const Expected<SessionMemory> loaded = MemoryOf(files);
   ASSERT_FALSE(loaded);
   EXPECT_THAT(loaded.error().text, ::testing::StartsWith("sights.csv: line 4"));
 }
 
 TEST(SessionPrior, HandsOverObjectsThatWereThere) {
-  OpiBeliefs objects = Sample().objects;
-  objects.opis.push_back(Object(2, -1, 0.02));
+  SessionMemory memory = Sample();
+  memory.objects.opis.push_back(Object(2, -1, 0.02));
   SessionFacts facts;
   facts.session = "discovery";
-  const SessionPrior prior = PriorOf(facts, objects);
+  const SessionPrior prior = PriorOf(facts, memory);
   ASSERT_EQ(prior.opis.size(), 1U);
   EXPECT_EQ(prior.opis[0].id, 1);
   EXPECT_EQ(prior.opis[0].log_likelihood_ratio, 8.5);
   EXPECT_EQ(prior.session, "discovery");
+}
+
+TEST(SessionPrior, HandsOverWhereItLookedFromHalfAMetreApart) {
+  SessionMemory memory;
+  for (int i = 0; i <= 40; ++i) {
+    memory.sights.push_back(Frame(i));
+    memory.sights.back().ned = {0.125 * i, 0.0, 3.5};
+    memory.sights.back().altitude = 4.0;
+  }
+  const SessionPrior prior = PriorOf(SessionFacts{}, memory);
+  ASSERT_EQ(prior.views.size(), 11U);
+  EXPECT_EQ(prior.views[1], (std::array<double, 7>{1.0, 0.5, 0.0, 3.5, 0.0, 0.0, 0.0}));
 }
 
 TEST(SightsCsv, RefusesATextWithoutItsHeader) { EXPECT_FALSE(SightsFromCsv("1,2,3\n")); }

@@ -15,7 +15,7 @@
 namespace limpet {
 
 /// Files: area.txt, objects.json, sights.csv, map.ot, mission/*.
-struct SessionRecord {
+struct SessionMemory {
   std::optional<SurveyArea> area;
   OpiBeliefs objects;
   std::vector<Sight> sights;  ///< every frame with its pose and boxes
@@ -24,11 +24,12 @@ struct SessionRecord {
 };
 
 /// Positions are kept to 0.1 mm, angles to 10 microradians, pixels to 0.01.
-[[nodiscard]] SessionFiles FilesOf(const SessionRecord& record);
+[[nodiscard]] SessionFiles FilesOf(const SessionMemory& memory);
 /// The error names the file whose content is not understood.
-[[nodiscard]] Expected<SessionRecord> RecordOf(const SessionFiles& files);
+[[nodiscard]] Expected<SessionMemory> MemoryOf(const SessionFiles& files);
 
-/// What a later session takes over: objects that were there at the end of this one.
-[[nodiscard]] SessionPrior PriorOf(const SessionFacts& facts, const OpiBeliefs& objects);
+/// What a later session takes over: objects that were there at the end of this one, and where it
+/// looked from.
+[[nodiscard]] SessionPrior PriorOf(const SessionFacts& facts, const SessionMemory& memory);
 
 }  // namespace limpet

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/change/detection_model.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace limpet {
+namespace {
+
+const CameraGeometry kCamera;
+const Pose kAbove{{0.0, 0.0, 0.0}, 0.0, 0.0, 0.0};
+
+TEST(VisibleShare, IsOneInTheMiddleOfTheImage) {
+  EXPECT_EQ(VisibleShare(kCamera, kAbove, {0, 0, 3}, 0.5), 1.0);
+}
+
+TEST(VisibleShare, IsAHalfOnTheImagesEdge) {
+  const double edge = 3.0 * std::tan(0.5 * kCamera.fov_along);
+  EXPECT_NEAR(VisibleShare(kCamera, kAbove, {edge, 0, 3}, 0.5), 0.5, 0.1);
+}
+
+TEST(VisibleShare, IsNoneOutsideOrBehind) {
+  EXPECT_EQ(VisibleShare(kCamera, kAbove, {0, 9, 3}, 0.5), 0.0);
+  EXPECT_EQ(VisibleShare(kCamera, kAbove, {0, 0, -3}, 0.5), 0.0);
+}
+
+TEST(DetectionModel, IsBestCloseByAndWhole) {
+  const DetectionModel model;
+  EXPECT_NEAR(model.Detects(1.0, 1.0), model.best, 1e-3);
+}
+
+TEST(DetectionModel, FallsWithRangeAndWithTheShareInTheImage) {
+  const DetectionModel model;
+  for (double range = 1.0; range < 12.0; range += 1.0) {
+    EXPECT_GE(model.Detects(range, 1.0), model.Detects(range + 1.0, 1.0));
+  }
+  for (double share = 0.0; share < 1.0; share += 0.1) {
+    EXPECT_LE(model.Detects(2.0, share), model.Detects(2.0, share + 0.1));
+  }
+  EXPECT_LT(model.Detects(2.0 * model.visibility.value(), 1.0), 0.01);
+  EXPECT_EQ(model.Detects(2.0, 0.1), 0.0);
+}
+
+}  // namespace
+}  // namespace limpet

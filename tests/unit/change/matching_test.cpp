@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/change/matching.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "estimation/change/assignment.hpp"
+#include "limpet/core/random.hpp"
+
+namespace limpet {
+namespace {
+
+using ::testing::ElementsAre;
+
+PlacedObject At(double north, double east, const std::string& color = "yellow") {
+  return {.ned = {north, east, 6.0}, .cov = 0.04 * Eigen::Matrix3d::Identity(), .color = color};
+}
+
+TEST(AssignOneToOne, FindsTheLeastTotal) {
+  // Row 0 would like column 0 best, but row 1 has no other choice.
+  EXPECT_THAT(AssignOneToOne({{1.0, 2.0}, {1.5, 9.0}}, 8.0), ElementsAre(1, 0));
+}
+
+TEST(AssignOneToOne, LeavesRowsAloneRatherThanPayMore) {
+  EXPECT_THAT(AssignOneToOne({{5.0}, {9.0}}, 6.0), ElementsAre(0, -1));
+  EXPECT_THAT(AssignOneToOne({{7.0}}, 6.0), ElementsAre(-1));
+}
+
+TEST(AssignOneToOne, WorksWithoutColumnsOrRows) {
+  EXPECT_THAT(AssignOneToOne({{}, {}}, 6.0), ElementsAre(-1, -1));
+  EXPECT_TRUE(AssignOneToOne({}, 6.0).empty());
+}
+
+TEST(AssignOneToOne, BeatsEveryOtherAssignment) {
+  Random random(3);
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<std::vector<double>> cost(4, std::vector<double>(4));
+    for (auto& row : cost) {
+      for (double& entry : row)
+        entry = random.Uniform(0.0, 10.0);
+    }
+    const auto total = [&cost](const std::vector<int>& columns) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < columns.size(); ++i) {
+        sum += columns[i] < 0 ? 6.0 : cost[i][static_cast<std::size_t>(columns[i])];
+      }
+      return sum;
+    };
+    const double best = total(AssignOneToOne(cost, 6.0));
+    std::vector<int> other{0, 1, 2, 3};
+    do {
+      std::vector<int> cut = other;
+      for (std::size_t i = 0; i < cut.size(); ++i) {
+        if (cost[i][static_cast<std::size_t>(cut[i])] > 6.0) cut[i] = -1;
+      }
+      EXPECT_LE(best, total(cut) + 1e-9);
+    } while (std::ranges::next_permutation(other).found);
+  }
+}
+
+TEST(MatchSessions, FindsTheOffsetThatAllObjectsShare) {
+  const std::vector<PlacedObject> former{At(4, 1), At(2, 10), At(6, -3), At(-6, -5)};
+  std::vector<PlacedObject> now;
+  for (const PlacedObject& object : former) {
+    now.push_back(At(object.ned.x() + 0.8, object.ned.y() - 0.6));
+  }
+  const SessionMatch match = MatchSessions(former, now, {});
+  EXPECT_THAT(match.now_of_former, ElementsAre(0, 1, 2, 3));
+  EXPECT_NEAR(match.offset.shift.x(), 0.8, 0.2);
+  EXPECT_NEAR(match.offset.shift.y(), -0.6, 0.2);
+}
+
+TEST(MatchSessions, FindsTheTurnFromTwoMatches) {
+  const std::vector<PlacedObject> former{At(-14, 0), At(14, 0)};
+  const double turn = RadiansFromDegrees(2.0);
+  std::vector<PlacedObject> now;
+  for (const PlacedObject& object : former) {
+    now.push_back(At(object.ned.x() * std::cos(turn), object.ned.x() * std::sin(turn)));
+  }
+  MatchingParams params;
+  params.turn_sigma = Radians::FromTextUnit(5.0);
+  EXPECT_NEAR(MatchSessions(former, now, params).offset.turn, turn, 0.2 * turn);
+}
+
+TEST(MatchSessions, DoesNotTurnTheFrameForOneMatch) {
+  EXPECT_EQ(MatchSessions({At(4, 1)}, {At(4.5, 1)}, {}).offset.turn, 0.0);
+}
+
+TEST(MatchSessions, LeavesRemovedAndNewObjectsAlone) {
+  const SessionMatch match = MatchSessions({At(4, 1), At(2, 10), At(-6, -5)},
+                                           {At(-6.2, -5.1), At(-3, 11), At(4.1, 1.2)}, {});
+  EXPECT_THAT(match.now_of_former, ElementsAre(2, -1, 0));
+}
+
+TEST(MatchSessions, IsNotLedAstrayByANewNeighbour) {
+  // The former object went; a new one came 1.6 m away. Two others say the frames agree.
+  const SessionMatch match = MatchSessions({At(0, 0), At(8, 0), At(0, 8)},
+                                           {At(1.9, 0, "orange"), At(8, 0.1), At(0.1, 8)}, {});
+  EXPECT_THAT(match.now_of_former, ElementsAre(-1, 1, 2));
+}
+
+TEST(MatchSessions, WorksWithNothingToMatch) {
+  EXPECT_TRUE(MatchSessions({}, {At(0, 0)}, {}).now_of_former.empty());
+  EXPECT_THAT(MatchSessions({At(0, 0)}, {}, {}).now_of_former, ElementsAre(-1));
+}
+
+TEST(FrameOffset, UndoIsTheInverseOfApply) {
+  const FrameOffset offset{.shift = {0.5, -0.3}, .turn = 0.1, .pivot = {3.0, 4.0}};
+  const Eigen::Vector3d point(7.0, -2.0, 5.0);
+  EXPECT_LT((offset.Undo(offset.Apply(point)) - point).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace limpet

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/change/status_book.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limpet/core/random.hpp"
+
+namespace limpet {
+namespace {
+
+const CameraGeometry kCamera;
+
+PlacedObject At(double north, double east, const std::string& color = "yellow") {
+  return {.ned = {north, east, 6.0}, .cov = 0.04 * Eigen::Matrix3d::Identity(), .color = color};
+}
+
+/// A book and a vehicle that flies north over the field at 3 m above the objects.
+class StatusBookTest : public ::testing::Test {
+ protected:
+  struct Real {
+    PlacedObject object;
+    int landmark = -1;
+  };
+  void Fly(double east, const std::vector<Real>& objects, double detects = 1.0) {
+    for (double north = -4.0; north <= 12.0; north += 0.125, time_ += 0.25) {
+      SightRecord sight{.time = time_, .X_WB = {{north, east, 3.0}, 0, 0, 0}, .boxes = {}};
+      for (const Real& real : objects) {
+        const Eigen::Vector3d p_C = kCamera.InCamera(sight.X_WB, real.object.ned);
+        const Eigen::Vector2d pixel = *kCamera.Project(p_C);
+        if (VisibleShare(kCamera, sight.X_WB, real.object.ned, 0.5) < 0.5) continue;
+        if (!random_.Chance(detects)) continue;
+        sight.boxes.push_back({.u = pixel.x(),
+                               .v = pixel.y(),
+                               .w = 120,
+                               .h = 120,
+                               .confidence = 0.9,
+                               .color = real.object.color,
+                               .landmark = real.landmark});
+      }
+      book_.AddSight(std::move(sight));
+    }
+    time_ += 30.0;
+  }
+  void Landmarks(const std::vector<Real>& objects) {
+    std::vector<KnownLandmark> known;
+    for (const Real& real : objects) {
+      known.push_back({.id = real.landmark, .object = real.object, .looks = 10 - real.landmark});
+    }
+    book_.SetLandmarks(known);
+  }
+  std::vector<Status> Decided() {
+    std::vector<Status> decided;
+    for (const ObjectStatus& object : book_.Assess())
+      decided.push_back(object.decided);
+    return decided;
+  }
+  static FormerObject Former(int id, const PlacedObject& object) {
+    return {.id = id, .object = object, .lambda = 8.0, .looks = 5};
+  }
+
+  Random random_{7};
+  double time_ = 0.0;
+  StatusBook book_{StatusParams{}, kCamera};
+};
+
+TEST_F(StatusBookTest, JudgesALandmarkAlsoFromFramesBeforeItWasConfirmed) {
+  const Real real{At(4, 0.5), 1};
+  Fly(0.0, {{real.object, -1}});
+  Landmarks({real});
+  ASSERT_EQ(book_.Assess().size(), 1U);
+  EXPECT_EQ(book_.Assess()[0].decided, Status::kNew);
+  EXPECT_GE(book_.Assess()[0].looks_with_box, 3);
+}
+
+TEST_F(StatusBookTest, DropsALandmarkThatCleanLooksDisprove) {
+  Fly(0.0, {});
+  Fly(0.5, {});
+  Landmarks({{At(4, 0.5), 1}});
+  EXPECT_TRUE(book_.Assess().empty());
+}
+
+TEST_F(StatusBookTest, ForgetsALandmarkThatTheSmootherDropped) {
+  const Real real{At(4, 0.5), 1};
+  Fly(0.0, {real});
+  Landmarks({real});
+  Landmarks({});
+  EXPECT_TRUE(book_.Assess().empty());
+}
+
+TEST_F(StatusBookTest, TakesTwoLandmarksOfOneObjectForOne) {
+  Fly(0.0, {{At(4, 0.5), 1}});
+  Fly(0.5, {{At(4, 0.5), 2}});
+  Landmarks({{At(4, 0.5), 1}, {At(4.6, 0.9), 2}});
+  ASSERT_EQ(book_.Assess().size(), 1U);
+  EXPECT_EQ(book_.Representative(2), 1);
+}
+
+TEST_F(StatusBookTest, KeepsTwoNeighboursApartThatWereSeenTogether) {
+  const std::vector<Real> two{{At(4, 0.0), 1}, {At(4, 1.1), 2}};
+  Fly(0.5, two);
+  Landmarks(two);
+  EXPECT_EQ(book_.Assess().size(), 2U);
+}
+
+TEST_F(StatusBookTest, AFormerObjectThatIsStillThereIsConfirmed) {
+  book_.SetFormer({Former(7, At(4.4, 0.2))});
+  const Real real{At(4, 0.5), 1};
+  Fly(0.0, {real});
+  Landmarks({real});
+  ASSERT_THAT(Decided(), ::testing::ElementsAre(Status::kConfirmed));
+  EXPECT_EQ(book_.Assess()[0].former, 7);
+  EXPECT_EQ(book_.Assess()[0].landmark, 1);
+}
+
+TEST_F(StatusBookTest, AFormerObjectThatCleanLooksMissIsRemoved) {
+  book_.SetFormer({Former(7, At(4.4, 0.2))});
+  Fly(0.0, {});
+  EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kRemoved));
+}
+
+TEST_F(StatusBookTest, AFormerObjectOutOfSightStaysUncertain) {
+  book_.SetFormer({Former(7, At(4.4, 9.0))});
+  Fly(0.0, {});
+  EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kUncertain));
+  EXPECT_EQ(book_.Assess()[0].looks, 0);
+}
+
+TEST_F(StatusBookTest, BoxesOfALandmarkToBeDoNotLeaveItsFormerObjectRemoved) {
+  book_.SetFormer({Former(7, At(4.4, 0.2))});
+  Fly(0.0, {{At(4, 0.5), -1}});
+  EXPECT_NE(Decided()[0], Status::kRemoved);
+}
+
+TEST_F(StatusBookTest, ANewObjectIsNewWhenTheFormerSessionLookedThere) {
+  const Real real{At(4, 0.5), 1};
+  book_.SetFormer({});
+  std::vector<SightRecord> views;
+  for (double north = -4.0; north < 12.0; north += 0.5) {
+    views.push_back({.time = north, .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}, .boxes = {}});
+  }
+  book_.SetFormerViews(views);
+  Fly(0.0, {real});
+  Landmarks({real});
+  EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kNew));
+}
+
+TEST_F(StatusBookTest, AnObjectWhereNobodyLookedBeforeMayBeOld) {
+  const Real real{At(4, 0.5), 1};
+  book_.SetFormer({});
+  book_.SetFormerViews({{.time = 0.0, .X_WB = {{100.0, 0.0, 3.0}, 0, 0, 0}, .boxes = {}}});
+  Fly(0.0, {real});
+  Landmarks({real});
+  const std::vector<ObjectStatus> objects = book_.Assess();
+  ASSERT_EQ(objects.size(), 1U);
+  EXPECT_EQ(objects[0].decided, Status::kUncertain);
+  EXPECT_GT(objects[0].posterior.present(), 0.9);
+}
+
+TEST_F(StatusBookTest, AnObjectThatMovedIsOneStoryNotTwo) {
+  book_.SetFormer({Former(7, At(4, -1.2)), Former(8, At(9, 0)), Former(9, At(0, 0))});
+  const std::vector<Real> now{{At(4, 1.1), 1}, {At(9, 0), 2}, {At(0, 0), 3}};
+  Fly(-0.5, now);
+  Fly(0.5, now);
+  Landmarks(now);
+  EXPECT_THAT(Decided(),
+              ::testing::ElementsAre(Status::kConfirmed, Status::kConfirmed, Status::kMoved));
+  EXPECT_EQ(book_.Assess().back().former, 7);
+}
+
+TEST_F(StatusBookTest, KeepsAnObjectsIdWhenItIsFoundAgain) {
+  book_.SetFormer({Former(7, At(4, 0.5)), Former(8, At(9, 0))});
+  const int before = book_.Assess()[1].id;
+  const Real real{At(9, 0.2), 1};
+  Fly(0.0, {real});
+  Landmarks({real});
+  EXPECT_EQ(book_.Assess()[1].id, before);
+}
+
+TEST_F(StatusBookTest, FalseDetectionsNeverAddUpToAnObject) {
+  // One random box in every tenth frame, and a smoother that believes in one of them.
+  for (double north = -4.0; north <= 12.0; north += 0.125, time_ += 0.25) {
+    SightRecord sight{.time = time_, .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}, .boxes = {}};
+    if (random_.Chance(0.1)) {
+      sight.boxes.push_back({.u = random_.Uniform(0, 640),
+                             .v = random_.Uniform(0, 480),
+                             .w = 80,
+                             .h = 80,
+                             .confidence = 0.5,
+                             .color = "yellow",
+                             .landmark = -1});
+    }
+    book_.AddSight(std::move(sight));
+  }
+  for (double north = -2.0; north <= 10.0; north += 0.7) {
+    Landmarks({{At(north, 0.8), 1}});
+    for (const ObjectStatus& object : book_.Assess()) {
+      EXPECT_EQ(object.decided, Status::kUncertain) << north;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace limpet

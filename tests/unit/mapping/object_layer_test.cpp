@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/mapping/object_layer.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace limpet {
+namespace {
+
+const CameraGeometry kCamera;
+constexpr double kRadius = 0.5;
+
+SightedDetection BoxAround(const Pose& X_WB, const Eigen::Vector3d& p_W, int landmark) {
+  const Eigen::Vector3d p_C = kCamera.InCamera(X_WB, p_W);
+  const Eigen::Vector2d pixel = *kCamera.Project(p_C);
+  return {.u = pixel.x(),
+          .v = pixel.y(),
+          .w = 2.0 * kRadius * kCamera.fx() / p_C.z(),
+          .h = 2.0 * kRadius * kCamera.fy() / p_C.z(),
+          .confidence = 0.9,
+          .color = "yellow",
+          .landmark = landmark};
+}
+
+ObjectStatus StatusAt(const Eigen::Vector3d& ned, Status decided, int landmark = 1) {
+  ObjectStatus status;
+  status.id = 1;
+  status.landmark = landmark;
+  status.former = landmark < 0 ? 7 : -1;
+  status.object.ned = ned;
+  status.posterior.appeared = 0.98;
+  status.posterior.nothing = 0.02;
+  status.decided = decided;
+  return status;
+}
+
+/// Flies north over `ned` and paints what it sees.
+struct Flight {
+  StatusParams status;
+  StatusBook book{status, kCamera};
+  SemanticOctree octree;
+  ObjectLayer layer{{}, status, kCamera};
+
+  explicit Flight(const Eigen::Vector3d& ned) {
+    book.SetLandmarks(
+        {{.id = 1, .object = {.ned = ned, .cov = {}, .color = "yellow"}, .looks = 5}});
+    for (int i = 0; i < 20; ++i) {
+      const Pose X_WB{{ned.x() - 1.2 + 0.125 * i, ned.y() + 0.4, ned.z() - 3.0}, 0.02, -0.01, 0.0};
+      book.AddSight({.time = 0.25 * i, .X_WB = X_WB, .boxes = {BoxAround(X_WB, ned, 1)}});
+    }
+  }
+  void Paint(const ObjectStatus& object) { layer.SetObjects({object}, book, octree); }
+};
+
+const Eigen::Vector3d kPlace(4.07, 1.02, 5.53);
+
+TEST(ObjectProbability, IsTheConfidenceAtTheCentreAndNeverEvidenceAgainst) {
+  EXPECT_NEAR(ObjectProbability(0.0, 50.0, 0.9), 0.9, 1e-12);
+  EXPECT_NEAR(ObjectProbability(50.0, 50.0, 0.9), 0.5 + 0.4 * std::exp(-0.5), 1e-12);
+  EXPECT_GE(ObjectProbability(1e4, 50.0, 0.9), 0.5);
+}
+
+TEST(NearSurface, LiesOnTheSphereAndFacesTheCamera) {
+  const Pose X_WB{{4.0, 1.5, 2.5}, 0.0, 0.0, 0.3};
+  const ObjectLook look{.X_WB = X_WB, .box = BoxAround(X_WB, kPlace, 1), .object_W = kPlace};
+  const std::vector<VoxelEvidence> points = NearSurface(look, kCamera, kRadius, 0.1);
+  EXPECT_GT(points.size(), 50U);
+  for (const VoxelEvidence& point : points) {
+    EXPECT_NEAR((point.p_W - kPlace).norm(), kRadius, 0.02);
+    EXPECT_LT((point.p_W - X_WB.p_WB).norm(), (kPlace - X_WB.p_WB).norm());
+    EXPECT_GE(point.log_odds, 0.0);
+  }
+}
+
+TEST(NearSurface, GivesTheRadiusOfTheSphereInTheBox) {
+  const Pose X_WB{{4.0, 1.5, 2.5}, 0.0, 0.0, 0.3};
+  const ObjectLook look{.X_WB = X_WB, .box = BoxAround(X_WB, kPlace, 1), .object_W = kPlace};
+  EXPECT_NEAR(RadiusFromBox(look, kCamera), kRadius, 0.01);
+}
+
+TEST(SphereCentre, FindsTheCentreFromTheUpperCapAlone) {
+  std::vector<Eigen::Vector3d> points;
+  for (double tilt = 0.1; tilt < 1.2; tilt += 0.2) {
+    for (double turn = 0.0; turn < 6.2; turn += 0.5) {
+      points.push_back(kPlace + kRadius * Eigen::Vector3d(std::sin(tilt) * std::cos(turn),
+                                                          std::sin(tilt) * std::sin(turn),
+                                                          -std::cos(tilt)));
+    }
+  }
+  const std::optional<Eigen::Vector3d> centre = SphereCentre(points, kRadius);
+  ASSERT_TRUE(centre);
+  EXPECT_LT((*centre - kPlace).norm(), 1e-3);
+}
+
+TEST(SphereCentre, NeedsFourPoints) { EXPECT_FALSE(SphereCentre({kPlace}, kRadius)); }
+
+TEST(ObjectLayer, FindsTheSpheresCentreFromItsVoxels) {
+  Flight flight(kPlace);
+  flight.Paint(StatusAt(kPlace, Status::kNew));
+  const std::optional<ObjectCluster> cluster = flight.layer.Cluster(1);
+  ASSERT_TRUE(cluster);
+  EXPECT_GT(cluster->voxels, 15);
+  EXPECT_LT((cluster->centre - kPlace).norm(), 0.15);
+}
+
+TEST(ObjectLayer, TakesTheVoxelsAlongWhenTheLandmarkMoves) {
+  Flight flight(kPlace);
+  flight.Paint(StatusAt(kPlace, Status::kNew));
+  const Eigen::Vector3d moved = kPlace + Eigen::Vector3d(0.6, -0.4, 0.2);
+  flight.Paint(StatusAt(moved, Status::kNew));
+  EXPECT_LT((flight.layer.Cluster(1)->centre - moved).norm(), 0.15);
+  EXPECT_EQ(flight.octree.At(kPlace - Eigen::Vector3d(0.45, 0, 0.2))->object, 0.0F);
+}
+
+TEST(ObjectLayer, LabelsVoxelsWithTheirObjectsStatus) {
+  Flight flight(kPlace);
+  flight.Paint(StatusAt(kPlace, Status::kConfirmed));
+  const auto top = flight.octree.At(kPlace - Eigen::Vector3d(0, 0, 0.45));
+  ASSERT_TRUE(top);
+  EXPECT_EQ(top->label, VoxelLabel::kConfirmed);
+  EXPECT_GT(top->object, std::log(0.7 / 0.3));
+  EXPECT_GT(top->exists, 3.0F);
+}
+
+TEST(ObjectLayer, DrawsAFormerObjectThatIsGone) {
+  Flight flight(kPlace);
+  ObjectStatus gone = StatusAt(kPlace, Status::kRemoved, -1);
+  gone.posterior = {.confirmed = 0.02, .removed = 0.98};
+  flight.Paint(gone);
+  const auto top = flight.octree.At(kPlace - Eigen::Vector3d(0, 0, 0.45));
+  ASSERT_TRUE(top);
+  EXPECT_EQ(top->label, VoxelLabel::kRemoved);
+  EXPECT_LT(top->exists, -3.0F);
+}
+
+TEST(ObjectLayer, ForgetsAnObjectThatIsNoMore) {
+  Flight flight(kPlace);
+  flight.Paint(StatusAt(kPlace, Status::kNew));
+  flight.layer.SetObjects({}, flight.book, flight.octree);
+  EXPECT_FALSE(flight.layer.Cluster(1));
+  EXPECT_EQ(flight.octree.At(kPlace - Eigen::Vector3d(0, 0, 0.45))->object, 0.0F);
+}
+
+TEST(ObjectLayer, LooksThatMissMakeVoxelsLessCertain) {
+  Flight flight(kPlace);
+  flight.Paint(StatusAt(kPlace, Status::kNew));
+  const float before = flight.octree.At(kPlace - Eigen::Vector3d(0, 0, 0.45))->object;
+  const Pose above{kPlace - Eigen::Vector3d(0, 0, 3.0), 0.0, 0.0, 0.0};
+  flight.book.AddSight({.time = 100.0, .X_WB = above, .boxes = {}});
+  flight.layer.AddSight(flight.book.sights().back(), flight.book);
+  flight.Paint(StatusAt(kPlace, Status::kNew));
+  EXPECT_LT(flight.octree.At(kPlace - Eigen::Vector3d(0, 0, 0.45))->object, before);
+}
+
+}  // namespace
+}  // namespace limpet
