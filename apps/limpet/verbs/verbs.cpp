@@ -2,6 +2,7 @@
 #include "apps/limpet/verbs/verbs.hpp"
 
 #include "apps/limpet/verbs/check.hpp"
+#include "apps/limpet/verbs/nav.hpp"
 #include "apps/limpet/verbs/report.hpp"
 #include "apps/limpet/verbs/survey.hpp"
 #include "apps/limpet/verbs/tables.hpp"
@@ -11,6 +12,7 @@ namespace limpet {
 const std::vector<Verb>& Verbs() {
   static const std::vector<Verb> verbs{
       {"survey", "survey twice, embedded, and report what changed", RunSurvey},
+      {"nav", "run the estimator alone on a recorded sensor stream", RunNav},
       {"check", "report every problem of a mission", RunCheck},
       {"report", "figures and page again from a run's logs", RunReport},
       {"tables", "many seeds: the paper's tables beside ours", RunTables},
