@@ -2,6 +2,7 @@
 #include "apps/pNav/nav_app.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "limpet/app/registry.hpp"
 
@@ -20,6 +21,14 @@ NavigatorParams NavigatorParamsOf(const NavApp::Params& params) {
   result.odometry.dvl_B = {params.dvl_x.value(), params.dvl_y.value(), params.dvl_z.value()};
   result.velocity_gate.jump = params.dvl_jump;
   result.frame_wait = params.frame_wait;
+  result.camera = CameraModel::From(params.camera.geometry());
+  result.node_period = params.node_period;
+  result.node_distance = params.node_distance;
+  result.objects.model.radius_m = params.opi_radius.value();
+  result.objects.min_confidence = params.min_confidence;
+  result.objects.looks_to_confirm = params.looks_to_confirm;
+  result.objects.confirm_log_odds = params.confirm_log_odds;
+  result.session.offset_sigma = params.session_offset_sigma;
   return result;
 }
 
@@ -36,6 +45,7 @@ NavApp::NavApp(const AppContext& context, const Params& params)
   Subscribe(topics::kDepthSensor, &NavApp::OnDepth);
   Subscribe(topics::kGpsData, &NavApp::OnGps);
   Subscribe(topics::kDetections, &NavApp::OnDetections);
+  Subscribe(topics::kSessionPrior, &NavApp::OnPrior);
 }
 
 void NavApp::OnFog(const Stamped<double>& rate) {
@@ -66,6 +76,7 @@ void NavApp::OnDvl(const Stamped<DvlSample>& dvl) {
   }
   if (sample.altitude) {
     altitude_ = Stamped<double>{dvl.time, *sample.altitude};
+    navigator_.AddAltitude(t, *sample.altitude);
   }
   navigator_.AddVelocity(t, velocity);
   if (navigator_.has_started()) {
@@ -93,12 +104,28 @@ void NavApp::OnDetections(const Stamped<Detections>& detections) {
   navigator_.AddFrame(frame);
 }
 
+void NavApp::OnPrior(const Stamped<SessionPrior>& prior) {
+  std::vector<FormerObject> former;
+  for (const PriorOpi& opi : prior.value.opis) {
+    FormerObject object;
+    object.id = opi.id;
+    object.p = Eigen::Vector3d(opi.ned[0], opi.ned[1], opi.ned[2]);
+    object.covariance << opi.cov[0], opi.cov[1], opi.cov[2],  //
+        opi.cov[1], opi.cov[3], opi.cov[4],                   //
+        opi.cov[2], opi.cov[4], opi.cov[5];
+    object.color = opi.color;
+    former.push_back(object);
+  }
+  navigator_.SetFormerObjects(std::move(former));
+}
+
 void NavApp::Tick(Seconds now) {
   navigator_.Advance(now.value());
   WatchSensors(now.value());
   if (navigator_.has_started()) {
     PublishState(now.value());
     PublishSights();
+    PublishLandmarks(now.value());
   }
 }
 
@@ -158,6 +185,27 @@ void NavApp::PublishSights() {
     }
     Publish(topics::kNavSight, sight);
   }
+}
+
+void NavApp::PublishLandmarks(double now) {
+  constexpr double kPeriod = 0.5;  // [s]
+  if (navigator_.landmark_version() == landmark_version_ || now - landmarks_t_ < kPeriod - 1e-6) {
+    return;
+  }
+  landmark_version_ = navigator_.landmark_version();
+  landmarks_t_ = now;
+  Landmarks message;
+  for (const LandmarkEstimate& landmark : navigator_.Landmarks()) {
+    const Eigen::Matrix3d& S = landmark.covariance;
+    message.landmarks.push_back({.id = landmark.id,
+                                 .ned = {landmark.p.x(), landmark.p.y(), landmark.p.z()},
+                                 .cov = {S(0, 0), S(0, 1), S(0, 2), S(1, 1), S(1, 2), S(2, 2)},
+                                 .color = landmark.color,
+                                 .looks = landmark.looks,
+                                 .is_confirmed = true,
+                                 .prior_id = landmark.prior_id});
+  }
+  Publish(topics::kNavLandmarks, message);
 }
 
 void NavApp::PublishBeams(const Stamped<DvlSample>& dvl) {

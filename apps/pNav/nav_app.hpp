@@ -6,6 +6,7 @@
 #include "estimation/attitude/attitude_filter.hpp"
 #include "estimation/navigation/navigator.hpp"
 #include "limpet/app/app.hpp"
+#include "limpet/core/camera_params.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/navigation.hpp"
@@ -24,6 +25,14 @@ class NavApp final : public App {
     MetersPerSecond dvl_jump{0.15};
     Seconds frame_wait{0.4};
     Seconds stale_after{2.0};
+    Meters opi_radius{0.5};
+    double min_confidence = 0.45;
+    int looks_to_confirm = 3;
+    double confirm_log_odds = 2.5;
+    Seconds node_period{1.0};
+    Meters node_distance{0.5};
+    Meters session_offset_sigma{0.8};
+    CameraParams camera;
 
     template <class Visitor>
     void Describe(Visitor& visit) {
@@ -41,6 +50,18 @@ class NavApp final : public App {
             InRange(0.0_s, 3.0_s));
       visit("stale_after_s", stale_after, "A sensor silent for longer raises a warning",
             InRange(0.1_s, 60.0_s));
+      visit("opi_radius_m", opi_radius, "Radius of the objects; 0: unknown", InRange(0.0_m, 5.0_m));
+      visit("min_confidence", min_confidence, "Boxes below are not used", InRange(0.0, 1.0));
+      visit("looks_to_confirm", looks_to_confirm, "Boxes that make an object", InRange(2, 100));
+      visit("confirm_log_odds", confirm_log_odds,
+            "Sum of ln(c / (1 - c)) over their confidences that makes an object");
+      visit("node_period_s", node_period, "Longest time between poses of the smoother",
+            InRange(0.1_s, 10.0_s));
+      visit("node_distance_m", node_distance, "Longest way between poses of the smoother",
+            InRange(0.05_m, 10.0_m));
+      visit("session_offset_sigma_m", session_offset_sigma,
+            "1-sigma per axis of the offset between two sessions' frames", InRange(0.0_m, 10.0_m));
+      camera.Describe(visit);
     }
   };
 
@@ -54,9 +75,11 @@ class NavApp final : public App {
   void OnDepth(const Stamped<double>& depth);
   void OnGps(const Stamped<GpsFix>& fix);
   void OnDetections(const Stamped<Detections>& detections);
+  void OnPrior(const Stamped<SessionPrior>& prior);
 
   void PublishState(double now);
   void PublishSights();
+  void PublishLandmarks(double now);
   void PublishBeams(const Stamped<DvlSample>& dvl);
   void WatchSensors(double now);
 
@@ -65,6 +88,8 @@ class NavApp final : public App {
   Navigator navigator_;
   double last_attitude_t_ = -1e18, last_dvl_t_ = -1e18, last_lock_t_ = -1e18, last_depth_t_ = -1e18;
   std::optional<Stamped<double>> altitude_;
+  int landmark_version_ = 0;
+  double landmarks_t_ = -1e18;
 };
 
 }  // namespace limpet

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "apps/limpet/verbs/nav.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <time.h>
+
+#include "apps/limpet/cli.hpp"
+#include "estimation/replay/replay.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kHelp =
+    R"(usage: limpet nav <stream folder> --out DIR [--json]
+
+Runs the estimator alone on a recorded sensor stream (meta.csv and stream.csv.gz) and writes
+online.csv, smoothed.csv, landmarks.csv, associations.csv and timing.json into DIR.
+
+  --out DIR            where the results go
+  --json               print timing.json instead of the summary
+)";
+
+double ThreadSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+std::string PosesCsv(const std::vector<SmoothedPose>& poses) {
+  std::string text = "t,x,y,z,roll,pitch,yaw\n";
+  for (const SmoothedPose& pose : poses) {
+    const Pose& X = pose.X_WB;
+    text += fmt::format("{:.3f},{:.4f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f}\n", pose.t, X.p_WB.x(),
+                        X.p_WB.y(), X.p_WB.z(), X.roll, X.pitch, X.yaw);
+  }
+  return text;
+}
+
+std::string LandmarksCsv(const std::vector<LandmarkEstimate>& landmarks) {
+  std::string text = "id,x,y,z,sd_x,sd_y,sd_z,class,looks\n";
+  for (const LandmarkEstimate& landmark : landmarks) {
+    const Eigen::Vector3d sd = landmark.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+    text += fmt::format("{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},{}\n", landmark.id,
+                        landmark.p.x(), landmark.p.y(), landmark.p.z(), sd.x(), sd.y(), sd.z(),
+                        landmark.color, landmark.looks);
+  }
+  return text;
+}
+
+std::string AssociationsCsv(const std::vector<ReplayAssociation>& associations) {
+  std::string text = "frame,det,landmark\n";
+  for (const ReplayAssociation& a : associations) {
+    text += fmt::format("{},{},{}\n", a.frame, a.detection, a.landmark);
+  }
+  return text;
+}
+
+std::string TimingJson(std::vector<double> updates, double total) {
+  std::ranges::sort(updates);
+  const auto quantile = [&updates](double share) {
+    const auto last = static_cast<double>(updates.size()) - 1.0;
+    return updates.empty() ? 0.0 : 1e3 * updates[static_cast<std::size_t>(share * last)];
+  };
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return fmt::format(
+      "{{\"updates\": {}, \"median_ms\": {:.4f}, \"p99_ms\": {:.4f}, \"max_ms\": {:.4f}, "
+      "\"total_s\": {:.4f}, \"peak_rss_mb\": {:.1f}}}\n",
+      updates.size(), quantile(0.5), quantile(0.99), quantile(1.0), total,
+      static_cast<double>(usage.ru_maxrss) / 1024.0);
+}
+
+bool Write(const fs::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) {
+    fmt::print(stderr, "{}: cannot be written\n", file.string());
+  }
+  return static_cast<bool>(out);
+}
+
+}  // namespace
+
+int RunNav(std::span<const std::string> args) {
+  const Arguments given(args, {"out"}, {"json", "help"});
+  if (given.Has("help")) {
+    fmt::print("{}", kHelp);
+    return kOk;
+  }
+  if (given.positionals().size() != 1 || !given.Find("out")) {
+    throw UsageError("nav takes one stream folder and --out DIR");
+  }
+  const Expected<SensorStream> stream = LoadSensorStream(given.positionals().front());
+  if (!stream) {
+    fmt::print(stderr, "{}\n", stream.error().text);
+    return kFailed;
+  }
+  const double start = ThreadSeconds();
+  const ReplayResult result = Replay(*stream, ParamsForStream(stream->meta), ThreadSeconds);
+  const std::string timing = TimingJson(result.update_s, ThreadSeconds() - start);
+  if (result.smoothed.empty()) {
+    fmt::print(stderr, "{}: no pose could be estimated (no attitude)\n",
+               given.positionals().front());
+    return kFailed;
+  }
+
+  const fs::path out = *given.Find("out");
+  std::error_code error;
+  fs::create_directories(out, error);
+  const bool is_written = Write(out / "online.csv", PosesCsv(result.online)) &&
+                          Write(out / "smoothed.csv", PosesCsv(result.smoothed)) &&
+                          Write(out / "landmarks.csv", LandmarksCsv(result.landmarks)) &&
+                          Write(out / "associations.csv", AssociationsCsv(result.associations)) &&
+                          Write(out / "timing.json", timing);
+  if (given.Has("json")) {
+    fmt::print("{}", timing);
+  } else {
+    fmt::print(
+        "{} poses, {} landmarks; {}\nrefused: {} rows, {} velocities, {} depths, {} fixes, "
+        "{} late frames\n",
+        result.smoothed.size(), result.landmarks.size(), result.finish.reason,
+        stream->refused_rows + result.counts.stale_samples, result.counts.velocities,
+        result.counts.depths, result.counts.fixes, result.counts.late_frames);
+  }
+  return is_written ? kOk : kFailed;
+}
+
+}  // namespace limpet
