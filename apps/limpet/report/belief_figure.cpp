@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include <fmt/format.h>
@@ -19,6 +20,13 @@ struct Shares {
   std::vector<double> path, confirmed, appeared, removed;
 };
 
+/// A change too small to be seen in the figure.
+bool IsNearlyTheSame(const ChangePosterior& a, const ChangePosterior& b) {
+  constexpr double kVisible = 0.01;
+  return std::abs(a.confirmed - b.confirmed) < kVisible &&
+         std::abs(a.removed - b.removed) < kVisible && std::abs(a.appeared - b.appeared) < kVisible;
+}
+
 /// Posteriors of each object over the way, as steps: each holds until the next.
 std::map<int, Shares> SharesOf(const SessionRecord& record, double start_path, double far) {
   std::map<int, Shares> shares;
@@ -32,7 +40,11 @@ std::map<int, Shares> SharesOf(const SessionRecord& record, double start_path, d
   for (const BeliefRecord& belief : record.beliefs) {
     const double path = std::clamp(record.truth.PathAt(belief.time.value()) - start_path, 0.0, far);
     Shares& to = shares[belief.opi];
-    if (last.contains(belief.opi)) add(to, path, last[belief.opi]);
+    const auto before = last.find(belief.opi);
+    if (before != last.end()) {
+      if (IsNearlyTheSame(before->second, belief.posterior)) continue;
+      add(to, path, before->second);
+    }
     add(to, path, belief.posterior);
     last[belief.opi] = belief.posterior;
   }

@@ -15,17 +15,14 @@ void DrawChange(MapAxes& map, const ChangeScore& change) {
   if (!change.ned) return;
   const Point at = map.At(change.ned->x(), change.ned->y());
   DrawStatus(map.canvas(), at, change.decided, 8.0);
-  const Point label = at + Point(15.0, -5.0);
-  map.canvas().Text(label, change.truth.value_or("nothing is here"),
-                    {.size = 13.0, .fill = palette::kMapInk, .is_bold = true, .has_halo = true});
-  map.canvas().Text(label + Point(0.0, 15.0),
-                    fmt::format("{} {:.3f}", change.decided, change.probability),
-                    {.fill = palette::kMapInk, .has_halo = true});
-  if (change.is_right()) return;
-  map.canvas().Circle(at, 14.0, {.stroke = palette::kVermillion, .width = 2.5});
-  map.canvas().Text(label + Point(0.0, 30.0),
-                    fmt::format("wrong: {}", change.expected.value_or("there was never anything")),
-                    {.fill = palette::kVermillion, .is_bold = true, .has_halo = true});
+  PlaceLabel label{.lines = {change.truth.value_or("nothing is here"),
+                             fmt::format("{} {:.3f}", change.decided, change.probability)}};
+  if (!change.is_right()) {
+    map.canvas().Circle(at, 14.0, {.stroke = palette::kVermillion, .width = 2.5});
+    label.lines.push_back("wrong: " + change.expected.value_or("there was never anything"));
+    label.distance = 20.0;
+  }
+  DrawLabel(map, *change.ned, label);
 }
 
 void DrawChangeLegend(MapAxes& map) {

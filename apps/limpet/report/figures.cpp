@@ -31,6 +31,7 @@ std::vector<Figure> FiguresOf(const FigureSource& source) {
   if (source.record.truth.size() > 1) figures.push_back(TrackFigure(source));
   if (source.record.name == "change") figures.push_back(ChangeFigure(source));
   figures.push_back(ObjectsFigure(source));
+  if (!source.score.opis.found.empty()) figures.push_back(CloseUpFigure(source));
   if (has_survey && !source.record.beliefs.empty()) figures.push_back(BeliefFigure(source));
   if (has_survey) figures.push_back(CoverageFigure(source));
   if (has_grid) figures.push_back(DepthFigure(source));

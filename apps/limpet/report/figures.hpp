@@ -30,6 +30,8 @@ struct FigureSource {
 [[nodiscard]] Figure DepthFigure(const FigureSource& source);
 /// Objects as smoother and map know them, beside where they truly are.
 [[nodiscard]] Figure ObjectsFigure(const FigureSource& source);
+/// Each object that was found, enlarged.
+[[nodiscard]] Figure CloseUpFigure(const FigureSource& source);
 /// What became of each object since the former session.
 [[nodiscard]] Figure ChangeFigure(const FigureSource& source);
 /// Error of the estimate with its own 3-sigma bounds, and of dead reckoning.

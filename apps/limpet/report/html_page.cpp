@@ -53,12 +53,9 @@ std::string Cards(const SessionScore& session) {
     out += Card(Metres(session.coverage.prior_opis_seen_path_m),
                 "until all former objects\u2019 places were seen");
   }
-  out +=
-      Card(fmt::format("{:.2f} m", session.nav.position_rmse_m),
-           fmt::format("position error, rms; {:.2f} m once aligned", session.nav.aligned_rmse_m));
-  out += Card(fmt::format("{:.2f} m", session.nav.final_error_m),
-              fmt::format("error at the end; dead reckoning {:.2f} m",
-                          session.nav.dead_reckoning_final_error_m));
+  out += Card(fmt::format("{:.2f} m", session.nav.position_rmse_m),
+              fmt::format("position error, rms; at the end {:.2f} m, dead reckoning {:.2f} m",
+                          session.nav.final_error_m, session.nav.dead_reckoning_final_error_m));
   out += Card(session.home_error_m ? fmt::format("{:.2f} m", *session.home_error_m) : "unknown",
               "from the start point at the end; ended: " + EscapedMarkup(session.ended));
   if (session.realtime_factor()) {
@@ -97,9 +94,14 @@ std::string ObjectsTable(const SessionScore& session) {
   return out + "</table></div>\n";
 }
 
+std::string FigureMarkup(const Figure& figure) {
+  return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", figure.svg,
+                     EscapedMarkup(figure.caption));
+}
+
 std::string ChangesTable(const SessionScore& session) {
   std::string out =
-      "<h3>What changed since the former session</h3>\n<div "
+      "<h2>What changed</h2>\n<div "
       "class=\"scroll\"><table><tr><th>object<th>north [m]"
       "<th>east [m]<th>down [m]<th class=\"left\">truth<th class=\"left\">decided<th>P<th "
       "class=\"left\">verdict</tr>\n";
@@ -133,6 +135,15 @@ std::string CoverageTable(const SessionScore& session, const ReportSettings& set
          "</table></div>\n";
 }
 
+/// What the reader came for, before anything else: the statuses, in a table and on the map.
+std::string ChangesSection(const SessionScore& session, const std::vector<Figure>& figures) {
+  std::string out = "<section id=\"changes\">\n" + ChangesTable(session);
+  for (const Figure& figure : figures) {
+    if (figure.file.ends_with("_status.svg")) out += FigureMarkup(figure);
+  }
+  return out + "</section>\n";
+}
+
 std::string SessionSection(const SessionScore& session, const ReportSettings& settings,
                            const std::vector<Figure>& figures) {
   std::string out = fmt::format(
@@ -140,11 +151,9 @@ std::string SessionSection(const SessionScore& session, const ReportSettings& se
       "{3:.0f} s, the dive and the way home included.</p>\n",
       EscapedMarkup(session.name), Title(session.name), session.path_m, session.duration_s);
   out += Cards(session);
-  if (session.name == "change") out += ChangesTable(session);
   out += ObjectsTable(session) + CoverageTable(session, settings);
   for (const Figure& figure : figures) {
-    out += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", figure.svg,
-                       EscapedMarkup(figure.caption));
+    if (!figure.file.ends_with("_status.svg")) out += FigureMarkup(figure);
   }
   return out + "</section>\n";
 }
@@ -180,13 +189,14 @@ std::string SettingsSection(const ReportSettings& settings) {
 std::string HtmlPage(const RunScore& run, const std::vector<std::vector<Figure>>& figures) {
   const Verdict verdict = VerdictOf(run);
   const std::string mission = EscapedMarkup(run.settings.mission);
-  std::string links, sections;
+  std::string links, changes, sections;
   for (std::size_t i = 0; i < run.sessions.size(); ++i) {
     const SessionScore& session = run.sessions[i];
     links +=
         fmt::format("<a href=\"#{}\">{}</a>", EscapedMarkup(session.name), Title(session.name));
-    sections += SessionSection(session, run.settings,
-                               i < figures.size() ? figures[i] : std::vector<Figure>{});
+    const std::vector<Figure> drawn = i < figures.size() ? figures[i] : std::vector<Figure>{};
+    if (session.name == "change") changes += ChangesSection(session, drawn);
+    sections += SessionSection(session, run.settings, drawn);
   }
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -200,8 +210,8 @@ std::string HtmlPage(const RunScore& run, const std::vector<std::vector<Figure>>
       "<code>report.json</code>; the "
       "figures are in <code>figures/</code>.</footer>\n</body>\n</html>\n",
       mission, run.settings.seed, PageStyle(), links, verdict.is_good ? "" : " bad",
-      EscapedMarkup(verdict.text), sections, SettingsSection(run.settings), Explanations(),
-      EscapedMarkup(run.settings.version));
+      EscapedMarkup(verdict.text), changes + sections, SettingsSection(run.settings),
+      Explanations(), EscapedMarkup(run.settings.version));
 }
 
 }  // namespace limpet

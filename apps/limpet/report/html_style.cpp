@@ -23,7 +23,7 @@ p{margin:.4rem 0 1rem;max-width:46rem}
 .verdict{display:flex;gap:.7rem;align-items:flex-start;border-radius:.6rem;padding:.8rem 1.1rem;
  margin:1.3rem 0 0;font-weight:550;background:var(--card);border-left:.35rem solid var(--good)}
 .verdict.bad{border-left-color:var(--bad)}
-.cards{display:grid;grid-template-columns:repeat(auto-fit,minmax(9.6rem,1fr));gap:.8rem;margin:1.3rem 0}
+.cards{display:grid;grid-template-columns:repeat(auto-fit,minmax(8.7rem,1fr));gap:.8rem;margin:1.3rem 0}
 .card{background:var(--card);border-radius:.6rem;padding:.8rem 1rem}
 .card b{display:block;font-size:1.5rem;font-weight:620;letter-spacing:-.01em;line-height:1.25;
  font-variant-numeric:tabular-nums}

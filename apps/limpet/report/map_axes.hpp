@@ -20,6 +20,8 @@ class MapAxes {
   MapAxes(const SurveyArea& area, const std::string& title, const std::string& subtitle);
 
   [[nodiscard]] SvgCanvas::Point At(double north, double east) const;
+  /// Right edge of the map [px].
+  [[nodiscard]] double right() const { return At(0.0, east_max_).x(); }
   [[nodiscard]] double pixels_per_metre() const { return scale_; }
   [[nodiscard]] SvgCanvas& canvas() { return canvas_; }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/limpet/report/map_symbols.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -58,17 +59,34 @@ void DrawTruth(MapAxes& map, const Eigen::Vector3d& ned, double radius_m) {
                       {.stroke = palette::kMapInk, .width = 1.4});
 }
 
-void DrawCovariance(MapAxes& map, const Eigen::Vector3d& ned, const std::array<double, 3>& cov,
-                    double sigmas, const Paint& paint) {
+void DrawCovariance(SvgCanvas& canvas, const Point& centre, double scale,
+                    const std::array<double, 3>& cov, const Paint& paint) {
   const auto [nn, ne, ee] = cov;
   const double mean = 0.5 * (nn + ee);
   const double spread = std::hypot(0.5 * (nn - ee), ne);
   const double major = std::sqrt(std::max(mean + spread, 0.0));
   const double minor = std::sqrt(std::max(mean - spread, 0.0));
   const double bearing = 0.5 * std::atan2(2.0 * ne, nn - ee);  // of the major axis, from north
-  const double scale = sigmas * map.pixels_per_metre();
-  map.canvas().Ellipse(map.At(ned.x(), ned.y()), {major * scale, minor * scale},
-                       DegreesFromRadians(bearing) - 90.0, paint);
+  canvas.Ellipse(centre, {major * scale, minor * scale}, DegreesFromRadians(bearing) - 90.0, paint);
+}
+
+void DrawLabel(MapAxes& map, const Eigen::Vector3d& ned, const PlaceLabel& label) {
+  constexpr double kLine = 15.0, kLetter = 6.6;
+  std::size_t longest = 0;
+  for (const std::string& line : label.lines)
+    longest = std::max(longest, line.size());
+  Point at = map.At(ned.x(), ned.y());
+  const bool is_left =
+      at.x() + label.distance + kLetter * static_cast<double>(longest) > map.right();
+  at += Point(is_left ? -label.distance : label.distance, -5.0);
+  for (std::size_t i = 0; i < label.lines.size(); ++i) {
+    map.canvas().Text(at + Point(0.0, kLine * static_cast<double>(i)), label.lines[i],
+                      {.size = i == 0 ? 13.0 : 12.0,
+                       .anchor = is_left ? Anchor::kEnd : Anchor::kStart,
+                       .fill = label.fill,
+                       .is_bold = i == 0,
+                       .has_halo = true});
+  }
 }
 
 void DrawHome(SvgCanvas& canvas, const Point& centre) {

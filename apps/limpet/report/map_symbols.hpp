@@ -21,9 +21,18 @@ void DrawStatus(SvgCanvas& canvas, const SvgCanvas::Point& centre, const std::st
 /// A true object: a ring of its real size.
 void DrawTruth(MapAxes& map, const Eigen::Vector3d& ned, double radius_m);
 
-/// Ellipse of `sigmas` standard deviations of a horizontal covariance (nn, ne, ee) [m^2].
-void DrawCovariance(MapAxes& map, const Eigen::Vector3d& ned, const std::array<double, 3>& cov,
-                    double sigmas, const Paint& paint);
+/// Ellipse of a horizontal covariance (nn, ne, ee) [m^2]; `scale` is pixels per metre times
+/// standard deviations.
+void DrawCovariance(SvgCanvas& canvas, const SvgCanvas::Point& centre, double scale,
+                    const std::array<double, 3>& cov, const Paint& paint);
+
+/// Lines of text beside a place on a map, the first in bold; left of it where it would not fit.
+struct PlaceLabel {
+  std::vector<std::string> lines;
+  double distance = 15.0;  ///< from the place [px]
+  std::string_view fill = palette::kMapInk;
+};
+void DrawLabel(MapAxes& map, const Eigen::Vector3d& ned, const PlaceLabel& label);
 
 /// Where the vehicle started and should end.
 void DrawHome(SvgCanvas& canvas, const SvgCanvas::Point& centre);

@@ -16,7 +16,7 @@ using Point = SvgCanvas::Point;
 constexpr Paint kEstimate{.stroke = palette::kBlue, .width = 1.8};
 constexpr Paint kDeadReckoning{.stroke = palette::kVermillion, .width = 1.8, .dash = "6 4"};
 constexpr Paint kBounds{.fill = palette::kSky, .opacity = 0.3};
-constexpr double kLeft = 66.0, kWidth = 640.0;
+constexpr double kLeft = 76.0, kWidth = 640.0;
 
 double Largest(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
@@ -73,9 +73,9 @@ Figure NavigationFigure(const FigureSource& source) {
   SvgCanvas canvas(kLeft + kWidth + 24.0, 636.0, "Navigation error");
   canvas.Text(
       {kLeft, 24.0},
-      fmt::format("Position error: {:.2f} m rms, at the end {:.2f} m; dead reckoning {:.2f} m",
+      fmt::format("Position error {:.2f} m rms; at the end {:.2f} m, dead reckoning {:.2f} m",
                   nav.position_rmse_m, nav.final_error_m, nav.dead_reckoning_final_error_m),
-      {.size = 17.0, .is_bold = true});
+      {.size = 16.0, .is_bold = true});
   canvas.Text(
       {kLeft, 44.0},
       fmt::format("{} \u00b7 estimate as known at the time, against the truth", RunName(source)),

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -13,33 +15,79 @@ namespace {
 using Point = SvgCanvas::Point;
 
 constexpr Paint kSigma{.stroke = palette::kBlue, .width = 1.6};
+constexpr double kCloseUp = 190.0;  ///< side of a close-up [px]
 constexpr Paint kMapSpread{.fill = palette::kOrange, .opacity = 0.35};
 
-void DrawBelief(MapAxes& map, const OpiBelief& opi) {
-  const Eigen::Vector3d ned(opi.ned[0], opi.ned[1], opi.ned[2]);
-  const Eigen::Vector3d centroid(opi.centroid[0], opi.centroid[1], opi.centroid[2]);
+/// An object as the vehicle knows it, `scale` pixels per metre, around where `at` draws NED.
+struct Drawing {
+  SvgCanvas& canvas;
+  double scale;
+  std::function<Point(double north, double east)> at;
+};
+
+void DrawBelief(const Drawing& drawing, const OpiBelief& opi) {
   const auto& sd = opi.centroid_sd;
-  DrawCovariance(map, centroid, {sd[0] * sd[0], 0.0, sd[1] * sd[1]}, 2.0, kMapSpread);
-  map.canvas().Circle(map.At(centroid.x(), centroid.y()), 2.6, {.fill = palette::kOrange});
-  DrawCovariance(map, ned, {opi.cov[0], opi.cov[1], opi.cov[3]}, 2.0, kSigma);
-  DrawCross(map.canvas(), map.At(ned.x(), ned.y()), 4.0, {.stroke = palette::kBlue, .width = 2.0});
+  const Point centroid = drawing.at(opi.centroid[0], opi.centroid[1]);
+  const Point place = drawing.at(opi.ned[0], opi.ned[1]);
+  DrawCovariance(drawing.canvas, centroid, 2.0 * drawing.scale, {sd[0] * sd[0], 0.0, sd[1] * sd[1]},
+                 kMapSpread);
+  drawing.canvas.Circle(centroid, 2.6, {.fill = palette::kOrange});
+  DrawCovariance(drawing.canvas, place, 2.0 * drawing.scale, {opi.cov[0], opi.cov[1], opi.cov[3]},
+                 kSigma);
+  DrawCross(drawing.canvas, place, 4.0, {.stroke = palette::kBlue, .width = 2.0});
 }
 
 /// Name and probability beside each object; an object without a true one says so.
 void LabelBeliefs(MapAxes& map, const FigureSource& source) {
   for (const OpiScore& opi : source.score.opis.found) {
-    const Point at = map.At(opi.slam_ned.x(), opi.slam_ned.y()) + Point(20.0, -12.0);
-    map.canvas().Text(at, opi.truth,
-                      {.size = 13.0, .fill = palette::kMapInk, .is_bold = true, .has_halo = true});
-    map.canvas().Text(at + Point(0.0, 15.0),
-                      fmt::format("P {:.3f}, {:.2f} m off", opi.probability, opi.error_m),
-                      {.fill = palette::kMapInk, .has_halo = true});
+    DrawLabel(map, opi.slam_ned,
+              {.lines = {opi.truth, fmt::format("P {:.3f}", opi.probability)}, .distance = 20.0});
   }
   for (const FalseOpi& opi : source.score.opis.invented) {
-    map.canvas().Text(map.At(opi.ned.x(), opi.ned.y()) + Point(20.0, -4.0),
-                      fmt::format("nothing is here, P {:.3f}", opi.probability),
-                      {.fill = palette::kVermillion, .is_bold = true, .has_halo = true});
+    DrawLabel(map, opi.ned,
+              {.lines = {"nothing is here", fmt::format("P {:.3f}", opi.probability)},
+               .distance = 20.0,
+               .fill = palette::kVermillion});
   }
+}
+
+/// The smoother's last word on the object, as the scorer took it.
+OpiBelief BeliefAt(const SessionRecord& record, const OpiBelief& opi) {
+  OpiBelief belief = opi;
+  for (const Landmark& landmark : record.landmarks) {
+    if (opi.landmark >= 0 && landmark.id == opi.landmark) {
+      belief.ned = landmark.ned, belief.cov = landmark.cov;
+    }
+  }
+  return belief;
+}
+
+/// 4 x 4 m around one true object.
+void DrawCloseUp(SvgCanvas& canvas, const Point& corner, const FigureSource& source,
+                 const OpiScore& opi) {
+  constexpr double kMetres = 4.0;
+  const double scale = kCloseUp / kMetres;
+  const Point middle = corner + Point(0.5 * kCloseUp, 0.5 * kCloseUp);
+  const Drawing drawing{canvas, scale, [&](double north, double east) {
+                          return Point(middle.x() + (east - opi.truth_ned.y()) * scale,
+                                       middle.y() - (north - opi.truth_ned.x()) * scale);
+                        }};
+  canvas.Rect(corner, {kCloseUp, kCloseUp}, {.fill = palette::kUnseen});
+  canvas.BeginClip(corner, {kCloseUp, kCloseUp});
+  canvas.Circle(middle, opi.radius_m * scale,
+                {.fill = palette::kHalo, .stroke = palette::kMapInk, .width = 1.4});
+  for (const OpiBelief& belief : source.record.opis) {
+    if (belief.probability >= 0.5) DrawBelief(drawing, BeliefAt(source.record, belief));
+  }
+  const Point bar = corner + Point(10.0, kCloseUp - 12.0);
+  canvas.Line(bar, bar + Point(scale, 0.0), {.stroke = palette::kMapInk, .width = 2.0});
+  canvas.Text(bar + Point(scale + 7.0, 4.0), "1 m", {.size = 11.0, .fill = palette::kMapInk});
+  canvas.EndClip();
+  canvas.Text(corner + Point(0.0, -8.0), opi.truth, {.size = 13.0, .is_bold = true});
+  canvas.Text(corner + Point(0.0, kCloseUp + 17.0), fmt::format("{:.2f} m off", opi.error_m));
+  canvas.Text(corner + Point(0.0, kCloseUp + 33.0),
+              fmt::format("{:+.2f} m of it down", opi.slam_ned.z() - opi.truth_ned.z()),
+              {.fill = palette::kMuted});
 }
 
 void DrawObjectsLegend(MapAxes& map) {
@@ -88,8 +136,10 @@ Figure ObjectsFigure(const FigureSource& source) {
   for (const ScenarioOpi& opi : source.scenario.opis) {
     if (const auto place = opi.Place(record.name)) DrawTruth(map, *place, opi.radius_m);
   }
+  const Drawing drawing{map.canvas(), map.pixels_per_metre(),
+                        [&map](double north, double east) { return map.At(north, east); }};
   for (const OpiBelief& opi : record.opis) {
-    if (opi.probability >= 0.5) DrawBelief(map, opi);
+    if (opi.probability >= 0.5) DrawBelief(drawing, BeliefAt(record, opi));
   }
   LabelBeliefs(map, source);
   map.EndMap();
@@ -100,6 +150,29 @@ Figure ObjectsFigure(const FigureSource& source) {
       "place it, over the ring of the true object. Ellipses hold 2 standard deviations "
       "(86 % of the chance in the plane).",
       map.Finish()};
+}
+
+Figure CloseUpFigure(const FigureSource& source) {
+  constexpr double kLeft = 24.0, kTop = 92.0, kGap = 26.0, kPerRow = 4.0;
+  const auto& found = source.score.opis.found;
+  const double rows = std::ceil(static_cast<double>(found.size()) / kPerRow);
+  SvgCanvas canvas(2.0 * kLeft + kPerRow * (kCloseUp + kGap) - kGap,
+                   kTop + rows * (kCloseUp + 74.0) - 22.0,
+                   "Objects close up, " + source.record.name);
+  canvas.Text({kLeft, 24.0}, "Objects close up: where they are and where they were said to be",
+              {.size = 17.0, .is_bold = true});
+  canvas.Text({kLeft, 44.0},
+              RunName(source) + " \u00b7 4 \u00d7 4 m each, north up, around the true object",
+              {.size = 12.5, .fill = palette::kMuted});
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const double column = static_cast<double>(i % 4), row = static_cast<double>(i / 4);
+    DrawCloseUp(canvas, {kLeft + column * (kCloseUp + kGap), kTop + row * (kCloseUp + 74.0)},
+                source, found[i]);
+  }
+  return {source.record.name + "_closeup.svg",
+          "White disc: the object. Blue cross and ellipse: the smoother's place and two standard "
+          "deviations. Orange: centre and two standard deviations of the map's voxels.",
+          canvas.Finish()};
 }
 
 }  // namespace limpet

@@ -32,7 +32,7 @@ PlotAxes::PlotAxes(SvgCanvas& canvas, const Layout& layout) : canvas_(canvas), l
     canvas.Text({corner.x() + 0.5 * layout.size.x(), bottom + 38.0}, layout.x_label,
                 {.anchor = Anchor::kMiddle, .fill = palette::kMuted});
   }
-  canvas.Text({corner.x() - 41.0, corner.y() + 0.5 * layout.size.y()}, layout.y_label,
+  canvas.Text({corner.x() - 54.0, corner.y() + 0.5 * layout.size.y()}, layout.y_label,
               {.anchor = Anchor::kMiddle, .fill = palette::kMuted, .turn_deg = -90.0});
 }
 

@@ -49,7 +49,7 @@ class Recorder {
 };
 
 /// What the image shows of the grid from here, as pMap would say.
-GridDelta DeltaAt(const Point& p) {
+GridDelta DeltaAt(const Point& p, std::vector<float>& seen) {
   GridDelta delta;
   delta.frame = {-kHalfNorth, -kHalfEast, 0.25, 120, 144};
   for (int row = 0; row < delta.frame.rows; ++row) {
@@ -63,8 +63,11 @@ GridDelta DeltaAt(const Point& p) {
       if (height < 0.0) continue;
       const double down =
           7.5 + 0.15 * std::sin(0.4 * (north + p.north)) * std::cos(0.3 * (east + p.east));
-      delta.cells.push_back({static_cast<std::uint32_t>(row * delta.frame.columns + column),
-                             static_cast<float>(std::min(height, 2.0)), static_cast<float>(down)});
+      const auto cell = static_cast<std::size_t>(row * delta.frame.columns + column);
+      if (static_cast<float>(std::min(height, 2.0)) <= seen[cell]) continue;
+      seen[cell] = static_cast<float>(std::min(height, 2.0));
+      delta.cells.push_back(
+          {static_cast<std::uint32_t>(cell), seen[cell], static_cast<float>(down)});
     }
   }
   return delta;
@@ -189,11 +192,12 @@ std::vector<Message> MessagesOf(const SyntheticSession& session) {
       std::min(LengthOfWay(session.lane_spacing_m), session.seconds_of_survey * kSpeed);
   const int ticks = static_cast<int>(length / kSpeed * 10.0);
   int path_id = 0;
+  std::vector<float> seen(120 * 144, -1.0F);
   for (int i = 0; i <= ticks; ++i) {
     const double t = 20.0 + 0.1 * i, way = 0.1 * i * kSpeed;
     const Point p = PointAt(way, session.lane_spacing_m);
     PostPose(out, session, t, p, kDepth, way);
-    if (i % 10 == 0) out.Post(topics::kMapDelta, t, DeltaAt(p));
+    if (i % 10 == 0) out.Post(topics::kMapDelta, t, DeltaAt(p, seen));
     if (i % 160 == 0) {
       const HelmPath path = PathAhead(p, ++path_id, i % 800 == 0 ? "revisit" : "cover");
       out.Post(topics::kHelmPath, t, path);
