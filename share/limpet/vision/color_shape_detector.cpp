@@ -120,6 +120,17 @@ std::vector<Box> WithoutRepeats(const std::vector<Box>& boxes) {
   return kept;
 }
 
+/// A cut ball may show its dim side only, where orange looks red or like nothing: there the light
+/// it has decides.
+std::optional<PaintClass> Classify(const Contrast& contrast, bool is_cut) {
+  std::optional<PaintClass> paint = ClassifyPaint(contrast.inside - contrast.outside);
+  if (is_cut && (!paint || paint->color == "red")) {
+    const std::optional<PaintClass> lit = ClassifyPaint(contrast.lit - contrast.outside);
+    return lit ? lit : paint;
+  }
+  return paint;
+}
+
 /// A ball's image is stretched away from the centre of the image by perspective: up to here.
 double MostElongation(const Eigen::Vector2d& center, const ImageView& image) {
   const Eigen::Vector2d middle(0.5 * image.width_px, 0.5 * image.height_px);
@@ -247,10 +258,8 @@ std::optional<Box> ColorShapeDetector::Verify(const ImageView& image,
   }
   const auto& [outline, contrast, factor] = *finding;
   const PixelRect rect = outline.ellipse.VisiblePart(image.width_px, image.height_px);
-  // A cut ball may show its dim side only: there, what light it has tells more than the mean.
   const bool is_cut = outline.sides < 0.8;
-  const Eigen::Vector3d& shown = is_cut ? contrast.lit : contrast.inside;
-  const std::optional<PaintClass> paint = ClassifyPaint(shown - contrast.outside);
+  const std::optional<PaintClass> paint = Classify(contrast, is_cut);
   if (!paint || outline.sides < 0.2 || outline.ellipse.MeanRadius() < settings_.least_radius_px ||
       rect.area() <= 0.0) {
     return std::nullopt;

@@ -30,9 +30,9 @@ std::optional<PaintClass> ClassifyPaint(const Eigen::Vector3d& difference) {
   constexpr double kMargin = 0.15;
   const std::array<Rule, 7> rules{{
       {"yellow",
-       std::min({Inside(g - 0.30 * r, 0.0, 1.0, kMargin), Inside(r - 0.95 * g, 0.0, 1.0, kMargin),
+       std::min({Inside(g - 0.24 * r, 0.0, 1.0, kMargin), Inside(r - 0.95 * g, 0.0, 1.0, kMargin),
                  Inside(b - 0.25 * g, -2.0, 0.0, kMargin)})},
-      {"orange", std::min({Inside(g, -0.30, 0.30, kMargin), Inside(r, 0.6, 2.0, kMargin),
+      {"orange", std::min({Inside(g, -0.30, 0.24, kMargin), Inside(r, 0.6, 2.0, kMargin),
                            Inside(b, -2.0, 0.0, kMargin)})},
       {"red", std::min({Inside(g, -2.0, -0.30, kMargin), Inside(r, 0.4, 2.0, kMargin),
                         Inside(b, -2.0, 0.0, kMargin)})},
