@@ -2,9 +2,10 @@
 #include "estimation/change/place_watch.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
+
+#include "estimation/change/log_space.hpp"
 
 namespace limpet {
 namespace {
@@ -15,28 +16,11 @@ constexpr double kGateSigmas = 3.0;
 constexpr double kLeastFalseAlarm = 1e-4;
 constexpr double kLargestFalseAlarm = 0.2;
 
-/// How a frame sees an uncertain place.
+/// Where an uncertain place lies in a frame.
 struct Prospect {
-  double detects = 0.0;  ///< chance of a box if an object is there
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double gate = 0.0;  ///< radius around `pixel` in which its box would be [px]
 };
-
-/// Averages over the place's horizontal uncertainty: mean and one sigma to each side.
-double AverageDetection(const PlacedObject& place, const Pose& X_WB, const WatchModel& model) {
-  const double north = std::sqrt(std::max(place.cov(0, 0), 0.0));
-  const double east = std::sqrt(std::max(place.cov(1, 1), 0.0));
-  const std::array<Eigen::Vector3d, 5> offsets{
-      Eigen::Vector3d::Zero(), Eigen::Vector3d(north, 0, 0), Eigen::Vector3d(-north, 0, 0),
-      Eigen::Vector3d(0, east, 0), Eigen::Vector3d(0, -east, 0)};
-  double sum = 0.0;
-  for (const Eigen::Vector3d& offset : offsets) {
-    const Eigen::Vector3d p_W = place.ned + offset;
-    const double share = VisibleShare(model.camera, X_WB, p_W, model.object_radius);
-    sum += share > 0.0 ? model.detection.Detects((p_W - X_WB.p_WB).norm(), share) : 0.0;
-  }
-  return sum / static_cast<double>(offsets.size());
-}
 
 std::optional<Prospect> Foresee(const PlacedObject& place, const Pose& X_WB,
                                 const WatchModel& model) {
@@ -51,9 +35,12 @@ std::optional<Prospect> Foresee(const PlacedObject& place, const Pose& X_WB,
   const double position = std::sqrt(std::max(0.5 * (place.cov(0, 0) + place.cov(1, 1)), 0.0));
   const double sigma = std::hypot(
       kPixelSigma, std::hypot(position, 2.0 * kSizeShare * model.object_radius) * pixels_per_metre);
-  return Prospect{.detects = AverageDetection(place, X_WB, model),
-                  .pixel = *pixel,
-                  .gate = kGateSigmas * sigma};
+  return Prospect{.pixel = *pixel, .gate = kGateSigmas * sigma};
+}
+
+double Detects(const Eigen::Vector3d& p_W, const Pose& X_WB, const WatchModel& model) {
+  const double share = VisibleShare(model.camera, X_WB, p_W, model.object_radius);
+  return share > 0.0 ? model.detection.Detects((p_W - X_WB.p_WB).norm(), share) : 0.0;
 }
 
 /// An object cut by the image's border has its box's centre farther inside than its own.
@@ -82,20 +69,42 @@ double FalseAlarm(const Prospect& prospect, const WatchModel& model) {
 
 }  // namespace
 
+PlaceWatch::PlaceWatch(const PlacedObject& place, const LookParams& looks) : place_(place) {
+  // Unscented points of the horizontal position: their mean and covariance are the place's.
+  const double north = std::sqrt(3.0 * std::max(place.cov(0, 0), 0.0));
+  const double east = std::sqrt(3.0 * std::max(place.cov(1, 1), 0.0));
+  const LookLog empty(looks);
+  spots_ = {{place.ned, 1.0 / 3.0, empty},
+            {place.ned + Eigen::Vector3d(north, 0, 0), 1.0 / 6.0, empty},
+            {place.ned - Eigen::Vector3d(north, 0, 0), 1.0 / 6.0, empty},
+            {place.ned + Eigen::Vector3d(0, east, 0), 1.0 / 6.0, empty},
+            {place.ned - Eigen::Vector3d(0, east, 0), 1.0 / 6.0, empty}};
+}
+
 void PlaceWatch::See(const SightRecord& sight, const WatchModel& model, const OwnerOf& owner_of) {
   const std::optional<Prospect> prospect = Foresee(place_, sight.X_WB, model);
   if (!prospect) {
     return;
   }
   const bool has_box = HasBox(sight, *prospect, model.camera, owner_of);
-  if (prospect->detects < model.least_detection && !has_box) {
-    return;
+  const double false_alarm = FalseAlarm(*prospect, model);
+  for (Spot& spot : spots_) {
+    const double detects = Detects(spot.p_W, sight.X_WB, model);
+    if (detects < model.least_detection && !has_box) continue;
+    spot.log.Add({.time = sight.time,
+                  .p_OC = sight.X_WB.p_WB - spot.p_W,
+                  .detects = std::max(detects, model.least_detection),
+                  .false_alarm = false_alarm,
+                  .has_box = has_box});
   }
-  log_.Add({.time = sight.time,
-            .p_OC = sight.X_WB.p_WB - place_.ned,
-            .detects = std::max(prospect->detects, model.least_detection),
-            .false_alarm = FalseAlarm(*prospect, model),
-            .has_box = has_box});
+}
+
+double PlaceWatch::Lambda() const {
+  double sum = std::log(spots_.front().weight) + spots_.front().log.Lambda();
+  for (std::size_t i = 1; i < spots_.size(); ++i) {
+    sum = LogSum(sum, std::log(spots_[i].weight) + spots_[i].log.Lambda());
+  }
+  return sum;
 }
 
 }  // namespace limpet

@@ -41,18 +41,30 @@ using OwnerOf = std::function<BoxOwner(const SightedDetection&)>;
 /// A place where an object is or may be, and what this session's frames said about it. Boxes of
 /// unknown owner count when they fall near the place's projection; the false-alarm rate is that of
 /// so large a part of the image.
+///
+/// Where exactly the object would be is uncertain, and the same for all frames: a pass that looks
+/// beside it misses it in every frame. So each of a few possible spots keeps a log of its own, and
+/// their likelihoods are averaged: Lambda = ln sum_k w_k exp(Lambda_k).
 class PlaceWatch {
  public:
-  PlaceWatch(const PlacedObject& place, const LookParams& looks) : place_(place), log_(looks) {}
+  PlaceWatch(const PlacedObject& place, const LookParams& looks);
 
   /// Judges one frame; frames in order of time.
   void See(const SightRecord& sight, const WatchModel& model, const OwnerOf& owner_of);
-  [[nodiscard]] const LookLog& log() const { return log_; }
+  [[nodiscard]] double Lambda() const;
+  /// Looks at the most likely spot.
+  [[nodiscard]] int looks() const { return spots_.front().log.looks(); }
+  [[nodiscard]] int looks_with_box() const { return spots_.front().log.looks_with_box(); }
   [[nodiscard]] const PlacedObject& place() const { return place_; }
 
  private:
+  struct Spot {
+    Eigen::Vector3d p_W;
+    double weight;
+    LookLog log;
+  };
   PlacedObject place_;
-  LookLog log_;
+  std::vector<Spot> spots_;
 };
 
 }  // namespace limpet

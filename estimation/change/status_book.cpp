@@ -13,13 +13,22 @@ namespace {
 
 /// A place that moves farther than this is judged again from all frames.
 constexpr double kRejudgeDistance = 0.3;
+/// So is one whose standard deviation changes by more than this share, and by more than that [m].
+constexpr double kRejudgeSpread = 0.3;
+constexpr double kLeastSpread = 0.1;
 
 double HorizontalDistance(const PlacedObject& a, const PlacedObject& b) {
   return (a.ned - b.ned).head<2>().norm();
 }
 
+/// True if the place is now somewhere else, or known much better or worse than when it was judged.
 bool HasMoved(const PlaceWatch& watch, const PlacedObject& place) {
-  return (watch.place().ned - place.ned).norm() > kRejudgeDistance;
+  const auto spread = [](const PlacedObject& object) {
+    return std::sqrt(std::max(object.cov(0, 0) + object.cov(1, 1), 0.0));
+  };
+  const double change = std::abs(spread(place) - spread(watch.place()));
+  return (watch.place().ned - place.ned).norm() > kRejudgeDistance ||
+         change > std::max(kRejudgeSpread * spread(watch.place()), kLeastSpread);
 }
 
 }  // namespace
@@ -177,15 +186,15 @@ double StatusBook::FormerLambdaAt(const KnownLandmark& newcomer) {
   place.cov.topLeftCorner<2, 2>() += match_.shift_cov;
   const auto known = former_lambda_.find(newcomer.id);
   if (known != former_lambda_.end() && !HasMoved(known->second, place)) {
-    return known->second.log().Lambda();
+    return known->second.Lambda();
   }
   PlaceWatch watch(place, params_.looks);
   for (const SightRecord& view : former_views_) {
     watch.See(view, model_, [](const SightedDetection&) { return BoxOwner::kAnotherPlace; });
   }
-  return former_lambda_.insert_or_assign(newcomer.id, std::move(watch))
-      .first->second.log()
-      .Lambda();
+  const double lambda = watch.Lambda();
+  former_lambda_.insert_or_assign(newcomer.id, std::move(watch));
+  return lambda;
 }
 
 int StatusBook::IdOfLandmark(int landmark) {
@@ -208,31 +217,31 @@ ObjectStatus StatusBook::StatusOfFormer(std::size_t index) const {
   const FormerObject& former = (*former_)[index];
   const int now = match_.now_of_former[index];
   const KnownLandmark* object = now < 0 ? nullptr : &objects_[static_cast<std::size_t>(now)];
-  const LookLog& log =
-      object != nullptr ? landmark_watch_.at(object->id).log() : former_watch_[index]->log();
+  const PlaceWatch& watch =
+      object != nullptr ? landmark_watch_.at(object->id) : *former_watch_[index];
   ObjectStatus status{.id = static_cast<int>(index) + 1,
                       .landmark = object != nullptr ? object->id : -1,
                       .former = former.id,
                       .object = object != nullptr ? object->object : FormerPlace(index),
-                      .lambda = log.Lambda(),
-                      .looks = log.looks(),
-                      .looks_with_box = log.looks_with_box(),
-                      .posterior = ChangeStatus(former.lambda, log.Lambda(), params_.priors)};
+                      .lambda = watch.Lambda(),
+                      .looks = watch.looks(),
+                      .looks_with_box = watch.looks_with_box(),
+                      .posterior = ChangeStatus(former.lambda, watch.Lambda(), params_.priors)};
   status.decided = Decide(status.posterior, status.looks, params_.priors);
   return status;
 }
 
 std::optional<ObjectStatus> StatusBook::StatusOfNewcomer(std::size_t index) {
   const KnownLandmark& object = objects_[index];
-  const LookLog& log = landmark_watch_.at(object.id).log();
+  const PlaceWatch& watch = landmark_watch_.at(object.id);
   ObjectStatus status{
       .landmark = object.id,
       .object = object.object,
-      .lambda = log.Lambda(),
-      .looks = log.looks(),
-      .looks_with_box = log.looks_with_box(),
-      .posterior = former_ ? ChangeStatus(FormerLambdaAt(object), log.Lambda(), params_.priors)
-                           : DiscoveryStatus(log.Lambda(), params_.priors)};
+      .lambda = watch.Lambda(),
+      .looks = watch.looks(),
+      .looks_with_box = watch.looks_with_box(),
+      .posterior = former_ ? ChangeStatus(FormerLambdaAt(object), watch.Lambda(), params_.priors)
+                           : DiscoveryStatus(watch.Lambda(), params_.priors)};
   status.decided = Decide(status.posterior, status.looks, params_.priors);
   if (status.decided == Status::kNothing) {
     return std::nullopt;
