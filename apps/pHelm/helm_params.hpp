@@ -24,6 +24,8 @@ struct HelmParams {
   Meters arrival{0.5};
   Meters horizon{25.0};
   int beam_width = 40;
+  double bottom_weight = 2.0;
+  double gap_below = 0.02;
   int paper_nodes = 100;
   double paper_lambda = 1.0;
   CameraParams camera;
@@ -52,6 +54,13 @@ struct HelmParams {
           InRange(Meters(0.05), Meters(20.0)));
     visit("horizon_m", horizon, "Length of searched options", InRange(Meters(5.0), Meters(500.0)));
     visit("beam_width", beam_width, "States kept per depth of the beam search", InRange(1, 2000));
+    visit("bottom_weight", bottom_weight,
+          "Worth of new ground at the bottom against each other layer of the band",
+          InRange(0.0, 100.0));
+    visit(
+        "gap_below", gap_below,
+        "Paths to far gaps are offered when the search finds less useful track than this per metre",
+        InRange(0.0, 1.0));
     visit("paper_nodes", paper_nodes, "Nodes of the paper's tree", InRange(10, 100000));
     visit("paper_lambda", paper_lambda, "Weight of the object term in eqs (20), (23)",
           InRange(0.0, 1000.0));

@@ -14,12 +14,24 @@ namespace limpet {
 ViewPlanner::ViewPlanner(const HelmParams& params, Random random)
     : params_(params), random_(std::move(random)) {}
 
+namespace {
+
+LayerWeights WeightsOfLayers(double bottom) {
+  LayerWeights weights;
+  weights.fill(1.0 / (bottom + Footprint::kLayers - 1));
+  weights.front() *= bottom;
+  return weights;
+}
+
+}  // namespace
+
 void ViewPlanner::SetArea(const SurveyArea& area) {
   area_ = area;
   grid_ = std::make_unique<SurveyGrid>(area);
   ground_ = std::make_unique<Ground>(
-      *grid_, Footprint(params_.survey_altitude.value(), area.object_height_max,
-                        params_.camera.geometry()));
+      *grid_,
+      Footprint(params_.survey_altitude.value(), area.object_height_max, params_.camera.geometry()),
+      WeightsOfLayers(params_.bottom_weight));
   sight_ = std::make_unique<SightAlong>(*ground_);
   region_ = std::make_unique<Region>(
       area, std::max(0.0, area.margin - params_.tracking_allowance.value()));
@@ -100,20 +112,25 @@ Objective ViewPlanner::ObjectiveOf(std::span<const WeightedBehavior> running,
   return objective;
 }
 
+double ViewPlanner::UsefulShare(const std::vector<Option>& options) {
+  if (options.empty()) {
+    return 0.0;
+  }
+  const DubinsPath& best = options.front().path;
+  return (*sight_)(best).new_area / (ground_->footprint().swath() * best.length());
+}
+
 std::vector<Option> ViewPlanner::SearchOptions(const Situation& now, const Objective& objective) {
   BeamParams beam;
   beam.turn_radius = params_.turning_radius;
   beam.horizon = params_.horizon;
   beam.width = params_.beam_width;
   std::vector<Option> options = BeamSearch(now.pose, *ground_, *region_, objective, beam);
-  GapParams gaps;
-  gaps.turn_radius = params_.turning_radius;
-  std::ranges::move(GapPaths(now.pose, *ground_, *region_, objective, gaps),
-                    std::back_inserter(options));
-  const bool is_worth_resuming =
-      has_path_ && steering_.progress + params_.replan_every.value() < path_.length();
-  if (is_worth_resuming) {
-    options.push_back({.source = "rest", .path = path_.Suffix(steering_.progress)});
+  if (UsefulShare(options) < params_.gap_below) {
+    GapParams gaps;
+    gaps.turn_radius = params_.turning_radius;
+    std::ranges::move(GapPaths(now.pose, *ground_, *region_, objective, gaps),
+                      std::back_inserter(options));
   }
   return options;
 }

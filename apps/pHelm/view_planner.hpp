@@ -46,6 +46,8 @@ class ViewPlanner {
   [[nodiscard]] Pose2 StartPose(const NavState& nav) const;
   [[nodiscard]] Objective ObjectiveOf(std::span<const WeightedBehavior> running,
                                       const Situation& now) const;
+  /// Metres of useful track per metre of the first option, the search's best.
+  [[nodiscard]] double UsefulShare(const std::vector<Option>& options);
   [[nodiscard]] std::vector<Option> SearchOptions(const Situation& now, const Objective& objective);
   [[nodiscard]] ViewDecision Decide(std::span<const WeightedBehavior> running,
                                     const Situation& now);
