@@ -12,7 +12,7 @@ class BHV_CoverArea final : public Behavior {
  public:
   struct Params {
     double cover_weight = 1.0;
-    double frontier_weight = 1.0;
+    double frontier_weight = 0.5;
     template <class Visitor>
     void Describe(Visitor& visit) {
       visit("cover_weight", cover_weight, "Worth of one metre of fully useful track",

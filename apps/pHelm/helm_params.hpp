@@ -24,7 +24,7 @@ struct HelmParams {
   Meters arrival{0.5};
   Meters horizon{25.0};
   int beam_width = 40;
-  double bottom_weight = 2.0;
+  double bottom_weight = 4.0;
   double gap_below = 0.02;
   int paper_nodes = 100;
   double paper_lambda = 1.0;
