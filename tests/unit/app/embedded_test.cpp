@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/app/embedded.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limpet/app/registry.hpp"
+
+namespace limpet {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const Topic<double> kPing{"TEST_PING", "counts ticks"};
+const Topic<double> kPong{"TEST_PONG", "answers each ping"};
+
+class PingApp final : public App {
+ public:
+  struct Params {
+    double step = 1.0;
+    template <class V>
+    void Describe(V& visit) {
+      visit("step", step, "Added per tick", InRange(0.0, 10.0));
+    }
+  };
+  PingApp(const AppContext& context, const Params& params)
+      : App(context), params_(params), random_(MakeRandom("noise")) {}
+  void Tick(Seconds) override {
+    Publish(kPing, count_ += params_.step + 1e-3 * random_.Uniform(0.0, 1.0));
+  }
+  void Finish(Seconds) override { PublishRaw("TEST_FINISHED", std::string("ping")); }
+
+ private:
+  Params params_;
+  Random random_;
+  double count_ = 0.0;
+};
+
+class PongApp final : public App {
+ public:
+  struct Params {
+    template <class V>
+    void Describe(V&) {}
+  };
+  PongApp(const AppContext& context, const Params&) : App(context) {
+    Subscribe(kPing, &PongApp::OnPing);
+  }
+
+ private:
+  void OnPing(const Stamped<double>& ping) { Publish(kPong, ping.value); }
+};
+
+LIMPET_REGISTER_APP(PingApp, "pTestPing", 10.0);
+LIMPET_REGISTER_APP(PongApp, "pTestPong", 4.0);
+
+EmbeddedSetup Setup(std::uint64_t seed = 1) {
+  EmbeddedSetup setup;
+  setup.community = "alpha";
+  setup.apps = {"pTestPing", "pTestPong"};
+  setup.session = "discovery";
+  setup.seed = seed;
+  return setup;
+}
+
+/// `TIME NAME=VALUE` of every write of ten seconds.
+std::vector<std::string> Trace(EmbeddedSetup setup) {
+  EmbeddedCommunity community(std::move(setup));
+  std::vector<std::string> trace;
+  community.Observe([&trace](const Message& message) {
+    const auto* number = std::get_if<double>(&message.value);
+    trace.push_back(TextOf(message.time.value()) + " " + message.name + "=" +
+                    (number != nullptr ? TextOf(*number) : "text"));
+  });
+  while (community.elapsed() < Seconds(10.0)) {
+    community.Step();
+  }
+  community.Finish();
+  return trace;
+}
+
+TEST(EmbeddedCommunity, GivesTheSameBitsForTheSameSeed) {
+  EXPECT_EQ(Trace(Setup(1)), Trace(Setup(1)));
+  EXPECT_NE(Trace(Setup(1)), Trace(Setup(2)));
+}
+
+TEST(EmbeddedCommunity, DeliversMailAtTheInstantItIsWritten) {
+  EmbeddedCommunity community(Setup());
+  community.Step();
+  const MessagePtr ping = community.database().Latest("TEST_PING");
+  const MessagePtr pong = community.database().Latest("TEST_PONG");
+  ASSERT_TRUE(ping != nullptr && pong != nullptr);
+  EXPECT_EQ(ping->time, pong->time);
+  EXPECT_EQ(ping->value, pong->value);
+  EXPECT_EQ(pong->source, "pTestPong");
+  EXPECT_EQ(pong->community, "alpha");
+}
+
+TEST(EmbeddedCommunity, StartsInTheFirstSecondOf2026) {
+  EmbeddedCommunity community(Setup());
+  community.Step();
+  EXPECT_EQ(community.now(), Seconds(1767225600.1));
+}
+
+TEST(EmbeddedCommunity, TicksAtTheRateOfTheBlock) {
+  EmbeddedSetup setup = Setup();
+  setup.blocks = {{.name = "PTESTPING", .where = {}, .entries = {{"AppTick", "2", {}}}}};
+  const auto trace = Trace(std::move(setup));
+  EXPECT_EQ(std::ranges::count_if(trace,
+                                  [](const std::string& line) {
+                                    return line.find("TEST_PING") != std::string::npos;
+                                  }),
+            20);
+}
+
+TEST(EmbeddedCommunity, WithholdsWhatAnAppMayNotHear) {
+  EmbeddedSetup setup = Setup();
+  setup.may_hear = [](const std::string& app, const std::string& variable) {
+    return app != "pTestPong" || variable != "TEST_PING";
+  };
+  EmbeddedCommunity community(std::move(setup));
+  community.Step();
+  EXPECT_EQ(community.database().Latest("TEST_PONG"), nullptr);
+}
+
+TEST(EmbeddedCommunity, LetsEveryAppFinish) {
+  EXPECT_THAT(Trace(Setup()).back(), HasSubstr("TEST_FINISHED"));
+}
+
+TEST(EmbeddedCommunity, ReportsTheProblemsOfAllApps) {
+  EmbeddedSetup setup = Setup();
+  setup.apps = {"pTestPing", "pTestPonk"};
+  setup.blocks = {{.name = "pTestPing", .where = {}, .entries = {{"step", "11", {"m.moos", 3}}}}};
+  try {
+    const EmbeddedCommunity community(std::move(setup));
+    FAIL() << "must not build";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("m.moos:3: step: `11` is not allowed"));
+    EXPECT_THAT(error.what(), HasSubstr("no app `pTestPonk`; nearest known: `pTestPong`"));
+  }
+}
+
+}  // namespace
+}  // namespace limpet
