@@ -20,25 +20,25 @@ namespace limpet {
 struct BoxModelConstants {
   // P(detected) = peak * S((faint_at - x) / faint_width) * S((f - cut_at) / cut_width), S logistic.
   double peak = 0.995;
-  double faint_at = 1.20;
-  double faint_width = 0.05;
-  double cut_at = 0.32;
-  double cut_width = 0.07;
+  double faint_at = 1.31;
+  double faint_width = 0.07;
+  double cut_at = 0.27;
+  double cut_width = 0.09;
   double least_radius_px = 9.0;  ///< smaller images are not found
   // Standard deviations of centre and size [px] grow with the range and as the ball is cut.
-  double centre_sd_px = 0.40;
-  double size_sd_px = 0.70;
-  double size_bias_px = -0.70;
-  double sd_growth_faint = 1.5;  ///< factor 1 + growth * x^2
-  double sd_growth_cut = 4.0;    ///< factor 1 + growth * (1 - f)
-  // Mean of the confidence is at x = 0, f = 1, and falls linearly with x^2 and 1 - f.
-  double confidence = 0.99;
-  double confidence_loss_faint = 0.15;
-  double confidence_loss_cut = 0.20;
-  double confidence_sd = 0.05;
+  double centre_sd_px = 0.025;
+  double size_sd_px = 0.066;
+  double size_bias_px = -0.43;
+  double sd_growth_faint = 37.0;  ///< factor 1 + growth * x^2
+  double sd_growth_cut = 2.3;     ///< factor 1 + growth * (1 - f)
+  // Confidence's mean at x = 0, f = 1, and falls linearly with x^2 and 1 - f.
+  double confidence = 0.996;
+  double confidence_loss_faint = 0.118;
+  double confidence_loss_cut = 0.044;
+  double confidence_sd = 0.03;
   // P(wrong class) for a whole and for a nearly hidden ball.
-  double confusion_whole = 0.002;
-  double confusion_cut = 0.20;
+  double confusion_whole = 0.0005;
+  double confusion_cut = 0.069;
 };
 
 /// Draws what a detector would report, without an image: for sweeps that cannot afford one.

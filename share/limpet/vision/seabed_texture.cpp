@@ -18,7 +18,7 @@ std::size_t At(int column, int row) {
          static_cast<std::size_t>(column & (kSize - 1));
 }
 
-/// Adds smooth noise with one random value per `cell` texels.
+/// Adds smooth noise with one random value per `cell` texels, a power of two.
 void AddNoise(Field& field, int cell, float amplitude, Random& random) {
   const int nodes = kSize / cell;
   Field values(static_cast<std::size_t>(nodes) * static_cast<std::size_t>(nodes));
@@ -26,22 +26,21 @@ void AddNoise(Field& field, int cell, float amplitude, Random& random) {
     return amplitude * static_cast<float>(random.Uniform(-1.0, 1.0));
   });
   const auto node = [&values, nodes](int column, int row) {
-    return values[static_cast<std::size_t>(row % nodes) * static_cast<std::size_t>(nodes) +
-                  static_cast<std::size_t>(column % nodes)];
+    return values[static_cast<std::size_t>((row & (nodes - 1)) * nodes + (column & (nodes - 1)))];
   };
   const auto ease = [cell](int texel) {
-    const float t = static_cast<float>(texel % cell) / static_cast<float>(cell);
+    const float t = static_cast<float>(texel & (cell - 1)) / static_cast<float>(cell);
     return t * t * (3.0F - 2.0F * t);
   };
   for (int row = 0; row < kSize; ++row) {
     const float low = ease(row);
-    for (int column = 0; column < kSize; ++column) {
-      const float right = ease(column);
-      const int i = column / cell;
-      const int j = row / cell;
-      const float upper = std::lerp(node(i, j), node(i + 1, j), right);
-      const float lower = std::lerp(node(i, j + 1), node(i + 1, j + 1), right);
-      field[At(column, row)] += std::lerp(upper, lower, low);
+    const int j = row / cell;
+    for (int i = 0; i < nodes; ++i) {
+      const float left = node(i, j) + low * (node(i, j + 1) - node(i, j));
+      const float right = node(i + 1, j) + low * (node(i + 1, j + 1) - node(i + 1, j));
+      for (int texel = 0; texel < cell; ++texel) {
+        field[At(i * cell + texel, row)] += left + ease(texel) * (right - left);
+      }
     }
   }
 }

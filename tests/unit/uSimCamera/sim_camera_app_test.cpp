@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "apps/uSimCamera/sim_camera_app.hpp"
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "limpet/app/test_link.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace limpet {
+namespace {
+
+class SimCamera : public ::testing::Test {
+ protected:
+  SimCamera() { Write("rendered"); }
+
+  void Write(const std::string& camera) {
+    std::ofstream(folder_.path() / "scenario.yaml")
+        << "seabed: {depth_m: 7.5, slope_deg: 0, slope_toward_deg: 0, roughness_m: 0.05, seed: 1}\n"
+           "water: {visibility_m: 8, current_north_mps: 0, current_east_mps: 0}\n"
+           "start: {north_m: 0, east_m: 0, heading_deg: 0}\n"
+           "opis:\n"
+           "  - {name: A, color: yellow, radius_m: 0.5, discovery: [0, 0, 7], change: null}\n"
+           "camera: "
+        << camera << "\n";
+  }
+  SimCameraApp Make(const std::string& session, const SimCameraApp::Params& params = {}) {
+    AppContext context;
+    context.name = "uSimCamera";
+    context.link = &link_;
+    context.mission_folder = folder_.path();
+    context.session = session;
+    return SimCameraApp(context, params);
+  }
+  /// Truth at 50 Hz over `seconds`, level at `depth`.
+  void Fly(SimCameraApp& app, double seconds, double depth) {
+    SimTruth truth;
+    truth.down = depth;
+    const double start = link_.time.value();
+    for (int i = 0; i < static_cast<int>(50.0 * seconds); ++i) {
+      link_.time = Seconds(start + 0.02 * i);
+      link_.Send(app, topics::kSimTruth, truth);
+    }
+    link_.time = Seconds(start + seconds);
+  }
+  int CountOf(const std::string& name) const {
+    return static_cast<int>(std::ranges::count_if(
+        link_.published, [&name](const MessagePtr& message) { return message->name == name; }));
+  }
+
+  testing::TemporaryFolder folder_;
+  TestLink link_;
+};
+
+TEST_F(SimCamera, TakesFourPicturesPerSecondUnderWater) {
+  SimCameraApp app = Make("discovery");
+  Fly(app, 2.0, 3.5);
+  EXPECT_EQ(CountOf("CAMERA_FRAME"), 8);
+}
+
+TEST_F(SimCamera, TakesNoneAtTheSurface) {
+  SimCameraApp app = Make("discovery");
+  Fly(app, 1.0, 0.2);
+  EXPECT_TRUE(link_.published.empty());
+}
+
+TEST_F(SimCamera, StampsTheTimeOfTheTruth) {
+  SimCameraApp app = Make("discovery");
+  SimTruth truth;
+  truth.down = 3.0;
+  link_.time = Seconds(1767225601.5);
+  link_.Send(app, topics::kSimTruth, truth);
+  const auto frame = link_.Last(topics::kCameraFrame);
+  ASSERT_TRUE(frame);
+  EXPECT_EQ(frame->exposure.value(), 1767225601.5);
+  EXPECT_EQ(frame->width_px, 640);
+}
+
+TEST_F(SimCamera, SameSeedAndSessionGiveTheSamePicture) {
+  SimCameraApp one = Make("discovery");
+  Fly(one, 0.02, 3.5);
+  const auto first = link_.Last(topics::kCameraFrame);
+  SimCameraApp two = Make("discovery");
+  Fly(two, 0.02, 3.5);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(CountOf("CAMERA_FRAME"), 2);
+  EXPECT_EQ(first->bgr, link_.Last(topics::kCameraFrame)->bgr);
+}
+
+TEST_F(SimCamera, DrawsBoxesWhereTheScenarioSaysSo) {
+  Write("boxes");
+  SimCameraApp app = Make("discovery");
+  Fly(app, 5.0, 3.5);
+  EXPECT_EQ(CountOf("CAMERA_FRAME"), 0);
+  EXPECT_EQ(CountOf("DETECTIONS"), 20);
+  const auto detections = link_.Last(topics::kDetections);
+  ASSERT_TRUE(detections);
+  ASSERT_FALSE(detections->boxes.empty());
+  EXPECT_EQ(detections->boxes[0].color, "yellow");
+  EXPECT_NEAR(detections->boxes[0].u, 320.0, 3.0);
+}
+
+TEST_F(SimCamera, ParameterOverridesTheScenario) {
+  SimCameraApp::Params params;
+  params.camera = "boxes";
+  SimCameraApp app = Make("discovery", params);
+  Fly(app, 0.5, 3.5);
+  EXPECT_EQ(CountOf("DETECTIONS"), 2);
+}
+
+TEST_F(SimCamera, ShowsOnlyWhatIsThereInTheSession) {
+  SimCameraApp::Params params;
+  params.camera = "boxes";
+  SimCameraApp app = Make("change", params);
+  Fly(app, 5.0, 3.5);
+  EXPECT_LE(link_.Last(topics::kDetections)->boxes.size(), 0U);
+}
+
+TEST_F(SimCamera, RefusesAScenarioThatIsNotThere) {
+  SimCameraApp::Params params;
+  params.scenario = "nowhere.yaml";
+  EXPECT_THROW(Make("discovery", params), ConfigError);
+}
+
+}  // namespace
+}  // namespace limpet
