@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/association/box_reading.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace limpet {
+namespace {
+
+constexpr double kRadius = 0.5;
+
+TEST(BoxReading, FindsTheCentreOfASphereOffTheAxisWhereItsBoxHasItsMiddleElsewhere) {
+  const CameraModel camera;
+  const Eigen::Vector3d p_C(1.1, -0.6, 3.0);
+  const auto box = BoxOfSphere(p_C, kRadius, camera);
+  ASSERT_TRUE(box.has_value());
+  const BoxReading reading = ReadBox(*box, camera, {});
+  const double u = camera.cx + camera.fx * p_C.x() / p_C.z();
+  EXPECT_NEAR(reading.centre_px.x(), u, 1e-6);
+  EXPECT_GT(std::abs(box->u - u), 2.0);
+}
+
+TEST(BoxReading, KnowsTheDistanceOfASphereOfKnownRadius) {
+  const CameraModel camera;
+  const Eigen::Vector3d p_C(0.5, 0.4, 3.0);
+  const BoxReading reading = ReadBox(*BoxOfSphere(p_C, kRadius, camera), camera, {});
+  const double expected = 0.5 * (std::hypot(0.5, 3.0) + std::hypot(0.4, 3.0));
+  EXPECT_NEAR(*reading.Range(kRadius), expected, 1e-6);
+}
+
+TEST(BoxReading, TrustsOnlyTheAxisThatTheBorderDoesNotCut) {
+  const CameraModel camera;
+  const Eigen::Vector3d p_C(2.4, 0.0, 3.0);
+  const BoxReading reading = ReadBox(*BoxOfSphere(p_C, kRadius, camera), camera, {});
+  EXPECT_TRUE(reading.is_cut_u);
+  EXPECT_TRUE(std::isinf(reading.sigma_px.x()));
+  EXPECT_FALSE(reading.is_cut_v);
+  EXPECT_FALSE(reading.Range(kRadius).has_value());
+  EXPECT_TRUE(reading.is_usable());
+}
+
+TEST(BoxReading, DoubtsAnUnsureBox) {
+  const CameraModel camera;
+  BoxDetection box{.u = 300, .v = 200, .w = 80, .h = 80, .confidence = 1.0, .color = ""};
+  const double sure = ReadBox(box, camera, {}).sigma_px.x();
+  box.confidence = 0.5;
+  EXPECT_NEAR(ReadBox(box, camera, {}).sigma_px.x(), 2.0 * sure, 1e-9);
+}
+
+TEST(BoxOfSphere, IsNothingBehindTheCameraOrOutOfTheImage) {
+  const CameraModel camera;
+  EXPECT_FALSE(BoxOfSphere({0.0, 0.0, -2.0}, kRadius, camera).has_value());
+  EXPECT_FALSE(BoxOfSphere({9.0, 0.0, 3.0}, kRadius, camera).has_value());
+}
+
+}  // namespace
+}  // namespace limpet

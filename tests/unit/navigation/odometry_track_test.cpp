@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/navigation/odometry_track.hpp"
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+namespace limpet {
+namespace {
+
+/// A vehicle on a circle: 0.5 m/s, 0.1 rad/s, level; the DVL sits off the body's origin.
+class OdometryTrackTest : public ::testing::Test {
+ protected:
+  static constexpr double kSpeed = 0.5, kTurn = 0.1;
+  const Eigen::Vector3d v_dvl_ = Eigen::Vector3d(kSpeed, 0.0, 0.0) +
+                                 Eigen::Vector3d(0.0, 0.0, kTurn).cross(OdometryParams{}.dvl_B);
+
+  void Drive(double from, double to, bool has_lock = true) {
+    for (int i = static_cast<int>(std::lround(from * 20.0)); i < std::lround(to * 20.0); ++i) {
+      const double t = 0.05 * i;
+      AttitudeEstimate attitude;
+      attitude.t = t, attitude.yaw = WrapAngle(kTurn * t), attitude.yaw_rate = kTurn;
+      track_.AddAttitude(attitude);
+      if (i % 4 == 0) {
+        track_.AddVelocity(t, has_lock ? std::optional(v_dvl_) : std::nullopt);
+      }
+    }
+  }
+  static Eigen::Vector2d OnCircle(double t) {
+    const double radius = kSpeed / kTurn;
+    return {radius * std::sin(kTurn * t), radius * (1.0 - std::cos(kTurn * t))};
+  }
+  OdometryTrack track_{OdometryParams{}};
+};
+
+TEST_F(OdometryTrackTest, FollowsACircleWithTheDvlOffTheOrigin) {
+  Drive(0.0, 60.0);
+  const OdometryStep step = track_.Between(0.0, 50.0);
+  EXPECT_NEAR((step.motion.head<2>() - OnCircle(50.0)).norm(), 0.0, 2e-3);
+  EXPECT_NEAR(step.motion(3), 5.0, 1e-9);
+  EXPECT_NEAR(step.path, 25.0 * v_dvl_.norm() / kSpeed, 0.05);
+}
+
+TEST_F(OdometryTrackTest, StepsCompoundToTheWholeWay) {
+  Drive(0.0, 20.0);
+  const OdometryStep first = track_.Between(1.0, 7.3), second = track_.Between(7.3, 15.0);
+  const OdometryStep whole = track_.Between(1.0, 15.0);
+  const Eigen::Vector2d turned = Eigen::Rotation2Dd(first.motion(3)) * second.motion.head<2>();
+  EXPECT_NEAR((first.motion.head<2>() + turned - whole.motion.head<2>()).norm(), 0.0, 1e-9);
+  EXPECT_NEAR(first.motion(3) + second.motion(3), whole.motion(3), 1e-12);
+}
+
+TEST_F(OdometryTrackTest, BridgesADropoutWithTheLastVelocityAndSaysHowUnsureItIs) {
+  Drive(0.0, 20.0);
+  const double sure = track_.Between(10.0, 20.0).variance(0);
+  Drive(20.0, 30.0, false);
+  const OdometryStep step = track_.Between(0.0, 29.0);
+  EXPECT_NEAR((step.motion.head<2>() - OnCircle(29.0)).norm(), 0.0, 5e-3);
+  EXPECT_GT(track_.Between(19.0, 29.0).variance(0), 5.0 * sure);
+}
+
+TEST_F(OdometryTrackTest, ChangesOfSpeedBetweenSamplesAreInterpolated) {
+  for (int i = 0; i <= 100; ++i) {
+    AttitudeEstimate attitude;
+    attitude.t = 0.05 * i;
+    track_.AddAttitude(attitude);
+    if (i % 10 == 0) track_.AddVelocity(attitude.t, Eigen::Vector3d(0.1 * attitude.t, 0.0, 0.0));
+  }
+  EXPECT_NEAR(track_.Between(0.0, 5.0).motion(0), 0.05 * 25.0, 1e-9);
+}
+
+TEST_F(OdometryTrackTest, ExtrapolatesToThePresentButNotFar) {
+  Drive(0.0, 10.0);
+  const double last = track_.last_time();
+  EXPECT_NEAR(track_.Between(last, last + 0.2).path, 0.2 * v_dvl_.norm(), 1e-3);
+  EXPECT_LT(track_.Between(last, last + 100.0).path, 0.2);
+}
+
+TEST_F(OdometryTrackTest, ForgetsOldSamples) {
+  Drive(0.0, 20.0);
+  track_.DropBefore(15.0);
+  EXPECT_GT(track_.first_time(), 14.0);
+  EXPECT_NEAR(track_.Between(16.0, 18.0).path, 2.0 * v_dvl_.norm(), 1e-3);
+}
+
+}  // namespace
+}  // namespace limpet

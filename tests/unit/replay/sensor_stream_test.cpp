@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/replay/sensor_stream.hpp"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.hpp"
+
+namespace limpet {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// zlib reads plain text as it is, so the tests need not compress.
+class SensorStreamTest : public ::testing::Test {
+ protected:
+  Expected<SensorStream> Load(const std::string& rows) {
+    std::ofstream(folder_.path() / "meta.csv") << "key,v1,v2\nimage_size,640,360\nopi_radius,0.4\n";
+    std::ofstream(folder_.path() / "stream.csv.gz") << rows;
+    return LoadSensorStream(folder_.path());
+  }
+  testing::TemporaryFolder folder_;
+};
+
+TEST_F(SensorStreamTest, ReadsEveryKindOfRow) {
+  const auto stream = Load(
+      "# a comment\nATT,0.0,0.1,0.2,0.3,0.01,0.01,0.02\n"
+      "DVL,0.1,1,0.5,0.0,0.1,0.01,0.005,4.0,4.4,4.4,4.4,4.4\nDEP,0.1,3.5,0.02\n"
+      "GPS,0.2,1.0,2.0,0.5\nFRM,0.3,0.5,7,1\nDET,0.3,0.5,7,0,300,200,80,80,0.9,1\n");
+  ASSERT_TRUE(stream.has_value());
+  EXPECT_EQ(stream->rows.size(), 5U);
+  EXPECT_EQ(stream->meta.camera.height_px, 360.0);
+  EXPECT_EQ(stream->meta.opi_radius, 0.4);
+  EXPECT_EQ(std::get<FrameRow>(stream->rows.back()).frame.boxes.front().color, "1");
+}
+
+TEST_F(SensorStreamTest, ReadsADvlRowWithoutLock) {
+  const auto stream = Load("DVL,0.1,0,,,,,,,,,,\n");
+  ASSERT_TRUE(stream.has_value());
+  EXPECT_FALSE(std::get<DvlRow>(stream->rows.front()).velocity.has_value());
+}
+
+TEST_F(SensorStreamTest, NamesTheLineThatHasAWordWhereANumberBelongs) {
+  const auto stream = Load("DEP,0.1,3.5,0.02\nDEP,0.2,deep,0.02\n");
+  ASSERT_FALSE(stream.has_value());
+  EXPECT_THAT(stream.error().text, HasSubstr("stream.csv.gz:2: column 3 of DEP is `deep`"));
+}
+
+TEST_F(SensorStreamTest, NamesTheLineWithTooFewColumns) {
+  const auto stream = Load("ATT,0.0,0.1\n");
+  ASSERT_FALSE(stream.has_value());
+  EXPECT_THAT(stream.error().text, HasSubstr(":1: ATT has 3 columns, not 8"));
+}
+
+TEST_F(SensorStreamTest, MissesTheBoxesThatAFrameAnnounced) {
+  const auto stream = Load("FRM,0.3,0.5,7,2\nDET,0.3,0.5,7,0,300,200,80,80,0.9,1\n");
+  ASSERT_FALSE(stream.has_value());
+  EXPECT_THAT(stream.error().text, HasSubstr("DET rows are missing"));
+}
+
+TEST_F(SensorStreamTest, CountsRowsThatHoldNoNumberAndGoesOn) {
+  const auto stream = Load("DEP,0.1,nan,0.02\nDEP,0.2,3.5,0.02\n");
+  ASSERT_TRUE(stream.has_value());
+  EXPECT_EQ(stream->refused_rows, 1);
+  EXPECT_EQ(stream->rows.size(), 1U);
+}
+
+TEST_F(SensorStreamTest, SaysWhichFileCannotBeOpened) {
+  const auto stream = LoadSensorStream(folder_.path() / "absent");
+  ASSERT_FALSE(stream.has_value());
+  EXPECT_THAT(stream.error().text, HasSubstr("meta.csv: cannot be opened"));
+}
+
+TEST_F(SensorStreamTest, SaysThatAFileIsCutShort) {
+  const std::filesystem::path whole = std::filesystem::path(LIMPET_SOURCE_DIR).parent_path() /
+                                      "shared/slam-streams/a-table1-discovery";
+  if (!std::filesystem::exists(whole)) {
+    GTEST_SKIP() << whole << " is not there";
+  }
+  std::filesystem::copy_file(whole / "meta.csv", folder_.path() / "meta.csv");
+  std::filesystem::copy_file(whole / "stream.csv.gz", folder_.path() / "stream.csv.gz");
+  std::filesystem::permissions(folder_.path() / "stream.csv.gz", std::filesystem::perms::owner_all);
+  std::filesystem::resize_file(folder_.path() / "stream.csv.gz", 20000);
+  const auto stream = LoadSensorStream(folder_.path());
+  ASSERT_FALSE(stream.has_value());
+  EXPECT_THAT(stream.error().text, HasSubstr("cut short"));
+}
+
+}  // namespace
+}  // namespace limpet
