@@ -45,7 +45,7 @@ class Search {
         objective_(objective),
         params_(params),
         workspace_(ground),
-        swath_(ground.footprint().swath()) {
+        swath_(ground.swath()) {
     const double tight = 1.0 / params.turn_radius.value();
     curvatures_ = {0.0, -0.5 * tight, 0.5 * tight, -tight, tight};
     target_count_ = std::min<std::size_t>(objective.targets.size(), Objective::kMaxTargets);

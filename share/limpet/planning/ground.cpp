@@ -57,6 +57,14 @@ void Ground::Update(const SurveyGrid& grid) {
   }
 }
 
+double Ground::swath() const {
+  double sum = 0.0;
+  for (int layer = 0; layer < Footprint::kLayers; ++layer) {
+    sum += 2.0 * footprint_.half_across(layer) * weights_[static_cast<std::size_t>(layer)];
+  }
+  return sum;
+}
+
 double Ground::SeenShare() const {
   double sum = 0.0;
   for (const std::uint8_t level : levels_) {

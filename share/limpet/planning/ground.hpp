@@ -36,6 +36,9 @@ class Footprint {
 /// bottom covers the seabed sooner and the band's top later.
 using LayerWeights = std::array<double, Footprint::kLayers>;
 inline constexpr LayerWeights kUniformLayers = {0.25, 0.25, 0.25, 0.25};
+/// Best in the study (tests/bench/planner_study): 12 % less way to 95 % of the seabed than uniform
+/// layers at the same way to 95 % of the band.
+inline constexpr LayerWeights kBottomTwice = {0.4, 0.2, 0.2, 0.2};
 
 /// The planner's copy of a survey grid: per cell the number of layers seen, 0 to
 /// Footprint::kLayers. Because layers nest, area and border of all layers are sums over these
@@ -43,13 +46,15 @@ inline constexpr LayerWeights kUniformLayers = {0.25, 0.25, 0.25, 0.25};
 class Ground {
  public:
   Ground(const SurveyGrid& grid, const Footprint& footprint,
-         const LayerWeights& weights = kUniformLayers);
+         const LayerWeights& weights = kBottomTwice);
   /// Takes the grid's present state; cheap if it has not changed since.
   void Update(const SurveyGrid& grid);
 
   [[nodiscard]] const GridFrame& frame() const { return frame_; }
   [[nodiscard]] const Footprint& footprint() const { return footprint_; }
   [[nodiscard]] const LayerWeights& weights() const { return weights_; }
+  /// Width of the image, weighted mean over the layers [m]: new area over this is useful track.
+  [[nodiscard]] double swath() const;
   [[nodiscard]] std::span<const std::uint8_t> levels() const { return levels_; }
   /// Share of (cell, layer) seen.
   [[nodiscard]] double SeenShare() const;

@@ -31,7 +31,7 @@ double TargetValueOf(const DubinsPath& path, const Objective& objective) {
 double ValueOf(const DubinsPath& path, const Objective& objective, const Ground& ground,
                SightAlong& sight) {
   const NewSight gain = sight(path);
-  return objective.w_cover * gain.new_area / ground.footprint().swath() -
+  return objective.w_cover * gain.new_area / ground.swath() -
          objective.w_frontier * gain.frontier_growth - path.length() +
          TargetValueOf(path, objective);
 }

@@ -22,7 +22,7 @@ enum class PaperGain {
 struct PaperParams {
   Meters turn_radius{3.0};
   int nodes = 100;
-  Meters max_edge{10.0};
+  Meters max_edge{4.0};  ///< of 3 to 15 m this served the paper's planner best
   double lambda = 1.0;
   PaperGain gain = PaperGain::kCoverage;
   /// Gain over the bottom alone (as printed) or over the layers of the band.

@@ -30,7 +30,7 @@ class Tree {
         objective_(objective),
         params_(params),
         workspace_(ground),
-        swath_(ground.footprint().swath()) {
+        swath_(ground.swath()) {
     View root;
     root.edge = DubinsPath(start);
     root.targets_seen.assign(objective.targets.size(), false);

@@ -110,7 +110,7 @@ class Flight {
   /// Metres of useful track per metre of the first option, the beam's best.
   double UsefulShare(const std::vector<Option>& options) {
     return options.empty() ? 0.0
-                           : sight_(options.front().path).new_area / ground_.footprint().swath() /
+                           : sight_(options.front().path).new_area / ground_.swath() /
                                  options.front().path.length();
   }
 

@@ -114,6 +114,22 @@ TEST(BeamSearch, BringsADriftedVehicleBack) {
   EXPECT_TRUE(kRegion.IsRecoverable(offers.front().path.end(), kRadius));
 }
 
+TEST(BeamSearch, CoversTable1WithinTheRequiredPath) {
+  SurveyGrid grid(kArea);
+  Ground ground(grid, scene::TableFootprint());
+  Pose2 pose = kStart;
+  double path = 0.0;
+  while (grid.coverage().seabed < 0.95 && path < 300.0) {
+    ground.Update(grid);
+    const DubinsPath leg =
+        BeamSearch(pose, ground, kRegion, Objective{}, {}).front().path.Prefix(8.0);
+    scene::Fly(grid, leg);
+    pose = leg.end();
+    path += leg.length();
+  }
+  EXPECT_LE(path, 250.0);
+}
+
 TEST(GapPaths, ReachAPatchFarBeyondTheBeamsHorizon) {
   SurveyGrid grid(kArea);
   for (double north = -15.0; north <= 15.5; north += 2.0) {
@@ -122,7 +138,7 @@ TEST(GapPaths, ReachAPatchFarBeyondTheBeamsHorizon) {
     scene::Fly(grid, DubinsPath({north, -18.0, 0.5 * kPi}, {{0.0, length}}));
   }
   const Ground ground(grid, scene::TableFootprint());
-  const auto offers = GapPaths(kStart, ground, kRegion, Defaults(), {});
+  const auto offers = GapPaths(kStart, ground, kRegion, Defaults(), {.finish_share = 1.0});
   ASSERT_FALSE(offers.empty());
   SightAlong sight(ground);
   EXPECT_GT(sight(offers.front().path).new_area, 1.0);
@@ -253,7 +269,7 @@ TEST(PaperPlanner, ValuesInheritedObjectsInAChangeSession) {
   const Ground ground(grid, scene::TableFootprint());
   OpiBelief former;
   former.prior_id = 1;
-  former.ned = {-9.0, -6.0, 6.5};
+  former.ned = {-12.0, -10.0, 6.5};
   former.probability = 0.6;
   PaperParams params;
   params.gain = PaperGain::kChange;

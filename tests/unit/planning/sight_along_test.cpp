@@ -90,7 +90,7 @@ TEST_F(SightAlongPaths, NewAreaAndFrontierEqualBruteForce) {
   SurveyGrid grid(kArea);
   for (int i = 0; i < 20; ++i) {
     scene::Fly(grid, RandomPath());
-    const Ground ground(grid, scene::TableFootprint());
+    const Ground ground(grid, scene::TableFootprint(), kUniformLayers);
     SightAlong sight(ground);
     const DubinsPath path = RandomPath();
     const NewSight gain = sight(path);
@@ -176,6 +176,17 @@ TEST(Ground, CountsTheLayersThatAHeightReaches) {
   EXPECT_EQ(level(0.1, 0.1), 4);
   EXPECT_EQ(level(0.1, 3.1), 1);
   EXPECT_EQ(level(0.1, 5.0), 0);
+}
+
+TEST(Ground, AFullSwathOfNewGroundIsWorthItsLength) {
+  const SurveyGrid grid(kArea);
+  const Ground ground(grid, scene::TableFootprint());
+  SightAlong sight(ground);
+  const double short_way =
+      sight(DubinsPath({-10.0, 0.0, 0.0}, {{.curvature = 0.0, .length = 5.0}})).new_area;
+  const double long_way =
+      sight(DubinsPath({-10.0, 0.0, 0.0}, {{.curvature = 0.0, .length = 15.0}})).new_area;
+  EXPECT_NEAR((long_way - short_way) / ground.swath(), 10.0, 0.5);
 }
 
 TEST(Objective, ATargetIsWorthLessTheLaterItIsPassed) {
