@@ -195,6 +195,7 @@ std::string HtmlPage(const RunScore& run, const std::vector<std::vector<Figure>>
     links +=
         fmt::format("<a href=\"#{}\">{}</a>", EscapedMarkup(session.name), Title(session.name));
     const std::vector<Figure> drawn = i < figures.size() ? figures[i] : std::vector<Figure>{};
+    if (session.name == "change") links.insert(0, "<a href=\"#changes\">What changed</a>");
     if (session.name == "change") changes += ChangesSection(session, drawn);
     sections += SessionSection(session, run.settings, drawn);
   }

@@ -86,7 +86,7 @@ void DrawCloseUp(SvgCanvas& canvas, const Point& corner, const FigureSource& sou
   canvas.Text(corner + Point(0.0, -8.0), opi.truth, {.size = 13.0, .is_bold = true});
   canvas.Text(corner + Point(0.0, kCloseUp + 17.0), fmt::format("{:.2f} m off", opi.error_m));
   canvas.Text(corner + Point(0.0, kCloseUp + 33.0),
-              fmt::format("{:+.2f} m of it down", opi.slam_ned.z() - opi.truth_ned.z()),
+              fmt::format("{:+.2f} m down", opi.slam_ned.z() - opi.truth_ned.z()),
               {.fill = palette::kMuted});
 }
 

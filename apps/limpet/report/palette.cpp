@@ -30,7 +30,7 @@ Rgb Viridis(double share) {
 
 Rgb Coverage(double share) {
   static constexpr Rgb kStops[] = {
-      {222, 238, 238}, {186, 221, 222}, {143, 199, 202}, {101, 174, 180}};
+      {228, 241, 241}, {200, 228, 229}, {168, 212, 214}, {136, 196, 200}};
   return Between(kStops, share);
 }
 

@@ -23,6 +23,12 @@ SyntheticSession Discovery() {
   return session;
 }
 
+/// The score of a whole discovery session, computed once.
+const SessionScore& WholeDiscovery() {
+  static const SessionScore score = ScoreOf(Discovery());
+  return score;
+}
+
 /// Long enough for what the end of a session says, short enough to be quick.
 SyntheticSession Brief(SyntheticSession session) {
   session.seconds_of_survey = 20.0;
@@ -37,7 +43,7 @@ SyntheticSession Change() {
 }
 
 TEST(Scorer, CountsNearlyAllOfTheBottomUnderCloseLanes) {
-  EXPECT_GT(ScoreOf(Discovery()).coverage.covered, 0.99);
+  EXPECT_GT(WholeDiscovery().coverage.covered, 0.99);
 }
 
 TEST(Scorer, FindsTheBandHarderToCoverThanTheBottom) {
@@ -61,13 +67,13 @@ TEST(Scorer, LeavesALevelOpenThatWasNeverReached) {
 }
 
 TEST(Scorer, CountsTheWayToALevelFromTheStartOfTheSurvey) {
-  const SessionScore score = ScoreOf(Discovery());
+  const SessionScore score = WholeDiscovery();
   const CoverageLevel& level = score.coverage.seabed.front();
   EXPECT_NEAR(*level.path_m, 0.5 * *level.time_s, 0.5);  // at 0.5 m/s, the dive not counted
 }
 
 TEST(Scorer, CountsTheDiveInTheWayOfTheSession) {
-  const SessionScore score = ScoreOf(Discovery());
+  const SessionScore score = WholeDiscovery();
   EXPECT_NEAR(score.path_m - score.coverage.curve.path_m.back(), 3.5, 0.2);
 }
 
@@ -86,7 +92,7 @@ TEST(Scorer, CallsAnEstimateConsistentWhoseErrorIsOneDeviationOnEachAxis) {
 }
 
 TEST(Scorer, ComparesWithDeadReckoningAtTheEnd) {
-  const SessionScore score = ScoreOf(Discovery());
+  const SessionScore score = WholeDiscovery();
   EXPECT_NEAR(score.nav.dead_reckoning_final_error_m, 0.01 * score.coverage.curve.path_m.back(),
               0.1);
 }

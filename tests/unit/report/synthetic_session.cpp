@@ -52,8 +52,15 @@ class Recorder {
 GridDelta DeltaAt(const Point& p, std::vector<float>& seen) {
   GridDelta delta;
   delta.frame = {-kHalfNorth, -kHalfEast, 0.25, 120, 144};
-  for (int row = 0; row < delta.frame.rows; ++row) {
-    for (int column = 0; column < delta.frame.columns; ++column) {
+  const auto index = [](double offset, int count) {
+    return std::clamp(static_cast<int>(offset / 0.25), 0, count);
+  };
+  constexpr double kReach = 4.2;  // half the image's diagonal
+  const int last_row = index(p.north + kReach + kHalfNorth, delta.frame.rows);
+  const int last_column = index(p.east + kReach + kHalfEast, delta.frame.columns);
+  for (int row = index(p.north - kReach + kHalfNorth, delta.frame.rows); row < last_row; ++row) {
+    for (int column = index(p.east - kReach + kHalfEast, delta.frame.columns); column < last_column;
+         ++column) {
       const double north = -kHalfNorth + (row + 0.5) * 0.25 - p.north;
       const double east = -kHalfEast + (column + 0.5) * 0.25 - p.east;
       const double along = std::abs(north * std::cos(p.yaw) + east * std::sin(p.yaw));
