@@ -19,7 +19,7 @@ struct Target {
 ///   U = w_cover newArea / swath - w_frontier dFrontier - length + sum value_i (1 - s_i / decay).
 struct Objective {
   double w_cover = 1.0;
-  double w_frontier = 0.35;
+  double w_frontier = 0.325;    ///< best in the study with kBottomTwice
   std::vector<Target> targets;  ///< at most kMaxTargets are looked at, most valuable first
   double target_decay_m = 100.0;
   static constexpr int kMaxTargets = 32;
