@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "estimation/mapping/map_export.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/session/durable_file.hpp"
 
@@ -12,6 +13,17 @@ namespace limpet {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kPeriodic = "periodic";
+
+/// The map for other programs; not worth its time on every periodic save.
+void AddExports(const std::string& map, SessionFiles& files) {
+  const Expected<SemanticOctree> octree = SemanticOctree::Parse(map);
+  if (!octree) return;  // no map yet
+  files["export/map_color.ot"] = ToColorOctree(*octree);
+  files["export/map.ply"] = ToPly(*octree);
+  files["export/map.csv"] = ToCsv(*octree);
+}
 
 [[noreturn]] void Refuse(const std::string& file, const std::string& why) {
   throw ConfigError(ConfigProblem{.where = {.file = file, .line = 0}, .key = "", .text = why});
@@ -89,7 +101,7 @@ void SessionApp::Tick(Seconds now) {
     Warn("MAP_SILENT", "no MAP_SNAPSHOT: saved with the last map known");
     Commit(pending_->cause, now);
   } else if (!pending_ && now - *last_save_ >= params_.save_every) {
-    StartSaving("periodic", now);
+    StartSaving(kPeriodic, now);
   }
 }
 
@@ -114,7 +126,11 @@ void SessionApp::Commit(const std::string& cause, Seconds now) {
                            .long_origin = context().Global("LongOrigin"),
                            .saved_at = now.value(),
                            .cause = cause};
-  const Expected<int> generation = writer_->Commit(facts, FilesOf(memory_));
+  SessionFiles files = FilesOf(memory_);
+  if (cause != kPeriodic) {
+    AddExports(memory_.map, files);
+  }
+  const Expected<int> generation = writer_->Commit(facts, files);
   if (!generation) {
     Warn("SESSION_NOT_SAVED", generation.error().text);
     return;

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "estimation/mapping/semantic_octree.hpp"
 #include "limpet/app/test_link.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -67,6 +68,21 @@ TEST_F(SessionAppTest, SavesTheMapItAskedFor) {
   EXPECT_EQ(link_.Last(topics::kMapSnapshotRequest), "home");
   EXPECT_EQ(link_.Last(topics::kSessionSaved), "generation=2,cause=home");
   EXPECT_EQ(LoadSession(folder_.path() / "discovery")->files.at("map.ot"), "\1\2");
+}
+
+TEST_F(SessionAppTest, ExportsTheMapForOtherPrograms) {
+  SemanticOctree octree;
+  octree.Set({1.1, 2.1, 3.1}, {.occupied = 0.85F, .object = 1.0F, .label = VoxelLabel::kNew});
+  const std::string bytes = octree.Serialize();
+  const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
+  SessionApp app(Context("discovery"), {});
+  app.Tick(link_.time);
+  link_.Send(app, topics::kSessionSave, std::string("home"));
+  link_.Send(app, topics::kMapSnapshot, Binary(first, first + bytes.size()));
+  const SessionFiles files = LoadSession(folder_.path() / "discovery")->files;
+  EXPECT_THAT(files.at("export/map_color.ot"), ::testing::HasSubstr("id ColorOcTree"));
+  EXPECT_THAT(files.at("export/map.ply"), ::testing::HasSubstr("element vertex 1\n"));
+  EXPECT_THAT(files.at("export/map.csv"), ::testing::HasSubstr(",new\n"));
 }
 
 TEST_F(SessionAppTest, SavesWithoutAMapThatDoesNotCome) {
