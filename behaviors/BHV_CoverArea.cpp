@@ -12,7 +12,7 @@ void BHV_CoverArea::Shape(const Situation&, double weight, SearchObjective& obje
 
 std::optional<Bid> BHV_CoverArea::Value(const Prospect& prospect, const Situation& now) const {
   const double useful =
-      params_.cover_weight * prospect.sight.new_area / now.ground->footprint().swath();
+      params_.cover_weight * prospect.sight.new_area / now.ground->swath();
   const double ragged = params_.frontier_weight * prospect.sight.frontier_growth;
   return Bid{.value = useful - ragged - prospect.length(),
              .why = {{"useful", useful}, {"ragged", ragged}, {"length", prospect.length()}},

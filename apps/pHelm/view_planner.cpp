@@ -117,7 +117,7 @@ double ViewPlanner::UsefulShare(const std::vector<Option>& options) {
     return 0.0;
   }
   const DubinsPath& best = options.front().path;
-  return (*sight_)(best).new_area / (ground_->footprint().swath() * best.length());
+  return (*sight_)(best).new_area / (ground_->swath() * best.length());
 }
 
 std::vector<Option> ViewPlanner::SearchOptions(const Situation& now, const Objective& objective) {

@@ -75,7 +75,7 @@ double SurveyApp::DistanceHome() const {
 
 void SurveyApp::Enter(Phase phase, Seconds now) {
   static constexpr const char* kNames[] = {"IDLE",   "ALIGN",  "DIVE", "SURVEY",
-                                           "RETURN", "ASCEND", "DONE"};
+                                           "RETURN", "ASCEND", "FIX",  "DONE"};
   phase_ = phase;
   phase_since_ = now;
   last_progress_ = now;
@@ -108,6 +108,12 @@ void SurveyApp::Survey(Seconds now) {
   }
 }
 
+void SurveyApp::EndMission(Seconds now) {
+  Enter(Phase::kDone, now);
+  Publish(topics::kSessionSave, std::string("mission ended"));
+  Publish(topics::kMissionEnd, ended_);
+}
+
 void SurveyApp::Tick(Seconds now) {
   if (!nav_) {
     return;
@@ -138,9 +144,12 @@ void SurveyApp::Tick(Seconds now) {
       break;
     case Phase::kAscend:
       if (nav_->down < params_.surface_depth.value()) {
-        Enter(Phase::kDone, now);
-        Publish(topics::kSessionSave, std::string("mission ended"));
-        Publish(topics::kMissionEnd, ended_);
+        Enter(Phase::kFix, now);
+      }
+      break;
+    case Phase::kFix:
+      if (now - phase_since_ >= params_.last_fix) {
+        EndMission(now);
       }
       break;
   }

@@ -13,8 +13,8 @@
 namespace limpet {
 
 /// The mission manager: announces the area, walks through the phases (align at the surface, dive,
-/// survey, return, ascend) and ends the mission. The survey ends when the coverage target is
-/// reached and no object still wants a look.
+/// survey, return, ascend, last fix) and ends the mission. The survey ends when the coverage target
+/// is reached and no object still wants a look.
 class SurveyApp final : public App {
  public:
   struct Params {
@@ -23,7 +23,8 @@ class SurveyApp final : public App {
     Meters object_height_max{2.0};
     Meters altitude{4.0};
     Meters altitude_tolerance{0.3};
-    Seconds align{30.0};
+    Seconds align{180.0};
+    Seconds last_fix{180.0};
     double coverage_target = 0.975;
     std::string coverage_kind = "band_top";
     double settled_entropy = 0.25;
@@ -49,6 +50,9 @@ class SurveyApp final : public App {
       visit("altitude_tolerance_m", altitude_tolerance, "How near the altitude must be",
             InRange(Meters(0.05), Meters(5.0)));
       visit("align_s", align, "Time at the surface to collect GPS fixes before the dive",
+            InRange(Seconds(0.0), Seconds(3600.0)));
+      visit("last_fix_s", last_fix,
+            "Time at the surface at the end: later GPS fixes are independent of the first ones",
             InRange(Seconds(0.0), Seconds(3600.0)));
       visit("coverage_target", coverage_target, "Share of the area to see before going home",
             InRange(0.0, 1.0));
@@ -76,7 +80,7 @@ class SurveyApp final : public App {
   void Tick(Seconds now) override;
 
  private:
-  enum class Phase { kIdle, kAlign, kDive, kSurvey, kReturn, kAscend, kDone };
+  enum class Phase { kIdle, kAlign, kDive, kSurvey, kReturn, kAscend, kFix, kDone };
 
   void OnNav(const Stamped<NavState>& nav) { nav_ = nav.value; }
   void OnDeploy(const Stamped<bool>& deploy);
@@ -88,6 +92,7 @@ class SurveyApp final : public App {
   void GoHome(const std::string& reason, const std::string& ended, Seconds now);
   void AlignAtSurface(Seconds now);
   void Survey(Seconds now);
+  void EndMission(Seconds now);
   [[nodiscard]] bool HasOpenRevisit() const;
   [[nodiscard]] double CoveredShare(const Coverage& coverage) const;
   [[nodiscard]] double DistanceHome() const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -141,6 +142,24 @@ Eigen::Vector3d FrameOffset::Apply(const Eigen::Vector3d& former) const {
 Eigen::Vector3d FrameOffset::Undo(const Eigen::Vector3d& now) const {
   const Eigen::Vector2d moved = pivot + Eigen::Rotation2Dd(-turn) * (now.head<2>() - pivot - shift);
   return {moved.x(), moved.y(), now.z()};
+}
+
+std::vector<PlacedObject> RelativeToEachOther(std::vector<PlacedObject> objects) {
+  for (const int axis : {0, 1}) {
+    double common = std::numeric_limits<double>::infinity();
+    for (const PlacedObject& object : objects) {
+      common = std::min(common, object.cov(axis, axis));
+    }
+    for (PlacedObject& object : objects) {
+      object.cov(axis, axis) -= common;
+    }
+  }
+  for (PlacedObject& object : objects) {
+    object.cov(0, 1) = object.cov(1, 0) = 0.0;  // shared too, and what is left must be a covariance
+    object.cov.topRightCorner<2, 1>().setZero();
+    object.cov.bottomLeftCorner<1, 2>().setZero();
+  }
+  return objects;
 }
 
 SessionMatch MatchSessions(const std::vector<PlacedObject>& former,

@@ -18,6 +18,11 @@ struct PlacedObject {
   std::string color;
 };
 
+/// The objects with what is common to all of a session taken out of their covariances: one GPS
+/// error shifts them together, and that is the frames' offset, not theirs. What all share is at
+/// most what the surest one has.
+[[nodiscard]] std::vector<PlacedObject> RelativeToEachOther(std::vector<PlacedObject> objects);
+
 /// Takes a point of the former session's frame to this session's: a turn about `pivot`, then a
 /// shift. What GPS and the first heading leave between two sessions.
 struct FrameOffset {

@@ -39,8 +39,8 @@ enum class BoxOwner { kThisPlace, kAnotherPlace, kUnknown };
 using OwnerOf = std::function<BoxOwner(const SightedDetection&)>;
 
 /// A place where an object is or may be, and what this session's frames said about it. Boxes of
-/// unknown owner count when they fall near the place's projection; the false-alarm rate is that of
-/// so large a part of the image.
+/// unknown owner count when they fall near the place's projection and have the object's colour and
+/// size; the false-alarm rate is that of such boxes in so large a part of the image.
 ///
 /// Where exactly the object would be is uncertain, and the same for all frames: a pass that looks
 /// beside it misses it in every frame. So each of a few possible spots keeps a log of its own, and

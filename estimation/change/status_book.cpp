@@ -152,11 +152,12 @@ void StatusBook::MatchFormer() {
   for (const KnownLandmark& object : objects_) {
     now.push_back(object.object);
   }
-  match_ = MatchSessions(former, now, params_.matching);
+  former_relative_ = RelativeToEachOther(former);
+  match_ = MatchSessions(former_relative_, RelativeToEachOther(now), params_.matching);
 }
 
 PlacedObject StatusBook::FormerPlace(std::size_t index) const {
-  PlacedObject place = (*former_)[index].object;
+  PlacedObject place = former_relative_[index];
   place.ned = match_.offset.Apply(place.ned);
   place.cov.topLeftCorner<2, 2>() += match_.shift_cov;
   return place;

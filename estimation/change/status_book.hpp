@@ -116,6 +116,7 @@ class StatusBook {
   WatchModel model_;
   std::vector<SightRecord> sights_;
   std::optional<std::vector<FormerObject>> former_;
+  std::vector<PlacedObject> former_relative_;  ///< without what all of them share
   std::vector<SightRecord> former_views_;
   std::vector<KnownLandmark> landmarks_;  ///< as given
   std::vector<KnownLandmark> objects_;    ///< merged: one per object, by id
