@@ -124,15 +124,16 @@ class Checker {
     std::vector<Include> includes;
   };
 
-  /// Headers that another folder includes, and what those include in turn. Tests do not count:
-  /// they may look inside.
+  /// Headers that another row of the table includes, and what those include in turn. Tests do not
+  /// count: they may look inside.
   void FindPublicHeaders() {
     for (bool is_growing = true; is_growing;) {
       is_growing = false;
       for (const Source& source : sources_) {
         for (const Include& include : source.includes) {
-          const bool is_from_outside = source.folder != "tests" && include.is_quoted &&
-                                       FolderOf(include.path) != source.folder;
+          const std::optional<std::string> target = FolderOf(include.path);
+          const bool is_from_outside = source.folder != "tests" && include.is_quoted && target &&
+                                       LayerOf(*target) != LayerOf(source.folder);
           if (is_from_outside || public_headers_.contains(source.path)) {
             is_growing = public_headers_.insert(include.path).second || is_growing;
           }
@@ -179,7 +180,7 @@ class Checker {
       return fmt::format("`{}` may not use {}", LayerOf(source.folder), library);
     }
     return public_headers_.contains(source.path)
-               ? fmt::format("{} stays out of headers that other folders reach", library)
+               ? fmt::format("{} stays out of headers that other libraries reach", library)
                : "";
   }
 

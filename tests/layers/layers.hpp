@@ -28,7 +28,7 @@ using LayerTable = std::map<std::string, Layer, std::less<>>;
 [[nodiscard]] LayerTable ReadLayerTable(std::string_view markdown);
 
 /// One complaint per include that the table lacks: `path:line: include: text`. Hidden third-party
-/// headers may stand in .cpp files and in headers that no other folder can reach.
+/// headers may stand in .cpp files and in headers that no other row of the table can reach.
 [[nodiscard]] std::vector<std::string> Violations(const std::vector<SourceFile>& files,
                                                   const LayerTable& table);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/app/embedded.hpp"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -54,7 +56,7 @@ class PongApp final : public App {
 LIMPET_REGISTER_APP(PingApp, "pTestPing", 10.0);
 LIMPET_REGISTER_APP(PongApp, "pTestPong", 4.0);
 
-EmbeddedSetup Setup(std::uint64_t seed = 1) {
+EmbeddedSetup TestSetup(std::uint64_t seed = 1) {
   EmbeddedSetup setup;
   setup.community = "alpha";
   setup.apps = {"pTestPing", "pTestPong"};
@@ -80,12 +82,12 @@ std::vector<std::string> Trace(EmbeddedSetup setup) {
 }
 
 TEST(EmbeddedCommunity, GivesTheSameBitsForTheSameSeed) {
-  EXPECT_EQ(Trace(Setup(1)), Trace(Setup(1)));
-  EXPECT_NE(Trace(Setup(1)), Trace(Setup(2)));
+  EXPECT_EQ(Trace(TestSetup(1)), Trace(TestSetup(1)));
+  EXPECT_NE(Trace(TestSetup(1)), Trace(TestSetup(2)));
 }
 
 TEST(EmbeddedCommunity, DeliversMailAtTheInstantItIsWritten) {
-  EmbeddedCommunity community(Setup());
+  EmbeddedCommunity community(TestSetup());
   community.Step();
   const MessagePtr ping = community.database().Latest("TEST_PING");
   const MessagePtr pong = community.database().Latest("TEST_PONG");
@@ -97,13 +99,13 @@ TEST(EmbeddedCommunity, DeliversMailAtTheInstantItIsWritten) {
 }
 
 TEST(EmbeddedCommunity, StartsInTheFirstSecondOf2026) {
-  EmbeddedCommunity community(Setup());
+  EmbeddedCommunity community(TestSetup());
   community.Step();
   EXPECT_EQ(community.now(), Seconds(1767225600.1));
 }
 
 TEST(EmbeddedCommunity, TicksAtTheRateOfTheBlock) {
-  EmbeddedSetup setup = Setup();
+  EmbeddedSetup setup = TestSetup();
   setup.blocks = {{.name = "PTESTPING", .where = {}, .entries = {{"AppTick", "2", {}}}}};
   const auto trace = Trace(std::move(setup));
   EXPECT_EQ(std::ranges::count_if(trace,
@@ -114,7 +116,7 @@ TEST(EmbeddedCommunity, TicksAtTheRateOfTheBlock) {
 }
 
 TEST(EmbeddedCommunity, WithholdsWhatAnAppMayNotHear) {
-  EmbeddedSetup setup = Setup();
+  EmbeddedSetup setup = TestSetup();
   setup.may_hear = [](const std::string& app, const std::string& variable) {
     return app != "pTestPong" || variable != "TEST_PING";
   };
@@ -124,11 +126,11 @@ TEST(EmbeddedCommunity, WithholdsWhatAnAppMayNotHear) {
 }
 
 TEST(EmbeddedCommunity, LetsEveryAppFinish) {
-  EXPECT_THAT(Trace(Setup()).back(), HasSubstr("TEST_FINISHED"));
+  EXPECT_THAT(Trace(TestSetup()).back(), HasSubstr("TEST_FINISHED"));
 }
 
 TEST(EmbeddedCommunity, ReportsTheProblemsOfAllApps) {
-  EmbeddedSetup setup = Setup();
+  EmbeddedSetup setup = TestSetup();
   setup.apps = {"pTestPing", "pTestPonk"};
   setup.blocks = {{.name = "pTestPing", .where = {}, .entries = {{"step", "11", {"m.moos", 3}}}}};
   try {
