@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include <fstream>
+#include <sstream>
+
+#include <gmock/gmock.h>
+
+#include "apps/limpet/cli.hpp"
+#include "apps/limpet/verbs/detect.hpp"
+#include "limpet/vision/image_file.hpp"
+#include "limpet/vision/scene_renderer.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace limpet {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+class DetectVerb : public ::testing::Test {
+ protected:
+  DetectVerb() {
+    SceneRenderer renderer({.camera = {},
+                            .seabed_depth = [](double, double) { return 7.5; },
+                            .visibility_m = 8.0,
+                            .seabed_seed = 1,
+                            .noise_seed = 2});
+    Pose pose;
+    pose.p_WB = {0.0, 0.0, 3.5};
+    const Sphere ball{{0.4, 0.8, 7.0}, 0.5, "yellow"};
+    const Image image = renderer.Render(pose, std::span(&ball, 1), 0);
+    EXPECT_TRUE(WriteImage(folder_.path() / "ball.png", image.view()));
+    std::ofstream(folder_.path() / "broken.png") << "no image";
+  }
+  std::string Path(const std::string& name) const { return (folder_.path() / name).string(); }
+  int Run(const std::vector<std::string>& args) { return RunDetect(args); }
+  std::string Csv() const {
+    std::ostringstream text;
+    text << std::ifstream(folder_.path() / "out.csv").rdbuf();
+    return text.str();
+  }
+  testing::TemporaryFolder folder_;
+};
+
+TEST_F(DetectVerb, WritesOneRowPerBox) {
+  EXPECT_EQ(Run({Path("ball.png"), "--out", Path("out.csv")}), kOk);
+  EXPECT_THAT(Csv(),
+              StartsWith("image,class,confidence,x,y,w,h\n" + Path("ball.png") + ",yellow,"));
+}
+
+TEST_F(DetectVerb, NamesAnUnreadableImageAndDoesTheOthers) {
+  EXPECT_EQ(Run({Path("broken.png"), Path("ball.png"), "--out", Path("out.csv")}), kFailed);
+  EXPECT_THAT(Csv(), HasSubstr("ball.png,yellow"));
+  EXPECT_THAT(Csv(), Not(HasSubstr("broken")));
+}
+
+TEST_F(DetectVerb, TakesAFolder) {
+  std::filesystem::remove(folder_.path() / "broken.png");
+  EXPECT_EQ(Run({folder_.path().string(), "--out", Path("out.csv")}), kOk);
+  EXPECT_THAT(Csv(), HasSubstr("ball.png,yellow"));
+}
+
+TEST_F(DetectVerb, WrongUsageIsTwo) {
+  EXPECT_EQ(Run({}), kUsage);
+  EXPECT_EQ(Run({Path("ball.png")}), kUsage);
+  EXPECT_EQ(Run({Path("ball.png"), "--out", Path("out.csv"), "--min-confidence", "7"}), kUsage);
+  EXPECT_EQ(Run({Path("ball.png"), "--otu", Path("out.csv")}), kUsage);
+}
+
+TEST_F(DetectVerb, FailsWhereItCannotWrite) {
+  EXPECT_EQ(Run({Path("ball.png"), "--out", Path("nowhere/out.csv")}), kFailed);
+}
+
+}  // namespace
+}  // namespace limpet
