@@ -31,9 +31,9 @@ struct NavigatorParams {
   Meters node_distance{0.5};  ///< and longest way
   Meters depth_sigma{0.015};  ///< of the depths of one second together, bias included
   Radians tilt_sigma{0.0047};
-  Meters start_sigma{5.0};        ///< of the first position, before any fix
-  Seconds gps_correlation{60.0};  ///< of the error of fixes
-  Seconds fix_wait{0.0};          ///< start at the origin when no fix comes in time; 0: never
+  Meters start_sigma{5.0};         ///< of the first position, before any fix
+  Seconds gps_correlation{240.0};  ///< fixes this far apart are worth two: twice the error's own
+  Seconds fix_wait{0.0};           ///< start at the origin when no fix comes in time; 0: never
   SessionMatchingParams session;
 };
 

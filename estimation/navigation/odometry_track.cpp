@@ -75,8 +75,9 @@ void OdometryTrack::Integrate(const Sample& from, Sample& to) const {
   const double age = to.attitude.t - accepted_t_;
   to.bridge_variance = from.bridge_variance;
   if (age > kDropoutAge) {
-    const double sd = params_.bridge_velocity + params_.bridge_growth * age;
-    to.bridge_variance += sd * sd * dt * params_.bridge_correlation.value();
+    const double sd =
+        std::min(params_.bridge_velocity + params_.bridge_growth * age, params_.bridge_limit);
+    to.bridge_variance += 2.0 * sd * sd * std::min(age, params_.bridge_correlation.value()) * dt;
   }
 }
 

@@ -18,13 +18,14 @@ struct OdometryParams {
   Eigen::Vector3d dvl_B = {-0.2, 0.0, 0.18};  ///< lever arm of the DVL in the body frame [m]
   double velocity_noise = 0.012;              ///< of one horizontal velocity sample [m/s]
   Seconds velocity_period{0.2};
-  double scale_sigma = 0.0037;      ///< scale and misalignment together, as a share of the way
-  Meters scale_correlation{30.0};   ///< way after which their error is taken as new
-  double bridge_velocity = 0.03;    ///< error of the bridging model as a dropout begins [m/s]
-  double bridge_growth = 0.02;      ///< and its growth per second [m/s^2]
-  Seconds bridge_correlation{0.4};  ///< of that error
-  double yaw_walk = 3.5e-6;         ///< [rad/sqrt(s)]
-  double yaw_bias = 9.7e-6;         ///< [rad/s], new every `yaw_bias_correlation`
+  double scale_sigma = 0.0037;       ///< scale and misalignment together, as a share of the way
+  Meters scale_correlation{30.0};    ///< way after which their error is taken as new
+  double bridge_velocity = 0.03;     ///< error of the bridging model as a dropout begins [m/s]
+  double bridge_growth = 0.02;       ///< and its growth per second [m/s^2]
+  double bridge_limit = 0.3;         ///< that it does not exceed [m/s]
+  Seconds bridge_correlation{10.0};  ///< the error stays the same for about this long
+  double yaw_walk = 3.5e-6;          ///< [rad/sqrt(s)]
+  double yaw_bias = 9.7e-6;          ///< [rad/s], new every `yaw_bias_correlation`
   Seconds yaw_bias_correlation{600.0};
 };
 

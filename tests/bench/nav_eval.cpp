@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// nav_eval <stream folder>...: errors and cost of the estimator on recorded streams with truth.
+// nav_eval [--windows] <stream folder>...: errors and cost of the estimator on recorded streams
+// with truth.
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
@@ -24,10 +26,32 @@ double Quantile(std::vector<double> values, double share) {
              : values[static_cast<std::size_t>(share * (static_cast<double>(values.size()) - 1.0))];
 }
 
+/// Aligned error in windows of five minutes: smoothed, and online under the same alignment.
+void PrintWindows(const limpet::ReplayResult& result, const limpet::Alignment& alignment,
+                  const limpet::StreamTruth& truth) {
+  constexpr double kWindow = 300.0;
+  const auto rms_in = [&](const std::vector<limpet::SmoothedPose>& poses, double start) {
+    double sum = 0.0;
+    int count = 0;
+    for (const limpet::SmoothedPose& pose : poses) {
+      if (pose.t >= start && pose.t < start + kWindow) {
+        sum += (alignment.Apply(pose.X_WB.p_WB) - truth.At(pose.t)).squaredNorm();
+        ++count;
+      }
+    }
+    return count > 0 ? std::sqrt(sum / count) : 0.0;
+  };
+  for (double start = 0.0; start < result.smoothed.back().t; start += kWindow) {
+    fmt::print("    {:5.0f} s: smoothed {:.3f}  online {:.3f} m\n", start,
+               rms_in(result.smoothed, start), rms_in(result.online, start));
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (int i = 1; i < argc; ++i) {
+  const bool prints_windows = argc > 1 && std::string(argv[1]) == "--windows";
+  for (int i = prints_windows ? 2 : 1; i < argc; ++i) {
     const limpet::Expected<limpet::SensorStream> stream = limpet::LoadSensorStream(argv[i]);
     if (!stream) {
       fmt::print(stderr, "{}\n", stream.error().text);
@@ -60,6 +84,7 @@ int main(int argc, char** argv) {
                  l.id, p.x(), p.y(), p.z(), std::sqrt(l.covariance(0, 0)),
                  std::sqrt(l.covariance(1, 1)), std::sqrt(l.covariance(2, 2)), l.looks, l.color);
     }
+    if (prints_windows) PrintWindows(result, smoothed.alignment, truth);
     fmt::print(
         "  update median {:.4f}  99 % {:.3f}  max {:.2f} ms; total {:.2f} s; cost {:.1f}, {} in {} "
         "rounds\n",
