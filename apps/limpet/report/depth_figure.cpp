@@ -32,23 +32,26 @@ DepthRange RangeOf(const GridRecord& grid) {
   return range;
 }
 
-/// Root mean square of mapped less true depth over the cells seen [m].
-double ErrorOf(const GridRecord& grid, const Scenario::Seabed& seabed) {
-  double squares = 0.0;
-  std::size_t count = 0;
+/// Mapped less true depth over the cells seen [m].
+struct DepthError {
+  double mean = 0.0, spread = 0.0;
+};
+
+DepthError ErrorOf(const GridRecord& grid, const Scenario::Seabed& seabed) {
+  const auto columns = static_cast<std::size_t>(grid.frame.columns);
+  double sum = 0.0, squares = 0.0, count = 0.0;
   for (std::size_t i = 0; i < grid.seen_height.size(); ++i) {
     if (grid.seen_height[i] < 0.0F) continue;
-    const auto columns = static_cast<std::size_t>(grid.frame.columns);
-    const double north =
-        grid.frame.north_min + (static_cast<double>(i / columns) + 0.5) * grid.frame.cell_m;
-    const double east =
-        grid.frame.east_min + (static_cast<double>(i % columns) + 0.5) * grid.frame.cell_m;
-    const double error =
-        static_cast<double>(grid.seabed_down[i]) - SeabedDepth(seabed, north, east);
-    squares += error * error;
-    ++count;
+    const double row = static_cast<double>(i / columns) + 0.5;
+    const double column = static_cast<double>(i % columns) + 0.5;
+    const double truth = SeabedDepth(seabed, grid.frame.north_min + row * grid.frame.cell_m,
+                                     grid.frame.east_min + column * grid.frame.cell_m);
+    const double error = static_cast<double>(grid.seabed_down[i]) - truth;
+    sum += error, squares += error * error, count += 1.0;
   }
-  return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0.0;
+  if (count == 0.0) return {};
+  const double mean = sum / count;
+  return {mean, std::sqrt(std::max(squares / count - mean * mean, 0.0))};
 }
 
 }  // namespace
@@ -57,10 +60,12 @@ Figure DepthFigure(const FigureSource& source) {
   const GridRecord& grid = source.record.grid;
   const SurveyArea area = AreaOf(source.record);
   const DepthRange range = RangeOf(grid);
-  const double error = ErrorOf(grid, source.scenario.seabed);
-  MapAxes map(area,
-              fmt::format("Depth of the bottom as mapped: {:.2f} m rms from the truth", error),
-              RunName(source) + " \u00b7 from the DVL\u2019s four beams, cells of 0.25 m");
+  const DepthError error = ErrorOf(grid, source.scenario.seabed);
+  MapAxes map(
+      area,
+      fmt::format("Depth of the bottom as mapped: {:.2f} m too {} on average, \u00b1 {:.2f} m",
+                  std::abs(error.mean), error.mean < 0.0 ? "shallow" : "deep", error.spread),
+      RunName(source) + " \u00b7 from the DVL\u2019s four beams");
   map.BeginMap();
   map.Raster(grid, [&](std::size_t cell) {
     const double share = range.ShareOf(static_cast<double>(grid.seabed_down[cell]));
@@ -74,7 +79,7 @@ Figure DepthFigure(const FigureSource& source) {
   return {
       source.record.name + "_depth.svg",
       "Every cell carries the depth that the DVL's beams near by gave. The scale spans the middle "
-      "99 % of the depths, and half a metre at least.",
+      "99 % of the depths, and half a metre at least. The title compares with the true bottom.",
       map.Finish()};
 }
 

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "apps/limpet/report/log_replay.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "apps/limpet/report/figures.hpp"
+#include "apps/limpet/report/report_json.hpp"
+#include "limpet/logbook/alog_writer.hpp"
+
+#include "synthetic_session.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+
+SyntheticSession BriefChange() {
+  SyntheticSession session;
+  session.name = "change";
+  session.seconds_of_survey = 30.0;
+  session.opis = RightBeliefs(Table1Scenario(), "change", 0.3);
+  return session;
+}
+
+/// The session's folder with its messages as pLog would leave them.
+fs::path LoggedSession() {
+  const fs::path folder = fs::path(testing::TempDir()) / "limpet_replay" / "change";
+  fs::create_directories(folder);
+  auto writer = AlogWriter::Open(folder / "change.alog", Seconds(kEpoch), {});
+  for (const Message& message : MessagesOf(BriefChange()))
+    (*writer).Write(message);
+  return folder;
+}
+
+/// Live and replayed, both scored.
+struct BothWays {
+  SessionRecord live = RecordOf(BriefChange());
+  SessionRecord replayed = *RecordFromLog(LoggedSession());
+};
+
+std::string JsonOf(const SessionRecord& record) {
+  return ReportJson(ScoreRun({record}, Table1Scenario(), Table1Settings()));
+}
+
+TEST(LogReplay, GivesTheSameReportAsListeningLive) {
+  const BothWays both;
+  EXPECT_EQ(JsonOf(both.live), JsonOf(both.replayed));
+}
+
+TEST(LogReplay, GivesTheSameFiguresAsListeningLive) {
+  const BothWays both;
+  const Scenario scenario = Table1Scenario();
+  const ReportSettings settings = Table1Settings();
+  const SessionScore score = ScoreSession(both.live, scenario, settings);
+  const auto live = FiguresOf({both.live, score, settings, scenario});
+  const auto replayed = FiguresOf({both.replayed, score, settings, scenario});
+  ASSERT_EQ(live.size(), replayed.size());
+  for (std::size_t i = 0; i < live.size(); ++i)
+    EXPECT_EQ(live[i].svg, replayed[i].svg) << live[i].file;
+}
+
+TEST(LogReplay, NamesTheSessionAfterItsFolder) {
+  EXPECT_EQ((*RecordFromLog(LoggedSession())).name, "change");
+}
+
+TEST(LogReplay, SaysWhichFolderHoldsNoLog) {
+  const auto record = RecordFromLog(fs::path(testing::TempDir()) / "no_such_session");
+  ASSERT_FALSE(record.has_value());
+  EXPECT_THAT(record.error().text, testing::HasSubstr("no_such_session"));
+}
+
+}  // namespace
+}  // namespace limpet
