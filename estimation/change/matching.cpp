@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -18,7 +19,10 @@ class SessionMatcher {
  public:
   SessionMatcher(const std::vector<PlacedObject>& former, const std::vector<PlacedObject>& now,
                  const MatchingParams& params)
-      : former_(former), now_(now), params_(params), gate_(std::pow(params.gate_sigmas, 2)) {
+      : former_(WithOwnCovariance(former)),
+        now_(WithOwnCovariance(now)),
+        params_(params),
+        gate_(std::pow(params.gate_sigmas, 2)) {
     for (const PlacedObject& object : former_) {
       pivot_ += object.ned.head<2>() / static_cast<double>(former_.size());
     }
@@ -123,14 +127,26 @@ class SessionMatcher {
     return cost;
   }
 
-  const std::vector<PlacedObject>& former_;
-  const std::vector<PlacedObject>& now_;
+  std::vector<PlacedObject> former_;
+  std::vector<PlacedObject> now_;
   const MatchingParams& params_;
   double gate_;
   Eigen::Vector2d pivot_ = Eigen::Vector2d::Zero();
 };
 
 }  // namespace
+
+std::vector<PlacedObject> WithOwnCovariance(std::vector<PlacedObject> objects) {
+  Eigen::Vector3d common = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  for (const PlacedObject& object : objects) {
+    common = common.cwiseMin(object.cov.diagonal());
+  }
+  for (PlacedObject& object : objects) {
+    const Eigen::Vector3d own = (object.cov.diagonal() - common).cwiseMax(0.0);
+    object.cov = own.asDiagonal();
+  }
+  return objects;
+}
 
 Eigen::Vector3d FrameOffset::Apply(const Eigen::Vector3d& former) const {
   const Eigen::Vector2d moved =

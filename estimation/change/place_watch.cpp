@@ -16,11 +16,46 @@ constexpr double kGateSigmas = 3.0;
 constexpr double kLeastFalseAlarm = 1e-4;
 constexpr double kLargestFalseAlarm = 0.2;
 
-/// Where an uncertain place lies in a frame.
-struct Prospect {
-  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
-  double gate = 0.0;  ///< radius around `pixel` in which its box would be [px]
+double Detects(const Eigen::Vector3d& p_W, const Pose& X_WB, const WatchModel& model) {
+  const double share = VisibleShare(model.camera, X_WB, p_W, model.object_radius);
+  return share > 0.0 ? model.detection.Detects((p_W - X_WB.p_WB).norm(), share) : 0.0;
+}
+
+/// What a frame's boxes say about the place: one of its own, or one that may be.
+struct BoxesHere {
+  bool own = false;
+  bool possible = false;
 };
+
+BoxesHere LookForBoxes(const SightRecord& sight, const Prospect& prospect,
+                       const CameraGeometry& camera, const OwnerOf& owner_of) {
+  BoxesHere here;
+  for (const SightedDetection& box : sight.boxes) {
+    const BoxOwner owner = owner_of(sight, box);
+    here.own = here.own || owner == BoxOwner::kThisPlace;
+    here.possible =
+        here.possible || (owner == BoxOwner::kUnknown && prospect.Explains(box, camera));
+  }
+  return here;
+}
+
+double FalseAlarm(const Prospect& prospect, const WatchModel& model) {
+  const double gate_area = std::numbers::pi * prospect.gate * prospect.gate;
+  const double image_area = static_cast<double>(model.camera.width_px) * model.camera.height_px;
+  return std::clamp(model.detection.false_per_image * std::min(gate_area / image_area, 1.0),
+                    kLeastFalseAlarm, kLargestFalseAlarm);
+}
+
+}  // namespace
+
+bool Prospect::Explains(const SightedDetection& box, const CameraGeometry& camera) const {
+  // An object cut by the image's border has its box's centre farther inside than its own, by at
+  // most its radius.
+  const Eigen::Vector2d centre(box.u, box.v);
+  const Eigen::Vector2d inside(std::clamp(pixel.x(), 0.0, static_cast<double>(camera.width_px)),
+                               std::clamp(pixel.y(), 0.0, static_cast<double>(camera.height_px)));
+  return (centre - inside).norm() <= gate && (centre - pixel).norm() <= gate + radius;
+}
 
 std::optional<Prospect> Foresee(const PlacedObject& place, const Pose& X_WB,
                                 const WatchModel& model) {
@@ -33,41 +68,12 @@ std::optional<Prospect> Foresee(const PlacedObject& place, const Pose& X_WB,
   }
   const double pixels_per_metre = model.camera.fx() / p_C.z();
   const double position = std::sqrt(std::max(0.5 * (place.cov(0, 0) + place.cov(1, 1)), 0.0));
-  const double sigma = std::hypot(
-      kPixelSigma, std::hypot(position, 2.0 * kSizeShare * model.object_radius) * pixels_per_metre);
-  return Prospect{.pixel = *pixel, .gate = kGateSigmas * sigma};
+  const double size = 2.0 * kSizeShare * model.object_radius;
+  const double sigma = std::hypot(kPixelSigma, std::hypot(position, size) * pixels_per_metre);
+  return Prospect{.pixel = *pixel,
+                  .radius = model.object_radius * pixels_per_metre,
+                  .gate = kGateSigmas * sigma};
 }
-
-double Detects(const Eigen::Vector3d& p_W, const Pose& X_WB, const WatchModel& model) {
-  const double share = VisibleShare(model.camera, X_WB, p_W, model.object_radius);
-  return share > 0.0 ? model.detection.Detects((p_W - X_WB.p_WB).norm(), share) : 0.0;
-}
-
-/// An object cut by the image's border has its box's centre farther inside than its own.
-Eigen::Vector2d ClampToImage(const Eigen::Vector2d& pixel, const CameraGeometry& camera) {
-  return {std::clamp(pixel.x(), 0.0, static_cast<double>(camera.width_px)),
-          std::clamp(pixel.y(), 0.0, static_cast<double>(camera.height_px))};
-}
-
-bool HasBox(const SightRecord& sight, const Prospect& prospect, const CameraGeometry& camera,
-            const OwnerOf& owner_of) {
-  return std::ranges::any_of(sight.boxes, [&](const SightedDetection& box) {
-    const BoxOwner owner = owner_of(box);
-    const Eigen::Vector2d centre(box.u, box.v);
-    return owner == BoxOwner::kThisPlace ||
-           (owner == BoxOwner::kUnknown &&
-            (centre - ClampToImage(prospect.pixel, camera)).norm() <= prospect.gate);
-  });
-}
-
-double FalseAlarm(const Prospect& prospect, const WatchModel& model) {
-  const double gate_area = std::numbers::pi * prospect.gate * prospect.gate;
-  const double image_area = static_cast<double>(model.camera.width_px) * model.camera.height_px;
-  return std::clamp(model.detection.false_per_image * std::min(gate_area / image_area, 1.0),
-                    kLeastFalseAlarm, kLargestFalseAlarm);
-}
-
-}  // namespace
 
 PlaceWatch::PlaceWatch(const PlacedObject& place, const LookParams& looks) : place_(place) {
   // Unscented points of the horizontal position: their mean and covariance are the place's.
@@ -86,16 +92,16 @@ void PlaceWatch::See(const SightRecord& sight, const WatchModel& model, const Ow
   if (!prospect) {
     return;
   }
-  const bool has_box = HasBox(sight, *prospect, model.camera, owner_of);
+  const BoxesHere boxes = LookForBoxes(sight, *prospect, model.camera, owner_of);
   const double false_alarm = FalseAlarm(*prospect, model);
   for (Spot& spot : spots_) {
     const double detects = Detects(spot.p_W, sight.X_WB, model);
-    if (detects < model.least_detection && !has_box) continue;
+    if (detects < model.least_detection && !boxes.own) continue;
     spot.log.Add({.time = sight.time,
                   .p_OC = sight.X_WB.p_WB - spot.p_W,
                   .detects = std::max(detects, model.least_detection),
                   .false_alarm = false_alarm,
-                  .has_box = has_box});
+                  .has_box = boxes.own || boxes.possible});
   }
 }
 
