@@ -19,7 +19,10 @@ class SessionMatcher {
  public:
   SessionMatcher(const std::vector<PlacedObject>& former, const std::vector<PlacedObject>& now,
                  const MatchingParams& params)
-      : former_(former), now_(now), params_(params), gate_(std::pow(params.gate_sigmas, 2)) {
+      : former_(WithOwnCovariance(former)),
+        now_(WithOwnCovariance(now)),
+        params_(params),
+        gate_(std::pow(params.gate_sigmas, 2)) {
     for (const PlacedObject& object : former_) {
       pivot_ += object.ned.head<2>() / static_cast<double>(former_.size());
     }
@@ -124,14 +127,26 @@ class SessionMatcher {
     return cost;
   }
 
-  const std::vector<PlacedObject>& former_;
-  const std::vector<PlacedObject>& now_;
+  std::vector<PlacedObject> former_;
+  std::vector<PlacedObject> now_;
   const MatchingParams& params_;
   double gate_;
   Eigen::Vector2d pivot_ = Eigen::Vector2d::Zero();
 };
 
 }  // namespace
+
+std::vector<PlacedObject> WithOwnCovariance(std::vector<PlacedObject> objects) {
+  Eigen::Vector3d common = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  for (const PlacedObject& object : objects) {
+    common = common.cwiseMin(object.cov.diagonal());
+  }
+  for (PlacedObject& object : objects) {
+    const Eigen::Vector3d own = (object.cov.diagonal() - common).cwiseMax(0.0);
+    object.cov = own.asDiagonal();
+  }
+  return objects;
+}
 
 Eigen::Vector3d FrameOffset::Apply(const Eigen::Vector3d& former) const {
   const Eigen::Vector2d moved =
@@ -142,24 +157,6 @@ Eigen::Vector3d FrameOffset::Apply(const Eigen::Vector3d& former) const {
 Eigen::Vector3d FrameOffset::Undo(const Eigen::Vector3d& now) const {
   const Eigen::Vector2d moved = pivot + Eigen::Rotation2Dd(-turn) * (now.head<2>() - pivot - shift);
   return {moved.x(), moved.y(), now.z()};
-}
-
-std::vector<PlacedObject> RelativeToEachOther(std::vector<PlacedObject> objects) {
-  for (const int axis : {0, 1}) {
-    double common = std::numeric_limits<double>::infinity();
-    for (const PlacedObject& object : objects) {
-      common = std::min(common, object.cov(axis, axis));
-    }
-    for (PlacedObject& object : objects) {
-      object.cov(axis, axis) -= common;
-    }
-  }
-  for (PlacedObject& object : objects) {
-    object.cov(0, 1) = object.cov(1, 0) = 0.0;  // shared too, and what is left must be a covariance
-    object.cov.topRightCorner<2, 1>().setZero();
-    object.cov.bottomLeftCorner<1, 2>().setZero();
-  }
-  return objects;
 }
 
 SessionMatch MatchSessions(const std::vector<PlacedObject>& former,

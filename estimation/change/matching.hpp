@@ -18,10 +18,10 @@ struct PlacedObject {
   std::string color;
 };
 
-/// The objects with what is common to all of a session taken out of their covariances: one GPS
-/// error shifts them together, and that is the frames' offset, not theirs. What all share is at
-/// most what the surest one has.
-[[nodiscard]] std::vector<PlacedObject> RelativeToEachOther(std::vector<PlacedObject> objects);
+/// The part of each object's covariance that is its own. Most of a session's error is common to all
+/// its objects (GPS at the start) and is the frame's offset, not the object's; what is common is
+/// judged by the best known object.
+[[nodiscard]] std::vector<PlacedObject> WithOwnCovariance(std::vector<PlacedObject> objects);
 
 /// Takes a point of the former session's frame to this session's: a turn about `pivot`, then a
 /// shift. What GPS and the first heading leave between two sessions.
@@ -36,7 +36,8 @@ struct FrameOffset {
 struct MatchingParams {
   Meters offset_sigma{0.6};  ///< prior of each component of the shift
   Radians turn_sigma = Radians::FromTextUnit(1.0);
-  Meters position_floor{0.3};  ///< added to each session's covariance: what a filter does not know
+  Meters position_floor{
+      0.3};  ///< added to each object's own covariance: what a filter does not know
   double gate_sigmas = 3.5;
   double color_penalty = 6.0;  ///< squared sigmas that another colour costs
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,13 +35,25 @@ struct WatchModel {
   double least_detection = 0.2;  ///< frames with less chance of a box say nothing
 };
 
+/// Where an uncertain place lies in a frame.
+struct Prospect {
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+  double radius = 0.0;  ///< of the object's image [px]
+  double gate = 0.0;    ///< how far from `pixel` its box would be centred [px]
+  /// True if the box could be that of an object here.
+  [[nodiscard]] bool Explains(const SightedDetection& box, const CameraGeometry& camera) const;
+};
+/// Nothing for a place that is far outside the image.
+[[nodiscard]] std::optional<Prospect> Foresee(const PlacedObject& place, const Pose& X_WB,
+                                              const WatchModel& model);
+
 /// Whose box a detection is, seen from one place.
 enum class BoxOwner { kThisPlace, kAnotherPlace, kUnknown };
-using OwnerOf = std::function<BoxOwner(const SightedDetection&)>;
+using OwnerOf = std::function<BoxOwner(const SightRecord&, const SightedDetection&)>;
 
 /// A place where an object is or may be, and what this session's frames said about it. Boxes of
-/// unknown owner count when they fall near the place's projection and have the object's colour and
-/// size; the false-alarm rate is that of such boxes in so large a part of the image.
+/// unknown owner count when they fall near the place's projection and have its colour and size; the
+/// false-alarm rate is that of so large a part of the image.
 ///
 /// Where exactly the object would be is uncertain, and the same for all frames: a pass that looks
 /// beside it misses it in every frame. So each of a few possible spots keeps a log of its own, and

@@ -17,6 +17,14 @@ constexpr double kRejudgeDistance = 0.3;
 constexpr double kRejudgeSpread = 0.3;
 constexpr double kLeastSpread = 0.1;
 
+/// A landmark relative to the poses it was seen from: the error that they share moves both.
+constexpr double kRelativeSigma = 0.15;
+PlacedObject WatchedPlace(const KnownLandmark& landmark) {
+  PlacedObject place = landmark.object;
+  place.cov = kRelativeSigma * kRelativeSigma * Eigen::Matrix3d::Identity();
+  return place;
+}
+
 double HorizontalDistance(const PlacedObject& a, const PlacedObject& b) {
   return (a.ned - b.ned).head<2>().norm();
 }
@@ -45,7 +53,7 @@ void StatusBook::SetFormer(std::vector<FormerObject> former) {
   // Former objects take the first ids, so that they keep them when they are found again.
   next_id_ = std::max(next_id_, static_cast<int>(former_->size()) + 1);
   MatchFormer();
-  WatchFormer();
+  WatchFormer(true);
 }
 
 void StatusBook::AddSight(SightRecord sight) {
@@ -60,7 +68,7 @@ void StatusBook::AddSight(SightRecord sight) {
   }
   for (std::size_t i = 0; i < former_watch_.size(); ++i) {
     if (former_watch_[i]) {
-      former_watch_[i]->See(sight, model_, OwnerForFormer(i));
+      former_watch_[i]->See(sight, model_, OwnerForFormer());
     }
   }
   sights_.push_back(std::move(sight));
@@ -69,11 +77,13 @@ void StatusBook::AddSight(SightRecord sight) {
 void StatusBook::SetLandmarks(const std::vector<KnownLandmark>& landmarks) {
   landmarks_ = landmarks;
   std::ranges::sort(landmarks_, {}, &KnownLandmark::id);
+  const std::map<int, int> before = representative_;
   MergeLandmarks();
   WatchLandmarks();
   if (former_) {
     MatchFormer();
-    WatchFormer();
+    // Who owns a box depends on which landmarks there are.
+    WatchFormer(before != representative_);
   }
 }
 
@@ -89,19 +99,27 @@ void StatusBook::Replay(PlaceWatch& watch, const OwnerOf& owner_of) const {
 }
 
 OwnerOf StatusBook::OwnerForLandmark(int landmark) const {
-  return [this, landmark](const SightedDetection& box) {
+  return [this, landmark](const SightRecord&, const SightedDetection& box) {
     const int owner = Representative(box.landmark);
     if (owner < 0) return BoxOwner::kUnknown;
     return owner == landmark ? BoxOwner::kThisPlace : BoxOwner::kAnotherPlace;
   };
 }
 
-OwnerOf StatusBook::OwnerForFormer(std::size_t) const {
+OwnerOf StatusBook::OwnerForFormer() const {
   // A former place is watched by itself only while no landmark stands for it, so every confirmed
-  // landmark is another object.
-  return [this](const SightedDetection& box) {
-    return Representative(box.landmark) < 0 ? BoxOwner::kUnknown : BoxOwner::kAnotherPlace;
+  // landmark is another object; also in frames from before it was confirmed.
+  return [this](const SightRecord& sight, const SightedDetection& box) {
+    const bool is_another = Representative(box.landmark) >= 0 || IsExplained(sight, box);
+    return is_another ? BoxOwner::kAnotherPlace : BoxOwner::kUnknown;
   };
+}
+
+bool StatusBook::IsExplained(const SightRecord& sight, const SightedDetection& box) const {
+  return std::ranges::any_of(objects_, [&](const KnownLandmark& object) {
+    const std::optional<Prospect> prospect = Foresee(WatchedPlace(object), sight.X_WB, model_);
+    return prospect && prospect->Explains(box, model_.camera);
+  });
 }
 
 bool StatusBook::AreOne(const KnownLandmark& a, const KnownLandmark& b) const {
@@ -134,10 +152,11 @@ void StatusBook::WatchLandmarks() {
                 [this](const auto& entry) { return Representative(entry.first) != entry.first; });
   for (const KnownLandmark& object : objects_) {
     const auto found = landmark_watch_.find(object.id);
-    if (found != landmark_watch_.end() && !HasMoved(found->second, object.object)) {
+    const PlacedObject place = WatchedPlace(object);
+    if (found != landmark_watch_.end() && !HasMoved(found->second, place)) {
       continue;
     }
-    PlaceWatch watch(object.object, params_.looks);
+    PlaceWatch watch(place, params_.looks);
     Replay(watch, OwnerForLandmark(object.id));
     landmark_watch_.insert_or_assign(object.id, std::move(watch));
   }
@@ -152,18 +171,23 @@ void StatusBook::MatchFormer() {
   for (const KnownLandmark& object : objects_) {
     now.push_back(object.object);
   }
-  former_relative_ = RelativeToEachOther(former);
-  match_ = MatchSessions(former_relative_, RelativeToEachOther(now), params_.matching);
+  match_ = MatchSessions(former, now, params_.matching);
 }
 
-PlacedObject StatusBook::FormerPlace(std::size_t index) const {
-  PlacedObject place = former_relative_[index];
-  place.ned = match_.offset.Apply(place.ned);
+PlacedObject StatusBook::InOtherFrame(PlacedObject place, const Eigen::Vector3d& ned) const {
+  const double own = std::pow(params_.matching.position_floor.value(), 2);
+  place.ned = ned;
+  place.cov = own * Eigen::Matrix3d::Identity();
   place.cov.topLeftCorner<2, 2>() += match_.shift_cov;
   return place;
 }
 
-void StatusBook::WatchFormer() {
+PlacedObject StatusBook::FormerPlace(std::size_t index) const {
+  const PlacedObject& former = (*former_)[index].object;
+  return InOtherFrame(former, match_.offset.Apply(former.ned));
+}
+
+void StatusBook::WatchFormer(bool rejudges_all) {
   for (std::size_t i = 0; i < former_->size(); ++i) {
     std::optional<PlaceWatch>& watch = former_watch_[i];
     if (match_.now_of_former[i] >= 0) {
@@ -171,9 +195,9 @@ void StatusBook::WatchFormer() {
       continue;
     }
     const PlacedObject place = FormerPlace(i);
-    if (!watch || HasMoved(*watch, place)) {
+    if (rejudges_all || !watch || HasMoved(*watch, place)) {
       watch.emplace(place, params_.looks);
-      Replay(*watch, OwnerForFormer(i));
+      Replay(*watch, OwnerForFormer());
     }
   }
 }
@@ -182,16 +206,15 @@ double StatusBook::FormerLambdaAt(const KnownLandmark& newcomer) {
   if (former_views_.empty()) {
     return params_.unlisted_lambda;
   }
-  PlacedObject place = newcomer.object;
-  place.ned = match_.offset.Undo(place.ned);
-  place.cov.topLeftCorner<2, 2>() += match_.shift_cov;
+  const PlacedObject place = InOtherFrame(newcomer.object, match_.offset.Undo(newcomer.object.ned));
   const auto known = former_lambda_.find(newcomer.id);
   if (known != former_lambda_.end() && !HasMoved(known->second, place)) {
     return known->second.Lambda();
   }
   PlaceWatch watch(place, params_.looks);
   for (const SightRecord& view : former_views_) {
-    watch.See(view, model_, [](const SightedDetection&) { return BoxOwner::kAnotherPlace; });
+    watch.See(view, model_,
+              [](const SightRecord&, const SightedDetection&) { return BoxOwner::kAnotherPlace; });
   }
   const double lambda = watch.Lambda();
   former_lambda_.insert_or_assign(newcomer.id, std::move(watch));
@@ -229,6 +252,9 @@ ObjectStatus StatusBook::StatusOfFormer(std::size_t index) const {
                       .looks_with_box = watch.looks_with_box(),
                       .posterior = ChangeStatus(former.lambda, watch.Lambda(), params_.priors)};
   status.decided = Decide(status.posterior, status.looks, params_.priors);
+  if (status.decided == Status::kConfirmed && object == nullptr) {
+    status.decided = Status::kUncertain;  // boxes near by, but the smoother knows no object
+  }
   return status;
 }
 

@@ -99,12 +99,15 @@ class StatusBook {
  private:
   void Replay(PlaceWatch& watch, const OwnerOf& owner_of) const;
   [[nodiscard]] OwnerOf OwnerForLandmark(int landmark) const;
-  [[nodiscard]] OwnerOf OwnerForFormer(std::size_t index) const;
+  [[nodiscard]] OwnerOf OwnerForFormer() const;
+  [[nodiscard]] bool IsExplained(const SightRecord& sight, const SightedDetection& box) const;
   void MergeLandmarks();
   [[nodiscard]] bool AreOne(const KnownLandmark& a, const KnownLandmark& b) const;
   void WatchLandmarks();
-  void WatchFormer();
+  void WatchFormer(bool rejudges_all);
   [[nodiscard]] double FormerLambdaAt(const KnownLandmark& newcomer);
+  /// The place where the other session's frame has it, with what is then unknown about it.
+  [[nodiscard]] PlacedObject InOtherFrame(PlacedObject place, const Eigen::Vector3d& ned) const;
   [[nodiscard]] PlacedObject FormerPlace(std::size_t index) const;
   void MatchFormer();
   [[nodiscard]] int IdOfLandmark(int landmark);
@@ -116,7 +119,6 @@ class StatusBook {
   WatchModel model_;
   std::vector<SightRecord> sights_;
   std::optional<std::vector<FormerObject>> former_;
-  std::vector<PlacedObject> former_relative_;  ///< without what all of them share
   std::vector<SightRecord> former_views_;
   std::vector<KnownLandmark> landmarks_;  ///< as given
   std::vector<KnownLandmark> objects_;    ///< merged: one per object, by id

@@ -71,9 +71,10 @@ void ObjectLayer::Look(Painted& object, const SightRecord& sight, const StatusBo
     return;
   }
   const auto box = std::ranges::find_if(sight.boxes, [&](const SightedDetection& seen) {
-    return book.Representative(seen.landmark) == object.status.landmark && !IsCut(seen, camera_);
+    return book.Representative(seen.landmark) == object.status.landmark;
   });
   if (box != sight.boxes.end()) {
+    if (IsCut(*box, camera_)) return;  // its centre is not the object's
     object.looks.push_back({.X_WB = sight.X_WB, .box = *box, .object_W = ned});
   } else {
     const double share = VisibleShare(camera_, sight.X_WB, ned, status_.object_radius.value());
