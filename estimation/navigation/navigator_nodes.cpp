@@ -160,6 +160,8 @@ void Navigator::TakeFix(const Fix& fix) {
   last_fix_t_ = fix.t;
   smoother_.AddTerm(node, Term::OnPose(GpsFactor(fix.p_W, sigma)));
   smoother_.Update();
+  tracker_.Refresh();
+  ++landmark_version_;  // a fix after a dive moves them all
 }
 
 void Navigator::TakeFrame(const FrameDetections& frame) {
