@@ -9,7 +9,7 @@ namespace limpet {
 
 /// The banner line that announces escapes.
 inline constexpr std::string_view kAlogEscapeNotice =
-    "%% STRINGS ESCAPED: line feed \\n, carriage return \\r, backslash \\\\, leading blank '\\ '";
+    R"(%% STRINGS ESCAPED: line feed \n, carriage return \r, backslash \\, leading blank '\ ')";
 
 /// Appends `text` escaped: a line feed as \n, a carriage return as \r, a backslash as \\, and a
 /// backslash before a leading blank.
