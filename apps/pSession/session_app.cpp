@@ -111,7 +111,7 @@ void SessionApp::Finish(Seconds now) {
   }
 }
 
-void SessionApp::Commit(const std::string& cause, Seconds now) {
+void SessionApp::Commit(std::string cause, Seconds now) {
   pending_.reset();
   last_save_ = now;
   if (!writer_) {

@@ -40,7 +40,8 @@ class SessionApp final : public App {
   void LoadFormer();
   void CopyMission();
   void StartSaving(const std::string& cause, Seconds now);
-  void Commit(const std::string& cause, Seconds now);
+  /// By value: the pending cause dies with the saving that this ends.
+  void Commit(std::string cause, Seconds now);
 
   struct Pending {
     std::string cause;

@@ -43,16 +43,16 @@ class ViewDecisionTest : public ::testing::Test {
 
 TEST_F(ViewDecisionTest, AddsWeightedBidsAndTakesTheBest) {
   JudgingBehavior likes_long(
-      [](const Prospect& p) { return Bid{.value = p.length(), .why = {}, .veto = {}}; });
+      [](const Prospect& p) { return Bid{.value = p.length() * p.length(), .why = {}, .veto = {}}; });
   JudgingBehavior likes_short(
-      [](const Prospect& p) { return Bid{.value = -p.length(), .why = {}, .veto = {}}; });
+      [](const Prospect& p) { return Bid{.value = -p.length() * p.length(), .why = {}, .veto = {}}; });
   EXPECT_EQ(Decide({{"a", 1.0, &likes_long}, {"b", 0.5, &likes_short}}).chosen->source, "long");
   EXPECT_EQ(Decide({{"a", 1.0, &likes_long}, {"b", 2.0, &likes_short}}).chosen->source, "short");
 }
 
 TEST_F(ViewDecisionTest, DropsVetoedOptionsHoweverGood) {
   JudgingBehavior likes_long(
-      [](const Prospect& p) { return Bid{.value = p.length(), .why = {}, .veto = {}}; });
+      [](const Prospect& p) { return Bid{.value = p.length() * p.length(), .why = {}, .veto = {}}; });
   JudgingBehavior forbids_long([](const Prospect& p) {
     Bid bid;
     if (p.length() > 5.0) {

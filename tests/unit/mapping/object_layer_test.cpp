@@ -146,9 +146,12 @@ TEST(ObjectLayer, LooksThatMissMakeVoxelsLessCertain) {
   Flight flight(kPlace);
   flight.Paint(StatusAt(kPlace, Status::kNew));
   const float before = flight.octree.At(kPlace - Eigen::Vector3d(0, 0, 0.45))->object;
-  const Pose above{kPlace - Eigen::Vector3d(0, 0, 3.0), 0.0, 0.0, 0.0};
-  flight.book.AddSight({.time = 100.0, .X_WB = above, .boxes = {}});
-  flight.layer.AddSight(flight.book.sights().back(), flight.book);
+  // From many sides, each a look of its own: one miss alone is lost in the clamp of a sure voxel.
+  for (int i = 0; i < 8; ++i) {
+    const Pose beside{kPlace + Eigen::Vector3d(0.6 * (i - 4), 0.0, -3.0), 0.0, 0.0, 0.0};
+    flight.book.AddSight({.time = 100.0 + 0.25 * i, .X_WB = beside, .boxes = {}});
+    flight.layer.AddSight(flight.book.sights().back(), flight.book);
+  }
   flight.Paint(StatusAt(kPlace, Status::kNew));
   EXPECT_LT(flight.octree.At(kPlace - Eigen::Vector3d(0, 0, 0.45))->object, before);
 }

@@ -8,6 +8,13 @@
 namespace limpet {
 namespace {
 
+AppContext ContextOn(TestLink& link) {
+  AppContext context;
+  context.name = "pSurvey";
+  context.link = &link;
+  return context;
+}
+
 class SurveyAppTest : public ::testing::Test {
  protected:
   void Tick(double seconds) {
@@ -29,7 +36,7 @@ class SurveyAppTest : public ::testing::Test {
   void ReachTarget() { link_.Send(app_, topics::kMapCoverage, Coverage{0.99, 0.99, 0.99}); }
 
   TestLink link_;
-  AppContext context_{.name = "pSurvey", .link = &link_};
+  AppContext context_ = ContextOn(link_);
   SurveyApp app_{context_, {}};
 };
 
@@ -55,7 +62,10 @@ TEST_F(SurveyAppTest, GoesHomeWhenTheTargetIsReachedAndNothingIsOpen) {
 TEST_F(SurveyAppTest, StaysWhileAnObjectStillWantsALook) {
   ReachSurvey();
   ReachTarget();
-  link_.Send(app_, topics::kMapOpis, OpiBeliefs{{OpiBelief{.id = 1, .looks = 0, .entropy = 0.6}}});
+  OpiBelief open;
+  open.id = 1;
+  open.entropy = 0.6;
+  link_.Send(app_, topics::kMapOpis, OpiBeliefs{{open}});
   Tick(1.0);
   EXPECT_EQ(Phase(), "SURVEY");
 }
@@ -98,7 +108,7 @@ TEST(SurveyAppConfiguration, RefusesAnEmptyArea) {
   TestLink link;
   SurveyApp::Params params;
   params.north_max = Meters(-20.0);
-  EXPECT_THROW(SurveyApp(AppContext{.name = "pSurvey", .link = &link}, params), ConfigError);
+  EXPECT_THROW(SurveyApp(ContextOn(link), params), ConfigError);
 }
 
 }  // namespace

@@ -91,6 +91,7 @@ HelmBids BidsFor(const HelmPath& path) {
     bids.options.push_back({i < 3 ? "beam" : "home",
                             11.0,
                             7.5 - 2.0 * i,
+                            (7.5 - 2.0 * i) / 11.0,
                             {path.north + 9.0 * std::cos(turn), path.east + 9.0 * std::sin(turn)},
                             {{"BHV_CoverArea", 7.5 - 2.0 * i, 1.0, false, "useful 18 m"}}});
   }
