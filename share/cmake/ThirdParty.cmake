@@ -40,13 +40,6 @@ foreach(module core imgproc imgcodecs)
 endforeach()
 add_library(thirdparty::opencv ALIAS thirdparty_opencv)
 
-find_path(ZSTD_INCLUDE zstd.h REQUIRED)
-find_library(ZSTD_LIBRARY zstd REQUIRED)
-add_library(thirdparty_zstd INTERFACE)
-target_include_directories(thirdparty_zstd SYSTEM INTERFACE ${ZSTD_INCLUDE})
-target_link_libraries(thirdparty_zstd INTERFACE ${ZSTD_LIBRARY})
-add_library(thirdparty::zstd ALIAS thirdparty_zstd)
-
 find_path(XXHASH_INCLUDE xxhash.h REQUIRED)
 find_library(XXHASH_LIBRARY xxhash REQUIRED)
 add_library(thirdparty_xxhash INTERFACE)
