@@ -33,6 +33,30 @@ std::optional<Interval> Clip(const std::optional<Interval>& edges, double size) 
   return Interval{std::max(edges->low, 0.0), std::min(edges->high, size)};
 }
 
+/// The edge of the cut axis that shows, if the other axis is whole.
+std::optional<EdgeFactor::Edge> LoneEdge(const BoxDetection& box, const BoxReading& reading,
+                                         const CameraModel& camera, const BoxNoise& noise) {
+  if (reading.is_cut_u == reading.is_cut_v) {
+    return std::nullopt;
+  }
+  const int axis = reading.is_cut_u ? 0 : 1;
+  const double centre = axis == 0 ? box.u : box.v, size = axis == 0 ? box.w : box.h;
+  const double image = axis == 0 ? camera.width_px : camera.height_px;
+  const bool cuts_low = centre - 0.5 * size < noise.border_px;
+  const bool cuts_high = centre + 0.5 * size > image - noise.border_px;
+  if (cuts_low && cuts_high) {
+    return std::nullopt;
+  }
+  // The free axis tells how large the whole box is, and how sure the detector was of it.
+  const double whole = std::max(box.w, box.h);
+  const int side = cuts_low ? 1 : -1;
+  return EdgeFactor::Edge{
+      .axis = axis,
+      .side = side,
+      .measured_px = centre + 0.5 * side * size,
+      .sigma_px = std::hypot(reading.sigma_px(1 - axis), noise.edge_share * whole)};
+}
+
 }  // namespace
 
 BoxReading ReadBox(const BoxDetection& box, const CameraModel& camera, const BoxNoise& noise) {
@@ -53,6 +77,7 @@ BoxReading ReadBox(const BoxDetection& box, const CameraModel& camera, const Box
   reading.sigma_px = {
       reading.is_cut_u ? kUnused : (noise.floor_px + noise.share_of_size * box.w) * doubt,
       reading.is_cut_v ? kUnused : (noise.floor_px + noise.share_of_size * box.h) * doubt};
+  reading.lone_edge = LoneEdge(box, reading, camera, noise);
   return reading;
 }
 

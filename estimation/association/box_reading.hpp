@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "estimation/association/detection.hpp"
-#include "estimation/smoothing/camera_model.hpp"
+#include "estimation/smoothing/factors/edge_factor.hpp"
 
 namespace limpet {
 
@@ -16,6 +16,7 @@ struct BoxNoise {
   double share_of_size = 0.02;  ///< further share of the box's size
   double doubt = 2.0;           ///< times (1 + doubt (1 - confidence))
   double border_px = 2.0;       ///< an edge this near the border is taken as cut
+  double edge_share = 0.05;     ///< of the size: 1-sigma of one edge, on top of the centre's
   double range_floor_m = 0.05;  ///< 1-sigma of the range from size [m]
   double range_share = 0.12;    ///< further share of the range
 };
@@ -28,6 +29,8 @@ struct BoxReading {
   Eigen::Vector2d sigma_px = Eigen::Vector2d::Zero();  ///< infinite along an axis that is cut
   Eigen::Vector2d half_angle = Eigen::Vector2d::Zero();
   bool is_cut_u = false, is_cut_v = false;
+  /// Of a box cut at one end of one axis only: the edge that shows at the other end.
+  std::optional<EdgeFactor::Edge> lone_edge;
 
   [[nodiscard]] bool is_whole() const { return !is_cut_u && !is_cut_v; }
   [[nodiscard]] bool is_usable() const { return !(is_cut_u && is_cut_v); }

@@ -70,6 +70,10 @@ std::vector<Term> TermsOfLook(const Look& look, int slot, const CameraModel& cam
     const double sigma = model.noise.range_floor_m + model.noise.range_share * *range;
     terms.push_back(Term::OnSight(RangeFactor(camera, Meters(*range), Meters(sigma)), slot, loss));
   }
+  if (reading.lone_edge && model.radius_m > 0.0) {
+    terms.push_back(
+        Term::OnSight(EdgeFactor(camera, Meters(model.radius_m), *reading.lone_edge), slot, loss));
+  }
   if (with_seabed && look.altitude) {
     terms.push_back(Term::OnSight(
         SeabedFactor(Meters(*look.altitude), Meters(model.height_m), Meters(model.height_sigma_m)),

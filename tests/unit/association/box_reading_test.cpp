@@ -40,6 +40,16 @@ TEST(BoxReading, TrustsOnlyTheAxisThatTheBorderDoesNotCut) {
   EXPECT_TRUE(reading.is_usable());
 }
 
+TEST(BoxReading, KeepsTheEdgeThatShowsOfACutBox) {
+  const CameraModel camera;
+  const auto box = BoxOfSphere({2.4, 0.0, 3.0}, kRadius, camera);
+  const BoxReading reading = ReadBox(*box, camera, {});
+  ASSERT_TRUE(reading.lone_edge.has_value());
+  EXPECT_EQ(reading.lone_edge->axis, 0);
+  EXPECT_EQ(reading.lone_edge->side, -1);
+  EXPECT_NEAR(reading.lone_edge->measured_px, box->u - 0.5 * box->w, 1e-9);
+}
+
 TEST(BoxReading, DoubtsAnUnsureBox) {
   const CameraModel camera;
   BoxDetection box{.u = 300, .v = 200, .w = 80, .h = 80, .confidence = 1.0, .color = ""};

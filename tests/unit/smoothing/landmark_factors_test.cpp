@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include "estimation/smoothing/factors/edge_factor.hpp"
 #include "estimation/smoothing/factors/landmark_prior_factor.hpp"
 #include "estimation/smoothing/factors/range_factor.hpp"
 #include "estimation/smoothing/factors/reprojection_factor.hpp"
@@ -90,6 +91,24 @@ TEST_F(LandmarkFactorTest, RangeIsZeroForTheBoxOfASphere) {
 }
 TEST_F(LandmarkFactorTest, RangeJacobiansMatchCentralDifferences) {
   ExpectJacobiansMatch(RangeFactor(camera_, 3.0_m, 0.1_m));
+}
+
+TEST_F(LandmarkFactorTest, EdgeIsZeroForTheTangentToTheSphere) {
+  const Eigen::Vector3d p = InCamera();
+  const double half = std::asin(0.5 / std::hypot(p.y(), p.z()));
+  const double tangent = camera_.cy + camera_.fy * std::tan(std::atan2(p.y(), p.z()) - half);
+  const EdgeFactor factor(camera_, 0.5_m, {.axis = 1, .side = -1, .measured_px = tangent});
+  EXPECT_NEAR(factor.Evaluate(x_, p_W_)(0), 0.0, 1e-9);
+}
+TEST_F(LandmarkFactorTest, EdgeJacobiansMatchCentralDifferences) {
+  ExpectJacobiansMatch(EdgeFactor(camera_, 0.5_m, {.axis = 0, .side = 1, .sigma_px = 3.0}));
+  ExpectJacobiansMatch(EdgeFactor(camera_, 0.5_m, {.axis = 1, .side = -1, .sigma_px = 3.0}));
+}
+TEST_F(LandmarkFactorTest, EdgeIsLargeAndFlatInsideTheSphere) {
+  const EdgeFactor factor(camera_, 9.0_m, {.axis = 0, .side = 1, .sigma_px = 3.0});
+  EdgeFactor::Jacobian J;
+  EXPECT_GT(factor.Evaluate(x_, p_W_, &J)(0), 100.0);
+  EXPECT_EQ(J.norm(), 0.0);
 }
 
 TEST_F(LandmarkFactorTest, SeabedIsZeroForAnObjectAtTheExpectedHeight) {
