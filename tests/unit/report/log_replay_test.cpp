@@ -27,9 +27,9 @@ SyntheticSession BriefChange() {
 fs::path LoggedSession() {
   const fs::path folder = fs::path(testing::TempDir()) / "limpet_replay" / "change";
   fs::create_directories(folder);
-  auto writer = AlogWriter::Open(folder / "change.alog", Seconds(kEpoch), {});
+  AlogWriter writer = *AlogWriter::Open(folder / "change.alog", Seconds(kEpoch), {});
   for (const Message& message : MessagesOf(BriefChange()))
-    (*writer).Write(message);
+    writer.Write(message);
   return folder;
 }
 
