@@ -123,6 +123,13 @@ std::vector<ConfigProblem> CheckGeometry(const MissionFile& mission,
   return problems;
 }
 
+std::vector<ConfigProblem> CheckConfiguration(const MissionFile& mission, const fs::path& folder) {
+  std::vector<ConfigProblem> problems;
+  CheckApps(mission, problems);
+  CheckBehaviors(mission, folder, problems);
+  return problems;
+}
+
 MissionProblems CheckMission(const fs::path& folder) {
   MissionProblems found;
   std::optional<MissionFile> mission;
@@ -137,8 +144,7 @@ MissionProblems CheckMission(const fs::path& folder) {
   if (!mission) {
     return found;
   }
-  CheckApps(*mission, found.syntax);
-  CheckBehaviors(*mission, folder, found.syntax);
+  Add(found.syntax, CheckConfiguration(*mission, folder));
   if (found.syntax.empty()) {
     Collect(found.syntax,
             [&] { found.geometry = CheckGeometry(*mission, scenario, scenario_file.string()); });

@@ -24,6 +24,10 @@ struct MissionProblems {
 /// against each other. Reports every problem, not the first.
 [[nodiscard]] MissionProblems CheckMission(const std::filesystem::path& folder);
 
+/// Every problem of the apps' blocks and of the behavior files.
+[[nodiscard]] std::vector<ConfigProblem> CheckConfiguration(const MissionFile& mission,
+                                                            const std::filesystem::path& folder);
+
 /// Geometry alone: objects inside the area, the seabed below the survey altitude, room to turn.
 [[nodiscard]] std::vector<ConfigProblem> CheckGeometry(const MissionFile& mission,
                                                        const std::optional<Scenario>& scenario,

@@ -25,13 +25,17 @@ std::vector<double> Percent(const std::vector<double>& shares) {
 
 /// A dot where the curve reached each level, with the way it took.
 void MarkLevels(SvgCanvas& canvas, const PlotAxes& axes, const std::vector<CoverageLevel>& levels,
-                const Paint& paint, double label_shift) {
+                const Paint& paint, bool is_above) {
   for (const CoverageLevel& level : levels) {
     if (!level.path_m) continue;
     const Point at = axes.At(*level.path_m, 100.0 * level.level);
     canvas.Circle(at, 4.2, {.fill = paint.stroke, .stroke = palette::kPaper, .width = 1.5});
-    canvas.Text(at + Point(0.0, label_shift), fmt::format("{:.0f}", *level.path_m),
-                {.size = 11.5, .anchor = Anchor::kMiddle, .fill = paint.stroke, .is_bold = true});
+    canvas.Text(at + (is_above ? Point(-8.0, -4.0) : Point(8.0, 13.0)),
+                fmt::format("{:.0f}", *level.path_m),
+                {.size = 11.5,
+                 .anchor = is_above ? Anchor::kEnd : Anchor::kStart,
+                 .fill = paint.stroke,
+                 .is_bold = true});
   }
 }
 
@@ -90,8 +94,8 @@ Figure CoverageFigure(const FigureSource& source) {
   DrawBelieved(axes, source, source.score.survey_start_s + source.record.truth.time(0));
   axes.Curve(coverage.curve.path_m, Percent(coverage.curve.seabed), kSeabed);
   axes.Curve(coverage.curve.path_m, Percent(coverage.curve.band), kBand);
-  MarkLevels(canvas, axes, coverage.seabed, kSeabed, -9.0);
-  MarkLevels(canvas, axes, coverage.band, kBand, 19.0);
+  MarkLevels(canvas, axes, coverage.seabed, kSeabed, true);
+  MarkLevels(canvas, axes, coverage.band, kBand, false);
   DrawKeys(canvas, source);
   return {
       source.record.name + "_coverage.svg",

@@ -36,10 +36,11 @@ constexpr Explanation kExplanations[] = {
     {"P",
      "Probability of what was decided; for objects of a discovery session, that an object is "
      "there."},
-    {"Found, missed, invented",
+    {"Found, missed, invented, misplaced",
      "Reported and true objects are matched one to one, nearest first, within 2.5 m. A true object "
      "without a report is "
-     "missed; a report without an object is invented."},
+     "missed; a report without an object is invented; an object found more than 1 m off is "
+     "misplaced."},
     {"Confirmed, removed, new, moved",
      "There in both sessions; only in the former; only in this one; in both, elsewhere. Uncertain: "
      "the vehicle will not say."},

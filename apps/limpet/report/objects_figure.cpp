@@ -29,9 +29,11 @@ void DrawBelief(const Drawing& drawing, const OpiBelief& opi) {
   const auto& sd = opi.centroid_sd;
   const Point centroid = drawing.at(opi.centroid[0], opi.centroid[1]);
   const Point place = drawing.at(opi.ned[0], opi.ned[1]);
-  DrawCovariance(drawing.canvas, centroid, 2.0 * drawing.scale, {sd[0] * sd[0], 0.0, sd[1] * sd[1]},
-                 kMapSpread);
-  drawing.canvas.Circle(centroid, 2.6, {.fill = palette::kOrange});
+  if (sd[0] + sd[1] > 0.0) {  // else the map has no voxels of it
+    DrawCovariance(drawing.canvas, centroid, 2.0 * drawing.scale,
+                   {sd[0] * sd[0], 0.0, sd[1] * sd[1]}, kMapSpread);
+    drawing.canvas.Circle(centroid, 2.6, {.fill = palette::kOrange});
+  }
   DrawCovariance(drawing.canvas, place, 2.0 * drawing.scale, {opi.cov[0], opi.cov[1], opi.cov[3]},
                  kSigma);
   DrawCross(drawing.canvas, place, 4.0, {.stroke = palette::kBlue, .width = 2.0});
@@ -62,6 +64,12 @@ OpiBelief BeliefAt(const SessionRecord& record, const OpiBelief& opi) {
   return belief;
 }
 
+std::string HeightError(const OpiScore& opi) {
+  const double error = std::round(100.0 * (opi.slam_ned.z() - opi.truth_ned.z())) / 100.0;
+  if (error == 0.0) return "depth right to the centimetre";
+  return fmt::format("{:.2f} m too {}", std::abs(error), error > 0.0 ? "deep" : "shallow");
+}
+
 /// 4 x 4 m around one true object.
 void DrawCloseUp(SvgCanvas& canvas, const Point& corner, const FigureSource& source,
                  const OpiScore& opi) {
@@ -85,9 +93,7 @@ void DrawCloseUp(SvgCanvas& canvas, const Point& corner, const FigureSource& sou
   canvas.EndClip();
   canvas.Text(corner + Point(0.0, -8.0), opi.truth, {.size = 13.0, .is_bold = true});
   canvas.Text(corner + Point(0.0, kCloseUp + 17.0), fmt::format("{:.2f} m off", opi.error_m));
-  canvas.Text(corner + Point(0.0, kCloseUp + 33.0),
-              fmt::format("{:+.2f} m down", opi.slam_ned.z() - opi.truth_ned.z()),
-              {.fill = palette::kMuted});
+  canvas.Text(corner + Point(0.0, kCloseUp + 33.0), HeightError(opi), {.fill = palette::kMuted});
 }
 
 void DrawObjectsLegend(MapAxes& map) {

@@ -49,7 +49,7 @@ std::string Heading(const SessionScore& session, const Painter& paint) {
   std::string name = session.name;
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
-  return fmt::format("{}  ended: {}   {:.0f} m of way, {:.0f} s{}\n", paint.Bold(name),
+  return fmt::format("{}  {}   {:.0f} m of way, {:.0f} s{}\n", paint.Bold(name),
                      paint.Verdict(is_home, end), session.path_m, session.duration_s, speed);
 }
 
@@ -120,15 +120,11 @@ std::string CoverageTable(const SessionScore& session, const ReportSettings& set
 }
 
 std::string NavigationLine(const NavScore& nav) {
-  const std::string ratio =
-      nav.final_error_m > 0.0
-          ? fmt::format(" ({:.1f} x)", nav.dead_reckoning_final_error_m / nav.final_error_m)
-          : "";
   return fmt::format(
-      "  position   {:.2f} m rms, {:.2f} m aligned   at the end {:.2f} m, dead reckoning {:.2f} m{}"
-      "   NEES {:.1f} (ideal 3)\n",
+      "  position {:.2f} m rms ({:.2f} m aligned), at the end {:.2f} m; dead reckoning {:.2f} m; "
+      "NEES {:.1f} (ideal 3)\n",
       nav.position_rmse_m, nav.aligned_rmse_m, nav.final_error_m, nav.dead_reckoning_final_error_m,
-      ratio, nav.nees_mean);
+      nav.nees_mean);
 }
 
 }  // namespace

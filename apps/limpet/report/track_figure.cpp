@@ -15,7 +15,7 @@ using Point = SvgCanvas::Point;
 
 constexpr Paint kTruePath{.stroke = palette::kMapInk, .width = 1.7};
 constexpr Paint kEstimatedPath{.stroke = palette::kBlue, .width = 1.4, .dash = "5 3"};
-constexpr Paint kOption{.stroke = palette::kMapMuted, .width = 0.7, .opacity = 0.45};
+constexpr Paint kOption{.stroke = palette::kMapMuted, .width = 0.7, .opacity = 0.28};
 
 std::vector<Point> PointsOf(const MapAxes& map, const PoseTrack& track) {
   std::vector<Point> points;
@@ -31,14 +31,23 @@ std::string_view PurposeColor(const std::string& purpose) {
   return palette::kHalo;
 }
 
+/// The few options with the highest totals: more lines would hide the track.
+std::vector<BiddenOption> BestOf(std::vector<BiddenOption> options) {
+  constexpr std::size_t kDrawn = 4;
+  std::stable_sort(options.begin(), options.end(),
+                   [](const auto& a, const auto& b) { return a.total > b.total; });
+  if (options.size() > kDrawn) options.resize(kDrawn);
+  return options;
+}
+
 void DrawDecisions(MapAxes& map, const std::vector<DecisionRecord>& decisions) {
   for (const DecisionRecord& decision : decisions) {
     const Point start = map.At(decision.path.north, decision.path.east);
     if (!decision.bids) continue;
-    for (const BiddenOption& option : decision.bids->options) {
+    for (const BiddenOption& option : BestOf(decision.bids->options)) {
       const Point end = map.At(option.end[0], option.end[1]);
       map.canvas().Line(start, end, kOption);
-      map.canvas().Circle(end, 1.7, {.fill = palette::kMapMuted, .opacity = 0.6});
+      map.canvas().Circle(end, 1.6, {.fill = palette::kMapMuted, .opacity = 0.45});
     }
   }
 }
@@ -91,7 +100,7 @@ void DrawTrackLegend(MapAxes& map, double top) {
   map.Legend(dot(palette::kHalo), "chose to cover");
   map.Legend(dot(palette::kVermillion), "chose to look at an object");
   map.Legend(dot(palette::kPurple), "chose to go home");
-  map.Legend(line(kOption), "options not taken,\nto their ends");
+  map.Legend(line(kOption), "the four best options,\nto their ends");
   map.LegendHeading("Objects");
   map.Legend(
       [](SvgCanvas& canvas, const Point& at) {
@@ -136,7 +145,7 @@ Figure TrackFigure(const FigureSource& source) {
   return {record.name + "_track.svg",
           "The ground is shaded by the greatest height above the bottom up to which the vehicle "
           "believes to have seen it; grey was never seen. Dots mark where the helm decided, thin "
-          "lines lead to the ends of the options it listed. The dashed line is the area to survey.",
+          "lines lead to the ends of the four best options. The dashed line is the area to survey.",
           map.Finish()};
 }
 

@@ -35,9 +35,9 @@ Verdict VerdictOf(const RunScore& run) {
                     static_cast<std::size_t>(right) == statuses;
   const auto count = [](std::size_t n) { return n == 0 ? std::string("none") : std::to_string(n); };
   verdict.text =
-      fmt::format("{}objects: {} missed, {} invented, {} off by more than {:g} m",
+      fmt::format("{}objects: {} missed, {} invented, {} misplaced",
                   statuses > 0 ? fmt::format("{} of {} statuses right; ", right, statuses) : "",
-                  count(missed), count(invented), count(misplaced), kGoodError);
+                  count(missed), count(invented), count(misplaced));
   if (away > 0)
     verdict.text += fmt::format("; {} of {} sessions not home", away, run.sessions.size());
   return verdict;

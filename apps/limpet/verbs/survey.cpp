@@ -126,19 +126,18 @@ class SurveyRun {
     for (const std::string& setting : command_.settings) {
       ApplySetting(mission_, setting);
     }
+    // Everything is checked before the run folder is touched: a slip must not cost an earlier run.
+    Refuse(CheckConfiguration(mission_, command_.mission_folder));
     settings_ = SettingsOf(command_, mission_, scenario_);
-    const std::vector<ConfigProblem> problems =
-        CheckGeometry(mission_, scenario_, (command_.mission_folder / "scenario.yaml").string());
-    if (!problems.empty()) {
-      throw ConfigError(problems);
-    }
+    Refuse(
+        CheckGeometry(mission_, scenario_, (command_.mission_folder / "scenario.yaml").string()));
   }
 
   int Run() {
     PrepareRunFolder(command_.out);
     WriteRunDescription(settings_, scenario_, command_.out);
     for (std::size_t i = 0; i < command_.sessions.size() && !interrupt_requested; ++i) {
-      RunOne(command_.sessions[i], i > 0 ? command_.out / command_.sessions[i - 1] : fs::path());
+      RunOne(command_.sessions[i], FolderOfFormer(i));
     }
     const RunScore score = WriteReport(records_, scenario_, settings_, command_.out);
     PrintReport(score);
@@ -149,6 +148,22 @@ class SurveyRun {
   }
 
  private:
+  static void Refuse(const std::vector<ConfigProblem>& problems) {
+    if (!problems.empty()) {
+      throw ConfigError(problems);
+    }
+  }
+
+  /// The session before this one in the list; for a change session alone, an earlier run's
+  /// discovery.
+  [[nodiscard]] fs::path FolderOfFormer(std::size_t i) const {
+    if (i > 0) {
+      return command_.out / command_.sessions[i - 1];
+    }
+    const fs::path discovery = command_.out / "discovery";
+    return command_.sessions[0] != "discovery" && fs::exists(discovery) ? discovery : fs::path();
+  }
+
   void RunOne(const std::string& session, const fs::path& prior) {
     const SessionPlan plan{.session = session,
                            .mission_folder = command_.mission_folder,

@@ -42,7 +42,7 @@ TEST(TerminalReport, FitsA100ColumnTerminalInItsTables) {
   while (begin < text.size()) {
     const std::size_t end = text.find('\n', begin);
     const std::string line = text.substr(begin, end - begin);
-    EXPECT_LE(line.size(), 120U) << line;
+    EXPECT_LE(line.size(), 100U) << line;
     begin = end + 1;
   }
 }
