@@ -88,22 +88,14 @@ HelmBids BidsFor(const HelmPath& path) {
   HelmBids bids{path.id, "path end", 120, {}};
   for (int i = 0; i < 4; ++i) {
     const double turn = path.yaw + 0.35 * (i - 1);
-<<<<<<< HEAD
-    bids.options.push_back({i < 3 ? "beam" : "home",
-                            11.0,
-                            7.5 - 2.0 * i,
-                            (7.5 - 2.0 * i) / 11.0,
-                            {path.north + 9.0 * std::cos(turn), path.east + 9.0 * std::sin(turn)},
-                            {{"BHV_CoverArea", 7.5 - 2.0 * i, 1.0, false, "useful 18 m"}}});
-=======
     BiddenOption option;
     option.source = i < 3 ? "beam" : "home";
     option.length = 11.0;
     option.total = 7.5 - 2.0 * i;
+    option.rate = option.total / option.length;
     option.end = {path.north + 9.0 * std::cos(turn), path.east + 9.0 * std::sin(turn)};
     option.bids = {{"BHV_CoverArea", option.total, 1.0, false, "useful 18 m"}};
     bids.options.push_back(option);
->>>>>>> report
   }
   return bids;
 }
