@@ -3,6 +3,7 @@
 
 #include "apps/limpet/verbs/change.hpp"
 #include "apps/limpet/verbs/check.hpp"
+#include "apps/limpet/verbs/detect.hpp"
 #include "apps/limpet/verbs/nav.hpp"
 #include "apps/limpet/verbs/report.hpp"
 #include "apps/limpet/verbs/survey.hpp"
@@ -15,6 +16,7 @@ const std::vector<Verb>& Verbs() {
       {"survey", "survey twice, embedded, and report what changed", RunSurvey},
       {"change", "compare two saved sessions again", RunChange},
       {"nav", "run the estimator alone on a recorded sensor stream", RunNav},
+      {"detect", "run the detector alone on images", RunDetect},
       {"check", "report every problem of a mission", RunCheck},
       {"report", "figures and page again from a run's logs", RunReport},
       {"tables", "many seeds: the paper's tables beside ours", RunTables},
