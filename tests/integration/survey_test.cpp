@@ -13,6 +13,7 @@
 #include "apps/limpet/report/scorer.hpp"
 #include "apps/limpet/session_runner.hpp"
 #include "limpet/mission/scenario.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace limpet {
 namespace {
@@ -21,28 +22,13 @@ namespace fs = std::filesystem;
 
 const fs::path kBasin = fs::path(LIMPET_SOURCE_DIR) / "missions" / "basin";
 
-/// A run folder that vanishes with the test.
-class RunFolder {
- public:
-  explicit RunFolder(const std::string& name)
-      : path_(fs::temp_directory_path() /
-              ("limpet-survey-" + name + "-" + std::to_string(::getpid()))) {
-    fs::remove_all(path_);
-  }
-  ~RunFolder() { fs::remove_all(path_); }
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 MissionFile BasinWithBoxes() {
   MissionFile mission = LoadMission(kBasin / "mission.moos");
   ApplySetting(mission, "uSimCamera.camera=boxes");
   return mission;
 }
 
-SessionPlan PlanFor(const RunFolder& run, const std::string& session) {
+SessionPlan PlanFor(const TemporaryFolder& run, const std::string& session) {
   return {.session = session,
           .mission_folder = kBasin,
           .run_folder = run.path() / session,
@@ -75,7 +61,7 @@ std::string OnBoardLog(const fs::path& run_folder, const std::string& session) {
 }
 
 TEST(Survey, SurveysTwiceComesHomeAndSaysWhatChanged) {
-  const RunFolder folder("twice");
+  const TemporaryFolder folder;
   const Scenario scenario = LoadScenario(kBasin / "scenario.yaml");
   const Flight discovery = Fly(PlanFor(folder, "discovery"));
   const Flight change = Fly(PlanFor(folder, "change"));
@@ -99,8 +85,8 @@ TEST(Survey, SurveysTwiceComesHomeAndSaysWhatChanged) {
 }
 
 TEST(Survey, GivesTheSameBitsForTheSameSeed) {
-  const RunFolder first("first");
-  const RunFolder second("second");
+  const TemporaryFolder first;
+  const TemporaryFolder second;
   static_cast<void>(Fly(PlanFor(first, "discovery")));
   static_cast<void>(Fly(PlanFor(second, "discovery")));
   const std::string log = OnBoardLog(first.path() / "discovery", "discovery");
@@ -109,8 +95,8 @@ TEST(Survey, GivesTheSameBitsForTheSameSeed) {
 }
 
 TEST(Survey, DecidesTheSameWhenTheTruthReachesNobodyOnBoard) {
-  const RunFolder with("with");
-  const RunFolder without("without");
+  const TemporaryFolder with;
+  const TemporaryFolder without;
   SessionPlan blind = PlanFor(without, "discovery");
   blind.delivers_truth_on_board = false;
   static_cast<void>(Fly(PlanFor(with, "discovery")));
@@ -121,7 +107,7 @@ TEST(Survey, DecidesTheSameWhenTheTruthReachesNobodyOnBoard) {
 }
 
 TEST(Survey, AnInterruptEndsItWithTheLogIntact) {
-  const RunFolder folder("interrupt");
+  const TemporaryFolder folder;
   int sights = 0;
   const SessionOutcome outcome =
       RunSession(BasinWithBoxes(), PlanFor(folder, "discovery"), [&sights](const Message& message) {
@@ -137,7 +123,7 @@ TEST(Survey, AnInterruptEndsItWithTheLogIntact) {
 }
 
 TEST(Survey, RefusesADamagedFormerSessionByName) {
-  const RunFolder folder("damaged");
+  const TemporaryFolder folder;
   static_cast<void>(Fly(PlanFor(folder, "discovery")));
   for (const auto& entry :
        fs::recursive_directory_iterator(folder.path() / "discovery" / "session")) {

@@ -7,15 +7,19 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace limpet::testing {
+namespace limpet {
 
-/// A folder of this test alone, removed with it.
+/// A folder of this test (or, made for a whole suite, of this process) alone, removed with it.
+/// Tests run in parallel, each in its own process: a fixed name would be shared.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::temp_directory_path() / ("limpet_" + std::to_string(::getpid()) + "_" +
-                                                      test->test_suite_name() + "_" + test->name());
+    static int count = 0;
+    path_ =
+        std::filesystem::temp_directory_path() /
+        ("limpet_" + std::to_string(::getpid()) + "_" + std::to_string(++count) + "_" +
+         (test == nullptr ? "suite" : std::string(test->test_suite_name()) + "_" + test->name()));
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }
@@ -31,4 +35,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace limpet::testing
+}  // namespace limpet

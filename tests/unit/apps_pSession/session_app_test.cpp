@@ -46,7 +46,7 @@ class SessionAppTest : public ::testing::Test {
     link_.Send(app, topics::kSessionSave, std::string("home"));
     link_.Send(app, topics::kMapSnapshot, Binary{std::byte{1}, std::byte{2}});
   }
-  testing::TemporaryFolder folder_;
+  TemporaryFolder folder_;
   TestLink link_;
 };
 

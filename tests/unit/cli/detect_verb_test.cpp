@@ -39,7 +39,7 @@ class DetectVerb : public ::testing::Test {
     text << std::ifstream(folder_.path() / "out.csv").rdbuf();
     return text.str();
   }
-  testing::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(DetectVerb, WritesOneRowPerBox) {

@@ -10,6 +10,7 @@
 #include "limpet/logbook/alog_escape.hpp"
 #include "limpet/logbook/alog_reader.hpp"
 #include "limpet/logbook/alog_writer.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace limpet {
 namespace {
@@ -30,16 +31,6 @@ Message MessageOf(std::string name, Value value, double time = 0.0, std::string 
 
 class AlogTest : public ::testing::Test {
  protected:
-  AlogTest() {
-    folder_ =
-        std::filesystem::path(::testing::TempDir()) /
-        ("alog_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-    std::filesystem::create_directories(folder_);
-  }
-  ~AlogTest() override { std::filesystem::remove_all(folder_); }
-  AlogTest(const AlogTest&) = delete;
-  AlogTest& operator=(const AlogTest&) = delete;
-
   [[nodiscard]] std::filesystem::path file() const { return folder_ / "run.alog"; }
   void Write(const std::vector<Message>& messages, const AlogOptions& options = {}) const {
     Expected<AlogWriter> opened = AlogWriter::Open(file(), kStart, options);
@@ -60,7 +51,8 @@ class AlogTest : public ::testing::Test {
     return text.substr(text.rfind('\n') + 1);
   }
 
-  std::filesystem::path folder_;
+  TemporaryFolder temporary_;
+  std::filesystem::path folder_ = temporary_.path();
 };
 
 TEST_F(AlogTest, BeginsWithTheBannerThatMoosToolsLookFor) {

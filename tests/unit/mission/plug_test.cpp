@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "limpet/mission/mission_file.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace limpet {
 namespace {
@@ -16,16 +17,6 @@ using ::testing::HasSubstr;
 /// A folder of fragments that lives as long as a test.
 class PlugTest : public ::testing::Test {
  protected:
-  PlugTest() {
-    folder_ =
-        std::filesystem::path(::testing::TempDir()) /
-        ("plug_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-    std::filesystem::create_directories(folder_);
-  }
-  ~PlugTest() override { std::filesystem::remove_all(folder_); }
-  PlugTest(const PlugTest&) = delete;
-  PlugTest& operator=(const PlugTest&) = delete;
-
   void Write(const std::string& name, const std::string& text) const {
     std::filesystem::create_directories((folder_ / name).parent_path());
     std::ofstream(folder_ / name) << text;
@@ -48,7 +39,8 @@ class PlugTest : public ::testing::Test {
     return "";
   }
 
-  std::filesystem::path folder_;
+  TemporaryFolder temporary_;
+  std::filesystem::path folder_ = temporary_.path();
   PlugOptions options_;
   PlugResult result_;
 };

@@ -10,6 +10,7 @@
 #include "limpet/app/registry.hpp"
 #include "limpet/app/test_link.hpp"
 #include "limpet/logbook/alog_reader.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace limpet {
 namespace {
@@ -20,18 +21,11 @@ using ::testing::IsEmpty;
 class LogAppTest : public ::testing::Test {
  protected:
   LogAppTest() {
-    folder_ =
-        std::filesystem::path(::testing::TempDir()) /
-        ("plog_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-    std::filesystem::remove_all(folder_);
     context_.name = "pLog";
     context_.link = &link_;
     context_.run_folder = folder_;
     context_.session = "discovery";
   }
-  ~LogAppTest() override { std::filesystem::remove_all(folder_); }
-  LogAppTest(const LogAppTest&) = delete;
-  LogAppTest& operator=(const LogAppTest&) = delete;
 
   void Send(App& app, const std::string& name, Value value) const {
     app.Deliver(std::make_shared<const Message>(Message{.name = name,
@@ -58,7 +52,8 @@ class LogAppTest : public ::testing::Test {
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   }
 
-  std::filesystem::path folder_;
+  TemporaryFolder temporary_;
+  std::filesystem::path folder_ = temporary_.path() / "run";
   TestLink link_;
   AppContext context_;
 };

@@ -21,7 +21,7 @@ class SensorStreamTest : public ::testing::Test {
     std::ofstream(folder_.path() / "stream.csv.gz") << rows;
     return LoadSensorStream(folder_.path());
   }
-  testing::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(SensorStreamTest, ReadsEveryKindOfRow) {

@@ -7,6 +7,7 @@
 #include "apps/limpet/report/figures.hpp"
 #include "apps/limpet/report/report_json.hpp"
 #include "limpet/logbook/alog_writer.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include "synthetic_session.hpp"
 
@@ -23,20 +24,23 @@ SyntheticSession BriefChange() {
   return session;
 }
 
-/// The session's folder with its messages as pLog would leave them.
-fs::path LoggedSession() {
-  const fs::path folder = fs::path(testing::TempDir()) / "limpet_replay" / "change";
+/// The session as its folder gives it back, with its messages as pLog would leave them.
+SessionRecord Replayed() {
+  const TemporaryFolder run;
+  const fs::path folder = run.path() / "change";
   fs::create_directories(folder);
-  AlogWriter writer = *AlogWriter::Open(folder / "change.alog", Seconds(kEpoch), {});
-  for (const Message& message : MessagesOf(BriefChange()))
-    writer.Write(message);
-  return folder;
+  {
+    AlogWriter writer = *AlogWriter::Open(folder / "change.alog", Seconds(kEpoch), {});
+    for (const Message& message : MessagesOf(BriefChange()))
+      writer.Write(message);
+  }
+  return *RecordFromLog(folder);
 }
 
 /// Live and replayed, both scored.
 struct BothWays {
   SessionRecord live = RecordOf(BriefChange());
-  SessionRecord replayed = *RecordFromLog(LoggedSession());
+  SessionRecord replayed = Replayed();
 };
 
 std::string JsonOf(const SessionRecord& record) {
@@ -60,12 +64,11 @@ TEST(LogReplay, GivesTheSameFiguresAsListeningLive) {
     EXPECT_EQ(live[i].svg, replayed[i].svg) << live[i].file;
 }
 
-TEST(LogReplay, NamesTheSessionAfterItsFolder) {
-  EXPECT_EQ((*RecordFromLog(LoggedSession())).name, "change");
-}
+TEST(LogReplay, NamesTheSessionAfterItsFolder) { EXPECT_EQ(Replayed().name, "change"); }
 
 TEST(LogReplay, SaysWhichFolderHoldsNoLog) {
-  const auto record = RecordFromLog(fs::path(testing::TempDir()) / "no_such_session");
+  const TemporaryFolder run;
+  const auto record = RecordFromLog(run.path() / "no_such_session");
   ASSERT_FALSE(record.has_value());
   EXPECT_THAT(record.error().text, testing::HasSubstr("no_such_session"));
 }

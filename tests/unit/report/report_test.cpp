@@ -2,6 +2,7 @@
 #include "apps/limpet/report/report.hpp"
 
 #include <fstream>
+#include <memory>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -10,6 +11,7 @@
 
 #include "apps/limpet/report/report_json.hpp"
 #include "limpet/core/config.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include "synthetic_session.hpp"
 
@@ -41,9 +43,11 @@ std::vector<SessionRecord> TwoSessions() {
 class Report : public testing::Test {
  protected:
   static void SetUpTestSuite() {
+    folder_ = std::make_unique<TemporaryFolder>();
     WriteReport(TwoSessions(), Table1Scenario(), Table1Settings(), Folder());
   }
-  static fs::path Folder() { return fs::path(testing::TempDir()) / "limpet_report_test"; }
+  static void TearDownTestSuite() { folder_.reset(); }
+  static fs::path Folder() { return folder_->path(); }
   static nlohmann::ordered_json Json() {
     return nlohmann::ordered_json::parse(TextOfFile(Folder() / "report.json"));
   }
@@ -53,6 +57,9 @@ class Report : public testing::Test {
       keys.push_back(key);
     return keys;
   }
+
+ private:
+  static inline std::unique_ptr<TemporaryFolder> folder_;
 };
 
 TEST_F(Report, HasTheContractsKeysInItsOrder) {

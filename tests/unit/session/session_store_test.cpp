@@ -48,7 +48,7 @@ class SessionStoreTest : public ::testing::Test {
     EXPECT_TRUE(generation);
     return home_;
   }
-  testing::TemporaryFolder folder_;
+  TemporaryFolder folder_;
   fs::path home_ = folder_.path() / "session";
 };
 

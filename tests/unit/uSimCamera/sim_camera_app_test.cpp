@@ -49,7 +49,7 @@ class SimCamera : public ::testing::Test {
         link_.published, [&name](const MessagePtr& message) { return message->name == name; }));
   }
 
-  testing::TemporaryFolder folder_;
+  TemporaryFolder folder_;
   TestLink link_;
 };
 
