@@ -3,6 +3,7 @@
 function(limpet_library name)
   cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS "*.cpp")
+  list(FILTER sources EXCLUDE REGEX "/main.cpp$")
   if(sources)
     add_library(limpet_${name} STATIC ${sources})
     set(scope PUBLIC)
@@ -16,11 +17,23 @@ function(limpet_library name)
   add_library(limpet::${name} ALIAS limpet_${name})
 endfunction()
 
-# limpet_app(<process> DEPENDS lib... [PRIVATE thirdparty::x...])
-#   the app class of apps/<process>; `limpet` hosts every one of them, found by its registered name.
+# limpet_app(<process> DEPENDS lib... [PRIVATE thirdparty::x...] [HOSTS lib...])
+#   the app class of apps/<process> and its program; `limpet` hosts every one of them, found by its registered name.
+#   HOSTS: what registers itself by name for this app, as behaviors do.
 function(limpet_app name)
-  limpet_library(${name} ${ARGN})
+  cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE;HOSTS" ${ARGN})
+  limpet_library(${name} DEPENDS ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE})
   set_property(GLOBAL APPEND PROPERTY LIMPET_APPS limpet::${name})
+  limpet_process(${name} ${name} ${ARG_HOSTS})
+endfunction()
+
+# limpet_process(<process> lib...): the program of the current folder's main.cpp; what registers itself in lib is kept.
+function(limpet_process name)
+  add_executable(${name} main.cpp)
+  list(TRANSFORM ARGN PREPEND limpet::)
+  string(JOIN "," libraries ${ARGN})
+  target_link_libraries(${name} PRIVATE limpet_options limpet::app thirdparty::fmt thirdparty::eigen
+                                        "$<LINK_LIBRARY:WHOLE_ARCHIVE,${libraries}>")
 endfunction()
 
 # limpet_test(<name> FOLDER <dir> DEPENDS lib...): one GoogleTest program of every *.cpp in <dir>.

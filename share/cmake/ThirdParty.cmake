@@ -18,6 +18,12 @@ add_library(thirdparty_yaml INTERFACE)
 target_link_libraries(thirdparty_yaml INTERFACE yaml-cpp)
 add_library(thirdparty::yaml ALIAS thirdparty_yaml)
 
+find_path(ASIO_INCLUDE asio.hpp REQUIRED)
+add_library(thirdparty_asio INTERFACE)
+target_include_directories(thirdparty_asio SYSTEM INTERFACE ${ASIO_INCLUDE})
+target_link_libraries(thirdparty_asio INTERFACE Threads::Threads)
+add_library(thirdparty::asio ALIAS thirdparty_asio)
+
 add_library(thirdparty_sundials INTERFACE)
 target_link_libraries(thirdparty_sundials INTERFACE SUNDIALS::cvode SUNDIALS::nvecserial)
 add_library(thirdparty::sundials ALIAS thirdparty_sundials)

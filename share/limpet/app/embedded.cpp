@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "limpet/app/app_tick.hpp"
 #include "limpet/app/registry.hpp"
-#include "limpet/core/number_text.hpp"
 #include "limpet/core/require.hpp"
 
 namespace limpet {
@@ -14,20 +14,6 @@ namespace {
 
 constexpr int kMaxDeliveriesPerInstant =
     1'000'000;  // two apps answering each other for ever are a bug
-
-double TickRate(const ConfigBlock& block, double default_hz) {
-  const ConfigEntry* entry = block.Find("AppTick");
-  if (entry == nullptr) {
-    return default_hz;
-  }
-  const std::optional<double> hz = ParseNumber(entry->value);
-  if (!hz || *hz <= 0.0 || *hz > 1000.0) {
-    throw ConfigError(
-        {entry->where, entry->key,
-         fmt::format("`{}` is not allowed; allowed: above 0 to 1000 hz", entry->value)});
-  }
-  return *hz;
-}
 
 }  // namespace
 
@@ -160,7 +146,7 @@ class EmbeddedCommunity::Impl {
     hosted->community = this;
     hosted->client = *client;
     hosted->name = name;
-    hosted->tick_hz = TickRate(config, entry->second.default_tick_hz);
+    hosted->tick_hz = AppTickRate(config, entry->second.default_tick_hz);
     hosted->app = entry->second.create(ContextFor(name, hosted.get()), config);
     hosted_.push_back(std::move(hosted));
   }

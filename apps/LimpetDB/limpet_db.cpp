@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "apps/LimpetDB/limpet_db.hpp"
+
+#include <array>
+#include <thread>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "limpet/app/app_command.hpp"
+#include "limpet/app/run_app.hpp"
+
+namespace limpet {
+namespace {
+
+std::string HostName() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "localhost";
+}
+
+std::string AddressOf(const std::string& listen_on) {
+  if (listen_on == "loopback") {
+    return "127.0.0.1";
+  }
+  return listen_on == "all" ? "0.0.0.0" : listen_on;
+}
+
+DatabaseParams ParamsOf(const MissionFile& mission) {
+  // A mission written for MOOSDB says ClientTimeout there.
+  for (const char* name : {"LimpetDB", "MOOSDB"}) {
+    if (const ConfigBlock* block = mission.Block(name)) {
+      std::vector<std::string> known{"ClientTimeout", "AppTick", "CommsTick"};
+      return ReadParams<DatabaseParams>(*block, known);
+    }
+  }
+  return {};
+}
+
+TcpBrokerOptions OptionsOf(const AppCommand& command) {
+  const DatabaseParams params = ParamsOf(command.mission);
+  TcpBrokerOptions options;
+  options.broker.community = command.community;
+  options.broker.hostname = HostName();
+  options.broker.limits.clients = static_cast<std::size_t>(params.max_clients);
+  options.broker.limits.variables = static_cast<std::size_t>(params.max_variables);
+  options.broker.limits.queue = static_cast<std::size_t>(params.queue_mib * 1024.0 * 1024.0);
+  options.bind_address = AddressOf(params.listen_on);
+  options.port = command.port;
+  options.warp = command.warp;
+  options.client_timeout = params.client_timeout;
+  return options;
+}
+
+int Serve(const AppCommand& command) {
+  const TcpBrokerOptions options = OptionsOf(command);
+  TcpBroker broker(options);
+  CatchEndSignals();
+  std::thread watch([&broker] {
+    while (!EndIsRequested()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    broker.Stop();
+  });
+  fmt::print(stderr, "LimpetDB: community {} on {}:{}, time warp {:g}\n", command.community,
+             options.bind_address, broker.port(), command.warp);
+  broker.Run();
+  watch.join();
+  return 0;
+}
+
+}  // namespace
+
+int RunDatabase(int argc, const char* const* argv) {
+  try {
+    const AppCommand command =
+        ReadAppCommand("LimpetDB", {argv + 1, static_cast<std::size_t>(argc - 1)});
+    if (command.wants_help) {
+      fmt::print("{}", AppCommandHelp("LimpetDB"));
+      return 0;
+    }
+    return Serve(command);
+  } catch (const ConfigError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  } catch (const std::runtime_error& error) {
+    fmt::print(stderr, "LimpetDB: {}\n", error.what());
+    return 1;
+  }
+}
+
+}  // namespace limpet

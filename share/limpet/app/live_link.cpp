@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/app/live_link.hpp"
+
+#include <chrono>
+
+#include "limpet/core/clock.hpp"
+#include "limpet/wire/message_conversion.hpp"
+
+namespace limpet {
+namespace {
+
+/// An app that has not taken its mail for this long will not miss the oldest.
+constexpr std::size_t kInboxLimit = 200'000;
+
+}  // namespace
+
+TcpClientOptions LiveLink::Listening(TcpClientOptions options) {
+  options.on_mail = [this](const WireMessage& message) {
+    auto owned = std::make_shared<const Message>(MessageFrom(message));
+    const std::lock_guard lock(mutex_);
+    if (inbox_.size() < kInboxLimit) {
+      inbox_.push_back(std::move(owned));
+      arrival_.notify_one();
+    }
+  };
+  options.on_state = [this] { Wake(); };
+  return options;
+}
+
+LiveLink::LiveLink(TcpClientOptions options) : client_(Listening(std::move(options))) {}
+
+void LiveLink::Publish(std::string name, Value value, std::string source_aux) {
+  client_.Publish(name, value, source_aux);
+}
+void LiveLink::Subscribe(const std::string& name, Seconds interval) {
+  client_.Subscribe(name, interval);
+}
+void LiveLink::SubscribeWildcard(const WildcardFilter& filter) {
+  client_.SubscribeWildcard(filter);
+}
+
+std::vector<MessagePtr> LiveLink::TakeMail(Seconds deadline) {
+  std::unique_lock lock(mutex_);
+  const double wait = (deadline - SteadyTime()).value();
+  if (inbox_.empty() && !is_woken_ && wait > 0.0) {
+    arrival_.wait_for(lock, std::chrono::duration<double>(wait),
+                      [this] { return !inbox_.empty() || is_woken_; });
+  }
+  is_woken_ = false;
+  std::vector<MessagePtr> mail;
+  mail.swap(inbox_);
+  return mail;
+}
+
+void LiveLink::Wake() {
+  const std::lock_guard lock(mutex_);
+  is_woken_ = true;
+  arrival_.notify_one();
+}
+
+}  // namespace limpet

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "limpet/app/app.hpp"
+#include "limpet/pubsub/tcp_client.hpp"
+
+namespace limpet {
+
+/// An app's link to a community on TCP. Mail arrives on the client's thread and waits here for the
+/// app's own.
+class LiveLink final : public AppLink {
+ public:
+  explicit LiveLink(TcpClientOptions options);
+
+  void Publish(std::string name, Value value, std::string source_aux) override;
+  void Subscribe(const std::string& name, Seconds interval) override;
+  void SubscribeWildcard(const WildcardFilter& filter) override;
+  [[nodiscard]] Seconds Now() const override { return client_.Now(); }
+
+  /// All mail so far, waiting for some until `deadline` (steady time) if there is none.
+  [[nodiscard]] std::vector<MessagePtr> TakeMail(Seconds deadline);
+  /// Ends a wait.
+  void Wake();
+  [[nodiscard]] const TcpClient& client() const { return client_; }
+
+ private:
+  TcpClientOptions Listening(TcpClientOptions options);
+
+  std::mutex mutex_;
+  std::condition_variable arrival_;
+  std::vector<MessagePtr> inbox_;
+  bool is_woken_ = false;
+  TcpClient client_;  ///< last: its thread ends before what it writes to
+};
+
+}  // namespace limpet

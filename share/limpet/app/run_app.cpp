@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/app/run_app.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+
+#include <fmt/format.h>
+
+#include "limpet/app/app_command.hpp"
+#include "limpet/app/app_tick.hpp"
+#include "limpet/app/live_link.hpp"
+#include "limpet/app/registry.hpp"
+#include "limpet/core/clock.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr int kConfigurationFailed = 2;
+constexpr Seconds kLongestWait(0.2);  ///< real time; how soon an end signal is noticed
+
+std::atomic<bool> end_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+ConfigBlock BlockFor(const AppCommand& command) {
+  const ConfigBlock* own = command.mission.Block(command.name);
+  const ConfigBlock* found = own != nullptr ? own : command.mission.Block(command.process);
+  ConfigBlock block =
+      found != nullptr ? *found : ConfigBlock{.name = command.name, .where = {}, .entries = {}};
+  for (const ConfigEntry& entry : command.overrides) {
+    std::erase_if(block.entries, [&entry](const ConfigEntry& old) {
+      return EqualsIgnoringCase(old.key, entry.key);
+    });
+    block.entries.push_back(entry);
+  }
+  return block;
+}
+
+std::string Example(const std::string& process, const AppEntry& entry) {
+  std::string text =
+      fmt::format("ProcessConfig = {}\n{{\n  AppTick = {:g}\n", process, entry.default_tick_hz);
+  for (const ParamSpec& spec : entry.describe()) {
+    text += fmt::format("  {} = {}{}\n", spec.name, spec.default_text,
+                        spec.help.empty() ? "" : "  // " + spec.help);
+  }
+  return text + "}\n";
+}
+
+/// Mail as it comes, Tick on time; a tick that is missed is left out, never made up for.
+void Loop(App& app, LiveLink& link, Seconds period) {
+  Seconds next = SteadyTime() + period;
+  while (!EndIsRequested()) {
+    for (const MessagePtr& message : link.TakeMail(std::min(next, SteadyTime() + kLongestWait))) {
+      app.Deliver(message);
+    }
+    if (const Seconds now = SteadyTime(); now >= next) {
+      app.Tick(link.Now());
+      next = std::max(next + period, now);
+    }
+  }
+  app.Finish(link.Now());
+}
+
+/// True once connected; false if asked to end before.
+bool WaitForCommunity(const AppCommand& command, LiveLink& link) {
+  std::string told;
+  while (link.client().state() != TcpClient::State::kConnected) {
+    if (EndIsRequested()) {
+      return false;
+    }
+    if (const std::string trouble = link.client().trouble(); !trouble.empty() && trouble != told) {
+      fmt::print(stderr, "{}: waiting for the database at {}:{} ({})\n", command.name, command.host,
+                 command.port, trouble);
+      told = trouble;
+    }
+    static_cast<void>(link.TakeMail(SteadyTime() + kLongestWait));
+  }
+  return true;
+}
+
+int Run(const AppCommand& command, const AppEntry& entry) {
+  const ConfigBlock block = BlockFor(command);
+  const double tick_hz = AppTickRate(block, entry.default_tick_hz);
+  if (const auto problems = entry.check(block); !problems.empty()) {
+    throw ConfigError(problems);
+  }
+  CatchEndSignals();
+  LiveLink link({.host = command.host,
+                 .port = command.port,
+                 .name = command.name,
+                 .warp = command.warp,
+                 .on_mail = nullptr,
+                 .on_state = nullptr});
+  if (!WaitForCommunity(command, link)) {
+    return 0;
+  }
+  const AppContext context{.name = command.name,
+                           .link = &link,
+                           .globals = command.mission.globals,
+                           .mission_folder = command.mission_file.parent_path(),
+                           .run_folder = command.run_folder,
+                           .prior_folder = command.prior_folder,
+                           .session = command.session,
+                           .seed = command.seed};
+  const std::unique_ptr<App> app = entry.create(context, block);
+  Loop(*app, link, Seconds(1.0 / (tick_hz * command.warp)));
+  return 0;
+}
+
+}  // namespace
+
+void CatchEndSignals() {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    std::signal(signal, [](int) { end_requested = true; });
+  }
+}
+
+bool EndIsRequested() { return end_requested; }
+
+int RunApp(const std::string& process, int argc, const char* const* argv) {
+  try {
+    const AppEntry& entry = AppRegistry().at(process);
+    const AppCommand command =
+        ReadAppCommand(process, {argv + 1, static_cast<std::size_t>(argc - 1)});
+    if (command.wants_help) {
+      fmt::print("{}", AppCommandHelp(process));
+      return 0;
+    }
+    if (command.wants_example) {
+      fmt::print("{}", Example(process, entry));
+      return 0;
+    }
+    return Run(command, entry);
+  } catch (const ConfigError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return kConfigurationFailed;
+  }
+}
+
+}  // namespace limpet

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limpet/core/expected.hpp"
+#include "limpet/pubsub/outbox.hpp"
+#include "limpet/pubsub/router.hpp"
+#include "limpet/wire/packet_codec.hpp"
+
+namespace limpet {
+
+struct BrokerLimits {
+  std::size_t clients = 1000;
+  std::size_t variables = 100'000;
+  std::size_t name_length = 1024;            ///< of clients and variables [bytes]
+  std::size_t filters_per_client = 1000;     ///< wildcards
+  std::size_t queue = std::size_t{4} << 20;  ///< unsent mail of one client [bytes]
+};
+
+struct BrokerOptions {
+  std::string community = "limpet";
+  std::string hostname;
+  BrokerLimits limits;
+};
+
+/// What the broker refused or lost, since the start.
+struct BrokerCounts {
+  std::uint64_t messages = 0;  ///< writes taken
+  std::uint64_t type_mismatches = 0;
+  std::uint64_t foreign_sources = 0;  ///< registrations under another client's name
+  std::uint64_t bad_names = 0;        ///< of variables: empty, too long, or one too many
+};
+
+/// The MOOS V10 broker without its sockets: packets in, packets out, time handed in. What it knows
+/// of the protocol is in docs/wire.md. Not thread-safe.
+class Broker {
+ public:
+  using Client = Router::Client;
+
+  Broker(BrokerOptions options, Seconds now);
+  ~Broker();
+
+  /// Takes a hello. Either a client, or why it was refused; `answer` is the packet to send.
+  struct Admission {
+    std::optional<Client> client;
+    ByteBuffer answer;
+  };
+  [[nodiscard]] Admission Admit(const WireMessage& hello, Seconds now);
+  /// The client is gone: its name is free, its mail forgotten.
+  void Leave(Client client, Seconds now);
+
+  /// Works off one whole packet; what is wrong with it ends the connection.
+  [[nodiscard]] std::optional<Error> Receive(Client client, ByteView packet, Seconds now);
+  /// Writes the DB_* variables; every 2 s of MOOS time.
+  void PublishStatus(Seconds now);
+
+  /// Clients that have something to send since the last call, each once.
+  [[nodiscard]] std::vector<Client> TakeReady();
+  /// A packet: `head` then `body`. Nothing (false) if there is nothing to send.
+  struct Outgoing {
+    ByteBuffer head, body;
+  };
+  [[nodiscard]] bool TakePacket(Client client, Outgoing& packet, Seconds now);
+  [[nodiscard]] Outbox& outbox(Client client);
+
+  [[nodiscard]] const Router& router() const { return router_; }
+  /// Nothing if it has never been written. The views die with the next write of that variable.
+  [[nodiscard]] std::optional<WireMessage> LatestOf(Router::Variable variable) const;
+  /// When it started, or was last cleared.
+  [[nodiscard]] Seconds started() const { return started_; }
+  [[nodiscard]] const BrokerCounts& counts() const { return counts_; }
+  [[nodiscard]] const BrokerOptions& options() const { return options_; }
+
+ private:
+  struct Session;
+  struct Latest {
+    ByteBuffer message;  ///< as forwarded, community filled in
+  };
+
+  void Work(Session& session, const WireMessage& message, ByteView raw, Seconds now);
+  void Notify(const WireMessage& message, ByteView raw, Seconds now);
+  void Register(Session& session, const WireMessage& message, Seconds now);
+  void RegisterWildcard(Session& session, const WireMessage& message, Seconds now);
+  void Answer(Session& session, const WireMessage& request, Seconds now);
+  void AnswerAll(Session& session);
+  void Append(Session& session, Router::Variable variable, const WireMessage& message);
+  void Clear(Seconds now);
+  void SendLatest(Session& session, Router::Variable variable);
+  /// The variable of that name, unless the name or one more variable is not allowed.
+  [[nodiscard]] std::optional<Router::Variable> Variable(std::string_view name);
+  [[nodiscard]] bool SpeaksForItself(const Session& session, const WireMessage& message);
+  void Publish(std::string_view name, double value, Seconds now);
+  void Publish(std::string_view name, std::string_view value, Seconds now);
+  void PublishOwn(WireMessage message, std::string_view name, Seconds now);
+  void MarkReady(Session& session);
+
+  BrokerOptions options_;
+  std::string source_;  ///< of the broker's own variables
+  Seconds started_;
+  Router router_;
+  std::vector<std::unique_ptr<Session>> sessions_;  ///< by client
+  std::vector<Latest> latest_;                      ///< by variable
+  std::vector<Client> ready_;
+  ByteBuffer scratch_;
+  BrokerCounts counts_;
+};
+
+}  // namespace limpet

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/pubsub/tcp_broker.hpp"
+
+#include <list>
+#include <stdexcept>
+
+#include <asio/io_context.hpp>
+#include <asio/post.hpp>
+#include <asio/steady_timer.hpp>
+#include <fmt/format.h>
+
+#include "limpet/core/clock.hpp"
+#include "limpet/pubsub/tcp_connection.hpp"
+
+namespace limpet {
+namespace {
+
+using asio::ip::tcp;
+
+constexpr auto kWatchPeriod = std::chrono::milliseconds(500);
+constexpr double kStatusPeriod = 2.0;  // MOOS time [s]
+constexpr std::size_t kScratch = std::size_t{256} << 10;
+
+std::chrono::steady_clock::duration Real(double seconds) {
+  return std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+      std::chrono::duration<double>(seconds));
+}
+
+}  // namespace
+
+class TcpBroker::Impl {
+ public:
+  explicit Impl(TcpBrokerOptions options)
+      : options_(std::move(options)),
+        broker_(options_.broker, MoosTime(options_.warp)),
+        acceptor_(context_),
+        watch_(context_),
+        status_(context_),
+        pause_(context_),
+        scratch_(kScratch) {
+    host_ = {.broker = &broker_,
+             .scratch = scratch_,
+             .moos_time = [this] { return MoosTime(options_.warp); },
+             .on_admitted =
+                 [this](Broker::Client client, TcpConnection& connection) {
+                   live_.resize(std::max<std::size_t>(live_.size(), client + 1));
+                   live_[client] = &connection;
+                 }};
+    Listen();
+    Accept();
+    Watch();
+    PublishStatus();
+  }
+
+  void Run() { context_.run(); }
+  void Stop() { context_.stop(); }
+  [[nodiscard]] std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
+
+ private:
+  using Connections = std::list<TcpConnection>;
+
+  void Listen() {
+    try {
+      const tcp::endpoint place(asio::ip::make_address(options_.bind_address), options_.port);
+      acceptor_.open(place.protocol());
+      acceptor_.set_option(tcp::acceptor::reuse_address(true));
+      acceptor_.bind(place);
+      acceptor_.listen();
+    } catch (const std::system_error& error) {
+      throw std::runtime_error(fmt::format("cannot listen on {}:{}: {}", options_.bind_address,
+                                           options_.port, error.code().message()));
+    }
+  }
+
+  void Accept() {
+    acceptor_.async_accept([this](std::error_code error, tcp::socket socket) {
+      if (error) {
+        // Out of file descriptors, most likely: those who are in must not suffer for it.
+        pause_.expires_after(std::chrono::milliseconds(100));
+        pause_.async_wait([this](std::error_code) { Accept(); });
+        return;
+      }
+      Welcome(std::move(socket));
+      Accept();
+    });
+  }
+
+  void Welcome(tcp::socket socket) {
+    if (Strangers() >= options_.handshakes) {
+      return;  // closes it
+    }
+    std::error_code ignored;
+    socket.non_blocking(true, ignored);
+    socket.set_option(tcp::no_delay(true), ignored);
+    connections_.emplace_back(std::move(socket), host_);
+    WaitToRead(std::prev(connections_.end()));
+  }
+
+  [[nodiscard]] std::size_t Strangers() const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        connections_, [](const TcpConnection& c) { return !c.client().has_value(); }));
+  }
+
+  void WaitToRead(Connections::iterator connection) {
+    connection->socket().async_wait(tcp::socket::wait_read,
+                                    [this, connection](std::error_code error) {
+                                      if (error || !connection->socket().is_open()) {
+                                        return;  // closed meanwhile
+                                      }
+                                      if (connection->Read()) {
+                                        FlushOne(*connection);
+                                        WaitToRead(connection);
+                                      } else {
+                                        Close(connection);
+                                      }
+                                      Flush();
+                                    });
+  }
+
+  /// Sends what the broker has for anyone. A connection that fails here is closed by its own
+  /// read: the socket then says so.
+  void Flush() {
+    for (const Broker::Client client : broker_.TakeReady()) {
+      FlushOne(*live_[client]);
+    }
+  }
+
+  void FlushOne(TcpConnection& connection) {
+    if (connection.is_waiting_to_write) {
+      return;
+    }
+    if (!connection.Write()) {
+      std::error_code ignored;
+      connection.socket().shutdown(tcp::socket::shutdown_both, ignored);
+    } else if (connection.wants_to_write()) {
+      connection.is_waiting_to_write = true;
+      connection.socket().async_wait(tcp::socket::wait_write,
+                                     [this, &connection](std::error_code error) {
+                                       if (!error && connection.socket().is_open()) {
+                                         connection.is_waiting_to_write = false;
+                                         FlushOne(connection);
+                                       }
+                                     });
+    }
+  }
+
+  void Close(Connections::iterator connection) {
+    if (const auto client = connection->client()) {
+      live_[*client] = nullptr;
+      broker_.Leave(*client, MoosTime(options_.warp));
+    }
+    std::error_code ignored;
+    connection->socket().close(ignored);  // cancels its waits: their handlers see an error
+    graveyard_.splice(graveyard_.end(), connections_, connection);
+    asio::post(context_, [this] { graveyard_.clear(); });
+  }
+
+  void Watch() {
+    watch_.expires_after(kWatchPeriod);
+    watch_.async_wait([this](std::error_code error) {
+      if (error) {
+        return;
+      }
+      const Seconds now = SteadyTime();
+      for (auto it = connections_.begin(); it != connections_.end();) {
+        const auto connection = it++;
+        if (IsHopeless(*connection, now)) {
+          Close(connection);
+        }
+      }
+      Flush();
+      Watch();
+    });
+  }
+
+  [[nodiscard]] bool IsHopeless(const TcpConnection& connection, Seconds now) const {
+    if (!connection.client()) {
+      return now - connection.opened() > options_.handshake_timeout;
+    }
+    const bool is_stuck =
+        connection.wants_to_write() && now - connection.last_progress() > options_.stuck_timeout;
+    return is_stuck || now - connection.last_heard() > options_.client_timeout;
+  }
+
+  void PublishStatus() {
+    status_.expires_after(Real(kStatusPeriod / options_.warp));
+    status_.async_wait([this](std::error_code error) {
+      if (!error) {
+        broker_.PublishStatus(MoosTime(options_.warp));
+        Flush();
+        PublishStatus();
+      }
+    });
+  }
+
+  TcpBrokerOptions options_;
+  Broker broker_;
+  asio::io_context context_{1};  // one thread: no locks inside
+  tcp::acceptor acceptor_;
+  asio::steady_timer watch_, status_, pause_;
+  ByteBuffer scratch_;
+  TcpConnection::Host host_;
+  Connections connections_;
+  Connections graveyard_;             ///< closed, until their cancelled handlers have run
+  std::vector<TcpConnection*> live_;  ///< by client
+};
+
+TcpBroker::TcpBroker(TcpBrokerOptions options)
+    : impl_(std::make_unique<Impl>(std::move(options))) {}
+TcpBroker::~TcpBroker() = default;
+void TcpBroker::Run() { impl_->Run(); }
+void TcpBroker::Stop() { impl_->Stop(); }
+std::uint16_t TcpBroker::port() const { return impl_->port(); }
+
+}  // namespace limpet

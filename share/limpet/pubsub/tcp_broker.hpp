@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "limpet/pubsub/broker.hpp"
+
+namespace limpet {
+
+struct TcpBrokerOptions {
+  BrokerOptions broker;
+  std::string bind_address = "127.0.0.1";  ///< loopback unless the mission says otherwise
+  std::uint16_t port = 9000;               ///< 0: any free one
+  double warp = 1.0;
+  Seconds client_timeout{5.0};     ///< silence after which a client is dropped (real time)
+  Seconds handshake_timeout{5.0};  ///< from connection to hello (real time)
+  Seconds stuck_timeout{10.0};     ///< a client that reads nothing with mail waiting is cut
+  std::size_t handshakes = 256;    ///< connections that have not yet said who they are
+};
+
+/// The broker on TCP: one thread, no call that blocks, so a silent or hostile connection delays
+/// nobody. Mail is pushed as soon as the bytes that caused it are worked off.
+class TcpBroker {
+ public:
+  /// Binds and listens. Throws std::runtime_error naming address and port if it cannot.
+  explicit TcpBroker(TcpBrokerOptions options);
+  ~TcpBroker();
+
+  /// Serves until Stop().
+  void Run();
+  /// From any thread.
+  void Stop();
+  [[nodiscard]] std::uint16_t port() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace limpet

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/pubsub/tcp_connection.hpp"
+
+#include <array>
+
+#include <asio/buffer.hpp>
+#include <fmt/format.h>
+
+#include "limpet/core/clock.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr std::size_t kKeptCapacity = std::size_t{256} << 10;
+/// A hello is a name; nobody has a reason to send more before being known.
+constexpr std::size_t kMaxHello = std::size_t{64} << 10;
+
+}  // namespace
+
+TcpConnection::TcpConnection(asio::ip::tcp::socket socket, Host& host)
+    : socket_(std::move(socket)),
+      host_(host),
+      opened_(SteadyTime()),
+      last_heard_(opened_),
+      last_progress_(opened_) {}
+
+Expected<std::optional<std::size_t>> TcpConnection::UnitSize(ByteView bytes) const {
+  if (stage_ == Stage::kSilent) {
+    return std::optional<std::size_t>(kGreeting.size());
+  }
+  if (bytes.size() < kPacketHeaderSize) {
+    return std::optional<std::size_t>();
+  }
+  const auto header =
+      DecodePacketHeader(bytes, stage_ == Stage::kGreeted ? kMaxHello : kMaxPacketSize);
+  if (!header) {
+    return header.error();
+  }
+  return std::optional(header->size);
+}
+
+bool TcpConnection::Read() {
+  std::size_t received = 0;
+  const bool is_good = reader_.Read(socket_, host_.scratch, kReadBudget, *this, received);
+  if (received > 0) {
+    last_heard_ = SteadyTime();
+  }
+  return is_good;
+}
+
+bool TcpConnection::OnUnit(ByteView unit) {
+  switch (stage_) {
+    case Stage::kSilent:
+      stage_ = Stage::kGreeted;
+      return IsGreeting(unit);
+    case Stage::kGreeted:
+      return Greet(unit);
+    case Stage::kLive:
+      return closes_when_sent_ || !host_.broker->Receive(*client_, unit, host_.moos_time());
+  }
+  return false;
+}
+
+bool TcpConnection::Greet(ByteView packet) {
+  PacketReader reader(packet);
+  if (reader.is_at_end()) {
+    return false;
+  }
+  const auto hello = reader.Next();
+  if (!hello) {
+    return false;
+  }
+  Broker::Admission admission = host_.broker->Admit(*hello, host_.moos_time());
+  stage_ = Stage::kLive;
+  out_.head = std::move(admission.answer);
+  client_ = admission.client;
+  closes_when_sent_ = !client_;
+  if (client_) {
+    host_.on_admitted(*client_, *this);
+  }
+  return Write();
+}
+
+bool TcpConnection::Write() {
+  for (;;) {
+    if (unsent() == 0) {
+      last_progress_ = SteadyTime();
+      if (closes_when_sent_) {
+        // The client closes when it has read why; closing here could take the words away from it.
+        std::error_code ignored;
+        socket_.shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+        out_ = {};
+        sent_ = 0;
+        return true;
+      }
+      if (out_.body.capacity() > kKeptCapacity) {
+        out_.body = {};
+      }
+      if (!client_ || !host_.broker->TakePacket(*client_, out_, host_.moos_time())) {
+        out_.head.clear();
+        out_.body.clear();
+        sent_ = 0;
+        return true;
+      }
+      sent_ = 0;
+    }
+    const std::size_t in_head = std::min(sent_, out_.head.size());
+    const std::size_t in_body = sent_ - in_head;
+    const std::array<asio::const_buffer, 2> parts{
+        asio::const_buffer(out_.head.data() + in_head, out_.head.size() - in_head),
+        asio::const_buffer(out_.body.data() + in_body, out_.body.size() - in_body)};
+    std::error_code error;
+    const std::size_t count = socket_.write_some(parts, error);
+    if (error && error != asio::error::would_block) {
+      return false;
+    }
+    sent_ += count;
+    if (count > 0) {
+      last_progress_ = SteadyTime();
+    }
+    if (client_) {
+      host_.broker->outbox(*client_).SetInFlight(unsent());
+    }
+    if (error) {
+      return true;
+    }
+  }
+}
+
+}  // namespace limpet

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// One accepted connection of the TCP broker: greeting, hello, then packets both ways.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include <asio/ip/tcp.hpp>
+
+#include "limpet/pubsub/broker.hpp"
+#include "limpet/pubsub/unit_reader.hpp"
+
+namespace limpet {
+
+/// Work of one readiness event is bounded: no client can keep the others waiting.
+inline constexpr std::size_t kReadBudget = std::size_t{1} << 20;
+
+class TcpConnection {
+ public:
+  /// kSilent: no greeting yet. kGreeted: no hello yet.
+  enum class Stage { kSilent, kGreeted, kLive };
+  /// What the sockets' owner is asked and told.
+  struct Host {
+    Broker* broker = nullptr;
+    std::span<std::byte> scratch;  ///< shared by all: read here first
+    std::function<Seconds()> moos_time;
+    std::function<void(Broker::Client, TcpConnection&)> on_admitted;
+  };
+
+  TcpConnection(asio::ip::tcp::socket socket, Host& host);
+
+  /// Reads and works off what has arrived. False if the connection is to be closed.
+  [[nodiscard]] bool Read();
+  /// For its UnitReader: bytes that the unit at the front takes in all.
+  [[nodiscard]] Expected<std::optional<std::size_t>> UnitSize(ByteView bytes) const;
+  [[nodiscard]] bool OnUnit(ByteView unit);
+  /// Sends as much as the socket takes. False if the connection is to be closed.
+  [[nodiscard]] bool Write();
+
+  [[nodiscard]] bool wants_to_write() const { return unsent() > 0; }
+  [[nodiscard]] asio::ip::tcp::socket& socket() { return socket_; }
+  /// Nothing before its hello, and once it has been told why it may not enter.
+  [[nodiscard]] std::optional<Broker::Client> client() const { return client_; }
+  [[nodiscard]] Stage stage() const { return stage_; }
+  [[nodiscard]] Seconds opened() const { return opened_; }
+  [[nodiscard]] Seconds last_heard() const { return last_heard_; }
+  /// When the socket last took bytes, or had nothing to take.
+  [[nodiscard]] Seconds last_progress() const { return last_progress_; }
+
+  bool is_waiting_to_write = false;  ///< the owner has asked to be told when it may write
+
+ private:
+  [[nodiscard]] std::size_t unsent() const { return out_.head.size() + out_.body.size() - sent_; }
+  [[nodiscard]] bool Greet(ByteView hello_packet);
+
+  asio::ip::tcp::socket socket_;
+  Host& host_;
+  Stage stage_ = Stage::kSilent;
+  std::optional<Broker::Client> client_;
+  UnitReader reader_;
+  Broker::Outgoing out_;
+  std::size_t sent_ = 0;
+  bool closes_when_sent_ = false;
+  Seconds opened_, last_heard_, last_progress_;
+};
+
+}  // namespace limpet

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include <asio/buffer.hpp>
+#include <asio/ip/tcp.hpp>
+
+#include "limpet/core/expected.hpp"
+#include "limpet/pubsub/receive_buffer.hpp"
+#include "limpet/wire/packet_codec.hpp"
+
+namespace limpet {
+
+/// Cuts what a non-blocking socket gives into whole units (greeting, packets). Bytes land in a
+/// buffer that all connections share; only a unit that has not arrived whole is kept, in room that
+/// grows with what has really come, whatever its header claims.
+///
+/// `Protocol` offers
+///   Expected<std::optional<std::size_t>> UnitSize(ByteView) const;  // nothing: more bytes needed
+///   bool OnUnit(ByteView);                                          // false: close
+class UnitReader {
+ public:
+  /// Reads until the socket is empty or about `budget` bytes are worked off.
+  /// False if the connection is to be closed; `received` counts the bytes.
+  template <class Protocol>
+  [[nodiscard]] bool Read(asio::ip::tcp::socket& socket, std::span<std::byte> scratch,
+                          std::size_t budget, Protocol& protocol, std::size_t& received) {
+    received = 0;
+    while (received < budget) {
+      const auto room = Room(scratch, protocol);
+      if (!room) {
+        return false;
+      }
+      std::error_code error;
+      const std::size_t count =
+          socket.read_some(asio::mutable_buffer(room->data(), room->size()), error);
+      if (error == asio::error::would_block) {
+        return true;
+      }
+      if (error) {
+        return false;
+      }
+      received += count;
+      const bool was_partial = !partial_.empty();
+      if (!(was_partial ? Complete(count, protocol) : Cut(room->first(count), protocol))) {
+        return false;
+      }
+      if (!was_partial && partial_.empty() && count < room->size()) {
+        return true;  // drained: asking again would only be told so
+      }
+    }
+    return true;
+  }
+
+ private:
+  template <class Protocol>
+  std::optional<std::span<std::byte>> Room(std::span<std::byte> scratch, Protocol& protocol) {
+    if (partial_.empty()) {
+      return scratch;
+    }
+    const auto size = protocol.UnitSize(partial_.bytes());
+    if (!size) {
+      return std::nullopt;
+    }
+    // The rest of this unit and no more: what follows it belongs in the shared buffer.
+    const std::size_t held = partial_.bytes().size();
+    const std::size_t wanted = (*size).value_or(kPacketHeaderSize);
+    return partial_.RoomUpTo(std::min(wanted, 2 * held + scratch.size()));
+  }
+
+  /// Works off every whole unit in `bytes` and keeps the rest.
+  template <class Protocol>
+  bool Cut(ByteView bytes, Protocol& protocol) {
+    while (!bytes.empty()) {
+      const auto size = protocol.UnitSize(bytes);
+      if (!size) {
+        return false;
+      }
+      if (!*size || **size > bytes.size()) {
+        partial_.Append(bytes);
+        return true;
+      }
+      if (!protocol.OnUnit(bytes.first(**size))) {
+        return false;
+      }
+      bytes = bytes.subspan(**size);
+    }
+    return true;
+  }
+
+  template <class Protocol>
+  bool Complete(std::size_t count, Protocol& protocol) {
+    partial_.Grew(count);
+    const auto size = protocol.UnitSize(partial_.bytes());
+    if (!size) {
+      return false;
+    }
+    if (*size && **size == partial_.bytes().size()) {
+      const bool is_good = protocol.OnUnit(partial_.bytes());
+      partial_.Clear();
+      return is_good;
+    }
+    return true;
+  }
+
+  ReceiveBuffer partial_;
+};
+
+}  // namespace limpet

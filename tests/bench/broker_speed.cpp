@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+// Speed of the broker over loopback TCP, publisher -> LimpetDB -> subscriber, with our own client
+// library: latency, rate, throughput, fan-out, connections. The broker runs as its own process.
+// Prints one table with the machine's load; nothing here passes or fails.
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "limpet/core/clock.hpp"
+#include "limpet/pubsub/tcp_client.hpp"
+
+namespace {
+
+using namespace std::chrono_literals;
+using limpet::SteadyTime;
+using limpet::TcpClient;
+using limpet::WireMessage;
+
+constexpr std::uint16_t kPort = 19753;
+
+pid_t StartBroker(const std::string& program) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const std::string port = fmt::format("--moos_port={}", kPort);
+    execl(program.c_str(), "LimpetDB", port.c_str(), nullptr);
+    _exit(127);
+  }
+  std::this_thread::sleep_for(300ms);
+  return child;
+}
+
+std::unique_ptr<TcpClient> Join(const std::string& name,
+                                std::function<void(const WireMessage&)> on_mail = nullptr) {
+  auto client =
+      std::make_unique<TcpClient>(limpet::TcpClientOptions{.port = kPort,
+                                                           .name = name,
+                                                           .queue = std::size_t{256} << 20,
+                                                           .on_mail = std::move(on_mail),
+                                                           .on_state = nullptr});
+  while (client->state() != TcpClient::State::kConnected) {
+    std::this_thread::sleep_for(100us);
+  }
+  return client;
+}
+
+double Quantile(std::vector<double>& values, double q) {
+  if (values.empty()) {
+    return -1.0;
+  }
+  std::ranges::sort(values);
+  return values[std::min(values.size() - 1,
+                         static_cast<std::size_t>(q * static_cast<double>(values.size())))];
+}
+
+void Row(const std::string& what, const std::string& figure) {
+  fmt::print("| {:<44} | {:<32} |\n", what, figure);
+}
+
+/// One publisher at `hz`; the value is the time of sending. `readers` subscribers; the last one's
+/// latency counts.
+void Latency(const std::string& what, double hz, int count, int readers, std::size_t bytes) {
+  std::vector<std::vector<double>> delays(static_cast<std::size_t>(readers));
+  std::atomic<int> received{0};
+  std::vector<std::unique_ptr<TcpClient>> clients;
+  for (int i = 0; i < readers; ++i) {
+    auto& mine = delays[static_cast<std::size_t>(i)];
+    mine.reserve(static_cast<std::size_t>(count));
+    clients.push_back(
+        Join(fmt::format("pReader{}", i), [&mine, &received, bytes](const WireMessage& m) {
+          double sent = m.number;
+          if (bytes > 0) {
+            std::memcpy(&sent, m.text.data(), sizeof sent);
+          }
+          mine.push_back(1e6 * (SteadyTime().value() - sent));
+          ++received;
+        }));
+    clients.back()->Subscribe("LAT", limpet::Seconds(0.0));
+  }
+  const auto writer = Join("pWriter");
+  std::this_thread::sleep_for(200ms);
+  limpet::Value block = limpet::Binary(std::max<std::size_t>(bytes, 8));
+  for (int i = 0; i < count; ++i) {
+    const double now = SteadyTime().value();
+    if (bytes > 0) {
+      std::memcpy(std::get<limpet::Binary>(block).data(), &now, sizeof now);
+      writer->Publish("LAT", block);
+    } else {
+      writer->Publish("LAT", now);
+    }
+    std::this_thread::sleep_for(std::chrono::duration<double>(1.0 / hz));
+  }
+  std::this_thread::sleep_for(200ms);
+  std::vector<double> last;
+  const std::size_t common = std::ranges::min(delays, {}, &std::vector<double>::size).size();
+  for (std::size_t i = 0; i < common; ++i) {
+    double worst = 0.0;
+    for (const auto& one : delays) {
+      worst = std::max(worst, one[i]);
+    }
+    last.push_back(worst);
+  }
+  Row(what, fmt::format("p50 {:.0f}  p99 {:.0f} us  ({} of {})", Quantile(last, 0.5),
+                        Quantile(last, 0.99), common, count));
+}
+
+/// As fast as it goes, with about `window` bytes under way at most.
+void FlatOut(const std::string& what, std::size_t bytes, bool is_double, int readers,
+             double seconds) {
+  std::vector<std::unique_ptr<TcpClient>> clients;
+  std::vector<std::atomic<std::uint64_t>> received(static_cast<std::size_t>(readers));
+  for (int i = 0; i < readers; ++i) {
+    auto& mine = received[static_cast<std::size_t>(i)];
+    clients.push_back(Join(fmt::format("pReader{}", i), [&mine](const WireMessage&) {
+      mine.fetch_add(1, std::memory_order_relaxed);
+    }));
+    clients.back()->Subscribe("FLAT", limpet::Seconds(0.0));
+  }
+  const auto writer = Join("pWriter");
+  std::this_thread::sleep_for(200ms);
+  const std::string text(bytes, 'x');
+  limpet::Value block = limpet::Binary(bytes);
+  const std::uint64_t window = std::max<std::uint64_t>(
+      4, std::min<std::uint64_t>(20'000, (std::size_t{2} << 20) / std::max<std::size_t>(bytes, 1)));
+  const auto slowest = [&received] {
+    std::uint64_t least = UINT64_MAX;
+    for (const auto& one : received) {
+      least = std::min(least, one.load(std::memory_order_relaxed));
+    }
+    return least;
+  };
+  const double begin = SteadyTime().value();
+  std::uint64_t sent = 0;
+  while (SteadyTime().value() - begin < seconds) {
+    for (int i = 0; i < (bytes > 10'000 ? 1 : 100); ++i, ++sent) {
+      if (is_double) {
+        writer->Publish("FLAT", static_cast<double>(sent));
+      } else if (bytes > 10'000) {
+        writer->Publish("FLAT", block);
+      } else {
+        writer->Publish("FLAT", std::string_view(text));
+      }
+    }
+    while (sent - slowest() > window && SteadyTime().value() - begin < seconds + 1.0) {
+      std::this_thread::sleep_for(20us);
+    }
+  }
+  const double until = SteadyTime().value() + 2.0;
+  while (slowest() < sent && SteadyTime().value() < until) {
+    std::this_thread::sleep_for(1ms);
+  }
+  const double span = SteadyTime().value() - begin;
+  std::uint64_t all = 0;
+  for (const auto& one : received) {
+    all += one.load();
+  }
+  const double rate = static_cast<double>(all) / span;
+  const std::string lost = slowest() < sent ? fmt::format("  LOST {}", sent - slowest()) : "";
+  Row(what, bytes > 10'000
+                ? fmt::format("{:.0f} MB/s{}", 1e-6 * rate * static_cast<double>(bytes), lost)
+                : fmt::format("{:.2f} M/s{}", 1e-6 * rate, lost));
+}
+
+void Connections() {
+  const double one_begin = SteadyTime().value();
+  Join("pOne");
+  const double one = SteadyTime().value() - one_begin;
+  std::vector<std::unique_ptr<TcpClient>> clients;
+  const double begin = SteadyTime().value();
+  for (int i = 0; i < 50; ++i) {
+    clients.push_back(
+        std::make_unique<TcpClient>(limpet::TcpClientOptions{.port = kPort,
+                                                             .name = fmt::format("pMany{}", i),
+                                                             .on_mail = nullptr,
+                                                             .on_state = nullptr}));
+  }
+  for (const auto& client : clients) {
+    while (client->state() != TcpClient::State::kConnected) {
+      std::this_thread::sleep_for(100us);
+    }
+  }
+  Row("connect, one; 50 at once",
+      fmt::format("{:.1f} ms; {:.0f} ms", 1e3 * one, 1e3 * (SteadyTime().value() - begin)));
+}
+
+double ProcessorSeconds(pid_t pid) {
+  std::ifstream stat(fmt::format("/proc/{}/stat", pid));
+  std::string word;
+  double ticks = 0.0;
+  for (int i = 1; stat >> word; ++i) {
+    if (i == 14 || i == 15) {
+      ticks += std::stod(word);
+    }
+  }
+  return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+std::string Memory(pid_t pid) {
+  std::ifstream status(fmt::format("/proc/{}/status", pid));
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmRSS")) {
+      return fmt::format("{:.1f} MB", std::stod(line.substr(6)) / 1024.0);
+    }
+  }
+  return "?";
+}
+
+void Idle(pid_t broker) {
+  std::vector<std::unique_ptr<TcpClient>> clients;
+  for (int i = 0; i < 50; ++i) {
+    clients.push_back(Join(fmt::format("pIdle{}", i)));
+  }
+  const double begin = SteadyTime().value();
+  const double used = ProcessorSeconds(broker);
+  std::this_thread::sleep_for(5s);
+  Row("50 idle clients, of one core",
+      fmt::format("{:.2f} %, {}",
+                  100.0 * (ProcessorSeconds(broker) - used) / (SteadyTime().value() - begin),
+                  Memory(broker)));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string program = argc > 1 ? argv[1] : "build/bin/LimpetDB";
+  const pid_t broker = StartBroker(program);
+  std::array<double, 3> load{};
+  static_cast<void>(getloadavg(load.data(), 3));
+  fmt::print("load {:.2f} {:.2f}, {} cores\n\n", load[0], load[1],
+             std::thread::hardware_concurrency());
+  Row("figure", "LimpetDB");
+  Row("--------------------------------------------", "--------------------------------");
+  Row("memory at start", Memory(broker));
+  Latency("1 kHz doubles 1->1", 1000.0, 4000, 1, 0);
+  Latency("10 Hz doubles", 10.0, 30, 1, 0);
+  FlatOut("flat out, doubles", 0, true, 1, 2.0);
+  FlatOut("flat out, 100 B strings", 100, false, 1, 2.0);
+  FlatOut("64 KiB binaries flat out", 65536, false, 1, 2.0);
+  FlatOut("1 MiB binaries flat out", 1 << 20, false, 1, 2.0);
+  Latency("1 MiB at 10 Hz", 10.0, 30, 1, 1 << 20);
+  Latency("fan-out 1->10 at 1 kHz, last subscriber", 1000.0, 3000, 10, 0);
+  FlatOut("fan-out 1->10 flat out, deliveries", 0, true, 10, 2.0);
+  Connections();
+  Idle(broker);
+  Row("memory at the end", Memory(broker));
+  kill(broker, SIGTERM);
+  waitpid(broker, nullptr, 0);
+  return 0;
+}
