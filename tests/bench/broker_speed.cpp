@@ -71,6 +71,8 @@ void Row(const std::string& what, const std::string& figure) {
 /// One publisher at `hz`; the value is the time of sending. `readers` subscribers; the last one's
 /// latency counts.
 void Latency(const std::string& what, double hz, int count, int readers, std::size_t bytes) {
+  const std::string variable =
+      bytes > 0 ? "LAT_BINARY" : "LAT_DOUBLE";  // the first write fixes the type
   std::vector<std::vector<double>> delays(static_cast<std::size_t>(readers));
   std::atomic<int> received{0};
   std::vector<std::unique_ptr<TcpClient>> clients;
@@ -86,7 +88,7 @@ void Latency(const std::string& what, double hz, int count, int readers, std::si
           mine.push_back(1e6 * (SteadyTime().value() - sent));
           ++received;
         }));
-    clients.back()->Subscribe("LAT", limpet::Seconds(0.0));
+    clients.back()->Subscribe(variable, limpet::Seconds(0.0));
   }
   const auto writer = Join("pWriter");
   std::this_thread::sleep_for(200ms);
@@ -95,9 +97,9 @@ void Latency(const std::string& what, double hz, int count, int readers, std::si
     const double now = SteadyTime().value();
     if (bytes > 0) {
       std::memcpy(std::get<limpet::Binary>(block).data(), &now, sizeof now);
-      writer->Publish("LAT", block);
+      writer->Publish(variable, block);
     } else {
-      writer->Publish("LAT", now);
+      writer->Publish(variable, now);
     }
     std::this_thread::sleep_for(std::chrono::duration<double>(1.0 / hz));
   }
@@ -118,6 +120,9 @@ void Latency(const std::string& what, double hz, int count, int readers, std::si
 /// As fast as it goes, with about `window` bytes under way at most.
 void FlatOut(const std::string& what, std::size_t bytes, bool is_double, int readers,
              double seconds) {
+  const std::string variable = is_double        ? "FLAT_DOUBLE"
+                               : bytes > 10'000 ? "FLAT_BINARY"
+                                                : "FLAT_STRING";
   std::vector<std::unique_ptr<TcpClient>> clients;
   std::vector<std::atomic<std::uint64_t>> received(static_cast<std::size_t>(readers));
   for (int i = 0; i < readers; ++i) {
@@ -125,7 +130,7 @@ void FlatOut(const std::string& what, std::size_t bytes, bool is_double, int rea
     clients.push_back(Join(fmt::format("pReader{}", i), [&mine](const WireMessage&) {
       mine.fetch_add(1, std::memory_order_relaxed);
     }));
-    clients.back()->Subscribe("FLAT", limpet::Seconds(0.0));
+    clients.back()->Subscribe(variable, limpet::Seconds(0.0));
   }
   const auto writer = Join("pWriter");
   std::this_thread::sleep_for(200ms);
@@ -145,11 +150,11 @@ void FlatOut(const std::string& what, std::size_t bytes, bool is_double, int rea
   while (SteadyTime().value() - begin < seconds) {
     for (int i = 0; i < (bytes > 10'000 ? 1 : 100); ++i, ++sent) {
       if (is_double) {
-        writer->Publish("FLAT", static_cast<double>(sent));
+        writer->Publish(variable, static_cast<double>(sent));
       } else if (bytes > 10'000) {
-        writer->Publish("FLAT", block);
+        writer->Publish(variable, block);
       } else {
-        writer->Publish("FLAT", std::string_view(text));
+        writer->Publish(variable, std::string_view(text));
       }
     }
     while (sent - slowest() > window && SteadyTime().value() - begin < seconds + 1.0) {
