@@ -97,7 +97,7 @@ void Latency(const std::string& what, double hz, int count, int readers, std::si
     const double now = SteadyTime().value();
     if (bytes > 0) {
       std::memcpy(std::get<limpet::Binary>(block).data(), &now, sizeof now);
-      writer->Publish(variable, block);
+      writer->PublishValue(variable, block);
     } else {
       writer->Publish(variable, now);
     }
@@ -152,7 +152,7 @@ void FlatOut(const std::string& what, std::size_t bytes, bool is_double, int rea
       if (is_double) {
         writer->Publish(variable, static_cast<double>(sent));
       } else if (bytes > 10'000) {
-        writer->Publish(variable, block);
+        writer->PublishValue(variable, block);
       } else {
         writer->Publish(variable, std::string_view(text));
       }

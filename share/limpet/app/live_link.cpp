@@ -30,7 +30,7 @@ TcpClientOptions LiveLink::Listening(TcpClientOptions options) {
 LiveLink::LiveLink(TcpClientOptions options) : client_(Listening(std::move(options))) {}
 
 void LiveLink::Publish(std::string name, Value value, std::string source_aux) {
-  client_.Publish(name, value, source_aux);
+  client_.PublishValue(name, value, source_aux);
 }
 void LiveLink::Subscribe(const std::string& name, Seconds interval) {
   client_.Subscribe(name, interval);

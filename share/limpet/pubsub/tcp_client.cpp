@@ -440,7 +440,8 @@ void TcpClient::Publish(std::string_view name, std::string_view value,
                         std::string_view source_aux) {
   impl_->Post({.data_type = wire_data::kString, .key = name, .text = value}, source_aux);
 }
-void TcpClient::Publish(std::string_view name, const Value& value, std::string_view source_aux) {
+void TcpClient::PublishValue(std::string_view name, const Value& value,
+                             std::string_view source_aux) {
   if (const auto* number = std::get_if<double>(&value)) {
     Publish(name, *number, source_aux);
   } else if (const auto* text = std::get_if<std::string>(&value)) {

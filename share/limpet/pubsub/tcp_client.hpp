@@ -38,7 +38,7 @@ class TcpClient {
   /// Sends soon: at once if nothing was sent a moment ago, else together with what follows.
   void Publish(std::string_view name, double value, std::string_view source_aux = {});
   void Publish(std::string_view name, std::string_view value, std::string_view source_aux = {});
-  void Publish(std::string_view name, const Value& value, std::string_view source_aux = {});
+  void PublishValue(std::string_view name, const Value& value, std::string_view source_aux = {});
   /// Sends as it is, but for the id: a bridge keeps foreign sources, times and communities.
   void Send(WireMessage message);
 
