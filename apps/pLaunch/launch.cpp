@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pLaunch/launch.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "apps/pLaunch/launch_plan.hpp"
+#include "apps/pLaunch/supervisor.hpp"
+#include "limpet/app/run_app.hpp"
+#include "limpet/core/clock.hpp"
+#include "limpet/core/number_text.hpp"
+#include "limpet/pubsub/tcp_client.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto kPollPeriod = std::chrono::milliseconds(50);
+constexpr Seconds kPatience(8.0);  ///< for an app to finish its files
+
+/// What the community says of the mission's processes.
+class Watch {
+ public:
+  Watch(const LaunchPlan& plan, std::string until)
+      : until_(std::move(until)),
+        client_({.host = "localhost",
+                 .port = PortOf(plan),
+                 .name = "pLaunch",
+                 .warp = plan.warp,
+                 .on_mail = [this](const WireMessage& message) { Hear(message); },
+                 .on_state = nullptr}) {
+    client_.Subscribe("DB_CLIENTS", Seconds(0.0));
+    client_.Subscribe("DB_EVENT", Seconds(0.0));
+    if (!until_.empty()) {
+      client_.Subscribe(until_, Seconds(0.0));
+    }
+  }
+  /// Names that have come into the community since the last call.
+  std::vector<std::string> TakeArrivals() {
+    const std::lock_guard lock(mutex_);
+    std::vector<std::string> arrivals;
+    arrivals.swap(arrivals_);
+    return arrivals;
+  }
+  [[nodiscard]] bool IsUp(const std::string& name) const {
+    const std::lock_guard lock(mutex_);
+    return up_.contains(name);
+  }
+  [[nodiscard]] bool has_heard_the_end() const { return has_heard_the_end_; }
+  TcpClient& client() { return client_; }
+
+ private:
+  static std::uint16_t PortOf(const LaunchPlan& plan) {
+    return static_cast<std::uint16_t>(
+        ParseNumber(plan.mission.Global("ServerPort")).value_or(9000.0));
+  }
+
+  void Hear(const WireMessage& message) {
+    if (message.key == until_) {
+      has_heard_the_end_ = true;
+    } else if (message.key == "DB_CLIENTS") {
+      for (std::string_view rest = message.text; !rest.empty();) {
+        const auto comma = std::min(rest.find(','), rest.size());
+        Enter(std::string(rest.substr(0, comma)));
+        rest.remove_prefix(std::min(comma + 1, rest.size()));
+      }
+    } else if (message.key == "DB_EVENT" && message.text.starts_with("connected=")) {
+      Enter(std::string(message.text.substr(10)));
+    } else if (message.key == "DB_EVENT" && message.text.starts_with("disconnected=")) {
+      const std::lock_guard lock(mutex_);
+      up_.erase(std::string(message.text.substr(13)));
+    }
+  }
+  void Enter(const std::string& name) {
+    const std::lock_guard lock(mutex_);
+    if (up_.insert(name).second) {
+      arrivals_.push_back(name);
+    }
+  }
+
+  std::string until_;
+  mutable std::mutex mutex_;
+  std::set<std::string> up_;
+  std::vector<std::string> arrivals_;
+  std::atomic<bool> has_heard_the_end_{false};
+  TcpClient client_;  ///< last: its thread ends before what it writes to
+};
+
+class Launch {
+ public:
+  Launch(LaunchCommand command, LaunchPlan plan)
+      : command_(std::move(command)),
+        plan_(std::move(plan)),
+        supervisor_(RunFolder() / command_.session, Environment(),
+                    [](const std::string& text) { fmt::print(stderr, "pLaunch: {}\n", text); }) {}
+
+  int Run() {
+    Say(fmt::format("{} processes, time warp {:g}, run folder {}", plan_.items.size(), plan_.warp,
+                    RunFolder().string()));
+    for (const LaunchItem& item : plan_.items) {
+      supervisor_.Start(item);
+      std::this_thread::sleep_for(std::chrono::duration<double>(plan_.between.value()));
+    }
+    Watch watch(plan_, command_.until);
+    bool is_deployed = !command_.deploys;
+    while (!EndIsRequested() && !watch.has_heard_the_end() && supervisor_.Poll()) {
+      for (const std::string& name : watch.TakeArrivals()) {
+        Say(name + " is up");
+      }
+      if (!is_deployed && AllUp(watch)) {
+        Say("all up; DEPLOY = true");
+        watch.client().Publish("DEPLOY", "true");
+        is_deployed = true;
+      }
+      std::this_thread::sleep_for(kPollPeriod);
+    }
+    if (watch.has_heard_the_end()) {
+      Say(command_.until + " was heard");
+      // Apps write their last files on the same mail.
+      std::this_thread::sleep_for(std::chrono::duration<double>(1.0));
+    }
+    Say("ending");
+    supervisor_.End(kPatience);
+    return supervisor_.has_given_up() ? 1 : 0;
+  }
+
+ private:
+  [[nodiscard]] fs::path RunFolder() const {
+    if (!command_.run_folder.empty()) {
+      return command_.run_folder;
+    }
+    const fs::path folder = fs::absolute(command_.mission_file).parent_path().filename();
+    return fs::path("runs") / (folder.string() + "-live");
+  }
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> Environment() const {
+    const fs::path run = fs::absolute(RunFolder());
+    return {{"LIMPET_RUN_FOLDER", (run / command_.session).string()},
+            {"LIMPET_PRIOR_FOLDER",
+             command_.session == "discovery" ? "" : (run / "discovery").string()},
+            {"LIMPET_SESSION", command_.session},
+            {"LIMPET_SEED", command_.seed}};
+  }
+  [[nodiscard]] bool AllUp(const Watch& watch) const {
+    return std::ranges::all_of(plan_.items, [&watch](const LaunchItem& item) {
+      return item.is_database || watch.IsUp(item.name);
+    });
+  }
+  void Say(const std::string& text) const {
+    if (!command_.is_quiet) {
+      fmt::print(stderr, "pLaunch: {}\n", text);
+    }
+  }
+
+  LaunchCommand command_;
+  LaunchPlan plan_;
+  Supervisor supervisor_;
+};
+
+}  // namespace
+
+int RunLaunch(const std::string& caller, const std::vector<std::string>& args) {
+  try {
+    LaunchCommand command = ReadLaunchCommand(args);
+    if (command.wants_help) {
+      fmt::print("{}", LaunchHelp(caller));
+      return 0;
+    }
+    LaunchPlan plan = PlanLaunch(command, fs::read_symlink("/proc/self/exe").parent_path());
+    CatchEndSignals();
+    return Launch(std::move(command), std::move(plan)).Run();
+  } catch (const ConfigError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  }
+}
+
+}  // namespace limpet

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pLaunch/launch_plan.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "limpet/core/number_text.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+
+ConfigError Refusal(const std::string& key, const std::string& complaint) {
+  return ConfigError({{.file = "command line", .line = 0}, key, complaint});
+}
+
+std::string TrimmedName(std::string_view line) {
+  const auto equals = line.find('=');
+  if (equals == std::string_view::npos) {
+    return "";
+  }
+  std::string_view name = line.substr(0, equals);
+  const auto begin = name.find_first_not_of(" \t");
+  if (begin == std::string_view::npos) {
+    return "";
+  }
+  name.remove_prefix(begin);
+  return std::string(name.substr(0, name.find_last_not_of(" \t") + 1));
+}
+
+std::optional<fs::path> FindProgram(const std::string& binary, const fs::path& own_folder) {
+  std::vector<fs::path> folders{own_folder};
+  const char* path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe): before any thread
+  std::istringstream list(path != nullptr ? path : "");
+  for (std::string folder; std::getline(list, folder, ':');) {
+    folders.emplace_back(folder);
+  }
+  for (const fs::path& folder : folders) {
+    if (::access((folder / binary).c_str(), X_OK) == 0 && !fs::is_directory(folder / binary)) {
+      return folder / binary;
+    }
+  }
+  return std::nullopt;
+}
+
+const ConfigEntry* Option(const LaunchEntry& entry, std::string_view name) {
+  const auto found = std::ranges::find_if(entry.options, [name](const ConfigEntry& option) {
+    return EqualsIgnoringCase(option.key, name);
+  });
+  return found == entry.options.end() ? nullptr : &*found;
+}
+
+RestartPolicy PolicyOf(const LaunchEntry& entry, std::vector<ConfigProblem>& problems) {
+  const ConfigEntry* option = Option(entry, "Restart");
+  if (option == nullptr || EqualsIgnoringCase(option->value, "on_failure")) {
+    return RestartPolicy::kOnFailure;
+  }
+  if (EqualsIgnoringCase(option->value, "always")) {
+    return RestartPolicy::kAlways;
+  }
+  if (!EqualsIgnoringCase(option->value, "never")) {
+    problems.push_back(
+        {entry.where, "Restart",
+         fmt::format("`{}` is not allowed; allowed: never, on_failure, always", option->value)});
+  }
+  return RestartPolicy::kNever;
+}
+
+/// Words of the block parameter that ExtraProcessParams names.
+std::vector<std::string> ExtraArgs(const LaunchEntry& entry, const MissionFile& mission) {
+  std::vector<std::string> args;
+  const ConfigEntry* option = Option(entry, "ExtraProcessParams");
+  const ConfigBlock* antler = mission.Block("ANTLER");
+  const ConfigEntry* list =
+      option != nullptr && antler != nullptr ? antler->Find(option->value) : nullptr;
+  if (list != nullptr) {
+    std::istringstream words(list->value);
+    for (std::string word; std::getline(words, word, ',');) {
+      word.erase(0, word.find_first_not_of(" \t"));
+      word.erase(word.find_last_not_of(" \t") + 1);
+      args.push_back(word);
+    }
+  }
+  return args;
+}
+
+std::string TextOfFile(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+LaunchCommand ReadLaunchCommand(const std::vector<std::string>& args) {
+  LaunchCommand command;
+  for (const std::string& arg : args) {
+    const auto equals = arg.find('=');
+    const std::string value = equals == std::string::npos ? "" : arg.substr(equals + 1);
+    const std::string name = arg.substr(0, equals);
+    if (!arg.starts_with("--")) {
+      if (command.mission_file.empty()) {
+        command.mission_file = arg;
+      } else {
+        std::istringstream words(arg);
+        for (std::string word; words >> word;) {
+          command.only.push_back(word);
+        }
+      }
+    } else if (name == "--help") {
+      command.wants_help = true;
+    } else if (name == "--quiet" || name == "--terse") {
+      command.is_quiet = true;
+    } else if (name == "--deploy") {
+      command.deploys = true;
+    } else if (equals == std::string::npos) {
+      throw Refusal(arg,
+                    "unknown; --Name=value replaces a line of the mission file, --help lists "
+                    "the options");
+    } else if (name == "--run_folder") {
+      command.run_folder = value;
+    } else if (name == "--session") {
+      command.session = value;
+    } else if (name == "--seed") {
+      command.seed = value;
+    } else if (name == "--until") {
+      command.until = value;
+    } else {
+      command.replacements.emplace_back(name.substr(2), value);
+    }
+  }
+  if (command.mission_file.empty() && !command.wants_help) {
+    throw Refusal("mission file", "is missing, e.g. missions/table1/mission.moos");
+  }
+  if (fs::is_directory(command.mission_file)) {
+    command.mission_file /= "mission.moos";
+  }
+  return command;
+}
+
+std::string LaunchHelp(const std::string& caller) {
+  return fmt::format(R"(usage: {} <file.moos> ["nameA nameB"] [options]
+
+Starts every process of the file's ANTLER block, keeps what each prints in
+<run folder>/<name>.log, starts again what fails (with growing pauses), and on Ctrl-C ends
+all in order. `Run = pNav @ Restart = never|on_failure|always` says otherwise for one process.
+
+  --Name=value       replace the lines that set Name, e.g. --MOOSTimeWarp=10; the processes
+                     then read the copy <file>++
+  --run_folder=DIR   default runs/<mission>-live
+  --session=NAME     discovery (default), change, ...; later sessions compare with discovery
+  --seed=N           for the simulators
+  --deploy           write DEPLOY = true once every process is up
+  --until=VARIABLE   end in order as soon as VARIABLE is written, e.g. MISSION_END
+  --quiet            say only what goes wrong
+)",
+                     caller);
+}
+
+std::string WithReplacements(std::string_view text,
+                             const std::vector<std::pair<std::string, std::string>>& replacements) {
+  std::string result;
+  while (!text.empty()) {
+    const auto end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::string name = TrimmedName(line);
+    const auto found = std::ranges::find_if(
+        replacements, [&name](const auto& replacement) { return replacement.first == name; });
+    result += found == replacements.end()
+                  ? std::string(line)
+                  : std::string(line.substr(0, line.find('='))) + "= " + found->second;
+    result += '\n';
+  }
+  return result;
+}
+
+LaunchPlan PlanLaunch(const LaunchCommand& command, const fs::path& own_folder) {
+  LaunchPlan plan;
+  plan.mission_file = command.mission_file;
+  if (!command.replacements.empty()) {
+    const std::string text = TextOfFile(command.mission_file);
+    plan.mission_file += "++";
+    std::ofstream(plan.mission_file) << WithReplacements(text, command.replacements);
+  }
+  plan.mission = LoadMission(plan.mission_file);
+  std::vector<ConfigProblem> problems;
+  for (const LaunchEntry& entry : plan.mission.launches) {
+    if (!command.only.empty() &&
+        std::ranges::find(command.only, entry.moos_name) == command.only.end()) {
+      continue;
+    }
+    // Missions written for MOOS name its database; ours takes its place.
+    const bool is_database = entry.binary == "MOOSDB" || entry.binary == "LimpetDB";
+    const std::string binary = is_database ? "LimpetDB" : entry.binary;
+    const std::optional<fs::path> program = FindProgram(binary, own_folder);
+    if (!program) {
+      problems.push_back(
+          {entry.where, "Run",
+           fmt::format("no program `{}` in {} nor on PATH", binary, own_folder.string())});
+      continue;
+    }
+    LaunchItem item{.name = entry.moos_name,
+                    .program = *program,
+                    .args = {},
+                    .restart = PolicyOf(entry, problems),
+                    .is_database = is_database};
+    if (Option(entry, "InhibitMOOSParams") == nullptr) {
+      item.args = {plan.mission_file.string(), entry.moos_name};
+    }
+    std::ranges::copy(ExtraArgs(entry, plan.mission), std::back_inserter(item.args));
+    plan.items.push_back(std::move(item));
+  }
+  if (plan.items.empty() && problems.empty()) {
+    problems.push_back({{.file = command.mission_file.string(), .line = 0},
+                        "ANTLER",
+                        "nothing to launch: no `Run = ...` line fits"});
+  }
+  if (!problems.empty()) {
+    throw ConfigError(problems);
+  }
+  const ConfigBlock* antler = plan.mission.Block("ANTLER");
+  const ConfigEntry* pause = antler != nullptr ? antler->Find("MSBetweenLaunches") : nullptr;
+  plan.between = Seconds(1e-3 * (pause != nullptr ? ParseNumber(pause->value).value_or(0.0) : 0.0));
+  plan.warp = ParseNumber(plan.mission.Global("MOOSTimeWarp")).value_or(1.0);
+  return plan;
+}
+
+}  // namespace limpet

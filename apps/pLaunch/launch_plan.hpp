@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// What is to be launched, and how: from the ANTLER block and the command line.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limpet/core/units.hpp"
+#include "limpet/mission/mission_file.hpp"
+
+namespace limpet {
+
+enum class RestartPolicy { kNever, kOnFailure, kAlways };
+
+struct LaunchItem {
+  std::string name;  ///< MOOS name
+  std::filesystem::path program;
+  std::vector<std::string> args;
+  RestartPolicy restart = RestartPolicy::kOnFailure;
+  bool is_database = false;
+};
+
+/// `pLaunch file.moos ["A B C"] [--Name=value ...] [options]`
+struct LaunchCommand {
+  std::filesystem::path mission_file;
+  std::vector<std::string> only;  ///< MOOS names to launch; empty: all
+  std::vector<std::pair<std::string, std::string>> replacements;  ///< lines of the mission file
+  std::filesystem::path run_folder;
+  std::string session = "discovery";
+  std::string seed = "1";
+  std::string until;  ///< variable whose first news ends the run; empty: none
+  bool deploys = false;
+  bool is_quiet = false;
+  bool wants_help = false;
+};
+
+struct LaunchPlan {
+  MissionFile mission;
+  std::filesystem::path mission_file;  ///< what the processes read: with replacements, a copy
+  std::vector<LaunchItem> items;
+  Seconds between;  ///< pause between starts (real time)
+  double warp = 1.0;
+};
+
+/// Throws ConfigError for a bad command line.
+[[nodiscard]] LaunchCommand ReadLaunchCommand(const std::vector<std::string>& args);
+[[nodiscard]] std::string LaunchHelp(const std::string& caller);
+
+/// Every line of `text` that sets one of the names (case as written, in any block) gets the value
+/// given instead.
+[[nodiscard]] std::string WithReplacements(
+    std::string_view text, const std::vector<std::pair<std::string, std::string>>& replacements);
+
+/// Reads the mission, writes its copy `<file>++` if lines are replaced, and finds the programs: in
+/// `own_folder`, then on PATH. Throws ConfigError with every problem.
+[[nodiscard]] LaunchPlan PlanLaunch(const LaunchCommand& command,
+                                    const std::filesystem::path& own_folder);
+
+}  // namespace limpet

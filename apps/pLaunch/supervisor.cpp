@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pLaunch/supervisor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <thread>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "limpet/core/clock.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kFirstPause = 0.5;  // [s]
+constexpr double kLongestPause = 30.0;
+constexpr double kHealthy = 60.0;
+constexpr int kExecFailed = 127;
+
+std::string HowItEnded(int status) {
+  if (WIFSIGNALED(status)) {
+    return fmt::format("was killed by signal {} ({})", WTERMSIG(status),
+                       strsignal(WTERMSIG(status)));  // NOLINT(concurrency-mt-unsafe)
+  }
+  const int code = WEXITSTATUS(status);
+  return code == kExecFailed ? "could not be executed" : fmt::format("ended with code {}", code);
+}
+
+}  // namespace
+
+Supervisor::Supervisor(std::filesystem::path log_folder,
+                       std::vector<std::pair<std::string, std::string>> environment, Say say)
+    : log_folder_(std::move(log_folder)),
+      environment_(std::move(environment)),
+      say_(std::move(say)) {
+  std::filesystem::create_directories(log_folder_);
+}
+
+Supervisor::~Supervisor() { End(Seconds(1.0)); }
+
+void Supervisor::Start(const LaunchItem& item) {
+  children_.push_back({.item = item, .started = {}, .next_start = {}});
+  Launch(children_.back());
+}
+
+void Supervisor::Launch(Child& child) {
+  // Everything that allocates is done before the fork: the child may only call what is safe there.
+  std::vector<std::string> words{child.item.program.string()};
+  words.insert(words.end(), child.item.args.begin(), child.item.args.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) {
+    argv.push_back(word.data());
+  }
+  argv.push_back(nullptr);
+  const std::string log = (log_folder_ / (child.item.name + ".log")).string();
+  const pid_t parent = ::getpid();
+  child.pid = ::fork();
+  child.started = SteadyTime();
+  child.is_due = false;
+  if (child.pid != 0) {
+    if (child.pid < 0) {
+      child.pid = 0;
+      say_(fmt::format("{} cannot be started: {}", child.item.name, std::strerror(errno)));
+    }
+    return;
+  }
+  ::setpgid(0, 0);                     // Ctrl-C is ours to pass on, in order
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // nothing is left over if we are killed
+  if (::getppid() != parent) {
+    ::_exit(kExecFailed);
+  }
+  const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (file >= 0) {
+    ::dup2(file, STDOUT_FILENO);
+    ::dup2(file, STDERR_FILENO);
+  }
+  for (const auto& [name, value] : environment_) {
+    ::setenv(name.c_str(), value.c_str(), 1);  // NOLINT(concurrency-mt-unsafe): one thread here
+  }
+  ::execv(argv[0], argv.data());
+  ::_exit(kExecFailed);
+}
+
+bool Supervisor::Poll() {
+  const Seconds now = SteadyTime();
+  for (Child& child : children_) {
+    int status = 0;
+    if (child.pid > 0 && ::waitpid(child.pid, &status, WNOHANG) == child.pid) {
+      child.pid = 0;
+      NoteEnd(child, status);
+    }
+    if (child.is_due && now >= child.next_start) {
+      Launch(child);
+    }
+  }
+  return std::ranges::any_of(children_,
+                             [](const Child& child) { return child.pid > 0 || child.is_due; });
+}
+
+void Supervisor::NoteEnd(Child& child, int status) {
+  const bool is_failure = !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+  const bool has_bad_configuration = WIFEXITED(status) && WEXITSTATUS(status) == 2;
+  const std::string what = fmt::format("{} {}", child.item.name, HowItEnded(status));
+  const std::string where =
+      fmt::format("; see {}", (log_folder_ / (child.item.name + ".log")).string());
+  if ((SteadyTime() - child.started).value() > kHealthy) {
+    child.failures = 0;
+  }
+  const bool is_wanted = child.item.restart == RestartPolicy::kAlways ||
+                         (is_failure && child.item.restart == RestartPolicy::kOnFailure);
+  child.failures += is_failure ? 1 : 0;
+  if (!is_wanted) {
+    say_(is_failure ? what + where : what);
+    has_given_up_ = has_given_up_ || is_failure;
+    return;
+  }
+  if (has_bad_configuration || child.failures >= kMostFailures) {
+    // The same configuration fails again: pausing would only hide it.
+    say_(what + (has_bad_configuration ? ": its configuration is refused" : ": given up") + where);
+    has_given_up_ = true;
+    return;
+  }
+  const double pause =
+      std::min(kLongestPause, kFirstPause * std::pow(2.0, std::max(0, child.failures - 1)));
+  child.is_due = true;
+  child.next_start = SteadyTime() + Seconds(pause);
+  say_(fmt::format("{}; again in {:.1f} s{}", what, pause, where));
+}
+
+void Supervisor::Signal(const std::function<bool(const Child&)>& which, int signal) {
+  for (auto child = children_.rbegin(); child != children_.rend(); ++child) {
+    if (child->pid > 0 && which(*child)) {
+      ::kill(child->pid, signal);
+    }
+  }
+}
+
+void Supervisor::AwaitEnd(Seconds patience, bool with_database) {
+  const Seconds deadline = SteadyTime() + patience;
+  const auto concerns = [with_database](const Child& child) {
+    return child.pid > 0 && (with_database || !child.item.is_database);
+  };
+  while (std::ranges::any_of(children_, concerns) && SteadyTime() < deadline) {
+    for (Child& child : children_) {
+      int status = 0;
+      if (child.pid > 0 && ::waitpid(child.pid, &status, WNOHANG) == child.pid) {
+        child.pid = 0;
+      }
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  for (Child& child : children_) {
+    if (concerns(child)) {
+      say_(fmt::format("{} did not end; it is killed", child.item.name));
+      ::kill(child.pid, SIGKILL);
+      ::waitpid(child.pid, nullptr, 0);
+      child.pid = 0;
+    }
+  }
+}
+
+void Supervisor::End(Seconds patience) {
+  for (Child& child : children_) {
+    child.is_due = false;
+  }
+  Signal([](const Child& child) { return !child.item.is_database; }, SIGTERM);
+  AwaitEnd(patience, false);
+  Signal([](const Child& child) { return child.item.is_database; }, SIGTERM);
+  AwaitEnd(patience, true);
+}
+
+}  // namespace limpet

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+#include "apps/pLaunch/launch_plan.hpp"
+
+namespace limpet {
+
+/// Keeps processes alive: starts them with their output in a file each, starts again what fails,
+/// with pauses that grow from 0.5 s to 30 s and shrink after a minute of health, and ends them in
+/// order. After `kMostFailures` failures without a minute of health it gives a process up.
+class Supervisor {
+ public:
+  static constexpr int kMostFailures = 8;
+  using Say = std::function<void(const std::string&)>;
+
+  /// `environment` is added to each process's own.
+  Supervisor(std::filesystem::path log_folder,
+             std::vector<std::pair<std::string, std::string>> environment, Say say);
+  ~Supervisor();
+  Supervisor(const Supervisor&) = delete;
+  Supervisor& operator=(const Supervisor&) = delete;
+
+  void Start(const LaunchItem& item);
+  /// Notices ends and starts again what is due. False once nothing runs or is to run.
+  [[nodiscard]] bool Poll();
+  /// SIGTERM in reverse order of start, the database last; SIGKILL after `patience` (real time).
+  void End(Seconds patience);
+  /// True if a process was given up.
+  [[nodiscard]] bool has_given_up() const { return has_given_up_; }
+
+ private:
+  struct Child {
+    LaunchItem item;
+    pid_t pid = 0;  ///< 0: not running
+    int failures = 0;
+    bool is_due = false;
+    Seconds started, next_start;
+  };
+  void Launch(Child& child);
+  void NoteEnd(Child& child, int status);
+  void Signal(const std::function<bool(const Child&)>& which, int signal);
+  void AwaitEnd(Seconds patience, bool with_database);
+
+  std::filesystem::path log_folder_;
+  std::vector<std::pair<std::string, std::string>> environment_;
+  Say say_;
+  std::vector<Child> children_;
+  bool has_given_up_ = false;
+};
+
+}  // namespace limpet
