@@ -10,15 +10,18 @@ namespace limpet {
 namespace {
 
 constexpr double kAttitudePeriod = 0.049;  // [s] the smoother needs no more than 20 Hz
-constexpr double kAltitudeMaxAge = 1.5;    // [s]
 
 AttitudeParams AttitudeParamsOf(const NavApp::Params& params) {
   return {.heading_sigma = params.heading_sigma, .alignment = params.alignment};
 }
 
+Eigen::Vector3d DvlLeverOf(const NavApp::Params& params) {
+  return {params.dvl_x.value(), params.dvl_y.value(), params.dvl_z.value()};
+}
+
 NavigatorParams NavigatorParamsOf(const NavApp::Params& params) {
   NavigatorParams result;
-  result.odometry.dvl_B = {params.dvl_x.value(), params.dvl_y.value(), params.dvl_z.value()};
+  result.odometry.dvl_B = DvlLeverOf(params);
   result.velocity_gate.jump = params.dvl_jump;
   result.frame_wait = params.frame_wait;
   result.camera = CameraModel::From(params.camera.geometry());
@@ -75,7 +78,6 @@ void NavApp::OnDvl(const Stamped<DvlSample>& dvl) {
     last_lock_t_ = t;
   }
   if (sample.altitude) {
-    altitude_ = Stamped<double>{dvl.time, *sample.altitude};
     navigator_.AddAltitude(t, *sample.altitude);
   }
   navigator_.AddVelocity(t, velocity);
@@ -149,9 +151,9 @@ void NavApp::PublishState(double now) {
   state.yaw = estimate.X_WB.yaw;
   state.u = estimate.v_B.x(), state.v = estimate.v_B.y(), state.w = estimate.v_B.z();
   state.yaw_rate = estimate.yaw_rate;
-  if (altitude_ && now - altitude_->time.value() < kAltitudeMaxAge) {
-    state.altitude = altitude_->value;
-    Publish(topics::kNavAltitude, altitude_->value);
+  state.altitude = estimate.altitude;
+  if (estimate.altitude) {
+    Publish(topics::kNavAltitude, *estimate.altitude);
   }
   state.sd_north = estimate.sd_p.x(), state.sd_east = estimate.sd_p.y();
   state.sd_down = estimate.sd_p.z(), state.sd_yaw = estimate.sd_yaw;
@@ -173,11 +175,8 @@ void NavApp::PublishSights() {
                 .roll = X_WB.roll,
                 .pitch = X_WB.pitch,
                 .yaw = X_WB.yaw,
-                .altitude = {},
+                .altitude = posed.altitude,
                 .boxes = {}};
-    if (altitude_ && std::abs(posed.detections.t - altitude_->time.value()) < kAltitudeMaxAge) {
-      sight.altitude = altitude_->value;
-    }
     for (std::size_t i = 0; i < posed.detections.boxes.size(); ++i) {
       const BoxDetection& box = posed.detections.boxes[i];
       sight.boxes.push_back(
@@ -210,10 +209,11 @@ void NavApp::PublishLandmarks(double now) {
 
 void NavApp::PublishBeams(const Stamped<DvlSample>& dvl) {
   const Pose X_WB = navigator_.Estimate(dvl.time.value()).X_WB;
+  const Eigen::Vector3d p_dvl_W = X_WB.p_WB + RotationOf(X_WB) * DvlLeverOf(params_);
   const DvlSample& sample = dvl.value;
-  Publish(topics::kNavBeams, PosedBeams{.north = X_WB.p_WB.x(),
-                                        .east = X_WB.p_WB.y(),
-                                        .down = X_WB.p_WB.z(),
+  Publish(topics::kNavBeams, PosedBeams{.north = p_dvl_W.x(),
+                                        .east = p_dvl_W.y(),
+                                        .down = p_dvl_W.z(),
                                         .roll = X_WB.roll,
                                         .pitch = X_WB.pitch,
                                         .yaw = X_WB.yaw,

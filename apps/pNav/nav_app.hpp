@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-
 #include "estimation/attitude/attitude_filter.hpp"
 #include "estimation/navigation/navigator.hpp"
 #include "limpet/app/app.hpp"
@@ -87,7 +85,6 @@ class NavApp final : public App {
   AttitudeFilter attitude_;
   Navigator navigator_;
   double last_attitude_t_ = -1e18, last_dvl_t_ = -1e18, last_lock_t_ = -1e18, last_depth_t_ = -1e18;
-  std::optional<Stamped<double>> altitude_;
   int landmark_version_ = 0;
   double landmarks_t_ = -1e18;
 };

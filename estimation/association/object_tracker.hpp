@@ -36,7 +36,7 @@ struct TrackerFrame {
   NavVector x = NavVector::Zero();
   int node = -1;  ///< of the chain, newest; -1 when the frame has no usable box
   double path = 0.0;
-  std::optional<double> altitude;
+  std::optional<double> altitude;  ///< of the body origin above the seabed [m]
 };
 
 /// Decides which box shows which object, and what is an object at all. Tentative objects live here;

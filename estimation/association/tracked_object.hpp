@@ -22,7 +22,7 @@ struct Look {
   BoxReading reading;
   std::string color;
   double confidence = 0.0;
-  std::optional<double> altitude;  ///< above the seabed then [m]
+  std::optional<double> altitude;  ///< of the body origin above the seabed then [m]
   std::vector<TermId> terms;       ///< of the graph, once the object is a landmark
 };
 

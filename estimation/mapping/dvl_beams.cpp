@@ -33,14 +33,14 @@ double MedianDepth(const std::vector<BeamEnd>& ends) {
 
 }  // namespace
 
-std::vector<BeamEnd> BeamEnds(const Pose& X_WB,
+std::vector<BeamEnd> BeamEnds(const Pose& X_WD,
                               const std::array<std::optional<double>, 4>& ranges) {
-  const Eigen::Matrix3d R_WB = RotationOf(X_WB);
+  const Eigen::Matrix3d R_WD = RotationOf(X_WD);
   std::vector<BeamEnd> ends;
   for (std::size_t beam = 0; beam < ranges.size(); ++beam) {
     const double range = ranges[beam].value_or(0.0);
     if (range >= kShortest && range <= kLongest) {
-      ends.push_back({.p_W = X_WB.p_WB + R_WB * (range * Direction(beam)), .is_seabed = false});
+      ends.push_back({.p_W = X_WD.p_WB + R_WD * (range * Direction(beam)), .is_seabed = false});
     }
   }
   if (ends.empty()) {

@@ -16,8 +16,9 @@ struct BeamEnd {
 };
 
 /// Ends of four beams 25 deg from vertical at azimuth 45, 135, 225, 315 deg (clockwise from
-/// forward), slant ranges in metres. Ranges that no seabed can give (outliers) are left out.
-[[nodiscard]] std::vector<BeamEnd> BeamEnds(const Pose& X_WB,
+/// forward) from the DVL's pose `X_WD`, slant ranges in metres. Ranges that no seabed can give
+/// (outliers) are left out.
+[[nodiscard]] std::vector<BeamEnd> BeamEnds(const Pose& X_WD,
                                             const std::array<std::optional<double>, 4>& ranges);
 
 }  // namespace limpet

@@ -38,11 +38,15 @@ void Navigator::AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dv
   track_.AddVelocity(t, is_good ? v_dvl_B : std::nullopt);
 }
 
-void Navigator::AddAltitude(double t, double altitude) {
-  if (std::isfinite(altitude) && altitude > 0.0 &&
-      (altitudes_.empty() || t > altitudes_.back().t)) {
-    altitudes_.push_back({t, altitude});
+void Navigator::AddAltitude(double t, double dvl_altitude) {
+  if (track_.is_empty() || !std::isfinite(dvl_altitude) || dvl_altitude <= 0.0 ||
+      (!altitudes_.empty() && t <= altitudes_.back().t)) {
+    return;
   }
+  const AttitudeEstimate attitude = track_.AttitudeAt(t);
+  const Eigen::Matrix3d R_WB =
+      RotationFromRollPitchYaw(attitude.roll, attitude.pitch, attitude.yaw);
+  altitudes_.push_back({t, dvl_altitude + (R_WB * params_.odometry.dvl_B).z()});
 }
 
 void Navigator::AddDepth(double t, double depth) {
@@ -116,8 +120,11 @@ NavVector Navigator::Predict(double t) const {
 NavigatorEstimate Navigator::Estimate(double t) const {
   LIMPET_REQUIRE(has_started(), "no pose yet");
   const TrackPose track = track_.At(t);
-  NavigatorEstimate estimate{
-      .t = t, .X_WB = PoseOf(Predict(t)), .v_B = track.v_B, .yaw_rate = track.yaw_rate};
+  NavigatorEstimate estimate{.t = t,
+                             .X_WB = PoseOf(Predict(t)),
+                             .v_B = track.v_B,
+                             .yaw_rate = track.yaw_rate,
+                             .altitude = AltitudeAt(t)};
   // Levelled pose of the head, then the step: MRPT carries the covariance through the composition.
   const OdometryStep step = track_.Between(head_time(), std::max(t, head_time()));
   NavVector head = smoother_.PoseAt(node_count() - 1), motion = NavVector::Zero();

@@ -43,6 +43,7 @@ struct NavigatorEstimate {
   Pose X_WB;
   Eigen::Vector3d v_B = Eigen::Vector3d::Zero();
   double yaw_rate = 0.0;
+  std::optional<double> altitude;  ///< of the body origin above the seabed [m], if measured lately
   Eigen::Vector3d sd_p = Eigen::Vector3d::Zero();
   double sd_yaw = 0.0;
 };
@@ -51,6 +52,7 @@ struct NavigatorEstimate {
 struct PosedFrame {
   FrameDetections detections;
   Pose X_WB;
+  std::optional<double> altitude;  ///< of the body origin above the seabed then [m]
   std::vector<int> landmarks;
 };
 
@@ -85,7 +87,9 @@ class Navigator {
   void AddAttitude(const AttitudeEstimate& attitude);
   /// Velocity of the DVL in body axes [m/s]; nothing without lock.
   void AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B);
-  void AddAltitude(double t, double altitude);
+  /// Height of the DVL above the seabed [m]; kept as that of the body origin. Comes after an
+  /// attitude.
+  void AddAltitude(double t, double dvl_altitude);
   void AddDepth(double t, double depth);
   /// Fix in W [m] with its 1-sigma.
   void AddGps(double t, const Eigen::Vector2d& p_W, double sd);
@@ -140,7 +144,8 @@ class Navigator {
   OdometryTrack track_;
   ArrowSmoother smoother_;
   ObjectTracker tracker_;
-  std::deque<Sample> depths_, altitudes_;
+  std::deque<Sample> depths_;
+  std::deque<Sample> altitudes_;  ///< of the body origin
   std::deque<Fix> fixes_;
   std::vector<FrameDetections> waiting_;
   std::vector<PosedFrame> posed_;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kSameTime = 1e-3;       // [s] within which two measurements share a node
 constexpr double kNever = 1e18;          // [s]
-constexpr double kAltitudeMaxAge = 1.0;  // [s]
+constexpr double kAltitudeMaxAge = 1.5;  // [s]
 constexpr double kReviewPeriod = 1.0;    // [s]
 constexpr int kBelieveRefused = 5;       // measurements refused in a row, then taken after all
 constexpr double kGpsGate = 5.0;         // standard deviations
@@ -186,7 +186,7 @@ void Navigator::TakeFrame(const FrameDetections& frame) {
   if (needs_review_ && frame.t - last_review_t_ > kReviewPeriod) {
     ReviewObjects(frame.t);
   }
-  posed_.push_back({frame, PoseOf(Predict(frame.t)), std::move(landmarks)});
+  posed_.push_back({frame, PoseOf(Predict(frame.t)), AltitudeAt(frame.t), std::move(landmarks)});
 }
 
 void Navigator::ReviewObjects(double t) {

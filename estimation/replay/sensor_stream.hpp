@@ -32,7 +32,7 @@ struct StreamMeta {
 struct DvlRow {
   double t = 0.0;
   std::optional<Eigen::Vector3d> velocity;
-  std::optional<double> altitude;
+  std::optional<double> altitude;  ///< of the DVL above the seabed [m]
 };
 struct DepthRow {
   double t = 0.0, depth = 0.0;

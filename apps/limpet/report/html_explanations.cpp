@@ -46,7 +46,8 @@ constexpr Explanation kExplanations[] = {
      "the vehicle will not say."},
     {"Position error",
      "Between estimate, as known at the time, and truth, from the start of the survey; rms over "
-     "time."},
+     "time. At the end: as the vehicle begins its last ascent, before GPS returns; so is dead "
+     "reckoning\u2019s, for a fair comparison."},
     {"Dead reckoning",
      "Integrating the DVL\u2019s velocity alone from the first GPS fix, for comparison."},
     {"NEES",

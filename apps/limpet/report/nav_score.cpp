@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace limpet {
 namespace {
@@ -33,8 +34,10 @@ CommonOffset Align(const std::vector<PosePair>& pairs) {
   return offset;
 }
 
-double FinalError(const PoseTrack& track, const PoseTrack& truth) {
+/// At the last time not after `end_s`.
+double ErrorAtEnd(const PoseTrack& track, const PoseTrack& truth, double end_s) {
   for (std::size_t i = track.size(); i-- > 0;) {
+    if (track.time(i) > end_s) continue;
     if (const auto X_WB = truth.At(track.time(i))) return (track.position(i) - X_WB->p_WB).norm();
   }
   return 0.0;
@@ -110,8 +113,11 @@ NavScore ScoreNavigation(const SessionRecord& record, double start_s) {
   }
   score.position_rmse_m = RootMeanSquare(squares, pairs.size());
   score.aligned_rmse_m = RootMeanSquare(aligned_squares, pairs.size());
-  score.final_error_m = FinalError(record.nav, record.truth);
-  score.dead_reckoning_final_error_m = FinalError(record.dead_reckoning, record.truth);
+  // At the surface GPS returns: from then on it is no longer the survey's drift that shows.
+  const auto ascent = record.PhaseStart("ASCEND");
+  const double end_s = ascent ? ascent->value() : std::numeric_limits<double>::infinity();
+  score.final_error_m = ErrorAtEnd(record.nav, record.truth, end_s);
+  score.dead_reckoning_final_error_m = ErrorAtEnd(record.dead_reckoning, record.truth, end_s);
   score.nees_mean = nees_count > 0 ? nees / static_cast<double>(nees_count) : 0.0;
   return score;
 }

@@ -29,8 +29,10 @@ struct NavScore {
   double position_rmse_m = 0.0;
   double aligned_rmse_m =
       0.0;  ///< after removing one horizontal and one vertical shift and one yaw
+  /// At the end of the way under water, before the ascent and its new fixes; without an ascent at
+  /// the end of the record.
   double final_error_m = 0.0;
-  double dead_reckoning_final_error_m = 0.0;
+  double dead_reckoning_final_error_m = 0.0;  ///< at the same moment
   double nees_mean =
       0.0;  ///< per degree of freedom times 3: 3 is consistent, more is overconfident
   CommonOffset offset;

@@ -35,7 +35,10 @@ bool ProgressLine::IsDue(double done) const {
 }
 
 void ProgressLine::Update(double done, const std::string& detail) {
-  if (!IsDue(done)) return;
+  if (IsDue(done)) Announce(done, detail);
+}
+
+void ProgressLine::Announce(double done, const std::string& detail) {
   last_done_ = std::max(last_done_, done);
   if (is_terminal_) {
     last_time_ = std::chrono::steady_clock::now();

@@ -19,6 +19,8 @@ class ProgressLine {
 
   /// `done` from 0 to 1; `detail` says what is going on. Cheap to call often.
   void Update(double done, const std::string& detail);
+  /// Like Update, but writes whether due or not: for what must be told.
+  void Announce(double done, const std::string& detail);
   /// True when Update would write: lets the caller skip composing a detail.
   [[nodiscard]] bool IsDue(double done) const;
   /// A line of its own above the progress.

@@ -10,14 +10,16 @@
 
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/mission_check.hpp"
-#include "apps/limpet/report/progress_line.hpp"
 #include "apps/limpet/report/report.hpp"
+#include "apps/limpet/report/survey_progress.hpp"
 #include "apps/limpet/report/terminal_report.hpp"
 #include "apps/limpet/session_runner.hpp"
 #include "apps/pHelm/helm_params.hpp"
 #include "apps/pSurvey/survey_app.hpp"
 #include "limpet/mission/mission_file.hpp"
 #include "limpet/mission/scenario.hpp"
+#include "limpet/topics/mapping.hpp"
+#include "limpet/topics/mission.hpp"
 
 namespace limpet {
 namespace {
@@ -173,30 +175,17 @@ class SurveyRun {
                            .delivers_truth_on_board = command_.delivers_truth_on_board};
     fs::remove_all(plan.run_folder);
     SessionRecord& record = records_.emplace_back(session);
-    ProgressLine progress(session);
+    SurveyProgress progress(session);
     const SessionOutcome outcome = RunSession(mission_, plan, [&](const Message& message) {
       record.Collect(message);
-      if (message.name == "MAP_COVERAGE") {
-        ReportProgress(record, progress);
+      if (message.name == topics::kMapCoverage.name || message.name == topics::kSurveyPhase.name) {
+        progress.Show(record);
       }
     });
     settings_.wall_s[session] = outcome.wall_s;
     outcomes_.push_back(outcome);
     if (record.ended.empty()) {
       record.ended = outcome.ended;
-    }
-  }
-
-  static void ReportProgress(const SessionRecord& record, ProgressLine& progress) {
-    if (record.believed_coverage.empty() || record.phases.empty()) {
-      return;
-    }
-    const Coverage& coverage = record.believed_coverage.back().value;
-    if (progress.IsDue(coverage.band_top)) {
-      progress.Update(coverage.band_top,
-                      fmt::format("{:<7} seabed {:3.0f} %  band {:3.0f} %  objects {}",
-                                  record.phases.back().value, 100.0 * coverage.seabed,
-                                  100.0 * coverage.band, record.opis.size()));
     }
   }
 

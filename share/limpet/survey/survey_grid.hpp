@@ -41,8 +41,8 @@ class SurveyGrid {
   /// The mirror of a grid that is known by its deltas.
   SurveyGrid(const GridFrame& frame, double object_height_max);
 
-  /// Marks what the camera sees from `X_WB`. `altitude` [m] is the vertical distance to the seabed
-  /// below the vehicle; it stands in where the seabed's depth is not known.
+  /// Marks what the camera sees from `X_WB`. `altitude` [m] is the height of the body origin above
+  /// the seabed; it stands in where the seabed's depth is not known.
   void Observe(const Pose& X_WB, double altitude, const CameraGeometry& camera);
   /// A point of the seabed (a DVL beam's end): moves the depth of the cells within
   /// `kSeabedReach` towards `down` [m].

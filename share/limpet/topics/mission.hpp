@@ -89,7 +89,7 @@ inline const Topic<SurveyArea> kSurveyArea{"SURVEY_AREA", "area to cover"};
 inline const Topic<HomePoint> kSurveyHome{"SURVEY_HOME",
                                           "where the vehicle started and returns to"};
 inline const Topic<std::string> kSurveyPhase{"SURVEY_PHASE",
-                                             "IDLE, ALIGN, DIVE, SURVEY, RETURN, ASCEND, DONE"};
+                                             "IDLE, ALIGN, DIVE, SURVEY, RETURN, ASCEND, FIX, DONE"};
 inline const Topic<bool> kDeploy{"DEPLOY", "start the mission"};
 inline const Topic<bool> kReturn{"RETURN", "end the survey and go home"};
 inline const Topic<bool> kManualOverride{"MOOS_MANUAL_OVERRIDE", "true parks the helm"};

@@ -19,7 +19,9 @@ struct NavState {
   double roll = 0.0, pitch = 0.0, yaw = 0.0;
   double u = 0.0, v = 0.0, w = 0.0;  ///< body velocity over ground [m/s]
   double yaw_rate = 0.0;             ///< [rad/s]
-  std::optional<double> altitude;    ///< above the seabed [m]; absent without bottom lock
+  /// Of the body origin above the seabed [m], as `down` is its depth: their sum is the seabed's
+  /// depth. Absent without bottom lock.
+  std::optional<double> altitude;
   double sd_north = 0.0, sd_east = 0.0, sd_down = 0.0, sd_yaw = 0.0;
 
   template <class V>
@@ -73,14 +75,14 @@ struct Sight {
   Seconds exposure;
   std::array<double, 3> ned{};  ///< of the body
   double roll = 0.0, pitch = 0.0, yaw = 0.0;
-  std::optional<double> altitude;
+  std::optional<double> altitude;  ///< of the body origin above the seabed [m]
   std::vector<SightedBox> boxes;
   [[nodiscard]] Pose pose() const { return {{ned[0], ned[1], ned[2]}, roll, pitch, yaw}; }
 };
 template <>
 struct TopicCodec<Sight> : JsonCodec<Sight> {};
 
-/// DVL beams with the pose at their time, for the map.
+/// DVL beams with the pose of the DVL at their time: NED of its lever arm, attitude of the body.
 struct PosedBeams {
   double north = 0.0, east = 0.0, down = 0.0;
   double roll = 0.0, pitch = 0.0, yaw = 0.0;
@@ -101,7 +103,7 @@ inline const Topic<double> kNavHeading{"NAV_HEADING",
                                        "degrees clockwise from true north, [0, 360)"};
 inline const Topic<double> kNavSpeed{"NAV_SPEED", "horizontal speed over ground [m/s]"};
 inline const Topic<double> kNavDepth{"NAV_DEPTH", "depth [m], positive down"};
-inline const Topic<double> kNavAltitude{"NAV_ALTITUDE", "above the seabed [m]"};
+inline const Topic<double> kNavAltitude{"NAV_ALTITUDE", "body origin above the seabed [m]"};
 inline const Topic<double> kNavYaw{"NAV_YAW", "radians counter-clockwise from east"};
 inline const Topic<double> kNavPitch{"NAV_PITCH", "radians, nose up positive"};
 inline const Topic<double> kNavRoll{"NAV_ROLL", "radians, starboard down positive"};
@@ -111,7 +113,7 @@ inline const Topic<DeadReckoning> kNavDeadReckoning{"NAV_DEAD_RECKONING",
 inline const Topic<Landmarks> kNavLandmarks{"NAV_LANDMARKS",
                                             "objects with covariance, on change, at most 2 Hz"};
 inline const Topic<Sight> kNavSight{"NAV_SIGHT", "each camera frame, posed and associated"};
-inline const Topic<PosedBeams> kNavBeams{"NAV_BEAMS", "each DVL ping, posed"};
+inline const Topic<PosedBeams> kNavBeams{"NAV_BEAMS", "each DVL ping with the pose of the DVL"};
 }  // namespace topics
 
 }  // namespace limpet

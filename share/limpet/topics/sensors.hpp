@@ -29,8 +29,8 @@ struct ImuSample {
 };
 
 /// Bottom-track velocity at the DVL's lever arm in body axes [m/s], its 1-sigma, vertical altitude
-/// [m] and slant ranges [m] of four beams 25 deg from vertical at azimuth 45, 135, 225, 315 deg.
-/// Absent: not measured.
+/// of the DVL itself (not of the body origin) [m] and slant ranges [m] of four beams 25 deg from
+/// vertical at azimuth 45, 135, 225, 315 deg. Absent: not measured.
 struct DvlSample {
   bool has_lock = false;
   std::optional<double> u, v, w;

@@ -79,7 +79,22 @@ TEST_F(NavAppTest, SpeaksMoosInItsScalars) {
   EXPECT_NEAR(*link_.Last(topics::kNavY), 10.0, 0.05);
   EXPECT_NEAR(*link_.Last(topics::kNavHeading), 90.0, 0.1);
   EXPECT_NEAR(*link_.Last(topics::kNavSpeed), 0.5, 1e-3);
-  EXPECT_NEAR(*link_.Last(topics::kNavAltitude), 4.0, 1e-9);
+}
+
+TEST_F(NavAppTest, SaysTheAltitudeOfTheBodyAboveTheDvl) {
+  RunFor(20.0);
+  EXPECT_NEAR(*link_.Last(topics::kNavAltitude), 4.18, 1e-9);
+  EXPECT_NEAR(link_.Last(topics::kNavState)->altitude.value(), 4.18, 1e-9);
+}
+
+TEST_F(NavAppTest, SendsBeamsFromWhereTheDvlSits) {
+  RunFor(20.0);
+  const auto state = link_.Last(topics::kNavState);
+  const auto beams = link_.Last(topics::kNavBeams);
+  ASSERT_TRUE(state && beams);
+  EXPECT_NEAR(beams->down - state->down, 0.18, 0.01);
+  EXPECT_NEAR(beams->north - state->north, 0.0, 0.01);
+  EXPECT_NEAR(beams->east - state->east, -0.2, 0.11);  // aft; pings come at 5 Hz
 }
 
 TEST_F(NavAppTest, PosesAFrameAtItsExposureAlsoWhenItShowsNothing) {

@@ -97,6 +97,18 @@ TEST(Scorer, ComparesWithDeadReckoningAtTheEnd) {
               0.1);
 }
 
+TEST(Scorer, TakesTheErrorAtTheEndBeforeFixesAtTheSurfaceMendIt) {
+  SessionRecord record = RecordOf(Brief(Discovery()));
+  const Seconds after = record.PhaseStart("ASCEND").value() + Seconds(60.0);
+  for (PoseTrack* track : {&record.truth, &record.nav, &record.dead_reckoning}) {
+    track->Add(after, Pose{});
+  }
+  record.nav_sd.push_back(record.nav_sd.back());
+  const NavScore nav = ScoreSession(record, Table1Scenario(), Table1Settings()).nav;
+  EXPECT_NEAR(nav.final_error_m, 0.3, 1e-3);
+  EXPECT_GT(nav.dead_reckoning_final_error_m, 0.05);
+}
+
 TEST(Scorer, MeasuresHowFarFromTheStartPointTheSessionTrulyEnded) {
   const SessionRecord record = RecordOf(Brief(Discovery()));
   const std::size_t last = record.truth.size() - 1;

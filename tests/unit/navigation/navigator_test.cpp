@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/navigation/navigator.hpp"
+
+#include <gtest/gtest.h>
+
+namespace limpet {
+namespace {
+
+constexpr double kSeabed = 7.5, kDown = 3.5;  // [m]
+
+/// A vehicle at rest, tilted, over a flat seabed; the DVL sits off the body's origin.
+class NavigatorTest : public ::testing::Test {
+ protected:
+  static NavigatorParams Params() {
+    NavigatorParams params;
+    params.odometry.dvl_B = {-0.5, 0.3, 0.4};
+    return params;
+  }
+  /// What the DVL measures: its own height above the seabed.
+  static double DvlAltitude(double roll, double pitch) {
+    const Eigen::Matrix3d R_WB = RotationFromRollPitchYaw(roll, pitch, 0.0);
+    return kSeabed - (kDown + (R_WB * Params().odometry.dvl_B).z());
+  }
+  void Rest(double roll, double pitch, double seconds, bool has_lock = true) {
+    for (const double end = t_ + seconds; t_ < end; t_ += 0.1) {
+      AttitudeEstimate attitude;
+      attitude.t = t_, attitude.roll = roll, attitude.pitch = pitch;
+      navigator_.AddAttitude(attitude);
+      navigator_.AddDepth(t_, kDown);
+      if (t_ < 1.0) navigator_.AddGps(t_, {0.0, 0.0}, 0.4);
+      if (has_lock) {
+        navigator_.AddVelocity(t_, Eigen::Vector3d::Zero());
+        navigator_.AddAltitude(t_, DvlAltitude(roll, pitch));
+      }
+      navigator_.Advance(t_);
+    }
+  }
+  Navigator navigator_{Params()};
+  double t_ = 0.0;
+};
+
+TEST_F(NavigatorTest, AltitudeIsThatOfTheBodyOriginHoweverTheVehicleTilts) {
+  Rest(0.2, -0.3, 5.0);
+  EXPECT_NEAR(navigator_.Estimate(t_).altitude.value(), kSeabed - kDown, 1e-9);
+}
+
+TEST_F(NavigatorTest, AFrameComesWithTheAltitudeAtItsExposure) {
+  Rest(0.2, -0.3, 3.0);
+  navigator_.AddFrame({.frame = 1, .t = t_ - 0.1, .boxes = {}});
+  Rest(0.2, -0.3, 2.0);
+  const std::vector<PosedFrame> frames = navigator_.TakeFrames();
+  ASSERT_EQ(frames.size(), 1U);
+  EXPECT_NEAR(frames[0].altitude.value(), kSeabed - kDown, 1e-9);
+}
+
+TEST_F(NavigatorTest, AnAltitudeIsForgottenSoonAfterBottomLockIsLost) {
+  Rest(0.0, 0.0, 5.0);
+  Rest(0.0, 0.0, 3.0, false);
+  EXPECT_FALSE(navigator_.Estimate(t_).altitude.has_value());
+}
+
+}  // namespace
+}  // namespace limpet
