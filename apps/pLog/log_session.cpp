@@ -15,7 +15,7 @@ std::optional<Error> LogSession::Open(const std::filesystem::path& folder, const
     return files.error();
   }
   if (has_thread_) {
-    SyncFolder(folder);
+    SyncFileNames(folder);
     thread_ = std::make_unique<LogThread>(*std::move(files));
   } else {
     files_ = *std::move(files);

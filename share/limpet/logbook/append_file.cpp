@@ -84,7 +84,7 @@ bool AppendFile::Sync() {
   return is_synced_;
 }
 
-void SyncFolder(const std::filesystem::path& folder) {
+void SyncFileNames(const std::filesystem::path& folder) {
   const int descriptor =
       ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor >= 0) {

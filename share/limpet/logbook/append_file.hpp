@@ -37,6 +37,6 @@ class AppendFile {
 };
 
 /// Brings the names in `folder` to the disk: a new file is safe only once its name is.
-void SyncFolder(const std::filesystem::path& folder);
+void SyncFileNames(const std::filesystem::path& folder);
 
 }  // namespace limpet

@@ -111,7 +111,7 @@ bool CompressFile(const std::filesystem::path& path) {
   }
   std::filesystem::rename(part, packed, failure);
   if (!failure) {
-    SyncFolder(path.parent_path());
+    SyncFileNames(path.parent_path());
     std::filesystem::remove(path, failure);
   }
   return !failure;

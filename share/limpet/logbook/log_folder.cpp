@@ -27,7 +27,7 @@ Expected<std::filesystem::path> CreateLogFolder(const std::filesystem::path& par
   for (int i = 1; i < kMostTries && !failure; ++i) {
     std::filesystem::path folder = parent / (i == 1 ? stem : fmt::format("{}_{}", stem, i));
     if (std::filesystem::create_directory(folder, failure)) {
-      SyncFolder(parent);
+      SyncFileNames(parent);
       return folder;
     }
   }
