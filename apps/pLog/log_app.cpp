@@ -2,149 +2,303 @@
 #include "apps/pLog/log_app.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <fstream>
 
 #include <fmt/format.h>
 
 #include "limpet/app/registry.hpp"
 #include "limpet/core/number_text.hpp"
+#include "limpet/logbook/log_folder.hpp"
 
 namespace limpet {
 namespace {
 
-/// MOOS's stamp of a log folder, `21_11_2026_____07_20_00`: day and month without zeros. UTC.
-std::string FolderStamp(Seconds utc) {
-  const std::chrono::sys_seconds at{
-      std::chrono::seconds{static_cast<std::int64_t>(std::max(utc.value(), 0.0))}};
-  const auto midnight = std::chrono::floor<std::chrono::days>(at);
-  const std::chrono::year_month_day date{midnight};
-  const std::chrono::hh_mm_ss clock{at - midnight};
-  return fmt::format("{}_{}_{}_____{:02}_{:02}_{:02}", static_cast<unsigned>(date.day()),
-                     static_cast<unsigned>(date.month()), static_cast<int>(date.year()),
-                     clock.hours().count(), clock.minutes().count(), clock.seconds().count());
+namespace fs = std::filesystem;
+
+constexpr Seconds kMonitorTime{10.0};       ///< longest silence of a monitored variable
+constexpr Seconds kAnnouncementTime{10.0};  ///< between repeats of LOGGER_DIRECTORY
+
+/// MOOS time is UNIX time times warp; virtual time knows no warp.
+double WarpOf(const AppContext& context) {
+  const double warp = ParseNumber(context.Global("MOOSTimeWarp")).value_or(1.0);
+  return context.runs_live && warp > 0.0 ? warp : 1.0;
 }
 
-/// Patterns may stand several to a line, separated by commas.
-bool MatchesAny(const std::vector<std::string>& lines, std::string_view name) {
-  return std::ranges::any_of(lines, [name](const std::string& line) {
-    return std::ranges::any_of(Split(line, ','), [name](const std::string& pattern) {
-      return MatchesWildcard(Trim(pattern), name);
-    });
-  });
+bool IsSystemMessage(std::string_view name) {
+  return name == "MOOS_DEBUG" || name == "MOOS_SYSTEM";
 }
 
 }  // namespace
 
 LogApp::LogApp(const AppContext& context, const Params& params)
-    : App(context), params_(params), start_(now()) {
-  ReadRates();
-  if (!params_.async_log) {
-    return;
-  }
-  if (params_.wildcard_logging) {
-    SubscribeRaw(WildcardFilter{}, [this](const MessagePtr& message) { OnMail(message); });
-  } else {
-    for (const auto& [name, rate] : rates_) {
-      SubscribeRaw(name, [this](const MessagePtr& message) { OnMail(message); });
-    }
-  }
+    : App(context),
+      params_(params),
+      start_(now()),
+      choice_({.is_used = params.wildcard_logging,
+               .wanted = params.wildcard_patterns,
+               .omitted = params.wildcard_omit_patterns,
+               .has_exclusion_log = params.has_exclusion_log}),
+      spare_columns_(params.spare_columns),
+      session_(context.runs_live),
+      last_announcement_(start_) {
+  ReadParams();
+  SubscribeToAll();
 }
 
-void LogApp::ReadRates() {
+void LogApp::ReadParams() {
   std::vector<ConfigProblem> problems;
   for (const std::string& line : params_.logged) {
-    const std::string_view text = std::string_view(line).substr(0, line.find(','));  // NOSYNC, ...
-    const std::size_t at = text.find('@');
-    const std::string name(Trim(text.substr(0, at)));
-    const std::optional<double> interval = at == std::string_view::npos
-                                               ? std::optional<double>(0.0)
-                                               : ParseNumber(text.substr(at + 1));
-    if (name.empty() || !interval || *interval < 0.0) {
-      problems.push_back({{}, "Log", fmt::format("`{}` is not VARIABLE @ seconds", line)});
-    } else {
-      rates_[name] = {.interval = Seconds(*interval), .last = std::nullopt};
+    const Expected<LogRequest> request = ParseLogRequest(line);
+    if (!request) {
+      problems.push_back({{}, "Log", request.error().text});
+      continue;
     }
+    if (choice_.Add(*request) && request->is_synced) {
+      sync_names_.push_back(request->name);
+    }
+    if (request->is_monitored) {
+      monitored_[request->name] = start_;
+    }
+  }
+  const bool is_live = EqualsIgnoringCase(params_.logs_binaries, "live");
+  const std::optional<bool> flag = ParseFlag(params_.logs_binaries);
+  logs_binaries_ = is_live ? context().runs_live : flag.value_or(false);
+  if (!is_live && !flag) {
+    problems.push_back({{}, "LogBinary", "is not true, false or live"});
+  }
+  if (const auto period = ParseSyncLog(params_.sync_log)) {
+    sync_period_ = *period;
+  } else {
+    problems.push_back({{}, "SyncLog", period.error().text});
   }
   if (!problems.empty()) {
     throw ConfigError(problems);
   }
 }
 
-bool LogApp::Wants(const Message& message) {
-  if (std::holds_alternative<Binary>(message.value) && !params_.logs_binaries) {
-    return false;
+void LogApp::SubscribeToAll() {
+  const bool has_async = params_.async_log || params_.has_exclusion_log;
+  if (sync_period_) {
+    table_.emplace(sync_names_, *sync_period_);
   }
-  if (const auto rate = rates_.find(message.name); rate != rates_.end()) {
-    const bool is_due =
-        !rate->second.last || message.time - *rate->second.last >= rate->second.interval;
-    rate->second.last = is_due ? message.time : *rate->second.last;
-    return is_due;
+  const auto on_mail = [this](const MessagePtr& message) { OnMail(message); };
+  if (context().runs_live) {
+    for (const char* command : {"PLOGGER_CMD", "PLOG_CMD", "LOGGER_RESTART"}) {
+      SubscribeRaw(command, [this](const MessagePtr& message) { OnCommand(message); });
+    }
   }
-  const auto [verdict, is_new] = matches_.try_emplace(message.name, false);
-  if (is_new) {
-    verdict->second = MatchesAny(params_.wildcard_patterns, message.name) &&
-                      !MatchesAny(params_.wildcard_omit_patterns, message.name);
+  if (params_.wildcard_logging && has_async) {
+    SubscribeRaw(WildcardFilter{}, on_mail);
+    return;
   }
-  return verdict->second;
+  if (has_async || table_) {
+    for (const std::string& name : choice_.Requested()) {
+      SubscribeRaw(name, on_mail);
+    }
+  }
+  if (context().runs_live) {
+    SubscribeRaw("MOOS_DEBUG", on_mail);
+    SubscribeRaw("MOOS_SYSTEM", on_mail);
+  }
 }
 
 void LogApp::OnMail(const MessagePtr& message) {
-  if (!Wants(*message)) {
-    return;
+  const bool is_left_out = std::holds_alternative<Binary>(message->value) && !logs_binaries_;
+  const auto file = is_left_out ? std::nullopt : choice_.FileFor(*message);
+  if (file) {
+    Put(LogLine{*file, message});
   }
-  OpenIfNeeded();
-  if (writer_) {
-    writer_->Write(*message);
+  if (context().runs_live && IsSystemMessage(message->name)) {
+    Put(LogLine{LogLine::File::kSystem, message});
+  }
+  if (const auto found = monitored_.find(message->name); found != monitored_.end()) {
+    found->second = now();
+    ClearWarning("SILENT_" + message->name);
+  }
+  PutDueRow();
+  if (table_) {
+    table_->Update(*message);
   }
 }
 
-std::filesystem::path LogApp::FilePath() const {
-  if (!context().run_folder.empty()) {
-    return context().run_folder /
-           ((context().session.empty() ? "log" : context().session) + ".alog");
+void LogApp::OnCommand(const MessagePtr& message) {
+  if (message->name == "LOGGER_RESTART") {
+    Restart();
+    return;
   }
-  const std::string stem =
-      params_.has_time_stamp ? params_.file + "_" + FolderStamp(start_) : params_.file;
-  const std::filesystem::path parent =
-      params_.path.empty() ? context().Global("GlobalLogPath") : params_.path;
-  return parent / stem / (stem + ".alog");
+  const auto* text = std::get_if<std::string>(&message->value);
+  const std::string_view command = text == nullptr ? std::string_view() : Trim(*text);
+  const std::size_t equals = std::min(command.find('='), command.size());
+  const std::string_view task = Trim(command.substr(0, equals));
+  const std::string_view argument = Trim(command.substr(std::min(equals + 1, command.size())));
+  if (EqualsIgnoringCase(task, "COPY_FILE_REQUEST") && !argument.empty()) {
+    Put(FileCopy{.source = std::string(argument), .stem = ""});
+  } else if (EqualsIgnoringCase(task, "LOG_REQUEST")) {
+    OnLogRequest(argument);
+  } else {
+    Warn("BAD_COMMAND", fmt::format("`{}` is no LOG_REQUEST or COPY_FILE_REQUEST", command));
+  }
+}
+
+void LogApp::OnLogRequest(std::string_view line) {
+  const Expected<LogRequest> request = ParseLogRequest(line);
+  if (!request) {
+    Warn("BAD_COMMAND", request.error().text);
+    return;
+  }
+  if (!choice_.Add(*request)) {
+    return;
+  }
+  if (table_ && request->is_synced && spare_columns_ > 0) {
+    --spare_columns_;
+    sync_names_.push_back(request->name);
+    table_->AddColumn(request->name);
+    if (session_.is_open()) {
+      Put(ColumnClaim{request->name});
+    }
+  }
+  if (!params_.wildcard_logging) {
+    SubscribeRaw(request->name, [this](const MessagePtr& message) { OnMail(message); });
+  }
+}
+
+void LogApp::Restart() {
+  session_.Close();
+  has_failed_ = false;
+  start_ = now();
+  if (sync_period_) {
+    table_.emplace(sync_names_, *sync_period_);
+  }
+  OpenIfNeeded();
+}
+
+LogFilesOptions LogApp::FileOptions() const {
+  LogFilesOptions options{.lines = {.double_precision = params_.double_precision,
+                                    .has_source_aux = params_.has_aux,
+                                    .marks_data_type = params_.marks_data_type,
+                                    .marks_other_communities = params_.marks_communities,
+                                    .community = context().Global("Community"),
+                                    .time_warp = WarpOf(context())},
+                          .has_async = params_.async_log,
+                          .has_excluded = params_.has_exclusion_log,
+                          .has_system = context().runs_live,
+                          .sync = std::nullopt,
+                          .compresses = params_.compresses && context().runs_live};
+  if (sync_period_) {
+    options.sync = {.names = sync_names_, .spare = spare_columns_};
+  }
+  return options;
+}
+
+Expected<fs::path> LogApp::CreateFolder() {
+  if (!context().runs_live) {
+    std::error_code ignored;  // a missing folder shows when the file cannot be created
+    fs::create_directories(context().run_folder, ignored);
+    return context().run_folder;
+  }
+  const Seconds utc(start_.value() / WarpOf(context()));
+  const std::string stem = params_.has_time_stamp
+                               ? params_.file + "_" + LogFolderStamp(utc, !params_.uses_utc)
+                               : params_.file;
+  const std::string global = context().Global("GlobalLogPath");
+  const fs::path parent = !global.empty()         ? fs::path(global)
+                          : !params_.path.empty() ? fs::path(params_.path)
+                                                  : context().run_folder;
+  Expected<fs::path> folder = CreateLogFolder(parent.empty() ? "." : parent, stem);
+  if (folder) {
+    return folder;
+  }
+  // As MOOS's logger does: a log in the wrong place is better than none.
+  Warn("LOG_FOLDER", folder.error().text + "; logging to the working directory");
+  return CreateLogFolder(".", stem);
 }
 
 void LogApp::OpenIfNeeded() {
-  if (writer_ || has_failed_) {
+  if (session_.is_open() || has_failed_ || is_over_) {
     return;
   }
-  const std::filesystem::path file = FilePath();
-  std::error_code ignored;  // a missing folder shows when the file cannot be created
-  std::filesystem::create_directories(file.parent_path(), ignored);
-  Expected<AlogWriter> writer =
-      AlogWriter::Open(file, start_,
-                       {.double_precision = params_.double_precision,
-                        .has_source_aux = params_.has_aux,
-                        .marks_data_type = params_.marks_data_type,
-                        .marks_other_communities = params_.marks_communities,
-                        .community = context().Global("Community")});
-  if (!writer) {
+  const Expected<fs::path> folder = CreateFolder();
+  const std::string session = context().session.empty() ? "log" : context().session;
+  std::optional<Error> failure;
+  if (folder) {
+    const std::string stem = context().runs_live ? folder->filename().string() : session;
+    failure = session_.Open(*folder, stem, start_, FileOptions());
+  } else {
+    failure = folder.error();
+  }
+  if (failure) {
     has_failed_ = true;
-    Warn("LOG_FAILED", writer.error().text);
+    Warn("LOG_FAILED", failure->text);
     return;
   }
-  writer_ = *std::move(writer);
+  if (context().runs_live) {
+    AnnounceFolder(*folder);
+  }
+}
+
+/// What MOOS's logger does at the start of a session.
+void LogApp::AnnounceFolder(const fs::path& folder) {
+  folder_ = folder.string();
+  PublishRaw("LOGGER_DIRECTORY", folder_);
+  if (!params_.summary_file.empty()) {
+    std::ofstream(params_.summary_file) << "LastOpenedLoggingDirectory=" << folder_ << '\n';
+  }
+  if (!context().mission_file.empty()) {
+    Put(FileCopy{.source = context().mission_file, .stem = folder.filename().string()});
+  }
+}
+
+void LogApp::Put(LogRecord record) {
+  OpenIfNeeded();
+  if (session_.is_open() && !session_.Put(std::move(record))) {
+    Warn("LOG_DROPPED", "the disk is too slow: messages are missing in the log");
+  }
+}
+
+void LogApp::PutDueRow() {
+  if (table_) {
+    if (std::optional<SyncRow> row = table_->TakeDueRow(now() - start_)) {
+      Put(*std::move(row));
+    }
+  }
+}
+
+void LogApp::WatchMonitored(Seconds now) {
+  for (const auto& [name, heard] : monitored_) {
+    if (now - heard > kMonitorTime) {
+      Warn("SILENT_" + name, name + " is to be logged but does not appear");
+    }
+  }
 }
 
 void LogApp::Save() {
-  if (!writer_) {
-    return;
-  }
-  const bool is_embedded = !context().run_folder.empty();
-  if (is_embedded ? !writer_->Flush() : !writer_->Sync()) {
+  if (!session_.Save()) {
     Warn("LOG_FAILED", "the log cannot be written; is the disk full?");
   }
 }
 
-void LogApp::Tick(Seconds) { Save(); }
+void LogApp::Tick(Seconds now) {
+  PutDueRow();
+  WatchMonitored(now);
+  if (context().runs_live) {
+    OpenIfNeeded();
+    if (session_.is_open() && now - last_announcement_ >= kAnnouncementTime) {
+      last_announcement_ = now;
+      PublishRaw("LOGGER_DIRECTORY", folder_);
+    }
+  }
+  Save();
+}
 
-void LogApp::Finish(Seconds) { Save(); }
+/// Apps that end later may still write; embedded, the destructor saves that.
+void LogApp::Finish(Seconds) {
+  PutDueRow();
+  Save();
+  is_over_ = context().runs_live;
+  if (is_over_) {
+    session_.Close();
+  }
+}
 
 LIMPET_REGISTER_APP(LogApp, "pLog", 1.0);
 

@@ -4,7 +4,9 @@
 #include "apps/limpet/verbs/change.hpp"
 #include "apps/limpet/verbs/check.hpp"
 #include "apps/limpet/verbs/detect.hpp"
+#include "apps/limpet/verbs/log.hpp"
 #include "apps/limpet/verbs/nav.hpp"
+#include "apps/limpet/verbs/plug.hpp"
 #include "apps/limpet/verbs/report.hpp"
 #include "apps/limpet/verbs/survey.hpp"
 #include "apps/limpet/verbs/tables.hpp"
@@ -20,6 +22,8 @@ const std::vector<Verb>& Verbs() {
       {"check", "report every problem of a mission", RunCheck},
       {"report", "figures and page again from a run's logs", RunReport},
       {"tables", "many seeds: the paper's tables beside ours", RunTables},
+      {"log", "look into a log: scan, stat, grep, clip, csv, recover", RunLog},
+      {"plug", "expand a mission template, as nsplug does", RunPlug},
   };
   return verbs;
 }

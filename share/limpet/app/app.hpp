@@ -42,10 +42,14 @@ struct AppContext {
   AppLink* link = nullptr;
   std::vector<ConfigEntry> globals;  ///< of the mission file, first wins: Community, LatOrigin, ...
   std::filesystem::path mission_folder;  ///< where relative file parameters start
+  std::filesystem::path mission_file{};    ///< as launched; empty if embedded
   std::filesystem::path run_folder;      ///< this session's output
   std::filesystem::path prior_folder;    ///< former session to load; empty if none
   std::string session;                   ///< discovery, change, ...
   std::uint64_t seed = 1;
+  /// True in a process of a community, on real time: what must not wait for a disk has a thread
+  /// then. False embedded: one thread, virtual time, same bits.
+  bool runs_live = false;
 
   /// Value of a mission global, or "".
   [[nodiscard]] std::string Global(std::string_view key) const;

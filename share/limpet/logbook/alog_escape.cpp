@@ -2,19 +2,28 @@
 #include "limpet/logbook/alog_escape.hpp"
 
 namespace limpet {
+namespace {
+
+constexpr std::string_view kEscaped{"\n\r\\\0", 4};
+
+char CodeOf(char plain) {
+  return plain == '\n' ? 'n' : plain == '\r' ? 'r' : plain == '\0' ? '0' : '\\';
+}
+
+}  // namespace
 
 void AppendEscaped(std::string& out, std::string_view text) {
   if (text.starts_with(' ') || text.starts_with('\t')) {
     out += '\\';
   }
   while (!text.empty()) {
-    const std::size_t plain = text.find_first_of("\n\r\\");
+    const std::size_t plain = text.find_first_of(kEscaped);
     out += text.substr(0, plain);
     if (plain == std::string_view::npos) {
       return;
     }
     out += '\\';
-    out += text[plain] == '\n' ? 'n' : text[plain] == '\r' ? 'r' : '\\';
+    out += CodeOf(text[plain]);
     text.remove_prefix(plain + 1);
   }
 }
@@ -33,6 +42,9 @@ void AppendUnescaped(std::string& out, std::string_view text) {
         break;
       case 'r':
         out += '\r';
+        break;
+      case '0':
+        out += '\0';
         break;
       case '\\':
       case ' ':

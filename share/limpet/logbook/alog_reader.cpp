@@ -3,11 +3,7 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
 
-#include <fmt/format.h>
-
-#include "limpet/core/config.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/logbook/alog_escape.hpp"
 
@@ -15,14 +11,36 @@ namespace limpet {
 namespace {
 
 constexpr std::size_t kChunkBytes = std::size_t{1} << 20U;
-constexpr std::string_view kBlanks = " \t";
+constexpr std::size_t kMostLineBytes = std::size_t{128} << 20U;
+constexpr std::size_t kMostExamples = 3;
 
-/// Takes the next word and the blanks around it off `text`.
+bool IsBlank(char c) { return c == ' ' || c == '\t'; }
+
+void SkipBlanks(std::string_view& text) {
+  std::size_t count = 0;
+  while (count < text.size() && IsBlank(text[count])) {
+    ++count;
+  }
+  text.remove_prefix(count);
+}
+
+/// Takes the next word and the blanks before it off `text`.
 std::string_view TakeWord(std::string_view& text) {
-  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-  const std::string_view word = text.substr(0, text.find_first_of(kBlanks));
-  text.remove_prefix(word.size());
+  SkipBlanks(text);
+  std::size_t length = 0;
+  while (length < text.size() && !IsBlank(text[length])) {
+    ++length;
+  }
+  const std::string_view word = text.substr(0, length);
+  text.remove_prefix(length);
   return word;
+}
+
+std::string_view WithoutTrailingBlanks(std::string_view text) {
+  while (!text.empty() && IsBlank(text.back())) {
+    text.remove_suffix(1);
+  }
+  return text;
 }
 
 std::optional<double> NumberOf(std::string_view text) {
@@ -40,12 +58,12 @@ std::optional<double> NumberOf(std::string_view text) {
 }  // namespace
 
 Expected<AlogReader> AlogReader::Open(const std::filesystem::path& file) {
-  AlogReader reader;
-  reader.file_.reset(std::fopen(file.c_str(), "rb"));
-  std::error_code ignored;
-  if (!reader.file_ || std::filesystem::is_directory(file, ignored)) {
-    return Error{fmt::format("`{}` cannot be read", file.string())};
+  Expected<SequentialFile> opened = SequentialFile::Open(file);
+  if (!opened) {
+    return opened.error();
   }
+  AlogReader reader;
+  reader.file_ = *std::move(opened);
   return reader;
 }
 
@@ -63,14 +81,15 @@ bool AlogReader::Refill() {
   buffer_.erase(0, buffer_.size() - pending_.size());
   const std::size_t kept = buffer_.size();
   buffer_.resize(kept + kChunkBytes);
-  const std::size_t count = std::fread(buffer_.data() + kept, 1, kChunkBytes, file_.get());
+  const std::size_t count = file_->Read(buffer_.data() + kept, kChunkBytes);
   buffer_.resize(kept + count);
   pending_ = buffer_;
   return count > 0;
 }
 
-bool AlogReader::NextLine(std::string_view& line) {
+bool AlogReader::TakeLine(std::string_view& line) {
   std::size_t searched = 0;
+  is_too_long_ = false;
   while (true) {
     const std::size_t end = pending_.find('\n', searched);
     if (end != std::string_view::npos) {
@@ -78,9 +97,13 @@ bool AlogReader::NextLine(std::string_view& line) {
       pending_.remove_prefix(end + 1);
       return true;
     }
+    if (file_ && pending_.size() > kMostLineBytes) {
+      pending_ = {};
+      is_too_long_ = true;
+    }
     searched = pending_.size();
     if (!Refill()) {
-      has_torn_end_ = !pending_.empty();
+      has_torn_end_ = !pending_.empty() || is_too_long_;
       pending_ = {};
       return false;
     }
@@ -88,20 +111,44 @@ bool AlogReader::NextLine(std::string_view& line) {
 }
 
 bool AlogReader::Next(AlogEntry& entry) {
-  std::string_view line;
-  while (NextLine(line)) {
-    if (line.ends_with('\r')) {
-      line.remove_suffix(1);
-    }
-    if (line.starts_with('%')) {
-      ReadComment(line);
-    } else if (ReadEntry(line, entry)) {
+  for (AlogLine line; NextLine(line, entry);) {
+    if (line.kind == AlogLine::Kind::kEntry) {
       return true;
-    } else if (!line.empty()) {
-      ++skipped_;
     }
   }
   return false;
+}
+
+bool AlogReader::NextLine(AlogLine& line, AlogEntry& entry) {
+  if (!TakeLine(line.text)) {
+    return false;
+  }
+  line.number = ++line_number_;
+  if (line.text.ends_with('\r')) {
+    line.text.remove_suffix(1);
+  }
+  if (is_too_long_) {
+    Skip(line, "is longer than 128 MiB");
+  } else if (line.text.empty()) {
+    line.kind = AlogLine::Kind::kBlank;
+  } else if (line.text[0] == '%') {
+    line.kind = AlogLine::Kind::kComment;
+    ReadComment(line.text);
+  } else if (const char* problem = ReadEntry(line.text, entry)) {
+    Skip(line, problem);
+  } else {
+    line.kind = AlogLine::Kind::kEntry;
+  }
+  return true;
+}
+
+void AlogReader::Skip(AlogLine& line, const char* problem) {
+  line.kind = AlogLine::Kind::kBroken;
+  line.problem = problem;
+  ++skipped_;
+  if (first_skipped_.size() < kMostExamples) {
+    first_skipped_.push_back({line.number, problem});
+  }
 }
 
 void AlogReader::ReadComment(std::string_view line) {
@@ -115,32 +162,38 @@ void AlogReader::ReadComment(std::string_view line) {
   has_type_marks_ = has_type_marks_ || line.find("DATATYPE MARKING ON") != std::string_view::npos;
 }
 
-bool AlogReader::ReadEntry(std::string_view line, AlogEntry& entry) {
+const char* AlogReader::ReadEntry(std::string_view line, AlogEntry& entry) {
+  if (line.find('\0') != std::string_view::npos) {
+    return "holds a NUL byte";
+  }
   const std::optional<double> time = NumberOf(TakeWord(line));
-  entry.name = TakeWord(line);
-  entry.source = TakeWord(line);
-  if (!time || entry.source.empty()) {
-    return false;
+  if (!time) {
+    return "does not begin with a time";
   }
   entry.time = *time;
+  entry.name = TakeWord(line);
+  entry.source = TakeWord(line);
+  if (entry.source.empty()) {
+    return "ends before its source";
+  }
   const std::size_t colon = entry.source.find(':');
   const bool has_aux = colon != std::string_view::npos && colon > 0;
   entry.aux = has_aux ? entry.source.substr(colon + 1) : std::string_view{};
   entry.source = entry.source.substr(0, has_aux ? colon : std::string_view::npos);
-  line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+  SkipBlanks(line);
   if (line.ends_with(' ')) {
     line.remove_suffix(1);
   }
   ReadValue(line, entry);
   // An empty string is a value in our logs; MOOS's tools drop such a line.
-  return has_escapes_ || !entry.value.empty();
+  return has_escapes_ || !entry.value.empty() ? nullptr : "has no value";
 }
 
 void AlogReader::ReadValue(std::string_view text, AlogEntry& entry) {
   const bool is_marked_string = has_type_marks_ && text.starts_with("S:");
   const bool is_marked_number = has_type_marks_ && text.starts_with("D:");
   text.remove_prefix(is_marked_string || is_marked_number ? 2 : 0);
-  const std::string_view bare = text.substr(0, text.find_last_not_of(kBlanks) + 1);
+  const std::string_view bare = WithoutTrailingBlanks(text);
   entry.number = is_marked_string ? std::nullopt : NumberOf(bare);
   entry.value = entry.number ? bare : text;
   if (has_escapes_ && text.find('\\') != std::string_view::npos) {
@@ -148,53 +201,6 @@ void AlogReader::ReadValue(std::string_view text, AlogEntry& entry) {
     AppendUnescaped(unescaped_, text);
     entry.value = unescaped_;
   }
-}
-
-std::optional<BlogSpan> ParseBlogMarker(std::string_view value) {
-  constexpr std::string_view kOpen = "<MOOS_BINARY>";
-  constexpr std::string_view kClose = "</MOOS_BINARY>";
-  value = Trim(value);
-  if (!value.starts_with(kOpen) || !value.ends_with(kClose) ||
-      value.size() < kOpen.size() + kClose.size()) {
-    return std::nullopt;
-  }
-  BlogSpan span;
-  for (const std::string& part :
-       Split(value.substr(kOpen.size(), value.size() - kOpen.size() - kClose.size()), ',')) {
-    const std::size_t equals = part.find('=');
-    const std::string_view key = std::string_view(part).substr(0, equals);
-    const std::string_view text =
-        std::string_view(part).substr(equals == std::string::npos ? part.size() : equals + 1);
-    const std::optional<std::int64_t> number = ParseInteger(text);
-    const bool is_count = number && *number >= 0;
-    if (key == "File" && !text.empty()) {
-      span.file = std::string(text);
-    } else if (key == "Offset" && is_count) {
-      span.offset = static_cast<std::size_t>(*number);
-    } else if (key == "Bytes" && is_count) {
-      span.bytes = static_cast<std::size_t>(*number);
-    } else {
-      return std::nullopt;
-    }
-  }
-  return span.file.empty() ? std::nullopt : std::optional<BlogSpan>(span);
-}
-
-Expected<Binary> ReadBlog(const std::filesystem::path& folder, const BlogSpan& span) {
-  // Only the file name counts: a log must not lead to files elsewhere.
-  const std::filesystem::path path = folder / std::filesystem::path(span.file).filename();
-  std::error_code failure;
-  const auto size = std::filesystem::file_size(path, failure);
-  if (failure || span.offset > size || span.bytes > size - span.offset) {
-    return Error{
-        fmt::format("`{}` does not hold {} bytes at {}", path.string(), span.bytes, span.offset)};
-  }
-  std::ifstream in(path, std::ios::binary);
-  in.seekg(static_cast<std::streamoff>(span.offset));
-  Binary bytes(span.bytes);
-  in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(span.bytes));
-  return in ? Expected<Binary>(std::move(bytes))
-            : Expected<Binary>(Error{fmt::format("`{}` cannot be read", path.string())});
 }
 
 }  // namespace limpet

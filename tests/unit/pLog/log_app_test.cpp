@@ -120,18 +120,6 @@ TEST_F(LogAppTest, WritesTheSameBytesForTheSameMail) {
   EXPECT_EQ(first.find(folder_.string()), std::string::npos) << "no absolute path in a log";
 }
 
-TEST_F(LogAppTest, NamesTheFolderByDateInACommunity) {
-  context_.run_folder.clear();
-  LogApp::Params params;
-  params.path = folder_.string();
-  params.file = "LOG_ALPHA";
-  LogApp app(context_, params);
-  Send(app, "NAV_X", 1.5);
-  app.Finish(link_.time);
-  EXPECT_TRUE(std::filesystem::exists(folder_ / "LOG_ALPHA_1_1_2026_____00_00_00" /
-                                      "LOG_ALPHA_1_1_2026_____00_00_00.alog"));
-}
-
 TEST_F(LogAppTest, WarnsWhenTheLogCannotBeCreated) {
   context_.run_folder = "/proc/no_such_folder";
   LogApp app(context_, {});

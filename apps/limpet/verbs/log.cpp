@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "apps/limpet/verbs/log.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "apps/limpet/cli.hpp"
+#include "apps/limpet/log/log_commands.hpp"
+#include "apps/limpet/command_output.hpp"
+#include "limpet/core/config.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr std::array kCommands{&kLogScan, &kLogStat, &kLogGrep, &kLogClip, &kLogCsv, &kLogRecover};
+
+void PrintHelp() {
+  fmt::print("usage: limpet log <command> <log> [options]\n\n");
+  for (const LogCommand* command : kCommands) {
+    fmt::print("  {:<10} {}\n", command->name, command->summary);
+  }
+  fmt::print(
+      "\n<log> is an .alog file, ours or MOOS's, also as .gz; a folder that holds one; or - for "
+      "the "
+      "standard input.\n`limpet log <command> --help` says more.\n");
+}
+
+const LogCommand& CommandOf(const std::string& word) {
+  std::vector<std::string> names;
+  for (const LogCommand* command : kCommands) {
+    if (word == command->name) {
+      return *command;
+    }
+    names.emplace_back(command->name);
+  }
+  const std::string nearest = NearestWord(word, names);
+  throw UsageError(
+      fmt::format("no command `log {}`{}; `limpet log --help` lists them", word,
+                  nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest)));
+}
+
+bool IsHelp(const std::string& word) { return word == "--help" || word == "-h"; }
+
+}  // namespace
+
+int RunLog(std::span<const std::string> args) {
+  if (args.empty() || IsHelp(args[0])) {
+    PrintHelp();
+    return args.empty() ? kUsage : kOk;
+  }
+  const LogCommand& command = CommandOf(args[0]);
+  const std::span<const std::string> rest = args.subspan(1);
+  if (std::ranges::any_of(rest, IsHelp)) {
+    fmt::print("{}", command.help);
+    return kOk;
+  }
+  try {
+    return command.run(rest);
+  } catch (const Refusal& refusal) {
+    fmt::print(stderr, "limpet: {}\n", refusal.what());
+    return kRefused;
+  }
+}
+
+}  // namespace limpet

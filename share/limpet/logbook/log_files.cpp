@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/logbook/log_files.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "limpet/logbook/gzip_file.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMostBytesCopied = std::uintmax_t{64} << 20U;
+constexpr std::size_t kRecordOverhead = 128;
+
+template <class... Handlers>
+struct Overloaded : Handlers... {
+  using Handlers::operator()...;
+};
+template <class... Handlers>
+Overloaded(Handlers...) -> Overloaded<Handlers...>;
+
+std::size_t SizeOf(const Message& message) {
+  const std::size_t value = std::visit(Overloaded{[](double) { return std::size_t{0}; },
+                                                  [](const auto& bytes) { return bytes.size(); }},
+                                       message.value);
+  return message.name.size() + message.source.size() + message.source_aux.size() + value;
+}
+
+/// `path` + `_moos` for x.moos; a file without extension becomes x._bak, as with MOOS's logger.
+std::string CopyName(const FileCopy& copy) {
+  const std::string extension = copy.source.extension().string();
+  return (copy.stem.empty() ? copy.source.stem().string() : copy.stem) + "._" +
+         (extension.size() < 2 ? "bak" : extension.substr(1));
+}
+
+}  // namespace
+
+std::size_t SizeOf(const LogRecord& record) {
+  return kRecordOverhead +
+         std::visit(Overloaded{[](const LogLine& line) { return SizeOf(*line.message); },
+                               [](const SyncRow& row) { return row.values.size() * 8; },
+                               [](const auto&) { return std::size_t{0}; }},
+                    record);
+}
+
+Expected<LogFiles> LogFiles::Open(const fs::path& folder, const std::string& stem, Seconds start,
+                                  const LogFilesOptions& options) {
+  LogFiles files;
+  files.folder_ = folder;
+  files.stem_ = stem;
+  files.compresses_ = options.compresses;
+  const auto blog = std::make_shared<BlogWriter>(files.PathOf(".blog"));
+  const auto open = [&](bool is_wanted, const char* extension, std::optional<AlogWriter>& writer) {
+    if (!is_wanted) {
+      return std::optional<Error>();
+    }
+    Expected<AlogWriter> opened =
+        AlogWriter::Open(files.PathOf(extension), start, options.lines, blog);
+    if (!opened) {
+      return std::optional<Error>(opened.error());
+    }
+    writer = *std::move(opened);
+    return std::optional<Error>();
+  };
+  if (const auto failure = open(options.has_async, ".alog", files.async_)) return *failure;
+  if (const auto failure = open(options.has_excluded, ".xlog", files.excluded_)) return *failure;
+  if (const auto failure = open(options.has_system, ".ylog", files.system_)) return *failure;
+  if (options.sync) {
+    auto opened = SlogWriter::Open(files.PathOf(".slog"), start, *options.sync, options.lines);
+    if (!opened) {
+      return opened.error();
+    }
+    files.sync_ = *std::move(opened);
+  }
+  return files;
+}
+
+fs::path LogFiles::PathOf(const char* extension) const { return folder_ / (stem_ + extension); }
+
+std::optional<AlogWriter>& LogFiles::WriterOf(LogLine::File file) {
+  return file == LogLine::File::kAsync      ? async_
+         : file == LogLine::File::kExcluded ? excluded_
+                                            : system_;
+}
+
+void LogFiles::Put(const LogRecord& record) {
+  std::visit(Overloaded{[this](const LogLine& line) {
+                          if (auto& writer = WriterOf(line.file)) writer->Write(*line.message);
+                        },
+                        [this](const SyncRow& row) {
+                          if (sync_) sync_->WriteRow(row.time, row.values);
+                        },
+                        [this](const ColumnClaim& claim) {
+                          if (sync_) sync_->Claim(claim.name);
+                        },
+                        [this](const FileCopy& copy) { Keep(copy); },
+                        [this](const LogComment& comment) {
+                          if (async_) async_->WriteComment(comment.text);
+                        }},
+             record);
+}
+
+/// A copy that fails is noted in the log: it must not end the logging.
+void LogFiles::Keep(const FileCopy& copy) {
+  std::error_code failure;
+  const std::string name = CopyName(copy);
+  const bool is_file = fs::is_regular_file(copy.source, failure);
+  const auto size = is_file ? fs::file_size(copy.source, failure) : 0;
+  std::string problem = !is_file ? "no such file" : size > kMostBytesCopied ? "too big" : "";
+  if (problem.empty()) {
+    fs::copy_file(copy.source, folder_ / name, fs::copy_options::overwrite_existing, failure);
+    problem = failure ? failure.message() : "";
+  }
+  if (!problem.empty() && async_) {
+    async_->WriteComment(
+        fmt::format("{} is not copied: {}", copy.source.filename().string(), problem));
+  }
+}
+
+bool LogFiles::Flush() {
+  for (auto* writer : {&async_, &excluded_, &system_}) {
+    is_good_ = (!*writer || (*writer)->Flush()) && is_good_;
+  }
+  is_good_ = (!sync_ || sync_->Flush()) && is_good_;
+  return is_good_;
+}
+
+bool LogFiles::Sync() {
+  for (auto* writer : {&async_, &excluded_, &system_}) {
+    is_good_ = (!*writer || (*writer)->Sync()) && is_good_;
+  }
+  is_good_ = (!sync_ || sync_->Sync()) && is_good_;
+  return is_good_;
+}
+
+bool LogFiles::Close() {
+  Sync();
+  const bool may_compress = compresses_ && is_good_;
+  for (const auto& [writer, extension] :
+       {std::pair{&async_, ".alog"}, std::pair{&excluded_, ".xlog"}}) {
+    if (may_compress && *writer) {
+      writer->reset();
+      is_good_ = CompressFile(PathOf(extension)) && is_good_;
+    }
+  }
+  return is_good_;
+}
+
+}  // namespace limpet

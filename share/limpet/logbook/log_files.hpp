@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "limpet/core/expected.hpp"
+#include "limpet/logbook/alog_writer.hpp"
+#include "limpet/logbook/log_record.hpp"
+#include "limpet/logbook/slog_writer.hpp"
+
+namespace limpet {
+
+struct LogFilesOptions {
+  AlogOptions lines;
+  bool has_async = true;                    ///< .alog
+  bool has_excluded = false;                ///< .xlog
+  bool has_system = false;                  ///< .ylog
+  std::optional<SlogWriter::Columns> sync;  ///< .slog
+  bool compresses = false;  ///< at the end .alog and .xlog become .alog.gz and .xlog.gz
+};
+
+/// The files of one logging session: <folder>/<stem>.alog, .slog, .xlog, .ylog and .blog. What is
+/// for a file that the options leave out is dropped. Not thread-safe: see LogThread.
+class LogFiles {
+ public:
+  [[nodiscard]] static Expected<LogFiles> Open(const std::filesystem::path& folder,
+                                               const std::string& stem, Seconds start,
+                                               const LogFilesOptions& options);
+
+  void Put(const LogRecord& record);
+  /// To the system, so that it outlives the process. False once anything could not be written.
+  bool Flush();
+  /// To the disk, so that it outlives a power cut.
+  bool Sync();
+  /// The last call: syncs, and compresses if asked to.
+  bool Close();
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  LogFiles() = default;
+  [[nodiscard]] std::filesystem::path PathOf(const char* extension) const;
+  [[nodiscard]] std::optional<AlogWriter>& WriterOf(LogLine::File file);
+  void Keep(const FileCopy& copy);
+
+  std::filesystem::path folder_;
+  std::string stem_;
+  std::optional<AlogWriter> async_;
+  std::optional<AlogWriter> excluded_;
+  std::optional<AlogWriter> system_;
+  std::optional<SlogWriter> sync_;
+  bool compresses_ = false;
+  bool is_good_ = true;
+};
+
+}  // namespace limpet

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/logbook/log_thread.hpp"
+
+#include <csignal>
+
+#include <fmt/format.h>
+
+namespace limpet {
+
+LogThread::LogThread(LogFiles files, Limits limits)
+    : files_(std::move(files)), limits_(limits), last_sync_(Clock::now()) {
+  // Signals belong to the program's own thread, which ends its apps in order.
+  sigset_t all;
+  sigset_t before;
+  ::sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &before);
+  thread_ = std::thread([this] { Run(); });
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+LogThread::~LogThread() {
+  Stop();
+  thread_.join();
+}
+
+bool LogThread::Put(LogRecord record) {
+  const std::size_t size = SizeOf(record);
+  bool should_wake = false;
+  {
+    const std::lock_guard lock(mutex_);
+    if (is_stopped_ || queued_bytes_ + size > limits_.queue_bytes) {
+      ++dropped_;
+      return false;
+    }
+    queue_.push_back(std::move(record));
+    queued_bytes_ += size;
+    // Half full: no more waiting for company.
+    should_wake = is_waiting_ || queued_bytes_ * 2 > limits_.queue_bytes;
+    is_waiting_ = false;
+  }
+  if (should_wake) {
+    wake_.notify_one();
+  }
+  return true;
+}
+
+void LogThread::Stop() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_stopped_ = true;
+  }
+  wake_.notify_one();
+}
+
+void LogThread::Run() {
+  std::vector<LogRecord> batch;
+  while (TakeBatch(batch)) {
+    WriteBatch(batch);
+    batch.clear();
+    SyncIfDue();
+  }
+  is_good_ = files_.Close();
+  is_finished_ = true;
+}
+
+bool LogThread::TakeBatch(std::vector<LogRecord>& batch) {
+  std::unique_lock lock(mutex_);
+  const auto has_work = [this] { return !queue_.empty() || is_stopped_; };
+  is_waiting_ = queue_.empty();
+  if (has_unsynced_) {
+    wake_.wait_until(lock, last_sync_ + limits_.sync, has_work);
+  } else {
+    wake_.wait(lock, has_work);
+  }
+  is_waiting_ = false;
+  if (!queue_.empty()) {
+    wake_.wait_for(lock, limits_.batch,
+                   [this] { return is_stopped_ || queued_bytes_ * 2 > limits_.queue_bytes; });
+  }
+  batch.swap(queue_);
+  queued_bytes_ = 0;
+  return !is_stopped_ || !batch.empty();
+}
+
+void LogThread::WriteBatch(const std::vector<LogRecord>& batch) {
+  for (const LogRecord& record : batch) {
+    files_.Put(record);
+  }
+  if (const std::uint64_t dropped = dropped_; dropped != dropped_noted_) {
+    files_.Put(LogComment{fmt::format("{} messages are missing here: the disk was too slow",
+                                      dropped - dropped_noted_)});
+    dropped_noted_ = dropped;
+  }
+  if (!batch.empty()) {
+    is_good_ = files_.Flush();
+    has_unsynced_ = true;
+  }
+}
+
+void LogThread::SyncIfDue() {
+  const Clock::time_point now = Clock::now();
+  if (has_unsynced_ && now - last_sync_ >= limits_.sync) {
+    is_good_ = files_.Sync();
+    last_sync_ = now;
+    has_unsynced_ = false;
+  }
+}
+
+}  // namespace limpet

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "limpet/logbook/log_files.hpp"
+
+namespace limpet {
+
+/// Writes a session's files on a thread of its own, so that a slow disk never delays whoever logs.
+/// What it is given is with the system within about 50 ms, so that a kill costs no more, and on the
+/// disk within the sync interval, so that a power cut costs no more.
+///
+/// Put, Stop and the getters may be called from one other thread at a time.
+class LogThread {
+ public:
+  struct Limits {
+    std::size_t queue_bytes = std::size_t{64} << 20U;  ///< what waits beyond this is dropped
+    std::chrono::milliseconds batch{50};               ///< longest wait for more to write at once
+    /// Half of the second that a power cut may cost: the other half is for the disk.
+    std::chrono::milliseconds sync{500};
+  };
+
+  explicit LogThread(LogFiles files) : LogThread(std::move(files), Limits{}) {}
+  LogThread(LogFiles files, Limits limits);
+  LogThread(const LogThread&) = delete;
+  LogThread& operator=(const LogThread&) = delete;
+  /// Waits until everything is on the disk.
+  ~LogThread();
+
+  /// Queues a record; false if it was dropped because the queue is full. The log itself says how
+  /// many were, where it happened.
+  bool Put(LogRecord record);
+  /// Asks for the end: what is queued is still written. Does not wait.
+  void Stop();
+
+  /// Records dropped so far.
+  [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
+  /// False once anything could not be written.
+  [[nodiscard]] bool is_good() const { return is_good_; }
+  /// True once Stop was called and everything is on the disk.
+  [[nodiscard]] bool is_finished() const { return is_finished_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void Run();
+  /// Waits for records; false when stopped and none are left.
+  [[nodiscard]] bool TakeBatch(std::vector<LogRecord>& batch);
+  void WriteBatch(const std::vector<LogRecord>& batch);
+  void SyncIfDue();
+
+  LogFiles files_;  ///< the thread's alone
+  Limits limits_;
+  std::uint64_t dropped_noted_ = 0;  ///< the thread's alone
+  Clock::time_point last_sync_;      ///< the thread's alone
+  bool has_unsynced_ = false;        ///< the thread's alone
+
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::vector<LogRecord> queue_;  ///< guarded by mutex_
+  std::size_t queued_bytes_ = 0;  ///< guarded by mutex_
+  bool is_waiting_ = false;       ///< guarded by mutex_: the thread sleeps until something comes
+  bool is_stopped_ = false;       ///< guarded by mutex_
+
+  std::atomic<std::uint64_t> dropped_{0};
+  std::atomic<bool> is_good_{true};
+  std::atomic<bool> is_finished_{false};
+  std::thread thread_;  ///< last: it uses all of the above
+};
+
+}  // namespace limpet

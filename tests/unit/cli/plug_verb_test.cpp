@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include <fstream>
+#include <iterator>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "apps/limpet/cli.hpp"
+#include "apps/limpet/verbs/plug.hpp"
+#include "limpet/core/config.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace limpet {
+namespace {
+
+using ::testing::HasSubstr;
+
+class PlugVerbTest : public ::testing::Test {
+ protected:
+  PlugVerbTest() {
+    std::filesystem::create_directories(folder_.path() / "lib");
+    std::ofstream(folder_.path() / "lib/plug_port.moos") << "ServerPort = $(PORT)\n";
+    std::ofstream(in_) << "#include plug_port.moos\n#ifdef SIM\nSim = %(SIM=on)\n#endif\n";
+  }
+  int Run(std::vector<std::string> options) {
+    std::vector<std::string> words{in_.string(), out_.string()};
+    words.insert(words.end(), options.begin(), options.end());
+    ::testing::internal::CaptureStdout();
+    ::testing::internal::CaptureStderr();
+    const int code = RunPlug(words);
+    printed_ = ::testing::internal::GetCapturedStdout();
+    complaints_ = ::testing::internal::GetCapturedStderr();
+    return code;
+  }
+  [[nodiscard]] std::string Result() const {
+    std::ifstream in(out_);
+    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  }
+
+  TemporaryFolder folder_;
+  std::filesystem::path in_ = folder_.path() / "meta.moos";
+  std::filesystem::path out_ = folder_.path() / "targ.moos";
+  std::string path_ = "--path=" + (folder_.path() / "lib").string();
+  std::string printed_;
+  std::string complaints_;
+};
+
+TEST_F(PlugVerbTest, ExpandsAsNsplugDoes) {
+  EXPECT_EQ(Run({path_, "PORT=9001", "SIM=yes"}), kOk);
+  EXPECT_EQ(Result(), "ServerPort = 9001\n\nSim = YES\n\n");
+  EXPECT_THAT(printed_, HasSubstr("4 lines")) << "a line about success";
+}
+
+TEST_F(PlugVerbTest, IsSilentWhenForced) {
+  EXPECT_EQ(Run({"-f", "-p", (folder_.path() / "lib").string(), "PORT=1"}), kOk);
+  EXPECT_EQ(printed_, "");
+}
+
+TEST_F(PlugVerbTest, WritesOverNothingUnlessForced) {
+  std::ofstream(out_) << "precious";
+  EXPECT_EQ(Run({path_, "PORT=1"}), kRefused);
+  EXPECT_EQ(Result(), "precious");
+  EXPECT_EQ(Run({path_, "PORT=1", "--force"}), kOk);
+  EXPECT_EQ(Result(), "ServerPort = 1\n\n\n");
+}
+
+TEST_F(PlugVerbTest, NeverWritesOverItsInput) {
+  out_ = in_;
+  EXPECT_EQ(Run({path_, "PORT=1", "-f"}), kRefused);
+}
+
+TEST_F(PlugVerbTest, WarnsOfAnUndefinedMacroWithFileAndLine) {
+  EXPECT_EQ(Run({path_}), kOk);
+  EXPECT_THAT(complaints_, HasSubstr("plug_port.moos:1: $(PORT): undefined macro"));
+  EXPECT_THAT(Result(), HasSubstr("ServerPort = $(PORT)\n"));
+}
+
+TEST_F(PlugVerbTest, WritesNothingWhenStrictAndUndefined) {
+  EXPECT_THROW(Run({path_, "-s"}), ConfigError);
+  ::testing::internal::GetCapturedStdout();
+  ::testing::internal::GetCapturedStderr();
+  EXPECT_FALSE(std::filesystem::exists(out_));
+}
+
+TEST_F(PlugVerbTest, PrintsToTheTerminalWhenAsked) {
+  EXPECT_EQ(Run({path_, "-t", "PORT=7"}), kOk);
+  EXPECT_THAT(printed_, HasSubstr("ServerPort = 7\n"));
+  EXPECT_FALSE(std::filesystem::exists(out_));
+}
+
+TEST_F(PlugVerbTest, TakesTheXFileIfThereIsOne) {
+  std::ofstream(in_.string() + "x") << "Own = 1\n";
+  EXPECT_EQ(Run({"-x"}), kOk);
+  EXPECT_EQ(Result(), "Own = 1\n\n");
+}
+
+TEST_F(PlugVerbTest, WritesNothingWhenNobodyCanBeAsked) {
+  EXPECT_EQ(Run({path_, "-i"}), kRefused);
+  EXPECT_FALSE(std::filesystem::exists(out_));
+}
+
+TEST_F(PlugVerbTest, NamesTheNearestOption) {
+  EXPECT_THROW(RunPlug(std::vector<std::string>{"a", "b", "--stirct"}), UsageError);
+}
+
+}  // namespace
+}  // namespace limpet
