@@ -14,7 +14,7 @@ using Point = SvgCanvas::Point;
 
 constexpr Paint kSeabed{.stroke = palette::kBlue, .width = 2.2};
 constexpr Paint kBand{.stroke = palette::kVermillion, .width = 2.2};
-constexpr double kLeft = 76.0, kTop = 96.0, kWidth = 640.0, kHeight = 330.0;
+constexpr double kLeft = 76.0, kTop = 96.0, kWidth = 814.0, kHeight = 330.0;
 
 std::vector<double> Percent(const std::vector<double>& shares) {
   std::vector<double> out;
