@@ -62,7 +62,7 @@ void DrawKeys(SvgCanvas& canvas, const FigureSource& source) {
   key(kLeft + 188.0, kBand,
       fmt::format("objects {:g} to {:g} m above it seen well", source.settings.object_radius_m,
                   source.settings.object_height_max_m));
-  key(kLeft + 452.0, {.stroke = palette::kMuted, .width = 1.2, .dash = "2 4"},
+  key(kLeft + 520.0, {.stroke = palette::kMuted, .width = 1.2, .dash = "2 4"},
       "as the vehicle believed");
 }
 
