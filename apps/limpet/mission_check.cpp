@@ -9,6 +9,7 @@
 #include "apps/pHelm/helm_params.hpp"
 #include "apps/pSurvey/survey_app.hpp"
 #include "limpet/helm/behavior_host.hpp"
+#include "limpet/mission/expectations.hpp"
 
 namespace limpet {
 namespace {
@@ -141,6 +142,8 @@ MissionProblems CheckMission(const fs::path& folder) {
       scenario = LoadScenario(scenario_file);
     }
   });
+  Collect(found.syntax,
+          [&] { static_cast<void>(LoadExpectations(folder, scenario.value_or(Scenario{}))); });
   if (!mission) {
     return found;
   }

@@ -20,8 +20,8 @@ struct MissionProblems {
   std::vector<ConfigProblem> geometry;
 };
 
-/// Parses mission.moos, its behavior files and scenario.yaml (if there is one) and checks them
-/// against each other. Reports every problem, not the first.
+/// Parses mission.moos, its behavior files, scenario.yaml and expect.yaml (if there are any) and
+/// checks them against each other. Reports every problem, not the first.
 [[nodiscard]] MissionProblems CheckMission(const std::filesystem::path& folder);
 
 /// Every problem of the apps' blocks and of the behavior files.

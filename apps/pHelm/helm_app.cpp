@@ -179,15 +179,13 @@ void HelmApp::AllStop(const std::string& why) {
 }
 
 void HelmApp::PublishState() {
-  static const Topic<std::string> kState{"IVPHELM_STATE", "DRIVE or PARK"};
-  static const Topic<std::string> kAllStop{"IVPHELM_ALLSTOP", "clear, or why all is stopped"};
   const std::string state = is_parked_ ? "PARK" : "DRIVE";
   if (state + allstop_text_ == published_state_) {
     return;
   }
   published_state_ = state + allstop_text_;
-  Publish(kState, state);
-  Publish(kAllStop, allstop_text_);
+  Publish(topics::kHelmState, state);
+  Publish(topics::kHelmAllStop, allstop_text_);
 }
 
 LIMPET_REGISTER_APP(HelmApp, "pHelm", 10.0);

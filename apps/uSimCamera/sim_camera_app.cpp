@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "limpet/app/registry.hpp"
+#include "limpet/mission/seabed.hpp"
 
 namespace limpet {
 namespace {
@@ -30,11 +31,10 @@ SimCameraApp::SimCameraApp(const AppContext& context, const Params& params)
   const CameraGeometry camera = params.geometry.geometry();
   const std::string kind = params.camera == "scenario" ? scenario.camera : params.camera;
   if (kind == "rendered") {
-    const Scenario::Seabed seabed = scenario.seabed;
     renderer_.emplace(SceneSettings{
         .camera = camera,
-        .seabed_depth = [seabed](double north,
-                                 double east) { return SeabedDepth(seabed, north, east); },
+        .seabed_depth = [seabed = Seabed(scenario.seabed)](
+                            double north, double east) { return seabed.Depth(north, east); },
         .visibility_m = scenario.water.visibility_m,
         // The place looks the same in every session; noise and specks do not.
         .seabed_seed = MixSeed(context.seed, "seabed texture"),

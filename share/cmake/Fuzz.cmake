@@ -1,5 +1,7 @@
 # limpet_fuzz(<name> DEPENDS lib...): the libFuzzer program fuzz_<name> of <name>_fuzz.cpp, and a test that it survives
-# one quick pass over the seeds: every file under missions, plugs and the target's own corpus/<name>.
+# LIMPET_FUZZ_SECONDS from the seeds: every file under missions, plugs and the target's own corpus/<name>, and what
+# earlier runs in the same build folder found.
+set(LIMPET_FUZZ_SECONDS 20 CACHE STRING "How long the test of each fuzz target searches")
 if(LIMPET_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     message(FATAL_ERROR "LIMPET_FUZZ needs Clang: cmake --preset fuzz")
@@ -21,5 +23,6 @@ function(limpet_fuzz name)
   if(IS_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/corpus/${name}")
     list(APPEND seeds "${CMAKE_CURRENT_SOURCE_DIR}/corpus/${name}")
   endif()
-  add_test(NAME fuzz_${name} COMMAND fuzz_${name} -runs=20000 -max_total_time=10 -timeout=10 "${corpus}" ${seeds})
+  add_test(NAME fuzz_${name} COMMAND fuzz_${name} -max_total_time=${LIMPET_FUZZ_SECONDS} -timeout=10 -print_final_stats=1
+                                             "-artifact_prefix=${corpus}/../${name}-" "${corpus}" ${seeds})
 endfunction()

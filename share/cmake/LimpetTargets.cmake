@@ -46,6 +46,7 @@ function(limpet_test name)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
+  math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * ${LIMPET_TEST_TIMEOUT_SCALE}")
   add_executable(${name} ${sources})
   list(TRANSFORM ARG_DEPENDS PREPEND limpet::)
   target_link_libraries(${name} PRIVATE limpet_options ${ARG_DEPENDS} ${ARG_PRIVATE} GTest::gmock GTest::gtest_main

@@ -14,7 +14,7 @@ namespace {
 
 using Point = SvgCanvas::Point;
 
-constexpr double kLeft = 92.0, kWidth = 614.0, kRow = 44.0, kTop = 92.0;
+constexpr double kLeft = 92.0, kWidth = 798.0, kRow = 44.0, kTop = 92.0;
 
 struct Shares {
   std::vector<double> path, confirmed, appeared, removed;
@@ -134,8 +134,7 @@ Figure BeliefFigure(const FigureSource& source) {
   }
   return {source.record.name + "_belief.svg",
           "One row per object the vehicle ever considered. A row that ends in one full colour "
-          "ended in a sure "
-          "decision.",
+          "ended in a sure decision.",
           canvas.Finish()};
 }
 

@@ -4,6 +4,7 @@
 #include "apps/limpet/report/figures.hpp"
 #include "apps/limpet/report/map_axes.hpp"
 #include "apps/limpet/report/map_symbols.hpp"
+#include "apps/limpet/report/probability_text.hpp"
 #include "apps/limpet/report/verdict.hpp"
 
 namespace limpet {
@@ -16,7 +17,7 @@ void DrawChange(MapAxes& map, const ChangeScore& change) {
   const Point at = map.At(change.ned->x(), change.ned->y());
   DrawStatus(map.canvas(), at, change.decided, 8.0);
   PlaceLabel label{.lines = {change.truth.value_or("nothing is here"),
-                             fmt::format("{} {:.3f}", change.decided, change.probability)}};
+                             change.decided + " " + ProbabilityText(change.probability)}};
   if (!change.is_right()) {
     map.canvas().Circle(at, 14.0, {.stroke = palette::kVermillion, .width = 2.5});
     label.lines.push_back("wrong: " + change.expected.value_or("there was never anything"));

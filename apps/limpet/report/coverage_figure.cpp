@@ -14,7 +14,7 @@ using Point = SvgCanvas::Point;
 
 constexpr Paint kSeabed{.stroke = palette::kBlue, .width = 2.2};
 constexpr Paint kBand{.stroke = palette::kVermillion, .width = 2.2};
-constexpr double kLeft = 76.0, kTop = 96.0, kWidth = 640.0, kHeight = 330.0;
+constexpr double kLeft = 76.0, kTop = 96.0, kWidth = 814.0, kHeight = 330.0;
 
 std::vector<double> Percent(const std::vector<double>& shares) {
   std::vector<double> out;
@@ -62,7 +62,7 @@ void DrawKeys(SvgCanvas& canvas, const FigureSource& source) {
   key(kLeft + 188.0, kBand,
       fmt::format("objects {:g} to {:g} m above it seen well", source.settings.object_radius_m,
                   source.settings.object_height_max_m));
-  key(kLeft + 452.0, {.stroke = palette::kMuted, .width = 1.2, .dash = "2 4"},
+  key(kLeft + 520.0, {.stroke = palette::kMuted, .width = 1.2, .dash = "2 4"},
       "as the vehicle believed");
 }
 

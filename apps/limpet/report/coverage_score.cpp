@@ -7,6 +7,7 @@
 
 #include "apps/limpet/report/disc_in_rectangle.hpp"
 #include "limpet/core/random.hpp"
+#include "limpet/mission/seabed.hpp"
 
 namespace limpet {
 namespace {
@@ -55,11 +56,12 @@ SampleGrid::SampleGrid(const SurveyArea& area, const Scenario& scenario,
   const double top = std::max(settings.object_radius_m, settings.object_height_max_m);
   const double row_m = (area.north_max - area.north_min) / rows_;
   const double column_m = (area.east_max - area.east_min) / columns_;
+  const Seabed bottom(scenario.seabed);
   samples_.reserve(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_));
   const auto draw = [&](int row, int column, double height) {
     const double north = area.north_min + (row + random.Uniform(0.0, 1.0)) * row_m;
     const double east = area.east_min + (column + random.Uniform(0.0, 1.0)) * column_m;
-    const double seabed = SeabedDepth(scenario.seabed, north, east);
+    const double seabed = bottom.Depth(north, east);
     deepest_ = std::max(deepest_, seabed);
     return Eigen::Vector3d(north, east, seabed - height);
   };

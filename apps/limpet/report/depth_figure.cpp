@@ -6,6 +6,7 @@
 
 #include "apps/limpet/report/figures.hpp"
 #include "apps/limpet/report/map_axes.hpp"
+#include "limpet/mission/seabed.hpp"
 
 namespace limpet {
 namespace {
@@ -37,15 +38,15 @@ struct DepthError {
   double mean = 0.0, spread = 0.0;
 };
 
-DepthError ErrorOf(const GridRecord& grid, const Scenario::Seabed& seabed) {
+DepthError ErrorOf(const GridRecord& grid, const Seabed& seabed) {
   const auto columns = static_cast<std::size_t>(grid.frame.columns);
   double sum = 0.0, squares = 0.0, count = 0.0;
   for (std::size_t i = 0; i < grid.seen_height.size(); ++i) {
     if (grid.seen_height[i] < 0.0F) continue;
     const double row = static_cast<double>(i / columns) + 0.5;
     const double column = static_cast<double>(i % columns) + 0.5;
-    const double truth = SeabedDepth(seabed, grid.frame.north_min + row * grid.frame.cell_m,
-                                     grid.frame.east_min + column * grid.frame.cell_m);
+    const double truth = seabed.Depth(grid.frame.north_min + row * grid.frame.cell_m,
+                                      grid.frame.east_min + column * grid.frame.cell_m);
     const double error = static_cast<double>(grid.seabed_down[i]) - truth;
     sum += error, squares += error * error, count += 1.0;
   }
@@ -60,7 +61,7 @@ Figure DepthFigure(const FigureSource& source) {
   const GridRecord& grid = source.record.grid;
   const SurveyArea area = AreaOf(source.record);
   const DepthRange range = RangeOf(grid);
-  const DepthError error = ErrorOf(grid, source.scenario.seabed);
+  const DepthError error = ErrorOf(grid, Seabed(source.scenario.seabed));
   MapAxes map(
       area,
       fmt::format("Depth of the bottom as mapped: {:.2f} m too {} on average, \u00b1 {:.2f} m",

@@ -8,6 +8,7 @@
 
 #include "apps/limpet/report/html_explanations.hpp"
 #include "apps/limpet/report/html_style.hpp"
+#include "apps/limpet/report/probability_text.hpp"
 #include "apps/limpet/report/svg_canvas.hpp"
 #include "apps/limpet/report/verdict.hpp"
 
@@ -74,10 +75,10 @@ std::string ObjectsTable(const SessionScore& session) {
       "class=\"left\">verdict</tr>\n";
   for (const OpiScore& opi : session.opis.found) {
     out += fmt::format(
-        "<tr><td>{}</td>{}{}<td>{:.2f}</td><td>{:.2f}</td><td>{}</td><td>{:.3f}</td><td "
+        "<tr><td>{}</td>{}{}<td>{:.2f}</td><td>{:.2f}</td><td>{}</td><td>{}</td><td "
         "class=\"left\">{}</td></tr>\n",
         EscapedMarkup(opi.truth), Place(opi.slam_ned), Place(opi.slam_sd), opi.error_m,
-        opi.aligned_error_m, opi.looks, opi.probability,
+        opi.aligned_error_m, opi.looks, EscapedMarkup(ProbabilityText(opi.probability)),
         Judged(opi.error_m <= kGoodError,
                opi.error_m <= kGoodError ? "found" : "found, misplaced"));
   }
@@ -87,9 +88,9 @@ std::string ObjectsTable(const SessionScore& session) {
   }
   for (const FalseOpi& opi : session.opis.invented) {
     out += fmt::format(
-        "<tr><td>nothing</td>{}<td colspan=\"6\"></td><td>{:.3f}</td><td "
+        "<tr><td>nothing</td>{}<td colspan=\"6\"></td><td>{}</td><td "
         "class=\"left\">{}</td></tr>\n",
-        Place(opi.ned), opi.probability, Judged(false, "invented"));
+        Place(opi.ned), EscapedMarkup(ProbabilityText(opi.probability)), Judged(false, "invented"));
   }
   return out + "</table></div>\n";
 }
@@ -107,12 +108,13 @@ std::string ChangesTable(const SessionScore& session) {
       "class=\"left\">verdict</tr>\n";
   for (const ChangeScore& change : session.opis.changes) {
     out += fmt::format(
-        "<tr><td>{}</td>{}<td class=\"left\">{}</td><td class=\"left\">{}</td><td>{:.3f}</td><td "
+        "<tr><td>{}</td>{}<td class=\"left\">{}</td><td class=\"left\">{}</td><td>{}</td><td "
         "class=\"left\">{}</td></tr>\n",
         EscapedMarkup(change.truth.value_or("nothing")),
         change.ned ? Place(*change.ned) : "<td colspan=\"3\">not known to the vehicle</td>",
         change.expected.value_or("nothing there"), EscapedMarkup(change.decided),
-        change.probability, Judged(change.is_right(), change.is_right() ? "right" : "wrong"));
+        EscapedMarkup(ProbabilityText(change.probability)),
+        Judged(change.is_right(), change.is_right() ? "right" : "wrong"));
   }
   return out + "</table></div>\n";
 }

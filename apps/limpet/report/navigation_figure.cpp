@@ -16,7 +16,7 @@ using Point = SvgCanvas::Point;
 constexpr Paint kEstimate{.stroke = palette::kBlue, .width = 1.8};
 constexpr Paint kDeadReckoning{.stroke = palette::kVermillion, .width = 1.8, .dash = "6 4"};
 constexpr Paint kBounds{.fill = palette::kSky, .opacity = 0.3};
-constexpr double kLeft = 76.0, kWidth = 640.0;
+constexpr double kLeft = 76.0, kWidth = 814.0;
 
 double Largest(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());

@@ -8,6 +8,7 @@
 #include "apps/limpet/report/figures.hpp"
 #include "apps/limpet/report/map_axes.hpp"
 #include "apps/limpet/report/map_symbols.hpp"
+#include "apps/limpet/report/probability_text.hpp"
 
 namespace limpet {
 namespace {
@@ -43,11 +44,11 @@ void DrawBelief(const Drawing& drawing, const OpiBelief& opi) {
 void LabelBeliefs(MapAxes& map, const FigureSource& source) {
   for (const OpiScore& opi : source.score.opis.found) {
     DrawLabel(map, opi.slam_ned,
-              {.lines = {opi.truth, fmt::format("P {:.3f}", opi.probability)}, .distance = 20.0});
+              {.lines = {opi.truth, "P " + ProbabilityText(opi.probability)}, .distance = 20.0});
   }
   for (const FalseOpi& opi : source.score.opis.invented) {
     DrawLabel(map, opi.ned,
-              {.lines = {"nothing is here", fmt::format("P {:.3f}", opi.probability)},
+              {.lines = {"nothing is here", "P " + ProbabilityText(opi.probability)},
                .distance = 20.0,
                .fill = palette::kVermillion});
   }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "apps/limpet/report/probability_text.hpp"
 #include "apps/limpet/report/verdict.hpp"
 
 namespace limpet {
@@ -55,12 +56,12 @@ std::string Heading(const SessionScore& session, const Painter& paint) {
 
 std::string DiscoveryTable(const SessionScore& session, const Painter& paint) {
   std::string out =
-      paint.Dim(fmt::format("  {:<10} {:>23}   {:>17}  {:>7}  {:>5}  {:>5}\n", "object",
+      paint.Dim(fmt::format("  {:<10} {:>23}   {:>17}  {:>7}  {:>5} {:>6}\n", "object",
                             "north   east    down [m]", "sd [m]", "error", "looks", "sure"));
   for (const OpiScore& opi : session.opis.found) {
-    out += fmt::format("  {:<10} {}   {:5.2f} {:5.2f} {:5.2f}  {:5.2f} m  {:>5}  {:5.3f}  {}\n",
+    out += fmt::format("  {:<10} {}   {:5.2f} {:5.2f} {:5.2f}  {:5.2f} m  {:>5} {:>6}  {}\n",
                        opi.truth, Place(opi.slam_ned), opi.slam_sd.x(), opi.slam_sd.y(),
-                       opi.slam_sd.z(), opi.error_m, opi.looks, opi.probability,
+                       opi.slam_sd.z(), opi.error_m, opi.looks, ProbabilityText(opi.probability),
                        paint.Verdict(opi.error_m <= kGoodError, "found"));
   }
   return out;
@@ -68,16 +69,17 @@ std::string DiscoveryTable(const SessionScore& session, const Painter& paint) {
 
 std::string ChangeTable(const SessionScore& session, const Painter& paint) {
   std::string out =
-      paint.Dim(fmt::format("  {:<10} {:>23}   {:<10} {:<10} {:>5}  {:>7}\n", "object",
+      paint.Dim(fmt::format("  {:<10} {:>23}   {:<10} {:<10} {:>6} {:>7}\n", "object",
                             "north   east    down [m]", "truth", "decided", "sure", "error"));
   for (const ChangeScore& change : session.opis.changes) {
     const auto& found = session.opis.found;
     const auto opi = std::find_if(found.begin(), found.end(), [&](const OpiScore& score) {
       return change.truth && score.truth == *change.truth;
     });
-    out += fmt::format("  {:<10} {}   {:<10} {:<10} {:5.3f}  {:>7}  {}\n",
+    out += fmt::format("  {:<10} {}   {:<10} {:<10} {:>6} {:>7}  {}\n",
                        change.truth.value_or("nothing"), Place(change.ned),
-                       change.expected.value_or("-"), change.decided, change.probability,
+                       change.expected.value_or("-"), change.decided,
+                       ProbabilityText(change.probability),
                        opi != found.end() ? fmt::format("{:.2f} m", opi->error_m) : "-",
                        paint.Verdict(change.is_right(), change.is_right() ? "right" : "WRONG"));
   }
@@ -90,8 +92,8 @@ std::string Mistakes(const SessionScore& session, const Painter& paint) {
     out += fmt::format("  {:<10} {}\n", name, paint.Verdict(false, "MISSED"));
   }
   for (const FalseOpi& opi : session.opis.invented) {
-    out += fmt::format("  {:<10} {}   {} {:.3f}  {}\n", "nothing", Place(opi.ned), opi.color,
-                       opi.probability, paint.Verdict(false, "INVENTED"));
+    out += fmt::format("  {:<10} {}   {} {}  {}\n", "nothing", Place(opi.ned), opi.color,
+                       ProbabilityText(opi.probability), paint.Verdict(false, "INVENTED"));
   }
   return out;
 }

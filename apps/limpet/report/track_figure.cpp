@@ -14,8 +14,9 @@ namespace {
 using Point = SvgCanvas::Point;
 
 constexpr Paint kTruePath{.stroke = palette::kMapInk, .width = 1.7};
+constexpr Paint kPathHalo{.stroke = palette::kHalo, .width = 4.2, .opacity = 0.8};
 constexpr Paint kEstimatedPath{.stroke = palette::kBlue, .width = 1.4, .dash = "5 3"};
-constexpr Paint kOption{.stroke = palette::kMapMuted, .width = 0.7, .opacity = 0.28};
+constexpr Paint kOption{.stroke = palette::kMapMuted, .width = 0.6, .opacity = 0.2};
 
 std::vector<Point> PointsOf(const MapAxes& map, const PoseTrack& track) {
   std::vector<Point> points;
@@ -33,7 +34,7 @@ std::string_view PurposeColor(const std::string& purpose) {
 
 /// The few options with the highest totals: more lines would hide the track.
 std::vector<BiddenOption> BestOf(std::vector<BiddenOption> options) {
-  constexpr std::size_t kDrawn = 4;
+  constexpr std::size_t kDrawn = 3;
   std::stable_sort(options.begin(), options.end(),
                    [](const auto& a, const auto& b) { return a.total > b.total; });
   if (options.size() > kDrawn) options.resize(kDrawn);
@@ -47,7 +48,7 @@ void DrawDecisions(MapAxes& map, const std::vector<DecisionRecord>& decisions) {
     for (const BiddenOption& option : BestOf(decision.bids->options)) {
       const Point end = map.At(option.end[0], option.end[1]);
       map.canvas().Line(start, end, kOption);
-      map.canvas().Circle(end, 1.6, {.fill = palette::kMapMuted, .opacity = 0.45});
+      map.canvas().Circle(end, 1.4, {.fill = palette::kMapMuted, .opacity = 0.4});
     }
   }
 }
@@ -100,7 +101,7 @@ void DrawTrackLegend(MapAxes& map, double top) {
   map.Legend(dot(palette::kHalo), "chose to cover");
   map.Legend(dot(palette::kVermillion), "chose to look at an object");
   map.Legend(dot(palette::kPurple), "chose to go home");
-  map.Legend(line(kOption), "the four best options,\nto their ends");
+  map.Legend(line(kOption), "the three best options,\nto their ends");
   map.LegendHeading("Objects");
   map.Legend(
       [](SvgCanvas& canvas, const Point& at) {
@@ -128,7 +129,9 @@ Figure TrackFigure(const FigureSource& source) {
   });
   map.Outline(area);
   DrawDecisions(map, record.decisions);
-  map.canvas().Polyline(PointsOf(map, record.truth), kTruePath);
+  const std::vector<Point> track = PointsOf(map, record.truth);
+  map.canvas().Polyline(track, kPathHalo);
+  map.canvas().Polyline(track, kTruePath);
   map.canvas().Polyline(PointsOf(map, record.nav), kEstimatedPath);
   DrawDirection(map, record.truth);
   DrawDecisionPoints(map, record.decisions);
@@ -142,11 +145,12 @@ Figure TrackFigure(const FigureSource& source) {
   DrawHome(map.canvas(), map.At(source.scenario.start.north_m, source.scenario.start.east_m));
   map.EndMap();
   DrawTrackLegend(map, area.object_height_max);
-  return {record.name + "_track.svg",
-          "The ground is shaded by the greatest height above the bottom up to which the vehicle "
-          "believes to have seen it; grey was never seen. Dots mark where the helm decided, thin "
-          "lines lead to the ends of the four best options. The dashed line is the area to survey.",
-          map.Finish()};
+  return {
+      record.name + "_track.svg",
+      "The ground is shaded by the greatest height above the bottom up to which the vehicle "
+      "believes to have seen it; grey was never seen. Dots mark where the helm decided, thin "
+      "lines lead to the ends of the three best options. The dashed line is the area to survey.",
+      map.Finish()};
 }
 
 }  // namespace limpet

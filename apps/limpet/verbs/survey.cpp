@@ -10,7 +10,9 @@
 
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/mission_check.hpp"
+#include "apps/limpet/report/expectation_check.hpp"
 #include "apps/limpet/report/report.hpp"
+#include "apps/limpet/report/report_json.hpp"
 #include "apps/limpet/report/survey_progress.hpp"
 #include "apps/limpet/report/terminal_report.hpp"
 #include "apps/limpet/session_runner.hpp"
@@ -30,7 +32,8 @@ constexpr const char* kHelp =
     R"(usage: limpet survey <mission folder> [options]
 
 Surveys the mission's area once per session (embedded, on virtual time, no port opened),
-compares the sessions, and reports what is confirmed, new or removed.
+compares the sessions, and reports what is confirmed, new or removed. Where the mission
+has an expect.yaml, the report is held to its bounds: exit code 1 if one is broken.
 
   --seed N             every random draw comes from it (default 1)
   --out DIR            run folder (default runs/<mission>-<seed>)
@@ -124,7 +127,8 @@ class SurveyRun {
   explicit SurveyRun(SurveyCommand command)
       : command_(std::move(command)),
         mission_(LoadMission(command_.mission_folder / "mission.moos")),
-        scenario_(LoadScenario(command_.mission_folder / "scenario.yaml")) {
+        scenario_(LoadScenario(command_.mission_folder / "scenario.yaml")),
+        expectations_(LoadExpectations(command_.mission_folder, scenario_)) {
     for (const std::string& setting : command_.settings) {
       ApplySetting(mission_, setting);
     }
@@ -146,10 +150,26 @@ class SurveyRun {
     fmt::print("\nreport: {}\n", (command_.out / "report.html").string());
     const bool all_home =
         std::ranges::all_of(outcomes_, [](const auto& o) { return o.ended == "home"; });
-    return all_home && !interrupt_requested ? kOk : kFailed;
+    const bool keeps_bounds = KeepsBounds(score);
+    return all_home && keeps_bounds && !interrupt_requested ? kOk : kFailed;
   }
 
  private:
+  /// Compares with expect.yaml and says what it breaks.
+  [[nodiscard]] bool KeepsBounds(const RunScore& score) const {
+    if (!expectations_) return true;
+    const ExpectationCheck check = CheckReport(*expectations_, ReportJson(score));
+    if (check.is_other_method) {
+      fmt::print("expect.yaml is for planner limpet with gain full: not compared\n");
+    } else if (check.is_kept()) {
+      fmt::print("expect.yaml: all {} bounds are kept\n", check.compared);
+    }
+    for (const std::string& breach : check.breaches) {
+      fmt::print("expect.yaml: {}\n", breach);
+    }
+    return check.is_kept();
+  }
+
   static void Refuse(const std::vector<ConfigProblem>& problems) {
     if (!problems.empty()) {
       throw ConfigError(problems);
@@ -192,6 +212,7 @@ class SurveyRun {
   SurveyCommand command_;
   MissionFile mission_;
   Scenario scenario_;
+  std::optional<Expectations> expectations_;
   ReportSettings settings_;
   std::vector<SessionRecord> records_;
   std::vector<SessionOutcome> outcomes_;

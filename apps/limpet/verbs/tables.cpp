@@ -10,9 +10,11 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
+#include "apps/limpet/report/expectation_check.hpp"
 #include "apps/limpet/report/paper_tables.hpp"
 #include "apps/limpet/report/progress_line.hpp"
 #include "apps/limpet/verbs/child_runs.hpp"
+#include "limpet/mission/scenario.hpp"
 
 namespace limpet {
 namespace {
@@ -24,6 +26,8 @@ constexpr const char* kHelp =
 
 Surveys with one seed after the other, several at a time, and prints the paper's tables
 beside ours. Each run keeps <out>/<seed>/report.json. Seeds already done are not run again.
+Where the mission has an expect.yaml, every run is held to its bounds: exit code 1 if fewer
+runs than its share_of_runs keep them.
 
   --runs N             number of seeds (default 10)
   --seed N             first seed (default 1)
@@ -146,6 +150,26 @@ RunStatistics Gather(const TablesCommand& command) {
   return statistics;
 }
 
+/// Holds every run to the mission's expect.yaml; says which seed breaks which bound.
+bool KeepBounds(const TablesCommand& command, const Expectations& expected) {
+  int runs = 0, kept = 0;
+  for (int seed = command.first_seed; seed < command.first_seed + command.runs; ++seed) {
+    const fs::path report = command.RunFolder(seed) / "report.json";
+    if (!fs::exists(command.EndMark(seed)) || !fs::exists(report)) continue;
+    const ExpectationCheck check = CheckReport(expected, TextOf(report));
+    if (check.is_other_method) return true;
+    ++runs;
+    kept += check.is_kept() ? 1 : 0;
+    for (const std::string& breach : check.breaches) {
+      fmt::print(stderr, "seed {}: {}\n", seed, breach);
+    }
+  }
+  const bool is_enough = kept >= expected.share_of_runs * runs;
+  fmt::print(stderr, "expect.yaml: {} of {} runs keep every bound{}\n", kept, runs,
+             is_enough ? "" : fmt::format("; at least {} of them should", expected.share_of_runs));
+  return is_enough;
+}
+
 }  // namespace
 
 int RunTables(std::span<const std::string> args) {
@@ -157,6 +181,8 @@ int RunTables(std::span<const std::string> args) {
   if (!fs::exists(command.mission_folder / "mission.moos")) {
     throw UsageError(fmt::format("no mission in {}", command.mission_folder.string()));
   }
+  const auto expected = LoadExpectations(command.mission_folder,
+                                         LoadScenario(command.mission_folder / "scenario.yaml"));
   PrepareFolder(command);
   const bool is_complete = RunMissing(command);
   const RunStatistics statistics = Gather(command);
@@ -166,7 +192,8 @@ int RunTables(std::span<const std::string> args) {
   Write(command.out / "tables.md", Markdown(tables));
   fmt::print("{}", command.prints_json ? json : PlainText(tables));
   if (!is_complete) fmt::print(stderr, "interrupted: the same command goes on where it stopped\n");
-  return is_complete && statistics.failed.empty() ? kOk : kFailed;
+  const bool keep_bounds = !expected || KeepBounds(command, *expected);
+  return is_complete && keep_bounds && statistics.failed.empty() ? kOk : kFailed;
 }
 
 }  // namespace limpet

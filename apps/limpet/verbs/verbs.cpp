@@ -3,6 +3,7 @@
 
 #include "apps/limpet/verbs/change.hpp"
 #include "apps/limpet/verbs/check.hpp"
+#include "apps/limpet/verbs/describe.hpp"
 #include "apps/limpet/verbs/detect.hpp"
 #include "apps/limpet/verbs/log.hpp"
 #include "apps/limpet/verbs/nav.hpp"
@@ -20,6 +21,7 @@ const std::vector<Verb>& Verbs() {
       {"nav", "run the estimator alone on a recorded sensor stream", RunNav},
       {"detect", "run the detector alone on images", RunDetect},
       {"check", "report every problem of a mission", RunCheck},
+      {"describe", "every parameter and every variable, from the code", RunDescribe},
       {"report", "figures and page again from a run's logs", RunReport},
       {"tables", "many seeds: the paper's tables beside ours", RunTables},
       {"log", "look into a log: scan, stat, grep, clip, csv, recover", RunLog},

@@ -28,8 +28,10 @@ class [[nodiscard]] Expected {
 
   /// REQUIRES: has_value().
   [[nodiscard]] const T& operator*() const& { return Value(); }
+  [[nodiscard]] T& operator*() & { return MutableValue(); }
   [[nodiscard]] T&& operator*() && { return std::move(MutableValue()); }
   [[nodiscard]] const T* operator->() const { return &Value(); }
+  [[nodiscard]] T* operator->() { return &MutableValue(); }
   /// REQUIRES: !has_value().
   [[nodiscard]] const E& error() const {
     LIMPET_REQUIRE(!has_value(), "error() of a value");
@@ -37,11 +39,11 @@ class [[nodiscard]] Expected {
   }
 
  private:
-  const T& Value() const {
+  [[nodiscard]] const T& Value() const {
     LIMPET_REQUIRE(has_value(), "value of an error");
     return std::get<0>(state_);
   }
-  T& MutableValue() {
+  [[nodiscard]] T& MutableValue() {
     LIMPET_REQUIRE(has_value(), "value of an error");
     return std::get<0>(state_);
   }

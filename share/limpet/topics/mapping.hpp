@@ -103,28 +103,30 @@ template <>
 struct TopicCodec<SessionPrior> : JsonCodec<SessionPrior> {};
 
 namespace topics {
-inline const Topic<GridDelta> kMapDelta{"MAP_DELTA", "changed cells of the survey grid, 2 Hz"};
-inline const Topic<Coverage> kMapCoverage{"MAP_COVERAGE", "believed coverage, 2 Hz"};
-inline const Topic<OpiBeliefs> kMapOpis{"MAP_OPIS",
-                                        "objects and their status, on change, at most 2 Hz"};
-inline const Topic<Binary> kMapSnapshot{"MAP_SNAPSHOT",
-                                        "whole semantic octree, on MAP_SNAPSHOT_REQUEST"};
-inline const Topic<std::string> kMapSnapshotRequest{"MAP_SNAPSHOT_REQUEST",
-                                                    "asks for MAP_SNAPSHOT"};
-inline const Topic<SessionPrior> kSessionPrior{"SESSION_PRIOR",
-                                               "objects of the loaded former session"};
-inline const Topic<std::string> kSessionSave{"SESSION_SAVE",
-                                             "asks pSession to save; value says why"};
-inline const Topic<std::string> kSessionSaved{"SESSION_SAVED", "a generation is complete on disk"};
+inline const auto kMapDelta =
+    Declare<GridDelta>("MAP_DELTA", "changed cells of the survey grid",
+                       {.unit = "m", .frame = "NED", .rate = "2 Hz", .writers = {"pMap"}});
+inline const auto kMapCoverage =
+    Declare<Coverage>("MAP_COVERAGE", "shares of the area that the vehicle believes it has seen",
+                      {.unit = "0 to 1", .rate = "2 Hz", .writers = {"pMap"}});
+inline const auto kMapOpis = Declare<OpiBeliefs>(
+    "MAP_OPIS", "objects and their status",
+    {.unit = "m", .frame = "NED", .rate = "on change, at most 2 Hz", .writers = {"pMap"}});
+inline const auto kMapSnapshot = Declare<Binary>(
+    "MAP_SNAPSHOT", "whole semantic octree",
+    {.unit = "m", .frame = "NED", .rate = "on MAP_SNAPSHOT_REQUEST", .writers = {"pMap"}});
+inline const auto kMapSnapshotRequest =
+    Declare<std::string>("MAP_SNAPSHOT_REQUEST", "asks for MAP_SNAPSHOT; value says why",
+                         {.rate = "with each save", .writers = {"pSession"}});
+inline const auto kSessionPrior = Declare<SessionPrior>(
+    "SESSION_PRIOR", "objects of the loaded former session, and where it looked from",
+    {.unit = "m, rad, s", .frame = "NED", .rate = "once", .writers = {"pSession"}});
+inline const auto kSessionSave =
+    Declare<std::string>("SESSION_SAVE", "asks pSession to save; value says why",
+                         {.rate = "on event", .writers = {"pSurvey"}});
+inline const auto kSessionSaved =
+    Declare<std::string>("SESSION_SAVED", "a generation is complete on disk: generation=,cause=",
+                         {.rate = "on event", .writers = {"pSession"}});
 }  // namespace topics
-
-template <>
-struct TopicCodec<Binary> {
-  [[nodiscard]] static Value Encode(const Binary& value) { return value; }
-  [[nodiscard]] static std::optional<Binary> Decode(const Value& value) {
-    const auto* bytes = std::get_if<Binary>(&value);
-    return bytes != nullptr ? std::optional<Binary>(*bytes) : std::nullopt;
-  }
-};
 
 }  // namespace limpet

@@ -85,24 +85,50 @@ struct ThrusterCommand {
 };
 
 namespace topics {
-inline const Topic<SurveyArea> kSurveyArea{"SURVEY_AREA", "area to cover"};
-inline const Topic<HomePoint> kSurveyHome{"SURVEY_HOME",
-                                          "where the vehicle started and returns to"};
-inline const Topic<std::string> kSurveyPhase{"SURVEY_PHASE",
-                                             "IDLE, ALIGN, DIVE, SURVEY, RETURN, ASCEND, FIX, DONE"};
-inline const Topic<bool> kDeploy{"DEPLOY", "start the mission"};
-inline const Topic<bool> kReturn{"RETURN", "end the survey and go home"};
-inline const Topic<bool> kManualOverride{"MOOS_MANUAL_OVERRIDE", "true parks the helm"};
-inline const Topic<HelmPath> kHelmPath{"HELM_PATH", "path being followed"};
-inline const Topic<HelmBids> kHelmBids{"HELM_BIDS", "last decision: options, bids, reasons"};
-inline const Topic<double> kDesiredHeading{"DESIRED_HEADING", "degrees clockwise from north"};
-inline const Topic<double> kDesiredSpeed{"DESIRED_SPEED", "m/s"};
-inline const Topic<double> kDesiredDepth{"DESIRED_DEPTH", "m, positive down"};
-inline const Topic<double> kDesiredTurnRate{
-    "DESIRED_TURN_RATE", "feed-forward of the course [rad/s], starboard positive"};
-inline const Topic<ThrusterCommand> kThrusterCommand{"THRUSTER_COMMAND", "to the thrusters, 10 Hz"};
-inline const Topic<std::string> kMissionEnd{"MISSION_END",
-                                            "home, aborted or timeout: the session is over"};
+inline const auto kSurveyArea =
+    Declare<SurveyArea>("SURVEY_AREA", "area to cover",
+                        {.unit = "m", .frame = "NED", .rate = "once", .writers = {"pSurvey"}});
+inline const auto kSurveyHome =
+    Declare<HomePoint>("SURVEY_HOME", "where the vehicle started and returns to",
+                       {.unit = "m", .frame = "NED", .rate = "once", .writers = {"pSurvey"}});
+inline const auto kSurveyPhase =
+    Declare<std::string>("SURVEY_PHASE", "IDLE, ALIGN, DIVE, SURVEY, RETURN, ASCEND, FIX, DONE",
+                         {.rate = "on change", .writers = {"pSurvey"}});
+inline const auto kDeploy = Declare<bool>("DEPLOY", "start the mission",
+                                          {.rate = "on event", .writers = {"operator", "pHelm"}});
+inline const auto kReturn = Declare<bool>("RETURN", "end the survey and go home",
+                                          {.rate = "on event", .writers = {"operator", "pHelm"}});
+inline const auto kManualOverride =
+    Declare<bool>("MOOS_MANUAL_OVERRIDE", "true parks the helm",
+                  {.rate = "on event", .writers = {"operator", "pHelm"}});
+inline const auto kHelmState = Declare<std::string>("IVPHELM_STATE", "DRIVE or PARK",
+                                                    {.rate = "on change", .writers = {"pHelm"}});
+inline const auto kHelmAllStop = Declare<std::string>(
+    "IVPHELM_ALLSTOP", "clear, or why all is stopped", {.rate = "on change", .writers = {"pHelm"}});
+inline const auto kHelmPath = Declare<HelmPath>(
+    "HELM_PATH", "path being followed: Dubins arcs and lines",
+    {.unit = "m, rad, 1/m", .frame = "NED", .rate = "on decision", .writers = {"pHelm"}});
+inline const auto kHelmBids = Declare<HelmBids>(
+    "HELM_BIDS", "last decision: options, bids, reasons",
+    {.unit = "m of path", .frame = "NED", .rate = "on decision", .writers = {"pHelm"}});
+inline const auto kDesiredHeading = Declare<double>(
+    "DESIRED_HEADING", "course to steer",
+    {.unit = "deg", .frame = "clockwise from north", .rate = "10 Hz", .writers = {"pHelm"}});
+inline const auto kDesiredSpeed =
+    Declare<double>("DESIRED_SPEED", "speed to hold",
+                    {.unit = "m/s", .frame = "over ground", .rate = "10 Hz", .writers = {"pHelm"}});
+inline const auto kDesiredDepth =
+    Declare<double>("DESIRED_DEPTH", "depth to hold",
+                    {.unit = "m", .frame = "down", .rate = "10 Hz", .writers = {"pHelm"}});
+inline const auto kDesiredTurnRate = Declare<double>(
+    "DESIRED_TURN_RATE", "feed-forward of the course",
+    {.unit = "rad/s", .frame = "starboard positive", .rate = "10 Hz", .writers = {"pHelm"}});
+inline const auto kThrusterCommand = Declare<ThrusterCommand>(
+    "THRUSTER_COMMAND", "normalised thrust of each thruster, in the order of the vehicle file",
+    {.unit = "-1 to 1", .frame = "body FRD", .rate = "10 Hz", .writers = {"pPilot"}});
+inline const auto kMissionEnd =
+    Declare<std::string>("MISSION_END", "home, aborted or timeout: the session is over",
+                         {.rate = "once", .writers = {"pSurvey"}});
 }  // namespace topics
 
 }  // namespace limpet

@@ -97,23 +97,48 @@ struct PosedBeams {
 };
 
 namespace topics {
-inline const Topic<double> kNavX{"NAV_X", "east of the datum [m]"};
-inline const Topic<double> kNavY{"NAV_Y", "north of the datum [m]"};
-inline const Topic<double> kNavHeading{"NAV_HEADING",
-                                       "degrees clockwise from true north, [0, 360)"};
-inline const Topic<double> kNavSpeed{"NAV_SPEED", "horizontal speed over ground [m/s]"};
-inline const Topic<double> kNavDepth{"NAV_DEPTH", "depth [m], positive down"};
-inline const Topic<double> kNavAltitude{"NAV_ALTITUDE", "body origin above the seabed [m]"};
-inline const Topic<double> kNavYaw{"NAV_YAW", "radians counter-clockwise from east"};
-inline const Topic<double> kNavPitch{"NAV_PITCH", "radians, nose up positive"};
-inline const Topic<double> kNavRoll{"NAV_ROLL", "radians, starboard down positive"};
-inline const Topic<NavState> kNavState{"NAV_STATE", "full estimate in NED, 10 Hz"};
-inline const Topic<DeadReckoning> kNavDeadReckoning{"NAV_DEAD_RECKONING",
-                                                    "DVL dead reckoning beside the estimate"};
-inline const Topic<Landmarks> kNavLandmarks{"NAV_LANDMARKS",
-                                            "objects with covariance, on change, at most 2 Hz"};
-inline const Topic<Sight> kNavSight{"NAV_SIGHT", "each camera frame, posed and associated"};
-inline const Topic<PosedBeams> kNavBeams{"NAV_BEAMS", "each DVL ping with the pose of the DVL"};
+inline const auto kNavX = Declare<double>(
+    "NAV_X", "position",
+    {.unit = "m", .frame = "east of the datum", .rate = "10 Hz", .writers = {"pNav"}});
+inline const auto kNavY = Declare<double>(
+    "NAV_Y", "position",
+    {.unit = "m", .frame = "north of the datum", .rate = "10 Hz", .writers = {"pNav"}});
+inline const auto kNavHeading = Declare<double>(
+    "NAV_HEADING", "heading, 0 to below 360",
+    {.unit = "deg", .frame = "clockwise from true north", .rate = "10 Hz", .writers = {"pNav"}});
+inline const auto kNavSpeed =
+    Declare<double>("NAV_SPEED", "horizontal speed",
+                    {.unit = "m/s", .frame = "over ground", .rate = "10 Hz", .writers = {"pNav"}});
+inline const auto kNavDepth = Declare<double>(
+    "NAV_DEPTH", "depth",
+    {.unit = "m", .frame = "down from the surface", .rate = "10 Hz", .writers = {"pNav"}});
+inline const auto kNavAltitude = Declare<double>(
+    "NAV_ALTITUDE", "body origin above the seabed; silent without bottom lock",
+    {.unit = "m", .frame = "up from the seabed", .rate = "10 Hz", .writers = {"pNav"}});
+inline const auto kNavYaw = Declare<double>(
+    "NAV_YAW", "heading",
+    {.unit = "rad", .frame = "counter-clockwise from east", .rate = "10 Hz", .writers = {"pNav"}});
+inline const auto kNavPitch = Declare<double>(
+    "NAV_PITCH", "pitch",
+    {.unit = "rad", .frame = "nose up positive", .rate = "10 Hz", .writers = {"pNav"}});
+inline const auto kNavRoll = Declare<double>(
+    "NAV_ROLL", "roll",
+    {.unit = "rad", .frame = "starboard down positive", .rate = "10 Hz", .writers = {"pNav"}});
+inline const auto kNavState = Declare<NavState>(
+    "NAV_STATE", "full estimate with its 1-sigma",
+    {.unit = "m, rad, s", .frame = "NED, body FRD", .rate = "10 Hz", .writers = {"pNav"}});
+inline const auto kNavDeadReckoning = Declare<DeadReckoning>(
+    "NAV_DEAD_RECKONING", "DVL dead reckoning from the first GPS fix, for comparison",
+    {.unit = "m, rad", .frame = "NED", .rate = "10 Hz", .writers = {"pNav"}});
+inline const auto kNavLandmarks = Declare<Landmarks>(
+    "NAV_LANDMARKS", "objects with covariance",
+    {.unit = "m", .frame = "NED", .rate = "on change, at most 2 Hz", .writers = {"pNav"}});
+inline const auto kNavSight = Declare<Sight>(
+    "NAV_SIGHT", "each camera frame, posed and associated",
+    {.unit = "m, rad, px", .frame = "NED, body FRD, image", .rate = "4 Hz", .writers = {"pNav"}});
+inline const auto kNavBeams = Declare<PosedBeams>(
+    "NAV_BEAMS", "each DVL ping with the pose of the DVL",
+    {.unit = "m, rad", .frame = "NED, body FRD", .rate = "5 Hz", .writers = {"pNav"}});
 }  // namespace topics
 
 }  // namespace limpet

@@ -91,15 +91,32 @@ template <>
 struct TopicCodec<Detections> : JsonCodec<Detections> {};
 
 namespace topics {
-inline const Topic<ImuSample> kImuData{"IMU_DATA", "inertial measurement unit, 50 Hz"};
-inline const Topic<double> kFogYawRate{"FOG_YAW_RATE",
-                                       "fibre-optic gyro, body z rate [rad/s], 50 Hz"};
-inline const Topic<double> kDepthSensor{"DEPTH_SENSOR",
-                                        "depth of the body origin from pressure [m], 20 Hz"};
-inline const Topic<DvlSample> kDvlData{"DVL_DATA", "Doppler velocity log, 5 Hz"};
-inline const Topic<GpsFix> kGpsData{"GPS_DATA", "GPS fix in the local frame, 1 Hz at the surface"};
-inline const Topic<CameraFrame> kCameraFrame{"CAMERA_FRAME", "down-looking image, 4 fps"};
-inline const Topic<Detections> kDetections{"DETECTIONS", "boxes of each frame, also of empty ones"};
+inline const auto kImuData =
+    Declare<ImuSample>("IMU_DATA", "accelerometer, gyro and magnetic heading",
+                       {.unit = "m/s^2, rad/s, rad",
+                        .frame = "body FRD",
+                        .rate = "50 Hz",
+                        .writers = {"uSimSensors"}});
+inline const auto kFogYawRate = Declare<double>("FOG_YAW_RATE", "fibre-optic gyro",
+                                                {.unit = "rad/s",
+                                                 .frame = "body z, starboard positive",
+                                                 .rate = "50 Hz",
+                                                 .writers = {"uSimSensors"}});
+inline const auto kDepthSensor = Declare<double>(
+    "DEPTH_SENSOR", "depth of the body origin from pressure",
+    {.unit = "m", .frame = "down from the surface", .rate = "20 Hz", .writers = {"uSimSensors"}});
+inline const auto kDvlData = Declare<DvlSample>(
+    "DVL_DATA", "Doppler velocity log: velocity, altitude, four slant ranges",
+    {.unit = "m/s, m", .frame = "body FRD", .rate = "5 Hz", .writers = {"uSimSensors"}});
+inline const auto kGpsData = Declare<GpsFix>(
+    "GPS_DATA", "GPS fix in the mission's local frame",
+    {.unit = "m", .frame = "NED", .rate = "1 Hz at the surface", .writers = {"uSimSensors"}});
+inline const auto kCameraFrame = Declare<CameraFrame>(
+    "CAMERA_FRAME", "down-looking image, 8-bit BGR",
+    {.unit = "px, s", .frame = "image", .rate = "4 Hz", .writers = {"uSimCamera"}});
+inline const auto kDetections = Declare<Detections>(
+    "DETECTIONS", "boxes of each frame, also of empty ones",
+    {.unit = "px, s", .frame = "image", .rate = "4 Hz", .writers = {"pDetect", "uSimCamera"}});
 }  // namespace topics
 
 }  // namespace limpet

@@ -28,9 +28,12 @@ struct SimTruth {
 };
 
 namespace topics {
-inline const Topic<SimTruth> kSimTruth{"SIM_TRUTH", "true state of the vehicle, 50 Hz"};
-inline const Topic<std::string> kSimEvent{"SIM_EVENT",
-                                          "surfaced, submerged, touched_bottom, left_bottom"};
+inline const auto kSimTruth = Declare<SimTruth>(
+    "SIM_TRUTH", "true state of the vehicle",
+    {.unit = "m, rad, s", .frame = "NED, body FRD", .rate = "50 Hz", .writers = {"uSimVehicle"}});
+inline const auto kSimEvent =
+    Declare<std::string>("SIM_EVENT", "surfaced, submerged, touched_bottom, left_bottom",
+                         {.rate = "on event", .writers = {"uSimVehicle"}});
 }  // namespace topics
 
 }  // namespace limpet

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "apps/limpet/report/expectation_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace limpet {
+namespace {
+
+using Json = nlohmann::json;
+using Number = std::optional<double>;
+
+Number NumberOf(const Json& value) {
+  return value.is_number() ? Number(value.get<double>()) : std::nullopt;
+}
+
+/// `<coverage|detectable>_<percent>_path_m`.
+Number PathOfLevel(const Json& session, const std::string& key) {
+  const std::size_t bar = key.find('_');
+  const double level = std::stod(key.substr(bar + 1, 2)) / 100.0;
+  for (const Json& entry : session.at(key.substr(0, bar))) {
+    if (std::abs(entry.at("level").get<double>() - level) < 1e-9) {
+      return NumberOf(entry.at("path_m"));
+    }
+  }
+  return std::nullopt;
+}
+
+/// Largest of all found objects; 0 if none was found, which `missed` tells.
+Number LargestOfObjects(const Json& session, const std::string& key) {
+  double largest = 0.0;
+  for (const Json& opi : session.at("opis")) {
+    largest = std::max(largest, opi.at(key).get<double>());
+  }
+  return largest;
+}
+
+Number WrongStatuses(const Json& session) {
+  if (!session.contains("changes")) return std::nullopt;
+  const Json& changes = session.at("changes");
+  return static_cast<double>(std::count_if(changes.begin(), changes.end(), [](const Json& change) {
+    return change.at("truth").is_null() || change.at("decided") != change.at("expected");
+  }));
+}
+
+Number ValueOf(const Json& session, const std::string& key) {
+  if (key.starts_with("coverage_") || key.starts_with("detectable_")) {
+    return PathOfLevel(session, key);
+  }
+  if (key == "missed") return static_cast<double>(session.at("missed").size());
+  if (key == "invented") return static_cast<double>(session.at("false").size());
+  if (key == "wrong_statuses") return WrongStatuses(session);
+  if (key == "error_m" || key == "aligned_error_m") return LargestOfObjects(session, key);
+  if (session.contains(key)) return NumberOf(session.at(key));
+  return session.at("nav").contains(key) ? NumberOf(session.at("nav").at(key)) : std::nullopt;
+}
+
+std::string TextOf(const ExpectedBound& bound) {
+  if (bound.min && bound.max) return fmt::format("{} to {}", *bound.min, *bound.max);
+  return bound.min ? fmt::format("at least {}", *bound.min)
+                   : fmt::format("at most {}", bound.max.value_or(0.0));
+}
+
+void Compare(const SessionExpectation& expected, const std::string& name, const Json& session,
+             ExpectationCheck& check) {
+  if (expected.ended) {
+    ++check.compared;
+    const std::string ended = session.at("ended");
+    if (ended != *expected.ended) {
+      check.breaches.push_back(
+          fmt::format("{}: ended {}, expected {}", name, ended, *expected.ended));
+    }
+  }
+  for (const ExpectedBound& bound : expected.bounds) {
+    ++check.compared;
+    const Number value = ValueOf(session, bound.key);
+    if (!value || (bound.min && *value < *bound.min) || (bound.max && *value > *bound.max)) {
+      check.breaches.push_back(
+          fmt::format("{}: {} is {}, expected {} ({}:{})", name, bound.key,
+                      value ? fmt::format("{:.6g}", *value) : "unknown or never reached",
+                      TextOf(bound), bound.where.file, bound.where.line));
+    }
+  }
+}
+
+}  // namespace
+
+ExpectationCheck CheckReport(const Expectations& expected, const std::string& report_json) {
+  ExpectationCheck check;
+  try {
+    const Json report = Json::parse(report_json);
+    const Json& settings = report.at("settings");
+    check.is_other_method = settings.at("planner") != "limpet" || settings.at("gain") != "full";
+    if (check.is_other_method) return check;
+    for (const auto& [name, session] : report.at("sessions").items()) {
+      for (const SessionExpectation& expectation : expected.sessions) {
+        if (expectation.session == "each" || expectation.session == name) {
+          Compare(expectation, name, session, check);
+        }
+      }
+    }
+  } catch (const Json::exception& error) {
+    throw std::runtime_error(fmt::format("not a report: {}", error.what()));
+  }
+  return check;
+}
+
+}  // namespace limpet

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// expect.yaml: bounds that a mission's report must keep; tests and `limpet survey` compare.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limpet/core/config.hpp"
+#include "limpet/mission/scenario.hpp"
+
+namespace limpet {
+
+/// One number of a session's report and where it may lie, inclusive.
+struct ExpectedBound {
+  std::string key;  ///< one of ExpectableNumbers()
+  std::optional<double> min;
+  std::optional<double> max;
+  SourceLine where;
+};
+
+/// What is expected of one session, or of each.
+struct SessionExpectation {
+  std::string session;               ///< name of a session, or `each`
+  std::optional<std::string> ended;  ///< home, aborted or timeout
+  std::vector<ExpectedBound> bounds;
+};
+
+struct Expectations {
+  std::vector<SessionExpectation> sessions;
+  /// Of many runs, at least this share must keep every bound.
+  double share_of_runs = 1.0;
+};
+
+/// Keys that may be bounded, named after report.json: `error_m` and `aligned_error_m` are the
+/// largest of all objects, `missed`, `invented` and `wrong_statuses` are counts, and a `_95_` is a
+/// coverage level.
+[[nodiscard]] const std::vector<std::string>& ExpectableNumbers();
+
+/// Reads expect.yaml. Throws ConfigError with every problem: unknown keys and sessions (`each` and
+/// `sessions` are known), bounds that no number can keep.
+[[nodiscard]] Expectations ParseExpectations(const std::string& text, const std::string& file,
+                                             const std::vector<std::string>& sessions);
+/// The same of `<folder>/expect.yaml`, with the sessions of its scenario; nothing if there is none.
+[[nodiscard]] std::optional<Expectations> LoadExpectations(const std::filesystem::path& folder,
+                                                           const Scenario& scenario);
+
+}  // namespace limpet

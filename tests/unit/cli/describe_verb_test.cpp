@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/limpet/cli.hpp"
+#include "apps/limpet/describe/parameter_list.hpp"
+#include "apps/limpet/describe/variable_list.hpp"
+#include "apps/limpet/verbs/describe.hpp"
+
+namespace limpet {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+const std::filesystem::path kSource = LIMPET_SOURCE_DIR;
+
+struct Output {
+  int exit_code = 0;
+  std::string text;
+};
+
+Output Describe(const std::vector<std::string>& args) {
+  testing::internal::CaptureStdout();
+  const int exit_code = RunDescribe(args);
+  return {exit_code, testing::internal::GetCapturedStdout()};
+}
+
+std::string TextOf(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+TEST(Describe, SaysWhatABehaviorMayBeGiven) {
+  const Output output = Describe({"BHV_HoldAltitude"});
+  EXPECT_EQ(output.exit_code, kOk);
+  EXPECT_THAT(output.text, HasSubstr("altitude_m = "));
+  EXPECT_THAT(output.text, HasSubstr("allowed: "));
+}
+
+TEST(Describe, SaysWhoWritesAndReadsAVariable) {
+  const auto list = nlohmann::json::parse(
+      Describe({"variables", (kSource / "missions/table1").string(), "--json"}).text);
+  const auto state = std::find_if(list.begin(), list.end(),
+                                  [](const auto& v) { return v.at("name") == "NAV_STATE"; });
+  ASSERT_NE(state, list.end());
+  EXPECT_THAT(state->at("writers"), Contains("pNav"));
+  EXPECT_THAT(state->at("readers"), Contains("pHelm"));
+  EXPECT_EQ(state->at("unit"), "m, rad, s");
+}
+
+TEST(Describe, NamesTheNearestOfAMisspeltName) {
+  try {
+    static_cast<void>(RunDescribe(std::vector<std::string>{"pHlem"}));
+    FAIL() << "took a name that does not exist";
+  } catch (const UsageError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("did you mean `pHelm`"));
+  }
+}
+
+TEST(Describe, EveryVariableHasAMeaningARateAndAWriter) {
+  for (const auto& [name, variable] : VariableCatalog()) {
+    EXPECT_THAT(variable.meaning, Not(IsEmpty())) << name;
+    EXPECT_THAT(variable.facts.rate, Not(IsEmpty())) << name;
+    EXPECT_THAT(variable.facts.writers, Not(IsEmpty())) << name;
+  }
+}
+
+TEST(Documentation, ListsTheParametersThatTheCodeHas) {
+  EXPECT_TRUE(TextOf(kSource / "docs/parameters.md") == Describe({"parameters", "--markdown"}).text)
+      << "docs/parameters.md is behind the code; in the repository root run\n"
+         "  ./limpet describe parameters --markdown > docs/parameters.md";
+}
+
+TEST(Documentation, ListsTheVariablesThatTheCodeHas) {
+  const std::string mission = (kSource / "missions/table1").string();
+  EXPECT_TRUE(TextOf(kSource / "docs/variables.md") ==
+              Describe({"variables", mission, "--markdown"}).text)
+      << "docs/variables.md is behind the code; in the repository root run\n"
+         "  ./limpet describe variables missions/table1 --markdown > docs/variables.md";
+}
+
+}  // namespace
+}  // namespace limpet
