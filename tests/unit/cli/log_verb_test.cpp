@@ -29,10 +29,18 @@ class LogVerbTest : public ::testing::Test {
   int Run(std::vector<std::string> words) {
     ::testing::internal::CaptureStdout();
     ::testing::internal::CaptureStderr();
-    const int code = RunLog(words);
-    out_ = ::testing::internal::GetCapturedStdout();
-    err_ = ::testing::internal::GetCapturedStderr();
-    return code;
+    const auto end_capture = [this] {
+      out_ = ::testing::internal::GetCapturedStdout();
+      err_ = ::testing::internal::GetCapturedStderr();
+    };
+    try {
+      const int code = RunLog(words);
+      end_capture();
+      return code;
+    } catch (...) {
+      end_capture();
+      throw;
+    }
   }
   [[nodiscard]] static std::string TextOf(const std::filesystem::path& file) {
     std::ifstream in(file);

@@ -27,10 +27,18 @@ class PlugVerbTest : public ::testing::Test {
     words.insert(words.end(), options.begin(), options.end());
     ::testing::internal::CaptureStdout();
     ::testing::internal::CaptureStderr();
-    const int code = RunPlug(words);
-    printed_ = ::testing::internal::GetCapturedStdout();
-    complaints_ = ::testing::internal::GetCapturedStderr();
-    return code;
+    const auto end_capture = [this] {
+      printed_ = ::testing::internal::GetCapturedStdout();
+      complaints_ = ::testing::internal::GetCapturedStderr();
+    };
+    try {
+      const int code = RunPlug(words);
+      end_capture();
+      return code;
+    } catch (...) {
+      end_capture();
+      throw;
+    }
   }
   [[nodiscard]] std::string Result() const {
     std::ifstream in(out_);
@@ -77,8 +85,6 @@ TEST_F(PlugVerbTest, WarnsOfAnUndefinedMacroWithFileAndLine) {
 
 TEST_F(PlugVerbTest, WritesNothingWhenStrictAndUndefined) {
   EXPECT_THROW(Run({path_, "-s"}), ConfigError);
-  ::testing::internal::GetCapturedStdout();
-  ::testing::internal::GetCapturedStderr();
   EXPECT_FALSE(std::filesystem::exists(out_));
 }
 
