@@ -8,19 +8,15 @@ namespace limpet {
 namespace {
 
 constexpr double kWellVisible = 0.75;  ///< share of the object inside the image that makes a look
-constexpr double kBorder = 2.0;        ///< a box nearer to the image's border is cut [px]
 constexpr float kOccupiedPerLook = 0.85F;
 constexpr double kFormerLogOdds = 2.2;  ///< P_a = 0.9 for an object that only a former session saw
+/// An object without looks that moved farther than this is judged again from all frames [m].
+constexpr double kRejudgeDistance = 0.3;
 constexpr double kVirtualHeight = 3.0;  ///< former objects are drawn as seen from here above [m]
 
 double LogOdds(double p) {
   const double safe = std::clamp(p, 1e-6, 1.0 - 1e-6);
   return std::log(safe / (1.0 - safe));
-}
-
-bool IsCut(const SightedDetection& box, const CameraGeometry& camera) {
-  return box.u - 0.5 * box.w < kBorder || box.u + 0.5 * box.w > camera.width_px - kBorder ||
-         box.v - 0.5 * box.h < kBorder || box.v + 0.5 * box.h > camera.height_px - kBorder;
 }
 
 VoxelLabel LabelOf(const ObjectStatus& status) {
@@ -55,40 +51,61 @@ ObjectLook VirtualLook(const Eigen::Vector3d& ned, double radius, const CameraGe
 
 }  // namespace
 
-bool ObjectLayer::IsNewViewpoint(const Painted& object, const Eigen::Vector3d& p_OC) const {
-  if (!object.last_viewpoint) {
+bool ObjectLayer::IsNewViewpoint(const Series& series, const Eigen::Vector3d& p_OC) const {
+  if (!series.last_viewpoint) {
     return true;
   }
-  const Eigen::Vector3d& last = *object.last_viewpoint;
+  const Eigen::Vector3d& last = *series.last_viewpoint;
   return (p_OC - last).norm() >= status_.looks.new_look_distance.value() ||
          p_OC.normalized().dot(last.normalized()) <= std::cos(status_.looks.new_look_angle.value());
+}
+
+double ObjectLayer::MissLogOdds(const Pose& X_WB, const Eigen::Vector3d& ned) const {
+  const double share = VisibleShare(camera_, X_WB, ned, status_.object_radius.value());
+  if (share < kWellVisible) {
+    return 0.0;
+  }
+  const double detects = status_.detection.Detects((X_WB.p_WB - ned).norm(), share);
+  const double false_alarm = status_.detection.false_per_image;
+  return std::min(std::log((1.0 - detects) / (1.0 - false_alarm)), 0.0);
 }
 
 void ObjectLayer::Look(Painted& object, const SightRecord& sight, const StatusBook& book) const {
   const Eigen::Vector3d& ned = object.status.object.ned;
   const Eigen::Vector3d p_OC = sight.X_WB.p_WB - ned;
-  if (object.status.landmark < 0 || !IsNewViewpoint(object, p_OC)) {
+  if (object.status.landmark < 0) {
     return;
   }
-  const auto box = std::ranges::find_if(sight.boxes, [&](const SightedDetection& seen) {
-    return book.Representative(seen.landmark) == object.status.landmark;
-  });
-  if (box != sight.boxes.end()) {
-    if (IsCut(*box, camera_)) return;  // its centre is not the object's
-    object.looks.push_back({.X_WB = sight.X_WB, .box = *box, .object_W = ned});
-  } else {
-    const double share = VisibleShare(camera_, sight.X_WB, ned, status_.object_radius.value());
-    if (share < kWellVisible) return;
-    const double detects = status_.detection.Detects(p_OC.norm(), share);
-    const double false_alarm = status_.detection.false_per_image;
-    object.miss_log_odds += std::min(std::log((1.0 - detects) / (1.0 - false_alarm)), 0.0);
+  if (const SightedDetection* box = book.BoxOf(object.status, sight)) {
+    const double depth = camera_.InCamera(sight.X_WB, ned).z();
+    const Eigen::Vector2d half_px =
+        status_.object_radius.value() / depth * Eigen::Vector2d(camera_.fx(), camera_.fy());
+    Series& series = IsCut(*box, camera_) ? object.cut : object.whole;
+    if (!IsNewViewpoint(series, p_OC)) return;
+    series.looks.push_back(
+        {.X_WB = sight.X_WB, .box = WholeBox(*box, half_px, camera_), .object_W = ned});
+    series.last_viewpoint = p_OC;
+    object.is_stale = true;
+  } else if (IsNewViewpoint(object.whole, p_OC)) {
+    const double miss = MissLogOdds(sight.X_WB, ned);
+    if (miss == 0.0) return;
+    object.miss_log_odds += miss;
+    object.whole.last_viewpoint = p_OC;
+    object.is_stale = true;
   }
-  object.last_viewpoint = p_OC;
-  object.is_stale = true;
 }
 
 void ObjectLayer::AddSight(const SightRecord& sight, const StatusBook& book) {
   for (auto& [id, object] : objects_) {
+    Look(object, sight, book);
+  }
+}
+
+void ObjectLayer::Judge(Painted& object, const StatusBook& book) const {
+  object.whole = {}, object.cut = {};
+  object.miss_log_odds = 0.0;
+  object.judged_at = object.status.object.ned;
+  for (const SightRecord& sight : book.sights()) {
     Look(object, sight, book);
   }
 }
@@ -101,13 +118,12 @@ void ObjectLayer::Follow(Painted& object, const ObjectStatus& status,
                     object.status.decided != status.decided;
   const Eigen::Vector3d painted_at = object.status.object.ned;
   object.status = status;
-  if (is_another) {
-    object.looks.clear();
-    object.miss_log_odds = 0.0;
-    object.last_viewpoint.reset();
-    for (const SightRecord& sight : book.sights()) {
-      Look(object, sight, book);
-    }
+  // Looks go along with their object; where it was thought to be somewhere else there may be none.
+  const bool was_misplaced = object.looks().empty() &&
+                             (object.judged_at - status.object.ned).norm() > kRejudgeDistance;
+  if (is_another || was_misplaced) {
+    Judge(object, book);
+    object.is_stale = true;
   } else if (!object.is_stale) {
     object.status.object.ned = painted_at;  // small steps add up until they are worth a repaint
   }
@@ -141,7 +157,7 @@ void ObjectLayer::SetObjects(const std::vector<ObjectStatus>& objects, const Sta
 std::map<VoxelKey, double> ObjectLayer::Gather(const Painted& object, double radius,
                                                double resolution) const {
   std::map<VoxelKey, double> sum;
-  for (const ObjectLook& look : object.looks) {
+  for (const ObjectLook& look : object.looks()) {
     const Eigen::Vector3d shift = object.status.object.ned - look.object_W;
     std::map<VoxelKey, double> strongest;  // many rays of one look in one voxel are one witness
     for (const VoxelEvidence& point : NearSurface(look, camera_, radius, 0.5 * resolution)) {
@@ -166,9 +182,9 @@ std::map<VoxelKey, double> ObjectLayer::Gather(const Painted& object, double rad
 
 void ObjectLayer::Repaint(Painted& object, SemanticOctree& octree) const {
   const double resolution = octree.resolution();
-  double radius = object.looks.empty() ? status_.object_radius.value() : 0.0;
-  for (const ObjectLook& look : object.looks) {
-    radius += RadiusFromBox(look, camera_) / static_cast<double>(object.looks.size());
+  double radius = object.looks().empty() ? status_.object_radius.value() : 0.0;
+  for (const ObjectLook& look : object.looks()) {
+    radius += RadiusFromBox(look, camera_) / static_cast<double>(object.looks().size());
   }
   std::map<VoxelKey, double> painted = Gather(object, radius, resolution);
   for (const auto& [key, log_odds] : object.log_odds) {
@@ -176,7 +192,7 @@ void ObjectLayer::Repaint(Painted& object, SemanticOctree& octree) const {
       octree.Forget(CentreOf(key, resolution));
     }
   }
-  const auto looks = static_cast<float>(std::max<std::size_t>(object.looks.size(), 1));
+  const auto looks = static_cast<float>(std::max<std::size_t>(object.looks().size(), 1));
   std::vector<VoxelKey> certain;
   for (const auto& [key, log_odds] : painted) {
     octree.Set(CentreOf(key, resolution),

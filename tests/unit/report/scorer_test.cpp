@@ -184,6 +184,15 @@ TEST(Scorer, MeasuresTheWayUntilAllFormerObjectsWereSeen) {
   EXPECT_GT(*score.coverage.prior_opis_seen_path_m, 200.0);
 }
 
+TEST(Scorer, CountsAFormerObjectThatTheDiveShowedAsSeenAtTheStart) {
+  Scenario scenario = Table1Scenario();
+  scenario.opis.resize(1);
+  // 2 m ahead of the start point and 1.5 m above the bottom: in sight from above alone.
+  scenario.opis[0].places["discovery"] = Eigen::Vector3d(-10.5, -15.5, 6.0);
+  const SessionScore score = ScoreSession(RecordOf(Brief(Change())), scenario, Table1Settings());
+  EXPECT_EQ(score.coverage.prior_opis_seen_path_m, 0.0);
+}
+
 TEST(Scorer, ScoresAnEmptySessionWithoutFailing) {
   const SessionScore score =
       ScoreSession(SessionRecord("discovery"), Table1Scenario(), Table1Settings());
