@@ -10,7 +10,7 @@ namespace {
 constexpr double kWellVisible = 0.75;  ///< share of the object inside the image that makes a look
 constexpr float kOccupiedPerLook = 0.85F;
 constexpr double kFormerLogOdds = 2.2;  ///< P_a = 0.9 for an object that only a former session saw
-/// An object without looks that moved farther than this is judged again from all frames [m].
+/// An object that moved farther than this is judged again from all frames [m].
 constexpr double kRejudgeDistance = 0.3;
 constexpr double kVirtualHeight = 3.0;  ///< former objects are drawn as seen from here above [m]
 
@@ -82,8 +82,10 @@ void ObjectLayer::Look(Painted& object, const SightRecord& sight, const StatusBo
         status_.object_radius.value() / depth * Eigen::Vector2d(camera_.fx(), camera_.fy());
     Series& series = IsCut(*box, camera_) ? object.cut : object.whole;
     if (!IsNewViewpoint(series, p_OC)) return;
-    series.looks.push_back(
-        {.X_WB = sight.X_WB, .box = WholeBox(*box, half_px, camera_), .object_W = ned});
+    series.looks.push_back({.X_WB = sight.X_WB,
+                            .box = WholeBox(*box, half_px, camera_),
+                            .object_W = ned,
+                            .time = sight.time});
     series.last_viewpoint = p_OC;
     object.is_stale = true;
   } else if (IsNewViewpoint(object.whole, p_OC)) {
@@ -102,11 +104,23 @@ void ObjectLayer::AddSight(const SightRecord& sight, const StatusBook& book) {
 }
 
 void ObjectLayer::Judge(Painted& object, const StatusBook& book) const {
+  std::map<double, Eigen::Vector3d> object_W;  // a look keeps to where the object was thought to be
+  for (const Series* series : {&object.whole, &object.cut}) {
+    for (const ObjectLook& look : series->looks) {
+      object_W[look.time] = look.object_W;
+    }
+  }
   object.whole = {}, object.cut = {};
   object.miss_log_odds = 0.0;
   object.judged_at = object.status.object.ned;
   for (const SightRecord& sight : book.sights()) {
     Look(object, sight, book);
+  }
+  for (Series* series : {&object.whole, &object.cut}) {
+    for (ObjectLook& look : series->looks) {
+      const auto known = object_W.find(look.time);
+      look.object_W = known != object_W.end() ? known->second : look.object_W;
+    }
   }
 }
 
@@ -118,10 +132,11 @@ void ObjectLayer::Follow(Painted& object, const ObjectStatus& status,
                     object.status.decided != status.decided;
   const Eigen::Vector3d painted_at = object.status.object.ned;
   object.status = status;
-  // Looks go along with their object; where it was thought to be somewhere else there may be none.
-  const bool was_misplaced = object.looks().empty() &&
-                             (object.judged_at - status.object.ned).norm() > kRejudgeDistance;
-  if (is_another || was_misplaced) {
+  if (is_another) {
+    object.whole = {}, object.cut = {};
+  }
+  // At a place where it was thought to be before, frames showed nothing: no evidence against it.
+  if (is_another || (object.judged_at - status.object.ned).norm() > kRejudgeDistance) {
     Judge(object, book);
     object.is_stale = true;
   } else if (!object.is_stale) {

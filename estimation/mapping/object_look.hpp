@@ -34,6 +34,7 @@ struct ObjectLook {
   Pose X_WB;
   SightedDetection box;  ///< whole; what lies outside the image was not seen
   Eigen::Vector3d object_W = Eigen::Vector3d::Zero();  ///< the smoother's centre then, NED [m]
+  double time = 0.0;                                   ///< [s]
 };
 
 /// Radius of the sphere that fills the look's box at the object's range [m].

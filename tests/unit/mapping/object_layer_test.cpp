@@ -213,6 +213,18 @@ TEST(ObjectLayer, PaintsFromFramesOfBeforeTheSmootherKnewTheObject) {
   EXPECT_TRUE(flight.layer.Cluster(1));
 }
 
+TEST(ObjectLayer, HoldsNothingAgainstAnObjectThatWasFirstThoughtElsewhere) {
+  Flight flight(kPlace);
+  const Eigen::Vector3d elsewhere = kPlace + Eigen::Vector3d(6.0, 0.0, 0.0);
+  for (int i = 0; i < 8; ++i) {
+    const Pose over{elsewhere + Eigen::Vector3d(0.6 * (i - 4), 0.0, -3.0), 0.0, 0.0, 0.0};
+    flight.book.AddSight({.time = 100.0 + 0.25 * i, .X_WB = over, .boxes = {}});
+  }
+  flight.Paint(StatusAt(elsewhere, Status::kNew));
+  flight.Paint(StatusAt(kPlace, Status::kNew));
+  EXPECT_TRUE(flight.layer.Cluster(1));
+}
+
 TEST(ObjectCluster, OfOneVoxelIsAsUncertainAsThatVoxelIsLarge) {
   const std::optional<ObjectCluster> cluster = LargestCluster({{1, 2, 3}}, kRadius, 0.2);
   ASSERT_TRUE(cluster);
