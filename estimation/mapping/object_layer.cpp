@@ -51,11 +51,11 @@ ObjectLook VirtualLook(const Eigen::Vector3d& ned, double radius, const CameraGe
 
 }  // namespace
 
-bool ObjectLayer::IsNewViewpoint(const Series& series, const Eigen::Vector3d& p_OC) const {
-  if (!series.last_viewpoint) {
+bool ObjectLayer::IsNewViewpoint(const Painted& object, const Eigen::Vector3d& p_OC) const {
+  if (!object.last_viewpoint) {
     return true;
   }
-  const Eigen::Vector3d& last = *series.last_viewpoint;
+  const Eigen::Vector3d& last = *object.last_viewpoint;
   return (p_OC - last).norm() >= status_.looks.new_look_distance.value() ||
          p_OC.normalized().dot(last.normalized()) <= std::cos(status_.looks.new_look_angle.value());
 }
@@ -73,28 +73,28 @@ double ObjectLayer::MissLogOdds(const Pose& X_WB, const Eigen::Vector3d& ned) co
 void ObjectLayer::Look(Painted& object, const SightRecord& sight, const StatusBook& book) const {
   const Eigen::Vector3d& ned = object.status.object.ned;
   const Eigen::Vector3d p_OC = sight.X_WB.p_WB - ned;
-  if (object.status.landmark < 0) {
+  if (object.status.landmark < 0 || !IsNewViewpoint(object, p_OC)) {
     return;
   }
   if (const SightedDetection* box = book.BoxOf(object.status, sight)) {
     const double depth = camera_.InCamera(sight.X_WB, ned).z();
     const Eigen::Vector2d half_px =
         status_.object_radius.value() / depth * Eigen::Vector2d(camera_.fx(), camera_.fy());
-    Series& series = IsCut(*box, camera_) ? object.cut : object.whole;
-    if (!IsNewViewpoint(series, p_OC)) return;
-    series.looks.push_back({.X_WB = sight.X_WB,
+    object.looks.push_back({.X_WB = sight.X_WB,
                             .box = WholeBox(*box, half_px, camera_),
                             .object_W = ned,
                             .time = sight.time});
-    series.last_viewpoint = p_OC;
-    object.is_stale = true;
-  } else if (IsNewViewpoint(object.whole, p_OC)) {
+  } else {
     const double miss = MissLogOdds(sight.X_WB, ned);
     if (miss == 0.0) return;
-    object.miss_log_odds += miss;
-    object.whole.last_viewpoint = p_OC;
-    object.is_stale = true;
+    // What made one look of a pass miss may have made them all: they are one witness.
+    const bool is_new_pass =
+        !object.last_miss || sight.time - *object.last_miss > status_.looks.new_pass_gap.value();
+    object.miss_log_odds += is_new_pass ? miss : 0.0;
+    object.last_miss = sight.time;
   }
+  object.last_viewpoint = p_OC;
+  object.is_stale = true;
 }
 
 void ObjectLayer::AddSight(const SightRecord& sight, const StatusBook& book) {
@@ -105,22 +105,20 @@ void ObjectLayer::AddSight(const SightRecord& sight, const StatusBook& book) {
 
 void ObjectLayer::Judge(Painted& object, const StatusBook& book) const {
   std::map<double, Eigen::Vector3d> object_W;  // a look keeps to where the object was thought to be
-  for (const Series* series : {&object.whole, &object.cut}) {
-    for (const ObjectLook& look : series->looks) {
-      object_W[look.time] = look.object_W;
-    }
+  for (const ObjectLook& look : object.looks) {
+    object_W[look.time] = look.object_W;
   }
-  object.whole = {}, object.cut = {};
+  object.looks.clear();
   object.miss_log_odds = 0.0;
+  object.last_miss.reset();
+  object.last_viewpoint.reset();
   object.judged_at = object.status.object.ned;
   for (const SightRecord& sight : book.sights()) {
     Look(object, sight, book);
   }
-  for (Series* series : {&object.whole, &object.cut}) {
-    for (ObjectLook& look : series->looks) {
-      const auto known = object_W.find(look.time);
-      look.object_W = known != object_W.end() ? known->second : look.object_W;
-    }
+  for (ObjectLook& look : object.looks) {
+    const auto known = object_W.find(look.time);
+    look.object_W = known != object_W.end() ? known->second : look.object_W;
   }
 }
 
@@ -133,7 +131,7 @@ void ObjectLayer::Follow(Painted& object, const ObjectStatus& status,
   const Eigen::Vector3d painted_at = object.status.object.ned;
   object.status = status;
   if (is_another) {
-    object.whole = {}, object.cut = {};
+    object.looks.clear();
   }
   // At a place where it was thought to be before, frames showed nothing: no evidence against it.
   if (is_another || (object.judged_at - status.object.ned).norm() > kRejudgeDistance) {
@@ -172,7 +170,7 @@ void ObjectLayer::SetObjects(const std::vector<ObjectStatus>& objects, const Sta
 std::map<VoxelKey, double> ObjectLayer::Gather(const Painted& object, double radius,
                                                double resolution) const {
   std::map<VoxelKey, double> sum;
-  for (const ObjectLook& look : object.looks()) {
+  for (const ObjectLook& look : object.looks) {
     const Eigen::Vector3d shift = object.status.object.ned - look.object_W;
     std::map<VoxelKey, double> strongest;  // many rays of one look in one voxel are one witness
     for (const VoxelEvidence& point : NearSurface(look, camera_, radius, 0.5 * resolution)) {
@@ -197,9 +195,9 @@ std::map<VoxelKey, double> ObjectLayer::Gather(const Painted& object, double rad
 
 void ObjectLayer::Repaint(Painted& object, SemanticOctree& octree) const {
   const double resolution = octree.resolution();
-  double radius = object.looks().empty() ? status_.object_radius.value() : 0.0;
-  for (const ObjectLook& look : object.looks()) {
-    radius += RadiusFromBox(look, camera_) / static_cast<double>(object.looks().size());
+  double radius = object.looks.empty() ? status_.object_radius.value() : 0.0;
+  for (const ObjectLook& look : object.looks) {
+    radius += RadiusFromBox(look, camera_) / static_cast<double>(object.looks.size());
   }
   std::map<VoxelKey, double> painted = Gather(object, radius, resolution);
   for (const auto& [key, log_odds] : object.log_odds) {
@@ -207,7 +205,7 @@ void ObjectLayer::Repaint(Painted& object, SemanticOctree& octree) const {
       octree.Forget(CentreOf(key, resolution));
     }
   }
-  const auto looks = static_cast<float>(std::max<std::size_t>(object.looks().size(), 1));
+  const auto looks = static_cast<float>(std::max<std::size_t>(object.looks.size(), 1));
   std::vector<VoxelKey> certain;
   for (const auto& [key, log_odds] : painted) {
     octree.Set(CentreOf(key, resolution),

@@ -34,28 +34,20 @@ class ObjectLayer {
   [[nodiscard]] std::optional<ObjectCluster> Cluster(int object) const;
 
  private:
-  /// Looks from one new viewpoint after the other.
-  struct Series {
-    std::vector<ObjectLook> looks;
-    std::optional<Eigen::Vector3d> last_viewpoint;  ///< camera relative to the object [m]
-  };
   struct Painted {
     ObjectStatus status;
-    Series whole, cut;           ///< looks whose box the image's border leaves whole, or cuts
-    double miss_log_odds = 0.0;  ///< of looks without a box
+    std::vector<ObjectLook> looks;                  ///< with a box
+    double miss_log_odds = 0.0;                     ///< of passes with looks that had none
+    std::optional<double> last_miss;                ///< time [s]
+    std::optional<Eigen::Vector3d> last_viewpoint;  ///< camera relative to the object [m]
     Eigen::Vector3d judged_at = Eigen::Vector3d::Zero();
     std::map<VoxelKey, double> log_odds;  ///< P_a per voxel, as painted
     std::optional<ObjectCluster> cluster;
     bool is_stale = true;
-
-    /// A cut box places its object less well, so it counts only where there is nothing better.
-    [[nodiscard]] const std::vector<ObjectLook>& looks() const {
-      return whole.looks.empty() ? cut.looks : whole.looks;
-    }
   };
 
   void Look(Painted& object, const SightRecord& sight, const StatusBook& book) const;
-  [[nodiscard]] bool IsNewViewpoint(const Series& series, const Eigen::Vector3d& p_OC) const;
+  [[nodiscard]] bool IsNewViewpoint(const Painted& object, const Eigen::Vector3d& p_OC) const;
   /// What a frame without a box says; 0 where the object would not be well visible.
   [[nodiscard]] double MissLogOdds(const Pose& X_WB, const Eigen::Vector3d& ned) const;
   /// Takes the object's looks from all frames of the book.

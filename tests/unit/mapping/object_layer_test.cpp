@@ -231,14 +231,24 @@ TEST(ObjectCluster, OfOneVoxelIsAsUncertainAsThatVoxelIsLarge) {
   EXPECT_NEAR(cluster->deviation.x(), 0.2 / std::sqrt(12.0), 1e-9);
 }
 
+TEST(ObjectLayer, OnePassThatMissesDoesNotUndoAnObject) {
+  Flight flight(kPlace);
+  for (int i = 0; i < 20; ++i) {
+    const Pose beside{kPlace + Eigen::Vector3d(0.125 * (i - 10), 0.0, -3.0), 0.0, 0.0, 0.0};
+    flight.book.AddSight({.time = 100.0 + 0.25 * i, .X_WB = beside, .boxes = {}});
+  }
+  flight.Paint(StatusAt(kPlace, Status::kNew));
+  EXPECT_TRUE(flight.layer.Cluster(1));
+}
+
 TEST(ObjectLayer, LooksThatMissMakeVoxelsLessCertain) {
   Flight flight(kPlace);
   flight.Paint(StatusAt(kPlace, Status::kNew));
   const float before = flight.octree.At(kPlace - Eigen::Vector3d(0, 0, 0.45))->object;
-  // From many sides, each a look of its own: one miss alone is lost in the clamp of a sure voxel.
+  // Pass after pass: one miss alone is lost in the clamp of a sure voxel.
   for (int i = 0; i < 8; ++i) {
     const Pose beside{kPlace + Eigen::Vector3d(0.6 * (i - 4), 0.0, -3.0), 0.0, 0.0, 0.0};
-    flight.book.AddSight({.time = 100.0 + 0.25 * i, .X_WB = beside, .boxes = {}});
+    flight.book.AddSight({.time = 100.0 + 30.0 * i, .X_WB = beside, .boxes = {}});
     flight.layer.AddSight(flight.book.sights().back(), flight.book);
   }
   flight.Paint(StatusAt(kPlace, Status::kNew));

@@ -170,6 +170,26 @@ TEST(Scorer, ListsADecisionAboutNothing) {
   EXPECT_FALSE(opis.changes.back().truth.has_value());
 }
 
+TEST(Scorer, TellsTwoObjectsOfOnePlaceApartByTheirColour) {
+  Scenario scenario = Table1Scenario();
+  scenario.opis.resize(2);
+  const Eigen::Vector3d place(4.0, 1.0, 5.5);
+  scenario.opis[0].color = "yellow", scenario.opis[1].color = "orange";
+  scenario.opis[0].places = {{"discovery", place}};
+  scenario.opis[1].places = {{"change", place}};
+  SyntheticSession session = Brief(Change());
+  session.opis.resize(2);
+  session.opis[0].color = "yellow", session.opis[1].color = "orange";
+  session.opis[0].ned = {4.1, 1.0, 5.5}, session.opis[1].ned = {4.2, 1.0, 5.5};
+  session.opis[0].decided = "removed", session.opis[1].decided = "new";
+  for (int turn = 0; turn < 2; ++turn) {
+    const SessionScore score = ScoreSession(RecordOf(session), scenario, Table1Settings());
+    EXPECT_EQ(score.opis.changes[0].decided, "removed");
+    EXPECT_EQ(score.opis.changes[1].decided, "new");
+    std::swap(session.opis[0].ned, session.opis[1].ned);
+  }
+}
+
 TEST(Scorer, ExpectsMovedOfAnObjectThatChangedItsPlace) {
   Scenario scenario = Table1Scenario();
   scenario.opis[0].places["change"] = Eigen::Vector3d(8.0, 1.0, 5.5);
