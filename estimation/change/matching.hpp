@@ -37,9 +37,9 @@ struct MatchingParams {
   Meters offset_sigma{0.6};  ///< prior of each component of the shift
   Radians turn_sigma = Radians::FromTextUnit(1.0);
   Meters position_floor{
-      0.3};  ///< added to each object's own covariance: what a filter does not know
-  double gate_sigmas = 3.5;
-  double color_penalty = 6.0;  ///< squared sigmas that another colour costs
+      0.15};  ///< added to each object's own covariance: what a filter does not know
+  double gate_sigmas = 3.0;
+  double color_penalty = 30.0;  ///< squared sigmas that another colour costs; beyond the gate
 
   template <class V>
   void Describe(V& visit) {

@@ -44,8 +44,8 @@ bool LooksLike(const SightedDetection& box, const PlacedObject& place, double di
 
 /// What a frame's boxes say about the place: one of its own, or one that may be.
 struct BoxesHere {
-  bool own = false;
-  bool possible = false;
+  const SightedDetection* own = nullptr;
+  const SightedDetection* possible = nullptr;
 };
 
 BoxesHere LookForBoxes(const SightRecord& sight, const PlacedObject& place,
@@ -54,10 +54,12 @@ BoxesHere LookForBoxes(const SightRecord& sight, const PlacedObject& place,
   BoxesHere here;
   for (const SightedDetection& box : sight.boxes) {
     const BoxOwner owner = owner_of(sight, box);
-    here.own = here.own || owner == BoxOwner::kThisPlace;
-    here.possible =
-        here.possible || (owner == BoxOwner::kUnknown && prospect.Explains(box, camera) &&
-                          LooksLike(box, place, 2.0 * prospect.radius, camera));
+    if (owner == BoxOwner::kThisPlace) {
+      here.own = &box;
+    } else if (owner == BoxOwner::kUnknown && prospect.Explains(box, camera) &&
+               LooksLike(box, place, 2.0 * prospect.radius, camera)) {
+      here.possible = &box;
+    }
   }
   return here;
 }
@@ -99,6 +101,16 @@ std::optional<Prospect> Foresee(const PlacedObject& place, const Pose& X_WB,
                   .gate = kGateSigmas * sigma};
 }
 
+const SightedDetection* FindBox(const SightRecord& sight, const PlacedObject& place,
+                                const WatchModel& model, const OwnerOf& owner_of) {
+  const std::optional<Prospect> prospect = Foresee(place, sight.X_WB, model);
+  if (!prospect) {
+    return nullptr;
+  }
+  const BoxesHere boxes = LookForBoxes(sight, place, *prospect, model.camera, owner_of);
+  return boxes.own != nullptr ? boxes.own : boxes.possible;
+}
+
 PlaceWatch::PlaceWatch(const PlacedObject& place, const LookParams& looks) : place_(place) {
   // Unscented points of the horizontal position: their mean and covariance are the place's.
   const double north = std::sqrt(3.0 * std::max(place.cov(0, 0), 0.0));
@@ -117,15 +129,16 @@ void PlaceWatch::See(const SightRecord& sight, const WatchModel& model, const Ow
     return;
   }
   const BoxesHere boxes = LookForBoxes(sight, place_, *prospect, model.camera, owner_of);
+  const bool has_own = boxes.own != nullptr;
   const double false_alarm = FalseAlarm(*prospect, model);
   for (Spot& spot : spots_) {
     const double detects = Detects(spot.p_W, sight.X_WB, model);
-    if (detects < model.least_detection && !boxes.own) continue;
+    if (detects < model.least_detection && !has_own) continue;
     spot.log.Add({.time = sight.time,
                   .p_OC = sight.X_WB.p_WB - spot.p_W,
                   .detects = std::max(detects, model.least_detection),
                   .false_alarm = false_alarm,
-                  .has_box = boxes.own || boxes.possible});
+                  .has_box = has_own || boxes.possible != nullptr});
   }
 }
 

@@ -51,6 +51,11 @@ struct Prospect {
 enum class BoxOwner { kThisPlace, kAnotherPlace, kUnknown };
 using OwnerOf = std::function<BoxOwner(const SightRecord&, const SightedDetection&)>;
 
+/// The box in a frame that shows an object at `place`: one of its own, else one of unknown owner
+/// that falls near the place's projection and has its colour and size. nullptr if there is none.
+[[nodiscard]] const SightedDetection* FindBox(const SightRecord& sight, const PlacedObject& place,
+                                              const WatchModel& model, const OwnerOf& owner_of);
+
 /// A place where an object is or may be, and what this session's frames said about it. Boxes of
 /// unknown owner count when they fall near the place's projection and have its colour and size; the
 /// false-alarm rate is that of so large a part of the image.

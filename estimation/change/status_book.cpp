@@ -19,8 +19,7 @@ constexpr double kLeastSpread = 0.1;
 
 /// A landmark relative to the poses it was seen from: the error that they share moves both.
 constexpr double kRelativeSigma = 0.15;
-PlacedObject WatchedPlace(const KnownLandmark& landmark) {
-  PlacedObject place = landmark.object;
+PlacedObject WatchedPlace(PlacedObject place) {
   place.cov = kRelativeSigma * kRelativeSigma * Eigen::Matrix3d::Identity();
   return place;
 }
@@ -92,6 +91,13 @@ int StatusBook::Representative(int landmark) const {
   return found == representative_.end() ? -1 : found->second;
 }
 
+const SightedDetection* StatusBook::BoxOf(const ObjectStatus& object,
+                                          const SightRecord& sight) const {
+  return object.landmark < 0 ? nullptr
+                             : FindBox(sight, WatchedPlace(object.object), model_,
+                                       OwnerForLandmark(object.landmark));
+}
+
 void StatusBook::Replay(PlaceWatch& watch, const OwnerOf& owner_of) const {
   for (const SightRecord& sight : sights_) {
     watch.See(sight, model_, owner_of);
@@ -117,7 +123,8 @@ OwnerOf StatusBook::OwnerForFormer() const {
 
 bool StatusBook::IsExplained(const SightRecord& sight, const SightedDetection& box) const {
   return std::ranges::any_of(objects_, [&](const KnownLandmark& object) {
-    const std::optional<Prospect> prospect = Foresee(WatchedPlace(object), sight.X_WB, model_);
+    const std::optional<Prospect> prospect =
+        Foresee(WatchedPlace(object.object), sight.X_WB, model_);
     return prospect && prospect->Explains(box, model_.camera);
   });
 }
@@ -152,7 +159,7 @@ void StatusBook::WatchLandmarks() {
                 [this](const auto& entry) { return Representative(entry.first) != entry.first; });
   for (const KnownLandmark& object : objects_) {
     const auto found = landmark_watch_.find(object.id);
-    const PlacedObject place = WatchedPlace(object);
+    const PlacedObject place = WatchedPlace(object.object);
     if (found != landmark_watch_.end() && !HasMoved(found->second, place)) {
       continue;
     }

@@ -95,6 +95,10 @@ class StatusBook {
   [[nodiscard]] const std::vector<SightRecord>& sights() const { return sights_; }
   /// The landmark that stands for `landmark` after merging; -1 if it is not confirmed.
   [[nodiscard]] int Representative(int landmark) const;
+  /// The box of an object in a frame, also in one from before the smoother knew the object.
+  /// nullptr if the frame has none, or the object is no landmark.
+  [[nodiscard]] const SightedDetection* BoxOf(const ObjectStatus& object,
+                                              const SightRecord& sight) const;
 
  private:
   void Replay(PlaceWatch& watch, const OwnerOf& owner_of) const;

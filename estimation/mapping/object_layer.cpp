@@ -8,19 +8,15 @@ namespace limpet {
 namespace {
 
 constexpr double kWellVisible = 0.75;  ///< share of the object inside the image that makes a look
-constexpr double kBorder = 2.0;        ///< a box nearer to the image's border is cut [px]
 constexpr float kOccupiedPerLook = 0.85F;
 constexpr double kFormerLogOdds = 2.2;  ///< P_a = 0.9 for an object that only a former session saw
+/// An object that moved farther than this is judged again from all frames [m].
+constexpr double kRejudgeDistance = 0.3;
 constexpr double kVirtualHeight = 3.0;  ///< former objects are drawn as seen from here above [m]
 
 double LogOdds(double p) {
   const double safe = std::clamp(p, 1e-6, 1.0 - 1e-6);
   return std::log(safe / (1.0 - safe));
-}
-
-bool IsCut(const SightedDetection& box, const CameraGeometry& camera) {
-  return box.u - 0.5 * box.w < kBorder || box.u + 0.5 * box.w > camera.width_px - kBorder ||
-         box.v - 0.5 * box.h < kBorder || box.v + 0.5 * box.h > camera.height_px - kBorder;
 }
 
 VoxelLabel LabelOf(const ObjectStatus& status) {
@@ -64,24 +60,38 @@ bool ObjectLayer::IsNewViewpoint(const Painted& object, const Eigen::Vector3d& p
          p_OC.normalized().dot(last.normalized()) <= std::cos(status_.looks.new_look_angle.value());
 }
 
+double ObjectLayer::MissLogOdds(const Pose& X_WB, const Eigen::Vector3d& ned) const {
+  const double share = VisibleShare(camera_, X_WB, ned, status_.object_radius.value());
+  if (share < kWellVisible) {
+    return 0.0;
+  }
+  const double detects = status_.detection.Detects((X_WB.p_WB - ned).norm(), share);
+  const double false_alarm = status_.detection.false_per_image;
+  return std::min(std::log((1.0 - detects) / (1.0 - false_alarm)), 0.0);
+}
+
 void ObjectLayer::Look(Painted& object, const SightRecord& sight, const StatusBook& book) const {
   const Eigen::Vector3d& ned = object.status.object.ned;
   const Eigen::Vector3d p_OC = sight.X_WB.p_WB - ned;
   if (object.status.landmark < 0 || !IsNewViewpoint(object, p_OC)) {
     return;
   }
-  const auto box = std::ranges::find_if(sight.boxes, [&](const SightedDetection& seen) {
-    return book.Representative(seen.landmark) == object.status.landmark;
-  });
-  if (box != sight.boxes.end()) {
-    if (IsCut(*box, camera_)) return;  // its centre is not the object's
-    object.looks.push_back({.X_WB = sight.X_WB, .box = *box, .object_W = ned});
+  if (const SightedDetection* box = book.BoxOf(object.status, sight)) {
+    const double depth = camera_.InCamera(sight.X_WB, ned).z();
+    const Eigen::Vector2d half_px =
+        status_.object_radius.value() / depth * Eigen::Vector2d(camera_.fx(), camera_.fy());
+    object.looks.push_back({.X_WB = sight.X_WB,
+                            .box = WholeBox(*box, half_px, camera_),
+                            .object_W = ned,
+                            .time = sight.time});
   } else {
-    const double share = VisibleShare(camera_, sight.X_WB, ned, status_.object_radius.value());
-    if (share < kWellVisible) return;
-    const double detects = status_.detection.Detects(p_OC.norm(), share);
-    const double false_alarm = status_.detection.false_per_image;
-    object.miss_log_odds += std::min(std::log((1.0 - detects) / (1.0 - false_alarm)), 0.0);
+    const double miss = MissLogOdds(sight.X_WB, ned);
+    if (miss == 0.0) return;
+    // What made one look of a pass miss may have made them all: they are one witness.
+    const bool is_new_pass =
+        !object.last_miss || sight.time - *object.last_miss > status_.looks.new_pass_gap.value();
+    object.miss_log_odds += is_new_pass ? miss : 0.0;
+    object.last_miss = sight.time;
   }
   object.last_viewpoint = p_OC;
   object.is_stale = true;
@@ -90,6 +100,25 @@ void ObjectLayer::Look(Painted& object, const SightRecord& sight, const StatusBo
 void ObjectLayer::AddSight(const SightRecord& sight, const StatusBook& book) {
   for (auto& [id, object] : objects_) {
     Look(object, sight, book);
+  }
+}
+
+void ObjectLayer::Judge(Painted& object, const StatusBook& book) const {
+  std::map<double, Eigen::Vector3d> object_W;  // a look keeps to where the object was thought to be
+  for (const ObjectLook& look : object.looks) {
+    object_W[look.time] = look.object_W;
+  }
+  object.looks.clear();
+  object.miss_log_odds = 0.0;
+  object.last_miss.reset();
+  object.last_viewpoint.reset();
+  object.judged_at = object.status.object.ned;
+  for (const SightRecord& sight : book.sights()) {
+    Look(object, sight, book);
+  }
+  for (ObjectLook& look : object.looks) {
+    const auto known = object_W.find(look.time);
+    look.object_W = known != object_W.end() ? known->second : look.object_W;
   }
 }
 
@@ -103,11 +132,11 @@ void ObjectLayer::Follow(Painted& object, const ObjectStatus& status,
   object.status = status;
   if (is_another) {
     object.looks.clear();
-    object.miss_log_odds = 0.0;
-    object.last_viewpoint.reset();
-    for (const SightRecord& sight : book.sights()) {
-      Look(object, sight, book);
-    }
+  }
+  // At a place where it was thought to be before, frames showed nothing: no evidence against it.
+  if (is_another || (object.judged_at - status.object.ned).norm() > kRejudgeDistance) {
+    Judge(object, book);
+    object.is_stale = true;
   } else if (!object.is_stale) {
     object.status.object.ned = painted_at;  // small steps add up until they are worth a repaint
   }

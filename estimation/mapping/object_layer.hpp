@@ -37,15 +37,21 @@ class ObjectLayer {
   struct Painted {
     ObjectStatus status;
     std::vector<ObjectLook> looks;                  ///< with a box
-    double miss_log_odds = 0.0;                     ///< of looks without one
+    double miss_log_odds = 0.0;                     ///< of passes with looks that had none
+    std::optional<double> last_miss;                ///< time [s]
     std::optional<Eigen::Vector3d> last_viewpoint;  ///< camera relative to the object [m]
-    std::map<VoxelKey, double> log_odds;            ///< P_a per voxel, as painted
+    Eigen::Vector3d judged_at = Eigen::Vector3d::Zero();
+    std::map<VoxelKey, double> log_odds;  ///< P_a per voxel, as painted
     std::optional<ObjectCluster> cluster;
     bool is_stale = true;
   };
 
   void Look(Painted& object, const SightRecord& sight, const StatusBook& book) const;
   [[nodiscard]] bool IsNewViewpoint(const Painted& object, const Eigen::Vector3d& p_OC) const;
+  /// What a frame without a box says; 0 where the object would not be well visible.
+  [[nodiscard]] double MissLogOdds(const Pose& X_WB, const Eigen::Vector3d& ned) const;
+  /// Takes the object's looks from all frames of the book.
+  void Judge(Painted& object, const StatusBook& book) const;
   void Follow(Painted& object, const ObjectStatus& status, const StatusBook& book) const;
   void Repaint(Painted& object, SemanticOctree& octree) const;
   [[nodiscard]] std::map<VoxelKey, double> Gather(const Painted& object, double radius,

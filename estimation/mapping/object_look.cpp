@@ -10,6 +10,7 @@
 namespace limpet {
 namespace {
 
+constexpr double kBorder = 2.0;  ///< a box nearer to the image's border is cut [px]
 constexpr int kFewestCells = 6;
 constexpr int kMostCells = 40;
 constexpr double kLeastConfidence = 0.55;
@@ -37,7 +38,57 @@ std::optional<double> FirstMeeting(const Eigen::Vector3d& origin, const Eigen::V
   return along - std::sqrt(half_chord_squared);
 }
 
+/// One axis of a box.
+struct Side {
+  double centre, size;
+};
+
+/// Which ends of a side the image's border cuts.
+struct Cuts {
+  bool low, high;
+  Cuts(const Side& side, double image)
+      : low(side.centre - 0.5 * side.size < kBorder),
+        high(side.centre + 0.5 * side.size > image - kBorder) {}
+  [[nodiscard]] bool any() const { return low || high; }
+};
+
+/// The side with its cut end put where the object's half size has it.
+Side Mended(const Side& side, const Cuts& cuts, double half) {
+  if (!cuts.any()) {
+    return side;
+  }
+  if (cuts.low && cuts.high) {
+    return {side.centre, std::max(side.size, 2.0 * half)};
+  }
+  const double shown = side.centre + (cuts.low ? 0.5 : -0.5) * side.size;
+  const double mended = std::max(half, 0.5 * side.size);
+  return {shown + (cuts.low ? -mended : mended), 2.0 * mended};
+}
+
+bool IsInImage(const CameraGeometry& camera, double u, double v) {
+  return u >= 0.0 && u <= camera.width_px && v >= 0.0 && v <= camera.height_px;
+}
+
 }  // namespace
+
+bool IsCut(const SightedDetection& box, const CameraGeometry& camera) {
+  return Cuts({box.u, box.w}, camera.width_px).any() ||
+         Cuts({box.v, box.h}, camera.height_px).any();
+}
+
+SightedDetection WholeBox(const SightedDetection& box, const Eigen::Vector2d& half_px,
+                          const CameraGeometry& camera) {
+  const Side u{box.u, box.w}, v{box.v, box.h};
+  const Cuts cuts_u(u, camera.width_px), cuts_v(v, camera.height_px);
+  const bool is_corner = cuts_u.any() && cuts_v.any();
+  const double aspect = camera.fx() / camera.fy();
+  const Side whole_u = Mended(u, cuts_u, is_corner ? half_px.x() : 0.5 * box.h * aspect);
+  const Side whole_v = Mended(v, cuts_v, is_corner ? half_px.y() : 0.5 * box.w / aspect);
+  SightedDetection whole = box;
+  whole.u = whole_u.centre, whole.w = whole_u.size;
+  whole.v = whole_v.centre, whole.h = whole_v.size;
+  return whole;
+}
 
 double ObjectProbability(double r_px, double s_px, double confidence) {
   const double p_c = std::clamp(confidence, kLeastConfidence, kMostConfidence);
@@ -65,6 +116,7 @@ std::vector<VoxelEvidence> NearSurface(const ObjectLook& look, const CameraGeome
   for (int i = 0; i < cells * cells; ++i) {
     const double du = ((i % cells + 0.5) / cells - 0.5) * box.w;
     const double dv = ((i / cells + 0.5) / cells - 0.5) * box.h;
+    if (!IsInImage(camera, box.u + du, box.v + dv)) continue;
     const Eigen::Vector3d ray = RayOf(camera, R_WC, box.u + du, box.v + dv);
     if (const std::optional<double> distance = FirstMeeting(origin, ray, centre, radius)) {
       const double p = ObjectProbability(std::hypot(du, dv), half_px, box.confidence);

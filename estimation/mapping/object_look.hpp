@@ -22,18 +22,27 @@ struct VoxelEvidence {
 /// half, so that the box's border is no evidence against).
 [[nodiscard]] double ObjectProbability(double r_px, double s_px, double confidence);
 
+/// True for a box that the image's border cuts: its centre is not the object's.
+[[nodiscard]] bool IsCut(const SightedDetection& box, const CameraGeometry& camera);
+/// The box that a cut one would be in a larger image: from the edges that show, and from its free
+/// side; in a corner, from the object's half size `half_px` alone. Whole boxes stay as they are.
+[[nodiscard]] SightedDetection WholeBox(const SightedDetection& box, const Eigen::Vector2d& half_px,
+                                        const CameraGeometry& camera);
+
 /// One independent look at an object: its box, seen from a pose.
 struct ObjectLook {
   Pose X_WB;
-  SightedDetection box;
+  SightedDetection box;  ///< whole; what lies outside the image was not seen
   Eigen::Vector3d object_W = Eigen::Vector3d::Zero();  ///< the smoother's centre then, NED [m]
+  double time = 0.0;                                   ///< [s]
 };
 
 /// Radius of the sphere that fills the look's box at the object's range [m].
 [[nodiscard]] double RadiusFromBox(const ObjectLook& look, const CameraGeometry& camera);
 
 /// The near surface of the sphere in the box: the box is divided into cells whose rays meet the
-/// sphere around the box's centre ray at the object's range. `spacing` [m] is that of the points.
+/// sphere around the box's centre ray at the object's range; cells outside the image say nothing.
+/// `spacing` [m] is that of the points.
 [[nodiscard]] std::vector<VoxelEvidence> NearSurface(const ObjectLook& look,
                                                      const CameraGeometry& camera, double radius,
                                                      double spacing);

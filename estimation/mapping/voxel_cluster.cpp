@@ -32,7 +32,8 @@ ObjectCluster Describe(const std::vector<VoxelKey>& keys, double radius, double 
     points.push_back(CentreOf(key, resolution));
     mean += points.back() / static_cast<double>(keys.size());
   }
-  Eigen::Vector3d variance = Eigen::Vector3d::Zero();
+  // Within its voxel a point may be anywhere.
+  Eigen::Vector3d variance = Eigen::Vector3d::Constant(resolution * resolution / 12.0);
   for (const Eigen::Vector3d& point : points) {
     variance += (point - mean).cwiseAbs2() / static_cast<double>(keys.size());
   }

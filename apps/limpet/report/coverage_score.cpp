@@ -155,11 +155,17 @@ std::vector<CoverageLevel> LevelsOf(const CoverageCurve& curve, const std::vecto
 std::optional<double> PathToSee(const SurveyFrames& frames, std::vector<Eigen::Vector3d> places,
                                 const CameraGeometry& camera, double visibility) {
   if (places.empty()) return std::nullopt;
-  for (std::size_t i = 0; i < frames.X_WB.size(); ++i) {
+  const auto look = [&](const Pose& X_WB) {
     std::erase_if(places, [&](const Eigen::Vector3d& place) {
-      return HasSeen(frames.X_WB[i], place, camera, visibility);
+      return HasSeen(X_WB, place, camera, visibility);
     });
-    if (places.empty()) return frames.path_m[i];
+    return places.empty();
+  };
+  for (const Pose& X_WB : frames.dive_X_WB) {
+    if (look(X_WB)) return 0.0;
+  }
+  for (std::size_t i = 0; i < frames.X_WB.size(); ++i) {
+    if (look(frames.X_WB[i])) return frames.path_m[i];
   }
   return std::nullopt;
 }
@@ -176,6 +182,10 @@ SurveyFrames FramesOfSurvey(const SessionRecord& record, const ReportSettings& s
   const double period = 1.0 / settings.frame_rate_hz;
   frames.start_s = start->value();
   frames.start_path_m = record.truth.PathAt(start->value());
+  const auto dive = record.PhaseStart("DIVE").value_or(*start);
+  for (double k = std::ceil(dive.value() / period); k * period < start->value(); k += 1.0) {
+    if (const auto X_WB = record.truth.At(k * period)) frames.dive_X_WB.push_back(*X_WB);
+  }
   for (double k = std::ceil(start->value() / period); k * period <= end; k += 1.0) {
     const double time = k * period;
     const auto X_WB = record.truth.At(time);

@@ -28,7 +28,8 @@ struct CoverageScore {
   double covered = 0.0;               ///< share of the seabed at the end
   double detected_band = 0.0;         ///< share of the (point, height) samples at the end
   CoverageCurve curve;
-  /// Way until every place of `former` has been in the image within visibility or within 1.5 m.
+  /// Way until every place of `former` has been in the image within visibility or within 1.5 m;
+  /// what the dive has shown counts, at no way.
   std::optional<double> prior_opis_seen_path_m;
 };
 
@@ -39,6 +40,7 @@ struct SurveyFrames {
   std::vector<double> time_s;  ///< of each frame since the start
   std::vector<double> path_m;  ///< of each frame since the start
   std::vector<Pose> X_WB;
+  std::vector<Pose> dive_X_WB;  ///< on the way down, before the start
 };
 /// Frames at multiples of the frame period of MOOS time; empty when the survey never began.
 [[nodiscard]] SurveyFrames FramesOfSurvey(const SessionRecord& record,

@@ -11,6 +11,9 @@ constexpr double kMatchRadius = 2.5;
 /// An object farther than this from its former place was moved.
 constexpr double kMovedDistance = 0.5;
 
+/// At one place the belief about an object of the same colour comes first.
+constexpr double kOtherColor = 1.0;
+
 struct Belief {
   const OpiBelief* opi = nullptr;
   Eigen::Vector3d ned = Eigen::Vector3d::Zero();
@@ -47,7 +50,8 @@ double ProbabilityOf(const OpiBelief& opi) {
   return std::max({p.confirmed, p.removed, p.appeared, p.nothing});
 }
 
-/// For each place the belief it is matched with, or nullptr; nearest pairs first.
+/// For each place the belief it is matched with, or nullptr; nearest pairs first, those of one
+/// colour before others.
 std::vector<const Belief*> Match(const std::vector<Place>& places,
                                  const std::vector<Belief>& beliefs) {
   struct Pair {
@@ -58,7 +62,10 @@ std::vector<const Belief*> Match(const std::vector<Place>& places,
   for (std::size_t i = 0; i < places.size(); ++i) {
     for (std::size_t j = 0; j < beliefs.size(); ++j) {
       const double distance = (places[i].ned - beliefs[j].ned).norm();
-      if (distance <= kMatchRadius) pairs.push_back({distance, i, j});
+      const bool is_same_color = places[i].opi->color == beliefs[j].opi->color;
+      if (distance <= kMatchRadius) {
+        pairs.push_back({distance + (is_same_color ? 0.0 : kOtherColor), i, j});
+      }
     }
   }
   std::stable_sort(pairs.begin(), pairs.end(),

@@ -101,6 +101,18 @@ TEST(MatchSessions, IsNotLedAstrayByANewNeighbour) {
   EXPECT_THAT(match.now_of_former, ElementsAre(-1, 1, 2));
 }
 
+TEST(MatchSessions, TakesAnotherColourForAnotherObject) {
+  const SessionMatch match =
+      MatchSessions({At(0, 0), At(8, 0), At(0, 8)}, {At(0, 0), At(8, 0), At(0, 8, "orange")}, {});
+  EXPECT_THAT(match.now_of_former, ElementsAre(0, 1, -1));
+}
+
+TEST(MatchSessions, LeavesAnObjectThatMovedUnmatched) {
+  const SessionMatch match =
+      MatchSessions({At(0, 0), At(8, 0), At(0, 8)}, {At(0, 0), At(8, 0), At(0, 9.5)}, {});
+  EXPECT_THAT(match.now_of_former, ElementsAre(0, 1, -1));
+}
+
 TEST(MatchSessions, WorksWithNothingToMatch) {
   EXPECT_TRUE(MatchSessions({}, {At(0, 0)}, {}).now_of_former.empty());
   EXPECT_THAT(MatchSessions({At(0, 0)}, {}, {}).now_of_former, ElementsAre(-1));

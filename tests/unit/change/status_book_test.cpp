@@ -103,6 +103,24 @@ TEST_F(StatusBookTest, KeepsTwoNeighboursApartThatWereSeenTogether) {
   EXPECT_EQ(book_.Assess().size(), 2U);
 }
 
+TEST_F(StatusBookTest, AnObjectThatAnotherColourReplacedIsRemoved) {
+  book_.SetFormer({Former(7, At(0, 0.5)), Former(8, At(7, 0.0)), Former(9, At(4, 0.5))});
+  const std::vector<Real> now{{At(0, 0.5), 1}, {At(7, 0.0), 2}, {At(4, 0.5, "orange"), 3}};
+  Fly(0.0, now);
+  Landmarks(now);
+  EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kConfirmed, Status::kConfirmed,
+                                                Status::kRemoved, Status::kNew));
+}
+
+TEST_F(StatusBookTest, AnObjectThatStandsBesideItsFormerPlaceHasMoved) {
+  book_.SetFormer({Former(7, At(0, 0.5)), Former(8, At(8, 0.0)), Former(9, At(4, 0.5))});
+  const std::vector<Real> now{{At(0, 0.5), 1}, {At(8, 0.0), 2}, {At(4, -1.0), 3}};
+  Fly(0.0, now);
+  Landmarks(now);
+  EXPECT_THAT(Decided(),
+              ::testing::ElementsAre(Status::kConfirmed, Status::kConfirmed, Status::kMoved));
+}
+
 TEST_F(StatusBookTest, AFormerObjectThatIsStillThereIsConfirmed) {
   book_.SetFormer({Former(7, At(4.4, 0.2))});
   const Real real{At(4, 0.5), 1};

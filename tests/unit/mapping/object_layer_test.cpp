@@ -142,14 +142,113 @@ TEST(ObjectLayer, ForgetsAnObjectThatIsNoMore) {
   EXPECT_EQ(flight.octree.At(kPlace - Eigen::Vector3d(0, 0, 0.45))->object, 0.0F);
 }
 
+/// What the detector reports of a box that reaches over the image's border.
+SightedDetection Clipped(SightedDetection box) {
+  const auto clip = [](double& centre, double& size, double image) {
+    const double low = std::max(centre - 0.5 * size, 0.0);
+    const double high = std::min(centre + 0.5 * size, image);
+    centre = 0.5 * (low + high), size = high - low;
+  };
+  clip(box.u, box.w, kCamera.width_px);
+  clip(box.v, box.h, kCamera.height_px);
+  return box;
+}
+
+/// Flies north past `ned` with the object at the image's edge in every frame.
+Flight PastTheEdge(const Eigen::Vector3d& ned, int landmark) {
+  Flight flight(ned);
+  flight.book = StatusBook(flight.status, kCamera);
+  const double beside = 3.0 * std::tan(0.5 * kCamera.fov_across) - 0.1;
+  for (int i = 0; i < 20; ++i) {
+    const Pose X_WB{{ned.x() - 1.2 + 0.125 * i, ned.y() - beside, ned.z() - 3.0}, 0.0, 0.0, 0.0};
+    flight.book.AddSight(
+        {.time = 0.25 * i, .X_WB = X_WB, .boxes = {Clipped(BoxAround(X_WB, ned, landmark))}});
+  }
+  flight.book.SetLandmarks(
+      {{.id = 1, .object = {.ned = ned, .cov = {}, .color = "yellow"}, .looks = 5}});
+  return flight;
+}
+
+TEST(WholeBox, IsTheOneBeyondTheBorder) {
+  const Pose X_WB{{4.0, 1.5, 2.5}, 0.0, 0.0, 0.0};
+  for (const Eigen::Vector3d& beside : {Eigen::Vector3d(0.3, 2.4, 3.0), {1.7, 0.2, 3.0}}) {
+    const SightedDetection box = BoxAround(X_WB, X_WB.p_WB + beside, 1);
+    const SightedDetection mended = WholeBox(Clipped(box), {50.0, 50.0}, kCamera);
+    EXPECT_LT(box.w, box.h * 1.2);
+    EXPECT_NEAR(mended.u, box.u, 1.0);
+    EXPECT_NEAR(mended.v, box.v, 1.0);
+    EXPECT_NEAR(mended.w, box.w, 2.0);
+    EXPECT_NEAR(mended.h, box.h, 2.0);
+  }
+}
+
+TEST(WholeBox, OfACornerHasTheObjectsSize) {
+  const Pose X_WB{{4.0, 1.5, 2.5}, 0.0, 0.0, 0.0};
+  const SightedDetection box = BoxAround(X_WB, X_WB.p_WB + Eigen::Vector3d(1.7, 2.4, 3.0), 1);
+  const SightedDetection mended = WholeBox(Clipped(box), {0.5 * box.w, 0.5 * box.h}, kCamera);
+  EXPECT_NEAR(mended.u, box.u, 1.0);
+  EXPECT_NEAR(mended.v, box.v, 1.0);
+}
+
+TEST(NearSurface, ShowsNothingOutsideTheImage) {
+  const Pose X_WB{{4.0, 1.5, 2.5}, 0.0, 0.0, 0.0};
+  const Eigen::Vector3d p_W = X_WB.p_WB + Eigen::Vector3d(0.0, 2.4, 3.0);
+  const ObjectLook look{.X_WB = X_WB, .box = BoxAround(X_WB, p_W, 1), .object_W = p_W};
+  for (const VoxelEvidence& point : NearSurface(look, kCamera, kRadius, 0.1)) {
+    EXPECT_LE(kCamera.Project(kCamera.InCamera(X_WB, point.p_W))->x(), kCamera.width_px + 1e-6);
+  }
+}
+
+TEST(ObjectLayer, PaintsAnObjectThatOnlyTheImagesEdgeShowed) {
+  Flight flight = PastTheEdge(kPlace, 1);
+  flight.Paint(StatusAt(kPlace, Status::kNew));
+  const std::optional<ObjectCluster> cluster = flight.layer.Cluster(1);
+  ASSERT_TRUE(cluster);
+  EXPECT_LT((cluster->centre - kPlace).norm(), 0.25);
+}
+
+TEST(ObjectLayer, PaintsFromFramesOfBeforeTheSmootherKnewTheObject) {
+  Flight flight = PastTheEdge(kPlace, -1);
+  flight.Paint(StatusAt(kPlace, Status::kNew));
+  EXPECT_TRUE(flight.layer.Cluster(1));
+}
+
+TEST(ObjectLayer, HoldsNothingAgainstAnObjectThatWasFirstThoughtElsewhere) {
+  Flight flight(kPlace);
+  const Eigen::Vector3d elsewhere = kPlace + Eigen::Vector3d(6.0, 0.0, 0.0);
+  for (int i = 0; i < 8; ++i) {
+    const Pose over{elsewhere + Eigen::Vector3d(0.6 * (i - 4), 0.0, -3.0), 0.0, 0.0, 0.0};
+    flight.book.AddSight({.time = 100.0 + 0.25 * i, .X_WB = over, .boxes = {}});
+  }
+  flight.Paint(StatusAt(elsewhere, Status::kNew));
+  flight.Paint(StatusAt(kPlace, Status::kNew));
+  EXPECT_TRUE(flight.layer.Cluster(1));
+}
+
+TEST(ObjectCluster, OfOneVoxelIsAsUncertainAsThatVoxelIsLarge) {
+  const std::optional<ObjectCluster> cluster = LargestCluster({{1, 2, 3}}, kRadius, 0.2);
+  ASSERT_TRUE(cluster);
+  EXPECT_NEAR(cluster->deviation.x(), 0.2 / std::sqrt(12.0), 1e-9);
+}
+
+TEST(ObjectLayer, OnePassThatMissesDoesNotUndoAnObject) {
+  Flight flight(kPlace);
+  for (int i = 0; i < 20; ++i) {
+    const Pose beside{kPlace + Eigen::Vector3d(0.125 * (i - 10), 0.0, -3.0), 0.0, 0.0, 0.0};
+    flight.book.AddSight({.time = 100.0 + 0.25 * i, .X_WB = beside, .boxes = {}});
+  }
+  flight.Paint(StatusAt(kPlace, Status::kNew));
+  EXPECT_TRUE(flight.layer.Cluster(1));
+}
+
 TEST(ObjectLayer, LooksThatMissMakeVoxelsLessCertain) {
   Flight flight(kPlace);
   flight.Paint(StatusAt(kPlace, Status::kNew));
   const float before = flight.octree.At(kPlace - Eigen::Vector3d(0, 0, 0.45))->object;
-  // From many sides, each a look of its own: one miss alone is lost in the clamp of a sure voxel.
+  // Pass after pass: one miss alone is lost in the clamp of a sure voxel.
   for (int i = 0; i < 8; ++i) {
     const Pose beside{kPlace + Eigen::Vector3d(0.6 * (i - 4), 0.0, -3.0), 0.0, 0.0, 0.0};
-    flight.book.AddSight({.time = 100.0 + 0.25 * i, .X_WB = beside, .boxes = {}});
+    flight.book.AddSight({.time = 100.0 + 30.0 * i, .X_WB = beside, .boxes = {}});
     flight.layer.AddSight(flight.book.sights().back(), flight.book);
   }
   flight.Paint(StatusAt(kPlace, Status::kNew));

@@ -182,6 +182,26 @@ TEST(Scorer, ListsADecisionAboutNothing) {
   EXPECT_FALSE(opis.changes.back().truth.has_value());
 }
 
+TEST(Scorer, TellsTwoObjectsOfOnePlaceApartByTheirColour) {
+  Scenario scenario = Table1Scenario();
+  scenario.opis.resize(2);
+  const Eigen::Vector3d place(4.0, 1.0, 5.5);
+  scenario.opis[0].color = "yellow", scenario.opis[1].color = "orange";
+  scenario.opis[0].places = {{"discovery", place}};
+  scenario.opis[1].places = {{"change", place}};
+  SyntheticSession session = Brief(Change());
+  session.opis.resize(2);
+  session.opis[0].color = "yellow", session.opis[1].color = "orange";
+  session.opis[0].ned = {4.1, 1.0, 5.5}, session.opis[1].ned = {4.2, 1.0, 5.5};
+  session.opis[0].decided = "removed", session.opis[1].decided = "new";
+  for (int turn = 0; turn < 2; ++turn) {
+    const SessionScore score = ScoreSession(RecordOf(session), scenario, Table1Settings());
+    EXPECT_EQ(score.opis.changes[0].decided, "removed");
+    EXPECT_EQ(score.opis.changes[1].decided, "new");
+    std::swap(session.opis[0].ned, session.opis[1].ned);
+  }
+}
+
 TEST(Scorer, ExpectsMovedOfAnObjectThatChangedItsPlace) {
   Scenario scenario = Table1Scenario();
   scenario.opis[0].places["change"] = Eigen::Vector3d(8.0, 1.0, 5.5);
@@ -194,6 +214,15 @@ TEST(Scorer, MeasuresTheWayUntilAllFormerObjectsWereSeen) {
   // The last former object in the order of the lanes is OPI 2 at 10 m east.
   ASSERT_TRUE(score.coverage.prior_opis_seen_path_m.has_value());
   EXPECT_GT(*score.coverage.prior_opis_seen_path_m, 200.0);
+}
+
+TEST(Scorer, CountsAFormerObjectThatTheDiveShowedAsSeenAtTheStart) {
+  Scenario scenario = Table1Scenario();
+  scenario.opis.resize(1);
+  // 2 m ahead of the start point and 1.5 m above the bottom: in sight from above alone.
+  scenario.opis[0].places["discovery"] = Eigen::Vector3d(-10.5, -15.5, 6.0);
+  const SessionScore score = ScoreSession(RecordOf(Brief(Change())), scenario, Table1Settings());
+  EXPECT_EQ(score.coverage.prior_opis_seen_path_m, 0.0);
 }
 
 TEST(Scorer, ScoresAnEmptySessionWithoutFailing) {
