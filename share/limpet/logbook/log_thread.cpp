@@ -53,7 +53,7 @@ void LogThread::Stop() {
 }
 
 void LogThread::Run() {
-  std::vector<LogRecord> batch;
+  std::deque<LogRecord> batch;
   while (TakeBatch(batch)) {
     WriteBatch(batch);
     batch.clear();
@@ -63,7 +63,7 @@ void LogThread::Run() {
   is_finished_ = true;
 }
 
-bool LogThread::TakeBatch(std::vector<LogRecord>& batch) {
+bool LogThread::TakeBatch(std::deque<LogRecord>& batch) {
   std::unique_lock lock(mutex_);
   const auto has_work = [this] { return !queue_.empty() || is_stopped_; };
   is_waiting_ = queue_.empty();
@@ -82,7 +82,7 @@ bool LogThread::TakeBatch(std::vector<LogRecord>& batch) {
   return !is_stopped_ || !batch.empty();
 }
 
-void LogThread::WriteBatch(const std::vector<LogRecord>& batch) {
+void LogThread::WriteBatch(const std::deque<LogRecord>& batch) {
   for (const LogRecord& record : batch) {
     files_.Put(record);
   }

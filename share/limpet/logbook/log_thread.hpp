@@ -5,9 +5,9 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <deque>
 #include <mutex>
 #include <thread>
-#include <vector>
 
 #include "limpet/logbook/log_files.hpp"
 
@@ -51,8 +51,8 @@ class LogThread {
   using Clock = std::chrono::steady_clock;
   void Run();
   /// Waits for records; false when stopped and none are left.
-  [[nodiscard]] bool TakeBatch(std::vector<LogRecord>& batch);
-  void WriteBatch(const std::vector<LogRecord>& batch);
+  [[nodiscard]] bool TakeBatch(std::deque<LogRecord>& batch);
+  void WriteBatch(const std::deque<LogRecord>& batch);
   void SyncIfDue();
 
   LogFiles files_;  ///< the thread's alone
@@ -63,7 +63,7 @@ class LogThread {
 
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::vector<LogRecord> queue_;  ///< guarded by mutex_
+  std::deque<LogRecord> queue_;   ///< guarded by mutex_; grows without moving what is in it
   std::size_t queued_bytes_ = 0;  ///< guarded by mutex_
   bool is_waiting_ = false;       ///< guarded by mutex_: the thread sleeps until something comes
   bool is_stopped_ = false;       ///< guarded by mutex_
