@@ -23,8 +23,8 @@ class SurveyApp final : public App {
     Meters object_height_max{2.0};
     Meters altitude{4.0};
     Meters altitude_tolerance{0.3};
-    Seconds align{180.0};
-    Seconds last_fix{180.0};
+    Seconds align{300.0};
+    Seconds last_fix{300.0};
     double coverage_target = 0.975;
     std::string coverage_kind = "band_top";
     double settled_entropy = 0.25;
