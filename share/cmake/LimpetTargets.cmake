@@ -30,6 +30,7 @@ endfunction()
 # limpet_process(<process> lib...): the program of the current folder's main.cpp; what registers itself in lib is kept.
 function(limpet_process name)
   add_executable(${name} main.cpp)
+  set_property(GLOBAL APPEND PROPERTY LIMPET_PROCESSES ${name})
   list(TRANSFORM ARGN PREPEND limpet::)
   string(JOIN "," libraries ${ARGN})
   target_link_libraries(${name} PRIVATE limpet_options limpet::app thirdparty::fmt thirdparty::eigen

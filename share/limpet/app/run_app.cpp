@@ -98,10 +98,12 @@ int Run(const AppCommand& command, const AppEntry& entry) {
                            .link = &link,
                            .globals = command.mission.globals,
                            .mission_folder = command.mission_file.parent_path(),
+                           .mission_file = command.mission_file,
                            .run_folder = command.run_folder,
                            .prior_folder = command.prior_folder,
                            .session = command.session,
-                           .seed = command.seed};
+                           .seed = command.seed,
+                           .runs_live = true};
   const std::unique_ptr<App> app = entry.create(context, block);
   Loop(*app, link, Seconds(1.0 / (tick_hz * command.warp)));
   return 0;

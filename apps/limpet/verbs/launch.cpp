@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#include "apps/limpet/verbs/launch.hpp"
+
+#include <vector>
+
+#include "apps/pLaunch/launch.hpp"
+
+namespace limpet {
+
+int RunLaunchVerb(std::span<const std::string> args) {
+  return RunLaunch("limpet launch", std::vector<std::string>(args.begin(), args.end()));
+}
+
+}  // namespace limpet

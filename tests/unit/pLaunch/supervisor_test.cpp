@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pLaunch/supervisor.hpp"
+
+#include <fstream>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limpet/core/clock.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace limpet {
+namespace {
+
+using ::testing::HasSubstr;
+
+class SupervisorTest : public testing::Test {
+ protected:
+  [[nodiscard]] static LaunchItem Shell(const std::string& name, const std::string& script) {
+    return {.name = name, .program = "/bin/sh", .args = {"-c", script}};
+  }
+  /// Polls until nothing runs or `until` holds; false after 10 s.
+  template <class Condition>
+  bool PollUntil(Condition until) {
+    const Seconds deadline = SteadyTime() + Seconds(10.0);
+    while (SteadyTime() < deadline) {
+      if (!supervisor_.Poll() || until()) {
+        return true;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return false;
+  }
+  [[nodiscard]] std::string LogOf(const std::string& name) const {
+    std::ifstream in(folder_.path() / (name + ".log"));
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  TemporaryFolder folder_;
+  std::string said_;
+  Supervisor supervisor_{folder_.path(),
+                         {{"LIMPET_SESSION", "change"}},
+                         [this](const std::string& text) { said_ += text + "\n"; }};
+};
+
+TEST_F(SupervisorTest, KeepsWhatAProcessPrints) {
+  supervisor_.Start(Shell("pSay", "echo out; echo err >&2; echo $LIMPET_SESSION"));
+  EXPECT_TRUE(PollUntil([] { return false; }));
+  EXPECT_EQ(LogOf("pSay"), "out\nerr\nchange\n");
+  EXPECT_FALSE(supervisor_.has_given_up());
+}
+
+TEST_F(SupervisorTest, StartsAgainWhatFailed) {
+  supervisor_.Start(Shell("pFail", "echo try; exit 1"));
+  EXPECT_TRUE(PollUntil([this] { return LogOf("pFail").size() >= 8; }));
+  EXPECT_THAT(said_, HasSubstr("pFail ended with code 1; again in 0.5 s"));
+}
+
+TEST_F(SupervisorTest, GivesUpARefusedConfigurationAtOnce) {
+  supervisor_.Start(Shell("pBad", "echo try; exit 2"));
+  EXPECT_TRUE(PollUntil([] { return false; }));
+  EXPECT_EQ(LogOf("pBad"), "try\n");
+  EXPECT_TRUE(supervisor_.has_given_up());
+  EXPECT_THAT(said_, HasSubstr("its configuration is refused"));
+}
+
+TEST_F(SupervisorTest, LeavesAProcessAloneThatIsNotToBeRestarted) {
+  LaunchItem item = Shell("pOnce", "echo try; exit 3");
+  item.restart = RestartPolicy::kNever;
+  supervisor_.Start(item);
+  EXPECT_TRUE(PollUntil([] { return false; }));
+  EXPECT_EQ(LogOf("pOnce"), "try\n");
+}
+
+TEST_F(SupervisorTest, EndsTheDatabaseLast) {
+  LaunchItem database{.name = "LimpetDB", .program = "/bin/sh", .args = {}, .is_database = true};
+  const std::string order = (folder_.path() / "order").string();
+  const auto script = [&](const std::string& name) {
+    return "trap 'echo " + name + " >> " + order +
+           "; exit 0' TERM; echo ready; while :; do sleep 0.01; done";
+  };
+  database.args = {"-c", script("LimpetDB")};
+  supervisor_.Start(database);
+  supervisor_.Start(Shell("pApp", script("pApp")));
+  EXPECT_TRUE(PollUntil([this] { return !LogOf("LimpetDB").empty() && !LogOf("pApp").empty(); }));
+  supervisor_.End(Seconds(5.0));
+  std::ifstream in(order);
+  EXPECT_EQ((std::string{std::istreambuf_iterator<char>(in), {}}), "pApp\nLimpetDB\n");
+}
+
+TEST_F(SupervisorTest, KillsWhatDoesNotEnd) {
+  supervisor_.Start(Shell("pDeaf", "trap '' TERM; echo ready; while :; do sleep 0.05; done"));
+  EXPECT_TRUE(PollUntil([this] { return !LogOf("pDeaf").empty(); }));
+  supervisor_.End(Seconds(0.2));
+  EXPECT_FALSE(supervisor_.Poll());
+  EXPECT_THAT(said_, HasSubstr("pDeaf did not end"));
+}
+
+}  // namespace
+}  // namespace limpet
