@@ -136,6 +136,12 @@ class Navigator {
   void TakeFix(const Fix& fix);
   void TakeFrame(const FrameDetections& frame);
   void ReviewObjects(double t);
+  /// Which present objects the former session knew.
+  void MatchFormerObjects();
+  /// Takes the former session's places of matched objects for what they are: a second, independent
+  /// measurement of where this session lies on earth. Once, when the vehicle is up again and no
+  /// match will change any more.
+  void TieToFormerSession();
   [[nodiscard]] NavVector Predict(double t) const;
   [[nodiscard]] std::optional<double> AltitudeAt(double t) const;
 
@@ -153,6 +159,7 @@ class Navigator {
   std::vector<FormerObject> former_;
   double last_fix_t_ = -1e18, last_review_t_ = -1e18, first_time_ = -1.0;
   bool needs_review_ = false;
+  bool is_tied_ = false;
   int refused_fixes_ = 0, refused_depths_ = 0, landmark_version_ = 0;
   Eigen::Vector3d p_WD_ = Eigen::Vector3d::Zero();  ///< of the track's frame at the start, in W
   NavigatorCounts counts_;

@@ -13,6 +13,7 @@
 namespace limpet {
 namespace {
 
+constexpr double kDive = 120.0;          // [s] without a fix: the vehicle has been under water
 constexpr double kSameTime = 1e-3;       // [s] within which two measurements share a node
 constexpr double kNever = 1e18;          // [s]
 constexpr double kAltitudeMaxAge = 1.5;  // [s]
@@ -155,6 +156,9 @@ void Navigator::TakeFix(const Fix& fix) {
     return;
   }
   refused_fixes_ = 0;
+  if (fix.t - last_fix_t_ > kDive) {
+    TieToFormerSession();
+  }
   const Meters sigma =
       GpsFactor::WhiteSigma(Meters(fix.sd), Seconds(fix.t - last_fix_t_), params_.gps_correlation);
   last_fix_t_ = fix.t;
@@ -198,22 +202,7 @@ void Navigator::ReviewObjects(double t) {
     tracker_.Refresh();
     needs_review_ = true;
   }
-  if (former_.empty()) {
-    return;
-  }
-  std::vector<PresentObject> present;
-  std::vector<TrackedObject*> objects;
-  for (TrackedObject& object : tracker_.objects()) {
-    if (object.is_landmark()) {
-      objects.push_back(&object);
-      present.push_back(
-          {object.p, smoother_.Covariance({object.slot}).block<3, 3>(6, 6), object.Color()});
-    }
-  }
-  const std::vector<int> ids = MatchSessions(former_, present, params_.session);
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    objects[i]->prior_id = ids[i];
-  }
+  MatchFormerObjects();
 }
 
 std::optional<double> Navigator::AltitudeAt(double t) const {
