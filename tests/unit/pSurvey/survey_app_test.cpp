@@ -29,7 +29,7 @@ class SurveyAppTest : public ::testing::Test {
   void ReachSurvey() {
     Nav(-12.0, -15.0, 0.0, 7.5);
     link_.Send(app_, topics::kDeploy, true);
-    Tick(181.0);
+    Tick(SurveyApp::Params{}.align.value() + 1.0);
     Nav(-12.0, -15.0, 3.5, 4.0);
     Tick(1.0);
   }
@@ -85,7 +85,7 @@ TEST_F(SurveyAppTest, ObeysReturnAndSaysAborted) {
   Tick(1.0);
   Nav(-12.0, -15.0, 0.1, 7.4);
   Tick(1.0);
-  Tick(181.0);
+  Tick(SurveyApp::Params{}.last_fix.value() + 1.0);
   EXPECT_EQ(link_.Last(topics::kMissionEnd), "aborted");
 }
 
@@ -100,7 +100,7 @@ TEST_F(SurveyAppTest, EndsAtTheSurfaceAtHome) {
   Tick(1.0);
   EXPECT_EQ(Phase(), "FIX");
   EXPECT_FALSE(link_.Last(topics::kMissionEnd).has_value());
-  Tick(181.0);
+  Tick(SurveyApp::Params{}.last_fix.value() + 1.0);
   EXPECT_EQ(link_.Last(topics::kMissionEnd), "home");
 }
 
