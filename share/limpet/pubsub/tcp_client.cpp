@@ -252,8 +252,7 @@ class TcpClient::Impl {
       const std::lock_guard lock(mutex_);
       trouble_ = why;
       descriptor_ = -1;
-      unsent_.clear();
-      outbox_.SetInFlight(0);
+      sent_ = 0;  // a packet cut short was never understood: the next connection gets it whole
       state_ = refusal_.empty() ? State::kConnecting : State::kRefused;
       if (is_leaving_) {
         context_.stop();
@@ -293,6 +292,9 @@ class TcpClient::Impl {
       return;
     }
     const double received = MoosTime(options_.warp).value();
+    if (received - echo.time > kTimingPeriod * options_.warp) {
+      return;  // it waited somewhere, perhaps for a new connection: that says nothing of clocks
+    }
     const double measured = echo.number - 0.5 * (echo.time + received);
     const double skew = skew_.load();
     skew_ = skew == 0.0 ? measured : 0.9 * skew + 0.1 * measured;

@@ -109,6 +109,15 @@ class TcpBrokerTest : public testing::Test {
   std::thread thread_;
 };
 
+/// True once the client has noticed that its connection is gone. What is written before it does
+/// is lost with the connection, as with any stream.
+bool AwaitLoss(const TcpClient& client) {
+  for (int tries = 0; tries < 500 && client.state() == TcpClient::State::kConnected; ++tries) {
+    std::this_thread::sleep_for(10ms);
+  }
+  return client.state() != TcpClient::State::kConnected;
+}
+
 /// A peer that writes whatever bytes it likes.
 class RawPeer {
  public:
@@ -410,9 +419,10 @@ TEST(TcpClient, ConnectsAgainAndRegistersAnewWhenTheBrokerComesBack) {
   broker->Stop();
   thread.join();
   broker.reset();
+  EXPECT_TRUE(AwaitLoss(writer));
+  writer.Publish("AFTER", 2.0);
   broker = std::make_unique<TcpBroker>(options);
   thread = std::thread([&broker] { broker->Run(); });
-  writer.Publish("AFTER", 2.0);
   EXPECT_TRUE(inbox.Await("AFTER").has_value());
   broker->Stop();
   thread.join();
