@@ -29,10 +29,12 @@ Eigen::Vector2d Pilot::HorizontalForce(const NavState& nav, const DesiredMotion&
   // Facing away from the wanted course, speed would only carry the vehicle off its path.
   const double facing = std::max(0.0, std::cos(WrapAngle(desired.yaw - nav.yaw)));
   if (!desired.speed) speed_.Reset(nav.u);
-  const double lack = desired.speed ? speed_.Lack(nav.u, facing * *desired.speed, dt) : 0.0;
-  current_B_ = drift_.Update(nav.yaw, {lack, -nav.v}, dt, is_saturated_);
+  double lack = desired.speed ? speed_.Lack(nav.u, facing * *desired.speed, dt) : 0.0;
+  double v = nav.v;
+  if (nav.velocity_age) lack = v = 0.0;  // held, not measured: feed forward alone, learn nothing
+  current_B_ = drift_.Update(nav.yaw, {lack, -v}, dt, is_saturated_);
   const double sway = sway_.Force({.u = nav.u,
-                                   .v = nav.v,
+                                   .v = v,
                                    .turn_rate = nav.yaw_rate,
                                    .current_u = current_B_.x(),
                                    .current_v = current_B_.y()});

@@ -35,7 +35,25 @@ void Navigator::AddAttitude(const AttitudeEstimate& attitude) {
 void Navigator::AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B) {
   const bool is_good = v_dvl_B && gate_.Accepts(t, *v_dvl_B);
   counts_.velocities += v_dvl_B && !is_good ? 1 : 0;
+  if (const auto rate = is_good ? std::nullopt : SinkRate()) {
+    track_.SetSinkRate(*rate);
+  }
   track_.AddVelocity(t, is_good ? v_dvl_B : std::nullopt);
+}
+
+std::optional<double> Navigator::SinkRate() const {
+  constexpr double kSpan = 1.0;  // [s]
+  double count = 0.0, sum_t = 0.0, sum_z = 0.0, sum_tt = 0.0, sum_tz = 0.0;
+  for (auto depth = depths_.rbegin(); depth != depths_.rend(); ++depth) {
+    const double age = depths_.back().t - depth->t;
+    if (age > kSpan) break;
+    count += 1.0, sum_t -= age, sum_z += depth->value;
+    sum_tt += age * age, sum_tz -= age * depth->value;
+  }
+  const double spread = count * sum_tt - sum_t * sum_t;
+  return count >= 4.0 && spread > 0.0
+             ? std::optional<double>((count * sum_tz - sum_t * sum_z) / spread)
+             : std::nullopt;
 }
 
 void Navigator::AddAltitude(double t, double dvl_altitude) {
@@ -124,7 +142,8 @@ NavigatorEstimate Navigator::Estimate(double t) const {
                              .X_WB = PoseOf(Predict(t)),
                              .v_B = track.v_B,
                              .yaw_rate = track.yaw_rate,
-                             .altitude = AltitudeAt(t)};
+                             .altitude = AltitudeAt(t),
+                             .velocity_age = track_.DropoutAge(t)};
   // Levelled pose of the head, then the step: MRPT carries the covariance through the composition.
   const OdometryStep step = track_.Between(head_time(), std::max(t, head_time()));
   NavVector head = smoother_.PoseAt(node_count() - 1), motion = NavVector::Zero();
@@ -166,9 +185,9 @@ std::vector<LandmarkEstimate> Navigator::Landmarks() const {
   return landmarks;
 }
 
-std::vector<SmoothedPose> Navigator::Smoothed() const {
+std::vector<SmoothedPose> Navigator::Smoothed(int first) const {
   std::vector<SmoothedPose> poses;
-  for (int i = 0; i < node_count(); ++i) {
+  for (int i = first; i < node_count(); ++i) {
     poses.push_back({node_times_[static_cast<std::size_t>(i)], PoseOf(smoother_.PoseAt(i))});
   }
   return poses;

@@ -44,6 +44,7 @@ struct NavigatorEstimate {
   Eigen::Vector3d v_B = Eigen::Vector3d::Zero();
   double yaw_rate = 0.0;
   std::optional<double> altitude;  ///< of the body origin above the seabed [m], if measured lately
+  std::optional<double> velocity_age;  ///< of `v_B` [s], in a dropout of the DVL
   Eigen::Vector3d sd_p = Eigen::Vector3d::Zero();
   double sd_yaw = 0.0;
 };
@@ -110,7 +111,8 @@ class Navigator {
   [[nodiscard]] std::vector<LandmarkEstimate> Landmarks() const;
   /// Grows whenever Landmarks() may answer differently.
   [[nodiscard]] int landmark_version() const { return landmark_version_; }
-  [[nodiscard]] std::vector<SmoothedPose> Smoothed() const;
+  /// The chain's poses from the `first` on.
+  [[nodiscard]] std::vector<SmoothedPose> Smoothed(int first = 0) const;
   [[nodiscard]] const ObjectTracker& tracker() const { return tracker_; }
   [[nodiscard]] int node_count() const { return static_cast<int>(node_times_.size()); }
   [[nodiscard]] const NavigatorCounts& counts() const { return counts_; }
@@ -144,6 +146,8 @@ class Navigator {
   void TieToFormerSession();
   [[nodiscard]] NavVector Predict(double t) const;
   [[nodiscard]] std::optional<double> AltitudeAt(double t) const;
+  /// Slope of the last second's depths [m/s].
+  [[nodiscard]] std::optional<double> SinkRate() const;
 
   NavigatorParams params_;
   VelocityGate gate_;

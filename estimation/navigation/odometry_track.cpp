@@ -65,19 +65,28 @@ Eigen::Vector3d OdometryTrack::VelocityAt(double t) const {
   return previous_ + share * (velocity_ - previous_);
 }
 
+std::optional<double> OdometryTrack::DropoutAge(double t) const {
+  const double age = t - accepted_t_;
+  return age > kDropoutAge ? std::optional<double>(age) : std::nullopt;
+}
+
+Eigen::Vector3d OdometryTrack::LevelVelocity(const AttitudeEstimate& attitude) const {
+  Eigen::Vector3d v = RotationOf(attitude) * VelocityAt(attitude.t);
+  if (sink_rate_ && DropoutAge(attitude.t)) v.z() = *sink_rate_;
+  return v;
+}
+
 void OdometryTrack::Integrate(const Sample& from, Sample& to) const {
   const double dt = to.attitude.t - from.attitude.t;
-  const Eigen::Vector3d v_from = RotationOf(from.attitude) * VelocityAt(from.attitude.t);
-  const Eigen::Vector3d v_to = RotationOf(to.attitude) * VelocityAt(to.attitude.t);
-  const Eigen::Vector3d moved = 0.5 * dt * (v_from + v_to);
+  const Eigen::Vector3d moved =
+      0.5 * dt * (LevelVelocity(from.attitude) + LevelVelocity(to.attitude));
   to.p_dvl = from.p_dvl + moved;
   to.path = from.path + moved.head<2>().norm();
-  const double age = to.attitude.t - accepted_t_;
   to.bridge_variance = from.bridge_variance;
-  if (age > kDropoutAge) {
+  if (const auto age = DropoutAge(to.attitude.t)) {
     const double sd =
-        std::min(params_.bridge_velocity + params_.bridge_growth * age, params_.bridge_limit);
-    to.bridge_variance += 2.0 * sd * sd * std::min(age, params_.bridge_correlation.value()) * dt;
+        std::min(params_.bridge_velocity + params_.bridge_growth * *age, params_.bridge_limit);
+    to.bridge_variance += 2.0 * sd * sd * std::min(*age, params_.bridge_correlation.value()) * dt;
   }
 }
 
@@ -120,7 +129,7 @@ TrackPose OdometryTrack::At(double t) const {
   pose.t = a.t;
   pose.X_DB = {sample.p_dvl - RotationOf(a) * params_.dvl_B, a.roll, a.pitch, a.yaw};
   const Eigen::Vector3d rate_B(0.0, 0.0, a.yaw_rate);
-  pose.v_B = VelocityAt(t) - rate_B.cross(params_.dvl_B);
+  pose.v_B = RotationOf(a).transpose() * LevelVelocity(a) - rate_B.cross(params_.dvl_B);
   pose.yaw_rate = a.yaw_rate;
   return pose;
 }

@@ -48,7 +48,8 @@ struct TrackPose {
 
 /// Compounds attitude and velocity samples, each in time order, and answers for any time of the
 /// last seconds. The velocity between two samples is their linear interpolation; after the last one
-/// it is held. A missing velocity is bridged by the last accepted one.
+/// it is held. A missing velocity is bridged by the last accepted one, in body axes; its vertical
+/// part, if known, by the sink rate.
 class OdometryTrack {
  public:
   explicit OdometryTrack(const OdometryParams& params) : params_(params) {}
@@ -57,13 +58,16 @@ class OdometryTrack {
   /// Velocity of the DVL in body axes [m/s] at `t`; nothing when the DVL had no lock or lied.
   void AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B);
 
+  /// Rate of depth [m/s] that stands in for the vertical velocity in a dropout.
+  void SetSinkRate(double rate) { sink_rate_ = rate; }
+
   [[nodiscard]] bool is_empty() const { return samples_.empty(); }
   [[nodiscard]] double first_time() const { return samples_.front().attitude.t; }
   [[nodiscard]] double last_time() const { return samples_.back().attitude.t; }
   /// Up to here later velocities change nothing any more.
   [[nodiscard]] double settled_time() const { return velocity_t_; }
-  /// Seconds since the last accepted velocity, at `t`.
-  [[nodiscard]] double BridgeAge(double t) const { return t - accepted_t_; }
+  /// Seconds since the last accepted velocity, if that is long enough to be a dropout at `t`.
+  [[nodiscard]] std::optional<double> DropoutAge(double t) const;
 
   /// REQUIRES: !is_empty(). Times outside the buffer answer with its ends, extrapolated by at most
   /// 0.3 s at the new end.
@@ -84,6 +88,8 @@ class OdometryTrack {
     double bridge_variance = 0.0;  ///< horizontal, accumulated over dropouts [m^2]
   };
   [[nodiscard]] Eigen::Vector3d VelocityAt(double t) const;
+  /// The same in the track's frame, with the vertical part that holds then.
+  [[nodiscard]] Eigen::Vector3d LevelVelocity(const AttitudeEstimate& attitude) const;
   [[nodiscard]] Sample SampleAt(double t) const;
   void Integrate(const Sample& from, Sample& to) const;
 
@@ -93,6 +99,7 @@ class OdometryTrack {
   double velocity_t_ = -1e18, previous_t_ = -1e18;  ///< of the last two velocity rows
   double accepted_t_ = -1e18;
   Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero(), previous_ = Eigen::Vector3d::Zero();
+  std::optional<double> sink_rate_;
 };
 
 }  // namespace limpet

@@ -34,6 +34,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Landmark, id, ned, cov, color, looks, is_conf
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Landmarks, landmarks)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SightedBox, box, landmark)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Sight, frame, exposure, ned, roll, pitch, yaw, altitude, boxes)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TrackShift, steps)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChangePosterior, confirmed, removed, appeared, nothing)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OpiBelief, id, landmark, prior_id, ned, cov, centroid,
                                    centroid_sd, color, probability, posterior, decided, looks,
@@ -69,6 +70,7 @@ std::optional<T> JsonCodec<T>::Decode(const Value& value) {
 template struct JsonCodec<Detections>;
 template struct JsonCodec<Landmarks>;
 template struct JsonCodec<Sight>;
+template struct JsonCodec<TrackShift>;
 template struct JsonCodec<OpiBeliefs>;
 template struct JsonCodec<SessionPrior>;
 template struct JsonCodec<HelmPath>;

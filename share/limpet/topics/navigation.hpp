@@ -18,7 +18,10 @@ struct NavState {
   double north = 0.0, east = 0.0, down = 0.0;
   double roll = 0.0, pitch = 0.0, yaw = 0.0;
   double u = 0.0, v = 0.0, w = 0.0;  ///< body velocity over ground [m/s]
-  double yaw_rate = 0.0;             ///< [rad/s]
+  /// Seconds since the DVL last gave a velocity; absent while it does. In such a dropout u and v
+  /// are held, no feedback of what the vehicle does, and w comes from the depth sensor.
+  std::optional<double> velocity_age;
+  double yaw_rate = 0.0;  ///< [rad/s]
   /// Of the body origin above the seabed [m], as `down` is its depth: their sum is the seabed's
   /// depth. Absent without bottom lock.
   std::optional<double> altitude;
@@ -29,7 +32,7 @@ struct NavState {
     visit("north", north), visit("east", east), visit("down", down);
     visit("roll", roll), visit("pitch", pitch), visit("yaw", yaw);
     visit("u", u), visit("v", v), visit("w", w), visit("yaw_rate", yaw_rate);
-    visit("altitude", altitude);
+    visit("altitude", altitude), visit("velocity_age", velocity_age);
     visit("sd_north", sd_north), visit("sd_east", sd_east), visit("sd_down", sd_down),
         visit("sd_yaw", sd_yaw);
   }
@@ -81,6 +84,17 @@ struct Sight {
 };
 template <>
 struct TopicCodec<Sight> : JsonCodec<Sight> {};
+
+/// How the smoother moved the way already travelled since it last said so: after a fix that ends a
+/// dive, or a loop closed. Landmarks move with it; so must whoever keeps poses of NAV_SIGHT.
+struct TrackShift {
+  /// MOOS time, and the shift of north, east, down [m] and yaw [rad] then; linear in between.
+  std::vector<std::array<double, 5>> steps;
+  /// A pose kept from time `t`, moved along; later ones than the last step stay as they are.
+  [[nodiscard]] Pose Apply(double t, const Pose& X_WB) const;
+};
+template <>
+struct TopicCodec<TrackShift> : JsonCodec<TrackShift> {};
 
 /// DVL beams with the pose of the DVL at their time: NED of its lever arm, attitude of the body.
 struct PosedBeams {
@@ -136,6 +150,9 @@ inline const auto kNavLandmarks = Declare<Landmarks>(
 inline const auto kNavSight = Declare<Sight>(
     "NAV_SIGHT", "each camera frame, posed and associated",
     {.unit = "m, rad, px", .frame = "NED, body FRD, image", .rate = "4 Hz", .writers = {"pNav"}});
+inline const auto kNavTrackShift = Declare<TrackShift>(
+    "NAV_TRACK_SHIFT", "how the way behind moved; just before NAV_LANDMARKS that moved along",
+    {.unit = "m, rad, s", .frame = "NED", .rate = "on change, at most 2 Hz", .writers = {"pNav"}});
 inline const auto kNavBeams = Declare<PosedBeams>(
     "NAV_BEAMS", "each DVL ping with the pose of the DVL",
     {.unit = "m, rad", .frame = "NED, body FRD", .rate = "5 Hz", .writers = {"pNav"}});

@@ -60,6 +60,16 @@ TEST_F(OdometryTrackTest, BridgesADropoutWithTheLastVelocityAndSaysHowUnsureItIs
   EXPECT_GT(track_.Between(19.0, 29.0).variance(0), 5.0 * sure);
 }
 
+TEST_F(OdometryTrackTest, SinksAtTheGivenRateInADropout) {
+  Drive(0.0, 20.0);
+  EXPECT_FALSE(track_.DropoutAge(track_.last_time()));
+  track_.SetSinkRate(0.1);
+  Drive(20.0, 30.0, false);
+  EXPECT_NEAR(track_.Between(22.0, 29.0).motion(2), 0.7, 1e-6);
+  EXPECT_NEAR(track_.At(29.0).v_B.z(), 0.1, 1e-6);
+  EXPECT_NEAR(track_.DropoutAge(29.0).value(), 9.2, 0.05);
+}
+
 TEST_F(OdometryTrackTest, ChangesOfSpeedBetweenSamplesAreInterpolated) {
   for (int i = 0; i <= 100; ++i) {
     AttitudeEstimate attitude;

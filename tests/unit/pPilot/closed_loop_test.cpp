@@ -43,6 +43,15 @@ class Vessel {
     command << c.t1, c.t2, c.t3, c.t4, c.t5, c.t6;
     (void)simulation_.Advance(command, Seconds(kStep));
   }
+  /// Flies while the DVL is silent: the estimate holds the last velocity, off by `error` [m/s].
+  void FlyWithoutLock(const DesiredMotion& desired, double seconds, const Eigen::Vector2d& error) {
+    const NavState held = nav_;
+    for (int i = 1; i <= static_cast<int>(seconds / kStep); ++i) {
+      nav_.u = held.u + error.x(), nav_.v = held.v + error.y();
+      nav_.velocity_age = 0.5 + i * kStep;
+      Fly(desired);
+    }
+  }
   void Hold(const DesiredMotion& desired, double seconds) {
     for (int i = 0; i < static_cast<int>(seconds / kStep); ++i)
       Fly(desired);
@@ -125,6 +134,14 @@ TEST(ClosedLoop, FollowsACircleOfThreeMetresWithLittleSideslip) {
   const Track track = Follow(vessel, {{0.0, 5.0}, {1.0 / 3.0, 6.0 * kPi}}, 3.5);
   EXPECT_LT(track.sideslip_max, 5.0 * kPi / 180.0);
   EXPECT_LT(track.max, 0.3);
+}
+
+TEST(ClosedLoop, KeepsItsVelocityOverGroundThroughADropoutInACurrent) {
+  Vessel vessel(Eigen::Vector3d(-0.05, 0.1, 0.0));
+  vessel.Hold({0.0, 0.5, 3.5, 0.0}, 60.0);
+  vessel.FlyWithoutLock({0.0, 0.5, 3.5, 0.0}, 10.0, {0.03, -0.03});
+  EXPECT_NEAR(vessel.Truth().u, 0.5, 0.02);
+  EXPECT_NEAR(vessel.Truth().v, 0.0, 0.02);
 }
 
 TEST(ClosedLoop, DivesVerticallyWithoutOvershoot) {
