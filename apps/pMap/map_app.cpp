@@ -20,6 +20,7 @@ MapApp::MapApp(const AppContext& context, const Params& params)
   Subscribe(topics::kSurveyPhase, &MapApp::OnPhase);
   Subscribe(topics::kNavSight, &MapApp::OnSight);
   Subscribe(topics::kNavBeams, &MapApp::OnBeams);
+  Subscribe(topics::kNavTrackShift, &MapApp::OnTrackShift);
   Subscribe(topics::kNavLandmarks, &MapApp::OnLandmarks);
   Subscribe(topics::kSessionPrior, &MapApp::OnPrior);
   Subscribe(topics::kMapSnapshotRequest, &MapApp::OnSnapshotRequest);
@@ -77,6 +78,10 @@ void MapApp::OnBeams(const Stamped<PosedBeams>& beams) {
       grid_->SetSeabed(end.p_W.x(), end.p_W.y(), end.p_W.z());
     }
   }
+}
+
+void MapApp::OnTrackShift(const Stamped<TrackShift>& shift) {
+  book_.MoveSights([&shift](double t, const Pose& X_WB) { return shift.value.Apply(t, X_WB); });
 }
 
 void MapApp::OnLandmarks(const Stamped<Landmarks>& landmarks) {

@@ -55,6 +55,7 @@ class MapApp final : public App {
   void OnPhase(const Stamped<std::string>& phase);
   void OnSight(const Stamped<Sight>& sight);
   void OnBeams(const Stamped<PosedBeams>& beams);
+  void OnTrackShift(const Stamped<TrackShift>& shift);
   void OnLandmarks(const Stamped<Landmarks>& landmarks);
   void OnPrior(const Stamped<SessionPrior>& prior);
   [[nodiscard]] bool IsMapping() const;

@@ -58,6 +58,7 @@ void NavApp::OnFog(const Stamped<double>& rate) {
 void NavApp::OnImu(const Stamped<ImuSample>& imu) {
   const ImuSample& sample = imu.value;
   const double t = imu.time.value();
+  last_imu_t_ = t;
   attitude_.AddInertial({.t = t,
                          .force = {sample.fx, sample.fy, sample.fz},
                          .rate = {sample.p, sample.q, sample.r},
@@ -127,6 +128,7 @@ void NavApp::Tick(Seconds now) {
   if (navigator_.has_started()) {
     PublishState(now.value());
     PublishSights();
+    track_watch_.Note(navigator_.Smoothed(track_watch_.noted()));
     PublishLandmarks(now.value());
   }
 }
@@ -151,6 +153,7 @@ void NavApp::PublishState(double now) {
   state.yaw = estimate.X_WB.yaw;
   state.u = estimate.v_B.x(), state.v = estimate.v_B.y(), state.w = estimate.v_B.z();
   state.yaw_rate = estimate.yaw_rate;
+  state.velocity_age = estimate.velocity_age;
   state.altitude = estimate.altitude;
   if (estimate.altitude) {
     Publish(topics::kNavAltitude, *estimate.altitude);
@@ -204,6 +207,9 @@ void NavApp::PublishLandmarks(double now) {
                                  .is_confirmed = true,
                                  .prior_id = landmark.prior_id});
   }
+  if (const auto shift = track_watch_.Compare(navigator_.Smoothed())) {
+    Publish(topics::kNavTrackShift, *shift);
+  }
   Publish(topics::kNavLandmarks, message);
 }
 
@@ -231,7 +237,7 @@ void NavApp::WatchSensors(double now) {
       ClearWarning(id);
     }
   };
-  watch("IMU_STALE", last_attitude_t_, "no IMU_DATA within stale_after_s");
+  watch("IMU_STALE", last_imu_t_, "no IMU_DATA within stale_after_s");
   watch("DVL_STALE", last_dvl_t_, "no DVL_DATA within stale_after_s");
   watch("DVL_NO_LOCK", last_lock_t_, "no bottom lock within stale_after_s");
   watch("DEPTH_STALE", last_depth_t_, "no DEPTH_SENSOR within stale_after_s");

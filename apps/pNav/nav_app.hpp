@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "apps/pNav/track_watch.hpp"
 #include "estimation/attitude/attitude_filter.hpp"
 #include "estimation/navigation/navigator.hpp"
 #include "limpet/app/app.hpp"
@@ -84,7 +85,9 @@ class NavApp final : public App {
   Params params_;
   AttitudeFilter attitude_;
   Navigator navigator_;
-  double last_attitude_t_ = -1e18, last_dvl_t_ = -1e18, last_lock_t_ = -1e18, last_depth_t_ = -1e18;
+  TrackWatch track_watch_;
+  double last_imu_t_ = -1e18, last_attitude_t_ = -1e18, last_dvl_t_ = -1e18, last_lock_t_ = -1e18,
+         last_depth_t_ = -1e18;
   int landmark_version_ = 0;
   double landmarks_t_ = -1e18;
 };

@@ -43,6 +43,7 @@ SessionApp::SessionApp(const AppContext& context, const Params& params)
   Subscribe(topics::kSurveyArea, &SessionApp::OnArea);
   Subscribe(topics::kMapOpis, &SessionApp::OnObjects);
   Subscribe(topics::kNavSight, &SessionApp::OnSight);
+  Subscribe(topics::kNavTrackShift, &SessionApp::OnTrackShift);
   Subscribe(topics::kMapSnapshot, &SessionApp::OnSnapshot);
   Subscribe(topics::kSessionSave, &SessionApp::OnSave);
   CopyMission();
@@ -73,6 +74,14 @@ void SessionApp::CopyMission() {
     if (Expected<std::string> text = ReadWhole(entry.path())) {
       memory_.mission[entry.path().filename().string()] = *std::move(text);
     }
+  }
+}
+
+void SessionApp::OnTrackShift(const Stamped<TrackShift>& shift) {
+  for (Sight& sight : memory_.sights) {
+    const Pose moved = shift.value.Apply(sight.exposure.value(), sight.pose());
+    sight.ned = {moved.p_WB.x(), moved.p_WB.y(), moved.p_WB.z()};
+    sight.yaw = moved.yaw;
   }
 }
 

@@ -35,6 +35,7 @@ class SessionApp final : public App {
   void OnArea(const Stamped<SurveyArea>& area) { memory_.area = area.value; }
   void OnObjects(const Stamped<OpiBeliefs>& objects) { memory_.objects = objects.value; }
   void OnSight(const Stamped<Sight>& sight) { memory_.sights.push_back(sight.value); }
+  void OnTrackShift(const Stamped<TrackShift>& shift);
   void OnSnapshot(const Stamped<Binary>& map);
   void OnSave(const Stamped<std::string>& cause);
   void LoadFormer();

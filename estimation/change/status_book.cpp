@@ -73,17 +73,28 @@ void StatusBook::AddSight(SightRecord sight) {
   sights_.push_back(std::move(sight));
 }
 
+void StatusBook::MoveSights(const std::function<Pose(double t, const Pose& X_WB)>& moved) {
+  for (SightRecord& sight : sights_) {
+    sight.X_WB = moved(sight.time, sight.X_WB);
+  }
+  rejudges_all_ = true;
+}
+
 void StatusBook::SetLandmarks(const std::vector<KnownLandmark>& landmarks) {
   landmarks_ = landmarks;
   std::ranges::sort(landmarks_, {}, &KnownLandmark::id);
   const std::map<int, int> before = representative_;
   MergeLandmarks();
+  if (rejudges_all_) {
+    landmark_watch_.clear();
+  }
   WatchLandmarks();
   if (former_) {
     MatchFormer();
     // Who owns a box depends on which landmarks there are.
-    WatchFormer(before != representative_);
+    WatchFormer(rejudges_all_ || before != representative_);
   }
+  rejudges_all_ = false;
 }
 
 int StatusBook::Representative(int landmark) const {

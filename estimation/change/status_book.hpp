@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -86,6 +87,9 @@ class StatusBook {
   void SetFormerViews(std::vector<SightRecord> views) { former_views_ = std::move(views); }
   /// Frames in order of time.
   void AddSight(SightRecord sight);
+  /// Takes kept frames along when the track behind the vehicle has moved; `moved` gives the new
+  /// pose from time [s] and old pose. Landmarks that moved with it are to follow.
+  void MoveSights(const std::function<Pose(double t, const Pose& X_WB)>& moved);
   /// All confirmed landmarks as now estimated; one that is absent is forgotten.
   void SetLandmarks(const std::vector<KnownLandmark>& landmarks);
 
@@ -130,6 +134,7 @@ class StatusBook {
   std::set<std::pair<int, int>> seen_together_;
   std::map<int, PlaceWatch> landmark_watch_;
   std::vector<std::optional<PlaceWatch>> former_watch_;
+  bool rejudges_all_ = false;  ///< frames have moved since landmarks were last set
   SessionMatch match_;
   std::map<int, PlaceWatch> former_lambda_;  ///< of newcomers' places, by landmark
   std::map<int, int> id_of_landmark_;

@@ -50,6 +50,24 @@ class SessionAppTest : public ::testing::Test {
   TestLink link_;
 };
 
+TEST_F(SessionAppTest, KeepsItsFramesWhereTheSmootherMovesThem) {
+  SessionApp app(Context("discovery"), {});
+  Sight sight;
+  sight.exposure = link_.time, sight.ned = {1, 2, 3};
+  link_.Send(app, topics::kNavSight, sight);
+  const double t = link_.time.value();
+  link_.Send(app, topics::kNavTrackShift,
+             TrackShift{{{t - 5.0, 0.0, 0.0, 0.0, 0.0}, {t + 5.0, 1.0, -2.0, 0.0, 0.1}}});
+  app.Finish(link_.time);
+  const Expected<StoredSession> stored = LoadSession(folder_.path() / "discovery");
+  ASSERT_TRUE(stored);
+  const Expected<SessionMemory> memory = MemoryOf(stored->files);
+  ASSERT_TRUE(memory);
+  EXPECT_NEAR(memory->sights[0].ned[0], 1.5, 1e-3);
+  EXPECT_NEAR(memory->sights[0].ned[1], 1.0, 1e-3);
+  EXPECT_NEAR(memory->sights[0].yaw, 0.05, 1e-3);
+}
+
 TEST_F(SessionAppTest, IsSelfDescribingFromItsFirstSecond) {
   fs::create_directories(folder_.path() / "table1");
   std::ofstream(folder_.path() / "table1" / "mission.moos") << "Community = alpha\n";

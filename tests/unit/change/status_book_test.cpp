@@ -64,6 +64,22 @@ class StatusBookTest : public ::testing::Test {
   StatusBook book_{StatusParams{}, kCamera};
 };
 
+/// A fix at the end moves everything; an object at the image's border must not fall out of it.
+TEST_F(StatusBookTest, TakesItsFramesAlongWhenAFixMovesTheTrack) {
+  const PlacedObject object = At(4, 0.5);
+  Fly(0.0, {{object, 1}});
+  Fly(3.4, {});  // passes by: the object is outside the image
+  const Eigen::Vector3d shift(0.2, 0.9, 0.0);
+  book_.MoveSights([&shift](double, Pose X_WB) {
+    X_WB.p_WB += shift;
+    return X_WB;
+  });
+  PlacedObject moved = object;
+  moved.ned += shift;
+  Landmarks({{moved, 1}});
+  EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kNew));
+}
+
 TEST_F(StatusBookTest, JudgesALandmarkAlsoFromFramesBeforeItWasConfirmed) {
   const Real real{At(4, 0.5), 1};
   Fly(0.0, {{real.object, -1}});

@@ -97,6 +97,21 @@ TEST_F(NavAppTest, SendsBeamsFromWhereTheDvlSits) {
   EXPECT_NEAR(beams->east - state->east, -0.2, 0.11);  // aft; pings come at 5 Hz
 }
 
+TEST_F(NavAppTest, TellsHowAFixAfterADiveMovesTheWayBehind) {
+  RunFor(20.0);
+  has_gps_ = false;
+  RunFor(60.0);
+  link_.published.clear();
+  has_gps_ = true;
+  east_ += 2.0;  // what dead reckoning had missed
+  RunFor(10.0);
+  const auto shift = link_.Last(topics::kNavTrackShift);
+  ASSERT_TRUE(shift.has_value());
+  const double end = shift->steps.back()[0];
+  EXPECT_GT(shift->Apply(end - 10.0, Pose{}).p_WB.y(), 0.05);
+  EXPECT_DOUBLE_EQ(shift->Apply(end + 1.0, Pose{}).p_WB.y(), 0.0);
+}
+
 TEST_F(NavAppTest, PosesAFrameAtItsExposureAlsoWhenItShowsNothing) {
   RunFor(20.0);
   const Seconds exposure = link_.time;
