@@ -20,7 +20,7 @@ struct NavState {
   double u = 0.0, v = 0.0, w = 0.0;  ///< body velocity over ground [m/s]
   /// Seconds since the DVL last gave a velocity; absent while it does. In such a dropout u and v
   /// are held, no feedback of what the vehicle does, and w comes from the depth sensor.
-  std::optional<double> velocity_age;
+  std::optional<double> velocity_age = std::nullopt;
   double yaw_rate = 0.0;  ///< [rad/s]
   /// Of the body origin above the seabed [m], as `down` is its depth: their sum is the seabed's
   /// depth. Absent without bottom lock.
