@@ -16,7 +16,10 @@ PlacedObject PlacedOf(const std::array<double, 3>& ned, const std::array<double,
 }  // namespace
 
 SightRecord RecordOf(const Sight& sight) {
-  SightRecord record{.time = sight.exposure.value(), .X_WB = sight.pose(), .boxes = {}};
+  SightRecord record{.time = sight.exposure.value(),
+                     .X_WB = sight.pose(),
+                     .boxes = {},
+                     .altitude = sight.altitude};
   for (const SightedBox& sighted : sight.boxes) {
     const Box& box = sighted.box;
     record.boxes.push_back({.u = box.u,

@@ -25,6 +25,7 @@ struct SightRecord {
   double time = 0.0;  ///< [s]
   Pose X_WB;
   std::vector<SightedDetection> boxes;
+  std::optional<double> altitude = std::nullopt;  ///< above the seabed [m]
 };
 
 /// What it takes to judge a place in a frame.

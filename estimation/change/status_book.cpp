@@ -17,6 +17,11 @@ constexpr double kRejudgeDistance = 0.3;
 constexpr double kRejudgeSpread = 0.3;
 constexpr double kLeastSpread = 0.1;
 
+/// What a hunch is believed to be before anyone has looked, and how near another entry tells about
+/// it.
+constexpr double kHunchIsObject = 0.3;
+constexpr double kHunchReach = 1.5;
+
 /// A landmark relative to the poses it was seen from: the error that they share moves both.
 constexpr double kRelativeSigma = 0.15;
 PlacedObject WatchedPlace(PlacedObject place) {
@@ -70,6 +75,9 @@ void StatusBook::AddSight(SightRecord sight) {
       former_watch_[i]->See(sight, model_, OwnerForFormer());
     }
   }
+  hunches_.AddSight(sight, model_, [this](const SightRecord& frame, const SightedDetection& box) {
+    return Representative(box.landmark) >= 0 || IsExplained(frame, box);
+  });
   sights_.push_back(std::move(sight));
 }
 
@@ -295,6 +303,25 @@ std::optional<ObjectStatus> StatusBook::StatusOfNewcomer(std::size_t index) {
   return status;
 }
 
+std::optional<ObjectStatus> StatusBook::StatusOfHunch(Hunch& hunch) {
+  const bool is_told = std::ranges::any_of(objects_, [&](const KnownLandmark& object) {
+    return HorizontalDistance(object.object, hunch.place) < kHunchReach;
+  });
+  if (is_told) {
+    return std::nullopt;
+  }
+  for (std::size_t i = 0; former_ && i < former_->size(); ++i) {
+    if (match_.now_of_former[i] < 0 &&
+        HorizontalDistance(FormerPlace(i), hunch.place) < kHunchReach) {
+      return std::nullopt;
+    }
+  }
+  hunch.id = hunch.id > 0 ? hunch.id : next_id_++;
+  return ObjectStatus{.id = hunch.id,
+                      .object = hunch.place,
+                      .posterior = {.appeared = kHunchIsObject, .nothing = 1.0 - kHunchIsObject}};
+}
+
 std::vector<ObjectStatus> StatusBook::Assess() {
   std::vector<ObjectStatus> objects;
   std::vector<bool> is_matched(objects_.size(), false);
@@ -311,6 +338,11 @@ std::vector<ObjectStatus> StatusBook::Assess() {
     }
   }
   PairMoved(objects);
+  for (Hunch* hunch : hunches_.Open()) {
+    if (std::optional<ObjectStatus> status = StatusOfHunch(*hunch)) {
+      objects.push_back(std::move(*status));
+    }
+  }
   return objects;
 }
 

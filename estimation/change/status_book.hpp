@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "estimation/change/hunches.hpp"
 #include "estimation/change/place_watch.hpp"
 #include "estimation/change/status.hpp"
 
@@ -121,6 +122,9 @@ class StatusBook {
   [[nodiscard]] int IdOfLandmark(int landmark);
   [[nodiscard]] ObjectStatus StatusOfFormer(std::size_t index) const;
   [[nodiscard]] std::optional<ObjectStatus> StatusOfNewcomer(std::size_t index);
+  /// A place that hints at an object, as one of which nothing is known; nothing if another entry
+  /// tells about it.
+  [[nodiscard]] std::optional<ObjectStatus> StatusOfHunch(Hunch& hunch);
   void PairMoved(std::vector<ObjectStatus>& objects) const;
 
   StatusParams params_;
@@ -137,6 +141,7 @@ class StatusBook {
   bool rejudges_all_ = false;  ///< frames have moved since landmarks were last set
   SessionMatch match_;
   std::map<int, PlaceWatch> former_lambda_;  ///< of newcomers' places, by landmark
+  HunchBook hunches_;
   std::map<int, int> id_of_landmark_;
   int next_id_ = 1;
 };

@@ -89,6 +89,16 @@ TEST_F(StatusBookTest, JudgesALandmarkAlsoFromFramesBeforeItWasConfirmed) {
   EXPECT_GE(book_.Assess()[0].looks_with_box, 3);
 }
 
+TEST_F(StatusBookTest, BoxesThatNoLandmarkExplainsAreWorthALook) {
+  Fly(0.0, {{At(4, 2.4), -1}});
+  book_.AddSight({.time = time_, .X_WB = {{90.0, 90.0, 3.0}, 0, 0, 0}, .boxes = {}});
+  const std::vector<ObjectStatus> objects = book_.Assess();
+  ASSERT_EQ(objects.size(), 1U);
+  EXPECT_EQ(objects[0].decided, Status::kUncertain);
+  EXPECT_EQ(objects[0].landmark, -1);
+  EXPECT_GT(objects[0].posterior.Entropy(), 0.25);
+}
+
 TEST_F(StatusBookTest, DropsALandmarkThatCleanLooksDisprove) {
   Fly(0.0, {});
   Fly(0.5, {});

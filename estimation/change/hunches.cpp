@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/change/hunches.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limpet {
+namespace {
+
+constexpr double kBorder = 3.0;        ///< an edge nearer to the image's border is cut [px]
+constexpr double kBelowSeabed = 0.7;   ///< a place may seem this far below the seabed [m]
+constexpr double kNearestDepth = 0.5;  ///< [m]
+constexpr double kOneObject = 1.2;     ///< boxes whose places are nearer hint at one object [m]
+constexpr int kEnoughBoxes = 3;        ///< of one pass
+constexpr double kOnePass = 20.0;      ///< too few boxes are forgotten after that [s]
+constexpr double kLeftTheImage = 3.0;  ///< while boxes come, the smoother may still make it one [s]
+constexpr double kGrownOld = 400.0;    ///< a place that nobody could reach by then is given up [s]
+constexpr double kWhole = 0.95;        ///< share inside the image that is as good as all
+constexpr double kNewViewpoint = 0.5;  ///< between good looks [m]
+constexpr int kEnoughLooks = 3;
+constexpr int kMostHunches = 8;      ///< of one session, for a detector that sees ghosts
+constexpr double kPlaceSigma = 0.3;  ///< of a hunch's place [m]
+
+/// One axis of a box: its low and high edges in pixels, and the image's extent.
+struct Side {
+  double low, high, extent;
+  [[nodiscard]] bool is_cut_low() const { return low < kBorder; }
+  [[nodiscard]] bool is_cut_high() const { return high > extent - kBorder; }
+  [[nodiscard]] bool is_cut() const { return is_cut_low() || is_cut_high(); }
+  /// Centre of an object whose image has this half size; a cut edge tells nothing.
+  [[nodiscard]] double Centre(double half) const {
+    if (is_cut_low() && !is_cut_high()) return high - half;
+    if (is_cut_high() && !is_cut_low()) return low + half;
+    return 0.5 * (low + high);
+  }
+};
+
+bool IsOver(const Hunch& hunch) { return hunch.good_looks >= kEnoughLooks; }
+
+void Look(Hunch& hunch, const SightRecord& sight, const WatchModel& model) {
+  const double share = VisibleShare(model.camera, sight.X_WB, hunch.place.ned, model.object_radius);
+  const Eigen::Vector3d& eye = sight.X_WB.p_WB;
+  const bool is_new =
+      !hunch.last_viewpoint || (*hunch.last_viewpoint - eye).norm() >= kNewViewpoint;
+  if (share >= kWhole && is_new) {
+    ++hunch.good_looks;
+    hunch.last_viewpoint = eye;
+  }
+}
+
+}  // namespace
+
+std::optional<Eigen::Vector3d> PlaceOfBox(const SightedDetection& box, const SightRecord& sight,
+                                          const WatchModel& model) {
+  const CameraGeometry& camera = model.camera;
+  const Side u{box.u - 0.5 * box.w, box.u + 0.5 * box.w, static_cast<double>(camera.width_px)};
+  const Side v{box.v - 0.5 * box.h, box.v + 0.5 * box.h, static_cast<double>(camera.height_px)};
+  if (u.is_cut() && v.is_cut()) {
+    return std::nullopt;
+  }
+  const double across = box.w / camera.fx();
+  const double along = box.h / camera.fy();
+  const double size = u.is_cut() ? along : (v.is_cut() ? across : 0.5 * (across + along));
+  const double depth = 2.0 * model.object_radius / std::max(size, 1e-3);
+  const double deepest = sight.altitude.value_or(model.detection.visibility.value()) + kBelowSeabed;
+  if (depth < kNearestDepth || depth > deepest) {
+    return std::nullopt;
+  }
+  const double half = model.object_radius / depth;
+  const Eigen::Vector3d p_C(depth * (u.Centre(half * camera.fx()) - camera.cx()) / camera.fx(),
+                            depth * (v.Centre(half * camera.fy()) - camera.cy()) / camera.fy(),
+                            depth);
+  return sight.X_WB.p_WB + RotationOf(sight.X_WB) * (CameraGeometry::R_BC() * p_C + camera.p_BC);
+}
+
+void HunchBook::AddSight(const SightRecord& sight, const WatchModel& model,
+                         const IsExplained& is_explained) {
+  now_ = sight.time;
+  std::erase_if(hunches_, [this](const Hunch& hunch) {
+    return hunch.boxes < kEnoughBoxes && now_ - hunch.last_box > kOnePass;
+  });
+  for (Hunch& hunch : hunches_) {
+    Look(hunch, sight, model);
+  }
+  for (const SightedDetection& box : sight.boxes) {
+    if (is_explained(sight, box)) continue;
+    if (const std::optional<Eigen::Vector3d> p_W = PlaceOfBox(box, sight, model)) {
+      Take(*p_W, box.color, sight.time);
+    } else {
+      Support(box, sight, model);
+    }
+  }
+}
+
+void HunchBook::Take(const Eigen::Vector3d& p_W, const std::string& color, double time) {
+  const auto near = std::ranges::find_if(hunches_, [&](const Hunch& hunch) {
+    return hunch.place.color == color && (hunch.place.ned - p_W).norm() < kOneObject;
+  });
+  if (near == hunches_.end()) {
+    hunches_.push_back({.place = {.ned = p_W,
+                                  .cov = kPlaceSigma * kPlaceSigma * Eigen::Matrix3d::Identity(),
+                                  .color = color},
+                        .boxes = 1,
+                        .places = 1,
+                        .last_box = time,
+                        .last_viewpoint = {}});
+    return;
+  }
+  ++near->boxes;
+  ++near->places;
+  near->place.ned += (p_W - near->place.ned) / near->places;
+  near->last_box = time;
+}
+
+void HunchBook::Support(const SightedDetection& box, const SightRecord& sight,
+                        const WatchModel& model) {
+  for (Hunch& hunch : hunches_) {
+    const std::optional<Prospect> prospect = Foresee(hunch.place, sight.X_WB, model);
+    const bool is_recent = sight.time - hunch.last_box <= kOnePass;
+    if (is_recent && hunch.place.color == box.color && prospect &&
+        prospect->Explains(box, model.camera)) {
+      ++hunch.boxes;
+      hunch.last_box = sight.time;
+      return;
+    }
+  }
+}
+
+std::vector<Hunch*> HunchBook::Open() {
+  std::vector<Hunch*> open;
+  for (Hunch& hunch : hunches_) {
+    const double age = now_ - hunch.last_box;
+    const bool is_open =
+        hunch.boxes >= kEnoughBoxes && !IsOver(hunch) && age > kLeftTheImage && age < kGrownOld;
+    if (is_open && (hunch.is_counted || counted_ < kMostHunches)) {
+      counted_ += hunch.is_counted ? 0 : 1;
+      hunch.is_counted = true;
+      open.push_back(&hunch);
+    }
+  }
+  return open;
+}
+
+}  // namespace limpet
