@@ -25,6 +25,8 @@ std::string AddressOf(const std::string& listen_on) {
   return listen_on == "all" ? "0.0.0.0" : listen_on;
 }
 
+std::size_t BytesOf(double mib) { return static_cast<std::size_t>(mib * 1024.0 * 1024.0); }
+
 DatabaseParams ParamsOf(const MissionFile& mission) {
   // A mission written for MOOSDB says ClientTimeout there.
   for (const char* name : {"LimpetDB", "MOOSDB"}) {
@@ -43,7 +45,8 @@ TcpBrokerOptions OptionsOf(const AppCommand& command) {
   options.broker.hostname = HostName();
   options.broker.limits.clients = static_cast<std::size_t>(params.max_clients);
   options.broker.limits.variables = static_cast<std::size_t>(params.max_variables);
-  options.broker.limits.queue = static_cast<std::size_t>(params.queue_mib * 1024.0 * 1024.0);
+  options.broker.limits.queue = BytesOf(params.queue_mib);
+  options.broker.limits.stored = BytesOf(params.stored_mib);
   options.bind_address = AddressOf(params.listen_on);
   options.port = command.port;
   options.warp = command.warp;

@@ -13,6 +13,7 @@ struct DatabaseParams {
   std::string listen_on = "loopback";
   Seconds client_timeout{5.0};
   double queue_mib = 4.0;
+  double stored_mib = 256.0;
   int max_clients = 1000;
   int max_variables = 100'000;
 
@@ -23,6 +24,8 @@ struct DatabaseParams {
     visit("client_timeout_s", client_timeout, "silence after which a client is dropped",
           InRange(Seconds(1.0), Seconds(3600.0)));
     visit("queue_mib", queue_mib, "unsent mail kept for one client [MiB]", InRange(0.1, 1024.0));
+    visit("stored_mib", stored_mib, "latest values of all variables together [MiB]",
+          InRange(1.0, 65536.0));
     visit("max_clients", max_clients, "clients at a time", InRange(1, 10'000));
     visit("max_variables", max_variables, "variables in all", InRange(10, 10'000'000));
   }

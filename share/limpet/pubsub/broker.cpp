@@ -41,6 +41,7 @@ void FillCommunity(const WireMessage& message, ByteView raw, std::string_view co
   const auto before = static_cast<std::size_t>(at - raw.data()) - sizeof(std::int32_t);
   const auto* text = reinterpret_cast<const std::byte*>(community.data());
   out.clear();
+  out.reserve(raw.size() + community.size());
   out.insert(out.end(), raw.begin(), raw.begin() + static_cast<std::ptrdiff_t>(before));
   out.resize(before + sizeof(std::int32_t));
   Put(out.data() + before, static_cast<std::int32_t>(community.size()));
@@ -168,24 +169,45 @@ void Broker::Notify(const WireMessage& message, ByteView raw, Seconds now) {
   if (!variable || !IsValueType(message.data_type)) {
     return;
   }
-  ByteBuffer& stored = latest_[*variable].message;
   const auto type = router_.Info(*variable).type;
   if (type != Router::kUnset && type != message.data_type) {
     ++counts_.type_mismatches;
     return;
   }
-  if (message.community.empty()) {
-    FillCommunity(message, raw, options_.community, stored);
-  } else {
-    stored.assign(raw.begin(), raw.end());
+  Latest& latest = latest_[*variable];
+  if (!Store(latest, message, raw)) {
+    ++counts_.no_room;
+    return;
   }
   ++counts_.messages;
   static_cast<void>(
       router_.Write(*variable, message.data_type, message.source, now, [&](Client client) {
         Session& session = *sessions_[client];
-        session.outbox.Append(*variable, stored);
+        session.outbox.Append(*variable, latest.message);
         MarkReady(session);
       }));
+}
+
+ByteBuffer& Broker::Latest::Renew() {
+  if (!message || message.use_count() > 1) {
+    message = std::make_shared<ByteBuffer>();
+  }
+  return *message;
+}
+
+bool Broker::Store(Latest& latest, const WireMessage& message, ByteView raw) {
+  const std::size_t others = stored_ - latest.size();
+  if (others + raw.size() + options_.community.size() > options_.limits.stored) {
+    return false;
+  }
+  ByteBuffer& stored = latest.Renew();
+  if (message.community.empty()) {
+    FillCommunity(message, raw, options_.community, stored);
+  } else {
+    stored.assign(raw.begin(), raw.end());
+  }
+  stored_ = others + stored.size();
+  return true;
 }
 
 bool Broker::SpeaksForItself(const Session& session, const WireMessage& message) {
@@ -223,10 +245,9 @@ void Broker::RegisterWildcard(Session& session, const WireMessage& message, Seco
 }
 
 std::optional<WireMessage> Broker::LatestOf(Router::Variable variable) const {
-  const ByteBuffer& stored = latest_[variable].message;
   return router_.Info(variable).type == Router::kUnset
              ? std::nullopt
-             : std::optional(DecodeMessage(stored)->message);
+             : std::optional(DecodeMessage(*latest_[variable].message)->message);
 }
 
 void Broker::Append(Session& session, Router::Variable variable, const WireMessage& message) {
@@ -298,6 +319,7 @@ void Broker::Clear(Seconds now) {
   for (Latest& latest : latest_) {
     latest.message = {};
   }
+  stored_ = 0;
   for (const auto& session : sessions_) {
     if (session) {
       session->outbox.Clear();
@@ -355,6 +377,7 @@ void Broker::PublishStatus(Seconds now) {
   Publish("DB_QOS", quality, now);
   Publish("DB_RWSUMMARY", traffic, now);
   Publish("DB_DROPPED", losses, now);
+  Publish("DB_REFUSED", RefusalSummary(counts_), now);
 }
 
 void Broker::MarkReady(Session& session) {
@@ -378,7 +401,7 @@ Outbox& Broker::outbox(Client client) { return sessions_[client]->outbox; }
 bool Broker::TakePacket(Client client, Outgoing& packet, Seconds now) {
   Session& session = *sessions_[client];
   packet.head.assign(kPacketHeaderSize, std::byte{0});
-  packet.body.clear();
+  packet.body.Clear();
   std::size_t count = 0;
   if (!session.is_async) {
     if (!session.owes_reply) {

@@ -17,9 +17,10 @@ namespace limpet {
 struct BrokerLimits {
   std::size_t clients = 1000;
   std::size_t variables = 100'000;
-  std::size_t name_length = 1024;            ///< of clients and variables [bytes]
-  std::size_t filters_per_client = 1000;     ///< wildcards
-  std::size_t queue = std::size_t{4} << 20;  ///< unsent mail of one client [bytes]
+  std::size_t name_length = 1024;               ///< of clients and variables [bytes]
+  std::size_t filters_per_client = 1000;        ///< wildcards
+  std::size_t queue = std::size_t{4} << 20;     ///< unsent mail of one client [bytes]
+  std::size_t stored = std::size_t{256} << 20;  ///< latest values of all variables [bytes]
 };
 
 struct BrokerOptions {
@@ -34,6 +35,7 @@ struct BrokerCounts {
   std::uint64_t type_mismatches = 0;
   std::uint64_t foreign_sources = 0;  ///< registrations under another client's name
   std::uint64_t bad_names = 0;        ///< of variables: empty, too long, or one too many
+  std::uint64_t no_room = 0;          ///< writes that would not fit beside what is stored
 };
 
 /// The MOOS V10 broker without its sockets: packets in, packets out, time handed in. What it knows
@@ -63,7 +65,8 @@ class Broker {
   [[nodiscard]] std::vector<Client> TakeReady();
   /// A packet: `head` then `body`. Nothing (false) if there is nothing to send.
   struct Outgoing {
-    ByteBuffer head, body;
+    ByteBuffer head;
+    Parcel body;
   };
   [[nodiscard]] bool TakePacket(Client client, Outgoing& packet, Seconds now);
   [[nodiscard]] Outbox& outbox(Client client);
@@ -79,11 +82,16 @@ class Broker {
  private:
   struct Session;
   struct Latest {
-    ByteBuffer message;  ///< as forwarded, community filled in
+    std::shared_ptr<ByteBuffer> message;  ///< as forwarded, community filled in
+    [[nodiscard]] std::size_t size() const { return message ? message->size() : 0; }
+    /// Where to write the next one: connections may still be sending the last.
+    [[nodiscard]] ByteBuffer& Renew();
   };
 
   void Work(Session& session, const WireMessage& message, ByteView raw, Seconds now);
   void Notify(const WireMessage& message, ByteView raw, Seconds now);
+  /// Keeps `raw` as the variable's latest; false if there is no room for it.
+  [[nodiscard]] bool Store(Latest& latest, const WireMessage& message, ByteView raw);
   void Register(Session& session, const WireMessage& message, Seconds now);
   void RegisterWildcard(Session& session, const WireMessage& message, Seconds now);
   void Answer(Session& session, const WireMessage& request, Seconds now);
@@ -105,6 +113,7 @@ class Broker {
   Router router_;
   std::vector<std::unique_ptr<Session>> sessions_;  ///< by client
   std::vector<Latest> latest_;                      ///< by variable
+  std::size_t stored_ = 0;                          ///< bytes in latest_
   std::vector<Client> ready_;
   ByteBuffer scratch_;
   BrokerCounts counts_;

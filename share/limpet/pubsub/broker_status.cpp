@@ -78,6 +78,12 @@ double WriteFrequency(const Router::VariableInfo& info, Seconds started) {
   return info.writes == 0 || span <= 0.0 ? 0.0 : static_cast<double>(info.writes) / span;
 }
 
+std::string RefusalSummary(const BrokerCounts& counts) {
+  return fmt::format("type_mismatch={},foreign_source={},bad_name={},no_room={}",
+                     counts.type_mismatches, counts.foreign_sources, counts.bad_names,
+                     counts.no_room);
+}
+
 std::string VariableTable(const Broker& broker) {
   std::string table;
   for (const Router::Variable variable : broker.router().Sorted()) {

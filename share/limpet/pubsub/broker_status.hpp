@@ -15,6 +15,8 @@ namespace limpet {
 [[nodiscard]] std::string ReadWriteSummary(const Router& router, Router::Client client);
 /// All names joined by commas: VAR_SUMMARY.
 [[nodiscard]] std::string VariableNames(const Router& router);
+/// `type_mismatch=0,foreign_source=0,...` of DB_REFUSED.
+[[nodiscard]] std::string RefusalSummary(const BrokerCounts& counts);
 /// One line per variable: DB_VARSUMMARY.
 [[nodiscard]] std::string VariableTable(const Broker& broker);
 /// Writes per second since `started` [Hz].

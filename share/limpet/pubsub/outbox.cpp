@@ -2,7 +2,7 @@
 #include "limpet/pubsub/outbox.hpp"
 
 #include <algorithm>
-#include <cstring>
+#include <ranges>
 
 namespace limpet {
 namespace {
@@ -12,15 +12,24 @@ constexpr std::uint32_t kDropped = 0x8000'0000U;  // no message is that large
 }  // namespace
 
 void Outbox::Append(Router::Variable variable, ByteView message) {
-  if (in_flight_ + bytes_.size() + message.size() > limit_) {
-    MakeRoom(variable, message.size());
+  Enter(variable, message.size());
+  parcel_.Append(message);
+}
+
+void Outbox::Append(Router::Variable variable, const SharedBytes& message) {
+  Enter(variable, message->size());
+  parcel_.Append(message);
+}
+
+void Outbox::Enter(Router::Variable variable, std::size_t size) {
+  if (in_flight_ + parcel_.size() + size > limit_) {
+    MakeRoom(variable, size);
   }
-  bytes_.insert(bytes_.end(), message.begin(), message.end());
-  entries_.push_back({variable, static_cast<std::uint32_t>(message.size())});
+  entries_.push_back({variable, static_cast<std::uint32_t>(size)});
 }
 
 void Outbox::MakeRoom(Router::Variable variable, std::size_t size) {
-  const std::size_t held = in_flight_ + bytes_.size() + size;
+  const std::size_t held = in_flight_ + parcel_.size() + size;
   const std::size_t wanted = held - std::min(held, limit_) + limit_ / 8;
   std::size_t freed = 0;
   const auto drop_oldest = [&](auto may_go) {
@@ -43,31 +52,30 @@ void Outbox::MakeRoom(Router::Variable variable, std::size_t size) {
 }
 
 void Outbox::Compact() {
-  std::byte* to = bytes_.data();
-  const std::byte* from = bytes_.data();
-  for (const Entry& entry : entries_) {
-    const std::size_t size = entry.size & ~kDropped;
-    if ((entry.size & kDropped) == 0) {
-      std::memmove(to, from, size);
-      to += size;
-    }
-    from += size;
-  }
-  bytes_.resize(static_cast<std::size_t>(to - bytes_.data()));
+  const auto sizes =
+      std::views::transform(entries_, [](const Entry& e) { return e.size & ~kDropped; });
+  parcel_.Drop(sizes, [this](std::size_t i) { return (entries_[i].size & kDropped) != 0; });
   std::erase_if(entries_, [](const Entry& entry) { return (entry.size & kDropped) != 0; });
 }
 
-std::size_t Outbox::Take(ByteBuffer& body) {
+std::size_t Outbox::Take(Parcel& parcel) {
   const std::size_t count = entries_.size();
-  body.clear();
-  body.swap(bytes_);
+  parcel.Clear();
+  std::swap(parcel, parcel_);
   entries_.clear();
   return count;
 }
 
 void Outbox::Clear() {
-  bytes_ = {};
+  parcel_ = {};
   entries_ = {};
+}
+
+void Outbox::GiveBack() {
+  if (entries_.empty()) {
+    parcel_.GiveBack();
+    entries_ = {};
+  }
 }
 
 }  // namespace limpet

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "limpet/pubsub/parcel.hpp"
 #include "limpet/pubsub/router.hpp"
-#include "limpet/wire/packet_codec.hpp"
 
 namespace limpet {
 
@@ -20,34 +20,37 @@ class Outbox {
 
   /// Queues one encoded message. A message larger than the limit is queued alone.
   void Append(Router::Variable variable, ByteView message);
+  void Append(Router::Variable variable, const SharedBytes& message);
   [[nodiscard]] bool empty() const { return entries_.empty(); }
   /// Bytes queued.
-  [[nodiscard]] std::size_t size() const { return bytes_.size(); }
+  [[nodiscard]] std::size_t size() const { return parcel_.size(); }
   /// Bytes taken earlier that still wait for the socket; they count against the limit.
   void SetInFlight(std::size_t bytes) { in_flight_ = bytes; }
   [[nodiscard]] std::size_t in_flight() const { return in_flight_; }
   /// Messages lost for want of room, ever.
   [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
 
-  /// Takes everything, back to back, into `body` (whose capacity is used again); gives the number
-  /// of messages.
-  std::size_t Take(ByteBuffer& body);
+  /// Takes everything into `parcel` (whose room is used again); gives the number of messages.
+  std::size_t Take(Parcel& parcel);
   /// Forgets everything queued.
   void Clear();
+  /// Frees room that a burst has left, if nothing is queued.
+  void GiveBack();
 
  private:
   struct Entry {
     Router::Variable variable;
     std::uint32_t size;
   };
+  void Enter(Router::Variable variable, std::size_t size);
   void MakeRoom(Router::Variable variable, std::size_t size);
   void Compact();
 
   std::size_t limit_;
   std::size_t in_flight_ = 0;
   std::uint64_t dropped_ = 0;
-  ByteBuffer bytes_;
-  std::vector<Entry> entries_;
+  Parcel parcel_;
+  std::vector<Entry> entries_;  ///< one for each message of the parcel
 };
 
 }  // namespace limpet

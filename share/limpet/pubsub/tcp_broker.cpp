@@ -166,6 +166,8 @@ class TcpBroker::Impl {
         const auto connection = it++;
         if (IsHopeless(*connection, now)) {
           Close(connection);
+        } else {
+          connection->GiveBack();
         }
       }
       Flush();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/pubsub/tcp_client.hpp"
 
+#include <array>
 #include <atomic>
 #include <map>
 #include <mutex>
@@ -31,6 +32,7 @@ constexpr auto kIdlePeriod = std::chrono::milliseconds(333);
 constexpr auto kLongestGoodbye = std::chrono::milliseconds(500);
 constexpr double kFirstRetry = 0.1;  ///< [s], real time
 constexpr double kLongestRetry = 2.0;
+constexpr std::size_t kPieces = 32;  ///< of one gathering write
 constexpr std::size_t kScratch = std::size_t{256} << 10;
 constexpr std::size_t kReadBudget = std::size_t{4} << 20;
 
@@ -281,6 +283,10 @@ class TcpClient::Impl {
         {
           const std::lock_guard lock(mutex_);
           Flush();
+          if (unsent() == 0) {
+            body_.GiveBack();
+            outbox_.GiveBack();
+          }
         }
         Idle();
       }
@@ -326,14 +332,21 @@ class TcpClient::Impl {
   }
 
   void Queue(const WireMessage& message) {
-    encoded_.clear();
-    AppendMessage(message, encoded_);
-    outbox_.Append(0, encoded_);
+    const std::size_t size = EncodedSize(message);
+    if (size < kShareFrom) {
+      encoded_.clear();
+      AppendMessage(message, encoded_);
+      outbox_.Append(0, encoded_);
+    } else {
+      auto encoded = std::make_shared<ByteBuffer>();
+      AppendMessage(message, *encoded);
+      outbox_.Append(0, std::move(encoded));
+    }
     if (state_ != State::kConnected || is_flush_due_) {
       return;
     }
     const Seconds now = SteadyTime();
-    if ((now - last_send_).value() >= kDirectPause && unsent_.empty()) {
+    if ((now - last_send_).value() >= kDirectPause && unsent() == 0) {
       Flush();
     } else {
       is_flush_due_ = true;
@@ -347,11 +360,10 @@ class TcpClient::Impl {
 
   void Flush() {
     while (descriptor_ >= 0) {
-      if (unsent_.empty() && !Assemble()) {
+      if (unsent() == 0 && !Assemble()) {
         break;
       }
-      const ssize_t count = ::send(descriptor_, unsent_.data() + sent_, unsent_.size() - sent_,
-                                   MSG_NOSIGNAL | MSG_DONTWAIT);
+      const ssize_t count = SendSome();
       last_send_ = SteadyTime();
       if (count < 0) {
         if (errno == EAGAIN || errno == EWOULDBLOCK) {
@@ -360,34 +372,49 @@ class TcpClient::Impl {
         break;  // any other trouble shows when reading
       }
       sent_ += static_cast<std::size_t>(count);
-      if (sent_ == unsent_.size()) {
-        unsent_.clear();
-        sent_ = 0;
-      }
     }
-    outbox_.SetInFlight(unsent_.size() - sent_);
+    outbox_.SetInFlight(unsent());
   }
 
-  /// The next packet, in unsent_; timing leads it when due. False: nothing to say.
+  [[nodiscard]] std::size_t unsent() const { return head_.size() + body_.size() - sent_; }
+
+  [[nodiscard]] ssize_t SendSome() const {
+    std::array<ByteView, kPieces> pieces;
+    const std::size_t in_head = std::min(sent_, head_.size());
+    pieces[0] = ByteView(head_).subspan(in_head);
+    const std::size_t filled = 1 + body_.Gather(sent_ - in_head, std::span(pieces).subspan(1));
+    std::array<iovec, kPieces> parts{};
+    for (std::size_t i = 0; i < filled; ++i) {
+      parts[i] = {.iov_base = const_cast<std::byte*>(pieces[i].data()),  // sendmsg only reads
+                  .iov_len = pieces[i].size()};
+    }
+    msghdr message{};
+    message.msg_iov = parts.data();
+    message.msg_iovlen = filled;
+    return ::sendmsg(descriptor_, &message, MSG_NOSIGNAL | MSG_DONTWAIT);
+  }
+
+  /// The next packet, in head_ and body_; timing leads it when due. False: nothing to say.
   bool Assemble() {
     const Seconds now = SteadyTime();
     const bool is_timing_due = (now - last_timing_).value() >= kTimingPeriod;
+    head_.clear();
+    body_.Clear();
+    sent_ = 0;
     if (!is_timing_due && outbox_.empty()) {
       return false;
     }
-    unsent_.assign(kPacketHeaderSize, std::byte{0});
+    head_.assign(kPacketHeaderSize, std::byte{0});
     if (is_timing_due) {
       last_timing_ = now;
       AppendMessage({.type = wire_type::kTiming,
                      .key = "_async_timing",
                      .time = MoosTime(options_.warp).value(),
                      .number = 0.0},
-                    unsent_);
+                    head_);
     }
-    const std::size_t count = outbox_.Take(taken_) + (is_timing_due ? 1 : 0);
-    unsent_.insert(unsent_.end(), taken_.begin(), taken_.end());
-    EncodePacketHeader({unsent_.size(), count}, unsent_.data());
-    sent_ = 0;
+    const std::size_t count = outbox_.Take(body_) + (is_timing_due ? 1 : 0);
+    EncodePacketHeader({unsent(), count}, head_.data());
     return true;
   }
 
@@ -407,8 +434,10 @@ class TcpClient::Impl {
 
   std::map<std::string, Seconds> subscriptions_;
   std::vector<WildcardFilter> filters_;
-  ByteBuffer encoded_, taken_, unsent_;
-  std::size_t sent_ = 0;
+  ByteBuffer encoded_;
+  ByteBuffer head_;  ///< of the packet that is being sent, body_ behind it
+  Parcel body_;
+  std::size_t sent_ = 0;  ///< of both
   std::int32_t next_id_ = 0;
   bool is_flush_due_ = false;
   bool is_leaving_ = false;

@@ -11,7 +11,7 @@
 namespace limpet {
 namespace {
 
-constexpr std::size_t kKeptCapacity = std::size_t{256} << 10;
+constexpr std::size_t kPieces = 32;  ///< of one gathering write
 /// A hello is a name; nobody has a reason to send more before being known.
 constexpr std::size_t kMaxHello = std::size_t{64} << 10;
 
@@ -93,24 +93,24 @@ bool TcpConnection::Write() {
         sent_ = 0;
         return true;
       }
-      if (out_.body.capacity() > kKeptCapacity) {
-        out_.body = {};
-      }
       if (!client_ || !host_.broker->TakePacket(*client_, out_, host_.moos_time())) {
         out_.head.clear();
-        out_.body.clear();
+        out_.body.Clear();
         sent_ = 0;
         return true;
       }
       sent_ = 0;
     }
+    std::array<ByteView, kPieces> pieces;
     const std::size_t in_head = std::min(sent_, out_.head.size());
-    const std::size_t in_body = sent_ - in_head;
-    const std::array<asio::const_buffer, 2> parts{
-        asio::const_buffer(out_.head.data() + in_head, out_.head.size() - in_head),
-        asio::const_buffer(out_.body.data() + in_body, out_.body.size() - in_body)};
+    pieces[0] = ByteView(out_.head).subspan(in_head);
+    const std::size_t filled = 1 + out_.body.Gather(sent_ - in_head, std::span(pieces).subspan(1));
+    std::array<asio::const_buffer, kPieces> parts;
+    std::ranges::transform(std::span(pieces).first(filled), parts.begin(), [](ByteView piece) {
+      return asio::const_buffer(piece.data(), piece.size());
+    });
     std::error_code error;
-    const std::size_t count = socket_.write_some(parts, error);
+    const std::size_t count = socket_.write_some(std::span(parts).first(filled), error);
     if (error && error != asio::error::would_block) {
       return false;
     }
@@ -123,6 +123,15 @@ bool TcpConnection::Write() {
     }
     if (error) {
       return true;
+    }
+  }
+}
+
+void TcpConnection::GiveBack() {
+  if (unsent() == 0) {
+    out_.body.GiveBack();
+    if (client_) {
+      host_.broker->outbox(*client_).GiveBack();
     }
   }
 }

@@ -38,6 +38,9 @@ class TcpConnection {
   /// Sends as much as the socket takes. False if the connection is to be closed.
   [[nodiscard]] bool Write();
 
+  /// Frees room that a burst has left, if all is sent.
+  void GiveBack();
+
   [[nodiscard]] bool wants_to_write() const { return unsent() > 0; }
   [[nodiscard]] asio::ip::tcp::socket& socket() { return socket_; }
   /// Nothing before its hello, and once it has been told why it may not enter.

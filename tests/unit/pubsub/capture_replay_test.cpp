@@ -8,6 +8,7 @@
 
 #include "limpet/pubsub/broker.hpp"
 #include "tests/support/moos_captures.hpp"
+#include "tests/support/parcel_bytes.hpp"
 
 namespace limpet {
 namespace {
@@ -111,7 +112,8 @@ class Replay {
         for (auto& [name, peer] : peers_) {
           if (peer.client == client) {
             peer.heard.insert(peer.heard.end(), packet.head.begin(), packet.head.end());
-            peer.heard.insert(peer.heard.end(), packet.body.begin(), packet.body.end());
+            const ByteBuffer body = BytesOf(packet.body);
+            peer.heard.insert(peer.heard.end(), body.begin(), body.end());
           }
         }
       }

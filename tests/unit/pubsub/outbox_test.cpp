@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/pubsub/outbox.hpp"
 
+#include <array>
+
 #include <gtest/gtest.h>
+
+#include "tests/support/parcel_bytes.hpp"
 
 namespace limpet {
 namespace {
@@ -12,8 +16,9 @@ ByteBuffer Mail(int value, std::size_t size) {
 
 /// First byte of each message of `size` bytes.
 std::vector<int> Values(Outbox& outbox, std::size_t size) {
-  ByteBuffer body;
-  static_cast<void>(outbox.Take(body));
+  Parcel parcel;
+  static_cast<void>(outbox.Take(parcel));
+  const ByteBuffer body = BytesOf(parcel);
   std::vector<int> values;
   for (std::size_t i = 0; i < body.size(); i += size) {
     values.push_back(std::to_integer<int>(body[i]));
@@ -70,9 +75,61 @@ TEST(Outbox, TakesAMessageLargerThanItselfAlone) {
   Outbox outbox(100);
   outbox.Append(1, Mail(1, 50));
   outbox.Append(1, Mail(2, 500));
-  ByteBuffer body;
-  EXPECT_EQ(outbox.Take(body), 1U);
-  EXPECT_EQ(body.size(), 500U);
+  Parcel parcel;
+  EXPECT_EQ(outbox.Take(parcel), 1U);
+  EXPECT_EQ(BytesOf(parcel), Mail(2, 500));
+}
+
+TEST(Outbox, LosesSharedAndCopiedMailAlike) {
+  Outbox outbox(100'000);
+  for (int i = 0; i < 40; ++i) {
+    const std::size_t size = i % 2 == 0 ? 10 : kShareFrom;
+    outbox.Append(1, Mail(i, size));
+  }
+  Parcel parcel;
+  const std::size_t count = outbox.Take(parcel);
+  EXPECT_EQ(count + outbox.dropped(), 40U);
+  ByteBuffer expected;
+  for (int i = 40 - static_cast<int>(count); i < 40; ++i) {
+    const ByteBuffer mail = Mail(i, i % 2 == 0 ? 10 : kShareFrom);
+    expected.insert(expected.end(), mail.begin(), mail.end());
+  }
+  EXPECT_EQ(BytesOf(parcel), expected);
+}
+
+TEST(Parcel, GathersFromAnyByteOnWhateverThePieces) {
+  Parcel parcel;
+  ByteBuffer expected;
+  for (int i = 0; i < 6; ++i) {
+    const ByteBuffer mail = Mail(i, i % 3 == 0 ? kShareFrom + 5 : 7);
+    parcel.Append(std::make_shared<const ByteBuffer>(mail));
+    expected.insert(expected.end(), mail.begin(), mail.end());
+  }
+  ASSERT_EQ(parcel.size(), expected.size());
+  for (std::size_t at = 0; at < expected.size(); at += 3) {
+    std::array<ByteView, 2> pieces;
+    const std::size_t count = parcel.Gather(at, pieces);
+    std::size_t end = at;
+    for (std::size_t i = 0; i < count; ++i) {
+      ASSERT_TRUE(std::ranges::equal(pieces[i], ByteView(expected).subspan(end, pieces[i].size())));
+      end += pieces[i].size();
+    }
+    ASSERT_GT(end, at);
+  }
+  std::array<ByteView, 2> pieces;
+  EXPECT_EQ(parcel.Gather(parcel.size(), pieces), 0U);
+}
+
+TEST(Parcel, SharesLargeMailAndCopiesSmall) {
+  const auto large = std::make_shared<const ByteBuffer>(Mail(1, kShareFrom));
+  const auto small = std::make_shared<const ByteBuffer>(Mail(2, 10));
+  Parcel parcel;
+  parcel.Append(large);
+  parcel.Append(small);
+  EXPECT_EQ(large.use_count(), 2);
+  EXPECT_EQ(small.use_count(), 1);
+  parcel.Clear();
+  EXPECT_EQ(large.use_count(), 1);
 }
 
 }  // namespace
