@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Speed of the broker over loopback TCP, publisher -> LimpetDB -> subscriber, with our own client
 // library: latency, rate, throughput, fan-out, connections. The broker runs as its own process.
-// Prints one table with the machine's load; nothing here passes or fails.
+// Prints one table with the machine's load, and what its bare loopback sockets do in the same run;
+// nothing here passes or fails.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -20,6 +21,7 @@
 
 #include "limpet/core/clock.hpp"
 #include "limpet/pubsub/tcp_client.hpp"
+#include "tests/bench/loopback_limits.hpp"
 
 namespace {
 
@@ -29,6 +31,7 @@ using limpet::TcpClient;
 using limpet::WireMessage;
 
 constexpr std::uint16_t kPort = 19753;
+constexpr std::int32_t kLatched = -1;  ///< id of the value that a new subscriber finds
 
 pid_t StartBroker(const std::string& program) {
   const pid_t child = fork();
@@ -81,6 +84,7 @@ void Latency(const std::string& what, double hz, int count, int readers, std::si
     mine.reserve(static_cast<std::size_t>(count));
     clients.push_back(
         Join(fmt::format("pReader{}", i), [&mine, &received, bytes](const WireMessage& m) {
+          if (m.id == kLatched) return;
           double sent = m.number;
           if (bytes > 0) {
             std::memcpy(&sent, m.text.data(), sizeof sent);
@@ -128,8 +132,8 @@ void FlatOut(const std::string& what, std::size_t bytes, bool is_double, int rea
   std::vector<std::atomic<std::uint64_t>> received(static_cast<std::size_t>(readers));
   for (int i = 0; i < readers; ++i) {
     auto& mine = received[static_cast<std::size_t>(i)];
-    clients.push_back(Join(fmt::format("pReader{}", i), [&mine](const WireMessage&) {
-      mine.fetch_add(1, std::memory_order_relaxed);
+    clients.push_back(Join(fmt::format("pReader{}", i), [&mine](const WireMessage& m) {
+      mine.fetch_add(m.id == kLatched ? 0 : 1, std::memory_order_relaxed);
     }));
     clients.back()->Subscribe(variable, limpet::Seconds(0.0));
   }
@@ -158,7 +162,7 @@ void FlatOut(const std::string& what, std::size_t bytes, bool is_double, int rea
         writer->Publish(variable, std::string_view(text));
       }
     }
-    while (sent - slowest() > window && SteadyTime().value() - begin < seconds + 1.0) {
+    while (sent - slowest() >= window && SteadyTime().value() - begin < seconds + 1.0) {
       std::this_thread::sleep_for(20us);
     }
   }
@@ -236,6 +240,20 @@ void Idle(pid_t broker) {
                   Memory(broker)));
 }
 
+/// One hop of bare sockets; the broker takes two.
+void Limits() {
+  const auto hop = [](const std::string& what, int readers) {
+    const limpet::HopDelay delay = limpet::LoopbackHop(readers, 2000, 1000.0);
+    Row(what, fmt::format("p50 {:.0f}  p99 {:.0f} us", delay.p50, delay.p99));
+  };
+  hop("bare sockets: one hop 1->1 at 1 kHz", 1);
+  hop("bare sockets: one hop 1->10 at 1 kHz, last", 10);
+  for (const std::size_t block : {std::size_t{65536}, std::size_t{1} << 20}) {
+    Row(fmt::format("bare sockets: one hop, blocks of {} KiB", block >> 10),
+        fmt::format("{:.0f} MB/s", 1e-6 * limpet::LoopbackThroughput(block, 1.0)));
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -259,6 +277,7 @@ int main(int argc, char** argv) {
   FlatOut("fan-out 1->10 flat out, deliveries", 0, true, 10, 2.0);
   Connections();
   Idle(broker);
+  Limits();
   Row("memory at the end", Memory(broker));
   kill(broker, SIGTERM);
   waitpid(broker, nullptr, 0);
