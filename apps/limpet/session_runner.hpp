@@ -27,7 +27,7 @@ struct SessionPlan {
 };
 
 struct SessionOutcome {
-  std::string ended;  ///< home, aborted or timeout
+  std::string ended;  ///< home, aborted, timeout or lost
   Seconds duration;   ///< virtual
   double wall_s = 0.0;
 };

@@ -75,7 +75,11 @@ void HelmApp::SubscribeToConditions() {
   }
 }
 
-void HelmApp::OnArea(const Stamped<SurveyArea>& area) { planner_.SetArea(area.value); }
+void HelmApp::OnArea(const Stamped<SurveyArea>& area) {
+  if (planner_.SetArea(area.value) && context().is_restarted) {
+    Publish(topics::kMapGridRequest, std::string("pHelm has been restarted"));
+  }
+}
 
 void HelmApp::OnPrior(const Stamped<SessionPrior>& prior) {
   planner_.SetFormerSession(!prior.value.opis.empty());
@@ -90,7 +94,9 @@ void HelmApp::Post(const std::vector<HelmPost>& posts) {
 void HelmApp::PostInitialValues() {
   if (!has_posted_initial_) {
     has_posted_initial_ = true;
-    Post(host_.InitialPosts());
+    if (!context().is_restarted) {  // else DEPLOY = false would end a mission under way
+      Post(host_.InitialPosts());
+    }
   }
 }
 

@@ -25,7 +25,10 @@ LayerWeights WeightsOfLayers(double bottom) {
 
 }  // namespace
 
-void ViewPlanner::SetArea(const SurveyArea& area) {
+bool ViewPlanner::SetArea(const SurveyArea& area) {
+  if (area_ && EncodeRecord(*area_) == EncodeRecord(area)) {
+    return false;
+  }
   area_ = area;
   grid_ = std::make_unique<SurveyGrid>(area);
   ground_ = std::make_unique<Ground>(
@@ -36,6 +39,7 @@ void ViewPlanner::SetArea(const SurveyArea& area) {
   region_ = std::make_unique<Region>(
       area, std::max(0.0, area.margin - params_.tracking_allowance.value()));
   DropPath();
+  return true;
 }
 
 void ViewPlanner::SetOpis(const std::vector<OpiBelief>& opis) {

@@ -22,7 +22,8 @@ class ViewPlanner {
  public:
   ViewPlanner(const HelmParams& params, Random random);
 
-  void SetArea(const SurveyArea& area);
+  /// False if that is the area already: what is known of it stays.
+  bool SetArea(const SurveyArea& area);
   void SetHome(const HomePoint& home) { home_ = home; }
   void SetOpis(const std::vector<OpiBelief>& opis);
   void SetCoverage(const Coverage& coverage) { coverage_ = coverage; }

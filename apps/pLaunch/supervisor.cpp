@@ -64,6 +64,7 @@ void Supervisor::Launch(Child& child) {
   child.started = SteadyTime();
   child.is_due = false;
   if (child.pid != 0) {
+    ++child.starts;
     if (child.pid < 0) {
       child.pid = 0;
       say_(fmt::format("{} cannot be started: {}", child.item.name, std::strerror(errno)));
@@ -82,6 +83,9 @@ void Supervisor::Launch(Child& child) {
   }
   for (const auto& [name, value] : environment_) {
     ::setenv(name.c_str(), value.c_str(), 1);  // NOLINT(concurrency-mt-unsafe): one thread here
+  }
+  if (child.starts > 0) {
+    ::setenv("LIMPET_RESTARTED", "1", 1);  // NOLINT(concurrency-mt-unsafe)
   }
   ::execv(argv[0], argv.data());
   ::_exit(kExecFailed);

@@ -40,6 +40,7 @@ class Supervisor {
     LaunchItem item;
     pid_t pid = 0;  ///< 0: not running
     int failures = 0;
+    int starts = 0;
     bool is_due = false;
     Seconds started, next_start;
   };

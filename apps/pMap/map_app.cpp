@@ -24,6 +24,7 @@ MapApp::MapApp(const AppContext& context, const Params& params)
   Subscribe(topics::kNavLandmarks, &MapApp::OnLandmarks);
   Subscribe(topics::kSessionPrior, &MapApp::OnPrior);
   Subscribe(topics::kMapSnapshotRequest, &MapApp::OnSnapshotRequest);
+  Subscribe(topics::kMapGridRequest, &MapApp::OnGridRequest);
 }
 
 void MapApp::OnArea(const Stamped<SurveyArea>& area) {
@@ -35,6 +36,12 @@ void MapApp::OnArea(const Stamped<SurveyArea>& area) {
   if (!area_ || EncodeRecord(*area_) != EncodeRecord(area.value)) {
     area_ = area.value;
     grid_.emplace(area.value, params_.cell.value());
+  }
+}
+
+void MapApp::OnGridRequest(const Stamped<std::string>& /*cause*/) {
+  if (grid_) {
+    Publish(topics::kMapDelta, grid_->Everything());
   }
 }
 

@@ -58,6 +58,7 @@ class MapApp final : public App {
   void OnTrackShift(const Stamped<TrackShift>& shift);
   void OnLandmarks(const Stamped<Landmarks>& landmarks);
   void OnPrior(const Stamped<SessionPrior>& prior);
+  void OnGridRequest(const Stamped<std::string>& cause);
   [[nodiscard]] bool IsMapping() const;
   [[nodiscard]] std::optional<double> AltitudeOf(const Sight& sight);
   void OnSnapshotRequest(const Stamped<std::string>& request);

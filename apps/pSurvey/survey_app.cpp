@@ -2,14 +2,35 @@
 #include "apps/pSurvey/survey_app.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "limpet/app/registry.hpp"
+#include "limpet/session/durable_file.hpp"
 
 namespace limpet {
 namespace {
 
 constexpr double kProgressStep = 0.002;  // coverage must grow by this much to count as progress
+constexpr std::array kPhaseNames{"IDLE",   "ALIGN",  "DIVE", "SURVEY",
+                                 "RETURN", "ASCEND", "FIX",  "DONE"};
+
+/// What a mission manager must know to go on after a crash.
+struct SurveyMemory {
+  std::string phase = "IDLE";
+  double phase_since = 0.0, deployed = 0.0;  ///< MOOS time
+  std::optional<double> home_north, home_east;
+  std::string ended = "home";
+  template <class V>
+  void Describe(V& visit) {
+    visit("phase", phase), visit("phase_since", phase_since), visit("deployed", deployed);
+    visit("home_north", home_north), visit("home_east", home_east), visit("ended", ended);
+  }
+};
+
+std::filesystem::path MemoryFile(const AppContext& context) {
+  return context.run_folder / "survey_state.txt";
+}
 
 }  // namespace
 
@@ -19,6 +40,9 @@ SurveyApp::SurveyApp(const AppContext& context, const Params& params)
     throw ConfigError({{},
                        context.name,
                        "the area is empty: its north_max_m and east_max_m must exceed its minima"});
+  }
+  if (context.is_restarted) {
+    Recall();  // first: a DEPLOY that is known already must not start the mission anew
   }
   Subscribe(topics::kNavState, &SurveyApp::OnNav);
   Subscribe(topics::kDeploy, &SurveyApp::OnDeploy);
@@ -30,15 +54,62 @@ SurveyApp::SurveyApp(const AppContext& context, const Params& params)
 void SurveyApp::OnDeploy(const Stamped<bool>& deploy) {
   if (deploy.value && phase_ == Phase::kIdle) {
     deployed_ = deploy.time;
-    Publish(topics::kSurveyArea,
-            SurveyArea{.north_min = params_.north_min.value(),
-                       .north_max = params_.north_max.value(),
-                       .east_min = params_.east_min.value(),
-                       .east_max = params_.east_max.value(),
-                       .margin = params_.margin.value(),
-                       .object_height_max = params_.object_height_max.value()});
+    PublishArea();
     Enter(Phase::kAlign, deploy.time);
   }
+}
+
+void SurveyApp::PublishArea() {
+  Publish(topics::kSurveyArea, SurveyArea{.north_min = params_.north_min.value(),
+                                          .north_max = params_.north_max.value(),
+                                          .east_min = params_.east_min.value(),
+                                          .east_max = params_.east_max.value(),
+                                          .margin = params_.margin.value(),
+                                          .object_height_max = params_.object_height_max.value()});
+}
+
+void SurveyApp::Remember() {
+  if (!context().runs_live) {
+    return;
+  }
+  SurveyMemory memory{.phase = kPhaseNames[static_cast<std::size_t>(phase_)],
+                      .phase_since = phase_since_.value(),
+                      .deployed = deployed_.value_or(Seconds(0.0)).value(),
+                      .home_north = {},
+                      .home_east = {},
+                      .ended = ended_};
+  if (home_) {
+    memory.home_north = home_->north;
+    memory.home_east = home_->east;
+  }
+  if (const auto trouble = WriteDurably(MemoryFile(context()), EncodeRecord(memory))) {
+    Warn("STATE_NOT_KEPT", trouble->text);
+  } else {
+    ClearWarning("STATE_NOT_KEPT");
+  }
+}
+
+void SurveyApp::Recall() {
+  const auto text = ReadWhole(MemoryFile(context()));
+  const auto memory = text ? DecodeRecord<SurveyMemory>(*text) : std::nullopt;
+  const auto name = std::ranges::find(kPhaseNames, memory ? memory->phase : "IDLE");
+  if (!memory || name == kPhaseNames.end() || name == kPhaseNames.begin()) {
+    return;  // never deployed
+  }
+  phase_ = static_cast<Phase>(name - kPhaseNames.begin());
+  phase_since_ = Seconds(memory->phase_since);
+  deployed_ = Seconds(memory->deployed);
+  last_progress_ = now();
+  ended_ = memory->ended;
+  if (memory->home_north && memory->home_east) {
+    home_ = HomePoint{.north = *memory->home_north, .east = *memory->home_east};
+  }
+  // The database may be as new as this process.
+  PublishArea();
+  if (home_) {
+    Publish(topics::kSurveyHome, *home_);
+  }
+  Publish(topics::kSurveyPhase, memory->phase);
 }
 
 void SurveyApp::OnReturn(const Stamped<bool>& request) {
@@ -70,16 +141,15 @@ bool SurveyApp::HasOpenRevisit() const {
 }
 
 double SurveyApp::DistanceHome() const {
-  return std::hypot(nav_->north - home_->north, nav_->east - home_->east);
+  return std::hypot(nav_->value.north - home_->north, nav_->value.east - home_->east);
 }
 
 void SurveyApp::Enter(Phase phase, Seconds now) {
-  static constexpr const char* kNames[] = {"IDLE",   "ALIGN",  "DIVE", "SURVEY",
-                                           "RETURN", "ASCEND", "FIX",  "DONE"};
   phase_ = phase;
   phase_since_ = now;
   last_progress_ = now;
-  Publish(topics::kSurveyPhase, std::string(kNames[static_cast<int>(phase)]));
+  Publish(topics::kSurveyPhase, std::string(kPhaseNames[static_cast<std::size_t>(phase)]));
+  Remember();
 }
 
 void SurveyApp::GoHome(const std::string& reason, const std::string& ended, Seconds now) {
@@ -92,7 +162,7 @@ void SurveyApp::AlignAtSurface(Seconds now) {
   if (now - phase_since_ < params_.align) {
     return;
   }
-  home_ = HomePoint{.north = nav_->north, .east = nav_->east};
+  home_ = HomePoint{.north = nav_->value.north, .east = nav_->value.east};
   Publish(topics::kSurveyHome, *home_);
   Enter(Phase::kDive, now);
 }
@@ -114,10 +184,32 @@ void SurveyApp::EndMission(Seconds now) {
   Publish(topics::kMissionEnd, ended_);
 }
 
-void SurveyApp::Tick(Seconds now) {
-  if (!nav_) {
-    return;
+bool SurveyApp::IsUnderWay() const { return phase_ != Phase::kIdle && phase_ != Phase::kDone; }
+
+bool SurveyApp::EndsHopeless(Seconds now) {
+  const Seconds heard = std::max(nav_ ? nav_->time : phase_since_, *deployed_);
+  const bool is_passage =
+      phase_ == Phase::kDive || phase_ == Phase::kReturn || phase_ == Phase::kAscend;
+  if (now - heard > params_.lost) {
+    Warn("NAV_LOST", "no NAV_STATE within lost_s; the mission ends here");
+    ended_ = "lost";
+  } else if (is_passage && now - phase_since_ > params_.give_up) {
+    Warn("GAVE_UP", "diving, returning or ascending took longer than give_up_s");
+    ended_ = "timeout";
+  } else {
+    return false;
   }
+  EndMission(now);
+  return true;
+}
+
+void SurveyApp::Tick(Seconds now) {
+  if (IsUnderWay() && !EndsHopeless(now) && nav_) {
+    WalkOn(now);
+  }
+}
+
+void SurveyApp::WalkOn(Seconds now) {
   switch (phase_) {
     case Phase::kIdle:
     case Phase::kDone:
@@ -127,8 +219,8 @@ void SurveyApp::Tick(Seconds now) {
       break;
     case Phase::kDive: {
       const bool is_at_altitude =
-          nav_->altitude &&
-          std::abs(*nav_->altitude - params_.altitude.value()) < params_.altitude_tolerance.value();
+          nav_->value.altitude && std::abs(*nav_->value.altitude - params_.altitude.value()) <
+                                      params_.altitude_tolerance.value();
       if (is_at_altitude) {
         Enter(Phase::kSurvey, now);
       }
@@ -143,7 +235,7 @@ void SurveyApp::Tick(Seconds now) {
       }
       break;
     case Phase::kAscend:
-      if (nav_->down < params_.surface_depth.value()) {
+      if (nav_->value.down < params_.surface_depth.value()) {
         Enter(Phase::kFix, now);
       }
       break;

@@ -14,7 +14,8 @@ namespace limpet {
 
 /// The mission manager: announces the area, walks through the phases (align at the surface, dive,
 /// survey, return, ascend, last fix) and ends the mission. The survey ends when the coverage target
-/// is reached and no object still wants a look.
+/// is reached and no object still wants a look. Live, it keeps where it is in a file of the run
+/// folder, and goes on from there if it is started again.
 class SurveyApp final : public App {
  public:
   struct Params {
@@ -33,6 +34,8 @@ class SurveyApp final : public App {
     Meters surface_depth{0.35};
     Seconds stall{240.0};
     Seconds max_time{5400.0};
+    Seconds lost{300.0};
+    Seconds give_up{1800.0};
     template <class Visitor>
     void Describe(Visitor& visit) {
       visit("area_north_min_m", north_min, "South edge of the area");
@@ -73,6 +76,11 @@ class SurveyApp final : public App {
             InRange(Seconds(10.0), Seconds(86400.0)));
       visit("max_time_s", max_time, "Go home after this time under way",
             InRange(Seconds(10.0), Seconds(864000.0)));
+      visit("lost_s", lost, "End the mission, lost, after this time under way without NAV_STATE",
+            InRange(Seconds(10.0), Seconds(86400.0)));
+      visit("give_up_s", give_up,
+            "End the mission where it is if diving, returning or ascending takes longer",
+            InRange(Seconds(10.0), Seconds(86400.0)));
     }
   };
 
@@ -82,7 +90,7 @@ class SurveyApp final : public App {
  private:
   enum class Phase { kIdle, kAlign, kDive, kSurvey, kReturn, kAscend, kFix, kDone };
 
-  void OnNav(const Stamped<NavState>& nav) { nav_ = nav.value; }
+  void OnNav(const Stamped<NavState>& nav) { nav_ = nav; }
   void OnDeploy(const Stamped<bool>& deploy);
   void OnReturn(const Stamped<bool>& request);
   void OnCoverage(const Stamped<Coverage>& coverage);
@@ -93,6 +101,13 @@ class SurveyApp final : public App {
   void AlignAtSurface(Seconds now);
   void Survey(Seconds now);
   void EndMission(Seconds now);
+  void WalkOn(Seconds now);
+  [[nodiscard]] bool IsUnderWay() const;
+  /// Ends what can no longer end well. True if it did.
+  [[nodiscard]] bool EndsHopeless(Seconds now);
+  void PublishArea();
+  void Remember();
+  void Recall();
   [[nodiscard]] bool HasOpenRevisit() const;
   [[nodiscard]] double CoveredShare(const Coverage& coverage) const;
   [[nodiscard]] double DistanceHome() const;
@@ -103,7 +118,7 @@ class SurveyApp final : public App {
   std::optional<Seconds> deployed_;
   Seconds last_progress_;
   double best_share_ = 0.0;
-  std::optional<NavState> nav_;
+  std::optional<Stamped<NavState>> nav_;
   std::optional<HomePoint> home_;
   Coverage coverage_;
   OpiBeliefs opis_;

@@ -9,16 +9,24 @@
 namespace limpet {
 namespace {
 
-VehicleSimulation MakeSimulation(const Scenario& scenario, const std::string& integrator) {
+/// A process started again waits this long for the place of its former life (MOOS time).
+constexpr Seconds kLongestWait(2.0);
+
+VehicleSimulation::Place StartOf(const Scenario& scenario) {
+  return {.north = scenario.start.north_m,
+          .east = scenario.start.east_m,
+          .yaw = RadiansFromDegrees(scenario.start.heading_deg),
+          .down = std::nullopt};
+}
+
+VehicleSimulation MakeSimulation(const Scenario& scenario, const std::string& integrator,
+                                 const VehicleSimulation::Place& place) {
   const Scenario::Water& water = scenario.water;
   VehicleModel model(VehicleParams{}, {water.current_north_mps, water.current_east_mps, 0.0},
                      [seabed = Seabed(scenario.seabed)](double north, double east) {
                        return seabed.Depth(north, east);
                      });
-  return {std::move(model),
-          {.north = scenario.start.north_m,
-           .east = scenario.start.east_m,
-           .yaw = RadiansFromDegrees(scenario.start.heading_deg)},
+  return {std::move(model), place,
           integrator == "rk4" ? IntegratorKind::kRk4 : IntegratorKind::kCvode};
 }
 
@@ -48,8 +56,31 @@ SimVehicleApp::SimVehicleApp(const AppContext& context, const Params& params)
 
 SimVehicleApp::SimVehicleApp(const AppContext& context, const Params& params,
                              const Scenario& scenario)
-    : App(context), simulation_(MakeSimulation(scenario, params.integrator)) {
+    : App(context),
+      scenario_(scenario),
+      integrator_(params.integrator),
+      simulation_(MakeSimulation(scenario, params.integrator, StartOf(scenario))),
+      has_place_(!context.is_restarted) {
   Subscribe(topics::kThrusterCommand, &SimVehicleApp::OnCommand);
+  if (context.is_restarted) {
+    Subscribe(topics::kSimTruth, &SimVehicleApp::OnFormerTruth);
+  }
+}
+
+void SimVehicleApp::OnFormerTruth(const Stamped<SimTruth>& truth) {
+  if (!has_place_) {
+    has_place_ = true;
+    const SimTruth& last = truth.value;
+    simulation_ = MakeSimulation(
+        scenario_, integrator_,
+        {.north = last.north, .east = last.east, .yaw = last.yaw, .down = last.down});
+  }
+}
+
+bool SimVehicleApp::AwaitsFormerTruth(Seconds now) {
+  waits_since_ = waits_since_.value_or(now);
+  has_place_ = has_place_ || now - *waits_since_ > kLongestWait;
+  return !has_place_;
 }
 
 void SimVehicleApp::OnCommand(const Stamped<ThrusterCommand>& command) {
@@ -58,6 +89,9 @@ void SimVehicleApp::OnCommand(const Stamped<ThrusterCommand>& command) {
 }
 
 void SimVehicleApp::Tick(Seconds now) {
+  if (AwaitsFormerTruth(now)) {
+    return;
+  }
   const Seconds duration = last_tick_ ? now - *last_tick_ : Seconds(0.0);
   last_tick_ = now;
   if (duration > Seconds(0.0)) {

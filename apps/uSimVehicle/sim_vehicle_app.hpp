@@ -34,8 +34,14 @@ class SimVehicleApp final : public App {
 
  private:
   void OnCommand(const Stamped<ThrusterCommand>& command);
+  void OnFormerTruth(const Stamped<SimTruth>& truth);
+  [[nodiscard]] bool AwaitsFormerTruth(Seconds now);
 
+  Scenario scenario_;
+  std::string integrator_;
   VehicleSimulation simulation_;
+  bool has_place_ = true;  ///< false after a restart, until the place of the former life is known
+  std::optional<Seconds> waits_since_;
   ThrusterVector command_ = ThrusterVector::Zero();
   std::optional<Seconds> last_tick_;
 };

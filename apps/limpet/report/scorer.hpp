@@ -22,7 +22,7 @@ struct SessionScore {
   double duration_s = 0.0;      ///< first to last true pose
   double survey_start_s = 0.0;  ///< after the session's start
   std::optional<double> wall_s;
-  std::string ended;  ///< home, aborted or timeout
+  std::string ended;  ///< home, aborted, timeout or lost
   /// Horizontal distance of the true end from the start point; nothing without a true pose.
   std::optional<double> home_error_m;
   [[nodiscard]] std::optional<double> realtime_factor() const {

@@ -50,6 +50,9 @@ struct AppContext {
   /// True in a process of a community, on real time: what must not wait for a disk has a thread
   /// then. False embedded: one thread, virtual time, same bits.
   bool runs_live = false;
+  /// True if the launcher started this process again after it had failed: what it did in its former
+  /// life is done, and others count on it.
+  bool is_restarted = false;
 
   /// Value of a mission global, or "".
   [[nodiscard]] std::string Global(std::string_view key) const;

@@ -158,7 +158,8 @@ AppCommand ReadAppCommand(const std::string& process, std::span<const char* cons
                      .overrides = {},
                      .run_folder = Environment("LIMPET_RUN_FOLDER"),
                      .prior_folder = Environment("LIMPET_PRIOR_FOLDER"),
-                     .session = Environment("LIMPET_SESSION", "discovery")};
+                     .session = Environment("LIMPET_SESSION", "discovery"),
+                     .is_restarted = !Environment("LIMPET_RESTARTED").empty()};
   ApplySwitch(command, "seed", Environment("LIMPET_SEED", "1"));
   if (!words.positionals.empty()) {
     command.mission_file = words.positionals[0];

@@ -28,6 +28,7 @@ struct AppCommand {
   std::filesystem::path prior_folder;  ///< `--prior_folder=` or LIMPET_PRIOR_FOLDER
   std::string session = "discovery";   ///< `--session=` or LIMPET_SESSION
   std::uint64_t seed = 1;              ///< `--seed=` or LIMPET_SEED
+  bool is_restarted = false;           ///< LIMPET_RESTARTED, set by the launcher
   bool wants_help = false, wants_example = false;
 };
 

@@ -103,7 +103,8 @@ int Run(const AppCommand& command, const AppEntry& entry) {
                            .prior_folder = command.prior_folder,
                            .session = command.session,
                            .seed = command.seed,
-                           .runs_live = true};
+                           .runs_live = true,
+                           .is_restarted = command.is_restarted};
   const std::unique_ptr<App> app = entry.create(context, block);
   Loop(*app, link, Seconds(1.0 / (tick_hz * command.warp)));
   return 0;

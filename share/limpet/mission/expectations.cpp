@@ -46,7 +46,7 @@ SessionExpectation ReadSession(YamlReader& in, const YAML::Node& node, const std
   SessionExpectation expected{.session = session, .ended = {}, .bounds = {}};
   std::string ended;
   std::vector<YamlReader::Field> fields{
-      in.Choice(session, "ended", ended, {"home", "aborted", "timeout"})};
+      in.Choice(session, "ended", ended, {"home", "aborted", "timeout", "lost"})};
   for (const std::string& key : ExpectableNumbers()) {
     fields.push_back({key, [&in, &expected, &session, &file, key](const YAML::Node& bound) {
                         expected.bounds.push_back(

@@ -23,7 +23,7 @@ struct ExpectedBound {
 /// What is expected of one session, or of each.
 struct SessionExpectation {
   std::string session;               ///< name of a session, or `each`
-  std::optional<std::string> ended;  ///< home, aborted or timeout
+  std::optional<std::string> ended;  ///< home, aborted, timeout or lost
   std::vector<ExpectedBound> bounds;
 };
 

@@ -154,6 +154,19 @@ GridDelta SurveyGrid::TakeDelta() {
   return delta;
 }
 
+GridDelta SurveyGrid::Everything() const {
+  GridDelta delta;
+  delta.frame = frame_;
+  for (std::size_t cell = 0; cell < seen_.size(); ++cell) {
+    if (seen_[cell] >= 0.0F) {
+      delta.cells.push_back({.index = static_cast<std::uint32_t>(cell),
+                             .seen_height = seen_[cell],
+                             .seabed_down = seabed_[cell]});
+    }
+  }
+  return delta;
+}
+
 bool SurveyGrid::Apply(const GridDelta& delta) {
   const GridFrame& other = delta.frame;
   if (other.rows != frame_.rows || other.columns != frame_.columns ||

@@ -51,6 +51,8 @@ class SurveyGrid {
 
   /// Cells seen higher, or with a new seabed depth, since the last call; each once.
   [[nodiscard]] GridDelta TakeDelta();
+  /// All cells ever seen, as one delta.
+  [[nodiscard]] GridDelta Everything() const;
   /// Merges another grid's changes; false, with nothing changed, if its frame is another one.
   [[nodiscard]] bool Apply(const GridDelta& delta);
 

@@ -106,6 +106,9 @@ namespace topics {
 inline const auto kMapDelta =
     Declare<GridDelta>("MAP_DELTA", "changed cells of the survey grid",
                        {.unit = "m", .frame = "NED", .rate = "2 Hz", .writers = {"pMap"}});
+inline const auto kMapGridRequest =
+    Declare<std::string>("MAP_GRID_REQUEST", "asks for all cells as one MAP_DELTA; value says why",
+                         {.rate = "on restart", .writers = {"pHelm"}});
 inline const auto kMapCoverage =
     Declare<Coverage>("MAP_COVERAGE", "shares of the area that the vehicle believes it has seen",
                       {.unit = "0 to 1", .rate = "2 Hz", .writers = {"pMap"}});

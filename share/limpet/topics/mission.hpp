@@ -127,7 +127,7 @@ inline const auto kThrusterCommand = Declare<ThrusterCommand>(
     "THRUSTER_COMMAND", "normalised thrust of each thruster, in the order of the vehicle file",
     {.unit = "-1 to 1", .frame = "body FRD", .rate = "10 Hz", .writers = {"pPilot"}});
 inline const auto kMissionEnd =
-    Declare<std::string>("MISSION_END", "home, aborted or timeout: the session is over",
+    Declare<std::string>("MISSION_END", "home, aborted, timeout or lost: the session is over",
                          {.rate = "once", .writers = {"pSurvey"}});
 }  // namespace topics
 

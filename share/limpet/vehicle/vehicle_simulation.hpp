@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -18,8 +19,9 @@ class VehicleSimulation {
  public:
   struct Place {
     double north = 0.0, east = 0.0, yaw = 0.0;
+    std::optional<double> down;  ///< where it floats, if not given
   };
-  /// Starts at rest, afloat at `start`.
+  /// Starts at rest at `start`.
   VehicleSimulation(VehicleModel model, const Place& start, IntegratorKind kind);
 
   /// Moves `duration` on with normalised thrusts, each in [-1, 1]; beyond that they are clipped as

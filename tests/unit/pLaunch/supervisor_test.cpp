@@ -57,6 +57,12 @@ TEST_F(SupervisorTest, StartsAgainWhatFailed) {
   EXPECT_THAT(said_, HasSubstr("pFail ended with code 1; again in 0.5 s"));
 }
 
+TEST_F(SupervisorTest, TellsAProcessThatItWasStartedAgain) {
+  supervisor_.Start(Shell("pFail", "echo \"again=$LIMPET_RESTARTED\"; exit 1"));
+  EXPECT_TRUE(PollUntil([this] { return LogOf("pFail").size() >= 15; }));
+  EXPECT_EQ(LogOf("pFail"), "again=\nagain=1\n");
+}
+
 TEST_F(SupervisorTest, GivesUpARefusedConfigurationAtOnce) {
   supervisor_.Start(Shell("pBad", "echo try; exit 2"));
   EXPECT_TRUE(PollUntil([] { return false; }));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "limpet/app/test_link.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace limpet {
 namespace {
@@ -17,13 +18,21 @@ AppContext ContextOn(TestLink& link) {
 
 class SurveyAppTest : public ::testing::Test {
  protected:
+  /// Navigation goes on meanwhile.
   void Tick(double seconds) {
+    link_.time += Seconds(seconds);
+    if (nav_) {
+      link_.Send(app_, topics::kNavState, *nav_);
+    }
+    app_.Tick(link_.time);
+  }
+  void TickWithoutNavigation(double seconds) {
     link_.time += Seconds(seconds);
     app_.Tick(link_.time);
   }
   void Nav(double north, double east, double down, std::optional<double> altitude) {
-    link_.Send(app_, topics::kNavState,
-               NavState{.north = north, .east = east, .down = down, .altitude = altitude});
+    nav_ = NavState{.north = north, .east = east, .down = down, .altitude = altitude};
+    link_.Send(app_, topics::kNavState, *nav_);
   }
   std::string Phase() { return link_.Last(topics::kSurveyPhase).value_or("IDLE"); }
   void ReachSurvey() {
@@ -38,6 +47,7 @@ class SurveyAppTest : public ::testing::Test {
   TestLink link_;
   AppContext context_ = ContextOn(link_);
   SurveyApp app_{context_, {}};
+  std::optional<NavState> nav_;
 };
 
 TEST_F(SurveyAppTest, WaitsForDeploy) {
@@ -102,6 +112,60 @@ TEST_F(SurveyAppTest, EndsAtTheSurfaceAtHome) {
   EXPECT_FALSE(link_.Last(topics::kMissionEnd).has_value());
   Tick(SurveyApp::Params{}.last_fix.value() + 1.0);
   EXPECT_EQ(link_.Last(topics::kMissionEnd), "home");
+}
+
+TEST_F(SurveyAppTest, EndsLostWhenNavigationFallsSilent) {
+  ReachSurvey();
+  TickWithoutNavigation(SurveyApp::Params{}.lost.value() - 1.0);
+  EXPECT_NE(Phase(), "DONE");
+  TickWithoutNavigation(2.0);
+  EXPECT_EQ(link_.Last(topics::kMissionEnd), "lost");
+  EXPECT_TRUE(app_.warnings().contains("NAV_LOST"));
+}
+
+TEST_F(SurveyAppTest, GivesUpAWayHomeThatNeverEnds) {
+  ReachSurvey();
+  link_.Send(app_, topics::kReturn, true);
+  Nav(10.0, 10.0, 3.5, 4.0);
+  Tick(SurveyApp::Params{}.give_up.value() + 1.0);
+  EXPECT_EQ(link_.Last(topics::kMissionEnd), "timeout");
+}
+
+TEST(SurveyAppRestart, GoesOnWhereItsFormerLifeWas) {
+  const TemporaryFolder folder;
+  TestLink link;
+  AppContext context = ContextOn(link);
+  context.runs_live = true;
+  context.run_folder = folder.path();
+  const NavState nav{.north = 3.0, .east = 4.0, .altitude = 7.5};
+  {
+    SurveyApp former(context, {});
+    link.Send(former, topics::kNavState, nav);
+    link.Send(former, topics::kDeploy, true);
+    link.time += SurveyApp::Params{}.align;
+    link.Send(former, topics::kNavState, nav);
+    former.Tick(link.time);
+    ASSERT_EQ(link.Last(topics::kSurveyPhase), "DIVE");
+  }
+  link.published.clear();
+  context.is_restarted = true;
+  SurveyApp next(context, {});
+  link.Send(next, topics::kDeploy, true);
+  EXPECT_EQ(link.Last(topics::kSurveyPhase), "DIVE");
+  EXPECT_DOUBLE_EQ(link.Last(topics::kSurveyHome)->east, 4.0);
+  EXPECT_TRUE(link.Last(topics::kSurveyArea).has_value());
+}
+
+TEST(SurveyAppRestart, WaitsForDeployIfItsFormerLifeDid) {
+  const TemporaryFolder folder;
+  TestLink link;
+  AppContext context = ContextOn(link);
+  context.runs_live = context.is_restarted = true;
+  context.run_folder = folder.path();
+  SurveyApp next(context, {});
+  EXPECT_FALSE(link.Last(topics::kSurveyPhase).has_value());
+  link.Send(next, topics::kDeploy, true);
+  EXPECT_EQ(link.Last(topics::kSurveyPhase), "ALIGN");
 }
 
 TEST(SurveyAppConfiguration, RefusesAnEmptyArea) {

@@ -118,6 +118,17 @@ TEST(SurveyGrid, AMirrorFedWithDeltasIsTheSameGrid) {
   EXPECT_TRUE(std::equal(grid.heights().begin(), grid.heights().end(), mirror.heights().begin()));
 }
 
+TEST(SurveyGrid, ALateMirrorLearnsEverythingAtOnce) {
+  SurveyGrid grid(kArea), mirror(kArea);
+  for (int i = 0; i < 5; ++i) {
+    grid.Observe(At(i, 2.0 * i, 0.3 * i), 4.0, CameraGeometry{});
+    static_cast<void>(grid.TakeDelta());
+  }
+  ASSERT_TRUE(mirror.Apply(grid.Everything()));
+  EXPECT_TRUE(std::equal(grid.heights().begin(), grid.heights().end(), mirror.heights().begin()));
+  EXPECT_TRUE(grid.TakeDelta().cells.empty()) << "others' deltas are not delayed";
+}
+
 TEST(SurveyGrid, ADeltaHoldsEachChangedCellOnce) {
   SurveyGrid grid(kArea);
   grid.Observe(At(0.0, 0.0), 4.0, CameraGeometry{});

@@ -105,5 +105,36 @@ TEST(SimVehicleApp, FliesTheSameTrackWithEitherIntegrator) {
   EXPECT_NEAR(cvode.Truth().east, rk4.Truth().east, 1e-4);
 }
 
+TEST(SimVehicleRestart, ResumesWhereItsFormerLifeLeftTheVehicle) {
+  TestLink link;
+  AppContext context = ContextFor(link);
+  context.is_restarted = true;
+  SimVehicleApp app(context, {}, Table());
+  app.Tick(link.time);
+  EXPECT_FALSE(link.Last(topics::kSimTruth).has_value()) << "it must not jump to the start";
+  link.Send(app, topics::kSimTruth, SimTruth{.north = 3.0, .east = 4.0, .down = 2.5, .yaw = 1.0});
+  link.time += Seconds(0.02);
+  app.Tick(link.time);
+  const auto truth = link.Last(topics::kSimTruth);
+  ASSERT_TRUE(truth.has_value());
+  EXPECT_NEAR(truth->north, 3.0, 0.01);
+  EXPECT_NEAR(truth->east, 4.0, 0.01);
+  EXPECT_NEAR(truth->down, 2.5, 0.05);
+  EXPECT_NEAR(truth->yaw, 1.0, 0.01);
+}
+
+TEST(SimVehicleRestart, StartsAnewWhenNobodyKnowsItsPlace) {
+  TestLink link;
+  AppContext context = ContextFor(link);
+  context.is_restarted = true;
+  SimVehicleApp app(context, {}, Table());
+  for (int i = 0; i < 150; ++i) {
+    app.Tick(link.time);
+    link.time += Seconds(0.02);
+  }
+  ASSERT_TRUE(link.Last(topics::kSimTruth).has_value());
+  EXPECT_NEAR(link.Last(topics::kSimTruth)->north, -12.5, 0.01);
+}
+
 }  // namespace
 }  // namespace limpet
