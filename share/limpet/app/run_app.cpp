@@ -53,6 +53,7 @@ void Loop(App& app, LiveLink& link, Seconds period) {
     for (const MessagePtr& message : link.TakeMail(std::min(next, SteadyTime() + kLongestWait))) {
       app.Deliver(message);
     }
+    app.Attend(link.Now());
     if (const Seconds now = SteadyTime(); now >= next) {
       app.Tick(link.Now());
       next = std::max(next + period, now);

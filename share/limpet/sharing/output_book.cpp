@@ -46,38 +46,39 @@ OutputBook::Route* OutputBook::Find(std::vector<Route>& routes, const ShareOutpu
   return found == routes.end() ? nullptr : &*found;
 }
 
-bool OutputBook::Add(const ShareOutput& output, Seconds now) {
+OutputBook::Added OutputBook::Add(const ShareOutput& output, Seconds now) {
   if (!output.is_pattern()) {
     return AddFixed(output, false, now);
   }
   if (Route* known = Find(patterns_, output)) {
     known->output = output;
     known->made = now;
-    return true;
+    return Added::kRenewed;
   }
   if (++count_ > kMostRoutes) {
     --count_;
-    return false;
+    return Added::kRefused;
   }
   patterns_.push_back({.output = output, .made = now, .last = std::nullopt});
-  return true;
+  return Added::kNew;
 }
 
-bool OutputBook::AddFixed(const ShareOutput& output, bool is_from_pattern, Seconds now) {
+OutputBook::Added OutputBook::AddFixed(const ShareOutput& output, bool is_from_pattern,
+                                       Seconds now) {
   std::vector<Route>& routes = fixed_[output.source];
   if (Route* known = Find(routes, output)) {
     known->output = output;
     known->made = now;
     known->shares = 0;
-    return true;
+    return Added::kRenewed;
   }
   if (++count_ > kMostRoutes) {
     --count_;
-    return false;
+    return Added::kRefused;
   }
   routes.push_back(
       {.output = output, .made = now, .is_from_pattern = is_from_pattern, .last = std::nullopt});
-  return true;
+  return Added::kNew;
 }
 
 void OutputBook::MeetPatterns(const Message& message, Seconds now) {

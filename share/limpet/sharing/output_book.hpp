@@ -26,8 +26,9 @@ class OutputBook {
     ShareSecurity security;
   };
 
-  /// Enters a route, or starts an equal one anew. False if there are too many.
-  bool Add(const ShareOutput& output, Seconds now);
+  enum class Added { kNew, kRenewed, kRefused };
+  /// Enters a route, or starts an equal one anew. Refused if there are too many.
+  Added Add(const ShareOutput& output, Seconds now);
   /// What a write asks for; counts it as shared.
   [[nodiscard]] std::vector<Due> TakeDue(const Message& message, Seconds now);
   /// True if a line, not a pattern, names the variable: such a name is not taken from afar, or two
@@ -50,7 +51,7 @@ class OutputBook {
   };
   /// The equal route, or nullptr.
   [[nodiscard]] static Route* Find(std::vector<Route>& routes, const ShareOutput& output);
-  bool AddFixed(const ShareOutput& output, bool is_from_pattern, Seconds now);
+  Added AddFixed(const ShareOutput& output, bool is_from_pattern, Seconds now);
   void MeetPatterns(const Message& message, Seconds now);
 
   std::map<std::string, std::vector<Route>, std::less<>> fixed_;  ///< by variable

@@ -248,6 +248,21 @@ std::optional<Error> AddAddresses(ShareInput& input, std::string_view list, char
 
 }  // namespace
 
+std::optional<Error> Settle(ShareSecurity& line, const ShareSecurity& block) {
+  if (line.is_plain || !line.key_file.empty()) {
+    return std::nullopt;
+  }
+  line = {.key_file = block.key_file, .is_plain = block.key_file.empty() && block.is_plain};
+  if (!line.is_plain && line.key_file.empty()) {
+    return Error{
+        "has no key: say `key_file = FILE` in this block (`limpet key new FILE` makes one); or, "
+        "for "
+        "MOOS's open datagrams, which anybody can read and forge, `plain = true` in this line or "
+        "`allow_plain_routes = true` in this block"};
+  }
+  return std::nullopt;
+}
+
 Expected<std::vector<ShareOutput>> ParseShareOutputs(std::string_view line,
                                                      const MulticastPlan& plan) {
   if (IsLongForm(line)) {

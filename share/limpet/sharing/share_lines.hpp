@@ -17,7 +17,12 @@ namespace limpet {
 struct ShareSecurity {
   std::string key_file;   ///< `key = FILE`
   bool is_plain = false;  ///< `plain = true`: MOOS's open datagrams
+  bool operator==(const ShareSecurity&) const = default;
 };
+
+/// Fills in what the line leaves open from what the block says (`is_plain`: allow_plain_routes).
+/// Plain routes are only for those who ask for them: an error if neither says anything.
+[[nodiscard]] std::optional<Error> Settle(ShareSecurity& line, const ShareSecurity& block);
 
 /// One variable, or pattern of variables, to one address.
 struct ShareOutput {
