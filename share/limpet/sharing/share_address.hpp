@@ -21,7 +21,7 @@ inline constexpr int kMulticastChannels = 256;
 struct ShareAddress {
   std::string host;
   std::uint16_t port = 0;
-  std::optional<int> channel;  ///< of multicast
+  std::optional<int> channel{};  ///< of multicast
 
   /// `host:port`, or `224.1.1.11:24468:multicast_8`, as MOOS's summaries say it.
   [[nodiscard]] std::string Text() const;

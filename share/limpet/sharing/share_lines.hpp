@@ -15,8 +15,8 @@ namespace limpet {
 
 /// What a line says of how its datagrams travel; nothing: as the block says.
 struct ShareSecurity {
-  std::string key_file;   ///< `key = FILE`
-  bool is_plain = false;  ///< `plain = true`: MOOS's open datagrams
+  std::string key_file{};  ///< `key = FILE`
+  bool is_plain = false;   ///< `plain = true`: MOOS's open datagrams
   bool operator==(const ShareSecurity&) const = default;
 };
 
