@@ -16,6 +16,7 @@ namespace limpet {
 namespace {
 
 constexpr Seconds kStatusPeriod(1.0);
+constexpr Seconds kSavePeriod(5.0);      ///< real time; what a kill makes us forget
 constexpr Seconds kRefusalMemory(30.0);  ///< a warning goes after that long without another one
 
 std::string SenderName(const AppContext& context, const ShareParams& params) {
@@ -41,8 +42,7 @@ ShareApp::ShareApp(const AppContext& context, const Params& params)
       params_(params),
       start_(now()),
       command_name_(CommandName(context.name)),
-      keys_(context.mission_folder, ShareSenderId(SenderName(context, params)),
-            NewShareEpoch(UnixTime())) {
+      keys_(context.mission_folder, SenderName(context, params), UnixTime()) {
   if (!context.runs_live) {
     Warn("NOT_LIVE", "shares nothing: its sockets belong to real time; use limpet launch");
     return;
@@ -63,7 +63,19 @@ ShareApp::ShareApp(const AppContext& context, const Params& params)
     throw ConfigError(problems);
   }
   SubscribeRaw(command_name_, [this](const MessagePtr& message) { OnCommand(message); });
+  SaveMemory();  // the new epoch at least: it must never be used again
 }
+
+void ShareApp::SaveMemory() {
+  last_save_ = SteadyTime();
+  if (const auto error = keys_.Save()) {
+    Warn("NO_MEMORY", error->text + "; after a restart old datagrams could be repeated");
+  } else {
+    ClearWarning("NO_MEMORY");
+  }
+}
+
+void ShareApp::Finish(Seconds) { SaveMemory(); }
 
 std::vector<std::uint16_t> ShareApp::Ports() const {
   std::vector<std::uint16_t> ports;
@@ -314,6 +326,9 @@ void ShareApp::Tick(Seconds now) {
   NoteOverflow(now);
   ForgetOldRefusals(now);
   PublishStatus(now);
+  if (SteadyTime() - last_save_ > kSavePeriod) {
+    SaveMemory();
+  }
 }
 
 void ShareApp::PublishStatus(Seconds now) {

@@ -28,6 +28,7 @@ class ShareApp final : public App {
   ShareApp(const AppContext& context, const Params& params);
   void Tick(Seconds now) override;
   void Attend(Seconds now) override;
+  void Finish(Seconds now) override;
 
   /// Port of each input that listens, in order.
   [[nodiscard]] std::vector<std::uint16_t> Ports() const;
@@ -57,6 +58,7 @@ class ShareApp final : public App {
   [[nodiscard]] double& CountOf(ShareRefusal refusal);
   void ForgetOldRefusals(Seconds now);
   void PublishStatus(Seconds now);
+  void SaveMemory();
 
   Params params_;
   Seconds start_;
@@ -70,6 +72,7 @@ class ShareApp final : public App {
   double overflow_seen_ = 0.0;
   std::map<ShareRefusal, Seconds> last_refusals_;
   std::optional<Seconds> last_status_;
+  Seconds last_save_;                    ///< steady time
   std::unique_ptr<UdpSockets> sockets_;  ///< last: its thread ends before what it wakes
 };
 

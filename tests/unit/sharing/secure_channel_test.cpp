@@ -152,8 +152,43 @@ TEST(KeyRing, NeverSealsTwiceUnderOneNonce) {
   const ShareKey key = ShareKey::Random();
   ASSERT_FALSE(SaveShareKey(key, folder.path() / "a"));
   ASSERT_FALSE(SaveShareKey(key, folder.path() / "copy_of_a"));
-  KeyRing keys(folder.path(), 1, 100);
+  KeyRing keys(folder.path(), "alpha/pShare", Seconds(2e9));
   EXPECT_EQ(keys.Load("a")->sealer, keys.Load("copy_of_a")->sealer);
+}
+
+TEST(KeyRing, RemembersAfterARestartWhatItTook) {
+  const TemporaryFolder folder;
+  const ShareKey key = ShareKey::Random();
+  ASSERT_FALSE(SaveShareKey(key, folder.path() / "a"));
+  Sealer vehicle(key, 1, 100);
+  const ByteBuffer first = vehicle.Seal(Text("DEPLOY")), second = vehicle.Seal(Text("x"));
+  {
+    KeyRing keys(folder.path(), "shore/pShare", Seconds(2e9));
+    ASSERT_TRUE(keys.Load("a")->opener->Open(first).has_value());
+    ASSERT_FALSE(keys.Save());
+  }
+  KeyRing keys(folder.path(), "shore/pShare", Seconds(2e9));
+  const auto repeated = keys.Load("a")->opener->Open(first);
+  ASSERT_FALSE(repeated.has_value());
+  EXPECT_EQ(repeated.error(), ShareRefusal::kReplayed);
+  EXPECT_TRUE(keys.Load("a")->opener->Open(second).has_value());
+}
+
+TEST(KeyRing, BeginsALaterEpochThoughTheClockWentBack) {
+  const TemporaryFolder folder;
+  ASSERT_FALSE(SaveShareKey(ShareKey::Random(), folder.path() / "a"));
+  KeyRing before(folder.path(), "alpha/pShare", Seconds(2e9));
+  const std::uint64_t epoch = before.Load("a")->sealer->epoch();
+  ASSERT_FALSE(before.Save());
+  KeyRing after(folder.path(), "alpha/pShare", Seconds(0.0));
+  EXPECT_GT(after.Load("a")->sealer->epoch(), epoch);
+}
+
+TEST(ShareMemory, LeavesOutWhatItCannotRead) {
+  const ShareMemory memory = ShareMemory::Parse("own 1f\n2 3 4\nnonsense\n5 6 x\n7 8\n\xff\n");
+  EXPECT_EQ(memory.own_epoch, 0x1fU);
+  EXPECT_EQ(memory.heard, (std::map<std::uint64_t, ShareMemory::Heard>{{2, {3, 4}}}));
+  EXPECT_EQ(ShareMemory::Parse(memory.Text()), memory);
 }
 
 class ShareGateTest : public ::testing::Test {
