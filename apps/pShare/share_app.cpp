@@ -372,6 +372,7 @@ namespace {
 const bool is_registered = [] {
   AppEntry entry = MakeAppEntry<ShareApp>(4.0);
   entry.check = CheckShareBlock;
+  entry.switches = {{"o", "output"}, {"output", "output"}, {"i", "input"}, {"input", "input"}};
   AppRegistry()["pShare"] = std::move(entry);
   return true;
 }();

@@ -33,6 +33,7 @@ ConfigBlock BlockFor(const AppCommand& command) {
     });
     block.entries.push_back(entry);
   }
+  std::ranges::copy(command.additions, std::back_inserter(block.entries));
   return block;
 }
 
