@@ -48,22 +48,32 @@ ShareApp::ShareApp(const AppContext& context, const Params& params)
     return;
   }
   sockets_ = std::make_unique<UdpSockets>([link = context.link] { link->Wake(); });
+  ReadBlock();
+  SubscribeRaw(command_name_, [this](const MessagePtr& message) { OnCommand(message); });
+  SaveMemory();  // the new epoch at least: it must never be used again
+}
+
+void ShareApp::ReadBlock() {
+  const SourceLine where{.file = context().mission_file.string(), .line = 0};
+  if (!params_.key_file.empty()) {
+    if (const auto channel = keys_.Load(params_.key_file); !channel) {
+      throw ConfigError({where, "key_file", channel.error().text});
+    }
+  }
   std::vector<ConfigProblem> problems;
   for (const std::string& line : params_.outputs) {
     if (const auto error = AddOutputs(line)) {
-      problems.push_back({{}, "output", fmt::format("`{}` {}", line, error->text)});
+      problems.push_back({where, "output", fmt::format("`{}` {}", line, error->text)});
     }
   }
   for (const std::string& line : params_.inputs) {
     if (const auto error = AddInputs(line)) {
-      problems.push_back({{}, "input", fmt::format("`{}` {}", line, error->text)});
+      problems.push_back({where, "input", fmt::format("`{}` {}", line, error->text)});
     }
   }
   if (!problems.empty()) {
     throw ConfigError(problems);
   }
-  SubscribeRaw(command_name_, [this](const MessagePtr& message) { OnCommand(message); });
-  SaveMemory();  // the new epoch at least: it must never be used again
 }
 
 void ShareApp::SaveMemory() {

@@ -41,6 +41,8 @@ class ShareApp final : public App {
     ShareGate gate;
   };
 
+  /// Throws ConfigError with every problem.
+  void ReadBlock();
   [[nodiscard]] std::optional<Error> AddOutputs(const std::string& line);
   [[nodiscard]] std::optional<Error> AddInputs(const std::string& line);
   [[nodiscard]] std::optional<Error> AddInput(const ShareAddress& address, const ShareInput& line);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/sharing/share_key.hpp"
 
+#include <cerrno>
 #include <cstring>
 #include <vector>
 
@@ -150,6 +151,10 @@ Expected<ShareKey> LoadShareKey(const std::filesystem::path& path) {
   // Without O_NONBLOCK a pipe in place of the file would keep us waiting for a writer.
   const File file(path, O_RDONLY | O_NONBLOCK);
   struct stat facts {};
+  if (!file.is_open() && errno == ENOENT) {
+    return Error{fmt::format("{} does not exist; `limpet key new {}` makes it", path.string(),
+                             path.string())};
+  }
   if (!file.is_open() || ::fstat(file.descriptor(), &facts) != 0) {
     return SystemError(path);
   }

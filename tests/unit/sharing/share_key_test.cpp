@@ -42,6 +42,10 @@ TEST_F(ShareKeyTest, FileIsItsOwnersAlone) {
   EXPECT_EQ(fs::status(file_).permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
+TEST_F(ShareKeyTest, SaysHowOneIsMadeIfThereIsNone) {
+  EXPECT_THAT(Trouble(), HasSubstr("`limpet key new " + file_.string()));
+}
+
 TEST_F(ShareKeyTest, IsNeverWrittenOver) {
   ASSERT_FALSE(SaveShareKey(key_, file_));
   EXPECT_TRUE(SaveShareKey(ShareKey::Random(), file_).has_value());
