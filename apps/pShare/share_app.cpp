@@ -2,12 +2,10 @@
 #include "apps/pShare/share_app.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 #include <fmt/format.h>
 
-#include "limpet/app/registry.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/sharing/share_datagram.hpp"
 #include "limpet/wire/message_conversion.hpp"
@@ -16,8 +14,7 @@ namespace limpet {
 namespace {
 
 constexpr Seconds kStatusPeriod(1.0);
-constexpr Seconds kSavePeriod(5.0);      ///< real time; what a kill makes us forget
-constexpr Seconds kRefusalMemory(30.0);  ///< a warning goes after that long without another one
+constexpr Seconds kSavePeriod(5.0);  ///< real time; what a kill makes us forget
 
 std::string SenderName(const AppContext& context, const ShareParams& params) {
   return params.sender.empty() ? context.Global("Community") + "/" + context.name : params.sender;
@@ -30,10 +27,7 @@ std::string CommandName(std::string app) {
   return app + "_CMD";
 }
 
-/// Refusals that only say what the mission asked for.
-bool IsOrdinary(ShareRefusal refusal) {
-  return refusal == ShareRefusal::kUnlisted || refusal == ShareRefusal::kLooped;
-}
+std::string WarningOf(ShareRefusal refusal) { return fmt::format("REFUSED_{}", NameOf(refusal)); }
 
 }  // namespace
 
@@ -239,7 +233,7 @@ void ShareApp::Send(const Message& message, const OutputBook::Due& due) {
   wire.key = due.dest;
   auto bytes = EncodeShare(wire);
   if (!bytes) {
-    ++counts_.too_large;
+    ++tally_.counts.too_large;
     Warn("TOO_LARGE_" + message.name, bytes.error().text);
     return;
   }
@@ -248,11 +242,11 @@ void ShareApp::Send(const Message& message, const OutputBook::Due& due) {
   }
   const std::string warning = "UNSENT_" + due.address.Text();
   if (const auto error = sockets_->Send(due.address, *bytes)) {
-    ++counts_.unsent;
+    ++tally_.counts.unsent;
     Warn(warning, error->text);
     return;
   }
-  ++counts_.sent;
+  ++tally_.counts.sent;
   ClearWarning(warning);
 }
 
@@ -274,7 +268,7 @@ void ShareApp::Take(const UdpSockets::Datagram& datagram, Seconds now) {
   } else if (IsLoop(*message)) {
     Refuse(ShareRefusal::kLooped, "", now);
   } else {
-    ++counts_.taken;
+    ++tally_.counts.taken;
     context().link->Forward(*message);
   }
 }
@@ -288,39 +282,21 @@ bool ShareApp::IsLoop(const Message& message) const {
 }
 
 void ShareApp::Refuse(ShareRefusal refusal, const std::string& from, Seconds now) {
-  ++CountOf(refusal);
-  if (!IsOrdinary(refusal)) {
-    last_refusals_[refusal] = now;
-    Warn(fmt::format("REFUSED_{}", NameOf(refusal)),
-         fmt::format("a datagram{}{}: {}", from.empty() ? "" : " from ", from, MeaningOf(refusal)));
+  if (tally_.Note(refusal, now)) {
+    Warn(WarningOf(refusal), fmt::format("a datagram from {}: {}", from, MeaningOf(refusal)));
   }
 }
 
-double& ShareApp::CountOf(ShareRefusal refusal) {
-  const std::array<double*, kShareRefusals> counts{
-      &counts_.malformed, &counts_.not_sealed, &counts_.sealed, &counts_.forged,
-      &counts_.replayed,  &counts_.former,     &counts_.own,    &counts_.unlisted,
-      &counts_.looped,    &counts_.overflow};
-  return *counts.at(static_cast<std::size_t>(refusal));
-}
-
-void ShareApp::NoteOverflow(Seconds now) {
+void ShareApp::WatchRefusals(Seconds now) {
   const auto overflow = static_cast<double>(sockets_->overflow());
   if (overflow > overflow_seen_) {
-    Refuse(ShareRefusal::kOverflow, "", now);
-    counts_.overflow += overflow - overflow_seen_ - 1.0;  // Refuse has counted one
+    tally_.Note(ShareRefusal::kOverflow, now, overflow - overflow_seen_);
     overflow_seen_ = overflow;
+    Warn(WarningOf(ShareRefusal::kOverflow), std::string(MeaningOf(ShareRefusal::kOverflow)));
   }
-}
-
-void ShareApp::ForgetOldRefusals(Seconds now) {
-  std::erase_if(last_refusals_, [&](const auto& entry) {
-    const bool is_old = now - entry.second > kRefusalMemory;
-    if (is_old) {
-      ClearWarning(fmt::format("REFUSED_{}", NameOf(entry.first)));
-    }
-    return is_old;
-  });
+  for (const ShareRefusal refusal : tally_.TakeSettled(now)) {
+    ClearWarning(WarningOf(refusal));
+  }
 }
 
 void ShareApp::Tick(Seconds now) {
@@ -333,8 +309,7 @@ void ShareApp::Tick(Seconds now) {
       ListenAt(input);
     }
   }
-  NoteOverflow(now);
-  ForgetOldRefusals(now);
+  WatchRefusals(now);
   PublishStatus(now);
   if (SteadyTime() - last_save_ > kSavePeriod) {
     SaveMemory();
@@ -350,43 +325,10 @@ void ShareApp::PublishStatus(Seconds now) {
   }
   Publish(topics::kShareOutputs, book_.Summary(now));
   Publish(topics::kShareInputs, inputs);
-  if (!(counts_ == published_counts_)) {
-    Publish(topics::kShareCounts, counts_);
-    published_counts_ = counts_;
+  if (!(tally_.counts == published_counts_)) {
+    Publish(topics::kShareCounts, tally_.counts);
+    published_counts_ = tally_.counts;
   }
 }
-
-std::vector<ConfigProblem> CheckShareBlock(const ConfigBlock& block) {
-  ShareParams params;
-  std::vector<ConfigProblem> problems = ApplyBlock(block, DescribeParams(params), CommonAppKeys());
-  for (const ConfigEntry& entry : block.entries) {
-    std::optional<Error> error;
-    if (EqualsIgnoringCase(entry.key, "output")) {
-      auto outputs = ParseShareOutputs(entry.value, params.Multicast());
-      error = outputs ? Settle(outputs->front().security, params.Security()) : outputs.error();
-    } else if (EqualsIgnoringCase(entry.key, "input")) {
-      auto input = ParseShareInput(entry.value, params.Multicast());
-      error = input ? Settle(input->security, params.Security()) : input.error();
-    }
-    if (error) {
-      problems.push_back(
-          {entry.where, entry.key, fmt::format("`{}` {}", entry.value, error->text)});
-    }
-  }
-  return problems;
-}
-
-namespace {
-
-/// As LIMPET_REGISTER_APP, with a check that reads the lines too.
-const bool is_registered = [] {
-  AppEntry entry = MakeAppEntry<ShareApp>(4.0);
-  entry.check = CheckShareBlock;
-  entry.switches = {{"o", "output"}, {"output", "output"}, {"i", "input"}, {"input", "input"}};
-  AppRegistry()["pShare"] = std::move(entry);
-  return true;
-}();
-
-}  // namespace
 
 }  // namespace limpet

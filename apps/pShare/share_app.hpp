@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -9,12 +8,12 @@
 #include <vector>
 
 #include "apps/pShare/share_params.hpp"
+#include "apps/pShare/share_tally.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/sharing/key_ring.hpp"
 #include "limpet/sharing/output_book.hpp"
 #include "limpet/sharing/share_gate.hpp"
 #include "limpet/sharing/udp_sockets.hpp"
-#include "limpet/topics/sharing.hpp"
 
 namespace limpet {
 
@@ -56,9 +55,7 @@ class ShareApp final : public App {
   void Take(const UdpSockets::Datagram& datagram, Seconds now);
   [[nodiscard]] bool IsLoop(const Message& message) const;
   void Refuse(ShareRefusal refusal, const std::string& from, Seconds now);
-  void NoteOverflow(Seconds now);
-  [[nodiscard]] double& CountOf(ShareRefusal refusal);
-  void ForgetOldRefusals(Seconds now);
+  void WatchRefusals(Seconds now);
   void PublishStatus(Seconds now);
   void SaveMemory();
 
@@ -70,9 +67,9 @@ class ShareApp final : public App {
   std::vector<Input> inputs_;
   std::set<std::string> heard_;  ///< variables and patterns subscribed to
   MessagePtr last_mail_;         ///< it comes once for each subscription that matches
-  ShareCounts counts_, published_counts_;
+  ShareTally tally_;
+  ShareCounts published_counts_;
   double overflow_seen_ = 0.0;
-  std::map<ShareRefusal, Seconds> last_refusals_;
   std::optional<Seconds> last_status_;
   Seconds last_save_;                    ///< steady time
   std::unique_ptr<UdpSockets> sockets_;  ///< last: its thread ends before what it wakes
