@@ -45,6 +45,10 @@ void CheckApps(const MissionFile& mission, std::vector<ConfigProblem>& problems)
       Add(problems, entry->second.check(*block));
     }
   }
+  // Embedded runs leave it out, but its block is wrong all the same.
+  if (const ConfigBlock* block = mission.Block("pShare")) {
+    Add(problems, AppRegistry().at("pShare").check(*block));
+  }
 }
 
 void CheckBehaviors(const MissionFile& mission, const fs::path& folder,

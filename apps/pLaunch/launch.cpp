@@ -135,8 +135,10 @@ class Launch {
     if (!command_.run_folder.empty()) {
       return command_.run_folder;
     }
-    const fs::path folder = fs::absolute(command_.mission_file).parent_path().filename();
-    return fs::path("runs") / (folder.string() + "-live");
+    const fs::path file = fs::absolute(command_.mission_file);
+    // Missions that share a folder do not share what they leave.
+    const std::string part = file.stem() == "mission" ? "" : "-" + file.stem().string();
+    return fs::path("runs") / (file.parent_path().filename().string() + part + "-live");
   }
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> Environment() const {
     const fs::path run = fs::absolute(RunFolder());

@@ -152,7 +152,7 @@ all in order. `Run = pNav @ Restart = never|on_failure|always` says otherwise fo
 
   --Name=value       replace the lines that set Name, e.g. --MOOSTimeWarp=10; the processes
                      then read the copy <file>++
-  --run_folder=DIR   default runs/<mission>-live
+  --run_folder=DIR   default runs/<mission folder>-live, with the file's name if not mission.moos
   --session=NAME     discovery (default), change, ...; later sessions compare with discovery
   --seed=N           for the simulators
   --deploy           write DEPLOY = true once every process is up

@@ -53,6 +53,13 @@ target_include_directories(thirdparty_xxhash SYSTEM INTERFACE ${XXHASH_INCLUDE})
 target_link_libraries(thirdparty_xxhash INTERFACE ${XXHASH_LIBRARY})
 add_library(thirdparty::xxhash ALIAS thirdparty_xxhash)
 
+find_path(SODIUM_INCLUDE sodium.h REQUIRED)
+find_library(SODIUM_LIBRARY sodium REQUIRED)
+add_library(thirdparty_sodium INTERFACE)
+target_include_directories(thirdparty_sodium SYSTEM INTERFACE ${SODIUM_INCLUDE})
+target_link_libraries(thirdparty_sodium INTERFACE ${SODIUM_LIBRARY})
+add_library(thirdparty::sodium ALIAS thirdparty_sodium)
+
 if(BUILD_TESTING)
   find_package(GTest REQUIRED)
 endif()

@@ -19,7 +19,8 @@ const std::vector<std::pair<std::string, std::vector<std::string>>>& ThirdParty(
       {"MRPT", {"mrpt/"}},
       {"nlohmann-json", {"nlohmann/"}},
       {"yaml-cpp", {"yaml-cpp/"}},
-      {"xxHash", {"xxhash.h"}}};
+      {"xxHash", {"xxhash.h"}},
+      {"libsodium", {"sodium.h"}}};
   return prefixes;
 }
 

@@ -5,6 +5,7 @@
 #include "apps/limpet/verbs/check.hpp"
 #include "apps/limpet/verbs/describe.hpp"
 #include "apps/limpet/verbs/detect.hpp"
+#include "apps/limpet/verbs/key.hpp"
 #include "apps/limpet/verbs/launch.hpp"
 #include "apps/limpet/verbs/log.hpp"
 #include "apps/limpet/verbs/nav.hpp"
@@ -25,6 +26,7 @@ const std::vector<Verb>& Verbs() {
       {"describe", "every parameter and every variable, from the code", RunDescribe},
       {"report", "figures and page again from a run's logs", RunReport},
       {"tables", "many seeds: the paper's tables beside ours", RunTables},
+      {"key", "make a key for sealed routes of pShare", RunKey},
       {"launch", "run a mission as separate processes and watch over them", RunLaunchVerb},
       {"log", "look into a log: scan, stat, grep, clip, csv, recover", RunLog},
       {"plug", "expand a mission template, as nsplug does", RunPlug},

@@ -30,10 +30,17 @@ class AppLink {
   virtual ~AppLink() = default;
   /// Sends a write; source, time and community are filled in.
   virtual void Publish(std::string name, Value value, std::string source_aux) = 0;
+  /// Sends another community's write as it is: its source, time and community are kept where the
+  /// transport can do that.
+  virtual void Forward(const Message& message) {
+    Publish(message.name, message.value, message.source_aux);
+  }
   virtual void Subscribe(const std::string& name, Seconds interval) = 0;
   virtual void SubscribeWildcard(const WildcardFilter& filter) = 0;
   /// MOOS time: seconds since 1970 times warp.
   [[nodiscard]] virtual Seconds Now() const = 0;
+  /// Has the app's `Attend` called soon. From any thread; live only.
+  virtual void Wake() {}
 };
 
 /// Everything an app is handed at construction.
@@ -42,7 +49,7 @@ struct AppContext {
   AppLink* link = nullptr;
   std::vector<ConfigEntry> globals;  ///< of the mission file, first wins: Community, LatOrigin, ...
   std::filesystem::path mission_folder;  ///< where relative file parameters start
-  std::filesystem::path mission_file{};    ///< as launched; empty if embedded
+  std::filesystem::path mission_file{};  ///< as launched; empty if embedded
   std::filesystem::path run_folder;      ///< this session's output
   std::filesystem::path prior_folder;    ///< former session to load; empty if none
   std::string session;                   ///< discovery, change, ...
@@ -68,6 +75,8 @@ class App {
 
   /// Called at AppTick (default: the registered rate), after all mail up to `now`.
   virtual void Tick(Seconds now) { static_cast<void>(now); }
+  /// Called after mail, and soon after AppLink::Wake: for an app that waits for more than mail.
+  virtual void Attend(Seconds now) { static_cast<void>(now); }
   /// Called once at an orderly end, after the last mail.
   virtual void Finish(Seconds now) { static_cast<void>(now); }
 

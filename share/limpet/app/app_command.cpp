@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "limpet/app/registry.hpp"
 #include "limpet/core/number_text.hpp"
 
 namespace limpet {
@@ -36,8 +37,18 @@ constexpr std::array kSwitches{
     Switch{"seed", "of every random draw (LIMPET_SEED)"},
 };
 
-std::vector<std::string> SwitchNames() {
+/// Those of one app alone: switch and key.
+std::map<std::string, std::string> OwnSwitches(const std::string& process) {
+  const auto entry = AppRegistry().find(process);
+  return entry == AppRegistry().end() ? std::map<std::string, std::string>()
+                                      : entry->second.switches;
+}
+
+std::vector<std::string> SwitchNames(const std::string& process) {
   std::vector<std::string> names{"help", "example"};
+  for (const auto& [name, key] : OwnSwitches(process)) {
+    names.push_back(name);
+  }
   for (const Switch& known : kSwitches) {
     names.emplace_back(known.name);
   }
@@ -69,7 +80,7 @@ struct Words {
   std::vector<std::pair<std::string, std::string>> switches;
 };
 
-Words Split(std::span<const char* const> args) {
+Words Split(const std::string& process, std::span<const char* const> args) {
   Words words;
   for (const std::string arg : args) {
     if (!arg.starts_with("-")) {
@@ -79,7 +90,7 @@ Words Split(std::span<const char* const> args) {
     const std::string body = arg.substr(arg.starts_with("--") ? 2 : 1);
     const auto equals = body.find('=');
     const std::string name = body.substr(0, equals);
-    const std::vector<std::string> known = SwitchNames();
+    const std::vector<std::string> known = SwitchNames(process);
     if (std::ranges::find(known, name) == known.end()) {
       throw ConfigError({{.file = "command line", .line = 0},
                          arg,
@@ -145,7 +156,7 @@ void ApplySwitch(AppCommand& command, const std::string& name, const std::string
 }  // namespace
 
 AppCommand ReadAppCommand(const std::string& process, std::span<const char* const> args) {
-  const Words words = Split(args);
+  const Words words = Split(process, args);
   if (words.positionals.size() > 2) {
     throw ConfigError({{.file = "command line", .line = 0},
                        words.positionals[2],
@@ -156,6 +167,7 @@ AppCommand ReadAppCommand(const std::string& process, std::span<const char* cons
                      .mission_file = {},
                      .mission = {},
                      .overrides = {},
+                     .additions = {},
                      .run_folder = Environment("LIMPET_RUN_FOLDER"),
                      .prior_folder = Environment("LIMPET_PRIOR_FOLDER"),
                      .session = Environment("LIMPET_SESSION", "discovery"),
@@ -176,8 +188,13 @@ AppCommand ReadAppCommand(const std::string& process, std::span<const char* cons
   if (words.positionals.size() == 2) {
     command.name = words.positionals[1];
   }
+  const std::map<std::string, std::string> own = OwnSwitches(process);
   for (const auto& [name, value] : words.switches) {
-    ApplySwitch(command, name, value);
+    if (const auto key = own.find(name); key != own.end()) {
+      command.additions.push_back({key->second, value, {.file = "command line", .line = 0}});
+    } else {
+      ApplySwitch(command, name, value);
+    }
   }
   return command;
 }
@@ -186,6 +203,9 @@ std::string AppCommandHelp(const std::string& process) {
   std::string text = fmt::format("usage: {} [mission.moos] [name] [options]\n\n", process);
   for (const Switch& known : kSwitches) {
     text += fmt::format("  --{:<24}{}\n", fmt::format("{}=", known.name), known.meaning);
+  }
+  for (const auto& [name, key] : OwnSwitches(process)) {
+    text += fmt::format("  -{:<25}one more line `{} = ...` of its block\n", name + "=", key);
   }
   text += fmt::format("  --{:<24}{}\n  --{:<24}{}\n", "example",
                       "print a ProcessConfig block with every parameter", "help", "this text");

@@ -24,6 +24,7 @@ struct AppCommand {
   std::string community = "limpet";  ///< only a database needs it
   double warp = 1.0;
   std::vector<ConfigEntry> overrides;  ///< AppTick and the like, from `--moos_app_tick=`
+  std::vector<ConfigEntry> additions;  ///< lines behind the block's own, from the app's switches
   std::filesystem::path run_folder;  ///< `--run_folder=` or LIMPET_RUN_FOLDER; else the present one
   std::filesystem::path prior_folder;  ///< `--prior_folder=` or LIMPET_PRIOR_FOLDER
   std::string session = "discovery";   ///< `--session=` or LIMPET_SESSION

@@ -32,6 +32,7 @@ LiveLink::LiveLink(TcpClientOptions options) : client_(Listening(std::move(optio
 void LiveLink::Publish(std::string name, Value value, std::string source_aux) {
   client_.PublishValue(name, value, source_aux);
 }
+void LiveLink::Forward(const Message& message) { client_.Send(ViewOf(message)); }
 void LiveLink::Subscribe(const std::string& name, Seconds interval) {
   client_.Subscribe(name, interval);
 }

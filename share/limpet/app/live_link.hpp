@@ -18,6 +18,7 @@ class LiveLink final : public AppLink {
   explicit LiveLink(TcpClientOptions options);
 
   void Publish(std::string name, Value value, std::string source_aux) override;
+  void Forward(const Message& message) override;
   void Subscribe(const std::string& name, Seconds interval) override;
   void SubscribeWildcard(const WildcardFilter& filter) override;
   [[nodiscard]] Seconds Now() const override { return client_.Now(); }
@@ -25,7 +26,7 @@ class LiveLink final : public AppLink {
   /// All mail so far, waiting for some until `deadline` (steady time) if there is none.
   [[nodiscard]] std::vector<MessagePtr> TakeMail(Seconds deadline);
   /// Ends a wait.
-  void Wake();
+  void Wake() override;
   [[nodiscard]] const TcpClient& client() const { return client_; }
 
  private:

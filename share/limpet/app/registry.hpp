@@ -21,6 +21,8 @@ struct AppEntry {
   std::function<std::unique_ptr<App>(const AppContext&, const ConfigBlock&)> create;
   /// Every problem of a block, without building the app.
   std::function<std::vector<ConfigProblem>(const ConfigBlock&)> check;
+  /// Command-line switches of this app alone, and the key that each adds a line of to its block.
+  std::map<std::string, std::string> switches{};
 };
 
 /// The one singleton: filled before main by the registration lines.

@@ -33,6 +33,7 @@ ConfigBlock BlockFor(const AppCommand& command) {
     });
     block.entries.push_back(entry);
   }
+  std::ranges::copy(command.additions, std::back_inserter(block.entries));
   return block;
 }
 
@@ -53,6 +54,7 @@ void Loop(App& app, LiveLink& link, Seconds period) {
     for (const MessagePtr& message : link.TakeMail(std::min(next, SteadyTime() + kLongestWait))) {
       app.Deliver(message);
     }
+    app.Attend(link.Now());
     if (const Seconds now = SteadyTime(); now >= next) {
       app.Tick(link.Now());
       next = std::max(next + period, now);

@@ -21,6 +21,9 @@ class TestLink final : public AppLink {
                                                                 .source_aux = std::move(source_aux),
                                                                 .community = ""}));
   }
+  void Forward(const Message& message) override {
+    published.push_back(std::make_shared<const Message>(message));
+  }
   void Subscribe(const std::string& name, Seconds) override { subscriptions.push_back(name); }
   void SubscribeWildcard(const WildcardFilter& filter) override {
     subscriptions.push_back(filter.variable_pattern);

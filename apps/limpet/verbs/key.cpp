@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "apps/limpet/verbs/key.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "apps/limpet/cli.hpp"
+#include "limpet/sharing/share_key.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr const char* kHelp =
+    R"(usage: limpet key new <file>
+       limpet key show <file>
+
+new   makes a random key for pShare's sealed routes in a file that only you may read; never writes
+      over one (exit code 3). Copy it to each node over a channel you trust, e.g. scp -p.
+show  tells the key's fingerprint, which gives nothing away: two nodes understand each other if
+      theirs are equal. Fails (exit code 1) if pShare would refuse the file.
+)";
+
+int MakeKey(const std::filesystem::path& file) {
+  if (std::filesystem::exists(std::filesystem::symlink_status(file))) {
+    fmt::print(stderr, "limpet: {} exists; a key is never written over\n", file.string());
+    return kRefused;
+  }
+  if (file.has_parent_path()) {
+    std::filesystem::create_directories(file.parent_path());
+  }
+  const ShareKey key = ShareKey::Random();
+  if (const auto error = SaveShareKey(key, file)) {
+    fmt::print(stderr, "limpet: {}\n", error->text);
+    return kFailed;
+  }
+  fmt::print("{}: key {}\n", file.string(), key.Fingerprint());
+  return kOk;
+}
+
+int ShowKey(const std::filesystem::path& file) {
+  const auto key = LoadShareKey(file);
+  if (!key) {
+    fmt::print(stderr, "limpet: {}\n", key.error().text);
+    return kFailed;
+  }
+  fmt::print("{}: key {}\n", file.string(), key->Fingerprint());
+  return kOk;
+}
+
+}  // namespace
+
+int RunKey(std::span<const std::string> args) {
+  const Arguments arguments(args, {}, {"help"});
+  if (arguments.Has("help")) {
+    fmt::print("{}", kHelp);
+    return kOk;
+  }
+  const std::vector<std::string>& words = arguments.positionals();
+  if (words.size() != 2 || (words[0] != "new" && words[0] != "show")) {
+    throw UsageError("key takes `new` or `show`, and a file; `limpet key --help` says more");
+  }
+  return words[0] == "new" ? MakeKey(words[1]) : ShowKey(words[1]);
+}
+
+}  // namespace limpet
