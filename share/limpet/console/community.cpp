@@ -78,6 +78,11 @@ void Community::Add(const WireMessage& message) {
   arrival_.notify_one();
 }
 
+void Community::Watch(const std::string& pattern) {
+  client_->SubscribeWildcard(
+      {.app_pattern = "*", .variable_pattern = pattern, .interval = Seconds(0.0)});
+}
+
 std::vector<Message> Community::TakeMail(Seconds wait) {
   std::unique_lock lock(mutex_);
   if (wait.value() > 0.0) {

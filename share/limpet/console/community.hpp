@@ -56,6 +56,9 @@ class Community {
   [[nodiscard]] TcpClient& client() { return *client_; }
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] Seconds Now() const { return client_->Now(); }
+  /// Subscribes to what matches, also if that is one name: unlike a plain registration it creates
+  /// no variable.
+  void Watch(const std::string& pattern);
   /// All mail since the last call; waits up to `wait` (real time) if there is none.
   [[nodiscard]] std::vector<Message> TakeMail(Seconds wait = Seconds(0.0));
   /// All mail up to the broker's answer to a question put now: what was asked for before has then

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "limpet/console/community.hpp"
+#include "limpet/console/community_status.hpp"
+#include "limpet/console/shown_text.hpp"
+#include "limpet/console/tool_frame.hpp"
+#include "limpet/console/tools.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr const char* kHelp = R"(usage: {0} [mission.moos] [options]
+
+Says who is in a community: one row for each process that the mission's ANTLER block starts, or
+that pLaunch watches over, and for each guest. AWOL: should be there and is not.
+
+  READS, WRITES  how many variables it subscribes to and has written
+  DELAY ms       of its mail on the way to the database, lately
+  RESTARTS       by pLaunch, and how it last ended
+  NOTE           warnings of the process itself
+
+{1}
+Exit code 0 if all are there, 1 if one is missing, 2 if no community answers.
+
+  {0} missions/table1
+)";
+
+CommunityStatus Ask(const CommunityAddress& address, Community& community) {
+  CommunityStatus status;
+  if (address.mission) {
+    status.Expect(*address.mission);
+  }
+  status.Ignore(community.name());
+  for (const char* pattern : {"DB_QOS", "DB_UPTIME", "PLAUNCH_STATUS", "*_STATUS", "*_WARNINGS"}) {
+    community.Watch(pattern);
+  }
+  community.client().Request("PROC_SUMMARY");
+  const auto mail = community.Settle();
+  if (!mail) {
+    throw NoCommunity(fmt::format("{} does not answer", address.Text()));
+  }
+  for (const Message& message : *mail) {
+    status.Hear(message);
+  }
+  return status;
+}
+
+int PrintStatus(std::span<const std::string> args) {
+  const Arguments given(args, WithAddressOptions({}), {});
+  const ToolWords words = Sorted(given.positionals());
+  if (!words.others.empty()) {
+    throw UsageError(fmt::format("`{}` is no mission file", OneLine(words.others.front(), 60)));
+  }
+  const CommunityAddress address = AddressOf(
+      given, words.missions.empty() ? std::nullopt : std::optional(words.missions.front()));
+  Community community(address, OwnName("uStatus"));
+  const CommunityStatus status = Ask(address, community);
+  const std::vector<ProcessRow> rows = status.Rows();
+  const std::vector<std::string> missing = MissingOf(rows);
+  std::string title =
+      fmt::format("{} at {}", OneLine(community.client().community(), 40), address.Text());
+  title += fmt::format(", warp {:g}", community.client().warp());
+  title += status.uptime() ? fmt::format(", up {} s", ShownAge(*status.uptime())) : "";
+  PrintFrame({FrameLine().Add(title, Ink::kTitle)});
+  if (!rows.empty()) {
+    PrintFrame(StatusTable(rows));
+  }
+  std::string verdict = rows.empty() ? "no process but the database" : "all present";
+  if (!missing.empty()) {
+    verdict = fmt::format("{} missing: {}", missing.size(), fmt::join(missing, ", "));
+  }
+  PrintFrame({FrameLine().Add(OneLine(verdict), missing.empty() ? Ink::kGood : Ink::kBad)});
+  return missing.empty() ? kOk : kFailed;
+}
+
+}  // namespace
+
+int RunStatus(const std::string& caller, std::span<const std::string> args) {
+  return RunTool(caller, fmt::format(fmt::runtime(kHelp), caller, AddressHelp()), args,
+                 [&args] { return PrintStatus(args); });
+}
+
+}  // namespace limpet
