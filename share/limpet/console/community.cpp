@@ -73,7 +73,7 @@ void Community::Add(const WireMessage& message) {
     ++lost_;
     return;
   }
-  inbox_.push_back(MessageFrom(message));
+  inbox_.push_back({MessageFrom(message), client_->Now()});
   inbox_bytes_ += size;
   arrival_.notify_one();
 }
@@ -83,26 +83,26 @@ void Community::Watch(const std::string& pattern) {
       {.app_pattern = "*", .variable_pattern = pattern, .interval = Seconds(0.0)});
 }
 
-std::vector<Message> Community::TakeMail(Seconds wait) {
+std::vector<Mail> Community::TakeMail(Seconds wait) {
   std::unique_lock lock(mutex_);
   if (wait.value() > 0.0) {
     arrival_.wait_for(lock, std::chrono::duration<double>(wait.value()),
                       [this] { return !inbox_.empty(); });
   }
-  std::vector<Message> mail;
+  std::vector<Mail> mail;
   mail.swap(inbox_);
   inbox_bytes_ = 0;
   return mail;
 }
 
-std::optional<std::vector<Message>> Community::Settle() {
+std::optional<std::vector<Mail>> Community::Settle() {
   const Seconds deadline = SteadyTime() + address_.patience;
   client_->Request("VAR_SUMMARY");
-  std::vector<Message> heard;
+  std::vector<Mail> heard;
   while (SteadyTime() < deadline && !EndIsRequested()) {
-    std::vector<Message> mail = TakeMail(kSlice);
-    const bool is_answered = std::ranges::any_of(mail, [](const Message& message) {
-      return message.id == kAnswerId && message.name == "VAR_SUMMARY";
+    std::vector<Mail> mail = TakeMail(kSlice);
+    const bool is_answered = std::ranges::any_of(mail, [](const Mail& piece) {
+      return piece.message.id == kAnswerId && piece.message.name == "VAR_SUMMARY";
     });
     std::ranges::move(mail, std::back_inserter(heard));
     if (is_answered) {

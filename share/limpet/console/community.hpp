@@ -46,6 +46,12 @@ class NoCommunity : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A message and when it came, on the community's clock.
+struct Mail {
+  Message message;
+  Seconds heard;
+};
+
 /// A connection of a tool. The warp is learned from the broker. Mail arrives on another thread
 /// and waits here, bounded; all calls come from one thread.
 class Community {
@@ -60,10 +66,10 @@ class Community {
   /// no variable.
   void Watch(const std::string& pattern);
   /// All mail since the last call; waits up to `wait` (real time) if there is none.
-  [[nodiscard]] std::vector<Message> TakeMail(Seconds wait = Seconds(0.0));
+  [[nodiscard]] std::vector<Mail> TakeMail(Seconds wait = Seconds(0.0));
   /// All mail up to the broker's answer to a question put now: what was asked for before has then
   /// been answered. Nothing if it does not answer in time, or a signal ends the wait.
-  [[nodiscard]] std::optional<std::vector<Message>> Settle();
+  [[nodiscard]] std::optional<std::vector<Mail>> Settle();
   /// Messages lost because they were not taken in time.
   [[nodiscard]] std::uint64_t lost() const;
 
@@ -75,7 +81,7 @@ class Community {
   std::string name_;
   mutable std::mutex mutex_;
   std::condition_variable arrival_;
-  std::vector<Message> inbox_;
+  std::vector<Mail> inbox_;
   std::size_t inbox_bytes_ = 0;
   std::uint64_t lost_ = 0;
   std::unique_ptr<TcpClient> client_;  ///< last: its thread ends before what it writes to

@@ -67,6 +67,8 @@ std::map<std::string, LaunchWord> ParseLaunchStatus(std::string_view text) {
         word.restarts = value;
       } else if (key == "last") {
         word.last = value;
+      } else if (key == "database") {
+        word.is_database = value == "true";
       }
     }
     if (!name.empty() && !word.state.empty()) {
@@ -143,7 +145,7 @@ std::vector<std::string> CommunityStatus::Expected() const {
   // The last word of a launcher that has gone is no word.
   if (present_.contains(kLauncher)) {
     for (const auto& [name, word] : launched_) {
-      if (std::ranges::find(names, name) == names.end() && word.state != "database") {
+      if (std::ranges::find(names, name) == names.end() && !word.is_database) {
         names.push_back(name);
       }
     }

@@ -19,6 +19,7 @@ struct LaunchWord {
   std::string state;  ///< running, waiting, ended, given_up
   std::string restarts;
   std::string last;  ///< how it last ended; empty: it has not
+  bool is_database = false;
 };
 /// By name. Text that is none of pLaunch's gives nothing.
 [[nodiscard]] std::map<std::string, LaunchWord> ParseLaunchStatus(std::string_view text);

@@ -121,13 +121,17 @@ void PrintResults(const std::vector<PokeResult>& results, Seconds now) {
 
 std::vector<Message> SettledOrThrow(Community& community, const PokeCommand& command,
                                     const std::string& otherwise) {
-  std::optional<std::vector<Message>> mail = community.Settle();
+  const std::optional<std::vector<Mail>> mail = community.Settle();
   if (!mail) {
     throw std::runtime_error(fmt::format("{} did not answer within {:g} s; {}",
                                          command.address.Text(), command.address.patience.value(),
                                          otherwise));
   }
-  return *std::move(mail);
+  std::vector<Message> messages;
+  for (const Mail& piece : *mail) {
+    messages.push_back(piece.message);
+  }
+  return messages;
 }
 
 int WritePokes(const std::string& caller, const PokeCommand& command) {

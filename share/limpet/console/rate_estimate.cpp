@@ -6,18 +6,21 @@
 namespace limpet {
 namespace {
 
-constexpr double kWindow = 8.0;      // [s]
-constexpr double kMarkEvery = 0.25;  // [s]
+constexpr Seconds kWindow(8.0);
+constexpr Seconds kMarkEvery(0.25);
 
 }  // namespace
 
 void RateEstimate::Note(Seconds now) {
   ++events_;
   last_ = now;
-  if (marks_.empty() || (now - marks_.back().time).value() >= kMarkEvery) {
+  if (!marks_.empty() && now == marks_.back().time) {
+    marks_.back().events = events_;  // they came together: none of them lies after the mark
+  }
+  if (marks_.empty() || now - marks_.back().time >= kMarkEvery) {
     marks_.push_back({now, events_});
   }
-  while (marks_.size() > 2 && (now - marks_[1].time).value() >= kWindow) {
+  while (marks_.size() > 2 && now - marks_[1].time >= kWindow) {
     marks_.pop_front();
   }
 }

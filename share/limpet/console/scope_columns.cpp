@@ -31,12 +31,13 @@ std::string CountText(std::uint64_t count) {
 
 ScopeColumns::ScopeColumns(const std::vector<const VariableRow*>& rows, std::size_t width,
                            bool keeps_utf8)
-    : width_(width), has_count_(width >= kWideScreen) {
+    : width_(width) {
   std::set<std::string> communities;
   for (const VariableRow* row : rows) {
     name_ = std::max(name_, ColumnsOf(OneLine(row->name, kAnyWidth, keeps_utf8)));
     source_ = std::max(source_, ColumnsOf(SourceText(*row, keeps_utf8)));
     communities.insert(row->community);
+    has_count_ = has_count_ || (row->writes > 0 && width >= kWideScreen);
   }
   if (communities.size() > 1 && width >= kWideScreen) {
     for (const std::string& name : communities) {
@@ -65,7 +66,7 @@ FrameLine ScopeColumns::Head() const {
   if (community_ > 0) {
     line.AddCell("COMMUNITY", community_, Ink::kHeader).Add(gap);
   }
-  line.AddNumber("AGE s", kAge, Ink::kHeader).Add(gap);
+  line.AddNumber("AGE", kAge, Ink::kHeader).Add(gap);
   line.AddNumber("Hz", kRate, Ink::kHeader).Add(gap);
   if (has_count_) {
     line.AddNumber("HEARD", kCount, Ink::kHeader).Add(gap);

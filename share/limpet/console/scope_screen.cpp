@@ -258,7 +258,7 @@ FrameLine ScopeScreen::HelpLine(std::size_t width) const {
       .Add(filter.typed.empty() ? "" : ":" + filter.typed)
       .Add("  c changed", Ink::kFaint)
       .Add(filter.changed_only ? " only" : "")
-      .Add("  space pause  arrows  h history", Ink::kFaint);
+      .Add("  space pause  h history", Ink::kFaint);
   return line.FitTo(width);
 }
 

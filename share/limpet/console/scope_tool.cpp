@@ -98,13 +98,12 @@ class ScopeFeed {
 
   /// Hears mail; what of it passes the filter is handed to `show`.
   template <class Show>
-  void Hear(const std::vector<Message>& mail, Show show) {
-    const Seconds now = community_.Now();
-    for (const Message& message : mail) {
+  void Hear(const std::vector<Mail>& mail, Show show) {
+    for (const auto& [message, heard] : mail) {
       if (message.id == -2) {
         continue;  // an answer, no variable
       }
-      table_.Hear(message, now);
+      table_.Hear(message, heard);
       const VariableRow& row = *table_.Find(message.name);
       if (command_.settings.filter.Accepts(row)) {
         show(row);
@@ -219,9 +218,9 @@ int RunOnce(ScopeFeed& feed) {
     throw std::runtime_error(fmt::format("{} does not answer", feed.command().address.Text()));
   }
   feed.Hear(*mail, [](const VariableRow&) {});
-  for (const Message& message : *mail) {
-    if (const auto* text = std::get_if<std::string>(&message.value);
-        text != nullptr && message.name == "DB_VARSUMMARY") {
+  for (const Mail& piece : *mail) {
+    if (const auto* text = std::get_if<std::string>(&piece.message.value);
+        text != nullptr && piece.message.name == "DB_VARSUMMARY") {
       HearRates(*text, feed.table());
     }
   }

@@ -87,8 +87,11 @@ std::string BinaryText(const KeptValue& value, std::size_t width) {
 
 std::string NumberText(double number) {
   const double size = std::abs(number);
-  if (!std::isfinite(number) || size >= 1e15 || (size < 1e-3 && size > 0.0)) {
+  if (!std::isfinite(number) || size >= 1e15) {
     return TextOf(number);
+  }
+  if (size < 1e-3 && size > 0.0) {
+    return fmt::format("{:.6g}", number);
   }
   std::string text = fmt::format("{:.6f}", number);
   text.erase(text.find_last_not_of('0') + 1);

@@ -39,7 +39,7 @@ struct KeptValue {
   [[nodiscard]] KeptValue Shortened(std::size_t bytes) const;
 };
 
-/// A number to six decimals, or shortest if that would lose it; text by OneLine; of binary values
+/// A number to six decimals, a small one to six digits; text by OneLine; of binary values
 /// the size and the first bytes.
 [[nodiscard]] std::string ShownValue(const KeptValue& value, std::size_t width = kAnyWidth,
                                      bool keeps_utf8 = true);

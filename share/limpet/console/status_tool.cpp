@@ -40,8 +40,8 @@ CommunityStatus Ask(const CommunityAddress& address, Community& community) {
   if (!mail) {
     throw NoCommunity(fmt::format("{} does not answer", address.Text()));
   }
-  for (const Message& message : *mail) {
-    status.Hear(message);
+  for (const Mail& piece : *mail) {
+    status.Hear(piece.message);
   }
   return status;
 }

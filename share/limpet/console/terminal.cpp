@@ -87,7 +87,9 @@ std::string FrameWriter::Update(const Frame& frame, ScreenSize size) {
   for (std::size_t i = 0; i < size.lines; ++i) {
     std::string line = i < frame.size() ? Painted(frame[i], has_colors_) : "";
     if (is_first || line != shown_[i]) {
-      bytes += fmt::format("\033[{};1H{}\033[K", i + 1, line);
+      // Erasing behind a full line would take its last character.
+      const bool is_full = i < frame.size() && frame[i].columns() >= size.columns;
+      bytes += fmt::format("\033[{};1H{}{}", i + 1, line, is_full ? "" : "\033[K");
       shown_[i] = std::move(line);
     }
   }

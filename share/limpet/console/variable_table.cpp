@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <sstream>
 
 #include "limpet/pubsub/wildcard.hpp"
 
 namespace limpet {
 namespace {
-
-/// Mail that only repeats what the broker holds: sent on registration, or in answer.
-bool IsLatched(const Message& message) { return message.id < 0; }
 
 bool MatchesAny(const std::vector<std::string>& patterns, const std::string& text) {
   return patterns.empty() || std::ranges::any_of(patterns, [&text](const std::string& pattern) {
@@ -39,6 +37,9 @@ bool MatchesTyped(const std::string& typed, const std::string& name) {
   return !has_word;
 }
 
+/// A rate to about a twentieth.
+double SeenRate(double hz) { return hz > 0.0 ? std::round(14.0 * std::log2(hz)) : -1e9; }
+
 }  // namespace
 
 double VariableRow::RateAt(Seconds now) const {
@@ -52,12 +53,16 @@ bool VariableRow::IsOverdue(Seconds now) const {
   return writes >= kRegular && hz > 0.0 && Age(now).value() > kLatePeriods / hz;
 }
 
-void VariableTable::Hear(const Message& message, Seconds now) {
+void VariableTable::Hear(const Message& message, Seconds heard) {
   const auto [position, is_new] = rows_.try_emplace(message.name);
   VariableRow& row = position->second;
-  const bool is_latched = IsLatched(message);
+  // What the broker only repeats, as it does on registration, has no id; nor has its own news.
+  const bool is_latched = message.id < 0 && (is_new || message.time == row.stamp);
   // A clock elsewhere may be wrong; what comes live is written now.
-  const Seconds written = is_latched ? std::min(message.time, now) : now;
+  const Seconds written = is_latched ? std::min(message.time, heard) : heard;
+  if (is_latched && !is_new) {
+    return;
+  }
   KeptValue value = KeptValue::Of(message.value);
   const bool is_change = !is_new && row.value != value;
   if (is_new) {
@@ -69,7 +74,7 @@ void VariableTable::Hear(const Message& message, Seconds now) {
   row.changes += is_change ? 1 : 0;
   if (!is_latched) {
     ++row.writes;
-    row.rate.Note(now);
+    row.rate.Note(heard);
   }
   row.history.push_back({written, value.Shortened(kHistoryBytes), message.source});
   if (row.history.size() > kMostHistory) {
@@ -79,6 +84,7 @@ void VariableTable::Hear(const Message& message, Seconds now) {
   row.source = message.source;
   row.source_aux = message.source_aux;
   row.community = message.community;
+  row.stamp = message.time;
   row.written = written;
 }
 
@@ -119,13 +125,14 @@ std::vector<const VariableRow*> Arranged(const VariableTable& table, const Scope
       rows.push_back(&row);
     }
   }
-  // Rows come by name; a stable sort keeps that among equals.
+  // Rows come by name, and a stable sort keeps that among equals: what differs by less than a
+  // person can see must not dance.
   if (sort == ScopeSort::kAge) {
-    std::ranges::stable_sort(rows, std::greater{},
-                             [](const auto* row) { return row->written.value(); });
+    std::ranges::stable_sort(rows, {},
+                             [now](const auto* row) { return std::floor(row->Age(now).value()); });
   } else if (sort == ScopeSort::kRate) {
     std::ranges::stable_sort(rows, std::greater{},
-                             [now](const auto* row) { return row->RateAt(now); });
+                             [now](const auto* row) { return SeenRate(row->RateAt(now)); });
   } else if (sort == ScopeSort::kSource) {
     std::ranges::stable_sort(rows, {}, [](const auto* row) { return row->source; });
   }

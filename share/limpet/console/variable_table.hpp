@@ -27,6 +27,7 @@ struct VariableRow {
   std::string source{};
   std::string source_aux{};
   std::string community{};
+  Seconds stamp{};            ///< the last message's own time, of whatever clock
   Seconds written{};          ///< last write, on the community's clock
   Seconds changed{};          ///< last change of the value, likewise
   std::uint64_t writes = 0;   ///< heard here; what the broker still had does not count
@@ -48,7 +49,8 @@ class VariableTable {
   static constexpr std::size_t kMostHistory = 500;
   static constexpr std::size_t kHistoryBytes = 256;  ///< kept of each text in the history
 
-  void Hear(const Message& message, Seconds now);
+  /// `heard`: when it came.
+  void Hear(const Message& message, Seconds heard);
   /// What the broker says of a variable's write rate since its start.
   void HearRate(const std::string& name, double hz);
   [[nodiscard]] const std::map<std::string, VariableRow>& rows() const { return rows_; }
