@@ -39,7 +39,7 @@ std::string NoteOf(const ProcessRow& row) {
         row.launch->state == "given_up" ? "given up by pLaunch" : "pLaunch: " + row.launch->state;
   }
   if (row.launch && !row.launch->last.empty()) {
-    note += (note.empty() ? "last " : "; last ") + row.launch->last;
+    note += (note.empty() ? "it " : "; it ") + row.launch->last;
   }
   if (!row.warnings.empty()) {
     note += (note.empty() ? "" : "; ") + row.warnings;

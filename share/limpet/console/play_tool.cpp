@@ -112,7 +112,7 @@ PlayCommand ReadPlay(std::span<const std::string> args) {
 AlogReader OpenLog(const std::filesystem::path& log) {
   Expected<AlogReader> reader = AlogReader::Open(log);
   if (!reader) {
-    throw UsageError(fmt::format("{} cannot be read", log.string()));
+    throw std::runtime_error(fmt::format("{} cannot be read", log.string()));
   }
   return *std::move(reader);
 }
@@ -121,7 +121,7 @@ LogOutline OutlineOf(const PlayCommand& command) {
   AlogReader reader = OpenLog(command.log);
   LogOutline outline = LogOutline::Of(reader, command.choice);
   if (outline.entries == 0) {
-    throw UsageError(fmt::format("{} holds no entry to play", command.log.string()));
+    throw std::runtime_error(fmt::format("{} holds no entry to play", command.log.string()));
   }
   return outline;
 }
@@ -146,7 +146,7 @@ class Playback {
     }
     const bool is_complete = player_.is_at_end();
     if (is_complete) {
-      progress_.Announce(1.0, "");
+      ShowProgress(Length());
     }
     Drain();
     Report(is_complete);

@@ -106,7 +106,7 @@ std::string ShownMessage(const std::optional<Message>& message, bool keeps_utf8)
 
 void PrintResults(const std::vector<PokeResult>& results, Seconds now) {
   const bool keeps_utf8 = TerminalReadsUtf8();
-  TextTable table({"VARIABLE", "BEFORE", "WRITTEN BY", "AGE s", "AFTER"});
+  TextTable table({"VARIABLE", "BEFORE", "WRITTEN BY", "AGE", "AFTER"});
   for (const PokeResult& result : results) {
     const bool is_written = result.outcome == PokeResult::Outcome::kWritten;
     table.Add({{OneLine(result.poke.name, 60, keeps_utf8)},

@@ -192,7 +192,7 @@ void ScopeScreen::DrawHistory(const VariableTable& table, const ScopeScene& scen
       size.columns));
   const std::size_t source = std::min<std::size_t>(16, size.columns / 5);
   FrameLine head;
-  head.AddNumber("AGE s", 6, Ink::kHeader).Add("  ").AddNumber("STEP s", 8, Ink::kHeader).Add("  ");
+  head.AddNumber("AGE", 6, Ink::kHeader).Add("  ").AddNumber("STEP s", 8, Ink::kHeader).Add("  ");
   frame.push_back(head.AddCell("SOURCE", source, Ink::kHeader)
                       .Add("  ")
                       .Add("T VALUE", Ink::kHeader)
