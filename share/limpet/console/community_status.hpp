@@ -42,6 +42,8 @@ class CommunityStatus {
   /// Processes that should be there; a database needs no mention.
   void Expect(const MissionFile& mission);
   void Hear(const Message& message);
+  /// Before asking anew who is there.
+  void ForgetProcesses() { present_.clear(); }
   /// A client that does not count: the one who asks.
   void Ignore(const std::string& name) { ignored_ = name; }
 

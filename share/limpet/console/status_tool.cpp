@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include <chrono>
+#include <thread>
+
 #include <fmt/format.h>
 
+#include "limpet/app/run_app.hpp"
 #include "limpet/console/community.hpp"
 #include "limpet/console/community_status.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/console/tool_frame.hpp"
 #include "limpet/console/tools.hpp"
+#include "limpet/core/clock.hpp"
 
 namespace limpet {
 namespace {
@@ -21,12 +26,28 @@ that pLaunch watches over, and for each guest. AWOL: should be there and is not.
   NOTE           warnings of the process itself
 
 {1}
-Exit code 0 if all are there, 1 if one is missing, 2 if no community answers.
+With --wait it waits that long for the missing, too. Exit code 0 if all are there, 1 if one is
+missing, 2 if no community answers.
 
   {0} missions/table1
 )";
 
-CommunityStatus Ask(const CommunityAddress& address, Community& community) {
+/// Asks who is there now; what was said before of other things holds.
+void Ask(const CommunityAddress& address, Community& community, CommunityStatus& status) {
+  status.ForgetProcesses();
+  community.client().Request("PROC_SUMMARY");
+  const auto mail = community.Settle();
+  if (!mail) {
+    throw NoCommunity(fmt::format("{} does not answer", address.Text()));
+  }
+  for (const Mail& piece : *mail) {
+    status.Hear(piece.message);
+  }
+}
+
+/// Asks until nobody is missing, or the address's wait is over.
+CommunityStatus AskPatiently(const CommunityAddress& address, Community& community) {
+  constexpr auto kPause = std::chrono::milliseconds(200);
   CommunityStatus status;
   if (address.mission) {
     status.Expect(*address.mission);
@@ -35,13 +56,11 @@ CommunityStatus Ask(const CommunityAddress& address, Community& community) {
   for (const char* pattern : {"DB_QOS", "DB_UPTIME", "PLAUNCH_STATUS", "*_STATUS", "*_WARNINGS"}) {
     community.Watch(pattern);
   }
-  community.client().Request("PROC_SUMMARY");
-  const auto mail = community.Settle();
-  if (!mail) {
-    throw NoCommunity(fmt::format("{} does not answer", address.Text()));
-  }
-  for (const Mail& piece : *mail) {
-    status.Hear(piece.message);
+  const Seconds deadline = SteadyTime() + address.wait;
+  Ask(address, community, status);
+  while (!MissingOf(status.Rows()).empty() && SteadyTime() < deadline && !EndIsRequested()) {
+    std::this_thread::sleep_for(kPause);
+    Ask(address, community, status);
   }
   return status;
 }
@@ -55,7 +74,7 @@ int PrintStatus(std::span<const std::string> args) {
   const CommunityAddress address = AddressOf(
       given, words.missions.empty() ? std::nullopt : std::optional(words.missions.front()));
   Community community(address, OwnName("uStatus"));
-  const CommunityStatus status = Ask(address, community);
+  const CommunityStatus status = AskPatiently(address, community);
   const std::vector<ProcessRow> rows = status.Rows();
   const std::vector<std::string> missing = MissingOf(rows);
   std::string title =

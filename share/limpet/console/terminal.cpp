@@ -5,6 +5,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -96,7 +97,11 @@ std::string FrameWriter::Update(const Frame& frame, ScreenSize size) {
   return bytes;
 }
 
-bool Terminal::IsThere() { return ::isatty(STDIN_FILENO) != 0 && ::isatty(STDOUT_FILENO) != 0; }
+bool Terminal::IsThere() {
+  const char* kind = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe): nobody sets it
+  return kind != nullptr && std::string_view(kind) != "dumb" && ::isatty(STDIN_FILENO) != 0 &&
+         ::isatty(STDOUT_FILENO) != 0;
+}
 
 Terminal::Terminal() : writer_(ColorsAreWanted()) {
   LIMPET_REQUIRE(is_entered == 0, "one terminal at a time");

@@ -38,7 +38,7 @@ class FrameWriter {
 /// while the program is stopped by Ctrl-Z. There is one at a time.
 class Terminal {
  public:
-  /// True if both input and output are one.
+  /// True if both input and output are one that obeys escape codes.
   [[nodiscard]] static bool IsThere();
 
   Terminal();
@@ -50,8 +50,9 @@ class Terminal {
   /// Shows a frame in one write.
   void Show(const Frame& frame);
   /// Keys pressed until now; waits up to `wait` for the first, less if the size changes or a signal
-  /// comes. `false` in `is_open()` afterwards if the terminal has gone.
+  /// comes.
   [[nodiscard]] std::vector<Key> ReadKeys(Seconds wait);
+  /// False once the terminal has gone.
   [[nodiscard]] bool is_open() const { return is_open_; }
 
  private:

@@ -2,8 +2,9 @@
 // The tools against a broker on a real socket.
 #include "limpet/console/tools.hpp"
 
+#include <csignal>
+#include <cstdlib>
 #include <fstream>
-#include <mutex>
 #include <thread>
 
 #include <fmt/format.h>
@@ -16,6 +17,7 @@
 #include "limpet/console/community.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/pubsub/tcp_broker.hpp"
+#include "tests/support/pseudo_terminal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace limpet {
@@ -171,6 +173,52 @@ TEST_F(ToolsTest, PlayFailsWithoutALogOrAnythingInIt) {
   EXPECT_EQ(Run(RunPlay, {"a.alog", port_, "--speed", "0"}), 2);
 }
 
+/// Broker and tool in one child process: this one must not fork with threads of its own.
+int RunScopeBesideABroker(std::vector<std::string> words) {
+  TcpBrokerOptions options;
+  options.broker.community = "alpha";
+  options.port = 0;
+  TcpBroker broker(options);
+  std::thread thread([&broker] { broker.Run(); });
+  words.push_back(fmt::format("--port={}", broker.port()));
+  const int code = RunScope("uScope", words);
+  broker.Stop();
+  thread.join();
+  return code;
+}
+
+TEST(ScopeTool, IsALiveTableOnATerminalUntilQ) {
+  PseudoTerminal pty;
+  pty.Type("q");
+  const auto [status, output] = pty.Run([] {
+    ::setenv("TERM", "xterm", 1);  // NOLINT(concurrency-mt-unsafe): alone in its process
+    return RunScopeBesideABroker({"A*"});
+  });
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  EXPECT_THAT(output, HasSubstr("alpha at localhost:"));
+  EXPECT_THAT(output, HasSubstr("0 of 0 variables"));
+  EXPECT_THAT(output, ::testing::EndsWith("\033[?1049l"));
+  EXPECT_TRUE(pty.IsAsBefore());
+}
+
+TEST(ScopeTool, EndsOnASignalAndLeavesTheTerminalAsItWas) {
+  PseudoTerminal pty;
+  const auto [status, output] = pty.Run([&pty] {
+    ::setenv("TERM", "xterm", 1);  // NOLINT(concurrency-mt-unsafe): alone in its process
+    std::thread killer([&pty] {
+      if (pty.Await("variables")) {
+        ::kill(::getpid(), SIGTERM);
+      }
+    });
+    const int code = RunScopeBesideABroker({});
+    killer.join();
+    return code;
+  });
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  EXPECT_TRUE(pty.IsAsBefore());
+}
+
 class StatusToolTest : public ToolsTest {
  protected:
   StatusToolTest() {
@@ -198,6 +246,17 @@ TEST_F(StatusToolTest, IsContentWhenAllAreThereAndTakesAFolder) {
   EXPECT_THAT(out_, HasSubstr("all present\n"));
   EXPECT_THAT(out_, HasSubstr("alpha at localhost:"));
   EXPECT_THAT(out_, HasSubstr("warp 5"));
+}
+
+TEST_F(StatusToolTest, WaitsForTheMissingIfAsked) {
+  const Community nav(Address(), "pNav");
+  std::unique_ptr<Community> helm;
+  std::thread late([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    helm = std::make_unique<Community>(Address(), "pHelm");
+  });
+  EXPECT_EQ(Run(RunStatus, {mission_.string(), "--wait", "5"}), 0) << out_;
+  late.join();
 }
 
 /// A port that somebody holds and nobody serves.
