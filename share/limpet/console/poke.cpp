@@ -23,8 +23,9 @@ std::string WhyBadName(std::string_view name) {
   if (name.size() > kLongestName) {
     return fmt::format("has a name of {} bytes; at most {}", name.size(), kLongestName);
   }
-  const bool is_clean = std::ranges::none_of(
-      name, [](char c) { return c == ' ' || c == ',' || static_cast<unsigned char>(c) < 0x20; });
+  const bool is_clean = std::ranges::none_of(name, [](char c) {
+    return c == ' ' || c == ',' || c == 0x7F || static_cast<unsigned char>(c) < 0x20;
+  });
   return is_clean ? "" : "has a name with a blank, a comma or a control character";
 }
 

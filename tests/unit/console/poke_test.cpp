@@ -54,7 +54,7 @@ TEST(ParsePoke, KnowsTheTime) {
 }
 
 TEST(ParsePoke, RefusesNamesThatNoBrokerShouldHave) {
-  for (const char* word : {"", "A", "=3", ":=3", "A B=3", "A,B=3", "A\tB=3"}) {
+  for (const char* word : {"", "A", "=3", ":=3", "A B=3", "A,B=3", "A\tB=3", "A\x7f=3"}) {
     EXPECT_FALSE(ParsePoke(word, Seconds(0)).has_value()) << word;
   }
   EXPECT_FALSE(ParsePoke("A\033B=3", Seconds(0)).has_value());
