@@ -101,6 +101,10 @@ void CommunityStatus::Hear(const Message& message) {
     HearProcess(*text);
   } else if (message.name == "DB_QOS") {
     HearQuality(*text);
+  } else if (message.name == "DB_DROPPED") {
+    dropped_ = *text;
+  } else if (message.name == "DB_REFUSED") {
+    refused_ = *text;
   } else if (message.name == "PLAUNCH_STATUS") {
     launched_ = ParseLaunchStatus(*text);
   } else if (message.name.ends_with("_WARNINGS")) {
@@ -189,6 +193,24 @@ std::vector<ProcessRow> CommunityStatus::Rows() const {
     }
   }
   return rows;
+}
+
+std::vector<std::string> CommunityStatus::Losses() const {
+  std::vector<std::string> lines;
+  const auto add = [&lines](const char* what, const std::string& counts) {
+    std::string told;
+    for (const std::string& count : Split(counts, ',')) {
+      if (!Trim(count).empty() && !count.ends_with("=0")) {
+        told += (told.empty() ? "" : ", ") + count;
+      }
+    }
+    if (!told.empty()) {
+      lines.push_back(fmt::format("{}: {}", what, told));
+    }
+  };
+  add("mail lost by slow readers", dropped_);
+  add("refused by the database", refused_);
+  return lines;
 }
 
 Frame StatusTable(const std::vector<ProcessRow>& rows) {

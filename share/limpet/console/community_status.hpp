@@ -49,6 +49,8 @@ class CommunityStatus {
 
   /// The expected in their order, then the others by name.
   [[nodiscard]] std::vector<ProcessRow> Rows() const;
+  /// What the database lost and refused, if it did, as DB_DROPPED and DB_REFUSED tell; a line each.
+  [[nodiscard]] std::vector<std::string> Losses() const;
   /// MOOS seconds since the database's start; nothing if it has not said.
   [[nodiscard]] std::optional<Seconds> uptime() const { return uptime_; }
 
@@ -67,6 +69,7 @@ class CommunityStatus {
   std::map<std::string, double> delays_;
   std::map<std::string, LaunchWord> launched_;
   std::map<std::string, std::string> health_;  ///< by variable
+  std::string dropped_, refused_;
   std::optional<Seconds> uptime_;
 };
 

@@ -68,6 +68,13 @@ FrameLine& FrameLine::FitTo(std::size_t width) {
   return Add(Blanks(left));
 }
 
+FrameLine& FrameLine::MakeAscii() {
+  for (Span& span : spans_) {
+    span.text = OneLine(span.text, kAnyWidth, false);
+  }
+  return *this;
+}
+
 FrameLine& FrameLine::PaintAll(Ink ink) {
   std::string text;
   for (const Span& span : spans_) {

@@ -26,6 +26,8 @@ class FrameLine {
   FrameLine& AddNumber(std::string_view text, std::size_t width, Ink ink = Ink::kPlain);
   /// Cuts or fills to `width` columns in all.
   FrameLine& FitTo(std::size_t width);
+  /// For a terminal that reads no UTF-8: characters beyond ASCII by their numbers.
+  FrameLine& MakeAscii();
   /// The whole line in one ink.
   FrameLine& PaintAll(Ink ink);
 

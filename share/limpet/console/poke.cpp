@@ -104,7 +104,7 @@ std::string WhyRefused(const PokeResult& result) {
   const Poke& poke = result.poke;
   const std::string name = OneLine(poke.name, 60);
   if (!result.before || result.before->value.index() == poke.value.index()) {
-    return fmt::format("{} was not taken by the broker, which does not say why", name);
+    return fmt::format("{} was not taken by the broker; DB_REFUSED counts its reasons", name);
   }
   const bool is_number = std::holds_alternative<double>(poke.value);
   const bool holds_text = std::holds_alternative<std::string>(result.before->value);

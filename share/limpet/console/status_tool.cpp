@@ -53,7 +53,8 @@ CommunityStatus AskPatiently(const CommunityAddress& address, Community& communi
     status.Expect(*address.mission);
   }
   status.Ignore(community.name());
-  for (const char* pattern : {"DB_QOS", "DB_UPTIME", "PLAUNCH_STATUS", "*_STATUS", "*_WARNINGS"}) {
+  for (const char* pattern : {"DB_QOS", "DB_UPTIME", "DB_DROPPED", "DB_REFUSED", "PLAUNCH_STATUS",
+                              "*_STATUS", "*_WARNINGS"}) {
     community.Watch(pattern);
   }
   const Seconds deadline = SteadyTime() + address.wait;
@@ -84,6 +85,9 @@ int PrintStatus(std::span<const std::string> args) {
   PrintFrame({FrameLine().Add(title, Ink::kTitle)});
   if (!rows.empty()) {
     PrintFrame(StatusTable(rows));
+  }
+  for (const std::string& line : status.Losses()) {
+    PrintFrame({FrameLine().Add(OneLine(line), Ink::kLate)});
   }
   std::string verdict = rows.empty() ? "no process but the database" : "all present";
   if (!missing.empty()) {

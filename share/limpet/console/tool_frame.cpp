@@ -30,17 +30,21 @@ int RunTool(const std::string& caller, const std::string& help, std::span<const 
     fmt::print(stderr, "{}\n", error.what());
     return kUsage;
   } catch (const NoCommunity& error) {
-    fmt::print(stderr, "{}: {}\n", caller, OneLine(error.what()));
+    fmt::print(stderr, "{}: {}\n", caller, OneLine(error.what(), kAnyWidth, TerminalReadsUtf8()));
     return kUsage;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: {}\n", caller, OneLine(error.what()));
+    fmt::print(stderr, "{}: {}\n", caller, OneLine(error.what(), kAnyWidth, TerminalReadsUtf8()));
     return kFailed;
   }
 }
 
 void PrintFrame(const Frame& frame) {
   const bool has_ink = ::isatty(STDOUT_FILENO) != 0;
-  for (const FrameLine& line : frame) {
+  const bool keeps_utf8 = TerminalReadsUtf8();
+  for (FrameLine line : frame) {
+    if (!keeps_utf8) {
+      line.MakeAscii();
+    }
     fmt::print("{}\n", has_ink ? Painted(line, ColorsAreWanted()) : line.PlainText());
   }
   std::fflush(stdout);

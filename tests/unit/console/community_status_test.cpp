@@ -77,6 +77,17 @@ TEST(CommunityStatus, ForgetsTheWordOfALauncherThatHasGone) {
   EXPECT_THAT(status.Rows(), IsEmpty());
 }
 
+TEST(CommunityStatus, TellsWhatTheDatabaseLostAndRefused) {
+  CommunityStatus status;
+  status.Hear(Said("DB_DROPPED", ""));
+  status.Hear(Said("DB_REFUSED", "type_mismatch=0,no_room=0"));
+  EXPECT_THAT(status.Losses(), IsEmpty());
+  status.Hear(Said("DB_DROPPED", "pSlow=12,"));
+  status.Hear(Said("DB_REFUSED", "type_mismatch=3,foreign_source=0,no_room=10"));
+  EXPECT_THAT(status.Losses(), ElementsAre("mail lost by slow readers: pSlow=12",
+                                           "refused by the database: type_mismatch=3, no_room=10"));
+}
+
 TEST(CommunityStatus, BearsAnythingTheCommunitySays) {
   for (const char* text :
        {"", ",", "#", "=", ":SUBSCRIBED=", "PUBLISHED=", "a:SUBSCRIBED=PUBLISHED=", "app=,state=x",

@@ -78,6 +78,11 @@ TEST(FrameWriter, WritesAllAgainOnAnotherSize) {
             "\033[1;1Ha\033[K\033[2;1H\033[K");
 }
 
+TEST(FrameLine, IsAsciiWhereATerminalReadsNothingElse) {
+  // Its second byte would begin a control sequence on a terminal of eight-bit controls.
+  EXPECT_EQ(FrameLine().Add("\u015b").MakeAscii().PlainText(), "\\u015b");
+}
+
 TEST(Painted, HasNoColorsWithoutColors) {
   for (int ink = 0; ink <= static_cast<int>(Ink::kGood); ++ink) {
     const FrameLine line = FrameLine().Add("x", static_cast<Ink>(ink));
