@@ -2,7 +2,6 @@
 #include "limpet/pubsub/outbox.hpp"
 
 #include <algorithm>
-#include <ranges>
 
 namespace limpet {
 namespace {
@@ -52,8 +51,11 @@ void Outbox::MakeRoom(Router::Variable variable, std::size_t size) {
 }
 
 void Outbox::Compact() {
-  const auto sizes =
-      std::views::transform(entries_, [](const Entry& e) { return e.size & ~kDropped; });
+  std::vector<std::size_t> sizes;
+  sizes.reserve(entries_.size());
+  for (const Entry& entry : entries_) {
+    sizes.push_back(entry.size & ~kDropped);
+  }
   parcel_.Drop(sizes, [this](std::size_t i) { return (entries_[i].size & kDropped) != 0; });
   std::erase_if(entries_, [](const Entry& entry) { return (entry.size & kDropped) != 0; });
 }
