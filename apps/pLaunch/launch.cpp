@@ -22,7 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr auto kPollPeriod = std::chrono::milliseconds(50);
-constexpr Seconds kPatience(8.0);  ///< for an app to finish its files
+constexpr Seconds kStatusPeriod(5.0);  ///< a database that was started again has forgotten (real)
+constexpr Seconds kPatience(8.0);      ///< for an app to finish its files
 
 /// What the community says of the mission's processes.
 class Watch {
@@ -118,6 +119,7 @@ class Launch {
         watch.client().Publish("DEPLOY", "true");
         is_deployed = true;
       }
+      TellStatus(watch);
       std::this_thread::sleep_for(kPollPeriod);
     }
     if (watch.has_heard_the_end()) {
@@ -153,6 +155,16 @@ class Launch {
       return item.is_database || watch.IsUp(item.name);
     });
   }
+  /// On every change, and now and then.
+  void TellStatus(Watch& watch) {
+    const Seconds now = SteadyTime();
+    std::string status = supervisor_.Status();
+    if (status != told_status_ || now - told_at_ >= kStatusPeriod) {
+      watch.client().Publish("PLAUNCH_STATUS", status);
+      told_status_ = std::move(status);
+      told_at_ = now;
+    }
+  }
   void Say(const std::string& text) const {
     if (!command_.is_quiet) {
       fmt::print(stderr, "pLaunch: {}\n", text);
@@ -162,6 +174,8 @@ class Launch {
   LaunchCommand command_;
   LaunchPlan plan_;
   Supervisor supervisor_;
+  std::string told_status_;
+  Seconds told_at_;
 };
 
 }  // namespace

@@ -63,6 +63,7 @@ void Supervisor::Launch(Child& child) {
   child.pid = ::fork();
   child.started = SteadyTime();
   child.is_due = false;
+  ++child.starts;
   if (child.pid != 0) {
     ++child.starts;
     if (child.pid < 0) {
@@ -110,7 +111,8 @@ bool Supervisor::Poll() {
 void Supervisor::NoteEnd(Child& child, int status) {
   const bool is_failure = !WIFEXITED(status) || WEXITSTATUS(status) != 0;
   const bool has_bad_configuration = WIFEXITED(status) && WEXITSTATUS(status) == 2;
-  const std::string what = fmt::format("{} {}", child.item.name, HowItEnded(status));
+  child.last_end = HowItEnded(status);
+  const std::string what = fmt::format("{} {}", child.item.name, child.last_end);
   const std::string where =
       fmt::format("; see {}", (log_folder_ / (child.item.name + ".log")).string());
   if ((SteadyTime() - child.started).value() > kHealthy) {
@@ -121,13 +123,14 @@ void Supervisor::NoteEnd(Child& child, int status) {
   child.failures += is_failure ? 1 : 0;
   if (!is_wanted) {
     say_(is_failure ? what + where : what);
+    child.is_given_up = is_failure;
     has_given_up_ = has_given_up_ || is_failure;
     return;
   }
   if (has_bad_configuration || child.failures >= kMostFailures) {
     // The same configuration fails again: pausing would only hide it.
     say_(what + (has_bad_configuration ? ": its configuration is refused" : ": given up") + where);
-    has_given_up_ = true;
+    child.is_given_up = has_given_up_ = true;
     return;
   }
   const double pause =
@@ -135,6 +138,20 @@ void Supervisor::NoteEnd(Child& child, int status) {
   child.is_due = true;
   child.next_start = SteadyTime() + Seconds(pause);
   say_(fmt::format("{}; again in {:.1f} s{}", what, pause, where));
+}
+
+std::string Supervisor::Status() const {
+  std::string text;
+  for (const Child& child : children_) {
+    const char* state = child.pid > 0       ? "running"
+                        : child.is_due      ? "waiting"
+                        : child.is_given_up ? "given_up"
+                                            : "ended";
+    text += fmt::format("{}app={},state={},restarts={},last={},database={}",
+                        text.empty() ? "" : " # ", child.item.name, state,
+                        std::max(0, child.starts - 1), child.last_end, child.item.is_database);
+  }
+  return text;
 }
 
 void Supervisor::Signal(const std::function<bool(const Child&)>& which, int signal) {

@@ -32,6 +32,10 @@ class Supervisor {
   [[nodiscard]] bool Poll();
   /// SIGTERM in reverse order of start, the database last; SIGKILL after `patience` (real time).
   void End(Seconds patience);
+  /// What became of each process, as PLAUNCH_STATUS says it: `app=pNav,state=running,restarts=1,
+  /// last=was killed by signal 9 (Killed),database=false # app=...`; states running, waiting (to be
+  /// started again), ended, given_up.
+  [[nodiscard]] std::string Status() const;
   /// True if a process was given up.
   [[nodiscard]] bool has_given_up() const { return has_given_up_; }
 
@@ -42,6 +46,8 @@ class Supervisor {
     int failures = 0;
     int starts = 0;
     bool is_due = false;
+    bool is_given_up = false;
+    std::string last_end{};  ///< how it last ended; empty: it has not
     Seconds started, next_start;
   };
   void Launch(Child& child);

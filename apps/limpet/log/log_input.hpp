@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "apps/limpet/report/progress_line.hpp"
+#include "limpet/console/progress_line.hpp"
 #include "limpet/logbook/alog_reader.hpp"
 
 namespace limpet {

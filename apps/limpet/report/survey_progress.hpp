@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "apps/limpet/report/progress_line.hpp"
+#include "limpet/console/progress_line.hpp"
 #include "apps/limpet/report/session_record.hpp"
 
 namespace limpet {

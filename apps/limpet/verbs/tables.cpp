@@ -12,7 +12,7 @@
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/report/expectation_check.hpp"
 #include "apps/limpet/report/paper_tables.hpp"
-#include "apps/limpet/report/progress_line.hpp"
+#include "limpet/console/progress_line.hpp"
 #include "apps/limpet/verbs/child_runs.hpp"
 #include "limpet/mission/scenario.hpp"
 

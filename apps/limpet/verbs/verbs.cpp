@@ -3,6 +3,7 @@
 
 #include "apps/limpet/verbs/change.hpp"
 #include "apps/limpet/verbs/check.hpp"
+#include "apps/limpet/verbs/community.hpp"
 #include "apps/limpet/verbs/describe.hpp"
 #include "apps/limpet/verbs/detect.hpp"
 #include "apps/limpet/verbs/key.hpp"
@@ -28,6 +29,10 @@ const std::vector<Verb>& Verbs() {
       {"tables", "many seeds: the paper's tables beside ours", RunTables},
       {"key", "make a key for sealed routes of pShare", RunKey},
       {"launch", "run a mission as separate processes and watch over them", RunLaunchVerb},
+      {"status", "who is up in a community, and who is missing", RunStatusVerb},
+      {"scope", "look at the variables of a community, live", RunScopeVerb},
+      {"poke", "write variables of a community and read them back", RunPokeVerb},
+      {"play", "play a log into a community", RunPlayVerb},
       {"log", "look into a log: scan, stat, grep, clip, csv, recover", RunLog},
       {"plug", "expand a mission template, as nsplug does", RunPlug},
   };

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <map>
 #include <mutex>
 #include <thread>
@@ -32,6 +33,7 @@ constexpr auto kIdlePeriod = std::chrono::milliseconds(333);
 constexpr auto kLongestGoodbye = std::chrono::milliseconds(500);
 constexpr double kFirstRetry = 0.1;  ///< [s], real time
 constexpr double kLongestRetry = 2.0;
+constexpr double kMostWarp = 1000.0;
 constexpr std::size_t kPieces = 32;  ///< of one gathering write
 constexpr std::size_t kScratch = std::size_t{256} << 10;
 constexpr std::size_t kReadBudget = std::size_t{4} << 20;
@@ -41,12 +43,19 @@ std::string HostName() {
   return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
+/// The warp of a broker whose clock shows `time`, if both machines know the date to some days.
+std::optional<double> WarpOf(double time) {
+  const double warp = std::round(1e3 * time / UnixTime().value()) / 1e3;
+  return warp >= 1.0 && warp <= kMostWarp ? std::optional(warp) : std::nullopt;
+}
+
 }  // namespace
 
 class TcpClient::Impl {
  public:
   explicit Impl(TcpClientOptions options)
       : options_(std::move(options)),
+        warp_(options_.warp),
         outbox_(options_.queue),
         socket_(context_),
         resolver_(context_),
@@ -127,7 +136,8 @@ class TcpClient::Impl {
            .time = Now().value()});
   }
 
-  [[nodiscard]] Seconds Now() const { return MoosTime(options_.warp) + Seconds(skew_.load()); }
+  [[nodiscard]] double warp() const { return warp_.load(std::memory_order_relaxed); }
+  [[nodiscard]] Seconds Now() const { return MoosTime(warp()) + Seconds(skew_.load()); }
 
   // For UnitReader.
   [[nodiscard]] Expected<std::optional<std::size_t>> UnitSize(ByteView bytes) const {
@@ -161,6 +171,7 @@ class TcpClient::Impl {
   }
 
   TcpClientOptions options_;
+  std::atomic<double> warp_;
   mutable std::mutex mutex_;  ///< guards what any thread may touch: all down to `descriptor_`
   State state_ = State::kConnecting;
   std::string trouble_, community_;
@@ -190,7 +201,7 @@ class TcpClient::Impl {
     // Greeting and hello in one write: a stock broker takes a greeting in pieces for a wrong one.
     ByteBuffer hello(kGreeting.size());
     std::memcpy(hello.data(), kGreeting.data(), kGreeting.size());
-    hello_sent_ = MoosTime(options_.warp);
+    hello_sent_ = MoosTime(warp());
     const ByteBuffer packet = PacketOf({.type = wire_type::kHello,
                                         .data_type = wire_data::kString,
                                         .key = "asynchronous",
@@ -227,7 +238,12 @@ class TcpClient::Impl {
     is_welcome_ = true;
     const bool is_same_host = answer.source_aux == "hostname=" + HostName();
     corrects_clock_ = !is_same_host;
-    skew_ = corrects_clock_ ? answer.number : 0.0;
+    double skew = answer.number;
+    if (options_.learns_warp) {
+      warp_ = WarpOf(answer.time).value_or(warp());
+      skew = answer.time - MoosTime(warp()).value();  // the hello's time was of another warp
+    }
+    skew_ = corrects_clock_ ? skew : 0.0;
     retry_ = kFirstRetry;
     {
       const std::lock_guard lock(mutex_);
@@ -297,8 +313,8 @@ class TcpClient::Impl {
     if (!corrects_clock_) {
       return;
     }
-    const double received = MoosTime(options_.warp).value();
-    if (received - echo.time > kTimingPeriod * options_.warp) {
+    const double received = MoosTime(warp()).value();
+    if (received - echo.time > kTimingPeriod * warp()) {
       return;  // it waited somewhere, perhaps for a new connection: that says nothing of clocks
     }
     const double measured = echo.number - 0.5 * (echo.time + received);
@@ -409,7 +425,7 @@ class TcpClient::Impl {
       last_timing_ = now;
       AppendMessage({.type = wire_type::kTiming,
                      .key = "_async_timing",
-                     .time = MoosTime(options_.warp).value(),
+                     .time = MoosTime(warp()).value(),
                      .number = 0.0},
                     head_);
     }
@@ -507,6 +523,7 @@ std::string TcpClient::community() const {
   return impl_->community_;
 }
 Seconds TcpClient::Now() const { return impl_->Now(); }
+double TcpClient::warp() const { return impl_->warp(); }
 std::size_t TcpClient::unsent() const {
   const std::lock_guard lock(impl_->mutex_);
   return impl_->outbox_.size() + impl_->outbox_.in_flight();

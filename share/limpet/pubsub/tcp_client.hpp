@@ -17,6 +17,8 @@ struct TcpClientOptions {
   std::uint16_t port = 9000;
   std::string name;
   double warp = 1.0;
+  /// Takes the broker's warp from its welcome instead: for tools that are told only where it is.
+  bool learns_warp = false;
   std::size_t queue = std::size_t{16} << 20;  ///< unsent mail kept, oldest lost first [bytes]
   /// Called for each piece of mail, on the client's own thread. The views die with the call.
   std::function<void(const WireMessage&)> on_mail;
@@ -55,6 +57,7 @@ class TcpClient {
   [[nodiscard]] std::string community() const;
   /// The broker's MOOS time.
   [[nodiscard]] Seconds Now() const;
+  [[nodiscard]] double warp() const;
   /// Bytes not yet handed to the system, and messages lost because there were too many.
   [[nodiscard]] std::size_t unsent() const;
   [[nodiscard]] std::uint64_t dropped() const;

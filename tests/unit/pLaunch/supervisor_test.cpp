@@ -79,6 +79,23 @@ TEST_F(SupervisorTest, LeavesAProcessAloneThatIsNotToBeRestarted) {
   EXPECT_EQ(LogOf("pOnce"), "try\n");
 }
 
+TEST_F(SupervisorTest, SaysWhatBecameOfEachProcess) {
+  LaunchItem once = Shell("pOnce", "exit 3");
+  once.restart = RestartPolicy::kNever;
+  supervisor_.Start(once);
+  supervisor_.Start(Shell("pFail", "exit 1"));
+  supervisor_.Start(Shell("pWell", "exit 0"));
+  EXPECT_TRUE(PollUntil([this] {
+    return supervisor_.Status() ==
+           "app=pOnce,state=given_up,restarts=0,last=ended with code 3,database=false # "
+           "app=pFail,state=waiting,restarts=0,last=ended with code 1,database=false # "
+           "app=pWell,state=ended,restarts=0,last=ended with code 0,database=false";
+  }));
+  EXPECT_TRUE(PollUntil([this] {
+    return supervisor_.Status().find("app=pFail,state=waiting,restarts=1") != std::string::npos;
+  }));
+}
+
 TEST_F(SupervisorTest, EndsTheDatabaseLast) {
   LaunchItem database{.name = "LimpetDB", .program = "/bin/sh", .args = {}, .is_database = true};
   const std::string order = (folder_.path() / "order").string();

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "apps/limpet/report/progress_line.hpp"
+#include "limpet/console/progress_line.hpp"
 #include "apps/limpet/report/verdict.hpp"
 
 #include "synthetic_session.hpp"

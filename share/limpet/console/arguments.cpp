@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/limpet/cli.hpp"
+#include "limpet/console/arguments.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/limpet/report/progress_line.hpp"
+#include "limpet/console/progress_line.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/console/tools.hpp"
+
+int main(int argc, char** argv) {
+  return limpet::RunToolMain(limpet::RunPoke, "uPoke", argc, argv);
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/console/log_player.hpp"
+
+#include <algorithm>
+
+#include "limpet/core/require.hpp"
+#include "limpet/pubsub/wildcard.hpp"
+
+namespace limpet {
+namespace {
+
+bool MatchesAny(const std::vector<std::string>& patterns, std::string_view name) {
+  return std::ranges::any_of(
+      patterns, [name](const std::string& pattern) { return MatchesWildcard(pattern, name); });
+}
+
+}  // namespace
+
+bool PlayChoice::Accepts(const AlogEntry& entry) const {
+  const bool is_chosen =
+      only.empty() ? !entry.name.starts_with("DB_") : MatchesAny(only, entry.name);
+  return is_chosen && !MatchesAny(skip, entry.name) && (!from || entry.time >= *from) &&
+         (!to || entry.time <= *to);
+}
+
+LogOutline LogOutline::Of(AlogReader& reader, const PlayChoice& choice) {
+  LogOutline outline;
+  for (AlogEntry entry; reader.Next(entry);) {
+    if (!entry.number && !ParseBlogMarker(entry.value) && !outline.texts.contains(entry.name)) {
+      outline.texts.emplace(entry.name);
+    }
+    if (!choice.Accepts(entry)) {
+      continue;
+    }
+    if (outline.entries++ == 0) {
+      // What the logger found already written can be much older than the log.
+      outline.start = choice.from.value_or(std::max(0.0, entry.time));
+      outline.end = outline.start;
+    }
+    outline.end = std::max(outline.end, entry.time);
+  }
+  return outline;
+}
+
+LogPlayer::LogPlayer(AlogReader reader, PlayChoice choice, LogOutline outline,
+                     std::filesystem::path folder)
+    : reader_(std::move(reader)),
+      choice_(std::move(choice)),
+      outline_(std::move(outline)),
+      folder_(std::move(folder)) {
+  Advance();
+}
+
+void LogPlayer::Advance() {
+  AlogEntry entry;
+  entry_.reset();
+  while (reader_.Next(entry)) {
+    if (choice_.Accepts(entry)) {
+      entry_ = entry;
+      due_ = std::max(due_, entry.time - outline_.start);
+      return;
+    }
+  }
+}
+
+std::optional<Message> LogPlayer::Next(double elapsed) {
+  std::optional<Message> message;
+  while (!message && entry_ && due_ <= elapsed) {
+    message = MessageOf(*entry_);
+    (message ? played_ : unreadable_) += 1;
+    Advance();
+  }
+  return message;
+}
+
+std::optional<Message> LogPlayer::MessageOf(const AlogEntry& entry) const {
+  Message message{.name = std::string(entry.name),
+                  .value = std::string(entry.value),
+                  .time = Seconds(0.0),
+                  .source = std::string(entry.source),
+                  .source_aux = std::string(entry.aux),
+                  .community = ""};
+  if (const std::optional<BlogSpan> span = ParseBlogMarker(entry.value)) {
+    Expected<Binary> bytes = ReadBlog(folder_, *span);
+    if (!bytes) {
+      return std::nullopt;
+    }
+    message.value = *std::move(bytes);
+  } else if (entry.number && !outline_.texts.contains(entry.name)) {
+    message.value = *entry.number;
+  }
+  return message;
+}
+
+}  // namespace limpet
