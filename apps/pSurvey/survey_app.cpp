@@ -63,27 +63,36 @@ void SurveyApp::OnCoverage(const Stamped<Coverage>& coverage) {
   }
 }
 
+bool SurveyApp::WantsRevisit(const OpiBelief& opi) const {
+  return opi.entropy > params_.settled_entropy && opi.looks < params_.settled_looks;
+}
+
 bool SurveyApp::HasOpenRevisit() const {
-  return std::ranges::any_of(opis_.opis, [this](const OpiBelief& opi) {
-    return opi.entropy > params_.settled_entropy && opi.looks < params_.settled_looks;
-  });
+  return std::ranges::any_of(opis_.opis,
+                             [this](const OpiBelief& opi) { return WantsRevisit(opi); });
 }
 
 double SurveyApp::DistanceHome() const {
   return std::hypot(nav_->north - home_->north, nav_->east - home_->east);
 }
 
-void SurveyApp::Enter(Phase phase, Seconds now) {
+const char* SurveyApp::NameOf(Phase phase) {
   static constexpr const char* kNames[] = {"IDLE",   "ALIGN",  "DIVE", "SURVEY",
                                            "RETURN", "ASCEND", "FIX",  "DONE"};
+  return kNames[static_cast<int>(phase)];
+}
+
+void SurveyApp::Enter(Phase phase, Seconds now) {
   phase_ = phase;
   phase_since_ = now;
   last_progress_ = now;
-  Publish(topics::kSurveyPhase, std::string(kNames[static_cast<int>(phase)]));
+  ReportEvent(std::string("phase ") + NameOf(phase));
+  Publish(topics::kSurveyPhase, std::string(NameOf(phase)));
 }
 
 void SurveyApp::GoHome(const std::string& reason, const std::string& ended, Seconds now) {
   ended_ = ended;
+  ReportEvent("going home: " + reason);
   Publish(topics::kSessionSave, reason);
   Enter(Phase::kReturn, now);
 }

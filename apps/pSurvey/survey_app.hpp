@@ -78,6 +78,7 @@ class SurveyApp final : public App {
 
   SurveyApp(const AppContext& context, const Params& params);
   void Tick(Seconds now) override;
+  void Report(ReportLines& report) const override;
 
  private:
   enum class Phase { kIdle, kAlign, kDive, kSurvey, kReturn, kAscend, kFix, kDone };
@@ -93,7 +94,10 @@ class SurveyApp final : public App {
   void AlignAtSurface(Seconds now);
   void Survey(Seconds now);
   void EndMission(Seconds now);
+  [[nodiscard]] static const char* NameOf(Phase phase);
+  [[nodiscard]] bool WantsRevisit(const OpiBelief& opi) const;
   [[nodiscard]] bool HasOpenRevisit() const;
+  [[nodiscard]] std::optional<Seconds> TimeToTarget() const;
   [[nodiscard]] double CoveredShare(const Coverage& coverage) const;
   [[nodiscard]] double DistanceHome() const;
 
