@@ -32,8 +32,8 @@ Shape OptionEnd(std::string label, const BiddenOption& option) {
   return {.label = std::move(label),
           .form = PointShape{MapPointOf(option.end[0], option.end[1])},
           .style = {.msg = fmt::format("{} {:.1f}", option.source, option.total),
-                    .label_color = "gray60",
-                    .vertex_color = "gray60",
+                    .label_color = "gray50",
+                    .vertex_color = "gray50",
                     .vertex_size = 3.0}};
 }
 

@@ -61,9 +61,9 @@ void HelmApp::Report(ReportLines& report) const {
   report.Add(behaviors);
   if (bids_) {
     report.Blank();
-    report.Add(fmt::format("Path {}, {:.0f} s ago, {} options, because: {}", bids_->value.path_id,
-                           (now() - bids_->time).value(), bids_->value.considered,
-                           bids_->value.cause));
+    report.Add(fmt::format("Last path: {}, {:.0f} s ago, of {} options, because: {}",
+                           bids_->value.path_id, (now() - bids_->time).value(),
+                           bids_->value.considered, bids_->value.cause));
     AddOptions(bids_->value, report);
   }
 }

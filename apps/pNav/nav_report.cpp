@@ -31,7 +31,7 @@ void AddLandmarks(const std::vector<LandmarkEstimate>& landmarks, ReportLines& r
 
 void NavApp::Report(ReportLines& report) const {
   const NavigatorCounts& refused = navigator_.counts();
-  report.Pair("Heading", attitude_.is_aligned() ? "aligned" : "being aligned");
+  report.Pair("Alignment", attitude_.is_aligned() ? "done" : "under way");
   report.Pair("GPS fixes", fmt::format("{}, {} refused", gps_fixes_, refused.fixes));
   report.Pair("DVL pings", fmt::format("{}, {} without bottom lock, {} refused", dvl_pings_,
                                        dvl_pings_without_lock_, refused.velocities));
@@ -54,8 +54,7 @@ void NavApp::Report(ReportLines& report) const {
                                       now_at.v_B.x(), now_at.v_B.y(), now_at.v_B.z()));
   report.Pair("Altitude",
               now_at.altitude ? fmt::format("{:.2f} m", *now_at.altitude) : "no bottom lock");
-  report.Pair("Smoother",
-              fmt::format("{} poses, {} looks at objects", navigator_.node_count(), refused.looks));
+  report.Pair("Smoother", fmt::format("{} poses", navigator_.node_count()));
   report.Blank();
   AddLandmarks(navigator_.Landmarks(), report);
 }

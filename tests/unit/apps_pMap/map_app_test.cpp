@@ -191,7 +191,7 @@ TEST_F(MapAppTest, TellsTheOperatorOfCoverageAndObjects) {
   ReportLines lines;
   app_.Report(lines);
   EXPECT_THAT(lines.Text(), ::testing::HasSubstr("Coverage:     seabed "));
-  EXPECT_THAT(lines.Text(), ::testing::HasSubstr("yellow  4.00"));
+  EXPECT_THAT(lines.Text(), ::testing::HasSubstr("yellow   4.00"));
 }
 
 }  // namespace

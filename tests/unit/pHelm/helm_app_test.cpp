@@ -92,7 +92,7 @@ TEST_F(HelmAppTest, IntroducesItselfOnce) {
   EXPECT_THAT(Posts("IVPHELM_LIFE_EVENT"),
               ElementsAre("iter=0,time=0.00, bname=north, btype=BHV_TestNorth, event=spawn, "
                           "seed=helm_startup,iter=1"));
-  EXPECT_THAT(Posts("IVPHELM_REGISTER"), ElementsAre("DEPLOY"));
+  EXPECT_THAT(Posts("IVPHELM_REGISTER"), ElementsAre("DEPLOY", "MODE"));
 }
 
 TEST_F(HelmAppTest, SaysItsStateEachIterationAndItsAllStopOnChange) {

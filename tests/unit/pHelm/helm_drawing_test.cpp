@@ -51,8 +51,8 @@ TEST_F(HelmDrawingTest, APathIsDrawnWithTheEndsOfTheNextBestOptions) {
   EXPECT_THAT(Take(),
               ElementsAre("VIEW_SEGLIST pts={5,2:5,12},label=alpha_path,msg=beam 10 m,"
                           "label_color=white,edge_color=white,vertex_color=invisible,edge_size=2",
-                          "VIEW_POINT x=2,y=1,label=alpha_option_1,msg=gap 3.2,label_color=gray60,"
-                          "vertex_color=gray60,vertex_size=3"));
+                          "VIEW_POINT x=2,y=1,label=alpha_option_1,msg=gap 3.2,label_color=gray50,"
+                          "vertex_color=gray50,vertex_size=3"));
 }
 
 TEST_F(HelmDrawingTest, OptionsOfAnEarlierDecisionAreErased) {
@@ -60,7 +60,7 @@ TEST_F(HelmDrawingTest, OptionsOfAnEarlierDecisionAreErased) {
   static_cast<void>(Take());
   drawing_.DrawDecision(Decision(10.0, 1));
   EXPECT_THAT(Take(), ElementsAre("VIEW_POINT x=3,y=1,active=false,label=alpha_option_2,msg=gap "
-                                  "3.2,label_color=gray60,vertex_color=gray60,vertex_size=3"));
+                                  "3.2,label_color=gray50,vertex_color=gray50,vertex_size=3"));
 }
 
 TEST_F(HelmDrawingTest, APathThatNobodyFollowsIsErasedOnce) {

@@ -153,7 +153,9 @@ TEST_F(LogAppTest, ReadsAMoosLoggerBlock) {
 }
 
 TEST_F(LogAppTest, TellsTheOperatorWhatIsLogged) {
-  LogApp app(context_, {.wildcard_omit_patterns = {"CAMERA_FRAME"}, .logged = {}});
+  LogParams params;
+  params.wildcard_omit_patterns = {"CAMERA_FRAME"};
+  LogApp app(context_, params);
   Send(app, "NAV_X", 1.0);
   ReportLines lines;
   app.Report(lines);
