@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "limpet/app/registry.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/vision/color_shape_detector.hpp"
@@ -51,9 +53,31 @@ void DetectApp::OnFrame(const Stamped<CameraFrame>& frame) {
   const CameraFrame& image = frame.value;
   std::vector<Box> boxes = detector_->Detect({image.bgr.data(), image.width_px, image.height_px});
   std::erase_if(boxes, [this](const Box& box) { return !IsWanted(box); });
-  Publish(topics::kDetections, Detections{.frame = static_cast<int>(image.frame),
-                                          .exposure = image.exposure,
-                                          .boxes = std::move(boxes)});
+  ++frames_;
+  frames_with_boxes_ += boxes.empty() ? 0 : 1;
+  last_ = {.frame = static_cast<int>(image.frame),
+           .exposure = image.exposure,
+           .boxes = std::move(boxes)};
+  Publish(topics::kDetections, last_);
+}
+
+void DetectApp::Report(ReportLines& report) const {
+  report.Pair("Detector", params_.detector + ", classes " + params_.classes);
+  report.Pair("Frames", fmt::format("{}, {} of them with boxes", frames_, frames_with_boxes_));
+  if (frames_ == 0) {
+    return;
+  }
+  report.Pair("Last frame", fmt::format("{}, {:.1f} s ago, {} boxes", last_.frame,
+                                        (now() - last_.exposure).value(), last_.boxes.size()));
+  ReportTable table({"class", ">sure", ">u [px]", ">v [px]", ">width", ">height"});
+  for (const Box& box : last_.boxes) {
+    table.AddRow({box.color, fmt::format("{:.2f}", box.confidence), fmt::format("{:.0f}", box.u),
+                  fmt::format("{:.0f}", box.v), fmt::format("{:.0f}", box.w),
+                  fmt::format("{:.0f}", box.h)});
+  }
+  if (!table.empty()) {
+    report.Add(table);
+  }
 }
 
 LIMPET_REGISTER_APP(DetectApp, "pDetect", 4.0);

@@ -29,6 +29,7 @@ class DetectApp final : public App {
 
   /// Throws ConfigError if a class is unknown.
   DetectApp(const AppContext& context, const Params& params);
+  void Report(ReportLines& report) const override;
 
  private:
   void OnFrame(const Stamped<CameraFrame>& frame);
@@ -37,6 +38,8 @@ class DetectApp final : public App {
   Params params_;
   std::vector<std::string> classes_;  ///< empty: all
   std::unique_ptr<Detector> detector_;
+  int frames_ = 0, frames_with_boxes_ = 0;
+  Detections last_;
 };
 
 }  // namespace limpet

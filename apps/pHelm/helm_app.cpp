@@ -8,6 +8,7 @@
 #include "limpet/app/registry.hpp"
 #include "limpet/core/frames.hpp"
 #include "limpet/core/number_text.hpp"
+#include "limpet/topics/viewer.hpp"
 
 namespace limpet {
 namespace {
@@ -55,7 +56,14 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
       params_(params),
       host_(LoadBehaviorFiles(context, params), params.behavior_setting),
       planner_(params, MakeRandom("views")),
-      domain_(ReadDomain(params.domain)) {
+      domain_(ReadDomain(params.domain)),
+      journal_(params.domain,
+               [this](std::string variable, Value value) {
+                 PublishRaw(std::move(variable), std::move(value));
+               }),
+      drawing_(context.Global("Community"), [this](std::string variable, std::string text) {
+        PublishRaw(std::move(variable), std::move(text));
+      }) {
   Subscribe(topics::kNavState, &HelmApp::OnNav);
   Subscribe(topics::kManualOverride, &HelmApp::OnOverride);
   Subscribe(topics::kSurveyArea, &HelmApp::OnArea);
@@ -64,6 +72,7 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
   Subscribe(topics::kMapCoverage, &HelmApp::OnCoverage);
   Subscribe(topics::kMapOpis, &HelmApp::OnOpis);
   Subscribe(topics::kSessionPrior, &HelmApp::OnPrior);
+  Subscribe(topics::kHelmRejournal, &HelmApp::OnRejournal);
   SubscribeToConditions();
 }
 
@@ -79,6 +88,12 @@ void HelmApp::OnArea(const Stamped<SurveyArea>& area) {
   if (planner_.SetArea(area.value) && context().is_restarted) {
     Publish(topics::kMapGridRequest, std::string("pHelm has been restarted"));
   }
+  drawing_.DrawArea(area.value);
+}
+
+void HelmApp::OnHome(const Stamped<HomePoint>& home) {
+  planner_.SetHome(home.value);
+  drawing_.DrawHome(home.value);
 }
 
 void HelmApp::OnPrior(const Stamped<SessionPrior>& prior) {
@@ -87,6 +102,9 @@ void HelmApp::OnPrior(const Stamped<SessionPrior>& prior) {
 
 void HelmApp::Post(const std::vector<HelmPost>& posts) {
   for (const HelmPost& post : posts) {
+    if (post.aux == "HELM_MODE" && std::holds_alternative<std::string>(post.value)) {
+      ReportEvent(post.variable + " = " + std::get<std::string>(post.value));
+    }
     PublishRaw(post.variable, post.value, post.aux);
   }
 }
@@ -94,6 +112,7 @@ void HelmApp::Post(const std::vector<HelmPost>& posts) {
 void HelmApp::PostInitialValues() {
   if (!has_posted_initial_) {
     has_posted_initial_ = true;
+    journal_.PostStart(host_, now());
     if (!context().is_restarted) {  // else DEPLOY = false would end a mission under way
       Post(host_.InitialPosts());
     }
@@ -112,9 +131,11 @@ std::vector<WeightedBehavior> HelmApp::Bidders() const {
 
 void HelmApp::Tick(Seconds now) {
   PostInitialValues();
+  ++helm_iteration_;
+  motion_ = {};
   if (!nav_) {
     AllStop("MissingNav");
-    PublishState();
+    PublishState(now);
     return;
   }
   VehicleState state{
@@ -131,7 +152,10 @@ void HelmApp::Tick(Seconds now) {
     state.guidance = planner_.Guide(*nav_);
     Steer(state);
   }
-  PublishState();
+  if (planner_.path().segments().empty()) {
+    drawing_.ErasePath();
+  }
+  PublishState(now);
 }
 
 void HelmApp::DecideView(Seconds now) {
@@ -141,10 +165,15 @@ void HelmApp::DecideView(Seconds now) {
     return;
   }
   Publish(topics::kHelmBids, decision->bids);
+  bids_ = Stamped<HelmBids>{now, decision->bids};
   if (decision->chosen) {
     ClearWarning("NO_OPTION");
     Publish(topics::kHelmPath,
             ToHelmPath(decision->chosen->path, decision->bids.path_id, decision->chosen->source));
+    drawing_.DrawDecision(*decision);
+    ReportEvent(fmt::format("path {}: {}, {:.0f} m, because: {}", decision->bids.path_id,
+                            decision->chosen->source, decision->chosen->path.length(),
+                            decision->bids.cause));
   } else {
     Warn("NO_OPTION", "no option is left: all vetoed or none offered");
   }
@@ -152,7 +181,8 @@ void HelmApp::DecideView(Seconds now) {
 
 void HelmApp::Steer(const VehicleState& state) {
   const std::vector<WeightedBehavior> bidders = Bidders();
-  const MotionDecision decision = DecideMotion(bidders, state, domain_);
+  motion_ = DecideMotion(bidders, state, domain_);
+  const MotionDecision& decision = motion_;
   for (const BehaviorWarning& warning : decision.warnings) {
     Warn(warning.id, warning.text);
   }
@@ -184,14 +214,37 @@ void HelmApp::AllStop(const std::string& why) {
   allstop_text_ = why;
 }
 
-void HelmApp::PublishState() {
-  const std::string state = is_parked_ ? "PARK" : "DRIVE";
-  if (state + allstop_text_ == published_state_) {
-    return;
+std::optional<double> HelmApp::last_course_deg() const {
+  return motion_.course ? std::optional<double>(MoosHeadingFromYaw(*motion_.course)) : std::nullopt;
+}
+
+std::vector<std::string> HelmApp::ActiveBehaviors() const {
+  std::vector<std::string> active = motion_.active;
+  if (bids_ && !planner_.path().segments().empty() && !bids_->value.options.empty()) {
+    for (const OptionBid& bid : bids_->value.options.front().bids) {
+      active.push_back(bid.behavior);
+    }
   }
-  published_state_ = state + allstop_text_;
-  Publish(topics::kHelmState, state);
-  Publish(topics::kHelmAllStop, allstop_text_);
+  return active;
+}
+
+void HelmApp::PublishState(Seconds now) {
+  Publish(topics::kHelmState, std::string(StateText()));
+  if (published_allstop_ != allstop_text_) {
+    published_allstop_ = allstop_text_;
+    Publish(topics::kHelmAllStop, allstop_text_);
+  }
+  journal_.PostIteration({.number = helm_iteration_,
+                          .now = now,
+                          .course_deg = last_course_deg(),
+                          .speed = motion_.speed,
+                          .depth = motion_.depth,
+                          .is_halted = allstop_text_ != "clear",
+                          .functions = static_cast<int>(motion_.active.size()),
+                          .warnings = static_cast<int>(warnings().size()),
+                          .modes = host_.modes(),
+                          .behaviors = host_.Statuses(),
+                          .active = ActiveBehaviors()});
 }
 
 LIMPET_REGISTER_APP(HelmApp, "pHelm", 10.0);

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/pHelm/helm_drawing.hpp"
+#include "apps/pHelm/helm_journal.hpp"
 #include "apps/pHelm/helm_params.hpp"
 #include "apps/pHelm/view_planner.hpp"
 #include "limpet/app/app.hpp"
@@ -21,16 +23,18 @@ class HelmApp final : public App {
   using Params = HelmParams;
   HelmApp(const AppContext& context, const Params& params);
   void Tick(Seconds now) override;
+  void Report(ReportLines& report) const override;
 
  private:
   void OnNav(const Stamped<NavState>& nav) { nav_ = nav.value; }
   void OnOverride(const Stamped<bool>& parked) { is_parked_ = parked.value; }
   void OnArea(const Stamped<SurveyArea>& area);
-  void OnHome(const Stamped<HomePoint>& home) { planner_.SetHome(home.value); }
+  void OnHome(const Stamped<HomePoint>& home);
   void OnDelta(const Stamped<GridDelta>& delta) { planner_.Apply(delta.value); }
   void OnCoverage(const Stamped<Coverage>& coverage) { planner_.SetCoverage(coverage.value); }
   void OnOpis(const Stamped<OpiBeliefs>& opis) { planner_.SetOpis(opis.value.opis); }
   void OnPrior(const Stamped<SessionPrior>& prior);
+  void OnRejournal(const Stamped<std::string>&) { journal_.Rejournal(); }
 
   void SubscribeToConditions();
   void PostInitialValues();
@@ -38,7 +42,11 @@ class HelmApp final : public App {
   void DecideView(Seconds now);
   void Steer(const VehicleState& state);
   void AllStop(const std::string& why);
-  void PublishState();
+  void PublishState(Seconds now);
+  [[nodiscard]] const char* StateText() const { return is_parked_ ? "PARK" : "DRIVE"; }
+  [[nodiscard]] std::optional<double> last_course_deg() const;
+  /// Running behaviors that had an opinion on the motion or on the path in force.
+  [[nodiscard]] std::vector<std::string> ActiveBehaviors() const;
   [[nodiscard]] std::vector<WeightedBehavior> Bidders() const;
 
   Params params_;
@@ -48,8 +56,13 @@ class HelmApp final : public App {
   std::optional<NavState> nav_;
   bool is_parked_ = false;
   bool has_posted_initial_ = false;
-  std::string allstop_text_;     ///< clear, or why all is stopped
-  std::string published_state_;  ///< state and all-stop as last posted
+  std::string allstop_text_;       ///< clear, or why all is stopped
+  std::string published_allstop_;  ///< as last posted
+  std::int64_t helm_iteration_ = 0;
+  MotionDecision motion_;                  ///< of this iteration
+  std::optional<Stamped<HelmBids>> bids_;  ///< of the last view decision
+  HelmJournal journal_;
+  HelmDrawing drawing_;
 };
 
 }  // namespace limpet

@@ -106,6 +106,8 @@ void LogApp::OnMail(const MessagePtr& message) {
   const bool is_left_out = std::holds_alternative<Binary>(message->value) && !logs_binaries_;
   const auto file = is_left_out ? std::nullopt : choice_.FileFor(*message);
   if (file) {
+    ++messages_;
+    binaries_ += std::holds_alternative<Binary>(message->value) ? 1 : 0;
     Put(LogLine{*file, message});
   }
   if (context().runs_live && IsSystemMessage(message->name)) {

@@ -27,6 +27,7 @@ class LogApp final : public App {
 
   LogApp(const AppContext& context, const Params& params);
   void Tick(Seconds now) override;
+  void Report(ReportLines& report) const override;
   void Finish(Seconds now) override;
 
  private:
@@ -47,6 +48,7 @@ class LogApp final : public App {
   void PutDueRow();
   void Save();
   void WatchMonitored(Seconds now);
+  [[nodiscard]] static std::string Joined(const std::vector<std::string>& patterns);
 
   Params params_;
   Seconds start_;
@@ -64,6 +66,7 @@ class LogApp final : public App {
   bool is_over_ = false;  ///< a community's last message was written
   std::string folder_;    ///< as announced
   Seconds last_announcement_;
+  std::int64_t messages_ = 0, binaries_ = 0;  ///< put into the log
 };
 
 }  // namespace limpet

@@ -15,7 +15,10 @@ MapApp::MapApp(const AppContext& context, const Params& params)
       camera_(params.camera.geometry()),
       book_(params.status, camera_),
       octree_(params.voxel),
-      layer_({.threshold = params.object_threshold}, params.status, camera_) {
+      layer_({.threshold = params.object_threshold}, params.status, camera_),
+      drawing_(context.Global("Community"), [this](std::string variable, std::string text) {
+        PublishRaw(std::move(variable), std::move(text));
+      }) {
   Subscribe(topics::kSurveyArea, &MapApp::OnArea);
   Subscribe(topics::kSurveyPhase, &MapApp::OnPhase);
   Subscribe(topics::kNavSight, &MapApp::OnSight);
@@ -131,6 +134,7 @@ void MapApp::PublishObjects() {
   if (!last_objects_ || *last_objects_ != encoded) {
     PublishRaw(topics::kMapOpis.name, encoded);
     last_objects_ = std::move(encoded);
+    drawing_.Draw(beliefs);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "apps/pMap/map_drawing.hpp"
 #include "estimation/change/status_book.hpp"
 #include "estimation/mapping/object_layer.hpp"
 #include "estimation/mapping/semantic_octree.hpp"
@@ -49,6 +50,7 @@ class MapApp final : public App {
 
   MapApp(const AppContext& context, const Params& params);
   void Tick(Seconds now) override;
+  void Report(ReportLines& report) const override;
 
  private:
   void OnArea(const Stamped<SurveyArea>& area);
@@ -78,6 +80,7 @@ class MapApp final : public App {
   std::optional<Seconds> last_sight_;
   std::optional<Seconds> last_publish_;
   std::optional<Value> last_objects_;
+  MapDrawing drawing_;
 };
 
 }  // namespace limpet

@@ -73,6 +73,8 @@ void NavApp::OnDvl(const Stamped<DvlSample>& dvl) {
   const DvlSample& sample = dvl.value;
   const double t = dvl.time.value();
   last_dvl_t_ = t;
+  ++dvl_pings_;
+  dvl_pings_without_lock_ += sample.has_lock ? 0 : 1;
   std::optional<Eigen::Vector3d> velocity;
   if (sample.has_lock && sample.u && sample.v && sample.w) {
     velocity = Eigen::Vector3d(*sample.u, *sample.v, *sample.w);
@@ -94,6 +96,7 @@ void NavApp::OnDepth(const Stamped<double>& depth) {
 }
 
 void NavApp::OnGps(const Stamped<GpsFix>& fix) {
+  ++gps_fixes_;
   navigator_.AddGps(fix.time.value(), {fix.value.north, fix.value.east}, fix.value.sd);
 }
 

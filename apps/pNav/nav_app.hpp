@@ -66,6 +66,7 @@ class NavApp final : public App {
 
   NavApp(const AppContext& context, const Params& params);
   void Tick(Seconds now) override;
+  void Report(ReportLines& report) const override;
 
  private:
   void OnImu(const Stamped<ImuSample>& imu);
@@ -88,6 +89,7 @@ class NavApp final : public App {
   TrackWatch track_watch_;
   double last_imu_t_ = -1e18, last_attitude_t_ = -1e18, last_dvl_t_ = -1e18, last_lock_t_ = -1e18,
          last_depth_t_ = -1e18;
+  int gps_fixes_ = 0, dvl_pings_ = 0, dvl_pings_without_lock_ = 0;  ///< for the report
   int landmark_version_ = 0;
   double landmarks_t_ = -1e18;
 };

@@ -66,14 +66,16 @@ void PilotApp::Fly(Seconds now) {
   }
   const Seconds dt = now - *last_step_;
   last_step_ = now;
-  Publish(topics::kThrusterCommand, pilot_.Update(nav_->value, Desired(now), dt.value()));
+  command_ = pilot_.Update(nav_->value, Desired(now), dt.value());
+  Publish(topics::kThrusterCommand, command_);
 }
 
 /// Says so once: under manual override somebody else may write the variable.
 void PilotApp::Rest() {
   if (!last_step_) return;
   last_step_.reset();
-  Publish(topics::kThrusterCommand, ThrusterCommand{});
+  command_ = ThrusterCommand{};
+  Publish(topics::kThrusterCommand, command_);
 }
 
 void PilotApp::Tick(Seconds now) { MayMove(now) ? Fly(now) : Rest(); }

@@ -50,6 +50,7 @@ class PilotApp final : public App {
 
   PilotApp(const AppContext& context, const Params& params);
   void Tick(Seconds now) override;
+  void Report(ReportLines& report) const override;
 
  private:
   template <class T>
@@ -76,6 +77,7 @@ class PilotApp final : public App {
   Latest<NavState> nav_;
   Latest<double> heading_, speed_, depth_, turn_rate_;
   bool is_manual_ = false;
+  ThrusterCommand command_;           ///< last one given
   std::optional<Seconds> last_step_;  ///< absent while thrusters rest
 };
 

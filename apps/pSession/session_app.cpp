@@ -62,6 +62,7 @@ void SessionApp::LoadFormer() {
     Refuse("former session " + context().prior_folder.string(), former.error().text);
   }
   prior_ = PriorOf(stored->facts, *former);
+  former_ = Former{prior_->session, prior_->opis.size(), prior_->views.size()};
 }
 
 void SessionApp::CopyMission() {
@@ -145,6 +146,9 @@ void SessionApp::Commit(std::string cause, Seconds now) {
     return;
   }
   ClearWarning("SESSION_NOT_SAVED");
+  generation_ = *generation;
+  last_cause_ = cause;
+  ReportEvent(fmt::format("saved generation {}: {}", *generation, cause));
   Publish(topics::kSessionSaved, fmt::format("generation={},cause={}", *generation, cause));
 }
 

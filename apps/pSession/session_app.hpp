@@ -29,6 +29,7 @@ class SessionApp final : public App {
 
   SessionApp(const AppContext& context, const Params& params);
   void Tick(Seconds now) override;
+  void Report(ReportLines& report) const override;
   void Finish(Seconds now) override;
 
  private:
@@ -54,6 +55,13 @@ class SessionApp final : public App {
   std::optional<SessionPrior> prior_;
   std::optional<Pending> pending_;  ///< waits for the map
   std::optional<Seconds> last_save_;
+  struct Former {
+    std::string session;
+    std::size_t objects = 0, views = 0;
+  };
+  std::optional<Former> former_;  ///< for the report
+  int generation_ = 0;            ///< last one on disk
+  std::string last_cause_;
 };
 
 }  // namespace limpet

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "apps/pSurvey/survey_memory.hpp"
 #include "limpet/app/registry.hpp"
-#include "limpet/session/durable_file.hpp"
 
 namespace limpet {
 namespace {
@@ -14,23 +14,6 @@ namespace {
 constexpr double kProgressStep = 0.002;  // coverage must grow by this much to count as progress
 constexpr std::array kPhaseNames{"IDLE",   "ALIGN",  "DIVE", "SURVEY",
                                  "RETURN", "ASCEND", "FIX",  "DONE"};
-
-/// What a mission manager must know to go on after a crash.
-struct SurveyMemory {
-  std::string phase = "IDLE";
-  double phase_since = 0.0, deployed = 0.0;  ///< MOOS time
-  std::optional<double> home_north, home_east;
-  std::string ended = "home";
-  template <class V>
-  void Describe(V& visit) {
-    visit("phase", phase), visit("phase_since", phase_since), visit("deployed", deployed);
-    visit("home_north", home_north), visit("home_east", home_east), visit("ended", ended);
-  }
-};
-
-std::filesystem::path MemoryFile(const AppContext& context) {
-  return context.run_folder / "survey_state.txt";
-}
 
 }  // namespace
 
@@ -72,7 +55,7 @@ void SurveyApp::Remember() {
   if (!context().runs_live) {
     return;
   }
-  SurveyMemory memory{.phase = kPhaseNames[static_cast<std::size_t>(phase_)],
+  SurveyMemory memory{.phase = NameOf(phase_),
                       .phase_since = phase_since_.value(),
                       .deployed = deployed_.value_or(Seconds(0.0)).value(),
                       .home_north = {},
@@ -82,7 +65,7 @@ void SurveyApp::Remember() {
     memory.home_north = home_->north;
     memory.home_east = home_->east;
   }
-  if (const auto trouble = WriteDurably(MemoryFile(context()), EncodeRecord(memory))) {
+  if (const auto trouble = KeepSurvey(memory, context().run_folder)) {
     Warn("STATE_NOT_KEPT", trouble->text);
   } else {
     ClearWarning("STATE_NOT_KEPT");
@@ -90,8 +73,7 @@ void SurveyApp::Remember() {
 }
 
 void SurveyApp::Recall() {
-  const auto text = ReadWhole(MemoryFile(context()));
-  const auto memory = text ? DecodeRecord<SurveyMemory>(*text) : std::nullopt;
+  const std::optional<SurveyMemory> memory = RecallSurvey(context().run_folder);
   const auto name = std::ranges::find(kPhaseNames, memory ? memory->phase : "IDLE");
   if (!memory || name == kPhaseNames.end() || name == kPhaseNames.begin()) {
     return;  // never deployed
@@ -134,26 +116,33 @@ void SurveyApp::OnCoverage(const Stamped<Coverage>& coverage) {
   }
 }
 
+bool SurveyApp::WantsRevisit(const OpiBelief& opi) const {
+  return opi.entropy > params_.settled_entropy && opi.looks < params_.settled_looks;
+}
+
 bool SurveyApp::HasOpenRevisit() const {
-  return std::ranges::any_of(opis_.opis, [this](const OpiBelief& opi) {
-    return opi.entropy > params_.settled_entropy && opi.looks < params_.settled_looks;
-  });
+  return std::ranges::any_of(opis_.opis,
+                             [this](const OpiBelief& opi) { return WantsRevisit(opi); });
 }
 
 double SurveyApp::DistanceHome() const {
   return std::hypot(nav_->value.north - home_->north, nav_->value.east - home_->east);
 }
 
+const char* SurveyApp::NameOf(Phase phase) { return kPhaseNames[static_cast<std::size_t>(phase)]; }
+
 void SurveyApp::Enter(Phase phase, Seconds now) {
   phase_ = phase;
   phase_since_ = now;
   last_progress_ = now;
-  Publish(topics::kSurveyPhase, std::string(kPhaseNames[static_cast<std::size_t>(phase)]));
+  ReportEvent(std::string("phase ") + NameOf(phase));
+  Publish(topics::kSurveyPhase, std::string(NameOf(phase)));
   Remember();
 }
 
 void SurveyApp::GoHome(const std::string& reason, const std::string& ended, Seconds now) {
   ended_ = ended;
+  ReportEvent("going home: " + reason);
   Publish(topics::kSessionSave, reason);
   Enter(Phase::kReturn, now);
 }

@@ -86,6 +86,7 @@ class SurveyApp final : public App {
 
   SurveyApp(const AppContext& context, const Params& params);
   void Tick(Seconds now) override;
+  void Report(ReportLines& report) const override;
 
  private:
   enum class Phase { kIdle, kAlign, kDive, kSurvey, kReturn, kAscend, kFix, kDone };
@@ -108,7 +109,10 @@ class SurveyApp final : public App {
   void PublishArea();
   void Remember();
   void Recall();
+  [[nodiscard]] static const char* NameOf(Phase phase);
+  [[nodiscard]] bool WantsRevisit(const OpiBelief& opi) const;
   [[nodiscard]] bool HasOpenRevisit() const;
+  [[nodiscard]] std::optional<Seconds> TimeToTarget() const;
   [[nodiscard]] double CoveredShare(const Coverage& coverage) const;
   [[nodiscard]] double DistanceHome() const;
 

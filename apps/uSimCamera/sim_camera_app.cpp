@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "limpet/app/registry.hpp"
 #include "limpet/mission/seabed.hpp"
 
@@ -77,6 +79,12 @@ void SimCameraApp::PublishBoxes(const Stamped<SimTruth>& truth) {
           Detections{.frame = static_cast<int>(frame_),
                      .exposure = truth.time,
                      .boxes = box_model_.Detect(truth.value.pose(), spheres_, box_random_)});
+}
+
+void SimCameraApp::Report(ReportLines& report) const {
+  report.Pair("Makes", renderer_ ? "images" : "boxes, without images");
+  report.Pair("Frames", fmt::format("{} at {:g} Hz", frame_, params_.rate.value()));
+  report.Pair("Objects", fmt::format("{} in this session", spheres_.size()));
 }
 
 LIMPET_REGISTER_APP(SimCameraApp, "uSimCamera", 4.0);

@@ -43,6 +43,7 @@ class SimCameraApp final : public App {
 
   /// Throws ConfigError if the scenario cannot be read.
   SimCameraApp(const AppContext& context, const Params& params);
+  void Report(ReportLines& report) const override;
 
  private:
   void OnTruth(const Stamped<SimTruth>& truth);

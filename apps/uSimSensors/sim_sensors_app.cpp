@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "apps/uSimSensors/sim_sensors_app.hpp"
 
+#include <fmt/format.h>
+
 #include "apps/uSimSensors/depth_model.hpp"
 #include "apps/uSimSensors/dvl_model.hpp"
 #include "apps/uSimSensors/fog_model.hpp"
@@ -69,6 +71,15 @@ SimSensorsApp::SimSensorsApp(const AppContext& context, const Scenario& scenario
 void SimSensorsApp::OnTruth(const Stamped<SimTruth>& truth) {
   for (const auto& sensor : sensors_)
     sensor(truth);
+}
+
+void SimSensorsApp::Report(ReportLines& report) const {
+  ReportTable table({"sensor", ">rate [Hz]", ">samples"});
+  for (const Count& count : counts_) {
+    table.AddRow(
+        {count.variable, fmt::format("{:g}", count.rate.value()), std::to_string(count.samples)});
+  }
+  report.Add(table);
 }
 
 LIMPET_REGISTER_APP(SimSensorsApp, "uSimSensors", 1.0);

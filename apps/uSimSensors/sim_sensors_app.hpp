@@ -29,18 +29,30 @@ class SimSensorsApp final : public App {
   SimSensorsApp(const AppContext& context, const Params& params);
   /// With a scenario made in code.
   SimSensorsApp(const AppContext& context, const Scenario& scenario);
+  void Report(ReportLines& report) const override;
 
  private:
   template <class T, class Model>
   void Add(const Topic<T>& topic, Hertz rate, Model model) {
-    sensors_.push_back([this, &topic, clock = SampleClock(rate),
+    const std::size_t index = counts_.size();
+    counts_.push_back({.variable = topic.name, .rate = rate});
+    sensors_.push_back([this, &topic, index, clock = SampleClock(rate),
                         model = std::move(model)](const Stamped<SimTruth>& truth) mutable {
       if (!clock.IsDue(truth.time)) return;
-      if (const auto sample = model.Sample(truth.value, truth.time)) Publish(topic, *sample);
+      if (const auto sample = model.Sample(truth.value, truth.time)) {
+        ++counts_[index].samples;
+        Publish(topic, *sample);
+      }
     });
   }
   void OnTruth(const Stamped<SimTruth>& truth);
 
+  struct Count {
+    std::string variable;
+    Hertz rate;
+    int samples = 0;
+  };
+  std::vector<Count> counts_;  ///< for the report, by sensor
   std::vector<std::function<void(const Stamped<SimTruth>&)>> sensors_;
 };
 

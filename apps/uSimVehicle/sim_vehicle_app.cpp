@@ -3,6 +3,8 @@
 
 #include <memory>
 
+#include <fmt/format.h>
+
 #include "limpet/app/registry.hpp"
 #include "limpet/mission/seabed.hpp"
 
@@ -96,6 +98,7 @@ void SimVehicleApp::Tick(Seconds now) {
   last_tick_ = now;
   if (duration > Seconds(0.0)) {
     for (const TimedEvent& event : simulation_.Advance(command_, duration)) {
+      ReportEvent(EventName(event.event));
       Publish(topics::kSimEvent, std::string(EventName(event.event)));
     }
     if (simulation_.failures() > 0) {
@@ -103,6 +106,18 @@ void SimVehicleApp::Tick(Seconds now) {
     }
   }
   Publish(topics::kSimTruth, TruthOf(simulation_.motion()));
+}
+
+void SimVehicleApp::Report(ReportLines& report) const {
+  const VehicleMotion& motion = simulation_.motion();
+  const Eigen::Vector3d& p_WB = motion.X_WB.p_WB;
+  report.Add("The truth, for who runs the simulation:");
+  report.Pair("Position", fmt::format("north {:.2f}, east {:.2f}, down {:.2f} m", p_WB.x(),
+                                      p_WB.y(), p_WB.z()));
+  report.Pair("Heading", fmt::format("{:.1f} deg", MoosHeadingFromYaw(motion.X_WB.yaw)));
+  report.Pair("Velocity", fmt::format("{:.2f} ahead, {:.2f} to starboard, {:.2f} down m/s",
+                                      motion.v_WB_B.x(), motion.v_WB_B.y(), motion.v_WB_B.z()));
+  report.Pair("Integrator", fmt::format("{} steps given up", simulation_.failures()));
 }
 
 LIMPET_REGISTER_APP(SimVehicleApp, "uSimVehicle", 50.0);

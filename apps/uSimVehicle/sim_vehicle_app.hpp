@@ -31,6 +31,7 @@ class SimVehicleApp final : public App {
   /// With a scenario made in code.
   SimVehicleApp(const AppContext& context, const Params& params, const Scenario& scenario);
   void Tick(Seconds now) override;
+  void Report(ReportLines& report) const override;
 
  private:
   void OnCommand(const Stamped<ThrusterCommand>& command);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include <fmt/format.h>
+
 namespace limpet {
 
 std::string AppContext::Global(std::string_view key) const {
@@ -12,7 +14,46 @@ std::string AppContext::Global(std::string_view key) const {
   return found == globals.end() ? "" : found->value;
 }
 
-App::App(const AppContext& context) : context_(context) {}
+App::App(const AppContext& context)
+    : context_(context), created_(context.link != nullptr ? context.link->Now() : Seconds(0.0)) {}
+
+void App::StartReporting(CastSettings settings) {
+  settings.process = context_.name;
+  settings.node = context_.Global("Community");
+  settings.casts_unasked = context_.runs_live;
+  if (context_.runs_live && settings.node.empty()) {
+    WarnOfConfig("Community is not set: reports name no vehicle");
+  }
+  caster_.Configure(std::move(settings));
+  SubscribeRaw("APPCAST_REQ", [this](const MessagePtr& message) {
+    if (const auto* text = std::get_if<std::string>(&message->value)) {
+      caster_.OnRequest(*text, now());
+    }
+  });
+}
+
+void App::Iterate(Seconds now) {
+  ++iteration_;
+  Tick(now);
+  if (caster_.IsDue(now)) {
+    Cast(now);
+  }
+}
+
+void App::End(Seconds now) {
+  Finish(now);
+  if (!context_.runs_live) {
+    Cast(now);
+  }
+}
+
+void App::Cast(Seconds now) {
+  ReportLines body;
+  Report(body);
+  PublishRaw("APPCAST", EncodeAppCast(caster_.Cast(body.lines(), iteration_, now)));
+}
+
+void App::ReportEvent(std::string_view text) { caster_.AddEvent(now() - created_, text); }
 
 void App::Deliver(const MessagePtr& message) {
   const auto found = handlers_.find(message->name);
@@ -50,12 +91,16 @@ void App::PublishRaw(std::string name, Value value, std::string source_aux) {
 void App::Warn(const std::string& id, const std::string& text) {
   const auto [position, is_new] = warnings_.try_emplace(id, text);
   if (is_new) {
+    caster_.RaiseWarning(id, text);
+    ReportEvent(fmt::format("warning {}: {}", id, text));
     PublishWarnings();
   }
 }
 
 void App::ClearWarning(const std::string& id) {
   if (warnings_.erase(id) > 0) {
+    caster_.ClearWarning(id);
+    ReportEvent(fmt::format("cleared {}", id));
     PublishWarnings();
   }
 }

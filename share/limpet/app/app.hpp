@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "limpet/app/app_caster.hpp"
+#include "limpet/app/report_lines.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/core/message.hpp"
 #include "limpet/core/random.hpp"
@@ -79,9 +81,18 @@ class App {
   virtual void Attend(Seconds now) { static_cast<void>(now); }
   /// Called once at an orderly end, after the last mail.
   virtual void Finish(Seconds now) { static_cast<void>(now); }
+  /// The body of the report that operators see (APPCAST); made only when somebody looks.
+  virtual void Report(ReportLines& report) const { static_cast<void>(report); }
 
   /// Hands one message to its handlers. For the runner.
   void Deliver(const MessagePtr& message);
+  /// Answers APPCAST_REQ from now on. For the runner, before the first mail.
+  void StartReporting(CastSettings settings);
+  /// Tick, and the report if one is due. For the runner.
+  void Iterate(Seconds now);
+  /// Finish, and embedded the last report: it stays in the log. For the runner.
+  void End(Seconds now);
+  [[nodiscard]] std::int64_t iteration() const { return iteration_; }
   [[nodiscard]] const std::string& name() const { return context_.name; }
   /// Warnings now raised, id to text.
   [[nodiscard]] const std::map<std::string, std::string>& warnings() const { return warnings_; }
@@ -115,6 +126,10 @@ class App {
   /// Raises a health warning; published once per change as <APP>_WARNINGS.
   void Warn(const std::string& id, const std::string& text);
   void ClearWarning(const std::string& id);
+  /// Something that an operator may want to have seen; the report lists the last few.
+  void ReportEvent(std::string_view text);
+  /// A doubt about the configuration: in the report from now on.
+  void WarnOfConfig(std::string text) { caster_.AddConfigWarning(std::move(text)); }
 
   [[nodiscard]] Seconds now() const { return context_.link->Now(); }
   /// This app's own random stream; `part` names one user of it.
@@ -125,11 +140,15 @@ class App {
   using Handler = std::function<void(const MessagePtr&)>;
   void AddHandler(const std::string& name, Seconds interval, Handler handler);
   void PublishWarnings();
+  void Cast(Seconds now);
 
   AppContext context_;
   std::unordered_map<std::string, std::vector<Handler>> handlers_;
   std::vector<std::pair<WildcardFilter, Handler>> wildcard_handlers_;
   std::map<std::string, std::string> warnings_;
+  AppCaster caster_;
+  Seconds created_;
+  std::int64_t iteration_ = 0;
 };
 
 }  // namespace limpet

@@ -40,7 +40,7 @@ class EmbeddedCommunity::Impl {
     Hosted& hosted = **next;
     elapsed_ = hosted.NextTick();
     ++hosted.ticks;
-    hosted.app->Tick(now());
+    hosted.app->Iterate(now());
     DeliverAll();
   }
 
@@ -88,7 +88,7 @@ class EmbeddedCommunity::Impl {
 
   void Finish() {
     for (const auto& hosted : hosted_) {
-      hosted->app->Finish(now());
+      hosted->app->End(now());
       DeliverAll();
     }
   }
@@ -147,7 +147,9 @@ class EmbeddedCommunity::Impl {
     hosted->client = *client;
     hosted->name = name;
     hosted->tick_hz = AppTickRate(config, entry->second.default_tick_hz);
+    CastSettings casts = ReadCastSettings(config);
     hosted->app = entry->second.create(ContextFor(name, hosted.get()), config);
+    hosted->app->StartReporting(std::move(casts));
     hosted_.push_back(std::move(hosted));
   }
 

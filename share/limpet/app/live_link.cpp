@@ -30,13 +30,16 @@ TcpClientOptions LiveLink::Listening(TcpClientOptions options) {
 LiveLink::LiveLink(TcpClientOptions options) : client_(Listening(std::move(options))) {}
 
 void LiveLink::Publish(std::string name, Value value, std::string source_aux) {
+  published_.insert(name);
   client_.PublishValue(name, value, source_aux);
 }
 void LiveLink::Forward(const Message& message) { client_.Send(ViewOf(message)); }
 void LiveLink::Subscribe(const std::string& name, Seconds interval) {
+  subscribed_.insert(name);
   client_.Subscribe(name, interval);
 }
 void LiveLink::SubscribeWildcard(const WildcardFilter& filter) {
+  subscribed_.insert(filter.variable_pattern);
   client_.SubscribeWildcard(filter);
 }
 

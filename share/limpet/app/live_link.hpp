@@ -3,6 +3,7 @@
 
 #include <condition_variable>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ class LiveLink final : public AppLink {
 
   /// All mail so far, waiting for some until `deadline` (steady time) if there is none.
   [[nodiscard]] std::vector<MessagePtr> TakeMail(Seconds deadline);
+  /// Names of what this app has written, and of what it wants to hear.
+  [[nodiscard]] const std::set<std::string>& published() const { return published_; }
+  [[nodiscard]] const std::set<std::string>& subscribed() const { return subscribed_; }
   /// Ends a wait.
   void Wake() override;
   [[nodiscard]] const TcpClient& client() const { return client_; }
@@ -36,6 +40,7 @@ class LiveLink final : public AppLink {
   std::condition_variable arrival_;
   std::vector<MessagePtr> inbox_;
   bool is_woken_ = false;
+  std::set<std::string> published_, subscribed_;  ///< of the app's own thread
   TcpClient client_;  ///< last: its thread ends before what it writes to
 };
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "limpet/app/app_command.hpp"
+#include "limpet/app/app_status.hpp"
 #include "limpet/app/app_tick.hpp"
 #include "limpet/app/live_link.hpp"
 #include "limpet/app/registry.hpp"
@@ -47,20 +48,28 @@ std::string Example(const std::string& process, const AppEntry& entry) {
   return text + "}\n";
 }
 
+constexpr Seconds kStatusPeriod(2.0);  ///< real time
+
 /// Mail as it comes, Tick on time; a tick that is missed is left out, never made up for.
 void Loop(App& app, LiveLink& link, Seconds period) {
+  AppStatus status(app.name(), link.Now());
   Seconds next = SteadyTime() + period;
+  Seconds next_status = SteadyTime();
   while (!EndIsRequested()) {
     for (const MessagePtr& message : link.TakeMail(std::min(next, SteadyTime() + kLongestWait))) {
       app.Deliver(message);
     }
     app.Attend(link.Now());
     if (const Seconds now = SteadyTime(); now >= next) {
-      app.Tick(link.Now());
+      app.Iterate(link.Now());
       next = std::max(next + period, now);
+      if (now >= next_status) {
+        next_status = now + kStatusPeriod;
+        link.Publish(status.variable(), status.Text(app.iteration(), link), "");
+      }
     }
   }
-  app.Finish(link.Now());
+  app.End(link.Now());
 }
 
 /// True once connected; false if asked to end before.
@@ -107,7 +116,10 @@ int Run(const AppCommand& command, const AppEntry& entry) {
                            .seed = command.seed,
                            .runs_live = true,
                            .is_restarted = command.is_restarted};
+  CastSettings casts = ReadCastSettings(block);
+  casts.warp = command.warp;
   const std::unique_ptr<App> app = entry.create(context, block);
+  app->StartReporting(std::move(casts));
   Loop(*app, link, Seconds(1.0 / (tick_hz * command.warp)));
   return 0;
 }

@@ -21,6 +21,7 @@ struct BehaviorHost::Hosted {
   std::string last_update;
   std::unique_ptr<Behavior> behavior;
   bool is_running = false;
+  int good_updates = 0, updates = 0;
 };
 
 namespace {
@@ -178,6 +179,7 @@ void BehaviorHost::SetVariable(const std::string& name, const Value& value) {
 
 void BehaviorHost::ApplyUpdate(Hosted& hosted, const std::string& text) {
   ConfigBlock updated = hosted.block;
+  int parts = 0;
   const SourceLine where{.file = hosted.updates_variable, .line = 0};
   for (const std::string& part : Split(text, '#')) {
     const std::size_t equals = part.find('=');
@@ -190,6 +192,7 @@ void BehaviorHost::ApplyUpdate(Hosted& hosted, const std::string& text) {
       }
       continue;
     }
+    ++parts;
     if (key == "pwt") {
       hosted.weight = ParseNumber(value).value_or(hosted.weight);
       continue;
@@ -198,9 +201,11 @@ void BehaviorHost::ApplyUpdate(Hosted& hosted, const std::string& text) {
                   [&key](const ConfigEntry& e) { return EqualsIgnoringCase(e.key, key); });
     updated.entries.push_back({key, value, where});
   }
+  hosted.updates += parts;
   try {
     hosted.behavior = BehaviorRegistry().at(updated.name).create(updated);
     hosted.block = std::move(updated);
+    hosted.good_updates += parts;
     hosted.is_running = false;  // the new one is started like any other
   } catch (const ConfigError& error) {
     warnings_.push_back({"BHV_UPDATE_" + hosted.name, error.what()});
@@ -257,7 +262,9 @@ void BehaviorHost::UpdateRunState(Hosted& hosted, const VehicleState& state,
 std::vector<HelmPost> BehaviorHost::Update(const VehicleState& state) {
   std::vector<HelmPost> posts;
   const auto lookup = [this](std::string_view name) { return Find(name); };
+  mode_text_.clear();
   for (const ModeSet::Mode& mode : modes_->Evaluate(lookup, state.now)) {
+    mode_text_ += (mode_text_.empty() ? "" : "#") + mode.variable + "@" + mode.value;
     if (mode.is_changed) {
       posts.push_back({mode.variable, mode.value, "HELM_MODE"});
     }
@@ -267,6 +274,19 @@ std::vector<HelmPost> BehaviorHost::Update(const VehicleState& state) {
     UpdateRunState(*hosted, state, posts);
   }
   return posts;
+}
+
+std::vector<BehaviorStatus> BehaviorHost::Statuses() const {
+  std::vector<BehaviorStatus> statuses;
+  for (const auto& hosted : hosted_) {
+    statuses.push_back({.name = hosted->name,
+                        .type = hosted->block.name,
+                        .weight = hosted->weight,
+                        .is_running = hosted->is_running,
+                        .good_updates = hosted->good_updates,
+                        .updates = hosted->updates});
+  }
+  return statuses;
 }
 
 std::vector<BehaviorWarning> BehaviorHost::TakeWarnings() { return std::exchange(warnings_, {}); }

@@ -23,6 +23,14 @@ struct HelmPost {
   std::string aux;  ///< which behavior or rule
 };
 
+/// What one behavior is doing, for whoever watches the helm.
+struct BehaviorStatus {
+  std::string name, type;
+  double weight = 0.0;
+  bool is_running = false;
+  int good_updates = 0, updates = 0;  ///< parts of `updates` mail: applied, and all
+};
+
 /// Builds the behaviors of .bhv files and keeps their run states: modes, conditions, flags and
 /// updates, as MOOS-IvP defines them.
 class BehaviorHost {
@@ -43,6 +51,12 @@ class BehaviorHost {
   [[nodiscard]] std::vector<HelmPost> Update(const VehicleState& state);
   /// Behaviors now running, in file order.
   [[nodiscard]] const std::vector<WeightedBehavior>& running() const { return running_; }
+  /// All behaviors, in file order.
+  [[nodiscard]] std::vector<BehaviorStatus> Statuses() const;
+  /// `MODE@ACTIVE:SURVEYING`, several joined by `#`; "" without modes.
+  [[nodiscard]] const std::string& modes() const { return mode_text_; }
+  /// As IVPHELM_MODESET has it.
+  [[nodiscard]] std::string ModeTree() const { return modes_->Summary(); }
   /// Updates that could not be applied since the last call, oldest first.
   [[nodiscard]] std::vector<BehaviorWarning> TakeWarnings();
 
@@ -60,6 +74,7 @@ class BehaviorHost {
   std::map<std::string, Value, std::less<>> variables_;
   std::vector<std::unique_ptr<Hosted>> hosted_;
   std::vector<WeightedBehavior> running_;
+  std::string mode_text_;
   std::vector<BehaviorWarning> warnings_;
 };
 

@@ -101,8 +101,8 @@ inline const auto kReturn = Declare<bool>("RETURN", "end the survey and go home"
 inline const auto kManualOverride =
     Declare<bool>("MOOS_MANUAL_OVERRIDE", "true parks the helm",
                   {.rate = "on event", .writers = {"operator", "pHelm"}});
-inline const auto kHelmState = Declare<std::string>("IVPHELM_STATE", "DRIVE or PARK",
-                                                    {.rate = "on change", .writers = {"pHelm"}});
+inline const auto kHelmState =
+    Declare<std::string>("IVPHELM_STATE", "DRIVE or PARK", {.rate = "10 Hz", .writers = {"pHelm"}});
 inline const auto kHelmAllStop = Declare<std::string>(
     "IVPHELM_ALLSTOP", "clear, or why all is stopped", {.rate = "on change", .writers = {"pHelm"}});
 inline const auto kHelmPath = Declare<HelmPath>(

@@ -184,5 +184,15 @@ TEST_F(MapAppTest, SendsItsMapOnRequest) {
   EXPECT_EQ(top->label, VoxelLabel::kNew);
 }
 
+TEST_F(MapAppTest, TellsTheOperatorOfCoverageAndObjects) {
+  link_.Send(app_, topics::kSurveyArea, kArea);
+  Survey({.north = -2, .east = 1}, {kYellow});
+  Confirm({kYellow});
+  ReportLines lines;
+  app_.Report(lines);
+  EXPECT_THAT(lines.Text(), ::testing::HasSubstr("Coverage:     seabed "));
+  EXPECT_THAT(lines.Text(), ::testing::HasSubstr("yellow   4.00"));
+}
+
 }  // namespace
 }  // namespace limpet

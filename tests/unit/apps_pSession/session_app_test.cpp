@@ -159,5 +159,17 @@ TEST_F(SessionAppTest, RefusesAMissingFormerSession) {
   EXPECT_THROW(SessionApp(Context("change", folder_.path() / "nowhere"), {}), ConfigError);
 }
 
+TEST_F(SessionAppTest, TellsTheOperatorWhatIsOnDisk) {
+  SessionApp app(Context("discovery"), {});
+  app.Tick(link_.time);
+  link_.Send(app, topics::kMapOpis, OneObject());
+  link_.time += Seconds(7.0);
+  ReportLines lines;
+  app.Report(lines);
+  EXPECT_THAT(lines.Text(), testing::HasSubstr("Saved:        generation 1, 7 s ago (start)"));
+  EXPECT_THAT(lines.Text(), testing::HasSubstr("Holds:        1 objects, 0 frames"));
+  EXPECT_THAT(lines.Text(), testing::HasSubstr("Former:       none"));
+}
+
 }  // namespace
 }  // namespace limpet

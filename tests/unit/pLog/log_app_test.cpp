@@ -152,5 +152,16 @@ TEST_F(LogAppTest, ReadsAMoosLoggerBlock) {
   EXPECT_THAT(params.wildcard_omit_patterns, ElementsAre("*_STATUS", "DB_VARSUMMARY"));
 }
 
+TEST_F(LogAppTest, TellsTheOperatorWhatIsLogged) {
+  LogParams params;
+  params.wildcard_omit_patterns = {"CAMERA_FRAME"};
+  LogApp app(context_, params);
+  Send(app, "NAV_X", 1.0);
+  ReportLines lines;
+  app.Report(lines);
+  EXPECT_THAT(lines.Text(), ::testing::HasSubstr("Log:          open"));
+  EXPECT_THAT(lines.Text(), ::testing::HasSubstr("Variables:    * without CAMERA_FRAME"));
+}
+
 }  // namespace
 }  // namespace limpet

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "limpet/app/test_link.hpp"
@@ -135,6 +136,19 @@ TEST_F(NavAppTest, WarnsWhileTheDvlHasNoLock) {
   EXPECT_TRUE(app_.warnings().contains("DVL_NO_LOCK"));
   RunFor(1.0);
   EXPECT_FALSE(app_.warnings().contains("DVL_NO_LOCK"));
+}
+
+TEST_F(NavAppTest, TellsTheOperatorWhatItWaitsForAndWhereItIs) {
+  ReportLines before;
+  app_.Report(before);
+  EXPECT_THAT(before.Text(), testing::HasSubstr("waiting for heading and a GPS fix"));
+  RunFor(10.0);
+  ReportLines after;
+  app_.Report(after);
+  EXPECT_THAT(after.Text(), testing::HasSubstr("GPS fixes:    10, 0 refused"));
+  EXPECT_THAT(after.Text(), testing::HasSubstr("DVL pings:    50, 0 without bottom lock"));
+  EXPECT_THAT(after.Text(), testing::HasSubstr("Position:     north "));
+  EXPECT_THAT(after.Text(), testing::HasSubstr("No landmarks yet."));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/pPilot/pilot_app.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "limpet/app/test_link.hpp"
@@ -98,6 +99,15 @@ TEST_F(PilotAppTest, LeavesTheThrustersAloneUnderManualOverride) {
   const std::size_t count = link_.published.size();
   Tick(10);
   EXPECT_EQ(link_.published.size(), count);
+}
+
+TEST_F(PilotAppTest, TellsTheOperatorWhatIsWantedAndWhatIs) {
+  SendNav(), SendWishes();
+  Tick(10);
+  ReportLines lines;
+  app_.Report(lines);
+  EXPECT_THAT(lines.Text(), testing::HasSubstr("Thrusters:    under control"));
+  EXPECT_THAT(lines.Text(), testing::HasSubstr("speed [m/s]      0.50  0.00   0.50"));
 }
 
 }  // namespace

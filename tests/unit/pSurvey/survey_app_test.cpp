@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/pSurvey/survey_app.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "limpet/app/test_link.hpp"
@@ -173,6 +174,17 @@ TEST(SurveyAppConfiguration, RefusesAnEmptyArea) {
   SurveyApp::Params params;
   params.north_max = Meters(-20.0);
   EXPECT_THROW(SurveyApp(ContextOn(link), params), ConfigError);
+}
+
+TEST_F(SurveyAppTest, TellsTheOperatorPhaseProgressAndTimeToGo) {
+  ReachSurvey();
+  link_.Send(app_, topics::kMapCoverage, Coverage{0.5, 0.5, 0.39});
+  Tick(100.0);
+  ReportLines lines;
+  app_.Report(lines);
+  EXPECT_THAT(lines.Text(), testing::HasSubstr("Phase:        SURVEY for 100 s"));
+  EXPECT_THAT(lines.Text(), testing::HasSubstr("Covered:      39.0 % of 97.5 % (band_top)"));
+  EXPECT_THAT(lines.Text(), testing::HasSubstr("about 150 s"));
 }
 
 }  // namespace

@@ -64,5 +64,14 @@ TEST(SimSensorsApp, GivesOtherNoiseForAnotherSeed) {
   EXPECT_NE(TenSeconds(3.5, 7).mail.back()->value, TenSeconds(3.5, 8).mail.back()->value);
 }
 
+TEST(SimSensorsApp, TellsTheOperatorWhatItSent) {
+  TestLink link;
+  SimSensorsApp app(ContextFor(link), Scenario{});
+  link.Send(app, topics::kSimTruth, SimTruth{});
+  ReportLines lines;
+  app.Report(lines);
+  EXPECT_NE(lines.Text().find("  IMU_DATA             50        1"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace limpet

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pHelm/helm_drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace limpet {
+namespace {
+
+constexpr double kSagitta = 0.02;  ///< [m] of a chord
+
+PolygonShape Rectangle(const SurveyArea& area, double margin) {
+  const double north = area.north_max + margin, south = area.north_min - margin;
+  const double east = area.east_max + margin, west = area.east_min - margin;
+  return {{MapPointOf(south, west), MapPointOf(south, east), MapPointOf(north, east),
+           MapPointOf(north, west)}};
+}
+
+/// Chords for an arc: the sagitta of a chord of angle a on radius r is r (1 - cos(a/2)).
+int ChordsOf(const PathSegment& segment) {
+  const double curvature = std::abs(segment.curvature);
+  if (curvature < 1e-6) {
+    return 1;
+  }
+  const double angle = 2.0 * std::acos(std::max(0.0, 1.0 - kSagitta * curvature));
+  return std::max(1, static_cast<int>(std::ceil(curvature * segment.length / angle)));
+}
+
+Shape OptionEnd(std::string label, const BiddenOption& option) {
+  return {.label = std::move(label),
+          .form = PointShape{MapPointOf(option.end[0], option.end[1])},
+          .style = {.msg = fmt::format("{} {:.1f}", option.source, option.total),
+                    .label_color = "gray50",
+                    .vertex_color = "gray50",
+                    .vertex_size = 3.0}};
+}
+
+}  // namespace
+
+std::vector<MapPoint> MapPointsOf(const DubinsPath& path) {
+  Pose2 pose = path.start();
+  std::vector<MapPoint> points{MapPointOf(pose.north, pose.east)};
+  for (const PathSegment& segment : path.segments()) {
+    const int chords = ChordsOf(segment);
+    for (int i = 0; i < chords; ++i) {
+      pose = Advance(pose, segment.curvature, segment.length / chords);
+      points.push_back(MapPointOf(pose.north, pose.east));
+    }
+  }
+  return points;
+}
+
+HelmDrawing::HelmDrawing(std::string vehicle, ShapeBoard::Post post)
+    : vehicle_(std::move(vehicle)), board_(std::move(post)) {}
+
+std::string HelmDrawing::Label(const std::string& what) const {
+  return vehicle_.empty() ? what : vehicle_ + "_" + what;
+}
+
+void HelmDrawing::DrawArea(const SurveyArea& area) {
+  board_.Draw({.label = Label("area"),
+               .form = Rectangle(area, 0.0),
+               .style = {.label_color = "yellow",
+                         .edge_color = "yellow",
+                         .vertex_color = "invisible",
+                         .edge_size = 1.0}});
+  board_.Draw({.label = Label("region"),
+               .form = Rectangle(area, area.margin),
+               .style = {.label_color = "invisible",
+                         .edge_color = "gray50",
+                         .vertex_color = "invisible",
+                         .edge_size = 1.0}});
+}
+
+void HelmDrawing::DrawHome(const HomePoint& home) {
+  board_.Draw(
+      {.label = Label("home"),
+       .form = PointShape{MapPointOf(home.north, home.east)},
+       .style = {
+           .msg = "home", .label_color = "green", .vertex_color = "green", .vertex_size = 5.0}});
+}
+
+void HelmDrawing::DrawDecision(const ViewDecision& decision) {
+  has_path_ = true;
+  const Option& chosen = *decision.chosen;
+  board_.Draw({.label = Label("path"),
+               .form = SeglistShape{MapPointsOf(chosen.path)},
+               .style = {.msg = fmt::format("{} {:.0f} m", chosen.source, chosen.path.length()),
+                         .label_color = "white",
+                         .edge_color = "white",
+                         .vertex_color = "invisible",
+                         .edge_size = 2.0}});
+  std::vector<Shape> others;
+  for (std::size_t i = 1; i < decision.bids.options.size(); ++i) {
+    others.push_back(OptionEnd(Label(fmt::format("option_{}", i)), decision.bids.options[i]));
+  }
+  board_.Replace(Label("option_"), others);
+}
+
+void HelmDrawing::ErasePath() {
+  if (has_path_) {
+    has_path_ = false;
+    board_.Replace(Label("path"), {});
+    board_.Replace(Label("option_"), {});
+  }
+}
+
+}  // namespace limpet

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What an operator sees of the map.
+#include <fmt/format.h>
+
+#include "apps/pMap/map_app.hpp"
+
+namespace limpet {
+
+void MapApp::Report(ReportLines& report) const {
+  report.Pair("Phase", phase_.empty() ? "none announced: every frame counts" : phase_);
+  report.Pair("Frames used", std::to_string(book_.sights().size()));
+  report.Pair("Altitude", altitude_ ? fmt::format("{:.2f} m, {:.1f} s old", altitude_->value,
+                                                  (now() - altitude_->time).value())
+                                    : "never heard");
+  if (!grid_) {
+    report.Pair("Coverage", "no SURVEY_AREA yet");
+  } else {
+    const Coverage seen = grid_->coverage();
+    report.Pair("Coverage",
+                fmt::format("seabed {:.1f} %, band {:.1f} %, its top {:.1f} %", 100.0 * seen.seabed,
+                            100.0 * seen.band, 100.0 * seen.band_top));
+  }
+  report.Blank();
+  if (objects_.empty()) {
+    report.Add("No objects yet.");
+    return;
+  }
+  ReportTable table({">id", "class", ">north", ">east", ">down", "status", ">there", ">looks",
+                     ">boxes", ">former"});
+  for (const ObjectStatus& object : objects_) {
+    const Eigen::Vector3d& ned = object.object.ned;
+    table.AddRow({std::to_string(object.id), object.object.color, fmt::format("{:.2f}", ned.x()),
+                  fmt::format("{:.2f}", ned.y()), fmt::format("{:.2f}", ned.z()),
+                  std::string(NameOf(object.decided)),
+                  fmt::format("{:.3f}", object.posterior.present()), std::to_string(object.looks),
+                  std::to_string(object.looks_with_box),
+                  object.former < 0 ? "-" : std::to_string(object.former)});
+  }
+  report.Add(table);
+}
+
+}  // namespace limpet

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// What an operator sees of the navigation.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "apps/pNav/nav_app.hpp"
+
+namespace limpet {
+namespace {
+
+void AddLandmarks(const std::vector<LandmarkEstimate>& landmarks, ReportLines& report) {
+  if (landmarks.empty()) {
+    report.Add("No landmarks yet.");
+    return;
+  }
+  ReportTable table(
+      {">landmark", "class", ">north", ">east", ">down", ">sd n", ">sd e", ">looks", ">former"});
+  for (const LandmarkEstimate& landmark : landmarks) {
+    const auto sd = [&landmark](int axis) { return std::sqrt(landmark.covariance(axis, axis)); };
+    table.AddRow({std::to_string(landmark.id), landmark.color,
+                  fmt::format("{:.2f}", landmark.p.x()), fmt::format("{:.2f}", landmark.p.y()),
+                  fmt::format("{:.2f}", landmark.p.z()), fmt::format("{:.2f}", sd(0)),
+                  fmt::format("{:.2f}", sd(1)), std::to_string(landmark.looks),
+                  landmark.prior_id < 0 ? "-" : std::to_string(landmark.prior_id)});
+  }
+  report.Add(table);
+}
+
+}  // namespace
+
+void NavApp::Report(ReportLines& report) const {
+  const NavigatorCounts& refused = navigator_.counts();
+  report.Pair("Alignment", attitude_.is_aligned() ? "done" : "under way");
+  report.Pair("GPS fixes", fmt::format("{}, {} refused", gps_fixes_, refused.fixes));
+  report.Pair("DVL pings", fmt::format("{}, {} without bottom lock, {} refused", dvl_pings_,
+                                       dvl_pings_without_lock_, refused.velocities));
+  report.Pair("Depths", fmt::format("{} refused", refused.depths));
+  report.Pair("Frames", fmt::format("{} came too late", refused.late_frames));
+  if (!navigator_.has_started()) {
+    report.Pair("State", "waiting for heading and a GPS fix");
+    return;
+  }
+  const NavigatorEstimate now_at = navigator_.Estimate(now().value());
+  const Eigen::Vector3d& p_WB = now_at.X_WB.p_WB;
+  report.Pair("Position", fmt::format("north {:.2f}, east {:.2f}, down {:.2f} m", p_WB.x(),
+                                      p_WB.y(), p_WB.z()));
+  report.Pair("1-sigma", fmt::format("{:.2f}, {:.2f}, {:.2f} m", now_at.sd_p.x(), now_at.sd_p.y(),
+                                     now_at.sd_p.z()));
+  report.Pair("Heading",
+              fmt::format("{:.1f} deg, 1-sigma {:.2f} deg", MoosHeadingFromYaw(now_at.X_WB.yaw),
+                          Radians(now_at.sd_yaw).in_text_unit()));
+  report.Pair("Velocity", fmt::format("{:.2f} ahead, {:.2f} to starboard, {:.2f} down m/s",
+                                      now_at.v_B.x(), now_at.v_B.y(), now_at.v_B.z()));
+  report.Pair("Altitude",
+              now_at.altitude ? fmt::format("{:.2f} m", *now_at.altitude) : "no bottom lock");
+  report.Pair("Smoother", fmt::format("{} poses", navigator_.node_count()));
+  report.Blank();
+  AddLandmarks(navigator_.Landmarks(), report);
+}
+
+}  // namespace limpet

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What an operator sees of the controls.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "apps/pPilot/pilot_app.hpp"
+#include "limpet/core/frames.hpp"
+
+namespace limpet {
+
+void PilotApp::Report(ReportLines& report) const {
+  report.Pair("Thrusters", is_manual_   ? "left alone: manual override"
+                           : last_step_ ? "under control"
+                                        : "at rest");
+  ReportTable table({"", ">wanted", ">is", ">error"});
+  const auto add = [&table](const char* name, const Latest<double>& wanted, double is,
+                            double error) {
+    table.AddRow({name, wanted ? fmt::format("{:.2f}", wanted->value) : "-",
+                  fmt::format("{:.2f}", is), wanted ? fmt::format("{:.2f}", error) : "-"});
+  };
+  if (!nav_) {
+    report.Pair("Navigation", "not heard yet");
+    return;
+  }
+  const NavState& nav = nav_->value;
+  const double heading_deg = MoosHeadingFromYaw(nav.yaw);
+  const double speed = std::hypot(nav.u, nav.v);
+  const auto wanted = [](const Latest<double>& latest) { return latest ? latest->value : 0.0; };
+  report.Blank();
+  add("heading [deg]", heading_, heading_deg,
+      std::remainder(wanted(heading_) - heading_deg, 360.0));
+  add("speed [m/s]", speed_, speed, wanted(speed_) - speed);
+  add("depth [m]", depth_, nav.down, wanted(depth_) - nav.down);
+  report.Add(table);
+  report.Blank();
+  const ThrusterCommand& c = command_;
+  report.Pair("Command", fmt::format("{:+.2f} {:+.2f} {:+.2f} {:+.2f} {:+.2f} {:+.2f}", c.t1, c.t2,
+                                     c.t3, c.t4, c.t5, c.t6));
+}
+
+}  // namespace limpet

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// What an operator sees of the mission.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "apps/pSurvey/survey_app.hpp"
+
+namespace limpet {
+
+/// From the mean rate of coverage so far. The last few percent take longer than that says.
+std::optional<Seconds> SurveyApp::TimeToTarget() const {
+  const double seconds = (now() - phase_since_).value();
+  const double share = CoveredShare(coverage_);
+  if (phase_ != Phase::kSurvey || share < 0.05 || seconds <= 0.0) {
+    return std::nullopt;
+  }
+  return Seconds(std::max(0.0, params_.coverage_target - share) * seconds / share);
+}
+
+void SurveyApp::Report(ReportLines& report) const {
+  report.Pair("Phase",
+              fmt::format("{} for {:.0f} s", NameOf(phase_), (now() - phase_since_).value()));
+  report.Pair("Area", fmt::format("north {:g} to {:g}, east {:g} to {:g} m, margin {:g} m",
+                                  params_.north_min.value(), params_.north_max.value(),
+                                  params_.east_min.value(), params_.east_max.value(),
+                                  params_.margin.value()));
+  if (deployed_) {
+    report.Pair("Under way", fmt::format("{:.0f} s of at most {:.0f} s",
+                                         (now() - *deployed_).value(), params_.max_time.value()));
+  }
+  report.Pair("Covered", fmt::format("{:.1f} % of {:.1f} % ({})", 100.0 * CoveredShare(coverage_),
+                                     100.0 * params_.coverage_target, params_.coverage_kind));
+  const auto left = TimeToTarget();
+  report.Pair("To go", left ? fmt::format("about {:.0f} s at the mean rate so far", left->value())
+                            : "not known");
+  const auto open =
+      std::ranges::count_if(opis_.opis, [this](const OpiBelief& opi) { return WantsRevisit(opi); });
+  report.Pair("Objects", fmt::format("{}, {} still want a look", opis_.opis.size(), open));
+  if (home_ && nav_) {
+    report.Pair("Home", fmt::format("north {:.1f}, east {:.1f} m, {:.1f} m away", home_->north,
+                                    home_->east, DistanceHome()));
+  }
+  if (phase_ == Phase::kDone) {
+    report.Pair("Ended", ended_);
+  }
+}
+
+}  // namespace limpet

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+namespace limpet {
+
+/// A place on the WGS84 ellipsoid [deg].
+struct GeoPoint {
+  double latitude_deg = 0.0;
+  double longitude_deg = 0.0;
+};
+
+/// The local grid: the plane that touches the ellipsoid at the datum, axes true north and east
+/// there. (MOOS's viewers lay a UTM grid instead: turned by its convergence, up to 3 deg, and up to
+/// 0.04 % shorter.)
+class LocalGrid {
+ public:
+  explicit LocalGrid(const GeoPoint& datum);
+
+  /// The place below a point of the plane.
+  [[nodiscard]] GeoPoint At(double north, double east) const;
+
+ private:
+  Eigen::Vector3d origin_, north_, east_;  ///< earth-centred, earth-fixed
+};
+
+}  // namespace limpet

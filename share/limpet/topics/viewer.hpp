@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// What operator displays of the MOOS world read: pMarineViewer, uMAC, uHelmScope, alogview.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "limpet/topics/topic.hpp"
+
+namespace limpet {
+
+/// Where a vehicle is and what it does, as one line of `KEY=value`.
+struct NodeReport {
+  std::string name;
+  double x = 0.0, y = 0.0;  ///< east, north of the datum [m]
+  double speed = 0.0;       ///< [m/s]
+  double heading_deg = 0.0;
+  std::optional<double> depth{}, latitude_deg{}, longitude_deg{};
+  std::string type{}, color{}, group{};
+  std::string mode{};     ///< `MODE@ACTIVE:SURVEYING`, PARK, NOHELM-12, ...
+  std::string allstop{};  ///< clear, ManualOverride, ...
+  std::optional<double> altitude{};
+  std::optional<double> yaw{};  ///< counter-clockwise from east [rad]
+  double time = 0.0;            ///< UTC in MOOS time [s]
+  std::optional<double> length{}, beam{};
+  template <class V>
+  void Describe(V& visit) {
+    visit("NAME", name), visit("X", x), visit("Y", y), visit("SPD", speed);
+    visit("HDG", heading_deg), visit("DEP", depth), visit("LAT", latitude_deg);
+    visit("LON", longitude_deg), visit("TYPE", type), visit("COLOR", color);
+    visit("GROUP", group), visit("MODE", mode), visit("ALLSTOP", allstop);
+    visit("ALTITUDE", altitude), visit("YAW", yaw), visit("TIME", time);
+    visit("LENGTH", length), visit("BEAM", beam);
+  }
+  bool operator==(const NodeReport&) const = default;
+};
+
+/// Two decimals without trailing zeros, eight for LAT and LON, seven for YAW; keys of either case
+/// and MOOS's aliases (SPEED, HEADING, DEPTH, LEN, ALT, UTC_TIME) are read.
+template <>
+struct TopicCodec<NodeReport> {
+  [[nodiscard]] static Value Encode(const NodeReport& report);
+  [[nodiscard]] static std::optional<NodeReport> Decode(const Value& value);
+};
+
+namespace topics {
+inline const auto kAppCast =
+    Declare<std::string>("APPCAST", "an app's report for operators; embedded, only at the end",
+                         {.rate = "on APPCAST_REQ", .writers = {"every app"}});
+inline const auto kAppCastRequest =
+    Declare<std::string>("APPCAST_REQ", "asks for reports: node=,app=,duration=,key=,thresh=",
+                         {.rate = "1 Hz while somebody looks", .writers = {"uMAC", "viewers"}});
+inline const auto kNodeReportLocal = Declare<NodeReport>(
+    "NODE_REPORT_LOCAL", "where this vehicle is and what it does",
+    {.unit = "m, m/s, deg", .frame = "x east, y north", .writers = {"pNodeReporter"}});
+inline const auto kViewPoint = Declare<std::string>(
+    "VIEW_POINT", "home; where the next options end",
+    {.unit = "m", .frame = "x east, y north", .rate = "on change", .writers = {"pHelm"}});
+inline const auto kViewSeglist = Declare<std::string>(
+    "VIEW_SEGLIST", "the path in force",
+    {.unit = "m", .frame = "x east, y north", .rate = "on change", .writers = {"pHelm"}});
+inline const auto kViewPolygon = Declare<std::string>(
+    "VIEW_POLYGON", "area and operating region",
+    {.unit = "m", .frame = "x east, y north", .rate = "on change", .writers = {"pHelm"}});
+inline const auto kViewCircle = Declare<std::string>(
+    "VIEW_CIRCLE", "1-sigma of each object",
+    {.unit = "m", .frame = "x east, y north", .rate = "on change", .writers = {"pMap"}});
+inline const auto kViewMarker = Declare<std::string>(
+    "VIEW_MARKER", "objects, colored by status",
+    {.unit = "m", .frame = "x east, y north", .rate = "on change", .writers = {"pMap"}});
+
+inline const auto kHelmSummary = Declare<std::string>(
+    "IVPHELM_SUMMARY", "the helm's decision and its behaviors; after the first what changed",
+    {.rate = "10 Hz", .writers = {"pHelm"}});
+inline const auto kHelmRejournal =
+    Declare<std::string>("IVPHELM_REJOURNAL", "asks for a whole IVPHELM_SUMMARY",
+                         {.rate = "on event", .writers = {"pNodeReporter", "uHelmScope"}});
+inline const auto kHelmIteration = Declare<double>("IVPHELM_ITER", "iterations of the helm",
+                                                   {.rate = "10 Hz", .writers = {"pHelm"}});
+inline const auto kHelmDomain =
+    Declare<std::string>("IVPHELM_DOMAIN", "decision variables: name,low,high,points joined by `:`",
+                         {.rate = "once", .writers = {"pHelm"}});
+inline const auto kHelmModeSet =
+    Declare<std::string>("IVPHELM_MODESET", "mode variables and their parent,child pairs",
+                         {.rate = "once", .writers = {"pHelm"}});
+inline const auto kHelmBehaviorCount = Declare<double>("IVPHELM_BHV_CNT", "behaviors that exist",
+                                                       {.rate = "once", .writers = {"pHelm"}});
+inline const auto kHelmLifeEvent = Declare<std::string>("IVPHELM_LIFE_EVENT", "a behavior was made",
+                                                        {.rate = "on event", .writers = {"pHelm"}});
+inline const auto kHelmRegister = Declare<std::string>(
+    "IVPHELM_REGISTER", "a variable that the behavior files make the helm hear",
+    {.rate = "once each", .writers = {"pHelm"}});
+inline const auto kHelmStateVars =
+    Declare<std::string>("IVPHELM_STATEVARS", "variables of conditions, modes and updates",
+                         {.rate = "once", .writers = {"pHelm"}});
+inline const auto kHelmActive =
+    Declare<std::string>("IVPHELM_BHV_ACTIVE", "behaviors that run and bid",
+                         {.rate = "on change", .writers = {"pHelm"}});
+inline const auto kHelmRunning =
+    Declare<std::string>("IVPHELM_BHV_RUNNING", "behaviors that run without a bid",
+                         {.rate = "on change", .writers = {"pHelm"}});
+inline const auto kHelmIdle =
+    Declare<std::string>("IVPHELM_BHV_IDLE", "behaviors whose conditions do not hold",
+                         {.rate = "on change", .writers = {"pHelm"}});
+}  // namespace topics
+
+}  // namespace limpet

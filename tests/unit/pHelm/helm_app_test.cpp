@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// What an operator's displays hear of the helm.
+#include "apps/pHelm/helm_app.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limpet/app/test_link.hpp"
+#include "limpet/helm/registry.hpp"
+#include "limpet/topics/viewer.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace limpet {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// Steers north at half a metre per second.
+class BHV_TestNorth final : public Behavior {
+ public:
+  struct Params {
+    template <class V>
+    void Describe(V&) {}
+  };
+  explicit BHV_TestNorth(const Params&) {}
+  [[nodiscard]] MotionBid Move(const VehicleState&) override {
+    MotionBid bid;
+    bid.course = Peak{.summit = 0.0, .flat_half_width = 0.0, .base_half_width = 1.0};
+    bid.speed = Peak{.summit = 0.5, .flat_half_width = 0.0, .base_half_width = 1.0};
+    bid.depth = Peak{.summit = 3.0, .flat_half_width = 0.0, .base_half_width = 1.0};
+    return bid;
+  }
+};
+LIMPET_REGISTER_BEHAVIOR(BHV_TestNorth);
+
+constexpr const char* kBehaviors = R"(
+set MODE = ACTIVE {
+  DEPLOY = true
+} INACTIVE
+
+Behavior = BHV_TestNorth
+{
+  name      = north
+  condition = MODE = ACTIVE
+}
+)";
+
+class HelmAppTest : public ::testing::Test {
+ protected:
+  HelmAppTest() {
+    std::ofstream(folder_.path() / "mission.bhv") << kBehaviors;
+    AppContext context;
+    context.name = "pHelm";
+    context.link = &link_;
+    context.mission_folder = folder_.path();
+    context.globals = {{"Community", "alpha", {}}};
+    app_ = std::make_unique<HelmApp>(context, HelmApp::Params{});
+  }
+  void Tick() {
+    link_.time += Seconds(0.1);
+    app_->Tick(link_.time);
+  }
+  void Deploy() {
+    link_.Send(*app_, topics::kNavState, NavState{});
+    link_.Send(*app_, topics::kDeploy, true);
+  }
+  std::vector<std::string> Posts(const std::string& variable) const {
+    std::vector<std::string> values;
+    for (const MessagePtr& message : link_.published) {
+      if (message->name == variable && std::holds_alternative<std::string>(message->value)) {
+        values.push_back(std::get<std::string>(message->value));
+      }
+    }
+    return values;
+  }
+
+  TemporaryFolder folder_;
+  TestLink link_;
+  std::unique_ptr<HelmApp> app_;
+};
+
+TEST_F(HelmAppTest, IntroducesItselfOnce) {
+  Tick();
+  Tick();
+  EXPECT_THAT(Posts("IVPHELM_MODESET"), ElementsAre("MODE#---,ACTIVE#---,INACTIVE"));
+  EXPECT_THAT(Posts("IVPHELM_DOMAIN"),
+              ElementsAre("course,0,359,360:speed,0,1,21:depth,0,100,1001"));
+  EXPECT_THAT(Posts("IVPHELM_LIFE_EVENT"),
+              ElementsAre("iter=0,time=0.00, bname=north, btype=BHV_TestNorth, event=spawn, "
+                          "seed=helm_startup,iter=1"));
+  EXPECT_THAT(Posts("IVPHELM_REGISTER"), ElementsAre("DEPLOY", "MODE"));
+}
+
+TEST_F(HelmAppTest, SaysItsStateEachIterationAndItsAllStopOnChange) {
+  Tick();
+  Deploy();
+  Tick();
+  Tick();
+  EXPECT_THAT(Posts("IVPHELM_STATE"), ElementsAre("DRIVE", "DRIVE", "DRIVE"));
+  EXPECT_THAT(Posts("IVPHELM_ALLSTOP"), ElementsAre("MissingNav", "clear"));
+  link_.Send(*app_, topics::kManualOverride, true);
+  Tick();
+  EXPECT_EQ(Posts("IVPHELM_STATE").back(), "PARK");
+  EXPECT_EQ(Posts("IVPHELM_ALLSTOP").back(), "ManualOverride");
+}
+
+TEST_F(HelmAppTest, ABehaviorIsIdleThenActive) {
+  link_.Send(*app_, topics::kNavState, NavState{});
+  Tick();
+  EXPECT_THAT(Posts("IVPHELM_BHV_IDLE"), ElementsAre("north"));
+  Deploy();
+  Tick();
+  EXPECT_THAT(Posts("IVPHELM_BHV_ACTIVE"), ElementsAre("north"));
+  EXPECT_THAT(Posts("IVPHELM_SUMMARY").back(), HasSubstr("modes=MODE@ACTIVE"));
+}
+
+TEST_F(HelmAppTest, ReportsModeDecisionAndBehaviors) {
+  Deploy();
+  Tick();
+  ReportLines lines;
+  app_->Report(lines);
+  const std::string text = lines.Text();
+  EXPECT_THAT(text, HasSubstr("State:        DRIVE, all-stop clear"));
+  EXPECT_THAT(text, HasSubstr("Mode:         MODE@ACTIVE"));
+  EXPECT_THAT(text, HasSubstr("Speed:        0.5 m/s"));
+  EXPECT_THAT(text, HasSubstr("  north     BHV_TestNorth  100  active"));
+}
+
+TEST_F(HelmAppTest, DrawsAreaAndHomeForTheOperator) {
+  link_.Send(*app_, topics::kSurveyArea,
+             SurveyArea{.north_min = -1, .north_max = 1, .east_min = -2, .east_max = 2});
+  link_.Send(*app_, topics::kSurveyHome, HomePoint{.north = 3.0, .east = 4.0});
+  EXPECT_THAT(Posts("VIEW_POLYGON").at(0), HasSubstr("pts={-2,-1:2,-1:2,1:-2,1},label=alpha_area"));
+  EXPECT_THAT(Posts("VIEW_POINT").at(0), HasSubstr("x=4,y=3,label=alpha_home"));
+}
+
+}  // namespace
+}  // namespace limpet
