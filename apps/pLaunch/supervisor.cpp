@@ -65,7 +65,6 @@ void Supervisor::Launch(Child& child) {
   child.is_due = false;
   ++child.starts;
   if (child.pid != 0) {
-    ++child.starts;
     if (child.pid < 0) {
       child.pid = 0;
       say_(fmt::format("{} cannot be started: {}", child.item.name, std::strerror(errno)));
@@ -85,7 +84,7 @@ void Supervisor::Launch(Child& child) {
   for (const auto& [name, value] : environment_) {
     ::setenv(name.c_str(), value.c_str(), 1);  // NOLINT(concurrency-mt-unsafe): one thread here
   }
-  if (child.starts > 0) {
+  if (child.starts > 1) {
     ::setenv("LIMPET_RESTARTED", "1", 1);  // NOLINT(concurrency-mt-unsafe)
   }
   ::execv(argv[0], argv.data());

@@ -50,9 +50,12 @@ inline const auto kAppCast =
 inline const auto kAppCastRequest =
     Declare<std::string>("APPCAST_REQ", "asks for reports: node=,app=,duration=,key=,thresh=",
                          {.rate = "1 Hz while somebody looks", .writers = {"uMAC", "viewers"}});
-inline const auto kNodeReportLocal = Declare<NodeReport>(
-    "NODE_REPORT_LOCAL", "where this vehicle is and what it does",
-    {.unit = "m, m/s, deg", .frame = "x east, y north", .writers = {"pNodeReporter"}});
+inline const auto kNodeReportLocal =
+    Declare<NodeReport>("NODE_REPORT_LOCAL", "where this vehicle is and what it does",
+                        {.unit = "m, m/s, deg",
+                         .frame = "x east, y north",
+                         .rate = "2 Hz",
+                         .writers = {"pNodeReporter"}});
 inline const auto kViewPoint = Declare<std::string>(
     "VIEW_POINT", "home; where the next options end",
     {.unit = "m", .frame = "x east, y north", .rate = "on change", .writers = {"pHelm"}});

@@ -19,7 +19,7 @@ class VehicleSimulation {
  public:
   struct Place {
     double north = 0.0, east = 0.0, yaw = 0.0;
-    std::optional<double> down;  ///< where it floats, if not given
+    std::optional<double> down = std::nullopt;  ///< where it floats, if not given
   };
   /// Starts at rest at `start`.
   VehicleSimulation(VehicleModel model, const Place& start, IntegratorKind kind);
