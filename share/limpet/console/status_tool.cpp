@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -89,7 +90,10 @@ int PrintStatus(std::span<const std::string> args) {
   for (const std::string& line : status.Losses()) {
     PrintFrame({FrameLine().Add(OneLine(line), Ink::kLate)});
   }
-  std::string verdict = rows.empty() ? "no process but the database" : "all present";
+  const bool is_known = std::ranges::any_of(rows, &ProcessRow::is_expected);
+  std::string verdict = rows.empty() ? "no process but the database"
+                        : is_known   ? "all present"
+                                     : "guests only; a mission file says who should be there";
   if (!missing.empty()) {
     verdict = fmt::format("{} missing: {}", missing.size(), fmt::join(missing, ", "));
   }
