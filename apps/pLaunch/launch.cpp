@@ -53,6 +53,12 @@ class Watch {
     const std::lock_guard lock(mutex_);
     return up_.contains(name);
   }
+  [[nodiscard]] bool HasDatabase() const { return client_.state() == TcpClient::State::kConnected; }
+  /// A new database knows nobody.
+  void ForgetWhoIsUp() {
+    const std::lock_guard lock(mutex_);
+    up_.clear();
+  }
   [[nodiscard]] bool has_heard_the_end() const { return has_heard_the_end_; }
   TcpClient& client() { return client_; }
 
@@ -118,6 +124,10 @@ class Launch {
         Say("all up; DEPLOY = true");
         watch.client().Publish("DEPLOY", "true");
         is_deployed = true;
+      }
+      if (is_deployed && command_.deploys && !watch.HasDatabase()) {
+        watch.ForgetWhoIsUp();
+        is_deployed = false;  // the next database has to hear it too
       }
       TellStatus(watch);
       std::this_thread::sleep_for(kPollPeriod);

@@ -11,6 +11,8 @@
 namespace limpet {
 namespace {
 
+/// Live, the database and whoever listens may have been started again meanwhile.
+constexpr Seconds kTellPeriod(10.0);
 constexpr double kProgressStep = 0.002;  // coverage must grow by this much to count as progress
 constexpr std::array kPhaseNames{"IDLE",   "ALIGN",  "DIVE", "SURVEY",
                                  "RETURN", "ASCEND", "FIX",  "DONE"};
@@ -86,12 +88,16 @@ void SurveyApp::Recall() {
   if (memory->home_north && memory->home_east) {
     home_ = HomePoint{.north = *memory->home_north, .east = *memory->home_east};
   }
-  // The database may be as new as this process.
+  TellAgain(now());
+}
+
+void SurveyApp::TellAgain(Seconds now) {
+  told_ = now;
   PublishArea();
   if (home_) {
     Publish(topics::kSurveyHome, *home_);
   }
-  Publish(topics::kSurveyPhase, memory->phase);
+  Publish(topics::kSurveyPhase, std::string(NameOf(phase_)));
 }
 
 void SurveyApp::OnReturn(const Stamped<bool>& request) {
@@ -195,6 +201,9 @@ bool SurveyApp::EndsHopeless(Seconds now) {
 void SurveyApp::Tick(Seconds now) {
   if (IsUnderWay() && !EndsHopeless(now) && nav_) {
     WalkOn(now);
+  }
+  if (context().runs_live && IsUnderWay() && now - told_ > kTellPeriod) {
+    TellAgain(now);
   }
 }
 

@@ -109,6 +109,8 @@ class SurveyApp final : public App {
   void PublishArea();
   void Remember();
   void Recall();
+  /// Area, home and phase, for those who have come or come back.
+  void TellAgain(Seconds now);
   [[nodiscard]] static const char* NameOf(Phase phase);
   [[nodiscard]] bool WantsRevisit(const OpiBelief& opi) const;
   [[nodiscard]] bool HasOpenRevisit() const;
@@ -119,6 +121,7 @@ class SurveyApp final : public App {
   Params params_;
   Phase phase_ = Phase::kIdle;
   Seconds phase_since_;
+  Seconds told_;
   std::optional<Seconds> deployed_;
   Seconds last_progress_;
   double best_share_ = 0.0;

@@ -35,5 +35,5 @@ unreadable=0
 while read -r log; do
   "$bin/limpet" log scan "$log" >"$run/scan.out" 2>&1 || { echo "unreadable: $log"; unreadable=1; }
 done < <(find "$run" -name '*.alog')
-grep -h "MISSION_END" $(find "$run" -name '*.alog') | tail -n 2
+find "$run" -name '*.alog' -exec awk '$2 == "MISSION_END"' {} +
 ((unreadable == 0)) && echo "every log can be read: $(find "$run" -name '*.alog' | wc -l)" || exit 1

@@ -157,6 +157,21 @@ TEST(SurveyAppRestart, GoesOnWhereItsFormerLifeWas) {
   EXPECT_TRUE(link.Last(topics::kSurveyArea).has_value());
 }
 
+TEST(SurveyAppRestart, TellsPhaseAndAreaAgainForThoseWhoCameBack) {
+  const TemporaryFolder folder;
+  TestLink link;
+  AppContext context = ContextOn(link);
+  context.runs_live = true;
+  context.run_folder = folder.path();
+  SurveyApp app(context, {});
+  link.Send(app, topics::kDeploy, true);
+  link.published.clear();
+  link.time += Seconds(11.0);
+  app.Tick(link.time);
+  EXPECT_EQ(link.Last(topics::kSurveyPhase), "ALIGN");
+  EXPECT_TRUE(link.Last(topics::kSurveyArea).has_value());
+}
+
 TEST(SurveyAppRestart, WaitsForDeployIfItsFormerLifeDid) {
   const TemporaryFolder folder;
   TestLink link;
