@@ -218,11 +218,11 @@ std::optional<double> HelmApp::last_course_deg() const {
   return motion_.course ? std::optional<double>(MoosHeadingFromYaw(*motion_.course)) : std::nullopt;
 }
 
-std::vector<std::string> HelmApp::ActiveBehaviors() const {
-  std::vector<std::string> active = motion_.active;
+std::vector<std::string_view> HelmApp::ActiveBehaviors() const {
+  std::vector<std::string_view> active(motion_.active.begin(), motion_.active.end());
   if (bids_ && !planner_.path().segments().empty() && !bids_->value.options.empty()) {
     for (const OptionBid& bid : bids_->value.options.front().bids) {
-      active.push_back(bid.behavior);
+      active.emplace_back(bid.behavior);
     }
   }
   return active;
@@ -243,7 +243,7 @@ void HelmApp::PublishState(Seconds now) {
                           .functions = static_cast<int>(motion_.active.size()),
                           .warnings = static_cast<int>(warnings().size()),
                           .modes = host_.modes(),
-                          .behaviors = host_.Statuses(),
+                          .behaviors = host_.statuses(),
                           .active = ActiveBehaviors()});
 }
 

@@ -46,7 +46,7 @@ class HelmApp final : public App {
   [[nodiscard]] const char* StateText() const { return is_parked_ ? "PARK" : "DRIVE"; }
   [[nodiscard]] std::optional<double> last_course_deg() const;
   /// Running behaviors that had an opinion on the motion or on the path in force.
-  [[nodiscard]] std::vector<std::string> ActiveBehaviors() const;
+  [[nodiscard]] std::vector<std::string_view> ActiveBehaviors() const;
   [[nodiscard]] std::vector<WeightedBehavior> Bidders() const;
 
   Params params_;

@@ -51,14 +51,14 @@ HelmJournal::HelmJournal(const std::vector<std::string>& domain, Post post)
     : domain_(DomainText(domain)), post_(std::move(post)) {}
 
 void HelmJournal::PostStart(const BehaviorHost& host, Seconds now) {
-  const std::vector<BehaviorStatus> behaviors = host.Statuses();
+  const std::vector<BehaviorStatus>& behaviors = host.statuses();
   post_(topics::kHelmDomain.name, domain_);
   if (const std::string tree = host.ModeTree(); !tree.empty()) {
     post_(topics::kHelmModeSet.name, tree);
   }
   post_(topics::kHelmBehaviorCount.name, static_cast<double>(behaviors.size()));
   for (const BehaviorStatus& behavior : behaviors) {
-    entries_[behavior.name] = {.state = State::kIdle, .since = now};
+    entries_.push_back({.behavior = behavior, .state = State::kIdle, .since = now});
     post_(topics::kHelmLifeEvent.name,
           fmt::format("iter=0,time=0.00, bname={}, btype={}, event=spawn, seed=helm_startup,iter=1",
                       behavior.name, behavior.type));
@@ -71,70 +71,84 @@ void HelmJournal::PostStart(const BehaviorHost& host, Seconds now) {
   post_(topics::kHelmStateVars.name, heard);
 }
 
-void HelmJournal::UpdateEntries(const HelmIteration& iteration) {
-  for (const BehaviorStatus& behavior : iteration.behaviors) {
+bool HelmJournal::UpdateEntries(const HelmIteration& iteration) {
+  bool is_new = entries_.size() != iteration.behaviors.size();
+  entries_.resize(iteration.behaviors.size());
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const BehaviorStatus& behavior = iteration.behaviors[i];
     const bool is_active =
         std::ranges::find(iteration.active, behavior.name) != iteration.active.end();
     const State state = !behavior.is_running ? State::kIdle
                         : is_active          ? State::kActive
                                              : State::kRunning;
-    Entry& entry = entries_[behavior.name];
+    Entry& entry = entries_[i];
     if (entry.state != state) {
-      entry = {.state = state, .since = iteration.now};
+      entry.state = state;
+      entry.since = iteration.now;
+      is_new = true;
+    }
+    if (entry.behavior != behavior) {
+      entry.behavior = behavior;
+      is_new = true;
     }
   }
+  return is_new;
 }
 
-std::string HelmJournal::Described(const HelmIteration& iteration, State state) const {
+std::string HelmJournal::Described(State state) const {
   std::string text;
-  for (const BehaviorStatus& behavior : iteration.behaviors) {
-    if (const Entry& entry = entries_.at(behavior.name); entry.state == state) {
-      text += (text.empty() ? "" : ":") + EntryText(behavior, entry.since, state == State::kActive);
+  for (const Entry& entry : entries_) {
+    if (entry.state == state) {
+      text += (text.empty() ? "" : ":") +
+              EntryText(entry.behavior, entry.since, state == State::kActive);
     }
   }
   return text.empty() ? "none" : text;
 }
 
-std::string HelmJournal::Named(const HelmIteration& iteration, State state) const {
+std::string HelmJournal::Named(State state) const {
   std::string text;
-  for (const BehaviorStatus& behavior : iteration.behaviors) {
-    if (entries_.at(behavior.name).state == state) {
-      text += (text.empty() ? "" : ",") + behavior.name;
+  for (const Entry& entry : entries_) {
+    if (entry.state == state) {
+      text += (text.empty() ? "" : ",") + entry.behavior.name;
     }
   }
   return text;
 }
 
-std::vector<std::pair<std::string, std::string>> HelmJournal::Fields(
-    const HelmIteration& iteration) const {
-  return {{"ofnum", fmt::format("ofnum={}", iteration.functions)},
-          {"warnings", fmt::format("warnings={}", iteration.warnings)},
-          {"decision", DecisionText(iteration)},
-          {"halted", fmt::format("halted={}", iteration.is_halted)},
-          {"modes", "modes=" + (iteration.modes.empty() ? "none" : iteration.modes)},
-          {"running", "running_bhvs=" + Described(iteration, State::kRunning)},
-          {"active", "active_bhvs=" + Described(iteration, State::kActive)},
-          {"disabled", "disabled_bhvs=none"},
-          {"idle", "idle_bhvs=" + Described(iteration, State::kIdle)},
-          {"completed", "completed_bhvs=none"},
-          {"domain", fmt::format("ivpdomain=\"{}\"", domain_)}};
+void HelmJournal::AddField(const std::string& name, const std::string& text, std::string& summary) {
+  if (std::string& last = summary_[name]; last != text) {
+    summary += "," + text;
+    last = text;
+  }
 }
 
 void HelmJournal::PostIteration(const HelmIteration& iteration) {
-  UpdateEntries(iteration);
+  const bool is_whole = summary_.empty();
+  const bool are_behaviors_new = UpdateEntries(iteration) || is_whole;
   std::string summary =
       fmt::format("iter={},utc_time={:.2f}", iteration.number, iteration.now.value());
-  for (const auto& [name, text] : Fields(iteration)) {
-    if (std::string& last = summary_[name]; last != text) {
-      summary += "," + text;
-      last = text;
-    }
+  AddField("ofnum", fmt::format("ofnum={}", iteration.functions), summary);
+  AddField("warnings", fmt::format("warnings={}", iteration.warnings), summary);
+  AddField("decision", DecisionText(iteration), summary);
+  AddField("halted", iteration.is_halted ? "halted=true" : "halted=false", summary);
+  AddField("modes", fmt::format("modes={}", iteration.modes.empty() ? "none" : iteration.modes),
+           summary);
+  if (are_behaviors_new) {  // rarely; the rest is written ten times a second
+    AddField("running", "running_bhvs=" + Described(State::kRunning), summary);
+    AddField("active", "active_bhvs=" + Described(State::kActive), summary);
+    AddField("disabled", "disabled_bhvs=none", summary);
+    AddField("idle", "idle_bhvs=" + Described(State::kIdle), summary);
+    AddField("completed", "completed_bhvs=none", summary);
+    AddField("domain", fmt::format("ivpdomain=\"{}\"", domain_), summary);
   }
   post_(topics::kHelmIteration.name, static_cast<double>(iteration.number));
-  post_(topics::kHelmSummary.name, summary);
-  PostIfChanged(topics::kHelmActive.name, Named(iteration, State::kActive));
-  PostIfChanged(topics::kHelmRunning.name, Named(iteration, State::kRunning));
-  PostIfChanged(topics::kHelmIdle.name, Named(iteration, State::kIdle));
+  post_(topics::kHelmSummary.name, std::move(summary));
+  if (are_behaviors_new) {
+    PostIfChanged(topics::kHelmActive.name, Named(State::kActive));
+    PostIfChanged(topics::kHelmRunning.name, Named(State::kRunning));
+    PostIfChanged(topics::kHelmIdle.name, Named(State::kIdle));
+  }
 }
 
 void HelmJournal::PostIfChanged(const std::string& variable, const std::string& text) {

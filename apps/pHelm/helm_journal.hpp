@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,9 +23,9 @@ struct HelmIteration {
   bool is_halted = false;
   int functions = 0;  ///< opinions that went into the decision
   int warnings = 0;
-  std::string modes;
-  std::vector<BehaviorStatus> behaviors;
-  std::vector<std::string> active;  ///< those of them that bid
+  std::string_view modes;
+  std::span<const BehaviorStatus> behaviors;  ///< always all of them, in the same order
+  std::vector<std::string_view> active;       ///< names of those that bid
 };
 
 /// What uHelmScope, viewers and pNodeReporter read of the helm: IVPHELM_* in MOOS-IvP's forms.
@@ -43,24 +44,26 @@ class HelmJournal {
   void Rejournal() { summary_.clear(); }
 
   struct Entry {
+    BehaviorStatus behavior;
     State state = State::kIdle;
     Seconds since;
   };
-  /// What each behavior does, and since when.
-  [[nodiscard]] const std::map<std::string, Entry>& entries() const { return entries_; }
+  /// What each behavior does, and since when; in file order.
+  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
   [[nodiscard]] static const char* NameOf(State state);
 
  private:
-  void UpdateEntries(const HelmIteration& iteration);
-  [[nodiscard]] std::vector<std::pair<std::string, std::string>> Fields(
-      const HelmIteration& iteration) const;
-  [[nodiscard]] std::string Described(const HelmIteration& iteration, State state) const;
-  [[nodiscard]] std::string Named(const HelmIteration& iteration, State state) const;
+  /// True if something about a behavior is new.
+  [[nodiscard]] bool UpdateEntries(const HelmIteration& iteration);
+  [[nodiscard]] std::string Described(State state) const;
+  [[nodiscard]] std::string Named(State state) const;
+  /// Adds a field to a summary if its text is new.
+  void AddField(const std::string& name, const std::string& text, std::string& summary);
   void PostIfChanged(const std::string& variable, const std::string& text);
 
   std::string domain_;  ///< `course,0,359,360:speed,0,1,21`
   Post post_;
-  std::map<std::string, Entry> entries_;          ///< by behavior
+  std::vector<Entry> entries_;
   std::map<std::string, std::string> summary_;    ///< fields as last posted
   std::map<std::string, std::string> variables_;  ///< texts as last posted
 };

@@ -50,12 +50,11 @@ void HelmApp::Report(ReportLines& report) const {
   report.Pair("Depth", TextOr(motion_.depth, 2, " m"));
   report.Blank();
   ReportTable behaviors({"behavior", "type", ">pwt", "state", ">for [s]", ">updates"});
-  for (const BehaviorStatus& behavior : host_.Statuses()) {
-    const auto entry = journal_.entries().find(behavior.name);
-    if (entry == journal_.entries().end()) continue;
+  for (const HelmJournal::Entry& entry : journal_.entries()) {
+    const BehaviorStatus& behavior = entry.behavior;
     behaviors.AddRow({behavior.name, behavior.type, DecimalText(behavior.weight, 2),
-                      HelmJournal::NameOf(entry->second.state),
-                      fmt::format("{:.0f}", (now() - entry->second.since).value()),
+                      HelmJournal::NameOf(entry.state),
+                      fmt::format("{:.0f}", (now() - entry.since).value()),
                       fmt::format("{}/{}", behavior.good_updates, behavior.updates)});
   }
   report.Add(behaviors);

@@ -22,6 +22,15 @@ struct BehaviorHost::Hosted {
   std::unique_ptr<Behavior> behavior;
   bool is_running = false;
   int good_updates = 0, updates = 0;
+
+  [[nodiscard]] BehaviorStatus Status() const {
+    return {.name = name,
+            .type = block.name,
+            .weight = weight,
+            .is_running = is_running,
+            .good_updates = good_updates,
+            .updates = updates};
+  }
 };
 
 namespace {
@@ -85,6 +94,9 @@ BehaviorHost::BehaviorHost(const std::vector<BehaviorFile>& given,
     throw ConfigError(problems);
   }
   modes_ = std::make_unique<ModeSet>(std::move(modes));
+  for (const auto& hosted : hosted_) {
+    statuses_.push_back(hosted->Status());
+  }
 }
 
 BehaviorHost::~BehaviorHost() = default;
@@ -270,23 +282,15 @@ std::vector<HelmPost> BehaviorHost::Update(const VehicleState& state) {
     }
   }
   running_.clear();
-  for (const auto& hosted : hosted_) {
-    UpdateRunState(*hosted, state, posts);
+  for (std::size_t i = 0; i < hosted_.size(); ++i) {
+    const Hosted& hosted = *hosted_[i];
+    UpdateRunState(*hosted_[i], state, posts);
+    statuses_[i].weight = hosted.weight;
+    statuses_[i].is_running = hosted.is_running;
+    statuses_[i].good_updates = hosted.good_updates;
+    statuses_[i].updates = hosted.updates;
   }
   return posts;
-}
-
-std::vector<BehaviorStatus> BehaviorHost::Statuses() const {
-  std::vector<BehaviorStatus> statuses;
-  for (const auto& hosted : hosted_) {
-    statuses.push_back({.name = hosted->name,
-                        .type = hosted->block.name,
-                        .weight = hosted->weight,
-                        .is_running = hosted->is_running,
-                        .good_updates = hosted->good_updates,
-                        .updates = hosted->updates});
-  }
-  return statuses;
 }
 
 std::vector<BehaviorWarning> BehaviorHost::TakeWarnings() { return std::exchange(warnings_, {}); }

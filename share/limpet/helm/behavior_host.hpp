@@ -29,6 +29,7 @@ struct BehaviorStatus {
   double weight = 0.0;
   bool is_running = false;
   int good_updates = 0, updates = 0;  ///< parts of `updates` mail: applied, and all
+  bool operator==(const BehaviorStatus&) const = default;
 };
 
 /// Builds the behaviors of .bhv files and keeps their run states: modes, conditions, flags and
@@ -52,7 +53,7 @@ class BehaviorHost {
   /// Behaviors now running, in file order.
   [[nodiscard]] const std::vector<WeightedBehavior>& running() const { return running_; }
   /// All behaviors, in file order.
-  [[nodiscard]] std::vector<BehaviorStatus> Statuses() const;
+  [[nodiscard]] const std::vector<BehaviorStatus>& statuses() const { return statuses_; }
   /// `MODE@ACTIVE:SURVEYING`, several joined by `#`; "" without modes.
   [[nodiscard]] const std::string& modes() const { return mode_text_; }
   /// As IVPHELM_MODESET has it.
@@ -75,6 +76,7 @@ class BehaviorHost {
   std::vector<std::unique_ptr<Hosted>> hosted_;
   std::vector<WeightedBehavior> running_;
   std::string mode_text_;
+  std::vector<BehaviorStatus> statuses_;  ///< parallel to hosted_
   std::vector<BehaviorWarning> warnings_;
 };
 

@@ -17,25 +17,17 @@ using ::testing::Not;
 class HelmJournalTest : public ::testing::Test {
  protected:
   HelmIteration Iteration(std::int64_t number) const {
-    return {
-        .number = number,
-        .now = Seconds(1000.0 + 0.1 * static_cast<double>(number)),
-        .course_deg = 92.14,
-        .speed = 0.5,
-        .depth = {},
-        .is_halted = false,
-        .functions = 2,
-        .warnings = 0,
-        .modes = "MODE@ACTIVE:SURVEYING",
-        .behaviors = {{.name = "cover", .type = "BHV_CoverArea", .weight = 1.0, .is_running = true},
-                      {.name = "follow",
-                       .type = "BHV_FollowPath",
-                       .weight = 100.0,
-                       .is_running = true,
-                       .good_updates = 3,
-                       .updates = 4},
-                      {.name = "home", .type = "BHV_ReturnHome", .weight = 1.0}},
-        .active = {"follow"}};
+    return {.number = number,
+            .now = Seconds(1000.0 + 0.1 * static_cast<double>(number)),
+            .course_deg = 92.14,
+            .speed = 0.5,
+            .depth = {},
+            .is_halted = false,
+            .functions = 2,
+            .warnings = 0,
+            .modes = "MODE@ACTIVE:SURVEYING",
+            .behaviors = behaviors_,
+            .active = {"follow"}};
   }
   /// Values of `variable` posted since the last call, then forgets all.
   std::vector<std::string> Take(const std::string& variable) {
@@ -53,6 +45,15 @@ class HelmJournalTest : public ::testing::Test {
     return Take("IVPHELM_SUMMARY").at(0);
   }
 
+  std::vector<BehaviorStatus> behaviors_{
+      {.name = "cover", .type = "BHV_CoverArea", .weight = 1.0, .is_running = true},
+      {.name = "follow",
+       .type = "BHV_FollowPath",
+       .weight = 100.0,
+       .is_running = true,
+       .good_updates = 3,
+       .updates = 4},
+      {.name = "home", .type = "BHV_ReturnHome", .weight = 1.0}};
   std::vector<std::pair<std::string, Value>> posts_;
   HelmJournal journal_{{"course:0:359:360", "speed: 0:1:21"},
                        [this](std::string variable, Value value) {
@@ -96,10 +97,9 @@ TEST_F(HelmJournalTest, NamesBehaviorsWhenTheirStateChanges) {
 }
 
 TEST_F(HelmJournalTest, ABehaviorWhoseConditionsFailIsIdleHoweverItBid) {
-  HelmIteration idle = Iteration(1);
-  idle.behaviors[1].is_running = false;
-  EXPECT_THAT(SummaryOf(idle), HasSubstr("active_bhvs=none"));
-  EXPECT_EQ(journal_.entries().at("follow").state, HelmJournal::State::kIdle);
+  behaviors_[1].is_running = false;
+  EXPECT_THAT(SummaryOf(Iteration(1)), HasSubstr("active_bhvs=none"));
+  EXPECT_EQ(journal_.entries().at(1).state, HelmJournal::State::kIdle);
 }
 
 TEST_F(HelmJournalTest, CountsIterations) {
