@@ -8,14 +8,11 @@
 #include "limpet/core/config.hpp"
 #include "limpet/core/require.hpp"
 #include "limpet/pubsub/broker_session.hpp"
-#include "limpet/pubsub/broker_status.hpp"
 #include "limpet/pubsub/wildcard_text.hpp"
 #include "limpet/wire/little_endian.hpp"
 
 namespace limpet {
 namespace {
-
-constexpr std::int32_t kAnswerId = -2;
 
 bool IsValueType(char type) {
   return type == wire_data::kDouble || type == wire_data::kString || type == wire_data::kBinary;
@@ -270,50 +267,6 @@ void Broker::SendLatest(Session& session, Router::Variable variable) {
   Append(session, variable, latched);
 }
 
-void Broker::Answer(Session& session, const WireMessage& request, Seconds now) {
-  const auto asks_for = [&request](std::string_view what) {
-    return request.key.find(what) != std::string_view::npos;
-  };
-  const auto answer = [&](std::string_view key, Seconds time, const std::string& text) {
-    Append(session, Outbox::kNoVariable,
-           {.id = kAnswerId,
-            .data_type = wire_data::kString,
-            .source = source_,
-            .key = key,
-            .time = time.value(),
-            .text = text});
-  };
-  if (request.key == "ALL") {
-    AnswerAll(session);
-  } else if (asks_for("PROC_SUMMARY")) {
-    for (const auto& other : sessions_) {
-      if (other) {
-        answer("PROC_SUMMARY", now - started_, ProcessSummary(router_, other->client));
-      }
-    }
-  } else if (asks_for("VAR_SUMMARY")) {
-    answer("VAR_SUMMARY", now, VariableNames(router_));
-  } else if (asks_for("DB_CLEAR")) {
-    Clear(now);
-  }
-}
-
-void Broker::AnswerAll(Session& session) {
-  const std::vector<Router::Variable> by_name = router_.Sorted();
-  for (auto it = by_name.rbegin(); it != by_name.rend(); ++it) {  // MOOS's order: newest first
-    const Router::VariableInfo& info = router_.Info(*it);
-    WireMessage answer{.data_type = wire_data::kUnset};
-    if (const auto latest = LatestOf(*it)) {
-      answer = *latest;
-      answer.time = (info.written - started_).value();
-    }
-    answer.number2 = WriteFrequency(info, started_);
-    answer.id = kAnswerId;
-    answer.key = info.name;
-    Append(session, Outbox::kNoVariable, answer);
-  }
-}
-
 void Broker::Clear(Seconds now) {
   router_.Clear();
   for (Latest& latest : latest_) {
@@ -344,40 +297,6 @@ void Broker::Publish(std::string_view name, double value, Seconds now) {
 
 void Broker::Publish(std::string_view name, std::string_view value, Seconds now) {
   PublishOwn({.data_type = wire_data::kString, .text = value}, name, now);
-}
-
-void Broker::PublishStatus(Seconds now) {
-  std::vector<const Session*> present;
-  for (const auto& session : sessions_) {
-    if (session) {
-      present.push_back(session.get());
-    }
-  }
-  std::string names, quality, traffic, losses;
-  for (auto it = present.rbegin(); it != present.rend(); ++it) {
-    names += (*it)->name + ",";
-  }
-  std::ranges::sort(present, {}, &Session::name);
-  for (const Session* session : present) {
-    const LinkQuality& q = session->quality;
-    quality += fmt::format("{}={:g}:{:g}:{:g}:{:g},", session->name, q.recent_ms, q.max_ms,
-                           q.min_ms, q.mean_ms);
-    traffic += ReadWriteSummary(router_, session->client) + ",";
-    if (session->outbox.dropped() > 0) {
-      losses += fmt::format("{}={},", session->name, session->outbox.dropped());
-    }
-  }
-  if (!traffic.empty()) {
-    traffic.pop_back();
-  }
-  Publish("DB_TIME", now.value(), now);
-  Publish("DB_UPTIME", (now - started_).value(), now);
-  Publish("DB_CLIENTS", names, now);
-  Publish("DB_VARSUMMARY", VariableTable(*this), now);
-  Publish("DB_QOS", quality, now);
-  Publish("DB_RWSUMMARY", traffic, now);
-  Publish("DB_DROPPED", losses, now);
-  Publish("DB_REFUSED", RefusalSummary(counts_), now);
 }
 
 void Broker::MarkReady(Session& session) {

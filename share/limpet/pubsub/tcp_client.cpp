@@ -18,7 +18,7 @@
 #include <unistd.h>
 
 #include "limpet/core/clock.hpp"
-#include "limpet/pubsub/outbox.hpp"
+#include "limpet/pubsub/client_sender.hpp"
 #include "limpet/pubsub/unit_reader.hpp"
 #include "limpet/pubsub/wildcard_text.hpp"
 
@@ -28,13 +28,12 @@ namespace {
 using asio::ip::tcp;
 
 constexpr double kDirectPause = 30e-6;  ///< sends closer together than this are gathered [s]
-constexpr double kTimingPeriod = 1.0;   ///< keep-alive and clock [s], real time
+constexpr double kOldestEcho = 1.0;     ///< that still tells the clock [s], real time
 constexpr auto kIdlePeriod = std::chrono::milliseconds(333);
 constexpr auto kLongestGoodbye = std::chrono::milliseconds(500);
 constexpr double kFirstRetry = 0.1;  ///< [s], real time
 constexpr double kLongestRetry = 2.0;
 constexpr double kMostWarp = 1000.0;
-constexpr std::size_t kPieces = 32;  ///< of one gathering write
 constexpr std::size_t kScratch = std::size_t{256} << 10;
 constexpr std::size_t kReadBudget = std::size_t{4} << 20;
 
@@ -56,7 +55,7 @@ class TcpClient::Impl {
   explicit Impl(TcpClientOptions options)
       : options_(std::move(options)),
         warp_(options_.warp),
-        outbox_(options_.queue),
+        sender_(options_.queue),
         socket_(context_),
         resolver_(context_),
         timer_(context_),
@@ -175,7 +174,7 @@ class TcpClient::Impl {
   mutable std::mutex mutex_;  ///< guards what any thread may touch: all down to `descriptor_`
   State state_ = State::kConnecting;
   std::string trouble_, community_;
-  Outbox outbox_;
+  ClientSender sender_;
 
  private:
   void Connect() {
@@ -251,7 +250,7 @@ class TcpClient::Impl {
       trouble_.clear();
       state_ = State::kConnected;
       descriptor_ = socket_.native_handle();
-      last_timing_ = Seconds(0.0);
+      sender_.Restart();
       for (const auto& [name, interval] : subscriptions_) {
         SendSubscription(name, interval);
       }
@@ -270,7 +269,6 @@ class TcpClient::Impl {
       const std::lock_guard lock(mutex_);
       trouble_ = why;
       descriptor_ = -1;
-      sent_ = 0;  // a packet cut short was never understood: the next connection gets it whole
       state_ = refusal_.empty() ? State::kConnecting : State::kRefused;
       if (is_leaving_) {
         context_.stop();
@@ -299,10 +297,7 @@ class TcpClient::Impl {
         {
           const std::lock_guard lock(mutex_);
           Flush();
-          if (unsent() == 0) {
-            body_.GiveBack();
-            outbox_.GiveBack();
-          }
+          sender_.GiveBack();
         }
         Idle();
       }
@@ -314,7 +309,7 @@ class TcpClient::Impl {
       return;
     }
     const double received = MoosTime(warp()).value();
-    if (received - echo.time > kTimingPeriod * warp()) {
+    if (received - echo.time > kOldestEcho * warp()) {
       return;  // it waited somewhere, perhaps for a new connection: that says nothing of clocks
     }
     const double measured = echo.number - 0.5 * (echo.time + received);
@@ -348,21 +343,12 @@ class TcpClient::Impl {
   }
 
   void Queue(const WireMessage& message) {
-    const std::size_t size = EncodedSize(message);
-    if (size < kShareFrom) {
-      encoded_.clear();
-      AppendMessage(message, encoded_);
-      outbox_.Append(0, encoded_);
-    } else {
-      auto encoded = std::make_shared<ByteBuffer>();
-      AppendMessage(message, *encoded);
-      outbox_.Append(0, std::move(encoded));
-    }
+    sender_.Queue(message);
     if (state_ != State::kConnected || is_flush_due_) {
       return;
     }
-    const Seconds now = SteadyTime();
-    if ((now - last_send_).value() >= kDirectPause && unsent() == 0) {
+    const bool is_quiet = (SteadyTime() - sender_.last_send()).value() >= kDirectPause;
+    if (is_quiet && !sender_.is_in_packet()) {
       Flush();
     } else {
       is_flush_due_ = true;
@@ -375,63 +361,11 @@ class TcpClient::Impl {
   }
 
   void Flush() {
-    while (descriptor_ >= 0) {
-      if (unsent() == 0 && !Assemble()) {
-        break;
-      }
-      const ssize_t count = SendSome();
-      last_send_ = SteadyTime();
-      if (count < 0) {
-        if (errno == EAGAIN || errno == EWOULDBLOCK) {
-          WaitToWrite();
-        }
-        break;  // any other trouble shows when reading
-      }
-      sent_ += static_cast<std::size_t>(count);
+    // A failure shows when reading, too: it is dealt with there.
+    if (descriptor_ >= 0 &&
+        sender_.Send(descriptor_, MoosTime(warp())) == ClientSender::Outcome::kBlocked) {
+      WaitToWrite();
     }
-    outbox_.SetInFlight(unsent());
-  }
-
-  [[nodiscard]] std::size_t unsent() const { return head_.size() + body_.size() - sent_; }
-
-  [[nodiscard]] ssize_t SendSome() const {
-    std::array<ByteView, kPieces> pieces;
-    const std::size_t in_head = std::min(sent_, head_.size());
-    pieces[0] = ByteView(head_).subspan(in_head);
-    const std::size_t filled = 1 + body_.Gather(sent_ - in_head, std::span(pieces).subspan(1));
-    std::array<iovec, kPieces> parts{};
-    for (std::size_t i = 0; i < filled; ++i) {
-      parts[i] = {.iov_base = const_cast<std::byte*>(pieces[i].data()),  // sendmsg only reads
-                  .iov_len = pieces[i].size()};
-    }
-    msghdr message{};
-    message.msg_iov = parts.data();
-    message.msg_iovlen = filled;
-    return ::sendmsg(descriptor_, &message, MSG_NOSIGNAL | MSG_DONTWAIT);
-  }
-
-  /// The next packet, in head_ and body_; timing leads it when due. False: nothing to say.
-  bool Assemble() {
-    const Seconds now = SteadyTime();
-    const bool is_timing_due = (now - last_timing_).value() >= kTimingPeriod;
-    head_.clear();
-    body_.Clear();
-    sent_ = 0;
-    if (!is_timing_due && outbox_.empty()) {
-      return false;
-    }
-    head_.assign(kPacketHeaderSize, std::byte{0});
-    if (is_timing_due) {
-      last_timing_ = now;
-      AppendMessage({.type = wire_type::kTiming,
-                     .key = "_async_timing",
-                     .time = MoosTime(warp()).value(),
-                     .number = 0.0},
-                    head_);
-    }
-    const std::size_t count = outbox_.Take(body_) + (is_timing_due ? 1 : 0);
-    EncodePacketHeader({unsent(), count}, head_.data());
-    return true;
   }
 
   void WaitToWrite() {
@@ -450,14 +384,9 @@ class TcpClient::Impl {
 
   std::map<std::string, Seconds> subscriptions_;
   std::vector<WildcardFilter> filters_;
-  ByteBuffer encoded_;
-  ByteBuffer head_;  ///< of the packet that is being sent, body_ behind it
-  Parcel body_;
-  std::size_t sent_ = 0;  ///< of both
   std::int32_t next_id_ = 0;
   bool is_flush_due_ = false;
   bool is_leaving_ = false;
-  Seconds last_send_, last_timing_;
   int descriptor_ = -1;
 
   // The client's own thread alone.
@@ -526,11 +455,11 @@ Seconds TcpClient::Now() const { return impl_->Now(); }
 double TcpClient::warp() const { return impl_->warp(); }
 std::size_t TcpClient::unsent() const {
   const std::lock_guard lock(impl_->mutex_);
-  return impl_->outbox_.size() + impl_->outbox_.in_flight();
+  return impl_->sender_.waiting();
 }
 std::uint64_t TcpClient::dropped() const {
   const std::lock_guard lock(impl_->mutex_);
-  return impl_->outbox_.dropped();
+  return impl_->sender_.dropped();
 }
 
 }  // namespace limpet

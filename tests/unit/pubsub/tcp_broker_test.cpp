@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <condition_variable>
-#include <mutex>
 #include <thread>
 
 #include <arpa/inet.h>
@@ -18,51 +16,12 @@
 #include "limpet/core/random.hpp"
 #include "limpet/pubsub/tcp_client.hpp"
 #include "limpet/wire/little_endian.hpp"
-#include "limpet/wire/message_conversion.hpp"
+#include "tests/support/mail_inbox.hpp"
 
 namespace limpet {
 namespace {
 
 using namespace std::chrono_literals;
-
-/// Mail of one client, with a wait that ends as soon as it has come.
-class Inbox {
- public:
-  void Add(const WireMessage& message) {
-    const std::lock_guard lock(mutex_);
-    mail_.push_back(MessageFrom(message));
-    arrival_.notify_all();
-  }
-  /// True once a message with that text has come.
-  bool AwaitText(const std::string& text) {
-    std::unique_lock lock(mutex_);
-    return arrival_.wait_for(lock, 5s, [&] {
-      return std::ranges::any_of(mail_, [&text](const Message& message) {
-        const auto* value = std::get_if<std::string>(&message.value);
-        return value != nullptr && *value == text;
-      });
-    });
-  }
-  /// The first message of that name, once it is there.
-  std::optional<Message> Await(const std::string& name, std::chrono::milliseconds longest = 5s) {
-    std::unique_lock lock(mutex_);
-    std::optional<Message> found;
-    arrival_.wait_for(lock, longest, [&] {
-      for (const Message& message : mail_) {
-        if (message.name == name && !found) {
-          found = message;
-        }
-      }
-      return found.has_value();
-    });
-    return found;
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable arrival_;
-  std::vector<Message> mail_;
-};
 
 class TcpBrokerTest : public testing::Test {
  protected:
@@ -81,7 +40,7 @@ class TcpBrokerTest : public testing::Test {
   TcpBrokerTest(const TcpBrokerTest&) = delete;
   TcpBrokerTest& operator=(const TcpBrokerTest&) = delete;
 
-  std::unique_ptr<TcpClient> Join(const std::string& name, Inbox* inbox = nullptr) {
+  std::unique_ptr<TcpClient> Join(const std::string& name, MailInbox* inbox = nullptr) {
     return std::make_unique<TcpClient>(TcpClientOptions{.port = broker_->port(),
                                                         .name = name,
                                                         .on_mail =
@@ -95,7 +54,7 @@ class TcpBrokerTest : public testing::Test {
 
   /// The community works: a value goes from one client to another.
   void ExpectHealthy(const std::string& name = "HEALTH") {
-    Inbox inbox;
+    MailInbox inbox;
     const auto reader = Join("pHealthReader" + name, &inbox);
     reader->Subscribe(name, Seconds(0.0));
     const auto writer = Join("pHealthWriter" + name);
@@ -108,15 +67,6 @@ class TcpBrokerTest : public testing::Test {
   std::unique_ptr<TcpBroker> broker_;
   std::thread thread_;
 };
-
-/// True once the client has noticed that its connection is gone. What is written before it does
-/// is lost with the connection, as with any stream.
-bool AwaitLoss(const TcpClient& client) {
-  for (int tries = 0; tries < 500 && client.state() == TcpClient::State::kConnected; ++tries) {
-    std::this_thread::sleep_for(10ms);
-  }
-  return client.state() != TcpClient::State::kConnected;
-}
 
 /// A peer that writes whatever bytes it likes.
 class RawPeer {
@@ -168,7 +118,7 @@ class RawPeer {
 };
 
 TEST_F(TcpBrokerTest, CarriesEveryTypeFromOneClientToAnother) {
-  Inbox inbox;
+  MailInbox inbox;
   const auto reader = Join("pReader", &inbox);
   for (const char* name : {"NUMBER", "TEXT", "BYTES"}) {
     reader->Subscribe(name, Seconds(0.0));
@@ -192,7 +142,7 @@ TEST_F(TcpBrokerTest, CarriesEveryTypeFromOneClientToAnother) {
 TEST_F(TcpBrokerTest, SendsTheLatestValueToALateSubscriber) {
   const auto writer = Join("pWriter");
   writer->Publish("X", 7.0);
-  Inbox first, late;
+  MailInbox first, late;
   const auto reader = Join("pFirst", &first);
   reader->Subscribe("X", Seconds(0.0));
   ASSERT_TRUE(first.Await("X").has_value());
@@ -205,7 +155,7 @@ TEST_F(TcpBrokerTest, SendsTheLatestValueToALateSubscriber) {
 }
 
 TEST_F(TcpBrokerTest, TellsOfComersAndGoersAtOnce) {
-  Inbox inbox;
+  MailInbox inbox;
   const auto watcher = Join("pWatch", &inbox);
   watcher->Subscribe("DB_EVENT", Seconds(0.0));
   ASSERT_TRUE(inbox.AwaitText("connected=pWatch"));
@@ -217,7 +167,7 @@ TEST_F(TcpBrokerTest, TellsOfComersAndGoersAtOnce) {
 }
 
 TEST_F(TcpBrokerTest, ListsItsClientsEveryTwoSeconds) {
-  Inbox inbox;
+  MailInbox inbox;
   const auto watcher = Join("pWatch", &inbox);
   watcher->Subscribe("DB_CLIENTS", Seconds(0.0));
   const auto clients = inbox.Await("DB_CLIENTS");
@@ -226,7 +176,7 @@ TEST_F(TcpBrokerTest, ListsItsClientsEveryTwoSeconds) {
 }
 
 TEST_F(TcpBrokerTest, CarriesMegabytes) {
-  Inbox inbox;
+  MailInbox inbox;
   const auto reader = Join("pReader", &inbox);
   reader->Subscribe("BIG", Seconds(0.0));
   const auto writer = Join("pWriter");
@@ -340,7 +290,7 @@ TEST_F(TcpBrokerTest, RefusesANameInUse) {
 }
 
 TEST_F(TcpBrokerTest, IgnoresARegistrationInAnothersName) {
-  Inbox inbox;
+  MailInbox inbox;
   const auto victim = Join("pVictim", &inbox);
   const RawPeer spoofer(broker_->port());
   spoofer.Hello("pSpoofer");
@@ -377,7 +327,7 @@ TEST_F(TcpBrokerTest, KeepsServingWhileAReaderHasStopped) {
   ASSERT_EQ(stuck.Answer(), wire_type::kWelcome);
   stuck.Send(
       PacketOf({.type = wire_type::kRegister, .source = "pStuck", .key = "FLOOD", .number = 0.0}));
-  Inbox inbox;
+  MailInbox inbox;
   const auto watcher = Join("pWatch", &inbox);
   watcher->Subscribe("DB_DROPPED", Seconds(0.0));
   const auto writer = Join("pWriter");
@@ -389,7 +339,7 @@ TEST_F(TcpBrokerTest, KeepsServingWhileAReaderHasStopped) {
   std::string losses;
   for (int tries = 0; tries < 60 && losses.find("pStuck=") == std::string::npos; ++tries) {
     std::this_thread::sleep_for(100ms);
-    Inbox fresh;
+    MailInbox fresh;
     const auto reader = Join("pAsk" + std::to_string(tries), &fresh);
     reader->Subscribe("DB_DROPPED", Seconds(0.0));
     if (const auto heard = fresh.Await("DB_DROPPED", 2s)) {
@@ -397,35 +347,6 @@ TEST_F(TcpBrokerTest, KeepsServingWhileAReaderHasStopped) {
     }
   }
   EXPECT_NE(losses.find("pStuck="), std::string::npos) << losses;
-}
-
-TEST(TcpClient, ConnectsAgainAndRegistersAnewWhenTheBrokerComesBack) {
-  TcpBrokerOptions options;
-  options.port = 0;
-  auto broker = std::make_unique<TcpBroker>(options);
-  options.port = broker->port();
-  std::thread thread([&broker] { broker->Run(); });
-  Inbox inbox;
-  TcpClient reader({.port = options.port,
-                    .name = "pReader",
-                    .on_mail = [&inbox](const WireMessage& message) { inbox.Add(message); },
-                    .on_state = nullptr});
-  reader.Subscribe("BEFORE", Seconds(0.0));
-  reader.Subscribe("AFTER", Seconds(0.0));
-  TcpClient writer(
-      {.port = options.port, .name = "pWriter", .on_mail = nullptr, .on_state = nullptr});
-  writer.Publish("BEFORE", 1.0);
-  EXPECT_TRUE(inbox.Await("BEFORE").has_value());
-  broker->Stop();
-  thread.join();
-  broker.reset();
-  EXPECT_TRUE(AwaitLoss(writer));
-  writer.Publish("AFTER", 2.0);
-  broker = std::make_unique<TcpBroker>(options);
-  thread = std::thread([&broker] { broker->Run(); });
-  EXPECT_TRUE(inbox.Await("AFTER").has_value());
-  broker->Stop();
-  thread.join();
 }
 
 TEST(TcpBroker, SaysWhereItCannotListen) {
