@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
-#include "apps/limpet/log/log_commands.hpp"
 #include "apps/limpet/command_output.hpp"
+#include "apps/limpet/log/log_commands.hpp"
 #include "limpet/core/config.hpp"
 
 namespace limpet {

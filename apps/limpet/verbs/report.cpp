@@ -11,6 +11,7 @@
 #include "apps/limpet/report/report.hpp"
 #include "apps/limpet/report/report_json.hpp"
 #include "apps/limpet/report/terminal_report.hpp"
+#include "apps/limpet/verbs/run_settings.hpp"
 
 namespace limpet {
 namespace {
@@ -18,10 +19,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kHelp =
-    R"(usage: limpet report <run folder> [--json]
+    R"(usage: limpet report <run folder> [--mission DIR [--seed N]] [--json]
 
-Scores a run again from its logs and writes report.json, figures/ and report.html anew, also
-for a run that was cut short. --json prints report.json instead of the table.
+Scores a run from its logs and writes report.json, figures/ and report.html anew, also for a
+run that was cut short. --json prints report.json instead of the table.
+
+A run of `limpet launch` does not say which mission it was: --mission does, e.g.
+  limpet report runs/table1-live --mission missions/table1
 )";
 
 /// Sessions that left a folder with a log, discovery first, then change, then others by name.
@@ -41,10 +45,20 @@ std::vector<std::string> SessionsIn(const fs::path& run) {
   return names;
 }
 
+void DescribeRun(fs::path mission_folder, std::uint64_t seed, const fs::path& run) {
+  mission_folder = (mission_folder / "").parent_path();
+  const Scenario scenario = LoadScenario(mission_folder / "scenario.yaml");
+  ReportSettings settings = SettingsOf(LoadMission(mission_folder / "mission.moos"), scenario);
+  settings.mission = mission_folder.filename().string();
+  settings.seed = seed;
+  settings.command = fmt::format("limpet launch missions/{}/mission.moos", settings.mission);
+  WriteRunDescription(settings, scenario, run);
+}
+
 }  // namespace
 
 int RunReport(std::span<const std::string> args) {
-  const Arguments given(args, {}, {"json", "help"});
+  const Arguments given(args, {"mission", "seed"}, {"json", "help"});
   if (given.Has("help")) {
     fmt::print("{}", kHelp);
     return kOk;
@@ -52,6 +66,9 @@ int RunReport(std::span<const std::string> args) {
   if (given.positionals().size() != 1)
     throw UsageError("report takes one run folder, e.g. runs/table1-1");
   const fs::path run = given.positionals()[0];
+  if (const auto mission = given.Find("mission")) {
+    DescribeRun(*mission, static_cast<std::uint64_t>(given.Integer("seed", 1, 0)), run);
+  }
   const RunDescription description = ReadRun(run);
   std::vector<SessionRecord> records;
   for (const std::string& session : SessionsIn(run)) {

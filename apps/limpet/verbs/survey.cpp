@@ -16,8 +16,7 @@
 #include "apps/limpet/report/survey_progress.hpp"
 #include "apps/limpet/report/terminal_report.hpp"
 #include "apps/limpet/session_runner.hpp"
-#include "apps/pHelm/helm_params.hpp"
-#include "apps/pSurvey/survey_app.hpp"
+#include "apps/limpet/verbs/run_settings.hpp"
 #include "limpet/mission/mission_file.hpp"
 #include "limpet/mission/scenario.hpp"
 #include "limpet/topics/mapping.hpp"
@@ -102,26 +101,6 @@ void PrepareRunFolder(const fs::path& out) {
   fs::create_directories(out);
 }
 
-ReportSettings SettingsOf(const SurveyCommand& command, const MissionFile& mission,
-                          const Scenario& scenario) {
-  const auto helm = ReadAppParams<HelmParams>(mission, "pHelm");
-  const auto survey = ReadAppParams<SurveyApp::Params>(mission, "pSurvey");
-  const ConfigBlock* camera = mission.Block("uSimCamera");
-  const ConfigEntry* kind = camera != nullptr ? camera->Find("camera") : nullptr;
-  ReportSettings settings;
-  settings.mission = command.mission_name;
-  settings.seed = command.seed;
-  settings.planner = helm.planner;
-  settings.gain = helm.gain;
-  settings.camera = kind != nullptr && kind->value != "scenario" ? kind->value : scenario.camera;
-  settings.camera_geometry = helm.camera.geometry();
-  settings.altitude_m = survey.altitude.value();
-  settings.object_height_max_m = survey.object_height_max.value();
-  settings.object_radius_m = scenario.opis.empty() ? 0.5 : scenario.opis.front().radius_m;
-  settings.command = command.command_line;
-  return settings;
-}
-
 class SurveyRun {
  public:
   explicit SurveyRun(SurveyCommand command)
@@ -134,7 +113,10 @@ class SurveyRun {
     }
     // Everything is checked before the run folder is touched: a slip must not cost an earlier run.
     Refuse(CheckConfiguration(mission_, command_.mission_folder));
-    settings_ = SettingsOf(command_, mission_, scenario_);
+    settings_ = SettingsOf(mission_, scenario_);
+    settings_.mission = command_.mission_name;
+    settings_.seed = command_.seed;
+    settings_.command = command_.command_line;
     Refuse(
         CheckGeometry(mission_, scenario_, (command_.mission_folder / "scenario.yaml").string()));
   }

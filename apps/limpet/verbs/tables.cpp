@@ -12,8 +12,8 @@
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/report/expectation_check.hpp"
 #include "apps/limpet/report/paper_tables.hpp"
-#include "limpet/console/progress_line.hpp"
 #include "apps/limpet/verbs/child_runs.hpp"
+#include "limpet/console/progress_line.hpp"
 #include "limpet/mission/scenario.hpp"
 
 namespace limpet {

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "apps/limpet/verbs/run_settings.hpp"
+
+#include "apps/limpet/mission_check.hpp"
+#include "apps/pHelm/helm_params.hpp"
+#include "apps/pSurvey/survey_app.hpp"
+
+namespace limpet {
+
+ReportSettings SettingsOf(const MissionFile& mission, const Scenario& scenario) {
+  const auto helm = ReadAppParams<HelmParams>(mission, "pHelm");
+  const auto survey = ReadAppParams<SurveyApp::Params>(mission, "pSurvey");
+  const ConfigBlock* camera = mission.Block("uSimCamera");
+  const ConfigEntry* kind = camera != nullptr ? camera->Find("camera") : nullptr;
+  ReportSettings settings;
+  settings.planner = helm.planner;
+  settings.gain = helm.gain;
+  settings.camera = kind != nullptr && kind->value != "scenario" ? kind->value : scenario.camera;
+  settings.camera_geometry = helm.camera.geometry();
+  settings.altitude_m = survey.altitude.value();
+  settings.object_height_max_m = survey.object_height_max.value();
+  settings.object_radius_m = scenario.opis.empty() ? 0.5 : scenario.opis.front().radius_m;
+  return settings;
+}
+
+}  // namespace limpet
