@@ -161,7 +161,7 @@ TEST_F(MapAppTest, PutsTheCentroidAtTheSpheresCentre) {
   Survey({.north = -1, .east = 0, .length = 10}, {off_grid});
   Confirm({off_grid});
   ASSERT_EQ(Objects().size(), 1U);
-  const auto& centroid = Objects()[0].centroid;
+  const auto centroid = Objects()[0].centroid;
   EXPECT_LT((Eigen::Vector3d(centroid[0], centroid[1], centroid[2]) - off_grid.ned).norm(), 0.2);
   EXPECT_NE(centroid[0], off_grid.ned.x()) << "from the voxels, not from the smoother";
   EXPECT_NEAR(Objects()[0].centroid_sd[0], 0.25, 0.1);
