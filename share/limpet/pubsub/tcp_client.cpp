@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/pubsub/tcp_client.hpp"
 
-#include <array>
-#include <atomic>
-#include <cmath>
 #include <map>
 #include <mutex>
 #include <thread>
@@ -14,10 +11,9 @@
 #include <asio/post.hpp>
 #include <asio/steady_timer.hpp>
 #include <asio/write.hpp>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include "limpet/core/clock.hpp"
+#include "limpet/pubsub/client_clock.hpp"
 #include "limpet/pubsub/client_sender.hpp"
 #include "limpet/pubsub/unit_reader.hpp"
 #include "limpet/pubsub/wildcard_text.hpp"
@@ -28,25 +24,12 @@ namespace {
 using asio::ip::tcp;
 
 constexpr double kDirectPause = 30e-6;  ///< sends closer together than this are gathered [s]
-constexpr double kOldestEcho = 1.0;     ///< that still tells the clock [s], real time
 constexpr auto kIdlePeriod = std::chrono::milliseconds(333);
 constexpr auto kLongestGoodbye = std::chrono::milliseconds(500);
 constexpr double kFirstRetry = 0.1;  ///< [s], real time
-constexpr double kLongestRetry = 2.0;
-constexpr double kMostWarp = 1000.0;
+constexpr double kLongestRetry = 1.0;
 constexpr std::size_t kScratch = std::size_t{256} << 10;
 constexpr std::size_t kReadBudget = std::size_t{4} << 20;
-
-std::string HostName() {
-  std::array<char, 256> name{};
-  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
-}
-
-/// The warp of a broker whose clock shows `time`, if both machines know the date to some days.
-std::optional<double> WarpOf(double time) {
-  const double warp = std::round(1e3 * time / UnixTime().value()) / 1e3;
-  return warp >= 1.0 && warp <= kMostWarp ? std::optional(warp) : std::nullopt;
-}
 
 }  // namespace
 
@@ -54,7 +37,7 @@ class TcpClient::Impl {
  public:
   explicit Impl(TcpClientOptions options)
       : options_(std::move(options)),
-        warp_(options_.warp),
+        clock_(options_.warp),
         sender_(options_.queue),
         socket_(context_),
         resolver_(context_),
@@ -135,8 +118,8 @@ class TcpClient::Impl {
            .time = Now().value()});
   }
 
-  [[nodiscard]] double warp() const { return warp_.load(std::memory_order_relaxed); }
-  [[nodiscard]] Seconds Now() const { return MoosTime(warp()) + Seconds(skew_.load()); }
+  [[nodiscard]] double warp() const { return clock_.warp(); }
+  [[nodiscard]] Seconds Now() const { return clock_.Now(); }
 
   // For UnitReader.
   [[nodiscard]] Expected<std::optional<std::size_t>> UnitSize(ByteView bytes) const {
@@ -161,7 +144,7 @@ class TcpClient::Impl {
           return false;
         }
       } else if (is_first && message->type == wire_type::kTiming) {
-        KeepClock(*message);
+        clock_.TakeEcho(*message);
       } else if (message->type == wire_type::kNotify && options_.on_mail) {
         options_.on_mail(*message);
       }
@@ -170,7 +153,7 @@ class TcpClient::Impl {
   }
 
   TcpClientOptions options_;
-  std::atomic<double> warp_;
+  ClientClock clock_;
   mutable std::mutex mutex_;  ///< guards what any thread may touch: all down to `descriptor_`
   State state_ = State::kConnecting;
   std::string trouble_, community_;
@@ -200,11 +183,10 @@ class TcpClient::Impl {
     // Greeting and hello in one write: a stock broker takes a greeting in pieces for a wrong one.
     ByteBuffer hello(kGreeting.size());
     std::memcpy(hello.data(), kGreeting.data(), kGreeting.size());
-    hello_sent_ = MoosTime(warp());
     const ByteBuffer packet = PacketOf({.type = wire_type::kHello,
                                         .data_type = wire_data::kString,
                                         .key = "asynchronous",
-                                        .time = hello_sent_.value(),
+                                        .time = clock_.Own().value(),
                                         .text = options_.name});
     hello.insert(hello.end(), packet.begin(), packet.end());
     std::error_code error;
@@ -235,14 +217,7 @@ class TcpClient::Impl {
       return false;
     }
     is_welcome_ = true;
-    const bool is_same_host = answer.source_aux == "hostname=" + HostName();
-    corrects_clock_ = !is_same_host;
-    double skew = answer.number;
-    if (options_.learns_warp) {
-      warp_ = WarpOf(answer.time).value_or(warp());
-      skew = answer.time - MoosTime(warp()).value();  // the hello's time was of another warp
-    }
-    skew_ = corrects_clock_ ? skew : 0.0;
+    clock_.TakeWelcome(answer, options_.learns_warp);
     retry_ = kFirstRetry;
     {
       const std::lock_guard lock(mutex_);
@@ -304,19 +279,6 @@ class TcpClient::Impl {
     });
   }
 
-  void KeepClock(const WireMessage& echo) {
-    if (!corrects_clock_) {
-      return;
-    }
-    const double received = MoosTime(warp()).value();
-    if (received - echo.time > kOldestEcho * warp()) {
-      return;  // it waited somewhere, perhaps for a new connection: that says nothing of clocks
-    }
-    const double measured = echo.number - 0.5 * (echo.time + received);
-    const double skew = skew_.load();
-    skew_ = skew == 0.0 ? measured : 0.9 * skew + 0.1 * measured;
-  }
-
   void TellState() {
     if (options_.on_state) {
       options_.on_state();
@@ -363,7 +325,7 @@ class TcpClient::Impl {
   void Flush() {
     // A failure shows when reading, too: it is dealt with there.
     if (descriptor_ >= 0 &&
-        sender_.Send(descriptor_, MoosTime(warp())) == ClientSender::Outcome::kBlocked) {
+        sender_.Send(descriptor_, clock_.Own()) == ClientSender::Outcome::kBlocked) {
       WaitToWrite();
     }
   }
@@ -398,10 +360,7 @@ class TcpClient::Impl {
   ByteBuffer scratch_;
   bool is_welcome_ = false;
   std::string refusal_;  ///< of the hello just sent
-  bool corrects_clock_ = false;
-  Seconds hello_sent_;
   double retry_ = kFirstRetry;
-  std::atomic<double> skew_{0.0};  ///< broker's MOOS time less ours [s]
   std::thread thread_;
 };
 
