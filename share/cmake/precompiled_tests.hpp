@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+// What the tests read beside precompiled.hpp.
+#pragma once
+
+#include "precompiled.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
