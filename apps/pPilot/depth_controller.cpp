@@ -2,11 +2,6 @@
 #include "apps/pPilot/depth_controller.hpp"
 
 namespace limpet {
-namespace {
-
-constexpr int kHeave = 2;
-
-}  // namespace
 
 DepthController::DepthController(const Gains& gains, const Hydrodynamics& hydro)
     : gains_(gains), hydro_(hydro), integral_(gains.integral, gains.integral_limit) {}

@@ -6,7 +6,6 @@
 namespace limpet {
 namespace {
 
-constexpr int kSurge = 0, kSway = 1, kYaw = 5;
 /// Farther off than this [rad] the vehicle is turning, not holding: nothing to learn for a bias.
 constexpr double kHolding = 0.3;
 

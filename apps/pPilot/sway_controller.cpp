@@ -4,11 +4,6 @@
 #include <algorithm>
 
 namespace limpet {
-namespace {
-
-constexpr int kSurge = 0, kSway = 1;
-
-}  // namespace
 
 SwayController::SwayController(const Gains& gains, const Hydrodynamics& hydro)
     : gains_(gains), hydro_(hydro) {}

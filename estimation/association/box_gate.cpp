@@ -12,7 +12,7 @@
 namespace limpet {
 namespace {
 
-constexpr double kNearest = 0.3;  // [m]
+constexpr double kNearestPoint = 0.3;  // [m]
 
 /// Offset of a box along one axis from where a sphere should appear [px]; nothing if both edges are
 /// cut, which tells nothing.
@@ -45,7 +45,7 @@ std::optional<BoxMatch> MatchBox(const BoxDetection& box, const BoxReading& read
                                  const BoxGateParams& params) {
   const CameraPoint point = CameraPointOf(camera, x, p_W);
   const Eigen::Vector3d& p = point.p_C;
-  if (p.z() < kNearest) {
+  if (p.z() < kNearestPoint) {
     return std::nullopt;
   }
   constexpr double kBorder = 2.0;

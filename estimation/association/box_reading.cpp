@@ -8,7 +8,7 @@
 namespace limpet {
 namespace {
 
-constexpr double kNearest = 0.2;  // [m] a sphere nearer to the camera plane has no box
+constexpr double kNearestSphere = 0.2;  // [m] a sphere nearer to the camera plane has no box
 
 struct Interval {
   double low, high;
@@ -17,7 +17,7 @@ struct Interval {
 /// Where the tangents to a circle at (side, depth) meet the image line.
 std::optional<Interval> EdgesOf(double side, double depth, double radius, double f, double c) {
   const double distance = std::hypot(side, depth);
-  if (depth < kNearest || distance <= radius) {
+  if (depth < kNearestSphere || distance <= radius) {
     return std::nullopt;
   }
   const double middle = std::atan2(side, depth), half = std::asin(radius / distance);

@@ -14,7 +14,7 @@ namespace limpet {
 namespace {
 
 constexpr double kUsualDistance = 3.0;  // [m] when nothing tells
-constexpr double kNearest = 0.8;        // [m]
+constexpr double kLeastDepth = 0.8;     // [m]
 constexpr int kIterations = 6;
 
 }  // namespace
@@ -53,7 +53,7 @@ Eigen::Vector3d PlaceAlongRay(const Look& look, const NavVector& x, const Camera
     const double down = X_WB.p_WB.z() + *look.altitude - model.height_m - p_WC.z();
     depth = down / ray_W.z();
   }
-  return p_WC + std::clamp(depth, kNearest, 30.0) * ray_W;
+  return p_WC + std::clamp(depth, kLeastDepth, 30.0) * ray_W;
 }
 
 std::vector<Term> TermsOfLook(const Look& look, int slot, const CameraModel& camera,

@@ -7,7 +7,7 @@
 namespace limpet {
 namespace {
 
-constexpr double kBorder = 3.0;        ///< an edge nearer to the image's border is cut [px]
+constexpr double kCutEdge = 3.0;       ///< an edge nearer to the image's border is cut [px]
 constexpr double kBelowSeabed = 0.7;   ///< a place may seem this far below the seabed [m]
 constexpr double kNearestDepth = 0.5;  ///< [m]
 constexpr double kOneObject = 1.2;     ///< boxes whose places are nearer hint at one object [m]
@@ -24,8 +24,8 @@ constexpr double kPlaceSigma = 0.3;  ///< of a hunch's place [m]
 /// One axis of a box: its low and high edges in pixels, and the image's extent.
 struct Side {
   double low, high, extent;
-  [[nodiscard]] bool is_cut_low() const { return low < kBorder; }
-  [[nodiscard]] bool is_cut_high() const { return high > extent - kBorder; }
+  [[nodiscard]] bool is_cut_low() const { return low < kCutEdge; }
+  [[nodiscard]] bool is_cut_high() const { return high > extent - kCutEdge; }
   [[nodiscard]] bool is_cut() const { return is_cut_low() || is_cut_high(); }
   /// Centre of an object whose image has this half size; a cut edge tells nothing.
   [[nodiscard]] double Centre(double half) const {
@@ -115,10 +115,10 @@ void HunchBook::Take(const Eigen::Vector3d& p_W, const std::string& color, doubl
 void HunchBook::Support(const SightedDetection& box, const SightRecord& sight,
                         const WatchModel& model) {
   for (Hunch& hunch : hunches_) {
-    const std::optional<Prospect> prospect = Foresee(hunch.place, sight.X_WB, model);
+    const std::optional<Foresight> foresight = Foresee(hunch.place, sight.X_WB, model);
     const bool is_recent = sight.time - hunch.last_box <= kOnePass;
-    if (is_recent && hunch.place.color == box.color && prospect &&
-        prospect->Explains(box, model.camera)) {
+    if (is_recent && hunch.place.color == box.color && foresight &&
+        foresight->Explains(box, model.camera)) {
       ++hunch.boxes;
       hunch.last_box = sight.time;
       return;

@@ -49,23 +49,23 @@ struct BoxesHere {
 };
 
 BoxesHere LookForBoxes(const SightRecord& sight, const PlacedObject& place,
-                       const Prospect& prospect, const CameraGeometry& camera,
+                       const Foresight& foresight, const CameraGeometry& camera,
                        const OwnerOf& owner_of) {
   BoxesHere here;
   for (const SightedDetection& box : sight.boxes) {
     const BoxOwner owner = owner_of(sight, box);
     if (owner == BoxOwner::kThisPlace) {
       here.own = &box;
-    } else if (owner == BoxOwner::kUnknown && prospect.Explains(box, camera) &&
-               LooksLike(box, place, 2.0 * prospect.radius, camera)) {
+    } else if (owner == BoxOwner::kUnknown && foresight.Explains(box, camera) &&
+               LooksLike(box, place, 2.0 * foresight.radius, camera)) {
       here.possible = &box;
     }
   }
   return here;
 }
 
-double FalseAlarm(const Prospect& prospect, const WatchModel& model) {
-  const double gate_area = std::numbers::pi * prospect.gate * prospect.gate;
+double FalseAlarm(const Foresight& foresight, const WatchModel& model) {
+  const double gate_area = std::numbers::pi * foresight.gate * foresight.gate;
   const double image_area = static_cast<double>(model.camera.width_px) * model.camera.height_px;
   const double rate = kSameColor * kSameSize * model.detection.false_per_image;
   return std::clamp(rate * std::min(gate_area / image_area, 1.0), kLeastFalseAlarm,
@@ -74,7 +74,7 @@ double FalseAlarm(const Prospect& prospect, const WatchModel& model) {
 
 }  // namespace
 
-bool Prospect::Explains(const SightedDetection& box, const CameraGeometry& camera) const {
+bool Foresight::Explains(const SightedDetection& box, const CameraGeometry& camera) const {
   // An object cut by the image's border has its box's centre farther inside than its own, by at
   // most its radius.
   const Eigen::Vector2d centre(box.u, box.v);
@@ -83,8 +83,8 @@ bool Prospect::Explains(const SightedDetection& box, const CameraGeometry& camer
   return (centre - inside).norm() <= gate && (centre - pixel).norm() <= gate + radius;
 }
 
-std::optional<Prospect> Foresee(const PlacedObject& place, const Pose& X_WB,
-                                const WatchModel& model) {
+std::optional<Foresight> Foresee(const PlacedObject& place, const Pose& X_WB,
+                                 const WatchModel& model) {
   const Eigen::Vector3d p_C = model.camera.InCamera(X_WB, place.ned);
   const std::optional<Eigen::Vector2d> pixel = model.camera.Project(p_C);
   // Far outside the image nothing needs to be computed; most frames end here.
@@ -96,18 +96,18 @@ std::optional<Prospect> Foresee(const PlacedObject& place, const Pose& X_WB,
   const double position = std::sqrt(std::max(0.5 * (place.cov(0, 0) + place.cov(1, 1)), 0.0));
   const double size = 2.0 * kSizeShare * model.object_radius;
   const double sigma = std::hypot(kPixelSigma, std::hypot(position, size) * pixels_per_metre);
-  return Prospect{.pixel = *pixel,
-                  .radius = model.object_radius * pixels_per_metre,
-                  .gate = kGateSigmas * sigma};
+  return Foresight{.pixel = *pixel,
+                   .radius = model.object_radius * pixels_per_metre,
+                   .gate = kGateSigmas * sigma};
 }
 
 const SightedDetection* FindBox(const SightRecord& sight, const PlacedObject& place,
                                 const WatchModel& model, const OwnerOf& owner_of) {
-  const std::optional<Prospect> prospect = Foresee(place, sight.X_WB, model);
-  if (!prospect) {
+  const std::optional<Foresight> foresight = Foresee(place, sight.X_WB, model);
+  if (!foresight) {
     return nullptr;
   }
-  const BoxesHere boxes = LookForBoxes(sight, place, *prospect, model.camera, owner_of);
+  const BoxesHere boxes = LookForBoxes(sight, place, *foresight, model.camera, owner_of);
   return boxes.own != nullptr ? boxes.own : boxes.possible;
 }
 
@@ -124,13 +124,13 @@ PlaceWatch::PlaceWatch(const PlacedObject& place, const LookParams& looks) : pla
 }
 
 void PlaceWatch::See(const SightRecord& sight, const WatchModel& model, const OwnerOf& owner_of) {
-  const std::optional<Prospect> prospect = Foresee(place_, sight.X_WB, model);
-  if (!prospect) {
+  const std::optional<Foresight> foresight = Foresee(place_, sight.X_WB, model);
+  if (!foresight) {
     return;
   }
-  const BoxesHere boxes = LookForBoxes(sight, place_, *prospect, model.camera, owner_of);
+  const BoxesHere boxes = LookForBoxes(sight, place_, *foresight, model.camera, owner_of);
   const bool has_own = boxes.own != nullptr;
-  const double false_alarm = FalseAlarm(*prospect, model);
+  const double false_alarm = FalseAlarm(*foresight, model);
   for (Spot& spot : spots_) {
     const double detects = Detects(spot.p_W, sight.X_WB, model);
     if (detects < model.least_detection && !has_own) continue;

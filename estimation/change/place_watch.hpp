@@ -37,7 +37,7 @@ struct WatchModel {
 };
 
 /// Where an uncertain place lies in a frame.
-struct Prospect {
+struct Foresight {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double radius = 0.0;  ///< of the object's image [px]
   double gate = 0.0;    ///< how far from `pixel` its box would be centred [px]
@@ -45,8 +45,8 @@ struct Prospect {
   [[nodiscard]] bool Explains(const SightedDetection& box, const CameraGeometry& camera) const;
 };
 /// Nothing for a place that is far outside the image.
-[[nodiscard]] std::optional<Prospect> Foresee(const PlacedObject& place, const Pose& X_WB,
-                                              const WatchModel& model);
+[[nodiscard]] std::optional<Foresight> Foresee(const PlacedObject& place, const Pose& X_WB,
+                                               const WatchModel& model);
 
 /// Whose box a detection is, seen from one place.
 enum class BoxOwner { kThisPlace, kAnotherPlace, kUnknown };

@@ -142,9 +142,9 @@ OwnerOf StatusBook::OwnerForFormer() const {
 
 bool StatusBook::IsExplained(const SightRecord& sight, const SightedDetection& box) const {
   return std::ranges::any_of(objects_, [&](const KnownLandmark& object) {
-    const std::optional<Prospect> prospect =
+    const std::optional<Foresight> foresight =
         Foresee(WatchedPlace(object.object), sight.X_WB, model_);
-    return prospect && prospect->Explains(box, model_.camera);
+    return foresight && foresight->Explains(box, model_.camera);
   });
 }
 

@@ -4,8 +4,12 @@ target_compile_options(
   limpet_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Werror)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 misreads Eigen's and libstdc++'s inlined loops at -O2; Clang checks the same code without these.
-  target_compile_options(limpet_options INTERFACE -Wno-array-bounds -Wno-stringop-overflow
+  target_compile_options(limpet_options INTERFACE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread
                                                   -Wno-maybe-uninitialized -Wno-restrict)
+endif()
+if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # It warns of types that one file keeps to itself whenever that file is not the one on the command line.
+  target_compile_options(limpet_options INTERFACE -Wno-subobject-linkage)
 endif()
 # Equal input must give equal bits: no contraction that depends on inlining.
 target_compile_options(limpet_options INTERFACE -ffp-contract=off)

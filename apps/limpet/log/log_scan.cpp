@@ -15,7 +15,7 @@
 namespace limpet {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 using Variables = std::vector<VariableStatistics>;
 
 struct Scanned {
@@ -49,12 +49,12 @@ std::string SourcesText(const VariableStatistics& variable) {
   return text;
 }
 
-Json FactsOf(const LogInput& input, const AlogStatistics& all) {
+OrderedJson FactsOf(const LogInput& input, const AlogStatistics& all) {
   const AlogReader& reader = input.reader();
   const auto start = reader.start();
   return {{"file", input.file().string()},
-          {"bytes", input.size() ? Json(*input.size()) : Json(nullptr)},
-          {"logstart", start ? Json(start->value()) : Json(nullptr)},
+          {"bytes", input.size() ? OrderedJson(*input.size()) : OrderedJson(nullptr)},
+          {"logstart", start ? OrderedJson(start->value()) : OrderedJson(nullptr)},
           {"entries", all.entries()},
           {"first_s", all.first()},
           {"last_s", all.last()},
@@ -63,7 +63,7 @@ Json FactsOf(const LogInput& input, const AlogStatistics& all) {
           {"torn_end", reader.has_torn_end()}};
 }
 
-Json NumbersOf(const NumberStatistics& numbers) {
+OrderedJson NumbersOf(const NumberStatistics& numbers) {
   return {{"count", numbers.count},
           {"min", numbers.least},
           {"mean", numbers.mean},
@@ -73,25 +73,26 @@ Json NumbersOf(const NumberStatistics& numbers) {
           {"last", numbers.last}};
 }
 
-Json JsonOf(const VariableStatistics& variable) {
-  return {{"name", variable.name},
-          {"entries", variable.entries},
-          {"bytes", variable.bytes},
-          {"rate_hz", variable.Rate()},
-          {"first_s", variable.first},
-          {"last_s", variable.last},
-          {"longest_gap_s", variable.longest_gap},
-          {"sources", variable.sources},
-          {"numbers", variable.numbers.count > 0 ? NumbersOf(variable.numbers) : Json(nullptr)}};
+OrderedJson JsonOf(const VariableStatistics& variable) {
+  return {
+      {"name", variable.name},
+      {"entries", variable.entries},
+      {"bytes", variable.bytes},
+      {"rate_hz", variable.Rate()},
+      {"first_s", variable.first},
+      {"last_s", variable.last},
+      {"longest_gap_s", variable.longest_gap},
+      {"sources", variable.sources},
+      {"numbers", variable.numbers.count > 0 ? NumbersOf(variable.numbers) : OrderedJson(nullptr)}};
 }
 
 void PrintJson(const LogInput& input, const Scanned& scanned) {
-  Json out = FactsOf(input, scanned.statistics);
-  out["variables"] = Json::array();
+  OrderedJson out = FactsOf(input, scanned.statistics);
+  out["variables"] = OrderedJson::array();
   for (const VariableStatistics& variable : scanned.variables) {
     out["variables"].push_back(JsonOf(variable));
   }
-  fmt::print("{}\n", out.dump(1, ' ', false, Json::error_handler_t::replace));
+  fmt::print("{}\n", out.dump(1, ' ', false, OrderedJson::error_handler_t::replace));
 }
 
 void PrintHead(const LogInput& input, const Scanned& scanned) {

@@ -14,7 +14,7 @@ namespace {
 
 using Point = SvgCanvas::Point;
 
-constexpr double kLeft = 92.0, kWidth = 798.0, kRow = 44.0, kTop = 92.0;
+constexpr double kBeliefLeft = 92.0, kBeliefWidth = 798.0, kBeliefRow = 44.0, kBeliefTop = 92.0;
 
 struct Shares {
   std::vector<double> path, confirmed, appeared, removed;
@@ -75,7 +75,8 @@ std::string NameOf(const FigureSource& source, int id) {
 void DrawRow(SvgCanvas& canvas, double top, double far, const std::string& name,
              const Shares& shares) {
   const auto at = [&](double path, double share) {
-    return Point(kLeft + kWidth * path / far, top + (kRow - 10.0) * (1.0 - share));
+    return Point(kBeliefLeft + kBeliefWidth * path / far,
+                 top + (kBeliefRow - 10.0) * (1.0 - share));
   };
   const auto fill = [&](const std::vector<double>& low, const std::vector<double>& high,
                         std::string_view color) {
@@ -86,12 +87,12 @@ void DrawRow(SvgCanvas& canvas, double top, double far, const std::string& name,
       outline.push_back(at(shares.path[i], low[i]));
     canvas.Polygon(outline, {.fill = color, .opacity = 0.85});
   };
-  canvas.Rect(at(0.0, 1.0), {kWidth, kRow - 10.0}, {.fill = palette::kUnseen});
+  canvas.Rect(at(0.0, 1.0), {kBeliefWidth, kBeliefRow - 10.0}, {.fill = palette::kUnseen});
   const std::vector<double> zero(shares.path.size(), 0.0);
   fill(zero, shares.confirmed, palette::kGreen);
   fill(shares.confirmed, shares.appeared, palette::kBlue);
   fill(shares.appeared, shares.removed, palette::kVermillion);
-  canvas.Text({kLeft - 12.0, top + 0.5 * (kRow - 10.0) + 4.0}, name,
+  canvas.Text({kBeliefLeft - 12.0, top + 0.5 * (kBeliefRow - 10.0) + 4.0}, name,
               {.size = 12.5, .anchor = Anchor::kEnd, .is_bold = true});
 }
 
@@ -102,15 +103,16 @@ Figure BeliefFigure(const FigureSource& source) {
   const double start_path =
       source.record.truth.PathAt(source.score.survey_start_s + source.record.truth.time(0));
   const std::map<int, Shares> shares = SharesOf(source.record, start_path, far);
-  const double height = kRow * static_cast<double>(shares.size());
-  SvgCanvas canvas(kLeft + kWidth + 24.0, kTop + height + 48.0, "Belief about each object");
-  canvas.Text({kLeft - 26.0, 24.0}, "How sure it was about each object as it went",
+  const double height = kBeliefRow * static_cast<double>(shares.size());
+  SvgCanvas canvas(kBeliefLeft + kBeliefWidth + 24.0, kBeliefTop + height + 48.0,
+                   "Belief about each object");
+  canvas.Text({kBeliefLeft - 26.0, 24.0}, "How sure it was about each object as it went",
               {.size = 17.0, .is_bold = true});
-  canvas.Text({kLeft - 26.0, 44.0},
+  canvas.Text({kBeliefLeft - 26.0, 44.0},
               RunName(source) + " \u00b7 the posterior, stacked: full height is 1",
               {.size = 12.5, .fill = palette::kMuted});
   const bool is_change = source.record.name == "change";
-  double x = kLeft;
+  double x = kBeliefLeft;
   const auto key = [&](std::string_view color, const std::string& text, double width) {
     canvas.Rect({x, 62.0}, {14.0, 14.0}, {.fill = color, .opacity = 0.85});
     canvas.Text({x + 20.0, 73.0}, text);
@@ -120,17 +122,17 @@ Figure BeliefFigure(const FigureSource& source) {
   key(palette::kBlue, is_change ? "new" : "is there", is_change ? 80.0 : 100.0);
   if (is_change) key(palette::kVermillion, "removed", 100.0);
   key(palette::kUnseen, is_change ? "never anything" : "nothing there, or not yet met", 180.0);
-  PlotAxes axes(canvas, {.corner = {kLeft, kTop},
-                         .size = {kWidth, height},
+  PlotAxes axes(canvas, {.corner = {kBeliefLeft, kBeliefTop},
+                         .size = {kBeliefWidth, height},
                          .x = {0.0, far},
                          .y = {0.0, 1.0},
                          .x_label = "way since the survey began [m]",
                          .y_label = "",
                          .y_ticks = 0});
-  double top = kTop + 4.0;
+  double top = kBeliefTop + 4.0;
   for (const auto& [id, share] : shares) {
     DrawRow(canvas, top, far, NameOf(source, id), share);
-    top += kRow;
+    top += kBeliefRow;
   }
   return {source.record.name + "_belief.svg",
           "One row per object the vehicle ever considered. A row that ends in one full colour "

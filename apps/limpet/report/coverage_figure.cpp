@@ -14,7 +14,8 @@ using Point = SvgCanvas::Point;
 
 constexpr Paint kSeabed{.stroke = palette::kBlue, .width = 2.2};
 constexpr Paint kBand{.stroke = palette::kVermillion, .width = 2.2};
-constexpr double kLeft = 76.0, kTop = 96.0, kWidth = 814.0, kHeight = 330.0;
+constexpr double kCoverageLeft = 76.0, kCoverageTop = 96.0, kCoverageWidth = 814.0,
+                 kCoverageHeight = 330.0;
 
 std::vector<double> Percent(const std::vector<double>& shares) {
   std::vector<double> out;
@@ -58,11 +59,11 @@ void DrawKeys(SvgCanvas& canvas, const FigureSource& source) {
     canvas.Line({x, 73.0}, {x + 24.0, 73.0}, paint);
     canvas.Text({x + 31.0, 77.0}, text);
   };
-  key(kLeft, kSeabed, "bottom inside the image");
-  key(kLeft + 188.0, kBand,
+  key(kCoverageLeft, kSeabed, "bottom inside the image");
+  key(kCoverageLeft + 188.0, kBand,
       fmt::format("objects {:g} to {:g} m above it seen well", source.settings.object_radius_m,
                   source.settings.object_height_max_m));
-  key(kLeft + 520.0, {.stroke = palette::kMuted, .width = 1.2, .dash = "2 4"},
+  key(kCoverageLeft + 520.0, {.stroke = palette::kMuted, .width = 1.2, .dash = "2 4"},
       "as the vehicle believed");
 }
 
@@ -71,19 +72,20 @@ void DrawKeys(SvgCanvas& canvas, const FigureSource& source) {
 Figure CoverageFigure(const FigureSource& source) {
   const CoverageScore& coverage = source.score.coverage;
   const auto footprint = source.settings.footprint_m();
-  SvgCanvas canvas(kLeft + kWidth + 24.0, kTop + kHeight + 52.0, "Coverage against way");
-  canvas.Text({kLeft, 24.0},
+  SvgCanvas canvas(kCoverageLeft + kCoverageWidth + 24.0, kCoverageTop + kCoverageHeight + 52.0,
+                   "Coverage against way");
+  canvas.Text({kCoverageLeft, 24.0},
               fmt::format("Seen at the end: {:.1f} % of the bottom, {:.1f} % of the band",
                           100.0 * coverage.covered, 100.0 * coverage.detected_band),
               {.size = 17.0, .is_bold = true});
   canvas.Text(
-      {kLeft, 44.0},
+      {kCoverageLeft, 44.0},
       fmt::format("{} \u00b7 from the true poses, image {:.2f} \u00d7 {:.2f} m on the bottom",
                   RunName(source), footprint[0], footprint[1]),
       {.size = 12.5, .fill = palette::kMuted});
   const double far = std::max(coverage.curve.path_m.back(), 1.0);
-  PlotAxes axes(canvas, {.corner = {kLeft, kTop},
-                         .size = {kWidth, kHeight},
+  PlotAxes axes(canvas, {.corner = {kCoverageLeft, kCoverageTop},
+                         .size = {kCoverageWidth, kCoverageHeight},
                          .x = {0.0, far},
                          .y = {0.0, 105.0},
                          .x_label = "way since the survey began [m]",

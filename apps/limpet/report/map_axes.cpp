@@ -14,7 +14,8 @@ namespace {
 
 using Point = SvgCanvas::Point;
 
-constexpr double kLeft = 58.0, kTop = 64.0, kBottom = 50.0, kGap = 24.0, kLegendWidth = 212.0;
+constexpr double kMapLeft = 58.0, kMapTop = 64.0, kMapBottom = 50.0, kMapGap = 24.0,
+                 kLegendWidth = 212.0;
 constexpr double kLargestMap = 620.0;  ///< longer side of the map [px]
 
 double ScaleFor(double north_span, double east_span) {
@@ -29,21 +30,21 @@ MapAxes::MapAxes(const SurveyArea& area, const std::string& title, const std::st
       east_min_(area.east_min - area.margin),
       east_max_(area.east_max + area.margin),
       scale_(ScaleFor(north_max_ - north_min_, east_max_ - east_min_)),
-      canvas_(kLeft + (east_max_ - east_min_) * scale_ + kGap + kLegendWidth,
-              kTop + std::max((north_max_ - north_min_) * scale_, 300.0) + kBottom, title),
-      legend_y_(kTop + 6.0) {
+      canvas_(kMapLeft + (east_max_ - east_min_) * scale_ + kMapGap + kLegendWidth,
+              kMapTop + std::max((north_max_ - north_min_) * scale_, 300.0) + kMapBottom, title),
+      legend_y_(kMapTop + 6.0) {
   DrawFrame(title, subtitle);
 }
 
 Point MapAxes::At(double north, double east) const {
-  return {kLeft + (east - east_min_) * scale_, kTop + (north_max_ - north) * scale_};
+  return {kMapLeft + (east - east_min_) * scale_, kMapTop + (north_max_ - north) * scale_};
 }
 
 void MapAxes::DrawFrame(const std::string& title, const std::string& subtitle) {
   const Point corner = At(north_max_, east_min_);
   const Point size((east_max_ - east_min_) * scale_, (north_max_ - north_min_) * scale_);
-  canvas_.Text({kLeft, 24.0}, title, {.size = 17.0, .is_bold = true});
-  canvas_.Text({kLeft, 44.0}, subtitle, {.size = 12.5, .fill = palette::kMuted});
+  canvas_.Text({kMapLeft, 24.0}, title, {.size = 17.0, .is_bold = true});
+  canvas_.Text({kMapLeft, 44.0}, subtitle, {.size = 12.5, .fill = palette::kMuted});
   canvas_.Rect(corner, size, {.fill = palette::kUnseen});
   const double bottom = corner.y() + size.y();
   for (const double east : TickMarks(east_min_, east_max_, 9)) {
@@ -110,7 +111,7 @@ void MapAxes::EndMap() { canvas_.EndClip(); }
 
 void MapAxes::Legend(const std::function<void(SvgCanvas&, const Point&)>& symbol,
                      const std::string& text) {
-  const double x = At(0.0, east_max_).x() + kGap;
+  const double x = At(0.0, east_max_).x() + kMapGap;
   symbol(canvas_, {x + 12.0, legend_y_ + 6.0});
   std::size_t begin = 0;
   double y = legend_y_ + 10.0;
@@ -124,8 +125,8 @@ void MapAxes::Legend(const std::function<void(SvgCanvas&, const Point&)>& symbol
 }
 
 void MapAxes::LegendHeading(const std::string& text) {
-  const double x = At(0.0, east_max_).x() + kGap;
-  legend_y_ += legend_y_ > kTop + 6.0 ? 14.0 : 0.0;
+  const double x = At(0.0, east_max_).x() + kMapGap;
+  legend_y_ += legend_y_ > kMapTop + 6.0 ? 14.0 : 0.0;
   canvas_.Text({x, legend_y_ + 8.0}, text,
                {.size = 12.0, .fill = palette::kMuted, .is_bold = true});
   legend_y_ += 20.0;
@@ -134,7 +135,7 @@ void MapAxes::LegendHeading(const std::string& text) {
 void MapAxes::ColorBar(const std::function<palette::Rgb(double)>& color, const std::string& low,
                        const std::string& high, const std::string& what) {
   LegendHeading(what);
-  const double x = At(0.0, east_max_).x() + kGap;
+  const double x = At(0.0, east_max_).x() + kMapGap;
   constexpr int kSteps = 64;
   constexpr double kHeight = 150.0, kWidth = 16.0;
   IndexedImage image{1, kSteps, {}, {}};

@@ -16,7 +16,7 @@ using Point = SvgCanvas::Point;
 constexpr Paint kEstimate{.stroke = palette::kBlue, .width = 1.8};
 constexpr Paint kDeadReckoning{.stroke = palette::kVermillion, .width = 1.8, .dash = "6 4"};
 constexpr Paint kBounds{.fill = palette::kSky, .opacity = 0.3};
-constexpr double kLeft = 76.0, kWidth = 814.0;
+constexpr double kNavigationLeft = 76.0, kNavigationWidth = 814.0;
 
 double Largest(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
@@ -47,8 +47,8 @@ void DrawAxis(SvgCanvas& canvas, double top, const std::string& label, const Nav
     largest = std::max(largest, std::min(sorted[sorted.size() * 9 / 10], 6.0 * largest));
   largest *= 1.1;
   const std::vector<double> minutes = Minutes(curve.time_s);
-  PlotAxes axes(canvas, {.corner = {kLeft, top},
-                         .size = {kWidth, 84.0},
+  PlotAxes axes(canvas, {.corner = {kNavigationLeft, top},
+                         .size = {kNavigationWidth, 84.0},
                          .x = {0.0, x_high},
                          .y = {-largest, largest},
                          .x_label = "time since the survey began [min]",
@@ -70,21 +70,21 @@ void DrawKey(SvgCanvas& canvas, const Point& at, const std::string& text, const 
 Figure NavigationFigure(const FigureSource& source) {
   const NavScore& nav = source.score.nav;
   const NavErrorCurve& curve = nav.curve;
-  SvgCanvas canvas(kLeft + kWidth + 24.0, 636.0, "Navigation error");
+  SvgCanvas canvas(kNavigationLeft + kNavigationWidth + 24.0, 636.0, "Navigation error");
   canvas.Text(
-      {kLeft, 24.0},
+      {kNavigationLeft, 24.0},
       fmt::format("Position error {:.2f} m rms; at the end {:.2f} m, dead reckoning {:.2f} m",
                   nav.position_rmse_m, nav.final_error_m, nav.dead_reckoning_final_error_m),
       {.size = 16.0, .is_bold = true});
   canvas.Text(
-      {kLeft, 44.0},
+      {kNavigationLeft, 44.0},
       fmt::format("{} \u00b7 estimate as known at the time, against the truth", RunName(source)),
       {.size = 12.5, .fill = palette::kMuted});
   const double x_high = std::max(Largest(curve.time_s) / 60.0, 0.1);
   PlotAxes axes(
       canvas,
-      {.corner = {kLeft, 92.0},
-       .size = {kWidth, 170.0},
+      {.corner = {kNavigationLeft, 92.0},
+       .size = {kNavigationWidth, 170.0},
        .x = {0.0, x_high},
        .y = {0.0, 1.08 * std::max({Largest(curve.error_m), Largest(curve.dead_reckoning_m), 0.1})},
        .x_label = "",
@@ -93,10 +93,11 @@ Figure NavigationFigure(const FigureSource& source) {
        .y_ticks = 5});
   axes.Curve(Minutes(curve.dead_reckoning_time_s), curve.dead_reckoning_m, kDeadReckoning);
   axes.Curve(Minutes(curve.time_s), curve.error_m, kEstimate);
-  DrawKey(canvas, {kLeft, 71.0}, "estimate", kEstimate);
-  DrawKey(canvas, {kLeft + 120.0, 71.0}, "dead reckoning", kDeadReckoning);
-  canvas.Rect({kLeft + 280.0, 65.0}, {26.0, 12.0}, kBounds);
-  canvas.Text({kLeft + 313.0, 75.0}, "\u00b13 standard deviations, as the estimator says");
+  DrawKey(canvas, {kNavigationLeft, 71.0}, "estimate", kEstimate);
+  DrawKey(canvas, {kNavigationLeft + 120.0, 71.0}, "dead reckoning", kDeadReckoning);
+  canvas.Rect({kNavigationLeft + 280.0, 65.0}, {26.0, 12.0}, kBounds);
+  canvas.Text({kNavigationLeft + 313.0, 75.0},
+              "\u00b13 standard deviations, as the estimator says");
   DrawAxis(canvas, 284.0, "north [m]", curve, curve.north_m, curve.sd_north_m, x_high, false);
   DrawAxis(canvas, 388.0, "east [m]", curve, curve.east_m, curve.sd_east_m, x_high, false);
   DrawAxis(canvas, 492.0, "down [m]", curve, curve.down_m, curve.sd_down_m, x_high, true);

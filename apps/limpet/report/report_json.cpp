@@ -8,22 +8,24 @@
 namespace limpet {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json Rounded(double value, double scale) {
+OrderedJson Rounded(double value, double scale) {
   if (!std::isfinite(value)) return nullptr;
   return std::round(value * scale) / scale + 0.0;  // + 0.0 turns -0 into 0
 }
-Json Length(double metres) { return Rounded(metres, 1e3); }
-Json Share(double share) { return Rounded(share, 1e4); }
-Json Time(double seconds) { return Rounded(seconds, 1e2); }
-Json Optional(const std::optional<double>& value, Json (*write)(double)) {
-  return value ? write(*value) : Json(nullptr);
+OrderedJson Length(double metres) { return Rounded(metres, 1e3); }
+OrderedJson Share(double share) { return Rounded(share, 1e4); }
+OrderedJson Time(double seconds) { return Rounded(seconds, 1e2); }
+OrderedJson Optional(const std::optional<double>& value, OrderedJson (*write)(double)) {
+  return value ? write(*value) : OrderedJson(nullptr);
 }
-Json Point(const Eigen::Vector3d& p) { return {Length(p.x()), Length(p.y()), Length(p.z())}; }
+OrderedJson PointJson(const Eigen::Vector3d& p) {
+  return {Length(p.x()), Length(p.y()), Length(p.z())};
+}
 
-Json Levels(const std::vector<CoverageLevel>& levels, double lowest) {
-  Json list = Json::array();
+OrderedJson Levels(const std::vector<CoverageLevel>& levels, double lowest) {
+  OrderedJson list = OrderedJson::array();
   for (const CoverageLevel& level : levels) {
     if (level.level < lowest) continue;
     list.push_back({{"level", level.level},
@@ -33,7 +35,7 @@ Json Levels(const std::vector<CoverageLevel>& levels, double lowest) {
   return list;
 }
 
-Json Navigation(const NavScore& nav) {
+OrderedJson Navigation(const NavScore& nav) {
   return {{"position_rmse_m", Length(nav.position_rmse_m)},
           {"aligned_rmse_m", Length(nav.aligned_rmse_m)},
           {"final_error_m", Length(nav.final_error_m)},
@@ -41,15 +43,15 @@ Json Navigation(const NavScore& nav) {
           {"nees_mean", Share(nav.nees_mean)}};
 }
 
-Json Opis(const std::vector<OpiScore>& opis) {
-  Json list = Json::array();
+OrderedJson Opis(const std::vector<OpiScore>& opis) {
+  OrderedJson list = OrderedJson::array();
   for (const OpiScore& opi : opis) {
     list.push_back({{"truth", opi.truth},
-                    {"truth_ned_m", Point(opi.truth_ned)},
-                    {"slam_ned_m", Point(opi.slam_ned)},
-                    {"slam_sd_m", Point(opi.slam_sd)},
-                    {"map_centroid_ned_m", Point(opi.map_centroid)},
-                    {"map_sd_m", Point(opi.map_sd)},
+                    {"truth_ned_m", PointJson(opi.truth_ned)},
+                    {"slam_ned_m", PointJson(opi.slam_ned)},
+                    {"slam_sd_m", PointJson(opi.slam_sd)},
+                    {"map_centroid_ned_m", PointJson(opi.map_centroid)},
+                    {"map_sd_m", PointJson(opi.map_sd)},
                     {"error_m", Length(opi.error_m)},
                     {"aligned_error_m", Length(opi.aligned_error_m)},
                     {"looks", opi.looks}});
@@ -57,42 +59,44 @@ Json Opis(const std::vector<OpiScore>& opis) {
   return list;
 }
 
-Json FalseOpis(const std::vector<FalseOpi>& opis) {
-  Json list = Json::array();
+OrderedJson FalseOpis(const std::vector<FalseOpi>& opis) {
+  OrderedJson list = OrderedJson::array();
   for (const FalseOpi& opi : opis) {
-    list.push_back(
-        {{"ned_m", Point(opi.ned)}, {"class", opi.color}, {"probability", Share(opi.probability)}});
+    list.push_back({{"ned_m", PointJson(opi.ned)},
+                    {"class", opi.color},
+                    {"probability", Share(opi.probability)}});
   }
   return list;
 }
 
-Json Changes(const std::vector<ChangeScore>& changes) {
-  Json list = Json::array();
+OrderedJson Changes(const std::vector<ChangeScore>& changes) {
+  OrderedJson list = OrderedJson::array();
   for (const ChangeScore& change : changes) {
-    list.push_back({{"truth", change.truth ? Json(*change.truth) : Json(nullptr)},
-                    {"expected", change.expected ? Json(*change.expected) : Json(nullptr)},
-                    {"decided", change.decided},
-                    {"probability", Share(change.probability)},
-                    {"ned_m", change.ned ? Point(*change.ned) : Json(nullptr)}});
+    list.push_back(
+        {{"truth", change.truth ? OrderedJson(*change.truth) : OrderedJson(nullptr)},
+         {"expected", change.expected ? OrderedJson(*change.expected) : OrderedJson(nullptr)},
+         {"decided", change.decided},
+         {"probability", Share(change.probability)},
+         {"ned_m", change.ned ? PointJson(*change.ned) : OrderedJson(nullptr)}});
   }
   return list;
 }
 
-Json Session(const SessionScore& session) {
-  Json out = {{"coverage", Levels(session.coverage.seabed, 0.90)},
-              {"detectable", Levels(session.coverage.band, 0.95)},
-              {"covered", Share(session.coverage.covered)},
-              {"detected_band", Share(session.coverage.detected_band)},
-              {"path_m", Length(session.path_m)},
-              {"duration_s", Time(session.duration_s)},
-              {"wall_s", Optional(session.wall_s, Length)},
-              {"realtime_factor", Optional(session.realtime_factor(), Time)},
-              {"ended", session.ended},
-              {"home_error_m", Optional(session.home_error_m, Length)},
-              {"nav", Navigation(session.nav)},
-              {"opis", Opis(session.opis.found)},
-              {"missed", session.opis.missed},
-              {"false", FalseOpis(session.opis.invented)}};
+OrderedJson Session(const SessionScore& session) {
+  OrderedJson out = {{"coverage", Levels(session.coverage.seabed, 0.90)},
+                     {"detectable", Levels(session.coverage.band, 0.95)},
+                     {"covered", Share(session.coverage.covered)},
+                     {"detected_band", Share(session.coverage.detected_band)},
+                     {"path_m", Length(session.path_m)},
+                     {"duration_s", Time(session.duration_s)},
+                     {"wall_s", Optional(session.wall_s, Length)},
+                     {"realtime_factor", Optional(session.realtime_factor(), Time)},
+                     {"ended", session.ended},
+                     {"home_error_m", Optional(session.home_error_m, Length)},
+                     {"nav", Navigation(session.nav)},
+                     {"opis", Opis(session.opis.found)},
+                     {"missed", session.opis.missed},
+                     {"false", FalseOpis(session.opis.invented)}};
   if (session.name == "change") {
     out["prior_opis_seen_path_m"] = Optional(session.coverage.prior_opis_seen_path_m, Length);
     out["changes"] = Changes(session.opis.changes);
@@ -106,16 +110,16 @@ std::string ReportJson(const RunScore& run) {
   const ReportSettings& settings = run.settings;
   const auto footprint = settings.footprint_m();
   const auto centimetres = [](double metres) { return Rounded(metres, 1e2); };
-  Json report = {{"limpet", settings.version},
-                 {"mission", settings.mission},
-                 {"seed", settings.seed},
-                 {"settings",
-                  {{"planner", settings.planner},
-                   {"gain", settings.gain},
-                   {"camera", settings.camera},
-                   {"footprint_m", {centimetres(footprint[0]), centimetres(footprint[1])}},
-                   {"object_height_max_m", settings.object_height_max_m}}},
-                 {"sessions", Json::object()}};
+  OrderedJson report = {{"limpet", settings.version},
+                        {"mission", settings.mission},
+                        {"seed", settings.seed},
+                        {"settings",
+                         {{"planner", settings.planner},
+                          {"gain", settings.gain},
+                          {"camera", settings.camera},
+                          {"footprint_m", {centimetres(footprint[0]), centimetres(footprint[1])}},
+                          {"object_height_max_m", settings.object_height_max_m}}},
+                        {"sessions", OrderedJson::object()}};
   for (const SessionScore& session : run.sessions) {
     report["sessions"][session.name] = Session(session);
   }

@@ -9,20 +9,20 @@
 namespace limpet {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Eigen::Vector3d PointFrom(const Json& in) {
+Eigen::Vector3d PointFrom(const OrderedJson& in) {
   return {in.at(0).get<double>(), in.at(1).get<double>(), in.at(2).get<double>()};
 }
 
-Json PlaceJson(const std::optional<Eigen::Vector3d>& place) {
-  return place ? Json{place->x(), place->y(), place->z()} : Json(nullptr);
+OrderedJson PlaceJson(const std::optional<Eigen::Vector3d>& place) {
+  return place ? OrderedJson{place->x(), place->y(), place->z()} : OrderedJson(nullptr);
 }
 
-Json ScenarioJson(const Scenario& scenario) {
-  Json opis = Json::array();
+OrderedJson ScenarioJson(const Scenario& scenario) {
+  OrderedJson opis = OrderedJson::array();
   for (const ScenarioOpi& opi : scenario.opis) {
-    Json places = Json::object();
+    OrderedJson places = OrderedJson::object();
     for (const auto& [session, place] : opi.places)
       places[session] = PlaceJson(place);
     opis.push_back(
@@ -46,16 +46,16 @@ Json ScenarioJson(const Scenario& scenario) {
           {"opis", opis}};
 }
 
-Scenario ScenarioFrom(const Json& in) {
+Scenario ScenarioFrom(const OrderedJson& in) {
   Scenario scenario;
-  const Json& seabed = in.at("seabed");
+  const OrderedJson& seabed = in.at("seabed");
   scenario.seabed = {seabed.at("depth_m"), seabed.at("slope_deg"), seabed.at("slope_toward_deg"),
                      seabed.at("roughness_m"), seabed.at("seed")};
   scenario.water = {in.at("visibility_m"), in.at("current_north_mps"), in.at("current_east_mps")};
-  const Json& start = in.at("start");
+  const OrderedJson& start = in.at("start");
   scenario.start = {start.at("north_m"), start.at("east_m"), start.at("heading_deg")};
   scenario.camera = in.at("camera");
-  for (const Json& item : in.at("opis")) {
+  for (const OrderedJson& item : in.at("opis")) {
     ScenarioOpi opi{item.at("name"), item.at("color"), item.at("radius_m"), {}};
     for (const auto& [session, place] : item.at("places").items()) {
       auto& entry = opi.places[session];
@@ -66,7 +66,7 @@ Scenario ScenarioFrom(const Json& in) {
   return scenario;
 }
 
-Json SettingsJson(const ReportSettings& settings) {
+OrderedJson SettingsJson(const ReportSettings& settings) {
   const CameraGeometry& camera = settings.camera_geometry;
   return {{"version", settings.version},
           {"mission", settings.mission},
@@ -86,7 +86,7 @@ Json SettingsJson(const ReportSettings& settings) {
           {"command", settings.command}};
 }
 
-ReportSettings SettingsFrom(const Json& in) {
+ReportSettings SettingsFrom(const OrderedJson& in) {
   ReportSettings settings;
   settings.version = in.at("version");
   settings.mission = in.at("mission");
@@ -99,7 +99,7 @@ ReportSettings SettingsFrom(const Json& in) {
   camera.height_px = in.at("height_px");
   camera.fov_across = in.at("fov_across_rad");
   camera.fov_along = in.at("fov_along_rad");
-  const Json& lever = in.at("lever_arm_m");
+  const OrderedJson& lever = in.at("lever_arm_m");
   camera.p_BC = PointFrom(lever);
   settings.altitude_m = in.at("altitude_m");
   settings.frame_rate_hz = in.at("frame_rate_hz");
@@ -113,7 +113,7 @@ ReportSettings SettingsFrom(const Json& in) {
 std::map<std::string, double> FormerWallTimes(const std::filesystem::path& report) {
   std::map<std::string, double> wall;
   std::ifstream file(report);
-  const Json json = Json::parse(file, nullptr, false);
+  const OrderedJson json = OrderedJson::parse(file, nullptr, false);
   if (!json.is_object() || !json.contains("sessions")) return wall;
   for (const auto& [name, session] : json["sessions"].items()) {
     const auto entry = session.find("wall_s");
@@ -125,7 +125,8 @@ std::map<std::string, double> FormerWallTimes(const std::filesystem::path& repor
 }  // namespace
 
 std::string RunJson(const ReportSettings& settings, const Scenario& scenario) {
-  return Json{{"settings", SettingsJson(settings)}, {"scenario", ScenarioJson(scenario)}}.dump(2) +
+  return OrderedJson{{"settings", SettingsJson(settings)}, {"scenario", ScenarioJson(scenario)}}
+             .dump(2) +
          "\n";
 }
 
@@ -137,12 +138,12 @@ RunDescription ReadRun(const std::filesystem::path& run) {
         ConfigProblem{{path.string(), 0}, "run.json", "not there: not a run's folder"});
   }
   try {
-    const Json json = Json::parse(file);
+    const OrderedJson json = OrderedJson::parse(file);
     RunDescription description{SettingsFrom(json.at("settings")),
                                ScenarioFrom(json.at("scenario"))};
     description.settings.wall_s = FormerWallTimes(run / "report.json");
     return description;
-  } catch (const Json::exception& error) {
+  } catch (const OrderedJson::exception& error) {
     throw ConfigError(ConfigProblem{{path.string(), 0}, "run.json", error.what()});
   }
 }

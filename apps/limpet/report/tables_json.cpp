@@ -8,30 +8,30 @@
 namespace limpet {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json Rounded(double value) { return std::round(value * 1e4) / 1e4 + 0.0; }
+OrderedJson Rounded(double value) { return std::round(value * 1e4) / 1e4 + 0.0; }
 
-Json ToJson(const Statistic& statistic) {
+OrderedJson ToJson(const Statistic& statistic) {
   const bool has_samples = statistic.count() > 0;
-  return {{"mean", has_samples ? Rounded(statistic.mean()) : Json(nullptr)},
-          {"sd", has_samples ? Rounded(statistic.sd()) : Json(nullptr)},
+  return {{"mean", has_samples ? Rounded(statistic.mean()) : OrderedJson(nullptr)},
+          {"sd", has_samples ? Rounded(statistic.sd()) : OrderedJson(nullptr)},
           {"count", statistic.count()},
           {"of", statistic.asked()}};
 }
 
-Json ToJson(const Rate& rate) { return {{"good", rate.good}, {"of", rate.of}}; }
+OrderedJson ToJson(const Rate& rate) { return {{"good", rate.good}, {"of", rate.of}}; }
 
-Json ToJson(const std::map<double, Statistic>& levels) {
-  Json list = Json::array();
+OrderedJson ToJson(const std::map<double, Statistic>& levels) {
+  OrderedJson list = OrderedJson::array();
   for (const auto& [level, statistic] : levels) {
     list.push_back({{"level", level}, {"path_m", ToJson(statistic)}});
   }
   return list;
 }
 
-Json ToJson(const SessionStatistics& session) {
-  Json opis = Json::object(), statuses = Json::object();
+OrderedJson ToJson(const SessionStatistics& session) {
+  OrderedJson opis = OrderedJson::object(), statuses = OrderedJson::object();
   for (const auto& [name, opi] : session.opis) {
     opis[name] = {{"found", ToJson(opi.found)},
                   {"error_m", ToJson(opi.error_m)},
@@ -70,15 +70,15 @@ Json ToJson(const SessionStatistics& session) {
 }  // namespace
 
 std::string TablesJson(const RunStatistics& runs, const std::string& options) {
-  Json sessions = Json::object();
+  OrderedJson sessions = OrderedJson::object();
   for (const auto& [name, session] : runs.sessions)
     sessions[name] = ToJson(session);
-  return Json{{"mission", runs.mission},
-              {"options", options},
-              {"runs", runs.runs},
-              {"failed_seeds", runs.failed},
-              {"flawless", ToJson(runs.flawless)},
-              {"sessions", sessions}}
+  return OrderedJson{{"mission", runs.mission},
+                     {"options", options},
+                     {"runs", runs.runs},
+                     {"failed_seeds", runs.failed},
+                     {"flawless", ToJson(runs.flawless)},
+                     {"sessions", sessions}}
              .dump(2) +
          "\n";
 }

@@ -13,7 +13,7 @@
 namespace limpet {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 struct LoadedSession {
   SessionFacts facts;
@@ -63,25 +63,26 @@ StatusBook Compare(const LoadedSession& a, const LoadedSession& b) {
   return book;
 }
 
-Json JsonOf(const ObjectStatus& object) {
+OrderedJson JsonOf(const ObjectStatus& object) {
   const StatusPosterior& p = object.posterior;
   const Eigen::Vector3d& ned = object.object.ned;
-  return {{"decided", NameOf(object.decided)},
-          {"color", object.object.color},
-          {"ned_m", {ned.x(), ned.y(), ned.z()}},
-          {"id_a", object.former >= 0 ? Json(object.former) : Json(nullptr)},
-          {"landmark_b", object.landmark >= 0 ? Json(object.landmark) : Json(nullptr)},
-          {"posterior",
-           {{"confirmed", p.confirmed},
-            {"removed", p.removed},
-            {"new", p.appeared},
-            {"nothing", p.nothing}}},
-          {"looks_b", object.looks},
-          {"looks_with_box_b", object.looks_with_box},
-          {"log_likelihood_ratio_b", object.lambda}};
+  return {
+      {"decided", NameOf(object.decided)},
+      {"color", object.object.color},
+      {"ned_m", {ned.x(), ned.y(), ned.z()}},
+      {"id_a", object.former >= 0 ? OrderedJson(object.former) : OrderedJson(nullptr)},
+      {"landmark_b", object.landmark >= 0 ? OrderedJson(object.landmark) : OrderedJson(nullptr)},
+      {"posterior",
+       {{"confirmed", p.confirmed},
+        {"removed", p.removed},
+        {"new", p.appeared},
+        {"nothing", p.nothing}}},
+      {"looks_b", object.looks},
+      {"looks_with_box_b", object.looks_with_box},
+      {"log_likelihood_ratio_b", object.lambda}};
 }
 
-Json JsonOf(const SessionFacts& facts) {
+OrderedJson JsonOf(const SessionFacts& facts) {
   return {{"mission", facts.mission},
           {"session", facts.session},
           {"seed", facts.seed},
@@ -105,18 +106,18 @@ int RunChange(std::span<const std::string> args) {
   const LoadedSession a = Load(*given.Find("session-a"));
   const LoadedSession b = Load(*given.Find("session-b"));
   StatusBook book = Compare(a, b);
-  Json objects = Json::array();
+  OrderedJson objects = OrderedJson::array();
   for (const ObjectStatus& object : book.Assess()) {
     objects.push_back(JsonOf(object));
   }
   const FrameOffset& offset = book.offset();
-  const Json out{{"session_a", JsonOf(a.facts)},
-                 {"session_b", JsonOf(b.facts)},
-                 {"offset",
-                  {{"north_m", offset.shift.x()},
-                   {"east_m", offset.shift.y()},
-                   {"turn_deg", DegreesFromRadians(offset.turn)}}},
-                 {"changes", objects}};
+  const OrderedJson out{{"session_a", JsonOf(a.facts)},
+                        {"session_b", JsonOf(b.facts)},
+                        {"offset",
+                         {{"north_m", offset.shift.x()},
+                          {"east_m", offset.shift.y()},
+                          {"turn_deg", DegreesFromRadians(offset.turn)}}},
+                        {"changes", objects}};
   fmt::print("{}\n", out.dump(1));
   return kOk;
 }

@@ -14,7 +14,7 @@
 namespace limpet {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kDescribeHelp =
     R"(usage: limpet describe                             names of apps, behaviors and variables
        limpet describe parameters                  every parameter of every app and behavior
        limpet describe variables [mission folder]  every variable; with a mission, who reads it
@@ -116,7 +116,7 @@ std::string ShowNamed(std::span<const std::string> names, Form form) {
 int RunDescribe(std::span<const std::string> args) {
   const Arguments given(args, {}, {"json", "markdown", "help"});
   if (given.Has("help")) {
-    fmt::print("{}", kHelp);
+    fmt::print("{}", kDescribeHelp);
     return kOk;
   }
   const Form form = FormOf(given);

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHelp =
+constexpr const char* kDetectHelp =
     "usage: limpet detect <images or folders> --out FILE [--min-confidence C]\n"
     "  writes CSV image,class,confidence,x,y,w,h; pixels, x y of the upper left corner\n";
 
@@ -131,12 +131,12 @@ int RunDetect(std::span<const std::string> args) {
   try {
     const Arguments arguments(args, {"out", "min-confidence"}, {"help"});
     if (arguments.Has("help")) {
-      fmt::print("{}", kHelp);
+      fmt::print("{}", kDetectHelp);
       return kOk;
     }
     return RunChecked(arguments);
   } catch (const UsageError& error) {
-    fmt::print(stderr, "limpet detect: {}\n{}", error.what(), kHelp);
+    fmt::print(stderr, "limpet detect: {}\n{}", error.what(), kDetectHelp);
     return ExitCode::kUsage;
   }
 }

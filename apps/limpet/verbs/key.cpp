@@ -11,7 +11,7 @@
 namespace limpet {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kKeyHelp =
     R"(usage: limpet key new <file>
        limpet key show <file>
 
@@ -53,7 +53,7 @@ int ShowKey(const std::filesystem::path& file) {
 int RunKey(std::span<const std::string> args) {
   const Arguments arguments(args, {}, {"help"});
   if (arguments.Has("help")) {
-    fmt::print("{}", kHelp);
+    fmt::print("{}", kKeyHelp);
     return kOk;
   }
   const std::vector<std::string>& words = arguments.positionals();

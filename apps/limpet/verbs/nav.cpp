@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHelp =
+constexpr const char* kNavHelp =
     R"(usage: limpet nav <stream folder> --out DIR [--json]
 
 Runs the estimator alone on a recorded sensor stream (meta.csv and stream.csv.gz) and writes
@@ -94,7 +94,7 @@ bool Write(const fs::path& file, const std::string& text) {
 int RunNav(std::span<const std::string> args) {
   const Arguments given(args, {"out"}, {"json", "help"});
   if (given.Has("help")) {
-    fmt::print("{}", kHelp);
+    fmt::print("{}", kNavHelp);
     return kOk;
   }
   if (given.positionals().size() != 1 || !given.Find("out")) {

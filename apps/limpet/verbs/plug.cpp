@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHelp =
+constexpr const char* kPlugHelp =
     R"(usage: limpet plug <in> <out> [options] [MACRO=value ...] [MACRO ...]
 
 Expands a template into a mission, as nsplug does: #include, #define, #ifdef, #ifndef, #elseifdef,
@@ -204,7 +204,7 @@ int Expand(PlugCommand command) {
 int RunPlug(std::span<const std::string> args) {
   PlugCommand command = Parse(args);
   if (command.wants_help) {
-    fmt::print("{}", kHelp);
+    fmt::print("{}", kPlugHelp);
     return kOk;
   }
   if (command.files.size() < 2) {

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHelp =
+constexpr const char* kReportHelp =
     R"(usage: limpet report <run folder> [--mission DIR [--seed N]] [--json]
 
 Scores a run from its logs and writes report.json, figures/ and report.html anew, also for a
@@ -60,7 +60,7 @@ void DescribeRun(fs::path mission_folder, std::uint64_t seed, const fs::path& ru
 int RunReport(std::span<const std::string> args) {
   const Arguments given(args, {"mission", "seed"}, {"json", "help"});
   if (given.Has("help")) {
-    fmt::print("{}", kHelp);
+    fmt::print("{}", kReportHelp);
     return kOk;
   }
   if (given.positionals().size() != 1)

@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHelp =
+constexpr const char* kSurveyHelp =
     R"(usage: limpet survey <mission folder> [options]
 
 Surveys the mission's area once per session (embedded, on virtual time, no port opened),
@@ -55,7 +55,7 @@ struct SurveyCommand {
   std::string command_line;
 };
 
-SurveyCommand ReadCommand(std::span<const std::string> args) {
+SurveyCommand ReadSurveyCommand(std::span<const std::string> args) {
   const Arguments given(args, {"seed", "out", "sessions", "set", "planner", "gain"},
                         {"without-truth", "help"});
   if (given.positionals().size() != 1) {
@@ -204,10 +204,10 @@ class SurveyRun {
 
 int RunSurvey(std::span<const std::string> args) {
   if (std::ranges::find(args, "--help") != args.end()) {
-    fmt::print("{}", kHelp);
+    fmt::print("{}", kSurveyHelp);
     return kOk;
   }
-  return SurveyRun(ReadCommand(args)).Run();
+  return SurveyRun(ReadSurveyCommand(args)).Run();
 }
 
 }  // namespace limpet

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHelp =
+constexpr const char* kTablesHelp =
     R"(usage: limpet tables <mission folder> [options]
 
 Surveys with one seed after the other, several at a time, and prints the paper's tables
@@ -52,7 +52,7 @@ struct TablesCommand {
   [[nodiscard]] fs::path EndMark(int seed) const { return out / fmt::format("{}.exit", seed); }
 };
 
-TablesCommand ReadCommand(std::span<const std::string> args) {
+TablesCommand ReadTablesCommand(std::span<const std::string> args) {
   const std::vector<std::string> passed_on{"sessions", "set", "gain", "planner"};
   std::vector<std::string> with_value{"runs", "seed", "jobs", "out"};
   with_value.insert(with_value.end(), passed_on.begin(), passed_on.end());
@@ -174,10 +174,10 @@ bool KeepBounds(const TablesCommand& command, const Expectations& expected) {
 
 int RunTables(std::span<const std::string> args) {
   if (std::ranges::find(args, "--help") != args.end()) {
-    fmt::print("{}", kHelp);
+    fmt::print("{}", kTablesHelp);
     return kOk;
   }
-  const TablesCommand command = ReadCommand(args);
+  const TablesCommand command = ReadTablesCommand(args);
   if (!fs::exists(command.mission_folder / "mission.moos")) {
     throw UsageError(fmt::format("no mission in {}", command.mission_folder.string()));
   }

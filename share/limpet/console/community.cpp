@@ -15,7 +15,7 @@
 namespace limpet {
 namespace {
 
-constexpr Seconds kSlice(0.05);  ///< how soon a signal or a change of state is noticed
+constexpr Seconds kMailSlice(0.05);  ///< how soon a signal or a change of state is noticed
 constexpr std::size_t kMostMail = 200'000;
 constexpr std::size_t kMostBytes = std::size_t{256} << 20U;
 constexpr std::int32_t kAnswerId = -2;
@@ -100,7 +100,7 @@ std::optional<std::vector<Mail>> Community::Settle() {
   client_->Request("VAR_SUMMARY");
   std::vector<Mail> heard;
   while (SteadyTime() < deadline && !EndIsRequested()) {
-    std::vector<Mail> mail = TakeMail(kSlice);
+    std::vector<Mail> mail = TakeMail(kMailSlice);
     const bool is_answered = std::ranges::any_of(mail, [](const Mail& piece) {
       return piece.message.id == kAnswerId && piece.message.name == "VAR_SUMMARY";
     });

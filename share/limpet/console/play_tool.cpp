@@ -19,7 +19,7 @@
 namespace limpet {
 namespace {
 
-constexpr const char* kHelp = R"(usage: {0} <log.alog> [mission.moos] [options]
+constexpr const char* kPlayHelp = R"(usage: {0} <log.alog> [mission.moos] [options]
 
 Plays a log, ours or MOOS's, also as .gz, into a community: in the log's order, with the log's
 pauses, each message under the name of the app that wrote it, with the time at which it is played.
@@ -36,7 +36,7 @@ Exit code 1 if it was stopped or the community was lost.
   {0} run.alog --port 9001 --speed 10 --only 'NAV_*'
 )";
 
-constexpr Seconds kSlice(0.05);                             ///< real time
+constexpr Seconds kPlaySlice(0.05);                         ///< real time
 constexpr std::size_t kMostUnsent = std::size_t{4} << 20U;  // [bytes]
 
 struct PlayCommand {
@@ -202,7 +202,7 @@ class Playback {
     if (player_.is_at_end()) {
       return;
     }
-    double wait = HasRoom() ? kSlice.value() : 1e-3;
+    double wait = HasRoom() ? kPlaySlice.value() : 1e-3;
     if (!command_.plays_at_once) {
       wait = std::min(wait, (player_.next_due() - Elapsed()) / Pace());
     } else if (HasRoom()) {
@@ -246,7 +246,7 @@ class Playback {
 }  // namespace
 
 int RunPlay(const std::string& caller, std::span<const std::string> args) {
-  return RunTool(caller, fmt::format(fmt::runtime(kHelp), caller, AddressHelp()), args,
+  return RunTool(caller, fmt::format(fmt::runtime(kPlayHelp), caller, AddressHelp()), args,
                  [&args] { return Playback(ReadPlay(args)).Run(); });
 }
 

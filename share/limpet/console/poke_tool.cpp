@@ -13,7 +13,7 @@
 namespace limpet {
 namespace {
 
-constexpr const char* kHelp = R"(usage: {0} [mission.moos] VAR=value [VAR:=string ...] [options]
+constexpr const char* kPokeHelp = R"(usage: {0} [mission.moos] VAR=value [VAR:=string ...] [options]
 
 Writes variables into a community, reads them back, and prints what they were and are.
 
@@ -164,7 +164,7 @@ int WritePokes(const std::string& caller, const PokeCommand& command) {
 }  // namespace
 
 int RunPoke(const std::string& caller, std::span<const std::string> args) {
-  return RunTool(caller, fmt::format(fmt::runtime(kHelp), caller, AddressHelp()), args,
+  return RunTool(caller, fmt::format(fmt::runtime(kPokeHelp), caller, AddressHelp()), args,
                  [&] { return WritePokes(caller, ReadPoke(args)); });
 }
 

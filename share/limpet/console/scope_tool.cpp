@@ -18,7 +18,7 @@
 namespace limpet {
 namespace {
 
-constexpr const char* kHelp = R"(usage: {0} [mission.moos] [PATTERN ...] [options]
+constexpr const char* kScopeHelp = R"(usage: {0} [mission.moos] [PATTERN ...] [options]
 
 Shows the variables of a community, live: value, type, writer, age, rate. PATTERN chooses them
 (`*`: anything, `?`: one character); without one all are shown. Ages and rates are in MOOS seconds,
@@ -242,13 +242,14 @@ int RunOnce(ScopeFeed& feed) {
 }  // namespace
 
 int RunScope(const std::string& caller, std::span<const std::string> args) {
-  return RunTool(caller, fmt::format(fmt::runtime(kHelp), caller, AddressHelp()), args, [&args] {
-    ScopeFeed feed(ReadScope(args));
-    if (feed.command().is_once) {
-      return RunOnce(feed);
-    }
-    return Terminal::IsThere() ? RunLive(feed) : RunStream(feed);
-  });
+  return RunTool(caller, fmt::format(fmt::runtime(kScopeHelp), caller, AddressHelp()), args,
+                 [&args] {
+                   ScopeFeed feed(ReadScope(args));
+                   if (feed.command().is_once) {
+                     return RunOnce(feed);
+                   }
+                   return Terminal::IsThere() ? RunLive(feed) : RunStream(feed);
+                 });
 }
 
 }  // namespace limpet

@@ -16,7 +16,7 @@
 namespace limpet {
 namespace {
 
-constexpr const char* kHelp = R"(usage: {0} [mission.moos] [options]
+constexpr const char* kStatusHelp = R"(usage: {0} [mission.moos] [options]
 
 Says who is in a community: one row for each process that the mission's ANTLER block starts, or
 that pLaunch watches over, and for each guest. AWOL: should be there and is not.
@@ -104,7 +104,7 @@ int PrintStatus(std::span<const std::string> args) {
 }  // namespace
 
 int RunStatus(const std::string& caller, std::span<const std::string> args) {
-  return RunTool(caller, fmt::format(fmt::runtime(kHelp), caller, AddressHelp()), args,
+  return RunTool(caller, fmt::format(fmt::runtime(kStatusHelp), caller, AddressHelp()), args,
                  [&args] { return PrintStatus(args); });
 }
 

@@ -12,7 +12,7 @@
 namespace limpet {
 namespace {
 
-constexpr int kHeadings = 8;
+constexpr int kGapHeadings = 8;
 /// Longer than needed, for the corners of the image [m].
 constexpr double kRunSlack = 0.5;
 
@@ -29,12 +29,12 @@ Stop PassesOf(const Patch& patch, const Footprint& footprint, const Region& regi
               Meters turn_radius) {
   const int top = Footprint::kLayers - 1;
   Stop stop;
-  for (int i = 0; i < kHeadings; ++i) {
-    const double off_axis = 2.0 * std::numbers::pi * i / kHeadings;
+  for (int i = 0; i < kGapHeadings; ++i) {
+    const double off_axis = 2.0 * std::numbers::pi * i / kGapHeadings;
     const double c = std::abs(std::cos(off_axis)), s = std::abs(std::sin(off_axis));
     const double along = patch.length * c + patch.width * s;
     const double across = patch.length * s + patch.width * c;
-    const bool is_lengthwise = i % (kHeadings / 2) == 0;
+    const bool is_lengthwise = i % (kGapHeadings / 2) == 0;
     if (!is_lengthwise && across > 2.0 * footprint.half_across(top)) {
       continue;
     }

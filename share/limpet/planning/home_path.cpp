@@ -8,7 +8,7 @@
 namespace limpet {
 namespace {
 
-constexpr int kHeadings = 72;
+constexpr int kHomeHeadings = 72;
 
 }  // namespace
 
@@ -16,8 +16,8 @@ Option HomePath(const Pose2& start, double north, double east, const Region& reg
                 Meters turn_radius) {
   std::optional<DubinsPath> best;
   bool is_best_inside = false;
-  for (int i = 0; i < kHeadings; ++i) {
-    const Pose2 end{north, east, 2.0 * std::numbers::pi * i / kHeadings};
+  for (int i = 0; i < kHomeHeadings; ++i) {
+    const Pose2 end{north, east, 2.0 * std::numbers::pi * i / kHomeHeadings};
     DubinsPath path = region.ShortestInside(start, end, turn_radius);
     const bool is_inside = region.Contains(path);
     if (!best || (is_inside && !is_best_inside) ||

@@ -13,14 +13,14 @@ namespace limpet {
 namespace {
 
 constexpr std::size_t kMostStops = 8;
-constexpr int kHeadings = 8;
+constexpr int kArrivalHeadings = 8;
 /// Passing to one side is enough when that is within this share of the target's radius.
 constexpr double kOffsetShare = 0.7;
 
 Stop PassesOf(const Target& target, const Region& region, Meters turn_radius) {
   Stop stop;
-  for (int heading = 0; heading < kHeadings; ++heading) {
-    const double yaw = 2.0 * std::numbers::pi * heading / kHeadings;
+  for (int heading = 0; heading < kArrivalHeadings; ++heading) {
+    const double yaw = 2.0 * std::numbers::pi * heading / kArrivalHeadings;
     for (const double side : {0.0, -kOffsetShare, kOffsetShare}) {
       const Pose2 pose{target.north - side * target.radius * std::sin(yaw),
                        target.east + side * target.radius * std::cos(yaw), yaw};

@@ -28,8 +28,8 @@ constexpr auto kIdlePeriod = std::chrono::milliseconds(333);
 constexpr auto kLongestGoodbye = std::chrono::milliseconds(500);
 constexpr double kFirstRetry = 0.1;  ///< [s], real time
 constexpr double kLongestRetry = 1.0;
-constexpr std::size_t kScratch = std::size_t{256} << 10;
-constexpr std::size_t kReadBudget = std::size_t{4} << 20;
+constexpr std::size_t kClientScratch = std::size_t{256} << 10;
+constexpr std::size_t kClientReadBudget = std::size_t{4} << 20;
 
 }  // namespace
 
@@ -42,7 +42,7 @@ class TcpClient::Impl {
         socket_(context_),
         resolver_(context_),
         timer_(context_),
-        scratch_(kScratch) {
+        scratch_(kClientScratch) {
     asio::post(context_, [this] { Connect(); });
     thread_ = std::thread([this] { context_.run(); });
   }
@@ -202,7 +202,7 @@ class TcpClient::Impl {
   void WaitToRead() {
     socket_.async_wait(tcp::socket::wait_read, [this](std::error_code error) {
       std::size_t received = 0;
-      if (error || !reader_.Read(socket_, scratch_, kReadBudget, *this, received)) {
+      if (error || !reader_.Read(socket_, scratch_, kClientReadBudget, *this, received)) {
         Retry(refusal_.empty() ? "the broker closed the connection" : refusal_);
         return;
       }

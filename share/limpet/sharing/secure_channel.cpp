@@ -7,7 +7,7 @@
 
 #include <sodium.h>
 
-#include "limpet/core/require.hpp"
+#include "limpet/sharing/sodium_start.hpp"
 #include "limpet/wire/little_endian.hpp"
 
 namespace limpet {
@@ -28,11 +28,6 @@ const unsigned char* Raw(const std::byte* bytes) {
   return reinterpret_cast<const unsigned char*>(bytes);
 }
 unsigned char* Raw(std::byte* bytes) { return reinterpret_cast<unsigned char*>(bytes); }
-
-void StartSodium() {
-  static const bool has_started = sodium_init() >= 0;
-  LIMPET_REQUIRE(has_started, "libsodium does not start");
-}
 
 }  // namespace
 

@@ -10,11 +10,11 @@
 namespace limpet {
 namespace {
 
-struct Words {
+struct RefusalWords {
   std::string_view name, meaning;
 };
 
-constexpr std::array<Words, kShareRefusals> kWords{{
+constexpr std::array<RefusalWords, kShareRefusals> kWords{{
     {"malformed", "it is no message"},
     {"not_sealed", "it is plain, and this input lets only sealed ones in"},
     {"sealed", "it is sealed, and this input has no key"},

@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 #include "limpet/core/config.hpp"
-#include "limpet/core/require.hpp"
+#include "limpet/sharing/sodium_start.hpp"
 
 namespace limpet {
 namespace {
@@ -20,11 +20,6 @@ namespace {
 constexpr std::string_view kForm = "limpet-key-1";
 constexpr std::size_t kLargestFile = 4096;
 constexpr mode_t kOthers = S_IRWXG | S_IRWXO;
-
-void StartSodium() {
-  static const bool has_started = sodium_init() >= 0;
-  LIMPET_REQUIRE(has_started, "libsodium does not start");
-}
 
 std::string Hex(const unsigned char* bytes, std::size_t count) {
   std::string text;

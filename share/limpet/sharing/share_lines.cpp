@@ -17,9 +17,9 @@ namespace {
 constexpr std::string_view kArrow = "->";
 
 /// The `word=value` parts of a line, each word at most once.
-class Words {
+class WordValues {
  public:
-  explicit Words(std::vector<std::string> known) : known_(std::move(known)) {}
+  explicit WordValues(std::vector<std::string> known) : known_(std::move(known)) {}
 
   [[nodiscard]] std::optional<Error> Add(std::string_view part) {
     const std::size_t equals = part.find('=');
@@ -51,8 +51,8 @@ class Words {
   std::map<std::string, std::string> values_;
 };
 
-Expected<Words> WordsIn(std::string_view line, std::vector<std::string> known) {
-  Words words(std::move(known));
+Expected<WordValues> WordsIn(std::string_view line, std::vector<std::string> known) {
+  WordValues words(std::move(known));
   for (const std::string& part : Split(line, ',')) {
     if (Trim(part).empty()) {
       continue;
@@ -73,7 +73,7 @@ bool IsLongForm(std::string_view line) {
   });
 }
 
-Expected<ShareSecurity> SecurityIn(const Words& words) {
+Expected<ShareSecurity> SecurityIn(const WordValues& words) {
   ShareSecurity security{.key_file = words.Of("key"), .is_plain = false};
   if (words.Has("plain")) {
     const std::optional<bool> is_plain = ParseFlag(words.Of("plain"));
@@ -89,7 +89,7 @@ Expected<ShareSecurity> SecurityIn(const Words& words) {
 }
 
 /// A number of at least 0, if the word is there.
-Expected<std::optional<double>> NumberIn(const Words& words, const std::string& word) {
+Expected<std::optional<double>> NumberIn(const WordValues& words, const std::string& word) {
   if (!words.Has(word)) {
     return std::optional<double>();
   }
@@ -140,7 +140,7 @@ std::optional<Error> SetAddress(ShareOutput& output, std::string_view text,
   return std::nullopt;
 }
 
-std::optional<Error> SetLimits(ShareOutput& output, const Words& words) {
+std::optional<Error> SetLimits(ShareOutput& output, const WordValues& words) {
   const auto max_hz = NumberIn(words, "frequency");
   const auto duration = NumberIn(words, "duration");
   const auto max_shares = NumberIn(words, "max_shares");
@@ -206,7 +206,7 @@ std::optional<Error> SetShortRoute(ShareOutput& output, std::string_view text,
 
 Expected<std::vector<ShareOutput>> ParseShortOutputs(std::string_view line,
                                                      const MulticastPlan& plan) {
-  Words words({"key", "plain"});
+  WordValues words({"key", "plain"});
   std::vector<ShareOutput> outputs;
   for (const std::string& part : Split(line, ',')) {
     const std::size_t arrow = part.find(kArrow);

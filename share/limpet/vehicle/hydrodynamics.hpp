@@ -10,6 +10,9 @@ namespace limpet {
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
+/// Their rows, in SNAME's order.
+inline constexpr int kSurge = 0, kSway = 1, kHeave = 2, kRoll = 3, kPitch = 4, kYaw = 5;
+
 /// What the equations of motion need, derived once from the vehicle's constants.
 struct Hydrodynamics {
   double weight_n = 0.0;

@@ -11,7 +11,6 @@
 namespace limpet {
 namespace {
 
-constexpr int kSurge = 0, kSway = 1, kHeave = 2, kPitch = 4, kYaw = 5;
 constexpr std::array kControlled = {kSurge, kSway, kHeave, kPitch, kYaw};
 
 /// The largest share of `step`, at most 1, that keeps every thruster within `limit`.
