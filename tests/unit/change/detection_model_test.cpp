@@ -8,21 +8,21 @@
 namespace limpet {
 namespace {
 
-const CameraGeometry kCamera;
+const CameraGeometry kTestedCamera;
 const Pose kAbove{{0.0, 0.0, 0.0}, 0.0, 0.0, 0.0};
 
 TEST(VisibleShare, IsOneInTheMiddleOfTheImage) {
-  EXPECT_EQ(VisibleShare(kCamera, kAbove, {0, 0, 3}, 0.5), 1.0);
+  EXPECT_EQ(VisibleShare(kTestedCamera, kAbove, {0, 0, 3}, 0.5), 1.0);
 }
 
 TEST(VisibleShare, IsAHalfOnTheImagesEdge) {
-  const double edge = 3.0 * std::tan(0.5 * kCamera.fov_along);
-  EXPECT_NEAR(VisibleShare(kCamera, kAbove, {edge, 0, 3}, 0.5), 0.5, 0.1);
+  const double edge = 3.0 * std::tan(0.5 * kTestedCamera.fov_along);
+  EXPECT_NEAR(VisibleShare(kTestedCamera, kAbove, {edge, 0, 3}, 0.5), 0.5, 0.1);
 }
 
 TEST(VisibleShare, IsNoneOutsideOrBehind) {
-  EXPECT_EQ(VisibleShare(kCamera, kAbove, {0, 9, 3}, 0.5), 0.0);
-  EXPECT_EQ(VisibleShare(kCamera, kAbove, {0, 0, -3}, 0.5), 0.0);
+  EXPECT_EQ(VisibleShare(kTestedCamera, kAbove, {0, 9, 3}, 0.5), 0.0);
+  EXPECT_EQ(VisibleShare(kTestedCamera, kAbove, {0, 0, -3}, 0.5), 0.0);
 }
 
 TEST(DetectionModel, IsBestCloseByAndWhole) {

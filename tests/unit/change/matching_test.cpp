@@ -14,7 +14,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-PlacedObject At(double north, double east, const std::string& color = "yellow") {
+PlacedObject FormerAt(double north, double east, const std::string& color = "yellow") {
   return {.ned = {north, east, 6.0}, .cov = 0.04 * Eigen::Matrix3d::Identity(), .color = color};
 }
 
@@ -61,10 +61,11 @@ TEST(AssignOneToOne, BeatsEveryOtherAssignment) {
 }
 
 TEST(MatchSessions, FindsTheOffsetThatAllObjectsShare) {
-  const std::vector<PlacedObject> former{At(4, 1), At(2, 10), At(6, -3), At(-6, -5)};
+  const std::vector<PlacedObject> former{FormerAt(4, 1), FormerAt(2, 10), FormerAt(6, -3),
+                                         FormerAt(-6, -5)};
   std::vector<PlacedObject> now;
   for (const PlacedObject& object : former) {
-    now.push_back(At(object.ned.x() + 0.8, object.ned.y() - 0.6));
+    now.push_back(FormerAt(object.ned.x() + 0.8, object.ned.y() - 0.6));
   }
   const SessionMatch match = MatchSessions(former, now, {});
   EXPECT_THAT(match.now_of_former, ElementsAre(0, 1, 2, 3));
@@ -73,11 +74,11 @@ TEST(MatchSessions, FindsTheOffsetThatAllObjectsShare) {
 }
 
 TEST(MatchSessions, FindsTheTurnFromTwoMatches) {
-  const std::vector<PlacedObject> former{At(-14, 0), At(14, 0)};
+  const std::vector<PlacedObject> former{FormerAt(-14, 0), FormerAt(14, 0)};
   const double turn = RadiansFromDegrees(2.0);
   std::vector<PlacedObject> now;
   for (const PlacedObject& object : former) {
-    now.push_back(At(object.ned.x() * std::cos(turn), object.ned.x() * std::sin(turn)));
+    now.push_back(FormerAt(object.ned.x() * std::cos(turn), object.ned.x() * std::sin(turn)));
   }
   MatchingParams params;
   params.turn_sigma = Radians::FromTextUnit(5.0);
@@ -85,37 +86,40 @@ TEST(MatchSessions, FindsTheTurnFromTwoMatches) {
 }
 
 TEST(MatchSessions, DoesNotTurnTheFrameForOneMatch) {
-  EXPECT_EQ(MatchSessions({At(4, 1)}, {At(4.5, 1)}, {}).offset.turn, 0.0);
+  EXPECT_EQ(MatchSessions({FormerAt(4, 1)}, {FormerAt(4.5, 1)}, {}).offset.turn, 0.0);
 }
 
 TEST(MatchSessions, LeavesRemovedAndNewObjectsAlone) {
-  const SessionMatch match = MatchSessions({At(4, 1), At(2, 10), At(-6, -5)},
-                                           {At(-6.2, -5.1), At(-3, 11), At(4.1, 1.2)}, {});
+  const SessionMatch match =
+      MatchSessions({FormerAt(4, 1), FormerAt(2, 10), FormerAt(-6, -5)},
+                    {FormerAt(-6.2, -5.1), FormerAt(-3, 11), FormerAt(4.1, 1.2)}, {});
   EXPECT_THAT(match.now_of_former, ElementsAre(2, -1, 0));
 }
 
 TEST(MatchSessions, IsNotLedAstrayByANewNeighbour) {
   // The former object went; a new one came 1.6 m away. Two others say the frames agree.
-  const SessionMatch match = MatchSessions({At(0, 0), At(8, 0), At(0, 8)},
-                                           {At(1.9, 0, "orange"), At(8, 0.1), At(0.1, 8)}, {});
+  const SessionMatch match =
+      MatchSessions({FormerAt(0, 0), FormerAt(8, 0), FormerAt(0, 8)},
+                    {FormerAt(1.9, 0, "orange"), FormerAt(8, 0.1), FormerAt(0.1, 8)}, {});
   EXPECT_THAT(match.now_of_former, ElementsAre(-1, 1, 2));
 }
 
 TEST(MatchSessions, TakesAnotherColourForAnotherObject) {
   const SessionMatch match =
-      MatchSessions({At(0, 0), At(8, 0), At(0, 8)}, {At(0, 0), At(8, 0), At(0, 8, "orange")}, {});
+      MatchSessions({FormerAt(0, 0), FormerAt(8, 0), FormerAt(0, 8)},
+                    {FormerAt(0, 0), FormerAt(8, 0), FormerAt(0, 8, "orange")}, {});
   EXPECT_THAT(match.now_of_former, ElementsAre(0, 1, -1));
 }
 
 TEST(MatchSessions, LeavesAnObjectThatMovedUnmatched) {
-  const SessionMatch match =
-      MatchSessions({At(0, 0), At(8, 0), At(0, 8)}, {At(0, 0), At(8, 0), At(0, 9.5)}, {});
+  const SessionMatch match = MatchSessions({FormerAt(0, 0), FormerAt(8, 0), FormerAt(0, 8)},
+                                           {FormerAt(0, 0), FormerAt(8, 0), FormerAt(0, 9.5)}, {});
   EXPECT_THAT(match.now_of_former, ElementsAre(0, 1, -1));
 }
 
 TEST(MatchSessions, WorksWithNothingToMatch) {
-  EXPECT_TRUE(MatchSessions({}, {At(0, 0)}, {}).now_of_former.empty());
-  EXPECT_THAT(MatchSessions({At(0, 0)}, {}, {}).now_of_former, ElementsAre(-1));
+  EXPECT_TRUE(MatchSessions({}, {FormerAt(0, 0)}, {}).now_of_former.empty());
+  EXPECT_THAT(MatchSessions({FormerAt(0, 0)}, {}, {}).now_of_former, ElementsAre(-1));
 }
 
 TEST(FrameOffset, UndoIsTheInverseOfApply) {

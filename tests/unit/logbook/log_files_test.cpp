@@ -17,7 +17,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr Seconds kStart{1767225600.0};
+constexpr Seconds kFilesStart{1767225600.0};
 
 std::string TextOfFile(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -54,7 +54,7 @@ TEST(SlogWriter, RepeatsItsColumnNamesEveryThirtyRows) {
   const auto file = folder.path() / "run.slog";
   {
     SlogWriter writer =
-        *SlogWriter::Open(file, kStart, {.names = {"NAV_X", "NAV_Y"}, .spare = 0}, {});
+        *SlogWriter::Open(file, kFilesStart, {.names = {"NAV_X", "NAV_Y"}, .spare = 0}, {});
     for (int i = 1; i <= 31; ++i) {
       writer.WriteRow(i, {0.5, std::numeric_limits<double>::quiet_NaN()});
     }
@@ -69,7 +69,8 @@ TEST(SlogWriter, RepeatsItsColumnNamesEveryThirtyRows) {
 
 TEST(SlogWriter, HasOnlyAsManySpareColumnsAsItSaid) {
   const TemporaryFolder folder;
-  SlogWriter writer = *SlogWriter::Open(folder.path() / "s", kStart, {.names = {}, .spare = 1}, {});
+  SlogWriter writer =
+      *SlogWriter::Open(folder.path() / "s", kFilesStart, {.names = {}, .spare = 1}, {});
   EXPECT_TRUE(writer.Claim("A"));
   EXPECT_FALSE(writer.Claim("B"));
 }

@@ -18,14 +18,14 @@ namespace {
 using ::testing::HasSubstr;
 using namespace std::chrono_literals;
 
-constexpr Seconds kStart{1767225600.0};
+constexpr Seconds kThreadStart{1767225600.0};
 
 LogRecord LineOf(double value, std::size_t text_size = 0) {
   return LogLine{LogLine::File::kAsync,
                  std::make_shared<const Message>(Message{
                      .name = "COUNT",
                      .value = text_size == 0 ? Value(value) : Value(std::string(text_size, 'x')),
-                     .time = kStart + Seconds(value),
+                     .time = kThreadStart + Seconds(value),
                      .source = "test",
                      .source_aux = "",
                      .community = ""})};
@@ -34,7 +34,7 @@ LogRecord LineOf(double value, std::size_t text_size = 0) {
 class LogThreadTest : public ::testing::Test {
  protected:
   [[nodiscard]] LogFiles Files() const {
-    return *LogFiles::Open(folder_.path(), "run", kStart, {});
+    return *LogFiles::Open(folder_.path(), "run", kThreadStart, {});
   }
   [[nodiscard]] std::string Text() const {
     std::ifstream in(folder_.path() / "run.alog");

@@ -19,12 +19,12 @@
 namespace limpet {
 namespace {
 
-constexpr Seconds kStart{1767225600.0};
+constexpr Seconds kRecoveryStart{1767225600.0};
 
-MessagePtr MessageOf(const std::string& name, Value value, double time) {
+MessagePtr RecordOf(const std::string& name, Value value, double time) {
   return std::make_shared<const Message>(Message{.name = name,
                                                  .value = std::move(value),
-                                                 .time = kStart + Seconds(time),
+                                                 .time = kRecoveryStart + Seconds(time),
                                                  .source = "pNav",
                                                  .source_aux = "",
                                                  .community = ""});
@@ -32,13 +32,13 @@ MessagePtr MessageOf(const std::string& name, Value value, double time) {
 
 /// A log of numbers and strings with what strings may hold.
 std::string SampleLog() {
-  const AlogFormat format(kStart, {});
+  const AlogFormat format(kRecoveryStart, {});
   std::string text;
   format.AppendBanner(text, "run.alog");
   for (int i = 0; i < 400; ++i) {
     const double time = 0.1 * i;
-    format.AppendLine(text, *MessageOf("NAV_X", 0.25 * i, time));
-    format.AppendLine(text, *MessageOf("MODE", std::string("a\nb \\ 12 %% x"), time));
+    format.AppendLine(text, *RecordOf("NAV_X", 0.25 * i, time));
+    format.AppendLine(text, *RecordOf("MODE", std::string("a\nb \\ 12 %% x"), time));
   }
   return text;
 }
@@ -138,11 +138,11 @@ TEST(AlogRecovery, KeepsWhatIsSoundAndCountsTheRest) {
 
 /// Logs through a thread until it is killed; tells through the pipe what it has handed over.
 [[noreturn]] void LogForEver(const std::filesystem::path& folder, int report) {
-  LogThread thread(*LogFiles::Open(folder, "run", kStart, {}));
+  LogThread thread(*LogFiles::Open(folder, "run", kRecoveryStart, {}));
   const auto begin = std::chrono::steady_clock::now();
   for (int i = 0;; ++i) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    thread.Put(LogLine{LogLine::File::kAsync, MessageOf("COUNT", 1.0 * i, elapsed.count())});
+    thread.Put(LogLine{LogLine::File::kAsync, RecordOf("COUNT", 1.0 * i, elapsed.count())});
     const double time = elapsed.count();
     [[maybe_unused]] const ssize_t written = ::write(report, &time, sizeof time);
     std::this_thread::sleep_for(std::chrono::microseconds(100));

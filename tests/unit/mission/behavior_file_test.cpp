@@ -12,7 +12,7 @@ namespace {
 using ::testing::HasSubstr;
 using Table = std::map<std::string, Value, std::less<>>;
 
-std::string ErrorsOf(const std::string& text) {
+std::string BehaviorErrorsOf(const std::string& text) {
   try {
     static_cast<void>(ParseBehaviors(text, "m.bhv"));
   } catch (const ConfigError& error) {
@@ -55,7 +55,7 @@ TEST(BehaviorFile, JoinsLinesAtABackslash) {
 }
 
 TEST(BehaviorFile, TellsThatABraceAfterAValueDoesNotClose) {
-  EXPECT_THAT(ErrorsOf("Behavior=BHV_X\n{\npwt = 100 }\n"),
+  EXPECT_THAT(BehaviorErrorsOf("Behavior=BHV_X\n{\npwt = 100 }\n"),
               HasSubstr("m.bhv:3: pwt: a `}` after a value"));
 }
 
@@ -66,34 +66,37 @@ TEST(BehaviorFile, KeepsBracesOfBalancedValues) {
 }
 
 TEST(BehaviorFile, RefusesUnknownTopLevelText) {
-  EXPECT_THAT(ErrorsOf("initalize A = 1\n"),
+  EXPECT_THAT(BehaviorErrorsOf("initalize A = 1\n"),
               HasSubstr("m.bhv:1: initalize: unknown text `initalize A = 1`; did you mean "
                         "`initialize`?"));
-  EXPECT_THAT(ErrorsOf("# comment\n"), HasSubstr("unknown text"));
+  EXPECT_THAT(BehaviorErrorsOf("# comment\n"), HasSubstr("unknown text"));
 }
 
 TEST(BehaviorFile, RefusesTwoBehaviorsOfOneName) {
-  EXPECT_THAT(ErrorsOf("Behavior=BHV_X\n{\nname=a\n}\nBehavior=BHV_Y\n{\nname=a\n}\n"),
+  EXPECT_THAT(BehaviorErrorsOf("Behavior=BHV_X\n{\nname=a\n}\nBehavior=BHV_Y\n{\nname=a\n}\n"),
               HasSubstr("m.bhv:7: name: `a` is the name of two behaviors"));
 }
 
 TEST(BehaviorFile, RefusesNamesThatToolsCannotRead) {
-  EXPECT_THAT(ErrorsOf("Behavior=BHV_X\n{\nname=a b\n}\n"), HasSubstr("`a b` is not allowed"));
+  EXPECT_THAT(BehaviorErrorsOf("Behavior=BHV_X\n{\nname=a b\n}\n"),
+              HasSubstr("`a b` is not allowed"));
 }
 
 TEST(BehaviorFile, RefusesDoubleEqualsInModes) {
-  EXPECT_THAT(ErrorsOf("set MODE = A {\nX == 1\n} B\n"), HasSubstr("m.bhv:2: set MODE: `==`"));
+  EXPECT_THAT(BehaviorErrorsOf("set MODE = A {\nX == 1\n} B\n"),
+              HasSubstr("m.bhv:2: set MODE: `==`"));
 }
 
 TEST(BehaviorFile, ReportsAnOpenBlock) {
-  EXPECT_THAT(ErrorsOf("Behavior=BHV_X\n{\nname=a\n"), HasSubstr("m.bhv:1: BHV_X: has no closing"));
+  EXPECT_THAT(BehaviorErrorsOf("Behavior=BHV_X\n{\nname=a\n"),
+              HasSubstr("m.bhv:1: BHV_X: has no closing"));
 }
 
 TEST(BehaviorFile, ReadsElseOnTheSameLineOrTheNext) {
   EXPECT_EQ(ParseBehaviors("set M = A {\nX=1\n} B\n", "").modes[0].else_value, "B");
   EXPECT_EQ(ParseBehaviors("set M = A {\nX=1\n}\nB\n", "").modes[0].else_value, "B");
   EXPECT_EQ(ParseBehaviors("set M = A {\nX=1\n}\nset M = C {\nX=2\n}\n", "").modes.size(), 2U);
-  EXPECT_THAT(ErrorsOf("set M = A {\nX=1\n}\n\nB\n"), HasSubstr(":5: B: unknown text"));
+  EXPECT_THAT(BehaviorErrorsOf("set M = A {\nX=1\n}\n\nB\n"), HasSubstr(":5: B: unknown text"));
 }
 
 TEST(BehaviorFile, LoadsOurOwnMission) {

@@ -10,7 +10,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-std::string ErrorsOf(const std::string& text) {
+std::string MissionErrorsOf(const std::string& text) {
   try {
     static_cast<void>(ParseMission(text, "m.moos"));
   } catch (const ConfigError& error) {
@@ -91,7 +91,7 @@ TEST(MissionFile, ReplacesVariablesByTheLastDefinition) {
 }
 
 TEST(MissionFile, NamesAnUndefinedVariable) {
-  EXPECT_THAT(ErrorsOf("\nServerHost = ${LIMPET_NO_SUCH}\n"),
+  EXPECT_THAT(MissionErrorsOf("\nServerHost = ${LIMPET_NO_SUCH}\n"),
               HasSubstr("m.moos:2: ${LIMPET_NO_SUCH}"));
 }
 
@@ -108,19 +108,19 @@ TEST(MissionFile, IgnoresBannersAsMoosDoes) {
 }
 
 TEST(MissionFile, ReportsEveryBadLineOfABlock) {
-  const std::string errors = ErrorsOf("ProcessConfig = pA\n{\nfoo\nx=1\n# bar\n}\n");
+  const std::string errors = MissionErrorsOf("ProcessConfig = pA\n{\nfoo\nx=1\n# bar\n}\n");
   EXPECT_THAT(errors, HasSubstr("m.moos:3: pA: `foo` is neither a comment"));
   EXPECT_THAT(errors, HasSubstr("m.moos:5: pA: `# bar`"));
 }
 
 TEST(MissionFile, ReportsAMissingClosingBrace) {
-  EXPECT_THAT(ErrorsOf("ProcessConfig = pA\n{\nx=1\nProcessConfig = pB\n{\n}\n"),
+  EXPECT_THAT(MissionErrorsOf("ProcessConfig = pA\n{\nx=1\nProcessConfig = pB\n{\n}\n"),
               HasSubstr("m.moos:4: pA: the block has no closing `}`"));
-  EXPECT_THAT(ErrorsOf("ProcessConfig = pA\n{\nx=1\n"), HasSubstr("m.moos:1: pA"));
+  EXPECT_THAT(MissionErrorsOf("ProcessConfig = pA\n{\nx=1\n"), HasSubstr("m.moos:1: pA"));
 }
 
 TEST(MissionFile, ReportsAMissingOpeningBraceAndGoesOn) {
-  const std::string errors = ErrorsOf("ProcessConfig = pA\nx = 1\n}\n");
+  const std::string errors = MissionErrorsOf("ProcessConfig = pA\nx = 1\n}\n");
   EXPECT_THAT(errors, HasSubstr("m.moos:2: pA: `{` must come before"));
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string ErrorsOf(const std::string& text) {
+std::string ScenarioErrorsOf(const std::string& text) {
   try {
     static_cast<void>(ParseScenario(text, "s.yaml"));
   } catch (const ConfigError& error) {
@@ -38,13 +38,13 @@ TEST(Scenario, TakesDefaultsForWhatIsAbsent) {
 }
 
 TEST(Scenario, NamesUnknownKeysWithTheNearest) {
-  EXPECT_THAT(ErrorsOf("seabed:\n  depht_m: 7\n"),
+  EXPECT_THAT(ScenarioErrorsOf("seabed:\n  depht_m: 7\n"),
               HasSubstr("s.yaml:2: seabed.depht_m: unknown key; did you mean `depth_m`?"));
-  EXPECT_THAT(ErrorsOf("watr: {}\n"), HasSubstr("did you mean `water`?"));
+  EXPECT_THAT(ScenarioErrorsOf("watr: {}\n"), HasSubstr("did you mean `water`?"));
 }
 
 TEST(Scenario, ReportsEveryProblemAtOnce) {
-  const std::string errors = ErrorsOf(
+  const std::string errors = ScenarioErrorsOf(
       "seabed: {depth_m: -3}\nwater: {visibility_m: clear}\ncamera: renderd\nsensors: [1]\n");
   EXPECT_THAT(errors, HasSubstr("s.yaml:1: seabed.depth_m: `-3` is not allowed; allowed: 0.5 to"));
   EXPECT_THAT(errors, HasSubstr("s.yaml:2: water.visibility_m: `clear`"));
@@ -60,33 +60,34 @@ TEST(Scenario, AcceptsAnySessionNameForAPlace) {
 }
 
 TEST(Scenario, RefusesAMisspeltSession) {
-  EXPECT_THAT(ErrorsOf("opis:\n  - {name: A, color: red, chnage: null}\n"),
+  EXPECT_THAT(ScenarioErrorsOf("opis:\n  - {name: A, color: red, chnage: null}\n"),
               HasSubstr("s.yaml:2: opis[0].chnage: unknown key; did you mean `change`?"));
 }
 
 TEST(Scenario, RefusesAPlaceThatIsNoTriple) {
-  EXPECT_THAT(ErrorsOf("opis:\n  - {name: A, color: red, discovery: [1, 2]}\n"),
+  EXPECT_THAT(ScenarioErrorsOf("opis:\n  - {name: A, color: red, discovery: [1, 2]}\n"),
               HasSubstr("opis[0].discovery: a list of 2 is not allowed"));
 }
 
 TEST(Scenario, RefusesTwoObjectsOfOneName) {
-  EXPECT_THAT(ErrorsOf("opis:\n  - {name: A, color: red}\n  - {name: A, color: red}\n"),
+  EXPECT_THAT(ScenarioErrorsOf("opis:\n  - {name: A, color: red}\n  - {name: A, color: red}\n"),
               HasSubstr("s.yaml:3: opis[1].name: `A` is the name of two objects"));
 }
 
 TEST(Scenario, RefusesAnObjectInsideTheSeabedOrInTheAir) {
-  EXPECT_THAT(ErrorsOf("opis:\n  - {name: A, color: red, discovery: [0, 0, 9]}\n"),
+  EXPECT_THAT(ScenarioErrorsOf("opis:\n  - {name: A, color: red, discovery: [0, 0, 9]}\n"),
               HasSubstr("`A` is not in the water"));
-  EXPECT_THAT(ErrorsOf("opis:\n  - {name: A, color: red, discovery: [0, 0, 0.2]}\n"),
+  EXPECT_THAT(ScenarioErrorsOf("opis:\n  - {name: A, color: red, discovery: [0, 0, 0.2]}\n"),
               HasSubstr("`A` is not in the water"));
 }
 
 TEST(Scenario, RefusesAKeyGivenTwice) {
-  EXPECT_THAT(ErrorsOf("camera: boxes\ncamera: boxes\n"), HasSubstr("s.yaml:2: camera: is given"));
+  EXPECT_THAT(ScenarioErrorsOf("camera: boxes\ncamera: boxes\n"),
+              HasSubstr("s.yaml:2: camera: is given"));
 }
 
 TEST(Scenario, NamesTheLineWhereTheYamlBreaks) {
-  EXPECT_THAT(ErrorsOf("camera: boxes\nopis: [\n"), HasSubstr("not YAML"));
+  EXPECT_THAT(ScenarioErrorsOf("camera: boxes\nopis: [\n"), HasSubstr("not YAML"));
 }
 
 TEST(Scenario, SaysWhichFileCannotBeRead) {

@@ -14,7 +14,7 @@
 namespace limpet {
 namespace {
 
-constexpr double kStep = 0.1;
+constexpr double kLawStep = 0.1;
 
 Hydrodynamics Hydro() { return DeriveHydrodynamics(VehicleParams{}); }
 
@@ -23,7 +23,7 @@ double YawMoment(double yaw, double desired) {
   HeadingController::Input input;
   input.yaw = yaw;
   input.desired_yaw = desired;
-  return heading.Update(input, kStep, false);
+  return heading.Update(input, kLawStep, false);
 }
 
 TEST(HeadingController, TurnsTheShortWayAcrossSouth) {
@@ -39,7 +39,7 @@ TEST(HeadingController, OnAnArcFlownPerfectlyAsksForItsDragAlone) {
   HeadingController heading({}, Hydro());
   HeadingController::Input input;
   input.yaw_rate = input.desired_turn_rate = 0.167;
-  EXPECT_NEAR(heading.Update(input, kStep, false), DragForce(Hydro(), 5, 0.167), 1e-12);
+  EXPECT_NEAR(heading.Update(input, kLawStep, false), DragForce(Hydro(), 5, 0.167), 1e-12);
 }
 
 TEST(IntegralTerm, StandsStillWhileThrustersSaturateButMayUnwind) {
@@ -59,13 +59,13 @@ TEST(IntegralTerm, StaysWithinItsLimit) {
 TEST(SpeedController, FeedsForwardTheDragOfASteadySpeed) {
   SpeedController speed({}, Hydro());
   speed.Reset(0.5);
-  EXPECT_NEAR(speed.Force(speed.Lack(0.5, 0.5, kStep), 0.0), DragForce(Hydro(), 0, 0.5), 1e-12);
+  EXPECT_NEAR(speed.Force(speed.Lack(0.5, 0.5, kLawStep), 0.0), DragForce(Hydro(), 0, 0.5), 1e-12);
 }
 
 TEST(SpeedController, RampsUpInsteadOfJumping) {
   SpeedController speed({}, Hydro());
   speed.Reset(0.0);
-  EXPECT_NEAR(speed.Lack(0.0, 1.0, kStep), 0.025, 1e-12);
+  EXPECT_NEAR(speed.Lack(0.0, 1.0, kLawStep), 0.025, 1e-12);
 }
 
 TEST(SwayController, PushesAgainstSideslipAndIntoATurn) {
@@ -90,37 +90,38 @@ TEST(DriftEstimate, LearnsACurrentOnOneCourseAndKnowsItOnAnother) {
   DriftEstimate drift({});
   Eigen::Vector2d current_B = Eigen::Vector2d::Zero();
   for (int i = 0; i < 20; ++i) {  // heading north, pushed to starboard
-    current_B = drift.Update(0.0, {0.0, -0.05}, kStep, false);
+    current_B = drift.Update(0.0, {0.0, -0.05}, kLawStep, false);
   }
   EXPECT_GT(current_B.y(), 0.02);
   const Eigen::Vector2d turned_B =
-      drift.Update(std::numbers::pi / 2.0, Eigen::Vector2d::Zero(), kStep, false);
+      drift.Update(std::numbers::pi / 2.0, Eigen::Vector2d::Zero(), kLawStep, false);
   EXPECT_NEAR(turned_B.x(), current_B.y(), 1e-12);  // heading east it runs along
 }
 
 TEST(DriftEstimate, DoesNotWindUpWhileThrustersSaturate) {
   DriftEstimate drift({});
-  EXPECT_EQ(drift.Update(0.0, {1.0, 1.0}, kStep, true).norm(), 0.0);
+  EXPECT_EQ(drift.Update(0.0, {1.0, 1.0}, kLawStep, true).norm(), 0.0);
 }
 
 TEST(DepthController, LeavesTheVehicleToItsBuoyancyAtTheSurface) {
   DepthController depth({}, Hydro());
-  EXPECT_EQ(depth.Update({.depth = 0.13, .depth_rate = 0.0, .desired_depth = 0.0}, kStep, false),
+  EXPECT_EQ(depth.Update({.depth = 0.13, .depth_rate = 0.0, .desired_depth = 0.0}, kLawStep, false),
             0.0);
 }
 
 TEST(DepthController, HoldsTheNetBuoyancyDownAtDepth) {
   DepthController depth({}, Hydro());
   depth.Reset(3.0);
-  EXPECT_NEAR(depth.Update({.depth = 3.0, .depth_rate = 0.0, .desired_depth = 3.0}, kStep, false),
-              VehicleParams{}.net_buoyancy_n, 1e-9);
+  EXPECT_NEAR(
+      depth.Update({.depth = 3.0, .depth_rate = 0.0, .desired_depth = 3.0}, kLawStep, false),
+      VehicleParams{}.net_buoyancy_n, 1e-9);
 }
 
 TEST(DepthController, AsksForNoLeapWhenTheWantedDepthJumps) {
   DepthController depth({}, Hydro());
   depth.Reset(3.0);
   const double force =
-      depth.Update({.depth = 3.0, .depth_rate = 0.0, .desired_depth = 13.0}, kStep, false);
+      depth.Update({.depth = 3.0, .depth_rate = 0.0, .desired_depth = 13.0}, kLawStep, false);
   EXPECT_LT(force, 20.0);
 }
 

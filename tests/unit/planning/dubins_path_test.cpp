@@ -12,12 +12,11 @@
 namespace limpet {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr Meters kRadius{3.0};
+constexpr Meters kCurveRadius{3.0};
 
 Pose2 RandomPose(Random& random, double extent) {
   return {random.Uniform(-extent, extent), random.Uniform(-extent, extent),
-          random.Uniform(-kPi, kPi)};
+          random.Uniform(-std::numbers::pi, std::numbers::pi)};
 }
 
 void ExpectSamePose(const Pose2& a, const Pose2& b, double tolerance = 1e-6) {
@@ -29,18 +28,20 @@ void ExpectSamePose(const Pose2& a, const Pose2& b, double tolerance = 1e-6) {
 TEST(Advance, TurnsToStarboardWithPositiveCurvature) {
   // Heading north, a quarter turn to starboard of radius 3 ends 3 m north and 3 m east, heading
   // east.
-  ExpectSamePose(Advance({0.0, 0.0, 0.0}, 1.0 / 3.0, 1.5 * kPi), {3.0, 3.0, 0.5 * kPi}, 1e-12);
+  ExpectSamePose(Advance({0.0, 0.0, 0.0}, 1.0 / 3.0, 1.5 * std::numbers::pi),
+                 {3.0, 3.0, 0.5 * std::numbers::pi}, 1e-12);
 }
 
 TEST(Advance, IsStraightWithoutCurvature) {
-  ExpectSamePose(Advance({1.0, 2.0, 0.5 * kPi}, 0.0, 4.0), {1.0, 6.0, 0.5 * kPi}, 1e-12);
+  ExpectSamePose(Advance({1.0, 2.0, 0.5 * std::numbers::pi}, 0.0, 4.0),
+                 {1.0, 6.0, 0.5 * std::numbers::pi}, 1e-12);
 }
 
 TEST(ShortestDubins, EndsWhereItIsAskedTo) {
   Random random(1);
   for (int i = 0; i < 5000; ++i) {
     const Pose2 from = RandomPose(random, 10.0), to = RandomPose(random, 10.0);
-    ExpectSamePose(ShortestDubins(from, to, kRadius).end(), to);
+    ExpectSamePose(ShortestDubins(from, to, kCurveRadius).end(), to);
   }
 }
 
@@ -48,24 +49,24 @@ TEST(AllDubins, EveryWordEndsWhereItIsAskedTo) {
   Random random(2);
   for (int i = 0; i < 2000; ++i) {
     const Pose2 from = RandomPose(random, 5.0), to = RandomPose(random, 5.0);
-    for (const DubinsPath& path : AllDubins(from, to, kRadius)) {
+    for (const DubinsPath& path : AllDubins(from, to, kCurveRadius)) {
       ExpectSamePose(path.end(), to);
     }
   }
 }
 
 TEST(AllDubins, HoldsAllSixWordsForNearPoses) {
-  EXPECT_EQ(AllDubins({0.0, 0.0, 0.0}, {13.0, 1.0, 0.1}, kRadius).size(), 4U);
-  EXPECT_GE(AllDubins({0.0, 0.0, 0.0}, {1.0, 1.0, 2.0}, kRadius).size(), 4U);
+  EXPECT_EQ(AllDubins({0.0, 0.0, 0.0}, {13.0, 1.0, 0.1}, kCurveRadius).size(), 4U);
+  EXPECT_GE(AllDubins({0.0, 0.0, 0.0}, {1.0, 1.0, 2.0}, kCurveRadius).size(), 4U);
 }
 
 TEST(ShortestDubins, IsNeverShorterThanTheStraightLineNorLongerThanAnyWord) {
   Random random(3);
   for (int i = 0; i < 2000; ++i) {
     const Pose2 from = RandomPose(random, 10.0), to = RandomPose(random, 10.0);
-    const double length = ShortestDubins(from, to, kRadius).length();
+    const double length = ShortestDubins(from, to, kCurveRadius).length();
     EXPECT_GE(length, Distance(from, to) - 1e-9);
-    for (const DubinsPath& path : AllDubins(from, to, kRadius)) {
+    for (const DubinsPath& path : AllDubins(from, to, kCurveRadius)) {
       EXPECT_LE(length, path.length() + 1e-9);
     }
   }
@@ -76,16 +77,16 @@ TEST(ShortestDubins, IsAsLongBackwardsInTheMirror) {
   Random random(4);
   for (int i = 0; i < 2000; ++i) {
     const Pose2 from = RandomPose(random, 8.0), to = RandomPose(random, 8.0);
-    const Pose2 back_from{to.north, to.east, to.yaw + kPi};
-    const Pose2 back_to{from.north, from.east, from.yaw + kPi};
-    EXPECT_NEAR(ShortestDubins(from, to, kRadius).length(),
-                ShortestDubins(back_from, back_to, kRadius).length(), 1e-6);
+    const Pose2 back_from{to.north, to.east, to.yaw + std::numbers::pi};
+    const Pose2 back_to{from.north, from.east, from.yaw + std::numbers::pi};
+    EXPECT_NEAR(ShortestDubins(from, to, kCurveRadius).length(),
+                ShortestDubins(back_from, back_to, kCurveRadius).length(), 1e-6);
   }
 }
 
 TEST(ShortestDubins, DoesNotLoopForARoundingErrorOfHeading) {
   for (const double error : {-1e-16, 1e-16, -1e-12, 1e-12, -4e-16}) {
-    const DubinsPath path = ShortestDubins({0.0, 0.0, 0.0}, {10.0, 0.0, error}, kRadius);
+    const DubinsPath path = ShortestDubins({0.0, 0.0, 0.0}, {10.0, 0.0, error}, kCurveRadius);
     EXPECT_NEAR(path.length(), 10.0, 1e-6) << error;
   }
 }
@@ -94,10 +95,10 @@ TEST(ShortestDubins, DoesNotLoopAfterARandomLineOrArc) {
   Random random(5);
   for (int i = 0; i < 3000; ++i) {
     const Pose2 from = RandomPose(random, 20.0);
-    const double curvature = (static_cast<double>(random.Index(3)) - 1.0) / kRadius.value();
+    const double curvature = (static_cast<double>(random.Index(3)) - 1.0) / kCurveRadius.value();
     const double length = random.Uniform(0.1, 3.0);
     const Pose2 to = Advance(from, curvature, length);
-    EXPECT_NEAR(ShortestDubins(from, to, kRadius).length(), length, 1e-5);
+    EXPECT_NEAR(ShortestDubins(from, to, kCurveRadius).length(), length, 1e-5);
   }
 }
 
@@ -105,8 +106,9 @@ TEST(ShortestDubins, TurnsNoTighterThanItsRadius) {
   Random random(6);
   for (int i = 0; i < 500; ++i) {
     for (const PathSegment& segment :
-         ShortestDubins(RandomPose(random, 8.0), RandomPose(random, 8.0), kRadius).segments()) {
-      EXPECT_LE(std::abs(segment.curvature), 1.0 / kRadius.value() + 1e-12);
+         ShortestDubins(RandomPose(random, 8.0), RandomPose(random, 8.0), kCurveRadius)
+             .segments()) {
+      EXPECT_LE(std::abs(segment.curvature), 1.0 / kCurveRadius.value() + 1e-12);
     }
   }
 }
@@ -115,17 +117,17 @@ TEST(DubinsPath, IsContinuous) {
   Random random(7);
   for (int i = 0; i < 200; ++i) {
     const DubinsPath path =
-        ShortestDubins(RandomPose(random, 8.0), RandomPose(random, 8.0), kRadius);
+        ShortestDubins(RandomPose(random, 8.0), RandomPose(random, 8.0), kCurveRadius);
     for (double s = 0.0; s + 0.01 <= path.length(); s += 0.01) {
       const Pose2 a = path.At(s), b = path.At(s + 0.01);
       ASSERT_NEAR(Distance(a, b), 0.01, 1e-4);
-      ASSERT_LE(std::abs(WrapAngle(b.yaw - a.yaw)), 0.01 / kRadius.value() + 1e-9);
+      ASSERT_LE(std::abs(WrapAngle(b.yaw - a.yaw)), 0.01 / kCurveRadius.value() + 1e-9);
     }
   }
 }
 
 TEST(DubinsPath, PrefixAndSuffixMakeTheWhole) {
-  const DubinsPath path = ShortestDubins({0.0, 0.0, 0.0}, {5.0, 9.0, 2.0}, kRadius);
+  const DubinsPath path = ShortestDubins({0.0, 0.0, 0.0}, {5.0, 9.0, 2.0}, kCurveRadius);
   for (double s = 0.0; s < path.length(); s += 0.37) {
     const DubinsPath prefix = path.Prefix(s), suffix = path.Suffix(s);
     EXPECT_NEAR(prefix.length() + suffix.length(), path.length(), 1e-9);
@@ -135,7 +137,7 @@ TEST(DubinsPath, PrefixAndSuffixMakeTheWhole) {
 }
 
 TEST(DubinsPath, SamplesAgreeWithAt) {
-  const DubinsPath path = ShortestDubins({0.0, 0.0, 0.0}, {5.0, 9.0, 2.0}, kRadius);
+  const DubinsPath path = ShortestDubins({0.0, 0.0, 0.0}, {5.0, 9.0, 2.0}, kCurveRadius);
   double last = -1.0;
   path.Sample(0.5, [&](const Pose2& pose, double s) {
     ExpectSamePose(pose, path.At(s), 1e-9);
@@ -146,7 +148,7 @@ TEST(DubinsPath, SamplesAgreeWithAt) {
 }
 
 TEST(DubinsPath, SurvivesTheMessageToThePilot) {
-  const DubinsPath path = ShortestDubins({1.0, 2.0, 0.3}, {5.0, 9.0, 2.0}, kRadius);
+  const DubinsPath path = ShortestDubins({1.0, 2.0, 0.3}, {5.0, 9.0, 2.0}, kCurveRadius);
   const HelmPath message = ToHelmPath(path, 7, "cover");
   EXPECT_EQ(message.id, 7);
   EXPECT_EQ(message.purpose, "cover");

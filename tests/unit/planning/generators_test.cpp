@@ -19,15 +19,14 @@ namespace {
 using scene::kArea;
 using scene::kRadius;
 
-constexpr double kPi = std::numbers::pi;
-const Region kRegion(kArea);
-const Pose2 kStart{-12.5, -15.5, 0.5 * kPi};
+const Region kSceneRegion(kArea);
+const Pose2 kStart{-12.5, -15.5, 0.5 * std::numbers::pi};
 
 /// A grid on which a few lanes have been flown, and its ground.
 struct HalfSeen {
   HalfSeen() {
     for (const double north : {-13.0, -9.5, -6.0}) {
-      scene::Fly(grid, DubinsPath({north, -18.0, 0.5 * kPi}, {{0.0, 36.0}}));
+      scene::Fly(grid, DubinsPath({north, -18.0, 0.5 * std::numbers::pi}, {{0.0, 36.0}}));
     }
     ground.Update(grid);
   }
@@ -55,15 +54,15 @@ TEST(BeamSearch, OffersPathsThatStayInsideAndRecoverable) {
   Random random(1);
   for (int i = 0; i < 10; ++i) {
     Pose2 start{random.Uniform(-17.0, 17.0), random.Uniform(-20.0, 20.0),
-                random.Uniform(-kPi, kPi)};
-    if (!kRegion.IsRecoverable(start, kRadius)) {
+                random.Uniform(-std::numbers::pi, std::numbers::pi)};
+    if (!kSceneRegion.IsRecoverable(start, kRadius)) {
       continue;
     }
-    const auto offers = BeamSearch(start, scene.ground, kRegion, Defaults(), {.width = 10});
+    const auto offers = BeamSearch(start, scene.ground, kSceneRegion, Defaults(), {.width = 10});
     ASSERT_FALSE(offers.empty());
     for (const Option& option : offers) {
-      EXPECT_TRUE(kRegion.Contains(option.path));
-      EXPECT_TRUE(kRegion.IsRecoverable(option.path.end(), kRadius));
+      EXPECT_TRUE(kSceneRegion.Contains(option.path));
+      EXPECT_TRUE(kSceneRegion.IsRecoverable(option.path.end(), kRadius));
       EXPECT_NEAR(option.path.length(), 25.0, 1e-6);
     }
   }
@@ -71,8 +70,8 @@ TEST(BeamSearch, OffersPathsThatStayInsideAndRecoverable) {
 
 TEST(BeamSearch, IsDeterministic) {
   const HalfSeen scene;
-  ExpectSame(BeamSearch(kStart, scene.ground, kRegion, Defaults(), {}),
-             BeamSearch(kStart, scene.ground, kRegion, Defaults(), {}));
+  ExpectSame(BeamSearch(kStart, scene.ground, kSceneRegion, Defaults(), {}),
+             BeamSearch(kStart, scene.ground, kSceneRegion, Defaults(), {}));
 }
 
 TEST(BeamSearch, ItsEstimateIsTheObjectiveOfItsPath) {
@@ -80,7 +79,8 @@ TEST(BeamSearch, ItsEstimateIsTheObjectiveOfItsPath) {
   Objective objective = Defaults();
   objective.targets = {{.north = -3.0, .east = -12.0, .radius = 1.5, .value = 30.0}};
   SightAlong sight(scene.ground);
-  for (const Option& option : BeamSearch(kStart, scene.ground, kRegion, objective, {.offers = 5})) {
+  for (const Option& option :
+       BeamSearch(kStart, scene.ground, kSceneRegion, objective, {.offers = 5})) {
     // Joined segments are sampled at other places than single motions: a few cells differ.
     EXPECT_NEAR(option.estimate, ValueOf(option.path, objective, scene.ground, sight), 1.5);
   }
@@ -88,7 +88,7 @@ TEST(BeamSearch, ItsEstimateIsTheObjectiveOfItsPath) {
 
 TEST(BeamSearch, OffersAreOrderedAndOpenDifferently) {
   const HalfSeen scene;
-  const auto offers = BeamSearch(kStart, scene.ground, kRegion, Defaults(), {.offers = 3});
+  const auto offers = BeamSearch(kStart, scene.ground, kSceneRegion, Defaults(), {.offers = 3});
   ASSERT_EQ(offers.size(), 3U);
   EXPECT_GE(offers[0].estimate, offers[1].estimate);
   EXPECT_GE(offers[1].estimate, offers[2].estimate);
@@ -101,7 +101,7 @@ TEST(BeamSearch, GoesToAValuableTargetFirst) {
   const Ground ground(grid, scene::TableFootprint());
   Objective objective = Defaults();
   objective.targets = {{.north = -6.0, .east = -5.0, .radius = 1.5, .value = 80.0}};
-  const auto offers = BeamSearch(kStart, ground, kRegion, objective, {});
+  const auto offers = BeamSearch(kStart, ground, kSceneRegion, objective, {});
   ASSERT_FALSE(offers.empty());
   EXPECT_GT(TargetValueOf(offers.front().path, objective), 60.0);
 }
@@ -109,9 +109,9 @@ TEST(BeamSearch, GoesToAValuableTargetFirst) {
 TEST(BeamSearch, BringsADriftedVehicleBack) {
   const HalfSeen scene;
   const Pose2 outside{17.8, 0.0, 0.0};
-  const auto offers = BeamSearch(outside, scene.ground, kRegion, Defaults(), {});
+  const auto offers = BeamSearch(outside, scene.ground, kSceneRegion, Defaults(), {});
   ASSERT_FALSE(offers.empty());
-  EXPECT_TRUE(kRegion.IsRecoverable(offers.front().path.end(), kRadius));
+  EXPECT_TRUE(kSceneRegion.IsRecoverable(offers.front().path.end(), kRadius));
 }
 
 TEST(BeamSearch, CoversTable1WithinTheRequiredPath) {
@@ -122,7 +122,7 @@ TEST(BeamSearch, CoversTable1WithinTheRequiredPath) {
   while (grid.coverage().seabed < 0.95 && path < 300.0) {
     ground.Update(grid);
     const DubinsPath leg =
-        BeamSearch(pose, ground, kRegion, Objective{}, {}).front().path.Prefix(8.0);
+        BeamSearch(pose, ground, kSceneRegion, Objective{}, {}).front().path.Prefix(8.0);
     scene::Fly(grid, leg);
     pose = leg.end();
     path += leg.length();
@@ -135,23 +135,23 @@ TEST(GapPaths, ReachAPatchFarBeyondTheBeamsHorizon) {
   for (double north = -15.0; north <= 15.5; north += 2.0) {
     // All lanes but the last 6 m of the most north-eastern ones.
     const double length = north > 11.0 ? 30.0 : 36.0;
-    scene::Fly(grid, DubinsPath({north, -18.0, 0.5 * kPi}, {{0.0, length}}));
+    scene::Fly(grid, DubinsPath({north, -18.0, 0.5 * std::numbers::pi}, {{0.0, length}}));
   }
   const Ground ground(grid, scene::TableFootprint());
-  const auto offers = GapPaths(kStart, ground, kRegion, Defaults(), {.finish_share = 1.0});
+  const auto offers = GapPaths(kStart, ground, kSceneRegion, Defaults(), {.finish_share = 1.0});
   ASSERT_FALSE(offers.empty());
   SightAlong sight(ground);
   EXPECT_GT(sight(offers.front().path).new_area, 1.0);
-  EXPECT_TRUE(kRegion.Contains(offers.front().path));
+  EXPECT_TRUE(kSceneRegion.Contains(offers.front().path));
 }
 
 TEST(GapPaths, OfferNothingWhenAllIsSeen) {
   SurveyGrid grid(kArea);
   for (double north = -15.0; north <= 15.5; north += 2.0) {
-    scene::Fly(grid, DubinsPath({north, -20.0, 0.5 * kPi}, {{0.0, 40.0}}));
+    scene::Fly(grid, DubinsPath({north, -20.0, 0.5 * std::numbers::pi}, {{0.0, 40.0}}));
   }
   const Ground ground(grid, scene::TableFootprint());
-  EXPECT_TRUE(GapPaths(kStart, ground, kRegion, Defaults(), {}).empty());
+  EXPECT_TRUE(GapPaths(kStart, ground, kSceneRegion, Defaults(), {}).empty());
 }
 
 TEST(TargetTour, PassesEveryFormerObjectOfTable1Early) {
@@ -161,42 +161,42 @@ TEST(TargetTour, PassesEveryFormerObjectOfTable1Early) {
     objective.targets.push_back({.north = north, .east = east, .radius = 1.5, .value = 1.0});
   }
   objective.target_decay_m = 1e9;
-  const auto tour = TargetTour(kStart, kRegion, objective, kRadius);
+  const auto tour = TargetTour(kStart, kSceneRegion, objective, kRadius);
   ASSERT_TRUE(tour.has_value());
   EXPECT_NEAR(TargetValueOf(tour->path, objective), 4.0, 1e-6);
   EXPECT_LT(tour->path.length(), 45.0);
-  EXPECT_TRUE(kRegion.Contains(tour->path));
+  EXPECT_TRUE(kSceneRegion.Contains(tour->path));
 }
 
 TEST(TargetTour, IsNothingWithoutTargets) {
-  EXPECT_FALSE(TargetTour(kStart, kRegion, Objective{}, kRadius).has_value());
+  EXPECT_FALSE(TargetTour(kStart, kSceneRegion, Objective{}, kRadius).has_value());
 }
 
 TEST(HomePath, EndsAtHomeAndStaysInside) {
   Random random(3);
   for (int i = 0; i < 200; ++i) {
     const Pose2 start{random.Uniform(-12.0, 12.0), random.Uniform(-15.0, 15.0),
-                      random.Uniform(-kPi, kPi)};
-    const Option home = HomePath(start, -12.5, -15.5, kRegion, kRadius);
+                      random.Uniform(-std::numbers::pi, std::numbers::pi)};
+    const Option home = HomePath(start, -12.5, -15.5, kSceneRegion, kRadius);
     EXPECT_NEAR(home.path.end().north, -12.5, 1e-6);
     EXPECT_NEAR(home.path.end().east, -15.5, 1e-6);
-    EXPECT_TRUE(kRegion.Contains(home.path));
+    EXPECT_TRUE(kSceneRegion.Contains(home.path));
   }
 }
 
 TEST(HomePath, IsNotMuchLongerThanTheStraightLine) {
-  const Option home = HomePath({10.0, 10.0, 0.0}, -12.5, -15.5, kRegion, kRadius);
+  const Option home = HomePath({10.0, 10.0, 0.0}, -12.5, -15.5, kSceneRegion, kRadius);
   EXPECT_LT(home.path.length(), std::hypot(22.5, 25.5) + 12.0);
 }
 
 TEST(ViewTree, OffersPathsThatStayInsideAndRecoverable) {
   const HalfSeen scene;
   Random random(4);
-  const auto offers = ViewTree(kStart, scene.ground, kRegion, Defaults(), {}, random);
+  const auto offers = ViewTree(kStart, scene.ground, kSceneRegion, Defaults(), {}, random);
   ASSERT_FALSE(offers.empty());
   for (const Option& option : offers) {
-    EXPECT_TRUE(kRegion.Contains(option.path));
-    EXPECT_TRUE(kRegion.IsRecoverable(option.path.end(), kRadius));
+    EXPECT_TRUE(kSceneRegion.Contains(option.path));
+    EXPECT_TRUE(kSceneRegion.IsRecoverable(option.path.end(), kRadius));
   }
 }
 
@@ -205,7 +205,7 @@ TEST(ViewTree, ItsEstimateIsTheObjectiveOfItsPath) {
   const Objective objective = Defaults();
   Random random(5);
   SightAlong sight(scene.ground);
-  for (const Option& option : ViewTree(kStart, scene.ground, kRegion, objective, {}, random)) {
+  for (const Option& option : ViewTree(kStart, scene.ground, kSceneRegion, objective, {}, random)) {
     EXPECT_NEAR(option.estimate, ValueOf(option.path, objective, scene.ground, sight), 1.5);
   }
 }
@@ -213,8 +213,8 @@ TEST(ViewTree, ItsEstimateIsTheObjectiveOfItsPath) {
 TEST(ViewTree, IsDeterministicForASeed) {
   const HalfSeen scene;
   Random one(6), two(6);
-  ExpectSame(ViewTree(kStart, scene.ground, kRegion, Defaults(), {}, one),
-             ViewTree(kStart, scene.ground, kRegion, Defaults(), {}, two));
+  ExpectSame(ViewTree(kStart, scene.ground, kSceneRegion, Defaults(), {}, one),
+             ViewTree(kStart, scene.ground, kSceneRegion, Defaults(), {}, two));
 }
 
 TEST(ViewTree, RewiringDoesNotMakeTheBestBranchWorse) {
@@ -222,10 +222,11 @@ TEST(ViewTree, RewiringDoesNotMakeTheBestBranchWorse) {
   double with = 0.0, without = 0.0;
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     Random one(seed), two(seed);
-    with += ViewTree(kStart, scene.ground, kRegion, Defaults(), {}, one).front().estimate;
+    with += ViewTree(kStart, scene.ground, kSceneRegion, Defaults(), {}, one).front().estimate;
     ViewTreeParams plain;
     plain.rewire_radius = Meters(0.0);
-    without += ViewTree(kStart, scene.ground, kRegion, Defaults(), plain, two).front().estimate;
+    without +=
+        ViewTree(kStart, scene.ground, kSceneRegion, Defaults(), plain, two).front().estimate;
   }
   EXPECT_GE(with, without - 1.0);
 }
@@ -243,7 +244,7 @@ TEST(SeenDensity, SamplesFallWhereLittleHasBeenSeen) {
   Random random(7);
   int in_the_unseen_north = 0;
   for (int i = 0; i < 1000; ++i) {
-    in_the_unseen_north += density.Sample(kRegion, random).north > -2.0 ? 1 : 0;
+    in_the_unseen_north += density.Sample(kSceneRegion, random).north > -2.0 ? 1 : 0;
   }
   EXPECT_GT(in_the_unseen_north, 700);  // 56 % of the region
 }
@@ -251,13 +252,13 @@ TEST(SeenDensity, SamplesFallWhereLittleHasBeenSeen) {
 TEST(PaperPlanner, FliesToViewsInsideTheRegion) {
   SurveyGrid grid(kArea);
   Ground ground(grid, scene::TableFootprint());
-  PaperPlanner planner({}, kRegion, Random(8));
+  PaperPlanner planner({}, kSceneRegion, Random(8));
   Pose2 pose = kStart;
   for (int i = 0; i < 15; ++i) {
     ground.Update(grid);
     const auto next = planner.Next(pose, ground, {}, 0.0);
     ASSERT_TRUE(next.has_value());
-    ASSERT_TRUE(kRegion.Contains(next->path));
+    ASSERT_TRUE(kSceneRegion.Contains(next->path));
     scene::Fly(grid, next->path);
     pose = next->path.end();
   }
@@ -273,7 +274,7 @@ TEST(PaperPlanner, ValuesInheritedObjectsInAChangeSession) {
   former.probability = 0.6;
   PaperParams params;
   params.gain = PaperGain::kChange;
-  PaperPlanner with(params, kRegion, Random(9)), without(params, kRegion, Random(9));
+  PaperPlanner with(params, kSceneRegion, Random(9)), without(params, kSceneRegion, Random(9));
   static_cast<void>(with.Next(kStart, ground, {former}, 0.0));
   static_cast<void>(without.Next(kStart, ground, {}, 0.0));
   EXPECT_GT(with.log_gain(), without.log_gain());

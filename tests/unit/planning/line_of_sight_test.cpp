@@ -12,11 +12,11 @@
 namespace limpet {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kSpeed = 0.5;
 
 /// 10 m north, half a turn to starboard of 3 m radius, 10 m south.
-const std::vector<PathSegment> kLanes = {{0.0, 10.0}, {1.0 / 3.0, 3.0 * kPi}, {0.0, 10.0}};
+const std::vector<PathSegment> kLanes = {
+    {0.0, 10.0}, {1.0 / 3.0, 3.0 * std::numbers::pi}, {0.0, 10.0}};
 
 LineOfSight OnLanes() {
   LineOfSight sight;
@@ -40,7 +40,7 @@ TEST(LineOfSight, EndsWhereTheSegmentsEnd) {
   const Pose2 end = sight.At(sight.length());
   EXPECT_NEAR(end.north, 0.0, 1e-9);
   EXPECT_NEAR(end.east, 6.0, 1e-9);
-  EXPECT_NEAR(end.yaw, kPi, 1e-9);
+  EXPECT_NEAR(end.yaw, std::numbers::pi, 1e-9);
 }
 
 TEST(LineOfSight, CallsStarboardOfThePathPositiveAndSteersToPort) {
@@ -86,7 +86,7 @@ TEST(LineOfSight, NeverGoesBack) {
 
 TEST(LineOfSight, FollowsAPathThatCrossesItselfInItsOwnOrder) {
   LineOfSight sight;
-  sight.SetPath({0.0, 0.0, 0.0}, {{0.0, 8.0}, {1.0 / 3.0, 4.5 * kPi}, {0.0, 8.0}});
+  sight.SetPath({0.0, 0.0, 0.0}, {{0.0, 8.0}, {1.0 / 3.0, 4.5 * std::numbers::pi}, {0.0, 8.0}});
   double last = 0.0;
   for (double s = 0.0; s < sight.length(); s += 0.05) {
     const Pose2 at = sight.At(s);
@@ -99,7 +99,7 @@ TEST(LineOfSight, FollowsAPathThatCrossesItselfInItsOwnOrder) {
 
 TEST(LineOfSight, FollowsMoreThanOneFullCircle) {
   LineOfSight sight;
-  sight.SetPath({0.0, 0.0, 0.0}, {{1.0 / 3.0, 15.0 * kPi}});
+  sight.SetPath({0.0, 0.0, 0.0}, {{1.0 / 3.0, 15.0 * std::numbers::pi}});
   for (double s = 0.0; s < sight.length(); s += 0.05) {
     const Pose2 at = sight.At(s);
     ASSERT_NEAR(sight.Update(at.north, at.east, kSpeed).progress, s, 1e-6);
@@ -120,7 +120,7 @@ TEST(LineOfSight, NearestPointIsNoFartherThanAnySampleAhead) {
   Random random(3);
   for (int trial = 0; trial < 200; ++trial) {
     LineOfSight sight({.search = Meters(4.0)});
-    sight.SetPath({0.0, 0.0, random.Uniform(-kPi, kPi)},
+    sight.SetPath({0.0, 0.0, random.Uniform(-std::numbers::pi, std::numbers::pi)},
                   {{random.Uniform(-0.4, 0.4), 2.0}, {0.0, 1.0}, {random.Uniform(-0.4, 0.4), 3.0}});
     const double north = random.Uniform(-3.0, 3.0);
     const double east = random.Uniform(-3.0, 3.0);

@@ -14,13 +14,12 @@
 namespace limpet {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-const Region kRegion(scene::kArea);
+const Region kTourRegion(scene::kArea);
 
 Stop AnyHeading(double north, double east) {
   Stop stop;
   for (int i = 0; i < 8; ++i) {
-    stop.push_back({.in = {north, east, 0.25 * kPi * i}, .length = 1.0});
+    stop.push_back({.in = {north, east, 0.25 * std::numbers::pi * i}, .length = 1.0});
   }
   return stop;
 }
@@ -35,7 +34,7 @@ std::vector<Stop> RandomStops(Random& random, int count) {
 
 TEST(PassTour, VisitsEveryStopOnce) {
   Random random(1);
-  const PassTour tour = PlanPassTour({}, RandomStops(random, 7), kRegion, scene::kRadius);
+  const PassTour tour = PlanPassTour({}, RandomStops(random, 7), kTourRegion, scene::kRadius);
   std::vector<std::size_t> order = tour.order;
   std::sort(order.begin(), order.end());
   EXPECT_EQ(order, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6}));
@@ -44,7 +43,7 @@ TEST(PassTour, VisitsEveryStopOnce) {
 TEST(PassTour, PassesTheStopsWhereItSays) {
   Random random(2);
   const std::vector<Stop> stops = RandomStops(random, 6);
-  const PassTour tour = PlanPassTour({}, stops, kRegion, scene::kRadius);
+  const PassTour tour = PlanPassTour({}, stops, kTourRegion, scene::kRadius);
   for (std::size_t i = 0; i < tour.order.size(); ++i) {
     const Pose2 before_out = tour.path.At(tour.reached[i] - 1.0);
     EXPECT_NEAR(Distance(before_out, stops[tour.order[i]].front().in), 0.0, 1e-6);
@@ -55,7 +54,7 @@ TEST(PassTour, FindsTheBestOrderOfAFewStops) {
   Random random(3);
   for (int trial = 0; trial < 5; ++trial) {
     const std::vector<Stop> stops = RandomStops(random, 4);
-    const double found = PlanPassTour({}, stops, kRegion, scene::kRadius).path.length();
+    const double found = PlanPassTour({}, stops, kTourRegion, scene::kRadius).path.length();
     std::vector<std::size_t> order = {0, 1, 2, 3};
     double best = 1e9;
     do {  // one stop at a time in a fixed order is a tour of its own
@@ -70,7 +69,8 @@ TEST(PassTour, FindsTheBestOrderOfAFewStops) {
         double least = 1e9;
         Pose2 out;
         for (const Pass& pass : stop) {
-          const double cost = kRegion.ShortestInside(at, pass.in, scene::kRadius).length() + 1.0;
+          const double cost =
+              kTourRegion.ShortestInside(at, pass.in, scene::kRadius).length() + 1.0;
           if (cost < least) {
             least = cost;
             out = pass.out();
@@ -86,17 +86,17 @@ TEST(PassTour, FindsTheBestOrderOfAFewStops) {
 }
 
 TEST(PassTour, IsEmptyWithoutStops) {
-  EXPECT_EQ(PlanPassTour({}, {}, kRegion, scene::kRadius).path.length(), 0.0);
+  EXPECT_EQ(PlanPassTour({}, {}, kTourRegion, scene::kRadius).path.length(), 0.0);
 }
 
 TEST(UnseenPatches, FindTheStripBetweenTwoLanes) {
   SurveyGrid grid(scene::kArea);
   for (double north = -15.0; north <= 15.5; north += 1.5) {
     if (north != 0.0) {
-      scene::Fly(grid, DubinsPath({north, -20.0, 0.5 * kPi}, {{0.0, 40.0}}));
+      scene::Fly(grid, DubinsPath({north, -20.0, 0.5 * std::numbers::pi}, {{0.0, 40.0}}));
     }
   }
-  scene::Fly(grid, DubinsPath({0.0, 4.0, 0.5 * kPi}, {{0.0, 16.0}}));
+  scene::Fly(grid, DubinsPath({0.0, 4.0, 0.5 * std::numbers::pi}, {{0.0, 16.0}}));
   const Ground ground(grid, scene::TableFootprint());
   EXPECT_TRUE(UnseenPatches(ground, 4.0).empty());  // 3 m of overlap leave no strip
 }
@@ -115,7 +115,7 @@ TEST(UnseenPatches, PointAlongTheirLongAxis) {
   SurveyGrid grid(scene::kArea);
   for (double north = -15.0; north <= 15.5; north += 1.5) {
     if (north < -2.0 || north > 2.0) {
-      scene::Fly(grid, DubinsPath({north, -20.0, 0.5 * kPi}, {{0.0, 40.0}}));
+      scene::Fly(grid, DubinsPath({north, -20.0, 0.5 * std::numbers::pi}, {{0.0, 40.0}}));
     }
   }
   const Ground ground(grid, scene::TableFootprint());

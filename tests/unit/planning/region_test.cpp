@@ -10,8 +10,7 @@
 namespace limpet {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr Meters kRadius{3.0};
+constexpr Meters kTurnRadius{3.0};
 const Region kRegion(SurveyArea{-15.0, 15.0, -18.0, 18.0, 2.0, 2.0});
 
 TEST(Region, IsTheAreaAndItsMargin) {
@@ -21,8 +20,8 @@ TEST(Region, IsTheAreaAndItsMargin) {
 
 TEST(Region, NoticesAnArcThatLeavesAndComesBack) {
   // Heading north-east 1 m from the northern border: the bulge of the arc is outside, its end not.
-  const Pose2 from{16.5, 0.0, 0.25 * kPi};
-  const PathSegment arc{.curvature = 1.0 / 3.0, .length = 3.0 * 0.5 * kPi};
+  const Pose2 from{16.5, 0.0, 0.25 * std::numbers::pi};
+  const PathSegment arc{.curvature = 1.0 / 3.0, .length = 3.0 * 0.5 * std::numbers::pi};
   EXPECT_TRUE(kRegion.Contains(Advance(from, arc.curvature, arc.length)));
   EXPECT_FALSE(kRegion.Contains(from, arc));
 }
@@ -32,9 +31,9 @@ TEST(Region, AgreesWithSamplingAlongRandomPaths) {
   for (int i = 0; i < 3000; ++i) {
     const auto pose = [&random] {
       return Pose2{random.Uniform(-17.0, 17.0), random.Uniform(-20.0, 20.0),
-                   random.Uniform(-kPi, kPi)};
+                   random.Uniform(-std::numbers::pi, std::numbers::pi)};
     };
-    const DubinsPath path = ShortestDubins(pose(), pose(), kRadius);
+    const DubinsPath path = ShortestDubins(pose(), pose(), kTurnRadius);
     bool is_inside = true;
     double farthest = 0.0;
     path.Sample(0.005, [&](const Pose2& at, double) {
@@ -49,14 +48,14 @@ TEST(Region, AgreesWithSamplingAlongRandomPaths) {
 }
 
 TEST(Region, IsRecoverableInTheMiddleWithAnyHeading) {
-  for (double yaw = -kPi; yaw < kPi; yaw += 0.1) {
-    EXPECT_TRUE(kRegion.IsRecoverable({0.0, 0.0, yaw}, kRadius));
+  for (double yaw = -std::numbers::pi; yaw < std::numbers::pi; yaw += 0.1) {
+    EXPECT_TRUE(kRegion.IsRecoverable({0.0, 0.0, yaw}, kTurnRadius));
   }
 }
 
 TEST(Region, IsNotRecoverableHeadingOutAtTheBorder) {
-  EXPECT_FALSE(kRegion.IsRecoverable({16.0, 0.0, 0.0}, kRadius));
-  EXPECT_TRUE(kRegion.IsRecoverable({16.0, 0.0, 0.5 * kPi}, kRadius));  // along it
+  EXPECT_FALSE(kRegion.IsRecoverable({16.0, 0.0, 0.0}, kTurnRadius));
+  EXPECT_TRUE(kRegion.IsRecoverable({16.0, 0.0, 0.5 * std::numbers::pi}, kTurnRadius));  // along it
 }
 
 TEST(Region, FromARecoverableStateThereIsAlwaysAnAllowedMotion) {
@@ -66,7 +65,7 @@ TEST(Region, FromARecoverableStateThereIsAlwaysAnAllowedMotion) {
     std::vector<PathSegment> allowed;
     for (const double curvature : {-1.0 / 3.0, -1.0 / 6.0, 0.0, 1.0 / 6.0, 1.0 / 3.0}) {
       const PathSegment motion{curvature, 2.5};
-      if (kRegion.Allows(pose, motion, kRadius)) {
+      if (kRegion.Allows(pose, motion, kTurnRadius)) {
         allowed.push_back(motion);
       }
     }
@@ -79,21 +78,23 @@ TEST(Region, FromARecoverableStateThereIsAlwaysAnAllowedMotion) {
 
 TEST(Region, LetsADriftedVehicleComeBackButNotGoFarther) {
   const Pose2 outside{17.5, 0.0, 0.0};  // heading out
-  EXPECT_TRUE(kRegion.Allows(outside, {1.0 / 3.0, 2.5}, kRadius));
-  EXPECT_FALSE(kRegion.Allows(outside, {0.0, 2.5}, kRadius));
+  EXPECT_TRUE(kRegion.Allows(outside, {1.0 / 3.0, 2.5}, kTurnRadius));
+  EXPECT_FALSE(kRegion.Allows(outside, {0.0, 2.5}, kTurnRadius));
 }
 
 TEST(Region, ShortestInsideStaysInsideWhereAWordDoes) {
   // Along the border: the shortest word bulges out, another does not.
   Random random(3);
   for (int i = 0; i < 500; ++i) {
-    const Pose2 from{random.Uniform(10.0, 17.0), random.Uniform(-20.0, 20.0), 0.5 * kPi};
-    const Pose2 to{random.Uniform(10.0, 17.0), random.Uniform(-20.0, 20.0), -0.5 * kPi};
+    const Pose2 from{random.Uniform(10.0, 17.0), random.Uniform(-20.0, 20.0),
+                     0.5 * std::numbers::pi};
+    const Pose2 to{random.Uniform(10.0, 17.0), random.Uniform(-20.0, 20.0),
+                   -0.5 * std::numbers::pi};
     bool exists = false;
-    for (const DubinsPath& path : AllDubins(from, to, kRadius)) {
+    for (const DubinsPath& path : AllDubins(from, to, kTurnRadius)) {
       exists = exists || kRegion.Contains(path);
     }
-    EXPECT_EQ(kRegion.Contains(kRegion.ShortestInside(from, to, kRadius)), exists);
+    EXPECT_EQ(kRegion.Contains(kRegion.ShortestInside(from, to, kTurnRadius)), exists);
   }
 }
 

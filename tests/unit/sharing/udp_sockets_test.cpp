@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 
 constexpr const char* kLoopback = "127.0.0.1";
 
-ByteBuffer Text(std::string_view text) {
+ByteBuffer PayloadOf(std::string_view text) {
   const auto* begin = reinterpret_cast<const std::byte*>(text.data());
   return {begin, begin + text.size()};
 }
@@ -49,10 +49,10 @@ class UdpSocketsTest : public ::testing::Test {
 };
 
 TEST_F(UdpSocketsTest, CarryADatagram) {
-  EXPECT_FALSE(sockets_.Send(Listen(), Text("hello")));
+  EXPECT_FALSE(sockets_.Send(Listen(), PayloadOf("hello")));
   const auto datagrams = Await();
   ASSERT_EQ(datagrams.size(), 1U);
-  EXPECT_EQ(datagrams[0].bytes, Text("hello"));
+  EXPECT_EQ(datagrams[0].bytes, PayloadOf("hello"));
   EXPECT_TRUE(datagrams[0].sender.Text().starts_with("127.0.0.1:"));
 }
 
@@ -76,7 +76,7 @@ TEST_F(UdpSocketsTest, RefuseAnInterfaceThatIsNone) {
 TEST_F(UdpSocketsTest, SayThatAHostIsUnknown) {
   const ShareAddress nowhere{.host = "no.such.host.invalid", .port = 9};
   sockets_.Resolve(nowhere);
-  EXPECT_TRUE(sockets_.Send(nowhere, Text("x")).has_value());
+  EXPECT_TRUE(sockets_.Send(nowhere, PayloadOf("x")).has_value());
 }
 
 TEST_F(UdpSocketsTest, KeepNoMoreThanTheirBoundAndCountTheRest) {
@@ -98,12 +98,12 @@ TEST_F(UdpSocketsTest, ReachAMulticastChannel) {
   }
   channel.port = sockets_.PortOf(*input);
   sockets_.Resolve(channel);
-  if (const auto error = sockets_.Send(channel, Text("to all"))) {
+  if (const auto error = sockets_.Send(channel, PayloadOf("to all"))) {
     GTEST_SKIP() << "no multicast route here: " << error->text;
   }
   const auto datagrams = Await();
   ASSERT_EQ(datagrams.size(), 1U);
-  EXPECT_EQ(datagrams[0].bytes, Text("to all"));
+  EXPECT_EQ(datagrams[0].bytes, PayloadOf("to all"));
 }
 
 }  // namespace

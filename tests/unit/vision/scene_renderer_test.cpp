@@ -8,7 +8,7 @@
 namespace limpet {
 namespace {
 
-SceneSettings Scene(double visibility_m = 8.0) {
+SceneSettings SceneWith(double visibility_m = 8.0) {
   return {.camera = {},
           .seabed_depth =
               [](double north, double east) {
@@ -40,20 +40,20 @@ Eigen::Vector3d MeanColor(const Image& image, int left, int top, int side) {
 const std::vector<Sphere> kBalls{{{0.3, 0.4, 7.0}, 0.5, "yellow"}, {{-0.8, -1.0, 6.0}, 0.3, "red"}};
 
 TEST(SceneRenderer, EqualInputGivesEqualBytes) {
-  SceneRenderer one(Scene());
-  SceneRenderer two(Scene());
+  SceneRenderer one(SceneWith());
+  SceneRenderer two(SceneWith());
   const Image first = one.Render(Above(4.0), kBalls, 7);
   static_cast<void>(two.Render(Above(2.0), {}, 3));  // what it drew before must not matter
   EXPECT_EQ(first.bgr, two.Render(Above(4.0), kBalls, 7).bgr);
 }
 
 TEST(SceneRenderer, NoiseDiffersFromFrameToFrame) {
-  SceneRenderer renderer(Scene());
+  SceneRenderer renderer(SceneWith());
   EXPECT_NE(renderer.Render(Above(4.0), {}, 1).bgr, renderer.Render(Above(4.0), {}, 2).bgr);
 }
 
 TEST(SceneRenderer, SizeIsTheCameras) {
-  SceneSettings settings = Scene();
+  SceneSettings settings = SceneWith();
   settings.camera.width_px = 101;
   settings.camera.height_px = 67;
   const Image image = SceneRenderer(settings).Render(Above(3.0), kBalls, 0);
@@ -61,7 +61,7 @@ TEST(SceneRenderer, SizeIsTheCameras) {
 }
 
 TEST(SceneRenderer, YellowBallShowsMoreRedAndLessBlueThanTheSand) {
-  SceneRenderer renderer(Scene());
+  SceneRenderer renderer(SceneWith());
   const Sphere ball{{0.0, 0.0, 7.0}, 0.5, "yellow"};
   const Image image = renderer.Render(Above(3.0), std::span(&ball, 1), 0);
   const Eigen::Vector3d inside = MeanColor(image, 310, 230, 20);
@@ -73,7 +73,7 @@ TEST(SceneRenderer, YellowBallShowsMoreRedAndLessBlueThanTheSand) {
 TEST(SceneRenderer, HazeSwallowsContrastWithDistance) {
   const Sphere ball{{0.0, 0.0, 7.0}, 0.5, "yellow"};
   const auto contrast = [&ball](double visibility) {
-    SceneRenderer renderer(Scene(visibility));
+    SceneRenderer renderer(SceneWith(visibility));
     const Image with = renderer.Render(Above(4.0), std::span(&ball, 1), 0);
     const Image without = renderer.Render(Above(4.0), {}, 0);
     return (MeanColor(with, 310, 230, 20) - MeanColor(without, 310, 230, 20)).norm();
@@ -84,7 +84,7 @@ TEST(SceneRenderer, HazeSwallowsContrastWithDistance) {
 }
 
 TEST(SceneRenderer, NearerBallHidesTheFartherInAnyOrder) {
-  SceneRenderer renderer(Scene());
+  SceneRenderer renderer(SceneWith());
   const Sphere high{{0.0, 0.0, 5.5}, 0.4, "red"};
   const Sphere low{{0.0, 0.0, 7.0}, 0.5, "green"};
   const std::vector<Sphere> one{high, low};
@@ -94,7 +94,7 @@ TEST(SceneRenderer, NearerBallHidesTheFartherInAnyOrder) {
 
 TEST(SceneRenderer, SeabedMovesWithTheCamera) {
   // A quarter metre to the north moves the image down by the focal length over the distance.
-  SceneRenderer renderer(Scene(30.0));
+  SceneRenderer renderer(SceneWith(30.0));
   const Image before = renderer.Render(Above(3.0), {}, 0);
   Pose moved = Above(3.0);
   moved.p_WB.x() += 0.25;
@@ -116,7 +116,7 @@ TEST(SceneRenderer, SeabedMovesWithTheCamera) {
 }
 
 TEST(SceneRenderer, SurvivesAHorizonInTheImage) {
-  SceneRenderer renderer(Scene());
+  SceneRenderer renderer(SceneWith());
   Pose pose = Above(3.0);
   pose.roll = 1.2;
   EXPECT_EQ(renderer.Render(pose, kBalls, 0).bgr.size(), 3U * 640U * 480U);
