@@ -125,9 +125,8 @@ class Launch {
         watch.client().Publish("DEPLOY", "true");
         is_deployed = true;
       }
-      if (is_deployed && command_.deploys && !watch.HasDatabase()) {
+      if (!watch.HasDatabase()) {
         watch.ForgetWhoIsUp();
-        is_deployed = false;  // the next database has to hear it too
       }
       TellStatus(watch);
       std::this_thread::sleep_for(kPollPeriod);

@@ -89,5 +89,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (client) {
     broker.Leave(*client, kNow);
   }
+  // And as what a former broker has left.
+  Broker next({.community = "alpha", .hostname = "h", .limits = {}}, kNow);
+  next.Restore({reinterpret_cast<const std::byte*>(data), size}, kNow);
+  next.PublishStatus(kNow);
   return 0;
 }

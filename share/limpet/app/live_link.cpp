@@ -18,12 +18,18 @@ TcpClientOptions LiveLink::Listening(TcpClientOptions options) {
   options.on_mail = [this](const WireMessage& message) {
     auto owned = std::make_shared<const Message>(MessageFrom(message));
     const std::lock_guard lock(mutex_);
-    if (inbox_.size() < kInboxLimit) {
+    if (inbox_.size() < kInboxLimit && heard_.IsNews(*owned)) {
       inbox_.push_back(std::move(owned));
       arrival_.notify_one();
     }
   };
-  options.on_state = [this] { Wake(); };
+  options.on_state = [this] {
+    {
+      const std::lock_guard lock(mutex_);
+      heard_.StartConnection();
+    }
+    Wake();
+  };
   return options;
 }
 
@@ -36,6 +42,10 @@ void LiveLink::Publish(std::string name, Value value, std::string source_aux) {
 void LiveLink::Forward(const Message& message) { client_.Send(ViewOf(message)); }
 void LiveLink::Subscribe(const std::string& name, Seconds interval) {
   subscribed_.insert(name);
+  {
+    const std::lock_guard lock(mutex_);
+    heard_.Forget(name);
+  }
   client_.Subscribe(name, interval);
 }
 void LiveLink::SubscribeWildcard(const WildcardFilter& filter) {

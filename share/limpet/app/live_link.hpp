@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "limpet/app/app.hpp"
+#include "limpet/app/heard_before.hpp"
 #include "limpet/pubsub/tcp_client.hpp"
 
 namespace limpet {
 
 /// An app's link to a community on TCP. Mail arrives on the client's thread and waits here for the
-/// app's own.
+/// app's own. A connection that is lost and made again shows in nothing but its gap: latest values
+/// that the app has heard are not delivered again.
 class LiveLink final : public AppLink {
  public:
   explicit LiveLink(TcpClientOptions options);
@@ -39,6 +41,7 @@ class LiveLink final : public AppLink {
   std::mutex mutex_;
   std::condition_variable arrival_;
   std::vector<MessagePtr> inbox_;
+  HeardBefore heard_;
   bool is_woken_ = false;
   std::set<std::string> published_, subscribed_;  ///< of the app's own thread
   TcpClient client_;  ///< last: its thread ends before what it writes to

@@ -77,12 +77,26 @@ class Broker {
   /// When it started, or was last cleared.
   [[nodiscard]] Seconds started() const { return started_; }
   [[nodiscard]] const BrokerCounts& counts() const { return counts_; }
+  [[nodiscard]] std::uint64_t clears() const { return clears_; }
   [[nodiscard]] const BrokerOptions& options() const { return options_; }
+
+  // For a keeper of values (value_keeper.hpp).
+
+  /// Takes encoded messages, back to back, as writes; ends at the first that is none.
+  void Restore(ByteView messages, Seconds now);
+  /// From now on each variable that is written is listed in news(), once until TakeNewsOf.
+  void ListNews() { lists_news_ = true; }
+  [[nodiscard]] std::vector<Router::Variable>& news() { return news_; }
+  /// What is stored of it, as forwarded, unless it is the broker's own or was never written: then
+  /// nothing. The view dies with the next write of that variable.
+  [[nodiscard]] ByteView StoredOf(Router::Variable variable) const;
+  [[nodiscard]] ByteView TakeNewsOf(Router::Variable variable);
 
  private:
   struct Session;
   struct Latest {
     std::shared_ptr<ByteBuffer> message;  ///< as forwarded, community filled in
+    bool is_news = false;                 ///< in news_, or taken from there and not yet asked for
     [[nodiscard]] std::size_t size() const { return message ? message->size() : 0; }
     /// Where to write the next one: connections may still be sending the last.
     [[nodiscard]] ByteBuffer& Renew();
@@ -117,6 +131,9 @@ class Broker {
   std::vector<Client> ready_;
   ByteBuffer scratch_;
   BrokerCounts counts_;
+  std::uint64_t clears_ = 0;
+  bool lists_news_ = false;
+  std::vector<Router::Variable> news_;
 };
 
 }  // namespace limpet
