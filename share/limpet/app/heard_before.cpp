@@ -19,4 +19,8 @@ bool HeardBefore::IsNews(const Message& message) {
   return true;
 }
 
+void HeardBefore::NoteFormer(const Message& message) {
+  last_[message.name] = {.time = message.time, .source = message.source, .connection = 0};
+}
+
 }  // namespace limpet

@@ -16,6 +16,8 @@ class HeardBefore {
  public:
   /// Mail that follows belongs to a new connection.
   void StartConnection() { ++connection_; }
+  /// Heard in a former life, before any connection of this one.
+  void NoteFormer(const Message& message);
   /// The variable's latest value has been asked for: the next one is news.
   void Forget(const std::string& name) { last_.erase(name); }
   /// Notes a message. False if it is a latest value no newer than what the same writer was heard to
@@ -28,7 +30,7 @@ class HeardBefore {
     std::string source;
     std::uint64_t connection = 0;
   };
-  std::uint64_t connection_ = 0;
+  std::uint64_t connection_ = 1;
   std::unordered_map<std::string, Last> last_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,7 +25,13 @@ class LiveLink final : public AppLink {
   void Forward(const Message& message) override;
   void Subscribe(const std::string& name, Seconds interval) override;
   void SubscribeWildcard(const WildcardFilter& filter) override;
-  [[nodiscard]] Seconds Now() const override { return client_.Now(); }
+  [[nodiscard]] Seconds Now() const override { return replayed_ ? *replayed_ : client_.Now(); }
+  [[nodiscard]] bool is_replaying() const override { return replayed_.has_value(); }
+
+  /// Mail that the app heard in a former life: its like is not news when registering brings it.
+  void NoteHeard(const Message& message);
+  /// From now on it is `now`, and what is published goes nowhere; nothing: the present again.
+  void Replay(std::optional<Seconds> now);
 
   /// All mail so far, waiting for some until `deadline` (steady time) if there is none.
   [[nodiscard]] std::vector<MessagePtr> TakeMail(Seconds deadline);
@@ -44,6 +51,7 @@ class LiveLink final : public AppLink {
   HeardBefore heard_;
   bool is_woken_ = false;
   std::set<std::string> published_, subscribed_;  ///< of the app's own thread
+  std::optional<Seconds> replayed_;               ///< too
   TcpClient client_;  ///< last: its thread ends before what it writes to
 };
 
