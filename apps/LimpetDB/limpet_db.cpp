@@ -9,8 +9,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "apps/LimpetDB/database_report.hpp"
 #include "limpet/app/app_command.hpp"
 #include "limpet/app/run_app.hpp"
+#include "limpet/core/clock.hpp"
 #include "limpet/core/number_text.hpp"
 
 namespace limpet {
@@ -68,7 +70,15 @@ TcpBrokerOptions OptionsOf(const AppCommand& command) {
 }
 
 int Serve(const AppCommand& command) {
-  const TcpBrokerOptions options = OptionsOf(command);
+  TcpBrokerOptions options = OptionsOf(command);
+  DatabaseReport report(command.community, command.warp,
+                        fmt::format("{}:{}", options.bind_address, command.port),
+                        MoosTime(command.warp));
+  options.broker.watched = "APPCAST_REQ";
+  options.broker.on_watched = [&](std::string_view text) {
+    report.OnRequest(text, MoosTime(command.warp));
+  };
+  options.report = [&](const Broker& broker, Seconds now) { return report.Take(broker, now); };
   TcpBroker broker(options);
   CatchEndSignals();
   std::thread watch([&broker] {

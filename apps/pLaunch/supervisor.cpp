@@ -169,16 +169,28 @@ void Supervisor::NoteEnd(Child& child, int status) {
   say_(fmt::format("{}; again in {:.1f} s{}", what, pause, where));
 }
 
-std::string Supervisor::Status() const {
-  std::string text;
+std::vector<Supervisor::Report> Supervisor::Reports() const {
+  std::vector<Report> reports;
   for (const Child& child : children_) {
     const char* state = child.pid > 0       ? "running"
                         : child.is_due      ? "waiting"
                         : child.is_given_up ? "given_up"
                                             : "ended";
+    reports.push_back({.name = child.item.name,
+                       .state = state,
+                       .restarts = std::max(0, child.starts - 1),
+                       .last_end = child.last_end,
+                       .is_database = child.item.is_database});
+  }
+  return reports;
+}
+
+std::string Supervisor::Status() const {
+  std::string text;
+  for (const Report& report : Reports()) {
     text += fmt::format("{}app={},state={},restarts={},last={},database={}",
-                        text.empty() ? "" : " # ", child.item.name, state,
-                        std::max(0, child.starts - 1), child.last_end, child.item.is_database);
+                        text.empty() ? "" : " # ", report.name, report.state, report.restarts,
+                        report.last_end, report.is_database);
   }
   return text;
 }

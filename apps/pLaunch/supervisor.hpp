@@ -40,6 +40,15 @@ class Supervisor {
   /// last=was killed by signal 9 (Killed),database=false # app=...`; states running, waiting (to be
   /// started again), ended, given_up.
   [[nodiscard]] std::string Status() const;
+  struct Report {
+    std::string name;
+    const char* state = "";
+    int restarts = 0;
+    std::string last_end{};  ///< how it last ended; empty: it has not
+    bool is_database = false;
+  };
+  /// The same, one by one in order of start.
+  [[nodiscard]] std::vector<Report> Reports() const;
   /// True if a process was given up.
   [[nodiscard]] bool has_given_up() const { return has_given_up_; }
 

@@ -39,7 +39,7 @@ void AttitudeFilter::Start(const InertialInput& input) {
   const double bias_sd = params_.gyro_bias_sigma.value();
   x_ << TiltFromForce(input.force), 0.0, 0.0;
   P_ = Eigen::Vector4d(sd * sd, sd * sd, bias_sd * bias_sd, bias_sd * bias_sd).asDiagonal();
-  start_t_ = input.t;
+  start_t_ = aligned_from_ = input.t;
   heading_offset_ = input.heading;
   heading_count_ = 1;
 }
@@ -56,8 +56,13 @@ void AttitudeFilter::AddInertial(const InertialInput& input) {
   if (!estimate_) {
     Start(input);
   } else {
-    Predict(rate, std::min(input.t - estimate_->t, kLongestStep));
-    AlignHeading(input.heading);
+    const double gap = input.t - estimate_->t;
+    Predict(rate, std::min(gap, kLongestStep));
+    if (gap > kLongestStep) {
+      aligned_from_ = input.t;
+      heading_count_ = 0;
+    }
+    AlignHeading(input.t, input.heading);
   }
   CorrectTilt(input, rate.z());
 
@@ -116,8 +121,9 @@ void AttitudeFilter::CorrectTilt(const InertialInput& input, double yaw_body_rat
   P_ = (0.5 * (P_ + P_.transpose())).eval();
 }
 
-void AttitudeFilter::AlignHeading(double heading) {
-  if (is_aligned()) {
+void AttitudeFilter::AlignHeading(double t, double heading) {
+  const bool is_done = t - aligned_from_ > params_.alignment.value();
+  if (is_done && is_aligned()) {
     return;
   }
   ++heading_count_;

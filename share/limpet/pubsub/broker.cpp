@@ -177,6 +177,9 @@ void Broker::Notify(const WireMessage& message, ByteView raw, Seconds now) {
     return;
   }
   ++counts_.messages;
+  if (message.key == options_.watched && options_.on_watched) {
+    options_.on_watched(message.text);
+  }
   if (lists_news_ && !latest.is_news) {
     latest.is_news = true;
     news_.push_back(*variable);

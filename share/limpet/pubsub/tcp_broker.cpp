@@ -201,9 +201,19 @@ class TcpBroker::Impl {
           connection->GiveBack();
         }
       }
+      Report();
       Flush();
       Watch();
     });
+  }
+
+  void Report() {
+    if (options_.report) {
+      const Seconds now = MoosTime(options_.warp);
+      for (const auto& [name, text] : options_.report(broker_, now)) {
+        broker_.Publish(name, text, now);
+      }
+    }
   }
 
   [[nodiscard]] bool IsHopeless(const TcpConnection& connection, Seconds now) const {

@@ -22,6 +22,9 @@ struct TcpBrokerOptions {
   /// (value_keeper.hpp). -1: none.
   int kept_descriptor = -1;
   std::size_t kept = std::size_t{8} << 20;  ///< room for them [bytes]
+  /// Asked twice a second (real time) for variables to write in the broker's own name.
+  using Words = std::vector<std::pair<std::string, std::string>>;
+  std::function<Words(const Broker& broker, Seconds now)> report{};
 };
 
 /// The broker on TCP: one thread, no call that blocks, so a silent or hostile connection delays

@@ -64,6 +64,16 @@ TEST(AttitudeFilter, KeepsItsHeadingWhenTheCompassIsDisturbedLater) {
   EXPECT_NEAR(filter.estimate()->yaw, 0.5, 1e-6);
 }
 
+TEST(AttitudeFilter, FindsItsHeadingAgainAfterAGapInWhichTheVehicleTurned) {
+  AttitudeFilter filter{AttitudeParams{}};
+  Feed(filter, 20.0, 0.0, 0.0, 0.5);
+  InertialInput late = Steady(26.0, 0.0, 0.0, 2.5);
+  filter.AddInertial(late);
+  EXPECT_TRUE(filter.is_aligned());
+  Feed(filter, 40.0, 0.0, 0.0, 2.5);
+  EXPECT_NEAR(filter.estimate()->yaw, 2.5, 1e-3);
+}
+
 TEST(AttitudeFilter, TurnsTheBodyRateIntoAYawRateThroughRollAndPitch) {
   AttitudeFilter filter{AttitudeParams{}};
   Feed(filter, 6.0, 0.2, 0.0, 0.0);
