@@ -41,7 +41,7 @@ void AttitudeFilter::Start(const InertialInput& input) {
   P_ = Eigen::Vector4d(sd * sd, sd * sd, bias_sd * bias_sd, bias_sd * bias_sd).asDiagonal();
   start_t_ = aligned_from_ = input.t;
   heading_offset_ = input.heading;
-  heading_count_ = 1;
+  heading_weight_ = 1.0;
 }
 
 void AttitudeFilter::AddInertial(const InertialInput& input) {
@@ -58,11 +58,7 @@ void AttitudeFilter::AddInertial(const InertialInput& input) {
   } else {
     const double gap = input.t - estimate_->t;
     Predict(rate, std::min(gap, kLongestStep));
-    if (gap > kLongestStep) {
-      aligned_from_ = input.t;
-      heading_count_ = 0;
-    }
-    AlignHeading(input.t, input.heading);
+    AlignHeading(input, gap);
   }
   CorrectTilt(input, rate.z());
 
@@ -121,14 +117,21 @@ void AttitudeFilter::CorrectTilt(const InertialInput& input, double yaw_body_rat
   P_ = (0.5 * (P_ + P_.transpose())).eval();
 }
 
-void AttitudeFilter::AlignHeading(double t, double heading) {
-  const bool is_done = t - aligned_from_ > params_.alignment.value();
-  if (is_done && is_aligned()) {
+void AttitudeFilter::AlignHeading(const InertialInput& input, double gap) {
+  if (gap > kLongestStep) {
+    aligned_from_ = input.t;
+    heading_weight_ = 0.0;
+  }
+  const bool is_first = aligned_from_ <= start_t_;
+  if (is_aligned() && (is_first || input.t - aligned_from_ > params_.alignment.value())) {
     return;
   }
-  ++heading_count_;
-  const double offset = WrapAngle(heading - yaw_integral_ - heading_offset_);
-  heading_offset_ = WrapAngle(heading_offset_ + offset / heading_count_);
+  // What was held up during a gap comes in one go, its times no longer its own: it counts little.
+  const double share = gap > kLongestStep ? 0.0 : gap;
+  const double weight = is_first ? 1.0 : std::max(share, 1e-6);
+  heading_weight_ += weight;
+  const double offset = WrapAngle(input.heading - yaw_integral_ - heading_offset_);
+  heading_offset_ = WrapAngle(heading_offset_ + offset * weight / heading_weight_);
 }
 
 }  // namespace limpet

@@ -64,7 +64,8 @@ class AttitudeFilter {
   void Start(const InertialInput& input);
   void Predict(const Eigen::Vector3d& rate, double dt);
   void CorrectTilt(const InertialInput& input, double yaw_body_rate);
-  void AlignHeading(double t, double heading);
+  /// `gap`: since the sample before.
+  void AlignHeading(const InertialInput& input, double gap);
 
   AttitudeParams params_;
   Eigen::Vector4d x_ = Eigen::Vector4d::Zero();  ///< roll, pitch, bias of p, bias of q
@@ -74,7 +75,7 @@ class AttitudeFilter {
   double start_t_ = 0.0, aligned_from_ = 0.0;
   double yaw_integral_ = 0.0, yaw_rate_ = 0.0;  ///< since the start
   double heading_offset_ = 0.0;                 ///< yaw less its integral, averaged
-  int heading_count_ = 0;
+  double heading_weight_ = 0.0;                 ///< of the average so far
   std::optional<AttitudeEstimate> estimate_;
 };
 
