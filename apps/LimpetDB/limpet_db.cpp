@@ -2,13 +2,18 @@
 #include "apps/LimpetDB/limpet_db.hpp"
 
 #include <array>
+#include <cstdlib>
 #include <thread>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "apps/LimpetDB/database_report.hpp"
 #include "limpet/app/app_command.hpp"
 #include "limpet/app/run_app.hpp"
+#include "limpet/core/clock.hpp"
+#include "limpet/core/number_text.hpp"
 
 namespace limpet {
 namespace {
@@ -26,6 +31,14 @@ std::string AddressOf(const std::string& listen_on) {
 }
 
 std::size_t BytesOf(double mib) { return static_cast<std::size_t>(mib * 1024.0 * 1024.0); }
+
+/// The file that a launcher holds open for this process and its successors; -1 if there is none.
+int KeptDescriptor() {
+  const char* text = std::getenv("LIMPET_KEPT_FD");  // NOLINT(concurrency-mt-unsafe): one thread
+  const auto number = ParseNumber(text != nullptr ? text : "");
+  const int descriptor = number && *number > STDERR_FILENO ? static_cast<int>(*number) : -1;
+  return descriptor >= 0 && ::fcntl(descriptor, F_GETFD) >= 0 ? descriptor : -1;
+}
 
 DatabaseParams ParamsOf(const MissionFile& mission) {
   // A mission written for MOOSDB says ClientTimeout there.
@@ -51,11 +64,21 @@ TcpBrokerOptions OptionsOf(const AppCommand& command) {
   options.port = command.port;
   options.warp = command.warp;
   options.client_timeout = params.client_timeout;
+  options.kept = BytesOf(params.kept_mib);
+  options.kept_descriptor = options.kept > 0 ? KeptDescriptor() : -1;
   return options;
 }
 
 int Serve(const AppCommand& command) {
-  const TcpBrokerOptions options = OptionsOf(command);
+  TcpBrokerOptions options = OptionsOf(command);
+  DatabaseReport report(command.community, command.warp,
+                        fmt::format("{}:{}", options.bind_address, command.port),
+                        MoosTime(command.warp));
+  options.broker.watched = "APPCAST_REQ";
+  options.broker.on_watched = [&](std::string_view text) {
+    report.OnRequest(text, MoosTime(command.warp));
+  };
+  options.report = [&](const Broker& broker, Seconds now) { return report.Take(broker, now); };
   TcpBroker broker(options);
   CatchEndSignals();
   std::thread watch([&broker] {

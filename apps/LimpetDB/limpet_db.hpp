@@ -14,6 +14,7 @@ struct DatabaseParams {
   Seconds client_timeout{5.0};
   double queue_mib = 4.0;
   double stored_mib = 256.0;
+  double kept_mib = 8.0;
   int max_clients = 1000;
   int max_variables = 100'000;
 
@@ -26,6 +27,8 @@ struct DatabaseParams {
     visit("queue_mib", queue_mib, "unsent mail kept for one client [MiB]", InRange(0.1, 1024.0));
     visit("stored_mib", stored_mib, "latest values of all variables together [MiB]",
           InRange(1.0, 65536.0));
+    visit("kept_mib", kept_mib, "latest values kept for a restart by pLaunch; 0: none [MiB]",
+          InRange(0.0, 1024.0));
     visit("max_clients", max_clients, "clients at a time", InRange(1, 10'000));
     visit("max_variables", max_variables, "variables in all", InRange(10, 10'000'000));
   }

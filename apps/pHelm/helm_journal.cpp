@@ -57,6 +57,9 @@ void HelmJournal::PostStart(const BehaviorHost& host, Seconds now) {
     post_(topics::kHelmModeSet.name, tree);
   }
   post_(topics::kHelmBehaviorCount.name, static_cast<double>(behaviors.size()));
+  post_(topics::kHelmDisabled.name, std::string());
+  post_(topics::kHelmDisabledCount.name, 0.0);
+  post_(topics::kHelmCompletedCount.name, 0.0);
   for (const BehaviorStatus& behavior : behaviors) {
     entries_.push_back({.behavior = behavior, .state = State::kIdle, .since = now});
     post_(topics::kHelmLifeEvent.name,
@@ -145,16 +148,18 @@ void HelmJournal::PostIteration(const HelmIteration& iteration) {
   post_(topics::kHelmIteration.name, static_cast<double>(iteration.number));
   post_(topics::kHelmSummary.name, std::move(summary));
   if (are_behaviors_new) {
-    PostIfChanged(topics::kHelmActive.name, Named(State::kActive));
-    PostIfChanged(topics::kHelmRunning.name, Named(State::kRunning));
-    PostIfChanged(topics::kHelmIdle.name, Named(State::kIdle));
+    PostNames(topics::kHelmActive.name, topics::kHelmActiveCount.name, State::kActive);
+    PostNames(topics::kHelmRunning.name, topics::kHelmRunningCount.name, State::kRunning);
+    PostNames(topics::kHelmIdle.name, topics::kHelmIdleCount.name, State::kIdle);
   }
 }
 
-void HelmJournal::PostIfChanged(const std::string& variable, const std::string& text) {
-  if (std::string& last = variables_[variable]; last != text) {
-    last = text;
-    post_(variable, text);
+void HelmJournal::PostNames(const std::string& variable, const std::string& count, State state) {
+  const std::string names = Named(state);
+  if (std::string& last = names_[state]; last != names) {
+    last = names;
+    post_(variable, names);
+    post_(count, static_cast<double>(std::ranges::count(entries_, state, &Entry::state)));
   }
 }
 

@@ -59,13 +59,14 @@ class HelmJournal {
   [[nodiscard]] std::string Named(State state) const;
   /// Adds a field to a summary if its text is new.
   void AddField(const std::string& name, const std::string& text, std::string& summary);
-  void PostIfChanged(const std::string& variable, const std::string& text);
+  /// The names of those in that state, and how many, if they are others than last time.
+  void PostNames(const std::string& variable, const std::string& count, State state);
 
   std::string domain_;  ///< `course,0,359,360:speed,0,1,21`
   Post post_;
   std::vector<Entry> entries_;
-  std::map<std::string, std::string> summary_;    ///< fields as last posted
-  std::map<std::string, std::string> variables_;  ///< texts as last posted
+  std::map<std::string, std::string> summary_;  ///< fields as last posted
+  std::map<State, std::string> names_;          ///< as last posted
 };
 
 }  // namespace limpet

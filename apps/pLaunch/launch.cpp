@@ -6,10 +6,12 @@
 #include <mutex>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "apps/pLaunch/launch_plan.hpp"
+#include "apps/pLaunch/launch_report.hpp"
 #include "apps/pLaunch/supervisor.hpp"
 #include "limpet/app/run_app.hpp"
 #include "limpet/core/clock.hpp"
@@ -24,6 +26,7 @@ namespace fs = std::filesystem;
 constexpr auto kPollPeriod = std::chrono::milliseconds(50);
 constexpr Seconds kStatusPeriod(5.0);  ///< a database that was started again has forgotten (real)
 constexpr Seconds kPatience(8.0);      ///< for an app to finish its files
+constexpr std::size_t kMostRequests = 1000;
 
 /// What the community says of the mission's processes.
 class Watch {
@@ -38,6 +41,7 @@ class Watch {
                  .on_state = nullptr}) {
     client_.Subscribe("DB_CLIENTS", Seconds(0.0));
     client_.Subscribe("DB_EVENT", Seconds(0.0));
+    client_.Subscribe("APPCAST_REQ", Seconds(0.0));
     if (!until_.empty()) {
       client_.Subscribe(until_, Seconds(0.0));
     }
@@ -52,6 +56,15 @@ class Watch {
   [[nodiscard]] bool IsUp(const std::string& name) const {
     const std::lock_guard lock(mutex_);
     return up_.contains(name);
+  }
+  [[nodiscard]] std::set<std::string> WhoIsUp() const {
+    const std::lock_guard lock(mutex_);
+    return up_;
+  }
+  /// Texts of APPCAST_REQ since the last call.
+  std::vector<std::string> TakeRequests() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(requests_, {});
   }
   [[nodiscard]] bool HasDatabase() const { return client_.state() == TcpClient::State::kConnected; }
   /// A new database knows nobody.
@@ -71,6 +84,11 @@ class Watch {
   void Hear(const WireMessage& message) {
     if (message.key == until_) {
       has_heard_the_end_ = true;
+    } else if (message.key == "APPCAST_REQ") {
+      const std::lock_guard lock(mutex_);
+      if (requests_.size() < kMostRequests) {
+        requests_.emplace_back(message.text);
+      }
     } else if (message.key == "DB_CLIENTS") {
       for (std::string_view rest = message.text; !rest.empty();) {
         const auto comma = std::min(rest.find(','), rest.size());
@@ -94,7 +112,7 @@ class Watch {
   std::string until_;
   mutable std::mutex mutex_;
   std::set<std::string> up_;
-  std::vector<std::string> arrivals_;
+  std::vector<std::string> arrivals_, requests_;
   std::atomic<bool> has_heard_the_end_{false};
   TcpClient client_;  ///< last: its thread ends before what it writes to
 };
@@ -104,8 +122,12 @@ class Launch {
   Launch(LaunchCommand command, LaunchPlan plan)
       : command_(std::move(command)),
         plan_(std::move(plan)),
-        supervisor_(RunFolder() / command_.session, Environment(),
-                    [](const std::string& text) { fmt::print(stderr, "pLaunch: {}\n", text); }) {}
+        report_(plan_.mission.Global("Community"), plan_.warp),
+        started_(MoosTime(plan_.warp)),
+        supervisor_(RunFolder() / command_.session, Environment(), [this](const std::string& text) {
+          fmt::print(stderr, "pLaunch: {}\n", text);
+          report_.AddEvent(MoosTime(plan_.warp) - started_, text);
+        }) {}
 
   int Run() {
     Say(fmt::format("{} processes, time warp {:g}, run folder {}", plan_.items.size(), plan_.warp,
@@ -125,11 +147,11 @@ class Launch {
         watch.client().Publish("DEPLOY", "true");
         is_deployed = true;
       }
-      if (is_deployed && command_.deploys && !watch.HasDatabase()) {
+      if (!watch.HasDatabase()) {
         watch.ForgetWhoIsUp();
-        is_deployed = false;  // the next database has to hear it too
       }
       TellStatus(watch);
+      TellReport(watch);
       std::this_thread::sleep_for(kPollPeriod);
     }
     if (watch.has_heard_the_end()) {
@@ -175,6 +197,15 @@ class Launch {
       told_at_ = now;
     }
   }
+  void TellReport(Watch& watch) {
+    const Seconds now = MoosTime(plan_.warp);
+    for (const std::string& request : watch.TakeRequests()) {
+      report_.OnRequest(request, now);
+    }
+    if (const auto cast = report_.Take(supervisor_.Reports(), watch.WhoIsUp(), now)) {
+      watch.client().Publish("APPCAST", *cast);
+    }
+  }
   void Say(const std::string& text) const {
     if (!command_.is_quiet) {
       fmt::print(stderr, "pLaunch: {}\n", text);
@@ -183,6 +214,8 @@ class Launch {
 
   LaunchCommand command_;
   LaunchPlan plan_;
+  LaunchReport report_;
+  Seconds started_;  ///< MOOS time
   Supervisor supervisor_;
   std::string told_status_;
   Seconds told_at_;

@@ -2,13 +2,16 @@
 #include "apps/pLaunch/supervisor.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <thread>
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -42,10 +45,20 @@ Supervisor::Supervisor(std::filesystem::path log_folder,
   std::filesystem::create_directories(log_folder_);
 }
 
-Supervisor::~Supervisor() { End(Seconds(1.0)); }
+Supervisor::~Supervisor() {
+  End(Seconds(1.0));
+  for (const Child& child : children_) {
+    if (child.kept >= 0) {
+      ::close(child.kept);
+    }
+  }
+}
 
 void Supervisor::Start(const LaunchItem& item) {
   children_.push_back({.item = item, .started = {}, .next_start = {}});
+  if (item.is_database) {
+    children_.back().kept = ::memfd_create("limpet-kept", MFD_CLOEXEC);
+  }
   Launch(children_.back());
 }
 
@@ -61,22 +74,28 @@ void Supervisor::Launch(Child& child) {
   const std::string log = (log_folder_ / (child.item.name + ".log")).string();
   const pid_t parent = ::getpid();
   child.pid = ::fork();
+  if (child.pid == 0) {
+    ++child.starts;
+    Become(child, parent, log.c_str(), argv.data());
+  }
   child.started = SteadyTime();
   child.is_due = false;
   ++child.starts;
-  if (child.pid != 0) {
-    if (child.pid < 0) {
-      child.pid = 0;
-      say_(fmt::format("{} cannot be started: {}", child.item.name, std::strerror(errno)));
-    }
-    return;
+  if (child.pid < 0) {
+    child.pid = 0;
+    say_(fmt::format("{} cannot be started: {}", child.item.name, std::strerror(errno)));
   }
+}
+
+/// The child's side of the fork.
+void Supervisor::Become(const Child& child, pid_t parent, const char* log,
+                        char* const* argv) const {
   ::setpgid(0, 0);                     // Ctrl-C is ours to pass on, in order
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // nothing is left over if we are killed
   if (::getppid() != parent) {
     ::_exit(kExecFailed);
   }
-  const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  const int file = ::open(log, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (file >= 0) {
     ::dup2(file, STDOUT_FILENO);
     ::dup2(file, STDERR_FILENO);
@@ -87,7 +106,14 @@ void Supervisor::Launch(Child& child) {
   if (child.starts > 1) {
     ::setenv("LIMPET_RESTARTED", "1", 1);  // NOLINT(concurrency-mt-unsafe)
   }
-  ::execv(argv[0], argv.data());
+  ::unsetenv("LIMPET_KEPT_FD");  // NOLINT(concurrency-mt-unsafe): of a launcher above us
+  if (child.kept >= 0) {
+    ::fcntl(child.kept, F_SETFD, 0);
+    std::array<char, 12> number{};
+    std::snprintf(number.data(), number.size(), "%d", child.kept);
+    ::setenv("LIMPET_KEPT_FD", number.data(), 1);  // NOLINT(concurrency-mt-unsafe)
+  }
+  ::execv(argv[0], argv);
   ::_exit(kExecFailed);
 }
 
@@ -132,23 +158,39 @@ void Supervisor::NoteEnd(Child& child, int status) {
     child.is_given_up = has_given_up_ = true;
     return;
   }
-  const double pause =
-      std::min(kLongestPause, kFirstPause * std::pow(2.0, std::max(0, child.failures - 1)));
+  if (child.kept >= 0 && child.failures >= kForgetAfter && ::ftruncate(child.kept, 0) == 0) {
+    say_(fmt::format("{} starts without its former values", child.item.name));
+  }
+  // Everybody waits for a database: its pauses begin to grow later.
+  const int doublings = std::max(0, child.failures - (child.item.is_database ? 3 : 1));
+  const double pause = std::min(kLongestPause, kFirstPause * std::pow(2.0, doublings));
   child.is_due = true;
   child.next_start = SteadyTime() + Seconds(pause);
   say_(fmt::format("{}; again in {:.1f} s{}", what, pause, where));
 }
 
-std::string Supervisor::Status() const {
-  std::string text;
+std::vector<Supervisor::Report> Supervisor::Reports() const {
+  std::vector<Report> reports;
   for (const Child& child : children_) {
     const char* state = child.pid > 0       ? "running"
                         : child.is_due      ? "waiting"
                         : child.is_given_up ? "given_up"
                                             : "ended";
+    reports.push_back({.name = child.item.name,
+                       .state = state,
+                       .restarts = std::max(0, child.starts - 1),
+                       .last_end = child.last_end,
+                       .is_database = child.item.is_database});
+  }
+  return reports;
+}
+
+std::string Supervisor::Status() const {
+  std::string text;
+  for (const Report& report : Reports()) {
     text += fmt::format("{}app={},state={},restarts={},last={},database={}",
-                        text.empty() ? "" : " # ", child.item.name, state,
-                        std::max(0, child.starts - 1), child.last_end, child.item.is_database);
+                        text.empty() ? "" : " # ", report.name, report.state, report.restarts,
+                        report.last_end, report.is_database);
   }
   return text;
 }

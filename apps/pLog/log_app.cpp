@@ -41,8 +41,22 @@ LogApp::LogApp(const AppContext& context, const Params& params)
       spare_columns_(params.spare_columns),
       session_(context.runs_live),
       last_announcement_(start_) {
+  if (context.is_restarted && context.runs_live) {
+    former_ = RecallLog(MemoryFile());
+  }
+  if (former_) {
+    start_ = former_->start;
+    if (const auto latest = LatestTimeIn(former_->log())) {
+      logged_until_ = start_ + Seconds(*latest);
+    }
+  }
   ReadParams();
   SubscribeToAll();
+}
+
+fs::path LogApp::MemoryFile() const {
+  const bool is_kept = context().runs_live && !context().run_folder.empty();
+  return is_kept ? context().run_folder / (context().name + ".session") : fs::path();
 }
 
 void LogApp::ReadParams() {
@@ -103,6 +117,10 @@ void LogApp::SubscribeToAll() {
 }
 
 void LogApp::OnMail(const MessagePtr& message) {
+  constexpr std::int32_t kLatestId = -1;  // of what is sent because somebody registered
+  if (logged_until_ && message->id == kLatestId && message->time <= *logged_until_) {
+    return;
+  }
   const bool is_left_out = std::holds_alternative<Binary>(message->value) && !logs_binaries_;
   const auto file = is_left_out ? std::nullopt : choice_.FileFor(*message);
   if (file) {
@@ -219,23 +237,34 @@ void LogApp::OpenIfNeeded() {
   if (session_.is_open() || has_failed_ || is_over_) {
     return;
   }
-  const Expected<fs::path> folder = CreateFolder();
-  const std::string session = context().session.empty() ? "log" : context().session;
-  std::optional<Error> failure;
-  if (folder) {
-    const std::string stem = context().runs_live ? folder->filename().string() : session;
-    failure = session_.Open(*folder, stem, start_, FileOptions());
-  } else {
-    failure = folder.error();
-  }
-  if (failure) {
+  if (const auto failure = Open()) {
     has_failed_ = true;
     Warn("LOG_FAILED", failure->text);
-    return;
+  }
+}
+
+std::optional<Error> LogApp::Open() {
+  LogFilesOptions options = FileOptions();
+  options.continues = former_.has_value();
+  const Expected<fs::path> folder = former_ ? former_->folder : CreateFolder();
+  if (!folder) {
+    return folder.error();
+  }
+  const std::string session = context().session.empty() ? "log" : context().session;
+  const std::string stem = former_               ? former_->stem
+                           : context().runs_live ? folder->filename().string()
+                                                 : session;
+  former_.reset();
+  if (auto failure = session_.Open(*folder, stem, start_, options)) {
+    return failure;
+  }
+  if (const fs::path memory = MemoryFile(); !memory.empty()) {
+    KeepLog({.folder = *folder, .stem = stem, .start = start_}, memory);
   }
   if (context().runs_live) {
     AnnounceFolder(*folder);
   }
+  return std::nullopt;
 }
 
 /// What MOOS's logger does at the start of a session.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "apps/pLog/log_choice.hpp"
+#include "apps/pLog/log_memory.hpp"
 #include "apps/pLog/log_params.hpp"
 #include "apps/pLog/log_session.hpp"
 #include "apps/pLog/sync_table.hpp"
@@ -41,6 +42,9 @@ class LogApp final : public App {
   /// Opened by the first message, not at construction: a mission that fails to build leaves
   /// nothing.
   void OpenIfNeeded();
+  [[nodiscard]] std::optional<Error> Open();
+  /// Where LogMemory lies; empty if nobody would look for it.
+  [[nodiscard]] std::filesystem::path MemoryFile() const;
   [[nodiscard]] Expected<std::filesystem::path> CreateFolder();
   [[nodiscard]] LogFilesOptions FileOptions() const;
   void AnnounceFolder(const std::filesystem::path& folder);
@@ -51,6 +55,8 @@ class LogApp final : public App {
   [[nodiscard]] static std::string Joined(const std::vector<std::string>& patterns);
 
   Params params_;
+  std::optional<LogMemory> former_;      ///< of a former life, to go on with
+  std::optional<Seconds> logged_until_;  ///< what is older is in its log
   Seconds start_;
   bool logs_binaries_ = false;
   LogChoice choice_;

@@ -21,6 +21,7 @@ namespace limpet {
 /// object, and the semantic octree.
 class MapApp final : public App {
  public:
+  static constexpr bool kReplaysMail = true;  ///< what it knows is what it heard
   struct Params {
     CameraParams camera;
     StatusParams status;

@@ -17,6 +17,7 @@ namespace limpet {
 /// Silent until the heading is aligned and a GPS fix has been seen.
 class NavApp final : public App {
  public:
+  static constexpr bool kReplaysMail = true;  ///< what it knows is what it heard
   struct Params {
     Radians heading_sigma = Radians::FromTextUnit(0.5);
     Seconds alignment{5.0};

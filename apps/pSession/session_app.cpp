@@ -124,7 +124,7 @@ void SessionApp::Finish(Seconds now) {
 void SessionApp::Commit(std::string cause, Seconds now) {
   pending_.reset();
   last_save_ = now;
-  if (!writer_) {
+  if (!writer_ || context().link->is_replaying()) {
     return;
   }
   const SessionFacts facts{.limpet = "",

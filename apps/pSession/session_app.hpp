@@ -14,6 +14,7 @@ namespace limpet {
 /// A former session that is missing or damaged is a ConfigError: nothing flies on half a memory.
 class SessionApp final : public App {
  public:
+  static constexpr bool kReplaysMail = true;  ///< what it knows is what it heard
   struct Params {
     Seconds save_every{60.0};
     Seconds map_within{2.0};

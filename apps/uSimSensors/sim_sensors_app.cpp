@@ -9,11 +9,14 @@
 #include "apps/uSimSensors/gps_model.hpp"
 #include "apps/uSimSensors/imu_model.hpp"
 #include "limpet/app/registry.hpp"
+#include "limpet/core/number_text.hpp"
 #include "limpet/mission/seabed.hpp"
 #include "limpet/vehicle/vehicle_params.hpp"
 
 namespace limpet {
 namespace {
+
+constexpr Seconds kLongestDelay(0.25);  ///< real time
 
 SoundScene SceneOf(const Scenario& scenario, const std::string& session) {
   std::vector<SoundScene::Sphere> spheres;
@@ -57,7 +60,9 @@ GpsModel::Params GpsOf(const Scenario::Sensors& sensors) {
 SimSensorsApp::SimSensorsApp(const AppContext& context, const Params& params)
     : SimSensorsApp(context, LoadScenario(context.mission_folder / params.scenario)) {}
 
-SimSensorsApp::SimSensorsApp(const AppContext& context, const Scenario& scenario) : App(context) {
+SimSensorsApp::SimSensorsApp(const AppContext& context, const Scenario& scenario)
+    : App(context),
+      longest_delay_(kLongestDelay * ParseNumber(context.Global("MOOSTimeWarp")).value_or(1.0)) {
   const Scenario::Sensors& sensors = scenario.sensors;
   Add(topics::kImuData, Hertz(50.0), ImuModel(ImuOf(sensors), MakeRandom("imu")));
   Add(topics::kFogYawRate, Hertz(50.0), FogModel(FogOf(sensors), MakeRandom("fog")));
@@ -69,6 +74,10 @@ SimSensorsApp::SimSensorsApp(const AppContext& context, const Scenario& scenario
 }
 
 void SimSensorsApp::OnTruth(const Stamped<SimTruth>& truth) {
+  // A sensor measures now: what was held up while there was no database is nobody's measurement.
+  if (context().runs_live && now() - truth.time > longest_delay_) {
+    return;
+  }
   for (const auto& sensor : sensors_)
     sensor(truth);
 }

@@ -52,6 +52,7 @@ class SimSensorsApp final : public App {
     Hertz rate;
     int samples = 0;
   };
+  Seconds longest_delay_;      ///< of the truth, in a community (MOOS time)
   std::vector<Count> counts_;  ///< for the report, by sensor
   std::vector<std::function<void(const Stamped<SimTruth>&)>> sensors_;
 };

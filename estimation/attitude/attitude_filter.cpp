@@ -39,9 +39,9 @@ void AttitudeFilter::Start(const InertialInput& input) {
   const double bias_sd = params_.gyro_bias_sigma.value();
   x_ << TiltFromForce(input.force), 0.0, 0.0;
   P_ = Eigen::Vector4d(sd * sd, sd * sd, bias_sd * bias_sd, bias_sd * bias_sd).asDiagonal();
-  start_t_ = input.t;
+  start_t_ = aligned_from_ = input.t;
   heading_offset_ = input.heading;
-  heading_count_ = 1;
+  heading_weight_ = 1.0;
 }
 
 void AttitudeFilter::AddInertial(const InertialInput& input) {
@@ -56,8 +56,9 @@ void AttitudeFilter::AddInertial(const InertialInput& input) {
   if (!estimate_) {
     Start(input);
   } else {
-    Predict(rate, std::min(input.t - estimate_->t, kLongestStep));
-    AlignHeading(input.heading);
+    const double gap = input.t - estimate_->t;
+    Predict(rate, std::min(gap, kLongestStep));
+    AlignHeading(input, gap);
   }
   CorrectTilt(input, rate.z());
 
@@ -116,13 +117,21 @@ void AttitudeFilter::CorrectTilt(const InertialInput& input, double yaw_body_rat
   P_ = (0.5 * (P_ + P_.transpose())).eval();
 }
 
-void AttitudeFilter::AlignHeading(double heading) {
-  if (is_aligned()) {
+void AttitudeFilter::AlignHeading(const InertialInput& input, double gap) {
+  if (gap > kLongestStep) {
+    aligned_from_ = input.t;
+    heading_weight_ = 0.0;
+  }
+  const bool is_first = aligned_from_ <= start_t_;
+  if (is_aligned() && (is_first || input.t - aligned_from_ > params_.alignment.value())) {
     return;
   }
-  ++heading_count_;
-  const double offset = WrapAngle(heading - yaw_integral_ - heading_offset_);
-  heading_offset_ = WrapAngle(heading_offset_ + offset / heading_count_);
+  // What was held up during a gap comes in one go, its times no longer its own: it counts little.
+  const double share = gap > kLongestStep ? 0.0 : gap;
+  const double weight = is_first ? 1.0 : std::max(share, 1e-6);
+  heading_weight_ += weight;
+  const double offset = WrapAngle(input.heading - yaw_integral_ - heading_offset_);
+  heading_offset_ = WrapAngle(heading_offset_ + offset * weight / heading_weight_);
 }
 
 }  // namespace limpet

@@ -43,7 +43,8 @@ struct AttitudeParams {
 /// centripetal part that the known body velocity explains, gives the tilt while it looks like
 /// gravity. Yaw is the integral of the fibre-optic gyro, turned into a yaw rate through roll and
 /// pitch, from the magnetic heading averaged over the alignment time: absolute error constant,
-/// increments good.
+/// increments good. After a gap in the samples nobody knows how far the vehicle has turned: the
+/// heading is aligned anew, to a compass whose error is the same as at the start.
 class AttitudeFilter {
  public:
   explicit AttitudeFilter(const AttitudeParams& params) : params_(params) {}
@@ -63,17 +64,18 @@ class AttitudeFilter {
   void Start(const InertialInput& input);
   void Predict(const Eigen::Vector3d& rate, double dt);
   void CorrectTilt(const InertialInput& input, double yaw_body_rate);
-  void AlignHeading(double heading);
+  /// `gap`: since the sample before.
+  void AlignHeading(const InertialInput& input, double gap);
 
   AttitudeParams params_;
   Eigen::Vector4d x_ = Eigen::Vector4d::Zero();  ///< roll, pitch, bias of p, bias of q
   Eigen::Matrix4d P_ = Eigen::Matrix4d::Identity();
   Eigen::Vector3d v_WB_B_ = Eigen::Vector3d::Zero();
   double fog_t_ = -1e9, fog_rate_ = 0.0;
-  double start_t_ = 0.0;
+  double start_t_ = 0.0, aligned_from_ = 0.0;
   double yaw_integral_ = 0.0, yaw_rate_ = 0.0;  ///< since the start
-  double heading_offset_ = 0.0;                 ///< yaw at the start, averaged
-  int heading_count_ = 0;
+  double heading_offset_ = 0.0;                 ///< yaw less its integral, averaged
+  double heading_weight_ = 0.0;                 ///< of the average so far
   std::optional<AttitudeEstimate> estimate_;
 };
 

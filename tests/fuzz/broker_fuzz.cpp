@@ -1,31 +1,97 @@
 // SPDX-License-Identifier: MIT
-// One packet from a client that is in, whatever its bytes: the broker lives, and a second client
-// is still served.
+// A client's whole connection, whatever its bytes: the broker lives, and all that it sends, to this
+// client and to one that hears everything, are packets that can be read.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 
 #include "limpet/pubsub/broker.hpp"
 
-using namespace limpet;  // NOLINT(google-build-using-namespace): one function
+using namespace limpet;  // NOLINT(google-build-using-namespace): one program
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const Seconds now(100.0);
-  Broker broker({.community = "alpha", .hostname = "h", .limits = {}}, now);
-  const WireMessage hello{.type = wire_type::kHello, .key = "asynchronous", .text = "pFuzz"};
-  const auto client = broker.Admit(hello, now).client;
-  const ByteView bytes(reinterpret_cast<const std::byte*>(data), size);
-  if (size >= kPacketHeaderSize) {
+namespace {
+
+const Seconds kNow(100.0);
+
+Broker::Client Enter(Broker& broker, const char* name, const char* kind) {
+  const WireMessage hello{.type = wire_type::kHello, .key = kind, .text = name};
+  return *broker.Admit(hello, kNow).client;
+}
+
+/// The first whole packet of `bytes`, which it takes away; empty if there is none.
+ByteView TakePacket(ByteView& bytes) {
+  if (bytes.size() >= kPacketHeaderSize) {
     const auto header = DecodePacketHeader(bytes);
-    if (header && header->size <= size) {
-      static_cast<void>(broker.Receive(*client, bytes.first(header->size), now));
+    if (header && header->size <= bytes.size()) {
+      const ByteView packet = bytes.first(header->size);
+      bytes = bytes.subspan(header->size);
+      return packet;
     }
   }
-  broker.PublishStatus(now + Seconds(2.0));
+  return {};
+}
+
+void Drain(Broker& broker) {
   Broker::Outgoing packet;
   for (const Broker::Client ready : broker.TakeReady()) {
-    static_cast<void>(broker.TakePacket(ready, packet, now));
+    while (broker.TakePacket(ready, packet, kNow)) {
+      ByteBuffer sent = packet.head;
+      std::vector<ByteView> pieces(packet.body.size() + 1);
+      pieces.resize(packet.body.Gather(0, pieces));
+      for (const ByteView piece : pieces) {
+        sent.insert(sent.end(), piece.begin(), piece.end());
+      }
+      ByteView rest = sent;
+      for (PacketReader reader(TakePacket(rest)); !reader.is_at_end();) {
+        if (!reader.Next()) {
+          std::abort();
+        }
+      }
+    }
   }
-  broker.Leave(*client, now);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Broker broker({.community = "alpha", .hostname = "h", .limits = {.queue = 1 << 16}}, kNow);
+  const Broker::Client listener = Enter(broker, "pListener", "asynchronous");
+  const ByteBuffer wish = PacketOf({.type = wire_type::kWildcardRegister,
+                                    .data_type = wire_data::kString,
+                                    .source = "pListener",
+                                    .key = "pListener",
+                                    .text = "AppPattern=*,VarPattern=*,Interval=0"});
+  static_cast<void>(broker.Receive(listener, wish, kNow));
+  ByteView rest(reinterpret_cast<const std::byte*>(data), size);
+  if (size >= kGreeting.size() && IsGreeting(rest)) {
+    rest = rest.subspan(kGreeting.size());
+  }
+  std::optional<Broker::Client> client;
+  for (ByteView packet = TakePacket(rest); !packet.empty(); packet = TakePacket(rest)) {
+    PacketReader reader(packet);
+    const bool has_hello = !client && !reader.is_at_end();
+    const auto hello = has_hello ? reader.Next() : Expected<WireMessage>(Error{"known"});
+    if (hello && hello->type == wire_type::kHello) {
+      client = broker.Admit(*hello, kNow).client;
+      if (!client) {
+        break;
+      }
+      continue;
+    }
+    client = client ? client : Enter(broker, "pFuzz", size % 2 == 0 ? "asynchronous" : "");
+    if (broker.Receive(*client, packet, kNow)) {
+      break;
+    }
+    Drain(broker);
+  }
+  broker.PublishStatus(kNow + Seconds(2.0));
+  Drain(broker);
+  if (client) {
+    broker.Leave(*client, kNow);
+  }
+  // And as what a former broker has left.
+  Broker next({.community = "alpha", .hostname = "h", .limits = {}}, kNow);
+  next.Restore({reinterpret_cast<const std::byte*>(data), size}, kNow);
+  next.PublishStatus(kNow);
   return 0;
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Bytes of a connection, and of a datagram: whatever is decoded must encode to the same bytes.
+// Bytes of a connection, packet after packet, and of a datagram: whatever is decoded must encode to
+// the same bytes.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -8,24 +10,38 @@
 
 using namespace limpet;  // NOLINT(google-build-using-namespace): one function
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const ByteView bytes(reinterpret_cast<const std::byte*>(data), size);
-  if (const auto message = DecodeMessage(bytes)) {
-    ByteBuffer again;
-    AppendMessage(message->message, again);
-    if (!std::equal(again.begin(), again.end(), bytes.begin(),
-                    bytes.begin() + static_cast<std::ptrdiff_t>(message->size))) {
-      std::abort();
-    }
+namespace {
+
+void RequireSame(const WireMessage& message, ByteView raw) {
+  ByteBuffer again;
+  AppendMessage(message, again);
+  if (!std::ranges::equal(again, raw)) {
+    std::abort();
   }
-  if (size >= kPacketHeaderSize) {
-    const auto header = DecodePacketHeader(bytes);
-    if (header && header->size <= size) {
-      PacketReader reader(bytes.first(header->size));
-      while (!reader.is_at_end()) {
-        static_cast<void>(reader.Next());
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  ByteView rest(reinterpret_cast<const std::byte*>(data), size);
+  if (const auto message = DecodeMessage(rest)) {
+    RequireSame(message->message, rest.first(message->size));
+  }
+  if (size >= kGreeting.size() && IsGreeting(rest)) {
+    rest = rest.subspan(kGreeting.size());
+  }
+  while (rest.size() >= kPacketHeaderSize) {
+    const auto header = DecodePacketHeader(rest);
+    if (!header || header->size > rest.size()) {
+      break;
+    }
+    PacketReader reader(rest.first(header->size));
+    while (!reader.is_at_end()) {
+      if (const auto message = reader.Next()) {
+        RequireSame(*message, reader.raw());
       }
     }
+    rest = rest.subspan(header->size);
   }
   return 0;
 }

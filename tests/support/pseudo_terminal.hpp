@@ -37,6 +37,7 @@ class PseudoTerminal {
   /// Runs `body` in a child on this terminal; gives how it ended and all it wrote.
   template <class Body>
   std::pair<int, std::string> Run(Body body) {
+    std::fflush(stdout);  // or the child, too, writes what waits there
     const pid_t child = ::fork();
     if (child == 0) {
       ::dup2(slave_, STDIN_FILENO);

@@ -22,10 +22,10 @@ bool IsLogName(const fs::path& file) {
   return name.ends_with(".alog") || name.ends_with(".alog.gz");
 }
 
-/// The one log in a folder.
+/// The one log in a folder, or in the folders below it, as a run has them.
 fs::path LogIn(const fs::path& folder) {
   std::vector<fs::path> logs;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.is_regular_file() && IsLogName(entry.path())) {
       logs.push_back(entry.path());
     }

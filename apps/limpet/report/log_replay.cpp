@@ -11,7 +11,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `<session>.alog`, else the first by name.
+/// MOOS time at which a log begins.
+double StartOf(const fs::path& log) {
+  auto reader = AlogReader::Open(log);
+  if (!reader) return 0.0;
+  AlogLine line;
+  AlogEntry entry;
+  while (reader->NextLine(line, entry) && line.kind != AlogLine::Kind::kEntry) {
+  }
+  return reader->start().value_or(Seconds(0.0)).value();
+}
+
+/// `<session>.alog`, else the one that began last: a folder may hold several runs.
 std::optional<fs::path> LogIn(const fs::path& folder) {
   const fs::path expected = folder / (folder.filename().string() + ".alog");
   if (fs::exists(expected)) return expected;
@@ -22,7 +33,7 @@ std::optional<fs::path> LogIn(const fs::path& folder) {
     }
   }
   if (logs.empty()) return std::nullopt;
-  return *std::min_element(logs.begin(), logs.end());
+  return *std::ranges::max_element(logs, {}, StartOf);
 }
 
 /// Text, number or, for what lies in the .blog file, bytes. Nothing if those cannot be read.

@@ -22,9 +22,9 @@ void PrintHelp() {
     fmt::print("  {:<10} {}\n", command->name, command->summary);
   }
   fmt::print(
-      "\n<log> is an .alog file, ours or MOOS's, also as .gz; a folder that holds one; or - for "
-      "the "
-      "standard input.\n`limpet log <command> --help` says more.\n");
+      "\n<log> is an .alog file, ours or MOOS's, also as .gz; a folder that holds one, itself or "
+      "below,\nas a run folder does; or - for the standard input.\n"
+      "`limpet log <command> --help` says more.\n");
 }
 
 const LogCommand& CommandOf(const std::string& word) {

@@ -41,6 +41,9 @@ class AppLink {
   virtual void SubscribeWildcard(const WildcardFilter& filter) = 0;
   /// MOOS time: seconds since 1970 times warp.
   [[nodiscard]] virtual Seconds Now() const = 0;
+  /// True while the app goes through the mail of its former life (mail_journal.hpp): nothing that
+  /// it publishes is sent, and what it did to files is done.
+  [[nodiscard]] virtual bool is_replaying() const { return false; }
   /// Has the app's `Attend` called soon. From any thread; live only.
   virtual void Wake() {}
 };

@@ -60,6 +60,16 @@ AppStatus::AppStatus(const std::string& name, Seconds started)
       last_time_(SteadyTime()) {}
 
 std::string AppStatus::Text(std::int64_t iteration, const LiveLink& link) {
+  return Text(iteration, link.Now(), link.published(), link.subscribed());
+}
+
+std::string AppStatus::Text(std::int64_t iteration, Seconds now) {
+  return Text(iteration, now, {}, {});
+}
+
+std::string AppStatus::Text(std::int64_t iteration, Seconds moos_now,
+                            const std::set<std::string>& published,
+                            const std::set<std::string>& subscribed) {
   const ProcessUse use = UseOfThisProcess();
   const Seconds now = SteadyTime();
   const double load = now > last_time_ ? 100.0 * ((use.cpu - last_cpu_) / (now - last_time_)) : 0.0;
@@ -68,8 +78,8 @@ std::string AppStatus::Text(std::int64_t iteration, const LiveLink& link) {
   return fmt::format(
       "AppErrorFlag=false,Uptime={:.2f},cpuload={:.4g},memory_kb={},memory_max_kb={},Iterations={},"
       "MOOSName={},Publishing=\"{}\",Subscribing=\"{}\"",
-      (link.Now() - started_).value(), load, use.memory_kb, use.memory_max_kb, iteration, name_,
-      Listed(link.published()), Listed(link.subscribed()));
+      (moos_now - started_).value(), load, use.memory_kb, use.memory_max_kb, iteration, name_,
+      Listed(published), Listed(subscribed));
 }
 
 }  // namespace limpet

@@ -18,12 +18,18 @@ TcpClientOptions LiveLink::Listening(TcpClientOptions options) {
   options.on_mail = [this](const WireMessage& message) {
     auto owned = std::make_shared<const Message>(MessageFrom(message));
     const std::lock_guard lock(mutex_);
-    if (inbox_.size() < kInboxLimit) {
+    if (inbox_.size() < kInboxLimit && heard_.IsNews(*owned)) {
       inbox_.push_back(std::move(owned));
       arrival_.notify_one();
     }
   };
-  options.on_state = [this] { Wake(); };
+  options.on_state = [this] {
+    {
+      const std::lock_guard lock(mutex_);
+      heard_.StartConnection();
+    }
+    Wake();
+  };
   return options;
 }
 
@@ -31,11 +37,21 @@ LiveLink::LiveLink(TcpClientOptions options) : client_(Listening(std::move(optio
 
 void LiveLink::Publish(std::string name, Value value, std::string source_aux) {
   published_.insert(name);
-  client_.PublishValue(name, value, source_aux);
+  if (!is_replaying()) {
+    client_.PublishValue(name, value, source_aux);
+  }
 }
-void LiveLink::Forward(const Message& message) { client_.Send(ViewOf(message)); }
+void LiveLink::Forward(const Message& message) {
+  if (!is_replaying()) {
+    client_.Send(ViewOf(message));
+  }
+}
 void LiveLink::Subscribe(const std::string& name, Seconds interval) {
   subscribed_.insert(name);
+  if (!is_replaying()) {
+    const std::lock_guard lock(mutex_);
+    heard_.Forget(name);
+  }
   client_.Subscribe(name, interval);
 }
 void LiveLink::SubscribeWildcard(const WildcardFilter& filter) {
@@ -55,6 +71,13 @@ std::vector<MessagePtr> LiveLink::TakeMail(Seconds deadline) {
   mail.swap(inbox_);
   return mail;
 }
+
+void LiveLink::NoteHeard(const Message& message) {
+  const std::lock_guard lock(mutex_);
+  heard_.NoteFormer(message);
+}
+
+void LiveLink::Replay(std::optional<Seconds> now) { replayed_ = now; }
 
 void LiveLink::Wake() {
   const std::lock_guard lock(mutex_);

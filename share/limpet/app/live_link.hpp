@@ -3,17 +3,20 @@
 
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "limpet/app/app.hpp"
+#include "limpet/app/heard_before.hpp"
 #include "limpet/pubsub/tcp_client.hpp"
 
 namespace limpet {
 
 /// An app's link to a community on TCP. Mail arrives on the client's thread and waits here for the
-/// app's own.
+/// app's own. A connection that is lost and made again shows in nothing but its gap: latest values
+/// that the app has heard are not delivered again.
 class LiveLink final : public AppLink {
  public:
   explicit LiveLink(TcpClientOptions options);
@@ -22,7 +25,13 @@ class LiveLink final : public AppLink {
   void Forward(const Message& message) override;
   void Subscribe(const std::string& name, Seconds interval) override;
   void SubscribeWildcard(const WildcardFilter& filter) override;
-  [[nodiscard]] Seconds Now() const override { return client_.Now(); }
+  [[nodiscard]] Seconds Now() const override { return replayed_ ? *replayed_ : client_.Now(); }
+  [[nodiscard]] bool is_replaying() const override { return replayed_.has_value(); }
+
+  /// Mail that the app heard in a former life: its like is not news when registering brings it.
+  void NoteHeard(const Message& message);
+  /// From now on it is `now`, and what is published goes nowhere; nothing: the present again.
+  void Replay(std::optional<Seconds> now);
 
   /// All mail so far, waiting for some until `deadline` (steady time) if there is none.
   [[nodiscard]] std::vector<MessagePtr> TakeMail(Seconds deadline);
@@ -39,8 +48,10 @@ class LiveLink final : public AppLink {
   std::mutex mutex_;
   std::condition_variable arrival_;
   std::vector<MessagePtr> inbox_;
+  HeardBefore heard_;
   bool is_woken_ = false;
   std::set<std::string> published_, subscribed_;  ///< of the app's own thread
+  std::optional<Seconds> replayed_;               ///< too
   TcpClient client_;  ///< last: its thread ends before what it writes to
 };
 

@@ -23,6 +23,9 @@ struct AppEntry {
   std::function<std::vector<ConfigProblem>(const ConfigBlock&)> check;
   /// Command-line switches of this app alone, and the key that each adds a line of to its block.
   std::map<std::string, std::string> switches{};
+  /// Its state is a function of its mail and worth much: started again, it goes through the mail of
+  /// its former life (mail_journal.hpp).
+  bool replays_mail = false;
 };
 
 /// The one singleton: filled before main by the registration lines.
@@ -47,7 +50,10 @@ template <class A>
           [](const ConfigBlock& block) {
             typename A::Params params;
             return ApplyBlock(block, DescribeParams(params), CommonAppKeys());
-          }};
+          },
+      .replays_mail = requires {A::kReplaysMail;
+}
+};  // namespace limpet
 }
 
 }  // namespace limpet

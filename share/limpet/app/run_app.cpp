@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <csignal>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include "limpet/app/app_status.hpp"
 #include "limpet/app/app_tick.hpp"
 #include "limpet/app/live_link.hpp"
+#include "limpet/app/mail_journal.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/clock.hpp"
 
@@ -49,19 +51,33 @@ std::string Example(const std::string& process, const AppEntry& entry) {
 }
 
 constexpr Seconds kStatusPeriod(2.0);  ///< real time
+constexpr Seconds kProbation(10.0);    ///< a journal is vouched for after so long (real time)
 
 /// Mail as it comes, Tick on time; a tick that is missed is left out, never made up for.
-void Loop(App& app, LiveLink& link, Seconds period) {
+void Loop(App& app, LiveLink& link, Seconds period, MailJournal* journal) {
   AppStatus status(app.name(), link.Now());
   Seconds next = SteadyTime() + period;
   Seconds next_status = SteadyTime();
+  Seconds next_vouch = SteadyTime() + kProbation;
   while (!EndIsRequested()) {
     for (const MessagePtr& message : link.TakeMail(std::min(next, SteadyTime() + kLongestWait))) {
+      if (journal != nullptr) {
+        journal->NoteMail(*message, link.Now());
+      }
       app.Deliver(message);
     }
     app.Attend(link.Now());
     if (const Seconds now = SteadyTime(); now >= next) {
-      app.Iterate(link.Now());
+      const Seconds moos_now = link.Now();
+      if (journal != nullptr) {
+        journal->NoteTick(moos_now);
+        journal->Flush();
+        if (now >= next_vouch) {
+          next_vouch = Seconds(std::numeric_limits<double>::infinity());
+          journal->Vouch();
+        }
+      }
+      app.Iterate(moos_now);
       next = std::max(next + period, now);
       if (now >= next_status) {
         next_status = now + kStatusPeriod;
@@ -70,6 +86,37 @@ void Loop(App& app, LiveLink& link, Seconds period) {
     }
   }
   app.End(link.Now());
+  if (journal != nullptr) {
+    journal->Remove();
+  }
+}
+
+/// What the app heard in its former life, so that registering brings only news.
+void NoteFormerLife(const MailJournal& journal, LiveLink& link, std::optional<Seconds>& began) {
+  journal.Replay([&](Seconds now, const MessagePtr& mail) {
+    began = began ? began : now;
+    if (mail) {
+      link.NoteHeard(*mail);
+    }
+  });
+}
+
+/// Leads the app through its former life. What it says meanwhile was said then.
+void LiveAgain(const MailJournal& journal, LiveLink& link, App& app) {
+  const Seconds begin = SteadyTime();
+  std::int64_t count = 0;
+  journal.Replay([&](Seconds now, const MessagePtr& mail) {
+    link.Replay(now);
+    if (mail) {
+      ++count;
+      app.Deliver(mail);
+    } else {
+      app.Iterate(now);
+    }
+  });
+  link.Replay(std::nullopt);
+  fmt::print(stderr, "{}: went through the {} messages of its former life in {:.1f} s\n",
+             app.name(), count, (SteadyTime() - begin).value());
 }
 
 /// True once connected; false if asked to end before.
@@ -118,9 +165,19 @@ int Run(const AppCommand& command, const AppEntry& entry) {
                            .is_restarted = command.is_restarted};
   CastSettings casts = ReadCastSettings(block);
   casts.warp = command.warp;
+  std::optional<MailJournal> journal;
+  std::optional<Seconds> began;
+  if (entry.replays_mail && !command.run_folder.empty()) {
+    journal.emplace(command.run_folder / (command.name + ".mail"), command.is_restarted);
+    NoteFormerLife(*journal, link, began);
+  }
+  link.Replay(began);  // an app of a former life was made then
   const std::unique_ptr<App> app = entry.create(context, block);
   app->StartReporting(std::move(casts));
-  Loop(*app, link, Seconds(1.0 / (tick_hz * command.warp)));
+  if (began) {
+    LiveAgain(*journal, link, *app);
+  }
+  Loop(*app, link, Seconds(1.0 / (tick_hz * command.warp)), journal ? &*journal : nullptr);
   return 0;
 }
 

@@ -29,6 +29,7 @@ class TestLink final : public AppLink {
     subscriptions.push_back(filter.variable_pattern);
   }
   [[nodiscard]] Seconds Now() const override { return time; }
+  [[nodiscard]] bool is_replaying() const override { return replays; }
 
   /// Last value published on a topic.
   template <class T>
@@ -52,6 +53,7 @@ class TestLink final : public AppLink {
   }
 
   Seconds time{1767225600.0};
+  bool replays = false;  ///< the app goes through its former life
   std::vector<MessagePtr> published;
   std::vector<std::string> subscriptions;
 };

@@ -2,6 +2,7 @@
 #include "limpet/console/log_player.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "limpet/core/require.hpp"
 #include "limpet/pubsub/wildcard.hpp"
@@ -16,18 +17,30 @@ bool MatchesAny(const std::vector<std::string>& patterns, std::string_view name)
 
 }  // namespace
 
+bool PlayChoice::AcceptsName(std::string_view name) const {
+  const bool is_chosen = only.empty() ? !name.starts_with("DB_") : MatchesAny(only, name);
+  return is_chosen && !MatchesAny(skip, name);
+}
+
 bool PlayChoice::Accepts(const AlogEntry& entry) const {
-  const bool is_chosen =
-      only.empty() ? !entry.name.starts_with("DB_") : MatchesAny(only, entry.name);
-  return is_chosen && !MatchesAny(skip, entry.name) && (!from || entry.time >= *from) &&
-         (!to || entry.time <= *to);
+  return (!from || entry.time >= *from) && (!to || entry.time <= *to) && AcceptsName(entry.name);
 }
 
 LogOutline LogOutline::Of(AlogReader& reader, const PlayChoice& choice) {
   LogOutline outline;
-  for (AlogEntry entry; reader.Next(entry);) {
+  std::uint64_t order = 0;
+  for (AlogEntry entry; reader.Next(entry); ++order) {
     if (!entry.number && !ParseBlogMarker(entry.value) && !outline.texts.contains(entry.name)) {
       outline.texts.emplace(entry.name);
+    }
+    if (choice.begins_with_held && choice.from && entry.time < *choice.from &&
+        choice.AcceptsName(entry.name)) {
+      outline.held.insert_or_assign(std::string(entry.name),
+                                    HeldEntry{.order = order,
+                                              .source = std::string(entry.source),
+                                              .aux = std::string(entry.aux),
+                                              .value = std::string(entry.value),
+                                              .number = entry.number});
     }
     if (!choice.Accepts(entry)) {
       continue;
@@ -48,6 +61,12 @@ LogPlayer::LogPlayer(AlogReader reader, PlayChoice choice, LogOutline outline,
       choice_(std::move(choice)),
       outline_(std::move(outline)),
       folder_(std::move(folder)) {
+  for (const auto& [name, entry] : outline_.held) {
+    held_.push_back(name);
+  }
+  std::ranges::sort(held_, std::greater(), [this](const std::string& name) {
+    return outline_.held.find(name)->second.order;
+  });
   Advance();
 }
 
@@ -63,8 +82,23 @@ void LogPlayer::Advance() {
   }
 }
 
+std::optional<Message> LogPlayer::NextHeld() {
+  const auto& [name, held] = *outline_.held.find(held_.back());
+  std::optional<Message> message = MessageOf({.name = name,
+                                              .source = held.source,
+                                              .aux = held.aux,
+                                              .value = held.value,
+                                              .number = held.number});
+  held_.pop_back();
+  return message;
+}
+
 std::optional<Message> LogPlayer::Next(double elapsed) {
   std::optional<Message> message;
+  while (!message && !held_.empty()) {
+    message = NextHeld();
+    (message ? played_ : unreadable_) += 1;
+  }
   while (!message && entry_ && due_ <= elapsed) {
     message = MessageOf(*entry_);
     (message ? played_ : unreadable_) += 1;

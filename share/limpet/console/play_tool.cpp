@@ -26,7 +26,9 @@ pauses, each message under the name of the app that wrote it, with the time at w
 Binary values come from the .blog file beside the log. The database's own DB_* are left out.
 
   --speed N|max          seconds of log per second of the community's clock (default 1)
-  --from S, --to S       only entries of these times, seconds since the start of the log
+  --from S, --to S       only entries of these times, seconds since the start of the log; with
+                         --from, first the value that every variable had then
+  --bare                 with --from: without those
   --only PATTERN         only such variables; repeatable
   --skip PATTERN         not these; repeatable
   --as NAME              join as NAME and write everything under it; the app goes into the aux
@@ -88,7 +90,7 @@ std::filesystem::path LogOf(const std::string& word) {
 
 PlayCommand ReadPlay(std::span<const std::string> args) {
   const Arguments given(args, WithAddressOptions({"speed", "from", "to", "only", "skip", "as"}),
-                        {});
+                        {"bare"});
   const ToolWords words = Sorted(given.positionals());
   if (words.others.size() != 1) {
     throw UsageError("one log is expected, e.g. run.alog");
@@ -100,7 +102,8 @@ PlayCommand ReadPlay(std::span<const std::string> args) {
   command.choice = {.only = given.All("only"),
                     .skip = given.All("skip"),
                     .from = SecondsOf(given, "from"),
-                    .to = SecondsOf(given, "to")};
+                    .to = SecondsOf(given, "to"),
+                    .begins_with_held = !given.Has("bare")};
   if (command.choice.from && command.choice.to && *command.choice.from > *command.choice.to) {
     throw UsageError("--from lies behind --to");
   }

@@ -24,6 +24,25 @@ Expected<AlogWriter> AlogWriter::Open(const std::filesystem::path& file, Seconds
   return writer;
 }
 
+Expected<AlogWriter> AlogWriter::Continue(const std::filesystem::path& file, Seconds start,
+                                          const AlogOptions& options,
+                                          std::shared_ptr<BlogWriter> blog) {
+  Expected<AppendFile> former = AppendFile::ContinueLines(file);
+  if (!former) {
+    return former.error();
+  }
+  if (former->size() == 0) {
+    return Open(file, start, options, std::move(blog));
+  }
+  if (!blog) {
+    blog =
+        std::make_shared<BlogWriter>(std::filesystem::path(file).replace_extension(".blog"), true);
+  }
+  AlogWriter writer(*std::move(former), std::move(blog), AlogFormat(start, options));
+  writer.WriteComment("the logger was started again");
+  return writer;
+}
+
 AlogWriter::~AlogWriter() { Flush(); }
 
 void AlogWriter::Write(const Message& message) {

@@ -29,6 +29,10 @@ class AlogWriter {
   [[nodiscard]] static Expected<AlogWriter> Open(const std::filesystem::path& file, Seconds start,
                                                  const AlogOptions& options,
                                                  std::shared_ptr<BlogWriter> blog = nullptr);
+  /// Goes on at the end of `file` with a comment that says so; half a line there goes.
+  [[nodiscard]] static Expected<AlogWriter> Continue(const std::filesystem::path& file,
+                                                     Seconds start, const AlogOptions& options,
+                                                     std::shared_ptr<BlogWriter> blog = nullptr);
   AlogWriter(AlogWriter&&) noexcept = default;
   AlogWriter& operator=(AlogWriter&&) noexcept = default;
   AlogWriter(const AlogWriter&) = delete;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/logbook/append_file.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -30,7 +32,48 @@ bool WriteAllAt(int descriptor, std::string_view bytes, std::uint64_t offset) {
   return true;
 }
 
+/// Where the last line of the file's first `size` bytes ends.
+std::uint64_t EndOfLines(int descriptor, std::uint64_t size) {
+  std::array<char, 64 * 1024> block{};
+  while (size > 0) {
+    const std::uint64_t begin = size - std::min<std::uint64_t>(size, block.size());
+    const auto length = static_cast<std::size_t>(size - begin);
+    if (::pread(descriptor, block.data(), length, static_cast<off_t>(begin)) !=
+        static_cast<ssize_t>(length)) {
+      return size;
+    }
+    const std::size_t end = std::string_view(block.data(), length).rfind('\n');
+    if (end != std::string_view::npos) {
+      return begin + end + 1;
+    }
+    size = begin;
+  }
+  return 0;
+}
+
 }  // namespace
+
+Expected<AppendFile> AppendFile::Continue(const std::filesystem::path& path) {
+  AppendFile file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
+  const off_t size = file.descriptor_ < 0 ? -1 : ::lseek(file.descriptor_, 0, SEEK_END);
+  if (size < 0) {
+    return Error{fmt::format("`{}` cannot be continued: {}", path.string(), std::strerror(errno))};
+  }
+  file.size_ = static_cast<std::uint64_t>(size);
+  return file;
+}
+
+Expected<AppendFile> AppendFile::ContinueLines(const std::filesystem::path& path) {
+  Expected<AppendFile> file = Continue(path);
+  if (file) {
+    file->size_ = EndOfLines(file->descriptor_, file->size_);
+    if (::ftruncate(file->descriptor_, static_cast<off_t>(file->size_)) != 0) {
+      return Error{
+          fmt::format("`{}` cannot be continued: {}", path.string(), std::strerror(errno))};
+    }
+  }
+  return file;
+}
 
 Expected<AppendFile> AppendFile::Create(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);

@@ -15,6 +15,10 @@ class AppendFile {
  public:
   /// Creates or empties `path`.
   [[nodiscard]] static Expected<AppendFile> Create(const std::filesystem::path& path);
+  /// Goes on at the end of `path`, which is created if need be.
+  [[nodiscard]] static Expected<AppendFile> Continue(const std::filesystem::path& path);
+  /// The same with a file of lines: half a line at its end goes.
+  [[nodiscard]] static Expected<AppendFile> ContinueLines(const std::filesystem::path& path);
   AppendFile(AppendFile&& other) noexcept;
   AppendFile& operator=(AppendFile&& other) noexcept;
   AppendFile(const AppendFile&) = delete;

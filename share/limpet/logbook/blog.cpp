@@ -12,7 +12,8 @@ namespace limpet {
 
 std::optional<std::string> BlogWriter::Write(const Binary& bytes) {
   if (!file_) {
-    Expected<AppendFile> file = AppendFile::Create(path_);
+    Expected<AppendFile> file =
+        continues_ ? AppendFile::Continue(path_) : AppendFile::Create(path_);
     if (!file) {
       return std::nullopt;
     }

@@ -14,10 +14,11 @@
 
 namespace limpet {
 
-/// Collects bytes in one file, created by the first value.
+/// Collects bytes in one file, created by the first value, or continued.
 class BlogWriter {
  public:
-  explicit BlogWriter(std::filesystem::path path) : path_(std::move(path)) {}
+  explicit BlogWriter(std::filesystem::path path, bool continues = false)
+      : path_(std::move(path)), continues_(continues) {}
 
   /// Appends a value and returns its marker; nothing if it cannot be written.
   [[nodiscard]] std::optional<std::string> Write(const Binary& bytes);
@@ -25,6 +26,7 @@ class BlogWriter {
 
  private:
   std::filesystem::path path_;
+  bool continues_;
   std::optional<AppendFile> file_;
 };
 

@@ -52,13 +52,13 @@ Expected<LogFiles> LogFiles::Open(const fs::path& folder, const std::string& ste
   files.folder_ = folder;
   files.stem_ = stem;
   files.compresses_ = options.compresses;
-  const auto blog = std::make_shared<BlogWriter>(files.PathOf(".blog"));
+  const auto blog = std::make_shared<BlogWriter>(files.PathOf(".blog"), options.continues);
+  const auto open_one = options.continues ? &AlogWriter::Continue : &AlogWriter::Open;
   const auto open = [&](bool is_wanted, const char* extension, std::optional<AlogWriter>& writer) {
     if (!is_wanted) {
       return std::optional<Error>();
     }
-    Expected<AlogWriter> opened =
-        AlogWriter::Open(files.PathOf(extension), start, options.lines, blog);
+    Expected<AlogWriter> opened = open_one(files.PathOf(extension), start, options.lines, blog);
     if (!opened) {
       return std::optional<Error>(opened.error());
     }
@@ -69,7 +69,8 @@ Expected<LogFiles> LogFiles::Open(const fs::path& folder, const std::string& ste
   if (const auto failure = open(options.has_excluded, ".xlog", files.excluded_)) return *failure;
   if (const auto failure = open(options.has_system, ".ylog", files.system_)) return *failure;
   if (options.sync) {
-    auto opened = SlogWriter::Open(files.PathOf(".slog"), start, *options.sync, options.lines);
+    const fs::path file = options.continues ? files.NewSyncPath() : files.PathOf(".slog");
+    auto opened = SlogWriter::Open(file, start, *options.sync, options.lines);
     if (!opened) {
       return opened.error();
     }
@@ -79,6 +80,14 @@ Expected<LogFiles> LogFiles::Open(const fs::path& folder, const std::string& ste
 }
 
 fs::path LogFiles::PathOf(const char* extension) const { return folder_ / (stem_ + extension); }
+
+fs::path LogFiles::NewSyncPath() const {
+  fs::path file = PathOf(".slog");
+  for (int number = 2; fs::exists(file); ++number) {
+    file = folder_ / fmt::format("{}_{}.slog", stem_, number);
+  }
+  return file;
+}
 
 std::optional<AlogWriter>& LogFiles::WriterOf(LogLine::File file) {
   return file == LogLine::File::kAsync      ? async_

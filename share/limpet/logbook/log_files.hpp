@@ -20,6 +20,7 @@ struct LogFilesOptions {
   bool has_system = false;                  ///< .ylog
   std::optional<SlogWriter::Columns> sync;  ///< .slog
   bool compresses = false;  ///< at the end .alog and .xlog become .alog.gz and .xlog.gz
+  bool continues = false;   ///< goes on in the files that are there; only the .slog is a new one
 };
 
 /// The files of one logging session: <folder>/<stem>.alog, .slog, .xlog, .ylog and .blog. What is
@@ -42,6 +43,8 @@ class LogFiles {
  private:
   LogFiles() = default;
   [[nodiscard]] std::filesystem::path PathOf(const char* extension) const;
+  /// <stem>_2.slog and so on if there is one.
+  [[nodiscard]] std::filesystem::path NewSyncPath() const;
   [[nodiscard]] std::optional<AlogWriter>& WriterOf(LogLine::File file);
   void Keep(const FileCopy& copy);
 

@@ -177,6 +177,13 @@ void Broker::Notify(const WireMessage& message, ByteView raw, Seconds now) {
     return;
   }
   ++counts_.messages;
+  if (message.key == options_.watched && options_.on_watched) {
+    options_.on_watched(message.text);
+  }
+  if (lists_news_ && !latest.is_news) {
+    latest.is_news = true;
+    news_.push_back(*variable);
+  }
   static_cast<void>(
       router_.Write(*variable, message.data_type, message.source, now, [&](Client client) {
         Session& session = *sessions_[client];
@@ -247,6 +254,28 @@ std::optional<WireMessage> Broker::LatestOf(Router::Variable variable) const {
              : std::optional(DecodeMessage(*latest_[variable].message)->message);
 }
 
+ByteView Broker::StoredOf(Router::Variable variable) const {
+  const auto& message = latest_[variable].message;
+  const bool is_own = router_.Info(variable).last_writer == source_;
+  return message && !is_own ? ByteView(*message) : ByteView();
+}
+
+ByteView Broker::TakeNewsOf(Router::Variable variable) {
+  latest_[variable].is_news = false;
+  return StoredOf(variable);
+}
+
+void Broker::Restore(ByteView messages, Seconds now) {
+  while (!messages.empty()) {
+    const Expected<DecodedMessage> decoded = DecodeMessage(messages);
+    if (!decoded) {
+      return;
+    }
+    Notify(decoded->message, messages.first(decoded->size), now);
+    messages = messages.subspan(decoded->size);
+  }
+}
+
 void Broker::Append(Session& session, Router::Variable variable, const WireMessage& message) {
   scratch_.clear();
   AppendMessage(message, scratch_);
@@ -273,6 +302,7 @@ void Broker::Clear(Seconds now) {
     latest.message = {};
   }
   stored_ = 0;
+  ++clears_;
   for (const auto& session : sessions_) {
     if (session) {
       session->outbox.Clear();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +28,18 @@ struct BrokerOptions {
   std::string community = "limpet";
   std::string hostname;
   BrokerLimits limits;
+  /// Told the text of each write of this variable; empty: none.
+  std::string watched{};
+  std::function<void(std::string_view text)> on_watched{};
+};
+
+/// A client as the database's report lists it.
+struct ClientFacts {
+  std::string name;
+  bool is_async = true;
+  std::optional<double> delay_ms;  ///< of its last timing message
+  std::size_t waiting = 0;         ///< unsent mail [bytes]
+  std::uint64_t dropped = 0;       ///< messages it was too slow for
 };
 
 /// What the broker refused or lost, since the start.
@@ -60,6 +73,8 @@ class Broker {
   [[nodiscard]] std::optional<Error> Receive(Client client, ByteView packet, Seconds now);
   /// Writes the DB_* variables; every 2 s of MOOS time.
   void PublishStatus(Seconds now);
+  /// Writes a variable in the broker's own name.
+  void Publish(std::string_view name, std::string_view value, Seconds now);
 
   /// Clients that have something to send since the last call, each once.
   [[nodiscard]] std::vector<Client> TakeReady();
@@ -77,12 +92,30 @@ class Broker {
   /// When it started, or was last cleared.
   [[nodiscard]] Seconds started() const { return started_; }
   [[nodiscard]] const BrokerCounts& counts() const { return counts_; }
+  [[nodiscard]] std::uint64_t clears() const { return clears_; }
+  /// By name.
+  [[nodiscard]] std::vector<ClientFacts> Clients() const;
+  /// Bytes of all latest values.
+  [[nodiscard]] std::size_t stored() const { return stored_; }
   [[nodiscard]] const BrokerOptions& options() const { return options_; }
+
+  // For a keeper of values (value_keeper.hpp).
+
+  /// Takes encoded messages, back to back, as writes; ends at the first that is none.
+  void Restore(ByteView messages, Seconds now);
+  /// From now on each variable that is written is listed in news(), once until TakeNewsOf.
+  void ListNews() { lists_news_ = true; }
+  [[nodiscard]] std::vector<Router::Variable>& news() { return news_; }
+  /// What is stored of it, as forwarded, unless it is the broker's own or was never written: then
+  /// nothing. The view dies with the next write of that variable.
+  [[nodiscard]] ByteView StoredOf(Router::Variable variable) const;
+  [[nodiscard]] ByteView TakeNewsOf(Router::Variable variable);
 
  private:
   struct Session;
   struct Latest {
     std::shared_ptr<ByteBuffer> message;  ///< as forwarded, community filled in
+    bool is_news = false;                 ///< in news_, or taken from there and not yet asked for
     [[nodiscard]] std::size_t size() const { return message ? message->size() : 0; }
     /// Where to write the next one: connections may still be sending the last.
     [[nodiscard]] ByteBuffer& Renew();
@@ -103,7 +136,6 @@ class Broker {
   [[nodiscard]] std::optional<Router::Variable> Variable(std::string_view name);
   [[nodiscard]] bool SpeaksForItself(const Session& session, const WireMessage& message);
   void Publish(std::string_view name, double value, Seconds now);
-  void Publish(std::string_view name, std::string_view value, Seconds now);
   void PublishOwn(WireMessage message, std::string_view name, Seconds now);
   void MarkReady(Session& session);
 
@@ -117,6 +149,9 @@ class Broker {
   std::vector<Client> ready_;
   ByteBuffer scratch_;
   BrokerCounts counts_;
+  std::uint64_t clears_ = 0;
+  bool lists_news_ = false;
+  std::vector<Router::Variable> news_;
 };
 
 }  // namespace limpet

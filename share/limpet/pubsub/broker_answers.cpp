@@ -57,6 +57,23 @@ void Broker::AnswerAll(Session& session) {
   }
 }
 
+std::vector<ClientFacts> Broker::Clients() const {
+  std::vector<ClientFacts> clients;
+  for (const auto& session : sessions_) {
+    if (session) {
+      const LinkQuality& quality = session->quality;
+      clients.push_back(
+          {.name = session->name,
+           .is_async = session->is_async,
+           .delay_ms = quality.count > 0 ? std::optional(quality.recent_ms) : std::nullopt,
+           .waiting = session->outbox.size() + session->outbox.in_flight(),
+           .dropped = session->outbox.dropped()});
+    }
+  }
+  std::ranges::sort(clients, {}, &ClientFacts::name);
+  return clients;
+}
+
 void Broker::PublishStatus(Seconds now) {
   std::vector<const Session*> present;
   for (const auto& session : sessions_) {

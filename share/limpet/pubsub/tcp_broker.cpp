@@ -11,6 +11,7 @@
 
 #include "limpet/core/clock.hpp"
 #include "limpet/pubsub/tcp_connection.hpp"
+#include "limpet/pubsub/value_keeper.hpp"
 
 namespace limpet {
 namespace {
@@ -18,6 +19,7 @@ namespace {
 using asio::ip::tcp;
 
 constexpr auto kWatchPeriod = std::chrono::milliseconds(500);
+constexpr auto kKeepPeriod = std::chrono::milliseconds(200);
 constexpr double kStatusPeriod = 2.0;  // MOOS time [s]
 constexpr std::size_t kScratch = std::size_t{256} << 10;
 
@@ -37,6 +39,7 @@ class TcpBroker::Impl {
         watch_(context_),
         status_(context_),
         pause_(context_),
+        keep_(context_),
         scratch_(kScratch) {
     host_ = {.broker = &broker_,
              .scratch = scratch_,
@@ -47,6 +50,9 @@ class TcpBroker::Impl {
                    live_[client] = &connection;
                  }};
     Listen();
+    if (options_.kept_descriptor >= 0) {
+      keeper_.emplace(options_.kept_descriptor, options_.kept, broker_, MoosTime(options_.warp));
+    }
     Accept();
     Watch();
     PublishStatus();
@@ -107,7 +113,9 @@ class TcpBroker::Impl {
                                       if (error || !connection->socket().is_open()) {
                                         return;  // closed meanwhile
                                       }
-                                      if (connection->Read()) {
+                                      const bool is_good = connection->Read();
+                                      Keep();
+                                      if (is_good) {
                                         FlushOne(*connection);
                                         WaitToRead(connection);
                                       } else {
@@ -123,6 +131,29 @@ class TcpBroker::Impl {
     for (const Broker::Client client : broker_.TakeReady()) {
       FlushOne(*live_[client]);
     }
+  }
+
+  /// Before anybody hears of it: what a client has seen stored is there after a restart.
+  void Keep() {
+    if (keeper_ && !broker_.news().empty()) {
+      keeper_->Keep(SteadyTime());
+      KeepWaiting();
+    }
+  }
+
+  void KeepWaiting() {
+    if (is_keeping_ || !keeper_->has_waiting()) {
+      return;
+    }
+    is_keeping_ = true;
+    keep_.expires_after(kKeepPeriod);
+    keep_.async_wait([this](std::error_code error) {
+      is_keeping_ = false;
+      if (!error) {
+        keeper_->KeepWaiting(SteadyTime());
+        KeepWaiting();
+      }
+    });
   }
 
   void FlushOne(TcpConnection& connection) {
@@ -170,9 +201,19 @@ class TcpBroker::Impl {
           connection->GiveBack();
         }
       }
+      Report();
       Flush();
       Watch();
     });
+  }
+
+  void Report() {
+    if (options_.report) {
+      const Seconds now = MoosTime(options_.warp);
+      for (const auto& [name, text] : options_.report(broker_, now)) {
+        broker_.Publish(name, text, now);
+      }
+    }
   }
 
   [[nodiscard]] bool IsHopeless(const TcpConnection& connection, Seconds now) const {
@@ -199,7 +240,9 @@ class TcpBroker::Impl {
   Broker broker_;
   asio::io_context context_{1};  // one thread: no locks inside
   tcp::acceptor acceptor_;
-  asio::steady_timer watch_, status_, pause_;
+  asio::steady_timer watch_, status_, pause_, keep_;
+  std::optional<ValueKeeper> keeper_;
+  bool is_keeping_ = false;  ///< keep_ is running
   ByteBuffer scratch_;
   TcpConnection::Host host_;
   Connections connections_;

@@ -18,6 +18,13 @@ struct TcpBrokerOptions {
   Seconds handshake_timeout{5.0};  ///< from connection to hello (real time)
   Seconds stuck_timeout{10.0};     ///< a client that reads nothing with mail waiting is cut
   std::size_t handshakes = 256;    ///< connections that have not yet said who they are
+  /// A file that outlives the broker: what it holds is taken over, latest values are kept there
+  /// (value_keeper.hpp). -1: none.
+  int kept_descriptor = -1;
+  std::size_t kept = std::size_t{8} << 20;  ///< room for them [bytes]
+  /// Asked twice a second (real time) for variables to write in the broker's own name.
+  using Words = std::vector<std::pair<std::string, std::string>>;
+  std::function<Words(const Broker& broker, Seconds now)> report{};
 };
 
 /// The broker on TCP: one thread, no call that blocks, so a silent or hostile connection delays

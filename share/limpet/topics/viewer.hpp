@@ -105,6 +105,20 @@ inline const auto kHelmRunning =
 inline const auto kHelmIdle =
     Declare<std::string>("IVPHELM_BHV_IDLE", "behaviors whose conditions do not hold",
                          {.rate = "on change", .writers = {"pHelm"}});
+inline const auto kHelmDisabled =
+    Declare<std::string>("IVPHELM_BHV_DISABLED", "behaviors that are switched off: none ever is",
+                         {.rate = "once", .writers = {"pHelm"}});
+inline const auto kHelmActiveCount = Declare<double>("IVPHELM_BHV_ACTIVE_CNT", "names in it",
+                                                     {.rate = "on change", .writers = {"pHelm"}});
+inline const auto kHelmRunningCount = Declare<double>("IVPHELM_BHV_RUNNING_CNT", "names in it",
+                                                      {.rate = "on change", .writers = {"pHelm"}});
+inline const auto kHelmIdleCount = Declare<double>("IVPHELM_BHV_IDLE_CNT", "names in it",
+                                                   {.rate = "on change", .writers = {"pHelm"}});
+inline const auto kHelmDisabledCount = Declare<double>("IVPHELM_BHV_DISABLED_CNT", "names in it",
+                                                       {.rate = "once", .writers = {"pHelm"}});
+inline const auto kHelmCompletedCount =
+    Declare<double>("IVPHELM_COMPLETED_COUNT", "behaviors that have completed: none ever does",
+                    {.rate = "once", .writers = {"pHelm"}});
 }  // namespace topics
 
 }  // namespace limpet

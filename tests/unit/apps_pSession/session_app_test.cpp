@@ -81,6 +81,13 @@ TEST_F(SessionAppTest, IsSelfDescribingFromItsFirstSecond) {
   EXPECT_FALSE(stored->files.contains("mission/scenario.yaml"));
 }
 
+TEST_F(SessionAppTest, SavesNothingTwiceWhenItGoesThroughItsFormerLife) {
+  Discover();
+  link_.replays = true;
+  Discover();
+  EXPECT_EQ(LoadSession(folder_.path() / "discovery")->generation, 2);
+}
+
 TEST_F(SessionAppTest, SavesTheMapItAskedFor) {
   Discover();
   EXPECT_EQ(link_.Last(topics::kMapSnapshotRequest), "home");

@@ -64,6 +64,18 @@ TEST(AttitudeFilter, KeepsItsHeadingWhenTheCompassIsDisturbedLater) {
   EXPECT_NEAR(filter.estimate()->yaw, 0.5, 1e-6);
 }
 
+TEST(AttitudeFilter, FindsItsHeadingAgainAfterAGapInWhichTheVehicleTurned) {
+  AttitudeFilter filter{AttitudeParams{}};
+  Feed(filter, 20.0, 0.0, 0.0, 0.5);
+  // What was held up comes first, all at once.
+  for (int i = 0; i < 300; ++i) {
+    filter.AddInertial(Steady(26.0 + 1e-4 * i, 0.0, 0.0, 0.5 + 2.0 * i / 300.0));
+  }
+  EXPECT_TRUE(filter.is_aligned());
+  Feed(filter, 40.0, 0.0, 0.0, 2.5);
+  EXPECT_NEAR(filter.estimate()->yaw, 2.5, 0.02);
+}
+
 TEST(AttitudeFilter, TurnsTheBodyRateIntoAYawRateThroughRollAndPitch) {
   AttitudeFilter filter{AttitudeParams{}};
   Feed(filter, 6.0, 0.2, 0.0, 0.0);

@@ -82,9 +82,27 @@ TEST_F(LogPlayerTest, LeavesTheDatabasesOwnVariablesOutUnlessTheyAreNamed) {
 }
 
 TEST_F(LogPlayerTest, ChoosesByPatternAndTime) {
-  Open({.skip = {"L*"}, .from = 0.5, .to = 1.5});
+  Open({.skip = {"L*"}, .from = 0.5, .to = 1.5, .begins_with_held = false});
   EXPECT_THAT(DueBy(0.0), ElementsAre("NAV_X")) << "time counts from --from";
   EXPECT_THAT(DueBy(1.0), ElementsAre("MODE"));
+}
+
+TEST_F(LogPlayerTest, BeginsWithWhatHeldThen) {
+  Open({.from = 1.55});
+  EXPECT_THAT(DueBy(0.0), ElementsAre("SET", "NAV_X", "LABEL", "LATE", "MODE"));
+  EXPECT_EQ(last_.source_aux, "aux");
+  EXPECT_THAT(DueBy(0.95), ElementsAre("LABEL"));
+}
+
+TEST_F(LogPlayerTest, BeginsWithTheLastValueOfEachVariable) {
+  Open({.only = {"A"}, .from = 3.0}, "%% LOGSTART 5 \n1.0 A p 1 \n2.0 A p 2 \n4.0 A p 3 \n");
+  EXPECT_THAT(DueBy(0.0), ElementsAre("A"));
+  EXPECT_EQ(last_.value, Value(2.0));
+}
+
+TEST_F(LogPlayerTest, BeginsWithNothingElseIfAsked) {
+  Open({.from = 1.55, .begins_with_held = false});
+  EXPECT_THAT(DueBy(100.0), ElementsAre("LABEL"));
 }
 
 TEST_F(LogPlayerTest, BeginsAClippedLogAtOnce) {

@@ -112,6 +112,25 @@ TEST_F(SupervisorTest, EndsTheDatabaseLast) {
   EXPECT_EQ((std::string{std::istreambuf_iterator<char>(in), {}}), "pApp\nLimpetDB\n");
 }
 
+TEST_F(SupervisorTest, KeepsAFileInMemoryForADatabaseThatFails) {
+  LaunchItem database = Shell("LimpetDB",
+                              "cat /proc/self/fd/$LIMPET_KEPT_FD; "
+                              "echo kept > /proc/self/fd/$LIMPET_KEPT_FD; exit 1");
+  database.is_database = true;
+  supervisor_.Start(database);
+  EXPECT_TRUE(PollUntil([this] { return LogOf("LimpetDB") == "kept\n"; }));
+}
+
+TEST_F(SupervisorTest, LetsADatabaseThatFailsAgainAndAgainStartEmpty) {
+  LaunchItem database = Shell("LimpetDB",
+                              "echo -n . >> /proc/self/fd/$LIMPET_KEPT_FD; "
+                              "wc -c < /proc/self/fd/$LIMPET_KEPT_FD; exit 1");
+  database.is_database = true;
+  supervisor_.Start(database);
+  EXPECT_TRUE(PollUntil([this] { return LogOf("LimpetDB") == "1\n2\n3\n4\n1\n"; }));
+  EXPECT_THAT(said_, HasSubstr("LimpetDB starts without its former values"));
+}
+
 TEST_F(SupervisorTest, KillsWhatDoesNotEnd) {
   supervisor_.Start(Shell("pDeaf", "trap '' TERM; echo ready; while :; do sleep 0.05; done"));
   EXPECT_TRUE(PollUntil([this] { return !LogOf("pDeaf").empty(); }));

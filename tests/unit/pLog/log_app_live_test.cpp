@@ -127,6 +127,71 @@ TEST_F(LiveLogAppTest, NeverWritesOverAFormerLog) {
   EXPECT_THAT(NamesIn("LOG_ALPHA_2/LOG_ALPHA_2.alog"), ElementsAre("RUN_1"));
 }
 
+/// A logger that was killed, and the one that takes its place.
+class RestartedLogAppTest : public LiveLogAppTest {
+ protected:
+  RestartedLogAppTest() {
+    context_.run_folder = folder_ / "run";
+    std::filesystem::create_directories(context_.run_folder);
+    params_.logs_binaries = "true";
+  }
+  void LiveOnce() {
+    Start();
+    link_.time += Seconds(1.0);
+    Send("NAV_X", 1.5);
+    Send("FRAME", Binary{std::byte{'a'}, std::byte{'b'}});
+    link_.time += Seconds(1.0);
+    Send("DEPLOY", std::string("true"));
+    End();
+  }
+  void StartAgain() {
+    context_.is_restarted = true;
+    Start();
+  }
+  const std::string log_ = "LOG_ALPHA/LOG_ALPHA.alog";
+};
+
+TEST_F(RestartedLogAppTest, GoesOnInTheSameLog) {
+  LiveOnce();
+  StartAgain();
+  link_.time += Seconds(3.0);
+  Send("NAV_X", 2.5);
+  Send("FRAME", Binary{std::byte{'c'}});
+  End();
+  EXPECT_THAT(NamesIn(log_), ElementsAre("NAV_X", "FRAME", "DEPLOY", "NAV_X", "FRAME"));
+  EXPECT_THAT(Text(log_), HasSubstr("\n5.00000         NAV_X"));
+  EXPECT_EQ(Text("LOG_ALPHA/LOG_ALPHA.blog"), "abc");
+}
+
+TEST_F(RestartedLogAppTest, DoesNotRepeatWhatStandsThere) {
+  LiveOnce();
+  StartAgain();
+  Send("DEPLOY", std::string("true"));  // the broker sends every latest value
+  link_.time += Seconds(0.1);
+  Send("RETURN", std::string("true"));
+  End();
+  EXPECT_THAT(NamesIn(log_), ElementsAre("NAV_X", "FRAME", "DEPLOY", "RETURN"));
+}
+
+TEST_F(RestartedLogAppTest, CutsOffHalfALine) {
+  LiveOnce();
+  std::ofstream(folder_ / log_, std::ios::app) << "2.50000         NAV_X           pNav      1.2";
+  StartAgain();
+  link_.time += Seconds(3.0);
+  Send("NAV_Y", 2.5);
+  End();
+  EXPECT_THAT(NamesIn(log_), ElementsAre("NAV_X", "FRAME", "DEPLOY", "NAV_Y"));
+}
+
+TEST_F(RestartedLogAppTest, BeginsALogIfItsFormerOneIsGone) {
+  LiveOnce();
+  std::filesystem::remove_all(folder_ / "LOG_ALPHA");
+  StartAgain();
+  Send("NAV_X", 2.5);
+  End();
+  EXPECT_THAT(NamesIn(log_), ElementsAre("NAV_X"));
+}
+
 TEST_F(LiveLogAppTest, PutsWhatPatternsLeaveOutIntoTheXlog) {
   params_.wildcard_omit_patterns = {"*_STATUS"};
   params_.has_exclusion_log = true;

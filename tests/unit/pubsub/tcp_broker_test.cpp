@@ -242,6 +242,72 @@ TEST_F(TcpBrokerTest, HangsUpOnLengthsThatCannotBe) {
   ExpectHealthy();
 }
 
+TEST_F(TcpBrokerTest, HangsUpOnHellosOfLengthsThatCannotBe) {
+  for (const std::int32_t length : {-1, 0, 8, 1 << 20, 0x7fffffff}) {
+    const RawPeer peer(broker_->port());
+    peer.Greet();
+    ByteBuffer header(69);
+    Put(Put(header.data(), length), std::int32_t{1});
+    peer.Send(header);
+    EXPECT_TRUE(peer.IsClosed()) << length;
+  }
+  ExpectHealthy();
+}
+
+TEST_F(TcpBrokerTest, HangsUpOnMessagesThatDoNotFitTheirPacket) {
+  int round = 0;
+  for (const std::int32_t length : {-1, 0, 53, 1'000'000, 0x7fffffff}) {
+    const RawPeer peer(broker_->port());
+    peer.Hello("pLarge" + std::to_string(round++));
+    ASSERT_EQ(peer.Answer(), wire_type::kWelcome);
+    ByteBuffer packet = PacketOf({.source = "pLarge", .key = "X"});
+    Put(packet.data() + kPacketHeaderSize, length);
+    peer.Send(packet);
+    EXPECT_TRUE(peer.IsClosed()) << length;
+  }
+  ExpectHealthy();
+}
+
+TEST_F(TcpBrokerTest, DelaysNobodyForThoseWhoStopInTheMiddle) {
+  std::vector<std::unique_ptr<RawPeer>> peers;
+  const ByteBuffer packet = PacketOf({.source = "pHalf", .key = "X", .text = "some text"});
+  for (int i = 0; i < 40; ++i) {
+    peers.push_back(std::make_unique<RawPeer>(broker_->port()));  // says nothing
+    peers.push_back(std::make_unique<RawPeer>(broker_->port()));
+    peers.back()->Send({reinterpret_cast<const std::byte*>(kGreeting.data()), 9});
+    peers.push_back(std::make_unique<RawPeer>(broker_->port()));
+    peers.back()->Hello("pHalf" + std::to_string(i));
+    peers.back()->Send(ByteView(packet).first(40));
+  }
+  ExpectHealthy();
+}
+
+TEST_F(TcpBrokerTest, TakesNoVariableWhoseNameIsNoneOrAMegabyte) {
+  const RawPeer peer(broker_->port());
+  peer.Hello("pNamer");
+  ASSERT_EQ(peer.Answer(), wire_type::kWelcome);
+  const std::string megabyte(1 << 20, 'N');
+  for (const std::string_view name : {std::string_view(), std::string_view(megabyte)}) {
+    peer.Send(PacketOf({.source = "pNamer", .key = name}));
+    peer.Send(
+        PacketOf({.type = wire_type::kRegister, .source = "pNamer", .key = name, .number = 0.0}));
+  }
+  MailInbox inbox;
+  const auto reader = Join("pReader", &inbox);
+  reader->Subscribe("DB_REFUSED", Seconds(0.0));
+  EXPECT_TRUE(inbox.AwaitText("type_mismatch=0,foreign_source=0,bad_name=4,no_room=0"));
+}
+
+TEST_F(TcpBrokerTest, CarriesAVariableWithACommaInItsName) {
+  MailInbox inbox;
+  const auto reader = Join("pReader", &inbox);
+  reader->Subscribe("A,B", Seconds(0.0));
+  const auto writer = Join("pWriter");
+  writer->Publish("A,B", 1.0);
+  EXPECT_TRUE(inbox.Await("A,B").has_value());
+  ExpectHealthy();
+}
+
 TEST_F(TcpBrokerTest, HangsUpOnAMillionMessagesIn69Bytes) {
   const RawPeer peer(broker_->port());
   peer.Hello("pMillion");

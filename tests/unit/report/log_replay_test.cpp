@@ -66,6 +66,21 @@ TEST(LogReplay, GivesTheSameFiguresAsListeningLive) {
 
 TEST(LogReplay, NamesTheSessionAfterItsFolder) { EXPECT_EQ(Replayed().name, "change"); }
 
+TEST(LogReplay, TakesTheLastOfSeveralRuns) {
+  const TemporaryFolder run;
+  for (const auto& [name, begin] : {std::pair{"9", 1.0}, {"1", 3.0}, {"5", 2.0}}) {
+    SyntheticSession session = BriefChange();
+    session.seconds_of_survey = 10.0 * begin;
+    AlogWriter writer =
+        *AlogWriter::Open(run.path() / (std::string(name) + ".alog"), Seconds(begin), {});
+    for (const Message& message : MessagesOf(session))
+      writer.Write(message);
+  }
+  SyntheticSession last = BriefChange();
+  last.name = run.path().filename().string();
+  EXPECT_EQ(RecordFromLog(run.path())->truth.size(), RecordOf(last).truth.size());
+}
+
 TEST(LogReplay, SaysWhichFolderHoldsNoLog) {
   const TemporaryFolder run;
   const auto record = RecordFromLog(run.path() / "no_such_session");

@@ -51,6 +51,26 @@ TEST(SimSensorsApp, HasGpsAtTheSurfaceOnly) {
   EXPECT_EQ(TenSeconds(0.13, 1).Count("GPS_DATA"), 10);
 }
 
+TEST(SimSensorsApp, MeasuresNothingFromATruthThatWasHeldUp) {
+  TestLink link;
+  AppContext context = ContextFor(link);
+  context.runs_live = true;
+  SimSensorsApp app(context, Scenario{});
+  const auto truth = [&link](Seconds age) {
+    return std::make_shared<const Message>(
+        Message{.name = topics::kSimTruth.name,
+                .value = TopicCodec<SimTruth>::Encode(SimTruth{}),
+                .time = link.time - age,
+                .source = "test",
+                .source_aux = "",
+                .community = ""});
+  };
+  app.Deliver(truth(Seconds(3.0)));
+  EXPECT_TRUE(link.published.empty());
+  app.Deliver(truth(Seconds(0.1)));
+  EXPECT_FALSE(link.published.empty());
+}
+
 TEST(SimSensorsApp, GivesTheSameBitsForTheSameSeed) {
   const Outbox one = TenSeconds(0.13, 7);
   const Outbox two = TenSeconds(0.13, 7);

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "limpet/app/app_caster.hpp"
+#include "limpet/app/app_status.hpp"
+#include "limpet/pubsub/tcp_broker.hpp"
+
+namespace limpet {
+
+/// What the database says of itself as apps do: APPCAST for those who look, LIMPETDB_STATUS every
+/// 2 s. It is no client of its own.
+class DatabaseReport {
+ public:
+  /// `where`: address and port, as people read it.
+  DatabaseReport(const std::string& community, double warp, std::string where, Seconds now);
+
+  /// Mail of APPCAST_REQ.
+  void OnRequest(std::string_view text, Seconds now) { caster_.OnRequest(text, now); }
+  /// Variables to be written now.
+  [[nodiscard]] TcpBrokerOptions::Words Take(const Broker& broker, Seconds now);
+
+ private:
+  void Watch(const Broker& broker);
+  [[nodiscard]] std::vector<std::string> Body(const Broker& broker, Seconds now);
+
+  AppCaster caster_;
+  AppStatus status_;
+  std::string where_;
+  double warp_;
+  Seconds last_status_;
+  std::int64_t looks_ = 0;
+  std::uint64_t messages_ = 0;  ///< at the last report
+  Seconds messages_at_;
+};
+
+}  // namespace limpet

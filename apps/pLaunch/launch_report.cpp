@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pLaunch/launch_report.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "limpet/app/report_lines.hpp"
+
+namespace limpet {
+
+LaunchReport::LaunchReport(const std::string& community, double warp) {
+  caster_.Configure({.process = "pLaunch", .node = community, .warp = warp});
+}
+
+void LaunchReport::Watch(const std::vector<Supervisor::Report>& processes) {
+  for (const Supervisor::Report& process : processes) {
+    const std::string_view state = process.state;
+    if (state == "waiting" || state == "given_up") {
+      caster_.RaiseWarning("DOWN_" + process.name,
+                           fmt::format("{} {}{}", process.name, process.last_end,
+                                       state == "given_up" ? ": given up" : ""));
+    } else {
+      caster_.ClearWarning("DOWN_" + process.name);
+    }
+  }
+}
+
+std::optional<std::string> LaunchReport::Take(const std::vector<Supervisor::Report>& processes,
+                                              const std::set<std::string>& up, Seconds now) {
+  ++looks_;
+  Watch(processes);
+  if (!caster_.IsDue(now)) {
+    return std::nullopt;
+  }
+  const auto running = std::ranges::count_if(
+      processes, [](const auto& process) { return std::string_view(process.state) == "running"; });
+  ReportLines report;
+  report.Pair("Processes", fmt::format("{} of {} run", running, processes.size()));
+  report.Blank();
+  ReportTable table({"process", "state", "in community", ">restarts", "last end"});
+  for (const Supervisor::Report& process : processes) {
+    table.AddRow({process.name, process.state,
+                  process.is_database         ? "it is"
+                  : up.contains(process.name) ? "yes"
+                                              : "no",
+                  std::to_string(process.restarts), process.last_end});
+  }
+  report.Add(table);
+  return EncodeAppCast(caster_.Cast(report.lines(), looks_, now));
+}
+
+}  // namespace limpet

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "apps/pLaunch/supervisor.hpp"
+#include "limpet/app/app_caster.hpp"
+
+namespace limpet {
+
+/// pLaunch's APPCAST: each process with its state, and a warning for each that is not well.
+class LaunchReport {
+ public:
+  LaunchReport(const std::string& community, double warp);
+
+  /// Mail of APPCAST_REQ.
+  void OnRequest(std::string_view text, Seconds now) { caster_.OnRequest(text, now); }
+  /// Something happened, `elapsed` after the start (MOOS time).
+  void AddEvent(Seconds elapsed, std::string_view text) { caster_.AddEvent(elapsed, text); }
+  /// An APPCAST if one is due. `up`: names that the community knows.
+  [[nodiscard]] std::optional<std::string> Take(const std::vector<Supervisor::Report>& processes,
+                                                const std::set<std::string>& up, Seconds now);
+
+ private:
+  void Watch(const std::vector<Supervisor::Report>& processes);
+
+  AppCaster caster_;
+  std::int64_t looks_ = 0;
+};
+
+}  // namespace limpet

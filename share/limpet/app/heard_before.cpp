@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/app/heard_before.hpp"
+
+namespace limpet {
+
+bool HeardBefore::IsNews(const Message& message) {
+  constexpr std::int32_t kLatestId = -1;  ///< of a value sent because somebody registered
+  const auto [position, is_first] = last_.try_emplace(message.name);
+  Last& last = position->second;
+  if (!is_first && message.id == kLatestId && last.connection != connection_ &&
+      last.source == message.source && message.time <= last.time) {
+    return false;
+  }
+  last.time = message.time;
+  last.connection = connection_;
+  if (last.source != message.source) {
+    last.source = message.source;
+  }
+  return true;
+}
+
+void HeardBefore::NoteFormer(const Message& message) {
+  last_[message.name] = {.time = message.time, .source = message.source, .connection = 0};
+}
+
+}  // namespace limpet
