@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include "limpet/core/require.hpp"
+#include "limpet/vehicle/hydrodynamics.hpp"
 
 namespace limpet {
 namespace {
