@@ -51,6 +51,17 @@ TEST(TwoCommunitiesMission, EachSideSendsToWhereTheOtherListens) {
   }
 }
 
+TEST(TwoCommunitiesMission, TheVehicleRunsAllThatItsBasinNeeds) {
+  const auto folder = std::filesystem::path(LIMPET_SOURCE_DIR) / "missions";
+  std::vector<std::string> runs;
+  for (const LaunchEntry& entry : LoadMission(folder / "two_communities/vehicle.moos").launches) {
+    runs.push_back(entry.binary);
+  }
+  for (const LaunchEntry& entry : LoadMission(folder / "basin/mission.moos").launches) {
+    EXPECT_THAT(runs, Contains(entry.binary));
+  }
+}
+
 TEST(TwoCommunitiesMission, TheVehicleLetsInWhatTheShoreSaysAndNothingElse) {
   const Side shore = Read("shore.moos"), vehicle = Read("vehicle.moos");
   const std::vector<std::string>& listed = vehicle.inputs.at(0).white_list;
