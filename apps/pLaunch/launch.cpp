@@ -42,6 +42,7 @@ class Watch {
     client_.Subscribe("DB_CLIENTS", Seconds(0.0));
     client_.Subscribe("DB_EVENT", Seconds(0.0));
     client_.Subscribe("APPCAST_REQ", Seconds(0.0));
+    client_.Subscribe("DEPLOY", Seconds(0.0));
     if (!until_.empty()) {
       client_.Subscribe(until_, Seconds(0.0));
     }
@@ -71,7 +72,10 @@ class Watch {
   void ForgetWhoIsUp() {
     const std::lock_guard lock(mutex_);
     up_.clear();
+    knows_deploy_ = false;
   }
+  /// This database has a value of DEPLOY.
+  [[nodiscard]] bool knows_deploy() const { return knows_deploy_; }
   [[nodiscard]] bool has_heard_the_end() const { return has_heard_the_end_; }
   TcpClient& client() { return client_; }
 
@@ -82,6 +86,7 @@ class Watch {
   }
 
   void Hear(const WireMessage& message) {
+    knows_deploy_ = knows_deploy_ || message.key == "DEPLOY";
     if (message.key == until_) {
       has_heard_the_end_ = true;
     } else if (message.key == "APPCAST_REQ") {
@@ -113,7 +118,7 @@ class Watch {
   mutable std::mutex mutex_;
   std::set<std::string> up_;
   std::vector<std::string> arrivals_, requests_;
-  std::atomic<bool> has_heard_the_end_{false};
+  std::atomic<bool> has_heard_the_end_{false}, knows_deploy_{false};
   TcpClient client_;  ///< last: its thread ends before what it writes to
 };
 
@@ -137,7 +142,7 @@ class Launch {
       std::this_thread::sleep_for(std::chrono::duration<double>(plan_.between.value()));
     }
     Watch watch(plan_, command_.until);
-    bool is_deployed = !command_.deploys;
+    bool is_deployed = !command_.deploys, has_lost_database = false;
     while (!EndIsRequested() && !watch.has_heard_the_end() && supervisor_.Poll()) {
       for (const std::string& name : watch.TakeArrivals()) {
         Say(name + " is up");
@@ -149,6 +154,13 @@ class Launch {
       }
       if (!watch.HasDatabase()) {
         watch.ForgetWhoIsUp();
+        has_lost_database = is_deployed;
+      } else if (has_lost_database && AllUp(watch)) {
+        has_lost_database = false;
+        if (command_.deploys && !watch.knows_deploy()) {
+          Say("all up again, with an empty database; DEPLOY = true");
+          watch.client().Publish("DEPLOY", "true");
+        }
       }
       TellStatus(watch);
       TellReport(watch);

@@ -24,6 +24,7 @@ namespace {
 constexpr double kFirstPause = 0.5;  // [s]
 constexpr double kLongestPause = 30.0;
 constexpr double kHealthy = 60.0;
+constexpr double kEarly = 5.0;
 constexpr int kExecFailed = 127;
 
 std::string HowItEnded(int status) {
@@ -158,7 +159,8 @@ void Supervisor::NoteEnd(Child& child, int status) {
     child.is_given_up = has_given_up_ = true;
     return;
   }
-  if (child.kept >= 0 && child.failures >= kForgetAfter && ::ftruncate(child.kept, 0) == 0) {
+  child.early_ends = (SteadyTime() - child.started).value() < kEarly ? child.early_ends + 1 : 0;
+  if (child.kept >= 0 && child.early_ends == kForgetAfter && ::ftruncate(child.kept, 0) == 0) {
     say_(fmt::format("{} starts without its former values", child.item.name));
   }
   // Everybody waits for a database: its pauses begin to grow later.

@@ -16,12 +16,12 @@ namespace limpet {
 /// with pauses that grow from 0.5 s to 30 s and shrink after a minute of health, and ends them in
 /// order. After `kMostFailures` failures without a minute of health it gives a process up.
 /// For a database it holds a file in memory open (LIMPET_KEPT_FD), in which it finds its latest
-/// values when it is started again; after `kForgetAfter` failures in a row the file is emptied:
+/// values when it is started again; after `kForgetAfter` early ends in a row the file is emptied:
 /// what it holds may be what it dies of.
 class Supervisor {
  public:
   static constexpr int kMostFailures = 8;
-  static constexpr int kForgetAfter = 4;
+  static constexpr int kForgetAfter = 3;
   using Say = std::function<void(const std::string&)>;
 
   /// `environment` is added to each process's own.
@@ -55,8 +55,9 @@ class Supervisor {
  private:
   struct Child {
     LaunchItem item;
-    pid_t pid = 0;  ///< 0: not running
-    int kept = -1;  ///< descriptor of the file in memory, of a database
+    pid_t pid = 0;       ///< 0: not running
+    int kept = -1;       ///< descriptor of the file in memory, of a database
+    int early_ends = 0;  ///< in a row, soon after the start
     int failures = 0;
     int starts = 0;
     bool is_due = false;

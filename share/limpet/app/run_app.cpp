@@ -51,7 +51,7 @@ std::string Example(const std::string& process, const AppEntry& entry) {
 }
 
 constexpr Seconds kStatusPeriod(2.0);  ///< real time
-constexpr Seconds kProbation(10.0);    ///< a journal is vouched for after so long (real time)
+constexpr Seconds kProbation(3.0);     ///< a journal is vouched for after so long (real time)
 
 /// Mail as it comes, Tick on time; a tick that is missed is left out, never made up for.
 void Loop(App& app, LiveLink& link, Seconds period, MailJournal* journal) {
