@@ -12,8 +12,8 @@ namespace limpet {
 
 /// What an app has heard and when it ticked, in a file. An app is a function of its mail: one that
 /// was killed goes through the journal of its former life and is where it was. A cut end is left
-/// off. It survives the process, not a power cut: nothing is brought to the disk. An app that dies
-/// of its journal is spared it the third time. Not thread-safe.
+/// off. It survives the process, not a power cut: nothing is brought to the disk. An app that died
+/// of its journal twice is spared it. Not thread-safe.
 class MailJournal {
  public:
   static constexpr std::uint64_t kLargest = std::uint64_t{512} << 20;  ///< bytes; then it ends
@@ -28,7 +28,7 @@ class MailJournal {
   /// tick has none. May be called again.
   void Replay(const std::function<void(Seconds now, const MessagePtr& mail)>& take) const;
   [[nodiscard]] bool has_former_life() const { return end_ > kHeaderSize; }
-  /// The app has lived on for a while: what the journal holds does not kill it.
+  /// The app has gone through it and lives.
   void Vouch();
 
   void NoteMail(const Message& message, Seconds now);

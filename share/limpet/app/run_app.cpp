@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <csignal>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -51,14 +50,12 @@ std::string Example(const std::string& process, const AppEntry& entry) {
 }
 
 constexpr Seconds kStatusPeriod(2.0);  ///< real time
-constexpr Seconds kProbation(3.0);     ///< a journal is vouched for after so long (real time)
 
 /// Mail as it comes, Tick on time; a tick that is missed is left out, never made up for.
 void Loop(App& app, LiveLink& link, Seconds period, MailJournal* journal) {
   AppStatus status(app.name(), link.Now());
   Seconds next = SteadyTime() + period;
   Seconds next_status = SteadyTime();
-  Seconds next_vouch = SteadyTime() + kProbation;
   while (!EndIsRequested()) {
     for (const MessagePtr& message : link.TakeMail(std::min(next, SteadyTime() + kLongestWait))) {
       if (journal != nullptr) {
@@ -72,10 +69,6 @@ void Loop(App& app, LiveLink& link, Seconds period, MailJournal* journal) {
       if (journal != nullptr) {
         journal->NoteTick(moos_now);
         journal->Flush();
-        if (now >= next_vouch) {
-          next_vouch = Seconds(std::numeric_limits<double>::infinity());
-          journal->Vouch();
-        }
       }
       app.Iterate(moos_now);
       next = std::max(next + period, now);
@@ -102,7 +95,7 @@ void NoteFormerLife(const MailJournal& journal, LiveLink& link, std::optional<Se
 }
 
 /// Leads the app through its former life. What it says meanwhile was said then.
-void LiveAgain(const MailJournal& journal, LiveLink& link, App& app) {
+void LiveAgain(MailJournal& journal, LiveLink& link, App& app) {
   const Seconds begin = SteadyTime();
   std::int64_t count = 0;
   journal.Replay([&](Seconds now, const MessagePtr& mail) {
@@ -115,6 +108,7 @@ void LiveAgain(const MailJournal& journal, LiveLink& link, App& app) {
     }
   });
   link.Replay(std::nullopt);
+  journal.Vouch();
   fmt::print(stderr, "{}: went through the {} messages of its former life in {:.1f} s\n",
              app.name(), count, (SteadyTime() - begin).value());
 }
