@@ -51,7 +51,7 @@ class TcpBroker::Impl {
                  }};
     Listen();
     if (options_.kept_descriptor >= 0) {
-      keeper_.emplace(options_.kept_descriptor, options_.kept, broker_, MoosTime(options_.warp));
+      keeper_.emplace(options_.kept_descriptor, options_.kept, broker_);
     }
     Accept();
     Watch();

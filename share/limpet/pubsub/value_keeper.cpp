@@ -12,9 +12,9 @@ constexpr std::size_t kLeastLimit = std::size_t{64} << 10;
 
 }  // namespace
 
-ValueKeeper::ValueKeeper(int descriptor, std::size_t limit, Broker& broker, Seconds moos_now)
+ValueKeeper::ValueKeeper(int descriptor, std::size_t limit, Broker& broker)
     : broker_(broker), file_(descriptor, std::max(limit, kLeastLimit)) {
-  broker_.Restore(file_.Load(), moos_now);
+  broker_.Restore(file_.Load(), broker_.started());
   broker_.ListNews();
   RewriteAll();
 }

@@ -18,7 +18,7 @@ class ValueKeeper {
   static constexpr std::size_t kLargestValue = std::size_t{1} << 20;  ///< larger ones are not kept
 
   /// Gives `broker` what the former one had. REQUIRES: nobody has written to it yet.
-  ValueKeeper(int descriptor, std::size_t limit, Broker& broker, Seconds moos_now);
+  ValueKeeper(int descriptor, std::size_t limit, Broker& broker);
 
   /// Keeps what has been written since the last call, or puts it off. `now`: steady time.
   void Keep(Seconds now);

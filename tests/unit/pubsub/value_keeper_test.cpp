@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "limpet/core/random.hpp"
+#include "limpet/pubsub/broker_status.hpp"
 
 namespace limpet {
 namespace {
@@ -26,7 +27,7 @@ class KeptValues : public testing::Test {
   struct Life {
     Life(int descriptor, std::size_t limit)
         : broker({.community = "alpha", .hostname = "h", .limits = {}}, Seconds(100.0)),
-          keeper(descriptor, limit, broker, Seconds(100.0)),
+          keeper(descriptor, limit, broker),
           writer(*broker
                       .Admit({.type = wire_type::kHello, .key = "asynchronous", .text = "uPoke"},
                              Seconds(100.0))
@@ -66,6 +67,14 @@ TEST_F(KeptValues, AreThereForTheBrokerThatTakesThePlace) {
   EXPECT_EQ(latest->source, "uPoke");
   EXPECT_EQ(latest->community, "alpha");
   EXPECT_EQ(latest->time, 99.5);
+}
+
+TEST_F(KeptValues, HaveNoRateUntilTheyAreWrittenAgain) {
+  Begin()->Write("DEPLOY", "true", Seconds(1.0));
+  const auto next = Begin();
+  const Router& router = next->broker.router();
+  const Router::VariableInfo& info = router.Info(router.Find("DEPLOY").value());
+  EXPECT_EQ(WriteFrequency(info, next->broker.started()), 0.0);
 }
 
 TEST_F(KeptValues, OutliveManyBrokers) {
