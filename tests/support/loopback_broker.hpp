@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// A broker on real sockets for a test: clients of ours, and peers that write whatever they like.
+#pragma once
+
+#include <cerrno>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "limpet/pubsub/tcp_broker.hpp"
+#include "limpet/pubsub/tcp_client.hpp"
+#include "tests/support/mail_inbox.hpp"
+
+namespace limpet {
+
+class LoopbackBroker : public testing::Test {
+ protected:
+  LoopbackBroker() {
+    TcpBrokerOptions options;
+    options.broker.community = "alpha";
+    options.port = 0;
+    options.handshake_timeout = Seconds(0.4);
+    broker_ = std::make_unique<TcpBroker>(options);
+    thread_ = std::thread([this] { broker_->Run(); });
+  }
+  ~LoopbackBroker() override {
+    broker_->Stop();
+    thread_.join();
+  }
+  LoopbackBroker(const LoopbackBroker&) = delete;
+  LoopbackBroker& operator=(const LoopbackBroker&) = delete;
+
+  std::unique_ptr<TcpClient> Join(const std::string& name, MailInbox* inbox = nullptr) {
+    return std::make_unique<TcpClient>(TcpClientOptions{.port = broker_->port(),
+                                                        .name = name,
+                                                        .on_mail =
+                                                            [inbox](const WireMessage& message) {
+                                                              if (inbox != nullptr) {
+                                                                inbox->Add(message);
+                                                              }
+                                                            },
+                                                        .on_state = nullptr});
+  }
+
+  /// The community works: a value goes from one client to another.
+  void ExpectHealthy(const std::string& name = "HEALTH") {
+    MailInbox inbox;
+    const auto reader = Join("pHealthReader" + name, &inbox);
+    reader->Subscribe(name, Seconds(0.0));
+    const auto writer = Join("pHealthWriter" + name);
+    writer->Publish(name, 42.0);
+    const auto heard = inbox.Await(name);
+    ASSERT_TRUE(heard.has_value());
+    EXPECT_EQ(std::get<double>(heard->value), 42.0);
+  }
+
+  std::unique_ptr<TcpBroker> broker_;
+  std::thread thread_;
+};
+
+/// A peer that writes whatever bytes it likes.
+class RawPeer {
+ public:
+  explicit RawPeer(std::uint16_t port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in place{};
+    place.sin_family = AF_INET;
+    place.sin_port = htons(port);
+    place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    EXPECT_EQ(::connect(socket_, reinterpret_cast<sockaddr*>(&place), sizeof place), 0);
+    const timeval longest{.tv_sec = 5, .tv_usec = 0};
+    ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &longest, sizeof longest);
+  }
+  ~RawPeer() { ::close(socket_); }
+  RawPeer(const RawPeer&) = delete;
+  RawPeer& operator=(const RawPeer&) = delete;
+
+  void Send(ByteView bytes) const {
+    static_cast<void>(::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL));
+  }
+  void Greet() const {
+    Send({reinterpret_cast<const std::byte*>(kGreeting.data()), kGreeting.size()});
+  }
+  void Hello(std::string_view name) const {
+    Greet();
+    Send(PacketOf({.type = wire_type::kHello,
+                   .data_type = wire_data::kString,
+                   .key = "asynchronous",
+                   .text = name}));
+  }
+  /// The letter of the answer to the hello; 0 if the broker hung up.
+  [[nodiscard]] char Answer() const {
+    ByteBuffer bytes(4096);
+    const ssize_t count = ::recv(socket_, bytes.data(), bytes.size(), 0);
+    return count > 17 ? std::to_integer<char>(bytes[kPacketHeaderSize + 8]) : char{0};
+  }
+  /// True once the broker has hung up.
+  [[nodiscard]] bool IsClosed() const {
+    ByteBuffer bytes(65536);
+    ssize_t count = 1;
+    while (count > 0) {
+      count = ::recv(socket_, bytes.data(), bytes.size(), 0);
+    }
+    return count == 0 || errno == ECONNRESET;
+  }
+
+ private:
+  int socket_;
+};
+
+}  // namespace limpet
