@@ -154,6 +154,7 @@ NavigatorEstimate Navigator::Estimate(double t) const {
   auto pdf = MrptPosePdf(head, smoother_.Covariance({}));
   pdf += MrptPosePdf(motion, motion_covariance);
   const NavCovariance covariance = CovarianceOf(pdf);
+  estimate.covariance_p = covariance.topLeftCorner<3, 3>();
   estimate.sd_p = covariance.diagonal().head<3>().cwiseMax(0.0).cwiseSqrt();
   estimate.sd_yaw = std::sqrt(std::max(covariance(kNavYaw, kNavYaw), 0.0));
   return estimate;

@@ -46,6 +46,7 @@ struct NavigatorEstimate {
   std::optional<double> altitude;  ///< of the body origin above the seabed [m], if measured lately
   std::optional<double> velocity_age;  ///< of `v_B` [s], in a dropout of the DVL
   Eigen::Vector3d sd_p = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d covariance_p = Eigen::Matrix3d::Zero();  ///< of the position in W
   double sd_yaw = 0.0;
 };
 

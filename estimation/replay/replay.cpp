@@ -63,15 +63,17 @@ class Replayer {
     const double start = clock_();
     navigator_.Advance(now_);
     const int added = navigator_.node_count() - before;
-    if (!navigator_.has_started()) {
+    const bool is_due = result_.online.empty() || now_ - result_.online.back().t >= kOnlinePeriod;
+    if (!navigator_.has_started() || (added == 0 && !is_due)) {
       return;
     }
     const NavigatorEstimate estimate = navigator_.Estimate(now_);
     for (int i = 0; i < added; ++i) {
       result_.update_s.push_back((clock_() - start) / added);
     }
-    if (result_.online.empty() || now_ - result_.online.back().t >= kOnlinePeriod) {
+    if (is_due) {
       result_.online.push_back({now_, estimate.X_WB});
+      result_.online_covariance.push_back(estimate.covariance_p);
       result_.reckoned.push_back({now_, navigator_.DeadReckoned(now_)});
     }
   }

@@ -21,6 +21,7 @@ struct ReplayAssociation {
 /// Everything `limpet nav` writes.
 struct ReplayResult {
   std::vector<SmoothedPose> online, smoothed, reckoned;
+  std::vector<Eigen::Matrix3d> online_covariance;  ///< of the positions of `online`, in W [m^2]
   std::vector<LandmarkEstimate> landmarks;
   std::vector<ReplayAssociation> associations;
   std::vector<double> update_s;  ///< per node, up to its published pose
