@@ -15,6 +15,7 @@ constexpr double kImpossible = 1e6;
 constexpr double kAmbiguous = 2.0;  // -2 ln of the likelihood ratio that tells two objects apart
 constexpr double kGuessedRadius = 0.4;   // [m] to expect boxes with when the radius is not known
 constexpr double kPoseDriftFloor = 0.1;  // [m] of a tentative object against the pose
+constexpr double kReach = 3.0;           // [m] beyond the greatest distance it was seen from
 constexpr double kMarginShare = 0.12;    // of the image, inside which an object should be seen
 
 }  // namespace
@@ -91,15 +92,22 @@ Eigen::MatrixXd ObjectTracker::Costs(const TrackerFrame& frame,
   if (rows == 0 || columns == 0) {
     return costs;
   }
+  // Landmarks that no error of the pose could bring into view are left out.
+  const Eigen::MatrixXd pose = smoother_.Covariance({});
+  const double reach = kReach + 4.0 * std::sqrt(pose.diagonal().head<2>().maxCoeff());
   std::vector<int> slots;
+  std::vector<bool> is_near;
   for (const TrackedObject& object : objects_) {
-    if (object.is_landmark()) slots.push_back(object.slot);
+    const double distance = (object.p - frame.x.head<3>()).norm();
+    is_near.push_back(!object.is_landmark() || distance < object.far + reach);
+    if (object.is_landmark() && is_near.back()) slots.push_back(object.slot);
   }
   const Eigen::MatrixXd joint = smoother_.Covariance(slots);
   const double radius = params_.model.radius_m > 0.0 ? params_.model.radius_m : kGuessedRadius;
   int row_in_joint = 6;
   for (Eigen::Index j = 0; j < columns; ++j) {
     const TrackedObject& object = objects_[static_cast<std::size_t>(j)];
+    if (!is_near[static_cast<std::size_t>(j)]) continue;
     const SightCovariance covariance = CovarianceWith(object, frame.path, joint, row_in_joint);
     row_in_joint += object.is_landmark() ? 3 : 0;
     for (Eigen::Index i = 0; i < rows; ++i) {
@@ -156,7 +164,8 @@ void ObjectTracker::AddLook(TrackedObject& object, Look look, const TrackerFrame
   const bool is_new_pass = look.t - object.last_seen() > params_.confirm_within_s;
   object.last_path = frame.path;
   object.far = std::max(object.far, CameraPointOf(camera_, frame.x, object.p).p_C.norm());
-  object.looks.push_back(std::move(look));
+  object.is_fresh = true;
+  object.AddLook(std::move(look));
   if (object.is_landmark()) {
     AddTerms(object, object.looks.back(), is_new_pass);
   } else {
@@ -167,7 +176,7 @@ void ObjectTracker::AddLook(TrackedObject& object, Look look, const TrackerFrame
 void ObjectTracker::Start(Look look, const TrackerFrame& frame) {
   TrackedObject object;
   object.last_path = frame.path;
-  object.looks.push_back(std::move(look));
+  object.AddLook(std::move(look));
   Retriangulate(object);
   object.far = CameraPointOf(camera_, frame.x, object.p).p_C.norm();
   objects_.push_back(std::move(object));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "estimation/smoothing/factors/calibrated_step_factor.hpp"
 #include "estimation/smoothing/mrpt_poses.hpp"
 #include "limpet/core/require.hpp"
 
@@ -121,9 +122,15 @@ SolveReport Navigator::Finish() {
   return report;
 }
 
+OdometryStep Navigator::StepTo(double t) const {
+  OdometryStep step = track_.Between(head_time(), std::max(t, head_time()));
+  step.motion = WithoutSlowErrors(step.motion, step.duration, SlowErrorsNow());
+  return step;
+}
+
 NavVector Navigator::Predict(double t) const {
   NavVector x = smoother_.PoseAt(node_count() - 1);
-  const OdometryStep step = track_.Between(head_time(), std::max(t, head_time()));
+  const OdometryStep step = StepTo(t);
   const double c = std::cos(x(kNavYaw)), s = std::sin(x(kNavYaw));
   x(kNavX) += c * step.motion.x() - s * step.motion.y();
   x(kNavY) += s * step.motion.x() + c * step.motion.y();
@@ -145,7 +152,7 @@ NavigatorEstimate Navigator::Estimate(double t) const {
                              .altitude = AltitudeAt(t),
                              .velocity_age = track_.DropoutAge(t)};
   // Levelled pose of the head, then the step: MRPT carries the covariance through the composition.
-  const OdometryStep step = track_.Between(head_time(), std::max(t, head_time()));
+  const OdometryStep step = StepTo(t);
   NavVector head = smoother_.PoseAt(node_count() - 1), motion = NavVector::Zero();
   head.tail<2>().setZero();
   motion.head<4>() = step.motion;

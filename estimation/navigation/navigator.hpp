@@ -31,9 +31,11 @@ struct NavigatorParams {
   Meters node_distance{0.5};  ///< and longest way
   Meters depth_sigma{0.015};  ///< of the depths of one second together, bias included
   Radians tilt_sigma{0.0047};
-  Meters start_sigma{5.0};         ///< of the first position, before any fix
-  Seconds gps_correlation{240.0};  ///< fixes this far apart are worth two: twice the error's own
-  Seconds fix_wait{0.0};           ///< start at the origin when no fix comes in time; 0: never
+  Meters start_sigma{5.0};          ///< of the first position, before any fix
+  Seconds errors_period{1800.0};    ///< slow errors of the odometry are estimated anew after this
+  Seconds yaw_bias_memory{7200.0};  ///< after which the bias of the yaw rate is another
+  Seconds gps_correlation{240.0};   ///< fixes this far apart are worth two: twice the error's own
+  Seconds fix_wait{0.0};            ///< start at the origin when no fix comes in time; 0: never
   SessionMatchingParams session;
 };
 
@@ -115,6 +117,9 @@ class Navigator {
   /// The chain's poses from the `first` on.
   [[nodiscard]] std::vector<SmoothedPose> Smoothed(int first = 0) const;
   [[nodiscard]] const ObjectTracker& tracker() const { return tracker_; }
+  [[nodiscard]] const ChainGraph& graph() const { return smoother_.graph(); }
+  /// Of the dead reckoning, now: scale, misalignment [rad], bias of the yaw rate [rad/s].
+  [[nodiscard]] Eigen::Vector3d SlowErrorsNow() const { return smoother_.LandmarkAt(errors_); }
   [[nodiscard]] int node_count() const { return static_cast<int>(node_times_.size()); }
   [[nodiscard]] const NavigatorCounts& counts() const { return counts_; }
 
@@ -134,6 +139,8 @@ class Navigator {
   void WorkOff(double limit);
   /// Appends a pose at `t`, or takes the head if it is that old.
   int NodeAt(double t);
+  /// Block of the slow errors that hold at `t`; a new one from time to time.
+  int ErrorsAt(double t);
   void AddTilt(int node, double t);
   void AddDepthTerm(int node, double since, double t);
   void TakeFix(const Fix& fix);
@@ -146,6 +153,8 @@ class Navigator {
   /// match will change any more.
   void TieToFormerSession();
   [[nodiscard]] NavVector Predict(double t) const;
+  /// From the head to `t`, slow errors taken out.
+  [[nodiscard]] OdometryStep StepTo(double t) const;
   [[nodiscard]] std::optional<double> AltitudeAt(double t) const;
   /// Slope of the last second's depths [m/s].
   [[nodiscard]] std::optional<double> SinkRate() const;
@@ -163,6 +172,8 @@ class Navigator {
   std::vector<double> node_times_;
   std::vector<FormerObject> former_;
   double last_fix_t_ = -1e18, last_review_t_ = -1e18, first_time_ = -1.0;
+  int errors_ = -1;  ///< block of the smoother's border
+  double errors_since_ = 0.0;
   bool needs_review_ = false;
   bool is_tied_ = false;
   int refused_fixes_ = 0, refused_depths_ = 0, landmark_version_ = 0;

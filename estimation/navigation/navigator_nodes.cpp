@@ -4,11 +4,13 @@
 #include <cmath>
 
 #include "estimation/navigation/navigator.hpp"
+#include "estimation/smoothing/factors/calibrated_step_factor.hpp"
 #include "estimation/smoothing/factors/depth_factor.hpp"
 #include "estimation/smoothing/factors/gps_factor.hpp"
+#include "estimation/smoothing/factors/landmark_prior_factor.hpp"
 #include "estimation/smoothing/factors/pose_prior_factor.hpp"
 #include "estimation/smoothing/factors/roll_pitch_factor.hpp"
-#include "estimation/smoothing/factors/xyz_yaw_factor.hpp"
+#include "estimation/smoothing/factors/slow_errors_factor.hpp"
 
 namespace limpet {
 namespace {
@@ -54,6 +56,14 @@ void Navigator::Start(double t, const Eigen::Vector2d& p_W) {
   const double start = params_.start_sigma.value();
   constexpr double kDepthSigma = 0.05, kTiltSigma = 0.01;
   sigma << start, start, kDepthSigma, std::max(attitude.sd_yaw, 1e-4), kTiltSigma, kTiltSigma;
+  const OdometryParams& odometry = params_.odometry;
+  const Eigen::Vector3d slow(odometry.scale_sigma, odometry.misalign_sigma, odometry.yaw_bias);
+  errors_ = smoother_.AddErrors(Eigen::Vector3d::Zero());
+  errors_since_ = t;
+  smoother_.AddLandmarkTerm(
+      errors_, Term::OnLandmark(LandmarkPriorFactor(Eigen::Vector3d::Zero(),
+                                                    slow.cwiseAbs2().asDiagonal().toDenseMatrix()),
+                                errors_));
   const int node = smoother_.AddNode(x, std::nullopt);
   node_times_.push_back(t);
   smoother_.AddTerm(node, Term::OnPose(PosePriorFactor(x, sigma)));
@@ -100,14 +110,33 @@ int Navigator::NodeAt(double t) {
   }
   const double since = head_time();
   const OdometryStep step = track_.Between(since, t);
-  const int node =
-      smoother_.AddNode(Predict(t), Term::OnStep(XyzYawFactor(step.motion, step.variance)));
+  const NavVector x = Predict(t);
+  const CalibratedStepFactor factor(step.motion, step.variance, step.duration);
+  const int node = smoother_.AddNode(x, Term::OnStep(factor, ErrorsAt(t)));
   AddTilt(node, t);
   AddDepthTerm(node, since, t);
   node_times_.push_back(t);
   smoother_.Update();
   tracker_.Refresh();
   return node;
+}
+
+int Navigator::ErrorsAt(double t) {
+  const double age = t - errors_since_;
+  if (age < params_.errors_period.value()) {
+    return errors_;
+  }
+  const OdometryParams& odometry = params_.odometry;
+  const double keep = std::exp(-age / params_.yaw_bias_memory.value());
+  const double change = std::sqrt(1.0 - keep * keep) * odometry.yaw_bias;
+  constexpr double kScaleChange = 0.1;  // share of their sigmas, from one period to the next
+  const SlowErrorsFactor factor({1.0, 1.0, keep}, {kScaleChange * odometry.scale_sigma,
+                                                   kScaleChange * odometry.misalign_sigma, change});
+  const int next = smoother_.AddErrors(smoother_.LandmarkAt(errors_));
+  smoother_.AddLandmarkTerm(errors_, Term::OnBlocks(factor, errors_, next));
+  errors_ = next;
+  errors_since_ = t;
+  return errors_;
 }
 
 void Navigator::AddTilt(int node, double t) {

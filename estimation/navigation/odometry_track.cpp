@@ -146,12 +146,13 @@ OdometryStep OdometryTrack::Between(double from, double to) const {
 
   const double white = params_.velocity_noise * params_.velocity_noise *
                        params_.velocity_period.value() * step.duration;
-  const double scale =
-      params_.scale_sigma * params_.scale_sigma * params_.scale_correlation.value() * step.path;
+  const double scale_sigma =
+      params_.changing_share * std::hypot(params_.scale_sigma, params_.misalign_sigma);
+  const double scale = scale_sigma * scale_sigma * params_.scale_correlation.value() * step.path;
   const double bridge = b.bridge_variance - a.bridge_variance;
-  const double yaw_rate_variance =
-      params_.yaw_walk * params_.yaw_walk +
-      params_.yaw_bias * params_.yaw_bias * params_.yaw_bias_correlation.value();
+  const double yaw_bias = params_.changing_share * params_.yaw_bias;
+  const double yaw_rate_variance = params_.yaw_walk * params_.yaw_walk +
+                                   yaw_bias * yaw_bias * params_.yaw_bias_correlation.value();
   const double xy = white + scale + bridge + 1e-6;
   // Attitude errors tilt the track: its depth is worth little, the depth sensor's much.
   const double z = white + bridge + 5e-5 * step.duration + 1e-6;

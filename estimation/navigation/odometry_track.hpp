@@ -18,8 +18,10 @@ struct OdometryParams {
   Eigen::Vector3d dvl_B = {-0.2, 0.0, 0.18};  ///< lever arm of the DVL in the body frame [m]
   double velocity_noise = 0.012;              ///< of one horizontal velocity sample [m/s]
   Seconds velocity_period{0.2};
-  double scale_sigma = 0.0037;       ///< scale and misalignment together, as a share of the way
-  Meters scale_correlation{30.0};    ///< way after which their error is taken as new
+  double scale_sigma = 0.0028;       ///< of the velocity's scale, a bias along included
+  double misalign_sigma = 0.0033;    ///< of its misalignment [rad], a bias across included
+  double changing_share = 0.3;       ///< of the slow errors that does not stay the same for long
+  Meters scale_correlation{30.0};    ///< way after which that share of scale is taken as new
   double bridge_velocity = 0.03;     ///< error of the bridging model as a dropout begins [m/s]
   double bridge_growth = 0.02;       ///< and its growth per second [m/s^2]
   double bridge_limit = 0.3;         ///< that it does not exceed [m/s]

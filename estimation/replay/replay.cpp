@@ -93,7 +93,11 @@ NavigatorParams ParamsForStream(const StreamMeta& meta) {
   params.odometry.dvl_B = meta.dvl_B;
   params.odometry.yaw_walk = meta.yaw_random_walk;
   params.odometry.yaw_bias = meta.yaw_bias_sigma;
-  params.odometry.scale_sigma = std::hypot(meta.dvl_scale_sigma, meta.dvl_misalign_sigma);
+  // At a survey's steady speed a bias of the velocity cannot be told from scale or misalignment.
+  constexpr double kUsualSpeed = 0.5;  // [m/s]
+  const double bias = meta.dvl_bias_sigma / kUsualSpeed;
+  params.odometry.scale_sigma = std::hypot(meta.dvl_scale_sigma, bias);
+  params.odometry.misalign_sigma = std::hypot(meta.dvl_misalign_sigma, bias);
   params.objects.model.radius_m = meta.opi_radius;
   params.fix_wait = Seconds(5.0);
   return params;

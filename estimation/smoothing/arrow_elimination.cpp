@@ -148,15 +148,12 @@ ArrowConditional EliminateHead(ArrowMessage& message, const ArrowLink& link) {
 NavVector BackSubstitute(const ArrowConditional& conditional, const NavVector& next,
                          const double* border) {
   const int n = conditional.columns();
-  NavVector x;
-  for (int j = 0; j < 6; ++j) {
-    const double* row = &conditional.W[Index(0, j, n)];
-    double sum = conditional.d[static_cast<std::size_t>(j)];
-    for (int c = 0; c < 6; ++c)
-      sum -= row[c] * next(c);
-    for (int c = 6; c < n; ++c)
-      sum -= row[c] * border[c - 6];
-    x(j) = sum;
+  const double* W = conditional.W.data();
+  NavVector x = Eigen::Map<const NavVector>(conditional.d.data());
+  for (int c = 0; c < n; ++c) {
+    const double z = c < 6 ? next(c) : border[c - 6];
+    for (int j = 0; j < 6; ++j)
+      x(j) -= W[Index(c, j, n)] * z;
   }
   for (int j = 5; j >= 0; --j) {
     for (int i = j + 1; i < 6; ++i)

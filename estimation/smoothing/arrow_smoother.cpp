@@ -48,8 +48,10 @@ int ArrowSmoother::AddBlock(const Eigen::Vector3d& p, bool is_landmark) {
   is_landmark_[At(slot)] = is_landmark;
   border_.resize(At(3 * graph_.slot_count()), 0.0);
   origin_.border.resize(border_.size(), 0.0);
+  border_change_.resize(border_.size(), 0.0);
   for (int i = 0; i < 3; ++i) {
     border_[At(3 * slot + i)] = origin_.border[At(3 * slot + i)] = p(i);
+    border_change_[At(3 * slot + i)] = 0.0;
   }
   prior_is_old_ = true;
   return slot;
@@ -172,6 +174,10 @@ void ArrowSmoother::SolveRoot(SolveReport& report) {
     if (prior_is_old_) SetPrior();
     root_.Solve(open_, message);
     border_ = root_.border();
+    border_change_.resize(border_.size());
+    for (std::size_t i = 0; i < border_.size(); ++i) {
+      border_change_[i] = border_[i] - origin_.border[i];
+    }
     anchors_.back() = root_.anchor();
     solved_from_ = static_cast<int>(anchors_.size()) - 1;
     estimated_leaf_ = -1;
@@ -228,12 +234,9 @@ Eigen::Vector3d ArrowSmoother::LandmarkAt(int landmark) const {
 }
 
 NavVector ArrowSmoother::AnchorFrom(int anchor, const NavVector& next) const {
-  std::vector<double> change(border_.size());
-  for (std::size_t i = 0; i < change.size(); ++i)
-    change[i] = border_[i] - origin_.border[i];
   return origin_.anchors[At(anchor)] + BackSubstitute(trunk_.conditional(anchor),
                                                       next - origin_.anchors[At(anchor + 1)],
-                                                      change.data());
+                                                      border_change_.data());
 }
 
 void ArrowSmoother::EnsureAnchors(int anchor) const {

@@ -87,7 +87,8 @@ class ArrowSmoother final : public Smoother {
   bool has_begun_ = false, open_is_dirty_ = false, prior_is_old_ = true, has_news_ = false;
   ArrowTrunk trunk_;
   ArrowRoot root_;
-  std::vector<double> border_;  ///< estimates, three per block
+  std::vector<double> border_;         ///< estimates, three per block
+  std::vector<double> border_change_;  ///< the same from the origin
 
   std::set<int> dirty_;               ///< leaves to be linearised anew
   std::set<int> stale_;               ///< leaves that the trunk has in an old version
