@@ -45,7 +45,15 @@ void OdometryTrack::AddVelocity(double t, const std::optional<Eigen::Vector3d>& 
   if (v_dvl_B) {
     velocity_ = *v_dvl_B;
     accepted_t_ = t;
+    is_bridging_ = false;
+    NoteUsual(velocity_, has_velocity_ ? t - previous_t_ : 0.0);
     has_velocity_ = true;
+  } else if (DropoutAge(t)) {
+    if (!is_bridging_) velocity_ = recent_;
+    is_bridging_ = true;
+    const Eigen::Vector3d target = BridgeTarget();
+    const double keep = std::exp(-(t - previous_t_) / params_.bridge_memory.value());
+    velocity_ = target + keep * (velocity_ - target);
   }
   // What was held since the last row is integrated again with the interpolated velocity.
   const auto is_older = [this](const Sample& s) { return s.attitude.t <= previous_t_; };
@@ -55,6 +63,29 @@ void OdometryTrack::AddVelocity(double t, const std::optional<Eigen::Vector3d>& 
       Integrate(*std::prev(sample), *sample);
     }
   }
+}
+
+void OdometryTrack::NoteUsual(const Eigen::Vector3d& v, double dt) {
+  if (!has_velocity_) {
+    recent_ = usual_ = v;
+    return;
+  }
+  recent_ += (1.0 - std::exp(-dt / params_.recent_memory.value())) * (v - recent_);
+  const double share = std::min(dt, 1.0) / params_.usual_memory.value();
+  const Eigen::Vector3d off = v - usual_;
+  usual_ += share * off;
+  spread_ += share * (off.head<2>().squaredNorm() / 2.0 - spread_);
+}
+
+Eigen::Vector3d OdometryTrack::BridgeTarget() const {
+  const Eigen::Vector3d most(params_.bridge_ahead, params_.bridge_abeam, params_.bridge_abeam);
+  return usual_ + (recent_ - usual_).cwiseMax(-most).cwiseMin(most);
+}
+
+double OdometryTrack::BridgeSigma(double age) const {
+  const double limit =
+      std::clamp(1.5 * std::sqrt(spread_), params_.bridge_floor, params_.bridge_limit);
+  return std::min(params_.bridge_velocity + params_.bridge_growth * age, limit);
 }
 
 Eigen::Vector3d OdometryTrack::VelocityAt(double t) const {
@@ -84,8 +115,7 @@ void OdometryTrack::Integrate(const Sample& from, Sample& to) const {
   to.path = from.path + moved.head<2>().norm();
   to.bridge_variance = from.bridge_variance;
   if (const auto age = DropoutAge(to.attitude.t)) {
-    const double sd =
-        std::min(params_.bridge_velocity + params_.bridge_growth * *age, params_.bridge_limit);
+    const double sd = BridgeSigma(*age);
     to.bridge_variance += 2.0 * sd * sd * std::min(*age, params_.bridge_correlation.value()) * dt;
   }
 }

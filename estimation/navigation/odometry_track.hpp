@@ -24,7 +24,13 @@ struct OdometryParams {
   Meters scale_correlation{30.0};    ///< way after which that share of scale is taken as new
   double bridge_velocity = 0.03;     ///< error of the bridging model as a dropout begins [m/s]
   double bridge_growth = 0.02;       ///< and its growth per second [m/s^2]
-  double bridge_limit = 0.3;         ///< that it does not exceed [m/s]
+  double bridge_limit = 0.3;         ///< that it does not exceed [m/s], nor
+  double bridge_floor = 0.15;        ///< this or one and a half times the velocity's usual spread
+  Seconds bridge_memory{4.0};        ///< in which a bridged velocity far from the usual comes near
+  double bridge_ahead = 0.1;         ///< how near, forward [m/s]
+  double bridge_abeam = 0.05;        ///< and sideways [m/s]
+  Seconds recent_memory{1.5};        ///< over which the velocity that is held is averaged
+  Seconds usual_memory{60.0};        ///< and the usual one
   Seconds bridge_correlation{10.0};  ///< the error stays the same for about this long
   double yaw_walk = 3.5e-6;          ///< [rad/sqrt(s)]
   double yaw_bias = 9.7e-6;          ///< [rad/s], new every `yaw_bias_correlation`
@@ -50,8 +56,9 @@ struct TrackPose {
 
 /// Compounds attitude and velocity samples, each in time order, and answers for any time of the
 /// last seconds. The velocity between two samples is their linear interpolation; after the last one
-/// it is held. A missing velocity is bridged by the last accepted one, in body axes; its vertical
-/// part, if known, by the sink rate.
+/// it is held. A missing velocity is bridged, in body axes, by the recent one; where that is far
+/// from the usual one, as in the midst of a turn, it comes back near it. The vertical part, if
+/// known, is the sink rate.
 class OdometryTrack {
  public:
   explicit OdometryTrack(const OdometryParams& params) : params_(params) {}
@@ -90,6 +97,11 @@ class OdometryTrack {
     double bridge_variance = 0.0;  ///< horizontal, accumulated over dropouts [m^2]
   };
   [[nodiscard]] Eigen::Vector3d VelocityAt(double t) const;
+  void NoteUsual(const Eigen::Vector3d& v, double dt);
+  /// What a dropout's velocity comes to.
+  [[nodiscard]] Eigen::Vector3d BridgeTarget() const;
+  /// 1-sigma of the bridged velocity at that age [m/s].
+  [[nodiscard]] double BridgeSigma(double age) const;
   /// The same in the track's frame, with the vertical part that holds then.
   [[nodiscard]] Eigen::Vector3d LevelVelocity(const AttitudeEstimate& attitude) const;
   [[nodiscard]] Sample SampleAt(double t) const;
@@ -97,10 +109,12 @@ class OdometryTrack {
 
   OdometryParams params_;
   std::deque<Sample> samples_;
-  bool has_velocity_ = false;
+  bool has_velocity_ = false, is_bridging_ = false;
   double velocity_t_ = -1e18, previous_t_ = -1e18;  ///< of the last two velocity rows
   double accepted_t_ = -1e18;
   Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero(), previous_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d recent_ = Eigen::Vector3d::Zero(), usual_ = recent_;  ///< averages of accepted
+  double spread_ = 0.0;  ///< variance about it, horizontal [m^2/s^2]
   std::optional<double> sink_rate_;
 };
 

@@ -34,7 +34,7 @@ double Quantile(std::vector<double> values, double share) {
 std::map<std::string, StreamScene> Scenes() {
   const StreamScene hour{.duration_s = 3600.0,
                          .half_size_m = 30.0,
-                         .leg_spacing_m = 5.0,
+                         .leg_spacing_m = 4.0,
                          .objects = 14,
                          .classes = 2,
                          .is_rough = true,
@@ -173,6 +173,19 @@ void PrintSession(const SimulatedStream& session, int seed, bool has_oracle) {
                ErrorsOf(oracle.landmarks, truth_smoothed.alignment, session.truth).missed.size());
   }
   fmt::print("\n");
+  if (std::getenv("WIN")) {
+    double last = 0;
+    for (const auto& row : session.stream.rows) if (const auto* d = std::get_if<DvlRow>(&row); d && d->velocity) {
+      if (d->t - last > 10) fmt::print("  dropout {:.0f} .. {:.0f}\n", last, d->t);
+      last = d->t;
+    }
+    fmt::print("  refused velocities {}\n", result.counts.velocities);
+    for (std::size_t i = 0; i < result.smoothed.size(); i += 60) {
+      const auto& p = result.smoothed[i];
+      const Eigen::Vector3d e = p.X_WB.p_WB - session.truth.At(p.t), a = smoothed.alignment.Apply(p.X_WB.p_WB) - session.truth.At(p.t);
+      fmt::print("  {:6.0f} abs ({:6.2f} {:6.2f} {:6.2f}) aligned ({:6.2f} {:6.2f} {:6.2f}) at ({:6.1f} {:6.1f} {:6.1f})\n", p.t, e.x(), e.y(), e.z(), a.x(), a.y(), a.z(), p.X_WB.p_WB.x(), p.X_WB.p_WB.y(), p.X_WB.p_WB.z());
+    }
+  }
 }
 
 }  // namespace

@@ -94,16 +94,18 @@ class Vehicle {
   void Step(double t) {
     if (waypoints_.empty()) PlanLegs();
     const Eigen::Vector2d off = waypoints_.front() - X_.p_WB.head<2>();
-    if (off.norm() < 0.8) waypoints_.erase(waypoints_.begin());
+    if (off.norm() < 2.2) {
+      waypoints_.erase(waypoints_.begin());
+      leg_speed_ = kSpeed + random_.Normal(0.02);  // a current helps or hinders
+    }
     const double since =
         scene_.resurface_every_s > 0.0 ? std::fmod(t, scene_.resurface_every_s) : t;
     is_up_ = since < kSurfaceTime;
     const double want_z =
         is_up_ ? kSurfaceDepth : ground_.Depth(X_.p_WB.head<2>()) - scene_.altitude_m;
     const double turn = WrapAngle(std::atan2(off.y(), off.x()) - X_.yaw);
-    rate_ += std::clamp(std::clamp(0.6 * turn, -0.25, 0.25) - rate_, -0.01, 0.01);
-    const double speed =
-        is_up_ && t < kSurfaceTime ? 0.12 : kSpeed * (1.0 - 0.5 * std::min(std::abs(turn), 1.0));
+    rate_ += std::clamp(std::clamp(0.6 * turn, -0.3, 0.3) - rate_, -0.01, 0.01);
+    const double speed = is_up_ && t < kSurfaceTime ? 0.12 : leg_speed_;
     speed_ += 0.05 * (speed - speed_);
     sink_ += 0.03 * (std::clamp(0.25 * (want_z - X_.p_WB.z()), -0.2, 0.2) - sink_);
     const double c = std::cos(X_.yaw), s = std::sin(X_.yaw), sway = 0.15 * rate_;
@@ -144,6 +146,7 @@ class Vehicle {
   SlowNoise roll_{random_, 0.03, 6.0}, pitch_{random_, 0.03, 6.0};
   Pose X_;
   Eigen::Vector3d v_W_ = Eigen::Vector3d::Zero();
+  double leg_speed_ = kSpeed;
   double rate_ = 0.0, speed_ = 0.0, sink_ = 0.0;
   bool is_up_ = true, is_across_ = false;
   std::vector<Eigen::Vector2d> waypoints_;
@@ -210,8 +213,8 @@ class Recorder {
 
   void PlanDropouts() {
     for (int i = 0; i < scene_.long_dropouts; ++i) {
-      const double slot = (scene_.duration_s - 200.0) / scene_.long_dropouts;
-      const double start = 150.0 + slot * (i + random_.Uniform(0.1, 0.8));
+      const double slot = (scene_.duration_s - 500.0) / scene_.long_dropouts;
+      const double start = 400.0 + slot * (i + random_.Uniform(0.1, 0.8));
       dropouts_.push_back({start, start + random_.Uniform(25.0, 60.0)});
     }
   }
