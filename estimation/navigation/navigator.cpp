@@ -125,6 +125,8 @@ SolveReport Navigator::Finish() {
 OdometryStep Navigator::StepTo(double t) const {
   OdometryStep step = track_.Between(head_time(), std::max(t, head_time()));
   step.motion = WithoutSlowErrors(step.motion, step.duration, SlowErrorsNow());
+  if (bridge_ >= 0)
+    step.motion.head<2>() -= step.duration * smoother_.LandmarkAt(bridge_).head<2>();
   return step;
 }
 

@@ -141,6 +141,9 @@ class Navigator {
   int NodeAt(double t);
   /// Block of the slow errors that hold at `t`; a new one from time to time.
   int ErrorsAt(double t);
+  /// In a dropout: block of what the bridged velocity is off.
+  int BridgeAt(double t, double age);
+  [[nodiscard]] Term StepTerm(double t);
   void AddTilt(int node, double t);
   void AddDepthTerm(int node, double since, double t);
   void TakeFix(const Fix& fix);
@@ -174,6 +177,8 @@ class Navigator {
   double last_fix_t_ = -1e18, last_review_t_ = -1e18, first_time_ = -1.0;
   int errors_ = -1;  ///< block of the smoother's border
   double errors_since_ = 0.0;
+  int bridge_ = -1;  ///< the same, in a dropout
+  double bridge_since_ = 0.0;
   bool needs_review_ = false;
   bool is_tied_ = false;
   int refused_fixes_ = 0, refused_depths_ = 0, landmark_version_ = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "estimation/navigation/navigator.hpp"
+#include "estimation/smoothing/factors/bridged_step_factor.hpp"
 #include "estimation/smoothing/factors/calibrated_step_factor.hpp"
 #include "estimation/smoothing/factors/depth_factor.hpp"
 #include "estimation/smoothing/factors/gps_factor.hpp"
@@ -22,6 +23,9 @@ constexpr double kAltitudeMaxAge = 1.5;  // [s]
 constexpr double kReviewPeriod = 1.0;    // [s]
 constexpr int kBelieveRefused = 5;       // measurements refused in a row, then taken after all
 constexpr double kGpsGate = 5.0;         // standard deviations
+constexpr double kShortDropout = 3.0;    // [s] of which steps bear the error alone
+constexpr double kBridgeStretch = 30.0;  // [s] for which the bridged velocity is off by the same
+constexpr double kBridgeNoise = 0.1;     // [m/sqrt(s)] that it changes in between
 constexpr double kDepthGate = 0.7;       // [m] off the predicted depth
 
 }  // namespace
@@ -109,10 +113,7 @@ int Navigator::NodeAt(double t) {
     return node_count() - 1;
   }
   const double since = head_time();
-  const OdometryStep step = track_.Between(since, t);
-  const NavVector x = Predict(t);
-  const CalibratedStepFactor factor(step.motion, step.variance, step.duration);
-  const int node = smoother_.AddNode(x, Term::OnStep(factor, ErrorsAt(t)));
+  const int node = smoother_.AddNode(Predict(t), StepTerm(t));
   AddTilt(node, t);
   AddDepthTerm(node, since, t);
   node_times_.push_back(t);
@@ -137,6 +138,34 @@ int Navigator::ErrorsAt(double t) {
   errors_ = next;
   errors_since_ = t;
   return errors_;
+}
+
+int Navigator::BridgeAt(double t, double age) {
+  if (bridge_ >= 0 && t - bridge_since_ < kBridgeStretch) {
+    return bridge_;
+  }
+  bridge_ = smoother_.AddErrors(Eigen::Vector3d::Zero());
+  bridge_since_ = t;
+  const double variance = std::pow(track_.BridgeSigma(age + kBridgeStretch), 2);
+  const LandmarkPriorFactor prior(Eigen::Vector3d::Zero(), variance * Eigen::Matrix3d::Identity());
+  smoother_.AddLandmarkTerm(bridge_, Term::OnLandmark(prior, bridge_));
+  return bridge_;
+}
+
+Term Navigator::StepTerm(double t) {
+  OdometryStep step = track_.Between(head_time(), t);
+  const auto age = track_.DropoutAge(t);
+  if (!age || *age < kShortDropout) {
+    bridge_ = -1;
+    return Term::OnStep(CalibratedStepFactor(step.motion, step.variance, step.duration),
+                        ErrorsAt(t));
+  }
+  // The error of the guess is one for many steps: it is estimated, and each step alone is good.
+  step.motion = WithoutSlowErrors(step.motion, step.duration, SlowErrorsNow());
+  const double changes = kBridgeNoise * kBridgeNoise * step.duration;
+  step.variance.head<2>().array() += changes - step.bridge_variance;
+  return Term::OnStep(BridgedStepFactor(step.motion, step.variance, step.duration),
+                      BridgeAt(t, *age));
 }
 
 void Navigator::AddTilt(int node, double t) {

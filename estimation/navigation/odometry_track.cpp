@@ -183,6 +183,7 @@ OdometryStep OdometryTrack::Between(double from, double to) const {
   const double yaw_bias = params_.changing_share * params_.yaw_bias;
   const double yaw_rate_variance = params_.yaw_walk * params_.yaw_walk +
                                    yaw_bias * yaw_bias * params_.yaw_bias_correlation.value();
+  step.bridge_variance = bridge;
   const double xy = white + scale + bridge + 1e-6;
   // Attitude errors tilt the track: its depth is worth little, the depth sensor's much.
   const double z = white + bridge + 5e-5 * step.duration + 1e-6;

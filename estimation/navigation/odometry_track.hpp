@@ -25,7 +25,7 @@ struct OdometryParams {
   double bridge_velocity = 0.03;     ///< error of the bridging model as a dropout begins [m/s]
   double bridge_growth = 0.02;       ///< and its growth per second [m/s^2]
   double bridge_limit = 0.3;         ///< that it does not exceed [m/s], nor
-  double bridge_floor = 0.15;        ///< this or one and a half times the velocity's usual spread
+  double bridge_floor = 0.08;        ///< this or one and a half times the velocity's usual spread
   Seconds bridge_memory{4.0};        ///< in which a bridged velocity far from the usual comes near
   double bridge_ahead = 0.1;         ///< how near, forward [m/s]
   double bridge_abeam = 0.05;        ///< and sideways [m/s]
@@ -44,6 +44,7 @@ struct OdometryStep {
   Eigen::Vector4d variance = Eigen::Vector4d::Zero();
   double duration = 0.0;
   double path = 0.0;
+  double bridge_variance = 0.0;  ///< what dropouts put into the horizontal variances [m^2]
 };
 
 /// Body pose in the track's own drifting frame, oriented by the attitude filter's yaw.
@@ -78,6 +79,9 @@ class OdometryTrack {
   /// Seconds since the last accepted velocity, if that is long enough to be a dropout at `t`.
   [[nodiscard]] std::optional<double> DropoutAge(double t) const;
 
+  /// 1-sigma of the velocity that bridges a dropout of that age [m/s].
+  [[nodiscard]] double BridgeSigma(double age) const;
+
   /// REQUIRES: !is_empty(). Times outside the buffer answer with its ends, extrapolated by at most
   /// 0.3 s at the new end.
   [[nodiscard]] TrackPose At(double t) const;
@@ -100,8 +104,6 @@ class OdometryTrack {
   void NoteUsual(const Eigen::Vector3d& v, double dt);
   /// What a dropout's velocity comes to.
   [[nodiscard]] Eigen::Vector3d BridgeTarget() const;
-  /// 1-sigma of the bridged velocity at that age [m/s].
-  [[nodiscard]] double BridgeSigma(double age) const;
   /// The same in the track's frame, with the vertical part that holds then.
   [[nodiscard]] Eigen::Vector3d LevelVelocity(const AttitudeEstimate& attitude) const;
   [[nodiscard]] Sample SampleAt(double t) const;

@@ -180,6 +180,23 @@ void PrintSession(const SimulatedStream& session, int seed, bool has_oracle) {
       last = d->t;
     }
     fmt::print("  refused velocities {}\n", result.counts.velocities);
+    std::map<int, std::map<int, std::vector<double>>> who;
+    for (const ReplayAssociation& a : result.associations) {
+      const auto shown = session.shown.find({a.frame, a.detection});
+      who[a.landmark][shown == session.shown.end() ? -1 : shown->second].push_back(a.frame * 0.25);
+    }
+    for (const auto& l : result.landmarks) {
+      const Eigen::Vector3d p = smoothed.alignment.Apply(l.p);
+      fmt::print("  landmark {} class {} at ({:.2f} {:.2f} {:.2f}) sd ({:.2f} {:.2f} {:.2f}):", l.id, l.color, p.x(), p.y(), p.z(), std::sqrt(l.covariance(0,0)), std::sqrt(l.covariance(1,1)), std::sqrt(l.covariance(2,2)));
+      for (const auto& [id, times] : who[l.id]) {
+        fmt::print(" object {}:", id);
+        if (id > 0) { const Eigen::Vector3d q = session.truth.landmarks[static_cast<std::size_t>(id) - 1].p; fmt::print(" off ({:.2f} {:.2f} {:.2f})", p.x() - q.x(), p.y() - q.y(), p.z() - q.z()); }
+        double before = -100; int n = 0;
+        for (double t : times) { if (t - before > 20) { if (n) fmt::print("x{}", n); fmt::print(" {:.0f}", t); n = 0; } ++n; before = t; }
+        fmt::print("x{}", n);
+      }
+      fmt::print("\n");
+    }
     for (std::size_t i = 0; i < result.smoothed.size(); i += 60) {
       const auto& p = result.smoothed[i];
       const Eigen::Vector3d e = p.X_WB.p_WB - session.truth.At(p.t), a = smoothed.alignment.Apply(p.X_WB.p_WB) - session.truth.At(p.t);
