@@ -15,6 +15,7 @@ constexpr double kImpossible = 1e6;
 constexpr double kAmbiguous = 2.0;  // -2 ln of the likelihood ratio that tells two objects apart
 constexpr double kGuessedRadius = 0.4;   // [m] to expect boxes with when the radius is not known
 constexpr double kPoseDriftFloor = 0.1;  // [m] of a tentative object against the pose
+constexpr double kSurePixels = 40.0;     // an expectation within which is sure, whatever the box
 constexpr double kReach = 3.0;           // [m] beyond the greatest distance it was seen from
 constexpr double kMarginShare = 0.12;    // of the image, inside which an object should be seen
 
@@ -79,8 +80,9 @@ std::vector<int> ObjectTracker::Process(const TrackerFrame& frame) {
   }
   CountVisibility(frame, seen);
   for (TrackedObject& object : objects_) {
-    ConfirmIfDue(object, frame.detections->t);
+    ConfirmIfDue(object, frame);
   }
+  std::erase_if(objects_, [](const TrackedObject& object) { return object.looks.empty(); });
   return shown;
 }
 
@@ -116,8 +118,10 @@ Eigen::MatrixXd ObjectTracker::Costs(const TrackerFrame& frame,
           frame.detections->boxes[static_cast<std::size_t>(candidate.detection)];
       const auto match = MatchBox(box, candidate.reading, frame.x, object.p, covariance, radius,
                                   object.Color() == box.color, camera_, params_.gate);
+      const double sure = std::max(kSurePixels, params_.sure_share * std::max(box.w, box.h));
+      const bool is_unsure = match && object.is_landmark() && match->spread_px > sure;
       // Costs are against being something new, so that zero divides.
-      if (match && match->cost < match->new_cost) {
+      if (match && !is_unsure && match->cost < match->new_cost) {
         costs(i, j) = match->cost - match->new_cost;
       }
     }
@@ -190,8 +194,9 @@ void ObjectTracker::Retriangulate(TrackedObject& object) {
   object.worst_residual = found.worst_residual;
 }
 
-void ObjectTracker::ConfirmIfDue(TrackedObject& object, double now) {
-  if (object.is_landmark()) {
+void ObjectTracker::ConfirmIfDue(TrackedObject& object, const TrackerFrame& frame) {
+  const double now = frame.detections->t;
+  if (object.is_landmark() || object.looks.empty()) {
     return;
   }
   const auto recent = std::ranges::count_if(object.looks, [&](const Look& look) {
@@ -201,6 +206,10 @@ void ObjectTracker::ConfirmIfDue(TrackedObject& object, double now) {
   if (recent < params_.looks_to_confirm || object.LogOdds() < params_.confirm_log_odds ||
       object.hits < params_.confirm_hit_share * object.expected || sd > params_.confirm_sd_m ||
       object.worst_residual > params_.confirm_residual) {
+    return;
+  }
+  if (TrackedObject* known = KnownAs(object, frame.x)) {
+    Recognise(*known, object);
     return;
   }
   object.id = next_id_++;

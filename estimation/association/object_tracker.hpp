@@ -24,6 +24,10 @@ struct ObjectTrackerParams {
   double confirm_hit_share = 0.25;  ///< of the frames that should have shown it
   double drop_hit_share = 0.1;      ///< a landmark seen in fewer is a false one
   int drop_after_expected = 40;
+  /// A box is taken for a landmark at once when the landmark was expected within this share of the
+  /// box's size; else several boxes must first agree among themselves.
+  double sure_share = 0.4;
+  double known_margin = 4.0;      ///< -2 ln of the likelihood ratio that tells a known object
   double drift_share = 0.01;      ///< of the way since last seen, for tentative objects
   double outlier_sigma = 6.0;     ///< a look that fits worse after solving is taken out again
   double merge_distance_m = 2.5;  ///< landmarks further apart are never one
@@ -73,7 +77,11 @@ class ObjectTracker {
   void CountVisibility(const TrackerFrame& frame, const std::vector<int>& seen);
   void AddLook(TrackedObject& object, Look look, const TrackerFrame& frame);
   void Start(Look look, const TrackerFrame& frame);
-  void ConfirmIfDue(TrackedObject& object, double now);
+  void ConfirmIfDue(TrackedObject& object, const TrackerFrame& frame);
+  /// The landmark that a tentative object is, if its place leaves no doubt.
+  [[nodiscard]] TrackedObject* KnownAs(const TrackedObject& tentative, const NavVector& x);
+  /// Gives the looks of a tentative object to a landmark.
+  void Recognise(TrackedObject& landmark, TrackedObject& tentative);
   void AddTerms(TrackedObject& object, Look& look, bool with_seabed);
   void DropStale(double now);
   bool RemoveOutliers();

@@ -46,6 +46,8 @@ int ArrowSmoother::AddBlock(const Eigen::Vector3d& p, bool is_landmark) {
   const int slot = graph_.AddLandmark(p);
   is_landmark_.resize(At(graph_.slot_count()), true);
   is_landmark_[At(slot)] = is_landmark;
+  is_solved_.resize(is_landmark_.size());
+  is_solved_[At(slot)] = false;
   border_.resize(At(3 * graph_.slot_count()), 0.0);
   origin_.border.resize(border_.size(), 0.0);
   border_change_.resize(border_.size(), 0.0);
@@ -174,6 +176,7 @@ void ArrowSmoother::SolveRoot(SolveReport& report) {
     if (prior_is_old_) SetPrior();
     root_.Solve(open_, message);
     border_ = root_.border();
+    is_solved_.assign(is_solved_.size(), true);
     border_change_.resize(border_.size());
     for (std::size_t i = 0; i < border_.size(); ++i) {
       border_change_[i] = border_[i] - origin_.border[i];
@@ -231,6 +234,26 @@ NavVector ArrowSmoother::PoseAt(int node) const {
 
 Eigen::Vector3d ArrowSmoother::LandmarkAt(int landmark) const {
   return Eigen::Map<const Eigen::Vector3d>(&border_[At(3 * landmark)]);
+}
+
+JointCovariance ArrowSmoother::Covariance(const std::vector<int>& landmarks) const {
+  constexpr double kUnknown = 1e8;  // [m^2] of a landmark that no update has seen yet
+  std::vector<int> solved;
+  std::vector<Eigen::Index> rows{0, 1, 2, 3, 4, 5};
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    if (!is_solved_[At(landmarks[i])]) continue;
+    solved.push_back(landmarks[i]);
+    for (std::size_t k = 0; k < 3; ++k)
+      rows.push_back(static_cast<Eigen::Index>(6 + 3 * i + k));
+  }
+  const JointCovariance known = root_.Covariance(solved);
+  if (solved.size() == landmarks.size()) {
+    return known;
+  }
+  const auto n = static_cast<Eigen::Index>(6 + 3 * landmarks.size());
+  JointCovariance joint = kUnknown * JointCovariance::Identity(n, n);
+  joint(rows, rows) = known;
+  return joint;
 }
 
 NavVector ArrowSmoother::AnchorFrom(int anchor, const NavVector& next) const {

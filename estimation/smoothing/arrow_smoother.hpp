@@ -44,9 +44,7 @@ class ArrowSmoother final : public Smoother {
   [[nodiscard]] const ChainGraph& graph() const override { return graph_; }
   [[nodiscard]] NavVector PoseAt(int node) const override;
   [[nodiscard]] Eigen::Vector3d LandmarkAt(int landmark) const override;
-  [[nodiscard]] JointCovariance Covariance(const std::vector<int>& landmarks) const override {
-    return root_.Covariance(landmarks);
-  }
+  [[nodiscard]] JointCovariance Covariance(const std::vector<int>& landmarks) const override;
   [[nodiscard]] NavCovariance PoseCovariance(int node) const override;
 
  private:
@@ -81,8 +79,8 @@ class ArrowSmoother final : public Smoother {
   ArrowParams params_;
   ChainGraph graph_;
   ArrowOrigin origin_;
-  std::vector<bool> is_landmark_;  ///< per block of the border
-  std::vector<ArrowLeaf> leaves_;  ///< full ones
+  std::vector<bool> is_landmark_, is_solved_;  ///< per block of the border
+  std::vector<ArrowLeaf> leaves_;              ///< full ones
   ArrowLeaf open_;
   bool has_begun_ = false, open_is_dirty_ = false, prior_is_old_ = true, has_news_ = false;
   ArrowTrunk trunk_;
