@@ -15,7 +15,7 @@ constexpr double kImpossible = 1e6;
 constexpr double kAmbiguous = 2.0;  // -2 ln of the likelihood ratio that tells two objects apart
 constexpr double kGuessedRadius = 0.4;   // [m] to expect boxes with when the radius is not known
 constexpr double kPoseDriftFloor = 0.1;  // [m] of a tentative object against the pose
-constexpr double kSurePixels = 40.0;     // an expectation within which is sure, whatever the box
+constexpr double kSurePixels = 25.0;     // an expectation within which is sure, whatever the box
 constexpr double kReach = 3.0;           // [m] beyond the greatest distance it was seen from
 constexpr double kMarginShare = 0.12;    // of the image, inside which an object should be seen
 
@@ -79,10 +79,7 @@ std::vector<int> ObjectTracker::Process(const TrackerFrame& frame) {
     seen.push_back(static_cast<int>(j));
   }
   CountVisibility(frame, seen);
-  for (TrackedObject& object : objects_) {
-    ConfirmIfDue(object, frame);
-  }
-  std::erase_if(objects_, [](const TrackedObject& object) { return object.looks.empty(); });
+  ConfirmWhatIsDue(frame);
   return shown;
 }
 
@@ -192,36 +189,6 @@ void ObjectTracker::Retriangulate(TrackedObject& object) {
   object.p = found.p;
   object.covariance = found.covariance;
   object.worst_residual = found.worst_residual;
-}
-
-void ObjectTracker::ConfirmIfDue(TrackedObject& object, const TrackerFrame& frame) {
-  const double now = frame.detections->t;
-  if (object.is_landmark() || object.looks.empty()) {
-    return;
-  }
-  const auto recent = std::ranges::count_if(object.looks, [&](const Look& look) {
-    return look.reading.is_usable() && now - look.t <= params_.confirm_within_s;
-  });
-  const double sd = std::sqrt(object.covariance.diagonal().maxCoeff());
-  if (recent < params_.looks_to_confirm || object.LogOdds() < params_.confirm_log_odds ||
-      object.hits < params_.confirm_hit_share * object.expected || sd > params_.confirm_sd_m ||
-      object.worst_residual > params_.confirm_residual) {
-    return;
-  }
-  if (TrackedObject* known = KnownAs(object, frame.x)) {
-    Recognise(*known, object);
-    return;
-  }
-  object.id = next_id_++;
-  object.slot = smoother_.AddLandmark(object.p);
-  const double hold = params_.place_prior_m * params_.place_prior_m;
-  smoother_.AddLandmarkTerm(
-      object.slot,
-      Term::OnLandmark(LandmarkPriorFactor(object.p, hold * Eigen::Matrix3d::Identity()),
-                       object.slot));
-  for (std::size_t i = 0; i < object.looks.size(); ++i) {
-    AddTerms(object, object.looks[i], i == 0);
-  }
 }
 
 void ObjectTracker::AddTerms(TrackedObject& object, Look& look, bool with_seabed) {

@@ -26,8 +26,9 @@ struct ObjectTrackerParams {
   int drop_after_expected = 40;
   /// A box is taken for a landmark at once when the landmark was expected within this share of the
   /// box's size; else several boxes must first agree among themselves.
-  double sure_share = 0.4;
+  double sure_share = 0.2;
   double known_margin = 4.0;      ///< -2 ln of the likelihood ratio that tells a known object
+  double sure_spread_m = 0.3;     ///< drift below which three boxes are enough for that
   double drift_share = 0.01;      ///< of the way since last seen, for tentative objects
   double outlier_sigma = 6.0;     ///< a look that fits worse after solving is taken out again
   double merge_distance_m = 2.5;  ///< landmarks further apart are never one
@@ -77,9 +78,23 @@ class ObjectTracker {
   void CountVisibility(const TrackerFrame& frame, const std::vector<int>& seen);
   void AddLook(TrackedObject& object, Look look, const TrackerFrame& frame);
   void Start(Look look, const TrackerFrame& frame);
-  void ConfirmIfDue(TrackedObject& object, const TrackerFrame& frame);
-  /// The landmark that a tentative object is, if its place leaves no doubt.
-  [[nodiscard]] TrackedObject* KnownAs(const TrackedObject& tentative, const NavVector& x);
+  /// True if enough boxes agree on a tentative object.
+  [[nodiscard]] bool IsRipe(const TrackedObject& object, double now) const;
+  /// Decides what ripe objects are: known landmarks or new ones.
+  void ConfirmWhatIsDue(const TrackerFrame& frame);
+  struct Likeness {
+    double cost = 0.0;       ///< -2 ln of the likelihood that they are one
+    double distance2 = 0.0;  ///< squared Mahalanobis distance
+    double spread = 0.0;     ///< 1-sigma of their distance, horizontal [m]
+  };
+  [[nodiscard]] Likeness LikenessOf(const TrackedObject& tentative, const TrackedObject& landmark,
+                                    const NavVector& x) const;
+  /// True if the object may be a landmark that drift could have put elsewhere: then it is looked at
+  /// until it is out of sight, and decided with what is seen beside it.
+  [[nodiscard]] bool ShouldWait(const TrackedObject& object, const TrackerFrame& frame) const;
+  void Settle(const std::vector<TrackedObject*>& group, const NavVector& x);
+  [[nodiscard]] std::vector<TrackedObject*> LandmarksNear(const Eigen::Vector3d& p);
+  void Adopt(TrackedObject& object);
   /// Gives the looks of a tentative object to a landmark.
   void Recognise(TrackedObject& landmark, TrackedObject& tentative);
   void AddTerms(TrackedObject& object, Look& look, bool with_seabed);
