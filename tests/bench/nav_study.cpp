@@ -143,7 +143,13 @@ struct Options {
   bool has_oracle = false;
 };
 
-void PrintSession(const SimulatedStream& session, int seed, bool has_oracle) {
+struct Outcome {
+  double smoothed = 0.0, reckoned = 0.0, nees_pose = 0.0, nees_landmark = 0.0;
+  int duplicates = 0, false_ones = 0, missed = 0, wrong = 0;
+  std::vector<double> update_s;
+};
+
+Outcome PrintSession(const SimulatedStream& session, int seed, bool has_oracle) {
   const double start = ThreadSeconds();
   const ReplayResult result =
       Replay(session.stream, ParamsForStream(session.stream.meta), ThreadSeconds);
@@ -173,6 +179,15 @@ void PrintSession(const SimulatedStream& session, int seed, bool has_oracle) {
                ErrorsOf(oracle.landmarks, truth_smoothed.alignment, session.truth).missed.size());
   }
   fmt::print("\n");
+  const Outcome outcome{.smoothed = smoothed.aligned,
+                        .reckoned = reckoned.aligned_horizontal,
+                        .nees_pose = nees.pose.mean(),
+                        .nees_landmark = nees.landmark.mean(),
+                        .duplicates = opis.duplicates,
+                        .false_ones = opis.false_ones,
+                        .missed = static_cast<int>(opis.missed.size()),
+                        .wrong = associations.wrong,
+                        .update_s = result.update_s};
   if (std::getenv("WIN")) {
     double last = 0;
     for (const auto& row : session.stream.rows) if (const auto* d = std::get_if<DvlRow>(&row); d && d->velocity) {
@@ -203,6 +218,30 @@ void PrintSession(const SimulatedStream& session, int seed, bool has_oracle) {
       fmt::print("  {:6.0f} abs ({:6.2f} {:6.2f} {:6.2f}) aligned ({:6.2f} {:6.2f} {:6.2f}) at ({:6.1f} {:6.1f} {:6.1f})\n", p.t, e.x(), e.y(), e.z(), a.x(), a.y(), a.z(), p.X_WB.p_WB.x(), p.X_WB.p_WB.y(), p.X_WB.p_WB.z());
     }
   }
+  return outcome;
+}
+
+void PrintSummary(const std::vector<Outcome>& all) {
+  const auto n = static_cast<double>(all.size());
+  Outcome sum;
+  std::vector<double> smoothed, updates;
+  for (const Outcome& o : all) {
+    sum.nees_pose += o.nees_pose / n, sum.nees_landmark += o.nees_landmark / n;
+    sum.smoothed += o.smoothed / n, sum.reckoned += o.reckoned / n;
+    sum.duplicates += o.duplicates, sum.false_ones += o.false_ones, sum.missed += o.missed;
+    sum.wrong += o.wrong;
+    smoothed.push_back(o.smoothed);
+    updates.insert(updates.end(), o.update_s.begin(), o.update_s.end());
+  }
+  // The mean of n sessions' squared errors, three degrees of freedom each.
+  const double band = 1.96 * std::sqrt(6.0 / n);
+  fmt::print(
+      "{} sessions: reckoned {:.3f}, smoothed mean {:.3f}, 90 % {:.3f} m; duplicates {}, false {}, "
+      "missed {}, wrong boxes {}\n  NEES of poses {:.2f}, of landmarks {:.2f} (3 +- {:.2f}); updates: "
+      "median {:.4f}, 99 % {:.3f}, max {:.2f} ms\n",
+      all.size(), sum.reckoned, sum.smoothed, Quantile(smoothed, 0.9), sum.duplicates,
+      sum.false_ones, sum.missed, sum.wrong, sum.nees_pose, sum.nees_landmark, band,
+      1e3 * Quantile(updates, 0.5), 1e3 * Quantile(updates, 0.99), 1e3 * Quantile(updates, 1.0));
 }
 
 }  // namespace
@@ -230,10 +269,12 @@ int main(int argc, char** argv) {
       "seed  nodes | reckon online smooth    abs | lmk du fa mi   max  mean | right wrng miss |  "
       "NEES  "
       "lmk | med ms    p99     max total s\n");
+  std::vector<Outcome> outcomes;
   for (int seed = options.first; seed < options.first + options.count; ++seed) {
     StreamScene scene = scenes.at(options.scene);
     scene.seed = static_cast<std::uint64_t>(seed);
-    PrintSession(SimulateStream(scene), seed, options.has_oracle);
+    outcomes.push_back(PrintSession(SimulateStream(scene), seed, options.has_oracle));
   }
+  PrintSummary(outcomes);
   return 0;
 }
