@@ -23,13 +23,14 @@ double Mix(double a, double b, double share) { return a + share * (b - a); }
 }  // namespace
 
 void OdometryTrack::AddAttitude(const AttitudeEstimate& attitude) {
-  Sample sample{.attitude = attitude};
+  Sample sample{.attitude = attitude, .R_DB = RotationOf(attitude)};
   if (!samples_.empty()) {
     const Sample& last = samples_.back();
     if (attitude.t <= last.attitude.t) {
       return;
     }
     sample.attitude.yaw = last.attitude.yaw + WrapAngle(attitude.yaw - last.attitude.yaw);
+    sample.R_DB = RotationOf(sample.attitude);
     Integrate(last, sample);
   }
   samples_.push_back(sample);
@@ -101,16 +102,15 @@ std::optional<double> OdometryTrack::DropoutAge(double t) const {
   return age > kDropoutAge ? std::optional<double>(age) : std::nullopt;
 }
 
-Eigen::Vector3d OdometryTrack::LevelVelocity(const AttitudeEstimate& attitude) const {
-  Eigen::Vector3d v = RotationOf(attitude) * VelocityAt(attitude.t);
-  if (sink_rate_ && DropoutAge(attitude.t)) v.z() = *sink_rate_;
+Eigen::Vector3d OdometryTrack::LevelVelocity(const Sample& sample) const {
+  Eigen::Vector3d v = sample.R_DB * VelocityAt(sample.attitude.t);
+  if (sink_rate_ && DropoutAge(sample.attitude.t)) v.z() = *sink_rate_;
   return v;
 }
 
 void OdometryTrack::Integrate(const Sample& from, Sample& to) const {
   const double dt = to.attitude.t - from.attitude.t;
-  const Eigen::Vector3d moved =
-      0.5 * dt * (LevelVelocity(from.attitude) + LevelVelocity(to.attitude));
+  const Eigen::Vector3d moved = 0.5 * dt * (LevelVelocity(from) + LevelVelocity(to));
   to.p_dvl = from.p_dvl + moved;
   to.path = from.path + moved.head<2>().norm();
   to.bridge_variance = from.bridge_variance;
@@ -132,6 +132,7 @@ OdometryTrack::Sample OdometryTrack::SampleAt(double t) const {
     const double ahead = std::min(t - end.attitude.t, kLongestExtrapolation);
     end.attitude.yaw += end.attitude.yaw_rate * ahead;
     end.attitude.t += ahead;
+    end.R_DB = RotationOf(end.attitude);
     Integrate(samples_.back(), end);
     return end;
   }
@@ -144,6 +145,7 @@ OdometryTrack::Sample OdometryTrack::SampleAt(double t) const {
   between.attitude.pitch = Mix(a.attitude.pitch, b.attitude.pitch, share);
   between.attitude.yaw = Mix(a.attitude.yaw, b.attitude.yaw, share);
   between.attitude.yaw_rate = Mix(a.attitude.yaw_rate, b.attitude.yaw_rate, share);
+  between.R_DB = RotationOf(between.attitude);
   between.p_dvl = a.p_dvl + share * (b.p_dvl - a.p_dvl);
   between.path = Mix(a.path, b.path, share);
   between.bridge_variance = Mix(a.bridge_variance, b.bridge_variance, share);
@@ -157,17 +159,17 @@ TrackPose OdometryTrack::At(double t) const {
   const AttitudeEstimate& a = sample.attitude;
   TrackPose pose;
   pose.t = a.t;
-  pose.X_DB = {sample.p_dvl - RotationOf(a) * params_.dvl_B, a.roll, a.pitch, a.yaw};
+  pose.X_DB = {sample.p_dvl - sample.R_DB * params_.dvl_B, a.roll, a.pitch, a.yaw};
   const Eigen::Vector3d rate_B(0.0, 0.0, a.yaw_rate);
-  pose.v_B = RotationOf(a).transpose() * LevelVelocity(a) - rate_B.cross(params_.dvl_B);
+  pose.v_B = sample.R_DB.transpose() * LevelVelocity(sample) - rate_B.cross(params_.dvl_B);
   pose.yaw_rate = a.yaw_rate;
   return pose;
 }
 
 OdometryStep OdometryTrack::Between(double from, double to) const {
   const Sample a = SampleAt(from), b = SampleAt(to);
-  const Eigen::Vector3d p_a = a.p_dvl - RotationOf(a.attitude) * params_.dvl_B;
-  const Eigen::Vector3d p_b = b.p_dvl - RotationOf(b.attitude) * params_.dvl_B;
+  const Eigen::Vector3d p_a = a.p_dvl - a.R_DB * params_.dvl_B;
+  const Eigen::Vector3d p_b = b.p_dvl - b.R_DB * params_.dvl_B;
   const Eigen::Matrix3d R_level = RotationFromRollPitchYaw(0.0, 0.0, a.attitude.yaw);
   OdometryStep step;
   step.motion << R_level.transpose() * (p_b - p_a), b.attitude.yaw - a.attitude.yaw;

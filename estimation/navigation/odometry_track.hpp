@@ -95,7 +95,8 @@ class OdometryTrack {
 
  private:
   struct Sample {
-    AttitudeEstimate attitude;                        ///< yaw unwrapped
+    AttitudeEstimate attitude;  ///< yaw unwrapped
+    Eigen::Matrix3d R_DB = Eigen::Matrix3d::Identity();
     Eigen::Vector3d p_dvl = Eigen::Vector3d::Zero();  ///< of the DVL in the track's frame
     double path = 0.0;
     double bridge_variance = 0.0;  ///< horizontal, accumulated over dropouts [m^2]
@@ -105,7 +106,7 @@ class OdometryTrack {
   /// What a dropout's velocity comes to.
   [[nodiscard]] Eigen::Vector3d BridgeTarget() const;
   /// The same in the track's frame, with the vertical part that holds then.
-  [[nodiscard]] Eigen::Vector3d LevelVelocity(const AttitudeEstimate& attitude) const;
+  [[nodiscard]] Eigen::Vector3d LevelVelocity(const Sample& sample) const;
   [[nodiscard]] Sample SampleAt(double t) const;
   void Integrate(const Sample& from, Sample& to) const;
 
