@@ -21,32 +21,38 @@ constexpr double kReach = 3.0;       // [m]
 constexpr double kBeside = 6.0;      // [m] within which objects are decided together
 constexpr double kUnlikely = 16.3;   // squared Mahalanobis distance, three degrees of freedom
 constexpr double kImpossible = 1e6;
+constexpr int kBoxesOfKnown = 2;
 constexpr double kOutOfSight = 1.0;   // [s] since the last box
 constexpr double kLongestWait = 8.0;  // [s] of looks, then it is decided even in sight
 
 }  // namespace
 
-bool ObjectTracker::IsRipe(const TrackedObject& object, double now) const {
+bool ObjectTracker::AgreeOn(const TrackedObject& object, int boxes, double log_odds,
+                            double now) const {
   if (object.is_landmark() || object.looks.empty()) {
     return false;
   }
   const auto recent = std::ranges::count_if(object.looks, [&](const Look& look) {
     return look.reading.is_usable() && now - look.t <= params_.confirm_within_s;
   });
-  const double sd = std::sqrt(object.covariance.diagonal().maxCoeff());
-  return recent >= params_.looks_to_confirm && object.LogOdds() >= params_.confirm_log_odds &&
-         object.hits >= params_.confirm_hit_share * object.expected && sd <= params_.confirm_sd_m &&
+  return recent >= boxes && object.LogOdds() >= log_odds &&
+         object.hits >= params_.confirm_hit_share * object.expected &&
          object.worst_residual <= params_.confirm_residual;
 }
 
 void ObjectTracker::ConfirmWhatIsDue(const TrackerFrame& frame) {
   const double now = frame.detections->t;
   for (TrackedObject& object : objects_) {
-    if (!IsRipe(object, now)) {
+    // Fewer boxes tell an object that is known and expected there.
+    const bool is_ripe = IsRipe(object, now);
+    if (!is_ripe &&
+        !AgreeOn(object, kBoxesOfKnown,
+                 kBoxesOfKnown * params_.confirm_log_odds / params_.looks_to_confirm, now)) {
       continue;
     }
     std::vector<TrackedObject*> group{&object};
     if (ShouldWait(object, frame)) {
+      if (!is_ripe) continue;
       if (now - object.last_seen() < kOutOfSight && now - object.looks.front().t < kLongestWait) {
         continue;
       }
@@ -55,7 +61,7 @@ void ObjectTracker::ConfirmWhatIsDue(const TrackerFrame& frame) {
         if (&other != &object && is_beside && IsRipe(other, now)) group.push_back(&other);
       }
     }
-    Settle(group, frame.x);
+    Settle(group, frame);
   }
   std::erase_if(objects_, [](const TrackedObject& object) { return object.looks.empty(); });
 }
@@ -101,15 +107,15 @@ bool ObjectTracker::ShouldWait(const TrackedObject& object, const TrackerFrame& 
   });
 }
 
-void ObjectTracker::Settle(const std::vector<TrackedObject*>& group, const NavVector& x) {
+void ObjectTracker::Settle(const std::vector<TrackedObject*>& group, const TrackerFrame& frame) {
   const std::vector<TrackedObject*> near = LandmarksNear(group.front()->p);
   const double as_new = -2.0 * std::log(params_.objects_per_m3);
   Eigen::MatrixXd costs = Eigen::MatrixXd::Constant(
       static_cast<Eigen::Index>(group.size()), static_cast<Eigen::Index>(near.size()), kImpossible);
   for (Eigen::Index i = 0; i < costs.rows(); ++i) {
     for (Eigen::Index j = 0; j < costs.cols(); ++j) {
-      const Likeness likeness =
-          LikenessOf(*group[static_cast<std::size_t>(i)], *near[static_cast<std::size_t>(j)], x);
+      const Likeness likeness = LikenessOf(*group[static_cast<std::size_t>(i)],
+                                           *near[static_cast<std::size_t>(j)], frame.x);
       if (likeness.distance2 < kUnlikely) costs(i, j) = likeness.cost - as_new;
     }
   }
@@ -124,7 +130,9 @@ void ObjectTracker::Settle(const std::vector<TrackedObject*>& group, const NavVe
     }
     if (is_clear) {
       Recognise(*near[static_cast<std::size_t>(known)], object);
-    } else {
+    } else if (IsRipe(object, frame.detections->t) &&
+               object.covariance.diagonal().maxCoeff() <=
+                   params_.confirm_sd_m * params_.confirm_sd_m) {
       Adopt(object);
     }
   }

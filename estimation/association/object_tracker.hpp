@@ -79,7 +79,11 @@ class ObjectTracker {
   void AddLook(TrackedObject& object, Look look, const TrackerFrame& frame);
   void Start(Look look, const TrackerFrame& frame);
   /// True if enough boxes agree on a tentative object.
-  [[nodiscard]] bool IsRipe(const TrackedObject& object, double now) const;
+  [[nodiscard]] bool IsRipe(const TrackedObject& object, double now) const {
+    return AgreeOn(object, params_.looks_to_confirm, params_.confirm_log_odds, now);
+  }
+  [[nodiscard]] bool AgreeOn(const TrackedObject& object, int boxes, double log_odds,
+                             double now) const;
   /// Decides what ripe objects are: known landmarks or new ones.
   void ConfirmWhatIsDue(const TrackerFrame& frame);
   struct Likeness {
@@ -92,7 +96,7 @@ class ObjectTracker {
   /// True if the object may be a landmark that drift could have put elsewhere: then it is looked at
   /// until it is out of sight, and decided with what is seen beside it.
   [[nodiscard]] bool ShouldWait(const TrackedObject& object, const TrackerFrame& frame) const;
-  void Settle(const std::vector<TrackedObject*>& group, const NavVector& x);
+  void Settle(const std::vector<TrackedObject*>& group, const TrackerFrame& frame);
   [[nodiscard]] std::vector<TrackedObject*> LandmarksNear(const Eigen::Vector3d& p);
   void Adopt(TrackedObject& object);
   /// Gives the looks of a tentative object to a landmark.

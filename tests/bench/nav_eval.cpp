@@ -3,6 +3,7 @@
 // with truth.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include <fmt/format.h>
@@ -67,6 +68,14 @@ int main(int argc, char** argv) {
     const auto opis = ErrorsOf(result.landmarks, smoothed.alignment, truth);
     const int used = static_cast<int>(
         std::ranges::count_if(result.associations, [](const auto& a) { return a.landmark >= 0; }));
+    std::map<std::pair<int, int>, int> shown;
+    for (const auto& row : limpet::ReadTable(std::filesystem::path(argv[i]) / "truth_det.csv.gz")) {
+      shown[{static_cast<int>(row[0]), static_cast<int>(row[1])}] = static_cast<int>(row[2]);
+    }
+    if (std::getenv("WIN")) for (const auto& a : result.associations) {
+      const int id = shown[{a.frame, a.detection}];
+      if (id >= 0 && a.landmark < 0) fmt::print("  t {:.0f} object {} not used\n", a.frame * 0.25, id);
+    }
     fmt::print("{}\n  nodes {}  boxes used {} of {}  looks taken out {}\n", argv[i],
                result.smoothed.size(), used, result.associations.size(), result.counts.looks);
     fmt::print(
