@@ -103,6 +103,10 @@ class Navigator {
   /// Works off what is left and iterates to the optimum.
   SolveReport Finish();
 
+  /// Of the newest attitude; long ago without any.
+  [[nodiscard]] double attitude_time() const {
+    return track_.is_empty() ? -1e18 : track_.last_time();
+  }
   /// True once the chain has its first pose.
   [[nodiscard]] bool has_started() const { return !node_times_.empty(); }
   /// REQUIRES: has_started(), and t no older than the chain's head.
@@ -132,6 +136,8 @@ class Navigator {
   struct Sample {
     double t, value;
   };
+  /// False for times that are no number or further ahead of the attitude than any sensor can be.
+  [[nodiscard]] bool IsPlausible(double t) const;
   [[nodiscard]] double head_time() const { return node_times_.back(); }
   [[nodiscard]] double NextKeyframe() const;
   void Start(double t, const Eigen::Vector2d& p_W);
@@ -167,6 +173,7 @@ class Navigator {
   OdometryTrack track_;
   ArrowSmoother smoother_;
   ObjectTracker tracker_;
+  std::vector<double> leaps_;  ///< times of attitudes in a row that leapt ahead
   std::deque<Sample> depths_;
   std::deque<Sample> altitudes_;  ///< of the body origin
   std::deque<Fix> fixes_;

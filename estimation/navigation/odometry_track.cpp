@@ -12,6 +12,7 @@ namespace limpet {
 namespace {
 
 constexpr double kLongestExtrapolation = 0.3;  // [s]
+constexpr double kUsualPeriod = 0.2;           // [s] of a DVL
 constexpr double kDropoutAge = 0.5;            // [s] without velocity before it counts as a dropout
 
 Eigen::Matrix3d RotationOf(const AttitudeEstimate& a) {
@@ -39,6 +40,10 @@ void OdometryTrack::AddAttitude(const AttitudeEstimate& attitude) {
 void OdometryTrack::AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B) {
   if (t <= velocity_t_) {
     return;
+  }
+  // A DVL that fell silent is one without lock.
+  if (v_dvl_B && has_velocity_ && t - velocity_t_ > kDropoutAge) {
+    AddVelocity(t - kUsualPeriod, std::nullopt);
   }
   previous_t_ = has_velocity_ ? velocity_t_ : t;
   previous_ = has_velocity_ ? velocity_ : v_dvl_B.value_or(Eigen::Vector3d::Zero());

@@ -9,6 +9,7 @@
 namespace limpet {
 namespace {
 
+constexpr double kArrival = 10.0;       // [s] that a row may be behind its measurement
 constexpr double kSilence = 0.3;        // [s]
 constexpr double kOnlinePeriod = 0.19;  // [s] between rows of online.csv
 
@@ -41,6 +42,8 @@ class Replayer {
     AdvanceTo(row.arrival);
   }
 
+  [[nodiscard]] const Navigator& navigator() const { return navigator_; }
+
   ReplayResult Finish() {
     result_.finish = navigator_.Finish();
     result_.smoothed = navigator_.Smoothed();
@@ -60,6 +63,8 @@ class Replayer {
 
  private:
   void AdvanceTo(double t) {
+    // The attitude's clock, which leaps are kept from, bounds everybody's.
+    if (!std::isfinite(t) || t > navigator_.attitude_time() + kArrival) return;
     now_ = std::max(now_, t);
     const int before = navigator_.node_count();
     const double start = clock_();
@@ -106,12 +111,15 @@ NavigatorParams ParamsForStream(const StreamMeta& meta) {
 }
 
 ReplayResult Replay(const SensorStream& stream, const NavigatorParams& params,
-                    const std::function<double()>& clock) {
+                    const std::function<double()>& clock,
+                    const std::function<void(const Navigator&)>& inspect) {
   Replayer replayer(params, clock);
   for (const StreamRow& row : stream.rows) {
     std::visit(replayer, row);
   }
-  return replayer.Finish();
+  ReplayResult result = replayer.Finish();
+  if (inspect) inspect(replayer.navigator());
+  return result;
 }
 
 }  // namespace limpet

@@ -29,8 +29,10 @@ struct ReplayResult {
   NavigatorCounts counts;
 };
 
-/// Runs the navigator over a stream in order of arrival. `clock` [s] only times the updates.
+/// Runs the navigator over a stream in order of arrival. `clock` [s] only times the updates;
+/// `inspect`, if given, sees the navigator at the end.
 [[nodiscard]] ReplayResult Replay(const SensorStream& stream, const NavigatorParams& params,
-                                  const std::function<double()>& clock);
+                                  const std::function<double()>& clock,
+                                  const std::function<void(const Navigator&)>& inspect = {});
 
 }  // namespace limpet

@@ -72,10 +72,12 @@ int main(int argc, char** argv) {
     for (const auto& row : limpet::ReadTable(std::filesystem::path(argv[i]) / "truth_det.csv.gz")) {
       shown[{static_cast<int>(row[0]), static_cast<int>(row[1])}] = static_cast<int>(row[2]);
     }
-    if (std::getenv("WIN")) for (const auto& a : result.associations) {
-      const int id = shown[{a.frame, a.detection}];
-      if (id >= 0 && a.landmark < 0) fmt::print("  t {:.0f} object {} not used\n", a.frame * 0.25, id);
-    }
+    if (std::getenv("WIN"))
+      for (const auto& a : result.associations) {
+        const int id = shown[{a.frame, a.detection}];
+        if (id >= 0 && a.landmark < 0)
+          fmt::print("  t {:.0f} object {} not used\n", a.frame * 0.25, id);
+      }
     fmt::print("{}\n  nodes {}  boxes used {} of {}  looks taken out {}\n", argv[i],
                result.smoothed.size(), used, result.associations.size(), result.counts.looks);
     fmt::print(

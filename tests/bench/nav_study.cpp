@@ -190,10 +190,11 @@ Outcome PrintSession(const SimulatedStream& session, int seed, bool has_oracle) 
                         .update_s = result.update_s};
   if (std::getenv("WIN")) {
     double last = 0;
-    for (const auto& row : session.stream.rows) if (const auto* d = std::get_if<DvlRow>(&row); d && d->velocity) {
-      if (d->t - last > 10) fmt::print("  dropout {:.0f} .. {:.0f}\n", last, d->t);
-      last = d->t;
-    }
+    for (const auto& row : session.stream.rows)
+      if (const auto* d = std::get_if<DvlRow>(&row); d && d->velocity) {
+        if (d->t - last > 10) fmt::print("  dropout {:.0f} .. {:.0f}\n", last, d->t);
+        last = d->t;
+      }
     fmt::print("  refused velocities {}\n", result.counts.velocities);
     std::map<int, std::map<int, std::vector<double>>> who;
     for (const ReplayAssociation& a : result.associations) {
@@ -202,20 +203,39 @@ Outcome PrintSession(const SimulatedStream& session, int seed, bool has_oracle) 
     }
     for (const auto& l : result.landmarks) {
       const Eigen::Vector3d p = smoothed.alignment.Apply(l.p);
-      fmt::print("  landmark {} class {} at ({:.2f} {:.2f} {:.2f}) sd ({:.2f} {:.2f} {:.2f}):", l.id, l.color, p.x(), p.y(), p.z(), std::sqrt(l.covariance(0,0)), std::sqrt(l.covariance(1,1)), std::sqrt(l.covariance(2,2)));
+      fmt::print("  landmark {} class {} at ({:.2f} {:.2f} {:.2f}) sd ({:.2f} {:.2f} {:.2f}):",
+                 l.id, l.color, p.x(), p.y(), p.z(), std::sqrt(l.covariance(0, 0)),
+                 std::sqrt(l.covariance(1, 1)), std::sqrt(l.covariance(2, 2)));
       for (const auto& [id, times] : who[l.id]) {
         fmt::print(" object {}:", id);
-        if (id > 0) { const Eigen::Vector3d q = session.truth.landmarks[static_cast<std::size_t>(id) - 1].p; fmt::print(" off ({:.2f} {:.2f} {:.2f})", p.x() - q.x(), p.y() - q.y(), p.z() - q.z()); }
-        double before = -100; int n = 0;
-        for (double t : times) { if (t - before > 20) { if (n) fmt::print("x{}", n); fmt::print(" {:.0f}", t); n = 0; } ++n; before = t; }
+        if (id > 0) {
+          const Eigen::Vector3d q = session.truth.landmarks[static_cast<std::size_t>(id) - 1].p;
+          fmt::print(" off ({:.2f} {:.2f} {:.2f})", p.x() - q.x(), p.y() - q.y(), p.z() - q.z());
+        }
+        double before = -100;
+        int n = 0;
+        for (double t : times) {
+          if (t - before > 20) {
+            if (n) fmt::print("x{}", n);
+            fmt::print(" {:.0f}", t);
+            n = 0;
+          }
+          ++n;
+          before = t;
+        }
         fmt::print("x{}", n);
       }
       fmt::print("\n");
     }
     for (std::size_t i = 0; i < result.smoothed.size(); i += 60) {
       const auto& p = result.smoothed[i];
-      const Eigen::Vector3d e = p.X_WB.p_WB - session.truth.At(p.t), a = smoothed.alignment.Apply(p.X_WB.p_WB) - session.truth.At(p.t);
-      fmt::print("  {:6.0f} abs ({:6.2f} {:6.2f} {:6.2f}) aligned ({:6.2f} {:6.2f} {:6.2f}) at ({:6.1f} {:6.1f} {:6.1f})\n", p.t, e.x(), e.y(), e.z(), a.x(), a.y(), a.z(), p.X_WB.p_WB.x(), p.X_WB.p_WB.y(), p.X_WB.p_WB.z());
+      const Eigen::Vector3d e = p.X_WB.p_WB - session.truth.At(p.t),
+                            a = smoothed.alignment.Apply(p.X_WB.p_WB) - session.truth.At(p.t);
+      fmt::print(
+          "  {:6.0f} abs ({:6.2f} {:6.2f} {:6.2f}) aligned ({:6.2f} {:6.2f} {:6.2f}) at ({:6.1f} "
+          "{:6.1f} {:6.1f})\n",
+          p.t, e.x(), e.y(), e.z(), a.x(), a.y(), a.z(), p.X_WB.p_WB.x(), p.X_WB.p_WB.y(),
+          p.X_WB.p_WB.z());
     }
   }
   return outcome;
@@ -237,7 +257,8 @@ void PrintSummary(const std::vector<Outcome>& all) {
   const double band = 1.96 * std::sqrt(6.0 / n);
   fmt::print(
       "{} sessions: reckoned {:.3f}, smoothed mean {:.3f}, 90 % {:.3f} m; duplicates {}, false {}, "
-      "missed {}, wrong boxes {}\n  NEES of poses {:.2f}, of landmarks {:.2f} (3 +- {:.2f}); updates: "
+      "missed {}, wrong boxes {}\n  NEES of poses {:.2f}, of landmarks {:.2f} (3 +- {:.2f}); "
+      "updates: "
       "median {:.4f}, 99 % {:.3f}, max {:.2f} ms\n",
       all.size(), sum.reckoned, sum.smoothed, Quantile(smoothed, 0.9), sum.duplicates,
       sum.false_ones, sum.missed, sum.wrong, sum.nees_pose, sum.nees_landmark, band,
