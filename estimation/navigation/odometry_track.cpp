@@ -119,7 +119,9 @@ void OdometryTrack::Integrate(const Sample& from, Sample& to) const {
   to.p_dvl = from.p_dvl + moved;
   to.path = from.path + moved.head<2>().norm();
   to.bridge_variance = from.bridge_variance;
-  if (const auto age = DropoutAge(to.attitude.t)) {
+  auto age = DropoutAge(to.attitude.t);
+  if (!age && dt > kDropoutAge) age = dt;  // the attitude itself was away
+  if (age) {
     const double sd = BridgeSigma(*age);
     to.bridge_variance += 2.0 * sd * sd * std::min(*age, params_.bridge_correlation.value()) * dt;
   }
