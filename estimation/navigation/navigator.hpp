@@ -25,7 +25,7 @@ struct NavigatorParams {
   VelocityGateParams velocity_gate;
   CameraModel camera;
   ObjectTrackerParams objects;
-  ArrowParams smoother;
+  ArrowParams smoother{.converged_decrease = 1e-6};
   Seconds frame_wait{0.6};    ///< boxes of a frame are waited for this long after its exposure
   Seconds node_period{1.0};   ///< longest time between poses of the chain
   Meters node_distance{0.5};  ///< and longest way

@@ -25,7 +25,7 @@ struct OdometryParams {
   double bridge_velocity = 0.03;     ///< error of the bridging model as a dropout begins [m/s]
   double bridge_growth = 0.02;       ///< and its growth per second [m/s^2]
   double bridge_limit = 0.3;         ///< that it does not exceed [m/s], nor
-  double bridge_floor = 0.08;        ///< this or one and a half times the velocity's usual spread
+  double bridge_floor = 0.05;        ///< this or one and a half times the velocity's usual spread
   Seconds bridge_memory{4.0};        ///< in which a bridged velocity far from the usual comes near
   double bridge_ahead = 0.1;         ///< how near, forward [m/s]
   double bridge_abeam = 0.05;        ///< and sideways [m/s]

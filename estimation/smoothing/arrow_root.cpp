@@ -23,9 +23,9 @@ struct ArrowRoot::Prior {
   std::map<int, Eigen::MatrixXd> columns;  ///< of the covariance, per block, computed when asked
   // Of the last Solve: z = (anchor, the leaf's blocks), then the head.
   std::vector<int> blocks;
-  Eigen::MatrixXd z_columns;    ///< of the prior's covariance
-  Eigen::MatrixXd information;  ///< of z in the prior
-  Eigen::MatrixXd posterior;    ///< covariance of (z, head)
+  Eigen::MatrixXd z_columns;                  ///< of the prior's covariance
+  Eigen::MatrixXd z_covariance, information;  ///< of z in the prior
+  Eigen::MatrixXd posterior;                  ///< covariance of (z, head)
   bool has_head = false;
 
   static int First(int block) { return block < 0 ? 0 : 6 + 3 * block; }
@@ -74,7 +74,8 @@ void ArrowRoot::Solve(const ArrowLeaf& leaf, const ArrowMessage& message) {
       p.z_columns.middleCols(column, Prior::Width(block)) = PriorColumns(block);
       column += Prior::Width(block);
     }
-    Eigen::MatrixXd covariance(size, size);
+    Eigen::MatrixXd& covariance = p.z_covariance;
+    covariance.resize(size, size);
     Eigen::Index row = 0;
     for (const int block : blocks) {
       covariance.middleRows(row, Prior::Width(block)) =
@@ -133,6 +134,9 @@ void ArrowRoot::Solve(const ArrowLeaf& leaf, const ArrowMessage& message) {
 Eigen::MatrixXd ArrowRoot::Covariance(const std::vector<int>& slots) const {
   const Prior& p = *prior_;
   const Eigen::Index size = p.information.rows();
+  if (slots.empty()) {
+    return p.posterior.block<6, 6>(p.has_head ? size : 0, p.has_head ? size : 0);
+  }
   const auto columns = static_cast<Eigen::Index>(6 + 3 * slots.size());
   // Of (z, head) with the blocks: a block depends on z alone, by G.
   std::vector<Eigen::MatrixXd> gains;
@@ -141,8 +145,7 @@ Eigen::MatrixXd ArrowRoot::Covariance(const std::vector<int>& slots) const {
   }
   const Eigen::Index head = p.has_head ? p.posterior.rows() - 6 : 0;
   const Eigen::MatrixXd prior_less_posterior =
-      p.information.llt().solve(Eigen::MatrixXd::Identity(size, size)) -
-      p.posterior.topLeftCorner(size, size);
+      p.z_covariance - p.posterior.topLeftCorner(size, size);
   Eigen::MatrixXd joint(columns, columns);
   joint.topLeftCorner<6, 6>() = p.posterior.block<6, 6>(head, head);
   for (std::size_t a = 0; a < slots.size(); ++a) {
@@ -177,8 +180,8 @@ Eigen::MatrixXd ArrowRoot::AnchorCovariance() const {
   const Eigen::Index n = p.mean.size(), size = p.information.rows();
   const Eigen::MatrixXd gain = p.z_columns * p.information;
   const Eigen::MatrixXd covariance = p.llt.solve(Eigen::MatrixXd::Identity(n, n));
-  const Eigen::MatrixXd prior_z = p.information.llt().solve(Eigen::MatrixXd::Identity(size, size));
-  return covariance - gain * (prior_z - p.posterior.topLeftCorner(size, size)) * gain.transpose();
+  return covariance -
+         gain * (p.z_covariance - p.posterior.topLeftCorner(size, size)) * gain.transpose();
 }
 
 }  // namespace limpet

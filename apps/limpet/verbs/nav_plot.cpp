@@ -167,7 +167,7 @@ std::string NavMapPlot(const ReplayResult& result, const std::string& name) {
         canvas.Circle(at, 9.0, kEllipse);
         canvas.Circle(at, 3.5, {.fill = palette::kMapInk});
       },
-      "place, 3 standard deviations\n(in the world: mostly GPS, common to all)");
+      "place, 3 standard deviations\n(in the world: what GPS and\nheading leave open is\ncommon to all)");
   return map.Finish();
 }
 
