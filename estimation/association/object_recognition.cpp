@@ -33,7 +33,9 @@ bool ObjectTracker::AgreeOn(const TrackedObject& object, int boxes, double log_o
     return false;
   }
   const auto recent = std::ranges::count_if(object.looks, [&](const Look& look) {
-    return look.reading.is_usable() && now - look.t <= params_.confirm_within_s;
+    // What both borders cut tells no place, but that something is there.
+    const bool counts = look.reading.is_usable() || boxes < params_.looks_to_confirm;
+    return counts && now - look.t <= params_.confirm_within_s;
   });
   return recent >= boxes && object.LogOdds() >= log_odds &&
          object.hits >= params_.confirm_hit_share * object.expected &&
