@@ -101,9 +101,8 @@ ObjectTracker::Likeness ObjectTracker::LikenessOf(const TrackedObject& tentative
   return likeness;
 }
 
-bool ObjectTracker::ShouldWait(const TrackedObject& object, const TrackerFrame& frame) const {
-  const auto near = const_cast<ObjectTracker*>(this)->LandmarksNear(object.p);
-  return std::ranges::any_of(near, [&](const TrackedObject* landmark) {
+bool ObjectTracker::ShouldWait(const TrackedObject& object, const TrackerFrame& frame) {
+  return std::ranges::any_of(LandmarksNear(object.p), [&](const TrackedObject* landmark) {
     const Likeness likeness = LikenessOf(object, *landmark, frame.x);
     return likeness.spread > params_.sure_spread_m && likeness.distance2 < kUnlikely;
   });

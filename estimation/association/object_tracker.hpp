@@ -95,7 +95,7 @@ class ObjectTracker {
                                     const NavVector& x) const;
   /// True if the object may be a landmark that drift could have put elsewhere: then it is looked at
   /// until it is out of sight, and decided with what is seen beside it.
-  [[nodiscard]] bool ShouldWait(const TrackedObject& object, const TrackerFrame& frame) const;
+  [[nodiscard]] bool ShouldWait(const TrackedObject& object, const TrackerFrame& frame);
   void Settle(const std::vector<TrackedObject*>& group, const TrackerFrame& frame);
   [[nodiscard]] std::vector<TrackedObject*> LandmarksNear(const Eigen::Vector3d& p);
   void Adopt(TrackedObject& object);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// nav_study [--scene NAME] [--seed FIRST] [--seeds N] [--batch] [--cost]: the estimator on
+// nav_study [--scene table1|hour|dropouts|twins|day|deep] [--seed FIRST] [--seeds N] [--oracle]
+// [--details]: the estimator on simulated sessions, one line each, and their summary with NEES and
+// update times. --oracle adds what a detector without mistakes would give.
 // simulated sessions.
 #include <algorithm>
 #include <cmath>
@@ -11,7 +13,6 @@
 #include <fmt/format.h>
 #include <time.h>
 
-#include "estimation/smoothing/batch_solver.hpp"
 #include "tests/support/simulated_stream.hpp"
 
 namespace {
@@ -137,19 +138,61 @@ Associations AssociationsOf(const ReplayResult& result, const SimulatedStream& s
   return out;
 }
 
-struct Options {
-  std::string scene = "table1";
-  int first = 1, count = 5;
-  bool has_oracle = false;
-};
-
 struct Outcome {
   double smoothed = 0.0, reckoned = 0.0, nees_pose = 0.0, nees_landmark = 0.0;
   int duplicates = 0, false_ones = 0, missed = 0, wrong = 0;
   std::vector<double> update_s;
 };
 
-Outcome PrintSession(const SimulatedStream& session, int seed, bool has_oracle) {
+/// Times of the sightings in a row of times of looks, and how many looks each has.
+std::string SightingsOf(const std::vector<double>& times) {
+  constexpr double kGap = 20.0;  // [s] between two sightings
+  std::string text;
+  for (std::size_t i = 0; i < times.size();) {
+    std::size_t end = i + 1;
+    while (end < times.size() && times[end] - times[end - 1] < kGap)
+      ++end;
+    text += fmt::format(" {:.0f} s x{}", times[i], end - i);
+    i = end;
+  }
+  return text;
+}
+
+/// Dropouts, and what each landmark's boxes show.
+void PrintDetails(const SimulatedStream& session, const ReplayResult& result,
+                  const Alignment& alignment) {
+  double last = 0.0;
+  for (const StreamRow& row : session.stream.rows) {
+    const auto* dvl = std::get_if<DvlRow>(&row);
+    if (dvl == nullptr || !dvl->velocity) continue;
+    if (dvl->t - last > 10.0) fmt::print("  dropout {:.0f} .. {:.0f} s\n", last, dvl->t);
+    last = dvl->t;
+  }
+  std::map<int, std::map<int, std::vector<double>>> looks;
+  for (const ReplayAssociation& a : result.associations) {
+    const auto shown = session.shown.find({a.frame, a.detection});
+    looks[a.landmark][shown == session.shown.end() ? -1 : shown->second].push_back(0.25 * a.frame);
+  }
+  for (const LandmarkEstimate& l : result.landmarks) {
+    const Eigen::Vector3d p = alignment.Apply(l.p);
+    fmt::print("  landmark {} class {} at ({:.2f} {:.2f} {:.2f})", l.id, l.color, p.x(), p.y(),
+               p.z());
+    for (const auto& [id, times] : looks[l.id]) {
+      const double off =
+          id > 0 ? (p - session.truth.landmarks[static_cast<std::size_t>(id) - 1].p).norm() : 0.0;
+      fmt::print("; object {} ({:.2f} m off):{}", id, off, SightingsOf(times));
+    }
+    fmt::print("\n");
+  }
+}
+
+struct Options {
+  std::string scene = "table1";
+  int first = 1, count = 5;
+  bool has_oracle = false, has_details = false;
+};
+
+Outcome PrintSession(const SimulatedStream& session, int seed, const Options& options) {
   const double start = ThreadSeconds();
   const ReplayResult result =
       Replay(session.stream, ParamsForStream(session.stream.meta), ThreadSeconds);
@@ -171,7 +214,7 @@ Outcome PrintSession(const SimulatedStream& session, int seed, bool has_oracle) 
       1e3 * Quantile(result.update_s, 0.5), 1e3 * Quantile(result.update_s, 0.99),
       1e3 * Quantile(result.update_s, 1.0), total,
       result.finish.has_converged ? "" : "NOT CONVERGED");
-  if (has_oracle) {
+  if (options.has_oracle) {
     const ReplayResult oracle = Replay(WithTrueAssociations(session),
                                        ParamsForStream(session.stream.meta), [] { return 0.0; });
     const auto truth_smoothed = ErrorOf(oracle.smoothed, session.truth);
@@ -188,56 +231,7 @@ Outcome PrintSession(const SimulatedStream& session, int seed, bool has_oracle) 
                         .missed = static_cast<int>(opis.missed.size()),
                         .wrong = associations.wrong,
                         .update_s = result.update_s};
-  if (std::getenv("WIN")) {
-    double last = 0;
-    for (const auto& row : session.stream.rows)
-      if (const auto* d = std::get_if<DvlRow>(&row); d && d->velocity) {
-        if (d->t - last > 10) fmt::print("  dropout {:.0f} .. {:.0f}\n", last, d->t);
-        last = d->t;
-      }
-    fmt::print("  refused velocities {}\n", result.counts.velocities);
-    std::map<int, std::map<int, std::vector<double>>> who;
-    for (const ReplayAssociation& a : result.associations) {
-      const auto shown = session.shown.find({a.frame, a.detection});
-      who[a.landmark][shown == session.shown.end() ? -1 : shown->second].push_back(a.frame * 0.25);
-    }
-    for (const auto& l : result.landmarks) {
-      const Eigen::Vector3d p = smoothed.alignment.Apply(l.p);
-      fmt::print("  landmark {} class {} at ({:.2f} {:.2f} {:.2f}) sd ({:.2f} {:.2f} {:.2f}):",
-                 l.id, l.color, p.x(), p.y(), p.z(), std::sqrt(l.covariance(0, 0)),
-                 std::sqrt(l.covariance(1, 1)), std::sqrt(l.covariance(2, 2)));
-      for (const auto& [id, times] : who[l.id]) {
-        fmt::print(" object {}:", id);
-        if (id > 0) {
-          const Eigen::Vector3d q = session.truth.landmarks[static_cast<std::size_t>(id) - 1].p;
-          fmt::print(" off ({:.2f} {:.2f} {:.2f})", p.x() - q.x(), p.y() - q.y(), p.z() - q.z());
-        }
-        double before = -100;
-        int n = 0;
-        for (double t : times) {
-          if (t - before > 20) {
-            if (n) fmt::print("x{}", n);
-            fmt::print(" {:.0f}", t);
-            n = 0;
-          }
-          ++n;
-          before = t;
-        }
-        fmt::print("x{}", n);
-      }
-      fmt::print("\n");
-    }
-    for (std::size_t i = 0; i < result.smoothed.size(); i += 60) {
-      const auto& p = result.smoothed[i];
-      const Eigen::Vector3d e = p.X_WB.p_WB - session.truth.At(p.t),
-                            a = smoothed.alignment.Apply(p.X_WB.p_WB) - session.truth.At(p.t);
-      fmt::print(
-          "  {:6.0f} abs ({:6.2f} {:6.2f} {:6.2f}) aligned ({:6.2f} {:6.2f} {:6.2f}) at ({:6.1f} "
-          "{:6.1f} {:6.1f})\n",
-          p.t, e.x(), e.y(), e.z(), a.x(), a.y(), a.z(), p.X_WB.p_WB.x(), p.X_WB.p_WB.y(),
-          p.X_WB.p_WB.z());
-    }
-  }
+  if (options.has_details) PrintDetails(session, result, smoothed.alignment);
   return outcome;
 }
 
@@ -273,6 +267,8 @@ int main(int argc, char** argv) {
     const std::string word = argv[i];
     if (word == "--oracle") {
       options.has_oracle = true;
+    } else if (word == "--details") {
+      options.has_details = true;
     } else if (i + 1 < argc && word == "--scene") {
       options.scene = argv[++i];
     } else if (i + 1 < argc && word == "--seed") {
@@ -294,7 +290,7 @@ int main(int argc, char** argv) {
   for (int seed = options.first; seed < options.first + options.count; ++seed) {
     StreamScene scene = scenes.at(options.scene);
     scene.seed = static_cast<std::uint64_t>(seed);
-    outcomes.push_back(PrintSession(SimulateStream(scene), seed, options.has_oracle));
+    outcomes.push_back(PrintSession(SimulateStream(scene), seed, options));
   }
   PrintSummary(outcomes);
   return 0;
