@@ -65,7 +65,12 @@ std::optional<BoxMatch> MatchBox(const BoxDetection& box, const BoxReading& read
   Eigen::Matrix2d S = J * covariance * J.transpose();
   Eigen::Vector2d r = Eigen::Vector2d::Zero();
   bool overlaps = true;
-  BoxMatch match{.cost = 0.0, .new_cost = -2.0 * std::log(params.new_object_share)};
+  const double mean = 0.5 * S.trace(), half = 0.5 * (S(0, 0) - S(1, 1));
+  const double spread = std::sqrt(mean + std::sqrt(half * half + S(0, 1) * S(0, 1)));
+  BoxMatch match{.cost = 0.0,
+                 .new_cost = -2.0 * std::log(params.new_object_share),
+                 .distance2 = 0.0,
+                 .spread_px = spread};
   const auto add_axis = [&](int axis, const std::optional<AxisOffset>& along, double sigma,
                             double image) {
     if (!along) {

@@ -28,6 +28,7 @@ struct BoxMatch {
   double cost = 0.0;
   double new_cost = 0.0;
   double distance2 = 0.0;  ///< squared Mahalanobis distance
+  double spread_px = 0.0;  ///< 1-sigma of where the box was expected, in the worst direction
 };
 
 /// Compares a box with where an object of `radius` at `p_W` should appear. Axes that a border cuts

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -14,6 +15,8 @@
 namespace limpet {
 namespace {
 
+constexpr double kMoved = 0.1;        // [m] after which all looks of a landmark are reviewed again
+constexpr double kRecent = 30.0;      // [s] of looks that always are
 constexpr double kModelError = 0.05;  // [m] between two landmarks of one object, beyond covariance
 
 }  // namespace
@@ -39,12 +42,16 @@ bool ObjectTracker::Review() {
 bool ObjectTracker::RemoveOutliers() {
   bool has_changed = false;
   for (TrackedObject& object : objects_) {
-    if (!object.is_landmark()) {
+    if (!object.is_landmark() || !std::exchange(object.is_fresh, false)) {
       continue;
     }
     const Eigen::Vector3d p = smoother_.LandmarkAt(object.slot);
+    // Old looks are reviewed again once the object has moved.
+    const bool has_moved = !object.reviewed_p || (p - *object.reviewed_p).norm() > kMoved;
+    const double since = has_moved ? -1e18 : object.last_seen() - kRecent;
+    if (has_moved) object.reviewed_p = p;
     const auto does_not_fit = [&](const Look& look) {
-      if (look.terms.empty()) {
+      if (look.terms.empty() || look.t < since) {
         return false;
       }
       const ReprojectionFactor factor(camera_, look.reading.centre_px, look.reading.sigma_px);
@@ -57,6 +64,7 @@ bool ObjectTracker::RemoveOutliers() {
       }
     }
     const auto removed = std::erase_if(object.looks, does_not_fit);
+    if (removed > 0) object.RecountColor();
     rejected_looks_ += static_cast<int>(removed);
     has_changed = has_changed || removed > 0;
   }
@@ -108,7 +116,7 @@ void ObjectTracker::Merge(TrackedObject& into, TrackedObject& from) {
   for (Look& look : from.looks) {
     look.terms.clear();
     AddTerms(into, look, false);
-    into.looks.push_back(std::move(look));
+    into.AddLook(std::move(look));
   }
   from.looks.clear();
   std::ranges::stable_sort(into.looks, {}, &Look::frame);

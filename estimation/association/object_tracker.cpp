@@ -15,6 +15,8 @@ constexpr double kImpossible = 1e6;
 constexpr double kAmbiguous = 2.0;  // -2 ln of the likelihood ratio that tells two objects apart
 constexpr double kGuessedRadius = 0.4;   // [m] to expect boxes with when the radius is not known
 constexpr double kPoseDriftFloor = 0.1;  // [m] of a tentative object against the pose
+constexpr double kSurePixels = 25.0;     // an expectation within which is sure, whatever the box
+constexpr double kReach = 3.0;           // [m] beyond the greatest distance it was seen from
 constexpr double kMarginShare = 0.12;    // of the image, inside which an object should be seen
 
 }  // namespace
@@ -77,9 +79,7 @@ std::vector<int> ObjectTracker::Process(const TrackerFrame& frame) {
     seen.push_back(static_cast<int>(j));
   }
   CountVisibility(frame, seen);
-  for (TrackedObject& object : objects_) {
-    ConfirmIfDue(object, frame.detections->t);
-  }
+  ConfirmWhatIsDue(frame);
   return shown;
 }
 
@@ -91,15 +91,22 @@ Eigen::MatrixXd ObjectTracker::Costs(const TrackerFrame& frame,
   if (rows == 0 || columns == 0) {
     return costs;
   }
+  // Landmarks that no error of the pose could bring into view are left out.
+  const Eigen::MatrixXd pose = smoother_.Covariance({});
+  const double reach = kReach + 4.0 * std::sqrt(pose.diagonal().head<2>().maxCoeff());
   std::vector<int> slots;
+  std::vector<bool> is_near;
   for (const TrackedObject& object : objects_) {
-    if (object.is_landmark()) slots.push_back(object.slot);
+    const double distance = (object.p - frame.x.head<3>()).norm();
+    is_near.push_back(!object.is_landmark() || distance < object.far + reach);
+    if (object.is_landmark() && is_near.back()) slots.push_back(object.slot);
   }
   const Eigen::MatrixXd joint = smoother_.Covariance(slots);
   const double radius = params_.model.radius_m > 0.0 ? params_.model.radius_m : kGuessedRadius;
   int row_in_joint = 6;
   for (Eigen::Index j = 0; j < columns; ++j) {
     const TrackedObject& object = objects_[static_cast<std::size_t>(j)];
+    if (!is_near[static_cast<std::size_t>(j)]) continue;
     const SightCovariance covariance = CovarianceWith(object, frame.path, joint, row_in_joint);
     row_in_joint += object.is_landmark() ? 3 : 0;
     for (Eigen::Index i = 0; i < rows; ++i) {
@@ -108,8 +115,10 @@ Eigen::MatrixXd ObjectTracker::Costs(const TrackerFrame& frame,
           frame.detections->boxes[static_cast<std::size_t>(candidate.detection)];
       const auto match = MatchBox(box, candidate.reading, frame.x, object.p, covariance, radius,
                                   object.Color() == box.color, camera_, params_.gate);
+      const double sure = std::max(kSurePixels, params_.sure_share * std::max(box.w, box.h));
+      const bool is_unsure = match && object.is_landmark() && match->spread_px > sure;
       // Costs are against being something new, so that zero divides.
-      if (match && match->cost < match->new_cost) {
+      if (match && !is_unsure && match->cost < match->new_cost) {
         costs(i, j) = match->cost - match->new_cost;
       }
     }
@@ -156,7 +165,8 @@ void ObjectTracker::AddLook(TrackedObject& object, Look look, const TrackerFrame
   const bool is_new_pass = look.t - object.last_seen() > params_.confirm_within_s;
   object.last_path = frame.path;
   object.far = std::max(object.far, CameraPointOf(camera_, frame.x, object.p).p_C.norm());
-  object.looks.push_back(std::move(look));
+  object.is_fresh = true;
+  object.AddLook(std::move(look));
   if (object.is_landmark()) {
     AddTerms(object, object.looks.back(), is_new_pass);
   } else {
@@ -167,7 +177,7 @@ void ObjectTracker::AddLook(TrackedObject& object, Look look, const TrackerFrame
 void ObjectTracker::Start(Look look, const TrackerFrame& frame) {
   TrackedObject object;
   object.last_path = frame.path;
-  object.looks.push_back(std::move(look));
+  object.AddLook(std::move(look));
   Retriangulate(object);
   object.far = CameraPointOf(camera_, frame.x, object.p).p_C.norm();
   objects_.push_back(std::move(object));
@@ -179,31 +189,6 @@ void ObjectTracker::Retriangulate(TrackedObject& object) {
   object.p = found.p;
   object.covariance = found.covariance;
   object.worst_residual = found.worst_residual;
-}
-
-void ObjectTracker::ConfirmIfDue(TrackedObject& object, double now) {
-  if (object.is_landmark()) {
-    return;
-  }
-  const auto recent = std::ranges::count_if(object.looks, [&](const Look& look) {
-    return look.reading.is_usable() && now - look.t <= params_.confirm_within_s;
-  });
-  const double sd = std::sqrt(object.covariance.diagonal().maxCoeff());
-  if (recent < params_.looks_to_confirm || object.LogOdds() < params_.confirm_log_odds ||
-      object.hits < params_.confirm_hit_share * object.expected || sd > params_.confirm_sd_m ||
-      object.worst_residual > params_.confirm_residual) {
-    return;
-  }
-  object.id = next_id_++;
-  object.slot = smoother_.AddLandmark(object.p);
-  const double hold = params_.place_prior_m * params_.place_prior_m;
-  smoother_.AddLandmarkTerm(
-      object.slot,
-      Term::OnLandmark(LandmarkPriorFactor(object.p, hold * Eigen::Matrix3d::Identity()),
-                       object.slot));
-  for (std::size_t i = 0; i < object.looks.size(); ++i) {
-    AddTerms(object, object.looks[i], i == 0);
-  }
 }
 
 void ObjectTracker::AddTerms(TrackedObject& object, Look& look, bool with_seabed) {

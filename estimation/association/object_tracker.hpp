@@ -24,6 +24,11 @@ struct ObjectTrackerParams {
   double confirm_hit_share = 0.25;  ///< of the frames that should have shown it
   double drop_hit_share = 0.1;      ///< a landmark seen in fewer is a false one
   int drop_after_expected = 40;
+  /// A box is taken for a landmark at once when the landmark was expected within this share of the
+  /// box's size; else several boxes must first agree among themselves.
+  double sure_share = 0.2;
+  double known_margin = 4.0;      ///< -2 ln of the likelihood ratio that tells a known object
+  double sure_spread_m = 0.3;     ///< drift below which three boxes are enough for that
   double drift_share = 0.01;      ///< of the way since last seen, for tentative objects
   double outlier_sigma = 6.0;     ///< a look that fits worse after solving is taken out again
   double merge_distance_m = 2.5;  ///< landmarks further apart are never one
@@ -73,7 +78,29 @@ class ObjectTracker {
   void CountVisibility(const TrackerFrame& frame, const std::vector<int>& seen);
   void AddLook(TrackedObject& object, Look look, const TrackerFrame& frame);
   void Start(Look look, const TrackerFrame& frame);
-  void ConfirmIfDue(TrackedObject& object, double now);
+  /// True if enough boxes agree on a tentative object.
+  [[nodiscard]] bool IsRipe(const TrackedObject& object, double now) const {
+    return AgreeOn(object, params_.looks_to_confirm, params_.confirm_log_odds, now);
+  }
+  [[nodiscard]] bool AgreeOn(const TrackedObject& object, int boxes, double log_odds,
+                             double now) const;
+  /// Decides what ripe objects are: known landmarks or new ones.
+  void ConfirmWhatIsDue(const TrackerFrame& frame);
+  struct Likeness {
+    double cost = 0.0;       ///< -2 ln of the likelihood that they are one
+    double distance2 = 0.0;  ///< squared Mahalanobis distance
+    double spread = 0.0;     ///< 1-sigma of their distance, horizontal [m]
+  };
+  [[nodiscard]] Likeness LikenessOf(const TrackedObject& tentative, const TrackedObject& landmark,
+                                    const NavVector& x) const;
+  /// True if the object may be a landmark that drift could have put elsewhere: then it is looked at
+  /// until it is out of sight, and decided with what is seen beside it.
+  [[nodiscard]] bool ShouldWait(const TrackedObject& object, const TrackerFrame& frame);
+  void Settle(const std::vector<TrackedObject*>& group, const TrackerFrame& frame);
+  [[nodiscard]] std::vector<TrackedObject*> LandmarksNear(const Eigen::Vector3d& p);
+  void Adopt(TrackedObject& object);
+  /// Gives the looks of a tentative object to a landmark.
+  void Recognise(TrackedObject& landmark, TrackedObject& tentative);
   void AddTerms(TrackedObject& object, Look& look, bool with_seabed);
   void DropStale(double now);
   bool RemoveOutliers();

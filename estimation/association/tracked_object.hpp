@@ -35,17 +35,27 @@ struct TrackedObject {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< tentative: relative to its poses
   double worst_residual = 0.0;                               ///< tentative: whitened, of its looks
   double last_path = 0.0;                                    ///< way travelled when last seen [m]
-  double far = 0.0;   ///< greatest distance it was seen at [m]
-  int expected = 0;   ///< frames that should have shown it
-  int hits = 0;       ///< of these, how many did
-  int prior_id = -1;  ///< object of the former session it was matched with
+  double far = 0.0;      ///< greatest distance it was seen at [m]
+  int expected = 0;      ///< frames that should have shown it
+  int hits = 0;          ///< of these, how many did
+  int prior_id = -1;     ///< object of the former session it was matched with
+  bool is_fresh = true;  ///< seen since the last review
+  /// Where it was when all its looks were last reviewed; nothing before that.
+  std::optional<Eigen::Vector3d> reviewed_p;
 
   [[nodiscard]] bool is_landmark() const { return slot >= 0; }
   [[nodiscard]] double last_seen() const { return looks.back().t; }
   /// The class most boxes gave it; the first in the alphabet if equal.
-  [[nodiscard]] std::string Color() const;
+  [[nodiscard]] const std::string& Color() const { return color_; }
+  /// To be called when looks went or came in numbers; AddLook counts its own.
+  void RecountColor();
+  void AddLook(Look look);
   /// Sum of ln(c / (1 - c)) over the confidences of its looks.
   [[nodiscard]] double LogOdds() const;
+
+ private:
+  std::map<std::string, double> votes_;
+  std::string color_;
 };
 
 }  // namespace limpet

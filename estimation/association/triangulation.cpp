@@ -19,14 +19,21 @@ constexpr int kIterations = 6;
 
 }  // namespace
 
-std::string TrackedObject::Color() const {
-  std::map<std::string, double> votes;
+void TrackedObject::RecountColor() {
+  votes_.clear();
   for (const Look& look : looks) {
-    votes[look.color] += look.confidence;
+    votes_[look.color] += look.confidence;
   }
   const auto most = std::ranges::max_element(
-      votes, {}, [](const std::pair<const std::string, double>& vote) { return vote.second; });
-  return most == votes.end() ? "" : most->first;
+      votes_, {}, [](const std::pair<const std::string, double>& vote) { return vote.second; });
+  color_ = most == votes_.end() ? "" : most->first;
+}
+
+void TrackedObject::AddLook(Look look) {
+  const double votes = votes_[look.color] += look.confidence;
+  const auto leading = votes_.find(color_);
+  if (leading == votes_.end() || votes > leading->second) color_ = look.color;
+  looks.push_back(std::move(look));
 }
 
 double TrackedObject::LogOdds() const {

@@ -5,13 +5,17 @@
 #include <cmath>
 #include <utility>
 
+#include "estimation/smoothing/factors/calibrated_step_factor.hpp"
 #include "estimation/smoothing/mrpt_poses.hpp"
 #include "limpet/core/require.hpp"
 
 namespace limpet {
 namespace {
 
-constexpr double kBufferLength = 20.0;  // [s] of samples behind the present
+constexpr double kBufferLength = 20.0;   // [s] of samples behind the present
+constexpr double kLeap = 30.0;           // [s] without attitude that one sample does not prove
+constexpr std::size_t kBelieveLeap = 3;  // samples
+constexpr double kAhead = 5.0;           // [s] of a sensor before the attitude
 
 }  // namespace
 
@@ -29,10 +33,28 @@ void Navigator::AddAttitude(const AttitudeEstimate& attitude) {
     ++counts_.stale_samples;
     return;
   }
+  if (!track_.is_empty() && attitude.t - track_.last_time() > kLeap) {
+    // A corrupt time must not stop the clock for all that follows; a real gap goes on.
+    if (!leaps_.empty() && std::abs(attitude.t - leaps_.back()) > 1.0) leaps_.clear();
+    leaps_.push_back(attitude.t);
+    if (leaps_.size() < kBelieveLeap) {
+      ++counts_.stale_samples;
+      return;
+    }
+  }
+  leaps_.clear();
   track_.AddAttitude(attitude);
 }
 
+bool Navigator::IsPlausible(double t) const {
+  return std::isfinite(t) && (track_.is_empty() || t < track_.last_time() + kAhead);
+}
+
 void Navigator::AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B) {
+  if (!IsPlausible(t)) {
+    ++counts_.stale_samples;
+    return;
+  }
   const bool is_good = v_dvl_B && gate_.Accepts(t, *v_dvl_B);
   counts_.velocities += v_dvl_B && !is_good ? 1 : 0;
   if (const auto rate = is_good ? std::nullopt : SinkRate()) {
@@ -57,7 +79,7 @@ std::optional<double> Navigator::SinkRate() const {
 }
 
 void Navigator::AddAltitude(double t, double dvl_altitude) {
-  if (track_.is_empty() || !std::isfinite(dvl_altitude) || dvl_altitude <= 0.0 ||
+  if (track_.is_empty() || !IsPlausible(t) || !std::isfinite(dvl_altitude) || dvl_altitude <= 0.0 ||
       (!altitudes_.empty() && t <= altitudes_.back().t)) {
     return;
   }
@@ -68,7 +90,7 @@ void Navigator::AddAltitude(double t, double dvl_altitude) {
 }
 
 void Navigator::AddDepth(double t, double depth) {
-  if (!std::isfinite(depth) || (!depths_.empty() && t <= depths_.back().t)) {
+  if (!std::isfinite(depth) || !IsPlausible(t) || (!depths_.empty() && t <= depths_.back().t)) {
     ++counts_.stale_samples;
     return;
   }
@@ -76,14 +98,21 @@ void Navigator::AddDepth(double t, double depth) {
 }
 
 void Navigator::AddGps(double t, const Eigen::Vector2d& p_W, double sd) {
-  if (!p_W.allFinite() || !(sd > 0.0) || (!fixes_.empty() && t <= fixes_.back().t)) {
+  if (!p_W.allFinite() || !IsPlausible(t) || !(sd > 0.0) ||
+      (!fixes_.empty() && t <= fixes_.back().t)) {
     ++counts_.stale_samples;
     return;
   }
   fixes_.push_back({t, p_W, sd});
 }
 
-void Navigator::AddFrame(const FrameDetections& frame) { waiting_.push_back(frame); }
+void Navigator::AddFrame(const FrameDetections& frame) {
+  if (!IsPlausible(frame.t)) {
+    ++counts_.stale_samples;
+    return;
+  }
+  waiting_.push_back(frame);
+}
 
 void Navigator::Advance(double now) {
   if (track_.is_empty()) {
@@ -121,9 +150,17 @@ SolveReport Navigator::Finish() {
   return report;
 }
 
+OdometryStep Navigator::StepTo(double t) const {
+  OdometryStep step = track_.Between(head_time(), std::max(t, head_time()));
+  step.motion = WithoutSlowErrors(step.motion, step.duration, SlowErrorsNow());
+  if (bridge_ >= 0)
+    step.motion.head<2>() -= step.duration * smoother_.LandmarkAt(bridge_).head<2>();
+  return step;
+}
+
 NavVector Navigator::Predict(double t) const {
   NavVector x = smoother_.PoseAt(node_count() - 1);
-  const OdometryStep step = track_.Between(head_time(), std::max(t, head_time()));
+  const OdometryStep step = StepTo(t);
   const double c = std::cos(x(kNavYaw)), s = std::sin(x(kNavYaw));
   x(kNavX) += c * step.motion.x() - s * step.motion.y();
   x(kNavY) += s * step.motion.x() + c * step.motion.y();
@@ -145,7 +182,7 @@ NavigatorEstimate Navigator::Estimate(double t) const {
                              .altitude = AltitudeAt(t),
                              .velocity_age = track_.DropoutAge(t)};
   // Levelled pose of the head, then the step: MRPT carries the covariance through the composition.
-  const OdometryStep step = track_.Between(head_time(), std::max(t, head_time()));
+  const OdometryStep step = StepTo(t);
   NavVector head = smoother_.PoseAt(node_count() - 1), motion = NavVector::Zero();
   head.tail<2>().setZero();
   motion.head<4>() = step.motion;
@@ -154,6 +191,7 @@ NavigatorEstimate Navigator::Estimate(double t) const {
   auto pdf = MrptPosePdf(head, smoother_.Covariance({}));
   pdf += MrptPosePdf(motion, motion_covariance);
   const NavCovariance covariance = CovarianceOf(pdf);
+  estimate.covariance_p = covariance.topLeftCorner<3, 3>();
   estimate.sd_p = covariance.diagonal().head<3>().cwiseMax(0.0).cwiseSqrt();
   estimate.sd_yaw = std::sqrt(std::max(covariance(kNavYaw, kNavYaw), 0.0));
   return estimate;

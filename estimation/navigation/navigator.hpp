@@ -25,15 +25,17 @@ struct NavigatorParams {
   VelocityGateParams velocity_gate;
   CameraModel camera;
   ObjectTrackerParams objects;
-  ArrowParams smoother;
+  ArrowParams smoother{.converged_decrease = 1e-6};
   Seconds frame_wait{0.6};    ///< boxes of a frame are waited for this long after its exposure
   Seconds node_period{1.0};   ///< longest time between poses of the chain
   Meters node_distance{0.5};  ///< and longest way
   Meters depth_sigma{0.015};  ///< of the depths of one second together, bias included
   Radians tilt_sigma{0.0047};
-  Meters start_sigma{5.0};         ///< of the first position, before any fix
-  Seconds gps_correlation{240.0};  ///< fixes this far apart are worth two: twice the error's own
-  Seconds fix_wait{0.0};           ///< start at the origin when no fix comes in time; 0: never
+  Meters start_sigma{5.0};          ///< of the first position, before any fix
+  Seconds errors_period{1800.0};    ///< slow errors of the odometry are estimated anew after this
+  Seconds yaw_bias_memory{7200.0};  ///< after which the bias of the yaw rate is another
+  Seconds gps_correlation{240.0};   ///< fixes this far apart are worth two: twice the error's own
+  Seconds fix_wait{0.0};            ///< start at the origin when no fix comes in time; 0: never
   SessionMatchingParams session;
 };
 
@@ -46,6 +48,7 @@ struct NavigatorEstimate {
   std::optional<double> altitude;  ///< of the body origin above the seabed [m], if measured lately
   std::optional<double> velocity_age;  ///< of `v_B` [s], in a dropout of the DVL
   Eigen::Vector3d sd_p = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d covariance_p = Eigen::Matrix3d::Zero();  ///< of the position in W
   double sd_yaw = 0.0;
 };
 
@@ -100,6 +103,10 @@ class Navigator {
   /// Works off what is left and iterates to the optimum.
   SolveReport Finish();
 
+  /// Of the newest attitude; long ago without any.
+  [[nodiscard]] double attitude_time() const {
+    return track_.is_empty() ? -1e18 : track_.last_time();
+  }
   /// True once the chain has its first pose.
   [[nodiscard]] bool has_started() const { return !node_times_.empty(); }
   /// REQUIRES: has_started(), and t no older than the chain's head.
@@ -114,6 +121,9 @@ class Navigator {
   /// The chain's poses from the `first` on.
   [[nodiscard]] std::vector<SmoothedPose> Smoothed(int first = 0) const;
   [[nodiscard]] const ObjectTracker& tracker() const { return tracker_; }
+  [[nodiscard]] const ChainGraph& graph() const { return smoother_.graph(); }
+  /// Of the dead reckoning, now: scale, misalignment [rad], bias of the yaw rate [rad/s].
+  [[nodiscard]] Eigen::Vector3d SlowErrorsNow() const { return smoother_.LandmarkAt(errors_); }
   [[nodiscard]] int node_count() const { return static_cast<int>(node_times_.size()); }
   [[nodiscard]] const NavigatorCounts& counts() const { return counts_; }
 
@@ -126,6 +136,8 @@ class Navigator {
   struct Sample {
     double t, value;
   };
+  /// False for times that are no number or further ahead of the attitude than any sensor can be.
+  [[nodiscard]] bool IsPlausible(double t) const;
   [[nodiscard]] double head_time() const { return node_times_.back(); }
   [[nodiscard]] double NextKeyframe() const;
   void Start(double t, const Eigen::Vector2d& p_W);
@@ -133,6 +145,11 @@ class Navigator {
   void WorkOff(double limit);
   /// Appends a pose at `t`, or takes the head if it is that old.
   int NodeAt(double t);
+  /// Block of the slow errors that hold at `t`; a new one from time to time.
+  int ErrorsAt(double t);
+  /// In a dropout: block of what the bridged velocity is off.
+  int BridgeAt(double t, double age);
+  [[nodiscard]] Term StepTerm(double t);
   void AddTilt(int node, double t);
   void AddDepthTerm(int node, double since, double t);
   void TakeFix(const Fix& fix);
@@ -145,6 +162,8 @@ class Navigator {
   /// match will change any more.
   void TieToFormerSession();
   [[nodiscard]] NavVector Predict(double t) const;
+  /// From the head to `t`, slow errors taken out.
+  [[nodiscard]] OdometryStep StepTo(double t) const;
   [[nodiscard]] std::optional<double> AltitudeAt(double t) const;
   /// Slope of the last second's depths [m/s].
   [[nodiscard]] std::optional<double> SinkRate() const;
@@ -154,6 +173,7 @@ class Navigator {
   OdometryTrack track_;
   ArrowSmoother smoother_;
   ObjectTracker tracker_;
+  std::vector<double> leaps_;  ///< times of attitudes in a row that leapt ahead
   std::deque<Sample> depths_;
   std::deque<Sample> altitudes_;  ///< of the body origin
   std::deque<Fix> fixes_;
@@ -162,6 +182,10 @@ class Navigator {
   std::vector<double> node_times_;
   std::vector<FormerObject> former_;
   double last_fix_t_ = -1e18, last_review_t_ = -1e18, first_time_ = -1.0;
+  int errors_ = -1;  ///< block of the smoother's border
+  double errors_since_ = 0.0;
+  int bridge_ = -1;  ///< the same, in a dropout
+  double bridge_since_ = 0.0;
   bool needs_review_ = false;
   bool is_tied_ = false;
   int refused_fixes_ = 0, refused_depths_ = 0, landmark_version_ = 0;

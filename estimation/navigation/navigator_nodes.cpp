@@ -4,11 +4,14 @@
 #include <cmath>
 
 #include "estimation/navigation/navigator.hpp"
+#include "estimation/smoothing/factors/bridged_step_factor.hpp"
+#include "estimation/smoothing/factors/calibrated_step_factor.hpp"
 #include "estimation/smoothing/factors/depth_factor.hpp"
 #include "estimation/smoothing/factors/gps_factor.hpp"
+#include "estimation/smoothing/factors/landmark_prior_factor.hpp"
 #include "estimation/smoothing/factors/pose_prior_factor.hpp"
 #include "estimation/smoothing/factors/roll_pitch_factor.hpp"
-#include "estimation/smoothing/factors/xyz_yaw_factor.hpp"
+#include "estimation/smoothing/factors/slow_errors_factor.hpp"
 
 namespace limpet {
 namespace {
@@ -20,6 +23,9 @@ constexpr double kAltitudeMaxAge = 1.5;  // [s]
 constexpr double kReviewPeriod = 1.0;    // [s]
 constexpr int kBelieveRefused = 5;       // measurements refused in a row, then taken after all
 constexpr double kGpsGate = 5.0;         // standard deviations
+constexpr double kShortDropout = 3.0;    // [s] of which steps bear the error alone
+constexpr double kBridgeStretch = 30.0;  // [s] for which the bridged velocity is off by the same
+constexpr double kBridgeNoise = 0.1;     // [m/sqrt(s)] that it changes in between
 constexpr double kDepthGate = 0.7;       // [m] off the predicted depth
 
 }  // namespace
@@ -54,6 +60,14 @@ void Navigator::Start(double t, const Eigen::Vector2d& p_W) {
   const double start = params_.start_sigma.value();
   constexpr double kDepthSigma = 0.05, kTiltSigma = 0.01;
   sigma << start, start, kDepthSigma, std::max(attitude.sd_yaw, 1e-4), kTiltSigma, kTiltSigma;
+  const OdometryParams& odometry = params_.odometry;
+  const Eigen::Vector3d slow(odometry.scale_sigma, odometry.misalign_sigma, odometry.yaw_bias);
+  errors_ = smoother_.AddErrors(Eigen::Vector3d::Zero());
+  errors_since_ = t;
+  smoother_.AddLandmarkTerm(
+      errors_, Term::OnLandmark(LandmarkPriorFactor(Eigen::Vector3d::Zero(),
+                                                    slow.cwiseAbs2().asDiagonal().toDenseMatrix()),
+                                errors_));
   const int node = smoother_.AddNode(x, std::nullopt);
   node_times_.push_back(t);
   smoother_.AddTerm(node, Term::OnPose(PosePriorFactor(x, sigma)));
@@ -99,15 +113,59 @@ int Navigator::NodeAt(double t) {
     return node_count() - 1;
   }
   const double since = head_time();
-  const OdometryStep step = track_.Between(since, t);
-  const int node =
-      smoother_.AddNode(Predict(t), Term::OnStep(XyzYawFactor(step.motion, step.variance)));
+  const int node = smoother_.AddNode(Predict(t), StepTerm(t));
   AddTilt(node, t);
   AddDepthTerm(node, since, t);
   node_times_.push_back(t);
   smoother_.Update();
   tracker_.Refresh();
   return node;
+}
+
+int Navigator::ErrorsAt(double t) {
+  const double age = t - errors_since_;
+  if (age < params_.errors_period.value()) {
+    return errors_;
+  }
+  const OdometryParams& odometry = params_.odometry;
+  const double keep = std::exp(-age / params_.yaw_bias_memory.value());
+  const double change = std::sqrt(1.0 - keep * keep) * odometry.yaw_bias;
+  constexpr double kScaleChange = 0.1;  // share of their sigmas, from one period to the next
+  const SlowErrorsFactor factor({1.0, 1.0, keep}, {kScaleChange * odometry.scale_sigma,
+                                                   kScaleChange * odometry.misalign_sigma, change});
+  const int next = smoother_.AddErrors(smoother_.LandmarkAt(errors_));
+  smoother_.AddLandmarkTerm(errors_, Term::OnBlocks(factor, errors_, next));
+  errors_ = next;
+  errors_since_ = t;
+  return errors_;
+}
+
+int Navigator::BridgeAt(double t, double age) {
+  if (bridge_ >= 0 && t - bridge_since_ < kBridgeStretch) {
+    return bridge_;
+  }
+  bridge_ = smoother_.AddErrors(Eigen::Vector3d::Zero());
+  bridge_since_ = t;
+  const double variance = std::pow(track_.BridgeSigma(age + kBridgeStretch), 2);
+  const LandmarkPriorFactor prior(Eigen::Vector3d::Zero(), variance * Eigen::Matrix3d::Identity());
+  smoother_.AddLandmarkTerm(bridge_, Term::OnLandmark(prior, bridge_));
+  return bridge_;
+}
+
+Term Navigator::StepTerm(double t) {
+  OdometryStep step = track_.Between(head_time(), t);
+  const auto age = track_.DropoutAge(t);
+  if (!age || *age < kShortDropout) {
+    bridge_ = -1;
+    return Term::OnStep(CalibratedStepFactor(step.motion, step.variance, step.duration),
+                        ErrorsAt(t));
+  }
+  // The error of the guess is one for many steps: it is estimated, and each step alone is good.
+  step.motion = WithoutSlowErrors(step.motion, step.duration, SlowErrorsNow());
+  const double changes = kBridgeNoise * kBridgeNoise * step.duration;
+  step.variance.head<2>().array() += changes - step.bridge_variance;
+  return Term::OnStep(BridgedStepFactor(step.motion, step.variance, step.duration),
+                      BridgeAt(t, *age));
 }
 
 void Navigator::AddTilt(int node, double t) {

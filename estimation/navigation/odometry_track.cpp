@@ -12,6 +12,7 @@ namespace limpet {
 namespace {
 
 constexpr double kLongestExtrapolation = 0.3;  // [s]
+constexpr double kUsualPeriod = 0.2;           // [s] of a DVL
 constexpr double kDropoutAge = 0.5;            // [s] without velocity before it counts as a dropout
 
 Eigen::Matrix3d RotationOf(const AttitudeEstimate& a) {
@@ -23,13 +24,14 @@ double Mix(double a, double b, double share) { return a + share * (b - a); }
 }  // namespace
 
 void OdometryTrack::AddAttitude(const AttitudeEstimate& attitude) {
-  Sample sample{.attitude = attitude};
+  Sample sample{.attitude = attitude, .R_DB = RotationOf(attitude)};
   if (!samples_.empty()) {
     const Sample& last = samples_.back();
     if (attitude.t <= last.attitude.t) {
       return;
     }
     sample.attitude.yaw = last.attitude.yaw + WrapAngle(attitude.yaw - last.attitude.yaw);
+    sample.R_DB = RotationOf(sample.attitude);
     Integrate(last, sample);
   }
   samples_.push_back(sample);
@@ -39,13 +41,25 @@ void OdometryTrack::AddVelocity(double t, const std::optional<Eigen::Vector3d>& 
   if (t <= velocity_t_) {
     return;
   }
+  // A DVL that fell silent is one without lock.
+  if (v_dvl_B && has_velocity_ && t - velocity_t_ > kDropoutAge) {
+    AddVelocity(t - kUsualPeriod, std::nullopt);
+  }
   previous_t_ = has_velocity_ ? velocity_t_ : t;
   previous_ = has_velocity_ ? velocity_ : v_dvl_B.value_or(Eigen::Vector3d::Zero());
   velocity_t_ = t;
   if (v_dvl_B) {
     velocity_ = *v_dvl_B;
     accepted_t_ = t;
+    is_bridging_ = false;
+    NoteUsual(velocity_, has_velocity_ ? t - previous_t_ : 0.0);
     has_velocity_ = true;
+  } else if (DropoutAge(t)) {
+    if (!is_bridging_) velocity_ = recent_;
+    is_bridging_ = true;
+    const Eigen::Vector3d target = BridgeTarget();
+    const double keep = std::exp(-(t - previous_t_) / params_.bridge_memory.value());
+    velocity_ = target + keep * (velocity_ - target);
   }
   // What was held since the last row is integrated again with the interpolated velocity.
   const auto is_older = [this](const Sample& s) { return s.attitude.t <= previous_t_; };
@@ -55,6 +69,29 @@ void OdometryTrack::AddVelocity(double t, const std::optional<Eigen::Vector3d>& 
       Integrate(*std::prev(sample), *sample);
     }
   }
+}
+
+void OdometryTrack::NoteUsual(const Eigen::Vector3d& v, double dt) {
+  if (!has_velocity_) {
+    recent_ = usual_ = v;
+    return;
+  }
+  recent_ += (1.0 - std::exp(-dt / params_.recent_memory.value())) * (v - recent_);
+  const double share = std::min(dt, 1.0) / params_.usual_memory.value();
+  const Eigen::Vector3d off = v - usual_;
+  usual_ += share * off;
+  spread_ += share * (off.head<2>().squaredNorm() / 2.0 - spread_);
+}
+
+Eigen::Vector3d OdometryTrack::BridgeTarget() const {
+  const Eigen::Vector3d most(params_.bridge_ahead, params_.bridge_abeam, params_.bridge_abeam);
+  return usual_ + (recent_ - usual_).cwiseMax(-most).cwiseMin(most);
+}
+
+double OdometryTrack::BridgeSigma(double age) const {
+  const double limit =
+      std::clamp(1.5 * std::sqrt(spread_), params_.bridge_floor, params_.bridge_limit);
+  return std::min(params_.bridge_velocity + params_.bridge_growth * age, limit);
 }
 
 Eigen::Vector3d OdometryTrack::VelocityAt(double t) const {
@@ -70,22 +107,22 @@ std::optional<double> OdometryTrack::DropoutAge(double t) const {
   return age > kDropoutAge ? std::optional<double>(age) : std::nullopt;
 }
 
-Eigen::Vector3d OdometryTrack::LevelVelocity(const AttitudeEstimate& attitude) const {
-  Eigen::Vector3d v = RotationOf(attitude) * VelocityAt(attitude.t);
-  if (sink_rate_ && DropoutAge(attitude.t)) v.z() = *sink_rate_;
+Eigen::Vector3d OdometryTrack::LevelVelocity(const Sample& sample) const {
+  Eigen::Vector3d v = sample.R_DB * VelocityAt(sample.attitude.t);
+  if (sink_rate_ && DropoutAge(sample.attitude.t)) v.z() = *sink_rate_;
   return v;
 }
 
 void OdometryTrack::Integrate(const Sample& from, Sample& to) const {
   const double dt = to.attitude.t - from.attitude.t;
-  const Eigen::Vector3d moved =
-      0.5 * dt * (LevelVelocity(from.attitude) + LevelVelocity(to.attitude));
+  const Eigen::Vector3d moved = 0.5 * dt * (LevelVelocity(from) + LevelVelocity(to));
   to.p_dvl = from.p_dvl + moved;
   to.path = from.path + moved.head<2>().norm();
   to.bridge_variance = from.bridge_variance;
-  if (const auto age = DropoutAge(to.attitude.t)) {
-    const double sd =
-        std::min(params_.bridge_velocity + params_.bridge_growth * *age, params_.bridge_limit);
+  auto age = DropoutAge(to.attitude.t);
+  if (!age && dt > kDropoutAge) age = dt;  // the attitude itself was away
+  if (age) {
+    const double sd = BridgeSigma(*age);
     to.bridge_variance += 2.0 * sd * sd * std::min(*age, params_.bridge_correlation.value()) * dt;
   }
 }
@@ -102,6 +139,7 @@ OdometryTrack::Sample OdometryTrack::SampleAt(double t) const {
     const double ahead = std::min(t - end.attitude.t, kLongestExtrapolation);
     end.attitude.yaw += end.attitude.yaw_rate * ahead;
     end.attitude.t += ahead;
+    end.R_DB = RotationOf(end.attitude);
     Integrate(samples_.back(), end);
     return end;
   }
@@ -114,6 +152,7 @@ OdometryTrack::Sample OdometryTrack::SampleAt(double t) const {
   between.attitude.pitch = Mix(a.attitude.pitch, b.attitude.pitch, share);
   between.attitude.yaw = Mix(a.attitude.yaw, b.attitude.yaw, share);
   between.attitude.yaw_rate = Mix(a.attitude.yaw_rate, b.attitude.yaw_rate, share);
+  between.R_DB = RotationOf(between.attitude);
   between.p_dvl = a.p_dvl + share * (b.p_dvl - a.p_dvl);
   between.path = Mix(a.path, b.path, share);
   between.bridge_variance = Mix(a.bridge_variance, b.bridge_variance, share);
@@ -127,17 +166,17 @@ TrackPose OdometryTrack::At(double t) const {
   const AttitudeEstimate& a = sample.attitude;
   TrackPose pose;
   pose.t = a.t;
-  pose.X_DB = {sample.p_dvl - RotationOf(a) * params_.dvl_B, a.roll, a.pitch, a.yaw};
+  pose.X_DB = {sample.p_dvl - sample.R_DB * params_.dvl_B, a.roll, a.pitch, a.yaw};
   const Eigen::Vector3d rate_B(0.0, 0.0, a.yaw_rate);
-  pose.v_B = RotationOf(a).transpose() * LevelVelocity(a) - rate_B.cross(params_.dvl_B);
+  pose.v_B = sample.R_DB.transpose() * LevelVelocity(sample) - rate_B.cross(params_.dvl_B);
   pose.yaw_rate = a.yaw_rate;
   return pose;
 }
 
 OdometryStep OdometryTrack::Between(double from, double to) const {
   const Sample a = SampleAt(from), b = SampleAt(to);
-  const Eigen::Vector3d p_a = a.p_dvl - RotationOf(a.attitude) * params_.dvl_B;
-  const Eigen::Vector3d p_b = b.p_dvl - RotationOf(b.attitude) * params_.dvl_B;
+  const Eigen::Vector3d p_a = a.p_dvl - a.R_DB * params_.dvl_B;
+  const Eigen::Vector3d p_b = b.p_dvl - b.R_DB * params_.dvl_B;
   const Eigen::Matrix3d R_level = RotationFromRollPitchYaw(0.0, 0.0, a.attitude.yaw);
   OdometryStep step;
   step.motion << R_level.transpose() * (p_b - p_a), b.attitude.yaw - a.attitude.yaw;
@@ -146,12 +185,14 @@ OdometryStep OdometryTrack::Between(double from, double to) const {
 
   const double white = params_.velocity_noise * params_.velocity_noise *
                        params_.velocity_period.value() * step.duration;
-  const double scale =
-      params_.scale_sigma * params_.scale_sigma * params_.scale_correlation.value() * step.path;
+  const double scale_sigma =
+      params_.changing_share * std::hypot(params_.scale_sigma, params_.misalign_sigma);
+  const double scale = scale_sigma * scale_sigma * params_.scale_correlation.value() * step.path;
   const double bridge = b.bridge_variance - a.bridge_variance;
-  const double yaw_rate_variance =
-      params_.yaw_walk * params_.yaw_walk +
-      params_.yaw_bias * params_.yaw_bias * params_.yaw_bias_correlation.value();
+  const double yaw_bias = params_.changing_share * params_.yaw_bias;
+  const double yaw_rate_variance = params_.yaw_walk * params_.yaw_walk +
+                                   yaw_bias * yaw_bias * params_.yaw_bias_correlation.value();
+  step.bridge_variance = bridge;
   const double xy = white + scale + bridge + 1e-6;
   // Attitude errors tilt the track: its depth is worth little, the depth sensor's much.
   const double z = white + bridge + 5e-5 * step.duration + 1e-6;

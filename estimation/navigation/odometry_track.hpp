@@ -18,11 +18,19 @@ struct OdometryParams {
   Eigen::Vector3d dvl_B = {-0.2, 0.0, 0.18};  ///< lever arm of the DVL in the body frame [m]
   double velocity_noise = 0.012;              ///< of one horizontal velocity sample [m/s]
   Seconds velocity_period{0.2};
-  double scale_sigma = 0.0037;       ///< scale and misalignment together, as a share of the way
-  Meters scale_correlation{30.0};    ///< way after which their error is taken as new
+  double scale_sigma = 0.0028;       ///< of the velocity's scale, a bias along included
+  double misalign_sigma = 0.0033;    ///< of its misalignment [rad], a bias across included
+  double changing_share = 0.3;       ///< of the slow errors that does not stay the same for long
+  Meters scale_correlation{30.0};    ///< way after which that share of scale is taken as new
   double bridge_velocity = 0.03;     ///< error of the bridging model as a dropout begins [m/s]
   double bridge_growth = 0.02;       ///< and its growth per second [m/s^2]
-  double bridge_limit = 0.3;         ///< that it does not exceed [m/s]
+  double bridge_limit = 0.3;         ///< that it does not exceed [m/s], nor
+  double bridge_floor = 0.05;        ///< this or one and a half times the velocity's usual spread
+  Seconds bridge_memory{4.0};        ///< in which a bridged velocity far from the usual comes near
+  double bridge_ahead = 0.1;         ///< how near, forward [m/s]
+  double bridge_abeam = 0.05;        ///< and sideways [m/s]
+  Seconds recent_memory{1.5};        ///< over which the velocity that is held is averaged
+  Seconds usual_memory{60.0};        ///< and the usual one
   Seconds bridge_correlation{10.0};  ///< the error stays the same for about this long
   double yaw_walk = 3.5e-6;          ///< [rad/sqrt(s)]
   double yaw_bias = 9.7e-6;          ///< [rad/s], new every `yaw_bias_correlation`
@@ -36,6 +44,7 @@ struct OdometryStep {
   Eigen::Vector4d variance = Eigen::Vector4d::Zero();
   double duration = 0.0;
   double path = 0.0;
+  double bridge_variance = 0.0;  ///< what dropouts put into the horizontal variances [m^2]
 };
 
 /// Body pose in the track's own drifting frame, oriented by the attitude filter's yaw.
@@ -48,8 +57,9 @@ struct TrackPose {
 
 /// Compounds attitude and velocity samples, each in time order, and answers for any time of the
 /// last seconds. The velocity between two samples is their linear interpolation; after the last one
-/// it is held. A missing velocity is bridged by the last accepted one, in body axes; its vertical
-/// part, if known, by the sink rate.
+/// it is held. A missing velocity is bridged, in body axes, by the recent one; where that is far
+/// from the usual one, as in the midst of a turn, it comes back near it. The vertical part, if
+/// known, is the sink rate.
 class OdometryTrack {
  public:
   explicit OdometryTrack(const OdometryParams& params) : params_(params) {}
@@ -69,6 +79,9 @@ class OdometryTrack {
   /// Seconds since the last accepted velocity, if that is long enough to be a dropout at `t`.
   [[nodiscard]] std::optional<double> DropoutAge(double t) const;
 
+  /// 1-sigma of the velocity that bridges a dropout of that age [m/s].
+  [[nodiscard]] double BridgeSigma(double age) const;
+
   /// REQUIRES: !is_empty(). Times outside the buffer answer with its ends, extrapolated by at most
   /// 0.3 s at the new end.
   [[nodiscard]] TrackPose At(double t) const;
@@ -82,23 +95,29 @@ class OdometryTrack {
 
  private:
   struct Sample {
-    AttitudeEstimate attitude;                        ///< yaw unwrapped
+    AttitudeEstimate attitude;  ///< yaw unwrapped
+    Eigen::Matrix3d R_DB = Eigen::Matrix3d::Identity();
     Eigen::Vector3d p_dvl = Eigen::Vector3d::Zero();  ///< of the DVL in the track's frame
     double path = 0.0;
     double bridge_variance = 0.0;  ///< horizontal, accumulated over dropouts [m^2]
   };
   [[nodiscard]] Eigen::Vector3d VelocityAt(double t) const;
+  void NoteUsual(const Eigen::Vector3d& v, double dt);
+  /// What a dropout's velocity comes to.
+  [[nodiscard]] Eigen::Vector3d BridgeTarget() const;
   /// The same in the track's frame, with the vertical part that holds then.
-  [[nodiscard]] Eigen::Vector3d LevelVelocity(const AttitudeEstimate& attitude) const;
+  [[nodiscard]] Eigen::Vector3d LevelVelocity(const Sample& sample) const;
   [[nodiscard]] Sample SampleAt(double t) const;
   void Integrate(const Sample& from, Sample& to) const;
 
   OdometryParams params_;
   std::deque<Sample> samples_;
-  bool has_velocity_ = false;
+  bool has_velocity_ = false, is_bridging_ = false;
   double velocity_t_ = -1e18, previous_t_ = -1e18;  ///< of the last two velocity rows
   double accepted_t_ = -1e18;
   Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero(), previous_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d recent_ = Eigen::Vector3d::Zero(), usual_ = recent_;  ///< averages of accepted
+  double spread_ = 0.0;  ///< variance about it, horizontal [m^2/s^2]
   std::optional<double> sink_rate_;
 };
 

@@ -9,6 +9,8 @@
 namespace limpet {
 namespace {
 
+constexpr double kArrival = 10.0;       // [s] that a row may be behind its measurement
+constexpr double kSilence = 0.3;        // [s]
 constexpr double kOnlinePeriod = 0.19;  // [s] between rows of online.csv
 
 /// Feeds one row after the other and keeps what the estimator says.
@@ -19,7 +21,8 @@ class Replayer {
 
   void operator()(const AttitudeEstimate& row) {
     navigator_.AddAttitude(row);
-    AdvanceTo(row.t);
+    // The other sensors' rows drive the estimator; attitude alone does only when they are silent.
+    if (row.t - now_ > kSilence) AdvanceTo(row.t);
   }
   void operator()(const DvlRow& row) {
     navigator_.AddVelocity(row.t, row.velocity);
@@ -38,6 +41,8 @@ class Replayer {
     }
     AdvanceTo(row.arrival);
   }
+
+  [[nodiscard]] const Navigator& navigator() const { return navigator_; }
 
   ReplayResult Finish() {
     result_.finish = navigator_.Finish();
@@ -58,20 +63,24 @@ class Replayer {
 
  private:
   void AdvanceTo(double t) {
+    // The attitude's clock, which leaps are kept from, bounds everybody's.
+    if (!std::isfinite(t) || t > navigator_.attitude_time() + kArrival) return;
     now_ = std::max(now_, t);
     const int before = navigator_.node_count();
     const double start = clock_();
     navigator_.Advance(now_);
     const int added = navigator_.node_count() - before;
-    if (!navigator_.has_started()) {
+    const bool is_due = result_.online.empty() || now_ - result_.online.back().t >= kOnlinePeriod;
+    if (!navigator_.has_started() || (added == 0 && !is_due)) {
       return;
     }
     const NavigatorEstimate estimate = navigator_.Estimate(now_);
     for (int i = 0; i < added; ++i) {
       result_.update_s.push_back((clock_() - start) / added);
     }
-    if (result_.online.empty() || now_ - result_.online.back().t >= kOnlinePeriod) {
+    if (is_due) {
       result_.online.push_back({now_, estimate.X_WB});
+      result_.online_covariance.push_back(estimate.covariance_p);
       result_.reckoned.push_back({now_, navigator_.DeadReckoned(now_)});
     }
   }
@@ -91,19 +100,26 @@ NavigatorParams ParamsForStream(const StreamMeta& meta) {
   params.odometry.dvl_B = meta.dvl_B;
   params.odometry.yaw_walk = meta.yaw_random_walk;
   params.odometry.yaw_bias = meta.yaw_bias_sigma;
-  params.odometry.scale_sigma = std::hypot(meta.dvl_scale_sigma, meta.dvl_misalign_sigma);
+  // At a survey's steady speed a bias of the velocity cannot be told from scale or misalignment.
+  constexpr double kUsualSpeed = 0.5;  // [m/s]
+  const double bias = meta.dvl_bias_sigma / kUsualSpeed;
+  params.odometry.scale_sigma = std::hypot(meta.dvl_scale_sigma, bias);
+  params.odometry.misalign_sigma = std::hypot(meta.dvl_misalign_sigma, bias);
   params.objects.model.radius_m = meta.opi_radius;
   params.fix_wait = Seconds(5.0);
   return params;
 }
 
 ReplayResult Replay(const SensorStream& stream, const NavigatorParams& params,
-                    const std::function<double()>& clock) {
+                    const std::function<double()>& clock,
+                    const std::function<void(const Navigator&)>& inspect) {
   Replayer replayer(params, clock);
   for (const StreamRow& row : stream.rows) {
     std::visit(replayer, row);
   }
-  return replayer.Finish();
+  ReplayResult result = replayer.Finish();
+  if (inspect) inspect(replayer.navigator());
+  return result;
 }
 
 }  // namespace limpet

@@ -21,6 +21,7 @@ struct ReplayAssociation {
 /// Everything `limpet nav` writes.
 struct ReplayResult {
   std::vector<SmoothedPose> online, smoothed, reckoned;
+  std::vector<Eigen::Matrix3d> online_covariance;  ///< of the positions of `online`, in W [m^2]
   std::vector<LandmarkEstimate> landmarks;
   std::vector<ReplayAssociation> associations;
   std::vector<double> update_s;  ///< per node, up to its published pose
@@ -28,8 +29,10 @@ struct ReplayResult {
   NavigatorCounts counts;
 };
 
-/// Runs the navigator over a stream in order of arrival. `clock` [s] only times the updates.
+/// Runs the navigator over a stream in order of arrival. `clock` [s] only times the updates;
+/// `inspect`, if given, sees the navigator at the end.
 [[nodiscard]] ReplayResult Replay(const SensorStream& stream, const NavigatorParams& params,
-                                  const std::function<double()>& clock);
+                                  const std::function<double()>& clock,
+                                  const std::function<void(const Navigator&)>& inspect = {});
 
 }  // namespace limpet

@@ -178,6 +178,8 @@ void TakeMeta(std::string_view line, StreamMeta& meta) {
     meta.yaw_bias_sigma = f.Number(1);
   } else if (f.kind() == "dvl_scale_sigma") {
     meta.dvl_scale_sigma = f.Number(1);
+  } else if (f.kind() == "dvl_bias_sigma") {
+    meta.dvl_bias_sigma = f.Number(1);
   } else if (f.kind() == "dvl_misalign_sigma") {
     meta.dvl_misalign_sigma = f.Number(1);
   } else if (f.kind() == "opi_radius") {

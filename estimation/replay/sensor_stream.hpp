@@ -24,6 +24,7 @@ struct StreamMeta {
   double yaw_random_walk = 3.5e-6;  ///< [rad/sqrt(s)]
   double yaw_bias_sigma = 9.7e-6;   ///< [rad/s]
   double dvl_scale_sigma = 0.002;
+  double dvl_bias_sigma = 0.001;       ///< [m/s]
   double dvl_misalign_sigma = 0.0026;  ///< [rad]
   double opi_radius = 0.5;             ///< [m]
 };

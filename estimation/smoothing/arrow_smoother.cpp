@@ -2,166 +2,206 @@
 #include "estimation/smoothing/arrow_smoother.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace limpet {
 namespace {
 
-constexpr int kCheckpointEvery = 16;  // nodes
+constexpr int kLeafNodes = 16;
 
 std::size_t At(int i) { return static_cast<std::size_t>(i); }
+
+std::string ReasonOf(const std::vector<int>& held) {
+  constexpr std::array<const char*, 6> kNames{"x", "y", "z", "yaw", "pitch", "roll"};
+  std::string reason;
+  for (const int i : held) {
+    reason += reason.empty() ? "not observed and held: " : ", ";
+    reason += kNames[At(i)];
+  }
+  return reason;
+}
 
 }  // namespace
 
 int ArrowSmoother::AddNode(const NavVector& x, std::optional<Term> step) {
-  const int node = graph_.AddNode(x, std::move(step));
-  change_.push_back(NavVector::Zero());
-  return node;
+  return graph_.AddNode(x, std::move(step));
 }
 
 TermId ArrowSmoother::AddTerm(int node, Term term) {
   MarkDirty(node);
+  has_news_ = has_news_ || term.landmark() >= 0;
   return graph_.AddTerm(node, std::move(term));
 }
 
 void ArrowSmoother::RemoveTerm(const TermId& id) {
   MarkDirty(id.node);
+  has_news_ = true;
   graph_.RemoveTerm(id);
 }
 
-int ArrowSmoother::AddLandmark(const Eigen::Vector3d& p) {
+int ArrowSmoother::AddBlock(const Eigen::Vector3d& p, bool is_landmark) {
   const int slot = graph_.AddLandmark(p);
-  border_change_.resize(std::max(border_change_.size(), At(3 * (slot + 1))), 0.0);
-  std::fill_n(border_change_.begin() + 3 * slot, 3, 0.0);
+  is_landmark_.resize(At(graph_.slot_count()), true);
+  is_landmark_[At(slot)] = is_landmark;
+  is_solved_.resize(is_landmark_.size());
+  is_solved_[At(slot)] = false;
+  border_.resize(At(3 * graph_.slot_count()), 0.0);
+  origin_.border.resize(border_.size(), 0.0);
+  border_change_.resize(border_.size(), 0.0);
+  for (int i = 0; i < 3; ++i) {
+    border_[At(3 * slot + i)] = origin_.border[At(3 * slot + i)] = p(i);
+    border_change_[At(3 * slot + i)] = 0.0;
+  }
+  prior_is_old_ = true;
   return slot;
 }
 
+int ArrowSmoother::AddLandmark(const Eigen::Vector3d& p) { return AddBlock(p, true); }
+
+int ArrowSmoother::AddErrors(const Eigen::Vector3d& start) { return AddBlock(start, false); }
+
 void ArrowSmoother::RemoveLandmark(int landmark) {
-  MarkDirty(graph_.FirstNodeOf(landmark));
+  for (const int node : graph_.landmark(landmark).nodes) {
+    MarkDirty(node);
+  }
   graph_.RemoveLandmark(landmark);
+  // Leaves and trunk still speak of the block: nothing else may take its place before they do not.
+  graph_.landmark(landmark).is_reserved = true;
+  prior_is_old_ = has_news_ = true;
 }
 
 void ArrowSmoother::AddLandmarkTerm(int landmark, Term term) {
   graph_.AddLandmarkTerm(landmark, std::move(term));
+  prior_is_old_ = true;
 }
 
-void ArrowSmoother::MarkDirty(int node) { dirty_from_ = std::min(dirty_from_, node); }
-
-void ArrowSmoother::Rewind(int node) {
-  if (node >= head_) {
+void ArrowSmoother::MarkDirty(int node) {
+  if (!has_begun_ || node >= open_.head()) {
     return;
   }
-  const int checkpoint = node / kCheckpointEvery;
-  message_ = checkpoints_[At(checkpoint)];
-  head_ = checkpoint * kCheckpointEvery;
+  if (node >= open_.anchor()) {
+    open_is_dirty_ = true;
+    return;
+  }
+  dirty_.insert(node / kLeafNodes);
+  stale_.insert(node / kLeafNodes);
 }
 
-void ArrowSmoother::RelinearizeFromHead() {
-  // The head's own linearisation is part of the step into it, which the message holds.
-  for (int i = head_ == 0 ? 0 : head_ + 1; i < graph_.node_count(); ++i) {
-    graph_.node(i).x += change_[At(i)];
-    change_[At(i)].setZero();
+void ArrowSmoother::Begin() {
+  has_begun_ = true;
+  open_ = ArrowLeaf(0, graph_.node(0).x);
+  origin_.anchors.assign(1, graph_.node(0).x);
+  anchors_.assign(1, graph_.node(0).x);
+}
+
+void ArrowSmoother::CloseLeaf() {
+  const int anchor = open_.head();
+  origin_.anchors.push_back(graph_.node(anchor).x);
+  anchors_.push_back(graph_.node(anchor).x);
+  leaves_.push_back(std::move(open_));
+  versions_.push_back(0);
+  trunk_.Append(leaves_.back(), origin_);
+  open_ = ArrowLeaf(anchor, graph_.node(anchor).x);
+  prior_is_old_ = true;
+}
+
+void ArrowSmoother::ExtendToEnd() {
+  if (open_is_dirty_) {
+    RebuildOpenLeaf();
   }
-  for (int slot = 0; slot < graph_.slot_count(); ++slot) {
-    if (graph_.landmark(slot).is_used && graph_.FirstNodeOf(slot) >= head_) {
-      graph_.landmark(slot).p += LandmarkChange(slot);
-      std::fill_n(border_change_.begin() + 3 * slot, 3, 0.0);
-    }
+  while (open_.head() < graph_.node_count() - 1) {
+    open_.Extend(graph_, border_);
+    if (open_.head() - open_.anchor() == kLeafNodes) CloseLeaf();
   }
 }
 
-void ArrowSmoother::EliminateToEnd() {
+void ArrowSmoother::RebuildOpenLeaf() {
+  const int head = open_.head();
+  open_ = ArrowLeaf(open_.anchor(), open_.x_anchor());
+  while (open_.head() < head)
+    open_.Extend(graph_, border_);
+  open_is_dirty_ = false;
+}
+
+void ArrowSmoother::RebuildLeaf(int leaf) {
+  const std::vector<NavVector> estimates = LeafEstimates(leaf);
+  for (int i = 0; i <= kLeafNodes; ++i)
+    graph_.node(leaf * kLeafNodes + i).x = estimates[At(i)];
+  ArrowLeaf rebuilt(leaf * kLeafNodes, estimates.front());
+  for (int i = 0; i < kLeafNodes; ++i)
+    rebuilt.Extend(graph_, border_);
+  leaves_[At(leaf)] = std::move(rebuilt);
+  ++versions_[At(leaf)];
+  stale_.insert(leaf);
+  dirty_.erase(leaf);
+  estimated_leaf_ = -1;
+}
+
+void ArrowSmoother::SetPrior() {
+  ArrowMessage message = trunk_.message();
+  message.GrowBorder(3 * graph_.slot_count());
   LinearTerm linear;
-  const int last = graph_.node_count() - 1;
-  conditionals_.resize(At(last));
-  fresh_from_ = std::min(fresh_from_, head_);
-  for (; head_ < last; ++head_) {
-    if (head_ % kCheckpointEvery == 0) {
-      checkpoints_.resize(At(head_ / kCheckpointEvery) + 1);
-      checkpoints_.back() = message_;
-    }
-    for (const ChainNode::Entry& entry : graph_.node(head_).terms) {
-      graph_.Linearize(head_, entry.term, linear);
-      message_.AddPoseTerm(linear, entry.term.landmark());
-    }
-    graph_.LinearizeStep(head_ + 1, linear);
-    conditionals_[At(head_)] = EliminateHead(message_, linear);
-  }
-}
-
-void ArrowSmoother::SolveRoot() {
-  ArrowMessage root = message_;
-  LinearTerm linear;
-  for (const ChainNode::Entry& entry : graph_.node(head_).terms) {
-    graph_.Linearize(head_, entry.term, linear);
-    root.AddPoseTerm(linear, entry.term.landmark());
-  }
   for (int slot = 0; slot < graph_.slot_count(); ++slot) {
     for (const Term& term : graph_.landmark(slot).terms) {
-      term.Linearize({nullptr, nullptr, &graph_.landmark(slot).p}, linear);
-      root.AddLandmarkTerm(linear, slot);
+      const auto place = [this](int s) {
+        return Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(&border_[At(3 * s)]));
+      };
+      const auto change = [&](int s) -> Eigen::Vector3d {
+        return place(s) - Eigen::Map<const Eigen::Vector3d>(&origin_.border[At(3 * s)]);
+      };
+      const int second = term.second();
+      const Eigen::Vector3d p = place(slot), q = second < 0 ? p : place(second);
+      term.Linearize({.landmark = &p, .second = &q}, linear);
+      // Changes count from the origin.
+      linear.r.head(linear.rows) -= linear.J_landmark.topRows(linear.rows) * change(slot);
+      std::array<JacobianBlock, 2> blocks{{{6 + 3 * slot, 3, linear.J_landmark.data()}, {}}};
+      if (second >= 0) {
+        linear.r.head(linear.rows) -= linear.J_second.topRows(linear.rows) * change(second);
+        blocks[1] = {6 + 3 * second, 3, linear.J_second.data()};
+      }
+      message.Add(linear, std::span(blocks).first(second >= 0 ? 2 : 1));
     }
   }
-  root.GrowBorder(3 * graph_.slot_count());
-  root_.Solve(std::move(root));
+  root_.SetPrior(message, origin_.anchors.back(), origin_.border);
+  prior_is_old_ = false;
 }
 
-void ArrowSmoother::BackSubstituteAll() {
-  change_[At(head_)] = root_.pose();
-  border_change_ = root_.border();
-  border_in_use_.resize(border_change_.size(), 0.0);
-  double border_moved = 0.0;
-  for (std::size_t i = 0; i < border_change_.size(); ++i) {
-    border_moved = std::max(border_moved, std::abs(border_change_[i] - border_in_use_[i]));
-  }
-  int i = head_ - 1;
-  for (; i >= 0; --i) {
-    const NavVector change =
-        BackSubstitute(conditionals_[At(i)], change_[At(i + 1)], border_change_);
-    const double moved = (change - change_[At(i)]).lpNorm<Eigen::Infinity>();
-    change_[At(i)] = change;
-    if (i < fresh_from_ && moved < params_.refresh && border_moved < params_.refresh) {
-      break;
+void ArrowSmoother::SolveRoot(SolveReport& report) {
+  for (int round = 0;; ++round) {
+    ++report.iterations;
+    const ArrowMessage message = open_.WithHeadTerms(graph_, border_);
+    if (prior_is_old_) SetPrior();
+    root_.Solve(open_, message);
+    border_ = root_.border();
+    is_solved_.assign(is_solved_.size(), true);
+    border_change_.resize(border_.size());
+    for (std::size_t i = 0; i < border_.size(); ++i) {
+      border_change_[i] = border_[i] - origin_.border[i];
     }
-  }
-  if (i < 0) {
-    border_in_use_ = border_change_;
-  }
-  fresh_from_ = head_;
-}
-
-Eigen::Vector3d ArrowSmoother::LandmarkChange(int landmark) const {
-  const std::size_t first = At(3 * landmark);
-  if (border_change_.size() < first + 3) {
-    return Eigen::Vector3d::Zero();
-  }
-  return {border_change_[first], border_change_[first + 1], border_change_[first + 2]};
-}
-
-int ArrowSmoother::FirstToRelinearize() const {
-  int first = graph_.node_count();
-  for (int i = 0; i < graph_.node_count() && i < first; ++i) {
-    const NavVector& change = change_[At(i)];
-    if (change.head<3>().lpNorm<Eigen::Infinity>() > params_.relinearize_position ||
-        change.tail<3>().lpNorm<Eigen::Infinity>() > params_.relinearize_angle) {
-      first = std::max(i - 1, 0);
+    anchors_.back() = root_.anchor();
+    solved_from_ = static_cast<int>(anchors_.size()) - 1;
+    estimated_leaf_ = -1;
+    if (round >= params_.rounds_per_update || !IsStrained(open_, root_.anchor(), root_.head())) {
+      return;
     }
+    const int last = static_cast<int>(leaves_.size());
+    const std::vector<NavVector> estimates = LeafEstimates(last);
+    const int anchor = open_.anchor();
+    for (int i = 0; i <= open_.head() - anchor; ++i)
+      graph_.node(anchor + i).x = estimates[At(i)];
+    open_ = ArrowLeaf(anchor, estimates.front());
+    while (open_.head() < graph_.node_count() - 1)
+      open_.Extend(graph_, border_);
   }
-  for (int slot = 0; slot < graph_.slot_count(); ++slot) {
-    if (graph_.landmark(slot).is_used &&
-        LandmarkChange(slot).lpNorm<Eigen::Infinity>() > params_.relinearize_landmark) {
-      first = std::min(first, graph_.FirstNodeOf(slot));
-    }
-  }
-  return first;
 }
 
-void ArrowSmoother::Solve(SolveReport& report) {
-  report.eliminated_nodes += graph_.node_count() - 1 - head_;
-  ++report.iterations;
-  EliminateToEnd();
-  SolveRoot();
-  BackSubstituteAll();
+bool ArrowSmoother::IsStrained(const ArrowLeaf& leaf, const NavVector& x_anchor,
+                               const NavVector& x_head) const {
+  const ArrowLeaf::Strain strain = leaf.StrainAt(x_anchor, x_head, border_, is_landmark_);
+  return strain.angle > params_.relinearize_angle || strain.distance > params_.relinearize_distance;
 }
 
 SolveReport ArrowSmoother::Update() {
@@ -169,123 +209,81 @@ SolveReport ArrowSmoother::Update() {
   if (graph_.node_count() == 0) {
     return report;
   }
-  if (dirty_from_ < head_) {
-    Rewind(dirty_from_);
-    RelinearizeFromHead();
-  }
-  dirty_from_ = INT32_MAX;
-  Solve(report);
-  for (int round = 0; round < params_.rounds_per_update; ++round) {
-    const int first = FirstToRelinearize();
-    report.has_converged = first >= graph_.node_count();
-    if (report.has_converged) {
-      break;
+  if (!has_begun_) Begin();
+  KeepUp(report);
+  ExtendToEnd();
+  SolveRoot(report);
+  Scan();
+  report.has_converged = IsUpToDate();
+  report.reason = ReasonOf(root_.held());
+  if (IsUpToDate()) {
+    for (int slot = 0; slot < graph_.slot_count(); ++slot) {
+      graph_.landmark(slot).is_reserved = false;
     }
-    Rewind(first);
-    RelinearizeFromHead();
-    Solve(report);
   }
-  report.reason = root_.held().empty() ? "" : "a direction of the root is not observed and held";
   return report;
 }
 
-void ArrowSmoother::StepAll(double& cost) {
-  const std::vector<NavVector> change = change_;
-  const std::vector<double> border = border_change_;
-  // Each try moves on from the last one, from the whole step down to a thousandth of it.
-  double moved = 0.0;
-  for (double share = 1.0; share > 1e-3; share *= 0.5) {
-    MoveBy(share - moved, change, border);
-    moved = share;
-    const double stepped = graph_.Cost();
-    if (stepped <= cost * (1.0 + 1e-9)) {
-      cost = stepped;
-      return;
-    }
+NavVector ArrowSmoother::PoseAt(int node) const {
+  if (!has_begun_ || node > open_.head()) {
+    return graph_.node(node).x;
   }
-  MoveBy(-moved, change, border);
+  const int leaf = std::min(node / kLeafNodes, static_cast<int>(leaves_.size()));
+  return LeafEstimates(leaf)[At(node - leaf * kLeafNodes)];
 }
-
-void ArrowSmoother::MoveBy(double share, const std::vector<NavVector>& change,
-                           const std::vector<double>& border) {
-  for (int i = 0; i < graph_.node_count(); ++i) {
-    graph_.node(i).x += share * change[At(i)];
-    change_[At(i)].setZero();
-  }
-  for (int slot = 0; slot < graph_.slot_count(); ++slot) {
-    if (graph_.landmark(slot).is_used && border.size() >= At(3 * slot + 3)) {
-      graph_.landmark(slot).p += share * Eigen::Map<const Eigen::Vector3d>(&border[At(3 * slot)]);
-    }
-  }
-  std::ranges::fill(border_change_, 0.0);
-}
-
-SolveReport ArrowSmoother::Converge() {
-  SolveReport report;
-  if (graph_.node_count() == 0) {
-    return report;
-  }
-  dirty_from_ = INT32_MAX;
-  double cost = graph_.Cost();
-  for (int round = 0; round < params_.rounds_to_converge && !report.has_converged; ++round) {
-    message_ = ArrowMessage();
-    head_ = 0;
-    Solve(report);
-    const double before = cost;
-    StepAll(cost);
-    report.has_converged = std::abs(before - cost) <= 1e-8 * std::max(cost, 1.0);
-  }
-  message_ = ArrowMessage();
-  head_ = 0;
-  Solve(report);
-  report.cost = cost;
-  report.reason = report.has_converged ? "cost settled" : "no longer falls within the rounds given";
-  return report;
-}
-
-NavVector ArrowSmoother::PoseAt(int node) const { return graph_.node(node).x + change_[At(node)]; }
 
 Eigen::Vector3d ArrowSmoother::LandmarkAt(int landmark) const {
-  return graph_.landmark(landmark).p + LandmarkChange(landmark);
+  return Eigen::Map<const Eigen::Vector3d>(&border_[At(3 * landmark)]);
 }
 
 JointCovariance ArrowSmoother::Covariance(const std::vector<int>& landmarks) const {
-  std::vector<int> rows = {0, 1, 2, 3, 4, 5};
-  for (const int landmark : landmarks) {
-    for (int i = 0; i < 3; ++i) {
-      rows.push_back(6 + 3 * landmark + i);
-    }
+  constexpr double kUnknown = 1e8;  // [m^2] of a landmark that no update has seen yet
+  std::vector<int> solved;
+  std::vector<Eigen::Index> rows{0, 1, 2, 3, 4, 5};
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    if (!is_solved_[At(landmarks[i])]) continue;
+    solved.push_back(landmarks[i]);
+    for (std::size_t k = 0; k < 3; ++k)
+      rows.push_back(static_cast<Eigen::Index>(6 + 3 * i + k));
   }
-  const Eigen::MatrixXd& all = root_.covariance();
-  const auto n = static_cast<Eigen::Index>(rows.size());
-  JointCovariance joint(n, n);
-  for (Eigen::Index j = 0; j < n; ++j) {
-    for (Eigen::Index i = 0; i < n; ++i) {
-      joint(i, j) = all(rows[static_cast<std::size_t>(i)], rows[static_cast<std::size_t>(j)]);
-    }
+  const JointCovariance known = root_.Covariance(solved);
+  if (solved.size() == landmarks.size()) {
+    return known;
   }
+  const auto n = static_cast<Eigen::Index>(6 + 3 * landmarks.size());
+  JointCovariance joint = kUnknown * JointCovariance::Identity(n, n);
+  joint(rows, rows) = known;
   return joint;
 }
 
-NavCovariance ArrowSmoother::PoseCovariance(int node) const {
-  // With z = (next, B):  x = L^-T (d + e - W z), e white, so Cov(x, z) = -L^-T W Cov(z).
-  Eigen::MatrixXd joint = root_.covariance();
-  for (int k = head_ - 1; k >= node; --k) {
-    const ArrowConditional& c = conditionals_[At(k)];
-    const auto columns = static_cast<Eigen::Index>(c.W.size() / 6);
-    const Eigen::Map<const Eigen::Matrix<double, 6, Eigen::Dynamic>> W(c.W.data(), 6, columns);
-    const Eigen::Map<const Eigen::Matrix<double, 6, 6>> L(c.L.data());
-    const auto Lt = L.transpose().triangularView<Eigen::Upper>();
-    const Eigen::MatrixXd across = -Lt.solve(W * joint.topRows(columns));
-    const NavCovariance inner =
-        NavCovariance::Identity() + W * joint.topLeftCorner(columns, columns) * W.transpose();
-    const NavCovariance half = Lt.solve(inner);
-    const NavCovariance marginal = Lt.solve(half.transpose());
-    joint.topRows(6) = across;
-    joint.leftCols(6) = across.transpose();
-    joint.topLeftCorner<6, 6>() = marginal;
+NavVector ArrowSmoother::AnchorFrom(int anchor, const NavVector& next) const {
+  return origin_.anchors[At(anchor)] + BackSubstitute(trunk_.conditional(anchor),
+                                                      next - origin_.anchors[At(anchor + 1)],
+                                                      border_change_.data());
+}
+
+void ArrowSmoother::EnsureAnchors(int anchor) const {
+  for (; solved_from_ > anchor; --solved_from_) {
+    anchors_[At(solved_from_ - 1)] = AnchorFrom(solved_from_ - 1, anchors_[At(solved_from_)]);
   }
-  return joint.topLeftCorner<6, 6>();
+}
+
+const std::vector<NavVector>& ArrowSmoother::LeafEstimates(int leaf) const {
+  if (estimated_leaf_ == leaf) {
+    return leaf_estimates_;
+  }
+  EnsureAnchors(leaf);
+  const bool is_open = leaf == static_cast<int>(leaves_.size());
+  const ArrowLeaf& of = is_open ? open_ : leaves_[At(leaf)];
+  const NavVector last = is_open ? root_.head() : anchors_[At(leaf + 1)];
+  leaf_estimates_.resize(At(of.head() - of.anchor() + 1));
+  leaf_estimates_.back() = last;
+  leaf_estimates_.front() = anchors_[At(leaf)];
+  of.BackSubstituteInterior(
+      graph_, anchors_[At(leaf)], last, border_,
+      [&](int node, const NavVector& x) { leaf_estimates_[At(node - of.anchor())] = x; });
+  estimated_leaf_ = leaf;
+  return leaf_estimates_;
 }
 
 }  // namespace limpet

@@ -1,26 +1,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
+#include <optional>
+#include <set>
+#include <vector>
 
-#include "estimation/smoothing/arrow_elimination.hpp"
+#include "estimation/smoothing/arrow_root.hpp"
+#include "estimation/smoothing/arrow_trunk.hpp"
 #include "estimation/smoothing/smoother.hpp"
 
 namespace limpet {
 
 struct ArrowParams {
-  double relinearize_position = 0.02;  ///< a pose is linearised anew when it moves further [m]
-  double relinearize_angle = 0.003;    ///< or turns further [rad]
-  double relinearize_landmark = 0.03;  ///< the same for a landmark [m]
-  double refresh = 1e-6;               ///< change below which back-substitution stops
-  int rounds_per_update = 3;           ///< relinearisations in one Update
+  double relinearize_angle = 0.01;     ///< a leaf is linearised anew when it turns further [rad]
+  double relinearize_distance = 0.05;  ///< or a landmark moves further against its poses [m]
+  double work_per_update = 4e5;        ///< multiply-adds of upkeep in one Update
+  int rounds_per_update = 2;           ///< relinearisations of the newest leaf in one Update
   int rounds_to_converge = 40;
+  double converged_decrease = 1e-8;  ///< share of the cost
 };
 
-/// Incremental smoother for a chain of poses with a border of landmarks: poses are eliminated in
-/// order of time, the root is the newest pose with all landmarks. A new pose costs one elimination
-/// and one dense solve of the root; a change to an old pose restarts at the checkpoint before it.
-/// It is a Bayes tree for this class of graphs, so after relinearisation it is exact.
+/// Incremental smoother for a chain of poses with a border of landmarks. The chain is cut into
+/// leaves of sixteen poses; each leaf eliminates its inside, knowing only the landmarks it sees;
+/// the trunk eliminates the poses between leaves, the root is the newest leaf on the last anchor
+/// and the border. A new pose, and a landmark that is seen again, cost a small dense solve. What
+/// has moved far since it was linearised, or lost a term, is done anew behind the scenes, so much
+/// per update, and takes effect when it has caught up. It is a Bayes tree for this class of graphs,
+/// so after relinearisation it is exact.
 class ArrowSmoother final : public Smoother {
  public:
   explicit ArrowSmoother(const ArrowParams& params = {}) : params_(params) {}
@@ -29,6 +35,7 @@ class ArrowSmoother final : public Smoother {
   TermId AddTerm(int node, Term term) override;
   void RemoveTerm(const TermId& id) override;
   int AddLandmark(const Eigen::Vector3d& p) override;
+  int AddErrors(const Eigen::Vector3d& start) override;
   void RemoveLandmark(int landmark) override;
   void AddLandmarkTerm(int landmark, Term term) override;
   SolveReport Update() override;
@@ -41,35 +48,58 @@ class ArrowSmoother final : public Smoother {
   [[nodiscard]] NavCovariance PoseCovariance(int node) const override;
 
  private:
+  int AddBlock(const Eigen::Vector3d& p, bool is_landmark);
   void MarkDirty(int node);
-  /// Goes back to the checkpoint at or before `node`.
-  void Rewind(int node);
-  /// Moves the linearisation to the estimate wherever the head's message does not depend on it.
-  void RelinearizeFromHead();
-  void EliminateToEnd();
-  void SolveRoot();
-  void BackSubstituteAll();
-  /// Earliest node to rewind to so that what moved too far is linearised anew, or node_count().
-  [[nodiscard]] int FirstToRelinearize() const;
-  [[nodiscard]] Eigen::Vector3d LandmarkChange(int landmark) const;
-  void Solve(SolveReport& report);
-  /// Moves all variables along the last solution, shortened until the cost does not rise.
-  void StepAll(double& cost);
-  void MoveBy(double share, const std::vector<NavVector>& change,
-              const std::vector<double>& border);
+  void Begin();
+  /// Takes the new nodes into the newest leaf; a full one goes to the trunk.
+  void ExtendToEnd();
+  void CloseLeaf();
+  void RebuildOpenLeaf();
+  void RebuildLeaf(int leaf);
+  void SolveRoot(SolveReport& report);
+  void SetPrior();
+  /// Brings the trunk up to date where that is little work, or goes on doing it behind the scenes.
+  void KeepUp(SolveReport& report);
+  void KeepUpNow(int from, SolveReport& report);
+  void KeepUpBehind(SolveReport& report);
+  void AppendTo(ArrowTrunk& trunk, SolveReport& report);
+  /// Looks for leaves that have moved too far since they were linearised.
+  void Scan();
+  [[nodiscard]] bool IsStrained(const ArrowLeaf& leaf, const NavVector& x_anchor,
+                                const NavVector& x_head) const;
+  [[nodiscard]] NavVector AnchorFrom(int anchor, const NavVector& next) const;
+  void EnsureAnchors(int anchor) const;
+  [[nodiscard]] const std::vector<NavVector>& LeafEstimates(int leaf) const;
+  void LinearizeAll();
+  void StepAll(double& cost, const std::vector<NavVector>& poses,
+               const std::vector<double>& border);
+  [[nodiscard]] double WorkPerAnchor() const { return ArrowTrunk::WorkOf(3 * graph_.slot_count()); }
+  [[nodiscard]] bool IsUpToDate() const { return stale_.empty() && !behind_ && scan_at_ < 0; }
 
   ArrowParams params_;
   ChainGraph graph_;
-  ArrowMessage message_;  ///< at the head, without the head's own terms
-  int head_ = 0;          ///< all nodes before it are eliminated
-  int dirty_from_ = INT32_MAX;
-  int fresh_from_ = 0;  ///< conditionals from here on are newer than the last back-substitution
-  std::vector<ArrowConditional> conditionals_;
-  std::vector<ArrowMessage> checkpoints_;
+  ArrowOrigin origin_;
+  std::vector<bool> is_landmark_, is_solved_;  ///< per block of the border
+  std::vector<ArrowLeaf> leaves_;              ///< full ones
+  ArrowLeaf open_;
+  bool has_begun_ = false, open_is_dirty_ = false, prior_is_old_ = true, has_news_ = false;
+  ArrowTrunk trunk_;
   ArrowRoot root_;
-  std::vector<NavVector> change_;      ///< estimate less linearisation, per node
-  std::vector<double> border_change_;  ///< same per landmark coordinate
-  std::vector<double> border_in_use_;  ///< the border that all of change_ was computed with
+  std::vector<double> border_;         ///< estimates, three per block
+  std::vector<double> border_change_;  ///< the same from the origin
+
+  std::set<int> dirty_;               ///< leaves to be linearised anew
+  std::set<int> stale_;               ///< leaves that the trunk has in an old version
+  std::vector<int> versions_;         ///< of the leaves
+  std::optional<ArrowTrunk> behind_;  ///< the trunk's continuation that is to replace it
+  std::vector<int> behind_versions_;  ///< of the leaves it took
+  int scan_at_ = -1;                  ///< anchor that the scan has come down to; -1: at rest
+  NavVector scan_change_ = NavVector::Zero();
+
+  mutable std::vector<NavVector> anchors_;  ///< estimates, from solved_from_ on
+  mutable int solved_from_ = 0;
+  mutable int estimated_leaf_ = -1;  ///< whose poses leaf_estimates_ holds
+  mutable std::vector<NavVector> leaf_estimates_;
 };
 
 }  // namespace limpet

@@ -22,7 +22,12 @@ class NormalEquations {
     for (int i = 0; i < graph.node_count(); ++i) {
       if (i > 0) {
         graph.LinearizeStep(i, linear);
-        Add(linear, {{6 * (i - 1), 6, linear.J_previous.data()}, {6 * i, 6, linear.J_pose.data()}});
+        std::vector<Block> blocks{{6 * (i - 1), 6, linear.J_previous.data()},
+                                  {6 * i, 6, linear.J_pose.data()}};
+        if (const int slot = graph.node(i).step->landmark(); slot >= 0) {
+          blocks.push_back({poses_ + 3 * slot, 3, linear.J_landmark.data()});
+        }
+        Add(linear, blocks);
       }
       for (const ChainNode::Entry& entry : graph.node(i).terms) {
         graph.Linearize(i, entry.term, linear);
@@ -31,8 +36,12 @@ class NormalEquations {
     }
     for (int slot = 0; slot < graph.slot_count(); ++slot) {
       for (const Term& term : graph.landmark(slot).terms) {
-        term.Linearize({nullptr, nullptr, &graph.landmark(slot).p}, linear);
-        Add(linear, {{poses_ + 3 * slot, 3, linear.J_landmark.data()}});
+        graph.LinearizeBorder(term, linear);
+        std::vector<Block> blocks{{poses_ + 3 * slot, 3, linear.J_landmark.data()}};
+        if (term.second() >= 0) {
+          blocks.push_back({poses_ + 3 * term.second(), 3, linear.J_second.data()});
+        }
+        Add(linear, blocks);
       }
     }
     H_.resize(size_, size_);

@@ -38,12 +38,13 @@ void ChainGraph::RemoveTerm(const TermId& id) {
 }
 
 int ChainGraph::AddLandmark(const Eigen::Vector3d& p) {
-  const auto free = std::ranges::find(landmarks_, false, &ChainLandmark::is_used);
+  const auto free = std::ranges::find_if(
+      landmarks_, [](const ChainLandmark& l) { return !l.is_used && !l.is_reserved; });
   const auto slot = static_cast<int>(free - landmarks_.begin());
   if (free == landmarks_.end()) {
     landmarks_.emplace_back();
   }
-  landmark(slot) = {.is_used = true, .p = p, .terms = {}, .nodes = {}};
+  landmark(slot) = {.is_used = true, .is_reserved = false, .p = p, .terms = {}, .nodes = {}};
   return slot;
 }
 
@@ -66,15 +67,19 @@ int ChainGraph::FirstNodeOf(int slot) const {
 }
 
 void ChainGraph::Linearize(int index, const Term& term, LinearTerm& out) const {
-  TermPoint at{.previous = nullptr, .pose = &node(index).x, .landmark = nullptr};
-  if (term.landmark() >= 0) {
-    at.landmark = &landmark(term.landmark()).p;
-  }
-  term.Linearize(at, out);
+  term.Linearize({.pose = &node(index).x, .landmark = PlaceOf(term.landmark())}, out);
 }
 
 void ChainGraph::LinearizeStep(int index, LinearTerm& out) const {
-  node(index).step->Linearize({&node(index - 1).x, &node(index).x, nullptr}, out);
+  const Term& step = *node(index).step;
+  step.Linearize({.previous = &node(index - 1).x,
+                  .pose = &node(index).x,
+                  .landmark = PlaceOf(step.landmark())},
+                 out);
+}
+
+void ChainGraph::LinearizeBorder(const Term& term, LinearTerm& out) const {
+  term.Linearize({.landmark = PlaceOf(term.landmark()), .second = PlaceOf(term.second())}, out);
 }
 
 double ChainGraph::Cost() const {
@@ -92,7 +97,7 @@ double ChainGraph::Cost() const {
   }
   for (const ChainLandmark& seen : landmarks_) {
     for (const Term& term : seen.terms) {
-      term.Linearize({nullptr, nullptr, &seen.p}, linear);
+      LinearizeBorder(term, linear);
       cost += linear.cost;
     }
   }

@@ -25,26 +25,30 @@ struct ChainNode {
   std::vector<Entry> terms;
 };
 
-/// A landmark. Its number is a slot that is used again after the landmark's removal.
+/// A block of three of the chain's border: a landmark's place, or slow errors of the sensors. Its
+/// number is a slot that is used again after its removal.
 struct ChainLandmark {
   bool is_used = false;
+  bool is_reserved = false;                     ///< not yet to be used again
   Eigen::Vector3d p = Eigen::Vector3d::Zero();  ///< where it is linearised
-  std::vector<Term> terms;                      ///< on the landmark alone
+  std::vector<Term> terms;                      ///< on blocks of the border alone
   std::vector<int> nodes;                       ///< that see it, ascending, one entry per term
 };
 
-/// Poses in order of time, each tied to its neighbours, and landmarks that any pose may see: the
-/// factor graph of eq. (6). Holds variables and terms; solving is somebody else's.
+/// Poses in order of time, each tied to its neighbours, and a border of landmarks and slow errors
+/// that any pose may depend on: the factor graph of eq. (6). Holds variables and terms; solving is
+/// somebody else's.
 class ChainGraph {
  public:
+  /// REQUIRES: a step with a slot names one in use.
   int AddNode(const NavVector& x, std::optional<Term> step);
   /// REQUIRES: a term on a landmark names one in use.
   TermId AddTerm(int node, Term term);
   void RemoveTerm(const TermId& id);
   int AddLandmark(const Eigen::Vector3d& p);
-  /// Also removes every term on it.
+  /// Also removes every term on it. REQUIRES: no step depends on it.
   void RemoveLandmark(int landmark);
-  /// REQUIRES: `term` is on this landmark alone.
+  /// REQUIRES: `term` is on this landmark, alone or with a second one.
   void AddLandmarkTerm(int landmark, Term term);
 
   [[nodiscard]] int node_count() const { return static_cast<int>(nodes_.size()); }
@@ -58,13 +62,17 @@ class ChainGraph {
   /// First node that sees the landmark, or node_count() if none does.
   [[nodiscard]] int FirstNodeOf(int landmark) const;
 
-  /// Linearises term `i` of a node, or its step, where the variables now are.
+  /// Linearises a term of a node, its step, or a term of the border where the variables now are.
   void Linearize(int node, const Term& term, LinearTerm& out) const;
   void LinearizeStep(int node, LinearTerm& out) const;
+  void LinearizeBorder(const Term& term, LinearTerm& out) const;
   /// Sum of all losses where the variables now are.
   [[nodiscard]] double Cost() const;
 
  private:
+  [[nodiscard]] const Eigen::Vector3d* PlaceOf(int slot) const {
+    return slot < 0 ? nullptr : &landmark(slot).p;
+  }
   std::vector<ChainNode> nodes_;
   std::vector<ChainLandmark> landmarks_;
   int next_serial_ = 0;

@@ -34,6 +34,8 @@ class Smoother {
   virtual TermId AddTerm(int node, Term term) = 0;
   virtual void RemoveTerm(const TermId& id) = 0;
   virtual int AddLandmark(const Eigen::Vector3d& p) = 0;
+  /// A block of three slow errors of the sensors, on which steps may depend; never removed.
+  virtual int AddErrors(const Eigen::Vector3d& start) = 0;
   virtual void RemoveLandmark(int landmark) = 0;
   virtual void AddLandmarkTerm(int landmark, Term term) = 0;
 

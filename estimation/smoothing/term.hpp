@@ -16,20 +16,22 @@ namespace limpet {
 struct TermPoint {
   const NavVector* previous = nullptr;
   const NavVector* pose = nullptr;
-  const Eigen::Vector3d* landmark = nullptr;
+  const Eigen::Vector3d* landmark = nullptr;  ///< or the sensors' slow errors
+  const Eigen::Vector3d* second = nullptr;
 };
 
-/// Whitened, reweighted residual and Jacobians of a term; only the first `rows` rows count.
+/// Whitened, reweighted residual and Jacobians of a term; only the first `rows` rows count, and
+/// only the Jacobians of what the term depends on.
 struct LinearTerm {
   int rows = 0;
   Eigen::Matrix<double, 6, 1> r;
   Eigen::Matrix<double, 6, 6> J_previous, J_pose;
-  Eigen::Matrix<double, 6, 3> J_landmark;
+  Eigen::Matrix<double, 6, 3> J_landmark, J_second;
   double cost = 0.0;
 };
 
-/// A factor with its loss, bound to a kind of variables: a pose, a step between neighbouring poses,
-/// a pose and a landmark, or a landmark alone.
+/// A factor with its loss, bound to a kind of variables: a pose; a step between neighbouring poses,
+/// with or without a block of slow errors; a pose and a landmark; blocks of the border alone.
 class Term {
  public:
   template <class F>
@@ -47,6 +49,21 @@ class Term {
                                   loss, out, J_pose, out.J_pose);
       out.J_previous.topRows<F::kDim>() = weight * J_previous;
     });
+  }
+  /// A step whose sensors' slow errors are the border's block `slot`.
+  template <class F>
+  [[nodiscard]] static Term OnStep(F factor, int slot, Loss loss = Loss::LeastSquares()) {
+    Term term([factor, loss](const TermPoint& at, LinearTerm& out) {
+      typename F::Jacobian J_previous, J_pose;
+      typename F::LandmarkJacobian J_errors;
+      const double weight = Store(
+          factor.Evaluate(*at.previous, *at.pose, *at.landmark, &J_previous, &J_pose, &J_errors),
+          loss, out, J_pose, out.J_pose);
+      out.J_previous.topRows<F::kDim>() = weight * J_previous;
+      out.J_landmark.template topRows<F::kDim>() = weight * J_errors;
+    });
+    term.landmark_ = slot;
+    return term;
   }
   template <class F>
   [[nodiscard]] static Term OnSight(F factor, int landmark, Loss loss = Loss::LeastSquares()) {
@@ -69,10 +86,26 @@ class Term {
     term.landmark_ = landmark;
     return term;
   }
+  /// On two blocks of the border.
+  template <class F>
+  [[nodiscard]] static Term OnBlocks(F factor, int landmark, int second,
+                                     Loss loss = Loss::LeastSquares()) {
+    Term term([factor, loss](const TermPoint& at, LinearTerm& out) {
+      typename F::LandmarkJacobian J, J_second;
+      const double weight = Store(factor.Evaluate(*at.landmark, *at.second, &J, &J_second), loss,
+                                  out, J, out.J_landmark);
+      out.J_second.template topRows<F::kDim>() = weight * J_second;
+    });
+    term.landmark_ = landmark;
+    term.second_ = second;
+    return term;
+  }
 
   void Linearize(const TermPoint& at, LinearTerm& out) const { linearize_(at, out); }
-  /// Landmark the term depends on, or -1.
+  /// Block of the border that the term depends on, or -1.
   [[nodiscard]] int landmark() const { return landmark_; }
+  /// The other block of a term on two, or -1.
+  [[nodiscard]] int second() const { return second_; }
 
  private:
   using Linearizer = std::function<void(const TermPoint&, LinearTerm&)>;
@@ -92,7 +125,7 @@ class Term {
   }
 
   Linearizer linearize_;
-  int landmark_ = -1;
+  int landmark_ = -1, second_ = -1;
 };
 
 }  // namespace limpet

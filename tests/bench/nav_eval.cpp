@@ -1,23 +1,32 @@
 // SPDX-License-Identifier: MIT
-// nav_eval [--windows] <stream folder>...: errors and cost of the estimator on recorded streams
-// with truth.
+// nav_eval [--windows|--missed|--markdown] <stream folder>...: errors and cost of the estimator on
+// recorded streams with truth. --windows adds the errors per five minutes, --missed the boxes of
+// objects that were not used; --markdown writes docs/navigation-results.md.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <map>
 #include <string>
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <time.h>
 
 #include "estimation/replay/replay.hpp"
+#include "estimation/smoothing/batch_solver.hpp"
 #include "tests/support/trajectory_error.hpp"
 
 namespace {
+
+using namespace limpet;
 
 double ThreadSeconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
+
+double HeapKilobytes() { return static_cast<double>(mallinfo2().uordblks) / 1024.0; }
 
 double Quantile(std::vector<double> values, double share) {
   std::ranges::sort(values);
@@ -26,71 +35,155 @@ double Quantile(std::vector<double> values, double share) {
              : values[static_cast<std::size_t>(share * (static_cast<double>(values.size()) - 1.0))];
 }
 
+/// All that is measured of one stream.
+struct Evaluation {
+  std::string name;
+  ReplayResult result;
+  TrajectoryError smoothed, online, reckoned;
+  LandmarkErrors objects;
+  int boxes_used = 0;
+  double total_s = 0.0;
+  double kilobytes_per_node = 0.0;  ///< per node at 5 Hz, whatever the chain's own spacing
+  double batch_cost = 0.0;
+
+  [[nodiscard]] double UpdateMs(double share) const {
+    return 1e3 * Quantile(result.update_s, share);
+  }
+};
+
+Evaluation Evaluate(const std::string& folder, const SensorStream& stream,
+                    const StreamTruth& truth) {
+  Evaluation e;
+  e.name = std::filesystem::path(folder).lexically_normal().filename();
+  const double heap = HeapKilobytes(), start = ThreadSeconds();
+  double end = start;
+  e.result = Replay(stream, ParamsForStream(stream.meta), ThreadSeconds, [&](const Navigator& n) {
+    end = ThreadSeconds();
+    const double duration = n.Smoothed(n.node_count() - 1).front().t;
+    e.kilobytes_per_node = (HeapKilobytes() - heap) / (5.0 * duration);
+    ChainGraph graph = n.graph();
+    e.batch_cost = SolveBatch(graph).cost;
+  });
+  e.total_s = end - start;
+  e.smoothed = ErrorOf(e.result.smoothed, truth);
+  e.online = ErrorOf(e.result.online, truth);
+  e.reckoned = ErrorOf(e.result.reckoned, truth);
+  e.objects = ErrorsOf(e.result.landmarks, e.smoothed.alignment, truth);
+  e.boxes_used = static_cast<int>(
+      std::ranges::count_if(e.result.associations, [](const auto& a) { return a.landmark >= 0; }));
+  return e;
+}
+
+void Print(const Evaluation& e) {
+  fmt::print("{}\n  nodes {}  boxes used {} of {}  looks taken out {}\n", e.name,
+             e.result.smoothed.size(), e.boxes_used, e.result.associations.size(),
+             e.result.counts.looks);
+  fmt::print(
+      "  aligned: reckoned (horizontal) {:.3f}  online {:.3f}  smoothed {:.3f} m;  absolute "
+      "smoothed {:.3f} m\n",
+      e.reckoned.aligned_horizontal, e.online.aligned, e.smoothed.aligned, e.smoothed.absolute);
+  fmt::print(
+      "  OPIs {}: aligned max {:.3f} mean {:.3f}, absolute max {:.3f} m; duplicates {}, false "
+      "{}, missed {}\n",
+      e.result.landmarks.size(), e.objects.aligned_max, e.objects.aligned_mean,
+      e.objects.absolute_max, e.objects.duplicates, e.objects.false_ones, e.objects.missed.size());
+  for (const auto& l : e.result.landmarks) {
+    const Eigen::Vector3d p = e.smoothed.alignment.Apply(l.p);
+    fmt::print("    {} ({:.2f}, {:.2f}, {:.2f}) sd ({:.2f}, {:.2f}, {:.2f}) looks {} class {}\n",
+               l.id, p.x(), p.y(), p.z(), std::sqrt(l.covariance(0, 0)),
+               std::sqrt(l.covariance(1, 1)), std::sqrt(l.covariance(2, 2)), l.looks, l.color);
+  }
+  fmt::print(
+      "  update median {:.4f}  99 % {:.3f}  max {:.2f} ms; total {:.3f} s; {:.2f} kB per 5 Hz "
+      "node\n"
+      "  cost {:.2f}, batch {:.2f}; {} in {} rounds\n",
+      e.UpdateMs(0.5), e.UpdateMs(0.99), e.UpdateMs(1.0), e.total_s, e.kilobytes_per_node,
+      e.result.finish.cost, e.batch_cost, e.result.finish.reason, e.result.finish.iterations);
+}
+
 /// Aligned error in windows of five minutes: smoothed, and online under the same alignment.
-void PrintWindows(const limpet::ReplayResult& result, const limpet::Alignment& alignment,
-                  const limpet::StreamTruth& truth) {
+void PrintWindows(const Evaluation& e, const StreamTruth& truth) {
   constexpr double kWindow = 300.0;
-  const auto rms_in = [&](const std::vector<limpet::SmoothedPose>& poses, double start) {
+  const auto rms_in = [&](const std::vector<SmoothedPose>& poses, double start) {
     double sum = 0.0;
     int count = 0;
-    for (const limpet::SmoothedPose& pose : poses) {
+    for (const SmoothedPose& pose : poses) {
       if (pose.t >= start && pose.t < start + kWindow) {
-        sum += (alignment.Apply(pose.X_WB.p_WB) - truth.At(pose.t)).squaredNorm();
+        sum += (e.smoothed.alignment.Apply(pose.X_WB.p_WB) - truth.At(pose.t)).squaredNorm();
         ++count;
       }
     }
     return count > 0 ? std::sqrt(sum / count) : 0.0;
   };
-  for (double start = 0.0; start < result.smoothed.back().t; start += kWindow) {
+  for (double start = 0.0; start < e.result.smoothed.back().t; start += kWindow) {
     fmt::print("    {:5.0f} s: smoothed {:.3f}  online {:.3f} m\n", start,
-               rms_in(result.smoothed, start), rms_in(result.online, start));
+               rms_in(e.result.smoothed, start), rms_in(e.result.online, start));
+  }
+}
+
+void PrintMissed(const Evaluation& e, const std::filesystem::path& folder) {
+  std::map<std::pair<int, int>, int> shown;
+  for (const auto& row : ReadTable(folder / "truth_det.csv.gz")) {
+    shown[{static_cast<int>(row[0]), static_cast<int>(row[1])}] = static_cast<int>(row[2]);
+  }
+  for (const ReplayAssociation& a : e.result.associations) {
+    const int id = shown[{a.frame, a.detection}];
+    if (id >= 0 && a.landmark < 0) fmt::print("    frame {}: object {} not used\n", a.frame, id);
+    if (id < 0 && a.landmark >= 0) fmt::print("    frame {}: false box used\n", a.frame);
+  }
+}
+
+void PrintMarkdownHead() {
+  fmt::print(
+      "# Navigation on recorded streams\n\n"
+      "What `limpet nav` makes of the three recorded sessions, against their truth. The reference "
+      "is a batch\noptimum with associations from the truth; ours has to find them. Aligned errors "
+      "leave out what GPS and\nthe initial heading decide. Times are one thread's CPU time, of "
+      "whatever machine this was made on.\nGenerated: `nav_eval --markdown <streams> > "
+      "docs/navigation-results.md` (`tests/bench`).\n\n"
+      "| stream | dead reckoning [m] | online [m] | smoothed [m] | reference [m] | objects: worst, "
+      "mean [m] | doubled, false, missed |\n|---|---|---|---|---|---|---|\n");
+}
+
+void PrintMarkdown(const std::vector<Evaluation>& all) {
+  const std::map<std::string, double> reference{
+      {"a-table1-discovery", 0.078}, {"b-table1-change", 0.049}, {"c-rough-1h", 0.119}};
+  PrintMarkdownHead();
+  for (const Evaluation& e : all) {
+    const auto found = reference.find(e.name);
+    fmt::print("| {} | {:.3f} | {:.3f} | {:.3f} | {} | {:.2f}, {:.2f} | {}, {}, {} |\n", e.name,
+               e.reckoned.aligned_horizontal, e.online.aligned, e.smoothed.aligned,
+               found == reference.end() ? "-" : fmt::format("{:.3f}", found->second),
+               e.objects.aligned_max, e.objects.aligned_mean, e.objects.duplicates,
+               e.objects.false_ones, e.objects.missed.size());
+  }
+  fmt::print(
+      "\n| stream | poses | update: median, 99 %, max [ms] | total [s] | kB per 5 Hz node | final "
+      "cost, batch minimum |\n|---|---|---|---|---|---|\n");
+  for (const Evaluation& e : all) {
+    fmt::print("| {} | {} | {:.3f}, {:.3f}, {:.2f} | {:.3f} | {:.2f} | {:.2f}, {:.2f} |\n", e.name,
+               e.result.smoothed.size(), e.UpdateMs(0.5), e.UpdateMs(0.99), e.UpdateMs(1.0),
+               e.total_s, e.kilobytes_per_node, e.result.finish.cost, e.batch_cost);
   }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool prints_windows = argc > 1 && std::string(argv[1]) == "--windows";
-  for (int i = prints_windows ? 2 : 1; i < argc; ++i) {
-    const limpet::Expected<limpet::SensorStream> stream = limpet::LoadSensorStream(argv[i]);
+  const std::string option = argc > 1 && argv[1][0] == '-' ? argv[1] : "";
+  std::vector<Evaluation> all;
+  for (int i = option.empty() ? 1 : 2; i < argc; ++i) {
+    const Expected<SensorStream> stream = LoadSensorStream(argv[i]);
     if (!stream) {
       fmt::print(stderr, "{}\n", stream.error().text);
       return 1;
     }
-    const limpet::StreamTruth truth = limpet::LoadTruth(argv[i]);
-    const double start = ThreadSeconds();
-    const limpet::ReplayResult result =
-        limpet::Replay(*stream, limpet::ParamsForStream(stream->meta), ThreadSeconds);
-    const double total = ThreadSeconds() - start;
-    const auto smoothed = ErrorOf(result.smoothed, truth), online = ErrorOf(result.online, truth);
-    const auto reckoned = ErrorOf(result.reckoned, truth);
-    const auto opis = ErrorsOf(result.landmarks, smoothed.alignment, truth);
-    const int used = static_cast<int>(
-        std::ranges::count_if(result.associations, [](const auto& a) { return a.landmark >= 0; }));
-    fmt::print("{}\n  nodes {}  boxes used {} of {}  looks taken out {}\n", argv[i],
-               result.smoothed.size(), used, result.associations.size(), result.counts.looks);
-    fmt::print(
-        "  aligned: reckoned (horizontal) {:.3f}  online {:.3f}  smoothed {:.3f} m;  absolute "
-        "smoothed {:.3f} m\n",
-        reckoned.aligned_horizontal, online.aligned, smoothed.aligned, smoothed.absolute);
-    fmt::print(
-        "  OPIs {}: aligned max {:.3f} mean {:.3f}, absolute max {:.3f} m; duplicates {}, false "
-        "{}, missed {}\n",
-        result.landmarks.size(), opis.aligned_max, opis.aligned_mean, opis.absolute_max,
-        opis.duplicates, opis.false_ones, opis.missed.size());
-    for (const auto& l : result.landmarks) {
-      const Eigen::Vector3d p = smoothed.alignment.Apply(l.p);
-      fmt::print("    {} ({:.2f}, {:.2f}, {:.2f}) sd ({:.2f}, {:.2f}, {:.2f}) looks {} class {}\n",
-                 l.id, p.x(), p.y(), p.z(), std::sqrt(l.covariance(0, 0)),
-                 std::sqrt(l.covariance(1, 1)), std::sqrt(l.covariance(2, 2)), l.looks, l.color);
-    }
-    if (prints_windows) PrintWindows(result, smoothed.alignment, truth);
-    fmt::print(
-        "  update median {:.4f}  99 % {:.3f}  max {:.2f} ms; total {:.2f} s; cost {:.1f}, {} in {} "
-        "rounds\n",
-        1e3 * Quantile(result.update_s, 0.5), 1e3 * Quantile(result.update_s, 0.99),
-        1e3 * Quantile(result.update_s, 1.0), total, result.finish.cost, result.finish.reason,
-        result.finish.iterations);
+    const StreamTruth truth = LoadTruth(argv[i]);
+    all.push_back(Evaluate(argv[i], *stream, truth));
+    if (option != "--markdown") Print(all.back());
+    if (option == "--windows") PrintWindows(all.back(), truth);
+    if (option == "--missed") PrintMissed(all.back(), argv[i]);
   }
+  if (option == "--markdown") PrintMarkdown(all);
   return 0;
 }

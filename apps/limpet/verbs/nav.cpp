@@ -12,6 +12,7 @@
 #include <time.h>
 
 #include "apps/limpet/cli.hpp"
+#include "apps/limpet/verbs/nav_plot.hpp"
 #include "estimation/replay/replay.hpp"
 
 namespace limpet {
@@ -20,12 +21,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kNavHelp =
-    R"(usage: limpet nav <stream folder> --out DIR [--json]
+    R"(usage: limpet nav <stream folder> --out DIR [--plot] [--json]
 
 Runs the estimator alone on a recorded sensor stream (meta.csv and stream.csv.gz) and writes
 online.csv, smoothed.csv, landmarks.csv, associations.csv and timing.json into DIR.
 
   --out DIR            where the results go
+  --plot               also draw error.svg (with 3-sigma bounds; against the smoothed track, no
+                       truth is read) and map.svg
   --json               print timing.json instead of the summary
 )";
 
@@ -92,7 +95,7 @@ bool Write(const fs::path& file, const std::string& text) {
 }  // namespace
 
 int RunNav(std::span<const std::string> args) {
-  const Arguments given(args, {"out"}, {"json", "help"});
+  const Arguments given(args, {"out"}, {"json", "plot", "help"});
   if (given.Has("help")) {
     fmt::print("{}", kNavHelp);
     return kOk;
@@ -122,6 +125,10 @@ int RunNav(std::span<const std::string> args) {
                           Write(out / "landmarks.csv", LandmarksCsv(result.landmarks)) &&
                           Write(out / "associations.csv", AssociationsCsv(result.associations)) &&
                           Write(out / "timing.json", timing);
+  const std::string name = fs::path(given.positionals().front()).lexically_normal().filename();
+  const bool is_drawn =
+      !given.Has("plot") || (Write(out / "error.svg", NavErrorPlot(result, name)) &&
+                             Write(out / "map.svg", NavMapPlot(result, name)));
   if (given.Has("json")) {
     fmt::print("{}", timing);
   } else {
@@ -132,7 +139,7 @@ int RunNav(std::span<const std::string> args) {
         stream->refused_rows + result.counts.stale_samples, result.counts.velocities,
         result.counts.depths, result.counts.fixes, result.counts.late_frames);
   }
-  return is_written ? kOk : kFailed;
+  return is_written && is_drawn ? kOk : kFailed;
 }
 
 }  // namespace limpet

@@ -153,6 +153,36 @@ TEST_F(ObjectTrackerTest, RecognisesAnObjectAfterDriftThatOdometryAdmits) {
   EXPECT_LT((Found()[0].p - objects_[0]).norm(), 0.3);
 }
 
+TEST_F(ObjectTrackerTest, OneFalseBoxWhereADriftedObjectIsExpectedMovesNothing) {
+  objects_ = {{5.0, 0.5, 6.5}};
+  step_sigma_ = 0.08;
+  FlyTo(10.0, 0.0);
+  FlyTo(10.0, 15.0);
+  FlyTo(5.0, 15.0);
+  FlyTo(5.0, 4.0);
+  objects_[0].y() = 2.0;  // one box, a metre and a half from where the object is
+  FlyTo(5.0, 3.9);
+  objects_.clear();
+  const double before = smoother_.PoseAt(smoother_.graph().node_count() - 1).y();
+  FlyTo(5.0, 3.4);
+  EXPECT_NEAR(smoother_.PoseAt(smoother_.graph().node_count() - 1).y(), before - 0.5, 0.05);
+}
+
+TEST_F(ObjectTrackerTest, TellsWhichOfTwoLikeObjectsItSeesAgainAfterDrift) {
+  objects_ = {{5.0, 0.0, 6.8}, {5.0, 1.2, 6.8}};
+  step_sigma_ = 0.06;
+  FlyTo(10.0, 0.6);
+  FlyTo(10.0, 15.0, 0.5);
+  FlyTo(0.0, 15.0);
+  FlyTo(0.0, 0.6);
+  FlyTo(10.0, 0.6);
+  ASSERT_EQ(Found().size(), 2U);
+  for (const Eigen::Vector3d& object : objects_) {
+    const double off = std::min((Found()[0].p - object).norm(), (Found()[1].p - object).norm());
+    EXPECT_LT(off, 0.35);
+  }
+}
+
 TEST_F(ObjectTrackerTest, MergesADuplicateUnderTheOlderId) {
   objects_ = {{5.0, 0.5, 6.5}};
   FlyTo(10.0, 0.0);

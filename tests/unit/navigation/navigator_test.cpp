@@ -59,5 +59,27 @@ TEST_F(NavigatorTest, AnAltitudeIsForgottenSoonAfterBottomLockIsLost) {
   EXPECT_FALSE(navigator_.Estimate(t_).altitude.has_value());
 }
 
+TEST_F(NavigatorTest, ACorruptTimeIsRefusedAndCountedAndStopsNothing) {
+  Rest(0.0, 0.0, 5.0);
+  AttitudeEstimate leap;
+  leap.t = t_ + 1e6;
+  navigator_.AddAttitude(leap);
+  navigator_.AddVelocity(t_ + 1e6, Eigen::Vector3d::Zero());
+  navigator_.AddDepth(std::nan(""), kDown);
+  navigator_.AddFrame({.frame = 1, .t = t_ + 1e6, .boxes = {}});
+  EXPECT_EQ(navigator_.counts().stale_samples, 4);
+  const int before = navigator_.node_count();
+  Rest(0.0, 0.0, 5.0);
+  EXPECT_GE(navigator_.node_count(), before + 4);
+}
+
+TEST_F(NavigatorTest, ARealGapInTheAttitudeIsCrossed) {
+  Rest(0.0, 0.0, 5.0);
+  t_ += 120.0;
+  Rest(0.0, 0.0, 5.0);
+  EXPECT_NEAR(navigator_.Estimate(t_).t, t_, 1e-9);
+  EXPECT_GT(navigator_.Estimate(t_).sd_p.x(), 0.5);
+}
+
 }  // namespace
 }  // namespace limpet

@@ -60,6 +60,15 @@ TEST_F(OdometryTrackTest, BridgesADropoutWithTheLastVelocityAndSaysHowUnsureItIs
   EXPECT_GT(track_.Between(19.0, 29.0).variance(0), 5.0 * sure);
 }
 
+TEST_F(OdometryTrackTest, AVelocityFarFromTheUsualOneIsNotHeldForLong) {
+  Drive(0.0, 120.0);
+  for (double t = 120.05; t < 121.0; t += 0.2)
+    track_.AddVelocity(t, Eigen::Vector3d::Zero());
+  track_.AddVelocity(121.1, std::nullopt);
+  Drive(121.2, 150.0, false);
+  EXPECT_GT(track_.At(149.0).v_B.x(), 0.5 * kSpeed);
+}
+
 TEST_F(OdometryTrackTest, SinksAtTheGivenRateInADropout) {
   Drive(0.0, 20.0);
   EXPECT_FALSE(track_.DropoutAge(track_.last_time()));

@@ -17,10 +17,18 @@ TEST(VelocityGate, RefusesAJumpThatNoVehicleMakes) {
   EXPECT_TRUE(gate.Accepts(0.4, kCruise));
 }
 
-TEST(VelocityGate, AllowsMoreAfterALongDropout) {
+TEST(VelocityGate, TakesANewVelocityAfterADropoutOnceASecondSampleConfirmsIt) {
   VelocityGate gate{VelocityGateParams{}};
   EXPECT_TRUE(gate.Accepts(0.0, kCruise));
-  EXPECT_TRUE(gate.Accepts(10.0, -kCruise));
+  EXPECT_FALSE(gate.Accepts(60.0, -kCruise));
+  EXPECT_TRUE(gate.Accepts(60.2, -kCruise));
+}
+
+TEST(VelocityGate, TakesNoOutlierForTheTruthAtADropoutsEnd) {
+  VelocityGate gate{VelocityGateParams{}};
+  EXPECT_TRUE(gate.Accepts(0.0, kCruise));
+  EXPECT_FALSE(gate.Accepts(60.0, kCruise + Eigen::Vector3d(1.8, 0.0, 0.0)));
+  EXPECT_TRUE(gate.Accepts(60.2, kCruise));
 }
 
 TEST(VelocityGate, AWrongFirstSampleDoesNotLockItForEver) {

@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "estimation/smoothing/batch_solver.hpp"
+#include "estimation/smoothing/factors/calibrated_step_factor.hpp"
 #include "estimation/smoothing/factors/depth_factor.hpp"
+#include "estimation/smoothing/factors/landmark_prior_factor.hpp"
 #include "estimation/smoothing/factors/pose_prior_factor.hpp"
 #include "estimation/smoothing/factors/range_factor.hpp"
 #include "estimation/smoothing/factors/reprojection_factor.hpp"
@@ -145,6 +147,94 @@ TEST_F(ArrowSmootherTest, AgreesWithTheBatchOptimumAfterALandmarkIsRemoved) {
   ChainGraph graph = smoother_.graph();
   ASSERT_TRUE(SolveBatch(graph).has_converged);
   EXPECT_LT(WorstDifference(graph), 0.01);
+}
+
+/// Inverse of the whole graph's information where its variables are.
+Eigen::MatrixXd DenseCovariance(const ChainGraph& graph) {
+  const int poses = 6 * graph.node_count(), n = poses + 3 * graph.slot_count();
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(n, n);
+  LinearTerm linear;
+  const auto add = [&](int previous, int pose, int slot) {
+    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(linear.rows, n);
+    if (previous >= 0) J.middleCols(6 * previous, 6) = linear.J_previous.topRows(linear.rows);
+    if (pose >= 0) J.middleCols(6 * pose, 6) = linear.J_pose.topRows(linear.rows);
+    if (slot >= 0) J.middleCols(poses + 3 * slot, 3) = linear.J_landmark.topRows(linear.rows);
+    H += J.transpose() * J;
+  };
+  for (int i = 0; i < graph.node_count(); ++i) {
+    if (i > 0) {
+      graph.LinearizeStep(i, linear);
+      add(i - 1, i, graph.node(i).step->landmark());
+    }
+    for (const ChainNode::Entry& entry : graph.node(i).terms) {
+      graph.Linearize(i, entry.term, linear);
+      add(-1, i, entry.term.landmark());
+    }
+  }
+  return H.llt().solve(Eigen::MatrixXd::Identity(n, n));
+}
+
+TEST_F(ArrowSmootherTest, CovariancesAreThoseOfTheWholeGraph) {
+  Drive(40);
+  smoother_.Converge();
+  const Eigen::MatrixXd all = DenseCovariance(smoother_.graph());
+  for (const int node : {0, 7, 16, 21, 32, 35, 39}) {
+    EXPECT_LT((smoother_.PoseCovariance(node) - all.block(6 * node, 6 * node, 6, 6)).norm(),
+              1e-6 * all.block(6 * node, 6 * node, 6, 6).norm())
+        << "of node " << node;
+  }
+  ASSERT_GE(std::min(slots_[0], slots_[1]), 0);
+  const Eigen::MatrixXd joint = smoother_.Covariance({slots_[0], slots_[1]});
+  const Eigen::Index a = 240 + 3 * slots_[0], b = 240 + 3 * slots_[1];
+  EXPECT_LT((joint.block(6, 9, 3, 3) - all.block(a, b, 3, 3)).norm(), 1e-7);
+  EXPECT_LT((joint.block(0, 6, 6, 3) - all.block(6 * 39, a, 6, 3)).norm(), 1e-7);
+}
+
+TEST_F(ArrowSmootherTest, SpreadsTheWorkOfABigChangeOverUpdatesAndSaysWhenItIsDone) {
+  ArrowParams params;
+  params.work_per_update = 3e4;
+  smoother_ = ArrowSmoother(params);
+  Drive(400);
+  // Something seen at the very start turns out wrong.
+  smoother_.RemoveLandmark(slots_[0]);
+  slots_[0] = smoother_.AddLandmark(objects_[0]);
+  int updates = 0, most = 0;
+  SolveReport report;
+  do {
+    report = smoother_.Update();
+    most = std::max(most, report.eliminated_nodes);
+  } while (!report.has_converged && ++updates < 200);
+  EXPECT_TRUE(report.has_converged);
+  EXPECT_GT(updates, 3);
+  EXPECT_LE(most, 16 * 16);
+  ChainGraph graph = smoother_.graph();
+  ASSERT_TRUE(SolveBatch(graph).has_converged);
+  EXPECT_LT(WorstDifference(graph), 0.02);
+}
+
+TEST_F(ArrowSmootherTest, FindsTheScaleOfItsSteps) {
+  const int errors = smoother_.AddErrors(Eigen::Vector3d::Zero());
+  smoother_.AddLandmarkTerm(
+      errors, Term::OnLandmark(
+                  LandmarkPriorFactor(Eigen::Vector3d::Zero(), 1e-4 * Eigen::Matrix3d::Identity()),
+                  errors));
+  const Eigen::Vector4d variance(1e-6, 1e-6, 1e-6, 1e-8);
+  for (int k = 0; k < 40; ++k) {
+    const NavVector truth = (NavVector() << 0.5 * k, 0.0, 0.0, 0.0, 0.0, 0.0).finished();
+    if (k == 0) {
+      smoother_.AddNode(truth, std::nullopt);
+    } else {
+      const CalibratedStepFactor step({0.505, 0.0, 0.0, 0.0}, variance, 1.0);
+      smoother_.AddNode(truth, Term::OnStep(step, errors));
+    }
+    const NavVector sigma = NavVector::Constant(0.01);
+    smoother_.AddTerm(k, Term::OnPose(PosePriorFactor(truth, sigma)));
+    smoother_.Update();
+  }
+  EXPECT_NEAR(smoother_.LandmarkAt(errors).x(), 0.01, 1e-3);
+  ChainGraph graph = smoother_.graph();
+  ASSERT_TRUE(SolveBatch(graph).has_converged);
+  EXPECT_NEAR(smoother_.LandmarkAt(errors).x(), graph.landmark(errors).p.x(), 1e-6);
 }
 
 TEST_F(ArrowSmootherTest, CovariancesAgreeWithTheSpreadOfTheError) {

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// What is a tentative object that enough boxes agree on: a landmark that is known already, or a new
+// one? Decided on its place, from several boxes at once: where the pose is unsure, one box alone
+// could be anything.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "estimation/association/assignment.hpp"
+#include "estimation/association/object_tracker.hpp"
+#include "estimation/smoothing/factors/landmark_prior_factor.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kPlaceError = 0.1;  // [m] of a tentative object's place, beyond its covariance
+constexpr double kReach = 3.0;       // [m]
+constexpr double kBeside = 6.0;      // [m] within which objects are decided together
+constexpr double kUnlikely = 16.3;   // squared Mahalanobis distance, three degrees of freedom
+constexpr double kImpossible = 1e6;
+constexpr int kBoxesOfKnown = 2;
+constexpr double kOutOfSight = 1.0;   // [s] since the last box
+constexpr double kLongestWait = 8.0;  // [s] of looks, then it is decided even in sight
+
+}  // namespace
+
+bool ObjectTracker::AgreeOn(const TrackedObject& object, int boxes, double log_odds,
+                            double now) const {
+  if (object.is_landmark() || object.looks.empty()) {
+    return false;
+  }
+  const auto recent = std::ranges::count_if(object.looks, [&](const Look& look) {
+    // What both borders cut tells no place, but that something is there.
+    const bool counts = look.reading.is_usable() || boxes < params_.looks_to_confirm;
+    return counts && now - look.t <= params_.confirm_within_s;
+  });
+  return recent >= boxes && object.LogOdds() >= log_odds &&
+         object.hits >= params_.confirm_hit_share * object.expected &&
+         object.worst_residual <= params_.confirm_residual;
+}
+
+void ObjectTracker::ConfirmWhatIsDue(const TrackerFrame& frame) {
+  const double now = frame.detections->t;
+  for (TrackedObject& object : objects_) {
+    // Fewer boxes tell an object that is known and expected there.
+    const bool is_ripe = IsRipe(object, now);
+    if (!is_ripe &&
+        !AgreeOn(object, kBoxesOfKnown,
+                 kBoxesOfKnown * params_.confirm_log_odds / params_.looks_to_confirm, now)) {
+      continue;
+    }
+    std::vector<TrackedObject*> group{&object};
+    if (ShouldWait(object, frame)) {
+      if (!is_ripe) continue;
+      if (now - object.last_seen() < kOutOfSight && now - object.looks.front().t < kLongestWait) {
+        continue;
+      }
+      for (TrackedObject& other : objects_) {
+        const bool is_beside = (other.p - object.p).norm() < kBeside;
+        if (&other != &object && is_beside && IsRipe(other, now)) group.push_back(&other);
+      }
+    }
+    Settle(group, frame);
+  }
+  std::erase_if(objects_, [](const TrackedObject& object) { return object.looks.empty(); });
+}
+
+std::vector<TrackedObject*> ObjectTracker::LandmarksNear(const Eigen::Vector3d& p) {
+  const Eigen::MatrixXd pose = smoother_.Covariance({});
+  const double reach = kReach + 4.0 * std::sqrt(pose.diagonal().head<2>().maxCoeff());
+  std::vector<TrackedObject*> near;
+  for (TrackedObject& object : objects_) {
+    if (object.is_landmark() && (object.p - p).norm() < reach) near.push_back(&object);
+  }
+  return near;
+}
+
+ObjectTracker::Likeness ObjectTracker::LikenessOf(const TrackedObject& tentative,
+                                                  const TrackedObject& landmark,
+                                                  const NavVector& x) const {
+  // The tentative place moves with the pose and turns with its heading.
+  const Eigen::Vector3d arm = tentative.p - x.head<3>(), d = landmark.p - tentative.p;
+  Eigen::Matrix<double, 3, 6> J = Eigen::Matrix<double, 3, 6>::Zero();
+  J.leftCols<3>().setIdentity();
+  J.col(kNavYaw) << -arm.y(), arm.x(), 0.0;
+  const Eigen::MatrixXd joint = smoother_.Covariance({landmark.slot});
+  const Eigen::Matrix3d across = joint.block<3, 6>(6, 0) * J.transpose();
+  Eigen::Matrix3d S = joint.block<3, 3>(6, 6) + J * joint.topLeftCorner<6, 6>() * J.transpose() -
+                      across - across.transpose();
+  Likeness likeness{.spread = std::sqrt(S.topLeftCorner<2, 2>().diagonal().maxCoeff())};
+  S += tentative.covariance;
+  S.diagonal().array() += kPlaceError * kPlaceError;
+  likeness.distance2 = d.dot(S.llt().solve(d));
+  const double confused = params_.gate.confused_class_share;
+  const double share = landmark.Color() == tentative.Color() ? 1.0 - confused : confused * confused;
+  likeness.cost = likeness.distance2 + std::log(S.determinant()) +
+                  3.0 * std::log(2.0 * std::numbers::pi) - 2.0 * std::log(share);
+  return likeness;
+}
+
+bool ObjectTracker::ShouldWait(const TrackedObject& object, const TrackerFrame& frame) {
+  return std::ranges::any_of(LandmarksNear(object.p), [&](const TrackedObject* landmark) {
+    const Likeness likeness = LikenessOf(object, *landmark, frame.x);
+    return likeness.spread > params_.sure_spread_m && likeness.distance2 < kUnlikely;
+  });
+}
+
+void ObjectTracker::Settle(const std::vector<TrackedObject*>& group, const TrackerFrame& frame) {
+  const std::vector<TrackedObject*> near = LandmarksNear(group.front()->p);
+  const double as_new = -2.0 * std::log(params_.objects_per_m3);
+  Eigen::MatrixXd costs = Eigen::MatrixXd::Constant(
+      static_cast<Eigen::Index>(group.size()), static_cast<Eigen::Index>(near.size()), kImpossible);
+  for (Eigen::Index i = 0; i < costs.rows(); ++i) {
+    for (Eigen::Index j = 0; j < costs.cols(); ++j) {
+      const Likeness likeness = LikenessOf(*group[static_cast<std::size_t>(i)],
+                                           *near[static_cast<std::size_t>(j)], frame.x);
+      if (likeness.distance2 < kUnlikely) costs(i, j) = likeness.cost - as_new;
+    }
+  }
+  const std::vector<int> assigned = AssignOneToOne(costs, 0.0);
+  for (Eigen::Index i = 0; i < costs.rows(); ++i) {
+    TrackedObject& object = *group[static_cast<std::size_t>(i)];
+    const int known = assigned[static_cast<std::size_t>(i)];
+    bool is_clear = known >= 0 && costs(i, known) < -params_.known_margin;
+    for (Eigen::Index j = 0; is_clear && j < costs.cols(); ++j) {
+      const bool is_free = std::ranges::count(assigned, static_cast<int>(j)) == 0;
+      is_clear = !is_free || costs(i, j) > costs(i, known) + params_.known_margin;
+    }
+    if (is_clear) {
+      Recognise(*near[static_cast<std::size_t>(known)], object);
+    } else if (IsRipe(object, frame.detections->t) &&
+               object.covariance.diagonal().maxCoeff() <=
+                   params_.confirm_sd_m * params_.confirm_sd_m) {
+      Adopt(object);
+    }
+  }
+}
+
+void ObjectTracker::Adopt(TrackedObject& object) {
+  object.id = next_id_++;
+  object.slot = smoother_.AddLandmark(object.p);
+  const double hold = params_.place_prior_m * params_.place_prior_m;
+  smoother_.AddLandmarkTerm(
+      object.slot,
+      Term::OnLandmark(LandmarkPriorFactor(object.p, hold * Eigen::Matrix3d::Identity()),
+                       object.slot));
+  for (std::size_t i = 0; i < object.looks.size(); ++i) {
+    AddTerms(object, object.looks[i], i == 0);
+  }
+}
+
+void ObjectTracker::Recognise(TrackedObject& landmark, TrackedObject& tentative) {
+  for (std::size_t i = 0; i < tentative.looks.size(); ++i) {
+    AddTerms(landmark, tentative.looks[i], i == 0);
+    landmark.AddLook(std::move(tentative.looks[i]));
+  }
+  tentative.looks.clear();
+  landmark.is_fresh = true;
+  landmark.expected += tentative.expected;
+  landmark.hits += tentative.hits;
+  landmark.last_path = tentative.last_path;
+  landmark.far = std::max(landmark.far, tentative.far);
+}
+
+}  // namespace limpet

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/smoothing/arrow_leaf.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace limpet {
+namespace {
+
+constexpr int kAnchorColumn = 6;  // of the message
+constexpr int kBlocksColumn = 12;
+
+std::size_t At(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+int ArrowLeaf::ColumnOf(int slot, ArrowMessage& message, const std::vector<double>& border) {
+  const auto found = std::ranges::find(slots_, slot);
+  const auto local = static_cast<int>(found - slots_.begin());
+  if (found == slots_.end()) {
+    slots_.push_back(slot);
+    linearised_.insert(linearised_.end(), border.begin() + 3 * slot, border.begin() + 3 * slot + 3);
+  }
+  message.GrowBorder(6 + 3 * static_cast<int>(slots_.size()));
+  return kBlocksColumn + 3 * local;
+}
+
+void ArrowLeaf::AddTerms(const ChainGraph& graph, ArrowMessage& message,
+                         const std::vector<double>& border) {
+  LinearTerm linear;
+  const bool is_anchor = head_ == anchor_;
+  const NavVector& x = is_anchor ? x_anchor_ : graph.node(head_).x;
+  for (const ChainNode::Entry& entry : graph.node(head_).terms) {
+    std::array<JacobianBlock, 2> blocks{
+        JacobianBlock{is_anchor ? kAnchorColumn : 0, 6, linear.J_pose.data()}, {}};
+    TermPoint at{.pose = &x};
+    Eigen::Vector3d p;
+    const int slot = entry.term.landmark();
+    if (slot >= 0) {
+      blocks[1] = {ColumnOf(slot, message, border), 3, linear.J_landmark.data()};
+      p = Eigen::Map<const Eigen::Vector3d>(&linearised_[At(blocks[1].first - kBlocksColumn)]);
+      at.landmark = &p;
+    }
+    entry.term.Linearize(at, linear);
+    message.Add(linear, std::span(blocks).first(slot >= 0 ? 2 : 1));
+  }
+}
+
+void ArrowLeaf::Extend(const ChainGraph& graph, const std::vector<double>& border) {
+  message_.GrowBorder(6);
+  AddTerms(graph, message_, border);
+  const ChainNode& next = graph.node(head_ + 1);
+  const bool is_anchor = head_ == anchor_;
+  TermPoint at{.previous = is_anchor ? &x_anchor_ : &graph.node(head_).x, .pose = &next.x};
+  LinearTerm linear;
+  Eigen::Vector3d errors;
+  const int slot = next.step->landmark();
+  const int column = slot >= 0 ? ColumnOf(slot, message_, border) : 0;
+  if (slot >= 0) {
+    errors = Eigen::Map<const Eigen::Vector3d>(&linearised_[At(column - kBlocksColumn)]);
+    at.landmark = &errors;
+  }
+  next.step->Linearize(at, linear);
+  if (is_anchor) {
+    const std::array<JacobianBlock, 3> blocks{{{0, 6, linear.J_pose.data()},
+                                               {kAnchorColumn, 6, linear.J_previous.data()},
+                                               {column, 3, linear.J_landmark.data()}}};
+    message_.Add(linear, std::span(blocks).first(slot >= 0 ? 3 : 2));
+  } else {
+    const std::array<JacobianBlock, 2> blocks{
+        {{0, 6, linear.J_previous.data()}, {column, 3, linear.J_landmark.data()}}};
+    message_.Add(linear, std::span(blocks).first(slot >= 0 ? 2 : 1));
+    ArrowLink link;
+    const auto rows = linear.rows;
+    Eigen::Map<NavCovariance>(link.head_next.data()) =
+        linear.J_previous.topRows(rows).transpose() * linear.J_pose.topRows(rows);
+    Eigen::Map<NavCovariance>(link.next_next.data()) =
+        linear.J_pose.topRows(rows).transpose() * linear.J_pose.topRows(rows);
+    Eigen::Map<NavVector>(link.g_next.data()) =
+        -linear.J_pose.topRows(rows).transpose() * linear.r.head(rows);
+    if (slot >= 0) {
+      link.columns.push_back(column - 6);
+      link.next_border.resize(18);
+      Eigen::Map<Eigen::Matrix<double, 6, 3>>(link.next_border.data()) =
+          linear.J_pose.topRows(rows).transpose() * linear.J_landmark.topRows(rows);
+    }
+    interior_.push_back(EliminateHead(message_, link));
+  }
+  ++head_;
+  x_head_ = next.x;
+}
+
+ArrowMessage ArrowLeaf::WithHeadTerms(const ChainGraph& graph, const std::vector<double>& border) {
+  message_.GrowBorder(6);
+  ArrowMessage message = message_;
+  AddTerms(graph, message, border);
+  message_.GrowBorder(message.border);  // a block of the head's terms is one of the leaf's
+  return message;
+}
+
+std::vector<double> ArrowLeaf::ChangeOf(const NavVector& x_anchor,
+                                        const std::vector<double>& border) const {
+  std::vector<double> change(6 + linearised_.size());
+  for (int i = 0; i < 6; ++i)
+    change[At(i)] = x_anchor(i) - x_anchor_(i);
+  for (std::size_t b = 0; b < slots_.size(); ++b) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      change[6 + 3 * b + i] = border[At(3 * slots_[b]) + i] - linearised_[3 * b + i];
+    }
+  }
+  return change;
+}
+
+ArrowLeaf::Strain ArrowLeaf::StrainAt(const NavVector& x_anchor, const NavVector& x_head,
+                                      const std::vector<double>& border,
+                                      const std::vector<bool>& is_landmark) const {
+  const NavVector first = x_anchor - x_anchor_;
+  const NavVector last = head_ == anchor_ ? first : NavVector(x_head - x_head_);
+  Strain strain{.angle = std::max(first.tail<3>().lpNorm<Eigen::Infinity>(),
+                                  last.tail<3>().lpNorm<Eigen::Infinity>())};
+  for (std::size_t b = 0; b < slots_.size(); ++b) {
+    if (!is_landmark[At(slots_[b])]) continue;
+    for (int i = 0; i < 3; ++i) {
+      const std::size_t k = At(3 * slots_[b] + i);
+      const double moved = border[k] - linearised_[3 * b + At(i)];
+      strain.distance =
+          std::max({strain.distance, std::abs(moved - first(i)), std::abs(moved - last(i))});
+    }
+  }
+  return strain;
+}
+
+}  // namespace limpet

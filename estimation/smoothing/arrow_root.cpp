@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/smoothing/arrow_root.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <Eigen/Cholesky>
+
+namespace limpet {
+namespace {
+
+constexpr double kUnknownInformation = 1e-8;  // that holds what nothing observes
+constexpr double kUnknownVariance = 1e6;      // from which on a direction counts as not observed
+
+std::size_t At(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+/// Block -1 is the anchor (six columns), block s the border's slot s (three).
+struct ArrowRoot::Prior {
+  Eigen::LLT<Eigen::MatrixXd> llt;
+  Eigen::VectorXd mean;                    ///< absolute
+  std::map<int, Eigen::MatrixXd> columns;  ///< of the covariance, per block, computed when asked
+  // Of the last Solve: z = (anchor, the leaf's blocks), then the head.
+  std::vector<int> blocks;
+  Eigen::MatrixXd z_columns;                  ///< of the prior's covariance
+  Eigen::MatrixXd z_covariance, information;  ///< of z in the prior
+  Eigen::MatrixXd posterior;                  ///< covariance of (z, head)
+  bool has_head = false;
+
+  static int First(int block) { return block < 0 ? 0 : 6 + 3 * block; }
+  static int Width(int block) { return block < 0 ? 6 : 3; }
+};
+
+ArrowRoot::ArrowRoot() : prior_(std::make_unique<Prior>()) {}
+ArrowRoot::~ArrowRoot() = default;
+ArrowRoot::ArrowRoot(ArrowRoot&&) noexcept = default;
+ArrowRoot& ArrowRoot::operator=(ArrowRoot&&) noexcept = default;
+
+void ArrowRoot::SetPrior(const ArrowMessage& message, const NavVector& anchor,
+                         const std::vector<double>& border) {
+  const int n = message.size();
+  Eigen::MatrixXd A = Eigen::Map<const Eigen::MatrixXd>(message.A.data(), n, n);
+  A.diagonal().array() += kUnknownInformation;
+  Prior prior;
+  prior.llt.compute(A);  // reads the lower triangle
+  prior.mean = prior.llt.solve(Eigen::Map<const Eigen::VectorXd>(message.g.data(), n));
+  prior.mean.head<6>() += anchor;
+  for (int i = 6; i < n; ++i)
+    prior.mean(i) += border[At(i - 6)];
+  *prior_ = std::move(prior);
+}
+
+const Eigen::MatrixXd& ArrowRoot::PriorColumns(int block) const {
+  const auto found = prior_->columns.find(block);
+  if (found != prior_->columns.end()) {
+    return found->second;
+  }
+  Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(prior_->mean.size(), Prior::Width(block));
+  unit.middleRows(Prior::First(block), Prior::Width(block)).setIdentity();
+  return prior_->columns[block] = prior_->llt.solve(unit);
+}
+
+void ArrowRoot::Solve(const ArrowLeaf& leaf, const ArrowMessage& message) {
+  Prior& p = *prior_;
+  std::vector<int> blocks{-1};
+  blocks.insert(blocks.end(), leaf.slots().begin(), leaf.slots().end());
+  const auto size = static_cast<Eigen::Index>(6 + 3 * leaf.slots().size());
+  if (blocks != p.blocks || p.z_columns.rows() != p.mean.size()) {
+    p.blocks = blocks;
+    p.z_columns.resize(p.mean.size(), size);
+    Eigen::Index column = 0;
+    for (const int block : blocks) {
+      p.z_columns.middleCols(column, Prior::Width(block)) = PriorColumns(block);
+      column += Prior::Width(block);
+    }
+    Eigen::MatrixXd& covariance = p.z_covariance;
+    covariance.resize(size, size);
+    Eigen::Index row = 0;
+    for (const int block : blocks) {
+      covariance.middleRows(row, Prior::Width(block)) =
+          p.z_columns.middleRows(Prior::First(block), Prior::Width(block));
+      row += Prior::Width(block);
+    }
+    p.information = covariance.llt().solve(Eigen::MatrixXd::Identity(size, size));
+  }
+  // Changes count from where the leaf is linearised; the prior's mean is moved there.
+  Eigen::VectorXd prior_change(size), linearised(size);
+  linearised.head<6>() = leaf.x_anchor();
+  for (Eigen::Index i = 6; i < size; ++i)
+    linearised(i) = leaf.linearised()[static_cast<std::size_t>(i - 6)];
+  Eigen::Index row = 0;
+  for (const int block : blocks) {
+    prior_change.segment(row, Prior::Width(block)) =
+        p.mean.segment(Prior::First(block), Prior::Width(block));
+    row += Prior::Width(block);
+  }
+  prior_change -= linearised;
+
+  p.has_head = leaf.head() != leaf.anchor();
+  const Eigen::Index n = size + (p.has_head ? 6 : 0);
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
+  Eigen::VectorXd g = Eigen::VectorXd::Zero(n);
+  A.topLeftCorner(size, size) = p.information;
+  g.head(size) = p.information * prior_change;
+  const int m = message.size();
+  const Eigen::Map<const Eigen::MatrixXd> from(message.A.data(), m, m);
+  const Eigen::Map<const Eigen::VectorXd> from_g(message.g.data(), m);
+  A.topLeftCorner(size, size) += from.bottomRightCorner(size, size);
+  g.head(size) += from_g.tail(size);
+  if (p.has_head) {
+    // The leaf has the head first; here it is last, so its row block is the leaf's column block.
+    A.bottomRightCorner<6, 6>() = from.topLeftCorner<6, 6>();
+    A.diagonal().tail<6>().array() += kUnknownInformation;
+    A.bottomLeftCorner(6, size) = from.bottomLeftCorner(size, 6).transpose();
+    g.tail<6>() = from_g.head<6>();
+  }
+  const Eigen::LLT<Eigen::MatrixXd> llt(A);
+  const Eigen::VectorXd change = llt.solve(g);
+  p.posterior = llt.solve(Eigen::MatrixXd::Identity(n, n));
+
+  held_.clear();
+  for (int i = 0; i < 6; ++i) {
+    const Eigen::Index row_of_head = (p.has_head ? size : 0) + i;
+    if (p.posterior(row_of_head, row_of_head) > kUnknownVariance) held_.push_back(i);
+  }
+  anchor_ = leaf.x_anchor() + change.head<6>();
+  head_ = p.has_head ? NavVector(leaf.x_head() + change.tail<6>()) : anchor_;
+  const Eigen::VectorXd moved = p.information * (change.head(size) - prior_change);
+  const Eigen::VectorXd all = p.mean + p.z_columns * moved;
+  border_.assign(all.data() + 6, all.data() + all.size());
+}
+
+Eigen::MatrixXd ArrowRoot::Covariance(const std::vector<int>& slots) const {
+  const Prior& p = *prior_;
+  const Eigen::Index size = p.information.rows();
+  if (slots.empty()) {
+    return p.posterior.block<6, 6>(p.has_head ? size : 0, p.has_head ? size : 0);
+  }
+  const auto columns = static_cast<Eigen::Index>(6 + 3 * slots.size());
+  // Of (z, head) with the blocks: a block depends on z alone, by G.
+  std::vector<Eigen::MatrixXd> gains;
+  for (const int slot : slots) {
+    gains.emplace_back(p.z_columns.middleRows(Prior::First(slot), 3) * p.information);
+  }
+  const Eigen::Index head = p.has_head ? p.posterior.rows() - 6 : 0;
+  const Eigen::MatrixXd prior_less_posterior =
+      p.z_covariance - p.posterior.topLeftCorner(size, size);
+  Eigen::MatrixXd joint(columns, columns);
+  joint.topLeftCorner<6, 6>() = p.posterior.block<6, 6>(head, head);
+  for (std::size_t a = 0; a < slots.size(); ++a) {
+    const auto first = static_cast<Eigen::Index>(6 + 3 * a);
+    joint.block(first, 0, 3, 6) = gains[a] * p.posterior.block(0, head, size, 6);
+    joint.block(0, first, 6, 3) = joint.block(first, 0, 3, 6).transpose();
+    const Eigen::MatrixXd reduced = gains[a] * prior_less_posterior;
+    for (std::size_t b = 0; b <= a; ++b) {
+      const auto second = static_cast<Eigen::Index>(6 + 3 * b);
+      joint.block(first, second, 3, 3) =
+          PriorColumns(slots[b]).middleRows(Prior::First(slots[a]), 3) -
+          reduced * gains[b].transpose();
+      joint.block(second, first, 3, 3) = joint.block(first, second, 3, 3).transpose().eval();
+    }
+  }
+  return joint;
+}
+
+Eigen::MatrixXd ArrowRoot::LeafCovariance() const {
+  const Eigen::MatrixXd& from = prior_->posterior;  // head last
+  const Eigen::Index z = from.rows() - 6;
+  Eigen::MatrixXd joint(from.rows(), from.rows());
+  joint.topLeftCorner<6, 6>() = from.bottomRightCorner<6, 6>();
+  joint.topRightCorner(6, z) = from.bottomLeftCorner(6, z);
+  joint.bottomLeftCorner(z, 6) = from.topRightCorner(z, 6);
+  joint.bottomRightCorner(z, z) = from.topLeftCorner(z, z);
+  return joint;
+}
+
+Eigen::MatrixXd ArrowRoot::AnchorCovariance() const {
+  const Prior& p = *prior_;
+  const Eigen::Index n = p.mean.size(), size = p.information.rows();
+  const Eigen::MatrixXd gain = p.z_columns * p.information;
+  const Eigen::MatrixXd covariance = p.llt.solve(Eigen::MatrixXd::Identity(n, n));
+  return covariance -
+         gain * (p.z_covariance - p.posterior.topLeftCorner(size, size)) * gain.transpose();
+}
+
+}  // namespace limpet

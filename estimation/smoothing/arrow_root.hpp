@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "estimation/smoothing/arrow_leaf.hpp"
+#include "estimation/smoothing/arrow_trunk.hpp"
+
+namespace limpet {
+
+/// The end of the elimination: last anchor with the whole border, factorised once per anchor, and
+/// the newest leaf upon it, solved at every update with only the blocks that it touches.
+class ArrowRoot {
+ public:
+  ArrowRoot();
+  ~ArrowRoot();
+  ArrowRoot(ArrowRoot&&) noexcept;
+  ArrowRoot& operator=(ArrowRoot&&) noexcept;
+
+  /// `message`: all that is known of the last anchor and the border, as changes from `anchor` and
+  /// `border`. Directions that nothing observes are held.
+  void SetPrior(const ArrowMessage& message, const NavVector& anchor,
+                const std::vector<double>& border);
+  /// Joins the newest leaf: `message` of (head, anchor, blocks), where the leaf is linearised.
+  void Solve(const ArrowLeaf& leaf, const ArrowMessage& message);
+
+  [[nodiscard]] const NavVector& head() const { return head_; }
+  [[nodiscard]] const NavVector& anchor() const { return anchor_; }
+  [[nodiscard]] const std::vector<double>& border() const { return border_; }
+  /// Joint covariance of the head pose (first six) and of blocks of the border (three each).
+  [[nodiscard]] Eigen::MatrixXd Covariance(const std::vector<int>& slots) const;
+  /// Of the newest leaf's head, its anchor (six each) and its blocks. REQUIRES: they differ.
+  [[nodiscard]] Eigen::MatrixXd LeafCovariance() const;
+  /// Of the last anchor (first six) and the whole border.
+  [[nodiscard]] Eigen::MatrixXd AnchorCovariance() const;
+  /// Directions of the head pose (NavIndex) that nothing observes.
+  [[nodiscard]] const std::vector<int>& held() const { return held_; }
+
+ private:
+  struct Prior;
+  [[nodiscard]] const Eigen::MatrixXd& PriorColumns(int block) const;
+
+  std::unique_ptr<Prior> prior_;
+  std::vector<int> held_;
+  NavVector head_ = NavVector::Zero(), anchor_ = NavVector::Zero();
+  std::vector<double> border_;
+};
+
+}  // namespace limpet

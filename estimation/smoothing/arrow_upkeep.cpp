@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+// What keeps the smoother's linearisation near its estimate: so much per update, counted in
+// multiply-adds, so that equal input gives equal bits.
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "estimation/smoothing/arrow_smoother.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr int kLeafNodes = 16;
+constexpr double kLeafWork = 60000.0;  // multiply-adds of linearising a leaf anew, about
+constexpr int kScanPerUpdate = 32;     // leaves
+
+std::size_t At(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+void ArrowSmoother::AppendTo(ArrowTrunk& trunk, SolveReport& report) {
+  const int leaf = trunk.head();
+  if (dirty_.contains(leaf)) {
+    RebuildLeaf(leaf);
+  }
+  trunk.Append(leaves_[At(leaf)], origin_);
+  report.eliminated_nodes += kLeafNodes;
+}
+
+void ArrowSmoother::KeepUp(SolveReport& report) {
+  if (!stale_.empty()) {
+    // The newest leaves are at hand, and matter most.
+    const double leaves = params_.work_per_update / WorkPerAnchor();
+    const int near = std::max(trunk_.head() - static_cast<int>(leaves), 0);
+    const auto first = stale_.lower_bound(near);
+    if (first != stale_.end()) KeepUpNow(*first, report);
+  }
+  if (!stale_.empty() || behind_) KeepUpBehind(report);
+}
+
+void ArrowSmoother::KeepUpNow(int from, SolveReport& report) {
+  const int end = trunk_.head();
+  // Estimates first: the trunk cannot answer while it is cut.
+  for (auto leaf = dirty_.lower_bound(from); leaf != dirty_.end();) {
+    RebuildLeaf(*leaf++);
+  }
+  trunk_.Rewind(from);
+  while (trunk_.head() < end)
+    AppendTo(trunk_, report);
+  stale_.erase(stale_.lower_bound(from), stale_.end());
+  prior_is_old_ = true;
+  solved_from_ = static_cast<int>(anchors_.size()) - 1;
+  estimated_leaf_ = -1;
+}
+
+void ArrowSmoother::KeepUpBehind(SolveReport& report) {
+  if (!behind_) {
+    behind_.emplace(trunk_, *stale_.begin());
+    behind_versions_.clear();
+  }
+  double work = params_.work_per_update;
+  while (work > 0.0 && behind_->head() < trunk_.head()) {
+    const int leaf = behind_->head();
+    work -= WorkPerAnchor() + (dirty_.contains(leaf) ? kLeafWork : 0.0);
+    AppendTo(*behind_, report);
+    behind_versions_.push_back(versions_[At(leaf)]);
+  }
+  if (behind_->head() < trunk_.head()) {
+    return;
+  }
+  for (std::size_t i = 0; i < behind_versions_.size(); ++i) {
+    const int leaf = behind_->first() + static_cast<int>(i);
+    if (behind_versions_[i] == versions_[At(leaf)] && !dirty_.contains(leaf)) stale_.erase(leaf);
+  }
+  trunk_.Splice(std::move(*behind_));
+  behind_.reset();
+  prior_is_old_ = has_news_ = true;
+}
+
+void ArrowSmoother::Scan() {
+  if (scan_at_ < 0) {
+    if (!std::exchange(has_news_, false)) return;
+    scan_at_ = trunk_.head();
+    scan_change_ = anchors_.back();
+  }
+  for (int i = 0; i < kScanPerUpdate && scan_at_ > 0; ++i) {
+    const int leaf = --scan_at_;
+    const NavVector anchor = AnchorFrom(leaf, scan_change_);
+    if (IsStrained(leaves_[At(leaf)], anchor, scan_change_)) {
+      dirty_.insert(leaf);
+      stale_.insert(leaf);
+    }
+    scan_change_ = anchor;
+  }
+  if (scan_at_ == 0) scan_at_ = -1;
+}
+
+void ArrowSmoother::LinearizeAll() {
+  trunk_ = ArrowTrunk();
+  behind_.reset();
+  dirty_.clear();
+  stale_.clear();
+  scan_at_ = -1;
+  for (int leaf = 0; leaf < static_cast<int>(leaves_.size()); ++leaf) {
+    ArrowLeaf rebuilt(leaf * kLeafNodes, graph_.node(leaf * kLeafNodes).x);
+    for (int i = 0; i < kLeafNodes; ++i)
+      rebuilt.Extend(graph_, border_);
+    leaves_[At(leaf)] = std::move(rebuilt);
+    ++versions_[At(leaf)];
+    trunk_.Append(leaves_[At(leaf)], origin_);
+  }
+  open_ = ArrowLeaf(open_.anchor(), graph_.node(open_.anchor()).x);
+  while (open_.head() < graph_.node_count() - 1)
+    open_.Extend(graph_, border_);
+  open_is_dirty_ = false;
+  prior_is_old_ = true;
+}
+
+void ArrowSmoother::StepAll(double& cost, const std::vector<NavVector>& poses,
+                            const std::vector<double>& border) {
+  std::vector<NavVector> old_poses(poses.size());
+  std::vector<Eigen::Vector3d> old_places(At(graph_.slot_count()));
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    old_poses[i] = graph_.node(static_cast<int>(i)).x;
+  for (std::size_t i = 0; i < old_places.size(); ++i) {
+    old_places[i] = graph_.landmark(static_cast<int>(i)).p;
+  }
+  // From the whole step down to a thousandth of it, then none.
+  for (double share = 1.0;; share = share > 1e-3 ? 0.5 * share : 0.0) {
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      graph_.node(static_cast<int>(i)).x = old_poses[i] + share * (poses[i] - old_poses[i]);
+    }
+    for (std::size_t i = 0; i < old_places.size(); ++i) {
+      const Eigen::Map<const Eigen::Vector3d> place(&border[3 * i]);
+      graph_.landmark(static_cast<int>(i)).p = old_places[i] + share * (place - old_places[i]);
+      std::copy_n(graph_.landmark(static_cast<int>(i)).p.data(), 3, &border_[3 * i]);
+    }
+    const double stepped = graph_.Cost();
+    if (stepped <= cost * (1.0 + 1e-9) || share == 0.0) {
+      cost = stepped;
+      return;
+    }
+  }
+}
+
+SolveReport ArrowSmoother::Converge() {
+  SolveReport report;
+  if (graph_.node_count() == 0) {
+    return report;
+  }
+  if (!has_begun_) Begin();
+  ExtendToEnd();
+  for (int i = 0; i < graph_.slot_count(); ++i)
+    graph_.landmark(i).is_reserved = false;
+  // All starts from the estimate, wherever each part is linearised.
+  double cost = std::numeric_limits<double>::infinity();
+  while (report.iterations < params_.rounds_to_converge && !report.has_converged) {
+    if (report.iterations > 0) LinearizeAll();
+    SolveReport solved;
+    SolveRoot(solved);
+    std::vector<NavVector> poses(At(graph_.node_count()));
+    for (int i = graph_.node_count() - 1; i >= 0; --i)
+      poses[At(i)] = PoseAt(i);
+    const double before = cost;
+    StepAll(cost, poses, std::vector<double>(border_));
+    ++report.iterations;
+    report.eliminated_nodes += graph_.node_count();
+    report.has_converged =
+        std::abs(before - cost) <= params_.converged_decrease * std::max(cost, 1.0);
+  }
+  LinearizeAll();
+  SolveReport solved;
+  SolveRoot(solved);
+  report.cost = cost;
+  report.reason = report.has_converged ? "cost settled" : "no longer falls within the rounds given";
+  return report;
+}
+
+NavCovariance ArrowSmoother::PoseCovariance(int node) const {
+  // With z = (next, B):  x = L^-T (d + e - W z), e white, so Cov(x, z) = -L^-T W Cov(z).
+  struct Across {
+    Eigen::MatrixXd x_z;
+    NavCovariance x;
+  };
+  const auto down = [](const ArrowConditional& c, const Eigen::MatrixXd& z) {
+    const Eigen::Map<const Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor>> W(
+        c.W.data(), 6, c.columns());
+    const Eigen::Map<const NavCovariance> L(c.L.data());
+    const auto Lt = L.transpose().triangularView<Eigen::Upper>();
+    const auto known = z.topLeftCorner(c.columns(), c.columns());
+    const NavCovariance inner = NavCovariance::Identity() + W * known * W.transpose();
+    const NavCovariance half = Lt.solve(inner);
+    return Across{-Lt.solve(W * z.topRows(c.columns())), Lt.solve(half.transpose())};
+  };
+  const auto replace_head = [](Eigen::MatrixXd& z, const Across& across) {
+    z.topRows(6) = across.x_z;
+    z.leftCols(6) = across.x_z.transpose();
+    z.topLeftCorner<6, 6>() = across.x;
+  };
+  const int leaf = node / kLeafNodes;
+  const int last = static_cast<int>(leaves_.size());
+  Eigen::MatrixXd joint = root_.AnchorCovariance();  // of (anchor, border)
+  Eigen::MatrixXd ends;                              // of (leaf's end, its anchor, its blocks)
+  const ArrowLeaf& of = leaf >= last ? open_ : leaves_[At(leaf)];
+  const auto gather = [&](const Eigen::MatrixXd& all, Eigen::Index head) {
+    // `all`: (anchor, border) with the leaf's end at row `head`.
+    std::vector<Eigen::Index> rows;
+    for (int i = 0; i < 6; ++i)
+      rows.push_back(head + i);
+    for (int i = 0; i < 6; ++i)
+      rows.push_back(i);
+    for (const int slot : of.slots()) {
+      for (int i = 0; i < 3; ++i)
+        rows.push_back(6 + 3 * slot + i);
+    }
+    return Eigen::MatrixXd(all(rows, rows));
+  };
+  if (leaf >= last) {
+    ends = root_.LeafCovariance();
+    if (node == of.anchor()) return joint.topLeftCorner<6, 6>();
+  } else {
+    for (int anchor = last - 1; anchor >= leaf; --anchor) {
+      const Across across = down(trunk_.conditional(anchor), joint);
+      if (anchor == leaf) {
+        if (node == of.anchor()) return across.x;
+        const Eigen::Index n = joint.rows();
+        Eigen::MatrixXd all(n + 6, n + 6);
+        all.topLeftCorner<6, 6>() = across.x;
+        all.block(0, 6, 6, n - 6) = across.x_z.rightCols(n - 6);
+        all.block(6, 0, n - 6, 6) = across.x_z.rightCols(n - 6).transpose();
+        all.block(6, 6, n - 6, n - 6) = joint.bottomRightCorner(n - 6, n - 6);
+        all.bottomLeftCorner(6, 6) = across.x_z.leftCols(6).transpose();
+        all.block(n, 6, 6, n - 6) = joint.topRightCorner(6, n - 6);
+        all.topRightCorner(n, 6) = all.bottomLeftCorner(6, n).transpose();
+        all.bottomRightCorner<6, 6>() = joint.topLeftCorner<6, 6>();
+        ends = gather(all, n);
+      }
+      replace_head(joint, across);
+    }
+  }
+  if (node == of.head()) return ends.topLeftCorner<6, 6>();
+  for (int inside = of.head() - 1; inside >= node; --inside) {
+    replace_head(ends, down(of.Interior(inside), ends));
+  }
+  return ends.topLeftCorner<6, 6>();
+}
+
+}  // namespace limpet

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+// nav_study [--scene table1|hour|dropouts|twins|day|deep] [--seed FIRST] [--seeds N] [--oracle]
+// [--details]: the estimator on simulated sessions, one line each, and their summary with NEES and
+// update times. --oracle adds what a detector without mistakes would give.
+// simulated sessions.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <Eigen/Cholesky>
+#include <fmt/format.h>
+#include <time.h>
+
+#include "tests/support/simulated_stream.hpp"
+
+namespace {
+
+using namespace limpet;
+
+double ThreadSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double Quantile(std::vector<double> values, double share) {
+  std::ranges::sort(values);
+  return values.empty()
+             ? 0.0
+             : values[static_cast<std::size_t>(share * (static_cast<double>(values.size()) - 1.0))];
+}
+
+std::map<std::string, StreamScene> Scenes() {
+  const StreamScene hour{.duration_s = 3600.0,
+                         .half_size_m = 30.0,
+                         .leg_spacing_m = 4.0,
+                         .objects = 14,
+                         .classes = 2,
+                         .is_rough = true,
+                         .tilt_deg = 0.0,
+                         .altitude_m = 3.5,
+                         .false_share = 0.5,
+                         .long_dropouts = 1};
+  std::map<std::string, StreamScene> scenes{{"table1", {}}, {"hour", hour}};
+  scenes["dropouts"] = hour;
+  scenes["dropouts"].false_share = 0.6;
+  scenes["dropouts"].yaw_bias_degph = 4.0;
+  scenes["dropouts"].long_dropouts = 5;
+  scenes["twins"] = hour;
+  scenes["twins"].has_twins = true;
+  scenes["twins"].look_alikes = 6;
+  scenes["day"] = hour;
+  scenes["day"].duration_s = 6 * 3600.0;
+  scenes["day"].half_size_m = 40.0;
+  scenes["day"].objects = 50;
+  scenes["day"].long_dropouts = 12;
+  scenes["day"].resurface_every_s = 3600.0;
+  scenes["deep"] = scenes["day"];
+  scenes["deep"].objects = 20;
+  scenes["deep"].resurface_every_s = 0.0;
+  return scenes;
+}
+
+/// The same session seen by a detector that makes no mistakes: no false boxes, and a class of its
+/// own for every object.
+SensorStream WithTrueAssociations(const SimulatedStream& session) {
+  SensorStream stream = session.stream;
+  for (StreamRow& row : stream.rows) {
+    if (auto* frame = std::get_if<FrameRow>(&row)) {
+      std::vector<BoxDetection> boxes;
+      for (int i = 0; i < static_cast<int>(frame->frame.boxes.size()); ++i) {
+        const auto shown = session.shown.find({frame->frame.frame, i});
+        if (shown == session.shown.end()) continue;
+        boxes.push_back(frame->frame.boxes[static_cast<std::size_t>(i)]);
+        boxes.back().color = fmt::format("object{}", shown->second);
+      }
+      frame->frame.boxes = boxes;
+    }
+  }
+  return stream;
+}
+
+/// Mean squared error over covariance: 3 if both agree.
+struct Consistency {
+  double sum = 0.0;
+  int count = 0;
+  void Add(const Eigen::Vector3d& error, const Eigen::Matrix3d& covariance) {
+    sum += error.dot(covariance.llt().solve(error));
+    ++count;
+  }
+  [[nodiscard]] double mean() const { return count > 0 ? sum / count : 0.0; }
+};
+
+struct Nees {
+  Consistency pose, landmark;
+};
+
+Nees NeesOf(const ReplayResult& result, const StreamTruth& truth) {
+  Nees nees;
+  for (std::size_t i = 0; i < result.online.size(); i += 50) {
+    nees.pose.Add(result.online[i].X_WB.p_WB - truth.At(result.online[i].t),
+                  result.online_covariance[i]);
+  }
+  for (const LandmarkEstimate& landmark : result.landmarks) {
+    const auto nearest = std::ranges::min_element(
+        truth.landmarks, {}, [&](const TrueLandmark& t) { return (t.p - landmark.p).norm(); });
+    nees.landmark.Add(landmark.p - nearest->p, landmark.covariance);
+  }
+  return nees;
+}
+
+struct Associations {
+  int wrong = 0, right = 0, missed = 0;
+};
+
+Associations AssociationsOf(const ReplayResult& result, const SimulatedStream& session) {
+  // A landmark is the object that most of its boxes show.
+  std::map<int, std::map<int, int>> votes;
+  const auto shown_by = [&](const ReplayAssociation& a) {
+    const auto shown = session.shown.find({a.frame, a.detection});
+    return shown == session.shown.end() ? -1 : shown->second;
+  };
+  for (const ReplayAssociation& a : result.associations)
+    ++votes[a.landmark][shown_by(a)];
+  Associations out;
+  for (const ReplayAssociation& a : result.associations) {
+    const int shown = shown_by(a);
+    if (a.landmark < 0) {
+      out.missed += shown >= 0 ? 1 : 0;
+      continue;
+    }
+    const auto most = std::ranges::max_element(votes[a.landmark], {},
+                                               [](const auto& vote) { return vote.second; });
+    (shown >= 0 && shown == most->first ? out.right : out.wrong) += 1;
+  }
+  return out;
+}
+
+struct Outcome {
+  double smoothed = 0.0, reckoned = 0.0, nees_pose = 0.0, nees_landmark = 0.0;
+  int duplicates = 0, false_ones = 0, missed = 0, wrong = 0;
+  std::vector<double> update_s;
+};
+
+/// Times of the sightings in a row of times of looks, and how many looks each has.
+std::string SightingsOf(const std::vector<double>& times) {
+  constexpr double kGap = 20.0;  // [s] between two sightings
+  std::string text;
+  for (std::size_t i = 0; i < times.size();) {
+    std::size_t end = i + 1;
+    while (end < times.size() && times[end] - times[end - 1] < kGap)
+      ++end;
+    text += fmt::format(" {:.0f} s x{}", times[i], end - i);
+    i = end;
+  }
+  return text;
+}
+
+/// Dropouts, and what each landmark's boxes show.
+void PrintDetails(const SimulatedStream& session, const ReplayResult& result,
+                  const Alignment& alignment) {
+  double last = 0.0;
+  for (const StreamRow& row : session.stream.rows) {
+    const auto* dvl = std::get_if<DvlRow>(&row);
+    if (dvl == nullptr || !dvl->velocity) continue;
+    if (dvl->t - last > 10.0) fmt::print("  dropout {:.0f} .. {:.0f} s\n", last, dvl->t);
+    last = dvl->t;
+  }
+  std::map<int, std::map<int, std::vector<double>>> looks;
+  for (const ReplayAssociation& a : result.associations) {
+    const auto shown = session.shown.find({a.frame, a.detection});
+    looks[a.landmark][shown == session.shown.end() ? -1 : shown->second].push_back(0.25 * a.frame);
+  }
+  for (const LandmarkEstimate& l : result.landmarks) {
+    const Eigen::Vector3d p = alignment.Apply(l.p);
+    fmt::print("  landmark {} class {} at ({:.2f} {:.2f} {:.2f})", l.id, l.color, p.x(), p.y(),
+               p.z());
+    for (const auto& [id, times] : looks[l.id]) {
+      const double off =
+          id > 0 ? (p - session.truth.landmarks[static_cast<std::size_t>(id) - 1].p).norm() : 0.0;
+      fmt::print("; object {} ({:.2f} m off):{}", id, off, SightingsOf(times));
+    }
+    fmt::print("\n");
+  }
+}
+
+struct Options {
+  std::string scene = "table1";
+  int first = 1, count = 5;
+  bool has_oracle = false, has_details = false;
+};
+
+Outcome PrintSession(const SimulatedStream& session, int seed, const Options& options) {
+  const double start = ThreadSeconds();
+  const ReplayResult result =
+      Replay(session.stream, ParamsForStream(session.stream.meta), ThreadSeconds);
+  const double total = ThreadSeconds() - start;
+  const auto smoothed = ErrorOf(result.smoothed, session.truth);
+  const auto online = ErrorOf(result.online, session.truth);
+  const auto reckoned = ErrorOf(result.reckoned, session.truth);
+  const auto opis = ErrorsOf(result.landmarks, smoothed.alignment, session.truth);
+  const Associations associations = AssociationsOf(result, session);
+  const Nees nees = NeesOf(result, session.truth);
+  fmt::print(
+      "{:4d} {:6d} | {:6.3f} {:6.3f} {:6.3f} {:6.3f} | {:3d} {:2d} {:2d} {:2d} {:5.2f} {:5.2f} | "
+      "{:5d} "
+      "{:4d} {:4d} | {:5.1f} {:5.1f} | {:.4f} {:6.3f} {:7.2f} {:6.2f} | {}",
+      seed, result.smoothed.size(), reckoned.aligned_horizontal, online.aligned, smoothed.aligned,
+      smoothed.absolute, result.landmarks.size(), opis.duplicates, opis.false_ones,
+      opis.missed.size(), opis.aligned_max, opis.aligned_mean, associations.right,
+      associations.wrong, associations.missed, nees.pose.mean(), nees.landmark.mean(),
+      1e3 * Quantile(result.update_s, 0.5), 1e3 * Quantile(result.update_s, 0.99),
+      1e3 * Quantile(result.update_s, 1.0), total,
+      result.finish.has_converged ? "" : "NOT CONVERGED");
+  if (options.has_oracle) {
+    const ReplayResult oracle = Replay(WithTrueAssociations(session),
+                                       ParamsForStream(session.stream.meta), [] { return 0.0; });
+    const auto truth_smoothed = ErrorOf(oracle.smoothed, session.truth);
+    fmt::print(" ids {:.3f} missed {}", truth_smoothed.aligned,
+               ErrorsOf(oracle.landmarks, truth_smoothed.alignment, session.truth).missed.size());
+  }
+  fmt::print("\n");
+  const Outcome outcome{.smoothed = smoothed.aligned,
+                        .reckoned = reckoned.aligned_horizontal,
+                        .nees_pose = nees.pose.mean(),
+                        .nees_landmark = nees.landmark.mean(),
+                        .duplicates = opis.duplicates,
+                        .false_ones = opis.false_ones,
+                        .missed = static_cast<int>(opis.missed.size()),
+                        .wrong = associations.wrong,
+                        .update_s = result.update_s};
+  if (options.has_details) PrintDetails(session, result, smoothed.alignment);
+  return outcome;
+}
+
+void PrintSummary(const std::vector<Outcome>& all) {
+  const auto n = static_cast<double>(all.size());
+  Outcome sum;
+  std::vector<double> smoothed, updates;
+  for (const Outcome& o : all) {
+    sum.nees_pose += o.nees_pose / n, sum.nees_landmark += o.nees_landmark / n;
+    sum.smoothed += o.smoothed / n, sum.reckoned += o.reckoned / n;
+    sum.duplicates += o.duplicates, sum.false_ones += o.false_ones, sum.missed += o.missed;
+    sum.wrong += o.wrong;
+    smoothed.push_back(o.smoothed);
+    updates.insert(updates.end(), o.update_s.begin(), o.update_s.end());
+  }
+  // The mean of n sessions' squared errors, three degrees of freedom each.
+  const double band = 1.96 * std::sqrt(6.0 / n);
+  fmt::print(
+      "{} sessions: reckoned {:.3f}, smoothed mean {:.3f}, 90 % {:.3f} m; duplicates {}, false {}, "
+      "missed {}, wrong boxes {}\n  NEES of poses {:.2f}, of landmarks {:.2f} (3 +- {:.2f}); "
+      "updates: "
+      "median {:.4f}, 99 % {:.3f}, max {:.2f} ms\n",
+      all.size(), sum.reckoned, sum.smoothed, Quantile(smoothed, 0.9), sum.duplicates,
+      sum.false_ones, sum.missed, sum.wrong, sum.nees_pose, sum.nees_landmark, band,
+      1e3 * Quantile(updates, 0.5), 1e3 * Quantile(updates, 0.99), 1e3 * Quantile(updates, 1.0));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--oracle") {
+      options.has_oracle = true;
+    } else if (word == "--details") {
+      options.has_details = true;
+    } else if (i + 1 < argc && word == "--scene") {
+      options.scene = argv[++i];
+    } else if (i + 1 < argc && word == "--seed") {
+      options.first = std::stoi(argv[++i]);
+    } else if (i + 1 < argc && word == "--seeds") {
+      options.count = std::stoi(argv[++i]);
+    }
+  }
+  auto scenes = Scenes();
+  if (!scenes.contains(options.scene)) {
+    fmt::print(stderr, "no scene `{}`\n", options.scene);
+    return 2;
+  }
+  fmt::print(
+      "seed  nodes | reckon online smooth    abs | lmk du fa mi   max  mean | right wrng miss |  "
+      "NEES  "
+      "lmk | med ms    p99     max total s\n");
+  std::vector<Outcome> outcomes;
+  for (int seed = options.first; seed < options.first + options.count; ++seed) {
+    StreamScene scene = scenes.at(options.scene);
+    scene.seed = static_cast<std::uint64_t>(seed);
+    outcomes.push_back(PrintSession(SimulateStream(scene), seed, options));
+  }
+  PrintSummary(outcomes);
+  return 0;
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "apps/limpet/cli.hpp"
+#include "apps/limpet/verbs/nav.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace limpet {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A minute straight ahead, without any object.
+class NavVerbTest : public ::testing::Test {
+ protected:
+  NavVerbTest() {
+    std::ofstream(folder_.path() / "meta.csv") << "key,v1\nopi_radius,0.5\n";
+    std::ofstream rows(folder_.path() / "stream.csv.gz");
+    for (int i = 0; i < 600; ++i) {
+      const double t = 0.1 * i;
+      rows << fmt::format("ATT,{:.2f},0,0,0,0.005,0.005,0.02\n", t);
+      if (i % 2 == 0) rows << fmt::format("DVL,{:.2f},1,0.5,0,0,0.01,0.005,4,4,4,4,4\n", t);
+      if (i % 2 == 0) rows << fmt::format("DEP,{:.2f},3.0,0.02\n", t);
+      if (i % 10 == 0 && i < 100) rows << fmt::format("GPS,{:.2f},{:.2f},0,0.5\n", t, 0.5 * t);
+    }
+  }
+  int Run(std::vector<std::string> words) {
+    ::testing::internal::CaptureStdout();
+    const int code = RunNav(words);
+    output_ = ::testing::internal::GetCapturedStdout();
+    return code;
+  }
+  [[nodiscard]] std::string Text(const char* file) const {
+    std::ifstream in(folder_.path() / "out" / file);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  TemporaryFolder folder_;
+  std::string output_;
+};
+
+TEST_F(NavVerbTest, WritesPosesLandmarksAssociationsAndTiming) {
+  EXPECT_EQ(Run({folder_.path().string(), "--out", (folder_.path() / "out").string()}), kOk);
+  EXPECT_THAT(Text("smoothed.csv"), HasSubstr("t,x,y,z,roll,pitch,yaw\n"));
+  EXPECT_THAT(Text("landmarks.csv"), HasSubstr("id,x,y,z,sd_x,sd_y,sd_z,class,looks\n"));
+  EXPECT_THAT(Text("timing.json"), HasSubstr("\"p99_ms\""));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out/map.svg"));
+}
+
+TEST_F(NavVerbTest, DrawsErrorAndMapWhenAsked) {
+  EXPECT_EQ(Run({folder_.path().string(), "--plot", "--out", (folder_.path() / "out").string()}),
+            kOk);
+  EXPECT_THAT(Text("error.svg"), HasSubstr("standard deviations"));
+  EXPECT_THAT(Text("map.svg"), HasSubstr("smoothed track"));
+}
+
+TEST_F(NavVerbTest, FailsOnAFolderThatIsNoStream) {
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(Run({(folder_.path() / "nowhere").string(), "--out", folder_.path().string()}),
+            kFailed);
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(), HasSubstr("cannot be opened"));
+}
+
+}  // namespace
+}  // namespace limpet
