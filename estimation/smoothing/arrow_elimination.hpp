@@ -4,12 +4,16 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "estimation/smoothing/term.hpp"
 
 namespace limpet {
+
+/// A number of a node or a block as a place in a vector.
+[[nodiscard]] constexpr std::size_t AsIndex(int i) { return static_cast<std::size_t>(i); }
 
 /// Six or three columns of a linear term's Jacobian, and where they belong.
 struct JacobianBlock {

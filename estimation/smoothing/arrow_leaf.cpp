@@ -11,8 +11,6 @@ namespace {
 constexpr int kAnchorColumn = 6;  // of the message
 constexpr int kBlocksColumn = 12;
 
-std::size_t At(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 int ArrowLeaf::ColumnOf(int slot, ArrowMessage& message, const std::vector<double>& border) {
@@ -39,7 +37,7 @@ void ArrowLeaf::AddTerms(const ChainGraph& graph, ArrowMessage& message,
     const int slot = entry.term.landmark();
     if (slot >= 0) {
       blocks[1] = {ColumnOf(slot, message, border), 3, linear.J_landmark.data()};
-      p = Eigen::Map<const Eigen::Vector3d>(&linearised_[At(blocks[1].first - kBlocksColumn)]);
+      p = Eigen::Map<const Eigen::Vector3d>(&linearised_[AsIndex(blocks[1].first - kBlocksColumn)]);
       at.landmark = &p;
     }
     entry.term.Linearize(at, linear);
@@ -58,7 +56,7 @@ void ArrowLeaf::Extend(const ChainGraph& graph, const std::vector<double>& borde
   const int slot = next.step->landmark();
   const int column = slot >= 0 ? ColumnOf(slot, message_, border) : 0;
   if (slot >= 0) {
-    errors = Eigen::Map<const Eigen::Vector3d>(&linearised_[At(column - kBlocksColumn)]);
+    errors = Eigen::Map<const Eigen::Vector3d>(&linearised_[AsIndex(column - kBlocksColumn)]);
     at.landmark = &errors;
   }
   next.step->Linearize(at, linear);
@@ -103,10 +101,10 @@ std::vector<double> ArrowLeaf::ChangeOf(const NavVector& x_anchor,
                                         const std::vector<double>& border) const {
   std::vector<double> change(6 + linearised_.size());
   for (int i = 0; i < 6; ++i)
-    change[At(i)] = x_anchor(i) - x_anchor_(i);
+    change[AsIndex(i)] = x_anchor(i) - x_anchor_(i);
   for (std::size_t b = 0; b < slots_.size(); ++b) {
     for (std::size_t i = 0; i < 3; ++i) {
-      change[6 + 3 * b + i] = border[At(3 * slots_[b]) + i] - linearised_[3 * b + i];
+      change[6 + 3 * b + i] = border[AsIndex(3 * slots_[b]) + i] - linearised_[3 * b + i];
     }
   }
   return change;
@@ -120,10 +118,10 @@ ArrowLeaf::Strain ArrowLeaf::StrainAt(const NavVector& x_anchor, const NavVector
   Strain strain{.angle = std::max(first.tail<3>().lpNorm<Eigen::Infinity>(),
                                   last.tail<3>().lpNorm<Eigen::Infinity>())};
   for (std::size_t b = 0; b < slots_.size(); ++b) {
-    if (!is_landmark[At(slots_[b])]) continue;
+    if (!is_landmark[AsIndex(slots_[b])]) continue;
     for (int i = 0; i < 3; ++i) {
-      const std::size_t k = At(3 * slots_[b] + i);
-      const double moved = border[k] - linearised_[3 * b + At(i)];
+      const std::size_t k = AsIndex(3 * slots_[b] + i);
+      const double moved = border[k] - linearised_[3 * b + AsIndex(i)];
       strain.distance =
           std::max({strain.distance, std::abs(moved - first(i)), std::abs(moved - last(i))});
     }

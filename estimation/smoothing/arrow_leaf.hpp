@@ -14,6 +14,8 @@ namespace limpet {
 /// linearised with it.
 class ArrowLeaf {
  public:
+  static constexpr int kNodes = 16;  ///< of a leaf that is closed
+
   ArrowLeaf() = default;
   /// Begins at `anchor`, linearised at `x`.
   ArrowLeaf(int anchor, const NavVector& x) : anchor_(anchor), head_(anchor), x_anchor_(x) {}

@@ -12,8 +12,6 @@ namespace {
 constexpr double kUnknownInformation = 1e-8;  // that holds what nothing observes
 constexpr double kUnknownVariance = 1e6;      // from which on a direction counts as not observed
 
-std::size_t At(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 /// Block -1 is the anchor (six columns), block s the border's slot s (three).
@@ -47,7 +45,7 @@ void ArrowRoot::SetPrior(const ArrowMessage& message, const NavVector& anchor,
   prior.mean = prior.llt.solve(Eigen::Map<const Eigen::VectorXd>(message.g.data(), n));
   prior.mean.head<6>() += anchor;
   for (int i = 6; i < n; ++i)
-    prior.mean(i) += border[At(i - 6)];
+    prior.mean(i) += border[AsIndex(i - 6)];
   *prior_ = std::move(prior);
 }
 

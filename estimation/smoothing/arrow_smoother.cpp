@@ -10,16 +10,12 @@
 namespace limpet {
 namespace {
 
-constexpr int kLeafNodes = 16;
-
-std::size_t At(int i) { return static_cast<std::size_t>(i); }
-
 std::string ReasonOf(const std::vector<int>& held) {
   constexpr std::array<const char*, 6> kNames{"x", "y", "z", "yaw", "pitch", "roll"};
   std::string reason;
   for (const int i : held) {
     reason += reason.empty() ? "not observed and held: " : ", ";
-    reason += kNames[At(i)];
+    reason += kNames[AsIndex(i)];
   }
   return reason;
 }
@@ -44,16 +40,16 @@ void ArrowSmoother::RemoveTerm(const TermId& id) {
 
 int ArrowSmoother::AddBlock(const Eigen::Vector3d& p, bool is_landmark) {
   const int slot = graph_.AddLandmark(p);
-  is_landmark_.resize(At(graph_.slot_count()), true);
-  is_landmark_[At(slot)] = is_landmark;
+  is_landmark_.resize(AsIndex(graph_.slot_count()), true);
+  is_landmark_[AsIndex(slot)] = is_landmark;
   is_solved_.resize(is_landmark_.size());
-  is_solved_[At(slot)] = false;
-  border_.resize(At(3 * graph_.slot_count()), 0.0);
+  is_solved_[AsIndex(slot)] = false;
+  border_.resize(AsIndex(3 * graph_.slot_count()), 0.0);
   origin_.border.resize(border_.size(), 0.0);
   border_change_.resize(border_.size(), 0.0);
   for (int i = 0; i < 3; ++i) {
-    border_[At(3 * slot + i)] = origin_.border[At(3 * slot + i)] = p(i);
-    border_change_[At(3 * slot + i)] = 0.0;
+    border_[AsIndex(3 * slot + i)] = origin_.border[AsIndex(3 * slot + i)] = p(i);
+    border_change_[AsIndex(3 * slot + i)] = 0.0;
   }
   prior_is_old_ = true;
   return slot;
@@ -86,8 +82,8 @@ void ArrowSmoother::MarkDirty(int node) {
     open_is_dirty_ = true;
     return;
   }
-  dirty_.insert(node / kLeafNodes);
-  stale_.insert(node / kLeafNodes);
+  dirty_.insert(node / ArrowLeaf::kNodes);
+  stale_.insert(node / ArrowLeaf::kNodes);
 }
 
 void ArrowSmoother::Begin() {
@@ -114,7 +110,7 @@ void ArrowSmoother::ExtendToEnd() {
   }
   while (open_.head() < graph_.node_count() - 1) {
     open_.Extend(graph_, border_);
-    if (open_.head() - open_.anchor() == kLeafNodes) CloseLeaf();
+    if (open_.head() - open_.anchor() == ArrowLeaf::kNodes) CloseLeaf();
   }
 }
 
@@ -128,13 +124,13 @@ void ArrowSmoother::RebuildOpenLeaf() {
 
 void ArrowSmoother::RebuildLeaf(int leaf) {
   const std::vector<NavVector> estimates = LeafEstimates(leaf);
-  for (int i = 0; i <= kLeafNodes; ++i)
-    graph_.node(leaf * kLeafNodes + i).x = estimates[At(i)];
-  ArrowLeaf rebuilt(leaf * kLeafNodes, estimates.front());
-  for (int i = 0; i < kLeafNodes; ++i)
+  for (int i = 0; i <= ArrowLeaf::kNodes; ++i)
+    graph_.node(leaf * ArrowLeaf::kNodes + i).x = estimates[AsIndex(i)];
+  ArrowLeaf rebuilt(leaf * ArrowLeaf::kNodes, estimates.front());
+  for (int i = 0; i < ArrowLeaf::kNodes; ++i)
     rebuilt.Extend(graph_, border_);
-  leaves_[At(leaf)] = std::move(rebuilt);
-  ++versions_[At(leaf)];
+  leaves_[AsIndex(leaf)] = std::move(rebuilt);
+  ++versions_[AsIndex(leaf)];
   stale_.insert(leaf);
   dirty_.erase(leaf);
   estimated_leaf_ = -1;
@@ -147,10 +143,10 @@ void ArrowSmoother::SetPrior() {
   for (int slot = 0; slot < graph_.slot_count(); ++slot) {
     for (const Term& term : graph_.landmark(slot).terms) {
       const auto place = [this](int s) {
-        return Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(&border_[At(3 * s)]));
+        return Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(&border_[AsIndex(3 * s)]));
       };
       const auto change = [&](int s) -> Eigen::Vector3d {
-        return place(s) - Eigen::Map<const Eigen::Vector3d>(&origin_.border[At(3 * s)]);
+        return place(s) - Eigen::Map<const Eigen::Vector3d>(&origin_.border[AsIndex(3 * s)]);
       };
       const int second = term.second();
       const Eigen::Vector3d p = place(slot), q = second < 0 ? p : place(second);
@@ -191,7 +187,7 @@ void ArrowSmoother::SolveRoot(SolveReport& report) {
     const std::vector<NavVector> estimates = LeafEstimates(last);
     const int anchor = open_.anchor();
     for (int i = 0; i <= open_.head() - anchor; ++i)
-      graph_.node(anchor + i).x = estimates[At(i)];
+      graph_.node(anchor + i).x = estimates[AsIndex(i)];
     open_ = ArrowLeaf(anchor, estimates.front());
     while (open_.head() < graph_.node_count() - 1)
       open_.Extend(graph_, border_);
@@ -228,12 +224,12 @@ NavVector ArrowSmoother::PoseAt(int node) const {
   if (!has_begun_ || node > open_.head()) {
     return graph_.node(node).x;
   }
-  const int leaf = std::min(node / kLeafNodes, static_cast<int>(leaves_.size()));
-  return LeafEstimates(leaf)[At(node - leaf * kLeafNodes)];
+  const int leaf = std::min(node / ArrowLeaf::kNodes, static_cast<int>(leaves_.size()));
+  return LeafEstimates(leaf)[AsIndex(node - leaf * ArrowLeaf::kNodes)];
 }
 
 Eigen::Vector3d ArrowSmoother::LandmarkAt(int landmark) const {
-  return Eigen::Map<const Eigen::Vector3d>(&border_[At(3 * landmark)]);
+  return Eigen::Map<const Eigen::Vector3d>(&border_[AsIndex(3 * landmark)]);
 }
 
 JointCovariance ArrowSmoother::Covariance(const std::vector<int>& landmarks) const {
@@ -241,7 +237,7 @@ JointCovariance ArrowSmoother::Covariance(const std::vector<int>& landmarks) con
   std::vector<int> solved;
   std::vector<Eigen::Index> rows{0, 1, 2, 3, 4, 5};
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
-    if (!is_solved_[At(landmarks[i])]) continue;
+    if (!is_solved_[AsIndex(landmarks[i])]) continue;
     solved.push_back(landmarks[i]);
     for (std::size_t k = 0; k < 3; ++k)
       rows.push_back(static_cast<Eigen::Index>(6 + 3 * i + k));
@@ -257,14 +253,15 @@ JointCovariance ArrowSmoother::Covariance(const std::vector<int>& landmarks) con
 }
 
 NavVector ArrowSmoother::AnchorFrom(int anchor, const NavVector& next) const {
-  return origin_.anchors[At(anchor)] + BackSubstitute(trunk_.conditional(anchor),
-                                                      next - origin_.anchors[At(anchor + 1)],
-                                                      border_change_.data());
+  return origin_.anchors[AsIndex(anchor)] +
+         BackSubstitute(trunk_.conditional(anchor), next - origin_.anchors[AsIndex(anchor + 1)],
+                        border_change_.data());
 }
 
 void ArrowSmoother::EnsureAnchors(int anchor) const {
   for (; solved_from_ > anchor; --solved_from_) {
-    anchors_[At(solved_from_ - 1)] = AnchorFrom(solved_from_ - 1, anchors_[At(solved_from_)]);
+    anchors_[AsIndex(solved_from_ - 1)] =
+        AnchorFrom(solved_from_ - 1, anchors_[AsIndex(solved_from_)]);
   }
 }
 
@@ -274,14 +271,14 @@ const std::vector<NavVector>& ArrowSmoother::LeafEstimates(int leaf) const {
   }
   EnsureAnchors(leaf);
   const bool is_open = leaf == static_cast<int>(leaves_.size());
-  const ArrowLeaf& of = is_open ? open_ : leaves_[At(leaf)];
-  const NavVector last = is_open ? root_.head() : anchors_[At(leaf + 1)];
-  leaf_estimates_.resize(At(of.head() - of.anchor() + 1));
+  const ArrowLeaf& of = is_open ? open_ : leaves_[AsIndex(leaf)];
+  const NavVector last = is_open ? root_.head() : anchors_[AsIndex(leaf + 1)];
+  leaf_estimates_.resize(AsIndex(of.head() - of.anchor() + 1));
   leaf_estimates_.back() = last;
-  leaf_estimates_.front() = anchors_[At(leaf)];
+  leaf_estimates_.front() = anchors_[AsIndex(leaf)];
   of.BackSubstituteInterior(
-      graph_, anchors_[At(leaf)], last, border_,
-      [&](int node, const NavVector& x) { leaf_estimates_[At(node - of.anchor())] = x; });
+      graph_, anchors_[AsIndex(leaf)], last, border_,
+      [&](int node, const NavVector& x) { leaf_estimates_[AsIndex(node - of.anchor())] = x; });
   estimated_leaf_ = leaf;
   return leaf_estimates_;
 }

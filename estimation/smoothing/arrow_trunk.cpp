@@ -9,31 +9,29 @@ namespace {
 
 constexpr int kCheckpointEvery = 8;  // anchors
 
-std::size_t At(int i) { return static_cast<std::size_t>(i); }
-
 /// The leaf's gradient where the trunk's changes count from.
 std::vector<double> RebasedGradient(const ArrowLeaf& leaf, int anchor, const ArrowOrigin& origin) {
   const ArrowMessage& message = leaf.message();
   const int n = message.size();
-  std::vector<double> off(At(n)), g = message.g;
+  std::vector<double> off(AsIndex(n)), g = message.g;
   for (int i = 0; i < 6; ++i) {
-    off[At(i)] = origin.anchors[At(anchor + 1)](i) - leaf.x_head()(i);
-    off[At(6 + i)] = origin.anchors[At(anchor)](i) - leaf.x_anchor()(i);
+    off[AsIndex(i)] = origin.anchors[AsIndex(anchor + 1)](i) - leaf.x_head()(i);
+    off[AsIndex(6 + i)] = origin.anchors[AsIndex(anchor)](i) - leaf.x_anchor()(i);
   }
   for (std::size_t b = 0; b < leaf.slots().size(); ++b) {
     for (std::size_t i = 0; i < 3; ++i) {
       off[12 + 3 * b + i] =
-          origin.border[At(3 * leaf.slots()[b]) + i] - leaf.linearised()[3 * b + i];
+          origin.border[AsIndex(3 * leaf.slots()[b]) + i] - leaf.linearised()[3 * b + i];
     }
   }
   for (int c = 0; c < n; ++c) {
-    const double* column = &message.A[At(c) * At(n)];
-    double sum = column[c] * off[At(c)];
+    const double* column = &message.A[AsIndex(c) * AsIndex(n)];
+    double sum = column[c] * off[AsIndex(c)];
     for (int i = c + 1; i < n; ++i) {
-      sum += column[i] * off[At(i)];
-      g[At(i)] -= column[i] * off[At(c)];
+      sum += column[i] * off[AsIndex(i)];
+      g[AsIndex(i)] -= column[i] * off[AsIndex(c)];
     }
-    g[At(c)] -= sum;
+    g[AsIndex(c)] -= sum;
   }
   return g;
 }
@@ -59,7 +57,7 @@ void ArrowTrunk::Rewind(int anchor) {
   }
   head_ = CheckpointBefore(anchor);
   message_ = checkpoints_.at(head_);
-  conditionals_.resize(At(head_ - first_));
+  conditionals_.resize(AsIndex(head_ - first_));
 }
 
 void ArrowTrunk::Append(const ArrowLeaf& leaf, const ArrowOrigin& origin) {
@@ -69,31 +67,31 @@ void ArrowTrunk::Append(const ArrowLeaf& leaf, const ArrowOrigin& origin) {
   const ArrowMessage& from = leaf.message();
   const std::vector<double> g = RebasedGradient(leaf, head_, origin);
   // Where the leaf's variables are in the message: the anchor is its head.
-  std::vector<int> place(At(from.size()), 0);
+  std::vector<int> place(AsIndex(from.size()), 0);
   int columns = message_.border;
   for (int i = 0; i < 6; ++i)
-    place[At(6 + i)] = i;
+    place[AsIndex(6 + i)] = i;
   for (std::size_t b = 0; b < leaf.slots().size(); ++b) {
     const int column = 3 * leaf.slots()[b];
     columns = std::max(columns, column + 3);
     for (int i = 0; i < 3; ++i)
-      place[12 + 3 * b + At(i)] = 6 + column + i;
+      place[12 + 3 * b + AsIndex(i)] = 6 + column + i;
   }
   message_.GrowBorder(columns);
   for (int c = 6; c < from.size(); ++c) {
     for (int r = c; r < from.size(); ++r) {
-      const int a = place[At(r)], b = place[At(c)];
+      const int a = place[AsIndex(r)], b = place[AsIndex(c)];
       message_.at(std::max(a, b), std::min(a, b)) += from.at(r, c);
     }
-    message_.g[At(place[At(c)])] += g[At(c)];
+    message_.g[AsIndex(place[AsIndex(c)])] += g[AsIndex(c)];
   }
   ArrowLink link;
   for (int c = 0; c < 6; ++c) {
     for (int r = c; r < 6; ++r)
-      link.next_next[At(6 * c + r)] = from.at(r, c);
+      link.next_next[AsIndex(6 * c + r)] = from.at(r, c);
     for (int r = 0; r < 6; ++r)
-      link.head_next[At(6 * c + r)] = from.at(6 + r, c);
-    link.g_next[At(c)] = g[At(c)];
+      link.head_next[AsIndex(6 * c + r)] = from.at(6 + r, c);
+    link.g_next[AsIndex(c)] = g[AsIndex(c)];
   }
   for (std::size_t b = 0; b < leaf.slots().size(); ++b) {
     link.columns.push_back(3 * leaf.slots()[b]);
@@ -108,7 +106,7 @@ void ArrowTrunk::Append(const ArrowLeaf& leaf, const ArrowOrigin& origin) {
 }
 
 void ArrowTrunk::Splice(ArrowTrunk&& newer) {
-  conditionals_.resize(At(newer.first_ - first_));
+  conditionals_.resize(AsIndex(newer.first_ - first_));
   std::ranges::move(newer.conditionals_, std::back_inserter(conditionals_));
   checkpoints_.erase(checkpoints_.lower_bound(newer.first_), checkpoints_.end());
   checkpoints_.merge(newer.checkpoints_);

@@ -10,11 +10,8 @@
 namespace limpet {
 namespace {
 
-constexpr int kLeafNodes = 16;
 constexpr double kLeafWork = 60000.0;  // multiply-adds of linearising a leaf anew, about
 constexpr int kScanPerUpdate = 32;     // leaves
-
-std::size_t At(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
@@ -23,8 +20,8 @@ void ArrowSmoother::AppendTo(ArrowTrunk& trunk, SolveReport& report) {
   if (dirty_.contains(leaf)) {
     RebuildLeaf(leaf);
   }
-  trunk.Append(leaves_[At(leaf)], origin_);
-  report.eliminated_nodes += kLeafNodes;
+  trunk.Append(leaves_[AsIndex(leaf)], origin_);
+  report.eliminated_nodes += ArrowLeaf::kNodes;
 }
 
 void ArrowSmoother::KeepUp(SolveReport& report) {
@@ -63,14 +60,15 @@ void ArrowSmoother::KeepUpBehind(SolveReport& report) {
     const int leaf = behind_->head();
     work -= WorkPerAnchor() + (dirty_.contains(leaf) ? kLeafWork : 0.0);
     AppendTo(*behind_, report);
-    behind_versions_.push_back(versions_[At(leaf)]);
+    behind_versions_.push_back(versions_[AsIndex(leaf)]);
   }
   if (behind_->head() < trunk_.head()) {
     return;
   }
   for (std::size_t i = 0; i < behind_versions_.size(); ++i) {
     const int leaf = behind_->first() + static_cast<int>(i);
-    if (behind_versions_[i] == versions_[At(leaf)] && !dirty_.contains(leaf)) stale_.erase(leaf);
+    if (behind_versions_[i] == versions_[AsIndex(leaf)] && !dirty_.contains(leaf))
+      stale_.erase(leaf);
   }
   trunk_.Splice(std::move(*behind_));
   behind_.reset();
@@ -86,7 +84,7 @@ void ArrowSmoother::Scan() {
   for (int i = 0; i < kScanPerUpdate && scan_at_ > 0; ++i) {
     const int leaf = --scan_at_;
     const NavVector anchor = AnchorFrom(leaf, scan_change_);
-    if (IsStrained(leaves_[At(leaf)], anchor, scan_change_)) {
+    if (IsStrained(leaves_[AsIndex(leaf)], anchor, scan_change_)) {
       dirty_.insert(leaf);
       stale_.insert(leaf);
     }
@@ -102,12 +100,12 @@ void ArrowSmoother::LinearizeAll() {
   stale_.clear();
   scan_at_ = -1;
   for (int leaf = 0; leaf < static_cast<int>(leaves_.size()); ++leaf) {
-    ArrowLeaf rebuilt(leaf * kLeafNodes, graph_.node(leaf * kLeafNodes).x);
-    for (int i = 0; i < kLeafNodes; ++i)
+    ArrowLeaf rebuilt(leaf * ArrowLeaf::kNodes, graph_.node(leaf * ArrowLeaf::kNodes).x);
+    for (int i = 0; i < ArrowLeaf::kNodes; ++i)
       rebuilt.Extend(graph_, border_);
-    leaves_[At(leaf)] = std::move(rebuilt);
-    ++versions_[At(leaf)];
-    trunk_.Append(leaves_[At(leaf)], origin_);
+    leaves_[AsIndex(leaf)] = std::move(rebuilt);
+    ++versions_[AsIndex(leaf)];
+    trunk_.Append(leaves_[AsIndex(leaf)], origin_);
   }
   open_ = ArrowLeaf(open_.anchor(), graph_.node(open_.anchor()).x);
   while (open_.head() < graph_.node_count() - 1)
@@ -119,7 +117,7 @@ void ArrowSmoother::LinearizeAll() {
 void ArrowSmoother::StepAll(double& cost, const std::vector<NavVector>& poses,
                             const std::vector<double>& border) {
   std::vector<NavVector> old_poses(poses.size());
-  std::vector<Eigen::Vector3d> old_places(At(graph_.slot_count()));
+  std::vector<Eigen::Vector3d> old_places(AsIndex(graph_.slot_count()));
   for (std::size_t i = 0; i < poses.size(); ++i)
     old_poses[i] = graph_.node(static_cast<int>(i)).x;
   for (std::size_t i = 0; i < old_places.size(); ++i) {
@@ -158,9 +156,9 @@ SolveReport ArrowSmoother::Converge() {
     if (report.iterations > 0) LinearizeAll();
     SolveReport solved;
     SolveRoot(solved);
-    std::vector<NavVector> poses(At(graph_.node_count()));
+    std::vector<NavVector> poses(AsIndex(graph_.node_count()));
     for (int i = graph_.node_count() - 1; i >= 0; --i)
-      poses[At(i)] = PoseAt(i);
+      poses[AsIndex(i)] = PoseAt(i);
     const double before = cost;
     StepAll(cost, poses, std::vector<double>(border_));
     ++report.iterations;
@@ -197,11 +195,11 @@ NavCovariance ArrowSmoother::PoseCovariance(int node) const {
     z.leftCols(6) = across.x_z.transpose();
     z.topLeftCorner<6, 6>() = across.x;
   };
-  const int leaf = node / kLeafNodes;
+  const int leaf = node / ArrowLeaf::kNodes;
   const int last = static_cast<int>(leaves_.size());
   Eigen::MatrixXd joint = root_.AnchorCovariance();  // of (anchor, border)
   Eigen::MatrixXd ends;                              // of (leaf's end, its anchor, its blocks)
-  const ArrowLeaf& of = leaf >= last ? open_ : leaves_[At(leaf)];
+  const ArrowLeaf& of = leaf >= last ? open_ : leaves_[AsIndex(leaf)];
   const auto gather = [&](const Eigen::MatrixXd& all, Eigen::Index head) {
     // `all`: (anchor, border) with the leaf's end at row `head`.
     std::vector<Eigen::Index> rows;
