@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kLeafNodes = 16;
 constexpr double kLeafWork = 60000.0;  // multiply-adds of linearising a leaf anew, about
-constexpr int kScanPerUpdate = 32;     // leaves
+constexpr double kScanShare = 0.04;    // of an update's work, for the search for strained leaves
 
 std::size_t At(int i) { return static_cast<std::size_t>(i); }
 
@@ -83,7 +83,9 @@ void ArrowSmoother::Scan() {
     scan_at_ = trunk_.head();
     scan_change_ = anchors_.back();
   }
-  for (int i = 0; i < kScanPerUpdate && scan_at_ > 0; ++i) {
+  const double per_leaf = 6.0 * (6.0 + 3.0 * graph_.slot_count()) + 200.0;
+  for (double work = kScanShare * params_.work_per_update; work > 0.0 && scan_at_ > 0;
+       work -= per_leaf) {
     const int leaf = --scan_at_;
     const NavVector anchor = AnchorFrom(leaf, scan_change_);
     if (IsStrained(leaves_[At(leaf)], anchor, scan_change_)) {
