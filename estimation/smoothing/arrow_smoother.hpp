@@ -14,7 +14,7 @@ namespace limpet {
 struct ArrowParams {
   double relinearize_angle = 0.01;     ///< a leaf is linearised anew when it turns further [rad]
   double relinearize_distance = 0.05;  ///< or a landmark moves further against its poses [m]
-  double work_per_update = 4e5;        ///< multiply-adds of upkeep in one Update
+  double work_per_update = 2e5;        ///< multiply-adds of upkeep in one Update
   int rounds_per_update = 2;           ///< relinearisations of the newest leaf in one Update
   int rounds_to_converge = 40;
   double converged_decrease = 1e-8;  ///< share of the cost
@@ -92,6 +92,7 @@ class ArrowSmoother final : public Smoother {
   std::set<int> stale_;               ///< leaves that the trunk has in an old version
   std::vector<int> versions_;         ///< of the leaves
   std::optional<ArrowTrunk> behind_;  ///< the trunk's continuation that is to replace it
+  double work_left_ = 0.0;            ///< of this update's share; below zero, owed
   std::vector<int> behind_versions_;  ///< of the leaves it took
   int scan_at_ = -1;                  ///< anchor that the scan has come down to; -1: at rest
   NavVector scan_change_ = NavVector::Zero();

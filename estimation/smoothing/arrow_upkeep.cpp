@@ -11,7 +11,8 @@ namespace limpet {
 namespace {
 
 constexpr double kLeafWork = 60000.0;  // multiply-adds of linearising a leaf anew, about
-constexpr int kScanPerUpdate = 32;     // leaves
+constexpr int kLeavesAtHand = 4;       // the newest, brought up to date at once whatever they take
+constexpr double kScanShare = 0.08;    // of an update's work, for the search for strained leaves
 
 }  // namespace
 
@@ -27,8 +28,8 @@ void ArrowSmoother::AppendTo(ArrowTrunk& trunk, SolveReport& report) {
 void ArrowSmoother::KeepUp(SolveReport& report) {
   if (!stale_.empty()) {
     // The newest leaves are at hand, and matter most.
-    const double leaves = params_.work_per_update / WorkPerAnchor();
-    const int near = std::max(trunk_.head() - static_cast<int>(leaves), 0);
+    const auto leaves = static_cast<int>(params_.work_per_update / WorkPerAnchor());
+    const int near = std::max(trunk_.head() - std::max(leaves, kLeavesAtHand), 0);
     const auto first = stale_.lower_bound(near);
     if (first != stale_.end()) KeepUpNow(*first, report);
   }
@@ -55,10 +56,11 @@ void ArrowSmoother::KeepUpBehind(SolveReport& report) {
     behind_.emplace(trunk_, *stale_.begin());
     behind_versions_.clear();
   }
-  double work = params_.work_per_update;
-  while (work > 0.0 && behind_->head() < trunk_.head()) {
+  // What an anchor takes beyond one update's share is saved up over several.
+  work_left_ = std::min(work_left_, 0.0) + params_.work_per_update;
+  while (work_left_ > 0.0 && behind_->head() < trunk_.head()) {
     const int leaf = behind_->head();
-    work -= WorkPerAnchor() + (dirty_.contains(leaf) ? kLeafWork : 0.0);
+    work_left_ -= WorkPerAnchor() + (dirty_.contains(leaf) ? kLeafWork : 0.0);
     AppendTo(*behind_, report);
     behind_versions_.push_back(versions_[AsIndex(leaf)]);
   }
@@ -81,7 +83,9 @@ void ArrowSmoother::Scan() {
     scan_at_ = trunk_.head();
     scan_change_ = anchors_.back();
   }
-  for (int i = 0; i < kScanPerUpdate && scan_at_ > 0; ++i) {
+  const double per_leaf = 6.0 * (6.0 + 3.0 * graph_.slot_count()) + 200.0;
+  for (double work = kScanShare * params_.work_per_update; work > 0.0 && scan_at_ > 0;
+       work -= per_leaf) {
     const int leaf = --scan_at_;
     const NavVector anchor = AnchorFrom(leaf, scan_change_);
     if (IsStrained(leaves_[AsIndex(leaf)], anchor, scan_change_)) {

@@ -258,7 +258,9 @@ class Recorder {
   }
 
   void TakeFix(double t, const Vehicle& vehicle) {
-    const Eigen::Vector2d slow(gps_x_.Step(1.0), gps_y_.Step(1.0));
+    const double dt = std::max(t - last_fix_t_, 0.0);
+    last_fix_t_ = t;
+    const Eigen::Vector2d slow(gps_x_.Step(dt), gps_y_.Step(dt));
     const Eigen::Vector2d white(random_.Normal(0.25), random_.Normal(0.25));
     rows_.push_back({t + 3e-4, GpsRow{t, vehicle.pose().p_WB.head<2>() + slow + white, 0.58}});
   }
@@ -350,7 +352,8 @@ class Recorder {
   SlowNoise roll_error_{random_, 0.004, 30.0}, pitch_error_{random_, 0.004, 30.0};
   SlowNoise yaw_bias_{random_, scene_.yaw_bias_degph* kRadians / 3600.0, 3600.0};
   SlowNoise gps_x_{random_, 0.5, 120.0}, gps_y_{random_, 0.5, 120.0};
-  double yaw_error_ = 0.0, scale_ = 1.0, misalign_ = 0.0, depth_bias_ = 0.0, short_gap_end_ = -1.0;
+  double yaw_error_ = 0.0, scale_ = 1.0, misalign_ = 0.0, depth_bias_ = 0.0, short_gap_end_ = -1.0,
+         last_fix_t_ = 0.0;
   Eigen::Vector3d dvl_bias_ = Eigen::Vector3d::Zero();
   Eigen::Vector2d tilt_bias_ = Eigen::Vector2d::Zero();
   std::vector<Interval> dropouts_;
