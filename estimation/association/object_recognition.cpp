@@ -17,10 +17,9 @@ namespace limpet {
 namespace {
 
 constexpr double kPlaceError = 0.1;  // [m] of a tentative object's place, beyond its covariance
-constexpr double kReach = 3.0;       // [m]
-constexpr double kBeside = 6.0;      // [m] within which objects are decided together
-constexpr double kUnlikely = 16.3;   // squared Mahalanobis distance, three degrees of freedom
-constexpr double kImpossible = 1e6;
+constexpr double kRecognitionReach = 3.0;  // [m]
+constexpr double kBeside = 6.0;            // [m] within which objects are decided together
+constexpr double kUnlikely = 16.3;         // squared Mahalanobis distance, three degrees of freedom
 constexpr int kBoxesOfKnown = 2;
 constexpr double kOutOfSight = 1.0;   // [s] since the last box
 constexpr double kLongestWait = 8.0;  // [s] of looks, then it is decided even in sight
@@ -70,7 +69,7 @@ void ObjectTracker::ConfirmWhatIsDue(const TrackerFrame& frame) {
 
 std::vector<TrackedObject*> ObjectTracker::LandmarksNear(const Eigen::Vector3d& p) {
   const Eigen::MatrixXd pose = smoother_.Covariance({});
-  const double reach = kReach + 4.0 * std::sqrt(pose.diagonal().head<2>().maxCoeff());
+  const double reach = kRecognitionReach + 4.0 * std::sqrt(pose.diagonal().head<2>().maxCoeff());
   std::vector<TrackedObject*> near;
   for (TrackedObject& object : objects_) {
     if (object.is_landmark() && (object.p - p).norm() < reach) near.push_back(&object);
@@ -111,8 +110,9 @@ bool ObjectTracker::ShouldWait(const TrackedObject& object, const TrackerFrame& 
 void ObjectTracker::Settle(const std::vector<TrackedObject*>& group, const TrackerFrame& frame) {
   const std::vector<TrackedObject*> near = LandmarksNear(group.front()->p);
   const double as_new = -2.0 * std::log(params_.objects_per_m3);
-  Eigen::MatrixXd costs = Eigen::MatrixXd::Constant(
-      static_cast<Eigen::Index>(group.size()), static_cast<Eigen::Index>(near.size()), kImpossible);
+  Eigen::MatrixXd costs =
+      Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(group.size()),
+                                static_cast<Eigen::Index>(near.size()), kImpossibleCost);
   for (Eigen::Index i = 0; i < costs.rows(); ++i) {
     for (Eigen::Index j = 0; j < costs.cols(); ++j) {
       const Likeness likeness = LikenessOf(*group[static_cast<std::size_t>(i)],

@@ -11,7 +11,6 @@
 namespace limpet {
 namespace {
 
-constexpr double kImpossible = 1e6;
 constexpr double kAmbiguous = 2.0;  // -2 ln of the likelihood ratio that tells two objects apart
 constexpr double kGuessedRadius = 0.4;   // [m] to expect boxes with when the radius is not known
 constexpr double kPoseDriftFloor = 0.1;  // [m] of a tentative object against the pose
@@ -87,7 +86,7 @@ Eigen::MatrixXd ObjectTracker::Costs(const TrackerFrame& frame,
                                      const std::vector<Candidate>& candidates) const {
   const auto rows = static_cast<Eigen::Index>(candidates.size());
   const auto columns = static_cast<Eigen::Index>(objects_.size());
-  Eigen::MatrixXd costs = Eigen::MatrixXd::Constant(rows, columns, kImpossible);
+  Eigen::MatrixXd costs = Eigen::MatrixXd::Constant(rows, columns, kImpossibleCost);
   if (rows == 0 || columns == 0) {
     return costs;
   }
