@@ -37,15 +37,15 @@ void ArrowSmoother::KeepUp(SolveReport& report) {
 }
 
 void ArrowSmoother::KeepUpNow(int from, SolveReport& report) {
-  const int end = trunk_.head();
+  const int end = trunk_.head(), begin = ArrowTrunk::CheckpointBefore(from);
   // Estimates first: the trunk cannot answer while it is cut.
-  for (auto leaf = dirty_.lower_bound(from); leaf != dirty_.end();) {
+  for (auto leaf = dirty_.lower_bound(begin); leaf != dirty_.end();) {
     RebuildLeaf(*leaf++);
   }
-  trunk_.Rewind(from);
+  trunk_.Rewind(begin);
   while (trunk_.head() < end)
     AppendTo(trunk_, report);
-  stale_.erase(stale_.lower_bound(from), stale_.end());
+  stale_.erase(stale_.lower_bound(begin), stale_.end());
   prior_is_old_ = true;
   solved_from_ = static_cast<int>(anchors_.size()) - 1;
   estimated_leaf_ = -1;
