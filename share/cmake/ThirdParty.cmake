@@ -22,6 +22,9 @@ find_path(ASIO_INCLUDE asio.hpp REQUIRED)
 add_library(thirdparty_asio INTERFACE)
 target_include_directories(thirdparty_asio SYSTEM INTERFACE ${ASIO_INCLUDE})
 target_link_libraries(thirdparty_asio INTERFACE Threads::Threads)
+# How Asio allocates would depend on whether a file includes it before or after the first standard header: memory taken
+# by one file would be given back by another in another way.
+target_compile_definitions(thirdparty_asio INTERFACE ASIO_DISABLE_STD_ALIGNED_ALLOC)
 add_library(thirdparty::asio ALIAS thirdparty_asio)
 
 add_library(thirdparty_sundials INTERFACE)
