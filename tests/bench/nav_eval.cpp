@@ -10,30 +10,18 @@
 
 #include <fmt/format.h>
 #include <malloc.h>
-#include <time.h>
 
 #include "estimation/replay/replay.hpp"
 #include "estimation/smoothing/batch_solver.hpp"
+#include "limpet/core/clock.hpp"
+#include "tests/support/quantile.hpp"
 #include "tests/support/trajectory_error.hpp"
 
 namespace {
 
 using namespace limpet;
 
-double ThreadSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 double HeapKilobytes() { return static_cast<double>(mallinfo2().uordblks) / 1024.0; }
-
-double Quantile(std::vector<double> values, double share) {
-  std::ranges::sort(values);
-  return values.empty()
-             ? 0.0
-             : values[static_cast<std::size_t>(share * (static_cast<double>(values.size()) - 1.0))];
-}
 
 /// All that is measured of one stream.
 struct Evaluation {
@@ -55,15 +43,17 @@ Evaluation Evaluate(const std::string& folder, const SensorStream& stream,
                     const StreamTruth& truth) {
   Evaluation e;
   e.name = std::filesystem::path(folder).lexically_normal().filename();
-  const double heap = HeapKilobytes(), start = ThreadSeconds();
+  const double heap = HeapKilobytes(), start = ThreadTime().value();
   double end = start;
-  e.result = Replay(stream, ParamsForStream(stream.meta), ThreadSeconds, [&](const Navigator& n) {
-    end = ThreadSeconds();
-    const double duration = n.Smoothed(n.node_count() - 1).front().t;
-    e.kilobytes_per_node = (HeapKilobytes() - heap) / (5.0 * duration);
-    ChainGraph graph = n.graph();
-    e.batch_cost = SolveBatch(graph).cost;
-  });
+  e.result = Replay(
+      stream, ParamsForStream(stream.meta), [] { return ThreadTime().value(); },
+      [&](const Navigator& n) {
+        end = ThreadTime().value();
+        const double duration = n.Smoothed(n.node_count() - 1).front().t;
+        e.kilobytes_per_node = (HeapKilobytes() - heap) / (5.0 * duration);
+        ChainGraph graph = n.graph();
+        e.batch_cost = SolveBatch(graph).cost;
+      });
   e.total_s = end - start;
   e.smoothed = ErrorOf(e.result.smoothed, truth);
   e.online = ErrorOf(e.result.online, truth);

@@ -2,7 +2,6 @@
 // nav_study [--scene table1|hour|dropouts|twins|day|deep] [--seed FIRST] [--seeds N] [--oracle]
 // [--details]: the estimator on simulated sessions, one line each, and their summary with NEES and
 // update times. --oracle adds what a detector without mistakes would give.
-// simulated sessions.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,26 +10,14 @@
 
 #include <Eigen/Cholesky>
 #include <fmt/format.h>
-#include <time.h>
 
+#include "limpet/core/clock.hpp"
+#include "tests/support/quantile.hpp"
 #include "tests/support/simulated_stream.hpp"
 
 namespace {
 
 using namespace limpet;
-
-double ThreadSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double Quantile(std::vector<double> values, double share) {
-  std::ranges::sort(values);
-  return values.empty()
-             ? 0.0
-             : values[static_cast<std::size_t>(share * (static_cast<double>(values.size()) - 1.0))];
-}
 
 std::map<std::string, StreamScene> Scenes() {
   const StreamScene hour{.duration_s = 3600.0,
@@ -193,10 +180,10 @@ struct Options {
 };
 
 Outcome PrintSession(const SimulatedStream& session, int seed, const Options& options) {
-  const double start = ThreadSeconds();
-  const ReplayResult result =
-      Replay(session.stream, ParamsForStream(session.stream.meta), ThreadSeconds);
-  const double total = ThreadSeconds() - start;
+  const double start = ThreadTime().value();
+  const ReplayResult result = Replay(session.stream, ParamsForStream(session.stream.meta),
+                                     [] { return ThreadTime().value(); });
+  const double total = ThreadTime().value() - start;
   const auto smoothed = ErrorOf(result.smoothed, session.truth);
   const auto online = ErrorOf(result.online, session.truth);
   const auto reckoned = ErrorOf(result.reckoned, session.truth);

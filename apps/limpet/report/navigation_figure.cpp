@@ -60,11 +60,6 @@ void DrawAxis(SvgCanvas& canvas, double top, const std::string& label, const Nav
   axes.Curve(minutes, error, {.stroke = palette::kBlue, .width = 1.3});
 }
 
-void DrawKey(SvgCanvas& canvas, const Point& at, const std::string& text, const Paint& paint) {
-  canvas.Line(at, at + Point(26.0, 0.0), paint);
-  canvas.Text(at + Point(33.0, 4.0), text);
-}
-
 }  // namespace
 
 Figure NavigationFigure(const FigureSource& source) {

@@ -72,4 +72,9 @@ void PlotAxes::Level(double y, const Paint& paint) {
   canvas_.Line(At(layout_.x.low, y), At(layout_.x.high, y), paint);
 }
 
+void DrawKey(SvgCanvas& canvas, const Point& at, const std::string& text, const Paint& paint) {
+  canvas.Line(at, at + Point(26.0, 0.0), paint);
+  canvas.Text(at + Point(33.0, 4.0), text);
+}
+
 }  // namespace limpet

@@ -38,4 +38,8 @@ class PlotAxes {
   Layout layout_;
 };
 
+/// A line of a plot's key: how it is drawn, and what it means.
+void DrawKey(SvgCanvas& canvas, const SvgCanvas::Point& at, const std::string& text,
+             const Paint& paint);
+
 }  // namespace limpet

@@ -9,11 +9,11 @@
 
 #include <fmt/format.h>
 #include <sys/resource.h>
-#include <time.h>
 
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/verbs/nav_plot.hpp"
 #include "estimation/replay/replay.hpp"
+#include "limpet/core/clock.hpp"
 
 namespace limpet {
 namespace {
@@ -31,12 +31,6 @@ online.csv, smoothed.csv, landmarks.csv, associations.csv and timing.json into D
                        truth is read) and map.svg
   --json               print timing.json instead of the summary
 )";
-
-double ThreadSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 std::string PosesCsv(const std::vector<SmoothedPose>& poses) {
   std::string text = "t,x,y,z,roll,pitch,yaw\n";
@@ -108,9 +102,10 @@ int RunNav(std::span<const std::string> args) {
     fmt::print(stderr, "{}\n", stream.error().text);
     return kFailed;
   }
-  const double start = ThreadSeconds();
-  const ReplayResult result = Replay(*stream, ParamsForStream(stream->meta), ThreadSeconds);
-  const std::string timing = TimingJson(result.update_s, ThreadSeconds() - start);
+  const auto thread_time = [] { return ThreadTime().value(); };
+  const double start = thread_time();
+  const ReplayResult result = Replay(*stream, ParamsForStream(stream->meta), thread_time);
+  const std::string timing = TimingJson(result.update_s, thread_time() - start);
   if (result.smoothed.empty()) {
     fmt::print(stderr, "{}: no pose could be estimated (no attitude)\n",
                given.positionals().front());

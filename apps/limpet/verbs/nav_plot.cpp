@@ -67,11 +67,6 @@ double Reach(const std::vector<double>& values, double least) {
   return sorted.empty() ? least : std::max(least, sorted[sorted.size() * 98 / 100]);
 }
 
-void Key(SvgCanvas& canvas, const Point& at, const std::string& text, const Paint& paint) {
-  canvas.Line(at, at + Point(26.0, 0.0), paint);
-  canvas.Text(at + Point(33.0, 4.0), text);
-}
-
 std::vector<Point> PointsOf(const MapAxes& map, const std::vector<SmoothedPose>& poses) {
   std::vector<Point> points;
   for (const SmoothedPose& pose : poses) {
@@ -83,9 +78,10 @@ std::vector<Point> PointsOf(const MapAxes& map, const std::vector<SmoothedPose>&
 SurveyArea AreaOf(const ReplayResult& result) {
   SurveyArea area{.north_min = 1e9, .north_max = -1e9, .east_min = 1e9, .east_max = -1e9};
   const auto cover = [&area](const Eigen::Vector3d& p) {
-    area.north_min = std::min(area.north_min, p.x()),
+    area.north_min = std::min(area.north_min, p.x());
     area.north_max = std::max(area.north_max, p.x());
-    area.east_min = std::min(area.east_min, p.y()), area.east_max = std::max(area.east_max, p.y());
+    area.east_min = std::min(area.east_min, p.y());
+    area.east_max = std::max(area.east_max, p.y());
   };
   for (const SmoothedPose& pose : result.smoothed)
     cover(pose.X_WB.p_WB);
@@ -108,8 +104,8 @@ std::string NavErrorPlot(const ReplayResult& result, const std::string& name) {
               fmt::format("{} \u00b7 {} poses, {} objects \u00b7 no truth is read", name,
                           result.smoothed.size(), result.landmarks.size()),
               {.size = 12.5, .fill = palette::kMuted});
-  Key(canvas, {kLeft, 71.0}, "estimate", kOnline);
-  Key(canvas, {kLeft + 120.0, 71.0}, "dead reckoning", kDeadReckoning);
+  DrawKey(canvas, {kLeft, 71.0}, "estimate", kOnline);
+  DrawKey(canvas, {kLeft + 120.0, 71.0}, "dead reckoning", kDeadReckoning);
   canvas.Rect({kLeft + 280.0, 65.0}, {26.0, 12.0}, kBounds);
   canvas.Text({kLeft + 313.0, 75.0}, "\u00b13 standard deviations, as the estimator says");
   for (int i = 0; i < 3; ++i) {
@@ -167,7 +163,8 @@ std::string NavMapPlot(const ReplayResult& result, const std::string& name) {
         canvas.Circle(at, 9.0, kEllipse);
         canvas.Circle(at, 3.5, {.fill = palette::kMapInk});
       },
-      "place, 3 standard deviations\n(in the world: what GPS and\nheading leave open is\ncommon to all)");
+      "place, 3 standard deviations\n(in the world: what GPS and\nheading leave open is\ncommon to "
+      "all)");
   return map.Finish();
 }
 

@@ -3,6 +3,8 @@
 
 #include <chrono>
 
+#include <time.h>
+
 namespace limpet {
 namespace {
 
@@ -15,6 +17,11 @@ Seconds SinceEpoch() {
 
 Seconds UnixTime() { return SinceEpoch<std::chrono::system_clock>(); }
 Seconds SteadyTime() { return SinceEpoch<std::chrono::steady_clock>(); }
+Seconds ThreadTime() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return Seconds(static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec));
+}
 Seconds MoosTime(double warp) { return UnixTime() * warp; }
 
 }  // namespace limpet

@@ -11,6 +11,8 @@ namespace limpet {
 [[nodiscard]] Seconds UnixTime();
 /// Seconds that never jump, from an arbitrary origin.
 [[nodiscard]] Seconds SteadyTime();
+/// Seconds that the calling thread has had a processor.
+[[nodiscard]] Seconds ThreadTime();
 /// Seconds since 1970 times `warp`, as MOOS counts; warp is not negotiated, all parties of a
 /// community are told the same.
 [[nodiscard]] Seconds MoosTime(double warp);

@@ -39,9 +39,7 @@ class DatabaseRestart : public testing::Test {
  protected:
   void SetUp() override {
     const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "LimpetDB";
-    if (!fs::exists(program)) {
-      GTEST_SKIP() << program << " is not built";
-    }
+    ASSERT_TRUE(fs::exists(program)) << program;
     supervisor_.Start(
         {.name = "LimpetDB",
          .program = "/bin/sh",

@@ -47,7 +47,7 @@ TEST_P(HardHour, LongDropoutsAndFalseBoxesNeitherDoubleNorInventAnObject) {
   EXPECT_LT(error.aligned, 0.25);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, HardHour, ::testing::Values(1, 2, 4, 6));
+INSTANTIATE_TEST_SUITE_P(Seeds, HardHour, ::testing::Range(1, 5));
 
 TEST(SimulatedStream, CovariancesAreHonestOverManySessions) {
   constexpr int kSessions = 20;
@@ -71,8 +71,8 @@ TEST(SimulatedStream, CovariancesAreHonestOverManySessions) {
     landmark += sum / static_cast<double>(result.landmarks.size()) / kSessions;
   }
   // 95 % band of the mean of twenty squared errors with three degrees of freedom: 3 +- 1.07.
-  EXPECT_NEAR(pose, 3.0, 1.5);
-  EXPECT_NEAR(landmark, 3.0, 1.5);
+  EXPECT_NEAR(pose, 3.0, 1.07);
+  EXPECT_NEAR(landmark, 3.0, 1.07);
 }
 
 TEST(SimulatedStream, EndsWithinHalfAPercentOfTheBatchOptimum) {
