@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "limpet/app/registry.hpp"
+#include "limpet/core/lower_triangle.hpp"
 
 namespace limpet {
 namespace {
@@ -31,7 +32,7 @@ NavigatorParams NavigatorParamsOf(const NavApp::Params& params) {
   result.objects.min_confidence = params.min_confidence;
   result.objects.looks_to_confirm = params.looks_to_confirm;
   result.objects.confirm_log_odds = params.confirm_log_odds;
-  result.session.offset_sigma = params.session_offset_sigma;
+  result.session = params.session;
   return result;
 }
 
@@ -49,6 +50,7 @@ NavApp::NavApp(const AppContext& context, const Params& params)
   Subscribe(topics::kGpsData, &NavApp::OnGps);
   Subscribe(topics::kDetections, &NavApp::OnDetections);
   Subscribe(topics::kSessionPrior, &NavApp::OnPrior);
+  Subscribe(topics::kMapSnapshotRequest, &NavApp::OnSnapshotRequest);
 }
 
 void NavApp::OnFog(const Stamped<double>& rate) {
@@ -111,18 +113,30 @@ void NavApp::OnDetections(const Stamped<Detections>& detections) {
 }
 
 void NavApp::OnPrior(const Stamped<SessionPrior>& prior) {
-  std::vector<FormerObject> former;
+  FormerSession former;
   for (const PriorOpi& opi : prior.value.opis) {
-    FormerObject object;
-    object.id = opi.id;
-    object.p = Eigen::Vector3d(opi.ned[0], opi.ned[1], opi.ned[2]);
-    object.covariance << opi.cov[0], opi.cov[1], opi.cov[2],  //
-        opi.cov[1], opi.cov[3], opi.cov[4],                   //
+    former.ids.push_back(opi.id);
+    PlacedObject& object = former.objects.emplace_back();
+    object.ned = Eigen::Vector3d(opi.ned[0], opi.ned[1], opi.ned[2]);
+    object.cov << opi.cov[0], opi.cov[1], opi.cov[2],  //
+        opi.cov[1], opi.cov[3], opi.cov[4],            //
         opi.cov[2], opi.cov[4], opi.cov[5];
     object.color = opi.color;
-    former.push_back(object);
   }
-  navigator_.SetFormerObjects(std::move(former));
+  const auto joint = FromLowerTriangle(prior.value.joint);
+  if (joint && joint->rows() == static_cast<Eigen::Index>(3 * former.ids.size())) {
+    former.covariance = *joint;
+  }
+  navigator_.SetFormerSession(std::move(former));
+}
+
+void NavApp::OnSnapshotRequest(const Stamped<std::string>& /*why*/) {
+  LandmarkJoint message;
+  for (const LandmarkEstimate& landmark : navigator_.Landmarks()) {
+    message.ids.push_back(landmark.id);
+  }
+  message.lower = LowerTriangleOf(navigator_.LandmarkCovariance());
+  Publish(topics::kNavLandmarkJoint, message);
 }
 
 void NavApp::Tick(Seconds now) {

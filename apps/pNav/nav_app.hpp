@@ -31,8 +31,11 @@ class NavApp final : public App {
     double confirm_log_odds = 2.5;
     Seconds node_period{1.0};
     Meters node_distance{0.5};
-    Meters session_offset_sigma{0.8};
+    MatchingParams session = DefaultMatching();
     CameraParams camera;
+
+    /// Two sessions' fixes, each with its own slow error.
+    static MatchingParams DefaultMatching() { return {.offset_sigma = Meters(0.8)}; }
 
     template <class Visitor>
     void Describe(Visitor& visit) {
@@ -59,8 +62,7 @@ class NavApp final : public App {
             InRange(0.1_s, 10.0_s));
       visit("node_distance_m", node_distance, "Longest way between poses of the smoother",
             InRange(0.05_m, 10.0_m));
-      visit("session_offset_sigma_m", session_offset_sigma,
-            "1-sigma per axis of the offset between two sessions' frames", InRange(0.0_m, 10.0_m));
+      session.Describe(visit);
       camera.Describe(visit);
     }
   };
@@ -77,6 +79,7 @@ class NavApp final : public App {
   void OnGps(const Stamped<GpsFix>& fix);
   void OnDetections(const Stamped<Detections>& detections);
   void OnPrior(const Stamped<SessionPrior>& prior);
+  void OnSnapshotRequest(const Stamped<std::string>& why);
 
   void PublishState(double now);
   void PublishSights();

@@ -42,6 +42,7 @@ SessionApp::SessionApp(const AppContext& context, const Params& params)
   }
   Subscribe(topics::kSurveyArea, &SessionApp::OnArea);
   Subscribe(topics::kMapOpis, &SessionApp::OnObjects);
+  Subscribe(topics::kNavLandmarkJoint, &SessionApp::OnLandmarkJoint);
   Subscribe(topics::kNavSight, &SessionApp::OnSight);
   Subscribe(topics::kNavTrackShift, &SessionApp::OnTrackShift);
   Subscribe(topics::kMapSnapshot, &SessionApp::OnSnapshot);

@@ -36,6 +36,7 @@ class SessionApp final : public App {
  private:
   void OnArea(const Stamped<SurveyArea>& area) { memory_.area = area.value; }
   void OnObjects(const Stamped<OpiBeliefs>& objects) { memory_.objects = objects.value; }
+  void OnLandmarkJoint(const Stamped<LandmarkJoint>& joint) { memory_.landmarks = joint.value; }
   void OnSight(const Stamped<Sight>& sight) { memory_.sights.push_back(sight.value); }
   void OnTrackShift(const Stamped<TrackShift>& shift);
   void OnSnapshot(const Stamped<Binary>& map);

@@ -9,7 +9,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
-#include "estimation/association/assignment.hpp"
+#include "estimation/matching/assignment.hpp"
 #include "estimation/association/object_tracker.hpp"
 #include "estimation/smoothing/factors/landmark_prior_factor.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimation/association/assignment.hpp"
+#include "estimation/matching/assignment.hpp"
 #include "estimation/smoothing/camera_point.hpp"
 #include "estimation/smoothing/factors/landmark_prior_factor.hpp"
 

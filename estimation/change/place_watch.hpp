@@ -8,7 +8,7 @@
 
 #include "estimation/change/detection_model.hpp"
 #include "estimation/change/look_log.hpp"
-#include "estimation/change/matching.hpp"
+#include "estimation/matching/session_matching.hpp"
 
 namespace limpet {
 

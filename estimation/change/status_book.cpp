@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/LU>
 
+#include "estimation/matching/own_covariance.hpp"
 #include "limpet/core/require.hpp"
 
 namespace limpet {
@@ -197,7 +199,8 @@ void StatusBook::MatchFormer() {
   for (const KnownLandmark& object : objects_) {
     now.push_back(object.object);
   }
-  match_ = MatchSessions(former, now, params_.matching);
+  match_ = MatchSessions(WithOwnCovariance(std::move(former)), WithOwnCovariance(std::move(now)),
+                         params_.matching);
 }
 
 PlacedObject StatusBook::InOtherFrame(PlacedObject place, const Eigen::Vector3d& ned) const {

@@ -24,7 +24,8 @@ Navigator::Navigator(const NavigatorParams& params)
       gate_(params.velocity_gate),
       track_(params.odometry),
       smoother_(params.smoother),
-      tracker_(smoother_, params_.camera, params.objects) {}
+      tracker_(smoother_, params_.camera, params.objects),
+      former_(params.session) {}
 
 void Navigator::AddAttitude(const AttitudeEstimate& attitude) {
   const bool is_finite = std::isfinite(attitude.t) && std::isfinite(attitude.roll) &&
@@ -146,6 +147,11 @@ SolveReport Navigator::Finish() {
     report = smoother_.Converge();
   }
   tracker_.Refresh();
+  if (former_.has_former()) {
+    MatchFormerObjects();
+    report = smoother_.Converge();
+    tracker_.Refresh();
+  }
   ++landmark_version_;
   return report;
 }
@@ -207,20 +213,39 @@ Pose Navigator::DeadReckoned(double t) const {
 
 std::vector<PosedFrame> Navigator::TakeFrames() { return std::exchange(posed_, {}); }
 
+std::vector<const TrackedObject*> Navigator::KnownObjects() const {
+  std::vector<const TrackedObject*> objects;
+  for (const TrackedObject& object : tracker_.objects()) {
+    if (object.is_landmark()) objects.push_back(&object);
+  }
+  std::ranges::sort(objects, {}, &TrackedObject::id);
+  return objects;
+}
+
+Eigen::MatrixXd Navigator::JointCovarianceOf(const std::vector<int>& slots) const {
+  const auto n = static_cast<Eigen::Index>(3 * slots.size());
+  return smoother_.Covariance(slots).bottomRightCorner(n, n);
+}
+
 std::vector<LandmarkEstimate> Navigator::Landmarks() const {
   std::vector<LandmarkEstimate> landmarks;
-  for (const TrackedObject& object : tracker_.objects()) {
-    if (object.is_landmark()) {
-      landmarks.push_back({.id = object.id,
-                           .p = object.p,
-                           .covariance = smoother_.Covariance({object.slot}).block<3, 3>(6, 6),
-                           .color = object.Color(),
-                           .looks = static_cast<int>(object.looks.size()),
-                           .prior_id = object.prior_id});
-    }
+  for (const TrackedObject* object : KnownObjects()) {
+    landmarks.push_back({.id = object->id,
+                         .p = object->p,
+                         .covariance = JointCovarianceOf({object->slot}),
+                         .color = object->Color(),
+                         .looks = static_cast<int>(object->looks.size()),
+                         .prior_id = object->prior_id});
   }
-  std::ranges::sort(landmarks, {}, &LandmarkEstimate::id);
   return landmarks;
+}
+
+Eigen::MatrixXd Navigator::LandmarkCovariance() const {
+  std::vector<int> slots;
+  for (const TrackedObject* object : KnownObjects()) {
+    slots.push_back(object->slot);
+  }
+  return slots.empty() ? Eigen::MatrixXd() : JointCovarianceOf(slots);
 }
 
 std::vector<SmoothedPose> Navigator::Smoothed(int first) const {

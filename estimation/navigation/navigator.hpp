@@ -12,8 +12,8 @@
 
 #include "estimation/association/object_tracker.hpp"
 #include "estimation/attitude/attitude_filter.hpp"
+#include "estimation/navigation/former_session.hpp"
 #include "estimation/navigation/odometry_track.hpp"
-#include "estimation/navigation/session_matching.hpp"
 #include "estimation/navigation/velocity_gate.hpp"
 #include "estimation/smoothing/arrow_smoother.hpp"
 #include "limpet/core/frames.hpp"
@@ -36,7 +36,7 @@ struct NavigatorParams {
   Seconds yaw_bias_memory{7200.0};  ///< after which the bias of the yaw rate is another
   Seconds gps_correlation{240.0};   ///< fixes this far apart are worth two: twice the error's own
   Seconds fix_wait{0.0};            ///< start at the origin when no fix comes in time; 0: never
-  SessionMatchingParams session;
+  MatchingParams session;
 };
 
 /// Pose and velocity at `t`, as known now; 1-sigma of the pose.
@@ -98,7 +98,7 @@ class Navigator {
   /// Fix in W [m] with its 1-sigma.
   void AddGps(double t, const Eigen::Vector2d& p_W, double sd);
   void AddFrame(const FrameDetections& frame);
-  void SetFormerObjects(std::vector<FormerObject> objects) { former_ = std::move(objects); }
+  void SetFormerSession(FormerSession former);
   void Advance(double now);
   /// Works off what is left and iterates to the optimum.
   SolveReport Finish();
@@ -116,6 +116,8 @@ class Navigator {
   /// Frames posed since the last call, in order of exposure.
   [[nodiscard]] std::vector<PosedFrame> TakeFrames();
   [[nodiscard]] std::vector<LandmarkEstimate> Landmarks() const;
+  /// Joint covariance of their places, three rows each, in the same order [m^2].
+  [[nodiscard]] Eigen::MatrixXd LandmarkCovariance() const;
   /// Grows whenever Landmarks() may answer differently.
   [[nodiscard]] int landmark_version() const { return landmark_version_; }
   /// The chain's poses from the `first` on.
@@ -124,6 +126,8 @@ class Navigator {
   [[nodiscard]] const ChainGraph& graph() const { return smoother_.graph(); }
   /// Of the dead reckoning, now: scale, misalignment [rad], bias of the yaw rate [rad/s].
   [[nodiscard]] Eigen::Vector3d SlowErrorsNow() const { return smoother_.LandmarkAt(errors_); }
+  /// Of the former session's frame in this one; as it was before any match.
+  [[nodiscard]] const FrameOffset& former_offset() const { return former_.offset(); }
   [[nodiscard]] int node_count() const { return static_cast<int>(node_times_.size()); }
   [[nodiscard]] const NavigatorCounts& counts() const { return counts_; }
 
@@ -135,6 +139,10 @@ class Navigator {
   };
   struct Sample {
     double t, value;
+  };
+  struct MatchedLandmark {
+    int slot;
+    Eigen::Vector3d p;
   };
   /// False for times that are no number or further ahead of the attitude than any sensor can be.
   [[nodiscard]] bool IsPlausible(double t) const;
@@ -155,12 +163,13 @@ class Navigator {
   void TakeFix(const Fix& fix);
   void TakeFrame(const FrameDetections& frame);
   void ReviewObjects(double t);
-  /// Which present objects the former session knew.
+  /// Which present objects the former session knew, and what it says of their places.
   void MatchFormerObjects();
-  /// Takes the former session's places of matched objects for what they are: a second, independent
-  /// measurement of where this session lies on earth. Once, when the vehicle is up again and no
-  /// match will change any more.
-  void TieToFormerSession();
+  /// The landmarks, by id.
+  [[nodiscard]] std::vector<const TrackedObject*> KnownObjects() const;
+  /// Joint, three rows per slot.
+  [[nodiscard]] Eigen::MatrixXd JointCovarianceOf(const std::vector<int>& slots) const;
+  [[nodiscard]] bool HasChanged(const PresentLandmarks& present) const;
   [[nodiscard]] NavVector Predict(double t) const;
   /// From the head to `t`, slow errors taken out.
   [[nodiscard]] OdometryStep StepTo(double t) const;
@@ -180,14 +189,14 @@ class Navigator {
   std::vector<FrameDetections> waiting_;
   std::vector<PosedFrame> posed_;
   std::vector<double> node_times_;
-  std::vector<FormerObject> former_;
+  FormerSessionTie former_;
+  std::vector<MatchedLandmark> matched_;  ///< as of the last match with the former session
   double last_fix_t_ = -1e18, last_review_t_ = -1e18, first_time_ = -1.0;
   int errors_ = -1;  ///< block of the smoother's border
   double errors_since_ = 0.0;
   int bridge_ = -1;  ///< the same, in a dropout
   double bridge_since_ = 0.0;
   bool needs_review_ = false;
-  bool is_tied_ = false;
   int refused_fixes_ = 0, refused_depths_ = 0, landmark_version_ = 0;
   Eigen::Vector3d p_WD_ = Eigen::Vector3d::Zero();  ///< of the track's frame at the start, in W
   NavigatorCounts counts_;

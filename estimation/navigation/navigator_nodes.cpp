@@ -16,7 +16,6 @@
 namespace limpet {
 namespace {
 
-constexpr double kDive = 120.0;          // [s] without a fix: the vehicle has been under water
 constexpr double kSameTime = 1e-3;       // [s] within which two measurements share a node
 constexpr double kNever = 1e18;          // [s]
 constexpr double kAltitudeMaxAge = 1.5;  // [s]
@@ -214,9 +213,6 @@ void Navigator::TakeFix(const Fix& fix) {
     return;
   }
   refused_fixes_ = 0;
-  if (fix.t - last_fix_t_ > kDive) {
-    TieToFormerSession();
-  }
   const Meters sigma =
       GpsFactor::WhiteSigma(Meters(fix.sd), Seconds(fix.t - last_fix_t_), params_.gps_correlation);
   last_fix_t_ = fix.t;

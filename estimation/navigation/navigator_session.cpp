@@ -1,62 +1,62 @@
 // SPDX-License-Identifier: MIT
 // What a former session tells this one: which objects it knew, and where on earth they are.
-#include <algorithm>
-
 #include "estimation/navigation/navigator.hpp"
-#include "estimation/smoothing/factors/landmark_prior_factor.hpp"
 
 namespace limpet {
 namespace {
 
-constexpr double kTieLoss =
-    2.0;  // whitened; an object that was moved after all must not drag the rest
+constexpr double kMovedLandmark = 0.03;  // [m] since the last match: worth another
 
 }  // namespace
 
+void Navigator::SetFormerSession(FormerSession former) {
+  former_.SetFormer(std::move(former));
+  matched_.clear();
+}
+
 void Navigator::MatchFormerObjects() {
-  if (former_.empty()) {
+  if (!former_.has_former()) {
     return;
   }
-  std::vector<PresentObject> present;
+  PresentLandmarks present;
   std::vector<TrackedObject*> objects;
   for (TrackedObject& object : tracker_.objects()) {
     if (object.is_landmark()) {
       objects.push_back(&object);
-      present.push_back(
-          {object.p, smoother_.Covariance({object.slot}).block<3, 3>(6, 6), object.Color()});
+      present.slots.push_back(object.slot);
+      present.objects.push_back({.ned = object.p, .cov = {}, .color = object.Color()});
     }
   }
-  const std::vector<int> ids = MatchSessions(former_, present, params_.session);
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    objects[i]->prior_id = ids[i];
+  if (present.slots.empty() || !HasChanged(present)) {
+    return;
+  }
+  present.covariance = JointCovarianceOf(present.slots);
+  if (!former_.Match(present, smoother_.graph().joint_prior())) {
+    return;
+  }
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    objects[i]->prior_id = former_.former_ids()[i];
+  }
+  smoother_.SetJointPrior(former_.prior());
+  smoother_.Update();
+  tracker_.Refresh();
+  matched_.clear();
+  for (const TrackedObject* object : objects) {
+    matched_.push_back({object->slot, object->p});
   }
 }
 
-void Navigator::TieToFormerSession() {
-  if (is_tied_) {
-    return;
+bool Navigator::HasChanged(const PresentLandmarks& present) const {
+  if (present.slots.size() != matched_.size()) {
+    return true;
   }
-  MatchFormerObjects();
-  std::vector<std::pair<int, const FormerObject*>> pairs;
-  for (const TrackedObject& object : tracker_.objects()) {
-    const auto former = std::ranges::find(former_, object.prior_id, &FormerObject::id);
-    if (object.is_landmark() && object.prior_id >= 0 && former != former_.end()) {
-      pairs.emplace_back(object.slot, &*former);
+  for (std::size_t i = 0; i < matched_.size(); ++i) {
+    if (matched_[i].slot != present.slots[i] ||
+        (matched_[i].p - present.objects[i].ned).norm() > kMovedLandmark) {
+      return true;
     }
   }
-  // One pair alone could be a mistake, and nothing would show it.
-  if (pairs.size() < 2) {
-    return;
-  }
-  // What the former session did not know is mostly common to its objects: its own offset and
-  // heading. Each pair gets its share of that one piece of knowledge, so that all of them together
-  // say it once.
-  for (const auto& [slot, former] : pairs) {
-    const Eigen::Matrix3d covariance = static_cast<double>(pairs.size()) * former->covariance;
-    smoother_.AddLandmarkTerm(slot, Term::OnLandmark(LandmarkPriorFactor(former->p, covariance),
-                                                     slot, Loss::Huber(kTieLoss)));
-  }
-  is_tied_ = true;
+  return false;
 }
 
 }  // namespace limpet

@@ -16,8 +16,11 @@ constexpr double kOnlinePeriod = 0.19;  // [s] between rows of online.csv
 /// Feeds one row after the other and keeps what the estimator says.
 class Replayer {
  public:
-  Replayer(const NavigatorParams& params, const std::function<double()>& clock)
-      : navigator_(params), clock_(clock) {}
+  Replayer(const NavigatorParams& params, const std::function<double()>& clock,
+           const FormerSession& former)
+      : navigator_(params), clock_(clock) {
+    navigator_.SetFormerSession(former);
+  }
 
   void operator()(const AttitudeEstimate& row) {
     navigator_.AddAttitude(row);
@@ -48,6 +51,8 @@ class Replayer {
     result_.finish = navigator_.Finish();
     result_.smoothed = navigator_.Smoothed();
     result_.landmarks = navigator_.Landmarks();
+    result_.landmark_covariance = navigator_.LandmarkCovariance();
+    result_.former_offset = navigator_.former_offset();
     result_.counts = navigator_.counts();
     result_.counts.looks = navigator_.tracker().rejected_looks();
     for (const TrackedObject& object : navigator_.tracker().objects()) {
@@ -112,8 +117,9 @@ NavigatorParams ParamsForStream(const StreamMeta& meta) {
 
 ReplayResult Replay(const SensorStream& stream, const NavigatorParams& params,
                     const std::function<double()>& clock,
-                    const std::function<void(const Navigator&)>& inspect) {
-  Replayer replayer(params, clock);
+                    const std::function<void(const Navigator&)>& inspect,
+                    const FormerSession& former) {
+  Replayer replayer(params, clock, former);
   for (const StreamRow& row : stream.rows) {
     std::visit(replayer, row);
   }

@@ -23,6 +23,8 @@ struct ReplayResult {
   std::vector<SmoothedPose> online, smoothed, reckoned;
   std::vector<Eigen::Matrix3d> online_covariance;  ///< of the positions of `online`, in W [m^2]
   std::vector<LandmarkEstimate> landmarks;
+  Eigen::MatrixXd landmark_covariance;  ///< joint, three rows each [m^2]
+  FrameOffset former_offset;            ///< of the former session's frame in this one
   std::vector<ReplayAssociation> associations;
   std::vector<double> update_s;  ///< per node, up to its published pose
   SolveReport finish;
@@ -30,9 +32,10 @@ struct ReplayResult {
 };
 
 /// Runs the navigator over a stream in order of arrival. `clock` [s] only times the updates;
-/// `inspect`, if given, sees the navigator at the end.
+/// `inspect`, if given, sees the navigator at the end. `former` is what an earlier session left.
 [[nodiscard]] ReplayResult Replay(const SensorStream& stream, const NavigatorParams& params,
                                   const std::function<double()>& clock,
-                                  const std::function<void(const Navigator&)>& inspect = {});
+                                  const std::function<void(const Navigator&)>& inspect = {},
+                                  const FormerSession& former = {});
 
 }  // namespace limpet

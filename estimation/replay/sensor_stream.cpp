@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/replay/sensor_stream.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <string>
@@ -9,66 +8,13 @@
 
 #include <fmt/format.h>
 
+#include "estimation/replay/csv_fields.hpp"
 #include "limpet/core/config.hpp"
 
 namespace limpet {
 namespace {
 
-/// A line that cannot be understood.
-struct BadLine {
-  std::string why;
-};
-
-/// The fields of one line; numbers by column.
-class Fields {
- public:
-  explicit Fields(std::string_view line) {
-    for (std::size_t start = 0; start <= line.size();) {
-      const std::size_t comma = std::min(line.find(',', start), line.size());
-      fields_.push_back(Trim(line.substr(start, comma - start)));
-      start = comma + 1;
-    }
-  }
-  [[nodiscard]] std::string_view kind() const { return fields_.front(); }
-  [[nodiscard]] std::size_t size() const { return fields_.size(); }
-  void Expect(std::size_t columns) const {
-    if (fields_.size() != columns) {
-      throw BadLine{fmt::format("{} has {} columns, not {}", kind(), fields_.size(), columns)};
-    }
-  }
-  /// nan and inf are read as they are; who uses them must check.
-  [[nodiscard]] double Number(std::size_t i) const {
-    const std::string_view text = i < fields_.size() ? fields_[i] : std::string_view();
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) {
-      throw BadLine{fmt::format("column {} of {} is `{}`, not a number", i + 1, kind(), text)};
-    }
-    return value;
-  }
-  [[nodiscard]] int Integer(std::size_t i) const {
-    const double value = Number(i);
-    if (value != std::floor(value) || std::abs(value) > 2e9) {
-      throw BadLine{fmt::format("column {} of {} is not a whole number", i + 1, kind())};
-    }
-    return static_cast<int>(value);
-  }
-  [[nodiscard]] std::optional<double> Optional(std::size_t i) const {
-    return i < fields_.size() && fields_[i].empty() ? std::nullopt
-                                                    : std::optional<double>(Number(i));
-  }
-  [[nodiscard]] bool AreFinite(std::size_t first) const {
-    for (std::size_t i = first; i < fields_.size(); ++i) {
-      if (!fields_[i].empty() && !std::isfinite(Number(i))) return false;
-    }
-    return true;
-  }
-
- private:
-  std::vector<std::string_view> fields_;
-};
-
-DvlRow ParseDvl(const Fields& f) {
+DvlRow ParseDvl(const CsvFields& f) {
   f.Expect(13);
   DvlRow row{.t = f.Number(1), .velocity = {}, .altitude = f.Optional(8)};
   if (f.Integer(2) != 0) {
@@ -77,7 +23,7 @@ DvlRow ParseDvl(const Fields& f) {
   return row;
 }
 
-BoxDetection ParseDetection(const Fields& f, const FrameDetections& frame) {
+BoxDetection ParseDetection(const CsvFields& f, const FrameDetections& frame) {
   f.Expect(11);
   if (f.Integer(3) != frame.frame) {
     throw BadLine{fmt::format("a DET of frame {} among those of {}", f.Integer(3), frame.frame)};
@@ -99,7 +45,7 @@ class StreamParser {
     if (line.empty() || line.front() == '#') {
       return;
     }
-    const Fields f(line);
+    const CsvFields f(line);
     const std::string_view kind = f.kind();
     if ((missing_boxes_ > 0) != (kind == "DET")) {
       throw BadLine{missing_boxes_ > 0 ? "a DET of the frame before is missing"
@@ -142,7 +88,7 @@ class StreamParser {
   }
 
  private:
-  void TakeBox(const Fields& f) {
+  void TakeBox(const CsvFields& f) {
     FrameDetections& frame = std::get<FrameRow>(stream_.rows.back()).frame;
     if (!f.AreFinite(1)) {
       ++stream_.refused_rows;
@@ -156,7 +102,7 @@ class StreamParser {
 };
 
 void TakeMeta(std::string_view line, StreamMeta& meta) {
-  const Fields f(line);
+  const CsvFields f(line);
   CameraModel& camera = meta.camera;
   const auto vector = [&f] { return Eigen::Vector3d(f.Number(1), f.Number(2), f.Number(3)); };
   if (f.kind() == "image_size") {
@@ -187,18 +133,15 @@ void TakeMeta(std::string_view line, StreamMeta& meta) {
   }
 }
 
-/// Calls `take` with each line of a file; the error names the line it choked on.
+/// Calls `take` with each line; the error names the file and the line it choked on.
 template <class Take>
-std::optional<Error> ForEachLine(const std::filesystem::path& file, Take take) {
-  const Expected<std::vector<std::string>> lines = ReadLines(file);
-  if (!lines) {
-    return lines.error();
-  }
-  for (std::size_t i = 0; i < lines->size(); ++i) {
+std::optional<Error> ForEachLine(const std::string& file, const std::vector<std::string>& lines,
+                                 Take take) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
     try {
-      take((*lines)[i]);
+      take(lines[i]);
     } catch (const BadLine& bad) {
-      return Error{fmt::format("{}:{}: {}", file.string(), i + 1, bad.why)};
+      return Error{fmt::format("{}:{}: {}", file, i + 1, bad.why)};
     }
   }
   return std::nullopt;
@@ -206,27 +149,37 @@ std::optional<Error> ForEachLine(const std::filesystem::path& file, Take take) {
 
 }  // namespace
 
-Expected<SensorStream> LoadSensorStream(const std::filesystem::path& folder) {
+Expected<SensorStream> ParseSensorStream(const StreamFile& meta, const StreamFile& rows) {
   SensorStream stream;
-  const auto meta = [&stream](std::string_view line) { TakeMeta(line, stream.meta); };
-  if (std::optional<Error> error = ForEachLine(folder / "meta.csv", meta)) {
+  const auto key = [&stream](std::string_view line) { TakeMeta(line, stream.meta); };
+  if (std::optional<Error> error = ForEachLine(meta.name, meta.lines, key)) {
     return *error;
   }
   StreamParser parser(stream);
-  const std::filesystem::path file = folder / "stream.csv.gz";
   const auto row = [&parser](std::string_view line) { parser.Take(line); };
-  if (std::optional<Error> error = ForEachLine(file, row)) {
+  if (std::optional<Error> error = ForEachLine(rows.name, rows.lines, row)) {
     return *error;
   }
   try {
     parser.Finish();
   } catch (const BadLine& bad) {
-    return Error{fmt::format("{}: {}", file.string(), bad.why)};
+    return Error{fmt::format("{}: {}", rows.name, bad.why)};
   }
   if (stream.rows.empty()) {
-    return Error{fmt::format("{}: holds no measurement", file.string())};
+    return Error{fmt::format("{}: holds no measurement", rows.name)};
   }
   return stream;
+}
+
+Expected<SensorStream> LoadSensorStream(const std::filesystem::path& folder) {
+  StreamFile meta{.name = (folder / "meta.csv").string(), .lines = {}};
+  StreamFile rows{.name = (folder / "stream.csv.gz").string(), .lines = {}};
+  for (StreamFile* file : {&meta, &rows}) {
+    Expected<std::vector<std::string>> lines = ReadLines(file->name);
+    if (!lines) return lines.error();
+    file->lines = *std::move(lines);
+  }
+  return ParseSensorStream(meta, rows);
 }
 
 }  // namespace limpet

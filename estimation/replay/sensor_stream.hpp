@@ -55,7 +55,15 @@ struct SensorStream {
   int refused_rows = 0;         ///< that held a value that is no finite number
 };
 
-/// Reads a stream. The error names file and line.
+/// A file's lines, and what errors call it.
+struct StreamFile {
+  std::string name;
+  std::vector<std::string> lines;
+};
+/// The error names file and line.
+[[nodiscard]] Expected<SensorStream> ParseSensorStream(const StreamFile& meta,
+                                                       const StreamFile& rows);
+/// Reads a stream from its folder: meta.csv and stream.csv.gz. The error names file and line.
 [[nodiscard]] Expected<SensorStream> LoadSensorStream(const std::filesystem::path& folder);
 
 /// The lines of a text file, or of a gzip file; the error names file and line.

@@ -74,6 +74,11 @@ void ArrowSmoother::AddLandmarkTerm(int landmark, Term term) {
   prior_is_old_ = true;
 }
 
+void ArrowSmoother::SetJointPrior(std::optional<JointPrior> prior) {
+  graph_.SetJointPrior(std::move(prior));
+  prior_is_old_ = has_news_ = true;
+}
+
 void ArrowSmoother::MarkDirty(int node) {
   if (!has_begun_ || node >= open_.head()) {
     return;
@@ -161,8 +166,35 @@ void ArrowSmoother::SetPrior() {
       message.Add(linear, std::span(blocks).first(second >= 0 ? 2 : 1));
     }
   }
+  AddJointPrior(message);
   root_.SetPrior(message, origin_.anchors.back(), origin_.border);
   prior_is_old_ = false;
+}
+
+void ArrowSmoother::AddJointPrior(ArrowMessage& message) const {
+  const std::optional<JointPrior>& prior = graph_.joint_prior();
+  if (!prior) {
+    return;
+  }
+  // Linear, so it is exact wherever the border is linearised.
+  Eigen::VectorXd off = -prior->mean();
+  std::vector<int> columns;
+  for (const int slot : prior->slots()) {
+    for (int i = 0; i < 3; ++i) {
+      off(static_cast<Eigen::Index>(columns.size())) += origin_.border[AsIndex(3 * slot + i)];
+      columns.push_back(6 + 3 * slot + i);
+    }
+  }
+  const Eigen::MatrixXd& information = prior->information();
+  const Eigen::VectorXd pull = information * off;
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    message.g[AsIndex(columns[j])] -= pull(static_cast<Eigen::Index>(j));
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (columns[i] < columns[j]) continue;  // the message keeps its lower triangle
+      message.at(columns[i], columns[j]) +=
+          information(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+    }
+  }
 }
 
 void ArrowSmoother::SolveRoot(SolveReport& report) {

@@ -38,6 +38,7 @@ class ArrowSmoother final : public Smoother {
   int AddErrors(const Eigen::Vector3d& start) override;
   void RemoveLandmark(int landmark) override;
   void AddLandmarkTerm(int landmark, Term term) override;
+  void SetJointPrior(std::optional<JointPrior> prior) override;
   SolveReport Update() override;
   SolveReport Converge() override;
 
@@ -58,6 +59,7 @@ class ArrowSmoother final : public Smoother {
   void RebuildLeaf(int leaf);
   void SolveRoot(SolveReport& report);
   void SetPrior();
+  void AddJointPrior(ArrowMessage& message) const;
   /// Brings the trunk up to date where that is little work, or goes on doing it behind the scenes.
   void KeepUp(SolveReport& report);
   void KeepUpNow(int from, SolveReport& report);

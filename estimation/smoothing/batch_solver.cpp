@@ -44,6 +44,7 @@ class NormalEquations {
         Add(linear, blocks);
       }
     }
+    if (graph.joint_prior()) Add(graph, *graph.joint_prior());
     H_.resize(size_, size_);
     H_.setFromTriplets(triplets_.begin(), triplets_.end());
   }
@@ -90,6 +91,24 @@ class NormalEquations {
             }
           }
         }
+      }
+    }
+  }
+  void Add(const ChainGraph& graph, const JointPrior& prior) {
+    Eigen::VectorXd off = -prior.mean();
+    std::vector<int> rows;
+    for (const int slot : prior.slots()) {
+      off.segment<3>(static_cast<Eigen::Index>(rows.size())) += graph.landmark(slot).p;
+      for (int i = 0; i < 3; ++i)
+        rows.push_back(poses_ + 3 * slot + i);
+    }
+    g_(rows) -= prior.information() * off;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (std::size_t j = 0; j < rows.size(); ++j) {
+        if (rows[i] < rows[j]) continue;
+        triplets_.emplace_back(
+            rows[i], rows[j],
+            prior.information()(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
       }
     }
   }

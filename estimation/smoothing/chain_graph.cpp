@@ -54,6 +54,18 @@ void ChainGraph::RemoveLandmark(int slot) {
                   [slot](const ChainNode::Entry& entry) { return entry.term.landmark() == slot; });
   }
   landmark(slot) = {};
+  if (joint_prior_ && std::ranges::count(joint_prior_->slots(), slot) > 0) {
+    const bool is_last = joint_prior_->slots().size() == 1;
+    joint_prior_ = is_last ? std::nullopt : std::optional(joint_prior_->Without(slot));
+  }
+}
+
+void ChainGraph::SetJointPrior(std::optional<JointPrior> prior) {
+  for (const int slot : prior ? prior->slots() : std::vector<int>()) {
+    LIMPET_REQUIRE(landmark(slot).is_used && std::ranges::count(prior->slots(), slot) == 1,
+                   "a joint prior names landmarks in use, each once");
+  }
+  joint_prior_ = std::move(prior);
 }
 
 void ChainGraph::AddLandmarkTerm(int slot, Term term) {
@@ -100,6 +112,15 @@ double ChainGraph::Cost() const {
       LinearizeBorder(term, linear);
       cost += linear.cost;
     }
+  }
+  if (joint_prior_) {
+    Eigen::VectorXd places(joint_prior_->mean().size());
+    Eigen::Index row = 0;
+    for (const int slot : joint_prior_->slots()) {
+      places.segment<3>(row) = landmark(slot).p;
+      row += 3;
+    }
+    cost += joint_prior_->Cost(places);
   }
   return cost;
 }

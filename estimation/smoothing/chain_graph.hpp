@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "estimation/smoothing/joint_prior.hpp"
 #include "estimation/smoothing/term.hpp"
 
 namespace limpet {
@@ -50,6 +51,10 @@ class ChainGraph {
   void RemoveLandmark(int landmark);
   /// REQUIRES: `term` is on this landmark, alone or with a second one.
   void AddLandmarkTerm(int landmark, Term term);
+  /// Takes the place of the former one; nothing takes it away. A landmark that is removed leaves
+  /// it. REQUIRES: it names landmarks in use, each once.
+  void SetJointPrior(std::optional<JointPrior> prior);
+  [[nodiscard]] const std::optional<JointPrior>& joint_prior() const { return joint_prior_; }
 
   [[nodiscard]] int node_count() const { return static_cast<int>(nodes_.size()); }
   [[nodiscard]] int slot_count() const { return static_cast<int>(landmarks_.size()); }
@@ -75,6 +80,7 @@ class ChainGraph {
   }
   std::vector<ChainNode> nodes_;
   std::vector<ChainLandmark> landmarks_;
+  std::optional<JointPrior> joint_prior_;
   int next_serial_ = 0;
 };
 

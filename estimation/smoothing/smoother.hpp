@@ -38,6 +38,8 @@ class Smoother {
   virtual int AddErrors(const Eigen::Vector3d& start) = 0;
   virtual void RemoveLandmark(int landmark) = 0;
   virtual void AddLandmarkTerm(int landmark, Term term) = 0;
+  /// What is known beforehand of several landmarks together; takes the place of the former one.
+  virtual void SetJointPrior(std::optional<JointPrior> prior) = 0;
 
   /// Takes in what is new; cheap, near the optimum.
   virtual SolveReport Update() = 0;

@@ -39,7 +39,8 @@ class SlowNoise {
 /// The seabed's depth and what stands on it.
 class Ground {
  public:
-  explicit Ground(const StreamScene& scene) : scene_(scene), random_(scene.seed, "ground") {
+  explicit Ground(const StreamScene& scene)
+      : scene_(scene), random_(scene.place > 0 ? scene.place : scene.seed, "ground") {
     slope_ = {random_.Uniform(-0.03, 0.03), random_.Uniform(-0.03, 0.03)};
     for (double& phase : phases_)
       phase = random_.Uniform(0.0, 6.28);
@@ -47,6 +48,9 @@ class Ground {
       Place(objects_, 3.5);
     while (static_cast<int>(look_alikes_.size()) < scene.look_alikes)
       Place(look_alikes_, 2.0);
+    while (static_cast<int>(objects_.size()) < scene.objects + scene.came)
+      Place(objects_, 3.5);
+    objects_.erase(objects_.begin(), objects_.begin() + scene.gone);
   }
   [[nodiscard]] double Depth(const Eigen::Vector2d& p) const {
     if (!scene_.is_rough) return 7.5;
@@ -198,7 +202,7 @@ class Recorder {
     for (Arrival& row : rows_)
       out_.stream.rows.push_back(std::move(row.row));
     for (std::size_t i = 0; i < ground_.objects().size(); ++i) {
-      out_.truth.landmarks.push_back({static_cast<int>(i) + 1, ground_.objects()[i]});
+      out_.truth.landmarks.push_back({scene_.gone + static_cast<int>(i) + 1, ground_.objects()[i]});
     }
   }
 

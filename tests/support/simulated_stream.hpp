@@ -28,11 +28,13 @@ struct StreamScene {
   double yaw_bias_degph = 2.0;
   int long_dropouts = 0;  ///< of the DVL, 25 to 60 s each
   double resurface_every_s = 0.0;
+  std::uint64_t place = 0;  ///< seed of the seabed and what stands on it; 0: `seed`
+  int gone = 0, came = 0;   ///< of the place's objects, the first are gone, and others came since
 };
 
 struct SimulatedStream {
   SensorStream stream;
-  StreamTruth truth;
+  StreamTruth truth;  ///< an object's id is the place's: gone ones leave gaps
   /// The object that a box (frame, index) shows; others show none.
   std::map<std::pair<int, int>, int> shown;
 };

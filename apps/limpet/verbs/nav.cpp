@@ -12,6 +12,7 @@
 
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/verbs/nav_plot.hpp"
+#include "estimation/replay/former_landmarks.hpp"
 #include "estimation/replay/replay.hpp"
 #include "limpet/core/clock.hpp"
 
@@ -21,12 +22,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kNavHelp =
-    R"(usage: limpet nav <stream folder> --out DIR [--plot] [--json]
+    R"(usage: limpet nav <stream folder> --out DIR [--former DIR] [--plot] [--json]
 
 Runs the estimator alone on a recorded sensor stream (meta.csv and stream.csv.gz) and writes
-online.csv, smoothed.csv, landmarks.csv, associations.csv and timing.json into DIR.
+online.csv, smoothed.csv, landmarks.csv, landmarks_covariance.csv, associations.csv and
+timing.json into DIR.
 
   --out DIR            where the results go
+  --former DIR         where those of an earlier session are: its objects are recognised, whatever
+                       the offset and turn between the two, and matches.csv says which they are
   --plot               also draw error.svg (with 3-sigma bounds; against the smoothed track, no
                        truth is read) and map.svg
   --json               print timing.json instead of the summary
@@ -42,13 +46,10 @@ std::string PosesCsv(const std::vector<SmoothedPose>& poses) {
   return text;
 }
 
-std::string LandmarksCsv(const std::vector<LandmarkEstimate>& landmarks) {
-  std::string text = "id,x,y,z,sd_x,sd_y,sd_z,class,looks\n";
+std::string MatchesCsv(const std::vector<LandmarkEstimate>& landmarks) {
+  std::string text = "landmark,former\n";
   for (const LandmarkEstimate& landmark : landmarks) {
-    const Eigen::Vector3d sd = landmark.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
-    text += fmt::format("{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},{}\n", landmark.id,
-                        landmark.p.x(), landmark.p.y(), landmark.p.z(), sd.x(), sd.y(), sd.z(),
-                        landmark.color, landmark.looks);
+    text += fmt::format("{},{}\n", landmark.id, landmark.prior_id);
   }
   return text;
 }
@@ -76,6 +77,17 @@ std::string TimingJson(std::vector<double> updates, double total) {
       static_cast<double>(usage.ru_maxrss) / 1024.0);
 }
 
+std::string FormerSummary(const ReplayResult& result, const FormerSession& former) {
+  const auto matched = std::ranges::count_if(
+      result.landmarks, [](const LandmarkEstimate& landmark) { return landmark.prior_id >= 0; });
+  const FrameOffset& offset = result.former_offset;
+  return fmt::format(
+      "former session: {} of {} objects recognised; its frame lies {:.2f} m north, {:.2f} m east, "
+      "{:.2f} m down, turned by {:.2f} deg\n",
+      matched, former.ids.size(), offset.shift.x(), offset.shift.y(), offset.down,
+      Radians(offset.turn).in_text_unit());
+}
+
 bool Write(const fs::path& file, const std::string& text) {
   std::ofstream out(file, std::ios::binary);
   out << text;
@@ -89,7 +101,7 @@ bool Write(const fs::path& file, const std::string& text) {
 }  // namespace
 
 int RunNav(std::span<const std::string> args) {
-  const Arguments given(args, {"out"}, {"json", "plot", "help"});
+  const Arguments given(args, {"out", "former"}, {"json", "plot", "help"});
   if (given.Has("help")) {
     fmt::print("{}", kNavHelp);
     return kOk;
@@ -102,9 +114,19 @@ int RunNav(std::span<const std::string> args) {
     fmt::print(stderr, "{}\n", stream.error().text);
     return kFailed;
   }
+  FormerSession former;
+  if (const auto folder = given.Find("former")) {
+    Expected<FormerSession> loaded = LoadFormerLandmarks(*folder);
+    if (!loaded) {
+      fmt::print(stderr, "{}\n", loaded.error().text);
+      return kFailed;
+    }
+    former = *std::move(loaded);
+  }
   const auto thread_time = [] { return ThreadTime().value(); };
   const double start = thread_time();
-  const ReplayResult result = Replay(*stream, ParamsForStream(stream->meta), thread_time);
+  const ReplayResult result =
+      Replay(*stream, ParamsForStream(stream->meta), thread_time, {}, former);
   const std::string timing = TimingJson(result.update_s, thread_time() - start);
   if (result.smoothed.empty()) {
     fmt::print(stderr, "{}: no pose could be estimated (no attitude)\n",
@@ -115,11 +137,15 @@ int RunNav(std::span<const std::string> args) {
   const fs::path out = *given.Find("out");
   std::error_code error;
   fs::create_directories(out, error);
-  const bool is_written = Write(out / "online.csv", PosesCsv(result.online)) &&
-                          Write(out / "smoothed.csv", PosesCsv(result.smoothed)) &&
-                          Write(out / "landmarks.csv", LandmarksCsv(result.landmarks)) &&
-                          Write(out / "associations.csv", AssociationsCsv(result.associations)) &&
-                          Write(out / "timing.json", timing);
+  const bool is_written =
+      Write(out / "online.csv", PosesCsv(result.online)) &&
+      Write(out / "smoothed.csv", PosesCsv(result.smoothed)) &&
+      Write(out / "landmarks.csv", LandmarksCsv(result.landmarks)) &&
+      Write(out / "landmarks_covariance.csv",
+            LandmarkCovarianceCsv(result.landmarks, result.landmark_covariance)) &&
+      (former.ids.empty() || Write(out / "matches.csv", MatchesCsv(result.landmarks))) &&
+      Write(out / "associations.csv", AssociationsCsv(result.associations)) &&
+      Write(out / "timing.json", timing);
   const std::string name = fs::path(given.positionals().front()).lexically_normal().filename();
   const bool is_drawn =
       !given.Has("plot") || (Write(out / "error.svg", NavErrorPlot(result, name)) &&
@@ -133,6 +159,7 @@ int RunNav(std::span<const std::string> args) {
         result.smoothed.size(), result.landmarks.size(), result.finish.reason,
         stream->refused_rows + result.counts.stale_samples, result.counts.velocities,
         result.counts.depths, result.counts.fixes, result.counts.late_frames);
+    if (!former.ids.empty()) fmt::print("{}", FormerSummary(result, former));
   }
   return is_written && is_drawn ? kOk : kFailed;
 }

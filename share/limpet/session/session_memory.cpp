@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/session/session_memory.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "limpet/core/config.hpp"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr const char* kArea = "area.txt";
 constexpr const char* kObjects = "objects.json";
+constexpr const char* kLandmarks = "landmarks.json";
 constexpr const char* kSights = "sights.csv";
 constexpr const char* kMap = "map.ot";
 constexpr std::string_view kMission = "mission/";
@@ -40,6 +42,30 @@ std::vector<std::array<double, 7>> ThinViews(const std::vector<Sight>& sights) {
   return views;
 }
 
+/// Numbers in the lower triangle of a joint covariance.
+std::size_t LowerTriangleSize(std::size_t landmarks) {
+  return 3 * landmarks * (3 * landmarks + 1) / 2;
+}
+
+/// The rows of `joint` that belong to these landmarks; empty if one of them is not in it.
+std::vector<double> JointOf(const std::vector<int>& landmarks, const LandmarkJoint& joint) {
+  std::vector<std::size_t> rows;
+  for (const int landmark : landmarks) {
+    const auto found = std::ranges::find(joint.ids, landmark);
+    if (found == joint.ids.end()) return {};
+    const auto first = static_cast<std::size_t>(3 * (found - joint.ids.begin()));
+    rows.insert(rows.end(), {first, first + 1, first + 2});
+  }
+  std::vector<double> lower;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      const auto [small, great] = std::minmax(rows[i], rows[j]);
+      lower.push_back(joint.lower[great * (great + 1) / 2 + small]);
+    }
+  }
+  return lower;
+}
+
 const std::string* Find(const SessionFiles& files, const char* name) {
   const auto found = files.find(name);
   return found == files.end() ? nullptr : &found->second;
@@ -53,6 +79,10 @@ SessionFiles FilesOf(const SessionMemory& memory) {
     files[kArea] = EncodeRecord(*memory.area) + "\n";
   }
   files[kObjects] = std::get<std::string>(TopicCodec<OpiBeliefs>::Encode(memory.objects)) + "\n";
+  if (!memory.landmarks.ids.empty()) {
+    files[kLandmarks] =
+        std::get<std::string>(TopicCodec<LandmarkJoint>::Encode(memory.landmarks)) + "\n";
+  }
   files[kSights] = SightsToCsv(memory.sights);
   if (!memory.map.empty()) {
     files[kMap] = memory.map;
@@ -76,6 +106,13 @@ Expected<SessionMemory> MemoryOf(const SessionFiles& files) {
     return Error{std::string(kObjects) + ": missing, or not a list of objects"};
   }
   memory.objects = *beliefs;
+  if (const std::string* text = Find(files, kLandmarks)) {
+    const std::optional<LandmarkJoint> joint = TopicCodec<LandmarkJoint>::Decode(*text);
+    if (!joint || joint->lower.size() != LowerTriangleSize(joint->ids.size())) {
+      return Error{std::string(kLandmarks) + ": not a joint covariance of landmarks"};
+    }
+    memory.landmarks = *joint;
+  }
   if (const std::string* text = Find(files, kSights)) {
     Expected<std::vector<Sight>> sights = SightsFromCsv(*text);
     if (!sights) return Error{std::string(kSights) + ": " + sights.error().text};
@@ -95,8 +132,10 @@ SessionPrior PriorOf(const SessionFacts& facts, const SessionMemory& memory) {
   SessionPrior prior;
   prior.session = facts.session;
   prior.views = ThinViews(memory.sights);
+  std::vector<int> landmarks;
   for (const OpiBelief& opi : memory.objects.opis) {
     if (opi.landmark < 0 || opi.probability < kLikely) continue;
+    landmarks.push_back(opi.landmark);
     prior.opis.push_back({.id = opi.id,
                           .ned = opi.ned,
                           .cov = opi.cov,
@@ -104,6 +143,7 @@ SessionPrior PriorOf(const SessionFacts& facts, const SessionMemory& memory) {
                           .log_likelihood_ratio = opi.log_likelihood_ratio,
                           .looks = opi.looks});
   }
+  prior.joint = JointOf(landmarks, memory.landmarks);
   return prior;
 }
 

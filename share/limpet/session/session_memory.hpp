@@ -14,10 +14,11 @@
 
 namespace limpet {
 
-/// Files: area.txt, objects.json, sights.csv, map.ot, mission/*.
+/// Files: area.txt, objects.json, landmarks.json, sights.csv, map.ot, mission/*.
 struct SessionMemory {
   std::optional<SurveyArea> area;
   OpiBeliefs objects;
+  LandmarkJoint landmarks;    ///< of the objects' landmarks; empty if never heard
   std::vector<Sight> sights;  ///< every frame with its pose and boxes
   std::string map;            ///< the semantic octree as MAP_SNAPSHOT; empty if none
   std::map<std::string, std::string> mission;  ///< the mission's own files

@@ -31,6 +31,7 @@ namespace limpet {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Box, u, v, w, h, confidence, color)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Detections, frame, exposure, boxes)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Landmark, id, ned, cov, color, looks, is_confirmed, prior_id)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LandmarkJoint, ids, lower)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Landmarks, landmarks)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SightedBox, box, landmark)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Sight, frame, exposure, ned, roll, pitch, yaw, altitude, boxes)
@@ -41,7 +42,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OpiBelief, id, landmark, prior_id, ned, cov, 
                                    entropy, log_likelihood_ratio)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OpiBeliefs, opis)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PriorOpi, id, ned, cov, color, log_likelihood_ratio, looks)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SessionPrior, session, opis, views)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SessionPrior, session, opis, views, joint)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PathSegment, curvature, length)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmPath, id, north, east, yaw, segments, purpose)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OptionBid, behavior, value, weight, has_veto, why)
@@ -69,6 +70,7 @@ std::optional<T> JsonCodec<T>::Decode(const Value& value) {
 
 template struct JsonCodec<Detections>;
 template struct JsonCodec<Landmarks>;
+template struct JsonCodec<LandmarkJoint>;
 template struct JsonCodec<Sight>;
 template struct JsonCodec<TrackShift>;
 template struct JsonCodec<OpiBeliefs>;

@@ -98,6 +98,8 @@ struct SessionPrior {
   /// Where it looked from, thinned to independent looks: t [s], north, east, down [m], roll, pitch,
   /// yaw [rad]. Tells a new object from one that was never looked for.
   std::vector<std::array<double, 7>> views;
+  /// Joint covariance of `opis`, as in LandmarkJoint; empty if the session did not keep it.
+  std::vector<double> joint;
 };
 template <>
 struct TopicCodec<SessionPrior> : JsonCodec<SessionPrior> {};

@@ -66,6 +66,15 @@ struct Landmarks {
 template <>
 struct TopicCodec<Landmarks> : JsonCodec<Landmarks> {};
 
+/// Covariance of several landmarks' places together, NED [m^2]: the lower triangle, row by row,
+/// three rows per landmark in the order of `ids`.
+struct LandmarkJoint {
+  std::vector<int> ids;
+  std::vector<double> lower;
+};
+template <>
+struct TopicCodec<LandmarkJoint> : JsonCodec<LandmarkJoint> {};
+
 /// A box with the landmark it was associated with, or -1.
 struct SightedBox {
   Box box;
@@ -147,6 +156,9 @@ inline const auto kNavDeadReckoning = Declare<DeadReckoning>(
 inline const auto kNavLandmarks = Declare<Landmarks>(
     "NAV_LANDMARKS", "objects with covariance",
     {.unit = "m", .frame = "NED", .rate = "on change, at most 2 Hz", .writers = {"pNav"}});
+inline const auto kNavLandmarkJoint = Declare<LandmarkJoint>(
+    "NAV_LANDMARK_JOINT", "joint covariance of all objects, for the saved session",
+    {.unit = "m", .frame = "NED", .rate = "on MAP_SNAPSHOT_REQUEST", .writers = {"pNav"}});
 inline const auto kNavSight = Declare<Sight>(
     "NAV_SIGHT", "each camera frame, posed and associated",
     {.unit = "m, rad, px", .frame = "NED, body FRD, image", .rate = "4 Hz", .writers = {"pNav"}});

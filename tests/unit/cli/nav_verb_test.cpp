@@ -53,6 +53,27 @@ TEST_F(NavVerbTest, WritesPosesLandmarksAssociationsAndTiming) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out/map.svg"));
 }
 
+TEST_F(NavVerbTest, TakesUpWhatAnEarlierSessionLeft) {
+  const std::string stream = folder_.path().string(), out = (folder_.path() / "out").string();
+  ASSERT_EQ(Run({stream, "--out", out}), kOk);
+  std::ofstream(folder_.path() / "out/landmarks.csv", std::ios::app)
+      << "7,20,3,6,0.5,0.5,0.05,yellow,12\n";
+  std::ofstream(folder_.path() / "out/landmarks_covariance.csv", std::ios::app)
+      << "7,x,0.25\n7,y,0,0.25\n7,z,0,0,0.0025\n";
+  EXPECT_EQ(Run({stream, "--out", (folder_.path() / "again").string(), "--former", out}), kOk);
+  EXPECT_THAT(output_, HasSubstr("0 of 1 objects recognised"));
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "again/matches.csv"));
+}
+
+TEST_F(NavVerbTest, NamesFileAndLineOfAFormerSessionItDoesNotUnderstand) {
+  const std::string stream = folder_.path().string(), out = (folder_.path() / "out").string();
+  ASSERT_EQ(Run({stream, "--out", out}), kOk);
+  std::ofstream(folder_.path() / "out/landmarks.csv", std::ios::app) << "7,twenty,3,6\n";
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(Run({stream, "--out", (folder_.path() / "again").string(), "--former", out}), kFailed);
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(), HasSubstr("landmarks.csv:2: "));
+}
+
 TEST_F(NavVerbTest, DrawsErrorAndMapWhenAsked) {
   EXPECT_EQ(Run({folder_.path().string(), "--plot", "--out", (folder_.path() / "out").string()}),
             kOk);

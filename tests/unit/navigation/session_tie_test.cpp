@@ -22,13 +22,12 @@ struct Sphere {
 const std::vector<Sphere> kSpheres{{{6.0, 0.4, 6.5}, "yellow"}, {{12.0, -0.5, 6.8}, "orange"}};
 
 /// Both objects, where they are, each known to 0.3 m.
-std::vector<FormerObject> KnownBefore() {
-  std::vector<FormerObject> former;
+FormerSession KnownBefore() {
+  FormerSession former;
   for (const Sphere& sphere : kSpheres) {
-    former.push_back({.id = static_cast<int>(former.size()) + 1,
-                      .p = sphere.ned,
-                      .covariance = 0.09 * Eigen::Matrix3d::Identity(),
-                      .color = sphere.color});
+    former.ids.push_back(static_cast<int>(former.ids.size()) + 1);
+    former.objects.push_back(
+        {.ned = sphere.ned, .cov = 0.09 * Eigen::Matrix3d::Identity(), .color = sphere.color});
   }
   return former;
 }
@@ -101,16 +100,17 @@ TEST_F(SessionTieTest, WithoutAFormerSessionObjectsAreWhereGpsPutsThem) {
   EXPECT_NEAR(WorstError(), kGpsError, 0.15);
 }
 
-TEST_F(SessionTieTest, AFormerSessionHalvesTheErrorOnceTheVehicleIsUpAgain) {
-  navigator_.SetFormerObjects(KnownBefore());
+TEST_F(SessionTieTest, AFormerSessionHalvesTheError) {
+  navigator_.SetFormerSession(KnownBefore());
   Survey();
   EXPECT_LT(WorstError(), 0.7 * kGpsError);
 }
 
 TEST_F(SessionTieTest, OneObjectThatStayedIsNotEnoughToTieTo) {
-  std::vector<FormerObject> former = KnownBefore();
-  former.pop_back();
-  navigator_.SetFormerObjects(former);
+  FormerSession former = KnownBefore();
+  former.ids.pop_back();
+  former.objects.pop_back();
+  navigator_.SetFormerSession(former);
   Survey();
   EXPECT_NEAR(WorstError(), kGpsError, 0.15);
 }

@@ -75,6 +75,97 @@ TEST(SimulatedStream, CovariancesAreHonestOverManySessions) {
   EXPECT_NEAR(landmark, 3.0, 1.07);
 }
 
+/// Two sessions over one place: in the second, two of six objects are gone and one came.
+class LaterSession : public ::testing::TestWithParam<int> {
+ protected:
+  static StreamScene Scene(int seed) {
+    return {.seed = static_cast<unsigned>(seed), .objects = 6, .place = 77};
+  }
+  LaterSession() {
+    StreamScene scene = Scene(GetParam());
+    const SimulatedStream first = SimulateStream(scene);
+    scene.seed += 1000;
+    scene.gone = 2;
+    scene.came = 1;
+    now_ = SimulateStream(scene);
+    const ReplayResult before = Replay(first.stream, ParamsForStream(first.stream.meta), NoClock);
+    for (const LandmarkEstimate& l : before.landmarks) {
+      former_.ids.push_back(TrueIdOf(l, before, first.truth));
+      former_.objects.push_back({.ned = l.p, .cov = l.covariance, .color = l.color});
+    }
+    former_.covariance = before.landmark_covariance;
+  }
+  /// The true object nearest to an estimate.
+  static int TrueIdOf(const LandmarkEstimate& l, const ReplayResult& result,
+                      const StreamTruth& truth) {
+    const Alignment alignment = ErrorOf(result.smoothed, truth).alignment;
+    const auto distance = [&](const TrueLandmark& t) {
+      return (t.p - alignment.Apply(l.p)).norm();
+    };
+    return std::ranges::min_element(truth.landmarks, {}, distance)->id;
+  }
+  [[nodiscard]] ReplayResult Survey(const FormerSession& former) const {
+    return Replay(now_.stream, ParamsForStream(now_.stream.meta), NoClock, {}, former);
+  }
+
+  SimulatedStream now_;
+  FormerSession former_;
+};
+
+TEST_P(LaterSession, KnowsEveryObjectThatStayedAgainAndNoOther) {
+  const ReplayResult result = Survey(former_);
+  ASSERT_GE(result.landmarks.size(), 4U);
+  for (const LandmarkEstimate& l : result.landmarks) {
+    const int truth = TrueIdOf(l, result, now_.truth);
+    const bool was_known = std::ranges::count(former_.ids, truth) > 0;
+    EXPECT_EQ(l.prior_id, was_known ? truth : -1);
+  }
+}
+
+TEST_P(LaterSession, FindsAFrameThatLiesMetresOffAndTurned) {
+  const FrameOffset shifted{.shift = {-4.0, 2.5}, .turn = 0.1, .pivot = {}};
+  FormerSession moved = former_;
+  for (PlacedObject& object : moved.objects)
+    object.ned = shifted.Undo(object.ned);
+  NavigatorParams params = ParamsForStream(now_.stream.meta);
+  params.session.datum_sigma = Meters(5.0);
+  params.session.datum_turn_sigma = Radians(0.2);
+  const ReplayResult here = Survey(former_);
+  const ReplayResult there = Replay(now_.stream, params, NoClock, {}, moved);
+  ASSERT_EQ(there.landmarks.size(), here.landmarks.size());
+  for (std::size_t i = 0; i < here.landmarks.size(); ++i) {
+    EXPECT_EQ(there.landmarks[i].prior_id, here.landmarks[i].prior_id);
+  }
+  const double alone = ErrorOf(Survey({}).smoothed, now_.truth).absolute;
+  EXPECT_LT(ErrorOf(there.smoothed, now_.truth).absolute, alone + 0.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, LaterSession, ::testing::Range(1, 4));
+
+TEST(SimulatedStream, AFormerSessionMakesALaterOneBetter) {
+  double alone = 0.0, tied = 0.0;
+  constexpr int kPairs = 8;
+  for (unsigned pair = 1; pair <= kPairs; ++pair) {
+    const SimulatedStream first = SimulateStream({.seed = pair, .objects = 6, .place = 77});
+    const SimulatedStream now =
+        SimulateStream({.seed = 1000 + pair, .objects = 6, .place = 77, .gone = 2, .came = 1});
+    const ReplayResult before = Replay(first.stream, ParamsForStream(first.stream.meta), NoClock);
+    FormerSession former{.ids = {}, .objects = {}, .covariance = before.landmark_covariance};
+    for (const LandmarkEstimate& l : before.landmarks) {
+      former.ids.push_back(l.id);
+      former.objects.push_back({.ned = l.p, .cov = l.covariance, .color = l.color});
+    }
+    const NavigatorParams params = ParamsForStream(now.stream.meta);
+    const auto error = [&](const FormerSession& known) {
+      const ReplayResult result = Replay(now.stream, params, NoClock, {}, known);
+      return ErrorOf(result.smoothed, now.truth).absolute / kPairs;
+    };
+    alone += error({});
+    tied += error(former);
+  }
+  EXPECT_LT(tied, 0.9 * alone);
+}
+
 TEST(SimulatedStream, EndsWithinHalfAPercentOfTheBatchOptimum) {
   const SimulatedStream session = SimulateStream(RoughHour(3));
   double best = 0.0;

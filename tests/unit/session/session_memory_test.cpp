@@ -33,6 +33,7 @@ SessionMemory Sample() {
   SessionMemory memory;
   memory.area = SurveyArea{.north_min = -15, .north_max = 15, .east_min = -18, .east_max = 18};
   memory.objects.opis = {Object(1, 3, 0.98)};
+  memory.landmarks = {.ids = {3}, .lower = {0.04, 0.01, 0.05, 0.0, 0.0, 0.09}};
   Sight sight = Frame(12);
   sight.ned = {1.5, -2.25, 3.5};
   sight.yaw = 0.5;
@@ -90,6 +91,30 @@ TEST(SessionPrior, HandsOverWhereItLookedFromHalfAMetreApart) {
 }
 
 TEST(SightsCsv, RefusesATextWithoutItsHeader) { EXPECT_FALSE(SightsFromCsv("1,2,3\n")); }
+
+TEST(SessionPrior, HasTheJointCovarianceOfItsObjectsInTheirOrder) {
+  SessionMemory memory;
+  memory.objects.opis = {Object(1, 7, 0.98), Object(2, 3, 0.1), Object(3, 5, 0.9)};
+  memory.landmarks.ids = {3, 5, 7};
+  for (int row = 0; row < 9; ++row) {
+    for (int column = 0; column <= row; ++column)
+      memory.landmarks.lower.push_back(10.0 * row + column);
+  }
+  // Landmarks 7 and 5: rows 6 to 8, then 3 to 5.
+  EXPECT_THAT(PriorOf({}, memory).joint,
+              ::testing::ElementsAre(66, 76, 77, 86, 87, 88, 63, 73, 83, 33, 64, 74, 84, 43, 44, 65,
+                                     75, 85, 53, 54, 55));
+  memory.landmarks.ids = {3, 5, 8};
+  EXPECT_TRUE(PriorOf({}, memory).joint.empty());
+}
+
+TEST(SessionMemory, RefusesAJointCovarianceThatIsNone) {
+  SessionFiles files = FilesOf(Sample());
+  files["landmarks.json"] = R"({"ids":[3],"lower":[0.04]})";
+  const Expected<SessionMemory> loaded = MemoryOf(files);
+  ASSERT_FALSE(loaded);
+  EXPECT_THAT(loaded.error().text, ::testing::HasSubstr("landmarks.json"));
+}
 
 }  // namespace
 }  // namespace limpet

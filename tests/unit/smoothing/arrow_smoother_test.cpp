@@ -212,6 +212,37 @@ TEST_F(ArrowSmootherTest, SpreadsTheWorkOfABigChangeOverUpdatesAndSaysWhenItIsDo
   EXPECT_LT(WorstDifference(graph), 0.02);
 }
 
+TEST_F(ArrowSmootherTest, TakesInWhatIsKnownOfSeveralLandmarksTogether) {
+  Drive(120);
+  // Each alone is hardly known, but how they lie to each other well: a frame that may be off by
+  // metres.
+  Eigen::MatrixXd covariance = 1e-4 * Eigen::MatrixXd::Identity(9, 9);
+  Eigen::VectorXd mean(9);
+  for (Eigen::Index i = 0; i < 9; i += 3) {
+    mean.segment<3>(i) =
+        objects_[static_cast<std::size_t>(i / 3)] + Eigen::Vector3d(2.0, -1.0, 0.5);
+    for (Eigen::Index j = 0; j < 9; j += 3)
+      covariance.block<3, 3>(i, j) += 9.0 * Eigen::Matrix3d::Identity();
+  }
+  smoother_.SetJointPrior(JointPrior(slots_, mean, covariance));
+  smoother_.Update();
+  const Eigen::Vector3d between = smoother_.LandmarkAt(slots_[1]) - smoother_.LandmarkAt(slots_[0]);
+  EXPECT_LT((between - (objects_[1] - objects_[0])).norm(), 0.04);
+  EXPECT_LT((smoother_.LandmarkAt(slots_[0]) - objects_[0]).norm(), 0.3);
+  EXPECT_TRUE(smoother_.Converge().has_converged);
+  ChainGraph graph = smoother_.graph();
+  ASSERT_TRUE(SolveBatch(graph).has_converged);
+  EXPECT_LT(WorstDifference(graph), 1e-4);
+  // A landmark that is removed leaves what is known of the others.
+  smoother_.RemoveLandmark(slots_[2]);
+  slots_[2] = -1;
+  EXPECT_EQ(smoother_.graph().joint_prior()->slots(), std::vector<int>({slots_[0], slots_[1]}));
+  smoother_.Converge();
+  graph = smoother_.graph();
+  ASSERT_TRUE(SolveBatch(graph).has_converged);
+  EXPECT_LT(WorstDifference(graph), 1e-4);
+}
+
 TEST_F(ArrowSmootherTest, FindsTheScaleOfItsSteps) {
   const int errors = smoother_.AddErrors(Eigen::Vector3d::Zero());
   smoother_.AddLandmarkTerm(

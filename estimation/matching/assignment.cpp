@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "estimation/association/assignment.hpp"
+#include "estimation/matching/assignment.hpp"
 
 #include <limits>
 

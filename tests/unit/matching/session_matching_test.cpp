@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "estimation/change/matching.hpp"
+#include "estimation/matching/session_matching.hpp"
 
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "estimation/change/assignment.hpp"
-#include "limpet/core/random.hpp"
 
 namespace limpet {
 namespace {
@@ -16,48 +13,6 @@ using ::testing::ElementsAre;
 
 PlacedObject FormerAt(double north, double east, const std::string& color = "yellow") {
   return {.ned = {north, east, 6.0}, .cov = 0.04 * Eigen::Matrix3d::Identity(), .color = color};
-}
-
-TEST(AssignOneToOne, FindsTheLeastTotal) {
-  // Row 0 would like column 0 best, but row 1 has no other choice.
-  EXPECT_THAT(AssignOneToOne({{1.0, 2.0}, {1.5, 9.0}}, 8.0), ElementsAre(1, 0));
-}
-
-TEST(AssignOneToOne, LeavesRowsAloneRatherThanPayMore) {
-  EXPECT_THAT(AssignOneToOne({{5.0}, {9.0}}, 6.0), ElementsAre(0, -1));
-  EXPECT_THAT(AssignOneToOne({{7.0}}, 6.0), ElementsAre(-1));
-}
-
-TEST(AssignOneToOne, WorksWithoutColumnsOrRows) {
-  EXPECT_THAT(AssignOneToOne({{}, {}}, 6.0), ElementsAre(-1, -1));
-  EXPECT_TRUE(AssignOneToOne({}, 6.0).empty());
-}
-
-TEST(AssignOneToOne, BeatsEveryOtherAssignment) {
-  Random random(3);
-  for (int trial = 0; trial < 200; ++trial) {
-    std::vector<std::vector<double>> cost(4, std::vector<double>(4));
-    for (auto& row : cost) {
-      for (double& entry : row)
-        entry = random.Uniform(0.0, 10.0);
-    }
-    const auto total = [&cost](const std::vector<int>& columns) {
-      double sum = 0.0;
-      for (std::size_t i = 0; i < columns.size(); ++i) {
-        sum += columns[i] < 0 ? 6.0 : cost[i][static_cast<std::size_t>(columns[i])];
-      }
-      return sum;
-    };
-    const double best = total(AssignOneToOne(cost, 6.0));
-    std::vector<int> other{0, 1, 2, 3};
-    do {
-      std::vector<int> cut = other;
-      for (std::size_t i = 0; i < cut.size(); ++i) {
-        if (cost[i][static_cast<std::size_t>(cut[i])] > 6.0) cut[i] = -1;
-      }
-      EXPECT_LE(best, total(cut) + 1e-9);
-    } while (std::ranges::next_permutation(other).found);
-  }
 }
 
 TEST(MatchSessions, FindsTheOffsetThatAllObjectsShare) {

@@ -1,40 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "estimation/matching/frame_offset.hpp"
+#include "estimation/matching/placed_object.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/core/units.hpp"
 
 namespace limpet {
 
-/// An object of one session in that session's frame, NED.
-struct PlacedObject {
-  Eigen::Vector3d ned = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d cov = Eigen::Matrix3d::Identity();
-  std::string color;
-};
-
-/// The part of each object's covariance that is its own. Most of a session's error is common to all
-/// its objects (GPS at the start) and is the frame's offset, not the object's; what is common is
-/// judged by the best known object.
-[[nodiscard]] std::vector<PlacedObject> WithOwnCovariance(std::vector<PlacedObject> objects);
-
-/// Takes a point of the former session's frame to this session's: a turn about `pivot`, then a
-/// shift. What GPS and the first heading leave between two sessions.
-struct FrameOffset {
-  Eigen::Vector2d shift = Eigen::Vector2d::Zero();  ///< north, east [m]
-  double turn = 0.0;                                ///< [rad]
-  Eigen::Vector2d pivot = Eigen::Vector2d::Zero();  ///< mean of the former objects
-  [[nodiscard]] Eigen::Vector3d Apply(const Eigen::Vector3d& former) const;
-  [[nodiscard]] Eigen::Vector3d Undo(const Eigen::Vector3d& now) const;
-};
-
 struct MatchingParams {
-  Meters offset_sigma{0.6};  ///< prior of each component of the shift
+  Meters offset_sigma{0.6};  ///< prior of each component of the shift: fixes of two sessions
+  Meters datum_sigma{0.0};   ///< and of what neither session's fixes know of
+  Radians datum_turn_sigma{0.0};
+  Meters down_sigma{0.05};
   Radians turn_sigma = Radians::FromTextUnit(1.0);
   Meters position_floor{
       0.15};  ///< added to each object's own covariance: what a filter does not know
@@ -45,7 +27,15 @@ struct MatchingParams {
   void Describe(V& visit) {
     using namespace literals;
     visit("session_offset_sigma_m", offset_sigma,
-          "Deviation of the shift between two sessions' frames", InRange(0.01_m, 50.0_m));
+          "Deviation of the shift between two sessions' frames, per axis", InRange(0.01_m, 50.0_m));
+    visit("session_datum_sigma_m", datum_sigma,
+          "Deviation of that shift beyond what GPS explains, e.g. another datum",
+          InRange(0.0_m, 1000.0_m));
+    visit("session_datum_turn_sigma_deg", datum_turn_sigma,
+          "Deviation of the turn between the frames beyond what the compass explains",
+          InRange(0.0_deg, 180.0_deg));
+    visit("session_down_sigma_m", down_sigma,
+          "Deviation of the depths between two sessions: tide, pressure", InRange(0.001_m, 50.0_m));
     visit("session_turn_sigma_deg", turn_sigma,
           "Deviation of the turn between two sessions' frames", InRange(0.01_deg, 45.0_deg));
     visit("match_position_floor_m", position_floor, "Deviation added to every object's position",
@@ -65,7 +55,10 @@ struct SessionMatch {
 
 /// Matches two sessions' objects one-to-one by Mahalanobis distance with both covariances, and
 /// estimates the frames' offset from all matches: the shift always, the turn from two matches on.
-/// Every single pair is tried as a start, so that one wrong neighbour cannot lead the rest astray.
+/// Every pair, alone and with a neighbour, proposes a start, so that one wrong neighbour cannot
+/// lead the rest astray, and a frame that lies metres off or is turned by many degrees is found if
+/// the priors allow it. Each object's covariance is its own, without what is common to its session:
+/// own_covariance.hpp.
 [[nodiscard]] SessionMatch MatchSessions(const std::vector<PlacedObject>& former,
                                          const std::vector<PlacedObject>& now,
                                          const MatchingParams& params);

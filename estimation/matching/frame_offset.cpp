@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/matching/frame_offset.hpp"
+
+#include <Eigen/Geometry>
+
+namespace limpet {
+
+Eigen::Vector3d FrameOffset::Apply(const Eigen::Vector3d& former) const {
+  const Eigen::Vector2d moved =
+      pivot + Eigen::Rotation2Dd(turn) * (former.head<2>() - pivot) + shift;
+  return {moved.x(), moved.y(), former.z() + down};
+}
+
+Eigen::Vector3d FrameOffset::Undo(const Eigen::Vector3d& now) const {
+  const Eigen::Vector2d moved = pivot + Eigen::Rotation2Dd(-turn) * (now.head<2>() - pivot - shift);
+  return {moved.x(), moved.y(), now.z() - down};
+}
+
+Eigen::Matrix<double, 3, 4> FrameOffset::Jacobian(const Eigen::Vector3d& former) const {
+  const Eigen::Vector2d arm = Eigen::Rotation2Dd(turn) * (former.head<2>() - pivot);
+  Eigen::Matrix<double, 3, 4> J;
+  J << 1.0, 0.0, 0.0, -arm.y(),  //
+      0.0, 1.0, 0.0, arm.x(),    //
+      0.0, 0.0, 1.0, 0.0;
+  return J;
+}
+
+void FrameOffset::Move(const Eigen::Vector4d& step) {
+  shift += step.head<2>();
+  down += step(2);
+  turn += step(3);
+}
+
+}  // namespace limpet

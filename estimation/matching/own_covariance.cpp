@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/matching/own_covariance.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <Eigen/Cholesky>
+
+#include "estimation/matching/frame_offset.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kUnknownShift = 1e3;     // [m]
+constexpr double kUnknownTurn = 3.0;      // [rad]
+constexpr double kLeastVariance = 1e-10;  // [m^2] keeps what is exact positive definite
+
+Eigen::Vector3d CommonVariance(const std::vector<PlacedObject>& objects) {
+  Eigen::Vector3d common = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  for (const PlacedObject& object : objects) {
+    common = common.cwiseMin(object.cov.diagonal());
+  }
+  return common;
+}
+
+}  // namespace
+
+std::vector<PlacedObject> WithOwnCovariance(std::vector<PlacedObject> objects) {
+  const Eigen::Vector3d common = CommonVariance(objects);
+  for (PlacedObject& object : objects) {
+    const Eigen::Vector3d own = (object.cov.diagonal() - common).cwiseMax(0.0);
+    object.cov = own.asDiagonal();
+  }
+  return objects;
+}
+
+Eigen::MatrixXd JointOfSingles(const std::vector<PlacedObject>& objects) {
+  const auto n = static_cast<Eigen::Index>(3 * objects.size());
+  Eigen::MatrixXd joint(n, n);
+  const Eigen::Matrix3d common = CommonVariance(objects).asDiagonal();
+  const std::vector<PlacedObject> own = WithOwnCovariance(objects);
+  for (Eigen::Index i = 0; i < n; i += 3) {
+    for (Eigen::Index j = 0; j < n; j += 3) {
+      joint.block<3, 3>(i, j) = common;
+    }
+    joint.block<3, 3>(i, i) += own[static_cast<std::size_t>(i / 3)].cov;
+  }
+  return joint;
+}
+
+SplitCovariance SplitFrom(const std::vector<Eigen::Vector3d>& places, const Eigen::MatrixXd& joint,
+                          const Eigen::Vector2d& pivot) {
+  const Eigen::Index n = joint.rows();
+  const FrameOffset rest{.pivot = pivot};
+  Eigen::MatrixXd J(n, 4);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    J.middleRows<3>(static_cast<Eigen::Index>(3 * i)) = rest.Jacobian(places[i]);
+  }
+  const Eigen::Vector4d unknown(kUnknownShift, kUnknownShift, kUnknownShift, kUnknownTurn);
+  const Eigen::MatrixXd regular = joint + kLeastVariance * Eigen::MatrixXd::Identity(n, n);
+  Eigen::Matrix4d information = J.transpose() * regular.llt().solve(J);
+  information += unknown.cwiseAbs2().cwiseInverse().asDiagonal();
+  const Eigen::Matrix4d frame = information.inverse();
+  return {.pivot = pivot, .frame = frame, .own = regular - J * frame * J.transpose()};
+}
+
+}  // namespace limpet

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/matching/session_matching.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <Eigen/LU>
+
+#include "estimation/matching/assignment.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr int kRefinements = 6;  // of who is who and of the offset, in turns
+constexpr int kTurns = 3;        // of the offset alone: it is not linear in the turn
+constexpr std::size_t kStarts = 12, kNeighbours = 3;
+
+class SessionMatcher {
+ public:
+  SessionMatcher(const std::vector<PlacedObject>& former, const std::vector<PlacedObject>& now,
+                 const MatchingParams& params)
+      : former_(former), now_(now), params_(params), gate_(std::pow(params.gate_sigmas, 2)) {
+    const double shift =
+        std::pow(std::hypot(params.offset_sigma.value(), params.datum_sigma.value()), -2);
+    prior_ << shift, shift, std::pow(params.down_sigma.value(), -2),
+        std::pow(std::hypot(params.turn_sigma.value(), params.datum_turn_sigma.value()), -2);
+    for (const PlacedObject& object : former_) {
+      pivot_ += object.ned.head<2>() / static_cast<double>(former_.size());
+    }
+  }
+
+  [[nodiscard]] SessionMatch Solve() const {
+    SessionMatch best = Refine(FrameOffset{.pivot = pivot_});
+    double best_cost = Cost(best);
+    for (const Start& start : BestStarts()) {
+      const SessionMatch candidate = Refine(start.offset);
+      const double cost = Cost(candidate);
+      if (cost < best_cost - 1e-9) {
+        best = candidate;
+        best_cost = cost;
+      }
+    }
+    return best;
+  }
+
+ private:
+  /// A place to start from, and how promising it looks.
+  struct Start {
+    FrameOffset offset;
+    double promise = 0.0;
+  };
+
+  /// Every pair alone proposes a shift, and with a neighbour a turn.
+  [[nodiscard]] std::vector<Start> BestStarts() const {
+    std::vector<Start> starts;
+    for (const PlacedObject& a : former_) {
+      const std::vector<const PlacedObject*> neighbours = NeighboursOf(a);
+      for (const PlacedObject& b : now_) {
+        if (ColorCost(a, b) > gate_) continue;
+        FrameOffset shifted{.pivot = pivot_};
+        shifted.shift = b.ned.head<2>() - a.ned.head<2>();
+        AddStart(shifted, a.ned, starts);
+        for (const PlacedObject* neighbour : neighbours)
+          AddTurned(a, b, *neighbour, starts);
+      }
+    }
+    const auto kept = std::min<std::size_t>(starts.size(), kStarts);
+    const auto more = [](const Start& x, const Start& y) { return x.promise > y.promise; };
+    std::stable_sort(starts.begin(), starts.end(), more);
+    starts.resize(kept);
+    return starts;
+  }
+
+  [[nodiscard]] std::vector<const PlacedObject*> NeighboursOf(const PlacedObject& a) const {
+    std::vector<const PlacedObject*> others;
+    for (const PlacedObject& other : former_) {
+      if (&other != &a) others.push_back(&other);
+    }
+    std::ranges::stable_sort(
+        others, {}, [&a](const PlacedObject* other) { return (other->ned - a.ned).squaredNorm(); });
+    others.resize(std::min<std::size_t>(others.size(), kNeighbours));
+    return others;
+  }
+
+  /// The turns that bring `a` to `b` and its neighbour to another present object.
+  void AddTurned(const PlacedObject& a, const PlacedObject& b, const PlacedObject& neighbour,
+                 std::vector<Start>& starts) const {
+    const Eigen::Vector2d before = (neighbour.ned - a.ned).head<2>();
+    for (const PlacedObject& c : now_) {
+      const Eigen::Vector2d after = (c.ned - b.ned).head<2>();
+      const double misfit = after.norm() - before.norm();
+      if (&c == &b || ColorCost(neighbour, c) > gate_ ||
+          misfit * misfit > gate_ * PairCovariance(neighbour, c).trace()) {
+        continue;
+      }
+      FrameOffset turned{.pivot = pivot_};
+      turned.turn = std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
+      turned.shift = (b.ned - turned.Apply(a.ned)).head<2>();
+      AddStart(turned, std::nullopt, starts);
+    }
+  }
+
+  /// `pair`: the former place that alone stands for the start; its turn is not known then.
+  void AddStart(const FrameOffset& offset, const std::optional<Eigen::Vector3d>& pair,
+                std::vector<Start>& starts) const {
+    const Eigen::Vector4d sigmas = offset.vector().cwiseProduct(prior_.cwiseSqrt());
+    if (sigmas.head<2>().norm() > params_.gate_sigmas ||
+        std::abs(sigmas(3)) > params_.gate_sigmas) {
+      return;
+    }
+    int near = 0;
+    for (const PlacedObject& a : former_) {
+      const Eigen::Vector2d there = offset.Apply(a.ned).head<2>();
+      const double swing = pair ? params_.turn_sigma.value() * (a.ned - *pair).norm() : 0.0;
+      near += std::ranges::any_of(now_, [&](const PlacedObject& b) {
+        const double reach = gate_ * (PairCovariance(a, b).trace() + swing * swing);
+        return ColorCost(a, b) <= gate_ && (b.ned.head<2>() - there).squaredNorm() < reach;
+      });
+    }
+    starts.push_back({offset, near - sigmas.squaredNorm() / gate_});
+  }
+
+  [[nodiscard]] Eigen::Matrix3d PairCovariance(const PlacedObject& a, const PlacedObject& b) const {
+    const double floor = 2.0 * std::pow(params_.position_floor.value(), 2);
+    return a.cov + b.cov + floor * Eigen::Matrix3d::Identity();
+  }
+
+  [[nodiscard]] double ColorCost(const PlacedObject& a, const PlacedObject& b) const {
+    return a.color == b.color ? 0.0 : params_.color_penalty;
+  }
+
+  /// Squared sigmas of a pair under an offset; far beyond the gate only that it is.
+  [[nodiscard]] double Distance(const PlacedObject& a, const PlacedObject& b,
+                                const FrameOffset& offset) const {
+    const Eigen::Vector3d error = b.ned - offset.Apply(a.ned);
+    const Eigen::Matrix3d covariance = PairCovariance(a, b);
+    if (error.squaredNorm() > gate_ * covariance.trace()) {
+      return kImpossibleCost;
+    }
+    return error.dot(covariance.inverse() * error) + ColorCost(a, b);
+  }
+
+  [[nodiscard]] std::vector<int> Assign(const FrameOffset& offset) const {
+    Eigen::MatrixXd costs(former_.size(), now_.size());
+    for (Eigen::Index i = 0; i < costs.rows(); ++i) {
+      for (Eigen::Index j = 0; j < costs.cols(); ++j) {
+        costs(i, j) = Distance(former_[static_cast<std::size_t>(i)],
+                               now_[static_cast<std::size_t>(j)], offset);
+      }
+    }
+    return AssignOneToOne(costs, gate_);
+  }
+
+  [[nodiscard]] SessionMatch Refine(FrameOffset offset) const {
+    SessionMatch match{.now_of_former = Assign(offset), .offset = offset, .shift_cov = {}};
+    for (int i = 0; i < kRefinements; ++i) {
+      FitOffset(match);
+      std::vector<int> again = Assign(match.offset);
+      if (again == match.now_of_former) {
+        return match;
+      }
+      match.now_of_former = std::move(again);
+    }
+    FitOffset(match);
+    return match;
+  }
+
+  /// Least squares for (north, east, down, turn) with the priors.
+  void FitOffset(SessionMatch& match) const {
+    const auto matches = std::ranges::count_if(match.now_of_former, [](int j) { return j >= 0; });
+    FrameOffset offset{.pivot = pivot_};
+    Eigen::Matrix4d covariance;
+    for (int turn = 0; turn < kTurns; ++turn) {
+      Eigen::Matrix4d information = prior_.asDiagonal();
+      Eigen::Vector4d pull = -prior_.cwiseProduct(offset.vector());
+      for (std::size_t i = 0; i < former_.size(); ++i) {
+        const int j = match.now_of_former[i];
+        if (j < 0) continue;
+        const PlacedObject& a = former_[i];
+        const PlacedObject& b = now_[static_cast<std::size_t>(j)];
+        Eigen::Matrix<double, 3, 4> J = offset.Jacobian(a.ned);
+        if (matches < 2) {
+          J.col(3).setZero();  // one match cannot tell a turn from a shift
+        }
+        const Eigen::Matrix3d weight = PairCovariance(a, b).inverse();
+        information += J.transpose() * weight * J;
+        pull += J.transpose() * weight * (b.ned - offset.Apply(a.ned));
+      }
+      covariance = information.inverse();
+      offset.Move(covariance * pull);
+    }
+    match.offset = offset;
+    match.shift_cov = covariance.topLeftCorner<2, 2>();
+  }
+
+  /// What a match explains less what the offset costs; lower is better.
+  [[nodiscard]] double Cost(const SessionMatch& match) const {
+    double cost = match.offset.vector().cwiseAbs2().dot(prior_);
+    for (std::size_t i = 0; i < former_.size(); ++i) {
+      const int j = match.now_of_former[i];
+      cost += j < 0 ? gate_ : Distance(former_[i], now_[static_cast<std::size_t>(j)], match.offset);
+    }
+    return cost;
+  }
+
+  const std::vector<PlacedObject>& former_;
+  const std::vector<PlacedObject>& now_;
+  const MatchingParams& params_;
+  double gate_;
+  Eigen::Vector4d prior_;  ///< information of (north, east, down, turn)
+  Eigen::Vector2d pivot_ = Eigen::Vector2d::Zero();
+};
+
+}  // namespace
+
+SessionMatch MatchSessions(const std::vector<PlacedObject>& former,
+                           const std::vector<PlacedObject>& now, const MatchingParams& params) {
+  return SessionMatcher(former, now, params).Solve();
+}
+
+}  // namespace limpet

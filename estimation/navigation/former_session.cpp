@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/navigation/former_session.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "estimation/matching/own_covariance.hpp"
+#include "limpet/core/require.hpp"
+
+namespace limpet {
+namespace {
+
+// The 99 % quantile of chi-squared with four degrees of freedom: a frame that lies farther off than
+// both sessions hold possible is believed the less, the farther.
+constexpr double kFrameGate = 13.3;
+
+constexpr double kLeastVariance = 1e-6;  // [m^2] of a place, whatever a file says
+
+bool IsCovariance(const Eigen::MatrixXd& matrix) { return matrix.llt().info() == Eigen::Success; }
+
+std::vector<Eigen::Vector3d> PlacesOf(const std::vector<PlacedObject>& objects) {
+  std::vector<Eigen::Vector3d> places;
+  for (const PlacedObject& object : objects) {
+    places.push_back(object.ned);
+  }
+  return places;
+}
+
+/// Landmarks without what the prior on some of them says; false if it was all that is known.
+bool TakeOut(const JointPrior& prior, PresentLandmarks& present) {
+  const Eigen::Index n = present.covariance.rows();
+  const Eigen::LLT<Eigen::MatrixXd> llt(present.covariance);
+  if (llt.info() != Eigen::Success) return false;
+  Eigen::VectorXd mean(n);
+  for (std::size_t i = 0; i < present.objects.size(); ++i) {
+    mean.segment<3>(static_cast<Eigen::Index>(3 * i)) = present.objects[i].ned;
+  }
+  Eigen::MatrixXd information = llt.solve(Eigen::MatrixXd::Identity(n, n));
+  Eigen::VectorXd pull = information * mean;
+  std::vector<Eigen::Index> rows;
+  for (const int slot : prior.slots()) {
+    const auto found = std::ranges::find(present.slots, slot);
+    if (found == present.slots.end()) return false;
+    for (Eigen::Index k = 0; k < 3; ++k)
+      rows.push_back(3 * (found - present.slots.begin()) + k);
+  }
+  information(rows, rows) -= prior.information();
+  pull(rows) -= prior.information() * prior.mean();
+  const Eigen::LLT<Eigen::MatrixXd> without(information);
+  if (without.info() != Eigen::Success) return false;
+  present.covariance = without.solve(Eigen::MatrixXd::Identity(n, n));
+  mean = without.solve(pull);
+  for (std::size_t i = 0; i < present.objects.size(); ++i) {
+    present.objects[i].ned = mean.segment<3>(static_cast<Eigen::Index>(3 * i));
+  }
+  return mean.allFinite();
+}
+
+void SetOwn(std::vector<PlacedObject>& objects, const Eigen::MatrixXd& own) {
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(3 * i);
+    objects[i].cov = own.block<3, 3>(row, row);
+  }
+}
+
+}  // namespace
+
+void FormerSessionTie::SetFormer(FormerSession former) {
+  former_ = std::move(former);
+  former_ids_.clear();
+  prior_.reset();
+  if (!has_former()) {
+    return;
+  }
+  const auto n = static_cast<Eigen::Index>(3 * former_.ids.size());
+  if (former_.covariance.size() == 0 || !IsCovariance(former_.covariance)) {
+    for (PlacedObject& object : former_.objects) {
+      object.cov.diagonal() = object.cov.diagonal().cwiseMax(kLeastVariance);
+    }
+    former_.covariance = JointOfSingles(former_.objects);
+  }
+  LIMPET_REQUIRE(former_.objects.size() == former_.ids.size() && former_.covariance.rows() == n &&
+                     former_.covariance.cols() == n,
+                 "three rows of covariance per former object");
+  offset_ = {};
+  for (const PlacedObject& object : former_.objects) {
+    offset_.pivot += object.ned.head<2>() / static_cast<double>(former_.ids.size());
+  }
+  const SplitCovariance split =
+      SplitFrom(PlacesOf(former_.objects), former_.covariance, offset_.pivot);
+  former_frame_ = split.frame;
+  former_own_ = split.own;
+  SetOwn(former_.objects, former_own_);
+}
+
+bool FormerSessionTie::Match(const PresentLandmarks& landmarks,
+                             const std::optional<JointPrior>& applied) {
+  PresentLandmarks present = landmarks;
+  if (!has_former() || present.slots.empty() || (applied && !TakeOut(*applied, present))) {
+    return false;
+  }
+  const SplitCovariance split =
+      SplitFrom(PlacesOf(present.objects), present.covariance, offset_.pivot);
+  SetOwn(present.objects, split.own);
+  const SessionMatch match = MatchSessions(former_.objects, present.objects, params_);
+  offset_ = match.offset;
+  former_ids_.assign(present.slots.size(), -1);
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < former_.ids.size(); ++i) {
+    if (match.now_of_former[i] < 0) continue;
+    pairs.push_back({i, static_cast<std::size_t>(match.now_of_former[i])});
+    former_ids_[pairs.back().now] = former_.ids[i];
+  }
+  prior_.reset();
+  if (pairs.size() >= 2) {
+    prior_ = PriorFrom(pairs, present, split.frame, split.own);
+  }
+  return true;
+}
+
+JointPrior FormerSessionTie::PriorFrom(const std::vector<Pair>& pairs,
+                                       const PresentLandmarks& present,
+                                       const Eigen::Matrix4d& now_frame,
+                                       const Eigen::MatrixXd& now_own) {
+  const auto n = static_cast<Eigen::Index>(3 * pairs.size());
+  Eigen::MatrixXd former_own(n, n), own(n, n), J(n, 4);
+  Eigen::VectorXd moved(n), off(n);
+  std::vector<int> slots;
+  std::vector<Eigen::Index> former_rows, now_rows;
+  for (const Pair& pair : pairs) {
+    const auto row = static_cast<Eigen::Index>(3 * slots.size());
+    const Eigen::Vector3d& place = former_.objects[pair.former].ned;
+    slots.push_back(present.slots[pair.now]);
+    J.middleRows<3>(row) = offset_.Jacobian(place);
+    moved.segment<3>(row) = offset_.Apply(place);
+    off.segment<3>(row) = present.objects[pair.now].ned - moved.segment<3>(row);
+    for (std::size_t k = 0; k < 3; ++k) {
+      former_rows.push_back(static_cast<Eigen::Index>(3 * pair.former + k));
+      now_rows.push_back(static_cast<Eigen::Index>(3 * pair.now + k));
+    }
+  }
+  const double stays = std::pow(params_.position_floor.value(), 2);
+  former_own = former_own_(former_rows, former_rows) + stays * Eigen::MatrixXd::Identity(n, n);
+  own = former_own + now_own(now_rows, now_rows);
+  // Where the frame lies by the matches alone, against what both sessions know of their frames.
+  const Eigen::LLT<Eigen::MatrixXd> llt(own);
+  const Eigen::Matrix4d information = J.transpose() * llt.solve(J);
+  const Eigen::Matrix4d seen_covariance =
+      (information + 1e-6 * Eigen::Matrix4d::Identity()).inverse();
+  const Eigen::Vector4d seen =
+      offset_.vector() + seen_covariance * (J.transpose() * llt.solve(off));
+  Eigen::Matrix4d frame = former_frame_;
+  const double datum = params_.datum_sigma.value(), turn = params_.datum_turn_sigma.value();
+  frame.diagonal() += Eigen::Vector4d(datum * datum, datum * datum, 0.0, turn * turn);
+  const Eigen::Matrix4d expected = frame + now_frame + seen_covariance;
+  const double distance = seen.dot(expected.inverse() * seen);
+  const double doubt = std::pow(std::max(distance / kFrameGate, 1.0), 2);
+  const Eigen::MatrixXd covariance = former_own + doubt * (J * frame * J.transpose());
+  // The former frame's own error is nought at best knowledge: the mean is where the former session
+  // put the objects, as far as the turn is linear.
+  const Eigen::VectorXd mean = moved - J * offset_.vector();
+  return {std::move(slots), mean, covariance};
+}
+
+}  // namespace limpet

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "estimation/matching/session_matching.hpp"
+#include "estimation/smoothing/joint_prior.hpp"
+
+namespace limpet {
+
+/// What a former session knew of its objects' places, in its own frame.
+struct FormerSession {
+  std::vector<int> ids;
+  std::vector<PlacedObject> objects;
+  Eigen::MatrixXd covariance;  ///< joint, three rows per object; empty if only the objects' own are
+                               ///< known
+};
+
+/// This session's landmarks, as the smoother has them.
+struct PresentLandmarks {
+  std::vector<int> slots;
+  std::vector<PlacedObject> objects;
+  Eigen::MatrixXd covariance;  ///< joint, three rows per landmark
+};
+
+/// Recognises the former session's objects among the present landmarks, and says what it then
+/// tells about their places. Where the former session's frame lies in this one (a shift, a turn, a
+/// depth) is estimated from the matches alone, weighed against what both sessions know of their
+/// frames; objects that went, came or moved have no part in it.
+class FormerSessionTie {
+ public:
+  explicit FormerSessionTie(const MatchingParams& params) : params_(params) {}
+
+  /// REQUIRES: ids, objects and covariance agree in size.
+  void SetFormer(FormerSession former);
+  [[nodiscard]] bool has_former() const { return !former_.ids.empty(); }
+
+  /// Matches anew. `applied` is the prior that the landmarks already contain: it is taken out
+  /// first, so that a match never proves itself. False if nothing can be said now.
+  bool Match(const PresentLandmarks& present, const std::optional<JointPrior>& applied);
+
+  /// Per present landmark of the last Match: the former object's id, or -1.
+  [[nodiscard]] const std::vector<int>& former_ids() const { return former_ids_; }
+  /// Of the former session's frame in this one, from the last Match.
+  [[nodiscard]] const FrameOffset& offset() const { return offset_; }
+  /// Over the matched landmarks; nothing with less than two of them: one alone could be a mistake,
+  /// and nothing would show it.
+  [[nodiscard]] const std::optional<JointPrior>& prior() const { return prior_; }
+
+ private:
+  struct Pair {
+    std::size_t former, now;
+  };
+  [[nodiscard]] JointPrior PriorFrom(const std::vector<Pair>& pairs,
+                                     const PresentLandmarks& present,
+                                     const Eigen::Matrix4d& now_frame,
+                                     const Eigen::MatrixXd& now_own);
+
+  MatchingParams params_;
+  FormerSession former_;
+  Eigen::Matrix4d former_frame_ = Eigen::Matrix4d::Zero();
+  Eigen::MatrixXd former_own_;
+  std::vector<int> former_ids_;
+  FrameOffset offset_;
+  std::optional<JointPrior> prior_;
+};
+
+}  // namespace limpet

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/replay/former_landmarks.hpp"
+
+#include <array>
+#include <functional>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "estimation/replay/csv_fields.hpp"
+#include "limpet/core/lower_triangle.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr const char* kLandmarks = "landmarks.csv";
+constexpr const char* kCovariance = "landmarks_covariance.csv";
+constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
+
+/// Calls `read` for every line but the header.
+std::optional<Error> ReadRows(const StreamFile& file,
+                              const std::function<void(const CsvFields&)>& read) {
+  for (std::size_t i = 1; i < file.lines.size(); ++i) {
+    try {
+      read(CsvFields(file.lines[i]));
+    } catch (const BadLine& bad) {
+      return Error{fmt::format("{}:{}: {}", file.name, i + 1, bad.why)};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string LandmarksCsv(const std::vector<LandmarkEstimate>& landmarks) {
+  std::string text = "id,x,y,z,sd_x,sd_y,sd_z,class,looks\n";
+  for (const LandmarkEstimate& landmark : landmarks) {
+    const Eigen::Vector3d sd = landmark.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+    text += fmt::format("{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},{}\n", landmark.id,
+                        landmark.p.x(), landmark.p.y(), landmark.p.z(), sd.x(), sd.y(), sd.z(),
+                        landmark.color, landmark.looks);
+  }
+  return text;
+}
+
+std::string LandmarkCovarianceCsv(const std::vector<LandmarkEstimate>& landmarks,
+                                  const Eigen::MatrixXd& covariance) {
+  std::string text = "id,axis,covariance up to the diagonal\n";
+  for (Eigen::Index row = 0; row < covariance.rows(); ++row) {
+    text += fmt::format("{},{}", landmarks[static_cast<std::size_t>(row / 3)].id,
+                        kAxes[static_cast<std::size_t>(row % 3)]);
+    for (Eigen::Index column = 0; column <= row; ++column)
+      text += fmt::format(",{:.9g}", covariance(row, column));
+    text += '\n';
+  }
+  return text;
+}
+
+Expected<FormerSession> ParseFormerLandmarks(const StreamFile& landmarks,
+                                             const StreamFile& covariance) {
+  FormerSession former;
+  const auto place = [&former](const CsvFields& f) {
+    f.Expect(9);
+    former.ids.push_back(f.Integer(0));
+    PlacedObject& object = former.objects.emplace_back();
+    object.ned = {f.Number(1), f.Number(2), f.Number(3)};
+    object.cov = Eigen::Vector3d(f.Number(4), f.Number(5), f.Number(6)).cwiseAbs2().asDiagonal();
+    object.color = f.Text(7);
+    if (!object.ned.allFinite() || !object.cov.allFinite()) throw BadLine{"not finite"};
+  };
+  if (auto error = ReadRows(landmarks, place)) return *std::move(error);
+  std::vector<double> lower;
+  std::size_t rows = 0;
+  const auto correlate = [&](const CsvFields& f) {
+    if (rows / 3 >= former.ids.size() || f.Integer(0) != former.ids[rows / 3]) {
+      throw BadLine{fmt::format("not the next landmark of {}", landmarks.name)};
+    }
+    f.Expect(++rows + 2);
+    for (std::size_t i = 2; i < f.size(); ++i)
+      lower.push_back(f.Number(i));
+  };
+  if (auto error = ReadRows(covariance, correlate)) return *std::move(error);
+  const auto joint = FromLowerTriangle(lower);
+  if (!joint || rows != 3 * former.ids.size()) {
+    return Error{fmt::format("{}: not three finite rows for each of {} landmarks", covariance.name,
+                             former.ids.size())};
+  }
+  former.covariance = *joint;
+  return former;
+}
+
+Expected<FormerSession> LoadFormerLandmarks(const std::filesystem::path& folder) {
+  StreamFile landmarks{.name = (folder / kLandmarks).string(), .lines = {}};
+  StreamFile covariance{.name = (folder / kCovariance).string(), .lines = {}};
+  for (StreamFile* file : {&landmarks, &covariance}) {
+    Expected<std::vector<std::string>> lines = ReadLines(file->name);
+    if (!lines) return lines.error();
+    file->lines = *std::move(lines);
+  }
+  return ParseFormerLandmarks(landmarks, covariance);
+}
+
+}  // namespace limpet

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/navigation/former_session.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace limpet {
+namespace {
+
+using ::testing::ElementsAre;
+
+/// Joint covariance of places in a frame that may be off by `shift` [m] and `turn` [rad], each
+/// place known to `own` [m] in it.
+Eigen::MatrixXd JointOf(const std::vector<PlacedObject>& objects, double shift, double turn,
+                        double own) {
+  const auto n = static_cast<Eigen::Index>(3 * objects.size());
+  Eigen::MatrixXd J(n, 4);
+  for (Eigen::Index i = 0; i < n; i += 3) {
+    J.middleRows<3>(i) = FrameOffset{}.Jacobian(objects[static_cast<std::size_t>(i / 3)].ned);
+  }
+  const Eigen::Vector4d frame(shift * shift, shift * shift, 0.01 * 0.01, turn * turn);
+  return J * frame.asDiagonal() * J.transpose() + own * own * Eigen::MatrixXd::Identity(n, n);
+}
+
+std::vector<PlacedObject> Objects(const std::vector<Eigen::Vector2d>& places) {
+  std::vector<PlacedObject> objects;
+  for (const Eigen::Vector2d& p : places) {
+    objects.push_back({.ned = {p.x(), p.y(), 6.0}, .cov = {}, .color = "yellow"});
+  }
+  return objects;
+}
+
+const std::vector<Eigen::Vector2d> kPlaces{{4.0, 1.0}, {2.0, 10.0}, {6.0, -3.0}, {-6.0, -5.0}};
+
+FormerSession Former(double frame_shift = 0.5) {
+  FormerSession former{.ids = {1, 2, 3, 4}, .objects = Objects(kPlaces), .covariance = {}};
+  former.covariance = JointOf(former.objects, frame_shift, 0.01, 0.05);
+  return former;
+}
+
+/// The objects of this session: places of the former one, taken along by `offset`.
+PresentLandmarks Present(const std::vector<Eigen::Vector2d>& places, const FrameOffset& offset = {},
+                         double frame_shift = 0.5) {
+  PresentLandmarks present{.slots = {}, .objects = Objects(places), .covariance = {}};
+  for (PlacedObject& object : present.objects) {
+    object.ned = offset.Apply(object.ned);
+    present.slots.push_back(10 + static_cast<int>(present.slots.size()));
+  }
+  present.covariance = JointOf(present.objects, frame_shift, 0.01, 0.05);
+  return present;
+}
+
+/// Best estimate of present places with the tie's prior: (places, covariance).
+std::pair<Eigen::VectorXd, Eigen::MatrixXd> Together(const PresentLandmarks& present,
+                                                     const JointPrior& prior) {
+  const Eigen::Index n = present.covariance.rows();
+  Eigen::MatrixXd information = present.covariance.inverse();
+  Eigen::VectorXd mean(n);
+  for (Eigen::Index i = 0; i < n; i += 3)
+    mean.segment<3>(i) = present.objects[static_cast<std::size_t>(i / 3)].ned;
+  Eigen::VectorXd pull = information * mean;
+  for (std::size_t a = 0; a < prior.slots().size(); ++a) {
+    const auto row = static_cast<Eigen::Index>(3 * (prior.slots()[a] - 10));
+    for (std::size_t b = 0; b < prior.slots().size(); ++b) {
+      const auto column = static_cast<Eigen::Index>(3 * (prior.slots()[b] - 10));
+      const auto block = prior.information().block<3, 3>(static_cast<Eigen::Index>(3 * a),
+                                                         static_cast<Eigen::Index>(3 * b));
+      information.block<3, 3>(row, column) += block;
+      pull.segment<3>(row) += block * prior.mean().segment<3>(static_cast<Eigen::Index>(3 * b));
+    }
+  }
+  const Eigen::MatrixXd covariance = information.inverse();
+  return {covariance * pull, covariance};
+}
+
+TEST(FormerSessionTie, FindsAShiftOfMetresAndATurnOfManyDegrees) {
+  FormerSessionTie tie({.datum_sigma = Meters(8.0), .datum_turn_sigma = Radians(0.3)});
+  tie.SetFormer(Former());
+  FrameOffset truth{.shift = {5.0, -3.0}, .turn = 0.2, .pivot = {1.5, 0.75}};
+  ASSERT_TRUE(tie.Match(Present(kPlaces, truth), std::nullopt));
+  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 2, 3, 4));
+  EXPECT_NEAR(tie.offset().shift.x(), 5.0, 0.05);
+  EXPECT_NEAR(tie.offset().shift.y(), -3.0, 0.05);
+  EXPECT_NEAR(tie.offset().turn, 0.2, 0.01);
+}
+
+TEST(FormerSessionTie, WeighsBothSessionsFixesWhereTheirFramesAgreeAsTheyShould) {
+  FormerSessionTie tie({});
+  tie.SetFormer(Former());
+  const FrameOffset off{.shift = {0.6, 0.0}, .turn = 0.0, .pivot = {}};
+  const PresentLandmarks present = Present(kPlaces, off);
+  ASSERT_TRUE(tie.Match(present, std::nullopt));
+  const auto [places, covariance] = Together(present, *tie.prior());
+  // Both know their frame equally well: the truth is half way, and better known than by one alone.
+  EXPECT_NEAR(places(0) - kPlaces[0].x(), 0.3, 0.05);
+  EXPECT_LT(std::sqrt(covariance(0, 0)), 0.75 * std::sqrt(present.covariance(0, 0)));
+}
+
+TEST(FormerSessionTie, TakesOnlyTheShapeOfASessionWhoseFrameIsFarOff) {
+  FormerSessionTie tie({.datum_sigma = Meters(8.0)});
+  tie.SetFormer(Former());
+  const FrameOffset off{.shift = {6.0, 2.0}, .turn = 0.0, .pivot = {}};
+  PresentLandmarks present = Present(kPlaces, off);
+  present.objects[3].ned.x() += 0.3;  // as drift would have it
+  present.covariance(9, 9) += 0.25;
+  ASSERT_TRUE(tie.Match(present, std::nullopt));
+  const auto [places, covariance] = Together(present, *tie.prior());
+  EXPECT_NEAR(places(0), kPlaces[0].x() + 6.0, 0.1);
+  EXPECT_NEAR(places(9) - places(0), kPlaces[3].x() - kPlaces[0].x(), 0.15);
+}
+
+TEST(FormerSessionTie, IsNotDraggedByWhatWentCameOrMoved) {
+  FormerSessionTie tie({});
+  tie.SetFormer(Former());
+  FormerSessionTie undisturbed({});
+  undisturbed.SetFormer(Former());
+  const FrameOffset off{.shift = {0.4, -0.3}, .turn = 0.0, .pivot = {}};
+  // The first and the last are where they were; the second moved by 2 m, one is new.
+  ASSERT_TRUE(tie.Match(Present({kPlaces[0], kPlaces[3], {2.0, 12.0}, {-3.0, 11.0}}, off), {}));
+  ASSERT_TRUE(undisturbed.Match(Present({kPlaces[0], kPlaces[3]}, off), {}));
+  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 4, -1, -1));
+  EXPECT_THAT(tie.prior()->slots(), ElementsAre(10, 11));
+  EXPECT_LT((tie.offset().vector() - undisturbed.offset().vector()).norm(), 0.005);
+}
+
+TEST(FormerSessionTie, AMatchDoesNotProveItself) {
+  FormerSessionTie tie({});
+  tie.SetFormer(Former());
+  const FrameOffset off{.shift = {0.9, 0.5}, .turn = 0.01, .pivot = {}};
+  const PresentLandmarks alone = Present(kPlaces, off);
+  ASSERT_TRUE(tie.Match(alone, std::nullopt));
+  const JointPrior first = *tie.prior();
+  const FrameOffset offset = tie.offset();
+  // As the smoother has them once it has taken the prior in.
+  PresentLandmarks tied = alone;
+  const auto [places, covariance] = Together(alone, first);
+  tied.covariance = covariance;
+  for (Eigen::Index i = 0; i < places.size(); i += 3)
+    tied.objects[static_cast<std::size_t>(i / 3)].ned = places.segment<3>(i);
+  ASSERT_TRUE(tie.Match(tied, first));
+  EXPECT_LT((tie.offset().vector() - offset.vector()).norm(), 1e-4);
+  EXPECT_LT((tie.prior()->mean() - first.mean()).norm(), 1e-3);
+}
+
+TEST(FormerSessionTie, OneObjectAloneTiesNothing) {
+  FormerSessionTie tie({});
+  tie.SetFormer(Former());
+  ASSERT_TRUE(tie.Match(Present({kPlaces[2]}), std::nullopt));
+  EXPECT_THAT(tie.former_ids(), ElementsAre(3));
+  EXPECT_FALSE(tie.prior());
+}
+
+TEST(FormerSessionTie, LivesWithCovariancesThatAreNone) {
+  FormerSession broken = Former();
+  broken.covariance.setConstant(-1.0);
+  for (PlacedObject& object : broken.objects)
+    object.cov = -Eigen::Matrix3d::Identity();
+  FormerSessionTie tie({});
+  tie.SetFormer(broken);
+  ASSERT_TRUE(tie.Match(Present(kPlaces), std::nullopt));
+  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 2, 3, 4));
+}
+
+TEST(FormerSessionTie, HasNothingToSayWithoutFormerObjects) {
+  FormerSessionTie tie({});
+  tie.SetFormer({});
+  EXPECT_FALSE(tie.Match(Present(kPlaces), std::nullopt));
+}
+
+}  // namespace
+}  // namespace limpet
