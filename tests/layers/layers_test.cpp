@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/layers/type_names.hpp"
+
 namespace limpet::layers {
 namespace {
 
@@ -54,6 +56,21 @@ TEST(Layers, EveryIncludeOfTheTreeIsInTheTableOfTheArchitecture) {
       ReadLayerTable(ReadAll(std::filesystem::path(LIMPET_SOURCE_DIR) / "docs/architecture.md"));
   EXPECT_GT(table.size(), 10U) << "the table was not found";
   EXPECT_THAT(Violations(files, table), IsEmpty());
+}
+
+TEST(TypeNames, AreEachOfOneType) { EXPECT_THAT(TypesDefinedTwice(TreeFiles()), IsEmpty()); }
+
+TEST(TypeNames, OfTwoFilesThatDefineTheSameAreComplainedAbout) {
+  const SourceFile a{"a.hpp", "namespace limpet {\nstruct Frame {\n};\n}  // namespace limpet\n"};
+  const SourceFile b{
+      "b.hpp", "namespace limpet {\nclass Frame final : public X {\n}  // namespace limpet\n"};
+  const SourceFile hidden{"c.cpp",
+                          "namespace limpet {\nnamespace {\nstruct Frame {\n};\n}  // namespace\n"};
+  const SourceFile elsewhere{
+      "d.hpp", "namespace limpet::layers {\nstruct Frame {\n}  // namespace limpet::layers\n"};
+  EXPECT_THAT(TypesDefinedTwice({a, b, hidden, elsewhere}),
+              ElementsAre("limpet::Frame: a.hpp b.hpp"));
+  EXPECT_THAT(TypesDefinedTwice({a, hidden, elsewhere}), IsEmpty());
 }
 
 TEST(LayerTable, EndsWithItsMarkdownTable) {

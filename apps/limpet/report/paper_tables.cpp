@@ -42,9 +42,9 @@ constexpr PaperPaths kTable7{
     {"-", "-"}, {"131.06 \u00b1 16.14", "-"}, {"147.68 \u00b1 10.03", "-"}};
 constexpr PaperPaths kTable8{{"-", "-"}, {"154.77 \u00b1 9.82", "-"}, {"171.05 \u00b1 16.11", "-"}};
 
-TextTable PathTable(const std::string& title, const SessionStatistics& session,
-                    const PaperPaths& paper, bool is_change) {
-  TextTable table{
+PaperTable PathTable(const std::string& title, const SessionStatistics& session,
+                     const PaperPaths& paper, bool is_change) {
+  PaperTable table{
       title,
       {"way [m] to", "ours, bottom", "ours, band", "paper, objects and cover", "paper, cover only"},
       {},
@@ -65,8 +65,8 @@ TextTable PathTable(const std::string& title, const SessionStatistics& session,
   return table;
 }
 
-TextTable PlaceTable(const SessionStatistics& session) {
-  TextTable table{
+PaperTable PlaceTable(const SessionStatistics& session) {
+  PaperTable table{
       "Table 2: places of the objects, discovery session [m]",
       {"object", "found", "error", "aligned", "map centroid", "sd horizontal", "sd vertical"},
       {},
@@ -82,8 +82,8 @@ TextTable PlaceTable(const SessionStatistics& session) {
   return table;
 }
 
-TextTable StatusTable(const SessionStatistics& session) {
-  TextTable table{
+PaperTable StatusTable(const SessionStatistics& session) {
+  PaperTable table{
       "Table 3: statuses, change session", {"object", "truth", "right", "probability"}, {}, ""};
   for (const auto& [name, status] : session.statuses) {
     table.rows.push_back({name, status.expected, Text(status.right), Text(status.probability, 3)});
@@ -92,12 +92,12 @@ TextTable StatusTable(const SessionStatistics& session) {
   return table;
 }
 
-TextTable RateTable(const RunStatistics& runs) {
-  TextTable table{"How often it went well",
-                  {"session", "home within 3 m", "covered", "none missed", "none invented",
-                   "all within 1 m", "statuses right"},
-                  {},
-                  ""};
+PaperTable RateTable(const RunStatistics& runs) {
+  PaperTable table{"How often it went well",
+                   {"session", "home within 3 m", "covered", "none missed", "none invented",
+                    "all within 1 m", "statuses right"},
+                   {},
+                   ""};
   for (const auto& [name, s] : runs.sessions) {
     table.rows.push_back({name, Text(s.home), Text(s.covered), Text(s.none_missed),
                           Text(s.none_invented), Text(s.all_within_1m), Text(s.statuses_right)});
@@ -114,12 +114,12 @@ TextTable RateTable(const RunStatistics& runs) {
   return table;
 }
 
-TextTable NavigationTable(const RunStatistics& runs) {
-  TextTable table{"Navigation and speed",
-                  {"session", "rmse [m]", "aligned [m]", "at the end [m]", "dead reckoning [m]",
-                   "NEES (ideal 3)", "real time x"},
-                  {},
-                  ""};
+PaperTable NavigationTable(const RunStatistics& runs) {
+  PaperTable table{"Navigation and speed",
+                   {"session", "rmse [m]", "aligned [m]", "at the end [m]", "dead reckoning [m]",
+                    "NEES (ideal 3)", "real time x"},
+                   {},
+                   ""};
   for (const auto& [name, s] : runs.sessions) {
     table.rows.push_back({name, Text(s.position_rmse_m, 2), Text(s.aligned_rmse_m, 2),
                           Text(s.final_error_m, 2), Text(s.dead_reckoning_final_error_m, 2),
@@ -130,8 +130,8 @@ TextTable NavigationTable(const RunStatistics& runs) {
 
 }  // namespace
 
-std::vector<TextTable> PaperTables(const RunStatistics& runs) {
-  std::vector<TextTable> tables;
+std::vector<PaperTable> PaperTables(const RunStatistics& runs) {
+  std::vector<PaperTable> tables;
   const bool is_basin = runs.mission.starts_with("basin");
   const auto discovery = runs.sessions.find("discovery");
   const auto change = runs.sessions.find("change");

@@ -9,7 +9,7 @@
 namespace limpet {
 
 /// A table of text with a header row; the first column is set left, the others right.
-struct TextTable {
+struct PaperTable {
   std::string title;
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
@@ -18,11 +18,11 @@ struct TextTable {
 
 /// The paper's Tables 2 to 5 (7 and 8 for the mission `basin`) beside the runs', then how often
 /// runs went well.
-[[nodiscard]] std::vector<TextTable> PaperTables(const RunStatistics& runs);
+[[nodiscard]] std::vector<PaperTable> PaperTables(const RunStatistics& runs);
 
 /// The tables for a terminal and as Markdown.
-[[nodiscard]] std::string PlainText(const std::vector<TextTable>& tables);
-[[nodiscard]] std::string Markdown(const std::vector<TextTable>& tables);
+[[nodiscard]] std::string PlainText(const std::vector<PaperTable>& tables);
+[[nodiscard]] std::string Markdown(const std::vector<PaperTable>& tables);
 
 /// tables.json: every statistic with mean, sd, count and how often it was asked for; every rate.
 [[nodiscard]] std::string TablesJson(const RunStatistics& runs, const std::string& options);

@@ -21,7 +21,7 @@ std::string Padded(const std::string& text, std::size_t width, bool is_left) {
   return is_left ? text + blanks : blanks + text;
 }
 
-std::vector<std::size_t> WidthsOf(const TextTable& table) {
+std::vector<std::size_t> WidthsOf(const PaperTable& table) {
   std::vector<std::size_t> widths(table.header.size(), 0);
   const auto widen = [&](const std::vector<std::string>& row) {
     for (std::size_t i = 0; i < std::min(row.size(), widths.size()); ++i) {
@@ -45,9 +45,9 @@ std::string Line(const std::vector<std::string>& row, const std::vector<std::siz
 
 }  // namespace
 
-std::string PlainText(const std::vector<TextTable>& tables) {
+std::string PlainText(const std::vector<PaperTable>& tables) {
   std::string out;
-  for (const TextTable& table : tables) {
+  for (const PaperTable& table : tables) {
     const auto widths = WidthsOf(table);
     out += (out.empty() ? "" : "\n") + table.title + "\n" + Line(table.header, widths);
     for (const auto& row : table.rows)
@@ -57,12 +57,12 @@ std::string PlainText(const std::vector<TextTable>& tables) {
   return out;
 }
 
-std::string Markdown(const std::vector<TextTable>& tables) {
+std::string Markdown(const std::vector<PaperTable>& tables) {
   std::string out;
   const auto line = [](const std::vector<std::string>& row) {
     return fmt::format("| {} |\n", fmt::join(row, " | "));
   };
-  for (const TextTable& table : tables) {
+  for (const PaperTable& table : tables) {
     out += fmt::format("{}## {}\n\n{}|", out.empty() ? "" : "\n", table.title, line(table.header));
     for (std::size_t i = 0; i < table.header.size(); ++i)
       out += i == 0 ? " --- |" : " ---: |";
