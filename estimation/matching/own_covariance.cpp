@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include "estimation/matching/frame_offset.hpp"
 

@@ -19,12 +19,12 @@ constexpr std::size_t kStarts = 12, kNeighbours = 3;
 class SessionMatcher {
  public:
   SessionMatcher(const std::vector<PlacedObject>& former, const std::vector<PlacedObject>& now,
-                 const MatchingParams& params)
-      : former_(former), now_(now), params_(params), gate_(std::pow(params.gate_sigmas, 2)) {
-    const double shift =
-        std::pow(std::hypot(params.offset_sigma.value(), params.datum_sigma.value()), -2);
-    prior_ << shift, shift, std::pow(params.down_sigma.value(), -2),
-        std::pow(std::hypot(params.turn_sigma.value(), params.datum_turn_sigma.value()), -2);
+                 const MatchingParams& params, const Eigen::Matrix4d& prior)
+      : former_(former),
+        now_(now),
+        params_(params),
+        gate_(std::pow(params.gate_sigmas, 2)),
+        prior_(prior) {
     for (const PlacedObject& object : former_) {
       pivot_ += object.ned.head<2>() / static_cast<double>(former_.size());
     }
@@ -104,9 +104,8 @@ class SessionMatcher {
   /// `pair`: the former place that alone stands for the start; its turn is not known then.
   void AddStart(const FrameOffset& offset, const std::optional<Eigen::Vector3d>& pair,
                 std::vector<Start>& starts) const {
-    const Eigen::Vector4d sigmas = offset.vector().cwiseProduct(prior_.cwiseSqrt());
-    if (sigmas.head<2>().norm() > params_.gate_sigmas ||
-        std::abs(sigmas(3)) > params_.gate_sigmas) {
+    const double improbable = PriorCost(offset);
+    if (improbable > gate_) {
       return;
     }
     int near = 0;
@@ -118,7 +117,11 @@ class SessionMatcher {
         return ColorCost(a, b) <= gate_ && (b.ned.head<2>() - there).squaredNorm() < reach;
       });
     }
-    starts.push_back({offset, near - sigmas.squaredNorm() / gate_});
+    starts.push_back({offset, near - improbable / gate_});
+  }
+
+  [[nodiscard]] double PriorCost(const FrameOffset& offset) const {
+    return offset.vector().dot(prior_ * offset.vector());
   }
 
   [[nodiscard]] Eigen::Matrix3d PairCovariance(const PlacedObject& a, const PlacedObject& b) const {
@@ -172,8 +175,8 @@ class SessionMatcher {
     FrameOffset offset{.pivot = pivot_};
     Eigen::Matrix4d covariance;
     for (int turn = 0; turn < kTurns; ++turn) {
-      Eigen::Matrix4d information = prior_.asDiagonal();
-      Eigen::Vector4d pull = -prior_.cwiseProduct(offset.vector());
+      Eigen::Matrix4d information = prior_;
+      Eigen::Vector4d pull = -prior_ * offset.vector();
       for (std::size_t i = 0; i < former_.size(); ++i) {
         const int j = match.now_of_former[i];
         if (j < 0) continue;
@@ -196,7 +199,7 @@ class SessionMatcher {
 
   /// What a match explains less what the offset costs; lower is better.
   [[nodiscard]] double Cost(const SessionMatch& match) const {
-    double cost = match.offset.vector().cwiseAbs2().dot(prior_);
+    double cost = PriorCost(match.offset);
     for (std::size_t i = 0; i < former_.size(); ++i) {
       const int j = match.now_of_former[i];
       cost += j < 0 ? gate_ : Distance(former_[i], now_[static_cast<std::size_t>(j)], match.offset);
@@ -208,15 +211,23 @@ class SessionMatcher {
   const std::vector<PlacedObject>& now_;
   const MatchingParams& params_;
   double gate_;
-  Eigen::Vector4d prior_;  ///< information of (north, east, down, turn)
+  Eigen::Matrix4d prior_;
   Eigen::Vector2d pivot_ = Eigen::Vector2d::Zero();
 };
 
 }  // namespace
 
+Eigen::Matrix4d OffsetPrior(const MatchingParams& params) {
+  const double shift = std::hypot(params.offset_sigma.value(), params.datum_sigma.value());
+  const double turn = std::hypot(params.turn_sigma.value(), params.datum_turn_sigma.value());
+  const Eigen::Vector4d sigmas(shift, shift, params.down_sigma.value(), turn);
+  return sigmas.cwiseAbs2().cwiseInverse().asDiagonal();
+}
+
 SessionMatch MatchSessions(const std::vector<PlacedObject>& former,
-                           const std::vector<PlacedObject>& now, const MatchingParams& params) {
-  return SessionMatcher(former, now, params).Solve();
+                           const std::vector<PlacedObject>& now, const MatchingParams& params,
+                           const Eigen::Matrix4d& prior) {
+  return SessionMatcher(former, now, params, prior).Solve();
 }
 
 }  // namespace limpet

@@ -47,6 +47,9 @@ struct MatchingParams {
   }
 };
 
+/// Information of (north, east, down, turn) before any match, from the parameters alone.
+[[nodiscard]] Eigen::Matrix4d OffsetPrior(const MatchingParams& params);
+
 struct SessionMatch {
   std::vector<int> now_of_former;  ///< per former object, index of this session's object or -1
   FrameOffset offset;
@@ -58,9 +61,15 @@ struct SessionMatch {
 /// Every pair, alone and with a neighbour, proposes a start, so that one wrong neighbour cannot
 /// lead the rest astray, and a frame that lies metres off or is turned by many degrees is found if
 /// the priors allow it. Each object's covariance is its own, without what is common to its session:
-/// own_covariance.hpp.
+/// own_covariance.hpp. `prior`: information of the offset (north, east, down, turn).
 [[nodiscard]] SessionMatch MatchSessions(const std::vector<PlacedObject>& former,
                                          const std::vector<PlacedObject>& now,
-                                         const MatchingParams& params);
+                                         const MatchingParams& params,
+                                         const Eigen::Matrix4d& prior);
+[[nodiscard]] inline SessionMatch MatchSessions(const std::vector<PlacedObject>& former,
+                                                const std::vector<PlacedObject>& now,
+                                                const MatchingParams& params) {
+  return MatchSessions(former, now, params, OffsetPrior(params));
+}
 
 }  // namespace limpet

@@ -18,6 +18,7 @@ namespace {
 // both sessions hold possible is believed the less, the farther.
 constexpr double kFrameGate = 13.3;
 
+constexpr double kPlaced = 0.6;          // [m] deviation per axis of a place among the others
 constexpr double kLeastVariance = 1e-6;  // [m^2] of a place, whatever a file says
 
 bool IsCovariance(const Eigen::MatrixXd& matrix) { return matrix.llt().info() == Eigen::Success; }
@@ -58,6 +59,17 @@ bool TakeOut(const JointPrior& prior, PresentLandmarks& present) {
     present.objects[i].ned = mean.segment<3>(static_cast<Eigen::Index>(3 * i));
   }
   return mean.allFinite();
+}
+
+/// Landmarks whose place among the others is known; of one that was seen after a dropout, say, it
+/// would be chance which object it fits.
+std::vector<std::size_t> WellPlaced(const Eigen::MatrixXd& own) {
+  std::vector<std::size_t> placed;
+  for (Eigen::Index row = 0; row < own.rows(); row += 3) {
+    const bool is_placed = own.diagonal().segment<2>(row).maxCoeff() < kPlaced * kPlaced;
+    if (is_placed) placed.push_back(static_cast<std::size_t>(row / 3));
+  }
+  return placed;
 }
 
 void SetOwn(std::vector<PlacedObject>& objects, const Eigen::MatrixXd& own) {
@@ -106,13 +118,18 @@ bool FormerSessionTie::Match(const PresentLandmarks& landmarks,
   const SplitCovariance split =
       SplitFrom(PlacesOf(present.objects), present.covariance, offset_.pivot);
   SetOwn(present.objects, split.own);
-  const SessionMatch match = MatchSessions(former_.objects, present.objects, params_);
+  const std::vector<std::size_t> placed = WellPlaced(split.own);
+  std::vector<PlacedObject> candidates;
+  for (const std::size_t i : placed)
+    candidates.push_back(present.objects[i]);
+  const SessionMatch match =
+      MatchSessions(former_.objects, candidates, params_, OffsetInformation(split.frame));
   offset_ = match.offset;
   former_ids_.assign(present.slots.size(), -1);
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < former_.ids.size(); ++i) {
     if (match.now_of_former[i] < 0) continue;
-    pairs.push_back({i, static_cast<std::size_t>(match.now_of_former[i])});
+    pairs.push_back({i, placed[static_cast<std::size_t>(match.now_of_former[i])]});
     former_ids_[pairs.back().now] = former_.ids[i];
   }
   prior_.reset();
@@ -120,6 +137,19 @@ bool FormerSessionTie::Match(const PresentLandmarks& landmarks,
     prior_ = PriorFrom(pairs, present, split.frame, split.own);
   }
   return true;
+}
+
+Eigen::Matrix4d FormerSessionTie::DatumCovariance() const {
+  const double datum = params_.datum_sigma.value(), turn = params_.datum_turn_sigma.value();
+  return Eigen::Vector4d(datum * datum, datum * datum, 0.0, turn * turn).asDiagonal();
+}
+
+Eigen::Matrix4d FormerSessionTie::OffsetInformation(const Eigen::Matrix4d& now_frame) const {
+  // Never surer than the parameters are: a fix may be worse than it says.
+  const Eigen::Vector4d least = OffsetPrior(params_).diagonal().cwiseInverse();
+  Eigen::Matrix4d covariance = former_frame_ + now_frame + DatumCovariance();
+  covariance.diagonal() = covariance.diagonal().cwiseMax(least);
+  return covariance.inverse();
 }
 
 JointPrior FormerSessionTie::PriorFrom(const std::vector<Pair>& pairs,
@@ -153,9 +183,7 @@ JointPrior FormerSessionTie::PriorFrom(const std::vector<Pair>& pairs,
       (information + 1e-6 * Eigen::Matrix4d::Identity()).inverse();
   const Eigen::Vector4d seen =
       offset_.vector() + seen_covariance * (J.transpose() * llt.solve(off));
-  Eigen::Matrix4d frame = former_frame_;
-  const double datum = params_.datum_sigma.value(), turn = params_.datum_turn_sigma.value();
-  frame.diagonal() += Eigen::Vector4d(datum * datum, datum * datum, 0.0, turn * turn);
+  const Eigen::Matrix4d frame = former_frame_ + DatumCovariance();
   const Eigen::Matrix4d expected = frame + now_frame + seen_covariance;
   const double distance = seen.dot(expected.inverse() * seen);
   const double doubt = std::pow(std::max(distance / kFrameGate, 1.0), 2);

@@ -54,6 +54,10 @@ class FormerSessionTie {
   struct Pair {
     std::size_t former, now;
   };
+  /// Of what neither session's fixes know of.
+  [[nodiscard]] Eigen::Matrix4d DatumCovariance() const;
+  /// Of the offset (north, east, down, turn) before any match.
+  [[nodiscard]] Eigen::Matrix4d OffsetInformation(const Eigen::Matrix4d& now_frame) const;
   [[nodiscard]] JointPrior PriorFrom(const std::vector<Pair>& pairs,
                                      const PresentLandmarks& present,
                                      const Eigen::Matrix4d& now_frame,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // nav_study [--scene table1|hour|dropouts|twins|day|deep] [--seed FIRST] [--seeds N] [--oracle]
-// [--details]: the estimator on simulated sessions, one line each, and their summary with NEES and
-// update times. --oracle adds what a detector without mistakes would give.
+// [--former] [--details]: the estimator on simulated sessions, one line each, and their summary
+// with NEES and update times. --oracle adds what a detector without mistakes would give; --former
+// gives each session what an earlier one over the same place left: since then an eighth of the
+// objects are gone, and as many came.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -165,8 +167,8 @@ void PrintDetails(const SimulatedStream& session, const ReplayResult& result,
     fmt::print("  landmark {} class {} at ({:.2f} {:.2f} {:.2f})", l.id, l.color, p.x(), p.y(),
                p.z());
     for (const auto& [id, times] : looks[l.id]) {
-      const double off =
-          id > 0 ? (p - session.truth.landmarks[static_cast<std::size_t>(id) - 1].p).norm() : 0.0;
+      const auto object = std::ranges::find(session.truth.landmarks, id, &TrueLandmark::id);
+      const double off = object == session.truth.landmarks.end() ? 0.0 : (p - object->p).norm();
       fmt::print("; object {} ({:.2f} m off):{}", id, off, SightingsOf(times));
     }
     fmt::print("\n");
@@ -176,13 +178,32 @@ void PrintDetails(const SimulatedStream& session, const ReplayResult& result,
 struct Options {
   std::string scene = "table1";
   int first = 1, count = 5;
-  bool has_oracle = false, has_details = false;
+  bool has_oracle = false, has_details = false, has_former = false;
 };
 
-Outcome PrintSession(const SimulatedStream& session, int seed, const Options& options) {
+/// What an earlier session over the scene's place left; makes the scene a later one.
+FormerSession FormerOf(StreamScene& scene) {
+  StreamScene earlier = scene;
+  earlier.place = scene.place = scene.seed;
+  earlier.seed += 100000;
+  scene.gone = scene.came = std::max(scene.objects / 8, 1);
+  const SimulatedStream session = SimulateStream(earlier);
+  const ReplayResult result =
+      Replay(session.stream, ParamsForStream(session.stream.meta), [] { return 0.0; });
+  FormerSession former{.ids = {}, .objects = {}, .covariance = result.landmark_covariance};
+  for (const LandmarkEstimate& l : result.landmarks) {
+    former.ids.push_back(l.id);
+    former.objects.push_back({.ned = l.p, .cov = l.covariance, .color = l.color});
+  }
+  return former;
+}
+
+Outcome PrintSession(const SimulatedStream& session, const FormerSession& former, int seed,
+                     const Options& options) {
   const double start = ThreadTime().value();
-  const ReplayResult result = Replay(session.stream, ParamsForStream(session.stream.meta),
-                                     [] { return ThreadTime().value(); });
+  const ReplayResult result = Replay(
+      session.stream, ParamsForStream(session.stream.meta), [] { return ThreadTime().value(); }, {},
+      former);
   const double total = ThreadTime().value() - start;
   const auto smoothed = ErrorOf(result.smoothed, session.truth);
   const auto online = ErrorOf(result.online, session.truth);
@@ -254,6 +275,8 @@ int main(int argc, char** argv) {
     const std::string word = argv[i];
     if (word == "--oracle") {
       options.has_oracle = true;
+    } else if (word == "--former") {
+      options.has_former = true;
     } else if (word == "--details") {
       options.has_details = true;
     } else if (i + 1 < argc && word == "--scene") {
@@ -277,7 +300,8 @@ int main(int argc, char** argv) {
   for (int seed = options.first; seed < options.first + options.count; ++seed) {
     StreamScene scene = scenes.at(options.scene);
     scene.seed = static_cast<std::uint64_t>(seed);
-    outcomes.push_back(PrintSession(SimulateStream(scene), seed, options));
+    const FormerSession former = options.has_former ? FormerOf(scene) : FormerSession{};
+    outcomes.push_back(PrintSession(SimulateStream(scene), former, seed, options));
   }
   PrintSummary(outcomes);
   return 0;

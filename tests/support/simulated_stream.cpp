@@ -275,9 +275,10 @@ class Recorder {
     for (std::size_t i = 0; i < ground_.objects().size(); ++i) {
       const auto box = BoxOf(ground_.objects()[i], X, 0.87, 0.95);
       if (!box) continue;
-      out_.shown[{frames_, static_cast<int>(row.frame.boxes.size())}] = static_cast<int>(i) + 1;
+      const int id = scene_.gone + static_cast<int>(i) + 1;
+      out_.shown[{frames_, static_cast<int>(row.frame.boxes.size())}] = id;
       row.frame.boxes.push_back(*box);
-      const int own = static_cast<int>(i / (scene_.has_twins ? 2U : 1U)) % scene_.classes;
+      const int own = (id - 1) / (scene_.has_twins ? 2 : 1) % scene_.classes;
       const bool is_confused = boxes_.Chance(0.03);
       row.frame.boxes.back().color = std::to_string((own + (is_confused ? 1 : 0)) % scene_.classes);
       ++true_boxes_;

@@ -144,6 +144,16 @@ TEST(FormerSessionTie, AMatchDoesNotProveItself) {
   EXPECT_LT((tie.prior()->mean() - first.mean()).norm(), 1e-3);
 }
 
+TEST(FormerSessionTie, DoesNotAskALandmarkWhosePlaceAmongTheOthersIsNotKnown) {
+  FormerSessionTie tie({});
+  tie.SetFormer(Former());
+  // The last one was seen after a dropout of the DVL: it may be anything within metres.
+  PresentLandmarks present = Present({kPlaces[0], kPlaces[1], kPlaces[2], {-4.5, -4.0}});
+  present.covariance.block<2, 2>(9, 9) += 4.0 * Eigen::Matrix2d::Identity();
+  ASSERT_TRUE(tie.Match(present, std::nullopt));
+  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 2, 3, -1));
+}
+
 TEST(FormerSessionTie, OneObjectAloneTiesNothing) {
   FormerSessionTie tie({});
   tie.SetFormer(Former());
