@@ -57,7 +57,9 @@ class ArrowSmoother final : public Smoother {
   void CloseLeaf();
   void RebuildOpenLeaf();
   void RebuildLeaf(int leaf);
-  void SolveRoot(SolveReport& report);
+  /// Solves for the newest poses and the border, and linearises the newest leaf anew where it moved
+  /// far, at most so often.
+  void SolveRoot(SolveReport& report, int relinearizations);
   void SetPrior();
   void AddJointPrior(ArrowMessage& message) const;
   /// Brings the trunk up to date where that is little work, or goes on doing it behind the scenes.

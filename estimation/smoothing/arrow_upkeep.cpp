@@ -158,8 +158,9 @@ SolveReport ArrowSmoother::Converge() {
   double cost = std::numeric_limits<double>::infinity();
   while (report.iterations < params_.rounds_to_converge && !report.has_converged) {
     if (report.iterations > 0) LinearizeAll();
+    // No part may move before the step as a whole is found good.
     SolveReport solved;
-    SolveRoot(solved);
+    SolveRoot(solved, 0);
     std::vector<NavVector> poses(AsIndex(graph_.node_count()));
     for (int i = graph_.node_count() - 1; i >= 0; --i)
       poses[AsIndex(i)] = PoseAt(i);
@@ -172,7 +173,7 @@ SolveReport ArrowSmoother::Converge() {
   }
   LinearizeAll();
   SolveReport solved;
-  SolveRoot(solved);
+  SolveRoot(solved, 0);
   report.cost = cost;
   report.reason = report.has_converged ? "cost settled" : "no longer falls within the rounds given";
   return report;

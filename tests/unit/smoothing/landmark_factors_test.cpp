@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include "estimation/smoothing/factors/distance_factor.hpp"
 #include "estimation/smoothing/factors/edge_factor.hpp"
 #include "estimation/smoothing/factors/landmark_prior_factor.hpp"
 #include "estimation/smoothing/factors/range_factor.hpp"
@@ -134,6 +135,19 @@ TEST_F(LandmarkFactorTest, PriorJacobianMatchesCentralDifferences) {
   EXPECT_GT(r.norm(), 0.0);
   const auto f = [&](const Eigen::Vector3d& p) { return Eigen::VectorXd(factor.Evaluate(p)); };
   EXPECT_LT((J - NumericJacobian(f, p_W_)).lpNorm<Eigen::Infinity>(), 1e-6);
+}
+
+TEST_F(LandmarkFactorTest, DistanceIsZeroAtTheTruth) {
+  const DistanceFactor factor(Meters((p_W_ - x_.head<3>()).norm()), 0.1_m);
+  EXPECT_NEAR(factor.Evaluate(x_, p_W_).norm(), 0.0, 1e-12);
+}
+TEST_F(LandmarkFactorTest, DistanceJacobiansMatchCentralDifferences) {
+  ExpectJacobiansMatch(DistanceFactor(3.0_m, 0.5_m));
+}
+TEST_F(LandmarkFactorTest, DistanceHasNoDerivativeWhereBothCoincide) {
+  DistanceFactor::LandmarkJacobian J;
+  EXPECT_NEAR(DistanceFactor(3.0_m, 0.5_m).Evaluate(x_, x_.head<3>(), nullptr, &J)(0), -6.0, 1e-12);
+  EXPECT_EQ(J.norm(), 0.0);
 }
 
 }  // namespace
