@@ -171,6 +171,7 @@ class Navigator {
   [[nodiscard]] Eigen::MatrixXd JointCovarianceOf(const std::vector<int>& slots) const;
   [[nodiscard]] bool HasChanged(const PresentLandmarks& present) const;
   [[nodiscard]] NavVector Predict(double t) const;
+  [[nodiscard]] NavVector After(const OdometryStep& step, double roll, double pitch) const;
   /// From the head to `t`, slow errors taken out.
   [[nodiscard]] OdometryStep StepTo(double t) const;
   [[nodiscard]] std::optional<double> AltitudeAt(double t) const;

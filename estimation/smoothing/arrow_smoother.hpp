@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <vector>
@@ -75,8 +77,13 @@ class ArrowSmoother final : public Smoother {
   void EnsureAnchors(int anchor) const;
   [[nodiscard]] const std::vector<NavVector>& LeafEstimates(int leaf) const;
   void LinearizeAll();
-  void StepAll(double& cost, const std::vector<NavVector>& poses,
+  /// Goes towards these estimates as far as the cost does not rise. True if that was all the way
+  /// and changed next to nothing: then all stays linearised where it was.
+  bool StepAll(double& cost, const std::vector<NavVector>& poses,
                const std::vector<double>& border);
+  [[nodiscard]] bool HasSettled(double before, double cost) const {
+    return std::abs(before - cost) <= params_.converged_decrease * std::max(cost, 1.0);
+  }
   [[nodiscard]] double WorkPerAnchor() const { return ArrowTrunk::WorkOf(3 * graph_.slot_count()); }
   [[nodiscard]] bool IsUpToDate() const { return stale_.empty() && !behind_ && scan_at_ < 0; }
 

@@ -118,7 +118,7 @@ void ArrowSmoother::LinearizeAll() {
   prior_is_old_ = true;
 }
 
-void ArrowSmoother::StepAll(double& cost, const std::vector<NavVector>& poses,
+bool ArrowSmoother::StepAll(double& cost, const std::vector<NavVector>& poses,
                             const std::vector<double>& border) {
   std::vector<NavVector> old_poses(poses.size());
   std::vector<Eigen::Vector3d> old_places(AsIndex(graph_.slot_count()));
@@ -127,6 +127,7 @@ void ArrowSmoother::StepAll(double& cost, const std::vector<NavVector>& poses,
   for (std::size_t i = 0; i < old_places.size(); ++i) {
     old_places[i] = graph_.landmark(static_cast<int>(i)).p;
   }
+  const double before = cost;
   // From the whole step down to a thousandth of it, then none.
   for (double share = 1.0;; share = share > 1e-3 ? 0.5 * share : 0.0) {
     for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -138,10 +139,15 @@ void ArrowSmoother::StepAll(double& cost, const std::vector<NavVector>& poses,
       std::copy_n(graph_.landmark(static_cast<int>(i)).p.data(), 3, &border_[3 * i]);
     }
     const double stepped = graph_.Cost();
-    if (stepped <= cost * (1.0 + 1e-9) || share == 0.0) {
-      cost = stepped;
-      return;
-    }
+    if (stepped > before * (1.0 + 1e-9) && share > 0.0) continue;
+    cost = stepped;
+    if (share < 1.0 || !HasSettled(before, cost)) return false;
+    // The whole step changed next to nothing: the linearisation that it came from still holds.
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      graph_.node(static_cast<int>(i)).x = old_poses[i];
+    for (std::size_t i = 0; i < old_places.size(); ++i)
+      graph_.landmark(static_cast<int>(i)).p = old_places[i];
+    return true;
   }
 }
 
@@ -156,6 +162,7 @@ SolveReport ArrowSmoother::Converge() {
     graph_.landmark(i).is_reserved = false;
   // All starts from the estimate, wherever each part is linearised.
   double cost = std::numeric_limits<double>::infinity();
+  bool is_linearised = false;
   while (report.iterations < params_.rounds_to_converge && !report.has_converged) {
     if (report.iterations > 0) LinearizeAll();
     // No part may move before the step as a whole is found good.
@@ -165,15 +172,16 @@ SolveReport ArrowSmoother::Converge() {
     for (int i = graph_.node_count() - 1; i >= 0; --i)
       poses[AsIndex(i)] = PoseAt(i);
     const double before = cost;
-    StepAll(cost, poses, std::vector<double>(border_));
+    is_linearised = StepAll(cost, poses, std::vector<double>(border_));
     ++report.iterations;
     report.eliminated_nodes += graph_.node_count();
-    report.has_converged =
-        std::abs(before - cost) <= params_.converged_decrease * std::max(cost, 1.0);
+    report.has_converged = HasSettled(before, cost);
   }
-  LinearizeAll();
-  SolveReport solved;
-  SolveRoot(solved, 0);
+  if (!is_linearised) {
+    LinearizeAll();
+    SolveReport solved;
+    SolveRoot(solved, 0);
+  }
   report.cost = cost;
   report.reason = report.has_converged ? "cost settled" : "no longer falls within the rounds given";
   return report;
