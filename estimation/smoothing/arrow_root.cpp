@@ -179,24 +179,36 @@ Eigen::MatrixXd ArrowRoot::Covariance(const std::vector<int>& slots) const {
   return joint;
 }
 
-Eigen::MatrixXd ArrowRoot::LeafCovariance() const {
-  const Eigen::MatrixXd& from = prior_->Posterior();  // head last
-  const Eigen::Index z = from.rows() - 6;
-  Eigen::MatrixXd joint(from.rows(), from.rows());
-  joint.topLeftCorner<6, 6>() = from.bottomRightCorner<6, 6>();
-  joint.topRightCorner(6, z) = from.bottomLeftCorner(6, z);
-  joint.bottomLeftCorner(z, 6) = from.topRightCorner(z, 6);
-  joint.bottomRightCorner(z, z) = from.topLeftCorner(z, z);
-  return joint;
-}
-
-Eigen::MatrixXd ArrowRoot::AnchorCovariance() const {
+Eigen::MatrixXd ArrowRoot::WholeCovariance() const {
   const Prior& p = *prior_;
   const Eigen::Index n = p.mean.size(), size = p.information.rows();
+  const Eigen::MatrixXd& posterior = p.Posterior();
+  // Anchor and border depend on the leaf, and on its head, through z alone. What z itself comes to
+  // is known as it stands: the difference of the two, of which the prior may know nothing, is not.
   const Eigen::MatrixXd gain = p.z_columns * p.information;
-  const Eigen::MatrixXd covariance = p.llt.solve(Eigen::MatrixXd::Identity(n, n));
-  return covariance -
-         gain * (p.z_covariance - p.Posterior().topLeftCorner(size, size)) * gain.transpose();
+  Eigen::MatrixXd whole(n + 6, n + 6);
+  whole.topLeftCorner(n, n) =
+      p.llt.solve(Eigen::MatrixXd::Identity(n, n)) -
+      gain * (p.z_covariance - posterior.topLeftCorner(size, size)) * gain.transpose();
+  std::vector<Eigen::Index> z;
+  for (const int block : p.blocks) {
+    for (int i = 0; i < Prior::Width(block); ++i)
+      z.push_back(Prior::First(block) + i);
+  }
+  const Eigen::Index head = p.has_head ? size : 0;
+  Eigen::MatrixXd z_whole(size, n + 6);
+  z_whole.leftCols(n) = posterior.topLeftCorner(size, size) * gain.transpose();
+  z_whole(Eigen::all, z) = posterior.topLeftCorner(size, size);
+  z_whole.rightCols(6) = posterior.block(0, head, size, 6);
+  Eigen::MatrixXd head_whole(6, n + 6);
+  head_whole.leftCols(n) = posterior.block(head, 0, 6, size) * gain.transpose();
+  head_whole(Eigen::all, z) = posterior.block(head, 0, 6, size);
+  head_whole.rightCols(6) = p.head_covariance;
+  whole.bottomRows(6) = head_whole;
+  whole.rightCols(6) = head_whole.transpose();
+  whole(z, Eigen::all) = z_whole;
+  whole(Eigen::all, z) = z_whole.transpose();
+  return whole;
 }
 
 }  // namespace limpet

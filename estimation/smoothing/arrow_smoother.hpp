@@ -48,7 +48,8 @@ class ArrowSmoother final : public Smoother {
   [[nodiscard]] NavVector PoseAt(int node) const override;
   [[nodiscard]] Eigen::Vector3d LandmarkAt(int landmark) const override;
   [[nodiscard]] JointCovariance Covariance(const std::vector<int>& landmarks) const override;
-  [[nodiscard]] NavCovariance PoseCovariance(int node) const override;
+  [[nodiscard]] JointCovariance CovarianceOf(const std::vector<int>& nodes,
+                                             const std::vector<int>& landmarks) const override;
 
  private:
   int AddBlock(const Eigen::Vector3d& p, bool is_landmark);

@@ -72,17 +72,46 @@ SensorStream WithTrueAssociations(const SimulatedStream& session) {
 /// Mean squared error over covariance: 3 if both agree.
 struct Consistency {
   double sum = 0.0;
+  Eigen::Vector3d per_axis = Eigen::Vector3d::Zero();  ///< 1 each if both agree
   int count = 0;
   void Add(const Eigen::Vector3d& error, const Eigen::Matrix3d& covariance) {
     sum += error.dot(covariance.llt().solve(error));
+    per_axis += error.cwiseAbs2().cwiseQuotient(covariance.diagonal());
     ++count;
   }
+  [[nodiscard]] Eigen::Vector3d axes() const { return per_axis / std::max(count, 1); }
   [[nodiscard]] double mean() const { return count > 0 ? sum / count : 0.0; }
 };
 
 struct Nees {
   Consistency pose, landmark;
+  Consistency between;  ///< two landmarks each: what GPS and the first heading do not decide
 };
+
+/// Differences of landmarks under their joint covariance, each with the one found before it.
+Consistency ConsistencyBetween(const Navigator& navigator, const StreamTruth& truth) {
+  std::vector<int> slots;
+  std::vector<Eigen::Vector3d> errors;
+  for (const TrackedObject& object : navigator.tracker().objects()) {
+    if (!object.is_landmark()) continue;
+    const auto nearest = std::ranges::min_element(
+        truth.landmarks, {}, [&](const TrueLandmark& t) { return (t.p - object.p).norm(); });
+    slots.push_back(object.slot);
+    errors.push_back(object.p - nearest->p);
+  }
+  Consistency between;
+  if (slots.size() < 2) return between;
+  const JointCovariance joint = navigator.smoother().CovarianceOf({}, slots);
+  for (Eigen::Index i = 1; i < static_cast<Eigen::Index>(slots.size()); ++i) {
+    const Eigen::Matrix3d across = joint.block<3, 3>(3 * i, 3 * i - 3);
+    const Eigen::Matrix3d covariance = joint.block<3, 3>(3 * i, 3 * i) +
+                                       joint.block<3, 3>(3 * i - 3, 3 * i - 3) - across -
+                                       across.transpose();
+    between.Add(errors[static_cast<std::size_t>(i)] - errors[static_cast<std::size_t>(i) - 1],
+                covariance);
+  }
+  return between;
+}
 
 Nees NeesOf(const ReplayResult& result, const StreamTruth& truth) {
   Nees nees;
@@ -126,7 +155,9 @@ Associations AssociationsOf(const ReplayResult& result, const SimulatedStream& s
 }
 
 struct Outcome {
-  double smoothed = 0.0, reckoned = 0.0, nees_pose = 0.0, nees_landmark = 0.0;
+  Eigen::Vector3d axes_pose = Eigen::Vector3d::Zero(), axes_landmark = axes_pose,
+                  axes_between = axes_pose;
+  double smoothed = 0.0, reckoned = 0.0, nees_pose = 0.0, nees_landmark = 0.0, nees_between = 0.0;
   int duplicates = 0, false_ones = 0, missed = 0, wrong = 0;
   std::vector<double> update_s;
 };
@@ -181,15 +212,18 @@ struct Options {
 
 Outcome PrintSession(const SimulatedStream& session, int seed, const Options& options) {
   const double start = ThreadTime().value();
-  const ReplayResult result = Replay(session.stream, ParamsForStream(session.stream.meta),
-                                     [] { return ThreadTime().value(); });
+  Consistency between;
+  const ReplayResult result = Replay(
+      session.stream, ParamsForStream(session.stream.meta), [] { return ThreadTime().value(); },
+      [&](const Navigator& n) { between = ConsistencyBetween(n, session.truth); });
   const double total = ThreadTime().value() - start;
   const auto smoothed = ErrorOf(result.smoothed, session.truth);
   const auto online = ErrorOf(result.online, session.truth);
   const auto reckoned = ErrorOf(result.reckoned, session.truth);
   const auto opis = ErrorsOf(result.landmarks, smoothed.alignment, session.truth);
   const Associations associations = AssociationsOf(result, session);
-  const Nees nees = NeesOf(result, session.truth);
+  Nees nees = NeesOf(result, session.truth);
+  nees.between = between;
   fmt::print(
       "{:4d} {:6d} | {:6.3f} {:6.3f} {:6.3f} {:6.3f} | {:3d} {:2d} {:2d} {:2d} {:5.2f} {:5.2f} | "
       "{:5d} "
@@ -209,10 +243,14 @@ Outcome PrintSession(const SimulatedStream& session, int seed, const Options& op
                ErrorsOf(oracle.landmarks, truth_smoothed.alignment, session.truth).missed.size());
   }
   fmt::print("\n");
-  const Outcome outcome{.smoothed = smoothed.aligned,
+  const Outcome outcome{.axes_pose = nees.pose.axes(),
+                        .axes_landmark = nees.landmark.axes(),
+                        .axes_between = nees.between.axes(),
+                        .smoothed = smoothed.aligned,
                         .reckoned = reckoned.aligned_horizontal,
                         .nees_pose = nees.pose.mean(),
                         .nees_landmark = nees.landmark.mean(),
+                        .nees_between = nees.between.mean(),
                         .duplicates = opis.duplicates,
                         .false_ones = opis.false_ones,
                         .missed = static_cast<int>(opis.missed.size()),
@@ -227,6 +265,8 @@ void PrintSummary(const std::vector<Outcome>& all) {
   Outcome sum;
   std::vector<double> smoothed, updates;
   for (const Outcome& o : all) {
+    sum.axes_pose += o.axes_pose / n, sum.axes_landmark += o.axes_landmark / n;
+    sum.axes_between += o.axes_between / n, sum.nees_between += o.nees_between / n;
     sum.nees_pose += o.nees_pose / n, sum.nees_landmark += o.nees_landmark / n;
     sum.smoothed += o.smoothed / n, sum.reckoned += o.reckoned / n;
     sum.duplicates += o.duplicates, sum.false_ones += o.false_ones, sum.missed += o.missed;
@@ -244,6 +284,13 @@ void PrintSummary(const std::vector<Outcome>& all) {
       all.size(), sum.reckoned, sum.smoothed, Quantile(smoothed, 0.9), sum.duplicates,
       sum.false_ones, sum.missed, sum.wrong, sum.nees_pose, sum.nees_landmark, band,
       1e3 * Quantile(updates, 0.5), 1e3 * Quantile(updates, 0.99), 1e3 * Quantile(updates, 1.0));
+  fmt::print(
+      "  per axis (x, y, z; 1 each): poses {:.2f} {:.2f} {:.2f}, landmarks {:.2f} {:.2f} {:.2f}; "
+      "between "
+      "landmarks {:.2f} {:.2f} {:.2f}, together {:.2f}\n",
+      sum.axes_pose.x(), sum.axes_pose.y(), sum.axes_pose.z(), sum.axes_landmark.x(),
+      sum.axes_landmark.y(), sum.axes_landmark.z(), sum.axes_between.x(), sum.axes_between.y(),
+      sum.axes_between.z(), sum.nees_between);
 }
 
 }  // namespace
