@@ -11,7 +11,7 @@
 
 #include "estimation/matching/assignment.hpp"
 #include "estimation/association/object_tracker.hpp"
-#include "estimation/smoothing/factors/landmark_prior_factor.hpp"
+#include "estimation/smoothing/factors/birthplace_factor.hpp"
 
 namespace limpet {
 namespace {
@@ -142,11 +142,10 @@ void ObjectTracker::Settle(const std::vector<TrackedObject*>& group, const Track
 void ObjectTracker::Adopt(TrackedObject& object) {
   object.id = next_id_++;
   object.slot = smoother_.AddLandmark(object.p);
-  const double hold = params_.place_prior_m * params_.place_prior_m;
-  smoother_.AddLandmarkTerm(
-      object.slot,
-      Term::OnLandmark(LandmarkPriorFactor(object.p, hold * Eigen::Matrix3d::Identity()),
-                       object.slot));
+  const int node = object.looks.front().node;
+  const BirthplaceFactor hold(object.p - smoother_.PoseAt(node).head<3>(),
+                              Meters(params_.place_prior_m));
+  smoother_.AddTerm(node, Term::OnSight(hold, object.slot));
   for (std::size_t i = 0; i < object.looks.size(); ++i) {
     AddTerms(object, object.looks[i], i == 0);
   }

@@ -19,7 +19,7 @@ struct ObjectTrackerParams {
   double confirm_log_odds = 2.5;  ///< sum of ln(c / (1 - c)) over the looks' confidences
   double confirm_sd_m = 0.8;      ///< worst 1-sigma of the place, else more looks are needed
   double confirm_residual = 3.5;  ///< worst whitened residual of a look
-  double place_prior_m = 3.0;     ///< weak hold on a landmark where it was born
+  double place_prior_m = 3.0;     ///< weak hold on a landmark where its first pose saw it
   double confirm_within_s = 20.0;
   double confirm_hit_share = 0.25;  ///< of the frames that should have shown it
   double drop_hit_share = 0.1;      ///< a landmark seen in fewer is a false one

@@ -164,31 +164,34 @@ OdometryStep Navigator::StepTo(double t) const {
   return step;
 }
 
-NavVector Navigator::Predict(double t) const {
+NavVector Navigator::After(const OdometryStep& step, double roll, double pitch) const {
   NavVector x = smoother_.PoseAt(node_count() - 1);
-  const OdometryStep step = StepTo(t);
   const double c = std::cos(x(kNavYaw)), s = std::sin(x(kNavYaw));
   x(kNavX) += c * step.motion.x() - s * step.motion.y();
   x(kNavY) += s * step.motion.x() + c * step.motion.y();
   x(kNavZ) += step.motion.z();
   x(kNavYaw) += step.motion.w();
-  const AttitudeEstimate attitude = track_.AttitudeAt(t);
-  x(kNavPitch) = attitude.pitch;
-  x(kNavRoll) = attitude.roll;
+  x(kNavPitch) = pitch;
+  x(kNavRoll) = roll;
   return x;
+}
+
+NavVector Navigator::Predict(double t) const {
+  const AttitudeEstimate attitude = track_.AttitudeAt(t);
+  return After(StepTo(t), attitude.roll, attitude.pitch);
 }
 
 NavigatorEstimate Navigator::Estimate(double t) const {
   LIMPET_REQUIRE(has_started(), "no pose yet");
   const TrackPose track = track_.At(t);
+  const OdometryStep step = StepTo(t);
   NavigatorEstimate estimate{.t = t,
-                             .X_WB = PoseOf(Predict(t)),
+                             .X_WB = PoseOf(After(step, track.X_DB.roll, track.X_DB.pitch)),
                              .v_B = track.v_B,
                              .yaw_rate = track.yaw_rate,
                              .altitude = AltitudeAt(t),
                              .velocity_age = track_.DropoutAge(t)};
   // Levelled pose of the head, then the step: MRPT carries the covariance through the composition.
-  const OdometryStep step = StepTo(t);
   NavVector head = smoother_.PoseAt(node_count() - 1), motion = NavVector::Zero();
   head.tail<2>().setZero();
   motion.head<4>() = step.motion;
@@ -206,7 +209,7 @@ NavigatorEstimate Navigator::Estimate(double t) const {
 Pose Navigator::DeadReckoned(double t) const {
   Pose pose = track_.At(t).X_DB;
   pose.p_WB += p_WD_;
-  pose.p_WB.z() = Predict(t)(kNavZ);
+  pose.p_WB.z() = smoother_.PoseAt(node_count() - 1)(kNavZ) + StepTo(t).motion.z();
   pose.yaw = WrapAngle(pose.yaw);
   return pose;
 }

@@ -124,6 +124,7 @@ class Navigator {
   [[nodiscard]] std::vector<SmoothedPose> Smoothed(int first = 0) const;
   [[nodiscard]] const ObjectTracker& tracker() const { return tracker_; }
   [[nodiscard]] const ChainGraph& graph() const { return smoother_.graph(); }
+  [[nodiscard]] const Smoother& smoother() const { return smoother_; }
   /// Of the dead reckoning, now: scale, misalignment [rad], bias of the yaw rate [rad/s].
   [[nodiscard]] Eigen::Vector3d SlowErrorsNow() const { return smoother_.LandmarkAt(errors_); }
   /// Of the former session's frame in this one; as it was before any match.
@@ -171,6 +172,7 @@ class Navigator {
   [[nodiscard]] Eigen::MatrixXd JointCovarianceOf(const std::vector<int>& slots) const;
   [[nodiscard]] bool HasChanged(const PresentLandmarks& present) const;
   [[nodiscard]] NavVector Predict(double t) const;
+  [[nodiscard]] NavVector After(const OdometryStep& step, double roll, double pitch) const;
   /// From the head to `t`, slow errors taken out.
   [[nodiscard]] OdometryStep StepTo(double t) const;
   [[nodiscard]] std::optional<double> AltitudeAt(double t) const;

@@ -77,11 +77,11 @@ void Navigator::Start(double t, const Eigen::Vector2d& p_W) {
 
 double Navigator::NextKeyframe() const {
   const double latest = head_time() + params_.node_period.value();
-  const OdometryStep step = track_.Between(head_time(), latest);
-  if (step.path <= params_.node_distance.value()) {
+  const double path = track_.PathAt(latest) - track_.PathAt(head_time());
+  if (path <= params_.node_distance.value()) {
     return latest;
   }
-  return head_time() + params_.node_period.value() * params_.node_distance.value() / step.path;
+  return head_time() + params_.node_period.value() * params_.node_distance.value() / path;
 }
 
 void Navigator::WorkOff(double limit) {
@@ -236,6 +236,7 @@ void Navigator::TakeFrame(const FrameDetections& frame) {
                     .altitude = AltitudeAt(frame.t)};
   seen.x = has_usable ? smoother_.PoseAt(seen.node) : Predict(frame.t);
   std::vector<int> landmarks = tracker_.Process(seen);
+  bool has_changed = has_usable;
   if (has_usable) {
     smoother_.Update();
     tracker_.Refresh();
@@ -243,8 +244,10 @@ void Navigator::TakeFrame(const FrameDetections& frame) {
   }
   if (needs_review_ && frame.t - last_review_t_ > kReviewPeriod) {
     ReviewObjects(frame.t);
+    has_changed = true;
   }
-  posed_.push_back({frame, PoseOf(Predict(frame.t)), AltitudeAt(frame.t), std::move(landmarks)});
+  const NavVector x = has_changed ? Predict(frame.t) : seen.x;
+  posed_.push_back({frame, PoseOf(x), seen.altitude, std::move(landmarks)});
 }
 
 void Navigator::ReviewObjects(double t) {
@@ -260,8 +263,12 @@ void Navigator::ReviewObjects(double t) {
 }
 
 std::optional<double> Navigator::AltitudeAt(double t) const {
-  const auto nearest = std::ranges::min_element(
-      altitudes_, {}, [t](const Sample& sample) { return std::abs(sample.t - t); });
+  const auto after = std::ranges::lower_bound(altitudes_, t, {}, &Sample::t);
+  auto nearest = after;
+  if (after != altitudes_.begin() &&
+      (after == altitudes_.end() || t - std::prev(after)->t <= after->t - t)) {
+    nearest = std::prev(after);
+  }
   if (nearest == altitudes_.end() || std::abs(nearest->t - t) > kAltitudeMaxAge) {
     return std::nullopt;
   }

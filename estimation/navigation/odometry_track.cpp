@@ -24,8 +24,10 @@ double Mix(double a, double b, double share) { return a + share * (b - a); }
 }  // namespace
 
 void OdometryTrack::AddAttitude(const AttitudeEstimate& attitude) {
-  Sample sample{.attitude = attitude, .R_DB = RotationOf(attitude)};
-  if (!samples_.empty()) {
+  Sample sample{.attitude = attitude};
+  if (samples_.empty()) {
+    sample.R_DB = RotationOf(attitude);
+  } else {
     const Sample& last = samples_.back();
     if (attitude.t <= last.attitude.t) {
       return;
@@ -127,39 +129,59 @@ void OdometryTrack::Integrate(const Sample& from, Sample& to) const {
   }
 }
 
-OdometryTrack::Sample OdometryTrack::SampleAt(double t) const {
-  LIMPET_REQUIRE(!samples_.empty(), "no attitude yet");
+std::optional<OdometryTrack::Bracket> OdometryTrack::Around(double t) const {
   const auto is_older = [t](const Sample& s) { return s.attitude.t < t; };
   const auto next = std::ranges::partition_point(samples_, is_older);
-  if (next == samples_.begin()) {
-    return samples_.front();
-  }
-  if (next == samples_.end()) {
-    Sample end = samples_.back();
-    const double ahead = std::min(t - end.attitude.t, kLongestExtrapolation);
-    end.attitude.yaw += end.attitude.yaw_rate * ahead;
-    end.attitude.t += ahead;
-    end.R_DB = RotationOf(end.attitude);
-    Integrate(samples_.back(), end);
-    return end;
+  if (next == samples_.begin() || next == samples_.end()) {
+    return std::nullopt;
   }
   const Sample& a = *std::prev(next);
-  const Sample& b = *next;
-  const double share = (t - a.attitude.t) / (b.attitude.t - a.attitude.t);
-  Sample between = a;
-  between.attitude.t = t;
-  between.attitude.roll = Mix(a.attitude.roll, b.attitude.roll, share);
-  between.attitude.pitch = Mix(a.attitude.pitch, b.attitude.pitch, share);
-  between.attitude.yaw = Mix(a.attitude.yaw, b.attitude.yaw, share);
-  between.attitude.yaw_rate = Mix(a.attitude.yaw_rate, b.attitude.yaw_rate, share);
-  between.R_DB = RotationOf(between.attitude);
-  between.p_dvl = a.p_dvl + share * (b.p_dvl - a.p_dvl);
-  between.path = Mix(a.path, b.path, share);
-  between.bridge_variance = Mix(a.bridge_variance, b.bridge_variance, share);
+  return Bracket{&a, &*next, (t - a.attitude.t) / (next->attitude.t - a.attitude.t)};
+}
+
+AttitudeEstimate OdometryTrack::Between(const Bracket& around, double t) {
+  const AttitudeEstimate &a = around.before->attitude, &b = around.after->attitude;
+  AttitudeEstimate between = a;
+  between.t = t;
+  between.roll = Mix(a.roll, b.roll, around.share);
+  between.pitch = Mix(a.pitch, b.pitch, around.share);
+  between.yaw = Mix(a.yaw, b.yaw, around.share);
+  between.yaw_rate = Mix(a.yaw_rate, b.yaw_rate, around.share);
   return between;
 }
 
-AttitudeEstimate OdometryTrack::AttitudeAt(double t) const { return SampleAt(t).attitude; }
+OdometryTrack::Sample OdometryTrack::SampleAt(double t) const {
+  LIMPET_REQUIRE(!samples_.empty(), "no attitude yet");
+  if (const auto around = Around(t)) {
+    const Sample &a = *around->before, &b = *around->after;
+    Sample between{.attitude = Between(*around, t)};
+    between.R_DB = RotationOf(between.attitude);
+    between.p_dvl = a.p_dvl + around->share * (b.p_dvl - a.p_dvl);
+    between.path = Mix(a.path, b.path, around->share);
+    between.bridge_variance = Mix(a.bridge_variance, b.bridge_variance, around->share);
+    return between;
+  }
+  if (t <= samples_.front().attitude.t) {
+    return samples_.front();
+  }
+  Sample end = samples_.back();
+  const double ahead = std::min(t - end.attitude.t, kLongestExtrapolation);
+  end.attitude.yaw += end.attitude.yaw_rate * ahead;
+  end.attitude.t += ahead;
+  end.R_DB = RotationOf(end.attitude);
+  Integrate(samples_.back(), end);
+  return end;
+}
+
+AttitudeEstimate OdometryTrack::AttitudeAt(double t) const {
+  const auto around = Around(t);
+  return around ? Between(*around, t) : SampleAt(t).attitude;
+}
+
+double OdometryTrack::PathAt(double t) const {
+  const auto around = Around(t);
+  return around ? Mix(around->before->path, around->after->path, around->share) : SampleAt(t).path;
+}
 
 TrackPose OdometryTrack::At(double t) const {
   const Sample sample = SampleAt(t);
@@ -177,9 +199,11 @@ OdometryStep OdometryTrack::Between(double from, double to) const {
   const Sample a = SampleAt(from), b = SampleAt(to);
   const Eigen::Vector3d p_a = a.p_dvl - a.R_DB * params_.dvl_B;
   const Eigen::Vector3d p_b = b.p_dvl - b.R_DB * params_.dvl_B;
-  const Eigen::Matrix3d R_level = RotationFromRollPitchYaw(0.0, 0.0, a.attitude.yaw);
+  const double cos_yaw = std::cos(a.attitude.yaw), sin_yaw = std::sin(a.attitude.yaw);
+  const Eigen::Vector3d moved = p_b - p_a;
   OdometryStep step;
-  step.motion << R_level.transpose() * (p_b - p_a), b.attitude.yaw - a.attitude.yaw;
+  step.motion << cos_yaw * moved.x() + sin_yaw * moved.y(),
+      cos_yaw * moved.y() - sin_yaw * moved.x(), moved.z(), b.attitude.yaw - a.attitude.yaw;
   step.duration = to - from;
   step.path = b.path - a.path;
 

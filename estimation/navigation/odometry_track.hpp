@@ -87,7 +87,7 @@ class OdometryTrack {
   [[nodiscard]] TrackPose At(double t) const;
   [[nodiscard]] AttitudeEstimate AttitudeAt(double t) const;
   /// Way travelled since the first sample [m].
-  [[nodiscard]] double PathAt(double t) const { return SampleAt(t).path; }
+  [[nodiscard]] double PathAt(double t) const;
   /// REQUIRES: !is_empty(), from <= to.
   [[nodiscard]] OdometryStep Between(double from, double to) const;
   /// Forgets what is older than `t`.
@@ -101,6 +101,15 @@ class OdometryTrack {
     double path = 0.0;
     double bridge_variance = 0.0;  ///< horizontal, accumulated over dropouts [m^2]
   };
+  /// Neighbouring samples about a time, and the share of the way from one to the other.
+  struct Bracket {
+    const Sample* before = nullptr;
+    const Sample* after = nullptr;
+    double share = 0.0;
+  };
+  /// Nothing outside the buffer.
+  [[nodiscard]] std::optional<Bracket> Around(double t) const;
+  [[nodiscard]] static AttitudeEstimate Between(const Bracket& around, double t);
   [[nodiscard]] Eigen::Vector3d VelocityAt(double t) const;
   void NoteUsual(const Eigen::Vector3d& v, double dt);
   /// What a dropout's velocity comes to.

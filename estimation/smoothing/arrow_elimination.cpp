@@ -76,6 +76,30 @@ void Downdate(ArrowMessage& message, const ArrowConditional& out) {
   }
 }
 
+/// Adds a term of so many rows.
+template <int kRows>
+void AddRows(ArrowMessage& message, const LinearTerm& term, std::span<const JacobianBlock> blocks) {
+  const auto product = [](const double* a, const double* b) {
+    double sum = 0.0;
+    for (int k = 0; k < kRows; ++k)
+      sum += a[k] * b[k];
+    return sum;
+  };
+  const int n = message.size();
+  for (const JacobianBlock& a : blocks) {
+    for (int j = 0; j < a.width; ++j) {
+      const double* J_a = a.J + 6 * j;
+      message.g[static_cast<std::size_t>(a.first + j)] -= product(J_a, term.r.data());
+      double* column = &message.A[Index(0, a.first + j, n)];
+      for (const JacobianBlock& b : blocks) {
+        if (b.first < a.first) continue;
+        for (int i = b.first == a.first ? j : 0; i < b.width; ++i)
+          column[b.first + i] += product(J_a, b.J + 6 * i);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void ArrowMessage::GrowBorder(int border_columns) {
@@ -93,25 +117,9 @@ void ArrowMessage::GrowBorder(int border_columns) {
 }
 
 void ArrowMessage::Add(const LinearTerm& term, std::span<const JacobianBlock> blocks) {
-  for (const JacobianBlock& a : blocks) {
-    for (int j = 0; j < a.width; ++j) {
-      const double* J_a = a.J + 6 * j;
-      double sum = 0.0;
-      for (int k = 0; k < term.rows; ++k)
-        sum += J_a[k] * term.r(k);
-      g[static_cast<std::size_t>(a.first + j)] -= sum;
-      for (const JacobianBlock& b : blocks) {
-        if (b.first < a.first) continue;
-        for (int i = b.first == a.first ? j : 0; i < b.width; ++i) {
-          const double* J_b = b.J + 6 * i;
-          double product = 0.0;
-          for (int k = 0; k < term.rows; ++k)
-            product += J_a[k] * J_b[k];
-          at(b.first + i, a.first + j) += product;
-        }
-      }
-    }
-  }
+  constexpr std::array kAdders{&AddRows<1>, &AddRows<2>, &AddRows<3>,
+                               &AddRows<4>, &AddRows<5>, &AddRows<6>};
+  if (term.rows > 0) kAdders[static_cast<std::size_t>(term.rows - 1)](*this, term, blocks);
 }
 
 ArrowConditional EliminateHead(ArrowMessage& message, const ArrowLink& link) {

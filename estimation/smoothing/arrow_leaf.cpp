@@ -11,6 +11,33 @@ namespace {
 constexpr int kAnchorColumn = 6;  // of the message
 constexpr int kBlocksColumn = 12;
 
+/// What a step with so many rows says beyond its earlier pose and the border.
+template <int kRows>
+void FillLink(const LinearTerm& step, ArrowLink& link) {
+  const auto J_previous = step.J_previous.topRows<kRows>();
+  const auto J_pose = step.J_pose.topRows<kRows>();
+  Eigen::Map<NavCovariance>(link.head_next.data()) = J_previous.transpose() * J_pose;
+  Eigen::Map<NavCovariance>(link.next_next.data()) = J_pose.transpose() * J_pose;
+  Eigen::Map<NavVector>(link.g_next.data()) = -J_pose.transpose() * step.r.head<kRows>();
+  if (!link.columns.empty()) {
+    Eigen::Map<Eigen::Matrix<double, 6, 3>>(link.next_border.data()) =
+        J_pose.transpose() * step.J_landmark.topRows<kRows>();
+  }
+}
+
+/// `column` of the border where the step's block begins, or -1.
+ArrowLink LinkOf(const LinearTerm& step, int column) {
+  ArrowLink link;
+  if (column >= 0) {
+    link.columns.push_back(column);
+    link.next_border.resize(18);
+  }
+  constexpr std::array kFill{&FillLink<1>, &FillLink<2>, &FillLink<3>,
+                             &FillLink<4>, &FillLink<5>, &FillLink<6>};
+  if (step.rows > 0) kFill[AsIndex(step.rows - 1)](step, link);
+  return link;
+}
+
 }  // namespace
 
 int ArrowLeaf::ColumnOf(int slot, ArrowMessage& message, const std::vector<double>& border) {
@@ -69,21 +96,7 @@ void ArrowLeaf::Extend(const ChainGraph& graph, const std::vector<double>& borde
     const std::array<JacobianBlock, 2> blocks{
         {{0, 6, linear.J_previous.data()}, {column, 3, linear.J_landmark.data()}}};
     message_.Add(linear, std::span(blocks).first(slot >= 0 ? 2 : 1));
-    ArrowLink link;
-    const auto rows = linear.rows;
-    Eigen::Map<NavCovariance>(link.head_next.data()) =
-        linear.J_previous.topRows(rows).transpose() * linear.J_pose.topRows(rows);
-    Eigen::Map<NavCovariance>(link.next_next.data()) =
-        linear.J_pose.topRows(rows).transpose() * linear.J_pose.topRows(rows);
-    Eigen::Map<NavVector>(link.g_next.data()) =
-        -linear.J_pose.topRows(rows).transpose() * linear.r.head(rows);
-    if (slot >= 0) {
-      link.columns.push_back(column - 6);
-      link.next_border.resize(18);
-      Eigen::Map<Eigen::Matrix<double, 6, 3>>(link.next_border.data()) =
-          linear.J_pose.topRows(rows).transpose() * linear.J_landmark.topRows(rows);
-    }
-    interior_.push_back(EliminateHead(message_, link));
+    interior_.push_back(EliminateHead(message_, LinkOf(linear, slot >= 0 ? column - 6 : -1)));
   }
   ++head_;
   x_head_ = next.x;

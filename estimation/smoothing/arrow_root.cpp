@@ -23,8 +23,18 @@ struct ArrowRoot::Prior {
   std::vector<int> blocks;
   Eigen::MatrixXd z_columns;                  ///< of the prior's covariance
   Eigen::MatrixXd z_covariance, information;  ///< of z in the prior
-  Eigen::MatrixXd posterior;                  ///< covariance of (z, head)
+  Eigen::LLT<Eigen::MatrixXd> joint;          ///< of the information of (z, head)
+  NavCovariance head_covariance;
+  mutable Eigen::MatrixXd posterior;  ///< covariance of (z, head); empty until it is asked for
   bool has_head = false;
+
+  [[nodiscard]] const Eigen::MatrixXd& Posterior() const {
+    if (posterior.size() == 0) {
+      const Eigen::Index n = joint.rows();
+      posterior = joint.solve(Eigen::MatrixXd::Identity(n, n));
+    }
+    return posterior;
+  }
 
   static int First(int block) { return block < 0 ? 0 : 6 + 3 * block; }
   static int Width(int block) { return block < 0 ? 6 : 3; }
@@ -113,14 +123,21 @@ void ArrowRoot::Solve(const ArrowLeaf& leaf, const ArrowMessage& message) {
     A.bottomLeftCorner(6, size) = from.bottomLeftCorner(size, 6).transpose();
     g.tail<6>() = from_g.head<6>();
   }
-  const Eigen::LLT<Eigen::MatrixXd> llt(A);
-  const Eigen::VectorXd change = llt.solve(g);
-  p.posterior = llt.solve(Eigen::MatrixXd::Identity(n, n));
-
+  p.joint.compute(A);
+  const Eigen::VectorXd change = p.joint.solve(g);
+  p.posterior.resize(0, 0);
+  if (p.has_head) {
+    // The last in order: its own corner of the factor is all that its covariance takes.
+    const NavCovariance L = p.joint.matrixLLT().bottomRightCorner<6, 6>();
+    const NavCovariance inverse =
+        L.triangularView<Eigen::Lower>().solve(NavCovariance::Identity().eval());
+    p.head_covariance = inverse.transpose() * inverse;
+  } else {
+    p.head_covariance = p.Posterior().topLeftCorner<6, 6>();
+  }
   held_.clear();
   for (int i = 0; i < 6; ++i) {
-    const Eigen::Index row_of_head = (p.has_head ? size : 0) + i;
-    if (p.posterior(row_of_head, row_of_head) > kUnknownVariance) held_.push_back(i);
+    if (p.head_covariance(i, i) > kUnknownVariance) held_.push_back(i);
   }
   anchor_ = leaf.x_anchor() + change.head<6>();
   head_ = p.has_head ? NavVector(leaf.x_head() + change.tail<6>()) : anchor_;
@@ -133,7 +150,7 @@ Eigen::MatrixXd ArrowRoot::Covariance(const std::vector<int>& slots) const {
   const Prior& p = *prior_;
   const Eigen::Index size = p.information.rows();
   if (slots.empty()) {
-    return p.posterior.block<6, 6>(p.has_head ? size : 0, p.has_head ? size : 0);
+    return p.head_covariance;
   }
   const auto columns = static_cast<Eigen::Index>(6 + 3 * slots.size());
   // Of (z, head) with the blocks: a block depends on z alone, by G.
@@ -141,14 +158,14 @@ Eigen::MatrixXd ArrowRoot::Covariance(const std::vector<int>& slots) const {
   for (const int slot : slots) {
     gains.emplace_back(p.z_columns.middleRows(Prior::First(slot), 3) * p.information);
   }
-  const Eigen::Index head = p.has_head ? p.posterior.rows() - 6 : 0;
-  const Eigen::MatrixXd prior_less_posterior =
-      p.z_covariance - p.posterior.topLeftCorner(size, size);
+  const Eigen::MatrixXd& posterior = p.Posterior();
+  const Eigen::Index head = p.has_head ? posterior.rows() - 6 : 0;
+  const Eigen::MatrixXd prior_less_posterior = p.z_covariance - posterior.topLeftCorner(size, size);
   Eigen::MatrixXd joint(columns, columns);
-  joint.topLeftCorner<6, 6>() = p.posterior.block<6, 6>(head, head);
+  joint.topLeftCorner<6, 6>() = p.head_covariance;
   for (std::size_t a = 0; a < slots.size(); ++a) {
     const auto first = static_cast<Eigen::Index>(6 + 3 * a);
-    joint.block(first, 0, 3, 6) = gains[a] * p.posterior.block(0, head, size, 6);
+    joint.block(first, 0, 3, 6) = gains[a] * posterior.block(0, head, size, 6);
     joint.block(0, first, 6, 3) = joint.block(first, 0, 3, 6).transpose();
     const Eigen::MatrixXd reduced = gains[a] * prior_less_posterior;
     for (std::size_t b = 0; b <= a; ++b) {
@@ -162,24 +179,36 @@ Eigen::MatrixXd ArrowRoot::Covariance(const std::vector<int>& slots) const {
   return joint;
 }
 
-Eigen::MatrixXd ArrowRoot::LeafCovariance() const {
-  const Eigen::MatrixXd& from = prior_->posterior;  // head last
-  const Eigen::Index z = from.rows() - 6;
-  Eigen::MatrixXd joint(from.rows(), from.rows());
-  joint.topLeftCorner<6, 6>() = from.bottomRightCorner<6, 6>();
-  joint.topRightCorner(6, z) = from.bottomLeftCorner(6, z);
-  joint.bottomLeftCorner(z, 6) = from.topRightCorner(z, 6);
-  joint.bottomRightCorner(z, z) = from.topLeftCorner(z, z);
-  return joint;
-}
-
-Eigen::MatrixXd ArrowRoot::AnchorCovariance() const {
+Eigen::MatrixXd ArrowRoot::WholeCovariance() const {
   const Prior& p = *prior_;
   const Eigen::Index n = p.mean.size(), size = p.information.rows();
+  const Eigen::MatrixXd& posterior = p.Posterior();
+  // Anchor and border depend on the leaf, and on its head, through z alone. What z itself comes to
+  // is known as it stands: the difference of the two, of which the prior may know nothing, is not.
   const Eigen::MatrixXd gain = p.z_columns * p.information;
-  const Eigen::MatrixXd covariance = p.llt.solve(Eigen::MatrixXd::Identity(n, n));
-  return covariance -
-         gain * (p.z_covariance - p.posterior.topLeftCorner(size, size)) * gain.transpose();
+  Eigen::MatrixXd whole(n + 6, n + 6);
+  whole.topLeftCorner(n, n) =
+      p.llt.solve(Eigen::MatrixXd::Identity(n, n)) -
+      gain * (p.z_covariance - posterior.topLeftCorner(size, size)) * gain.transpose();
+  std::vector<Eigen::Index> z;
+  for (const int block : p.blocks) {
+    for (int i = 0; i < Prior::Width(block); ++i)
+      z.push_back(Prior::First(block) + i);
+  }
+  const Eigen::Index head = p.has_head ? size : 0;
+  Eigen::MatrixXd z_whole(size, n + 6);
+  z_whole.leftCols(n) = posterior.topLeftCorner(size, size) * gain.transpose();
+  z_whole(Eigen::all, z) = posterior.topLeftCorner(size, size);
+  z_whole.rightCols(6) = posterior.block(0, head, size, 6);
+  Eigen::MatrixXd head_whole(6, n + 6);
+  head_whole.leftCols(n) = posterior.block(head, 0, 6, size) * gain.transpose();
+  head_whole(Eigen::all, z) = posterior.block(head, 0, 6, size);
+  head_whole.rightCols(6) = p.head_covariance;
+  whole.bottomRows(6) = head_whole;
+  whole.rightCols(6) = head_whole.transpose();
+  whole(z, Eigen::all) = z_whole;
+  whole(Eigen::all, z) = z_whole.transpose();
+  return whole;
 }
 
 }  // namespace limpet

@@ -32,10 +32,9 @@ class ArrowRoot {
   [[nodiscard]] const std::vector<double>& border() const { return border_; }
   /// Joint covariance of the head pose (first six) and of blocks of the border (three each).
   [[nodiscard]] Eigen::MatrixXd Covariance(const std::vector<int>& slots) const;
-  /// Of the newest leaf's head, its anchor (six each) and its blocks. REQUIRES: they differ.
-  [[nodiscard]] Eigen::MatrixXd LeafCovariance() const;
-  /// Of the last anchor (first six) and the whole border.
-  [[nodiscard]] Eigen::MatrixXd AnchorCovariance() const;
+  /// Of the last anchor (first six), the whole border and the head (last six): the anchor again
+  /// while the newest leaf is empty.
+  [[nodiscard]] Eigen::MatrixXd WholeCovariance() const;
   /// Directions of the head pose (NavIndex) that nothing observes.
   [[nodiscard]] const std::vector<int>& held() const { return held_; }
 

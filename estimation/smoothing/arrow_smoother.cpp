@@ -197,7 +197,7 @@ void ArrowSmoother::AddJointPrior(ArrowMessage& message) const {
   }
 }
 
-void ArrowSmoother::SolveRoot(SolveReport& report) {
+void ArrowSmoother::SolveRoot(SolveReport& report, int relinearizations) {
   for (int round = 0;; ++round) {
     ++report.iterations;
     const ArrowMessage message = open_.WithHeadTerms(graph_, border_);
@@ -212,7 +212,7 @@ void ArrowSmoother::SolveRoot(SolveReport& report) {
     anchors_.back() = root_.anchor();
     solved_from_ = static_cast<int>(anchors_.size()) - 1;
     estimated_leaf_ = -1;
-    if (round >= params_.rounds_per_update || !IsStrained(open_, root_.anchor(), root_.head())) {
+    if (round >= relinearizations || !IsStrained(open_, root_.anchor(), root_.head())) {
       return;
     }
     const int last = static_cast<int>(leaves_.size());
@@ -240,7 +240,7 @@ SolveReport ArrowSmoother::Update() {
   if (!has_begun_) Begin();
   KeepUp(report);
   ExtendToEnd();
-  SolveRoot(report);
+  SolveRoot(report, params_.rounds_per_update);
   Scan();
   report.has_converged = IsUpToDate();
   report.reason = ReasonOf(root_.held());

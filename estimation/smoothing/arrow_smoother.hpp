@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <vector>
@@ -46,7 +48,8 @@ class ArrowSmoother final : public Smoother {
   [[nodiscard]] NavVector PoseAt(int node) const override;
   [[nodiscard]] Eigen::Vector3d LandmarkAt(int landmark) const override;
   [[nodiscard]] JointCovariance Covariance(const std::vector<int>& landmarks) const override;
-  [[nodiscard]] NavCovariance PoseCovariance(int node) const override;
+  [[nodiscard]] JointCovariance CovarianceOf(const std::vector<int>& nodes,
+                                             const std::vector<int>& landmarks) const override;
 
  private:
   int AddBlock(const Eigen::Vector3d& p, bool is_landmark);
@@ -57,7 +60,9 @@ class ArrowSmoother final : public Smoother {
   void CloseLeaf();
   void RebuildOpenLeaf();
   void RebuildLeaf(int leaf);
-  void SolveRoot(SolveReport& report);
+  /// Solves for the newest poses and the border, and linearises the newest leaf anew where it moved
+  /// far, at most so often.
+  void SolveRoot(SolveReport& report, int relinearizations);
   void SetPrior();
   void AddJointPrior(ArrowMessage& message) const;
   /// Brings the trunk up to date where that is little work, or goes on doing it behind the scenes.
@@ -73,8 +78,13 @@ class ArrowSmoother final : public Smoother {
   void EnsureAnchors(int anchor) const;
   [[nodiscard]] const std::vector<NavVector>& LeafEstimates(int leaf) const;
   void LinearizeAll();
-  void StepAll(double& cost, const std::vector<NavVector>& poses,
+  /// Goes towards these estimates as far as the cost does not rise. True if that was all the way
+  /// and changed next to nothing: then all stays linearised where it was.
+  bool StepAll(double& cost, const std::vector<NavVector>& poses,
                const std::vector<double>& border);
+  [[nodiscard]] bool HasSettled(double before, double cost) const {
+    return std::abs(before - cost) <= params_.converged_decrease * std::max(cost, 1.0);
+  }
   [[nodiscard]] double WorkPerAnchor() const { return ArrowTrunk::WorkOf(3 * graph_.slot_count()); }
   [[nodiscard]] bool IsUpToDate() const { return stale_.empty() && !behind_ && scan_at_ < 0; }
 

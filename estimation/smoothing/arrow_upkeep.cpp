@@ -118,7 +118,7 @@ void ArrowSmoother::LinearizeAll() {
   prior_is_old_ = true;
 }
 
-void ArrowSmoother::StepAll(double& cost, const std::vector<NavVector>& poses,
+bool ArrowSmoother::StepAll(double& cost, const std::vector<NavVector>& poses,
                             const std::vector<double>& border) {
   std::vector<NavVector> old_poses(poses.size());
   std::vector<Eigen::Vector3d> old_places(AsIndex(graph_.slot_count()));
@@ -127,6 +127,7 @@ void ArrowSmoother::StepAll(double& cost, const std::vector<NavVector>& poses,
   for (std::size_t i = 0; i < old_places.size(); ++i) {
     old_places[i] = graph_.landmark(static_cast<int>(i)).p;
   }
+  const double before = cost;
   // From the whole step down to a thousandth of it, then none.
   for (double share = 1.0;; share = share > 1e-3 ? 0.5 * share : 0.0) {
     for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -138,10 +139,15 @@ void ArrowSmoother::StepAll(double& cost, const std::vector<NavVector>& poses,
       std::copy_n(graph_.landmark(static_cast<int>(i)).p.data(), 3, &border_[3 * i]);
     }
     const double stepped = graph_.Cost();
-    if (stepped <= cost * (1.0 + 1e-9) || share == 0.0) {
-      cost = stepped;
-      return;
-    }
+    if (stepped > before * (1.0 + 1e-9) && share > 0.0) continue;
+    cost = stepped;
+    if (share < 1.0 || !HasSettled(before, cost)) return false;
+    // The whole step changed next to nothing: the linearisation that it came from still holds.
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      graph_.node(static_cast<int>(i)).x = old_poses[i];
+    for (std::size_t i = 0; i < old_places.size(); ++i)
+      graph_.landmark(static_cast<int>(i)).p = old_places[i];
+    return true;
   }
 }
 
@@ -156,95 +162,29 @@ SolveReport ArrowSmoother::Converge() {
     graph_.landmark(i).is_reserved = false;
   // All starts from the estimate, wherever each part is linearised.
   double cost = std::numeric_limits<double>::infinity();
+  bool is_linearised = false;
   while (report.iterations < params_.rounds_to_converge && !report.has_converged) {
     if (report.iterations > 0) LinearizeAll();
+    // No part may move before the step as a whole is found good.
     SolveReport solved;
-    SolveRoot(solved);
+    SolveRoot(solved, 0);
     std::vector<NavVector> poses(AsIndex(graph_.node_count()));
     for (int i = graph_.node_count() - 1; i >= 0; --i)
       poses[AsIndex(i)] = PoseAt(i);
     const double before = cost;
-    StepAll(cost, poses, std::vector<double>(border_));
+    is_linearised = StepAll(cost, poses, std::vector<double>(border_));
     ++report.iterations;
     report.eliminated_nodes += graph_.node_count();
-    report.has_converged =
-        std::abs(before - cost) <= params_.converged_decrease * std::max(cost, 1.0);
+    report.has_converged = HasSettled(before, cost);
   }
-  LinearizeAll();
-  SolveReport solved;
-  SolveRoot(solved);
+  if (!is_linearised) {
+    LinearizeAll();
+    SolveReport solved;
+    SolveRoot(solved, 0);
+  }
   report.cost = cost;
   report.reason = report.has_converged ? "cost settled" : "no longer falls within the rounds given";
   return report;
-}
-
-NavCovariance ArrowSmoother::PoseCovariance(int node) const {
-  // With z = (next, B):  x = L^-T (d + e - W z), e white, so Cov(x, z) = -L^-T W Cov(z).
-  struct Across {
-    Eigen::MatrixXd x_z;
-    NavCovariance x;
-  };
-  const auto down = [](const ArrowConditional& c, const Eigen::MatrixXd& z) {
-    const Eigen::Map<const Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor>> W(
-        c.W.data(), 6, c.columns());
-    const Eigen::Map<const NavCovariance> L(c.L.data());
-    const auto Lt = L.transpose().triangularView<Eigen::Upper>();
-    const auto known = z.topLeftCorner(c.columns(), c.columns());
-    const NavCovariance inner = NavCovariance::Identity() + W * known * W.transpose();
-    const NavCovariance half = Lt.solve(inner);
-    return Across{-Lt.solve(W * z.topRows(c.columns())), Lt.solve(half.transpose())};
-  };
-  const auto replace_head = [](Eigen::MatrixXd& z, const Across& across) {
-    z.topRows(6) = across.x_z;
-    z.leftCols(6) = across.x_z.transpose();
-    z.topLeftCorner<6, 6>() = across.x;
-  };
-  const int leaf = node / ArrowLeaf::kNodes;
-  const int last = static_cast<int>(leaves_.size());
-  Eigen::MatrixXd joint = root_.AnchorCovariance();  // of (anchor, border)
-  Eigen::MatrixXd ends;                              // of (leaf's end, its anchor, its blocks)
-  const ArrowLeaf& of = leaf >= last ? open_ : leaves_[AsIndex(leaf)];
-  const auto gather = [&](const Eigen::MatrixXd& all, Eigen::Index head) {
-    // `all`: (anchor, border) with the leaf's end at row `head`.
-    std::vector<Eigen::Index> rows;
-    for (int i = 0; i < 6; ++i)
-      rows.push_back(head + i);
-    for (int i = 0; i < 6; ++i)
-      rows.push_back(i);
-    for (const int slot : of.slots()) {
-      for (int i = 0; i < 3; ++i)
-        rows.push_back(6 + 3 * slot + i);
-    }
-    return Eigen::MatrixXd(all(rows, rows));
-  };
-  if (leaf >= last) {
-    ends = root_.LeafCovariance();
-    if (node == of.anchor()) return joint.topLeftCorner<6, 6>();
-  } else {
-    for (int anchor = last - 1; anchor >= leaf; --anchor) {
-      const Across across = down(trunk_.conditional(anchor), joint);
-      if (anchor == leaf) {
-        if (node == of.anchor()) return across.x;
-        const Eigen::Index n = joint.rows();
-        Eigen::MatrixXd all(n + 6, n + 6);
-        all.topLeftCorner<6, 6>() = across.x;
-        all.block(0, 6, 6, n - 6) = across.x_z.rightCols(n - 6);
-        all.block(6, 0, n - 6, 6) = across.x_z.rightCols(n - 6).transpose();
-        all.block(6, 6, n - 6, n - 6) = joint.bottomRightCorner(n - 6, n - 6);
-        all.bottomLeftCorner(6, 6) = across.x_z.leftCols(6).transpose();
-        all.block(n, 6, 6, n - 6) = joint.topRightCorner(6, n - 6);
-        all.topRightCorner(n, 6) = all.bottomLeftCorner(6, n).transpose();
-        all.bottomRightCorner<6, 6>() = joint.topLeftCorner<6, 6>();
-        ends = gather(all, n);
-      }
-      replace_head(joint, across);
-    }
-  }
-  if (node == of.head()) return ends.topLeftCorner<6, 6>();
-  for (int inside = of.head() - 1; inside >= node; --inside) {
-    replace_head(ends, down(of.Interior(inside), ends));
-  }
-  return ends.topLeftCorner<6, 6>();
 }
 
 }  // namespace limpet

@@ -10,11 +10,12 @@ CameraPoint CameraPointOf(const CameraModel& camera, const NavVector& x,
   const double cy = std::cos(x(kNavYaw)), sy = std::sin(x(kNavYaw));
   const double cp = std::cos(x(kNavPitch)), sp = std::sin(x(kNavPitch));
   const double cr = std::cos(x(kNavRoll)), sr = std::sin(x(kNavRoll));
-  const Eigen::Matrix3d R_BW =
-      RotationFromRollPitchYaw(x(kNavRoll), x(kNavPitch), x(kNavYaw)).transpose();
-  Eigen::Matrix3d unroll, unpitch;  // Rx^T and Ry^T
+  Eigen::Matrix3d unyaw, unroll, unpitch;  // Rz^T, Rx^T and Ry^T
+  unyaw << cy, sy, 0.0, -sy, cy, 0.0, 0.0, 0.0, 1.0;
   unroll << 1.0, 0.0, 0.0, 0.0, cr, sr, 0.0, -sr, cr;
   unpitch << cp, 0.0, -sp, 0.0, 1.0, 0.0, sp, 0.0, cp;
+
+  const Eigen::Matrix3d R_BW = unroll * unpitch * unyaw;
 
   const Eigen::Vector3d d = p_W - x.head<3>();
   const Eigen::Vector3d a(cy * d.x() + sy * d.y(), -sy * d.x() + cy * d.y(), d.z());

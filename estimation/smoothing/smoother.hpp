@@ -21,7 +21,8 @@ struct SolveReport {
   std::string reason;
 };
 
-/// Joint covariance of the newest pose (first six) and landmarks (three each, in the order asked).
+/// Of several variables together: poses first, six each as in NavVector (x, y, z [m], yaw, pitch,
+/// roll [rad]), then landmarks, three each (x, y, z in W [m]), both in the order asked.
 using JointCovariance = Eigen::MatrixXd;
 
 /// Estimates a chain of poses and landmarks.
@@ -50,8 +51,15 @@ class Smoother {
   /// Estimates as of the last Update.
   [[nodiscard]] virtual NavVector PoseAt(int node) const = 0;
   [[nodiscard]] virtual Eigen::Vector3d LandmarkAt(int landmark) const = 0;
+  /// Of the newest pose and landmarks; at hand at any time.
   [[nodiscard]] virtual JointCovariance Covariance(const std::vector<int>& landmarks) const = 0;
-  [[nodiscard]] virtual NavCovariance PoseCovariance(int node) const = 0;
+  /// Of any poses of the chain, however far back, and any landmarks or other blocks of the border;
+  /// exact where the factors are linearised. Takes time that grows with the way back to the oldest
+  /// of the poses. A block that no update has seen yet is as good as unknown. REQUIRES: the last
+  /// Update knew the nodes.
+  [[nodiscard]] virtual JointCovariance CovarianceOf(const std::vector<int>& nodes,
+                                                     const std::vector<int>& landmarks) const = 0;
+  [[nodiscard]] NavCovariance PoseCovariance(int node) const { return CovarianceOf({node}, {}); }
 };
 
 }  // namespace limpet

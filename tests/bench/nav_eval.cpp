@@ -43,17 +43,22 @@ Evaluation Evaluate(const std::string& folder, const SensorStream& stream,
                     const StreamTruth& truth) {
   Evaluation e;
   e.name = std::filesystem::path(folder).lexically_normal().filename();
-  const double heap = HeapKilobytes(), start = ThreadTime().value();
-  double end = start;
+  const NavigatorParams params = ParamsForStream(stream.meta);
+  const double heap = HeapKilobytes();
   e.result = Replay(
-      stream, ParamsForStream(stream.meta), [] { return ThreadTime().value(); },
+      stream, params, [] { return ThreadTime().value(); },
       [&](const Navigator& n) {
-        end = ThreadTime().value();
         const double duration = n.Smoothed(n.node_count() - 1).front().t;
         e.kilobytes_per_node = (HeapKilobytes() - heap) / (5.0 * duration);
         ChainGraph graph = n.graph();
         e.batch_cost = SolveBatch(graph).cost;
       });
+  // Once more for the total: reading the clock at every update would be an eighth of it.
+  const auto no_clock = [] { return 0.0; };
+  const double start = ThreadTime().value();
+  double end = start;
+  static_cast<void>(
+      Replay(stream, params, no_clock, [&end](const Navigator&) { end = ThreadTime().value(); }));
   e.total_s = end - start;
   e.smoothed = ErrorOf(e.result.smoothed, truth);
   e.online = ErrorOf(e.result.online, truth);

@@ -190,6 +190,51 @@ TEST_F(ArrowSmootherTest, CovariancesAreThoseOfTheWholeGraph) {
   EXPECT_LT((joint.block(0, 6, 6, 3) - all.block(6 * 39, a, 6, 3)).norm(), 1e-7);
 }
 
+TEST_F(ArrowSmootherTest, CovariancesOfAnyPosesAndLandmarksTogetherAreThoseOfTheWholeGraph) {
+  Drive(75);
+  smoother_.Converge();
+  const Eigen::MatrixXd all = DenseCovariance(smoother_.graph());
+  ASSERT_GE(std::min(slots_[0], slots_[1]), 0);
+  // Anchors and insides of leaves, the head, one twice, and landmarks between.
+  const std::vector<int> nodes{40, 0, 74, 48, 17, 64, 70, 40, 3}, landmarks{slots_[1], slots_[0]};
+  std::vector<int> rows;
+  for (const int node : nodes)
+    for (int i = 0; i < 6; ++i)
+      rows.push_back(6 * node + i);
+  for (const int slot : landmarks)
+    for (int i = 0; i < 3; ++i)
+      rows.push_back(6 * 75 + 3 * slot + i);
+  const Eigen::MatrixXd expected = all(rows, rows);
+  const Eigen::MatrixXd joint = smoother_.CovarianceOf(nodes, landmarks);
+  ASSERT_EQ(joint.rows(), expected.rows());
+  EXPECT_LT((joint - expected).norm(), 1e-6 * expected.norm());
+  EXPECT_LT((joint - expected)
+                .cwiseQuotient(expected.diagonal().cwiseSqrt() *
+                               expected.diagonal().cwiseSqrt().transpose())
+                .lpNorm<Eigen::Infinity>(),
+            1e-6);
+}
+
+TEST_F(ArrowSmootherTest, CovariancesHoldAtALeafsEndAndForLandmarksAlone) {
+  Drive(33);  // the newest leaf has just begun: its anchor is the head
+  smoother_.Converge();
+  const Eigen::MatrixXd all = DenseCovariance(smoother_.graph());
+  const Eigen::MatrixXd ends = smoother_.CovarianceOf({32, 31}, {});
+  EXPECT_LT((ends.block(0, 6, 6, 6) - all.block(6 * 32, 6 * 31, 6, 6)).norm(), 1e-8);
+  EXPECT_LT((ends.block(0, 0, 6, 6) - all.block(6 * 32, 6 * 32, 6, 6)).norm(), 1e-8);
+  const Eigen::Index at = 6 * 33 + 3 * slots_[0];
+  EXPECT_LT((smoother_.CovarianceOf({}, {slots_[0]}) - all.block(at, at, 3, 3)).norm(), 1e-8);
+}
+
+TEST_F(ArrowSmootherTest, CovarianceOfALandmarkThatNoUpdateHasSeenIsUnknown) {
+  Drive(20);
+  const int slot = smoother_.AddLandmark({1.0, 2.0, 3.0});
+  const Eigen::MatrixXd joint = smoother_.CovarianceOf({3}, {slot, slots_[0]});
+  EXPECT_GT(joint(6, 6), 1e7);
+  EXPECT_EQ(joint.block(0, 6, 6, 3).norm(), 0.0);
+  EXPECT_LT(joint(9, 9), 1e2);
+}
+
 TEST_F(ArrowSmootherTest, SpreadsTheWorkOfABigChangeOverUpdatesAndSaysWhenItIsDone) {
   ArrowParams params;
   params.work_per_update = 3e4;

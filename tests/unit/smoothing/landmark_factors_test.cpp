@@ -6,6 +6,8 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include "estimation/smoothing/factors/birthplace_factor.hpp"
+#include "estimation/smoothing/factors/distance_factor.hpp"
 #include "estimation/smoothing/factors/edge_factor.hpp"
 #include "estimation/smoothing/factors/landmark_prior_factor.hpp"
 #include "estimation/smoothing/factors/range_factor.hpp"
@@ -134,6 +136,30 @@ TEST_F(LandmarkFactorTest, PriorJacobianMatchesCentralDifferences) {
   EXPECT_GT(r.norm(), 0.0);
   const auto f = [&](const Eigen::Vector3d& p) { return Eigen::VectorXd(factor.Evaluate(p)); };
   EXPECT_LT((J - NumericJacobian(f, p_W_)).lpNorm<Eigen::Infinity>(), 1e-6);
+}
+
+TEST_F(LandmarkFactorTest, BirthplaceIsZeroWhereverPoseAndLandmarkAreTogether) {
+  const BirthplaceFactor factor(p_W_ - x_.head<3>(), 3.0_m);
+  NavVector moved = x_;
+  moved.head<3>() += Eigen::Vector3d(5.0, -4.0, 1.0);
+  const Eigen::Vector3d p_moved = p_W_ + Eigen::Vector3d(5.0, -4.0, 1.0);
+  EXPECT_NEAR(factor.Evaluate(moved, p_moved).norm(), 0.0, 1e-12);
+}
+TEST_F(LandmarkFactorTest, BirthplaceJacobiansMatchCentralDifferences) {
+  ExpectJacobiansMatch(BirthplaceFactor({1.0, 2.0, 3.0}, 3.0_m));
+}
+
+TEST_F(LandmarkFactorTest, DistanceIsZeroAtTheTruth) {
+  const DistanceFactor factor(Meters((p_W_ - x_.head<3>()).norm()), 0.1_m);
+  EXPECT_NEAR(factor.Evaluate(x_, p_W_).norm(), 0.0, 1e-12);
+}
+TEST_F(LandmarkFactorTest, DistanceJacobiansMatchCentralDifferences) {
+  ExpectJacobiansMatch(DistanceFactor(3.0_m, 0.5_m));
+}
+TEST_F(LandmarkFactorTest, DistanceHasNoDerivativeWhereBothCoincide) {
+  DistanceFactor::LandmarkJacobian J;
+  EXPECT_NEAR(DistanceFactor(3.0_m, 0.5_m).Evaluate(x_, x_.head<3>(), nullptr, &J)(0), -6.0, 1e-12);
+  EXPECT_EQ(J.norm(), 0.0);
 }
 
 }  // namespace
