@@ -72,8 +72,8 @@ void Row(const std::string& what, const std::string& figure) {
 }
 
 /// One publisher at `hz`; the value is the time of sending. `readers` subscribers; the last one's
-/// latency counts.
-void Latency(const std::string& what, double hz, int count, int readers, std::size_t bytes) {
+/// latency counts; its median is given back [us].
+double Latency(const std::string& what, double hz, int count, int readers, std::size_t bytes) {
   const std::string variable =
       bytes > 0 ? "LAT_BINARY" : "LAT_DOUBLE";  // the first write fixes the type
   std::vector<std::vector<double>> delays(static_cast<std::size_t>(readers));
@@ -117,8 +117,10 @@ void Latency(const std::string& what, double hz, int count, int readers, std::si
     }
     last.push_back(worst);
   }
-  Row(what, fmt::format("p50 {:.0f}  p99 {:.0f} us  ({} of {})", Quantile(last, 0.5),
-                        Quantile(last, 0.99), common, count));
+  const double median = Quantile(last, 0.5);
+  Row(what, fmt::format("p50 {:.0f}  p99 {:.0f} us  ({} of {})", median, Quantile(last, 0.99),
+                        common, count));
+  return median;
 }
 
 /// As fast as it goes, with at most about half of what the broker keeps for a reader under way:
@@ -216,14 +218,41 @@ double ProcessorSeconds(pid_t pid) {
   return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-std::string Memory(pid_t pid) {
+/// Resident now (`VmRSS`) or at most so far (`VmHWM`) [MB].
+double Megabytes(pid_t pid, std::string_view which = "VmRSS") {
   std::ifstream status(fmt::format("/proc/{}/status", pid));
   for (std::string line; std::getline(status, line);) {
-    if (line.starts_with("VmRSS")) {
-      return fmt::format("{:.1f} MB", std::stod(line.substr(6)) / 1024.0);
+    if (line.starts_with(which)) {
+      return std::stod(line.substr(which.size() + 1)) / 1024.0;
     }
   }
-  return "?";
+  return -1.0;
+}
+
+/// What a reader costs that takes nothing while 256 MB are written to it, and what is left of that
+/// when it has gone.
+void StoppedReader(pid_t broker) {
+  const double before = Megabytes(broker);
+  std::atomic<bool> may_read{false};
+  auto reader = Join("pStopped", [&may_read](const WireMessage&) { may_read.wait(false); });
+  reader->Subscribe("STOPPED", limpet::Seconds(0.0));
+  const auto writer = Join("pWriter");
+  std::this_thread::sleep_for(200ms);
+  const limpet::Value block = limpet::Binary(65536);
+  for (int i = 0; i < 4096; ++i) {
+    writer->PublishValue("STOPPED", block);
+    while (writer->unsent() > (std::size_t{1} << 20)) {
+      std::this_thread::sleep_for(100us);
+    }
+  }
+  std::this_thread::sleep_for(200ms);
+  const double during = Megabytes(broker);
+  may_read = true;
+  may_read.notify_all();
+  reader.reset();
+  std::this_thread::sleep_for(1500ms);
+  Row("a reader that stops; once it has gone",
+      fmt::format("{:+.1f} MB; {:+.1f} MB", during - before, Megabytes(broker) - before));
 }
 
 void Idle(pid_t broker) {
@@ -235,19 +264,28 @@ void Idle(pid_t broker) {
   const double used = ProcessorSeconds(broker);
   std::this_thread::sleep_for(5s);
   Row("50 idle clients, of one core",
-      fmt::format("{:.2f} %, {}",
+      fmt::format("{:.2f} %, {:.1f} MB",
                   100.0 * (ProcessorSeconds(broker) - used) / (SteadyTime().value() - begin),
-                  Memory(broker)));
+                  Megabytes(broker)));
+}
+
+/// To ten readers at 1 kHz: the broker takes two hops, bare sockets one, just before and just
+/// after.
+void FanOut() {
+  const auto bare = [] { return limpet::LoopbackHop(10, 1500, 1000.0).p50; };
+  const double before = bare();
+  const double ours = Latency("fan-out 1->10 at 1 kHz, last subscriber", 1000.0, 3000, 10, 0);
+  const double after = bare();
+  Row("  of that, bare sockets: one hop 1->10, last",
+      fmt::format("p50 {:.0f}, {:.0f} us: {:.2f} of it", before, after,
+                  0.5 * (before + after) / ours));
 }
 
 /// One hop of bare sockets; the broker takes two.
 void Limits() {
-  const auto hop = [](const std::string& what, int readers) {
-    const limpet::HopDelay delay = limpet::LoopbackHop(readers, 2000, 1000.0);
-    Row(what, fmt::format("p50 {:.0f}  p99 {:.0f} us", delay.p50, delay.p99));
-  };
-  hop("bare sockets: one hop 1->1 at 1 kHz", 1);
-  hop("bare sockets: one hop 1->10 at 1 kHz, last", 10);
+  const limpet::HopDelay delay = limpet::LoopbackHop(1, 2000, 1000.0);
+  Row("bare sockets: one hop 1->1 at 1 kHz",
+      fmt::format("p50 {:.0f}  p99 {:.0f} us", delay.p50, delay.p99));
   for (const std::size_t block : {std::size_t{65536}, std::size_t{1} << 20}) {
     Row(fmt::format("bare sockets: one hop, blocks of {} KiB", block >> 10),
         fmt::format("{:.0f} MB/s", 1e-6 * limpet::LoopbackThroughput(block, 1.0)));
@@ -256,8 +294,12 @@ void Limits() {
 
 }  // namespace
 
+/// broker_speed [LimpetDB] [WORDS]: all figures, or those whose group is among the words.
 int main(int argc, char** argv) {
   const std::string program = argc > 1 ? argv[1] : "build/bin/LimpetDB";
+  const auto is_wanted = [&](std::string_view group) {
+    return argc <= 2 || std::ranges::find(argv + 2, argv + argc, group) != argv + argc;
+  };
   const pid_t broker = StartBroker(program);
   std::array<double, 3> load{};
   static_cast<void>(getloadavg(load.data(), 3));
@@ -265,20 +307,33 @@ int main(int argc, char** argv) {
              std::thread::hardware_concurrency());
   Row("figure", "LimpetDB");
   Row("--------------------------------------------", "--------------------------------");
-  Row("memory at start", Memory(broker));
-  Latency("1 kHz doubles 1->1", 1000.0, 4000, 1, 0);
-  Latency("10 Hz doubles", 10.0, 30, 1, 0);
-  FlatOut("flat out, doubles", 0, true, 1, 2.0);
-  FlatOut("flat out, 100 B strings", 100, false, 1, 2.0);
-  FlatOut("64 KiB binaries flat out", 65536, false, 1, 2.0);
-  FlatOut("1 MiB binaries flat out", 1 << 20, false, 1, 2.0);
-  Latency("1 MiB at 10 Hz", 10.0, 30, 1, 1 << 20);
-  Latency("fan-out 1->10 at 1 kHz, last subscriber", 1000.0, 3000, 10, 0);
-  FlatOut("fan-out 1->10 flat out, deliveries", 0, true, 10, 2.0);
-  Connections();
-  Idle(broker);
-  Limits();
-  Row("memory at the end", Memory(broker));
+  Row("memory at start", fmt::format("{:.1f} MB", Megabytes(broker)));
+  if (is_wanted("latency")) {
+    Latency("1 kHz doubles 1->1", 1000.0, 4000, 1, 0);
+    Latency("10 Hz doubles", 10.0, 30, 1, 0);
+    Latency("1 MiB at 10 Hz", 10.0, 30, 1, 1 << 20);
+  }
+  if (is_wanted("flat")) {
+    FlatOut("flat out, doubles", 0, true, 1, 2.0);
+    FlatOut("flat out, 100 B strings", 100, false, 1, 2.0);
+    FlatOut("64 KiB binaries flat out", 65536, false, 1, 2.0);
+    FlatOut("1 MiB binaries flat out", 1 << 20, false, 1, 2.0);
+  }
+  if (is_wanted("fan")) {
+    FanOut();
+    FlatOut("fan-out 1->10 flat out, deliveries", 0, true, 10, 2.0);
+  }
+  if (is_wanted("clients")) {
+    Connections();
+    Idle(broker);
+    StoppedReader(broker);
+  }
+  if (is_wanted("bare")) {
+    Limits();
+  }
+  std::this_thread::sleep_for(1s);
+  Row("memory at most; at the end",
+      fmt::format("{:.1f} MB; {:.1f} MB", Megabytes(broker, "VmHWM"), Megabytes(broker)));
   kill(broker, SIGTERM);
   waitpid(broker, nullptr, 0);
   return 0;

@@ -48,43 +48,51 @@ std::optional<int> Reap(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-/// Asks every child to end and waits: each closes its logs first.
-void EndAll(const std::map<pid_t, std::size_t>& running) {
-  for (const auto& [child, index] : running)
-    kill(child, SIGTERM);
-  for (const auto& [child, index] : running) {
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+/// Children that run, by process, with their place in the list. None outlives it.
+struct RunningChildren {
+  RunningChildren() = default;
+  RunningChildren(const RunningChildren&) = delete;
+  RunningChildren& operator=(const RunningChildren&) = delete;
+  /// Asks every child to end and waits: each closes its logs first.
+  ~RunningChildren() {
+    for (const auto& [child, index] : by_process)
+      kill(child, SIGTERM);
+    for (const auto& [child, index] : by_process) {
+      int status = 0;
+      while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+      }
     }
   }
-}
+  /// Takes out one that has ended, if there is one.
+  std::optional<ChildEnd> TakeEnded() {
+    for (auto child = by_process.begin(); child != by_process.end(); ++child) {
+      if (const auto exit_code = Reap(child->first)) {
+        const ChildEnd end{child->second, *exit_code};
+        by_process.erase(child);
+        return end;
+      }
+    }
+    return std::nullopt;
+  }
+  std::map<pid_t, std::size_t> by_process;
+};
 
 }  // namespace
 
 bool RunChildren(const std::vector<ChildRun>& runs, int jobs,
-                 const std::function<void(const ChildEnd&)>& on_end) {
-  std::map<pid_t, std::size_t> running;
+                 const std::function<bool(const ChildEnd&)>& on_end) {
+  RunningChildren running;
   std::size_t next = 0;
-  while (next < runs.size() || !running.empty()) {
-    if (interrupt_requested) {
-      EndAll(running);
-      return false;
-    }
-    while (next < runs.size() && running.size() < static_cast<std::size_t>(jobs)) {
-      running.emplace(Start(runs[next]), next);
+  while (next < runs.size() || !running.by_process.empty()) {
+    while (next < runs.size() && running.by_process.size() < static_cast<std::size_t>(jobs)) {
+      running.by_process.emplace(Start(runs[next]), next);
       ++next;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    for (auto child = running.begin(); child != running.end();) {
-      const auto exit_code = Reap(child->first);
-      if (!exit_code) {
-        ++child;
-        continue;
-      }
-      const ChildEnd end{child->second, *exit_code};
-      child = running.erase(child);
-      if (!interrupt_requested) on_end(end);
+    while (const auto end = running.TakeEnded()) {
+      if (!interrupt_requested && !on_end(*end)) return false;
     }
+    if (interrupt_requested) return false;
   }
   return true;
 }

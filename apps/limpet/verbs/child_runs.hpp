@@ -21,10 +21,10 @@ struct ChildEnd {
 };
 
 /// Runs the own executable once per entry, `jobs` at a time, in order. `on_end` is called in this
-/// thread as each ends. When the user interrupts, no more are started and those running are asked
-/// to end; their ends are not reported. False if interrupted. Throws std::runtime_error when no
-/// process can be started.
+/// thread as each ends; it returns false to stop. Then, or when the user interrupts, no more are
+/// started and those running are asked to end; their ends are not reported. False if it came to
+/// that. Throws std::runtime_error when no process can be started; none is left running.
 bool RunChildren(const std::vector<ChildRun>& runs, int jobs,
-                 const std::function<void(const ChildEnd&)>& on_end);
+                 const std::function<bool(const ChildEnd&)>& on_end);
 
 }  // namespace limpet

@@ -25,7 +25,8 @@ constexpr const char* kTablesHelp =
     R"(usage: limpet tables <mission folder> [options]
 
 Surveys with one seed after the other, several at a time, and prints the paper's tables
-beside ours. Each run keeps <out>/<seed>/report.json. Seeds already done are not run again.
+beside ours. Each run keeps <out>/<seed>/report.json. Seeds already done are not run again,
+so that after an interruption or a full disk the same command goes on.
 Where the mission has an expect.yaml, every run is held to its bounds: exit code 1 if fewer
 runs than its share_of_runs keep them.
 
@@ -87,10 +88,25 @@ std::string TextOf(const fs::path& path) {
   return text.str();
 }
 
+/// All of it or, with an exception, nothing: a half-written file would be taken for a whole one.
 void Write(const fs::path& path, const std::string& text) {
-  std::ofstream file(path);
+  const fs::path aside = path.string() + ".new";
+  std::ofstream file(aside);
   file << text;
-  if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
+  file.close();
+  std::error_code error;
+  if (file) fs::rename(aside, path, error);
+  if (!file || error) {
+    fs::remove(aside, error);
+    throw std::runtime_error("cannot write " + path.string());
+  }
+}
+
+bool IsDiskFull(const fs::path& folder) {
+  constexpr std::uintmax_t kLeastRoom = std::uintmax_t{1} << 20;
+  std::error_code error;
+  const fs::space_info room = fs::space(folder, error);
+  return !error && room.available < kLeastRoom;
 }
 
 /// Runs of another configuration in the same folder would make the tables a lie.
@@ -105,38 +121,88 @@ void PrepareFolder(const TablesCommand& command) {
         fmt::format("{} holds something else; choose another --out", command.out.string()));
   }
   fs::create_directories(command.out);
-  Write(mark, command.Fingerprint());
+  if (!fs::exists(mark)) Write(mark, command.Fingerprint());
 }
 
-/// Runs every seed that is not done; false if interrupted.
-bool RunMissing(const TablesCommand& command) {
+enum class Reached { kAll, kInterrupted, kDiskFull };
+
+struct MissingRuns {
   std::vector<int> seeds;
-  std::vector<ChildRun> runs;
+  std::vector<ChildRun> runs;  ///< of each seed
+};
+
+MissingRuns FindMissing(const TablesCommand& command) {
+  MissingRuns missing;
   for (int seed = command.first_seed; seed < command.first_seed + command.runs; ++seed) {
     if (fs::exists(command.EndMark(seed))) continue;
     ChildRun run{{"survey", command.mission_folder.string(), "--seed", std::to_string(seed),
                   "--out", command.RunFolder(seed).string()},
                  command.out / fmt::format("{}.txt", seed)};
     run.args.insert(run.args.end(), command.survey_options.begin(), command.survey_options.end());
-    seeds.push_back(seed);
-    runs.push_back(std::move(run));
+    missing.seeds.push_back(seed);
+    missing.runs.push_back(std::move(run));
   }
-  const std::size_t known = static_cast<std::size_t>(command.runs) - runs.size();
+  return missing;
+}
+
+/// Notes how a seed's run ended; false if the disk is full: then it counts as not yet run.
+bool NoteEnd(const TablesCommand& command, int seed, int exit_code, ProgressLine& progress) {
+  const bool has_report = fs::exists(command.RunFolder(seed) / "report.json");
+  if (!has_report && IsDiskFull(command.out)) return false;
+  try {
+    Write(command.EndMark(seed), std::to_string(exit_code) + "\n");
+  } catch (const std::runtime_error&) {
+    if (IsDiskFull(command.out)) return false;
+    throw;
+  }
+  if (!has_report) {
+    progress.Note(fmt::format("seed {} left no report (exit code {}): see {}", seed, exit_code,
+                              (command.out / fmt::format("{}.txt", seed)).string()));
+  }
+  return true;
+}
+
+/// Runs every seed that is not done.
+Reached RunMissing(const TablesCommand& command) {
+  const MissingRuns missing = FindMissing(command);
+  const std::size_t known = static_cast<std::size_t>(command.runs) - missing.runs.size();
   ProgressLine progress("tables");
   if (known > 0) progress.Note(fmt::format("{} of {} seeds are already done", known, command.runs));
   std::size_t ended = known;
+  bool is_full = false;
   progress.Update(static_cast<double>(ended) / command.runs, "started");
-  return RunChildren(runs, command.jobs, [&](const ChildEnd& end) {
-    const int seed = seeds[end.index];
-    Write(command.EndMark(seed), std::to_string(end.exit_code) + "\n");
-    if (!fs::exists(command.RunFolder(seed) / "report.json")) {
-      progress.Note(fmt::format("seed {} left no report (exit code {}): see {}", seed,
-                                end.exit_code, runs[end.index].log.string()));
-    }
+  const bool is_complete = RunChildren(missing.runs, command.jobs, [&](const ChildEnd& end) {
+    const int seed = missing.seeds[end.index];
+    is_full = !NoteEnd(command, seed, end.exit_code, progress);
+    if (is_full) return false;
     ++ended;
     progress.Update(static_cast<double>(ended) / command.runs,
                     fmt::format("{} of {} runs, last seed {}", ended, command.runs, seed));
+    return true;
   });
+  if (is_full) return Reached::kDiskFull;
+  return is_complete ? Reached::kAll : Reached::kInterrupted;
+}
+
+/// Seeds that a full disk cut short begin anew: what they left makes room for the tables.
+void RemoveUnfinished(const TablesCommand& command) {
+  for (const int seed : FindMissing(command).seeds) {
+    std::error_code ignored;
+    fs::remove_all(command.RunFolder(seed), ignored);
+  }
+}
+
+void SayHowFar(const TablesCommand& command, Reached reached) {
+  if (reached == Reached::kInterrupted) {
+    fmt::print(stderr, "interrupted: the same command goes on where it stopped\n");
+  } else if (reached == Reached::kDiskFull) {
+    const std::size_t done =
+        static_cast<std::size_t>(command.runs) - FindMissing(command).seeds.size();
+    fmt::print(stderr,
+               "the disk of {} is full: {} of {} seeds are done and kept; make room, then the same "
+               "command goes on\n",
+               command.out.string(), done, command.runs);
+  }
 }
 
 RunStatistics Gather(const TablesCommand& command) {
@@ -184,16 +250,17 @@ int RunTables(std::span<const std::string> args) {
   const auto expected = LoadExpectations(command.mission_folder,
                                          LoadScenario(command.mission_folder / "scenario.yaml"));
   PrepareFolder(command);
-  const bool is_complete = RunMissing(command);
+  const Reached reached = RunMissing(command);
+  if (reached == Reached::kDiskFull) RemoveUnfinished(command);
   const RunStatistics statistics = Gather(command);
   const auto tables = PaperTables(statistics);
   const std::string json = TablesJson(statistics, command.Fingerprint());
+  fmt::print("{}", command.prints_json ? json : PlainText(tables));
+  SayHowFar(command, reached);
   Write(command.out / "tables.json", json);
   Write(command.out / "tables.md", Markdown(tables));
-  fmt::print("{}", command.prints_json ? json : PlainText(tables));
-  if (!is_complete) fmt::print(stderr, "interrupted: the same command goes on where it stopped\n");
   const bool keep_bounds = !expected || KeepBounds(command, *expected);
-  return is_complete && keep_bounds && statistics.failed.empty() ? kOk : kFailed;
+  return reached == Reached::kAll && keep_bounds && statistics.failed.empty() ? kOk : kFailed;
 }
 
 }  // namespace limpet
