@@ -130,13 +130,20 @@ void OdometryTrack::Integrate(const Sample& from, Sample& to) const {
 }
 
 std::optional<OdometryTrack::Bracket> OdometryTrack::Around(double t) const {
-  const auto is_older = [t](const Sample& s) { return s.attitude.t < t; };
-  const auto next = std::ranges::partition_point(samples_, is_older);
-  if (next == samples_.begin() || next == samples_.end()) {
+  if (samples_.size() < 2 ||
+      !(t > samples_.front().attitude.t && t <= samples_.back().attitude.t)) {
     return std::nullopt;
   }
-  const Sample& a = *std::prev(next);
-  return Bracket{&a, &*next, (t - a.attitude.t) / (next->attitude.t - a.attitude.t)};
+  // The first sample that is not older; samples come at a steady pace, so it is near this one.
+  const double first = samples_.front().attitude.t, last = samples_.back().attitude.t;
+  auto next = static_cast<std::size_t>((t - first) / (last - first) *
+                                       static_cast<double>(samples_.size() - 1));
+  while (samples_[next].attitude.t < t)
+    ++next;
+  while (samples_[next - 1].attitude.t >= t)
+    --next;
+  const Sample &a = samples_[next - 1], &b = samples_[next];
+  return Bracket{&a, &b, (t - a.attitude.t) / (b.attitude.t - a.attitude.t)};
 }
 
 AttitudeEstimate OdometryTrack::Between(const Bracket& around, double t) {

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "tests/support/simulated_stream.hpp"
+
+namespace limpet {
+
+/// Kinds of simulated sessions that the estimator is studied on, by name.
+inline std::map<std::string, StreamScene> Scenes() {
+  const StreamScene hour{.duration_s = 3600.0,
+                         .half_size_m = 30.0,
+                         .leg_spacing_m = 4.0,
+                         .objects = 14,
+                         .classes = 2,
+                         .is_rough = true,
+                         .tilt_deg = 0.0,
+                         .altitude_m = 3.5,
+                         .false_share = 0.5,
+                         .long_dropouts = 1};
+  std::map<std::string, StreamScene> scenes{{"table1", {}}, {"hour", hour}};
+  scenes["dropouts"] = hour;
+  scenes["dropouts"].false_share = 0.6;
+  scenes["dropouts"].yaw_bias_degph = 4.0;
+  scenes["dropouts"].long_dropouts = 5;
+  scenes["twins"] = hour;
+  scenes["twins"].has_twins = true;
+  scenes["twins"].look_alikes = 6;
+  scenes["day"] = hour;
+  scenes["day"].duration_s = 6 * 3600.0;
+  scenes["day"].half_size_m = 40.0;
+  scenes["day"].objects = 50;
+  scenes["day"].long_dropouts = 12;
+  scenes["day"].resurface_every_s = 3600.0;
+  scenes["deep"] = scenes["day"];
+  scenes["deep"].objects = 20;
+  scenes["deep"].resurface_every_s = 0.0;
+  return scenes;
+}
+
+}  // namespace limpet
