@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <memory>
@@ -206,16 +207,15 @@ void Connections() {
       fmt::format("{:.1f} ms; {:.0f} ms", 1e3 * one, 1e3 * (SteadyTime().value() - begin)));
 }
 
+/// Of all its threads.
 double ProcessorSeconds(pid_t pid) {
-  std::ifstream stat(fmt::format("/proc/{}/stat", pid));
-  std::string word;
-  double ticks = 0.0;
-  for (int i = 1; stat >> word; ++i) {
-    if (i == 14 || i == 15) {
-      ticks += std::stod(word);
-    }
+  double nanoseconds = 0.0;
+  for (const auto& task : std::filesystem::directory_iterator(fmt::format("/proc/{}/task", pid))) {
+    double of_one = 0.0;
+    std::ifstream(task.path() / "schedstat") >> of_one;
+    nanoseconds += of_one;
   }
-  return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+  return 1e-9 * nanoseconds;
 }
 
 /// Resident now (`VmRSS`) or at most so far (`VmHWM`) [MB].
@@ -321,6 +321,8 @@ int main(int argc, char** argv) {
   }
   if (is_wanted("fan")) {
     FanOut();
+  }
+  if (is_wanted("flatfan")) {
     FlatOut("fan-out 1->10 flat out, deliveries", 0, true, 10, 2.0);
   }
   if (is_wanted("clients")) {

@@ -8,6 +8,7 @@
 #include <asio/post.hpp>
 #include <asio/steady_timer.hpp>
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include "limpet/core/clock.hpp"
 #include "limpet/pubsub/tcp_connection.hpp"
@@ -22,6 +23,8 @@ constexpr auto kWatchPeriod = std::chrono::milliseconds(500);
 constexpr auto kKeepPeriod = std::chrono::milliseconds(200);
 constexpr double kStatusPeriod = 2.0;  // MOOS time [s]
 constexpr std::size_t kScratch = std::size_t{256} << 10;
+constexpr std::uint64_t kCalm = 1000;  ///< writes in a watch period: fewer, and a burst is over
+constexpr std::size_t kSpareHeap = std::size_t{2} << 20;  ///< freed memory kept for what comes next
 
 std::chrono::steady_clock::duration Real(double seconds) {
   return std::chrono::duration_cast<std::chrono::steady_clock::duration>(
@@ -115,13 +118,14 @@ class TcpBroker::Impl {
                                       }
                                       const bool is_good = connection->Read();
                                       Keep();
+                                      if (!is_good) {
+                                        Close(connection);
+                                      }
+                                      Flush();  // first: what others wait for
                                       if (is_good) {
                                         FlushOne(*connection);
                                         WaitToRead(connection);
-                                      } else {
-                                        Close(connection);
                                       }
-                                      Flush();
                                     });
   }
 
@@ -203,8 +207,21 @@ class TcpBroker::Impl {
       }
       Report();
       Flush();
+      GiveBackHeap();
       Watch();
     });
+  }
+
+  /// What a burst has left lies between small things that stay: the allocator alone would keep it.
+  void GiveBackHeap() {
+    const std::uint64_t writes = broker_.counts().messages - writes_;
+    writes_ += writes;
+    const std::size_t free = mallinfo2().fordblks;  // also what has been given back
+    given_back_ = std::min(given_back_, free);
+    if (writes < kCalm && free > given_back_ + kSpareHeap) {
+      malloc_trim(kSpareHeap / 4);
+      given_back_ = free;
+    }
   }
 
   void Report() {
@@ -242,7 +259,9 @@ class TcpBroker::Impl {
   tcp::acceptor acceptor_;
   asio::steady_timer watch_, status_, pause_, keep_;
   std::optional<ValueKeeper> keeper_;
-  bool is_keeping_ = false;  ///< keep_ is running
+  bool is_keeping_ = false;     ///< keep_ is running
+  std::uint64_t writes_ = 0;    ///< at the last look of Watch
+  std::size_t given_back_ = 0;  ///< free memory of the allocator that the system has again
   ByteBuffer scratch_;
   TcpConnection::Host host_;
   Connections connections_;
