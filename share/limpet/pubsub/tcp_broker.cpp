@@ -23,6 +23,7 @@ constexpr auto kWatchPeriod = std::chrono::milliseconds(500);
 constexpr auto kKeepPeriod = std::chrono::milliseconds(200);
 constexpr double kStatusPeriod = 2.0;  // MOOS time [s]
 constexpr std::size_t kScratch = std::size_t{256} << 10;
+constexpr std::uint64_t kLooksToTrim = 4;
 constexpr std::uint64_t kCalm = 1000;  ///< writes in a watch period: fewer, and a burst is over
 constexpr std::size_t kSpareHeap = std::size_t{2} << 20;  ///< freed memory kept for what comes next
 
@@ -216,11 +217,8 @@ class TcpBroker::Impl {
   void GiveBackHeap() {
     const std::uint64_t writes = broker_.counts().messages - writes_;
     writes_ += writes;
-    const std::size_t free = mallinfo2().fordblks;  // also what has been given back
-    given_back_ = std::min(given_back_, free);
-    if (writes < kCalm && free > given_back_ + kSpareHeap) {
+    if (++looks_ % kLooksToTrim == 0 && writes < kCalm && mallinfo2().fordblks > kSpareHeap) {
       malloc_trim(kSpareHeap / 4);
-      given_back_ = free;
     }
   }
 
@@ -259,9 +257,9 @@ class TcpBroker::Impl {
   tcp::acceptor acceptor_;
   asio::steady_timer watch_, status_, pause_, keep_;
   std::optional<ValueKeeper> keeper_;
-  bool is_keeping_ = false;     ///< keep_ is running
-  std::uint64_t writes_ = 0;    ///< at the last look of Watch
-  std::size_t given_back_ = 0;  ///< free memory of the allocator that the system has again
+  bool is_keeping_ = false;   ///< keep_ is running
+  std::uint64_t writes_ = 0;  ///< at the last look of Watch
+  std::uint64_t looks_ = 0;
   ByteBuffer scratch_;
   TcpConnection::Host host_;
   Connections connections_;

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <fstream>
+
+#include <unistd.h>
 
 #include "limpet/core/clock.hpp"
 #include "limpet/wire/little_endian.hpp"
@@ -128,6 +131,52 @@ TEST_F(TcpBrokerTest, KeepsServingWhileAReaderHasStopped) {
   }
   EXPECT_NE(losses.find("pStuck="), std::string::npos) << losses;
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)  // their allocators keep freed memory
+
+/// Of this process, broker and clients [MB].
+double Resident() {
+  double total = 0.0, resident = 0.0;
+  std::ifstream("/proc/self/statm") >> total >> resident;
+  return 1e-6 * resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+TEST_F(TcpBrokerTest, MemoryOfABurstGoesBack) {
+  const auto writer = Join("pWriter");
+  ExpectHealthy();
+  const double before = Resident();
+  {
+    std::vector<std::unique_ptr<RawPeer>> stuck;
+    for (int i = 0; i < 8; ++i) {
+      const std::string name = "pStuck" + std::to_string(i);
+      stuck.push_back(std::make_unique<RawPeer>(broker_->port()));
+      stuck.back()->Hello(name);
+      ASSERT_EQ(stuck.back()->Answer(), wire_type::kWelcome);
+      stuck.back()->Send(
+          PacketOf({.type = wire_type::kRegister, .source = name, .key = "FLOOD", .number = 0.0}));
+    }
+    ExpectHealthy("AFTER_REGISTERING");
+    const std::string text(1000, 'x');
+    for (int i = 0; i < 12'000; ++i) {
+      writer->Publish("FLOOD", std::string_view(text));
+      if (i % 100 == 0) {
+        writer->Publish("SMALL" + std::to_string(i), 1.0);  // stays, between what goes
+        while (writer->unsent() > 0) {                      // its own queue is in this process, too
+          std::this_thread::sleep_for(1ms);
+        }
+      }
+    }
+    ExpectHealthy("AFTER_FLOOD");
+    EXPECT_GT(Resident(), before + 16.0);
+  }
+  for (int tries = 0; tries < 50 && Resident() > before + 12.0; ++tries) {
+    std::this_thread::sleep_for(100ms);
+  }
+  EXPECT_LT(Resident(), before + 12.0);
+}
+
+#endif
 
 TEST(TcpBroker, SaysWhereItCannotListen) {
   TcpBrokerOptions options;
