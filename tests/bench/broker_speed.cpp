@@ -250,7 +250,7 @@ void StoppedReader(pid_t broker) {
   may_read = true;
   may_read.notify_all();
   reader.reset();
-  std::this_thread::sleep_for(1500ms);
+  std::this_thread::sleep_for(3s);
   Row("a reader that stops; once it has gone",
       fmt::format("{:+.1f} MB; {:+.1f} MB", during - before, Megabytes(broker) - before));
 }
