@@ -39,7 +39,8 @@ std::vector<int> ObjectTracker::Process(const TrackerFrame& frame) {
       candidates.push_back({i, ReadBox(box, camera_, params_.model.noise)});
     }
   }
-  DropStale(frame.detections->t);
+  now_ = frame.detections->t;
+  DropStale(now_);
   const std::size_t known = objects_.size();
   const Eigen::MatrixXd costs = Costs(frame, candidates);
   const std::vector<int> assigned = AssignOneToOne(costs, 0.0);
@@ -69,7 +70,7 @@ std::vector<int> ObjectTracker::Process(const TrackerFrame& frame) {
       seen.push_back(object);
       TrackedObject& shows = objects_[static_cast<std::size_t>(object)];
       AddLook(shows, std::move(look), frame);
-      shown[index] = shows.id;
+      shown[index] = shows.is_landmark() ? shows.id : -1;
     } else if (look.reading.is_usable()) {
       Start(std::move(look), frame);
     }
@@ -97,8 +98,9 @@ Eigen::MatrixXd ObjectTracker::Costs(const TrackerFrame& frame,
   std::vector<bool> is_near;
   for (const TrackedObject& object : objects_) {
     const double distance = (object.p - frame.x.head<3>()).norm();
-    is_near.push_back(!object.is_landmark() || distance < object.far + reach);
-    if (object.is_landmark() && is_near.back()) slots.push_back(object.slot);
+    const bool is_within = object.is_known() && distance < object.far + reach;
+    is_near.push_back(!object.is_mapped() || is_within);
+    if (is_within) slots.push_back(object.slot);
   }
   const Eigen::MatrixXd joint = smoother_.Covariance(slots);
   const double radius = params_.model.radius_m > 0.0 ? params_.model.radius_m : kGuessedRadius;
@@ -107,7 +109,7 @@ Eigen::MatrixXd ObjectTracker::Costs(const TrackerFrame& frame,
     const TrackedObject& object = objects_[static_cast<std::size_t>(j)];
     if (!is_near[static_cast<std::size_t>(j)]) continue;
     const SightCovariance covariance = CovarianceWith(object, frame.path, joint, row_in_joint);
-    row_in_joint += object.is_landmark() ? 3 : 0;
+    row_in_joint += object.is_mapped() ? 3 : 0;
     for (Eigen::Index i = 0; i < rows; ++i) {
       const Candidate& candidate = candidates[static_cast<std::size_t>(i)];
       const BoxDetection& box =
@@ -115,7 +117,7 @@ Eigen::MatrixXd ObjectTracker::Costs(const TrackerFrame& frame,
       const auto match = MatchBox(box, candidate.reading, frame.x, object.p, covariance, radius,
                                   object.Color() == box.color, camera_, params_.gate);
       const double sure = std::max(kSurePixels, params_.sure_share * std::max(box.w, box.h));
-      const bool is_unsure = match && object.is_landmark() && match->spread_px > sure;
+      const bool is_unsure = match && object.is_mapped() && match->spread_px > sure;
       // Costs are against being something new, so that zero divides.
       if (match && !is_unsure && match->cost < match->new_cost) {
         costs(i, j) = match->cost - match->new_cost;
@@ -128,7 +130,7 @@ Eigen::MatrixXd ObjectTracker::Costs(const TrackerFrame& frame,
 SightCovariance ObjectTracker::CovarianceWith(const TrackedObject& object, double path,
                                               const Eigen::MatrixXd& joint, int row) const {
   SightCovariance covariance = SightCovariance::Zero();
-  if (object.is_landmark()) {
+  if (object.is_mapped()) {
     covariance.topLeftCorner<6, 6>() = joint.topLeftCorner<6, 6>();
     covariance.bottomRightCorner<3, 3>() = joint.block<3, 3>(row, row);
     covariance.topRightCorner<6, 3>() = joint.block<6, 3>(0, row);
@@ -145,6 +147,7 @@ SightCovariance ObjectTracker::CovarianceWith(const TrackedObject& object, doubl
 void ObjectTracker::CountVisibility(const TrackerFrame& frame, const std::vector<int>& seen) {
   for (std::size_t j = 0; j < objects_.size(); ++j) {
     TrackedObject& object = objects_[j];
+    if (object.same_as >= 0) continue;
     if (std::ranges::count(seen, static_cast<int>(j)) > 0) {
       ++object.expected;
       ++object.hits;
@@ -166,8 +169,9 @@ void ObjectTracker::AddLook(TrackedObject& object, Look look, const TrackerFrame
   object.far = std::max(object.far, CameraPointOf(camera_, frame.x, object.p).p_C.norm());
   object.is_fresh = true;
   object.AddLook(std::move(look));
-  if (object.is_landmark()) {
+  if (object.is_mapped()) {
     AddTerms(object, object.looks.back(), is_new_pass);
+    identity_news_ += is_new_pass ? 1 : 0;
   } else {
     Retriangulate(object);
   }
@@ -198,13 +202,13 @@ void ObjectTracker::AddTerms(TrackedObject& object, Look& look, bool with_seabed
 
 void ObjectTracker::DropStale(double now) {
   std::erase_if(objects_, [&](const TrackedObject& object) {
-    return !object.is_landmark() && now - object.last_seen() > params_.confirm_within_s;
+    return !object.is_mapped() && now - object.last_seen() > params_.confirm_within_s;
   });
 }
 
 void ObjectTracker::Refresh() {
   for (TrackedObject& object : objects_) {
-    if (object.is_landmark()) {
+    if (object.is_mapped()) {
       object.p = smoother_.LandmarkAt(object.slot);
     }
   }

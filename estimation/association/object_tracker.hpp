@@ -59,6 +59,9 @@ class ObjectTracker {
   /// After an update: takes out looks that do not fit, merges duplicates, drops false landmarks.
   /// True if the graph changed.
   bool Review();
+  /// The session is over: decides what is still in doubt as well as can be. True if the graph
+  /// changed.
+  bool Conclude();
   /// Copies landmark estimates from the smoother.
   void Refresh();
 
@@ -93,20 +96,38 @@ class ObjectTracker {
   };
   [[nodiscard]] Likeness LikenessOf(const TrackedObject& tentative, const TrackedObject& landmark,
                                     const NavVector& x) const;
-  /// True if the object may be a landmark that drift could have put elsewhere: then it is looked at
-  /// until it is out of sight, and decided with what is seen beside it.
+  /// True if the object may be a landmark that drift could have put elsewhere: then it is mapped in
+  /// doubt, and decided with what is seen beside it.
   [[nodiscard]] bool ShouldWait(const TrackedObject& object, const TrackerFrame& frame);
-  void Settle(const std::vector<TrackedObject*>& group, const TrackerFrame& frame);
+  /// Where the pose is sure: recognises, adopts as new, or adopts in doubt.
+  void Settle(TrackedObject& object, const TrackerFrame& frame);
+  [[nodiscard]] bool IsPlaced(const TrackedObject& object) const {
+    return object.covariance.diagonal().maxCoeff() <= params_.confirm_sd_m * params_.confirm_sd_m;
+  }
   [[nodiscard]] std::vector<TrackedObject*> LandmarksNear(const Eigen::Vector3d& p);
-  void Adopt(TrackedObject& object);
+  void Adopt(TrackedObject& object, bool is_in_doubt);
   /// Gives the looks of a tentative object to a landmark.
   void Recognise(TrackedObject& landmark, TrackedObject& tentative);
   void AddTerms(TrackedObject& object, Look& look, bool with_seabed);
   void DropStale(double now);
   bool RemoveOutliers();
-  bool MergeDuplicates();
-  void Merge(TrackedObject& into, TrackedObject& from);
-  [[nodiscard]] bool AreSeenTogether(const TrackedObject& a, const TrackedObject& b) const;
+  /// Doubts landmarks that are likely to be one.
+  void SuspectDuplicates();
+  [[nodiscard]] static bool AreSeenTogether(const TrackedObject& a, const TrackedObject& b);
+  struct Identities;
+  [[nodiscard]] Identities CollectIdentities(bool is_last);
+  /// Decides together which landmarks are others seen again, as far as that is clear, and takes
+  /// back what no longer is. True if the graph changed.
+  bool Reconsider(bool is_last);
+  bool Decide(const Identities& all, bool is_last);
+  void Tie(TrackedObject& object, TrackedObject& to);
+  void Release(TrackedObject& object);
+  void ReleaseTiedTo(const TrackedObject& object);
+  /// Makes tied objects one for good.
+  bool AbsorbSure(const Identities& all);
+  void Absorb(TrackedObject& object);
+  bool ForgetEmptySlots();
+  [[nodiscard]] TrackedObject* ById(int id);
   void Retriangulate(TrackedObject& object);
 
   Smoother& smoother_;
@@ -115,6 +136,10 @@ class ObjectTracker {
   std::vector<TrackedObject> objects_;
   int next_id_ = 1;
   int rejected_looks_ = 0;
+  double now_ = 0.0;
+  std::vector<int> empty_slots_;  ///< absorbed, to be removed when the smoother has caught up
+  int identity_news_ = 0;         ///< since identities were last considered
+  double considered_t_ = -1e18;
 };
 
 }  // namespace limpet

@@ -144,6 +144,11 @@ SolveReport Navigator::Finish() {
   if (tracker_.Review()) {
     smoother_.Update();
     report = smoother_.Converge();
+    tracker_.Refresh();
+  }
+  if (tracker_.Conclude()) {
+    smoother_.Update();
+    report = smoother_.Converge();
   }
   tracker_.Refresh();
   ++landmark_version_;

@@ -38,6 +38,8 @@ class ArrowSmoother final : public Smoother {
   int AddErrors(const Eigen::Vector3d& start) override;
   void RemoveLandmark(int landmark) override;
   void AddLandmarkTerm(int landmark, Term term) override;
+  void Untie(int landmark) override;
+  [[nodiscard]] bool HasCaughtUp() const override { return IsUpToDate() && dirty_.empty(); }
   SolveReport Update() override;
   SolveReport Converge() override;
 

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+// Landmarks in doubt: which of them are landmarks known before. They are in the graph from the
+// start, each for itself, so that all that is learnt later counts; what is taken for another is
+// tied to it, and the tie is taken back when the rest no longer agrees.
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+#include "estimation/association/joint_identity.hpp"
+#include "estimation/association/object_tracker.hpp"
+#include "estimation/smoothing/factors/same_place_factor.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kTieSigma = 0.05;     // [m]
+constexpr double kOutOfView = 1.0;     // [s] since the last box
+constexpr double kLongInView = 8.0;    // [s]
+constexpr double kReachOfDoubt = 3.0;  // [m] beyond four standard deviations
+constexpr double kImplausible = 25.0;  // squared distance, three degrees of freedom
+constexpr double kSure = 0.998;        // share of the likelihood
+constexpr double kSureEnough = 0.9;    // when nothing more is to come
+constexpr double kLikely = 0.5;
+constexpr double kSurest = 0.99999;   // to make it one for good
+constexpr double kProbation = 300.0;  // [s]
+constexpr std::size_t kMostTied = 6, kMostInDoubt = 8;
+constexpr double kPeriod = 60.0;  // [s] between considerations without news
+
+}  // namespace
+
+/// Landmarks in doubt or tied, oldest first, then what they may be; and their identities.
+struct ObjectTracker::Identities {
+  std::vector<TrackedObject*> things;
+  IdentityProblem problem;
+  std::vector<IdentityHypothesis> hypotheses;
+  [[nodiscard]] int claimants() const { return static_cast<int>(problem.claimants.size()); }
+  [[nodiscard]] TrackedObject& thing(int i) const { return *things[static_cast<std::size_t>(i)]; }
+};
+
+TrackedObject* ObjectTracker::ById(int id) {
+  const auto found = std::ranges::find(objects_, id, &TrackedObject::id);
+  return found == objects_.end() ? nullptr : &*found;
+}
+
+ObjectTracker::Identities ObjectTracker::CollectIdentities(bool is_last) {
+  Identities all;
+  std::vector<TrackedObject*>& things = all.things;
+  for (TrackedObject& object : objects_) {
+    const bool is_over = is_last || now_ - object.last_seen() > kOutOfView ||
+                         now_ - object.looks.front().t > kLongInView;
+    if (object.is_mapped() && !object.is_landmark() && is_over) things.push_back(&object);
+  }
+  std::ranges::sort(things, {}, &TrackedObject::id);
+  const auto claimants = static_cast<int>(things.size());
+  if (claimants == 0) return all;
+  const double reach =
+      kReachOfDoubt + 4.0 * std::sqrt(smoother_.Covariance({}).diagonal().head<2>().maxCoeff());
+  for (TrackedObject& object : objects_) {
+    const auto may_be = [&](const TrackedObject* claimant) {
+      return claimant->same_as == object.id ||
+             (object.id < claimant->id && (claimant->p - object.p).norm() < reach);
+    };
+    if (object.is_landmark() && std::any_of(things.begin(), things.begin() + claimants, may_be)) {
+      things.push_back(&object);
+    }
+  }
+  std::vector<int> slots;
+  IdentityProblem& problem = all.problem;
+  problem.places.resize(static_cast<Eigen::Index>(3 * things.size()));
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    slots.push_back(things[i]->slot);
+    problem.places.segment<3>(static_cast<Eigen::Index>(3 * i)) =
+        smoother_.LandmarkAt(things[i]->slot);
+  }
+  problem.covariance =
+      smoother_.Covariance(slots).bottomRightCorner(problem.places.size(), problem.places.size());
+  for (int i = 0; i < claimants; ++i) {
+    const int same_as = all.thing(i).same_as;
+    if (same_as < 0) continue;
+    const auto to = std::ranges::find(things, same_as, &TrackedObject::id);
+    const bool is_out =
+        to != things.end() && TakeOutTie(problem.places, problem.covariance, i,
+                                         static_cast<int>(to - things.begin()), kTieSigma);
+    if (!is_out) return {};
+  }
+  const auto count = static_cast<int>(things.size());
+  const double confused = params_.gate.confused_class_share;
+  for (int i = 0; i < claimants; ++i) {
+    IdentityProblem::Claimant claimant{
+        .thing = i, .new_cost = -2.0 * std::log(params_.objects_per_m3), .options = {}};
+    for (int k = 0; k < count; ++k) {
+      if (all.thing(k).id >= all.thing(i).id) continue;
+      if (AreSeenTogether(all.thing(i), all.thing(k))) {
+        problem.apart.emplace_back(i, k);
+        continue;
+      }
+      const Eigen::Vector3d d = problem.places.segment<3>(3 * i) - problem.places.segment<3>(3 * k);
+      Eigen::Matrix3d S = problem.covariance.block<3, 3>(3 * i, 3 * i) +
+                          problem.covariance.block<3, 3>(3 * k, 3 * k) -
+                          problem.covariance.block<3, 3>(3 * i, 3 * k) -
+                          problem.covariance.block<3, 3>(3 * k, 3 * i);
+      S.diagonal().array() += problem.model_sigma * problem.model_sigma;
+      if (d.dot(S.llt().solve(d)) > kImplausible) continue;
+      const double share =
+          all.thing(i).Color() == all.thing(k).Color() ? 1.0 - confused : confused * confused;
+      claimant.options.push_back({.thing = k, .cost = -2.0 * std::log(share)});
+    }
+    problem.claimants.push_back(std::move(claimant));
+  }
+  return all;
+}
+
+bool ObjectTracker::Reconsider(bool is_last) {
+  const auto is_claimant = [](const TrackedObject& o) { return o.is_mapped() && !o.is_landmark(); };
+  const bool is_due = is_last || identity_news_ > 0 || now_ - considered_t_ > kPeriod;
+  if (!is_due || std::ranges::none_of(objects_, is_claimant)) {
+    return false;
+  }
+  Identities all = CollectIdentities(is_last);
+  if (all.claimants() == 0) {
+    return false;
+  }
+  considered_t_ = now_;
+  identity_news_ = std::ranges::count_if(objects_, is_claimant) > all.claimants() ? 1 : 0;
+  all.hypotheses = LikeliestIdentities(all.problem);
+  const bool has_decided = Decide(all, is_last);
+  return AbsorbSure(all) || has_decided;
+}
+
+bool ObjectTracker::Decide(const Identities& all, bool is_last) {
+  const double enough = is_last ? kSureEnough : kSure;
+  bool has_changed = false;
+  for (int i = 0; i < all.claimants(); ++i) {
+    TrackedObject& object = all.thing(i);
+    int best = i;
+    double best_share = 0.0, share_of_tie = 0.0;
+    for (int k = 0; k < static_cast<int>(all.things.size()); ++k) {
+      const double share = ShareOf(all.hypotheses, i, k);
+      if (share > best_share) best = k, best_share = share;
+      if (all.thing(k).id == object.same_as) share_of_tie = share;
+    }
+    if (object.same_as >= 0 && share_of_tie < kLikely) {
+      Release(object);
+      has_changed = true;
+    }
+    if (object.same_as >= 0 || best_share < enough) continue;
+    if (best != i) {
+      Tie(object, all.thing(best));
+      has_changed = true;
+    } else {
+      object.is_in_doubt = false;
+    }
+  }
+  return has_changed;
+}
+
+void ObjectTracker::Tie(TrackedObject& object, TrackedObject& to) {
+  smoother_.AddLandmarkTerm(
+      object.slot, Term::OnBlocks(SamePlaceFactor(Meters(kTieSigma)), object.slot, to.slot));
+  object.is_in_doubt = false;
+  object.same_as = to.id;
+  object.decided_t = now_;
+  to.last_path = std::max(to.last_path, object.last_path);
+}
+
+void ObjectTracker::Release(TrackedObject& object) {
+  smoother_.Untie(object.slot);
+  object.same_as = -1;
+  object.is_in_doubt = true;
+  ++identity_news_;
+}
+
+void ObjectTracker::ReleaseTiedTo(const TrackedObject& object) {
+  for (TrackedObject& other : objects_) {
+    if (other.is_mapped() && other.same_as == object.id) Release(other);
+  }
+}
+
+bool ObjectTracker::AbsorbSure(const Identities& all) {
+  std::vector<TrackedObject*> tied;
+  for (int i = 0; i < all.claimants(); ++i) {
+    TrackedObject& object = all.thing(i);
+    const TrackedObject* to = object.same_as < 0 ? nullptr : ById(object.same_as);
+    if (to != nullptr && to->is_landmark()) tied.push_back(&object);
+  }
+  const std::size_t surplus = tied.size() > kMostTied ? tied.size() - kMostTied : 0;
+  std::ranges::stable_sort(tied, {}, &TrackedObject::decided_t);
+  for (std::size_t i = 0; i < surplus; ++i)
+    Absorb(*tied[i]);
+  return surplus > 0;
+}
+
+void ObjectTracker::Absorb(TrackedObject& object) {
+  TrackedObject& into = *ById(object.same_as);
+  for (TrackedObject& other : objects_) {
+    if (other.same_as != object.id) continue;
+    smoother_.Untie(other.slot);
+    Tie(other, into);
+  }
+  for (std::size_t i = 0; i < object.looks.size(); ++i) {
+    Look& look = object.looks[i];
+    for (const TermId& term : look.terms)
+      smoother_.RemoveTerm(term);
+    look.terms.clear();
+    AddTerms(into, look, i == 0);
+    into.AddLook(std::move(look));
+  }
+  std::ranges::stable_sort(into.looks, {}, &Look::frame);
+  into.expected += object.expected;
+  into.hits += object.hits;
+  into.far = std::max(into.far, object.far);
+  object.looks.clear();
+  empty_slots_.push_back(object.slot);
+  object.slot = -1;
+}
+
+bool ObjectTracker::ForgetEmptySlots() {
+  // Until the last trace of its looks is gone, an absorbed landmark stays tied.
+  if (empty_slots_.empty() || !smoother_.HasCaughtUp()) {
+    return false;
+  }
+  for (const int slot : empty_slots_)
+    smoother_.RemoveLandmark(slot);
+  empty_slots_.clear();
+  return true;
+}
+
+bool ObjectTracker::Conclude() {
+  ++identity_news_;
+  bool has_changed = Reconsider(true);
+  for (TrackedObject& object : objects_) {
+    const TrackedObject* to = object.same_as < 0 ? nullptr : ById(object.same_as);
+    if (!object.is_mapped() || to == nullptr || !to->is_landmark()) continue;
+    Absorb(object);
+    has_changed = true;
+  }
+  for (const int slot : empty_slots_)
+    smoother_.RemoveLandmark(slot);
+  empty_slots_.clear();
+  std::erase_if(objects_, [](const TrackedObject& object) { return object.looks.empty(); });
+  return has_changed;
+}
+
+}  // namespace limpet
