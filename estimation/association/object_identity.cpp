@@ -4,6 +4,7 @@
 // tied to it, and the tie is taken back when the rest no longer agrees.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <Eigen/Cholesky>
 
@@ -19,12 +20,13 @@ constexpr double kOutOfView = 1.0;     // [s] since the last box
 constexpr double kLongInView = 8.0;    // [s]
 constexpr double kReachOfDoubt = 3.0;  // [m] beyond four standard deviations
 constexpr double kImplausible = 25.0;  // squared distance, three degrees of freedom
-constexpr double kSure = 0.998;        // share of the likelihood
-constexpr double kSureEnough = 0.9;    // when nothing more is to come
+constexpr double kSure = 0.98;         // share of the likelihood
+constexpr double kSureEnough = 0.8;    // when nothing more is to come
 constexpr double kLikely = 0.5;
-constexpr double kSurest = 0.99999;   // to make it one for good
+constexpr double kSurest = 0.9995;    // not to be looked at again
+constexpr double kRivals = 0.003;     // most that other known landmarks may share
 constexpr double kProbation = 300.0;  // [s]
-constexpr std::size_t kMostTied = 6, kMostInDoubt = 8;
+constexpr std::size_t kMostTied = 6;
 constexpr double kPeriod = 60.0;  // [s] between considerations without news
 
 }  // namespace
@@ -49,7 +51,7 @@ ObjectTracker::Identities ObjectTracker::CollectIdentities(bool is_last) {
   for (TrackedObject& object : objects_) {
     const bool is_over = is_last || now_ - object.last_seen() > kOutOfView ||
                          now_ - object.looks.front().t > kLongInView;
-    if (object.is_mapped() && !object.is_landmark() && is_over) things.push_back(&object);
+    if (object.is_mapped() && object.is_open && is_over) things.push_back(&object);
   }
   std::ranges::sort(things, {}, &TrackedObject::id);
   const auto claimants = static_cast<int>(things.size());
@@ -112,7 +114,7 @@ ObjectTracker::Identities ObjectTracker::CollectIdentities(bool is_last) {
 }
 
 bool ObjectTracker::Reconsider(bool is_last) {
-  const auto is_claimant = [](const TrackedObject& o) { return o.is_mapped() && !o.is_landmark(); };
+  const auto is_claimant = [](const TrackedObject& o) { return o.is_mapped() && o.is_open; };
   const bool is_due = is_last || identity_news_ > 0 || now_ - considered_t_ > kPeriod;
   if (!is_due || std::ranges::none_of(objects_, is_claimant)) {
     return false;
@@ -134,9 +136,10 @@ bool ObjectTracker::Decide(const Identities& all, bool is_last) {
   for (int i = 0; i < all.claimants(); ++i) {
     TrackedObject& object = all.thing(i);
     int best = i;
-    double best_share = 0.0, share_of_tie = 0.0;
+    double best_share = 0.0, share_of_tie = 0.0, rivals = -ShareOf(all.hypotheses, i, i);
     for (int k = 0; k < static_cast<int>(all.things.size()); ++k) {
       const double share = ShareOf(all.hypotheses, i, k);
+      rivals += share;
       if (share > best_share) best = k, best_share = share;
       if (all.thing(k).id == object.same_as) share_of_tie = share;
     }
@@ -144,12 +147,23 @@ bool ObjectTracker::Decide(const Identities& all, bool is_last) {
       Release(object);
       has_changed = true;
     }
-    if (object.same_as >= 0 || best_share < enough) continue;
+    object.certainty = object.same_as >= 0 ? share_of_tie : best_share;
+    rivals -= best == i ? 0.0 : best_share;
+    if (object.same_as >= 0 || best_share < enough || (!is_last && rivals > kRivals)) continue;
     if (best != i) {
       Tie(object, all.thing(best));
       has_changed = true;
     } else {
       object.is_in_doubt = false;
+    }
+  }
+  is_provisional_ = std::ranges::any_of(objects_, [](const TrackedObject& object) {
+    return object.is_mapped() && object.same_as >= 0 && object.certainty < kSurest;
+  });
+  for (int i = 0; i < all.claimants(); ++i) {
+    TrackedObject& object = all.thing(i);
+    if (object.is_landmark() && (!is_provisional_ || object.certainty > kSurest)) {
+      object.is_open = false;
     }
   }
   return has_changed;
@@ -159,6 +173,7 @@ void ObjectTracker::Tie(TrackedObject& object, TrackedObject& to) {
   smoother_.AddLandmarkTerm(
       object.slot, Term::OnBlocks(SamePlaceFactor(Meters(kTieSigma)), object.slot, to.slot));
   object.is_in_doubt = false;
+  object.is_open = true;
   object.same_as = to.id;
   object.decided_t = now_;
   to.last_path = std::max(to.last_path, object.last_path);
@@ -184,11 +199,16 @@ bool ObjectTracker::AbsorbSure(const Identities& all) {
     const TrackedObject* to = object.same_as < 0 ? nullptr : ById(object.same_as);
     if (to != nullptr && to->is_landmark()) tied.push_back(&object);
   }
-  const std::size_t surplus = tied.size() > kMostTied ? tied.size() - kMostTied : 0;
-  std::ranges::stable_sort(tied, {}, &TrackedObject::decided_t);
-  for (std::size_t i = 0; i < surplus; ++i)
-    Absorb(*tied[i]);
-  return surplus > 0;
+  // The surest first; as long as any is provisional, those that came with it are kept.
+  std::ranges::stable_sort(tied, std::greater{}, &TrackedObject::certainty);
+  std::size_t left = tied.size();
+  for (TrackedObject* object : tied) {
+    const bool is_proven = object->certainty > kSurest && now_ - object->decided_t > kProbation;
+    if (left <= kMostTied && (!is_proven || is_provisional_)) continue;
+    Absorb(*object);
+    --left;
+  }
+  return left < tied.size();
 }
 
 void ObjectTracker::Absorb(TrackedObject& object) {

@@ -48,7 +48,7 @@ void ObjectTracker::ConfirmWhatIsDue(const TrackerFrame& frame) {
                  kBoxesOfKnown * params_.confirm_log_odds / params_.looks_to_confirm, now)) {
       continue;
     }
-    if (!ShouldWait(object, frame)) {
+    if (!is_provisional_ && !ShouldWait(object, frame)) {
       Settle(object, frame);
     } else if (is_ripe && IsPlaced(object)) {
       Adopt(object, true);
@@ -119,7 +119,7 @@ void ObjectTracker::Settle(TrackedObject& object, const TrackerFrame& frame) {
 }
 
 void ObjectTracker::Adopt(TrackedObject& object, bool is_in_doubt) {
-  object.is_in_doubt = is_in_doubt;
+  object.is_in_doubt = object.is_open = is_in_doubt;
   object.id = next_id_++;
   object.slot = smoother_.AddLandmark(object.p);
   const double hold = params_.place_prior_m * params_.place_prior_m;

@@ -117,7 +117,9 @@ Eigen::MatrixXd ObjectTracker::Costs(const TrackerFrame& frame,
       const auto match = MatchBox(box, candidate.reading, frame.x, object.p, covariance, radius,
                                   object.Color() == box.color, camera_, params_.gate);
       const double sure = std::max(kSurePixels, params_.sure_share * std::max(box.w, box.h));
-      const bool is_unsure = match && object.is_mapped() && match->spread_px > sure;
+      const bool is_seen_again = now_ - object.last_seen() > params_.confirm_within_s;
+      const bool is_unsure = match && object.is_mapped() &&
+                             (match->spread_px > sure || (is_provisional_ && is_seen_again));
       // Costs are against being something new, so that zero divides.
       if (match && !is_unsure && match->cost < match->new_cost) {
         costs(i, j) = match->cost - match->new_cost;

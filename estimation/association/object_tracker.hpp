@@ -138,7 +138,10 @@ class ObjectTracker {
   int rejected_looks_ = 0;
   double now_ = 0.0;
   std::vector<int> empty_slots_;  ///< absorbed, to be removed when the smoother has caught up
-  int identity_news_ = 0;         ///< since identities were last considered
+  /// True while a landmark is tied to another one that it may not be: then the pose is not as sure
+  /// as it seems, and what is seen again is mapped in doubt.
+  bool is_provisional_ = false;
+  int identity_news_ = 0;  ///< since identities were last considered
   double considered_t_ = -1e18;
 };
 
