@@ -40,18 +40,28 @@ struct ObjectTracker::Identities {
   [[nodiscard]] TrackedObject& thing(int i) const { return *things[static_cast<std::size_t>(i)]; }
 };
 
+bool ObjectTracker::IsDecidable(const TrackedObject& object, bool is_last) const {
+  const bool is_over = is_last || now_ - object.last_seen() > kOutOfView ||
+                       now_ - object.looks.front().t > kLongInView;
+  return object.is_mapped() && object.is_open && is_over;
+}
+
 TrackedObject* ObjectTracker::ById(int id) {
   const auto found = std::ranges::find(objects_, id, &TrackedObject::id);
   return found == objects_.end() ? nullptr : &*found;
+}
+
+int ObjectTracker::NameOf(const TrackedObject& object) const {
+  if (object.same_as < 0) return object.is_landmark() ? object.id : -1;
+  const auto to = std::ranges::find(objects_, object.same_as, &TrackedObject::id);
+  return to == objects_.end() ? -1 : NameOf(*to);
 }
 
 ObjectTracker::Identities ObjectTracker::CollectIdentities(bool is_last) {
   Identities all;
   std::vector<TrackedObject*>& things = all.things;
   for (TrackedObject& object : objects_) {
-    const bool is_over = is_last || now_ - object.last_seen() > kOutOfView ||
-                         now_ - object.looks.front().t > kLongInView;
-    if (object.is_mapped() && object.is_open && is_over) things.push_back(&object);
+    if (IsDecidable(object, is_last)) things.push_back(&object);
   }
   std::ranges::sort(things, {}, &TrackedObject::id);
   const auto claimants = static_cast<int>(things.size());
@@ -114,17 +124,20 @@ ObjectTracker::Identities ObjectTracker::CollectIdentities(bool is_last) {
 }
 
 bool ObjectTracker::Reconsider(bool is_last) {
-  const auto is_claimant = [](const TrackedObject& o) { return o.is_mapped() && o.is_open; };
-  const bool is_due = is_last || identity_news_ > 0 || now_ - considered_t_ > kPeriod;
-  if (!is_due || std::ranges::none_of(objects_, is_claimant)) {
+  const auto ready = static_cast<int>(std::ranges::count_if(
+      objects_, [&](const TrackedObject& object) { return IsDecidable(object, is_last); }));
+  const bool is_due =
+      identity_news_ > 0 || ready != considered_count_ || now_ - considered_t_ > kPeriod;
+  if (ready == 0 || !(is_last || is_due)) {
     return false;
   }
+  considered_t_ = now_;
+  considered_count_ = ready;
+  identity_news_ = 0;
   Identities all = CollectIdentities(is_last);
   if (all.claimants() == 0) {
     return false;
   }
-  considered_t_ = now_;
-  identity_news_ = std::ranges::count_if(objects_, is_claimant) > all.claimants() ? 1 : 0;
   all.hypotheses = LikeliestIdentities(all.problem);
   const bool has_decided = Decide(all, is_last);
   return AbsorbSure(all) || has_decided;

@@ -70,7 +70,7 @@ std::vector<int> ObjectTracker::Process(const TrackerFrame& frame) {
       seen.push_back(object);
       TrackedObject& shows = objects_[static_cast<std::size_t>(object)];
       AddLook(shows, std::move(look), frame);
-      shown[index] = shows.is_landmark() ? shows.id : -1;
+      shown[index] = NameOf(shows);
     } else if (look.reading.is_usable()) {
       Start(std::move(look), frame);
     }
@@ -98,7 +98,7 @@ Eigen::MatrixXd ObjectTracker::Costs(const TrackerFrame& frame,
   std::vector<bool> is_near;
   for (const TrackedObject& object : objects_) {
     const double distance = (object.p - frame.x.head<3>()).norm();
-    const bool is_within = object.is_known() && distance < object.far + reach;
+    const bool is_within = distance < object.far + reach && TakesLooks(object);
     is_near.push_back(!object.is_mapped() || is_within);
     if (is_within) slots.push_back(object.slot);
   }
@@ -129,6 +129,18 @@ Eigen::MatrixXd ObjectTracker::Costs(const TrackerFrame& frame,
   return costs;
 }
 
+bool ObjectTracker::TakesLooks(const TrackedObject& object) const {
+  // What is tied still takes the looks of its own sighting, so that they come away with it.
+  const auto is_going_on = [this](const TrackedObject& tied) {
+    return tied.same_as >= 0 && tied.is_mapped() &&
+           now_ - tied.last_seen() <= params_.confirm_within_s;
+  };
+  if (object.same_as >= 0) return is_going_on(object);
+  return object.is_mapped() && std::ranges::none_of(objects_, [&](const TrackedObject& other) {
+           return other.same_as == object.id && is_going_on(other);
+         });
+}
+
 SightCovariance ObjectTracker::CovarianceWith(const TrackedObject& object, double path,
                                               const Eigen::MatrixXd& joint, int row) const {
   SightCovariance covariance = SightCovariance::Zero();
@@ -149,7 +161,7 @@ SightCovariance ObjectTracker::CovarianceWith(const TrackedObject& object, doubl
 void ObjectTracker::CountVisibility(const TrackerFrame& frame, const std::vector<int>& seen) {
   for (std::size_t j = 0; j < objects_.size(); ++j) {
     TrackedObject& object = objects_[j];
-    if (object.same_as >= 0) continue;
+    if (object.is_mapped() && !TakesLooks(object)) continue;
     if (std::ranges::count(seen, static_cast<int>(j)) > 0) {
       ++object.expected;
       ++object.hits;
@@ -157,6 +169,14 @@ void ObjectTracker::CountVisibility(const TrackerFrame& frame, const std::vector
     }
     const Eigen::Vector3d p = CameraPointOf(camera_, frame.x, object.p).p_C;
     if (p.z() < 0.5 || p.norm() > object.far + 0.5) {
+      continue;
+    }
+    // What is in doubt may be this one.
+    const auto may_be_it = [&](int k) {
+      const TrackedObject& other = objects_[static_cast<std::size_t>(k)];
+      return other.is_open && (other.p - object.p).norm() < params_.merge_distance_m;
+    };
+    if (object.is_mapped() && std::ranges::any_of(seen, may_be_it)) {
       continue;
     }
     const double u = (camera_.cx + camera_.fx * p.x() / p.z()) / camera_.width_px;

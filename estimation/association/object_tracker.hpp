@@ -78,6 +78,10 @@ class ObjectTracker {
                                       const std::vector<Candidate>& candidates) const;
   [[nodiscard]] SightCovariance CovarianceWith(const TrackedObject& object, double path,
                                                const Eigen::MatrixXd& joint, int row) const;
+  /// True if boxes may show this landmark, and not another that is tied to it.
+  [[nodiscard]] bool TakesLooks(const TrackedObject& object) const;
+  /// Id of the landmark that it is, or -1 while that is in doubt.
+  [[nodiscard]] int NameOf(const TrackedObject& object) const;
   void CountVisibility(const TrackerFrame& frame, const std::vector<int>& seen);
   void AddLook(TrackedObject& object, Look look, const TrackerFrame& frame);
   void Start(Look look, const TrackerFrame& frame);
@@ -115,6 +119,8 @@ class ObjectTracker {
   void SuspectDuplicates();
   [[nodiscard]] static bool AreSeenTogether(const TrackedObject& a, const TrackedObject& b);
   struct Identities;
+  /// True if what it is may be decided: it has been seen enough, or is out of view.
+  [[nodiscard]] bool IsDecidable(const TrackedObject& object, bool is_last) const;
   [[nodiscard]] Identities CollectIdentities(bool is_last);
   /// Decides together which landmarks are others seen again, as far as that is clear, and takes
   /// back what no longer is. True if the graph changed.
@@ -143,6 +149,7 @@ class ObjectTracker {
   bool is_provisional_ = false;
   int identity_news_ = 0;  ///< since identities were last considered
   double considered_t_ = -1e18;
+  int considered_count_ = 0;
 };
 
 }  // namespace limpet
