@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include <Eigen/Cholesky>
 
@@ -97,10 +98,9 @@ ObjectTracker::Identities ObjectTracker::CollectIdentities(bool is_last) {
     if (!is_out) return {};
   }
   const auto count = static_cast<int>(things.size());
-  const double confused = params_.gate.confused_class_share;
+  const double confused = params_.gate.confused_class_share, new_cost = NewCost();
   for (int i = 0; i < claimants; ++i) {
-    IdentityProblem::Claimant claimant{
-        .thing = i, .new_cost = -2.0 * std::log(params_.objects_per_m3), .options = {}};
+    IdentityProblem::Claimant claimant{.thing = i, .new_cost = new_cost, .options = {}};
     for (int k = 0; k < count; ++k) {
       if (all.thing(k).id >= all.thing(i).id) continue;
       if (AreSeenTogether(all.thing(i), all.thing(k))) {
@@ -121,6 +121,25 @@ ObjectTracker::Identities ObjectTracker::CollectIdentities(bool is_last) {
     problem.claimants.push_back(std::move(claimant));
   }
   return all;
+}
+
+double ObjectTracker::NewCost() const {
+  constexpr double kUnpaired = 4.0;  // landmarks without a neighbour that count before any is known
+  constexpr double kOwnHeight = 1.0;  // [m] that objects of one place differ in
+  double paired = 0.0, all = kUnpaired;
+  for (const TrackedObject& object : objects_) {
+    if (!object.is_landmark()) continue;
+    all += 1.0;
+    paired += std::ranges::any_of(objects_,
+                                  [&](const TrackedObject& other) {
+                                    return other.is_landmark() && other.id != object.id &&
+                                           (other.p - object.p).norm() < params_.beside_m;
+                                  })
+                  ? 1.0
+                  : 0.0;
+  }
+  const double around = std::numbers::pi * params_.beside_m * params_.beside_m * kOwnHeight;
+  return -2.0 * std::log(params_.objects_per_m3 + paired / all / around);
 }
 
 bool ObjectTracker::Reconsider(bool is_last) {

@@ -99,7 +99,7 @@ bool ObjectTracker::ShouldWait(const TrackedObject& object, const TrackerFrame& 
 }
 
 void ObjectTracker::Settle(TrackedObject& object, const TrackerFrame& frame) {
-  const double as_new = -2.0 * std::log(params_.objects_per_m3);
+  const double as_new = NewCost();
   TrackedObject* known = nullptr;
   double best = kHardly, second = kHardly;
   for (TrackedObject* landmark : LandmarksNear(object.p)) {

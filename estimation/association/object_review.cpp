@@ -102,7 +102,7 @@ void ObjectTracker::SuspectDuplicates() {
       S.diagonal().array() += kModelError * kModelError;
       const double one = d.dot(S.llt().solve(d)) + std::log(S.determinant()) +
                          3.0 * std::log(2.0 * std::numbers::pi);
-      const double two = -2.0 * std::log(params_.objects_per_m3);
+      const double two = NewCost();
       // Two spheres cannot overlap, so within a radius there is one, whatever the covariance says.
       if (d.norm() < params_.model.radius_m) {
         Tie(b, a);

@@ -14,6 +14,7 @@ namespace {
 constexpr double kAmbiguous = 2.0;  // -2 ln of the likelihood ratio that tells two objects apart
 constexpr double kGuessedRadius = 0.4;   // [m] to expect boxes with when the radius is not known
 constexpr double kPoseDriftFloor = 0.1;  // [m] of a tentative object against the pose
+constexpr double kInTheGround = 1.0;     // [m] of a centre below the seabed where it was seen
 constexpr double kSurePixels = 25.0;     // an expectation within which is sure, whatever the box
 constexpr double kReach = 3.0;           // [m] beyond the greatest distance it was seen from
 constexpr double kMarginShare = 0.12;    // of the image, inside which an object should be seen
@@ -209,6 +210,18 @@ void ObjectTracker::Start(Look look, const TrackerFrame& frame) {
 }
 
 void ObjectTracker::Retriangulate(TrackedObject& object) {
+  Locate(object);
+  // No object is in the ground: the oldest look then was of something else.
+  if (object.looks.size() > 2 && object.looks.back().altitude &&
+      object.p.z() > smoother_.PoseAt(object.looks.back().node)(kNavZ) +
+                         *object.looks.back().altitude + kInTheGround) {
+    object.looks.erase(object.looks.begin());
+    object.RecountColor();
+    Locate(object);
+  }
+}
+
+void ObjectTracker::Locate(TrackedObject& object) {
   const Triangulation found = Triangulate(
       object.looks, [this](int node) { return smoother_.PoseAt(node); }, camera_, params_.model);
   object.p = found.p;

@@ -27,12 +27,13 @@ struct ObjectTrackerParams {
   /// A box is taken for a landmark at once when the landmark was expected within this share of the
   /// box's size; else several boxes must first agree among themselves.
   double sure_share = 0.2;
-  double known_margin = 4.0;      ///< -2 ln of the likelihood ratio that tells a known object
+  double known_margin = 10.0;     ///< -2 ln of the likelihood ratio that tells a known object
   double sure_spread_m = 0.3;     ///< drift below which three boxes are enough for that
   double drift_share = 0.01;      ///< of the way since last seen, for tentative objects
   double outlier_sigma = 6.0;     ///< a look that fits worse after solving is taken out again
   double merge_distance_m = 2.5;  ///< landmarks further apart are never one
   double objects_per_m3 = 1e-3;   ///< how crowded the water is
+  double beside_m = 2.0;          ///< objects this near each other come in groups
 };
 
 /// One frame at a pose: what the tracker works on.
@@ -117,6 +118,9 @@ class ObjectTracker {
   bool RemoveOutliers();
   /// Doubts landmarks that are likely to be one.
   void SuspectDuplicates();
+  /// -2 ln of how many more objects there are per m^3 around a known one: where objects come in
+  /// pairs, another one beside a known one is no surprise.
+  [[nodiscard]] double NewCost() const;
   [[nodiscard]] static bool AreSeenTogether(const TrackedObject& a, const TrackedObject& b);
   struct Identities;
   /// True if what it is may be decided: it has been seen enough, or is out of view.
@@ -134,7 +138,9 @@ class ObjectTracker {
   void Absorb(TrackedObject& object);
   bool ForgetEmptySlots();
   [[nodiscard]] TrackedObject* ById(int id);
+  /// Place of a tentative object from its looks; a look that cannot be of it goes.
   void Retriangulate(TrackedObject& object);
+  void Locate(TrackedObject& object);
 
   Smoother& smoother_;
   const CameraModel& camera_;
