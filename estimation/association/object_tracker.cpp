@@ -14,6 +14,7 @@ namespace {
 constexpr double kAmbiguous = 2.0;  // -2 ln of the likelihood ratio that tells two objects apart
 constexpr double kGuessedRadius = 0.4;   // [m] to expect boxes with when the radius is not known
 constexpr double kPoseDriftFloor = 0.1;  // [m] of a tentative object against the pose
+constexpr double kSeenAgain = 4.0;       // the same, that tells a known object at the first box
 constexpr double kInTheGround = 1.0;     // [m] of a centre below the seabed where it was seen
 constexpr double kSurePixels = 25.0;     // an expectation within which is sure, whatever the box
 constexpr double kReach = 3.0;           // [m] beyond the greatest distance it was seen from
@@ -105,6 +106,7 @@ Eigen::MatrixXd ObjectTracker::Costs(const TrackerFrame& frame,
   }
   const Eigen::MatrixXd joint = smoother_.Covariance(slots);
   const double radius = params_.model.radius_m > 0.0 ? params_.model.radius_m : kGuessedRadius;
+  Eigen::VectorXd unsure = Eigen::VectorXd::Zero(rows);  // best of landmarks not placed well enough
   int row_in_joint = 6;
   for (Eigen::Index j = 0; j < columns; ++j) {
     const TrackedObject& object = objects_[static_cast<std::size_t>(j)];
@@ -117,14 +119,24 @@ Eigen::MatrixXd ObjectTracker::Costs(const TrackerFrame& frame,
           frame.detections->boxes[static_cast<std::size_t>(candidate.detection)];
       const auto match = MatchBox(box, candidate.reading, frame.x, object.p, covariance, radius,
                                   object.Color() == box.color, camera_, params_.gate);
-      const double sure = std::max(kSurePixels, params_.sure_share * std::max(box.w, box.h));
-      const bool is_seen_again = now_ - object.last_seen() > params_.confirm_within_s;
-      const bool is_unsure = match && object.is_mapped() &&
-                             (match->spread_px > sure || (is_provisional_ && is_seen_again));
+      if (!match || match->cost >= match->new_cost) continue;
       // Costs are against being something new, so that zero divides.
-      if (match && !is_unsure && match->cost < match->new_cost) {
-        costs(i, j) = match->cost - match->new_cost;
+      const double cost = match->cost - match->new_cost;
+      const double sure = std::max(kSurePixels, params_.sure_share * std::max(box.w, box.h));
+      const bool is_again = object.is_mapped() && IsSeenAgain(object);
+      if (object.is_mapped() && (match->spread_px > sure || (is_again && is_provisional_))) {
+        unsure(i) = std::min(unsure(i), cost);
+      } else if (!is_again || cost < -kSeenAgain) {
+        costs(i, j) = cost;
       }
+    }
+  }
+  // A landmark whose place is known too badly to take the box at once may still be what it shows.
+  for (Eigen::Index j = 0; j < columns; ++j) {
+    const TrackedObject& object = objects_[static_cast<std::size_t>(j)];
+    if (!object.is_mapped() || !IsSeenAgain(object)) continue;
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      if (costs(i, j) > unsure(i) - kAmbiguous) costs(i, j) = kImpossibleCost;
     }
   }
   return costs;

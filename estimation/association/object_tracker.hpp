@@ -83,6 +83,9 @@ class ObjectTracker {
   [[nodiscard]] bool TakesLooks(const TrackedObject& object) const;
   /// Id of the landmark that it is, or -1 while that is in doubt.
   [[nodiscard]] int NameOf(const TrackedObject& object) const;
+  [[nodiscard]] bool IsSeenAgain(const TrackedObject& object) const {
+    return now_ - object.last_seen() > params_.confirm_within_s;
+  }
   void CountVisibility(const TrackerFrame& frame, const std::vector<int>& seen);
   void AddLook(TrackedObject& object, Look look, const TrackerFrame& frame);
   void Start(Look look, const TrackerFrame& frame);
