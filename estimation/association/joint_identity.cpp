@@ -10,7 +10,7 @@
 namespace limpet {
 namespace {
 
-constexpr double kHopeless = 60.0;  // -2 ln of a likelihood ratio not worth following up
+constexpr double kHopeless = 30.0;  // -2 ln of a likelihood ratio not worth following up
 
 /// A hypothesis under way: its pairs' differences, whitened one after the other by the Cholesky
 /// factor of their joint covariance, which grows by three rows with each pair.

@@ -17,17 +17,19 @@ namespace limpet {
 namespace {
 
 constexpr double kTieSigma = 0.05;     // [m]
-constexpr double kOutOfView = 1.0;     // [s] since the last box
+constexpr double kOutOfView = 2.0;     // [s] since the last box
 constexpr double kLongInView = 8.0;    // [s]
-constexpr double kReachOfDoubt = 3.0;  // [m] beyond four standard deviations
+constexpr double kReachOfDoubt = 1.0;  // [m] beyond four standard deviations
 constexpr double kImplausible = 25.0;  // squared distance, three degrees of freedom
 constexpr double kSure = 0.98;         // share of the likelihood
 constexpr double kSureEnough = 0.7;    // when nothing more is to come
 constexpr double kLikely = 0.5;
-constexpr double kSurest = 0.9995;    // not to be looked at again
-constexpr double kRivals = 0.003;     // most that other known landmarks may share
-constexpr double kProbation = 300.0;  // [s]
-constexpr std::size_t kMostTied = 6;
+constexpr double kSurest = 0.9995;   // not to be looked at again
+constexpr double kRivals = 0.003;    // most that other known landmarks may share
+constexpr double kProbation = 60.0;  // [s]
+constexpr std::size_t kMostTied = 4;
+constexpr int kWidth = 24;        // hypotheses followed up
+constexpr double kPause = 3.0;    // [s] at least, between considerations
 constexpr double kPeriod = 60.0;  // [s] between considerations without news
 
 }  // namespace
@@ -67,8 +69,10 @@ ObjectTracker::Identities ObjectTracker::CollectIdentities(bool is_last) {
   std::ranges::sort(things, {}, &TrackedObject::id);
   const auto claimants = static_cast<int>(things.size());
   if (claimants == 0) return all;
-  const double reach =
-      kReachOfDoubt + 4.0 * std::sqrt(smoother_.Covariance({}).diagonal().head<2>().maxCoeff());
+  double spread = 0.0;
+  for (const TrackedObject* claimant : things)
+    spread = std::max(spread, claimant->spread);
+  const double reach = kReachOfDoubt + 4.0 * spread;
   for (TrackedObject& object : objects_) {
     const auto may_be = [&](const TrackedObject* claimant) {
       return claimant->same_as == object.id ||
@@ -143,23 +147,30 @@ double ObjectTracker::NewCost() const {
 }
 
 bool ObjectTracker::Reconsider(bool is_last) {
-  const auto ready = static_cast<int>(std::ranges::count_if(
-      objects_, [&](const TrackedObject& object) { return IsDecidable(object, is_last); }));
-  const bool is_due =
-      identity_news_ > 0 || ready != considered_count_ || now_ - considered_t_ > kPeriod;
+  const auto is_decidable = [&](const TrackedObject& object) {
+    return IsDecidable(object, is_last);
+  };
+  const auto ready = static_cast<int>(std::ranges::count_if(objects_, is_decidable));
+  // Without doubts only what comes anew needs a decision.
+  const bool is_restless =
+      is_provisional_ || std::ranges::any_of(objects_, &TrackedObject::is_in_doubt);
+  const bool has_news = ready > considered_count_ || (is_restless && identity_news_ > 0);
+  const double period = has_news ? kPause : is_restless ? kPeriod : kProbation;
+  const bool is_due = now_ - considered_t_ > period;
   if (ready == 0 || !(is_last || is_due)) {
     return false;
   }
   considered_t_ = now_;
-  considered_count_ = ready;
   identity_news_ = 0;
   Identities all = CollectIdentities(is_last);
   if (all.claimants() == 0) {
     return false;
   }
-  all.hypotheses = LikeliestIdentities(all.problem);
+  all.hypotheses = LikeliestIdentities(all.problem, kWidth);
   const bool has_decided = Decide(all, is_last);
-  return AbsorbSure(all) || has_decided;
+  const bool has_absorbed = AbsorbSure(all);
+  considered_count_ = static_cast<int>(std::ranges::count_if(objects_, is_decidable));
+  return has_absorbed || has_decided;
 }
 
 bool ObjectTracker::Decide(const Identities& all, bool is_last) {

@@ -48,7 +48,7 @@ void ObjectTracker::ConfirmWhatIsDue(const TrackerFrame& frame) {
                  kBoxesOfKnown * params_.confirm_log_odds / params_.looks_to_confirm, now)) {
       continue;
     }
-    if (!is_provisional_ && !ShouldWait(object, frame)) {
+    if (!ShouldWait(object, frame) && !is_provisional_) {
       Settle(object, frame);
     } else if (is_ripe && IsPlaced(object)) {
       Adopt(object, true);
@@ -90,12 +90,17 @@ ObjectTracker::Likeness ObjectTracker::LikenessOf(const TrackedObject& tentative
   return likeness;
 }
 
-bool ObjectTracker::ShouldWait(const TrackedObject& object, const TrackerFrame& frame) {
-  return std::ranges::any_of(LandmarksNear(object.p), [&](const TrackedObject* landmark) {
+bool ObjectTracker::ShouldWait(TrackedObject& object, const TrackerFrame& frame) {
+  bool should_wait = false;
+  object.spread = 0.0;
+  for (const TrackedObject* landmark : LandmarksNear(object.p)) {
     const Likeness likeness = LikenessOf(object, *landmark, frame.x);
-    return likeness.spread > params_.sure_spread_m && likeness.distance2 < kUnlikely &&
-           !AreSeenTogether(object, *landmark);
-  });
+    object.spread = std::max(object.spread, likeness.spread);
+    should_wait =
+        should_wait || (likeness.spread > params_.sure_spread_m && likeness.distance2 < kUnlikely &&
+                        !AreSeenTogether(object, *landmark));
+  }
+  return should_wait;
 }
 
 void ObjectTracker::Settle(TrackedObject& object, const TrackerFrame& frame) {

@@ -107,6 +107,7 @@ void ObjectTracker::SuspectDuplicates() {
       if (d.norm() < params_.model.radius_m) {
         Tie(b, a);
       } else if (one < two && a.Color() == b.Color()) {
+        b.spread = std::sqrt(S.diagonal().head<2>().maxCoeff());
         b.is_in_doubt = b.is_open = true;
         ++identity_news_;
       }

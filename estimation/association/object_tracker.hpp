@@ -106,7 +106,7 @@ class ObjectTracker {
                                     const NavVector& x) const;
   /// True if the object may be a landmark that drift could have put elsewhere: then it is mapped in
   /// doubt, and decided with what is seen beside it.
-  [[nodiscard]] bool ShouldWait(const TrackedObject& object, const TrackerFrame& frame);
+  [[nodiscard]] bool ShouldWait(TrackedObject& object, const TrackerFrame& frame);
   /// Where the pose is sure: recognises, adopts as new, or adopts in doubt.
   void Settle(TrackedObject& object, const TrackerFrame& frame);
   [[nodiscard]] bool IsPlaced(const TrackedObject& object) const {

@@ -40,6 +40,7 @@ struct TrackedObject {
   int hits = 0;              ///< of these, how many did
   int prior_id = -1;         ///< object of the former session it was matched with
   bool is_in_doubt = false;  ///< a landmark of the smoother that may be another one seen again
+  double spread = 0.0;       ///< 1-sigma of its distance to landmarks when it came in doubt [m]
   bool is_open = false;      ///< what it is may still change
   int same_as = -1;          ///< id of the landmark that it is tied to; -1: none
   double certainty = 0.0;    ///< share of the likelihood of what it is taken for
