@@ -9,7 +9,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
-#include "estimation/matching/assignment.hpp"
 #include "estimation/association/object_tracker.hpp"
 #include "estimation/smoothing/factors/birthplace_factor.hpp"
 
@@ -18,17 +17,15 @@ namespace {
 
 constexpr double kPlaceError = 0.1;  // [m] of a tentative object's place, beyond its covariance
 constexpr double kRecognitionReach = 3.0;  // [m]
-constexpr double kBeside = 6.0;            // [m] within which objects are decided together
 constexpr double kUnlikely = 16.3;         // squared Mahalanobis distance, three degrees of freedom
 constexpr int kBoxesOfKnown = 2;
-constexpr double kOutOfSight = 1.0;   // [s] since the last box
-constexpr double kLongestWait = 8.0;  // [s] of looks, then it is decided even in sight
+constexpr double kHardly = 10.0;  // -2 ln of a likelihood ratio: another object, as good as surely
 
 }  // namespace
 
 bool ObjectTracker::AgreeOn(const TrackedObject& object, int boxes, double log_odds,
                             double now) const {
-  if (object.is_landmark() || object.looks.empty()) {
+  if (object.is_mapped() || object.looks.empty()) {
     return false;
   }
   const auto recent = std::ranges::count_if(object.looks, [&](const Look& look) {
@@ -51,18 +48,11 @@ void ObjectTracker::ConfirmWhatIsDue(const TrackerFrame& frame) {
                  kBoxesOfKnown * params_.confirm_log_odds / params_.looks_to_confirm, now)) {
       continue;
     }
-    std::vector<TrackedObject*> group{&object};
-    if (ShouldWait(object, frame)) {
-      if (!is_ripe) continue;
-      if (now - object.last_seen() < kOutOfSight && now - object.looks.front().t < kLongestWait) {
-        continue;
-      }
-      for (TrackedObject& other : objects_) {
-        const bool is_beside = (other.p - object.p).norm() < kBeside;
-        if (&other != &object && is_beside && IsRipe(other, now)) group.push_back(&other);
-      }
+    if (!ShouldWait(object, frame) && !is_provisional_) {
+      Settle(object, frame);
+    } else if (is_ripe && IsPlaced(object)) {
+      Adopt(object, true);
     }
-    Settle(group, frame);
   }
   std::erase_if(objects_, [](const TrackedObject& object) { return object.looks.empty(); });
 }
@@ -72,7 +62,7 @@ std::vector<TrackedObject*> ObjectTracker::LandmarksNear(const Eigen::Vector3d& 
   const double reach = kRecognitionReach + 4.0 * std::sqrt(pose.diagonal().head<2>().maxCoeff());
   std::vector<TrackedObject*> near;
   for (TrackedObject& object : objects_) {
-    if (object.is_landmark() && (object.p - p).norm() < reach) near.push_back(&object);
+    if (object.is_known() && (object.p - p).norm() < reach) near.push_back(&object);
   }
   return near;
 }
@@ -100,46 +90,41 @@ ObjectTracker::Likeness ObjectTracker::LikenessOf(const TrackedObject& tentative
   return likeness;
 }
 
-bool ObjectTracker::ShouldWait(const TrackedObject& object, const TrackerFrame& frame) {
-  return std::ranges::any_of(LandmarksNear(object.p), [&](const TrackedObject* landmark) {
+bool ObjectTracker::ShouldWait(TrackedObject& object, const TrackerFrame& frame) {
+  bool should_wait = false;
+  object.spread = 0.0;
+  for (const TrackedObject* landmark : LandmarksNear(object.p)) {
     const Likeness likeness = LikenessOf(object, *landmark, frame.x);
-    return likeness.spread > params_.sure_spread_m && likeness.distance2 < kUnlikely;
-  });
+    object.spread = std::max(object.spread, likeness.spread);
+    should_wait =
+        should_wait || (likeness.spread > params_.sure_spread_m && likeness.distance2 < kUnlikely &&
+                        !AreSeenTogether(object, *landmark));
+  }
+  return should_wait;
 }
 
-void ObjectTracker::Settle(const std::vector<TrackedObject*>& group, const TrackerFrame& frame) {
-  const std::vector<TrackedObject*> near = LandmarksNear(group.front()->p);
-  const double as_new = -2.0 * std::log(params_.objects_per_m3);
-  Eigen::MatrixXd costs =
-      Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(group.size()),
-                                static_cast<Eigen::Index>(near.size()), kImpossibleCost);
-  for (Eigen::Index i = 0; i < costs.rows(); ++i) {
-    for (Eigen::Index j = 0; j < costs.cols(); ++j) {
-      const Likeness likeness = LikenessOf(*group[static_cast<std::size_t>(i)],
-                                           *near[static_cast<std::size_t>(j)], frame.x);
-      if (likeness.distance2 < kUnlikely) costs(i, j) = likeness.cost - as_new;
+void ObjectTracker::Settle(TrackedObject& object, const TrackerFrame& frame) {
+  const double as_new = NewCost();
+  TrackedObject* known = nullptr;
+  double best = kHardly, second = kHardly;
+  for (TrackedObject* landmark : LandmarksNear(object.p)) {
+    const Likeness likeness = LikenessOf(object, *landmark, frame.x);
+    const double cost = likeness.cost - as_new;
+    if (likeness.distance2 > kUnlikely || cost > second || AreSeenTogether(object, *landmark)) {
+      continue;
     }
+    second = std::min(std::max(cost, best), second);
+    if (cost < best) best = cost, known = landmark;
   }
-  const std::vector<int> assigned = AssignOneToOne(costs, 0.0);
-  for (Eigen::Index i = 0; i < costs.rows(); ++i) {
-    TrackedObject& object = *group[static_cast<std::size_t>(i)];
-    const int known = assigned[static_cast<std::size_t>(i)];
-    bool is_clear = known >= 0 && costs(i, known) < -params_.known_margin;
-    for (Eigen::Index j = 0; is_clear && j < costs.cols(); ++j) {
-      const bool is_free = std::ranges::count(assigned, static_cast<int>(j)) == 0;
-      is_clear = !is_free || costs(i, j) > costs(i, known) + params_.known_margin;
-    }
-    if (is_clear) {
-      Recognise(*near[static_cast<std::size_t>(known)], object);
-    } else if (IsRipe(object, frame.detections->t) &&
-               object.covariance.diagonal().maxCoeff() <=
-                   params_.confirm_sd_m * params_.confirm_sd_m) {
-      Adopt(object);
-    }
+  if (known != nullptr && best < -params_.known_margin && second > best + params_.known_margin) {
+    Recognise(*known, object);
+  } else if (IsRipe(object, frame.detections->t) && IsPlaced(object)) {
+    Adopt(object, known != nullptr);
   }
 }
 
-void ObjectTracker::Adopt(TrackedObject& object) {
+void ObjectTracker::Adopt(TrackedObject& object, bool is_in_doubt) {
+  object.is_in_doubt = object.is_open = is_in_doubt;
   object.id = next_id_++;
   object.slot = smoother_.AddLandmark(object.p);
   const int node = object.looks.front().node;
@@ -158,6 +143,7 @@ void ObjectTracker::Recognise(TrackedObject& landmark, TrackedObject& tentative)
   }
   tentative.looks.clear();
   landmark.is_fresh = true;
+  ++identity_news_;
   landmark.expected += tentative.expected;
   landmark.hits += tentative.hits;
   landmark.last_path = tentative.last_path;

@@ -23,12 +23,15 @@ constexpr double kModelError = 0.05;  // [m] between two landmarks of one object
 
 bool ObjectTracker::Review() {
   bool has_changed = RemoveOutliers();
-  has_changed = MergeDuplicates() || has_changed;
+  SuspectDuplicates();
+  has_changed = Reconsider(false) || has_changed;
+  has_changed = ForgetEmptySlots() || has_changed;
   for (TrackedObject& object : objects_) {
-    const bool is_false = object.is_landmark() && object.expected >= params_.drop_after_expected &&
+    const bool is_false = object.is_known() && object.expected >= params_.drop_after_expected &&
                           object.hits < params_.drop_hit_share * object.expected;
-    const bool is_empty = object.is_landmark() && object.looks.empty();
+    const bool is_empty = object.is_mapped() && object.looks.empty();
     if (is_false || is_empty) {
+      ReleaseTiedTo(object);
       smoother_.RemoveLandmark(object.slot);
       object.looks.clear();
       object.slot = -1;
@@ -42,7 +45,7 @@ bool ObjectTracker::Review() {
 bool ObjectTracker::RemoveOutliers() {
   bool has_changed = false;
   for (TrackedObject& object : objects_) {
-    if (!object.is_landmark() || !std::exchange(object.is_fresh, false)) {
+    if (!object.is_mapped() || !std::exchange(object.is_fresh, false)) {
       continue;
     }
     const Eigen::Vector3d p = smoother_.LandmarkAt(object.slot);
@@ -71,22 +74,22 @@ bool ObjectTracker::RemoveOutliers() {
   return has_changed;
 }
 
-bool ObjectTracker::AreSeenTogether(const TrackedObject& a, const TrackedObject& b) const {
-  auto i = a.looks.begin();
-  auto j = b.looks.begin();
-  while (i != a.looks.end() && j != b.looks.end()) {
+bool ObjectTracker::AreSeenTogether(const TrackedObject& a, const TrackedObject& b) {
+  auto i = a.looks.rbegin();
+  auto j = b.looks.rbegin();
+  while (i != a.looks.rend() && j != b.looks.rend()) {
     if (i->frame == j->frame) {
       return true;
     }
-    (i->frame < j->frame ? i : j)++;
+    (i->frame > j->frame ? i : j)++;
   }
   return false;
 }
 
-bool ObjectTracker::MergeDuplicates() {
+void ObjectTracker::SuspectDuplicates() {
   for (TrackedObject& a : objects_) {
     for (TrackedObject& b : objects_) {
-      if (!a.is_landmark() || !b.is_landmark() || a.id >= b.id || a.Color() != b.Color()) {
+      if (!a.is_landmark() || !b.is_landmark() || a.id >= b.id) {
         continue;
       }
       const Eigen::Vector3d d = smoother_.LandmarkAt(a.slot) - smoother_.LandmarkAt(b.slot);
@@ -99,32 +102,17 @@ bool ObjectTracker::MergeDuplicates() {
       S.diagonal().array() += kModelError * kModelError;
       const double one = d.dot(S.llt().solve(d)) + std::log(S.determinant()) +
                          3.0 * std::log(2.0 * std::numbers::pi);
-      const double two = -2.0 * std::log(params_.objects_per_m3);
+      const double two = NewCost();
       // Two spheres cannot overlap, so within a radius there is one, whatever the covariance says.
-      if (one < two || d.norm() < params_.model.radius_m) {
-        Merge(a, b);
-        return true;
+      if (d.norm() < params_.model.radius_m) {
+        Tie(b, a);
+      } else if (one < two && a.Color() == b.Color()) {
+        b.spread = std::sqrt(S.diagonal().head<2>().maxCoeff());
+        b.is_in_doubt = b.is_open = true;
+        ++identity_news_;
       }
     }
   }
-  return false;
-}
-
-void ObjectTracker::Merge(TrackedObject& into, TrackedObject& from) {
-  smoother_.RemoveLandmark(from.slot);
-  from.slot = -1;
-  for (Look& look : from.looks) {
-    look.terms.clear();
-    AddTerms(into, look, false);
-    into.AddLook(std::move(look));
-  }
-  from.looks.clear();
-  std::ranges::stable_sort(into.looks, {}, &Look::frame);
-  into.expected += from.expected;
-  into.hits += from.hits;
-  into.last_path = std::max(into.last_path, from.last_path);
-  into.far = std::max(into.far, from.far);
-  std::erase_if(objects_, [](const TrackedObject& object) { return object.looks.empty(); });
 }
 
 }  // namespace limpet

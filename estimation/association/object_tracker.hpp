@@ -27,12 +27,13 @@ struct ObjectTrackerParams {
   /// A box is taken for a landmark at once when the landmark was expected within this share of the
   /// box's size; else several boxes must first agree among themselves.
   double sure_share = 0.2;
-  double known_margin = 4.0;      ///< -2 ln of the likelihood ratio that tells a known object
+  double known_margin = 10.0;     ///< -2 ln of the likelihood ratio that tells a known object
   double sure_spread_m = 0.3;     ///< drift below which three boxes are enough for that
   double drift_share = 0.01;      ///< of the way since last seen, for tentative objects
   double outlier_sigma = 6.0;     ///< a look that fits worse after solving is taken out again
   double merge_distance_m = 2.5;  ///< landmarks further apart are never one
   double objects_per_m3 = 1e-3;   ///< how crowded the water is
+  double beside_m = 2.0;          ///< objects this near each other come in groups
 };
 
 /// One frame at a pose: what the tracker works on.
@@ -59,6 +60,9 @@ class ObjectTracker {
   /// After an update: takes out looks that do not fit, merges duplicates, drops false landmarks.
   /// True if the graph changed.
   bool Review();
+  /// The session is over: decides what is still in doubt as well as can be. True if the graph
+  /// changed.
+  bool Conclude();
   /// Copies landmark estimates from the smoother.
   void Refresh();
 
@@ -75,6 +79,13 @@ class ObjectTracker {
                                       const std::vector<Candidate>& candidates) const;
   [[nodiscard]] SightCovariance CovarianceWith(const TrackedObject& object, double path,
                                                const Eigen::MatrixXd& joint, int row) const;
+  /// True if boxes may show this landmark, and not another that is tied to it.
+  [[nodiscard]] bool TakesLooks(const TrackedObject& object) const;
+  /// Id of the landmark that it is, or -1 while that is in doubt.
+  [[nodiscard]] int NameOf(const TrackedObject& object) const;
+  [[nodiscard]] bool IsSeenAgain(const TrackedObject& object) const {
+    return now_ - object.last_seen() > params_.confirm_within_s;
+  }
   void CountVisibility(const TrackerFrame& frame, const std::vector<int>& seen);
   void AddLook(TrackedObject& object, Look look, const TrackerFrame& frame);
   void Start(Look look, const TrackerFrame& frame);
@@ -93,21 +104,46 @@ class ObjectTracker {
   };
   [[nodiscard]] Likeness LikenessOf(const TrackedObject& tentative, const TrackedObject& landmark,
                                     const NavVector& x) const;
-  /// True if the object may be a landmark that drift could have put elsewhere: then it is looked at
-  /// until it is out of sight, and decided with what is seen beside it.
-  [[nodiscard]] bool ShouldWait(const TrackedObject& object, const TrackerFrame& frame);
-  void Settle(const std::vector<TrackedObject*>& group, const TrackerFrame& frame);
+  /// True if the object may be a landmark that drift could have put elsewhere: then it is mapped in
+  /// doubt, and decided with what is seen beside it.
+  [[nodiscard]] bool ShouldWait(TrackedObject& object, const TrackerFrame& frame);
+  /// Where the pose is sure: recognises, adopts as new, or adopts in doubt.
+  void Settle(TrackedObject& object, const TrackerFrame& frame);
+  [[nodiscard]] bool IsPlaced(const TrackedObject& object) const {
+    return object.covariance.diagonal().maxCoeff() <= params_.confirm_sd_m * params_.confirm_sd_m;
+  }
   [[nodiscard]] std::vector<TrackedObject*> LandmarksNear(const Eigen::Vector3d& p);
-  void Adopt(TrackedObject& object);
+  void Adopt(TrackedObject& object, bool is_in_doubt);
   /// Gives the looks of a tentative object to a landmark.
   void Recognise(TrackedObject& landmark, TrackedObject& tentative);
   void AddTerms(TrackedObject& object, Look& look, bool with_seabed);
   void DropStale(double now);
   bool RemoveOutliers();
-  bool MergeDuplicates();
-  void Merge(TrackedObject& into, TrackedObject& from);
-  [[nodiscard]] bool AreSeenTogether(const TrackedObject& a, const TrackedObject& b) const;
+  /// Doubts landmarks that are likely to be one.
+  void SuspectDuplicates();
+  /// -2 ln of how many more objects there are per m^3 around a known one: where objects come in
+  /// pairs, another one beside a known one is no surprise.
+  [[nodiscard]] double NewCost() const;
+  [[nodiscard]] static bool AreSeenTogether(const TrackedObject& a, const TrackedObject& b);
+  struct Identities;
+  /// True if what it is may be decided: it has been seen enough, or is out of view.
+  [[nodiscard]] bool IsDecidable(const TrackedObject& object, bool is_last) const;
+  [[nodiscard]] Identities CollectIdentities(bool is_last);
+  /// Decides together which landmarks are others seen again, as far as that is clear, and takes
+  /// back what no longer is. True if the graph changed.
+  bool Reconsider(bool is_last);
+  bool Decide(const Identities& all, bool is_last);
+  void Tie(TrackedObject& object, TrackedObject& to);
+  void Release(TrackedObject& object);
+  void ReleaseTiedTo(const TrackedObject& object);
+  /// Makes tied objects one for good.
+  bool AbsorbSure(const Identities& all);
+  void Absorb(TrackedObject& object);
+  bool ForgetEmptySlots();
+  [[nodiscard]] TrackedObject* ById(int id);
+  /// Place of a tentative object from its looks; a look that cannot be of it goes.
   void Retriangulate(TrackedObject& object);
+  void Locate(TrackedObject& object);
 
   Smoother& smoother_;
   const CameraModel& camera_;
@@ -115,6 +151,14 @@ class ObjectTracker {
   std::vector<TrackedObject> objects_;
   int next_id_ = 1;
   int rejected_looks_ = 0;
+  double now_ = 0.0;
+  std::vector<int> empty_slots_;  ///< absorbed, to be removed when the smoother has caught up
+  /// True while a landmark is tied to another one that it may not be: then the pose is not as sure
+  /// as it seems, and what is seen again is mapped in doubt.
+  bool is_provisional_ = false;
+  int identity_news_ = 0;  ///< since identities were last considered
+  double considered_t_ = -1e18;
+  int considered_count_ = 0;
 };
 
 }  // namespace limpet

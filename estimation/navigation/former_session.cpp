@@ -63,11 +63,12 @@ bool TakeOut(const JointPrior& prior, PresentLandmarks& present) {
 
 /// Landmarks whose place among the others is known; of one that was seen after a dropout, say, it
 /// would be chance which object it fits.
-std::vector<std::size_t> WellPlaced(const Eigen::MatrixXd& own) {
+std::vector<std::size_t> WellPlaced(const PresentLandmarks& present, const Eigen::MatrixXd& own) {
   std::vector<std::size_t> placed;
-  for (Eigen::Index row = 0; row < own.rows(); row += 3) {
+  for (std::size_t i = 0; i + present.others < present.slots.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(3 * i);
     const bool is_placed = own.diagonal().segment<2>(row).maxCoeff() < kPlaced * kPlaced;
-    if (is_placed) placed.push_back(static_cast<std::size_t>(row / 3));
+    if (is_placed) placed.push_back(i);
   }
   return placed;
 }
@@ -118,7 +119,7 @@ bool FormerSessionTie::Match(const PresentLandmarks& landmarks,
   const SplitCovariance split =
       SplitFrom(PlacesOf(present.objects), present.covariance, offset_.pivot);
   SetOwn(present.objects, split.own);
-  const std::vector<std::size_t> placed = WellPlaced(split.own);
+  const std::vector<std::size_t> placed = WellPlaced(present, split.own);
   std::vector<PlacedObject> candidates;
   for (const std::size_t i : placed)
     candidates.push_back(present.objects[i]);

@@ -24,6 +24,8 @@ struct PresentLandmarks {
   std::vector<int> slots;
   std::vector<PlacedObject> objects;
   Eigen::MatrixXd covariance;  ///< joint, three rows per landmark
+  std::size_t others = 0;      ///< the last so many are not to be matched, but the prior that is
+                               ///< applied speaks of them
 };
 
 /// Recognises the former session's objects among the present landmarks, and says what it then

@@ -145,6 +145,11 @@ SolveReport Navigator::Finish() {
   if (tracker_.Review()) {
     smoother_.Update();
     report = smoother_.Converge();
+    tracker_.Refresh();
+  }
+  if (tracker_.Conclude()) {
+    smoother_.Update();
+    report = smoother_.Converge();
   }
   tracker_.Refresh();
   if (former_.has_former()) {

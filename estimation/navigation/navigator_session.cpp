@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a former session tells this one: which objects it knew, and where on earth they are.
+#include <algorithm>
+
 #include "estimation/navigation/navigator.hpp"
 
 namespace limpet {
@@ -20,18 +22,26 @@ void Navigator::MatchFormerObjects() {
   }
   PresentLandmarks present;
   std::vector<TrackedObject*> objects;
+  const auto add = [&](TrackedObject& object) {
+    objects.push_back(&object);
+    present.slots.push_back(object.slot);
+    present.objects.push_back({.ned = object.p, .cov = {}, .color = object.Color()});
+  };
   for (TrackedObject& object : tracker_.objects()) {
-    if (object.is_landmark()) {
-      objects.push_back(&object);
-      present.slots.push_back(object.slot);
-      present.objects.push_back({.ned = object.p, .cov = {}, .color = object.Color()});
-    }
+    if (object.is_landmark()) add(object);
+  }
+  // One that has come in doubt since the last match.
+  const std::optional<JointPrior>& applied = smoother_.graph().joint_prior();
+  for (TrackedObject& object : tracker_.objects()) {
+    const bool is_in_prior =
+        applied && object.is_mapped() && std::ranges::count(applied->slots(), object.slot) > 0;
+    if (is_in_prior && !object.is_landmark()) add(object), ++present.others;
   }
   if (present.slots.empty() || !HasChanged(present)) {
     return;
   }
   present.covariance = JointCovarianceOf(present.slots);
-  if (!former_.Match(present, smoother_.graph().joint_prior())) {
+  if (!former_.Match(present, applied)) {
     return;
   }
   for (std::size_t i = 0; i < objects.size(); ++i) {

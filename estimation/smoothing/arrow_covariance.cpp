@@ -84,7 +84,7 @@ JointCovariance ArrowSmoother::CovarianceOf(const std::vector<int>& nodes,
                                             const std::vector<int>& landmarks) const {
   std::vector<int> wanted(nodes);
   std::ranges::sort(wanted, std::greater<>());
-  wanted.erase(std::ranges::unique(wanted).begin(), wanted.end());
+  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
   LIMPET_REQUIRE(
       wanted.empty() || (has_begun_ && wanted.back() >= 0 && wanted.front() <= open_.head()),
       "nodes that an update has seen");

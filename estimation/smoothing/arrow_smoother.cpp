@@ -79,6 +79,12 @@ void ArrowSmoother::SetJointPrior(std::optional<JointPrior> prior) {
   prior_is_old_ = has_news_ = true;
 }
 
+void ArrowSmoother::Untie(int landmark) {
+  std::erase_if(graph_.landmark(landmark).terms,
+                [](const Term& term) { return term.second() >= 0; });
+  prior_is_old_ = true;
+}
+
 void ArrowSmoother::MarkDirty(int node) {
   if (!has_begun_ || node >= open_.head()) {
     return;

@@ -41,6 +41,8 @@ class ArrowSmoother final : public Smoother {
   void RemoveLandmark(int landmark) override;
   void AddLandmarkTerm(int landmark, Term term) override;
   void SetJointPrior(std::optional<JointPrior> prior) override;
+  void Untie(int landmark) override;
+  [[nodiscard]] bool HasCaughtUp() const override { return IsUpToDate() && dirty_.empty(); }
   SolveReport Update() override;
   SolveReport Converge() override;
 

@@ -41,6 +41,10 @@ class Smoother {
   virtual void AddLandmarkTerm(int landmark, Term term) = 0;
   /// What is known beforehand of several landmarks together; takes the place of the former one.
   virtual void SetJointPrior(std::optional<JointPrior> prior) = 0;
+  /// Takes out the landmark's own terms on two blocks; takes effect with the next update.
+  virtual void Untie(int landmark) = 0;
+  /// True if nothing that was taken out still has an effect.
+  [[nodiscard]] virtual bool HasCaughtUp() const = 0;
 
   /// Takes in what is new; cheap, near the optimum.
   virtual SolveReport Update() = 0;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/association/object_tracker.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -191,6 +193,110 @@ TEST_F(ObjectTrackerTest, MergesADuplicateUnderTheOlderId) {
   FlyTo(5.0, -3.0);
   EXPECT_GE(Found().size(), 1U);
   EXPECT_EQ(Found()[0].id, 1);
+}
+
+/// One or two objects and, some way east, two more. After a way round with drift that odometry
+/// admits, the vehicle comes to the first again, then to the others.
+class SecondVisitTest : public ObjectTrackerTest {
+ protected:
+  void VisitAll(std::vector<Eigen::Vector3d> first) {
+    first_ = std::move(first);
+    objects_ = first_;
+    objects_.insert(objects_.end(), others_.begin(), others_.end());
+    FlyTo(5.0, -4.0);
+    FlyTo(5.0, 16.0);
+    objects_.clear();
+    step_sigma_ = 0.05;
+    FlyTo(20.0, 16.0);
+    FlyTo(20.0, -4.0, -0.3);
+    FlyTo(5.0, -4.0);
+    step_sigma_ = 0.01;  // little drift between what is seen on the second visit
+    known_ = Found().size();
+  }
+  void SeeAgain(const Eigen::Vector3d& object) {
+    objects_ = {object};
+    FlyTo(5.0, 6.5);
+  }
+  void SeeOthers() {
+    objects_ = others_;
+    FlyTo(5.0, 16.0);
+  }
+  int InDoubt() const {
+    return static_cast<int>(std::ranges::count_if(
+        tracker_.objects(), [](const TrackedObject& o) { return o.is_in_doubt; }));
+  }
+  double NearestTo(const Eigen::Vector3d& place) const {
+    double nearest = 99.0;
+    for (const TrackedObject& object : Found())
+      nearest = std::min(nearest, (object.p - place).norm());
+    return nearest;
+  }
+  double PoseError() const {
+    const int head = smoother_.graph().node_count() - 1;
+    return (smoother_.PoseAt(head) - truth_).head<2>().norm();
+  }
+  std::vector<Eigen::Vector3d> first_;
+  const std::vector<Eigen::Vector3d> others_{{5.0, 9.5, 6.5}, {4.0, 12.0, 6.5}};
+  const Eigen::Vector3d stranger_{5.0, 1.5, 6.8};  ///< where drift may have put the first
+  std::size_t known_ = 0;
+};
+
+TEST_F(SecondVisitTest, WhatMayBeEitherOfTwoLikeObjectsIsLeftOpenAndShownAsNeither) {
+  VisitAll({{5.0, 0.0, 6.8}, {5.0, 1.2, 6.8}});
+  SeeAgain(first_[1]);
+  EXPECT_EQ(Found().size(), known_);
+  EXPECT_EQ(InDoubt(), 1);
+}
+
+TEST_F(SecondVisitTest, WhatWasLeftOpenIsDecidedByWhatIsSeenNext) {
+  VisitAll({{5.0, 0.0, 6.8}, {5.0, 1.2, 6.8}});
+  SeeAgain(first_[1]);
+  SeeOthers();
+  FlyTo(5.0, 19.0);
+  EXPECT_EQ(InDoubt(), 0);
+  EXPECT_EQ(Found().size(), known_);
+  EXPECT_LT(NearestTo(first_[0]), 0.3);
+  EXPECT_LT(NearestTo(first_[1]), 0.3);
+}
+
+TEST_F(SecondVisitTest, AWrongRecognitionIsTakenBackWhenWhatIsSeenNextContradictsIt) {
+  VisitAll({{5.0, 0.0, 6.8}});
+  SeeAgain(stranger_);
+  ASSERT_EQ(Found().size(), known_) << "nothing tells it from the known one so far";
+  SeeOthers();
+  FlyTo(5.0, 19.0);
+  EXPECT_EQ(Found().size(), known_ + 1);
+  EXPECT_LT(NearestTo(first_[0]), 0.3);
+  EXPECT_LT(NearestTo(stranger_), 0.3);
+}
+
+TEST_F(SecondVisitTest, ARecognitionThatIsTakenBackNoLongerPullsThePose) {
+  VisitAll({{5.0, 0.0, 6.8}});
+  SeeAgain(stranger_);
+  EXPECT_GT(PoseError(), 1.0);
+  SeeOthers();
+  FlyTo(5.0, 19.0);
+  EXPECT_LT(PoseError(), 0.2);
+}
+
+TEST_F(SecondVisitTest, BoxesOfARecognisedObjectAreGivenItsNameAtOnce) {
+  VisitAll({{5.0, 0.0, 6.8}});
+  objects_ = first_;
+  FlyTo(5.0, 0.0);
+  ASSERT_EQ(shown_.size(), 1U);
+  FlyTo(5.0, 2.0);
+  ASSERT_EQ(shown_.size(), 1U);
+  EXPECT_EQ(shown_[0], Found()[0].id);
+}
+
+TEST_F(SecondVisitTest, TheEndOfTheSessionGivesALandmarkTheLooksOfAllVisits) {
+  VisitAll({{5.0, 0.0, 6.8}});
+  const double before = time_;
+  SeeAgain(first_[0]);
+  static_cast<void>(tracker_.Conclude());
+  smoother_.Update();
+  ASSERT_EQ(Found().size(), known_);
+  EXPECT_GT(Found()[0].looks.back().t, before);
 }
 
 }  // namespace

@@ -154,6 +154,19 @@ TEST(FormerSessionTie, DoesNotAskALandmarkWhosePlaceAmongTheOthersIsNotKnown) {
   EXPECT_THAT(tie.former_ids(), ElementsAre(1, 2, 3, -1));
 }
 
+TEST(FormerSessionTie, LetsGoOfALandmarkThatHasComeInDoubt) {
+  FormerSessionTie tie({});
+  tie.SetFormer(Former());
+  PresentLandmarks present = Present({kPlaces[0], kPlaces[1], kPlaces[2]});
+  ASSERT_TRUE(tie.Match(present, std::nullopt));
+  const JointPrior applied = *tie.prior();
+  present.covariance = Together(present, applied).second;
+  present.others = 1;  // the last one
+  ASSERT_TRUE(tie.Match(present, applied));
+  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 2, -1));
+  EXPECT_THAT(tie.prior()->slots(), ElementsAre(10, 11));
+}
+
 TEST(FormerSessionTie, OneObjectAloneTiesNothing) {
   FormerSessionTie tie({});
   tie.SetFormer(Former());

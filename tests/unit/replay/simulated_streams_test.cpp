@@ -49,6 +49,29 @@ TEST_P(HardHour, LongDropoutsAndFalseBoxesNeitherDoubleNorInventAnObject) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, HardHour, ::testing::Range(1, 5));
 
+StreamScene TwinHour(std::uint64_t seed) {
+  StreamScene scene = RoughHour(seed);
+  scene.has_twins = true;
+  scene.yaw_bias_degph = 2.0;
+  scene.false_share = 0.5;
+  scene.look_alikes = 6;
+  scene.long_dropouts = 1;
+  return scene;
+}
+
+/// Pairs of identical objects 1.1 m apart, first seen again after most of an hour.
+class TwinHourTest : public ::testing::TestWithParam<int> {};
+
+TEST_P(TwinHourTest, TwinsAreNeverTakenForEachOtherForGood) {
+  const SimulatedStream session = SimulateStream(TwinHour(static_cast<unsigned>(GetParam())));
+  const ReplayResult result = Replay(session.stream, ParamsForStream(session.stream.meta), NoClock);
+  const auto error = ErrorOf(result.smoothed, session.truth);
+  EXPECT_EQ(ErrorsOf(result.landmarks, error.alignment, session.truth).duplicates, 0);
+  EXPECT_LT(error.aligned, 0.2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, TwinHourTest, ::testing::Values(3, 9, 10, 12, 15));
+
 TEST(SimulatedStream, CovariancesAreHonestOverManySessions) {
   constexpr int kSessions = 20;
   double pose = 0.0, landmark = 0.0;

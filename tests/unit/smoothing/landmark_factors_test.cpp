@@ -12,6 +12,7 @@
 #include "estimation/smoothing/factors/landmark_prior_factor.hpp"
 #include "estimation/smoothing/factors/range_factor.hpp"
 #include "estimation/smoothing/factors/reprojection_factor.hpp"
+#include "estimation/smoothing/factors/same_place_factor.hpp"
 #include "estimation/smoothing/factors/seabed_factor.hpp"
 #include "tests/unit/smoothing/numeric_jacobian.hpp"
 
@@ -160,6 +161,24 @@ TEST_F(LandmarkFactorTest, DistanceHasNoDerivativeWhereBothCoincide) {
   DistanceFactor::LandmarkJacobian J;
   EXPECT_NEAR(DistanceFactor(3.0_m, 0.5_m).Evaluate(x_, x_.head<3>(), nullptr, &J)(0), -6.0, 1e-12);
   EXPECT_EQ(J.norm(), 0.0);
+}
+
+TEST(SamePlaceFactor, IsZeroForTwoLandmarksAtOnePlace) {
+  EXPECT_EQ(SamePlaceFactor(0.05_m).Evaluate({1.0, 2.0, 3.0}, {1.0, 2.0, 3.0}).norm(), 0.0);
+}
+TEST(SamePlaceFactor, JacobiansMatchCentralDifferences) {
+  const SamePlaceFactor factor(0.05_m);
+  const Eigen::Vector3d a(1.0, 2.0, 3.0), b(1.2, 1.9, 3.1);
+  SamePlaceFactor::LandmarkJacobian J_a, J_b;
+  EXPECT_NEAR(factor.Evaluate(a, b, &J_a, &J_b).norm(), (a - b).norm() / 0.05, 1e-9);
+  const auto of_a = [&](const Eigen::Vector3d& p) {
+    return Eigen::VectorXd(factor.Evaluate(p, b));
+  };
+  const auto of_b = [&](const Eigen::Vector3d& p) {
+    return Eigen::VectorXd(factor.Evaluate(a, p));
+  };
+  EXPECT_LT((J_a - NumericJacobian(of_a, a)).lpNorm<Eigen::Infinity>(), 1e-6);
+  EXPECT_LT((J_b - NumericJacobian(of_b, b)).lpNorm<Eigen::Infinity>(), 1e-6);
 }
 
 }  // namespace

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/association/joint_identity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Cholesky>
+
+namespace limpet {
+namespace {
+
+constexpr double kHopeless = 30.0;  // -2 ln of a likelihood ratio not worth following up
+
+/// A hypothesis under way: its pairs' differences, whitened one after the other by the Cholesky
+/// factor of their joint covariance, which grows by three rows with each pair.
+struct Partial {
+  IdentityHypothesis hypothesis;
+  std::vector<std::pair<int, int>> pairs;
+  Eigen::MatrixXd factor;
+  Eigen::VectorXd whitened;
+};
+
+Eigen::Index Row(int thing) { return 3 * static_cast<Eigen::Index>(thing); }
+
+/// Covariance of (places of a - b) with (c - d).
+Eigen::Matrix3d AcrossPairs(const Eigen::MatrixXd& P, std::pair<int, int> ab,
+                            std::pair<int, int> cd) {
+  const auto block = [&P](int i, int j) -> Eigen::Matrix3d {
+    return P.block<3, 3>(Row(i), Row(j));
+  };
+  return block(ab.first, cd.first) - block(ab.first, cd.second) - block(ab.second, cd.first) +
+         block(ab.second, cd.second);
+}
+
+/// What thing `thing` is in a hypothesis.
+int NameIn(const IdentityProblem& problem, const IdentityHypothesis& hypothesis, int thing) {
+  for (std::size_t i = 0; i < hypothesis.is.size(); ++i) {
+    if (problem.claimants[i].thing == thing) return hypothesis.is[i];
+  }
+  return thing;
+}
+
+/// True if nothing that `name` stands for is apart from `thing`.
+bool MayBe(const IdentityProblem& problem, const IdentityHypothesis& hypothesis, int thing,
+           int name) {
+  return std::ranges::none_of(problem.apart, [&](const std::pair<int, int>& two) {
+    const int other = two.first == thing ? two.second : two.second == thing ? two.first : -1;
+    return other >= 0 && NameIn(problem, hypothesis, other) == name;
+  });
+}
+
+/// Adds that `thing` and `same` are one: the likelihood of their distance, given all pairs before.
+void AddPair(const IdentityProblem& problem, Partial& partial, int thing, int same) {
+  const std::pair<int, int> pair{thing, same};
+  const auto n = static_cast<Eigen::Index>(3 * partial.pairs.size());
+  Eigen::MatrixXd across(n, 3);
+  for (std::size_t i = 0; i < partial.pairs.size(); ++i) {
+    across.middleRows<3>(static_cast<Eigen::Index>(3 * i)) =
+        AcrossPairs(problem.covariance, partial.pairs[i], pair);
+  }
+  if (n > 0) partial.factor.triangularView<Eigen::Lower>().solveInPlace(across);
+  Eigen::Matrix3d S = AcrossPairs(problem.covariance, pair, pair) - across.transpose() * across;
+  S.diagonal().array() += problem.model_sigma * problem.model_sigma;
+  const Eigen::LLT<Eigen::Matrix3d> llt(S);
+  const Eigen::Matrix3d L = llt.matrixL();
+  Eigen::Vector3d r = problem.places.segment<3>(Row(thing)) - problem.places.segment<3>(Row(same));
+  r -= across.transpose() * partial.whitened;
+  const Eigen::Vector3d w = L.triangularView<Eigen::Lower>().solve(r);
+  partial.hypothesis.cost += w.squaredNorm() + 2.0 * L.diagonal().array().log().sum() +
+                             3.0 * std::log(2.0 * std::numbers::pi);
+  Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(n + 3, n + 3);
+  factor.topLeftCorner(n, n) = partial.factor;
+  factor.bottomLeftCorner(3, n) = across.transpose();
+  factor.bottomRightCorner<3, 3>() = L;
+  partial.factor = std::move(factor);
+  partial.whitened.conservativeResize(n + 3);
+  partial.whitened.tail<3>() = w;
+  partial.pairs.push_back(pair);
+}
+
+}  // namespace
+
+std::vector<IdentityHypothesis> LikeliestIdentities(const IdentityProblem& problem, int width) {
+  std::vector<Partial> beam(1), next;
+  for (const IdentityProblem::Claimant& claimant : problem.claimants) {
+    next.clear();
+    for (const Partial& partial : beam) {
+      Partial& as_new = next.emplace_back(partial);
+      as_new.hypothesis.is.push_back(claimant.thing);
+      as_new.hypothesis.cost += claimant.new_cost;
+      for (const IdentityProblem::Option& option : claimant.options) {
+        // What an option itself is taken for has its own option, or is out of reach.
+        const bool is_named = NameIn(problem, partial.hypothesis, option.thing) == option.thing &&
+                              MayBe(problem, partial.hypothesis, claimant.thing, option.thing);
+        if (!is_named) continue;
+        Partial& same = next.emplace_back(partial);
+        same.hypothesis.is.push_back(option.thing);
+        same.hypothesis.cost += option.cost;
+        AddPair(problem, same, claimant.thing, option.thing);
+      }
+    }
+    std::ranges::stable_sort(next, {}, [](const Partial& p) { return p.hypothesis.cost; });
+    const double hopeless = next.front().hypothesis.cost + kHopeless;
+    while (static_cast<int>(next.size()) > width || next.back().hypothesis.cost > hopeless)
+      next.pop_back();
+    std::swap(beam, next);
+  }
+  std::vector<IdentityHypothesis> result;
+  for (Partial& partial : beam)
+    result.push_back(std::move(partial.hypothesis));
+  return result;
+}
+
+double ShareOf(const std::vector<IdentityHypothesis>& hypotheses, int claimant, int thing) {
+  double share = 0.0, all = 0.0;
+  for (const IdentityHypothesis& hypothesis : hypotheses) {
+    const double likelihood = std::exp(-0.5 * (hypothesis.cost - hypotheses.front().cost));
+    all += likelihood;
+    share += hypothesis.is[static_cast<std::size_t>(claimant)] == thing ? likelihood : 0.0;
+  }
+  return share / all;
+}
+
+bool TakeOutTie(Eigen::VectorXd& places, Eigen::MatrixXd& covariance, int a, int b, double sigma) {
+  const Eigen::MatrixXd across =
+      covariance.middleCols<3>(Row(a)) - covariance.middleCols<3>(Row(b));
+  // The tie was a measurement of the difference; taking it out is one with negative information.
+  Eigen::Matrix3d S = across.middleRows<3>(Row(a)) - across.middleRows<3>(Row(b));
+  S = (sigma * sigma * Eigen::Matrix3d::Identity() - S).eval();
+  const Eigen::LLT<Eigen::Matrix3d> llt(S);
+  if (llt.info() != Eigen::Success) {
+    return false;
+  }
+  const Eigen::MatrixXd gain = llt.solve(across.transpose()).transpose();
+  const Eigen::Vector3d d = places.segment<3>(Row(a)) - places.segment<3>(Row(b));
+  places += gain * d;
+  covariance += gain * across.transpose();
+  return true;
+}
+
+}  // namespace limpet

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Which of several things are one and the same, decided together: what one pair says of the drift
+// between two sightings, it says for all that was seen then.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace limpet {
+
+/// Things at uncertain places, three rows each. A claimant may be one of the things named in its
+/// options, or something else. Claimants are in order: an option is no later claimant.
+struct IdentityProblem {
+  struct Option {
+    int thing = 0;
+    double cost = 0.0;  ///< -2 ln of what is known but for the place: the class
+  };
+  struct Claimant {
+    int thing = 0;
+    double new_cost = 0.0;  ///< -2 ln of the likelihood [1/m^3] that it is something else
+    std::vector<Option> options;
+  };
+  Eigen::VectorXd places;
+  Eigen::MatrixXd covariance;  ///< joint, of the places, with none taken for another
+  std::vector<Claimant> claimants;
+  std::vector<std::pair<int, int>> apart;  ///< things that are two: seen at one time
+  double model_sigma = 0.1;                ///< [m] between two places of one thing
+};
+
+/// One way to see it: per claimant the thing that it is, its own number if something else.
+struct IdentityHypothesis {
+  std::vector<int> is;
+  double cost = 0.0;  ///< -2 ln of the likelihood
+};
+
+/// The likeliest hypotheses, best first. Exact for linear Gaussian places but for the width of the
+/// search. Deterministic.
+[[nodiscard]] std::vector<IdentityHypothesis> LikeliestIdentities(const IdentityProblem& problem,
+                                                                  int width = 48);
+
+/// Share of the likelihood in which a claimant (index) is `thing`, named as in the hypotheses.
+[[nodiscard]] double ShareOf(const std::vector<IdentityHypothesis>& hypotheses, int claimant,
+                             int thing);
+
+/// Takes out of `places` and their covariance that two things (indices) were held together with
+/// `sigma`. False, and nothing changed, if they cannot have been.
+[[nodiscard]] bool TakeOutTie(Eigen::VectorXd& places, Eigen::MatrixXd& covariance, int a, int b,
+                              double sigma);
+
+}  // namespace limpet

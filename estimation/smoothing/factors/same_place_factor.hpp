@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "limpet/core/units.hpp"
+
+namespace limpet {
+
+/// Two landmarks are one:  r = (a - b) / sigma. Small `sigma`, not none, so that it can be taken
+/// back, and what the places say without it be told from what they say with it.
+class SamePlaceFactor {
+ public:
+  static constexpr int kDim = 3;
+  using Residual = Eigen::Matrix<double, kDim, 1>;
+  using LandmarkJacobian = Eigen::Matrix<double, kDim, 3>;
+
+  explicit SamePlaceFactor(Meters sigma) : inv_sigma_(1.0 / sigma.value()) {}
+
+  [[nodiscard]] Residual Evaluate(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                  LandmarkJacobian* J_a = nullptr,
+                                  LandmarkJacobian* J_b = nullptr) const {
+    if (J_a != nullptr) *J_a = inv_sigma_ * LandmarkJacobian::Identity();
+    if (J_b != nullptr) *J_b = -inv_sigma_ * LandmarkJacobian::Identity();
+    return inv_sigma_ * (a - b);
+  }
+
+ private:
+  double inv_sigma_;
+};
+
+}  // namespace limpet
