@@ -68,6 +68,22 @@ class Descent {
     Set(to, with_all, own);
   }
 
+  /// Keeps the poses that are wanted inside a leaf whose end is inside, its anchor here.
+  void WalkInto(const ArrowLeaf& leaf, std::vector<int>::iterator& next,
+                std::vector<int>::iterator end) {
+    Rows z;
+    Append(z, inside_, 6);
+    Append(z, kHere, 6);
+    for (const int slot : leaf.slots())
+      Append(z, kBorder + 3 * slot, 3);
+    for (int node = leaf.head() - 1; next != end && *next > leaf.anchor(); --node) {
+      Place(leaf.Interior(node), z, inside_);
+      if (*next != node) continue;
+      Keep(inside_);
+      ++next;
+    }
+  }
+
  private:
   void Set(Eigen::Index at, const Eigen::MatrixXd& with_all, const NavCovariance& own) {
     S_.middleRows(at, 6) = with_all;
@@ -93,21 +109,6 @@ JointCovariance ArrowSmoother::CovarianceOf(const std::vector<int>& nodes,
   Rows trunk_rows;
   Append(trunk_rows, 0, 6 + descent.border());
   auto next = wanted.begin();
-  const auto walk_into = [&](const ArrowLeaf& leaf) {
-    // The leaf's end is inside, its anchor here.
-    Rows z;
-    Append(z, descent.inside(), 6);
-    Append(z, Descent::kHere, 6);
-    for (const int slot : leaf.slots())
-      Append(z, Descent::kBorder + 3 * slot, 3);
-    for (int node = leaf.head() - 1; next != wanted.end() && *next > leaf.anchor(); --node) {
-      descent.Place(leaf.Interior(node), z, descent.inside());
-      if (*next == node) {
-        descent.Keep(descent.inside());
-        ++next;
-      }
-    }
-  };
   for (int leaf = static_cast<int>(leaves_.size()); next != wanted.end(); --leaf) {
     const bool is_open = leaf == static_cast<int>(leaves_.size());
     const ArrowLeaf& of = is_open ? open_ : leaves_[AsIndex(leaf)];
@@ -118,7 +119,7 @@ JointCovariance ArrowSmoother::CovarianceOf(const std::vector<int>& nodes,
       descent.Keep(descent.inside());
       ++next;
     }
-    if (next != wanted.end() && *next > of.anchor()) walk_into(of);
+    if (next != wanted.end() && *next > of.anchor()) descent.WalkInto(of, next, wanted.end());
     if (next != wanted.end() && *next == of.anchor()) {
       descent.Keep(Descent::kHere);
       ++next;
