@@ -169,6 +169,7 @@ bool ObjectTracker::Reconsider(bool is_last) {
   all.hypotheses = LikeliestIdentities(all.problem, kWidth);
   const bool has_decided = Decide(all, is_last);
   const bool has_absorbed = AbsorbSure(all);
+  NoteProvisional();
   considered_count_ = static_cast<int>(std::ranges::count_if(objects_, is_decidable));
   return has_absorbed || has_decided;
 }
@@ -200,9 +201,7 @@ bool ObjectTracker::Decide(const Identities& all, bool is_last) {
       object.is_in_doubt = false;
     }
   }
-  is_provisional_ = std::ranges::any_of(objects_, [](const TrackedObject& object) {
-    return object.is_mapped() && object.same_as >= 0 && object.certainty < kSurest;
-  });
+  NoteProvisional();
   for (int i = 0; i < all.claimants(); ++i) {
     TrackedObject& object = all.thing(i);
     if (object.is_landmark() && (!is_provisional_ || object.certainty > kSurest)) {
@@ -212,6 +211,12 @@ bool ObjectTracker::Decide(const Identities& all, bool is_last) {
   return has_changed;
 }
 
+void ObjectTracker::NoteProvisional() {
+  is_provisional_ = std::ranges::any_of(objects_, [](const TrackedObject& object) {
+    return object.is_mapped() && object.same_as >= 0 && object.certainty < kSurest;
+  });
+}
+
 void ObjectTracker::Tie(TrackedObject& object, TrackedObject& to) {
   smoother_.AddLandmarkTerm(
       object.slot, Term::OnBlocks(SamePlaceFactor(Meters(kTieSigma)), object.slot, to.slot));
@@ -219,6 +224,7 @@ void ObjectTracker::Tie(TrackedObject& object, TrackedObject& to) {
   object.is_open = true;
   object.same_as = to.id;
   object.decided_t = now_;
+  object.is_fresh = to.is_fresh = true;
   to.last_path = std::max(to.last_path, object.last_path);
 }
 
@@ -302,6 +308,7 @@ bool ObjectTracker::Conclude() {
     smoother_.RemoveLandmark(slot);
   empty_slots_.clear();
   std::erase_if(objects_, [](const TrackedObject& object) { return object.looks.empty(); });
+  NoteProvisional();
   return has_changed;
 }
 

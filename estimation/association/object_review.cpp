@@ -3,6 +3,7 @@
 // none.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double kMoved = 0.1;        // [m] after which all looks of a landmark are reviewed again
 constexpr double kRecent = 30.0;      // [s] of looks that always are
+constexpr double kSplitSpread = 0.5;  // [m] of what was taken for another landmark by mistake
 constexpr double kModelError = 0.05;  // [m] between two landmarks of one object, beyond covariance
 
 }  // namespace
@@ -44,6 +46,7 @@ bool ObjectTracker::Review() {
 
 bool ObjectTracker::RemoveOutliers() {
   bool has_changed = false;
+  std::vector<TrackedObject> split;
   for (TrackedObject& object : objects_) {
     if (!object.is_mapped() || !std::exchange(object.is_fresh, false)) {
       continue;
@@ -60,18 +63,46 @@ bool ObjectTracker::RemoveOutliers() {
       const ReprojectionFactor factor(camera_, look.reading.centre_px, look.reading.sigma_px);
       return factor.Evaluate(smoother_.PoseAt(look.node), p).norm() > params_.outlier_sigma;
     };
-    for (const Look& look : object.looks) {
-      if (does_not_fit(look)) {
-        for (const TermId& term : look.terms)
-          smoother_.RemoveTerm(term);
-      }
-    }
-    const auto removed = std::erase_if(object.looks, does_not_fit);
+    const auto bad = std::ranges::stable_partition(
+        object.looks, [&](const Look& look) { return !does_not_fit(look); });
+    SplitOff({bad.begin(), bad.end()}, object, split);
+    const auto removed = std::ranges::distance(bad);
+    object.looks.erase(bad.begin(), bad.end());
     if (removed > 0) object.RecountColor();
     rejected_looks_ += static_cast<int>(removed);
     has_changed = has_changed || removed > 0;
   }
+  for (TrackedObject& object : split) {
+    objects_.push_back(std::move(object));
+    Adopt(objects_.back(), true);
+    ++identity_news_;
+  }
   return has_changed;
+}
+
+void ObjectTracker::SplitOff(std::vector<Look> looks, const TrackedObject& from,
+                             std::vector<TrackedObject>& split) {
+  for (Look& look : looks) {
+    for (const TermId& term : look.terms)
+      smoother_.RemoveTerm(term);
+    look.terms.clear();
+  }
+  for (auto begin = looks.begin(); begin != looks.end();) {
+    auto end = std::next(begin);
+    while (end != looks.end() && end->t - std::prev(end)->t <= params_.confirm_within_s)
+      ++end;
+    TrackedObject object;
+    for (; begin != end; ++begin)
+      object.AddLook(std::move(*begin));
+    if (static_cast<int>(object.looks.size()) < params_.looks_to_confirm) continue;
+    Retriangulate(object);
+    if (object.worst_residual > params_.confirm_residual || !IsPlaced(object)) continue;
+    object.expected = object.hits = static_cast<int>(object.looks.size());
+    object.far = from.far;
+    object.last_path = from.last_path;
+    object.spread = kSplitSpread;
+    split.push_back(std::move(object));
+  }
 }
 
 bool ObjectTracker::AreSeenTogether(const TrackedObject& a, const TrackedObject& b) {

@@ -119,6 +119,9 @@ class ObjectTracker {
   void AddTerms(TrackedObject& object, Look& look, bool with_seabed);
   void DropStale(double now);
   bool RemoveOutliers();
+  /// Looks that do not fit a landmark but agree among themselves are another object after all.
+  void SplitOff(std::vector<Look> looks, const TrackedObject& from,
+                std::vector<TrackedObject>& split);
   /// Doubts landmarks that are likely to be one.
   void SuspectDuplicates();
   /// -2 ln of how many more objects there are per m^3 around a known one: where objects come in
@@ -133,6 +136,7 @@ class ObjectTracker {
   /// back what no longer is. True if the graph changed.
   bool Reconsider(bool is_last);
   bool Decide(const Identities& all, bool is_last);
+  void NoteProvisional();
   void Tie(TrackedObject& object, TrackedObject& to);
   void Release(TrackedObject& object);
   void ReleaseTiedTo(const TrackedObject& object);

@@ -279,6 +279,29 @@ TEST_F(SecondVisitTest, ARecognitionThatIsTakenBackNoLongerPullsThePose) {
   EXPECT_LT(PoseError(), 0.2);
 }
 
+TEST_F(SecondVisitTest, LooksOfAMistakenObjectAreAnObjectOfTheirOwnOnceTheyDoNotFit) {
+  const auto fix = [this] {
+    const int head = smoother_.graph().node_count() - 1;
+    smoother_.AddTerm(head, Term::OnPose(PosePriorFactor(truth_, NavVector::Constant(0.01))));
+  };
+  FlyTo(5.0, -4.0);
+  fix();
+  VisitAll({{5.0, 0.0, 6.8}});
+  SeeAgain(stranger_);
+  static_cast<void>(tracker_.Conclude());  // for good, but for what comes
+  ASSERT_EQ(Found().size(), known_);
+  fix();  // tells where the vehicle really is, then the object is seen once more
+  FlyTo(5.0, 1.5);
+  FlyTo(5.0, 9.0);
+  static_cast<void>(tracker_.Conclude());
+  smoother_.Converge();
+  tracker_.Refresh();
+  EXPECT_EQ(Found().size(), known_ + 1);
+  // A third of their distance: each is nearer to its own place than to the middle.
+  EXPECT_LT(NearestTo(first_[0]), 0.5);
+  EXPECT_LT(NearestTo(stranger_), 0.5);
+}
+
 TEST_F(SecondVisitTest, BoxesOfARecognisedObjectAreGivenItsNameAtOnce) {
   VisitAll({{5.0, 0.0, 6.8}});
   objects_ = first_;
