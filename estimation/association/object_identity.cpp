@@ -24,10 +24,11 @@ constexpr double kImplausible = 25.0;  // squared distance, three degrees of fre
 constexpr double kSure = 0.98;         // share of the likelihood
 constexpr double kSureEnough = 0.7;    // when nothing more is to come
 constexpr double kLikely = 0.5;
-constexpr double kSurest = 0.9995;   // not to be looked at again
-constexpr double kRivals = 0.003;    // most that other known landmarks may share
-constexpr double kProbation = 60.0;  // [s]
-constexpr std::size_t kMostTied = 4;
+constexpr double kSurest = 0.9995;            // not to be looked at again
+constexpr double kRivals = 0.003;             // most that other known landmarks may share
+constexpr double kProbation = 60.0;           // [s]
+constexpr double kLongestProbation = 1200.0;  // [s]
+constexpr std::size_t kMostTied = 4, kMostShownOpen = 3, kMostInDoubt = 5;
 constexpr int kWidth = 24;        // hypotheses followed up
 constexpr double kPause = 3.0;    // [s] at least, between considerations
 constexpr double kPeriod = 60.0;  // [s] between considerations without news
@@ -58,6 +59,31 @@ int ObjectTracker::NameOf(const TrackedObject& object) const {
   if (object.same_as < 0) return object.is_landmark() ? object.id : -1;
   const auto to = std::ranges::find(objects_, object.same_as, &TrackedObject::id);
   return to == objects_.end() ? -1 : NameOf(*to);
+}
+
+bool ObjectTracker::LimitOpen() {
+  std::vector<TrackedObject*> shown, in_doubt;
+  for (TrackedObject& object : objects_) {
+    if (!object.is_mapped() || !object.is_open || object.same_as >= 0) continue;
+    (object.is_in_doubt ? in_doubt : shown).push_back(&object);
+  }
+  std::ranges::stable_sort(shown, std::greater{}, &TrackedObject::certainty);
+  for (std::size_t i = 0; i + kMostShownOpen < shown.size(); ++i)
+    shown[i]->is_open = false;
+  std::ranges::sort(in_doubt, {}, &TrackedObject::id);
+  bool has_changed = false;
+  for (std::size_t i = 0; i + kMostInDoubt < in_doubt.size(); ++i) {
+    TrackedObject& object = *in_doubt[i];
+    object.is_open = object.is_in_doubt = false;
+    if (object.is_likely_new) continue;
+    ReleaseTiedTo(object);
+    smoother_.RemoveLandmark(object.slot);
+    object.slot = -1;
+    object.looks.clear();
+    has_changed = true;
+  }
+  std::erase_if(objects_, [](const TrackedObject& object) { return object.looks.empty(); });
+  return has_changed;
 }
 
 ObjectTracker::Identities ObjectTracker::CollectIdentities(bool is_last) {
@@ -161,17 +187,18 @@ bool ObjectTracker::Reconsider(bool is_last) {
     return false;
   }
   considered_t_ = now_;
+  const bool has_limited = LimitOpen();
   identity_news_ = 0;
   Identities all = CollectIdentities(is_last);
   if (all.claimants() == 0) {
-    return false;
+    return has_limited;
   }
   all.hypotheses = LikeliestIdentities(all.problem, kWidth);
   const bool has_decided = Decide(all, is_last);
   const bool has_absorbed = AbsorbSure(all);
   NoteProvisional();
   considered_count_ = static_cast<int>(std::ranges::count_if(objects_, is_decidable));
-  return has_absorbed || has_decided;
+  return has_limited || has_absorbed || has_decided;
 }
 
 bool ObjectTracker::Decide(const Identities& all, bool is_last) {
@@ -192,6 +219,7 @@ bool ObjectTracker::Decide(const Identities& all, bool is_last) {
       has_changed = true;
     }
     object.certainty = object.same_as >= 0 ? share_of_tie : best_share;
+    object.is_likely_new = best == i;
     rivals -= best == i ? 0.0 : best_share;
     if (object.same_as >= 0 || best_share < enough || (!is_last && rivals > kRivals)) continue;
     if (best != i) {
@@ -253,7 +281,8 @@ bool ObjectTracker::AbsorbSure(const Identities& all) {
   std::size_t left = tied.size();
   for (TrackedObject* object : tied) {
     const bool is_proven = object->certainty > kSurest && now_ - object->decided_t > kProbation;
-    if (left <= kMostTied && (!is_proven || is_provisional_)) continue;
+    const bool is_old = now_ - object->decided_t > kLongestProbation;
+    if (left <= kMostTied && !is_old && (!is_proven || is_provisional_)) continue;
     Absorb(*object);
     --left;
   }
@@ -286,13 +315,12 @@ void ObjectTracker::Absorb(TrackedObject& object) {
 
 bool ObjectTracker::ForgetEmptySlots() {
   // Until the last trace of its looks is gone, an absorbed landmark stays tied.
-  if (empty_slots_.empty() || !smoother_.HasCaughtUp()) {
-    return false;
-  }
-  for (const int slot : empty_slots_)
-    smoother_.RemoveLandmark(slot);
-  empty_slots_.clear();
-  return true;
+  const auto gone = std::erase_if(empty_slots_, [this](int slot) {
+    const bool is_gone = smoother_.HasCaughtUp(slot);
+    if (is_gone) smoother_.RemoveLandmark(slot);
+    return is_gone;
+  });
+  return gone > 0;
 }
 
 bool ObjectTracker::Conclude() {

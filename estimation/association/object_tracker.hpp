@@ -131,6 +131,9 @@ class ObjectTracker {
   struct Identities;
   /// True if what it is may be decided: it has been seen enough, or is out of view.
   [[nodiscard]] bool IsDecidable(const TrackedObject& object, bool is_last) const;
+  /// So that a decision stays cheap: the surest of what is open is closed, the oldest doubt is
+  /// given up. True if the graph changed.
+  bool LimitOpen();
   [[nodiscard]] Identities CollectIdentities(bool is_last);
   /// Decides together which landmarks are others seen again, as far as that is clear, and takes
   /// back what no longer is. True if the graph changed.

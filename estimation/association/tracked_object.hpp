@@ -35,17 +35,18 @@ struct TrackedObject {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< tentative: relative to its poses
   double worst_residual = 0.0;                               ///< tentative: whitened, of its looks
   double last_path = 0.0;                                    ///< way travelled when last seen [m]
-  double far = 0.0;          ///< greatest distance it was seen at [m]
-  int expected = 0;          ///< frames that should have shown it
-  int hits = 0;              ///< of these, how many did
-  int prior_id = -1;         ///< object of the former session it was matched with
-  bool is_in_doubt = false;  ///< a landmark of the smoother that may be another one seen again
-  double spread = 0.0;       ///< 1-sigma of its distance to landmarks when it came in doubt [m]
-  bool is_open = false;      ///< what it is may still change
-  int same_as = -1;          ///< id of the landmark that it is tied to; -1: none
-  double certainty = 0.0;    ///< share of the likelihood of what it is taken for
-  double decided_t = 0.0;    ///< when it was tied [s]
-  bool is_fresh = true;      ///< seen since the last review
+  double far = 0.0;            ///< greatest distance it was seen at [m]
+  int expected = 0;            ///< frames that should have shown it
+  int hits = 0;                ///< of these, how many did
+  int prior_id = -1;           ///< object of the former session it was matched with
+  bool is_in_doubt = false;    ///< a landmark of the smoother that may be another one seen again
+  double spread = 0.0;         ///< 1-sigma of its distance to landmarks when it came in doubt [m]
+  bool is_open = false;        ///< what it is may still change
+  int same_as = -1;            ///< id of the landmark that it is tied to; -1: none
+  bool is_likely_new = false;  ///< in doubt: likelier none of the landmarks known before
+  double certainty = 0.0;      ///< share of the likelihood of what it is taken for
+  double decided_t = 0.0;      ///< when it was tied [s]
+  bool is_fresh = true;        ///< seen since the last review
   /// Where it was when all its looks were last reviewed; nothing before that.
   std::optional<Eigen::Vector3d> reviewed_p;
 

@@ -29,6 +29,12 @@ int ArrowSmoother::AddNode(const NavVector& x, std::optional<Term> step) {
 TermId ArrowSmoother::AddTerm(int node, Term term) {
   MarkDirty(node);
   has_news_ = has_news_ || term.landmark() >= 0;
+  if (term.landmark() >= 0) {
+    LeafRange& range = seen_from_[AsIndex(term.landmark())];
+    const int leaf = node / ArrowLeaf::kNodes, before = std::max(node - 1, 0) / ArrowLeaf::kNodes;
+    range = range.last < 0 ? LeafRange{before, leaf}
+                           : LeafRange{std::min(range.first, before), std::max(range.last, leaf)};
+  }
   return graph_.AddTerm(node, std::move(term));
 }
 
@@ -41,6 +47,8 @@ void ArrowSmoother::RemoveTerm(const TermId& id) {
 int ArrowSmoother::AddBlock(const Eigen::Vector3d& p, bool is_landmark) {
   const int slot = graph_.AddLandmark(p);
   is_landmark_.resize(AsIndex(graph_.slot_count()), true);
+  seen_from_.resize(is_landmark_.size());
+  seen_from_[AsIndex(slot)] = {};
   is_landmark_[AsIndex(slot)] = is_landmark;
   is_solved_.resize(is_landmark_.size());
   is_solved_[AsIndex(slot)] = false;
@@ -83,6 +91,12 @@ void ArrowSmoother::Untie(int landmark) {
   std::erase_if(graph_.landmark(landmark).terms,
                 [](const Term& term) { return term.second() >= 0; });
   prior_is_old_ = true;
+}
+
+bool ArrowSmoother::HasCaughtUp(int landmark) const {
+  const LeafRange& range = seen_from_[AsIndex(landmark)];
+  const auto stale = stale_.lower_bound(range.first);
+  return (stale == stale_.end() || *stale > range.last) && !open_is_dirty_;
 }
 
 void ArrowSmoother::MarkDirty(int node) {
@@ -250,10 +264,9 @@ SolveReport ArrowSmoother::Update() {
   Scan();
   report.has_converged = IsUpToDate();
   report.reason = ReasonOf(root_.held());
-  if (IsUpToDate()) {
-    for (int slot = 0; slot < graph_.slot_count(); ++slot) {
-      graph_.landmark(slot).is_reserved = false;
-    }
+  for (int slot = 0; slot < graph_.slot_count(); ++slot) {
+    ChainLandmark& block = graph_.landmark(slot);
+    block.is_reserved = block.is_reserved && !HasCaughtUp(slot);
   }
   return report;
 }

@@ -42,7 +42,7 @@ class ArrowSmoother final : public Smoother {
   void AddLandmarkTerm(int landmark, Term term) override;
   void SetJointPrior(std::optional<JointPrior> prior) override;
   void Untie(int landmark) override;
-  [[nodiscard]] bool HasCaughtUp() const override { return IsUpToDate() && dirty_.empty(); }
+  [[nodiscard]] bool HasCaughtUp(int landmark) const override;
   SolveReport Update() override;
   SolveReport Converge() override;
 
@@ -94,7 +94,11 @@ class ArrowSmoother final : public Smoother {
   ChainGraph graph_;
   ArrowOrigin origin_;
   std::vector<bool> is_landmark_, is_solved_;  ///< per block of the border
-  std::vector<ArrowLeaf> leaves_;              ///< full ones
+  struct LeafRange {
+    int first = 0, last = -1;
+  };
+  std::vector<LeafRange> seen_from_;  ///< per block: leaves that have or had a term on it
+  std::vector<ArrowLeaf> leaves_;     ///< full ones
   ArrowLeaf open_;
   bool has_begun_ = false, open_is_dirty_ = false, prior_is_old_ = true, has_news_ = false;
   ArrowTrunk trunk_;

@@ -43,8 +43,8 @@ class Smoother {
   virtual void SetJointPrior(std::optional<JointPrior> prior) = 0;
   /// Takes out the landmark's own terms on two blocks; takes effect with the next update.
   virtual void Untie(int landmark) = 0;
-  /// True if nothing that was taken out still has an effect.
-  [[nodiscard]] virtual bool HasCaughtUp() const = 0;
+  /// True if no term on the landmark that was taken out still has an effect.
+  [[nodiscard]] virtual bool HasCaughtUp(int landmark) const = 0;
 
   /// Takes in what is new; cheap, near the optimum.
   virtual SolveReport Update() = 0;
