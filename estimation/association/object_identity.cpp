@@ -28,7 +28,7 @@ constexpr double kSurest = 0.9995;            // not to be looked at again
 constexpr double kRivals = 0.003;             // most that other known landmarks may share
 constexpr double kProbation = 60.0;           // [s]
 constexpr double kLongestProbation = 1200.0;  // [s]
-constexpr std::size_t kMostTied = 4, kMostShownOpen = 3, kMostInDoubt = 5;
+constexpr std::size_t kMostTied = 4, kMostShownOpen = 4, kMostInDoubt = 10;
 constexpr int kWidth = 24;        // hypotheses followed up
 constexpr double kPause = 3.0;    // [s] at least, between considerations
 constexpr double kPeriod = 60.0;  // [s] between considerations without news
