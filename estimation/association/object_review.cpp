@@ -63,11 +63,11 @@ bool ObjectTracker::RemoveOutliers() {
       const ReprojectionFactor factor(camera_, look.reading.centre_px, look.reading.sigma_px);
       return factor.Evaluate(smoother_.PoseAt(look.node), p).norm() > params_.outlier_sigma;
     };
-    const auto bad = std::ranges::stable_partition(
-        object.looks, [&](const Look& look) { return !does_not_fit(look); });
-    SplitOff({bad.begin(), bad.end()}, object, split);
-    const auto removed = std::ranges::distance(bad);
-    object.looks.erase(bad.begin(), bad.end());
+    const auto bad = std::stable_partition(object.looks.begin(), object.looks.end(),
+                                           [&](const Look& look) { return !does_not_fit(look); });
+    SplitOff({bad, object.looks.end()}, object, split);
+    const auto removed = std::distance(bad, object.looks.end());
+    object.looks.erase(bad, object.looks.end());
     if (removed > 0) object.RecountColor();
     rejected_looks_ += static_cast<int>(removed);
     has_changed = has_changed || removed > 0;
