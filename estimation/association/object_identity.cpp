@@ -127,7 +127,13 @@ ObjectTracker::Identities ObjectTracker::CollectIdentities(bool is_last) {
                                          static_cast<int>(to - things.begin()), kTieSigma);
     if (!is_out) return {};
   }
-  const auto count = static_cast<int>(things.size());
+  AddClaimants(all, claimants);
+  return all;
+}
+
+void ObjectTracker::AddClaimants(Identities& all, int claimants) const {
+  IdentityProblem& problem = all.problem;
+  const auto count = static_cast<int>(all.things.size());
   const double confused = params_.gate.confused_class_share, new_cost = NewCost();
   for (int i = 0; i < claimants; ++i) {
     IdentityProblem::Claimant claimant{.thing = i, .new_cost = new_cost, .options = {}};
@@ -150,7 +156,6 @@ ObjectTracker::Identities ObjectTracker::CollectIdentities(bool is_last) {
     }
     problem.claimants.push_back(std::move(claimant));
   }
-  return all;
 }
 
 double ObjectTracker::NewCost() const {

@@ -135,6 +135,8 @@ class ObjectTracker {
   /// given up. True if the graph changed.
   bool LimitOpen();
   [[nodiscard]] Identities CollectIdentities(bool is_last);
+  /// What each of the first so many may be.
+  void AddClaimants(Identities& all, int claimants) const;
   /// Decides together which landmarks are others seen again, as far as that is clear, and takes
   /// back what no longer is. True if the graph changed.
   bool Reconsider(bool is_last);
