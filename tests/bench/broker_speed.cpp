@@ -229,30 +229,47 @@ double Megabytes(pid_t pid, std::string_view which = "VmRSS") {
   return -1.0;
 }
 
-/// What a reader costs that takes nothing while 256 MB are written to it, and what is left of that
-/// when it has gone.
-void StoppedReader(pid_t broker) {
-  const double before = Megabytes(broker);
-  std::atomic<bool> may_read{false};
-  auto reader = Join("pStopped", [&may_read](const WireMessage&) { may_read.wait(false); });
-  reader->Subscribe("STOPPED", limpet::Seconds(0.0));
+/// 64 MB in messages of `bytes` each to one reader; what the broker then holds [MB].
+double HeldAfterBurst(pid_t broker, std::size_t bytes,
+                      std::function<void(const WireMessage&)> on_mail,
+                      std::function<void()> before_leaving) {
+  const std::string variable = bytes > 10'000 ? "STOPPED_BINARY" : "STOPPED_STRING";
+  auto reader = Join("pStopped", std::move(on_mail));
+  reader->Subscribe(variable, limpet::Seconds(0.0));
   const auto writer = Join("pWriter");
   std::this_thread::sleep_for(200ms);
-  const limpet::Value block = limpet::Binary(65536);
-  for (int i = 0; i < 4096; ++i) {
-    writer->PublishValue("STOPPED", block);
-    while (writer->unsent() > (std::size_t{1} << 20)) {
-      std::this_thread::sleep_for(100us);
+  const limpet::Value block = limpet::Binary(bytes);
+  const std::string text(bytes, 'x');
+  for (std::size_t sent = 0; sent < std::size_t{64} << 20; sent += bytes) {
+    if (bytes > 10'000) {
+      writer->PublishValue(variable, block);
+    } else {
+      writer->Publish(variable, std::string_view(text));
+    }
+    while (writer->unsent() > (std::size_t{256} << 10)) {
+      std::this_thread::sleep_for(50us);
     }
   }
   std::this_thread::sleep_for(200ms);
-  const double during = Megabytes(broker);
-  may_read = true;
-  may_read.notify_all();
-  reader.reset();
+  const double held = Megabytes(broker);
+  before_leaving();
+  return held;
+}
+
+/// What a reader costs that takes nothing, beside one that takes all, and what is left of that when
+/// it has gone.
+void StoppedReader(pid_t broker, const std::string& what, std::size_t bytes) {
+  const double reading = HeldAfterBurst(
+      broker, bytes, [](const WireMessage&) {}, [] {});
+  std::atomic<bool> may_read{false};
+  const double stopped = HeldAfterBurst(
+      broker, bytes, [&may_read](const WireMessage&) { may_read.wait(false); },
+      [&may_read] {
+        may_read = true;
+        may_read.notify_all();
+      });
   std::this_thread::sleep_for(3s);
-  Row("a reader that stops; once it has gone",
-      fmt::format("{:+.1f} MB; {:+.1f} MB", during - before, Megabytes(broker) - before));
+  Row(what, fmt::format("{:+.1f} MB; {:+.1f} MB", stopped - reading, Megabytes(broker) - reading));
 }
 
 void Idle(pid_t broker) {
@@ -328,7 +345,8 @@ int main(int argc, char** argv) {
   if (is_wanted("clients")) {
     Connections();
     Idle(broker);
-    StoppedReader(broker);
+    StoppedReader(broker, "a reader of 64 KiB that stops; once gone", std::size_t{64} << 10);
+    StoppedReader(broker, "a reader of 100 B that stops; once gone", 100);
   }
   if (is_wanted("bare")) {
     Limits();

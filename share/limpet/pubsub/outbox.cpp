@@ -51,11 +51,8 @@ void Outbox::MakeRoom(Router::Variable variable, std::size_t size) {
 }
 
 void Outbox::Compact() {
-  // Not std::views: Clang 14 cannot read GCC 12's.
-  std::vector<std::size_t> sizes(entries_.size());
-  std::ranges::transform(entries_, sizes.begin(),
-                         [](const Entry& entry) { return entry.size & ~kDropped; });
-  parcel_.Drop(sizes, [this](std::size_t i) { return (entries_[i].size & kDropped) != 0; });
+  parcel_.Drop([this](std::size_t i) { return entries_[i].size & ~kDropped; },
+               [this](std::size_t i) { return (entries_[i].size & kDropped) != 0; });
   std::erase_if(entries_, [](const Entry& entry) { return (entry.size & kDropped) != 0; });
 }
 

@@ -6,7 +6,8 @@
 namespace limpet {
 namespace {
 
-constexpr std::size_t kKept = std::size_t{64} << 10;
+constexpr std::size_t kBlock = std::size_t{64} << 10;
+constexpr std::size_t kKept = std::size_t{4} << 10;
 
 }  // namespace
 
@@ -15,7 +16,17 @@ void Parcel::Append(ByteView message) {
     Append(std::make_shared<const ByteBuffer>(message.begin(), message.end()));
     return;
   }
-  bytes_.insert(bytes_.end(), message.begin(), message.end());
+  const bool fits =
+      !pieces_.empty() && !pieces_.back().shared && pieces_.back().size + message.size() <= kBlock;
+  if (!fits) {
+    // A block after a full one will be full too, most likely.
+    const bool is_long = !pieces_.empty() && pieces_.back().size + message.size() > kBlock;
+    pieces_.emplace_back().block = std::exchange(spare_, {});
+    pieces_.back().block.reserve(is_long ? kBlock : 0);
+  }
+  Piece& last = pieces_.back();
+  last.block.insert(last.block.end(), message.begin(), message.end());
+  last.size += message.size();
   size_ += message.size();
 }
 
@@ -24,43 +35,51 @@ void Parcel::Append(const SharedBytes& message) {
     Append(ByteView(*message));
     return;
   }
-  shared_.push_back({bytes_.size(), message});
+  pieces_.push_back({.block = {}, .shared = message, .size = message->size()});
   size_ += message->size();
 }
 
 void Parcel::Clear() {
-  bytes_.clear();
-  shared_.clear();
+  if (spare_.capacity() == 0 && !pieces_.empty()) {
+    spare_ = std::move(pieces_.front().block);
+    spare_.clear();
+  }
+  pieces_.clear();
   size_ = 0;
 }
 
 void Parcel::GiveBack() {
   LIMPET_REQUIRE(empty(), "a parcel with content gives nothing back");
-  if (bytes_.capacity() > kKept) {
-    bytes_ = {};
+  pieces_ = {};
+  if (spare_.capacity() > kKept) {
+    spare_ = {};
   }
-  shared_ = {};
 }
 
 std::size_t Parcel::Gather(std::size_t skip, std::span<ByteView> out) const {
-  std::size_t count = 0, at = 0;
-  const auto take = [&](ByteView piece) {
-    const std::size_t skipped = std::min(skip, piece.size());
-    skip -= skipped;
-    if (skipped < piece.size() && count < out.size()) {
-      out[count++] = piece.subspan(skipped);
-    }
-  };
-  for (const Piece& piece : shared_) {
-    take(ByteView(bytes_).subspan(at, piece.at - at));
-    take(*piece.message);
-    at = piece.at;
+  std::size_t count = 0;
+  for (const Piece& piece : pieces_) {
     if (count == out.size()) {
-      return count;
+      break;
+    }
+    const std::size_t skipped = std::min(skip, piece.size);
+    skip -= skipped;
+    if (skipped < piece.size) {
+      out[count++] = ByteView(piece.shared ? *piece.shared : piece.block).subspan(skipped);
     }
   }
-  take(ByteView(bytes_).subspan(at));
   return count;
+}
+
+void Parcel::LetGo(std::size_t count) {
+  for (Piece& piece : pieces_) {
+    if (piece.size > count) {
+      return;
+    }
+    count -= piece.size;
+    piece.block = {};
+    piece.shared = {};
+  }
 }
 
 }  // namespace limpet

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "limpet/wire/packet_codec.hpp"
@@ -15,8 +16,9 @@ using SharedBytes = std::shared_ptr<const ByteBuffer>;
 /// From this size on a message is shared rather than copied [bytes].
 inline constexpr std::size_t kShareFrom = std::size_t{8} << 10;
 
-/// Encoded messages on their way out, back to back: small ones copied together, those of kShareFrom
-/// bytes or more shared.
+/// Encoded messages on their way out, in pieces: small ones copied together into blocks, those of
+/// kShareFrom bytes or more shared. In pieces, so that a long queue neither moves when it grows nor
+/// holds room for what is already sent.
 class Parcel {
  public:
   [[nodiscard]] bool empty() const { return size_ == 0; }
@@ -24,7 +26,7 @@ class Parcel {
 
   void Append(ByteView message);
   void Append(const SharedBytes& message);
-  /// Empties it; room for small messages is kept.
+  /// Empties it; room for a block of small messages is kept.
   void Clear();
   /// Frees room that a burst has left. REQUIRES: empty().
   void GiveBack();
@@ -32,31 +34,37 @@ class Parcel {
   /// The bytes from `skip` on, as pieces for a gathering write. Gives how many pieces of `out` it
   /// filled; they may end before the parcel does.
   [[nodiscard]] std::size_t Gather(std::size_t skip, std::span<ByteView> out) const;
+  /// Frees the pieces that lie wholly in the first `count` bytes, which nobody gathers any more.
+  /// Bytes keep their places.
+  void LetGo(std::size_t count);
 
-  /// Drops each message for which `goes(index)` holds. `sizes` are those of all messages.
-  template <class Sizes, class Goes>
-  void Drop(const Sizes& sizes, Goes&& goes) {
+  /// Drops each message for which `goes(index)` holds; `size_of(index)` is a message's size, of
+  /// all messages. REQUIRES: nothing was let go.
+  template <class SizeOf, class Goes>
+  void Drop(SizeOf&& size_of, Goes&& goes) {
     Parcel kept;
-    kept.bytes_.reserve(bytes_.size());
-    std::size_t at = 0, next_shared = 0, index = 0;
-    for (const std::size_t size : sizes) {
-      const bool is_shared = size >= kShareFrom;
-      if (!goes(index++)) {
-        is_shared ? kept.Append(shared_[next_shared].message)
-                  : kept.Append(ByteView(bytes_).subspan(at, size));
+    std::size_t index = 0;
+    for (Piece& piece : pieces_) {
+      const Piece old = std::move(piece);  // its room goes before the next piece is copied
+      for (std::size_t at = 0; at < old.size; ++index) {
+        const std::size_t size = size_of(index);
+        if (!goes(index)) {
+          old.shared ? kept.Append(old.shared) : kept.Append(ByteView(old.block).subspan(at, size));
+        }
+        at += size;
       }
-      is_shared ? ++next_shared : at += size;
     }
     *this = std::move(kept);
   }
 
  private:
   struct Piece {
-    std::size_t at;  ///< its place among bytes_: before the byte of that index
-    SharedBytes message;
+    ByteBuffer block;    ///< of small messages, if not
+    SharedBytes shared;  ///< one large one
+    std::size_t size = 0;
   };
-  ByteBuffer bytes_;
-  std::vector<Piece> shared_;
+  std::vector<Piece> pieces_;
+  ByteBuffer spare_;  ///< an empty block's room
   std::size_t size_ = 0;
 };
 

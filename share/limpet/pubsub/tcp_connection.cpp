@@ -115,6 +115,9 @@ bool TcpConnection::Write() {
       return false;
     }
     sent_ += count;
+    if (unsent() > 0) {
+      out_.body.LetGo(sent_ - std::min(sent_, out_.head.size()));
+    }
     if (count > 0) {
       last_progress_ = SteadyTime();
     }

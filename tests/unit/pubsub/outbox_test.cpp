@@ -132,5 +132,31 @@ TEST(Parcel, SharesLargeMailAndCopiesSmall) {
   EXPECT_EQ(large.use_count(), 1);
 }
 
+TEST(Parcel, LetsGoOfWhatIsSentAndGathersTheRest) {
+  const auto first = std::make_shared<const ByteBuffer>(Mail(1, kShareFrom));
+  const auto second = std::make_shared<const ByteBuffer>(Mail(2, kShareFrom));
+  Parcel parcel;
+  parcel.Append(first);
+  parcel.Append(Mail(3, 10));
+  parcel.Append(second);
+  parcel.LetGo(kShareFrom + 10 + 1);
+  EXPECT_EQ(first.use_count(), 1);
+  EXPECT_EQ(second.use_count(), 2) << "part of it is still to be sent";
+  std::array<ByteView, 4> pieces;
+  ASSERT_EQ(parcel.Gather(kShareFrom + 10 + 1, pieces), 1U);
+  EXPECT_TRUE(std::ranges::equal(pieces[0], ByteView(*second).subspan(1)));
+}
+
+TEST(Parcel, KeepsTheOrderOfManySmallMessages) {
+  Parcel parcel;
+  ByteBuffer expected;
+  for (int i = 0; i < 5000; ++i) {
+    const ByteBuffer mail = Mail(i & 127, 1 + static_cast<std::size_t>(i) % 100);
+    parcel.Append(mail);
+    expected.insert(expected.end(), mail.begin(), mail.end());
+  }
+  EXPECT_EQ(BytesOf(parcel), expected);
+}
+
 }  // namespace
 }  // namespace limpet
