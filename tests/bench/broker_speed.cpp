@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Speed of the broker over loopback TCP, publisher -> LimpetDB -> subscriber, with our own client
+// Speed of the broker, publisher -> LimpetDB -> subscriber on one machine, with our own client
 // library: latency, rate, throughput, fan-out, connections. The broker runs as its own process.
 // Prints one table with the machine's load, and what its bare loopback sockets do in the same run;
 // nothing here passes or fails.
@@ -45,11 +45,18 @@ pid_t StartBroker(const std::string& program) {
   return child;
 }
 
+bool may_go_locally = true;  ///< set once, at the start
+
+limpet::SocketKind Kind() {
+  return may_go_locally ? limpet::SocketKind::kLocal : limpet::SocketKind::kTcp;
+}
+
 std::unique_ptr<TcpClient> Join(const std::string& name,
                                 std::function<void(const WireMessage&)> on_mail = nullptr) {
   auto client =
       std::make_unique<TcpClient>(limpet::TcpClientOptions{.port = kPort,
                                                            .name = name,
+                                                           .may_go_locally = may_go_locally,
                                                            .queue = std::size_t{256} << 20,
                                                            .on_mail = std::move(on_mail),
                                                            .on_state = nullptr});
@@ -195,6 +202,7 @@ void Connections() {
     clients.push_back(
         std::make_unique<TcpClient>(limpet::TcpClientOptions{.port = kPort,
                                                              .name = fmt::format("pMany{}", i),
+                                                             .may_go_locally = may_go_locally,
                                                              .on_mail = nullptr,
                                                              .on_state = nullptr}));
   }
@@ -229,10 +237,12 @@ double Megabytes(pid_t pid, std::string_view which = "VmRSS") {
   return -1.0;
 }
 
-/// 64 MB in messages of `bytes` each to one reader; what the broker then holds [MB].
+/// 64 MB in messages of `bytes` each to one reader, which is waited for if it counts what it takes;
+/// what the broker then holds [MB].
 double HeldAfterBurst(pid_t broker, std::size_t bytes,
                       std::function<void(const WireMessage&)> on_mail,
-                      std::function<void()> before_leaving) {
+                      const std::atomic<std::size_t>* taken, std::function<void()> before_leaving) {
+  constexpr std::size_t kWindow = std::size_t{256} << 10;
   const std::string variable = bytes > 10'000 ? "STOPPED_BINARY" : "STOPPED_STRING";
   auto reader = Join("pStopped", std::move(on_mail));
   reader->Subscribe(variable, limpet::Seconds(0.0));
@@ -246,7 +256,7 @@ double HeldAfterBurst(pid_t broker, std::size_t bytes,
     } else {
       writer->Publish(variable, std::string_view(text));
     }
-    while (writer->unsent() > (std::size_t{256} << 10)) {
+    while (writer->unsent() > kWindow || (taken != nullptr && sent > taken->load() + kWindow)) {
       std::this_thread::sleep_for(50us);
     }
   }
@@ -259,11 +269,13 @@ double HeldAfterBurst(pid_t broker, std::size_t bytes,
 /// What a reader costs that takes nothing, beside one that takes all, and what is left of that when
 /// it has gone.
 void StoppedReader(pid_t broker, const std::string& what, std::size_t bytes) {
+  std::atomic<std::size_t> taken{0};
   const double reading = HeldAfterBurst(
-      broker, bytes, [](const WireMessage&) {}, [] {});
+      broker, bytes, [&](const WireMessage& m) { taken += m.id == kLatched ? 0 : bytes; }, &taken,
+      [] {});
   std::atomic<bool> may_read{false};
   const double stopped = HeldAfterBurst(
-      broker, bytes, [&may_read](const WireMessage&) { may_read.wait(false); },
+      broker, bytes, [&may_read](const WireMessage&) { may_read.wait(false); }, nullptr,
       [&may_read] {
         may_read = true;
         may_read.notify_all();
@@ -289,7 +301,7 @@ void Idle(pid_t broker) {
 /// To ten readers at 1 kHz: the broker takes two hops, bare sockets one, just before and just
 /// after.
 void FanOut() {
-  const auto bare = [] { return limpet::LoopbackHop(10, 1500, 1000.0).p50; };
+  const auto bare = [] { return limpet::LoopbackHop(Kind(), 10, 1500, 1000.0).p50; };
   const double before = bare();
   const double ours = Latency("fan-out 1->10 at 1 kHz, last subscriber", 1000.0, 3000, 10, 0);
   const double after = bare();
@@ -298,30 +310,38 @@ void FanOut() {
                   0.5 * (before + after) / ours));
 }
 
-/// One hop of bare sockets; the broker takes two.
+/// Of bare sockets, of the kind that the clients take: one hop; the broker takes two.
 void Limits() {
-  const limpet::HopDelay delay = limpet::LoopbackHop(1, 2000, 1000.0);
+  Row("bare sockets: round trip, TCP; local",
+      fmt::format("{:.0f} us; {:.0f} us",
+                  limpet::LoopbackRoundTrip(limpet::SocketKind::kTcp, 10'000),
+                  limpet::LoopbackRoundTrip(limpet::SocketKind::kLocal, 10'000)));
+  const limpet::HopDelay delay = limpet::LoopbackHop(Kind(), 1, 2000, 1000.0);
   Row("bare sockets: one hop 1->1 at 1 kHz",
       fmt::format("p50 {:.0f}  p99 {:.0f} us", delay.p50, delay.p99));
   for (const std::size_t block : {std::size_t{65536}, std::size_t{1} << 20}) {
     Row(fmt::format("bare sockets: one hop, blocks of {} KiB", block >> 10),
-        fmt::format("{:.0f} MB/s", 1e-6 * limpet::LoopbackThroughput(block, 1.0)));
+        fmt::format("{:.0f} MB/s", 1e-6 * limpet::LoopbackThroughput(Kind(), block, 1.0)));
   }
 }
 
 }  // namespace
 
-/// broker_speed [LimpetDB] [WORDS]: all figures, or those whose group is among the words.
+/// broker_speed [LimpetDB] [tcp] [WORDS]: all figures, or those whose group is among the words.
+/// `tcp`: clients do not take the local socket, as if they were on another machine.
 int main(int argc, char** argv) {
-  const std::string program = argc > 1 ? argv[1] : "build/bin/LimpetDB";
+  std::vector<std::string_view> words(argv + 1, argv + argc);
+  const std::string program(words.empty() ? "build/bin/LimpetDB" : words.front());
+  words.erase(words.begin(), words.begin() + (words.empty() ? 0 : 1));
+  may_go_locally = std::erase(words, "tcp") == 0;
   const auto is_wanted = [&](std::string_view group) {
-    return argc <= 2 || std::ranges::find(argv + 2, argv + argc, group) != argv + argc;
+    return words.empty() || std::ranges::find(words, group) != words.end();
   };
   const pid_t broker = StartBroker(program);
   std::array<double, 3> load{};
   static_cast<void>(getloadavg(load.data(), 3));
-  fmt::print("load {:.2f} {:.2f}, {} cores\n\n", load[0], load[1],
-             std::thread::hardware_concurrency());
+  fmt::print("load {:.2f} {:.2f}, {} cores, clients by {}\n\n", load[0], load[1],
+             std::thread::hardware_concurrency(), may_go_locally ? "local socket" : "TCP");
   Row("figure", "LimpetDB");
   Row("--------------------------------------------", "--------------------------------");
   Row("memory at start", fmt::format("{:.1f} MB", Megabytes(broker)));

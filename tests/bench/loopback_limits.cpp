@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <list>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -20,10 +21,19 @@ namespace {
 
 constexpr std::size_t kMessage = 80;  ///< about what a double takes on the wire [bytes]
 
-/// Two connected TCP sockets of this machine.
+/// Two connected sockets of this machine.
 class SocketPair {
  public:
-  SocketPair() {
+  explicit SocketPair(SocketKind kind) {
+    if (kind == SocketKind::kLocal) {
+      std::array<int, 2> ends{};
+      if (::socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0) {
+        throw std::runtime_error("no local sockets");
+      }
+      writer = ends[0];
+      reader = ends[1];
+      return;
+    }
     const int listener = ::socket(AF_INET, SOCK_STREAM, 0);
     sockaddr_in place{};
     place.sin_family = AF_INET;
@@ -39,6 +49,7 @@ class SocketPair {
     ::close(listener);
     const int on = 1;
     ::setsockopt(writer, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+    ::setsockopt(reader, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
   }
   ~SocketPair() {
     ::close(writer);
@@ -62,13 +73,17 @@ void ReadDelays(int socket, std::vector<double>& delays) {
 
 }  // namespace
 
-HopDelay LoopbackHop(int readers, int count, double hz) {
-  std::vector<SocketPair> pairs(static_cast<std::size_t>(readers));
+HopDelay LoopbackHop(SocketKind kind, int readers, int count, double hz) {
+  std::list<SocketPair> pairs;
+  for (int i = 0; i < readers; ++i) {
+    pairs.emplace_back(kind);
+  }
   std::vector<std::vector<double>> delays(pairs.size());
   std::vector<std::thread> threads;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    delays[i].reserve(static_cast<std::size_t>(count));
-    threads.emplace_back([&pairs, &delays, i] { ReadDelays(pairs[i].reader, delays[i]); });
+  auto mine = delays.begin();
+  for (const SocketPair& pair : pairs) {
+    mine->reserve(static_cast<std::size_t>(count));
+    threads.emplace_back([&pair, &own = *mine++] { ReadDelays(pair.reader, own); });
   }
   std::array<std::byte, kMessage> message{};
   for (int n = 0; n < count; ++n) {
@@ -95,8 +110,30 @@ HopDelay LoopbackHop(int readers, int count, double hz) {
   return {.p50 = last[last.size() / 2], .p99 = last[last.size() * 99 / 100]};
 }
 
-double LoopbackThroughput(std::size_t block, double seconds) {
-  const SocketPair pair;
+double LoopbackRoundTrip(SocketKind kind, int count) {
+  const SocketPair pair(kind);
+  std::thread echo([&pair] {
+    std::array<std::byte, kMessage> message{};
+    while (::recv(pair.reader, message.data(), message.size(), MSG_WAITALL) > 0) {
+      static_cast<void>(::send(pair.reader, message.data(), message.size(), MSG_NOSIGNAL));
+    }
+  });
+  std::array<std::byte, kMessage> message{};
+  std::vector<double> times(static_cast<std::size_t>(count));
+  for (double& time : times) {
+    const double begin = SteadyTime().value();
+    static_cast<void>(::send(pair.writer, message.data(), message.size(), MSG_NOSIGNAL));
+    static_cast<void>(::recv(pair.writer, message.data(), message.size(), MSG_WAITALL));
+    time = 1e6 * (SteadyTime().value() - begin);
+  }
+  ::shutdown(pair.writer, SHUT_WR);
+  echo.join();
+  std::ranges::nth_element(times, times.begin() + count / 2);
+  return times[times.size() / 2];
+}
+
+double LoopbackThroughput(SocketKind kind, std::size_t block, double seconds) {
+  const SocketPair pair(kind);
   std::vector<std::byte> out(block), in(block);
   std::thread reader([&pair, &in] {
     while (::recv(pair.reader, in.data(), in.size(), MSG_WAITALL) > 0) {

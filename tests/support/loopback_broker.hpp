@@ -39,6 +39,7 @@ class LoopbackBroker : public testing::Test {
   std::unique_ptr<TcpClient> Join(const std::string& name, MailInbox* inbox = nullptr) {
     return std::make_unique<TcpClient>(TcpClientOptions{.port = broker_->port(),
                                                         .name = name,
+                                                        .may_go_locally = clients_go_locally_,
                                                         .on_mail =
                                                             [inbox](const WireMessage& message) {
                                                               if (inbox != nullptr) {
@@ -60,6 +61,7 @@ class LoopbackBroker : public testing::Test {
     EXPECT_EQ(std::get<double>(heard->value), 42.0);
   }
 
+  bool clients_go_locally_ = true;
   std::unique_ptr<TcpBroker> broker_;
   std::thread thread_;
 };

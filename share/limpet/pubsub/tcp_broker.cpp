@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include <asio/io_context.hpp>
+#include <asio/ip/tcp.hpp>
 #include <asio/post.hpp>
 #include <asio/steady_timer.hpp>
 #include <fmt/format.h>
@@ -40,9 +41,11 @@ class TcpBroker::Impl {
       : options_(std::move(options)),
         broker_(options_.broker, MoosTime(options_.warp)),
         acceptor_(context_),
+        local_acceptor_(context_),
         watch_(context_),
         status_(context_),
         pause_(context_),
+        local_pause_(context_),
         keep_(context_),
         scratch_(kScratch) {
     host_ = {.broker = &broker_,
@@ -54,10 +57,14 @@ class TcpBroker::Impl {
                    live_[client] = &connection;
                  }};
     Listen();
+    ListenLocally();
     if (options_.kept_descriptor >= 0) {
       keeper_.emplace(options_.kept_descriptor, options_.kept, broker_);
     }
-    Accept();
+    Accept(acceptor_, pause_);
+    if (local_acceptor_.is_open()) {
+      Accept(local_acceptor_, local_pause_);
+    }
     Watch();
     PublishStatus();
   }
@@ -82,26 +89,44 @@ class TcpBroker::Impl {
     }
   }
 
-  void Accept() {
-    acceptor_.async_accept([this](std::error_code error, tcp::socket socket) {
+  /// For programs of this machine. Without it they come by TCP.
+  void ListenLocally() {
+    const auto place = LocalPlaceOf(acceptor_.local_endpoint().address(), port());
+    if (!place) {
+      return;
+    }
+    try {
+      local_acceptor_ = asio::local::stream_protocol::acceptor(context_, *place);
+    } catch (const std::system_error&) {
+      local_acceptor_ = asio::local::stream_protocol::acceptor(context_);
+    }
+  }
+
+  template <class Acceptor>
+  void Accept(Acceptor& acceptor, asio::steady_timer& pause) {
+    acceptor.async_accept([this, &acceptor, &pause](std::error_code error, auto socket) {
       if (error) {
         // Out of file descriptors, most likely: those who are in must not suffer for it.
-        pause_.expires_after(std::chrono::milliseconds(100));
-        pause_.async_wait([this](std::error_code) { Accept(); });
+        pause.expires_after(std::chrono::milliseconds(100));
+        pause.async_wait([this, &acceptor, &pause](std::error_code) { Accept(acceptor, pause); });
         return;
       }
-      Welcome(std::move(socket));
-      Accept();
+      StreamSocket stream(std::move(socket));
+      if constexpr (!std::is_same_v<Acceptor, tcp::acceptor>) {
+        WidenLocal(stream);
+      }
+      Welcome(std::move(stream));
+      Accept(acceptor, pause);
     });
   }
 
-  void Welcome(tcp::socket socket) {
+  void Welcome(StreamSocket socket) {
     if (Strangers() >= options_.handshakes) {
       return;  // closes it
     }
     std::error_code ignored;
     socket.non_blocking(true, ignored);
-    socket.set_option(tcp::no_delay(true), ignored);
+    socket.set_option(tcp::no_delay(true), ignored);  // a local one has no such delay
     connections_.emplace_back(std::move(socket), host_);
     WaitToRead(std::prev(connections_.end()));
   }
@@ -112,7 +137,7 @@ class TcpBroker::Impl {
   }
 
   void WaitToRead(Connections::iterator connection) {
-    connection->socket().async_wait(tcp::socket::wait_read,
+    connection->socket().async_wait(StreamSocket::wait_read,
                                     [this, connection](std::error_code error) {
                                       if (error || !connection->socket().is_open()) {
                                         return;  // closed meanwhile
@@ -167,10 +192,10 @@ class TcpBroker::Impl {
     }
     if (!connection.Write()) {
       std::error_code ignored;
-      connection.socket().shutdown(tcp::socket::shutdown_both, ignored);
+      connection.socket().shutdown(StreamSocket::shutdown_both, ignored);
     } else if (connection.wants_to_write()) {
       connection.is_waiting_to_write = true;
-      connection.socket().async_wait(tcp::socket::wait_write,
+      connection.socket().async_wait(StreamSocket::wait_write,
                                      [this, &connection](std::error_code error) {
                                        if (!error && connection.socket().is_open()) {
                                          connection.is_waiting_to_write = false;
@@ -255,7 +280,8 @@ class TcpBroker::Impl {
   Broker broker_;
   asio::io_context context_{1};  // one thread: no locks inside
   tcp::acceptor acceptor_;
-  asio::steady_timer watch_, status_, pause_, keep_;
+  asio::local::stream_protocol::acceptor local_acceptor_;
+  asio::steady_timer watch_, status_, pause_, local_pause_, keep_;
   std::optional<ValueKeeper> keeper_;
   bool is_keeping_ = false;   ///< keep_ is running
   std::uint64_t writes_ = 0;  ///< at the last look of Watch

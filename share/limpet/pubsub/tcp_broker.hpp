@@ -27,8 +27,9 @@ struct TcpBrokerOptions {
   std::function<Words(const Broker& broker, Seconds now)> report{};
 };
 
-/// The broker on TCP: one thread, no call that blocks, so a silent or hostile connection delays
-/// nobody. Mail is pushed as soon as the bytes that caused it are worked off.
+/// The broker on TCP, and on a local socket beside it when it listens on loopback: one thread, no
+/// call that blocks, so a silent or hostile connection delays nobody. Mail is pushed as soon as the
+/// bytes that caused it are worked off.
 class TcpBroker {
  public:
   /// Binds and listens. Throws std::runtime_error naming address and port if it cannot.

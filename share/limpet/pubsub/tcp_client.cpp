@@ -135,7 +135,7 @@ void TcpClient::Impl::WaitToWrite() {
   }
   is_flush_due_ = true;
   asio::post(context_, [this] {
-    socket_.async_wait(asio::ip::tcp::socket::wait_write, [this](std::error_code) {
+    socket_.async_wait(StreamSocket::wait_write, [this](std::error_code) {
       const std::lock_guard lock(mutex_);
       is_flush_due_ = false;
       Flush();

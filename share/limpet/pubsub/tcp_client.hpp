@@ -16,6 +16,8 @@ struct TcpClientOptions {
   std::string host = "localhost";
   std::uint16_t port = 9000;
   std::string name;
+  /// By the local socket of a broker on this machine, where there is one (local_socket.hpp).
+  bool may_go_locally = true;
   double warp = 1.0;
   /// Takes the broker's warp from its welcome instead: for tools that are told only where it is.
   bool learns_warp = false;

@@ -46,7 +46,7 @@ TcpClient::Impl::~Impl() {
       return;
     }
     std::error_code ignored;
-    socket_.shutdown(tcp::socket::shutdown_send, ignored);
+    socket_.shutdown(StreamSocket::shutdown_send, ignored);
     timer_.expires_after(kLongestGoodbye);
     timer_.async_wait([this](std::error_code) { context_.stop(); });
   });
@@ -85,24 +85,44 @@ bool TcpClient::Impl::OnUnit(ByteView unit) {
 }
 
 void TcpClient::Impl::Connect() {
-  socket_ = tcp::socket(context_);
+  socket_ = StreamSocket(context_);
   reader_ = UnitReader();
   is_welcome_ = false;
-  resolver_.async_resolve(
-      tcp::v4(), options_.host, std::to_string(options_.port),
-      [this](std::error_code error, const tcp::resolver::results_type& places) {
-        if (error) {
-          Retry("cannot resolve " + options_.host + ": " + error.message());
-          return;
-        }
-        asio::async_connect(socket_, places, [this](std::error_code failure, const tcp::endpoint&) {
-          failure ? Retry(failure.message()) : Greet();
-        });
-      });
+  resolver_.async_resolve(tcp::v4(), options_.host, std::to_string(options_.port),
+                          [this](std::error_code error, const tcp::resolver::results_type& places) {
+                            if (error) {
+                              Retry("cannot resolve " + options_.host + ": " + error.message());
+                              return;
+                            }
+                            Reach(places);
+                          });
+}
+
+/// The broker of this machine by its local socket, if it has one; any other by TCP.
+void TcpClient::Impl::Reach(const tcp::resolver::results_type& places) {
+  if (auto local = options_.may_go_locally
+                       ? ConnectLocally(context_.get_executor(),
+                                        places.begin()->endpoint().address(), options_.port)
+                       : std::nullopt) {
+    socket_ = std::move(*local);
+    Greet();
+    return;
+  }
+  auto socket = std::make_shared<tcp::socket>(context_);
+  asio::async_connect(*socket, places,
+                      [this, socket](std::error_code failure, const tcp::endpoint&) {
+                        if (failure) {
+                          Retry(failure.message());
+                          return;
+                        }
+                        std::error_code ignored;
+                        socket->set_option(tcp::no_delay(true), ignored);
+                        socket_ = StreamSocket(std::move(*socket));
+                        Greet();
+                      });
 }
 
 void TcpClient::Impl::Greet() {
-  socket_.set_option(tcp::no_delay(true));
   // Greeting and hello in one write: a stock broker takes a greeting in pieces for a wrong one.
   ByteBuffer hello(kGreeting.size());
   std::memcpy(hello.data(), kGreeting.data(), kGreeting.size());
@@ -123,7 +143,7 @@ void TcpClient::Impl::Greet() {
 }
 
 void TcpClient::Impl::WaitToRead() {
-  socket_.async_wait(tcp::socket::wait_read, [this](std::error_code error) {
+  socket_.async_wait(StreamSocket::wait_read, [this](std::error_code error) {
     std::size_t received = 0;
     if (error || !reader_.Read(socket_, scratch_, kClientReadBudget, *this, received)) {
       Retry(refusal_.empty() ? "the broker closed the connection" : refusal_);

@@ -14,6 +14,7 @@
 
 #include "limpet/pubsub/client_clock.hpp"
 #include "limpet/pubsub/client_sender.hpp"
+#include "limpet/pubsub/local_socket.hpp"
 #include "limpet/pubsub/tcp_client.hpp"
 #include "limpet/pubsub/unit_reader.hpp"
 
@@ -50,6 +51,7 @@ class TcpClient::Impl {
 
  private:
   void Connect();
+  void Reach(const asio::ip::tcp::resolver::results_type& places);
   void Greet();
   void WaitToRead();
   /// Takes the answer to the hello. False: it is a refusal.
@@ -83,7 +85,7 @@ class TcpClient::Impl {
 
   // The client's own thread alone.
   asio::io_context context_;
-  asio::ip::tcp::socket socket_;
+  StreamSocket socket_;
   asio::ip::tcp::resolver resolver_;
   asio::steady_timer timer_;
   UnitReader reader_;

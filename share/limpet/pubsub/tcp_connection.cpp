@@ -17,7 +17,7 @@ constexpr std::size_t kMaxHello = std::size_t{64} << 10;
 
 }  // namespace
 
-TcpConnection::TcpConnection(asio::ip::tcp::socket socket, Host& host)
+TcpConnection::TcpConnection(StreamSocket socket, Host& host)
     : socket_(std::move(socket)),
       host_(host),
       opened_(SteadyTime()),
@@ -88,7 +88,7 @@ bool TcpConnection::Write() {
       if (closes_when_sent_) {
         // The client closes when it has read why; closing here could take the words away from it.
         std::error_code ignored;
-        socket_.shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+        socket_.shutdown(StreamSocket::shutdown_send, ignored);
         out_ = {};
         sent_ = 0;
         return true;

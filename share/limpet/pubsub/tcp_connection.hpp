@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// One accepted connection of the TCP broker: greeting, hello, then packets both ways.
+// One accepted connection of the broker, TCP or local: greeting, hello, then packets both ways.
 #pragma once
 
 #include <functional>
 #include <memory>
 #include <optional>
 
-#include <asio/ip/tcp.hpp>
-
 #include "limpet/pubsub/broker.hpp"
+#include "limpet/pubsub/local_socket.hpp"
 #include "limpet/pubsub/unit_reader.hpp"
 
 namespace limpet {
@@ -28,7 +27,7 @@ class TcpConnection {
     std::function<void(Broker::Client, TcpConnection&)> on_admitted;
   };
 
-  TcpConnection(asio::ip::tcp::socket socket, Host& host);
+  TcpConnection(StreamSocket socket, Host& host);
 
   /// Reads and works off what has arrived. False if the connection is to be closed.
   [[nodiscard]] bool Read();
@@ -42,7 +41,7 @@ class TcpConnection {
   void GiveBack();
 
   [[nodiscard]] bool wants_to_write() const { return unsent() > 0; }
-  [[nodiscard]] asio::ip::tcp::socket& socket() { return socket_; }
+  [[nodiscard]] StreamSocket& socket() { return socket_; }
   /// Nothing before its hello, and once it has been told why it may not enter.
   [[nodiscard]] std::optional<Broker::Client> client() const { return client_; }
   [[nodiscard]] Stage stage() const { return stage_; }
@@ -57,7 +56,7 @@ class TcpConnection {
   [[nodiscard]] std::size_t unsent() const { return out_.head.size() + out_.body.size() - sent_; }
   [[nodiscard]] bool Greet(ByteView hello_packet);
 
-  asio::ip::tcp::socket socket_;
+  StreamSocket socket_;
   Host& host_;
   Stage stage_ = Stage::kSilent;
   std::optional<Broker::Client> client_;

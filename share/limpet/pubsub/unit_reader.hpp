@@ -5,9 +5,9 @@
 #include <optional>
 
 #include <asio/buffer.hpp>
-#include <asio/ip/tcp.hpp>
 
 #include "limpet/core/expected.hpp"
+#include "limpet/pubsub/local_socket.hpp"
 #include "limpet/pubsub/receive_buffer.hpp"
 #include "limpet/wire/packet_codec.hpp"
 
@@ -25,8 +25,8 @@ class UnitReader {
   /// Reads until the socket is empty or about `budget` bytes are worked off.
   /// False if the connection is to be closed; `received` counts the bytes.
   template <class Protocol>
-  [[nodiscard]] bool Read(asio::ip::tcp::socket& socket, std::span<std::byte> scratch,
-                          std::size_t budget, Protocol& protocol, std::size_t& received) {
+  [[nodiscard]] bool Read(StreamSocket& socket, std::span<std::byte> scratch, std::size_t budget,
+                          Protocol& protocol, std::size_t& received) {
     received = 0;
     while (received < budget) {
       const auto room = Room(scratch, protocol);

@@ -17,9 +17,15 @@ namespace {
 
 using namespace std::chrono_literals;
 
-using TcpBrokerTest = LoopbackBroker;
+/// Whatever clients come by.
+class TcpBrokerTest : public LoopbackBroker, public testing::WithParamInterface<bool> {
+ protected:
+  TcpBrokerTest() { clients_go_locally_ = GetParam(); }
+};
+INSTANTIATE_TEST_SUITE_P(Clients, TcpBrokerTest, testing::Bool(),
+                         [](const auto& of) { return of.param ? "Local" : "ByTcp"; });
 
-TEST_F(TcpBrokerTest, CarriesEveryTypeFromOneClientToAnother) {
+TEST_P(TcpBrokerTest, CarriesEveryTypeFromOneClientToAnother) {
   MailInbox inbox;
   const auto reader = Join("pReader", &inbox);
   for (const char* name : {"NUMBER", "TEXT", "BYTES"}) {
@@ -41,7 +47,7 @@ TEST_F(TcpBrokerTest, CarriesEveryTypeFromOneClientToAnother) {
   EXPECT_EQ(std::get<Binary>(bytes->value).size(), 2U);
 }
 
-TEST_F(TcpBrokerTest, SendsTheLatestValueToALateSubscriber) {
+TEST_P(TcpBrokerTest, SendsTheLatestValueToALateSubscriber) {
   const auto writer = Join("pWriter");
   writer->Publish("X", 7.0);
   MailInbox first, late;
@@ -56,7 +62,7 @@ TEST_F(TcpBrokerTest, SendsTheLatestValueToALateSubscriber) {
   EXPECT_EQ(heard->id, -1);
 }
 
-TEST_F(TcpBrokerTest, TellsOfComersAndGoersAtOnce) {
+TEST_P(TcpBrokerTest, TellsOfComersAndGoersAtOnce) {
   MailInbox inbox;
   const auto watcher = Join("pWatch", &inbox);
   watcher->Subscribe("DB_EVENT", Seconds(0.0));
@@ -68,7 +74,7 @@ TEST_F(TcpBrokerTest, TellsOfComersAndGoersAtOnce) {
   EXPECT_TRUE(inbox.AwaitText("disconnected=pBrief"));
 }
 
-TEST_F(TcpBrokerTest, ListsItsClientsEveryTwoSeconds) {
+TEST_P(TcpBrokerTest, ListsItsClientsEveryTwoSeconds) {
   MailInbox inbox;
   const auto watcher = Join("pWatch", &inbox);
   watcher->Subscribe("DB_CLIENTS", Seconds(0.0));
@@ -77,7 +83,7 @@ TEST_F(TcpBrokerTest, ListsItsClientsEveryTwoSeconds) {
   EXPECT_EQ(std::get<std::string>(clients->value), "pWatch,");
 }
 
-TEST_F(TcpBrokerTest, CarriesMegabytes) {
+TEST_P(TcpBrokerTest, CarriesMegabytes) {
   MailInbox inbox;
   const auto reader = Join("pReader", &inbox);
   reader->Subscribe("BIG", Seconds(0.0));
@@ -88,7 +94,7 @@ TEST_F(TcpBrokerTest, CarriesMegabytes) {
   EXPECT_EQ(std::get<Binary>(heard->value).size(), 5U << 20);
 }
 
-TEST_F(TcpBrokerTest, WelcomesManyAtOnce) {
+TEST_P(TcpBrokerTest, WelcomesManyAtOnce) {
   std::vector<std::unique_ptr<TcpClient>> clients;
   for (int i = 0; i < 50; ++i) {
     clients.push_back(Join("pMany" + std::to_string(i)));
@@ -104,7 +110,7 @@ TEST_F(TcpBrokerTest, WelcomesManyAtOnce) {
   FAIL() << "50 clients did not connect within 5 s";
 }
 
-TEST_F(TcpBrokerTest, KeepsServingWhileAReaderHasStopped) {
+TEST_P(TcpBrokerTest, KeepsServingWhileAReaderHasStopped) {
   const RawPeer stuck(broker_->port());
   stuck.Hello("pStuck");
   ASSERT_EQ(stuck.Answer(), wire_type::kWelcome);
@@ -142,7 +148,7 @@ double Resident() {
   return 1e-6 * resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
-TEST_F(TcpBrokerTest, MemoryOfABurstGoesBack) {
+TEST_P(TcpBrokerTest, MemoryOfABurstGoesBack) {
   const auto writer = Join("pWriter");
   ExpectHealthy();
   const double before = Resident();

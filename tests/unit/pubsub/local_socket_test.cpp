@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/pubsub/local_socket.hpp"
+
+#include <array>
+#include <vector>
+
+#include <asio/io_context.hpp>
+#include <asio/write.hpp>
+
+#include "tests/support/loopback_broker.hpp"
+
+namespace limpet {
+namespace {
+
+using asio::ip::make_address;
+using Acceptor = asio::local::stream_protocol::acceptor;
+
+class LocalSocket : public LoopbackBroker {
+ protected:
+  [[nodiscard]] std::optional<StreamSocket> Connect(const char* address = "127.0.0.1") {
+    return ConnectLocally(context_.get_executor(), make_address(address), broker_->port());
+  }
+  asio::io_context context_;
+};
+
+/// The other side has hung up, within five seconds.
+bool HangsUp(StreamSocket& socket) {
+  const timeval longest{.tv_sec = 5, .tv_usec = 0};
+  ::setsockopt(socket.native_handle(), SOL_SOCKET, SO_RCVTIMEO, &longest, sizeof longest);
+  socket.non_blocking(false);
+  std::array<std::byte, 256> bytes{};
+  ssize_t count = 1;
+  while (count > 0) {
+    count = ::recv(socket.native_handle(), bytes.data(), bytes.size(), 0);
+  }
+  return count == 0 || errno == ECONNRESET;
+}
+
+TEST_F(LocalSocket, IsFoundWhereTheBrokerListensAndNowhereElse) {
+  EXPECT_TRUE(Connect().has_value());
+  EXPECT_FALSE(Connect("127.0.0.2").has_value());
+  EXPECT_FALSE(Connect("192.168.1.7").has_value()) << "another machine has its own port 9000";
+}
+
+TEST_F(LocalSocket, JoinsOneCommunityWithTcp) {
+  MailInbox inbox;
+  const auto reader = Join("pLocal", &inbox);
+  reader->Subscribe("X", Seconds(0.0));
+  clients_go_locally_ = false;
+  const auto writer = Join("pByTcp");
+  writer->Publish("X", 4.5);
+  const auto heard = inbox.Await("X");
+  ASSERT_TRUE(heard.has_value());
+  EXPECT_EQ(heard->source, "pByTcp");
+}
+
+TEST_F(LocalSocket, HangsUpOnSilenceAndOnAWrongGreeting) {
+  auto silent = Connect();
+  auto wrong = Connect();
+  ASSERT_TRUE(silent && wrong);
+  asio::write(*wrong, asio::buffer(std::string(32, 'x')));
+  EXPECT_TRUE(HangsUp(*wrong));
+  EXPECT_TRUE(HangsUp(*silent));
+  ExpectHealthy();
+}
+
+TEST(LocalPlace, OfAllAddressesIsLoopbacks) {
+  const auto any = LocalPlaceOf(make_address("0.0.0.0"), 9000);
+  ASSERT_TRUE(any.has_value());
+  EXPECT_EQ(*any, *LocalPlaceOf(make_address("127.0.0.1"), 9000));
+  EXPECT_NE(*any, *LocalPlaceOf(make_address("127.0.0.1"), 9001));
+  EXPECT_FALSE(LocalPlaceOf(make_address("10.0.0.1"), 9000).has_value());
+}
+
+TEST(LocalPlace, OfABrokerThatTakesNobodyInIsNotWaitedFor) {
+  asio::io_context context;
+  // A port that no TCP socket has: nothing else can use its name.
+  Acceptor deaf(context);
+  const auto place = *LocalPlaceOf(make_address("127.0.0.1"), 0);
+  deaf.open();
+  deaf.bind(place);
+  deaf.listen(1);
+  std::vector<StreamSocket> waiting;
+  for (int i = 0; i < 10; ++i) {
+    auto socket = ConnectLocally(context.get_executor(), make_address("127.0.0.1"), 0);
+    if (!socket) {
+      return;
+    }
+    waiting.push_back(std::move(*socket));
+  }
+  FAIL() << "ten in a queue for one";
+}
+
+}  // namespace
+}  // namespace limpet
