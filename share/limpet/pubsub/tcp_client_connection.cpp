@@ -27,6 +27,7 @@ TcpClient::Impl::Impl(TcpClientOptions options)
       socket_(context_),
       resolver_(context_),
       timer_(context_),
+      keep_alive_(context_),
       scratch_(kClientScratch),
       retry_(kFirstRetry) {
   asio::post(context_, [this] { Connect(); });
@@ -193,6 +194,8 @@ void TcpClient::Impl::Retry(const std::string& why) {
     }
   }
   refusal_.clear();
+  is_welcome_ = false;  // ends the keep-alive, also one whose time has come already
+  keep_alive_.cancel();
   std::error_code ignored;
   socket_.close(ignored);
   TellState();
@@ -207,8 +210,8 @@ void TcpClient::Impl::Retry(const std::string& why) {
 }
 
 void TcpClient::Impl::Idle() {
-  timer_.expires_after(kIdlePeriod);
-  timer_.async_wait([this](std::error_code error) {
+  keep_alive_.expires_after(kIdlePeriod);
+  keep_alive_.async_wait([this](std::error_code error) {
     if (!error && is_welcome_) {
       {
         const std::lock_guard lock(mutex_);

@@ -87,7 +87,8 @@ class TcpClient::Impl {
   asio::io_context context_;
   StreamSocket socket_;
   asio::ip::tcp::resolver resolver_;
-  asio::steady_timer timer_;
+  asio::steady_timer timer_;  ///< of the next attempt, or of leaving
+  asio::steady_timer keep_alive_;
   UnitReader reader_;
   ByteBuffer scratch_;
   bool is_welcome_ = false;
