@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 namespace limpet {
 
@@ -14,6 +15,15 @@ namespace {
 
 /// The system's own (208 KiB) is two or three large messages: writer and reader would take turns.
 constexpr int kLocalSendBuffer = 1 << 20;
+
+/// The name is anybody's to take. A listener of this user, or of root, may be believed; any other
+/// would have to hold the TCP port as well.
+bool IsTrustworthy(int descriptor) {
+  ucred owner{};
+  socklen_t size = sizeof owner;
+  return ::getsockopt(descriptor, SOL_SOCKET, SO_PEERCRED, &owner, &size) == 0 &&
+         (owner.uid == ::geteuid() || owner.uid == 0);
+}
 
 }  // namespace
 
@@ -41,8 +51,10 @@ std::optional<StreamSocket> ConnectLocally(const StreamSocket::executor_type& ex
   socket.non_blocking(true, error);
   // Not Asio's connect: it takes "try again" (the broker's queue is full) for a connection under
   // way. Here that is not worth a wait: there is TCP.
-  if (error || ::connect(socket.native_handle(), place->data(),
-                         static_cast<socklen_t>(place->size())) != 0) {
+  if (error ||
+      ::connect(socket.native_handle(), place->data(), static_cast<socklen_t>(place->size())) !=
+          0 ||
+      !IsTrustworthy(socket.native_handle())) {
     return std::nullopt;
   }
   StreamSocket stream(std::move(socket));

@@ -23,7 +23,7 @@ using StreamSocket = asio::generic::stream_protocol::socket;
     const asio::ip::address& address, std::uint16_t port);
 
 /// Connected to the broker that listens on that loopback address and port; nothing if there is
-/// none, or if it is another machine's, or no Limpet.
+/// none, or if it is another machine's, another user's (but root's), or no Limpet.
 [[nodiscard]] std::optional<StreamSocket> ConnectLocally(
     const StreamSocket::executor_type& executor, const asio::ip::address& address,
     std::uint16_t port);

@@ -89,16 +89,21 @@ class TcpBroker::Impl {
     }
   }
 
-  /// For programs of this machine. Without it they come by TCP.
+  /// For programs of this machine. Who has that name already would get our clients: an error.
   void ListenLocally() {
     const auto place = LocalPlaceOf(acceptor_.local_endpoint().address(), port());
-    if (!place) {
-      return;
+    std::error_code unknown;
+    local_acceptor_.open(asio::local::stream_protocol(), unknown);
+    if (unknown || !place) {
+      local_acceptor_.close(unknown);
+      return;  // a system without such sockets: they come by TCP
     }
     try {
-      local_acceptor_ = asio::local::stream_protocol::acceptor(context_, *place);
-    } catch (const std::system_error&) {
-      local_acceptor_ = asio::local::stream_protocol::acceptor(context_);
+      local_acceptor_.bind(*place);
+      local_acceptor_.listen();
+    } catch (const std::system_error& error) {
+      throw std::runtime_error(fmt::format("cannot listen on the local socket @{}: {}",
+                                           place->path().substr(1), error.code().message()));
     }
   }
 

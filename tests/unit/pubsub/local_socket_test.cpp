@@ -6,6 +6,7 @@
 
 #include <asio/io_context.hpp>
 #include <asio/write.hpp>
+#include <gmock/gmock.h>
 
 #include "tests/support/loopback_broker.hpp"
 
@@ -70,6 +71,20 @@ TEST(LocalPlace, OfAllAddressesIsLoopbacks) {
   EXPECT_EQ(*any, *LocalPlaceOf(make_address("127.0.0.1"), 9000));
   EXPECT_NE(*any, *LocalPlaceOf(make_address("127.0.0.1"), 9001));
   EXPECT_FALSE(LocalPlaceOf(make_address("10.0.0.1"), 9000).has_value());
+}
+
+TEST(LocalPlace, TakenByAnotherIsAnError) {
+  TcpBrokerOptions options;
+  options.port = 0;
+  options.port = TcpBroker(options).port();
+  asio::io_context context;
+  const Acceptor stranger(context, *LocalPlaceOf(make_address("127.0.0.1"), options.port));
+  try {
+    const TcpBroker broker(options);
+    FAIL() << "clients would go to the stranger";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("@limpet/127.0.0.1:"));
+  }
 }
 
 TEST(LocalPlace, OfABrokerThatTakesNobodyInIsNotWaitedFor) {
