@@ -41,13 +41,15 @@ int NameIn(const IdentityProblem& problem, const IdentityHypothesis& hypothesis,
   return thing;
 }
 
-/// True if nothing that `name` stands for is apart from `thing`.
-bool MayBe(const IdentityProblem& problem, const IdentityHypothesis& hypothesis, int thing,
-           int name) {
-  return std::ranges::none_of(problem.apart, [&](const std::pair<int, int>& two) {
-    const int other = two.first == thing ? two.second : two.second == thing ? two.first : -1;
-    return other >= 0 && NameIn(problem, hypothesis, other) == name;
-  });
+/// That `thing` is one with all that `name` stands for, though seen at one time with some of it.
+double ApartCost(const IdentityProblem& problem, const IdentityHypothesis& hypothesis, int thing,
+                 int name) {
+  double cost = 0.0;
+  for (const IdentityProblem::Apart& two : problem.apart) {
+    const int other = two.a == thing ? two.b : two.b == thing ? two.a : -1;
+    if (other >= 0 && NameIn(problem, hypothesis, other) == name) cost += two.cost;
+  }
+  return cost;
 }
 
 /// Adds that `thing` and `same` are one: the likelihood of their distance, given all pairs before.
@@ -91,12 +93,12 @@ std::vector<IdentityHypothesis> LikeliestIdentities(const IdentityProblem& probl
       as_new.hypothesis.cost += claimant.new_cost;
       for (const IdentityProblem::Option& option : claimant.options) {
         // What an option itself is taken for has its own option, or is out of reach.
-        const bool is_named = NameIn(problem, partial.hypothesis, option.thing) == option.thing &&
-                              MayBe(problem, partial.hypothesis, claimant.thing, option.thing);
-        if (!is_named) continue;
+        if (NameIn(problem, partial.hypothesis, option.thing) != option.thing) continue;
+        const double apart = ApartCost(problem, partial.hypothesis, claimant.thing, option.thing);
+        if (apart > kHopeless) continue;
         Partial& same = next.emplace_back(partial);
         same.hypothesis.is.push_back(option.thing);
-        same.hypothesis.cost += option.cost;
+        same.hypothesis.cost += option.cost + apart;
         AddPair(problem, same, claimant.thing, option.thing);
       }
     }

@@ -25,8 +25,13 @@ struct IdentityProblem {
   Eigen::VectorXd places;
   Eigen::MatrixXd covariance;  ///< joint, of the places, with none taken for another
   std::vector<Claimant> claimants;
-  std::vector<std::pair<int, int>> apart;  ///< things that are two: seen at one time
-  double model_sigma = 0.1;                ///< [m] between two places of one thing
+  /// Things that were seen at one time, and -2 ln of the likelihood that they are one all the same.
+  struct Apart {
+    int a = 0, b = 0;
+    double cost = 1e9;
+  };
+  std::vector<Apart> apart;
+  double model_sigma = 0.1;  ///< [m] between two places of one thing
 };
 
 /// One way to see it: per claimant the thing that it is, its own number if something else.

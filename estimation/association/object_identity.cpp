@@ -11,6 +11,7 @@
 
 #include "estimation/association/joint_identity.hpp"
 #include "estimation/association/object_tracker.hpp"
+#include "estimation/association/pair_evidence.hpp"
 #include "estimation/smoothing/factors/same_place_factor.hpp"
 
 namespace limpet {
@@ -139,10 +140,9 @@ void ObjectTracker::AddClaimants(Identities& all, int claimants) const {
     IdentityProblem::Claimant claimant{.thing = i, .new_cost = new_cost, .options = {}};
     for (int k = 0; k < count; ++k) {
       if (all.thing(k).id >= all.thing(i).id) continue;
-      if (AreSeenTogether(all.thing(i), all.thing(k))) {
-        problem.apart.emplace_back(i, k);
-        continue;
-      }
+      const double together = TogetherCost(all.thing(i), all.thing(k));
+      if (together > 0.0) problem.apart.push_back({i, k, together});
+      if (together >= kCertainlyTwo) continue;
       const Eigen::Vector3d d = problem.places.segment<3>(3 * i) - problem.places.segment<3>(3 * k);
       Eigen::Matrix3d S = problem.covariance.block<3, 3>(3 * i, 3 * i) +
                           problem.covariance.block<3, 3>(3 * k, 3 * k) -
@@ -150,9 +150,9 @@ void ObjectTracker::AddClaimants(Identities& all, int claimants) const {
                           problem.covariance.block<3, 3>(3 * k, 3 * i);
       S.diagonal().array() += problem.model_sigma * problem.model_sigma;
       if (d.dot(S.llt().solve(d)) > kImplausible) continue;
-      const double share =
-          all.thing(i).Color() == all.thing(k).Color() ? 1.0 - confused : confused * confused;
-      claimant.options.push_back({.thing = k, .cost = -2.0 * std::log(share)});
+      claimant.new_cost += OverlapCost(d, S, params_.model.radius_m);
+      claimant.options.push_back(
+          {.thing = k, .cost = ClassCost(all.thing(i), all.thing(k), confused)});
     }
     problem.claimants.push_back(std::move(claimant));
   }

@@ -87,12 +87,17 @@ class ObjectTracker {
     return now_ - object.last_seen() > params_.confirm_within_s;
   }
   void CountVisibility(const TrackerFrame& frame, const std::vector<int>& seen);
+  /// Ln of the likelihood that a frame shows no box of an object over that it shows none of
+  /// something that now and then is taken for one.
+  [[nodiscard]] double LogOddsOfMiss() const;
   void AddLook(TrackedObject& object, Look look, const TrackerFrame& frame);
   void Start(Look look, const TrackerFrame& frame);
   /// True if enough boxes agree on a tentative object.
   [[nodiscard]] bool IsRipe(const TrackedObject& object, double now) const {
     return AgreeOn(object, params_.looks_to_confirm, params_.confirm_log_odds, now);
   }
+  /// Ln of the odds that it is an object: from confidences, and from frames that do not show it.
+  [[nodiscard]] double Belief(const TrackedObject& object) const;
   [[nodiscard]] bool AgreeOn(const TrackedObject& object, int boxes, double log_odds,
                              double now) const;
   /// Decides what ripe objects are: known landmarks or new ones.
@@ -127,7 +132,6 @@ class ObjectTracker {
   /// -2 ln of how many more objects there are per m^3 around a known one: where objects come in
   /// pairs, another one beside a known one is no surprise.
   [[nodiscard]] double NewCost() const;
-  [[nodiscard]] static bool AreSeenTogether(const TrackedObject& a, const TrackedObject& b);
   struct Identities;
   /// True if what it is may be decided: it has been seen enough, or is out of view.
   [[nodiscard]] bool IsDecidable(const TrackedObject& object, bool is_last) const;
@@ -167,6 +171,7 @@ class ObjectTracker {
   bool is_provisional_ = false;
   int identity_news_ = 0;  ///< since identities were last considered
   double considered_t_ = -1e18;
+  double in_view_ = 15.0, in_view_seen_ = 10.0;  ///< frames of landmarks in view; at first a guess
   int considered_count_ = 0;
 };
 

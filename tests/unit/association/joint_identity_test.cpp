@@ -89,6 +89,13 @@ TEST_F(JointIdentityTest, ThingsSeenAtOneTimeAreNeverOne) {
   }
 }
 
+TEST_F(JointIdentityTest, OneFrameThatShowsTwoBoxesOfAThingIsOutweighedByItsPlace) {
+  const int again = Add({0.05, 0.0}), known = Add({0.0, 0.0});
+  MayBe(again, {known});
+  problem_.apart = {{again, known, 9.0}};
+  EXPECT_GT(ShareOf(Solve(0.0), 0, known), 0.9);
+}
+
 TEST_F(JointIdentityTest, TwoSightingsOfOneNewThingAreOneThing) {
   const int first = Add({0.0, 0.0}, 0), second = Add({0.1, 0.05}, 1);
   MayBe(first, {});
