@@ -21,6 +21,9 @@ constexpr double kRecognitionReach = 3.0;  // [m]
 constexpr double kUnlikely = 16.3;         // squared Mahalanobis distance, three degrees of freedom
 constexpr int kBoxesOfKnown = 2;
 constexpr double kLikeTheLast = 0.2;  // correlation of what boxes of one sighting say
+// An object is seen in a share x of the frames that should show it with a density like x^this, what
+// is taken for one like (1 - x)^this.
+constexpr double kSeenMoreOften = 1.5;
 constexpr double kHardly = 10.0;  // -2 ln of a likelihood ratio: another object, as good as surely
 
 }  // namespace
@@ -45,8 +48,9 @@ double ObjectTracker::Belief(const TrackedObject& object) const {
   const auto looks = static_cast<double>(object.looks.size());
   const double more = std::max(looks - params_.looks_to_confirm, 0.0);
   const double alone = 1.0 + kLikeTheLast * (params_.looks_to_confirm - 1);
-  const int missed = std::max(object.expected - object.hits, 0);
-  return object.LogOdds() * alone / (alone + kLikeTheLast * more) + missed * LogOddsOfMiss();
+  const double missed = std::max(object.expected - object.hits, 0);
+  const double seldom = kSeenMoreOften * std::log((1.0 + object.hits) / (1.0 + missed));
+  return object.LogOdds() * alone / (alone + kLikeTheLast * more) + std::min(seldom, 0.0);
 }
 
 void ObjectTracker::ConfirmWhatIsDue(const TrackerFrame& frame) {

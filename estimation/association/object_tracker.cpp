@@ -18,9 +18,6 @@ constexpr double kSeenAgain = 4.0;       // the same, that tells a known object 
 constexpr double kInTheGround = 1.0;     // [m] of a centre below the seabed where it was seen
 constexpr double kSurePixels = 25.0;     // an expectation within which is sure, whatever the box
 constexpr double kReach = 3.0;           // [m] beyond the greatest distance it was seen from
-constexpr double kInView = 2.0;          // [s] since an object was seen
-constexpr double kLeastMissed = 0.1;     // of the frames that should show an object, at best
-constexpr double kLookAlikeSeen = 0.3;   // of those that should show what is taken for one
 constexpr double kMarginShare = 0.12;    // of the image, inside which an object should be seen
 
 }  // namespace
@@ -178,12 +175,9 @@ void ObjectTracker::CountVisibility(const TrackerFrame& frame, const std::vector
   for (std::size_t j = 0; j < objects_.size(); ++j) {
     TrackedObject& object = objects_[j];
     if (object.is_mapped() && !TakesLooks(object)) continue;
-    const bool is_in_view = object.is_landmark() && now_ - object.last_seen() < kInView;
     if (std::ranges::count(seen, static_cast<int>(j)) > 0) {
       ++object.expected;
       ++object.hits;
-      in_view_ += is_in_view ? 1.0 : 0.0;
-      in_view_seen_ += is_in_view ? 1.0 : 0.0;
       continue;
     }
     const Eigen::Vector3d p = CameraPointOf(camera_, frame.x, object.p).p_C;
@@ -198,22 +192,10 @@ void ObjectTracker::CountVisibility(const TrackerFrame& frame, const std::vector
     if (object.is_mapped() && std::ranges::any_of(seen, may_be_it)) {
       continue;
     }
-    // So far inside the image that it would be seen, wherever it is of what is known.
-    const double sd =
-        object.is_mapped() ? 0.0 : std::sqrt(object.covariance.diagonal().maxCoeff()) / p.z();
     const double u = (camera_.cx + camera_.fx * p.x() / p.z()) / camera_.width_px;
     const double v = (camera_.cy + camera_.fy * p.y() / p.z()) / camera_.height_px;
-    const double off_u = std::min(u, 1.0 - u) - sd * camera_.fx / camera_.width_px;
-    const double off_v = std::min(v, 1.0 - v) - sd * camera_.fy / camera_.height_px;
-    const bool is_expected = std::min(off_u, off_v) > kMarginShare;
-    object.expected += is_expected ? 1 : 0;
-    in_view_ += is_expected && is_in_view ? 1.0 : 0.0;
+    object.expected += std::min({u, 1.0 - u, v, 1.0 - v}) > kMarginShare ? 1 : 0;
   }
-}
-
-double ObjectTracker::LogOddsOfMiss() const {
-  const double missed = std::max(1.0 - in_view_seen_ / in_view_, kLeastMissed);
-  return std::min(std::log(missed / (1.0 - kLookAlikeSeen)), 0.0);
 }
 
 void ObjectTracker::AddLook(TrackedObject& object, Look look, const TrackerFrame& frame) {

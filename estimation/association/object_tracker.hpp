@@ -87,9 +87,6 @@ class ObjectTracker {
     return now_ - object.last_seen() > params_.confirm_within_s;
   }
   void CountVisibility(const TrackerFrame& frame, const std::vector<int>& seen);
-  /// Ln of the likelihood that a frame shows no box of an object over that it shows none of
-  /// something that now and then is taken for one.
-  [[nodiscard]] double LogOddsOfMiss() const;
   void AddLook(TrackedObject& object, Look look, const TrackerFrame& frame);
   void Start(Look look, const TrackerFrame& frame);
   /// True if enough boxes agree on a tentative object.
@@ -171,7 +168,6 @@ class ObjectTracker {
   bool is_provisional_ = false;
   int identity_news_ = 0;  ///< since identities were last considered
   double considered_t_ = -1e18;
-  double in_view_ = 15.0, in_view_seen_ = 10.0;  ///< frames of landmarks in view; at first a guess
   int considered_count_ = 0;
 };
 

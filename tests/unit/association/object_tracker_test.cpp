@@ -130,7 +130,7 @@ TEST_F(ObjectTrackerTest, TakesRandomFalseBoxesForNothing) {
 
 TEST_F(ObjectTrackerTest, TakesAThingThatIsSeldomAndHalfheartedlyTakenForAnObjectForNone) {
   objects_ = {{5.0, 0.5, 6.5}};
-  hit_share_ = 0.5, confidence_ = 0.61;
+  hit_share_ = 0.4, confidence_ = 0.6;
   FlyTo(10.0, 0.0);
   EXPECT_TRUE(Found().empty());
 }
