@@ -129,6 +129,13 @@ class ObjectTracker {
   /// -2 ln of how many more objects there are per m^3 around a known one: where objects come in
   /// pairs, another one beside a known one is no surprise.
   [[nodiscard]] double NewCost() const;
+  struct Company {
+    double density = 0.0;  ///< of objects beside one that has none there yet [1/m^3]
+    double crowd = 0.0;    ///< share of it beside one that has
+  };
+  [[nodiscard]] Company CompanyOf() const;
+  /// Landmarks near it.
+  [[nodiscard]] int CountBeside(const TrackedObject& object) const;
   struct Identities;
   /// True if what it is may be decided: it has been seen enough, or is out of view.
   [[nodiscard]] bool IsDecidable(const TrackedObject& object, bool is_last) const;
