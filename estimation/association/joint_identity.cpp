@@ -16,6 +16,7 @@ constexpr double kHopeless = 30.0;  // -2 ln of a likelihood ratio not worth fol
 /// factor of their joint covariance, which grows by three rows with each pair.
 struct Partial {
   IdentityHypothesis hypothesis;
+  std::vector<double> company;  ///< share of the likelihood in which a thing has another beside it
   std::vector<std::pair<int, int>> pairs;
   Eigen::MatrixXd factor;
   Eigen::VectorXd whitened;
@@ -41,18 +42,26 @@ int NameIn(const IdentityProblem& problem, const IdentityHypothesis& hypothesis,
   return thing;
 }
 
-/// True if nothing that `name` stands for is apart from `thing`.
-bool MayBe(const IdentityProblem& problem, const IdentityHypothesis& hypothesis, int thing,
-           int name) {
-  return std::ranges::none_of(problem.apart, [&](const std::pair<int, int>& two) {
-    const int other = two.first == thing ? two.second : two.second == thing ? two.first : -1;
-    return other >= 0 && NameIn(problem, hypothesis, other) == name;
-  });
+/// That `thing` is one with all that `name` stands for, though seen at one time with some of it.
+double ApartCost(const IdentityProblem& problem, const IdentityHypothesis& hypothesis, int thing,
+                 int name) {
+  double cost = 0.0;
+  for (const IdentityProblem::Apart& two : problem.apart) {
+    const int other = two.a == thing ? two.b : two.b == thing ? two.a : -1;
+    if (other >= 0 && NameIn(problem, hypothesis, other) == name) cost += two.cost;
+  }
+  return cost;
 }
 
-/// Adds that `thing` and `same` are one: the likelihood of their distance, given all pairs before.
-void AddPair(const IdentityProblem& problem, Partial& partial, int thing, int same) {
-  const std::pair<int, int> pair{thing, same};
+/// Difference of two places, given all pairs of a hypothesis.
+struct Difference {
+  Eigen::MatrixXd across;  ///< whitened by the pairs' factor
+  Eigen::Vector3d mean;
+  Eigen::Matrix3d covariance;
+};
+
+Difference DifferenceOf(const IdentityProblem& problem, const Partial& partial,
+                        std::pair<int, int> pair) {
   const auto n = static_cast<Eigen::Index>(3 * partial.pairs.size());
   Eigen::MatrixXd across(n, 3);
   for (std::size_t i = 0; i < partial.pairs.size(); ++i) {
@@ -60,18 +69,63 @@ void AddPair(const IdentityProblem& problem, Partial& partial, int thing, int sa
         AcrossPairs(problem.covariance, partial.pairs[i], pair);
   }
   if (n > 0) partial.factor.triangularView<Eigen::Lower>().solveInPlace(across);
-  Eigen::Matrix3d S = AcrossPairs(problem.covariance, pair, pair) - across.transpose() * across;
-  S.diagonal().array() += problem.model_sigma * problem.model_sigma;
-  const Eigen::LLT<Eigen::Matrix3d> llt(S);
+  Difference d;
+  d.mean = problem.places.segment<3>(Row(pair.first)) -
+           problem.places.segment<3>(Row(pair.second)) - across.transpose() * partial.whitened;
+  d.covariance = AcrossPairs(problem.covariance, pair, pair) - across.transpose() * across;
+  d.covariance.diagonal().array() += problem.model_sigma * problem.model_sigma;
+  d.across = std::move(across);
+  return d;
+}
+
+/// Share of a difference's likelihood within a distance.
+double ShareWithin(const Difference& d, double distance) {
+  const double n = std::max(d.mean.norm(), 1e-6);
+  const Eigen::Vector3d u = d.mean / n;
+  const double along = u.dot(d.covariance * u);
+  const double usual = std::sqrt(n * n + std::max(d.covariance.trace() - along, 0.0));
+  return 0.5 * std::erfc((usual - distance) / std::sqrt(2.0 * along));
+}
+
+/// Adds that a claimant is none of the others: alone, or beside one of them.
+void AddNew(const IdentityProblem& problem, Partial& partial,
+            const IdentityProblem::Claimant& claimant) {
+  const double alone = std::exp(-0.5 * claimant.new_cost);
+  const auto decided = static_cast<std::ptrdiff_t>(partial.hypothesis.is.size());
+  const auto is_open = [&](int thing) {
+    return std::any_of(problem.claimants.begin() + decided, problem.claimants.end(),
+                       [thing](const auto& c) { return c.thing == thing; });
+  };
+  std::vector<double> shares(partial.company.size(), 0.0);
+  double beside = 0.0;
+  for (std::size_t k = 0; problem.company > 0.0 && k < shares.size(); ++k) {
+    const int other = static_cast<int>(k);
+    if (is_open(other) || NameIn(problem, partial.hypothesis, other) != other) continue;
+    const Difference d = DifferenceOf(problem, partial, {claimant.thing, other});
+    const double room = 1.0 - partial.company[k] * (1.0 - problem.crowd);
+    shares[k] = problem.company * room * ShareWithin(d, problem.beside_m);
+    beside += shares[k];
+  }
+  for (std::size_t k = 0; beside > 0.0 && k < shares.size(); ++k)
+    partial.company[k] += (1.0 - partial.company[k]) * shares[k] / (alone + beside);
+  partial.company[static_cast<std::size_t>(claimant.thing)] = beside / (alone + beside);
+  partial.hypothesis.is.push_back(claimant.thing);
+  partial.hypothesis.cost += claimant.overlap_cost - 2.0 * std::log(alone + beside);
+}
+
+/// Adds that `thing` and `same` are one: the likelihood of their distance, given all pairs before.
+void AddPair(const IdentityProblem& problem, Partial& partial, int thing, int same) {
+  const std::pair<int, int> pair{thing, same};
+  const auto n = static_cast<Eigen::Index>(3 * partial.pairs.size());
+  const Difference d = DifferenceOf(problem, partial, pair);
+  const Eigen::LLT<Eigen::Matrix3d> llt(d.covariance);
   const Eigen::Matrix3d L = llt.matrixL();
-  Eigen::Vector3d r = problem.places.segment<3>(Row(thing)) - problem.places.segment<3>(Row(same));
-  r -= across.transpose() * partial.whitened;
-  const Eigen::Vector3d w = L.triangularView<Eigen::Lower>().solve(r);
+  const Eigen::Vector3d w = L.triangularView<Eigen::Lower>().solve(d.mean);
   partial.hypothesis.cost += w.squaredNorm() + 2.0 * L.diagonal().array().log().sum() +
                              3.0 * std::log(2.0 * std::numbers::pi);
   Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(n + 3, n + 3);
   factor.topLeftCorner(n, n) = partial.factor;
-  factor.bottomLeftCorner(3, n) = across.transpose();
+  factor.bottomLeftCorner(3, n) = d.across.transpose();
   factor.bottomRightCorner<3, 3>() = L;
   partial.factor = std::move(factor);
   partial.whitened.conservativeResize(n + 3);
@@ -83,20 +137,21 @@ void AddPair(const IdentityProblem& problem, Partial& partial, int thing, int sa
 
 std::vector<IdentityHypothesis> LikeliestIdentities(const IdentityProblem& problem, int width) {
   std::vector<Partial> beam(1), next;
+  beam.front().company.assign(static_cast<std::size_t>(problem.places.size() / 3), 0.0);
+  for (std::size_t k = 0; k < problem.has_company.size(); ++k)
+    beam.front().company[k] = problem.has_company[k] ? 1.0 : 0.0;
   for (const IdentityProblem::Claimant& claimant : problem.claimants) {
     next.clear();
     for (const Partial& partial : beam) {
-      Partial& as_new = next.emplace_back(partial);
-      as_new.hypothesis.is.push_back(claimant.thing);
-      as_new.hypothesis.cost += claimant.new_cost;
+      AddNew(problem, next.emplace_back(partial), claimant);
       for (const IdentityProblem::Option& option : claimant.options) {
         // What an option itself is taken for has its own option, or is out of reach.
-        const bool is_named = NameIn(problem, partial.hypothesis, option.thing) == option.thing &&
-                              MayBe(problem, partial.hypothesis, claimant.thing, option.thing);
-        if (!is_named) continue;
+        if (NameIn(problem, partial.hypothesis, option.thing) != option.thing) continue;
+        const double apart = ApartCost(problem, partial.hypothesis, claimant.thing, option.thing);
+        if (apart > kHopeless) continue;
         Partial& same = next.emplace_back(partial);
         same.hypothesis.is.push_back(option.thing);
-        same.hypothesis.cost += option.cost;
+        same.hypothesis.cost += option.cost + apart;
         AddPair(problem, same, claimant.thing, option.thing);
       }
     }

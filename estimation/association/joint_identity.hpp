@@ -19,14 +19,24 @@ struct IdentityProblem {
   };
   struct Claimant {
     int thing = 0;
-    double new_cost = 0.0;  ///< -2 ln of the likelihood [1/m^3] that it is something else
+    double new_cost = 0.0;      ///< -2 ln of the likelihood [1/m^3] of something else, alone
+    double overlap_cost = 0.0;  ///< -2 ln of the share of its place where something else has room
     std::vector<Option> options;
   };
   Eigen::VectorXd places;
   Eigen::MatrixXd covariance;  ///< joint, of the places, with none taken for another
   std::vector<Claimant> claimants;
-  std::vector<std::pair<int, int>> apart;  ///< things that are two: seen at one time
-  double model_sigma = 0.1;                ///< [m] between two places of one thing
+  /// Things that were seen at one time, and -2 ln of the likelihood that they are one all the same.
+  struct Apart {
+    int a = 0, b = 0;
+    double cost = 1e9;
+  };
+  std::vector<Apart> apart;
+  double model_sigma = 0.1;  ///< [m] between two places of one thing
+  /// Where things come in pairs: likelihood [1/m^3] of another one within `beside_m` of one that
+  /// has none there, and the share of it where there is one already.
+  double company = 0.0, crowd = 1.0, beside_m = 2.0;
+  std::vector<bool> has_company;  ///< per thing; all without if empty
 };
 
 /// One way to see it: per claimant the thing that it is, its own number if something else.

@@ -11,6 +11,7 @@
 
 #include "estimation/association/joint_identity.hpp"
 #include "estimation/association/object_tracker.hpp"
+#include "estimation/association/pair_evidence.hpp"
 #include "estimation/smoothing/factors/same_place_factor.hpp"
 
 namespace limpet {
@@ -134,15 +135,20 @@ ObjectTracker::Identities ObjectTracker::CollectIdentities(bool is_last) {
 void ObjectTracker::AddClaimants(Identities& all, int claimants) const {
   IdentityProblem& problem = all.problem;
   const auto count = static_cast<int>(all.things.size());
-  const double confused = params_.gate.confused_class_share, new_cost = NewCost();
+  const double confused = params_.gate.confused_class_share;
+  const double new_cost = -2.0 * std::log(params_.objects_per_m3);
+  const Company company = CompanyOf();
+  problem.company = company.density, problem.crowd = company.crowd;
+  problem.beside_m = params_.beside_m;
+  for (const TrackedObject* object : all.things)
+    problem.has_company.push_back(object->is_landmark() && CountBeside(*object) > 0);
   for (int i = 0; i < claimants; ++i) {
     IdentityProblem::Claimant claimant{.thing = i, .new_cost = new_cost, .options = {}};
     for (int k = 0; k < count; ++k) {
       if (all.thing(k).id >= all.thing(i).id) continue;
-      if (AreSeenTogether(all.thing(i), all.thing(k))) {
-        problem.apart.emplace_back(i, k);
-        continue;
-      }
+      const double together = TogetherCost(all.thing(i), all.thing(k));
+      if (together > 0.0) problem.apart.push_back({i, k, together});
+      if (together >= kCertainlyTwo) continue;
       const Eigen::Vector3d d = problem.places.segment<3>(3 * i) - problem.places.segment<3>(3 * k);
       Eigen::Matrix3d S = problem.covariance.block<3, 3>(3 * i, 3 * i) +
                           problem.covariance.block<3, 3>(3 * k, 3 * k) -
@@ -150,31 +156,39 @@ void ObjectTracker::AddClaimants(Identities& all, int claimants) const {
                           problem.covariance.block<3, 3>(3 * k, 3 * i);
       S.diagonal().array() += problem.model_sigma * problem.model_sigma;
       if (d.dot(S.llt().solve(d)) > kImplausible) continue;
-      const double share =
-          all.thing(i).Color() == all.thing(k).Color() ? 1.0 - confused : confused * confused;
-      claimant.options.push_back({.thing = k, .cost = -2.0 * std::log(share)});
+      claimant.overlap_cost += OverlapCost(d, S, params_.model.radius_m);
+      claimant.options.push_back(
+          {.thing = k, .cost = ClassCost(all.thing(i), all.thing(k), confused)});
     }
     problem.claimants.push_back(std::move(claimant));
   }
 }
 
-double ObjectTracker::NewCost() const {
+int ObjectTracker::CountBeside(const TrackedObject& object) const {
+  return static_cast<int>(std::ranges::count_if(objects_, [&](const TrackedObject& other) {
+    return other.is_landmark() && other.id != object.id &&
+           (other.p - object.p).norm() < params_.beside_m;
+  }));
+}
+
+ObjectTracker::Company ObjectTracker::CompanyOf() const {
   constexpr double kUnpaired = 4.0;  // landmarks without a neighbour that count before any is known
-  constexpr double kOwnHeight = 1.0;  // [m] that objects of one place differ in
-  double paired = 0.0, all = kUnpaired;
+  constexpr double kCrowded = 0.5, kPaired = 2.0;  // the same, of those with more than one
+  constexpr double kOwnHeight = 1.0;               // [m] that objects of one place differ in
+  double paired = 0.0, crowded = kCrowded, all = kUnpaired;
   for (const TrackedObject& object : objects_) {
     if (!object.is_landmark()) continue;
+    const int beside = CountBeside(object);
     all += 1.0;
-    paired += std::ranges::any_of(objects_,
-                                  [&](const TrackedObject& other) {
-                                    return other.is_landmark() && other.id != object.id &&
-                                           (other.p - object.p).norm() < params_.beside_m;
-                                  })
-                  ? 1.0
-                  : 0.0;
+    paired += beside > 0 ? 1.0 : 0.0;
+    crowded += beside > 1 ? 1.0 : 0.0;
   }
   const double around = std::numbers::pi * params_.beside_m * params_.beside_m * kOwnHeight;
-  return -2.0 * std::log(params_.objects_per_m3 + paired / all / around);
+  return {.density = paired / all / around, .crowd = crowded / (paired + kPaired)};
+}
+
+double ObjectTracker::NewCost() const {
+  return -2.0 * std::log(params_.objects_per_m3 + CompanyOf().density);
 }
 
 bool ObjectTracker::Reconsider(bool is_last) {

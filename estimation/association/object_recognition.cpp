@@ -10,6 +10,7 @@
 #include <Eigen/LU>
 
 #include "estimation/association/object_tracker.hpp"
+#include "estimation/association/pair_evidence.hpp"
 #include "estimation/smoothing/factors/birthplace_factor.hpp"
 
 namespace limpet {
@@ -19,6 +20,10 @@ constexpr double kPlaceError = 0.1;  // [m] of a tentative object's place, beyon
 constexpr double kRecognitionReach = 3.0;  // [m]
 constexpr double kUnlikely = 16.3;         // squared Mahalanobis distance, three degrees of freedom
 constexpr int kBoxesOfKnown = 2;
+constexpr double kLikeTheLast = 0.2;  // correlation of what boxes of one sighting say
+// An object is seen in a share x of the frames that should show it with a density like x^this, what
+// is taken for one like (1 - x)^this.
+constexpr double kSeenMoreOften = 1.5;
 constexpr double kHardly = 10.0;  // -2 ln of a likelihood ratio: another object, as good as surely
 
 }  // namespace
@@ -33,9 +38,19 @@ bool ObjectTracker::AgreeOn(const TrackedObject& object, int boxes, double log_o
     const bool counts = look.reading.is_usable() || boxes < params_.looks_to_confirm;
     return counts && now - look.t <= params_.confirm_within_s;
   });
-  return recent >= boxes && object.LogOdds() >= log_odds &&
+  return recent >= boxes && Belief(object) >= log_odds &&
          object.hits >= params_.confirm_hit_share * object.expected &&
          object.worst_residual <= params_.confirm_residual;
+}
+
+double ObjectTracker::Belief(const TrackedObject& object) const {
+  // What makes a detector take a thing for an object once makes it do so again.
+  const auto looks = static_cast<double>(object.looks.size());
+  const double more = std::max(looks - params_.looks_to_confirm, 0.0);
+  const double alone = 1.0 + kLikeTheLast * (params_.looks_to_confirm - 1);
+  const double missed = std::max(object.expected - object.hits, 0);
+  const double seldom = kSeenMoreOften * std::log((1.0 + object.hits) / (1.0 + missed));
+  return object.LogOdds() * alone / (alone + kLikeTheLast * more) + std::min(seldom, 0.0);
 }
 
 void ObjectTracker::ConfirmWhatIsDue(const TrackerFrame& frame) {
@@ -83,10 +98,10 @@ ObjectTracker::Likeness ObjectTracker::LikenessOf(const TrackedObject& tentative
   S += tentative.covariance;
   S.diagonal().array() += kPlaceError * kPlaceError;
   likeness.distance2 = d.dot(S.llt().solve(d));
-  const double confused = params_.gate.confused_class_share;
-  const double share = landmark.Color() == tentative.Color() ? 1.0 - confused : confused * confused;
   likeness.cost = likeness.distance2 + std::log(S.determinant()) +
-                  3.0 * std::log(2.0 * std::numbers::pi) - 2.0 * std::log(share);
+                  3.0 * std::log(2.0 * std::numbers::pi) +
+                  ClassCost(tentative, landmark, params_.gate.confused_class_share) +
+                  TogetherCost(tentative, landmark);
   return likeness;
 }
 

@@ -11,6 +11,7 @@
 #include <Eigen/LU>
 
 #include "estimation/association/object_tracker.hpp"
+#include "estimation/association/pair_evidence.hpp"
 #include "estimation/smoothing/factors/reprojection_factor.hpp"
 
 namespace limpet {
@@ -105,18 +106,6 @@ void ObjectTracker::SplitOff(std::vector<Look> looks, const TrackedObject& from,
   }
 }
 
-bool ObjectTracker::AreSeenTogether(const TrackedObject& a, const TrackedObject& b) {
-  auto i = a.looks.rbegin();
-  auto j = b.looks.rbegin();
-  while (i != a.looks.rend() && j != b.looks.rend()) {
-    if (i->frame == j->frame) {
-      return true;
-    }
-    (i->frame > j->frame ? i : j)++;
-  }
-  return false;
-}
-
 void ObjectTracker::SuspectDuplicates() {
   for (TrackedObject& a : objects_) {
     for (TrackedObject& b : objects_) {
@@ -124,20 +113,17 @@ void ObjectTracker::SuspectDuplicates() {
         continue;
       }
       const Eigen::Vector3d d = smoother_.LandmarkAt(a.slot) - smoother_.LandmarkAt(b.slot);
-      if (d.norm() > params_.merge_distance_m || AreSeenTogether(a, b)) {
-        continue;
-      }
+      if (d.norm() > params_.merge_distance_m) continue;
+      const double together = TogetherCost(a, b);
+      if (together >= kCertainlyTwo) continue;
       const Eigen::MatrixXd joint = smoother_.Covariance({a.slot, b.slot});
       Eigen::Matrix3d S = joint.block<3, 3>(6, 6) + joint.block<3, 3>(9, 9) -
                           joint.block<3, 3>(6, 9) - joint.block<3, 3>(9, 6);
       S.diagonal().array() += kModelError * kModelError;
       const double one = d.dot(S.llt().solve(d)) + std::log(S.determinant()) +
-                         3.0 * std::log(2.0 * std::numbers::pi);
-      const double two = NewCost();
-      // Two spheres cannot overlap, so within a radius there is one, whatever the covariance says.
-      if (d.norm() < params_.model.radius_m) {
-        Tie(b, a);
-      } else if (one < two && a.Color() == b.Color()) {
+                         3.0 * std::log(2.0 * std::numbers::pi) + together +
+                         ClassCost(a, b, params_.gate.confused_class_share);
+      if (one < NewCost() + OverlapCost(d, S, params_.model.radius_m)) {
         b.spread = std::sqrt(S.diagonal().head<2>().maxCoeff());
         b.is_in_doubt = b.is_open = true;
         ++identity_news_;

@@ -228,6 +228,7 @@ void ObjectTracker::Retriangulate(TrackedObject& object) {
       object.p.z() > smoother_.PoseAt(object.looks.back().node)(kNavZ) +
                          *object.looks.back().altitude + kInTheGround) {
     object.looks.erase(object.looks.begin());
+    object.expected = object.hits = static_cast<int>(object.looks.size());
     object.RecountColor();
     Locate(object);
   }

@@ -93,6 +93,8 @@ class ObjectTracker {
   [[nodiscard]] bool IsRipe(const TrackedObject& object, double now) const {
     return AgreeOn(object, params_.looks_to_confirm, params_.confirm_log_odds, now);
   }
+  /// Ln of the odds that it is an object: from confidences, and from frames that do not show it.
+  [[nodiscard]] double Belief(const TrackedObject& object) const;
   [[nodiscard]] bool AgreeOn(const TrackedObject& object, int boxes, double log_odds,
                              double now) const;
   /// Decides what ripe objects are: known landmarks or new ones.
@@ -127,7 +129,13 @@ class ObjectTracker {
   /// -2 ln of how many more objects there are per m^3 around a known one: where objects come in
   /// pairs, another one beside a known one is no surprise.
   [[nodiscard]] double NewCost() const;
-  [[nodiscard]] static bool AreSeenTogether(const TrackedObject& a, const TrackedObject& b);
+  struct Company {
+    double density = 0.0;  ///< of objects beside one that has none there yet [1/m^3]
+    double crowd = 0.0;    ///< share of it beside one that has
+  };
+  [[nodiscard]] Company CompanyOf() const;
+  /// Landmarks near it.
+  [[nodiscard]] int CountBeside(const TrackedObject& object) const;
   struct Identities;
   /// True if what it is may be decided: it has been seen enough, or is out of view.
   [[nodiscard]] bool IsDecidable(const TrackedObject& object, bool is_last) const;

@@ -62,6 +62,8 @@ struct TrackedObject {
   /// To be called when looks went or came in numbers; AddLook counts its own.
   void RecountColor();
   void AddLook(Look look);
+  /// Sum of confidences per class.
+  [[nodiscard]] const std::map<std::string, double>& votes() const { return votes_; }
   /// Sum of ln(c / (1 - c)) over the confidences of its looks.
   [[nodiscard]] double LogOdds() const;
 

@@ -185,6 +185,8 @@ void PrintDetails(const SimulatedStream& session, const ReplayResult& result,
     }
     fmt::print("\n");
   }
+  for (const auto& [id, times] : looks[-1])
+    if (id >= 0) fmt::print("  no landmark's: object {}:{}\n", id, SightingsOf(times));
 }
 
 struct Options {

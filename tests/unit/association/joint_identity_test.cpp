@@ -89,11 +89,46 @@ TEST_F(JointIdentityTest, ThingsSeenAtOneTimeAreNeverOne) {
   }
 }
 
+TEST_F(JointIdentityTest, OneFrameThatShowsTwoBoxesOfAThingIsOutweighedByItsPlace) {
+  const int again = Add({0.05, 0.0}), known = Add({0.0, 0.0});
+  MayBe(again, {known});
+  problem_.apart = {{again, known, 9.0}};
+  EXPECT_GT(ShareOf(Solve(0.0), 0, known), 0.9);
+}
+
 TEST_F(JointIdentityTest, TwoSightingsOfOneNewThingAreOneThing) {
   const int first = Add({0.0, 0.0}, 0), second = Add({0.1, 0.05}, 1);
   MayBe(first, {});
   MayBe(second, {first});
   EXPECT_GT(ShareOf(Solve(0.5, 0.1), 1, first), 0.99);
+}
+
+TEST_F(JointIdentityTest, OfAPairNearALoneThingOneIsItWhereThingsComeInPairs) {
+  const int left_again = Add({0.8, 0.3}, 0), right_again = Add({1.9, 0.3}, 0);
+  const int lone = Add({0.0, 0.0});
+  MayBe(left_again, {lone});
+  MayBe(right_again, {lone});
+  problem_.apart = {{left_again, right_again}};
+  problem_.company = 0.05, problem_.crowd = 0.05;
+  const auto hypotheses = Solve(2.0);
+  EXPECT_GT(ShareOf(hypotheses, 0, lone) + ShareOf(hypotheses, 1, lone), 0.9);
+}
+
+TEST_F(JointIdentityTest, BesideALoneThingAnotherIsLikelyWhereThingsComeInPairs) {
+  const int again = Add({0.9, 0.0}, 0), lone = Add({0.0, 0.0});
+  MayBe(again, {lone});
+  const double alone = ShareOf(Solve(0.3), 0, again);
+  problem_.company = 0.05, problem_.crowd = 0.05;
+  EXPECT_GT(ShareOf(Solve(0.3), 0, again), alone + 0.2);
+}
+
+TEST_F(JointIdentityTest, BesideOneOfAPairAThirdIsUnlikely) {
+  const int again = Add({0.9, 0.0}, 0), left = Add({0.0, 0.0}), right = Add({-1.1, 0.0});
+  MayBe(again, {left, right});
+  problem_.company = 0.05, problem_.crowd = 0.05;
+  const double beside_a_lone_one = ShareOf(Solve(0.3), 0, again);
+  problem_.has_company = {false, true, true};
+  EXPECT_LT(ShareOf(Solve(0.3), 0, again), beside_a_lone_one - 0.2);
 }
 
 TEST_F(JointIdentityTest, WhatIsTooFarFromAllThatIsKnownIsSomethingElse) {

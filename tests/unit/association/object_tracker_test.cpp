@@ -57,7 +57,8 @@ class ObjectTrackerTest : public ::testing::Test {
       const auto box = BoxOfSphere(CameraPointOf(camera_, truth_, object).p_C, 0.5, camera_);
       if (!box || box->w < 20.0 || box->h < 20.0) continue;
       BoxDetection seen = *box;
-      seen.confidence = 0.85, seen.color = "yellow";
+      if (!random_.Chance(hit_share_)) continue;
+      seen.confidence = confidence_, seen.color = "yellow";
       if (seen.u - 0.5 * seen.w > 2.0 && seen.u + 0.5 * seen.w < 638.0) {
         seen.u += random_.Normal(2.0);
       }
@@ -99,6 +100,7 @@ class ObjectTrackerTest : public ::testing::Test {
   NavVector truth_ = (NavVector() << 0.0, 0.0, 3.5, 0.0, 0.0, 0.0).finished();
   std::vector<Eigen::Vector3d> objects_;
   std::vector<int> shown_;
+  double hit_share_ = 1.0, confidence_ = 0.85;
   double false_share_ = 0.0, step_sigma_ = 0.003, time_ = 0.0, path_ = 0.0;
   int frame_ = 0;
 };
@@ -124,6 +126,20 @@ TEST_F(ObjectTrackerTest, TakesRandomFalseBoxesForNothing) {
     FlyTo(0.0, 3.0 * i);
   }
   EXPECT_TRUE(Found().empty());
+}
+
+TEST_F(ObjectTrackerTest, TakesAThingThatIsSeldomAndHalfheartedlyTakenForAnObjectForNone) {
+  objects_ = {{5.0, 0.5, 6.5}};
+  hit_share_ = 0.4, confidence_ = 0.6;
+  FlyTo(10.0, 0.0);
+  EXPECT_TRUE(Found().empty());
+}
+
+TEST_F(ObjectTrackerTest, FindsAnObjectThatIsSeenHalfheartedlyButAlways) {
+  objects_ = {{5.0, 0.5, 6.5}};
+  confidence_ = 0.7;
+  FlyTo(10.0, 0.0);
+  EXPECT_EQ(Found().size(), 1U);
 }
 
 TEST_F(ObjectTrackerTest, KeepsTwoObjectsThatStandCloseTogetherApart) {

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/association/pair_evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace limpet {
+namespace {
+
+constexpr double kFalseThere = 0.05;  // share of the image where a false box is taken for an object
+
+}  // namespace
+
+double ClassCost(const TrackedObject& a, const TrackedObject& b, double confused) {
+  std::set<std::string> classes;
+  for (const auto& [name, votes] : a.votes())
+    classes.insert(name);
+  for (const auto& [name, votes] : b.votes())
+    classes.insert(name);
+  if (classes.size() < 2) return 0.0;
+  // Likelihood of an object's boxes per class, its greatest 1. A detector may take a certain object
+  // for another class again and again.
+  const double per_vote = std::log((1.0 - confused) / confused);
+  const auto likelihood = [&](const TrackedObject& object, const std::string& name) {
+    const auto votes = object.votes().find(name);
+    const double behind =
+        object.votes().at(object.Color()) - (votes == object.votes().end() ? 0.0 : votes->second);
+    return std::exp(-per_vote * std::max(behind, 0.0)) + confused * confused;
+  };
+  double one = 0.0, all_a = 0.0, all_b = 0.0;
+  for (const std::string& name : classes) {
+    const double of_a = likelihood(a, name), of_b = likelihood(b, name);
+    one += of_a * of_b, all_a += of_a, all_b += of_b;
+  }
+  return -2.0 * std::log(std::min(one / (all_a * all_b), 1.0));
+}
+
+double TogetherCost(const TrackedObject& a, const TrackedObject& b) {
+  double cost = 0.0;
+  auto i = a.looks.rbegin();
+  auto j = b.looks.rbegin();
+  while (i != a.looks.rend() && j != b.looks.rend() && cost < kCertainlyTwo) {
+    if (i->frame == j->frame) {
+      const double c = std::clamp(std::min(i->confidence, j->confidence), 0.5, 0.95);
+      cost += 2.0 * std::log(c / (1.0 - c)) - 2.0 * std::log(kFalseThere);
+      ++i, ++j;
+    } else {
+      (i->frame > j->frame ? i : j)++;
+    }
+  }
+  return cost;
+}
+
+double OverlapCost(const Eigen::Vector3d& d, const Eigen::Matrix3d& covariance, double radius) {
+  const double n = std::max(d.norm(), 1e-6);
+  const Eigen::Vector3d u = d / n;
+  const double along = u.dot(covariance * u);
+  const double distance = std::sqrt(n * n + std::max(covariance.trace() - along, 0.0));
+  const double apart = 0.5 * std::erfc((radius - distance) / std::sqrt(2.0 * along));
+  return -2.0 * std::log(std::max(apart, 1e-6));
+}
+
+}  // namespace limpet
