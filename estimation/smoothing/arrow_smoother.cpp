@@ -28,7 +28,6 @@ int ArrowSmoother::AddNode(const NavVector& x, std::optional<Term> step) {
 
 TermId ArrowSmoother::AddTerm(int node, Term term) {
   MarkDirty(node);
-  has_news_ = has_news_ || term.landmark() >= 0;
   if (term.landmark() >= 0) {
     LeafRange& range = seen_from_[AsIndex(term.landmark())];
     const int leaf = node / ArrowLeaf::kNodes, before = std::max(node - 1, 0) / ArrowLeaf::kNodes;
@@ -40,7 +39,6 @@ TermId ArrowSmoother::AddTerm(int node, Term term) {
 
 void ArrowSmoother::RemoveTerm(const TermId& id) {
   MarkDirty(id.node);
-  has_news_ = true;
   graph_.RemoveTerm(id);
 }
 
@@ -55,9 +53,11 @@ int ArrowSmoother::AddBlock(const Eigen::Vector3d& p, bool is_landmark) {
   border_.resize(AsIndex(3 * graph_.slot_count()), 0.0);
   origin_.border.resize(border_.size(), 0.0);
   border_change_.resize(border_.size(), 0.0);
+  sweep_.border.resize(border_.size(), 0.0);
   for (int i = 0; i < 3; ++i) {
     border_[AsIndex(3 * slot + i)] = origin_.border[AsIndex(3 * slot + i)] = p(i);
     border_change_[AsIndex(3 * slot + i)] = 0.0;
+    sweep_.border[AsIndex(3 * slot + i)] = p(i);
   }
   prior_is_old_ = true;
   return slot;
@@ -74,7 +74,7 @@ void ArrowSmoother::RemoveLandmark(int landmark) {
   graph_.RemoveLandmark(landmark);
   // Leaves and trunk still speak of the block: nothing else may take its place before they do not.
   graph_.landmark(landmark).is_reserved = true;
-  prior_is_old_ = has_news_ = true;
+  prior_is_old_ = true;
 }
 
 void ArrowSmoother::AddLandmarkTerm(int landmark, Term term) {
@@ -84,7 +84,7 @@ void ArrowSmoother::AddLandmarkTerm(int landmark, Term term) {
 
 void ArrowSmoother::SetJointPrior(std::optional<JointPrior> prior) {
   graph_.SetJointPrior(std::move(prior));
-  prior_is_old_ = has_news_ = true;
+  prior_is_old_ = true;
 }
 
 void ArrowSmoother::Untie(int landmark) {
@@ -122,6 +122,8 @@ void ArrowSmoother::CloseLeaf() {
   const int anchor = open_.head();
   origin_.anchors.push_back(graph_.node(anchor).x);
   anchors_.push_back(graph_.node(anchor).x);
+  sweep_.anchors.push_back(anchors_[leaves_.size()]);
+  sweep_.due_from = std::min(sweep_.due_from, static_cast<int>(leaves_.size()));
   leaves_.push_back(std::move(open_));
   versions_.push_back(0);
   trunk_.Append(leaves_.back(), origin_);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 #include <vector>
@@ -72,8 +73,14 @@ class ArrowSmoother final : public Smoother {
   void KeepUpNow(int from, SolveReport& report);
   void KeepUpBehind(SolveReport& report);
   void AppendTo(ArrowTrunk& trunk, SolveReport& report);
-  /// Looks for leaves that have moved too far since they were linearised.
+  /// Looks for leaves that have moved too far since they were linearised: from the newest one back
+  /// to where nothing has moved since the last sweep.
   void Scan();
+  void BeginSweep();
+  /// Landmarks that have moved since the last sweep: the sweep must go down to where each was first
+  /// seen.
+  void NoteMovedLandmarks();
+  [[nodiscard]] bool HasMovedSinceSweep(int leaf, const NavVector& anchor) const;
   [[nodiscard]] bool IsStrained(const ArrowLeaf& leaf, const NavVector& x_anchor,
                                 const NavVector& x_head) const;
   [[nodiscard]] NavVector AnchorFrom(int anchor, const NavVector& next) const;
@@ -88,7 +95,7 @@ class ArrowSmoother final : public Smoother {
     return std::abs(before - cost) <= params_.converged_decrease * std::max(cost, 1.0);
   }
   [[nodiscard]] double WorkPerAnchor() const { return ArrowTrunk::WorkOf(3 * graph_.slot_count()); }
-  [[nodiscard]] bool IsUpToDate() const { return stale_.empty() && !behind_ && scan_at_ < 0; }
+  [[nodiscard]] bool IsUpToDate() const { return stale_.empty() && !behind_ && !sweep_.is_on(); }
 
   ArrowParams params_;
   ChainGraph graph_;
@@ -97,10 +104,21 @@ class ArrowSmoother final : public Smoother {
   struct LeafRange {
     int first = 0, last = -1;
   };
+  struct Sweep {
+    int at = -1;                      ///< anchor that it has come down to; -1: at rest
+    NavVector x = NavVector::Zero();  ///< estimate of that anchor
+    int floor = kNowhere;             ///< leaf that it goes down to at least
+    int due_from = kNowhere;          ///< the same, of the next one; kNowhere: none is due
+    int since_whole = 0;              ///< sweeps since one went down to the first leaf
+    std::vector<NavVector> anchors;   ///< estimates as they were found last
+    std::vector<double> border;
+    static constexpr int kNowhere = std::numeric_limits<int>::max();
+    [[nodiscard]] bool is_on() const { return at >= 0; }
+  };
   std::vector<LeafRange> seen_from_;  ///< per block: leaves that have or had a term on it
   std::vector<ArrowLeaf> leaves_;     ///< full ones
   ArrowLeaf open_;
-  bool has_begun_ = false, open_is_dirty_ = false, prior_is_old_ = true, has_news_ = false;
+  bool has_begun_ = false, open_is_dirty_ = false, prior_is_old_ = true;
   ArrowTrunk trunk_;
   ArrowRoot root_;
   std::vector<double> border_;         ///< estimates, three per block
@@ -112,8 +130,7 @@ class ArrowSmoother final : public Smoother {
   std::optional<ArrowTrunk> behind_;  ///< the trunk's continuation that is to replace it
   double work_left_ = 0.0;            ///< of this update's share; below zero, owed
   std::vector<int> behind_versions_;  ///< of the leaves it took
-  int scan_at_ = -1;                  ///< anchor that the scan has come down to; -1: at rest
-  NavVector scan_change_ = NavVector::Zero();
+  Sweep sweep_;
 
   mutable std::vector<NavVector> anchors_;  ///< estimates, from solved_from_ on
   mutable int solved_from_ = 0;

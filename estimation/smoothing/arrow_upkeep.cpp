@@ -13,6 +13,8 @@ namespace {
 constexpr double kLeafWork = 60000.0;  // multiply-adds of linearising a leaf anew, about
 constexpr int kLeavesAtHand = 4;       // the newest, brought up to date at once whatever they take
 constexpr double kScanShare = 0.08;    // of an update's work, for the search for strained leaves
+constexpr double kMovedShare = 0.2;    // of the change that strains a leaf: worth a look
+constexpr int kSweepsPerWhole = 64;    // so that nothing creeps away unseen
 
 }  // namespace
 
@@ -47,6 +49,7 @@ void ArrowSmoother::KeepUpNow(int from, SolveReport& report) {
     AppendTo(trunk_, report);
   stale_.erase(stale_.lower_bound(begin), stale_.end());
   prior_is_old_ = true;
+  sweep_.due_from = std::min(sweep_.due_from, begin);
   solved_from_ = static_cast<int>(anchors_.size()) - 1;
   estimated_leaf_ = -1;
 }
@@ -72,29 +75,61 @@ void ArrowSmoother::KeepUpBehind(SolveReport& report) {
     if (behind_versions_[i] == versions_[AsIndex(leaf)] && !dirty_.contains(leaf))
       stale_.erase(leaf);
   }
+  sweep_.due_from = std::min(sweep_.due_from, behind_->first());
   trunk_.Splice(std::move(*behind_));
   behind_.reset();
-  prior_is_old_ = has_news_ = true;
+  prior_is_old_ = true;
 }
 
 void ArrowSmoother::Scan() {
-  if (scan_at_ < 0) {
-    if (!std::exchange(has_news_, false)) return;
-    scan_at_ = trunk_.head();
-    scan_change_ = anchors_.back();
+  if (!sweep_.is_on()) {
+    NoteMovedLandmarks();
+    if (sweep_.due_from == Sweep::kNowhere) return;
+    BeginSweep();
   }
   const double per_leaf = 6.0 * (6.0 + 3.0 * graph_.slot_count()) + 200.0;
-  for (double work = kScanShare * params_.work_per_update; work > 0.0 && scan_at_ > 0;
+  for (double work = kScanShare * params_.work_per_update; work > 0.0 && sweep_.at > 0;
        work -= per_leaf) {
-    const int leaf = --scan_at_;
-    const NavVector anchor = AnchorFrom(leaf, scan_change_);
-    if (IsStrained(leaves_[AsIndex(leaf)], anchor, scan_change_)) {
+    const int leaf = --sweep_.at;
+    const NavVector anchor = AnchorFrom(leaf, sweep_.x);
+    if (IsStrained(leaves_[AsIndex(leaf)], anchor, sweep_.x)) {
       dirty_.insert(leaf);
       stale_.insert(leaf);
     }
-    scan_change_ = anchor;
+    sweep_.x = anchor;
+    if (HasMovedSinceSweep(leaf, anchor)) {
+      sweep_.anchors[AsIndex(leaf)] = anchor;
+    } else if (leaf < sweep_.floor) {
+      sweep_.at = 0;
+    }
   }
-  if (scan_at_ == 0) scan_at_ = -1;
+  if (sweep_.at == 0) sweep_.at = -1;
+}
+
+void ArrowSmoother::BeginSweep() {
+  sweep_.floor = std::exchange(sweep_.due_from, Sweep::kNowhere);
+  if (++sweep_.since_whole >= kSweepsPerWhole) {
+    sweep_.since_whole = sweep_.floor = 0;
+  }
+  sweep_.at = trunk_.head();
+  sweep_.x = anchors_.back();
+}
+
+void ArrowSmoother::NoteMovedLandmarks() {
+  const double enough = kMovedShare * params_.relinearize_distance;
+  for (int slot = 0; slot < graph_.slot_count(); ++slot) {
+    const Eigen::Map<const Eigen::Vector3d> now(&border_[AsIndex(3 * slot)]);
+    Eigen::Map<Eigen::Vector3d> then(&sweep_.border[AsIndex(3 * slot)]);
+    if (!is_landmark_[AsIndex(slot)] || (now - then).lpNorm<Eigen::Infinity>() <= enough) continue;
+    then = now;
+    sweep_.due_from = std::min(sweep_.due_from, seen_from_[AsIndex(slot)].first);
+  }
+}
+
+bool ArrowSmoother::HasMovedSinceSweep(int leaf, const NavVector& anchor) const {
+  const NavVector moved = (anchor - sweep_.anchors[AsIndex(leaf)]).cwiseAbs();
+  return moved.head<3>().maxCoeff() > kMovedShare * params_.relinearize_distance ||
+         moved.tail<3>().maxCoeff() > kMovedShare * params_.relinearize_angle;
 }
 
 void ArrowSmoother::LinearizeAll() {
@@ -102,13 +137,14 @@ void ArrowSmoother::LinearizeAll() {
   behind_.reset();
   dirty_.clear();
   stale_.clear();
-  scan_at_ = -1;
+  sweep_.at = -1;
   for (int leaf = 0; leaf < static_cast<int>(leaves_.size()); ++leaf) {
     ArrowLeaf rebuilt(leaf * ArrowLeaf::kNodes, graph_.node(leaf * ArrowLeaf::kNodes).x);
     for (int i = 0; i < ArrowLeaf::kNodes; ++i)
       rebuilt.Extend(graph_, border_);
     leaves_[AsIndex(leaf)] = std::move(rebuilt);
     ++versions_[AsIndex(leaf)];
+    sweep_.anchors[AsIndex(leaf)] = leaves_[AsIndex(leaf)].x_anchor();
     trunk_.Append(leaves_[AsIndex(leaf)], origin_);
   }
   open_ = ArrowLeaf(open_.anchor(), graph_.node(open_.anchor()).x);
@@ -116,6 +152,7 @@ void ArrowSmoother::LinearizeAll() {
     open_.Extend(graph_, border_);
   open_is_dirty_ = false;
   prior_is_old_ = true;
+  sweep_.border = border_;
 }
 
 bool ArrowSmoother::StepAll(double& cost, const std::vector<NavVector>& poses,
