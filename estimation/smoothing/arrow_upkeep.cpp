@@ -3,156 +3,165 @@
 // multiply-adds, so that equal input gives equal bits.
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 #include "estimation/smoothing/arrow_smoother.hpp"
 
 namespace limpet {
 namespace {
 
-constexpr double kLeafWork = 60000.0;  // multiply-adds of linearising a leaf anew, about
-constexpr int kLeavesAtHand = 4;       // the newest, brought up to date at once whatever they take
-constexpr double kScanShare = 0.08;    // of an update's work, for the search for strained leaves
-constexpr double kMovedShare = 0.2;    // of the change that strains a leaf: worth a look
-constexpr int kSweepsPerWhole = 64;    // so that nothing creeps away unseen
+constexpr double kLeafWork = 60000.0;   // multiply-adds of linearising a leaf anew, about
+constexpr int kLeavesAtHand = 4;        // the newest, brought up to date at once
+constexpr int kLeavesPerScan = 16;      // of one update's search for strained leaves
+constexpr double kMovedShare = 0.2;     // of the change that strains a leaf: worth a look
+constexpr int kUpdatesPerWhole = 1024;  // so that nothing creeps away unseen
 
 }  // namespace
 
-void ArrowSmoother::AppendTo(ArrowTrunk& trunk, SolveReport& report) {
-  const int leaf = trunk.head();
-  if (dirty_.contains(leaf)) {
-    RebuildLeaf(leaf);
-  }
-  trunk.Append(leaves_[AsIndex(leaf)], origin_);
-  report.eliminated_nodes += ArrowLeaf::kNodes;
-}
-
 void ArrowSmoother::KeepUp(SolveReport& report) {
-  if (!stale_.empty()) {
-    // The newest leaves are at hand, and matter most.
-    const auto leaves = static_cast<int>(params_.work_per_update / WorkPerAnchor());
-    const int near = std::max(trunk_.head() - std::max(leaves, kLeavesAtHand), 0);
-    const auto first = stale_.lower_bound(near);
-    if (first != stale_.end()) KeepUpNow(*first, report);
-  }
-  if (!stale_.empty() || behind_) KeepUpBehind(report);
+  // The newest leaves are at hand, and matter most.
+  const int near = std::max(tree_.size() - kLeavesAtHand, 0);
+  if (dirty_.lower_bound(near) != dirty_.end()) KeepUpNow(near, report);
+  if (!dirty_.empty() || has_job_) KeepUpBehind(report);
 }
 
 void ArrowSmoother::KeepUpNow(int from, SolveReport& report) {
-  const int end = trunk_.head(), begin = ArrowTrunk::CheckpointBefore(from);
-  // Estimates first: the trunk cannot answer while it is cut.
-  for (auto leaf = dirty_.lower_bound(begin); leaf != dirty_.end();) {
-    RebuildLeaf(*leaf++);
-  }
-  trunk_.Rewind(begin);
-  while (trunk_.head() < end)
-    AppendTo(trunk_, report);
-  stale_.erase(stale_.lower_bound(begin), stale_.end());
-  prior_is_old_ = true;
-  sweep_.due_from = std::min(sweep_.due_from, begin);
-  solved_from_ = static_cast<int>(anchors_.size()) - 1;
-  estimated_leaf_ = -1;
+  const std::vector<int> leaves(dirty_.lower_bound(from), dirty_.end());
+  for (const int leaf : leaves)
+    RebuildLeaf(leaf);
+  tree_.RefreshNow(leaves);
+  for (const int leaf : leaves)
+    stale_.erase(leaf);
+  sweep_.visit.insert(leaves.begin(), leaves.end());
+  sweep_.is_due = prior_is_old_ = true;
+  report.eliminated_nodes += ArrowLeaf::kNodes * static_cast<int>(leaves.size());
 }
 
 void ArrowSmoother::KeepUpBehind(SolveReport& report) {
-  if (!behind_) {
-    behind_.emplace(trunk_, *stale_.begin());
-    behind_versions_.clear();
+  if (!has_job_) {
+    job_.assign(dirty_.rbegin(), dirty_.rend());
+    sweep_.visit.insert(job_.begin(), job_.end());
+    has_job_ = true;
   }
-  // What an anchor takes beyond one update's share is saved up over several.
+  // What a step takes beyond one update's share is saved up over several.
   work_left_ = std::min(work_left_, 0.0) + params_.work_per_update;
-  while (work_left_ > 0.0 && behind_->head() < trunk_.head()) {
-    const int leaf = behind_->head();
-    work_left_ -= WorkPerAnchor() + (dirty_.contains(leaf) ? kLeafWork : 0.0);
-    AppendTo(*behind_, report);
-    behind_versions_.push_back(versions_[AsIndex(leaf)]);
+  while (work_left_ > 0.0 && !(job_.empty() && tree_.is_fresh())) {
+    if (job_.empty()) {
+      work_left_ -= tree_.RefreshOne();
+      ++report.eliminated_nodes;
+      continue;
+    }
+    const int leaf = job_.back();
+    job_.pop_back();
+    if (!dirty_.contains(leaf)) continue;
+    RebuildLeaf(leaf);
+    work_left_ -= kLeafWork;
+    report.eliminated_nodes += ArrowLeaf::kNodes;
   }
-  if (behind_->head() < trunk_.head()) {
-    return;
+  if (job_.empty() && tree_.is_fresh()) {
+    has_job_ = false;
+    stale_ = dirty_;
+    sweep_.is_due = prior_is_old_ = true;
   }
-  for (std::size_t i = 0; i < behind_versions_.size(); ++i) {
-    const int leaf = behind_->first() + static_cast<int>(i);
-    if (behind_versions_[i] == versions_[AsIndex(leaf)] && !dirty_.contains(leaf))
-      stale_.erase(leaf);
-  }
-  sweep_.due_from = std::min(sweep_.due_from, behind_->first());
-  trunk_.Splice(std::move(*behind_));
-  behind_.reset();
-  prior_is_old_ = true;
 }
 
 void ArrowSmoother::Scan() {
   if (!sweep_.is_on()) {
-    NoteMovedLandmarks();
-    if (sweep_.due_from == Sweep::kNowhere) return;
+    const bool has_moved = NoteMovedLandmarks();
+    if (++sweep_.since_whole < kUpdatesPerWhole && !has_moved && !sweep_.is_due) return;
     BeginSweep();
   }
-  const double per_leaf = 6.0 * (6.0 + 3.0 * graph_.slot_count()) + 200.0;
-  for (double work = kScanShare * params_.work_per_update; work > 0.0 && sweep_.at > 0;
-       work -= per_leaf) {
-    const int leaf = --sweep_.at;
-    const NavVector anchor = AnchorFrom(leaf, sweep_.x);
-    if (IsStrained(leaves_[AsIndex(leaf)], anchor, sweep_.x)) {
-      dirty_.insert(leaf);
-      stale_.insert(leaf);
+  for (int leaves = 0; leaves < kLeavesPerScan && sweep_.at > 0; ++leaves) {
+    const int leaf = sweep_.at - 1;
+    int down_to = -1;
+    for (const ArrowStretch* stretch : tree_.PathTo(leaf)) {
+      if (stretch->end == sweep_.at && IsCalm(*stretch)) {
+        down_to = stretch->first;
+        break;
+      }
+      SolveStretch(*stretch);
     }
-    sweep_.x = anchor;
-    if (HasMovedSinceSweep(leaf, anchor)) {
-      sweep_.anchors[AsIndex(leaf)] = anchor;
-    } else if (leaf < sweep_.floor) {
-      sweep_.at = 0;
+    if (down_to < 0) {
+      down_to = leaf;
+      sweep_.visit.erase(leaf);
+      if (IsStrained(tree_.leaf(leaf), anchors_[AsIndex(leaf)], anchors_[AsIndex(leaf + 1)])) {
+        dirty_.insert(leaf);
+        stale_.insert(leaf);
+      }
     }
+    SweepTo(down_to);
   }
   if (sweep_.at == 0) sweep_.at = -1;
 }
 
 void ArrowSmoother::BeginSweep() {
-  sweep_.floor = std::exchange(sweep_.due_from, Sweep::kNowhere);
-  if (++sweep_.since_whole >= kSweepsPerWhole) {
-    sweep_.since_whole = sweep_.floor = 0;
-  }
-  sweep_.at = trunk_.head();
-  sweep_.x = anchors_.back();
+  sweep_.is_due = false;
+  sweep_.is_whole = sweep_.since_whole >= kUpdatesPerWhole;
+  if (sweep_.is_whole) sweep_.since_whole = 0;
+  sweep_.at = tree_.size();
+  sweep_.has_moved = true;  // the last anchor does with every look
 }
 
-void ArrowSmoother::NoteMovedLandmarks() {
+void ArrowSmoother::SweepTo(int anchor) {
+  sweep_.at = anchor;
+  sweep_.has_moved = HasMovedSinceSweep(anchor);
+  if (sweep_.has_moved) sweep_.anchors[AsIndex(anchor)] = anchors_[AsIndex(anchor)];
+}
+
+bool ArrowSmoother::IsCalm(const ArrowStretch& stretch) const {
+  const auto visit = sweep_.visit.lower_bound(stretch.first);
+  if (sweep_.is_whole || sweep_.has_moved ||
+      (visit != sweep_.visit.end() && *visit < stretch.end)) {
+    return false;
+  }
+  // Without a begin, all that it depends on is its end and the blocks.
+  if (stretch.has_begin && HasMovedSinceSweep(stretch.first)) return false;
+  return std::ranges::none_of(stretch.middle_slots,
+                              [this](int slot) { return sweep_.moved[AsIndex(slot)]; });
+}
+
+bool ArrowSmoother::NoteMovedLandmarks() {
   const double enough = kMovedShare * params_.relinearize_distance;
-  for (int slot = 0; slot < graph_.slot_count(); ++slot) {
-    const Eigen::Map<const Eigen::Vector3d> now(&border_[AsIndex(3 * slot)]);
-    Eigen::Map<Eigen::Vector3d> then(&sweep_.border[AsIndex(3 * slot)]);
-    if (!is_landmark_[AsIndex(slot)] || (now - then).lpNorm<Eigen::Infinity>() <= enough) continue;
+  bool has_any = false;
+  sweep_.moved.assign(is_landmark_.size(), false);
+  for (std::size_t slot = 0; slot < is_landmark_.size(); ++slot) {
+    const Eigen::Map<const Eigen::Vector3d> now(&border_[3 * slot]);
+    Eigen::Map<Eigen::Vector3d> then(&sweep_.border[3 * slot]);
+    if (!is_landmark_[slot] || (now - then).lpNorm<Eigen::Infinity>() <= enough) continue;
     then = now;
-    sweep_.due_from = std::min(sweep_.due_from, seen_from_[AsIndex(slot)].first);
+    sweep_.moved[slot] = has_any = true;
   }
+  return has_any;
 }
 
-bool ArrowSmoother::HasMovedSinceSweep(int leaf, const NavVector& anchor) const {
-  const NavVector moved = (anchor - sweep_.anchors[AsIndex(leaf)]).cwiseAbs();
+bool ArrowSmoother::HasMovedSinceSweep(int anchor) const {
+  const NavVector moved = (anchors_[AsIndex(anchor)] - sweep_.anchors[AsIndex(anchor)]).cwiseAbs();
   return moved.head<3>().maxCoeff() > kMovedShare * params_.relinearize_distance ||
          moved.tail<3>().maxCoeff() > kMovedShare * params_.relinearize_angle;
 }
 
 void ArrowSmoother::LinearizeAll() {
-  trunk_ = ArrowTrunk();
-  behind_.reset();
   dirty_.clear();
   stale_.clear();
+  job_.clear();
+  has_job_ = false;
   sweep_.at = -1;
-  for (int leaf = 0; leaf < static_cast<int>(leaves_.size()); ++leaf) {
-    ArrowLeaf rebuilt(leaf * ArrowLeaf::kNodes, graph_.node(leaf * ArrowLeaf::kNodes).x);
+  std::vector<ArrowLeaf> leaves;
+  for (int leaf = 0; leaf < tree_.size(); ++leaf) {
+    const int anchor = leaf * ArrowLeaf::kNodes;
+    ArrowLeaf& rebuilt = leaves.emplace_back(anchor, graph_.node(anchor).x);
     for (int i = 0; i < ArrowLeaf::kNodes; ++i)
       rebuilt.Extend(graph_, border_);
-    leaves_[AsIndex(leaf)] = std::move(rebuilt);
-    ++versions_[AsIndex(leaf)];
-    sweep_.anchors[AsIndex(leaf)] = leaves_[AsIndex(leaf)].x_anchor();
-    trunk_.Append(leaves_[AsIndex(leaf)], origin_);
+    sweep_.anchors[AsIndex(leaf)] = rebuilt.x_anchor();
   }
+  sweep_.border = border_;
+  for (ClosedBlock& block : tree_.closed())
+    block = Closed(block.slot);
+  tree_.ReplaceAll(std::move(leaves));
   open_ = ArrowLeaf(open_.anchor(), graph_.node(open_.anchor()).x);
   while (open_.head() < graph_.node_count() - 1)
     open_.Extend(graph_, border_);
   open_is_dirty_ = false;
   prior_is_old_ = true;
-  sweep_.border = border_;
 }
 
 bool ArrowSmoother::StepAll(double& cost, const std::vector<NavVector>& poses,

@@ -37,6 +37,8 @@ class Smoother {
   virtual int AddLandmark(const Eigen::Vector3d& p) = 0;
   /// A block of three slow errors of the sensors, on which steps may depend; never removed.
   virtual int AddErrors(const Eigen::Vector3d& start) = 0;
+  /// No term on the block is added from now on, by any node: it need not be kept at hand.
+  virtual void CloseErrors(int block) = 0;
   virtual void RemoveLandmark(int landmark) = 0;
   virtual void AddLandmarkTerm(int landmark, Term term) = 0;
   /// What is known beforehand of several landmarks together; takes the place of the former one.
