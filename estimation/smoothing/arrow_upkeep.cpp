@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLeafWork = 60000.0;   // multiply-adds of linearising a leaf anew, about
 constexpr int kLeavesAtHand = 4;        // the newest, brought up to date at once
-constexpr int kLeavesPerScan = 16;      // of one update's search for strained leaves
+constexpr int kLeavesPerScan = 64;      // of one update's search for strained leaves
 constexpr double kMovedShare = 0.2;     // of the change that strains a leaf: worth a look
 constexpr int kUpdatesPerWhole = 1024;  // so that nothing creeps away unseen
 
