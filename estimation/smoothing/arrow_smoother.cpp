@@ -31,6 +31,7 @@ int ArrowSmoother::AddNode(const NavVector& x, std::optional<Term> step) {
 }
 
 TermId ArrowSmoother::AddTerm(int node, Term term) {
+  LIMPET_REQUIRE(to_be_closed_.count(term.landmark()) == 0, "nor does a term of a node");
   MarkDirty(node);
   if (term.landmark() >= 0) {
     LeafRange& range = seen_from_[AsIndex(term.landmark())];
@@ -151,7 +152,7 @@ void ArrowSmoother::CloseLeaf() {
 
 void ArrowSmoother::CloseBlocks() {
   for (const auto& [slot, node] : to_be_closed_) {
-    if (IsClosed(slot) || node > open_.head() || seen_from_[AsIndex(slot)].last < 0) continue;
+    if (IsClosed(slot) || node >= open_.head() || seen_from_[AsIndex(slot)].last < 0) continue;
     // One that another in the border still speaks of waits for it.
     bool is_named = false;
     for (int other = 0; other < graph_.slot_count(); ++other) {
@@ -351,6 +352,9 @@ Eigen::Vector3d ArrowSmoother::LandmarkAt(int landmark) const {
 }
 
 JointCovariance ArrowSmoother::Covariance(const std::vector<int>& landmarks) const {
+  if (std::ranges::any_of(landmarks, [this](int slot) { return IsClosed(slot); })) {
+    return CovarianceOf({open_.head()}, landmarks);
+  }
   constexpr double kUnknown = 1e8;  // [m^2] of a landmark that no update has seen yet
   std::vector<int> solved;
   std::vector<Eigen::Index> rows{0, 1, 2, 3, 4, 5};

@@ -48,6 +48,9 @@ class ArrowSmoother final : public Smoother {
   SolveReport Converge() override;
 
   [[nodiscard]] const ChainGraph& graph() const override { return graph_; }
+  [[nodiscard]] int border_blocks() const override {
+    return static_cast<int>(root_.slots().size());
+  }
   [[nodiscard]] NavVector PoseAt(int node) const override;
   [[nodiscard]] Eigen::Vector3d LandmarkAt(int landmark) const override;
   [[nodiscard]] JointCovariance Covariance(const std::vector<int>& landmarks) const override;
