@@ -133,10 +133,12 @@ class ArrowSmoother final : public Smoother {
   bool has_begun_ = false, open_is_dirty_ = false, prior_is_old_ = true;
   ArrowRoot root_;
 
-  std::set<int> dirty_;     ///< leaves to be linearised anew
-  std::set<int> stale_;     ///< leaves that the root knows in an old version
-  std::vector<int> job_;    ///< leaves that are being brought up to date, last one first
-  bool has_job_ = false;    ///< until the root knows them
+  /// Behind the scenes: leaves that have moved are linearised anew, then joined anew.
+  enum class Job { kNone, kLeaves, kJoins };
+
+  std::set<int> dirty_;  ///< leaves to be linearised anew
+  std::set<int> stale_;  ///< leaves that the root knows in an old version
+  Job job_ = Job::kNone;
   double work_left_ = 0.0;  ///< of this update's share; below zero, owed
   Sweep sweep_;
 

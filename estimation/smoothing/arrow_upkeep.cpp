@@ -21,7 +21,7 @@ void ArrowSmoother::KeepUp(SolveReport& report) {
   // The newest leaves are at hand, and matter most.
   const int near = std::max(tree_.size() - kLeavesAtHand, 0);
   if (dirty_.lower_bound(near) != dirty_.end()) KeepUpNow(near, report);
-  if (!dirty_.empty() || has_job_) KeepUpBehind(report);
+  if (!dirty_.empty() || job_ != Job::kNone) KeepUpBehind(report);
 }
 
 void ArrowSmoother::KeepUpNow(int from, SolveReport& report) {
@@ -37,28 +37,28 @@ void ArrowSmoother::KeepUpNow(int from, SolveReport& report) {
 }
 
 void ArrowSmoother::KeepUpBehind(SolveReport& report) {
-  if (!has_job_) {
-    job_.assign(dirty_.rbegin(), dirty_.rend());
-    sweep_.visit.insert(job_.begin(), job_.end());
-    has_job_ = true;
-  }
   // What a step takes beyond one update's share is saved up over several.
   work_left_ = std::min(work_left_, 0.0) + params_.work_per_update;
-  while (work_left_ > 0.0 && !(job_.empty() && tree_.is_fresh())) {
-    if (job_.empty()) {
-      work_left_ -= tree_.RefreshOne();
-      ++report.eliminated_nodes;
+  while (work_left_ > 0.0) {
+    if (job_ != Job::kJoins && !dirty_.empty()) {
+      job_ = Job::kLeaves;
+      const int leaf = *dirty_.begin();
+      sweep_.visit.insert(leaf);
+      RebuildLeaf(leaf);
+      work_left_ -= kLeafWork;
+      report.eliminated_nodes += ArrowLeaf::kNodes;
       continue;
     }
-    const int leaf = job_.back();
-    job_.pop_back();
-    if (!dirty_.contains(leaf)) continue;
-    RebuildLeaf(leaf);
-    work_left_ -= kLeafWork;
-    report.eliminated_nodes += ArrowLeaf::kNodes;
+    // What a search under way still finds has moved with them, and takes effect with them: half of
+    // the chain linearised elsewhere would hold what nothing observes.
+    if (job_ == Job::kLeaves && sweep_.is_on()) return;
+    job_ = Job::kJoins;
+    if (tree_.is_fresh()) break;
+    work_left_ -= tree_.RefreshOne();
+    ++report.eliminated_nodes;
   }
-  if (job_.empty() && tree_.is_fresh()) {
-    has_job_ = false;
+  if (job_ == Job::kJoins && tree_.is_fresh()) {
+    job_ = Job::kNone;
     stale_ = dirty_;
     sweep_.is_due = prior_is_old_ = true;
   }
@@ -142,8 +142,7 @@ bool ArrowSmoother::HasMovedSinceSweep(int anchor) const {
 void ArrowSmoother::LinearizeAll() {
   dirty_.clear();
   stale_.clear();
-  job_.clear();
-  has_job_ = false;
+  job_ = Job::kNone;
   sweep_.at = -1;
   std::vector<ArrowLeaf> leaves;
   for (int leaf = 0; leaf < tree_.size(); ++leaf) {
