@@ -158,6 +158,7 @@ class Navigator {
   int ErrorsAt(double t);
   /// In a dropout: block of what the bridged velocity is off.
   int BridgeAt(double t, double age);
+  void EndBridge();
   [[nodiscard]] Term StepTerm(double t);
   void AddTilt(int node, double t);
   void AddDepthTerm(int node, double since, double t);

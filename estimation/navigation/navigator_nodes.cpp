@@ -134,6 +134,7 @@ int Navigator::ErrorsAt(double t) {
                                                    kScaleChange * odometry.misalign_sigma, change});
   const int next = smoother_.AddErrors(smoother_.LandmarkAt(errors_));
   smoother_.AddLandmarkTerm(errors_, Term::OnBlocks(factor, errors_, next));
+  smoother_.CloseErrors(errors_);
   errors_ = next;
   errors_since_ = t;
   return errors_;
@@ -143,6 +144,7 @@ int Navigator::BridgeAt(double t, double age) {
   if (bridge_ >= 0 && t - bridge_since_ < kBridgeStretch) {
     return bridge_;
   }
+  EndBridge();
   bridge_ = smoother_.AddErrors(Eigen::Vector3d::Zero());
   bridge_since_ = t;
   const double variance = std::pow(track_.BridgeSigma(age + kBridgeStretch), 2);
@@ -151,11 +153,16 @@ int Navigator::BridgeAt(double t, double age) {
   return bridge_;
 }
 
+void Navigator::EndBridge() {
+  if (bridge_ >= 0) smoother_.CloseErrors(bridge_);
+  bridge_ = -1;
+}
+
 Term Navigator::StepTerm(double t) {
   OdometryStep step = track_.Between(head_time(), t);
   const auto age = track_.DropoutAge(t);
   if (!age || *age < kShortDropout) {
-    bridge_ = -1;
+    EndBridge();
     return Term::OnStep(CalibratedStepFactor(step.motion, step.variance, step.duration),
                         ErrorsAt(t));
   }

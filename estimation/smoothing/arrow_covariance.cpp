@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Covariances of any variables, from the smoother's own factors: down from the root, anchor by
-// anchor, and into the leaves that hold a pose that is asked for.
+// Covariances of any variables, from the smoother's own factors: down from the root through the
+// tree to the leaves that hold a pose that is asked for.
 #include <algorithm>
 #include <functional>
+#include <map>
 
 #include "estimation/smoothing/arrow_smoother.hpp"
 #include "limpet/core/require.hpp"
@@ -19,123 +20,122 @@ void Append(Rows& rows, Eigen::Index first, Eigen::Index count) {
     rows.push_back(first + i);
 }
 
-/// Joint covariance of (the pose where the descent is, the border, a pose inside a leaf, poses
-/// that are kept).
+/// Joint covariance of all variables that the way down has come to.
 class Descent {
  public:
-  static constexpr Eigen::Index kHere = 0, kBorder = 6;
-
-  /// `whole`: of (last anchor, border, head).
-  Descent(const Eigen::MatrixXd& whole, std::size_t kept)
-      : inside_(whole.rows() - 6), end_(whole.rows()) {
-    S_ = Eigen::MatrixXd::Zero(end_ + 6 * static_cast<Eigen::Index>(kept),
-                               end_ + 6 * static_cast<Eigen::Index>(kept));
-    S_.topLeftCorner(end_, end_) = whole;
+  /// `whole`: of (last anchor, blocks `slots`, head), which are nodes of the chain.
+  Descent(const Eigen::MatrixXd& whole, const std::vector<int>& slots, int anchor, int head)
+      : S_(whole) {
+    for (std::size_t i = 0; i < slots.size(); ++i)
+      blocks_[slots[i]] = static_cast<Eigen::Index>(6 + 3 * i);
+    poses_[anchor] = 0;
+    poses_[head] = whole.rows() - 6;
   }
-  [[nodiscard]] Eigen::Index inside() const { return inside_; }
-  [[nodiscard]] Eigen::Index border() const { return inside_ - kBorder; }
+  [[nodiscard]] bool HasPose(int node) const { return poses_.contains(node); }
+  [[nodiscard]] bool HasBlock(int slot) const { return blocks_.contains(slot); }
   [[nodiscard]] const Eigen::MatrixXd& S() const { return S_; }
+  [[nodiscard]] Eigen::Index RowOf(int node) const { return poses_.at(node); }
+  [[nodiscard]] Eigen::Index RowOfBlock(int slot) const { return blocks_.at(slot); }
 
-  /// The pose at `to` becomes that of the rows `from`.
-  void Copy(Eigen::Index from, Eigen::Index to) {
-    const Eigen::MatrixXd with_all = S_.middleRows(from, 6);
-    const NavCovariance own = S_.block<6, 6>(from, from);
-    Set(to, with_all, own);
-  }
-  void Keep(Eigen::Index from) {
-    Copy(from, end_);
-    end_ += 6;
-  }
-  /// The pose at `to` becomes the eliminated one, given what `z` names in its order. With
-  /// L'x = d + e - W z, e white:  Cov(x, all) = -L^-T W Cov(z, all).
-  void Place(const ArrowConditional& conditional, const Rows& z, Eigen::Index to) {
-    const Eigen::Map<const Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor>> W(
-        conditional.W.data(), 6, conditional.columns());
-    const Eigen::Map<const NavCovariance> L(conditional.L.data());
-    const auto Lt = L.transpose().triangularView<Eigen::Upper>();
-    Eigen::MatrixXd with_all = Eigen::MatrixXd::Zero(6, S_.cols());
-    for (Eigen::Index i = 0; i < W.cols(); ++i) {
-      with_all.leftCols(end_).noalias() -=
-          W.col(i) * S_.row(z[static_cast<std::size_t>(i)]).head(end_);
+  void Place(const ArrowStretch& stretch) {
+    constexpr int kNodes = ArrowLeaf::kNodes;
+    if (HasPose(stretch.middle * kNodes)) return;
+    Rows ends;
+    Append(ends, RowOf(stretch.end * kNodes), 6);
+    if (stretch.has_begin) Append(ends, RowOf(stretch.first * kNodes), 6);
+    const auto with_blocks = [&](const std::vector<int>& slots) {
+      Rows rows = ends;
+      for (const int slot : slots)
+        Append(rows, RowOfBlock(slot), 3);
+      return rows;
+    };
+    for (auto block = stretch.blocks.rbegin(); block != stretch.blocks.rend(); ++block) {
+      const Rows z = with_blocks(block->slots);
+      const Eigen::Map<const Eigen::MatrixXd> W(block->W.data(), 3,
+                                                static_cast<Eigen::Index>(z.size()));
+      const Eigen::Index row = Add(block->L, W, z);
+      blocks_[block->slot] = row;
     }
-    with_all = Lt.solve(with_all).eval();
-    NavCovariance own = Lt.solve(NavCovariance(Lt.solve(NavCovariance::Identity()).transpose()));
-    NavCovariance through_z = NavCovariance::Zero();
-    for (Eigen::Index i = 0; i < W.cols(); ++i) {
-      through_z += with_all.col(z[static_cast<std::size_t>(i)]) * W.col(i).transpose();
-    }
-    own -= Lt.solve(NavCovariance(through_z.transpose()));
-    Set(to, with_all, own);
+    poses_[stretch.middle * kNodes] = Add(stretch.conditional, with_blocks(stretch.middle_slots));
   }
-
-  /// Keeps the poses that are wanted inside a leaf whose end is inside, its anchor here.
-  void WalkInto(const ArrowLeaf& leaf, std::vector<int>::iterator& next,
-                std::vector<int>::iterator end) {
-    Rows z;
-    Append(z, inside_, 6);
-    Append(z, kHere, 6);
-    for (const int slot : leaf.slots())
-      Append(z, kBorder + 3 * slot, 3);
-    for (int node = leaf.head() - 1; next != end && *next > leaf.anchor(); --node) {
-      Place(leaf.Interior(node), z, inside_);
-      if (*next != node) continue;
-      Keep(inside_);
-      ++next;
+  /// All poses inside a leaf from its end down to `node`.
+  void WalkInto(const ArrowLeaf& leaf, int node) {
+    for (int at = leaf.head() - 1; at >= node && at > leaf.anchor(); --at) {
+      if (HasPose(at)) continue;
+      Rows z;
+      Append(z, RowOf(at + 1), 6);
+      Append(z, RowOf(leaf.anchor()), 6);
+      for (const int slot : leaf.slots())
+        Append(z, RowOfBlock(slot), 3);
+      const ArrowConditional& conditional = leaf.Interior(at);
+      z.resize(static_cast<std::size_t>(conditional.columns()));
+      poses_[at] = Add(conditional, z);
     }
   }
 
  private:
-  void Set(Eigen::Index at, const Eigen::MatrixXd& with_all, const NavCovariance& own) {
-    S_.middleRows(at, 6) = with_all;
-    S_.middleCols(at, 6) = with_all.transpose();
-    S_.block<6, 6>(at, at) = own;
+  Eigen::Index Add(const ArrowConditional& conditional, const Rows& z) {
+    const Eigen::Map<const Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor>> W(
+        conditional.W.data(), 6, conditional.columns());
+    return Add(Eigen::Map<const NavCovariance>(conditional.L.data()), W, z);
   }
-  Eigen::Index inside_, end_;
+  /// Adds what was eliminated, given what `z` names in its order. With L'x = d + e - W z, e white:
+  /// Cov(x, all) = -L^-T W Cov(z, all).
+  Eigen::Index Add(const Eigen::MatrixXd& L, const Eigen::MatrixXd& W, const Rows& z) {
+    const Eigen::Index rows = L.rows(), n = S_.rows();
+    const auto Lt = L.transpose().triangularView<Eigen::Upper>();
+    Eigen::MatrixXd with_all = Eigen::MatrixXd::Zero(rows, n);
+    for (std::size_t i = 0; i < z.size(); ++i)
+      with_all.noalias() -= W.col(static_cast<Eigen::Index>(i)) * S_.row(z[i]);
+    with_all = Lt.solve(with_all).eval();
+    Eigen::MatrixXd through_z = Eigen::MatrixXd::Zero(rows, rows);
+    for (std::size_t i = 0; i < z.size(); ++i)
+      through_z += with_all.col(z[i]) * W.col(static_cast<Eigen::Index>(i)).transpose();
+    const Eigen::MatrixXd inverse = Lt.solve(Eigen::MatrixXd::Identity(rows, rows));
+    S_.conservativeResize(n + rows, n + rows);
+    S_.bottomLeftCorner(rows, n) = with_all;
+    S_.topRightCorner(n, rows) = with_all.transpose();
+    S_.bottomRightCorner(rows, rows) =
+        inverse * inverse.transpose() - Lt.solve(through_z.transpose().eval());
+    return n;
+  }
+
   Eigen::MatrixXd S_;
+  std::map<int, Eigen::Index> poses_;   ///< first row, by node
+  std::map<int, Eigen::Index> blocks_;  ///< the same, by slot
 };
 
 }  // namespace
 
 JointCovariance ArrowSmoother::CovarianceOf(const std::vector<int>& nodes,
                                             const std::vector<int>& landmarks) const {
-  std::vector<int> wanted(nodes);
-  std::ranges::sort(wanted, std::greater<>());
-  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
   LIMPET_REQUIRE(
-      wanted.empty() || (has_begun_ && wanted.back() >= 0 && wanted.front() <= open_.head()),
+      std::ranges::all_of(
+          nodes, [this](int node) { return has_begun_ && node >= 0 && node <= open_.head(); }),
       "nodes that an update has seen");
-  const Eigen::MatrixXd whole = root_.WholeCovariance();
-  Descent descent(whole, wanted.size());
-  Rows trunk_rows;
-  Append(trunk_rows, 0, 6 + descent.border());
-  auto next = wanted.begin();
-  for (int leaf = static_cast<int>(leaves_.size()); next != wanted.end(); --leaf) {
-    const bool is_open = leaf == static_cast<int>(leaves_.size());
-    const ArrowLeaf& of = is_open ? open_ : leaves_[AsIndex(leaf)];
-    if (!is_open) {
-      descent.Copy(Descent::kHere, descent.inside());
-      descent.Place(trunk_.conditional(leaf), trunk_rows, Descent::kHere);
-    } else if (*next == of.head()) {
-      descent.Keep(descent.inside());
-      ++next;
-    }
-    if (next != wanted.end() && *next > of.anchor()) descent.WalkInto(of, next, wanted.end());
-    if (next != wanted.end() && *next == of.anchor()) {
-      descent.Keep(Descent::kHere);
-      ++next;
-    }
+  Descent descent(root_.WholeCovariance(), root_.slots(), open_.anchor(), open_.head());
+  const auto go_to = [&](int leaf) {
+    for (const ArrowStretch* stretch : tree_.PathTo(leaf))
+      descent.Place(*stretch);
+  };
+  for (const int node : nodes) {
+    const int leaf = std::min(node / ArrowLeaf::kNodes, tree_.size());
+    if (leaf < tree_.size()) go_to(leaf);
+    if (!descent.HasPose(node))
+      descent.WalkInto(leaf == tree_.size() ? open_ : tree_.leaf(leaf), node);
+  }
+  for (const int slot : landmarks) {
+    if (is_solved_[AsIndex(slot)] && !descent.HasBlock(slot)) go_to(seen_from_[AsIndex(slot)].last);
   }
   // Gather what was asked for, in its order; blocks that nobody knows stay so.
   Rows from, to;
-  for (const int node : nodes) {
-    const auto at = std::ranges::lower_bound(wanted, node, std::greater<>()) - wanted.begin();
-    Append(from, whole.rows() + 6 * at, 6);
-  }
+  for (const int node : nodes)
+    Append(from, descent.RowOf(node), 6);
   Append(to, 0, static_cast<Eigen::Index>(from.size()));
   Eigen::Index size = static_cast<Eigen::Index>(from.size());
   for (const int slot : landmarks) {
     if (is_solved_[AsIndex(slot)]) {
-      Append(from, Descent::kBorder + 3 * slot, 3);
+      Append(from, descent.RowOfBlock(slot), 3);
       Append(to, size, 3);
     }
     size += 3;

@@ -14,8 +14,10 @@ constexpr double kUnknownVariance = 1e6;      // from which on a direction count
 
 }  // namespace
 
-/// Block -1 is the anchor (six columns), block s the border's slot s (three).
+/// Block -1 is the anchor (six columns), block s the graph's slot s (three).
 struct ArrowRoot::Prior {
+  std::vector<int> slots;   ///< in the order of their columns
+  std::vector<int> places;  ///< of the slots in it, or -1
   Eigen::LLT<Eigen::MatrixXd> llt;
   Eigen::VectorXd mean;                    ///< absolute
   std::map<int, Eigen::MatrixXd> columns;  ///< of the covariance, per block, computed when asked
@@ -36,7 +38,9 @@ struct ArrowRoot::Prior {
     return posterior;
   }
 
-  static int First(int block) { return block < 0 ? 0 : 6 + 3 * block; }
+  [[nodiscard]] int First(int block) const {
+    return block < 0 ? 0 : 6 + 3 * places[AsIndex(block)];
+  }
   static int Width(int block) { return block < 0 ? 6 : 3; }
 };
 
@@ -45,8 +49,10 @@ ArrowRoot::~ArrowRoot() = default;
 ArrowRoot::ArrowRoot(ArrowRoot&&) noexcept = default;
 ArrowRoot& ArrowRoot::operator=(ArrowRoot&&) noexcept = default;
 
-void ArrowRoot::SetPrior(const ArrowMessage& message, const NavVector& anchor,
-                         const std::vector<double>& border) {
+const std::vector<int>& ArrowRoot::slots() const { return prior_->slots; }
+
+void ArrowRoot::SetPrior(const ArrowMessage& message, const std::vector<int>& slots,
+                         const NavVector& anchor, const std::vector<double>& border) {
   const int n = message.size();
   Eigen::MatrixXd A = Eigen::Map<const Eigen::MatrixXd>(message.A.data(), n, n);
   A.diagonal().array() += kUnknownInformation;
@@ -54,8 +60,13 @@ void ArrowRoot::SetPrior(const ArrowMessage& message, const NavVector& anchor,
   prior.llt.compute(A);  // reads the lower triangle
   prior.mean = prior.llt.solve(Eigen::Map<const Eigen::VectorXd>(message.g.data(), n));
   prior.mean.head<6>() += anchor;
-  for (int i = 6; i < n; ++i)
-    prior.mean(i) += border[AsIndex(i - 6)];
+  prior.slots = slots;
+  prior.places.assign(border.size() / 3, -1);
+  for (std::size_t place = 0; place < slots.size(); ++place) {
+    prior.places[AsIndex(slots[place])] = static_cast<int>(place);
+    const Eigen::Map<const Eigen::Vector3d> from(&border[AsIndex(3 * slots[place])]);
+    prior.mean.segment<3>(static_cast<Eigen::Index>(6 + 3 * place)) += from;
+  }
   *prior_ = std::move(prior);
 }
 
@@ -65,7 +76,7 @@ const Eigen::MatrixXd& ArrowRoot::PriorColumns(int block) const {
     return found->second;
   }
   Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(prior_->mean.size(), Prior::Width(block));
-  unit.middleRows(Prior::First(block), Prior::Width(block)).setIdentity();
+  unit.middleRows(prior_->First(block), Prior::Width(block)).setIdentity();
   return prior_->columns[block] = prior_->llt.solve(unit);
 }
 
@@ -87,7 +98,7 @@ void ArrowRoot::Solve(const ArrowLeaf& leaf, const ArrowMessage& message) {
     Eigen::Index row = 0;
     for (const int block : blocks) {
       covariance.middleRows(row, Prior::Width(block)) =
-          p.z_columns.middleRows(Prior::First(block), Prior::Width(block));
+          p.z_columns.middleRows(p.First(block), Prior::Width(block));
       row += Prior::Width(block);
     }
     p.information = covariance.llt().solve(Eigen::MatrixXd::Identity(size, size));
@@ -100,7 +111,7 @@ void ArrowRoot::Solve(const ArrowLeaf& leaf, const ArrowMessage& message) {
   Eigen::Index row = 0;
   for (const int block : blocks) {
     prior_change.segment(row, Prior::Width(block)) =
-        p.mean.segment(Prior::First(block), Prior::Width(block));
+        p.mean.segment(p.First(block), Prior::Width(block));
     row += Prior::Width(block);
   }
   prior_change -= linearised;
@@ -156,7 +167,7 @@ Eigen::MatrixXd ArrowRoot::Covariance(const std::vector<int>& slots) const {
   // Of (z, head) with the blocks: a block depends on z alone, by G.
   std::vector<Eigen::MatrixXd> gains;
   for (const int slot : slots) {
-    gains.emplace_back(p.z_columns.middleRows(Prior::First(slot), 3) * p.information);
+    gains.emplace_back(p.z_columns.middleRows(p.First(slot), 3) * p.information);
   }
   const Eigen::MatrixXd& posterior = p.Posterior();
   const Eigen::Index head = p.has_head ? posterior.rows() - 6 : 0;
@@ -171,8 +182,7 @@ Eigen::MatrixXd ArrowRoot::Covariance(const std::vector<int>& slots) const {
     for (std::size_t b = 0; b <= a; ++b) {
       const auto second = static_cast<Eigen::Index>(6 + 3 * b);
       joint.block(first, second, 3, 3) =
-          PriorColumns(slots[b]).middleRows(Prior::First(slots[a]), 3) -
-          reduced * gains[b].transpose();
+          PriorColumns(slots[b]).middleRows(p.First(slots[a]), 3) - reduced * gains[b].transpose();
       joint.block(second, first, 3, 3) = joint.block(first, second, 3, 3).transpose().eval();
     }
   }
@@ -193,7 +203,7 @@ Eigen::MatrixXd ArrowRoot::WholeCovariance() const {
   std::vector<Eigen::Index> z;
   for (const int block : p.blocks) {
     for (int i = 0; i < Prior::Width(block); ++i)
-      z.push_back(Prior::First(block) + i);
+      z.push_back(p.First(block) + i);
   }
   const Eigen::Index head = p.has_head ? size : 0;
   Eigen::MatrixXd z_whole(size, n + 6);

@@ -7,7 +7,6 @@
 #include <Eigen/Core>
 
 #include "estimation/smoothing/arrow_leaf.hpp"
-#include "estimation/smoothing/arrow_trunk.hpp"
 
 namespace limpet {
 
@@ -20,20 +19,23 @@ class ArrowRoot {
   ArrowRoot(ArrowRoot&&) noexcept;
   ArrowRoot& operator=(ArrowRoot&&) noexcept;
 
-  /// `message`: all that is known of the last anchor and the border, as changes from `anchor` and
-  /// `border`. Directions that nothing observes are held.
-  void SetPrior(const ArrowMessage& message, const NavVector& anchor,
+  /// `message`: all that is known of the last anchor and of the blocks `slots`, as changes from
+  /// `anchor` and `border` (three per slot of the graph). Directions that nothing observes are
+  /// held.
+  void SetPrior(const ArrowMessage& message, const std::vector<int>& slots, const NavVector& anchor,
                 const std::vector<double>& border);
   /// Joins the newest leaf: `message` of (head, anchor, blocks), where the leaf is linearised.
   void Solve(const ArrowLeaf& leaf, const ArrowMessage& message);
 
   [[nodiscard]] const NavVector& head() const { return head_; }
   [[nodiscard]] const NavVector& anchor() const { return anchor_; }
+  /// Three per block, in the order of `slots()`.
   [[nodiscard]] const std::vector<double>& border() const { return border_; }
+  [[nodiscard]] const std::vector<int>& slots() const;
   /// Joint covariance of the head pose (first six) and of blocks of the border (three each).
   [[nodiscard]] Eigen::MatrixXd Covariance(const std::vector<int>& slots) const;
-  /// Of the last anchor (first six), the whole border and the head (last six): the anchor again
-  /// while the newest leaf is empty.
+  /// Of the last anchor (first six), the border in the order of `slots()` and the head (last six):
+  /// the anchor again while the newest leaf is empty.
   [[nodiscard]] Eigen::MatrixXd WholeCovariance() const;
   /// Directions of the head pose (NavIndex) that nothing observes.
   [[nodiscard]] const std::vector<int>& held() const { return held_; }

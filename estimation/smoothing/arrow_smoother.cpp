@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "limpet/core/require.hpp"
+
 namespace limpet {
 namespace {
 
@@ -23,12 +25,14 @@ std::string ReasonOf(const std::vector<int>& held) {
 }  // namespace
 
 int ArrowSmoother::AddNode(const NavVector& x, std::optional<Term> step) {
+  LIMPET_REQUIRE(!step || step->landmark() < 0 || to_be_closed_.count(step->landmark()) == 0,
+                 "a step does not depend on errors that are closed");
   return graph_.AddNode(x, std::move(step));
 }
 
 TermId ArrowSmoother::AddTerm(int node, Term term) {
+  LIMPET_REQUIRE(to_be_closed_.count(term.landmark()) == 0, "nor does a term of a node");
   MarkDirty(node);
-  has_news_ = has_news_ || term.landmark() >= 0;
   if (term.landmark() >= 0) {
     LeafRange& range = seen_from_[AsIndex(term.landmark())];
     const int leaf = node / ArrowLeaf::kNodes, before = std::max(node - 1, 0) / ArrowLeaf::kNodes;
@@ -40,7 +44,6 @@ TermId ArrowSmoother::AddTerm(int node, Term term) {
 
 void ArrowSmoother::RemoveTerm(const TermId& id) {
   MarkDirty(id.node);
-  has_news_ = true;
   graph_.RemoveTerm(id);
 }
 
@@ -50,14 +53,18 @@ int ArrowSmoother::AddBlock(const Eigen::Vector3d& p, bool is_landmark) {
   seen_from_.resize(is_landmark_.size());
   seen_from_[AsIndex(slot)] = {};
   is_landmark_[AsIndex(slot)] = is_landmark;
+  is_closed_.resize(is_landmark_.size());
   is_solved_.resize(is_landmark_.size());
   is_solved_[AsIndex(slot)] = false;
   border_.resize(AsIndex(3 * graph_.slot_count()), 0.0);
-  origin_.border.resize(border_.size(), 0.0);
+  tree_.origin.border.resize(border_.size(), 0.0);
   border_change_.resize(border_.size(), 0.0);
+  sweep_.border.resize(border_.size(), 0.0);
+  sweep_.moved.resize(is_landmark_.size());
   for (int i = 0; i < 3; ++i) {
-    border_[AsIndex(3 * slot + i)] = origin_.border[AsIndex(3 * slot + i)] = p(i);
+    border_[AsIndex(3 * slot + i)] = tree_.origin.border[AsIndex(3 * slot + i)] = p(i);
     border_change_[AsIndex(3 * slot + i)] = 0.0;
+    sweep_.border[AsIndex(3 * slot + i)] = p(i);
   }
   prior_is_old_ = true;
   return slot;
@@ -67,14 +74,19 @@ int ArrowSmoother::AddLandmark(const Eigen::Vector3d& p) { return AddBlock(p, tr
 
 int ArrowSmoother::AddErrors(const Eigen::Vector3d& start) { return AddBlock(start, false); }
 
+void ArrowSmoother::CloseErrors(int block) {
+  LIMPET_REQUIRE(!is_landmark_[AsIndex(block)], "landmarks stay");
+  to_be_closed_.try_emplace(block, graph_.node_count() - 1);
+}
+
 void ArrowSmoother::RemoveLandmark(int landmark) {
   for (const int node : graph_.landmark(landmark).nodes) {
     MarkDirty(node);
   }
   graph_.RemoveLandmark(landmark);
-  // Leaves and trunk still speak of the block: nothing else may take its place before they do not.
+  // Leaves and tree still speak of the block: nothing else may take its place before they do not.
   graph_.landmark(landmark).is_reserved = true;
-  prior_is_old_ = has_news_ = true;
+  prior_is_old_ = true;
 }
 
 void ArrowSmoother::AddLandmarkTerm(int landmark, Term term) {
@@ -84,7 +96,7 @@ void ArrowSmoother::AddLandmarkTerm(int landmark, Term term) {
 
 void ArrowSmoother::SetJointPrior(std::optional<JointPrior> prior) {
   graph_.SetJointPrior(std::move(prior));
-  prior_is_old_ = has_news_ = true;
+  prior_is_old_ = true;
 }
 
 void ArrowSmoother::Untie(int landmark) {
@@ -114,19 +126,62 @@ void ArrowSmoother::MarkDirty(int node) {
 void ArrowSmoother::Begin() {
   has_begun_ = true;
   open_ = ArrowLeaf(0, graph_.node(0).x);
-  origin_.anchors.assign(1, graph_.node(0).x);
+  tree_.origin.anchors.assign(1, graph_.node(0).x);
   anchors_.assign(1, graph_.node(0).x);
+  solved_at_.assign(1, -1);
 }
 
 void ArrowSmoother::CloseLeaf() {
-  const int anchor = open_.head();
-  origin_.anchors.push_back(graph_.node(anchor).x);
+  const int anchor = open_.head(), leaf = tree_.size();
+  for (const int slot : open_.slots()) {
+    if (is_landmark_[AsIndex(slot)]) continue;
+    LeafRange& range = seen_from_[AsIndex(slot)];
+    range = range.last < 0 ? LeafRange{leaf, leaf} : LeafRange{range.first, leaf};
+  }
+  CloseBlocks();
+  sweep_.anchors.push_back(anchors_.back());
+  sweep_.visit.insert(leaf);
+  sweep_.is_due = true;
+  tree_.origin.anchors.push_back(graph_.node(anchor).x);
   anchors_.push_back(graph_.node(anchor).x);
-  leaves_.push_back(std::move(open_));
-  versions_.push_back(0);
-  trunk_.Append(leaves_.back(), origin_);
+  solved_at_.push_back(-1);
+  tree_.Append(std::move(open_));
   open_ = ArrowLeaf(anchor, graph_.node(anchor).x);
   prior_is_old_ = true;
+}
+
+void ArrowSmoother::CloseBlocks() {
+  for (const auto& [slot, node] : to_be_closed_) {
+    if (IsClosed(slot) || node >= open_.head() || seen_from_[AsIndex(slot)].last < 0) continue;
+    // One that another in the border still speaks of waits for it.
+    bool is_named = false;
+    for (int other = 0; other < graph_.slot_count(); ++other) {
+      for (const Term& term : graph_.landmark(other).terms)
+        is_named = is_named || (!IsClosed(other) && term.second() == slot);
+    }
+    if (is_named) continue;
+    is_closed_[AsIndex(slot)] = true;
+    tree_.Close(Closed(slot));
+  }
+}
+
+ClosedBlock ArrowSmoother::Closed(int slot) const {
+  ClosedBlock block{.slot = slot,
+                    .first = seen_from_[AsIndex(slot)].first,
+                    .last = seen_from_[AsIndex(slot)].last,
+                    .terms = {}};
+  for (const Term& term : graph_.landmark(slot).terms) {
+    ClosedBlock::OwnTerm& own = block.terms.emplace_back();
+    own.second = term.second();
+    LinearizeBorderTerm(slot, term, own.linear);
+  }
+  // What speaks of it must be eliminated before it.
+  for (const ClosedBlock& other : tree_.closed()) {
+    const auto names_it = [slot](const auto& term) { return term.second == slot; };
+    if (std::ranges::any_of(other.terms, names_it))
+      block.first = std::min(block.first, other.first);
+  }
+  return block;
 }
 
 void ArrowSmoother::ExtendToEnd() {
@@ -154,44 +209,56 @@ void ArrowSmoother::RebuildLeaf(int leaf) {
   ArrowLeaf rebuilt(leaf * ArrowLeaf::kNodes, estimates.front());
   for (int i = 0; i < ArrowLeaf::kNodes; ++i)
     rebuilt.Extend(graph_, border_);
-  leaves_[AsIndex(leaf)] = std::move(rebuilt);
-  ++versions_[AsIndex(leaf)];
+  tree_.Replace(leaf, std::move(rebuilt));
   stale_.insert(leaf);
   dirty_.erase(leaf);
   estimated_leaf_ = -1;
 }
 
+void ArrowSmoother::LinearizeBorderTerm(int slot, const Term& term, LinearTerm& linear) const {
+  const auto place = [this](int s) {
+    return Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(&border_[AsIndex(3 * s)]));
+  };
+  const auto change = [&](int s) -> Eigen::Vector3d {
+    return place(s) - Eigen::Map<const Eigen::Vector3d>(&tree_.origin.border[AsIndex(3 * s)]);
+  };
+  const int second = term.second();
+  const Eigen::Vector3d p = place(slot), q = second < 0 ? p : place(second);
+  term.Linearize({.landmark = &p, .second = &q}, linear);
+  linear.r.head(linear.rows) -= linear.J_landmark.topRows(linear.rows) * change(slot);
+  if (second >= 0)
+    linear.r.head(linear.rows) -= linear.J_second.topRows(linear.rows) * change(second);
+}
+
 void ArrowSmoother::SetPrior() {
-  ArrowMessage message = trunk_.message();
-  message.GrowBorder(3 * graph_.slot_count());
-  LinearTerm linear;
+  // The tree's blocks, then those that no closed leaf touches.
+  std::vector<int> slots = tree_.whole().slots, places(AsIndex(graph_.slot_count()), -1);
+  for (std::size_t i = 0; i < slots.size(); ++i)
+    places[AsIndex(slots[i])] = static_cast<int>(i);
   for (int slot = 0; slot < graph_.slot_count(); ++slot) {
+    if (IsClosed(slot) || places[AsIndex(slot)] >= 0) continue;
+    places[AsIndex(slot)] = static_cast<int>(slots.size());
+    slots.push_back(slot);
+  }
+  ArrowMessage message = tree_.whole().message;
+  message.GrowBorder(3 * static_cast<int>(slots.size()));
+  LinearTerm linear;
+  for (const int slot : slots) {
     for (const Term& term : graph_.landmark(slot).terms) {
-      const auto place = [this](int s) {
-        return Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(&border_[AsIndex(3 * s)]));
-      };
-      const auto change = [&](int s) -> Eigen::Vector3d {
-        return place(s) - Eigen::Map<const Eigen::Vector3d>(&origin_.border[AsIndex(3 * s)]);
-      };
+      LinearizeBorderTerm(slot, term, linear);
       const int second = term.second();
-      const Eigen::Vector3d p = place(slot), q = second < 0 ? p : place(second);
-      term.Linearize({.landmark = &p, .second = &q}, linear);
-      // Changes count from the origin.
-      linear.r.head(linear.rows) -= linear.J_landmark.topRows(linear.rows) * change(slot);
-      std::array<JacobianBlock, 2> blocks{{{6 + 3 * slot, 3, linear.J_landmark.data()}, {}}};
-      if (second >= 0) {
-        linear.r.head(linear.rows) -= linear.J_second.topRows(linear.rows) * change(second);
-        blocks[1] = {6 + 3 * second, 3, linear.J_second.data()};
-      }
+      std::array<JacobianBlock, 2> blocks{
+          {{6 + 3 * places[AsIndex(slot)], 3, linear.J_landmark.data()}, {}}};
+      if (second >= 0) blocks[1] = {6 + 3 * places[AsIndex(second)], 3, linear.J_second.data()};
       message.Add(linear, std::span(blocks).first(second >= 0 ? 2 : 1));
     }
   }
-  AddJointPrior(message);
-  root_.SetPrior(message, origin_.anchors.back(), origin_.border);
+  AddJointPrior(message, places);
+  root_.SetPrior(message, slots, tree_.origin.anchors.back(), tree_.origin.border);
   prior_is_old_ = false;
 }
 
-void ArrowSmoother::AddJointPrior(ArrowMessage& message) const {
+void ArrowSmoother::AddJointPrior(ArrowMessage& message, const std::vector<int>& places) const {
   const std::optional<JointPrior>& prior = graph_.joint_prior();
   if (!prior) {
     return;
@@ -201,8 +268,8 @@ void ArrowSmoother::AddJointPrior(ArrowMessage& message) const {
   std::vector<int> columns;
   for (const int slot : prior->slots()) {
     for (int i = 0; i < 3; ++i) {
-      off(static_cast<Eigen::Index>(columns.size())) += origin_.border[AsIndex(3 * slot + i)];
-      columns.push_back(6 + 3 * slot + i);
+      off(static_cast<Eigen::Index>(columns.size())) += tree_.origin.border[AsIndex(3 * slot + i)];
+      columns.push_back(6 + 3 * places[AsIndex(slot)] + i);
     }
   }
   const Eigen::MatrixXd& information = prior->information();
@@ -223,19 +290,19 @@ void ArrowSmoother::SolveRoot(SolveReport& report, int relinearizations) {
     const ArrowMessage message = open_.WithHeadTerms(graph_, border_);
     if (prior_is_old_) SetPrior();
     root_.Solve(open_, message);
-    border_ = root_.border();
-    is_solved_.assign(is_solved_.size(), true);
-    border_change_.resize(border_.size());
-    for (std::size_t i = 0; i < border_.size(); ++i) {
-      border_change_[i] = border_[i] - origin_.border[i];
+    for (std::size_t i = 0; i < root_.border().size(); ++i) {
+      const std::size_t at = AsIndex(3 * root_.slots()[i / 3]) + i % 3;
+      border_[at] = root_.border()[i];
+      border_change_[at] = border_[at] - tree_.origin.border[at];
     }
+    is_solved_.assign(is_solved_.size(), true);
     anchors_.back() = root_.anchor();
-    solved_from_ = static_cast<int>(anchors_.size()) - 1;
+    solved_at_.back() = ++solve_;
     estimated_leaf_ = -1;
     if (round >= relinearizations || !IsStrained(open_, root_.anchor(), root_.head())) {
       return;
     }
-    const int last = static_cast<int>(leaves_.size());
+    const int last = tree_.size();
     const std::vector<NavVector> estimates = LeafEstimates(last);
     const int anchor = open_.anchor();
     for (int i = 0; i <= open_.head() - anchor; ++i)
@@ -269,69 +336,6 @@ SolveReport ArrowSmoother::Update() {
     block.is_reserved = block.is_reserved && !HasCaughtUp(slot);
   }
   return report;
-}
-
-NavVector ArrowSmoother::PoseAt(int node) const {
-  if (!has_begun_ || node > open_.head()) {
-    return graph_.node(node).x;
-  }
-  const int leaf = std::min(node / ArrowLeaf::kNodes, static_cast<int>(leaves_.size()));
-  return LeafEstimates(leaf)[AsIndex(node - leaf * ArrowLeaf::kNodes)];
-}
-
-Eigen::Vector3d ArrowSmoother::LandmarkAt(int landmark) const {
-  return Eigen::Map<const Eigen::Vector3d>(&border_[AsIndex(3 * landmark)]);
-}
-
-JointCovariance ArrowSmoother::Covariance(const std::vector<int>& landmarks) const {
-  constexpr double kUnknown = 1e8;  // [m^2] of a landmark that no update has seen yet
-  std::vector<int> solved;
-  std::vector<Eigen::Index> rows{0, 1, 2, 3, 4, 5};
-  for (std::size_t i = 0; i < landmarks.size(); ++i) {
-    if (!is_solved_[AsIndex(landmarks[i])]) continue;
-    solved.push_back(landmarks[i]);
-    for (std::size_t k = 0; k < 3; ++k)
-      rows.push_back(static_cast<Eigen::Index>(6 + 3 * i + k));
-  }
-  const JointCovariance known = root_.Covariance(solved);
-  if (solved.size() == landmarks.size()) {
-    return known;
-  }
-  const auto n = static_cast<Eigen::Index>(6 + 3 * landmarks.size());
-  JointCovariance joint = kUnknown * JointCovariance::Identity(n, n);
-  joint(rows, rows) = known;
-  return joint;
-}
-
-NavVector ArrowSmoother::AnchorFrom(int anchor, const NavVector& next) const {
-  return origin_.anchors[AsIndex(anchor)] +
-         BackSubstitute(trunk_.conditional(anchor), next - origin_.anchors[AsIndex(anchor + 1)],
-                        border_change_.data());
-}
-
-void ArrowSmoother::EnsureAnchors(int anchor) const {
-  for (; solved_from_ > anchor; --solved_from_) {
-    anchors_[AsIndex(solved_from_ - 1)] =
-        AnchorFrom(solved_from_ - 1, anchors_[AsIndex(solved_from_)]);
-  }
-}
-
-const std::vector<NavVector>& ArrowSmoother::LeafEstimates(int leaf) const {
-  if (estimated_leaf_ == leaf) {
-    return leaf_estimates_;
-  }
-  EnsureAnchors(leaf);
-  const bool is_open = leaf == static_cast<int>(leaves_.size());
-  const ArrowLeaf& of = is_open ? open_ : leaves_[AsIndex(leaf)];
-  const NavVector last = is_open ? root_.head() : anchors_[AsIndex(leaf + 1)];
-  leaf_estimates_.resize(AsIndex(of.head() - of.anchor() + 1));
-  leaf_estimates_.back() = last;
-  leaf_estimates_.front() = anchors_[AsIndex(leaf)];
-  of.BackSubstituteInterior(
-      graph_, anchors_[AsIndex(leaf)], last, border_,
-      [&](int node, const NavVector& x) { leaf_estimates_[AsIndex(node - of.anchor())] = x; });
-  estimated_leaf_ = leaf;
-  return leaf_estimates_;
 }
 
 }  // namespace limpet

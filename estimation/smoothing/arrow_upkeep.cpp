@@ -3,114 +3,159 @@
 // multiply-adds, so that equal input gives equal bits.
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 #include "estimation/smoothing/arrow_smoother.hpp"
 
 namespace limpet {
 namespace {
 
-constexpr double kLeafWork = 60000.0;  // multiply-adds of linearising a leaf anew, about
-constexpr int kLeavesAtHand = 4;       // the newest, brought up to date at once whatever they take
-constexpr double kScanShare = 0.08;    // of an update's work, for the search for strained leaves
+constexpr double kLeafWork = 60000.0;   // multiply-adds of linearising a leaf anew, about
+constexpr int kLeavesAtHand = 4;        // the newest, brought up to date at once
+constexpr int kLeavesPerScan = 64;      // of one update's search for strained leaves
+constexpr double kMovedShare = 0.2;     // of the change that strains a leaf: worth a look
+constexpr int kUpdatesPerWhole = 1024;  // so that nothing creeps away unseen
 
 }  // namespace
 
-void ArrowSmoother::AppendTo(ArrowTrunk& trunk, SolveReport& report) {
-  const int leaf = trunk.head();
-  if (dirty_.contains(leaf)) {
-    RebuildLeaf(leaf);
-  }
-  trunk.Append(leaves_[AsIndex(leaf)], origin_);
-  report.eliminated_nodes += ArrowLeaf::kNodes;
-}
-
 void ArrowSmoother::KeepUp(SolveReport& report) {
-  if (!stale_.empty()) {
-    // The newest leaves are at hand, and matter most.
-    const auto leaves = static_cast<int>(params_.work_per_update / WorkPerAnchor());
-    const int near = std::max(trunk_.head() - std::max(leaves, kLeavesAtHand), 0);
-    const auto first = stale_.lower_bound(near);
-    if (first != stale_.end()) KeepUpNow(*first, report);
-  }
-  if (!stale_.empty() || behind_) KeepUpBehind(report);
+  // The newest leaves are at hand, and matter most.
+  const int near = std::max(tree_.size() - kLeavesAtHand, 0);
+  if (dirty_.lower_bound(near) != dirty_.end()) KeepUpNow(near, report);
+  if (!dirty_.empty() || job_ != Job::kNone) KeepUpBehind(report);
 }
 
 void ArrowSmoother::KeepUpNow(int from, SolveReport& report) {
-  const int end = trunk_.head(), begin = ArrowTrunk::CheckpointBefore(from);
-  // Estimates first: the trunk cannot answer while it is cut.
-  for (auto leaf = dirty_.lower_bound(begin); leaf != dirty_.end();) {
-    RebuildLeaf(*leaf++);
-  }
-  trunk_.Rewind(begin);
-  while (trunk_.head() < end)
-    AppendTo(trunk_, report);
-  stale_.erase(stale_.lower_bound(begin), stale_.end());
-  prior_is_old_ = true;
-  solved_from_ = static_cast<int>(anchors_.size()) - 1;
-  estimated_leaf_ = -1;
+  const std::vector<int> leaves(dirty_.lower_bound(from), dirty_.end());
+  for (const int leaf : leaves)
+    RebuildLeaf(leaf);
+  tree_.RefreshNow(leaves);
+  for (const int leaf : leaves)
+    stale_.erase(leaf);
+  sweep_.visit.insert(leaves.begin(), leaves.end());
+  sweep_.is_due = prior_is_old_ = true;
+  report.eliminated_nodes += ArrowLeaf::kNodes * static_cast<int>(leaves.size());
 }
 
 void ArrowSmoother::KeepUpBehind(SolveReport& report) {
-  if (!behind_) {
-    behind_.emplace(trunk_, *stale_.begin());
-    behind_versions_.clear();
-  }
-  // What an anchor takes beyond one update's share is saved up over several.
+  // What a step takes beyond one update's share is saved up over several.
   work_left_ = std::min(work_left_, 0.0) + params_.work_per_update;
-  while (work_left_ > 0.0 && behind_->head() < trunk_.head()) {
-    const int leaf = behind_->head();
-    work_left_ -= WorkPerAnchor() + (dirty_.contains(leaf) ? kLeafWork : 0.0);
-    AppendTo(*behind_, report);
-    behind_versions_.push_back(versions_[AsIndex(leaf)]);
+  while (work_left_ > 0.0) {
+    if (job_ != Job::kJoins && !dirty_.empty()) {
+      job_ = Job::kLeaves;
+      const int leaf = *dirty_.begin();
+      sweep_.visit.insert(leaf);
+      RebuildLeaf(leaf);
+      work_left_ -= kLeafWork;
+      report.eliminated_nodes += ArrowLeaf::kNodes;
+      continue;
+    }
+    // What a search under way still finds has moved with them, and takes effect with them: half of
+    // the chain linearised elsewhere would hold what nothing observes.
+    if (job_ == Job::kLeaves && sweep_.is_on()) return;
+    job_ = Job::kJoins;
+    if (tree_.is_fresh()) break;
+    work_left_ -= tree_.RefreshOne();
+    ++report.eliminated_nodes;
   }
-  if (behind_->head() < trunk_.head()) {
-    return;
+  if (job_ == Job::kJoins && tree_.is_fresh()) {
+    job_ = Job::kNone;
+    stale_ = dirty_;
+    sweep_.is_due = prior_is_old_ = true;
   }
-  for (std::size_t i = 0; i < behind_versions_.size(); ++i) {
-    const int leaf = behind_->first() + static_cast<int>(i);
-    if (behind_versions_[i] == versions_[AsIndex(leaf)] && !dirty_.contains(leaf))
-      stale_.erase(leaf);
-  }
-  trunk_.Splice(std::move(*behind_));
-  behind_.reset();
-  prior_is_old_ = has_news_ = true;
 }
 
 void ArrowSmoother::Scan() {
-  if (scan_at_ < 0) {
-    if (!std::exchange(has_news_, false)) return;
-    scan_at_ = trunk_.head();
-    scan_change_ = anchors_.back();
+  if (!sweep_.is_on()) {
+    const bool has_moved = NoteMovedLandmarks();
+    if (++sweep_.since_whole < kUpdatesPerWhole && !has_moved && !sweep_.is_due) return;
+    BeginSweep();
   }
-  const double per_leaf = 6.0 * (6.0 + 3.0 * graph_.slot_count()) + 200.0;
-  for (double work = kScanShare * params_.work_per_update; work > 0.0 && scan_at_ > 0;
-       work -= per_leaf) {
-    const int leaf = --scan_at_;
-    const NavVector anchor = AnchorFrom(leaf, scan_change_);
-    if (IsStrained(leaves_[AsIndex(leaf)], anchor, scan_change_)) {
-      dirty_.insert(leaf);
-      stale_.insert(leaf);
+  for (int leaves = 0; leaves < kLeavesPerScan && sweep_.at > 0; ++leaves) {
+    const int leaf = sweep_.at - 1;
+    int down_to = -1;
+    for (const ArrowStretch* stretch : tree_.PathTo(leaf)) {
+      if (stretch->end == sweep_.at && IsCalm(*stretch)) {
+        down_to = stretch->first;
+        break;
+      }
+      SolveStretch(*stretch);
     }
-    scan_change_ = anchor;
+    if (down_to < 0) {
+      down_to = leaf;
+      sweep_.visit.erase(leaf);
+      if (IsStrained(tree_.leaf(leaf), anchors_[AsIndex(leaf)], anchors_[AsIndex(leaf + 1)])) {
+        dirty_.insert(leaf);
+        stale_.insert(leaf);
+      }
+    }
+    SweepTo(down_to);
   }
-  if (scan_at_ == 0) scan_at_ = -1;
+  if (sweep_.at == 0) sweep_.at = -1;
+}
+
+void ArrowSmoother::BeginSweep() {
+  sweep_.is_due = false;
+  sweep_.is_whole = sweep_.since_whole >= kUpdatesPerWhole;
+  if (sweep_.is_whole) sweep_.since_whole = 0;
+  sweep_.at = tree_.size();
+  sweep_.has_moved = true;  // the last anchor does with every look
+}
+
+void ArrowSmoother::SweepTo(int anchor) {
+  sweep_.at = anchor;
+  sweep_.has_moved = HasMovedSinceSweep(anchor);
+  if (sweep_.has_moved) sweep_.anchors[AsIndex(anchor)] = anchors_[AsIndex(anchor)];
+}
+
+bool ArrowSmoother::IsCalm(const ArrowStretch& stretch) const {
+  const auto visit = sweep_.visit.lower_bound(stretch.first);
+  if (sweep_.is_whole || sweep_.has_moved ||
+      (visit != sweep_.visit.end() && *visit < stretch.end)) {
+    return false;
+  }
+  // Without a begin, all that it depends on is its end and the blocks.
+  if (stretch.has_begin && HasMovedSinceSweep(stretch.first)) return false;
+  return std::ranges::none_of(stretch.middle_slots,
+                              [this](int slot) { return sweep_.moved[AsIndex(slot)]; });
+}
+
+bool ArrowSmoother::NoteMovedLandmarks() {
+  const double enough = kMovedShare * params_.relinearize_distance;
+  bool has_any = false;
+  sweep_.moved.assign(is_landmark_.size(), false);
+  for (std::size_t slot = 0; slot < is_landmark_.size(); ++slot) {
+    const Eigen::Map<const Eigen::Vector3d> now(&border_[3 * slot]);
+    Eigen::Map<Eigen::Vector3d> then(&sweep_.border[3 * slot]);
+    if (!is_landmark_[slot] || (now - then).lpNorm<Eigen::Infinity>() <= enough) continue;
+    then = now;
+    sweep_.moved[slot] = has_any = true;
+  }
+  return has_any;
+}
+
+bool ArrowSmoother::HasMovedSinceSweep(int anchor) const {
+  const NavVector moved = (anchors_[AsIndex(anchor)] - sweep_.anchors[AsIndex(anchor)]).cwiseAbs();
+  return moved.head<3>().maxCoeff() > kMovedShare * params_.relinearize_distance ||
+         moved.tail<3>().maxCoeff() > kMovedShare * params_.relinearize_angle;
 }
 
 void ArrowSmoother::LinearizeAll() {
-  trunk_ = ArrowTrunk();
-  behind_.reset();
   dirty_.clear();
   stale_.clear();
-  scan_at_ = -1;
-  for (int leaf = 0; leaf < static_cast<int>(leaves_.size()); ++leaf) {
-    ArrowLeaf rebuilt(leaf * ArrowLeaf::kNodes, graph_.node(leaf * ArrowLeaf::kNodes).x);
+  job_ = Job::kNone;
+  sweep_.at = -1;
+  std::vector<ArrowLeaf> leaves;
+  for (int leaf = 0; leaf < tree_.size(); ++leaf) {
+    const int anchor = leaf * ArrowLeaf::kNodes;
+    ArrowLeaf& rebuilt = leaves.emplace_back(anchor, graph_.node(anchor).x);
     for (int i = 0; i < ArrowLeaf::kNodes; ++i)
       rebuilt.Extend(graph_, border_);
-    leaves_[AsIndex(leaf)] = std::move(rebuilt);
-    ++versions_[AsIndex(leaf)];
-    trunk_.Append(leaves_[AsIndex(leaf)], origin_);
+    sweep_.anchors[AsIndex(leaf)] = rebuilt.x_anchor();
   }
+  sweep_.border = border_;
+  for (ClosedBlock& block : tree_.closed())
+    block = Closed(block.slot);
+  tree_.ReplaceAll(std::move(leaves));
   open_ = ArrowLeaf(open_.anchor(), graph_.node(open_.anchor()).x);
   while (open_.head() < graph_.node_count() - 1)
     open_.Extend(graph_, border_);

@@ -37,6 +37,8 @@ class Smoother {
   virtual int AddLandmark(const Eigen::Vector3d& p) = 0;
   /// A block of three slow errors of the sensors, on which steps may depend; never removed.
   virtual int AddErrors(const Eigen::Vector3d& start) = 0;
+  /// No term on the block is added from now on, by any node: it need not be kept at hand.
+  virtual void CloseErrors(int block) = 0;
   virtual void RemoveLandmark(int landmark) = 0;
   virtual void AddLandmarkTerm(int landmark, Term term) = 0;
   /// What is known beforehand of several landmarks together; takes the place of the former one.
@@ -52,15 +54,17 @@ class Smoother {
   virtual SolveReport Converge() = 0;
 
   [[nodiscard]] virtual const ChainGraph& graph() const = 0;
+  /// Blocks that are solved with the newest pose, as of the last Update: those that are not closed.
+  [[nodiscard]] virtual int border_blocks() const = 0;
   /// Estimates as of the last Update.
   [[nodiscard]] virtual NavVector PoseAt(int node) const = 0;
   [[nodiscard]] virtual Eigen::Vector3d LandmarkAt(int landmark) const = 0;
   /// Of the newest pose and landmarks; at hand at any time.
   [[nodiscard]] virtual JointCovariance Covariance(const std::vector<int>& landmarks) const = 0;
   /// Of any poses of the chain, however far back, and any landmarks or other blocks of the border;
-  /// exact where the factors are linearised. Takes time that grows with the way back to the oldest
-  /// of the poses. A block that no update has seen yet is as good as unknown. REQUIRES: the last
-  /// Update knew the nodes.
+  /// exact where the factors are linearised. Takes longer than Covariance, the more so the more
+  /// poses are asked for. A block that no update has seen yet is as good as unknown. REQUIRES: the
+  /// last Update knew the nodes.
   [[nodiscard]] virtual JointCovariance CovarianceOf(const std::vector<int>& nodes,
                                                      const std::vector<int>& landmarks) const = 0;
   [[nodiscard]] NavCovariance PoseCovariance(int node) const { return CovarianceOf({node}, {}); }

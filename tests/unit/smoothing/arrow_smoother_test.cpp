@@ -313,6 +313,21 @@ TEST_F(ArrowSmootherTest, FindsTheScaleOfItsSteps) {
   EXPECT_NEAR(smoother_.LandmarkAt(errors).x(), graph.landmark(errors).p.x(), 1e-6);
 }
 
+TEST_F(ArrowSmootherTest, AChangeFarBackCostsAFewLeavesHoweverLongTheChain) {
+  Drive(1100);
+  while (!smoother_.Update().has_converged) {
+  }
+  const Term wrong = Term::OnPose(PosePriorFactor(smoother_.PoseAt(40), NavVector::Constant(1.0)));
+  smoother_.RemoveTerm(smoother_.AddTerm(40, wrong));
+  int nodes = 0;
+  SolveReport report;
+  do {
+    report = smoother_.Update();
+    nodes += report.eliminated_nodes;
+  } while (!report.has_converged);
+  EXPECT_LE(nodes, 4 * ArrowLeaf::kNodes);
+}
+
 TEST_F(ArrowSmootherTest, CovariancesAgreeWithTheSpreadOfTheError) {
   Drive(200);
   smoother_.Converge();

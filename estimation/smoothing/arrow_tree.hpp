@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "estimation/smoothing/arrow_stretch.hpp"
+
+namespace limpet {
+
+/// The closed leaves, joined two by two, those again, and so on: a leaf that is linearised anew
+/// costs as many joins as the tree is high. The trees of complete pairs, longest first, are joined
+/// one after the other to the spine, whose last holds all.
+class ArrowTree {
+ public:
+  [[nodiscard]] int size() const { return static_cast<int>(leaves_.size()); }
+  [[nodiscard]] const ArrowLeaf& leaf(int i) const { return leaves_[AsIndex(i)]; }
+  /// All leaves, over the last anchor and the blocks that are not closed.
+  [[nodiscard]] const ArrowStretch& whole() const {
+    return spine_.empty() ? nothing_ : spine_.back();
+  }
+  /// The stretches that hold the leaf, from the whole down: ends of each are ends or middles of
+  /// those before.
+  [[nodiscard]] std::vector<const ArrowStretch*> PathTo(int leaf) const;
+
+  /// `leaf` is the one after the last; its end is at the last of the origin's anchors.
+  void Append(ArrowLeaf leaf);
+  /// In place of a former version. The tree knows of it once it is refreshed.
+  void Replace(int number, ArrowLeaf leaf);
+  /// Joins anew at once all that has to do with these leaves.
+  void RefreshNow(const std::vector<int>& leaves);
+  /// One join of those that replaced leaves ask for; multiply-adds that it took.
+  double RefreshOne();
+  /// True if all joins know the newest version of all leaves.
+  [[nodiscard]] bool is_fresh() const { return waiting_.empty() && renewed_from_ < 0; }
+  /// All leaves in new versions.
+  void ReplaceAll(std::vector<ArrowLeaf> leaves);
+  /// No leaf to come depends on the block. Takes effect with the next leaf.
+  void Close(ClosedBlock block) { closed_.push_back(std::move(block)); }
+  [[nodiscard]] std::vector<ClosedBlock>& closed() { return closed_; }
+  [[nodiscard]] const std::vector<ClosedBlock>& closed() const { return closed_; }
+
+  ArrowOrigin origin;
+
+ private:
+  using Place = std::pair<int, int>;  ///< level from 1 on, number in it
+  [[nodiscard]] bool Exists(const Place& place) const;
+  [[nodiscard]] ArrowStretch JoinAt(const Place& place) const;
+  /// `left` and the tree of so many leaves that follows it.
+  [[nodiscard]] ArrowStretch JoinWithTree(const ArrowStretch& left, int leaves) const;
+  /// Leaves of the tree that begins at `first`.
+  [[nodiscard]] int TreeAt(int first) const;
+  /// Part of the spine whose tree holds the leaf.
+  [[nodiscard]] int SpineOf(int leaf) const;
+  [[nodiscard]] const ArrowStretch& Before(const std::vector<ArrowStretch>& spine, int part) const {
+    return part == 0 ? nothing_ : spine[AsIndex(part - 1)];
+  }
+  void RenewSpineFrom(int part);
+  /// Goes up from what has been joined anew: the place above, or the spine.
+  void PassOn(const Place& place, std::set<Place>& waiting, int& spine_from) const;
+
+  std::vector<ArrowLeaf> leaves_;
+  std::vector<std::vector<ArrowStretch>> levels_{1};  ///< the first is empty: leaves
+  ArrowStretch nothing_ = ArrowStretch::Nothing();
+  std::vector<ArrowStretch> spine_;
+  std::set<Place> waiting_;            ///< to be joined anew, lowest first
+  int renewed_from_ = -1;              ///< part of the spine that is to be joined anew; -1: none
+  std::vector<ArrowStretch> renewed_;  ///< from there on, until it replaces the spine's
+  std::vector<ClosedBlock> closed_;
+};
+
+}  // namespace limpet
