@@ -18,6 +18,7 @@ constexpr double kSeenAgain = 4.0;       // the same, that tells a known object 
 constexpr double kInTheGround = 1.0;     // [m] of a centre below the seabed where it was seen
 constexpr double kSurePixels = 25.0;     // an expectation within which is sure, whatever the box
 constexpr double kReach = 3.0;           // [m] beyond the greatest distance it was seen from
+constexpr double kSlack = 0.5;           // [m] the same, within which it should be seen
 constexpr double kMarginShare = 0.12;    // of the image, inside which an object should be seen
 
 }  // namespace
@@ -180,8 +181,12 @@ void ObjectTracker::CountVisibility(const TrackerFrame& frame, const std::vector
       ++object.hits;
       continue;
     }
+    const double reach = object.far + kSlack + camera_.p_BC.norm();
+    if ((object.p - frame.x.head<3>()).squaredNorm() > reach * reach) {
+      continue;  // most of them, most of the time
+    }
     const Eigen::Vector3d p = CameraPointOf(camera_, frame.x, object.p).p_C;
-    if (p.z() < 0.5 || p.norm() > object.far + 0.5) {
+    if (p.z() < 0.5 || p.norm() > object.far + kSlack) {
       continue;
     }
     // What is in doubt may be this one.
