@@ -340,9 +340,9 @@ void PrintHonesty() {
   for (const auto& [scene, count, text] :
        {std::tuple{"table1", 50, "10 minutes, 4 objects"},
         std::tuple{"hour", 50, "1 hour, 14 objects"},
-        std::tuple{"dropouts", 20, "1 hour, 5 long dropouts"},
-        std::tuple{"day", 12, "6 hours, 50 objects, up every hour"},
-        std::tuple{"deep", 6, "6 hours, 20 objects, never up"}}) {
+        std::tuple{"dropouts", 50, "1 hour, 5 long dropouts"},
+        std::tuple{"day", 50, "6 hours, 50 objects, up every hour"},
+        std::tuple{"deep", 20, "6 hours, 20 objects, never up"}}) {
     const Options options{.scene = scene, .count = count, .is_markdown = true};
     const Outcome o = Together(RunScene(options));
     const double band = BandOf(static_cast<std::size_t>(count));
