@@ -56,18 +56,18 @@ void ArrowRoot::SetPrior(const ArrowMessage& message, const std::vector<int>& sl
   const int n = message.size();
   Eigen::MatrixXd A = Eigen::Map<const Eigen::MatrixXd>(message.A.data(), n, n);
   A.diagonal().array() += kUnknownInformation;
-  Prior prior;
-  prior.llt.compute(A);  // reads the lower triangle
-  prior.mean = prior.llt.solve(Eigen::Map<const Eigen::VectorXd>(message.g.data(), n));
-  prior.mean.head<6>() += anchor;
-  prior.slots = slots;
-  prior.places.assign(border.size() / 3, -1);
+  auto prior = std::make_unique<Prior>();
+  prior->llt.compute(A);  // reads the lower triangle
+  prior->mean = prior->llt.solve(Eigen::Map<const Eigen::VectorXd>(message.g.data(), n));
+  prior->mean.head<6>() += anchor;
+  prior->slots = slots;
+  prior->places.assign(border.size() / 3, -1);
   for (std::size_t place = 0; place < slots.size(); ++place) {
-    prior.places[AsIndex(slots[place])] = static_cast<int>(place);
+    prior->places[AsIndex(slots[place])] = static_cast<int>(place);
     const Eigen::Map<const Eigen::Vector3d> from(&border[AsIndex(3 * slots[place])]);
-    prior.mean.segment<3>(static_cast<Eigen::Index>(6 + 3 * place)) += from;
+    prior->mean.segment<3>(static_cast<Eigen::Index>(6 + 3 * place)) += from;
   }
-  *prior_ = std::move(prior);
+  prior_ = std::move(prior);
 }
 
 const Eigen::MatrixXd& ArrowRoot::PriorColumns(int block) const {
