@@ -46,9 +46,11 @@ struct ObjectTracker::Identities {
 };
 
 bool ObjectTracker::IsDecidable(const TrackedObject& object, bool is_last) const {
-  const bool is_over = is_last || now_ - object.last_seen() > kOutOfView ||
-                       now_ - object.looks.front().t > kLongInView;
-  return object.is_mapped() && object.is_open && is_over;
+  if (!object.is_mapped() || !object.is_open || object.looks.empty()) {
+    return false;  // without looks: absorbed just now, and about to go
+  }
+  return is_last || now_ - object.last_seen() > kOutOfView ||
+         now_ - object.looks.front().t > kLongInView;
 }
 
 TrackedObject* ObjectTracker::ById(int id) {

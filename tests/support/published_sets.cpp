@@ -82,8 +82,9 @@ PlanarEdge EdgeOf(const Words& words) {
   }
   PlanarEdge edge{.from = words.Count(1), .to = words.Count(2)};
   if (edge.from == edge.to) throw BadSetLine{"an edge from a pose to itself"};
-  edge.motion << words.Number(3), words.Number(4), words.Number(5);
-  edge.variance << 1.0 / words.Positive(6), 1.0 / words.Positive(8), 1.0 / words.Positive(9);
+  // Not by <<: a bad word throws, and would leave it half filled.
+  edge.motion = {words.Number(3), words.Number(4), words.Number(5)};
+  edge.variance = {1.0 / words.Positive(6), 1.0 / words.Positive(8), 1.0 / words.Positive(9)};
   return edge;
 }
 
