@@ -24,7 +24,7 @@ struct DatabaseParams {
           "loopback; all: every interface, with neither password nor encryption; or one address");
     visit("client_timeout_s", client_timeout, "silence after which a client is dropped",
           InRange(Seconds(1.0), Seconds(3600.0)));
-    visit("queue_mib", queue_mib, "unsent mail kept for one client [MiB]", InRange(0.1, 1024.0));
+    visit("queue_mib", queue_mib, "memory for unsent mail of one client [MiB]", InRange(0.1, 1024.0));
     visit("stored_mib", stored_mib, "latest values of all variables together [MiB]",
           InRange(1.0, 65536.0));
     visit("kept_mib", kept_mib, "latest values kept for a restart by pLaunch; 0: none [MiB]",

@@ -23,8 +23,8 @@ constexpr double kReviewPeriod = 1.0;    // [s]
 constexpr int kBelieveRefused = 5;       // measurements refused in a row, then taken after all
 constexpr double kGpsGate = 5.0;         // standard deviations
 constexpr double kShortDropout = 3.0;    // [s] of which steps bear the error alone
-constexpr double kBridgeStretch = 30.0;  // [s] for which the bridged velocity is off by the same
-constexpr double kBridgeNoise = 0.1;     // [m/sqrt(s)] that it changes in between
+constexpr double kBridgeStretch = 60.0;  // [s] for which the bridged velocity is off by the same
+constexpr double kBridgeNoise = 0.02;    // [m/sqrt(s)] that it changes in between
 constexpr double kDepthGate = 0.7;       // [m] off the predicted depth
 
 }  // namespace

@@ -14,6 +14,7 @@ namespace {
 constexpr double kLongestExtrapolation = 0.3;  // [s]
 constexpr double kUsualPeriod = 0.2;           // [s] of a DVL
 constexpr double kDropoutAge = 0.5;            // [s] without velocity before it counts as a dropout
+constexpr double kTurnMemory = 0.2;            // [s] over which a rate of turning is averaged
 
 Eigen::Matrix3d RotationOf(const AttitudeEstimate& a) {
   return RotationFromRollPitchYaw(a.roll, a.pitch, a.yaw);
@@ -34,6 +35,10 @@ void OdometryTrack::AddAttitude(const AttitudeEstimate& attitude) {
     }
     sample.attitude.yaw = last.attitude.yaw + WrapAngle(attitude.yaw - last.attitude.yaw);
     sample.R_DB = RotationOf(sample.attitude);
+    const double dt = attitude.t - last.attitude.t;
+    const double rate = (sample.attitude.yaw - last.attitude.yaw) / dt;
+    sample.turn_rate =
+        last.turn_rate + (1.0 - std::exp(-dt / kTurnMemory)) * (rate - last.turn_rate);
     Integrate(last, sample);
   }
   samples_.push_back(sample);
@@ -51,6 +56,7 @@ void OdometryTrack::AddVelocity(double t, const std::optional<Eigen::Vector3d>& 
   previous_ = has_velocity_ ? velocity_ : v_dvl_B.value_or(Eigen::Vector3d::Zero());
   velocity_t_ = t;
   if (v_dvl_B) {
+    if (is_bridging_) previous_ += SwayAt(previous_t_);
     velocity_ = *v_dvl_B;
     accepted_t_ = t;
     is_bridging_ = false;
@@ -73,11 +79,13 @@ void OdometryTrack::AddVelocity(double t, const std::optional<Eigen::Vector3d>& 
   }
 }
 
-void OdometryTrack::NoteUsual(const Eigen::Vector3d& v, double dt) {
+void OdometryTrack::NoteUsual(const Eigen::Vector3d& v_dvl_B, double dt) {
+  const Eigen::Vector3d v = v_dvl_B - SwayAt(velocity_t_);
   if (!has_velocity_) {
     recent_ = usual_ = v;
     return;
   }
+  sway_.Add(v_dvl_B.y() - usual_.y(), TurnRateAt(velocity_t_), std::min(dt, 1.0));
   recent_ += (1.0 - std::exp(-dt / params_.recent_memory.value())) * (v - recent_);
   const double share = std::min(dt, 1.0) / params_.usual_memory.value();
   const Eigen::Vector3d off = v - usual_;
@@ -91,8 +99,8 @@ Eigen::Vector3d OdometryTrack::BridgeTarget() const {
 }
 
 double OdometryTrack::BridgeSigma(double age) const {
-  const double limit =
-      std::clamp(1.5 * std::sqrt(spread_), params_.bridge_floor, params_.bridge_limit);
+  const double limit = std::clamp(params_.bridge_spread * std::sqrt(spread_), params_.bridge_floor,
+                                  params_.bridge_limit);
   return std::min(params_.bridge_velocity + params_.bridge_growth * age, limit);
 }
 
@@ -104,14 +112,27 @@ Eigen::Vector3d OdometryTrack::VelocityAt(double t) const {
   return previous_ + share * (velocity_ - previous_);
 }
 
+double OdometryTrack::TurnRateAt(double t) const {
+  if (samples_.empty()) return 0.0;
+  const auto around = Around(t);
+  return around ? around->after->turn_rate : samples_.back().turn_rate;
+}
+
+Eigen::Vector3d OdometryTrack::SwayAt(double t) const {
+  return {0.0, sway_.per_rate() * TurnRateAt(t), 0.0};
+}
+
 std::optional<double> OdometryTrack::DropoutAge(double t) const {
   const double age = t - accepted_t_;
   return age > kDropoutAge ? std::optional<double>(age) : std::nullopt;
 }
 
 Eigen::Vector3d OdometryTrack::LevelVelocity(const Sample& sample) const {
-  Eigen::Vector3d v = sample.R_DB * VelocityAt(sample.attitude.t);
-  if (sink_rate_ && DropoutAge(sample.attitude.t)) v.z() = *sink_rate_;
+  const bool is_bridged = DropoutAge(sample.attitude.t).has_value();
+  Eigen::Vector3d v_B = VelocityAt(sample.attitude.t);
+  if (is_bridged) v_B.y() += sway_.per_rate() * sample.turn_rate;
+  Eigen::Vector3d v = sample.R_DB * v_B;
+  if (sink_rate_ && is_bridged) v.z() = *sink_rate_;
   return v;
 }
 
@@ -166,6 +187,7 @@ OdometryTrack::Sample OdometryTrack::SampleAt(double t) const {
     between.p_dvl = a.p_dvl + around->share * (b.p_dvl - a.p_dvl);
     between.path = Mix(a.path, b.path, around->share);
     between.bridge_variance = Mix(a.bridge_variance, b.bridge_variance, around->share);
+    between.turn_rate = b.turn_rate;
     return between;
   }
   if (t <= samples_.front().attitude.t) {

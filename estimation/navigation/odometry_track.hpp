@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "estimation/attitude/attitude_filter.hpp"
+#include "estimation/navigation/sway_model.hpp"
 #include "limpet/core/frames.hpp"
 #include "limpet/core/units.hpp"
 
@@ -25,7 +26,8 @@ struct OdometryParams {
   double bridge_velocity = 0.03;     ///< error of the bridging model as a dropout begins [m/s]
   double bridge_growth = 0.02;       ///< and its growth per second [m/s^2]
   double bridge_limit = 0.3;         ///< that it does not exceed [m/s], nor
-  double bridge_floor = 0.05;        ///< this or one and a half times the velocity's usual spread
+  double bridge_spread = 0.6;        ///< this share of the velocity's usual spread, or
+  double bridge_floor = 0.015;       ///< this [m/s]: recorded surveys show 0.01 to 0.02
   Seconds bridge_memory{4.0};        ///< in which a bridged velocity far from the usual comes near
   double bridge_ahead = 0.1;         ///< how near, forward [m/s]
   double bridge_abeam = 0.05;        ///< and sideways [m/s]
@@ -57,12 +59,12 @@ struct TrackPose {
 
 /// Compounds attitude and velocity samples, each in time order, and answers for any time of the
 /// last seconds. The velocity between two samples is their linear interpolation; after the last one
-/// it is held. A missing velocity is bridged, in body axes, by the recent one; where that is far
-/// from the usual one, as in the midst of a turn, it comes back near it. The vertical part, if
+/// it is held. A missing velocity is bridged, in body axes, by the recent one and by what turning
+/// adds to it; where it is far from the usual one, it comes back near it. The vertical part, if
 /// known, is the sink rate.
 class OdometryTrack {
  public:
-  explicit OdometryTrack(const OdometryParams& params) : params_(params) {}
+  explicit OdometryTrack(const OdometryParams& params) : params_(params), sway_(params.dvl_B.x()) {}
 
   void AddAttitude(const AttitudeEstimate& attitude);
   /// Velocity of the DVL in body axes [m/s] at `t`; nothing when the DVL had no lock or lied.
@@ -100,6 +102,7 @@ class OdometryTrack {
     Eigen::Vector3d p_dvl = Eigen::Vector3d::Zero();  ///< of the DVL in the track's frame
     double path = 0.0;
     double bridge_variance = 0.0;  ///< horizontal, accumulated over dropouts [m^2]
+    double turn_rate = 0.0;        ///< of yaw, smoothed [rad/s]
   };
   /// Neighbouring samples about a time, and the share of the way from one to the other.
   struct Bracket {
@@ -111,6 +114,9 @@ class OdometryTrack {
   [[nodiscard]] std::optional<Bracket> Around(double t) const;
   [[nodiscard]] static AttitudeEstimate Between(const Bracket& around, double t);
   [[nodiscard]] Eigen::Vector3d VelocityAt(double t) const;
+  [[nodiscard]] double TurnRateAt(double t) const;
+  /// What turning adds to a bridged velocity then.
+  [[nodiscard]] Eigen::Vector3d SwayAt(double t) const;
   void NoteUsual(const Eigen::Vector3d& v, double dt);
   /// What a dropout's velocity comes to.
   [[nodiscard]] Eigen::Vector3d BridgeTarget() const;
@@ -125,8 +131,10 @@ class OdometryTrack {
   double velocity_t_ = -1e18, previous_t_ = -1e18;  ///< of the last two velocity rows
   double accepted_t_ = -1e18;
   Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero(), previous_ = Eigen::Vector3d::Zero();
-  Eigen::Vector3d recent_ = Eigen::Vector3d::Zero(), usual_ = recent_;  ///< averages of accepted
+  /// Averages of accepted ones, without what turning adds.
+  Eigen::Vector3d recent_ = Eigen::Vector3d::Zero(), usual_ = recent_;
   double spread_ = 0.0;  ///< variance about it, horizontal [m^2/s^2]
+  SwayModel sway_;
   std::optional<double> sink_rate_;
 };
 

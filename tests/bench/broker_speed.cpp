@@ -42,6 +42,10 @@ pid_t StartBroker(const std::string& program) {
     _exit(127);
   }
   std::this_thread::sleep_for(300ms);
+  if (waitpid(child, nullptr, WNOHANG) != 0) {
+    fmt::print(stderr, "{} does not start\n", program);
+    std::exit(1);
+  }
   return child;
 }
 
@@ -327,12 +331,16 @@ void Limits() {
 
 }  // namespace
 
-/// broker_speed [LimpetDB] [tcp] [WORDS]: all figures, or those whose group is among the words.
+/// broker_speed [PATH/LimpetDB] [tcp] [WORDS]: all figures, or those whose group is among the words
+/// (latency flat fan flatfan clients bare). The LimpetDB beside this program if none is given.
 /// `tcp`: clients do not take the local socket, as if they were on another machine.
 int main(int argc, char** argv) {
   std::vector<std::string_view> words(argv + 1, argv + argc);
-  const std::string program(words.empty() ? "build/bin/LimpetDB" : words.front());
-  words.erase(words.begin(), words.begin() + (words.empty() ? 0 : 1));
+  std::string program = std::filesystem::path(argv[0]).replace_filename("LimpetDB");
+  if (!words.empty() && words.front().find('/') != std::string_view::npos) {
+    program = words.front();
+    words.erase(words.begin());
+  }
   may_go_locally = std::erase(words, "tcp") == 0;
   const auto is_wanted = [&](std::string_view group) {
     return words.empty() || std::ranges::find(words, group) != words.end();

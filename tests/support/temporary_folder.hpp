@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -16,10 +17,11 @@ class TemporaryFolder {
   TemporaryFolder() {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     static int count = 0;
-    path_ =
-        std::filesystem::temp_directory_path() /
-        ("limpet_" + std::to_string(::getpid()) + "_" + std::to_string(++count) + "_" +
-         (test == nullptr ? "suite" : std::string(test->test_suite_name()) + "_" + test->name()));
+    std::string name =
+        "limpet_" + std::to_string(::getpid()) + "_" + std::to_string(++count) + "_" +
+        (test == nullptr ? "suite" : std::string(test->test_suite_name()) + "_" + test->name());
+    std::ranges::replace(name, '/', '_');  // of a parametrised test: it would nest folders
+    path_ = std::filesystem::temp_directory_path() / name;
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }

@@ -20,7 +20,7 @@ struct BrokerLimits {
   std::size_t variables = 100'000;
   std::size_t name_length = 1024;               ///< of clients and variables [bytes]
   std::size_t filters_per_client = 1000;        ///< wildcards
-  std::size_t queue = std::size_t{4} << 20;     ///< unsent mail of one client [bytes]
+  std::size_t queue = std::size_t{4} << 20;     ///< memory for unsent mail of one client [bytes]
   std::size_t stored = std::size_t{256} << 20;  ///< latest values of all variables [bytes]
 };
 

@@ -21,8 +21,11 @@ struct LinkQuality {
   }
 };
 
+/// Of the memory that a client's mail may take: the rest is what keeping it costs.
+constexpr std::size_t MailRoom(std::size_t memory) { return memory / 16 * 13; }
+
 struct Broker::Session {
-  explicit Session(std::size_t queue_limit) : outbox(queue_limit) {}
+  explicit Session(std::size_t queue) : outbox(MailRoom(queue)) {}
   Client client = 0;
   std::string name;
   bool is_async = true;

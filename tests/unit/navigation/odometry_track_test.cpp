@@ -69,6 +69,32 @@ TEST_F(OdometryTrackTest, AVelocityFarFromTheUsualOneIsNotHeldForLong) {
   EXPECT_GT(track_.At(149.0).v_B.x(), 0.5 * kSpeed);
 }
 
+/// Turns one way and the other, 20 s each, and slips 0.2 m/s per rad/s outwards.
+TEST_F(OdometryTrackTest, ADropoutInTurnsIsBridgedWithWhatTurningDoes) {
+  constexpr double kSlip = -0.2;
+  const Eigen::Vector3d arm = OdometryParams{}.dvl_B;
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  Eigen::Vector3d p_at_dropout = p;
+  double yaw = 0.0;
+  for (int i = 0; i < 6600; ++i) {
+    const double t = 0.05 * i;
+    const double rate = 0.15 * std::sin(t * 0.157);
+    yaw += 0.05 * rate;
+    const Eigen::Vector3d v(kSpeed, kSlip * rate, 0.0);
+    AttitudeEstimate attitude;
+    attitude.t = t, attitude.yaw = WrapAngle(yaw);
+    track_.AddAttitude(attitude);
+    if (i % 4 == 0) {
+      const Eigen::Vector3d v_dvl = v + Eigen::Vector3d(0.0, 0.0, rate).cross(arm);
+      track_.AddVelocity(t, t < 300.0 ? std::optional(v_dvl) : std::nullopt);
+    }
+    p += 0.05 * (Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) * v);
+    if (i == 6000) p_at_dropout = p;
+  }
+  const Eigen::Vector3d moved = track_.At(329.9).X_DB.p_WB - track_.At(300.0).X_DB.p_WB;
+  EXPECT_NEAR((moved - (p - p_at_dropout)).norm(), 0.0, 0.15) << "of 15 m";
+}
+
 TEST_F(OdometryTrackTest, SinksAtTheGivenRateInADropout) {
   Drive(0.0, 20.0);
   EXPECT_FALSE(track_.DropoutAge(track_.last_time()));
