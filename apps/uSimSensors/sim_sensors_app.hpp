@@ -41,7 +41,7 @@ class SimSensorsApp final : public App {
       if (!clock.IsDue(truth.time)) return;
       if (const auto sample = model.Sample(truth.value, truth.time)) {
         ++counts_[index].samples;
-        Publish(topic, *sample);
+        PublishMeasured(topic, *sample, truth.time);
       }
     });
   }

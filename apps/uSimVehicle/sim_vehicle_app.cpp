@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "apps/uSimVehicle/sim_vehicle_app.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include <fmt/format.h>
@@ -13,6 +15,9 @@ namespace {
 
 /// A process started again waits this long for the place of its former life (MOOS time).
 constexpr Seconds kLongestWait(2.0);
+/// A tick that comes later makes up for what its sensors have missed (MOOS time).
+constexpr Seconds kLongestStep(0.03);
+constexpr double kMostSteps = 50.0;
 
 VehicleSimulation::Place StartOf(const Scenario& scenario) {
   return {.north = scenario.start.north_m,
@@ -94,18 +99,28 @@ void SimVehicleApp::Tick(Seconds now) {
   if (AwaitsFormerTruth(now)) {
     return;
   }
-  const Seconds duration = last_tick_ ? now - *last_tick_ : Seconds(0.0);
+  const Seconds since = last_tick_.value_or(now);
   last_tick_ = now;
-  if (duration > Seconds(0.0)) {
-    for (const TimedEvent& event : simulation_.Advance(command_, duration)) {
-      ReportEvent(EventName(event.event));
-      Publish(topics::kSimEvent, std::string(EventName(event.event)));
-    }
-    if (simulation_.failures() > 0) {
-      Warn("INTEGRATOR_FAILED", "CVODE gave up a step; fixed steps bridged it");
-    }
+  const double steps =
+      std::clamp(std::ceil((now - since).value() / kLongestStep.value()), 1.0, kMostSteps);
+  for (double step = 1.0; step <= steps; step += 1.0) {
+    Move((now - since) * (1.0 / steps));
+    PublishMeasured(topics::kSimTruth, TruthOf(simulation_.motion()),
+                    since + (now - since) * (step / steps));
   }
-  Publish(topics::kSimTruth, TruthOf(simulation_.motion()));
+}
+
+void SimVehicleApp::Move(Seconds duration) {
+  if (duration <= Seconds(0.0)) {
+    return;
+  }
+  for (const TimedEvent& event : simulation_.Advance(command_, duration)) {
+    ReportEvent(EventName(event.event));
+    Publish(topics::kSimEvent, std::string(EventName(event.event)));
+  }
+  if (simulation_.failures() > 0) {
+    Warn("INTEGRATOR_FAILED", "CVODE gave up a step; fixed steps bridged it");
+  }
 }
 
 void SimVehicleApp::Report(ReportLines& report) const {

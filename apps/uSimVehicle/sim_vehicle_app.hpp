@@ -37,6 +37,7 @@ class SimVehicleApp final : public App {
   void OnCommand(const Stamped<ThrusterCommand>& command);
   void OnFormerTruth(const Stamped<SimTruth>& truth);
   [[nodiscard]] bool AwaitsFormerTruth(Seconds now);
+  void Move(Seconds duration);
 
   Scenario scenario_;
   std::string integrator_;

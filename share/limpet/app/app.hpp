@@ -32,8 +32,8 @@ class AppLink {
   virtual ~AppLink() = default;
   /// Sends a write; source, time and community are filled in.
   virtual void Publish(std::string name, Value value, std::string source_aux) = 0;
-  /// Sends another community's write as it is: its source, time and community are kept where the
-  /// transport can do that.
+  /// Sends a write as it is: its source, time and community are kept where the transport can do
+  /// that. Another community's, or what was measured a moment ago.
   virtual void Forward(const Message& message) {
     Publish(message.name, message.value, message.source_aux);
   }
@@ -125,6 +125,16 @@ class App {
     context_.link->Publish(topic.name, TopicCodec<T>::Encode(value), std::move(source_aux));
   }
   void PublishRaw(std::string name, Value value, std::string source_aux = "");
+  /// What was so at `time`, a moment ago: subscribers get that time, not the time of sending.
+  template <class T>
+  void PublishMeasured(const Topic<T>& topic, const T& value, Seconds time) {
+    context_.link->Forward({.name = topic.name,
+                            .value = TopicCodec<T>::Encode(value),
+                            .time = time,
+                            .source = context_.name,
+                            .source_aux = "",
+                            .community = ""});
+  }
 
   /// Raises a health warning; published once per change as <APP>_WARNINGS.
   void Warn(const std::string& id, const std::string& text);

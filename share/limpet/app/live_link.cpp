@@ -42,6 +42,7 @@ void LiveLink::Publish(std::string name, Value value, std::string source_aux) {
   }
 }
 void LiveLink::Forward(const Message& message) {
+  published_.insert(message.name);
   if (!is_replaying()) {
     client_.Send(ViewOf(message));
   }

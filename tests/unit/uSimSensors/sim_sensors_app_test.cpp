@@ -46,6 +46,22 @@ TEST(SimSensorsApp, PublishesEachSensorAtItsRate) {
   EXPECT_EQ(run.Count("DVL_DATA"), 50);
 }
 
+TEST(SimSensorsApp, AMeasurementHasTheTimeOfWhatItMeasured) {
+  TestLink link;
+  SimSensorsApp app(ContextFor(link), Scenario{});
+  const auto truth =
+      std::make_shared<const Message>(Message{.name = topics::kSimTruth.name,
+                                              .value = TopicCodec<SimTruth>::Encode({.down = 3.5}),
+                                              .time = link.time - Seconds(0.04),
+                                              .source = "uSimVehicle",
+                                              .source_aux = "",
+                                              .community = ""});
+  app.Deliver(truth);
+  ASSERT_FALSE(link.published.empty());
+  for (const MessagePtr& message : link.published)
+    EXPECT_EQ(message->time, truth->time) << message->name;
+}
+
 TEST(SimSensorsApp, HasGpsAtTheSurfaceOnly) {
   EXPECT_EQ(TenSeconds(3.5, 1).Count("GPS_DATA"), 0);
   EXPECT_EQ(TenSeconds(0.13, 1).Count("GPS_DATA"), 10);

@@ -41,6 +41,14 @@ class SimVehicle {
       link_.time += Seconds(0.02);
     }
   }
+  void Wait(double seconds) { link_.time += Seconds(seconds); }
+  [[nodiscard]] std::vector<double> TimesOfTruths() const {
+    std::vector<double> times;
+    for (const MessagePtr& message : link_.published) {
+      if (message->name == topics::kSimTruth.name) times.push_back(message->time.value());
+    }
+    return times;
+  }
   [[nodiscard]] SimTruth Truth() const { return *link_.Last(topics::kSimTruth); }
   [[nodiscard]] std::vector<std::string> Events() const {
     std::vector<std::string> events;
@@ -78,6 +86,20 @@ TEST(SimVehicleApp, PublishesTheTruthAtEveryTick) {
   SimVehicle vehicle(Table());
   vehicle.Run({}, 2.0);
   EXPECT_EQ(vehicle.CountOfTruths(), 100U);
+}
+
+TEST(SimVehicleApp, ALateTickMakesUpForTheTruthsThatSensorsHaveMissed) {
+  SimVehicle steady(Table()), halting(Table());
+  steady.Run(kDown, 2.0);
+  halting.Run(kDown, 1.0);
+  halting.Wait(0.5);
+  halting.Run(kDown, 0.5);
+  EXPECT_NEAR(halting.Truth().down, steady.Truth().down, 1e-6);
+  const std::vector<double> times = halting.TimesOfTruths();
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    EXPECT_GT(times[i] - times[i - 1], 0.015);
+    EXPECT_LT(times[i] - times[i - 1], 0.035);
+  }
 }
 
 TEST(SimVehicleApp, TellsOfSubmergingAndOfTheBottom) {
