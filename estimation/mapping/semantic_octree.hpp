@@ -47,6 +47,8 @@ class SemanticOctree {
  public:
   explicit SemanticOctree(Meters resolution = Meters(0.2));
   ~SemanticOctree();
+  SemanticOctree(const SemanticOctree&) = delete;
+  SemanticOctree& operator=(const SemanticOctree&) = delete;
   SemanticOctree(SemanticOctree&&) noexcept;
   SemanticOctree& operator=(SemanticOctree&&) noexcept;
 

@@ -159,10 +159,12 @@ std::optional<OdometryTrack::Bracket> OdometryTrack::Around(double t) const {
   const double first = samples_.front().attitude.t, last = samples_.back().attitude.t;
   auto next = static_cast<std::size_t>((t - first) / (last - first) *
                                        static_cast<double>(samples_.size() - 1));
-  while (samples_[next].attitude.t < t)
+  while (samples_[next].attitude.t < t) {
     ++next;
-  while (samples_[next - 1].attitude.t >= t)
+  }
+  while (samples_[next - 1].attitude.t >= t) {
     --next;
+  }
   const Sample &a = samples_[next - 1], &b = samples_[next];
   return Bracket{&a, &b, (t - a.attitude.t) / (b.attitude.t - a.attitude.t)};
 }

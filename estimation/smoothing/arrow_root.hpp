@@ -16,6 +16,8 @@ class ArrowRoot {
  public:
   ArrowRoot();
   ~ArrowRoot();
+  ArrowRoot(const ArrowRoot&) = delete;
+  ArrowRoot& operator=(const ArrowRoot&) = delete;
   ArrowRoot(ArrowRoot&&) noexcept;
   ArrowRoot& operator=(ArrowRoot&&) noexcept;
 

@@ -38,6 +38,8 @@ class EmbeddedCommunity {
   /// Builds every app. Throws ConfigError with the problems of all of them.
   explicit EmbeddedCommunity(EmbeddedSetup setup);
   ~EmbeddedCommunity();
+  EmbeddedCommunity(const EmbeddedCommunity&) = delete;
+  EmbeddedCommunity& operator=(const EmbeddedCommunity&) = delete;
 
   /// Runs the next due tick and all mail it causes.
   void Step();

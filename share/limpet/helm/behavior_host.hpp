@@ -40,6 +40,8 @@ class BehaviorHost {
   /// `settings` are overrides `name.key=value`.
   BehaviorHost(const std::vector<BehaviorFile>& files, const std::vector<std::string>& settings);
   ~BehaviorHost();
+  BehaviorHost(const BehaviorHost&) = delete;
+  BehaviorHost& operator=(const BehaviorHost&) = delete;
 
   /// Variables whose mail the host wants: all that conditions, modes and updates name.
   [[nodiscard]] std::vector<std::string> Variables() const;

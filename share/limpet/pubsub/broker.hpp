@@ -59,6 +59,8 @@ class Broker {
 
   Broker(BrokerOptions options, Seconds now);
   ~Broker();
+  Broker(const Broker&) = delete;
+  Broker& operator=(const Broker&) = delete;
 
   /// Takes a hello. Either a client, or why it was refused; `answer` is the packet to send.
   struct Admission {

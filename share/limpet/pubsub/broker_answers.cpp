@@ -42,11 +42,12 @@ void Broker::Answer(Session& session, const WireMessage& request, Seconds now) {
 }
 
 void Broker::AnswerAll(Session& session) {
-  const std::vector<Router::Variable> by_name = router_.Sorted();
-  for (auto it = by_name.rbegin(); it != by_name.rend(); ++it) {  // MOOS's order: newest first
-    const Router::VariableInfo& info = router_.Info(*it);
+  std::vector<Router::Variable> variables = router_.Sorted();
+  std::ranges::reverse(variables);  // MOOS's order: last name first
+  for (const Router::Variable variable : variables) {
+    const Router::VariableInfo& info = router_.Info(variable);
     WireMessage answer{.data_type = wire_data::kUnset};
-    if (const auto latest = LatestOf(*it)) {
+    if (const auto latest = LatestOf(variable)) {
       answer = *latest;
       answer.time = (info.written - started_).value();
     }
@@ -82,8 +83,9 @@ void Broker::PublishStatus(Seconds now) {
     }
   }
   std::string names, quality, traffic, losses;
-  for (auto it = present.rbegin(); it != present.rend(); ++it) {
-    names += (*it)->name + ",";
+  std::ranges::reverse(present);  // MOOS's order: who came last first
+  for (const Session* session : present) {
+    names += session->name + ",";
   }
   std::ranges::sort(present, {}, &Session::name);
   for (const Session* session : present) {

@@ -38,13 +38,14 @@ class ReceiveBuffer {
   }
 
  private:
+  using Room = std::unique_ptr<std::byte[]>;  // NOLINT(modernize-avoid-c-arrays): no zeros
   static constexpr std::size_t kKept = std::size_t{64} << 10;
 
   void Reserve(std::size_t total) {
     if (total <= capacity_) {
       return;
     }
-    auto larger = std::make_unique_for_overwrite<std::byte[]>(total);
+    Room larger(new std::byte[total]);
     if (used_ > 0) {
       std::memcpy(larger.get(), room_.get(), used_);
     }
@@ -52,7 +53,7 @@ class ReceiveBuffer {
     capacity_ = total;
   }
 
-  std::unique_ptr<std::byte[]> room_;
+  Room room_;
   std::size_t used_ = 0;
   std::size_t capacity_ = 0;
 };

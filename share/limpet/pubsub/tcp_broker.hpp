@@ -35,6 +35,8 @@ class TcpBroker {
   /// Binds and listens. Throws std::runtime_error naming address and port if it cannot.
   explicit TcpBroker(TcpBrokerOptions options);
   ~TcpBroker();
+  TcpBroker(const TcpBroker&) = delete;
+  TcpBroker& operator=(const TcpBroker&) = delete;
 
   /// Serves until Stop().
   void Run();

@@ -161,7 +161,7 @@ void TcpClient::PublishValue(std::string_view name, const Value& value,
   } else if (const auto* text = std::get_if<std::string>(&value)) {
     Publish(name, std::string_view(*text), source_aux);
   } else {
-    const Binary& bytes = std::get<Binary>(value);
+    const auto& bytes = std::get<Binary>(value);
     impl_->Post({.data_type = wire_data::kBinary,
                  .key = name,
                  .text = {reinterpret_cast<const char*>(bytes.data()), bytes.size()}},

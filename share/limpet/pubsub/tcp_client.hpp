@@ -38,6 +38,8 @@ class TcpClient {
 
   explicit TcpClient(TcpClientOptions options);
   ~TcpClient();
+  TcpClient(const TcpClient&) = delete;
+  TcpClient& operator=(const TcpClient&) = delete;
 
   /// Sends soon: at once if nothing was sent a moment ago, else together with what follows.
   void Publish(std::string_view name, double value, std::string_view source_aux = {});

@@ -38,6 +38,8 @@ class UdpSockets {
   /// `on_arrival` is called, on the sockets' thread, when there is something to take.
   explicit UdpSockets(std::function<void()> on_arrival);
   ~UdpSockets();
+  UdpSockets(const UdpSockets&) = delete;
+  UdpSockets& operator=(const UdpSockets&) = delete;
 
   /// Listens at the address's port of `interface` (an IPv4 address; 0.0.0.0: all), in its group if
   /// it is a multicast channel.

@@ -22,6 +22,8 @@ class CvodeIntegrator {
   CvodeIntegrator(const VehicleModel& model, const StateVector& start)
       : CvodeIntegrator(model, start, Options{}) {}
   ~CvodeIntegrator();
+  CvodeIntegrator(const CvodeIntegrator&) = delete;
+  CvodeIntegrator& operator=(const CvodeIntegrator&) = delete;
   CvodeIntegrator(CvodeIntegrator&&) noexcept;
   CvodeIntegrator& operator=(CvodeIntegrator&&) noexcept;
 

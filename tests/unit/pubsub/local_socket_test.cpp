@@ -7,6 +7,7 @@
 #include <asio/io_context.hpp>
 #include <asio/write.hpp>
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include "tests/support/loopback_broker.hpp"
 
@@ -23,6 +24,12 @@ class LocalSocket : public LoopbackBroker {
   }
   asio::io_context context_;
 };
+
+/// One of the sixteen million loopback addresses: this process's own, so that nobody else's broker
+/// comes or goes there meanwhile.
+asio::ip::address_v4 OwnLoopback() {
+  return asio::ip::address_v4(0x7f80'0000U | (static_cast<std::uint32_t>(::getpid()) & 0x7f'ffffU));
+}
 
 /// The other side has hung up, within five seconds.
 bool HangsUp(StreamSocket& socket) {
@@ -75,29 +82,28 @@ TEST(LocalPlace, OfAllAddressesIsLoopbacks) {
 
 TEST(LocalPlace, TakenByAnotherIsAnError) {
   TcpBrokerOptions options;
-  options.port = 0;
-  options.port = TcpBroker(options).port();
+  options.bind_address = OwnLoopback().to_string();
+  options.port = 9000;
   asio::io_context context;
-  const Acceptor stranger(context, *LocalPlaceOf(make_address("127.0.0.1"), options.port));
+  const Acceptor stranger(context, *LocalPlaceOf(OwnLoopback(), options.port));
   try {
     const TcpBroker broker(options);
     FAIL() << "clients would go to the stranger";
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("@limpet/127.0.0.1:"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("@limpet/" + options.bind_address + ":9000"));
   }
 }
 
 TEST(LocalPlace, OfABrokerThatTakesNobodyInIsNotWaitedFor) {
   asio::io_context context;
-  // A port that no TCP socket has: nothing else can use its name.
   Acceptor deaf(context);
-  const auto place = *LocalPlaceOf(make_address("127.0.0.1"), 0);
+  const auto place = *LocalPlaceOf(OwnLoopback(), 9000);
   deaf.open();
   deaf.bind(place);
   deaf.listen(1);
   std::vector<StreamSocket> waiting;
   for (int i = 0; i < 10; ++i) {
-    auto socket = ConnectLocally(context.get_executor(), make_address("127.0.0.1"), 0);
+    auto socket = ConnectLocally(context.get_executor(), OwnLoopback(), 9000);
     if (!socket) {
       return;
     }
