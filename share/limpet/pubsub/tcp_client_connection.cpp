@@ -144,14 +144,24 @@ void TcpClient::Impl::Greet() {
 }
 
 void TcpClient::Impl::WaitToRead() {
-  socket_.async_wait(StreamSocket::wait_read, [this](std::error_code error) {
-    std::size_t received = 0;
-    if (error || !reader_.Read(socket_, scratch_, kClientReadBudget, *this, received)) {
-      Retry(refusal_.empty() ? "the broker closed the connection" : refusal_);
-      return;
-    }
-    WaitToRead();
-  });
+  const auto room = reader_.Room(scratch_, *this);
+  if (!room) {
+    Retry("the broker sent what is no packet");
+    return;
+  }
+  // Not async_wait: that would arm the reactor anew for every message.
+  socket_.async_read_some(
+      asio::buffer(room->data(), room->size()),
+      [this, room](std::error_code error, std::size_t count) {
+        std::size_t more = 0;
+        const bool is_full = count == room->size();
+        if (error || !reader_.Take(room->first(count), *this) ||
+            (is_full && !reader_.Read(socket_, scratch_, kClientReadBudget, *this, more))) {
+          Retry(refusal_.empty() ? "the broker closed the connection" : refusal_);
+          return;
+        }
+        WaitToRead();
+      });
 }
 
 bool TcpClient::Impl::Enter(const WireMessage& answer) {

@@ -22,6 +22,30 @@ namespace limpet {
 ///   bool OnUnit(ByteView);                                          // false: close
 class UnitReader {
  public:
+  /// Where the next bytes are to be read to; `scratch` must be its caller's alone until Take.
+  /// Nothing: the connection is to be closed.
+  template <class Protocol>
+  [[nodiscard]] std::optional<std::span<std::byte>> Room(std::span<std::byte> scratch,
+                                                         Protocol& protocol) {
+    if (partial_.empty()) {
+      return scratch;
+    }
+    const auto size = protocol.UnitSize(partial_.bytes());
+    if (!size) {
+      return std::nullopt;
+    }
+    // The rest of this unit and no more: what follows it belongs in the shared buffer.
+    const std::size_t held = partial_.bytes().size();
+    const std::size_t wanted = (*size).value_or(kPacketHeaderSize);
+    return partial_.RoomUpTo(std::min(wanted, 2 * held + scratch.size()));
+  }
+
+  /// Works off the `read` part of Room(). False if the connection is to be closed.
+  template <class Protocol>
+  [[nodiscard]] bool Take(ByteView read, Protocol& protocol) {
+    return partial_.empty() ? Cut(read, protocol) : Complete(read.size(), protocol);
+  }
+
   /// Reads until the socket is empty or about `budget` bytes are worked off.
   /// False if the connection is to be closed; `received` counts the bytes.
   template <class Protocol>
@@ -44,7 +68,7 @@ class UnitReader {
       }
       received += count;
       const bool was_partial = !partial_.empty();
-      if (!(was_partial ? Complete(count, protocol) : Cut(room->first(count), protocol))) {
+      if (!Take(room->first(count), protocol)) {
         return false;
       }
       if (!was_partial && partial_.empty() && count < room->size()) {
@@ -55,21 +79,6 @@ class UnitReader {
   }
 
  private:
-  template <class Protocol>
-  std::optional<std::span<std::byte>> Room(std::span<std::byte> scratch, Protocol& protocol) {
-    if (partial_.empty()) {
-      return scratch;
-    }
-    const auto size = protocol.UnitSize(partial_.bytes());
-    if (!size) {
-      return std::nullopt;
-    }
-    // The rest of this unit and no more: what follows it belongs in the shared buffer.
-    const std::size_t held = partial_.bytes().size();
-    const std::size_t wanted = (*size).value_or(kPacketHeaderSize);
-    return partial_.RoomUpTo(std::min(wanted, 2 * held + scratch.size()));
-  }
-
   /// Works off every whole unit in `bytes` and keeps the rest.
   template <class Protocol>
   bool Cut(ByteView bytes, Protocol& protocol) {
