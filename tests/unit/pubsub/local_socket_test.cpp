@@ -25,6 +25,9 @@ class LocalSocket : public LoopbackBroker {
   asio::io_context context_;
 };
 
+/// Not 9000: a database of this machine may listen there on all addresses.
+constexpr std::uint16_t kUnusedPort = 29753;
+
 /// One of the sixteen million loopback addresses: this process's own, so that nobody else's broker
 /// comes or goes there meanwhile.
 asio::ip::address_v4 OwnLoopback() {
@@ -83,27 +86,27 @@ TEST(LocalPlace, OfAllAddressesIsLoopbacks) {
 TEST(LocalPlace, TakenByAnotherIsAnError) {
   TcpBrokerOptions options;
   options.bind_address = OwnLoopback().to_string();
-  options.port = 9000;
+  options.port = kUnusedPort;
   asio::io_context context;
   const Acceptor stranger(context, *LocalPlaceOf(OwnLoopback(), options.port));
   try {
     const TcpBroker broker(options);
     FAIL() << "clients would go to the stranger";
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("@limpet/" + options.bind_address + ":9000"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("@limpet/" + options.bind_address + ":29753"));
   }
 }
 
 TEST(LocalPlace, OfABrokerThatTakesNobodyInIsNotWaitedFor) {
   asio::io_context context;
   Acceptor deaf(context);
-  const auto place = *LocalPlaceOf(OwnLoopback(), 9000);
+  const auto place = *LocalPlaceOf(OwnLoopback(), kUnusedPort);
   deaf.open();
   deaf.bind(place);
   deaf.listen(1);
   std::vector<StreamSocket> waiting;
   for (int i = 0; i < 10; ++i) {
-    auto socket = ConnectLocally(context.get_executor(), OwnLoopback(), 9000);
+    auto socket = ConnectLocally(context.get_executor(), OwnLoopback(), kUnusedPort);
     if (!socket) {
       return;
     }

@@ -11,8 +11,9 @@
 namespace limpet {
 namespace {
 
-AppContext ContextFor(TestLink& link) {
+AppContext ContextFor(TestLink& link, bool runs_live = false) {
   AppContext context;
+  context.runs_live = runs_live;
   context.name = "uSimVehicle";
   context.link = &link;
   return context;
@@ -32,8 +33,9 @@ SimVehicleApp::Params ParamsFor(const std::string& integrator) {
 
 class SimVehicle {
  public:
-  explicit SimVehicle(const Scenario& scenario, const std::string& integrator = "cvode")
-      : app_(ContextFor(link_), ParamsFor(integrator), scenario) {}
+  explicit SimVehicle(const Scenario& scenario, const std::string& integrator = "cvode",
+                      bool runs_live = false)
+      : app_(ContextFor(link_, runs_live), ParamsFor(integrator), scenario) {}
   void Run(const ThrusterCommand& command, double seconds) {
     link_.Send(app_, topics::kThrusterCommand, command);
     for (int i = 0; i < static_cast<int>(std::lround(50.0 * seconds)); ++i) {
@@ -89,7 +91,7 @@ TEST(SimVehicleApp, PublishesTheTruthAtEveryTick) {
 }
 
 TEST(SimVehicleApp, ALateTickMakesUpForTheTruthsThatSensorsHaveMissed) {
-  SimVehicle steady(Table()), halting(Table());
+  SimVehicle steady(Table(), "cvode", true), halting(Table(), "cvode", true);
   steady.Run(kDown, 2.0);
   halting.Run(kDown, 1.0);
   halting.Wait(0.5);
