@@ -63,6 +63,13 @@ target_include_directories(thirdparty_sodium SYSTEM INTERFACE ${SODIUM_INCLUDE})
 target_link_libraries(thirdparty_sodium INTERFACE ${SODIUM_LIBRARY})
 add_library(thirdparty::sodium ALIAS thirdparty_sodium)
 
+find_path(URING_INCLUDE liburing.h REQUIRED)
+find_library(URING_LIBRARY uring REQUIRED)
+add_library(thirdparty_uring INTERFACE)
+target_include_directories(thirdparty_uring SYSTEM INTERFACE ${URING_INCLUDE})
+target_link_libraries(thirdparty_uring INTERFACE ${URING_LIBRARY})
+add_library(thirdparty::uring ALIAS thirdparty_uring)
+
 if(BUILD_TESTING)
   find_package(GTest REQUIRED)
 endif()

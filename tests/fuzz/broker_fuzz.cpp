@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "limpet/pubsub/broker.hpp"
+#include "tests/support/outgoing_bytes.hpp"
 
 using namespace limpet;  // NOLINT(google-build-using-namespace): one program
 
@@ -32,15 +33,10 @@ ByteView TakePacket(ByteView& bytes) {
 }
 
 void Drain(Broker& broker) {
-  Broker::Outgoing packet;
+  OutgoingPacket packet;
   for (const Broker::Client ready : broker.TakeReady()) {
     while (broker.TakePacket(ready, packet, kNow)) {
-      ByteBuffer sent = packet.head;
-      std::vector<ByteView> pieces(packet.body.size() + 1);
-      pieces.resize(packet.body.Gather(0, pieces));
-      for (const ByteView piece : pieces) {
-        sent.insert(sent.end(), piece.begin(), piece.end());
-      }
+      const ByteBuffer sent = BytesOf(packet);
       ByteView rest = sent;
       for (PacketReader reader(TakePacket(rest)); !reader.is_at_end();) {
         if (!reader.Next()) {

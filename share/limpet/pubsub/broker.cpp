@@ -347,28 +347,29 @@ std::vector<Broker::Client> Broker::TakeReady() {
 
 Outbox& Broker::outbox(Client client) { return sessions_[client]->outbox; }
 
-bool Broker::TakePacket(Client client, Outgoing& packet, Seconds now) {
+bool Broker::TakePacket(Client client, OutgoingPacket& packet, Seconds now) {
   Session& session = *sessions_[client];
-  packet.head.assign(kPacketHeaderSize, std::byte{0});
-  packet.body.Clear();
+  packet.Begin();
   std::size_t count = 0;
   if (!session.is_async) {
     if (!session.owes_reply) {
+      packet.Clear();
       return false;
     }
     session.owes_reply = false;
-    AppendMessage({.type = wire_type::kNull, .number = now.value()}, packet.head);
+    AppendMessage({.type = wire_type::kNull, .number = now.value()}, packet.lead);
     count = 1;
   } else if (!session.timing_echo.empty()) {
-    packet.head.insert(packet.head.end(), session.timing_echo.begin(), session.timing_echo.end());
+    packet.lead.insert(packet.lead.end(), session.timing_echo.begin(), session.timing_echo.end());
     session.timing_echo.clear();
     count = 1;
   }
-  count += session.outbox.Take(packet.body);
+  count += session.outbox.Take(packet.mail);
   if (count == 0) {
+    packet.Clear();
     return false;
   }
-  EncodePacketHeader({packet.head.size() + packet.body.size(), count}, packet.head.data());
+  packet.Seal(count);
   return true;
 }
 

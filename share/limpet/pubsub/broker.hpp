@@ -10,6 +10,7 @@
 
 #include "limpet/core/expected.hpp"
 #include "limpet/pubsub/outbox.hpp"
+#include "limpet/pubsub/outgoing_packet.hpp"
 #include "limpet/pubsub/router.hpp"
 #include "limpet/wire/packet_codec.hpp"
 
@@ -80,12 +81,8 @@ class Broker {
 
   /// Clients that have something to send since the last call, each once.
   [[nodiscard]] std::vector<Client> TakeReady();
-  /// A packet: `head` then `body`. Nothing (false) if there is nothing to send.
-  struct Outgoing {
-    ByteBuffer head;
-    Parcel body;
-  };
-  [[nodiscard]] bool TakePacket(Client client, Outgoing& packet, Seconds now);
+  /// The client's next packet. False: there is nothing to send.
+  [[nodiscard]] bool TakePacket(Client client, OutgoingPacket& packet, Seconds now);
   [[nodiscard]] Outbox& outbox(Client client);
 
   [[nodiscard]] const Router& router() const { return router_; }

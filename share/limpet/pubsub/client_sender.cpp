@@ -31,60 +31,57 @@ void ClientSender::Queue(const WireMessage& message) {
 }
 
 void ClientSender::Restart() {
-  sent_ = 0;
+  packet_.Rewind();
   last_timing_ = Seconds(0.0);
 }
 
 ClientSender::Outcome ClientSender::Send(int descriptor, Seconds now) {
   Outcome outcome = Outcome::kAllSent;
-  while (outcome == Outcome::kAllSent && (unsent() > 0 || Assemble(now))) {
+  while (outcome == Outcome::kAllSent && (packet_.unsent() > 0 || Assemble(now))) {
     const ssize_t count = SendSome(descriptor);
     last_send_ = SteadyTime();
     if (count >= 0) {
-      sent_ += static_cast<std::size_t>(count);
+      packet_.Took(static_cast<std::size_t>(count));
     } else {
       outcome = errno == EAGAIN || errno == EWOULDBLOCK ? Outcome::kBlocked : Outcome::kFailed;
     }
   }
-  outbox_.SetInFlight(unsent());
+  outbox_.SetInFlight(packet_.unsent());
   return outcome;
 }
 
 void ClientSender::GiveBack() {
-  if (unsent() == 0) {
-    body_.Clear();
-    body_.GiveBack();
+  if (packet_.unsent() == 0) {
+    packet_.GiveBack();
     outbox_.GiveBack();
   }
 }
 
-/// The next packet, in head_ and body_; timing leads it when due. False: nothing to say.
+/// The next packet; timing leads it when due. False: nothing to say.
 bool ClientSender::Assemble(Seconds now) {
   const Seconds steady = SteadyTime();
   const bool is_timing_due = (steady - last_timing_).value() >= kTimingPeriod;
-  head_.clear();
-  body_.Clear();
-  sent_ = 0;
   if (!is_timing_due && outbox_.empty()) {
+    packet_.Clear();
     return false;
   }
-  head_.assign(kPacketHeaderSize, std::byte{0});
+  packet_.Begin();
   if (is_timing_due) {
     last_timing_ = steady;
     AppendMessage(
         {.type = wire_type::kTiming, .key = "_async_timing", .time = now.value(), .number = 0.0},
-        head_);
+        packet_.lead);
   }
-  const std::size_t count = outbox_.Take(body_) + (is_timing_due ? 1 : 0);
-  EncodePacketHeader({unsent(), count}, head_.data());
+  packet_.Seal(outbox_.Take(packet_.mail) + (is_timing_due ? 1 : 0));
   return true;
 }
 
 ssize_t ClientSender::SendSome(int descriptor) const {
   std::array<ByteView, kPieces> pieces;
-  const std::size_t in_head = std::min(sent_, head_.size());
-  pieces[0] = ByteView(head_).subspan(in_head);
-  const std::size_t filled = 1 + body_.Gather(sent_ - in_head, std::span(pieces).subspan(1));
+  const std::size_t filled = packet_.Gather(pieces);
+  if (filled == 1) {
+    return ::send(descriptor, pieces[0].data(), pieces[0].size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+  }
   std::array<iovec, kPieces> parts{};
   for (std::size_t i = 0; i < filled; ++i) {
     parts[i] = {.iov_base = const_cast<std::byte*>(pieces[i].data()),  // sendmsg only reads

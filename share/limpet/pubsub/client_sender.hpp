@@ -5,6 +5,7 @@
 
 #include "limpet/core/units.hpp"
 #include "limpet/pubsub/outbox.hpp"
+#include "limpet/pubsub/outgoing_packet.hpp"
 #include "limpet/wire/wire_message.hpp"
 
 namespace limpet {
@@ -29,23 +30,20 @@ class ClientSender {
   void GiveBack();
 
   /// A packet is on its way, part of it unsent.
-  [[nodiscard]] bool is_in_packet() const { return unsent() > 0; }
+  [[nodiscard]] bool is_in_packet() const { return packet_.unsent() > 0; }
   /// Bytes not yet handed to the system.
-  [[nodiscard]] std::size_t waiting() const { return outbox_.size() + unsent(); }
+  [[nodiscard]] std::size_t waiting() const { return outbox_.size() + packet_.unsent(); }
   [[nodiscard]] std::uint64_t dropped() const { return outbox_.dropped(); }
   /// Of the last attempt, steady time.
   [[nodiscard]] Seconds last_send() const { return last_send_; }
 
  private:
-  [[nodiscard]] std::size_t unsent() const { return head_.size() + body_.size() - sent_; }
   [[nodiscard]] bool Assemble(Seconds now);
   [[nodiscard]] ssize_t SendSome(int descriptor) const;
 
   Outbox outbox_;
   ByteBuffer encoded_;
-  ByteBuffer head_;  ///< of the packet that is being sent, body_ behind it
-  Parcel body_;
-  std::size_t sent_ = 0;  ///< of both
+  OutgoingPacket packet_;
   Seconds last_send_, last_timing_;
 };
 

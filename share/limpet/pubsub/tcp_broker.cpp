@@ -12,6 +12,7 @@
 #include <malloc.h>
 
 #include "limpet/core/clock.hpp"
+#include "limpet/pubsub/send_batch.hpp"
 #include "limpet/pubsub/tcp_connection.hpp"
 #include "limpet/pubsub/value_keeper.hpp"
 
@@ -163,8 +164,29 @@ class TcpBroker::Impl {
   /// Sends what the broker has for anyone. A connection that fails here is closed by its own
   /// read: the socket then says so.
   void Flush() {
-    for (const Broker::Client client : broker_.TakeReady()) {
+    const std::vector<Broker::Client> ready = broker_.TakeReady();
+    if (ready.size() > 1 && batch_.is_open() && options_.may_send_together) {
+      FlushTogether(ready);
+    }
+    for (const Broker::Client client : ready) {
       FlushOne(*live_[client]);
+    }
+  }
+
+  /// The short packets of several at once; what is left of them, or fails, is FlushOne's.
+  void FlushTogether(std::span<const Broker::Client> ready) {
+    together_.clear();
+    for (const Broker::Client client : ready) {
+      TcpConnection& connection = *live_[client];
+      const ByteView bytes = connection.is_waiting_to_write ? ByteView() : connection.NextPiece();
+      if (!bytes.empty()) {
+        batch_.Add(connection.socket().native_handle(), bytes);
+        together_.push_back(&connection);
+      }
+    }
+    const std::span<const int> taken = batch_.Send();
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+      together_[i]->OnSent(static_cast<std::size_t>(std::max(0, taken[i])));
     }
   }
 
@@ -296,6 +318,8 @@ class TcpBroker::Impl {
   Connections connections_;
   Connections graveyard_;             ///< closed, until their cancelled handlers have run
   std::vector<TcpConnection*> live_;  ///< by client
+  SendBatch batch_;
+  std::vector<TcpConnection*> together_;  ///< whose bytes are in batch_
 };
 
 TcpBroker::TcpBroker(TcpBrokerOptions options)

@@ -72,7 +72,7 @@ bool TcpConnection::Greet(ByteView packet) {
   }
   Broker::Admission admission = host_.broker->Admit(*hello, host_.moos_time());
   stage_ = Stage::kLive;
-  out_.head = std::move(admission.answer);
+  out_ = OutgoingPacket(std::move(admission.answer));
   client_ = admission.client;
   closes_when_sent_ = !client_;
   if (client_) {
@@ -81,58 +81,63 @@ bool TcpConnection::Greet(ByteView packet) {
   return Write();
 }
 
+bool TcpConnection::NextPacket() {
+  last_progress_ = SteadyTime();
+  if (closes_when_sent_) {
+    // The client closes when it has read why; closing here could take the words away from it.
+    std::error_code ignored;
+    socket_.shutdown(StreamSocket::shutdown_send, ignored);
+    out_ = {};
+    return false;
+  }
+  return client_ && host_.broker->TakePacket(*client_, out_, host_.moos_time());
+}
+
+std::size_t TcpConnection::NextPieces(std::span<ByteView> pieces) {
+  return out_.unsent() > 0 || NextPacket() ? out_.Gather(pieces) : 0;
+}
+
+ByteView TcpConnection::NextPiece() {
+  std::array<ByteView, 2> pieces;
+  return NextPieces(pieces) == 1 ? pieces[0] : ByteView();
+}
+
+void TcpConnection::OnSent(std::size_t bytes) {
+  out_.Took(bytes);
+  if (out_.unsent() > 0) {
+    out_.ForgetSent();
+    last_progress_ = bytes > 0 ? SteadyTime() : last_progress_;
+  }
+  if (client_) {
+    host_.broker->outbox(*client_).SetInFlight(out_.unsent());
+  }
+}
+
 bool TcpConnection::Write() {
-  for (;;) {
-    if (unsent() == 0) {
-      last_progress_ = SteadyTime();
-      if (closes_when_sent_) {
-        // The client closes when it has read why; closing here could take the words away from it.
-        std::error_code ignored;
-        socket_.shutdown(StreamSocket::shutdown_send, ignored);
-        out_ = {};
-        sent_ = 0;
-        return true;
-      }
-      if (!client_ || !host_.broker->TakePacket(*client_, out_, host_.moos_time())) {
-        out_.head.clear();
-        out_.body.Clear();
-        sent_ = 0;
-        return true;
-      }
-      sent_ = 0;
-    }
-    std::array<ByteView, kPieces> pieces;
-    const std::size_t in_head = std::min(sent_, out_.head.size());
-    pieces[0] = ByteView(out_.head).subspan(in_head);
-    const std::size_t filled = 1 + out_.body.Gather(sent_ - in_head, std::span(pieces).subspan(1));
+  std::array<ByteView, kPieces> pieces;
+  while (const std::size_t filled = NextPieces(pieces)) {
     std::array<asio::const_buffer, kPieces> parts;
     std::ranges::transform(std::span(pieces).first(filled), parts.begin(), [](ByteView piece) {
       return asio::const_buffer(piece.data(), piece.size());
     });
     std::error_code error;
-    const std::size_t count = socket_.write_some(std::span(parts).first(filled), error);
+    const std::size_t count = filled == 1
+                                  ? socket_.write_some(parts.front(), error)
+                                  : socket_.write_some(std::span(parts).first(filled), error);
     if (error && error != asio::error::would_block) {
       return false;
     }
-    sent_ += count;
-    if (unsent() > 0) {
-      out_.body.LetGo(sent_ - std::min(sent_, out_.head.size()));
-    }
-    if (count > 0) {
-      last_progress_ = SteadyTime();
-    }
-    if (client_) {
-      host_.broker->outbox(*client_).SetInFlight(unsent());
-    }
+    OnSent(count);
     if (error) {
-      return true;
+      break;
     }
   }
+  return true;
 }
 
 void TcpConnection::GiveBack() {
-  if (unsent() == 0) {
-    out_.body.GiveBack();
+  if (out_.unsent() == 0) {
+    out_.GiveBack();
     if (client_) {
       host_.broker->outbox(*client_).GiveBack();
     }

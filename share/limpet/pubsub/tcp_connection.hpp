@@ -36,11 +36,16 @@ class TcpConnection {
   [[nodiscard]] bool OnUnit(ByteView unit);
   /// Sends as much as the socket takes. False if the connection is to be closed.
   [[nodiscard]] bool Write();
+  /// For who sends to several at once: what is to be sent next, if it is in one piece. Empty: leave
+  /// it to Write(). Stays until OnSent().
+  [[nodiscard]] ByteView NextPiece();
+  /// The socket took that many bytes of what is to be sent.
+  void OnSent(std::size_t bytes);
 
   /// Frees room that a burst has left, if all is sent.
   void GiveBack();
 
-  [[nodiscard]] bool wants_to_write() const { return unsent() > 0; }
+  [[nodiscard]] bool wants_to_write() const { return out_.unsent() > 0; }
   [[nodiscard]] StreamSocket& socket() { return socket_; }
   /// Nothing before its hello, and once it has been told why it may not enter.
   [[nodiscard]] std::optional<Broker::Client> client() const { return client_; }
@@ -53,16 +58,18 @@ class TcpConnection {
   bool is_waiting_to_write = false;  ///< the owner has asked to be told when it may write
 
  private:
-  [[nodiscard]] std::size_t unsent() const { return out_.head.size() + out_.body.size() - sent_; }
   [[nodiscard]] bool Greet(ByteView hello_packet);
+  /// What is to be sent next, as pieces; gives how many. None: nothing is.
+  [[nodiscard]] std::size_t NextPieces(std::span<ByteView> pieces);
+  /// Starts on the next packet. False: there is none.
+  [[nodiscard]] bool NextPacket();
 
   StreamSocket socket_;
   Host& host_;
   Stage stage_ = Stage::kSilent;
   std::optional<Broker::Client> client_;
   UnitReader reader_;
-  Broker::Outgoing out_;
-  std::size_t sent_ = 0;
+  OutgoingPacket out_;
   bool closes_when_sent_ = false;
   Seconds opened_, last_heard_, last_progress_;
 };

@@ -8,7 +8,7 @@
 
 #include "limpet/pubsub/broker.hpp"
 #include "tests/support/moos_captures.hpp"
-#include "tests/support/parcel_bytes.hpp"
+#include "tests/support/outgoing_bytes.hpp"
 
 namespace limpet {
 namespace {
@@ -107,13 +107,12 @@ class Replay {
 
   void Collect(Seconds now) {
     for (const Broker::Client client : broker_.TakeReady()) {
-      Broker::Outgoing packet;
+      OutgoingPacket packet;
       while (broker_.TakePacket(client, packet, now)) {
         for (auto& [name, peer] : peers_) {
           if (peer.client == client) {
-            peer.heard.insert(peer.heard.end(), packet.head.begin(), packet.head.end());
-            const ByteBuffer body = BytesOf(packet.body);
-            peer.heard.insert(peer.heard.end(), body.begin(), body.end());
+            const ByteBuffer bytes = BytesOf(packet);
+            peer.heard.insert(peer.heard.end(), bytes.begin(), bytes.end());
           }
         }
       }

@@ -34,17 +34,9 @@ asio::ip::address_v4 OwnLoopback() {
   return asio::ip::address_v4(0x7f80'0000U | (static_cast<std::uint32_t>(::getpid()) & 0x7f'ffffU));
 }
 
-/// The other side has hung up, within five seconds.
 bool HangsUp(StreamSocket& socket) {
-  const timeval longest{.tv_sec = 5, .tv_usec = 0};
-  ::setsockopt(socket.native_handle(), SOL_SOCKET, SO_RCVTIMEO, &longest, sizeof longest);
   socket.non_blocking(false);
-  std::array<std::byte, 256> bytes{};
-  ssize_t count = 1;
-  while (count > 0) {
-    count = ::recv(socket.native_handle(), bytes.data(), bytes.size(), 0);
-  }
-  return count == 0 || errno == ECONNRESET;
+  return limpet::HangsUp(socket.native_handle());
 }
 
 TEST_F(LocalSocket, IsFoundWhereTheBrokerListensAndNowhereElse) {

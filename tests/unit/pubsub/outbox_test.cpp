@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/parcel_bytes.hpp"
+#include "tests/support/outgoing_bytes.hpp"
 
 namespace limpet {
 namespace {

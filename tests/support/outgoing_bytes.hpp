@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "limpet/pubsub/parcel.hpp"
+#include "limpet/pubsub/outgoing_packet.hpp"
 
 namespace limpet {
 
@@ -16,6 +16,14 @@ inline ByteBuffer BytesOf(const Parcel& parcel) {
       bytes.insert(bytes.end(), pieces[i].begin(), pieces[i].end());
     }
   }
+  return bytes;
+}
+
+/// Of a packet that is not yet sent.
+inline ByteBuffer BytesOf(const OutgoingPacket& packet) {
+  ByteBuffer bytes = packet.lead;
+  const ByteBuffer mail = BytesOf(packet.mail);
+  bytes.insert(bytes.end(), mail.begin(), mail.end());
   return bytes;
 }
 
