@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -13,9 +14,11 @@
 #include <fstream>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <thread>
 #include <vector>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -331,11 +334,31 @@ void Limits() {
   }
 }
 
+/// Keeps the cores from sleeping while it lives (the kernel's PM QoS): delays are then of programs
+/// and system calls, without the time that a sleeping core takes to wake.
+class AwakeCores {
+ public:
+  AwakeCores() : request_(::open("/dev/cpu_dma_latency", O_WRONLY | O_CLOEXEC)) {
+    const std::int32_t longest = 0;  // [us]
+    if (::write(request_, &longest, sizeof longest) != sizeof longest) {
+      fmt::print(stderr, "/dev/cpu_dma_latency: {}\n", std::strerror(errno));
+      std::exit(1);
+    }
+  }
+  ~AwakeCores() { ::close(request_); }
+  AwakeCores(const AwakeCores&) = delete;
+  AwakeCores& operator=(const AwakeCores&) = delete;
+
+ private:
+  int request_;  ///< stands until it is closed
+};
+
 }  // namespace
 
-/// broker_speed [PATH/LimpetDB] [tcp] [WORDS]: all figures, or those whose group is among the words
-/// (latency flat fan flatfan clients bare). The LimpetDB beside this program if none is given.
-/// `tcp`: clients do not take the local socket, as if they were on another machine.
+/// broker_speed [PATH/LimpetDB] [tcp] [awake] [WORDS]: all figures, or those whose group is among
+/// the words (latency flat fan flatfan clients bare). The LimpetDB beside this program if none is
+/// given. `tcp`: clients do not take the local socket, as if they were on another machine. `awake`
+/// (root): no core sleeps; not for the flat-out figures, where a waiting core costs its neighbour.
 int main(int argc, char** argv) {
   std::vector<std::string_view> words(argv + 1, argv + argc);
   std::string program = std::filesystem::path(argv[0]).replace_filename("LimpetDB");
@@ -344,14 +367,19 @@ int main(int argc, char** argv) {
     words.erase(words.begin());
   }
   may_go_locally = std::erase(words, "tcp") == 0;
+  std::optional<AwakeCores> awake;
+  if (std::erase(words, "awake") > 0) {
+    awake.emplace();
+  }
   const auto is_wanted = [&](std::string_view group) {
     return words.empty() || std::ranges::find(words, group) != words.end();
   };
   const pid_t broker = StartBroker(program);
   std::array<double, 3> load{};
   static_cast<void>(getloadavg(load.data(), 3));
-  fmt::print("load {:.2f} {:.2f}, {} cores, clients by {}\n\n", load[0], load[1],
-             std::thread::hardware_concurrency(), may_go_locally ? "local socket" : "TCP");
+  fmt::print("load {:.2f} {:.2f}, {} cores{}, clients by {}\n\n", load[0], load[1],
+             std::thread::hardware_concurrency(), awake ? " kept awake" : "",
+             may_go_locally ? "local socket" : "TCP");
   Row("figure", "LimpetDB");
   Row("--------------------------------------------", "--------------------------------");
   Row("memory at start", fmt::format("{:.1f} MB", Megabytes(broker)));
