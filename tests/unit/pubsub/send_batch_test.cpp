@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/pubsub/send_batch.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <list>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <sys/socket.h>

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <fstream>
 
+#include <fmt/format.h>
 #include <malloc.h>
 #include <unistd.h>
 
