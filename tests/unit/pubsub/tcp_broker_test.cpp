@@ -126,6 +126,34 @@ TEST_P(TcpBrokerTest, TellsEveryReaderEverythingInOrder) {
   }
 }
 
+TEST_P(TcpBrokerTest, ReadersThatPauseGetTheirQueueWholeAndInOrder) {
+  constexpr int kReaders = 3, kValues = 2500;
+  std::atomic<bool> may_read{false};
+  std::array<std::atomic<int>, kReaders> heard{};  // in order
+  std::vector<std::unique_ptr<TcpClient>> readers;
+  for (auto& mine : heard) {
+    readers.push_back(Join(fmt::format("pReader{}", readers.size()), [&](const WireMessage& m) {
+      may_read.wait(false);
+      mine += m.text == fmt::format("{:01000}", mine.load()) ? 1 : 0;
+    }));
+    readers.back()->Subscribe("FLOOD", Seconds(0.0));
+  }
+  ExpectHealthy();  // everyone is in
+  const auto writer = Join("pWriter");
+  for (int i = 0; i < kValues; ++i) {  // less than a queue, more than a socket holds
+    writer->Publish("FLOOD", std::string_view(fmt::format("{:01000}", i)));
+  }
+  ExpectHealthy("AFTER_FLOOD");
+  may_read = true;
+  may_read.notify_all();
+  for (const auto& mine : heard) {
+    for (int tries = 0; tries < 500 && mine < kValues; ++tries) {
+      std::this_thread::sleep_for(10ms);
+    }
+    EXPECT_EQ(mine, kValues);
+  }
+}
+
 TEST_P(TcpBrokerTest, CarriesMegabytes) {
   MailInbox inbox;
   const auto reader = Join("pReader", &inbox);
