@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Recorded sessions of MOOS clients with a stock MOOSDB, where they lie beside the project.
+// Recorded sessions of MOOS clients with a stock MOOSDB: those of the project
+// (tests/golden/moos-wire), and more where they lie beside it.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +15,21 @@
 
 namespace limpet {
 
-inline std::filesystem::path CaptureFolder() {
-  return std::filesystem::path(LIMPET_SOURCE_DIR) / ".." / "shared" / "moos-wire" / "captures";
+inline std::vector<std::filesystem::path> CaptureFolders() {
+  const std::filesystem::path project(LIMPET_SOURCE_DIR);
+  return {project / "tests" / "golden" / "moos-wire",
+          project / ".." / "shared" / "moos-wire" / "captures"};
+}
+
+/// The recording of this name, the project's own first; a path that does not exist if there is
+/// none.
+inline std::filesystem::path Capture(const std::string& name) {
+  std::filesystem::path file;
+  for (const auto& folder : CaptureFolders()) {
+    file = folder / name;
+    if (std::filesystem::exists(file)) break;
+  }
+  return file;
 }
 
 inline ByteBuffer BytesOfFile(const std::filesystem::path& path) {
@@ -25,18 +39,23 @@ inline ByteBuffer BytesOfFile(const std::filesystem::path& path) {
   return {begin, begin + text.size()};
 }
 
-/// Files of the captures whose names end so, sorted.
+/// Recordings whose names end so, each once, sorted by name.
 inline std::vector<std::filesystem::path> Captures(const std::string& ending) {
-  std::vector<std::filesystem::path> files;
-  if (std::filesystem::exists(CaptureFolder())) {
-    for (const auto& entry : std::filesystem::directory_iterator(CaptureFolder())) {
-      if (entry.path().filename().string().ends_with(ending)) {
-        files.push_back(entry.path());
+  std::map<std::string, std::filesystem::path> files;
+  for (const auto& folder : CaptureFolders()) {
+    if (!std::filesystem::exists(folder)) continue;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      const std::string name = entry.path().filename().string();
+      if (name.ends_with(ending)) {
+        files.try_emplace(name, entry.path());
       }
     }
   }
-  std::ranges::sort(files);
-  return files;
+  std::vector<std::filesystem::path> list;
+  for (const auto& [name, path] : files) {
+    list.push_back(path);
+  }
+  return list;
 }
 
 /// What went over the wire in one direction of one session at one moment.

@@ -57,7 +57,7 @@ class Replay {
   void Feed(const Segment& segment, Seconds now) {
     Peer& peer = peers_[segment.session];
     if (peer.incoming.empty() && peer.fed == 0) {
-      peer.incoming = BytesOfFile(CaptureFolder() / (segment.session + ".client.bin"));
+      peer.incoming = BytesOfFile(Capture(segment.session + ".client.bin"));
     }
     if (segment.is_end) {
       if (peer.client) {
@@ -126,15 +126,15 @@ class Replay {
 class CaptureReplay : public testing::TestWithParam<std::string> {};
 
 TEST_P(CaptureReplay, HearsWhatTheStockBrokerTold) {
-  const auto log = CaptureFolder() / (GetParam() + ".txt");
+  const auto log = Capture(GetParam() + ".txt");
   if (!std::filesystem::exists(log)) {
-    GTEST_SKIP() << "no captures beside the project";
+    GTEST_SKIP() << "this recording is not part of the project, and not beside it";
   }
   const double warp = GetParam() == "timewarp5" ? 5.0 : 1.0;
   auto replay = std::make_unique<Replay>("shoreside");
   std::set<std::string> present;
   const auto compare = [&replay](const std::string& session) {
-    const ByteBuffer told = BytesOfFile(CaptureFolder() / (session + ".server.bin"));
+    const ByteBuffer told = BytesOfFile(Capture(session + ".server.bin"));
     EXPECT_EQ(EssenceOf(replay->HeardBy(session)), EssenceOf(told)) << session;
   };
   for (const Segment& segment : SegmentsOf(log)) {
