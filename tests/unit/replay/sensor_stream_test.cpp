@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include "tests/support/temporary_folder.hpp"
 
@@ -74,15 +75,15 @@ TEST_F(SensorStreamTest, SaysWhichFileCannotBeOpened) {
 }
 
 TEST_F(SensorStreamTest, SaysThatAFileIsCutShort) {
-  const std::filesystem::path whole = std::filesystem::path(LIMPET_SOURCE_DIR).parent_path() /
-                                      "shared/slam-streams/a-table1-discovery";
-  if (!std::filesystem::exists(whole)) {
-    GTEST_SKIP() << whole << " is not there";
+  const std::filesystem::path file = folder_.path() / "stream.csv.gz";
+  std::ofstream(folder_.path() / "meta.csv") << "key,v1\nopi_radius,0.4\n";
+  gzFile packed = gzopen(file.c_str(), "wb");
+  for (int i = 0; i < 2000; ++i) {
+    const std::string line = "DEP," + std::to_string(0.1 * i) + ",3.5,0.02\n";
+    ASSERT_GT(gzwrite(packed, line.data(), static_cast<unsigned>(line.size())), 0);
   }
-  std::filesystem::copy_file(whole / "meta.csv", folder_.path() / "meta.csv");
-  std::filesystem::copy_file(whole / "stream.csv.gz", folder_.path() / "stream.csv.gz");
-  std::filesystem::permissions(folder_.path() / "stream.csv.gz", std::filesystem::perms::owner_all);
-  std::filesystem::resize_file(folder_.path() / "stream.csv.gz", 20000);
+  ASSERT_EQ(gzclose(packed), Z_OK);
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
   const auto stream = LoadSensorStream(folder_.path());
   ASSERT_FALSE(stream.has_value());
   EXPECT_THAT(stream.error().text, HasSubstr("cut short"));
