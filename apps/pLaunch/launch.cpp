@@ -16,6 +16,7 @@
 #include "limpet/app/run_app.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/core/number_text.hpp"
+#include "limpet/mission/outside.hpp"
 #include "limpet/pubsub/tcp_client.hpp"
 
 namespace limpet {
@@ -137,6 +138,9 @@ class Launch {
   int Run() {
     Say(fmt::format("{} processes, time warp {:g}, run folder {}", plan_.items.size(), plan_.warp,
                     RunFolder().string()));
+    for (const ConfigProblem& note : plan_.notes) {
+      fmt::print(stderr, "pLaunch: note: {}\n", note.Format());
+    }
     for (const LaunchItem& item : plan_.items) {
       supervisor_.Start(item);
       std::this_thread::sleep_for(std::chrono::duration<double>(plan_.between.value()));
@@ -173,7 +177,7 @@ class Launch {
     }
     Say("ending");
     supervisor_.End(kPatience);
-    return supervisor_.has_given_up() ? 1 : 0;
+    return supervisor_.has_given_up() || LacksVitalProgram() ? 1 : 0;
   }
 
  private:
@@ -192,7 +196,19 @@ class Launch {
             {"LIMPET_PRIOR_FOLDER",
              command_.session == "discovery" ? "" : (run / "discovery").string()},
             {"LIMPET_SESSION", command_.session},
-            {"LIMPET_SEED", command_.seed}};
+            {"LIMPET_SEED", command_.seed},
+            {kAllowOutside, command_.allows_outside ? "1" : ""}};
+  }
+  [[nodiscard]] bool LacksVitalProgram() const {
+    const auto vital = std::ranges::find_if(plan_.missing, &MissingProgram::is_vital);
+    if (vital == plan_.missing.end()) {
+      return false;
+    }
+    fmt::print(stderr, "pLaunch: the mission ran without {}\n", vital->name);
+    return true;
+  }
+  [[nodiscard]] std::vector<Supervisor::Report> Reports() const {
+    return WithMissing(supervisor_.Reports(), plan_.missing);
   }
   [[nodiscard]] bool AllUp(const Watch& watch) const {
     return std::ranges::all_of(plan_.items, [&watch](const LaunchItem& item) {
@@ -202,7 +218,7 @@ class Launch {
   /// On every change, and now and then.
   void TellStatus(Watch& watch) {
     const Seconds now = SteadyTime();
-    std::string status = supervisor_.Status();
+    std::string status = supervisor_.Status() + StatusOfMissing(plan_.missing);
     if (status != told_status_ || now - told_at_ >= kStatusPeriod) {
       watch.client().Publish("PLAUNCH_STATUS", status);
       told_status_ = std::move(status);
@@ -214,7 +230,7 @@ class Launch {
     for (const std::string& request : watch.TakeRequests()) {
       report_.OnRequest(request, now);
     }
-    if (const auto cast = report_.Take(supervisor_.Reports(), watch.WhoIsUp(), now)) {
+    if (const auto cast = report_.Take(Reports(), watch.WhoIsUp(), now)) {
       watch.client().Publish("APPCAST", *cast);
     }
   }

@@ -2,14 +2,15 @@
 #include "apps/pLaunch/launch_plan.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include "apps/pLaunch/launch_rules.hpp"
 #include "limpet/core/number_text.hpp"
+#include "limpet/mission/outside.hpp"
+#include "limpet/session/session_name.hpp"
 
 namespace limpet {
 namespace {
@@ -34,30 +35,8 @@ std::string TrimmedName(std::string_view line) {
   return std::string(name.substr(0, name.find_last_not_of(" \t") + 1));
 }
 
-std::optional<fs::path> FindProgram(const std::string& binary, const fs::path& own_folder) {
-  std::vector<fs::path> folders{own_folder};
-  const char* path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe): before any thread
-  std::istringstream list(path != nullptr ? path : "");
-  for (std::string folder; std::getline(list, folder, ':');) {
-    folders.emplace_back(folder);
-  }
-  for (const fs::path& folder : folders) {
-    if (::access((folder / binary).c_str(), X_OK) == 0 && !fs::is_directory(folder / binary)) {
-      return folder / binary;
-    }
-  }
-  return std::nullopt;
-}
-
-const ConfigEntry* Option(const LaunchEntry& entry, std::string_view name) {
-  const auto found = std::ranges::find_if(entry.options, [name](const ConfigEntry& option) {
-    return EqualsIgnoringCase(option.key, name);
-  });
-  return found == entry.options.end() ? nullptr : &*found;
-}
-
 RestartPolicy PolicyOf(const LaunchEntry& entry, std::vector<ConfigProblem>& problems) {
-  const ConfigEntry* option = Option(entry, "Restart");
+  const ConfigEntry* option = OptionOf(entry, "Restart");
   if (option == nullptr || EqualsIgnoringCase(option->value, "on_failure")) {
     return RestartPolicy::kOnFailure;
   }
@@ -75,7 +54,7 @@ RestartPolicy PolicyOf(const LaunchEntry& entry, std::vector<ConfigProblem>& pro
 /// Words of the block parameter that ExtraProcessParams names.
 std::vector<std::string> ExtraArgs(const LaunchEntry& entry, const MissionFile& mission) {
   std::vector<std::string> args;
-  const ConfigEntry* option = Option(entry, "ExtraProcessParams");
+  const ConfigEntry* option = OptionOf(entry, "ExtraProcessParams");
   const ConfigBlock* antler = mission.Block("ANTLER");
   const ConfigEntry* list =
       option != nullptr && antler != nullptr ? antler->Find(option->value) : nullptr;
@@ -88,6 +67,93 @@ std::vector<std::string> ExtraArgs(const LaunchEntry& entry, const MissionFile& 
     }
   }
   return args;
+}
+
+/// Where the mission's processes may write.
+std::vector<fs::path> WritableFolders(const LaunchCommand& command) {
+  std::vector<fs::path> folders{".", fs::absolute(command.mission_file).parent_path()};
+  if (!command.run_folder.empty()) {
+    folders.push_back(command.run_folder);
+  }
+  return folders;
+}
+
+/// One `Run` line: an item, a missing program, or a problem.
+void PlanEntry(const LaunchEntry& entry, const LaunchCommand& command, const fs::path& own_folder,
+               LaunchPlan& plan, std::vector<ConfigProblem>& problems) {
+  if (const auto complaint = ProcessNameProblem(entry.moos_name)) {
+    problems.push_back({entry.where, "Run", *complaint});
+    return;
+  }
+  // Missions written for MOOS name its database; ours takes its place.
+  const bool is_database = entry.binary == "MOOSDB" || entry.binary == "LimpetDB";
+  std::optional<fs::path> named;
+  if (command.allows_outside) {
+    named = ProgramFolder(entry, plan.mission);
+  } else if (auto problem = ProgramProblem(entry, plan.mission, own_folder)) {
+    problems.push_back(*std::move(problem));
+    return;
+  }
+  const std::string binary = is_database ? "LimpetDB" : entry.binary;
+  const std::optional<fs::path> program = FindProgram(binary, named, own_folder);
+  if (!program) {
+    plan.missing.push_back({.name = entry.moos_name,
+                            .binary = binary,
+                            .is_vital = is_database || !IsDispensable(binary),
+                            .where = entry.where});
+    return;
+  }
+  LaunchItem item{.name = entry.moos_name,
+                  .program = *program,
+                  .args = {},
+                  .restart = PolicyOf(entry, problems),
+                  .is_database = is_database};
+  if (OptionOf(entry, "InhibitMOOSParams") == nullptr) {
+    item.args = {plan.mission_file.string(), entry.moos_name};
+  }
+  std::ranges::copy(ExtraArgs(entry, plan.mission), std::back_inserter(item.args));
+  plan.items.push_back(std::move(item));
+}
+
+ConfigProblem NotThere(const MissingProgram& missing, const fs::path& own_folder) {
+  return {missing.where, "Run",
+          fmt::format("no program `{}` in {} nor on PATH", missing.binary, own_folder.string())};
+}
+
+/// Nothing to launch, nothing of it there, or no database: that is no mission.
+void RequireSomething(const LaunchCommand& command, const fs::path& own_folder,
+                      const LaunchPlan& plan, std::vector<ConfigProblem>& problems) {
+  for (const MissingProgram& missing : plan.missing) {
+    if (plan.items.empty() || missing.binary == "LimpetDB") {
+      problems.push_back(NotThere(missing, own_folder));
+    }
+  }
+  if (plan.items.empty() && problems.empty()) {
+    problems.push_back({{.file = command.mission_file.string(), .line = 0},
+                        "ANTLER",
+                        "nothing to launch: no `Run = ...` line fits"});
+  }
+}
+
+/// Text that is nobody's business here is a note; in the block of a program of ours it is a
+/// problem.
+void AddNotes(const fs::path& own_folder, LaunchPlan& plan, std::vector<ConfigProblem>& problems) {
+  const auto is_ours = [&](const std::string& block) {
+    return EqualsIgnoringCase(block, "ANTLER") ||
+           std::ranges::any_of(plan.items, [&](const LaunchItem& item) {
+             return EqualsIgnoringCase(item.name, block) &&
+                    item.program.parent_path() == own_folder;
+           });
+  };
+  plan.notes = NotesOf(plan.mission, is_ours);
+  for (const ConfigBlock& block : plan.mission.blocks) {
+    if (is_ours(block.name)) {
+      std::ranges::copy(block.problems, std::back_inserter(problems));
+    }
+  }
+  for (const MissingProgram& missing : plan.missing) {
+    plan.notes.push_back(NotThere(missing, own_folder));
+  }
 }
 
 std::string TextOfFile(const fs::path& file) {
@@ -116,6 +182,8 @@ LaunchCommand ReadLaunchCommand(const std::vector<std::string>& args) {
       command.wants_help = true;
     } else if (name == "--quiet" || name == "--terse") {
       command.is_quiet = true;
+    } else if (name == "--allow-outside") {
+      command.allows_outside = true;
     } else if (name == "--deploy") {
       command.deploys = true;
     } else if (equals == std::string::npos) {
@@ -125,6 +193,9 @@ LaunchCommand ReadLaunchCommand(const std::vector<std::string>& args) {
     } else if (name == "--run_folder") {
       command.run_folder = value;
     } else if (name == "--session") {
+      if (const auto problem = SessionNameProblem(value)) {
+        throw Refusal("--session", problem->text);
+      }
       command.session = value;
     } else if (name == "--seed") {
       command.seed = value;
@@ -157,7 +228,13 @@ all in order. `Run = pNav @ Restart = never|on_failure|always` says otherwise fo
   --seed=N           for the simulators
   --deploy           write DEPLOY = true once every process is up
   --until=VARIABLE   end in order as soon as VARIABLE is written, e.g. MISSION_END
+  --allow-outside    let the mission start any program and write its logs anywhere; without it,
+                     only MOOS processes (p, i or u and a capital letter) from beside this
+                     program and from PATH, and logs below the mission's, the run's and the
+                     working folder
   --quiet            say only what goes wrong
+
+A program that is not there is said and left out. Exit code 1 if one was vital (no viewer, no tool).
 )",
                      caller);
 }
@@ -190,37 +267,18 @@ LaunchPlan PlanLaunch(const LaunchCommand& command, const fs::path& own_folder) 
   }
   plan.mission = LoadMission(plan.mission_file);
   std::vector<ConfigProblem> problems;
+  if (!command.allows_outside) {
+    problems = OutsideProblems(plan.mission, WritableFolders(command));
+  }
   for (const LaunchEntry& entry : plan.mission.launches) {
-    if (!command.only.empty() &&
-        std::ranges::find(command.only, entry.moos_name) == command.only.end()) {
-      continue;
+    const bool is_wanted = command.only.empty() ||
+                           std::ranges::find(command.only, entry.moos_name) != command.only.end();
+    if (is_wanted) {
+      PlanEntry(entry, command, own_folder, plan, problems);
     }
-    // Missions written for MOOS name its database; ours takes its place.
-    const bool is_database = entry.binary == "MOOSDB" || entry.binary == "LimpetDB";
-    const std::string binary = is_database ? "LimpetDB" : entry.binary;
-    const std::optional<fs::path> program = FindProgram(binary, own_folder);
-    if (!program) {
-      problems.push_back(
-          {entry.where, "Run",
-           fmt::format("no program `{}` in {} nor on PATH", binary, own_folder.string())});
-      continue;
-    }
-    LaunchItem item{.name = entry.moos_name,
-                    .program = *program,
-                    .args = {},
-                    .restart = PolicyOf(entry, problems),
-                    .is_database = is_database};
-    if (Option(entry, "InhibitMOOSParams") == nullptr) {
-      item.args = {plan.mission_file.string(), entry.moos_name};
-    }
-    std::ranges::copy(ExtraArgs(entry, plan.mission), std::back_inserter(item.args));
-    plan.items.push_back(std::move(item));
   }
-  if (plan.items.empty() && problems.empty()) {
-    problems.push_back({{.file = command.mission_file.string(), .line = 0},
-                        "ANTLER",
-                        "nothing to launch: no `Run = ...` line fits"});
-  }
+  RequireSomething(command, own_folder, plan, problems);
+  AddNotes(own_folder, plan, problems);
   if (!problems.empty()) {
     throw ConfigError(problems);
   }

@@ -32,15 +32,26 @@ struct LaunchCommand {
   std::string seed = "1";
   std::string until;  ///< variable whose first news ends the run; empty: none
   bool deploys = false;
+  bool allows_outside = false;  ///< the mission may start any program and write anywhere
   bool is_quiet = false;
   bool wants_help = false;
+};
+
+/// A process of the mission whose program is not on this machine.
+struct MissingProgram {
+  std::string name;  ///< MOOS name
+  std::string binary;
+  bool is_vital = true;  ///< no viewer or tool
+  SourceLine where;
 };
 
 struct LaunchPlan {
   MissionFile mission;
   std::filesystem::path mission_file;  ///< what the processes read: with replacements, a copy
   std::vector<LaunchItem> items;
-  Seconds between;  ///< pause between starts (real time)
+  std::vector<MissingProgram> missing;  ///< the rest is launched without them
+  std::vector<ConfigProblem> notes;     ///< what a reader of the mission should know
+  Seconds between;                      ///< pause between starts (real time)
   double warp = 1.0;
 };
 
@@ -54,7 +65,8 @@ struct LaunchPlan {
     std::string_view text, const std::vector<std::pair<std::string, std::string>>& replacements);
 
 /// Reads the mission, writes its copy `<file>++` if lines are replaced, and finds the programs: in
-/// `own_folder`, then on PATH. Throws ConfigError with every problem.
+/// `own_folder`, then on PATH. What is not there goes to `missing`. Throws ConfigError with every
+/// problem: no program at all or no database, one that a mission may not start, a log outside, ...
 [[nodiscard]] LaunchPlan PlanLaunch(const LaunchCommand& command,
                                     const std::filesystem::path& own_folder);
 

@@ -9,6 +9,26 @@
 
 namespace limpet {
 
+std::vector<Supervisor::Report> WithMissing(std::vector<Supervisor::Report> processes,
+                                            const std::vector<MissingProgram>& missing) {
+  for (const MissingProgram& program : missing) {
+    processes.push_back({.name = program.name,
+                         .state = "missing",
+                         .restarts = 0,
+                         .last_end = "no program " + program.binary});
+  }
+  return processes;
+}
+
+std::string StatusOfMissing(const std::vector<MissingProgram>& missing) {
+  std::string text;
+  for (const MissingProgram& program : missing) {
+    text += fmt::format(" # app={},state=missing,restarts=0,last=no program {},database=false",
+                        program.name, program.binary);
+  }
+  return text;
+}
+
 LaunchReport::LaunchReport(const std::string& community, double warp) {
   caster_.Configure({.process = "pLaunch", .node = community, .warp = warp});
 }
@@ -16,7 +36,10 @@ LaunchReport::LaunchReport(const std::string& community, double warp) {
 void LaunchReport::Watch(const std::vector<Supervisor::Report>& processes) {
   for (const Supervisor::Report& process : processes) {
     const std::string_view state = process.state;
-    if (state == "waiting" || state == "given_up") {
+    if (state == "missing") {
+      caster_.RaiseWarning("DOWN_" + process.name,
+                           fmt::format("{}: {}", process.name, process.last_end));
+    } else if (state == "waiting" || state == "given_up") {
       caster_.RaiseWarning("DOWN_" + process.name,
                            fmt::format("{} {}{}", process.name, process.last_end,
                                        state == "given_up" ? ": given up" : ""));

@@ -6,10 +6,17 @@
 #include <string>
 #include <vector>
 
+#include "apps/pLaunch/launch_plan.hpp"
 #include "apps/pLaunch/supervisor.hpp"
 #include "limpet/app/app_caster.hpp"
 
 namespace limpet {
+
+/// The processes and, in state `missing`, those whose program is not there.
+[[nodiscard]] std::vector<Supervisor::Report> WithMissing(
+    std::vector<Supervisor::Report> processes, const std::vector<MissingProgram>& missing);
+/// What PLAUNCH_STATUS says of them, to be appended to the supervisor's.
+[[nodiscard]] std::string StatusOfMissing(const std::vector<MissingProgram>& missing);
 
 /// pLaunch's APPCAST: each process with its state, and a warning for each that is not well.
 class LaunchReport {

@@ -16,6 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr Seconds kMonitorTime{10.0};       ///< longest silence of a monitored variable
+constexpr int kMostCopies = 64;             ///< at request, in one session of logging
 constexpr Seconds kAnnouncementTime{10.0};  ///< between repeats of LOGGER_DIRECTORY
 
 /// MOOS time is UNIX time times warp; virtual time knows no warp.
@@ -152,12 +153,54 @@ void LogApp::OnCommand(const MessagePtr& message) {
   const std::string_view task = Trim(command.substr(0, equals));
   const std::string_view argument = Trim(command.substr(std::min(equals + 1, command.size())));
   if (EqualsIgnoringCase(task, "COPY_FILE_REQUEST") && !argument.empty()) {
-    Put(FileCopy{.source = std::string(argument), .stem = ""});
+    OnCopyRequest(argument, message->source);
   } else if (EqualsIgnoringCase(task, "LOG_REQUEST")) {
     OnLogRequest(argument);
   } else {
     Warn("BAD_COMMAND", fmt::format("`{}` is no LOG_REQUEST or COPY_FILE_REQUEST", command));
   }
+}
+
+/// Any client may ask: so only what belongs to the mission or to this run is copied.
+void LogApp::OnCopyRequest(std::string_view name, std::string_view asker) {
+  const Expected<fs::path> file = CopyableFile(name);
+  if (file) {
+    ++copies_;
+    Put(FileCopy{.source = *file, .stem = ""});
+    return;
+  }
+  ++refused_copies_;
+  Put(LogComment{
+      fmt::format("{} is not copied: {}", fs::path(name).filename().string(), file.error().text)});
+  Warn("COPY_REFUSED", fmt::format("{} of COPY_FILE_REQUEST refused; the latest, by {}: `{}` {}",
+                                   refused_copies_, asker, name.substr(0, 200), file.error().text));
+}
+
+Expected<fs::path> LogApp::CopyableFile(std::string_view name) const {
+  std::error_code failure;
+  const fs::path real = fs::canonical(fs::path(name), failure);
+  if (failure || !fs::is_regular_file(real, failure)) {
+    return Error{"no such file"};
+  }
+  if (copies_ >= kMostCopies) {
+    return Error{fmt::format("more than {} copies in a session", kMostCopies)};
+  }
+  std::vector<fs::path> folders;
+  if (!context().mission_file.empty()) {
+    folders.push_back(fs::absolute(context().mission_file).parent_path());
+  }
+  if (!context().run_folder.empty()) {
+    folders.push_back(context().run_folder);
+  }
+  for (const fs::path& folder : folders) {
+    const fs::path relative = real.lexically_relative(fs::weakly_canonical(folder));
+    const bool is_hidden = std::ranges::any_of(
+        relative, [](const fs::path& part) { return part.string().starts_with('.'); });
+    if (!relative.empty() && !is_hidden) {  // `..` begins with a dot too
+      return real;
+    }
+  }
+  return Error{"not a visible file of the mission's folder or the run folder"};
 }
 
 void LogApp::OnLogRequest(std::string_view line) {
@@ -185,6 +228,7 @@ void LogApp::OnLogRequest(std::string_view line) {
 void LogApp::Restart() {
   session_.Close();
   has_failed_ = false;
+  copies_ = 0;
   start_ = now();
   if (sync_period_) {
     table_.emplace(sync_names_, *sync_period_);

@@ -36,6 +36,9 @@ class LogApp final : public App {
   void SubscribeToAll();
   void OnMail(const MessagePtr& message);
   void OnCommand(const MessagePtr& message);
+  void OnCopyRequest(std::string_view name, std::string_view asker);
+  /// The file itself, behind all links, or why it must not be copied.
+  [[nodiscard]] Expected<std::filesystem::path> CopyableFile(std::string_view name) const;
   void OnLogRequest(std::string_view line);
   void Restart();
 
@@ -72,6 +75,7 @@ class LogApp final : public App {
   bool is_over_ = false;  ///< a community's last message was written
   std::string folder_;    ///< as announced
   Seconds last_announcement_;
+  int copies_ = 0, refused_copies_ = 0;       ///< at COPY_FILE_REQUEST
   std::int64_t messages_ = 0, binaries_ = 0;  ///< put into the log
 };
 

@@ -24,6 +24,7 @@ void LogApp::Report(ReportLines& report) const {
     return;  // what it counts would tell a run with the truth from one without
   }
   report.Pair("Folder", folder_.empty() ? "none yet" : folder_);
+  report.Pair("Copies", fmt::format("{} at request, {} refused", copies_, refused_copies_));
   report.Pair("Messages", fmt::format("{}, {} of them binary", messages_, binaries_));
 }
 

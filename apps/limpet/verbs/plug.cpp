@@ -25,7 +25,8 @@ constexpr const char* kPlugHelp =
 
 Expands a template into a mission, as nsplug does: #include, #define, #ifdef, #ifndef, #elseifdef,
 #else, #endif; $(M) a macro's value, %(M) in upper case, $(M=x) x if M is undefined, $(M:=x) x if M is
-undefined or empty. MACRO alone is defined but empty.
+undefined or empty. MACRO alone is as `#define MACRO`: #ifdef MACRO holds, and it stands for nothing.
+After MACRO= it does not hold, nor does #ifndef count it as defined.
 
   -f, --force         write over <out>; otherwise a person is asked, and without one it is refused
   -s, --strict        an undefined macro is an error, and nothing is written
@@ -124,6 +125,15 @@ bool TakeValued(PlugCommand& command, const std::string& word) {
                                nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)));
 }
 
+/// `NAME=value`, `NAME=` (empty: `#ifdef NAME` does not hold), `NAME` (as `#define NAME`).
+PlugOptions::Macro MacroOf(const std::string& word) {
+  const std::size_t equals = word.find('=');
+  const std::string value = equals == std::string::npos ? "" : word.substr(equals + 1);
+  return {.name = std::string(Trim(word.substr(0, equals))),
+          .value = std::string(Trim(value)),
+          .is_set_empty = equals != std::string::npos && Trim(value).empty()};
+}
+
 PlugCommand Parse(std::span<const std::string> args) {
   PlugCommand command;
   for (std::size_t i = 0; i < args.size(); ++i) {
@@ -137,9 +147,7 @@ PlugCommand Parse(std::span<const std::string> args) {
     } else if (command.files.size() < 2) {
       command.files.push_back(word);
     } else {
-      const std::size_t equals = word.find('=');
-      command.options.macros.emplace_back(
-          word.substr(0, equals), equals == std::string::npos ? "" : word.substr(equals + 1));
+      command.options.macros.push_back(MacroOf(word));
     }
   }
   return command;

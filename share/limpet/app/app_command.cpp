@@ -9,6 +9,7 @@
 
 #include "limpet/app/registry.hpp"
 #include "limpet/core/number_text.hpp"
+#include "limpet/mission/outside.hpp"
 
 namespace limpet {
 namespace {
@@ -35,6 +36,7 @@ constexpr std::array kSwitches{
     Switch{"prior_folder", "former session to compare with (LIMPET_PRIOR_FOLDER)"},
     Switch{"session", "discovery, change, ... (LIMPET_SESSION)"},
     Switch{"seed", "of every random draw (LIMPET_SEED)"},
+    Switch{"allow_outside", "the mission's logs may lie anywhere (LIMPET_ALLOW_OUTSIDE)"},
 };
 
 /// Those of one app alone: switch and key.
@@ -146,10 +148,31 @@ void ApplySwitch(AppCommand& command, const std::string& name, const std::string
     command.session = value;
   } else if (name == "seed") {
     command.seed = static_cast<std::uint64_t>(NumberOf(name, value, 0, 9e15));
+  } else if (name == "allow_outside") {
+    command.allows_outside = value != "false";
   } else if (name == "help") {
     command.wants_help = true;
   } else if (name == "example") {
     command.wants_example = true;
+  }
+}
+
+/// The name is that of files in the run folder; a logger's mission says where it writes.
+void RequireInside(const AppCommand& command) {
+  if (const auto complaint = ProcessNameProblem(command.name)) {
+    throw ConfigError({{.file = "command line", .line = 0}, "name", *complaint});
+  }
+  if (command.process != "pLog" || command.allows_outside) {
+    return;
+  }
+  std::vector<std::filesystem::path> folders{
+      ".", std::filesystem::absolute(command.mission_file).parent_path()};
+  if (!command.run_folder.empty()) {
+    folders.push_back(command.run_folder);
+  }
+  const std::vector<ConfigProblem> problems = OutsideProblems(command.mission, folders);
+  if (!problems.empty()) {
+    throw ConfigError(problems);
   }
 }
 
@@ -171,7 +194,8 @@ AppCommand ReadAppCommand(const std::string& process, std::span<const char* cons
                      .run_folder = Environment("LIMPET_RUN_FOLDER"),
                      .prior_folder = Environment("LIMPET_PRIOR_FOLDER"),
                      .session = Environment("LIMPET_SESSION", "discovery"),
-                     .is_restarted = !Environment("LIMPET_RESTARTED").empty()};
+                     .is_restarted = !Environment("LIMPET_RESTARTED").empty(),
+                     .allows_outside = !Environment(kAllowOutside).empty()};
   ApplySwitch(command, "seed", Environment("LIMPET_SEED", "1"));
   if (!words.positionals.empty()) {
     command.mission_file = words.positionals[0];
@@ -196,6 +220,7 @@ AppCommand ReadAppCommand(const std::string& process, std::span<const char* cons
       ApplySwitch(command, name, value);
     }
   }
+  RequireInside(command);
   return command;
 }
 

@@ -30,6 +30,7 @@ struct AppCommand {
   std::string session = "discovery";   ///< `--session=` or LIMPET_SESSION
   std::uint64_t seed = 1;              ///< `--seed=` or LIMPET_SEED
   bool is_restarted = false;           ///< LIMPET_RESTARTED, set by the launcher
+  bool allows_outside = false;         ///< `--allow_outside` or LIMPET_ALLOW_OUTSIDE
   bool wants_help = false, wants_example = false;
 };
 

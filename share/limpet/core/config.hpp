@@ -20,16 +20,6 @@ struct ConfigEntry {
   SourceLine where;
 };
 
-/// One ProcessConfig or Behavior block, in file order. Keys may repeat; they compare without case.
-struct ConfigBlock {
-  std::string name;
-  SourceLine where;
-  std::vector<ConfigEntry> entries;
-
-  /// First entry of `key`, or nullptr.
-  [[nodiscard]] const ConfigEntry* Find(std::string_view key) const;
-};
-
 /// One complaint: `file:line: key: text`.
 struct ConfigProblem {
   SourceLine where;
@@ -37,6 +27,19 @@ struct ConfigProblem {
   std::string text;
 
   [[nodiscard]] std::string Format() const;
+};
+
+/// One ProcessConfig or Behavior block, in file order. Keys may repeat; they compare without case.
+struct ConfigBlock {
+  std::string name;
+  SourceLine where;
+  std::vector<ConfigEntry> entries;
+  /// Lines that are no `key = value`, nested braces, ...: errors to the app whose block it is
+  /// (ApplyBlock reports them); the blocks of others may hold any text.
+  std::vector<ConfigProblem> problems{};
+
+  /// First entry of `key`, or nullptr.
+  [[nodiscard]] const ConfigEntry* Find(std::string_view key) const;
 };
 
 /// An impossible configuration; thrown while loading or constructing, never later.

@@ -155,7 +155,7 @@ std::vector<ConfigProblem> ApplyBlock(const ConfigBlock& block, const std::vecto
                                       const std::vector<std::string>& also_known) {
   std::vector<std::string> known = also_known;
   std::ranges::transform(specs, std::back_inserter(known), &ParamSpec::name);
-  std::vector<ConfigProblem> problems;
+  std::vector<ConfigProblem> problems = block.problems;
   for (const ConfigEntry& entry : block.entries) {
     const auto matches = [&entry](const std::string& name) {
       return EqualsIgnoringCase(name, entry.key);

@@ -81,8 +81,8 @@ template <class P>
   return collector.specs();
 }
 
-/// Applies `block` to `specs`: every problem of every line, with the nearest known key. Keys listed
-/// in `also_known` are somebody else's and pass.
+/// Applies `block` to `specs`: every problem of every line, those found in reading it first, with
+/// the nearest known key. Keys listed in `also_known` are somebody else's and pass.
 [[nodiscard]] std::vector<ConfigProblem> ApplyBlock(
     const ConfigBlock& block, const std::vector<ParamSpec>& specs,
     const std::vector<std::string>& also_known = {});

@@ -2,6 +2,7 @@
 #include "limpet/mission/mission_file.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +13,18 @@ namespace limpet {
 namespace {
 
 constexpr std::size_t kPeerLineBytes = 2000;  // MOOS stops reading the file at such a line
+
+/// Braces opened less those closed, outside of quotes.
+int NetBraces(std::string_view text) {
+  int net = 0;
+  bool is_quoted = false;
+  for (const char letter : text) {
+    is_quoted = is_quoted != (letter == '"');
+    net += !is_quoted && letter == '{' ? 1 : 0;
+    net -= !is_quoted && letter == '}' ? 1 : 0;
+  }
+  return net;
+}
 
 class MissionParser {
  public:
@@ -24,7 +37,8 @@ class MissionParser {
       ParseLine(line);
     }
     if (place_ != Place::kTop) {
-      Complain(block_.where, block_.name, "the block has no closing `}`");
+      ComplainInBlock(block_.where, "the block has no closing `}`");
+      CloseBlock();
     }
     ParseLaunches();
     if (!problems_.empty()) {
@@ -39,6 +53,9 @@ class MissionParser {
   void Complain(const SourceLine& where, std::string key, std::string text) {
     problems_.push_back({where, std::move(key), std::move(text)});
   }
+  void ComplainInBlock(const SourceLine& where, std::string text) {
+    block_.problems.push_back({where, block_.name, std::move(text)});
+  }
   void WarnOf(const SourceLine& where, std::string key, std::string text) {
     mission_.warnings.push_back({where, std::move(key), std::move(text)});
   }
@@ -51,10 +68,10 @@ class MissionParser {
     const bool keeps_quotes = place_ == Place::kBlock && block_.name.starts_with("pHelm");
     const bool had_quotes = raw.text.find('"') != std::string::npos;
     TextLine line{CleanMissionLine(raw.text, keeps_quotes), raw.where};
-    if (line.text.empty()) {
+    if (line.text.empty() || SkipsNested(raw, line)) {
       return;
     }
-    line.text = variables_.Substitute(line, problems_);
+    line.text = variables_.Substitute(line, place_ == Place::kTop ? problems_ : block_.problems);
     switch (place_) {
       case Place::kTop:
         ParseTop(line, had_quotes);
@@ -68,6 +85,36 @@ class MissionParser {
     }
   }
 
+  /// Text nested in braces is for others: it is passed over up to the `}` that ends it, or to the
+  /// next block where none does.
+  bool SkipsNested(const TextLine& raw, const TextLine& line) {
+    if (EqualsIgnoringCase(SplitKeyValue(line.text).key, "ProcessConfig")) {
+      nested_ = 0;
+      return false;
+    }
+    const int net = NetBraces(CleanMissionLine(raw.text, true));
+    if (nested_ > 0) {
+      nested_ += net;
+      if (nested_ < 0 && place_ == Place::kBlock) {
+        CloseBlock();  // `}}` ends the block too
+      }
+      nested_ = std::max(nested_, 0);
+      return true;
+    }
+    const bool may_open = place_ == Place::kTop || place_ == Place::kBlock;
+    if (!may_open || net <= 0 || !(line.text.ends_with('{') || line.text.starts_with('{'))) {
+      return false;
+    }
+    nested_ = net;
+    if (place_ == Place::kTop) {
+      WarnOf(line.where, line.text, "opens nested text outside of blocks; ignored to its `}`");
+    } else {
+      ComplainInBlock(line.where,
+                      "a `{` inside the block: nested text is not read; is a `}` missing above?");
+    }
+    return true;
+  }
+
   void ParseTop(const TextLine& line, bool had_quotes) {
     // `/* ... */` banners are no comments to MOOS either; they survive because it ignores them.
     if (line.text.starts_with("/*") || line.text.starts_with('*')) {
@@ -76,8 +123,8 @@ class MissionParser {
     KeyValue pair = SplitKeyValue(line.text);
     if (EqualsIgnoringCase(pair.key, "ProcessConfig")) {
       OpenBlock(pair.value, line.where);
-    } else if (line.text.starts_with('{') || line.text.starts_with('}')) {
-      Complain(line.where, line.text, "a brace without a `ProcessConfig = name` before it");
+    } else if (line.text.starts_with('}')) {
+      OnStrayBrace(line);
     } else if (!pair.has_equals || pair.key.empty()) {
       WarnOf(line.where, line.text, "is not `key = value`; ignored");
     } else if (!IsDefine(pair.key) && !pair.value.empty()) {
@@ -86,6 +133,17 @@ class MissionParser {
       }
       mission_.globals.push_back({pair.key, pair.value, line.where});
     }
+  }
+
+  /// A `}` too many most likely ended the block before it too early.
+  void OnStrayBrace(const TextLine& line) {
+    if (mission_.blocks.empty()) {
+      WarnOf(line.where, line.text, "a brace without a `ProcessConfig = name` before it; ignored");
+      return;
+    }
+    ConfigBlock& before = mission_.blocks.back();
+    before.problems.push_back(
+        {line.where, before.name, "a `}` too many; did one above end the block too early?"});
   }
 
   static bool IsDefine(std::string_view key) {
@@ -108,8 +166,8 @@ class MissionParser {
 
   void ParseBrace(const TextLine& line) {
     if (!line.text.starts_with('{')) {
-      Complain(line.where, block_.name, fmt::format("`{{` must come before `{}`", line.text));
-      place_ = Place::kTop;
+      ComplainInBlock(line.where, fmt::format("`{{` must come before `{}`", line.text));
+      CloseBlock();
       ParseTop(line, false);
       return;
     }
@@ -124,15 +182,13 @@ class MissionParser {
     KeyValue pair = SplitKeyValue(line.text);
     if (line.text.starts_with('}')) {
       CloseBlock();
-    } else if (line.text.starts_with('{')) {
-      Complain(line.where, block_.name, "a second `{`; is a `}` missing above?");
     } else if (EqualsIgnoringCase(pair.key, "ProcessConfig")) {
-      Complain(line.where, block_.name, "the block has no closing `}` before the next one");
+      ComplainInBlock(line.where, "the block has no closing `}` before the next one");
       CloseBlock();
       OpenBlock(pair.value, line.where);
     } else if (!pair.has_equals || pair.key.empty()) {
-      Complain(line.where, block_.name,
-               fmt::format("`{}` is neither a comment (//) nor `key = value`", line.text));
+      ComplainInBlock(line.where,
+                      fmt::format("`{}` is neither a comment (//) nor `key = value`", line.text));
     } else if (!IsDefine(pair.key)) {
       const bool has_value =
           !pair.value.empty() || line.text.find_first_of("[]") != std::string::npos;
@@ -150,6 +206,7 @@ class MissionParser {
       WarnOf(block_.where, block_.name,
              fmt::format("second block of this name; only the first, {}:{}, counts",
                          first->where.file, first->where.line));
+      std::ranges::move(block_.problems, std::back_inserter(mission_.warnings));
       return;
     }
     mission_.blocks.push_back(std::move(block_));
@@ -160,6 +217,7 @@ class MissionParser {
     if (antler == nullptr) {
       return;
     }
+    std::ranges::copy(antler->problems, std::back_inserter(problems_));
     for (const ConfigEntry& entry : antler->entries) {
       if (EqualsIgnoringCase(entry.key, "Run")) {
         ParseLaunch(entry);
@@ -200,6 +258,7 @@ class MissionParser {
   MissionVariables variables_;
   std::vector<ConfigProblem> problems_;
   Place place_ = Place::kTop;
+  int nested_ = 0;  ///< braces open inside a block, or outside of blocks
   ConfigBlock block_;
 };
 
@@ -235,19 +294,43 @@ std::vector<TextLine> ConfigLines(std::string_view text, const std::filesystem::
   return std::move(result.lines);
 }
 
-MissionFile ParseMission(std::string_view text, const std::string& file) {
-  return ParseMission(text, file, MissionPlugOptions(file));
-}
-
-MissionFile ParseMission(std::string_view text, const std::string& file,
-                         const PlugOptions& options) {
+MissionFile ReadMission(std::string_view text, const std::string& file,
+                        const PlugOptions& options) {
   std::vector<ConfigProblem> warnings;
   const std::vector<TextLine> lines = ConfigLines(text, file, options, warnings);
   return MissionParser(file).Run(lines, std::move(warnings));
 }
 
 MissionFile LoadMission(const std::filesystem::path& file) {
-  return ParseMission(ReadTextFile(file), file.string());
+  return ReadMission(ReadTextFile(file), file.string(), MissionPlugOptions(file));
+}
+
+MissionFile ParseMission(std::string_view text, const std::string& file) {
+  return ParseMission(text, file, MissionPlugOptions(file));
+}
+
+MissionFile ParseMission(std::string_view text, const std::string& file,
+                         const PlugOptions& options) {
+  MissionFile mission = ReadMission(text, file, options);
+  std::vector<ConfigProblem> problems;
+  for (const ConfigBlock& block : mission.blocks) {
+    std::ranges::copy(block.problems, std::back_inserter(problems));
+  }
+  if (!problems.empty()) {
+    throw ConfigError(problems);
+  }
+  return mission;
+}
+
+std::vector<ConfigProblem> NotesOf(const MissionFile& mission,
+                                   const std::function<bool(const std::string&)>& is_ours) {
+  std::vector<ConfigProblem> notes = mission.warnings;
+  for (const ConfigBlock& block : mission.blocks) {
+    if (!is_ours(block.name)) {
+      std::ranges::copy(block.problems, std::back_inserter(notes));
+    }
+  }
+  return notes;
 }
 
 }  // namespace limpet

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,11 +46,22 @@ struct MissionFile {
                                                 const PlugOptions& options,
                                                 std::vector<ConfigProblem>& warnings);
 
-/// Throws ConfigError with every problem. Stricter than MOOS: a line in a block that is neither a
-/// comment nor `key = value`, and a `${NAME}` that nothing defines, are problems.
+/// Reads a mission as MOOS does, but says what MOOS ignores: what stands outside of blocks in
+/// `warnings`, and what stands in a block (nested braces, a line that is neither a comment nor
+/// `key = value`, a `${NAME}` that nothing defines) in the block's `problems`: only the app whose
+/// block it is knows if that matters. Throws ConfigError with every problem of the rest and of the
+/// ANTLER block.
+[[nodiscard]] MissionFile ReadMission(std::string_view text, const std::string& file,
+                                      const PlugOptions& options);
+[[nodiscard]] MissionFile LoadMission(const std::filesystem::path& file);
+
+/// Like ReadMission for a text that is wholly ours: problems in any block are thrown too.
 [[nodiscard]] MissionFile ParseMission(std::string_view text, const std::string& file);
 [[nodiscard]] MissionFile ParseMission(std::string_view text, const std::string& file,
                                        const PlugOptions& options);
-[[nodiscard]] MissionFile LoadMission(const std::filesystem::path& file);
+
+/// What a reader should know: the warnings, and the problems of those blocks that are not `ours`.
+[[nodiscard]] std::vector<ConfigProblem> NotesOf(
+    const MissionFile& mission, const std::function<bool(const std::string& block)>& is_ours);
 
 }  // namespace limpet

@@ -45,7 +45,7 @@ void MissionVariables::Learn(const std::vector<TextLine>& lines) {
 }
 
 std::string MissionVariables::Substitute(const TextLine& line,
-                                         std::vector<ConfigProblem>& problems) const {
+                                         std::vector<ConfigProblem>& problems) {
   std::string_view rest = line.text;
   std::string out;
   for (std::size_t open = rest.find("${"); open != std::string_view::npos; open = rest.find("${")) {
@@ -55,6 +55,7 @@ std::string MissionVariables::Substitute(const TextLine& line,
     }
     const std::string name(Trim(rest.substr(open + 2, close - open - 2)));
     out += rest.substr(0, open);
+    const std::size_t before = out.size();
     if (const auto found = values_.find(name); found != values_.end()) {
       out += found->second;
     } else if (const char* value =
@@ -63,6 +64,11 @@ std::string MissionVariables::Substitute(const TextLine& line,
     } else {
       problems.push_back({line.where, "${" + name + "}", "is defined neither here nor outside"});
       out += name;
+    }
+    bytes_ += out.size() - before;
+    if (bytes_ > kMaxBytes) {
+      throw ConfigError(
+          {line.where, "${" + name + "}", "the file's variables stand for more than 8 MiB in all"});
     }
     rest.remove_prefix(close + 1);
   }

@@ -30,11 +30,15 @@ struct KeyValue {
 class MissionVariables {
  public:
   void Learn(const std::vector<TextLine>& lines);
+  /// Of all lines of a file: many uses of a long value grow with the square of the file.
+  static constexpr std::size_t kMaxBytes = std::size_t{8} << 20U;
+
   /// Replaces each `${NAME}` once. Unknown ones lose their braces, as in MOOS, and are problems.
-  [[nodiscard]] std::string Substitute(const TextLine& line,
-                                       std::vector<ConfigProblem>& problems) const;
+  /// Throws ConfigError beyond kMaxBytes.
+  [[nodiscard]] std::string Substitute(const TextLine& line, std::vector<ConfigProblem>& problems);
 
  private:
+  std::size_t bytes_ = 0;  ///< of all values put in
   std::map<std::string, std::string, std::less<>> values_;
 };
 

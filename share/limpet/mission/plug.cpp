@@ -15,10 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxLines =
-    1'000'000;  // fragments that include each other's copies grow fast
-constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;
+// A template of 800 bytes may ask for anything: fragments include each other's copies, values
+// double. Stock templates stay three orders of magnitude below each of these.
+constexpr std::size_t kMaxLines = 100'000;
+constexpr std::size_t kMaxBytes = std::size_t{8} << 20U;
+constexpr std::size_t kMaxBytesRead = std::size_t{8} << 20U;
+constexpr int kMaxFilesRead = 1000;
 constexpr std::size_t kMaxDepth = 64;
+constexpr std::string_view kTagMarker = "<tag>";
 
 /// First word and the rest of a line, both trimmed.
 struct Words {
@@ -31,11 +35,35 @@ Words FirstWord(std::string_view line) {
   return {line.substr(0, end), Trim(line.substr(end))};
 }
 
+/// Blanks and tabs in a row become one blank.
+std::string Compact(std::string_view text) {
+  std::string compact;
+  for (const char letter : text) {
+    const bool is_blank = letter == ' ' || letter == '\t';
+    if (!is_blank || !compact.ends_with(' ')) {
+      compact += is_blank ? ' ' : letter;
+    }
+  }
+  return compact;
+}
+
+std::string_view WithoutQuotes(std::string_view text) {
+  const bool is_quoted = text.size() >= 2 && text.starts_with('"') && text.ends_with('"');
+  return is_quoted ? text.substr(1, text.size() - 2) : text;
+}
+
 /// `<name>` and `name` mean the same tag.
 std::string_view TagName(std::string_view text) {
   text = Trim(text);
   return text.starts_with('<') && text.ends_with('>') ? Trim(text.substr(1, text.size() - 2))
                                                       : text;
+}
+
+/// The section that begins at this line: `<tag><name>`, `<tag> <name>` or `<tag> name`.
+std::optional<std::string_view> SectionAt(std::string_view line) {
+  line = Trim(line);
+  return line.starts_with(kTagMarker) ? std::optional(TagName(line.substr(kTagMarker.size())))
+                                      : std::nullopt;
 }
 
 class Expander {
@@ -46,8 +74,8 @@ class Expander {
     for (const fs::path& macro_file : options_.macro_files) {
       ReadMacroFile(macro_file);
     }
-    for (const auto& [name, value] : options_.macros) {
-      macros_.Define(name, value);
+    for (const PlugOptions::Macro& macro : options_.macros) {
+      macros_.Define(macro.name, {.value = macro.value, .is_set_empty = macro.is_set_empty});
     }
     ExpandFile(text, file, options_.tag);
     return std::move(result_);
@@ -68,12 +96,14 @@ class Expander {
     }
     std::vector<TextLine> lines = SplitLines(text, file.string());
     const SourceLine end{file.string(), static_cast<int>(lines.size()) + 1};
+    if (text.empty() || text.ends_with('\n')) {
+      lines.push_back({"", end});  // nsplug takes what follows the last line feed for a line
+    }
     if (tag.empty()) {
       ExpandLines(lines, end);
     } else {
       ExpandSection(lines, tag, end);
     }
-    Put("", end);
     open_files_.pop_back();
   }
 
@@ -82,13 +112,14 @@ class Expander {
     for (const TextLine& line : lines) {
       const Words words = FirstWord(line.text);
       if (conditions.Takes(words.first, words.rest, line.where) || !conditions.is_active()) {
+        std::ranges::move(conditions.TakeWarnings(), std::back_inserter(result_.warnings));
         continue;
       }
       if (words.first == "#include") {
         Include(words.rest, line.where);
       } else if (words.first == "#define") {
         Define(words.rest, line.where);
-      } else if (words.first != "<tag>") {
+      } else if (!SectionAt(line.text)) {
         Emit(line);
       }
     }
@@ -101,50 +132,70 @@ class Expander {
     bool is_inside = false;
     bool is_found = false;
     for (const TextLine& line : lines) {
-      const Words words = FirstWord(line.text);
-      if (words.first == "<tag>") {
-        is_inside = TagName(words.rest) == TagName(tag);
+      if (const auto section = SectionAt(line.text)) {
+        is_inside = *section == TagName(tag);
         is_found = is_found || is_inside;
-      } else if (is_inside && !words.first.starts_with('#')) {
+      } else if (is_inside && !Trim(line.text).starts_with('#')) {
         Emit(line);
       }
     }
     if (!is_found) {
-      WarnOf({end.file, 0}, "<tag>", fmt::format("no section `{}`", tag));
+      WarnOf({end.file, 0}, "<tag>", fmt::format("no section `{}`", TagName(tag)));
     }
   }
 
   void Put(std::string text, const SourceLine& where) {
     bytes_ += text.size();
     if (result_.lines.size() >= kMaxLines || bytes_ > kMaxBytes) {
-      Fail(where, "", "the expansion is too big: more than a million lines or 64 MiB");
+      Fail(where, "",
+           fmt::format("the expansion is too big: more than {} lines or {} MiB", kMaxLines,
+                       kMaxBytes >> 20U));
     }
     result_.lines.push_back({std::move(text), where});
   }
 
-  void Emit(const TextLine& line) {
-    PlugMacros::Expansion expansion = macros_.Expand(line.text);
+  /// All macros of a text, within bounds.
+  PlugMacros::Expansion Expanded(std::string_view text, const SourceLine& where) {
+    PlugMacros::Expansion expansion = macros_.Expand(text);
     if (expansion.is_too_long) {
-      Fail(line.where, "", "expands to a line of more than 1 MiB; does a macro hold itself?");
+      Fail(where, "",
+           fmt::format("its macros grow beyond {} KiB in a line or {} MiB in a template; does one "
+                       "hold itself?",
+                       PlugMacros::kMaxLineBytes >> 10U, PlugMacros::kMaxWorkBytes >> 20U));
     }
-    if (expansion.undefined.empty()) {
+    return expansion;
+  }
+
+  void Emit(const TextLine& line) {
+    PlugMacros::Expansion expansion = Expanded(line.text, line.where);
+    if (expansion.left.empty() && !expansion.is_endless) {
       Put(std::move(expansion.text), line.where);
       return;
     }
-    const std::string complaint = UndefinedText(expansion.undefined.front());
+    const std::string complaint = expansion.is_endless
+                                      ? "after 100 rounds a macro still stands for macros; does "
+                                        "one hold itself?"
+                                      : UndefinedText(expansion.unknown);
     const bool is_comment = Trim(line.text).starts_with("//");
     if (options_.undefined == PlugOptions::Undefined::kRefuse && !is_comment) {
-      Fail(line.where, "$(" + expansion.undefined.front() + ")", complaint);
+      Fail(line.where, expansion.left, complaint);
     }
     if (!is_comment) {
-      WarnOf(line.where, "$(" + expansion.undefined.front() + ")", complaint);
+      WarnOf(line.where, expansion.left, complaint);
     }
-    const bool keeps_line = options_.undefined == PlugOptions::Undefined::kKeepLine;
+    const bool keeps_line =
+        options_.undefined == PlugOptions::Undefined::kKeepLine || expansion.is_endless;
     Put(keeps_line ? line.text : std::move(expansion.text), line.where);
   }
 
-  [[nodiscard]] std::string UndefinedText(const std::string& macro) const {
-    const std::string nearest = NearestWord(macro, macros_.Names());
+  /// Looks for a near name for the first hundred only: that takes the product of all lengths.
+  [[nodiscard]] std::string UndefinedText(const std::string& macro) {
+    constexpr int kMostSuggestions = 100;
+    if (macro.empty()) {
+      return "is no macro";
+    }
+    const std::string nearest =
+        ++undefined_ <= kMostSuggestions ? NearestWord(macro, macros_.Names()) : "";
     return fmt::format("undefined macro{}",
                        nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest));
   }
@@ -158,30 +209,39 @@ class Expander {
     if (name.empty()) {
       Fail(where, "#define", "needs a name");
     }
-    if (macros_.Define(name, words.rest)) {
+    if (macros_.Define(name, {.value = Compact(words.rest)})) {
       WarnOf(where, "#define", fmt::format("`{}` had another value; the last one wins", name));
     }
   }
 
   void Include(std::string_view rest, const SourceLine& where) {
-    const PlugMacros::Expansion expansion = macros_.Expand(rest);
+    const PlugMacros::Expansion expansion = Expanded(rest, where);
     std::string_view name = Trim(expansion.text);
     std::string_view tag;
-    if (const std::size_t open = name.rfind('<'); open != std::string_view::npos) {
-      tag = TagName(name.substr(open));
-      name = Trim(name.substr(0, open));
+    const std::size_t blank = name.find_last_of(" \t");
+    const std::size_t last = blank == std::string_view::npos ? 0 : blank + 1;
+    if (last > 0 && name.substr(last).starts_with('<') && name.ends_with('>')) {
+      tag = name.substr(last);
+      name = Trim(name.substr(0, last));
     }
-    if (name.size() >= 2 && name.starts_with('"') && name.ends_with('"')) {
-      name = name.substr(1, name.size() - 2);
-    }
+    name = WithoutQuotes(name);
     const std::optional<fs::path> file = FindInclude(name);
     if (!file) {
       Fail(where, "#include", fmt::format("`{}` is not found{}", name, SearchedText()));
     }
-    if (std::ranges::find(open_files_, file->lexically_normal()) != open_files_.end()) {
+    // A section includes nothing: so a file may take one of its own.
+    if (tag.empty() &&
+        std::ranges::find(open_files_, file->lexically_normal()) != open_files_.end()) {
       Fail(where, "#include", fmt::format("`{}` includes itself", name));
     }
-    ExpandFile(ReadTextFile(*file), *file, tag);
+    const std::string text = ReadTextFile(*file);
+    bytes_read_ += text.size();
+    if (++files_read_ > kMaxFilesRead || bytes_read_ > kMaxBytesRead) {
+      Fail(where, "#include",
+           fmt::format("more than {} inclusions or {} MiB of them", kMaxFilesRead,
+                       kMaxBytesRead >> 20U));
+    }
+    ExpandFile(text, *file, tag);
   }
 
   [[nodiscard]] std::optional<fs::path> FindInclude(std::string_view name) const {
@@ -216,11 +276,13 @@ class Expander {
       if (equals == std::string_view::npos || name.empty()) {
         Fail(line.where, "", fmt::format("`{}` is not NAME=value", text));
       }
-      const std::string value = macros_.Expand(Trim(text.substr(equals + 1))).text;
-      if (const auto old = macros_.Find(name); old && *old != value) {
+      const std::string value =
+          Expanded(WithoutQuotes(Trim(text.substr(equals + 1))), line.where).text;
+      const PlugMacros::Macro* old = macros_.Find(name);
+      if (old != nullptr && old->value != value) {
         WarnOf(line.where, name, "has another value already; this one is ignored");
       } else {
-        macros_.Define(name, value);
+        macros_.Define(name, {.value = value});
       }
     }
   }
@@ -229,7 +291,8 @@ class Expander {
   PlugMacros macros_;
   std::vector<fs::path> open_files_;  ///< from the input to the fragment being read
   PlugResult result_;
-  std::size_t bytes_ = 0;
+  std::size_t bytes_ = 0, bytes_read_ = 0;
+  int files_read_ = 0, undefined_ = 0;
 };
 
 void AddPlugFoldersAbove(fs::path folder, std::vector<fs::path>& found) {
@@ -250,11 +313,14 @@ void AddPlugFoldersAbove(fs::path folder, std::vector<fs::path>& found) {
 }  // namespace
 
 bool HasPlugDirective(std::string_view text) {
-  constexpr std::array<std::string_view, 8> kDirectives{
-      "#include", "#define", "#ifdef", "#ifndef", "#elseifdef", "#else", "#endif", "<tag>"};
+  constexpr std::array<std::string_view, 7> kDirectives{
+      "#include", "#define", "#ifdef", "#ifndef", "#elseifdef", "#else", "#endif"};
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    if (std::ranges::find(kDirectives, FirstWord(text.substr(0, end)).first) != kDirectives.end()) {
+    const std::string_view line = text.substr(0, end);
+    const bool is_directive =
+        std::ranges::find(kDirectives, FirstWord(line).first) != kDirectives.end();
+    if (is_directive || SectionAt(line)) {
       return true;
     }
     text.remove_prefix(std::min(end + 1, text.size()));

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "limpet/core/config.hpp"
@@ -21,8 +20,14 @@ struct PlugOptions {
     kRefuse,     ///< nsplug's --strict: an error, unless the line is a comment
   };
 
-  std::vector<std::pair<std::string, std::string>> macros;  ///< an empty value counts as defined
-  std::vector<std::filesystem::path> macro_files;           ///< NAME=value lines
+  struct Macro {
+    std::string name;
+    std::string value;          ///< empty: defined without a value, as by `#define NAME`
+    bool is_set_empty = false;  ///< `NAME=`: a value that is empty; `#ifdef NAME` does not hold
+  };
+
+  std::vector<Macro> macros;
+  std::vector<std::filesystem::path> macro_files;     ///< NAME=value lines
   std::vector<std::filesystem::path> search_folders;  ///< for #include, after the input's folder
   Undefined undefined = Undefined::kKeepLine;
   std::string tag;  ///< take only this section of the input
@@ -37,9 +42,10 @@ struct PlugResult {
 [[nodiscard]] bool HasPlugDirective(std::string_view text);
 
 /// Expands `text` as if it were the content of `file`. Every line of the result names the file and
-/// line it came from; as with nsplug each file read adds an empty line at its end. Beyond nsplug,
-/// absolute include names work, and unbalanced #ifdef, #else, #endif are errors.
-/// Throws ConfigError: include not found or looping, undefined macro where refused, ...
+/// line it came from; as with nsplug each file that ends in a line feed adds an empty line. Beyond
+/// nsplug, absolute include names work, and unbalanced #ifdef, #else, #endif are errors.
+/// Throws ConfigError: include not found or looping, undefined macro where refused, an expansion
+/// that grows beyond its bounds (lines, bytes, files read, bytes moved by macros), ...
 [[nodiscard]] PlugResult ExpandPlugs(std::string_view text, const std::filesystem::path& file,
                                      const PlugOptions& options);
 

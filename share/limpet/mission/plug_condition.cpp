@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string>
 
+#include <fmt/format.h>
+
 namespace limpet {
 namespace {
 
@@ -17,6 +19,16 @@ std::vector<std::string_view> SplitAt(std::string_view text, std::string_view se
     }
     text.remove_prefix(end + separator.size());
   }
+}
+
+/// `M` or `M value`.
+struct Term {
+  std::string_view name;
+  std::string_view value;
+};
+Term TermOf(std::string_view text) {
+  const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
+  return {.name = text.substr(0, end), .value = Trim(text.substr(end))};
 }
 
 }  // namespace
@@ -62,40 +74,63 @@ void PlugConditions::Next(std::string_view directive, bool holds, const SourceLi
   branch.was_taken = branch.was_taken || branch.is_active;
 }
 
-bool PlugConditions::Holds(std::string_view condition, const SourceLine& where) const {
+/// As nsplug judges, oddities included, so that a template gives the same mission here and there. A
+/// macro set to nothing (`NAME=`) counts as undefined, but for `&&`; one without a value (`#define
+/// NAME`) counts as defined.
+bool PlugConditions::Holds(std::string_view condition, const SourceLine& where) {
   const bool has_or = condition.find("||") != std::string_view::npos;
   const bool has_and = condition.find("&&") != std::string_view::npos;
   if (has_or && has_and) {
     if (is_strict_) {
       throw ConfigError({where, "#ifdef", "mixes || and &&"});
     }
+    warnings_.push_back({where, "#ifdef", "mixes || and &&: taken as false"});
     return false;
   }
-  const auto term_holds = [this](std::string_view term) { return TermHolds(term); };
+  const auto term_holds = [&](std::string_view term) {
+    const Term words = TermOf(term);
+    const PlugMacros::Macro* macro = macros_.Find(words.name);
+    if (words.value.empty()) {
+      return macro != nullptr && (has_and || !macro->is_set_empty);
+    }
+    return (has_and || macro != nullptr) && HasValue(words.name, words.value, where);
+  };
   return has_and ? std::ranges::all_of(SplitAt(condition, "&&"), term_holds)
                  : std::ranges::any_of(SplitAt(condition, "||"), term_holds);
 }
 
-/// `M`, `M value`, or `A B` with two macros of equal value.
-bool PlugConditions::TermHolds(std::string_view term) const {
-  const std::size_t end = std::min(term.find_first_of(" \t"), term.size());
-  const auto value = macros_.Find(term.substr(0, end));
-  const std::string_view wanted = Trim(term.substr(end));
-  if (!value || wanted.empty()) {
-    return value.has_value();
+/// The macro has that value, or the value of the macro `wanted`. Undefined ones count as empty: so
+/// an empty macro equals any word that is no macro, which is hardly ever meant.
+bool PlugConditions::HasValue(std::string_view name, std::string_view wanted,
+                              const SourceLine& where) {
+  const PlugMacros::Macro* macro = macros_.Find(name);
+  const PlugMacros::Macro* other = macros_.Find(wanted);
+  const auto is_empty = [](const PlugMacros::Macro* m) { return m == nullptr || m->is_set_empty; };
+  if (is_empty(macro) && is_empty(other)) {
+    warnings_.push_back(
+        {where, "#ifdef",
+         fmt::format("`{}` is {} and `{}` no macro with a value: as in nsplug the two are equal",
+                     name, macro == nullptr ? "undefined" : "empty", wanted)});
+    return true;
   }
-  return *value == wanted || macros_.Find(wanted) == value;
+  if (macro == nullptr || macro->is_set_empty) {
+    return false;
+  }
+  return macro->value == wanted ||
+         (other != nullptr && !other->is_set_empty && other->value == macro->value);
 }
 
 bool PlugConditions::NoneDefined(std::string_view names) const {
+  const bool names_any = !names.empty();
   while (!names.empty()) {
     const std::size_t end = std::min(names.find_first_of(" \t"), names.size());
-    if (macros_.Has(names.substr(0, end))) {
+    const PlugMacros::Macro* macro = macros_.Find(names.substr(0, end));
+    if (macro != nullptr && !macro->is_set_empty) {
       return false;
     }
     names = Trim(names.substr(end));
   }
-  return true;
+  return names_any;
 }
 
 }  // namespace limpet

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "limpet/core/config.hpp"
@@ -20,6 +21,8 @@ class PlugConditions {
   [[nodiscard]] bool is_active() const { return branches_.empty() || branches_.back().is_active; }
   /// Throws ConfigError if an #ifdef is still open.
   void RequireClosed(const SourceLine& end) const;
+  /// Conditions that hold for an odd reason, since the last call.
+  [[nodiscard]] std::vector<ConfigProblem> TakeWarnings() { return std::exchange(warnings_, {}); }
 
  private:
   struct Branch {
@@ -30,13 +33,15 @@ class PlugConditions {
   };
   void Open(bool holds, const SourceLine& where);
   void Next(std::string_view directive, bool holds, const SourceLine& where);
-  [[nodiscard]] bool Holds(std::string_view condition, const SourceLine& where) const;
-  [[nodiscard]] bool TermHolds(std::string_view term) const;
+  [[nodiscard]] bool Holds(std::string_view condition, const SourceLine& where);
+  [[nodiscard]] bool HasValue(std::string_view name, std::string_view wanted,
+                              const SourceLine& where);
   [[nodiscard]] bool NoneDefined(std::string_view names) const;
 
   const PlugMacros& macros_;
   bool is_strict_;
   std::vector<Branch> branches_;
+  std::vector<ConfigProblem> warnings_;
 };
 
 }  // namespace limpet
