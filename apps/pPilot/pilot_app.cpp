@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "apps/pPilot/pilot_app.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
 #include "limpet/app/registry.hpp"
 #include "limpet/core/frames.hpp"
 
@@ -31,32 +36,88 @@ PilotApp::PilotApp(const AppContext& context, const Params& params)
   Subscribe(topics::kDesiredDepth, &PilotApp::OnDepth);
   Subscribe(topics::kDesiredTurnRate, &PilotApp::OnTurnRate);
   Subscribe(topics::kManualOverride, &PilotApp::OnOverride);
+  Subscribe(topics::kHelmAllStop, &PilotApp::OnAllStop);
 }
 
-bool PilotApp::MayMove(Seconds now) {
-  const bool has_wishes = heading_ && speed_ && depth_;
-  if (is_manual_ || !has_wishes) return false;
-  if (!IsFresh(nav_, now)) {
-    Warn("NAV_STALE", "no fresh NAV_STATE: thrusters stopped, the vehicle floats up");
-    return false;
+void PilotApp::OnNav(const Stamped<NavState>& nav) {
+  if (!IsPlausible(nav.value)) {
+    Refuse(topics::kNavState.name, "fields that are not finite or not of this world");
+    return;
   }
-  ClearWarning("NAV_STALE");
-  return true;
+  ClearWarning("REFUSED_NAV_STATE");
+  nav_ = {now(), nav.value};
 }
 
-DesiredMotion PilotApp::Desired(Seconds now) {
-  DesiredMotion desired{.yaw = YawFromMoosHeading(heading_->value),
-                        .speed = speed_->value,
-                        .depth = depth_->value,
-                        .turn_rate = IsFresh(turn_rate_, now) ? turn_rate_->value : 0.0};
-  if (IsFresh(heading_, now) && IsFresh(speed_, now) && IsFresh(depth_, now)) {
+void PilotApp::HearWish(const std::string& name, double value, const PlausibleRange& range,
+                        Latest<double>& wish) {
+  if (!range.Has(value)) {
+    Refuse(name, fmt::format("`{}` is not within {:g} to {:g}", value, range.low, range.high));
+    return;
+  }
+  ClearWarning("REFUSED_" + name);
+  wish = {now(), value};
+}
+
+void PilotApp::OnHeading(const Stamped<double>& degrees) {
+  HearWish(topics::kDesiredHeading.name, degrees.value, kPlausibleHeading, heading_);
+}
+void PilotApp::OnSpeed(const Stamped<double>& speed) {
+  HearWish(topics::kDesiredSpeed.name, speed.value, kPlausibleSpeed, speed_);
+}
+void PilotApp::OnDepth(const Stamped<double>& depth) {
+  HearWish(topics::kDesiredDepth.name, depth.value, kPlausibleDepth, depth_);
+}
+void PilotApp::OnTurnRate(const Stamped<double>& rate) {
+  HearWish(topics::kDesiredTurnRate.name, rate.value, kPlausibleTurnRate, turn_rate_);
+}
+
+void PilotApp::Refuse(const std::string& name, const std::string& what) {
+  ++refused_[name];
+  Warn("REFUSED_" + name, what + ": treated as not heard");
+}
+
+void PilotApp::KeepUp(Seconds now) {
+  if (nav_) {
+    nav_->time = std::min(nav_->time, now);
+  }
+  for (Latest<double>* wish : {&heading_, &speed_, &depth_, &turn_rate_}) {
+    if (*wish) {
+      (*wish)->time = std::min((*wish)->time, now);
+    }
+  }
+}
+
+PilotApp::Mode PilotApp::Judge(Seconds now) const {
+  if (is_manual_) {
+    return Mode::kManual;
+  }
+  if (!heading_ || !speed_ || !depth_) {
+    return Mode::kWaiting;
+  }
+  if (!IsFresh(heading_, now) || !IsFresh(speed_, now) || !IsFresh(depth_, now)) {
+    return is_halted_ ? Mode::kHalted : Mode::kNoWishes;
+  }
+  return IsFresh(nav_, now) ? Mode::kFlying : Mode::kNoNavigation;
+}
+
+void PilotApp::WarnOf(Mode mode) {
+  if (mode == Mode::kNoWishes) {
+    Warn("DESIRED_STALE", "no fresh DESIRED_*: thrusters stopped, the vehicle floats up");
+  } else {
     ClearWarning("DESIRED_STALE");
-    return desired;
   }
-  Warn("DESIRED_STALE", "no fresh DESIRED_*: surge stopped, heading and depth held");
-  desired.speed.reset();
-  desired.turn_rate = 0.0;
-  return desired;
+  if (mode == Mode::kNoNavigation) {
+    Warn("NAV_STALE", "no fresh NAV_STATE: thrusters stopped, the vehicle floats up");
+  } else {
+    ClearWarning("NAV_STALE");
+  }
+}
+
+DesiredMotion PilotApp::Desired(Seconds now) const {
+  return {.yaw = YawFromMoosHeading(heading_->value),
+          .speed = speed_->value,
+          .depth = depth_->value,
+          .turn_rate = IsFresh(turn_rate_, now) ? turn_rate_->value : 0.0};
 }
 
 void PilotApp::Fly(Seconds now) {
@@ -67,18 +128,40 @@ void PilotApp::Fly(Seconds now) {
   const Seconds dt = now - *last_step_;
   last_step_ = now;
   command_ = pilot_.Update(nav_->value, Desired(now), dt.value());
+  const ThrusterCommand& c = command_;
+  if (!std::isfinite(c.t1 + c.t2 + c.t3 + c.t4 + c.t5 + c.t6)) {
+    Warn("COMMAND_NOT_FINITE", "the control laws gave no number: thrusters stopped, laws reset");
+    Rest();
+    return;
+  }
+  ClearWarning("COMMAND_NOT_FINITE");
   Publish(topics::kThrusterCommand, command_);
 }
 
-/// Says so once: under manual override somebody else may write the variable.
 void PilotApp::Rest() {
-  if (!last_step_) return;
   last_step_.reset();
   command_ = ThrusterCommand{};
   Publish(topics::kThrusterCommand, command_);
 }
 
-void PilotApp::Tick(Seconds now) { MayMove(now) ? Fly(now) : Rest(); }
+void PilotApp::Tick(Seconds now) {
+  KeepUp(now);
+  const Mode former = mode_;
+  mode_ = Judge(now);
+  WarnOf(mode_);
+  if (mode_ == Mode::kFlying) {
+    Fly(now);
+  } else if (mode_ != Mode::kManual || (former != Mode::kManual && last_step_)) {
+    Rest();  // under manual override once: somebody else may write the variable
+  }
+}
+
+/// The last word must not be thrust.
+void PilotApp::Finish(Seconds) {
+  if (mode_ != Mode::kManual) {
+    Rest();
+  }
+}
 
 LIMPET_REGISTER_APP(PilotApp, "pPilot", 10.0);
 

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <optional>
+#include <string>
 
 #include "apps/pPilot/pilot.hpp"
+#include "apps/pPilot/plausible.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/core/params.hpp"
 
 namespace limpet {
 
 /// Flies what the helm wants: DESIRED_* and NAV_STATE in, THRUSTER_COMMAND out. Without a fresh
-/// estimate it stops all thrusters (the vehicle floats up); without fresh wishes it stops surge and
-/// holds heading and depth.
+/// estimate or without fresh wishes it stops all thrusters, and the vehicle floats up. It says its
+/// command, zero too, at every tick, for the driver's watchdog; under manual override only once.
 class PilotApp final : public App {
  public:
   struct Params {
-    Seconds stale_after{2.0};
+    Seconds stale_after{1.0};
     double heading_gain = HeadingController::Gains{}.heading;
     double heading_rate_gain = HeadingController::Gains{}.rate;
     RadiansPerSecond max_turn_rate{HeadingController::Gains{}.max_rate};
@@ -29,7 +32,7 @@ class PilotApp final : public App {
     template <class Visitor>
     void Describe(Visitor& visit) {
       using namespace literals;
-      visit("stale_after_s", stale_after, "Longest gap in NAV_STATE or DESIRED_*",
+      visit("stale_after_s", stale_after, "Thrusters stop when NAV_STATE or DESIRED_* are older",
             InRange(0.2_s, 60.0_s));
       visit("heading_gain", heading_gain, "Turn rate per heading error [1/s]", InRange(0.05, 5.0));
       visit("heading_rate_gain", heading_rate_gain, "Turn acceleration per rate error [1/s]",
@@ -50,35 +53,50 @@ class PilotApp final : public App {
 
   PilotApp(const AppContext& context, const Params& params);
   void Tick(Seconds now) override;
+  void Finish(Seconds now) override;
   void Report(ReportLines& report) const override;
 
  private:
+  /// What was last heard, and when by the pilot's own clock: the sender's stamp may be anything.
   template <class T>
   using Latest = std::optional<Stamped<T>>;
+  /// Why the thrusters do what they do.
+  enum class Mode { kFlying, kWaiting, kManual, kHalted, kNoWishes, kNoNavigation };
 
-  void OnNav(const Stamped<NavState>& nav) { nav_ = nav; }
-  void OnHeading(const Stamped<double>& degrees) { heading_ = degrees; }
-  void OnSpeed(const Stamped<double>& speed) { speed_ = speed; }
-  void OnDepth(const Stamped<double>& depth) { depth_ = depth; }
-  void OnTurnRate(const Stamped<double>& rate) { turn_rate_ = rate; }
+  void OnNav(const Stamped<NavState>& nav);
+  void OnHeading(const Stamped<double>& degrees);
+  void OnSpeed(const Stamped<double>& speed);
+  void OnDepth(const Stamped<double>& depth);
+  void OnTurnRate(const Stamped<double>& rate);
   void OnOverride(const Stamped<bool>& is_manual) { is_manual_ = is_manual.value; }
+  void OnAllStop(const Stamped<std::string>& why) { is_halted_ = why.value != "clear"; }
+  void HearWish(const std::string& name, double value, const PlausibleRange& range,
+                Latest<double>& wish);
+  void Refuse(const std::string& name, const std::string& what);
 
   template <class T>
   [[nodiscard]] bool IsFresh(const Latest<T>& latest, Seconds now) const {
     return latest && now - latest->time <= params_.stale_after;
   }
-  [[nodiscard]] bool MayMove(Seconds now);
-  [[nodiscard]] DesiredMotion Desired(Seconds now);
+  /// A clock that was set back must not make anything young.
+  void KeepUp(Seconds now);
+  [[nodiscard]] Mode Judge(Seconds now) const;
+  void WarnOf(Mode mode);
+  [[nodiscard]] DesiredMotion Desired(Seconds now) const;
   void Fly(Seconds now);
   void Rest();
+  [[nodiscard]] const char* ModeText() const;
 
   Params params_;
   Pilot pilot_;
   Latest<NavState> nav_;
   Latest<double> heading_, speed_, depth_, turn_rate_;
   bool is_manual_ = false;
-  ThrusterCommand command_;           ///< last one given
-  std::optional<Seconds> last_step_;  ///< absent while thrusters rest
+  bool is_halted_ = false;  ///< the helm has said why it wants nothing
+  Mode mode_ = Mode::kWaiting;
+  ThrusterCommand command_;             ///< last one given
+  std::optional<Seconds> last_step_;    ///< absent while thrusters rest
+  std::map<std::string, int> refused_;  ///< numbers that no sender can mean, by variable
 };
 
 }  // namespace limpet

@@ -9,10 +9,29 @@
 
 namespace limpet {
 
+const char* PilotApp::ModeText() const {
+  switch (mode_) {
+    case Mode::kFlying:
+      return "under control";
+    case Mode::kManual:
+      return "left alone: manual override";
+    case Mode::kWaiting:
+      return "at rest: the helm has wished for nothing yet";
+    case Mode::kHalted:
+      return "at rest: the helm has stopped all";
+    case Mode::kNoWishes:
+      return "at rest: the helm is silent";
+    case Mode::kNoNavigation:
+      return "at rest: navigation is silent";
+  }
+  return "";
+}
+
 void PilotApp::Report(ReportLines& report) const {
-  report.Pair("Thrusters", is_manual_   ? "left alone: manual override"
-                           : last_step_ ? "under control"
-                                        : "at rest");
+  report.Pair("Thrusters", ModeText());
+  for (const auto& [name, count] : refused_) {
+    report.Pair("Refused", fmt::format("{} of {}", count, name));
+  }
   ReportTable table({"", ">wanted", ">is", ">error"});
   const auto add = [&table](const char* name, const Latest<double>& wanted, double is,
                             double error) {

@@ -17,7 +17,8 @@ namespace {
 constexpr Seconds kLongestWait(2.0);
 /// In a community, a tick that comes later makes up for what the sensors have missed (MOOS time).
 constexpr Seconds kLongestStep(0.03);
-constexpr double kMostSteps = 50.0;  ///< after a long halt they are longer
+constexpr double kMostSteps = 50.0;    ///< after a long halt they are longer
+constexpr Seconds kThrustPeriod(1.0);  ///< of SIM_THRUST while nothing changes
 
 VehicleSimulation::Place StartOf(const Scenario& scenario) {
   return {.north = scenario.start.north_m,
@@ -92,10 +93,17 @@ bool SimVehicleApp::AwaitsFormerTruth(Seconds now) {
 
 void SimVehicleApp::OnCommand(const Stamped<ThrusterCommand>& command) {
   const ThrusterCommand& c = command.value;
-  command_ << c.t1, c.t2, c.t3, c.t4, c.t5, c.t6;
+  ThrusterVector thrust;
+  thrust << c.t1, c.t2, c.t3, c.t4, c.t5, c.t6;
+  if (watchdog_.Hear(thrust, now())) {
+    ClearWarning("COMMAND_REFUSED");
+  } else {
+    Warn("COMMAND_REFUSED", "THRUSTER_COMMAND is not finite or beyond full thrust: not obeyed");
+  }
 }
 
 void SimVehicleApp::Tick(Seconds now) {
+  watchdog_.KeepUp(now);
   if (AwaitsFormerTruth(now)) {
     return;
   }
@@ -105,17 +113,57 @@ void SimVehicleApp::Tick(Seconds now) {
   const double steps =
       std::clamp(std::ceil((now - since).value() / kLongestStep.value()), 1.0, most);
   for (double step = 1.0; step <= steps; step += 1.0) {
-    Move((now - since) * (1.0 / steps));
-    PublishMeasured(topics::kSimTruth, TruthOf(simulation_.motion()),
-                    since + (now - since) * (step / steps));
+    const Seconds end = since + (now - since) * (step / steps);
+    Move((now - since) * (1.0 / steps), end);
+    PublishMeasured(topics::kSimTruth, TruthOf(simulation_.motion()), end);
+  }
+  if (!thrust_told_ || now - *thrust_told_ >= kThrustPeriod) {
+    TellThrust(now);
   }
 }
 
-void SimVehicleApp::Move(Seconds duration) {
+ThrusterVector SimVehicleApp::ThrustAt(Seconds time) {
+  const bool is_stale = watchdog_.IsStale(time);
+  if (is_stale && !is_stale_) {
+    ++thrust_.stops;
+    Warn("COMMAND_STALE", "no THRUSTER_COMMAND for 1 s: all thrusters stopped");
+  } else if (!is_stale) {
+    ClearWarning("COMMAND_STALE");
+  }
+  is_stale_ = is_stale;
+  const ThrusterVector thrust = watchdog_.At(time);
+  thrust_.greatest = thrust.cwiseAbs().maxCoeff();
+  if (thrust_.greatest > 0.0) {
+    thrust_.oldest_obeyed = std::max(thrust_.oldest_obeyed, watchdog_.Age(time)->value());
+  }
+  return thrust;
+}
+
+void SimVehicleApp::NoteZero(bool is_zero, Seconds time) {
+  if (is_zero == is_zero_) {
+    return;
+  }
+  is_zero_ = is_zero;
+  if (is_zero) {
+    thrust_.zero_at = time.value();
+  }
+  ReportEvent(is_zero ? "thrusters at rest" : "thrusters at work");
+  TellThrust(time);
+}
+
+void SimVehicleApp::TellThrust(Seconds now) {
+  thrust_told_ = now;
+  thrust_.refused = watchdog_.refused();
+  Publish(topics::kSimThrust, thrust_);
+}
+
+void SimVehicleApp::Move(Seconds duration, Seconds end) {
+  const ThrusterVector thrust = ThrustAt(end);
+  NoteZero(thrust_.greatest == 0.0, end);
   if (duration <= Seconds(0.0)) {
     return;
   }
-  for (const TimedEvent& event : simulation_.Advance(command_, duration)) {
+  for (const TimedEvent& event : simulation_.Advance(thrust, duration)) {
     ReportEvent(EventName(event.event));
     Publish(topics::kSimEvent, std::string(EventName(event.event)));
   }
@@ -133,6 +181,9 @@ void SimVehicleApp::Report(ReportLines& report) const {
   report.Pair("Heading", fmt::format("{:.1f} deg", MoosHeadingFromYaw(motion.X_WB.yaw)));
   report.Pair("Velocity", fmt::format("{:.2f} ahead, {:.2f} to starboard, {:.2f} down m/s",
                                       motion.v_WB_B.x(), motion.v_WB_B.y(), motion.v_WB_B.z()));
+  report.Pair("Thrust", fmt::format("{:.2f} at most; stopped {} times for want of a command, {} "
+                                    "commands refused",
+                                    thrust_.greatest, thrust_.stops, watchdog_.refused()));
   report.Pair("Integrator", fmt::format("{} steps given up", simulation_.failures()));
 }
 

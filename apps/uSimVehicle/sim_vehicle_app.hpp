@@ -9,11 +9,14 @@
 #include "limpet/mission/scenario.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/simulation.hpp"
+#include "limpet/vehicle/thruster_watchdog.hpp"
 #include "limpet/vehicle/vehicle_simulation.hpp"
 
 namespace limpet {
 
-/// The vehicle in its water: THRUSTER_COMMAND in, the truth out. A command holds until the next.
+/// The vehicle in its water: THRUSTER_COMMAND in, the truth out. A command holds until the next,
+/// but for a second at most: as any driver must, it stops its thrusters when the pilot falls
+/// silent.
 class SimVehicleApp final : public App {
  public:
   struct Params {
@@ -37,14 +40,22 @@ class SimVehicleApp final : public App {
   void OnCommand(const Stamped<ThrusterCommand>& command);
   void OnFormerTruth(const Stamped<SimTruth>& truth);
   [[nodiscard]] bool AwaitsFormerTruth(Seconds now);
-  void Move(Seconds duration);
+  /// Moves on to `end`, `duration` after the last step.
+  void Move(Seconds duration, Seconds end);
+  /// The command in force at `time`; keeps the account of it.
+  [[nodiscard]] ThrusterVector ThrustAt(Seconds time);
+  void NoteZero(bool is_zero, Seconds time);
+  void TellThrust(Seconds now);
 
   Scenario scenario_;
   std::string integrator_;
   VehicleSimulation simulation_;
   bool has_place_ = true;  ///< false after a restart, until the place of the former life is known
   std::optional<Seconds> waits_since_;
-  ThrusterVector command_ = ThrusterVector::Zero();
+  ThrusterWatchdog watchdog_;
+  SimThrust thrust_;
+  bool is_zero_ = true, is_stale_ = false;
+  std::optional<Seconds> thrust_told_;
   std::optional<Seconds> last_tick_;
 };
 

@@ -112,6 +112,9 @@ class App {
         Warn("BAD_MAIL_" + message->name, "does not decode; sent by " + message->source);
         return;
       }
+      if (!warnings_.empty()) {
+        ClearWarning("BAD_MAIL_" + message->name);
+      }
       (static_cast<A*>(this)->*handler)(Stamped<T>{message->time, std::move(*value)});
     });
   }

@@ -2,6 +2,8 @@
 // SIM_*: the truth. Written by uSim apps; read by uSim apps and the scorer, by nothing on board.
 #pragma once
 
+#include <optional>
+
 #include "limpet/core/frames.hpp"
 #include "limpet/topics/topic.hpp"
 
@@ -27,7 +29,25 @@ struct SimTruth {
   [[nodiscard]] Pose pose() const { return {{north, east, down}, roll, pitch, yaw}; }
 };
 
+/// What the thrusters are made to do, and how the driver's watchdog has fared.
+struct SimThrust {
+  double greatest = 0.0;          ///< thrust now in force, of the thruster that works hardest
+  std::optional<double> zero_at;  ///< MOOS time at which all last went to zero; absent: never yet
+  double oldest_obeyed = 0.0;     ///< greatest age that an obeyed command had [s]
+  int stops = 0;                  ///< times that the command had become too old
+  int refused = 0;                ///< commands refused: not finite, or beyond full thrust
+
+  template <class V>
+  void Describe(V& visit) {
+    visit("greatest", greatest), visit("zero_at", zero_at);
+    visit("oldest_obeyed", oldest_obeyed), visit("stops", stops), visit("refused", refused);
+  }
+};
+
 namespace topics {
+inline const auto kSimThrust = Declare<SimThrust>(
+    "SIM_THRUST", "thrust in force, and what the thrusters' watchdog did",
+    {.unit = "-1 to 1, s", .rate = "1 Hz and on change", .writers = {"uSimVehicle"}});
 inline const auto kSimTruth = Declare<SimTruth>(
     "SIM_TRUTH", "true state of the vehicle",
     {.unit = "m, rad, s", .frame = "NED, body FRD", .rate = "50 Hz", .writers = {"uSimVehicle"}});

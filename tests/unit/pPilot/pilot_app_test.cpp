@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "apps/pPilot/pilot_app.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,6 +33,25 @@ class PilotAppTest : public testing::Test {
     link_.Send(app_, topics::kDesiredSpeed, 0.5);
     link_.Send(app_, topics::kDesiredDepth, 3.0);
   }
+  void SendWishesButDepth() {
+    link_.Send(app_, topics::kDesiredHeading, 0.0);
+    link_.Send(app_, topics::kDesiredSpeed, 0.5);
+  }
+  [[nodiscard]] std::size_t CountOfCommands() const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        link_.published, [](const auto& m) { return m->name == topics::kThrusterCommand.name; }));
+  }
+  [[nodiscard]] std::vector<double> Thrusts() const {
+    const ThrusterCommand c = *link_.Last(topics::kThrusterCommand);
+    return {c.t1, c.t2, c.t3, c.t4, c.t5, c.t6};
+  }
+  [[nodiscard]] bool IsAtRest() const {
+    return std::ranges::all_of(Thrusts(), [](double t) { return t == 0.0; });
+  }
+  [[nodiscard]] bool AllFinite() const {
+    return link_.Last(topics::kThrusterCommand).has_value() &&
+           std::ranges::all_of(Thrusts(), [](double t) { return std::isfinite(t); });
+  }
   void Tick(int times = 1) {
     for (int i = 0; i < times; ++i) {
       app_.Tick(link_.time);
@@ -47,10 +71,12 @@ class PilotAppTest : public testing::Test {
   PilotApp app_{ContextFor(link_), {}};
 };
 
-TEST_F(PilotAppTest, SaysNothingBeforeTheHelmHasWishes) {
+TEST_F(PilotAppTest, SaysZeroAtEveryTickBeforeTheHelmHasWishes) {
   SendNav();
   Tick(20);
-  EXPECT_FALSE(link_.Last(topics::kThrusterCommand));
+  EXPECT_EQ(CountOfCommands(), 20U);
+  EXPECT_TRUE(IsAtRest());
+  EXPECT_TRUE(app_.warnings().empty());
 }
 
 TEST_F(PilotAppTest, PushesForwardWhenAskedForSpeed) {
@@ -59,26 +85,131 @@ TEST_F(PilotAppTest, PushesForwardWhenAskedForSpeed) {
   EXPECT_GT(Surge(), 0.2);
 }
 
-TEST_F(PilotAppTest, StopsSurgeAndHoldsDepthWhenTheHelmFallsSilent) {
+TEST_F(PilotAppTest, StopsAllThrustersASecondAfterTheHelmFellSilent) {
   SendNav(), SendWishes();
-  for (int i = 0; i < 60; ++i) {
-    SendNav();
-    Tick();
-  }
+  for (int i = 0; i < 10; ++i)
+    SendNav(), Tick();
+  EXPECT_FALSE(IsAtRest());
+  for (int i = 0; i < 2; ++i)
+    SendNav(), Tick();
+  EXPECT_TRUE(IsAtRest());
   EXPECT_TRUE(HasWarning("DESIRED_STALE"));
-  EXPECT_NEAR(Surge(), 0.0, 0.05);
-  EXPECT_GT(link_.Last(topics::kThrusterCommand)->t5, 0.05);  // still holds its buoyancy down
+  const std::size_t count = CountOfCommands();
+  for (int i = 0; i < 10; ++i)
+    SendNav(), Tick();
+  EXPECT_EQ(CountOfCommands(), count + 10) << "the driver must see that the pilot lives";
 }
 
-TEST_F(PilotAppTest, StopsAllThrustersWhenNavigationFallsSilent) {
+TEST_F(PilotAppTest, OneWishThatFallsSilentIsEnough) {
   SendNav(), SendWishes();
-  for (int i = 0; i < 60; ++i) {
-    SendWishes();
+  for (int i = 0; i < 12; ++i) {
+    SendNav();
+    link_.Send(app_, topics::kDesiredHeading, 0.0);
+    link_.Send(app_, topics::kDesiredSpeed, 0.5);
     Tick();
   }
+  EXPECT_TRUE(IsAtRest());
+}
+
+TEST_F(PilotAppTest, RestsWithoutAWarningWhenTheHelmHasStoppedAll) {
+  SendNav(), SendWishes();
+  Tick(5);
+  link_.Send(app_, topics::kHelmAllStop, std::string("NothingToDo"));
+  for (int i = 0; i < 12; ++i)
+    SendNav(), Tick();
+  EXPECT_TRUE(IsAtRest());
+  EXPECT_TRUE(app_.warnings().empty());
+}
+
+TEST_F(PilotAppTest, StopsAllThrustersASecondAfterNavigationFellSilent) {
+  SendNav(), SendWishes();
+  for (int i = 0; i < 10; ++i)
+    SendWishes(), Tick();
+  EXPECT_FALSE(IsAtRest());
+  for (int i = 0; i < 2; ++i)
+    SendWishes(), Tick();
+  EXPECT_TRUE(IsAtRest());
   EXPECT_TRUE(HasWarning("NAV_STALE"));
-  EXPECT_EQ(Surge(), 0.0);
-  EXPECT_EQ(link_.Last(topics::kThrusterCommand)->t5, 0.0);
+}
+
+TEST_F(PilotAppTest, CountsAgesByItsOwnClock) {
+  NavState nav;
+  nav.down = 3.0;
+  for (int i = 0; i < 20; ++i) {  // a sender whose clock is an hour ahead, and then silence
+    const Seconds here = link_.time;
+    link_.time += Seconds(3600.0);
+    const Message ahead{.name = "NAV_STATE",
+                        .value = TopicCodec<NavState>::Encode(nav),
+                        .time = link_.time,
+                        .source = "pNav",
+                        .source_aux = "",
+                        .community = ""};
+    link_.time = here;
+    if (i < 5) app_.Deliver(std::make_shared<const Message>(ahead));
+    SendWishes(), Tick();
+  }
+  EXPECT_TRUE(IsAtRest());
+}
+
+TEST_F(PilotAppTest, RefusesAndCountsWishesThatNoHelmMeans) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const auto& topic : {topics::kDesiredHeading, topics::kDesiredSpeed, topics::kDesiredDepth,
+                            topics::kDesiredTurnRate}) {
+    for (const double bad : {nan, infinite, -infinite, 1e12}) {
+      SendNav(), SendWishes();
+      link_.Send(app_, topic, bad);
+      Tick();
+      EXPECT_TRUE(AllFinite()) << topic.name << " " << bad;
+      EXPECT_TRUE(HasWarning("REFUSED_" + topic.name));
+    }
+    link_.Send(app_, topic, 0.1);
+    EXPECT_FALSE(HasWarning("REFUSED_" + topic.name));
+  }
+  ReportLines lines;
+  app_.Report(lines);
+  EXPECT_THAT(lines.Text(), testing::HasSubstr("4 of DESIRED_SPEED"));
+}
+
+TEST_F(PilotAppTest, WishesThatAreAlwaysRefusedStopTheThrusters) {
+  SendNav(), SendWishes();
+  for (int i = 0; i < 12; ++i) {
+    SendNav(), SendWishesButDepth();
+    link_.Send(app_, topics::kDesiredDepth, std::numeric_limits<double>::quiet_NaN());
+    Tick();
+  }
+  EXPECT_TRUE(IsAtRest());
+}
+
+TEST_F(PilotAppTest, FliesOnNoEstimateThatIsNotOfThisWorld) {
+  SendNav(), SendWishes();
+  Tick();
+  for (int i = 0; i < 12; ++i) {
+    NavState nav;
+    nav.down = 1e300, nav.u = std::numeric_limits<double>::quiet_NaN();
+    NavState far;
+    far.north = 1e300;
+    SendWishes();
+    app_.Deliver(std::make_shared<const Message>(
+        Message{.name = "NAV_STATE",
+                .value = TopicCodec<NavState>::Encode(i % 2 == 0 ? nav : far),
+                .time = link_.time,
+                .source = "pNav",
+                .source_aux = "",
+                .community = ""}));
+    Tick();
+    EXPECT_TRUE(AllFinite());
+  }
+  EXPECT_TRUE(IsAtRest());
+  EXPECT_TRUE(HasWarning("REFUSED_NAV_STATE"));
+}
+
+TEST_F(PilotAppTest, ItsLastWordIsZero) {
+  SendNav(), SendWishes();
+  Tick(5);
+  EXPECT_FALSE(IsAtRest());
+  app_.Finish(link_.time);
+  EXPECT_TRUE(IsAtRest());
 }
 
 TEST_F(PilotAppTest, RecoversWhenNavigationComesBack) {
@@ -86,7 +217,7 @@ TEST_F(PilotAppTest, RecoversWhenNavigationComesBack) {
   Tick(60);
   SendNav(), SendWishes();
   Tick(10);
-  EXPECT_FALSE(HasWarning("NAV_STALE"));
+  EXPECT_TRUE(app_.warnings().empty());
   EXPECT_GT(Surge(), 0.2);
 }
 

@@ -36,13 +36,27 @@ class SimVehicle {
   explicit SimVehicle(const Scenario& scenario, const std::string& integrator = "cvode",
                       bool runs_live = false)
       : app_(ContextFor(link_, runs_live), ParamsFor(integrator), scenario) {}
+  /// A pilot that says its command ten times a second.
   void Run(const ThrusterCommand& command, double seconds) {
-    link_.Send(app_, topics::kThrusterCommand, command);
     for (int i = 0; i < static_cast<int>(std::lround(50.0 * seconds)); ++i) {
-      app_.Tick(link_.time);
-      link_.time += Seconds(0.02);
+      if (i % 5 == 0) link_.Send(app_, topics::kThrusterCommand, command);
+      TickOn();
     }
   }
+  void RunSilently(double seconds) {
+    for (int i = 0; i < static_cast<int>(std::lround(50.0 * seconds)); ++i)
+      TickOn();
+  }
+  void Say(const std::string& command) {
+    app_.Deliver(std::make_shared<const Message>(Message{.name = "THRUSTER_COMMAND",
+                                                         .value = command,
+                                                         .time = link_.time,
+                                                         .source = "uPoke",
+                                                         .source_aux = "",
+                                                         .community = ""}));
+  }
+  [[nodiscard]] Seconds now() const { return link_.time; }
+  [[nodiscard]] SimThrust Thrust() const { return *link_.Last(topics::kSimThrust); }
   void Wait(double seconds) { link_.time += Seconds(seconds); }
   [[nodiscard]] std::vector<double> TimesOfTruths() const {
     std::vector<double> times;
@@ -68,6 +82,10 @@ class SimVehicle {
   [[nodiscard]] const App& app() const { return app_; }
 
  private:
+  void TickOn() {
+    app_.Tick(link_.time);
+    link_.time += Seconds(0.02);
+  }
   TestLink link_;
   SimVehicleApp app_;
 };
@@ -109,6 +127,49 @@ TEST(SimVehicleApp, TellsOfSubmergingAndOfTheBottom) {
   vehicle.Run(kDown, 60.0);
   EXPECT_EQ(vehicle.Events(), (std::vector<std::string>{"submerged", "touched_bottom"}));
   EXPECT_TRUE(vehicle.app().warnings().empty());
+}
+
+TEST(SimVehicleApp, StopsItsThrustersAndFloatsUpWhenThePilotFallsSilent) {
+  SimVehicle vehicle(Table());
+  vehicle.Run(kDown, 12.0);
+  const double deep = vehicle.Truth().down;
+  ASSERT_GT(deep, 1.0);
+  const Seconds silent = vehicle.now();
+  vehicle.RunSilently(1.2);
+  EXPECT_EQ(vehicle.Thrust().greatest, 0.0);
+  ASSERT_TRUE(vehicle.Thrust().zero_at.has_value());
+  EXPECT_LT(*vehicle.Thrust().zero_at - silent.value(), 1.05);
+  EXPECT_LE(vehicle.Thrust().oldest_obeyed, 1.0);
+  EXPECT_EQ(vehicle.Thrust().stops, 1);
+  EXPECT_TRUE(vehicle.app().warnings().contains("COMMAND_STALE"));
+  vehicle.RunSilently(120.0);
+  EXPECT_LT(vehicle.Truth().down, 0.2) << "it is buoyant";
+  vehicle.Run(kDown, 0.5);
+  EXPECT_TRUE(vehicle.app().warnings().empty());
+}
+
+TEST(SimVehicleApp, ALateTickStopsTheThrustersInTheMidstOfWhatItMakesUpFor) {
+  SimVehicle vehicle(Table(), "cvode", true);
+  vehicle.Run(kDown, 1.0);
+  const Seconds silent = vehicle.now();
+  vehicle.Wait(1.4);  // the machine had no time for it, and no command came meanwhile
+  vehicle.RunSilently(0.02);
+  EXPECT_LT(*vehicle.Thrust().zero_at - silent.value(), 1.05);
+}
+
+TEST(SimVehicleApp, ObeysNoCommandThatIsNotFiniteOrBeyondFullThrust) {
+  SimVehicle vehicle(Table());
+  vehicle.Run({}, 0.2);
+  for (const char* bad : {"t1=nan,t2=0,t3=0,t4=0,t5=0,t6=0", "t1=0,t2=inf,t3=0,t4=0,t5=0,t6=0",
+                          "t1=0,t2=0,t3=0,t4=0,t5=1e9,t6=0", "t1=0,t2=0,t3=0,t4=0,t5=0,t6=-1.5"}) {
+    vehicle.Say(bad);
+    vehicle.RunSilently(0.5);
+    EXPECT_EQ(vehicle.Thrust().greatest, 0.0) << bad;
+    EXPECT_FALSE(vehicle.app().warnings().empty()) << bad;
+  }
+  EXPECT_FALSE(std::isnan(vehicle.Truth().down));
+  vehicle.RunSilently(1.0);
+  EXPECT_GE(vehicle.Thrust().refused, 2);
 }
 
 TEST(SimVehicleApp, DriftsWithTheScenariosCurrent) {
