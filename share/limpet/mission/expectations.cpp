@@ -122,10 +122,8 @@ std::optional<Expectations> LoadExpectations(const std::filesystem::path& folder
     return std::nullopt;
   }
   std::set<std::string> sessions{"discovery", "change"};
-  for (const ScenarioOpi& opi : scenario.opis) {
-    for (const auto& [session, place] : opi.places) {
-      sessions.insert(session);
-    }
+  for (const std::string& session : SessionsOf(scenario)) {
+    sessions.insert(session);
   }
   return ParseExpectations(ReadTextFile(file), file.string(), {sessions.begin(), sessions.end()});
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
@@ -181,6 +182,19 @@ Scenario ReadScenario(YamlReader& in, const YAML::Node& root) {
 std::optional<Eigen::Vector3d> ScenarioOpi::Place(const std::string& session) const {
   const auto found = places.find(session);
   return found == places.end() ? std::nullopt : found->second;
+}
+
+std::vector<std::string> SessionsOf(const Scenario& scenario) {
+  std::set<std::string> sessions;
+  for (const ScenarioOpi& opi : scenario.opis) {
+    for (const auto& [session, place] : opi.places) {
+      sessions.insert(session);
+    }
+  }
+  if (sessions.contains("discovery") || sessions.contains("change")) {
+    sessions.insert({"discovery", "change"});
+  }
+  return {sessions.begin(), sessions.end()};
 }
 
 Scenario ParseScenario(const std::string& text, const std::string& file) {

@@ -54,6 +54,10 @@ struct Scenario {
   } sensors;
 };
 
+/// Sessions that the scenario's objects have places in, by name; none without objects. Where one of
+/// discovery and change is among them both are: an object without a place in one is absent then.
+[[nodiscard]] std::vector<std::string> SessionsOf(const Scenario& scenario);
+
 /// Reads and checks scenario.yaml; unknown keys, wrong types and values out of range are problems.
 /// Throws ConfigError with every problem, each with file and line.
 [[nodiscard]] Scenario LoadScenario(const std::filesystem::path& file);
