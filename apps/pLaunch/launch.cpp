@@ -192,7 +192,8 @@ class Launch {
             {"LIMPET_PRIOR_FOLDER",
              command_.session == "discovery" ? "" : (run / "discovery").string()},
             {"LIMPET_SESSION", command_.session},
-            {"LIMPET_SEED", command_.seed}};
+            {"LIMPET_SEED", command_.seed},
+            {kClockOriginVariable, TextOf(OwnClockOrigin())}};
   }
   [[nodiscard]] bool AllUp(const Watch& watch) const {
     return std::ranges::all_of(plan_.items, [&watch](const LaunchItem& item) {
