@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "apps/LimpetDB/database_report.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "limpet/app/report_lines.hpp"
+#include "limpet/core/clock.hpp"
 #include "limpet/pubsub/broker_status.hpp"
+#include "limpet/topics/wall_clock.hpp"
 
 namespace limpet {
 namespace {
@@ -28,6 +32,14 @@ TcpBrokerOptions::Words DatabaseReport::Take(const Broker& broker, Seconds now) 
   TcpBrokerOptions::Words words;
   ++looks_;
   Watch(broker);
+  WatchClock(words);
+  if (std::exchange(has_news_of_warnings_, false)) {
+    std::string text;
+    for (const auto& [id, meaning] : warnings_) {
+      text += (text.empty() ? "" : "; ") + id + ": " + meaning;
+    }
+    words.emplace_back("LIMPETDB_WARNINGS", text.empty() ? "none" : text);
+  }
   if (now - last_status_ >= Seconds(kStatusPeriod * warp_)) {
     last_status_ = now;
     words.emplace_back(status_.variable(), status_.Text(looks_, now));
@@ -38,15 +50,38 @@ TcpBrokerOptions::Words DatabaseReport::Take(const Broker& broker, Seconds now) 
   return words;
 }
 
+void DatabaseReport::Raise(const std::string& id, const std::string& text) {
+  std::string& known = warnings_[id];
+  if (known != text) {
+    known = text;
+    has_news_of_warnings_ = true;
+    caster_.RaiseWarning(id, text);
+  }
+}
+
+void DatabaseReport::WatchClock(TcpBrokerOptions::Words& words) {
+  const auto news = clock_.Look(VehicleTime(), UnixTime());
+  if (!news) {
+    return;
+  }
+  words.emplace_back(topics::kWallClock.name, news->record);
+  if (news->warning) {
+    Raise("CLOCK_STEPPED", *news->warning);
+  } else if (warnings_.erase("CLOCK_STEPPED") > 0) {
+    has_news_of_warnings_ = true;
+    caster_.ClearWarning("CLOCK_STEPPED");
+  }
+}
+
 void DatabaseReport::Watch(const Broker& broker) {
   for (const ClientFacts& client : broker.Clients()) {
     if (client.dropped > 0) {
-      caster_.RaiseWarning("SLOW_" + client.name,
+      Raise("SLOW_" + client.name,
                            fmt::format("{} reads too slowly and has lost mail", client.name));
     }
   }
   if (broker.counts().no_room > 0) {
-    caster_.RaiseWarning("NO_ROOM", "writes were refused: stored_mib is used up");
+    Raise("NO_ROOM", "writes were refused: stored_mib is used up");
   }
 }
 

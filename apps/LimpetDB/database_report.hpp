@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <mutex>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "apps/LimpetDB/wall_clock_watch.hpp"
 #include "limpet/app/app_caster.hpp"
 #include "limpet/app/app_status.hpp"
 #include "limpet/pubsub/tcp_broker.hpp"
@@ -12,7 +13,7 @@
 namespace limpet {
 
 /// What the database says of itself as apps do: APPCAST for those who look, LIMPETDB_STATUS every
-/// 2 s. It is no client of its own.
+/// 2 s, LIMPETDB_WARNINGS; and WALL_CLOCK. It is no client of its own.
 class DatabaseReport {
  public:
   /// `where`: address and port, as people read it.
@@ -25,10 +26,15 @@ class DatabaseReport {
 
  private:
   void Watch(const Broker& broker);
+  void WatchClock(TcpBrokerOptions::Words& words);
+  void Raise(const std::string& id, const std::string& text);
   [[nodiscard]] std::vector<std::string> Body(const Broker& broker, Seconds now);
 
   AppCaster caster_;
   AppStatus status_;
+  WallClockWatch clock_;
+  std::map<std::string, std::string> warnings_;  ///< now raised, id to text
+  bool has_news_of_warnings_ = false;
   std::string where_;
   double warp_;
   Seconds last_status_;

@@ -197,7 +197,8 @@ class Launch {
              command_.session == "discovery" ? "" : (run / "discovery").string()},
             {"LIMPET_SESSION", command_.session},
             {"LIMPET_SEED", command_.seed},
-            {kAllowOutside, command_.allows_outside ? "1" : ""}};
+            {kAllowOutside, command_.allows_outside ? "1" : ""},
+            {kClockOriginVariable, TextOf(OwnClockOrigin())}};
   }
   [[nodiscard]] bool LacksVitalProgram() const {
     const auto vital = std::ranges::find_if(plan_.missing, &MissingProgram::is_vital);

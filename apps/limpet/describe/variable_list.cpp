@@ -9,6 +9,7 @@
 #include "apps/limpet/session_runner.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/mission/mission_file.hpp"
+#include "limpet/topics/wall_clock.hpp"  // no app includes it: LimpetDB is none
 
 namespace limpet {
 namespace {

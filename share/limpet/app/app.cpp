@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -15,7 +16,9 @@ std::string AppContext::Global(std::string_view key) const {
 }
 
 App::App(const AppContext& context)
-    : context_(context), created_(context.link != nullptr ? context.link->Now() : Seconds(0.0)) {}
+    : context_(context),
+      stamps_(context.warp),
+      created_(context.link != nullptr ? context.link->Now() : Seconds(0.0)) {}
 
 void App::StartReporting(CastSettings settings) {
   settings.process = context_.name;
@@ -34,6 +37,7 @@ void App::StartReporting(CastSettings settings) {
 
 void App::Iterate(Seconds now) {
   ++iteration_;
+  WatchClock();
   Tick(now);
   if (caster_.IsDue(now)) {
     Cast(now);
@@ -50,7 +54,40 @@ void App::End(Seconds now) {
 void App::Cast(Seconds now) {
   ReportLines body;
   Report(body);
+  ReportRefusedStamps(body);
   PublishRaw("APPCAST", EncodeAppCast(caster_.Cast(body.lines(), iteration_, now)));
+}
+
+bool App::HasUsableStamp(const std::string& variable, Seconds stamp, const std::string& source) {
+  const Seconds at = now();
+  const StampGuard::Verdict verdict = stamps_.Judge(variable, stamp, at);
+  if (verdict == StampGuard::Verdict::kRefused) {
+    Warn("STAMP_FROM_FUTURE_" + variable,
+         fmt::format("refused: {} stamped it {:.1f} s ahead of vehicle time", source,
+                     (stamp - at).value()));
+  } else if (verdict == StampGuard::Verdict::kGoodAgain) {
+    ClearWarning("STAMP_FROM_FUTURE_" + variable);
+  }
+  return verdict != StampGuard::Verdict::kRefused;
+}
+
+void App::ReportRefusedStamps(ReportLines& report) const {
+  for (const auto& [variable, refused] : stamps_.refused()) {
+    report.Pair("Refused", fmt::format("{} of {} stamped in the future, up to {:.1f} s",
+                                       refused.count, variable, refused.farthest.value()));
+  }
+}
+
+/// Ours is the time of the community that this process entered first.
+void App::WatchClock() {
+  constexpr double kNoticed = 0.5;  // [s]
+  const double ahead = context_.link->ClockDisagreement().value();
+  if (std::abs(ahead) <= kNoticed) {
+    ClearWarning("CLOCK_DIFFERS");
+  } else {
+    Warn("CLOCK_DIFFERS",
+         fmt::format("the database's clock is {:+.1f} s off vehicle time; not followed", ahead));
+  }
 }
 
 void App::ReportEvent(std::string_view text) { caster_.AddEvent(now() - created_, text); }

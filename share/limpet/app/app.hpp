@@ -16,6 +16,7 @@
 
 #include "limpet/app/app_caster.hpp"
 #include "limpet/app/report_lines.hpp"
+#include "limpet/app/stamp_guard.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/core/message.hpp"
 #include "limpet/core/random.hpp"
@@ -39,8 +40,10 @@ class AppLink {
   }
   virtual void Subscribe(const std::string& name, Seconds interval) = 0;
   virtual void SubscribeWildcard(const WildcardFilter& filter) = 0;
-  /// MOOS time: seconds since 1970 times warp.
+  /// MOOS time: seconds since 1970 times warp, by the vehicle's clock, which never steps.
   [[nodiscard]] virtual Seconds Now() const = 0;
+  /// How far the database's clock has run away from Now() (real time).
+  [[nodiscard]] virtual Seconds ClockDisagreement() const { return Seconds(0.0); }
   /// True while the app goes through the mail of its former life (mail_journal.hpp): nothing that
   /// it publishes is sent, and what it did to files is done.
   [[nodiscard]] virtual bool is_replaying() const { return false; }
@@ -65,6 +68,7 @@ struct AppContext {
   /// True if the launcher started this process again after it had failed: what it did in its former
   /// life is done, and others count on it.
   bool is_restarted = false;
+  double warp = 1.0;  ///< MOOS time per real time
 
   /// Value of a mission global, or "".
   [[nodiscard]] std::string Global(std::string_view key) const;
@@ -101,24 +105,38 @@ class App {
   [[nodiscard]] const std::map<std::string, std::string>& warnings() const { return warnings_; }
 
  protected:
-  /// Calls `handler` for each message of `topic`. Text that does not decode raises a warning and is
-  /// counted. `interval` > 0 drops messages that come sooner.
+  /// Calls `handler` for each message of `topic`. Text that does not decode raises a warning.
+  /// What is stamped in the future is refused, counted, and raises STAMP_FROM_FUTURE_<name> until
+  /// the variable's stamps are right again. A command comes with the time of its reception.
+  /// `interval` > 0 drops messages that come sooner.
   template <class A, class T>
   void Subscribe(const Topic<T>& topic, void (A::*handler)(const Stamped<T>&),
                  Seconds interval = Seconds(0.0)) {
-    AddHandler(topic.name, interval, [this, handler](const MessagePtr& message) {
+    AddHandler(topic.name, interval, [this, handler, is_command = topic.is_command](const MessagePtr& message) {
+      if (!is_command && !HasUsableStamp(message->name, message->time, message->source)) {
+        return;
+      }
       std::optional<T> value = TopicCodec<T>::Decode(message->value);
       if (!value) {
         Warn("BAD_MAIL_" + message->name, "does not decode; sent by " + message->source);
         return;
       }
+<<<<<<< HEAD
       if (!warnings_.empty()) {
         ClearWarning("BAD_MAIL_" + message->name);
       }
       (static_cast<A*>(this)->*handler)(Stamped<T>{message->time, std::move(*value)});
+=======
+      const Seconds time = is_command ? now() : message->time;
+      (static_cast<A*>(this)->*handler)(Stamped<T>{time, std::move(*value)});
+>>>>>>> time
     });
   }
-  /// Every variable that matches, undecoded.
+  /// False for a time that a variable's content names (an exposure) and that lies in the future:
+  /// refused, counted and warned of like a message's own stamp.
+  [[nodiscard]] bool HasUsableStamp(const std::string& variable, Seconds stamp,
+                                    const std::string& source);
+  /// Every variable that matches, undecoded; stamps are as the sender made them, here and below.
   void SubscribeRaw(const WildcardFilter& filter, std::function<void(const MessagePtr&)> handler);
   /// One variable, undecoded: for names and types that only the mission knows.
   void SubscribeRaw(const std::string& name, std::function<void(const MessagePtr&)> handler);
@@ -157,11 +175,14 @@ class App {
   void AddHandler(const std::string& name, Seconds interval, Handler handler);
   void PublishWarnings();
   void Cast(Seconds now);
+  void WatchClock();
+  void ReportRefusedStamps(ReportLines& report) const;
 
   AppContext context_;
   std::unordered_map<std::string, std::vector<Handler>> handlers_;
   std::vector<std::pair<WildcardFilter, Handler>> wildcard_handlers_;
   std::map<std::string, std::string> warnings_;
+  StampGuard stamps_;
   AppCaster caster_;
   Seconds created_;
   std::int64_t iteration_ = 0;

@@ -44,9 +44,14 @@ class TestLink final : public AppLink {
   /// Delivers a value to an app at the link's current time.
   template <class T>
   void Send(App& app, const Topic<T>& topic, const T& value) const {
+    SendStamped(app, topic, value, time);
+  }
+  /// As a sender of another clock does.
+  template <class T>
+  void SendStamped(App& app, const Topic<T>& topic, const T& value, Seconds stamp) const {
     app.Deliver(std::make_shared<const Message>(Message{.name = topic.name,
                                                         .value = TopicCodec<T>::Encode(value),
-                                                        .time = time,
+                                                        .time = stamp,
                                                         .source = "test",
                                                         .source_aux = "",
                                                         .community = ""}));

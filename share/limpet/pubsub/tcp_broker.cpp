@@ -12,6 +12,7 @@
 #include <malloc.h>
 
 #include "limpet/core/clock.hpp"
+#include "limpet/pubsub/client_clock.hpp"
 #include "limpet/pubsub/send_batch.hpp"
 #include "limpet/pubsub/tcp_connection.hpp"
 #include "limpet/pubsub/value_keeper.hpp"
@@ -34,12 +35,17 @@ std::chrono::steady_clock::duration Real(double seconds) {
       std::chrono::duration<double>(seconds));
 }
 
+TcpBrokerOptions OnOwnClock(TcpBrokerOptions options) {
+  options.broker.hostname = HostWords(options.broker.hostname);
+  return options;
+}
+
 }  // namespace
 
 class TcpBroker::Impl {
  public:
   explicit Impl(TcpBrokerOptions options)
-      : options_(std::move(options)),
+      : options_(OnOwnClock(std::move(options))),
         broker_(options_.broker, MoosTime(options_.warp)),
         acceptor_(context_),
         local_acceptor_(context_),

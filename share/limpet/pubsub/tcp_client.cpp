@@ -181,6 +181,7 @@ TcpClient::State TcpClient::state() const { return impl_->state(); }
 std::string TcpClient::trouble() const { return impl_->trouble(); }
 std::string TcpClient::community() const { return impl_->community(); }
 Seconds TcpClient::Now() const { return impl_->Now(); }
+Seconds TcpClient::clock_disagreement() const { return impl_->clock_disagreement(); }
 double TcpClient::warp() const { return impl_->warp(); }
 std::size_t TcpClient::unsent() const { return impl_->unsent(); }
 std::uint64_t TcpClient::dropped() const { return impl_->dropped(); }

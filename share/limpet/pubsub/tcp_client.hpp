@@ -59,8 +59,10 @@ class TcpClient {
   [[nodiscard]] std::string trouble() const;
   /// Of the broker; empty before the first welcome.
   [[nodiscard]] std::string community() const;
-  /// The broker's MOOS time.
+  /// The broker's MOOS time; never goes back.
   [[nodiscard]] Seconds Now() const;
+  /// How far the broker's clock has run away from it (real time): somebody has set that clock.
+  [[nodiscard]] Seconds clock_disagreement() const;
   [[nodiscard]] double warp() const;
   /// Bytes not yet handed to the system, and messages lost because there were too many.
   [[nodiscard]] std::size_t unsent() const;

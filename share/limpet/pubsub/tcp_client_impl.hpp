@@ -44,6 +44,7 @@ class TcpClient::Impl {
   [[nodiscard]] std::uint64_t dropped() const;
   [[nodiscard]] double warp() const { return clock_.warp(); }
   [[nodiscard]] Seconds Now() const { return clock_.Now(); }
+  [[nodiscard]] Seconds clock_disagreement() const { return clock_.disagreement(); }
 
   // For UnitReader.
   [[nodiscard]] Expected<std::optional<std::size_t>> UnitSize(ByteView bytes) const;

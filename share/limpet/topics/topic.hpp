@@ -20,6 +20,7 @@ template <class T>
 struct Topic {
   std::string name;
   std::string meaning;
+  bool is_command = false;  ///< see TopicFacts
 };
 
 /// How a type travels in a Value. Records with Describe travel as `key=value` text; other types
@@ -120,7 +121,7 @@ template <class T>
                         .type = internal::WireType<T>(),
                         .fields = std::move(fields.names),
                         .facts = facts});
-  return {std::move(name), std::move(meaning)};
+  return {std::move(name), std::move(meaning), facts.is_command};
 }
 
 }  // namespace limpet

@@ -15,6 +15,9 @@ struct TopicFacts {
   std::string frame{};                 ///< axes and origin; "" if it has none
   std::string rate{};                  ///< nominal: "10 Hz", "on change"
   std::vector<std::string> writers{};  ///< apps; `operator` for a person or the mission's flags
+  /// It asks for something to be done when it comes: its time is that of reception. A sender on a
+  /// shore whose clock is wrong is obeyed all the same.
+  bool is_command = false;
 };
 
 /// One variable as another program meets it.
