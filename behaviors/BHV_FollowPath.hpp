@@ -14,8 +14,8 @@ class BHV_FollowPath final : public Behavior {
     Radians course_skirt = Radians::FromTextUnit(180.0);
     template <class Visitor>
     void Describe(Visitor& visit) {
-      visit("speed_mps", speed, "Speed along the path",
-            InRange(MetersPerSecond(0.05), MetersPerSecond(5.0)));
+      visit.Required("speed_mps", speed, "Speed along the path",
+                     InRange(MetersPerSecond(0.05), MetersPerSecond(5.0)));
       visit("course_skirt_deg", course_skirt, "Preference falls to nothing this far off course",
             InRange(Radians::FromTextUnit(1.0), Radians::FromTextUnit(180.0)));
     }

@@ -21,8 +21,8 @@ class BHV_HoldAltitude final : public Behavior {
     Seconds memory{15.0};
     template <class Visitor>
     void Describe(Visitor& visit) {
-      visit("altitude_m", altitude, "Height to keep above the seabed",
-            InRange(Meters(0.3), Meters(100.0)));
+      visit.Required("altitude_m", altitude, "Height to keep above the seabed",
+                     InRange(Meters(0.3), Meters(100.0)));
       visit("tolerance_m", tolerance, "Depths this near are as good",
             InRange(Meters(0.0), Meters(10.0)));
       visit("skirt_m", skirt, "Preference falls to nothing over this depth",

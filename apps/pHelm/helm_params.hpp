@@ -32,17 +32,17 @@ struct HelmParams {
 
   template <class Visitor>
   void Describe(Visitor& visit) {
-    visit("behaviors", behaviors, "Behavior files, relative to the mission folder");
+    visit.Required("behaviors", behaviors, "Behavior files, relative to the mission folder");
     visit("behavior_setting", behavior_setting, "Overrides of behavior files: name.key=value");
-    visit("domain", domain, "Decision variables, name:low:high:points");
+    visit.Required("domain", domain, "Decision variables, name:low:high:points");
     visit.Choice("planner", planner, "Whose options: Limpet's or the paper's (P0)",
                  {"limpet", "paper"});
     visit.Choice("gain", gain, "full, or coverage alone (no bids on objects; paper: eq 17)",
                  {"full", "coverage"});
-    visit("survey_altitude_m", survey_altitude, "Altitude at which options are valued",
-          InRange(Meters(0.5), Meters(100.0)));
-    visit("turning_radius_m", turning_radius, "Least radius of planned turns",
-          InRange(Meters(0.5), Meters(100.0)));
+    visit.Required("survey_altitude_m", survey_altitude, "Altitude at which options are valued",
+                   InRange(Meters(0.5), Meters(100.0)));
+    visit.Required("turning_radius_m", turning_radius, "Least radius of planned turns",
+                   InRange(Meters(0.5), Meters(100.0)));
     visit("tracking_allowance_m", tracking_allowance,
           "Paths keep this far inside the operating region, for the pilot's error",
           InRange(Meters(0.0), Meters(10.0)));

@@ -53,7 +53,8 @@ class NavApp final : public App {
             InRange(0.0_s, 3.0_s));
       visit("stale_after_s", stale_after, "A sensor silent for longer raises a warning",
             InRange(0.1_s, 60.0_s));
-      visit("opi_radius_m", opi_radius, "Radius of the objects; 0: unknown", InRange(0.0_m, 5.0_m));
+      visit.Required("opi_radius_m", opi_radius, "Radius of the objects; 0: unknown",
+                     InRange(0.0_m, 5.0_m));
       visit("min_confidence", min_confidence, "Boxes below are not used", InRange(0.0, 1.0));
       visit("looks_to_confirm", looks_to_confirm, "Boxes that make an object", InRange(2, 100));
       visit("confirm_log_odds", confirm_log_odds,

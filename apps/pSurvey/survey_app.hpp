@@ -38,18 +38,18 @@ class SurveyApp final : public App {
     Seconds give_up{1800.0};
     template <class Visitor>
     void Describe(Visitor& visit) {
-      visit("area_north_min_m", north_min, "South edge of the area");
-      visit("area_north_max_m", north_max, "North edge of the area");
-      visit("area_east_min_m", east_min, "West edge of the area");
-      visit("area_east_max_m", east_max, "East edge of the area");
+      visit.Required("area_north_min_m", north_min, "South edge of the area");
+      visit.Required("area_north_max_m", north_max, "North edge of the area");
+      visit.Required("area_east_min_m", east_min, "West edge of the area");
+      visit.Required("area_east_max_m", east_max, "East edge of the area");
       visit("margin_m", margin, "Strip around the area that the vehicle may use",
             InRange(Meters(0.0), Meters(100.0)));
-      visit("object_height_max_m", object_height_max,
-            "Objects float up to this height above the seabed; 0 covers the bottom alone",
-            InRange(Meters(0.0), Meters(10.0)));
-      visit("altitude_m", altitude,
-            "Survey altitude; the dive ends within altitude_tolerance_m of it",
-            InRange(Meters(0.5), Meters(50.0)));
+      visit.Required("object_height_max_m", object_height_max,
+                     "Objects float up to this height above the seabed; 0 covers the bottom alone",
+                     InRange(Meters(0.0), Meters(10.0)));
+      visit.Required("altitude_m", altitude,
+                     "Survey altitude; the dive ends within altitude_tolerance_m of it",
+                     InRange(Meters(0.5), Meters(50.0)));
       visit("altitude_tolerance_m", altitude_tolerance, "How near the altitude must be",
             InRange(Meters(0.05), Meters(5.0)));
       visit("align_s", align, "Time at the surface to collect GPS fixes before the dive",

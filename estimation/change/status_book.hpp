@@ -32,8 +32,8 @@ struct StatusParams {
     looks.Describe(visit);
     priors.Describe(visit);
     matching.Describe(visit);
-    visit("object_radius_m", object_radius, "Radius of the objects looked for",
-          InRange(0.05_m, 5.0_m));
+    visit.Required("object_radius_m", object_radius, "Radius of the objects looked for",
+                   InRange(0.05_m, 5.0_m));
     visit("merge_within_m", merge_within,
           "Landmarks closer than this and never seen together are one object",
           InRange(0.0_m, 10.0_m));

@@ -17,6 +17,7 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 std::string DefaultOf(const ParamSpec& parameter) {
+  if (parameter.is_required) return "required";
   const std::string text = parameter.default_text.empty() ? "(empty)" : parameter.default_text;
   return parameter.unit.empty() ? text : text + " " + parameter.unit;
 }
@@ -30,7 +31,10 @@ OrderedJson JsonOf(const ParameterOwner& owner) {
   for (const ParamSpec& parameter : owner.parameters) {
     parameters.push_back({{"name", parameter.name},
                           {"unit", parameter.unit},
-                          {"default", parameter.default_text},
+                          {"default", parameter.is_required ? OrderedJson(nullptr)
+                                                            : OrderedJson(parameter.default_text)},
+                          {"required", parameter.is_required},
+                          {"example", parameter.example},
                           {"allowed", parameter.allowed},
                           {"repeatable", parameter.is_repeatable},
                           {"meaning", parameter.help}});
@@ -74,8 +78,9 @@ std::string PlainText(const ParameterOwner& owner) {
                          ? fmt::format("{}: app, ticks at {} Hz\n", owner.name, *owner.tick_hz)
                          : fmt::format("{}: behavior\n", owner.name);
   for (const ParamSpec& parameter : owner.parameters) {
-    text += fmt::format("\n  {} = {}\n      {}\n      allowed: {}\n", parameter.name,
-                        DefaultOf(parameter), parameter.help, AllowedOf(parameter));
+    const std::string value = parameter.is_required ? ": required" : " = " + DefaultOf(parameter);
+    text += fmt::format("\n  {}{}\n      {}\n      allowed: {}\n", parameter.name, value,
+                        parameter.help, AllowedOf(parameter));
   }
   const auto& common = owner.is_app() ? CommonAppKeys() : CommonBehaviorKeys();
   return text + fmt::format("\n  and as every {}: {}\n", owner.is_app() ? "app" : "behavior",

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "limpet/app/app_command.hpp"
+#include "limpet/app/app_example.hpp"
 #include "limpet/app/app_status.hpp"
 #include "limpet/app/app_tick.hpp"
 #include "limpet/app/live_link.hpp"
@@ -27,8 +28,12 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 ConfigBlock BlockFor(const AppCommand& command) {
   const ConfigBlock* own = command.mission.Block(command.name);
   const ConfigBlock* found = own != nullptr ? own : command.mission.Block(command.process);
+  const std::string file =
+      command.mission_file.empty() ? "no mission file" : command.mission_file.string();
   ConfigBlock block =
-      found != nullptr ? *found : ConfigBlock{.name = command.name, .where = {}, .entries = {}};
+      found != nullptr
+          ? *found
+          : ConfigBlock{.name = command.name, .where = {.file = file, .line = 0}, .entries = {}};
   for (const ConfigEntry& entry : command.overrides) {
     std::erase_if(block.entries, [&entry](const ConfigEntry& old) {
       return EqualsIgnoringCase(old.key, entry.key);
@@ -37,16 +42,6 @@ ConfigBlock BlockFor(const AppCommand& command) {
   }
   std::ranges::copy(command.additions, std::back_inserter(block.entries));
   return block;
-}
-
-std::string Example(const std::string& process, const AppEntry& entry) {
-  std::string text =
-      fmt::format("ProcessConfig = {}\n{{\n  AppTick = {:g}\n", process, entry.default_tick_hz);
-  for (const ParamSpec& spec : entry.describe()) {
-    text += fmt::format("  {} = {}{}\n", spec.name, spec.default_text,
-                        spec.help.empty() ? "" : "  // " + spec.help);
-  }
-  return text + "}\n";
 }
 
 constexpr Seconds kStatusPeriod(2.0);  ///< real time
@@ -196,7 +191,7 @@ int RunApp(const std::string& process, int argc, const char* const* argv) {
       return 0;
     }
     if (command.wants_example) {
-      fmt::print("{}", Example(process, entry));
+      fmt::print("{}", AppExample(process, entry));
       return 0;
     }
     return Run(command, entry);

@@ -21,6 +21,12 @@ std::string AllowedText(const Range<double>& range, std::string_view unit) {
   return unit.empty() ? "a number" : fmt::format("a number in {}", unit);
 }
 
+ConfigProblem Missing(const ConfigBlock& block, const ParamSpec& spec) {
+  return {block.where, spec.name,
+          fmt::format("is missing in {} and has no default; allowed: {}{}", block.name,
+                      spec.allowed, spec.is_repeatable ? " (may repeat)" : "")};
+}
+
 bool IsInside(double value, const Range<double>& range) {
   // A bound that went through degrees and back may miss itself by an ulp.
   constexpr double kSlack = 1e-12;
@@ -29,6 +35,13 @@ bool IsInside(double value, const Range<double>& range) {
 }
 
 }  // namespace
+
+void ParamCollector::Add(ParamSpec spec) {
+  if (spec.example.empty()) {
+    spec.example.push_back(spec.default_text);
+  }
+  specs_.push_back(std::move(spec));
+}
 
 void ParamCollector::DeclareNumber(const char* name, const char* unit, double default_value,
                                    const char* help, const Range<double>& range,
@@ -49,7 +62,7 @@ void ParamCollector::DeclareNumber(const char* name, const char* unit, double de
     store(*value);
     return std::nullopt;
   };
-  specs_.push_back(std::move(spec));
+  Add(std::move(spec));
 }
 
 void ParamCollector::operator()(const char* name, double& field, const char* help,
@@ -93,7 +106,7 @@ void ParamCollector::operator()(const char* name, bool& field, const char* help)
     field = *value;
     return std::nullopt;
   };
-  specs_.push_back(std::move(spec));
+  Add(std::move(spec));
 }
 
 void ParamCollector::operator()(const char* name, std::string& field, const char* help) {
@@ -108,7 +121,7 @@ void ParamCollector::operator()(const char* name, std::string& field, const char
     field = std::string(text);
     return std::nullopt;
   };
-  specs_.push_back(std::move(spec));
+  Add(std::move(spec));
 }
 
 void ParamCollector::operator()(const char* name, std::vector<std::string>& field,
@@ -119,6 +132,7 @@ void ParamCollector::operator()(const char* name, std::vector<std::string>& fiel
                  .allowed = "text, one per line",
                  .help = help,
                  .is_repeatable = true,
+                 .example = field,
                  .set = nullptr};
   spec.set = [&field,
               is_default = true](std::string_view text) mutable -> std::optional<std::string> {
@@ -128,7 +142,7 @@ void ParamCollector::operator()(const char* name, std::vector<std::string>& fiel
     field.emplace_back(text);
     return std::nullopt;
   };
-  specs_.push_back(std::move(spec));
+  Add(std::move(spec));
 }
 
 void ParamCollector::Choice(const char* name, std::string& field, const char* help,
@@ -148,7 +162,7 @@ void ParamCollector::Choice(const char* name, std::string& field, const char* he
     field = std::string(text);
     return std::nullopt;
   };
-  specs_.push_back(std::move(spec));
+  Add(std::move(spec));
 }
 
 std::vector<ConfigProblem> ApplyBlock(const ConfigBlock& block, const std::vector<ParamSpec>& specs,
@@ -156,12 +170,14 @@ std::vector<ConfigProblem> ApplyBlock(const ConfigBlock& block, const std::vecto
   std::vector<std::string> known = also_known;
   std::ranges::transform(specs, std::back_inserter(known), &ParamSpec::name);
   std::vector<ConfigProblem> problems = block.problems;
+  std::vector<std::string> given;  // also what was meant: one slip is one problem
   for (const ConfigEntry& entry : block.entries) {
     const auto matches = [&entry](const std::string& name) {
       return EqualsIgnoringCase(name, entry.key);
     };
     const auto spec = std::ranges::find_if(specs, matches, &ParamSpec::name);
     if (spec != specs.end()) {
+      given.push_back(spec->name);
       if (const auto complaint = spec->set(entry.value)) {
         problems.push_back({entry.where, entry.key, *complaint});
       }
@@ -171,10 +187,16 @@ std::vector<ConfigProblem> ApplyBlock(const ConfigBlock& block, const std::vecto
       continue;
     }
     const std::string nearest = NearestWord(entry.key, known);
+    given.push_back(nearest);
     problems.push_back(
         {entry.where, entry.key,
          fmt::format("unknown key in {}{}", block.name,
                      nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest))});
+  }
+  for (const ParamSpec& spec : specs) {
+    if (spec.is_required && std::ranges::find(given, spec.name) == given.end()) {
+      problems.push_back(Missing(block, spec));
+    }
   }
   return problems;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A parameter is declared once, in its struct's Describe: name, type, default, unit, meaning,
-// range. The parser, the checks, --example, --interface and the docs all come from that.
+// range. The parser, the checks, --example, --interface and the docs all come from that. What only
+// a mission can know is declared with Required: it has no default, and a block without it is
+// refused.
 #pragma once
 
 #include <cstdint>
@@ -34,11 +36,15 @@ template <class T>
 /// One declared parameter, free of its type.
 struct ParamSpec {
   std::string name;
-  std::string unit;  ///< symbol of the text unit, "" if none
-  std::string default_text;
-  std::string allowed;  ///< e.g. "1 to 6000 m"
+  std::string unit;          ///< symbol of the text unit, "" if none
+  std::string default_text;  ///< "" if required
+  std::string allowed;       ///< e.g. "1 to 6000 m"
   std::string help;
   bool is_repeatable = false;
+  bool is_required = false;  ///< a block must say it
+  /// Values as a block may give them, one per line: the default, or of a required parameter what
+  /// the struct is initialised with.
+  std::vector<std::string> example{};
   /// Parses and stores; the complaint if the text is no allowed value.
   std::function<std::optional<std::string>(std::string_view)> set;
 };
@@ -66,9 +72,19 @@ class ParamCollector {
                   [&field](double text) { field = Quantity<D>::FromTextUnit(text); });
   }
 
+  /// Declares what a mission must say, as the call without `Required` declares what it may say.
+  /// What the field is initialised with is an example and never reaches a mission.
+  template <class Field, class... More>
+  void Required(const char* name, Field& field, const char* help, const More&... more) {
+    (*this)(name, field, help, more...);
+    specs_.back().is_required = true;
+    specs_.back().default_text.clear();
+  }
+
   [[nodiscard]] const std::vector<ParamSpec>& specs() const { return specs_; }
 
  private:
+  void Add(ParamSpec spec);
   void DeclareNumber(const char* name, const char* unit, double default_value, const char* help,
                      const Range<double>& range, std::function<void(double)> store);
   std::vector<ParamSpec> specs_;
@@ -82,7 +98,8 @@ template <class P>
 }
 
 /// Applies `block` to `specs`: every problem of every line, those found in reading it first, with
-/// the nearest known key. Keys listed in `also_known` are somebody else's and pass.
+/// the nearest known key, and every required parameter that no line gives. Keys listed in
+/// `also_known` are somebody else's and pass.
 [[nodiscard]] std::vector<ConfigProblem> ApplyBlock(
     const ConfigBlock& block, const std::vector<ParamSpec>& specs,
     const std::vector<std::string>& also_known = {});

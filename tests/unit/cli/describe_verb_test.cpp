@@ -11,6 +11,8 @@
 #include "apps/limpet/describe/parameter_list.hpp"
 #include "apps/limpet/describe/variable_list.hpp"
 #include "apps/limpet/verbs/describe.hpp"
+#include "limpet/app/app_example.hpp"
+#include "limpet/mission/mission_file.hpp"
 
 namespace limpet {
 namespace {
@@ -42,8 +44,35 @@ std::string TextOf(const std::filesystem::path& file) {
 TEST(Describe, SaysWhatABehaviorMayBeGiven) {
   const Output output = Describe({"BHV_HoldAltitude"});
   EXPECT_EQ(output.exit_code, kOk);
-  EXPECT_THAT(output.text, HasSubstr("altitude_m = "));
+  EXPECT_THAT(output.text, HasSubstr("altitude_m: required"));
   EXPECT_THAT(output.text, HasSubstr("allowed: "));
+}
+
+TEST(Describe, SaysWhatAMissionMustSay) {
+  const std::string text = Describe({"pSurvey"}).text;
+  EXPECT_THAT(text, HasSubstr("area_north_min_m: required"));
+  EXPECT_THAT(text, HasSubstr("margin_m = 2 m"));
+  const auto list = nlohmann::json::parse(Describe({"pSurvey", "--json"}).text);
+  const nlohmann::json& area = list.at(0).at("parameters").at(0);
+  EXPECT_TRUE(area.at("required").get<bool>());
+  EXPECT_TRUE(area.at("default").is_null());
+  EXPECT_THAT(Describe({"pSurvey", "--markdown"}).text,
+              HasSubstr("| `area_north_min_m` | required |"));
+}
+
+TEST(Describe, EveryExampleIsTakenByItsApp) {
+  for (const auto& [name, entry] : AppRegistry()) {
+    const std::string example = AppExample(name, entry);
+    const MissionFile mission = ParseMission(example, "example.moos");
+    ASSERT_NE(mission.Block(name), nullptr) << example;
+    for (const ConfigProblem& problem : entry.check(*mission.Block(name))) {
+      ADD_FAILURE() << name << ": " << problem.Format();
+    }
+    for (const ParamSpec& spec : entry.describe()) {
+      EXPECT_TRUE(!spec.is_required || mission.Block(name)->Find(spec.name) != nullptr)
+          << spec.name;
+    }
+  }
 }
 
 TEST(Describe, SaysWhoWritesAndReadsAVariable) {

@@ -17,11 +17,23 @@ TEST(CameraParams, DefaultIsTheDefaultCamera) {
 
 TEST(CameraParams, ReadsDegreesAndPixels) {
   ConfigBlock block;
-  block.entries.push_back({.key = "camera_fov_across_deg", .value = "60", .where = {}});
-  block.entries.push_back({.key = "camera_height_px", .value = "240", .where = {}});
+  block.entries = {{"camera_fov_across_deg", "60", {}},
+                   {"camera_fov_along_deg", "45", {}},
+                   {"camera_width_px", "320", {}},
+                   {"camera_height_px", "240", {}}};
   const CameraGeometry camera = ReadParams<CameraParams>(block).geometry();
   EXPECT_NEAR(camera.fov_across, RadiansFromDegrees(60.0), 1e-12);
   EXPECT_EQ(camera.height_px, 240);
+}
+
+TEST(CameraParams, HasNoDefault) {
+  const ConfigBlock block{.name = "pMap", .where = {"m.moos", 3}, .entries = {}};
+  try {
+    static_cast<void>(ReadParams<CameraParams>(block));
+    FAIL() << "took a camera that nobody gave";
+  } catch (const ConfigError& error) {
+    EXPECT_EQ(error.problems().size(), 4U);
+  }
 }
 
 TEST(CameraParams, RefusesAnAngleThatNoPinholeHas) {

@@ -138,5 +138,53 @@ TEST(Params, DescribeThemselves) {
   EXPECT_TRUE(specs[5].is_repeatable);
 }
 
+/// A mission's facts: only it can know them.
+struct RequiringParams {
+  Meters altitude{4.0};
+  std::vector<std::string> files{"a.bhv", "b.bhv"};
+  Meters margin{2.0};
+  template <class V>
+  void Describe(V& visit) {
+    using namespace literals;
+    visit.Required("altitude_m", altitude, "Above the seabed", InRange(0.5_m, 100.0_m));
+    visit.Required("file", files, "One per line");
+    visit("margin_m", margin, "Around", AtLeast(0.0_m));
+  }
+};
+
+std::string ComplaintsOf(const std::vector<ConfigEntry>& entries) {
+  RequiringParams params;
+  std::string text;
+  const ConfigBlock block{.name = "pSample", .where = {"m.moos", 7}, .entries = entries};
+  for (const ConfigProblem& problem : ApplyBlock(block, DescribeParams(params))) {
+    text += problem.Format() + "\n";
+  }
+  return text;
+}
+
+TEST(RequiredParams, AreRefusedWithTheLineOfTheBlockThatLacksThem) {
+  EXPECT_EQ(ComplaintsOf({{"margin_m", "1", {"m.moos", 9}}}),
+            "m.moos:7: altitude_m: is missing in pSample and has no default; allowed: 0.5 to 100 "
+            "m\nm.moos:7: file: is missing in pSample and has no default; allowed: text, one per "
+            "line (may repeat)\n");
+  EXPECT_EQ(ComplaintsOf({{"Altitude_M", "4", {}}, {"file", "c.bhv", {}}}), "");
+}
+
+TEST(RequiredParams, AMisspeltOneIsOneProblem) {
+  EXPECT_EQ(ComplaintsOf({{"altitde_m", "4", {"m.moos", 8}}, {"file", "c.bhv", {}}}),
+            "m.moos:8: altitde_m: unknown key in pSample; did you mean `altitude_m`?\n");
+}
+
+TEST(RequiredParams, HaveNoDefaultButAnExample) {
+  RequiringParams params;
+  const std::vector<ParamSpec> specs = DescribeParams(params);
+  EXPECT_TRUE(specs[0].is_required);
+  EXPECT_EQ(specs[0].default_text, "");
+  EXPECT_THAT(specs[0].example, ElementsAre("4"));
+  EXPECT_THAT(specs[1].example, ElementsAre("a.bhv", "b.bhv"));
+  EXPECT_FALSE(specs[2].is_required);
+  EXPECT_EQ(specs[2].default_text, "2");
+}
+
 }  // namespace
 }  // namespace limpet
