@@ -121,15 +121,11 @@ class App {
         Warn("BAD_MAIL_" + message->name, "does not decode; sent by " + message->source);
         return;
       }
-<<<<<<< HEAD
       if (!warnings_.empty()) {
         ClearWarning("BAD_MAIL_" + message->name);
       }
-      (static_cast<A*>(this)->*handler)(Stamped<T>{message->time, std::move(*value)});
-=======
       const Seconds time = is_command ? now() : message->time;
       (static_cast<A*>(this)->*handler)(Stamped<T>{time, std::move(*value)});
->>>>>>> time
     });
   }
   /// False for a time that a variable's content names (an exposure) and that lies in the future:
