@@ -87,19 +87,21 @@ void PlanEntry(const LaunchEntry& entry, const LaunchCommand& command, const fs:
   }
   // Missions written for MOOS name its database; ours takes its place.
   const bool is_database = entry.binary == "MOOSDB" || entry.binary == "LimpetDB";
-  std::optional<fs::path> named;
-  if (command.allows_outside) {
-    named = ProgramFolder(entry, plan.mission);
-  } else if (auto problem = ProgramProblem(entry, plan.mission, own_folder)) {
+  const std::optional<fs::path> named = ProgramFolder(entry, plan.mission);
+  auto problem =
+      command.allows_outside ? std::nullopt : ProgramProblem(entry, plan.mission, own_folder);
+  if (problem) {
     problems.push_back(*std::move(problem));
     return;
   }
   const std::string binary = is_database ? "LimpetDB" : entry.binary;
-  const std::optional<fs::path> program = FindProgram(binary, named, own_folder);
+  const std::optional<fs::path> program =
+      FindProgram(binary, command.allows_outside ? named : std::nullopt, own_folder);
   if (!program) {
     plan.missing.push_back({.name = entry.moos_name,
                             .binary = binary,
                             .is_vital = is_database || !IsDispensable(binary),
+                            .passed_over = named && !command.allows_outside ? named->string() : "",
                             .where = entry.where});
     return;
   }
@@ -116,8 +118,12 @@ void PlanEntry(const LaunchEntry& entry, const LaunchCommand& command, const fs:
 }
 
 ConfigProblem NotThere(const MissingProgram& missing, const fs::path& own_folder) {
-  return {missing.where, "Run",
-          fmt::format("no program `{}` in {} nor on PATH", missing.binary, own_folder.string())};
+  return {
+      missing.where, "Run",
+      fmt::format("no program `{}` in {} nor on PATH{}", missing.binary, own_folder.string(),
+                  missing.passed_over.empty()
+                      ? ""
+                      : fmt::format("; {} is searched with --allow-outside", missing.passed_over))};
 }
 
 /// Nothing to launch, nothing of it there, or no database: that is no mission.

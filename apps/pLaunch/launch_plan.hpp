@@ -41,7 +41,8 @@ struct LaunchCommand {
 struct MissingProgram {
   std::string name;  ///< MOOS name
   std::string binary;
-  bool is_vital = true;  ///< no viewer or tool
+  bool is_vital = true;       ///< no viewer or tool
+  std::string passed_over{};  ///< a folder of the mission that is searched with --allow-outside
   SourceLine where;
 };
 

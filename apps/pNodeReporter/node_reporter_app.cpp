@@ -37,6 +37,7 @@ std::optional<double> IfPositive(Meters length) {
 NodeReporterApp::NodeReporterApp(const AppContext& context, const Params& params)
     : App(context), params_(params) {
   ReadDatum();
+  ReadExtras();
   Subscribe(topics::kNavX, &NodeReporterApp::OnX);
   Subscribe(topics::kNavY, &NodeReporterApp::OnY);
   Subscribe(topics::kNavSpeed, &NodeReporterApp::OnSpeed);
@@ -47,6 +48,7 @@ NodeReporterApp::NodeReporterApp(const AppContext& context, const Params& params
   Subscribe(topics::kHelmState, &NodeReporterApp::OnHelmState);
   Subscribe(topics::kHelmAllStop, &NodeReporterApp::OnAllStop);
   Subscribe(topics::kHelmSummary, &NodeReporterApp::OnSummary);
+  SubscribeToExtras();
 }
 
 void NodeReporterApp::ReadDatum() {
@@ -106,6 +108,10 @@ NodeReport NodeReporterApp::ReportAt(Seconds now) const {
                     .time = last_nav_->value(),
                     .length = IfPositive(params_.platform_length),
                     .beam = IfPositive(params_.platform_beam)};
+  report.vsource = params_.vsource;
+  report.transparency = params_.platform_transparency > 0.0
+                            ? std::optional(params_.platform_transparency)
+                            : std::nullopt;
   if (altitude_ && now - altitude_->time <= kAltitudeLasts) {
     report.altitude = altitude_->value;
   }
@@ -123,7 +129,7 @@ NodeReport NodeReporterApp::ReportAt(Seconds now) const {
 }
 
 void NodeReporterApp::Tick(Seconds now) {
-  if (!x_ || !y_ || !speed_ || !heading_) {
+  if (params_.is_paused || !x_ || !y_ || !speed_ || !heading_) {
     return;
   }
   if (last_report_ && now - *last_report_ < params_.blackout_interval) {
@@ -131,7 +137,10 @@ void NodeReporterApp::Tick(Seconds now) {
   }
   last_report_ = now;
   ++reports_;
-  PublishRaw(params_.node_report_output, TopicCodec<NodeReport>::Encode(ReportAt(now)));
+  Post(ReportAt(now), ExtrasAt(now));
+  if (const auto alternative = AlternativeAt(now)) {
+    Post(*alternative, "");
+  }
 }
 
 void NodeReporterApp::Report(ReportLines& report) const {
@@ -139,7 +148,8 @@ void NodeReporterApp::Report(ReportLines& report) const {
               fmt::format("{} ({})", context().Global("Community"), params_.platform_type));
   report.Pair("Datum",
               fmt::format("{}, {}", context().Global("LatOrigin"), context().Global("LongOrigin")));
-  report.Pair("Reports", fmt::format("{} on {}", reports_, params_.node_report_output));
+  report.Pair("Reports", fmt::format("{} on {}{}", reports_, params_.node_report_output,
+                                     params_.is_paused ? ", paused" : ""));
   if (!last_report_) {
     report.Pair("Position", "not known yet");
     return;

@@ -3,10 +3,12 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "apps/pNodeReporter/node_reporter_params.hpp"
+#include "apps/pNodeReporter/node_rider.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/core/geodesy.hpp"
-#include "limpet/core/params.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
 #include "limpet/topics/viewer.hpp"
@@ -18,37 +20,10 @@ namespace limpet {
 /// name.
 class NodeReporterApp final : public App {
  public:
-  struct Params {
-    std::string platform_type = "uuv";
-    Meters platform_length{1.3};
-    Meters platform_beam{0.0};
-    std::string platform_color{};
-    std::string group{};
-    Seconds blackout_interval{0.0};
-    Seconds nohelm_threshold{5.0};
-    std::string node_report_output = topics::kNodeReportLocal.name;
-    bool terse_reports = false;
-    template <class Visitor>
-    void Describe(Visitor& visit) {
-      using namespace literals;
-      visit("platform_type", platform_type,
-            "Body that viewers draw: uuv, kayak, glider, ship, heron, wamv, ...");
-      visit("platform_length", platform_length, "Length of the vehicle; 0: not reported",
-            InRange(0.0_m, 500.0_m));
-      visit("platform_beam", platform_beam, "Beam of the vehicle; 0: not reported",
-            InRange(0.0_m, 500.0_m));
-      visit("platform_color", platform_color, "Color that viewers draw; empty: theirs");
-      visit("group", group, "Group of vehicles that this one belongs to");
-      visit("blackout_interval", blackout_interval, "Least time between two reports",
-            InRange(0.0_s, 3600.0_s));
-      visit("nohelm_threshold", nohelm_threshold, "A helm silent for longer is reported as NOHELM",
-            InRange(0.5_s, 600.0_s));
-      visit("node_report_output", node_report_output, "Variable of the report");
-      visit("terse_reports", terse_reports, "Leave out depth, latitude, longitude and yaw");
-    }
-  };
+  using Params = NodeReporterParams;
 
-  /// Throws ConfigError if LatOrigin or LongOrigin is no number or lies off the earth.
+  /// Throws ConfigError if LatOrigin or LongOrigin is no number or lies off the earth, and for a
+  /// rider or aspect that is none.
   NodeReporterApp(const AppContext& context, const Params& params);
   void Tick(Seconds now) override;
   void Report(ReportLines& report) const override;
@@ -65,8 +40,15 @@ class NodeReporterApp final : public App {
   void OnAllStop(const Stamped<std::string>& allstop) { allstop_ = allstop.value; }
   void OnSummary(const Stamped<std::string>& summary);
   void ReadDatum();
+  void ReadExtras();
+  void SubscribeToExtras();
+  void OnAlternative(const std::string& what, double value, Seconds time);
   [[nodiscard]] std::string ModeAt(Seconds now) const;
   [[nodiscard]] NodeReport ReportAt(Seconds now) const;
+  /// The second position, if it is known and fresh.
+  [[nodiscard]] std::optional<NodeReport> AlternativeAt(Seconds now) const;
+  [[nodiscard]] std::string ExtrasAt(Seconds now);
+  void Post(const NodeReport& report, const std::string& extras);
 
   Params params_;
   std::optional<LocalGrid> grid_;
@@ -75,6 +57,10 @@ class NodeReporterApp final : public App {
   std::optional<Seconds> last_nav_, last_helm_, last_report_;
   std::string helm_state_, allstop_, mode_;
   bool has_asked_for_mode_ = false;
+  std::vector<NodeRider> riders_;
+  NodeReport alternative_;
+  bool has_alternative_x_ = false, has_alternative_y_ = false;
+  std::optional<Seconds> last_alternative_;
   int reports_ = 0;
 };
 

@@ -4,8 +4,10 @@
 #include <string_view>
 
 #include "limpet/mission/mode_set.hpp"
+#include "tests/fuzz/time_bound.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const limpet::TimeBound bound(size);
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
     limpet::BehaviorFile file = limpet::ParseBehaviors(text, "fuzz.bhv", {});

@@ -12,7 +12,8 @@
 namespace limpet::internal {
 namespace {
 
-constexpr int kMaxDepth = 100;  // far beyond any condition a person writes
+constexpr int kMaxDepth = 100;  // both far beyond any condition a person writes
+constexpr std::size_t kMaxBytes = 4096;
 
 /// True if the first parenthesis closes at the very end.
 bool IsParenthesised(std::string_view text) {
@@ -36,16 +37,21 @@ bool IsNegation(std::string_view text) {
   return text.starts_with('!') && IsParenthesised(text.substr(1));
 }
 
-bool IsBalanced(std::string_view text) {
+/// The complaint about a text's parentheses, if there is one. Judged at once, before any are taken
+/// off: each level is looked through again, which would take the square of a long text.
+std::optional<Error> ParenthesesProblem(std::string_view text) {
   int depth = 0;
   for (const char letter : text) {
     depth += letter == '(' ? 1 : 0;
     depth -= letter == ')' ? 1 : 0;
+    if (depth > kMaxDepth) {
+      return Error{"nested too deeply"};
+    }
     if (depth < 0) {
-      return false;
+      break;
     }
   }
-  return depth == 0;
+  return depth == 0 ? std::nullopt : std::optional(Error{"parentheses do not match"});
 }
 
 std::string_view WithoutOuterParentheses(std::string_view text) {
@@ -193,8 +199,11 @@ Expected<ConditionNode> ParseConditionNode(std::string_view text) {
   if (Trim(text).empty()) {
     return Error{"is empty"};
   }
-  if (!IsBalanced(text)) {
-    return Error{"parentheses do not match"};
+  if (text.size() > kMaxBytes) {
+    return Error{fmt::format("is longer than {} bytes", kMaxBytes)};
+  }
+  if (auto problem = ParenthesesProblem(text)) {
+    return *std::move(problem);
   }
   return ParseNode(text, 0);
 }

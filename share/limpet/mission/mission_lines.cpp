@@ -68,7 +68,7 @@ std::string MissionVariables::Substitute(const TextLine& line,
     bytes_ += out.size() - before;
     if (bytes_ > kMaxBytes) {
       throw ConfigError(
-          {line.where, "${" + name + "}", "the file's variables stand for more than 8 MiB in all"});
+          {line.where, "${" + name + "}", "the file's variables stand for more than 4 MiB in all"});
     }
     rest.remove_prefix(close + 1);
   }

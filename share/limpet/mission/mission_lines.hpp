@@ -31,7 +31,7 @@ class MissionVariables {
  public:
   void Learn(const std::vector<TextLine>& lines);
   /// Of all lines of a file: many uses of a long value grow with the square of the file.
-  static constexpr std::size_t kMaxBytes = std::size_t{8} << 20U;
+  static constexpr std::size_t kMaxBytes = std::size_t{4} << 20U;
 
   /// Replaces each `${NAME}` once. Unknown ones lose their braces, as in MOOS, and are problems.
   /// Throws ConfigError beyond kMaxBytes.

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 // A template of 800 bytes may ask for anything: fragments include each other's copies, values
 // double. Stock templates stay three orders of magnitude below each of these.
 constexpr std::size_t kMaxLines = 100'000;
-constexpr std::size_t kMaxBytes = std::size_t{8} << 20U;
+constexpr std::size_t kMaxBytes = std::size_t{4} << 20U;
 constexpr std::size_t kMaxBytesRead = std::size_t{8} << 20U;
 constexpr int kMaxFilesRead = 1000;
 constexpr std::size_t kMaxDepth = 64;

@@ -14,9 +14,9 @@ namespace limpet {
 /// undefined, `$(M:=x)` x if M is undefined or empty.
 class PlugMacros {
  public:
-  static constexpr std::size_t kMaxLineBytes = std::size_t{64} << 10U;  ///< that a line may grow by
+  static constexpr std::size_t kMaxLineBytes = std::size_t{32} << 10U;  ///< that a line may grow by
   /// Of all lines and rounds of one template: values that double do so in no time.
-  static constexpr std::size_t kMaxWorkBytes = std::size_t{8} << 20U;
+  static constexpr std::size_t kMaxWorkBytes = std::size_t{4} << 20U;
 
   struct Macro {
     std::string value;

@@ -23,14 +23,17 @@ struct NodeReport {
   std::optional<double> yaw{};  ///< counter-clockwise from east [rad]
   double time = 0.0;            ///< UTC in MOOS time [s]
   std::optional<double> length{}, beam{};
+  std::string vsource{};                 ///< where what is known of the vehicle comes from
+  std::optional<double> transparency{};  ///< 0 to 1
   template <class V>
   void Describe(V& visit) {
     visit("NAME", name), visit("X", x), visit("Y", y), visit("SPD", speed);
     visit("HDG", heading_deg), visit("DEP", depth), visit("LAT", latitude_deg);
     visit("LON", longitude_deg), visit("TYPE", type), visit("COLOR", color);
-    visit("GROUP", group), visit("MODE", mode), visit("ALLSTOP", allstop);
+    visit("GROUP", group), visit("VSOURCE", vsource), visit("MODE", mode),
+        visit("ALLSTOP", allstop);
     visit("ALTITUDE", altitude), visit("YAW", yaw), visit("TIME", time);
-    visit("LENGTH", length), visit("BEAM", beam);
+    visit("TRANSPARENCY", transparency), visit("LENGTH", length), visit("BEAM", beam);
   }
   bool operator==(const NodeReport&) const = default;
 };

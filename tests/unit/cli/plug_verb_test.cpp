@@ -88,6 +88,34 @@ TEST_F(PlugVerbTest, WritesNothingWhenStrictAndUndefined) {
   EXPECT_FALSE(std::filesystem::exists(out_));
 }
 
+TEST_F(PlugVerbTest, AMacroNamedAloneIsDefinedAndOneSetToNothingIsNot) {
+  std::ofstream(in_) << "#ifdef M\nyes\n#endif\n#ifndef M\nno\n#endif\n[$(M)$(M:=d)]\n";
+  EXPECT_EQ(Run({"-f", "M"}), kOk);
+  EXPECT_EQ(Result(), "yes\n[d]\n\n");
+  EXPECT_EQ(Run({"-f", "M="}), kOk);
+  EXPECT_EQ(Result(), "no\n[d]\n\n");
+}
+
+TEST_F(PlugVerbTest, TakesSectionsWhoseMarkersHaveNoBlank) {
+  std::ofstream(folder_.path() / "lib/parts.moos") << "<tag><a>\nA = 1\n<tag><b>\nB = 2\n";
+  std::ofstream(in_) << "#include parts.moos <a>\nC = 3";
+  EXPECT_EQ(Run({path_, "-f"}), kOk);
+  EXPECT_EQ(Result(), "A = 1\nC = 3\n");
+  EXPECT_EQ(Run({path_, "-f", "--tag=none"}), kOk);
+  EXPECT_THAT(complaints_, HasSubstr("no section `none`"));
+}
+
+TEST_F(PlugVerbTest, AMacroThatGrowsByItselfIsRefusedWithItsLineAndWritesNothing) {
+  std::ofstream(in_) << "#define A $(A)$(A)\nx = $(A)\n";
+  try {
+    Run({"-f"});
+    FAIL() << "must be refused";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("meta.moos:2"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(out_));
+}
+
 TEST_F(PlugVerbTest, PrintsToTheTerminalWhenAsked) {
   EXPECT_EQ(Run({path_, "-t", "PORT=7"}), kOk);
   EXPECT_THAT(printed_, HasSubstr("ServerPort = 7\n"));

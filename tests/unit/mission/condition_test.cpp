@@ -131,5 +131,13 @@ TEST(Condition, RefusesHostileNesting) {
   EXPECT_FALSE(Parses(text));
 }
 
+TEST(Condition, ThousandsOfParenthesesAreRefusedAtOnce) {
+  const std::string open(2000, '('), close(2000, ')');
+  EXPECT_THAT(Condition::Parse(open + "A = 1" + close).error().text,
+              HasSubstr("nested too deeply"));
+  EXPECT_THAT(Condition::Parse("A = " + std::string(5000, 'x')).error().text,
+              HasSubstr("longer than 4096 bytes"));
+}
+
 }  // namespace
 }  // namespace limpet

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "limpet/core/params.hpp"
+
 namespace limpet {
 namespace {
 
@@ -122,6 +124,77 @@ TEST(MissionFile, ReportsAMissingClosingBrace) {
 TEST(MissionFile, ReportsAMissingOpeningBraceAndGoesOn) {
   const std::string errors = MissionErrorsOf("ProcessConfig = pA\nx = 1\n}\n");
   EXPECT_THAT(errors, HasSubstr("m.moos:2: pA: `{` must come before"));
+}
+
+/// As a process or command reads a file: the blocks of others may hold anything.
+MissionFile Read(const std::string& text) { return ReadMission(text, "m.moos", {}); }
+
+TEST(MissionFile, KeepsABlockOfNestedForeignTextAndGoesOnBehindIt) {
+  const MissionFile mission = Read(
+      "ProcessConfig = pAcommsHandler\n{\n  AppTick = 10\n  common {\n    log { verbosity: 3 }\n"
+      "    # comment of theirs\n    name = \"a}b\"\n  }\n  driver\n  {\n    id: 1\n  }\n}\n"
+      "ProcessConfig = pNav\n{\n  AppTick = 5\n}\nServerPort = 9001\n");
+  ASSERT_NE(mission.Block("pAcommsHandler"), nullptr);
+  EXPECT_EQ(mission.Block("pAcommsHandler")->Find("AppTick")->value, "10");
+  EXPECT_EQ(mission.Block("pNav")->Find("AppTick")->value, "5");
+  EXPECT_TRUE(mission.Block("pNav")->problems.empty());
+  EXPECT_EQ(mission.Global("ServerPort"), "9001");
+}
+
+TEST(MissionFile, NotesNestedTextOnceWithItsLineAndLeavesItToTheBlocksApp) {
+  const MissionFile mission =
+      Read("ProcessConfig = pModem\n{\n  driver {\n    a { b { c: 1 } }\n  }\n  rate 5\n}\n");
+  const std::vector<ConfigProblem>& problems = mission.Block("pModem")->problems;
+  ASSERT_EQ(problems.size(), 2U);
+  EXPECT_THAT(problems[0].Format(), HasSubstr("m.moos:3: pModem: a `{` inside the block"));
+  EXPECT_THAT(problems[1].Format(), HasSubstr("m.moos:6: pModem: `rate 5` is neither"));
+  EXPECT_EQ(NotesOf(mission, [](const std::string&) { return false; }).size(), 2U);
+  EXPECT_TRUE(NotesOf(mission, [](const std::string&) { return true; }).empty());
+}
+
+TEST(MissionFile, ProblemsOfOurOwnBlockAreErrorsToItsApp) {
+  struct Params {
+    double rate = 1.0;
+    void Describe(ParamCollector& visit) { visit("rate", rate, "rate"); }
+  };
+  const MissionFile mission = Read("ProcessConfig = pNav\n{\n  rate = 2\n  pose {\n  }\n}\n");
+  try {
+    static_cast<void>(ReadParams<Params>(*mission.Block("pNav")));
+    FAIL() << "must not be read";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("m.moos:4: pNav: a `{` inside the block"));
+  }
+}
+
+TEST(MissionFile, ForeignTextThatNeverEndsStopsAtTheNextBlock) {
+  const MissionFile mission =
+      Read("ProcessConfig = pModem\n{\n  a {\n  b: 1\nProcessConfig = pNav\n{\n  AppTick = 5\n}\n");
+  EXPECT_EQ(mission.Block("pNav")->Find("AppTick")->value, "5");
+  EXPECT_EQ(mission.Block("pModem")->problems.size(), 2U);
+}
+
+TEST(MissionFile, ABraceTooManyIsAProblemOfTheBlockBeforeIt) {
+  const MissionFile mission = Read("ProcessConfig = pNav\n{\n  a = 1\n}\n  b = 2\n}\n");
+  ASSERT_EQ(mission.Block("pNav")->problems.size(), 1U);
+  EXPECT_THAT(mission.Block("pNav")->problems[0].Format(), HasSubstr("m.moos:6: pNav: a `}` too"));
+}
+
+TEST(MissionFile, NestedTextOutsideOfBlocksIsNotTakenForGlobals) {
+  const MissionFile mission = Read("modem {\n  ServerPort = 1\n}\nServerPort = 9002\n");
+  EXPECT_EQ(mission.Global("ServerPort"), "9002");
+  EXPECT_EQ(mission.warnings.size(), 1U);
+}
+
+TEST(MissionFile, TheLaunchersBlockIsAlwaysOurs) {
+  EXPECT_THROW(static_cast<void>(Read("ProcessConfig = ANTLER\n{\n  Run pNav\n}\n")), ConfigError);
+}
+
+TEST(MissionFile, VariablesThatStandForTooMuchEndWithTheirLine) {
+  std::string text = "A = " + std::string(100'000, 'x') + "\n";
+  for (int i = 0; i < 200; ++i) {
+    text += "B = ${A}\n";
+  }
+  EXPECT_THAT(MissionErrorsOf(text), HasSubstr(": ${A}: the file's variables stand for more than"));
 }
 
 TEST(MissionFile, LoadsTheIverMissionWhole) {

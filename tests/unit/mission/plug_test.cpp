@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/mission/plug.hpp"
 
+#include <chrono>
 #include <fstream>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -142,7 +144,111 @@ TEST_F(PlugTest, RemembersWhereEveryLineCameFrom) {
 }
 
 TEST_F(PlugTest, StopsMacrosThatGrowWithoutEnd) {
-  EXPECT_THAT(ErrorOf("#define A $(A)$(A)xxxxxxxxxxxxxxxx\n$(A)\n"), HasSubstr("its macros grow beyond 64 KiB in a line"));
+  EXPECT_THAT(ErrorOf("#define A $(A)$(A)xxxxxxxxxxxxxxxx\n$(A)\n"),
+              HasSubstr("its macros grow beyond 32 KiB in a line"));
+}
+
+/// Well below a second on a slow machine with sanitizers; without bounds each of these takes
+/// minutes.
+constexpr double kSoonS = 1.0;
+
+TEST_F(PlugTest, EndsMacrosThatGrowInAnyShapeSoonAndSaysWhere) {
+  const std::string chain = [] {
+    std::string text = "#define A0 xxxxxxxx\n";
+    for (int i = 1; i < 40; ++i) {
+      text += fmt::format("#define A{0} $(A{1})$(A{1})\n", i, i - 1);
+    }
+    return text + "$(A39)\n";
+  }();
+  const std::vector<std::string> shapes{
+      "#define A $(A)$(A)\n\n$(A)\n",
+      "#define A $(B)$(B)\n#define B $(A)$(A)\n$(A)\n",
+      "#define A %(A)%(A)\n$(A)\n",
+      "$(A=$(B=$(A)$(A)))\n#define B $(A=$(B)$(B))\n#define A $(B)$(B)\n$(A)\n",
+      chain,
+      "#define A $(A)$(A)\n#include $(A)\n",
+  };
+  for (const std::string& shape : shapes) {
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_THAT(ErrorOf(shape), testing::ContainsRegex("in.moos:[0-9]+: .*its macros grow beyond"))
+        << shape;
+    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+              kSoonS)
+        << shape;
+  }
+}
+
+TEST_F(PlugTest, AMacroThatHoldsOnlyItselfIsSaidAndLeft) {
+  EXPECT_EQ(Expand("#define V $(V)\nname = $(V)\n"), "name = $(V)|");
+  ASSERT_EQ(result_.warnings.size(), 1U);
+  EXPECT_THAT(result_.warnings[0].Format(), HasSubstr("in.moos:2: $(V): after 100 rounds"));
+}
+
+TEST_F(PlugTest, ManyLongLinesEndAtTheBoundOfTheWholeTemplate) {
+  std::string text = "#define A " + std::string(30'000, 'x') + "\n";
+  for (int i = 0; i < 400; ++i) {
+    text += "$(A)\n";
+  }
+  EXPECT_THAT(ErrorOf(text), HasSubstr("its macros grow beyond"));
+}
+
+TEST_F(PlugTest, EndsInclusionsThatMultiplySoonAndSaysWhere) {
+  Write("leaf.plug", "x\n");
+  std::string before = "leaf.plug";
+  for (int i = 0; i < 30; ++i) {
+    const std::string name = fmt::format("level{}.plug", i);
+    Write(name, fmt::format("#include {0}\n#include {0}\n", before));
+    before = name;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_THAT(ErrorOf("#include " + before + "\n"),
+              testing::ContainsRegex("plug:[0-9]+: #include: more than 1000 inclusions"));
+  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+            kSoonS);
+}
+
+TEST_F(PlugTest, AMacroSetToNothingCountsAsUndefinedButForAnd) {
+  options_.macros = {{.name = "E", .value = "", .is_set_empty = true}, {.name = "M", .value = ""}};
+  EXPECT_EQ(Expand("#ifdef E\n1\n#else\n2\n#endif\n"), "2|");
+  EXPECT_EQ(Expand("#ifdef M\n1\n#else\n2\n#endif\n"), "1|");
+  EXPECT_EQ(Expand("#ifndef E\n1\n#else\n2\n#endif\n"), "1|");
+  EXPECT_EQ(Expand("#ifndef M\n1\n#else\n2\n#endif\n"), "2|");
+  EXPECT_EQ(Expand("#ifdef E || M\n1\n#else\n2\n#endif\n"), "1|");
+  EXPECT_EQ(Expand("#ifdef E && M\n1\n#else\n2\n#endif\n"), "1|");
+  EXPECT_EQ(Expand("#ifdef M word\n1\n#else\n2\n#endif\n"), "2|");
+  EXPECT_EQ(Expand("#ifdef E word\n1\n#else\n2\n#endif\n"), "1|");
+  ASSERT_EQ(result_.warnings.size(), 1U);
+  EXPECT_THAT(result_.warnings[0].text, HasSubstr("`E` is empty and `word` no macro with a value"));
+}
+
+TEST_F(PlugTest, SectionMarkersNeedNoBlank) {
+  Write("t.plug", "top\n<tag><one>\n1\n#define M 2\n\t<tag><two>\n2\n<tag><one>\n3\n");
+  EXPECT_EQ(Expand("#include t.plug <one>\n"), "1|3|");
+  EXPECT_EQ(Expand("#include t.plug <two>\t\n"), "2|");
+  EXPECT_EQ(Expand("#include t.plug\n"), "top|1|2|3|");
+  EXPECT_EQ(Expand("<tag><x>\nonly text\n"), "only text|");
+}
+
+TEST_F(PlugTest, AFileTakesASectionOfItself) {
+  Write("in.moos", "#include in.moos <s>\nbody\n<tag><s>\nsection\n");
+  EXPECT_EQ(Expand("#include in.moos <s>\nbody\n<tag><s>\nsection\n"), "section|body|section|");
+}
+
+TEST_F(PlugTest, EmptyLinesAtTheEndAreNsplugs) {
+  const auto lines_of = [](std::string_view text, const std::string& tag) {
+    PlugOptions options;
+    options.tag = tag;
+    return ExpandPlugs(text, "in", options).lines.size();
+  };
+  EXPECT_EQ(lines_of("a", ""), 1U);
+  EXPECT_EQ(lines_of("", ""), 1U);
+  EXPECT_EQ(lines_of("<tag><a>\n1\n<tag><b>\n2\n", "a"), 1U);
+  EXPECT_EQ(lines_of("<tag><a>\n1\n<tag><b>\n2\n", "b"), 2U);
+}
+
+TEST_F(PlugTest, ALineWithWhatLooksLikeAMacroIsLeftWholly) {
+  EXPECT_EQ(Expand("#define A 1\n$(A) 50%(about)\n"), "$(A) 50%(about)|");
+  EXPECT_EQ(Expand("#define A   1 \t 2\n$(A)\n"), "1 2|");
 }
 
 TEST_F(PlugTest, ReadsMacroFiles) {

@@ -268,6 +268,49 @@ TEST_F(LiveLogAppTest, KeepsACopyOfTheMissionAndOfWhatIsAskedFor) {
   EXPECT_THAT(Text("LOG_ALPHA/LOG_ALPHA.alog"), HasSubstr("%% file is not copied: no such file\n"));
 }
 
+TEST_F(LiveLogAppTest, CopiesNothingThatIsNotTheMissionsOrTheRuns) {
+  const std::filesystem::path mission = folder_ / "mission";
+  std::filesystem::create_directories(mission / ".ssh");
+  std::ofstream(mission / ".ssh" / "id_rsa") << "secret\n";
+  std::ofstream(folder_ / "neighbour.txt") << "secret\n";
+  std::ofstream(mission / "alpha.bhv") << "Behavior = BHV_X\n";
+  std::filesystem::create_symlink("/etc/passwd", mission / "link.txt");
+  context_.mission_file = mission / "alpha.moos";
+  std::ofstream(context_.mission_file) << "Community = alpha\n";
+  Start();
+  for (const std::string name : {"/etc/passwd", (mission / "link.txt").c_str(), "/dev/zero",
+                                 (mission / "../neighbour.txt").c_str(),
+                                 (mission / ".ssh/id_rsa").c_str(), mission.c_str()}) {
+    Send("PLOGGER_CMD", "COPY_FILE_REQUEST = " + name);
+  }
+  EXPECT_THAT(app_->warnings().at("COPY_REFUSED"), HasSubstr("6 of COPY_FILE_REQUEST refused"));
+  Send("PLOGGER_CMD", "COPY_FILE_REQUEST = " + (mission / "alpha.bhv").string());
+  End();
+  std::vector<std::string> copies;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "LOG_ALPHA")) {
+    if (entry.path().extension().string().starts_with("._")) {
+      copies.push_back(entry.path().filename().string());
+    }
+  }
+  EXPECT_THAT(copies, testing::UnorderedElementsAre("LOG_ALPHA._moos", "alpha._bhv"));
+  EXPECT_THAT(Text("LOG_ALPHA/LOG_ALPHA.alog"),
+              HasSubstr("%% passwd is not copied: not a visible"));
+}
+
+TEST_F(LiveLogAppTest, CopiesOnlySoManyFiles) {
+  context_.mission_file = folder_ / "alpha.moos";
+  std::ofstream(context_.mission_file) << "Community = alpha\n";
+  Start();
+  for (int i = 0; i < 65; ++i) {
+    const std::string name = "f" + std::to_string(i) + ".txt";
+    std::ofstream(folder_ / name) << i;
+    Send("PLOGGER_CMD", "COPY_FILE_REQUEST = " + (folder_ / name).string());
+  }
+  EXPECT_THAT(app_->warnings().at("COPY_REFUSED"), HasSubstr("more than 64 copies"));
+  End();
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "LOG_ALPHA/f64._txt"));
+}
+
 TEST_F(LiveLogAppTest, BeginsANewSessionWhenToldTo) {
   Start();
   Send("BEFORE", 1.0);
