@@ -12,6 +12,7 @@
 
 #include "apps/LimpetDB/database_report.hpp"
 #include "limpet/app/app_command.hpp"
+#include "limpet/app/heartbeat.hpp"
 #include "limpet/app/run_app.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/core/number_text.hpp"
@@ -80,6 +81,7 @@ void KeepMemoryWarm() {
 }
 
 int Serve(const AppCommand& command) {
+  Heartbeat heart;
   KeepMemoryWarm();
   TcpBrokerOptions options = OptionsOf(command);
   DatabaseReport report(command.community, command.warp,
@@ -89,7 +91,10 @@ int Serve(const AppCommand& command) {
   options.broker.on_watched = [&](std::string_view text) {
     report.OnRequest(text, MoosTime(command.warp));
   };
-  options.report = [&](const Broker& broker, Seconds now) { return report.Take(broker, now); };
+  options.report = [&](const Broker& broker, Seconds now) {
+    heart.Beat();  // the thread that serves lives
+    return report.Take(broker, now);
+  };
   TcpBroker broker(options);
   CatchEndSignals();
   std::thread watch([&broker] {
@@ -101,6 +106,7 @@ int Serve(const AppCommand& command) {
   fmt::print(stderr, "LimpetDB: community {} on {}:{}, time warp {:g}\n", command.community,
              options.bind_address, broker.port(), command.warp);
   broker.Run();
+  heart.Pause();
   watch.join();
   return 0;
 }

@@ -2,22 +2,23 @@
 #include "apps/pLaunch/launch.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <mutex>
-#include <set>
 #include <thread>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "apps/pLaunch/community_watch.hpp"
+#include "apps/pLaunch/deployment.hpp"
 #include "apps/pLaunch/launch_plan.hpp"
 #include "apps/pLaunch/launch_report.hpp"
+#include "apps/pLaunch/run_folders.hpp"
 #include "apps/pLaunch/supervisor.hpp"
+#include "apps/pLaunch/surfacing.hpp"
 #include "limpet/app/run_app.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/mission/outside.hpp"
-#include "limpet/pubsub/tcp_client.hpp"
+#include "limpet/topics/mission.hpp"
 
 namespace limpet {
 namespace {
@@ -27,174 +28,67 @@ namespace fs = std::filesystem;
 constexpr auto kPollPeriod = std::chrono::milliseconds(50);
 constexpr Seconds kStatusPeriod(5.0);  ///< a database that was started again has forgotten (real)
 constexpr Seconds kPatience(8.0);      ///< for an app to finish its files
-constexpr std::size_t kMostRequests = 1000;
+constexpr Seconds kLastFiles(1.0);     ///< apps write them on the mail that ends the launch, too
+constexpr Seconds kDepthAge(3.0);      ///< a depth heard longer ago is none (real)
+constexpr Seconds kZeroWithin(1.0);    ///< for the last command to be heard by the database (real)
 
-/// What the community says of the mission's processes.
-class Watch {
- public:
-  Watch(const LaunchPlan& plan, std::string until)
-      : until_(std::move(until)),
-        client_({.host = "localhost",
-                 .port = PortOf(plan),
-                 .name = "pLaunch",
-                 .warp = plan.warp,
-                 .on_mail = [this](const WireMessage& message) { Hear(message); },
-                 .on_state = nullptr}) {
-    client_.Subscribe("DB_CLIENTS", Seconds(0.0));
-    client_.Subscribe("DB_EVENT", Seconds(0.0));
-    client_.Subscribe("APPCAST_REQ", Seconds(0.0));
-    client_.Subscribe("DEPLOY", Seconds(0.0));
-    if (!until_.empty()) {
-      client_.Subscribe(until_, Seconds(0.0));
-    }
-  }
-  /// Names that have come into the community since the last call.
-  std::vector<std::string> TakeArrivals() {
-    const std::lock_guard lock(mutex_);
-    std::vector<std::string> arrivals;
-    arrivals.swap(arrivals_);
-    return arrivals;
-  }
-  [[nodiscard]] bool IsUp(const std::string& name) const {
-    const std::lock_guard lock(mutex_);
-    return up_.contains(name);
-  }
-  [[nodiscard]] std::set<std::string> WhoIsUp() const {
-    const std::lock_guard lock(mutex_);
-    return up_;
-  }
-  /// Texts of APPCAST_REQ since the last call.
-  std::vector<std::string> TakeRequests() {
-    const std::lock_guard lock(mutex_);
-    return std::exchange(requests_, {});
-  }
-  [[nodiscard]] bool HasDatabase() const { return client_.state() == TcpClient::State::kConnected; }
-  /// A new database knows nobody.
-  void ForgetWhoIsUp() {
-    const std::lock_guard lock(mutex_);
-    up_.clear();
-    knows_deploy_ = false;
-  }
-  /// This database has a value of DEPLOY.
-  [[nodiscard]] bool knows_deploy() const { return knows_deploy_; }
-  [[nodiscard]] bool has_heard_the_end() const { return has_heard_the_end_; }
-  TcpClient& client() { return client_; }
+void Sleep(Seconds duration) {
+  std::this_thread::sleep_for(std::chrono::duration<double>(duration.value()));
+}
 
- private:
-  static std::uint16_t PortOf(const LaunchPlan& plan) {
-    return static_cast<std::uint16_t>(
-        ParseNumber(plan.mission.Global("ServerPort")).value_or(9000.0));
-  }
-
-  void Hear(const WireMessage& message) {
-    knows_deploy_ = knows_deploy_ || message.key == "DEPLOY";
-    if (message.key == until_) {
-      has_heard_the_end_ = true;
-    } else if (message.key == "APPCAST_REQ") {
-      const std::lock_guard lock(mutex_);
-      if (requests_.size() < kMostRequests) {
-        requests_.emplace_back(message.text);
-      }
-    } else if (message.key == "DB_CLIENTS") {
-      for (std::string_view rest = message.text; !rest.empty();) {
-        const auto comma = std::min(rest.find(','), rest.size());
-        Enter(std::string(rest.substr(0, comma)));
-        rest.remove_prefix(std::min(comma + 1, rest.size()));
-      }
-    } else if (message.key == "DB_EVENT" && message.text.starts_with("connected=")) {
-      Enter(std::string(message.text.substr(10)));
-    } else if (message.key == "DB_EVENT" && message.text.starts_with("disconnected=")) {
-      const std::lock_guard lock(mutex_);
-      up_.erase(std::string(message.text.substr(13)));
-    }
-  }
-  void Enter(const std::string& name) {
-    const std::lock_guard lock(mutex_);
-    if (up_.insert(name).second) {
-      arrivals_.push_back(name);
-    }
-  }
-
-  std::string until_;
-  mutable std::mutex mutex_;
-  std::set<std::string> up_;
-  std::vector<std::string> arrivals_, requests_;
-  std::atomic<bool> has_heard_the_end_{false}, knows_deploy_{false};
-  TcpClient client_;  ///< last: its thread ends before what it writes to
-};
+CommunityWatch::Settings WatchSettings(const LaunchPlan& plan, const std::string& until) {
+  return {.port = static_cast<std::uint16_t>(
+              ParseNumber(plan.mission.Global("ServerPort")).value_or(9000.0)),
+          .warp = plan.warp,
+          .until = until};
+}
 
 class Launch {
  public:
-  Launch(LaunchCommand command, LaunchPlan plan)
+  Launch(LaunchCommand command, LaunchPlan plan, RunFolders folders)
       : command_(std::move(command)),
         plan_(std::move(plan)),
+        folders_(std::move(folders)),
         report_(plan_.mission.Global("Community"), plan_.warp),
         started_(MoosTime(plan_.warp)),
-        supervisor_(RunFolder() / command_.session, Environment(), [this](const std::string& text) {
-          fmt::print(stderr, "pLaunch: {}\n", text);
-          report_.AddEvent(MoosTime(plan_.warp) - started_, text);
-        }) {}
+        deployment_(command_.deploys),
+        supervisor_(folders_.run / command_.session, Environment(),
+                    [this](const std::string& text) { Alert(text); }) {}
 
   int Run() {
     Say(fmt::format("{} processes, time warp {:g}, run folder {}", plan_.items.size(), plan_.warp,
-                    RunFolder().string()));
+                    folders_.run.string()));
     for (const ConfigProblem& note : plan_.notes) {
       fmt::print(stderr, "pLaunch: note: {}\n", note.Format());
     }
+    if (!folders_.prior.empty()) {
+      Say("compares with " + folders_.prior.string());
+    }
     for (const LaunchItem& item : plan_.items) {
       supervisor_.Start(item);
-      std::this_thread::sleep_for(std::chrono::duration<double>(plan_.between.value()));
+      Sleep(plan_.between);
     }
-    Watch watch(plan_, command_.until);
-    bool is_deployed = !command_.deploys, has_lost_database = false;
-    while (!EndIsRequested() && !watch.has_heard_the_end() && supervisor_.Poll()) {
-      for (const std::string& name : watch.TakeArrivals()) {
-        Say(name + " is up");
-      }
-      if (!is_deployed && AllUp(watch)) {
-        Say("all up; DEPLOY = true");
-        watch.client().Publish("DEPLOY", "true");
-        is_deployed = true;
-      }
-      if (!watch.HasDatabase()) {
-        watch.ForgetWhoIsUp();
-        has_lost_database = is_deployed;
-      } else if (has_lost_database && AllUp(watch)) {
-        has_lost_database = false;
-        if (command_.deploys && !watch.knows_deploy()) {
-          Say("all up again, with an empty database; DEPLOY = true");
-          watch.client().Publish("DEPLOY", "true");
-        }
-      }
-      TellStatus(watch);
-      TellReport(watch);
+    CommunityWatch watch(WatchSettings(plan_, command_.until));
+    while (!EndIsRequested() && !watch.has_heard_the_end() && supervisor_.Poll() &&
+           !IsOverForGood()) {
+      Mind(watch);
       std::this_thread::sleep_for(kPollPeriod);
     }
     if (watch.has_heard_the_end()) {
       Say(command_.until + " was heard");
-      // Apps write their last files on the same mail.
-      std::this_thread::sleep_for(std::chrono::duration<double>(1.0));
+      Sleep(kLastFiles);
     }
-    Say("ending");
-    supervisor_.End(kPatience);
+    End(watch);
     return supervisor_.has_given_up() || LacksVitalProgram() ? 1 : 0;
   }
 
  private:
-  [[nodiscard]] fs::path RunFolder() const {
-    if (!command_.run_folder.empty()) {
-      return command_.run_folder;
-    }
-    const fs::path file = fs::absolute(command_.mission_file);
-    // Missions that share a folder do not share what they leave.
-    const std::string part = file.stem() == "mission" ? "" : "-" + file.stem().string();
-    return fs::path("runs") / (file.parent_path().filename().string() + part + "-live");
-  }
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> Environment() const {
-    const fs::path run = fs::absolute(RunFolder());
-    return {{"LIMPET_RUN_FOLDER", (run / command_.session).string()},
-            {"LIMPET_PRIOR_FOLDER",
-             command_.session == "discovery" ? "" : (run / "discovery").string()},
+    const auto absolute = [](const fs::path& path) {
+      return path.empty() ? std::string() : fs::absolute(path).string();
+    };
+    return {{"LIMPET_RUN_FOLDER", absolute(folders_.run / command_.session)},
+            {"LIMPET_PRIOR_FOLDER", absolute(folders_.prior)},
             {"LIMPET_SESSION", command_.session},
             {"LIMPET_SEED", command_.seed},
             {kAllowOutside, command_.allows_outside ? "1" : ""},
@@ -211,13 +105,127 @@ class Launch {
   [[nodiscard]] std::vector<Supervisor::Report> Reports() const {
     return WithMissing(supervisor_.Reports(), plan_.missing);
   }
-  [[nodiscard]] bool AllUp(const Watch& watch) const {
+  void Mind(CommunityWatch& watch) {
+    for (const std::string& name : watch.TakeArrivals()) {
+      Say(name + " is up");
+    }
+    Deploy(watch);
+    MindDatabase(watch);
+    BringUpIfHopeless(watch);
+    TellStatus(watch);
+    TellReport(watch);
+  }
+  [[nodiscard]] bool AllUp(const CommunityWatch& watch) const {
     return std::ranges::all_of(plan_.items, [&watch](const LaunchItem& item) {
       return item.is_database || watch.IsUp(item.name);
     });
   }
+  [[nodiscard]] bool HasProgram(std::string_view begin) const {
+    return std::ranges::any_of(plan_.items, [begin](const LaunchItem& item) {
+      return item.program.filename().string().starts_with(begin);
+    });
+  }
+  [[nodiscard]] DeploymentSigns SignsOf(const CommunityWatch& watch) const {
+    const auto helm = watch.Latest("IVPHELM_STATE");
+    return {.is_all_up = AllUp(watch),
+            .has_helm = HasProgram("pHelm"),
+            .has_survey = HasProgram("pSurvey"),
+            .helm_words = helm ? helm->times : 0,
+            .deploy = watch.TextOf("DEPLOY"),
+            .helm_stop = watch.TextOf("IVPHELM_ALLSTOP"),
+            .phase = watch.TextOf("SURVEY_PHASE"),
+            .has_ended = watch.Latest("MISSION_END").has_value()};
+  }
+  void Deploy(CommunityWatch& watch) {
+    if (surfacing_.has_begun()) {
+      return;
+    }
+    const Deployment::Step step = deployment_.Mind(SignsOf(watch), SteadyTime());
+    if (step.writes) {
+      watch.client().Publish("DEPLOY", "true");
+    }
+    if (!deployment_.warning().empty() && !step.says.empty()) {
+      Alert(step.says);
+    } else if (!step.says.empty()) {
+      Say(step.says);
+    }
+  }
+  /// A database that was started again without its former values must be told again.
+  void MindDatabase(CommunityWatch& watch) {
+    if (!watch.HasDatabase()) {
+      watch.ForgetDatabase();
+      has_lost_database_ = deployment_.has_written();
+    } else if (has_lost_database_ && AllUp(watch)) {
+      has_lost_database_ = false;
+      if (!watch.Latest("DEPLOY") && !surfacing_.has_begun()) {
+        Say("all up again, with an empty database; DEPLOY = true");
+        watch.client().Publish("DEPLOY", "true");
+      }
+    }
+  }
+  /// Ends the mission at the surface once an app is given up that it cannot do without.
+  void BringUpIfHopeless(CommunityWatch& watch) {
+    const Seconds now = MoosTime(plan_.warp);
+    const std::optional<std::string> lost = supervisor_.LostVital();
+    if (lost && !surfacing_.has_begun() && !watch.Latest("MISSION_END")) {
+      surfacing_.Begin(*lost + " is given up", now);
+      Alert("the mission cannot go on: " + surfacing_.why() +
+            "; thrusters off, the vehicle floats up");
+      watch.client().Publish("SESSION_SAVE", surfacing_.why());
+      watch.client().Publish(topics::kManualOverride.name, "true");
+    }
+    if (surfacing_.is_under_way()) {
+      WriteZeroThrust(watch);
+    }
+    const std::string deploy = watch.TextOf("DEPLOY");
+    const auto depth = watch.Latest("NAV_DEPTH");
+    const bool is_recent = depth && SteadyTime() - depth->at < kDepthAge;
+    if (surfacing_.EndsNow({.was_deployed = ParseFlag(deploy).value_or(false),
+                            .depth_m = is_recent ? std::optional(depth->number) : std::nullopt},
+                           now)) {
+      watch.client().Publish(topics::kMissionEnd.name, "aborted");
+      Alert("MISSION_END = aborted: " + surfacing_.why());
+    }
+  }
+  /// A mission that was brought up, and nothing left to wait for: nobody can hear of its end.
+  [[nodiscard]] bool IsOverForGood() const {
+    return surfacing_.has_ended() &&
+           (supervisor_.HasLostDatabase() || command_.until == topics::kMissionEnd.name);
+  }
+  static void WriteZeroThrust(CommunityWatch& watch) {
+    watch.client().Publish(topics::kThrusterCommand.name, EncodeRecord(ThrusterCommand{}));
+  }
+  /// Who may command thrust ends first; then zero is written; then those that hear it end, the
+  /// driver and the loggers, and the database last.
+  void End(CommunityWatch& watch) {
+    Say("ending");
+    supervisor_.End(
+        kPatience,
+        [&watch](const std::string& name) {
+          return watch.Hears(name, topics::kThrusterCommand.name);
+        },
+        [this, &watch] { LeaveAtRest(watch); });
+  }
+  void LeaveAtRest(CommunityWatch& watch) {
+    if (!watch.Latest(topics::kThrusterCommand.name)) {
+      return;  // nobody here has ever commanded thrust
+    }
+    // Without the interval that would keep the answer back.
+    watch.client().Unsubscribe(topics::kThrusterCommand.name);
+    watch.client().Subscribe(topics::kThrusterCommand.name, Seconds(0.0));
+    WriteZeroThrust(watch);
+    const Seconds deadline = SteadyTime() + kZeroWithin;
+    while (SteadyTime() < deadline) {
+      if (watch.Latest(topics::kThrusterCommand.name)->source == "pLaunch") {
+        Say("thrusters off");
+        return;
+      }
+      Sleep(Seconds(0.01));
+    }
+    Alert("the database did not take the last command, zero thrust; the driver stops by itself");
+  }
   /// On every change, and now and then.
-  void TellStatus(Watch& watch) {
+  void TellStatus(CommunityWatch& watch) {
     const Seconds now = SteadyTime();
     std::string status = supervisor_.Status() + StatusOfMissing(plan_.missing);
     if (status != told_status_ || now - told_at_ >= kStatusPeriod) {
@@ -226,11 +234,17 @@ class Launch {
       told_at_ = now;
     }
   }
-  void TellReport(Watch& watch) {
+  void TellReport(CommunityWatch& watch) {
     const Seconds now = MoosTime(plan_.warp);
     for (const std::string& request : watch.TakeRequests()) {
       report_.OnRequest(request, now);
     }
+    report_.SetWarning("NOT_UNDER_WAY", deployment_.warning());
+    report_.SetWarning("MISSION_LOST",
+                       surfacing_.has_begun()
+                           ? surfacing_.why() + (surfacing_.has_ended() ? ": mission aborted"
+                                                                        : ": being brought up")
+                           : "");
     if (const auto cast = report_.Take(Reports(), watch.WhoIsUp(), now)) {
       watch.client().Publish("APPCAST", *cast);
     }
@@ -240,12 +254,21 @@ class Launch {
       fmt::print(stderr, "pLaunch: {}\n", text);
     }
   }
+  /// What goes wrong: said even if quiet, and kept for viewers.
+  void Alert(const std::string& text) {
+    fmt::print(stderr, "pLaunch: {}\n", text);
+    report_.AddEvent(MoosTime(plan_.warp) - started_, text);
+  }
 
   LaunchCommand command_;
   LaunchPlan plan_;
+  RunFolders folders_;
   LaunchReport report_;
   Seconds started_;  ///< MOOS time
+  Deployment deployment_;
+  Surfacing surfacing_;
   Supervisor supervisor_;
+  bool has_lost_database_ = false;
   std::string told_status_;
   Seconds told_at_;
 };
@@ -260,8 +283,9 @@ int RunLaunch(const std::string& caller, const std::vector<std::string>& args) {
       return 0;
     }
     LaunchPlan plan = PlanLaunch(command, fs::read_symlink("/proc/self/exe").parent_path());
+    RunFolders folders = ChooseRunFolders(command);
     CatchEndSignals();
-    return Launch(std::move(command), std::move(plan)).Run();
+    return Launch(std::move(command), std::move(plan), std::move(folders)).Run();
   } catch (const ConfigError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 2;

@@ -2,6 +2,7 @@
 #include "apps/pLaunch/launch_plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <sstream>
 
@@ -49,6 +50,39 @@ RestartPolicy PolicyOf(const LaunchEntry& entry, std::vector<ConfigProblem>& pro
          fmt::format("`{}` is not allowed; allowed: never, on_failure, always", option->value)});
   }
   return RestartPolicy::kNever;
+}
+
+constexpr double kMostPatience = 3600.0;  // [s]
+
+Seconds HungAfterOf(const LaunchEntry& entry, std::vector<ConfigProblem>& problems) {
+  const ConfigEntry* option = OptionOf(entry, "HungAfter_s");
+  if (option == nullptr) {
+    return LaunchItem::kHungAfter;
+  }
+  const std::optional<double> seconds = ParseNumber(option->value);
+  if (!seconds || (*seconds != 0.0 && (*seconds < 1.0 || *seconds > kMostPatience))) {
+    problems.push_back(
+        {entry.where, "HungAfter_s",
+         fmt::format("`{}` is not allowed; allowed: 1 to 3600 s, 0 for never", option->value)});
+    return LaunchItem::kHungAfter;
+  }
+  return Seconds(*seconds);
+}
+
+/// Without these nothing flies, or nothing knows where it is or when to come home.
+bool IsVital(const LaunchEntry& entry, bool is_database, std::vector<ConfigProblem>& problems) {
+  static constexpr std::array kVital{"pHelm",   "pHelmIvP",    "pNav",       "pPilot",
+                                     "pSurvey", "uSimSensors", "uSimVehicle"};
+  const ConfigEntry* option = OptionOf(entry, "Vital");
+  if (option == nullptr) {
+    return is_database || std::ranges::find(kVital, entry.binary) != kVital.end();
+  }
+  const std::optional<bool> flag = ParseFlag(option->value);
+  if (!flag) {
+    problems.push_back({entry.where, "Vital",
+                        fmt::format("`{}` is not allowed; allowed: true, false", option->value)});
+  }
+  return flag.value_or(false);
 }
 
 /// Words of the block parameter that ExtraProcessParams names.
@@ -109,7 +143,9 @@ void PlanEntry(const LaunchEntry& entry, const LaunchCommand& command, const fs:
                   .program = *program,
                   .args = {},
                   .restart = PolicyOf(entry, problems),
-                  .is_database = is_database};
+                  .is_database = is_database,
+                  .hung_after = HungAfterOf(entry, problems),
+                  .is_vital = IsVital(entry, is_database, problems)};
   if (OptionOf(entry, "InhibitMOOSParams") == nullptr) {
     item.args = {plan.mission_file.string(), entry.moos_name};
   }
@@ -198,6 +234,8 @@ LaunchCommand ReadLaunchCommand(const std::vector<std::string>& args) {
                     "the options");
     } else if (name == "--run_folder") {
       command.run_folder = value;
+    } else if (name == "--prior_folder") {
+      command.prior_folder = value;
     } else if (name == "--session") {
       if (const auto problem = SessionNameProblem(value)) {
         throw Refusal("--session", problem->text);
@@ -226,11 +264,16 @@ std::string LaunchHelp(const std::string& caller) {
 Starts every process of the file's ANTLER block, keeps what each prints in
 <run folder>/<name>.log, starts again what fails (with growing pauses), and on Ctrl-C ends
 all in order. `Run = pNav @ Restart = never|on_failure|always` says otherwise for one process.
+What hangs is killed and started again (`HungAfter_s = 6`). When an app that the mission cannot do
+without is given up (`Vital = true|false`), the vehicle is brought up and the mission is aborted.
 
   --Name=value       replace the lines that set Name, e.g. --MOOSTimeWarp=10; the processes
                      then read the copy <file>++
-  --run_folder=DIR   default runs/<mission folder>-live, with the file's name if not mission.moos
-  --session=NAME     discovery (default), change, ...; later sessions compare with discovery
+  --run_folder=DIR   default runs/<mission folder>-live, with the file's name if not mission.moos;
+                     -live-2, -live-3, ... if a former launch left something there
+  --session=NAME     discovery (default), change, ...; later sessions compare with the discovery
+                     of the latest dive
+  --prior_folder=DIR ... or with the session saved there
   --seed=N           for the simulators
   --deploy           write DEPLOY = true once every process is up
   --until=VARIABLE   end in order as soon as VARIABLE is written, e.g. MISSION_END

@@ -20,6 +20,11 @@ struct LaunchItem {
   std::vector<std::string> args;
   RestartPolicy restart = RestartPolicy::kOnFailure;
   bool is_database = false;
+  /// Without a sign of life for this long (real time) it hangs, and is killed; 0: never.
+  Seconds hung_after = kHungAfter;
+  bool is_vital = false;  ///< without it the vehicle cannot come home: given up, the mission ends
+  /// Three of the periods at which our apps say how they are (<APP>_STATUS).
+  static constexpr Seconds kHungAfter{6.0};
 };
 
 /// `pLaunch file.moos ["A B C"] [--Name=value ...] [options]`
@@ -27,7 +32,8 @@ struct LaunchCommand {
   std::filesystem::path mission_file;
   std::vector<std::string> only;  ///< MOOS names to launch; empty: all
   std::vector<std::pair<std::string, std::string>> replacements;  ///< lines of the mission file
-  std::filesystem::path run_folder;
+  std::filesystem::path run_folder;    ///< empty: the next one that is free (run_folders.hpp)
+  std::filesystem::path prior_folder;  ///< former session; empty: the latest dive's
   std::string session = "discovery";
   std::string seed = "1";
   std::string until;  ///< variable whose first news ends the run; empty: none

@@ -49,6 +49,20 @@ void LaunchReport::Watch(const std::vector<Supervisor::Report>& processes) {
   }
 }
 
+void LaunchReport::SetWarning(const std::string& id, const std::string& text) {
+  std::string& standing = standing_[id];
+  if (standing == text) {
+    return;
+  }
+  if (!standing.empty()) {
+    caster_.ClearWarning(id);
+  }
+  if (!text.empty()) {
+    caster_.RaiseWarning(id, text);
+  }
+  standing = text;
+}
+
 std::optional<std::string> LaunchReport::Take(const std::vector<Supervisor::Report>& processes,
                                               const std::set<std::string>& up, Seconds now) {
   ++looks_;

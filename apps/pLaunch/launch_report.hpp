@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -27,6 +28,8 @@ class LaunchReport {
   void OnRequest(std::string_view text, Seconds now) { caster_.OnRequest(text, now); }
   /// Something happened, `elapsed` after the start (MOOS time).
   void AddEvent(Seconds elapsed, std::string_view text) { caster_.AddEvent(elapsed, text); }
+  /// Raises it, or clears it if the text is empty.
+  void SetWarning(const std::string& id, const std::string& text);
   /// An APPCAST if one is due. `up`: names that the community knows.
   [[nodiscard]] std::optional<std::string> Take(const std::vector<Supervisor::Report>& processes,
                                                 const std::set<std::string>& up, Seconds now);
@@ -35,6 +38,7 @@ class LaunchReport {
   void Watch(const std::vector<Supervisor::Report>& processes);
 
   AppCaster caster_;
+  std::map<std::string, std::string> standing_;  ///< warnings by SetWarning
   std::int64_t looks_ = 0;
 };
 

@@ -26,6 +26,9 @@ constexpr double kLongestPause = 30.0;
 constexpr double kHealthy = 60.0;
 constexpr double kEarly = 5.0;
 constexpr int kExecFailed = 127;
+/// A launcher that was halted itself, or had no processor, has not watched for longer than this
+/// between two looks, whatever the clock says.
+constexpr Seconds kLongestLook(0.5);
 
 std::string HowItEnded(int status) {
   if (WIFSIGNALED(status)) {
@@ -34,6 +37,18 @@ std::string HowItEnded(int status) {
   }
   const int code = WEXITSTATUS(status);
   return code == kExecFailed ? "could not be executed" : fmt::format("ended with code {}", code);
+}
+
+/// In the child: it keeps the descriptor and is told its number; -1: none, nor one of a launcher
+/// above us.
+void Inherit(const char* variable, int descriptor) {
+  ::unsetenv(variable);  // NOLINT(concurrency-mt-unsafe): one thread here
+  if (descriptor >= 0) {
+    ::fcntl(descriptor, F_SETFD, 0);
+    std::array<char, 12> number{};
+    std::snprintf(number.data(), number.size(), "%d", descriptor);
+    ::setenv(variable, number.data(), 1);  // NOLINT(concurrency-mt-unsafe)
+  }
 }
 
 }  // namespace
@@ -56,7 +71,8 @@ Supervisor::~Supervisor() {
 }
 
 void Supervisor::Start(const LaunchItem& item) {
-  children_.push_back({.item = item, .started = {}, .next_start = {}});
+  Child& added = children_.emplace_back();
+  added.item = item;
   if (item.is_database) {
     children_.back().kept = ::memfd_create("limpet-kept", MFD_CLOEXEC);
   }
@@ -74,6 +90,10 @@ void Supervisor::Launch(Child& child) {
   argv.push_back(nullptr);
   const std::string log = (log_folder_ / (child.item.name + ".log")).string();
   const pid_t parent = ::getpid();
+  child.heart.Reset();
+  child.last_beat = 0;
+  child.silent = Seconds(0.0);
+  child.is_hung = false;
   child.pid = ::fork();
   if (child.pid == 0) {
     ++child.starts;
@@ -107,24 +127,24 @@ void Supervisor::Become(const Child& child, pid_t parent, const char* log,
   if (child.starts > 1) {
     ::setenv("LIMPET_RESTARTED", "1", 1);  // NOLINT(concurrency-mt-unsafe)
   }
-  ::unsetenv("LIMPET_KEPT_FD");  // NOLINT(concurrency-mt-unsafe): of a launcher above us
-  if (child.kept >= 0) {
-    ::fcntl(child.kept, F_SETFD, 0);
-    std::array<char, 12> number{};
-    std::snprintf(number.data(), number.size(), "%d", child.kept);
-    ::setenv("LIMPET_KEPT_FD", number.data(), 1);  // NOLINT(concurrency-mt-unsafe)
-  }
+  Inherit("LIMPET_KEPT_FD", child.kept);
+  Inherit("LIMPET_BEAT_FD", child.heart.descriptor());
   ::execv(argv[0], argv);
   ::_exit(kExecFailed);
 }
 
 bool Supervisor::Poll() {
   const Seconds now = SteadyTime();
+  const Seconds passed =
+      last_poll_ > Seconds(0.0) ? std::min(now - last_poll_, kLongestLook) : Seconds(0.0);
+  last_poll_ = now;
   for (Child& child : children_) {
     int status = 0;
     if (child.pid > 0 && ::waitpid(child.pid, &status, WNOHANG) == child.pid) {
       child.pid = 0;
       NoteEnd(child, status);
+    } else if (child.pid > 0) {
+      WatchBeat(child, passed);
     }
     if (child.is_due && now >= child.next_start) {
       Launch(child);
@@ -134,10 +154,24 @@ bool Supervisor::Poll() {
                              [](const Child& child) { return child.pid > 0 || child.is_due; });
 }
 
+void Supervisor::WatchBeat(Child& child, Seconds passed) {
+  const std::uint64_t beat = child.heart.count();
+  child.silent = beat == 0 || beat != child.last_beat ? Seconds(0.0) : child.silent + passed;
+  child.last_beat = beat;
+  const Seconds patience = child.item.hung_after;
+  if (child.is_hung || patience <= Seconds(0.0) || child.silent <= patience) {
+    return;
+  }
+  child.is_hung = true;
+  say_(fmt::format("{} hangs: no sign of life for {:.1f} s; it is killed", child.item.name,
+                   child.silent.value()));
+  ::kill(child.pid, SIGKILL);  // a stopped process hears nothing else
+}
+
 void Supervisor::NoteEnd(Child& child, int status) {
   const bool is_failure = !WIFEXITED(status) || WEXITSTATUS(status) != 0;
   const bool has_bad_configuration = WIFEXITED(status) && WEXITSTATUS(status) == 2;
-  child.last_end = HowItEnded(status);
+  child.last_end = child.is_hung ? "hung and was killed" : HowItEnded(status);
   const std::string what = fmt::format("{} {}", child.item.name, child.last_end);
   const std::string where =
       fmt::format("; see {}", (log_folder_ / (child.item.name + ".log")).string());
@@ -187,6 +221,17 @@ std::vector<Supervisor::Report> Supervisor::Reports() const {
   return reports;
 }
 
+std::optional<std::string> Supervisor::LostVital() const {
+  const auto lost = std::ranges::find_if(
+      children_, [](const Child& child) { return child.is_given_up && child.item.is_vital; });
+  return lost == children_.end() ? std::nullopt : std::optional(lost->item.name);
+}
+
+bool Supervisor::HasLostDatabase() const {
+  return std::ranges::any_of(
+      children_, [](const Child& child) { return child.is_given_up && child.item.is_database; });
+}
+
 std::string Supervisor::Status() const {
   std::string text;
   for (const Report& report : Reports()) {
@@ -197,19 +242,14 @@ std::string Supervisor::Status() const {
   return text;
 }
 
-void Supervisor::Signal(const std::function<bool(const Child&)>& which, int signal) {
+void Supervisor::EndThose(const std::function<bool(const Child&)>& which, Seconds patience) {
+  const auto concerns = [&which](const Child& child) { return child.pid > 0 && which(child); };
   for (auto child = children_.rbegin(); child != children_.rend(); ++child) {
-    if (child->pid > 0 && which(*child)) {
-      ::kill(child->pid, signal);
+    if (concerns(*child)) {
+      ::kill(child->pid, SIGTERM);
     }
   }
-}
-
-void Supervisor::AwaitEnd(Seconds patience, bool with_database) {
   const Seconds deadline = SteadyTime() + patience;
-  const auto concerns = [with_database](const Child& child) {
-    return child.pid > 0 && (with_database || !child.item.is_database);
-  };
   while (std::ranges::any_of(children_, concerns) && SteadyTime() < deadline) {
     for (Child& child : children_) {
       int status = 0;
@@ -230,13 +270,21 @@ void Supervisor::AwaitEnd(Seconds patience, bool with_database) {
 }
 
 void Supervisor::End(Seconds patience) {
+  End(
+      patience, [](const std::string&) { return false; }, [] {});
+}
+
+void Supervisor::End(Seconds patience, const std::function<bool(const std::string&)>& is_late,
+                     const std::function<void()>& between) {
   for (Child& child : children_) {
     child.is_due = false;
   }
-  Signal([](const Child& child) { return !child.item.is_database; }, SIGTERM);
-  AwaitEnd(patience, false);
-  Signal([](const Child& child) { return child.item.is_database; }, SIGTERM);
-  AwaitEnd(patience, true);
+  EndThose([&is_late](
+               const Child& child) { return !child.item.is_database && !is_late(child.item.name); },
+           patience);
+  between();
+  EndThose([](const Child& child) { return !child.item.is_database; }, patience);
+  EndThose([](const Child& child) { return child.item.is_database; }, patience);
 }
 
 }  // namespace limpet

@@ -34,6 +34,7 @@ SurveyApp::SurveyApp(const AppContext& context, const Params& params)
   Subscribe(topics::kReturn, &SurveyApp::OnReturn);
   Subscribe(topics::kMapCoverage, &SurveyApp::OnCoverage);
   Subscribe(topics::kMapOpis, &SurveyApp::OnOpis);
+  Subscribe(topics::kMissionEnd, &SurveyApp::OnMissionEnd);
 }
 
 void SurveyApp::OnDeploy(const Stamped<bool>& deploy) {
@@ -104,6 +105,13 @@ void SurveyApp::OnReturn(const Stamped<bool>& request) {
   const bool is_under_way = phase_ == Phase::kDive || phase_ == Phase::kSurvey;
   if (request.value && is_under_way) {
     GoHome("operator asked", "aborted", request.time);
+  }
+}
+
+void SurveyApp::OnMissionEnd(const Stamped<std::string>& end) {
+  if (IsUnderWay()) {
+    ended_ = end.value;
+    Enter(Phase::kDone, now());
   }
 }
 

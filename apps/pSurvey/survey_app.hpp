@@ -94,6 +94,8 @@ class SurveyApp final : public App {
   void OnNav(const Stamped<NavState>& nav) { nav_ = nav; }
   void OnDeploy(const Stamped<bool>& deploy);
   void OnReturn(const Stamped<bool>& request);
+  /// Somebody else has ended the mission: the launcher, for want of an app.
+  void OnMissionEnd(const Stamped<std::string>& end);
   void OnCoverage(const Stamped<Coverage>& coverage);
   void OnOpis(const Stamped<OpiBeliefs>& opis) { opis_ = opis.value; }
 

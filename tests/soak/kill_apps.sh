@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Kills random processes of a running community, hard, and looks at what is left: does the launcher bring them
+# Kills or stops (SIGSTOP, every third) random processes of a running community, and looks at what is left: does the launcher bring them
 # back, does the mission end in a declared state, can every log be read?
 # usage: tests/soak/kill_apps.sh [kills=50] [mission=missions/table1] [bin=build/bin] [warp=10] [seed=1]
 set -uo pipefail
@@ -21,7 +21,9 @@ while ((killed < kills)) && kill -0 $launcher 2>/dev/null; do
   ((${#children[@]})) || continue
   victim=${children[RANDOM % ${#children[@]}]}
   name=$(cat "/proc/$victim/comm" 2>/dev/null) || continue
-  kill -KILL "$victim" && killed=$((killed + 1)) && echo "$SECONDS s: killed $name"
+  signal=KILL
+  ((killed % 3 == 2)) && signal=STOP
+  kill -$signal "$victim" && killed=$((killed + 1)) && echo "$SECONDS s: $name got SIG$signal"
 done
 until ! kill -0 $launcher 2>/dev/null || ((SECONDS > patience)); do sleep 1; done
 if kill -0 $launcher 2>/dev/null; then

@@ -40,8 +40,17 @@ class EmbeddedCommunity::Impl {
     Hosted& hosted = **next;
     elapsed_ = hosted.NextTick();
     ++hosted.ticks;
-    hosted.app->Iterate(now());
-    DeliverAll();
+    if (!hosted.is_stalled) {
+      hosted.app->Iterate(now());
+      DeliverAll();
+    }
+  }
+
+  void Stall(const std::string& app, bool hangs) {
+    const auto found =
+        std::ranges::find_if(hosted_, [&app](const auto& hosted) { return hosted->name == app; });
+    LIMPET_REQUIRE(found != hosted_.end(), "only an app that is hosted can hang");
+    (*found)->is_stalled = hangs;
   }
 
   void Write(Message message) {
@@ -71,7 +80,7 @@ class EmbeddedCommunity::Impl {
     for (bool is_quiet = false; !is_quiet;) {
       is_quiet = true;
       for (const auto& hosted : hosted_) {
-        if (!database_.HasMail(hosted->client)) {
+        if (hosted->is_stalled || !database_.HasMail(hosted->client)) {
           continue;
         }
         is_quiet = false;
@@ -88,8 +97,10 @@ class EmbeddedCommunity::Impl {
 
   void Finish() {
     for (const auto& hosted : hosted_) {
-      hosted->app->End(now());
-      DeliverAll();
+      if (!hosted->is_stalled) {
+        hosted->app->End(now());
+        DeliverAll();
+      }
     }
   }
 
@@ -120,6 +131,7 @@ class EmbeddedCommunity::Impl {
     std::string name;
     double tick_hz = 4.0;
     std::int64_t ticks = 0;
+    bool is_stalled = false;
     std::unique_ptr<App> app;
   };
 
@@ -175,6 +187,7 @@ void EmbeddedCommunity::Poke(const std::string& name, Value value) {
   impl_->Publish("operator", name, std::move(value), "");
   impl_->DeliverAll();
 }
+void EmbeddedCommunity::Stall(const std::string& app, bool hangs) { impl_->Stall(app, hangs); }
 void EmbeddedCommunity::Observe(std::function<void(const Message&)> observer) {
   impl_->observers_.push_back(std::move(observer));
 }

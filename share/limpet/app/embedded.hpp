@@ -45,6 +45,9 @@ class EmbeddedCommunity {
   void Step();
   /// Writes a variable as an operator would.
   void Poke(const std::string& name, Value value);
+  /// From now on the app does nothing, as a process that hangs: no tick, no mail; or it goes on,
+  /// with the mail that has waited. Ticks that it missed are left out. REQUIRES: the app is hosted.
+  void Stall(const std::string& app, bool hangs = true);
   /// Calls `observer` for every write, in order.
   void Observe(std::function<void(const Message&)> observer);
   /// Ends every app in launch order; the last call.

@@ -11,6 +11,7 @@
 #include "limpet/app/app_example.hpp"
 #include "limpet/app/app_status.hpp"
 #include "limpet/app/app_tick.hpp"
+#include "limpet/app/heartbeat.hpp"
 #include "limpet/app/live_link.hpp"
 #include "limpet/app/mail_journal.hpp"
 #include "limpet/app/registry.hpp"
@@ -47,7 +48,7 @@ ConfigBlock BlockFor(const AppCommand& command) {
 constexpr Seconds kStatusPeriod(2.0);  ///< real time
 
 /// Mail as it comes, Tick on time; a tick that is missed is left out, never made up for.
-void Loop(App& app, LiveLink& link, Seconds period, MailJournal* journal) {
+void Loop(App& app, LiveLink& link, Seconds period, MailJournal* journal, Heartbeat& heart) {
   AppStatus status(app.name(), link.Now());
   Seconds next = SteadyTime() + period;
   Seconds next_status = SteadyTime();
@@ -57,7 +58,9 @@ void Loop(App& app, LiveLink& link, Seconds period, MailJournal* journal) {
         journal->NoteMail(*message, link.Now());
       }
       app.Deliver(message);
+      heart.Beat();
     }
+    heart.Beat();
     app.Attend(link.Now());
     if (const Seconds now = SteadyTime(); now >= next) {
       const Seconds moos_now = link.Now();
@@ -73,6 +76,7 @@ void Loop(App& app, LiveLink& link, Seconds period, MailJournal* journal) {
       }
     }
   }
+  heart.Pause();  // it may take its time to bring its files to an end
   app.End(link.Now());
   if (journal != nullptr) {
     journal->Remove();
@@ -126,6 +130,7 @@ bool WaitForCommunity(const AppCommand& command, LiveLink& link) {
 }
 
 int Run(const AppCommand& command, const AppEntry& entry) {
+  Heartbeat heart;
   const ConfigBlock block = BlockFor(command);
   const double tick_hz = AppTickRate(block, entry.default_tick_hz);
   if (const auto problems = entry.check(block); !problems.empty()) {
@@ -167,7 +172,7 @@ int Run(const AppCommand& command, const AppEntry& entry) {
   if (began) {
     LiveAgain(*journal, link, *app);
   }
-  Loop(*app, link, Seconds(1.0 / (tick_hz * command.warp)), journal ? &*journal : nullptr);
+  Loop(*app, link, Seconds(1.0 / (tick_hz * command.warp)), journal ? &*journal : nullptr, heart);
   return 0;
 }
 

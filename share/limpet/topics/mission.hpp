@@ -108,9 +108,11 @@ inline const auto kDeploy = Declare<bool>(
 inline const auto kReturn = Declare<bool>(
     "RETURN", "end the survey and go home",
     {.rate = "on event", .writers = {"operator", "pHelm"}, .is_command = true});
-inline const auto kManualOverride = Declare<bool>(
-    "MOOS_MANUAL_OVERRIDE", "true parks the helm",
-    {.rate = "on event", .writers = {"operator", "pHelm"}, .is_command = true});
+inline const auto kManualOverride =
+    Declare<bool>("MOOS_MANUAL_OVERRIDE", "true parks the helm",
+                  {.rate = "on event",
+                   .writers = {"operator", "pHelm", "pLaunch"},
+                   .is_command = true});
 inline const auto kHelmState =
     Declare<std::string>("IVPHELM_STATE", "DRIVE or PARK", {.rate = "10 Hz", .writers = {"pHelm"}});
 inline const auto kHelmAllStop = Declare<std::string>(
@@ -135,10 +137,13 @@ inline const auto kDesiredTurnRate = Declare<double>(
     {.unit = "rad/s", .frame = "starboard positive", .rate = "10 Hz", .writers = {"pHelm"}});
 inline const auto kThrusterCommand = Declare<ThrusterCommand>(
     "THRUSTER_COMMAND", "normalised thrust of each thruster, in the order of the vehicle file",
-    {.unit = "-1 to 1", .frame = "body FRD", .rate = "10 Hz", .writers = {"pPilot"}});
+    {.unit = "-1 to 1",
+     .frame = "body FRD",
+     .rate = "10 Hz",
+     .writers = {"pPilot", "pLaunch", "operator"}});
 inline const auto kMissionEnd =
     Declare<std::string>("MISSION_END", "home, aborted, timeout or lost: the session is over",
-                         {.rate = "once", .writers = {"pSurvey"}});
+                         {.rate = "once", .writers = {"pSurvey", "pLaunch"}});
 }  // namespace topics
 
 }  // namespace limpet
