@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdio>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,15 +17,15 @@
 
 namespace limpet {
 
-/// A terminal of 50 x 10 whose other end is a child process.
+/// A terminal of 50 x 10, or what it is set to, whose other end is a child process.
 class PseudoTerminal {
  public:
-  PseudoTerminal() : master_(::posix_openpt(O_RDWR | O_NOCTTY)) {
+  explicit PseudoTerminal(unsigned short columns = 50)
+      : master_(::posix_openpt(O_RDWR | O_NOCTTY)) {
     ::grantpt(master_);
     ::unlockpt(master_);
     slave_ = ::open(::ptsname(master_), O_RDWR | O_NOCTTY);  // NOLINT(concurrency-mt-unsafe)
-    const winsize size{.ws_row = 10, .ws_col = 50, .ws_xpixel = 0, .ws_ypixel = 0};
-    ::ioctl(slave_, TIOCSWINSZ, &size);
+    SetColumns(columns);
     ::tcgetattr(slave_, &before_);
   }
   ~PseudoTerminal() {
@@ -33,6 +34,27 @@ class PseudoTerminal {
   }
   PseudoTerminal(const PseudoTerminal&) = delete;
   PseudoTerminal& operator=(const PseudoTerminal&) = delete;
+
+  void SetColumns(unsigned short columns) const {
+    const winsize size{.ws_row = 10, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
+    ::ioctl(slave_, TIOCSWINSZ, &size);
+  }
+  /// A stream to the terminal, for what writes to one in this process. The caller closes it.
+  [[nodiscard]] std::FILE* Open() const { return ::fdopen(::dup(slave_), "w"); }
+  /// What has been written until now.
+  [[nodiscard]] std::string Written() const {
+    std::string output;
+    pollfd in{.fd = master_, .events = POLLIN, .revents = 0};
+    std::array<char, 4096> bytes{};
+    while (::poll(&in, 1, 0) > 0) {
+      const ssize_t count = ::read(master_, bytes.data(), bytes.size());
+      if (count <= 0) {
+        break;
+      }
+      output.append(bytes.data(), static_cast<std::size_t>(count));
+    }
+    return output;
+  }
 
   /// Runs `body` in a child on this terminal; gives how it ended and all it wrote.
   template <class Body>
@@ -46,17 +68,7 @@ class PseudoTerminal {
     }
     int status = 0;
     ::waitpid(child, &status, 0);
-    std::string output;
-    pollfd in{.fd = master_, .events = POLLIN, .revents = 0};
-    std::array<char, 4096> bytes{};
-    while (::poll(&in, 1, 0) > 0) {
-      const ssize_t count = ::read(master_, bytes.data(), bytes.size());
-      if (count <= 0) {
-        break;
-      }
-      output.append(bytes.data(), static_cast<std::size_t>(count));
-    }
-    return {status, output};
+    return {status, Written()};
   }
   /// Waits for such output, at most 5 s, and swallows it.
   bool Await(std::string_view text) const {

@@ -28,7 +28,8 @@ bool IsNearlyTheSame(const ChangePosterior& a, const ChangePosterior& b) {
 }
 
 /// Posteriors of each object over the way, as steps: each holds until the next.
-std::map<int, Shares> SharesOf(const SessionRecord& record, double start_path, double far) {
+std::map<int, Shares> SharesOf(const SessionRecord& record, const PoseTrack& way, double start_path,
+                               double far) {
   std::map<int, Shares> shares;
   const auto add = [](Shares& to, double path, const ChangePosterior& p) {
     to.path.push_back(path);
@@ -38,7 +39,7 @@ std::map<int, Shares> SharesOf(const SessionRecord& record, double start_path, d
   };
   std::map<int, ChangePosterior> last;
   for (const BeliefRecord& belief : record.beliefs) {
-    const double path = std::clamp(record.truth.PathAt(belief.time.value()) - start_path, 0.0, far);
+    const double path = std::clamp(way.PathAt(belief.time.value()) - start_path, 0.0, far);
     Shares& to = shares[belief.opi];
     const auto before = last.find(belief.opi);
     if (before != last.end()) {
@@ -60,6 +61,7 @@ std::string NameOf(const FigureSource& source, int id) {
       std::find_if(opis.begin(), opis.end(), [&](const OpiBelief& o) { return o.id == id; });
   if (opi == opis.end()) return fmt::format("id {}", id);
   std::string name = fmt::format("id {}", id);
+  if (!source.score.has_truth) return name;
   double nearest = 2.5;
   for (const ScenarioOpi& truth : source.scenario.opis) {
     for (const auto& [session, place] : truth.places) {
@@ -99,10 +101,12 @@ void DrawRow(SvgCanvas& canvas, double top, double far, const std::string& name,
 }  // namespace
 
 Figure BeliefFigure(const FigureSource& source) {
-  const double far = std::max(source.score.coverage.curve.path_m.back(), 1.0);
-  const double start_path =
-      source.record.truth.PathAt(source.score.survey_start_s + source.record.truth.time(0));
-  const std::map<int, Shares> shares = SharesOf(source.record, start_path, far);
+  const PoseTrack& way = WayOf(source);
+  const double start_path = way.PathAt(SurveyStartOf(source));
+  const std::vector<double>& surveyed = source.score.coverage.curve.path_m;
+  const double far =
+      std::max(surveyed.empty() ? way.path(way.size() - 1) - start_path : surveyed.back(), 1.0);
+  const std::map<int, Shares> shares = SharesOf(source.record, way, start_path, far);
   const double height = kBeliefRow * static_cast<double>(shares.size());
   SvgCanvas canvas(kBeliefLeft + kBeliefWidth + 24.0, kBeliefTop + height + 48.0,
                    "Belief about each object");
@@ -111,7 +115,7 @@ Figure BeliefFigure(const FigureSource& source) {
   canvas.Text({kBeliefLeft - 26.0, 44.0},
               RunName(source) + " \u00b7 the posterior, stacked: full height is 1",
               {.size = 12.5, .fill = palette::kMuted});
-  const bool is_change = source.record.name == "change";
+  const bool is_change = !source.score.former.empty();
   double x = kBeliefLeft;
   const auto key = [&](std::string_view color, const std::string& text, double width) {
     canvas.Rect({x, 62.0}, {14.0, 14.0}, {.fill = color, .opacity = 0.85});

@@ -12,13 +12,14 @@ namespace {
 
 using Point = SvgCanvas::Point;
 
-void DrawChange(MapAxes& map, const ChangeScore& change) {
+void DrawChange(MapAxes& map, const ChangeScore& change, bool is_judged) {
   if (!change.ned) return;
   const Point at = map.At(change.ned->x(), change.ned->y());
   DrawStatus(map.canvas(), at, change.decided, 8.0);
-  PlaceLabel label{.lines = {change.truth.value_or("nothing is here"),
-                             change.decided + " " + ProbabilityText(change.probability)}};
-  if (!change.is_right()) {
+  const std::string decided = change.decided + " " + ProbabilityText(change.probability);
+  PlaceLabel label{.lines = {decided}};
+  if (is_judged) label.lines = {change.truth.value_or("nothing is here"), decided};
+  if (is_judged && !change.is_right()) {
     map.canvas().Circle(at, 14.0, {.stroke = palette::kVermillion, .width = 2.5});
     label.lines.push_back("wrong: " + change.expected.value_or("there was never anything"));
     label.distance = 20.0;
@@ -26,7 +27,7 @@ void DrawChange(MapAxes& map, const ChangeScore& change) {
   DrawLabel(map, *change.ned, label);
 }
 
-void DrawChangeLegend(MapAxes& map) {
+void DrawChangeLegend(MapAxes& map, bool is_judged) {
   map.LegendHeading("Decided");
   const char* const meanings[][2] = {{"confirmed", "confirmed: there both times"},
                                      {"removed", "removed: there before only"},
@@ -39,6 +40,7 @@ void DrawChangeLegend(MapAxes& map) {
         [status](SvgCanvas& canvas, const Point& at) { DrawStatus(canvas, at, status, 6.5); },
         meaning[1]);
   }
+  if (!is_judged) return;
   map.LegendHeading("Truth");
   map.Legend(
       [](SvgCanvas& canvas, const Point& at) {
@@ -57,32 +59,43 @@ void DrawChangeLegend(MapAxes& map) {
       "decision is wrong");
 }
 
-}  // namespace
-
-Figure ChangeFigure(const FigureSource& source) {
-  const SessionRecord& record = source.record;
-  const OpiScores& opis = source.score.opis;
-  const SurveyArea area = AreaOf(record);
-  MapAxes map(area,
-              fmt::format("What changed: {} of {} statuses right", StatusesRight(source.score),
-                          opis.changes.size()),
-              RunName(source) + " \u00b7 with the probability of what was decided");
-  map.BeginMap();
-  map.Raster(record.grid, [](std::size_t) { return palette::Rgb{246, 249, 250}; });
-  map.Outline(area);
+void DrawTruthOfBoth(MapAxes& map, const FigureSource& source) {
   for (const ScenarioOpi& opi : source.scenario.opis) {
-    const auto now = opi.Place("change");
-    const auto before = opi.Place("discovery");
+    const auto now = opi.Place(source.score.name);
+    const auto before = opi.Place(source.score.former);
     if (now) DrawTruth(map, *now, opi.radius_m);
     if (before && !now) {
       map.canvas().Circle(map.At(before->x(), before->y()), opi.radius_m * map.pixels_per_metre(),
                           {.stroke = palette::kMapMuted, .width = 1.4, .dash = "3 3"});
     }
   }
+}
+
+std::string TitleOfChanges(const SessionScore& score) {
+  const std::size_t count = score.opis.changes.size();
+  if (!score.has_truth) {
+    return fmt::format("What changed: {} decisions, not judged: no truth", count);
+  }
+  return fmt::format("What changed: {} of {} statuses right", StatusesRight(score), count);
+}
+
+}  // namespace
+
+Figure ChangeFigure(const FigureSource& source) {
+  const SessionRecord& record = source.record;
+  const OpiScores& opis = source.score.opis;
+  const SurveyArea area = AreaOf(record);
+  MapAxes map(area, TitleOfChanges(source.score),
+              RunName(source) + " \u00b7 against " + source.score.former +
+                  ", with the probability of what was decided");
+  map.BeginMap();
+  map.Raster(record.grid, [](std::size_t) { return palette::Rgb{246, 249, 250}; });
+  map.Outline(area);
+  if (source.score.has_truth) DrawTruthOfBoth(map, source);
   for (const ChangeScore& change : opis.changes)
-    DrawChange(map, change);
+    DrawChange(map, change, source.score.has_truth);
   map.EndMap();
-  DrawChangeLegend(map);
+  DrawChangeLegend(map, source.score.has_truth);
   return {record.name + "_status.svg",
           "Shape and colour both tell the status. Rings are the truth, at true size: drawn through "
           "for what is there now, dashed for what was there before. White ground was seen in this "

@@ -93,7 +93,7 @@ Figure CoverageFigure(const FigureSource& source) {
   for (const double level : {90.0, 95.0, 99.0}) {
     axes.Level(level, {.stroke = palette::kMuted, .width = 0.9, .dash = "6 4"});
   }
-  DrawBelieved(axes, source, source.score.survey_start_s + source.record.truth.time(0));
+  DrawBelieved(axes, source, SurveyStartOf(source));
   axes.Curve(coverage.curve.path_m, Percent(coverage.curve.seabed), kSeabed);
   axes.Curve(coverage.curve.path_m, Percent(coverage.curve.band), kBand);
   MarkLevels(canvas, axes, coverage.seabed, kSeabed, true);

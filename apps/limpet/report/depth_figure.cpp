@@ -55,18 +55,21 @@ DepthError ErrorOf(const GridRecord& grid, const Seabed& seabed) {
   return {mean, std::sqrt(std::max(squares / count - mean * mean, 0.0))};
 }
 
+std::string TitleOfDepths(const FigureSource& source) {
+  if (!source.score.has_truth) return "Depth of the bottom as mapped";
+  const DepthError error = ErrorOf(source.record.grid, Seabed(source.scenario.seabed));
+  return fmt::format("Depth of the bottom as mapped: {:.2f} m too {} on average, \u00b1 {:.2f} m",
+                     std::abs(error.mean), error.mean < 0.0 ? "shallow" : "deep", error.spread);
+}
+
 }  // namespace
 
 Figure DepthFigure(const FigureSource& source) {
   const GridRecord& grid = source.record.grid;
   const SurveyArea area = AreaOf(source.record);
   const DepthRange range = RangeOf(grid);
-  const DepthError error = ErrorOf(grid, Seabed(source.scenario.seabed));
-  MapAxes map(
-      area,
-      fmt::format("Depth of the bottom as mapped: {:.2f} m too {} on average, \u00b1 {:.2f} m",
-                  std::abs(error.mean), error.mean < 0.0 ? "shallow" : "deep", error.spread),
-      RunName(source) + " \u00b7 from the DVL\u2019s four beams");
+  MapAxes map(area, TitleOfDepths(source),
+              RunName(source) + " \u00b7 from the DVL\u2019s four beams");
   map.BeginMap();
   map.Raster(grid, [&](std::size_t cell) {
     const double share = range.ShareOf(static_cast<double>(grid.seabed_down[cell]));
@@ -80,7 +83,8 @@ Figure DepthFigure(const FigureSource& source) {
   return {
       source.record.name + "_depth.svg",
       "Every cell carries the depth that the DVL's beams near by gave. The scale spans the middle "
-      "99 % of the depths, and half a metre at least. The title compares with the true bottom.",
+      "99 % of the depths, and half a metre at least. Where the true bottom is known, the title "
+      "compares with it.",
       map.Finish()};
 }
 

@@ -31,11 +31,18 @@ Number PathOfLevel(const Json& session, const std::string& key) {
   return std::nullopt;
 }
 
+/// Nothing where nobody knows the truth.
+Number CountOf(const Json& list) {
+  return list.is_array() ? Number(static_cast<double>(list.size())) : std::nullopt;
+}
+
 /// Largest of all found objects; 0 if none was found, which `missed` tells.
 Number LargestOfObjects(const Json& session, const std::string& key) {
   double largest = 0.0;
   for (const Json& opi : session.at("opis")) {
-    largest = std::max(largest, opi.at(key).get<double>());
+    const Number value = NumberOf(opi.at(key));
+    if (!value) return std::nullopt;
+    largest = std::max(largest, *value);
   }
   return largest;
 }
@@ -52,8 +59,8 @@ Number ValueOf(const Json& session, const std::string& key) {
   if (key.starts_with("coverage_") || key.starts_with("detectable_")) {
     return PathOfLevel(session, key);
   }
-  if (key == "missed") return static_cast<double>(session.at("missed").size());
-  if (key == "invented") return static_cast<double>(session.at("false").size());
+  if (key == "missed") return CountOf(session.at("missed"));
+  if (key == "invented") return CountOf(session.at("false"));
   if (key == "wrong_statuses") return WrongStatuses(session);
   if (key == "error_m" || key == "aligned_error_m") return LargestOfObjects(session, key);
   if (session.contains(key)) return NumberOf(session.at(key));

@@ -40,25 +40,38 @@ std::string Card(const std::string& value, const std::string& meaning) {
   return fmt::format("<div class=\"card\"><b>{}</b><span>{}</span></div>\n", value, meaning);
 }
 
-std::string Cards(const SessionScore& session) {
+std::string EndCard(const SessionScore& session) {
+  return Card(session.home_error_m ? fmt::format("{:.2f} m", *session.home_error_m) : "unknown",
+              "from the start point at the end; ended: " + EscapedMarkup(session.ended));
+}
+
+std::string TruthCards(const SessionScore& session) {
   const auto way = [](const std::vector<CoverageLevel>& levels, double wanted) {
     const auto level = std::find_if(levels.begin(), levels.end(), [&](const CoverageLevel& entry) {
       return entry.level == wanted;
     });
     return level != levels.end() ? Metres(level->path_m) : std::string("never");
   };
-  std::string out = "<div class=\"cards\">\n";
-  out += Card(way(session.coverage.seabed, 0.95), "of way to see 95 % of the bottom");
+  std::string out = Card(way(session.coverage.seabed, 0.95), "of way to see 95 % of the bottom");
   out += Card(way(session.coverage.band, 0.95), "of way to see 95 % of the band of heights");
-  if (session.name == "change") {
+  if (!session.former.empty()) {
     out += Card(Metres(session.coverage.prior_opis_seen_path_m),
                 "until all former objects\u2019 places were seen");
   }
-  out += Card(fmt::format("{:.2f} m", session.nav.position_rmse_m),
-              fmt::format("position error, rms; at the end {:.2f} m, dead reckoning {:.2f} m",
-                          session.nav.final_error_m, session.nav.dead_reckoning_final_error_m));
-  out += Card(session.home_error_m ? fmt::format("{:.2f} m", *session.home_error_m) : "unknown",
-              "from the start point at the end; ended: " + EscapedMarkup(session.ended));
+  return out + Card(MetresText(session.nav.position_rmse_m),
+                    fmt::format("position error, rms; at the end {}, dead reckoning {}",
+                                MetresText(session.nav.final_error_m),
+                                MetresText(session.nav.dead_reckoning_final_error_m)));
+}
+
+std::string Cards(const SessionScore& session) {
+  std::string out = "<div class=\"cards\">\n";
+  if (session.has_truth) {
+    out += TruthCards(session) + EndCard(session);
+  } else {
+    out += Card(std::to_string(session.opis.reported.size()), "objects reported; not judged");
+    out += Card(EscapedMarkup(session.ended), "how it ended");
+  }
   if (session.realtime_factor()) {
     out +=
         Card(fmt::format("{:.0f} \u00d7", *session.realtime_factor()),
@@ -95,15 +108,41 @@ std::string ObjectsTable(const SessionScore& session) {
   return out + "</table></div>\n";
 }
 
+/// What the vehicle says, where nobody can say whether it is right.
+std::string ReportedTable(const SessionScore& session) {
+  std::string out =
+      "<h3>Objects as reported</h3>\n<p>There is no truth for this session: nothing is judged, and "
+      "what needs the truth is left out.</p>\n<div class=\"scroll\"><table><tr><th>object<th>north "
+      "[m]<th>east [m]<th>down [m]<th>sd north<th>sd east<th>sd down<th>looks<th>P</tr>\n";
+  for (const ReportedOpi& opi : session.opis.reported) {
+    out += fmt::format("<tr><td>{}</td>{}{}<td>{}</td><td>{}</td></tr>\n",
+                       EscapedMarkup(fmt::format("id {}, {}", opi.id, opi.color)), Place(opi.ned),
+                       Place(opi.sd), opi.looks, EscapedMarkup(ProbabilityText(opi.probability)));
+  }
+  return out + "</table></div>\n";
+}
+
 std::string FigureMarkup(const Figure& figure) {
   return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", figure.svg,
                      EscapedMarkup(figure.caption));
 }
 
+std::string DecisionsTable(const SessionScore& session) {
+  std::string out =
+      "<div class=\"scroll\"><table><tr><th>north [m]<th>east [m]<th>down [m]<th "
+      "class=\"left\">decided<th>P</tr>\n";
+  for (const ChangeScore& change : session.opis.changes) {
+    out += fmt::format("<tr>{}<td class=\"left\">{}</td><td>{}</td></tr>\n",
+                       change.ned ? Place(*change.ned) : "<td colspan=\"3\"></td>",
+                       EscapedMarkup(change.decided),
+                       EscapedMarkup(ProbabilityText(change.probability)));
+  }
+  return out + "</table></div>\n<p>There is no truth for this session: nothing is judged.</p>\n";
+}
+
 std::string ChangesTable(const SessionScore& session) {
   std::string out =
-      "<h2>What changed</h2>\n<div "
-      "class=\"scroll\"><table><tr><th>object<th>north [m]"
+      "<div class=\"scroll\"><table><tr><th>object<th>north [m]"
       "<th>east [m]<th>down [m]<th class=\"left\">truth<th class=\"left\">decided<th>P<th "
       "class=\"left\">verdict</tr>\n";
   for (const ChangeScore& change : session.opis.changes) {
@@ -112,7 +151,7 @@ std::string ChangesTable(const SessionScore& session) {
         "class=\"left\">{}</td></tr>\n",
         EscapedMarkup(change.truth.value_or("nothing")),
         change.ned ? Place(*change.ned) : "<td colspan=\"3\">not known to the vehicle</td>",
-        change.expected.value_or("nothing there"), EscapedMarkup(change.decided),
+        EscapedMarkup(change.expected.value_or("nothing there")), EscapedMarkup(change.decided),
         EscapedMarkup(ProbabilityText(change.probability)),
         Judged(change.is_right(), change.is_right() ? "right" : "wrong"));
   }
@@ -139,7 +178,11 @@ std::string CoverageTable(const SessionScore& session, const ReportSettings& set
 
 /// What the reader came for, before anything else: the statuses, in a table and on the map.
 std::string ChangesSection(const SessionScore& session, const std::vector<Figure>& figures) {
-  std::string out = "<section id=\"changes\">\n" + ChangesTable(session);
+  std::string out = fmt::format(
+      "<section id=\"changes-{0}\">\n<h2>What changed</h2>\n<p class=\"muted\">{0}, compared with "
+      "{1}.</p>\n",
+      EscapedMarkup(session.name), EscapedMarkup(session.former));
+  out += session.has_truth ? ChangesTable(session) : DecisionsTable(session);
   for (const Figure& figure : figures) {
     if (figure.file.ends_with("_status.svg")) out += FigureMarkup(figure);
   }
@@ -149,11 +192,13 @@ std::string ChangesSection(const SessionScore& session, const std::vector<Figure
 std::string SessionSection(const SessionScore& session, const ReportSettings& settings,
                            const std::vector<Figure>& figures) {
   std::string out = fmt::format(
-      "<section id=\"{0}\">\n<h2>{1} session</h2>\n<p class=\"muted\">{2:.0f} m of way in "
+      "<section id=\"{0}\">\n<h2>{1} session</h2>\n<p class=\"muted\">{2:.0f} m of way{4} in "
       "{3:.0f} s, the dive and the way home included.</p>\n",
-      EscapedMarkup(session.name), Title(session.name), session.path_m, session.duration_s);
+      EscapedMarkup(session.name), Title(session.name), session.path_m, session.duration_s,
+      session.has_truth ? "" : ", by the vehicle\u2019s own estimate,");
   out += Cards(session);
-  out += ObjectsTable(session) + CoverageTable(session, settings);
+  out += session.has_truth ? ObjectsTable(session) + CoverageTable(session, settings)
+                           : ReportedTable(session);
   for (const Figure& figure : figures) {
     if (!figure.file.ends_with("_status.svg")) out += FigureMarkup(figure);
   }
@@ -191,14 +236,17 @@ std::string SettingsSection(const ReportSettings& settings) {
 std::string HtmlPage(const RunScore& run, const std::vector<std::vector<Figure>>& figures) {
   const Verdict verdict = VerdictOf(run);
   const std::string mission = EscapedMarkup(run.settings.mission);
-  std::string links, changes, sections;
+  std::string links, change_links, changes, sections;
   for (std::size_t i = 0; i < run.sessions.size(); ++i) {
     const SessionScore& session = run.sessions[i];
     links +=
         fmt::format("<a href=\"#{}\">{}</a>", EscapedMarkup(session.name), Title(session.name));
     const std::vector<Figure> drawn = i < figures.size() ? figures[i] : std::vector<Figure>{};
-    if (session.name == "change") links.insert(0, "<a href=\"#changes\">What changed</a>");
-    if (session.name == "change") changes += ChangesSection(session, drawn);
+    if (!session.former.empty()) {
+      change_links += fmt::format("<a href=\"#changes-{0}\">What changed: {0}</a>",
+                                  EscapedMarkup(session.name));
+      changes += ChangesSection(session, drawn);
+    }
     sections += SessionSection(session, run.settings, drawn);
   }
   return fmt::format(
@@ -212,9 +260,10 @@ std::string HtmlPage(const RunScore& run, const std::vector<std::vector<Figure>>
       "{6}{7}{8}</main>\n<footer>Written by limpet {9}. Everything here is also in "
       "<code>report.json</code>; the "
       "figures are in <code>figures/</code>.</footer>\n</body>\n</html>\n",
-      mission, run.settings.seed, PageStyle(), links, verdict.is_good ? "" : " bad",
-      EscapedMarkup(verdict.text), changes + sections, SettingsSection(run.settings),
-      Explanations(), EscapedMarkup(run.settings.version));
+      mission, run.settings.seed, PageStyle(), change_links + links,
+      verdict.is_judged && !verdict.is_good ? " bad" : "", EscapedMarkup(verdict.text),
+      changes + sections, SettingsSection(run.settings), Explanations(),
+      EscapedMarkup(run.settings.version));
 }
 
 }  // namespace limpet

@@ -35,16 +35,17 @@ CommonOffset Align(const std::vector<PosePair>& pairs) {
 }
 
 /// At the last time not after `end_s`.
-double ErrorAtEnd(const PoseTrack& track, const PoseTrack& truth, double end_s) {
+std::optional<double> ErrorAtEnd(const PoseTrack& track, const PoseTrack& truth, double end_s) {
   for (std::size_t i = track.size(); i-- > 0;) {
     if (track.time(i) > end_s) continue;
     if (const auto X_WB = truth.At(track.time(i))) return (track.position(i) - X_WB->p_WB).norm();
   }
-  return 0.0;
+  return std::nullopt;
 }
 
-double RootMeanSquare(double sum_of_squares, std::size_t count) {
-  return count > 0 ? std::sqrt(sum_of_squares / static_cast<double>(count)) : 0.0;
+std::optional<double> RootMeanSquare(double sum_of_squares, std::size_t count) {
+  if (count == 0) return std::nullopt;
+  return std::sqrt(sum_of_squares / static_cast<double>(count));
 }
 
 /// Squared error over variance of the three axes; an axis whose deviation is not given is left out
@@ -118,7 +119,7 @@ NavScore ScoreNavigation(const SessionRecord& record, double start_s) {
   const double end_s = ascent ? ascent->value() : std::numeric_limits<double>::infinity();
   score.final_error_m = ErrorAtEnd(record.nav, record.truth, end_s);
   score.dead_reckoning_final_error_m = ErrorAtEnd(record.dead_reckoning, record.truth, end_s);
-  score.nees_mean = nees_count > 0 ? nees / static_cast<double>(nees_count) : 0.0;
+  if (nees_count > 0) score.nees_mean = nees / static_cast<double>(nees_count);
   return score;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "apps/limpet/report/session_record.hpp"
@@ -24,17 +25,18 @@ struct NavErrorCurve {
   std::vector<double> dead_reckoning_time_s, dead_reckoning_m;  ///< 3-D
 };
 
-/// The estimate as known at the time against the truth, from the start of the survey.
+/// The estimate as known at the time against the truth, from the start of the survey. What nothing
+/// was recorded for is left open.
 struct NavScore {
-  double position_rmse_m = 0.0;
-  double aligned_rmse_m =
-      0.0;  ///< after removing one horizontal and one vertical shift and one yaw
+  std::optional<double> position_rmse_m;
+  /// After removing one horizontal and one vertical shift and one yaw.
+  std::optional<double> aligned_rmse_m;
   /// At the end of the way under water, before the ascent and its new fixes; without an ascent at
   /// the end of the record.
-  double final_error_m = 0.0;
-  double dead_reckoning_final_error_m = 0.0;  ///< at the same moment
-  double nees_mean =
-      0.0;  ///< per degree of freedom times 3: 3 is consistent, more is overconfident
+  std::optional<double> final_error_m;
+  std::optional<double> dead_reckoning_final_error_m;  ///< at the same moment
+  /// Per degree of freedom times 3: 3 is consistent, more is overconfident.
+  std::optional<double> nees_mean;
   CommonOffset offset;
   NavErrorCurve curve;
 };

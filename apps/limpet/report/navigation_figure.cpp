@@ -7,6 +7,7 @@
 #include "apps/limpet/report/figures.hpp"
 #include "apps/limpet/report/palette.hpp"
 #include "apps/limpet/report/plot_axes.hpp"
+#include "apps/limpet/report/probability_text.hpp"
 
 namespace limpet {
 namespace {
@@ -66,11 +67,11 @@ Figure NavigationFigure(const FigureSource& source) {
   const NavScore& nav = source.score.nav;
   const NavErrorCurve& curve = nav.curve;
   SvgCanvas canvas(kNavigationLeft + kNavigationWidth + 24.0, 636.0, "Navigation error");
-  canvas.Text(
-      {kNavigationLeft, 24.0},
-      fmt::format("Position error {:.2f} m rms; at the end {:.2f} m, dead reckoning {:.2f} m",
-                  nav.position_rmse_m, nav.final_error_m, nav.dead_reckoning_final_error_m),
-      {.size = 16.0, .is_bold = true});
+  canvas.Text({kNavigationLeft, 24.0},
+              fmt::format("Position error {} rms; at the end {}, dead reckoning {}",
+                          MetresText(nav.position_rmse_m), MetresText(nav.final_error_m),
+                          MetresText(nav.dead_reckoning_final_error_m)),
+              {.size = 16.0, .is_bold = true});
   canvas.Text(
       {kNavigationLeft, 44.0},
       fmt::format("{} \u00b7 estimate as known at the time, against the truth", RunName(source)),
@@ -100,8 +101,8 @@ Figure NavigationFigure(const FigureSource& source) {
       source.record.name + "_navigation.svg",
       fmt::format("Above: distance between estimate and truth. Below: the same by axis, with the "
                   "bounds that the estimator itself gives; an honest estimator stays inside. Its "
-                  "NEES is {:.1f} (3 is ideal, more is overconfident).",
-                  nav.nees_mean),
+                  "NEES is {} (3 is ideal, more is overconfident).",
+                  NumberText(nav.nees_mean)),
       canvas.Finish()};
 }
 

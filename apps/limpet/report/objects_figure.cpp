@@ -46,6 +46,11 @@ void LabelBeliefs(MapAxes& map, const FigureSource& source) {
     DrawLabel(map, opi.slam_ned,
               {.lines = {opi.truth, "P " + ProbabilityText(opi.probability)}, .distance = 20.0});
   }
+  for (const ReportedOpi& opi : source.score.opis.reported) {
+    DrawLabel(map, opi.ned,
+              {.lines = {fmt::format("id {}", opi.id), "P " + ProbabilityText(opi.probability)},
+               .distance = 20.0});
+  }
   for (const FalseOpi& opi : source.score.opis.invented) {
     DrawLabel(map, opi.ned,
               {.lines = {"nothing is here", "P " + ProbabilityText(opi.probability)},
@@ -97,13 +102,15 @@ void DrawCloseUp(SvgCanvas& canvas, const Point& corner, const FigureSource& sou
   canvas.Text(corner + Point(0.0, kCloseUp + 33.0), HeightError(opi), {.fill = palette::kMuted});
 }
 
-void DrawObjectsLegend(MapAxes& map) {
-  map.LegendHeading("Truth");
-  map.Legend(
-      [](SvgCanvas& canvas, const Point& at) {
-        canvas.Circle(at, 8.0, {.stroke = palette::kMapInk, .width = 1.4});
-      },
-      "object, at its true size");
+void DrawObjectsLegend(MapAxes& map, bool has_truth) {
+  if (has_truth) {
+    map.LegendHeading("Truth");
+    map.Legend(
+        [](SvgCanvas& canvas, const Point& at) {
+          canvas.Circle(at, 8.0, {.stroke = palette::kMapInk, .width = 1.4});
+        },
+        "object, at its true size");
+  }
   map.LegendHeading("Vehicle");
   map.Legend(
       [](SvgCanvas& canvas, const Point& at) {
@@ -119,15 +126,21 @@ void DrawObjectsLegend(MapAxes& map) {
       "cluster in the map:\ncentre and 2 standard\ndeviations of its voxels");
 }
 
+std::string TitleOfObjects(const SessionScore& score) {
+  const OpiScores& opis = score.opis;
+  if (!score.has_truth) {
+    return fmt::format("Objects reported: {}, not judged: no truth", opis.reported.size());
+  }
+  return fmt::format("Objects found: {} of {}, {} invented", opis.found.size(),
+                     opis.found.size() + opis.missed.size(), opis.invented.size());
+}
+
 }  // namespace
 
 Figure ObjectsFigure(const FigureSource& source) {
   const SessionRecord& record = source.record;
-  const OpiScores& opis = source.score.opis;
   const SurveyArea area = AreaOf(record);
-  MapAxes map(area,
-              fmt::format("Objects found: {} of {}, {} invented", opis.found.size(),
-                          opis.found.size() + opis.missed.size(), opis.invented.size()),
+  MapAxes map(area, TitleOfObjects(source.score),
               RunName(source) + " \u00b7 on the ground seen (darker: seen higher up)");
   map.BeginMap();
   map.Raster(
@@ -140,8 +153,10 @@ Figure ObjectsFigure(const FigureSource& source) {
       },
       0.45);
   map.Outline(area);
-  for (const ScenarioOpi& opi : source.scenario.opis) {
-    if (const auto place = opi.Place(record.name)) DrawTruth(map, *place, opi.radius_m);
+  if (source.score.has_truth) {
+    for (const ScenarioOpi& opi : source.scenario.opis) {
+      if (const auto place = opi.Place(record.name)) DrawTruth(map, *place, opi.radius_m);
+    }
   }
   const Drawing drawing{map.canvas(), map.pixels_per_metre(),
                         [&map](double north, double east) { return map.At(north, east); }};
@@ -150,11 +165,12 @@ Figure ObjectsFigure(const FigureSource& source) {
   }
   LabelBeliefs(map, source);
   map.EndMap();
-  DrawObjectsLegend(map);
+  DrawObjectsLegend(map, source.score.has_truth);
   return {
       record.name + "_objects.svg",
       "Each object that the vehicle believes to be there (P at least 0.5), where smoother and map "
-      "place it, over the ring of the true object. Ellipses hold 2 standard deviations "
+      "place it, over the ring of the true object where that is known. Ellipses hold 2 standard "
+      "deviations "
       "(86 % of the chance in the plane).",
       map.Finish()};
 }

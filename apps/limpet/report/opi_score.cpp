@@ -120,9 +120,14 @@ void ScorePresence(const SessionRecord& record, const Scenario& scenario,
   }
 }
 
-std::optional<std::string> ExpectedStatus(const ScenarioOpi& opi) {
-  const auto before = opi.Place("discovery");
-  const auto now = opi.Place("change");
+/// A session and the one that it is compared with.
+struct SessionPair {
+  std::string former, now;
+};
+
+std::optional<std::string> ExpectedStatus(const ScenarioOpi& opi, const SessionPair& sessions) {
+  const auto before = opi.Place(sessions.former);
+  const auto now = opi.Place(sessions.now);
   if (before && now) return (*before - *now).norm() > kMovedDistance ? "moved" : "confirmed";
   if (before) return "removed";
   if (now) return "new";
@@ -130,27 +135,32 @@ std::optional<std::string> ExpectedStatus(const ScenarioOpi& opi) {
 }
 
 /// True for what is left over at the old place of an object that was moved.
-bool IsTraceOfAMove(const Belief& belief, const Scenario& scenario) {
+bool IsTraceOfAMove(const Belief& belief, const Scenario& scenario, const SessionPair& sessions) {
   return std::any_of(scenario.opis.begin(), scenario.opis.end(), [&](const ScenarioOpi& opi) {
-    const auto before = opi.Place("discovery");
-    return ExpectedStatus(opi) == "moved" && belief.opi->decided == "removed" &&
+    const auto before = opi.Place(sessions.former);
+    return ExpectedStatus(opi, sessions) == "moved" && belief.opi->decided == "removed" &&
            (*before - belief.ned).norm() <= kMatchRadius;
   });
 }
 
-void ScoreChanges(const SessionRecord& record, const Scenario& scenario, OpiScores& scores) {
+bool IsDecided(const OpiBelief& opi) { return SaysPresent(opi) || opi.decided == "removed"; }
+
+void ScoreChanges(const SessionRecord& record, const std::string& former, const Scenario& scenario,
+                  OpiScores& scores) {
+  const SessionPair sessions{former, record.name};
   std::vector<Belief> beliefs;
   for (const OpiBelief& opi : record.opis)
     beliefs.push_back(BeliefOf(opi, record.landmarks));
   std::vector<Place> places;
   for (const ScenarioOpi& opi : scenario.opis) {
-    auto place = opi.Place("change");
-    if (!place) place = opi.Place("discovery");
+    auto place = opi.Place(sessions.now);
+    if (!place) place = opi.Place(sessions.former);
     if (place) places.push_back({&opi, *place});
   }
   const auto matched = Match(places, beliefs);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    ChangeScore score{places[i].opi->name, ExpectedStatus(*places[i].opi), "uncertain", 0.0, {}};
+    ChangeScore score{
+        places[i].opi->name, ExpectedStatus(*places[i].opi, sessions), "uncertain", 0.0, {}};
     if (matched[i] != nullptr) {
       const OpiBelief& opi = *matched[i]->opi;
       if (!opi.decided.empty()) score.decided = opi.decided;
@@ -160,8 +170,8 @@ void ScoreChanges(const SessionRecord& record, const Scenario& scenario, OpiScor
     scores.changes.push_back(std::move(score));
   }
   for (const Belief& belief : beliefs) {
-    const bool is_decided = SaysPresent(*belief.opi) || belief.opi->decided == "removed";
-    if (!is_decided || Contains(matched, belief) || IsTraceOfAMove(belief, scenario)) continue;
+    const bool is_known = Contains(matched, belief) || IsTraceOfAMove(belief, scenario, sessions);
+    if (is_known || !IsDecided(*belief.opi)) continue;
     scores.changes.push_back(
         {std::nullopt, std::nullopt, belief.opi->decided, ProbabilityOf(*belief.opi), belief.ned});
   }
@@ -169,11 +179,27 @@ void ScoreChanges(const SessionRecord& record, const Scenario& scenario, OpiScor
 
 }  // namespace
 
-OpiScores ScoreOpis(const SessionRecord& record, const Scenario& scenario,
-                    const CommonOffset& offset) {
+OpiScores ScoreOpis(const SessionRecord& record, const std::string& former,
+                    const Scenario& scenario, const CommonOffset& offset) {
   OpiScores scores;
   ScorePresence(record, scenario, offset, scores);
-  if (record.name == "change") ScoreChanges(record, scenario, scores);
+  if (!former.empty()) ScoreChanges(record, former, scenario, scores);
+  return scores;
+}
+
+OpiScores ReportedOpis(const SessionRecord& record, bool has_former) {
+  OpiScores scores;
+  for (const OpiBelief& opi : record.opis) {
+    const Belief belief = BeliefOf(opi, record.landmarks);
+    if (SaysPresent(opi)) {
+      scores.reported.push_back({opi.id, opi.color, belief.ned, belief.sd, VectorOf(opi.centroid),
+                                 VectorOf(opi.centroid_sd), opi.probability, opi.looks});
+    }
+    if (has_former && !opi.decided.empty()) {
+      scores.changes.push_back(
+          {std::nullopt, std::nullopt, opi.decided, ProbabilityOf(opi), belief.ned});
+    }
+  }
   return scores;
 }
 

@@ -45,15 +45,32 @@ struct ChangeScore {
   [[nodiscard]] bool is_right() const { return expected && *expected == decided; }
 };
 
+/// An object as the vehicle reports it, where nobody knows the truth.
+struct ReportedOpi {
+  int id = 0;
+  std::string color;
+  Eigen::Vector3d ned = Eigen::Vector3d::Zero();
+  Eigen::Vector3d sd = Eigen::Vector3d::Zero();
+  Eigen::Vector3d map_centroid = Eigen::Vector3d::Zero();
+  Eigen::Vector3d map_sd = Eigen::Vector3d::Zero();
+  double probability = 0.0;
+  int looks = 0;
+};
+
 struct OpiScores {
+  std::vector<ReportedOpi> reported;  ///< without truth only; then the three lists below are empty
   std::vector<OpiScore> found;
   std::vector<std::string> missed;
   std::vector<FalseOpi> invented;
-  std::vector<ChangeScore> changes;  ///< empty unless the session is a change session
+  std::vector<ChangeScore> changes;  ///< empty unless the session has a former one
 };
 
-/// Matches reported and true objects one to one, nearest first, within 2.5 m.
-[[nodiscard]] OpiScores ScoreOpis(const SessionRecord& record, const Scenario& scenario,
-                                  const CommonOffset& offset);
+/// Matches reported and true objects one to one, nearest first, within 2.5 m; and decisions with
+/// what became of the objects since the session `former`, if there is one.
+[[nodiscard]] OpiScores ScoreOpis(const SessionRecord& record, const std::string& former,
+                                  const Scenario& scenario, const CommonOffset& offset);
+
+/// What the vehicle reports, and decided if it had a former session; nothing of it is judged.
+[[nodiscard]] OpiScores ReportedOpis(const SessionRecord& record, bool has_former);
 
 }  // namespace limpet

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "apps/limpet/report/paper_tables.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace limpet {
@@ -65,9 +67,13 @@ PaperTable PathTable(const std::string& title, const SessionStatistics& session,
   return table;
 }
 
-PaperTable PlaceTable(const SessionStatistics& session) {
+constexpr PaperPaths kNotInThePaper{{"-", "-"}, {"-", "-"}, {"-", "-"}};
+
+PaperTable PlaceTable(const std::string& session_name, const SessionStatistics& session) {
+  const bool is_papers = session_name == "discovery";
   PaperTable table{
-      "Table 2: places of the objects, discovery session [m]",
+      fmt::format("{}laces of the objects, {} session [m]", is_papers ? "Table 2: p" : "P",
+                  session_name),
       {"object", "found", "error", "aligned", "map centroid", "sd horizontal", "sd vertical"},
       {},
       ""};
@@ -76,19 +82,26 @@ PaperTable PlaceTable(const SessionStatistics& session) {
                           Text(opi.centroid_error_m, 2), Text(opi.sd_horizontal_m, 2),
                           Text(opi.sd_vertical_m, 2)});
   }
-  table.rows.push_back({"paper", "4 of 4", "about 0.4, at most 1", "-", "about 0.5", "0.16 to 0.40",
-                        "0.26 to 0.65"});
-  table.note = "The paper's are of one run. Errors are 3-D distances from the truth.";
+  if (is_papers) {
+    table.rows.push_back({"paper", "4 of 4", "about 0.4, at most 1", "-", "about 0.5",
+                          "0.16 to 0.40", "0.26 to 0.65"});
+  }
+  table.note = fmt::format("{}Errors are 3-D distances from the truth.",
+                           is_papers ? "The paper's are of one run. " : "");
   return table;
 }
 
-PaperTable StatusTable(const SessionStatistics& session) {
+PaperTable StatusTable(const std::string& session_name, const SessionStatistics& session) {
+  const bool is_papers = session_name == "change";
   PaperTable table{
-      "Table 3: statuses, change session", {"object", "truth", "right", "probability"}, {}, ""};
+      fmt::format("{}tatuses, {} session", is_papers ? "Table 3: s" : "S", session_name),
+      {"object", "truth", "right", "probability"},
+      {},
+      ""};
   for (const auto& [name, status] : session.statuses) {
     table.rows.push_back({name, status.expected, Text(status.right), Text(status.probability, 3)});
   }
-  table.rows.push_back({"paper", "all five", "5 of 5", "0.93 to 0.96"});
+  if (is_papers) table.rows.push_back({"paper", "all five", "5 of 5", "0.93 to 0.96"});
   return table;
 }
 
@@ -128,23 +141,39 @@ PaperTable NavigationTable(const RunStatistics& runs) {
   return table;
 }
 
+bool IsCompared(const SessionStatistics& session) { return session.statuses_right.of > 0; }
+
+/// The paper's two first, then the others by name.
+std::vector<std::string> InOrder(const RunStatistics& runs) {
+  std::vector<std::string> names;
+  for (const auto& [name, session] : runs.sessions)
+    names.push_back(name);
+  std::ranges::stable_sort(names, {}, [](const std::string& name) {
+    return name == "discovery" ? 0 : name == "change" ? 1 : 2;
+  });
+  return names;
+}
+
 }  // namespace
 
 std::vector<PaperTable> PaperTables(const RunStatistics& runs) {
   std::vector<PaperTable> tables;
   const bool is_basin = runs.mission.starts_with("basin");
-  const auto discovery = runs.sessions.find("discovery");
-  const auto change = runs.sessions.find("change");
-  if (discovery != runs.sessions.end()) tables.push_back(PlaceTable(discovery->second));
-  if (change != runs.sessions.end()) tables.push_back(StatusTable(change->second));
-  if (discovery != runs.sessions.end()) {
-    tables.push_back(
-        PathTable(is_basin ? "Table 7: discovery session" : "Table 4: discovery session",
-                  discovery->second, is_basin ? kTable7 : kTable4, false));
+  const std::vector<std::string> names = InOrder(runs);
+  for (const std::string& name : names) {
+    const SessionStatistics& session = runs.sessions.at(name);
+    tables.push_back(IsCompared(session) ? StatusTable(name, session) : PlaceTable(name, session));
   }
-  if (change != runs.sessions.end()) {
-    tables.push_back(PathTable(is_basin ? "Table 8: change session" : "Table 5: change session",
-                               change->second, is_basin ? kTable8 : kTable5, true));
+  for (const std::string& name : names) {
+    const SessionStatistics& session = runs.sessions.at(name);
+    const PaperPaths* paper = name == "discovery" ? (is_basin ? &kTable7 : &kTable4)
+                              : name == "change"  ? (is_basin ? &kTable8 : &kTable5)
+                                                  : &kNotInThePaper;
+    const char* number = name == "discovery" ? (is_basin ? "Table 7: " : "Table 4: ")
+                         : name == "change"  ? (is_basin ? "Table 8: " : "Table 5: ")
+                                             : "Way: ";
+    tables.push_back(
+        PathTable(fmt::format("{}{} session", number, name), session, *paper, IsCompared(session)));
   }
   tables.push_back(NavigationTable(runs));
   tables.push_back(RateTable(runs));

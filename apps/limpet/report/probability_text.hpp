@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+// How numbers of a report are said.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -12,6 +14,16 @@ namespace limpet {
   if (probability >= 0.9995) return ">0.999";
   if (probability < 0.0005) return "<0.001";
   return fmt::format("{:.3f}", probability);
+}
+
+/// `0.31 m`; `unknown` for what nobody measured.
+[[nodiscard]] inline std::string MetresText(const std::optional<double>& metres) {
+  return metres ? fmt::format("{:.2f} m", *metres) : "unknown";
+}
+
+/// One decimal; `unknown` for what nobody measured.
+[[nodiscard]] inline std::string NumberText(const std::optional<double>& number) {
+  return number ? fmt::format("{:.1f}", *number) : "unknown";
 }
 
 }  // namespace limpet

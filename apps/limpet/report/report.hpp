@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "apps/limpet/report/report_settings.hpp"
@@ -12,14 +14,22 @@
 
 namespace limpet {
 
-/// Writes `<out>/run.json`, from which `limpet report` can make a report again. Call it before the
-/// run, so that an interrupted run can be reported too.
-void WriteRunDescription(const ReportSettings& settings, const Scenario& scenario,
-                         const std::filesystem::path& out);
+/// Text of files by their names in the run's folder.
+using ReportFiles = std::map<std::string, std::string>;
 
-/// Scores the sessions and writes report.json, figures/*.svg and report.html to `out`. Throws
-/// std::runtime_error naming the file that cannot be written.
-RunScore WriteReport(const std::vector<SessionRecord>& records, const Scenario& scenario,
-                     const ReportSettings& settings, const std::filesystem::path& out);
+/// `run.json`, from which `limpet report` can make a report again. Write it before the run, so that
+/// an interrupted run can be reported too.
+[[nodiscard]] ReportFiles RunDescriptionFiles(const ReportSettings& settings,
+                                              const Scenario& scenario);
+
+/// A run as judged, and the files that say so.
+struct ComposedReport {
+  RunScore score;
+  ReportFiles files;  ///< run.json, report.json, figures/*.svg and report.html
+};
+/// Scores the sessions and composes their report; writes nothing.
+[[nodiscard]] ComposedReport ComposeReport(const std::vector<SessionRecord>& records,
+                                           const Scenario& scenario,
+                                           const ReportSettings& settings);
 
 }  // namespace limpet

@@ -36,11 +36,11 @@ OrderedJson Levels(const std::vector<CoverageLevel>& levels, double lowest) {
 }
 
 OrderedJson Navigation(const NavScore& nav) {
-  return {{"position_rmse_m", Length(nav.position_rmse_m)},
-          {"aligned_rmse_m", Length(nav.aligned_rmse_m)},
-          {"final_error_m", Length(nav.final_error_m)},
-          {"dead_reckoning_final_error_m", Length(nav.dead_reckoning_final_error_m)},
-          {"nees_mean", Share(nav.nees_mean)}};
+  return {{"position_rmse_m", Optional(nav.position_rmse_m, Length)},
+          {"aligned_rmse_m", Optional(nav.aligned_rmse_m, Length)},
+          {"final_error_m", Optional(nav.final_error_m, Length)},
+          {"dead_reckoning_final_error_m", Optional(nav.dead_reckoning_final_error_m, Length)},
+          {"nees_mean", Optional(nav.nees_mean, Share)}};
 }
 
 OrderedJson Opis(const std::vector<OpiScore>& opis) {
@@ -55,6 +55,24 @@ OrderedJson Opis(const std::vector<OpiScore>& opis) {
                     {"error_m", Length(opi.error_m)},
                     {"aligned_error_m", Length(opi.aligned_error_m)},
                     {"looks", opi.looks}});
+  }
+  return list;
+}
+
+OrderedJson Opis(const std::vector<ReportedOpi>& opis) {
+  OrderedJson list = OrderedJson::array();
+  for (const ReportedOpi& opi : opis) {
+    list.push_back({{"truth", nullptr},
+                    {"truth_ned_m", nullptr},
+                    {"slam_ned_m", PointJson(opi.ned)},
+                    {"slam_sd_m", PointJson(opi.sd)},
+                    {"map_centroid_ned_m", PointJson(opi.map_centroid)},
+                    {"map_sd_m", PointJson(opi.map_sd)},
+                    {"error_m", nullptr},
+                    {"aligned_error_m", nullptr},
+                    {"looks", opi.looks},
+                    {"class", opi.color},
+                    {"probability", Share(opi.probability)}});
   }
   return list;
 }
@@ -82,24 +100,34 @@ OrderedJson Changes(const std::vector<ChangeScore>& changes) {
   return list;
 }
 
+/// `value` where the truth is known, else null.
+OrderedJson IfJudged(const SessionScore& session, OrderedJson value) {
+  return session.has_truth ? std::move(value) : OrderedJson(nullptr);
+}
+
 OrderedJson Session(const SessionScore& session) {
-  OrderedJson out = {{"coverage", Levels(session.coverage.seabed, 0.90)},
-                     {"detectable", Levels(session.coverage.band, 0.95)},
-                     {"covered", Share(session.coverage.covered)},
-                     {"detected_band", Share(session.coverage.detected_band)},
-                     {"path_m", Length(session.path_m)},
-                     {"duration_s", Time(session.duration_s)},
-                     {"wall_s", Optional(session.wall_s, Length)},
-                     {"realtime_factor", Optional(session.realtime_factor(), Time)},
-                     {"ended", session.ended},
-                     {"home_error_m", Optional(session.home_error_m, Length)},
-                     {"nav", Navigation(session.nav)},
-                     {"opis", Opis(session.opis.found)},
-                     {"missed", session.opis.missed},
-                     {"false", FalseOpis(session.opis.invented)}};
-  if (session.name == "change") {
+  OrderedJson out = {
+      {"coverage", IfJudged(session, Levels(session.coverage.seabed, 0.90))},
+      {"detectable", IfJudged(session, Levels(session.coverage.band, 0.95))},
+      {"covered", IfJudged(session, Share(session.coverage.covered))},
+      {"detected_band", IfJudged(session, Share(session.coverage.detected_band))},
+      {"path_m", IfJudged(session, Length(session.path_m))},
+      {"duration_s", Time(session.duration_s)},
+      {"wall_s", Optional(session.wall_s, Length)},
+      {"realtime_factor", Optional(session.realtime_factor(), Time)},
+      {"ended", session.ended},
+      {"home_error_m", Optional(session.home_error_m, Length)},
+      {"nav", Navigation(session.nav)},
+      {"opis", session.has_truth ? Opis(session.opis.found) : Opis(session.opis.reported)},
+      {"missed", IfJudged(session, session.opis.missed)},
+      {"false", IfJudged(session, FalseOpis(session.opis.invented))}};
+  if (!session.former.empty()) {
     out["prior_opis_seen_path_m"] = Optional(session.coverage.prior_opis_seen_path_m, Length);
     out["changes"] = Changes(session.opis.changes);
+  }
+  if (!session.has_truth) {
+    out["truth"] = false;
+    out["estimated_path_m"] = Length(session.path_m);
   }
   return out;
 }

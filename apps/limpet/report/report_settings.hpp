@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "limpet/core/camera_geometry.hpp"
 
@@ -24,6 +25,9 @@ struct ReportSettings {
   double frame_rate_hz = 4.0;
   double object_radius_m = 0.5;
   double object_height_max_m = 2.0;
+  /// Sessions of the run in order; each is compared with the one before it. Empty: not known.
+  std::vector<std::string> sessions;
+  bool has_scenario = true;              ///< false for a real dive: nobody knows the truth
   std::string command;                   ///< reproduces the run; no absolute path
   std::map<std::string, double> wall_s;  ///< session to wall time [s]; absent: unknown
 

@@ -5,6 +5,7 @@
 
 #include "apps/limpet/report/report_json.hpp"
 #include "limpet/core/config.hpp"
+#include "limpet/session/session_name.hpp"
 
 namespace limpet {
 namespace {
@@ -83,7 +84,19 @@ OrderedJson SettingsJson(const ReportSettings& settings) {
           {"frame_rate_hz", settings.frame_rate_hz},
           {"object_radius_m", settings.object_radius_m},
           {"object_height_max_m", settings.object_height_max_m},
+          {"sessions", settings.sessions},
           {"command", settings.command}};
+}
+
+/// Empty in a run of an older version. They become paths: anything else is refused.
+std::vector<std::string> SessionsFrom(const OrderedJson& settings) {
+  std::vector<std::string> sessions;
+  if (!settings.contains("sessions")) return sessions;
+  sessions = settings.at("sessions").get<std::vector<std::string>>();
+  for (const std::string& session : sessions) {
+    if (const auto problem = SessionNameProblem(session)) throw std::runtime_error(problem->text);
+  }
+  return sessions;
 }
 
 ReportSettings SettingsFrom(const OrderedJson& in) {
@@ -106,6 +119,7 @@ ReportSettings SettingsFrom(const OrderedJson& in) {
   settings.object_radius_m = in.at("object_radius_m");
   settings.object_height_max_m = in.at("object_height_max_m");
   settings.command = in.at("command");
+  settings.sessions = SessionsFrom(in);
   return settings;
 }
 
@@ -125,9 +139,10 @@ std::map<std::string, double> FormerWallTimes(const std::filesystem::path& repor
 }  // namespace
 
 std::string RunJson(const ReportSettings& settings, const Scenario& scenario) {
-  return OrderedJson{{"settings", SettingsJson(settings)}, {"scenario", ScenarioJson(scenario)}}
-             .dump(2) +
-         "\n";
+  const OrderedJson json{
+      {"settings", SettingsJson(settings)},
+      {"scenario", settings.has_scenario ? ScenarioJson(scenario) : OrderedJson(nullptr)}};
+  return json.dump(2) + "\n";
 }
 
 RunDescription ReadRun(const std::filesystem::path& run) {
@@ -139,11 +154,13 @@ RunDescription ReadRun(const std::filesystem::path& run) {
   }
   try {
     const OrderedJson json = OrderedJson::parse(file);
+    const OrderedJson& scenario = json.at("scenario");
     RunDescription description{SettingsFrom(json.at("settings")),
-                               ScenarioFrom(json.at("scenario"))};
+                               scenario.is_null() ? Scenario{} : ScenarioFrom(scenario)};
+    description.settings.has_scenario = !scenario.is_null();
     description.settings.wall_s = FormerWallTimes(run / "report.json");
     return description;
-  } catch (const OrderedJson::exception& error) {
+  } catch (const std::exception& error) {
     throw ConfigError(ConfigProblem{{path.string(), 0}, "run.json", error.what()});
   }
 }

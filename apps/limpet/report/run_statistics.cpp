@@ -80,8 +80,12 @@ void AddNavigation(SessionStatistics& to, const Json& nav) {
   to.nees.Add(NumberIn(nav, "nees_mean"));
 }
 
-/// Adds one session; true if nothing at all went wrong in it.
+/// Adds one session; true if nothing at all went wrong in it, as far as anybody knows.
 bool AddSession(SessionStatistics& to, const Json& session) {
+  if (!session.value("truth", true)) {
+    to.duration_s.Add(NumberIn(session, "duration_s"));
+    return false;
+  }
   AddPaths(to, session);
   AddNavigation(to, session.at("nav"));
   AddOpis(to, session);

@@ -55,7 +55,7 @@ struct SessionStatistics {
   Rate covered;  ///< 95 % of bottom and band seen
   Rate none_missed, none_invented;
   Rate all_within_1m;   ///< every object found, none off by more than 1 m
-  Rate statuses_right;  ///< change sessions: every status right, no decision about nothing
+  Rate statuses_right;  ///< with a former session: every status right, no decision about nothing
   std::map<std::string, OpiStatistics> opis;
   std::map<std::string, StatusStatistics> statuses;
 };

@@ -15,11 +15,15 @@ namespace limpet {
 /// Every number of one session in report.json.
 struct SessionScore {
   std::string name;
+  std::string former;  ///< session it is compared with; empty: none
+  /// Without true poses and a scenario nothing is judged: coverage, nav and home_error_m say
+  /// nothing, and of `opis` only what was reported and decided does.
+  bool has_truth = true;
   CoverageScore coverage;
   NavScore nav;
   OpiScores opis;
-  double path_m = 0.0;          ///< true way of the whole session
-  double duration_s = 0.0;      ///< first to last true pose
+  double path_m = 0.0;          ///< way of the whole session: true, or else as estimated
+  double duration_s = 0.0;      ///< first to last true, or else estimated, pose
   double survey_start_s = 0.0;  ///< after the session's start
   std::optional<double> wall_s;
   std::string ended;  ///< home, aborted, timeout or lost
@@ -37,9 +41,15 @@ struct RunScore {
   std::vector<SessionScore> sessions;
 };
 
-/// Scores one session against the truth. A session without truth or survey scores zero coverage.
+/// The session that `record` is compared with: the one that the vehicle says, else the one before
+/// it in the run's order; empty if it is the first.
+[[nodiscard]] std::string FormerOf(const SessionRecord& record, const ReportSettings& settings);
+
+/// Scores one session against the truth, if there is one. A session without survey scores zero
+/// coverage.
 [[nodiscard]] SessionScore ScoreSession(const SessionRecord& record, const Scenario& scenario,
                                         const ReportSettings& settings);
+/// Scores every session; where the settings do not give their order, that of `records` counts.
 [[nodiscard]] RunScore ScoreRun(const std::vector<SessionRecord>& records, const Scenario& scenario,
                                 const ReportSettings& settings);
 

@@ -123,6 +123,10 @@ void CollectHome(SessionRecord& record, const Message& message) {
   if (const auto home = Read(topics::kSurveyHome, message)) record.home = home;
 }
 
+void CollectPrior(SessionRecord& record, const Message& message) {
+  if (auto prior = Read(topics::kSessionPrior, message)) record.former = std::move(prior->session);
+}
+
 void CollectEnd(SessionRecord& record, const Message& message) {
   if (const auto text = Read(topics::kMissionEnd, message)) record.ended = std::string(Trim(*text));
 }
@@ -143,6 +147,7 @@ const std::map<std::string, Collector, std::less<>>& Collectors() {
       {topics::kSurveyPhase.name, CollectPhase},
       {topics::kSurveyArea.name, CollectArea},
       {topics::kSurveyHome.name, CollectHome},
+      {topics::kSessionPrior.name, CollectPrior},
       {topics::kMissionEnd.name, CollectEnd}};
   return collectors;
 }

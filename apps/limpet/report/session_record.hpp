@@ -47,9 +47,10 @@ struct SessionRecord {
   /// Start of the first phase of this name, or nothing.
   [[nodiscard]] std::optional<Seconds> PhaseStart(const std::string& phase) const;
 
-  std::string name;  ///< discovery or change
-  PoseTrack truth;   ///< SIM_TRUTH, at most 25 Hz
-  PoseTrack nav;     ///< NAV_STATE
+  std::string name;    ///< discovery, change, ...
+  std::string former;  ///< session that the vehicle compared with (SESSION_PRIOR); empty: none
+  PoseTrack truth;     ///< SIM_TRUTH, at most 25 Hz; empty after a real dive
+  PoseTrack nav;       ///< NAV_STATE
   /// 1-sigma of north, east, down [m] and yaw [rad], one for each pose of `nav`.
   std::vector<std::array<float, 4>> nav_sd;
   PoseTrack dead_reckoning;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/report/paper_tables.hpp"
+#include "limpet/console/shown_text.hpp"
 
 namespace limpet {
 namespace {
@@ -19,6 +20,19 @@ std::size_t Width(std::string_view text) {
 std::string Padded(const std::string& text, std::size_t width, bool is_left) {
   const std::string blanks(width > Width(text) ? width - Width(text) : 0, ' ');
   return is_left ? text + blanks : blanks + text;
+}
+
+/// Names come from missions: nothing in a table may be obeyed by a terminal or break a row.
+std::vector<PaperTable> Shown(std::vector<PaperTable> tables) {
+  for (PaperTable& table : tables) {
+    table.title = OneLine(table.title);
+    table.note = OneLine(table.note);
+    for (auto& row : table.rows) {
+      for (std::string& cell : row)
+        cell = OneLine(cell);
+    }
+  }
+  return tables;
 }
 
 std::vector<std::size_t> WidthsOf(const PaperTable& table) {
@@ -47,7 +61,7 @@ std::string Line(const std::vector<std::string>& row, const std::vector<std::siz
 
 std::string PlainText(const std::vector<PaperTable>& tables) {
   std::string out;
-  for (const PaperTable& table : tables) {
+  for (const PaperTable& table : Shown(tables)) {
     const auto widths = WidthsOf(table);
     out += (out.empty() ? "" : "\n") + table.title + "\n" + Line(table.header, widths);
     for (const auto& row : table.rows)
@@ -62,7 +76,7 @@ std::string Markdown(const std::vector<PaperTable>& tables) {
   const auto line = [](const std::vector<std::string>& row) {
     return fmt::format("| {} |\n", fmt::join(row, " | "));
   };
-  for (const PaperTable& table : tables) {
+  for (const PaperTable& table : Shown(tables)) {
     out += fmt::format("{}## {}\n\n{}|", out.empty() ? "" : "\n", table.title, line(table.header));
     for (std::size_t i = 0; i < table.header.size(); ++i)
       out += i == 0 ? " --- |" : " ---: |";

@@ -9,9 +9,18 @@
 
 #include "apps/limpet/report/probability_text.hpp"
 #include "apps/limpet/report/verdict.hpp"
+#include "limpet/console/shown_text.hpp"
 
 namespace limpet {
 namespace {
+
+/// A name from a mission or a log, in the ten columns of a table's first.
+std::string Name(const std::string& text) {
+  constexpr std::size_t kColumns = 10;
+  std::string shown = OneLine(text, 2 * kColumns);
+  const std::size_t columns = ColumnsOf(shown);
+  return shown + std::string(kColumns - std::min(columns, kColumns), ' ');
+}
 
 class Painter {
  public:
@@ -43,15 +52,17 @@ std::string Heading(const SessionScore& session, const Painter& paint) {
                                 ? fmt::format(" in {:.1f} s: {:.0f} x real time", *session.wall_s,
                                               *session.realtime_factor())
                                 : "";
-  const bool is_home = IsHome(session);
+  const std::string ended = OneLine(session.ended, 40);
   const std::string end = session.home_error_m ? fmt::format("{}, {:.2f} m from the start point",
-                                                             session.ended, *session.home_error_m)
-                                               : session.ended;
-  std::string name = session.name;
+                                                             ended, *session.home_error_m)
+                                               : ended;
+  const bool is_home = session.has_truth ? IsHome(session) : session.ended == "home";
+  std::string name = OneLine(session.name, 64);
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
-  return fmt::format("{}  {}   {:.0f} m of way, {:.0f} s{}\n", paint.Bold(name),
-                     paint.Verdict(is_home, end), session.path_m, session.duration_s, speed);
+  return fmt::format("{}  {}   {:.0f} m of way{}, {:.0f} s{}\n", paint.Bold(name),
+                     paint.Verdict(is_home, end), session.path_m,
+                     session.has_truth ? "" : " by its own estimate", session.duration_s, speed);
 }
 
 std::string DiscoveryTable(const SessionScore& session, const Painter& paint) {
@@ -59,12 +70,30 @@ std::string DiscoveryTable(const SessionScore& session, const Painter& paint) {
       paint.Dim(fmt::format("  {:<10} {:>23}   {:>17}  {:>7}  {:>5} {:>6}\n", "object",
                             "north   east    down [m]", "sd [m]", "error", "looks", "sure"));
   for (const OpiScore& opi : session.opis.found) {
-    out += fmt::format("  {:<10} {}   {:5.2f} {:5.2f} {:5.2f}  {:5.2f} m  {:>5} {:>6}  {}\n",
-                       opi.truth, Place(opi.slam_ned), opi.slam_sd.x(), opi.slam_sd.y(),
+    out += fmt::format("  {} {}   {:5.2f} {:5.2f} {:5.2f}  {:5.2f} m  {:>5} {:>6}  {}\n",
+                       Name(opi.truth), Place(opi.slam_ned), opi.slam_sd.x(), opi.slam_sd.y(),
                        opi.slam_sd.z(), opi.error_m, opi.looks, ProbabilityText(opi.probability),
                        paint.Verdict(opi.error_m <= kGoodError, "found"));
   }
   return out;
+}
+
+/// What the vehicle says, where nobody can say whether it is right.
+std::string ReportedTable(const SessionScore& session, const Painter& paint) {
+  std::string out = paint.Dim(fmt::format("  {:<10} {:>23}   {:>17}  {:>5} {:>6}\n", "object",
+                                          "north   east    down [m]", "sd [m]", "looks", "sure"));
+  for (const ReportedOpi& opi : session.opis.reported) {
+    out += fmt::format("  {} {}   {:5.2f} {:5.2f} {:5.2f}  {:>5} {:>6}  {}\n",
+                       Name(fmt::format("id {}", opi.id)), Place(opi.ned), opi.sd.x(), opi.sd.y(),
+                       opi.sd.z(), opi.looks, ProbabilityText(opi.probability),
+                       OneLine(opi.color, 20));
+  }
+  for (const ChangeScore& change : session.opis.changes) {
+    out += fmt::format("  {:<10} {}   {} {:>6}\n", "decided", Place(change.ned),
+                       Name(change.decided), ProbabilityText(change.probability));
+  }
+  return out +
+         "  no truth in this session: nothing is judged, and what needs the truth is left out\n";
 }
 
 std::string ChangeTable(const SessionScore& session, const Painter& paint) {
@@ -76,12 +105,12 @@ std::string ChangeTable(const SessionScore& session, const Painter& paint) {
     const auto opi = std::find_if(found.begin(), found.end(), [&](const OpiScore& score) {
       return change.truth && score.truth == *change.truth;
     });
-    out += fmt::format("  {:<10} {}   {:<10} {:<10} {:>6} {:>7}  {}\n",
-                       change.truth.value_or("nothing"), Place(change.ned),
-                       change.expected.value_or("-"), change.decided,
-                       ProbabilityText(change.probability),
-                       opi != found.end() ? fmt::format("{:.2f} m", opi->error_m) : "-",
-                       paint.Verdict(change.is_right(), change.is_right() ? "right" : "WRONG"));
+    out +=
+        fmt::format("  {} {}   {:<10} {} {:>6} {:>7}  {}\n", Name(change.truth.value_or("nothing")),
+                    Place(change.ned), change.expected.value_or("-"), Name(change.decided),
+                    ProbabilityText(change.probability),
+                    opi != found.end() ? fmt::format("{:.2f} m", opi->error_m) : "-",
+                    paint.Verdict(change.is_right(), change.is_right() ? "right" : "WRONG"));
   }
   return out;
 }
@@ -89,11 +118,12 @@ std::string ChangeTable(const SessionScore& session, const Painter& paint) {
 std::string Mistakes(const SessionScore& session, const Painter& paint) {
   std::string out;
   for (const std::string& name : session.opis.missed) {
-    out += fmt::format("  {:<10} {}\n", name, paint.Verdict(false, "MISSED"));
+    out += fmt::format("  {} {}\n", Name(name), paint.Verdict(false, "MISSED"));
   }
   for (const FalseOpi& opi : session.opis.invented) {
-    out += fmt::format("  {:<10} {}   {} {}  {}\n", "nothing", Place(opi.ned), opi.color,
-                       ProbabilityText(opi.probability), paint.Verdict(false, "INVENTED"));
+    out +=
+        fmt::format("  {:<10} {}   {} {}  {}\n", "nothing", Place(opi.ned), OneLine(opi.color, 20),
+                    ProbabilityText(opi.probability), paint.Verdict(false, "INVENTED"));
   }
   return out;
 }
@@ -114,7 +144,7 @@ std::string CoverageTable(const SessionScore& session, const ReportSettings& set
   out += CoverageLine(fmt::format("objects {:.1f} to {:.1f} m above it", settings.object_radius_m,
                                   settings.object_height_max_m),
                       session.coverage.band, session.coverage.detected_band);
-  if (session.name == "change") {
+  if (!session.former.empty()) {
     out += fmt::format("  {:<34} {:>8}\n", "all former objects' places seen",
                        Metres(session.coverage.prior_opis_seen_path_m));
   }
@@ -123,10 +153,23 @@ std::string CoverageTable(const SessionScore& session, const ReportSettings& set
 
 std::string NavigationLine(const NavScore& nav) {
   return fmt::format(
-      "  position {:.2f} m rms ({:.2f} m aligned), at the end {:.2f} m; dead reckoning {:.2f} m; "
-      "NEES {:.1f} (ideal 3)\n",
-      nav.position_rmse_m, nav.aligned_rmse_m, nav.final_error_m, nav.dead_reckoning_final_error_m,
-      nav.nees_mean);
+      "  position {} rms ({} aligned), at the end {}; dead reckoning {}; NEES {} (ideal 3)\n",
+      MetresText(nav.position_rmse_m), MetresText(nav.aligned_rmse_m),
+      MetresText(nav.final_error_m), MetresText(nav.dead_reckoning_final_error_m),
+      NumberText(nav.nees_mean));
+}
+
+std::string SessionText(const SessionScore& session, const ReportSettings& settings,
+                        const Painter& paint) {
+  std::string out = "\n" + Heading(session, paint);
+  if (!session.former.empty()) {
+    out += paint.Dim(fmt::format("  compared with {}\n", OneLine(session.former, 64)));
+  }
+  if (!session.has_truth) return out + ReportedTable(session, paint);
+  out += session.former.empty() ? DiscoveryTable(session, paint) : ChangeTable(session, paint);
+  out += Mistakes(session, paint);
+  out += CoverageTable(session, settings, paint);
+  return out + NavigationLine(session.nav);
 }
 
 }  // namespace
@@ -137,17 +180,15 @@ std::string TerminalReport(const RunScore& run, bool has_color) {
   const auto footprint = settings.footprint_m();
   std::string out = fmt::format(
       "{}  seed {}  planner {} ({})  camera {}, {:.2f} x {:.2f} m on the bottom at {:g} m\n",
-      paint.Bold(settings.mission), settings.seed, settings.planner, settings.gain, settings.camera,
-      footprint[0], footprint[1], settings.altitude_m);
+      paint.Bold(OneLine(settings.mission, 64)), settings.seed, OneLine(settings.planner, 20),
+      OneLine(settings.gain, 20), OneLine(settings.camera, 20), footprint[0], footprint[1],
+      settings.altitude_m);
   for (const SessionScore& session : run.sessions) {
-    out += "\n" + Heading(session, paint);
-    out += session.name == "change" ? ChangeTable(session, paint) : DiscoveryTable(session, paint);
-    out += Mistakes(session, paint);
-    out += CoverageTable(session, settings, paint);
-    out += NavigationLine(session.nav);
+    out += SessionText(session, settings, paint);
   }
   const Verdict verdict = VerdictOf(run);
-  return out + "\n" + paint.Verdict(verdict.is_good, verdict.text) + "\n";
+  return out + "\n" +
+         (verdict.is_judged ? paint.Verdict(verdict.is_good, verdict.text) : verdict.text) + "\n";
 }
 
 void PrintReport(const RunScore& run, std::FILE* out) {

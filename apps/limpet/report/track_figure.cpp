@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "apps/limpet/report/deciding_bid.hpp"
 #include "apps/limpet/report/figures.hpp"
 #include "apps/limpet/report/map_axes.hpp"
 #include "apps/limpet/report/map_symbols.hpp"
@@ -26,9 +29,28 @@ std::vector<Point> PointsOf(const MapAxes& map, const PoseTrack& track) {
   return Simplified(points, 0.3);
 }
 
-std::string_view PurposeColor(const std::string& purpose) {
-  if (purpose.find("revisit") != std::string::npos) return palette::kVermillion;
-  if (purpose.find("home") != std::string::npos) return palette::kPurple;
+/// What each decision was for, by the bid that decided: the same generator offers paths for looks
+/// and for ground. Decisions without bids on record are left out.
+std::map<std::size_t, BidPurpose> PurposesOf(const std::vector<DecisionRecord>& decisions) {
+  std::map<std::size_t, BidPurpose> purposes;
+  for (std::size_t i = 0; i < decisions.size(); ++i) {
+    if (decisions[i].path.segments.empty() || !decisions[i].bids) continue;
+    if (const auto deciding = DecidingBidOf(*decisions[i].bids)) purposes[i] = deciding->purpose;
+  }
+  return purposes;
+}
+
+std::string_view PurposeColor(BidPurpose purpose) {
+  switch (purpose) {
+    case BidPurpose::kLook:
+      return palette::kVermillion;
+    case BidPurpose::kHome:
+      return palette::kPurple;
+    case BidPurpose::kOther:
+      return palette::kOrange;
+    case BidPurpose::kCover:
+      break;
+  }
   return palette::kHalo;
 }
 
@@ -54,11 +76,28 @@ void DrawDecisions(MapAxes& map, const std::vector<DecisionRecord>& decisions) {
 }
 
 void DrawDecisionPoints(MapAxes& map, const std::vector<DecisionRecord>& decisions) {
-  for (const DecisionRecord& decision : decisions) {
-    if (decision.path.segments.empty()) continue;
-    map.canvas().Circle(
-        map.At(decision.path.north, decision.path.east), 3.6,
-        {.fill = PurposeColor(decision.path.purpose), .stroke = palette::kMapInk, .width = 1.3});
+  for (const auto& [i, purpose] : PurposesOf(decisions)) {
+    map.canvas().Circle(map.At(decisions[i].path.north, decisions[i].path.east), 3.6,
+                        {.fill = PurposeColor(purpose), .stroke = palette::kMapInk, .width = 1.3});
+  }
+}
+
+void DrawDecisionLegend(MapAxes& map, const std::vector<DecisionRecord>& decisions) {
+  const auto purposes = PurposesOf(decisions);
+  map.LegendHeading("Decisions, by the bid that decided");
+  for (const auto& [purpose, text] : {std::pair{BidPurpose::kCover, "to cover"},
+                                      std::pair{BidPurpose::kLook, "to look at an object"},
+                                      std::pair{BidPurpose::kHome, "to go home"},
+                                      std::pair{BidPurpose::kOther, "of another behavior"}}) {
+    const auto count = std::ranges::count_if(
+        purposes, [wanted = purpose](const auto& entry) { return entry.second == wanted; });
+    if (purpose == BidPurpose::kOther && count == 0) continue;
+    const std::string_view fill = PurposeColor(purpose);
+    map.Legend(
+        [fill](SvgCanvas& canvas, const Point& at) {
+          canvas.Circle(at, 3.6, {.fill = fill, .stroke = palette::kMapInk, .width = 1.3});
+        },
+        fmt::format("{}: {}", text, count));
   }
 }
 
@@ -82,34 +121,58 @@ palette::Rgb HeightColor(double height, double top) {
   return palette::Coverage(std::round(share * kLevels) / kLevels);
 }
 
-void DrawTrackLegend(MapAxes& map, double top) {
+void DrawTrackLegend(MapAxes& map, const FigureSource& source, double top) {
   const auto line = [](const Paint& paint) {
     return [paint](SvgCanvas& canvas, const Point& at) {
       canvas.Line(at - Point(12.0, 0.0), at + Point(12.0, 0.0), paint);
     };
   };
-  const auto dot = [](std::string_view fill) {
-    return [fill](SvgCanvas& canvas, const Point& at) {
-      canvas.Circle(at, 3.6, {.fill = fill, .stroke = palette::kMapInk, .width = 1.3});
-    };
-  };
   map.LegendHeading("Vehicle");
-  map.Legend(line(kTruePath), "true track");
+  if (source.score.has_truth) map.Legend(line(kTruePath), "true track");
   map.Legend(line(kEstimatedPath), "track as estimated\nat the time");
   map.Legend(DrawHome, "start and home");
-  map.LegendHeading("Decisions");
-  map.Legend(dot(palette::kHalo), "chose to cover");
-  map.Legend(dot(palette::kVermillion), "chose to look at an object");
-  map.Legend(dot(palette::kPurple), "chose to go home");
+  DrawDecisionLegend(map, source.record.decisions);
   map.Legend(line(kOption), "the three best options,\nto their ends");
-  map.LegendHeading("Objects");
-  map.Legend(
-      [](SvgCanvas& canvas, const Point& at) {
-        canvas.Circle(at, 7.0, {.stroke = palette::kMapInk, .width = 1.4});
-      },
-      "true place and size");
+  if (source.score.has_truth) {
+    map.LegendHeading("Objects");
+    map.Legend(
+        [](SvgCanvas& canvas, const Point& at) {
+          canvas.Circle(at, 7.0, {.stroke = palette::kMapInk, .width = 1.4});
+        },
+        "true place and size");
+  }
   map.ColorBar([top](double share) { return HeightColor(share * top, top); }, "bottom only",
                fmt::format("up to {:g} m", top), "Seen, by height above bottom");
+}
+
+void DrawTrueObjects(MapAxes& map, const FigureSource& source) {
+  for (const ScenarioOpi& opi : source.scenario.opis) {
+    const auto place = opi.Place(source.record.name);
+    if (!place) continue;
+    DrawTruth(map, *place, opi.radius_m);
+    map.canvas().Text(map.At(place->x(), place->y()) + Point(11.0, -9.0), opi.name,
+                      {.fill = palette::kMapInk, .is_bold = true, .has_halo = true});
+  }
+}
+
+/// Where the vehicle set out: the scenario's start, or else what the mission manager said.
+void DrawStart(MapAxes& map, const FigureSource& source) {
+  if (source.score.has_truth) {
+    const auto& start = source.scenario.start;
+    DrawHome(map.canvas(), map.At(start.north_m, start.east_m));
+  } else if (source.record.home) {
+    DrawHome(map.canvas(), map.At(source.record.home->north, source.record.home->east));
+  }
+}
+
+void DrawTracks(MapAxes& map, const FigureSource& source) {
+  if (source.score.has_truth) {
+    const std::vector<Point> track = PointsOf(map, source.record.truth);
+    map.canvas().Polyline(track, kPathHalo);
+    map.canvas().Polyline(track, kTruePath);
+  }
+  map.canvas().Polyline(PointsOf(map, source.record.nav), kEstimatedPath);
+  DrawDirection(map, WayOf(source));
 }
 
 }  // namespace
@@ -129,26 +192,19 @@ Figure TrackFigure(const FigureSource& source) {
   });
   map.Outline(area);
   DrawDecisions(map, record.decisions);
-  const std::vector<Point> track = PointsOf(map, record.truth);
-  map.canvas().Polyline(track, kPathHalo);
-  map.canvas().Polyline(track, kTruePath);
-  map.canvas().Polyline(PointsOf(map, record.nav), kEstimatedPath);
-  DrawDirection(map, record.truth);
+  DrawTracks(map, source);
   DrawDecisionPoints(map, record.decisions);
-  for (const ScenarioOpi& opi : source.scenario.opis) {
-    const auto place = opi.Place(record.name);
-    if (!place) continue;
-    DrawTruth(map, *place, opi.radius_m);
-    map.canvas().Text(map.At(place->x(), place->y()) + Point(11.0, -9.0), opi.name,
-                      {.fill = palette::kMapInk, .is_bold = true, .has_halo = true});
-  }
-  DrawHome(map.canvas(), map.At(source.scenario.start.north_m, source.scenario.start.east_m));
+  if (source.score.has_truth) DrawTrueObjects(map, source);
+  DrawStart(map, source);
   map.EndMap();
-  DrawTrackLegend(map, area.object_height_max);
+  DrawTrackLegend(map, source, area.object_height_max);
   return {
       record.name + "_track.svg",
       "The ground is shaded by the greatest height above the bottom up to which the vehicle "
-      "believes to have seen it; grey was never seen. Dots mark where the helm decided, thin "
+      "believes to have seen it; grey was never seen. Dots mark where the helm decided; "
+      "their colour says whose bid decided: the behavior that gave the chosen path the largest "
+      "part "
+      "of its worth per metre, or whose cost ruled out the option that would else have won. Thin "
       "lines lead to the ends of the three best options. The dashed line is the area to survey.",
       map.Finish()};
 }

@@ -17,7 +17,26 @@ bool IsHome(const SessionScore& session) {
   return session.ended == "home" && session.home_error_m && *session.home_error_m <= kHomeRadius;
 }
 
+namespace {
+
+Verdict UnjudgedVerdict(const RunScore& run, std::size_t unjudged) {
+  std::size_t reported = 0;
+  for (const SessionScore& session : run.sessions) {
+    reported += session.opis.reported.size() + session.opis.found.size();
+  }
+  return {
+      .is_good = false,
+      .is_judged = false,
+      .text = fmt::format("no truth in {} of {} sessions: nothing is judged; {} objects reported",
+                          unjudged, run.sessions.size(), reported)};
+}
+
+}  // namespace
+
 Verdict VerdictOf(const RunScore& run) {
+  const auto unjudged = static_cast<std::size_t>(std::ranges::count_if(
+      run.sessions, [](const SessionScore& session) { return !session.has_truth; }));
+  if (unjudged > 0) return UnjudgedVerdict(run, unjudged);
   std::size_t missed = 0, invented = 0, misplaced = 0, statuses = 0, away = 0;
   int right = 0;
   for (const SessionScore& session : run.sessions) {
@@ -30,7 +49,7 @@ Verdict VerdictOf(const RunScore& run) {
     right += StatusesRight(session);
     away += IsHome(session) ? 0 : 1;
   }
-  Verdict verdict;
+  Verdict verdict{.is_good = false, .is_judged = true, .text = ""};
   verdict.is_good = !run.sessions.empty() && missed + invented + misplaced + away == 0 &&
                     static_cast<std::size_t>(right) == statuses;
   const auto count = [](std::size_t n) { return n == 0 ? std::string("none") : std::to_string(n); };

@@ -13,12 +13,13 @@ inline constexpr double kGoodError = 1.0;  ///< an object is where it was said t
 
 /// A run in one sentence.
 struct Verdict {
-  bool is_good = false;  ///< home, nothing missed, invented or misplaced, every status right
+  bool is_good = false;    ///< home, nothing missed, invented or misplaced, every status right
+  bool is_judged = false;  ///< false without truth: then nothing is good or bad
   std::string text;
 };
 [[nodiscard]] Verdict VerdictOf(const RunScore& run);
 
-/// How many of the statuses of a change session are right.
+/// How many of the statuses of a session with a former one are right.
 [[nodiscard]] int StatusesRight(const SessionScore& session);
 [[nodiscard]] bool IsHome(const SessionScore& session);
 

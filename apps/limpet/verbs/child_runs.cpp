@@ -20,8 +20,9 @@ namespace limpet {
 namespace {
 
 pid_t Start(const ChildRun& run) {
-  static const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
-  std::vector<std::string> words{program};
+  // The very file that runs here, also after the program was built anew.
+  constexpr const char* kProgram = "/proc/self/exe";
+  std::vector<std::string> words{std::filesystem::read_symlink(kProgram).string()};
   words.insert(words.end(), run.args.begin(), run.args.end());
   std::vector<char*> argv;
   for (std::string& word : words)
@@ -34,7 +35,7 @@ pid_t Start(const ChildRun& run) {
                                    O_WRONLY | O_CREAT | O_TRUNC, 0644);
   posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
   pid_t child = -1;
-  const int error = posix_spawn(&child, program.c_str(), &files, nullptr, argv.data(), environ);
+  const int error = posix_spawn(&child, kProgram, &files, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&files);
   if (error != 0)
     throw std::runtime_error("cannot start a run: " + std::generic_category().message(error));

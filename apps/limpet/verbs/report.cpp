@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -11,7 +12,10 @@
 #include "apps/limpet/report/report.hpp"
 #include "apps/limpet/report/report_json.hpp"
 #include "apps/limpet/report/terminal_report.hpp"
+#include "apps/limpet/run_folder/run_folder.hpp"
 #include "apps/limpet/verbs/run_settings.hpp"
+#include "limpet/console/shown_text.hpp"
+#include "limpet/session/session_name.hpp"
 
 namespace limpet {
 namespace {
@@ -26,15 +30,16 @@ run that was cut short. --json prints report.json instead of the table.
 
 A run of `limpet launch` does not say which mission it was: --mission does, e.g.
   limpet report runs/table1-live --mission missions/table1
+A dive whose log has no true poses, or whose mission has no scenario.yaml, is not judged: what
+needs the truth is left out.
 )";
 
-/// Sessions that left a folder with a log, discovery first, then change, then others by name.
+/// Sessions that left a folder, discovery first, then change, then others by name.
 std::vector<std::string> SessionsIn(const fs::path& run) {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(run)) {
-    if (entry.is_directory() && entry.path().filename() != "figures") {
-      names.push_back(entry.path().filename().string());
-    }
+    const std::string name = entry.path().filename().string();
+    if (entry.is_directory() && !SessionNameProblem(name)) names.push_back(name);
   }
   const auto rank = [](const std::string& name) {
     return name == "discovery" ? 0 : name == "change" ? 1 : 2;
@@ -45,14 +50,82 @@ std::vector<std::string> SessionsIn(const fs::path& run) {
   return names;
 }
 
-void DescribeRun(fs::path mission_folder, std::uint64_t seed, const fs::path& run) {
-  mission_folder = (mission_folder / "").parent_path();
-  const Scenario scenario = LoadScenario(mission_folder / "scenario.yaml");
-  ReportSettings settings = SettingsOf(LoadMission(mission_folder / "mission.moos"), scenario);
-  settings.mission = mission_folder.filename().string();
-  settings.seed = seed;
+struct ReportCommand {
+  fs::path run;
+  std::optional<fs::path> mission_folder;
+  std::uint64_t seed = 1;
+  bool prints_json = false;
+};
+
+ReportCommand ReadReportCommand(const Arguments& given) {
+  if (given.positionals().size() != 1 || given.positionals()[0].empty()) {
+    throw UsageError("report takes one run folder, e.g. runs/table1-1");
+  }
+  ReportCommand command;
+  command.run = given.positionals()[0];
+  if (const auto mission = given.Find("mission")) command.mission_folder = MissionFolder(*mission);
+  command.seed = static_cast<std::uint64_t>(given.Integer("seed", 1, 0));
+  command.prints_json = given.Has("json");
+  if (!fs::is_directory(command.run)) {
+    throw UsageError(fmt::format("{}: no such folder", command.run.string()));
+  }
+  return command;
+}
+
+/// What a run of `limpet launch` does not say about itself. A real dive's mission has no scenario.
+RunDescription DescriptionFrom(const ReportCommand& command) {
+  const fs::path& folder = *command.mission_folder;
+  RunDescription description;
+  const bool has_scenario = fs::exists(folder / "scenario.yaml");
+  if (has_scenario) description.scenario = LoadScenario(folder / "scenario.yaml");
+  ReportSettings& settings = description.settings;
+  settings = SettingsOf(LoadMission(folder / "mission.moos"), description.scenario);
+  settings.has_scenario = has_scenario;
+  settings.mission = MissionName(folder);
+  settings.seed = command.seed;
   settings.command = fmt::format("limpet launch missions/{}/mission.moos", settings.mission);
-  WriteRunDescription(settings, scenario, run);
+  return description;
+}
+
+RunDescription Describe(const ReportCommand& command) {
+  RunDescription run = command.mission_folder ? DescriptionFrom(command) : ReadRun(command.run);
+  if (run.settings.sessions.empty()) run.settings.sessions = SessionsIn(command.run);
+  return run;
+}
+
+std::vector<SessionRecord> RecordsOf(const ReportSettings& settings, const fs::path& run) {
+  std::vector<SessionRecord> records;
+  for (const std::string& session : settings.sessions) {
+    auto record = RecordFromLog(run / session);
+    if (record) {
+      records.push_back(*std::move(record));
+    } else {
+      fmt::print(stderr, "limpet: {}\n", OneLine(record.error().text));
+    }
+  }
+  return records;
+}
+
+/// A folder with a log that the run does not count among its sessions is not passed over in
+/// silence.
+void SayWhatIsLeftOut(const ReportSettings& settings, const fs::path& run) {
+  for (const std::string& name : SessionsIn(run)) {
+    const bool is_known = std::ranges::find(settings.sessions, name) != settings.sessions.end();
+    if (is_known || !RecordFromLog(run / name)) continue;
+    fmt::print(stderr,
+               "limpet: {} holds a log, but run.json does not have it among the run's sessions: "
+               "left out (--mission describes the run anew)\n",
+               OneLine((run / name).string()));
+  }
+}
+
+/// A run of a version that kept no list: what bears a report's names in it is the report's.
+void AdoptOldReport(RunFolder& folder, const ReportFiles& files) {
+  if (fs::exists(folder.path() / WrittenFiles::kFile) || !fs::exists(folder.path() / "run.json")) {
+    return;
+  }
+  for (const auto& [name, text] : files)
+    folder.written().ClaimAllIn(name);
 }
 
 }  // namespace
@@ -63,32 +136,24 @@ int RunReport(std::span<const std::string> args) {
     fmt::print("{}", kReportHelp);
     return kOk;
   }
-  if (given.positionals().size() != 1)
-    throw UsageError("report takes one run folder, e.g. runs/table1-1");
-  const fs::path run = given.positionals()[0];
-  if (const auto mission = given.Find("mission")) {
-    DescribeRun(*mission, static_cast<std::uint64_t>(given.Integer("seed", 1, 0)), run);
-  }
-  const RunDescription description = ReadRun(run);
-  std::vector<SessionRecord> records;
-  for (const std::string& session : SessionsIn(run)) {
-    auto record = RecordFromLog(run / session);
-    if (record) {
-      records.push_back(*std::move(record));
-    } else {
-      fmt::print(stderr, "limpet: {}\n", record.error().text);
-    }
-  }
+  const ReportCommand command = ReadReportCommand(given);
+  const RunDescription description = Describe(command);
+  RunFolder folder(command.run, RunFolder::Use::kReport);
+  const std::vector<SessionRecord> records = RecordsOf(description.settings, command.run);
+  SayWhatIsLeftOut(description.settings, command.run);
   if (records.empty()) {
-    fmt::print(stderr, "limpet: {} holds no log of a session\n", run.string());
+    fmt::print(stderr, "limpet: {} holds no log of a session\n", OneLine(command.run.string()));
     return kFailed;
   }
-  const RunScore score = WriteReport(records, description.scenario, description.settings, run);
-  if (given.Has("json")) {
-    fmt::print("{}", ReportJson(score));
+  const ComposedReport report = ComposeReport(records, description.scenario, description.settings);
+  AdoptOldReport(folder, report.files);
+  folder.Write(report.files);
+  folder.RemoveOtherFigures(report.files);
+  if (command.prints_json) {
+    fmt::print("{}", report.files.at("report.json"));
   } else {
-    PrintReport(score);
-    fmt::print("\nreport: {}\n", (run / "report.html").string());
+    PrintReport(report.score);
+    fmt::print("\nreport: {}\n", OneLine((command.run / "report.html").string()));
   }
   return kOk;
 }

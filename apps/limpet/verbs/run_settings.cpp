@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "apps/limpet/verbs/run_settings.hpp"
 
+#include "apps/limpet/cli.hpp"
 #include "apps/limpet/mission_check.hpp"
 #include "apps/pHelm/helm_params.hpp"
 #include "apps/pSurvey/survey_app.hpp"
 
 namespace limpet {
+
+std::filesystem::path MissionFolder(const std::string& word) {
+  if (word.empty()) throw UsageError("a mission folder cannot be an empty word");
+  const std::filesystem::path folder = std::filesystem::path(word).lexically_normal();
+  return folder.has_filename() ? folder : folder.parent_path();
+}
+
+std::string MissionName(const std::filesystem::path& folder) {
+  return MissionFolder(std::filesystem::absolute(folder).string()).filename().string();
+}
 
 ReportSettings SettingsOf(const MissionFile& mission, const Scenario& scenario) {
   const auto helm = ReadAppParams<HelmParams>(mission, "pHelm");

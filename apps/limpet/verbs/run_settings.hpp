@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
+#include <string>
+
 #include "apps/limpet/report/report_settings.hpp"
 #include "limpet/mission/mission_file.hpp"
 #include "limpet/mission/scenario.hpp"
 
 namespace limpet {
+
+/// The folder that a command names, without a slash at its end.
+[[nodiscard]] std::filesystem::path MissionFolder(const std::string& word);
+/// What a mission is called: its folder's own name, also where the command says `.`.
+[[nodiscard]] std::string MissionName(const std::filesystem::path& folder);
 
 /// What a report has to know of how a mission was flown, but for its name, seed and command.
 /// Throws ConfigError.

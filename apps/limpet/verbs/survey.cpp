@@ -2,23 +2,27 @@
 #include "apps/limpet/verbs/survey.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
+#include "apps/limpet/command_output.hpp"
 #include "apps/limpet/mission_check.hpp"
 #include "apps/limpet/report/expectation_check.hpp"
 #include "apps/limpet/report/report.hpp"
 #include "apps/limpet/report/report_json.hpp"
 #include "apps/limpet/report/survey_progress.hpp"
 #include "apps/limpet/report/terminal_report.hpp"
+#include "apps/limpet/run_folder/run_folder.hpp"
 #include "apps/limpet/session_runner.hpp"
 #include "apps/limpet/verbs/run_settings.hpp"
+#include "limpet/console/shown_text.hpp"
 #include "limpet/mission/mission_file.hpp"
 #include "limpet/mission/scenario.hpp"
+#include "limpet/session/session_name.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
 
@@ -35,8 +39,10 @@ compares the sessions, and reports what is confirmed, new or removed. Where the 
 has an expect.yaml, the report is held to its bounds: exit code 1 if one is broken.
 
   --seed N             every random draw comes from it (default 1)
-  --out DIR            run folder (default runs/<mission>-<seed>)
-  --sessions LIST      sessions of scenario.yaml in order (default discovery,change)
+  --out DIR            run folder (default runs/<mission>-<seed>); an earlier run in it is
+                       replaced, and nothing else is removed
+  --sessions LIST      sessions of scenario.yaml in order (default discovery,change); each is
+                       compared with the one before it, the first with what --out already has
   --set OWNER.KEY=V    override a parameter of an app, or of a behavior by its name
   --planner P          limpet, or paper: the 2025 paper's planner
   --gain G             full, or coverage: objects have no say
@@ -62,14 +68,12 @@ SurveyCommand ReadSurveyCommand(std::span<const std::string> args) {
     throw UsageError("survey takes one mission folder, e.g. missions/table1");
   }
   SurveyCommand command;
-  command.mission_folder = fs::path(given.positionals()[0]).lexically_normal();
-  if (!command.mission_folder.has_filename()) {
-    command.mission_folder = command.mission_folder.parent_path();
-  }
-  command.mission_name = command.mission_folder.filename().string();
+  command.mission_folder = MissionFolder(given.positionals()[0]);
+  command.mission_name = MissionName(command.mission_folder);
   command.seed = static_cast<std::uint64_t>(given.Integer("seed", 1, 0));
   command.out =
       given.Find("out").value_or(fmt::format("runs/{}-{}", command.mission_name, command.seed));
+  if (command.out.empty()) throw UsageError("--out takes a folder, not an empty word");
   command.sessions = Split(given.Find("sessions").value_or("discovery,change"), ',');
   command.settings = given.All("set");
   command.planner = given.Find("planner").value_or("");
@@ -83,22 +87,32 @@ SurveyCommand ReadSurveyCommand(std::span<const std::string> args) {
   }
   command.command_line =
       fmt::format("limpet survey missions/{} --seed {}", command.mission_name, command.seed);
+  if (given.Find("sessions")) {
+    command.command_line += fmt::format(" --sessions {}", fmt::join(command.sessions, ","));
+  }
   for (const std::string& setting : command.settings) {
     command.command_line += " --set " + setting;
   }
   return command;
 }
 
-/// A run may replace an earlier run, but nothing else.
-void PrepareRunFolder(const fs::path& out) {
-  if (fs::exists(out) && !fs::is_empty(out) && !fs::exists(out / "run.json")) {
-    throw UsageError(
-        fmt::format("{} holds something that is not a run; choose another --out", out.string()));
+/// Sessions of an earlier run in this folder that go on counting: those before the first that is
+/// run again. A session that is run alone is compared with the last of them.
+std::vector<std::string> KeptSessions(RunFolder& folder, const SurveyCommand& command) {
+  std::vector<std::string> kept;
+  const std::vector<std::string>& again = command.sessions;
+  if (again.front() == "discovery" || !folder.written().Owns("run.json")) return kept;
+  const ReportSettings earlier = ReadRun(folder.path()).settings;
+  for (const std::string& session : earlier.sessions) {
+    if (std::ranges::find(again, session) != again.end()) break;
+    if (fs::is_directory(folder.path() / session)) kept.push_back(session);
   }
-  for (const char* part : {"figures", "report.json", "report.html", "run.json"}) {
-    fs::remove_all(out / part);
+  if (!kept.empty() && earlier.mission != command.mission_name) {
+    throw Refusal(
+        fmt::format("{} holds sessions of the mission {}: {} cannot be compared with them",
+                    OneLine(folder.path().string()), OneLine(earlier.mission), again.front()));
   }
-  fs::create_directories(out);
+  return kept;
 }
 
 class SurveyRun {
@@ -112,6 +126,9 @@ class SurveyRun {
       ApplySetting(mission_, setting);
     }
     // Everything is checked before the run folder is touched: a slip must not cost an earlier run.
+    if (const auto problem = SessionListProblem(command_.sessions, SessionsOf(scenario_))) {
+      throw UsageError("--sessions: " + problem->text);
+    }
     Refuse(CheckConfiguration(mission_, command_.mission_folder));
     settings_ = SettingsOf(mission_, scenario_);
     settings_.mission = command_.mission_name;
@@ -122,18 +139,19 @@ class SurveyRun {
   }
 
   int Run() {
-    PrepareRunFolder(command_.out);
-    WriteRunDescription(settings_, scenario_, command_.out);
-    for (std::size_t i = 0; i < command_.sessions.size() && !interrupt_requested; ++i) {
-      RunOne(command_.sessions[i], FolderOfFormer(i));
+    RunFolder folder(command_.out, RunFolder::Use::kNewRun);
+    settings_.sessions = KeptSessions(folder, command_);
+    std::string former = settings_.sessions.empty() ? "" : settings_.sessions.back();
+    folder.MakeRoomFor(command_.sessions, settings_.sessions);
+    settings_.sessions.insert(settings_.sessions.end(), command_.sessions.begin(),
+                              command_.sessions.end());
+    folder.Write(RunDescriptionFiles(settings_, scenario_));
+    for (const std::string& session : command_.sessions) {
+      if (interrupt_requested) break;
+      RunOne(folder, session, former);
+      former = session;
     }
-    const RunScore score = WriteReport(records_, scenario_, settings_, command_.out);
-    PrintReport(score);
-    fmt::print("\nreport: {}\n", (command_.out / "report.html").string());
-    const bool all_home =
-        std::ranges::all_of(outcomes_, [](const auto& o) { return o.ended == "home"; });
-    const bool keeps_bounds = KeepsBounds(score);
-    return all_home && keeps_bounds && !interrupt_requested ? kOk : kFailed;
+    return Finish(folder);
   }
 
  private:
@@ -147,7 +165,7 @@ class SurveyRun {
       fmt::print("expect.yaml: all {} bounds are kept\n", check.compared);
     }
     for (const std::string& breach : check.breaches) {
-      fmt::print("expect.yaml: {}\n", breach);
+      fmt::print("expect.yaml: {}\n", OneLine(breach));
     }
     return check.is_kept();
   }
@@ -158,24 +176,25 @@ class SurveyRun {
     }
   }
 
-  /// The session before this one in the list; for a change session alone, an earlier run's
-  /// discovery.
-  [[nodiscard]] fs::path FolderOfFormer(std::size_t i) const {
-    if (i > 0) {
-      return command_.out / command_.sessions[i - 1];
-    }
-    const fs::path discovery = command_.out / "discovery";
-    return command_.sessions[0] != "discovery" && fs::exists(discovery) ? discovery : fs::path();
+  int Finish(RunFolder& folder) {
+    const ComposedReport report = ComposeReport(records_, scenario_, settings_);
+    folder.Write(report.files);
+    PrintReport(report.score);
+    fmt::print("\nreport: {}\n", OneLine((command_.out / "report.html").string()));
+    const bool all_home =
+        std::ranges::all_of(outcomes_, [](const auto& o) { return o.ended == "home"; });
+    const bool keeps_bounds = KeepsBounds(report.score);
+    return all_home && keeps_bounds && !interrupt_requested ? kOk : kFailed;
   }
 
-  void RunOne(const std::string& session, const fs::path& prior) {
+  void RunOne(RunFolder& folder, const std::string& session, const std::string& former) {
     const SessionPlan plan{.session = session,
                            .mission_folder = command_.mission_folder,
                            .run_folder = command_.out / session,
-                           .prior_folder = prior,
+                           .prior_folder = former.empty() ? fs::path() : command_.out / former,
                            .seed = command_.seed,
                            .delivers_truth_on_board = command_.delivers_truth_on_board};
-    fs::remove_all(plan.run_folder);
+    const FilledFolder filled(folder.written(), session);
     SessionRecord& record = records_.emplace_back(session);
     SurveyProgress progress(session);
     const SessionOutcome outcome = RunSession(mission_, plan, [&](const Message& message) {
@@ -184,7 +203,8 @@ class SurveyRun {
         progress.Show(record);
       }
     });
-    settings_.wall_s[session] = outcome.wall_s;
+    // As report.json says it, so that `limpet report` gives the same factor of real time again.
+    settings_.wall_s[session] = std::round(1e3 * outcome.wall_s) / 1e3;
     outcomes_.push_back(outcome);
     if (record.ended.empty()) {
       record.ended = outcome.ended;

@@ -7,8 +7,9 @@
 
 namespace limpet {
 
-/// Progress of long work: one line rewritten in place on a terminal, otherwise a plain line about
-/// every tenth of the way. Writes to stderr by default, so that results on stdout stay clean.
+/// Progress of long work: one line rewritten in place on a terminal, cut to its present width,
+/// otherwise a plain line about every tenth of the way. Nothing in its texts is obeyed by a
+/// terminal. Writes to stderr by default, so that results on stdout stay clean.
 class ProgressLine {
  public:
   explicit ProgressLine(std::string label, std::FILE* out = stderr);
@@ -27,6 +28,8 @@ class ProgressLine {
   void Note(const std::string& text);
 
  private:
+  [[nodiscard]] std::string LineFor(double done, const std::string& detail) const;
+
   std::string label_;
   std::FILE* out_;
   bool is_terminal_;

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "limpet/core/harmless_text.hpp"
+
 namespace limpet {
 namespace {
 
@@ -47,7 +49,7 @@ const ConfigEntry* ConfigBlock::Find(std::string_view key) const {
 std::string ConfigProblem::Format() const {
   const std::string place =
       where.line > 0 ? fmt::format("{}:{}", where.file, where.line) : where.file;
-  return fmt::format("{}: {}{}{}", place, key, key.empty() ? "" : ": ", text);
+  return HarmlessText(fmt::format("{}: {}{}{}", place, key, key.empty() ? "" : ": ", text));
 }
 
 ConfigError::ConfigError(std::vector<ConfigProblem> problems)

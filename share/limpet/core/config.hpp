@@ -26,6 +26,7 @@ struct ConfigProblem {
   std::string key;
   std::string text;
 
+  /// One line; nothing of the file in it is obeyed by a terminal.
   [[nodiscard]] std::string Format() const;
 };
 

@@ -64,11 +64,17 @@ std::optional<Error> WriteGeneration(const fs::path& folder, const SessionFiles&
   return SyncFolder(folder);
 }
 
+/// As GenerationName makes them: somebody's own `gopro` beside them is none.
+bool IsGenerationName(const std::string& name) {
+  return name.size() >= 7 && name[0] == 'g' &&
+         name.find_first_not_of("0123456789", 1) == std::string::npos;
+}
+
 void RemoveOtherGenerations(const fs::path& folder, const std::string& kept) {
   std::error_code ignored;  // a leftover costs space only
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
     const std::string name = entry.path().filename().string();
-    if (entry.is_directory() && name.starts_with("g") && name != kept) {
+    if (entry.is_directory() && IsGenerationName(name) && name != kept) {
       fs::remove_all(entry.path(), ignored);
     }
   }

@@ -46,7 +46,11 @@ class Report : public testing::Test {
   static fs::path Folder() {
     static const auto folder = [] {
       auto made = std::make_unique<TemporaryFolder>();
-      WriteReport(TwoSessions(), Table1Scenario(), Table1Settings(), made->path());
+      const ComposedReport report =
+          ComposeReport(TwoSessions(), Table1Scenario(), Table1Settings());
+      fs::create_directories(made->path() / "figures");
+      for (const auto& [name, text] : report.files)
+        std::ofstream(made->path() / name) << text;
       return made;
     }();
     return folder->path();
@@ -93,12 +97,6 @@ TEST_F(Report, ComputesTheRealTimeFactor) {
               0.01);
 }
 
-TEST_F(Report, LeavesNoHalfWrittenFile) {
-  for (const auto& entry : fs::recursive_directory_iterator(Folder())) {
-    EXPECT_NE(entry.path().extension(), ".part");
-  }
-}
-
 TEST_F(Report, NeedsNothingFromTheNetwork) {
   const std::string page = TextOfFile(Folder() / "report.html");
   EXPECT_THAT(page, Not(HasSubstr("src=\"http")));
@@ -117,6 +115,12 @@ TEST_F(Report, DrawsEveryFigureOfAChangeSession) {
     EXPECT_TRUE(fs::exists(Folder() / "figures" / (std::string("change_") + name + ".svg")))
         << name;
   }
+}
+
+TEST_F(Report, ShowsWhichDecisionsWereForAnObject) {
+  const std::string figure = TextOfFile(Folder() / "figures/discovery_track.svg");
+  EXPECT_THAT(figure, testing::ContainsRegex("to look at an object: [1-9]"));
+  EXPECT_THAT(figure, testing::ContainsRegex("to cover: [1-9]"));
 }
 
 TEST_F(Report, ReadsItsOwnDescriptionBack) {
@@ -149,6 +153,99 @@ TEST(ReportJson, SaysNullForAWallTimeNobodyTook) {
   settings.wall_s.clear();
   const RunScore run = ScoreRun({SessionRecord("discovery")}, Table1Scenario(), settings);
   EXPECT_TRUE(nlohmann::json::parse(ReportJson(run))["sessions"]["discovery"]["wall_s"].is_null());
+}
+
+/// Three sessions, the third as the first: what was removed is back.
+std::vector<SessionRecord> ThreeSessions() {
+  std::vector<SessionRecord> records;
+  for (const std::string name : {"discovery", "change", "third"}) {
+    SyntheticSession session;
+    session.name = name;
+    session.seconds_of_survey = 20.0;
+    session.former = name == "discovery" ? "" : name == "change" ? "discovery" : "change";
+    session.opis = RightBeliefs(Table1Scenario(), name == "third" ? "change" : name, 0.3);
+    records.push_back(RecordOf(session));
+  }
+  return records;
+}
+
+TEST(ThreeSessionReport, HasTheChangesOfEachLaterSession) {
+  const ComposedReport report = ComposeReport(ThreeSessions(), Table1Scenario(), Table1Settings());
+  const auto sessions = nlohmann::json::parse(report.files.at("report.json")).at("sessions");
+  EXPECT_FALSE(sessions.at("discovery").contains("changes"));
+  for (const char* name : {"change", "third"}) {
+    EXPECT_TRUE(sessions.at(name).contains("changes")) << name;
+    EXPECT_TRUE(sessions.at(name).contains("prior_opis_seen_path_m")) << name;
+    EXPECT_TRUE(report.files.contains(std::string("figures/") + name + "_status.svg")) << name;
+    EXPECT_THAT(report.files.at("report.html"),
+                HasSubstr(std::string("id=\"changes-") + name + "\""));
+  }
+}
+
+/// A change session of a real dive: poses and decisions, and nobody who knows the truth.
+ComposedReport ReportWithoutTruth(bool has_scenario) {
+  SyntheticSession session;
+  session.name = "change";
+  session.seconds_of_survey = 60.0;
+  session.opis = RightBeliefs(Table1Scenario(), "change", 0.3);
+  SessionRecord record = RecordOf(session);
+  if (has_scenario) record.truth = {};
+  ReportSettings settings = Table1Settings();
+  settings.has_scenario = has_scenario;
+  return ComposeReport({record}, has_scenario ? Table1Scenario() : Scenario{}, settings);
+}
+
+TEST(ReportWithoutTruth, LeavesOpenWhatNeedsTheTruth) {
+  for (const bool has_scenario : {true, false}) {
+    const ComposedReport report = ReportWithoutTruth(has_scenario);
+    const auto session =
+        nlohmann::json::parse(report.files.at("report.json")).at("sessions").at("change");
+    for (const char* key : {"coverage", "detectable", "covered", "detected_band", "path_m",
+                            "home_error_m", "missed", "false", "prior_opis_seen_path_m"}) {
+      EXPECT_TRUE(session.at(key).is_null()) << key;
+    }
+    for (const auto& [key, value] : session.at("nav").items())
+      EXPECT_TRUE(value.is_null()) << key;
+    EXPECT_EQ(session.at("truth"), false);
+    EXPECT_EQ(session.at("opis").size(), 3U);
+    EXPECT_EQ(session.at("changes").size(), 5U);
+  }
+}
+
+TEST(ReportWithoutTruth, DrawsWhatTheVehicleKnewAndNothingElse) {
+  const ReportFiles files = ReportWithoutTruth(true).files;
+  EXPECT_TRUE(files.contains("figures/change_track.svg"));
+  EXPECT_TRUE(files.contains("figures/change_belief.svg"));
+  EXPECT_FALSE(files.contains("figures/change_navigation.svg"));
+  EXPECT_FALSE(files.contains("figures/change_coverage.svg"));
+  for (const auto& [name, text] : files) {
+    if (!name.ends_with(".svg")) continue;
+    EXPECT_THAT(text, Not(HasSubstr("invented"))) << name;
+    EXPECT_THAT(text, Not(HasSubstr("wrong"))) << name;
+    EXPECT_THAT(text, Not(HasSubstr("true track"))) << name;
+  }
+  EXPECT_THAT(files.at("report.html"), HasSubstr("There is no truth for this session"));
+}
+
+TEST(ReportHtml, EscapesNamesOfTheMission) {
+  Scenario scenario = Table1Scenario();
+  scenario.opis[0].name = "<script>alert(1)</script>";
+  ReportSettings settings = Table1Settings();
+  settings.mission = "<b>m";
+  const ComposedReport report = ComposeReport(ThreeSessions(), scenario, settings);
+  for (const auto& [name, text] : report.files) {
+    if (name.ends_with(".json")) continue;
+    EXPECT_THAT(text, Not(HasSubstr("<script>"))) << name;
+    EXPECT_THAT(text, Not(HasSubstr("<b>m"))) << name;
+  }
+}
+
+TEST(ReadRun, RefusesASessionsNameThatLeavesTheFolder) {
+  const TemporaryFolder run;
+  ReportSettings settings = Table1Settings();
+  settings.sessions = {"../../x"};
+  std::ofstream(run.path() / "run.json") << RunJson(settings, Table1Scenario());
+  EXPECT_THROW(static_cast<void>(ReadRun(run.path())), ConfigError);
 }
 
 TEST(ReadRun, NamesTheFileThatIsMissing) {

@@ -78,22 +78,22 @@ TEST(Scorer, CountsTheDiveInTheWayOfTheSession) {
 }
 
 TEST(Scorer, MeasuresAConstantOffsetOfTheEstimate) {
-  EXPECT_NEAR(ScoreOf(Brief(Discovery())).nav.position_rmse_m, 0.3, 1e-3);
+  EXPECT_NEAR(*ScoreOf(Brief(Discovery())).nav.position_rmse_m, 0.3, 1e-3);
 }
 
 TEST(Scorer, RemovesAConstantOffsetWhenAligning) {
-  EXPECT_LT(ScoreOf(Brief(Discovery())).nav.aligned_rmse_m, 1e-3);
+  EXPECT_LT(*ScoreOf(Brief(Discovery())).nav.aligned_rmse_m, 1e-3);
 }
 
 TEST(Scorer, CallsAnEstimateConsistentWhoseErrorIsOneDeviationOnEachAxis) {
   SyntheticSession session = Brief(Discovery());
   session.nav_offset_m = 0.3 * std::sqrt(3.0);
-  EXPECT_NEAR(ScoreOf(session).nav.nees_mean, 3.0, 0.01);
+  EXPECT_NEAR(*ScoreOf(session).nav.nees_mean, 3.0, 0.01);
 }
 
 TEST(Scorer, ComparesWithDeadReckoningAtTheEnd) {
   const SessionScore score = WholeDiscovery();
-  EXPECT_NEAR(score.nav.dead_reckoning_final_error_m, 0.01 * score.coverage.curve.path_m.back(),
+  EXPECT_NEAR(*score.nav.dead_reckoning_final_error_m, 0.01 * score.coverage.curve.path_m.back(),
               0.1);
 }
 
@@ -105,8 +105,8 @@ TEST(Scorer, TakesTheErrorAtTheEndBeforeFixesAtTheSurfaceMendIt) {
   }
   record.nav_sd.push_back(record.nav_sd.back());
   const NavScore nav = ScoreSession(record, Table1Scenario(), Table1Settings()).nav;
-  EXPECT_NEAR(nav.final_error_m, 0.3, 1e-3);
-  EXPECT_GT(nav.dead_reckoning_final_error_m, 0.05);
+  EXPECT_NEAR(*nav.final_error_m, 0.3, 1e-3);
+  EXPECT_GT(*nav.dead_reckoning_final_error_m, 0.05);
 }
 
 TEST(Scorer, MeasuresHowFarFromTheStartPointTheSessionTrulyEnded) {
@@ -223,6 +223,48 @@ TEST(Scorer, CountsAFormerObjectThatTheDiveShowedAsSeenAtTheStart) {
   scenario.opis[0].places["discovery"] = Eigen::Vector3d(-10.5, -15.5, 6.0);
   const SessionScore score = ScoreSession(RecordOf(Brief(Change())), scenario, Table1Settings());
   EXPECT_EQ(score.coverage.prior_opis_seen_path_m, 0.0);
+}
+
+TEST(Scorer, ComparesEachSessionWithTheOneBeforeIt) {
+  Scenario scenario = Table1Scenario();
+  for (ScenarioOpi& opi : scenario.opis)
+    opi.places["third"] = opi.Place("discovery");  // all as it was before the change
+  SyntheticSession session = Brief(Change());
+  session.name = "third";
+  session.former = "change";
+  const SessionScore score = ScoreSession(RecordOf(session), scenario, Table1Settings());
+  ASSERT_EQ(score.opis.changes.size(), 5U);
+  EXPECT_EQ(score.opis.changes[0].expected, "confirmed");
+  EXPECT_EQ(score.opis.changes[1].expected, "new");  // OPI 2 is back
+  EXPECT_EQ(score.opis.changes[4].expected, "removed");
+}
+
+TEST(Scorer, TakesTheRunsOrderWhereTheLogDoesNotNameTheFormerSession) {
+  SyntheticSession session = Brief(Change());
+  session.former = "";
+  ReportSettings settings = Table1Settings();
+  settings.sessions = {"discovery", "change"};
+  EXPECT_EQ(ScoreSession(RecordOf(session), Table1Scenario(), settings).opis.changes.size(), 5U);
+  settings.sessions = {"change"};
+  EXPECT_THAT(ScoreSession(RecordOf(session), Table1Scenario(), settings).opis.changes, IsEmpty());
+}
+
+TEST(Scorer, JudgesNothingWithoutTruth) {
+  SessionRecord record = RecordOf(Brief(Change()));
+  record.truth = {};
+  const SessionScore score = ScoreSession(record, Table1Scenario(), Table1Settings());
+  EXPECT_FALSE(score.has_truth);
+  EXPECT_THAT(score.opis.invented, IsEmpty());
+  EXPECT_THAT(score.opis.missed, IsEmpty());
+  EXPECT_EQ(score.opis.reported.size(), 3U);
+  EXPECT_FALSE(score.nav.position_rmse_m || score.nav.nees_mean || score.home_error_m);
+}
+
+TEST(Scorer, KnowsNoNavigationErrorWhereNoEstimateWasRecorded) {
+  SessionRecord record = RecordOf(Brief(Discovery()));
+  record.nav = {};
+  const NavScore nav = ScoreSession(record, Table1Scenario(), Table1Settings()).nav;
+  EXPECT_FALSE(nav.position_rmse_m || nav.final_error_m || nav.nees_mean);
 }
 
 TEST(Scorer, ScoresAnEmptySessionWithoutFailing) {

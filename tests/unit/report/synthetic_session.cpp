@@ -84,7 +84,8 @@ HelmPath PathAhead(const Point& p, int id, const std::string& purpose) {
   return {id, p.north, p.east, p.yaw, {{0.0, 8.0}, {1.0 / 3.0, 3.0}}, purpose};
 }
 
-HelmBids BidsFor(const HelmPath& path) {
+/// Every fifth path is for an object; what offered it is the same beam.
+HelmBids BidsFor(const HelmPath& path, bool is_look) {
   HelmBids bids{path.id, "path end", 120, {}};
   for (int i = 0; i < 4; ++i) {
     const double turn = path.yaw + 0.35 * (i - 1);
@@ -94,7 +95,10 @@ HelmBids BidsFor(const HelmPath& path) {
     option.total = 7.5 - 2.0 * i;
     option.rate = option.total / option.length;
     option.end = {path.north + 9.0 * std::cos(turn), path.east + 9.0 * std::sin(turn)};
-    option.bids = {{"BHV_CoverArea", option.total, 1.0, false, "useful 18 m"}};
+    const double looks = is_look ? 5.0 : 0.0;
+    option.bids = {
+        {"cover", option.total - looks, 1.0, false, "useful=18.00 ragged=0.00 length=11.00"},
+        {"revisit", looks, 1.0, false, "looks_worth=5.00 open_objects=1.00"}};
     bids.options.push_back(option);
   }
   return bids;
@@ -191,6 +195,12 @@ std::vector<Message> MessagesOf(const SyntheticSession& session) {
   Recorder out;
   out.Post(topics::kSurveyArea, 0.0, {-kHalfNorth, kHalfNorth, -kHalfEast, kHalfEast, 2.0, 2.0});
   out.Post(topics::kSurveyHome, 0.0, {-12.5, -15.5});
+  const std::string former = session.former.value_or(session.name == "change" ? "discovery" : "");
+  if (!former.empty()) {
+    SessionPrior prior;
+    prior.session = former;
+    out.Post(topics::kSessionPrior, 0.0, prior);
+  }
   out.Post(topics::kSurveyPhase, 0.0, std::string("DIVE"));
   constexpr int kDiveTicks = 200;
   const Point start = PointAt(0.0, session.lane_spacing_m);
@@ -209,9 +219,9 @@ std::vector<Message> MessagesOf(const SyntheticSession& session) {
     PostPose(out, session, t, p, kDepth, way);
     if (i % 10 == 0) out.Post(topics::kMapDelta, t, DeltaAt(p, seen));
     if (i % 160 == 0) {
-      const HelmPath path = PathAhead(p, ++path_id, i % 800 == 0 ? "revisit" : "cover");
+      const HelmPath path = PathAhead(p, ++path_id, "beam");
       out.Post(topics::kHelmPath, t, path);
-      out.Post(topics::kHelmBids, t, BidsFor(path));
+      out.Post(topics::kHelmBids, t, BidsFor(path, i % 800 == 0));
     }
     if (i % 20 == 0) {
       const double done = static_cast<double>(i) / ticks;

@@ -2,6 +2,7 @@
 // A made-up survey as the messages that a real one would log: a lawnmower over Table 1's area.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace limpet {
 
 struct SyntheticSession {
   std::string name = "discovery";
+  /// Session that the vehicle compares with; empty: none. A change session's is discovery.
+  std::optional<std::string> former;
   double lane_spacing_m = 3.0;
   double nav_offset_m = 0.3;  ///< constant north error of the estimate
   double nav_sd_m = 0.3;

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "apps/limpet/report/terminal_report.hpp"
 
-#include <cstdio>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "limpet/console/progress_line.hpp"
 #include "apps/limpet/report/verdict.hpp"
 
 #include "synthetic_session.hpp"
@@ -51,24 +48,39 @@ TEST(TerminalReport, SaysNeverForALevelNotReached) {
   EXPECT_THAT(TerminalReport(BriefRun(false), false), HasSubstr("never"));
 }
 
+TEST(TerminalReport, SaysThatThereWasNoTruthInsteadOfJudging) {
+  SyntheticSession session;
+  session.name = "change";
+  session.seconds_of_survey = 20.0;
+  session.opis = RightBeliefs(Table1Scenario(), "change", 0.3);
+  SessionRecord record = RecordOf(session);
+  record.truth = {};
+  const std::string text =
+      TerminalReport(ScoreRun({record}, Table1Scenario(), Table1Settings()), false);
+  EXPECT_THAT(text, HasSubstr("no truth"));
+  for (const char* word : {"INVENTED", "MISSED", "WRONG", "rms", "NEES"}) {
+    EXPECT_THAT(text, Not(HasSubstr(word)));
+  }
+}
+
+TEST(TerminalReport, ObeysNothingThatAMissionSays) {
+  Scenario scenario = Table1Scenario();
+  for (ScenarioOpi& opi : scenario.opis)
+    opi.name += "\033[2J\n";
+  SyntheticSession session;
+  session.seconds_of_survey = 20.0;
+  session.opis = RightBeliefs(scenario, "discovery", 0.3);
+  session.opis.pop_back();
+  ReportSettings settings = Table1Settings();
+  settings.mission = "m\033]0;x\007";
+  const std::string text = TerminalReport(ScoreRun({RecordOf(session)}, scenario, settings), false);
+  EXPECT_THAT(text, Not(HasSubstr("\033")));
+  EXPECT_THAT(text, HasSubstr("OPI 1\\x1b[2J\\n"));
+}
+
 TEST(Verdict, IsBadWhenTheVehicleIsNotHome) { EXPECT_FALSE(VerdictOf(BriefRun(false)).is_good); }
 
 TEST(Verdict, IsBadOfNoSessionAtAll) { EXPECT_FALSE(VerdictOf(RunScore{}).is_good); }
-
-TEST(ProgressLine, WritesAboutEveryTenthWhereThereIsNoTerminal) {
-  std::FILE* file = std::tmpfile();
-  {
-    ProgressLine progress("survey", file);
-    for (int i = 0; i <= 1000; ++i)
-      progress.Update(i / 1000.0, "going");
-  }
-  std::rewind(file);
-  int lines = 0;
-  for (int letter = std::fgetc(file); letter != EOF; letter = std::fgetc(file))
-    lines += letter == '\n';
-  std::fclose(file);
-  EXPECT_EQ(lines, 11);
-}
 
 }  // namespace
 }  // namespace limpet

@@ -52,6 +52,16 @@ class SessionStoreTest : public ::testing::Test {
   fs::path home_ = folder_.path() / "session";
 };
 
+TEST_F(SessionStoreTest, RemovesNothingButItsOwnGenerations) {
+  SessionWriter writer(home_);
+  ASSERT_TRUE(writer.Commit(kFacts, kFiles));
+  fs::create_directories(home_ / "gopro");
+  Overwrite(home_ / "gopro/dive.mp4", "precious");
+  ASSERT_TRUE(writer.Commit(kFacts, kFiles));
+  EXPECT_FALSE(fs::exists(home_ / "g000001"));
+  EXPECT_TRUE(fs::exists(home_ / "gopro/dive.mp4"));
+}
+
 TEST_F(SessionStoreTest, GivesBackWhatWasSaved) {
   const Expected<StoredSession> loaded = LoadSession(Saved());
   ASSERT_TRUE(loaded);
