@@ -4,21 +4,16 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <set>
 #include <sstream>
 #include <thread>
 
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
-#include "apps/limpet/command_output.hpp"
 #include "apps/limpet/report/expectation_check.hpp"
 #include "apps/limpet/report/paper_tables.hpp"
-#include "apps/limpet/run_folder/run_configuration.hpp"
-#include "apps/limpet/run_folder/run_folder.hpp"
-#include "apps/limpet/verbs/child_runs.hpp"
 #include "apps/limpet/verbs/run_settings.hpp"
-#include "limpet/console/progress_line.hpp"
+#include "apps/limpet/verbs/tables_runs.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/mission/scenario.hpp"
 
@@ -44,20 +39,6 @@ runs than its share_of_runs keep them.
   --json               print tables.json instead of the tables
   --sessions, --set, --gain, --planner, --without-truth: as of limpet survey
 )";
-
-struct TablesCommand {
-  fs::path mission_folder, out;
-  int first_seed = 1, runs = 10, jobs = 1;
-  bool prints_json = false;
-  std::vector<std::string> survey_options;
-  [[nodiscard]] std::string MissionName() const { return limpet::MissionName(mission_folder); }
-  [[nodiscard]] std::string OptionsText() const {
-    return fmt::format("{} {}\n", MissionName(), fmt::join(survey_options, " "));
-  }
-  [[nodiscard]] fs::path RunFolder(int seed) const { return out / std::to_string(seed); }
-  /// Left beside a run's folder when its process has ended.
-  [[nodiscard]] fs::path EndMark(int seed) const { return out / fmt::format("{}.exit", seed); }
-};
 
 TablesCommand ReadTablesCommand(std::span<const std::string> args) {
   const std::vector<std::string> passed_on{"sessions", "set", "gain", "planner"};
@@ -91,169 +72,6 @@ std::string TextOf(const fs::path& path) {
   return text.str();
 }
 
-bool IsDiskFull(const fs::path& folder) {
-  constexpr std::uintmax_t kLeastRoom = std::uintmax_t{1} << 20;
-  std::error_code error;
-  const fs::space_info room = fs::space(folder, error);
-  return !error && room.available < kLeastRoom;
-}
-
-constexpr const char* kConfigurationFile = "configuration.json";
-
-/// The folder of the tables and what its runs are made with.
-struct TablesFolder {
-  RunFolder folder;
-  RunConfiguration configuration;
-};
-
-bool HasDoneSeed(const TablesCommand& command) {
-  for (const auto& entry : fs::directory_iterator(command.out)) {
-    if (entry.path().extension() == ".exit") return true;
-  }
-  return false;
-}
-
-/// Runs of another configuration in the same folder would make the tables a lie.
-TablesFolder OpenFolder(const TablesCommand& command) {
-  RunConfiguration now = RunConfiguration::Of(command.mission_folder, command.survey_options);
-  now.parts["the mission's name"] = command.MissionName();
-  TablesFolder tables{RunFolder(command.out, RunFolder::Use::kNewRun), std::move(now)};
-  if (HasDoneSeed(command)) {
-    const auto before = RunConfiguration::FromText(TextOf(command.out / kConfigurationFile));
-    if (!before) {
-      throw Refusal(
-          fmt::format("{} does not say what its runs were made with ({}); choose another "
-                      "--out",
-                      command.out.string(), before.error().text));
-    }
-    const auto differences = DifferencesBetween(*before, tables.configuration);
-    if (!differences.empty()) {
-      throw Refusal(
-          fmt::format("{} holds runs of another configuration: {}; they are not mixed with "
-                      "new ones: choose another --out",
-                      command.out.string(), fmt::join(differences, "; ")));
-    }
-  }
-  tables.folder.Write({{kConfigurationFile, tables.configuration.Text()}});
-  return tables;
-}
-
-enum class Reached { kAll, kInterrupted, kDiskFull, kRefused, kChanged };
-
-struct MissingRuns {
-  std::vector<int> seeds;
-  std::vector<ChildRun> runs;  ///< of each seed
-};
-
-MissingRuns FindMissing(const TablesCommand& command) {
-  MissingRuns missing;
-  for (int seed = command.first_seed; seed < command.first_seed + command.runs; ++seed) {
-    if (fs::exists(command.EndMark(seed))) continue;
-    ChildRun run{{"survey", command.mission_folder.string(), "--seed", std::to_string(seed),
-                  "--out", command.RunFolder(seed).string()},
-                 command.out / fmt::format("{}.txt", seed)};
-    run.args.insert(run.args.end(), command.survey_options.begin(), command.survey_options.end());
-    missing.seeds.push_back(seed);
-    missing.runs.push_back(std::move(run));
-  }
-  return missing;
-}
-
-/// What has become of the runs of one command.
-class SeedRuns {
- public:
-  SeedRuns(const TablesCommand& command, TablesFolder& tables)
-      : command_(command), tables_(tables), missing_(FindMissing(command)) {}
-
-  /// Runs every seed that is not done.
-  Reached Run() {
-    const std::size_t known = static_cast<std::size_t>(command_.runs) - missing_.runs.size();
-    if (known > 0) {
-      progress_.Note(fmt::format("{} of {} seeds are already done", known, command_.runs));
-    }
-    ended_ = known;
-    ClaimLogs();
-    progress_.Update(static_cast<double>(ended_) / command_.runs, "started");
-    const bool is_complete =
-        RunChildren(missing_.runs, command_.jobs, [&](const ChildEnd& end) { return Take(end); });
-    if (reached_ != Reached::kAll) return reached_;
-    return is_complete ? Reached::kAll : Reached::kInterrupted;
-  }
-
- private:
-  void ClaimLogs() {
-    std::vector<fs::path> logs;
-    for (const ChildRun& run : missing_.runs)
-      logs.push_back(run.log.filename());
-    tables_.folder.written().Claim(logs);
-  }
-
-  /// False when no more runs should be started.
-  bool Take(const ChildEnd& end) {
-    const int seed = missing_.seeds[end.index];
-    reached_ = Judge(seed, end.exit_code);
-    if (reached_ != Reached::kAll) return false;
-    ++ended_;
-    progress_.Update(static_cast<double>(ended_) / command_.runs,
-                     fmt::format("{} of {} runs, last seed {}", ended_, command_.runs, seed));
-    return true;
-  }
-
-  /// Notes how a seed's run ended, unless it does not count: then it is run again next time.
-  Reached Judge(int seed, int exit_code) {
-    const fs::path log = command_.out / fmt::format("{}.txt", seed);
-    if (exit_code == kRefused || exit_code == kUsage) {
-      progress_.Note(fmt::format("seed {} was refused: see {}", seed, OneLine(log.string())));
-      return Reached::kRefused;
-    }
-    RunConfiguration now = RunConfiguration::Of(command_.mission_folder, command_.survey_options);
-    now.parts["the mission's name"] = command_.MissionName();
-    if (const auto differences = DifferencesBetween(tables_.configuration, now);
-        !differences.empty()) {
-      progress_.Note(fmt::format("seed {} does not count: meanwhile {}", seed,
-                                 OneLine(fmt::format("{}", fmt::join(differences, "; ")))));
-      return Reached::kChanged;
-    }
-    const bool has_report = fs::exists(command_.RunFolder(seed) / "report.json");
-    if (!has_report && IsDiskFull(command_.out)) return RoomMade(seed);
-    try {
-      tables_.folder.Write({{fmt::format("{}.exit", seed), std::to_string(exit_code) + "\n"}});
-    } catch (const std::runtime_error&) {
-      if (IsDiskFull(command_.out)) return RoomMade(seed);
-      throw;
-    }
-    if (!has_report) {
-      progress_.Note(fmt::format("seed {} left no report (exit code {}): see {}", seed, exit_code,
-                                 OneLine(log.string())));
-    }
-    return Reached::kAll;
-  }
-
-  /// A seed that a full disk cut short begins anew: what its run left makes room for the tables.
-  /// Its folder was made by that run, which had it to itself.
-  Reached RoomMade(int seed) {
-    std::error_code ignored;
-    if (was_missing_.contains(seed)) fs::remove_all(command_.RunFolder(seed), ignored);
-    return Reached::kDiskFull;
-  }
-
-  static std::set<int> WithoutFolder(const TablesCommand& command, const MissingRuns& missing) {
-    std::set<int> seeds;
-    for (const int seed : missing.seeds) {
-      if (!fs::exists(fs::symlink_status(command.RunFolder(seed)))) seeds.insert(seed);
-    }
-    return seeds;
-  }
-
-  const TablesCommand& command_;
-  TablesFolder& tables_;
-  MissingRuns missing_;
-  std::set<int> was_missing_ = WithoutFolder(command_, missing_);  ///< no folder when we began
-  ProgressLine progress_{"tables"};
-  std::size_t ended_ = 0;
-  Reached reached_ = Reached::kAll;
-};
-
 void SayHowFar(const TablesCommand& command, Reached reached) {
   if (reached == Reached::kInterrupted) {
     fmt::print(stderr, "interrupted: the same command goes on where it stopped\n");
@@ -264,12 +82,10 @@ void SayHowFar(const TablesCommand& command, Reached reached) {
   } else if (reached == Reached::kRefused) {
     fmt::print(stderr, "stopped: a run was refused\n");
   } else if (reached == Reached::kDiskFull) {
-    const std::size_t done =
-        static_cast<std::size_t>(command.runs) - FindMissing(command).seeds.size();
     fmt::print(stderr,
                "the disk of {} is full: {} of {} seeds are done and kept; make room, then the same "
                "command goes on\n",
-               OneLine(command.out.string()), done, command.runs);
+               OneLine(command.out.string()), SeedsDone(command), command.runs);
   }
 }
 
@@ -317,8 +133,8 @@ int RunTables(std::span<const std::string> args) {
   }
   const auto expected = LoadExpectations(command.mission_folder,
                                          LoadScenario(command.mission_folder / "scenario.yaml"));
-  TablesFolder tables = OpenFolder(command);
-  const Reached reached = SeedRuns(command, tables).Run();
+  TablesFolder tables = OpenTablesFolder(command);
+  const Reached reached = RunSeeds(command, tables);
   const RunStatistics statistics = Gather(command);
   const auto paper_tables = PaperTables(statistics);
   const std::string json = TablesJson(statistics, command.OptionsText());
