@@ -149,7 +149,11 @@ void PlanEntry(const LaunchEntry& entry, const LaunchCommand& command, const fs:
   if (OptionOf(entry, "InhibitMOOSParams") == nullptr) {
     item.args = {plan.mission_file.string(), entry.moos_name};
   }
-  std::ranges::copy(ExtraArgs(entry, plan.mission), std::back_inserter(item.args));
+  const std::vector<std::string> extra = ExtraArgs(entry, plan.mission);
+  if (const auto complaint = command.allows_outside ? std::nullopt : ArgumentProblem(extra)) {
+    problems.push_back({entry.where, "ExtraProcessParams", *complaint});
+  }
+  std::ranges::copy(extra, std::back_inserter(item.args));
   plan.items.push_back(std::move(item));
 }
 

@@ -2,6 +2,7 @@
 #include "apps/pLaunch/launch_rules.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdlib>
 
@@ -97,6 +98,24 @@ std::optional<ConfigProblem> ProgramProblem(const LaunchEntry& entry, const Miss
       fmt::format("`{}` is no folder of PATH, nor the mission's: programs come from beside the "
                   "launcher and from PATH; --allow-outside takes them from there",
                   line->value)};
+}
+
+std::optional<std::string> ArgumentProblem(const std::vector<std::string>& args) {
+  constexpr std::array<std::string_view, 4> kLaunchers{"run_folder", "prior_folder", "session",
+                                                       "allow_outside"};
+  for (const std::string& arg : args) {
+    const std::string_view body =
+        std::string_view(arg).substr(std::min(arg.find_first_not_of('-'), arg.size()));
+    const bool is_switch = arg.starts_with('-');
+    if (is_switch &&
+        std::ranges::find(kLaunchers, body.substr(0, body.find('='))) != kLaunchers.end()) {
+      return fmt::format(
+          "`{}` is for the launcher to say, not for the mission; --allow-outside "
+          "lets it pass",
+          arg);
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<fs::path> FindProgram(const std::string& binary, const std::optional<fs::path>& named,

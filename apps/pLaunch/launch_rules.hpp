@@ -27,6 +27,10 @@ namespace limpet {
                                                           const MissionFile& mission,
                                                           const std::filesystem::path& own_folder);
 
+/// Why a mission may not give its process these arguments unless --allow-outside is given, or
+/// nothing: where the run lies is the launcher's to say.
+[[nodiscard]] std::optional<std::string> ArgumentProblem(const std::vector<std::string>& args);
+
 /// The program as a file that may be executed: in `named` if given, beside the launcher, on PATH.
 [[nodiscard]] std::optional<std::filesystem::path> FindProgram(
     const std::string& binary, const std::optional<std::filesystem::path>& named,

@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr Seconds kMonitorTime{10.0};       ///< longest silence of a monitored variable
 constexpr int kMostCopies = 64;             ///< at request, in one session of logging
+constexpr Seconds kRefusalTime{60.0};       ///< that a refused copy is warned of
 constexpr Seconds kAnnouncementTime{10.0};  ///< between repeats of LOGGER_DIRECTORY
 
 /// MOOS time is UNIX time times warp; virtual time knows no warp.
@@ -172,8 +173,9 @@ void LogApp::OnCopyRequest(std::string_view name, std::string_view asker) {
   ++refused_copies_;
   Put(LogComment{
       fmt::format("{} is not copied: {}", fs::path(name).filename().string(), file.error().text)});
-  Warn("COPY_REFUSED", fmt::format("{} of COPY_FILE_REQUEST refused; the latest, by {}: `{}` {}",
-                                   refused_copies_, asker, name.substr(0, 200), file.error().text));
+  last_refusal_ = now();
+  Warn("COPY_REFUSED", fmt::format("COPY_FILE_REQUEST of `{}`, by {}: {}; the report counts them",
+                                   name.substr(0, 200), asker, file.error().text));
 }
 
 Expected<fs::path> LogApp::CopyableFile(std::string_view name) const {
@@ -355,6 +357,9 @@ void LogApp::Save() {
 void LogApp::Tick(Seconds now) {
   PutDueRow();
   WatchMonitored(now);
+  if (last_refusal_ && now - *last_refusal_ > kRefusalTime) {
+    ClearWarning("COPY_REFUSED");
+  }
   if (context().runs_live) {
     OpenIfNeeded();
     if (session_.is_open() && now - last_announcement_ >= kAnnouncementTime) {

@@ -75,7 +75,8 @@ class LogApp final : public App {
   bool is_over_ = false;  ///< a community's last message was written
   std::string folder_;    ///< as announced
   Seconds last_announcement_;
-  int copies_ = 0, refused_copies_ = 0;       ///< at COPY_FILE_REQUEST
+  int copies_ = 0, refused_copies_ = 0;  ///< at COPY_FILE_REQUEST
+  std::optional<Seconds> last_refusal_;
   std::int64_t messages_ = 0, binaries_ = 0;  ///< put into the log
 };
 

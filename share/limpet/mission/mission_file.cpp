@@ -36,6 +36,7 @@ class MissionParser {
     for (const TextLine& line : lines) {
       ParseLine(line);
     }
+    RequireNestedEnded();
     if (place_ != Place::kTop) {
       ComplainInBlock(block_.where, "the block has no closing `}`");
       CloseBlock();
@@ -89,7 +90,7 @@ class MissionParser {
   /// next block where none does.
   bool SkipsNested(const TextLine& raw, const TextLine& line) {
     if (EqualsIgnoringCase(SplitKeyValue(line.text).key, "ProcessConfig")) {
-      nested_ = 0;
+      RequireNestedEnded();
       return false;
     }
     const int net = NetBraces(CleanMissionLine(raw.text, true));
@@ -107,12 +108,21 @@ class MissionParser {
     }
     nested_ = net;
     if (place_ == Place::kTop) {
+      nested_since_ = line.where;
       WarnOf(line.where, line.text, "opens nested text outside of blocks; ignored to its `}`");
     } else {
       ComplainInBlock(line.where,
                       "a `{` inside the block: nested text is not read; is a `}` missing above?");
     }
     return true;
+  }
+
+  /// Outside of blocks an open brace would swallow globals; in a block its own end is missing too.
+  void RequireNestedEnded() {
+    if (nested_ > 0 && place_ == Place::kTop) {
+      Complain(nested_since_, "{", "outside of blocks, without a `}` before the next block");
+    }
+    nested_ = 0;
   }
 
   void ParseTop(const TextLine& line, bool had_quotes) {
@@ -259,6 +269,7 @@ class MissionParser {
   std::vector<ConfigProblem> problems_;
   Place place_ = Place::kTop;
   int nested_ = 0;  ///< braces open inside a block, or outside of blocks
+  SourceLine nested_since_;
   ConfigBlock block_;
 };
 

@@ -87,37 +87,46 @@ bool PlugConditions::Holds(std::string_view condition, const SourceLine& where) 
     warnings_.push_back({where, "#ifdef", "mixes || and &&: taken as false"});
     return false;
   }
+  Names asked_for;
   const auto term_holds = [&](std::string_view term) {
     const Term words = TermOf(term);
-    const PlugMacros::Macro* macro = macros_.Find(words.name);
+    const PlugMacros::Macro* macro = Look(words.name, asked_for);
     if (words.value.empty()) {
       return macro != nullptr && (has_and || !macro->is_set_empty);
     }
-    return (has_and || macro != nullptr) && HasValue(words.name, words.value, where);
+    return (has_and || macro != nullptr) && HasValue(words.name, words.value, asked_for, where);
   };
   return has_and ? std::ranges::all_of(SplitAt(condition, "&&"), term_holds)
                  : std::ranges::any_of(SplitAt(condition, "||"), term_holds);
 }
 
+/// The macro; one set to nothing if it is undefined but an earlier term asked for its value.
+const PlugMacros::Macro* PlugConditions::Look(std::string_view name, const Names& asked_for) const {
+  static const PlugMacros::Macro kEmpty{.value = "", .is_set_empty = true};
+  const PlugMacros::Macro* macro = macros_.Find(name);
+  return macro == nullptr && asked_for.contains(name) ? &kEmpty : macro;
+}
+
 /// The macro has that value, or the value of the macro `wanted`. Undefined ones count as empty: so
 /// an empty macro equals any word that is no macro, which is hardly ever meant.
-bool PlugConditions::HasValue(std::string_view name, std::string_view wanted,
+bool PlugConditions::HasValue(std::string_view name, std::string_view wanted, Names& asked_for,
                               const SourceLine& where) {
-  const PlugMacros::Macro* macro = macros_.Find(name);
-  const PlugMacros::Macro* other = macros_.Find(wanted);
-  const auto is_empty = [](const PlugMacros::Macro* m) { return m == nullptr || m->is_set_empty; };
-  if (is_empty(macro) && is_empty(other)) {
+  const PlugMacros::Macro* macro = Look(name, asked_for);
+  asked_for.insert(name);
+  if (macro != nullptr && !macro->is_set_empty && macro->value == wanted) {
+    return true;
+  }
+  const PlugMacros::Macro* other = Look(wanted, asked_for);
+  asked_for.insert(wanted);
+  const bool is_empty = macro == nullptr || macro->is_set_empty;
+  const bool is_other_empty = other == nullptr || other->is_set_empty;
+  if (is_empty && is_other_empty) {
     warnings_.push_back(
         {where, "#ifdef",
          fmt::format("`{}` is {} and `{}` no macro with a value: as in nsplug the two are equal",
                      name, macro == nullptr ? "undefined" : "empty", wanted)});
-    return true;
   }
-  if (macro == nullptr || macro->is_set_empty) {
-    return false;
-  }
-  return macro->value == wanted ||
-         (other != nullptr && !other->is_set_empty && other->value == macro->value);
+  return is_empty == is_other_empty && (is_empty || macro->value == other->value);
 }
 
 bool PlugConditions::NoneDefined(std::string_view names) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -34,7 +35,9 @@ class PlugConditions {
   void Open(bool holds, const SourceLine& where);
   void Next(std::string_view directive, bool holds, const SourceLine& where);
   [[nodiscard]] bool Holds(std::string_view condition, const SourceLine& where);
-  [[nodiscard]] bool HasValue(std::string_view name, std::string_view wanted,
+  using Names = std::set<std::string_view>;
+  [[nodiscard]] const PlugMacros::Macro* Look(std::string_view name, const Names& asked_for) const;
+  [[nodiscard]] bool HasValue(std::string_view name, std::string_view wanted, Names& asked_for,
                               const SourceLine& where);
   [[nodiscard]] bool NoneDefined(std::string_view names) const;
 

@@ -110,7 +110,11 @@ PlugMacros::Expansion PlugMacros::Expand(std::string_view line) {
   while (round < kMaxRounds && ExpandOnce(expansion, most)) {
     ++round;
   }
-  expansion.is_endless = round == kMaxRounds;
+  const std::size_t use = std::min(expansion.text.find("$("), expansion.text.find("%("));
+  expansion.is_endless = round == kMaxRounds && use != std::string::npos;
+  if (expansion.is_endless && expansion.left.empty()) {
+    expansion.left = expansion.text.substr(use, expansion.text.find(')', use) - use + 1);
+  }
   return expansion;
 }
 

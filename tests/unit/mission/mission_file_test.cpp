@@ -185,6 +185,11 @@ TEST(MissionFile, NestedTextOutsideOfBlocksIsNotTakenForGlobals) {
   EXPECT_EQ(mission.warnings.size(), 1U);
 }
 
+TEST(MissionFile, ABraceOutsideOfBlocksThatNeverEndsSwallowsNoGlobals) {
+  EXPECT_THAT(MissionErrorsOf("modem {\nServerPort = 1\nProcessConfig = pA\n{\n}\n"),
+              HasSubstr("m.moos:1: {: outside of blocks"));
+}
+
 TEST(MissionFile, TheLaunchersBlockIsAlwaysOurs) {
   EXPECT_THROW(static_cast<void>(Read("ProcessConfig = ANTLER\n{\n  Run pNav\n}\n")), ConfigError);
 }

@@ -221,6 +221,12 @@ TEST_F(PlugTest, AMacroSetToNothingCountsAsUndefinedButForAnd) {
   EXPECT_THAT(result_.warnings[0].text, HasSubstr("`E` is empty and `word` no macro with a value"));
 }
 
+TEST_F(PlugTest, ANameWhoseValueWasAskedForCountsAsEmptyInTheRestOfACondition) {
+  EXPECT_EQ(Expand("#ifdef U && U word\n1\n#else\n2\n#endif\n"), "2|");
+  EXPECT_EQ(Expand("#ifdef U word && U\n1\n#else\n2\n#endif\n"), "1|");
+  EXPECT_EQ(Expand("#ifdef U\n1\n#else\n2\n#endif\n"), "2|");
+}
+
 TEST_F(PlugTest, SectionMarkersNeedNoBlank) {
   Write("t.plug", "top\n<tag><one>\n1\n#define M 2\n\t<tag><two>\n2\n<tag><one>\n3\n");
   EXPECT_EQ(Expand("#include t.plug <one>\n"), "1|3|");

@@ -111,6 +111,18 @@ TEST_F(LaunchRulesTest, ALoggerUnderAnotherNameIsALoggerToo) {
               HasSubstr("`/etc` lies outside"));
 }
 
+TEST_F(LaunchRulesTest, WhereTheRunLiesIsNotTheMissionsToSay) {
+  for (const char* arg :
+       {"--run_folder=/tmp", "-run_folder=/tmp", "--allow_outside", "--session=x"}) {
+    EXPECT_THAT(
+        RefusalOf(std::string("  Run = pEcho @ ExtraProcessParams = A ~ pTwo\n  A = ") + arg),
+        HasSubstr("m.moos:5: ExtraProcessParams: `" + std::string(arg) + "` is for"))
+        << arg;
+  }
+  EXPECT_THAT(RefusalOf("  Run = pEcho @ ExtraProcessParams = A ~ pTwo\n  A = --moos_port=9001"),
+              IsEmpty());
+}
+
 TEST_F(LaunchRulesTest, SessionsHavePlainNames) {
   for (const char* name : {"../x", "", "a/b", "/tmp/x"}) {
     EXPECT_THROW(static_cast<void>(PlanOf("", "", {std::string("--session=") + name})), ConfigError)

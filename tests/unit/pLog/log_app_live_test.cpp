@@ -283,7 +283,13 @@ TEST_F(LiveLogAppTest, CopiesNothingThatIsNotTheMissionsOrTheRuns) {
                                  (mission / ".ssh/id_rsa").c_str(), mission.c_str()}) {
     Send("PLOGGER_CMD", "COPY_FILE_REQUEST = " + name);
   }
-  EXPECT_THAT(app_->warnings().at("COPY_REFUSED"), HasSubstr("6 of COPY_FILE_REQUEST refused"));
+  EXPECT_THAT(app_->warnings().at("COPY_REFUSED"), HasSubstr("of `/etc/passwd`, by pNav: not a"));
+  ReportLines report;
+  app_->Report(report);
+  EXPECT_THAT(report.Text(), HasSubstr("0 at request, 6 refused"));
+  link_.time += Seconds(61.0);
+  app_->Tick(link_.time);
+  EXPECT_FALSE(app_->warnings().contains("COPY_REFUSED"));
   Send("PLOGGER_CMD", "COPY_FILE_REQUEST = " + (mission / "alpha.bhv").string());
   End();
   std::vector<std::string> copies;
