@@ -15,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kPeriodic = "periodic";
+constexpr const char* kSessionFolder = "session";
 
 /// The map for other programs; not worth its time on every periodic save.
 void AddExports(const std::string& map, SessionFiles& files) {
@@ -49,8 +50,51 @@ SessionApp::SessionApp(const AppContext& context, const Params& params)
   Subscribe(topics::kSessionSave, &SessionApp::OnSave);
   CopyMission();
   if (!context.run_folder.empty()) {
-    writer_.emplace(context.run_folder / "session");
+    writer_.emplace(context.run_folder / kSessionFolder);
+    GoOnFromSaved();
   }
+}
+
+void SessionApp::GoOnFromSaved() {
+  const fs::path folder = context().run_folder / kSessionFolder;
+  if (!fs::exists(folder) || context().link->is_replaying()) {
+    return;  // a former life that is gone through saved what is there
+  }
+  is_folder_ours_ = false;
+  if (!context().is_restarted) {
+    Warn("FORMER_SESSION", folder.string() +
+                               " holds a former session: nothing is saved until this one "
+                               "is deployed and has seen something");
+    return;
+  }
+  const Expected<StoredSession> stored = LoadSession(folder);
+  const Expected<SessionMemory> saved = stored ? MemoryOf(stored->files) : stored.error();
+  if (!saved) {
+    Warn("SESSION_NOT_RESUMED", saved.error().text);
+    return;
+  }
+  memory_ = *saved;
+  is_folder_ours_ = true;
+  ReportEvent(fmt::format("goes on from saved generation {}", stored->generation));
+}
+
+bool SessionApp::MaySave() {
+  if (is_folder_ours_) {
+    return true;
+  }
+  if (!memory_.area || memory_.sights.empty()) {
+    return false;
+  }
+  const Expected<fs::path> aside = SetSessionAside(context().run_folder / kSessionFolder);
+  if (!aside) {
+    Warn("SESSION_NOT_SAVED", aside.error().text);
+    return false;
+  }
+  Warn("FORMER_SESSION_ASIDE",
+       "a former session was in the run folder; it is now " + aside->string());
+  ClearWarning("FORMER_SESSION");
+  is_folder_ours_ = true;
+  return true;
 }
 
 void SessionApp::LoadFormer() {
@@ -125,7 +169,7 @@ void SessionApp::Finish(Seconds now) {
 void SessionApp::Commit(std::string cause, Seconds now) {
   pending_.reset();
   last_save_ = now;
-  if (!writer_ || context().link->is_replaying()) {
+  if (!writer_ || context().link->is_replaying() || !MaySave()) {
     return;
   }
   const SessionFacts facts{.limpet = "",

@@ -43,6 +43,11 @@ class SessionApp final : public App {
   void OnSave(const Stamped<std::string>& cause);
   void LoadFormer();
   void CopyMission();
+  /// Started again without the mail of its former life: goes on from what that saved.
+  void GoOnFromSaved();
+  /// False while a former session is in its folder that this one is not worth: nothing flown yet.
+  /// Once it is, the former one is set aside.
+  [[nodiscard]] bool MaySave();
   void StartSaving(const std::string& cause, Seconds now);
   /// By value: the pending cause dies with the saving that this ends.
   void Commit(std::string cause, Seconds now);
@@ -62,6 +67,7 @@ class SessionApp final : public App {
     std::size_t objects = 0, views = 0;
   };
   std::optional<Former> former_;  ///< for the report
+  bool is_folder_ours_ = true;    ///< nothing of another life is in it
   int generation_ = 0;            ///< last one on disk
   std::string last_cause_;
 };

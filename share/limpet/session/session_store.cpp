@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/session/session_store.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limpet/core/number_text.hpp"
 #include "limpet/session/checksum.hpp"
 #include "limpet/session/durable_file.hpp"
 
@@ -22,6 +25,8 @@ using nlohmann::json;
 constexpr const char* kFormat = "limpet-session";
 constexpr int kVersion = 1;
 constexpr const char* kManifest = "manifest.json";
+constexpr int kMostAside = 1000;
+constexpr std::int64_t kMostGenerations = 100'000'000;
 
 std::string GenerationName(int generation) { return fmt::format("g{:06d}", generation); }
 
@@ -80,6 +85,20 @@ void RemoveOtherGenerations(const fs::path& folder, const std::string& kept) {
   }
 }
 
+/// Of the generations in `folder`, complete or not; 0 if there is none.
+int GreatestGeneration(const fs::path& folder) {
+  int greatest = 0;
+  std::error_code absent;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, absent)) {
+    const std::string name = entry.path().filename().string();
+    const auto number = name.starts_with("g") ? ParseInteger(name.substr(1)) : std::nullopt;
+    if (number && *number > 0 && *number < kMostGenerations) {
+      greatest = std::max(greatest, static_cast<int>(*number));
+    }
+  }
+  return greatest;
+}
+
 Error Damaged(const fs::path& file, const std::string& why) {
   return Error{file.string() + ": " + why};
 }
@@ -128,7 +147,8 @@ std::optional<Error> ReadListed(const json& listed, const fs::path& folder,
 
 Expected<int> SessionWriter::Commit(SessionFacts facts, const SessionFiles& files) {
   facts.limpet = LIMPET_VERSION;
-  const int generation = generation_ + 1;
+  // Never into the folder of a generation that is there: the manifest may name it.
+  const int generation = std::max(generation_, GreatestGeneration(folder_)) + 1;
   const std::string name = GenerationName(generation);
   if (std::optional<Error> error = WriteGeneration(folder_ / name, files)) {
     return *error;
@@ -140,6 +160,25 @@ Expected<int> SessionWriter::Commit(SessionFacts facts, const SessionFiles& file
   generation_ = generation;
   RemoveOtherGenerations(folder_, name);
   return generation;
+}
+
+Expected<fs::path> SetSessionAside(const fs::path& folder) {
+  for (int number = 1; number < kMostAside; ++number) {
+    const fs::path aside = fs::path(fmt::format("{}-former-{}", folder.string(), number));
+    if (fs::exists(aside)) {
+      continue;
+    }
+    std::error_code failure;
+    fs::rename(folder, aside, failure);
+    if (failure) {
+      return Error{fmt::format("{} cannot be set aside: {}", folder.string(), failure.message())};
+    }
+    if (std::optional<Error> error = SyncFolder(folder.parent_path())) {
+      return *error;
+    }
+    return aside;
+  }
+  return Error{folder.string() + " cannot be set aside: too many former ones"};
 }
 
 Expected<StoredSession> LoadSession(const fs::path& folder) {

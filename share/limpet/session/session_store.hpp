@@ -36,7 +36,8 @@ struct StoredSession {
   SessionFiles files;
 };
 
-/// Writes generations of one session. A crash at any moment leaves the last complete one.
+/// Writes generations of one session, numbered on from those that are there. A crash at any moment
+/// leaves the last complete one.
 class SessionWriter {
  public:
   /// `folder` is created on the first commit.
@@ -48,6 +49,10 @@ class SessionWriter {
   std::filesystem::path folder_;
   int generation_ = 0;
 };
+
+/// Renames a session's folder to `<folder>-former-1`, or the next number that is free, so that
+/// another can be saved there; what it is called now, or why that failed.
+[[nodiscard]] Expected<std::filesystem::path> SetSessionAside(const std::filesystem::path& folder);
 
 /// Loads the last complete generation. `folder` is a session folder or one that contains
 /// `session/`. Any missing, damaged or altered file is an error that names it; nothing is loaded by

@@ -125,6 +125,34 @@ TEST(EmbeddedCommunity, WithholdsWhatAnAppMayNotHear) {
   EXPECT_EQ(community.database().Latest("TEST_PONG"), nullptr);
 }
 
+TEST(EmbeddedCommunity, AnAppThatHangsNeitherTicksNorHearsUntilItGoesOn) {
+  EmbeddedCommunity community(TestSetup());
+  int pings = 0, pongs = 0;
+  community.Observe([&](const Message& message) {
+    pings += message.name == "TEST_PING" ? 1 : 0;
+    pongs += message.name == "TEST_PONG" ? 1 : 0;
+  });
+  const auto run_to = [&community](double seconds) {
+    while (community.elapsed() < Seconds(seconds))
+      community.Step();
+  };
+  run_to(1.0);
+  community.Stall("pTestPing");
+  const int before = pings;
+  run_to(2.0);
+  EXPECT_EQ(pings, before);
+  EXPECT_GE(community.elapsed(), Seconds(2.0)) << "time goes on for the others";
+  community.Stall("pTestPing", false);
+  community.Stall("pTestPong");
+  const int answered = pongs;
+  run_to(3.0);
+  EXPECT_GT(pings, before);
+  EXPECT_EQ(pongs, answered);
+  community.Stall("pTestPong", false);
+  run_to(3.2);
+  EXPECT_GE(pongs, answered + 10) << "the mail has waited";
+}
+
 TEST(EmbeddedCommunity, LetsEveryAppFinishAndReportForTheLog) {
   std::vector<std::string> trace = Trace(TestSetup());
   ASSERT_GT(trace.size(), 3U);

@@ -88,6 +88,63 @@ TEST_F(SessionAppTest, SavesNothingTwiceWhenItGoesThroughItsFormerLife) {
   EXPECT_EQ(LoadSession(folder_.path() / "discovery")->generation, 2);
 }
 
+class SessionAppAgain : public SessionAppTest {
+ protected:
+  /// A dive that was saved: deployed, with one frame.
+  void Dive(SessionApp& app, double north) {
+    link_.Send(app, topics::kSurveyArea, SurveyArea{});
+    Sight sight;
+    sight.exposure = link_.time, sight.ned = {north, 0, 1};
+    link_.Send(app, topics::kNavSight, sight);
+  }
+  double SavedNorth(const fs::path& session) {
+    const Expected<StoredSession> stored = LoadSession(session);
+    EXPECT_TRUE(stored) << stored.error().text;
+    return MemoryOf(stored->files)->sights.at(0).ned[0];
+  }
+  fs::path Run() const { return folder_.path() / "discovery"; }
+  void FlyOnce() {
+    SessionApp app(Context("discovery"), {});
+    app.Tick(link_.time);
+    Dive(app, 1.0);
+    app.Finish(link_.time + Seconds(1.0));
+  }
+};
+
+TEST_F(SessionAppAgain, NeverSavesOverAFormerSessionBeforeItIsDeployed) {
+  FlyOnce();
+  SessionApp app(Context("discovery"), {});
+  app.Tick(link_.time);
+  Sight sight;  // the camera sees the surface before anybody deploys
+  sight.exposure = link_.time, sight.ned = {7, 0, 0};
+  link_.Send(app, topics::kNavSight, sight);
+  app.Finish(link_.time + Seconds(100.0));
+  EXPECT_EQ(SavedNorth(Run()), 1.0);
+  EXPECT_TRUE(app.warnings().contains("FORMER_SESSION"));
+}
+
+TEST_F(SessionAppAgain, SetsAFormerSessionAsideOnceItHasFlownItself) {
+  FlyOnce();
+  SessionApp app(Context("discovery"), {});
+  app.Tick(link_.time);
+  Dive(app, 2.0);
+  app.Finish(link_.time + Seconds(1.0));
+  EXPECT_EQ(SavedNorth(Run()), 2.0);
+  EXPECT_EQ(SavedNorth(Run() / "session-former-1"), 1.0);
+  EXPECT_TRUE(app.warnings().contains("FORMER_SESSION_ASIDE"));
+}
+
+TEST_F(SessionAppAgain, StartedAgainWithoutItsMailItGoesOnFromWhatItHadSaved) {
+  FlyOnce();
+  AppContext context = Context("discovery");
+  context.is_restarted = true;
+  SessionApp app(context, {});
+  app.Tick(link_.time);
+  EXPECT_EQ(SavedNorth(Run()), 1.0);
+  EXPECT_GT(LoadSession(Run())->generation, 2) << "numbers go on";
+  EXPECT_FALSE(fs::exists(Run() / "session-former-1"));
+}
+
 TEST_F(SessionAppTest, SavesTheMapItAskedFor) {
   Discover();
   EXPECT_EQ(link_.Last(topics::kMapSnapshotRequest), "home");

@@ -100,6 +100,13 @@ TEST_F(SurveyAppTest, ObeysReturnAndSaysAborted) {
   EXPECT_EQ(link_.Last(topics::kMissionEnd), "aborted");
 }
 
+TEST_F(SurveyAppTest, IsDoneWhenTheLauncherEndsTheMission) {
+  ReachSurvey();
+  link_.Send(app_, topics::kMissionEnd, std::string("aborted"));
+  EXPECT_EQ(link_.Last(topics::kSurveyPhase), "DONE");
+  EXPECT_FALSE(link_.Last(topics::kMissionEnd)) << "it was ended already";
+}
+
 TEST_F(SurveyAppTest, EndsAtTheSurfaceAtHome) {
   ReachSurvey();
   ReachTarget();
