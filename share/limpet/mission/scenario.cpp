@@ -156,7 +156,7 @@ void CheckPlaces(YamlReader& in, const YAML::Node& opis, const Scenario& scenari
   }
 }
 
-Scenario ReadScenario(YamlReader& in, const YAML::Node& root) {
+Scenario ReadScenario(YamlReader& in, const YAML::Node& root, bool checks_places) {
   Scenario scenario;
   YAML::Node opis;
   in.ReadMap(root, "",
@@ -170,7 +170,7 @@ Scenario ReadScenario(YamlReader& in, const YAML::Node& root) {
                }},
               in.Choice("", "camera", scenario.camera, {"rendered", "boxes"}),
               {"sensors", [&](const YAML::Node& n) { ReadSensors(in, n, scenario.sensors); }}});
-  if (in.problems().empty()) {
+  if (checks_places && in.problems().empty()) {
     CheckPlaces(in, opis, scenario);
   }
   return scenario;
@@ -183,11 +183,11 @@ std::optional<Eigen::Vector3d> ScenarioOpi::Place(const std::string& session) co
   return found == places.end() ? std::nullopt : found->second;
 }
 
-Scenario ParseScenario(const std::string& text, const std::string& file) {
+Scenario ParseScenario(const std::string& text, const std::string& file, bool checks_places) {
   YamlReader in(file);
   Scenario scenario;
   try {
-    scenario = ReadScenario(in, YAML::Load(text));
+    scenario = ReadScenario(in, YAML::Load(text), checks_places);
   } catch (const YAML::Exception& error) {
     in.Complain(error.mark.line + 1, "", "not YAML: " + error.msg);
   }
