@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/pLaunch/launch_check.hpp"
 #include "apps/pLaunch/launch_plan.hpp"
 #include "apps/pLaunch/launch_report.hpp"
 #include "apps/pLaunch/supervisor.hpp"
@@ -243,6 +244,9 @@ int RunLaunch(const std::string& caller, const std::vector<std::string>& args) {
       return 0;
     }
     LaunchPlan plan = PlanLaunch(command, fs::read_symlink("/proc/self/exe").parent_path());
+    if (const int refused = RefuseToLaunch(plan.mission_file); refused != 0) {
+      return refused;
+    }
     CatchEndSignals();
     return Launch(std::move(command), std::move(plan)).Run();
   } catch (const ConfigError& error) {
