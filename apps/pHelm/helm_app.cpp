@@ -7,7 +7,7 @@
 
 #include "limpet/app/registry.hpp"
 #include "limpet/core/frames.hpp"
-#include "limpet/core/number_text.hpp"
+#include "limpet/helm/motion_domain.hpp"
 #include "limpet/topics/viewer.hpp"
 
 namespace limpet {
@@ -21,28 +21,13 @@ std::vector<BehaviorFile> LoadBehaviorFiles(const AppContext& context, const Hel
   return files;
 }
 
-/// `speed:0:1:21`; the helm maximises over the continuum, so the points only have to be there.
-MotionDomain ReadDomain(const std::vector<std::string>& lines) {
-  MotionDomain domain;
-  std::vector<ConfigProblem> problems;
-  for (const std::string& line : lines) {
-    const std::vector<std::string> parts = Split(line, ':');
-    const auto low = parts.size() >= 4 ? ParseNumber(parts[1]) : std::nullopt;
-    const auto high = parts.size() >= 4 ? ParseNumber(parts[2]) : std::nullopt;
-    const std::string name(Trim(parts[0]));
-    if (!low || !high || *low >= *high) {
-      problems.push_back({{}, "domain", fmt::format("`{}` is not name:low:high:points", line)});
-    } else if (name == "speed") {
-      domain.speed_low = *low, domain.speed_high = *high;
-    } else if (name == "depth") {
-      domain.depth_low = *low, domain.depth_high = *high;
-    } else if (name != "course") {
-      problems.push_back(
-          {{},
-           "domain",
-           fmt::format("no decision variable `{}`; known: course, speed, depth", name)});
-    }
+MotionDomain DomainOf(const HelmParams& params) {
+  std::vector<ConfigEntry> lines;
+  for (const std::string& line : params.domain) {
+    lines.push_back({.key = "domain", .value = line, .where = {.file = "pHelm", .line = 0}});
   }
+  MotionDomain domain;
+  const auto problems = ReadMotionDomain(lines, {.file = "pHelm", .line = 0}, domain);
   if (!problems.empty()) {
     throw ConfigError(problems);
   }
@@ -56,7 +41,7 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
       params_(params),
       host_(LoadBehaviorFiles(context, params), params.behavior_setting),
       planner_(params, MakeRandom("views")),
-      domain_(ReadDomain(params.domain)),
+      domain_(DomainOf(params)),
       journal_(params.domain,
                [this](std::string variable, Value value) {
                  PublishRaw(std::move(variable), std::move(value));

@@ -9,6 +9,7 @@
 
 #include "apps/pLaunch/community_watch.hpp"
 #include "apps/pLaunch/deployment.hpp"
+#include "apps/pLaunch/launch_check.hpp"
 #include "apps/pLaunch/launch_plan.hpp"
 #include "apps/pLaunch/launch_report.hpp"
 #include "apps/pLaunch/run_folders.hpp"
@@ -283,6 +284,9 @@ int RunLaunch(const std::string& caller, const std::vector<std::string>& args) {
       return 0;
     }
     LaunchPlan plan = PlanLaunch(command, fs::read_symlink("/proc/self/exe").parent_path());
+    if (const int refused = RefuseToLaunch(plan.mission_file); refused != 0) {
+      return refused;
+    }
     RunFolders folders = ChooseRunFolders(command);
     CatchEndSignals();
     return Launch(std::move(command), std::move(plan), std::move(folders)).Run();

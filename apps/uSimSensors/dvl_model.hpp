@@ -11,6 +11,7 @@
 #include "limpet/core/units.hpp"
 #include "limpet/topics/sensors.hpp"
 #include "limpet/topics/simulation.hpp"
+#include "limpet/vehicle/dvl_reach.hpp"
 
 namespace limpet {
 
@@ -29,8 +30,8 @@ class DvlModel {
     double bias_sigma_mps = 0.001;                             ///< per axis and session
     double range_noise_m = 0.01;
     double range_noise_share = 0.002;  ///< of the range, on top
-    double min_altitude_m = 0.3;
-    double max_altitude_m = 50.0;
+    double min_altitude_m = DvlReach{}.nearest_m;
+    double max_altitude_m = DvlReach{}.farthest_m;
     double dropout_per_min = 0.0;
     double dropout_shortest_s = 1.0, dropout_longest_s = 10.0;
     double outlier_share = 0.0;

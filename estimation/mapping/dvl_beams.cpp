@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "limpet/vehicle/dvl_reach.hpp"
+
 namespace limpet {
 namespace {
 
@@ -12,8 +14,8 @@ constexpr double kTilt = 25.0 * std::numbers::pi / 180.0;
 constexpr double kShortest = 0.2;  ///< [m]
 constexpr double kLongest = 100.0;
 constexpr double kSeabedTolerance = 0.4;  ///< around the beams' median depth [m]
-constexpr double kTallestObject = 3.0;    ///< a beam may end this far above the median
-constexpr double kDeepestHole = 1.0;      ///< and this far below
+constexpr double kTallestObject = DvlReach{}.tallest_object_m;  ///< above the median
+constexpr double kDeepestHole = 1.0;                            ///< and this far below
 
 Eigen::Vector3d Direction(std::size_t beam) {
   const double azimuth = (45.0 + 90.0 * static_cast<double>(beam)) * std::numbers::pi / 180.0;

@@ -1,14 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "apps/limpet/verbs/check.hpp"
 
+#include <algorithm>
+#include <filesystem>
+#include <tuple>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "apps/limpet/cli.hpp"
-#include "apps/limpet/mission_check.hpp"
+#include "limpet/console/shown_text.hpp"
+#include "limpet/preflight/preflight.hpp"
 
 namespace limpet {
 namespace {
+
+constexpr const char* kCheckHelp =
+    R"(usage: limpet check <mission folder | file.moos | file.bhv> [--json]
+
+Says everything that is wrong with a mission, with file and line, and runs nothing: what cannot
+be read, what cannot work (with its scenario.yaml: water, currents, places), and, as notes, what
+belongs to other people's apps or is near a limit.
+
+Exit code 0: it may be run (notes or not); 2: it cannot be read; 3: it cannot work.
+)";
 
 nlohmann::ordered_json JsonOf(const std::vector<ConfigProblem>& problems) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -21,38 +36,69 @@ nlohmann::ordered_json JsonOf(const std::vector<ConfigProblem>& problems) {
   return list;
 }
 
+struct CheckLine {
+  ConfigProblem problem;
+  bool is_note = false;
+};
+
+/// `file:line: key: text`; a note says so before its key.
+std::string TextOf(const CheckLine& line) {
+  ConfigProblem shown = line.problem;
+  if (line.is_note) shown.key = shown.key.empty() ? "note" : "note: " + shown.key;
+  return OneLine(shown.Format());
+}
+
+std::string Counted(std::size_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+/// Problems and notes together, by file and line.
+void PrintLines(const MissionProblems& found) {
+  std::vector<CheckLine> lines;
+  for (const auto* list : {&found.syntax, &found.geometry, &found.notes}) {
+    for (const ConfigProblem& problem : *list) {
+      lines.push_back({problem, list == &found.notes});
+    }
+  }
+  std::ranges::stable_sort(lines, {}, [](const CheckLine& line) {
+    return std::tie(line.problem.where.file, line.problem.where.line);
+  });
+  for (const CheckLine& line : lines) {
+    fmt::print("{}\n", TextOf(line));
+  }
+  const std::size_t problems = found.syntax.size() + found.geometry.size();
+  fmt::print("{}{}\n", problems == 0 ? "no problems" : Counted(problems, "problem"),
+             found.notes.empty() ? "" : ", " + Counted(found.notes.size(), "note"));
+}
+
 }  // namespace
 
 int RunCheck(std::span<const std::string> args) {
   const Arguments given(args, {}, {"json", "help"});
   if (given.Has("help")) {
-    fmt::print(
-        "usage: limpet check <mission folder> [--json]\n\nReports every problem of a mission with "
-        "file and line, and runs nothing.\n");
+    fmt::print("{}", kCheckHelp);
     return kOk;
   }
   if (given.positionals().size() != 1) {
-    throw UsageError("check takes one mission folder");
+    throw UsageError("check takes one mission folder, .moos or .bhv file");
   }
-  const MissionProblems problems = CheckMission(given.positionals()[0]);
+  const std::string& path = given.positionals()[0];
+  if (!std::filesystem::exists(path)) {
+    throw UsageError(fmt::format("{}: there is no such file or folder", OneLine(path)));
+  }
+  const MissionProblems found = CheckPath(path);
   if (given.Has("json")) {
-    const nlohmann::ordered_json out{{"syntax", JsonOf(problems.syntax)},
-                                     {"geometry", JsonOf(problems.geometry)}};
-    fmt::print("{}\n", out.dump(1));
+    const nlohmann::ordered_json out{{"syntax", JsonOf(found.syntax)},
+                                     {"geometry", JsonOf(found.geometry)},
+                                     {"notes", JsonOf(found.notes)}};
+    fmt::print("{}\n", out.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   } else {
-    for (const auto* list : {&problems.syntax, &problems.geometry}) {
-      for (const ConfigProblem& problem : *list) {
-        fmt::print("{}\n", problem.Format());
-      }
-    }
-    const std::size_t count = problems.syntax.size() + problems.geometry.size();
-    fmt::print("{}\n", count == 0 ? "no problems"
-                                  : fmt::format("{} problem{}", count, count == 1 ? "" : "s"));
+    PrintLines(found);
   }
-  if (!problems.syntax.empty()) {
+  if (!found.syntax.empty()) {
     return kUsage;
   }
-  return problems.geometry.empty() ? kOk : kRefused;
+  return found.geometry.empty() ? kOk : kRefused;
 }
 
 }  // namespace limpet

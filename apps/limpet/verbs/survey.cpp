@@ -134,8 +134,7 @@ class SurveyRun {
     settings_.mission = command_.mission_name;
     settings_.seed = command_.seed;
     settings_.command = command_.command_line;
-    Refuse(
-        CheckGeometry(mission_, scenario_, (command_.mission_folder / "scenario.yaml").string()));
+    Refuse(CheckGeometry(mission_, command_.mission_folder));
   }
 
   int Run() {

@@ -6,6 +6,12 @@
 #include "limpet/core/number_text.hpp"
 
 namespace limpet {
+namespace {
+
+constexpr double kSlowestTick_hz = 0.01;  // slower, an app is as good as dead: it answers nobody
+constexpr double kFastestTick_hz = 1000.0;
+
+}  // namespace
 
 double AppTickRate(const ConfigBlock& block, double default_hz) {
   const ConfigEntry* entry = block.Find("AppTick");
@@ -13,10 +19,10 @@ double AppTickRate(const ConfigBlock& block, double default_hz) {
     return default_hz;
   }
   const std::optional<double> hz = ParseNumber(entry->value);
-  if (!hz || *hz <= 0.0 || *hz > 1000.0) {
-    throw ConfigError(
-        {entry->where, entry->key,
-         fmt::format("`{}` is not allowed; allowed: above 0 to 1000 hz", entry->value)});
+  if (!hz || *hz < kSlowestTick_hz || *hz > kFastestTick_hz) {
+    throw ConfigError({entry->where, entry->key,
+                       fmt::format("`{}` is not allowed; allowed: {:g} to {:g} Hz", entry->value,
+                                   kSlowestTick_hz, kFastestTick_hz)});
   }
   return *hz;
 }

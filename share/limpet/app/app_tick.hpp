@@ -6,7 +6,7 @@
 namespace limpet {
 
 /// Ticks per second of MOOS time: AppTick of the app's block, or its default [Hz].
-/// Throws ConfigError naming the line if it is not above 0 to 1000.
+/// Throws ConfigError naming the line if it is not 0.01 to 1000.
 [[nodiscard]] double AppTickRate(const ConfigBlock& block, double default_hz);
 
 }  // namespace limpet

@@ -3,7 +3,9 @@
 // LIMPET_REGISTER_APP(NavApp, "pNav", 10.0)
 #pragma once
 
+#include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <string>
@@ -34,6 +36,9 @@ struct AppEntry {
 /// Keys that MOOS gives every app; the runner reads them, apps do not.
 [[nodiscard]] const std::vector<std::string>& CommonAppKeys();
 
+/// Problems of the keys that MOOS gives every app: AppTick, the reports' limits.
+[[nodiscard]] std::vector<ConfigProblem> CheckCommonAppKeys(const ConfigBlock& block);
+
 template <class A>
 [[nodiscard]] AppEntry MakeAppEntry(double default_tick_hz) {
   return {
@@ -49,7 +54,10 @@ template <class A>
       .check =
           [](const ConfigBlock& block) {
             typename A::Params params;
-            return ApplyBlock(block, DescribeParams(params), CommonAppKeys());
+            std::vector<ConfigProblem> problems = CheckCommonAppKeys(block);
+            std::ranges::move(ApplyBlock(block, DescribeParams(params), CommonAppKeys()),
+                              std::back_inserter(problems));
+            return problems;
           },
       .replays_mail = requires {A::kReplaysMail;
 }

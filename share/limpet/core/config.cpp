@@ -3,31 +3,18 @@
 
 #include <algorithm>
 #include <cctype>
-#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "limpet/core/harmless_text.hpp"
+#include "limpet/core/word_distance.hpp"
 
 namespace limpet {
 namespace {
 
 char Lower(char letter) {
   return static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-}
-
-std::size_t EditDistance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substituted = diagonal + (Lower(a[i - 1]) == Lower(b[j - 1]) ? 0U : 1U);
-      diagonal = std::exchange(row[j], std::min({substituted, row[j] + 1, row[j - 1] + 1}));
-    }
-  }
-  return row.back();
 }
 
 std::string Join(const std::vector<ConfigProblem>& problems) {
@@ -61,7 +48,7 @@ std::string NearestWord(std::string_view word, const std::vector<std::string>& c
   std::size_t best_distance = word.size() / 2 + 1;  // farther than half the word is another word
   std::string best;
   for (const std::string& candidate : candidates) {
-    const std::size_t distance = EditDistance(word, candidate);
+    const std::size_t distance = WordDistance(word, candidate);
     if (distance < best_distance) {
       best_distance = distance;
       best = candidate;

@@ -33,11 +33,8 @@ struct BehaviorHost::Hosted {
   }
 };
 
-namespace {
-
-/// `name.key=value` becomes an entry of the behavior called name. A name that no behavior has is a
-/// problem.
-void ApplySettings(std::vector<BehaviorFile>& files, const std::vector<std::string>& settings) {
+void ApplyBehaviorSettings(std::vector<BehaviorFile>& files,
+                           const std::vector<std::string>& settings) {
   for (const std::string& setting : settings) {
     const std::size_t dot = setting.find('.');
     const std::size_t equals = setting.find('=');
@@ -65,6 +62,8 @@ void ApplySettings(std::vector<BehaviorFile>& files, const std::vector<std::stri
   }
 }
 
+namespace {
+
 void AddFlag(const ConfigEntry& entry, std::vector<Flag>& flags,
              std::vector<ConfigProblem>& problems) {
   Expected<Flag> flag = Flag::Parse(entry.value);
@@ -80,7 +79,7 @@ void AddFlag(const ConfigEntry& entry, std::vector<Flag>& flags,
 BehaviorHost::BehaviorHost(const std::vector<BehaviorFile>& given,
                            const std::vector<std::string>& settings) {
   std::vector<BehaviorFile> files = given;
-  ApplySettings(files, settings);
+  ApplyBehaviorSettings(files, settings);
   std::vector<ConfigProblem> problems;
   std::vector<ModeDeclaration> modes;
   for (BehaviorFile& file : files) {

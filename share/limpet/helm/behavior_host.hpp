@@ -32,6 +32,11 @@ struct BehaviorStatus {
   bool operator==(const BehaviorStatus&) const = default;
 };
 
+/// `name.key=value` becomes an entry of the behavior called name. Throws ConfigError if no behavior
+/// has that name.
+void ApplyBehaviorSettings(std::vector<BehaviorFile>& files,
+                           const std::vector<std::string>& settings);
+
 /// Builds the behaviors of .bhv files and keeps their run states: modes, conditions, flags and
 /// updates, as MOOS-IvP defines them.
 class BehaviorHost {

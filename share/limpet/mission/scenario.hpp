@@ -62,8 +62,10 @@ struct Scenario {
 /// Throws ConfigError with every problem, each with file and line.
 [[nodiscard]] Scenario LoadScenario(const std::filesystem::path& file);
 
-/// The same from text; `file` names it in problems.
-[[nodiscard]] Scenario ParseScenario(const std::string& text, const std::string& file);
+/// The same from text; `file` names it in problems. Whether objects are in the water is left open
+/// without `checks_places`.
+[[nodiscard]] Scenario ParseScenario(const std::string& text, const std::string& file,
+                                     bool checks_places = true);
 
 /// NED depth of the true seabed at (north, east) [m]: slope plus a smooth random relief of standard
 /// deviation roughness_m.

@@ -35,9 +35,12 @@ class SurveyGrid {
   /// Objects' centres float no lower than their radius [m]; the band of Coverage starts here.
   static constexpr double kObjectRadius = 0.5;
 
+  /// Cell of planners' mirrors [m]: they take the changes of grids with no other.
+  static constexpr double kCell_m = 0.25;
+
   /// A grid over `area`; cells at the north and east edge may reach beyond it by less than a cell.
   /// REQUIRES: a non-empty area, cell_m > 0.
-  explicit SurveyGrid(const SurveyArea& area, double cell_m = 0.25);
+  explicit SurveyGrid(const SurveyArea& area, double cell_m = kCell_m);
   /// The mirror of a grid that is known by its deltas.
   SurveyGrid(const GridFrame& frame, double object_height_max);
 

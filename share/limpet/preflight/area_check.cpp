@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// The area: its extent, room to turn, what lies in it, and the grids that hold it.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "limpet/mission/seabed.hpp"
+#include "limpet/preflight/checks.hpp"
+#include "limpet/survey/survey_grid.hpp"
+#include "limpet/vehicle/dvl_reach.hpp"
+
+namespace limpet::internal {
+namespace {
+
+/// Of cells that pMap and pHelm can hold: with all their copies some 100 bytes each.
+constexpr double kMostCells = 4e6;
+
+bool CheckExtent(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found) {
+  const auto is_empty = [&](const Setting& low, const Setting& high) {
+    if (low.number() < high.number()) return false;
+    found.geometry.push_back(
+        high.Refuse(fmt::format("`{}` leaves no area; allowed: above {}", high.text, low.Named())));
+    return true;
+  };
+  if (is_empty(survey.north_min, survey.north_max) || is_empty(survey.east_min, survey.east_max)) {
+    return false;
+  }
+  const auto cell = reading.Find("pMap", "cell_m");
+  const double cell_m = cell ? cell->number() : SurveyGrid::kCell_m;
+  const double cells = survey.north_extent() * survey.east_extent() / (cell_m * cell_m);
+  if (cells > kMostCells) {
+    found.geometry.push_back(survey.north_max.Refuse(
+        fmt::format("an area of {:.0f} x {:.0f} m has {:.3g} cells of {:g} m; allowed: {:g} cells, "
+                    "e.g. {:.0f} x "
+                    "{:.0f} m",
+                    survey.north_extent(), survey.east_extent(), cells, cell_m, kMostCells,
+                    std::sqrt(kMostCells) * cell_m, std::sqrt(kMostCells) * cell_m)));
+    return false;
+  }
+  return true;
+}
+
+void CheckTurns(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found) {
+  const Setting radius = reading.Find("pHelm", "turning_radius_m").value();
+  const Setting allowance = reading.Find("pHelm", "tracking_allowance_m").value();
+  const double rim = std::max(0.0, survey.area.margin - allowance.number());
+  const double narrow = std::min(survey.north_extent(), survey.east_extent()) + 2.0 * rim;
+  if (narrow < 2.0 * radius.number()) {
+    found.geometry.push_back(radius.Refuse(
+        fmt::format("area and margin leave {:.1f} m, a turn of {:g} m radius needs {:.1f} m; "
+                    "allowed: up to {:.2f} m",
+                    narrow, radius.number(), 2.0 * radius.number(), 0.5 * narrow)));
+  }
+  const auto rate = reading.Find("pPilot", "max_turn_rate_degps");
+  if (rate && survey.speed.number() > 0.0) {
+    const double fastest = RadiansFromDegrees(rate->number()) * radius.number();
+    if (survey.speed.number() > fastest) {
+      found.geometry.push_back(survey.speed.Refuse(
+          fmt::format("`{}` is too fast for turns of {} at {}; allowed: up to {:.2f} m/s",
+                      survey.speed.text, radius.Named(), rate->Named(), fastest)));
+    }
+  }
+  if (survey.area.margin < allowance.number()) {
+    found.notes.push_back(allowance.Refuse(
+        fmt::format("is more than the margin, {}: the pilot's error may lead out of the region",
+                    reading.Find("pSurvey", "margin_m")->Named())));
+  }
+}
+
+void CheckCells(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found) {
+  const auto cell = reading.Find("pMap", "cell_m");
+  const auto voxel = reading.Find("pMap", "voxel_m");
+  const auto radius = reading.Find("pMap", "object_radius_m");
+  if (!cell || !voxel || !radius) return;
+  if (cell->number() != SurveyGrid::kCell_m) {
+    found.geometry.push_back(
+        cell->Refuse(fmt::format("pHelm mirrors the map with cells of {:g} m and would see nothing "
+                                 "of it; allowed: {:g} m",
+                                 SurveyGrid::kCell_m, SurveyGrid::kCell_m)));
+  }
+  const Footprint footprint = survey.footprint();
+  constexpr int kTop = Footprint::kLayers - 1;
+  const double image = 2.0 * std::min(footprint.half_across(kTop), footprint.half_along(kTop));
+  if (cell->number() > 0.5 * image) {
+    found.geometry.push_back(cell->Refuse(fmt::format(
+        "a cell of {:g} m is too large for an image of {:.2f} m at the top of the band; "
+        "allowed: up to {:.2f} m",
+        cell->number(), image, 0.5 * image)));
+  }
+  if (voxel->number() > 2.0 * radius->number()) {
+    found.geometry.push_back(voxel->Refuse(
+        fmt::format("a voxel of {:g} m is larger than an object of {}; allowed: up to {:g} m",
+                    voxel->number(), radius->Named(), 2.0 * radius->number())));
+  }
+}
+
+/// Where one object is in one session, against what the mission surveys.
+void CheckPlace(const MissionReading& reading, const SurveyFacts& survey, const Seabed& seabed,
+                const ScenarioOpi& opi, const std::string& session, const Eigen::Vector3d& place,
+                MissionProblems& found) {
+  const SourceLine where = reading.InScenario(opi.name);
+  const auto refuse = [&](const std::string& text) {
+    found.geometry.push_back({where, opi.name, session + " " + text});
+  };
+  const SurveyArea& area = survey.area;
+  if (survey.Outside(place.x(), place.y()) > 0.0) {
+    refuse(fmt::format("[{:g}, {:g}] is outside the area: north {:g} to {:g}, east {:g} to {:g}",
+                       place.x(), place.y(), area.north_min, area.north_max, area.east_min,
+                       area.east_max));
+    return;
+  }
+  const double down = seabed.Depth(place.x(), place.y());
+  const double height = down - place.z();
+  if (height < -opi.radius_m || place.z() < opi.radius_m) {
+    refuse(fmt::format("depth {:g} is not between the surface and the seabed at {:.2f} m",
+                       place.z(), down));
+  } else if (height + opi.radius_m >= survey.altitude.number()) {
+    refuse(fmt::format("reaches {:.2f} m above the seabed, where the vehicle flies: {}",
+                       height + opi.radius_m, survey.altitude.Named()));
+  } else if (height > survey.band.number() + opi.radius_m) {
+    refuse(fmt::format("floats {:.2f} m above the seabed, where nobody looks: {}", height,
+                       survey.band.Named()));
+  }
+}
+
+}  // namespace
+
+bool CheckArea(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found) {
+  if (!CheckExtent(reading, survey, found)) return false;
+  CheckTurns(reading, survey, found);
+  CheckCells(reading, survey, found);
+  const DvlReach dvl;
+  const auto radius = reading.Find("pMap", "object_radius_m");
+  const double top = survey.band.number() + (radius ? radius->number() : 0.0);
+  if (top > dvl.tallest_object_m) {
+    found.notes.push_back(survey.band.Refuse(
+        fmt::format("objects may reach {:g} m above the seabed; what DVL beams meet higher than "
+                    "{:g} m is not mapped",
+                    top, dvl.tallest_object_m)));
+  }
+  return true;
+}
+
+void CheckObjects(const MissionReading& reading, const SurveyFacts& survey,
+                  MissionProblems& found) {
+  if (!reading.scenario()) return;
+  const Seabed seabed(reading.scenario()->seabed);
+  for (const ScenarioOpi& opi : reading.scenario()->opis) {
+    for (const auto& [session, place] : opi.places) {
+      if (place) CheckPlace(reading, survey, seabed, opi, session, *place, found);
+    }
+  }
+}
+
+}  // namespace limpet::internal

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// The blocks of Limpet's apps and behaviors, each for itself.
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "limpet/helm/behavior_host.hpp"
+#include "limpet/helm/motion_domain.hpp"
+#include "limpet/preflight/checks.hpp"
+
+namespace limpet::internal {
+namespace {
+
+void Append(const std::vector<ConfigProblem>& more, std::vector<ConfigProblem>& problems) {
+  problems.insert(problems.end(), more.begin(), more.end());
+}
+
+void CheckDomain(const MissionReading& reading, const LaunchedApp& helm, MissionProblems& found) {
+  std::vector<ConfigEntry> lines;
+  for (const Setting& line : reading.FindAll("pHelm", "domain")) {
+    if (!line.is_default) lines.push_back({line.key, line.text, line.where});
+  }
+  MotionDomain domain;
+  if (!lines.empty()) Append(ReadMotionDomain(lines, helm.block.where, domain), found.syntax);
+}
+
+/// Of lines that set one parameter twice, the last counts.
+void NoteRepeats(const LaunchedApp& app, MissionProblems& found) {
+  for (const ParamSpec& spec : app.entry->describe()) {
+    if (spec.is_repeatable) continue;
+    const ConfigEntry* former = nullptr;
+    for (const ConfigEntry& entry : app.block.entries) {
+      if (!EqualsIgnoringCase(entry.key, spec.name)) continue;
+      if (former != nullptr) {
+        found.notes.push_back({entry.where, entry.key,
+                               fmt::format("`{}` counts, not `{}` of {}:{}", entry.value,
+                                           former->value, former->where.file, former->where.line)});
+      }
+      former = &entry;
+    }
+  }
+}
+
+}  // namespace
+
+void CheckBlocks(const MissionReading& reading, MissionProblems& found) {
+  for (const LaunchedApp& app : reading.apps()) {
+    Append(app.entry->check(app.block), found.syntax);
+    NoteRepeats(app, found);
+    if (app.process == "pHelm") CheckDomain(reading, app, found);
+  }
+  for (const auto& [name, entry] : AppRegistry()) {
+    const ConfigBlock* block = reading.mission().Block(name);
+    if (block != nullptr && !reading.Launches(name)) Append(entry.check(*block), found.syntax);
+  }
+}
+
+void CheckBehaviors(const MissionReading& reading, MissionProblems& found) {
+  Append(reading.problems(), found.syntax);
+  Append(reading.warnings(), found.notes);
+  if (!reading.problems().empty()) return;
+  for (const BehaviorFile& file : reading.behavior_files()) {
+    if (file.behaviors.empty() && reading.behavior_files().size() == 1) {
+      found.syntax.push_back(
+          {{.file = file.file, .line = 0}, "", "has no behavior: the vehicle would do nothing"});
+    }
+  }
+  try {
+    const BehaviorHost host(reading.behavior_files(), {});
+  } catch (const ConfigError& error) {
+    Append(error.problems(), found.syntax);
+  }
+}
+
+}  // namespace limpet::internal

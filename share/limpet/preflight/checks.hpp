@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The parts of a preflight, for this library only. Each adds what it finds.
+#pragma once
+
+#include "limpet/preflight/mission_reading.hpp"
+#include "limpet/preflight/preflight.hpp"
+#include "limpet/preflight/survey_facts.hpp"
+
+namespace limpet::internal {
+
+// Syntax.
+void CheckBlockNames(const MissionReading& reading, MissionProblems& found);
+void CheckGlobals(const MissionReading& reading, MissionProblems& found);
+void CheckLaunches(const MissionReading& reading, MissionProblems& found);
+void CheckBlocks(const MissionReading& reading, MissionProblems& found);
+void CheckBehaviors(const MissionReading& reading, MissionProblems& found);
+/// Parameters that are one fact and are said in several places.
+void CheckAgreement(const MissionReading& reading, MissionProblems& found);
+/// Apps that others need to hear. Returns what the apps cannot be built with; where it is known
+/// more exactly, that is said instead.
+[[nodiscard]] std::vector<ConfigProblem> CheckRoles(const MissionReading& reading,
+                                                    MissionProblems& found);
+
+// Geometry, once the syntax is right.
+void CheckView(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found);
+void CheckDepths(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found);
+/// False if the area has no extent or is beyond all bounds: nothing else can then be said.
+[[nodiscard]] bool CheckArea(const MissionReading& reading, const SurveyFacts& survey,
+                             MissionProblems& found);
+void CheckObjects(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found);
+void CheckEndurance(const MissionReading& reading, const SurveyFacts& survey,
+                    MissionProblems& found);
+void CheckMotion(const MissionReading& reading, MissionProblems& found);
+
+/// The known word that a slip of the pen, at most two letters, would make of `word`; "" if there is
+/// none or the word is known.
+[[nodiscard]] std::string SlipOf(std::string_view word, const std::vector<std::string>& known);
+
+}  // namespace limpet::internal

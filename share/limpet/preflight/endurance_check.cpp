@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// Whether the vehicle gets there, around and back: way, time, range, current.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "limpet/preflight/checks.hpp"
+#include "limpet/vehicle/hydrodynamics.hpp"
+
+namespace limpet::internal {
+namespace {
+
+constexpr double kTight = 1.3;  // real runs take up to a third more than the estimate
+
+/// The way of a whole session [m].
+struct Ways {
+  double transit = 0.0;  ///< from the start to the area, and at least as much back
+  PathEstimate survey;
+  double farthest_home = 0.0;  ///< from the far corner of the area
+  [[nodiscard]] double there() const { return transit + survey.total(); }
+  [[nodiscard]] double round() const { return there() + transit; }
+};
+
+Ways WaysOf(const MissionReading& reading, const SurveyFacts& survey) {
+  Ways ways{.transit = 0.0,
+            .survey = EstimatePath(survey, reading.Find("pSurvey", "coverage_kind")->text,
+                                   reading.Find("pSurvey", "coverage_target")->number())};
+  if (reading.scenario()) {
+    const Scenario::Start& start = reading.scenario()->start;
+    const SurveyArea& area = survey.area;
+    ways.transit = survey.Outside(start.north_m, start.east_m);
+    ways.farthest_home = std::hypot(
+        std::max(std::abs(start.north_m - area.north_min),
+                 std::abs(start.north_m - area.north_max)),
+        std::max(std::abs(start.east_m - area.east_min), std::abs(start.east_m - area.east_max)));
+  }
+  return ways;
+}
+
+std::string TextOfWays(const Ways& ways) {
+  return fmt::format("{:.0f} m of lanes, {:.0f} m of turns{}", ways.survey.lanes_m,
+                     ways.survey.turns_m,
+                     ways.transit > 0.0 ? fmt::format(", {:.0f} m to the area", ways.transit) : "");
+}
+
+void CheckTime(const MissionReading& reading, const SurveyFacts& survey, const Ways& ways,
+               MissionProblems& found) {
+  const Setting most = reading.Find("pSurvey", "max_time_s").value();
+  const Setting align = reading.Find("pSurvey", "align_s").value();
+  const double needed = align.number() + ways.there() / survey.speed.number();
+  const auto text = [&](double time) {
+    return fmt::format("the survey takes about {:.0f} s ({}, at {}; {}), and {} ends it", time,
+                       TextOfWays(ways), survey.speed.Named(), align.Named(), most.Named());
+  };
+  if (needed > most.number()) {
+    found.geometry.push_back(
+        most.Refuse(text(needed) + fmt::format("; allowed: {:.0f} s or more", std::ceil(needed))));
+  } else if (kTight * needed > most.number()) {
+    found.notes.push_back(most.Refuse("is tight: " + text(needed)));
+  }
+}
+
+void CheckRange(const MissionReading& reading, const Ways& ways, MissionProblems& found) {
+  const std::vector<Setting> whens = reading.OfBehaviors("BHV_ReturnHome", "when");
+  const std::vector<Setting> ranges = reading.OfBehaviors("BHV_ReturnHome", "range_m");
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (whens[i].text != "late") continue;
+    const double needed = ways.round();
+    const std::string text =
+        fmt::format("{} allows less than the way of about {:.0f} m ({}, and home)",
+                    ranges[i].Named(), needed, TextOfWays(ways));
+    if (needed > ranges[i].number()) {
+      found.geometry.push_back(
+          ranges[i].Refuse(text + fmt::format("; allowed: {:.0f} m or more", std::ceil(needed))));
+    } else if (kTight * needed > ranges[i].number()) {
+      found.notes.push_back(ranges[i].Refuse("is tight: " + text));
+    }
+  }
+}
+
+/// pSurvey ends a mission where it is when the way home takes too long.
+void CheckWayHome(const MissionReading& reading, const SurveyFacts& survey, const Ways& ways,
+                  MissionProblems& found) {
+  const Setting give_up = reading.Find("pSurvey", "give_up_s").value();
+  const double duration = ways.farthest_home / survey.speed.number();
+  if (duration > give_up.number()) {
+    found.geometry.push_back(give_up.Refuse(fmt::format(
+        "the way home from the far corner, {:.0f} m, takes {:.0f} s at {}; allowed: at least that",
+        ways.farthest_home, duration, survey.speed.Named())));
+  }
+}
+
+/// Steady speed through the water at full thrust ahead [m/s].
+double TopSpeed(const VehicleParams& vehicle) {
+  const Hydrodynamics hydro = DeriveHydrodynamics(vehicle);
+  const double thrust = 4.0 * ThrusterLayout::kDiagonal * vehicle.thrusters.max_thrust_n;
+  double low = 0.0, high = 20.0;
+  for (int i = 0; i < 60; ++i) {
+    const double speed = 0.5 * (low + high);
+    (DragForce(hydro, kSurge, speed) < thrust ? low : high) = speed;
+  }
+  return low;
+}
+
+void CheckCurrent(const MissionReading& reading, const SurveyFacts& survey,
+                  MissionProblems& found) {
+  if (!reading.Launches("uSimVehicle")) return;  // another vehicle has another top speed
+  const double top = TopSpeed(VehicleParams{});
+  const double speed = survey.speed.number();
+  if (speed > top) {
+    found.geometry.push_back(survey.speed.Refuse(fmt::format(
+        "`{}` is faster than the vehicle; allowed: up to {:.2f} m/s", survey.speed.text, top)));
+  }
+  if (!reading.scenario()) return;
+  const Scenario::Water& water = reading.scenario()->water;
+  const double current = std::hypot(water.current_north_mps, water.current_east_mps);
+  const bool is_north = std::abs(water.current_north_mps) >= std::abs(water.current_east_mps);
+  const SourceLine where =
+      reading.InScenario(is_north ? "current_north_mps:" : "current_east_mps:");
+  if (current > 0.0 && (current >= speed || current + speed > top)) {
+    found.geometry.push_back(
+        {where, "water",
+         fmt::format(
+             "a current of {:.2f} m/s carries the vehicle away: {}, and it makes {:.2f} m/s "
+             "through the water at most; allowed: below {:.2f} m/s",
+             current, survey.speed.Named(), top, std::min(speed, std::max(0.0, top - speed)))});
+  } else if (current > 0.5 * speed) {
+    found.notes.push_back({where, "water",
+                           fmt::format("a current of {:.2f} m/s is more than half of {}", current,
+                                       survey.speed.Named())});
+  }
+}
+
+}  // namespace
+
+void CheckEndurance(const MissionReading& reading, const SurveyFacts& survey,
+                    MissionProblems& found) {
+  if (survey.speed.number() <= 0.0 || survey.north_extent() <= 0.0 || survey.east_extent() <= 0.0) {
+    return;
+  }
+  const Ways ways = WaysOf(reading, survey);
+  CheckTime(reading, survey, ways, found);
+  CheckRange(reading, ways, found);
+  CheckWayHome(reading, survey, ways, found);
+  CheckCurrent(reading, survey, found);
+  const double margin = reading.Find("pSurvey", "margin_m")->number();
+  if (ways.transit > margin) {
+    found.notes.push_back(
+        {reading.InScenario("start:"), "start",
+         fmt::format("is {:.0f} m outside the area; the way in and back is part of the session",
+                     ways.transit)});
+  }
+}
+
+}  // namespace limpet::internal

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// A mission as statements: each value with the line that gives it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "limpet/app/registry.hpp"
+#include "limpet/core/camera_geometry.hpp"
+#include "limpet/core/config.hpp"
+#include "limpet/mission/behavior_file.hpp"
+#include "limpet/mission/mission_file.hpp"
+#include "limpet/mission/scenario.hpp"
+
+namespace limpet {
+
+/// The value of one parameter, and who says it.
+struct Setting {
+  std::string owner;  ///< app, or name of the behavior
+  std::string key;
+  std::string text;
+  std::string unit;
+  SourceLine where;  ///< of the line; of the block if it is the default
+  bool is_default = false;
+
+  /// In the unit of the text; 0 if it is no number.
+  [[nodiscard]] double number() const;
+  /// `pSurvey altitude_m = 8 (mission.moos:93)`.
+  [[nodiscard]] std::string Named() const;
+  /// A problem of this line.
+  [[nodiscard]] ConfigProblem Refuse(std::string text) const;
+};
+
+/// One of Limpet's apps that the mission launches, with its block (empty if it has none).
+struct LaunchedApp {
+  std::string process;
+  const AppEntry* entry = nullptr;
+  ConfigBlock block;
+  SourceLine where;  ///< of its `Run` line
+};
+
+/// What a mission says, ready to be asked. Files that cannot be read are problems; what they would
+/// say is then missing.
+class MissionReading {
+ public:
+  MissionReading(const MissionFile& mission, std::filesystem::path folder);
+
+  [[nodiscard]] const MissionFile& mission() const { return mission_; }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  [[nodiscard]] const std::vector<LaunchedApp>& apps() const { return apps_; }
+  /// `Run` lines of programs that are not Limpet's, databases and consoles aside: they may write
+  /// anything.
+  [[nodiscard]] const std::vector<LaunchEntry>& strangers() const { return strangers_; }
+  [[nodiscard]] bool Launches(std::string_view process) const;
+
+  /// Parameter of an app that is launched; nothing if it is not, or has no such parameter.
+  [[nodiscard]] std::optional<Setting> Find(std::string_view process, std::string_view key) const;
+  /// Every line of a parameter that may repeat, or its default.
+  [[nodiscard]] std::vector<Setting> FindAll(std::string_view process, std::string_view key) const;
+  /// One parameter of each behavior of a type, in file order.
+  [[nodiscard]] std::vector<Setting> OfBehaviors(std::string_view type, std::string_view key) const;
+
+  [[nodiscard]] const std::vector<BehaviorFile>& behavior_files() const { return behavior_files_; }
+  [[nodiscard]] const std::optional<Scenario>& scenario() const { return scenario_; }
+  /// The first line of scenario.yaml that has `text`, or its file alone.
+  [[nodiscard]] SourceLine InScenario(std::string_view text) const;
+  /// Of behavior files, scenario.yaml and expect.yaml.
+  [[nodiscard]] const std::vector<ConfigProblem>& problems() const { return problems_; }
+  /// What these files say that is ignored.
+  [[nodiscard]] const std::vector<ConfigProblem>& warnings() const { return warnings_; }
+
+ private:
+  void SortLaunches();
+  void LoadBehaviorFiles();
+  void LoadTruth();
+
+  MissionFile mission_;
+  std::filesystem::path folder_;
+  std::vector<LaunchedApp> apps_;
+  std::vector<LaunchEntry> strangers_;
+  std::vector<BehaviorFile> behavior_files_;
+  std::optional<Scenario> scenario_;
+  std::string scenario_text_;
+  std::string scenario_file_;
+  std::vector<ConfigProblem> problems_, warnings_;
+};
+
+}  // namespace limpet

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// Names that nobody reads: of blocks, of globals, of programs.
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "limpet/core/number_text.hpp"
+#include "limpet/core/word_distance.hpp"
+#include "limpet/preflight/checks.hpp"
+
+namespace limpet::internal {
+namespace {
+
+std::vector<std::string> OwnApps() {
+  std::vector<std::string> names{"LimpetDB"};
+  std::ranges::transform(AppRegistry(), std::back_inserter(names),
+                         [](const auto& registered) { return registered.first; });
+  return names;
+}
+
+bool IsAmong(std::string_view word, const std::vector<std::string>& words) {
+  return std::ranges::any_of(words, [word](const auto& w) { return EqualsIgnoringCase(w, word); });
+}
+
+/// Stock programs whose names are near one of ours.
+const std::vector<std::string>& StockNames() {
+  static const std::vector<std::string> names{"uPokeDB", "pHelmIvP",   "pLogger",
+                                              "pAntler", "uSimMarine", "uTermCommand"};
+  return names;
+}
+
+/// One of our apps that is launched without a block of its own and whose name is near `name`.
+std::string OrphanNear(const MissionReading& reading, const std::string& name) {
+  std::vector<std::string> orphans;
+  for (const LaunchedApp& app : reading.apps()) {
+    if (reading.mission().Block(app.process) == nullptr) orphans.push_back(app.process);
+  }
+  return NearestWord(name, orphans);
+}
+
+/// Apps that turn metres into latitude and longitude, or keep the datum with what they save.
+constexpr std::array kNeedDatum{"pNav", "pSession", "pNodeReporter"};
+
+bool NeedsDatum(const MissionReading& reading) {
+  return std::ranges::any_of(kNeedDatum, [&](const char* app) { return reading.Launches(app); });
+}
+
+struct GlobalRule {
+  const char* name;
+  double least = 0.0, most = 0.0;  ///< equal: text
+};
+constexpr std::array kGlobals{GlobalRule{"ServerHost"},
+                              GlobalRule{"ServerPort", 1.0, 65535.0},
+                              GlobalRule{"Community"},
+                              GlobalRule{"MOOSTimeWarp", 1.0, 400.0},
+                              GlobalRule{"LatOrigin", -90.0, 90.0},
+                              GlobalRule{"LongOrigin", -180.0, 180.0},
+                              GlobalRule{"AltOrigin"},
+                              GlobalRule{"GlobalLogPath"},
+                              GlobalRule{"VehicleFile"}};
+
+void CheckGlobalValue(const ConfigEntry& global, const GlobalRule& rule, MissionProblems& found) {
+  if (rule.least == rule.most) return;
+  const std::optional<double> value = ParseNumber(global.value);
+  if (!value || !(*value >= rule.least && *value <= rule.most)) {
+    found.syntax.push_back({global.where, global.key,
+                            fmt::format("`{}` is not allowed; allowed: {:g} to {:g}", global.value,
+                                        rule.least, rule.most)});
+  }
+}
+
+void CheckMissingGlobals(const MissionReading& reading, MissionProblems& found) {
+  if (reading.apps().empty()) return;  // somebody else's mission: its apps know what they need
+  auto& list = reading.strangers().empty() ? found.syntax : found.notes;
+  const auto want = [&](const char* name, const char* reason) {
+    if (reading.mission().Global(name).empty()) {
+      list.push_back({{.file = reading.mission().file, .line = 0},
+                      name,
+                      fmt::format("this global is missing: {}", reason)});
+    }
+  };
+  want("Community", "logs, reports and other communities name the vehicle by it");
+  if (NeedsDatum(reading)) {
+    want("LatOrigin", "positions need a datum (degrees)");
+    want("LongOrigin", "positions need a datum (degrees)");
+  }
+}
+
+}  // namespace
+
+std::string SlipOf(std::string_view word, const std::vector<std::string>& known) {
+  if (IsAmong(word, known)) return "";
+  std::vector<std::string> near;  // of about its length, so that two letters are a slip
+  std::ranges::copy_if(known, std::back_inserter(near), [word](const std::string& other) {
+    return std::max(other.size(), word.size()) - std::min(other.size(), word.size()) <= 2;
+  });
+  const std::string nearest = NearestWord(word, near);
+  const bool is_slip = !nearest.empty() && WordDistance(word, nearest) <= 2 &&
+                       WordDistance(word, nearest) * 3 <= std::max(word.size(), nearest.size());
+  return is_slip ? nearest : "";
+}
+
+void CheckBlockNames(const MissionReading& reading, MissionProblems& found) {
+  const MissionFile& mission = reading.mission();
+  std::vector<std::string> launched{"ANTLER", "MOOSDB"};
+  for (const LaunchEntry& launch : mission.launches) {
+    launched.insert(launched.end(), {launch.binary, launch.moos_name});
+  }
+  for (const ConfigBlock& block : mission.blocks) {
+    if (IsAmong(block.name, launched)) continue;
+    if (IsAmong(block.name, OwnApps())) {
+      found.notes.push_back({block.where, block.name, "is not launched; its block has no effect"});
+      continue;
+    }
+    const std::string orphan = OrphanNear(reading, block.name);
+    const bool is_stock = IsAmong(block.name, StockNames());
+    const std::string meant = !orphan.empty() ? orphan
+                              : is_stock      ? ""
+                                              : SlipOf(block.name, OwnApps());
+    if (!meant.empty()) {
+      found.syntax.push_back({block.where, "ProcessConfig",
+                              fmt::format("`{}` is the name of no process that is launched; did "
+                                          "you mean `{}`?",
+                                          block.name, meant)});
+    } else {
+      found.notes.push_back(
+          {block.where, block.name, "is no app of Limpet's and is not launched here: not checked"});
+    }
+  }
+}
+
+void CheckGlobals(const MissionReading& reading, MissionProblems& found) {
+  std::vector<std::string> known;
+  std::ranges::transform(kGlobals, std::back_inserter(known), &GlobalRule::name);
+  for (const ConfigEntry& global : reading.mission().globals) {
+    const auto rule = std::ranges::find_if(kGlobals, [&global](const GlobalRule& r) {
+      return EqualsIgnoringCase(r.name, global.key);
+    });
+    if (rule != kGlobals.end()) {
+      CheckGlobalValue(global, *rule, found);
+    } else if (const std::string meant = SlipOf(global.key, known);
+               !meant.empty() && reading.mission().Global(meant).empty()) {
+      found.syntax.push_back({global.where, global.key,
+                              fmt::format("nothing reads this global; did you mean `{}`?", meant)});
+    }
+  }
+  CheckMissingGlobals(reading, found);
+}
+
+void CheckLaunches(const MissionReading& reading, MissionProblems& found) {
+  const MissionFile& mission = reading.mission();
+  const SourceLine where{.file = mission.file, .line = 0};
+  if (mission.blocks.empty()) {
+    found.syntax.push_back({where, "", "has no ProcessConfig block: nothing can be launched"});
+    return;
+  }
+  if (mission.launches.empty()) {
+    const ConfigBlock* antler = mission.Block("ANTLER");
+    found.syntax.push_back({antler != nullptr ? antler->where : where, "ANTLER",
+                            antler != nullptr ? "has no `Run = ...` line: nothing can be launched"
+                                              : "is missing: nothing can be launched"});
+  }
+  std::vector<std::string> names;
+  for (const LaunchEntry& launch : mission.launches) {
+    if (std::ranges::find(names, launch.moos_name) != names.end()) {
+      found.syntax.push_back(
+          {launch.where, "Run", fmt::format("`{}` is launched twice", launch.moos_name)});
+    }
+    names.push_back(launch.moos_name);
+  }
+  for (const LaunchEntry& stranger : reading.strangers()) {
+    const std::string meant =
+        IsAmong(stranger.binary, StockNames()) ? "" : SlipOf(stranger.binary, OwnApps());
+    if (!meant.empty()) {
+      found.syntax.push_back(
+          {stranger.where, "Run",
+           fmt::format("no app `{}`; nearest known: `{}`", stranger.binary, meant)});
+    } else {
+      found.notes.push_back(
+          {stranger.where, stranger.binary, "is no app of Limpet's: its block is not checked"});
+    }
+  }
+}
+
+}  // namespace limpet::internal

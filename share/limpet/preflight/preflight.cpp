@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/preflight/preflight.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "limpet/helm/behavior_host.hpp"
+#include "limpet/helm/registry.hpp"
+#include "limpet/preflight/checks.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+
+void Join(const std::vector<ConfigProblem>& more, std::vector<ConfigProblem>& problems) {
+  problems.insert(problems.end(), more.begin(), more.end());
+}
+
+/// By file and line, each once.
+void Sort(std::vector<ConfigProblem>& problems) {
+  const auto key = [](const ConfigProblem& p) {
+    return std::tie(p.where.file, p.where.line, p.key, p.text);
+  };
+  std::ranges::sort(problems, {}, key);
+  const auto repeats = std::ranges::unique(problems, {}, key);
+  problems.erase(repeats.begin(), repeats.end());
+}
+
+MissionProblems Sorted(MissionProblems found) {
+  Sort(found.syntax);
+  Sort(found.geometry);
+  Sort(found.notes);
+  return found;
+}
+
+void CheckSyntax(const MissionReading& reading, MissionProblems& found) {
+  Join(reading.mission().warnings, found.notes);
+  internal::CheckLaunches(reading, found);
+  internal::CheckBlockNames(reading, found);
+  internal::CheckGlobals(reading, found);
+  internal::CheckBlocks(reading, found);
+  internal::CheckBehaviors(reading, found);
+}
+
+void CheckGeometryOf(const MissionReading& reading, MissionProblems& found) {
+  internal::CheckAgreement(reading, found);
+  internal::CheckMotion(reading, found);
+  if (const std::optional<SurveyFacts> survey = ReadSurveyFacts(reading)) {
+    if (!internal::CheckArea(reading, *survey, found)) return;
+    internal::CheckView(reading, *survey, found);
+    internal::CheckDepths(reading, *survey, found);
+    internal::CheckObjects(reading, *survey, found);
+    internal::CheckEndurance(reading, *survey, found);
+  }
+}
+
+/// Sorts the behaviors of a file into ours, which stay, and others', which are noted.
+void SetStrangersAside(BehaviorFile& file, MissionProblems& found) {
+  std::vector<std::string> known;
+  std::ranges::transform(BehaviorRegistry(), std::back_inserter(known),
+                         [](const auto& registered) { return registered.first; });
+  std::erase_if(file.behaviors, [&](const ConfigBlock& block) {
+    if (BehaviorRegistry().contains(block.name)) return false;
+    const std::string meant = internal::SlipOf(block.name, known);
+    if (meant.empty()) {
+      found.notes.push_back({block.where, block.name, "is no behavior of Limpet's: not checked"});
+    } else {
+      found.syntax.push_back(
+          {block.where, "Behavior",
+           fmt::format("no behavior `{}`; did you mean `{}`?", block.name, meant)});
+    }
+    return true;
+  });
+}
+
+}  // namespace
+
+MissionProblems CheckLoadedMission(const MissionFile& mission, const fs::path& folder) {
+  MissionProblems found;
+  const MissionReading reading(mission, folder);
+  CheckSyntax(reading, found);
+  if (found.syntax.empty()) {  // apps are built from blocks that are right
+    const std::vector<ConfigProblem> unbuildable = internal::CheckRoles(reading, found);
+    CheckGeometryOf(reading, found);
+    if (found.geometry.empty()) Join(unbuildable, found.syntax);
+  }
+  return Sorted(std::move(found));
+}
+
+MissionProblems CheckMissionFile(const fs::path& file) {
+  try {
+    return CheckLoadedMission(LoadMission(file), file.parent_path());
+  } catch (const ConfigError& error) {
+    return Sorted({.syntax = error.problems(), .geometry = {}, .notes = {}});
+  }
+}
+
+MissionProblems CheckBehaviorFile(const fs::path& file) {
+  MissionProblems found;
+  try {
+    BehaviorFile behaviors = LoadBehaviors(file);
+    Join(behaviors.warnings, found.notes);
+    if (behaviors.behaviors.empty() && behaviors.modes.empty() && behaviors.initializes.empty()) {
+      found.syntax.push_back({{.file = file.string(), .line = 0}, "", "has no behavior"});
+    }
+    SetStrangersAside(behaviors, found);
+    const BehaviorHost host({behaviors}, {});
+  } catch (const ConfigError& error) {
+    Join(error.problems(), found.syntax);
+  }
+  return Sorted(std::move(found));
+}
+
+MissionProblems CheckPath(const fs::path& path) {
+  if (path.extension() == ".bhv") return CheckBehaviorFile(path);
+  if (!fs::is_directory(path)) return CheckMissionFile(path);
+  if (fs::exists(path / "mission.moos")) return CheckMissionFile(path / "mission.moos");
+  MissionProblems found;
+  bool has_mission = false;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path)) {
+    const bool is_fragment = entry.path().filename().string().starts_with("plug_");
+    if (entry.path().extension() != ".moos" || is_fragment) continue;
+    has_mission = true;
+    const MissionProblems more = CheckMissionFile(entry.path());
+    Join(more.syntax, found.syntax);
+    Join(more.geometry, found.geometry);
+    Join(more.notes, found.notes);
+  }
+  if (!has_mission) {
+    found.syntax.push_back({{.file = path.string(), .line = 0}, "", "has no .moos file"});
+  }
+  return Sorted(std::move(found));
+}
+
+}  // namespace limpet

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "limpet/core/camera_geometry.hpp"
+#include "limpet/planning/ground.hpp"
+#include "limpet/preflight/mission_reading.hpp"
+#include "limpet/topics/mission.hpp"
+
+namespace limpet {
+
+/// What a survey is made of, from the blocks of pSurvey and pHelm and the behaviors. Metres, m/s.
+struct SurveyFacts {
+  SurveyArea area;
+  Setting north_min, north_max, east_min, east_max;
+  Setting altitude, band;
+  CameraGeometry camera;
+  Setting speed;  ///< of the first BHV_FollowPath; 0 if there is none
+  double turning_radius = 0.0;
+
+  [[nodiscard]] double north_extent() const { return area.north_max - area.north_min; }
+  [[nodiscard]] double east_extent() const { return area.east_max - area.east_min; }
+  [[nodiscard]] Footprint footprint() const { return {altitude.number(), band.number(), camera}; }
+  /// How far a point is outside the area [m]; 0 inside.
+  [[nodiscard]] double Outside(double north, double east) const;
+};
+
+/// Nothing if the mission does not launch both pSurvey and pHelm.
+[[nodiscard]] std::optional<SurveyFacts> ReadSurveyFacts(const MissionReading& reading);
+
+/// Path that a survey needs at least [m]: lanes as wide as the image at the height that the target
+/// counts, and the turns between them. Real runs need as much or more (docs/quality.md).
+struct PathEstimate {
+  double lanes_m = 0.0;
+  double turns_m = 0.0;
+  [[nodiscard]] double total() const { return lanes_m + turns_m; }
+};
+[[nodiscard]] PathEstimate EstimatePath(const SurveyFacts& survey, const std::string& coverage_kind,
+                                        double coverage_target);
+
+}  // namespace limpet

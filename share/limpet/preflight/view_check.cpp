@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// Whether the camera sees, from the survey altitude, what the survey is to find.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limpet/preflight/checks.hpp"
+#include "limpet/vision/box_model.hpp"
+
+namespace limpet::internal {
+namespace {
+
+void CheckHighestView(const MissionReading& reading, const SurveyFacts& survey,
+                      MissionProblems& found) {
+  const auto highest = reading.Find("pMap", "highest_view_m");
+  if (!highest) return;
+  const double altitude = survey.altitude.number();
+  const auto tolerance = reading.Find("pSurvey", "altitude_tolerance_m");
+  if (altitude > highest->number()) {
+    found.geometry.push_back(survey.altitude.Refuse(
+        fmt::format("from {:g} m nothing is seen: pMap uses no frame from higher than {}; allowed: "
+                    "up to {:g} m, or a higher highest_view_m",
+                    altitude, highest->Named(), highest->number())));
+  } else if (altitude + tolerance->number() > highest->number()) {
+    found.notes.push_back(survey.altitude.Refuse(
+        fmt::format("is within altitude_tolerance_m of {}: frames from above it show nothing",
+                    highest->Named())));
+  }
+}
+
+/// True if the image is wider than nothing where objects float highest.
+bool SeesTheBand(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found) {
+  const double altitude = survey.altitude.number(), band = survey.band.number();
+  const auto radius = reading.Find("pMap", "object_radius_m");
+  const double top = band > 0.0 && radius ? band + radius->number() : band;
+  if (top >= altitude) {
+    found.geometry.push_back(survey.band.Refuse(
+        fmt::format("objects may reach {:g} m above the seabed, and the vehicle flies at {}; "
+                    "allowed: below {:g} m",
+                    top, survey.altitude.Named(), altitude - (top - band))));
+    return false;
+  }
+  const Footprint footprint = survey.footprint();
+  constexpr int kTop = Footprint::kLayers - 1;
+  if (footprint.half_across(kTop) <= 0.0 || footprint.half_along(kTop) <= 0.0) {
+    found.geometry.push_back(survey.band.Refuse(fmt::format(
+        "{:g} m below the camera the image is too small to hold an object; allowed: lower objects, "
+        "a higher altitude_m or a wider camera",
+        altitude - band)));
+    return false;
+  }
+  return true;
+}
+
+void CheckPixels(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found) {
+  const auto radius = reading.Find("pMap", "object_radius_m");
+  if (!radius) return;
+  const double least_px = BoxModelConstants{}.least_radius_px;
+  const double focal_px = std::min(survey.camera.fx(), survey.camera.fy());
+  const double radius_px = focal_px * radius->number() / survey.altitude.number();
+  if (radius_px < least_px) {
+    found.geometry.push_back(survey.altitude.Refuse(fmt::format(
+        "from {:g} m an object of {} is {:.1f} px in the image, and the detector finds none "
+        "below {:g} px; allowed: up to {:.2f} m with this camera",
+        survey.altitude.number(), radius->Named(), radius_px, least_px,
+        focal_px * radius->number() / least_px)));
+  }
+}
+
+/// An object at the top of the band must be in enough frames of one pass.
+void CheckFrames(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found) {
+  const auto rate = reading.Find("uSimCamera", "rate_hz");
+  const auto looks = reading.Find("pNav", "looks_to_confirm");
+  if (!rate || !looks || survey.speed.number() <= 0.0) return;
+  const double length = 2.0 * survey.footprint().half_along(Footprint::kLayers - 1);
+  const double frames = length * rate->number() / survey.speed.number();
+  if (frames < looks->number()) {
+    found.geometry.push_back(survey.speed.Refuse(fmt::format(
+        "an object at the top of the band is in {:.1f} frames of a pass ({:.2f} m of image at {}), "
+        "and {} are needed; allowed: up to {:.2f} m/s",
+        frames, length, rate->Named(), looks->Named(), length * rate->number() / looks->number())));
+  }
+}
+
+/// How likely the detector finds an object at a range in water of this visibility.
+double DetectionChance(double range, double visibility) {
+  const BoxModelConstants model;
+  return model.peak / (1.0 + std::exp((range / visibility - model.faint_at) / model.faint_width));
+}
+
+void CheckVisibility(const MissionReading& reading, const SurveyFacts& survey,
+                     MissionProblems& found) {
+  if (!reading.scenario() || !reading.Launches("uSimCamera")) return;
+  constexpr double kHopeless = 0.5, kPoor = 0.9;
+  const double visibility = reading.scenario()->water.visibility_m;
+  const double altitude = survey.altitude.number();
+  const double chance = DetectionChance(altitude, visibility);
+  const double reach = BoxModelConstants{}.faint_at * visibility;
+  if (chance < kHopeless) {
+    found.geometry.push_back(survey.altitude.Refuse(
+        fmt::format("from {:g} m the seabed is not seen in water of visibility_m {:g} ({}:{}); "
+                    "allowed: up to {:.2f} m",
+                    altitude, visibility, reading.InScenario("visibility_m:").file,
+                    reading.InScenario("visibility_m:").line, reach)));
+  } else if (chance < kPoor) {
+    found.notes.push_back(survey.altitude.Refuse(
+        fmt::format("from {:g} m an object on the seabed is found in {:.0f} % of the frames only, "
+                    "in water of visibility_m {:g}",
+                    altitude, 100.0 * chance, visibility)));
+  }
+}
+
+}  // namespace
+
+void CheckView(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found) {
+  CheckHighestView(reading, survey, found);
+  if (SeesTheBand(reading, survey, found)) {
+    CheckFrames(reading, survey, found);
+  }
+  CheckPixels(reading, survey, found);
+  CheckVisibility(reading, survey, found);
+}
+
+}  // namespace limpet::internal

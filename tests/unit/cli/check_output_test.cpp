@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// What `limpet check` takes, and how it says what it found.
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/limpet/cli.hpp"
+#include "apps/limpet/verbs/check.hpp"
+#include "limpet/core/config.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/unit/cli/mission_copy.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const fs::path kMissions = fs::path(LIMPET_SOURCE_DIR) / "missions";
+
+TEST(CheckVerbOfFolders, FindsNothingWrongWithOurMissions) {
+  for (const fs::directory_entry& mission : fs::directory_iterator(kMissions)) {
+    const Checked checked = Check({mission.path().string()});
+    EXPECT_EQ(checked.exit_code, kOk) << mission.path() << "\n" << checked.text;
+  }
+}
+
+TEST(CheckVerbOfFiles, TakesAMissionFileAndABehaviorFile) {
+  EXPECT_EQ(Check({(kMissions / "table1/mission.moos").string()}).text, "no problems\n");
+  EXPECT_EQ(Check({(kMissions / "table1/mission.bhv").string()}).text, "no problems\n");
+  EXPECT_EQ(Check({(kMissions / "two_communities/shore.moos").string()}).exit_code, kOk);
+}
+
+TEST(CheckVerbOfFiles, NotesWhatBelongsToOtherPeoplesApps) {
+  const TemporaryFolder folder;
+  const fs::path moos = folder.path() / "alpha.moos";
+  std::ofstream(moos) << "ServerPort = 9000\nCommunity = alpha\nProcessConfig = ANTLER\n{\n"
+                         "  Run = MOOSDB\n  Run = pHelmIvP\n  Run = uSimMarine\n}\n"
+                         "ProcessConfig = pHelmIvP\n{\n  behaviors = a.bhv\n}\n"
+                         "ProcessConfig = uPokeDB\n{\n  x = 1\n}\n";
+  const Checked mission = Check({moos.string()});
+  EXPECT_EQ(mission.exit_code, kOk) << mission.text;
+  EXPECT_THAT(mission.text, HasSubstr("note: pHelmIvP: is no app of Limpet's"));
+  const fs::path bhv = folder.path() / "a.bhv";
+  std::ofstream(bhv) << "initialize DEPLOY = false\nBehavior = BHV_Waypoint\n{\n  name = w\n  "
+                        "points = 1,2\n}\n";
+  const Checked behaviors = Check({bhv.string()});
+  EXPECT_EQ(behaviors.exit_code, kOk) << behaviors.text;
+  EXPECT_THAT(behaviors.text, HasSubstr("a.bhv:2: note: BHV_Waypoint"));
+}
+
+TEST(CheckVerbOfFiles, RefusesAMisspeltBehaviorAndABadParameterOfABehaviorFile) {
+  const TemporaryFolder folder;
+  const fs::path bhv = folder.path() / "a.bhv";
+  std::ofstream(bhv) << "Behavior = BHV_HoldAltitud\n{\n  altitude_m = 3\n}\nBehavior = "
+                        "BHV_ConstantDepth\n{\n  depth = -1\n}\n";
+  const Checked checked = Check({bhv.string()});
+  EXPECT_EQ(checked.exit_code, kUsage);
+  EXPECT_THAT(checked.text, HasSubstr("did you mean `BHV_HoldAltitude`?"));
+  EXPECT_THAT(checked.text, HasSubstr("a.bhv:7: depth: `-1` is not allowed"));
+  EXPECT_THAT(checked.text, HasSubstr("2 problems\n"));
+}
+
+TEST(CheckVerbOfFiles, RefusesAnEmptyFile) {
+  const TemporaryFolder folder;
+  for (const char* name : {"mission.moos", "a.bhv"}) {
+    std::ofstream(folder.path() / name).flush();
+    const Checked checked = Check({(folder.path() / name).string()});
+    EXPECT_EQ(checked.exit_code, kUsage) << name;
+    EXPECT_THAT(checked.text, HasSubstr(name));
+  }
+}
+
+TEST(CheckVerbOfFiles, SaysThatThereIsNoSuchFile) {
+  EXPECT_THROW(static_cast<void>(RunCheck(std::vector<std::string>{"/no/such/mission"})),
+               UsageError);
+}
+
+TEST(CheckOutput, IsOneLineEachByFileAndLineWithACount) {
+  const MissionCopy mission;
+  mission.Apply({"mission.moos", "MOOSTimeWarp = 1", "MOOSTimeWarp = 9000"});
+  mission.Apply({"mission.moos", "coverage_target     = 0.975", "coverage_target     = 1.5"});
+  mission.Apply({"mission.bhv", "radius_m  = 1", "radius_m  = -1"});
+  const Checked checked = mission.Run();
+  EXPECT_EQ(checked.exit_code, kUsage);
+  const std::vector<std::string> lines = Split(checked.text, '\n');
+  ASSERT_EQ(lines.size(), 5U) << checked.text;
+  EXPECT_THAT(lines[0], HasSubstr("mission.bhv:"));
+  EXPECT_THAT(lines[1], HasSubstr("mission.moos:7: MOOSTimeWarp"));
+  EXPECT_THAT(lines[2], HasSubstr("coverage_target"));
+  EXPECT_EQ(lines[3], "3 problems");
+}
+
+TEST(CheckOutput, HoldsNothingThatATerminalObeys) {
+  const MissionCopy mission;
+  mission.Apply({"mission.moos", "detector = color_shape", "detector = \x1b]0;owned\x07\x1b[2J"});
+  const Checked checked = mission.Run();
+  EXPECT_EQ(checked.exit_code, kUsage);
+  EXPECT_THAT(checked.text, Not(HasSubstr("\x1b")));
+  EXPECT_THAT(checked.text, HasSubstr("\\x1b"));
+}
+
+TEST(CheckOutput, AsJsonTellsKindsApart) {
+  const MissionCopy mission;
+  mission.Apply({"mission.bhv", "altitude_m = 4", "altitude_m = 3"});
+  const Checked checked = Check({mission.path().string(), "--json"});
+  EXPECT_EQ(checked.exit_code, kRefused);
+  const auto found = nlohmann::json::parse(checked.text);
+  EXPECT_TRUE(found.at("syntax").empty());
+  EXPECT_EQ(found.at("geometry").at(0).at("key"), "altitude_m");
+  EXPECT_TRUE(found.at("notes").is_array());
+}
+
+}  // namespace
+}  // namespace limpet

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// `limpet check` as a command line, and copies of missions to make slips in.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "apps/limpet/verbs/check.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace limpet {
+
+struct Checked {
+  int exit_code = 0;
+  std::string text;
+};
+
+inline Checked Check(const std::vector<std::string>& args) {
+  ::testing::internal::CaptureStdout();
+  const int exit_code = RunCheck(args);
+  return {exit_code, ::testing::internal::GetCapturedStdout()};
+}
+
+/// Text that stands in a file, and what is to stand there.
+struct Edit {
+  std::string file;
+  std::string from;
+  std::string to;
+};
+
+/// A copy of missions/table1, with the plugs beside it.
+class MissionCopy {
+ public:
+  MissionCopy() {
+    const std::filesystem::path source = LIMPET_SOURCE_DIR;
+    std::filesystem::copy(source / "missions/table1", path());
+    std::filesystem::copy(source / "plugs", folder_.path() / "plugs");
+  }
+  [[nodiscard]] std::filesystem::path path() const { return folder_.path() / "m"; }
+  [[nodiscard]] std::filesystem::path folder() const { return folder_.path(); }
+  /// Changes the first place that has `from`.
+  void Apply(const Edit& edit) const {
+    const std::filesystem::path file = path() / edit.file;
+    std::ifstream in(file);
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    const std::size_t at = text.find(edit.from);
+    ASSERT_NE(at, std::string::npos) << edit.from;
+    text.replace(at, edit.from.size(), edit.to);
+    std::ofstream(file) << text;
+  }
+  [[nodiscard]] Checked Run() const { return Check({path().string()}); }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+}  // namespace limpet
