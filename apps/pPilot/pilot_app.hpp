@@ -56,7 +56,10 @@ class PilotApp final : public App {
   template <class T>
   using Latest = std::optional<Stamped<T>>;
 
-  void OnNav(const Stamped<NavState>& nav) { nav_ = nav; }
+  /// What pNav itself does not vouch for is not flown by.
+  void OnNav(const Stamped<NavState>& nav) {
+    nav_ = nav.value.is_usable() ? Latest<NavState>(nav) : std::nullopt;
+  }
   void OnHeading(const Stamped<double>& degrees) { heading_ = degrees; }
   void OnSpeed(const Stamped<double>& speed) { speed_ = speed; }
   void OnDepth(const Stamped<double>& depth) { depth_ = depth; }
