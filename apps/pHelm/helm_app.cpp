@@ -70,6 +70,12 @@ void HelmApp::SubscribeToConditions() {
 }
 
 void HelmApp::OnArea(const Stamped<SurveyArea>& area) {
+  if (const auto problem = ProblemOf(area.value)) {
+    ClearWarning("AREA_REFUSED");  // one text per warning: the last one refused
+    Warn("AREA_REFUSED", "SURVEY_AREA " + *problem);
+    return;
+  }
+  ClearWarning("AREA_REFUSED");
   if (planner_.SetArea(area.value) && context().is_restarted) {
     Publish(topics::kMapGridRequest, std::string("pHelm has been restarted"));
   }

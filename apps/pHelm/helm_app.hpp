@@ -26,7 +26,9 @@ class HelmApp final : public App {
   void Report(ReportLines& report) const override;
 
  private:
-  void OnNav(const Stamped<NavState>& nav) { nav_ = nav.value; }
+  void OnNav(const Stamped<NavState>& nav) {
+    nav_ = nav.value.is_usable() ? std::optional<NavState>(nav.value) : std::nullopt;
+  }
   void OnOverride(const Stamped<bool>& parked) { is_parked_ = parked.value; }
   void OnArea(const Stamped<SurveyArea>& area);
   void OnHome(const Stamped<HomePoint>& home);

@@ -31,11 +31,12 @@ MapApp::MapApp(const AppContext& context, const Params& params)
 }
 
 void MapApp::OnArea(const Stamped<SurveyArea>& area) {
-  if (area.value.north_max <= area.value.north_min || area.value.east_max <= area.value.east_min) {
-    Warn("AREA_EMPTY", "SURVEY_AREA has no extent");
+  if (const auto problem = ProblemOf(area.value, params_.cell.value())) {
+    ClearWarning("AREA_REFUSED");  // one text per warning: the last one refused
+    Warn("AREA_REFUSED", "SURVEY_AREA " + *problem);
     return;
   }
-  ClearWarning("AREA_EMPTY");
+  ClearWarning("AREA_REFUSED");
   if (!area_ || EncodeRecord(*area_) != EncodeRecord(area.value)) {
     area_ = area.value;
     grid_.emplace(area.value, params_.cell.value());

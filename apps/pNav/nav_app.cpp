@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/pNav/nav_app.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -11,6 +12,8 @@ namespace limpet {
 namespace {
 
 constexpr double kAttitudePeriod = 0.049;  // [s] the smoother needs no more than 20 Hz
+constexpr Seconds kGpsPause(5.0);          // fixes come once a second, some are left out
+constexpr Seconds kRealPause(0.5);         // real time that mail may take: at warp it is more
 
 AttitudeParams AttitudeParamsOf(const NavApp::Params& params) {
   return {.heading_sigma = params.heading_sigma, .alignment = params.alignment};
@@ -23,6 +26,9 @@ Eigen::Vector3d DvlLeverOf(const NavApp::Params& params) {
 NavigatorParams NavigatorParamsOf(const NavApp::Params& params) {
   NavigatorParams result;
   result.odometry.dvl_B = DvlLeverOf(params);
+  // Anywhere within reach: of a uniform disc each axis has half the radius as its 1-sigma.
+  result.odometry.unknown_velocity =
+      0.5 * (params.top_speed.value() + params.strongest_current.value());
   result.velocity_gate.jump = params.dvl_jump;
   result.frame_wait = params.frame_wait;
   result.camera = CameraModel::From(params.camera.geometry());
@@ -41,6 +47,7 @@ NavigatorParams NavigatorParamsOf(const NavApp::Params& params) {
 NavApp::NavApp(const AppContext& context, const Params& params)
     : App(context),
       params_(params),
+      stale_after_(std::max(params.stale_after, kRealPause * context.warp)),
       attitude_(AttitudeParamsOf(params)),
       navigator_(NavigatorParamsOf(params)) {
   Subscribe(topics::kImuData, &NavApp::OnImu);
@@ -55,16 +62,22 @@ NavApp::NavApp(const AppContext& context, const Params& params)
 
 void NavApp::OnFog(const Stamped<double>& rate) {
   attitude_.AddFogRate(rate.time.value(), rate.value);
+  if (std::isfinite(rate.value)) {
+    fog_.Note(rate.time.value(), now().value());
+  }
 }
 
 void NavApp::OnImu(const Stamped<ImuSample>& imu) {
   const ImuSample& sample = imu.value;
   const double t = imu.time.value();
-  last_imu_t_ = t;
-  attitude_.AddInertial({.t = t,
-                         .force = {sample.fx, sample.fy, sample.fz},
-                         .rate = {sample.p, sample.q, sample.r},
-                         .heading = sample.heading});
+  const bool is_good = attitude_.AddInertial({.t = t,
+                                              .force = {sample.fx, sample.fy, sample.fz},
+                                              .rate = {sample.p, sample.q, sample.r},
+                                              .heading = sample.heading});
+  if (!is_good) {
+    return;
+  }
+  imu_.Note(t, now().value());
   if (attitude_.is_aligned() && t - last_attitude_t_ >= kAttitudePeriod) {
     navigator_.AddAttitude(*attitude_.estimate());
     last_attitude_t_ = t;
@@ -74,35 +87,44 @@ void NavApp::OnImu(const Stamped<ImuSample>& imu) {
 void NavApp::OnDvl(const Stamped<DvlSample>& dvl) {
   const DvlSample& sample = dvl.value;
   const double t = dvl.time.value();
-  last_dvl_t_ = t;
+  dvl_.Note(t, now().value());
   ++dvl_pings_;
   dvl_pings_without_lock_ += sample.has_lock ? 0 : 1;
   std::optional<Eigen::Vector3d> velocity;
   if (sample.has_lock && sample.u && sample.v && sample.w) {
     velocity = Eigen::Vector3d(*sample.u, *sample.v, *sample.w);
-    last_lock_t_ = t;
+    if (velocity->allFinite()) {
+      lock_.Note(t, now().value());
+    }
   }
   if (sample.altitude) {
     navigator_.AddAltitude(t, *sample.altitude);
   }
   navigator_.AddVelocity(t, velocity);
-  if (navigator_.has_started()) {
+  if (navigator_.has_started() && IsFresh(imu_, now().value())) {
     attitude_.SetBodyVelocity(navigator_.Estimate(t).v_B);
     PublishBeams(dvl);
   }
 }
 
 void NavApp::OnDepth(const Stamped<double>& depth) {
-  last_depth_t_ = depth.time.value();
+  if (std::isfinite(depth.value)) {
+    depth_.Note(depth.time.value(), now().value());
+  }
   navigator_.AddDepth(depth.time.value(), depth.value);
 }
 
 void NavApp::OnGps(const Stamped<GpsFix>& fix) {
   ++gps_fixes_;
+  gps_.Note(fix.time.value(), now().value());
   navigator_.AddGps(fix.time.value(), {fix.value.north, fix.value.east}, fix.value.sd);
 }
 
 void NavApp::OnDetections(const Stamped<Detections>& detections) {
+  if (!HasUsableStamp(topics::kDetections.name, detections.value.exposure, "its exposure")) {
+    return;
+  }
+  camera_.Note(detections.value.exposure.value(), now().value());
   FrameDetections frame;
   frame.frame = detections.value.frame;
   frame.t = detections.value.exposure.value();
@@ -150,8 +172,25 @@ void NavApp::Tick(Seconds now) {
   }
 }
 
-void NavApp::PublishState(double now) {
-  const NavigatorEstimate estimate = navigator_.Estimate(now);
+bool NavApp::HasFreshGps(double now) const {
+  return gps_.IsFresh(now, std::max(stale_after_, kGpsPause));
+}
+
+bool NavApp::IsValid(double now) const {
+  return IsFresh(imu_, now) && (IsFresh(lock_, now) || IsFresh(depth_, now) || HasFreshGps(now));
+}
+
+void NavApp::AddSources(double now, NavState& state) const {
+  state.is_valid = IsValid(now);
+  state.imu = imu_.At(now, stale_after_);
+  state.fog = fog_.At(now, stale_after_);
+  state.dvl = lock_.At(now, stale_after_);
+  state.depth = depth_.At(now, stale_after_);
+  state.gps = gps_.At(now, std::max(stale_after_, kGpsPause));
+  state.camera = camera_.At(now, stale_after_);
+}
+
+void NavApp::PublishScalars(const NavigatorEstimate& estimate) {
   const MoosPose moos = MoosFromNed(estimate.X_WB.p_WB, estimate.X_WB.yaw);
   Publish(topics::kNavX, moos.x);
   Publish(topics::kNavY, moos.y);
@@ -162,7 +201,13 @@ void NavApp::PublishState(double now) {
   Publish(topics::kNavDepth, moos.depth);
   const Eigen::Vector3d v_W = RotationOf(estimate.X_WB) * estimate.v_B;
   Publish(topics::kNavSpeed, v_W.head<2>().norm());
+  if (estimate.altitude) {
+    Publish(topics::kNavAltitude, *estimate.altitude);
+  }
+}
 
+void NavApp::PublishState(double now) {
+  const NavigatorEstimate estimate = navigator_.Estimate(now);
   NavState state;
   state.north = estimate.X_WB.p_WB.x(), state.east = estimate.X_WB.p_WB.y();
   state.down = estimate.X_WB.p_WB.z();
@@ -172,13 +217,19 @@ void NavApp::PublishState(double now) {
   state.yaw_rate = estimate.yaw_rate;
   state.velocity_age = estimate.velocity_age;
   state.altitude = estimate.altitude;
-  if (estimate.altitude) {
-    Publish(topics::kNavAltitude, *estimate.altitude);
-  }
   state.sd_north = estimate.sd_p.x(), state.sd_east = estimate.sd_p.y();
   state.sd_down = estimate.sd_p.z(), state.sd_yaw = estimate.sd_yaw;
+  AddSources(now, state);
+  if (*state.is_valid) {
+    PublishScalars(estimate);
+  }
   Publish(topics::kNavState, state);
+  if (*state.is_valid) {
+    PublishDeadReckoning(now);
+  }
+}
 
+void NavApp::PublishDeadReckoning(double now) {
   const Pose reckoned = navigator_.DeadReckoned(now);
   Publish(topics::kNavDeadReckoning, DeadReckoning{.north = reckoned.p_WB.x(),
                                                    .east = reckoned.p_WB.y(),
@@ -247,17 +298,22 @@ void NavApp::PublishBeams(const Stamped<DvlSample>& dvl) {
 }
 
 void NavApp::WatchSensors(double now) {
-  const auto watch = [&](const char* id, double last, const char* text) {
-    if (now - last > params_.stale_after.value()) {
+  const auto watch = [this](const char* id, bool is_silent, const char* text) {
+    if (is_silent) {
       Warn(id, text);
     } else {
       ClearWarning(id);
     }
   };
-  watch("IMU_STALE", last_imu_t_, "no IMU_DATA within stale_after_s");
-  watch("DVL_STALE", last_dvl_t_, "no DVL_DATA within stale_after_s");
-  watch("DVL_NO_LOCK", last_lock_t_, "no bottom lock within stale_after_s");
-  watch("DEPTH_STALE", last_depth_t_, "no DEPTH_SENSOR within stale_after_s");
+  watch("IMU_STALE", !IsFresh(imu_, now), "no IMU_DATA within stale_after_s");
+  watch("FOG_STALE", fog_.was_heard() && !IsFresh(fog_, now),
+        "no FOG_YAW_RATE within stale_after_s: the IMU's own yaw rate serves");
+  watch("DVL_STALE", !IsFresh(dvl_, now), "no DVL_DATA within stale_after_s");
+  watch("DVL_NO_LOCK", !IsFresh(lock_, now), "no bottom lock within stale_after_s");
+  watch("DEPTH_STALE", !IsFresh(depth_, now), "no DEPTH_SENSOR within stale_after_s");
+  watch(
+      "NAV_INVALID", navigator_.has_started() && !IsValid(now),
+      "no attitude, or nothing else either: NAV_STATE is not valid, NAV_X and its kin are silent");
 }
 
 LIMPET_REGISTER_APP(NavApp, "pNav", 10.0);

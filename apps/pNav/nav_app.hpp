@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "apps/pNav/source_watch.hpp"
 #include "apps/pNav/track_watch.hpp"
 #include "estimation/attitude/attitude_filter.hpp"
 #include "estimation/navigation/navigator.hpp"
@@ -14,7 +15,8 @@
 namespace limpet {
 
 /// Says where the vehicle is and where the objects are: attitude filter and semantic smoother.
-/// Silent until the heading is aligned and a GPS fix has been seen.
+/// Silent until the heading is aligned and a GPS fix has been seen. While nothing tells how the
+/// vehicle moves, NAV_STATE says so and NAV_X and its kin are silent.
 class NavApp final : public App {
  public:
   static constexpr bool kReplaysMail = true;  ///< what it knows is what it heard
@@ -25,6 +27,7 @@ class NavApp final : public App {
     MetersPerSecond dvl_jump{0.15};
     Seconds frame_wait{0.4};
     Seconds stale_after{2.0};
+    MetersPerSecond top_speed{1.0}, strongest_current{0.5};
     Meters opi_radius{0.5};
     double min_confidence = 0.45;
     int looks_to_confirm = 3;
@@ -51,8 +54,14 @@ class NavApp final : public App {
             InRange(0.01_mps, 5.0_mps));
       visit("frame_wait_s", frame_wait, "Boxes are waited for this long after the exposure",
             InRange(0.0_s, 3.0_s));
-      visit("stale_after_s", stale_after, "A sensor silent for longer raises a warning",
-            InRange(0.1_s, 60.0_s));
+      visit("stale_after_s", stale_after,
+            "A sensor silent for longer is not valid and raises a warning", InRange(0.1_s, 60.0_s));
+      visit("top_speed_mps", top_speed,
+            "What the vehicle can do, whatever it was told: while nothing measures its velocity, "
+            "sigma grows by it",
+            InRange(0.05_mps, 10.0_mps));
+      visit("strongest_current_mps", strongest_current, "... and by what the water can do",
+            InRange(0.0_mps, 5.0_mps));
       visit.Required("opi_radius_m", opi_radius, "Radius of the objects; 0: unknown",
                      InRange(0.0_m, 5.0_m));
       visit("min_confidence", min_confidence, "Boxes below are not used", InRange(0.0, 1.0));
@@ -82,18 +91,29 @@ class NavApp final : public App {
   void OnPrior(const Stamped<SessionPrior>& prior);
   void OnSnapshotRequest(const Stamped<std::string>& why);
 
+  void PublishScalars(const NavigatorEstimate& estimate);
   void PublishState(double now);
+  void PublishDeadReckoning(double now);
   void PublishSights();
   void PublishLandmarks(double now);
   void PublishBeams(const Stamped<DvlSample>& dvl);
   void WatchSensors(double now);
+  [[nodiscard]] bool IsFresh(const SourceWatch& source, double now) const {
+    return source.IsFresh(now, stale_after_);
+  }
+  [[nodiscard]] bool HasFreshGps(double now) const;
+  /// Something has told lately how the vehicle moves.
+  [[nodiscard]] bool IsValid(double now) const;
+  void AddSources(double now, NavState& state) const;
+  void ReportSources(ReportLines& report) const;
 
   Params params_;
+  Seconds stale_after_;  ///< as the mission says, and at least half a second of real time
   AttitudeFilter attitude_;
   Navigator navigator_;
   TrackWatch track_watch_;
-  double last_imu_t_ = -1e18, last_attitude_t_ = -1e18, last_dvl_t_ = -1e18, last_lock_t_ = -1e18,
-         last_depth_t_ = -1e18;
+  double last_attitude_t_ = -1e18;
+  SourceWatch imu_, fog_, dvl_, lock_, depth_, gps_, camera_;
   int gps_fixes_ = 0, dvl_pings_ = 0, dvl_pings_without_lock_ = 0;  ///< for the report
   int landmark_version_ = 0;
   double landmarks_t_ = -1e18;

@@ -29,6 +29,21 @@ void AddLandmarks(const std::vector<LandmarkEstimate>& landmarks, ReportLines& r
 
 }  // namespace
 
+void NavApp::ReportSources(ReportLines& report) const {
+  NavState state;
+  AddSources(now().value(), state);
+  report.Blank();
+  ReportTable table({"source", ">age s", "valid"});
+  const auto add = [&table](const char* name, const NavSource& source) {
+    table.AddRow({name, source.age ? fmt::format("{:.1f}", *source.age) : "never heard",
+                  source.is_valid.value_or(false) ? "yes" : "no"});
+  };
+  add("IMU", state.imu), add("FOG", state.fog), add("DVL", state.dvl);
+  add("depth", state.depth), add("GPS", state.gps), add("camera", state.camera);
+  report.Add(table);
+  report.Blank();
+}
+
 void NavApp::Report(ReportLines& report) const {
   const NavigatorCounts& refused = navigator_.counts();
   report.Pair("Alignment", attitude_.is_aligned() ? "done" : "under way");
@@ -37,9 +52,15 @@ void NavApp::Report(ReportLines& report) const {
                                        dvl_pings_without_lock_, refused.velocities));
   report.Pair("Depths", fmt::format("{} refused", refused.depths));
   report.Pair("Frames", fmt::format("{} came too late", refused.late_frames));
+  report.Pair("Out of order", fmt::format("{} of the IMU, {} of others", attitude_.refused(),
+                                          refused.stale_samples));
+  ReportSources(report);
   if (!navigator_.has_started()) {
     report.Pair("State", "waiting for heading and a GPS fix");
     return;
+  }
+  if (!IsValid(now().value())) {
+    report.Pair("State", "NOT VALID: below is what was last known");
   }
   const NavigatorEstimate now_at = navigator_.Estimate(now().value());
   const Eigen::Vector3d& p_WB = now_at.X_WB.p_WB;

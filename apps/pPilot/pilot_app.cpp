@@ -45,7 +45,8 @@ void PilotApp::OnNav(const Stamped<NavState>& nav) {
     return;
   }
   ClearWarning("REFUSED_NAV_STATE");
-  nav_ = {now(), nav.value};
+  // What pNav itself does not vouch for is not flown by.
+  nav_ = nav.value.is_usable() ? Latest<NavState>({now(), nav.value}) : std::nullopt;
 }
 
 void PilotApp::HearWish(const std::string& name, double value, const PlausibleRange& range,

@@ -204,8 +204,9 @@ void ShareApp::ListenAt(Input& input) {
 
 void ShareApp::OnCommand(const MessagePtr& message) {
   const auto* text = std::get_if<std::string>(&message->value);
-  if (message->time < start_) {
-    return;  // meant for a former self
+  constexpr std::int32_t kLatestId = -1;  // of what is sent because somebody registered
+  if (message->id == kLatestId && message->time < start_) {
+    return;  // meant for a former self; of live ones the sender's clock may be wrong
   }
   const auto command = ParseShareCommand(text == nullptr ? "" : *text);
   const auto error = !command             ? std::optional(command.error())

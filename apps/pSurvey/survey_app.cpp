@@ -102,9 +102,28 @@ void SurveyApp::TellAgain(Seconds now) {
 }
 
 void SurveyApp::OnReturn(const Stamped<bool>& request) {
-  const bool is_under_way = phase_ == Phase::kDive || phase_ == Phase::kSurvey;
-  if (request.value && is_under_way) {
-    GoHome("operator asked", "aborted", request.time);
+  if (!request.value) {
+    return;
+  }
+  switch (phase_) {
+    case Phase::kIdle:
+    case Phase::kDone:
+      ReportEvent("RETURN is left out: no mission is under way");
+      break;
+    case Phase::kAlign:  // still at the surface: there it is to stay
+      ended_ = "aborted";
+      ReportEvent("operator asked to return before the dive");
+      EndMission(request.time);
+      break;
+    case Phase::kDive:
+    case Phase::kSurvey:
+      GoHome("operator asked", "aborted", request.time);
+      break;
+    case Phase::kReturn:
+    case Phase::kAscend:
+    case Phase::kFix:
+      ReportEvent("RETURN: on the way home already");
+      break;
   }
 }
 
@@ -126,7 +145,7 @@ void SurveyApp::OnCoverage(const Stamped<Coverage>& coverage) {
   coverage_ = coverage.value;
   if (CoveredShare(coverage_) > best_share_ + kProgressStep) {
     best_share_ = CoveredShare(coverage_);
-    last_progress_ = coverage.time;
+    last_progress_ = now();
   }
 }
 

@@ -91,7 +91,8 @@ class SurveyApp final : public App {
  private:
   enum class Phase { kIdle, kAlign, kDive, kSurvey, kReturn, kAscend, kFix, kDone };
 
-  void OnNav(const Stamped<NavState>& nav) { nav_ = nav; }
+  /// Of what pNav does not vouch for only the silence counts.
+  void OnNav(const Stamped<NavState>& nav) { nav_ = nav.value.is_usable() ? nav : nav_; }
   void OnDeploy(const Stamped<bool>& deploy);
   void OnReturn(const Stamped<bool>& request);
   /// Somebody else has ended the mission: the launcher, for want of an app.

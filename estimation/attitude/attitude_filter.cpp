@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -14,6 +15,9 @@ namespace {
 constexpr double kGravity = 9.81;
 constexpr double kFogMaxAge = 0.2;    // [s] beyond it the IMU's own z rate serves
 constexpr double kLongestStep = 0.5;  // [s] a longer gap is integrated as this much
+constexpr double kLeap = 30.0;        // [s] that one sample alone does not prove
+constexpr double kLeapPace = 1.0;     // [s] between samples that prove it together
+constexpr int kBelieve = 3;           // samples in a row
 
 /// Roll and pitch that make `force` the reaction to gravity (0, 0, -g).
 Eigen::Vector2d TiltFromForce(const Eigen::Vector3d& force) {
@@ -44,13 +48,32 @@ void AttitudeFilter::Start(const InertialInput& input) {
   heading_weight_ = 1.0;
 }
 
-void AttitudeFilter::AddInertial(const InertialInput& input) {
-  const bool is_finite =
-      input.force.allFinite() && input.rate.allFinite() && std::isfinite(input.heading);
-  if (!is_finite || (estimate_ && input.t <= estimate_->t)) {
-    return;
+bool AttitudeFilter::IsInOrder(const InertialInput& input) {
+  if (!estimate_) {
+    return true;
   }
-  const bool has_fog = input.t - fog_t_ < kFogMaxAge;
+  const double dt = input.t - estimate_->t;
+  if (dt > kLeap) {
+    const bool follows = leaps_ > 0 && std::abs(input.t - leapt_to_) < kLeapPace;
+    leaps_ = follows ? leaps_ + 1 : 1;
+    leapt_to_ = input.t;
+    return leaps_ >= kBelieve;
+  }
+  leaps_ = 0;
+  set_back_ += dt < 0.0 ? 1 : 0;
+  return dt > 0.0;
+}
+
+bool AttitudeFilter::AddInertial(const InertialInput& input) {
+  const bool is_finite = std::isfinite(input.t) && input.force.allFinite() &&
+                         input.rate.allFinite() && std::isfinite(input.heading);
+  if (!is_finite || !IsInOrder(input)) {
+    ++refused_;
+    return false;
+  }
+  leaps_ = 0;
+  const bool was_set_back = std::exchange(set_back_, 0) >= kBelieve;
+  const bool has_fog = std::abs(input.t - fog_t_) < kFogMaxAge;
   Eigen::Vector3d rate = input.rate;
   rate.z() = has_fog ? fog_rate_ : rate.z();
   if (!estimate_) {
@@ -58,7 +81,7 @@ void AttitudeFilter::AddInertial(const InertialInput& input) {
   } else {
     const double gap = input.t - estimate_->t;
     Predict(rate, std::min(gap, kLongestStep));
-    AlignHeading(input, gap);
+    AlignHeading(input, was_set_back ? std::max(gap, 2.0 * kLongestStep) : gap);
   }
   CorrectTilt(input, rate.z());
 
@@ -74,6 +97,7 @@ void AttitudeFilter::AddInertial(const InertialInput& input) {
                        .sd_roll = std::hypot(std::sqrt(P_(0, 0)), params_.tilt_floor.value()),
                        .sd_pitch = std::hypot(std::sqrt(P_(1, 1)), params_.tilt_floor.value()),
                        .sd_yaw = std::hypot(params_.heading_sigma.value(), drift, walk)};
+  return true;
 }
 
 void AttitudeFilter::Predict(const Eigen::Vector3d& rate, double dt) {

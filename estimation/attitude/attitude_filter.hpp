@@ -49,18 +49,24 @@ class AttitudeFilter {
  public:
   explicit AttitudeFilter(const AttitudeParams& params) : params_(params) {}
 
-  /// Body z rate of the fibre-optic gyro [rad/s]; used until it is older than 0.2 s.
+  /// Body z rate of the fibre-optic gyro [rad/s]; used for samples of the IMU up to 0.2 s off.
   void AddFogRate(double t, double rate);
-  /// Advances the filter. Samples that are not newer than the last one, or not finite, are dropped.
-  void AddInertial(const InertialInput& input);
+  /// Advances the filter; false for a sample that is refused: not newer than the last one, not
+  /// finite, or leaping far ahead, which takes a few in a row to be believed. Nothing is ever
+  /// integrated backwards. A clock that was set back has hidden how far the vehicle turned
+  /// meanwhile: that is a gap.
+  bool AddInertial(const InertialInput& input);
   /// Body velocity over ground [m/s], for the centripetal part of the specific force.
   void SetBodyVelocity(const Eigen::Vector3d& v_WB_B) { v_WB_B_ = v_WB_B; }
 
   [[nodiscard]] bool is_aligned() const;
   [[nodiscard]] const std::optional<AttitudeEstimate>& estimate() const { return estimate_; }
+  /// Samples, since the start.
+  [[nodiscard]] int refused() const { return refused_; }
   [[nodiscard]] Eigen::Vector2d gyro_bias() const { return x_.tail<2>(); }
 
  private:
+  [[nodiscard]] bool IsInOrder(const InertialInput& input);
   void Start(const InertialInput& input);
   void Predict(const Eigen::Vector3d& rate, double dt);
   void CorrectTilt(const InertialInput& input, double yaw_body_rate);
@@ -77,6 +83,10 @@ class AttitudeFilter {
   double heading_offset_ = 0.0;                 ///< yaw less its integral, averaged
   double heading_weight_ = 0.0;                 ///< of the average so far
   std::optional<AttitudeEstimate> estimate_;
+  int refused_ = 0;
+  int set_back_ = 0;       ///< older than the last good one, in a row
+  int leaps_ = 0;          ///< far ahead of it, in a row
+  double leapt_to_ = 0.0;  ///< time of the last of those
 };
 
 }  // namespace limpet

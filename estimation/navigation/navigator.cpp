@@ -16,6 +16,7 @@ constexpr double kBufferLength = 20.0;   // [s] of samples behind the present
 constexpr double kLeap = 30.0;           // [s] without attitude that one sample does not prove
 constexpr std::size_t kBelieveLeap = 3;  // samples
 constexpr double kAhead = 5.0;           // [s] of a sensor before the attitude
+constexpr double kDepthPause = 2.0;      // [s] without depth or velocity that sinks nobody
 
 }  // namespace
 
@@ -52,7 +53,7 @@ bool Navigator::IsPlausible(double t) const {
 }
 
 void Navigator::AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B) {
-  if (!IsPlausible(t)) {
+  if (!IsPlausible(t) || t <= track_.settled_time()) {
     ++counts_.stale_samples;
     return;
   }
@@ -186,6 +187,19 @@ NavVector Navigator::Predict(double t) const {
   return After(StepTo(t), attitude.roll, attitude.pitch);
 }
 
+/// What nobody has measured since the attitude fell silent; of the depth also what neither
+/// pressure nor velocity has.
+void Navigator::AddSilence(double t, double seconds, NavCovariance& covariance) const {
+  const double depth_age = t - (depths_.empty() ? head_time() : depths_.back().t);
+  const double sinking = std::min(depth_age, track_.DropoutAge(t).value_or(0.0)) - kDepthPause;
+  const SilenceVariance silence = VarianceOfSilence(params_.odometry, seconds);
+  covariance(kNavX, kNavX) += silence.horizontal;
+  covariance(kNavY, kNavY) += silence.horizontal;
+  covariance(kNavZ, kNavZ) +=
+      std::max(silence.vertical, VarianceOfSilence(params_.odometry, sinking).vertical);
+  covariance(kNavYaw, kNavYaw) += silence.yaw;
+}
+
 NavigatorEstimate Navigator::Estimate(double t) const {
   LIMPET_REQUIRE(has_started(), "no pose yet");
   const TrackPose track = track_.At(t);
@@ -204,7 +218,8 @@ NavigatorEstimate Navigator::Estimate(double t) const {
   motion_covariance.diagonal().head<4>() = step.variance;
   auto pdf = MrptPosePdf(head, smoother_.Covariance({}));
   pdf += MrptPosePdf(motion, motion_covariance);
-  const NavCovariance covariance = CovarianceOf(pdf);
+  NavCovariance covariance = CovarianceOf(pdf);
+  AddSilence(t, t - track.t, covariance);
   estimate.covariance_p = covariance.topLeftCorner<3, 3>();
   estimate.sd_p = covariance.diagonal().head<3>().cwiseMax(0.0).cwiseSqrt();
   estimate.sd_yaw = std::sqrt(std::max(covariance(kNavYaw, kNavYaw), 0.0));

@@ -172,6 +172,7 @@ class Navigator {
   /// Joint, three rows per slot.
   [[nodiscard]] Eigen::MatrixXd JointCovarianceOf(const std::vector<int>& slots) const;
   [[nodiscard]] bool HasChanged(const PresentLandmarks& present) const;
+  void AddSilence(double t, double seconds, NavCovariance& covariance) const;
   [[nodiscard]] NavVector Predict(double t) const;
   [[nodiscard]] NavVector After(const OdometryStep& step, double roll, double pitch) const;
   /// From the head to `t`, slow errors taken out.

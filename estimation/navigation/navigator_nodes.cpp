@@ -223,6 +223,7 @@ void Navigator::TakeFix(const Fix& fix) {
   const Meters sigma =
       GpsFactor::WhiteSigma(Meters(fix.sd), Seconds(fix.t - last_fix_t_), params_.gps_correlation);
   last_fix_t_ = fix.t;
+  track_.NoteFix(fix.t);
   smoother_.AddTerm(node, Term::OnPose(GpsFactor(fix.p_W, sigma)));
   smoother_.Update();
   tracker_.Refresh();

@@ -15,6 +15,9 @@ constexpr double kLongestExtrapolation = 0.3;  // [s]
 constexpr double kUsualPeriod = 0.2;           // [s] of a DVL
 constexpr double kDropoutAge = 0.5;            // [s] without velocity before it counts as a dropout
 constexpr double kTurnMemory = 0.2;            // [s] over which a rate of turning is averaged
+constexpr double kAttitudeGap = 2.0;           // [s] in which the vehicle does not turn away
+constexpr double kUnknownTurnRate = 0.3;       // [rad/s] 1-sigma of a turn that nobody measures
+constexpr double kAnyYawVariance = M_PI * M_PI / 3.0;  // [rad^2] of a heading that can be any
 
 Eigen::Matrix3d RotationOf(const AttitudeEstimate& a) {
   return RotationFromRollPitchYaw(a.roll, a.pitch, a.yaw);
@@ -24,10 +27,24 @@ double Mix(double a, double b, double share) { return a + share * (b - a); }
 
 }  // namespace
 
+SilenceVariance VarianceOfSilence(const OdometryParams& params, double seconds) {
+  const double t = std::max(seconds, 0.0);
+  const auto of = [t](double rate) { return rate * rate * t * t; };
+  return {.horizontal = of(params.unknown_velocity),
+          .vertical = of(params.unknown_sink),
+          .yaw = std::min(of(kUnknownTurnRate), kAnyYawVariance)};
+}
+
+double OdometryTrack::UntrustedSilence(double t) const {
+  const double known_t = std::max({accepted_t_, fix_t_, began_t_});
+  return std::max(t - known_t - params_.bridge_trusted.value(), 0.0);
+}
+
 void OdometryTrack::AddAttitude(const AttitudeEstimate& attitude) {
   Sample sample{.attitude = attitude};
   if (samples_.empty()) {
     sample.R_DB = RotationOf(attitude);
+    began_t_ = attitude.t;
   } else {
     const Sample& last = samples_.back();
     if (attitude.t <= last.attitude.t) {
@@ -148,6 +165,12 @@ void OdometryTrack::Integrate(const Sample& from, Sample& to) const {
     const double sd = BridgeSigma(*age);
     to.bridge_variance += 2.0 * sd * sd * std::min(*age, params_.bridge_correlation.value()) * dt;
   }
+  const auto squared = [](double x) { return x * x; };
+  const double silent =
+      squared(UntrustedSilence(to.attitude.t)) - squared(UntrustedSilence(from.attitude.t));
+  const double gap = squared(std::max(dt - kAttitudeGap, 0.0));
+  to.unattended = from.unattended + gap;
+  to.unknown_way = from.unknown_way + std::max(silent, gap);
 }
 
 std::optional<OdometryTrack::Bracket> OdometryTrack::Around(double t) const {
@@ -189,6 +212,8 @@ OdometryTrack::Sample OdometryTrack::SampleAt(double t) const {
     between.p_dvl = a.p_dvl + around->share * (b.p_dvl - a.p_dvl);
     between.path = Mix(a.path, b.path, around->share);
     between.bridge_variance = Mix(a.bridge_variance, b.bridge_variance, around->share);
+    between.unknown_way = Mix(a.unknown_way, b.unknown_way, around->share);
+    between.unattended = Mix(a.unattended, b.unattended, around->share);
     between.turn_rate = b.turn_rate;
     return between;
   }
@@ -248,9 +273,15 @@ OdometryStep OdometryTrack::Between(double from, double to) const {
   const double yaw_rate_variance = params_.yaw_walk * params_.yaw_walk +
                                    yaw_bias * yaw_bias * params_.yaw_bias_correlation.value();
   step.bridge_variance = bridge;
-  const double xy = white + scale + bridge + 1e-6;
-  // Attitude errors tilt the track: its depth is worth little, the depth sensor's much.
-  const double z = white + bridge + 5e-5 * step.duration + 1e-6;
+  const auto unknown = [](double speed, double before, double after) {
+    return speed * speed * std::max(after - before, 0.0);
+  };
+  const double xy = white + scale + bridge +
+                    unknown(params_.unknown_velocity, a.unknown_way, b.unknown_way) + 1e-6;
+  // Attitude errors tilt the track: its depth is worth little, the depth sensor's much, which
+  // goes on when there is no velocity.
+  const double z = white + bridge + unknown(params_.unknown_sink, a.unattended, b.unattended) +
+                   5e-5 * step.duration + 1e-6;
   step.variance << xy, xy, z, yaw_rate_variance * step.duration + 1e-9;
   return step;
 }

@@ -3,6 +3,7 @@
 // displacement.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <optional>
 
@@ -34,8 +35,14 @@ struct OdometryParams {
   Seconds recent_memory{1.5};        ///< over which the velocity that is held is averaged
   Seconds usual_memory{60.0};        ///< and the usual one
   Seconds bridge_correlation{10.0};  ///< the error stays the same for about this long
-  double yaw_walk = 3.5e-6;          ///< [rad/sqrt(s)]
-  double yaw_bias = 9.7e-6;          ///< [rad/s], new every `yaw_bias_correlation`
+  /// Without any velocity for longer than `bridge_trusted` (recorded dropouts end before), or
+  /// without attitude, nothing is known of the motion but what the vehicle and the water can do:
+  /// a velocity that stays the same, with this 1-sigma [m/s], horizontal (each way) and vertical.
+  Seconds bridge_trusted{120.0};
+  double unknown_velocity = 0.75;
+  double unknown_sink = 0.3;
+  double yaw_walk = 3.5e-6;  ///< [rad/sqrt(s)]
+  double yaw_bias = 9.7e-6;  ///< [rad/s], new every `yaw_bias_correlation`
   Seconds yaw_bias_correlation{600.0};
 };
 
@@ -48,6 +55,13 @@ struct OdometryStep {
   double path = 0.0;
   double bridge_variance = 0.0;  ///< what dropouts put into the horizontal variances [m^2]
 };
+
+/// What silence of `seconds`, of all that tells how the vehicle moves, adds to variances.
+struct SilenceVariance {
+  double horizontal = 0.0, vertical = 0.0;  ///< [m^2]
+  double yaw = 0.0;                         ///< [rad^2]
+};
+[[nodiscard]] SilenceVariance VarianceOfSilence(const OdometryParams& params, double seconds);
 
 /// Body pose in the track's own drifting frame, oriented by the attitude filter's yaw.
 struct TrackPose {
@@ -69,6 +83,9 @@ class OdometryTrack {
   void AddAttitude(const AttitudeEstimate& attitude);
   /// Velocity of the DVL in body axes [m/s] at `t`; nothing when the DVL had no lock or lied.
   void AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B);
+
+  /// A fix at `t` [s] has shown where the vehicle is: silence begins anew.
+  void NoteFix(double t) { fix_t_ = std::max(fix_t_, t); }
 
   /// Rate of depth [m/s] that stands in for the vertical velocity in a dropout.
   void SetSinkRate(double rate) { sink_rate_ = rate; }
@@ -102,7 +119,10 @@ class OdometryTrack {
     Eigen::Vector3d p_dvl = Eigen::Vector3d::Zero();  ///< of the DVL in the track's frame
     double path = 0.0;
     double bridge_variance = 0.0;  ///< horizontal, accumulated over dropouts [m^2]
-    double turn_rate = 0.0;        ///< of yaw, smoothed [rad/s]
+    /// Squared seconds, `t^2` after t, accumulated [s^2]: in which nothing told where it goes, and
+    /// of them those without attitude.
+    double unknown_way = 0.0, unattended = 0.0;
+    double turn_rate = 0.0;  ///< of yaw, smoothed [rad/s]
   };
   /// Neighbouring samples about a time, and the share of the way from one to the other.
   struct Bracket {
@@ -124,12 +144,15 @@ class OdometryTrack {
   [[nodiscard]] Eigen::Vector3d LevelVelocity(const Sample& sample) const;
   [[nodiscard]] Sample SampleAt(double t) const;
   void Integrate(const Sample& from, Sample& to) const;
+  /// Seconds that nothing has told of the motion at `t`, beyond what a bridge is trusted for.
+  [[nodiscard]] double UntrustedSilence(double t) const;
 
   OdometryParams params_;
   std::deque<Sample> samples_;
   bool has_velocity_ = false, is_bridging_ = false;
   double velocity_t_ = -1e18, previous_t_ = -1e18;  ///< of the last two velocity rows
-  double accepted_t_ = -1e18;
+  double accepted_t_ = -1e18, fix_t_ = -1e18;
+  double began_t_ = 0.0;  ///< of the first attitude
   Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero(), previous_ = Eigen::Vector3d::Zero();
   /// Averages of accepted ones, without what turning adds.
   Eigen::Vector3d recent_ = Eigen::Vector3d::Zero(), usual_ = recent_;

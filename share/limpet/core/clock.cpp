@@ -59,8 +59,11 @@ std::optional<ClockOrigin> ParseClockOrigin(std::string_view text) {
 }
 
 std::string BootId() {
-  std::string id;
-  std::ifstream("/proc/sys/kernel/random/boot_id") >> id;
+  static const std::string id = [] {
+    std::string word;
+    std::ifstream("/proc/sys/kernel/random/boot_id") >> word;
+    return word;
+  }();
   return id;
 }
 

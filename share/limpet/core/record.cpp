@@ -75,4 +75,13 @@ void RecordReader::operator()(const char* name, std::optional<double>& field) {
   }
 }
 
+void RecordReader::operator()(const char* name, std::optional<bool>& field) {
+  field.reset();
+  const auto text = Find(name);
+  if (text) {
+    field = ParseFlag(*text);
+    is_good_ = is_good_ && field.has_value();
+  }
+}
+
 }  // namespace limpet

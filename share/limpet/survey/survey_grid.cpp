@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "limpet/core/require.hpp"
 #include "limpet/survey/view_cone.hpp"
 
@@ -38,6 +40,32 @@ float HashToUnit(std::uint32_t cell, std::uint32_t axis) {
 }
 
 }  // namespace
+
+std::optional<std::string> ProblemOf(const SurveyArea& area, double cell_m) {
+  constexpr double kWidestMargin = 1000.0, kHighestObject = 100.0;  // [m]
+  const std::string given =
+      fmt::format("north {:g} to {:g}, east {:g} to {:g} m, margin {:g} m, objects up to {:g} m",
+                  area.north_min, area.north_max, area.east_min, area.east_max, area.margin,
+                  area.object_height_max);
+  const double rows = std::ceil((area.north_max - area.north_min) / cell_m);
+  const double columns = std::ceil((area.east_max - area.east_min) / cell_m);
+  // Written so that what is no number is refused, too.
+  if (!(rows > 0.0 && columns > 0.0)) {
+    return "has no extent: " + given;
+  }
+  if (!(rows * columns <= SurveyGrid::kMostCells)) {
+    return fmt::format("is too large: {}; at most {:g} cells of {:g} m, such as {:g} x {:g} m",
+                       given, SurveyGrid::kMostCells, cell_m,
+                       std::sqrt(SurveyGrid::kMostCells) * cell_m,
+                       std::sqrt(SurveyGrid::kMostCells) * cell_m);
+  }
+  const bool is_sane = area.margin >= 0.0 && area.margin <= kWidestMargin &&
+                       area.object_height_max >= 0.0 && area.object_height_max <= kHighestObject;
+  return is_sane ? std::nullopt
+                 : std::optional(fmt::format(
+                       "makes no sense: {}; allowed: margin 0 to {:g}, objects 0 to {:g}", given,
+                       kWidestMargin, kHighestObject));
+}
 
 SurveyGrid::SurveyGrid(const SurveyArea& area, double cell_m)
     : SurveyGrid(FrameOf(area, cell_m), area.object_height_max) {}

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "limpet/core/camera_geometry.hpp"
@@ -11,6 +12,10 @@
 #include "limpet/topics/mission.hpp"
 
 namespace limpet {
+
+/// Why no grid of `cell_m` can be made of what SURVEY_AREA says, with the values; nothing if one
+/// can. Whoever takes an area from outside asks first.
+[[nodiscard]] std::optional<std::string> ProblemOf(const SurveyArea& area, double cell_m = 0.25);
 
 /// What of the survey area has been seen: per cell the greatest height above the seabed up to which
 /// an object would have been seen there. One number is enough because the image narrows upwards:
@@ -30,6 +35,8 @@ namespace limpet {
 /// regular cell centres learns to leave gaps between them.
 class SurveyGrid {
  public:
+  /// Cells that a grid may have: 500 m by 500 m at 0.25 m, about 100 MB in each app that keeps one.
+  static constexpr double kMostCells = 4e6;
   /// Inset of an object's centre from the image's edge [m], for discs of 0.5 m radius.
   static constexpr double kDiscInset = 0.08;
   /// Objects' centres float no lower than their radius [m]; the band of Coverage starts here.
@@ -39,7 +46,7 @@ class SurveyGrid {
   static constexpr double kCell_m = 0.25;
 
   /// A grid over `area`; cells at the north and east edge may reach beyond it by less than a cell.
-  /// REQUIRES: a non-empty area, cell_m > 0.
+  /// REQUIRES: no ProblemOf(area, cell_m).
   explicit SurveyGrid(const SurveyArea& area, double cell_m = kCell_m);
   /// The mirror of a grid that is known by its deltas.
   SurveyGrid(const GridFrame& frame, double object_height_max);

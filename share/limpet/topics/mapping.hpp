@@ -110,7 +110,7 @@ inline const auto kMapDelta =
                        {.unit = "m", .frame = "NED", .rate = "2 Hz", .writers = {"pMap"}});
 inline const auto kMapGridRequest =
     Declare<std::string>("MAP_GRID_REQUEST", "asks for all cells as one MAP_DELTA; value says why",
-                         {.rate = "on restart", .writers = {"pHelm"}});
+                         {.rate = "on restart", .writers = {"pHelm"}, .is_command = true});
 inline const auto kMapCoverage =
     Declare<Coverage>("MAP_COVERAGE", "shares of the area that the vehicle believes it has seen",
                       {.unit = "0 to 1", .rate = "2 Hz", .writers = {"pMap"}});
@@ -122,13 +122,13 @@ inline const auto kMapSnapshot = Declare<Binary>(
     {.unit = "m", .frame = "NED", .rate = "on MAP_SNAPSHOT_REQUEST", .writers = {"pMap"}});
 inline const auto kMapSnapshotRequest =
     Declare<std::string>("MAP_SNAPSHOT_REQUEST", "asks for MAP_SNAPSHOT; value says why",
-                         {.rate = "with each save", .writers = {"pSession"}});
+                         {.rate = "with each save", .writers = {"pSession"}, .is_command = true});
 inline const auto kSessionPrior = Declare<SessionPrior>(
     "SESSION_PRIOR", "objects of the loaded former session, and where it looked from",
     {.unit = "m, rad, s", .frame = "NED", .rate = "once", .writers = {"pSession"}});
 inline const auto kSessionSave =
     Declare<std::string>("SESSION_SAVE", "asks pSession to save; value says why",
-                         {.rate = "on event", .writers = {"pSurvey"}});
+                         {.rate = "on event", .writers = {"pSurvey"}, .is_command = true});
 inline const auto kSessionSaved =
     Declare<std::string>("SESSION_SAVED", "a generation is complete on disk: generation=,cause=",
                          {.rate = "on event", .writers = {"pSession"}});

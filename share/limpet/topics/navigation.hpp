@@ -13,7 +13,16 @@
 
 namespace limpet {
 
-/// The estimate as known now. NED, body FRD; 1-sigma of each.
+/// What one sensor gives the estimate.
+struct NavSource {
+  /// Seconds of vehicle time since its last good sample was measured; absent before the first.
+  std::optional<double> age = std::nullopt;
+  /// That is no longer than pNav waits for one. Absent: the writer does not say.
+  std::optional<bool> is_valid = std::nullopt;
+};
+
+/// The estimate as known now. NED, body FRD; 1-sigma of each. While sensors are silent the sigmas
+/// grow by what the vehicle and the water can do meanwhile.
 struct NavState {
   double north = 0.0, east = 0.0, down = 0.0;
   double roll = 0.0, pitch = 0.0, yaw = 0.0;
@@ -26,6 +35,13 @@ struct NavState {
   /// depth. Absent without bottom lock.
   std::optional<double> altitude;
   double sd_north = 0.0, sd_east = 0.0, sd_down = 0.0, sd_yaw = 0.0;
+  /// False: nothing has told pNav lately how the vehicle moves (no attitude, or neither bottom
+  /// track nor depth nor a fix). Position and attitude are then where they were last known, and
+  /// NAV_X and its kin are silent. Absent, from another writer, counts as true.
+  std::optional<bool> is_valid = std::nullopt;
+  /// `dvl`: velocity over ground; `fog`: without it the IMU's own yaw rate serves; under water
+  /// there is no GPS, and `camera` counts frames, also of nothing.
+  NavSource imu = {}, fog = {}, dvl = {}, depth = {}, gps = {}, camera = {};
 
   template <class V>
   void Describe(V& visit) {
@@ -35,8 +51,17 @@ struct NavState {
     visit("altitude", altitude), visit("velocity_age", velocity_age);
     visit("sd_north", sd_north), visit("sd_east", sd_east), visit("sd_down", sd_down),
         visit("sd_yaw", sd_yaw);
+    visit("is_valid", is_valid);
+    visit("imu_age", imu.age), visit("imu_valid", imu.is_valid);
+    visit("fog_age", fog.age), visit("fog_valid", fog.is_valid);
+    visit("dvl_age", dvl.age), visit("dvl_valid", dvl.is_valid);
+    visit("depth_age", depth.age), visit("depth_valid", depth.is_valid);
+    visit("gps_age", gps.age), visit("gps_valid", gps.is_valid);
+    visit("camera_age", camera.age), visit("camera_valid", camera.is_valid);
   }
   [[nodiscard]] Pose pose() const { return {{north, east, down}, roll, pitch, yaw}; }
+  /// The vehicle may be steered by it.
+  [[nodiscard]] bool is_usable() const { return is_valid.value_or(true); }
 };
 
 /// Position by integrating the DVL alone from the first GPS fix, for comparison.
@@ -121,7 +146,7 @@ struct PosedBeams {
 
 namespace topics {
 inline const auto kNavX = Declare<double>(
-    "NAV_X", "position",
+    "NAV_X", "position; silent, like all of NAV_ but NAV_STATE, while that is not valid",
     {.unit = "m", .frame = "east of the datum", .rate = "10 Hz", .writers = {"pNav"}});
 inline const auto kNavY = Declare<double>(
     "NAV_Y", "position",
@@ -148,7 +173,7 @@ inline const auto kNavRoll = Declare<double>(
     "NAV_ROLL", "roll",
     {.unit = "rad", .frame = "starboard down positive", .rate = "10 Hz", .writers = {"pNav"}});
 inline const auto kNavState = Declare<NavState>(
-    "NAV_STATE", "full estimate with its 1-sigma",
+    "NAV_STATE", "full estimate with its 1-sigma, age and validity of each sensor's samples",
     {.unit = "m, rad, s", .frame = "NED, body FRD", .rate = "10 Hz", .writers = {"pNav"}});
 inline const auto kNavDeadReckoning = Declare<DeadReckoning>(
     "NAV_DEAD_RECKONING", "DVL dead reckoning from the first GPS fix, for comparison",

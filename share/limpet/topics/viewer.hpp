@@ -78,9 +78,9 @@ inline const auto kViewMarker = Declare<std::string>(
 inline const auto kHelmSummary = Declare<std::string>(
     "IVPHELM_SUMMARY", "the helm's decision and its behaviors; after the first what changed",
     {.rate = "10 Hz", .writers = {"pHelm"}});
-inline const auto kHelmRejournal =
-    Declare<std::string>("IVPHELM_REJOURNAL", "asks for a whole IVPHELM_SUMMARY",
-                         {.rate = "on event", .writers = {"pNodeReporter", "uHelmScope"}});
+inline const auto kHelmRejournal = Declare<std::string>(
+    "IVPHELM_REJOURNAL", "asks for a whole IVPHELM_SUMMARY",
+    {.rate = "on event", .writers = {"pNodeReporter", "uHelmScope"}, .is_command = true});
 inline const auto kHelmIteration = Declare<double>("IVPHELM_ITER", "iterations of the helm",
                                                    {.rate = "10 Hz", .writers = {"pHelm"}});
 inline const auto kHelmDomain =

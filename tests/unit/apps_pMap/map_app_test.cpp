@@ -194,5 +194,28 @@ TEST_F(MapAppTest, TellsTheOperatorOfCoverageAndObjects) {
   EXPECT_THAT(lines.Text(), ::testing::HasSubstr("yellow   4.00"));
 }
 
+TEST(MapAppArea, RefusesOneThatNoGridCanHoldAndGoesOn) {
+  TestLink link;
+  AppContext context;
+  context.name = "pMap";
+  context.link = &link;
+  MapApp app(context, MapApp::Params{});
+  SurveyArea vast = kArea, inverted = kArea;
+  vast.north_max = 2e6;
+  inverted.east_max = -19;
+  for (const SurveyArea& area : {vast, inverted}) {
+    link.Send(app, topics::kSurveyArea, area);
+    EXPECT_TRUE(app.warnings().contains("AREA_REFUSED"));
+    link.time += Seconds(1.0);
+    app.Tick(link.time);
+    EXPECT_FALSE(link.Last(topics::kMapCoverage).has_value());
+  }
+  link.Send(app, topics::kSurveyArea, kArea);
+  EXPECT_TRUE(app.warnings().empty());
+  link.time += Seconds(1.0);
+  app.Tick(link.time);
+  EXPECT_TRUE(link.Last(topics::kMapCoverage).has_value());
+}
+
 }  // namespace
 }  // namespace limpet

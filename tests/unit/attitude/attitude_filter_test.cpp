@@ -134,5 +134,50 @@ TEST(AttitudeFilter, DropsSamplesThatAreNotNumbersOrComeFromThePast) {
   EXPECT_EQ(filter.estimate()->t, t);
 }
 
+TEST(AttitudeFilter, RefusesAndCountsWhatGoesBackInTime) {
+  AttitudeFilter filter{AttitudeParams{}};
+  Feed(filter, 10.0, 0.0, 0.0, 0.5);
+  EXPECT_FALSE(filter.AddInertial(Steady(9.0, 0.0, 0.0, 2.0, 5.0)));
+  EXPECT_FALSE(filter.AddInertial(Steady(std::nan(""), 0.0, 0.0, 2.0)));
+  EXPECT_EQ(filter.refused(), 2);
+  EXPECT_NEAR(filter.estimate()->yaw, 0.5, 1e-6);
+}
+
+TEST(AttitudeFilter, ALeapOfTheClockThatOneSampleShowsStopsNothing) {
+  AttitudeFilter filter{AttitudeParams{}};
+  Feed(filter, 10.0, 0.0, 0.0, 0.5);
+  EXPECT_FALSE(filter.AddInertial(Steady(3610.0, 0.0, 0.0, 0.5)));
+  EXPECT_TRUE(filter.AddInertial(Steady(10.02, 0.0, 0.0, 0.5)));
+}
+
+TEST(AttitudeFilter, ALeapThatStaysIsBelieved) {
+  AttitudeFilter filter{AttitudeParams{}};
+  Feed(filter, 10.0, 0.0, 0.0, 0.5);
+  for (int i = 0; i < 3; ++i) {
+    static_cast<void>(filter.AddInertial(Steady(3610.0 + kPeriod * i, 0.0, 0.0, 0.5)));
+  }
+  EXPECT_NEAR(filter.estimate()->t, 3610.04, 1e-9);
+}
+
+TEST(AttitudeFilter, FindsItsHeadingAgainAfterItsClockWasSetBackWhileTheVehicleTurned) {
+  AttitudeFilter filter{AttitudeParams{}};
+  Feed(filter, 10.0, 0.0, 0.0, 0.5);
+  for (double t = 9.0; t < 30.0; t += kPeriod) {  // it has turned to 0.9 in the second it missed
+    static_cast<void>(filter.AddInertial(Steady(t, 0.0, 0.0, 0.9)));
+  }
+  EXPECT_NEAR(filter.estimate()->yaw, 0.9, 0.01);
+  EXPECT_EQ(filter.refused(), 50);
+}
+
+TEST(AttitudeFilter, TakesNoGyroRateOfAnotherTime) {
+  AttitudeFilter filter{AttitudeParams{}};
+  Feed(filter, 10.0, 0.0, 0.0, 0.5);
+  filter.AddFogRate(3610.0, 1.0);
+  for (double t = 10.0; t < 12.0; t += kPeriod) {
+    static_cast<void>(filter.AddInertial(Steady(t, 0.0, 0.0, 0.5)));
+  }
+  EXPECT_NEAR(filter.estimate()->yaw, 0.5, 1e-3);
+}
+
 }  // namespace
 }  // namespace limpet

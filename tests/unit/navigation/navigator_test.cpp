@@ -81,5 +81,33 @@ TEST_F(NavigatorTest, ARealGapInTheAttitudeIsCrossed) {
   EXPECT_GT(navigator_.Estimate(t_).sd_p.x(), 0.5);
 }
 
+TEST_F(NavigatorTest, SigmasGrowWhileNothingIsMeasured) {
+  Rest(0.0, 0.0, 5.0);
+  const NavigatorEstimate fresh = navigator_.Estimate(t_);
+  navigator_.Advance(t_ + 100.0);
+  const NavigatorEstimate stale = navigator_.Estimate(t_ + 100.0);
+  EXPECT_LT(fresh.sd_p.x(), 1.0);
+  EXPECT_NEAR(stale.sd_p.x(), 75.0, 1.0);
+  EXPECT_NEAR(stale.sd_p.z(), 30.0, 1.0);
+  EXPECT_GT(stale.sd_yaw, 1.0);
+}
+
+TEST_F(NavigatorTest, WithoutVelocityForLongThePositionIsLostButDepthIsNot) {
+  Rest(0.0, 0.0, 5.0);
+  Rest(0.0, 0.0, 60.0, false);
+  EXPECT_LT(navigator_.Estimate(t_).sd_p.x(), 10.0) << "a dropout is bridged";
+  Rest(0.0, 0.0, 600.0, false);
+  const NavigatorEstimate estimate = navigator_.Estimate(t_);
+  EXPECT_NEAR(estimate.sd_p.x(), 0.75 * 540.0, 30.0);
+  EXPECT_LT(estimate.sd_p.z(), 0.5);
+}
+
+TEST_F(NavigatorTest, VelocitiesThatGoBackInTimeAreCounted) {
+  Rest(0.0, 0.0, 5.0);
+  navigator_.AddVelocity(t_ - 3.0, Eigen::Vector3d(2.0, 0.0, 0.0));
+  EXPECT_EQ(navigator_.counts().stale_samples, 1);
+  EXPECT_EQ(navigator_.counts().velocities, 0);
+}
+
 }  // namespace
 }  // namespace limpet

@@ -138,5 +138,35 @@ TEST_F(HelmAppTest, DrawsAreaAndHomeForTheOperator) {
   EXPECT_THAT(Posts("VIEW_POINT").at(0), HasSubstr("x=4,y=3,label=alpha_home"));
 }
 
+TEST_F(HelmAppTest, RefusesAnAreaThatNoVehicleCanSurveyAndGoesOn) {
+  const SurveyArea good{.north_min = -10, .north_max = 10, .east_min = -10, .east_max = 10};
+  SurveyArea vast = good, inverted = good, thick = good;
+  vast.north_max = 2e6, vast.east_max = 2e6;
+  inverted.east_max = -20;
+  thick.object_height_max = 1e9;
+  for (const SurveyArea& area : {vast, inverted, thick}) {
+    link_.Send(*app_, topics::kSurveyArea, area);
+    ASSERT_TRUE(app_->warnings().contains("AREA_REFUSED")) << EncodeRecord(area);
+    Deploy();
+    Tick();
+  }
+  link_.Send(*app_, topics::kSurveyArea, vast);
+  EXPECT_THAT(app_->warnings().at("AREA_REFUSED"), HasSubstr("north -10 to 2e+06"));
+  link_.Send(*app_, topics::kSurveyArea, good);
+  EXPECT_FALSE(app_->warnings().contains("AREA_REFUSED"));
+}
+
+TEST_F(HelmAppTest, StopsWhenNavigationIsNotValid) {
+  Deploy();
+  Tick();
+  ASSERT_NE(link_.Last(topics::kDesiredSpeed), 0.0);
+  NavState lost;
+  lost.is_valid = false;
+  link_.Send(*app_, topics::kNavState, lost);
+  Tick();
+  EXPECT_EQ(link_.Last(topics::kDesiredSpeed), 0.0);
+  EXPECT_EQ(link_.Last(topics::kHelmAllStop), "MissingNav");
+}
+
 }  // namespace
 }  // namespace limpet

@@ -212,6 +212,17 @@ TEST_F(PilotAppTest, ItsLastWordIsZero) {
   EXPECT_TRUE(IsAtRest());
 }
 
+TEST_F(PilotAppTest, StopsAllThrustersAtOnceWhenNavigationIsNotValid) {
+  SendNav(), SendWishes();
+  Tick(10);
+  NavState lost;
+  lost.is_valid = false;
+  link_.Send(app_, topics::kNavState, lost);
+  Tick();
+  EXPECT_TRUE(HasWarning("NAV_STALE"));
+  EXPECT_EQ(Surge(), 0.0);
+}
+
 TEST_F(PilotAppTest, RecoversWhenNavigationComesBack) {
   SendNav(), SendWishes();
   Tick(60);

@@ -209,5 +209,71 @@ TEST_F(SurveyAppTest, TellsTheOperatorPhaseProgressAndTimeToGo) {
   EXPECT_THAT(lines.Text(), testing::HasSubstr("about 150 s"));
 }
 
+TEST_F(SurveyAppTest, AShoreWhoseClockIsWrongNeitherEndsNorHurriesTheMission) {
+  for (const double off : {-2000.0, 2000.0}) {
+    TestLink link;
+    SurveyApp app(ContextOn(link), {});
+    const NavState nav{.north = -12.0, .east = -15.0, .altitude = 7.5};
+    const auto tick = [&](double seconds) {
+      link.time += Seconds(seconds);
+      link.Send(app, topics::kNavState, nav);
+      app.Tick(link.time);
+    };
+    tick(1.0);
+    link.SendStamped(app, topics::kDeploy, true, link.time + Seconds(off));
+    tick(SurveyApp::Params{}.align.value() - 1.0);
+    EXPECT_EQ(link.Last(topics::kSurveyPhase), "ALIGN") << off;
+    tick(2.0);
+    EXPECT_EQ(link.Last(topics::kSurveyPhase), "DIVE") << off;
+    link.SendStamped(app, topics::kReturn, true, link.time + Seconds(off));
+    tick(1.0);
+    EXPECT_NE(link.Last(topics::kSurveyPhase), "DONE") << off;
+    EXPECT_FALSE(link.Last(topics::kMissionEnd).has_value()) << off;
+  }
+}
+
+TEST_F(SurveyAppTest, ReturnWhileStillAtTheSurfaceEndsTheMissionThere) {
+  Nav(-12.0, -15.0, 0.0, 7.5);
+  link_.Send(app_, topics::kDeploy, true);
+  Tick(10.0);
+  link_.Send(app_, topics::kReturn, true);
+  EXPECT_EQ(Phase(), "DONE");
+  EXPECT_EQ(link_.Last(topics::kMissionEnd), "aborted");
+  Tick(SurveyApp::Params{}.align.value());
+  EXPECT_EQ(Phase(), "DONE") << "it must not dive after all";
+}
+
+TEST_F(SurveyAppTest, ReturnBeforeDeployHoldsNothingUp) {
+  link_.Send(app_, topics::kReturn, true);
+  EXPECT_EQ(Phase(), "IDLE");
+  ReachSurvey();
+  EXPECT_EQ(Phase(), "SURVEY");
+}
+
+TEST_F(SurveyAppTest, ReturnOnTheWayHomeChangesNothing) {
+  ReachSurvey();
+  ReachTarget();
+  Tick(1.0);
+  ASSERT_EQ(Phase(), "RETURN");
+  link_.Send(app_, topics::kReturn, true);
+  Nav(-12.0, -15.0, 3.5, 4.0);
+  Tick(1.0);
+  Nav(-12.0, -15.0, 0.1, 7.4);
+  Tick(1.0);
+  Tick(SurveyApp::Params{}.last_fix.value() + 1.0);
+  EXPECT_EQ(link_.Last(topics::kMissionEnd), "home");
+}
+
+TEST_F(SurveyAppTest, EndsLostWhenNavigationIsHeardButNotValid) {
+  ReachSurvey();
+  nav_->is_valid = false;
+  for (double t = 0.0; t < SurveyApp::Params{}.lost.value() + 10.0; t += 10.0) {
+    link_.Send(app_, topics::kMapCoverage, Coverage{});
+    Tick(10.0);
+  }
+  EXPECT_EQ(link_.Last(topics::kMissionEnd), "lost");
+  EXPECT_TRUE(app_.warnings().contains("NAV_LOST"));
+}
+
 }  // namespace
 }  // namespace limpet

@@ -46,5 +46,50 @@ TEST(ClientClock, LearnsTheWarpFromTheWelcomeIfAsked) {
   EXPECT_DOUBLE_EQ(keeps.warp(), 1.0);
 }
 
+/// A broker of ours on this machine, whose vehicle time is `ahead` of this process's.
+WireMessage WelcomeHere(double ahead, std::string& words) {
+  words = "hostname=" + HostWords("vm");
+  const std::string own = TextOf(OwnClockOrigin());
+  const auto at = words.find(own);
+  const auto ns = static_cast<std::int64_t>(1e9 * ahead);
+  words.replace(at, own.size(), TextOf(ClockOrigin{OwnClockOrigin().ns + ns}));
+  return WelcomeFrom(words, VehicleTime().value() + ahead);
+}
+
+TEST(ClientClock, AgreesExactlyWithABrokerOfItsMachineThatWasStartedByAnotherDate) {
+  std::string words;
+  ClientClock clock(1.0);
+  clock.TakeWelcome(WelcomeHere(-3600.0, words), false);
+  EXPECT_NEAR(Ahead(clock), -3600.0, 1e-6);
+  const double now = clock.Own().value();
+  clock.TakeEcho({.time = now, .number = now - 3600.2});  // that echo was long on its way
+  EXPECT_NEAR(Ahead(clock), -3600.0, 1e-6);
+}
+
+TEST(ClientClock, StaysWhenItsBrokerComesBackWithAnotherDate) {
+  std::string words;
+  ClientClock clock(1.0);
+  clock.TakeWelcome(WelcomeHere(0.0, words), false);
+  clock.TakeWelcome(WelcomeHere(3600.0, words), false);
+  EXPECT_NEAR(Ahead(clock), 0.0, 1e-6);
+  const double now = clock.Own().value();
+  clock.TakeEcho({.time = now, .number = now + 3600.0});
+  EXPECT_NEAR(clock.disagreement().value(), 3600.0, 0.1);
+}
+
+TEST(ClientClock, FollowsAStrangersStepSlowlyAndNeverBackwards) {
+  ClientClock clock(1.0);
+  clock.TakeWelcome(WelcomeFrom("hostname=elsewhere", clock.Own().value() + kAhead), false);
+  const Seconds before = clock.Now();
+  const double own = clock.Own().value();
+  clock.TakeEcho({.time = own, .number = own + kAhead - 10.0});
+  EXPECT_GE(clock.Now(), before);
+  EXPECT_NEAR(clock.disagreement().value(), -9.9, 0.05);
+}
+
+TEST(ClientClock, AStockClientDoesNotTakeTheBrokersHostForItsOwn) {
+  EXPECT_NE(HostWords("vm").substr(0, HostWords("vm").find(',')), "vm");
+}
+
 }  // namespace
 }  // namespace limpet
