@@ -92,8 +92,9 @@ TEST_F(FruitlessLooksTest, AreSaidInTheBids) {
     Sail(1.0);
   }
   Sail(10.0);
+  const HelmBids bids = link_.Last(topics::kHelmBids).value_or(HelmBids{});
   std::string whys;
-  for (const BiddenOption& option : link_.Last(topics::kHelmBids)->options) {
+  for (const BiddenOption& option : bids.options) {
     for (const OptionBid& bid : option.bids) {
       whys += bid.why + "\n";
     }
