@@ -56,6 +56,7 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
   Subscribe(topics::kMapDelta, &HelmApp::OnDelta);
   Subscribe(topics::kMapCoverage, &HelmApp::OnCoverage);
   Subscribe(topics::kMapOpis, &HelmApp::OnOpis);
+  Subscribe(topics::kMapLook, &HelmApp::OnLook);
   Subscribe(topics::kSessionPrior, &HelmApp::OnPrior);
   Subscribe(topics::kHelmRejournal, &HelmApp::OnRejournal);
   SubscribeToConditions();
@@ -78,6 +79,14 @@ void HelmApp::OnArea(const Stamped<SurveyArea>& area) {
   ClearWarning("AREA_REFUSED");
   if (planner_.SetArea(area.value) && context().is_restarted) {
     Publish(topics::kMapGridRequest, std::string("pHelm has been restarted"));
+  }
+  if (!planner_.SeesWholeBand()) {
+    Warn(
+        "BAND_ABOVE_VIEW",
+        fmt::format("objects {:g} m above the seabed cannot be covered from survey_altitude_m {:g}",
+                    area.value.object_height_max, params_.survey_altitude.value()));
+  } else {
+    ClearWarning("BAND_ABOVE_VIEW");
   }
   drawing_.DrawArea(area.value);
 }
@@ -132,17 +141,16 @@ void HelmApp::Tick(Seconds now) {
   VehicleState state{
       .now = now, .nav = *nav_, .guidance = planner_.Guide(*nav_), .area = planner_.area()};
   Post(host_.Update(state));
-  for (const BehaviorWarning& warning : host_.TakeWarnings()) {
-    Warn(warning.id, warning.text);
-  }
   if (is_parked_) {
     planner_.DropPath();
     AllStop("ManualOverride");
   } else {
     DecideView(now);
+    TellRevisits(now);
     state.guidance = planner_.Guide(*nav_);
     Steer(state);
   }
+  TellBehaviorWarnings();
   if (planner_.path().segments().empty()) {
     drawing_.ErasePath();
   }
@@ -174,13 +182,6 @@ void HelmApp::Steer(const VehicleState& state) {
   const std::vector<WeightedBehavior> bidders = Bidders();
   motion_ = DecideMotion(bidders, state, domain_);
   const MotionDecision& decision = motion_;
-  for (const BehaviorWarning& warning : decision.warnings) {
-    Warn(warning.id, warning.text);
-  }
-  if (decision.warnings.empty()) {
-    ClearWarning("ALTITUDE_LOST");
-    ClearWarning("OUTSIDE_REGION");
-  }
   if (decision.active.empty()) {
     AllStop("NothingToDo");
     return;
@@ -194,6 +195,18 @@ void HelmApp::Steer(const VehicleState& state) {
   Publish(topics::kDesiredSpeed, *decision.speed);
   Publish(topics::kDesiredDepth, *decision.depth);
   Publish(topics::kDesiredTurnRate, decision.turn_rate.value_or(0.0));
+}
+
+void HelmApp::TellBehaviorWarnings() {
+  std::vector<OwnedWarning> raised = motion_.warnings;
+  raised.insert(raised.end(), host_.warnings().begin(), host_.warnings().end());
+  const WarningBook::Change change = warning_book_.Update(raised);
+  for (const std::string& id : change.cleared) {
+    ClearWarning(id);
+  }
+  for (const BehaviorWarning& warning : change.raised) {
+    Warn(warning.id, warning.text);
+  }
 }
 
 void HelmApp::AllStop(const std::string& why) {

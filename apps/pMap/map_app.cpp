@@ -6,6 +6,7 @@
 #include "apps/pMap/map_conversions.hpp"
 #include "estimation/mapping/dvl_beams.hpp"
 #include "limpet/app/registry.hpp"
+#include "limpet/survey/look.hpp"
 
 namespace limpet {
 
@@ -44,6 +45,7 @@ void MapApp::OnArea(const Stamped<SurveyArea>& area) {
 }
 
 void MapApp::OnGridRequest(const Stamped<std::string>& /*cause*/) {
+  has_told_looks_ = false;  // who asks has been restarted
   if (grid_) {
     Publish(topics::kMapDelta, grid_->Everything());
   }
@@ -101,7 +103,17 @@ void MapApp::OnLandmarks(const Stamped<Landmarks>& landmarks) {
 
 void MapApp::OnPrior(const Stamped<SessionPrior>& prior) { book_.SetFormer(FormerOf(prior.value)); }
 
+void MapApp::TellHowItLooks() {
+  if (!has_told_looks_) {
+    has_told_looks_ = true;
+    Publish(topics::kMapLook, ToMapLook({.camera = camera_,
+                                         .detection = params_.status.detection,
+                                         .object_radius = params_.status.object_radius.value()}));
+  }
+}
+
 void MapApp::Tick(Seconds now) {
+  TellHowItLooks();
   if (last_publish_ && now - *last_publish_ < params_.publish_every) {
     return;
   }

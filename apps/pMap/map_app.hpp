@@ -65,6 +65,8 @@ class MapApp final : public App {
   [[nodiscard]] bool IsMapping() const;
   [[nodiscard]] std::optional<double> AltitudeOf(const Sight& sight);
   void OnSnapshotRequest(const Stamped<std::string>& request);
+  /// By what looks are counted, for who plans them.
+  void TellHowItLooks();
   void UpdateObjects();
   void PublishObjects();
 
@@ -81,6 +83,7 @@ class MapApp final : public App {
   std::optional<Seconds> last_sight_;
   std::optional<Seconds> last_publish_;
   std::optional<Value> last_objects_;
+  bool has_told_looks_ = false;
   MapDrawing drawing_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "limpet/core/params.hpp"
 #include "limpet/core/units.hpp"
+#include "limpet/survey/look.hpp"
 
 namespace limpet {
 
@@ -62,7 +63,7 @@ class LookLog {
   void Add(const FrameEvidence& frame);
   /// Lambda over all passes, the one under way included.
   [[nodiscard]] double Lambda() const;
-  /// Looks that would more likely than not have shown an object, or that did show a box.
+  /// Looks as `survey/look.hpp` has them, or that did show a box.
   [[nodiscard]] int looks() const;
   [[nodiscard]] int looks_with_box() const;
   [[nodiscard]] int passes() const { return passes_; }
@@ -81,7 +82,7 @@ class LookLog {
     int frames = 0;
     bool has_box = false;
     [[nodiscard]] Evidence mean() const { return sum / static_cast<double>(frames); }
-    [[nodiscard]] bool counts() const { return has_box || detects >= 0.5 * frames; }
+    [[nodiscard]] bool counts() const { return has_box || detects >= kLookChance * frames; }
   };
 
   [[nodiscard]] Evidence Weigh(const FrameEvidence& frame) const;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "estimation/change/log_space.hpp"
+#include "limpet/survey/look.hpp"
 
 namespace limpet {
 namespace {
@@ -23,9 +24,10 @@ constexpr double kSmallestSize = 0.6;  ///< of the expected, for a box that the 
 constexpr double kLargestSize = 1.6;
 constexpr double kBorder = 3.0;  ///< a box this near the image's border is cut [px]
 
-double Detects(const Eigen::Vector3d& p_W, const Pose& X_WB, const WatchModel& model) {
-  const double share = VisibleShare(model.camera, X_WB, p_W, model.object_radius);
-  return share > 0.0 ? model.detection.Detects((p_W - X_WB.p_WB).norm(), share) : 0.0;
+LookModel LookModelOf(const WatchModel& model) {
+  return {.camera = model.camera,
+          .detection = model.detection,
+          .object_radius = model.object_radius};
 }
 
 bool IsCut(const SightedDetection& box, const CameraGeometry& camera) {
@@ -131,8 +133,9 @@ void PlaceWatch::See(const SightRecord& sight, const WatchModel& model, const Ow
   const BoxesHere boxes = LookForBoxes(sight, place_, *foresight, model.camera, owner_of);
   const bool has_own = boxes.own != nullptr;
   const double false_alarm = FalseAlarm(*foresight, model);
+  const LookModel look = LookModelOf(model);
   for (Spot& spot : spots_) {
-    const double detects = Detects(spot.p_W, sight.X_WB, model);
+    const double detects = ChanceToDetect(look, sight.X_WB, spot.p_W);
     if (detects < model.least_detection && !has_own) continue;
     spot.log.Add({.time = sight.time,
                   .p_OC = sight.X_WB.p_WB - spot.p_W,

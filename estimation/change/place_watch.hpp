@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "estimation/change/detection_model.hpp"
 #include "estimation/change/look_log.hpp"
 #include "estimation/matching/session_matching.hpp"
+#include "limpet/survey/detection_model.hpp"
 
 namespace limpet {
 

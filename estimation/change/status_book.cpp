@@ -322,6 +322,7 @@ std::optional<ObjectStatus> StatusBook::StatusOfHunch(Hunch& hunch) {
   hunch.id = hunch.id > 0 ? hunch.id : next_id_++;
   return ObjectStatus{.id = hunch.id,
                       .object = hunch.place,
+                      .looks = hunch.good_looks,
                       .posterior = {.appeared = kHunchIsObject, .nothing = 1.0 - kHunchIsObject}};
 }
 

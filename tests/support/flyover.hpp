@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "estimation/change/detection_model.hpp"
+#include "limpet/survey/detection_model.hpp"
 #include "limpet/core/random.hpp"
 #include "limpet/topics/navigation.hpp"
 

@@ -105,6 +105,22 @@ OrderedJson IfJudged(const SessionScore& session, OrderedJson value) {
   return session.has_truth ? std::move(value) : OrderedJson(nullptr);
 }
 
+/// Times in seconds since the session's start; `to_s` null: it stood at the end.
+OrderedJson Warnings(const SessionScore& session) {
+  OrderedJson list = OrderedJson::array();
+  const auto since_start = [&session](Seconds time) {
+    return Time((time - session.begun.value_or(time)).value());
+  };
+  for (const WarningRecord& warning : session.warnings) {
+    list.push_back({{"app", warning.app},
+                    {"id", warning.id},
+                    {"text", warning.text},
+                    {"from_s", since_start(warning.from)},
+                    {"to_s", warning.to ? since_start(*warning.to) : OrderedJson(nullptr)}});
+  }
+  return list;
+}
+
 OrderedJson Session(const SessionScore& session) {
   OrderedJson out = {
       {"coverage", IfJudged(session, Levels(session.coverage.seabed, 0.90))},
@@ -121,6 +137,7 @@ OrderedJson Session(const SessionScore& session) {
       {"opis", session.has_truth ? Opis(session.opis.found) : Opis(session.opis.reported)},
       {"missed", IfJudged(session, session.opis.missed)},
       {"false", IfJudged(session, FalseOpis(session.opis.invented))}};
+  out["warnings"] = Warnings(session);
   if (!session.former.empty()) {
     out["prior_opis_seen_path_m"] = Optional(session.coverage.prior_opis_seen_path_m, Length);
     out["changes"] = Changes(session.opis.changes);

@@ -52,6 +52,8 @@ SessionScore ScoreSession(const SessionRecord& record, const Scenario& scenario,
   score.former = FormerOf(record, settings);
   score.has_truth = settings.has_scenario && !record.truth.empty();
   score.ended = record.ended.empty() ? "aborted" : record.ended;
+  score.warnings = record.warnings;
+  score.begun = record.begun;
   if (const auto wall = settings.wall_s.find(record.name); wall != settings.wall_s.end()) {
     score.wall_s = wall->second;
   }

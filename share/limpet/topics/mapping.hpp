@@ -82,6 +82,25 @@ struct OpiBeliefs {
 template <>
 struct TopicCodec<OpiBeliefs> : JsonCodec<OpiBeliefs> {};
 
+/// By what the map judges whether a frame looks at a place: camera and detector as it believes them
+/// (`survey/look.hpp`). Who plans looks plans them by this.
+struct MapLook {
+  double fov_across = 0.0, fov_along = 0.0;  ///< full angles [rad]
+  int width_px = 0, height_px = 0;
+  double best = 0.0;          ///< chance per frame close by and wholly inside the image
+  double visibility = 0.0;    ///< range at which contrast is gone [m]
+  double share_none = 0.0;    ///< share of an object inside the image below which it is missed
+  double share_full = 0.0;    ///< and above which the border does not matter
+  double object_radius = 0.0;  ///< [m]
+  template <class V>
+  void Describe(V& visit) {
+    visit("fov_across", fov_across), visit("fov_along", fov_along);
+    visit("width_px", width_px), visit("height_px", height_px), visit("best", best);
+    visit("visibility", visibility), visit("share_none", share_none);
+    visit("share_full", share_full), visit("object_radius", object_radius);
+  }
+};
+
 /// An object that a former session found.
 struct PriorOpi {
   int id = 0;
@@ -117,6 +136,9 @@ inline const auto kMapCoverage =
 inline const auto kMapOpis = Declare<OpiBeliefs>(
     "MAP_OPIS", "objects and their status",
     {.unit = "m", .frame = "NED", .rate = "on change, at most 2 Hz", .writers = {"pMap"}});
+inline const auto kMapLook =
+    Declare<MapLook>("MAP_LOOK", "by what the map judges whether a frame looks at a place",
+                     {.unit = "m, rad", .rate = "once", .writers = {"pMap"}});
 inline const auto kMapSnapshot = Declare<Binary>(
     "MAP_SNAPSHOT", "whole semantic octree",
     {.unit = "m", .frame = "NED", .rate = "on MAP_SNAPSHOT_REQUEST", .writers = {"pMap"}});

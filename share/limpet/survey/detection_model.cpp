@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "estimation/change/detection_model.hpp"
+#include "limpet/survey/detection_model.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/survey/look.hpp"
+
+#include <algorithm>
+
+namespace limpet {
+namespace {
+
+/// Slack takes at most this share of a window's extents: who plans exactly over the place has done
+/// what can be done.
+constexpr double kMostSlackShare = 0.6;
+constexpr int kBisections = 30;
+
+}  // namespace
+
+double ChanceToDetect(const LookModel& model, const Pose& X_WB, const Eigen::Vector3d& p_W) {
+  const double share = VisibleShare(model.camera, X_WB, p_W, model.object_radius);
+  return share > 0.0 ? model.detection.Detects((p_W - X_WB.p_WB).norm(), share) : 0.0;
+}
+
+std::optional<LookWindow> LookWindowAbove(const LookModel& model, double drop, double slack) {
+  const double along = drop * std::tan(0.5 * model.camera.fov_along);
+  const double across = drop * std::tan(0.5 * model.camera.fov_across);
+  // The chance falls towards the corners; so where the corners are looked at, all within them is.
+  const auto is_look = [&](double scale) {
+    for (const double x : {-scale * along, scale * along}) {
+      for (const double y : {-scale * across, scale * across}) {
+        if (ChanceToDetect(model, Pose{}, {x, y, drop}) < kLookChance) {
+          return false;
+        }
+      }
+    }
+    return true;
+  };
+  if (drop <= 0.0 || !is_look(0.0)) {
+    return std::nullopt;
+  }
+  double inside = 0.0;
+  double outside = 1.0;  // an object centred on the image's corner shows a quarter of itself
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = 0.5 * (inside + outside);
+    (is_look(middle) ? inside : outside) = middle;
+  }
+  const auto narrowed = [slack](double half) {
+    return std::max(half - slack, (1.0 - kMostSlackShare) * half);
+  };
+  return LookWindow{.half_along = narrowed(inside * along),
+                    .half_across = narrowed(inside * across)};
+}
+
+MapLook ToMapLook(const LookModel& model) {
+  return {.fov_across = model.camera.fov_across,
+          .fov_along = model.camera.fov_along,
+          .width_px = model.camera.width_px,
+          .height_px = model.camera.height_px,
+          .best = model.detection.best,
+          .visibility = model.detection.visibility.value(),
+          .share_none = model.detection.share_none,
+          .share_full = model.detection.share_full,
+          .object_radius = model.object_radius};
+}
+
+LookModel ToLookModel(const MapLook& look) {
+  LookModel model;
+  model.camera.fov_across = look.fov_across;
+  model.camera.fov_along = look.fov_along;
+  model.camera.width_px = look.width_px;
+  model.camera.height_px = look.height_px;
+  model.detection.best = look.best;
+  model.detection.visibility = Meters(look.visibility);
+  model.detection.share_none = look.share_none;
+  model.detection.share_full = look.share_full;
+  model.object_radius = look.object_radius;
+  return model;
+}
+
+}  // namespace limpet

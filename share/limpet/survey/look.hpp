@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What a look at a place is. The map counts looks by this and the helm plans them by it, so that
+// what one plans the other counts.
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "limpet/core/camera_geometry.hpp"
+#include "limpet/survey/detection_model.hpp"
+#include "limpet/topics/mapping.hpp"
+
+namespace limpet {
+
+/// What judges a look: the camera, how well the detector sees, and how large the objects are.
+struct LookModel {
+  CameraGeometry camera;
+  DetectionModel detection;
+  double object_radius = 0.5;  ///< [m]
+};
+
+/// Chance that the frame taken at `X_WB` shows a box for an object at `p_W` (centre, NED), if one
+/// is there: its disc must be inside the image and within range.
+[[nodiscard]] double ChanceToDetect(const LookModel& model, const Pose& X_WB,
+                                    const Eigen::Vector3d& p_W);
+/// A frame with at least this chance is a look: it would more likely than not show an object.
+inline constexpr double kLookChance = 0.5;
+
+/// Where a place must lie, seen from a level camera above it, to be looked at: a rectangle around
+/// the point below the camera, half extents in metres.
+struct LookWindow {
+  double half_along = 0.0;
+  double half_across = 0.0;
+  [[nodiscard]] bool Contains(double ahead, double starboard) const {
+    return std::abs(ahead) <= half_along && std::abs(starboard) <= half_across;
+  }
+};
+/// The window of a camera `drop` metres above a place. A place in it that lies up to `slack` metres
+/// elsewhere is still looked at, as far as that leaves a window of some size. Nothing if even right
+/// below the camera the place would not be seen.
+[[nodiscard]] std::optional<LookWindow> LookWindowAbove(const LookModel& model, double drop,
+                                                        double slack);
+
+/// The model as MAP_LOOK carries it, and back.
+[[nodiscard]] MapLook ToMapLook(const LookModel& model);
+[[nodiscard]] LookModel ToLookModel(const MapLook& look);
+
+}  // namespace limpet
