@@ -65,6 +65,9 @@ struct AppContext {
   /// True if the launcher started this process again after it had failed: what it did in its former
   /// life is done, and others count on it.
   bool is_restarted = false;
+  /// Every block of the mission as this run reads it: plugs expanded, settings of the command line
+  /// in place.
+  std::vector<ConfigBlock> blocks{};
 
   /// Value of a mission global, or "".
   [[nodiscard]] std::string Global(std::string_view key) const;

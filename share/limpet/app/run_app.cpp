@@ -156,7 +156,8 @@ int Run(const AppCommand& command, const AppEntry& entry) {
                            .session = command.session,
                            .seed = command.seed,
                            .runs_live = true,
-                           .is_restarted = command.is_restarted};
+                           .is_restarted = command.is_restarted,
+                           .blocks = command.mission.blocks};
   CastSettings casts = ReadCastSettings(block);
   casts.warp = command.warp;
   std::optional<MailJournal> journal;
