@@ -256,6 +256,21 @@ TEST_F(MapAppTest, SaysThatFramesWithoutAnAltitudeAreLeftOut) {
   EXPECT_TRUE(app_.warnings().empty());
 }
 
+TEST_F(MapAppTest, SaysThatItDoesNotFollowUpEveryHint) {
+  std::vector<Sphere> ghosts;
+  for (int i = 0; i < 11; ++i) {
+    ghosts.push_back({.ned = {3.0 * i, 1.0, 6.0}, .color = "yellow", .landmark = -1});
+  }
+  Survey({.north = -4, .east = 1, .length = 20}, ghosts);
+  link_.time += Seconds(1.0);
+  app_.Tick(link_.time);
+  EXPECT_FALSE(app_.warnings().contains("HUNCHES_LEFT_OUT"));
+  Survey({.north = 12, .east = 1, .length = 26}, ghosts);
+  link_.time += Seconds(1.0);
+  app_.Tick(link_.time);
+  EXPECT_TRUE(app_.warnings().contains("HUNCHES_LEFT_OUT"));
+}
+
 TEST_F(MapAppTest, SaysThatBeamsEndWhereNothingCanBe) {
   const auto ping = [this](double first) {
     for (int i = 0; i < 60; ++i) {
