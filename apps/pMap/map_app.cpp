@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "apps/pMap/map_app.hpp"
 
+#include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
+#include "apps/pMap/former_map.hpp"
 #include "apps/pMap/map_conversions.hpp"
 #include "estimation/mapping/dvl_beams.hpp"
 #include "limpet/app/registry.hpp"
@@ -14,6 +18,7 @@ MapApp::MapApp(const AppContext& context, const Params& params)
     : App(context),
       params_(params),
       camera_(params.camera.geometry()),
+      gate_(params.sight_gate()),
       book_(params.status, camera_),
       octree_(params.voxel),
       layer_({.threshold = params.object_threshold}, params.status, camera_),
@@ -53,39 +58,77 @@ void MapApp::OnGridRequest(const Stamped<std::string>& /*cause*/) {
 
 void MapApp::OnPhase(const Stamped<std::string>& phase) { phase_ = phase.value; }
 
-bool MapApp::IsMapping() const {
-  // Without a mission manager (a replayed log, a bench) every frame counts.
-  return phase_.empty() || phase_ == "DIVE" || phase_ == "SURVEY" || phase_ == "RETURN";
-}
-
-std::optional<double> MapApp::AltitudeOf(const Sight& sight) {
-  if (sight.altitude) {
-    altitude_ = Stamped<double>{sight.exposure, *sight.altitude};
-  }
-  const bool is_fresh = altitude_ && sight.exposure - altitude_->time <= params_.altitude_lasts;
-  return is_fresh ? std::optional<double>(altitude_->value) : std::nullopt;
-}
-
-void MapApp::OnSight(const Stamped<Sight>& sight) {
-  const std::optional<double> altitude = AltitudeOf(sight.value);
-  if (last_sight_ && sight.value.exposure <= *last_sight_) {
+void MapApp::WarnOfDrop(const std::optional<SightDrop>& drop) {
+  if (drop == SightDrop::kOutOfOrder) {
     Warn("SIGHT_OUT_OF_ORDER", "a frame came late and was left out");
     return;
   }
-  last_sight_ = sight.value.exposure;
-  if (!IsMapping() || !altitude || *altitude > params_.highest_view.value()) {
+  ClearWarning("SIGHT_OUT_OF_ORDER");
+  // On the way down frames from above are no trouble.
+  const bool is_surveying = phase_.empty() || phase_ == "SURVEY";
+  if (is_surveying && drop == SightDrop::kTooHigh) {
+    Warn("VIEW_TOO_HIGH",
+         fmt::format("frames from higher than highest_view_m = {:g} above the seabed show nothing",
+                     params_.highest_view.value()));
+  } else {
+    ClearWarning("VIEW_TOO_HIGH");
+  }
+  if (is_surveying && drop == SightDrop::kNoAltitude) {
+    Warn("VIEW_WITHOUT_ALTITUDE",
+         fmt::format("frames are left out: no altitude within altitude_lasts_s = {:g}",
+                     params_.altitude_lasts.value()));
+  } else {
+    ClearWarning("VIEW_WITHOUT_ALTITUDE");
+  }
+}
+
+void MapApp::OnSight(const Stamped<Sight>& sight) {
+  const SightGate::Verdict verdict =
+      gate_.Judge(sight.value.exposure, sight.value.altitude, phase_);
+  WarnOfDrop(verdict.drop);
+  if (verdict.drop) {
     return;
   }
   book_.AddSight(RecordOf(sight.value));
   layer_.AddSight(book_.sights().back(), book_);
   if (grid_) {
-    grid_->Observe(sight.value.pose(), *altitude, camera_);
+    grid_->Observe(sight.value.pose(), *verdict.altitude, camera_);
   }
+}
+
+double MapApp::TallestObject() const {
+  constexpr double kTallest = 3.0;  // before the area says how high objects may float [m]
+  const double radius = params_.status.object_radius.value();
+  return std::max(kTallest, area_ ? area_->object_height_max + 2.0 * radius : 0.0);
+}
+
+void MapApp::CountBeams(int given, int used) {
+  constexpr int kWindow = 200;  // ten seconds of a DVL
+  constexpr double kTooMany = 0.25;
+  beams_ += given;
+  beams_left_out_ += given - used;
+  beams_in_window_ += given;
+  left_out_in_window_ += given - used;
+  if (beams_in_window_ < kWindow) {
+    return;
+  }
+  if (left_out_in_window_ >= kTooMany * beams_in_window_) {
+    Warn("BEAMS_LEFT_OUT",
+         fmt::format("{} of the last {} DVL beams end where neither seabed nor objects can be",
+                     left_out_in_window_, beams_in_window_));
+  } else {
+    ClearWarning("BEAMS_LEFT_OUT");
+  }
+  beams_in_window_ = left_out_in_window_ = 0;
 }
 
 void MapApp::OnBeams(const Stamped<PosedBeams>& beams) {
   const PosedBeams& ping = beams.value;
-  for (const BeamEnd& end : BeamEnds(ping.pose(), {ping.b1, ping.b2, ping.b3, ping.b4})) {
+  const std::array<std::optional<double>, 4> ranges{ping.b1, ping.b2, ping.b3, ping.b4};
+  const std::vector<BeamEnd> ends = BeamEnds(ping.pose(), ranges, TallestObject());
+  CountBeams(static_cast<int>(std::ranges::count_if(ranges, [](const auto& r) { return !!r; })),
+             static_cast<int>(ends.size()));
+  for (const BeamEnd& end : ends) {
     octree_.InsertBeam(ping.pose().p_WB, end.p_W);
     if (grid_ && end.is_seabed) {
       grid_->SetSeabed(end.p_W.x(), end.p_W.y(), end.p_W.z());
@@ -99,9 +142,21 @@ void MapApp::OnTrackShift(const Stamped<TrackShift>& shift) {
 
 void MapApp::OnLandmarks(const Stamped<Landmarks>& landmarks) {
   book_.SetLandmarks(ConfirmedOf(landmarks.value));
+  landmarks_changed_ = true;
 }
 
-void MapApp::OnPrior(const Stamped<SessionPrior>& prior) { book_.SetFormer(FormerOf(prior.value)); }
+void MapApp::OnPrior(const Stamped<SessionPrior>& prior) {
+  try {
+    book_.SetFormerViews(FormerViewsOf(prior.value, params_));
+    ClearWarning("FORMER_PARAMETERS");
+  } catch (const ConfigError& error) {
+    book_.SetFormerViews({});
+    Warn("FORMER_PARAMETERS",
+         fmt::format("where the former session looked is not used, nothing will be called new: {}",
+                     error.what()));
+  }
+  book_.SetFormer(FormerOf(prior.value));
+}
 
 void MapApp::TellHowItLooks() {
   if (!has_told_looks_) {
@@ -128,7 +183,14 @@ void MapApp::Tick(Seconds now) {
 }
 
 void MapApp::UpdateObjects() {
+  // At rest every place is judged exactly where it is, so that the last word is what the saved
+  // session says when it is judged again.
+  if (landmarks_changed_ && !IsMappingPhase(phase_)) {
+    book_.Rejudge();
+    landmarks_changed_ = false;
+  }
   objects_ = book_.Assess();
+  WarnOfHunches();
   layer_.SetObjects(objects_, book_, octree_);
 }
 
@@ -151,8 +213,18 @@ void MapApp::PublishObjects() {
   }
 }
 
+void MapApp::WarnOfHunches() {
+  if (const int left_out = book_.hunches_left_out(); left_out > 0) {
+    Warn("HUNCHES_LEFT_OUT",
+         fmt::format("{} places where boxes hint at an object are not looked at again: too many; "
+                     "does the detector see ghosts?",
+                     left_out));
+  }
+}
+
 void MapApp::OnSnapshotRequest(const Stamped<std::string>&) {
-  UpdateObjects();
+  book_.Rejudge();
+  PublishObjects();
   const std::string bytes = octree_.Serialize();
   const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
   Publish(topics::kMapSnapshot, Binary(first, first + bytes.size()));

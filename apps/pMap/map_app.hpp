@@ -3,8 +3,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "apps/pMap/map_drawing.hpp"
+#include "estimation/change/sight_gate.hpp"
 #include "estimation/change/status_book.hpp"
 #include "estimation/mapping/object_layer.hpp"
 #include "estimation/mapping/semantic_octree.hpp"
@@ -47,6 +49,9 @@ class MapApp final : public App {
       visit("altitude_lasts_s", altitude_lasts, "How long an altitude stands in for a lost one",
             InRange(0.1_s, 60.0_s));
     }
+    [[nodiscard]] SightGate::Params sight_gate() const {
+      return {.highest_view = highest_view, .altitude_lasts = altitude_lasts};
+    }
   };
 
   MapApp(const AppContext& context, const Params& params);
@@ -62,8 +67,12 @@ class MapApp final : public App {
   void OnLandmarks(const Stamped<Landmarks>& landmarks);
   void OnPrior(const Stamped<SessionPrior>& prior);
   void OnGridRequest(const Stamped<std::string>& cause);
-  [[nodiscard]] bool IsMapping() const;
-  [[nodiscard]] std::optional<double> AltitudeOf(const Sight& sight);
+  /// Tells the operator of frames that are left out where frames should count.
+  void WarnOfDrop(const std::optional<SightDrop>& drop);
+  void WarnOfHunches();
+  [[nodiscard]] double TallestObject() const;
+  /// Beams of one ping that had a range, and those of them that the map took.
+  void CountBeams(int given, int used);
   void OnSnapshotRequest(const Stamped<std::string>& request);
   /// By what looks are counted, for who plans them.
   void TellHowItLooks();
@@ -72,6 +81,7 @@ class MapApp final : public App {
 
   Params params_;
   CameraGeometry camera_;
+  SightGate gate_;
   StatusBook book_;
   SemanticOctree octree_;
   ObjectLayer layer_;
@@ -79,11 +89,11 @@ class MapApp final : public App {
   std::optional<SurveyArea> area_;
   std::optional<SurveyGrid> grid_;
   std::string phase_;
-  std::optional<Stamped<double>> altitude_;
-  std::optional<Seconds> last_sight_;
   std::optional<Seconds> last_publish_;
+  bool landmarks_changed_ = false;  ///< since places were last judged exactly where they are
   std::optional<Value> last_objects_;
   bool has_told_looks_ = false;
+  int beams_ = 0, beams_left_out_ = 0, beams_in_window_ = 0, left_out_in_window_ = 0;
   MapDrawing drawing_;
 };
 

@@ -15,20 +15,24 @@ PlacedObject PlacedOf(const std::array<double, 3>& ned, const std::array<double,
 
 }  // namespace
 
+SightedDetection DetectionOf(const SightedBox& sighted) {
+  const Box& box = sighted.box;
+  return {.u = box.u,
+          .v = box.v,
+          .w = box.w,
+          .h = box.h,
+          .confidence = box.confidence,
+          .color = box.color,
+          .landmark = sighted.landmark};
+}
+
 SightRecord RecordOf(const Sight& sight) {
   SightRecord record{.time = sight.exposure.value(),
                      .X_WB = sight.pose(),
                      .boxes = {},
                      .altitude = sight.altitude};
   for (const SightedBox& sighted : sight.boxes) {
-    const Box& box = sighted.box;
-    record.boxes.push_back({.u = box.u,
-                            .v = box.v,
-                            .w = box.w,
-                            .h = box.h,
-                            .confidence = box.confidence,
-                            .color = box.color,
-                            .landmark = sighted.landmark});
+    record.boxes.push_back(DetectionOf(sighted));
   }
   return record;
 }
@@ -54,14 +58,6 @@ std::vector<FormerObject> FormerOf(const SessionPrior& prior) {
                       .looks = opi.looks});
   }
   return former;
-}
-
-std::vector<SightRecord> FormerViewsOf(const SessionPrior& prior) {
-  std::vector<SightRecord> views;
-  for (const auto& [t, north, east, down, roll, pitch, yaw] : prior.views) {
-    views.push_back({.time = t, .X_WB = {{north, east, down}, roll, pitch, yaw}, .boxes = {}});
-  }
-  return views;
 }
 
 OpiBelief BeliefOf(const ObjectStatus& status) {

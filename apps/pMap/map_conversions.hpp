@@ -10,10 +10,10 @@
 
 namespace limpet {
 
+[[nodiscard]] SightedDetection DetectionOf(const SightedBox& sighted);
 [[nodiscard]] SightRecord RecordOf(const Sight& sight);
 [[nodiscard]] std::vector<KnownLandmark> ConfirmedOf(const Landmarks& landmarks);
 [[nodiscard]] std::vector<FormerObject> FormerOf(const SessionPrior& prior);
-[[nodiscard]] std::vector<SightRecord> FormerViewsOf(const SessionPrior& prior);
 /// Without the map's centroid, which the octree knows.
 [[nodiscard]] OpiBelief BeliefOf(const ObjectStatus& status);
 

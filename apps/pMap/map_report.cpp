@@ -1,17 +1,39 @@
 // SPDX-License-Identifier: MIT
 // What an operator sees of the map.
+#include <cstddef>
+#include <string>
+
 #include <fmt/format.h>
 
 #include "apps/pMap/map_app.hpp"
 
 namespace limpet {
+namespace {
+
+/// How many frames were left out, by reason.
+std::string LeftOut(const SightGate& gate) {
+  std::string text;
+  for (std::size_t i = 0; i < kSightDrops; ++i) {
+    const auto drop = static_cast<SightDrop>(i);
+    if (gate.dropped(drop) == 0) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", gate.dropped(drop), NameOf(drop));
+  }
+  return text.empty() ? "none" : text;
+}
+
+}  // namespace
 
 void MapApp::Report(ReportLines& report) const {
   report.Pair("Phase", phase_.empty() ? "none announced: every frame counts" : phase_);
-  report.Pair("Frames used", std::to_string(book_.sights().size()));
-  report.Pair("Altitude", altitude_ ? fmt::format("{:.2f} m, {:.1f} s old", altitude_->value,
-                                                  (now() - altitude_->time).value())
-                                    : "never heard");
+  report.Pair("Frames used", std::to_string(gate_.used()));
+  report.Pair("Left out", LeftOut(gate_));
+  report.Pair("False boxes", fmt::format("{:.3f} per image", book_.false_per_image()));
+  report.Pair("DVL beams", fmt::format("{} used, {} left out as outliers", beams_ - beams_left_out_,
+                                       beams_left_out_));
+  report.Pair("Altitude", gate_.altitude()
+                              ? fmt::format("{:.2f} m, {:.1f} s old", *gate_.altitude(),
+                                            (now() - gate_.altitude_time()).value())
+                              : "never heard");
   if (!grid_) {
     report.Pair("Coverage", "no SURVEY_AREA yet");
   } else {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/pSession/saved_session.hpp"
 #include "estimation/mapping/map_export.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/session/durable_file.hpp"
@@ -26,10 +27,6 @@ void AddExports(const std::string& map, SessionFiles& files) {
   files["export/map.csv"] = ToCsv(*octree);
 }
 
-[[noreturn]] void Refuse(const std::string& file, const std::string& why) {
-  throw ConfigError(ConfigProblem{.where = {.file = file, .line = 0}, .key = "", .text = why});
-}
-
 std::string TextOf(const Binary& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
@@ -42,6 +39,8 @@ SessionApp::SessionApp(const AppContext& context, const Params& params)
     LoadFormer();
   }
   Subscribe(topics::kSurveyArea, &SessionApp::OnArea);
+  Subscribe(topics::kSurveyPhase, &SessionApp::OnPhase);
+  Subscribe(topics::kNavLandmarks, &SessionApp::OnLandmarks);
   Subscribe(topics::kMapOpis, &SessionApp::OnObjects);
   Subscribe(topics::kNavLandmarkJoint, &SessionApp::OnLandmarkJoint);
   Subscribe(topics::kNavSight, &SessionApp::OnSight);
@@ -98,15 +97,8 @@ bool SessionApp::MaySave() {
 }
 
 void SessionApp::LoadFormer() {
-  const Expected<StoredSession> stored = LoadSession(context().prior_folder);
-  if (!stored) {
-    Refuse("former session", stored.error().text);
-  }
-  const Expected<SessionMemory> former = MemoryOf(stored->files);
-  if (!former) {
-    Refuse("former session " + context().prior_folder.string(), former.error().text);
-  }
-  prior_ = PriorOf(stored->facts, *former);
+  const SavedSession former = LoadSavedSession(context().prior_folder, "former session");
+  prior_ = PriorWithParameters(former);
   former_ = Former{prior_->session, prior_->opis.size(), prior_->views.size()};
 }
 
@@ -121,6 +113,18 @@ void SessionApp::CopyMission() {
       memory_.mission[entry.path().filename().string()] = *std::move(text);
     }
   }
+  if (!context().blocks.empty()) {
+    memory_.mission[kMissionAsRun] = MissionText(context().globals, context().blocks);
+  }
+}
+
+void SessionApp::OnPhase(const Stamped<std::string>& phase) {
+  memory_.phases.push_back({memory_.sights.size(), phase.value});
+}
+
+void SessionApp::OnObjects(const Stamped<OpiBeliefs>& objects) {
+  memory_.objects = objects.value;
+  memory_.known_landmarks = landmarks_;
 }
 
 void SessionApp::OnTrackShift(const Stamped<TrackShift>& shift) {

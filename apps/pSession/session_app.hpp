@@ -35,7 +35,9 @@ class SessionApp final : public App {
 
  private:
   void OnArea(const Stamped<SurveyArea>& area) { memory_.area = area.value; }
-  void OnObjects(const Stamped<OpiBeliefs>& objects) { memory_.objects = objects.value; }
+  void OnPhase(const Stamped<std::string>& phase);
+  void OnLandmarks(const Stamped<Landmarks>& landmarks) { landmarks_ = landmarks.value; }
+  void OnObjects(const Stamped<OpiBeliefs>& objects);
   void OnLandmarkJoint(const Stamped<LandmarkJoint>& joint) { memory_.landmarks = joint.value; }
   void OnSight(const Stamped<Sight>& sight) { memory_.sights.push_back(sight.value); }
   void OnTrackShift(const Stamped<TrackShift>& shift);
@@ -58,6 +60,7 @@ class SessionApp final : public App {
   };
   Params params_;
   SessionMemory memory_;
+  Landmarks landmarks_;  ///< as last heard; those that the objects were judged with are in memory_
   std::optional<SessionWriter> writer_;
   std::optional<SessionPrior> prior_;
   std::optional<Pending> pending_;  ///< waits for the map

@@ -132,11 +132,15 @@ std::vector<Hunch*> HunchBook::Open() {
     const double age = now_ - hunch.last_box;
     const bool is_open =
         hunch.boxes >= kEnoughBoxes && !IsOver(hunch) && age > kLeftTheImage && age < kGrownOld;
-    if (is_open && (hunch.is_counted || counted_ < kMostHunches)) {
-      counted_ += hunch.is_counted ? 0 : 1;
-      hunch.is_counted = true;
-      open.push_back(&hunch);
+    if (!is_open) continue;
+    if (!hunch.is_counted && counted_ >= kMostHunches) {
+      left_out_ += hunch.is_left_out ? 0 : 1;
+      hunch.is_left_out = true;
+      continue;
     }
+    counted_ += hunch.is_counted ? 0 : 1;
+    hunch.is_counted = true;
+    open.push_back(&hunch);
   }
   return open;
 }

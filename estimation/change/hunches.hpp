@@ -23,6 +23,7 @@ struct Hunch {
   int boxes = 0;
   int places = 0;                                 ///< boxes that told the place
   bool is_counted = false;                        ///< was open before
+  bool is_left_out = false;                       ///< would have been, but there were too many
   double last_box = 0.0;                          ///< time [s]
   int good_looks = 0;                             ///< that had the place wholly in the image
   std::optional<Eigen::Vector3d> last_viewpoint;  ///< of a good look, NED [m]
@@ -41,6 +42,8 @@ class HunchBook {
   void AddSight(const SightRecord& sight, const WatchModel& model, const IsExplained& is_explained);
   /// Hunches that are worth a look now; the caller may give them ids.
   [[nodiscard]] std::vector<Hunch*> Open();
+  /// Hunches that were worth a look but came after the session's greatest number of them.
+  [[nodiscard]] int left_out() const { return left_out_; }
 
  private:
   /// A box in the image's corner tells no place, but may be a known hunch's.
@@ -50,6 +53,7 @@ class HunchBook {
   std::vector<Hunch> hunches_;
   double now_ = 0.0;  ///< time of the newest frame [s]
   int counted_ = 0;   ///< hunches that were ever open
+  int left_out_ = 0;
 };
 
 }  // namespace limpet

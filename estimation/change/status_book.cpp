@@ -5,44 +5,22 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/LU>
-
-#include "estimation/matching/own_covariance.hpp"
+#include "estimation/change/watched_place.hpp"
 #include "limpet/core/require.hpp"
 
 namespace limpet {
 namespace {
 
-/// A place that moves farther than this is judged again from all frames.
-constexpr double kRejudgeDistance = 0.3;
-/// So is one whose standard deviation changes by more than this share, and by more than that [m].
-constexpr double kRejudgeSpread = 0.3;
-constexpr double kLeastSpread = 0.1;
+/// The mission's rate of false boxes is worth as much as so many frames.
+constexpr double kBelievedFrames = 100.0;
 
 /// What a hunch is believed to be before anyone has looked, and how near another entry tells about
 /// it.
 constexpr double kHunchIsObject = 0.3;
 constexpr double kHunchReach = 1.5;
 
-/// A landmark relative to the poses it was seen from: the error that they share moves both.
-constexpr double kRelativeSigma = 0.15;
-PlacedObject WatchedPlace(PlacedObject place) {
-  place.cov = kRelativeSigma * kRelativeSigma * Eigen::Matrix3d::Identity();
-  return place;
-}
-
 double HorizontalDistance(const PlacedObject& a, const PlacedObject& b) {
   return (a.ned - b.ned).head<2>().norm();
-}
-
-/// True if the place is now somewhere else, or known much better or worse than when it was judged.
-bool HasMoved(const PlaceWatch& watch, const PlacedObject& place) {
-  const auto spread = [](const PlacedObject& object) {
-    return std::sqrt(std::max(object.cov(0, 0) + object.cov(1, 1), 0.0));
-  };
-  const double change = std::abs(spread(place) - spread(watch.place()));
-  return (watch.place().ned - place.ned).norm() > kRejudgeDistance ||
-         change > std::max(kRejudgeSpread * spread(watch.place()), kLeastSpread);
 }
 
 }  // namespace
@@ -52,15 +30,6 @@ StatusBook::StatusBook(const StatusParams& params, const CameraGeometry& camera)
       model_{.camera = camera,
              .detection = params.detection,
              .object_radius = params.object_radius.value()} {}
-
-void StatusBook::SetFormer(std::vector<FormerObject> former) {
-  former_watch_.assign(former.size(), std::nullopt);
-  former_ = std::move(former);
-  // Former objects take the first ids, so that they keep them when they are found again.
-  next_id_ = std::max(next_id_, static_cast<int>(former_->size()) + 1);
-  MatchFormer();
-  WatchFormer(true);
-}
 
 void StatusBook::AddSight(SightRecord sight) {
   LIMPET_REQUIRE(sights_.empty() || sight.time >= sights_.back().time, "sights out of order");
@@ -107,6 +76,29 @@ void StatusBook::SetLandmarks(const std::vector<KnownLandmark>& landmarks) {
   rejudges_all_ = false;
 }
 
+double StatusBook::FalseRate() const {
+  double boxes = kBelievedFrames * params_.detection.false_per_image;
+  for (const SightRecord& sight : sights_) {
+    boxes +=
+        static_cast<double>(std::ranges::count_if(sight.boxes, [&](const SightedDetection& box) {
+          return Representative(box.landmark) < 0 && !IsExplained(sight, box);
+        }));
+  }
+  return boxes / (kBelievedFrames + static_cast<double>(sights_.size()));
+}
+
+void StatusBook::Rejudge() {
+  model_.detection.false_per_image = FalseRate();
+  landmark_watch_.clear();
+  former_lambda_.clear();
+  WatchLandmarks();
+  if (former_) {
+    MatchFormer();
+    WatchFormer(true);
+  }
+  rejudges_all_ = false;
+}
+
 int StatusBook::Representative(int landmark) const {
   const auto found = representative_.find(landmark);
   return found == representative_.end() ? -1 : found->second;
@@ -130,15 +122,6 @@ OwnerOf StatusBook::OwnerForLandmark(int landmark) const {
     const int owner = Representative(box.landmark);
     if (owner < 0) return BoxOwner::kUnknown;
     return owner == landmark ? BoxOwner::kThisPlace : BoxOwner::kAnotherPlace;
-  };
-}
-
-OwnerOf StatusBook::OwnerForFormer() const {
-  // A former place is watched by itself only while no landmark stands for it, so every confirmed
-  // landmark is another object; also in frames from before it was confirmed.
-  return [this](const SightRecord& sight, const SightedDetection& box) {
-    const bool is_another = Representative(box.landmark) >= 0 || IsExplained(sight, box);
-    return is_another ? BoxOwner::kAnotherPlace : BoxOwner::kUnknown;
   };
 }
 
@@ -188,66 +171,6 @@ void StatusBook::WatchLandmarks() {
     Replay(watch, OwnerForLandmark(object.id));
     landmark_watch_.insert_or_assign(object.id, std::move(watch));
   }
-}
-
-void StatusBook::MatchFormer() {
-  std::vector<PlacedObject> former;
-  std::vector<PlacedObject> now;
-  for (const FormerObject& object : *former_) {
-    former.push_back(object.object);
-  }
-  for (const KnownLandmark& object : objects_) {
-    now.push_back(object.object);
-  }
-  match_ = MatchSessions(WithOwnCovariance(std::move(former)), WithOwnCovariance(std::move(now)),
-                         params_.matching);
-}
-
-PlacedObject StatusBook::InOtherFrame(PlacedObject place, const Eigen::Vector3d& ned) const {
-  const double own = std::pow(params_.matching.position_floor.value(), 2);
-  place.ned = ned;
-  place.cov = own * Eigen::Matrix3d::Identity();
-  place.cov.topLeftCorner<2, 2>() += match_.shift_cov;
-  return place;
-}
-
-PlacedObject StatusBook::FormerPlace(std::size_t index) const {
-  const PlacedObject& former = (*former_)[index].object;
-  return InOtherFrame(former, match_.offset.Apply(former.ned));
-}
-
-void StatusBook::WatchFormer(bool rejudges_all) {
-  for (std::size_t i = 0; i < former_->size(); ++i) {
-    std::optional<PlaceWatch>& watch = former_watch_[i];
-    if (match_.now_of_former[i] >= 0) {
-      watch.reset();
-      continue;
-    }
-    const PlacedObject place = FormerPlace(i);
-    if (rejudges_all || !watch || HasMoved(*watch, place)) {
-      watch.emplace(place, params_.looks);
-      Replay(*watch, OwnerForFormer());
-    }
-  }
-}
-
-double StatusBook::FormerLambdaAt(const KnownLandmark& newcomer) {
-  if (former_views_.empty()) {
-    return params_.unlisted_lambda;
-  }
-  const PlacedObject place = InOtherFrame(newcomer.object, match_.offset.Undo(newcomer.object.ned));
-  const auto known = former_lambda_.find(newcomer.id);
-  if (known != former_lambda_.end() && !HasMoved(known->second, place)) {
-    return known->second.Lambda();
-  }
-  PlaceWatch watch(place, params_.looks);
-  for (const SightRecord& view : former_views_) {
-    watch.See(view, model_,
-              [](const SightRecord&, const SightedDetection&) { return BoxOwner::kAnotherPlace; });
-  }
-  const double lambda = watch.Lambda();
-  former_lambda_.insert_or_assign(newcomer.id, std::move(watch));
-  return lambda;
 }
 
 int StatusBook::IdOfLandmark(int landmark) {

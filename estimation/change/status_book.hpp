@@ -23,7 +23,6 @@ struct StatusParams {
   Meters object_radius{0.5};
   Meters merge_within{1.2};
   Meters moved_within{2.5};
-  double unlisted_lambda = -3.5;
 
   template <class V>
   void Describe(V& visit) {
@@ -40,8 +39,6 @@ struct StatusParams {
     visit("moved_within_m", moved_within,
           "A removed and a new object of one colour closer than this have moved",
           InRange(0.0_m, 50.0_m));
-    visit("unlisted_lambda", unlisted_lambda,
-          "Former session's Lambda at a place where it listed nothing", InRange(-30.0, 0.0));
   }
 };
 
@@ -58,6 +55,14 @@ struct FormerObject {
   PlacedObject object;
   double lambda = 0.0;  ///< of the former session
   int looks = 0;
+};
+
+/// Where the former session looked from, in its frame and in order of time, with what it saw there
+/// and how well it saw.
+struct FormerViews {
+  std::vector<SightRecord> sights;  ///< boxes of the listed objects may be left out
+  WatchModel model;
+  LookParams looks;
 };
 
 /// What is believed about one object.
@@ -82,10 +87,9 @@ class StatusBook {
   /// Makes this a change session. Call before the first frame, or lose nothing: frames are
   /// replayed.
   void SetFormer(std::vector<FormerObject> former);
-  /// Where the former session looked from, in its frame and in order of time (no boxes needed):
-  /// what it would have seen at places where it lists nothing. Without them `unlisted_lambda`
-  /// stands in.
-  void SetFormerViews(std::vector<SightRecord> views) { former_views_ = std::move(views); }
+  /// What the former session would have seen at places where it lists nothing. A session whose
+  /// views are not known has looked nowhere: it proves nothing about such a place.
+  void SetFormerViews(FormerViews views);
   /// Frames in order of time.
   void AddSight(SightRecord sight);
   /// Takes kept frames along when the track behind the vehicle has moved; `moved` gives the new
@@ -93,11 +97,19 @@ class StatusBook {
   void MoveSights(const std::function<Pose(double t, const Pose& X_WB)>& moved);
   /// All confirmed landmarks as now estimated; one that is absent is forgotten.
   void SetLandmarks(const std::vector<KnownLandmark>& landmarks);
+  /// Judges every place again from all frames, exactly where it now is, with the rate of false
+  /// boxes that these frames show. After this what is believed depends on the frames, the landmarks
+  /// and the former session alone, not on how they came.
+  void Rejudge();
 
   /// All objects, former ones first, then by id. What is certainly nothing is left out.
   [[nodiscard]] std::vector<ObjectStatus> Assess();
   [[nodiscard]] const FrameOffset& offset() const { return match_.offset; }
   [[nodiscard]] const std::vector<SightRecord>& sights() const { return sights_; }
+  /// Boxes per image that show nothing: what the mission says, weighed with what was seen.
+  [[nodiscard]] double false_per_image() const { return model_.detection.false_per_image; }
+  /// Places that boxes hint at but that nobody is sent to, because there were too many.
+  [[nodiscard]] int hunches_left_out() const { return hunches_.left_out(); }
   /// The landmark that stands for `landmark` after merging; -1 if it is not confirmed.
   [[nodiscard]] int Representative(int landmark) const;
   /// The box of an object in a frame, also in one from before the smoother knew the object.
@@ -110,11 +122,13 @@ class StatusBook {
   [[nodiscard]] OwnerOf OwnerForLandmark(int landmark) const;
   [[nodiscard]] OwnerOf OwnerForFormer() const;
   [[nodiscard]] bool IsExplained(const SightRecord& sight, const SightedDetection& box) const;
+  [[nodiscard]] double FalseRate() const;
   void MergeLandmarks();
   [[nodiscard]] bool AreOne(const KnownLandmark& a, const KnownLandmark& b) const;
   void WatchLandmarks();
   void WatchFormer(bool rejudges_all);
   [[nodiscard]] double FormerLambdaAt(const KnownLandmark& newcomer);
+  [[nodiscard]] OwnerOf OwnerInFormerViews() const;
   /// The place where the other session's frame has it, with what is then unknown about it.
   [[nodiscard]] PlacedObject InOtherFrame(PlacedObject place, const Eigen::Vector3d& ned) const;
   [[nodiscard]] PlacedObject FormerPlace(std::size_t index) const;
@@ -131,7 +145,7 @@ class StatusBook {
   WatchModel model_;
   std::vector<SightRecord> sights_;
   std::optional<std::vector<FormerObject>> former_;
-  std::vector<SightRecord> former_views_;
+  FormerViews former_views_;
   std::vector<KnownLandmark> landmarks_;  ///< as given
   std::vector<KnownLandmark> objects_;    ///< merged: one per object, by id
   std::map<int, int> representative_;     ///< landmark to the one that stands for it

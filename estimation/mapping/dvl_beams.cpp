@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "limpet/vehicle/dvl_reach.hpp"
-
 namespace limpet {
 namespace {
 
@@ -14,8 +12,9 @@ constexpr double kTilt = 25.0 * std::numbers::pi / 180.0;
 constexpr double kShortest = 0.2;  ///< [m]
 constexpr double kLongest = 100.0;
 constexpr double kSeabedTolerance = 0.4;  ///< around the beams' median depth [m]
-constexpr double kTallestObject = DvlReach{}.tallest_object_m;  ///< above the median
-constexpr double kDeepestHole = 1.0;                            ///< and this far below
+constexpr double kDeepestHole = 1.0;      ///< a beam may end this far below the median
+/// On a slope that grows with the beams' spread: up to 37 degrees, as a share of the height.
+constexpr double kSteepest = 0.35;
 
 Eigen::Vector3d Direction(std::size_t beam) {
   const double azimuth = (45.0 + 90.0 * static_cast<double>(beam)) * std::numbers::pi / 180.0;
@@ -35,8 +34,8 @@ double MedianDepth(const std::vector<BeamEnd>& ends) {
 
 }  // namespace
 
-std::vector<BeamEnd> BeamEnds(const Pose& X_WD,
-                              const std::array<std::optional<double>, 4>& ranges) {
+std::vector<BeamEnd> BeamEnds(const Pose& X_WD, const std::array<std::optional<double>, 4>& ranges,
+                              double tallest_object) {
   const Eigen::Matrix3d R_WD = RotationOf(X_WD);
   std::vector<BeamEnd> ends;
   for (std::size_t beam = 0; beam < ranges.size(); ++beam) {
@@ -49,8 +48,11 @@ std::vector<BeamEnd> BeamEnds(const Pose& X_WD,
     return ends;
   }
   const double median = MedianDepth(ends);
-  std::erase_if(ends, [median](const BeamEnd& end) {
-    return end.p_W.z() < median - kTallestObject || end.p_W.z() > median + kDeepestHole;
+  const double slope = kSteepest * (median - X_WD.p_WB.z());
+  const double highest = median - std::max(tallest_object, slope);
+  const double deepest = median + std::max(kDeepestHole, slope);
+  std::erase_if(ends, [highest, deepest](const BeamEnd& end) {
+    return end.p_W.z() < highest || end.p_W.z() > deepest;
   });
   for (BeamEnd& end : ends) {
     end.is_seabed = std::abs(end.p_W.z() - median) <= kSeabedTolerance;

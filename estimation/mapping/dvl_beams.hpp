@@ -16,9 +16,10 @@ struct BeamEnd {
 };
 
 /// Ends of four beams 25 deg from vertical at azimuth 45, 135, 225, 315 deg (clockwise from
-/// forward) from the DVL's pose `X_WD`, slant ranges in metres. Ranges that no seabed can give
-/// (outliers) are left out.
+/// forward) from the DVL's pose `X_WD`, slant ranges in metres. Ranges that neither seabed nor
+/// objects up to `tallest_object` [m] above it can give (outliers) are left out.
 [[nodiscard]] std::vector<BeamEnd> BeamEnds(const Pose& X_WD,
-                                            const std::array<std::optional<double>, 4>& ranges);
+                                            const std::array<std::optional<double>, 4>& ranges,
+                                            double tallest_object = 3.0);
 
 }  // namespace limpet

@@ -84,7 +84,8 @@ std::string ToPly(const SemanticOctree& octree) {
 
 std::string ToColorOctree(const SemanticOctree& octree) {
   octomap::ColorOcTree tree(octree.resolution());
-  for (const Voxel& voxel : OccupiedVoxels(octree)) {
+  const std::vector<Voxel> voxels = OccupiedVoxels(octree);
+  for (const Voxel& voxel : voxels) {
     const octomap::point3d at(static_cast<float>(voxel.p_W.y()), static_cast<float>(voxel.p_W.x()),
                               static_cast<float>(-voxel.p_W.z()));
     if (octomap::ColorOcTreeNode* node = tree.setNodeValue(at, voxel.belief.occupied, true)) {
@@ -92,7 +93,9 @@ std::string ToColorOctree(const SemanticOctree& octree) {
       node->setColor(color.red, color.green, color.blue);
     }
   }
-  tree.updateInnerOccupancy();
+  if (!voxels.empty()) {
+    tree.updateInnerOccupancy();  // ColorOcTree goes to its root without asking whether it has one
+  }
   std::ostringstream out(std::ios::binary);
   tree.write(out);
   return std::move(out).str();

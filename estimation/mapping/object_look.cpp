@@ -12,11 +12,10 @@ namespace {
 
 constexpr double kBorder = 2.0;  ///< a box nearer to the image's border is cut [px]
 constexpr int kFewestCells = 6;
-constexpr int kMostCells = 40;
 constexpr double kLeastConfidence = 0.55;
 constexpr double kMostConfidence = 0.97;
 constexpr double kSmallestRadius = 0.05;
-constexpr double kLargestRadius = 3.0;
+constexpr double kLargestRadius = 10.0;  ///< twice the largest that a mission may look for
 
 /// Direction of a pixel's ray in W, unit.
 Eigen::Vector3d RayOf(const CameraGeometry& camera, const Eigen::Matrix3d& R_WC, double u,
@@ -110,8 +109,10 @@ std::vector<VoxelEvidence> NearSurface(const ObjectLook& look, const CameraGeome
   const double range = (look.object_W - origin).norm();
   const Eigen::Vector3d centre = origin + range * RayOf(camera, R_WC, box.u, box.v);
   const double half_px = std::max(0.25 * (box.w + box.h), 1.0);
+  // More cells than the box has pixels would see no more.
+  const int most = std::max(kFewestCells, static_cast<int>(std::max(box.w, box.h)));
   const int cells =
-      std::clamp(static_cast<int>(std::ceil(2.0 * radius / spacing)), kFewestCells, kMostCells);
+      std::clamp(static_cast<int>(std::ceil(2.0 * radius / spacing)), kFewestCells, most);
   std::vector<VoxelEvidence> evidence;
   for (int i = 0; i < cells * cells; ++i) {
     const double du = ((i % cells + 0.5) / cells - 0.5) * box.w;

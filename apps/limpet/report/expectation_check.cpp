@@ -55,6 +55,21 @@ Number WrongStatuses(const Json& session) {
   }));
 }
 
+/// `uncertain` is never wrong.
+Number WrongWhenSure(const Json& session) {
+  constexpr double kSure = 0.95;
+  const bool has_changes = session.contains("changes");
+  const Json& said = session.at(has_changes ? "changes" : "false");
+  if (!said.is_array()) return std::nullopt;
+  return static_cast<double>(std::count_if(said.begin(), said.end(), [&](const Json& entry) {
+    const bool is_wrong =
+        !has_changes ||
+        (entry.at("decided") != "uncertain" &&
+         (entry.at("truth").is_null() || entry.at("decided") != entry.at("expected")));
+    return is_wrong && entry.at("probability").get<double>() >= kSure;
+  }));
+}
+
 Number ValueOf(const Json& session, const std::string& key) {
   if (key.starts_with("coverage_") || key.starts_with("detectable_")) {
     return PathOfLevel(session, key);
@@ -62,6 +77,7 @@ Number ValueOf(const Json& session, const std::string& key) {
   if (key == "missed") return CountOf(session.at("missed"));
   if (key == "invented") return CountOf(session.at("false"));
   if (key == "wrong_statuses") return WrongStatuses(session);
+  if (key == "wrong_when_sure") return WrongWhenSure(session);
   if (key == "error_m" || key == "aligned_error_m") return LargestOfObjects(session, key);
   if (session.contains(key)) return NumberOf(session.at(key));
   return session.at("nav").contains(key) ? NumberOf(session.at("nav").at(key)) : std::nullopt;

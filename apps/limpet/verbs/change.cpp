@@ -1,37 +1,58 @@
 // SPDX-License-Identifier: MIT
 #include "apps/limpet/verbs/change.hpp"
 
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "apps/limpet/cli.hpp"
+#include "apps/pMap/former_map.hpp"
 #include "apps/pMap/map_app.hpp"
 #include "apps/pMap/map_conversions.hpp"
+#include "apps/pSession/saved_session.hpp"
+#include "estimation/change/sight_gate.hpp"
+#include "limpet/app/registry.hpp"
 #include "limpet/core/config.hpp"
-#include "limpet/session/session_memory.hpp"
+#include "limpet/mission/mission_file.hpp"
 
 namespace limpet {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-struct LoadedSession {
-  SessionFacts facts;
-  SessionMemory memory;
-};
+constexpr const char* kChangeHelp =
+    R"(usage: limpet change --session-a DIR --session-b DIR [--mission FILE]
 
-LoadedSession Load(const std::string& folder) {
-  const auto refuse = [&folder](const std::string& why) {
-    return ConfigError(ConfigProblem{.where = {.file = folder, .line = 0}, .key = "", .text = why});
-  };
-  Expected<StoredSession> stored = LoadSession(folder);
-  if (!stored) throw refuse(stored.error().text);
-  Expected<SessionMemory> memory = MemoryOf(stored->files);
-  if (!memory) throw refuse(memory.error().text);
-  return {stored->facts, *std::move(memory)};
+What changed from session A to session B, from their saved frames and objects, as JSON: the
+vehicle's own judgement, made again. DIR is a session's run folder or the session folder in it.
+Each session is judged with pMap's parameters of the mission that it kept.
+
+  --mission FILE       judge both with pMap's parameters of this .moos file instead
+)";
+
+/// pMap's block for a session: of `mission` if given, else of the session's own mission.
+ConfigBlock MapBlockFor(const SavedSession& session, const std::optional<std::string>& mission) {
+  std::optional<ConfigBlock> block;
+  if (mission) {
+    const MissionFile file = LoadMission(*mission);
+    if (const ConfigBlock* found = file.Block("pMap")) block = *found;
+  } else {
+    block = MapBlockOf(session);
+  }
+  if (!block) {
+    throw ConfigError(ConfigProblem{
+        .where = {.file = mission.value_or(session.folder.string()), .line = 0},
+        .key = "",
+        .text = "no mission with a block `ProcessConfig = pMap`: give one with --mission"});
+  }
+  return *block;
 }
 
-/// Objects of the saved session that its smoother had as landmarks.
+/// Objects of a session that kept no landmarks, as landmarks.
 Landmarks LandmarksOf(const OpiBeliefs& objects) {
   Landmarks landmarks;
   for (const OpiBelief& opi : objects.opis) {
@@ -47,21 +68,44 @@ Landmarks LandmarksOf(const OpiBeliefs& objects) {
   return landmarks;
 }
 
+SessionPrior PriorFrom(const SavedSession& a, const ConfigBlock& block) {
+  SessionPrior prior = PriorOf(a.facts, a.memory);
+  for (const ConfigEntry& entry : block.entries) {
+    prior.map_parameters.push_back({entry.key, entry.value});
+  }
+  return prior;
+}
+
+/// Parameters are read here, where a problem has a file and a line.
+MapApp::Params MapParamsOf(const ConfigBlock& block) {
+  return ReadParams<MapApp::Params>(block, CommonAppKeys());
+}
+
 /// What session B, replayed, believes about the objects of both.
-StatusBook Compare(const LoadedSession& a, const LoadedSession& b) {
-  const MapApp::Params params;
+StatusBook Compare(const SavedSession& a, const SavedSession& b,
+                   const std::optional<std::string>& mission) {
+  const ConfigBlock block_a = MapBlockFor(a, mission);
+  static_cast<void>(MapParamsOf(block_a));
+  const MapApp::Params params = MapParamsOf(MapBlockFor(b, mission));
   StatusBook book(params.status, params.camera.geometry());
-  const SessionPrior prior = PriorOf(a.facts, a.memory);
-  book.SetFormerViews(FormerViewsOf(prior));
+  const SessionPrior prior = PriorFrom(a, block_a);
+  book.SetFormerViews(FormerViewsOf(prior, params));
   book.SetFormer(FormerOf(prior));
-  for (const Sight& sight : b.memory.sights) {
-    if (sight.altitude && *sight.altitude <= params.highest_view.value()) {
+  SightGate gate(params.sight_gate());
+  const std::vector<std::string> phase_of = PhaseOfSights(b.memory);
+  for (std::size_t i = 0; i < phase_of.size(); ++i) {
+    const Sight& sight = b.memory.sights[i];
+    if (!gate.Judge(sight.exposure, sight.altitude, phase_of[i]).drop) {
       book.AddSight(RecordOf(sight));
     }
   }
-  book.SetLandmarks(ConfirmedOf(LandmarksOf(b.memory.objects)));
+  book.SetLandmarks(ConfirmedOf(b.memory.known_landmarks.value_or(LandmarksOf(b.memory.objects))));
+  book.Rejudge();
   return book;
 }
+
+/// True for a place that is only worth a look: nothing was judged there.
+bool IsHunch(const ObjectStatus& object) { return object.landmark < 0 && object.former < 0; }
 
 OrderedJson JsonOf(const ObjectStatus& object) {
   const StatusPosterior& p = object.posterior;
@@ -92,23 +136,20 @@ OrderedJson JsonOf(const SessionFacts& facts) {
 }  // namespace
 
 int RunChange(std::span<const std::string> args) {
-  const Arguments given(args, {"session-a", "session-b"}, {"json", "help"});
+  const Arguments given(args, {"session-a", "session-b", "mission"}, {"json", "help"});
   if (given.Has("help")) {
-    fmt::print(
-        "usage: limpet change --session-a DIR --session-b DIR\n\nWhat changed from session A to "
-        "session B, from their saved frames and objects, as JSON.\nDIR is a session's run folder "
-        "or the session folder in it.\n");
+    fmt::print("{}", kChangeHelp);
     return kOk;
   }
   if (!given.Find("session-a") || !given.Find("session-b") || !given.positionals().empty()) {
     throw UsageError("change takes --session-a DIR and --session-b DIR");
   }
-  const LoadedSession a = Load(*given.Find("session-a"));
-  const LoadedSession b = Load(*given.Find("session-b"));
-  StatusBook book = Compare(a, b);
+  const SavedSession a = LoadSavedSession(*given.Find("session-a"), "session A");
+  const SavedSession b = LoadSavedSession(*given.Find("session-b"), "session B");
+  StatusBook book = Compare(a, b, given.Find("mission"));
   OrderedJson objects = OrderedJson::array();
   for (const ObjectStatus& object : book.Assess()) {
-    objects.push_back(JsonOf(object));
+    if (!IsHunch(object)) objects.push_back(JsonOf(object));
   }
   const FrameOffset& offset = book.offset();
   const OrderedJson out{{"session_a", JsonOf(a.facts)},

@@ -69,6 +69,9 @@ struct AppContext {
   /// life is done, and others count on it.
   bool is_restarted = false;
   double warp = 1.0;  ///< MOOS time per real time
+  /// Every block of the mission as this run reads it: plugs expanded, settings of the command line
+  /// in place.
+  std::vector<ConfigBlock> blocks{};
 
   /// Value of a mission global, or "".
   [[nodiscard]] std::string Global(std::string_view key) const;

@@ -173,7 +173,8 @@ class EmbeddedCommunity::Impl {
             .run_folder = setup_.run_folder,
             .prior_folder = setup_.prior_folder,
             .session = setup_.session,
-            .seed = setup_.seed};
+            .seed = setup_.seed,
+            .blocks = setup_.blocks};
   }
 
   std::vector<std::unique_ptr<Hosted>> hosted_;

@@ -157,7 +157,8 @@ int Run(const AppCommand& command, const AppEntry& entry) {
                            .seed = command.seed,
                            .runs_live = true,
                            .is_restarted = command.is_restarted,
-                           .warp = command.warp};
+                           .warp = command.warp,
+                           .blocks = command.mission.blocks};
   CastSettings casts = ReadCastSettings(block);
   casts.warp = command.warp;
   std::optional<MailJournal> journal;

@@ -91,6 +91,7 @@ const std::vector<std::string>& ExpectableNumbers() {
                                              "missed",
                                              "invented",
                                              "wrong_statuses",
+                                             "wrong_when_sure",
                                              "error_m",
                                              "aligned_error_m",
                                              "position_rmse_m",

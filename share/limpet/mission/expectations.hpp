@@ -35,7 +35,8 @@ struct Expectations {
 
 /// Keys that may be bounded, named after report.json: `error_m` and `aligned_error_m` are the
 /// largest of all objects, `missed`, `invented` and `wrong_statuses` are counts, and a `_95_` is a
-/// coverage level.
+/// coverage level. `wrong_when_sure` counts what was said with a probability of at least 0.95 and
+/// is not so: statuses, or in a first session objects that are not there.
 [[nodiscard]] const std::vector<std::string>& ExpectableNumbers();
 
 /// Reads expect.yaml. Throws ConfigError with every problem: unknown keys and sessions (`each` and

@@ -9,7 +9,6 @@
 #include "limpet/mission/seabed.hpp"
 #include "limpet/preflight/checks.hpp"
 #include "limpet/survey/survey_grid.hpp"
-#include "limpet/vehicle/dvl_reach.hpp"
 
 namespace limpet::internal {
 namespace {
@@ -131,15 +130,6 @@ bool CheckArea(const MissionReading& reading, const SurveyFacts& survey, Mission
   if (!CheckExtent(reading, survey, found)) return false;
   CheckTurns(reading, survey, found);
   CheckCells(reading, survey, found);
-  const DvlReach dvl;
-  const auto radius = reading.Find("pMap", "object_radius_m");
-  const double top = survey.band.number() + (radius ? radius->number() : 0.0);
-  if (top > dvl.tallest_object_m) {
-    found.notes.push_back(survey.band.Refuse(
-        fmt::format("objects may reach {:g} m above the seabed; what DVL beams meet higher than "
-                    "{:g} m is not mapped",
-                    top, dvl.tallest_object_m)));
-  }
   return true;
 }
 

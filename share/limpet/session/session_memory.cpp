@@ -2,11 +2,11 @@
 #include "limpet/session/session_memory.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 
 #include "limpet/core/config.hpp"
-#include "limpet/core/frames.hpp"
 #include "limpet/core/record.hpp"
+#include "limpet/session/former_views.hpp"
 #include "limpet/session/sights_csv.hpp"
 
 namespace limpet {
@@ -15,32 +15,11 @@ namespace {
 constexpr const char* kArea = "area.txt";
 constexpr const char* kObjects = "objects.json";
 constexpr const char* kLandmarks = "landmarks.json";
+constexpr const char* kKnownLandmarks = "known_landmarks.json";
 constexpr const char* kSights = "sights.csv";
+constexpr const char* kPhases = "phases.csv";
 constexpr const char* kMap = "map.ot";
 constexpr std::string_view kMission = "mission/";
-
-constexpr double kViewDistance = 0.5;  ///< looks from nearer, or turned less, tell little more [m]
-constexpr double kViewTurn = 0.26;     ///< [rad]
-
-double Rounded(double value) { return std::round(value * 1e4) / 1e4; }
-
-std::vector<std::array<double, 7>> ThinViews(const std::vector<Sight>& sights) {
-  std::vector<std::array<double, 7>> views;
-  const Sight* last = nullptr;
-  for (const Sight& sight : sights) {
-    if (!sight.altitude) continue;
-    const Pose pose = sight.pose();
-    const bool is_new = last == nullptr ||
-                        (pose.p_WB - last->pose().p_WB).norm() >= kViewDistance ||
-                        std::abs(WrapAngle(pose.yaw - last->yaw)) >= kViewTurn;
-    if (!is_new) continue;
-    last = &sight;
-    views.push_back({Rounded((sight.exposure - sights.front().exposure).value()),
-                     Rounded(pose.p_WB.x()), Rounded(pose.p_WB.y()), Rounded(pose.p_WB.z()),
-                     Rounded(pose.roll), Rounded(pose.pitch), Rounded(pose.yaw)});
-  }
-  return views;
-}
 
 /// Numbers in the lower triangle of a joint covariance.
 std::size_t LowerTriangleSize(std::size_t landmarks) {
@@ -83,7 +62,12 @@ SessionFiles FilesOf(const SessionMemory& memory) {
     files[kLandmarks] =
         std::get<std::string>(TopicCodec<LandmarkJoint>::Encode(memory.landmarks)) + "\n";
   }
+  if (memory.known_landmarks) {
+    files[kKnownLandmarks] =
+        std::get<std::string>(TopicCodec<Landmarks>::Encode(*memory.known_landmarks)) + "\n";
+  }
   files[kSights] = SightsToCsv(memory.sights);
+  files[kPhases] = PhasesToCsv(memory.phases);
   if (!memory.map.empty()) {
     files[kMap] = memory.map;
   }
@@ -113,6 +97,15 @@ Expected<SessionMemory> MemoryOf(const SessionFiles& files) {
     }
     memory.landmarks = *joint;
   }
+  if (const std::string* text = Find(files, kKnownLandmarks)) {
+    memory.known_landmarks = TopicCodec<Landmarks>::Decode(*text);
+    if (!memory.known_landmarks) return Error{std::string(kKnownLandmarks) + ": no landmarks"};
+  }
+  if (const std::string* text = Find(files, kPhases)) {
+    Expected<std::vector<PhaseStart>> phases = PhasesFromCsv(*text);
+    if (!phases) return Error{std::string(kPhases) + ": " + phases.error().text};
+    memory.phases = *std::move(phases);
+  }
   if (const std::string* text = Find(files, kSights)) {
     Expected<std::vector<Sight>> sights = SightsFromCsv(*text);
     if (!sights) return Error{std::string(kSights) + ": " + sights.error().text};
@@ -127,11 +120,20 @@ Expected<SessionMemory> MemoryOf(const SessionFiles& files) {
   return memory;
 }
 
+std::vector<std::string> PhaseOfSights(const SessionMemory& memory) {
+  std::vector<std::string> phase_of(memory.sights.size());
+  for (const PhaseStart& start : memory.phases) {
+    if (start.sight >= phase_of.size()) break;
+    std::fill(phase_of.begin() + static_cast<std::ptrdiff_t>(start.sight), phase_of.end(),
+              start.phase);
+  }
+  return phase_of;
+}
+
 SessionPrior PriorOf(const SessionFacts& facts, const SessionMemory& memory) {
   constexpr double kLikely = 0.5;
   SessionPrior prior;
   prior.session = facts.session;
-  prior.views = ThinViews(memory.sights);
   std::vector<int> landmarks;
   for (const OpiBelief& opi : memory.objects.opis) {
     if (opi.landmark < 0 || opi.probability < kLikely) continue;
@@ -144,6 +146,7 @@ SessionPrior PriorOf(const SessionFacts& facts, const SessionMemory& memory) {
                           .looks = opi.looks});
   }
   prior.joint = JointOf(landmarks, memory.landmarks);
+  AddFormerViews(memory, landmarks, prior);
   return prior;
 }
 

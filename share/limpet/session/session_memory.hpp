@@ -14,13 +14,23 @@
 
 namespace limpet {
 
-/// Files: area.txt, objects.json, landmarks.json, sights.csv, map.ot, mission/*.
+/// From the frame with this index in SessionMemory::sights on, the mission was in `phase`.
+struct PhaseStart {
+  std::size_t sight = 0;
+  std::string phase;
+};
+
+/// Files: area.txt, objects.json, known_landmarks.json, landmarks.json, sights.csv, phases.csv,
+/// map.ot, mission/*.
 struct SessionMemory {
   std::optional<SurveyArea> area;
   OpiBeliefs objects;
-  LandmarkJoint landmarks;    ///< of the objects' landmarks; empty if never heard
-  std::vector<Sight> sights;  ///< every frame with its pose and boxes
-  std::string map;            ///< the semantic octree as MAP_SNAPSHOT; empty if none
+  /// All landmarks as pNav had them when `objects` were judged; nothing in an older session.
+  std::optional<Landmarks> known_landmarks;
+  LandmarkJoint landmarks;         ///< of the objects' landmarks; empty if never heard
+  std::vector<Sight> sights;       ///< every frame with its pose and boxes
+  std::vector<PhaseStart> phases;  ///< in order; before the first one none was announced
+  std::string map;                 ///< the semantic octree as MAP_SNAPSHOT; empty if none
   std::map<std::string, std::string> mission;  ///< the mission's own files
 };
 
@@ -29,8 +39,15 @@ struct SessionMemory {
 /// The error names the file whose content is not understood.
 [[nodiscard]] Expected<SessionMemory> MemoryOf(const SessionFiles& files);
 
+/// Name of the file in SessionMemory::mission that holds the mission as it was run: plugs expanded,
+/// settings of the command line in place.
+inline constexpr const char* kMissionAsRun = "as_run.moos";
+
+/// Phase of each frame, "" if none was announced.
+[[nodiscard]] std::vector<std::string> PhaseOfSights(const SessionMemory& memory);
+
 /// What a later session takes over: objects that were there at the end of this one, and where it
-/// looked from.
+/// looked from. Without `map_parameters`, which the mission tells.
 [[nodiscard]] SessionPrior PriorOf(const SessionFacts& facts, const SessionMemory& memory);
 
 }  // namespace limpet

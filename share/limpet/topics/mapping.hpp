@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "limpet/core/message.hpp"
+#include "limpet/topics/sensors.hpp"
 #include "limpet/topics/topic.hpp"
 
 namespace limpet {
@@ -111,12 +112,22 @@ struct PriorOpi {
       0.0;  ///< Lambda of the former session: ln P(looks | present) / P(looks | absent)
   int looks = 0;
 };
+/// A box that one of SessionPrior's views saw and that none of its objects owns.
+struct PriorBox {
+  int view = 0;  ///< index
+  Box box;
+};
 struct SessionPrior {
   std::string session;  ///< name of the former session
   std::vector<PriorOpi> opis;
-  /// Where it looked from, thinned to independent looks: t [s], north, east, down [m], roll, pitch,
-  /// yaw [rad]. Tells a new object from one that was never looked for.
-  std::vector<std::array<double, 7>> views;
+  /// Where its map looked from: t [s], north, east, down [m], roll, pitch, yaw [rad], last altitude
+  /// heard [m] and its age [s]. Thinned to independent looks, but for looks with boxes that are
+  /// nobody's. Tells a new object from one that was never looked for.
+  std::vector<std::array<double, 9>> views;
+  std::vector<PriorBox> boxes;  ///< in order of `view`
+  /// Keys and values of pMap's block in the former mission: its camera, and how well it saw. Empty
+  /// if not known.
+  std::vector<std::array<std::string, 2>> map_parameters;
   /// Joint covariance of `opis`, as in LandmarkJoint; empty if the session did not keep it.
   std::vector<double> joint;
 };

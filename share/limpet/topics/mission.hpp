@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "limpet/topics/topic.hpp"
@@ -96,6 +97,12 @@ struct ThrusterCommand {
         visit("t6", t6);
   }
 };
+
+/// True for the phases of SURVEY_PHASE in which camera frames are of the ground: from the dive to
+/// the way home. Without a mission manager (no phase: a replayed log, a bench) all are.
+[[nodiscard]] inline bool IsMappingPhase(std::string_view phase) {
+  return phase.empty() || phase == "DIVE" || phase == "SURVEY" || phase == "RETURN";
+}
 
 namespace topics {
 inline const auto kSurveyArea =

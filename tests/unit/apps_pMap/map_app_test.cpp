@@ -46,6 +46,15 @@ SessionPrior Former(const std::vector<FormerOpi>& objects) {
   return prior;
 }
 
+/// Where a former session looked from on this leg, two views a metre.
+void AddViews(const Leg& leg, SessionPrior& prior) {
+  const double start = prior.views.empty() ? 0.0 : prior.views.back()[0] + 20.0;
+  for (int i = 0; 0.5 * i <= leg.length; ++i) {
+    prior.views.push_back(
+        {start + i, leg.north + 0.5 * i, leg.east, leg.down, 0.0, 0.0, 0.0, leg.altitude, 0.0});
+  }
+}
+
 /// pMap with mail as a survey would send it.
 class MapAppTest : public ::testing::Test {
  protected:
@@ -141,7 +150,8 @@ TEST_F(MapAppTest, LeavesAFormerObjectUncertainUntilItHasLooked) {
 
 TEST_F(MapAppTest, DecidesAllFourWaysInAChangeSession) {
   const Sphere newcomer{.ned = {4, 8, 6.0}, .color = "orange", .landmark = 4};
-  const SessionPrior prior = Former({{1, {4.3, 1.2, 5.6}, "yellow"}, {2, {8, -4, 7}, "orange"}});
+  SessionPrior prior = Former({{1, {4.3, 1.2, 5.6}, "yellow"}, {2, {8, -4, 7}, "orange"}});
+  AddViews({.north = -3, .east = 8, .length = 16}, prior);
   link_.Send(app_, topics::kSessionPrior, prior);
   Survey({.north = -3, .east = 1, .length = 16}, {kYellow, newcomer});
   Survey({.north = -3, .east = 8, .length = 16}, {kYellow, newcomer});
@@ -154,6 +164,131 @@ TEST_F(MapAppTest, DecidesAllFourWaysInAChangeSession) {
     EXPECT_NEAR(p.confirmed + p.removed + p.appeared + p.nothing, 1.0, 1e-12);
   }
   EXPECT_THAT(decided, ::testing::ElementsAre("confirmed", "removed", "new"));
+}
+
+TEST_F(MapAppTest, CallsNothingNewOnGroundThatTheFormerSessionNeverSaw) {
+  const Sphere seen_ground{.ned = {4, 8, 6.0}, .color = "orange", .landmark = 4};
+  SessionPrior prior = Former({});
+  AddViews({.north = -3, .east = 8, .length = 16}, prior);
+  link_.Send(app_, topics::kSessionPrior, prior);
+  for (const double east : {0.5, 1.0, 8.0}) {
+    Survey({.north = -3, .east = east, .length = 16}, {kYellow, seen_ground});
+  }
+  Confirm({kYellow, seen_ground});
+  ASSERT_EQ(Objects().size(), 2U);
+  EXPECT_EQ(Objects()[0].color, "yellow");
+  EXPECT_EQ(Objects()[0].decided, "uncertain");
+  EXPECT_GT(Objects()[0].probability, 0.95) << "it is there, but may have been there before";
+  EXPECT_EQ(Objects()[1].decided, "new");
+}
+
+TEST_F(MapAppTest, JudgesTheFormerViewsByTheFormerCamera) {
+  // Seen through a camera of 12 degrees the former session passed by.
+  SessionPrior prior = Former({});
+  AddViews({.north = -3, .east = 3, .length = 16}, prior);
+  prior.map_parameters = {{"camera_fov_across_deg", "12"},
+                          {"camera_fov_along_deg", "12"},
+                          {"camera_width_px", "480"},
+                          {"camera_height_px", "480"},
+                          {"object_radius_m", "0.5"}};
+  link_.Send(app_, topics::kSessionPrior, prior);
+  Survey({.north = -3, .east = 1, .length = 16}, {kYellow});
+  Confirm({kYellow});
+  EXPECT_EQ(Objects()[0].decided, "uncertain");
+}
+
+TEST_F(MapAppTest, DoesNotTrustViewsOfAMapThatItDoesNotUnderstand) {
+  SessionPrior prior = Former({});
+  AddViews({.north = -3, .east = 1, .length = 16}, prior);
+  prior.map_parameters = {{"visibility_m", "thick"}};
+  link_.Send(app_, topics::kSessionPrior, prior);
+  ASSERT_TRUE(app_.warnings().contains("FORMER_PARAMETERS"));
+  EXPECT_THAT(app_.warnings().at("FORMER_PARAMETERS"), ::testing::HasSubstr("visibility_m"));
+  Survey({.north = -3, .east = 1, .length = 16}, {kYellow});
+  Confirm({kYellow});
+  EXPECT_EQ(Objects()[0].decided, "uncertain");
+}
+
+TEST_F(MapAppTest, SurvivesViewsOutOfOrder) {
+  SessionPrior prior = Former({});
+  AddViews({.north = -3, .east = 1, .length = 16}, prior);
+  prior.views.push_back(prior.views.front());
+  prior.boxes = {{.view = 90, .box = {}}, {.view = -1, .box = {}}};
+  link_.Send(app_, topics::kSessionPrior, prior);
+  Survey({.north = -3, .east = 1, .length = 16}, {kYellow});
+  Confirm({kYellow});
+  EXPECT_EQ(Objects()[0].decided, "new");
+}
+
+/// What the report says of frames that were left out.
+std::string LeftOutIn(const MapApp& app) {
+  ReportLines lines;
+  app.Report(lines);
+  const std::string text = lines.Text();
+  const std::size_t begin = text.find("Left out:");
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+TEST_F(MapAppTest, SaysThatItFliesTooHighToSee) {
+  link_.Send(app_, topics::kSurveyPhase, std::string("DIVE"));
+  Survey({.north = -10, .length = 1, .altitude = 8.0}, {});
+  EXPECT_FALSE(app_.warnings().contains("VIEW_TOO_HIGH")) << "on the way down that is no trouble";
+  link_.Send(app_, topics::kSurveyPhase, std::string("SURVEY"));
+  Survey({.north = -10, .length = 1, .altitude = 8.0}, {});
+  EXPECT_TRUE(app_.warnings().contains("VIEW_TOO_HIGH"));
+  EXPECT_THAT(LeftOutIn(app_), ::testing::HasSubstr("18 too high above the seabed"));
+  Survey({.north = -10, .length = 1, .altitude = 4.0}, {});
+  EXPECT_FALSE(app_.warnings().contains("VIEW_TOO_HIGH"));
+}
+
+TEST_F(MapAppTest, SaysThatFramesWithoutAnAltitudeAreLeftOut) {
+  Sight sight;
+  sight.exposure = link_.time;
+  link_.Send(app_, topics::kNavSight, sight);
+  EXPECT_TRUE(app_.warnings().contains("VIEW_WITHOUT_ALTITUDE"));
+  sight.exposure = link_.time - Seconds(1.0);
+  link_.Send(app_, topics::kNavSight, sight);
+  EXPECT_TRUE(app_.warnings().contains("SIGHT_OUT_OF_ORDER"));
+  EXPECT_THAT(LeftOutIn(app_), ::testing::HasSubstr("1 out of order, 1 without an altitude"));
+  sight.exposure = link_.time + Seconds(1.0);
+  sight.altitude = 4.0;
+  link_.Send(app_, topics::kNavSight, sight);
+  EXPECT_TRUE(app_.warnings().empty());
+}
+
+TEST_F(MapAppTest, SaysThatItDoesNotFollowUpEveryHint) {
+  std::vector<Sphere> ghosts;
+  for (int i = 0; i < 11; ++i) {
+    ghosts.push_back({.ned = {3.0 * i, 1.0, 6.0}, .color = "yellow", .landmark = -1});
+  }
+  Survey({.north = -4, .east = 1, .length = 20}, ghosts);
+  link_.time += Seconds(1.0);
+  app_.Tick(link_.time);
+  EXPECT_FALSE(app_.warnings().contains("HUNCHES_LEFT_OUT"));
+  Survey({.north = 12, .east = 1, .length = 26}, ghosts);
+  link_.time += Seconds(1.0);
+  app_.Tick(link_.time);
+  EXPECT_TRUE(app_.warnings().contains("HUNCHES_LEFT_OUT"));
+}
+
+TEST_F(MapAppTest, SaysThatBeamsEndWhereNothingCanBe) {
+  const auto ping = [this](double first) {
+    for (int i = 0; i < 60; ++i) {
+      link_.Send(app_, topics::kNavBeams,
+                 PosedBeams{.down = 0.0, .b1 = first, .b2 = 12.0, .b3 = 12.0, .b4 = first});
+    }
+  };
+  ping(2.0);
+  EXPECT_TRUE(app_.warnings().contains("BEAMS_LEFT_OUT"));
+  ReportLines lines;
+  app_.Report(lines);
+  EXPECT_THAT(lines.Text(), ::testing::HasSubstr("120 used, 120 left out as outliers"));
+  // Where the mission lets objects float that high, they are no outliers.
+  SurveyArea area = kArea;
+  area.object_height_max = 9.0;
+  link_.Send(app_, topics::kSurveyArea, area);
+  ping(2.0);
+  EXPECT_FALSE(app_.warnings().contains("BEAMS_LEFT_OUT"));
 }
 
 TEST_F(MapAppTest, PutsTheCentroidAtTheSpheresCentre) {

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "apps/pSession/saved_session.hpp"
 #include "estimation/mapping/semantic_octree.hpp"
 #include "limpet/app/test_link.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -165,6 +166,66 @@ TEST_F(SessionAppTest, ExportsTheMapForOtherPrograms) {
   EXPECT_THAT(files.at("export/map_color.ot"), ::testing::HasSubstr("id ColorOcTree"));
   EXPECT_THAT(files.at("export/map.ply"), ::testing::HasSubstr("element vertex 1\n"));
   EXPECT_THAT(files.at("export/map.csv"), ::testing::HasSubstr(",new\n"));
+}
+
+/// Over water too deep for the DVL the map stays empty.
+TEST_F(SessionAppTest, ExportsAnEmptyMap) {
+  const std::string bytes = SemanticOctree().Serialize();
+  const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
+  SessionApp app(Context("discovery"), {});
+  app.Tick(link_.time);
+  link_.Send(app, topics::kSessionSave, std::string("home"));
+  link_.Send(app, topics::kMapSnapshot, Binary(first, first + bytes.size()));
+  const SessionFiles files = LoadSession(folder_.path() / "discovery")->files;
+  EXPECT_THAT(files.at("export/map_color.ot"), ::testing::HasSubstr("id ColorOcTree"));
+  EXPECT_THAT(files.at("export/map.ply"), ::testing::HasSubstr("element vertex 0\n"));
+}
+
+TEST_F(SessionAppTest, KeepsTheMissionAsItWasRun) {
+  AppContext context = Context("discovery");
+  context.globals = {{"Community", "alpha", {}}};
+  context.blocks = {{.name = "pMap",
+                     .where = {},
+                     .entries = {{"visibility_m", "5.5", {}}, {"camera_width_px", "800", {}}}}};
+  SessionApp app(context, {});
+  app.Tick(link_.time);
+  const SavedSession saved = LoadSavedSession(folder_.path() / "discovery", "session");
+  EXPECT_THAT(saved.memory.mission.at("as_run.moos"), testing::HasSubstr("Community = alpha\n"));
+  const std::optional<ConfigBlock> block = MapBlockOf(saved);
+  ASSERT_TRUE(block);
+  ASSERT_EQ(block->entries.size(), 2U);
+  EXPECT_EQ(block->entries[0].value, "5.5");
+  const SessionPrior prior = PriorWithParameters(saved);
+  EXPECT_EQ(prior.map_parameters[1][1], "800");
+}
+
+TEST_F(SessionAppTest, KeepsThePhasesOfItsFramesAndTheLandmarksOfItsObjects) {
+  SessionApp app(Context("discovery"), {});
+  app.Tick(link_.time);
+  const auto see = [&](double north) {
+    Sight sight;
+    sight.exposure = link_.time += Seconds(1.0);
+    sight.ned = {north, 0, 3};
+    sight.altitude = 4.0;
+    link_.Send(app, topics::kNavSight, sight);
+  };
+  see(1.0);
+  link_.Send(app, topics::kSurveyPhase, std::string("ALIGN"));
+  see(2.0);
+  link_.Send(app, topics::kSurveyPhase, std::string("SUR,VEY\n"));
+  link_.Send(app, topics::kSurveyPhase, std::string("SURVEY"));
+  see(3.0);
+  link_.Send(app, topics::kNavLandmarks, Landmarks{{Landmark{}}});
+  link_.Send(app, topics::kMapOpis, OneObject());
+  link_.Send(app, topics::kNavLandmarks, Landmarks{});
+  app.Finish(link_.time + Seconds(1.0));
+  const SavedSession saved = LoadSavedSession(folder_.path() / "discovery", "session");
+  EXPECT_THAT(PhaseOfSights(saved.memory), testing::ElementsAre("", "ALIGN", "SURVEY"));
+  ASSERT_TRUE(saved.memory.known_landmarks);
+  EXPECT_EQ(saved.memory.known_landmarks->landmarks.size(), 1U);
+  const SessionPrior prior = PriorWithParameters(saved);
+  ASSERT_EQ(prior.views.size(), 2U) << "at the surface the map does not look";
+  EXPECT_EQ(prior.views[1][1], 3.0);
 }
 
 TEST_F(SessionAppTest, SavesWithoutAMapThatDoesNotCome) {

@@ -42,6 +42,15 @@ class StatusBookTest : public ::testing::Test {
     }
     time_ += 30.0;
   }
+  /// The former session flew north over the field and saw what its list has.
+  void FormerLookedEverywhere() {
+    FormerViews views{.sights = {}, .model = {.camera = kCamera, .detection = {}}, .looks = {}};
+    for (double north = -4.0; north <= 12.0; north += 0.5) {
+      views.sights.push_back(
+          {.time = north + 4.0, .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}, .boxes = {}});
+    }
+    book_.SetFormerViews(std::move(views));
+  }
   void Landmarks(const std::vector<Real>& objects) {
     std::vector<KnownLandmark> known;
     for (const Real& real : objects) {
@@ -130,6 +139,7 @@ TEST_F(StatusBookTest, KeepsTwoNeighboursApartThatWereSeenTogether) {
 }
 
 TEST_F(StatusBookTest, AnObjectThatAnotherColourReplacedIsRemoved) {
+  FormerLookedEverywhere();
   book_.SetFormer({Former(7, At(0, 0.5)), Former(8, At(7, 0.0)), Former(9, At(4, 0.5))});
   const std::vector<Real> now{{At(0, 0.5), 1}, {At(7, 0.0), 2}, {At(4, 0.5, "orange"), 3}};
   Fly(0.0, now);
@@ -139,6 +149,7 @@ TEST_F(StatusBookTest, AnObjectThatAnotherColourReplacedIsRemoved) {
 }
 
 TEST_F(StatusBookTest, AnObjectThatStandsBesideItsFormerPlaceHasMoved) {
+  FormerLookedEverywhere();
   book_.SetFormer({Former(7, At(0, 0.5)), Former(8, At(8, 0.0)), Former(9, At(4, 0.5))});
   const std::vector<Real> now{{At(0, 0.5), 1}, {At(8, 0.0), 2}, {At(4, -1.0), 3}};
   Fly(0.0, now);
@@ -179,11 +190,7 @@ TEST_F(StatusBookTest, BoxesOfALandmarkToBeDoNotLeaveItsFormerObjectRemoved) {
 TEST_F(StatusBookTest, ANewObjectIsNewWhenTheFormerSessionLookedThere) {
   const Real real{At(4, 0.5), 1};
   book_.SetFormer({});
-  std::vector<SightRecord> views;
-  for (double north = -4.0; north < 12.0; north += 0.5) {
-    views.push_back({.time = north, .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}, .boxes = {}});
-  }
-  book_.SetFormerViews(views);
+  FormerLookedEverywhere();
   Fly(0.0, {real});
   Landmarks({real});
   EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kNew));
@@ -192,7 +199,10 @@ TEST_F(StatusBookTest, ANewObjectIsNewWhenTheFormerSessionLookedThere) {
 TEST_F(StatusBookTest, AnObjectWhereNobodyLookedBeforeMayBeOld) {
   const Real real{At(4, 0.5), 1};
   book_.SetFormer({});
-  book_.SetFormerViews({{.time = 0.0, .X_WB = {{100.0, 0.0, 3.0}, 0, 0, 0}, .boxes = {}}});
+  book_.SetFormerViews(
+      {.sights = {{.time = 0.0, .X_WB = {{100.0, 0.0, 3.0}, 0, 0, 0}, .boxes = {}}},
+       .model = {.camera = kCamera, .detection = {}},
+       .looks = {}});
   Fly(0.0, {real});
   Landmarks({real});
   const std::vector<ObjectStatus> objects = book_.Assess();
@@ -201,7 +211,63 @@ TEST_F(StatusBookTest, AnObjectWhereNobodyLookedBeforeMayBeOld) {
   EXPECT_GT(objects[0].posterior.present(), 0.9);
 }
 
+TEST_F(StatusBookTest, AFormerSessionThatNeverLookedProvesNothing) {
+  const Real real{At(4, 0.5), 1};
+  book_.SetFormer({});
+  Fly(0.0, {real});
+  Landmarks({real});
+  EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kUncertain));
+}
+
+/// The former smoother made no object of what its camera saw.
+TEST_F(StatusBookTest, AnObjectIsNotNewWhereTheFormerSessionSawBoxesThatItDidNotList) {
+  const Real real{At(4, 0.5), 1};
+  FormerViews views{.sights = {}, .model = {.camera = kCamera, .detection = {}}, .looks = {}};
+  for (double north = -4.0; north <= 12.0; north += 0.5) {
+    SightRecord view{.time = north + 4.0, .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}, .boxes = {}};
+    if (VisibleShare(kCamera, view.X_WB, real.object.ned, 0.5) > 0.5) {
+      const Eigen::Vector2d pixel = *kCamera.Project(kCamera.InCamera(view.X_WB, real.object.ned));
+      view.boxes.push_back({.u = pixel.x(),
+                            .v = pixel.y(),
+                            .w = 120,
+                            .h = 120,
+                            .confidence = 0.9,
+                            .color = "yellow"});
+    }
+    views.sights.push_back(std::move(view));
+  }
+  book_.SetFormerViews(std::move(views));
+  book_.SetFormer({});
+  Fly(0.0, {real});
+  Landmarks({real});
+  EXPECT_NE(Decided()[0], Status::kNew);
+}
+
+TEST_F(StatusBookTest, JudgedAgainItDoesNotDependOnHowItCameToKnow) {
+  const Real early{At(4.2, 0.7), 1};
+  const Real late{At(4, 0.5), 1};
+  FormerLookedEverywhere();
+  book_.SetFormer({Former(7, At(8, 0.0))});
+  Fly(0.0, {late}, 0.8);
+  Landmarks({early});
+  Landmarks({late});
+  book_.Rejudge();
+  StatusBook again(StatusParams{}, kCamera);
+  for (const SightRecord& sight : book_.sights())
+    again.AddSight(sight);
+  again.SetFormer({Former(7, At(8, 0.0))});
+  again.SetLandmarks({{.id = 1, .object = late.object, .looks = 9}});
+  again.Rejudge();
+  const std::vector<ObjectStatus> first = book_.Assess();
+  const std::vector<ObjectStatus> second = again.Assess();
+  ASSERT_EQ(first.size(), second.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(first[i].lambda, second[i].lambda);
+  }
+}
+
 TEST_F(StatusBookTest, AnObjectThatMovedIsOneStoryNotTwo) {
+  FormerLookedEverywhere();
   book_.SetFormer({Former(7, At(4, -1.2)), Former(8, At(9, 0)), Former(9, At(0, 0))});
   const std::vector<Real> now{{At(4, 1.1), 1}, {At(9, 0), 2}, {At(0, 0), 3}};
   Fly(-0.5, now);
@@ -219,6 +285,21 @@ TEST_F(StatusBookTest, KeepsAnObjectsIdWhenItIsFoundAgain) {
   Fly(0.0, {real});
   Landmarks({real});
   EXPECT_EQ(book_.Assess()[1].id, before);
+}
+
+TEST_F(StatusBookTest, LearnsHowOftenTheDetectorSeesGhosts) {
+  const Real real{At(4, 0.5), 1};
+  for (int pass = 0; pass < 6; ++pass) {
+    Fly(0.0, {real});
+  }
+  for (int i = 0; i < 600; ++i, time_ += 0.25) {
+    SightRecord sight{.time = time_, .X_WB = {{90.0, 90.0, 3.0}, 0, 0, 0}, .boxes = {}};
+    if (i % 2 == 0) sight.boxes.push_back({.u = 30, .v = 30, .w = 40, .h = 40, .color = "green"});
+    book_.AddSight(std::move(sight));
+  }
+  Landmarks({real});
+  book_.Rejudge();
+  EXPECT_NEAR(book_.false_per_image(), 300.0 / 1374.0, 0.03) << "the object's boxes are none";
 }
 
 TEST_F(StatusBookTest, FalseDetectionsNeverAddUpToAnObject) {

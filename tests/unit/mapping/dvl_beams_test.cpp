@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/mapping/dvl_beams.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -39,6 +42,26 @@ TEST(BeamEnds, ABeamThatHitsAnObjectIsNotTheSeabed) {
 TEST(BeamEnds, LeavesOutliersOut) {
   EXPECT_EQ(BeamEnds(kPose, {2.0 * kSlant, kSlant, kSlant, kSlant}).size(), 3U);
   EXPECT_EQ(BeamEnds(kPose, {0.05, kSlant, kSlant, kSlant}).size(), 3U);
+}
+
+TEST(BeamEnds, KeepsABeamOnTopOfAnObjectAsTallAsTheMissionSays) {
+  const Pose high{{0.0, 0.0, 0.0}, 0.0, 0.0, 0.0};
+  const std::array<std::optional<double>, 4> ranges{1.0 * kSlant, 2.5 * kSlant, 2.5 * kSlant,
+                                                    2.5 * kSlant};
+  EXPECT_EQ(BeamEnds(high, ranges).size(), 3U) << "6 m above the seabed";
+  EXPECT_EQ(BeamEnds(high, ranges, 6.5).size(), 4U);
+}
+
+TEST(BeamEnds, KeepsAllBeamsOnASlopeOfTwentyFiveDegrees) {
+  const Pose high{{0.0, 0.0, 0.0}, 0.0, 0.0, 0.0};
+  std::array<std::optional<double>, 4> ranges;
+  for (std::size_t i = 0; i < 4; ++i) {  // plane: depth = 10 + tan(25 deg) * north
+    const double tilt = 25.0 * std::numbers::pi / 180.0;
+    const double azimuth = (45.0 + 90.0 * static_cast<double>(i)) * std::numbers::pi / 180.0;
+    const double out = std::sin(tilt) * std::cos(azimuth);
+    ranges[i] = 10.0 / (std::cos(tilt) - std::tan(tilt) * out);
+  }
+  EXPECT_EQ(BeamEnds(high, ranges).size(), 4U);
 }
 
 TEST(BeamEnds, SaysNothingWithoutBeams) { EXPECT_TRUE(BeamEnds(kPose, {}).empty()); }

@@ -79,6 +79,21 @@ TEST(NearSurface, GivesTheRadiusOfTheSphereInTheBox) {
   EXPECT_NEAR(RadiusFromBox(look, kCamera), kRadius, 0.01);
 }
 
+/// Neither cut to a smaller sphere nor painted with gaps.
+TEST(NearSurface, ShowsAnObjectOfEightMetresAcross) {
+  constexpr double kLarge = 4.0;
+  constexpr double kSpacing = 0.1;
+  const Pose X_WB{{0.0, 0.0, 0.0}, 0.0, 0.0, 0.0};
+  const Eigen::Vector3d centre(0.0, 0.0, 14.0);
+  ObjectLook look{.X_WB = X_WB, .box = BoxAround(X_WB, centre, 1), .object_W = centre};
+  look.box.w *= kLarge / kRadius;
+  look.box.h *= kLarge / kRadius;
+  EXPECT_NEAR(RadiusFromBox(look, kCamera), kLarge, 0.01);
+  const std::vector<VoxelEvidence> points = NearSurface(look, kCamera, kLarge, kSpacing);
+  const double disc = kLarge * kLarge * 3.14159;
+  EXPECT_GT(static_cast<double>(points.size()), 0.7 * disc / (kSpacing * kSpacing));
+}
+
 TEST(SphereCentre, FindsTheCentreFromTheUpperCapAlone) {
   std::vector<Eigen::Vector3d> points;
   for (double tilt = 0.1; tilt < 1.2; tilt += 0.2) {

@@ -42,6 +42,21 @@ TEST(ExpectationCheck, SaysWhichBoundBrokeAndWhereItStands) {
               ElementsAre("change: wrong_statuses is 1, expected at most 0 (expect.yaml:2)"));
 }
 
+TEST(ExpectationCheck, MayBeUncertainAndWrongWhenUnsure) {
+  const std::string expected = "change:\n  wrong_when_sure: {max: 0}\n";
+  RunScore run = ChangeRun(false);
+  ChangeScore& change = run.sessions[0].opis.changes[0];
+  EXPECT_THAT(Check(run, expected).breaches, IsEmpty());
+  change.decided = "uncertain", change.probability = 0.97;
+  EXPECT_THAT(Check(run, expected).breaches, IsEmpty());
+  change.decided = "removed", change.probability = 0.94;
+  EXPECT_THAT(Check(run, expected).breaches, IsEmpty());
+  change.probability = 0.95;
+  EXPECT_THAT(Check(run, expected).breaches, ElementsAre(HasSubstr("wrong_when_sure is 1")));
+  change.truth = change.expected = std::nullopt;
+  EXPECT_THAT(Check(run, expected).breaches, ElementsAre(HasSubstr("wrong_when_sure is 1")));
+}
+
 TEST(ExpectationCheck, AWayToALevelNeverReachedKeepsNoBound) {
   const ExpectationCheck check =
       Check(ChangeRun(false), "each:\n  coverage_95_path_m: {max: 9999}\n");

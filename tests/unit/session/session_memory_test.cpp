@@ -87,7 +87,34 @@ TEST(SessionPrior, HandsOverWhereItLookedFromHalfAMetreApart) {
   }
   const SessionPrior prior = PriorOf(SessionFacts{}, memory);
   ASSERT_EQ(prior.views.size(), 11U);
-  EXPECT_EQ(prior.views[1], (std::array<double, 7>{1.0, 0.5, 0.0, 3.5, 0.0, 0.0, 0.0}));
+  EXPECT_EQ(prior.views[1], (std::array<double, 9>{1.0, 0.5, 0.0, 3.5, 0.0, 0.0, 0.0, 4.0, 0.0}));
+}
+
+TEST(SessionPrior, KeepsLooksWholeThatSawWhatIsNotListed) {
+  SessionMemory memory;
+  memory.objects.opis = {Object(1, 3, 0.98)};
+  for (int i = 0; i < 12; ++i) {
+    memory.sights.push_back(Frame(i));
+    memory.sights.back().ned = {0.125 * i, 0.0, 3.5};
+    memory.sights.back().altitude = 4.0;
+    memory.sights.back().boxes = {{{.color = "listed"}, 3}};
+  }
+  memory.sights[5].boxes.push_back({{.u = 7.0, .color = "stranger"}, -1});
+  const SessionPrior prior = PriorOf(SessionFacts{}, memory);
+  ASSERT_EQ(prior.views.size(), 6U);  // of looks of four frames the second is kept whole
+  ASSERT_EQ(prior.boxes.size(), 1U);
+  EXPECT_EQ(prior.boxes[0].view, 2);
+  EXPECT_EQ(prior.boxes[0].box.color, "stranger");
+}
+
+TEST(SessionMemory, NamesALineThatStartsNoPhase) {
+  SessionFiles files = FilesOf(Sample());
+  for (const char* line : {"x,SURVEY", "-1,SURVEY", "3", "1e300,SURVEY", "5,SURVEY\n3,RETURN"}) {
+    files["phases.csv"] = std::string("first_sight,phase\n") + line + "\n";
+    const Expected<SessionMemory> loaded = MemoryOf(files);
+    ASSERT_FALSE(loaded) << line;
+    EXPECT_THAT(loaded.error().text, ::testing::StartsWith("phases.csv: line "));
+  }
 }
 
 TEST(SightsCsv, RefusesATextWithoutItsHeader) { EXPECT_FALSE(SightsFromCsv("1,2,3\n")); }

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// How exactly a place is watched, and when it is to be watched anew.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "estimation/change/place_watch.hpp"
+
+namespace limpet {
+
+/// A landmark relative to the poses it was seen from: the error that they share moves both.
+[[nodiscard]] inline PlacedObject WatchedPlace(PlacedObject place) {
+  constexpr double kRelativeSigma = 0.15;  // [m]
+  place.cov = kRelativeSigma * kRelativeSigma * Eigen::Matrix3d::Identity();
+  return place;
+}
+
+/// True if the place is now somewhere else, or known much better or worse than when it was judged:
+/// then it is judged again from all frames.
+[[nodiscard]] inline bool HasMoved(const PlaceWatch& watch, const PlacedObject& place) {
+  constexpr double kDistance = 0.3;     // [m]
+  constexpr double kSpread = 0.3;       // share by which its standard deviation may change,
+  constexpr double kLeastSpread = 0.1;  // and by how much in any case [m]
+  const auto spread = [](const PlacedObject& object) {
+    return std::sqrt(std::max(object.cov(0, 0) + object.cov(1, 1), 0.0));
+  };
+  const double change = std::abs(spread(place) - spread(watch.place()));
+  return (watch.place().ned - place.ned).norm() > kDistance ||
+         change > std::max(kSpread * spread(watch.place()), kLeastSpread);
+}
+
+}  // namespace limpet

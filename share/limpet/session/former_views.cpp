@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/session/former_views.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "limpet/core/config.hpp"
+#include "limpet/core/frames.hpp"
+#include "limpet/core/number_text.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kViewDistance = 0.5;  ///< looks from nearer, or turned less, tell little more [m]
+constexpr double kViewTurn = 0.26;     ///< [rad]
+constexpr std::string_view kPhasesHeader = "first_sight,phase";
+
+double Rounded(double value) { return std::round(value * 1e4) / 1e4; }
+
+/// A frame that may go on, and the last altitude heard until then.
+struct View {
+  const Sight* sight = nullptr;
+  double altitude = 0.0;
+  Seconds altitude_time;
+};
+
+/// Frames in which the session mapped; a vehicle that never heard an altitude saw nothing.
+std::vector<View> MappingViews(const SessionMemory& memory) {
+  const std::vector<std::string> phase_of = PhaseOfSights(memory);
+  std::vector<View> views;
+  std::optional<double> altitude;
+  Seconds altitude_time;
+  for (std::size_t i = 0; i < memory.sights.size(); ++i) {
+    const Sight& sight = memory.sights[i];
+    if (sight.altitude) {
+      altitude = sight.altitude;
+      altitude_time = sight.exposure;
+    }
+    if (altitude && IsMappingPhase(phase_of[i])) {
+      views.push_back({&sight, *altitude, altitude_time});
+    }
+  }
+  return views;
+}
+
+bool IsOneLook(const Sight& a, const Sight& b) {
+  return (a.pose().p_WB - b.pose().p_WB).norm() < kViewDistance &&
+         std::abs(WrapAngle(a.yaw - b.yaw)) < kViewTurn;
+}
+
+bool IsListed(const SightedBox& box, const std::vector<int>& landmarks) {
+  return box.landmark >= 0 && std::ranges::find(landmarks, box.landmark) != landmarks.end();
+}
+
+void AddView(const View& view, Seconds start, const std::vector<int>& landmarks,
+             SessionPrior& prior) {
+  const Sight& sight = *view.sight;
+  const Pose pose = sight.pose();
+  prior.views.push_back({Rounded((sight.exposure - start).value()), Rounded(pose.p_WB.x()),
+                         Rounded(pose.p_WB.y()), Rounded(pose.p_WB.z()), Rounded(pose.roll),
+                         Rounded(pose.pitch), Rounded(pose.yaw), Rounded(view.altitude),
+                         Rounded((sight.exposure - view.altitude_time).value())});
+  for (const SightedBox& box : sight.boxes) {
+    if (IsListed(box, landmarks)) continue;
+    prior.boxes.push_back({static_cast<int>(prior.views.size()) - 1, box.box});
+  }
+}
+
+}  // namespace
+
+void AddFormerViews(const SessionMemory& memory, const std::vector<int>& landmarks,
+                    SessionPrior& prior) {
+  const std::vector<View> views = MappingViews(memory);
+  for (std::size_t first = 0, end = 0; first < views.size(); first = end) {
+    bool has_stranger = false;
+    for (end = first; end < views.size() && IsOneLook(*views[first].sight, *views[end].sight);
+         ++end) {
+      has_stranger =
+          has_stranger || !std::ranges::all_of(views[end].sight->boxes, [&](const SightedBox& box) {
+            return IsListed(box, landmarks);
+          });
+    }
+    const std::size_t kept = has_stranger ? end : first + 1;
+    for (std::size_t i = first; i < kept; ++i) {
+      AddView(views[i], memory.sights.front().exposure, landmarks, prior);
+    }
+  }
+}
+
+std::string PhasesToCsv(const std::vector<PhaseStart>& phases) {
+  std::string text = std::string(kPhasesHeader) + "\n";
+  for (const PhaseStart& start : phases) {
+    std::string phase = start.phase;  // any client may announce one
+    std::ranges::replace_if(
+        phase, [](char c) { return c == ',' || c == '\n'; }, '_');
+    text += fmt::format("{},{}\n", start.sight, phase);
+  }
+  return text;
+}
+
+Expected<std::vector<PhaseStart>> PhasesFromCsv(std::string_view text) {
+  constexpr double kMostSights = 1e9;
+  std::vector<PhaseStart> phases;
+  const std::vector<std::string> rows = Split(text, '\n');
+  if (rows.front() != kPhasesHeader) {
+    return Error{"line 1: not the header of a list of phases"};
+  }
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (rows[i].empty()) continue;
+    const std::vector<std::string> fields = Split(rows[i], ',');
+    const std::optional<double> sight =
+        fields.size() == 2 ? ParseNumber(fields[0]) : std::optional<double>();
+    const double least = phases.empty() ? 0.0 : static_cast<double>(phases.back().sight);
+    if (!sight || !(*sight >= least && *sight <= kMostSights)) {
+      return Error{fmt::format("line {}: not the start of a phase", i + 1)};
+    }
+    phases.push_back({static_cast<std::size_t>(*sight), fields[1]});
+  }
+  return phases;
+}
+
+}  // namespace limpet

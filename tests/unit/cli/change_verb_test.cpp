@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+// `limpet change` against the vehicle: pMap and pSession fly two sessions, embedded, and the
+// command judges what they saved.
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/limpet/cli.hpp"
+#include "apps/limpet/verbs/change.hpp"
+#include "apps/pSession/saved_session.hpp"
+#include "limpet/app/embedded.hpp"
+#include "limpet/topics/mission.hpp"
+#include "limpet/topics/navigation.hpp"
+#include "tests/support/flyover.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Fly;
+using ::testing::HasSubstr;
+using testing::Leg;
+using testing::Sphere;
+
+const Sphere kStays{.ned = {4, 1, 5.5}, .color = "yellow", .landmark = 1};
+const Sphere kGoes{.ned = {9, -1, 6.0}, .color = "orange", .landmark = 2};
+const Sphere kComes{.ned = {0, 0.5, 6.2}, .color = "green", .landmark = 3};
+const Sphere kOnUnseenGround{.ned = {4, 14, 6.0}, .color = "orange", .landmark = 4};
+
+ConfigBlock MapBlock() {
+  ConfigBlock block{.name = "pMap", .where = {}, .entries = {}};
+  for (const auto& [key, value] :
+       {std::pair{"camera_fov_across_deg", "80"}, std::pair{"camera_fov_along_deg", "60"},
+        std::pair{"camera_width_px", "640"}, std::pair{"camera_height_px", "480"},
+        std::pair{"object_radius_m", "0.5"}, std::pair{"visibility_m", "6"},
+        std::pair{"detection_best", "0.8"}, std::pair{"presence_prior", "0.03"},
+        std::pair{"decide_at", "0.93"}}) {
+    block.entries.push_back({.key = key, .value = value, .where = {}});
+  }
+  return block;
+}
+
+class ChangeVerbTest : public ::testing::Test {
+ protected:
+  EmbeddedCommunity Community(const std::string& session) {
+    return EmbeddedCommunity(
+        {.community = "alpha",
+         .apps = {"pMap", "pSession"},
+         .blocks = {MapBlock()},
+         .globals = {},
+         .mission_folder = {},
+         .run_folder = folder_.path() / session,
+         .prior_folder = session == "change" ? folder_.path() / "discovery" : fs::path(),
+         .session = session,
+         .seed = 1,
+         .may_hear = nullptr});
+  }
+  template <class T>
+  static void Say(EmbeddedCommunity& community, const Topic<T>& topic, const T& value) {
+    community.Poke(topic.name, TopicCodec<T>::Encode(value));
+  }
+  static void Wait(EmbeddedCommunity& community, double seconds) {
+    const Seconds end = community.elapsed() + Seconds(seconds);
+    while (community.elapsed() < end)
+      community.Step();
+  }
+  void Pass(EmbeddedCommunity& community, const Leg& leg, const std::vector<Sphere>& spheres) {
+    for (const Sight& sight : Fly(leg, community.now(), spheres, {.detects = 0.8}, random_)) {
+      Say(community, topics::kNavSight, sight);
+      Wait(community, 0.25);
+    }
+    Wait(community, 20.0);
+  }
+  static void Confirm(EmbeddedCommunity& community, const std::vector<Sphere>& spheres,
+                      const Eigen::Vector3d& off) {
+    Landmarks landmarks;
+    for (const Sphere& sphere : spheres) {
+      const Eigen::Vector3d ned = sphere.ned + off;
+      landmarks.landmarks.push_back({.id = sphere.landmark,
+                                     .ned = {ned.x(), ned.y(), ned.z()},
+                                     .cov = {0.04, 0, 0, 0.04, 0, 0.09},
+                                     .color = sphere.color,
+                                     .looks = 9,
+                                     .is_confirmed = true,
+                                     .prior_id = -1});
+    }
+    Say(community, topics::kNavLandmarks, landmarks);
+    Wait(community, 1.0);
+  }
+  /// Passes along these lines, the smoother's first idea of the objects, and at the end a fix
+  /// that moves all of it.
+  void FlySession(const std::string& session, const std::vector<Sphere>& spheres,
+                  const std::vector<double>& easts) {
+    EmbeddedCommunity community = Community(session);
+    Say(community, topics::kSurveyPhase, std::string("ALIGN"));
+    Pass(community, {.north = 4, .east = 14, .length = 1}, {});  // at the surface
+    Say(community, topics::kSurveyPhase, std::string("SURVEY"));
+    for (const double east : easts) {
+      Pass(community, {.north = -3, .east = east, .length = 15}, spheres);
+      Confirm(community, spheres, {0.15, -0.1, 0.0});
+    }
+    Pass(community, {.north = -3, .east = 1, .length = 4, .altitude = 9.0}, {});  // too high
+    Say(community, topics::kSurveyPhase, std::string("FIX"));
+    const double t = community.now().value();
+    Say(community, topics::kNavTrackShift, TrackShift{{{t, 0.2, 0.1, 0.0, 0.0}}});
+    Confirm(community, spheres, {0.22, 0.08, 0.0});
+    Say(community, topics::kSessionSave, std::string("home"));
+    Wait(community, 1.0);
+    community.Finish();
+  }
+  nlohmann::json Change(std::vector<std::string> more = {}) {
+    std::vector<std::string> words{"--session-a", (folder_.path() / "discovery").string(),
+                                   "--session-b", (folder_.path() / "change").string()};
+    words.insert(words.end(), more.begin(), more.end());
+    ::testing::internal::CaptureStdout();
+    try {
+      const int code = RunChange(words);
+      const std::string out = ::testing::internal::GetCapturedStdout();
+      EXPECT_EQ(code, kOk);
+      return nlohmann::json::parse(out);
+    } catch (...) {
+      static_cast<void>(::testing::internal::GetCapturedStdout());
+      throw;
+    }
+  }
+  /// What the vehicle said last, by colour and place.
+  OpiBeliefs OnBoard() {
+    return LoadSavedSession(folder_.path() / "change", "change").memory.objects;
+  }
+  TemporaryFolder folder_;
+  Random random_{3};
+};
+
+TEST_F(ChangeVerbTest, SaysWhatTheVehicleSaid) {
+  FlySession("discovery", {kStays, kGoes}, {-1.0, 1.0});
+  FlySession("change", {kStays, kComes, kOnUnseenGround}, {-1.0, 1.5, 14.0});
+  const nlohmann::json changes = Change().at("changes");
+  const OpiBeliefs on_board = OnBoard();
+  ASSERT_EQ(changes.size(), on_board.opis.size());
+  std::map<std::string, std::string> decided;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const nlohmann::json& change = changes[i];
+    const OpiBelief& opi = on_board.opis[i];
+    EXPECT_EQ(change.at("decided"), opi.decided);
+    EXPECT_EQ(change.at("color"), opi.color);
+    EXPECT_NEAR(change.at("posterior").at("confirmed"), opi.posterior.confirmed, 1e-3);
+    EXPECT_NEAR(change.at("posterior").at("removed"), opi.posterior.removed, 1e-3);
+    EXPECT_NEAR(change.at("posterior").at("new"), opi.posterior.appeared, 1e-3);
+    EXPECT_NEAR(change.at("log_likelihood_ratio_b"), opi.log_likelihood_ratio,
+                1e-3 * std::abs(opi.log_likelihood_ratio));
+    decided[opi.color + (opi.ned[1] > 10.0 ? " far" : "")] = opi.decided;
+  }
+  EXPECT_EQ(decided["yellow"], "confirmed");
+  EXPECT_EQ(decided["orange"], "removed");
+  EXPECT_EQ(decided["green"], "new");
+  EXPECT_EQ(decided["orange far"], "uncertain") << "nobody had looked there before";
+}
+
+TEST_F(ChangeVerbTest, JudgesWithTheMissionsParameters) {
+  FlySession("discovery", {kStays}, {1.0});
+  FlySession("change", {kStays}, {1.0});
+  EXPECT_EQ(Change().at("changes")[0].at("decided"), "confirmed");
+  const fs::path strict = folder_.path() / "strict.moos";
+  std::ofstream(strict) << "ProcessConfig = pMap\n{\n  camera_fov_across_deg = 80\n"
+                           "  camera_fov_along_deg = 60\n  camera_width_px = 640\n"
+                           "  camera_height_px = 480\n  object_radius_m = 0.5\n"
+                           "  decide_at = 0.999\n  pass_clutter = 0.5\n}\n";
+  EXPECT_EQ(Change({"--mission", strict.string()}).at("changes")[0].at("decided"), "uncertain");
+}
+
+TEST_F(ChangeVerbTest, NamesFileAndLineOfAParameterThatIsNone) {
+  FlySession("discovery", {kStays}, {1.0});
+  FlySession("change", {kStays}, {1.0});
+  const fs::path wrong = folder_.path() / "wrong.moos";
+  std::ofstream(wrong) << "ProcessConfig = pMap\n{\n  visibilty_m = 5\n}\n";
+  try {
+    static_cast<void>(Change({"--mission", wrong.string()}));
+    FAIL() << "took a parameter that is none";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("wrong.moos:3: visibilty_m"));
+    EXPECT_THAT(error.what(), HasSubstr("visibility_m"));
+  }
+}
+
+/// Saves a session whose mission says something else than it flew with.
+void SaveWithMission(const fs::path& folder, std::map<std::string, std::string> mission) {
+  SessionMemory memory;
+  memory.mission = std::move(mission);
+  ASSERT_TRUE(SessionWriter(folder / "session").Commit({}, FilesOf(memory)));
+}
+
+TEST_F(ChangeVerbTest, NamesTheSavedMissionThatItCannotRead) {
+  SaveWithMission(folder_.path() / "discovery",
+                  {{"mission.moos", "ProcessConfig = pMap\n{\n  decide_at = 2\n}\n"}});
+  SaveWithMission(folder_.path() / "change", {});
+  try {
+    static_cast<void>(Change());
+    FAIL() << "took a parameter out of range";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("discovery/mission/mission.moos:3: decide_at"));
+  }
+}
+
+TEST_F(ChangeVerbTest, RefusesASessionWithoutAMissionAndSaysWhatHelps) {
+  SaveWithMission(folder_.path() / "discovery", {});
+  SaveWithMission(folder_.path() / "change", {});
+  try {
+    static_cast<void>(Change());
+    FAIL() << "judged with made-up parameters";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("--mission"));
+  }
+}
+
+TEST_F(ChangeVerbTest, NothingComesOfTwoSessionsThatSawNothing) {
+  FlySession("discovery", {}, {});
+  FlySession("change", {}, {});
+  EXPECT_TRUE(Change().at("changes").empty());
+}
+
+TEST_F(ChangeVerbTest, NamesTheFolderThatHoldsNoSession) {
+  EXPECT_THROW(static_cast<void>(Change()), ConfigError);
+  EXPECT_THROW(static_cast<void>(Change({"more"})), UsageError);
+}
+
+}  // namespace
+}  // namespace limpet
