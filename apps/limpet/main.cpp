@@ -11,6 +11,7 @@
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/session_runner.hpp"
 #include "apps/limpet/verbs/verbs.hpp"
+#include "limpet/console/shown_text.hpp"
 #include "limpet/core/config.hpp"
 
 namespace {
@@ -62,13 +63,13 @@ int main(int argc, char** argv) {
   try {
     return Dispatch(std::vector<std::string>(argv + 1, argv + argc));
   } catch (const limpet::UsageError& error) {
-    fmt::print(stderr, "limpet: {}\n", error.what());
+    fmt::print(stderr, "limpet: {}\n", limpet::ShownLines(error.what()));
     return limpet::kUsage;
   } catch (const limpet::ConfigError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    fmt::print(stderr, "{}\n", limpet::ShownLines(error.what()));
     return limpet::kUsage;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "limpet: {}\n", error.what());
+    fmt::print(stderr, "limpet: {}\n", limpet::ShownLines(error.what()));
     return limpet::kFailed;
   }
 }

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "limpet/console/shown_text.hpp"
+
 namespace limpet {
 namespace {
 
@@ -22,7 +24,7 @@ std::string Bar(double done) {
 }  // namespace
 
 ProgressLine::ProgressLine(std::string label, std::FILE* out)
-    : label_(std::move(label)), out_(out), is_terminal_(isatty(fileno(out)) != 0) {}
+    : label_(OneLine(label)), out_(out), is_terminal_(isatty(fileno(out)) != 0) {}
 
 ProgressLine::~ProgressLine() {
   if (has_open_line_) std::fputc('\n', out_);
