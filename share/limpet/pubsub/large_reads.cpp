@@ -6,6 +6,7 @@
 namespace limpet {
 namespace {
 
+constexpr auto kPause = std::chrono::milliseconds(1);
 constexpr auto kStarvedPeriod = std::chrono::milliseconds(20);
 
 }  // namespace
@@ -36,19 +37,32 @@ void LargeReads::ReadOn() {
     return;
   }
   is_reading_ = true;
-  asio::post(context_, [this] {
-    is_reading_ = false;
-    if (!readable_.empty()) {
-      const Connection connection = readable_.front();
-      const UnitReader::End end = owner_.read(connection);
-      if (end != UnitReader::End::kMore || !connection->is_large()) {
-        std::erase(readable_, connection);
-        Continue(connection, end);
-      }
+  if (!memory_.IsGettingShort()) {
+    asio::post(context_, [this] { ReadOne(); });
+    return;
+  }
+  // More comes than is ever whole: worked off as fast as it comes it would take the processor from
+  // everybody else.
+  pause_.expires_after(kPause);
+  pause_.async_wait([this](std::error_code error) {
+    if (!error) {
+      ReadOne();
     }
-    FeedStarved();
-    ReadOn();
   });
+}
+
+void LargeReads::ReadOne() {
+  is_reading_ = false;
+  if (!readable_.empty()) {
+    const Connection connection = readable_.front();
+    const UnitReader::End end = owner_.read(connection);
+    if (end != UnitReader::End::kMore || !connection->is_large()) {
+      std::erase(readable_, connection);
+      Continue(connection, end);
+    }
+  }
+  FeedStarved();
+  ReadOn();
 }
 
 void LargeReads::FeedStarved() {

@@ -14,7 +14,8 @@ namespace limpet {
 
 /// The order in which large packets are read: one by one, each to its end if its bytes are there,
 /// a piece between two looks at all sockets. Short messages of others then wait for one piece, not
-/// for all packets. A packet that may not grow waits until there is room.
+/// for all packets. While memory is getting short they come in slowly: what is never whole must not
+/// cost others their share of the processor. A packet that may not grow waits until there is room.
 class LargeReads {
  public:
   using Connection = Connections::iterator;
@@ -24,7 +25,11 @@ class LargeReads {
     std::function<bool()> make_room;                  ///< false: there is none to be made now
   };
   LargeReads(asio::io_context& context, const HeldMemory& memory, Owner owner)
-      : context_(context), memory_(memory), owner_(std::move(owner)), timer_(context) {}
+      : context_(context),
+        memory_(memory),
+        owner_(std::move(owner)),
+        timer_(context),
+        pause_(context) {}
 
   /// A connection amid a large packet has bytes.
   void Add(Connection connection);
@@ -35,12 +40,14 @@ class LargeReads {
 
  private:
   void ReadOn();
+  void ReadOne();
   void FeedStarved();
 
   asio::io_context& context_;
   const HeldMemory& memory_;
   Owner owner_;
-  asio::steady_timer timer_;
+  asio::steady_timer timer_;  ///< until the starved are looked at again
+  asio::steady_timer pause_;
   std::deque<Connection> readable_;
   std::deque<Connection> starved_;
   bool is_reading_ = false;

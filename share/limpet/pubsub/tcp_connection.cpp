@@ -53,7 +53,8 @@ UnitReader::End TcpConnection::Read() {
   std::size_t received = 0;
   has_completed_ = false;
   wanted_ = 0;
-  const UnitReader::End end = reader_.Read(socket_, scratch, kReadBudget, *this, received);
+  const std::size_t budget = is_large() && memory.IsGettingShort() ? kLarge : kReadBudget;
+  const UnitReader::End end = reader_.Read(socket_, scratch, budget, *this, received);
   memory.ResizeUnfinished(accounted_, reader_.held());
   accounted_ = reader_.held();
   if (received > 0) {

@@ -351,6 +351,7 @@ TEST_P(SealedCommunitiesTest, BelieveNothingThatWasRecordedBeforeARestart) {
 
 TEST_P(SealedCommunitiesTest, BelieveASenderWhoseClockIsOffOnceItHasAnswered) {
   const auto shore_port = ShareAtShore();
+  std::this_thread::sleep_for(500ms);  // nothing is believed that may be older than the shore
   const auto behind = [] {
     ShareInstant now = ShareInstant::Now();
     now.unix -= Seconds(33 * 60.0);
