@@ -15,6 +15,7 @@ namespace {
 
 constexpr const char* kName = "LimpetDB";
 constexpr double kStatusPeriod = 2.0;  ///< real time [s]
+constexpr double kSettled = 30.0;      ///< of a count that has stopped growing, real time [s]
 
 std::string InKib(std::size_t bytes) {
   return fmt::format("{:.1f} KiB", static_cast<double>(bytes) / 1024.0);
@@ -31,7 +32,7 @@ DatabaseReport::DatabaseReport(const std::string& community, double warp, std::s
 TcpBrokerOptions::Words DatabaseReport::Take(const Broker& broker, Seconds now) {
   TcpBrokerOptions::Words words;
   ++looks_;
-  Watch(broker);
+  Watch(broker, now);
   WatchClock(words);
   if (std::exchange(has_news_of_warnings_, false)) {
     std::string text;
@@ -59,6 +60,13 @@ void DatabaseReport::Raise(const std::string& id, const std::string& text) {
   }
 }
 
+void DatabaseReport::Clear(const std::string& id) {
+  if (warnings_.erase(id) > 0) {
+    has_news_of_warnings_ = true;
+    caster_.ClearWarning(id);
+  }
+}
+
 void DatabaseReport::WatchClock(TcpBrokerOptions::Words& words) {
   const auto news = clock_.Look(VehicleTime(), UnixTime());
   if (!news) {
@@ -67,17 +75,35 @@ void DatabaseReport::WatchClock(TcpBrokerOptions::Words& words) {
   words.emplace_back(topics::kWallClock.name, news->record);
   if (news->warning) {
     Raise("CLOCK_STEPPED", *news->warning);
-  } else if (warnings_.erase("CLOCK_STEPPED") > 0) {
-    has_news_of_warnings_ = true;
-    caster_.ClearWarning("CLOCK_STEPPED");
+  } else {
+    Clear("CLOCK_STEPPED");
   }
 }
 
-void DatabaseReport::Watch(const Broker& broker) {
+void DatabaseReport::WatchCount(const std::string& id, std::uint64_t count, const std::string& text,
+                                Seconds now) {
+  Growth& growth = growths_[id];
+  if (count > growth.count) {
+    growth = {.count = count, .last = now};
+    Raise(id, fmt::format("{} {}", count, text));
+  } else if (growth.last && now - *growth.last > Seconds(kSettled * warp_)) {
+    growth.last.reset();
+    Clear(id);
+  }
+}
+
+void DatabaseReport::Watch(const Broker& broker, Seconds now) {
+  const BrokerCounts& counts = broker.counts();
+  WatchCount("STRANGERS", counts.strangers,
+             "connections were closed that had not said who they are: too slow, or too many", now);
+  WatchCount("UNFINISHED", counts.unfinished,
+             "clients were cut amid a packet: too slow, or held_mib is used up", now);
+  WatchCount("STALLED", counts.stalled,
+             "clients were cut that took no mail, or held_mib is used up", now);
   for (const ClientFacts& client : broker.Clients()) {
     if (client.dropped > 0) {
       Raise("SLOW_" + client.name,
-                           fmt::format("{} reads too slowly and has lost mail", client.name));
+            fmt::format("{} reads too slowly and has lost mail", client.name));
     }
   }
   if (broker.counts().no_room > 0) {
@@ -97,6 +123,11 @@ std::vector<std::string> DatabaseReport::Body(const Broker& broker, Seconds now)
   report.Pair("Writes", fmt::format("{}, {:.0f} per real second lately", counts.messages, rate));
   report.Pair("Variables", fmt::format("{}, {} stored", broker.router().variable_count(),
                                        InKib(broker.stored())));
+  const HeldMemory& memory = broker.memory();
+  report.Pair(
+      "Held for clients",
+      fmt::format("{} of unfinished packets, {} of unsent mail; at most {}",
+                  InKib(memory.unfinished()), InKib(memory.queued()), InKib(memory.limit())));
   report.Pair("Refused", RefusalSummary(counts));
   report.Blank();
   ReportTable table({"client", "kind", ">delay ms", ">waiting", ">lost"});

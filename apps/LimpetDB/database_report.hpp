@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,12 @@ class DatabaseReport {
   [[nodiscard]] TcpBrokerOptions::Words Take(const Broker& broker, Seconds now);
 
  private:
-  void Watch(const Broker& broker);
+  void Watch(const Broker& broker, Seconds now);
+  /// Raises the warning while `count` grows, and for a while after.
+  void WatchCount(const std::string& id, std::uint64_t count, const std::string& text, Seconds now);
   void WatchClock(TcpBrokerOptions::Words& words);
   void Raise(const std::string& id, const std::string& text);
+  void Clear(const std::string& id);
   [[nodiscard]] std::vector<std::string> Body(const Broker& broker, Seconds now);
 
   AppCaster caster_;
@@ -39,7 +43,12 @@ class DatabaseReport {
   double warp_;
   Seconds last_status_;
   std::int64_t looks_ = 0;
-  std::uint64_t messages_ = 0;  ///< at the last report
+  struct Growth {
+    std::uint64_t count = 0;
+    std::optional<Seconds> last;  ///< when it grew; nothing: not lately
+  };
+  std::map<std::string, Growth> growths_;  ///< by warning
+  std::uint64_t messages_ = 0;             ///< at the last report
   Seconds messages_at_;
 };
 

@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <malloc.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "apps/LimpetDB/database_report.hpp"
@@ -62,6 +63,7 @@ TcpBrokerOptions OptionsOf(const AppCommand& command) {
   options.broker.limits.variables = static_cast<std::size_t>(params.max_variables);
   options.broker.limits.queue = BytesOf(params.queue_mib);
   options.broker.limits.stored = BytesOf(params.stored_mib);
+  options.broker.limits.held = BytesOf(params.held_mib);
   options.bind_address = AddressOf(params.listen_on);
   options.port = command.port;
   options.warp = command.warp;
@@ -80,9 +82,19 @@ void KeepMemoryWarm() {
   mallopt(M_TRIM_THRESHOLD, kWarm);
 }
 
+/// A connection is a file; systems start programs with 1024 where many more are allowed.
+void AllowManyConnections() {
+  rlimit files{};
+  if (::getrlimit(RLIMIT_NOFILE, &files) == 0) {
+    files.rlim_cur = files.rlim_max;
+    static_cast<void>(::setrlimit(RLIMIT_NOFILE, &files));  // fewer connections, if not
+  }
+}
+
 int Serve(const AppCommand& command) {
   Heartbeat heart;
   KeepMemoryWarm();
+  AllowManyConnections();
   TcpBrokerOptions options = OptionsOf(command);
   DatabaseReport report(command.community, command.warp,
                         fmt::format("{}:{}", options.bind_address, command.port),

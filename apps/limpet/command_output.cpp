@@ -4,6 +4,9 @@
 #include <cstdio>
 
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include "limpet/console/shown_text.hpp"
 
 namespace limpet {
 namespace {
@@ -17,6 +20,7 @@ constexpr std::size_t kBufferBytes = std::size_t{256} << 10U;
 CommandOutput::CommandOutput(const std::optional<std::string>& name, bool may_overwrite,
                              const fs::path& input) {
   if (!name) {
+    is_terminal_ = isatty(STDOUT_FILENO) != 0;
     return;
   }
   path_ = *name;
@@ -47,6 +51,15 @@ void CommandOutput::Write(std::string_view bytes) {
   if (buffer_.size() > kBufferBytes) {
     HandOver();
   }
+}
+
+void CommandOutput::WriteLines(std::string_view text) {
+  if (is_terminal_) {
+    Write(ShownLines(text, TerminalReadsUtf8()));
+  } else {
+    Write(text);
+  }
+  Write("\n");
 }
 
 void CommandOutput::HandOver() {

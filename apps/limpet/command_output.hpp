@@ -29,8 +29,12 @@ class CommandOutput {
   /// Without Commit nothing is left of a file.
   ~CommandOutput();
 
-  /// Throws std::runtime_error if it cannot be written.
+  /// As it is. Throws std::runtime_error if it cannot be written.
   void Write(std::string_view bytes);
+  /// Whole lines that come from elsewhere, without the last end of line: as they are into a file or
+  /// a pipe; on a terminal with nothing in them that a terminal obeys.
+  void WriteLines(std::string_view text);
+  [[nodiscard]] bool is_terminal() const { return is_terminal_; }
   void Commit();
   [[nodiscard]] bool is_file() const { return file_.has_value(); }
   /// Empty for the standard output.
@@ -43,6 +47,7 @@ class CommandOutput {
   std::filesystem::path aside_;
   std::optional<AppendFile> file_;
   std::string buffer_;
+  bool is_terminal_ = false;
 };
 
 }  // namespace limpet

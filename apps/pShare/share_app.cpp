@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "limpet/core/clock.hpp"
 #include "limpet/sharing/share_datagram.hpp"
 #include "limpet/wire/message_conversion.hpp"
 
@@ -14,9 +13,8 @@ namespace limpet {
 namespace {
 
 constexpr Seconds kStatusPeriod(1.0);
-constexpr Seconds kSavePeriod(5.0);  ///< real time; what a kill makes us forget
 
-std::string SenderName(const AppContext& context, const ShareParams& params) {
+std::string OwnName(const AppContext& context, const ShareParams& params) {
   return params.sender.empty() ? context.Global("Community") + "/" + context.name : params.sender;
 }
 
@@ -36,7 +34,8 @@ ShareApp::ShareApp(const AppContext& context, const Params& params)
       params_(params),
       start_(now()),
       command_name_(CommandName(context.name)),
-      keys_(context.mission_folder, SenderName(context, params), UnixTime()) {
+      keys_(context.mission_folder,
+            {.receiver = ShareReceiverId(OwnName(context, params)), .max_age = params.max_age}) {
   if (!context.runs_live) {
     Warn("NOT_LIVE", "shares nothing: its sockets belong to real time; use limpet launch");
     return;
@@ -44,24 +43,23 @@ ShareApp::ShareApp(const AppContext& context, const Params& params)
   sockets_ = std::make_unique<UdpSockets>([link = context.link] { link->Wake(); });
   ReadBlock();
   SubscribeRaw(command_name_, [this](const MessagePtr& message) { OnCommand(message); });
-  SaveMemory();  // the new epoch at least: it must never be used again
 }
 
 void ShareApp::ReadBlock() {
   const SourceLine where{.file = context().mission_file.string(), .line = 0};
   if (!params_.key_file.empty()) {
-    if (const auto channel = keys_.Load(params_.key_file); !channel) {
+    if (const auto channel = keys_.Load(params_.key_file, ShareInstant::Now()); !channel) {
       throw ConfigError({where, "key_file", channel.error().text});
     }
   }
   std::vector<ConfigProblem> problems;
   for (const std::string& line : params_.outputs) {
-    if (const auto error = AddOutputs(line)) {
+    if (const auto error = AddOutputs(line, Origin::kBlock)) {
       problems.push_back({where, "output", fmt::format("`{}` {}", line, error->text)});
     }
   }
   for (const std::string& line : params_.inputs) {
-    if (const auto error = AddInputs(line)) {
+    if (const auto error = AddInputs(line, Origin::kBlock)) {
       problems.push_back({where, "input", fmt::format("`{}` {}", line, error->text)});
     }
   }
@@ -69,17 +67,6 @@ void ShareApp::ReadBlock() {
     throw ConfigError(problems);
   }
 }
-
-void ShareApp::SaveMemory() {
-  last_save_ = SteadyTime();
-  if (const auto error = keys_.Save()) {
-    Warn("NO_MEMORY", error->text + "; after a restart old datagrams could be repeated");
-  } else {
-    ClearWarning("NO_MEMORY");
-  }
-}
-
-void ShareApp::Finish(Seconds) { SaveMemory(); }
 
 std::vector<std::uint16_t> ShareApp::Ports() const {
   std::vector<std::uint16_t> ports;
@@ -91,25 +78,30 @@ std::vector<std::uint16_t> ShareApp::Ports() const {
   return ports;
 }
 
-std::optional<Error> ShareApp::LoadKey(ShareSecurity& security) {
+std::optional<Error> ShareApp::LoadKey(ShareSecurity& security, Origin origin) {
   if (auto error = Settle(security, params_.Security())) {
+    return error;
+  }
+  if (auto error = origin == Origin::kCommand ? WhyForbidden(security) : std::nullopt) {
     return error;
   }
   if (security.is_plain) {
     Warn("PLAIN_ROUTES", "some routes are open: anybody on the network can read and forge them");
     return std::nullopt;
   }
-  const auto channel = keys_.Load(security.key_file);
+  const auto channel = keys_.Load(security.key_file, ShareInstant::Now());
   return channel ? std::nullopt : std::optional(channel.error());
 }
 
-std::optional<Error> ShareApp::AddOutputs(const std::string& line) {
+std::optional<Error> ShareApp::AddOutputs(const std::string& line, Origin origin) {
   auto outputs = ParseShareOutputs(line, params_.Multicast());
   if (!outputs) {
     return outputs.error();
   }
   for (ShareOutput& output : *outputs) {
-    if (auto error = LoadKey(output.security)) {
+    auto error = LoadKey(output.security, origin);
+    error = error ? error : SettleReceiver(output, params_.to);
+    if (error) {
       return error;
     }
     const OutputBook::Added added = book_.Add(output, now());
@@ -143,23 +135,28 @@ void ShareApp::Hear(const ShareOutput& output) {
   }
 }
 
-std::optional<Error> ShareApp::AddInputs(const std::string& line) {
+std::optional<Error> ShareApp::AddInputs(const std::string& line, Origin origin) {
   auto input = ParseShareInput(line, params_.Multicast());
   if (!input) {
     return input.error();
   }
-  if (auto error = LoadKey(input->security)) {
+  auto error = LoadKey(input->security, origin);
+  error = error || origin == Origin::kBlock ? error : BoundInput(*input);
+  if (error) {
     return error;
   }
+  input->interface = input->interface.empty() ? "0.0.0.0" : input->interface;
   for (const ShareAddress& address : input->addresses) {
-    if (auto error = AddInput(address, *input)) {
+    error = AddInput(address, *input, origin);
+    if (error) {
       return error;
     }
   }
   return std::nullopt;
 }
 
-std::optional<Error> ShareApp::AddInput(const ShareAddress& address, const ShareInput& line) {
+std::optional<Error> ShareApp::AddInput(const ShareAddress& address, const ShareInput& line,
+                                        Origin origin) {
   for (const Input& known : inputs_) {
     const bool is_same_place = address.port != 0 && known.address.port == address.port &&
                                known.address.channel == address.channel &&
@@ -178,14 +175,20 @@ std::optional<Error> ShareApp::AddInput(const ShareAddress& address, const Share
   if (inputs_.size() >= UdpSockets::kMostInputs) {
     return Error{fmt::format("is one input too many; at most {}", UdpSockets::kMostInputs)};
   }
-  std::shared_ptr<Opener> opener;
+  std::shared_ptr<ShareGuard> guard;
   if (!line.security.is_plain) {
-    opener = keys_.Load(line.security.key_file)->opener;
+    guard = keys_.Load(line.security.key_file, ShareInstant::Now())->guard;
   }
+  std::vector<ShareGate::WhiteList> lists{line.white_list};
+  if (origin == Origin::kCommand) {
+    lists.push_back(ListOfBlock());
+  }
+  const std::uint64_t channel = address.channel ? ShareChannelId(address.Text()) : 0;
   inputs_.push_back({.address = address,
                      .line = line,
+                     .origin = origin,
                      .socket = std::nullopt,
-                     .gate = ShareGate(std::move(opener), line.white_list)});
+                     .gate = ShareGate(std::move(guard), std::move(lists), channel)});
   ListenAt(inputs_.back());
   return std::nullopt;
 }
@@ -200,22 +203,6 @@ void ShareApp::ListenAt(Input& input) {
   input.socket = *socket;
   input.address.port = sockets_->PortOf(*socket);
   ClearWarning(warning);
-}
-
-void ShareApp::OnCommand(const MessagePtr& message) {
-  const auto* text = std::get_if<std::string>(&message->value);
-  constexpr std::int32_t kLatestId = -1;  // of what is sent because somebody registered
-  if (message->id == kLatestId && message->time < start_) {
-    return;  // meant for a former self; of live ones the sender's clock may be wrong
-  }
-  const auto command = ParseShareCommand(text == nullptr ? "" : *text);
-  const auto error = !command             ? std::optional(command.error())
-                     : command->is_output ? AddOutputs(command->line)
-                                          : AddInputs(command->line);
-  ClearWarning("BAD_COMMAND");
-  if (error) {
-    Warn("BAD_COMMAND", fmt::format("{} from {}: {}", command_name_, message->source, error->text));
-  }
 }
 
 void ShareApp::OnMail(const MessagePtr& message) {
@@ -239,7 +226,11 @@ void ShareApp::Send(const Message& message, const OutputBook::Due& due) {
     return;
   }
   if (!due.security.is_plain) {
-    bytes = keys_.Load(due.security.key_file)->sealer->Seal(*bytes);
+    const ShareInstant now = ShareInstant::Now();
+    const std::uint64_t receiver =
+        due.to.empty() ? ShareChannelId(due.address.Text()) : ShareReceiverId(due.to);
+    bytes = keys_.Load(due.security.key_file, now)
+                ->sealer->Seal(SealedContent::Kind::kData, receiver, *bytes, now);
   }
   const std::string warning = "UNSENT_" + due.address.Text();
   if (const auto error = sockets_->Send(due.address, *bytes)) {
@@ -260,17 +251,28 @@ void ShareApp::Attend(Seconds now) {
 }
 
 void ShareApp::Take(const UdpSockets::Datagram& datagram, Seconds now) {
+  if (datagram.input == UdpSockets::kReplies) {
+    if (const auto answer = keys_.Answer(datagram.bytes, ShareInstant::Now())) {
+      sockets_->Reply(datagram, *answer);
+    }
+    return;
+  }
   const auto input = std::ranges::find_if(
       inputs_, [&datagram](const Input& each) { return each.socket == datagram.input; });
-  const auto message = input->gate.Admit(datagram.bytes);
-  if (!message) {
-    Refuse(message.error(), fmt::format("{} at {}", datagram.sender.Text(), input->address.Text()),
-           now);
-  } else if (IsLoop(*message)) {
-    Refuse(ShareRefusal::kLooped, "", now);
-  } else {
-    ++tally_.counts.taken;
-    context().link->Forward(*message);
+  const ShareAdmission admission = input->gate.Admit(datagram.bytes, ShareInstant::Now());
+  if (admission.reply) {
+    sockets_->Reply(datagram, *admission.reply);
+  }
+  for (const ShareRefusal refusal : admission.refusals) {
+    Refuse(refusal, fmt::format("{} at {}", datagram.sender.Text(), input->address.Text()), now);
+  }
+  for (const Message& message : admission.messages) {
+    if (IsLoop(message)) {
+      Refuse(ShareRefusal::kLooped, "", now);
+    } else {
+      ++tally_.counts.taken;
+      context().link->Forward(message);
+    }
   }
 }
 
@@ -295,6 +297,10 @@ void ShareApp::WatchRefusals(Seconds now) {
     overflow_seen_ = overflow;
     Warn(WarningOf(ShareRefusal::kOverflow), std::string(MeaningOf(ShareRefusal::kOverflow)));
   }
+  if (const std::size_t count = keys_.TakeGivenUp(ShareInstant::Now()); count > 0) {
+    tally_.Note(ShareRefusal::kStale, now, static_cast<double>(count));
+    Warn(WarningOf(ShareRefusal::kStale), std::string(MeaningOf(ShareRefusal::kStale)));
+  }
   for (const ShareRefusal refusal : tally_.TakeSettled(now)) {
     ClearWarning(WarningOf(refusal));
   }
@@ -312,9 +318,6 @@ void ShareApp::Tick(Seconds now) {
   }
   WatchRefusals(now);
   PublishStatus(now);
-  if (SteadyTime() - last_save_ > kSavePeriod) {
-    SaveMemory();
-  }
 }
 
 void ShareApp::PublishStatus(Seconds now) {

@@ -27,25 +27,33 @@ class ShareApp final : public App {
   ShareApp(const AppContext& context, const Params& params);
   void Tick(Seconds now) override;
   void Attend(Seconds now) override;
-  void Finish(Seconds now) override;
 
   /// Port of each input that listens, in order.
   [[nodiscard]] std::vector<std::uint16_t> Ports() const;
 
  private:
+  /// From where a line comes: a command may not open what the block does not allow.
+  enum class Origin { kBlock, kCommand };
   struct Input {
     ShareAddress address;
     ShareInput line;
+    Origin origin;
     std::optional<UdpSockets::Input> socket;  ///< nothing: cannot listen yet
     ShareGate gate;
   };
 
   /// Throws ConfigError with every problem.
   void ReadBlock();
-  [[nodiscard]] std::optional<Error> AddOutputs(const std::string& line);
-  [[nodiscard]] std::optional<Error> AddInputs(const std::string& line);
-  [[nodiscard]] std::optional<Error> AddInput(const ShareAddress& address, const ShareInput& line);
-  [[nodiscard]] std::optional<Error> LoadKey(ShareSecurity& security);
+  [[nodiscard]] std::optional<Error> AddOutputs(const std::string& line, Origin origin);
+  [[nodiscard]] std::optional<Error> AddInputs(const std::string& line, Origin origin);
+  [[nodiscard]] std::optional<Error> WhyForbidden(const ShareSecurity& security) const;
+  /// The same for a plain input: where it may listen.
+  [[nodiscard]] std::optional<Error> BoundInput(ShareInput& input) const;
+  [[nodiscard]] std::optional<Error> AddInput(const ShareAddress& address, const ShareInput& line,
+                                              Origin origin);
+  [[nodiscard]] std::optional<Error> LoadKey(ShareSecurity& security, Origin origin);
+  /// What inputs of commands must hold to, beside their own lists.
+  [[nodiscard]] ShareGate::WhiteList ListOfBlock() const;
   void ListenAt(Input& input);
   void Hear(const ShareOutput& output);
 
@@ -57,7 +65,6 @@ class ShareApp final : public App {
   void Refuse(ShareRefusal refusal, const std::string& from, Seconds now);
   void WatchRefusals(Seconds now);
   void PublishStatus(Seconds now);
-  void SaveMemory();
 
   Params params_;
   Seconds start_;
@@ -71,7 +78,6 @@ class ShareApp final : public App {
   ShareCounts published_counts_;
   double overflow_seen_ = 0.0;
   std::optional<Seconds> last_status_;
-  Seconds last_save_;                    ///< steady time
   std::unique_ptr<UdpSockets> sockets_;  ///< last: its thread ends before what it wakes
 };
 

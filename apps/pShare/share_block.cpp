@@ -12,7 +12,11 @@ namespace {
 std::optional<Error> CheckLine(const ConfigEntry& entry, const ShareParams& params) {
   if (EqualsIgnoringCase(entry.key, "output")) {
     auto outputs = ParseShareOutputs(entry.value, params.Multicast());
-    return outputs ? Settle(outputs->front().security, params.Security()) : outputs.error();
+    if (!outputs) {
+      return outputs.error();
+    }
+    auto error = Settle(outputs->front().security, params.Security());
+    return error ? error : SettleReceiver(outputs->front(), params.to);
   }
   if (EqualsIgnoringCase(entry.key, "input")) {
     auto input = ParseShareInput(entry.value, params.Multicast());

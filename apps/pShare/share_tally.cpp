@@ -10,8 +10,9 @@ constexpr Seconds kMemory(30.0);
 
 double& CountOf(ShareCounts& counts, ShareRefusal refusal) {
   const std::array<double*, kShareRefusals> all{
-      &counts.malformed, &counts.not_sealed, &counts.sealed,   &counts.forged, &counts.replayed,
-      &counts.former,    &counts.own,        &counts.unlisted, &counts.looped, &counts.overflow};
+      &counts.malformed, &counts.not_sealed, &counts.sealed, &counts.old_version,
+      &counts.forged,    &counts.elsewhere,  &counts.stale,  &counts.replayed,
+      &counts.own,       &counts.unlisted,   &counts.looped, &counts.overflow};
   return *all.at(static_cast<std::size_t>(refusal));
 }
 

@@ -9,14 +9,13 @@
 #include "limpet/sharing/output_book.hpp"
 #include "limpet/sharing/share_datagram.hpp"
 #include "limpet/sharing/share_gate.hpp"
-#include "limpet/sharing/share_memory.hpp"
 
 using namespace limpet;  // NOLINT(google-build-using-namespace): one function
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const ByteView bytes(reinterpret_cast<const std::byte*>(data), size);
-  ShareGate gate(nullptr, {"NAV_*", "?", "DEPLOY"});
-  static_cast<void>(gate.Admit(bytes));
+  ShareGate gate(nullptr, {{"NAV_*", "?", "DEPLOY"}});
+  static_cast<void>(gate.Admit(bytes, {}));
   if (const auto message = DecodeShare(bytes)) {
     const auto again = EncodeShare(*message);
     if (again && !std::ranges::equal(*again, bytes)) {
@@ -27,7 +26,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static_cast<void>(ParseShareCommand(line));
   static_cast<void>(ParseShareInput(line, {}));
   static_cast<void>(ShareKey::Parse(line));
-  static_cast<void>(ShareMemory::Parse(line));
   if (const auto outputs = ParseShareOutputs(line, {})) {
     OutputBook book;
     for (const ShareOutput& output : *outputs) {

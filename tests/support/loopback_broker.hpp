@@ -96,7 +96,11 @@ inline bool HangsUp(int socket) {
 /// A peer that writes whatever bytes it likes.
 class RawPeer {
  public:
-  explicit RawPeer(std::uint16_t port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+  /// `room`: what the system takes in for it [bytes]; 0: as usual.
+  explicit RawPeer(std::uint16_t port, int room = 0) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    if (room > 0) {
+      ::setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &room, sizeof room);
+    }
     sockaddr_in place{};
     place.sin_family = AF_INET;
     place.sin_port = htons(port);
@@ -112,6 +116,8 @@ class RawPeer {
   void Send(ByteView bytes) const {
     static_cast<void>(::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL));
   }
+  /// From any thread: ends what another one sends or awaits.
+  void HangUp() const { ::shutdown(socket_, SHUT_RDWR); }
   void Greet() const {
     Send({reinterpret_cast<const std::byte*>(kGreeting.data()), kGreeting.size()});
   }

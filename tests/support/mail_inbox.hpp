@@ -31,6 +31,13 @@ class MailInbox {
       });
     });
   }
+  /// True once a message satisfies `is_it`.
+  template <class Condition>
+  bool AwaitThat(Condition is_it) {
+    std::unique_lock lock(mutex_);
+    return arrival_.wait_for(lock, std::chrono::seconds(5),
+                             [&] { return std::ranges::any_of(mail_, is_it); });
+  }
   /// The first message of that name, once it is there.
   std::optional<Message> Await(const std::string& name,
                                std::chrono::milliseconds longest = std::chrono::seconds(5)) {

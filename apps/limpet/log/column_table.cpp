@@ -8,21 +8,25 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "limpet/console/shown_text.hpp"
 #include "limpet/core/require.hpp"
 
 namespace limpet {
 
 void ColumnTable::Add(std::vector<std::string> cells) {
   LIMPET_REQUIRE(cells.size() == columns_.size(), "a cell per column");
+  for (std::string& cell : cells) {
+    cell = OneLine(cell);  // for people's eyes, wherever it goes
+  }
   rows_.push_back(std::move(cells));
 }
 
 std::string ColumnTable::Text(bool has_colours) const {
   std::vector<std::size_t> widths;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    widths.push_back(columns_[i].head.size());
+    widths.push_back(ColumnsOf(columns_[i].head));
     for (const auto& row : rows_) {
-      widths[i] = std::max(widths[i], row[i].size());
+      widths[i] = std::max(widths[i], ColumnsOf(row[i]));
     }
   }
   const auto line = [&](const auto& cell_of) {

@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
+#include "apps/limpet/command_output.hpp"
 #include "apps/limpet/log/entry_filter.hpp"
 #include "apps/limpet/log/log_commands.hpp"
 #include "apps/limpet/log/log_input.hpp"
-#include "apps/limpet/command_output.hpp"
 #include "limpet/logbook/alog_csv.hpp"
 
 namespace limpet {
@@ -53,6 +53,14 @@ AlogCsv::Join JoinOf(const Arguments& given) {
   return join == "last" ? AlogCsv::Join::kLast : AlogCsv::Join::kNone;
 }
 
+/// Empties `text`.
+void WriteRows(std::string& text, CommandOutput& output) {
+  if (!text.empty()) {
+    output.WriteLines(std::string_view(text).substr(0, text.size() - 1));
+    text.clear();
+  }
+}
+
 int RunCsv(std::span<const std::string> args) {
   const Arguments given(args, {"join", "source", "from", "to", "out"}, {"force"});
   const std::vector<std::string>& words = given.positionals();
@@ -74,12 +82,11 @@ int RunCsv(std::span<const std::string> args) {
   for (AlogEntry entry; input.Next(line, entry);) {
     if (line.kind == AlogLine::Kind::kEntry && filter.Accepts(entry)) {
       table.Append(text, entry);
-      output.Write(text);
-      text.clear();
+      WriteRows(text, output);
     }
   }
   table.AppendRest(text);
-  output.Write(text);
+  WriteRows(text, output);
   const bool is_file = output.is_file();
   output.Commit();
   if (is_file) {

@@ -2,13 +2,12 @@
 // limpet log grep, limpet log clip: some lines of a log, as they are.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "apps/limpet/cli.hpp"
+#include "apps/limpet/command_output.hpp"
 #include "apps/limpet/log/entry_filter.hpp"
 #include "apps/limpet/log/log_commands.hpp"
 #include "apps/limpet/log/log_input.hpp"
-#include "apps/limpet/command_output.hpp"
 
 namespace limpet {
 namespace {
@@ -26,7 +25,7 @@ struct Counts {
 };
 
 /// One object per line, for other programs.
-std::string JsonLine(const AlogEntry& entry) {
+std::string JsonLine(const AlogEntry& entry, bool is_ascii) {
   const nlohmann::ordered_json value =
       entry.number ? nlohmann::ordered_json(*entry.number) : nlohmann::ordered_json(entry.value);
   const nlohmann::ordered_json object{{"time", entry.time},
@@ -34,7 +33,7 @@ std::string JsonLine(const AlogEntry& entry) {
                                       {"source", entry.source},
                                       {"aux", entry.aux},
                                       {"value", value}};
-  return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return object.dump(-1, ' ', is_ascii, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 Counts Copy(LogInput& input, EntryFilter& filter, const Form& form, CommandOutput& output) {
@@ -53,11 +52,10 @@ Counts Copy(LogInput& input, EntryFilter& filter, const Form& form, CommandOutpu
     counts.kept += is_entry ? 1 : 0;
     counts.has_binaries = counts.has_binaries || (is_entry && entry.value.starts_with("<MOOS_BIN"));
     if (form.is_json) {
-      output.Write(JsonLine(entry));
+      output.Write(JsonLine(entry, output.is_terminal()) + "\n");
     } else {
-      output.Write(line.text);
+      output.WriteLines(line.text);
     }
-    output.Write("\n");
   }
   return counts;
 }
@@ -68,9 +66,8 @@ int RunFilter(const Arguments& given, std::vector<std::string> names, bool is_in
   CommandOutput output(given.Find("out"), given.Has("force"), input.file());
   // On a terminal the banner only pushes away what was asked for; anywhere else the result is a
   // log.
-  const bool is_terminal = !output.is_file() && isatty(STDOUT_FILENO) != 0;
   const Form form{.is_json = given.Has("json"),
-                  .has_comments = !is_terminal && !given.Has("bare"),
+                  .has_comments = !output.is_terminal() && !given.Has("bare"),
                   .is_inverted = is_inverted};
   const Counts counts = Copy(input, filter, form, output);
   const bool is_file = output.is_file();

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/session_runner.hpp"
+#include "limpet/console/shown_text.hpp"
 
 namespace limpet {
 namespace {
@@ -100,14 +101,15 @@ void LogInput::ShowProgress() {
 
 void LogInput::PrintDoubts() const {
   for (const AlogReader::Skipped& skipped : reader_.first_skipped()) {
-    fmt::print(stderr, "{}:{}: no entry: {}\n", file_.string(), skipped.line, skipped.problem);
+    fmt::print(stderr, "{}:{}: no entry: {}\n", OneLine(file_.string()), skipped.line,
+               skipped.problem);
   }
   if (const std::size_t shown = reader_.first_skipped().size(); reader_.skipped_lines() > shown) {
-    fmt::print(stderr, "{}: {} further lines are no entries\n", file_.string(),
+    fmt::print(stderr, "{}: {} further lines are no entries\n", OneLine(file_.string()),
                reader_.skipped_lines() - shown);
   }
   if (reader_.has_torn_end()) {
-    fmt::print(stderr, "{}: the last line is torn and was left out\n", file_.string());
+    fmt::print(stderr, "{}: the last line is torn and was left out\n", OneLine(file_.string()));
   }
 }
 

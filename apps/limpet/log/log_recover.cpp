@@ -2,12 +2,14 @@
 // limpet log recover: a sound log of a torn one.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "apps/limpet/cli.hpp"
+#include "apps/limpet/command_output.hpp"
 #include "apps/limpet/log/column_table.hpp"
 #include "apps/limpet/log/log_commands.hpp"
 #include "apps/limpet/log/log_input.hpp"
-#include "apps/limpet/command_output.hpp"
+#include "limpet/console/shown_text.hpp"
 #include "limpet/logbook/alog_recovery.hpp"
 
 namespace limpet {
@@ -24,7 +26,8 @@ void PrintJson(const LogInput& input, const AlogRecovery& recovery, const Comman
                                    {"lost_binaries", recovery.lost_binaries()},
                                    {"torn_end", input.reader().has_torn_end()},
                                    {"has_logstart", input.reader().start().has_value()}};
-  fmt::print("{}\n", out.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  fmt::print("{}\n", out.dump(1, ' ', isatty(STDOUT_FILENO) != 0,
+                              nlohmann::ordered_json::error_handler_t::replace));
 }
 
 void PrintText(const LogInput& input, const AlogRecovery& recovery, const CommandOutput& output) {
@@ -44,7 +47,8 @@ void PrintText(const LogInput& input, const AlogRecovery& recovery, const Comman
   const fs::path folder = input.file().parent_path();
   for (const auto& [name, size] : recovery.blogs()) {
     if (size && output.path().parent_path() != folder) {
-      fmt::print("  binary values stay in {}; keep it beside the log\n", (folder / name).string());
+      fmt::print("  binary values stay in {}; keep it beside the log\n",
+                 OneLine((folder / name).string()));
     }
   }
 }

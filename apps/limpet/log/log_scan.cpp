@@ -4,12 +4,14 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/log/column_table.hpp"
 #include "apps/limpet/log/entry_filter.hpp"
 #include "apps/limpet/log/log_commands.hpp"
 #include "apps/limpet/log/log_input.hpp"
+#include "limpet/console/shown_text.hpp"
 #include "limpet/logbook/alog_statistics.hpp"
 
 namespace limpet {
@@ -92,12 +94,13 @@ void PrintJson(const LogInput& input, const Scanned& scanned) {
   for (const VariableStatistics& variable : scanned.variables) {
     out["variables"].push_back(JsonOf(variable));
   }
-  fmt::print("{}\n", out.dump(1, ' ', false, OrderedJson::error_handler_t::replace));
+  fmt::print("{}\n",
+             out.dump(1, ' ', isatty(STDOUT_FILENO) != 0, OrderedJson::error_handler_t::replace));
 }
 
 void PrintHead(const LogInput& input, const Scanned& scanned) {
   const AlogStatistics& all = scanned.statistics;
-  fmt::print("{}: {} entries of {} variables, {}\n", input.file().string(),
+  fmt::print("{}: {} entries of {} variables, {}\n", OneLine(input.file().string()),
              CountText(all.entries()), scanned.variables.size(),
              BytesText(static_cast<double>(input.size().value_or(all.bytes()))));
   fmt::print("{:.2f} to {:.2f} s", all.first(), all.last());

@@ -9,6 +9,7 @@
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/command_output.hpp"
 #include "apps/limpet/log/log_commands.hpp"
+#include "limpet/console/shown_text.hpp"
 #include "limpet/core/config.hpp"
 
 namespace limpet {
@@ -59,7 +60,7 @@ int RunLog(std::span<const std::string> args) {
   try {
     return command.run(rest);
   } catch (const Refusal& refusal) {
-    fmt::print(stderr, "limpet: {}\n", refusal.what());
+    fmt::print(stderr, "limpet: {}\n", ShownLines(refusal.what()));
     return kRefused;
   }
 }

@@ -123,6 +123,15 @@ std::string OneLine(std::string_view text, std::size_t width, bool keeps_utf8) {
   return line;
 }
 
+std::string ShownLines(std::string_view text, bool keeps_utf8) {
+  std::string shown;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    shown += OneLine(text.substr(0, end), kAnyWidth, keeps_utf8) + '\n';
+    text.remove_prefix(end + 1);
+  }
+  return shown + OneLine(text, kAnyWidth, keeps_utf8);
+}
+
 std::size_t ColumnsOf(std::string_view line) {
   return static_cast<std::size_t>(std::ranges::count_if(
       line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));

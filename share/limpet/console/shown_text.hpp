@@ -18,6 +18,8 @@ inline constexpr std::size_t kAnyWidth = static_cast<std::size_t>(-1);
 /// terminals disagree on. Without `keeps_utf8` every character outside ASCII does.
 [[nodiscard]] std::string OneLine(std::string_view text, std::size_t width = kAnyWidth,
                                   bool keeps_utf8 = true);
+/// Text of several lines: each as OneLine makes it. For a person's eyes, whatever the stream is.
+[[nodiscard]] std::string ShownLines(std::string_view text, bool keeps_utf8 = true);
 /// Columns of what OneLine returns: its characters.
 [[nodiscard]] std::size_t ColumnsOf(std::string_view line);
 

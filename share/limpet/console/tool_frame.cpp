@@ -24,10 +24,10 @@ int RunTool(const std::string& caller, const std::string& help, std::span<const 
     CatchEndSignals();
     return work();
   } catch (const UsageError& error) {
-    fmt::print(stderr, "{}: {}; --help says more\n", caller, error.what());
+    fmt::print(stderr, "{}: {}; --help says more\n", caller, ShownLines(error.what()));
     return kUsage;
   } catch (const ConfigError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    fmt::print(stderr, "{}\n", ShownLines(error.what()));
     return kUsage;
   } catch (const NoCommunity& error) {
     fmt::print(stderr, "{}: {}\n", caller, OneLine(error.what(), kAnyWidth, TerminalReadsUtf8()));

@@ -14,6 +14,8 @@
 namespace limpet {
 namespace {
 
+constexpr std::size_t kCountsOfMail = 16;  ///< while as much as the budget is queued
+
 bool IsValueType(char type) {
   return type == wire_data::kDouble || type == wire_data::kString || type == wire_data::kBinary;
 }
@@ -50,7 +52,10 @@ void FillCommunity(const WireMessage& message, ByteView raw, std::string_view co
 }  // namespace
 
 Broker::Broker(BrokerOptions options, Seconds now)
-    : options_(std::move(options)), source_("MOOSDB_" + options_.community), started_(now) {}
+    : options_(std::move(options)),
+      source_("MOOSDB_" + options_.community),
+      started_(now),
+      memory_(options_.limits.held) {}
 Broker::~Broker() = default;
 
 Broker::Admission Broker::Admit(const WireMessage& hello, Seconds now) {
@@ -188,13 +193,20 @@ void Broker::Notify(const WireMessage& message, ByteView raw, Seconds now) {
       router_.Write(*variable, message.data_type, message.source, now, [&](Client client) {
         Session& session = *sessions_[client];
         session.outbox.Append(*variable, latest.message);
+        queued_since_ += latest.message->size();
         MarkReady(session);
       }));
+  if (queued_since_ > memory_.limit() / kCountsOfMail) {
+    BoundMail();
+  }
 }
 
-ByteBuffer& Broker::Latest::Renew() {
+ByteBuffer& Broker::Latest::Renew(const std::shared_ptr<std::size_t>& alive) {
   if (!message || message.use_count() > 1) {
-    message = std::make_shared<ByteBuffer>();
+    message = std::shared_ptr<ByteBuffer>(new ByteBuffer, [alive](ByteBuffer* last) {
+      *alive -= last->size();
+      delete last;
+    });
   }
   return *message;
 }
@@ -204,12 +216,14 @@ bool Broker::Store(Latest& latest, const WireMessage& message, ByteView raw) {
   if (others + raw.size() + options_.community.size() > options_.limits.stored) {
     return false;
   }
-  ByteBuffer& stored = latest.Renew();
+  ByteBuffer& stored = latest.Renew(alive_);
+  *alive_ -= stored.size();
   if (message.community.empty()) {
     FillCommunity(message, raw, options_.community, stored);
   } else {
     stored.assign(raw.begin(), raw.end());
   }
+  *alive_ += stored.size();
   stored_ = others + stored.size();
   return true;
 }
@@ -343,6 +357,33 @@ std::vector<Broker::Client> Broker::TakeReady() {
     sessions_[client]->is_ready = false;
   }
   return ready;
+}
+
+std::size_t Broker::CountMail() const {
+  std::size_t bytes = *alive_ - stored_;
+  for (const auto& session : sessions_) {
+    bytes += session ? session->outbox.own() : 0;
+  }
+  return bytes;
+}
+
+void Broker::BoundMail() {
+  queued_since_ = 0;
+  std::size_t mail = CountMail();
+  for (std::size_t left = sessions_.size(); left > 0 && mail > memory_.RoomForMail(); --left) {
+    Session* longest = nullptr;
+    for (const auto& session : sessions_) {
+      if (session && (longest == nullptr || session->outbox.size() > longest->outbox.size())) {
+        longest = session.get();
+      }
+    }
+    if (longest == nullptr || longest->outbox.empty()) {
+      break;
+    }
+    longest->outbox.DropOlderHalf();
+    mail = CountMail();
+  }
+  memory_.SetQueued(mail);
 }
 
 Outbox& Broker::outbox(Client client) { return sessions_[client]->outbox; }

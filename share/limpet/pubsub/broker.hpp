@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "limpet/core/expected.hpp"
+#include "limpet/pubsub/held_memory.hpp"
 #include "limpet/pubsub/outbox.hpp"
 #include "limpet/pubsub/outgoing_packet.hpp"
 #include "limpet/pubsub/router.hpp"
@@ -23,6 +24,8 @@ struct BrokerLimits {
   std::size_t filters_per_client = 1000;        ///< wildcards
   std::size_t queue = std::size_t{4} << 20;     ///< memory for unsent mail of one client [bytes]
   std::size_t stored = std::size_t{256} << 20;  ///< latest values of all variables [bytes]
+  /// Unfinished packets and unsent mail of all clients together [bytes].
+  std::size_t held = std::size_t{88} << 20;
 };
 
 struct BrokerOptions {
@@ -50,6 +53,10 @@ struct BrokerCounts {
   std::uint64_t foreign_sources = 0;  ///< registrations under another client's name
   std::uint64_t bad_names = 0;        ///< of variables: empty, too long, or one too many
   std::uint64_t no_room = 0;          ///< writes that would not fit beside what is stored
+  std::uint64_t strangers = 0;        ///< connections cut that had not said who they are
+  std::uint64_t unfinished = 0;       ///< clients cut amid a packet: too slow, or memory was short
+  std::uint64_t stalled = 0;          ///< clients cut that took no mail, or memory was short
+  std::uint64_t silent = 0;           ///< clients cut that said nothing for too long
 };
 
 /// The MOOS V10 broker without its sockets: packets in, packets out, time handed in. What it knows
@@ -91,6 +98,13 @@ class Broker {
   /// When it started, or was last cleared.
   [[nodiscard]] Seconds started() const { return started_; }
   [[nodiscard]] const BrokerCounts& counts() const { return counts_; }
+  /// For the owner of the connections, who counts what it cuts.
+  [[nodiscard]] BrokerCounts& counts() { return counts_; }
+  [[nodiscard]] HeldMemory& memory() { return memory_; }
+  [[nodiscard]] const HeldMemory& memory() const { return memory_; }
+  /// Counts unsent mail; where it is too much, the longest queues lose their oldest. What is left
+  /// above the budget is with connections already.
+  void BoundMail();
   [[nodiscard]] std::uint64_t clears() const { return clears_; }
   /// By name.
   [[nodiscard]] std::vector<ClientFacts> Clients() const;
@@ -117,7 +131,7 @@ class Broker {
     bool is_news = false;                 ///< in news_, or taken from there and not yet asked for
     [[nodiscard]] std::size_t size() const { return message ? message->size() : 0; }
     /// Where to write the next one: connections may still be sending the last.
-    [[nodiscard]] ByteBuffer& Renew();
+    [[nodiscard]] ByteBuffer& Renew(const std::shared_ptr<std::size_t>& alive);
   };
 
   void Work(Session& session, const WireMessage& message, ByteView raw, Seconds now);
@@ -137,6 +151,7 @@ class Broker {
   void Publish(std::string_view name, double value, Seconds now);
   void PublishOwn(WireMessage message, std::string_view name, Seconds now);
   void MarkReady(Session& session);
+  [[nodiscard]] std::size_t CountMail() const;
 
   BrokerOptions options_;
   std::string source_;  ///< of the broker's own variables
@@ -145,6 +160,11 @@ class Broker {
   std::vector<std::unique_ptr<Session>> sessions_;  ///< by client
   std::vector<Latest> latest_;                      ///< by variable
   std::size_t stored_ = 0;                          ///< bytes in latest_
+  /// Bytes of all messages that were stored and live on: those that are not the latest any more are
+  /// in queues.
+  std::shared_ptr<std::size_t> alive_ = std::make_shared<std::size_t>(0);
+  HeldMemory memory_;
+  std::size_t queued_since_ = 0;  ///< bytes, since mail was last counted
   std::vector<Client> ready_;
   ByteBuffer scratch_;
   BrokerCounts counts_;

@@ -79,9 +79,11 @@ double WriteFrequency(const Router::VariableInfo& info, Seconds started) {
 }
 
 std::string RefusalSummary(const BrokerCounts& counts) {
-  return fmt::format("type_mismatch={},foreign_source={},bad_name={},no_room={}",
-                     counts.type_mismatches, counts.foreign_sources, counts.bad_names,
-                     counts.no_room);
+  return fmt::format(
+      "type_mismatch={},foreign_source={},bad_name={},no_room={},stranger={},unfinished={},"
+      "stalled={},silent={}",
+      counts.type_mismatches, counts.foreign_sources, counts.bad_names, counts.no_room,
+      counts.strangers, counts.unfinished, counts.stalled, counts.silent);
 }
 
 std::string VariableTable(const Broker& broker) {

@@ -50,6 +50,21 @@ void Outbox::MakeRoom(Router::Variable variable, std::size_t size) {
   Compact();
 }
 
+void Outbox::DropOlderHalf() {
+  const std::size_t wanted = parcel_.size() / 2;
+  std::size_t freed = 0;
+  for (Entry& entry : entries_) {
+    if (freed > wanted) {
+      break;
+    }
+    freed += entry.size;
+    entry.size |= kDropped;
+    ++dropped_;
+  }
+  Compact();
+  entries_.shrink_to_fit();
+}
+
 void Outbox::Compact() {
   parcel_.Drop([this](std::size_t i) { return entries_[i].size & ~kDropped; },
                [this](std::size_t i) { return (entries_[i].size & kDropped) != 0; });

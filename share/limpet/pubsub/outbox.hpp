@@ -24,8 +24,18 @@ class Outbox {
   [[nodiscard]] bool empty() const { return entries_.empty(); }
   /// Bytes queued.
   [[nodiscard]] std::size_t size() const { return parcel_.size(); }
-  /// Bytes taken earlier that still wait for the socket; they count against the limit.
-  void SetInFlight(std::size_t bytes) { in_flight_ = bytes; }
+  /// Bytes taken earlier that still wait for the socket; they count against the limit. `own`: of
+  /// them, those that nobody else holds.
+  void SetInFlight(std::size_t bytes, std::size_t own = 0) {
+    in_flight_ = bytes;
+    own_in_flight_ = own;
+  }
+  /// Memory that nobody else holds, queued or in flight [bytes].
+  [[nodiscard]] std::size_t own() const {
+    return parcel_.own() + own_in_flight_ + entries_.capacity() * sizeof(Entry);
+  }
+  /// Loses the older half of what is queued, at least one message.
+  void DropOlderHalf();
   [[nodiscard]] std::size_t in_flight() const { return in_flight_; }
   /// Messages lost for want of room, ever.
   [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
@@ -47,7 +57,7 @@ class Outbox {
   void Compact();
 
   std::size_t limit_;
-  std::size_t in_flight_ = 0;
+  std::size_t in_flight_ = 0, own_in_flight_ = 0;
   std::uint64_t dropped_ = 0;
   Parcel parcel_;
   std::vector<Entry> entries_;  ///< one for each message of the parcel

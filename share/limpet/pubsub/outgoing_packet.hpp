@@ -23,6 +23,8 @@ class OutgoingPacket {
   /// Frees room that a burst has left. REQUIRES: unsent() == 0.
   void GiveBack();
 
+  /// Memory that nobody else holds [bytes].
+  [[nodiscard]] std::size_t own() const { return lead.size() + mail.own(); }
   [[nodiscard]] std::size_t unsent() const { return lead.size() + mail.size() - sent_; }
   /// What is unsent, as pieces for a gathering write; gives how many of `pieces` it filled. They
   /// may end before the packet does.

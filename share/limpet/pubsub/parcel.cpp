@@ -13,7 +13,7 @@ constexpr std::size_t kKept = std::size_t{4} << 10;
 
 void Parcel::Append(ByteView message) {
   if (message.size() >= kShareFrom) {
-    Append(std::make_shared<const ByteBuffer>(message.begin(), message.end()));
+    Append(std::make_shared<const ByteBuffer>(message.begin(), message.end()), true);
     return;
   }
   const bool fits =
@@ -22,21 +22,24 @@ void Parcel::Append(ByteView message) {
     // A block after a full one will be full too, most likely.
     const bool is_long = !pieces_.empty() && pieces_.back().size + message.size() > kBlock;
     pieces_.emplace_back().block = std::exchange(spare_, {});
+    pieces_.back().is_own = true;
     pieces_.back().block.reserve(is_long ? kBlock : 0);
   }
   Piece& last = pieces_.back();
   last.block.insert(last.block.end(), message.begin(), message.end());
   last.size += message.size();
   size_ += message.size();
+  own_ += message.size();
 }
 
-void Parcel::Append(const SharedBytes& message) {
+void Parcel::Append(const SharedBytes& message, bool is_own) {
   if (message->size() < kShareFrom) {
     Append(ByteView(*message));
     return;
   }
-  pieces_.push_back({.block = {}, .shared = message, .size = message->size()});
+  pieces_.push_back({.block = {}, .shared = message, .size = message->size(), .is_own = is_own});
   size_ += message->size();
+  own_ += is_own ? message->size() : 0;
 }
 
 void Parcel::Clear() {
@@ -45,7 +48,7 @@ void Parcel::Clear() {
     spare_.clear();
   }
   pieces_.clear();
-  size_ = 0;
+  size_ = own_ = 0;
 }
 
 void Parcel::GiveBack() {
@@ -77,6 +80,7 @@ void Parcel::LetGo(std::size_t count) {
       return;
     }
     count -= piece.size;
+    own_ -= piece.is_own && (piece.shared || !piece.block.empty()) ? piece.size : 0;
     piece.block = {};
     piece.shared = {};
   }

@@ -23,9 +23,12 @@ class Parcel {
  public:
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] std::size_t size() const { return size_; }
+  /// Of it, what was copied here, and is not let go: memory that nobody else holds.
+  [[nodiscard]] std::size_t own() const { return own_; }
 
   void Append(ByteView message);
-  void Append(const SharedBytes& message);
+  /// `is_own`: nobody else will hold it.
+  void Append(const SharedBytes& message, bool is_own = false);
   /// Empties it; room for a block of small messages is kept.
   void Clear();
   /// Frees room that a burst has left. REQUIRES: empty().
@@ -49,7 +52,8 @@ class Parcel {
       for (std::size_t at = 0; at < old.size; ++index) {
         const std::size_t size = size_of(index);
         if (!goes(index)) {
-          old.shared ? kept.Append(old.shared) : kept.Append(ByteView(old.block).subspan(at, size));
+          old.shared ? kept.Append(old.shared, old.is_own)
+                     : kept.Append(ByteView(old.block).subspan(at, size));
         }
         at += size;
       }
@@ -62,10 +66,12 @@ class Parcel {
     ByteBuffer block;    ///< of small messages, if not
     SharedBytes shared;  ///< one large one
     std::size_t size = 0;
+    bool is_own = false;  ///< nobody else holds it
   };
   std::vector<Piece> pieces_;
   ByteBuffer spare_;  ///< an empty block's room
   std::size_t size_ = 0;
+  std::size_t own_ = 0;
 };
 
 }  // namespace limpet

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/pubsub/tcp_broker.hpp"
 
-#include <list>
+#include <algorithm>
 #include <stdexcept>
 
 #include <asio/io_context.hpp>
@@ -9,10 +9,12 @@
 #include <asio/post.hpp>
 #include <asio/steady_timer.hpp>
 #include <fmt/format.h>
-#include <malloc.h>
 
 #include "limpet/core/clock.hpp"
 #include "limpet/pubsub/client_clock.hpp"
+#include "limpet/pubsub/connection_order.hpp"
+#include "limpet/pubsub/heap_trim.hpp"
+#include "limpet/pubsub/large_reads.hpp"
 #include "limpet/pubsub/send_batch.hpp"
 #include "limpet/pubsub/tcp_connection.hpp"
 #include "limpet/pubsub/value_keeper.hpp"
@@ -26,9 +28,8 @@ constexpr auto kWatchPeriod = std::chrono::milliseconds(500);
 constexpr auto kKeepPeriod = std::chrono::milliseconds(200);
 constexpr double kStatusPeriod = 2.0;  // MOOS time [s]
 constexpr std::size_t kScratch = std::size_t{256} << 10;
-constexpr std::uint64_t kLooksToTrim = 4;
-constexpr std::uint64_t kCalm = 1000;  ///< writes in a watch period: fewer, and a burst is over
-constexpr std::size_t kSpareHeap = std::size_t{2} << 20;  ///< freed memory kept for what comes next
+constexpr Seconds kSlept(1.5);  ///< between two looks of Watch
+constexpr Seconds kYoung(1.0);  ///< an unfinished packet that young has not lost its chance yet
 
 std::chrono::steady_clock::duration Real(double seconds) {
   return std::chrono::duration_cast<std::chrono::steady_clock::duration>(
@@ -54,7 +55,11 @@ class TcpBroker::Impl {
         pause_(context_),
         local_pause_(context_),
         keep_(context_),
-        scratch_(kScratch) {
+        scratch_(kScratch),
+        large_reads_(context_, broker_.memory(),
+                     {.read = [this](auto connection) { return ReadFrom(connection); },
+                      .wait = [this](auto connection) { WaitToRead(connection); },
+                      .make_room = [this] { return CutUnfinished(kYoung); }}) {
     host_ = {.broker = &broker_,
              .scratch = scratch_,
              .moos_time = [this] { return MoosTime(options_.warp); },
@@ -81,8 +86,6 @@ class TcpBroker::Impl {
   [[nodiscard]] std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
 
  private:
-  using Connections = std::list<TcpConnection>;
-
   void Listen() {
     try {
       const tcp::endpoint place(asio::ip::make_address(options_.bind_address), options_.port);
@@ -119,6 +122,9 @@ class TcpBroker::Impl {
     acceptor.async_accept([this, &acceptor, &pause](std::error_code error, auto socket) {
       if (error) {
         // Out of file descriptors, most likely: those who are in must not suffer for it.
+        if (error == asio::error::no_descriptors) {
+          static_cast<void>(DismissStranger());
+        }
         pause.expires_after(std::chrono::milliseconds(100));
         pause.async_wait([this, &acceptor, &pause](std::error_code) { Accept(acceptor, pause); });
         return;
@@ -133,8 +139,7 @@ class TcpBroker::Impl {
   }
 
   void Welcome(StreamSocket socket) {
-    if (Strangers() >= options_.handshakes) {
-      return;  // closes it
+    while (CountStrangers(connections_) >= options_.handshakes && DismissStranger()) {
     }
     std::error_code ignored;
     socket.non_blocking(true, ignored);
@@ -143,9 +148,21 @@ class TcpBroker::Impl {
     WaitToRead(std::prev(connections_.end()));
   }
 
-  [[nodiscard]] std::size_t Strangers() const {
-    return static_cast<std::size_t>(std::ranges::count_if(
-        connections_, [](const TcpConnection& c) { return !c.client().has_value(); }));
+  /// The longest silent one makes room, unless its hello has come meanwhile. False: there is none.
+  [[nodiscard]] bool DismissStranger() {
+    const auto oldest = OldestStranger(connections_);
+    if (oldest == connections_.end()) {
+      return false;
+    }
+    const bool is_closed = ReadFrom(oldest) == UnitReader::End::kClosed;
+    if (!is_closed && oldest->client()) {
+      return true;
+    }
+    ++broker_.counts().strangers;
+    if (!is_closed) {
+      Close(oldest);
+    }
+    return true;
   }
 
   void WaitToRead(Connections::iterator connection) {
@@ -154,22 +171,61 @@ class TcpBroker::Impl {
                                       if (error || !connection->socket().is_open()) {
                                         return;  // closed meanwhile
                                       }
-                                      const bool is_good = connection->Read();
-                                      Keep();
-                                      if (!is_good) {
-                                        Close(connection);
-                                      }
-                                      Flush();  // first: what others wait for
-                                      if (is_good) {
-                                        FlushOne(*connection);
-                                        WaitToRead(connection);
+                                      if (connection->is_large()) {
+                                        large_reads_.Add(connection);
+                                      } else {
+                                        large_reads_.Continue(connection, ReadFrom(connection));
                                       }
                                     });
+  }
+
+  UnitReader::End ReadFrom(Connections::iterator connection) {
+    const UnitReader::End end = connection->Read();
+    Keep();
+    if (end == UnitReader::End::kClosed) {
+      Close(connection);
+    }
+    Flush();  // first: what others wait for
+    if (!connection->socket().is_open()) {
+      return UnitReader::End::kClosed;
+    }
+    FlushOne(*connection);
+    return end;
+  }
+
+  [[nodiscard]] bool CutUnfinished(Seconds least_age) {
+    const auto costliest = CostliestUnfinished(connections_, SteadyTime(), least_age);
+    if (costliest == connections_.end()) {
+      return false;
+    }
+    ++broker_.counts().unfinished;
+    Close(costliest);
+    return true;
+  }
+
+  /// Mail that connections hold, or packets that began while there was room, can be too much.
+  void BoundMemory() {
+    const HeldMemory& memory = broker_.memory();
+    if (memory.IsUnfinishedTooMuch() || memory.queued() > memory.RoomForMail()) {
+      broker_.BoundMail();  // the last count is of some time ago
+    }
+    while (broker_.memory().IsUnfinishedTooMuch() && CutUnfinished(Seconds(0.0))) {
+    }
+    while (broker_.memory().queued() > broker_.memory().RoomForMail()) {
+      const auto stalled = LongestStalled(connections_);
+      if (stalled == connections_.end()) {
+        return;
+      }
+      ++broker_.counts().stalled;
+      Close(stalled);
+      broker_.BoundMail();
+    }
   }
 
   /// Sends what the broker has for anyone. A connection that fails here is closed by its own
   /// read: the socket then says so.
   void Flush() {
+    BoundMemory();
     const std::vector<Broker::Client> ready = broker_.TakeReady();
     if (ready.size() > 1 && batch_.is_open() && options_.may_send_together) {
       FlushTogether(ready);
@@ -245,6 +301,8 @@ class TcpBroker::Impl {
     }
     std::error_code ignored;
     connection->socket().close(ignored);  // cancels its waits: their handlers see an error
+    connection->Forget();
+    large_reads_.Remove(connection);
     graveyard_.splice(graveyard_.end(), connections_, connection);
     asio::post(context_, [this] { graveyard_.clear(); });
   }
@@ -256,28 +314,25 @@ class TcpBroker::Impl {
         return;
       }
       const Seconds now = SteadyTime();
+      // This process was stopped: what clients said meanwhile is read first.
+      const bool has_slept = now - watched_ > kSlept;
+      watched_ = now;
       for (auto it = connections_.begin(); it != connections_.end();) {
         const auto connection = it++;
-        if (IsHopeless(*connection, now)) {
+        std::uint64_t* const count = has_slept ? nullptr : WhyHopeless(*connection, now);
+        if (count != nullptr) {
+          ++*count;
           Close(connection);
         } else {
           connection->GiveBack();
         }
       }
+      broker_.BoundMail();
       Report();
       Flush();
-      GiveBackHeap();
+      heap_.Look(broker_.counts().messages);
       Watch();
     });
-  }
-
-  /// What a burst has left lies between small things that stay: the allocator alone would keep it.
-  void GiveBackHeap() {
-    const std::uint64_t writes = broker_.counts().messages - writes_;
-    writes_ += writes;
-    if (++looks_ % kLooksToTrim == 0 && writes < kCalm && mallinfo2().fordblks > kSpareHeap) {
-      malloc_trim(kSpareHeap / 4);
-    }
   }
 
   void Report() {
@@ -289,13 +344,19 @@ class TcpBroker::Impl {
     }
   }
 
-  [[nodiscard]] bool IsHopeless(const TcpConnection& connection, Seconds now) const {
+  /// Where to count it; nullptr if it may stay.
+  [[nodiscard]] std::uint64_t* WhyHopeless(const TcpConnection& connection, Seconds now) {
+    BrokerCounts& counts = broker_.counts();
     if (!connection.client()) {
-      return now - connection.opened() > options_.handshake_timeout;
+      return now - connection.opened() > options_.handshake_timeout ? &counts.strangers : nullptr;
     }
-    const bool is_stuck =
-        connection.wants_to_write() && now - connection.last_progress() > options_.stuck_timeout;
-    return is_stuck || now - connection.last_heard() > options_.client_timeout;
+    if (connection.wants_to_write() && now - connection.last_progress() > options_.stuck_timeout) {
+      return &counts.stalled;
+    }
+    if (connection.IsDribbling(now)) {
+      return &counts.unfinished;
+    }
+    return now - connection.last_heard() > options_.client_timeout ? &counts.silent : nullptr;
   }
 
   void PublishStatus() {
@@ -316,13 +377,14 @@ class TcpBroker::Impl {
   asio::local::stream_protocol::acceptor local_acceptor_;
   asio::steady_timer watch_, status_, pause_, local_pause_, keep_;
   std::optional<ValueKeeper> keeper_;
-  bool is_keeping_ = false;   ///< keep_ is running
-  std::uint64_t writes_ = 0;  ///< at the last look of Watch
-  std::uint64_t looks_ = 0;
+  bool is_keeping_ = false;  ///< keep_ is running
+  HeapTrim heap_;
+  Seconds watched_ = SteadyTime();
   ByteBuffer scratch_;
   TcpConnection::Host host_;
   Connections connections_;
-  Connections graveyard_;             ///< closed, until their cancelled handlers have run
+  Connections graveyard_;  ///< closed, until their cancelled handlers have run
+  LargeReads large_reads_;
   std::vector<TcpConnection*> live_;  ///< by client
   SendBatch batch_;
   std::vector<TcpConnection*> together_;  ///< whose bytes are in batch_

@@ -17,8 +17,9 @@ struct TcpBrokerOptions {
   Seconds client_timeout{5.0};     ///< silence after which a client is dropped (real time)
   Seconds handshake_timeout{5.0};  ///< from connection to hello (real time)
   Seconds stuck_timeout{10.0};     ///< a client that reads nothing with mail waiting is cut
-  std::size_t handshakes = 256;    ///< connections that have not yet said who they are
-  bool may_send_together = true;   ///< false: as on a system without io_uring (send_batch.hpp)
+  /// Connections that have not yet said who they are; with one more, the oldest of them goes.
+  std::size_t handshakes = 256;
+  bool may_send_together = true;  ///< false: as on a system without io_uring (send_batch.hpp)
   /// A file that outlives the broker: what it holds is taken over, latest values are kept there
   /// (value_keeper.hpp). -1: none.
   int kept_descriptor = -1;

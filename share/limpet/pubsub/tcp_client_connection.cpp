@@ -156,7 +156,8 @@ void TcpClient::Impl::WaitToRead() {
         std::size_t more = 0;
         const bool is_full = count == room->size();
         if (error || !reader_.Take(room->first(count), *this) ||
-            (is_full && !reader_.Read(socket_, scratch_, kClientReadBudget, *this, more))) {
+            (is_full && reader_.Read(socket_, scratch_, kClientReadBudget, *this, more) ==
+                            UnitReader::End::kClosed)) {
           Retry(refusal_.empty() ? "the broker closed the connection" : refusal_);
           return;
         }

@@ -49,6 +49,8 @@ class TcpClient::Impl {
   // For UnitReader.
   [[nodiscard]] Expected<std::optional<std::size_t>> UnitSize(ByteView bytes) const;
   [[nodiscard]] bool OnUnit(ByteView unit);
+  /// The broker is trusted with this process's memory, up to the largest packet.
+  [[nodiscard]] static RoomKind MayHold(std::size_t, std::size_t) { return RoomKind::kHeap; }
 
  private:
   void Connect();

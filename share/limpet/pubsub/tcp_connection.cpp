@@ -13,7 +13,15 @@ namespace {
 
 constexpr std::size_t kPieces = 32;  ///< of one gathering write
 /// A hello is a name; nobody has a reason to send more before being known.
-constexpr std::size_t kMaxHello = std::size_t{64} << 10;
+constexpr std::size_t kMaxHello = std::size_t{4} << 10;
+/// An unfinished packet of that size is nobody's concern [bytes].
+constexpr std::size_t kSmall = std::size_t{16} << 10;
+/// From here on a packet is read in turns with other large ones [bytes].
+constexpr std::size_t kLarge = std::size_t{64} << 10;
+/// What is read at a time while memory is short: it may have to be kept [bytes].
+constexpr std::size_t kCautious = std::size_t{4} << 10;
+constexpr Seconds kPatience(10.0);       ///< with any unfinished packet
+constexpr double kSlowest = 4.0 * 1024;  ///< at which one may come after that [bytes/s]
 
 }  // namespace
 
@@ -31,24 +39,69 @@ Expected<std::optional<std::size_t>> TcpConnection::UnitSize(ByteView bytes) con
   if (bytes.size() < kPacketHeaderSize) {
     return std::optional<std::size_t>();
   }
-  const auto header =
-      DecodePacketHeader(bytes, stage_ == Stage::kGreeted ? kMaxHello : kMaxPacketSize);
+  const auto header = DecodePacketHeader(bytes, client_ ? kMaxPacketSize : kMaxHello);
   if (!header) {
     return header.error();
   }
   return std::optional(header->size);
 }
 
-bool TcpConnection::Read() {
+UnitReader::End TcpConnection::Read() {
+  HeldMemory& memory = host_.broker->memory();
+  const auto scratch =
+      memory.HasRoomFor(host_.scratch.size()) ? host_.scratch : host_.scratch.first(kCautious);
   std::size_t received = 0;
-  const bool is_good = reader_.Read(socket_, host_.scratch, kReadBudget, *this, received);
+  has_completed_ = false;
+  wanted_ = 0;
+  const std::size_t budget = is_large() && memory.IsGettingShort() ? kLarge : kReadBudget;
+  const UnitReader::End end = reader_.Read(socket_, scratch, budget, *this, received);
+  memory.ResizeUnfinished(accounted_, reader_.held());
+  accounted_ = reader_.held();
   if (received > 0) {
     last_heard_ = SteadyTime();
   }
-  return is_good;
+  if (!reader_.is_amid()) {
+    unfinished_since_.reset();
+  } else if (has_completed_ || !unfinished_since_) {
+    unfinished_since_ = last_heard_;
+  }
+  return end;
+}
+
+RoomKind TcpConnection::MayHold(std::size_t now, std::size_t then) {
+  HeldMemory& memory = host_.broker->memory();
+  // What Append took for the beginning is not accounted yet.
+  memory.ResizeUnfinished(accounted_, now);
+  accounted_ = now;
+  if (then > kSmall && !memory.HasRoomFor(then - now)) {
+    wanted_ = then - now;
+    return RoomKind::kNone;
+  }
+  memory.ResizeUnfinished(now, then);
+  accounted_ = then;
+  return then > kLarge && memory.IsGettingShort() ? RoomKind::kMapped : RoomKind::kHeap;
+}
+
+void TcpConnection::Forget() {
+  host_.broker->memory().ResizeUnfinished(accounted_, 0);
+  accounted_ = 0;
+  reader_ = UnitReader();
+  unfinished_since_.reset();
+  out_ = {};
+}
+
+bool TcpConnection::is_large() const {
+  return reader_.is_amid() && reader_.Announced(*this) > kLarge;
+}
+
+bool TcpConnection::IsDribbling(Seconds now) const {
+  return unfinished_since_ &&
+         now - *unfinished_since_ >
+             kPatience + Seconds(static_cast<double>(reader_.arrived()) / kSlowest);
 }
 
 bool TcpConnection::OnUnit(ByteView unit) {
+  has_completed_ = true;
   switch (stage_) {
     case Stage::kSilent:
       stage_ = Stage::kGreeted;
@@ -109,7 +162,7 @@ void TcpConnection::OnSent(std::size_t bytes) {
     last_progress_ = bytes > 0 ? SteadyTime() : last_progress_;
   }
   if (client_) {
-    host_.broker->outbox(*client_).SetInFlight(out_.unsent());
+    host_.broker->outbox(*client_).SetInFlight(out_.unsent(), out_.unsent() > 0 ? out_.own() : 0);
   }
 }
 

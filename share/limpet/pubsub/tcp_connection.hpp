@@ -13,7 +13,7 @@
 namespace limpet {
 
 /// Work of one readiness event is bounded: no client can keep the others waiting.
-inline constexpr std::size_t kReadBudget = std::size_t{1} << 20;
+inline constexpr std::size_t kReadBudget = std::size_t{256} << 10;
 
 class TcpConnection {
  public:
@@ -28,12 +28,18 @@ class TcpConnection {
   };
 
   TcpConnection(StreamSocket socket, Host& host);
+  ~TcpConnection() { Forget(); }
+  TcpConnection(const TcpConnection&) = delete;
+  TcpConnection& operator=(const TcpConnection&) = delete;
 
-  /// Reads and works off what has arrived. False if the connection is to be closed.
-  [[nodiscard]] bool Read();
+  /// Reads and works off what has arrived.
+  [[nodiscard]] UnitReader::End Read();
   /// For its UnitReader: bytes that the unit at the front takes in all.
   [[nodiscard]] Expected<std::optional<std::size_t>> UnitSize(ByteView bytes) const;
   [[nodiscard]] bool OnUnit(ByteView unit);
+  [[nodiscard]] RoomKind MayHold(std::size_t now, std::size_t then);
+  /// Frees what it holds, read and to be sent: the connection is to be closed.
+  void Forget();
   /// Sends as much as the socket takes. False if the connection is to be closed.
   [[nodiscard]] bool Write();
   /// For who sends to several at once: what is to be sent next, if it is in one piece. Empty: leave
@@ -55,6 +61,17 @@ class TcpConnection {
   /// When the socket last took bytes, or had nothing to take.
   [[nodiscard]] Seconds last_progress() const { return last_progress_; }
 
+  /// True amid a large packet, which is read in turns.
+  [[nodiscard]] bool is_large() const;
+  /// Since when its packet is unfinished; nothing if none is.
+  [[nodiscard]] std::optional<Seconds> unfinished_since() const { return unfinished_since_; }
+  /// Of its unfinished packet [bytes].
+  [[nodiscard]] std::size_t held() const { return accounted_; }
+  /// More room that it asked for in vain [bytes].
+  [[nodiscard]] std::size_t wanted() const { return wanted_; }
+  /// True if its packet comes so slowly that nobody means it.
+  [[nodiscard]] bool IsDribbling(Seconds now) const;
+
   bool is_waiting_to_write = false;  ///< the owner has asked to be told when it may write
 
  private:
@@ -69,6 +86,10 @@ class TcpConnection {
   Stage stage_ = Stage::kSilent;
   std::optional<Broker::Client> client_;
   UnitReader reader_;
+  std::size_t accounted_ = 0;  ///< in the broker's HeldMemory
+  std::size_t wanted_ = 0;
+  bool has_completed_ = false;  ///< a unit, in this reading
+  std::optional<Seconds> unfinished_since_;
   OutgoingPacket out_;
   bool closes_when_sent_ = false;
   Seconds opened_, last_heard_, last_progress_;

@@ -9,42 +9,39 @@
 #include <vector>
 
 #include "limpet/core/expected.hpp"
-#include "limpet/core/units.hpp"
-#include "limpet/sharing/secure_channel.hpp"
-#include "limpet/sharing/share_memory.hpp"
+#include "limpet/sharing/share_guard.hpp"
 
 namespace limpet {
 
-/// What seals and opens under one key.
+/// What seals and lets in under one key.
 struct KeyedChannel {
   std::shared_ptr<Sealer> sealer;
-  std::shared_ptr<Opener> opener;
+  std::shared_ptr<ShareGuard> guard;
 };
 
-/// The keys of one app, one channel for each: two files with the same key share theirs. What must
-/// outlive a restart is kept beside the key, in `<key file>.<sender>.seen`.
+/// The keys of one app, one channel for each: two files with the same key share theirs.
 class KeyRing {
  public:
-  /// Relative files start in `folder`; `unix_time` is when the app starts.
-  KeyRing(std::filesystem::path folder, std::string sender_name, Seconds unix_time)
-      : folder_(std::move(folder)), sender_name_(std::move(sender_name)), started_(unix_time) {}
+  /// Relative files start in `folder`.
+  KeyRing(std::filesystem::path folder, ShareGuard::Settings settings)
+      : folder_(std::move(folder)), settings_(settings) {}
 
-  [[nodiscard]] Expected<KeyedChannel> Load(const std::string& file);
-  /// Writes down what has changed since the last call; why not, if it cannot.
-  [[nodiscard]] std::optional<Error> Save();
+  [[nodiscard]] Expected<KeyedChannel> Load(const std::string& file, ShareInstant now);
+  /// True if such a file was loaded before.
+  [[nodiscard]] bool Has(const std::string& file) const { return by_file_.contains(file); }
+  /// What to answer to a datagram that came to where this app sends from, if anything.
+  [[nodiscard]] std::optional<ByteBuffer> Answer(ByteView datagram, ShareInstant now);
+  /// How many datagrams have waited for an answer in vain.
+  [[nodiscard]] std::size_t TakeGivenUp(ShareInstant now);
 
  private:
   struct Entry {
     ShareKey key;
     KeyedChannel channel;
-    std::filesystem::path memory_file;
-    ShareMemory saved;
   };
-  [[nodiscard]] Entry MakeEntry(const ShareKey& key, const std::filesystem::path& file) const;
 
   std::filesystem::path folder_;
-  std::string sender_name_;
-  Seconds started_;
+  ShareGuard::Settings settings_;
   std::map<std::string, KeyedChannel> by_file_;
   std::vector<Entry> entries_;
 };

@@ -111,7 +111,8 @@ std::vector<OutputBook::Due> OutputBook::TakeDue(const Message& message, Seconds
     if (route.IsDue(now)) {
       ++route.shares;
       route.last = now;
-      due.push_back({route.output.dest, route.output.address, route.output.security});
+      due.push_back(
+          {route.output.dest, route.output.address, route.output.security, route.output.to});
     }
   }
   return due;

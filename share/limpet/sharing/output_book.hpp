@@ -24,6 +24,7 @@ class OutputBook {
     std::string dest;
     ShareAddress address;
     ShareSecurity security;
+    std::string to{};  ///< as ShareOutput's
   };
 
   enum class Added { kNew, kRenewed, kRefused };

@@ -7,57 +7,31 @@
 
 namespace limpet {
 
-/// Which datagrams of one sender have been taken. A sender's epoch begins when it starts and only
-/// goes forward; within an epoch each counter is good once, in any order, as long as it is less
-/// than `kWidth` behind the highest.
+/// Which datagrams of one sender, since its start, have been taken: each counter is good once, in
+/// any order, as long as it is less than `kWidth` behind the highest.
 class ReplayWindow {
  public:
   static constexpr std::size_t kWidth = 1024;
 
-  enum class Verdict { kNew, kRepeated, kTooOld, kFormerEpoch };
-
-  [[nodiscard]] Verdict Judge(std::uint64_t epoch, std::uint64_t counter) const {
-    if (!top_ || epoch > epoch_) {
-      return Verdict::kNew;
-    }
-    if (epoch < epoch_) {
-      return Verdict::kFormerEpoch;
-    }
-    if (counter > *top_) {
-      return Verdict::kNew;
+  [[nodiscard]] bool IsNew(std::uint64_t counter) const {
+    if (!top_ || counter > *top_) {
+      return true;
     }
     const std::uint64_t behind = *top_ - counter;
-    if (behind >= kWidth) {
-      return Verdict::kTooOld;
-    }
-    return seen_[behind] ? Verdict::kRepeated : Verdict::kNew;
+    return behind < kWidth && !seen_[behind];
   }
 
-  /// REQUIRES: Judge(epoch, counter) is kNew, and the datagram is authentic.
-  void Take(std::uint64_t epoch, std::uint64_t counter) {
-    if (!top_ || epoch > epoch_) {
-      epoch_ = epoch;
-      top_ = counter;
-      seen_.reset();
-    } else if (counter > *top_) {
-      const std::uint64_t ahead = counter - *top_;
+  /// REQUIRES: IsNew(counter), and the datagram is authentic.
+  void Take(std::uint64_t counter) {
+    if (!top_ || counter > *top_) {
+      const std::uint64_t ahead = top_ ? counter - *top_ : kWidth;
       seen_ = ahead < kWidth ? seen_ << ahead : std::bitset<kWidth>();
       top_ = counter;
     }
     seen_.set(*top_ - counter);
   }
 
-  /// Everything up to `counter` of `epoch` counts as taken: what was noted before a restart.
-  void Forget(std::uint64_t epoch, std::uint64_t counter) {
-    epoch_ = epoch;
-    top_ = counter;
-    seen_.set();
-  }
-  [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
-  [[nodiscard]] std::optional<std::uint64_t> top() const { return top_; }
-
  private:
-  std::uint64_t epoch_ = 0;
   std::optional<std::uint64_t> top_;
   std::bitset<kWidth> seen_;  ///< by distance behind top_
 };

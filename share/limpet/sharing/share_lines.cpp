@@ -162,7 +162,7 @@ std::optional<Error> SetLimits(ShareOutput& output, const WordValues& words) {
 Expected<std::vector<ShareOutput>> ParseLongOutput(std::string_view line,
                                                    const MulticastPlan& plan) {
   const auto words = WordsIn(line, {"src_name", "dest_name", "route", "frequency", "duration",
-                                    "max_shares", "key", "plain"});
+                                    "max_shares", "key", "to", "plain"});
   if (!words) {
     return words.error();
   }
@@ -172,6 +172,7 @@ Expected<std::vector<ShareOutput>> ParseLongOutput(std::string_view line,
   }
   ShareOutput output;
   output.security = *security;
+  output.to = words->Of("to");
   auto error = SetSource(output, words->Of("src_name"));
   error = error ? error : SetDestination(output, words->Of("dest_name"));
   error = error ? error : SetLimits(output, *words);
@@ -206,7 +207,7 @@ std::optional<Error> SetShortRoute(ShareOutput& output, std::string_view text,
 
 Expected<std::vector<ShareOutput>> ParseShortOutputs(std::string_view line,
                                                      const MulticastPlan& plan) {
-  WordValues words({"key", "plain"});
+  WordValues words({"key", "to", "plain"});
   std::vector<ShareOutput> outputs;
   for (const std::string& part : Split(line, ',')) {
     const std::size_t arrow = part.find(kArrow);
@@ -230,7 +231,10 @@ Expected<std::vector<ShareOutput>> ParseShortOutputs(std::string_view line,
   if (!security) {
     return security.error();
   }
-  std::ranges::for_each(outputs, [&](ShareOutput& output) { output.security = *security; });
+  std::ranges::for_each(outputs, [&](ShareOutput& output) {
+    output.security = *security;
+    output.to = words.Of("to");
+  });
   return outputs;
 }
 
@@ -259,6 +263,20 @@ std::optional<Error> Settle(ShareSecurity& line, const ShareSecurity& block) {
         "for "
         "MOOS's open datagrams, which anybody can read and forge, `plain = true` in this line or "
         "`allow_plain_routes = true` in this block"};
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> SettleReceiver(ShareOutput& output, const std::string& to) {
+  if (output.security.is_plain) {
+    return output.to.empty() ? std::nullopt
+                             : std::optional(Error{"a plain route is for anybody: it has no `to`"});
+  }
+  output.to = output.to.empty() && !output.address.channel ? to : output.to;
+  if (output.to.empty() && !output.address.channel) {
+    return Error{
+        "is sealed for nobody: say `to = NAME`, the receiver's Community, in this line or in this "
+        "block; else whoever has the key could be made to believe what is meant for another"};
   }
   return std::nullopt;
 }

@@ -24,6 +24,11 @@ struct ShareSecurity {
 /// Plain routes are only for those who ask for them: an error if neither says anything.
 [[nodiscard]] std::optional<Error> Settle(ShareSecurity& line, const ShareSecurity& block);
 
+/// Says for whom a settled output's datagrams are sealed: the line, or else the block (`to`). An
+/// error if neither does, unless it is plain or multicast.
+struct ShareOutput;
+[[nodiscard]] std::optional<Error> SettleReceiver(ShareOutput& output, const std::string& to);
+
 /// One variable, or pattern of variables, to one address.
 struct ShareOutput {
   std::string source;             ///< name, or pattern with `*` and `?`
@@ -34,6 +39,7 @@ struct ShareOutput {
   std::optional<Seconds> duration;  ///< since the route was made; 0: what there is now, once
   std::optional<int> max_shares;
   ShareSecurity security;
+  std::string to{};  ///< the receiver's community, or `community/app`; empty: as the block says
 
   [[nodiscard]] bool is_pattern() const {
     return source.find_first_of("*?") != std::string::npos || app_pattern != "*";
@@ -44,12 +50,12 @@ struct ShareOutput {
 struct ShareInput {
   std::vector<ShareAddress> addresses;
   std::vector<std::string> white_list;  ///< patterns of names; empty: all
-  std::string interface = "0.0.0.0";    ///< address to bind to; MOOS binds to all
+  std::string interface {};             ///< address to bind to; empty: all, as MOOS does
   ShareSecurity security;
 };
 
 /// `src_name=X, dest_name=Y, route=a:1 & multicast_8, frequency=, duration=, max_shares=, key=,
-/// plain=`, or the short form `X->Y:a:1@2 & multicast_8, Z->a:1`. One output per route.
+/// to=, plain=`, or the short form `X->Y:a:1@2 & multicast_8, Z->a:1`. One output per route.
 [[nodiscard]] Expected<std::vector<ShareOutput>> ParseShareOutputs(std::string_view line,
                                                                    const MulticastPlan& plan);
 

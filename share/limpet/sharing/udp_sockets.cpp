@@ -13,6 +13,9 @@
 #include <asio/post.hpp>
 #include <asio/steady_timer.hpp>
 #include <fmt/format.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 namespace limpet {
 namespace {
@@ -50,13 +53,20 @@ class UdpSockets::Impl {
       : on_arrival_(std::move(on_arrival)),
         guard_(asio::make_work_guard(context_)),
         resolver_(context_),
+        replies_(context_),
         sender_(sending_) {
+    replies_.id = kReplies;
     std::error_code ignored;
     sender_.open(udp::v4(), ignored);
     sender_.non_blocking(true, ignored);
     sender_.set_option(udp::socket::send_buffer_size(kSendRoom), ignored);
     sender_.set_option(asio::ip::multicast::hops(1), ignored);
     sender_.set_option(asio::ip::multicast::enable_loopback(true), ignored);
+    sender_.bind({asio::ip::address_v4::any(), 0}, ignored);
+    // A second handle on the same socket: one thread sends, the other one listens.
+    replies_.socket.assign(udp::v4(), ::dup(sender_.native_handle()), ignored);
+    replies_.socket.non_blocking(true, ignored);
+    AwaitDatagram(replies_);
     thread_ = std::thread([this] { context_.run(); });
   }
   ~Impl() {
@@ -118,6 +128,17 @@ class UdpSockets::Impl {
     // Nobody listens there (yet): an answer to an earlier datagram, told to a later one.
     const bool is_old_news = error == asio::error::connection_refused;
     return error && !is_old_news ? std::optional(TroubleWith(address, error)) : std::nullopt;
+  }
+
+  void Reply(const Datagram& to, ByteView bytes) {
+    sockaddr_in place{};
+    place.sin_family = AF_INET;
+    place.sin_port = htons(to.sender.port);
+    place.sin_addr.s_addr = htonl(to.sender.address);
+    const int socket = to.input == kReplies ? sender_.native_handle()
+                                            : listeners_.at(to.input)->socket.native_handle();
+    static_cast<void>(::sendto(socket, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL,
+                               reinterpret_cast<const sockaddr*>(&place), sizeof place));
   }
 
   std::vector<Datagram> Take() {
@@ -225,12 +246,13 @@ class UdpSockets::Impl {
   asio::executor_work_guard<asio::io_context::executor_type> guard_;
   udp::resolver resolver_;
   std::vector<std::unique_ptr<Listener>> listeners_;  ///< read by the owner's thread alone
+  Listener replies_;
   std::array<std::byte, kLargestDatagram> scratch_{};
 
   mutable std::mutex mutex_;  ///< of what follows
   std::map<std::string, Host> hosts_;
   std::vector<Datagram> arrived_;
-  std::array<std::size_t, kMostInputs> kept_{};
+  std::array<std::size_t, kMostInputs + 1> kept_{};
   std::uint64_t overflow_ = 0;
 
   asio::io_context sending_;  ///< never run: the owner's thread sends
@@ -250,6 +272,7 @@ void UdpSockets::Resolve(const ShareAddress& address) { impl_->Resolve(address);
 std::optional<Error> UdpSockets::Send(const ShareAddress& address, ByteView bytes) {
   return impl_->Send(address, bytes);
 }
+void UdpSockets::Reply(const Datagram& to, ByteView bytes) { impl_->Reply(to, bytes); }
 std::vector<UdpSockets::Datagram> UdpSockets::Take() { return impl_->Take(); }
 std::uint64_t UdpSockets::overflow() const { return impl_->overflow(); }
 

@@ -28,6 +28,8 @@ class UdpSockets {
   using Input = std::size_t;
   static constexpr std::size_t kQueuePerInput = std::size_t{2} << 20;  ///< [bytes]
   static constexpr std::size_t kMostInputs = 64;
+  /// What comes back to where Send sends from, as if it were an input.
+  static constexpr Input kReplies = kMostInputs;
 
   struct Datagram {
     Input input = 0;
@@ -51,6 +53,10 @@ class UdpSockets {
   void Resolve(const ShareAddress& address);
   /// Hands one datagram to the system; why not, if it did not.
   [[nodiscard]] std::optional<Error> Send(const ShareAddress& address, ByteView bytes);
+
+  /// Hands one datagram back to whom one came from, from where it came to. Lost if the system does
+  /// not take it.
+  void Reply(const Datagram& to, ByteView bytes);
 
   /// What has come since the last call, in order.
   [[nodiscard]] std::vector<Datagram> Take();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 
@@ -7,11 +9,13 @@
 
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/verbs/log.hpp"
+#include "tests/support/pseudo_terminal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace limpet {
 namespace {
 
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -136,6 +140,65 @@ TEST_F(LogVerbTest, HelpsWithEveryCommand) {
 
 TEST_F(LogVerbTest, ComplainsOfALogThatIsNotThere) {
   EXPECT_THROW(Run({"scan", (folder_.path() / "none.alog").string()}), std::runtime_error);
+}
+
+/// A log by somebody who knows what terminals obey: a window's title, colours, a C1 sequence.
+class HostileLogTest : public LogVerbTest {
+ protected:
+  HostileLogTest() {
+    ::setenv("NO_COLOR", "1", 1);  // NOLINT(concurrency-mt-unsafe): no thread yet
+    std::ofstream(log_, std::ios::app)
+        << "\n4.50000         EVIL\033[31m           pEvil\033[5m         " << kEvil << " \n"
+        << "5.50000         NUMBER\033[8m         pEvil           7.00000      \n";
+  }
+  ~HostileLogTest() override { ::unsetenv("NO_COLOR"); }  // NOLINT(concurrency-mt-unsafe)
+  HostileLogTest(const HostileLogTest&) = delete;
+  HostileLogTest& operator=(const HostileLogTest&) = delete;
+
+  static constexpr const char* kEvil =
+      "\033]0;owned\007\033[2J\x7f\xc2\x9b"
+      "31m\x9b"
+      "1mtext";
+  const std::vector<std::vector<std::string>> commands_{{"grep", log_.string()},
+                                                        {"grep", log_.string(), "EVIL*", "--json"},
+                                                        {"clip", log_.string(), "--from", "0"},
+                                                        {"csv", log_.string(), "EVIL*"},
+                                                        {"scan", log_.string()},
+                                                        {"scan", log_.string(), "--json"},
+                                                        {"stat", log_.string()}};
+};
+
+bool IsObeyed(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return (byte < 0x20 && c != '\n' && c != '\r') || (byte >= 0x7F && byte < 0xA0);
+}
+
+TEST_F(HostileLogTest, ShowsATerminalNothingThatItObeys) {
+  for (const auto& words : commands_) {
+    PseudoTerminal terminal;
+    const auto [status, output] = terminal.Run([&words] {
+      const int code = RunLog(words);
+      std::fflush(stdout);
+      return code;
+    });
+    EXPECT_EQ(status, 0) << words[0];
+    EXPECT_THAT(output, AnyOf(HasSubstr("EVIL"), HasSubstr("NUMBER"))) << words[0];
+    EXPECT_TRUE(std::ranges::none_of(output, IsObeyed)) << words[0] << ": " << output;
+  }
+}
+
+TEST_F(HostileLogTest, GivesAFileOrAPipeTheBytesAsTheyAre) {
+  EXPECT_EQ(Run({"grep", log_.string(), "EVIL*", "--bare"}), kOk);
+  EXPECT_THAT(out_, HasSubstr(kEvil));
+  EXPECT_EQ(Run({"csv", log_.string(), "EVIL*"}), kOk);
+  EXPECT_THAT(out_, HasSubstr(kEvil));
+}
+
+TEST_F(HostileLogTest, TellsOfAFileByANameThatIsHarmless) {
+  const auto file = folder_.path() / "a\033[2Jb.alog";
+  std::filesystem::copy_file(log_, file);
+  EXPECT_EQ(Run({"scan", file.string()}), kOk);
+  EXPECT_TRUE(std::ranges::none_of(out_ + err_, IsObeyed));
 }
 
 }  // namespace

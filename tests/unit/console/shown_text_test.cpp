@@ -13,6 +13,11 @@ TEST(OneLine, ShowsControlCharactersInsteadOfObeyingThem) {
   EXPECT_EQ(OneLine(std::string_view("\0\x07", 2)), "\\x00\\x07");
 }
 
+TEST(ShownLines, KeepsEndsOfLinesAndNothingElseThatATerminalObeys) {
+  EXPECT_EQ(ShownLines("a\033[2J\n\tb\n"), "a\\x1b[2J\n\\tb\n");
+  EXPECT_EQ(ShownLines("one"), "one");
+}
+
 TEST(OneLine, ShowsEightBitControlsAlsoAsUtf8) {
   EXPECT_EQ(OneLine("\x9b"
                     "2J"),

@@ -61,6 +61,18 @@ TEST(ShareBlock, NamesLineAndNearestWordOfAMistake) {
   EXPECT_THAT(text, HasSubstr("unknown word `src`"));
 }
 
+TEST(ShareBlock, SealsForNobodyInParticularOnlyByMulticast) {
+  const std::string text = Problems({{"key_file", "k"},
+                                     {"output", "src_name=X,route=localhost:9021"},
+                                     {"output", "src_name=X,route=multicast_8"},
+                                     {"output", "src_name=X,route=localhost:9021,to=shore"}});
+  EXPECT_THAT(text, HasSubstr("mission.moos:11: output"));
+  EXPECT_THAT(text, HasSubstr("`to = NAME`"));
+  EXPECT_THAT(text, ::testing::Not(HasSubstr("mission.moos:12")));
+  EXPECT_THAT(text, ::testing::Not(HasSubstr("mission.moos:13")));
+  EXPECT_EQ(Problems({{"key_file", "k"}, {"to", "shore"}, {"output", "X->localhost:9021"}}), "");
+}
+
 /// One pShare on a link of ours, and a peer that sends and receives datagrams by itself.
 class ShareAppTest : public ::testing::Test {
  protected:
@@ -110,9 +122,9 @@ class ShareAppTest : public ::testing::Test {
     got_.erase(got_.begin());
     return first;
   }
-  /// Sends to the app's first input, and lets the app work until it has counted that.
-  void SendToApp(ByteView bytes) {
-    const ShareAddress input{.host = "127.0.0.1", .port = app_->Ports().at(0)};
+  /// Sends to an input of the app, and lets the app work until it has counted that.
+  void SendToApp(ByteView bytes, std::size_t which = 0) {
+    const ShareAddress input{.host = "127.0.0.1", .port = app_->Ports().at(which)};
     peer_.Resolve(input);
     const std::string before = Counts();
     ASSERT_FALSE(peer_.Send(input, bytes));
@@ -281,6 +293,60 @@ TEST_F(ShareAppTest, SaysWhatIsWrongWithACommand) {
   Start({});
   app_->Deliver(Write("PSHARE_CMD", "cmd=output,src_name=X,route=" + ToPeer()));
   EXPECT_THAT(app_->warnings().at("BAD_COMMAND"), HasSubstr("allow_plain_routes"));
+}
+
+/// A pShare with a key, whose block allows nothing plain.
+class SealedShareAppTest : public ShareAppTest {
+ protected:
+  SealedShareAppTest() {
+    EXPECT_FALSE(SaveShareKey(ShareKey::Random(), folder_.path() / "fleet.key"));
+    EXPECT_FALSE(SaveShareKey(ShareKey::Random(), folder_.path() / "other.key"));
+    params_.key_file = "fleet.key";
+    params_.to = "shore";
+  }
+  void Command(const std::string& text) {
+    app_->Deliver(Write("PSHARE_CMD", text));
+    link_.time += Seconds(1.0);
+    app_->Tick(link_.time);
+  }
+  ShareParams params_;
+};
+
+TEST_F(SealedShareAppTest, OpensNoPlainRouteByCommand) {
+  Start(params_);
+  Command("cmd=input,route=localhost:0,plain=true");
+  EXPECT_THAT(app_->warnings().at("BAD_COMMAND"), HasSubstr("`allow_plain_routes = true`"));
+  EXPECT_THAT(app_->Ports(), IsEmpty());
+  Command("cmd=output,src_name=X,plain=true,route=" + ToPeer());
+  EXPECT_EQ(link_.Last(topics::kShareOutputs), "");
+  EXPECT_EQ(CountsNow().commands, 2.0);
+}
+
+TEST_F(SealedShareAppTest, OpensSealedRoutesByCommandWithTheKeysOfItsBlockAlone) {
+  Start(params_);
+  Command("cmd=input,route=localhost:0,key=other.key");
+  EXPECT_THAT(app_->warnings().at("BAD_COMMAND"), HasSubstr("no key but those"));
+  EXPECT_THAT(app_->Ports(), IsEmpty());
+  Command("cmd=input,route=localhost:0");
+  EXPECT_FALSE(app_->warnings().contains("BAD_COMMAND"));
+  EXPECT_EQ(app_->Ports().size(), 1U);
+}
+
+TEST_F(ShareAppTest, ListensOnLoopbackWhereACommandOpensAPlainInput) {
+  Start(Plain({}));
+  app_->Deliver(Write("PSHARE_CMD", std::string("cmd=input,route=localhost:0,interface=0.0.0.0")));
+  EXPECT_THAT(app_->warnings().at("BAD_COMMAND"), HasSubstr("`command_interface`"));
+  EXPECT_THAT(app_->Ports(), IsEmpty());
+}
+
+TEST_F(ShareAppTest, LetsInNoMoreThroughACommandsInputThanThroughItsBlocks) {
+  Start(Plain({}, {"route=localhost:0, interface=127.0.0.1, white_list=REM_*"}));
+  app_->Deliver(Write("PSHARE_CMD", std::string("cmd=input,route=localhost:0")));
+  ASSERT_EQ(app_->Ports().size(), 2U);
+  SendToApp(FarWrite("DEPLOY"), 1);
+  EXPECT_EQ(CountsNow().unlisted, 1.0);
+  SendToApp(FarWrite("REM_A"), 1);
+  EXPECT_NE(Published("REM_A"), nullptr);
 }
 
 TEST_F(ShareAppTest, GoesOnTryingToListenAtAPortInUse) {

@@ -54,6 +54,9 @@ class Community {
     context.globals = {{"Community", name_, {}}};
     context.mission_folder = folder_;
     context.runs_live = true;
+    if (!params.key_file.empty()) {
+      params.to = name_ == "shore" ? "vehicle" : "shore";
+    }
     app_ = std::make_unique<ShareApp>(context, params);
     const std::uint16_t port = app_->Ports().at(0);
     is_over_ = false;
@@ -257,23 +260,54 @@ TEST_P(TwoCommunitiesTest, AreUnharmedByHostileDatagrams) {
   EXPECT_EQ(shore_.CountOf("HARMFUL"), 0U);
 }
 
-class SealedCommunitiesTest : public TwoCommunitiesTest {};
+ByteBuffer Deploy() {
+  return *EncodeShare({.data_type = wire_data::kString,
+                       .source = "pFar",
+                       .key = "DEPLOY",
+                       .time = 5.0,
+                       .text = "true"});
+}
+ByteBuffer SealDeploy(Sealer& sealer, const char* to, ShareInstant now) {
+  return sealer.Seal(SealedContent::Kind::kData, ShareReceiverId(to), Deploy(), now);
+}
+/// That long ago, by both clocks.
+ShareInstant Before(double seconds) {
+  ShareInstant now = ShareInstant::Now();
+  now.steady -= Seconds(seconds);
+  now.unix -= Seconds(seconds);
+  return now;
+}
+
+/// Somebody on the network, beside two communities that share a key.
+class SealedCommunitiesTest : public TwoCommunitiesTest {
+ protected:
+  std::uint16_t ShareAtShore(double max_age = 5.0) {
+    ShareParams params = Params({});
+    params.max_age = Seconds(max_age);
+    return shore_.Share(params);
+  }
+  void SendTo(std::uint16_t port, ByteView datagram) {
+    const ShareAddress target{.host = "127.0.0.1", .port = port};
+    peer_.Resolve(target);
+    ASSERT_FALSE(peer_.Send(target, datagram));
+  }
+  ShareKey key_ = *LoadShareKey(folder_.path() / "fleet.key");
+  UdpSockets peer_{[] {}};
+};
 INSTANTIATE_TEST_SUITE_P(Sealed, SealedCommunitiesTest, ::testing::Values(false));
 
 TEST_P(SealedCommunitiesTest, LetNobodyInWhoHasAnotherKeyOrRepeatsWhatHeHeard) {
   const auto shore_port = shore_.Share(Params({}));
   const ShareKey key = *LoadShareKey(folder_.path() / "fleet.key");
-  Sealer vehicle(key, 1, NewShareEpoch(UnixTime())), stranger(ShareKey::Random(), 1, 1);
+  const ShareInstant now = ShareInstant::Now();
+  Sealer vehicle(key, now), stranger(ShareKey::Random(), now);
   UdpSockets enemy([] {});
   const ShareAddress target{.host = "127.0.0.1", .port = shore_port};
   enemy.Resolve(target);
-  const ByteBuffer deploy = *EncodeShare({.data_type = wire_data::kString,
-                                          .source = "pFar",
-                                          .key = "DEPLOY",
-                                          .time = 5.0,
-                                          .text = "true"});
-  const ByteBuffer sealed = vehicle.Seal(deploy);
-  for (const ByteBuffer& datagram : {stranger.Seal(deploy), deploy, sealed, sealed, sealed}) {
+  const ByteBuffer deploy = Deploy();
+  const ByteBuffer sealed = SealDeploy(vehicle, "shore", now);
+  for (const ByteBuffer& datagram :
+       {SealDeploy(stranger, "shore", now), deploy, sealed, sealed, sealed}) {
     ASSERT_FALSE(enemy.Send(target, datagram));
   }
   EXPECT_TRUE(shore_.AwaitCounts([](const ShareCounts& counts) {
@@ -281,6 +315,62 @@ TEST_P(SealedCommunitiesTest, LetNobodyInWhoHasAnotherKeyOrRepeatsWhatHeHeard) {
            counts.taken == 1.0;
   }));
   EXPECT_EQ(shore_.CountOf("DEPLOY"), 1U);
+}
+
+TEST_P(SealedCommunitiesTest, BelieveNothingThatIsMeantForAnother) {
+  const auto shore_port = ShareAtShore();
+  Sealer sealer(key_, ShareInstant::Now());
+  SendTo(shore_port, SealDeploy(sealer, "vehicle", ShareInstant::Now()));
+  EXPECT_TRUE(
+      shore_.AwaitCounts([](const ShareCounts& counts) { return counts.elsewhere == 1.0; }));
+  EXPECT_EQ(shore_.CountOf("DEPLOY"), 0U);
+}
+
+TEST_P(SealedCommunitiesTest, BelieveNothingThatWasHeldBack) {
+  const auto shore_port = ShareAtShore(0.5);
+  std::this_thread::sleep_for(600ms);
+  Sealer sealer(key_, Before(30.0));
+  SendTo(shore_port, SealDeploy(sealer, "shore", Before(0.6)));
+  SendTo(shore_port, SealDeploy(sealer, "shore", Before(20.0)));
+  EXPECT_TRUE(shore_.AwaitCounts([](const ShareCounts& counts) { return counts.stale == 2.0; }));
+  EXPECT_EQ(shore_.CountOf("DEPLOY"), 0U);
+}
+
+TEST_P(SealedCommunitiesTest, BelieveNothingThatWasRecordedBeforeARestart) {
+  auto shore_port = ShareAtShore(0.5);
+  Sealer sealer(key_, ShareInstant::Now());
+  const ByteBuffer recorded = SealDeploy(sealer, "shore", ShareInstant::Now());
+  SendTo(shore_port, recorded);
+  ASSERT_TRUE(shore_.Await("DEPLOY").has_value());
+  shore_.StopSharing();
+  shore_port = ShareAtShore(0.5);  // there is no file that it could have forgotten
+  SendTo(shore_port, recorded);
+  EXPECT_TRUE(shore_.AwaitCounts([](const ShareCounts& counts) { return counts.stale == 1.0; }));
+  EXPECT_EQ(shore_.CountOf("DEPLOY"), 1U);
+}
+
+TEST_P(SealedCommunitiesTest, BelieveASenderWhoseClockIsOffOnceItHasAnswered) {
+  const auto shore_port = ShareAtShore();
+  std::this_thread::sleep_for(500ms);  // nothing is believed that may be older than the shore
+  const auto behind = [] {
+    ShareInstant now = ShareInstant::Now();
+    now.unix -= Seconds(33 * 60.0);
+    return now;
+  };
+  const auto sealer = std::make_shared<Sealer>(key_, behind());
+  ShareGuard guard(key_, {}, sealer, behind());
+  SendTo(shore_port, SealDeploy(*sealer, "shore", behind()));
+  const auto deadline = std::chrono::steady_clock::now() + 5s;
+  for (bool has_answered = false; !has_answered && std::chrono::steady_clock::now() < deadline;) {
+    for (const UdpSockets::Datagram& datagram : peer_.Take()) {
+      const auto answer = guard.Answer(datagram.bytes, behind());
+      ASSERT_TRUE(answer.has_value());
+      peer_.Reply(datagram, *answer);
+      has_answered = true;
+    }
+    std::this_thread::sleep_for(1ms);
+  }
+  EXPECT_TRUE(shore_.Await("DEPLOY").has_value());
 }
 
 }  // namespace

@@ -107,7 +107,9 @@ TEST_F(HostilePeers, TakesNoVariableWhoseNameIsNoneOrAMegabyte) {
   MailInbox inbox;
   const auto reader = Join("pReader", &inbox);
   reader->Subscribe("DB_REFUSED", Seconds(0.0));
-  EXPECT_TRUE(inbox.AwaitText("type_mismatch=0,foreign_source=0,bad_name=4,no_room=0"));
+  EXPECT_TRUE(inbox.AwaitText(
+      "type_mismatch=0,foreign_source=0,bad_name=4,no_room=0,stranger=0,unfinished=0,stalled=0,"
+      "silent=0"));
 }
 
 TEST_F(HostilePeers, CarriesAVariableWithACommaInItsName) {
@@ -177,6 +179,15 @@ TEST_F(HostilePeers, IgnoresARegistrationInAnothersName) {
       PacketOf({.type = wire_type::kRegister, .source = "pVictim", .key = "FLOOD", .number = 0.0}));
   ExpectHealthy("FLOOD");
   EXPECT_FALSE(inbox.Await("FLOOD", 100ms).has_value());
+}
+
+TEST_F(HostilePeers, HangsUpOnAStrangerWhoAnnouncesMoreThanAHello) {
+  const RawPeer peer(broker_->port());
+  peer.Greet();
+  ByteBuffer header(69);
+  Put(Put(header.data(), std::int32_t{5000}), std::int32_t{1});
+  peer.Send(header);
+  EXPECT_TRUE(peer.IsClosed());
 }
 
 TEST_F(HostilePeers, SurvivesRandomAndMutatedPackets) {

@@ -18,133 +18,201 @@ ByteBuffer Text(std::string_view text) {
   return {begin, begin + text.size()};
 }
 
-class SecureChannelTest : public ::testing::Test {
- protected:
-  static constexpr std::uint64_t kVehicle = 1, kShore = 2;
+/// A moment by two clocks that agree.
+ShareInstant At(double seconds) {
+  return {.steady = Seconds(1000.0 + seconds), .unix = Seconds(1.8e9 + seconds)};
+}
 
-  Sealer VehicleSince(std::uint64_t epoch) { return {key_, kVehicle, epoch}; }
+constexpr auto kData = SealedContent::Kind::kData;
+const std::uint64_t kShore = ShareReceiverId("shore");
+
+/// A vehicle that seals for the shore, and the shore. The shore has been there for a minute.
+class ShareGuardTest : public ::testing::Test {
+ protected:
+  ByteBuffer Seal(std::string_view text, double at = 60.0) {
+    return sealer_.Seal(kData, kShore, Text(text), At(at));
+  }
+  std::shared_ptr<ShareGuard> Guard(const char* name, double start, double max_age = 5.0) {
+    return std::make_shared<ShareGuard>(
+        key_, ShareGuard::Settings{.receiver = ShareReceiverId(name), .max_age = Seconds(max_age)},
+        std::make_shared<Sealer>(key_, At(start)), At(start));
+  }
   /// What became of a datagram: nothing if it was let in.
-  std::optional<ShareRefusal> Open(ByteView datagram) {
-    const auto opened = opener_.Open(datagram);
-    return opened ? std::nullopt : std::optional(opened.error());
+  std::optional<ShareRefusal> Judge(ByteView datagram, double at = 60.0) {
+    return guard_->Judge(datagram, 0, At(at)).refusal;
   }
 
   ShareKey key_ = ShareKey::Random();
-  Sealer sealer_{key_, kVehicle, 100};
-  Opener opener_{key_, kShore};
+  Sealer sealer_{key_, At(50.0)};
+  std::shared_ptr<ShareGuard> guard_ = Guard("shore", 0.0);
 };
 
-TEST_F(SecureChannelTest, OpensWhatWasSealed) {
-  const auto opened = opener_.Open(sealer_.Seal(Text("depth 7.5")));
-  ASSERT_TRUE(opened.has_value());
-  EXPECT_EQ(*opened, Text("depth 7.5"));
+TEST_F(ShareGuardTest, OpensWhatWasSealed) {
+  const auto verdict = guard_->Judge(Seal("depth 7.5"), 0, At(60.0));
+  ASSERT_EQ(verdict.bodies.size(), 1U);
+  EXPECT_EQ(verdict.bodies[0], Text("depth 7.5"));
 }
 
-TEST_F(SecureChannelTest, AddsWhatItSaysAndHidesTheRest) {
-  const ByteBuffer sealed = sealer_.Seal(Text("depth 7.5"));
+TEST_F(ShareGuardTest, AddsWhatItSaysAndHidesTheRest) {
+  const ByteBuffer sealed = Seal("depth 7.5");
   EXPECT_EQ(sealed.size(), 9 + kSealSize);
   EXPECT_TRUE(std::ranges::search(sealed, Text("depth")).empty());
 }
 
-TEST_F(SecureChannelTest, RefusesADatagramWithAnyBitChanged) {
-  const ByteBuffer sealed = sealer_.Seal(Text("depth 7.5"));
+TEST_F(ShareGuardTest, RefusesADatagramWithAnyBitChanged) {
+  const ByteBuffer sealed = Seal("depth 7.5");
   for (std::size_t i = 0; i < sealed.size() * 8; ++i) {
     ByteBuffer changed = sealed;
     changed[i / 8] ^= std::byte{1} << static_cast<int>(i % 8);
-    EXPECT_TRUE(Open(changed).has_value()) << "bit " << i;
+    EXPECT_TRUE(Judge(changed).has_value()) << "bit " << i;
   }
-  EXPECT_FALSE(Open(sealed).has_value()) << "forgeries leave no trace";
+  EXPECT_FALSE(Judge(sealed).has_value()) << "forgeries leave no trace";
 }
 
-TEST_F(SecureChannelTest, RefusesACutOrLengthenedDatagram) {
-  const ByteBuffer sealed = sealer_.Seal(Text("depth 7.5"));
+TEST_F(ShareGuardTest, RefusesACutOrLengthenedDatagram) {
+  const ByteBuffer sealed = Seal("depth 7.5");
   for (std::size_t size = 0; size < sealed.size(); ++size) {
-    EXPECT_TRUE(Open(ByteView(sealed).first(size)).has_value()) << size;
+    EXPECT_TRUE(Judge(ByteView(sealed).first(size)).has_value()) << size;
   }
   ByteBuffer longer = sealed;
   longer.push_back(std::byte{0});
-  EXPECT_EQ(Open(longer), ShareRefusal::kForged);
+  EXPECT_EQ(Judge(longer), ShareRefusal::kForged);
 }
 
-TEST_F(SecureChannelTest, RefusesAnotherKey) {
-  Sealer stranger(ShareKey::Random(), kVehicle, 100);
-  EXPECT_EQ(Open(stranger.Seal(Text("x"))), ShareRefusal::kForged);
+TEST_F(ShareGuardTest, RefusesAnotherKey) {
+  Sealer stranger(ShareKey::Random(), At(50.0));
+  EXPECT_EQ(Judge(stranger.Seal(kData, kShore, Text("x"), At(60.0))), ShareRefusal::kForged);
 }
 
-TEST_F(SecureChannelTest, TakesADatagramOnce) {
-  const ByteBuffer sealed = sealer_.Seal(Text("DEPLOY"));
-  EXPECT_FALSE(Open(sealed).has_value());
-  EXPECT_EQ(Open(sealed), ShareRefusal::kReplayed);
+TEST_F(ShareGuardTest, RefusesWhatIsMeantForAnotherVehicle) {
+  const auto other = Guard("other", 0.0);
+  const ByteBuffer sealed = Seal("DEPLOY");
+  EXPECT_EQ(other->Judge(sealed, 0, At(60.0)).refusal, ShareRefusal::kElsewhere);
+  EXPECT_FALSE(Judge(sealed)) << "whom it is meant for believes it";
 }
 
-TEST_F(SecureChannelTest, TakesDatagramsInAnyOrderWithinTheWindow) {
+TEST_F(ShareGuardTest, TakesWhatIsForAllOfAMulticastChannelThereAlone) {
+  const std::uint64_t channel = ShareChannelId("224.1.1.11:24468:multicast_8");
+  const ByteBuffer sealed = sealer_.Seal(kData, channel, Text("x"), At(60.0));
+  EXPECT_EQ(Judge(sealed), ShareRefusal::kElsewhere);
+  EXPECT_EQ(guard_->Judge(sealed, channel + 1, At(60.0)).refusal, ShareRefusal::kElsewhere);
+  EXPECT_EQ(guard_->Judge(sealed, channel, At(60.0)).bodies.size(), 1U);
+}
+
+TEST_F(ShareGuardTest, RefusesWhatWasHeldBackThoughItIsTheFirstOfItsSender) {
+  for (const double age : {5.1, 20.0, 3600.0}) {
+    const auto guard = Guard("shore", 0.0);
+    const auto verdict = guard->Judge(Seal("DEPLOY"), 0, At(60.0 + age));
+    EXPECT_TRUE(verdict.bodies.empty()) << age;
+    EXPECT_TRUE(verdict.reply.has_value()) << "the sender may say that its clock is off";
+    EXPECT_EQ(guard->TakeGivenUp(At(60.0 + age + 5.1)), 1U) << "but nobody answers";
+  }
+}
+
+TEST_F(ShareGuardTest, RefusesWhatWasHeldBackAmidOthers) {
+  const ByteBuffer held = Seal("DEPLOY");
+  EXPECT_FALSE(Judge(Seal("x", 60.1), 60.1));
+  static_cast<void>(guard_->Judge(held, 0, At(80.0)));
+  EXPECT_EQ(guard_->TakeGivenUp(At(90.0)), 1U);
+}
+
+TEST_F(ShareGuardTest, TakesASenderWhoseClockIsHalfAnHourBehindOnceItHasAnswered) {
+  const auto behind = [](double at) {
+    ShareInstant now = At(at);
+    now.unix -= Seconds(33 * 60.0);
+    now.steady -= Seconds(500.0);  // nor do they count from one origin
+    return now;
+  };
+  const auto shore_sealer = std::make_shared<Sealer>(key_, behind(50.0));
+  ShareGuard shore(key_, {.receiver = ShareReceiverId("shore")}, shore_sealer, behind(50.0));
+  const auto vehicle = Guard("vehicle", 0.0);
+  const std::uint64_t to = ShareReceiverId("vehicle");
+  const ByteBuffer deploy = shore_sealer->Seal(kData, to, Text("DEPLOY"), behind(60.0));
+  const auto first = vehicle->Judge(deploy, 0, At(60.1));
+  EXPECT_TRUE(first.bodies.empty());
+  ASSERT_TRUE(first.reply.has_value());
+  const auto answer = shore.Answer(*first.reply, behind(60.2));
+  ASSERT_TRUE(answer.has_value());
+  const auto then = vehicle->Judge(*answer, 0, At(60.3));
+  ASSERT_EQ(then.bodies.size(), 1U) << "what has waited for the answer";
+  EXPECT_EQ(then.bodies[0], Text("DEPLOY"));
+  const ByteBuffer next = shore_sealer->Seal(kData, to, Text("RETURN"), behind(70.0));
+  EXPECT_EQ(vehicle->Judge(next, 0, At(70.1)).bodies.size(), 1U);
+  const ByteBuffer held = shore_sealer->Seal(kData, to, Text("RETURN"), behind(80.0));
+  EXPECT_EQ(vehicle->Judge(held, 0, At(100.0)).refusal, ShareRefusal::kStale);
+  EXPECT_EQ(vehicle->Judge(*answer, 0, At(101.0)).refusal, ShareRefusal::kReplayed);
+}
+
+TEST_F(ShareGuardTest, AnswersItsOwnQuestionsAlone) {
+  const auto question = guard_->Judge(Seal("x"), 0, At(60.0)).reply;
+  ASSERT_TRUE(question.has_value());
+  EXPECT_FALSE(Guard("other", 0.0)->Answer(*question, At(60.0)).has_value());
+  EXPECT_FALSE(guard_->Answer(Seal("x"), At(60.0)).has_value());
+}
+
+TEST_F(ShareGuardTest, TakesADatagramOnce) {
+  const ByteBuffer sealed = Seal("DEPLOY");
+  EXPECT_FALSE(Judge(sealed).has_value());
+  EXPECT_EQ(Judge(sealed), ShareRefusal::kReplayed);
+}
+
+TEST_F(ShareGuardTest, TakesDatagramsInAnyOrderWithinTheWindow) {
   std::vector<ByteBuffer> sealed;
   for (std::size_t i = 0; i < ReplayWindow::kWidth; ++i) {
-    sealed.push_back(sealer_.Seal(Text("x")));
+    sealed.push_back(Seal("x"));
   }
   std::ranges::reverse(sealed);
   for (const ByteBuffer& datagram : sealed) {
-    EXPECT_FALSE(Open(datagram).has_value());
+    EXPECT_FALSE(Judge(datagram).has_value());
   }
 }
 
-TEST_F(SecureChannelTest, RefusesWhatIsBehindTheWindow) {
-  const ByteBuffer late = sealer_.Seal(Text("x"));
+TEST_F(ShareGuardTest, RefusesWhatIsBehindTheWindow) {
+  const ByteBuffer late = Seal("x");
   for (std::size_t i = 0; i < ReplayWindow::kWidth; ++i) {
-    EXPECT_FALSE(Open(sealer_.Seal(Text("x"))).has_value());
+    EXPECT_FALSE(Judge(Seal("x")).has_value());
   }
-  EXPECT_EQ(Open(late), ShareRefusal::kReplayed);
+  EXPECT_EQ(Judge(late), ShareRefusal::kReplayed);
 }
 
-TEST_F(SecureChannelTest, TakesASenderThatHasStartedAnew) {
-  EXPECT_FALSE(Open(sealer_.Seal(Text("x"))).has_value());
-  Sealer restarted = VehicleSince(101);
-  EXPECT_FALSE(Open(restarted.Seal(Text("x"))).has_value());
+TEST_F(ShareGuardTest, BelievesNothingOfBeforeItsStart) {
+  const ByteBuffer recorded = Seal("DEPLOY");
+  EXPECT_FALSE(Judge(recorded));
+  // A new process, with nothing to remember: no file could be emptied.
+  const auto restarted = Guard("shore", 61.0);
+  for (const double at : {61.0, 61.5, 63.0, 100.0}) {
+    EXPECT_TRUE(restarted->Judge(recorded, 0, At(at)).bodies.empty()) << at;
+  }
+  EXPECT_EQ(restarted->Judge(Seal("x", 61.6), 0, At(61.7)).bodies.size(), 1U);
 }
 
-TEST_F(SecureChannelTest, RefusesAFormerSession) {
-  const ByteBuffer former = sealer_.Seal(Text("DEPLOY"));
-  Sealer restarted = VehicleSince(101);
-  EXPECT_FALSE(Open(restarted.Seal(Text("x"))).has_value());
-  EXPECT_EQ(Open(former), ShareRefusal::kFormer);
+TEST_F(ShareGuardTest, TakesASenderThatHasStartedAnew) {
+  EXPECT_FALSE(Judge(Seal("x")).has_value());
+  Sealer restarted(key_, At(61.0));
+  EXPECT_FALSE(Judge(restarted.Seal(kData, kShore, Text("x"), At(61.1)), 61.2).has_value());
 }
 
-TEST_F(SecureChannelTest, KeepsSendersApart) {
-  Sealer other(key_, 3, 50);
-  EXPECT_FALSE(Open(sealer_.Seal(Text("x"))).has_value());
-  EXPECT_FALSE(Open(other.Seal(Text("x"))).has_value());
+TEST_F(ShareGuardTest, RefusesItsOwnDatagramsSentBack) {
+  const auto sealer = std::make_shared<Sealer>(key_, At(0.0));
+  ShareGuard guard(key_, {.receiver = kShore}, sealer, At(0.0));
+  EXPECT_EQ(guard.Judge(sealer->Seal(kData, kShore, Text("x"), At(1.0)), 0, At(1.0)).refusal,
+            ShareRefusal::kOwn);
 }
 
-TEST_F(SecureChannelTest, RefusesItsOwnDatagramsSentBack) {
-  Sealer own(key_, kShore, 100);
-  EXPECT_EQ(Open(own.Seal(Text("x"))), ShareRefusal::kOwn);
-}
-
-TEST_F(SecureChannelTest, RefusesPlainDatagrams) {
-  EXPECT_EQ(Open(Text("hello, this is no sealed datagram at all, but long enough")),
+TEST_F(ShareGuardTest, TellsPlainDatagramsAndThoseOfFormerVersionsApart) {
+  EXPECT_EQ(Judge(Text("hello, this is no sealed datagram at all, but long enough")),
             ShareRefusal::kNotSealed);
-}
-
-TEST_F(SecureChannelTest, RemembersWhatItTookBeforeARestart) {
-  const ByteBuffer first = sealer_.Seal(Text("x")), second = sealer_.Seal(Text("y"));
-  opener_.Remember(kVehicle, sealer_.epoch(), 0);
-  EXPECT_EQ(Open(first), ShareRefusal::kReplayed);
-  EXPECT_FALSE(Open(second).has_value());
-}
-
-TEST(ShareEpoch, OnlyGoesForwardWhateverTheClockSays) {
-  const std::uint64_t first = NewShareEpoch(Seconds(2e9));
-  EXPECT_GT(NewShareEpoch(Seconds(1e9), first), first);
-  EXPECT_GT(NewShareEpoch(Seconds(2e9 + 1.0)), first);
+  EXPECT_EQ(Judge(Text("LSH1 and then what a former Limpet has sealed, so many bytes")),
+            ShareRefusal::kOldVersion);
 }
 
 TEST(ReplayWindow, ForgetsEverythingAfterALongGap) {
   ReplayWindow window;
-  window.Take(1, 5);
-  window.Take(1, 5 + 10 * ReplayWindow::kWidth);
-  EXPECT_EQ(window.Judge(1, 5), ReplayWindow::Verdict::kTooOld);
-  EXPECT_EQ(window.Judge(1, 5 + 10 * ReplayWindow::kWidth - 1), ReplayWindow::Verdict::kNew);
-  EXPECT_EQ(window.Judge(1, UINT64_MAX), ReplayWindow::Verdict::kNew);
+  window.Take(5);
+  window.Take(5 + 10 * ReplayWindow::kWidth);
+  EXPECT_FALSE(window.IsNew(5));
+  EXPECT_TRUE(window.IsNew(5 + 10 * ReplayWindow::kWidth - 1));
+  EXPECT_TRUE(window.IsNew(UINT64_MAX));
 }
 
 TEST(KeyRing, NeverSealsTwiceUnderOneNonce) {
@@ -152,43 +220,10 @@ TEST(KeyRing, NeverSealsTwiceUnderOneNonce) {
   const ShareKey key = ShareKey::Random();
   ASSERT_FALSE(SaveShareKey(key, folder.path() / "a"));
   ASSERT_FALSE(SaveShareKey(key, folder.path() / "copy_of_a"));
-  KeyRing keys(folder.path(), "alpha/pShare", Seconds(2e9));
-  EXPECT_EQ(keys.Load("a")->sealer, keys.Load("copy_of_a")->sealer);
-}
-
-TEST(KeyRing, RemembersAfterARestartWhatItTook) {
-  const TemporaryFolder folder;
-  const ShareKey key = ShareKey::Random();
-  ASSERT_FALSE(SaveShareKey(key, folder.path() / "a"));
-  Sealer vehicle(key, 1, 100);
-  const ByteBuffer first = vehicle.Seal(Text("DEPLOY")), second = vehicle.Seal(Text("x"));
-  {
-    KeyRing keys(folder.path(), "shore/pShare", Seconds(2e9));
-    ASSERT_TRUE(keys.Load("a")->opener->Open(first).has_value());
-    ASSERT_FALSE(keys.Save());
-  }
-  KeyRing keys(folder.path(), "shore/pShare", Seconds(2e9));
-  const auto repeated = keys.Load("a")->opener->Open(first);
-  ASSERT_FALSE(repeated.has_value());
-  EXPECT_EQ(repeated.error(), ShareRefusal::kReplayed);
-  EXPECT_TRUE(keys.Load("a")->opener->Open(second).has_value());
-}
-
-TEST(KeyRing, BeginsALaterEpochThoughTheClockWentBack) {
-  const TemporaryFolder folder;
-  ASSERT_FALSE(SaveShareKey(ShareKey::Random(), folder.path() / "a"));
-  KeyRing before(folder.path(), "alpha/pShare", Seconds(2e9));
-  const std::uint64_t epoch = before.Load("a")->sealer->epoch();
-  ASSERT_FALSE(before.Save());
-  KeyRing after(folder.path(), "alpha/pShare", Seconds(0.0));
-  EXPECT_GT(after.Load("a")->sealer->epoch(), epoch);
-}
-
-TEST(ShareMemory, LeavesOutWhatItCannotRead) {
-  const ShareMemory memory = ShareMemory::Parse("own 1f\n2 3 4\nnonsense\n5 6 x\n7 8\n\xff\n");
-  EXPECT_EQ(memory.own_epoch, 0x1fU);
-  EXPECT_EQ(memory.heard, (std::map<std::uint64_t, ShareMemory::Heard>{{2, {3, 4}}}));
-  EXPECT_EQ(ShareMemory::Parse(memory.Text()), memory);
+  KeyRing keys(folder.path(), {});
+  EXPECT_EQ(keys.Load("a", At(0.0))->sealer, keys.Load("copy_of_a", At(0.0))->sealer);
+  KeyRing again(folder.path(), {});
+  EXPECT_NE(keys.Load("a", At(0.0))->sealer->run(), again.Load("a", At(0.0))->sealer->run());
 }
 
 class ShareGateTest : public ::testing::Test {
@@ -200,40 +235,51 @@ class ShareGateTest : public ::testing::Test {
     return bytes;
   }
   static std::optional<ShareRefusal> Refusal(ShareGate& gate, ByteView datagram) {
-    const auto admitted = gate.Admit(datagram);
-    return admitted ? std::nullopt : std::optional(admitted.error());
+    const ShareAdmission admission = gate.Admit(datagram, At(60.0));
+    EXPECT_EQ(admission.messages.size() + admission.refusals.size(), 1U);
+    return admission.refusals.empty() ? std::nullopt : std::optional(admission.refusals[0]);
+  }
+  ByteBuffer Seal(ByteView plain) { return sealer_.Seal(kData, kShore, plain, At(60.0)); }
+  std::shared_ptr<ShareGuard> Guard() {
+    return std::make_shared<ShareGuard>(key_, ShareGuard::Settings{.receiver = kShore},
+                                        std::make_shared<Sealer>(key_, At(0.0)), At(0.0));
   }
   ShareKey key_ = ShareKey::Random();
+  Sealer sealer_{key_, At(50.0)};
 };
 
 TEST_F(ShareGateTest, LetsInWhatTheWhiteListNames) {
-  ShareGate gate(nullptr, {"REM_*", "B?"});
+  ShareGate gate(nullptr, {{"REM_*", "B?"}});
   EXPECT_FALSE(Refusal(gate, Write("REM_A")));
   EXPECT_FALSE(Refusal(gate, Write("B1")));
   EXPECT_EQ(Refusal(gate, Write("NOTLISTED")), ShareRefusal::kUnlisted);
 }
 
+TEST_F(ShareGateTest, LetsInWhatIsOnEveryListThatHoldsAnything) {
+  ShareGate gate(nullptr, {{"REM_*"}, {}, {"*_A"}});
+  EXPECT_FALSE(Refusal(gate, Write("REM_A")));
+  EXPECT_EQ(Refusal(gate, Write("REM_B")), ShareRefusal::kUnlisted);
+}
+
 TEST_F(ShareGateTest, KeepsSourceCommunityAndTime) {
   ShareGate gate(nullptr, {});
-  const auto message = gate.Admit(Write("X"));
-  ASSERT_TRUE(message.has_value());
-  EXPECT_EQ(message->source, "pFar");
-  EXPECT_EQ(message->community, "alpha");
-  EXPECT_EQ(message->time, Seconds(5.0));
+  const ShareAdmission admission = gate.Admit(Write("X"), At(60.0));
+  ASSERT_EQ(admission.messages.size(), 1U);
+  EXPECT_EQ(admission.messages[0].source, "pFar");
+  EXPECT_EQ(admission.messages[0].community, "alpha");
+  EXPECT_EQ(admission.messages[0].time, Seconds(5.0));
 }
 
 TEST_F(ShareGateTest, TellsSealedAndPlainApart) {
-  Sealer sealer(key_, 1, 100);
-  ShareGate plain(nullptr, {}), sealed(std::make_shared<Opener>(key_, 2), {});
-  EXPECT_EQ(Refusal(plain, sealer.Seal(Write("X"))), ShareRefusal::kSealed);
+  ShareGate plain(nullptr, {}), sealed(Guard(), {});
+  EXPECT_EQ(Refusal(plain, Seal(Write("X"))), ShareRefusal::kSealed);
   EXPECT_EQ(Refusal(sealed, Write("X")), ShareRefusal::kNotSealed);
-  EXPECT_FALSE(Refusal(sealed, sealer.Seal(Write("X"))));
+  EXPECT_FALSE(Refusal(sealed, Seal(Write("X"))));
 }
 
 TEST_F(ShareGateTest, LooksIntoWhatItOpens) {
-  Sealer sealer(key_, 1, 100);
-  ShareGate gate(std::make_shared<Opener>(key_, 2), {});
-  EXPECT_EQ(Refusal(gate, sealer.Seal(Text("no message"))), ShareRefusal::kMalformed);
+  ShareGate gate(Guard(), {});
+  EXPECT_EQ(Refusal(gate, Seal(Text("no message"))), ShareRefusal::kMalformed);
 }
 
 }  // namespace
