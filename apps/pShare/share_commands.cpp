@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Routes that PSHARE_CMD asks for: any client of the database can, so they may open nothing that
 // the block does not allow.
+#include <cstdint>
+
 #include <fmt/format.h>
 
 #include "apps/pShare/share_app.hpp"
