@@ -15,7 +15,7 @@
 namespace limpet {
 namespace {
 
-void PrintHelp() {
+void PrintVerbs() {
   fmt::print(
       "limpet: cover the seabed, look again, go home, say what changed\n\nusage: limpet <verb> "
       "[options]\n\n");
@@ -29,7 +29,7 @@ void PrintHelp() {
 
 int Dispatch(const std::vector<std::string>& words) {
   if (words.empty() || words[0] == "--help" || words[0] == "help") {
-    PrintHelp();
+    PrintVerbs();
     return words.empty() ? kUsage : kOk;
   }
   if (words[0] == "--version") {

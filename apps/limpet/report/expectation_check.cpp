@@ -36,13 +36,12 @@ Number CountOf(const Json& list) {
   return list.is_array() ? Number(static_cast<double>(list.size())) : std::nullopt;
 }
 
-/// Largest of all found objects; 0 if none was found, which `missed` tells.
+/// Largest of all found objects; 0 if none was found, which `missed` tells; nothing without truth.
 Number LargestOfObjects(const Json& session, const std::string& key) {
+  if (!session.at("missed").is_array()) return std::nullopt;
   double largest = 0.0;
   for (const Json& opi : session.at("opis")) {
-    const Number value = NumberOf(opi.at(key));
-    if (!value) return std::nullopt;
-    largest = std::max(largest, *value);
+    largest = std::max(largest, opi.at(key).get<double>());
   }
   return largest;
 }

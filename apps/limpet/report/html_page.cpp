@@ -109,7 +109,7 @@ std::string ObjectsTable(const SessionScore& session) {
 }
 
 /// What the vehicle says, where nobody can say whether it is right.
-std::string ReportedTable(const SessionScore& session) {
+std::string ReportedObjectsTable(const SessionScore& session) {
   std::string out =
       "<h3>Objects as reported</h3>\n<p>There is no truth for this session: nothing is judged, and "
       "what needs the truth is left out.</p>\n<div class=\"scroll\"><table><tr><th>object<th>north "
@@ -198,7 +198,7 @@ std::string SessionSection(const SessionScore& session, const ReportSettings& se
       session.has_truth ? "" : ", by the vehicle\u2019s own estimate,");
   out += Cards(session);
   out += session.has_truth ? ObjectsTable(session) + CoverageTable(session, settings)
-                           : ReportedTable(session);
+                           : ReportedObjectsTable(session);
   for (const Figure& figure : figures) {
     if (!figure.file.ends_with("_status.svg")) out += FigureMarkup(figure);
   }

@@ -84,7 +84,7 @@ void DrawDecisionPoints(MapAxes& map, const std::vector<DecisionRecord>& decisio
 
 void DrawDecisionLegend(MapAxes& map, const std::vector<DecisionRecord>& decisions) {
   const auto purposes = PurposesOf(decisions);
-  map.LegendHeading("Decisions, by the bid that decided");
+  map.LegendHeading("Decisions, by deciding bid");
   for (const auto& [purpose, text] : {std::pair{BidPurpose::kCover, "to cover"},
                                       std::pair{BidPurpose::kLook, "to look at an object"},
                                       std::pair{BidPurpose::kHome, "to go home"},

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr const char* kListFormat = "limpet-written-1";
 
 /// Inside the folder: relative and without a way out of it.
-bool IsInside(const fs::path& path) {
+bool StaysInside(const fs::path& path) {
   return !path.empty() && path.is_relative() &&
          std::none_of(path.begin(), path.end(), [](const fs::path& p) { return p == ".."; });
 }
@@ -29,7 +29,7 @@ std::set<std::string> NamesIn(const nlohmann::json& list) {
   std::set<std::string> names;
   for (const nlohmann::json& entry : list) {
     const std::string name = entry.get<std::string>();
-    if (!IsInside(name)) throw std::runtime_error("it names `" + OneLine(name) + "`");
+    if (!StaysInside(name)) throw std::runtime_error("it names `" + OneLine(name) + "`");
     names.insert(name);
   }
   return names;

@@ -71,6 +71,34 @@ TEST(ExpectationCheck, HoldsThePapersPlannerToNothing) {
   EXPECT_TRUE(check.is_kept());
 }
 
+TEST(ExpectationCheck, HoldsAThirdSessionToItsBounds) {
+  Scenario scenario = Table1Scenario();
+  for (ScenarioOpi& opi : scenario.opis)
+    opi.places["third"] = opi.Place("change");
+  SyntheticSession session;
+  session.name = "third";
+  session.former = "change";
+  session.seconds_of_survey = 20.0;
+  session.opis = RightBeliefs(Table1Scenario(), "change", 0.3);  // says "removed" of what was gone
+  const RunScore run = ScoreRun({RecordOf(session)}, scenario, Table1Settings());
+  const ExpectationCheck check =
+      CheckReport(ParseExpectations("third: {wrong_statuses: {max: 0}}", "expect.yaml", {"third"}),
+                  ReportJson(run));
+  EXPECT_EQ(check.compared, 1);
+  EXPECT_THAT(check.breaches, ElementsAre(HasSubstr("third: wrong_statuses is ")));
+}
+
+TEST(ExpectationCheck, TakesWhatNobodyCouldMeasureForNoBoundKept) {
+  SyntheticSession session;
+  session.seconds_of_survey = 20.0;
+  SessionRecord record = RecordOf(session);
+  record.truth = {};
+  const RunScore run = ScoreRun({record}, Table1Scenario(), Table1Settings());
+  const ExpectationCheck check = Check(
+      run, "each: {missed: {max: 0}, error_m: {max: 1}, covered: {min: 0.9}, nees_mean: {max: 9}}");
+  EXPECT_EQ(check.breaches.size(), 4U);
+}
+
 /// A key of expect.yaml that no report has would break every run.
 TEST(ExpectationCheck, FindsEveryNumberThatMayBeBounded) {
   RunScore run = ChangeRun(false);

@@ -60,6 +60,37 @@ TEST(RunStatistics, IsUnchangedByABrokenReport) {
   EXPECT_TRUE(runs.sessions.empty());
 }
 
+TEST(RunStatistics, JudgesNoSessionWithoutTruth) {
+  SyntheticSession session;
+  session.seconds_of_survey = 20.0;
+  SessionRecord record = RecordOf(session);
+  record.truth = {};
+  RunStatistics runs;
+  EXPECT_FALSE(runs.Add(ReportJson(ScoreRun({record}, Table1Scenario(), Table1Settings()))));
+  EXPECT_EQ(runs.flawless.good, 0);
+  EXPECT_EQ(runs.sessions["discovery"].none_missed.of, 0);
+  EXPECT_EQ(runs.sessions["discovery"].position_rmse_m.asked(), 0U);
+}
+
+TEST(PaperTables, HaveTheStatusesOfEverySessionWithAFormerOne) {
+  SyntheticSession session;
+  session.name = "third";
+  session.former = "change";
+  session.seconds_of_survey = 20.0;
+  session.opis = RightBeliefs(Table1Scenario(), "change", 0.3);
+  RunStatistics runs;
+  EXPECT_FALSE(
+      runs.Add(ReportJson(ScoreRun({RecordOf(session)}, Table1Scenario(), Table1Settings()))));
+  const std::string text = PlainText(PaperTables(runs));
+  EXPECT_THAT(text, HasSubstr("Statuses, third session"));
+  EXPECT_THAT(text, HasSubstr("Way: third session"));
+}
+
+TEST(PaperTables, ObeyNothingThatAMissionSays) {
+  const std::string text = PlainText({{"t\033[2J", {"a"}, {{"x\ny"}}, "n\a"}});
+  EXPECT_EQ(text, "t\\x1b[2J\n  a\n  x\\ny\n  n\\x07\n");
+}
+
 TEST(PaperTables, NameTheSeedsThatLeftNoReport) {
   RunStatistics runs;
   EXPECT_FALSE(runs.Add(ReportOf(false)));
