@@ -46,5 +46,12 @@ TEST(MapExport, EveryStatusHasItsOwnColour) {
   EXPECT_EQ(std::ranges::adjacent_find(colors), colors.end());
 }
 
+TEST(MapExport, OfAnEmptyMapHoldsNothing) {
+  const SemanticOctree empty;
+  EXPECT_NE(ToColorOctree(empty).find("id ColorOcTree"), std::string::npos);
+  EXPECT_NE(ToPly(empty).find("element vertex 0\n"), std::string::npos);
+  EXPECT_EQ(ToCsv(empty).find('\n'), ToCsv(empty).size() - 1) << "the header alone";
+}
+
 }  // namespace
 }  // namespace limpet
