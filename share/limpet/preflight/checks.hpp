@@ -32,8 +32,8 @@ void CheckEndurance(const MissionReading& reading, const SurveyFacts& survey,
                     MissionProblems& found);
 void CheckMotion(const MissionReading& reading, MissionProblems& found);
 
-/// The known word that a slip of the pen, at most two letters, would make of `word`; "" if there is
-/// none or the word is known.
+/// The known word that a slip of the pen (one letter in four, or two that changed places) would
+/// make of `word`; "" if there is none or the word is known.
 [[nodiscard]] std::string SlipOf(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace limpet::internal

@@ -12,7 +12,7 @@
 namespace limpet::internal {
 namespace {
 
-constexpr double kTight = 1.3;  // real runs take up to a third more than the estimate
+constexpr double kTight = 1.3;  // lanes overlap, and objects want second looks
 
 /// The way of a whole session [m].
 struct Ways {

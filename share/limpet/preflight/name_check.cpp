@@ -2,6 +2,7 @@
 // Names that nobody reads: of blocks, of globals, of programs.
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -28,6 +29,17 @@ const std::vector<std::string>& StockNames() {
   static const std::vector<std::string> names{"uPokeDB", "pHelmIvP",   "pLogger",
                                               "pAntler", "uSimMarine", "uTermCommand"};
   return names;
+}
+
+/// Of a word as long as this one letter may be wrong: `pRealm` is not meant to be `pHelm`.
+constexpr std::size_t kLettersPerSlip = 4;
+
+/// Two neighbouring letters have changed places.
+bool IsTransposed(std::string_view a, std::string_view b) {
+  return a.size() == b.size() && WordDistance(a, b) == 2 &&
+         std::ranges::is_permutation(a, b, [](char x, char y) {
+           return EqualsIgnoringCase({&x, 1}, {&y, 1});
+         });
 }
 
 /// One of our apps that is launched without a block of its own and whose name is near `name`.
@@ -70,6 +82,29 @@ void CheckGlobalValue(const ConfigEntry& global, const GlobalRule& rule, Mission
   }
 }
 
+/// Plugs of a mission, and files of other people's apps alone, are not launched by themselves.
+bool IsFragment(const MissionFile& mission) {
+  const bool has_own = std::ranges::any_of(
+      mission.blocks, [](const ConfigBlock& block) { return IsAmong(block.name, OwnApps()); });
+  const bool is_plug = std::filesystem::path(mission.file).filename().string().starts_with("plug_");
+  const bool is_empty = mission.blocks.empty() && mission.globals.empty();
+  return !is_empty && (is_plug || (!has_own && !mission.blocks.empty()));
+}
+
+void CheckThatSomethingRuns(const MissionFile& mission, MissionProblems& found) {
+  if (!mission.launches.empty()) return;
+  const ConfigBlock* antler = mission.Block("ANTLER");
+  auto& list = antler == nullptr && IsFragment(mission) ? found.notes : found.syntax;
+  const SourceLine file{.file = mission.file, .line = 0};
+  if (mission.blocks.empty()) {
+    list.push_back({file, "", "has no ProcessConfig block: nothing can be launched"});
+  } else if (antler == nullptr) {
+    list.push_back({file, "ANTLER", "is missing: nothing can be launched"});
+  } else {
+    list.push_back({antler->where, "ANTLER", "has no `Run = ...` line: nothing can be launched"});
+  }
+}
+
 void CheckMissingGlobals(const MissionReading& reading, MissionProblems& found) {
   if (reading.apps().empty()) return;  // somebody else's mission: its apps know what they need
   auto& list = reading.strangers().empty() ? found.syntax : found.notes;
@@ -96,9 +131,10 @@ std::string SlipOf(std::string_view word, const std::vector<std::string>& known)
     return std::max(other.size(), word.size()) - std::min(other.size(), word.size()) <= 2;
   });
   const std::string nearest = NearestWord(word, near);
-  const bool is_slip = !nearest.empty() && WordDistance(word, nearest) <= 2 &&
-                       WordDistance(word, nearest) * 3 <= std::max(word.size(), nearest.size());
-  return is_slip ? nearest : "";
+  if (nearest.empty()) return "";
+  const std::size_t letters = std::max(word.size(), nearest.size());
+  const std::size_t distance = IsTransposed(word, nearest) ? 1 : WordDistance(word, nearest);
+  return distance * kLettersPerSlip <= letters ? nearest : "";
 }
 
 void CheckBlockNames(const MissionReading& reading, MissionProblems& found) {
@@ -107,6 +143,8 @@ void CheckBlockNames(const MissionReading& reading, MissionProblems& found) {
   for (const LaunchEntry& launch : mission.launches) {
     launched.insert(launched.end(), {launch.binary, launch.moos_name});
   }
+  std::vector<std::string> known = OwnApps();
+  known.emplace_back("ANTLER");
   for (const ConfigBlock& block : mission.blocks) {
     if (IsAmong(block.name, launched)) continue;
     if (IsAmong(block.name, OwnApps())) {
@@ -115,9 +153,7 @@ void CheckBlockNames(const MissionReading& reading, MissionProblems& found) {
     }
     const std::string orphan = OrphanNear(reading, block.name);
     const bool is_stock = IsAmong(block.name, StockNames());
-    const std::string meant = !orphan.empty() ? orphan
-                              : is_stock      ? ""
-                                              : SlipOf(block.name, OwnApps());
+    const std::string meant = !orphan.empty() ? orphan : is_stock ? "" : SlipOf(block.name, known);
     if (!meant.empty()) {
       found.syntax.push_back({block.where, "ProcessConfig",
                               fmt::format("`{}` is the name of no process that is launched; did "
@@ -150,21 +186,12 @@ void CheckGlobals(const MissionReading& reading, MissionProblems& found) {
 
 void CheckLaunches(const MissionReading& reading, MissionProblems& found) {
   const MissionFile& mission = reading.mission();
-  const SourceLine where{.file = mission.file, .line = 0};
-  if (mission.blocks.empty()) {
-    found.syntax.push_back({where, "", "has no ProcessConfig block: nothing can be launched"});
-    return;
-  }
-  if (mission.launches.empty()) {
-    const ConfigBlock* antler = mission.Block("ANTLER");
-    found.syntax.push_back({antler != nullptr ? antler->where : where, "ANTLER",
-                            antler != nullptr ? "has no `Run = ...` line: nothing can be launched"
-                                              : "is missing: nothing can be launched"});
-  }
+  CheckThatSomethingRuns(mission, found);
   std::vector<std::string> names;
   for (const LaunchEntry& launch : mission.launches) {
     if (std::ranges::find(names, launch.moos_name) != names.end()) {
-      found.syntax.push_back(
+      auto& list = IsAmong(launch.binary, OwnApps()) ? found.syntax : found.notes;
+      list.push_back(
           {launch.where, "Run", fmt::format("`{}` is launched twice", launch.moos_name)});
     }
     names.push_back(launch.moos_name);

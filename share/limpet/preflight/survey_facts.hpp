@@ -30,7 +30,7 @@ struct SurveyFacts {
 [[nodiscard]] std::optional<SurveyFacts> ReadSurveyFacts(const MissionReading& reading);
 
 /// Path that a survey needs at least [m]: lanes as wide as the image at the height that the target
-/// counts, and the turns between them. Real runs need as much or more (docs/quality.md).
+/// counts, side by side without overlap, and the turns between them.
 struct PathEstimate {
   double lanes_m = 0.0;
   double turns_m = 0.0;

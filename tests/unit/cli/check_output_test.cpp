@@ -41,7 +41,7 @@ TEST(CheckVerbOfFiles, NotesWhatBelongsToOtherPeoplesApps) {
   const TemporaryFolder folder;
   const fs::path moos = folder.path() / "alpha.moos";
   std::ofstream(moos) << "ServerPort = 9000\nCommunity = alpha\nProcessConfig = ANTLER\n{\n"
-                         "  Run = MOOSDB\n  Run = pHelmIvP\n  Run = uSimMarine\n}\n"
+                         "  Run = MOOSDB\n  Run = pHelmIvP\n  Run = pRealm\n  Run = uSimMarine\n}\n"
                          "ProcessConfig = pHelmIvP\n{\n  behaviors = a.bhv\n}\n"
                          "ProcessConfig = uPokeDB\n{\n  x = 1\n}\n";
   const Checked mission = Check({moos.string()});
