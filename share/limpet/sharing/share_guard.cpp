@@ -23,7 +23,7 @@ ShareGuard::ShareGuard(ShareKey key, Settings settings, std::shared_ptr<Sealer> 
     : key_(std::move(key)), settings_(settings), sealer_(std::move(sealer)), start_(now.steady) {}
 
 Seconds ShareGuard::Oldest(ShareInstant now) const {
-  constexpr Seconds kRounding(0.001);  // of the times in a datagram
+  constexpr Seconds kRounding(2e-6);  // of the times in a datagram
   return std::min(settings_.max_age, now.steady - start_) + kRounding;
 }
 
