@@ -42,11 +42,11 @@ std::uint64_t HashOf(std::string_view kind, std::string_view name) {
   return Get<std::uint64_t>(digest.data());
 }
 
-std::uint64_t Milliseconds(Seconds time) {
-  return static_cast<std::uint64_t>(std::llround(std::max(time.value(), 0.0) * 1e3));
+std::uint64_t Microseconds(Seconds time) {
+  return static_cast<std::uint64_t>(std::llround(std::max(time.value(), 0.0) * 1e6));
 }
-Seconds SecondsOf(std::uint64_t milliseconds) {
-  return Seconds(static_cast<double>(milliseconds) * 1e-3);
+Seconds SecondsOf(std::uint64_t microseconds) {
+  return Seconds(static_cast<double>(microseconds) * 1e-6);
 }
 
 }  // namespace
@@ -78,8 +78,8 @@ ByteBuffer Sealer::Seal(SealedContent::Kind kind, std::uint64_t receiver, ByteVi
   ByteBuffer plain(kHeadSize);
   std::byte* head = Put(plain.data(), static_cast<std::uint8_t>(kind));
   head = Put(head, receiver);
-  head = Put(head, Milliseconds(now.steady - start_));
-  Put(head, Milliseconds(now.unix));
+  head = Put(head, Microseconds(now.steady - start_));
+  Put(head, Microseconds(now.unix));
   plain.insert(plain.end(), body.begin(), body.end());
   unsigned long long size = 0;
   crypto_aead_xchacha20poly1305_ietf_encrypt(Raw(out), &size, Raw(plain.data()), plain.size(),

@@ -7,8 +7,8 @@
 //   20      8     counter: of the sender's datagrams in this run
 //   28      1     kind: 'D' a plain datagram, 'Q' a question for the time, 'A' its answer
 //   29      8     receiver: hash of its name, or of a multicast address; 0 for Q and A
-//   37      8     milliseconds since the sender's start, which no clock turns back
-//   45      8     UNIX time by the sender's clock [ms]
+//   37      8     microseconds since the sender's start, which no clock turns back
+//   45      8     UNIX time by the sender's clock [us]
 //   53      ...   D: the plain datagram; Q: the run asked (16), a random word (8); A: that word
 //   end-16  16    authenticates all of it
 //

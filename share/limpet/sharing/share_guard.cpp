@@ -22,6 +22,11 @@ ShareGuard::ShareGuard(ShareKey key, Settings settings, std::shared_ptr<Sealer> 
                        ShareInstant now)
     : key_(std::move(key)), settings_(settings), sealer_(std::move(sealer)), start_(now.steady) {}
 
+Seconds ShareGuard::Oldest(ShareInstant now) const {
+  constexpr Seconds kRounding(2e-6);  // of the times in a datagram
+  return std::min(settings_.max_age, now.steady - start_) + kRounding;
+}
+
 ShareGuard::Sender* ShareGuard::Find(const ShareRun& run, ShareInstant now) {
   const auto known = senders_.find(run);
   if (known != senders_.end()) {
@@ -76,8 +81,7 @@ void ShareGuard::TakeData(SealedContent content, ShareInstant now, Verdict& verd
     return;
   }
   const Seconds age = now.unix - content.unix;
-  const Seconds most = std::min(settings_.max_age, now.steady - start_);
-  if (age <= most && age >= -settings_.max_age) {
+  if (age <= Oldest(now) && age >= -settings_.max_age) {
     Settle(*sender, std::move(content), std::max(age, Seconds(0.0)), now, verdict);
   } else if (waiting_.size() >= kMostWaiting) {
     verdict.refusal = ShareRefusal::kOverflow;
@@ -89,7 +93,7 @@ void ShareGuard::TakeData(SealedContent content, ShareInstant now, Verdict& verd
 void ShareGuard::Settle(Sender& sender, SealedContent content, Seconds age, ShareInstant now,
                         Verdict& verdict) {
   // Below zero only by what two crystals have drifted apart.
-  if (age > std::min(settings_.max_age, now.steady - start_) || age < -settings_.max_age) {
+  if (age > Oldest(now) || age < -settings_.max_age) {
     verdict.refusal = ShareRefusal::kStale;
   } else if (!sender.window.IsNew(content.counter)) {
     verdict.refusal = ShareRefusal::kReplayed;

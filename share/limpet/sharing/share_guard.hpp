@@ -67,6 +67,8 @@ class ShareGuard {
   void Settle(Sender& sender, SealedContent content, Seconds age, ShareInstant now,
               Verdict& verdict);
   void Ask(Sender& sender, const ShareRun& run, ShareInstant now, Verdict& verdict) const;
+  /// The greatest age that is let in.
+  [[nodiscard]] Seconds Oldest(ShareInstant now) const;
   [[nodiscard]] Sender* Find(const ShareRun& run, ShareInstant now);
 
   ShareKey key_;
