@@ -24,7 +24,7 @@ class BHV_RevisitOpi final : public Behavior {
     double settled_entropy = 0.25;
     int settled_looks = 2;
     double fruitless_decay = 0.5;
-    int give_up_looks = 4;
+    int give_up_looks = 3;
     template <class Visitor>
     void Describe(Visitor& visit) {
       visit("metres_per_nat", metres_per_nat, "Path worth flying to learn one nat of status",

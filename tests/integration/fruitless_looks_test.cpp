@@ -37,6 +37,7 @@ class FruitlessLooksTest : public ::testing::Test {
     link_.Send(*app_, topics::kSurveyArea,
                SurveyArea{.north_min = -10, .north_max = 10, .east_min = -10, .east_max = 10});
     link_.Send(*app_, topics::kMapLook, ToMapLook(LookModel{}));
+    link_.Send(*app_, topics::kManualOverride, false);
     link_.Send(*app_, topics::kDeploy, true);
     link_.Send(*app_, topics::kSurveyPhase, std::string("SURVEY"));
     link_.Send(*app_, topics::kMapOpis, OpiBeliefs{{object_}});
