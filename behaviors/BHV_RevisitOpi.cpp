@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "behaviors/BHV_RevisitOpi.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "limpet/helm/registry.hpp"
 #include "limpet/planning/target_tour.hpp"
@@ -33,6 +35,13 @@ double Update(const FourWay& prior, const FourWay& likelihood, FourWay& posterio
   return evidence;
 }
 
+Target TargetOf(const WatchedObject& object, double value = 0.0) {
+  return {.north = object.belief.ned[0],
+          .east = object.belief.ned[1],
+          .window = object.window.value_or(LookWindow{}),
+          .value = value};
+}
+
 }  // namespace
 
 double ExpectedEntropyDrop(const ChangePosterior& now, double detection, double false_alarm) {
@@ -48,21 +57,42 @@ double ExpectedEntropyDrop(const ChangePosterior& now, double detection, double 
   return std::max(0.0, Entropy(prior) - expected);
 }
 
+RevisitInterest BHV_RevisitOpi::InterestIn(const WatchedObject& object,
+                                           const Situation& now) const {
+  const OpiBelief& belief = object.belief;
+  RevisitInterest interest{
+      .id = belief.id, .state = "open", .worth = 0.0, .fruitless = object.fruitless};
+  if (belief.entropy <= params_.settled_entropy || belief.looks >= params_.settled_looks) {
+    interest.state = "settled";
+  } else if (object.fruitless >= params_.give_up_looks) {
+    interest.state = "given_up";
+  } else if (!object.window || !CanBeLookedAt(TargetOf(object), *now.region, now.turn_radius)) {
+    interest.state = "out_of_reach";
+  } else {
+    interest.worth = params_.metres_per_nat *
+                     std::pow(params_.fruitless_decay, object.fruitless) *
+                     ExpectedEntropyDrop(belief.posterior, params_.detection_probability,
+                                         params_.false_alarm_probability);
+  }
+  return interest;
+}
+
+std::vector<RevisitInterest> BHV_RevisitOpi::Interests(const Situation& now) const {
+  std::vector<RevisitInterest> interests;
+  for (const WatchedObject& object : now.objects) {
+    interests.push_back(InterestIn(object, now));
+  }
+  return interests;
+}
+
 SearchObjective BHV_RevisitOpi::Targets(const Situation& now, double weight) const {
   SearchObjective objective;
   objective.target_decay_m = params_.decay.value();
-  for (const OpiBelief& opi : now.opis) {
-    const bool is_settled =
-        opi.entropy <= params_.settled_entropy || opi.looks >= params_.settled_looks;
-    if (is_settled) {
-      continue;
+  for (const WatchedObject& object : now.objects) {
+    const RevisitInterest interest = InterestIn(object, now);
+    if (interest.state == "open") {
+      objective.targets.push_back(TargetOf(object, weight * interest.worth));
     }
-    const double drop = ExpectedEntropyDrop(opi.posterior, params_.detection_probability,
-                                            params_.false_alarm_probability);
-    objective.targets.push_back({.north = opi.ned[0],
-                                 .east = opi.ned[1],
-                                 .radius = params_.look_radius.value(),
-                                 .value = weight * params_.metres_per_nat * drop});
   }
   return objective;
 }
@@ -74,11 +104,8 @@ void BHV_RevisitOpi::Shape(const Situation& now, double weight, SearchObjective&
 }
 
 void BHV_RevisitOpi::Offer(const Situation& now, std::vector<Option>& options) const {
-  std::optional<Option> tour =
-      TargetTour(now.pose, *now.region, Targets(now, 1.0), now.turn_radius);
-  if (tour) {
-    options.push_back(std::move(*tour));
-  }
+  std::ranges::move(TargetTours(now.pose, *now.region, Targets(now, 1.0), now.turn_radius),
+                    std::back_inserter(options));
 }
 
 std::optional<Bid> BHV_RevisitOpi::Value(const Prospect& prospect, const Situation& now) const {
@@ -87,10 +114,18 @@ std::optional<Bid> BHV_RevisitOpi::Value(const Prospect& prospect, const Situati
     return std::nullopt;
   }
   const double worth = TargetValueOf(prospect.path(), targets);
-  return Bid{.value = worth,
-             .why = {{"looks_worth", worth},
-                     {"open_objects", static_cast<double>(targets.targets.size())}},
-             .veto = {}};
+  Bid bid{.value = worth,
+          .why = {{"looks_worth", worth},
+                  {"open_objects", static_cast<double>(targets.targets.size())}},
+          .veto = {}};
+  int fruitless = 0;
+  for (const WatchedObject& object : now.objects) {
+    fruitless += object.fruitless;
+  }
+  if (fruitless > 0) {
+    bid.why.push_back({"fruitless_looks", static_cast<double>(fruitless)});
+  }
+  return bid;
 }
 
 LIMPET_REGISTER_BEHAVIOR(BHV_RevisitOpi);

@@ -71,6 +71,7 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
   Subscribe(topics::kMapDelta, &HelmApp::OnDelta);
   Subscribe(topics::kMapCoverage, &HelmApp::OnCoverage);
   Subscribe(topics::kMapOpis, &HelmApp::OnOpis);
+  Subscribe(topics::kMapLook, &HelmApp::OnLook);
   Subscribe(topics::kSessionPrior, &HelmApp::OnPrior);
   Subscribe(topics::kHelmRejournal, &HelmApp::OnRejournal);
   SubscribeToConditions();
@@ -149,6 +150,7 @@ void HelmApp::Tick(Seconds now) {
     AllStop("ManualOverride");
   } else {
     DecideView(now);
+    TellRevisits(now);
     state.guidance = planner_.Guide(*nav_);
     Steer(state);
   }

@@ -33,6 +33,7 @@ class HelmApp final : public App {
   void OnDelta(const Stamped<GridDelta>& delta) { planner_.Apply(delta.value); }
   void OnCoverage(const Stamped<Coverage>& coverage) { planner_.SetCoverage(coverage.value); }
   void OnOpis(const Stamped<OpiBeliefs>& opis) { planner_.SetOpis(opis.value.opis); }
+  void OnLook(const Stamped<MapLook>& look) { planner_.SetLookModel(look.value); }
   void OnPrior(const Stamped<SessionPrior>& prior);
   void OnRejournal(const Stamped<std::string>&) { journal_.Rejournal(); }
 
@@ -40,6 +41,12 @@ class HelmApp final : public App {
   void PostInitialValues();
   void Post(const std::vector<HelmPost>& posts);
   void DecideView(Seconds now);
+  /// Says which objects still want a look, and which will get none.
+  void TellRevisits(Seconds now);
+  [[nodiscard]] std::string RevisitText() const;
+  void TellFruitless(const HelmRevisits& revisits);
+  /// Raised while `ids` are not empty; says which.
+  void WarnOfObjects(const std::string& id, const std::string& ids, const std::string& what);
   void Steer(const VehicleState& state);
   void AllStop(const std::string& why);
   void PublishState(Seconds now);
@@ -61,6 +68,7 @@ class HelmApp final : public App {
   std::int64_t helm_iteration_ = 0;
   MotionDecision motion_;                  ///< of this iteration
   std::optional<Stamped<HelmBids>> bids_;  ///< of the last view decision
+  HelmRevisits revisits_;                  ///< as last told
   HelmJournal journal_;
   HelmDrawing drawing_;
 };

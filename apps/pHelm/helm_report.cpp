@@ -48,6 +48,9 @@ void HelmApp::Report(ReportLines& report) const {
   report.Pair("Course", TextOr(last_course_deg(), 1, " deg"));
   report.Pair("Speed", TextOr(motion_.speed, 2, " m/s"));
   report.Pair("Depth", TextOr(motion_.depth, 2, " m"));
+  if (!revisits_.objects.empty()) {
+    report.Pair("Objects", RevisitText());
+  }
   report.Blank();
   ReportTable behaviors({"behavior", "type", ">pwt", "state", ">for [s]", ">updates"});
   for (const HelmJournal::Entry& entry : journal_.entries()) {

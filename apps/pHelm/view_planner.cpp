@@ -12,7 +12,9 @@
 namespace limpet {
 
 ViewPlanner::ViewPlanner(const HelmParams& params, Random random)
-    : params_(params), random_(std::move(random)) {}
+    : params_(params),
+      random_(std::move(random)),
+      watch_(params.survey_altitude, params.tracking_allowance) {}
 
 namespace {
 
@@ -46,8 +48,9 @@ void ViewPlanner::SetOpis(const std::vector<OpiBelief>& opis) {
   const auto same_decision = [](const OpiBelief& a, const OpiBelief& b) {
     return a.id == b.id && a.decided == b.decided;
   };
-  objects_changed_ = objects_changed_ || !std::ranges::equal(opis, opis_, same_decision);
-  opis_ = opis;
+  objects_changed_ = objects_changed_ || !std::ranges::equal(opis, watch_.beliefs(), same_decision);
+  watch_.SetBeliefs(opis);
+  are_interests_due_ = true;
 }
 
 void ViewPlanner::Apply(const GridDelta& delta) {
@@ -56,7 +59,12 @@ void ViewPlanner::Apply(const GridDelta& delta) {
   }
 }
 
+double ViewPlanner::Travelled() const {
+  return travelled_ + (has_path_ ? steering_.progress : 0.0);
+}
+
 void ViewPlanner::DropPath() {
+  travelled_ = Travelled();
   has_path_ = false;
   path_ = DubinsPath();
   decided_by_.clear();
@@ -70,7 +78,8 @@ std::optional<Guidance> ViewPlanner::Guide(const NavState& nav) {
   return Guidance{.course = steering_.course,
                   .turn_rate = steering_.turn_rate,
                   .cross_track = steering_.cross_track,
-                  .remaining = steering_.remaining};
+                  .remaining = steering_.remaining,
+                  .purpose = purpose_};
 }
 
 std::string ViewPlanner::CauseToDecide(std::span<const WeightedBehavior> running,
@@ -142,11 +151,13 @@ std::vector<Option> ViewPlanner::SearchOptions(const Situation& now, const Objec
 ViewDecision ViewPlanner::Decide(std::span<const WeightedBehavior> running, const Situation& now) {
   const Objective objective = ObjectiveOf(running, now);
   const bool is_covering = objective.w_cover > 0.0;
-  if (is_covering && params_.planner == "paper") {
+  const bool is_paper = is_covering && params_.planner == "paper";
+  if (is_paper && region_->Outside(now.pose) <= 0.0) {
     return DecideLikeThePaper(now);
   }
   std::vector<Option> options;
-  if (is_covering || !objective.targets.empty()) {
+  // The paper's planner knows no way into the region: there what behaviors offer decides.
+  if (!is_paper && (is_covering || !objective.targets.empty())) {
     options = SearchOptions(now, objective);
   }
   for (const WeightedBehavior& behavior : running) {
@@ -167,7 +178,7 @@ ViewDecision ViewPlanner::DecideLikeThePaper(const Situation& now) {
     paper_ = std::make_unique<PaperPlanner>(paper, *region_, random_);
   }
   ViewDecision decision;
-  decision.chosen = paper_->Next(now.pose, *ground_, opis_, coverage_.seabed);
+  decision.chosen = paper_->Next(now.pose, *ground_, watch_.beliefs(), coverage_.seabed);
   decision.bids.considered = params_.paper_nodes;
   if (decision.chosen) {
     const Pose2 end = decision.chosen->path.end();
@@ -185,8 +196,9 @@ ViewDecision ViewPlanner::DecideLikeThePaper(const Situation& now) {
 }
 
 void ViewPlanner::Follow(const Option& option) {
-  travelled_ += has_path_ ? steering_.progress : 0.0;
+  travelled_ = Travelled();
   path_ = option.path;
+  purpose_ = option.source;
   has_path_ = true;
   ++path_id_;
   const Pose2& start = path_.start();
@@ -194,8 +206,59 @@ void ViewPlanner::Follow(const Option& option) {
   steering_ = {.remaining = path_.length()};
 }
 
+Situation ViewPlanner::SituationOf(const NavState& nav, Seconds now) const {
+  return {.now = now,
+          .pose = StartPose(nav),
+          .ground = ground_.get(),
+          .region = region_.get(),
+          .turn_radius = params_.turning_radius,
+          .home = home_,
+          .objects = watch_.Objects(grid_.get(), seabed_down_),
+          .coverage = coverage_,
+          .travelled = Travelled()};
+}
+
+std::optional<std::vector<RevisitInterest>> ViewPlanner::InterestsIfDue(
+    std::span<const WeightedBehavior> running, const NavState& nav, Seconds now) {
+  if (!are_interests_due_ || !ground_) {
+    return std::nullopt;
+  }
+  are_interests_due_ = false;
+  std::vector<RevisitInterest> interests;
+  const Situation situation = SituationOf(nav, now);
+  for (const WeightedBehavior& behavior : running) {
+    for (RevisitInterest& interest : behavior.behavior->Interests(situation)) {
+      const auto known = std::ranges::find(interests, interest.id, &RevisitInterest::id);
+      if (known == interests.end()) {
+        interests.push_back(std::move(interest));
+      } else if (interest.worth > known->worth) {
+        *known = std::move(interest);
+      }
+    }
+  }
+  return interests;
+}
+
+void ViewPlanner::Promise(std::span<const WeightedBehavior> running, const Situation& now) {
+  std::vector<WatchedObject> open;
+  for (const WeightedBehavior& behavior : running) {
+    for (const RevisitInterest& interest : behavior.behavior->Interests(now)) {
+      const auto object =
+          std::ranges::find(now.objects, interest.id, [](const auto& o) { return o.belief.id; });
+      if (interest.state == "open" && object != now.objects.end()) {
+        open.push_back(*object);
+      }
+    }
+  }
+  watch_.ledger().Promise(path_, open, travelled_);
+}
+
 std::optional<ViewDecision> ViewPlanner::DecideIfDue(std::span<const WeightedBehavior> running,
                                                      const NavState& nav, Seconds now) {
+  if (nav.altitude) {
+    seabed_down_ = nav.down + *nav.altitude;
+  }
+  are_interests_due_ = watch_.ledger().Judge(Travelled()) || are_interests_due_;
   const bool is_wanted = std::ranges::any_of(
       running, [](const WeightedBehavior& b) { return b.behavior->WantsView(); });
   if (!is_wanted || !ground_) {
@@ -207,21 +270,15 @@ std::optional<ViewDecision> ViewPlanner::DecideIfDue(std::span<const WeightedBeh
     return std::nullopt;
   }
   ground_->Update(*grid_);
-  const Situation situation{.now = now,
-                            .pose = StartPose(nav),
-                            .ground = ground_.get(),
-                            .region = region_.get(),
-                            .turn_radius = params_.turning_radius,
-                            .home = home_,
-                            .opis = opis_,
-                            .coverage = coverage_,
-                            .travelled = travelled_};
+  const Situation situation = SituationOf(nav, now);
   ViewDecision decision = Decide(running, situation);
+  are_interests_due_ = true;
   objects_changed_ = false;
   decided_by_.clear();
   std::ranges::transform(running, std::back_inserter(decided_by_), &WeightedBehavior::name);
   if (decision.chosen) {
     Follow(*decision.chosen);
+    Promise(running, situation);
   }
   decision.bids.cause = cause;
   decision.bids.path_id = path_id_;

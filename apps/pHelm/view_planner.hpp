@@ -9,6 +9,7 @@
 
 #include "apps/pHelm/helm_params.hpp"
 #include "limpet/core/random.hpp"
+#include "limpet/helm/object_watch.hpp"
 #include "limpet/helm/view_decision.hpp"
 #include "limpet/planning/line_of_sight.hpp"
 #include "limpet/planning/paper_planner.hpp"
@@ -26,6 +27,7 @@ class ViewPlanner {
   bool SetArea(const SurveyArea& area);
   void SetHome(const HomePoint& home) { home_ = home; }
   void SetOpis(const std::vector<OpiBelief>& opis);
+  void SetLookModel(const MapLook& look) { watch_.SetModel(look); }
   void SetCoverage(const Coverage& coverage) { coverage_ = coverage; }
   void SetFormerSession(bool is_loaded) { has_former_session_ = is_loaded; }
   void Apply(const GridDelta& delta);
@@ -35,6 +37,10 @@ class ViewPlanner {
   /// Decides if a decision is due; the chosen path is then in force.
   [[nodiscard]] std::optional<ViewDecision> DecideIfDue(std::span<const WeightedBehavior> running,
                                                         const NavState& nav, Seconds now);
+  /// What `running` want of each object, the most eager where they differ; nothing if that cannot
+  /// have changed since the last call.
+  [[nodiscard]] std::optional<std::vector<RevisitInterest>> InterestsIfDue(
+      std::span<const WeightedBehavior> running, const NavState& nav, Seconds now);
   /// Forgets the path, e.g. when nobody wants a view any more.
   void DropPath();
 
@@ -42,6 +48,10 @@ class ViewPlanner {
   [[nodiscard]] const std::optional<SurveyArea>& area() const { return area_; }
 
  private:
+  [[nodiscard]] Situation SituationOf(const NavState& nav, Seconds now) const;
+  /// What the chosen path promises to look at, for the ledger.
+  void Promise(std::span<const WeightedBehavior> running, const Situation& now);
+  [[nodiscard]] double Travelled() const;
   [[nodiscard]] std::string CauseToDecide(std::span<const WeightedBehavior> running,
                                           const NavState& nav) const;
   [[nodiscard]] Pose2 StartPose(const NavState& nav) const;
@@ -64,13 +74,16 @@ class ViewPlanner {
   std::unique_ptr<Region> region_;
   std::unique_ptr<PaperPlanner> paper_;
   HomePoint home_;
-  std::vector<OpiBelief> opis_;
+  ObjectWatch watch_;
   Coverage coverage_;
   bool has_former_session_ = false;
 
   DubinsPath path_;
+  std::string purpose_;  ///< of the path: the source of the option that was chosen
   bool has_path_ = false;
   bool objects_changed_ = false;
+  bool are_interests_due_ = false;
+  std::optional<double> seabed_down_;  ///< NED depth of the seabed last measured [m]
   std::vector<std::string>
       decided_by_;  ///< names of behaviors that were running at the last decision
   LineOfSight guidance_;

@@ -33,7 +33,9 @@ SurveyApp::SurveyApp(const AppContext& context, const Params& params)
   Subscribe(topics::kDeploy, &SurveyApp::OnDeploy);
   Subscribe(topics::kReturn, &SurveyApp::OnReturn);
   Subscribe(topics::kMapCoverage, &SurveyApp::OnCoverage);
-  Subscribe(topics::kMapOpis, &SurveyApp::OnOpis);
+  Subscribe(topics::kHelmRevisits, &SurveyApp::OnRevisits);
+  Subscribe(topics::kHelmState, &SurveyApp::OnHelmState);
+  Subscribe(topics::kHelmAllStop, &SurveyApp::OnAllStop);
 }
 
 void SurveyApp::OnDeploy(const Stamped<bool>& deploy) {
@@ -44,14 +46,16 @@ void SurveyApp::OnDeploy(const Stamped<bool>& deploy) {
   }
 }
 
-void SurveyApp::PublishArea() {
-  Publish(topics::kSurveyArea, SurveyArea{.north_min = params_.north_min.value(),
-                                          .north_max = params_.north_max.value(),
-                                          .east_min = params_.east_min.value(),
-                                          .east_max = params_.east_max.value(),
-                                          .margin = params_.margin.value(),
-                                          .object_height_max = params_.object_height_max.value()});
+SurveyArea SurveyApp::Area() const {
+  return {.north_min = params_.north_min.value(),
+          .north_max = params_.north_max.value(),
+          .east_min = params_.east_min.value(),
+          .east_max = params_.east_max.value(),
+          .margin = params_.margin.value(),
+          .object_height_max = params_.object_height_max.value()};
 }
+
+void SurveyApp::PublishArea() { Publish(topics::kSurveyArea, Area()); }
 
 void SurveyApp::Remember() {
   if (!context().runs_live) {
@@ -122,13 +126,8 @@ void SurveyApp::OnCoverage(const Stamped<Coverage>& coverage) {
   }
 }
 
-bool SurveyApp::WantsRevisit(const OpiBelief& opi) const {
-  return opi.entropy > params_.settled_entropy && opi.looks < params_.settled_looks;
-}
-
-bool SurveyApp::HasOpenRevisit() const {
-  return std::ranges::any_of(opis_.opis,
-                             [this](const OpiBelief& opi) { return WantsRevisit(opi); });
+std::ptrdiff_t SurveyApp::OpenRevisits() const {
+  return std::ranges::count(revisits_.objects, "open", &RevisitInterest::state);
 }
 
 double SurveyApp::DistanceHome() const {
@@ -162,11 +161,28 @@ void SurveyApp::AlignAtSurface(Seconds now) {
   Enter(Phase::kDive, now);
 }
 
+void SurveyApp::TrackTransit(Seconds now) {
+  if (transit_.is_over()) {
+    return;
+  }
+  const bool was_outside = transit_.is_under_way();
+  if (transit_.Track(nav_->value, Area())) {
+    last_progress_ = now;
+  }
+  if (was_outside && transit_.is_over()) {
+    ReportEvent("the area is reached");
+  }
+}
+
 void SurveyApp::Survey(Seconds now) {
-  if (CoveredShare(coverage_) >= params_.coverage_target && !HasOpenRevisit()) {
+  TrackTransit(now);
+  if (CoveredShare(coverage_) >= params_.coverage_target && OpenRevisits() == 0) {
     GoHome("coverage target reached", "home", now);
   } else if (now - *deployed_ > params_.max_time) {
     GoHome("out of time", "timeout", now);
+  } else if (now - last_progress_ > params_.stall && !transit_.is_over()) {
+    Warn("TRANSIT_STALLED", "the area has not come nearer for stall_s; going home");
+    GoHome("the area is not reached", "timeout", now);
   } else if (now - last_progress_ > params_.stall) {
     Warn("COVERAGE_STALLED", "coverage has not grown for stall_s; going home short of the target");
     GoHome("coverage stalled", "timeout", now);
@@ -198,7 +214,17 @@ bool SurveyApp::EndsHopeless(Seconds now) {
   return true;
 }
 
+void SurveyApp::WatchHelm(Seconds now) {
+  const auto complaint = IsUnderWay() ? helm_.Complaint(*deployed_, now) : std::nullopt;
+  if (complaint) {
+    Warn("HELM_INACTIVE", *complaint);
+  } else {
+    ClearWarning("HELM_INACTIVE");
+  }
+}
+
 void SurveyApp::Tick(Seconds now) {
+  WatchHelm(now);
   if (IsUnderWay() && !EndsHopeless(now) && nav_) {
     WalkOn(now);
   }
@@ -221,6 +247,7 @@ void SurveyApp::WalkOn(Seconds now) {
                                       params_.altitude_tolerance.value();
       if (is_at_altitude) {
         Enter(Phase::kSurvey, now);
+        TrackTransit(now);
       }
       break;
     }

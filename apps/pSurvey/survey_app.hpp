@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
+#include "apps/pSurvey/helm_watch.hpp"
+#include "apps/pSurvey/transit.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/topics/mapping.hpp"
@@ -14,8 +17,8 @@ namespace limpet {
 
 /// The mission manager: announces the area, walks through the phases (align at the surface, dive,
 /// survey, return, ascend, last fix) and ends the mission. The survey ends when the coverage target
-/// is reached and no object still wants a look. Live, it keeps where it is in a file of the run
-/// folder, and goes on from there if it is started again.
+/// is reached and the helm wants no further look at any object (HELM_REVISITS). Live, it keeps
+/// where it is in a file of the run folder, and goes on from there if it is started again.
 class SurveyApp final : public App {
  public:
   struct Params {
@@ -28,8 +31,6 @@ class SurveyApp final : public App {
     Seconds last_fix{300.0};
     double coverage_target = 0.975;
     std::string coverage_kind = "band_top";
-    double settled_entropy = 0.25;
-    int settled_looks = 2;
     Meters home_radius{1.0};
     Meters surface_depth{0.35};
     Seconds stall{240.0};
@@ -63,16 +64,13 @@ class SurveyApp final : public App {
           "coverage_kind", coverage_kind,
           "What the target counts: the bottom, the mean over the band, or its greatest height",
           {"seabed", "band", "band_top"});
-      visit("settled_entropy", settled_entropy,
-            "An object whose status entropy [nats] is below this needs no revisit",
-            InRange(0.0, 1.4));
-      visit("settled_looks", settled_looks, "... or that was looked at this often in the session",
-            InRange(1, 100));
       visit("home_radius_m", home_radius, "Home is reached within this distance",
             InRange(Meters(0.2), Meters(50.0)));
       visit("surface_depth_m", surface_depth, "Shallower than this is at the surface",
             InRange(Meters(0.0), Meters(5.0)));
-      visit("stall_s", stall, "Go home when coverage has not grown for this long",
+      visit("stall_s", stall,
+            "Go home when coverage has not grown, or on the way to the area that has not come "
+            "nearer, for this long",
             InRange(Seconds(10.0), Seconds(86400.0)));
       visit("max_time_s", max_time, "Go home after this time under way",
             InRange(Seconds(10.0), Seconds(864000.0)));
@@ -81,6 +79,12 @@ class SurveyApp final : public App {
       visit("give_up_s", give_up,
             "End the mission where it is if diving, returning or ascending takes longer",
             InRange(Seconds(10.0), Seconds(86400.0)));
+    }
+    /// No mission takes longer, whatever happens: each phase ends by itself, and after `max_time`
+    /// the vehicle goes home. From DEPLOY to MISSION_END.
+    [[nodiscard]] Seconds Longest() const {
+      const Seconds dive_ends = align + give_up;
+      return std::max(max_time, dive_ends) + 2.0 * give_up + lost + last_fix;
     }
   };
 
@@ -95,12 +99,19 @@ class SurveyApp final : public App {
   void OnDeploy(const Stamped<bool>& deploy);
   void OnReturn(const Stamped<bool>& request);
   void OnCoverage(const Stamped<Coverage>& coverage);
-  void OnOpis(const Stamped<OpiBeliefs>& opis) { opis_ = opis.value; }
+  void OnHelmState(const Stamped<std::string>& state) { helm_.HearState(state.value, now()); }
+  void OnAllStop(const Stamped<std::string>& why) { helm_.HearAllStop(why.value, now()); }
+  void OnRevisits(const Stamped<HelmRevisits>& revisits) { revisits_ = revisits.value; }
 
   void Enter(Phase phase, Seconds now);
   void GoHome(const std::string& reason, const std::string& ended, Seconds now);
   void AlignAtSurface(Seconds now);
   void Survey(Seconds now);
+  /// On the way to the area coming nearer to it is progress, as new ground is inside.
+  void TrackTransit(Seconds now);
+  /// Warns while nobody steers.
+  void WatchHelm(Seconds now);
+  [[nodiscard]] SurveyArea Area() const;
   void EndMission(Seconds now);
   void WalkOn(Seconds now);
   [[nodiscard]] bool IsUnderWay() const;
@@ -112,8 +123,8 @@ class SurveyApp final : public App {
   /// Area, home and phase, for those who have come or come back.
   void TellAgain(Seconds now);
   [[nodiscard]] static const char* NameOf(Phase phase);
-  [[nodiscard]] bool WantsRevisit(const OpiBelief& opi) const;
-  [[nodiscard]] bool HasOpenRevisit() const;
+  /// Objects that the helm still wants to look at.
+  [[nodiscard]] std::ptrdiff_t OpenRevisits() const;
   [[nodiscard]] std::optional<Seconds> TimeToTarget() const;
   [[nodiscard]] double CoveredShare(const Coverage& coverage) const;
   [[nodiscard]] double DistanceHome() const;
@@ -124,11 +135,13 @@ class SurveyApp final : public App {
   Seconds told_;
   std::optional<Seconds> deployed_;
   Seconds last_progress_;
+  Transit transit_;
+  HelmWatch helm_;
   double best_share_ = 0.0;
   std::optional<Stamped<NavState>> nav_;
   std::optional<HomePoint> home_;
   Coverage coverage_;
-  OpiBeliefs opis_;
+  HelmRevisits revisits_;
   std::string ended_ = "home";
 };
 

@@ -31,12 +31,14 @@ void SurveyApp::Report(ReportLines& report) const {
   }
   report.Pair("Covered", fmt::format("{:.1f} % of {:.1f} % ({})", 100.0 * CoveredShare(coverage_),
                                      100.0 * params_.coverage_target, params_.coverage_kind));
+  if (phase_ == Phase::kSurvey && transit_.is_under_way()) {
+    report.Pair("Transit", fmt::format("{:.0f} m to the area", transit_.to_go_m()));
+  }
   const auto left = TimeToTarget();
   report.Pair("To go", left ? fmt::format("about {:.0f} s at the mean rate so far", left->value())
                             : "not known");
-  const auto open =
-      std::ranges::count_if(opis_.opis, [this](const OpiBelief& opi) { return WantsRevisit(opi); });
-  report.Pair("Objects", fmt::format("{}, {} still want a look", opis_.opis.size(), open));
+  report.Pair("Objects", fmt::format("{}, {} still want a look", revisits_.objects.size(),
+                                     OpenRevisits()));
   if (home_ && nav_) {
     report.Pair("Home", fmt::format("north {:.1f}, east {:.1f} m, {:.1f} m away", home_->north,
                                     home_->east, DistanceHome()));

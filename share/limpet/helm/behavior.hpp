@@ -60,6 +60,11 @@ class Behavior {
 
   /// True if it bids for looks at objects: left out when a survey is to weigh coverage alone.
   [[nodiscard]] virtual bool IsAboutObjects() const { return false; }
+  /// What it wants of each object now; nothing from behaviors that are not about objects.
+  [[nodiscard]] virtual std::vector<RevisitInterest> Interests(const Situation& now) const {
+    static_cast<void>(now);
+    return {};
+  }
   /// True if a view decision is wanted while this behavior runs.
   [[nodiscard]] virtual bool WantsView() const { return false; }
   /// Adds this behavior's terms, times `weight`, to what the option search looks for.

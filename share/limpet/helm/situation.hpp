@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "limpet/core/units.hpp"
@@ -11,6 +12,7 @@
 #include "limpet/planning/option.hpp"
 #include "limpet/planning/region.hpp"
 #include "limpet/planning/sight_along.hpp"
+#include "limpet/survey/look.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
@@ -23,6 +25,7 @@ struct Guidance {
   double turn_rate = 0.0;    ///< feed-forward [rad/s], starboard positive
   double cross_track = 0.0;  ///< starboard of the path positive [m]
   double remaining = 0.0;    ///< path left [m]
+  std::string purpose{};     ///< source of the option that the path was, e.g. home
 };
 
 /// For "how now".
@@ -33,6 +36,14 @@ struct VehicleState {
   std::optional<SurveyArea> area;
 };
 
+/// An object as the helm weighs it.
+struct WatchedObject {
+  OpiBelief belief{};
+  /// Where it must lie below the vehicle to be looked at; absent: not seen from survey altitude.
+  std::optional<LookWindow> window{};
+  int fruitless = 0;  ///< looks planned and flown since the belief last changed
+};
+
 /// For "where next". Pointers are never null and outlive the decision.
 struct Situation {
   Seconds now;
@@ -41,7 +52,7 @@ struct Situation {
   const Region* region = nullptr;
   Meters turn_radius{3.0};
   HomePoint home;
-  std::vector<OpiBelief> opis;
+  std::vector<WatchedObject> objects;
   Coverage coverage;
   double travelled = 0.0;  ///< path since the helm first decided [m]
 };

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <tuple>
 
@@ -25,8 +24,8 @@ struct Node {
   double curvature = 0.0;
   int opening = -1;  ///< index of the first motion
   double value = 0.0;
-  std::uint32_t targets_seen = 0;  ///< bit per target
   std::size_t change_begin = 0, change_end = 0;
+  std::size_t seen_begin = 0, seen_end = 0;  ///< targets that this motion is the first to see
 };
 
 using Bin = std::tuple<int, int, int>;
@@ -48,7 +47,7 @@ class Search {
         swath_(ground.swath()) {
     const double tight = 1.0 / params.turn_radius.value();
     curvatures_ = {0.0, -0.5 * tight, 0.5 * tight, -tight, tight};
-    target_count_ = std::min<std::size_t>(objective.targets.size(), Objective::kMaxTargets);
+    FindTargetsInReach(start);
     nodes_.push_back({.pose = start});
     beam_.push_back(0);
   }
@@ -91,6 +90,18 @@ class Search {
   }
 
  private:
+  /// Of many targets a horizon's length shows few: the rest costs nothing.
+  void FindTargetsInReach(const Pose2& start) {
+    for (const Target& target : objective_.targets) {
+      const double reach =
+          params_.horizon.value() + target.window.half_along + target.window.half_across;
+      if (std::hypot(target.north - start.north, target.east - start.east) <= reach) {
+        targets_.push_back(target);
+      }
+    }
+    is_seen_.resize(targets_.size());
+  }
+
   void Expand(int index, int depth) {
     Restore(index);
     const std::size_t mark = workspace_.Mark();
@@ -105,8 +116,7 @@ class Search {
                 .parent = index,
                 .curvature = curvature,
                 .opening = depth == 0 ? static_cast<int>(i) : from.opening,
-                .value = from.value - motion.length,
-                .targets_seen = from.targets_seen};
+                .value = from.value - motion.length};
       const NewSight gain = workspace_.Sweep(from.pose, motion);
       next.value += objective_.w_cover * gain.new_area / swath_ -
                     objective_.w_frontier * gain.frontier_growth -
@@ -121,9 +131,10 @@ class Search {
     }
   }
 
-  /// Brings the workspace to the state after the motions that lead to `index`.
+  /// Brings workspace and seen targets to the state after the motions that lead to `index`.
   void Restore(int index) {
     workspace_.Rewind(0);
+    std::fill(is_seen_.begin(), is_seen_.end(), false);
     chain_.clear();
     for (int i = index; i > 0; i = nodes_[static_cast<std::size_t>(i)].parent) {
       chain_.push_back(i);
@@ -132,24 +143,27 @@ class Search {
       const Node& node = nodes_[static_cast<std::size_t>(*i)];
       workspace_.Replay(
           std::span(changes_).subspan(node.change_begin, node.change_end - node.change_begin));
+      for (std::size_t k = node.seen_begin; k < node.seen_end; ++k) {
+        is_seen_[seen_[k]] = true;
+      }
     }
   }
 
-  void SeeTargets(const Pose2& from, const PathSegment& motion, double s_before, Node& next) const {
-    for (std::size_t i = 0; i < target_count_; ++i) {
-      const std::uint32_t bit = 1U << i;
-      const Target& target = objective_.targets[i];
-      for (double s = SightWorkspace::kStep;
-           (next.targets_seen & bit) == 0 && s <= motion.length + 1e-9;
+  void SeeTargets(const Pose2& from, const PathSegment& motion, double s_before, Node& next) {
+    next.seen_begin = seen_.size();
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      const Target& target = targets_[i];
+      for (double s = SightWorkspace::kStep; !is_seen_[i] && s <= motion.length + 1e-9;
            s += SightWorkspace::kStep) {
-        const Pose2 pose = Advance(from, motion.curvature, s);
-        if (std::hypot(pose.north - target.north, pose.east - target.east) <= target.radius) {
-          next.targets_seen |= bit;
+        if (target.IsSeenFrom(Advance(from, motion.curvature, s))) {
+          seen_.push_back(i);
           next.value +=
               target.value * std::max(0.0, 1.0 - (s_before + s) / objective_.target_decay_m);
+          break;
         }
       }
     }
+    next.seen_end = seen_.size();
   }
 
   /// The best candidates, one per place, become the beam.
@@ -209,7 +223,9 @@ class Search {
   SightWorkspace workspace_;
   double swath_;
   std::array<double, 5> curvatures_{};
-  std::size_t target_count_ = 0;
+  std::vector<Target> targets_;  ///< those in reach
+  std::vector<bool> is_seen_;    ///< of these, by the motions up to the node at hand
+  std::vector<std::size_t> seen_;
   std::vector<Node> nodes_, candidates_;
   std::vector<int> beam_, chain_;
   std::vector<SightWorkspace::Change> changes_;

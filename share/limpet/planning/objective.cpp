@@ -11,18 +11,33 @@ constexpr double kTargetStep = 0.25;
 
 }  // namespace
 
+bool Target::IsSeenFrom(const Pose2& pose) const {
+  const double dn = north - pose.north;
+  const double de = east - pose.east;
+  const double reach = window.half_along + window.half_across;  // beyond it nothing needs turning
+  if (std::abs(dn) > reach || std::abs(de) > reach) {
+    return false;
+  }
+  const double c = std::cos(pose.yaw);
+  const double s = std::sin(pose.yaw);
+  return window.Contains(dn * c + de * s, -dn * s + de * c);
+}
+
+std::optional<double> FirstLook(const DubinsPath& path, const Target& target) {
+  std::optional<double> first;
+  path.Sample(kTargetStep, [&](const Pose2& pose, double s) {
+    if (!first && target.IsSeenFrom(pose)) {
+      first = s;
+    }
+  });
+  return first;
+}
+
 double TargetValueOf(const DubinsPath& path, const Objective& objective) {
   double value = 0.0;
   for (const Target& target : objective.targets) {
-    double first = -1.0;
-    path.Sample(kTargetStep, [&](const Pose2& pose, double s) {
-      if (first < 0.0 &&
-          std::hypot(pose.north - target.north, pose.east - target.east) <= target.radius) {
-        first = s;
-      }
-    });
-    if (first >= 0.0) {
-      value += target.value * std::max(0.0, 1.0 - first / objective.target_decay_m);
+    if (const std::optional<double> first = FirstLook(path, target)) {
+      value += target.value * std::max(0.0, 1.0 - *first / objective.target_decay_m);
     }
   }
   return value;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <initializer_list>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -12,18 +14,28 @@
 namespace limpet {
 namespace {
 
-constexpr std::size_t kMostStops = 8;
-constexpr int kArrivalHeadings = 8;
-/// Passing to one side is enough when that is within this share of the target's radius.
-constexpr double kOffsetShare = 0.7;
+struct TargetStop {
+  double north, east;
+  Stop passes;
+};
 
-Stop PassesOf(const Target& target, const Region& region, Meters turn_radius) {
+/// Stops ordered together: the work grows with the square of them.
+constexpr std::size_t kStopsAtOnce = 8;
+constexpr int kArrivalHeadings = 8;
+/// Passing to one side is enough when that is within this share of the window's half width.
+constexpr double kOffsetShare = 0.7;
+/// As far to one side as still shows it: for places that can only be seen from the border.
+constexpr double kFarOffsetShare = 0.95;
+
+Stop PassesAt(const Target& target, const Region& region, Meters turn_radius,
+              std::initializer_list<double> sides) {
   Stop stop;
   for (int heading = 0; heading < kArrivalHeadings; ++heading) {
     const double yaw = 2.0 * std::numbers::pi * heading / kArrivalHeadings;
-    for (const double side : {0.0, -kOffsetShare, kOffsetShare}) {
-      const Pose2 pose{target.north - side * target.radius * std::sin(yaw),
-                       target.east + side * target.radius * std::cos(yaw), yaw};
+    for (const double side : sides) {
+      const double aside = side * target.window.half_across;
+      const Pose2 pose{target.north - aside * std::sin(yaw), target.east + aside * std::cos(yaw),
+                       yaw};
       const Pose2 backwards{pose.north, pose.east, yaw + std::numbers::pi};
       if (region.IsRecoverable(pose, turn_radius) && region.IsRecoverable(backwards, turn_radius)) {
         stop.push_back({.in = pose, .length = 0.0});
@@ -33,36 +45,70 @@ Stop PassesOf(const Target& target, const Region& region, Meters turn_radius) {
   return stop;
 }
 
-}  // namespace
+Stop PassesOf(const Target& target, const Region& region, Meters turn_radius) {
+  Stop stop = PassesAt(target, region, turn_radius, {0.0, -kOffsetShare, kOffsetShare});
+  return stop.empty() ? PassesAt(target, region, turn_radius, {-kFarOffsetShare, kFarOffsetShare})
+                      : stop;
+}
 
-std::optional<Option> TargetTour(const Pose2& start, const Region& region,
-                                 const Objective& objective, Meters turn_radius) {
-  std::vector<Target> nearest = objective.targets;
-  std::stable_sort(nearest.begin(), nearest.end(), [&start](const Target& a, const Target& b) {
-    return std::hypot(a.north - start.north, a.east - start.east) <
-           std::hypot(b.north - start.north, b.east - start.east);
+/// Moves the stops nearest to `from` out of `stops`.
+std::vector<Stop> TakeNearest(const Pose2& from, std::vector<TargetStop>& stops) {
+  std::stable_sort(stops.begin(), stops.end(), [&from](const TargetStop& a, const TargetStop& b) {
+    return std::hypot(a.north - from.north, a.east - from.east) <
+           std::hypot(b.north - from.north, b.east - from.east);
   });
-  nearest.resize(std::min(nearest.size(), kMostStops));
-  std::vector<Stop> stops;
-  for (const Target& target : nearest) {
-    Stop stop = PassesOf(target, region, turn_radius);
-    if (!stop.empty()) {
-      stops.push_back(std::move(stop));
-    }
+  const auto taken = static_cast<std::ptrdiff_t>(std::min(stops.size(), kStopsAtOnce));
+  std::vector<Stop> nearest;
+  for (auto stop = stops.begin(); stop != stops.begin() + taken; ++stop) {
+    nearest.push_back(std::move(stop->passes));
   }
-  if (stops.empty()) {
-    return std::nullopt;
-  }
+  stops.erase(stops.begin(), stops.begin() + taken);
+  return nearest;
+}
+
+/// A tour of `stops` that stays inside: cut before the first motion that does not.
+DubinsPath TourInside(const Pose2& start, const std::vector<Stop>& stops, const Region& region,
+                      Meters turn_radius) {
   PassTour tour = PlanPassTour(start, stops, region, turn_radius);
   for (std::size_t i = tour.reached.size(); i-- > 0 && !region.Contains(tour.path);) {
     tour.path = tour.path.Prefix(i > 0 ? tour.reached[i - 1] : 0.0);
   }
-  if (tour.path.length() == 0.0) {
-    return std::nullopt;
+  return tour.path;
+}
+
+Option TourOption(const DubinsPath& path, const Objective& objective) {
+  return {.source = "tour",
+          .path = path,
+          .estimate = TargetValueOf(path, objective) - path.length()};
+}
+
+}  // namespace
+
+bool CanBeLookedAt(const Target& target, const Region& region, Meters turn_radius) {
+  return !PassesOf(target, region, turn_radius).empty();
+}
+
+std::vector<Option> TargetTours(const Pose2& start, const Region& region,
+                                const Objective& objective, Meters turn_radius) {
+  std::vector<TargetStop> stops;
+  for (const Target& target : objective.targets) {
+    Stop passes = PassesOf(target, region, turn_radius);
+    if (!passes.empty()) {
+      stops.push_back({target.north, target.east, std::move(passes)});
+    }
   }
-  return Option{.source = "tour",
-                .path = tour.path,
-                .estimate = TargetValueOf(tour.path, objective) - tour.path.length()};
+  std::vector<Option> tours;
+  DubinsPath path(start);
+  while (!stops.empty() && path.length() < objective.target_decay_m) {
+    const std::vector<Stop> next = TakeNearest(path.end(), stops);
+    const DubinsPath more = TourInside(path.end(), next, region, turn_radius);
+    if (more.length() == 0.0) {
+      break;
+    }
+    path.Append(more);
+    tours.push_back(TourOption(path, objective));
+  }
+  return tours;
 }
 
 }  // namespace limpet

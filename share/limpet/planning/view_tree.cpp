@@ -152,8 +152,7 @@ class Tree {
     for (std::size_t i = 0; i < objective_.targets.size(); ++i) {
       const Target& target = objective_.targets[i];
       view.edge.Sample(SightWorkspace::kStep, [&](const Pose2& pose, double s) {
-        if (!view.targets_seen[i] &&
-            std::hypot(pose.north - target.north, pose.east - target.east) <= target.radius) {
+        if (!view.targets_seen[i] && target.IsSeenFrom(pose)) {
           view.targets_seen[i] = true;
           value +=
               target.value * std::max(0.0, 1.0 - (length_before + s) / objective_.target_decay_m);

@@ -47,6 +47,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PathSegment, curvature, length)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmPath, id, north, east, yaw, segments, purpose)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OptionBid, behavior, value, weight, has_veto, why)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BiddenOption, source, length, total, rate, end, bids)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RevisitInterest, id, state, worth, fruitless)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmRevisits, objects)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmBids, path_id, cause, considered, options)
 
 template <class T>
@@ -77,5 +79,6 @@ template struct JsonCodec<OpiBeliefs>;
 template struct JsonCodec<SessionPrior>;
 template struct JsonCodec<HelmPath>;
 template struct JsonCodec<HelmBids>;
+template struct JsonCodec<HelmRevisits>;
 
 }  // namespace limpet

@@ -74,6 +74,19 @@ struct HelmBids {
 template <>
 struct TopicCodec<HelmBids> : JsonCodec<HelmBids> {};
 
+/// What the helm still wants of one object, and why.
+struct RevisitInterest {
+  int id = 0;           ///< as OpiBelief::id
+  std::string state{};  ///< open, settled, given_up, out_of_reach
+  double worth = 0.0;   ///< of a look now [m of path], 0 unless open
+  int fruitless = 0;    ///< looks planned and flown since its belief last changed
+};
+struct HelmRevisits {
+  std::vector<RevisitInterest> objects;
+};
+template <>
+struct TopicCodec<HelmRevisits> : JsonCodec<HelmRevisits> {};
+
 /// Normalised thrust of each thruster, -1 to 1, in the order of the vehicle file.
 struct ThrusterCommand {
   double t1 = 0.0, t2 = 0.0, t3 = 0.0, t4 = 0.0, t5 = 0.0, t6 = 0.0;
@@ -111,6 +124,9 @@ inline const auto kHelmPath = Declare<HelmPath>(
 inline const auto kHelmBids = Declare<HelmBids>(
     "HELM_BIDS", "last decision: options, bids, reasons",
     {.unit = "m of path", .frame = "NED", .rate = "on decision", .writers = {"pHelm"}});
+inline const auto kHelmRevisits = Declare<HelmRevisits>(
+    "HELM_REVISITS", "which objects the helm still wants to look at, and why not the others",
+    {.unit = "m of path", .rate = "on change", .writers = {"pHelm"}});
 inline const auto kDesiredHeading = Declare<double>(
     "DESIRED_HEADING", "course to steer",
     {.unit = "deg", .frame = "clockwise from north", .rate = "10 Hz", .writers = {"pHelm"}});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <iterator>
 #include <numbers>
 
 #include "limpet/planning/target_tour.hpp"
@@ -92,9 +93,8 @@ class Flight {
         options.push_back(std::move(option));
       }
     }
-    if (auto tour = TargetTour(pose_, region_, objective_, study_.beam.turn_radius)) {
-      options.push_back(std::move(*tour));
-    }
+    std::ranges::move(TargetTours(pose_, region_, objective_, study_.beam.turn_radius),
+                      std::back_inserter(options));
     std::optional<Option> best;
     double best_rate = 0.0;
     for (const Option& option : options) {
@@ -135,7 +135,7 @@ class Flight {
     grid_.Observe(X_WB, study_.altitude, camera_);
     top_.Note(path, grid_.coverage().band_top);
     std::erase_if(objective_.targets, [&pose](const Target& target) {
-      return std::hypot(pose.north - target.north, pose.east - target.east) <= target.radius;
+      return target.IsSeenFrom(pose);
     });
     if (study_.is_change && objective_.targets.empty() && !result_.targets_seen) {
       result_.targets_seen = path;
@@ -174,7 +174,7 @@ std::vector<Target> FormerObjects(double value) {
   std::vector<Target> targets;
   for (const auto& [north, east] :
        {std::pair{4.0, 1.0}, std::pair{2.0, 10.0}, std::pair{6.0, -3.0}, std::pair{-6.0, -5.0}}) {
-    targets.push_back({.north = north, .east = east, .radius = 1.5, .value = value});
+    targets.push_back({.north = north, .east = east, .window = {1.5, 1.5}, .value = value});
   }
   return targets;
 }

@@ -36,11 +36,11 @@ class SurveyAppTest : public ::testing::Test {
     link_.Send(app_, topics::kNavState, *nav_);
   }
   std::string Phase() { return link_.Last(topics::kSurveyPhase).value_or("IDLE"); }
-  void ReachSurvey() {
-    Nav(-12.0, -15.0, 0.0, 7.5);
+  void ReachSurvey(double north = -12.0) {
+    Nav(north, -15.0, 0.0, 7.5);
     link_.Send(app_, topics::kDeploy, true);
     Tick(SurveyApp::Params{}.align.value() + 1.0);
-    Nav(-12.0, -15.0, 3.5, 4.0);
+    Nav(north, -15.0, 3.5, 4.0);
     Tick(1.0);
   }
   void ReachTarget() { link_.Send(app_, topics::kMapCoverage, Coverage{0.99, 0.99, 0.99}); }
@@ -73,12 +73,18 @@ TEST_F(SurveyAppTest, GoesHomeWhenTheTargetIsReachedAndNothingIsOpen) {
 TEST_F(SurveyAppTest, StaysWhileAnObjectStillWantsALook) {
   ReachSurvey();
   ReachTarget();
-  OpiBelief open;
-  open.id = 1;
-  open.entropy = 0.6;
-  link_.Send(app_, topics::kMapOpis, OpiBeliefs{{open}});
+  link_.Send(app_, topics::kHelmRevisits, HelmRevisits{{{.id = 1, .state = "open"}}});
   Tick(1.0);
   EXPECT_EQ(Phase(), "SURVEY");
+}
+
+TEST_F(SurveyAppTest, DoesNotWaitForAnObjectThatTheHelmHasGivenUp) {
+  ReachSurvey();
+  ReachTarget();
+  link_.Send(app_, topics::kHelmRevisits,
+             HelmRevisits{{{.id = 1, .state = "given_up"}, {.id = 2, .state = "out_of_reach"}}});
+  Tick(1.0);
+  EXPECT_EQ(Phase(), "RETURN");
 }
 
 TEST_F(SurveyAppTest, GoesHomeShortOfTheTargetWhenCoverageStalls) {
@@ -86,6 +92,35 @@ TEST_F(SurveyAppTest, GoesHomeShortOfTheTargetWhenCoverageStalls) {
   Tick(241.0);
   EXPECT_EQ(Phase(), "RETURN");
   EXPECT_TRUE(app_.warnings().contains("COVERAGE_STALLED"));
+}
+
+TEST_F(SurveyAppTest, DoesNotTakeTheWayToTheAreaForAStall) {
+  ReachSurvey(-140.0);
+  for (double north = -140.0; north < -17.0; north += 10.0) {  // at half a metre per second
+    Nav(north, 0.0, 3.5, 4.0);
+    Tick(20.0);
+    ASSERT_EQ(Phase(), "SURVEY") << "at north " << north;
+  }
+  EXPECT_FALSE(app_.warnings().contains("TRANSIT_STALLED"));
+  Nav(-10.0, 0.0, 3.5, 4.0);
+  Tick(1.0);
+  Tick(241.0);  // inside, the stall clock runs as ever
+  EXPECT_TRUE(app_.warnings().contains("COVERAGE_STALLED"));
+}
+
+TEST_F(SurveyAppTest, GoesHomeWhenTheAreaComesNoNearer) {
+  ReachSurvey(-140.0);
+  Tick(241.0);
+  EXPECT_EQ(Phase(), "RETURN");
+  EXPECT_TRUE(app_.warnings().contains("TRANSIT_STALLED"));
+}
+
+TEST_F(SurveyAppTest, SaysHowFarItIsToTheArea) {
+  ReachSurvey(-57.0);
+  Tick(1.0);
+  ReportLines lines;
+  app_.Report(lines);
+  EXPECT_THAT(lines.Text(), testing::HasSubstr("Transit:      40 m to the area"));
 }
 
 TEST_F(SurveyAppTest, ObeysReturnAndSaysAborted) {
@@ -113,6 +148,30 @@ TEST_F(SurveyAppTest, EndsAtTheSurfaceAtHome) {
   EXPECT_FALSE(link_.Last(topics::kMissionEnd).has_value());
   Tick(SurveyApp::Params{}.last_fix.value() + 1.0);
   EXPECT_EQ(link_.Last(topics::kMissionEnd), "home");
+}
+
+TEST_F(SurveyAppTest, WarnsWhileNobodySteers) {
+  ReachSurvey();
+  const auto hear = [this](const std::string& state, const std::string& all_stop) {
+    link_.Send(app_, topics::kHelmAllStop, all_stop);
+    link_.Send(app_, topics::kHelmState, state);
+    Tick(1.0);
+  };
+  hear("DRIVE", "clear");
+  EXPECT_FALSE(app_.warnings().contains("HELM_INACTIVE"));
+  Tick(11.0);
+  EXPECT_THAT(app_.warnings().at("HELM_INACTIVE"), testing::HasSubstr("nothing is heard"));
+  hear("DRIVE", "clear");
+  EXPECT_FALSE(app_.warnings().contains("HELM_INACTIVE"));
+  for (int i = 0; i < 12; ++i) {
+    hear("DRIVE", "NothingToDo");
+  }
+  EXPECT_THAT(app_.warnings().at("HELM_INACTIVE"), testing::HasSubstr("NothingToDo"));
+}
+
+TEST_F(SurveyAppTest, SaysNothingOfTheHelmBeforeItIsDeployed) {
+  Tick(100.0);
+  EXPECT_TRUE(app_.warnings().empty());
 }
 
 TEST_F(SurveyAppTest, EndsLostWhenNavigationFallsSilent) {

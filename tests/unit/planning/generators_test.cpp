@@ -77,7 +77,7 @@ TEST(BeamSearch, IsDeterministic) {
 TEST(BeamSearch, ItsEstimateIsTheObjectiveOfItsPath) {
   const HalfSeen scene;
   Objective objective = Defaults();
-  objective.targets = {{.north = -3.0, .east = -12.0, .radius = 1.5, .value = 30.0}};
+  objective.targets = {{.north = -3.0, .east = -12.0, .window = {1.5, 1.5}, .value = 30.0}};
   SightAlong sight(scene.ground);
   for (const Option& option :
        BeamSearch(kStart, scene.ground, kSceneRegion, objective, {.offers = 5})) {
@@ -100,7 +100,7 @@ TEST(BeamSearch, GoesToAValuableTargetFirst) {
   const SurveyGrid grid(kArea);
   const Ground ground(grid, scene::TableFootprint());
   Objective objective = Defaults();
-  objective.targets = {{.north = -6.0, .east = -5.0, .radius = 1.5, .value = 80.0}};
+  objective.targets = {{.north = -6.0, .east = -5.0, .window = {1.5, 1.5}, .value = 80.0}};
   const auto offers = BeamSearch(kStart, ground, kSceneRegion, objective, {});
   ASSERT_FALSE(offers.empty());
   EXPECT_GT(TargetValueOf(offers.front().path, objective), 60.0);
@@ -154,22 +154,73 @@ TEST(GapPaths, OfferNothingWhenAllIsSeen) {
   EXPECT_TRUE(GapPaths(kStart, ground, kSceneRegion, Defaults(), {}).empty());
 }
 
-TEST(TargetTour, PassesEveryFormerObjectOfTable1Early) {
+TEST(TargetTours, PassesEveryFormerObjectOfTable1Early) {
   Objective objective;
   for (const auto& [north, east] :
        {std::pair{4.0, 1.0}, std::pair{2.0, 10.0}, std::pair{6.0, -3.0}, std::pair{-6.0, -5.0}}) {
-    objective.targets.push_back({.north = north, .east = east, .radius = 1.5, .value = 1.0});
+    objective.targets.push_back({.north = north, .east = east, .window = {1.5, 1.5}, .value = 1.0});
   }
   objective.target_decay_m = 1e9;
-  const auto tour = TargetTour(kStart, kSceneRegion, objective, kRadius);
-  ASSERT_TRUE(tour.has_value());
-  EXPECT_NEAR(TargetValueOf(tour->path, objective), 4.0, 1e-6);
-  EXPECT_LT(tour->path.length(), 45.0);
-  EXPECT_TRUE(kSceneRegion.Contains(tour->path));
+  const std::vector<Option> tours = TargetTours(kStart, kSceneRegion, objective, kRadius);
+  ASSERT_EQ(tours.size(), 1U);
+  EXPECT_NEAR(TargetValueOf(tours.front().path, objective), 4.0, 1e-6);
+  EXPECT_LT(tours.front().path.length(), 45.0);
+  EXPECT_TRUE(kSceneRegion.Contains(tours.front().path));
 }
 
-TEST(TargetTour, IsNothingWithoutTargets) {
-  EXPECT_FALSE(TargetTour(kStart, kSceneRegion, Objective{}, kRadius).has_value());
+/// Targets on a square grid, 3 m apart.
+Objective ManyTargets(int rows, int columns) {
+  Objective objective;
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      objective.targets.push_back({.north = -12.0 + 3.0 * row,
+                                   .east = -15.0 + 3.0 * column,
+                                   .window = {1.5, 1.5},
+                                   .value = 5.0});
+    }
+  }
+  objective.target_decay_m = 1e6;
+  return objective;
+}
+
+TEST(TargetTours, GoOnBeyondTheFirstEightStops) {
+  const Objective objective = ManyTargets(5, 6);
+  const std::vector<Option> tours = TargetTours(kStart, kSceneRegion, objective, kRadius);
+  ASSERT_EQ(tours.size(), 4U);
+  EXPECT_NEAR(TargetValueOf(tours.back().path, objective), 30 * 5.0, 1.0);
+  EXPECT_TRUE(kSceneRegion.Contains(tours.back().path));
+}
+
+TEST(TargetTours, EndWhereALookIsWorthNothingAnyMore) {
+  Objective objective = ManyTargets(5, 6);
+  objective.target_decay_m = 20.0;
+  EXPECT_EQ(TargetTours(kStart, kSceneRegion, objective, kRadius).size(), 1U);
+}
+
+TEST(TargetTours, LookFromTheBorderAtWhatLiesBeyondIt) {
+  const Target beside{.north = 18.5, .east = 0.0, .window = {1.0, 2.0}};  // 1.5 m outside
+  EXPECT_TRUE(CanBeLookedAt(beside, kSceneRegion, kRadius));
+  const Target beyond{.north = 20.0, .east = 0.0, .window = {1.0, 2.0}};
+  EXPECT_FALSE(CanBeLookedAt(beyond, kSceneRegion, kRadius));
+}
+
+TEST(BeamSearch, SeesEveryTargetHoweverManyThereAre) {
+  const SurveyGrid grid(kArea);
+  const Ground ground(grid, scene::TableFootprint());
+  Objective objective = Defaults();
+  objective.w_cover = objective.w_frontier = 0.0;
+  for (int i = 0; i < 40; ++i) {  // of no worth, and first in the list
+    objective.targets.push_back({.north = 14.0, .east = 17.0, .window = {0.5, 0.5}});
+  }
+  objective.targets.push_back(
+      {.north = -12.5, .east = 0.0, .window = {1.5, 1.5}, .value = 80.0});
+  const auto offers = BeamSearch(kStart, ground, kSceneRegion, objective, {});
+  ASSERT_FALSE(offers.empty());
+  EXPECT_GT(TargetValueOf(offers.front().path, objective), 60.0);
+}
+
+TEST(TargetTours, IsNothingWithoutTargets) {
+  EXPECT_TRUE(TargetTours(kStart, kSceneRegion, Objective{}, kRadius).empty());
 }
 
 TEST(HomePath, EndsAtHomeAndStaysInside) {

@@ -192,14 +192,14 @@ TEST(Ground, AFullSwathOfNewGroundIsWorthItsLength) {
 TEST(Objective, ATargetIsWorthLessTheLaterItIsPassed) {
   Objective objective;
   objective.target_decay_m = 100.0;
-  objective.targets = {{.north = 20.0, .east = 0.0, .radius = 1.5, .value = 50.0}};
+  objective.targets = {{.north = 20.0, .east = 0.0, .window = {1.5, 1.5}, .value = 50.0}};
   const DubinsPath path({0.0, 0.0, 0.0}, {{.curvature = 0.0, .length = 30.0}});
   EXPECT_NEAR(TargetValueOf(path, objective), 50.0 * (1.0 - 0.185), 0.2);
 }
 
 TEST(Objective, ATargetThatIsNotPassedIsWorthNothing) {
   Objective objective;
-  objective.targets = {{.north = 20.0, .east = 5.0, .radius = 1.5, .value = 50.0}};
+  objective.targets = {{.north = 20.0, .east = 5.0, .window = {1.5, 1.5}, .value = 50.0}};
   const DubinsPath path({0.0, 0.0, 0.0}, {{.curvature = 0.0, .length = 30.0}});
   EXPECT_EQ(TargetValueOf(path, objective), 0.0);
 }

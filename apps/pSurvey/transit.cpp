@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pSurvey/transit.hpp"
+
+#include "limpet/planning/region.hpp"
+
+namespace limpet {
+namespace {
+
+/// Nearer by less is no progress: a vehicle that a current holds sways [m].
+constexpr double kProgressStepM = 1.0;
+
+}  // namespace
+
+bool Transit::Track(const NavState& nav, const SurveyArea& area) {
+  const double outside =
+      Region(area).Outside({.north = nav.north, .east = nav.east, .yaw = nav.yaw});
+  if (outside > 0.0 && outside > to_go_m_ - kProgressStepM) {
+    return false;
+  }
+  to_go_m_ = outside;
+  return true;
+}
+
+}  // namespace limpet

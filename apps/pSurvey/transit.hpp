@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "limpet/topics/mission.hpp"
+#include "limpet/topics/navigation.hpp"
+
+namespace limpet {
+
+/// The way from where the vehicle dived to the area, if that is outside: over once the area or its
+/// margin is reached.
+class Transit {
+ public:
+  /// True if the vehicle has come nearer to the area since the last time, or reached it.
+  bool Track(const NavState& nav, const SurveyArea& area);
+  [[nodiscard]] bool is_over() const { return to_go_m_ <= 0.0; }
+  [[nodiscard]] bool is_under_way() const { return !is_over() && std::isfinite(to_go_m_); }
+  /// The least distance to the area and its margin so far [m]; infinite before the first Track.
+  [[nodiscard]] double to_go_m() const { return to_go_m_; }
+
+ private:
+  double to_go_m_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace limpet

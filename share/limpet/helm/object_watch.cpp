@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/helm/object_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limpet {
+namespace {
+
+std::optional<double> SeabedAt(const SurveyGrid& grid, double north, double east) {
+  const GridFrame& frame = grid.frame();
+  const double row = std::floor((north - frame.north_min) / frame.cell_m);
+  const double column = std::floor((east - frame.east_min) / frame.cell_m);
+  const bool is_inside =
+      row >= 0.0 && row < frame.rows && column >= 0.0 && column < frame.columns;
+  return is_inside ? grid.Seabed(static_cast<int>(row), static_cast<int>(column)) : std::nullopt;
+}
+
+}  // namespace
+
+void ObjectWatch::SetBeliefs(const std::vector<OpiBelief>& beliefs) {
+  beliefs_ = beliefs;
+  ledger_.SetBeliefs(beliefs);
+}
+
+std::optional<LookWindow> ObjectWatch::WindowOf(const OpiBelief& belief,
+                                                std::optional<double> seabed_down) const {
+  if (!model_) {
+    return std::nullopt;
+  }
+  // Where no seabed is known the object is taken to lie on it.
+  const double drop = seabed_down ? belief.ned[2] - (*seabed_down - altitude_) : altitude_;
+  const double place_sigma = std::sqrt(std::max(0.0, 0.5 * (belief.cov[0] + belief.cov[3])));
+  return LookWindowAbove(*model_, drop, allowance_ + place_sigma);
+}
+
+std::vector<WatchedObject> ObjectWatch::Objects(const SurveyGrid* grid,
+                                                std::optional<double> seabed_down) const {
+  std::vector<WatchedObject> objects;
+  for (const OpiBelief& belief : beliefs_) {
+    const std::optional<double> seen =
+        grid != nullptr ? SeabedAt(*grid, belief.ned[0], belief.ned[1]) : std::nullopt;
+    objects.push_back({.belief = belief,
+                       .window = WindowOf(belief, seen ? seen : seabed_down),
+                       .fruitless = ledger_.fruitless(belief.id)});
+  }
+  return objects;
+}
+
+}  // namespace limpet

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/planning/transit_path.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+namespace limpet {
+namespace {
+
+constexpr int kEntryHeadings = 72;
+
+/// The point of [low, high], drawn in by `inset` at both ends, that is nearest to `at`.
+double NearestInside(double at, double low, double high, double inset) {
+  const double middle = 0.5 * (low + high);
+  return std::clamp(at, std::min(low + inset, middle), std::max(high - inset, middle));
+}
+
+}  // namespace
+
+std::optional<Option> TransitPath(const Pose2& start, const Region& region, Meters turn_radius) {
+  // A full turn of this radius fits around the entry, so that some heading is recoverable there.
+  const double inset = turn_radius.value();
+  Pose2 entry{NearestInside(start.north, region.north_min(), region.north_max(), inset),
+              NearestInside(start.east, region.east_min(), region.east_max(), inset), 0.0};
+  std::optional<DubinsPath> best;
+  for (int i = 0; i < kEntryHeadings; ++i) {
+    entry.yaw = 2.0 * std::numbers::pi * i / kEntryHeadings;
+    if (!region.IsRecoverable(entry, turn_radius)) {
+      continue;
+    }
+    DubinsPath path = ShortestDubins(start, entry, turn_radius);
+    if (!best || path.length() < best->length()) {
+      best = std::move(path);
+    }
+  }
+  if (!best) {
+    return std::nullopt;
+  }
+  const double length = best->length();
+  return Option{.source = "transit", .path = *std::move(best), .estimate = -length};
+}
+
+}  // namespace limpet

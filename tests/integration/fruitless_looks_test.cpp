@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// An object of which no look ever tells anything: the helm, with the behaviors of a mission, must
+// not fly over it for ever.
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "apps/pHelm/helm_app.hpp"
+#include "limpet/app/test_link.hpp"
+#include "limpet/core/frames.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The basin's helm and a vehicle that does at once what it asks for.
+class FruitlessLooksTest : public ::testing::Test {
+ protected:
+  FruitlessLooksTest() {
+    AppContext context;
+    context.name = "pHelm";
+    context.link = &link_;
+    context.mission_folder = fs::path(LIMPET_SOURCE_DIR) / "missions" / "basin";
+    HelmApp::Params params;
+    params.survey_altitude = Meters(3.0);
+    params.beam_width = 10;
+    app_ = std::make_unique<HelmApp>(context, params);
+    object_.id = 4;
+    object_.ned = {3.0, 3.0, 5.0};
+    object_.cov = {0.04, 0.0, 0.0, 0.04, 0.0, 0.04};
+    object_.posterior = {.confirmed = 0.5, .removed = 0.5};
+    object_.entropy = std::log(2.0);
+    link_.Send(*app_, topics::kSurveyArea,
+               SurveyArea{.north_min = -10, .north_max = 10, .east_min = -10, .east_max = 10});
+    link_.Send(*app_, topics::kMapLook, ToMapLook(LookModel{}));
+    link_.Send(*app_, topics::kManualOverride, false);
+    link_.Send(*app_, topics::kDeploy, true);
+    link_.Send(*app_, topics::kSurveyPhase, std::string("SURVEY"));
+    link_.Send(*app_, topics::kMapOpis, OpiBeliefs{{object_}});
+  }
+
+  void Sail(double metres) {
+    constexpr double kStep = 0.1;  // [s]
+    for (double sailed = 0.0; sailed < metres; sailed += 0.5 * kStep) {
+      link_.time += Seconds(kStep);
+      link_.Send(*app_, topics::kNavState, nav_);
+      app_->Tick(link_.time);
+      if (const auto heading = link_.Last(topics::kDesiredHeading)) {
+        nav_.yaw = YawFromMoosHeading(*heading);
+        nav_.north += 0.5 * kStep * std::cos(nav_.yaw);
+        nav_.east += 0.5 * kStep * std::sin(nav_.yaw);
+        nearest_ = std::min(nearest_, std::hypot(nav_.north - 3.0, nav_.east - 3.0));
+      }
+    }
+  }
+  [[nodiscard]] double Elapsed() const { return (link_.time - start_).value(); }
+  [[nodiscard]] RevisitInterest Interest() const {
+    const auto told = link_.Last(topics::kHelmRevisits);
+    return told && !told->objects.empty() ? told->objects.front() : RevisitInterest{};
+  }
+
+  TestLink link_;
+  Seconds start_ = link_.time;
+  std::unique_ptr<HelmApp> app_;
+  OpiBelief object_;
+  NavState nav_{.north = -8.0, .east = -8.0, .down = 3.0, .u = 0.5, .altitude = 3.0};
+  double nearest_ = 1e9;
+};
+
+TEST_F(FruitlessLooksTest, HalveTheWorthUntilTheObjectIsGivenUp) {
+  Sail(0.1);
+  EXPECT_EQ(Interest().state, "open");
+  const double worth = Interest().worth;
+  while (Interest().fruitless == 0 && Elapsed() < 2000.0) {
+    Sail(1.0);
+  }
+  EXPECT_NEAR(Interest().worth, 0.5 * worth, 1e-9);
+  EXPECT_LT(nearest_, 1.5);  // it did go there
+  while (Interest().state == "open" && Elapsed() < 4000.0) {
+    Sail(1.0);
+  }
+  EXPECT_EQ(Interest().state, "given_up");
+  EXPECT_TRUE(app_->warnings().contains("OBJECTS_GIVEN_UP"));
+  EXPECT_DOUBLE_EQ(Interest().worth, 0.0);
+}
+
+TEST_F(FruitlessLooksTest, AreSaidInTheBids) {
+  while (Interest().fruitless == 0 && Elapsed() < 2000.0) {
+    Sail(1.0);
+  }
+  Sail(10.0);
+  const HelmBids bids = link_.Last(topics::kHelmBids).value_or(HelmBids{});
+  std::string whys;
+  for (const BiddenOption& option : bids.options) {
+    for (const OptionBid& bid : option.bids) {
+      whys += bid.why + "\n";
+    }
+  }
+  EXPECT_THAT(whys, testing::HasSubstr("fruitless_looks=1.00"));
+}
+
+TEST_F(FruitlessLooksTest, ANewBeliefMakesTheObjectWorthLooksAgain) {
+  while (Interest().fruitless == 0 && Elapsed() < 2000.0) {
+    Sail(1.0);
+  }
+  object_.looks = 1;
+  link_.Send(*app_, topics::kMapOpis, OpiBeliefs{{object_}});
+  Sail(0.1);
+  EXPECT_EQ(Interest().fruitless, 0);
+}
+
+TEST_F(FruitlessLooksTest, AnObjectBeyondTheRegionsReachIsNotWaitedFor) {
+  object_.ned = {18.0, 0.0, 5.0};
+  link_.Send(*app_, topics::kMapOpis, OpiBeliefs{{object_}});
+  Sail(0.1);
+  EXPECT_EQ(Interest().state, "out_of_reach");
+  EXPECT_TRUE(app_->warnings().contains("OBJECTS_OUT_OF_REACH"));
+}
+
+}  // namespace
+}  // namespace limpet
