@@ -89,6 +89,14 @@ void HelmApp::OnArea(const Stamped<SurveyArea>& area) {
   if (planner_.SetArea(area.value) && context().is_restarted) {
     Publish(topics::kMapGridRequest, std::string("pHelm has been restarted"));
   }
+  if (!planner_.SeesWholeBand()) {
+    Warn(
+        "BAND_ABOVE_VIEW",
+        fmt::format("objects {:g} m above the seabed cannot be covered from survey_altitude_m {:g}",
+                    area.value.object_height_max, params_.survey_altitude.value()));
+  } else {
+    ClearWarning("BAND_ABOVE_VIEW");
+  }
   drawing_.DrawArea(area.value);
 }
 
@@ -142,9 +150,6 @@ void HelmApp::Tick(Seconds now) {
   VehicleState state{
       .now = now, .nav = *nav_, .guidance = planner_.Guide(*nav_), .area = planner_.area()};
   Post(host_.Update(state));
-  for (const BehaviorWarning& warning : host_.TakeWarnings()) {
-    Warn(warning.id, warning.text);
-  }
   if (is_parked_) {
     planner_.DropPath();
     AllStop("ManualOverride");
@@ -154,6 +159,7 @@ void HelmApp::Tick(Seconds now) {
     state.guidance = planner_.Guide(*nav_);
     Steer(state);
   }
+  TellBehaviorWarnings();
   if (planner_.path().segments().empty()) {
     drawing_.ErasePath();
   }
@@ -185,13 +191,6 @@ void HelmApp::Steer(const VehicleState& state) {
   const std::vector<WeightedBehavior> bidders = Bidders();
   motion_ = DecideMotion(bidders, state, domain_);
   const MotionDecision& decision = motion_;
-  for (const BehaviorWarning& warning : decision.warnings) {
-    Warn(warning.id, warning.text);
-  }
-  if (decision.warnings.empty()) {
-    ClearWarning("ALTITUDE_LOST");
-    ClearWarning("OUTSIDE_REGION");
-  }
   if (decision.active.empty()) {
     AllStop("NothingToDo");
     return;
@@ -205,6 +204,18 @@ void HelmApp::Steer(const VehicleState& state) {
   Publish(topics::kDesiredSpeed, *decision.speed);
   Publish(topics::kDesiredDepth, *decision.depth);
   Publish(topics::kDesiredTurnRate, decision.turn_rate.value_or(0.0));
+}
+
+void HelmApp::TellBehaviorWarnings() {
+  std::vector<OwnedWarning> raised = motion_.warnings;
+  raised.insert(raised.end(), host_.warnings().begin(), host_.warnings().end());
+  const WarningBook::Change change = warning_book_.Update(raised);
+  for (const std::string& id : change.cleared) {
+    ClearWarning(id);
+  }
+  for (const BehaviorWarning& warning : change.raised) {
+    Warn(warning.id, warning.text);
+  }
 }
 
 void HelmApp::AllStop(const std::string& why) {

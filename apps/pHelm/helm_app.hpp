@@ -12,6 +12,7 @@
 #include "limpet/app/app.hpp"
 #include "limpet/helm/behavior_host.hpp"
 #include "limpet/helm/motion_decision.hpp"
+#include "limpet/helm/warning_book.hpp"
 
 namespace limpet {
 
@@ -48,6 +49,8 @@ class HelmApp final : public App {
   /// Raised while `ids` are not empty; says which.
   void WarnOfObjects(const std::string& id, const std::string& ids, const std::string& what);
   void Steer(const VehicleState& state);
+  /// Raises what behaviors raise now, and clears what none raises any more.
+  void TellBehaviorWarnings();
   void AllStop(const std::string& why);
   void PublishState(Seconds now);
   [[nodiscard]] const char* StateText() const { return is_parked_ ? "PARK" : "DRIVE"; }
@@ -66,6 +69,7 @@ class HelmApp final : public App {
   std::string allstop_text_;       ///< clear, or why all is stopped
   std::string published_allstop_;  ///< as last posted
   std::int64_t helm_iteration_ = 0;
+  WarningBook warning_book_;
   MotionDecision motion_;                  ///< of this iteration
   std::optional<Stamped<HelmBids>> bids_;  ///< of the last view decision
   HelmRevisits revisits_;                  ///< as last told

@@ -44,6 +44,12 @@ bool ViewPlanner::SetArea(const SurveyArea& area) {
   return true;
 }
 
+bool ViewPlanner::SeesWholeBand() const {
+  constexpr int kTop = Footprint::kLayers - 1;
+  return !ground_ || (ground_->footprint().half_along(kTop) > 0.0 &&
+                      ground_->footprint().half_across(kTop) > 0.0);
+}
+
 void ViewPlanner::SetOpis(const std::vector<OpiBelief>& opis) {
   const auto same_decision = [](const OpiBelief& a, const OpiBelief& b) {
     return a.id == b.id && a.decided == b.decided;

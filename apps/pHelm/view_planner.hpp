@@ -32,6 +32,9 @@ class ViewPlanner {
   void SetFormerSession(bool is_loaded) { has_former_session_ = is_loaded; }
   void Apply(const GridDelta& delta);
 
+  /// False if objects at the top of the area's band are never inside the image.
+  [[nodiscard]] bool SeesWholeBand() const;
+
   /// Where to steer for the path in force; nothing without one.
   [[nodiscard]] std::optional<Guidance> Guide(const NavState& nav);
   /// Decides if a decision is due; the chosen path is then in force.

@@ -214,13 +214,14 @@ void BehaviorHost::ApplyUpdate(Hosted& hosted, const std::string& text) {
     updated.entries.push_back({key, value, where});
   }
   hosted.updates += parts;
+  std::erase_if(warnings_, [&hosted](const OwnedWarning& old) { return old.owner == hosted.name; });
   try {
     hosted.behavior = BehaviorRegistry().at(updated.name).create(updated);
     hosted.block = std::move(updated);
     hosted.good_updates += parts;
     hosted.is_running = false;  // the new one is started like any other
   } catch (const ConfigError& error) {
-    warnings_.push_back({"BHV_UPDATE_" + hosted.name, error.what()});
+    warnings_.push_back({hosted.name, {"BHV_UPDATE_" + hosted.name, error.what()}});
   }
 }
 
@@ -292,7 +293,5 @@ std::vector<HelmPost> BehaviorHost::Update(const VehicleState& state) {
   }
   return posts;
 }
-
-std::vector<BehaviorWarning> BehaviorHost::TakeWarnings() { return std::exchange(warnings_, {}); }
 
 }  // namespace limpet

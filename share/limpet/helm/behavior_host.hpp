@@ -10,6 +10,7 @@
 #include "limpet/core/message.hpp"
 #include "limpet/helm/behavior.hpp"
 #include "limpet/helm/view_decision.hpp"
+#include "limpet/helm/warning_book.hpp"
 #include "limpet/mission/behavior_file.hpp"
 #include "limpet/mission/flag.hpp"
 #include "limpet/mission/mode_set.hpp"
@@ -60,8 +61,8 @@ class BehaviorHost {
   [[nodiscard]] const std::string& modes() const { return mode_text_; }
   /// As IVPHELM_MODESET has it.
   [[nodiscard]] std::string ModeTree() const { return modes_->Summary(); }
-  /// Updates that could not be applied since the last call, oldest first.
-  [[nodiscard]] std::vector<BehaviorWarning> TakeWarnings();
+  /// Behaviors whose last update could not be applied.
+  [[nodiscard]] const std::vector<OwnedWarning>& warnings() const { return warnings_; }
 
  private:
   struct Hosted;
@@ -79,7 +80,7 @@ class BehaviorHost {
   std::vector<WeightedBehavior> running_;
   std::string mode_text_;
   std::vector<BehaviorStatus> statuses_;  ///< parallel to hosted_
-  std::vector<BehaviorWarning> warnings_;
+  std::vector<OwnedWarning> warnings_;
 };
 
 }  // namespace limpet

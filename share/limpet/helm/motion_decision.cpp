@@ -41,7 +41,7 @@ MotionDecision DecideMotion(std::span<const WeightedBehavior> behaviors, const V
       decision.turn_rate = bid.turn_rate;
     }
     if (bid.warning) {
-      decision.warnings.push_back(*bid.warning);
+      decision.warnings.push_back({.owner = running.name, .warning = *bid.warning});
     }
     if (bid.course || bid.speed || bid.depth) {
       decision.active.push_back(running.name);

@@ -8,6 +8,7 @@
 
 #include "limpet/helm/behavior.hpp"
 #include "limpet/helm/view_decision.hpp"
+#include "limpet/helm/warning_book.hpp"
 
 namespace limpet {
 
@@ -23,7 +24,7 @@ struct MotionDecision {
   std::optional<double> speed;      ///< [m/s]
   std::optional<double> depth;      ///< [m]
   std::optional<double> turn_rate;  ///< feed-forward of the heaviest bidder on course [rad/s]
-  std::vector<BehaviorWarning> warnings;
+  std::vector<OwnedWarning> warnings;
   std::vector<std::string> active;  ///< names of behaviors that had an opinion
 
   /// Names of decision variables that nobody bid on, e.g. "course,depth"; "" if complete.

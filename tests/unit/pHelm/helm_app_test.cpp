@@ -118,6 +118,16 @@ TEST_F(HelmAppTest, ABehaviorIsIdleThenActive) {
   EXPECT_THAT(Posts("IVPHELM_SUMMARY").back(), HasSubstr("modes=MODE@ACTIVE"));
 }
 
+TEST_F(HelmAppTest, SaysWhenTheBandReachesAboveWhatItSees) {
+  SurveyArea area{.north_min = -9, .north_max = 9, .east_min = -9, .east_max = 9};
+  area.object_height_max = 5.0;  // above the camera
+  link_.Send(*app_, topics::kSurveyArea, area);
+  EXPECT_TRUE(app_->warnings().contains("BAND_ABOVE_VIEW"));
+  area.object_height_max = 3.0;
+  link_.Send(*app_, topics::kSurveyArea, area);
+  EXPECT_FALSE(app_->warnings().contains("BAND_ABOVE_VIEW"));
+}
+
 TEST_F(HelmAppTest, ReportsModeDecisionAndBehaviors) {
   Deploy();
   Tick();
