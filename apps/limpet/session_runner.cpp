@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include <fmt/format.h>
 
+#include "apps/limpet/mission_check.hpp"
+#include "apps/pSurvey/survey_app.hpp"
 #include "limpet/app/embedded.hpp"
 #include "limpet/app/registry.hpp"
 
@@ -18,6 +21,32 @@ namespace {
 constexpr Seconds kDeployAfter(1.0);  // the helm has posted its initial values by then
 constexpr double kLastMailSeconds =
     2.0;  // after the end is announced, so that the last save reaches the disk
+
+constexpr Seconds kUnmanagedLongest(3.0 * 3600.0);
+/// What the phases' bounds leave out: ticks, mail, saving.
+constexpr Seconds kLongestMargin(120.0);
+
+template <class T>
+std::optional<T> LatestOf(const EmbeddedCommunity& community, const Topic<T>& topic) {
+  const MessagePtr message = community.database().Latest(topic.name);
+  return message != nullptr ? TopicCodec<T>::Decode(message->value) : std::nullopt;
+}
+
+/// Where the vehicle believes to be, in words.
+std::string WhereaboutsIn(const EmbeddedCommunity& community) {
+  std::string text = "phase " + LatestOf(community, topics::kSurveyPhase).value_or("not told");
+  const auto nav = LatestOf(community, topics::kNavState);
+  if (!nav) {
+    return text + ", place unknown";
+  }
+  text += fmt::format(", north {:.1f}, east {:.1f} m, {:.1f} m deep", nav->north, nav->east,
+                      std::max(0.0, nav->down));
+  if (const auto home = LatestOf(community, topics::kSurveyHome)) {
+    text += fmt::format(", {:.0f} m from home",
+                        std::hypot(nav->north - home->north, nav->east - home->east));
+  }
+  return text;
+}
 
 EmbeddedSetup SetupFor(const MissionFile& mission, const SessionPlan& plan) {
   EmbeddedSetup setup{.community = mission.Global("Community"),
@@ -50,6 +79,15 @@ std::vector<std::string> EmbeddedApps(const MissionFile& mission) {
     }
   }
   return apps;
+}
+
+Seconds LongestSession(const MissionFile& mission) {
+  const std::vector<std::string> apps = EmbeddedApps(mission);
+  if (std::ranges::find(apps, "pSurvey") == apps.end()) {
+    return kUnmanagedLongest;
+  }
+  return kDeployAfter + ReadAppParams<SurveyApp::Params>(mission, "pSurvey").Longest() +
+         kLongestMargin;
 }
 
 void ApplySetting(MissionFile& mission, const std::string& setting) {
@@ -99,15 +137,18 @@ SessionOutcome RunSession(const MissionFile& mission, const SessionPlan& plan,
     community.Step();
   }
   community.Poke("DEPLOY", std::string("true"));
-  while (community.elapsed() < plan.longest) {
-    if (interrupt_requested) {
-      outcome.ended = "aborted";
-      break;
-    }
-    if (ended_at && community.now() - *ended_at > Seconds(kLastMailSeconds)) {
-      break;
-    }
+  const auto is_over = [&] {
+    return ended_at && community.now() - *ended_at > Seconds(kLastMailSeconds);
+  };
+  const Seconds longest = plan.longest.value_or(LongestSession(mission));
+  while (!is_over() && !interrupt_requested && community.elapsed() < longest) {
     community.Step();
+  }
+  if (!ended_at) {
+    outcome.ended = interrupt_requested ? "aborted" : "timeout";
+    outcome.cut = fmt::format("{} after {:.0f} s: {}",
+                              interrupt_requested ? "interrupted" : "cut, as too long,",
+                              community.elapsed().value(), WhereaboutsIn(community));
   }
   community.Finish();
   outcome.duration = community.elapsed();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,8 @@ struct SessionPlan {
   std::filesystem::path run_folder;    ///< created if missing
   std::filesystem::path prior_folder;  ///< run folder of the session to compare with; empty if none
   std::uint64_t seed = 1;
-  Seconds longest{3.0 * 3600.0};  ///< virtual time after which the session is cut
+  /// Virtual time after which the session is cut; without it, what its mission may take at most.
+  std::optional<Seconds> longest{};
   bool delivers_truth_on_board =
       true;  ///< false withholds SIM_* from every app that is not a simulator
 };
@@ -30,7 +32,13 @@ struct SessionOutcome {
   std::string ended;  ///< home, aborted, timeout or lost
   Seconds duration;   ///< virtual
   double wall_s = 0.0;
+  /// Set if the session did not end by itself: why, and where the vehicle was then.
+  std::optional<std::string> cut{};
 };
+
+/// The longest a mission may take by its own parameters (pSurvey's), with a margin; without a
+/// mission manager nothing ends it, and three hours have to do.
+[[nodiscard]] Seconds LongestSession(const MissionFile& mission);
 
 /// Set by the signal handler; the runner stops at the next step and ends every app in order.
 extern std::atomic<bool> interrupt_requested;

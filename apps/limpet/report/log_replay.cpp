@@ -64,6 +64,7 @@ Expected<SessionRecord> RecordFromLog(const fs::path& session_folder) {
     auto value = ValueOf(entry, path->parent_path());
     if (!value) continue;
     message.value = *std::move(value);
+    message.source = std::string(entry.source);
     message.time = Seconds(log.start().value_or(Seconds(0.0)).value() + entry.time);
     record.Collect(message);
   }

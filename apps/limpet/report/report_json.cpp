@@ -82,6 +82,22 @@ OrderedJson Changes(const std::vector<ChangeScore>& changes) {
   return list;
 }
 
+/// Times in seconds since the session's start; `to_s` null: it stood at the end.
+OrderedJson Warnings(const SessionScore& session) {
+  OrderedJson list = OrderedJson::array();
+  const auto since_start = [&session](Seconds time) {
+    return Time((time - session.begun.value_or(time)).value());
+  };
+  for (const WarningRecord& warning : session.warnings) {
+    list.push_back({{"app", warning.app},
+                    {"id", warning.id},
+                    {"text", warning.text},
+                    {"from_s", since_start(warning.from)},
+                    {"to_s", warning.to ? since_start(*warning.to) : OrderedJson(nullptr)}});
+  }
+  return list;
+}
+
 OrderedJson Session(const SessionScore& session) {
   OrderedJson out = {{"coverage", Levels(session.coverage.seabed, 0.90)},
                      {"detectable", Levels(session.coverage.band, 0.95)},
@@ -97,6 +113,7 @@ OrderedJson Session(const SessionScore& session) {
                      {"opis", Opis(session.opis.found)},
                      {"missed", session.opis.missed},
                      {"false", FalseOpis(session.opis.invented)}};
+  out["warnings"] = Warnings(session);
   if (session.name == "change") {
     out["prior_opis_seen_path_m"] = Optional(session.coverage.prior_opis_seen_path_m, Length);
     out["changes"] = Changes(session.opis.changes);

@@ -22,6 +22,8 @@ SessionScore ScoreSession(const SessionRecord& record, const Scenario& scenario,
   SessionScore score;
   score.name = record.name;
   score.ended = record.ended.empty() ? "aborted" : record.ended;
+  score.warnings = record.warnings;
+  score.begun = record.begun;
   if (const auto wall = settings.wall_s.find(record.name); wall != settings.wall_s.end()) {
     score.wall_s = wall->second;
   }

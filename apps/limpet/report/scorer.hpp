@@ -9,6 +9,7 @@
 #include "apps/limpet/report/nav_score.hpp"
 #include "apps/limpet/report/opi_score.hpp"
 #include "apps/limpet/report/report_settings.hpp"
+#include "apps/limpet/report/warning_record.hpp"
 
 namespace limpet {
 
@@ -22,7 +23,9 @@ struct SessionScore {
   double duration_s = 0.0;      ///< first to last true pose
   double survey_start_s = 0.0;  ///< after the session's start
   std::optional<double> wall_s;
-  std::string ended;  ///< home, aborted, timeout or lost
+  std::vector<WarningRecord> warnings;
+  std::optional<Seconds> begun;  ///< MOOS time of the first message
+  std::string ended;             ///< home, aborted, timeout or lost
   /// Horizontal distance of the true end from the start point; nothing without a true pose.
   std::optional<double> home_error_m;
   [[nodiscard]] std::optional<double> realtime_factor() const {

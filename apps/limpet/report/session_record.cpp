@@ -171,11 +171,27 @@ std::optional<Seconds> SessionRecord::PhaseStart(const std::string& phase) const
   return found != phases.end() ? std::optional<Seconds>(found->time) : std::nullopt;
 }
 
-bool SessionRecord::Listens(const std::string& variable) { return Collectors().contains(variable); }
+void SessionRecord::AddCut(const std::string& why_and_where, Seconds elapsed) {
+  warnings.push_back({.app = "limpet",
+                      .id = "SESSION_CUT",
+                      .text = why_and_where,
+                      .from = begun.value_or(Seconds(0.0)) + elapsed,
+                      .to = {}});
+}
+
+bool SessionRecord::Listens(const std::string& variable) {
+  return Collectors().contains(variable) || CarriesWarnings(variable);
+}
 
 void SessionRecord::Collect(const Message& message) {
   const auto found = Collectors().find(message.name);
-  if (found != Collectors().end()) found->second(*this, message);
+  if (found != Collectors().end()) {
+    begun = begun.value_or(LoggedStamp(message));
+    found->second(*this, message);
+  } else if (CarriesWarnings(message.name) && ended.empty()) {
+    // Once the mission has ended, apps miss each other.
+    CollectWarnings(message, LoggedStamp(message), warnings);
+  }
 }
 
 }  // namespace limpet

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/limpet/report/pose_track.hpp"
+#include "apps/limpet/report/warning_record.hpp"
 #include "limpet/core/message.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
@@ -44,6 +45,9 @@ struct SessionRecord {
   /// True for the variables that Collect reads; for a reader that wants to skip the rest.
   [[nodiscard]] static bool Listens(const std::string& variable);
 
+  /// Notes that the session did not end by itself, `elapsed` after its start.
+  void AddCut(const std::string& why_and_where, Seconds elapsed);
+
   /// Start of the first phase of this name, or nothing.
   [[nodiscard]] std::optional<Seconds> PhaseStart(const std::string& phase) const;
 
@@ -62,7 +66,9 @@ struct SessionRecord {
   std::vector<Stamped<std::string>> phases;
   std::optional<SurveyArea> area;
   std::optional<HomePoint> home;
-  std::string ended;  ///< MISSION_END; empty when the session was cut short
+  std::vector<WarningRecord> warnings;  ///< every one raised, in order
+  std::optional<Seconds> begun;         ///< stamp of the first message collected
+  std::string ended;                    ///< MISSION_END; empty when the session was cut short
 };
 
 }  // namespace limpet

@@ -30,7 +30,35 @@ std::string TextOfPhase(const std::string& phase) {
   return found != texts.end() ? found->second : "";
 }
 
+void SurveyProgress::TellWarning(const WarningRecord& warning, Seconds time,
+                                 const std::string& what) {
+  constexpr int kMostLines = 6;
+  const std::string name = warning.app + " " + warning.id;
+  const int told = ++times_told_[name];
+  if (told > kMostLines) {
+    return;
+  }
+  line_.Note(fmt::format("{:.0f} s: {}{}{}", (time - begun_.value_or(time)).value(), name, what,
+                         told == kMostLines ? " (and so on; all are in report.json)" : ""));
+}
+
+void SurveyProgress::TellWarnings(const SessionRecord& record) {
+  begun_ = record.begun;
+  for (std::size_t i = 0; i < record.warnings.size(); ++i) {
+    const WarningRecord& warning = record.warnings[i];
+    if (i == is_clearing_told_.size()) {
+      is_clearing_told_.push_back(false);
+      TellWarning(warning, warning.from, ": " + warning.text);
+    }
+    if (warning.to && !is_clearing_told_[i]) {
+      is_clearing_told_[i] = true;
+      TellWarning(warning, *warning.to, " is over");
+    }
+  }
+}
+
 void SurveyProgress::Show(const SessionRecord& record) {
+  TellWarnings(record);
   if (record.phases.empty()) return;
   const Coverage coverage =
       record.believed_coverage.empty() ? Coverage{} : record.believed_coverage.back().value;

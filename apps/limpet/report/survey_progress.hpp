@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "limpet/console/progress_line.hpp"
 #include "apps/limpet/report/session_record.hpp"
+#include "limpet/console/progress_line.hpp"
 
 namespace limpet {
 
@@ -20,7 +23,15 @@ class SurveyProgress {
   void Show(const SessionRecord& record);
 
  private:
+  /// Warnings raised and cleared since the last call, each on a line of its own.
+  void TellWarnings(const SessionRecord& record);
+  /// The first few times of a warning only: one that comes and goes must not flood the terminal.
+  void TellWarning(const WarningRecord& warning, Seconds time, const std::string& what);
+
   ProgressLine line_;
+  std::vector<bool> is_clearing_told_;     ///< of each warning told
+  std::map<std::string, int> times_told_;  ///< by app and id
+  std::optional<Seconds> begun_;
   std::size_t phases_told_ = 0;
 };
 

@@ -189,6 +189,10 @@ class SurveyRun {
     if (record.ended.empty()) {
       record.ended = outcome.ended;
     }
+    if (outcome.cut) {
+      record.AddCut(*outcome.cut, outcome.duration);
+    }
+    progress.Show(record);
   }
 
   SurveyCommand command_;

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "limpet/app/warning_text.hpp"
+
 namespace limpet {
 
 std::string AppContext::Global(std::string_view key) const {
@@ -110,11 +112,7 @@ void App::PublishWarnings() {
   std::ranges::transform(variable, variable.begin(), [](char c) {
     return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   });
-  std::string text;
-  for (const auto& [id, meaning] : warnings_) {
-    text += (text.empty() ? "" : "; ") + id + ": " + meaning;
-  }
-  PublishRaw(variable, text.empty() ? std::string("none") : text);
+  PublishRaw(variable, EncodeWarnings(warnings_));
 }
 
 Random App::MakeRandom(std::string_view part) const {

@@ -71,7 +71,7 @@ TEST_F(Report, HasTheContractsKeysOfADiscoverySession) {
   EXPECT_THAT(KeysOf(Json()["sessions"]["discovery"]),
               testing::ElementsAre("coverage", "detectable", "covered", "detected_band", "path_m",
                                    "duration_s", "wall_s", "realtime_factor", "ended",
-                                   "home_error_m", "nav", "opis", "missed", "false"));
+                                   "home_error_m", "nav", "opis", "missed", "false", "warnings"));
 }
 
 TEST_F(Report, AddsTheKeysOfAChangeSession) {
@@ -134,6 +134,22 @@ TEST(ReportJson, IsTheSameForTheSameRecords) {
   const std::vector<SessionRecord> records{RecordOf(session)};
   EXPECT_EQ(ReportJson(ScoreRun(records, Table1Scenario(), Table1Settings())),
             ReportJson(ScoreRun(records, Table1Scenario(), Table1Settings())));
+}
+
+TEST(ReportJson, ListsWarningsWithTheirTimes) {
+  SessionScore session;
+  session.name = "discovery";
+  session.begun = Seconds(1000.0);
+  session.warnings = {{"pNav", "DVL_STALE", "no bottom lock", Seconds(1010.0), Seconds(1015.5)},
+                      {"limpet", "SESSION_CUT", "cut", Seconds(1020.0), {}}};
+  RunScore run{Table1Settings(), {session}};
+  const auto list = nlohmann::json::parse(ReportJson(run))["sessions"]["discovery"]["warnings"];
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_EQ(list[0]["app"], "pNav");
+  EXPECT_EQ(list[0]["from_s"], 10.0);
+  EXPECT_EQ(list[0]["to_s"], 15.5);
+  EXPECT_EQ(list[1]["text"], "cut");
+  EXPECT_TRUE(list[1]["to_s"].is_null());
 }
 
 TEST(ReportJson, SaysNullForALevelNeverReached) {

@@ -31,6 +31,24 @@ TEST(SessionRecord, PassesOverWhatItDoesNotUnderstand) {
   EXPECT_TRUE(record.nav.empty());
 }
 
+TEST(SessionRecord, KeepsEveryWarningWithItsTimes) {
+  SessionRecord record("discovery");
+  const auto say = [&record](double time, const std::string& text) {
+    record.Collect({"PNAV_WARNINGS", text, Seconds(kEpoch + time), "pNav", "", "", -1});
+  };
+  say(1.0, "DVL_STALE: no bottom lock");
+  say(2.0, "DVL_STALE: no bottom lock; GPS_LOST: no fix");
+  say(5.0, "GPS_LOST: no fix");
+  ASSERT_EQ(record.warnings.size(), 2U);
+  EXPECT_EQ(record.warnings[0].app, "pNav");
+  EXPECT_EQ(record.warnings[0].id, "DVL_STALE");
+  EXPECT_EQ(record.warnings[0].from, Seconds(kEpoch + 1.0));
+  EXPECT_EQ(record.warnings[0].to, Seconds(kEpoch + 5.0));
+  EXPECT_EQ(record.warnings[1].text, "no fix");
+  EXPECT_FALSE(record.warnings[1].to.has_value());
+  EXPECT_TRUE(SessionRecord::Listens("PNAV_WARNINGS"));
+}
+
 TEST(SessionRecord, TakesAPathAndItsBidsForOneDecisionInEitherOrder) {
   const HelmPath path{7, 0.0, 0.0, 0.0, {{0.0, 5.0}}, "cover"};
   const HelmBids bids{7, "arrival", 10, {}};

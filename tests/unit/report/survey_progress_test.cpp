@@ -45,6 +45,26 @@ TEST(SurveyProgress, WritesOneLineForEachPhase) {
   EXPECT_THAT(text, HasSubstr("RETURN  on the way home"));
 }
 
+TEST(SurveyProgress, TellsOfWarningsRaisedAndOver) {
+  std::FILE* file = std::tmpfile();
+  SessionRecord record("discovery");
+  record.begun = Seconds(100.0);
+  SurveyProgress progress("discovery", file);
+  record.warnings.push_back({"pSurvey", "HELM_INACTIVE", "nothing is heard", Seconds(130.0), {}});
+  progress.Show(record);
+  progress.Show(record);  // once is enough
+  record.warnings[0].to = Seconds(142.0);
+  progress.Show(record);
+  std::rewind(file);
+  std::string text;
+  for (int letter = std::fgetc(file); letter != EOF; letter = std::fgetc(file))
+    text += static_cast<char>(letter);
+  std::fclose(file);
+  EXPECT_THAT(text, HasSubstr("30 s: pSurvey HELM_INACTIVE: nothing is heard\n"));
+  EXPECT_THAT(text, HasSubstr("42 s: pSurvey HELM_INACTIVE is over\n"));
+  EXPECT_EQ(std::ranges::count(text, '\n'), 2);
+}
+
 TEST(SurveyProgress, GivesCoverageWhileItSurveys) {
   EXPECT_THAT(Told({"SURVEY"}), HasSubstr("SURVEY  seabed   0 %"));
 }
