@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Which sensors pNav hears, and what that makes its estimate worth.
+#include <algorithm>
+
+#include "apps/pNav/nav_app.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr Seconds kGpsPause(5.0);  // fixes come once a second, some are left out
+
+}  // namespace
+
+bool NavApp::HasFreshGps(double now) const {
+  return gps_.IsFresh(now, std::max(stale_after_, kGpsPause));
+}
+
+bool NavApp::IsValid(double now) const {
+  return IsFresh(imu_, now) && (IsFresh(lock_, now) || IsFresh(depth_, now) || HasFreshGps(now));
+}
+
+void NavApp::AddSources(double now, NavState& state) const {
+  state.is_valid = IsValid(now);
+  state.imu = imu_.At(now, stale_after_);
+  state.fog = fog_.At(now, stale_after_);
+  state.dvl = lock_.At(now, stale_after_);
+  state.depth = depth_.At(now, stale_after_);
+  state.gps = gps_.At(now, std::max(stale_after_, kGpsPause));
+  state.camera = camera_.At(now, stale_after_);
+}
+
+void NavApp::WatchSensors(double now) {
+  const auto watch = [this](const char* id, bool is_silent, const char* text) {
+    if (is_silent) {
+      Warn(id, text);
+    } else {
+      ClearWarning(id);
+    }
+  };
+  watch("IMU_STALE", !IsFresh(imu_, now), "no IMU_DATA within stale_after_s");
+  watch("FOG_STALE", fog_.was_heard() && !IsFresh(fog_, now),
+        "no FOG_YAW_RATE within stale_after_s: the IMU's own yaw rate serves");
+  watch("DVL_STALE", !IsFresh(dvl_, now), "no DVL_DATA within stale_after_s");
+  watch("DVL_NO_LOCK", !IsFresh(lock_, now), "no bottom lock within stale_after_s");
+  watch("DEPTH_STALE", !IsFresh(depth_, now), "no DEPTH_SENSOR within stale_after_s");
+  watch(
+      "NAV_INVALID", navigator_.has_started() && !IsValid(now),
+      "no attitude, or nothing else either: NAV_STATE is not valid, NAV_X and its kin are silent");
+}
+
+}  // namespace limpet
