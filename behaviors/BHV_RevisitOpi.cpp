@@ -69,8 +69,7 @@ RevisitInterest BHV_RevisitOpi::InterestIn(const WatchedObject& object,
   } else if (!object.window || !CanBeLookedAt(TargetOf(object), *now.region, now.turn_radius)) {
     interest.state = "out_of_reach";
   } else {
-    interest.worth = params_.metres_per_nat *
-                     std::pow(params_.fruitless_decay, object.fruitless) *
+    interest.worth = params_.metres_per_nat * std::pow(params_.fruitless_decay, object.fruitless) *
                      ExpectedEntropyDrop(belief.posterior, params_.detection_probability,
                                          params_.false_alarm_probability);
   }

@@ -37,8 +37,8 @@ void SurveyApp::Report(ReportLines& report) const {
   const auto left = TimeToTarget();
   report.Pair("To go", left ? fmt::format("about {:.0f} s at the mean rate so far", left->value())
                             : "not known");
-  report.Pair("Objects", fmt::format("{}, {} still want a look", revisits_.objects.size(),
-                                     OpenRevisits()));
+  report.Pair("Objects",
+              fmt::format("{}, {} still want a look", revisits_.objects.size(), OpenRevisits()));
   if (home_ && nav_) {
     report.Pair("Home", fmt::format("north {:.1f}, east {:.1f} m, {:.1f} m away", home_->north,
                                     home_->east, DistanceHome()));

@@ -25,9 +25,8 @@ constexpr double kLargestSize = 1.6;
 constexpr double kBorder = 3.0;  ///< a box this near the image's border is cut [px]
 
 LookModel LookModelOf(const WatchModel& model) {
-  return {.camera = model.camera,
-          .detection = model.detection,
-          .object_radius = model.object_radius};
+  return {
+      .camera = model.camera, .detection = model.detection, .object_radius = model.object_radius};
 }
 
 bool IsCut(const SightedDetection& box, const CameraGeometry& camera) {

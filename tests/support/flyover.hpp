@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "limpet/survey/detection_model.hpp"
 #include "limpet/core/random.hpp"
+#include "limpet/survey/detection_model.hpp"
 #include "limpet/topics/navigation.hpp"
 
 namespace limpet::testing {

@@ -11,8 +11,7 @@ std::optional<double> SeabedAt(const SurveyGrid& grid, double north, double east
   const GridFrame& frame = grid.frame();
   const double row = std::floor((north - frame.north_min) / frame.cell_m);
   const double column = std::floor((east - frame.east_min) / frame.cell_m);
-  const bool is_inside =
-      row >= 0.0 && row < frame.rows && column >= 0.0 && column < frame.columns;
+  const bool is_inside = row >= 0.0 && row < frame.rows && column >= 0.0 && column < frame.columns;
   return is_inside ? grid.Seabed(static_cast<int>(row), static_cast<int>(column)) : std::nullopt;
 }
 

@@ -77,9 +77,8 @@ DubinsPath TourInside(const Pose2& start, const std::vector<Stop>& stops, const 
 }
 
 Option TourOption(const DubinsPath& path, const Objective& objective) {
-  return {.source = "tour",
-          .path = path,
-          .estimate = TargetValueOf(path, objective) - path.length()};
+  return {
+      .source = "tour", .path = path, .estimate = TargetValueOf(path, objective) - path.length()};
 }
 
 }  // namespace

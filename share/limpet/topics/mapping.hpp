@@ -88,10 +88,10 @@ struct TopicCodec<OpiBeliefs> : JsonCodec<OpiBeliefs> {};
 struct MapLook {
   double fov_across = 0.0, fov_along = 0.0;  ///< full angles [rad]
   int width_px = 0, height_px = 0;
-  double best = 0.0;          ///< chance per frame close by and wholly inside the image
-  double visibility = 0.0;    ///< range at which contrast is gone [m]
-  double share_none = 0.0;    ///< share of an object inside the image below which it is missed
-  double share_full = 0.0;    ///< and above which the border does not matter
+  double best = 0.0;           ///< chance per frame close by and wholly inside the image
+  double visibility = 0.0;     ///< range at which contrast is gone [m]
+  double share_none = 0.0;     ///< share of an object inside the image below which it is missed
+  double share_full = 0.0;     ///< and above which the border does not matter
   double object_radius = 0.0;  ///< [m]
   template <class V>
   void Describe(V& visit) {

@@ -134,9 +134,8 @@ class Flight {
     X_WB.yaw = pose.yaw;
     grid_.Observe(X_WB, study_.altitude, camera_);
     top_.Note(path, grid_.coverage().band_top);
-    std::erase_if(objective_.targets, [&pose](const Target& target) {
-      return target.IsSeenFrom(pose);
-    });
+    std::erase_if(objective_.targets,
+                  [&pose](const Target& target) { return target.IsSeenFrom(pose); });
     if (study_.is_change && objective_.targets.empty() && !result_.targets_seen) {
       result_.targets_seen = path;
     }

@@ -212,8 +212,7 @@ TEST(BeamSearch, SeesEveryTargetHoweverManyThereAre) {
   for (int i = 0; i < 40; ++i) {  // of no worth, and first in the list
     objective.targets.push_back({.north = 14.0, .east = 17.0, .window = {0.5, 0.5}});
   }
-  objective.targets.push_back(
-      {.north = -12.5, .east = 0.0, .window = {1.5, 1.5}, .value = 80.0});
+  objective.targets.push_back({.north = -12.5, .east = 0.0, .window = {1.5, 1.5}, .value = 80.0});
   const auto offers = BeamSearch(kStart, ground, kSceneRegion, objective, {});
   ASSERT_FALSE(offers.empty());
   EXPECT_GT(TargetValueOf(offers.front().path, objective), 60.0);

@@ -57,8 +57,7 @@ TEST(LookModel, SurvivesItsMessage) {
   model.detection.visibility = Meters(5.0);
   model.object_radius = 0.3;
   model.camera.fov_across = 1.0;
-  const auto decoded =
-      TopicCodec<MapLook>::Decode(TopicCodec<MapLook>::Encode(ToMapLook(model)));
+  const auto decoded = TopicCodec<MapLook>::Decode(TopicCodec<MapLook>::Encode(ToMapLook(model)));
   ASSERT_TRUE(decoded);
   const auto sent = LookWindowAbove(model, 2.0, 0.1);
   const auto received = LookWindowAbove(ToLookModel(*decoded), 2.0, 0.1);
