@@ -4,15 +4,13 @@
 #include <fstream>
 #include <thread>
 
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include "apps/pLaunch/supervisor.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/pubsub/tcp_client.hpp"
+#include "tests/support/free_port.hpp"
 #include "tests/support/mail_inbox.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -20,20 +18,6 @@ namespace limpet {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A port that was free a moment ago.
-std::uint16_t FreePort() {
-  const int probe = ::socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in place{};
-  place.sin_family = AF_INET;
-  place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof(place);
-  auto* address = reinterpret_cast<sockaddr*>(&place);
-  EXPECT_EQ(::bind(probe, address, size), 0);
-  EXPECT_EQ(::getsockname(probe, address, &size), 0);
-  ::close(probe);
-  return ntohs(place.sin_port);
-}
 
 class DatabaseRestart : public testing::Test {
  protected:
