@@ -73,7 +73,7 @@ TEST(LostProcess, BringsTheVehicleUpAndEndsTheMissionWhenAVitalAppIsGivenUp) {
   ASSERT_TRUE(mission.AwaitDive()) << mission.Said();
   ASSERT_TRUE(mission.Await([&] {
     const auto truth = DecodeRecord<SimTruth>(mission.Latest("SIM_TRUTH"));
-    return truth && truth->down > 0.9;
+    return truth && truth->down > 0.6;
   })) << mission.Said();
   ASSERT_EQ(::kill(mission.PidOf("pHelm"), SIGKILL), 0);
   ASSERT_TRUE(mission.Await([&] { return !mission.Latest("MISSION_END").empty(); }))
