@@ -14,8 +14,9 @@ bool Surfacing::EndsNow(const Signs& signs, Seconds moos_now) {
   if (!is_under_way()) {
     return false;
   }
-  has_ended_ = !signs.was_deployed || (signs.depth_m && *signs.depth_m < kSurfaceDepth_m) ||
-               moos_now - *began_ > kLongest;
+  const Seconds passed = moos_now - *began_;
+  const bool is_up = passed > kAtLeast && signs.depth_m && *signs.depth_m < kSurfaceDepth_m;
+  has_ended_ = !signs.was_deployed || is_up || passed > kLongest;
   return has_ended_;
 }
 

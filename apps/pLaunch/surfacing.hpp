@@ -14,6 +14,8 @@ class Surfacing {
  public:
   static constexpr Seconds kLongest{180.0};  ///< MOOS time; for want of a depth
   static constexpr double kSurfaceDepth_m = 0.5;
+  /// A vehicle that has just begun to dive is not up because it is not yet down.
+  static constexpr Seconds kAtLeast{5.0};
 
   /// What is known of the vehicle.
   struct Signs {

@@ -85,6 +85,26 @@ TEST_F(LaunchPlanTest, RefusesARestartPolicyThatIsNone) {
               HasSubstr("allowed: never, on_failure, always"));
 }
 
+TEST_F(LaunchPlanTest, IsPatientForThreeStatusPeriodsUnlessToldOtherwise) {
+  const LaunchPlan plan = Plan(
+      "  Run = pEcho ~ pOne\n  Run = pEcho @ HungAfter_s = 30 ~ pTwo\n"
+      "  Run = pEcho @ HungAfter_s = 0 ~ pThree\n");
+  EXPECT_EQ(plan.items[0].hung_after, Seconds(6.0));
+  EXPECT_EQ(plan.items[1].hung_after, Seconds(30.0));
+  EXPECT_EQ(plan.items[2].hung_after, Seconds(0.0));
+  EXPECT_THAT(Complaint("  Run = pEcho @ HungAfter_s = soon\n"),
+              HasSubstr("allowed: 1 to 3600 s, 0 for never"));
+}
+
+TEST_F(LaunchPlanTest, KnowsWhatAMissionCannotDoWithout) {
+  const LaunchPlan plan =
+      Plan("  Run = LimpetDB\n  Run = pEcho\n  Run = pEcho @ Vital = true ~ pTwo\n");
+  EXPECT_TRUE(plan.items[0].is_vital);
+  EXPECT_FALSE(plan.items[1].is_vital);
+  EXPECT_TRUE(plan.items[2].is_vital);
+  EXPECT_THAT(Complaint("  Run = pEcho @ Vital = perhaps\n"), HasSubstr("allowed: true, false"));
+}
+
 TEST_F(LaunchPlanTest, TakesArgumentsFromTheParameterThatALineNames) {
   const LaunchPlan plan = Plan(
       "  Run = pEcho @ ExtraProcessParams = EchoArgs\n  EchoArgs = --loud, --moos_port=9001\n");

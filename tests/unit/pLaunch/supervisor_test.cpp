@@ -131,6 +131,71 @@ TEST_F(SupervisorTest, LetsADatabaseThatFailsAgainAndAgainStartEmpty) {
   EXPECT_THAT(said_, HasSubstr("LimpetDB starts without its former values"));
 }
 
+/// Beats like one of ours, ten times, and then hangs: a shell that writes into the shared page.
+LaunchItem HangsAfterABeat() {
+  LaunchItem item{.name = "pHang", .program = "/bin/sh", .args = {}};
+  item.args = {"-c",
+               "printf '\\001' | dd of=/proc/self/fd/$LIMPET_BEAT_FD conv=notrunc 2>/dev/null; "
+               "echo try; sleep 60"};
+  item.hung_after = Seconds(0.3);
+  return item;
+}
+
+TEST_F(SupervisorTest, KillsAndStartsAgainWhatHangs) {
+  supervisor_.Start(HangsAfterABeat());
+  EXPECT_TRUE(PollUntil([this] { return LogOf("pHang") == "try\ntry\n"; }));
+  EXPECT_THAT(said_, HasSubstr("pHang hangs: no sign of life for"));
+  EXPECT_THAT(said_, HasSubstr("pHang hung and was killed; again in 0.5 s"));
+  EXPECT_THAT(supervisor_.Status(), HasSubstr("restarts=1,last=hung and was killed"));
+  supervisor_.End(Seconds(0.1));
+}
+
+TEST_F(SupervisorTest, LeavesAloneWhatNeverGaveASignOfLife) {
+  LaunchItem item = Shell("pForeign", "echo try; sleep 60");
+  item.hung_after = Seconds(0.1);
+  supervisor_.Start(item);
+  const Seconds begin = SteadyTime();
+  EXPECT_TRUE(PollUntil([&] { return SteadyTime() - begin > Seconds(0.6); }));
+  EXPECT_EQ(said_, "");
+  supervisor_.End(Seconds(0.1));
+}
+
+TEST_F(SupervisorTest, LeavesAloneWhatIsNotToBeKilledForHanging) {
+  LaunchItem item = HangsAfterABeat();
+  item.hung_after = Seconds(0.0);
+  supervisor_.Start(item);
+  const Seconds begin = SteadyTime();
+  EXPECT_TRUE(PollUntil([&] { return SteadyTime() - begin > Seconds(0.8); }));
+  EXPECT_EQ(said_, "");
+  supervisor_.End(Seconds(0.1));
+}
+
+TEST_F(SupervisorTest, KnowsWhichVitalProcessItHasGivenUp) {
+  LaunchItem item = Shell("pNav", "exit 2");
+  supervisor_.Start(item);
+  item.name = "pHelm", item.is_vital = true;
+  supervisor_.Start(item);
+  EXPECT_TRUE(PollUntil([] { return false; }));
+  EXPECT_EQ(supervisor_.LostVital(), "pHelm");
+  EXPECT_FALSE(supervisor_.HasLostDatabase());
+}
+
+TEST_F(SupervisorTest, EndsInTwoWavesWithRoomForALastWord) {
+  const std::string order = (folder_.path() / "order").string();
+  const auto script = [&](const std::string& name) {
+    return "trap 'echo " + name + " >> " + order +
+           "; exit 0' TERM; echo ready; while :; do sleep 0.01; done";
+  };
+  supervisor_.Start(Shell("uDriver", script("uDriver")));
+  supervisor_.Start(Shell("pPilot", script("pPilot")));
+  EXPECT_TRUE(PollUntil([this] { return !LogOf("uDriver").empty() && !LogOf("pPilot").empty(); }));
+  supervisor_.End(
+      Seconds(5.0), [](const std::string& name) { return name == "uDriver"; },
+      [&order] { std::ofstream(order, std::ios::app) << "zero\n"; });
+  std::ifstream in(order);
+  EXPECT_EQ((std::string{std::istreambuf_iterator<char>(in), {}}), "pPilot\nzero\nuDriver\n");
+}
+
 TEST_F(SupervisorTest, KillsWhatDoesNotEnd) {
   supervisor_.Start(Shell("pDeaf", "trap '' TERM; echo ready; while :; do sleep 0.05; done"));
   EXPECT_TRUE(PollUntil([this] { return !LogOf("pDeaf").empty(); }));
