@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "limpet/app/registry.hpp"
 #include "limpet/helm/behavior_host.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/preflight/checks.hpp"
@@ -36,8 +37,23 @@ MissionProblems Sorted(MissionProblems found) {
   return found;
 }
 
+/// Whose block one of our programs reads, also under another name.
+bool IsOurs(const MissionFile& mission, const std::string& block) {
+  const auto is_registered = [](const std::string& name) {
+    return std::ranges::any_of(AppRegistry(), [&name](const auto& registered) {
+      return EqualsIgnoringCase(registered.first, name);
+    });
+  };
+  return EqualsIgnoringCase(block, "ANTLER") || is_registered(block) ||
+         std::ranges::any_of(mission.launches, [&](const LaunchEntry& launch) {
+           return EqualsIgnoringCase(launch.moos_name, block) && is_registered(launch.binary);
+         });
+}
+
 void CheckSyntax(const MissionReading& reading, MissionProblems& found) {
-  Join(reading.mission().warnings, found.notes);
+  const MissionFile& mission = reading.mission();
+  Join(NotesOf(mission, [&](const std::string& block) { return IsOurs(mission, block); }),
+       found.notes);
   internal::CheckLaunches(reading, found);
   internal::CheckBlockNames(reading, found);
   internal::CheckGlobals(reading, found);

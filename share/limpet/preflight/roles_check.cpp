@@ -59,10 +59,12 @@ bool IsVital(const Variable& variable) {
          !variable.name.starts_with("IVPHELM_");
 }
 
-/// Limpet's apps that may write a variable; nothing if a person or another program may too.
+/// Limpet's apps that may write a variable; nothing if a person or another program may too. The
+/// launcher writes last words alone.
 Names WritersOf(const Variable& variable) {
   Names writers;
   for (const std::string& writer : variable.facts.writers) {
+    if (writer == "pLaunch") continue;
     if (!AppRegistry().contains(writer)) return {};
     writers.insert(writer);
   }

@@ -55,6 +55,18 @@ TEST(CheckVerbOfFiles, NotesWhatBelongsToOtherPeoplesApps) {
   EXPECT_THAT(behaviors.text, HasSubstr("a.bhv:2: note: BHV_Waypoint"));
 }
 
+TEST(CheckVerbOfFiles, NestedTextOfAnAcousticModemIsANoteAndInABlockOfOursAnError) {
+  const MissionCopy mission;
+  mission.Apply({"mission.moos", "ProcessConfig = pDetect\n{\n",
+                 "ProcessConfig = pAcommsHandler\n{\n  driver_cfg {\n    modem_id = 3\n    fsk { "
+                 "rate: 0 }\n  }\n}\nProcessConfig = pDetect\n{\n"});
+  const Checked foreign = mission.Run();
+  EXPECT_EQ(foreign.exit_code, kOk) << foreign.text;
+  EXPECT_THAT(foreign.text, HasSubstr("note: "));
+  mission.Apply({"mission.moos", "detector = color_shape", "detector = color_shape\n  x {\n  }"});
+  EXPECT_EQ(mission.Run().exit_code, kUsage);
+}
+
 TEST(CheckVerbOfFiles, RefusesAMisspeltBehaviorAndABadParameterOfABehaviorFile) {
   const TemporaryFolder folder;
   const fs::path bhv = folder.path() / "a.bhv";

@@ -118,9 +118,11 @@ class ClockStep : public testing::Test {
         << "\nLatOrigin = 43.721\nLongOrigin = 10.283\n"
            "ProcessConfig = uSimVehicle\n{\n  scenario = scenario.yaml\n}\n"
            "ProcessConfig = uSimSensors\n{\n  scenario = scenario.yaml\n}\n"
-           "ProcessConfig = pNav\n{\n}\n"
+           "ProcessConfig = pNav\n{\n  opi_radius_m = 0.3\n  camera_fov_across_deg = 80\n"
+           "  camera_fov_along_deg = 60\n  camera_width_px = 640\n  camera_height_px = 480\n}\n"
            "ProcessConfig = pSurvey\n{\n  area_north_min_m = -10\n  area_north_max_m = 10\n"
            "  area_east_min_m = -10\n  area_east_max_m = 10\n  altitude_m = 3\n  align_s = 10\n"
+           "  object_height_max_m = 1.5\n"
            "  max_time_s = 1800\n}\n";
   }
   void Start(const std::string& name, bool is_database = false) {

@@ -174,9 +174,9 @@ TEST(LaunchVerb, AMissionThatNamesAShellStartsNothing) {
 }
 
 TEST(LaunchVerb, SaysAtItsEndThatAVitalProgramWasMissing) {
-  const TemporaryFolder folder;
-  EXPECT_EQ(ExitCodeOf(folder.path(), "Run = true\nRun = pMarineViewer\n", {"--allow-outside"}), 0);
-  EXPECT_EQ(ExitCodeOf(folder.path(), "Run = true\nRun = pNoSuchPilot\n", {"--allow-outside"}), 1);
+  const TemporaryFolder viewer, pilot;
+  EXPECT_EQ(ExitCodeOf(viewer.path(), "Run = true\nRun = pMarineViewer\n", {"--allow-outside"}), 0);
+  EXPECT_EQ(ExitCodeOf(pilot.path(), "Run = true\nRun = pNoSuchPilot\n", {"--allow-outside"}), 1);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "limpet/core/clock.hpp"
+#include "limpet/core/config.hpp"
 #include "limpet/core/number_text.hpp"
 
 namespace limpet {
@@ -29,13 +30,15 @@ std::string WholeText(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// What is launched of the mission: without camera and map there is nothing to see, and less to do.
+constexpr const char* kFlown = "LimpetDB uSimVehicle uSimSensors pNav pSurvey pHelm pPilot";
+
 bool IsFlown(const std::string& process) {
-  static const std::vector<std::string> flown{"LimpetDB", "uSimVehicle", "uSimSensors", "pNav",
-                                              "pSurvey",  "pHelm",       "pPilot"};
+  const std::vector<std::string> flown = Split(kFlown, ' ');
   return std::ranges::find(flown, process) != flown.end();
 }
 
-/// The mission's lines, with the processes and lines that are wanted.
+/// The mission's lines, with the options and lines that are wanted.
 std::string Edited(const std::string& text, std::uint16_t port,
                    const LiveMission::Lines& run_options, const LiveMission::Lines& block_lines) {
   std::istringstream lines(text);
@@ -48,9 +51,7 @@ std::string Edited(const std::string& text, std::uint16_t port,
       line = "ServerPort = " + std::to_string(port);
     } else if (first == "MSBetweenLaunches") {
       line = "  MSBetweenLaunches = 0";
-    } else if (first == "Run" && !IsFlown(name)) {
-      continue;
-    } else if (first == "Run") {
+    } else if (first == "Run" && IsFlown(name)) {
       const auto options = run_options.find(name);
       line = "  Run = " + name + " @ NewConsole = false, HungAfter_s = 2" +
              (options == run_options.end() ? "" : ", " + options->second);
@@ -114,7 +115,7 @@ void LiveMission::Launch(const std::string& option) {
     const int file = ::open(said.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
     ::dup2(file, STDOUT_FILENO);
     ::dup2(file, STDERR_FILENO);
-    ::execl(program.c_str(), program.c_str(), mission.c_str(), run.c_str(), "--deploy",
+    ::execl(program.c_str(), program.c_str(), mission.c_str(), kFlown, run.c_str(), "--deploy",
             option.c_str(), nullptr);
     ::_exit(127);
   }
