@@ -163,7 +163,7 @@ inline const auto kThrusterCommand = Declare<ThrusterCommand>(
     {.unit = "-1 to 1",
      .frame = "body FRD",
      .rate = "10 Hz",
-     .writers = {"pPilot", "pLaunch", "operator"}});
+     .writers = {"pPilot", "pLaunch"}});
 inline const auto kMissionEnd =
     Declare<std::string>("MISSION_END", "home, aborted, timeout or lost: the session is over",
                          {.rate = "once", .writers = {"pSurvey", "pLaunch"}});
