@@ -17,13 +17,13 @@ constexpr double kErrorBound = 0.03;
 
 struct Case {
   const char* name;
-  limpet::testing::ChangeWorld world;
+  limpet::trial::ChangeWorld world;
 };
 
 bool Report(const Case& one, int places, std::uint64_t seed) {
   constexpr std::array<const char*, 4> kNames{"confirmed", "removed", "new", "nothing"};
   limpet::Random random(seed, one.name);
-  const auto scores = limpet::testing::Calibrate(one.world, limpet::LookParams{}, places, random);
+  const auto scores = limpet::trial::Calibrate(one.world, limpet::LookParams{}, places, random);
   bool is_good = true;
   for (std::size_t i = 0; i < scores.size(); ++i) {
     const bool fits = scores[i].brier <= kBrierBound && scores[i].expected_error <= kErrorBound;
@@ -39,7 +39,7 @@ bool Report(const Case& one, int places, std::uint64_t seed) {
 int main(int argc, char** argv) {
   const int places = argc > 1 ? std::atoi(argv[1]) : 20000;
   const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
-  using World = limpet::testing::ChangeWorld;
+  using World = limpet::trial::ChangeWorld;
   const std::array<Case, 8> cases{{
       {"as believed", World{}},
       {"rate 20 % lower", World{.rate_factor = 0.8}},

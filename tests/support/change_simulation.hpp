@@ -11,7 +11,7 @@
 #include "estimation/change/status.hpp"
 #include "limpet/core/random.hpp"
 
-namespace limpet::testing {
+namespace limpet::trial {
 
 /// How the world really is, which the estimator does not know exactly.
 struct ChangeWorld {
@@ -98,4 +98,4 @@ inline std::array<Calibration, 4> Calibrate(const ChangeWorld& world, const Look
   return result;
 }
 
-}  // namespace limpet::testing
+}  // namespace limpet::trial

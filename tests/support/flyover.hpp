@@ -11,7 +11,7 @@
 #include "limpet/survey/detection_model.hpp"
 #include "limpet/topics/navigation.hpp"
 
-namespace limpet::testing {
+namespace limpet::trial {
 
 struct Sphere {
   Eigen::Vector3d ned = Eigen::Vector3d::Zero();
@@ -85,4 +85,4 @@ inline std::vector<Sight> Fly(const Leg& leg, Seconds start, const std::vector<S
   return sights;
 }
 
-}  // namespace limpet::testing
+}  // namespace limpet::trial

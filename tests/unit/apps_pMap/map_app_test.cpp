@@ -10,14 +10,9 @@
 namespace limpet {
 namespace {
 
-using testing::Detector;
-using testing::Fly;
-using testing::Leg;
-using testing::Sphere;
-
 constexpr SurveyArea kArea{.north_min = -15, .north_max = 15, .east_min = -18, .east_max = 18};
 
-Landmark LandmarkOf(const Sphere& sphere) {
+Landmark LandmarkOf(const trial::Sphere& sphere) {
   return {.id = sphere.landmark,
           .ned = {sphere.ned.x(), sphere.ned.y(), sphere.ned.z()},
           .cov = {0.04, 0, 0, 0.04, 0, 0.09},
@@ -47,7 +42,7 @@ SessionPrior Former(const std::vector<FormerOpi>& objects) {
 }
 
 /// Where a former session looked from on this leg, two views a metre.
-void AddViews(const Leg& leg, SessionPrior& prior) {
+void AddViews(const trial::Leg& leg, SessionPrior& prior) {
   const double start = prior.views.empty() ? 0.0 : prior.views.back()[0] + 20.0;
   for (int i = 0; 0.5 * i <= leg.length; ++i) {
     prior.views.push_back(
@@ -65,17 +60,18 @@ class MapAppTest : public ::testing::Test {
     return context;
   }
 
-  void Survey(const Leg& leg, const std::vector<Sphere>& spheres, const Detector& detector = {}) {
-    for (const Sight& sight : Fly(leg, link_.time, spheres, detector, random_)) {
+  void Survey(const trial::Leg& leg, const std::vector<trial::Sphere>& spheres,
+              const trial::Detector& detector = {}) {
+    for (const Sight& sight : trial::Fly(leg, link_.time, spheres, detector, random_)) {
       link_.time = sight.exposure;
       link_.Send(app_, topics::kNavSight, sight);
       app_.Tick(link_.time);
     }
     link_.time += Seconds(20.0);
   }
-  void Confirm(const std::vector<Sphere>& spheres) {
+  void Confirm(const std::vector<trial::Sphere>& spheres) {
     Landmarks landmarks;
-    for (const Sphere& sphere : spheres) {
+    for (const trial::Sphere& sphere : spheres) {
       landmarks.landmarks.push_back(LandmarkOf(sphere));
     }
     link_.Send(app_, topics::kNavLandmarks, landmarks);
@@ -91,7 +87,7 @@ class MapAppTest : public ::testing::Test {
   MapApp app_{Context(), MapApp::Params{}};
 };
 
-const Sphere kYellow{.ned = {4, 1, 5.5}, .color = "yellow", .landmark = 3};
+const trial::Sphere kYellow{.ned = {4, 1, 5.5}, .color = "yellow", .landmark = 3};
 
 TEST_F(MapAppTest, ReportsCoverageOfTheGroundItFlewOver) {
   link_.Send(app_, topics::kSurveyArea, kArea);
@@ -126,7 +122,7 @@ TEST_F(MapAppTest, IsSureOfAnObjectAfterOneCleanPass) {
 }
 
 TEST_F(MapAppTest, DoesNotTakeAFalseDetectionForAnObject) {
-  const Sphere ghost{.ned = {4, 1, 5.5}, .color = "yellow", .landmark = 9};
+  const trial::Sphere ghost{.ned = {4, 1, 5.5}, .color = "yellow", .landmark = 9};
   Survey({.north = -1, .east = 1, .length = 4}, {});
   Survey({.north = 3.8, .east = 1, .length = 0.2}, {ghost});
   Survey({.north = 4, .east = 1, .length = 6}, {});
@@ -149,7 +145,7 @@ TEST_F(MapAppTest, LeavesAFormerObjectUncertainUntilItHasLooked) {
 }
 
 TEST_F(MapAppTest, DecidesAllFourWaysInAChangeSession) {
-  const Sphere newcomer{.ned = {4, 8, 6.0}, .color = "orange", .landmark = 4};
+  const trial::Sphere newcomer{.ned = {4, 8, 6.0}, .color = "orange", .landmark = 4};
   SessionPrior prior = Former({{1, {4.3, 1.2, 5.6}, "yellow"}, {2, {8, -4, 7}, "orange"}});
   AddViews({.north = -3, .east = 8, .length = 16}, prior);
   link_.Send(app_, topics::kSessionPrior, prior);
@@ -167,7 +163,7 @@ TEST_F(MapAppTest, DecidesAllFourWaysInAChangeSession) {
 }
 
 TEST_F(MapAppTest, CallsNothingNewOnGroundThatTheFormerSessionNeverSaw) {
-  const Sphere seen_ground{.ned = {4, 8, 6.0}, .color = "orange", .landmark = 4};
+  const trial::Sphere seen_ground{.ned = {4, 8, 6.0}, .color = "orange", .landmark = 4};
   SessionPrior prior = Former({});
   AddViews({.north = -3, .east = 8, .length = 16}, prior);
   link_.Send(app_, topics::kSessionPrior, prior);
@@ -257,7 +253,7 @@ TEST_F(MapAppTest, SaysThatFramesWithoutAnAltitudeAreLeftOut) {
 }
 
 TEST_F(MapAppTest, SaysThatItDoesNotFollowUpEveryHint) {
-  std::vector<Sphere> ghosts;
+  std::vector<trial::Sphere> ghosts;
   for (int i = 0; i < 11; ++i) {
     // At the image's edge: what was seen whole would need no second look.
     ghosts.push_back({.ned = {3.0 * i, 3.0, 6.0}, .color = "yellow", .landmark = -1});
@@ -293,7 +289,7 @@ TEST_F(MapAppTest, SaysThatBeamsEndWhereNothingCanBe) {
 }
 
 TEST_F(MapAppTest, PutsTheCentroidAtTheSpheresCentre) {
-  const Sphere off_grid{.ned = {4.07, 1.03, 5.56}, .color = "yellow", .landmark = 3};
+  const trial::Sphere off_grid{.ned = {4.07, 1.03, 5.56}, .color = "yellow", .landmark = 3};
   Survey({.north = -1, .east = 0, .length = 10}, {off_grid});
   Confirm({off_grid});
   ASSERT_EQ(Objects().size(), 1U);

@@ -6,9 +6,9 @@
 namespace limpet {
 namespace {
 
-using testing::Calibrate;
-using testing::Calibration;
-using testing::ChangeWorld;
+using trial::Calibrate;
+using trial::Calibration;
+using trial::ChangeWorld;
 
 void ExpectCalibrated(const ChangeWorld& world) {
   Random random(5);

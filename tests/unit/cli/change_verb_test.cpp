@@ -26,15 +26,12 @@ namespace limpet {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::Fly;
 using ::testing::HasSubstr;
-using testing::Leg;
-using testing::Sphere;
 
-const Sphere kStays{.ned = {4, 1, 5.5}, .color = "yellow", .landmark = 1};
-const Sphere kGoes{.ned = {9, -1, 6.0}, .color = "orange", .landmark = 2};
-const Sphere kComes{.ned = {0, 0.5, 6.2}, .color = "green", .landmark = 3};
-const Sphere kOnUnseenGround{.ned = {4, 14, 6.0}, .color = "orange", .landmark = 4};
+const trial::Sphere kStays{.ned = {4, 1, 5.5}, .color = "yellow", .landmark = 1};
+const trial::Sphere kGoes{.ned = {9, -1, 6.0}, .color = "orange", .landmark = 2};
+const trial::Sphere kComes{.ned = {0, 0.5, 6.2}, .color = "green", .landmark = 3};
+const trial::Sphere kOnUnseenGround{.ned = {4, 14, 6.0}, .color = "orange", .landmark = 4};
 
 ConfigBlock MapBlock() {
   ConfigBlock block{.name = "pMap", .where = {}, .entries = {}};
@@ -73,17 +70,19 @@ class ChangeVerbTest : public ::testing::Test {
     while (community.elapsed() < end)
       community.Step();
   }
-  void Pass(EmbeddedCommunity& community, const Leg& leg, const std::vector<Sphere>& spheres) {
-    for (const Sight& sight : Fly(leg, community.now(), spheres, {.detects = 0.8}, random_)) {
+  void Pass(EmbeddedCommunity& community, const trial::Leg& leg,
+            const std::vector<trial::Sphere>& spheres) {
+    for (const Sight& sight :
+         trial::Fly(leg, community.now(), spheres, {.detects = 0.8}, random_)) {
       Say(community, topics::kNavSight, sight);
       Wait(community, 0.25);
     }
     Wait(community, 20.0);
   }
-  static void Confirm(EmbeddedCommunity& community, const std::vector<Sphere>& spheres,
+  static void Confirm(EmbeddedCommunity& community, const std::vector<trial::Sphere>& spheres,
                       const Eigen::Vector3d& off) {
     Landmarks landmarks;
-    for (const Sphere& sphere : spheres) {
+    for (const trial::Sphere& sphere : spheres) {
       const Eigen::Vector3d ned = sphere.ned + off;
       landmarks.landmarks.push_back({.id = sphere.landmark,
                                      .ned = {ned.x(), ned.y(), ned.z()},
@@ -98,7 +97,7 @@ class ChangeVerbTest : public ::testing::Test {
   }
   /// Passes along these lines, the smoother's first idea of the objects, and at the end a fix
   /// that moves all of it.
-  void FlySession(const std::string& session, const std::vector<Sphere>& spheres,
+  void FlySession(const std::string& session, const std::vector<trial::Sphere>& spheres,
                   const std::vector<double>& easts) {
     EmbeddedCommunity community = Community(session);
     Say(community, topics::kSurveyPhase, std::string("ALIGN"));
