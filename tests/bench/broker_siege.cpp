@@ -29,6 +29,7 @@
 #include "limpet/pubsub/tcp_client.hpp"
 #include "limpet/wire/little_endian.hpp"
 #include "limpet/wire/packet_codec.hpp"
+#include "tests/bench/broker_process.hpp"
 
 namespace {
 
@@ -40,21 +41,6 @@ using limpet::TcpClient;
 using limpet::WireMessage;
 
 constexpr std::uint16_t kPort = 19763;
-
-pid_t StartBroker(const std::string& program) {
-  const pid_t child = fork();
-  if (child == 0) {
-    const std::string port = fmt::format("--moos_port={}", kPort);
-    execl(program.c_str(), "LimpetDB", port.c_str(), nullptr);
-    _exit(127);
-  }
-  std::this_thread::sleep_for(500ms);
-  if (waitpid(child, nullptr, WNOHANG) != 0) {
-    fmt::print(stderr, "{} does not start\n", program);
-    std::exit(2);
-  }
-  return child;
-}
 
 double Megabytes(pid_t pid, std::string_view which) {
   std::ifstream status(fmt::format("/proc/{}/status", pid));
@@ -206,7 +192,7 @@ int main(int argc, char** argv) {
   const int silent = number(0, 400), half = number(1, 100);
   const std::size_t size = static_cast<std::size_t>(number(2, 64)) << 20;
   const bool comes_again = words.size() > 3 && words[3] == "again";
-  const pid_t broker = StartBroker(program);
+  const pid_t broker = limpet::StartBroker(kPort, program);
   const Delays before = Bystander(4.0, [] {});
   Print("undisturbed", before, broker);
   std::vector<std::unique_ptr<Besieger>> crowd;

@@ -25,6 +25,7 @@
 
 #include "limpet/core/clock.hpp"
 #include "limpet/pubsub/tcp_client.hpp"
+#include "tests/bench/broker_process.hpp"
 #include "tests/bench/loopback_limits.hpp"
 
 namespace {
@@ -36,21 +37,6 @@ using limpet::WireMessage;
 
 constexpr std::uint16_t kPort = 19753;
 constexpr std::int32_t kLatched = -1;  ///< id of the value that a new subscriber finds
-
-pid_t StartBroker(const std::string& program) {
-  const pid_t child = fork();
-  if (child == 0) {
-    const std::string port = fmt::format("--moos_port={}", kPort);
-    execl(program.c_str(), "LimpetDB", port.c_str(), nullptr);
-    _exit(127);
-  }
-  std::this_thread::sleep_for(300ms);
-  if (waitpid(child, nullptr, WNOHANG) != 0) {
-    fmt::print(stderr, "{} does not start\n", program);
-    std::exit(1);
-  }
-  return child;
-}
 
 bool may_go_locally = true;  ///< set once, at the start
 
@@ -374,7 +360,7 @@ int main(int argc, char** argv) {
   const auto is_wanted = [&](std::string_view group) {
     return words.empty() || std::ranges::find(words, group) != words.end();
   };
-  const pid_t broker = StartBroker(program);
+  const pid_t broker = limpet::StartBroker(kPort, program);
   std::array<double, 3> load{};
   static_cast<void>(getloadavg(load.data(), 3));
   fmt::print("load {:.2f} {:.2f}, {} cores{}, clients by {}\n\n", load[0], load[1],
