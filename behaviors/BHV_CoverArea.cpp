@@ -5,18 +5,17 @@
 
 namespace limpet {
 
-void BHV_CoverArea::Shape(const Situation&, double weight, SearchObjective& objective) const {
-  objective.w_cover = weight * params_.cover_weight;
-  objective.w_frontier = weight * params_.frontier_weight;
+void BHV_CoverArea::Shape(const Situation&, double weight, SearchGoals& goals) const {
+  goals.objective.ground = {.cover = weight * params_.rates.cover,
+                            .frontier = weight * params_.rates.frontier};
 }
 
 std::optional<Bid> BHV_CoverArea::Value(const Prospect& prospect, const Situation& now) const {
-  const double useful =
-      params_.cover_weight * prospect.sight.new_area / now.ground->swath();
-  const double ragged = params_.frontier_weight * prospect.sight.frontier_growth;
-  return Bid{.value = useful - ragged - prospect.length(),
-             .why = {{"useful", useful}, {"ragged", ragged}, {"length", prospect.length()}},
-             .veto = {}};
+  const GroundWorth worth = params_.rates.Of(prospect.sight, now.ground->swath());
+  return Bid{
+      .value = worth.useful - worth.ragged - prospect.length(),
+      .why = {{"useful", worth.useful}, {"ragged", worth.ragged}, {"length", prospect.length()}},
+      .veto = {}};
 }
 
 LIMPET_REGISTER_BEHAVIOR(BHV_CoverArea);

@@ -5,8 +5,21 @@
 #include <cmath>
 
 #include "limpet/helm/registry.hpp"
+#include "limpet/topics/warning.hpp"
 
 namespace limpet {
+namespace {
+
+const WarningId kAltitudeLost = DeclareWarning(
+    "ALTITUDE_LOST",
+    {.severity = Severity::kWarning,
+     .raised_by = {"BHV_HoldAltitude"},
+     .meaning = "There has been no bottom lock for memory_s: the behavior has no say on the depth.",
+     .action =
+         "See DVL_NO_LOCK of pNav; where no other behavior wants a depth, the helm stops all.",
+     .clears = "With the next altitude, or once the behavior does not run."});
+
+}  // namespace
 
 void BHV_HoldAltitude::Start(const VehicleState& state) {
   seabed_down_.reset();
@@ -34,7 +47,7 @@ MotionBid BHV_HoldAltitude::Move(const VehicleState& state) {
             .speed = {},
             .depth = {},
             .turn_rate = {},
-            .warning = BehaviorWarning{"ALTITUDE_LOST", "no bottom lock"}};
+            .warning = BehaviorWarning{kAltitudeLost, "no bottom lock"}};
   }
   const double summit = std::max(*seabed_down_ - params_.altitude.value(), 0.0);
   const double flat = params_.tolerance.value();

@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "behaviors/BHV_OpRegion.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "limpet/helm/registry.hpp"
+#include "limpet/planning/home_path.hpp"
 #include "limpet/planning/transit_path.hpp"
+#include "limpet/topics/warning.hpp"
 
 namespace limpet {
 namespace {
 
-constexpr const char* kHome = "home";  ///< source of the options that may end anywhere
-
-bool LeadsIn(const Option& option, const Region& region) {
-  return option.source != kHome && region.Outside(option.path.end()) <= 0.0;
-}
+const WarningId kOutsideRegion = DeclareWarning(
+    "OUTSIDE_REGION",
+    {.severity = Severity::kAlarm,
+     .raised_by = {"BHV_OpRegion"},
+     .meaning = "The vehicle has left its operating region by more than tolerance_m.",
+     .action =
+         "Watch it come back; if it does not, stop it with MOOS_MANUAL_OVERRIDE and it floats "
+         "up.",
+     .clears = "Once it is inside again, or on its way home."});
 
 }  // namespace
 
@@ -33,13 +37,13 @@ MotionBid BHV_OpRegion::Move(const VehicleState& state) {
   const Pose2 here{.north = state.nav.north, .east = state.nav.east, .yaw = state.nav.yaw};
   const double outside = Region(area).Outside(here);
   has_entered_ = has_entered_ || outside <= 0.0;
-  const bool is_going_home = state.guidance && state.guidance->purpose == kHome;
+  const bool is_going_home = state.guidance && state.guidance->purpose == kHomeSource;
   if (!has_entered_ || is_going_home || outside <= params_.tolerance.value()) {
     return {};
   }
   // The path in force leads back if it can; this only warns, and pulls when there is no path.
   MotionBid bid;
-  bid.warning = BehaviorWarning{"OUTSIDE_REGION", "the vehicle is outside its operating region"};
+  bid.warning = BehaviorWarning{kOutsideRegion, "the vehicle is outside its operating region"};
   if (!state.guidance) {
     const double to_north = 0.5 * (area.north_min + area.north_max) - here.north;
     const double to_east = 0.5 * (area.east_min + area.east_max) - here.east;
@@ -50,27 +54,19 @@ MotionBid BHV_OpRegion::Move(const VehicleState& state) {
   return bid;
 }
 
-void BHV_OpRegion::Offer(const Situation& now, std::vector<Option>& options) const {
-  const Region& region = *now.region;
-  const bool is_led_in = std::ranges::any_of(
-      options, [&region](const Option& option) { return LeadsIn(option, region); });
-  if (region.Outside(now.pose) <= 0.0 || is_led_in) {
-    return;
-  }
-  if (std::optional<Option> transit = TransitPath(now.pose, region, now.turn_radius)) {
-    options.push_back(*std::move(transit));
-  }
+void BHV_OpRegion::Shape(const Situation&, double, SearchGoals& goals) const {
+  goals.leads_into_region = true;
 }
 
 std::optional<Bid> BHV_OpRegion::Value(const Prospect& prospect, const Situation& now) const {
   Bid bid;
   const bool starts_inside = now.region->Outside(now.pose) <= 0.0;
-  if (prospect.option->source == kHome) {
+  if (MayEndAnywhere(*prospect.option)) {
     return bid;
   }
   if (starts_inside && !now.region->Contains(prospect.path())) {
     bid.veto = "leaves the operating region";
-  } else if (!starts_inside && !LeadsIn(*prospect.option, *now.region)) {
+  } else if (!starts_inside && !LeadsInto(*now.region, *prospect.option)) {
     bid.veto = "does not lead into the operating region";
   }
   return bid;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "limpet/core/params.hpp"
 #include "limpet/helm/behavior.hpp"
@@ -10,9 +9,9 @@
 namespace limpet {
 
 /// Vetoes options that leave the operating region (area and margin), and steers back inside should
-/// the vehicle have left it. For a vehicle that is outside, e.g. at its start, it offers the way in
-/// where nobody else does. The region is in force once it has been entered, and no more on the way
-/// home, which may end anywhere.
+/// the vehicle have left it. For a vehicle that is outside, e.g. at its start, it asks for a way
+/// in. The region is in force once it has been entered, and no more on the way home, which may end
+/// anywhere.
 class BHV_OpRegion final : public Behavior {
  public:
   struct Params {
@@ -26,7 +25,7 @@ class BHV_OpRegion final : public Behavior {
   explicit BHV_OpRegion(const Params& params) : params_(params) {}
   void Start(const VehicleState& state) override;
   [[nodiscard]] MotionBid Move(const VehicleState& state) override;
-  void Offer(const Situation& now, std::vector<Option>& options) const override;
+  void Shape(const Situation& now, double weight, SearchGoals& goals) const override;
   [[nodiscard]] std::optional<Bid> Value(const Prospect& prospect,
                                          const Situation& now) const override;
 

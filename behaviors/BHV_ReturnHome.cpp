@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "limpet/helm/registry.hpp"
-#include "limpet/planning/home_path.hpp"
 
 namespace limpet {
 namespace {
@@ -16,12 +15,11 @@ double DistanceHome(const Pose2& from, const Situation& now) {
 
 }  // namespace
 
-void BHV_ReturnHome::Offer(const Situation& now, std::vector<Option>& options) const {
+void BHV_ReturnHome::Shape(const Situation& now, double, SearchGoals& goals) const {
   const bool is_near_the_limit =
       now.travelled + 1.2 * DistanceHome(now.pose, now) > 0.9 * params_.range.value();
   if (params_.when == "now" || is_near_the_limit) {
-    options.push_back(
-        HomePath(now.pose, now.home.north, now.home.east, *now.region, now.turn_radius));
+    goals.destinations.push_back({.north = now.home.north, .east = now.home.east});
   }
 }
 

@@ -2,14 +2,13 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "limpet/core/params.hpp"
 #include "limpet/helm/behavior.hpp"
 
 namespace limpet {
 
-/// Offers the way home. With `when = now` it values every option by how far from home it would
+/// Asks for the way home. With `when = now` it values every option by how far from home it would
 /// leave the vehicle; with `when = late` it charges options that would make the vehicle overrun its
 /// range on the way back.
 class BHV_ReturnHome final : public Behavior {
@@ -29,7 +28,7 @@ class BHV_ReturnHome final : public Behavior {
   };
   explicit BHV_ReturnHome(const Params& params) : params_(params) {}
   [[nodiscard]] bool WantsView() const override { return params_.when == "now"; }
-  void Offer(const Situation& now, std::vector<Option>& options) const override;
+  void Shape(const Situation& now, double weight, SearchGoals& goals) const override;
   [[nodiscard]] std::optional<Bid> Value(const Prospect& prospect,
                                          const Situation& now) const override;
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/LimpetDB/database_warnings.hpp"
 #include "limpet/app/report_lines.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/pubsub/broker_status.hpp"
@@ -25,7 +26,12 @@ std::string InKib(std::size_t bytes) {
 
 DatabaseReport::DatabaseReport(const std::string& community, double warp, std::string where,
                                Seconds now)
-    : status_(kName, now), where_(std::move(where)), warp_(warp), messages_at_(now) {
+    : status_(kName, now),
+      warnings_(warp),
+      started_(now),
+      where_(std::move(where)),
+      warp_(warp),
+      messages_at_(now) {
   caster_.Configure({.process = kName, .node = community, .warp = warp});
 }
 
@@ -33,13 +39,9 @@ TcpBrokerOptions::Words DatabaseReport::Take(const Broker& broker, Seconds now) 
   TcpBrokerOptions::Words words;
   ++looks_;
   Watch(broker, now);
-  WatchClock(words);
-  if (std::exchange(has_news_of_warnings_, false)) {
-    std::string text;
-    for (const auto& [id, meaning] : warnings_) {
-      text += (text.empty() ? "" : "; ") + id + ": " + meaning;
-    }
-    words.emplace_back("LIMPETDB_WARNINGS", text.empty() ? "none" : text);
+  WatchClock(words, now);
+  if (std::optional<std::string> news = warnings_.TakeNews(now)) {
+    words.emplace_back(WarningsVariable(kName), *std::move(news));
   }
   if (now - last_status_ >= Seconds(kStatusPeriod * warp_)) {
     last_status_ = now;
@@ -51,64 +53,66 @@ TcpBrokerOptions::Words DatabaseReport::Take(const Broker& broker, Seconds now) 
   return words;
 }
 
-void DatabaseReport::Raise(const std::string& id, const std::string& text) {
-  std::string& known = warnings_[id];
-  if (known != text) {
-    known = text;
-    has_news_of_warnings_ = true;
-    caster_.RaiseWarning(id, text);
+void DatabaseReport::Raise(const WarningId& id, const std::string& text, Seconds now) {
+  if (warnings_.Raise(id, text, now) != WarningBoard::Change::kNone) {
+    caster_.RaiseWarning(id, text, now - started_);
   }
 }
 
-void DatabaseReport::Clear(const std::string& id) {
-  if (warnings_.erase(id) > 0) {
-    has_news_of_warnings_ = true;
+void DatabaseReport::Clear(const WarningId& id) {
+  if (warnings_.Clear(id)) {
     caster_.ClearWarning(id);
   }
 }
 
-void DatabaseReport::WatchClock(TcpBrokerOptions::Words& words) {
+void DatabaseReport::WatchClock(TcpBrokerOptions::Words& words, Seconds now) {
   const auto news = clock_.Look(VehicleTime(), UnixTime());
   if (!news) {
     return;
   }
   words.emplace_back(topics::kWallClock.name, news->record);
   if (news->warning) {
-    Raise("CLOCK_STEPPED", *news->warning);
+    Raise(warnings::kClockStepped, *news->warning, now);
   } else {
-    Clear("CLOCK_STEPPED");
+    Clear(warnings::kClockStepped);
   }
 }
 
-void DatabaseReport::WatchCount(const std::string& id, std::uint64_t count, const std::string& text,
+void DatabaseReport::WatchCount(const WarningId& id, std::uint64_t count, const std::string& text,
                                 Seconds now) {
-  Growth& growth = growths_[id];
+  Growth& growth = growths_.try_emplace(id.name(), Growth{.id = id}).first->second;
   if (count > growth.count) {
-    growth = {.count = count, .last = now};
-    Raise(id, fmt::format("{} {}", count, text));
-  } else if (growth.last && now - *growth.last > Seconds(kSettled * warp_)) {
-    growth.last.reset();
-    Clear(id);
+    growth.last = now;
+    Raise(id, fmt::format("{} {}", count, text), now);
+  }
+  growth.count = count;  // less: a client of this name began anew
+}
+
+void DatabaseReport::ClearSettledCounts(Seconds now) {
+  for (auto& [name, growth] : growths_) {
+    if (growth.last && now - *growth.last > Seconds(kSettled * warp_)) {
+      growth.last.reset();
+      Clear(growth.id);
+    }
   }
 }
 
 void DatabaseReport::Watch(const Broker& broker, Seconds now) {
   const BrokerCounts& counts = broker.counts();
-  WatchCount("STRANGERS", counts.strangers,
+  WatchCount(warnings::kStrangers, counts.strangers,
              "connections were closed that had not said who they are: too slow, or too many", now);
-  WatchCount("UNFINISHED", counts.unfinished,
+  WatchCount(warnings::kUnfinished, counts.unfinished,
              "clients were cut amid a packet: too slow, or held_mib is used up", now);
-  WatchCount("STALLED", counts.stalled,
+  WatchCount(warnings::kStalled, counts.stalled,
              "clients were cut that took no mail, or held_mib is used up", now);
+  WatchCount(warnings::kNoRoom, counts.no_room, "writes were refused: stored_mib is used up", now);
   for (const ClientFacts& client : broker.Clients()) {
     if (client.dropped > 0) {
-      Raise("SLOW_" + client.name,
-            fmt::format("{} reads too slowly and has lost mail", client.name));
+      WatchCount(warnings::kSlow.Of(client.name), client.dropped,
+                 fmt::format("messages for {} are lost: it reads too slowly", client.name), now);
     }
   }
-  if (broker.counts().no_room > 0) {
-    Raise("NO_ROOM", "writes were refused: stored_mib is used up");
-  }
+  ClearSettledCounts(now);
 }
 
 std::vector<std::string> DatabaseReport::Body(const Broker& broker, Seconds now) {

@@ -9,6 +9,7 @@
 #include "apps/LimpetDB/wall_clock_watch.hpp"
 #include "limpet/app/app_caster.hpp"
 #include "limpet/app/app_status.hpp"
+#include "limpet/app/warning_board.hpp"
 #include "limpet/pubsub/tcp_broker.hpp"
 
 namespace limpet {
@@ -28,26 +29,29 @@ class DatabaseReport {
  private:
   void Watch(const Broker& broker, Seconds now);
   /// Raises the warning while `count` grows, and for a while after.
-  void WatchCount(const std::string& id, std::uint64_t count, const std::string& text, Seconds now);
-  void WatchClock(TcpBrokerOptions::Words& words);
-  void Raise(const std::string& id, const std::string& text);
-  void Clear(const std::string& id);
+  void WatchCount(const WarningId& id, std::uint64_t count, const std::string& text, Seconds now);
+  void ClearSettledCounts(Seconds now);
+  void WatchClock(TcpBrokerOptions::Words& words, Seconds now);
+  void Raise(const WarningId& id, const std::string& text, Seconds now);
+  void Clear(const WarningId& id);
   [[nodiscard]] std::vector<std::string> Body(const Broker& broker, Seconds now);
 
   AppCaster caster_;
   AppStatus status_;
   WallClockWatch clock_;
-  std::map<std::string, std::string> warnings_;  ///< now raised, id to text
-  bool has_news_of_warnings_ = false;
+  WarningBoard warnings_;
+  Seconds started_;
   std::string where_;
   double warp_;
   Seconds last_status_;
   std::int64_t looks_ = 0;
+  /// A count that a warning tells of, and when it grew; nothing: not lately.
   struct Growth {
+    WarningId id;
     std::uint64_t count = 0;
-    std::optional<Seconds> last;  ///< when it grew; nothing: not lately
+    std::optional<Seconds> last{};
   };
-  std::map<std::string, Growth> growths_;  ///< by warning
+  std::map<std::string, Growth> growths_;  ///< by id
   std::uint64_t messages_ = 0;             ///< at the last report
   Seconds messages_at_;
 };

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
-#include "apps/limpet/command_output.hpp"
 #include "apps/limpet/verbs/verbs.hpp"
+#include "limpet/console/command_output.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/core/config.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "apps/limpet/command_line.hpp"
-#include "apps/limpet/session_runner.hpp"
+#include "limpet/core/interrupt.hpp"
 
 namespace {
 

@@ -2,12 +2,13 @@
 #include "apps/pDetect/detect_app.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "apps/pDetect/detect_block.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/config.hpp"
-#include "limpet/vision/color_shape_detector.hpp"
 #include "limpet/vision/color_table.hpp"
 
 namespace limpet {
@@ -36,11 +37,12 @@ std::vector<std::string> ParseClasses(const std::string& text) {
 
 }  // namespace
 
-DetectApp::DetectApp(const AppContext& context, const Params& params)
+DetectApp::DetectApp(const AppContext& context, const Params& params,
+                     std::unique_ptr<Detector> detector)
     : App(context),
       params_(params),
       classes_(ParseClasses(params.classes)),
-      detector_(std::make_unique<ColorShapeDetector>()) {
+      detector_(std::move(detector)) {
   Subscribe(topics::kCameraFrame, &DetectApp::OnFrame);
 }
 
@@ -80,6 +82,20 @@ void DetectApp::Report(ReportLines& report) const {
   }
 }
 
-LIMPET_REGISTER_APP(DetectApp, "pDetect", 4.0);
+namespace {
 
+/// As LIMPET_REGISTER_APP, with the keys of the detector that a block names.
+const bool is_registered = [] {
+  AppRegistry()["pDetect"] = {.default_tick_hz = 4.0,
+                              .describe =
+                                  [] {
+                                    DetectApp::Params defaults;
+                                    return DescribeParams(defaults);
+                                  },
+                              .create = CreateDetectApp,
+                              .check = CheckDetectBlock};
+  return true;
+}();
+
+}  // namespace
 }  // namespace limpet

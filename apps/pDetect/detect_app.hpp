@@ -9,6 +9,7 @@
 #include "limpet/core/params.hpp"
 #include "limpet/topics/sensors.hpp"
 #include "limpet/vision/detector.hpp"
+#include "limpet/vision/detector_registry.hpp"
 
 namespace limpet {
 
@@ -21,14 +22,15 @@ class DetectApp final : public App {
     std::string classes = "all";
     template <class Visitor>
     void Describe(Visitor& visit) {
-      visit.Choice("detector", detector, "How objects are found", {"color_shape"});
+      visit.Choice("detector", detector, "How objects are found; brings keys of its own",
+                   DetectorNames());
       visit("min_confidence", min_confidence, "Boxes below are not published", InRange(0.0, 1.0));
       visit("classes", classes, "What to report, e.g. yellow,orange; or all");
     }
   };
 
-  /// Throws ConfigError if a class is unknown.
-  DetectApp(const AppContext& context, const Params& params);
+  /// `detector` is what `params.detector` names. Throws ConfigError if a class is unknown.
+  DetectApp(const AppContext& context, const Params& params, std::unique_ptr<Detector> detector);
   void Report(ReportLines& report) const override;
 
  private:

@@ -5,9 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "apps/pHelm/helm_warnings.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/frames.hpp"
 #include "limpet/helm/motion_domain.hpp"
+#include "limpet/survey/survey_area_warnings.hpp"
 #include "limpet/topics/viewer.hpp"
 
 namespace limpet {
@@ -18,6 +20,8 @@ std::vector<BehaviorFile> LoadBehaviorFiles(const AppContext& context, const Hel
   for (const std::string& name : params.behaviors) {
     files.push_back(LoadBehaviors(context.mission_folder / name));
   }
+  ApplyBehaviorSettings(files, params.behavior_setting);
+  ApplyStandIns(PresetOf(params.views), files);
   return files;
 }
 
@@ -39,8 +43,8 @@ MotionDomain DomainOf(const HelmParams& params) {
 HelmApp::HelmApp(const AppContext& context, const Params& params)
     : App(context),
       params_(params),
-      host_(LoadBehaviorFiles(context, params), params.behavior_setting),
-      planner_(params, MakeRandom("views")),
+      host_(LoadBehaviorFiles(context, params)),
+      planner_(params.views, MakeRandom("views")),
       domain_(DomainOf(params)),
       journal_(params.domain,
                [this](std::string variable, Value value) {
@@ -57,7 +61,6 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
   Subscribe(topics::kMapCoverage, &HelmApp::OnCoverage);
   Subscribe(topics::kMapOpis, &HelmApp::OnOpis);
   Subscribe(topics::kMapLook, &HelmApp::OnLook);
-  Subscribe(topics::kSessionPrior, &HelmApp::OnPrior);
   Subscribe(topics::kHelmRejournal, &HelmApp::OnRejournal);
   SubscribeToConditions();
 }
@@ -72,38 +75,33 @@ void HelmApp::SubscribeToConditions() {
 
 void HelmApp::OnArea(const Stamped<SurveyArea>& area) {
   if (const auto problem = ProblemOf(area.value)) {
-    ClearWarning("AREA_REFUSED");  // one text per warning: the last one refused
-    Warn("AREA_REFUSED", "SURVEY_AREA " + *problem);
+    Warn(warnings::kAreaRefused, "SURVEY_AREA " + *problem);
     return;
   }
-  ClearWarning("AREA_REFUSED");
+  ClearWarning(warnings::kAreaRefused);
   if (planner_.SetArea(area.value) && context().is_restarted) {
     Publish(topics::kMapGridRequest, std::string("pHelm has been restarted"));
   }
-  if (!planner_.SeesWholeBand()) {
+  if (!planner_.survey().SeesWholeBand()) {
     Warn(
-        "BAND_ABOVE_VIEW",
+        warnings::kBandAboveView,
         fmt::format("objects {:g} m above the seabed cannot be covered from survey_altitude_m {:g}",
-                    area.value.object_height_max, params_.survey_altitude.value()));
+                    area.value.object_height_max, params_.views.survey_altitude.value()));
   } else {
-    ClearWarning("BAND_ABOVE_VIEW");
+    ClearWarning(warnings::kBandAboveView);
   }
   drawing_.DrawArea(area.value);
 }
 
 void HelmApp::OnHome(const Stamped<HomePoint>& home) {
-  planner_.SetHome(home.value);
+  planner_.survey().SetHome(home.value);
   drawing_.DrawHome(home.value);
-}
-
-void HelmApp::OnPrior(const Stamped<SessionPrior>& prior) {
-  planner_.SetFormerSession(!prior.value.opis.empty());
 }
 
 void HelmApp::Post(const std::vector<HelmPost>& posts) {
   for (const HelmPost& post : posts) {
     if (post.aux == "HELM_MODE" && std::holds_alternative<std::string>(post.value)) {
-      ReportEvent(post.variable + " = " + std::get<std::string>(post.value));
+      ReportEvent(events::kMode, post.variable + " = " + std::get<std::string>(post.value));
     }
     PublishRaw(post.variable, post.value, post.aux);
   }
@@ -121,7 +119,7 @@ void HelmApp::PostInitialValues() {
 
 std::vector<WeightedBehavior> HelmApp::Bidders() const {
   std::vector<WeightedBehavior> bidders = host_.running();
-  if (params_.gain == "coverage") {  // the paper's eq. (17): objects have no say
+  if (params_.views.gain == "coverage") {  // [Bucci 2025] eq. (17): objects have no say
     std::erase_if(bidders, [](const WeightedBehavior& running) {
       return running.behavior->IsAboutObjects();
     });
@@ -138,8 +136,10 @@ void HelmApp::Tick(Seconds now) {
     PublishState(now);
     return;
   }
-  VehicleState state{
-      .now = now, .nav = *nav_, .guidance = planner_.Guide(*nav_), .area = planner_.area()};
+  VehicleState state{.now = now,
+                     .nav = *nav_,
+                     .guidance = planner_.Guide(*nav_),
+                     .area = planner_.survey().area()};
   Post(host_.Update(state));
   if (is_parked_) {
     planner_.DropPath();
@@ -166,15 +166,15 @@ void HelmApp::DecideView(Seconds now) {
   Publish(topics::kHelmBids, decision->bids);
   bids_ = Stamped<HelmBids>{now, decision->bids};
   if (decision->chosen) {
-    ClearWarning("NO_OPTION");
+    ClearWarning(warnings::kNoOption);
     Publish(topics::kHelmPath,
             ToHelmPath(decision->chosen->path, decision->bids.path_id, decision->chosen->source));
     drawing_.DrawDecision(*decision);
-    ReportEvent(fmt::format("path {}: {}, {:.0f} m, because: {}", decision->bids.path_id,
-                            decision->chosen->source, decision->chosen->path.length(),
-                            decision->bids.cause));
+    ReportEvent(events::kPath, fmt::format("path {}: {}, {:.0f} m, because: {}",
+                                           decision->bids.path_id, decision->chosen->source,
+                                           decision->chosen->path.length(), decision->bids.cause));
   } else {
-    Warn("NO_OPTION", "no option is left: all vetoed or none offered");
+    Warn(warnings::kNoOption, "no option is left: all vetoed or none offered");
   }
 }
 
@@ -201,10 +201,10 @@ void HelmApp::TellBehaviorWarnings() {
   std::vector<OwnedWarning> raised = motion_.warnings;
   raised.insert(raised.end(), host_.warnings().begin(), host_.warnings().end());
   const WarningBook::Change change = warning_book_.Update(raised);
-  for (const std::string& id : change.cleared) {
+  for (const WarningId& id : change.cleared) {
     ClearWarning(id);
   }
-  for (const BehaviorWarning& warning : change.raised) {
+  for (const BehaviorWarning& warning : change.standing) {
     Warn(warning.id, warning.text);
   }
 }

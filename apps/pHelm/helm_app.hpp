@@ -7,11 +7,11 @@
 
 #include "apps/pHelm/helm_drawing.hpp"
 #include "apps/pHelm/helm_journal.hpp"
-#include "apps/pHelm/helm_params.hpp"
-#include "apps/pHelm/view_planner.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/helm/behavior_host.hpp"
+#include "limpet/helm/helm_params.hpp"
 #include "limpet/helm/motion_decision.hpp"
+#include "limpet/helm/view_planner.hpp"
 #include "limpet/helm/warning_book.hpp"
 
 namespace limpet {
@@ -33,11 +33,12 @@ class HelmApp final : public App {
   void OnOverride(const Stamped<bool>& parked) { is_parked_ = parked.value; }
   void OnArea(const Stamped<SurveyArea>& area);
   void OnHome(const Stamped<HomePoint>& home);
-  void OnDelta(const Stamped<GridDelta>& delta) { planner_.Apply(delta.value); }
-  void OnCoverage(const Stamped<Coverage>& coverage) { planner_.SetCoverage(coverage.value); }
-  void OnOpis(const Stamped<OpiBeliefs>& opis) { planner_.SetOpis(opis.value.opis); }
-  void OnLook(const Stamped<MapLook>& look) { planner_.SetLookModel(look.value); }
-  void OnPrior(const Stamped<SessionPrior>& prior);
+  void OnDelta(const Stamped<GridDelta>& delta) { planner_.survey().Apply(delta.value); }
+  void OnCoverage(const Stamped<Coverage>& coverage) {
+    planner_.survey().SetCoverage(coverage.value);
+  }
+  void OnOpis(const Stamped<OpiBeliefs>& opis) { planner_.SetObjects(opis.value.opis); }
+  void OnLook(const Stamped<MapLook>& look) { planner_.survey().SetLookModel(look.value); }
   void OnRejournal(const Stamped<std::string>&) { journal_.Rejournal(); }
 
   void SubscribeToConditions();
@@ -49,7 +50,7 @@ class HelmApp final : public App {
   [[nodiscard]] std::string RevisitText() const;
   void TellFruitless(const HelmRevisits& revisits);
   /// Raised while `ids` are not empty; says which.
-  void WarnOfObjects(const std::string& id, const std::string& ids, const std::string& what);
+  void WarnOfObjects(const WarningId& id, const std::string& ids, const std::string& what);
   void Steer(const VehicleState& state);
   /// Raises what behaviors raise now, and clears what none raises any more.
   void TellBehaviorWarnings();

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "apps/pHelm/helm_app.hpp"
+#include "apps/pHelm/helm_warnings.hpp"
 
 namespace limpet {
 namespace {
@@ -24,15 +25,11 @@ std::string IdsIn(const std::string& state, const HelmRevisits& revisits) {
 
 }  // namespace
 
-void HelmApp::WarnOfObjects(const std::string& id, const std::string& ids,
-                            const std::string& what) {
-  const std::string text = fmt::format("object {}: {}", ids, what);
-  const auto raised = warnings().find(id);
-  if (ids.empty() || (raised != warnings().end() && raised->second != text)) {
+void HelmApp::WarnOfObjects(const WarningId& id, const std::string& ids, const std::string& what) {
+  if (ids.empty()) {
     ClearWarning(id);
-  }
-  if (!ids.empty()) {
-    Warn(id, text);
+  } else {
+    Warn(id, fmt::format("object {}: {}", ids, what));
   }
 }
 
@@ -40,8 +37,8 @@ void HelmApp::TellFruitless(const HelmRevisits& revisits) {
   for (const RevisitInterest& object : revisits.objects) {
     const auto before = std::ranges::find(revisits_.objects, object.id, &RevisitInterest::id);
     if (object.fruitless > (before == revisits_.objects.end() ? 0 : before->fruitless)) {
-      ReportEvent(
-          fmt::format("looks at object {} that told nothing: {}", object.id, object.fruitless));
+      ReportEvent(events::kFruitlessLook, fmt::format("looks at object {} that told nothing: {}",
+                                                      object.id, object.fruitless));
     }
   }
 }
@@ -70,8 +67,9 @@ void HelmApp::TellRevisits(Seconds now) {
   TellFruitless(revisits);
   revisits_ = std::move(revisits);
   Publish(topics::kHelmRevisits, revisits_);
-  WarnOfObjects("OBJECTS_GIVEN_UP", IdsIn("given_up", revisits_), "looks told nothing; no more");
-  WarnOfObjects("OBJECTS_OUT_OF_REACH", IdsIn("out_of_reach", revisits_),
+  WarnOfObjects(warnings::kObjectsGivenUp, IdsIn("given_up", revisits_),
+                "looks told nothing; no more");
+  WarnOfObjects(warnings::kObjectsOutOfReach, IdsIn("out_of_reach", revisits_),
                 "no pass inside the operating region at survey altitude would show it");
 }
 

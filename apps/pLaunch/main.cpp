@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/pLaunch/launch.hpp"
+#include "limpet/launch/launch.hpp"
 
 int main(int argc, char** argv) {
   return limpet::RunLaunch("pLaunch", std::vector<std::string>(argv + 1, argv + argc));

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/pLog/log_warnings.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/logbook/log_folder.hpp"
@@ -135,7 +136,7 @@ void LogApp::OnMail(const MessagePtr& message) {
   }
   if (const auto found = monitored_.find(message->name); found != monitored_.end()) {
     found->second = now();
-    ClearWarning("SILENT_" + message->name);
+    ClearWarning(warnings::kSilent, message->name);
   }
   PutDueRow();
   if (table_) {
@@ -158,7 +159,8 @@ void LogApp::OnCommand(const MessagePtr& message) {
   } else if (EqualsIgnoringCase(task, "LOG_REQUEST")) {
     OnLogRequest(argument);
   } else {
-    Warn("BAD_COMMAND", fmt::format("`{}` is no LOG_REQUEST or COPY_FILE_REQUEST", command));
+    Warn(warnings::kBadCommand,
+         fmt::format("`{}` is no LOG_REQUEST or COPY_FILE_REQUEST", command));
   }
 }
 
@@ -167,6 +169,7 @@ void LogApp::OnCopyRequest(std::string_view name, std::string_view asker) {
   const Expected<fs::path> file = CopyableFile(name);
   if (file) {
     ++copies_;
+    ClearWarning(warnings::kBadCommand);
     Put(FileCopy{.source = *file, .stem = ""});
     return;
   }
@@ -174,8 +177,9 @@ void LogApp::OnCopyRequest(std::string_view name, std::string_view asker) {
   Put(LogComment{
       fmt::format("{} is not copied: {}", fs::path(name).filename().string(), file.error().text)});
   last_refusal_ = now();
-  Warn("COPY_REFUSED", fmt::format("COPY_FILE_REQUEST of `{}`, by {}: {}; the report counts them",
-                                   name.substr(0, 200), asker, file.error().text));
+  Warn(warnings::kCopyRefused,
+       fmt::format("COPY_FILE_REQUEST of `{}`, by {}: {}; the report counts them",
+                   name.substr(0, 200), asker, file.error().text));
 }
 
 Expected<fs::path> LogApp::CopyableFile(std::string_view name) const {
@@ -208,9 +212,10 @@ Expected<fs::path> LogApp::CopyableFile(std::string_view name) const {
 void LogApp::OnLogRequest(std::string_view line) {
   const Expected<LogRequest> request = ParseLogRequest(line);
   if (!request) {
-    Warn("BAD_COMMAND", request.error().text);
+    Warn(warnings::kBadCommand, request.error().text);
     return;
   }
+  ClearWarning(warnings::kBadCommand);
   if (!choice_.Add(*request)) {
     return;
   }
@@ -229,6 +234,7 @@ void LogApp::OnLogRequest(std::string_view line) {
 
 void LogApp::Restart() {
   session_.Close();
+  ClearWarning(warnings::kLogDropped);
   has_failed_ = false;
   copies_ = 0;
   start_ = now();
@@ -272,10 +278,11 @@ Expected<fs::path> LogApp::CreateFolder() {
                                                   : context().run_folder;
   Expected<fs::path> folder = CreateLogFolder(parent.empty() ? "." : parent, stem);
   if (folder) {
+    ClearWarning(warnings::kLogFolder);
     return folder;
   }
   // As MOOS's logger does: a log in the wrong place is better than none.
-  Warn("LOG_FOLDER", folder.error().text + "; logging to the working directory");
+  Warn(warnings::kLogFolder, folder.error().text + "; logging to the working directory");
   return CreateLogFolder(".", stem);
 }
 
@@ -285,7 +292,7 @@ void LogApp::OpenIfNeeded() {
   }
   if (const auto failure = Open()) {
     has_failed_ = true;
-    Warn("LOG_FAILED", failure->text);
+    Warn(warnings::kLogFailed, failure->text);
   }
 }
 
@@ -328,7 +335,7 @@ void LogApp::AnnounceFolder(const fs::path& folder) {
 void LogApp::Put(LogRecord record) {
   OpenIfNeeded();
   if (session_.is_open() && !session_.Put(std::move(record))) {
-    Warn("LOG_DROPPED", "the disk is too slow: messages are missing in the log");
+    Warn(warnings::kLogDropped, "the disk is too slow: messages are missing in the log");
   }
 }
 
@@ -343,14 +350,16 @@ void LogApp::PutDueRow() {
 void LogApp::WatchMonitored(Seconds now) {
   for (const auto& [name, heard] : monitored_) {
     if (now - heard > kMonitorTime) {
-      Warn("SILENT_" + name, name + " is to be logged but does not appear");
+      Warn(warnings::kSilent.Of(name), name + " is to be logged but does not appear");
     }
   }
 }
 
 void LogApp::Save() {
   if (!session_.Save()) {
-    Warn("LOG_FAILED", "the log cannot be written; is the disk full?");
+    Warn(warnings::kLogFailed, "the log cannot be written; is the disk full?");
+  } else if (session_.is_open()) {
+    ClearWarning(warnings::kLogFailed);
   }
 }
 
@@ -358,7 +367,7 @@ void LogApp::Tick(Seconds now) {
   PutDueRow();
   WatchMonitored(now);
   if (last_refusal_ && now - *last_refusal_ > kRefusalTime) {
-    ClearWarning("COPY_REFUSED");
+    ClearWarning(warnings::kCopyRefused);
   }
   if (context().runs_live) {
     OpenIfNeeded();

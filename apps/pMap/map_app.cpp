@@ -6,11 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "apps/pMap/former_map.hpp"
-#include "apps/pMap/map_conversions.hpp"
+#include "apps/pMap/map_warnings.hpp"
 #include "estimation/mapping/dvl_beams.hpp"
+#include "estimation/mapping/former_map.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/survey/look.hpp"
+#include "limpet/survey/survey_area_warnings.hpp"
 
 namespace limpet {
 
@@ -38,11 +39,10 @@ MapApp::MapApp(const AppContext& context, const Params& params)
 
 void MapApp::OnArea(const Stamped<SurveyArea>& area) {
   if (const auto problem = ProblemOf(area.value, params_.cell.value())) {
-    ClearWarning("AREA_REFUSED");  // one text per warning: the last one refused
-    Warn("AREA_REFUSED", "SURVEY_AREA " + *problem);
+    Warn(warnings::kAreaRefused, "SURVEY_AREA " + *problem);
     return;
   }
-  ClearWarning("AREA_REFUSED");
+  ClearWarning(warnings::kAreaRefused);
   if (!area_ || EncodeRecord(*area_) != EncodeRecord(area.value)) {
     area_ = area.value;
     grid_.emplace(area.value, params_.cell.value());
@@ -60,39 +60,39 @@ void MapApp::OnPhase(const Stamped<std::string>& phase) { phase_ = phase.value; 
 
 void MapApp::WarnOfDrop(const std::optional<SightDrop>& drop) {
   if (drop == SightDrop::kOutOfOrder) {
-    Warn("SIGHT_OUT_OF_ORDER", "a frame came late and was left out");
+    Warn(warnings::kSightOutOfOrder, "a frame came late and was left out");
     return;
   }
-  ClearWarning("SIGHT_OUT_OF_ORDER");
+  ClearWarning(warnings::kSightOutOfOrder);
   // On the way down frames from above are no trouble.
   const bool is_surveying = phase_.empty() || phase_ == "SURVEY";
   if (is_surveying && drop == SightDrop::kTooHigh) {
-    Warn("VIEW_TOO_HIGH",
+    Warn(warnings::kViewTooHigh,
          fmt::format("frames from higher than highest_view_m = {:g} above the seabed show nothing",
                      params_.highest_view.value()));
   } else {
-    ClearWarning("VIEW_TOO_HIGH");
+    ClearWarning(warnings::kViewTooHigh);
   }
   if (is_surveying && drop == SightDrop::kNoAltitude) {
-    Warn("VIEW_WITHOUT_ALTITUDE",
+    Warn(warnings::kViewWithoutAltitude,
          fmt::format("frames are left out: no altitude within altitude_lasts_s = {:g}",
                      params_.altitude_lasts.value()));
   } else {
-    ClearWarning("VIEW_WITHOUT_ALTITUDE");
+    ClearWarning(warnings::kViewWithoutAltitude);
   }
 }
 
-void MapApp::OnSight(const Stamped<Sight>& sight) {
+void MapApp::OnSight(const Stamped<ObservedFrame>& sight) {
   const SightGate::Verdict verdict =
       gate_.Judge(sight.value.exposure, sight.value.altitude, phase_);
   WarnOfDrop(verdict.drop);
   if (verdict.drop) {
     return;
   }
-  book_.AddSight(RecordOf(sight.value));
+  book_.AddSight(sight.value);
   layer_.AddSight(book_.sights().back(), book_);
   if (grid_) {
-    grid_->Observe(sight.value.pose(), *verdict.altitude, camera_);
+    grid_->Observe(sight.value.X_WB, *verdict.altitude, camera_);
   }
 }
 
@@ -113,11 +113,11 @@ void MapApp::CountBeams(int given, int used) {
     return;
   }
   if (left_out_in_window_ >= kTooMany * beams_in_window_) {
-    Warn("BEAMS_LEFT_OUT",
+    Warn(warnings::kBeamsLeftOut,
          fmt::format("{} of the last {} DVL beams end where neither seabed nor objects can be",
                      left_out_in_window_, beams_in_window_));
   } else {
-    ClearWarning("BEAMS_LEFT_OUT");
+    ClearWarning(warnings::kBeamsLeftOut);
   }
   beams_in_window_ = left_out_in_window_ = 0;
 }
@@ -141,21 +141,21 @@ void MapApp::OnTrackShift(const Stamped<TrackShift>& shift) {
 }
 
 void MapApp::OnLandmarks(const Stamped<Landmarks>& landmarks) {
-  book_.SetLandmarks(ConfirmedOf(landmarks.value));
+  book_.SetLandmarks(landmarks.value.landmarks);
   landmarks_changed_ = true;
 }
 
 void MapApp::OnPrior(const Stamped<SessionPrior>& prior) {
   try {
     book_.SetFormerViews(FormerViewsOf(prior.value, params_));
-    ClearWarning("FORMER_PARAMETERS");
+    ClearWarning(warnings::kFormerParameters);
   } catch (const ConfigError& error) {
     book_.SetFormerViews({});
-    Warn("FORMER_PARAMETERS",
+    Warn(warnings::kFormerParameters,
          fmt::format("where the former session looked is not used, nothing will be called new: {}",
                      error.what()));
   }
-  book_.SetFormer(FormerOf(prior.value));
+  book_.SetFormer(prior.value.opis);
 }
 
 void MapApp::TellHowItLooks() {
@@ -196,14 +196,13 @@ void MapApp::UpdateObjects() {
 
 void MapApp::PublishObjects() {
   UpdateObjects();
-  OpiBeliefs beliefs;
-  for (const ObjectStatus& status : objects_) {
-    OpiBelief belief = BeliefOf(status);
-    if (const std::optional<ObjectCluster> cluster = layer_.Cluster(status.id)) {
-      belief.centroid = {cluster->centre.x(), cluster->centre.y(), cluster->centre.z()};
-      belief.centroid_sd = {cluster->deviation.x(), cluster->deviation.y(), cluster->deviation.z()};
+  OpiBeliefs beliefs{objects_};
+  for (OpiBelief& belief : beliefs.opis) {
+    belief.centroid_W = belief.object.p_W;
+    if (const std::optional<ObjectCluster> cluster = layer_.Cluster(belief.id)) {
+      belief.centroid_W = cluster->centre;
+      belief.centroid_sd = cluster->deviation;
     }
-    beliefs.opis.push_back(std::move(belief));
   }
   Value encoded = TopicCodec<OpiBeliefs>::Encode(beliefs);
   if (!last_objects_ || *last_objects_ != encoded) {
@@ -215,10 +214,12 @@ void MapApp::PublishObjects() {
 
 void MapApp::WarnOfHunches() {
   if (const int left_out = book_.hunches_left_out(); left_out > 0) {
-    Warn("HUNCHES_LEFT_OUT",
+    Warn(warnings::kHunchesLeftOut,
          fmt::format("{} places where boxes hint at an object are not looked at again: too many; "
                      "does the detector see ghosts?",
                      left_out));
+  } else {
+    ClearWarning(warnings::kHunchesLeftOut);
   }
 }
 

@@ -13,16 +13,26 @@ constexpr double kStep = 0.1;  ///< [m] that an object must move, or its sigma c
 
 /// Along the longer axis of the horizontal ellipse.
 double HorizontalSigma(const OpiBelief& belief) {
-  const double nn = belief.cov[0], ne = belief.cov[1], ee = belief.cov[3];
+  const Eigen::Matrix3d& S = belief.object.cov_W;
+  const double nn = S(0, 0), ne = S(0, 1), ee = S(1, 1);
   const double mean = 0.5 * (nn + ee);
   return std::sqrt(std::max(0.0, mean + std::hypot(0.5 * (nn - ee), ne)));
 }
 
-const char* ColorOf(const std::string& status) {
-  if (status == "confirmed") return "green";
-  if (status == "new") return "orange";
-  if (status == "moved") return "magenta";
-  if (status == "removed") return "gray50";
+const char* ColorOf(Status status) {
+  switch (status) {
+    case Status::kConfirmed:
+      return "green";
+    case Status::kNew:
+      return "orange";
+    case Status::kMoved:
+      return "magenta";
+    case Status::kRemoved:
+      return "gray50";
+    case Status::kUncertain:
+    case Status::kNothing:
+      break;
+  }
   return "yellow";
 }
 
@@ -33,12 +43,12 @@ MapDrawing::MapDrawing(std::string vehicle, ShapeBoard::Post post)
 
 const MapDrawing::Place& MapDrawing::PlaceOf(const OpiBelief& belief) {
   const double sigma = HorizontalSigma(belief);
-  const auto [entry, is_new] =
-      places_.try_emplace(belief.id, Place{belief.ned[0], belief.ned[1], sigma});
+  const double north = belief.object.p_W.x(), east = belief.object.p_W.y();
+  const auto [entry, is_new] = places_.try_emplace(belief.id, Place{north, east, sigma});
   Place& drawn = entry->second;
-  const double moved = std::hypot(belief.ned[0] - drawn.north, belief.ned[1] - drawn.east);
+  const double moved = std::hypot(north - drawn.north, east - drawn.east);
   if (!is_new && (moved > kStep || std::abs(sigma - drawn.sigma) > kStep)) {
-    drawn = {belief.ned[0], belief.ned[1], sigma};
+    drawn = {north, east, sigma};
   }
   return drawn;
 }
@@ -50,14 +60,15 @@ void MapDrawing::Draw(const OpiBeliefs& beliefs) {
     const MapPoint at = MapPointOf(place.north, place.east);
     const std::string label = prefix_ + std::to_string(belief.id);
     const char* color = ColorOf(belief.decided);
-    const bool is_removed = belief.decided == "removed";
-    shapes.push_back({.label = label,
-                      .form = MarkerShape{.at = at,
-                                          .width = 0.5,
-                                          .type = is_removed ? "square" : "circle",
-                                          .primary_color = color},
-                      .style = {.msg = fmt::format("{} {}", belief.color, belief.decided),
-                                .label_color = color}});
+    const bool is_removed = belief.decided == Status::kRemoved;
+    shapes.push_back(
+        {.label = label,
+         .form = MarkerShape{.at = at,
+                             .width = 0.5,
+                             .type = is_removed ? "square" : "circle",
+                             .primary_color = color},
+         .style = {.msg = fmt::format("{} {}", belief.object.color, NameOf(belief.decided)),
+                   .label_color = color}});
     if (!is_removed) {
       shapes.push_back(
           {.label = label,

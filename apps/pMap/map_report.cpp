@@ -49,14 +49,14 @@ void MapApp::Report(ReportLines& report) const {
   }
   ReportTable table({">id", "class", ">north", ">east", ">down", "status", ">there", ">looks",
                      ">boxes", ">former"});
-  for (const ObjectStatus& object : objects_) {
-    const Eigen::Vector3d& ned = object.object.ned;
+  for (const OpiBelief& object : objects_) {
+    const Eigen::Vector3d& ned = object.object.p_W;
     table.AddRow({std::to_string(object.id), object.object.color, fmt::format("{:.2f}", ned.x()),
                   fmt::format("{:.2f}", ned.y()), fmt::format("{:.2f}", ned.z()),
                   std::string(NameOf(object.decided)),
                   fmt::format("{:.3f}", object.posterior.present()), std::to_string(object.looks),
                   std::to_string(object.looks_with_box),
-                  object.former < 0 ? "-" : std::to_string(object.former)});
+                  object.prior_id < 0 ? "-" : std::to_string(object.prior_id)});
   }
   report.Add(table);
 }

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "limpet/app/registry.hpp"
-#include "limpet/core/lower_triangle.hpp"
 
 namespace limpet {
 namespace {
@@ -30,7 +29,7 @@ NavigatorParams NavigatorParamsOf(const NavApp::Params& params) {
       0.5 * (params.top_speed.value() + params.strongest_current.value());
   result.velocity_gate.jump = params.dvl_jump;
   result.frame_wait = params.frame_wait;
-  result.camera = CameraModel::From(params.camera.geometry());
+  result.camera = params.camera.geometry();
   result.node_period = params.node_period;
   result.node_distance = params.node_distance;
   result.objects.model.radius_m = params.opi_radius.value();
@@ -124,39 +123,27 @@ void NavApp::OnDetections(const Stamped<Detections>& detections) {
     return;
   }
   camera_.Note(detections.value.exposure.value(), now().value());
-  FrameDetections frame;
-  frame.frame = detections.value.frame;
-  frame.t = detections.value.exposure.value();
-  for (const Box& box : detections.value.boxes) {
-    frame.boxes.push_back({box.u, box.v, box.w, box.h, box.confidence, box.color});
-  }
-  navigator_.AddFrame(frame);
+  navigator_.AddFrame(detections.value);
 }
 
 void NavApp::OnPrior(const Stamped<SessionPrior>& prior) {
   FormerSession former;
-  for (const PriorOpi& opi : prior.value.opis) {
+  for (const FormerObject& opi : prior.value.opis) {
     former.ids.push_back(opi.id);
-    PlacedObject& object = former.objects.emplace_back();
-    object.ned = Eigen::Vector3d(opi.ned[0], opi.ned[1], opi.ned[2]);
-    object.cov << opi.cov[0], opi.cov[1], opi.cov[2],  //
-        opi.cov[1], opi.cov[3], opi.cov[4],            //
-        opi.cov[2], opi.cov[4], opi.cov[5];
-    object.color = opi.color;
+    former.objects.push_back(opi.object);
   }
-  const auto joint = FromLowerTriangle(prior.value.joint);
-  if (joint && joint->rows() == static_cast<Eigen::Index>(3 * former.ids.size())) {
-    former.covariance = *joint;
+  if (prior.value.joint_cov_W.rows() == static_cast<Eigen::Index>(3 * former.ids.size())) {
+    former.covariance = prior.value.joint_cov_W;
   }
   navigator_.SetFormerSession(std::move(former));
 }
 
 void NavApp::OnSnapshotRequest(const Stamped<std::string>& /*why*/) {
   LandmarkJoint message;
-  for (const LandmarkEstimate& landmark : navigator_.Landmarks()) {
+  for (const Landmark& landmark : navigator_.Landmarks()) {
     message.ids.push_back(landmark.id);
   }
-  message.lower = LowerTriangleOf(navigator_.LandmarkCovariance());
+  message.cov_W = navigator_.LandmarkCovariance();
   Publish(topics::kNavLandmarkJoint, message);
 }
 
@@ -198,8 +185,8 @@ void NavApp::PublishState(double now) {
   state.yaw_rate = estimate.yaw_rate;
   state.velocity_age = estimate.velocity_age;
   state.altitude = estimate.altitude;
-  state.sd_north = estimate.sd_p.x(), state.sd_east = estimate.sd_p.y();
-  state.sd_down = estimate.sd_p.z(), state.sd_yaw = estimate.sd_yaw;
+  state.sd_north = estimate.sd_p_W.x(), state.sd_east = estimate.sd_p_W.y();
+  state.sd_down = estimate.sd_p_W.z(), state.sd_yaw = estimate.sd_yaw;
   AddSources(now, state);
   if (*state.is_valid) {
     PublishScalars(estimate);
@@ -219,22 +206,8 @@ void NavApp::PublishDeadReckoning(double now) {
 }
 
 void NavApp::PublishSights() {
-  for (const PosedFrame& posed : navigator_.TakeFrames()) {
-    const Pose& X_WB = posed.X_WB;
-    Sight sight{.frame = posed.detections.frame,
-                .exposure = Seconds(posed.detections.t),
-                .ned = {X_WB.p_WB.x(), X_WB.p_WB.y(), X_WB.p_WB.z()},
-                .roll = X_WB.roll,
-                .pitch = X_WB.pitch,
-                .yaw = X_WB.yaw,
-                .altitude = posed.altitude,
-                .boxes = {}};
-    for (std::size_t i = 0; i < posed.detections.boxes.size(); ++i) {
-      const BoxDetection& box = posed.detections.boxes[i];
-      sight.boxes.push_back(
-          {{box.u, box.v, box.w, box.h, box.confidence, box.color}, posed.landmarks[i]});
-    }
-    Publish(topics::kNavSight, sight);
+  for (const ObservedFrame& frame : navigator_.TakeFrames()) {
+    Publish(topics::kNavSight, frame);
   }
 }
 
@@ -245,21 +218,10 @@ void NavApp::PublishLandmarks(double now) {
   }
   landmark_version_ = navigator_.landmark_version();
   landmarks_t_ = now;
-  Landmarks message;
-  for (const LandmarkEstimate& landmark : navigator_.Landmarks()) {
-    const Eigen::Matrix3d& S = landmark.covariance;
-    message.landmarks.push_back({.id = landmark.id,
-                                 .ned = {landmark.p.x(), landmark.p.y(), landmark.p.z()},
-                                 .cov = {S(0, 0), S(0, 1), S(0, 2), S(1, 1), S(1, 2), S(2, 2)},
-                                 .color = landmark.color,
-                                 .looks = landmark.looks,
-                                 .is_confirmed = true,
-                                 .prior_id = landmark.prior_id});
-  }
   if (const auto shift = track_watch_.Compare(navigator_.Smoothed())) {
     Publish(topics::kNavTrackShift, *shift);
   }
-  Publish(topics::kNavLandmarks, message);
+  Publish(topics::kNavLandmarks, Landmarks{navigator_.Landmarks()});
 }
 
 void NavApp::PublishBeams(const Stamped<DvlSample>& dvl) {

@@ -9,20 +9,21 @@
 namespace limpet {
 namespace {
 
-void AddLandmarks(const std::vector<LandmarkEstimate>& landmarks, ReportLines& report) {
+void AddLandmarks(const std::vector<Landmark>& landmarks, ReportLines& report) {
   if (landmarks.empty()) {
     report.Add("No landmarks yet.");
     return;
   }
   ReportTable table(
       {">landmark", "class", ">north", ">east", ">down", ">sd n", ">sd e", ">looks", ">former"});
-  for (const LandmarkEstimate& landmark : landmarks) {
-    const auto sd = [&landmark](int axis) { return std::sqrt(landmark.covariance(axis, axis)); };
-    table.AddRow({std::to_string(landmark.id), landmark.color,
-                  fmt::format("{:.2f}", landmark.p.x()), fmt::format("{:.2f}", landmark.p.y()),
-                  fmt::format("{:.2f}", landmark.p.z()), fmt::format("{:.2f}", sd(0)),
+  for (const Landmark& landmark : landmarks) {
+    const auto sd = [&landmark](int axis) { return std::sqrt(landmark.object.cov_W(axis, axis)); };
+    table.AddRow({std::to_string(landmark.id), landmark.object.color,
+                  fmt::format("{:.2f}", landmark.object.p_W.x()),
+                  fmt::format("{:.2f}", landmark.object.p_W.y()),
+                  fmt::format("{:.2f}", landmark.object.p_W.z()), fmt::format("{:.2f}", sd(0)),
                   fmt::format("{:.2f}", sd(1)), std::to_string(landmark.looks),
-                  landmark.prior_id < 0 ? "-" : std::to_string(landmark.prior_id)});
+                  landmark.former_id ? std::to_string(*landmark.former_id) : "-"});
   }
   report.Add(table);
 }
@@ -66,8 +67,8 @@ void NavApp::Report(ReportLines& report) const {
   const Eigen::Vector3d& p_WB = now_at.X_WB.p_WB;
   report.Pair("Position", fmt::format("north {:.2f}, east {:.2f}, down {:.2f} m", p_WB.x(),
                                       p_WB.y(), p_WB.z()));
-  report.Pair("1-sigma", fmt::format("{:.2f}, {:.2f}, {:.2f} m", now_at.sd_p.x(), now_at.sd_p.y(),
-                                     now_at.sd_p.z()));
+  report.Pair("1-sigma", fmt::format("{:.2f}, {:.2f}, {:.2f} m", now_at.sd_p_W.x(),
+                                     now_at.sd_p_W.y(), now_at.sd_p_W.z()));
   report.Pair("Heading",
               fmt::format("{:.1f} deg, 1-sigma {:.2f} deg", MoosHeadingFromYaw(now_at.X_WB.yaw),
                           Radians(now_at.sd_yaw).in_text_unit()));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "apps/pNav/nav_app.hpp"
+#include "apps/pNav/nav_warnings.hpp"
 
 namespace limpet {
 namespace {
@@ -30,21 +31,21 @@ void NavApp::AddSources(double now, NavState& state) const {
 }
 
 void NavApp::WatchSensors(double now) {
-  const auto watch = [this](const char* id, bool is_silent, const char* text) {
+  const auto watch = [this](const WarningId& id, bool is_silent, const char* text) {
     if (is_silent) {
       Warn(id, text);
     } else {
       ClearWarning(id);
     }
   };
-  watch("IMU_STALE", !IsFresh(imu_, now), "no IMU_DATA within stale_after_s");
-  watch("FOG_STALE", fog_.was_heard() && !IsFresh(fog_, now),
+  watch(warnings::kImuStale, !IsFresh(imu_, now), "no IMU_DATA within stale_after_s");
+  watch(warnings::kFogStale, fog_.was_heard() && !IsFresh(fog_, now),
         "no FOG_YAW_RATE within stale_after_s: the IMU's own yaw rate serves");
-  watch("DVL_STALE", !IsFresh(dvl_, now), "no DVL_DATA within stale_after_s");
-  watch("DVL_NO_LOCK", !IsFresh(lock_, now), "no bottom lock within stale_after_s");
-  watch("DEPTH_STALE", !IsFresh(depth_, now), "no DEPTH_SENSOR within stale_after_s");
+  watch(warnings::kDvlStale, !IsFresh(dvl_, now), "no DVL_DATA within stale_after_s");
+  watch(warnings::kDvlNoLock, !IsFresh(lock_, now), "no bottom lock within stale_after_s");
+  watch(warnings::kDepthStale, !IsFresh(depth_, now), "no DEPTH_SENSOR within stale_after_s");
   watch(
-      "NAV_INVALID", navigator_.has_started() && !IsValid(now),
+      warnings::kNavInvalid, navigator_.has_started() && !IsValid(now),
       "no attitude, or nothing else either: NAV_STATE is not valid, NAV_X and its kin are silent");
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/pPilot/pilot_warnings.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/frames.hpp"
 
@@ -44,7 +45,7 @@ void PilotApp::OnNav(const Stamped<NavState>& nav) {
     Refuse(topics::kNavState.name, "fields that are not finite or not of this world");
     return;
   }
-  ClearWarning("REFUSED_NAV_STATE");
+  ClearWarning(warnings::kRefusedInput, topics::kNavState.name);
   // What pNav itself does not vouch for is not flown by.
   nav_ = nav.value.is_usable() ? Latest<NavState>({now(), nav.value}) : std::nullopt;
 }
@@ -55,7 +56,7 @@ void PilotApp::HearWish(const std::string& name, double value, const PlausibleRa
     Refuse(name, fmt::format("`{}` is not within {:g} to {:g}", value, range.low, range.high));
     return;
   }
-  ClearWarning("REFUSED_" + name);
+  ClearWarning(warnings::kRefusedInput, name);
   wish = {now(), value};
 }
 
@@ -74,7 +75,7 @@ void PilotApp::OnTurnRate(const Stamped<double>& rate) {
 
 void PilotApp::Refuse(const std::string& name, const std::string& what) {
   ++refused_[name];
-  Warn("REFUSED_" + name, what + ": treated as not heard");
+  Warn(warnings::kRefusedInput.Of(name), what + ": treated as not heard");
 }
 
 void PilotApp::KeepUp(Seconds now) {
@@ -103,14 +104,14 @@ PilotApp::Mode PilotApp::Judge(Seconds now) const {
 
 void PilotApp::WarnOf(Mode mode) {
   if (mode == Mode::kNoWishes) {
-    Warn("DESIRED_STALE", "no fresh DESIRED_*: thrusters stopped, the vehicle floats up");
+    Warn(warnings::kDesiredStale, "no fresh DESIRED_*: thrusters stopped, the vehicle floats up");
   } else {
-    ClearWarning("DESIRED_STALE");
+    ClearWarning(warnings::kDesiredStale);
   }
   if (mode == Mode::kNoNavigation) {
-    Warn("NAV_STALE", "no fresh NAV_STATE: thrusters stopped, the vehicle floats up");
+    Warn(warnings::kNavStale, "no fresh NAV_STATE: thrusters stopped, the vehicle floats up");
   } else {
-    ClearWarning("NAV_STALE");
+    ClearWarning(warnings::kNavStale);
   }
 }
 
@@ -131,11 +132,12 @@ void PilotApp::Fly(Seconds now) {
   command_ = pilot_.Update(nav_->value, Desired(now), dt.value());
   const ThrusterCommand& c = command_;
   if (!std::isfinite(c.t1 + c.t2 + c.t3 + c.t4 + c.t5 + c.t6)) {
-    Warn("COMMAND_NOT_FINITE", "the control laws gave no number: thrusters stopped, laws reset");
+    Warn(warnings::kCommandNotFinite,
+         "the control laws gave no number: thrusters stopped, laws reset");
     Rest();
     return;
   }
-  ClearWarning("COMMAND_NOT_FINITE");
+  ClearWarning(warnings::kCommandNotFinite);
   Publish(topics::kThrusterCommand, command_);
 }
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "apps/pPilot/pilot.hpp"
 #include "apps/pPilot/plausible.hpp"
 #include "limpet/app/app.hpp"
+#include "limpet/control/pilot.hpp"
 #include "limpet/core/params.hpp"
 
 namespace limpet {

@@ -5,10 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "apps/pSession/saved_session.hpp"
+#include "apps/pSession/session_warnings.hpp"
 #include "estimation/mapping/map_export.hpp"
 #include "limpet/app/registry.hpp"
+#include "limpet/mission/expanded_text.hpp"
 #include "limpet/session/durable_file.hpp"
+#include "limpet/session/saved_session.hpp"
 
 namespace limpet {
 namespace {
@@ -29,6 +31,15 @@ void AddExports(const std::string& map, SessionFiles& files) {
 
 std::string TextOf(const Binary& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// A behavior file as the helm reads it; as it is if its plugs are wrong, which the helm says.
+std::string WithPlugs(const std::string& text, const std::filesystem::path& file) {
+  try {
+    return ExpandedText(text, file);
+  } catch (const ConfigError&) {
+    return text;
+  }
 }
 
 }  // namespace
@@ -61,20 +72,21 @@ void SessionApp::GoOnFromSaved() {
   }
   is_folder_ours_ = false;
   if (!context().is_restarted) {
-    Warn("FORMER_SESSION", folder.string() +
-                               " holds a former session: nothing is saved until this one "
-                               "is deployed and has seen something");
+    Warn(warnings::kFormerSession, folder.string() +
+                                       " holds a former session: nothing is saved until this one "
+                                       "is deployed and has seen something");
     return;
   }
   const Expected<StoredSession> stored = LoadSession(folder);
   const Expected<SessionMemory> saved = stored ? MemoryOf(stored->files) : stored.error();
   if (!saved) {
-    Warn("SESSION_NOT_RESUMED", saved.error().text);
+    Warn(warnings::kSessionNotResumed, saved.error().text);
     return;
   }
   memory_ = *saved;
   is_folder_ours_ = true;
-  ReportEvent(fmt::format("goes on from saved generation {}", stored->generation));
+  ReportEvent(events::kSessionResumed,
+              fmt::format("goes on from saved generation {}", stored->generation));
 }
 
 bool SessionApp::MaySave() {
@@ -86,12 +98,12 @@ bool SessionApp::MaySave() {
   }
   const Expected<fs::path> aside = SetSessionAside(context().run_folder / kSessionFolder);
   if (!aside) {
-    Warn("SESSION_NOT_SAVED", aside.error().text);
+    Warn(warnings::kSessionNotSaved, aside.error().text);
     return false;
   }
-  Warn("FORMER_SESSION_ASIDE",
+  Warn(warnings::kFormerSessionAside,
        "a former session was in the run folder; it is now " + aside->string());
-  ClearWarning("FORMER_SESSION");
+  ClearWarning(warnings::kFormerSession);
   is_folder_ours_ = true;
   return true;
 }
@@ -110,7 +122,8 @@ void SessionApp::CopyMission() {
     const std::string extension = entry.path().extension().string();
     if (extension != ".moos" && extension != ".bhv") continue;
     if (Expected<std::string> text = ReadWhole(entry.path())) {
-      memory_.mission[entry.path().filename().string()] = *std::move(text);
+      memory_.mission[entry.path().filename().string()] =
+          extension == ".bhv" ? WithPlugs(*text, entry.path()) : *text;
     }
   }
   if (!context().blocks.empty()) {
@@ -128,10 +141,8 @@ void SessionApp::OnObjects(const Stamped<OpiBeliefs>& objects) {
 }
 
 void SessionApp::OnTrackShift(const Stamped<TrackShift>& shift) {
-  for (Sight& sight : memory_.sights) {
-    const Pose moved = shift.value.Apply(sight.exposure.value(), sight.pose());
-    sight.ned = {moved.p_WB.x(), moved.p_WB.y(), moved.p_WB.z()};
-    sight.yaw = moved.yaw;
+  for (ObservedFrame& sight : memory_.sights) {
+    sight.X_WB = shift.value.Apply(sight.exposure.value(), sight.X_WB);
   }
 }
 
@@ -143,6 +154,7 @@ void SessionApp::StartSaving(const std::string& cause, Seconds now) {
 }
 
 void SessionApp::OnSnapshot(const Stamped<Binary>& map) {
+  ClearWarning(warnings::kMapSilent);
   memory_.map = TextOf(map.value);
   if (pending_) {
     Commit(pending_->cause, map.time);
@@ -157,7 +169,7 @@ void SessionApp::Tick(Seconds now) {
   if (!last_save_) {
     Commit("start", now);  // self-describing from its first second
   } else if (pending_ && now - pending_->since > params_.map_within) {
-    Warn("MAP_SILENT", "no MAP_SNAPSHOT: saved with the last map known");
+    Warn(warnings::kMapSilent, "no MAP_SNAPSHOT: saved with the last map known");
     Commit(pending_->cause, now);
   } else if (!pending_ && now - *last_save_ >= params_.save_every) {
     StartSaving(kPeriodic, now);
@@ -191,13 +203,13 @@ void SessionApp::Commit(std::string cause, Seconds now) {
   }
   const Expected<int> generation = writer_->Commit(facts, files);
   if (!generation) {
-    Warn("SESSION_NOT_SAVED", generation.error().text);
+    Warn(warnings::kSessionNotSaved, generation.error().text);
     return;
   }
-  ClearWarning("SESSION_NOT_SAVED");
+  ClearWarning(warnings::kSessionNotSaved);
   generation_ = *generation;
   last_cause_ = cause;
-  ReportEvent(fmt::format("saved generation {}: {}", *generation, cause));
+  ReportEvent(events::kSessionSaved, fmt::format("saved generation {}: {}", *generation, cause));
   Publish(topics::kSessionSaved, fmt::format("generation={},cause={}", *generation, cause));
 }
 

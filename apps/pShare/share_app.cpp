@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/pShare/share_warnings.hpp"
 #include "limpet/sharing/share_datagram.hpp"
 #include "limpet/wire/message_conversion.hpp"
 
@@ -25,7 +26,9 @@ std::string CommandName(std::string app) {
   return app + "_CMD";
 }
 
-std::string WarningOf(ShareRefusal refusal) { return fmt::format("REFUSED_{}", NameOf(refusal)); }
+WarningId WarningOf(ShareRefusal refusal) {
+  return warnings::kRefusedDatagrams.Of(NameOf(refusal));
+}
 
 }  // namespace
 
@@ -37,7 +40,7 @@ ShareApp::ShareApp(const AppContext& context, const Params& params)
       keys_(context.mission_folder,
             {.receiver = ShareReceiverId(OwnName(context, params)), .max_age = params.max_age}) {
   if (!context.runs_live) {
-    Warn("NOT_LIVE", "shares nothing: its sockets belong to real time; use limpet launch");
+    Warn(warnings::kNotLive, "shares nothing: its sockets belong to real time; use limpet launch");
     return;
   }
   sockets_ = std::make_unique<UdpSockets>([link = context.link] { link->Wake(); });
@@ -86,7 +89,8 @@ std::optional<Error> ShareApp::LoadKey(ShareSecurity& security, Origin origin) {
     return error;
   }
   if (security.is_plain) {
-    Warn("PLAIN_ROUTES", "some routes are open: anybody on the network can read and forge them");
+    Warn(warnings::kPlainRoutes,
+         "some routes are open: anybody on the network can read and forge them");
     return std::nullopt;
   }
   const auto channel = keys_.Load(security.key_file, ShareInstant::Now());
@@ -194,7 +198,7 @@ std::optional<Error> ShareApp::AddInput(const ShareAddress& address, const Share
 }
 
 void ShareApp::ListenAt(Input& input) {
-  const std::string warning = "CANNOT_LISTEN_" + std::to_string(input.address.port);
+  const WarningId warning = warnings::kCannotListen.Of(std::to_string(input.address.port));
   const auto socket = sockets_->Listen(input.address, input.line.interface);
   if (!socket) {
     Warn(warning, socket.error().text);
@@ -222,7 +226,7 @@ void ShareApp::Send(const Message& message, const OutputBook::Due& due) {
   auto bytes = EncodeShare(wire);
   if (!bytes) {
     ++tally_.counts.too_large;
-    Warn("TOO_LARGE_" + message.name, bytes.error().text);
+    Warn(warnings::kTooLarge.Of(message.name), bytes.error().text);
     return;
   }
   if (!due.security.is_plain) {
@@ -232,14 +236,14 @@ void ShareApp::Send(const Message& message, const OutputBook::Due& due) {
     bytes = keys_.Load(due.security.key_file, now)
                 ->sealer->Seal(SealedContent::Kind::kData, receiver, *bytes, now);
   }
-  const std::string warning = "UNSENT_" + due.address.Text();
   if (const auto error = sockets_->Send(due.address, *bytes)) {
     ++tally_.counts.unsent;
-    Warn(warning, error->text);
+    Warn(warnings::kUnsent.Of(due.address.Text()), error->text);
     return;
   }
   ++tally_.counts.sent;
-  ClearWarning(warning);
+  ClearWarning(warnings::kUnsent, due.address.Text());
+  ClearWarning(warnings::kTooLarge, message.name);
 }
 
 void ShareApp::Attend(Seconds now) {

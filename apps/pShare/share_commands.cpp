@@ -19,10 +19,12 @@ void ShareApp::OnCommand(const MessagePtr& message) {
   const auto error = !command             ? std::optional(command.error())
                      : command->is_output ? AddOutputs(command->line, Origin::kCommand)
                                           : AddInputs(command->line, Origin::kCommand);
-  ClearWarning("BAD_COMMAND");
-  if (error) {
+  if (!error) {
+    ClearWarning(warnings::kBadCommand);
+  } else {
     ++tally_.counts.commands;
-    Warn("BAD_COMMAND", fmt::format("{} from {}: {}", command_name_, message->source, error->text));
+    Warn(warnings::kBadCommand,
+         fmt::format("{} from {}: {}", command_name_, message->source, error->text));
   }
 }
 

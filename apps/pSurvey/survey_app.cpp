@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "apps/pSurvey/survey_memory.hpp"
+#include "apps/pSurvey/survey_warnings.hpp"
 #include "limpet/app/registry.hpp"
 
 namespace limpet {
@@ -73,9 +74,9 @@ void SurveyApp::Remember() {
     memory.home_east = home_->east;
   }
   if (const auto trouble = KeepSurvey(memory, context().run_folder)) {
-    Warn("STATE_NOT_KEPT", trouble->text);
+    Warn(warnings::kStateNotKept, trouble->text);
   } else {
-    ClearWarning("STATE_NOT_KEPT");
+    ClearWarning(warnings::kStateNotKept);
   }
 }
 
@@ -112,11 +113,11 @@ void SurveyApp::OnReturn(const Stamped<bool>& request) {
   switch (phase_) {
     case Phase::kIdle:
     case Phase::kDone:
-      ReportEvent("RETURN is left out: no mission is under way");
+      ReportEvent(events::kReturnRequest, "RETURN is left out: no mission is under way");
       break;
     case Phase::kAlign:  // still at the surface: there it is to stay
       ended_ = "aborted";
-      ReportEvent("operator asked to return before the dive");
+      ReportEvent(events::kReturnRequest, "operator asked to return before the dive");
       EndMission(request.time);
       break;
     case Phase::kDive:
@@ -126,7 +127,7 @@ void SurveyApp::OnReturn(const Stamped<bool>& request) {
     case Phase::kReturn:
     case Phase::kAscend:
     case Phase::kFix:
-      ReportEvent("RETURN: on the way home already");
+      ReportEvent(events::kReturnRequest, "RETURN: on the way home already");
       break;
   }
 }
@@ -134,6 +135,7 @@ void SurveyApp::OnReturn(const Stamped<bool>& request) {
 void SurveyApp::OnMissionEnd(const Stamped<std::string>& end) {
   if (IsUnderWay()) {
     ended_ = end.value;
+    ReportEvent(events::kMissionEnd, ended_);
     Enter(Phase::kDone, now());
   }
 }
@@ -167,14 +169,14 @@ void SurveyApp::Enter(Phase phase, Seconds now) {
   phase_ = phase;
   phase_since_ = now;
   last_progress_ = now;
-  ReportEvent(std::string("phase ") + NameOf(phase));
+  ReportEvent(events::kPhase, NameOf(phase));
   Publish(topics::kSurveyPhase, std::string(NameOf(phase)));
   Remember();
 }
 
 void SurveyApp::GoHome(const std::string& reason, const std::string& ended, Seconds now) {
   ended_ = ended;
-  ReportEvent("going home: " + reason);
+  ReportEvent(events::kGoingHome, reason);
   Publish(topics::kSessionSave, reason);
   Enter(Phase::kReturn, now);
 }
@@ -197,7 +199,7 @@ void SurveyApp::TrackTransit(Seconds now) {
     last_progress_ = now;
   }
   if (was_outside && transit_.is_over()) {
-    ReportEvent("the area is reached");
+    ReportEvent(events::kAreaReached, "the area is reached");
   }
 }
 
@@ -208,15 +210,17 @@ void SurveyApp::Survey(Seconds now) {
   } else if (now - *deployed_ > params_.max_time) {
     GoHome("out of time", "timeout", now);
   } else if (now - last_progress_ > params_.stall && !transit_.is_over()) {
-    Warn("TRANSIT_STALLED", "the area has not come nearer for stall_s; going home");
+    Warn(warnings::kTransitStalled, "the area has not come nearer for stall_s; going home");
     GoHome("the area is not reached", "timeout", now);
   } else if (now - last_progress_ > params_.stall) {
-    Warn("COVERAGE_STALLED", "coverage has not grown for stall_s; going home short of the target");
+    Warn(warnings::kCoverageStalled,
+         "coverage has not grown for stall_s; going home short of the target");
     GoHome("coverage stalled", "timeout", now);
   }
 }
 
 void SurveyApp::EndMission(Seconds now) {
+  ReportEvent(events::kMissionEnd, ended_);
   Enter(Phase::kDone, now);
   Publish(topics::kSessionSave, std::string("mission ended"));
   Publish(topics::kMissionEnd, ended_);
@@ -229,10 +233,10 @@ bool SurveyApp::EndsHopeless(Seconds now) {
   const bool is_passage =
       phase_ == Phase::kDive || phase_ == Phase::kReturn || phase_ == Phase::kAscend;
   if (now - heard > params_.lost) {
-    Warn("NAV_LOST", "no NAV_STATE within lost_s; the mission ends here");
+    Warn(warnings::kNavLost, "no NAV_STATE within lost_s; the mission ends here");
     ended_ = "lost";
   } else if (is_passage && now - phase_since_ > params_.give_up) {
-    Warn("GAVE_UP", "diving, returning or ascending took longer than give_up_s");
+    Warn(warnings::kGaveUp, "diving, returning or ascending took longer than give_up_s");
     ended_ = "timeout";
   } else {
     return false;
@@ -244,9 +248,9 @@ bool SurveyApp::EndsHopeless(Seconds now) {
 void SurveyApp::WatchHelm(Seconds now) {
   const auto complaint = IsUnderWay() ? helm_.Complaint(*deployed_, now) : std::nullopt;
   if (complaint) {
-    Warn("HELM_INACTIVE", *complaint);
+    Warn(warnings::kHelmInactive, *complaint);
   } else {
-    ClearWarning("HELM_INACTIVE");
+    ClearWarning(warnings::kHelmInactive);
   }
 }
 

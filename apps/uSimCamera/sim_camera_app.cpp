@@ -30,7 +30,7 @@ SimCameraApp::SimCameraApp(const AppContext& context, const Params& params)
       box_random_(MakeRandom("boxes")) {
   const Scenario scenario = LoadScenario(context.mission_folder / params.scenario);
   spheres_ = SpheresOf(scenario, context.session);
-  const CameraGeometry camera = params.geometry.geometry();
+  const CameraModel camera = params.geometry.geometry();
   const std::string kind = params.camera == "scenario" ? scenario.camera : params.camera;
   if (kind == "rendered") {
     renderer_.emplace(SceneSettings{

@@ -3,14 +3,14 @@
 
 #include <fmt/format.h>
 
-#include "apps/uSimSensors/depth_model.hpp"
-#include "apps/uSimSensors/dvl_model.hpp"
-#include "apps/uSimSensors/fog_model.hpp"
-#include "apps/uSimSensors/gps_model.hpp"
-#include "apps/uSimSensors/imu_model.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/mission/seabed.hpp"
+#include "limpet/sensors/depth_model.hpp"
+#include "limpet/sensors/dvl_model.hpp"
+#include "limpet/sensors/fog_model.hpp"
+#include "limpet/sensors/gps_model.hpp"
+#include "limpet/sensors/imu_model.hpp"
 #include "limpet/vehicle/vehicle_params.hpp"
 
 namespace limpet {

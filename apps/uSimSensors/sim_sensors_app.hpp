@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "apps/uSimSensors/sample_clock.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/mission/scenario.hpp"
+#include "limpet/sensors/sample_clock.hpp"
 #include "limpet/topics/simulation.hpp"
 
 namespace limpet {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/uSimVehicle/sim_vehicle_warnings.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/mission/seabed.hpp"
 
@@ -96,9 +97,10 @@ void SimVehicleApp::OnCommand(const Stamped<ThrusterCommand>& command) {
   ThrusterVector thrust;
   thrust << c.t1, c.t2, c.t3, c.t4, c.t5, c.t6;
   if (watchdog_.Hear(thrust, now())) {
-    ClearWarning("COMMAND_REFUSED");
+    ClearWarning(warnings::kCommandRefused);
   } else {
-    Warn("COMMAND_REFUSED", "THRUSTER_COMMAND is not finite or beyond full thrust: not obeyed");
+    Warn(warnings::kCommandRefused,
+         "THRUSTER_COMMAND is not finite or beyond full thrust: not obeyed");
   }
 }
 
@@ -126,9 +128,9 @@ ThrusterVector SimVehicleApp::ThrustAt(Seconds time) {
   const bool is_stale = watchdog_.IsStale(time);
   if (is_stale && !is_stale_) {
     ++thrust_.stops;
-    Warn("COMMAND_STALE", "no THRUSTER_COMMAND for 1 s: all thrusters stopped");
+    Warn(warnings::kCommandStale, "no THRUSTER_COMMAND for 1 s: all thrusters stopped");
   } else if (!is_stale) {
-    ClearWarning("COMMAND_STALE");
+    ClearWarning(warnings::kCommandStale);
   }
   is_stale_ = is_stale;
   const ThrusterVector thrust = watchdog_.At(time);
@@ -147,7 +149,7 @@ void SimVehicleApp::NoteZero(bool is_zero, Seconds time) {
   if (is_zero) {
     thrust_.zero_at = time.value();
   }
-  ReportEvent(is_zero ? "thrusters at rest" : "thrusters at work");
+  ReportEvent(events::kThrusters, is_zero ? "thrusters at rest" : "thrusters at work");
   TellThrust(time);
 }
 
@@ -164,11 +166,11 @@ void SimVehicleApp::Move(Seconds duration, Seconds end) {
     return;
   }
   for (const TimedEvent& event : simulation_.Advance(thrust, duration)) {
-    ReportEvent(EventName(event.event));
+    ReportEvent(events::kSimulatedEvent, EventName(event.event));
     Publish(topics::kSimEvent, std::string(EventName(event.event)));
   }
   if (simulation_.failures() > 0) {
-    Warn("INTEGRATOR_FAILED", "CVODE gave up a step; fixed steps bridged it");
+    Warn(warnings::kIntegratorFailed, "CVODE gave up a step; fixed steps bridged it");
   }
 }
 

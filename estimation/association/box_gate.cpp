@@ -13,107 +13,154 @@ namespace limpet {
 namespace {
 
 constexpr double kNearestPoint = 0.3;  // [m]
+constexpr double kSizeSigmas = 3.0;    // of the range from size: boxes that overlap agree in it
+constexpr double kOverlapShare = 0.6;  // of the gate: most that boxes which overlap are off
+// 1-sigma of a cut axis's one edge: pixels, and a share of the expected size.
+constexpr double kEdgeFloor = 4.0, kEdgeShare = 0.15;
 
-/// Offset of a box along one axis from where a sphere should appear [px]; nothing if both edges are
-/// cut, which tells nothing.
+/// One axis of an image: focal length and principal point [px].
+struct ImageAxis {
+  double f, c;
+};
+/// A sphere in the plane of that axis and the optical one [m].
+struct PlaneSphere {
+  double side, depth, radius;
+};
+/// A box along that axis, and the pixel of the centre of the sphere it shows.
+struct ReadExtent {
+  BoxExtent box;
+  double centre;
+};
 struct AxisOffset {
-  double offset = 0.0;
-  double size = 0.0;  ///< of the expected box [px]
+  double offset = 0.0;  ///< of the box from where the sphere should appear [px]
+  double size = 0.0;    ///< of the expected box [px]
 };
 
-std::optional<AxisOffset> OffsetAlong(double side, double depth, double radius, double f, double c,
-                                      double low, double high, double centre, double image,
-                                      double border) {
-  const double middle = std::atan2(side, depth);
-  const double half = std::asin(std::min(radius / std::hypot(side, depth), 0.99));
-  const double expected_low = c + f * std::tan(std::max(middle - half, -1.5));
-  const double expected_high = c + f * std::tan(std::min(middle + half, 1.5));
+/// Nothing if both edges are cut, which tells nothing.
+std::optional<AxisOffset> OffsetAlong(const ImageAxis& axis, const PlaneSphere& sphere,
+                                      const ReadExtent& seen) {
+  const double middle = std::atan2(sphere.side, sphere.depth);
+  const double half =
+      std::asin(std::min(sphere.radius / std::hypot(sphere.side, sphere.depth), 0.99));
+  const double expected_low = axis.c + axis.f * std::tan(std::max(middle - half, -1.5));
+  const double expected_high = axis.c + axis.f * std::tan(std::min(middle + half, 1.5));
   const double size = expected_high - expected_low;
-  const bool cuts_low = low<border, cuts_high = high> image - border;
-  if (cuts_low && cuts_high) return std::nullopt;
-  if (cuts_low) return AxisOffset{high - expected_high, size};
-  if (cuts_high) return AxisOffset{low - expected_low, size};
-  return AxisOffset{centre - (c + f * side / depth), size};
+  const BoxExtent& box = seen.box;
+  if (box.is_low_cut && box.is_high_cut) return std::nullopt;
+  if (box.is_low_cut) return AxisOffset{box.high - expected_high, size};
+  if (box.is_high_cut) return AxisOffset{box.low - expected_low, size};
+  return AxisOffset{seen.centre - (axis.c + axis.f * sphere.side / sphere.depth), size};
 }
 
-}  // namespace
-
-std::optional<BoxMatch> MatchBox(const BoxDetection& box, const BoxReading& reading,
-                                 const NavVector& x, const Eigen::Vector3d& p_W,
-                                 const SightCovariance& covariance, double radius,
-                                 bool is_same_class, const CameraModel& camera,
-                                 const BoxGateParams& params) {
-  const CameraPoint point = CameraPointOf(camera, x, p_W);
+/// Predicted pixel: covariance, from that of pose and object.
+Eigen::Matrix2d PixelCovariance(const CameraPoint& point, const CameraModel& camera,
+                                const SightCovariance& covariance) {
   const Eigen::Vector3d& p = point.p_C;
-  if (p.z() < kNearestPoint) {
-    return std::nullopt;
-  }
-  constexpr double kBorder = 2.0;
-  const auto along_u =
-      OffsetAlong(p.x(), p.z(), radius, camera.fx, camera.cx, box.u - 0.5 * box.w,
-                  box.u + 0.5 * box.w, reading.centre_px.x(), camera.width_px, kBorder);
-  const auto along_v =
-      OffsetAlong(p.y(), p.z(), radius, camera.fy, camera.cy, box.v - 0.5 * box.h,
-                  box.v + 0.5 * box.h, reading.centre_px.y(), camera.height_px, kBorder);
-
   const double k = 1.0 / p.z();
   Eigen::Matrix<double, 2, 3> J_C;
   J_C << camera.fx * k, 0.0, -camera.fx * p.x() * k * k,  //
       0.0, camera.fy * k, -camera.fy * p.y() * k * k;
   Eigen::Matrix<double, 2, 9> J;
   J << J_C * point.J_pose, J_C * point.J_landmark;
-  Eigen::Matrix2d S = J * covariance * J.transpose();
-  Eigen::Vector2d r = Eigen::Vector2d::Zero();
-  bool overlaps = true;
+  return J * covariance * J.transpose();
+}
+
+/// Standard deviation in the worst direction.
+double WorstSigma(const Eigen::Matrix2d& S) {
   const double mean = 0.5 * S.trace(), half = 0.5 * (S(0, 0) - S(1, 1));
-  const double spread = std::sqrt(mean + std::sqrt(half * half + S(0, 1) * S(0, 1)));
-  BoxMatch match{.cost = 0.0,
-                 .new_cost = -2.0 * std::log(params.new_object_share),
-                 .distance2 = 0.0,
-                 .spread_px = spread};
-  const auto add_axis = [&](int axis, const std::optional<AxisOffset>& along, double sigma,
-                            double image) {
+  return std::sqrt(mean + std::sqrt(half * half + S(0, 1) * S(0, 1)));
+}
+
+/// Innovation of a box: both axes, then the range from size.
+class Innovation {
+ public:
+  Innovation(const Eigen::Matrix2d& S, const BoxGateParams& params) : params_(params), S_(S) {}
+
+  void AddAxis(int axis, const std::optional<AxisOffset>& along, double sigma) {
     if (!along) {
-      S.row(axis).setZero(), S.col(axis).setZero();
-      S(axis, axis) = 1.0 / (2.0 * std::numbers::pi);
+      S_.row(axis).setZero(), S_.col(axis).setZero();
+      S_(axis, axis) = 1.0 / (2.0 * std::numbers::pi);
       return;
     }
-    const double noise = std::isfinite(sigma) ? sigma : 4.0 + 0.15 * along->size;
-    const double extra = params.model_error_px + params.model_error_share * along->size;
-    S(axis, axis) += noise * noise + extra * extra;
-    r(axis) = along->offset;
-    overlaps = overlaps && std::abs(along->offset) < params.overlap_share * along->size;
-    match.new_cost += 2.0 * std::log(image);
-  };
-  add_axis(0, along_u, reading.sigma_px.x(), camera.width_px);
-  add_axis(1, along_v, reading.sigma_px.y(), camera.height_px);
+    const double noise = std::isfinite(sigma) ? sigma : kEdgeFloor + kEdgeShare * along->size;
+    const double extra = params_.model_error_px + params_.model_error_share * along->size;
+    S_(axis, axis) += noise * noise + extra * extra;
+    r_(axis) = along->offset;
+    overlaps_ = overlaps_ && std::abs(along->offset) < params_.overlap_share * along->size;
+  }
+  /// Range of the box's size against the expected one, whose 1-sigma is `sd` [m].
+  void AddRange(double range, double expected, double sd) {
+    const double off = std::log(range / expected) / std::hypot(params_.range_sigma, sd / expected);
+    overlaps_ = overlaps_ && std::abs(off) < kSizeSigmas;
+    range_distance2_ = off * off;
+  }
+  [[nodiscard]] double determinant() const { return S_.determinant(); }
+  [[nodiscard]] double Distance2() const {
+    double distance2 =
+        (S_(1, 1) * r_(0) * r_(0) - 2.0 * S_(0, 1) * r_(0) * r_(1) + S_(0, 0) * r_(1) * r_(1)) /
+        determinant();
+    distance2 += range_distance2_;
+    return overlaps_ ? std::min(distance2, kOverlapShare * params_.chi2_per_gate) : distance2;
+  }
+
+ private:
+  const BoxGateParams& params_;
+  Eigen::Matrix2d S_;
+  Eigen::Vector2d r_ = Eigen::Vector2d::Zero();
+  double range_distance2_ = 0.0;
+  bool overlaps_ = true;
+};
+
+void AddRangeTo(Innovation& innovation, double range, const CameraPoint& point,
+                const SightCovariance& covariance) {
+  const Eigen::Vector3d& p = point.p_C;
+  const double expected = 0.5 * (std::hypot(p.x(), p.z()) + std::hypot(p.y(), p.z()));
+  const Eigen::RowVector3d ray_C(0.0, 0.0, 1.0);
+  const Eigen::RowVector3d to_object = ray_C * point.J_landmark;
+  const double sd = std::sqrt((to_object * covariance.bottomRightCorner<3, 3>()).dot(to_object));
+  innovation.AddRange(range, expected, sd);
+}
+
+}  // namespace
+
+std::optional<BoxMatch> BoxGate::Match(const ReadDetection& seen, const NavVector& x,
+                                       const ExpectedObject& object) const {
+  const Box& box = seen.box;
+  const BoxReading& reading = seen.reading;
+  const CameraPoint point = CameraPointOf(camera_, x, object.p_W);
+  const Eigen::Vector3d& p = point.p_C;
+  if (p.z() < kNearestPoint) {
+    return std::nullopt;
+  }
+  const auto along_u = OffsetAlong({camera_.fx, camera_.cx}, {p.x(), p.z(), object.radius},
+                                   {ExtentAcross(seen.box, camera_), reading.centre_px.x()});
+  const auto along_v = OffsetAlong({camera_.fy, camera_.cy}, {p.y(), p.z(), object.radius},
+                                   {ExtentAlong(seen.box, camera_), reading.centre_px.y()});
   if (!along_u && !along_v) {
     return std::nullopt;
   }
-  const double determinant = S.determinant();
-  match.distance2 =
-      (S(1, 1) * r(0) * r(0) - 2.0 * S(0, 1) * r(0) * r(1) + S(0, 0) * r(1) * r(1)) / determinant;
-  if (const auto range = reading.Range(radius)) {
-    const double expected = 0.5 * (std::hypot(p.x(), p.z()) + std::hypot(p.y(), p.z()));
-    const Eigen::RowVector3d ray_C(0.0, 0.0, 1.0);
-    const Eigen::RowVector3d to_object = ray_C * point.J_landmark;
-    const double sd = std::sqrt((to_object * covariance.bottomRightCorner<3, 3>()).dot(to_object));
-    const double sigma = std::hypot(params.range_sigma, sd / expected);
-    const double off = std::log(*range / expected) / sigma;
-    overlaps = overlaps && std::abs(off) < 3.0;
-    match.distance2 += off * off;
-  }
-  if (overlaps) {
-    match.distance2 = std::min(match.distance2, 0.6 * params.chi2_per_gate);
-  }
-  if (match.distance2 > params.chi2_per_gate) {
+  const Eigen::Matrix2d S = PixelCovariance(point, camera_, object.covariance);
+  Innovation innovation(S, params_);
+  innovation.AddAxis(0, along_u, reading.sigma_px.x());
+  innovation.AddAxis(1, along_v, reading.sigma_px.y());
+  if (const auto range = reading.Range(object.radius))
+    AddRangeTo(innovation, *range, point, object.covariance);
+  const double distance2 = innovation.Distance2();
+  if (distance2 > params_.chi2_per_gate) {
     return std::nullopt;
   }
-  const double class_share =
-      is_same_class ? 1.0 - params.confused_class_share : params.confused_class_share;
-  match.cost = match.distance2 + std::log(4.0 * std::numbers::pi * std::numbers::pi * determinant) -
-               2.0 * std::log(class_share);
-  return match;
+  // Something new may be anywhere along each axis that tells.
+  double new_cost = -2.0 * std::log(params_.new_object_share);
+  if (along_u) new_cost += 2.0 * std::log(camera_.width_px);
+  if (along_v) new_cost += 2.0 * std::log(camera_.height_px);
+  const double confused = params_.confused_class_share;
+  const double class_share = object.color == box.color ? 1.0 - confused : confused;
+  const double normaliser =
+      std::log(4.0 * std::numbers::pi * std::numbers::pi * innovation.determinant());
+  return BoxMatch{.cost = distance2 + normaliser - 2.0 * std::log(class_share),
+                  .new_cost = new_cost,
+                  .distance2 = distance2,
+                  .spread_px = WorstSigma(S)};
 }
 
 }  // namespace limpet

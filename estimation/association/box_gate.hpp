@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include <Eigen/Core>
 
@@ -31,13 +32,35 @@ struct BoxMatch {
   double spread_px = 0.0;  ///< 1-sigma of where the box was expected, in the worst direction
 };
 
-/// Compares a box with where an object of `radius` at `p_W` should appear. Axes that a border cuts
-/// are compared by the one edge that shows; whole boxes also by their size. Nothing when the box
-/// cannot be the object.
-[[nodiscard]] std::optional<BoxMatch> MatchBox(const BoxDetection& box, const BoxReading& reading,
-                                               const NavVector& x, const Eigen::Vector3d& p_W,
-                                               const SightCovariance& covariance, double radius,
-                                               bool is_same_class, const CameraModel& camera,
-                                               const BoxGateParams& params);
+/// What a box may show, as seen from a pose of which it is jointly uncertain.
+struct ExpectedObject {
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
+  double radius = 0.0;  ///< [m]
+  std::string color;
+  SightCovariance covariance = SightCovariance::Zero();
+};
+
+/// A box and what it says.
+struct ReadDetection {
+  Box box;
+  BoxReading reading;
+};
+
+/// Compares boxes with where objects should appear.
+class BoxGate {
+ public:
+  /// `camera` must outlive it.
+  BoxGate(const CameraModel& camera, const BoxGateParams& params)
+      : camera_(camera), params_(params) {}
+
+  /// Axes that a border cuts are compared by the one edge that shows; whole boxes also by their
+  /// size. Nothing when the box, seen from the pose `x`, cannot be the object.
+  [[nodiscard]] std::optional<BoxMatch> Match(const ReadDetection& seen, const NavVector& x,
+                                              const ExpectedObject& object) const;
+
+ private:
+  const CameraModel& camera_;
+  BoxGateParams params_;
+};
 
 }  // namespace limpet

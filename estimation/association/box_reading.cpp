@@ -2,6 +2,7 @@
 #include "estimation/association/box_reading.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -34,50 +35,43 @@ std::optional<Interval> Clip(const std::optional<Interval>& edges, double size) 
 }
 
 /// The edge of the cut axis that shows, if the other axis is whole.
-std::optional<EdgeFactor::Edge> LoneEdge(const BoxDetection& box, const BoxReading& reading,
-                                         const CameraModel& camera, const BoxNoise& noise) {
-  if (reading.is_cut_u == reading.is_cut_v) {
-    return std::nullopt;
-  }
+std::optional<EdgeFactor::Edge> LoneEdge(const Box& box, const BoxReading& reading,
+                                         const std::array<BoxExtent, 2>& extents,
+                                         const BoxNoise& noise) {
   const int axis = reading.is_cut_u ? 0 : 1;
-  const double centre = axis == 0 ? box.u : box.v, size = axis == 0 ? box.w : box.h;
-  const double image = axis == 0 ? camera.width_px : camera.height_px;
-  const bool cuts_low = centre - 0.5 * size < noise.border_px;
-  const bool cuts_high = centre + 0.5 * size > image - noise.border_px;
-  if (cuts_low && cuts_high) {
+  const BoxExtent& extent = extents[static_cast<std::size_t>(axis)];
+  if (reading.is_cut_u == reading.is_cut_v || !extent.is_half_cut()) {
     return std::nullopt;
   }
   // The free axis tells how large the whole box is, and how sure the detector was of it.
   const double whole = std::max(box.w, box.h);
-  const int side = cuts_low ? 1 : -1;
   return EdgeFactor::Edge{
       .axis = axis,
-      .side = side,
-      .measured_px = centre + 0.5 * side * size,
+      .side = extent.is_low_cut ? 1 : -1,
+      .measured_px = extent.shown_edge(),
       .sigma_px = std::hypot(reading.sigma_px(1 - axis), noise.edge_share * whole)};
 }
 
 }  // namespace
 
-BoxReading ReadBox(const BoxDetection& box, const CameraModel& camera, const BoxNoise& noise) {
+BoxReading ReadBox(const Box& box, const CameraModel& camera, const BoxNoise& noise) {
   BoxReading reading;
-  const double left = box.u - 0.5 * box.w, right = box.u + 0.5 * box.w;
-  const double top = box.v - 0.5 * box.h, bottom = box.v + 0.5 * box.h;
-  reading.is_cut_u = left < noise.border_px || right > camera.width_px - noise.border_px;
-  reading.is_cut_v = top < noise.border_px || bottom > camera.height_px - noise.border_px;
-  const auto mid = [](double low, double high, double f, double c, double& half) {
-    const double a = std::atan((low - c) / f), b = std::atan((high - c) / f);
+  const BoxExtent across = ExtentAcross(box, camera), along = ExtentAlong(box, camera);
+  reading.is_cut_u = across.is_cut();
+  reading.is_cut_v = along.is_cut();
+  const auto mid = [](const BoxExtent& extent, double f, double c, double& half) {
+    const double a = std::atan((extent.low - c) / f), b = std::atan((extent.high - c) / f);
     half = 0.5 * (b - a);
     return c + f * std::tan(0.5 * (a + b));
   };
-  reading.centre_px = {mid(left, right, camera.fx, camera.cx, reading.half_angle.x()),
-                       mid(top, bottom, camera.fy, camera.cy, reading.half_angle.y())};
+  reading.centre_px = {mid(across, camera.fx, camera.cx, reading.half_angle.x()),
+                       mid(along, camera.fy, camera.cy, reading.half_angle.y())};
   const double doubt = 1.0 + noise.doubt * (1.0 - std::clamp(box.confidence, 0.0, 1.0));
   constexpr double kUnused = std::numeric_limits<double>::infinity();
   reading.sigma_px = {
       reading.is_cut_u ? kUnused : (noise.floor_px + noise.share_of_size * box.w) * doubt,
       reading.is_cut_v ? kUnused : (noise.floor_px + noise.share_of_size * box.h) * doubt};
-  reading.lone_edge = LoneEdge(box, reading, camera, noise);
+  reading.lone_edge = LoneEdge(box, reading, {across, along}, noise);
   return reading;
 }
 
@@ -88,23 +82,17 @@ std::optional<double> BoxReading::Range(double radius) const {
   return 0.5 * radius * (1.0 / std::sin(half_angle.x()) + 1.0 / std::sin(half_angle.y()));
 }
 
-std::optional<BoxDetection> BoxOfSphere(const Eigen::Vector3d& p_C, double radius,
-                                        const CameraModel& camera) {
+std::optional<Box> BoxOfSphere(const Eigen::Vector3d& p_C, double radius,
+                               const CameraModel& camera) {
   const auto u = Clip(EdgesOf(p_C.x(), p_C.z(), radius, camera.fx, camera.cx), camera.width_px);
   const auto v = Clip(EdgesOf(p_C.y(), p_C.z(), radius, camera.fy, camera.cy), camera.height_px);
   if (!u || !v) {
     return std::nullopt;
   }
-  BoxDetection box;
+  Box box;
   box.u = 0.5 * (u->low + u->high), box.w = u->high - u->low;
   box.v = 0.5 * (v->low + v->high), box.h = v->high - v->low;
   return box;
-}
-
-Eigen::Vector3d RayOfPixel(const Eigen::Vector2d& pixel, const CameraModel& camera) {
-  return Eigen::Vector3d((pixel.x() - camera.cx) / camera.fx, (pixel.y() - camera.cy) / camera.fy,
-                         1.0)
-      .normalized();
 }
 
 }  // namespace limpet

@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "estimation/association/detection.hpp"
 #include "estimation/smoothing/factors/edge_factor.hpp"
+#include "limpet/objects/box.hpp"
 
 namespace limpet {
 
@@ -15,7 +15,6 @@ struct BoxNoise {
   double floor_px = 2.0;        ///< 1-sigma of a sure box's centre [px]
   double share_of_size = 0.02;  ///< further share of the box's size
   double doubt = 2.0;           ///< times (1 + doubt (1 - confidence))
-  double border_px = 2.0;       ///< an edge this near the border is taken as cut
   double edge_share = 0.05;     ///< of the size: 1-sigma of one edge, on top of the centre's
   double range_floor_m = 0.05;  ///< 1-sigma of the range from size [m]
   double range_share = 0.12;    ///< further share of the range
@@ -39,14 +38,10 @@ struct BoxReading {
   [[nodiscard]] std::optional<double> Range(double radius) const;
 };
 
-[[nodiscard]] BoxReading ReadBox(const BoxDetection& box, const CameraModel& camera,
-                                 const BoxNoise& noise);
+[[nodiscard]] BoxReading ReadBox(const Box& box, const CameraModel& camera, const BoxNoise& noise);
 
 /// Box of a sphere at `p_C`, clipped to the image; nothing when it is out of sight.
-[[nodiscard]] std::optional<BoxDetection> BoxOfSphere(const Eigen::Vector3d& p_C, double radius,
-                                                      const CameraModel& camera);
-
-/// Unit ray of a pixel in the camera frame.
-[[nodiscard]] Eigen::Vector3d RayOfPixel(const Eigen::Vector2d& pixel, const CameraModel& camera);
+[[nodiscard]] std::optional<Box> BoxOfSphere(const Eigen::Vector3d& p_C, double radius,
+                                             const CameraModel& camera);
 
 }  // namespace limpet

@@ -10,13 +10,13 @@
 namespace limpet {
 namespace {
 
-constexpr double kHopeless = 30.0;  // -2 ln of a likelihood ratio not worth following up
+constexpr double kPruned = 30.0;  // -2 ln of a likelihood ratio not worth following up
 
 /// A hypothesis under way: its pairs' differences, whitened one after the other by the Cholesky
 /// factor of their joint covariance, which grows by three rows with each pair.
 struct Partial {
   IdentityHypothesis hypothesis;
-  std::vector<double> company;  ///< share of the likelihood in which a thing has another beside it
+  std::vector<double> has_neighbour;  ///< per thing: share of the likelihood
   std::vector<std::pair<int, int>> pairs;
   Eigen::MatrixXd factor;
   Eigen::VectorXd whitened;
@@ -96,19 +96,19 @@ void AddNew(const IdentityProblem& problem, Partial& partial,
     return std::any_of(problem.claimants.begin() + decided, problem.claimants.end(),
                        [thing](const auto& c) { return c.thing == thing; });
   };
-  std::vector<double> shares(partial.company.size(), 0.0);
+  std::vector<double> shares(partial.has_neighbour.size(), 0.0);
   double beside = 0.0;
-  for (std::size_t k = 0; problem.company > 0.0 && k < shares.size(); ++k) {
+  for (std::size_t k = 0; problem.pair_density > 0.0 && k < shares.size(); ++k) {
     const int other = static_cast<int>(k);
     if (is_open(other) || NameIn(problem, partial.hypothesis, other) != other) continue;
     const Difference d = DifferenceOf(problem, partial, {claimant.thing, other});
-    const double room = 1.0 - partial.company[k] * (1.0 - problem.crowd);
-    shares[k] = problem.company * room * ShareWithin(d, problem.beside_m);
+    const double room = 1.0 - partial.has_neighbour[k] * (1.0 - problem.crowding);
+    shares[k] = problem.pair_density * room * ShareWithin(d, problem.pair_distance);
     beside += shares[k];
   }
   for (std::size_t k = 0; beside > 0.0 && k < shares.size(); ++k)
-    partial.company[k] += (1.0 - partial.company[k]) * shares[k] / (alone + beside);
-  partial.company[static_cast<std::size_t>(claimant.thing)] = beside / (alone + beside);
+    partial.has_neighbour[k] += (1.0 - partial.has_neighbour[k]) * shares[k] / (alone + beside);
+  partial.has_neighbour[static_cast<std::size_t>(claimant.thing)] = beside / (alone + beside);
   partial.hypothesis.is.push_back(claimant.thing);
   partial.hypothesis.cost += claimant.overlap_cost - 2.0 * std::log(alone + beside);
 }
@@ -137,9 +137,9 @@ void AddPair(const IdentityProblem& problem, Partial& partial, int thing, int sa
 
 std::vector<IdentityHypothesis> LikeliestIdentities(const IdentityProblem& problem, int width) {
   std::vector<Partial> beam(1), next;
-  beam.front().company.assign(static_cast<std::size_t>(problem.places.size() / 3), 0.0);
-  for (std::size_t k = 0; k < problem.has_company.size(); ++k)
-    beam.front().company[k] = problem.has_company[k] ? 1.0 : 0.0;
+  beam.front().has_neighbour.assign(static_cast<std::size_t>(problem.places.size() / 3), 0.0);
+  for (std::size_t k = 0; k < problem.has_neighbour.size(); ++k)
+    beam.front().has_neighbour[k] = problem.has_neighbour[k] ? 1.0 : 0.0;
   for (const IdentityProblem::Claimant& claimant : problem.claimants) {
     next.clear();
     for (const Partial& partial : beam) {
@@ -148,7 +148,7 @@ std::vector<IdentityHypothesis> LikeliestIdentities(const IdentityProblem& probl
         // What an option itself is taken for has its own option, or is out of reach.
         if (NameIn(problem, partial.hypothesis, option.thing) != option.thing) continue;
         const double apart = ApartCost(problem, partial.hypothesis, claimant.thing, option.thing);
-        if (apart > kHopeless) continue;
+        if (apart > kPruned) continue;
         Partial& same = next.emplace_back(partial);
         same.hypothesis.is.push_back(option.thing);
         same.hypothesis.cost += option.cost + apart;
@@ -156,8 +156,8 @@ std::vector<IdentityHypothesis> LikeliestIdentities(const IdentityProblem& probl
       }
     }
     std::ranges::stable_sort(next, {}, [](const Partial& p) { return p.hypothesis.cost; });
-    const double hopeless = next.front().hypothesis.cost + kHopeless;
-    while (static_cast<int>(next.size()) > width || next.back().hypothesis.cost > hopeless)
+    const double pruned = next.front().hypothesis.cost + kPruned;
+    while (static_cast<int>(next.size()) > width || next.back().hypothesis.cost > pruned)
       next.pop_back();
     std::swap(beam, next);
   }
@@ -177,7 +177,9 @@ double ShareOf(const std::vector<IdentityHypothesis>& hypotheses, int claimant, 
   return share / all;
 }
 
-bool TakeOutTie(Eigen::VectorXd& places, Eigen::MatrixXd& covariance, int a, int b, double sigma) {
+bool TakeOutTie(Eigen::VectorXd& places, Eigen::MatrixXd& covariance, const TiedPair& tied,
+                double sigma) {
+  const auto [a, b] = tied;
   const Eigen::MatrixXd across =
       covariance.middleCols<3>(Row(a)) - covariance.middleCols<3>(Row(b));
   // The tie was a measurement of the difference; taking it out is one with negative information.

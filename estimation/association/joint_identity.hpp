@@ -33,10 +33,11 @@ struct IdentityProblem {
   };
   std::vector<Apart> apart;
   double model_sigma = 0.1;  ///< [m] between two places of one thing
-  /// Where things come in pairs: likelihood [1/m^3] of another one within `beside_m` of one that
-  /// has none there, and the share of it where there is one already.
-  double company = 0.0, crowd = 1.0, beside_m = 2.0;
-  std::vector<bool> has_company;  ///< per thing; all without if empty
+  /// Where things come in pairs: density of another one near one that has no neighbour.
+  double pair_density = 0.0;        ///< [1/m^3]
+  double crowding = 1.0;            ///< share of it near one that has a neighbour already
+  double pair_distance = 2.0;       ///< what is near [m]
+  std::vector<bool> has_neighbour;  ///< per thing; all without if empty
 };
 
 /// One way to see it: per claimant the thing that it is, its own number if something else.
@@ -54,9 +55,14 @@ struct IdentityHypothesis {
 [[nodiscard]] double ShareOf(const std::vector<IdentityHypothesis>& hypotheses, int claimant,
                              int thing);
 
-/// Takes out of `places` and their covariance that two things (indices) were held together with
+/// Two things, by their indices.
+struct TiedPair {
+  int a = 0, b = 0;
+};
+
+/// Takes out of `places` and their covariance that two things were held together with
 /// `sigma`. False, and nothing changed, if they cannot have been.
-[[nodiscard]] bool TakeOutTie(Eigen::VectorXd& places, Eigen::MatrixXd& covariance, int a, int b,
-                              double sigma);
+[[nodiscard]] bool TakeOutTie(Eigen::VectorXd& places, Eigen::MatrixXd& covariance,
+                              const TiedPair& tied, double sigma);
 
 }  // namespace limpet

@@ -38,9 +38,9 @@ double ClassCost(const TrackedObject& a, const TrackedObject& b, double confused
 
 double TogetherCost(const TrackedObject& a, const TrackedObject& b) {
   double cost = 0.0;
-  auto i = a.looks.rbegin();
-  auto j = b.looks.rbegin();
-  while (i != a.looks.rend() && j != b.looks.rend() && cost < kCertainlyTwo) {
+  auto i = a.observations.rbegin();
+  auto j = b.observations.rbegin();
+  while (i != a.observations.rend() && j != b.observations.rend() && cost < kTwoObjectsCost) {
     if (i->frame == j->frame) {
       const double c = std::clamp(std::min(i->confidence, j->confidence), 0.5, 0.95);
       cost += 2.0 * std::log(c / (1.0 - c)) - 2.0 * std::log(kFalseThere);

@@ -3,12 +3,14 @@
 // likelihood that they do over that they do not.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "estimation/association/tracked_object.hpp"
 
 namespace limpet {
 
 /// Beyond this, nothing that is known of places counts against it.
-inline constexpr double kCertainlyTwo = 24.0;
+inline constexpr double kTwoObjectsCost = 24.0;
 
 /// From the classes that the boxes were given, of which a `confused` share is wrong. At best 0: how
 /// common a class is, is not known.
@@ -19,7 +21,7 @@ inline constexpr double kCertainlyTwo = 24.0;
 [[nodiscard]] double TogetherCost(const TrackedObject& a, const TrackedObject& b);
 
 [[nodiscard]] inline bool AreSeenTogether(const TrackedObject& a, const TrackedObject& b) {
-  return TogetherCost(a, b) >= kCertainlyTwo;
+  return TogetherCost(a, b) >= kTwoObjectsCost;
 }
 
 /// The other way round: that they are two, though two objects of that radius do not overlap. From

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <Eigen/Core>
@@ -14,7 +15,7 @@
 namespace limpet {
 
 /// One box that was taken to show an object.
-struct Look {
+struct Observation {
   int frame = 0;
   int detection = 0;  ///< index of the box in its frame
   int node = 0;       ///< pose of the chain at the exposure
@@ -23,51 +24,96 @@ struct Look {
   std::string color;
   double confidence = 0.0;
   std::optional<double> altitude;  ///< of the body origin above the seabed then [m]
-  std::vector<TermId> terms;       ///< of the graph, once the object is a landmark
+  std::vector<TermId> terms;       ///< of the graph, once the object is in it
 };
 
-/// Something that boxes hint at: tentative until enough of them agree, then a landmark.
-struct TrackedObject {
-  int id = -1;    ///< given with the landmark, from 1 on, never used again
-  int slot = -1;  ///< in the smoother; -1 while tentative
-  std::vector<Look> looks;
-  Eigen::Vector3d p = Eigen::Vector3d::Zero();               ///< NED [m], as of the last solution
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< tentative: relative to its poses
-  double worst_residual = 0.0;                               ///< tentative: whitened, of its looks
-  double last_path = 0.0;                                    ///< way travelled when last seen [m]
-  double far = 0.0;            ///< greatest distance it was seen at [m]
-  int expected = 0;            ///< frames that should have shown it
-  int hits = 0;                ///< of these, how many did
-  int prior_id = -1;           ///< object of the former session it was matched with
-  bool is_in_doubt = false;    ///< a landmark of the smoother that may be another one seen again
-  double spread = 0.0;         ///< 1-sigma of its distance to landmarks when it came in doubt [m]
-  bool is_open = false;        ///< what it is may still change
-  int same_as = -1;            ///< id of the landmark that it is tied to; -1: none
-  bool is_likely_new = false;  ///< in doubt: likelier none of the landmarks known before
-  double certainty = 0.0;      ///< share of the likelihood of what it is taken for
-  double decided_t = 0.0;      ///< when it was tied [s]
-  bool is_fresh = true;        ///< seen since the last review
-  /// Where it was when all its looks were last reviewed; nothing before that.
-  std::optional<Eigen::Vector3d> reviewed_p;
+/// A track that is not in the smoother: too few boxes agree on it yet.
+struct Tentative {
+  Eigen::Matrix3d covariance_W = Eigen::Matrix3d::Identity();  ///< relative to its poses [m^2]
+  double worst_residual = 0.0;                                 ///< whitened, of its observations
+};
+/// In the smoother, and may be a landmark that is known, seen again.
+struct InDoubt {};
+/// An object of its own: what others are told of.
+struct Confirmed {
+  bool is_on_probation = false;  ///< that it is one may still be taken back
+};
+/// In the smoother and held at the place of an older track, which it is taken for: the tie may be
+/// taken back.
+struct Tied {
+  int to = 0;          ///< id
+  double since = 0.0;  ///< [s]
+};
+/// Merged into another track or given up; to be erased.
+struct Gone {};
+using TrackState = std::variant<Tentative, InDoubt, Confirmed, Tied, Gone>;
 
+/// What the last joint decision on identities said of a track.
+struct IdentityVerdict {
+  double share = 0.0;          ///< of the likelihood, of what it is taken for
+  bool is_likely_new = false;  ///< likelier none of the landmarks known before
+};
+
+/// Something that boxes hint at: tentative until enough of them agree, then in the smoother.
+class TrackedObject {
+ public:
+  std::vector<Observation> observations;          ///< in order of time
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< [m], as of the last solution
+  TrackState state = Tentative{};
+  double last_path = 0.0;        ///< way travelled when last seen [m]
+  double max_distance = 0.0;     ///< from the camera that it was seen at [m]
+  int expected = 0;              ///< frames that should have shown it
+  int hits = 0;                  ///< of these, how many did
+  std::optional<int> former_id;  ///< object of the former session it was matched with
+  double drift_sd = 0.0;         ///< of its distance to landmarks when it came in doubt [m]
+  IdentityVerdict verdict;
+  bool needs_review = true;  ///< seen since the last review
+  /// Where it was when all its observations were last reviewed; nothing before that.
+  std::optional<Eigen::Vector3d> reviewed_p_W;
+
+  /// Puts it into the smoother at `slot`, under an id from 1 on that is never used again.
+  void Map(int id, int slot, const TrackState& as);
+  /// REQUIRES: is_mapped(), now or before it was gone.
+  [[nodiscard]] int id() const { return mapped_->id; }
+  /// Its variable in the smoother. REQUIRES: is_mapped().
+  [[nodiscard]] int slot() const { return mapped_->slot; }
+
+  template <class State>
+  [[nodiscard]] bool Is() const {
+    return std::holds_alternative<State>(state);
+  }
   /// True if the smoother estimates its place.
-  [[nodiscard]] bool is_mapped() const { return slot >= 0; }
+  [[nodiscard]] bool is_mapped() const { return !Is<Tentative>() && !Is<Gone>(); }
   /// True if it is mapped in its own right, be it in doubt.
-  [[nodiscard]] bool is_known() const { return is_mapped() && same_as < 0; }
-  /// True if it is an object of its own: what others are told of.
-  [[nodiscard]] bool is_landmark() const { return is_known() && !is_in_doubt; }
-  [[nodiscard]] double last_seen() const { return looks.back().t; }
+  [[nodiscard]] bool is_untied() const { return Is<InDoubt>() || Is<Confirmed>(); }
+  [[nodiscard]] bool is_landmark() const { return Is<Confirmed>(); }
+  /// True if what it is may still change.
+  [[nodiscard]] bool is_open() const;
+  [[nodiscard]] bool IsTiedTo(int id) const {
+    const auto* tied = std::get_if<Tied>(&state);
+    return tied != nullptr && tied->to == id;
+  }
+  /// Id of the track that it is taken for.
+  [[nodiscard]] std::optional<int> tied_to() const;
+  /// REQUIRES: it is tentative.
+  [[nodiscard]] const Tentative& tentative() const { return std::get<Tentative>(state); }
+
+  [[nodiscard]] double last_seen() const { return observations.back().t; }
   /// The class most boxes gave it; the first in the alphabet if equal.
   [[nodiscard]] const std::string& Color() const { return color_; }
-  /// To be called when looks went or came in numbers; AddLook counts its own.
+  /// To be called when observations went or came in numbers; Add counts its own.
   void RecountColor();
-  void AddLook(Look look);
+  void Add(Observation observation);
   /// Sum of confidences per class.
   [[nodiscard]] const std::map<std::string, double>& votes() const { return votes_; }
-  /// Sum of ln(c / (1 - c)) over the confidences of its looks.
+  /// Sum of ln(c / (1 - c)) over the confidences of its observations.
   [[nodiscard]] double LogOdds() const;
 
  private:
+  struct Mapped {
+    int id, slot;
+  };
+  std::optional<Mapped> mapped_;
   std::map<std::string, double> votes_;
   std::string color_;
 };

@@ -4,12 +4,12 @@
 #include <functional>
 
 #include "estimation/association/tracked_object.hpp"
-#include "estimation/smoothing/camera_model.hpp"
 #include "estimation/smoothing/nav_vector.hpp"
+#include "limpet/core/camera_model.hpp"
 
 namespace limpet {
 
-/// What is known of objects before any look.
+/// What is known of objects before any observation.
 struct ObjectModel {
   BoxNoise noise;
   double radius_m = 0.5;  ///< 0: unknown
@@ -19,24 +19,21 @@ struct ObjectModel {
 };
 
 struct Triangulation {
-  Eigen::Vector3d p = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
-  double worst_residual = 0.0;  ///< whitened, over the looks
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();             ///< [m]
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< [m^2]
+  double worst_residual = 0.0;                               ///< whitened, over the observations
 };
 
-/// Where an object is, from its looks at poses taken as known: bearing, range of whole boxes, and
-/// the seabed below the first look.
-[[nodiscard]] Triangulation Triangulate(const std::vector<Look>& looks,
+/// Where an object is, from its observations at poses taken as known: bearing, range of whole
+/// boxes, and the seabed below the first observation.
+[[nodiscard]] Triangulation Triangulate(const std::vector<Observation>& observations,
                                         const std::function<NavVector(int)>& pose_of,
                                         const CameraModel& camera, const ObjectModel& model);
 
-/// A first guess from one look.
-[[nodiscard]] Eigen::Vector3d PlaceAlongRay(const Look& look, const NavVector& x,
-                                            const CameraModel& camera, const ObjectModel& model);
-
-/// The terms that a look puts on pose and landmark; none for a box that both borders cut.
+/// The terms that an observation puts on pose and landmark; none for a box that both borders cut.
 /// `with_seabed`: also the weak hint of the seabed's depth, once per pass.
-[[nodiscard]] std::vector<Term> TermsOfLook(const Look& look, int slot, const CameraModel& camera,
-                                            const ObjectModel& model, bool with_seabed);
+[[nodiscard]] std::vector<Term> TermsOf(const Observation& observation, int slot,
+                                        const CameraModel& camera, const ObjectModel& model,
+                                        bool with_seabed);
 
 }  // namespace limpet

@@ -7,7 +7,6 @@
 namespace limpet {
 namespace {
 
-constexpr double kCutEdge = 3.0;       ///< an edge nearer to the image's border is cut [px]
 constexpr double kBelowSeabed = 0.7;   ///< a place may seem this far below the seabed [m]
 constexpr double kNearestDepth = 0.5;  ///< [m]
 constexpr double kOneObject = 1.2;     ///< boxes whose places are nearer hint at one object [m]
@@ -21,24 +20,10 @@ constexpr int kEnoughLooks = 3;
 constexpr int kMostHunches = 8;      ///< of one session, for a detector that sees ghosts
 constexpr double kPlaceSigma = 0.3;  ///< of a hunch's place [m]
 
-/// One axis of a box: its low and high edges in pixels, and the image's extent.
-struct Side {
-  double low, high, extent;
-  [[nodiscard]] bool is_cut_low() const { return low < kCutEdge; }
-  [[nodiscard]] bool is_cut_high() const { return high > extent - kCutEdge; }
-  [[nodiscard]] bool is_cut() const { return is_cut_low() || is_cut_high(); }
-  /// Centre of an object whose image has this half size; a cut edge tells nothing.
-  [[nodiscard]] double Centre(double half) const {
-    if (is_cut_low() && !is_cut_high()) return high - half;
-    if (is_cut_high() && !is_cut_low()) return low + half;
-    return 0.5 * (low + high);
-  }
-};
-
 bool IsOver(const Hunch& hunch) { return hunch.good_looks >= kEnoughLooks; }
 
-void Look(Hunch& hunch, const SightRecord& sight, const WatchModel& model) {
-  const double share = VisibleShare(model.camera, sight.X_WB, hunch.place.ned, model.object_radius);
+void Look(Hunch& hunch, const ObservedFrame& sight, const WatchModel& model) {
+  const double share = VisibleShare(model.camera, sight.X_WB, hunch.place.p_W, model.object_radius);
   const Eigen::Vector3d& eye = sight.X_WB.p_WB;
   const bool is_new =
       !hunch.last_viewpoint || (*hunch.last_viewpoint - eye).norm() >= kNewViewpoint;
@@ -50,16 +35,15 @@ void Look(Hunch& hunch, const SightRecord& sight, const WatchModel& model) {
 
 }  // namespace
 
-std::optional<Eigen::Vector3d> PlaceOfBox(const SightedDetection& box, const SightRecord& sight,
+std::optional<Eigen::Vector3d> PlaceOfBox(const Box& box, const ObservedFrame& sight,
                                           const WatchModel& model) {
-  const CameraGeometry& camera = model.camera;
-  const Side u{box.u - 0.5 * box.w, box.u + 0.5 * box.w, static_cast<double>(camera.width_px)};
-  const Side v{box.v - 0.5 * box.h, box.v + 0.5 * box.h, static_cast<double>(camera.height_px)};
+  const CameraModel& camera = model.camera;
+  const BoxExtent u = ExtentAcross(box, camera), v = ExtentAlong(box, camera);
   if (u.is_cut() && v.is_cut()) {
     return std::nullopt;
   }
-  const double across = box.w / camera.fx();
-  const double along = box.h / camera.fy();
+  const double across = box.w / camera.fx;
+  const double along = box.h / camera.fy;
   const double size = u.is_cut() ? along : (v.is_cut() ? across : 0.5 * (across + along));
   const double depth = 2.0 * model.object_radius / std::max(size, 1e-3);
   const double deepest = sight.altitude.value_or(model.detection.visibility.value()) + kBelowSeabed;
@@ -67,25 +51,24 @@ std::optional<Eigen::Vector3d> PlaceOfBox(const SightedDetection& box, const Sig
     return std::nullopt;
   }
   const double half = model.object_radius / depth;
-  const Eigen::Vector3d p_C(depth * (u.Centre(half * camera.fx()) - camera.cx()) / camera.fx(),
-                            depth * (v.Centre(half * camera.fy()) - camera.cy()) / camera.fy(),
-                            depth);
-  return sight.X_WB.p_WB + RotationOf(sight.X_WB) * (CameraGeometry::R_BC() * p_C + camera.p_BC);
+  const Eigen::Vector3d p_C(depth * (u.CentreOf(half * camera.fx) - camera.cx) / camera.fx,
+                            depth * (v.CentreOf(half * camera.fy) - camera.cy) / camera.fy, depth);
+  return sight.X_WB.p_WB + RotationOf(sight.X_WB) * (camera.R_BC * p_C + camera.p_BC);
 }
 
-void HunchBook::AddSight(const SightRecord& sight, const WatchModel& model,
+void HunchBook::AddSight(const ObservedFrame& sight, const WatchModel& model,
                          const IsExplained& is_explained) {
-  now_ = sight.time;
+  now_ = sight.exposure.value();
   std::erase_if(hunches_, [this](const Hunch& hunch) {
     return hunch.boxes < kEnoughBoxes && now_ - hunch.last_box > kOnePass;
   });
   for (Hunch& hunch : hunches_) {
     Look(hunch, sight, model);
   }
-  for (const SightedDetection& box : sight.boxes) {
+  for (const Box& box : sight.boxes) {
     if (is_explained(sight, box)) continue;
     if (const std::optional<Eigen::Vector3d> p_W = PlaceOfBox(box, sight, model)) {
-      Take(*p_W, box.color, sight.time);
+      Take(*p_W, box.color, sight.exposure.value());
     } else {
       Support(box, sight, model);
     }
@@ -94,11 +77,11 @@ void HunchBook::AddSight(const SightRecord& sight, const WatchModel& model,
 
 void HunchBook::Take(const Eigen::Vector3d& p_W, const std::string& color, double time) {
   const auto near = std::ranges::find_if(hunches_, [&](const Hunch& hunch) {
-    return hunch.place.color == color && (hunch.place.ned - p_W).norm() < kOneObject;
+    return hunch.place.color == color && (hunch.place.p_W - p_W).norm() < kOneObject;
   });
   if (near == hunches_.end()) {
-    hunches_.push_back({.place = {.ned = p_W,
-                                  .cov = kPlaceSigma * kPlaceSigma * Eigen::Matrix3d::Identity(),
+    hunches_.push_back({.place = {.p_W = p_W,
+                                  .cov_W = kPlaceSigma * kPlaceSigma * Eigen::Matrix3d::Identity(),
                                   .color = color},
                         .boxes = 1,
                         .places = 1,
@@ -108,19 +91,18 @@ void HunchBook::Take(const Eigen::Vector3d& p_W, const std::string& color, doubl
   }
   ++near->boxes;
   ++near->places;
-  near->place.ned += (p_W - near->place.ned) / near->places;
+  near->place.p_W += (p_W - near->place.p_W) / near->places;
   near->last_box = time;
 }
 
-void HunchBook::Support(const SightedDetection& box, const SightRecord& sight,
-                        const WatchModel& model) {
+void HunchBook::Support(const Box& box, const ObservedFrame& sight, const WatchModel& model) {
   for (Hunch& hunch : hunches_) {
     const std::optional<Foresight> foresight = Foresee(hunch.place, sight.X_WB, model);
-    const bool is_recent = sight.time - hunch.last_box <= kOnePass;
+    const bool is_recent = sight.exposure.value() - hunch.last_box <= kOnePass;
     if (is_recent && hunch.place.color == box.color && foresight &&
         foresight->Explains(box, model.camera)) {
       ++hunch.boxes;
-      hunch.last_box = sight.time;
+      hunch.last_box = sight.exposure.value();
       return;
     }
   }

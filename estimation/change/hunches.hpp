@@ -12,14 +12,13 @@ namespace limpet {
 /// Where a box's object is, if it has the radius that `model` gives: from the box's size, or, if
 /// one border cuts it, from its other side. Nothing for boxes in a corner, and for ones so small
 /// that their object would lie below the seabed.
-[[nodiscard]] std::optional<Eigen::Vector3d> PlaceOfBox(const SightedDetection& box,
-                                                        const SightRecord& sight,
+[[nodiscard]] std::optional<Eigen::Vector3d> PlaceOfBox(const Box& box, const ObservedFrame& sight,
                                                         const WatchModel& model);
 
 /// Something that boxes hint at but that is no landmark of the smoother: an object at the edge of
 /// every image. A hunch makes the vehicle look again, from where it would see the whole.
 struct Hunch {
-  PlacedObject place;
+  ObjectEstimate place;
   int boxes = 0;
   int places = 0;                                 ///< boxes that told the place
   bool is_counted = false;                        ///< was open before
@@ -36,10 +35,11 @@ struct Hunch {
 /// then), or when it has grown old.
 class HunchBook {
  public:
-  using IsExplained = std::function<bool(const SightRecord&, const SightedDetection&)>;
+  using IsExplained = std::function<bool(const ObservedFrame&, const Box&)>;
 
   /// Frames in order of time.
-  void AddSight(const SightRecord& sight, const WatchModel& model, const IsExplained& is_explained);
+  void AddSight(const ObservedFrame& sight, const WatchModel& model,
+                const IsExplained& is_explained);
   /// Hunches that are worth a look now; the caller may give them ids.
   [[nodiscard]] std::vector<Hunch*> Open();
   /// Hunches that were worth a look but came after the session's greatest number of them.
@@ -47,7 +47,7 @@ class HunchBook {
 
  private:
   /// A box in the image's corner tells no place, but may be a known hunch's.
-  void Support(const SightedDetection& box, const SightRecord& sight, const WatchModel& model);
+  void Support(const Box& box, const ObservedFrame& sight, const WatchModel& model);
   void Take(const Eigen::Vector3d& p_W, const std::string& color, double time);
 
   std::vector<Hunch> hunches_;

@@ -12,7 +12,4 @@ namespace limpet {
   return high + std::log1p(std::exp(std::min(a, b) - high));
 }
 
-/// p ln p, which tends to 0 at 0.
-[[nodiscard]] inline double PLogP(double p) { return p > 0.0 ? p * std::log(p) : 0.0; }
-
 }  // namespace limpet

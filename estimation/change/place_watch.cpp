@@ -22,21 +22,15 @@ constexpr double kSameColor = 0.25;
 constexpr double kSameSize = 0.4;
 constexpr double kSmallestSize = 0.6;  ///< of the expected, for a box that the border leaves whole
 constexpr double kLargestSize = 1.6;
-constexpr double kBorder = 3.0;  ///< a box this near the image's border is cut [px]
 
 LookModel LookModelOf(const WatchModel& model) {
   return {
       .camera = model.camera, .detection = model.detection, .object_radius = model.object_radius};
 }
 
-bool IsCut(const SightedDetection& box, const CameraGeometry& camera) {
-  return box.u - 0.5 * box.w < kBorder || box.u + 0.5 * box.w > camera.width_px - kBorder ||
-         box.v - 0.5 * box.h < kBorder || box.v + 0.5 * box.h > camera.height_px - kBorder;
-}
-
 /// A box of the object's colour and size.
-bool LooksLike(const SightedDetection& box, const PlacedObject& place, double diameter_px,
-               const CameraGeometry& camera) {
+bool LooksLike(const Box& box, const ObjectEstimate& place, double diameter_px,
+               const CameraModel& camera) {
   const bool is_small_enough = std::max(box.w, box.h) <= kLargestSize * diameter_px;
   const bool is_large_enough =
       IsCut(box, camera) || std::min(box.w, box.h) >= kSmallestSize * diameter_px;
@@ -45,15 +39,15 @@ bool LooksLike(const SightedDetection& box, const PlacedObject& place, double di
 
 /// What a frame's boxes say about the place: one of its own, or one that may be.
 struct BoxesHere {
-  const SightedDetection* own = nullptr;
-  const SightedDetection* possible = nullptr;
+  const Box* own = nullptr;
+  const Box* possible = nullptr;
 };
 
-BoxesHere LookForBoxes(const SightRecord& sight, const PlacedObject& place,
-                       const Foresight& foresight, const CameraGeometry& camera,
+BoxesHere LookForBoxes(const ObservedFrame& sight, const ObjectEstimate& place,
+                       const Foresight& foresight, const CameraModel& camera,
                        const OwnerOf& owner_of) {
   BoxesHere here;
-  for (const SightedDetection& box : sight.boxes) {
+  for (const Box& box : sight.boxes) {
     const BoxOwner owner = owner_of(sight, box);
     if (owner == BoxOwner::kThisPlace) {
       here.own = &box;
@@ -75,7 +69,7 @@ double FalseAlarm(const Foresight& foresight, const WatchModel& model) {
 
 }  // namespace
 
-bool Foresight::Explains(const SightedDetection& box, const CameraGeometry& camera) const {
+bool Foresight::Explains(const Box& box, const CameraModel& camera) const {
   // An object cut by the image's border has its box's centre farther inside than its own, by at
   // most its radius.
   const Eigen::Vector2d centre(box.u, box.v);
@@ -84,17 +78,17 @@ bool Foresight::Explains(const SightedDetection& box, const CameraGeometry& came
   return (centre - inside).norm() <= gate && (centre - pixel).norm() <= gate + radius;
 }
 
-std::optional<Foresight> Foresee(const PlacedObject& place, const Pose& X_WB,
+std::optional<Foresight> Foresee(const ObjectEstimate& place, const Pose& X_WB,
                                  const WatchModel& model) {
-  const Eigen::Vector3d p_C = model.camera.InCamera(X_WB, place.ned);
+  const Eigen::Vector3d p_C = model.camera.InCamera(X_WB, place.p_W);
   const std::optional<Eigen::Vector2d> pixel = model.camera.Project(p_C);
   // Far outside the image nothing needs to be computed; most frames end here.
-  if (!pixel || std::abs(pixel->x() - model.camera.cx()) > 2.0 * model.camera.width_px ||
-      std::abs(pixel->y() - model.camera.cy()) > 2.0 * model.camera.height_px) {
+  if (!pixel || std::abs(pixel->x() - model.camera.cx) > 2.0 * model.camera.width_px ||
+      std::abs(pixel->y() - model.camera.cy) > 2.0 * model.camera.height_px) {
     return std::nullopt;
   }
-  const double pixels_per_metre = model.camera.fx() / p_C.z();
-  const double position = std::sqrt(std::max(0.5 * (place.cov(0, 0) + place.cov(1, 1)), 0.0));
+  const double pixels_per_metre = model.camera.fx / p_C.z();
+  const double position = std::sqrt(std::max(0.5 * (place.cov_W(0, 0) + place.cov_W(1, 1)), 0.0));
   const double size = 2.0 * kSizeShare * model.object_radius;
   const double sigma = std::hypot(kPixelSigma, std::hypot(position, size) * pixels_per_metre);
   return Foresight{.pixel = *pixel,
@@ -102,8 +96,8 @@ std::optional<Foresight> Foresee(const PlacedObject& place, const Pose& X_WB,
                    .gate = kGateSigmas * sigma};
 }
 
-const SightedDetection* FindBox(const SightRecord& sight, const PlacedObject& place,
-                                const WatchModel& model, const OwnerOf& owner_of) {
+const Box* FindBox(const ObservedFrame& sight, const ObjectEstimate& place, const WatchModel& model,
+                   const OwnerOf& owner_of) {
   const std::optional<Foresight> foresight = Foresee(place, sight.X_WB, model);
   if (!foresight) {
     return nullptr;
@@ -112,19 +106,19 @@ const SightedDetection* FindBox(const SightRecord& sight, const PlacedObject& pl
   return boxes.own != nullptr ? boxes.own : boxes.possible;
 }
 
-PlaceWatch::PlaceWatch(const PlacedObject& place, const LookParams& looks) : place_(place) {
+PlaceWatch::PlaceWatch(const ObjectEstimate& place, const LookParams& looks) : place_(place) {
   // Unscented points of the horizontal position: their mean and covariance are the place's.
-  const double north = std::sqrt(3.0 * std::max(place.cov(0, 0), 0.0));
-  const double east = std::sqrt(3.0 * std::max(place.cov(1, 1), 0.0));
+  const double north = std::sqrt(3.0 * std::max(place.cov_W(0, 0), 0.0));
+  const double east = std::sqrt(3.0 * std::max(place.cov_W(1, 1), 0.0));
   const LookLog empty(looks);
-  spots_ = {{place.ned, 1.0 / 3.0, empty},
-            {place.ned + Eigen::Vector3d(north, 0, 0), 1.0 / 6.0, empty},
-            {place.ned - Eigen::Vector3d(north, 0, 0), 1.0 / 6.0, empty},
-            {place.ned + Eigen::Vector3d(0, east, 0), 1.0 / 6.0, empty},
-            {place.ned - Eigen::Vector3d(0, east, 0), 1.0 / 6.0, empty}};
+  spots_ = {{place.p_W, 1.0 / 3.0, empty},
+            {place.p_W + Eigen::Vector3d(north, 0, 0), 1.0 / 6.0, empty},
+            {place.p_W - Eigen::Vector3d(north, 0, 0), 1.0 / 6.0, empty},
+            {place.p_W + Eigen::Vector3d(0, east, 0), 1.0 / 6.0, empty},
+            {place.p_W - Eigen::Vector3d(0, east, 0), 1.0 / 6.0, empty}};
 }
 
-void PlaceWatch::See(const SightRecord& sight, const WatchModel& model, const OwnerOf& owner_of) {
+void PlaceWatch::See(const ObservedFrame& sight, const WatchModel& model, const OwnerOf& owner_of) {
   const std::optional<Foresight> foresight = Foresee(place_, sight.X_WB, model);
   if (!foresight) {
     return;
@@ -136,7 +130,7 @@ void PlaceWatch::See(const SightRecord& sight, const WatchModel& model, const Ow
   for (Spot& spot : spots_) {
     const double detects = ChanceToDetect(look, sight.X_WB, spot.p_W);
     if (detects < model.least_detection && !has_own) continue;
-    spot.log.Add({.time = sight.time,
+    spot.log.Add({.time = sight.exposure.value(),
                   .p_OC = sight.X_WB.p_WB - spot.p_W,
                   .detects = std::max(detects, model.least_detection),
                   .false_alarm = false_alarm,

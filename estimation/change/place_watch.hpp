@@ -3,34 +3,18 @@
 
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "estimation/change/look_log.hpp"
 #include "estimation/matching/session_matching.hpp"
+#include "limpet/objects/frame.hpp"
 #include "limpet/survey/detection_model.hpp"
 
 namespace limpet {
 
-/// A detector's box, pixels, with the landmark it was associated with, or -1.
-struct SightedDetection {
-  double u = 0.0, v = 0.0, w = 0.0, h = 0.0;
-  double confidence = 0.0;
-  std::string color;
-  int landmark = -1;
-};
-
-/// One camera frame as the map needs it.
-struct SightRecord {
-  double time = 0.0;  ///< [s]
-  Pose X_WB;
-  std::vector<SightedDetection> boxes;
-  std::optional<double> altitude = std::nullopt;  ///< above the seabed [m]
-};
-
 /// What it takes to judge a place in a frame.
 struct WatchModel {
-  CameraGeometry camera;
+  CameraModel camera;
   DetectionModel detection;
   double object_radius = 0.5;    ///< [m]
   double least_detection = 0.2;  ///< frames with less chance of a box say nothing
@@ -42,20 +26,20 @@ struct Foresight {
   double radius = 0.0;  ///< of the object's image [px]
   double gate = 0.0;    ///< how far from `pixel` its box would be centred [px]
   /// True if the box could be that of an object here.
-  [[nodiscard]] bool Explains(const SightedDetection& box, const CameraGeometry& camera) const;
+  [[nodiscard]] bool Explains(const Box& box, const CameraModel& camera) const;
 };
 /// Nothing for a place that is far outside the image.
-[[nodiscard]] std::optional<Foresight> Foresee(const PlacedObject& place, const Pose& X_WB,
+[[nodiscard]] std::optional<Foresight> Foresee(const ObjectEstimate& place, const Pose& X_WB,
                                                const WatchModel& model);
 
 /// Whose box a detection is, seen from one place.
 enum class BoxOwner { kThisPlace, kAnotherPlace, kUnknown };
-using OwnerOf = std::function<BoxOwner(const SightRecord&, const SightedDetection&)>;
+using OwnerOf = std::function<BoxOwner(const ObservedFrame&, const Box&)>;
 
 /// The box in a frame that shows an object at `place`: one of its own, else one of unknown owner
 /// that falls near the place's projection and has its colour and size. nullptr if there is none.
-[[nodiscard]] const SightedDetection* FindBox(const SightRecord& sight, const PlacedObject& place,
-                                              const WatchModel& model, const OwnerOf& owner_of);
+[[nodiscard]] const Box* FindBox(const ObservedFrame& sight, const ObjectEstimate& place,
+                                 const WatchModel& model, const OwnerOf& owner_of);
 
 /// A place where an object is or may be, and what this session's frames said about it. Boxes of
 /// unknown owner count when they fall near the place's projection and have its colour and size; the
@@ -66,15 +50,15 @@ using OwnerOf = std::function<BoxOwner(const SightRecord&, const SightedDetectio
 /// their likelihoods are averaged: Lambda = ln sum_k w_k exp(Lambda_k).
 class PlaceWatch {
  public:
-  PlaceWatch(const PlacedObject& place, const LookParams& looks);
+  PlaceWatch(const ObjectEstimate& place, const LookParams& looks);
 
   /// Judges one frame; frames in order of time.
-  void See(const SightRecord& sight, const WatchModel& model, const OwnerOf& owner_of);
+  void See(const ObservedFrame& sight, const WatchModel& model, const OwnerOf& owner_of);
   [[nodiscard]] double Lambda() const;
   /// Looks at the most likely spot.
   [[nodiscard]] int looks() const { return spots_.front().log.looks(); }
   [[nodiscard]] int looks_with_box() const { return spots_.front().log.looks_with_box(); }
-  [[nodiscard]] const PlacedObject& place() const { return place_; }
+  [[nodiscard]] const ObjectEstimate& place() const { return place_; }
 
  private:
   struct Spot {
@@ -82,7 +66,7 @@ class PlaceWatch {
     double weight;
     LookLog log;
   };
-  PlacedObject place_;
+  ObjectEstimate place_;
   std::vector<Spot> spots_;
 };
 

@@ -4,31 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimation/change/log_space.hpp"
-
 namespace limpet {
-
-double StatusPosterior::Entropy() const {
-  return -(PLogP(confirmed) + PLogP(removed) + PLogP(appeared) + PLogP(nothing));
-}
-
-std::string_view NameOf(Status status) {
-  switch (status) {
-    case Status::kConfirmed:
-      return "confirmed";
-    case Status::kRemoved:
-      return "removed";
-    case Status::kNew:
-      return "new";
-    case Status::kMoved:
-      return "moved";
-    case Status::kNothing:
-      return "nothing";
-    case Status::kUncertain:
-      break;
-  }
-  return "uncertain";
-}
 
 StatusPosterior ChangeStatus(double lambda_former, double lambda_now, const StatusPriors& priors) {
   const double c =
@@ -41,9 +17,7 @@ StatusPosterior ChangeStatus(double lambda_former, double lambda_now, const Stat
                                .removed = std::exp(r - high),
                                .appeared = std::exp(n - high),
                                .nothing = std::exp(none - high)};
-  const double sum = weight.confirmed + weight.removed + weight.appeared + weight.nothing;
-  return {weight.confirmed / sum, weight.removed / sum, weight.appeared / sum,
-          weight.nothing / sum};
+  return weight.Normalized();
 }
 
 StatusPosterior DiscoveryStatus(double lambda_now, const StatusPriors& priors) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The 4-way posterior of one place and what is decided from it. `paper.md` section 4.
+// How a place's 4-way posterior follows from its looks, and what is decided from it.
+// docs/references.md, "Change posterior".
 #pragma once
 
-#include <string_view>
-
 #include "limpet/core/params.hpp"
+#include "limpet/objects/status_posterior.hpp"
 
 namespace limpet {
 
@@ -26,17 +26,6 @@ struct StatusPriors {
           InRange(0.5, 0.999));
   }
 };
-
-/// The four sum to one.
-struct StatusPosterior {
-  double confirmed = 0.0, removed = 0.0, appeared = 0.0, nothing = 0.0;
-  /// That an object is there now.
-  [[nodiscard]] double present() const { return confirmed + appeared; }
-  [[nodiscard]] double Entropy() const;  ///< [nats]
-};
-
-enum class Status { kUncertain, kConfirmed, kRemoved, kNew, kMoved, kNothing };
-[[nodiscard]] std::string_view NameOf(Status status);
 
 /// Change session: weights C: pi s e^(Ld+Lc), R: pi (1-s) e^Ld, N: (1-pi) a e^Lc,
 /// nothing: (1-pi)(1-a); Ld, Lc: Lambda of the former and of this session.

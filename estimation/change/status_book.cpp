@@ -19,20 +19,21 @@ constexpr double kBelievedFrames = 100.0;
 constexpr double kHunchIsObject = 0.3;
 constexpr double kHunchReach = 1.5;
 
-double HorizontalDistance(const PlacedObject& a, const PlacedObject& b) {
-  return (a.ned - b.ned).head<2>().norm();
+double HorizontalDistance(const ObjectEstimate& a, const ObjectEstimate& b) {
+  return (a.p_W - b.p_W).head<2>().norm();
 }
 
 }  // namespace
 
-StatusBook::StatusBook(const StatusParams& params, const CameraGeometry& camera)
+StatusBook::StatusBook(const StatusParams& params, const CameraModel& camera)
     : params_(params),
       model_{.camera = camera,
              .detection = params.detection,
              .object_radius = params.object_radius.value()} {}
 
-void StatusBook::AddSight(SightRecord sight) {
-  LIMPET_REQUIRE(sights_.empty() || sight.time >= sights_.back().time, "sights out of order");
+void StatusBook::AddSight(ObservedFrame sight) {
+  LIMPET_REQUIRE(sights_.empty() || sight.exposure >= sights_.back().exposure,
+                 "sights out of order");
   for (std::size_t i = 0; i < sight.boxes.size(); ++i) {
     for (std::size_t j = i + 1; j < sight.boxes.size(); ++j) {
       seen_together_.insert(std::minmax(sight.boxes[i].landmark, sight.boxes[j].landmark));
@@ -46,22 +47,23 @@ void StatusBook::AddSight(SightRecord sight) {
       former_watch_[i]->See(sight, model_, OwnerForFormer());
     }
   }
-  hunches_.AddSight(sight, model_, [this](const SightRecord& frame, const SightedDetection& box) {
+  hunches_.AddSight(sight, model_, [this](const ObservedFrame& frame, const Box& box) {
     return Representative(box.landmark) >= 0 || IsExplained(frame, box);
   });
   sights_.push_back(std::move(sight));
 }
 
 void StatusBook::MoveSights(const std::function<Pose(double t, const Pose& X_WB)>& moved) {
-  for (SightRecord& sight : sights_) {
-    sight.X_WB = moved(sight.time, sight.X_WB);
+  for (ObservedFrame& sight : sights_) {
+    sight.X_WB = moved(sight.exposure.value(), sight.X_WB);
   }
   rejudges_all_ = true;
 }
 
-void StatusBook::SetLandmarks(const std::vector<KnownLandmark>& landmarks) {
+void StatusBook::SetLandmarks(const std::vector<Landmark>& landmarks) {
   landmarks_ = landmarks;
-  std::ranges::sort(landmarks_, {}, &KnownLandmark::id);
+  std::erase_if(landmarks_, [](const Landmark& landmark) { return !landmark.is_confirmed; });
+  std::ranges::sort(landmarks_, {}, &Landmark::id);
   const std::map<int, int> before = representative_;
   MergeLandmarks();
   if (rejudges_all_) {
@@ -78,11 +80,10 @@ void StatusBook::SetLandmarks(const std::vector<KnownLandmark>& landmarks) {
 
 double StatusBook::FalseRate() const {
   double boxes = kBelievedFrames * params_.detection.false_per_image;
-  for (const SightRecord& sight : sights_) {
-    boxes +=
-        static_cast<double>(std::ranges::count_if(sight.boxes, [&](const SightedDetection& box) {
-          return Representative(box.landmark) < 0 && !IsExplained(sight, box);
-        }));
+  for (const ObservedFrame& sight : sights_) {
+    boxes += static_cast<double>(std::ranges::count_if(sight.boxes, [&](const Box& box) {
+      return Representative(box.landmark) < 0 && !IsExplained(sight, box);
+    }));
   }
   return boxes / (kBelievedFrames + static_cast<double>(sights_.size()));
 }
@@ -104,66 +105,65 @@ int StatusBook::Representative(int landmark) const {
   return found == representative_.end() ? -1 : found->second;
 }
 
-const SightedDetection* StatusBook::BoxOf(const ObjectStatus& object,
-                                          const SightRecord& sight) const {
+const Box* StatusBook::BoxOf(const OpiBelief& object, const ObservedFrame& sight) const {
   return object.landmark < 0 ? nullptr
                              : FindBox(sight, WatchedPlace(object.object), model_,
                                        OwnerForLandmark(object.landmark));
 }
 
 void StatusBook::Replay(PlaceWatch& watch, const OwnerOf& owner_of) const {
-  for (const SightRecord& sight : sights_) {
+  for (const ObservedFrame& sight : sights_) {
     watch.See(sight, model_, owner_of);
   }
 }
 
 OwnerOf StatusBook::OwnerForLandmark(int landmark) const {
-  return [this, landmark](const SightRecord&, const SightedDetection& box) {
+  return [this, landmark](const ObservedFrame&, const Box& box) {
     const int owner = Representative(box.landmark);
     if (owner < 0) return BoxOwner::kUnknown;
     return owner == landmark ? BoxOwner::kThisPlace : BoxOwner::kAnotherPlace;
   };
 }
 
-bool StatusBook::IsExplained(const SightRecord& sight, const SightedDetection& box) const {
-  return std::ranges::any_of(objects_, [&](const KnownLandmark& object) {
+bool StatusBook::IsExplained(const ObservedFrame& sight, const Box& box) const {
+  return std::ranges::any_of(objects_, [&](const Landmark& object) {
     const std::optional<Foresight> foresight =
         Foresee(WatchedPlace(object.object), sight.X_WB, model_);
     return foresight && foresight->Explains(box, model_.camera);
   });
 }
 
-bool StatusBook::AreOne(const KnownLandmark& a, const KnownLandmark& b) const {
+bool StatusBook::AreOne(const Landmark& a, const Landmark& b) const {
   return HorizontalDistance(a.object, b.object) < params_.merge_within.value() &&
          !seen_together_.contains(std::minmax(a.id, b.id));
 }
 
 void StatusBook::MergeLandmarks() {
-  std::vector<const KnownLandmark*> by_looks;
-  for (const KnownLandmark& landmark : landmarks_) {
+  std::vector<const Landmark*> by_looks;
+  for (const Landmark& landmark : landmarks_) {
     by_looks.push_back(&landmark);
   }
   std::ranges::stable_sort(by_looks,
                            [](const auto* a, const auto* b) { return a->looks > b->looks; });
   objects_.clear();
   representative_.clear();
-  for (const KnownLandmark* landmark : by_looks) {
+  for (const Landmark* landmark : by_looks) {
     const auto same = std::ranges::find_if(
-        objects_, [&](const KnownLandmark& object) { return AreOne(object, *landmark); });
+        objects_, [&](const Landmark& object) { return AreOne(object, *landmark); });
     representative_[landmark->id] = same == objects_.end() ? landmark->id : same->id;
     if (same == objects_.end()) {
       objects_.push_back(*landmark);
     }
   }
-  std::ranges::sort(objects_, {}, &KnownLandmark::id);
+  std::ranges::sort(objects_, {}, &Landmark::id);
 }
 
 void StatusBook::WatchLandmarks() {
   std::erase_if(landmark_watch_,
                 [this](const auto& entry) { return Representative(entry.first) != entry.first; });
-  for (const KnownLandmark& object : objects_) {
+  for (const Landmark& object : objects_) {
     const auto found = landmark_watch_.find(object.id);
-    const PlacedObject place = WatchedPlace(object.object);
+    const ObjectEstimate place = WatchedPlace(object.object);
     if (found != landmark_watch_.end() && !HasMoved(found->second, place)) {
       continue;
     }
@@ -189,20 +189,21 @@ int StatusBook::IdOfLandmark(int landmark) {
   return next_id_++;
 }
 
-ObjectStatus StatusBook::StatusOfFormer(std::size_t index) const {
+OpiBelief StatusBook::StatusOfFormer(std::size_t index) const {
   const FormerObject& former = (*former_)[index];
   const int now = match_.now_of_former[index];
-  const KnownLandmark* object = now < 0 ? nullptr : &objects_[static_cast<std::size_t>(now)];
+  const Landmark* object = now < 0 ? nullptr : &objects_[static_cast<std::size_t>(now)];
   const PlaceWatch& watch =
       object != nullptr ? landmark_watch_.at(object->id) : *former_watch_[index];
-  ObjectStatus status{.id = static_cast<int>(index) + 1,
-                      .landmark = object != nullptr ? object->id : -1,
-                      .former = former.id,
-                      .object = object != nullptr ? object->object : FormerPlace(index),
-                      .lambda = watch.Lambda(),
-                      .looks = watch.looks(),
-                      .looks_with_box = watch.looks_with_box(),
-                      .posterior = ChangeStatus(former.lambda, watch.Lambda(), params_.priors)};
+  OpiBelief status{
+      .id = static_cast<int>(index) + 1,
+      .landmark = object != nullptr ? object->id : -1,
+      .prior_id = former.id,
+      .object = object != nullptr ? object->object : FormerPlace(index),
+      .log_likelihood_ratio = watch.Lambda(),
+      .looks = watch.looks(),
+      .looks_with_box = watch.looks_with_box(),
+      .posterior = ChangeStatus(former.log_likelihood_ratio, watch.Lambda(), params_.priors)};
   status.decided = Decide(status.posterior, status.looks, params_.priors);
   if (status.decided == Status::kConfirmed && object == nullptr) {
     status.decided = Status::kUncertain;  // boxes near by, but the smoother knows no object
@@ -210,13 +211,13 @@ ObjectStatus StatusBook::StatusOfFormer(std::size_t index) const {
   return status;
 }
 
-std::optional<ObjectStatus> StatusBook::StatusOfNewcomer(std::size_t index) {
-  const KnownLandmark& object = objects_[index];
+std::optional<OpiBelief> StatusBook::StatusOfNewcomer(std::size_t index) {
+  const Landmark& object = objects_[index];
   const PlaceWatch& watch = landmark_watch_.at(object.id);
-  ObjectStatus status{
+  OpiBelief status{
       .landmark = object.id,
       .object = object.object,
-      .lambda = watch.Lambda(),
+      .log_likelihood_ratio = watch.Lambda(),
       .looks = watch.looks(),
       .looks_with_box = watch.looks_with_box(),
       .posterior = former_ ? ChangeStatus(FormerLambdaAt(object), watch.Lambda(), params_.priors)
@@ -229,8 +230,8 @@ std::optional<ObjectStatus> StatusBook::StatusOfNewcomer(std::size_t index) {
   return status;
 }
 
-std::optional<ObjectStatus> StatusBook::StatusOfHunch(Hunch& hunch) {
-  const bool is_told = std::ranges::any_of(objects_, [&](const KnownLandmark& object) {
+std::optional<OpiBelief> StatusBook::StatusOfHunch(Hunch& hunch) {
+  const bool is_told = std::ranges::any_of(objects_, [&](const Landmark& object) {
     return HorizontalDistance(object.object, hunch.place) < kHunchReach;
   });
   if (is_told) {
@@ -243,14 +244,14 @@ std::optional<ObjectStatus> StatusBook::StatusOfHunch(Hunch& hunch) {
     }
   }
   hunch.id = hunch.id > 0 ? hunch.id : next_id_++;
-  return ObjectStatus{.id = hunch.id,
-                      .object = hunch.place,
-                      .looks = hunch.good_looks,
-                      .posterior = {.appeared = kHunchIsObject, .nothing = 1.0 - kHunchIsObject}};
+  return OpiBelief{.id = hunch.id,
+                   .object = hunch.place,
+                   .looks = hunch.good_looks,
+                   .posterior = {.appeared = kHunchIsObject, .nothing = 1.0 - kHunchIsObject}};
 }
 
-std::vector<ObjectStatus> StatusBook::Assess() {
-  std::vector<ObjectStatus> objects;
+std::vector<OpiBelief> StatusBook::Assess() {
+  std::vector<OpiBelief> objects;
   std::vector<bool> is_matched(objects_.size(), false);
   for (std::size_t i = 0; former_ && i < former_->size(); ++i) {
     objects.push_back(StatusOfFormer(i));
@@ -260,33 +261,33 @@ std::vector<ObjectStatus> StatusBook::Assess() {
   }
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     if (is_matched[i]) continue;
-    if (std::optional<ObjectStatus> status = StatusOfNewcomer(i)) {
+    if (std::optional<OpiBelief> status = StatusOfNewcomer(i)) {
       objects.push_back(std::move(*status));
     }
   }
   PairMoved(objects);
   for (Hunch* hunch : hunches_.Open()) {
-    if (std::optional<ObjectStatus> status = StatusOfHunch(*hunch)) {
+    if (std::optional<OpiBelief> status = StatusOfHunch(*hunch)) {
       objects.push_back(std::move(*status));
     }
   }
   return objects;
 }
 
-void StatusBook::PairMoved(std::vector<ObjectStatus>& objects) const {
-  for (ObjectStatus& removed : objects) {
+void StatusBook::PairMoved(std::vector<OpiBelief>& objects) const {
+  for (OpiBelief& removed : objects) {
     if (removed.decided != Status::kRemoved) continue;
-    const auto moved = std::ranges::find_if(objects, [&](const ObjectStatus& other) {
+    const auto moved = std::ranges::find_if(objects, [&](const OpiBelief& other) {
       return other.decided == Status::kNew && other.object.color == removed.object.color &&
              HorizontalDistance(other.object, removed.object) < params_.moved_within.value();
     });
     if (moved == objects.end()) continue;
     moved->decided = Status::kMoved;
-    moved->former = removed.former;
-    removed.former = -1;  // its story goes on in the other entry
+    moved->prior_id = removed.prior_id;
+    removed.prior_id = -1;  // its story goes on in the other entry
   }
-  std::erase_if(objects, [](const ObjectStatus& object) {
-    return object.decided == Status::kRemoved && object.former < 0;
+  std::erase_if(objects, [](const OpiBelief& object) {
+    return object.decided == Status::kRemoved && object.prior_id < 0;
   });
 }
 

@@ -12,6 +12,7 @@
 #include "estimation/change/hunches.hpp"
 #include "estimation/change/place_watch.hpp"
 #include "estimation/change/status.hpp"
+#include "limpet/objects/object_estimate.hpp"
 
 namespace limpet {
 
@@ -42,47 +43,19 @@ struct StatusParams {
   }
 };
 
-/// A confirmed landmark of this session's smoother.
-struct KnownLandmark {
-  int id = 0;
-  PlacedObject object;
-  int looks = 0;
-};
-
-/// An object that the former session found, in its frame.
-struct FormerObject {
-  int id = 0;
-  PlacedObject object;
-  double lambda = 0.0;  ///< of the former session
-  int looks = 0;
-};
-
 /// Where the former session looked from, in its frame and in order of time, with what it saw there
 /// and how well it saw.
 struct FormerViews {
-  std::vector<SightRecord> sights;  ///< boxes of the listed objects may be left out
+  std::vector<ObservedFrame> sights;  ///< boxes of the listed objects may be left out
   WatchModel model;
   LookParams looks;
-};
-
-/// What is believed about one object.
-struct ObjectStatus {
-  int id = 0;           ///< unique in the session and lasting
-  int landmark = -1;    ///< this session's landmark, or -1
-  int former = -1;      ///< former session's object, or -1
-  PlacedObject object;  ///< this session's estimate, else the former one in this session's frame
-  double lambda = 0.0;  ///< of this session
-  int looks = 0;
-  int looks_with_box = 0;
-  StatusPosterior posterior;
-  Status decided = Status::kUncertain;
 };
 
 /// Everything one session knows about the status of objects: frames and landmarks in, posteriors
 /// out. Keeps all frames, because a landmark is confirmed only some frames after it was first seen.
 class StatusBook {
  public:
-  StatusBook(const StatusParams& params, const CameraGeometry& camera);
+  StatusBook(const StatusParams& params, const CameraModel& camera);
 
   /// Makes this a change session. Call before the first frame, or lose nothing: frames are
   /// replayed.
@@ -91,21 +64,21 @@ class StatusBook {
   /// views are not known has looked nowhere: it proves nothing about such a place.
   void SetFormerViews(FormerViews views);
   /// Frames in order of time.
-  void AddSight(SightRecord sight);
+  void AddSight(ObservedFrame sight);
   /// Takes kept frames along when the track behind the vehicle has moved; `moved` gives the new
   /// pose from time [s] and old pose. Landmarks that moved with it are to follow.
   void MoveSights(const std::function<Pose(double t, const Pose& X_WB)>& moved);
-  /// All confirmed landmarks as now estimated; one that is absent is forgotten.
-  void SetLandmarks(const std::vector<KnownLandmark>& landmarks);
+  /// All landmarks as now estimated; one that is absent, or not confirmed, is forgotten.
+  void SetLandmarks(const std::vector<Landmark>& landmarks);
   /// Judges every place again from all frames, exactly where it now is, with the rate of false
   /// boxes that these frames show. After this what is believed depends on the frames, the landmarks
   /// and the former session alone, not on how they came.
   void Rejudge();
 
   /// All objects, former ones first, then by id. What is certainly nothing is left out.
-  [[nodiscard]] std::vector<ObjectStatus> Assess();
+  [[nodiscard]] std::vector<OpiBelief> Assess();
   [[nodiscard]] const FrameOffset& offset() const { return match_.offset; }
-  [[nodiscard]] const std::vector<SightRecord>& sights() const { return sights_; }
+  [[nodiscard]] const std::vector<ObservedFrame>& sights() const { return sights_; }
   /// Boxes per image that show nothing: what the mission says, weighed with what was seen.
   [[nodiscard]] double false_per_image() const { return model_.detection.false_per_image; }
   /// Places that boxes hint at but that nobody is sent to, because there were too many.
@@ -114,41 +87,40 @@ class StatusBook {
   [[nodiscard]] int Representative(int landmark) const;
   /// The box of an object in a frame, also in one from before the smoother knew the object.
   /// nullptr if the frame has none, or the object is no landmark.
-  [[nodiscard]] const SightedDetection* BoxOf(const ObjectStatus& object,
-                                              const SightRecord& sight) const;
+  [[nodiscard]] const Box* BoxOf(const OpiBelief& object, const ObservedFrame& sight) const;
 
  private:
   void Replay(PlaceWatch& watch, const OwnerOf& owner_of) const;
   [[nodiscard]] OwnerOf OwnerForLandmark(int landmark) const;
   [[nodiscard]] OwnerOf OwnerForFormer() const;
-  [[nodiscard]] bool IsExplained(const SightRecord& sight, const SightedDetection& box) const;
+  [[nodiscard]] bool IsExplained(const ObservedFrame& sight, const Box& box) const;
   [[nodiscard]] double FalseRate() const;
   void MergeLandmarks();
-  [[nodiscard]] bool AreOne(const KnownLandmark& a, const KnownLandmark& b) const;
+  [[nodiscard]] bool AreOne(const Landmark& a, const Landmark& b) const;
   void WatchLandmarks();
   void WatchFormer(bool rejudges_all);
-  [[nodiscard]] double FormerLambdaAt(const KnownLandmark& newcomer);
+  [[nodiscard]] double FormerLambdaAt(const Landmark& newcomer);
   [[nodiscard]] OwnerOf OwnerInFormerViews() const;
   /// The place where the other session's frame has it, with what is then unknown about it.
-  [[nodiscard]] PlacedObject InOtherFrame(PlacedObject place, const Eigen::Vector3d& ned) const;
-  [[nodiscard]] PlacedObject FormerPlace(std::size_t index) const;
+  [[nodiscard]] ObjectEstimate InOtherFrame(ObjectEstimate place, const Eigen::Vector3d& ned) const;
+  [[nodiscard]] ObjectEstimate FormerPlace(std::size_t index) const;
   void MatchFormer();
   [[nodiscard]] int IdOfLandmark(int landmark);
-  [[nodiscard]] ObjectStatus StatusOfFormer(std::size_t index) const;
-  [[nodiscard]] std::optional<ObjectStatus> StatusOfNewcomer(std::size_t index);
+  [[nodiscard]] OpiBelief StatusOfFormer(std::size_t index) const;
+  [[nodiscard]] std::optional<OpiBelief> StatusOfNewcomer(std::size_t index);
   /// A place that hints at an object, as one of which nothing is known; nothing if another entry
   /// tells about it.
-  [[nodiscard]] std::optional<ObjectStatus> StatusOfHunch(Hunch& hunch);
-  void PairMoved(std::vector<ObjectStatus>& objects) const;
+  [[nodiscard]] std::optional<OpiBelief> StatusOfHunch(Hunch& hunch);
+  void PairMoved(std::vector<OpiBelief>& objects) const;
 
   StatusParams params_;
   WatchModel model_;
-  std::vector<SightRecord> sights_;
+  std::vector<ObservedFrame> sights_;
   std::optional<std::vector<FormerObject>> former_;
   FormerViews former_views_;
-  std::vector<KnownLandmark> landmarks_;  ///< as given
-  std::vector<KnownLandmark> objects_;    ///< merged: one per object, by id
-  std::map<int, int> representative_;     ///< landmark to the one that stands for it
+  std::vector<Landmark> landmarks_;    ///< as given
+  std::vector<Landmark> objects_;      ///< merged: one per object, by id
+  std::map<int, int> representative_;  ///< landmark to the one that stands for it
   std::set<std::pair<int, int>> seen_together_;
   std::map<int, PlaceWatch> landmark_watch_;
   std::vector<std::optional<PlaceWatch>> former_watch_;

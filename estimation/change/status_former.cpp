@@ -28,36 +28,36 @@ void StatusBook::SetFormerViews(FormerViews views) {
 OwnerOf StatusBook::OwnerForFormer() const {
   // A former place is watched by itself only while no landmark stands for it, so every confirmed
   // landmark is another object; also in frames from before it was confirmed.
-  return [this](const SightRecord& sight, const SightedDetection& box) {
+  return [this](const ObservedFrame& sight, const Box& box) {
     const bool is_another = Representative(box.landmark) >= 0 || IsExplained(sight, box);
     return is_another ? BoxOwner::kAnotherPlace : BoxOwner::kUnknown;
   };
 }
 
 void StatusBook::MatchFormer() {
-  std::vector<PlacedObject> former;
-  std::vector<PlacedObject> now;
+  std::vector<ObjectEstimate> former;
+  std::vector<ObjectEstimate> now;
   for (const FormerObject& object : *former_) {
     former.push_back(object.object);
   }
-  for (const KnownLandmark& object : objects_) {
+  for (const Landmark& object : objects_) {
     now.push_back(object.object);
   }
   match_ = MatchSessions(WithOwnCovariance(std::move(former)), WithOwnCovariance(std::move(now)),
                          params_.matching);
 }
 
-PlacedObject StatusBook::InOtherFrame(PlacedObject place, const Eigen::Vector3d& ned) const {
+ObjectEstimate StatusBook::InOtherFrame(ObjectEstimate place, const Eigen::Vector3d& ned) const {
   const double own = std::pow(params_.matching.position_floor.value(), 2);
-  place.ned = ned;
-  place.cov = own * Eigen::Matrix3d::Identity();
-  place.cov.topLeftCorner<2, 2>() += match_.shift_cov;
+  place.p_W = ned;
+  place.cov_W = own * Eigen::Matrix3d::Identity();
+  place.cov_W.topLeftCorner<2, 2>() += match_.shift_cov;
   return place;
 }
 
-PlacedObject StatusBook::FormerPlace(std::size_t index) const {
-  const PlacedObject& former = (*former_)[index].object;
-  return InOtherFrame(former, match_.offset.Apply(former.ned));
+ObjectEstimate StatusBook::FormerPlace(std::size_t index) const {
+  const ObjectEstimate& former = (*former_)[index].object;
+  return InOtherFrame(former, match_.offset.Apply(former.p_W));
 }
 
 void StatusBook::WatchFormer(bool rejudges_all) {
@@ -67,7 +67,7 @@ void StatusBook::WatchFormer(bool rejudges_all) {
       watch.reset();
       continue;
     }
-    const PlacedObject place = FormerPlace(i);
+    const ObjectEstimate place = FormerPlace(i);
     if (rejudges_all || !watch || HasMoved(*watch, place)) {
       watch.emplace(place, params_.looks);
       Replay(*watch, OwnerForFormer());
@@ -76,7 +76,7 @@ void StatusBook::WatchFormer(bool rejudges_all) {
 }
 
 OwnerOf StatusBook::OwnerInFormerViews() const {
-  return [this](const SightRecord& view, const SightedDetection& box) {
+  return [this](const ObservedFrame& view, const Box& box) {
     const bool is_listed = std::ranges::any_of(*former_, [&](const FormerObject& former) {
       const std::optional<Foresight> foresight =
           Foresee(WatchedPlace(former.object), view.X_WB, former_views_.model);
@@ -86,15 +86,16 @@ OwnerOf StatusBook::OwnerInFormerViews() const {
   };
 }
 
-double StatusBook::FormerLambdaAt(const KnownLandmark& newcomer) {
-  const PlacedObject place = InOtherFrame(newcomer.object, match_.offset.Undo(newcomer.object.ned));
+double StatusBook::FormerLambdaAt(const Landmark& newcomer) {
+  const ObjectEstimate place =
+      InOtherFrame(newcomer.object, match_.offset.Undo(newcomer.object.p_W));
   const auto known = former_lambda_.find(newcomer.id);
   if (known != former_lambda_.end() && !HasMoved(known->second, place)) {
     return known->second.Lambda();
   }
   PlaceWatch watch(place, former_views_.looks);
   const OwnerOf owner_of = OwnerInFormerViews();
-  for (const SightRecord& view : former_views_.sights) {
+  for (const ObservedFrame& view : former_views_.sights) {
     watch.See(view, former_views_.model, owner_of);
   }
   const double lambda = watch.Lambda();

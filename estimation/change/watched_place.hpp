@@ -10,23 +10,23 @@
 namespace limpet {
 
 /// A landmark relative to the poses it was seen from: the error that they share moves both.
-[[nodiscard]] inline PlacedObject WatchedPlace(PlacedObject place) {
+[[nodiscard]] inline ObjectEstimate WatchedPlace(ObjectEstimate place) {
   constexpr double kRelativeSigma = 0.15;  // [m]
-  place.cov = kRelativeSigma * kRelativeSigma * Eigen::Matrix3d::Identity();
+  place.cov_W = kRelativeSigma * kRelativeSigma * Eigen::Matrix3d::Identity();
   return place;
 }
 
 /// True if the place is now somewhere else, or known much better or worse than when it was judged:
 /// then it is judged again from all frames.
-[[nodiscard]] inline bool HasMoved(const PlaceWatch& watch, const PlacedObject& place) {
+[[nodiscard]] inline bool HasMoved(const PlaceWatch& watch, const ObjectEstimate& place) {
   constexpr double kDistance = 0.3;     // [m]
   constexpr double kSpread = 0.3;       // share by which its standard deviation may change,
   constexpr double kLeastSpread = 0.1;  // and by how much in any case [m]
-  const auto spread = [](const PlacedObject& object) {
-    return std::sqrt(std::max(object.cov(0, 0) + object.cov(1, 1), 0.0));
+  const auto spread = [](const ObjectEstimate& object) {
+    return std::sqrt(std::max(object.cov_W(0, 0) + object.cov_W(1, 1), 0.0));
   };
   const double change = std::abs(spread(place) - spread(watch.place()));
-  return (watch.place().ned - place.ned).norm() > kDistance ||
+  return (watch.place().p_W - place.p_W).norm() > kDistance ||
          change > std::max(kSpread * spread(watch.place()), kLeastSpread);
 }
 

@@ -19,7 +19,7 @@ double LogOdds(double p) {
   return std::log(safe / (1.0 - safe));
 }
 
-VoxelLabel LabelOf(const ObjectStatus& status) {
+VoxelLabel LabelOf(const OpiBelief& status) {
   switch (status.decided) {
     case Status::kConfirmed:
       return VoxelLabel::kConfirmed;
@@ -37,13 +37,13 @@ VoxelLabel LabelOf(const ObjectStatus& status) {
 }
 
 /// The look that shows a whole object from straight above.
-ObjectLook VirtualLook(const Eigen::Vector3d& ned, double radius, const CameraGeometry& camera) {
+ObjectLook VirtualLook(const Eigen::Vector3d& ned, double radius, const CameraModel& camera) {
   const double depth = kVirtualHeight + radius;
   return {.X_WB = {.p_WB = ned - Eigen::Vector3d(0.0, 0.0, depth)},
-          .box = {.u = camera.cx(),
-                  .v = camera.cy(),
-                  .w = 2.0 * radius * camera.fx() / depth,
-                  .h = 2.0 * radius * camera.fy() / depth,
+          .box = {.u = camera.cx,
+                  .v = camera.cy,
+                  .w = 2.0 * radius * camera.fx / depth,
+                  .h = 2.0 * radius * camera.fy / depth,
                   .confidence = 0.9,
                   .color = {}},
           .object_W = ned};
@@ -70,34 +70,34 @@ double ObjectLayer::MissLogOdds(const Pose& X_WB, const Eigen::Vector3d& ned) co
   return std::min(std::log((1.0 - detects) / (1.0 - false_alarm)), 0.0);
 }
 
-void ObjectLayer::Look(Painted& object, const SightRecord& sight, const StatusBook& book) const {
-  const Eigen::Vector3d& ned = object.status.object.ned;
+void ObjectLayer::Look(Painted& object, const ObservedFrame& sight, const StatusBook& book) const {
+  const Eigen::Vector3d& ned = object.status.object.p_W;
   const Eigen::Vector3d p_OC = sight.X_WB.p_WB - ned;
   if (object.status.landmark < 0 || !IsNewViewpoint(object, p_OC)) {
     return;
   }
-  if (const SightedDetection* box = book.BoxOf(object.status, sight)) {
+  if (const Box* box = book.BoxOf(object.status, sight)) {
     const double depth = camera_.InCamera(sight.X_WB, ned).z();
     const Eigen::Vector2d half_px =
-        status_.object_radius.value() / depth * Eigen::Vector2d(camera_.fx(), camera_.fy());
+        status_.object_radius.value() / depth * Eigen::Vector2d(camera_.fx, camera_.fy);
     object.looks.push_back({.X_WB = sight.X_WB,
                             .box = WholeBox(*box, half_px, camera_),
                             .object_W = ned,
-                            .time = sight.time});
+                            .time = sight.exposure.value()});
   } else {
     const double miss = MissLogOdds(sight.X_WB, ned);
     if (miss == 0.0) return;
     // What made one look of a pass miss may have made them all: they are one witness.
-    const bool is_new_pass =
-        !object.last_miss || sight.time - *object.last_miss > status_.looks.new_pass_gap.value();
+    const bool is_new_pass = !object.last_miss || sight.exposure.value() - *object.last_miss >
+                                                      status_.looks.new_pass_gap.value();
     object.miss_log_odds += is_new_pass ? miss : 0.0;
-    object.last_miss = sight.time;
+    object.last_miss = sight.exposure.value();
   }
   object.last_viewpoint = p_OC;
   object.is_stale = true;
 }
 
-void ObjectLayer::AddSight(const SightRecord& sight, const StatusBook& book) {
+void ObjectLayer::AddSight(const ObservedFrame& sight, const StatusBook& book) {
   for (auto& [id, object] : objects_) {
     Look(object, sight, book);
   }
@@ -112,8 +112,8 @@ void ObjectLayer::Judge(Painted& object, const StatusBook& book) const {
   object.miss_log_odds = 0.0;
   object.last_miss.reset();
   object.last_viewpoint.reset();
-  object.judged_at = object.status.object.ned;
-  for (const SightRecord& sight : book.sights()) {
+  object.judged_at = object.status.object.p_W;
+  for (const ObservedFrame& sight : book.sights()) {
     Look(object, sight, book);
   }
   for (ObjectLook& look : object.looks) {
@@ -122,30 +122,29 @@ void ObjectLayer::Judge(Painted& object, const StatusBook& book) const {
   }
 }
 
-void ObjectLayer::Follow(Painted& object, const ObjectStatus& status,
-                         const StatusBook& book) const {
+void ObjectLayer::Follow(Painted& object, const OpiBelief& status, const StatusBook& book) const {
   const bool is_another = object.status.landmark != status.landmark;
-  const double moved = (object.status.object.ned - status.object.ned).norm();
+  const double moved = (object.status.object.p_W - status.object.p_W).norm();
   object.is_stale = object.is_stale || is_another || moved > params_.repaint_at.value() ||
                     object.status.decided != status.decided;
-  const Eigen::Vector3d painted_at = object.status.object.ned;
+  const Eigen::Vector3d painted_at = object.status.object.p_W;
   object.status = status;
   if (is_another) {
     object.looks.clear();
   }
   // At a place where it was thought to be before, frames showed nothing: no evidence against it.
-  if (is_another || (object.judged_at - status.object.ned).norm() > kRejudgeDistance) {
+  if (is_another || (object.judged_at - status.object.p_W).norm() > kRejudgeDistance) {
     Judge(object, book);
     object.is_stale = true;
   } else if (!object.is_stale) {
-    object.status.object.ned = painted_at;  // small steps add up until they are worth a repaint
+    object.status.object.p_W = painted_at;  // small steps add up until they are worth a repaint
   }
 }
 
-void ObjectLayer::SetObjects(const std::vector<ObjectStatus>& objects, const StatusBook& book,
+void ObjectLayer::SetObjects(const std::vector<OpiBelief>& objects, const StatusBook& book,
                              SemanticOctree& octree) {
   std::map<int, Painted> kept;
-  for (const ObjectStatus& status : objects) {
+  for (const OpiBelief& status : objects) {
     const auto known = objects_.find(status.id);
     Painted object = known != objects_.end() ? std::move(known->second) : Painted{};
     if (known != objects_.end()) {
@@ -171,7 +170,7 @@ std::map<VoxelKey, double> ObjectLayer::Gather(const Painted& object, double rad
                                                double resolution) const {
   std::map<VoxelKey, double> sum;
   for (const ObjectLook& look : object.looks) {
-    const Eigen::Vector3d shift = object.status.object.ned - look.object_W;
+    const Eigen::Vector3d shift = object.status.object.p_W - look.object_W;
     std::map<VoxelKey, double> strongest;  // many rays of one look in one voxel are one witness
     for (const VoxelEvidence& point : NearSurface(look, camera_, radius, 0.5 * resolution)) {
       double& best = strongest[KeyOf(point.p_W + shift, resolution)];
@@ -184,8 +183,8 @@ std::map<VoxelKey, double> ObjectLayer::Gather(const Painted& object, double rad
   for (auto& [key, log_odds] : sum) {
     log_odds += object.miss_log_odds;
   }
-  if (sum.empty() && object.status.former >= 0) {
-    const ObjectLook look = VirtualLook(object.status.object.ned, radius, camera_);
+  if (sum.empty() && object.status.prior_id >= 0) {
+    const ObjectLook look = VirtualLook(object.status.object.p_W, radius, camera_);
     for (const VoxelEvidence& point : NearSurface(look, camera_, radius, 0.5 * resolution)) {
       sum[KeyOf(point.p_W, resolution)] = kFormerLogOdds;
     }

@@ -21,21 +21,21 @@ class ObjectLayer {
     Meters repaint_at{0.1};  ///< a landmark that moves farther takes its voxels along
   };
 
-  ObjectLayer(const Params& params, const StatusParams& status, const CameraGeometry& camera)
+  ObjectLayer(const Params& params, const StatusParams& status, const CameraModel& camera)
       : params_(params), status_(status), camera_(camera) {}
 
   /// One frame: at most one look at each known object.
-  void AddSight(const SightRecord& sight, const StatusBook& book);
+  void AddSight(const ObservedFrame& sight, const StatusBook& book);
   /// All objects as now believed; new ones are judged from all frames of the book. Paints what has
   /// changed.
-  void SetObjects(const std::vector<ObjectStatus>& objects, const StatusBook& book,
+  void SetObjects(const std::vector<OpiBelief>& objects, const StatusBook& book,
                   SemanticOctree& octree);
   /// The object's largest cluster of voxels; nothing before they pass the threshold.
   [[nodiscard]] std::optional<ObjectCluster> Cluster(int object) const;
 
  private:
   struct Painted {
-    ObjectStatus status;
+    OpiBelief status;
     std::vector<ObjectLook> looks;                  ///< with a box
     double miss_log_odds = 0.0;                     ///< of passes with looks that had none
     std::optional<double> last_miss;                ///< time [s]
@@ -46,21 +46,21 @@ class ObjectLayer {
     bool is_stale = true;
   };
 
-  void Look(Painted& object, const SightRecord& sight, const StatusBook& book) const;
+  void Look(Painted& object, const ObservedFrame& sight, const StatusBook& book) const;
   [[nodiscard]] bool IsNewViewpoint(const Painted& object, const Eigen::Vector3d& p_OC) const;
   /// What a frame without a box says; 0 where the object would not be well visible.
   [[nodiscard]] double MissLogOdds(const Pose& X_WB, const Eigen::Vector3d& ned) const;
   /// Takes the object's looks from all frames of the book.
   void Judge(Painted& object, const StatusBook& book) const;
-  void Follow(Painted& object, const ObjectStatus& status, const StatusBook& book) const;
+  void Follow(Painted& object, const OpiBelief& status, const StatusBook& book) const;
   void Repaint(Painted& object, SemanticOctree& octree) const;
   [[nodiscard]] std::map<VoxelKey, double> Gather(const Painted& object, double radius,
                                                   double resolution) const;
 
   Params params_;
   StatusParams status_;
-  CameraGeometry camera_;
-  std::map<int, Painted> objects_;  ///< by ObjectStatus::id
+  CameraModel camera_;
+  std::map<int, Painted> objects_;  ///< by OpiBelief::id
 };
 
 }  // namespace limpet

@@ -10,20 +10,11 @@
 namespace limpet {
 namespace {
 
-constexpr double kBorder = 2.0;  ///< a box nearer to the image's border is cut [px]
 constexpr int kFewestCells = 6;
 constexpr double kLeastConfidence = 0.55;
 constexpr double kMostConfidence = 0.97;
 constexpr double kSmallestRadius = 0.05;
 constexpr double kLargestRadius = 10.0;  ///< twice the largest that a mission may look for
-
-/// Direction of a pixel's ray in W, unit.
-Eigen::Vector3d RayOf(const CameraGeometry& camera, const Eigen::Matrix3d& R_WC, double u,
-                      double v) {
-  return R_WC *
-         Eigen::Vector3d((u - camera.cx()) / camera.fx(), (v - camera.cy()) / camera.fy(), 1.0)
-             .normalized();
-}
 
 /// Distance along a unit ray from `origin` to its first meeting with a sphere.
 std::optional<double> FirstMeeting(const Eigen::Vector3d& origin, const Eigen::Vector3d& ray,
@@ -37,53 +28,38 @@ std::optional<double> FirstMeeting(const Eigen::Vector3d& origin, const Eigen::V
   return along - std::sqrt(half_chord_squared);
 }
 
-/// One axis of a box.
+/// Centre and size of one axis of a box.
 struct Side {
   double centre, size;
 };
 
-/// Which ends of a side the image's border cuts.
-struct Cuts {
-  bool low, high;
-  Cuts(const Side& side, double image)
-      : low(side.centre - 0.5 * side.size < kBorder),
-        high(side.centre + 0.5 * side.size > image - kBorder) {}
-  [[nodiscard]] bool any() const { return low || high; }
-};
-
 /// The side with its cut end put where the object's half size has it.
-Side Mended(const Side& side, const Cuts& cuts, double half) {
-  if (!cuts.any()) {
+Side Mended(const Side& side, const BoxExtent& extent, double half) {
+  if (!extent.is_cut()) {
     return side;
   }
-  if (cuts.low && cuts.high) {
+  if (!extent.is_half_cut()) {
     return {side.centre, std::max(side.size, 2.0 * half)};
   }
-  const double shown = side.centre + (cuts.low ? 0.5 : -0.5) * side.size;
   const double mended = std::max(half, 0.5 * side.size);
-  return {shown + (cuts.low ? -mended : mended), 2.0 * mended};
+  return {extent.CentreOf(mended), 2.0 * mended};
 }
 
-bool IsInImage(const CameraGeometry& camera, double u, double v) {
+bool IsInImage(const CameraModel& camera, double u, double v) {
   return u >= 0.0 && u <= camera.width_px && v >= 0.0 && v <= camera.height_px;
 }
 
 }  // namespace
 
-bool IsCut(const SightedDetection& box, const CameraGeometry& camera) {
-  return Cuts({box.u, box.w}, camera.width_px).any() ||
-         Cuts({box.v, box.h}, camera.height_px).any();
-}
-
-SightedDetection WholeBox(const SightedDetection& box, const Eigen::Vector2d& half_px,
-                          const CameraGeometry& camera) {
-  const Side u{box.u, box.w}, v{box.v, box.h};
-  const Cuts cuts_u(u, camera.width_px), cuts_v(v, camera.height_px);
-  const bool is_corner = cuts_u.any() && cuts_v.any();
-  const double aspect = camera.fx() / camera.fy();
-  const Side whole_u = Mended(u, cuts_u, is_corner ? half_px.x() : 0.5 * box.h * aspect);
-  const Side whole_v = Mended(v, cuts_v, is_corner ? half_px.y() : 0.5 * box.w / aspect);
-  SightedDetection whole = box;
+Box WholeBox(const Box& box, const Eigen::Vector2d& half_px, const CameraModel& camera) {
+  const BoxExtent across = ExtentAcross(box, camera), along = ExtentAlong(box, camera);
+  const bool is_corner = across.is_cut() && along.is_cut();
+  const double aspect = camera.fx / camera.fy;
+  const Side whole_u =
+      Mended({box.u, box.w}, across, is_corner ? half_px.x() : 0.5 * box.h * aspect);
+  const Side whole_v =
+      Mended({box.v, box.h}, along, is_corner ? half_px.y() : 0.5 * box.w / aspect);
+  Box whole = box;
   whole.u = whole_u.centre, whole.w = whole_u.size;
   whole.v = whole_v.centre, whole.h = whole_v.size;
   return whole;
@@ -94,20 +70,20 @@ double ObjectProbability(double r_px, double s_px, double confidence) {
   return 0.5 + (p_c - 0.5) * std::exp(-0.5 * (r_px * r_px) / (s_px * s_px));
 }
 
-double RadiusFromBox(const ObjectLook& look, const CameraGeometry& camera) {
+double RadiusFromBox(const ObjectLook& look, const CameraModel& camera) {
   const double depth = camera.InCamera(look.X_WB, look.object_W).z();
-  const double radius = 0.25 * depth * (look.box.w / camera.fx() + look.box.h / camera.fy());
+  const double radius = 0.25 * depth * (look.box.w / camera.fx + look.box.h / camera.fy);
   return std::clamp(radius, kSmallestRadius, kLargestRadius);
 }
 
-std::vector<VoxelEvidence> NearSurface(const ObjectLook& look, const CameraGeometry& camera,
+std::vector<VoxelEvidence> NearSurface(const ObjectLook& look, const CameraModel& camera,
                                        double radius, double spacing) {
-  const SightedDetection& box = look.box;
+  const Box& box = look.box;
   const Eigen::Matrix3d R_WB = RotationOf(look.X_WB);
-  const Eigen::Matrix3d R_WC = R_WB * CameraGeometry::R_BC();
+  const Eigen::Matrix3d R_WC = R_WB * camera.R_BC;
   const Eigen::Vector3d origin = look.X_WB.p_WB + R_WB * camera.p_BC;
   const double range = (look.object_W - origin).norm();
-  const Eigen::Vector3d centre = origin + range * RayOf(camera, R_WC, box.u, box.v);
+  const Eigen::Vector3d centre = origin + range * (R_WC * camera.RayOf(box.u, box.v));
   const double half_px = std::max(0.25 * (box.w + box.h), 1.0);
   // More cells than the box has pixels would see no more.
   const int most = std::max(kFewestCells, static_cast<int>(std::max(box.w, box.h)));
@@ -118,7 +94,7 @@ std::vector<VoxelEvidence> NearSurface(const ObjectLook& look, const CameraGeome
     const double du = ((i % cells + 0.5) / cells - 0.5) * box.w;
     const double dv = ((i / cells + 0.5) / cells - 0.5) * box.h;
     if (!IsInImage(camera, box.u + du, box.v + dv)) continue;
-    const Eigen::Vector3d ray = RayOf(camera, R_WC, box.u + du, box.v + dv);
+    const Eigen::Vector3d ray = R_WC * camera.RayOf(box.u + du, box.v + dv);
     if (const std::optional<double> distance = FirstMeeting(origin, ray, centre, radius)) {
       const double p = ObjectProbability(std::hypot(du, dv), half_px, box.confidence);
       evidence.push_back({origin + *distance * ray, std::log(p / (1.0 - p))});

@@ -18,33 +18,31 @@ struct VoxelEvidence {
 };
 
 /// P = 0.5 + (p_c - 0.5) exp(-r^2 / 2 s^2): how much a pixel at distance `r_px` from the centre of
-/// a box of half size `s_px` and confidence `p_c` belongs to the object (eq 8 with its floor at one
-/// half, so that the box's border is no evidence against).
+/// a box of half size `s_px` and confidence `p_c` belongs to the object ([Bucci 2025] eq. (8) with
+/// its floor at one half, so that the box's border is no evidence against).
 [[nodiscard]] double ObjectProbability(double r_px, double s_px, double confidence);
 
-/// True for a box that the image's border cuts: its centre is not the object's.
-[[nodiscard]] bool IsCut(const SightedDetection& box, const CameraGeometry& camera);
 /// The box that a cut one would be in a larger image: from the edges that show, and from its free
 /// side; in a corner, from the object's half size `half_px` alone. Whole boxes stay as they are.
-[[nodiscard]] SightedDetection WholeBox(const SightedDetection& box, const Eigen::Vector2d& half_px,
-                                        const CameraGeometry& camera);
+[[nodiscard]] Box WholeBox(const Box& box, const Eigen::Vector2d& half_px,
+                           const CameraModel& camera);
 
 /// One independent look at an object: its box, seen from a pose.
 struct ObjectLook {
   Pose X_WB;
-  SightedDetection box;  ///< whole; what lies outside the image was not seen
+  Box box;  ///< whole; what lies outside the image was not seen
   Eigen::Vector3d object_W = Eigen::Vector3d::Zero();  ///< the smoother's centre then, NED [m]
   double time = 0.0;                                   ///< [s]
 };
 
 /// Radius of the sphere that fills the look's box at the object's range [m].
-[[nodiscard]] double RadiusFromBox(const ObjectLook& look, const CameraGeometry& camera);
+[[nodiscard]] double RadiusFromBox(const ObjectLook& look, const CameraModel& camera);
 
 /// The near surface of the sphere in the box: the box is divided into cells whose rays meet the
 /// sphere around the box's centre ray at the object's range; cells outside the image say nothing.
 /// `spacing` [m] is that of the points.
 [[nodiscard]] std::vector<VoxelEvidence> NearSurface(const ObjectLook& look,
-                                                     const CameraGeometry& camera, double radius,
+                                                     const CameraModel& camera, double radius,
                                                      double spacing);
 
 /// Centre of the sphere of `radius` whose surface the points sample from above: least squares on

@@ -6,7 +6,8 @@
 namespace limpet {
 
 std::vector<int> AssignOneToOne(const Eigen::MatrixXd& costs, double unassigned) {
-  // Hungarian method with potentials; each row has a column of its own that means "none".
+  // Hungarian method [Kuhn 1955] with potentials; each row has a column of its own that means
+  // "none".
   const auto rows = static_cast<int>(costs.rows()), real = static_cast<int>(costs.cols());
   const int columns = real + rows;
   const auto cost = [&](int row, int column) {

@@ -16,35 +16,35 @@ constexpr double kUnknownShift = 1e3;     // [m]
 constexpr double kUnknownTurn = 3.0;      // [rad]
 constexpr double kLeastVariance = 1e-10;  // [m^2] keeps what is exact positive definite
 
-Eigen::Vector3d CommonVariance(const std::vector<PlacedObject>& objects) {
+Eigen::Vector3d CommonVariance(const std::vector<ObjectEstimate>& objects) {
   Eigen::Vector3d common = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
-  for (const PlacedObject& object : objects) {
-    common = common.cwiseMin(object.cov.diagonal());
+  for (const ObjectEstimate& object : objects) {
+    common = common.cwiseMin(object.cov_W.diagonal());
   }
   return common;
 }
 
 }  // namespace
 
-std::vector<PlacedObject> WithOwnCovariance(std::vector<PlacedObject> objects) {
+std::vector<ObjectEstimate> WithOwnCovariance(std::vector<ObjectEstimate> objects) {
   const Eigen::Vector3d common = CommonVariance(objects);
-  for (PlacedObject& object : objects) {
-    const Eigen::Vector3d own = (object.cov.diagonal() - common).cwiseMax(0.0);
-    object.cov = own.asDiagonal();
+  for (ObjectEstimate& object : objects) {
+    const Eigen::Vector3d own = (object.cov_W.diagonal() - common).cwiseMax(0.0);
+    object.cov_W = own.asDiagonal();
   }
   return objects;
 }
 
-Eigen::MatrixXd JointOfSingles(const std::vector<PlacedObject>& objects) {
+Eigen::MatrixXd JointOfSingles(const std::vector<ObjectEstimate>& objects) {
   const auto n = static_cast<Eigen::Index>(3 * objects.size());
   Eigen::MatrixXd joint(n, n);
   const Eigen::Matrix3d common = CommonVariance(objects).asDiagonal();
-  const std::vector<PlacedObject> own = WithOwnCovariance(objects);
+  const std::vector<ObjectEstimate> own = WithOwnCovariance(objects);
   for (Eigen::Index i = 0; i < n; i += 3) {
     for (Eigen::Index j = 0; j < n; j += 3) {
       joint.block<3, 3>(i, j) = common;
     }
-    joint.block<3, 3>(i, i) += own[static_cast<std::size_t>(i / 3)].cov;
+    joint.block<3, 3>(i, i) += own[static_cast<std::size_t>(i / 3)].cov_W;
   }
   return joint;
 }

@@ -7,16 +7,16 @@
 
 #include <Eigen/Core>
 
-#include "estimation/matching/placed_object.hpp"
+#include "limpet/objects/object_estimate.hpp"
 
 namespace limpet {
 
 /// The part of each object's covariance that is its own, where only the single covariances are
 /// known: what is common is judged by the best known object.
-[[nodiscard]] std::vector<PlacedObject> WithOwnCovariance(std::vector<PlacedObject> objects);
+[[nodiscard]] std::vector<ObjectEstimate> WithOwnCovariance(std::vector<ObjectEstimate> objects);
 
 /// Joint covariance (three rows per object) that goes with WithOwnCovariance.
-[[nodiscard]] Eigen::MatrixXd JointOfSingles(const std::vector<PlacedObject>& objects);
+[[nodiscard]] Eigen::MatrixXd JointOfSingles(const std::vector<ObjectEstimate>& objects);
 
 /// A joint covariance of places, split exactly: joint = J frame J' + own, with J the Jacobian of
 /// FrameOffset at rest about `pivot`.

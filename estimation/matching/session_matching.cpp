@@ -18,15 +18,15 @@ constexpr std::size_t kStarts = 12, kNeighbours = 3;
 
 class SessionMatcher {
  public:
-  SessionMatcher(const std::vector<PlacedObject>& former, const std::vector<PlacedObject>& now,
+  SessionMatcher(const std::vector<ObjectEstimate>& former, const std::vector<ObjectEstimate>& now,
                  const MatchingParams& params, const Eigen::Matrix4d& prior)
       : former_(former),
         now_(now),
         params_(params),
         gate_(std::pow(params.gate_sigmas, 2)),
         prior_(prior) {
-    for (const PlacedObject& object : former_) {
-      pivot_ += object.ned.head<2>() / static_cast<double>(former_.size());
+    for (const ObjectEstimate& object : former_) {
+      pivot_ += object.p_W.head<2>() / static_cast<double>(former_.size());
     }
   }
 
@@ -54,14 +54,14 @@ class SessionMatcher {
   /// Every pair alone proposes a shift, and with a neighbour a turn.
   [[nodiscard]] std::vector<Start> BestStarts() const {
     std::vector<Start> starts;
-    for (const PlacedObject& a : former_) {
-      const std::vector<const PlacedObject*> neighbours = NeighboursOf(a);
-      for (const PlacedObject& b : now_) {
+    for (const ObjectEstimate& a : former_) {
+      const std::vector<const ObjectEstimate*> neighbours = NeighboursOf(a);
+      for (const ObjectEstimate& b : now_) {
         if (ColorCost(a, b) > gate_) continue;
         FrameOffset shifted{.pivot = pivot_};
-        shifted.shift = b.ned.head<2>() - a.ned.head<2>();
-        AddStart(shifted, a.ned, starts);
-        for (const PlacedObject* neighbour : neighbours)
+        shifted.shift = b.p_W.head<2>() - a.p_W.head<2>();
+        AddStart(shifted, a.p_W, starts);
+        for (const ObjectEstimate* neighbour : neighbours)
           AddTurned(a, b, *neighbour, starts);
       }
     }
@@ -72,23 +72,24 @@ class SessionMatcher {
     return starts;
   }
 
-  [[nodiscard]] std::vector<const PlacedObject*> NeighboursOf(const PlacedObject& a) const {
-    std::vector<const PlacedObject*> others;
-    for (const PlacedObject& other : former_) {
+  [[nodiscard]] std::vector<const ObjectEstimate*> NeighboursOf(const ObjectEstimate& a) const {
+    std::vector<const ObjectEstimate*> others;
+    for (const ObjectEstimate& other : former_) {
       if (&other != &a) others.push_back(&other);
     }
-    std::ranges::stable_sort(
-        others, {}, [&a](const PlacedObject* other) { return (other->ned - a.ned).squaredNorm(); });
+    std::ranges::stable_sort(others, {}, [&a](const ObjectEstimate* other) {
+      return (other->p_W - a.p_W).squaredNorm();
+    });
     others.resize(std::min<std::size_t>(others.size(), kNeighbours));
     return others;
   }
 
   /// The turns that bring `a` to `b` and its neighbour to another present object.
-  void AddTurned(const PlacedObject& a, const PlacedObject& b, const PlacedObject& neighbour,
+  void AddTurned(const ObjectEstimate& a, const ObjectEstimate& b, const ObjectEstimate& neighbour,
                  std::vector<Start>& starts) const {
-    const Eigen::Vector2d before = (neighbour.ned - a.ned).head<2>();
-    for (const PlacedObject& c : now_) {
-      const Eigen::Vector2d after = (c.ned - b.ned).head<2>();
+    const Eigen::Vector2d before = (neighbour.p_W - a.p_W).head<2>();
+    for (const ObjectEstimate& c : now_) {
+      const Eigen::Vector2d after = (c.p_W - b.p_W).head<2>();
       const double misfit = after.norm() - before.norm();
       if (&c == &b || ColorCost(neighbour, c) > gate_ ||
           misfit * misfit > gate_ * PairCovariance(neighbour, c).trace()) {
@@ -96,7 +97,7 @@ class SessionMatcher {
       }
       FrameOffset turned{.pivot = pivot_};
       turned.turn = std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
-      turned.shift = (b.ned - turned.Apply(a.ned)).head<2>();
+      turned.shift = (b.p_W - turned.Apply(a.p_W)).head<2>();
       AddStart(turned, std::nullopt, starts);
     }
   }
@@ -109,12 +110,12 @@ class SessionMatcher {
       return;
     }
     int near = 0;
-    for (const PlacedObject& a : former_) {
-      const Eigen::Vector2d there = offset.Apply(a.ned).head<2>();
-      const double swing = pair ? params_.turn_sigma.value() * (a.ned - *pair).norm() : 0.0;
-      near += std::ranges::any_of(now_, [&](const PlacedObject& b) {
+    for (const ObjectEstimate& a : former_) {
+      const Eigen::Vector2d there = offset.Apply(a.p_W).head<2>();
+      const double swing = pair ? params_.turn_sigma.value() * (a.p_W - *pair).norm() : 0.0;
+      near += std::ranges::any_of(now_, [&](const ObjectEstimate& b) {
         const double reach = gate_ * (PairCovariance(a, b).trace() + swing * swing);
-        return ColorCost(a, b) <= gate_ && (b.ned.head<2>() - there).squaredNorm() < reach;
+        return ColorCost(a, b) <= gate_ && (b.p_W.head<2>() - there).squaredNorm() < reach;
       });
     }
     starts.push_back({offset, near - improbable / gate_});
@@ -124,19 +125,20 @@ class SessionMatcher {
     return offset.vector().dot(prior_ * offset.vector());
   }
 
-  [[nodiscard]] Eigen::Matrix3d PairCovariance(const PlacedObject& a, const PlacedObject& b) const {
+  [[nodiscard]] Eigen::Matrix3d PairCovariance(const ObjectEstimate& a,
+                                               const ObjectEstimate& b) const {
     const double floor = 2.0 * std::pow(params_.position_floor.value(), 2);
-    return a.cov + b.cov + floor * Eigen::Matrix3d::Identity();
+    return a.cov_W + b.cov_W + floor * Eigen::Matrix3d::Identity();
   }
 
-  [[nodiscard]] double ColorCost(const PlacedObject& a, const PlacedObject& b) const {
+  [[nodiscard]] double ColorCost(const ObjectEstimate& a, const ObjectEstimate& b) const {
     return a.color == b.color ? 0.0 : params_.color_penalty;
   }
 
   /// Squared sigmas of a pair under an offset; far beyond the gate only that it is.
-  [[nodiscard]] double Distance(const PlacedObject& a, const PlacedObject& b,
+  [[nodiscard]] double Distance(const ObjectEstimate& a, const ObjectEstimate& b,
                                 const FrameOffset& offset) const {
-    const Eigen::Vector3d error = b.ned - offset.Apply(a.ned);
+    const Eigen::Vector3d error = b.p_W - offset.Apply(a.p_W);
     const Eigen::Matrix3d covariance = PairCovariance(a, b);
     if (error.squaredNorm() > gate_ * covariance.trace()) {
       return kImpossibleCost;
@@ -180,15 +182,15 @@ class SessionMatcher {
       for (std::size_t i = 0; i < former_.size(); ++i) {
         const int j = match.now_of_former[i];
         if (j < 0) continue;
-        const PlacedObject& a = former_[i];
-        const PlacedObject& b = now_[static_cast<std::size_t>(j)];
-        Eigen::Matrix<double, 3, 4> J = offset.Jacobian(a.ned);
+        const ObjectEstimate& a = former_[i];
+        const ObjectEstimate& b = now_[static_cast<std::size_t>(j)];
+        Eigen::Matrix<double, 3, 4> J = offset.Jacobian(a.p_W);
         if (matches < 2) {
           J.col(3).setZero();  // one match cannot tell a turn from a shift
         }
         const Eigen::Matrix3d weight = PairCovariance(a, b).inverse();
         information += J.transpose() * weight * J;
-        pull += J.transpose() * weight * (b.ned - offset.Apply(a.ned));
+        pull += J.transpose() * weight * (b.p_W - offset.Apply(a.p_W));
       }
       covariance = information.inverse();
       offset.Move(covariance * pull);
@@ -207,8 +209,8 @@ class SessionMatcher {
     return cost;
   }
 
-  const std::vector<PlacedObject>& former_;
-  const std::vector<PlacedObject>& now_;
+  const std::vector<ObjectEstimate>& former_;
+  const std::vector<ObjectEstimate>& now_;
   const MatchingParams& params_;
   double gate_;
   Eigen::Matrix4d prior_;
@@ -224,8 +226,8 @@ Eigen::Matrix4d OffsetPrior(const MatchingParams& params) {
   return sigmas.cwiseAbs2().cwiseInverse().asDiagonal();
 }
 
-SessionMatch MatchSessions(const std::vector<PlacedObject>& former,
-                           const std::vector<PlacedObject>& now, const MatchingParams& params,
+SessionMatch MatchSessions(const std::vector<ObjectEstimate>& former,
+                           const std::vector<ObjectEstimate>& now, const MatchingParams& params,
                            const Eigen::Matrix4d& prior) {
   return SessionMatcher(former, now, params, prior).Solve();
 }

@@ -6,9 +6,9 @@
 #include <Eigen/Core>
 
 #include "estimation/matching/frame_offset.hpp"
-#include "estimation/matching/placed_object.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/core/units.hpp"
+#include "limpet/objects/object_estimate.hpp"
 
 namespace limpet {
 
@@ -62,12 +62,12 @@ struct SessionMatch {
 /// lead the rest astray, and a frame that lies metres off or is turned by many degrees is found if
 /// the priors allow it. Each object's covariance is its own, without what is common to its session:
 /// own_covariance.hpp. `prior`: information of the offset (north, east, down, turn).
-[[nodiscard]] SessionMatch MatchSessions(const std::vector<PlacedObject>& former,
-                                         const std::vector<PlacedObject>& now,
+[[nodiscard]] SessionMatch MatchSessions(const std::vector<ObjectEstimate>& former,
+                                         const std::vector<ObjectEstimate>& now,
                                          const MatchingParams& params,
                                          const Eigen::Matrix4d& prior);
-[[nodiscard]] inline SessionMatch MatchSessions(const std::vector<PlacedObject>& former,
-                                                const std::vector<PlacedObject>& now,
+[[nodiscard]] inline SessionMatch MatchSessions(const std::vector<ObjectEstimate>& former,
+                                                const std::vector<ObjectEstimate>& now,
                                                 const MatchingParams& params) {
   return MatchSessions(former, now, params, OffsetPrior(params));
 }

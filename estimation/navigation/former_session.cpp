@@ -23,10 +23,10 @@ constexpr double kLeastVariance = 1e-6;  // [m^2] of a place, whatever a file sa
 
 bool IsCovariance(const Eigen::MatrixXd& matrix) { return matrix.llt().info() == Eigen::Success; }
 
-std::vector<Eigen::Vector3d> PlacesOf(const std::vector<PlacedObject>& objects) {
+std::vector<Eigen::Vector3d> PlacesOf(const std::vector<ObjectEstimate>& objects) {
   std::vector<Eigen::Vector3d> places;
-  for (const PlacedObject& object : objects) {
-    places.push_back(object.ned);
+  for (const ObjectEstimate& object : objects) {
+    places.push_back(object.p_W);
   }
   return places;
 }
@@ -38,7 +38,7 @@ bool TakeOut(const JointPrior& prior, PresentLandmarks& present) {
   if (llt.info() != Eigen::Success) return false;
   Eigen::VectorXd mean(n);
   for (std::size_t i = 0; i < present.objects.size(); ++i) {
-    mean.segment<3>(static_cast<Eigen::Index>(3 * i)) = present.objects[i].ned;
+    mean.segment<3>(static_cast<Eigen::Index>(3 * i)) = present.objects[i].p_W;
   }
   Eigen::MatrixXd information = llt.solve(Eigen::MatrixXd::Identity(n, n));
   Eigen::VectorXd pull = information * mean;
@@ -56,7 +56,7 @@ bool TakeOut(const JointPrior& prior, PresentLandmarks& present) {
   present.covariance = without.solve(Eigen::MatrixXd::Identity(n, n));
   mean = without.solve(pull);
   for (std::size_t i = 0; i < present.objects.size(); ++i) {
-    present.objects[i].ned = mean.segment<3>(static_cast<Eigen::Index>(3 * i));
+    present.objects[i].p_W = mean.segment<3>(static_cast<Eigen::Index>(3 * i));
   }
   return mean.allFinite();
 }
@@ -73,10 +73,10 @@ std::vector<std::size_t> WellPlaced(const PresentLandmarks& present, const Eigen
   return placed;
 }
 
-void SetOwn(std::vector<PlacedObject>& objects, const Eigen::MatrixXd& own) {
+void SetOwn(std::vector<ObjectEstimate>& objects, const Eigen::MatrixXd& own) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(3 * i);
-    objects[i].cov = own.block<3, 3>(row, row);
+    objects[i].cov_W = own.block<3, 3>(row, row);
   }
 }
 
@@ -91,8 +91,8 @@ void FormerSessionTie::SetFormer(FormerSession former) {
   }
   const auto n = static_cast<Eigen::Index>(3 * former_.ids.size());
   if (former_.covariance.size() == 0 || !IsCovariance(former_.covariance)) {
-    for (PlacedObject& object : former_.objects) {
-      object.cov.diagonal() = object.cov.diagonal().cwiseMax(kLeastVariance);
+    for (ObjectEstimate& object : former_.objects) {
+      object.cov_W.diagonal() = object.cov_W.diagonal().cwiseMax(kLeastVariance);
     }
     former_.covariance = JointOfSingles(former_.objects);
   }
@@ -100,8 +100,8 @@ void FormerSessionTie::SetFormer(FormerSession former) {
                      former_.covariance.cols() == n,
                  "three rows of covariance per former object");
   offset_ = {};
-  for (const PlacedObject& object : former_.objects) {
-    offset_.pivot += object.ned.head<2>() / static_cast<double>(former_.ids.size());
+  for (const ObjectEstimate& object : former_.objects) {
+    offset_.pivot += object.p_W.head<2>() / static_cast<double>(former_.ids.size());
   }
   const SplitCovariance split =
       SplitFrom(PlacesOf(former_.objects), former_.covariance, offset_.pivot);
@@ -120,13 +120,13 @@ bool FormerSessionTie::Match(const PresentLandmarks& landmarks,
       SplitFrom(PlacesOf(present.objects), present.covariance, offset_.pivot);
   SetOwn(present.objects, split.own);
   const std::vector<std::size_t> placed = WellPlaced(present, split.own);
-  std::vector<PlacedObject> candidates;
+  std::vector<ObjectEstimate> candidates;
   for (const std::size_t i : placed)
     candidates.push_back(present.objects[i]);
   const SessionMatch match =
       MatchSessions(former_.objects, candidates, params_, OffsetInformation(split.frame));
   offset_ = match.offset;
-  former_ids_.assign(present.slots.size(), -1);
+  former_ids_.assign(present.slots.size(), std::nullopt);
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < former_.ids.size(); ++i) {
     if (match.now_of_former[i] < 0) continue;
@@ -164,11 +164,11 @@ JointPrior FormerSessionTie::PriorFrom(const std::vector<Pair>& pairs,
   std::vector<Eigen::Index> former_rows, now_rows;
   for (const Pair& pair : pairs) {
     const auto row = static_cast<Eigen::Index>(3 * slots.size());
-    const Eigen::Vector3d& place = former_.objects[pair.former].ned;
+    const Eigen::Vector3d& place = former_.objects[pair.former].p_W;
     slots.push_back(present.slots[pair.now]);
     J.middleRows<3>(row) = offset_.Jacobian(place);
     moved.segment<3>(row) = offset_.Apply(place);
-    off.segment<3>(row) = present.objects[pair.now].ned - moved.segment<3>(row);
+    off.segment<3>(row) = present.objects[pair.now].p_W - moved.segment<3>(row);
     for (std::size_t k = 0; k < 3; ++k) {
       former_rows.push_back(static_cast<Eigen::Index>(3 * pair.former + k));
       now_rows.push_back(static_cast<Eigen::Index>(3 * pair.now + k));

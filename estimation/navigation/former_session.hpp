@@ -14,7 +14,7 @@ namespace limpet {
 /// What a former session knew of its objects' places, in its own frame.
 struct FormerSession {
   std::vector<int> ids;
-  std::vector<PlacedObject> objects;
+  std::vector<ObjectEstimate> objects;
   Eigen::MatrixXd covariance;  ///< joint, three rows per object; empty if only the objects' own are
                                ///< known
 };
@@ -22,7 +22,7 @@ struct FormerSession {
 /// This session's landmarks, as the smoother has them.
 struct PresentLandmarks {
   std::vector<int> slots;
-  std::vector<PlacedObject> objects;
+  std::vector<ObjectEstimate> objects;
   Eigen::MatrixXd covariance;  ///< joint, three rows per landmark
   std::size_t others = 0;      ///< the last so many are not to be matched, but the prior that is
                                ///< applied speaks of them
@@ -44,8 +44,8 @@ class FormerSessionTie {
   /// first, so that a match never proves itself. False if nothing can be said now.
   bool Match(const PresentLandmarks& present, const std::optional<JointPrior>& applied);
 
-  /// Per present landmark of the last Match: the former object's id, or -1.
-  [[nodiscard]] const std::vector<int>& former_ids() const { return former_ids_; }
+  /// Per present landmark of the last Match: the former object's id, if it is one.
+  [[nodiscard]] const std::vector<std::optional<int>>& former_ids() const { return former_ids_; }
   /// Of the former session's frame in this one, from the last Match.
   [[nodiscard]] const FrameOffset& offset() const { return offset_; }
   /// Over the matched landmarks; nothing with less than two of them: one alone could be a mistake,
@@ -69,7 +69,7 @@ class FormerSessionTie {
   FormerSession former_;
   Eigen::Matrix4d former_frame_ = Eigen::Matrix4d::Zero();
   Eigen::MatrixXd former_own_;
-  std::vector<int> former_ids_;
+  std::vector<std::optional<int>> former_ids_;
   FrameOffset offset_;
   std::optional<JointPrior> prior_;
 };

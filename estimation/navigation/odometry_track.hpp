@@ -90,6 +90,7 @@ class OdometryTrack {
   /// Rate of depth [m/s] that stands in for the vertical velocity in a dropout.
   void SetSinkRate(double rate) { sink_rate_ = rate; }
 
+  [[nodiscard]] const OdometryParams& params() const { return params_; }
   [[nodiscard]] bool is_empty() const { return samples_.empty(); }
   [[nodiscard]] double first_time() const { return samples_.front().attitude.t; }
   [[nodiscard]] double last_time() const { return samples_.back().attitude.t; }

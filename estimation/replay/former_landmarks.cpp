@@ -32,18 +32,18 @@ std::optional<Error> ReadRows(const StreamFile& file,
 
 }  // namespace
 
-std::string LandmarksCsv(const std::vector<LandmarkEstimate>& landmarks) {
+std::string LandmarksCsv(const std::vector<Landmark>& landmarks) {
   std::string text = "id,x,y,z,sd_x,sd_y,sd_z,class,looks\n";
-  for (const LandmarkEstimate& landmark : landmarks) {
-    const Eigen::Vector3d sd = landmark.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+  for (const Landmark& landmark : landmarks) {
+    const Eigen::Vector3d sd = landmark.object.cov_W.diagonal().cwiseMax(0.0).cwiseSqrt();
     text += fmt::format("{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},{}\n", landmark.id,
-                        landmark.p.x(), landmark.p.y(), landmark.p.z(), sd.x(), sd.y(), sd.z(),
-                        landmark.color, landmark.looks);
+                        landmark.object.p_W.x(), landmark.object.p_W.y(), landmark.object.p_W.z(),
+                        sd.x(), sd.y(), sd.z(), landmark.object.color, landmark.looks);
   }
   return text;
 }
 
-std::string LandmarkCovarianceCsv(const std::vector<LandmarkEstimate>& landmarks,
+std::string LandmarkCovarianceCsv(const std::vector<Landmark>& landmarks,
                                   const Eigen::MatrixXd& covariance) {
   std::string text = "id,axis,covariance up to the diagonal\n";
   for (Eigen::Index row = 0; row < covariance.rows(); ++row) {
@@ -62,11 +62,11 @@ Expected<FormerSession> ParseFormerLandmarks(const StreamFile& landmarks,
   const auto place = [&former](const CsvFields& f) {
     f.Expect(9);
     former.ids.push_back(f.Integer(0));
-    PlacedObject& object = former.objects.emplace_back();
-    object.ned = {f.Number(1), f.Number(2), f.Number(3)};
-    object.cov = Eigen::Vector3d(f.Number(4), f.Number(5), f.Number(6)).cwiseAbs2().asDiagonal();
+    ObjectEstimate& object = former.objects.emplace_back();
+    object.p_W = {f.Number(1), f.Number(2), f.Number(3)};
+    object.cov_W = Eigen::Vector3d(f.Number(4), f.Number(5), f.Number(6)).cwiseAbs2().asDiagonal();
     object.color = f.Text(7);
-    if (!object.ned.allFinite() || !object.cov.allFinite()) throw BadLine{"not finite"};
+    if (!object.p_W.allFinite() || !object.cov_W.allFinite()) throw BadLine{"not finite"};
   };
   if (auto error = ReadRows(landmarks, place)) return *std::move(error);
   std::vector<double> lower;

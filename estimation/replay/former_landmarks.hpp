@@ -15,9 +15,9 @@
 
 namespace limpet {
 
-[[nodiscard]] std::string LandmarksCsv(const std::vector<LandmarkEstimate>& landmarks);
+[[nodiscard]] std::string LandmarksCsv(const std::vector<Landmark>& landmarks);
 /// `covariance`: joint, three rows per landmark.
-[[nodiscard]] std::string LandmarkCovarianceCsv(const std::vector<LandmarkEstimate>& landmarks,
+[[nodiscard]] std::string LandmarkCovarianceCsv(const std::vector<Landmark>& landmarks,
                                                 const Eigen::MatrixXd& covariance);
 
 /// The error names file and line.

@@ -54,10 +54,10 @@ class Replayer {
     result_.landmark_covariance = navigator_.LandmarkCovariance();
     result_.former_offset = navigator_.former_offset();
     result_.counts = navigator_.counts();
-    result_.counts.looks = navigator_.tracker().rejected_looks();
+    result_.counts.looks = navigator_.tracker().rejected_observations();
     for (const TrackedObject& object : navigator_.tracker().objects()) {
-      for (const Look& look : object.looks) {
-        if (object.is_landmark()) landmark_of_[{look.frame, look.detection}] = object.id;
+      for (const Observation& one : object.observations) {
+        if (object.is_landmark()) landmark_of_[{one.frame, one.detection}] = object.id();
       }
     }
     for (const auto& [box, landmark] : landmark_of_) {
@@ -69,7 +69,8 @@ class Replayer {
  private:
   void AdvanceTo(double t) {
     // The attitude's clock, which leaps are kept from, bounds everybody's.
-    if (!std::isfinite(t) || t > navigator_.attitude_time() + kArrival) return;
+    const std::optional<double> newest = navigator_.attitude_time();
+    if (!std::isfinite(t) || !newest || t > *newest + kArrival) return;
     now_ = std::max(now_, t);
     const int before = navigator_.node_count();
     const double start = clock_();
@@ -86,7 +87,7 @@ class Replayer {
     }
     if (is_due) {
       result_.online.push_back({now_, estimate.X_WB});
-      result_.online_covariance.push_back(estimate.covariance_p);
+      result_.online_covariance.push_back(estimate.covariance_p_W);
       result_.reckoned.push_back({now_, navigator_.DeadReckoned(now_)});
     }
   }

@@ -22,7 +22,7 @@ struct ReplayAssociation {
 struct ReplayResult {
   std::vector<SmoothedPose> online, smoothed, reckoned;
   std::vector<Eigen::Matrix3d> online_covariance;  ///< of the positions of `online`, in W [m^2]
-  std::vector<LandmarkEstimate> landmarks;
+  std::vector<Landmark> landmarks;
   Eigen::MatrixXd landmark_covariance;  ///< joint, three rows each [m^2]
   FrameOffset former_offset;            ///< of the former session's frame in this one
   std::vector<ReplayAssociation> associations;

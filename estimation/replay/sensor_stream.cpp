@@ -23,7 +23,7 @@ DvlRow ParseDvl(const CsvFields& f) {
   return row;
 }
 
-BoxDetection ParseDetection(const CsvFields& f, const FrameDetections& frame) {
+Box ParseDetection(const CsvFields& f, const Detections& frame) {
   f.Expect(11);
   if (f.Integer(3) != frame.frame) {
     throw BadLine{fmt::format("a DET of frame {} among those of {}", f.Integer(3), frame.frame)};
@@ -58,7 +58,8 @@ class StreamParser {
       f.Expect(5);
       missing_boxes_ = f.Integer(4);
       stream_.rows.push_back(FrameRow{
-          .arrival = f.Number(2), .frame = {.frame = f.Integer(3), .t = f.Number(1), .boxes = {}}});
+          .arrival = f.Number(2),
+          .frame = {.frame = f.Integer(3), .exposure = Seconds(f.Number(1)), .boxes = {}}});
     } else if (!f.AreFinite(1)) {
       ++stream_.refused_rows;
     } else if (kind == "ATT") {
@@ -89,7 +90,7 @@ class StreamParser {
 
  private:
   void TakeBox(const CsvFields& f) {
-    FrameDetections& frame = std::get<FrameRow>(stream_.rows.back()).frame;
+    Detections& frame = std::get<FrameRow>(stream_.rows.back()).frame;
     if (!f.AreFinite(1)) {
       ++stream_.refused_rows;
       frame.boxes.emplace_back();  // keeps the numbering; its confidence is 0
@@ -106,7 +107,7 @@ void TakeMeta(std::string_view line, StreamMeta& meta) {
   CameraModel& camera = meta.camera;
   const auto vector = [&f] { return Eigen::Vector3d(f.Number(1), f.Number(2), f.Number(3)); };
   if (f.kind() == "image_size") {
-    camera.width_px = f.Number(1), camera.height_px = f.Number(2);
+    camera.width_px = f.Integer(1), camera.height_px = f.Integer(2);
   } else if (f.kind() == "intrinsics_fx_fy_cx_cy") {
     camera.fx = f.Number(1), camera.fy = f.Number(2);
     camera.cx = f.Number(3), camera.cy = f.Number(4);

@@ -10,10 +10,10 @@
 
 #include <Eigen/Core>
 
-#include "estimation/association/detection.hpp"
 #include "estimation/attitude/attitude_filter.hpp"
-#include "estimation/smoothing/camera_model.hpp"
+#include "limpet/core/camera_model.hpp"
 #include "limpet/core/expected.hpp"
+#include "limpet/objects/frame.hpp"
 
 namespace limpet {
 
@@ -45,7 +45,7 @@ struct GpsRow {
 };
 struct FrameRow {
   double arrival = 0.0;
-  FrameDetections frame;
+  Detections frame;
 };
 using StreamRow = std::variant<AttitudeEstimate, DvlRow, DepthRow, GpsRow, FrameRow>;
 

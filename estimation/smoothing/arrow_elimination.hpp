@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Elimination of a chain with a border: small kernels over plain arrays, so that they compile and
-// run fast. Platform notes 2c, design iv.
+// run fast. docs/adr/0009.
 #pragma once
 
 #include <array>

@@ -21,15 +21,15 @@ void FillLink(const LinearTerm& step, ArrowLink& link) {
   Eigen::Map<NavVector>(link.g_next.data()) = -J_pose.transpose() * step.r.head<kRows>();
   if (!link.columns.empty()) {
     Eigen::Map<Eigen::Matrix<double, 6, 3>>(link.next_border.data()) =
-        J_pose.transpose() * step.J_landmark.topRows<kRows>();
+        J_pose.transpose() * step.J_border.topRows<kRows>();
   }
 }
 
-/// `column` of the border where the step's block begins, or -1.
-ArrowLink LinkOf(const LinearTerm& step, int column) {
+/// `column` of the border where the variable begins that the step depends on, if any.
+ArrowLink LinkOf(const LinearTerm& step, std::optional<int> column) {
   ArrowLink link;
-  if (column >= 0) {
-    link.columns.push_back(column);
+  if (column) {
+    link.columns.push_back(*column);
     link.next_border.resize(18);
   }
   constexpr std::array kFill{&FillLink<1>, &FillLink<2>, &FillLink<3>,
@@ -61,14 +61,14 @@ void ArrowLeaf::AddTerms(const ChainGraph& graph, ArrowMessage& message,
         JacobianBlock{is_anchor ? kAnchorColumn : 0, 6, linear.J_pose.data()}, {}};
     TermPoint at{.pose = &x};
     Eigen::Vector3d p;
-    const int slot = entry.term.landmark();
-    if (slot >= 0) {
-      blocks[1] = {ColumnOf(slot, message, border), 3, linear.J_landmark.data()};
+    const std::optional<int> slot = entry.term.border();
+    if (slot) {
+      blocks[1] = {ColumnOf(*slot, message, border), 3, linear.J_border.data()};
       p = Eigen::Map<const Eigen::Vector3d>(&linearised_[AsIndex(blocks[1].first - kBlocksColumn)]);
-      at.landmark = &p;
+      at.border = &p;
     }
     entry.term.Linearize(at, linear);
-    message.Add(linear, std::span(blocks).first(slot >= 0 ? 2 : 1));
+    message.Add(linear, std::span(blocks).first(slot ? 2 : 1));
   }
 }
 
@@ -80,23 +80,24 @@ void ArrowLeaf::Extend(const ChainGraph& graph, const std::vector<double>& borde
   TermPoint at{.previous = is_anchor ? &x_anchor_ : &graph.node(head_).x, .pose = &next.x};
   LinearTerm linear;
   Eigen::Vector3d errors;
-  const int slot = next.step->landmark();
-  const int column = slot >= 0 ? ColumnOf(slot, message_, border) : 0;
-  if (slot >= 0) {
+  const std::optional<int> slot = next.step->border();
+  const int column = slot ? ColumnOf(*slot, message_, border) : 0;
+  if (slot) {
     errors = Eigen::Map<const Eigen::Vector3d>(&linearised_[AsIndex(column - kBlocksColumn)]);
-    at.landmark = &errors;
+    at.border = &errors;
   }
   next.step->Linearize(at, linear);
   if (is_anchor) {
     const std::array<JacobianBlock, 3> blocks{{{0, 6, linear.J_pose.data()},
                                                {kAnchorColumn, 6, linear.J_previous.data()},
-                                               {column, 3, linear.J_landmark.data()}}};
-    message_.Add(linear, std::span(blocks).first(slot >= 0 ? 3 : 2));
+                                               {column, 3, linear.J_border.data()}}};
+    message_.Add(linear, std::span(blocks).first(slot ? 3 : 2));
   } else {
     const std::array<JacobianBlock, 2> blocks{
-        {{0, 6, linear.J_previous.data()}, {column, 3, linear.J_landmark.data()}}};
-    message_.Add(linear, std::span(blocks).first(slot >= 0 ? 2 : 1));
-    interior_.push_back(EliminateHead(message_, LinkOf(linear, slot >= 0 ? column - 6 : -1)));
+        {{0, 6, linear.J_previous.data()}, {column, 3, linear.J_border.data()}}};
+    message_.Add(linear, std::span(blocks).first(slot ? 2 : 1));
+    interior_.push_back(
+        EliminateHead(message_, LinkOf(linear, slot ? std::optional(column - 6) : std::nullopt)));
   }
   ++head_;
   x_head_ = next.x;
@@ -123,23 +124,23 @@ std::vector<double> ArrowLeaf::ChangeOf(const NavVector& x_anchor,
   return change;
 }
 
-ArrowLeaf::Strain ArrowLeaf::StrainAt(const NavVector& x_anchor, const NavVector& x_head,
-                                      const std::vector<double>& border,
-                                      const std::vector<bool>& is_landmark) const {
-  const NavVector first = x_anchor - x_anchor_;
-  const NavVector last = head_ == anchor_ ? first : NavVector(x_head - x_head_);
-  Strain strain{.angle = std::max(first.tail<3>().lpNorm<Eigen::Infinity>(),
-                                  last.tail<3>().lpNorm<Eigen::Infinity>())};
+ArrowLeaf::Displacement ArrowLeaf::DisplacementAt(const Ends& ends,
+                                                  const std::vector<double>& border,
+                                                  const std::vector<BorderStatus>& status) const {
+  const NavVector first = ends.anchor - x_anchor_;
+  const NavVector last = head_ == anchor_ ? first : NavVector(ends.head - x_head_);
+  Displacement moved{.angle = std::max(first.tail<3>().lpNorm<Eigen::Infinity>(),
+                                       last.tail<3>().lpNorm<Eigen::Infinity>())};
   for (std::size_t b = 0; b < slots_.size(); ++b) {
-    if (!is_landmark[AsIndex(slots_[b])]) continue;
+    if (status[AsIndex(slots_[b])].kind != BorderKind::kLandmark) continue;
     for (int i = 0; i < 3; ++i) {
       const std::size_t k = AsIndex(3 * slots_[b] + i);
-      const double moved = border[k] - linearised_[3 * b + AsIndex(i)];
-      strain.distance =
-          std::max({strain.distance, std::abs(moved - first(i)), std::abs(moved - last(i))});
+      const double off = border[k] - linearised_[3 * b + AsIndex(i)];
+      moved.distance =
+          std::max({moved.distance, std::abs(off - first(i)), std::abs(off - last(i))});
     }
   }
-  return strain;
+  return moved;
 }
 
 }  // namespace limpet

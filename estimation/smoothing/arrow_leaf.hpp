@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "estimation/smoothing/arrow_elimination.hpp"
+#include "estimation/smoothing/border_status.hpp"
 #include "estimation/smoothing/chain_graph.hpp"
 
 namespace limpet {
@@ -14,7 +15,11 @@ namespace limpet {
 /// linearised with it.
 class ArrowLeaf {
  public:
-  static constexpr int kNodes = 16;  ///< of a leaf that is closed
+  static constexpr int kNodes = 16;  ///< of a leaf that is full
+  /// Estimates of the two poses that a leaf lies between.
+  struct Ends {
+    NavVector anchor, head;
+  };
 
   ArrowLeaf() = default;
   /// Begins at `anchor`, linearised at `x`.
@@ -39,11 +44,10 @@ class ArrowLeaf {
   [[nodiscard]] const ArrowMessage& message() const { return message_; }
   /// Estimates of the poses between, newest first to oldest, given the ends and the border.
   template <class Take>
-  void BackSubstituteInterior(const ChainGraph& graph, const NavVector& x_anchor,
-                              const NavVector& x_head, const std::vector<double>& border,
-                              Take take) const {
-    std::vector<double> change = ChangeOf(x_anchor, border);
-    NavVector next = x_head - x_head_;
+  void BackSubstituteInterior(const ChainGraph& graph, const Ends& ends,
+                              const std::vector<double>& border, Take take) const {
+    std::vector<double> change = ChangeOf(ends.anchor, border);
+    NavVector next = ends.head - x_head_;
     for (int node = head_ - 1; node > anchor_; --node) {
       next = BackSubstitute(Interior(node), next, change.data());
       take(node, NavVector(graph.node(node).x + next));
@@ -53,13 +57,12 @@ class ArrowLeaf {
     return interior_[static_cast<std::size_t>(node - anchor_ - 1)];
   }
   /// The largest change since linearisation that matters: of the ends' headings [rad], and of the
-  /// blocks against the ends [m]; a shift of all together does not.
-  struct Strain {
+  /// landmarks against the ends [m]; a shift of all together does not.
+  struct Displacement {
     double angle = 0.0, distance = 0.0;
   };
-  [[nodiscard]] Strain StrainAt(const NavVector& x_anchor, const NavVector& x_head,
-                                const std::vector<double>& border,
-                                const std::vector<bool>& is_landmark) const;
+  [[nodiscard]] Displacement DisplacementAt(const Ends& ends, const std::vector<double>& border,
+                                            const std::vector<BorderStatus>& status) const;
 
  private:
   void AddTerms(const ChainGraph& graph, ArrowMessage& message, const std::vector<double>& border);

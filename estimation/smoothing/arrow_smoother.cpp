@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
-#include "limpet/core/require.hpp"
+#include "estimation/smoothing/border_terms.hpp"
+#include "estimation/smoothing/damped_step.hpp"
+#include "estimation/smoothing/joint_covariance.hpp"
 
 namespace limpet {
 namespace {
@@ -24,318 +27,220 @@ std::string ReasonOf(const std::vector<int>& held) {
 
 }  // namespace
 
+ArrowSmoother::ArrowSmoother(const ArrowParams& params)
+    : params_(params), search_(params.relinearize), relinearization_(params.work_per_update) {}
+
 int ArrowSmoother::AddNode(const NavVector& x, std::optional<Term> step) {
-  LIMPET_REQUIRE(!step || step->landmark() < 0 || to_be_closed_.count(step->landmark()) == 0,
-                 "a step does not depend on errors that are closed");
-  return graph_.AddNode(x, std::move(step));
+  return chain_.AddNode(x, std::move(step));
 }
 
 TermId ArrowSmoother::AddTerm(int node, Term term) {
-  LIMPET_REQUIRE(to_be_closed_.count(term.landmark()) == 0, "nor does a term of a node");
-  MarkDirty(node);
-  if (term.landmark() >= 0) {
-    LeafRange& range = seen_from_[AsIndex(term.landmark())];
-    const int leaf = node / ArrowLeaf::kNodes, before = std::max(node - 1, 0) / ArrowLeaf::kNodes;
-    range = range.last < 0 ? LeafRange{before, leaf}
-                           : LeafRange{std::min(range.first, before), std::max(range.last, leaf)};
-  }
-  return graph_.AddTerm(node, std::move(term));
+  NoteChange(node);
+  return chain_.AddTerm(node, std::move(term));
 }
 
 void ArrowSmoother::RemoveTerm(const TermId& id) {
-  MarkDirty(id.node);
-  graph_.RemoveTerm(id);
+  NoteChange(id.node);
+  chain_.graph().RemoveTerm(id);
 }
 
-int ArrowSmoother::AddBlock(const Eigen::Vector3d& p, bool is_landmark) {
-  const int slot = graph_.AddLandmark(p);
-  is_landmark_.resize(AsIndex(graph_.slot_count()), true);
-  seen_from_.resize(is_landmark_.size());
-  seen_from_[AsIndex(slot)] = {};
-  is_landmark_[AsIndex(slot)] = is_landmark;
-  is_closed_.resize(is_landmark_.size());
-  is_solved_.resize(is_landmark_.size());
-  is_solved_[AsIndex(slot)] = false;
-  border_.resize(AsIndex(3 * graph_.slot_count()), 0.0);
-  tree_.origin.border.resize(border_.size(), 0.0);
-  border_change_.resize(border_.size(), 0.0);
-  sweep_.border.resize(border_.size(), 0.0);
-  sweep_.moved.resize(is_landmark_.size());
-  for (int i = 0; i < 3; ++i) {
-    border_[AsIndex(3 * slot + i)] = tree_.origin.border[AsIndex(3 * slot + i)] = p(i);
-    border_change_[AsIndex(3 * slot + i)] = 0.0;
-    sweep_.border[AsIndex(3 * slot + i)] = p(i);
-  }
-  prior_is_old_ = true;
+void ArrowSmoother::NoteChange(int node) {
+  if (const auto leaf = chain_.NoteChange(node)) relinearization_.Add(*leaf);
+}
+
+int ArrowSmoother::AddBorderVariable(const Eigen::Vector3d& start, BorderKind kind) {
+  const int slot = chain_.AddBorderVariable(start, kind);
+  estimates_.AddBorderVariable(slot, start);
+  search_.AddBorderVariable(slot, start);
+  is_root_old_ = true;
   return slot;
 }
 
-int ArrowSmoother::AddLandmark(const Eigen::Vector3d& p) { return AddBlock(p, true); }
-
-int ArrowSmoother::AddErrors(const Eigen::Vector3d& start) { return AddBlock(start, false); }
-
-void ArrowSmoother::CloseErrors(int block) {
-  LIMPET_REQUIRE(!is_landmark_[AsIndex(block)], "landmarks stay");
-  to_be_closed_.try_emplace(block, graph_.node_count() - 1);
+int ArrowSmoother::AddLandmark(const Eigen::Vector3d& p_W) {
+  return AddBorderVariable(p_W, BorderKind::kLandmark);
 }
+
+int ArrowSmoother::AddSensorErrors(const Eigen::Vector3d& start) {
+  return AddBorderVariable(start, BorderKind::kSensorErrors);
+}
+
+void ArrowSmoother::CloseSensorErrors(int slot) { chain_.Close(slot); }
 
 void ArrowSmoother::RemoveLandmark(int landmark) {
-  for (const int node : graph_.landmark(landmark).nodes) {
-    MarkDirty(node);
-  }
-  graph_.RemoveLandmark(landmark);
-  // Leaves and tree still speak of the block: nothing else may take its place before they do not.
-  graph_.landmark(landmark).is_reserved = true;
-  prior_is_old_ = true;
+  ChainGraph& graph = chain_.graph();
+  for (const int node : graph.border(landmark).nodes)
+    NoteChange(node);
+  graph.RemoveBorderVariable(landmark);
+  // Leaves and tree still know it: nothing else may take its place before they do not.
+  graph.border(landmark).is_reserved = true;
+  is_root_old_ = true;
 }
 
-void ArrowSmoother::AddLandmarkTerm(int landmark, Term term) {
-  graph_.AddLandmarkTerm(landmark, std::move(term));
-  prior_is_old_ = true;
+void ArrowSmoother::AddBorderTerm(int slot, Term term) {
+  chain_.graph().AddBorderTerm(slot, std::move(term));
+  is_root_old_ = true;
 }
 
 void ArrowSmoother::SetJointPrior(std::optional<JointPrior> prior) {
-  graph_.SetJointPrior(std::move(prior));
-  prior_is_old_ = true;
+  chain_.graph().SetJointPrior(std::move(prior));
+  is_root_old_ = true;
 }
 
-void ArrowSmoother::Untie(int landmark) {
-  std::erase_if(graph_.landmark(landmark).terms,
-                [](const Term& term) { return term.second() >= 0; });
-  prior_is_old_ = true;
+void ArrowSmoother::RemovePairTerms(int landmark) {
+  std::erase_if(chain_.graph().border(landmark).terms,
+                [](const Term& term) { return term.second().has_value(); });
+  is_root_old_ = true;
 }
 
 bool ArrowSmoother::HasCaughtUp(int landmark) const {
-  const LeafRange& range = seen_from_[AsIndex(landmark)];
-  const auto stale = stale_.lower_bound(range.first);
-  return (stale == stale_.end() || *stale > range.last) && !open_is_dirty_;
+  const std::optional<LeafRange>& leaves = chain_.status(landmark).leaves;
+  return (!leaves || relinearization_.IsUpToDate(*leaves)) && !chain_.is_open_leaf_dirty();
 }
 
-void ArrowSmoother::MarkDirty(int node) {
-  if (!has_begun_ || node >= open_.head()) {
-    return;
-  }
-  if (node >= open_.anchor()) {
-    open_is_dirty_ = true;
-    return;
-  }
-  dirty_.insert(node / ArrowLeaf::kNodes);
-  stale_.insert(node / ArrowLeaf::kNodes);
-}
-
-void ArrowSmoother::Begin() {
-  has_begun_ = true;
-  open_ = ArrowLeaf(0, graph_.node(0).x);
-  tree_.origin.anchors.assign(1, graph_.node(0).x);
-  anchors_.assign(1, graph_.node(0).x);
-  solved_at_.assign(1, -1);
-}
-
-void ArrowSmoother::CloseLeaf() {
-  const int anchor = open_.head(), leaf = tree_.size();
-  for (const int slot : open_.slots()) {
-    if (is_landmark_[AsIndex(slot)]) continue;
-    LeafRange& range = seen_from_[AsIndex(slot)];
-    range = range.last < 0 ? LeafRange{leaf, leaf} : LeafRange{range.first, leaf};
-  }
-  CloseBlocks();
-  sweep_.anchors.push_back(anchors_.back());
-  sweep_.visit.insert(leaf);
-  sweep_.is_due = true;
-  tree_.origin.anchors.push_back(graph_.node(anchor).x);
-  anchors_.push_back(graph_.node(anchor).x);
-  solved_at_.push_back(-1);
-  tree_.Append(std::move(open_));
-  open_ = ArrowLeaf(anchor, graph_.node(anchor).x);
-  prior_is_old_ = true;
-}
-
-void ArrowSmoother::CloseBlocks() {
-  for (const auto& [slot, node] : to_be_closed_) {
-    if (IsClosed(slot) || node >= open_.head() || seen_from_[AsIndex(slot)].last < 0) continue;
-    // One that another in the border still speaks of waits for it.
-    bool is_named = false;
-    for (int other = 0; other < graph_.slot_count(); ++other) {
-      for (const Term& term : graph_.landmark(other).terms)
-        is_named = is_named || (!IsClosed(other) && term.second() == slot);
-    }
-    if (is_named) continue;
-    is_closed_[AsIndex(slot)] = true;
-    tree_.Close(Closed(slot));
-  }
-}
-
-ClosedBlock ArrowSmoother::Closed(int slot) const {
-  ClosedBlock block{.slot = slot,
-                    .first = seen_from_[AsIndex(slot)].first,
-                    .last = seen_from_[AsIndex(slot)].last,
-                    .terms = {}};
-  for (const Term& term : graph_.landmark(slot).terms) {
-    ClosedBlock::OwnTerm& own = block.terms.emplace_back();
-    own.second = term.second();
-    LinearizeBorderTerm(slot, term, own.linear);
-  }
-  // What speaks of it must be eliminated before it.
-  for (const ClosedBlock& other : tree_.closed()) {
-    const auto names_it = [slot](const auto& term) { return term.second == slot; };
-    if (std::ranges::any_of(other.terms, names_it))
-      block.first = std::min(block.first, other.first);
-  }
-  return block;
+void ArrowSmoother::BeginIfNew() {
+  if (chain_.has_begun()) return;
+  chain_.Begin();
+  estimates_.AddAnchor(chain_.graph().node(0).x);
 }
 
 void ArrowSmoother::ExtendToEnd() {
-  if (open_is_dirty_) {
-    RebuildOpenLeaf();
-  }
-  while (open_.head() < graph_.node_count() - 1) {
-    open_.Extend(graph_, border_);
-    if (open_.head() - open_.anchor() == ArrowLeaf::kNodes) CloseLeaf();
+  chain_.RebuildOpenLeafIfDirty(estimates_.border());
+  while (chain_.open_leaf().head() < chain_.graph().node_count() - 1) {
+    if (!chain_.ExtendOpenLeaf(estimates_.border())) continue;
+    search_.AddLeaf(estimates_.LastAnchor());
+    estimates_.AddAnchor(chain_.open_leaf().x_anchor());
+    is_root_old_ = true;
   }
 }
 
-void ArrowSmoother::RebuildOpenLeaf() {
-  const int head = open_.head();
-  open_ = ArrowLeaf(open_.anchor(), open_.x_anchor());
-  while (open_.head() < head)
-    open_.Extend(graph_, border_);
-  open_is_dirty_ = false;
-}
-
-void ArrowSmoother::RebuildLeaf(int leaf) {
-  const std::vector<NavVector> estimates = LeafEstimates(leaf);
-  for (int i = 0; i <= ArrowLeaf::kNodes; ++i)
-    graph_.node(leaf * ArrowLeaf::kNodes + i).x = estimates[AsIndex(i)];
-  ArrowLeaf rebuilt(leaf * ArrowLeaf::kNodes, estimates.front());
-  for (int i = 0; i < ArrowLeaf::kNodes; ++i)
-    rebuilt.Extend(graph_, border_);
-  tree_.Replace(leaf, std::move(rebuilt));
-  stale_.insert(leaf);
-  dirty_.erase(leaf);
-  estimated_leaf_ = -1;
-}
-
-void ArrowSmoother::LinearizeBorderTerm(int slot, const Term& term, LinearTerm& linear) const {
-  const auto place = [this](int s) {
-    return Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(&border_[AsIndex(3 * s)]));
-  };
-  const auto change = [&](int s) -> Eigen::Vector3d {
-    return place(s) - Eigen::Map<const Eigen::Vector3d>(&tree_.origin.border[AsIndex(3 * s)]);
-  };
-  const int second = term.second();
-  const Eigen::Vector3d p = place(slot), q = second < 0 ? p : place(second);
-  term.Linearize({.landmark = &p, .second = &q}, linear);
-  linear.r.head(linear.rows) -= linear.J_landmark.topRows(linear.rows) * change(slot);
-  if (second >= 0)
-    linear.r.head(linear.rows) -= linear.J_second.topRows(linear.rows) * change(second);
-}
-
-void ArrowSmoother::SetPrior() {
-  // The tree's blocks, then those that no closed leaf touches.
-  std::vector<int> slots = tree_.whole().slots, places(AsIndex(graph_.slot_count()), -1);
-  for (std::size_t i = 0; i < slots.size(); ++i)
-    places[AsIndex(slots[i])] = static_cast<int>(i);
-  for (int slot = 0; slot < graph_.slot_count(); ++slot) {
-    if (IsClosed(slot) || places[AsIndex(slot)] >= 0) continue;
-    places[AsIndex(slot)] = static_cast<int>(slots.size());
-    slots.push_back(slot);
-  }
-  ArrowMessage message = tree_.whole().message;
-  message.GrowBorder(3 * static_cast<int>(slots.size()));
-  LinearTerm linear;
-  for (const int slot : slots) {
-    for (const Term& term : graph_.landmark(slot).terms) {
-      LinearizeBorderTerm(slot, term, linear);
-      const int second = term.second();
-      std::array<JacobianBlock, 2> blocks{
-          {{6 + 3 * places[AsIndex(slot)], 3, linear.J_landmark.data()}, {}}};
-      if (second >= 0) blocks[1] = {6 + 3 * places[AsIndex(second)], 3, linear.J_second.data()};
-      message.Add(linear, std::span(blocks).first(second >= 0 ? 2 : 1));
-    }
-  }
-  AddJointPrior(message, places);
-  root_.SetPrior(message, slots, tree_.origin.anchors.back(), tree_.origin.border);
-  prior_is_old_ = false;
-}
-
-void ArrowSmoother::AddJointPrior(ArrowMessage& message, const std::vector<int>& places) const {
-  const std::optional<JointPrior>& prior = graph_.joint_prior();
-  if (!prior) {
-    return;
-  }
-  // Linear, so it is exact wherever the border is linearised.
-  Eigen::VectorXd off = -prior->mean();
-  std::vector<int> columns;
-  for (const int slot : prior->slots()) {
-    for (int i = 0; i < 3; ++i) {
-      off(static_cast<Eigen::Index>(columns.size())) += tree_.origin.border[AsIndex(3 * slot + i)];
-      columns.push_back(6 + 3 * places[AsIndex(slot)] + i);
-    }
-  }
-  const Eigen::MatrixXd& information = prior->information();
-  const Eigen::VectorXd pull = information * off;
-  for (std::size_t j = 0; j < columns.size(); ++j) {
-    message.g[AsIndex(columns[j])] -= pull(static_cast<Eigen::Index>(j));
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      if (columns[i] < columns[j]) continue;  // the message keeps its lower triangle
-      message.at(columns[i], columns[j]) +=
-          information(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-    }
-  }
+bool ArrowSmoother::HasOpenLeafMoved() const {
+  const auto moved =
+      chain_.open_leaf().DisplacementAt({.anchor = root_.anchor(), .head = root_.head()},
+                                        estimates_.border(), chain_.border_status());
+  return Exceeds(moved, params_.relinearize);
 }
 
 void ArrowSmoother::SolveRoot(SolveReport& report, int relinearizations) {
   for (int round = 0;; ++round) {
     ++report.iterations;
-    const ArrowMessage message = open_.WithHeadTerms(graph_, border_);
-    if (prior_is_old_) SetPrior();
-    root_.Solve(open_, message);
-    for (std::size_t i = 0; i < root_.border().size(); ++i) {
-      const std::size_t at = AsIndex(3 * root_.slots()[i / 3]) + i % 3;
-      border_[at] = root_.border()[i];
-      border_change_[at] = border_[at] - tree_.origin.border[at];
+    const ArrowMessage message = chain_.OpenMessage(estimates_.border());
+    if (std::exchange(is_root_old_, false)) {
+      const BorderInformation known = CollectBorderInformation(
+          chain_.graph(), chain_.tree(), chain_.border_status(), estimates_.border());
+      const ArrowOrigin& origin = chain_.tree().origin;
+      root_.SetPrior(known.message, known.slots, origin.anchors.back(), origin.border);
     }
-    is_solved_.assign(is_solved_.size(), true);
-    anchors_.back() = root_.anchor();
-    solved_at_.back() = ++solve_;
-    estimated_leaf_ = -1;
-    if (round >= relinearizations || !IsStrained(open_, root_.anchor(), root_.head())) {
+    root_.Solve(chain_.open_leaf(), message);
+    estimates_.Take(root_);
+    if (round >= relinearizations || !HasOpenLeafMoved()) {
       return;
     }
-    const int last = tree_.size();
-    const std::vector<NavVector> estimates = LeafEstimates(last);
-    const int anchor = open_.anchor();
-    for (int i = 0; i <= open_.head() - anchor; ++i)
-      graph_.node(anchor + i).x = estimates[AsIndex(i)];
-    open_ = ArrowLeaf(anchor, estimates.front());
-    while (open_.head() < graph_.node_count() - 1)
-      open_.Extend(graph_, border_);
+    const std::vector<NavVector> poses = estimates_.LeafEstimates(chain_.tree().size());
+    chain_.RelinearizeOpenLeaf(poses, estimates_.border());
   }
-}
-
-bool ArrowSmoother::IsStrained(const ArrowLeaf& leaf, const NavVector& x_anchor,
-                               const NavVector& x_head) const {
-  const ArrowLeaf::Strain strain = leaf.StrainAt(x_anchor, x_head, border_, is_landmark_);
-  return strain.angle > params_.relinearize_angle || strain.distance > params_.relinearize_distance;
 }
 
 SolveReport ArrowSmoother::Update() {
   SolveReport report;
-  if (graph_.node_count() == 0) {
+  ChainGraph& graph = chain_.graph();
+  if (graph.node_count() == 0) {
     return report;
   }
-  if (!has_begun_) Begin();
-  KeepUp(report);
+  BeginIfNew();
+  const auto progress = relinearization_.Continue(chain_, estimates_, search_);
+  is_root_old_ = is_root_old_ || progress.has_new_tree;
+  report.eliminated_nodes = progress.eliminated_nodes;
   ExtendToEnd();
   SolveRoot(report, params_.rounds_per_update);
-  Scan();
-  report.has_converged = IsUpToDate();
+  for (const int leaf : search_.Continue(chain_, estimates_))
+    relinearization_.Add(leaf);
+  report.has_converged = relinearization_.is_up_to_date() && !search_.is_under_way();
   report.reason = ReasonOf(root_.held());
-  for (int slot = 0; slot < graph_.slot_count(); ++slot) {
-    ChainLandmark& block = graph_.landmark(slot);
-    block.is_reserved = block.is_reserved && !HasCaughtUp(slot);
+  for (int slot = 0; slot < graph.slot_count(); ++slot) {
+    BorderVariable& variable = graph.border(slot);
+    variable.is_reserved = variable.is_reserved && !HasCaughtUp(slot);
   }
   return report;
+}
+
+void ArrowSmoother::RelinearizeAll() {
+  chain_.RelinearizeAll(estimates_.border());
+  relinearization_.Clear();
+  search_.Restart(chain_, estimates_.border());
+  is_root_old_ = true;
+}
+
+bool ArrowSmoother::HasSettled(double before, double cost) const {
+  return std::abs(before - cost) <= params_.converged_decrease * std::max(cost, 1.0);
+}
+
+bool ArrowSmoother::StepAll(double& cost) {
+  ChainGraph& graph = chain_.graph();
+  const ChainValues from = ValuesOf(graph);
+  ChainValues to{.poses = std::vector<NavVector>(AsIndex(graph.node_count())), .border = {}};
+  for (int i = graph.node_count() - 1; i >= 0; --i)
+    to.poses[AsIndex(i)] = PoseAt(i);
+  for (int slot = 0; slot < graph.slot_count(); ++slot)
+    to.border.emplace_back(&estimates_.border()[AsIndex(3 * slot)]);
+  const double before = cost;
+  const DampedStep step = StepTowards(from, to, before, graph);
+  cost = step.cost;
+  std::vector<double> border;
+  for (int slot = 0; slot < graph.slot_count(); ++slot) {
+    const Eigen::Vector3d& p = graph.border(slot).p;
+    border.insert(border.end(), p.data(), p.data() + 3);
+  }
+  estimates_.SetBorder(border);
+  if (step.share < 1.0 || !HasSettled(before, cost)) return false;
+  // The whole step changed next to nothing: the linearisation that it came from still holds.
+  SetValues(from, graph);
+  return true;
+}
+
+SolveReport ArrowSmoother::Converge() {
+  SolveReport report;
+  ChainGraph& graph = chain_.graph();
+  if (graph.node_count() == 0) {
+    return report;
+  }
+  BeginIfNew();
+  ExtendToEnd();
+  for (int slot = 0; slot < graph.slot_count(); ++slot)
+    graph.border(slot).is_reserved = false;
+  // All starts from the estimate, wherever each part is linearised.
+  double cost = std::numeric_limits<double>::infinity();
+  bool is_linearised = false;
+  while (report.iterations < params_.rounds_to_converge && !report.has_converged) {
+    if (report.iterations > 0) RelinearizeAll();
+    // No part may move before the step as a whole is found good.
+    SolveReport solved;
+    SolveRoot(solved, 0);
+    const double before = cost;
+    is_linearised = StepAll(cost);
+    ++report.iterations;
+    report.eliminated_nodes += graph.node_count();
+    report.has_converged = HasSettled(before, cost);
+  }
+  if (!is_linearised) {
+    RelinearizeAll();
+    SolveReport solved;
+    SolveRoot(solved, 0);
+  }
+  report.cost = cost;
+  report.reason = report.has_converged ? "cost settled" : "no longer falls within the rounds given";
+  return report;
+}
+
+JointCovariance ArrowSmoother::Covariance(const std::vector<int>& slots) const {
+  if (std::ranges::any_of(slots, [this](int slot) { return chain_.IsClosed(slot); })) {
+    return CovarianceOf({chain_.open_leaf().head()}, slots);
+  }
+  return HeadCovariance(slots, estimates_, root_);
+}
+
+JointCovariance ArrowSmoother::CovarianceOf(const std::vector<int>& nodes,
+                                            const std::vector<int>& slots) const {
+  return limpet::CovarianceOf({.nodes = nodes, .slots = slots}, chain_, estimates_, root_);
 }
 
 }  // namespace limpet

@@ -64,13 +64,13 @@ void Eliminate(ArrowStretch& stretch, const ClosedBlock& closed) {
   const int first = stretch.has_begin ? 12 : 6;
   const int column = first + 3 * PositionOf(closed.slot, stretch.slots);
   for (const ClosedBlock::OwnTerm& term : closed.terms) {
-    std::array<JacobianBlock, 2> blocks{{{column, 3, term.linear.J_landmark.data()}, {}}};
-    if (term.second >= 0) {
-      blocks[1] = {first + 3 * PositionOf(term.second, stretch.slots), 3,
+    std::array<JacobianBlock, 2> blocks{{{column, 3, term.linear.J_border.data()}, {}}};
+    if (term.second) {
+      blocks[1] = {first + 3 * PositionOf(*term.second, stretch.slots), 3,
                    term.linear.J_second.data()};
     }
     stretch.message.GrowBorder(first - 6 + 3 * static_cast<int>(stretch.slots.size()));
-    stretch.message.Add(term.linear, std::span(blocks).first(term.second >= 0 ? 2 : 1));
+    stretch.message.Add(term.linear, std::span(blocks).first(term.second ? 2 : 1));
   }
   const ArrowMessage& message = stretch.message;
   Eigen::Matrix<double, 3, Eigen::Dynamic> W(3, message.size() - 3);
@@ -172,7 +172,7 @@ ArrowStretch Join(const ArrowStretch& left, const ArrowStretch& right,
   joined.middle_slots = joined.slots;
   joined.message = std::move(message);
   for (const ClosedBlock& block : closed) {
-    const bool is_inside = block.first >= joined.first && block.last < joined.end;
+    const bool is_inside = block.leaves.first >= joined.first && block.leaves.last < joined.end;
     if (is_inside && std::ranges::count(joined.slots, block.slot) > 0) Eliminate(joined, block);
   }
   return joined;

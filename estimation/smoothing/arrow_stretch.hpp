@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,14 +15,15 @@ struct ArrowOrigin {
   std::vector<double> border;  ///< three per block
 };
 
-/// A block of slow errors that no later leaf depends on, so that it need not stay in the border.
+/// Slow errors of the sensors that no later leaf depends on, so that they need not stay in the
+/// border.
 struct ClosedBlock {
   struct OwnTerm {
-    LinearTerm linear;  ///< its residual where the changes are zero
-    int second = -1;    ///< the other block, or -1
+    LinearTerm linear;          ///< its residual where the changes are zero
+    std::optional<int> second;  ///< the other variable, of a term on two
   };
   int slot = 0;
-  int first = 0, last = 0;  ///< leaves that depend on it
+  LeafRange leaves;  ///< that depend on it
   std::vector<OwnTerm> terms;
 };
 

@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 
-#include "estimation/smoothing/camera_model.hpp"
 #include "estimation/smoothing/nav_vector.hpp"
+#include "limpet/core/camera_model.hpp"
 
 namespace limpet {
 

@@ -15,9 +15,9 @@ int ChainGraph::AddNode(const NavVector& x, std::optional<Term> step) {
 }
 
 TermId ChainGraph::AddTerm(int node_index, Term term) {
-  if (term.landmark() >= 0) {
-    ChainLandmark& seen = landmark(term.landmark());
-    LIMPET_REQUIRE(seen.is_used, "a term needs its landmark");
+  if (term.border()) {
+    BorderVariable& seen = border(*term.border());
+    LIMPET_REQUIRE(seen.is_used, "a term needs its border variable");
     seen.nodes.insert(std::ranges::upper_bound(seen.nodes, node_index), node_index);
   }
   node(node_index).terms.push_back({next_serial_, std::move(term)});
@@ -30,30 +30,30 @@ void ChainGraph::RemoveTerm(const TermId& id) {
   if (found == terms.end()) {
     return;
   }
-  if (found->term.landmark() >= 0) {
-    std::vector<int>& seen_by = landmark(found->term.landmark()).nodes;
+  if (found->term.border()) {
+    std::vector<int>& seen_by = border(*found->term.border()).nodes;
     seen_by.erase(std::ranges::find(seen_by, id.node));
   }
   terms.erase(found);
 }
 
-int ChainGraph::AddLandmark(const Eigen::Vector3d& p) {
+int ChainGraph::AddBorderVariable(const Eigen::Vector3d& start) {
   const auto free = std::ranges::find_if(
-      landmarks_, [](const ChainLandmark& l) { return !l.is_used && !l.is_reserved; });
-  const auto slot = static_cast<int>(free - landmarks_.begin());
-  if (free == landmarks_.end()) {
-    landmarks_.emplace_back();
+      border_, [](const BorderVariable& v) { return !v.is_used && !v.is_reserved; });
+  const auto slot = static_cast<int>(free - border_.begin());
+  if (free == border_.end()) {
+    border_.emplace_back();
   }
-  landmark(slot) = {.is_used = true, .is_reserved = false, .p = p, .terms = {}, .nodes = {}};
+  border(slot) = {.is_used = true, .is_reserved = false, .p = start, .terms = {}, .nodes = {}};
   return slot;
 }
 
-void ChainGraph::RemoveLandmark(int slot) {
-  for (const int seen_by : std::exchange(landmark(slot).nodes, {})) {
+void ChainGraph::RemoveBorderVariable(int slot) {
+  for (const int seen_by : std::exchange(border(slot).nodes, {})) {
     std::erase_if(node(seen_by).terms,
-                  [slot](const ChainNode::Entry& entry) { return entry.term.landmark() == slot; });
+                  [slot](const ChainNode::Entry& entry) { return entry.term.border() == slot; });
   }
-  landmark(slot) = {};
+  border(slot) = {};
   if (joint_prior_ && std::ranges::count(joint_prior_->slots(), slot) > 0) {
     const bool is_last = joint_prior_->slots().size() == 1;
     joint_prior_ = is_last ? std::nullopt : std::optional(joint_prior_->Without(slot));
@@ -62,36 +62,30 @@ void ChainGraph::RemoveLandmark(int slot) {
 
 void ChainGraph::SetJointPrior(std::optional<JointPrior> prior) {
   for (const int slot : prior ? prior->slots() : std::vector<int>()) {
-    LIMPET_REQUIRE(landmark(slot).is_used && std::ranges::count(prior->slots(), slot) == 1,
+    LIMPET_REQUIRE(border(slot).is_used && std::ranges::count(prior->slots(), slot) == 1,
                    "a joint prior names landmarks in use, each once");
   }
   joint_prior_ = std::move(prior);
 }
 
-void ChainGraph::AddLandmarkTerm(int slot, Term term) {
-  LIMPET_REQUIRE(term.landmark() == slot && landmark(slot).is_used, "a term on its landmark");
-  landmark(slot).terms.push_back(std::move(term));
-}
-
-int ChainGraph::FirstNodeOf(int slot) const {
-  const std::vector<int>& nodes = landmark(slot).nodes;
-  return nodes.empty() ? node_count() : nodes.front();
+void ChainGraph::AddBorderTerm(int slot, Term term) {
+  LIMPET_REQUIRE(term.border() == slot && border(slot).is_used, "a term on its border variable");
+  border(slot).terms.push_back(std::move(term));
 }
 
 void ChainGraph::Linearize(int index, const Term& term, LinearTerm& out) const {
-  term.Linearize({.pose = &node(index).x, .landmark = PlaceOf(term.landmark())}, out);
+  term.Linearize({.pose = &node(index).x, .border = PointOf(term.border())}, out);
 }
 
 void ChainGraph::LinearizeStep(int index, LinearTerm& out) const {
   const Term& step = *node(index).step;
-  step.Linearize({.previous = &node(index - 1).x,
-                  .pose = &node(index).x,
-                  .landmark = PlaceOf(step.landmark())},
-                 out);
+  step.Linearize(
+      {.previous = &node(index - 1).x, .pose = &node(index).x, .border = PointOf(step.border())},
+      out);
 }
 
 void ChainGraph::LinearizeBorder(const Term& term, LinearTerm& out) const {
-  term.Linearize({.landmark = PlaceOf(term.landmark()), .second = PlaceOf(term.second())}, out);
+  term.Linearize({.border = PointOf(term.border()), .second = PointOf(term.second())}, out);
 }
 
 double ChainGraph::Cost() const {
@@ -107,7 +101,7 @@ double ChainGraph::Cost() const {
       cost += linear.cost;
     }
   }
-  for (const ChainLandmark& seen : landmarks_) {
+  for (const BorderVariable& seen : border_) {
     for (const Term& term : seen.terms) {
       LinearizeBorder(term, linear);
       cost += linear.cost;
@@ -117,7 +111,7 @@ double ChainGraph::Cost() const {
     Eigen::VectorXd places(joint_prior_->mean().size());
     Eigen::Index row = 0;
     for (const int slot : joint_prior_->slots()) {
-      places.segment<3>(row) = landmark(slot).p;
+      places.segment<3>(row) = border(slot).p;
       row += 3;
     }
     cost += joint_prior_->Cost(places);

@@ -6,7 +6,8 @@
 
 namespace limpet {
 
-/// Huber's robust loss of a whitened residual's norm; with an infinite threshold, least squares.
+/// Huber's robust loss [Huber 1964] of a whitened residual's norm; with an infinite threshold,
+/// least squares.
 struct Loss {
   double threshold = std::numeric_limits<double>::infinity();
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/smoothing/mrpt_poses.hpp"
 
-#include <Eigen/Cholesky>
-
 namespace limpet {
 
 mrpt::poses::CPose3D MrptPose(const NavVector& x) {
@@ -11,17 +9,6 @@ mrpt::poses::CPose3D MrptPose(const NavVector& x) {
 
 mrpt::poses::CPose3DPDFGaussian MrptPosePdf(const NavVector& x, const NavCovariance& covariance) {
   return {MrptPose(x), mrpt::math::CMatrixDouble66(covariance)};
-}
-
-mrpt::poses::CPose3DPDFGaussianInf MrptPosePdfInf(const NavVector& x,
-                                                  const NavCovariance& covariance) {
-  const NavCovariance information = covariance.llt().solve(NavCovariance::Identity());
-  return {MrptPose(x), mrpt::math::CMatrixDouble66(information)};
-}
-
-mrpt::poses::CPointPDFGaussian MrptPointPdf(const Eigen::Vector3d& p,
-                                            const Eigen::Matrix3d& covariance) {
-  return {mrpt::poses::CPoint3D(p.x(), p.y(), p.z()), mrpt::math::CMatrixDouble33(covariance)};
 }
 
 NavVector NavVectorOf(const mrpt::poses::CPose3D& pose) {

@@ -2,10 +2,8 @@
 // The smoother's results as MRPT types, for whoever composes, serialises or compares them.
 #pragma once
 
-#include <mrpt/poses/CPointPDFGaussian.h>
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>
-#include <mrpt/poses/CPose3DPDFGaussianInf.h>
 
 #include "estimation/smoothing/nav_vector.hpp"
 
@@ -15,11 +13,6 @@ namespace limpet {
 [[nodiscard]] mrpt::poses::CPose3D MrptPose(const NavVector& x);
 [[nodiscard]] mrpt::poses::CPose3DPDFGaussian MrptPosePdf(const NavVector& x,
                                                           const NavCovariance& covariance);
-/// Information form. REQUIRES: `covariance` positive definite.
-[[nodiscard]] mrpt::poses::CPose3DPDFGaussianInf MrptPosePdfInf(const NavVector& x,
-                                                                const NavCovariance& covariance);
-[[nodiscard]] mrpt::poses::CPointPDFGaussian MrptPointPdf(const Eigen::Vector3d& p,
-                                                          const Eigen::Matrix3d& covariance);
 [[nodiscard]] NavVector NavVectorOf(const mrpt::poses::CPose3D& pose);
 [[nodiscard]] NavCovariance CovarianceOf(const mrpt::poses::CPose3DPDFGaussian& pdf);
 

@@ -22,10 +22,12 @@ struct SolveReport {
 };
 
 /// Of several variables together: poses first, six each as in NavVector (x, y, z [m], yaw, pitch,
-/// roll [rad]), then landmarks, three each (x, y, z in W [m]), both in the order asked.
+/// roll [rad]), then border variables, three each (landmarks: x, y, z in W [m]), both in the order
+/// asked.
 using JointCovariance = Eigen::MatrixXd;
 
-/// Estimates a chain of poses and landmarks.
+/// Estimates a chain of poses, landmarks and slow errors of the sensors. Landmarks and sensor
+/// errors are border variables of the chain, named by their slots.
 class Smoother {
  public:
   virtual ~Smoother() = default;
@@ -34,17 +36,18 @@ class Smoother {
   virtual int AddNode(const NavVector& x, std::optional<Term> step) = 0;
   virtual TermId AddTerm(int node, Term term) = 0;
   virtual void RemoveTerm(const TermId& id) = 0;
-  virtual int AddLandmark(const Eigen::Vector3d& p) = 0;
-  /// A block of three slow errors of the sensors, on which steps may depend; never removed.
-  virtual int AddErrors(const Eigen::Vector3d& start) = 0;
-  /// No term on the block is added from now on, by any node: it need not be kept at hand.
-  virtual void CloseErrors(int block) = 0;
+  virtual int AddLandmark(const Eigen::Vector3d& p_W) = 0;
+  /// Three slow errors of the sensors, on which steps may depend; never removed.
+  virtual int AddSensorErrors(const Eigen::Vector3d& start) = 0;
+  /// No term on these errors is added from now on, by any node: they need not be kept at hand.
+  virtual void CloseSensorErrors(int slot) = 0;
   virtual void RemoveLandmark(int landmark) = 0;
-  virtual void AddLandmarkTerm(int landmark, Term term) = 0;
+  /// A term on border variables alone, of which `slot` is the first.
+  virtual void AddBorderTerm(int slot, Term term) = 0;
   /// What is known beforehand of several landmarks together; takes the place of the former one.
   virtual void SetJointPrior(std::optional<JointPrior> prior) = 0;
-  /// Takes out the landmark's own terms on two blocks; takes effect with the next update.
-  virtual void Untie(int landmark) = 0;
+  /// Takes out the landmark's own terms on two variables; takes effect with the next update.
+  virtual void RemovePairTerms(int landmark) = 0;
   /// True if no term on the landmark that was taken out still has an effect.
   [[nodiscard]] virtual bool HasCaughtUp(int landmark) const = 0;
 
@@ -54,19 +57,19 @@ class Smoother {
   virtual SolveReport Converge() = 0;
 
   [[nodiscard]] virtual const ChainGraph& graph() const = 0;
-  /// Blocks that are solved with the newest pose, as of the last Update: those that are not closed.
-  [[nodiscard]] virtual int border_blocks() const = 0;
+  /// Variables that are solved with the newest pose, as of the last Update: those not closed.
+  [[nodiscard]] virtual int border_size() const = 0;
   /// Estimates as of the last Update.
   [[nodiscard]] virtual NavVector PoseAt(int node) const = 0;
-  [[nodiscard]] virtual Eigen::Vector3d LandmarkAt(int landmark) const = 0;
-  /// Of the newest pose and landmarks; at hand at any time.
-  [[nodiscard]] virtual JointCovariance Covariance(const std::vector<int>& landmarks) const = 0;
-  /// Of any poses of the chain, however far back, and any landmarks or other blocks of the border;
-  /// exact where the factors are linearised. Takes longer than Covariance, the more so the more
-  /// poses are asked for. A block that no update has seen yet is as good as unknown. REQUIRES: the
-  /// last Update knew the nodes.
+  [[nodiscard]] virtual Eigen::Vector3d BorderAt(int slot) const = 0;
+  /// Of the newest pose and border variables; at hand at any time.
+  [[nodiscard]] virtual JointCovariance Covariance(const std::vector<int>& slots) const = 0;
+  /// Of any poses of the chain, however far back, and any border variables; exact where the factors
+  /// are linearised. Takes longer than Covariance, the more so the more poses are asked for. A
+  /// variable that no update has seen yet is as good as unknown. REQUIRES: the last Update knew the
+  /// nodes.
   [[nodiscard]] virtual JointCovariance CovarianceOf(const std::vector<int>& nodes,
-                                                     const std::vector<int>& landmarks) const = 0;
+                                                     const std::vector<int>& slots) const = 0;
   [[nodiscard]] NavCovariance PoseCovariance(int node) const { return CovarianceOf({node}, {}); }
 };
 

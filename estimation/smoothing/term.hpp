@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include <Eigen/Core>
@@ -16,7 +17,7 @@ namespace limpet {
 struct TermPoint {
   const NavVector* previous = nullptr;
   const NavVector* pose = nullptr;
-  const Eigen::Vector3d* landmark = nullptr;  ///< or the sensors' slow errors
+  const Eigen::Vector3d* border = nullptr;  ///< a landmark, or slow errors of the sensors
   const Eigen::Vector3d* second = nullptr;
 };
 
@@ -26,12 +27,12 @@ struct LinearTerm {
   int rows = 0;
   Eigen::Matrix<double, 6, 1> r;
   Eigen::Matrix<double, 6, 6> J_previous, J_pose;
-  Eigen::Matrix<double, 6, 3> J_landmark, J_second;
+  Eigen::Matrix<double, 6, 3> J_border, J_second;
   double cost = 0.0;
 };
 
 /// A factor with its loss, bound to a kind of variables: a pose; a step between neighbouring poses,
-/// with or without a block of slow errors; a pose and a landmark; blocks of the border alone.
+/// with or without slow errors of the sensors; a pose and a landmark; border variables alone.
 class Term {
  public:
   template <class F>
@@ -50,62 +51,62 @@ class Term {
       out.J_previous.topRows<F::kDim>() = weight * J_previous;
     });
   }
-  /// A step whose sensors' slow errors are the border's block `slot`.
+  /// A step whose sensors' slow errors are the border variable `slot`.
   template <class F>
   [[nodiscard]] static Term OnStep(F factor, int slot, Loss loss = Loss::LeastSquares()) {
     Term term([factor, loss](const TermPoint& at, LinearTerm& out) {
       typename F::Jacobian J_previous, J_pose;
-      typename F::LandmarkJacobian J_errors;
+      typename F::BorderJacobian J_errors;
       const double weight = Store(
-          factor.Evaluate(*at.previous, *at.pose, *at.landmark, &J_previous, &J_pose, &J_errors),
+          factor.Evaluate(*at.previous, *at.pose, *at.border, &J_previous, &J_pose, &J_errors),
           loss, out, J_pose, out.J_pose);
       out.J_previous.topRows<F::kDim>() = weight * J_previous;
-      out.J_landmark.template topRows<F::kDim>() = weight * J_errors;
+      out.J_border.template topRows<F::kDim>() = weight * J_errors;
     });
-    term.landmark_ = slot;
+    term.border_ = slot;
     return term;
   }
   template <class F>
-  [[nodiscard]] static Term OnSight(F factor, int landmark, Loss loss = Loss::LeastSquares()) {
+  [[nodiscard]] static Term OnObservation(F factor, int slot, Loss loss = Loss::LeastSquares()) {
     Term term([factor, loss](const TermPoint& at, LinearTerm& out) {
       typename F::Jacobian J_pose;
-      typename F::LandmarkJacobian J_landmark;
-      const double weight = Store(factor.Evaluate(*at.pose, *at.landmark, &J_pose, &J_landmark),
-                                  loss, out, J_pose, out.J_pose);
-      out.J_landmark.template topRows<F::kDim>() = weight * J_landmark;
+      typename F::BorderJacobian J_landmark;
+      const double weight = Store(factor.Evaluate(*at.pose, *at.border, &J_pose, &J_landmark), loss,
+                                  out, J_pose, out.J_pose);
+      out.J_border.template topRows<F::kDim>() = weight * J_landmark;
     });
-    term.landmark_ = landmark;
+    term.border_ = slot;
     return term;
   }
   template <class F>
-  [[nodiscard]] static Term OnLandmark(F factor, int landmark, Loss loss = Loss::LeastSquares()) {
+  [[nodiscard]] static Term OnBorder(F factor, int slot, Loss loss = Loss::LeastSquares()) {
     Term term([factor, loss](const TermPoint& at, LinearTerm& out) {
-      typename F::LandmarkJacobian J;
-      Store(factor.Evaluate(*at.landmark, &J), loss, out, J, out.J_landmark);
+      typename F::BorderJacobian J;
+      Store(factor.Evaluate(*at.border, &J), loss, out, J, out.J_border);
     });
-    term.landmark_ = landmark;
+    term.border_ = slot;
     return term;
   }
-  /// On two blocks of the border.
+  /// On two border variables.
   template <class F>
-  [[nodiscard]] static Term OnBlocks(F factor, int landmark, int second,
-                                     Loss loss = Loss::LeastSquares()) {
+  [[nodiscard]] static Term OnBorderPair(F factor, int slot, int second,
+                                         Loss loss = Loss::LeastSquares()) {
     Term term([factor, loss](const TermPoint& at, LinearTerm& out) {
-      typename F::LandmarkJacobian J, J_second;
-      const double weight = Store(factor.Evaluate(*at.landmark, *at.second, &J, &J_second), loss,
-                                  out, J, out.J_landmark);
+      typename F::BorderJacobian J, J_second;
+      const double weight =
+          Store(factor.Evaluate(*at.border, *at.second, &J, &J_second), loss, out, J, out.J_border);
       out.J_second.template topRows<F::kDim>() = weight * J_second;
     });
-    term.landmark_ = landmark;
+    term.border_ = slot;
     term.second_ = second;
     return term;
   }
 
   void Linearize(const TermPoint& at, LinearTerm& out) const { linearize_(at, out); }
-  /// Block of the border that the term depends on, or -1.
-  [[nodiscard]] int landmark() const { return landmark_; }
-  /// The other block of a term on two, or -1.
-  [[nodiscard]] int second() const { return second_; }
+  /// Slot of the border variable that the term depends on, if any.
+  [[nodiscard]] std::optional<int> border() const { return border_; }
+  /// The other one, of a term on two.
+  [[nodiscard]] std::optional<int> second() const { return second_; }
 
  private:
   using Linearizer = std::function<void(const TermPoint&, LinearTerm&)>;
@@ -125,7 +126,7 @@ class Term {
   }
 
   Linearizer linearize_;
-  int landmark_ = -1, second_ = -1;
+  std::optional<int> border_, second_;
 };
 
 }  // namespace limpet

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Headers of others that nearly every file reads; CMake compiles them once (share/cmake/Precompiled.cmake).
+// Headers of others that nearly every file reads; CMake compiles them once
+// (share/cmake/Precompiled.cmake).
 #pragma once
 
 #include <algorithm>
@@ -35,5 +36,4 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-
 #include <fmt/format.h>

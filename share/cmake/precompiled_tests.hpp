@@ -2,7 +2,7 @@
 // What the tests read beside precompiled.hpp.
 #pragma once
 
-#include "precompiled.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "precompiled.hpp"

@@ -12,8 +12,8 @@
 #include <malloc.h>
 
 #include "estimation/replay/replay.hpp"
-#include "estimation/smoothing/batch_solver.hpp"
 #include "limpet/core/clock.hpp"
+#include "tests/support/batch_solver.hpp"
 #include "tests/support/quantile.hpp"
 #include "tests/support/trajectory_error.hpp"
 
@@ -83,10 +83,11 @@ void Print(const Evaluation& e) {
       e.result.landmarks.size(), e.objects.aligned_max, e.objects.aligned_mean,
       e.objects.absolute_max, e.objects.duplicates, e.objects.false_ones, e.objects.missed.size());
   for (const auto& l : e.result.landmarks) {
-    const Eigen::Vector3d p = e.smoothed.alignment.Apply(l.p);
+    const Eigen::Vector3d p = e.smoothed.alignment.Apply(l.object.p_W);
+    const Eigen::Matrix3d& cov_W = l.object.cov_W;
     fmt::print("    {} ({:.2f}, {:.2f}, {:.2f}) sd ({:.2f}, {:.2f}, {:.2f}) looks {} class {}\n",
-               l.id, p.x(), p.y(), p.z(), std::sqrt(l.covariance(0, 0)),
-               std::sqrt(l.covariance(1, 1)), std::sqrt(l.covariance(2, 2)), l.looks, l.color);
+               l.id, p.x(), p.y(), p.z(), std::sqrt(cov_W(0, 0)), std::sqrt(cov_W(1, 1)),
+               std::sqrt(cov_W(2, 2)), l.looks, l.object.color);
   }
   fmt::print(
       "  update median {:.4f}  99 % {:.3f}  max {:.2f} ms; total {:.3f} s; {:.2f} kB per 5 Hz "

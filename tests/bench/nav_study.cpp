@@ -31,7 +31,7 @@ SensorStream WithTrueAssociations(const SimulatedStream& session) {
   SensorStream stream = session.stream;
   for (StreamRow& row : stream.rows) {
     if (auto* frame = std::get_if<FrameRow>(&row)) {
-      std::vector<BoxDetection> boxes;
+      std::vector<Box> boxes;
       for (int i = 0; i < static_cast<int>(frame->frame.boxes.size()); ++i) {
         const auto shown = session.shown.find({frame->frame.frame, i});
         if (shown == session.shown.end()) continue;
@@ -81,8 +81,8 @@ Consistency ConsistencyBetween(const Navigator& navigator, const StreamTruth& tr
   std::vector<Eigen::Vector3d> errors;
   for (const TrackedObject& object : navigator.tracker().objects()) {
     if (!object.is_landmark()) continue;
-    slots.push_back(object.slot);
-    errors.push_back(object.p - TruthOf(object.p, alignment, truth));
+    slots.push_back(object.slot());
+    errors.push_back(object.p_W - TruthOf(object.p_W, alignment, truth));
   }
   Consistency between;
   if (slots.size() < 2) return between;
@@ -105,8 +105,9 @@ Nees NeesOf(const ReplayResult& result, const StreamTruth& truth) {
     nees.pose.Add(result.online[i].X_WB.p_WB - truth.At(result.online[i].t),
                   result.online_covariance[i]);
   }
-  for (const LandmarkEstimate& landmark : result.landmarks) {
-    nees.landmark.Add(landmark.p - TruthOf(landmark.p, alignment, truth), landmark.covariance);
+  for (const Landmark& landmark : result.landmarks) {
+    nees.landmark.Add(landmark.object.p_W - TruthOf(landmark.object.p_W, alignment, truth),
+                      landmark.object.cov_W);
   }
   return nees;
 }
@@ -174,10 +175,10 @@ void PrintDetails(const SimulatedStream& session, const ReplayResult& result,
     const auto shown = session.shown.find({a.frame, a.detection});
     looks[a.landmark][shown == session.shown.end() ? -1 : shown->second].push_back(0.25 * a.frame);
   }
-  for (const LandmarkEstimate& l : result.landmarks) {
-    const Eigen::Vector3d p = alignment.Apply(l.p);
-    fmt::print("  landmark {} class {} at ({:.2f} {:.2f} {:.2f})", l.id, l.color, p.x(), p.y(),
-               p.z());
+  for (const Landmark& l : result.landmarks) {
+    const Eigen::Vector3d p = alignment.Apply(l.object.p_W);
+    fmt::print("  landmark {} class {} at ({:.2f} {:.2f} {:.2f})", l.id, l.object.color, p.x(),
+               p.y(), p.z());
     for (const auto& [id, times] : looks[l.id]) {
       const auto object = std::ranges::find(session.truth.landmarks, id, &TrueLandmark::id);
       const double off = object == session.truth.landmarks.end() ? 0.0 : (p - object->p).norm();
@@ -205,9 +206,10 @@ FormerSession FormerOf(StreamScene& scene) {
   const ReplayResult result =
       Replay(session.stream, ParamsForStream(session.stream.meta), [] { return 0.0; });
   FormerSession former{.ids = {}, .objects = {}, .covariance = result.landmark_covariance};
-  for (const LandmarkEstimate& l : result.landmarks) {
+  for (const Landmark& l : result.landmarks) {
     former.ids.push_back(l.id);
-    former.objects.push_back({.ned = l.p, .cov = l.covariance, .color = l.color});
+    former.objects.push_back(
+        {.p_W = l.object.p_W, .cov_W = l.object.cov_W, .color = l.object.color});
   }
   return former;
 }

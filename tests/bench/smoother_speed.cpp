@@ -71,7 +71,7 @@ Row Measure(int nodes_5hz, int objects) {
       [&](const Navigator& n) {
         row.bytes = (UsedBytes() - before) / nodes_5hz;
         row.poses = n.node_count();
-        row.border = 3 * n.smoother().border_blocks();
+        row.border = 3 * n.smoother().border_size();
       });
   row.landmarks = static_cast<int>(result.landmarks.size());
   row.median = 1e3 * Quantile(result.update_s, 0.5);

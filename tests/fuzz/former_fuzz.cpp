@@ -29,8 +29,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   limpet::FormerSessionTie tie({});
   tie.SetFormer(*former);
   limpet::PresentLandmarks present{.slots = {0, 1}, .objects = {}, .covariance = {}};
-  present.objects = {{.ned = {1.0, 2.0, 3.0}, .cov = {}, .color = "0"},
-                     {.ned = {5.0, -2.0, 3.0}, .cov = {}, .color = "0"}};
+  present.objects = {{.p_W = {1.0, 2.0, 3.0}, .color = "0"},
+                     {.p_W = {5.0, -2.0, 3.0}, .color = "0"}};
   present.covariance = 0.1 * Eigen::MatrixXd::Identity(6, 6);
   static_cast<void>(tie.Match(present, std::nullopt));
   if (tie.prior() && !tie.prior()->mean().allFinite()) std::abort();

@@ -24,6 +24,6 @@ void RoundTrip(const limpet::Value& text) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const limpet::Value text = std::string(reinterpret_cast<const char*>(data), size);
   RoundTrip<limpet::Detections>(text), RoundTrip<limpet::HelmBids>(text);
-  RoundTrip<limpet::OpiBeliefs>(text), RoundTrip<limpet::Sight>(text);
+  RoundTrip<limpet::OpiBeliefs>(text), RoundTrip<limpet::ObservedFrame>(text);
   return 0;
 }

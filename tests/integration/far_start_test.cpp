@@ -9,8 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "apps/limpet/report/session_record.hpp"
-#include "apps/limpet/session_runner.hpp"
+#include "limpet/runs/session_runner.hpp"
+#include "limpet/scoring/session_record.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace limpet {

@@ -9,13 +9,25 @@
 #include <gtest/gtest.h>
 
 #include "apps/pHelm/helm_app.hpp"
-#include "limpet/app/test_link.hpp"
 #include "limpet/core/frames.hpp"
+#include "tests/support/test_link.hpp"
 
 namespace limpet {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The struct's own values, but lower and with a quicker search.
+HelmApp::Params ParamsOfTheTest() {
+  HelmApp::Params params;
+  const ConfigBlock block{.name = "pHelm",
+                          .where = {},
+                          .entries = {{.key = "survey_altitude_m", .value = "3", .where = {}},
+                                      {.key = "beam_width", .value = "10", .where = {}}}};
+  // What a mission must say besides is no matter here.
+  static_cast<void>(ApplyBlock(block, DescribeParams(params)));
+  return params;
+}
 
 /// The basin's helm and a vehicle that does at once what it asks for.
 class FruitlessLooksTest : public ::testing::Test {
@@ -25,15 +37,11 @@ class FruitlessLooksTest : public ::testing::Test {
     context.name = "pHelm";
     context.link = &link_;
     context.mission_folder = fs::path(LIMPET_SOURCE_DIR) / "missions" / "basin";
-    HelmApp::Params params;
-    params.survey_altitude = Meters(3.0);
-    params.beam_width = 10;
-    app_ = std::make_unique<HelmApp>(context, params);
+    app_ = std::make_unique<HelmApp>(context, ParamsOfTheTest());
     object_.id = 4;
-    object_.ned = {3.0, 3.0, 5.0};
-    object_.cov = {0.04, 0.0, 0.0, 0.04, 0.0, 0.04};
+    object_.object.p_W = {3.0, 3.0, 5.0};
+    object_.object.cov_W = 0.04 * Eigen::Matrix3d::Identity();
     object_.posterior = {.confirmed = 0.5, .removed = 0.5};
-    object_.entropy = std::log(2.0);
     link_.Send(*app_, topics::kSurveyArea,
                SurveyArea{.north_min = -10, .north_max = 10, .east_min = -10, .east_max = 10});
     link_.Send(*app_, topics::kMapLook, ToMapLook(LookModel{}));
@@ -114,7 +122,7 @@ TEST_F(FruitlessLooksTest, ANewBeliefMakesTheObjectWorthLooksAgain) {
 }
 
 TEST_F(FruitlessLooksTest, AnObjectBeyondTheRegionsReachIsNotWaitedFor) {
-  object_.ned = {18.0, 0.0, 5.0};
+  object_.object.p_W = {18.0, 0.0, 5.0};
   link_.Send(*app_, topics::kMapOpis, OpiBeliefs{{object_}});
   Sail(0.1);
   EXPECT_EQ(Interest().state, "out_of_reach");

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 // One app of an embedded mission hangs under way: what becomes of the vehicle.
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "apps/limpet/session_runner.hpp"
 #include "limpet/app/embedded.hpp"
+#include "limpet/runs/session_runner.hpp"
 #include "limpet/topics/mission.hpp"
+#include "limpet/topics/navigation.hpp"
 #include "limpet/topics/simulation.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -55,16 +57,25 @@ class StalledDive {
       community_->Step();
   }
   void Stall(const std::string& app, bool hangs = true) { community_->Stall(app, hangs); }
+  void StallDatabase(bool hangs = true) { community_->StallDatabase(hangs); }
   [[nodiscard]] Seconds now() const { return community_->now(); }
   [[nodiscard]] const SimTruth& truth() const { return truth_; }
   [[nodiscard]] const SimThrust& thrust() const { return thrust_; }
   [[nodiscard]] const std::string& ended() const { return ended_; }
+  [[nodiscard]] Seconds navigation_stamp() const { return nav_t_; }
+  /// Of the estimate, horizontal [m].
+  [[nodiscard]] double navigation_error() const {
+    return std::hypot(nav_.north - truth_.north, nav_.east - truth_.east);
+  }
 
  private:
   inline static const fs::path kFolder = fs::path(LIMPET_SOURCE_DIR) / "missions" / "basin";
   void Note(const Message& message) {
     if (message.name == topics::kSimTruth.name) {
       truth_ = *TopicCodec<SimTruth>::Decode(message.value);
+    } else if (message.name == topics::kNavState.name) {
+      nav_ = *TopicCodec<NavState>::Decode(message.value);
+      nav_t_ = message.time;
     } else if (message.name == topics::kSimThrust.name) {
       thrust_ = *TopicCodec<SimThrust>::Decode(message.value);
     } else if (message.name == topics::kMissionEnd.name) {
@@ -75,6 +86,8 @@ class StalledDive {
   std::optional<EmbeddedCommunity> community_;
   SimTruth truth_;
   SimThrust thrust_;
+  NavState nav_;
+  Seconds nav_t_;
   std::string ended_;
 };
 
@@ -109,6 +122,28 @@ TEST(StalledPilot, TakesTheControlsAgainWhenItGoesOn) {
   dive.Stall("pPilot", false);
   dive.Run(3.0);
   EXPECT_GT(dive.thrust().greatest, 0.0);
+}
+
+TEST(StalledDatabase, MeansZeroThrustWithinASecondAndADiveThatGoesOnWhenItIsBack) {
+  StalledDive dive;
+  dive.DiveDeep();
+  ASSERT_GT(dive.thrust().greatest, 0.0);
+  const Seconds stalled = dive.now();
+  dive.StallDatabase();
+  dive.Run(8.0);
+  dive.StallDatabase(false);
+  ASSERT_TRUE(dive.thrust().zero_at);
+  EXPECT_GT(*dive.thrust().zero_at, stalled.value());
+  EXPECT_LE(*dive.thrust().zero_at - stalled.value(), 1.2);
+  dive.Run(10.0);
+  EXPECT_GT(dive.thrust().greatest, 0.0);
+  EXPECT_LT((dive.now() - dive.navigation_stamp()).value(), 0.5);
+  EXPECT_LT(dive.navigation_error(), 1.5);
+  dive.RunToTheEnd();
+  EXPECT_THAT(dive.ended(), AnyOf("home", "aborted", "timeout", "lost"));
+  dive.Run(5.0);
+  EXPECT_LT(dive.truth().down, 0.3);
+  EXPECT_EQ(dive.thrust().greatest, 0.0);
 }
 
 }  // namespace

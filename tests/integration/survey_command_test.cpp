@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/limpet/cli.hpp"
-#include "apps/limpet/run_folder/folder_lock.hpp"
 #include "limpet/core/config.hpp"
+#include "limpet/runs/folder_lock.hpp"
 #include "tests/support/limpet_command.hpp"
 #include "tests/support/small_mission.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -12,11 +12,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "apps/limpet/report/expectation_check.hpp"
-#include "apps/limpet/report/report_json.hpp"
-#include "apps/limpet/report/scorer.hpp"
-#include "apps/limpet/session_runner.hpp"
+#include "limpet/core/interrupt.hpp"
 #include "limpet/mission/scenario.hpp"
+#include "limpet/report/expectation_check.hpp"
+#include "limpet/report/report_json.hpp"
+#include "limpet/runs/session_runner.hpp"
+#include "limpet/scoring/scorer.hpp"
 #include "limpet/topics/variable.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -58,7 +59,10 @@ std::string OnBoardLog(const fs::path& run_folder, const std::string& session) {
   std::ifstream file(run_folder / (session + ".alog"));
   std::string text;
   for (std::string line; std::getline(file, line);) {
-    if (line.find(" SIM_") == std::string::npos) {
+    std::istringstream words(line);
+    std::string time, name;
+    words >> time >> name;
+    if (!name.starts_with("SIM_")) {
       text += line + "\n";
     }
   }

@@ -45,7 +45,8 @@ std::optional<std::string> FolderOf(std::string_view path) {
   };
   if (path.starts_with("limpet/")) return two_parts().substr(std::string_view("limpet/").size());
   if (path.starts_with("apps/") || path.starts_with("estimation/")) return two_parts();
-  if (path.starts_with("behaviors/") || path.starts_with("tests/")) {
+  if (path.starts_with("behaviors/") || path.starts_with("generators/") ||
+      path.starts_with("tests/")) {
     return std::string(path.substr(0, path.find('/')));
   }
   return std::nullopt;
@@ -157,7 +158,6 @@ class Checker {
                                           const std::string& target) const {
     if (folder == target || folder == "tests") return "";
     if (target == "tests") return "nothing but tests may include tests";
-    if (folder == "apps/limpet") return "";
     if (folder.starts_with("apps/")) {
       return target.starts_with("apps/") ? "an app may not include another app" : "";
     }

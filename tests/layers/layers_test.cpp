@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/layers/cited_code.hpp"
+#include "tests/layers/test_subjects.hpp"
 #include "tests/layers/type_names.hpp"
 
 namespace limpet::layers {
@@ -25,7 +27,8 @@ std::string ReadAll(const std::filesystem::path& file) {
 std::vector<SourceFile> TreeFiles() {
   const std::filesystem::path root(LIMPET_SOURCE_DIR);
   std::vector<SourceFile> files;
-  for (const char* top : {"share/limpet", "estimation", "behaviors", "apps", "tests"}) {
+  for (const char* top :
+       {"share/limpet", "estimation", "behaviors", "generators", "apps", "tests"}) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / top)) {
       const std::string extension = entry.path().extension().string();
       if (entry.is_regular_file() && (extension == ".cpp" || extension == ".hpp")) {
@@ -73,6 +76,54 @@ TEST(TypeNames, OfTwoFilesThatDefineTheSameAreComplainedAbout) {
   EXPECT_THAT(TypesDefinedTwice({a, hidden, elsewhere}), IsEmpty());
 }
 
+TEST(CitedCode, OfEveryPageIsInTheFileThatItNames) {
+  const std::vector<SourceFile> files = TreeFiles();
+  for (const auto& page :
+       std::filesystem::directory_iterator(std::filesystem::path(LIMPET_SOURCE_DIR) / "docs")) {
+    if (page.path().extension() == ".md") {
+      EXPECT_THAT(WronglyCited(ReadAll(page.path()), files), IsEmpty()) << page.path();
+    }
+  }
+}
+
+TEST(CitedCode, OfTheLessonsIsOfEveryExample) {
+  const std::string page =
+      ReadAll(std::filesystem::path(LIMPET_SOURCE_DIR) / "docs" / "examples.md");
+  for (const SourceFile& file : TreeFiles()) {
+    if (file.path.starts_with("tests/examples/")) {
+      EXPECT_THAT(page, HasSubstr("<!-- " + file.path + " -->"));
+    }
+  }
+}
+
+TEST(CitedCode, ThatTheFileLacksIsComplainedAbout) {
+  const SourceFile file{"a.cpp", "int a = 1;\nint b = 2;\n"};
+  EXPECT_THAT(WronglyCited("<!-- a.cpp -->\n```cpp\nint b = 2;\n```\n", {file}), IsEmpty());
+  EXPECT_THAT(WronglyCited("<!-- a.cpp -->\n```cpp\nint b = 3;\n```\n", {file}),
+              ElementsAre(HasSubstr("a.cpp: does not hold")));
+  EXPECT_THAT(WronglyCited("<!-- b.cpp -->\n```cpp\nint b = 2;\n```\n", {file}),
+              ElementsAre(HasSubstr("no such file")));
+}
+
+TEST(TestSubjects, AreFilesOfTheLibraryThatTheTestsFolderNames) {
+  EXPECT_THAT(TestsWithoutSubject(TreeFiles()), IsEmpty());
+}
+
+TEST(TestSubjects, MayBeFamiliesAndPartsOfAFileAndTheWholeLibrary) {
+  std::vector<SourceFile> files{{"share/limpet/wire/packet_codec.cpp", ""},
+                                {"share/limpet/wire/records/time.hpp", ""}};
+  for (const char* name : {"packet_codec", "packet_codec_captures", "packet", "wire_captures",
+                           "short_records", "time"}) {
+    files.push_back({"tests/unit/wire/" + std::string(name) + "_test.cpp", ""});
+  }
+  EXPECT_THAT(TestsWithoutSubject(files), IsEmpty());
+  files.push_back({"tests/unit/wire/captures_test.cpp", ""});
+  files.push_back({"tests/unit/core/time_test.cpp", ""});
+  EXPECT_THAT(TestsWithoutSubject(files),
+              ElementsAre("tests/unit/wire/captures_test.cpp: is of no file of `wire`",
+                          "tests/unit/core/time_test.cpp: is of no file of `core`"));
+}
+
 TEST(LayerTable, EndsWithItsMarkdownTable) {
   EXPECT_EQ(SmallTable().size(), 3U);
   EXPECT_THAT(SmallTable().at("core").may_use, IsEmpty());
@@ -92,10 +143,11 @@ TEST(Layers, FindsALibraryWithoutARow) {
               ElementsAre(HasSubstr("`extra` has no row")));
 }
 
-TEST(Layers, KeepsAppsApartButForTheFrontCommand) {
+TEST(Layers, KeepsAppsApart) {
   const std::string text = "#include \"apps/pNav/nav_app.hpp\"\n";
   EXPECT_THAT(Check({{"apps/pMap/a.cpp", text}}), ElementsAre(HasSubstr("another app")));
-  EXPECT_THAT(Check({{"apps/limpet/a.cpp", text}, {"apps/pNav/b.cpp", text}}), IsEmpty());
+  EXPECT_THAT(Check({{"apps/limpet/a.cpp", text}}), ElementsAre(HasSubstr("another app")));
+  EXPECT_THAT(Check({{"apps/pNav/b.cpp", text}}), IsEmpty());
 }
 
 TEST(Layers, LetsNothingButTestsIncludeTests) {

@@ -12,7 +12,7 @@
 
 #include "limpet/core/random.hpp"
 #include "limpet/vision/box_model.hpp"
-#include "limpet/vision/color_shape_detector.hpp"
+#include "limpet/vision/detector_registry.hpp"
 #include "limpet/vision/scene_renderer.hpp"
 
 namespace limpet::trial {
@@ -40,6 +40,7 @@ struct Plan {
   double least_visibility_m = 3.0;
   double most_visibility_m = 15.0;
   std::uint64_t seed = 1;
+  std::string detector = "color_shape";
 };
 
 inline PixelRect RectOf(const Box& box) {
@@ -108,7 +109,7 @@ inline void Compare(const std::vector<SphereImage>& images, const std::vector<st
 template <class Find>
 Result RunScenes(const Plan& plan, Find&& find_of_scene) {
   Random random(plan.seed, "detector trial");
-  const CameraGeometry camera;
+  const CameraModel camera;
   Result result;
   for (int scene = 0; scene < plan.scenes; ++scene) {
     const double visibility = random.Uniform(plan.least_visibility_m, plan.most_visibility_m);
@@ -134,7 +135,7 @@ Result RunScenes(const Plan& plan, Find&& find_of_scene) {
 
 /// Renders and detects.
 inline Result RunDetector(const Plan& plan) {
-  return RunScenes(plan, [](double visibility, std::uint64_t seed) {
+  return RunScenes(plan, [&plan](double visibility, std::uint64_t seed) {
     const double phase = static_cast<double>(seed % 1000);
     auto renderer = std::make_shared<SceneRenderer>(SceneSettings{
         .camera = {},
@@ -146,10 +147,10 @@ inline Result RunDetector(const Plan& plan) {
         .visibility_m = visibility,
         .seabed_seed = seed,
         .noise_seed = seed + 1});
-    return [renderer](const Pose& pose, const std::vector<Sphere>& spheres, int frame) {
-      ColorShapeDetector detector;
+    const std::shared_ptr<Detector> detector = MakeDetector(plan.detector);
+    return [renderer, detector](const Pose& pose, const std::vector<Sphere>& spheres, int frame) {
       const Image image = renderer->Render(pose, spheres, static_cast<std::uint32_t>(frame));
-      return detector.Detect(image.view());
+      return detector->Detect(image.view());
     };
   });
 }

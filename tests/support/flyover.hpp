@@ -35,42 +35,42 @@ struct Detector {
 };
 
 /// One frame from `X_WB`.
-inline Sight SightFrom(const Pose& X_WB, double altitude, const std::vector<Sphere>& spheres,
-                       const Detector& detector, Random& random) {
-  const CameraGeometry camera;
-  Sight sight;
-  sight.ned = {X_WB.p_WB.x(), X_WB.p_WB.y(), X_WB.p_WB.z()};
-  sight.roll = X_WB.roll, sight.pitch = X_WB.pitch, sight.yaw = X_WB.yaw;
+inline ObservedFrame SightFrom(const Pose& X_WB, double altitude,
+                               const std::vector<Sphere>& spheres, const Detector& detector,
+                               Random& random) {
+  const CameraModel camera;
+  ObservedFrame sight;
+  sight.X_WB = X_WB;
   sight.altitude = altitude;
   for (const Sphere& sphere : spheres) {
     const double share = VisibleShare(camera, X_WB, sphere.ned, sphere.radius);
     if (share < detector.least_share || !random.Chance(detector.detects)) continue;
     const Eigen::Vector3d p_C = camera.InCamera(X_WB, sphere.ned);
     const Eigen::Vector2d pixel = *camera.Project(p_C);
-    Box box{.u = pixel.x(),
-            .v = pixel.y(),
-            .w = 2.0 * sphere.radius * camera.fx() / p_C.z(),
-            .h = 2.0 * sphere.radius * camera.fy() / p_C.z(),
-            .confidence = 0.9,
-            .color = sphere.color};
-    sight.boxes.push_back({box, sphere.landmark});
+    sight.boxes.push_back({.u = pixel.x(),
+                           .v = pixel.y(),
+                           .w = 2.0 * sphere.radius * camera.fx / p_C.z(),
+                           .h = 2.0 * sphere.radius * camera.fy / p_C.z(),
+                           .confidence = 0.9,
+                           .color = sphere.color,
+                           .landmark = sphere.landmark});
   }
   if (random.Chance(detector.false_per_image)) {
-    sight.boxes.push_back({{.u = random.Uniform(40, 600),
-                            .v = random.Uniform(40, 440),
-                            .w = 80,
-                            .h = 80,
-                            .confidence = 0.6,
-                            .color = "yellow"},
-                           -1});
+    sight.boxes.push_back({.u = random.Uniform(40, 600),
+                           .v = random.Uniform(40, 440),
+                           .w = 80,
+                           .h = 80,
+                           .confidence = 0.6,
+                           .color = "yellow"});
   }
   return sight;
 }
 
 /// All frames of a leg, from `start` on.
-inline std::vector<Sight> Fly(const Leg& leg, Seconds start, const std::vector<Sphere>& spheres,
-                              const Detector& detector, Random& random) {
-  std::vector<Sight> sights;
+inline std::vector<ObservedFrame> Fly(const Leg& leg, Seconds start,
+                                      const std::vector<Sphere>& spheres, const Detector& detector,
+                                      Random& random) {
+  std::vector<ObservedFrame> sights;
   const double step = leg.speed * 0.25;
   for (int i = 0; i * step <= leg.length; ++i) {
     const Pose X_WB{{leg.north + i * step * std::cos(leg.yaw),

@@ -56,18 +56,18 @@ class PlaceFactor {
   static constexpr int kDim = 3;
   using Residual = Eigen::Matrix<double, kDim, 1>;
   using Jacobian = Eigen::Matrix<double, kDim, 6>;
-  using LandmarkJacobian = Eigen::Matrix<double, kDim, 3>;
+  using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
 
   explicit PlaceFactor(double sigma) : inv_sigma_(1.0 / sigma) {}
 
   [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& place,
                                   Jacobian* J_pose = nullptr,
-                                  LandmarkJacobian* J_place = nullptr) const {
+                                  BorderJacobian* J_place = nullptr) const {
     if (J_pose != nullptr) {
       J_pose->setZero();
       (*J_pose)(0, kNavX) = (*J_pose)(1, kNavY) = (*J_pose)(2, kNavYaw) = inv_sigma_;
     }
-    if (J_place != nullptr) *J_place = -inv_sigma_ * LandmarkJacobian::Identity();
+    if (J_place != nullptr) *J_place = -inv_sigma_ * BorderJacobian::Identity();
     const Eigen::Vector3d off(x(kNavX) - place.x(), x(kNavY) - place.y(),
                               WrapAngle(x(kNavYaw) - place.z()));
     return inv_sigma_ * off;
@@ -84,14 +84,14 @@ class PlaceEdgeFactor {
   static constexpr int kDim = XyzYawFactor::kDim;
   using Residual = XyzYawFactor::Residual;
   using Jacobian = XyzYawFactor::Jacobian;
-  using LandmarkJacobian = Eigen::Matrix<double, kDim, 3>;
+  using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
 
   PlaceEdgeFactor(const XyzYawFactor& edge, bool is_from_place)
       : edge_(edge), is_from_place_(is_from_place) {}
 
   [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& place,
                                   Jacobian* J_pose = nullptr,
-                                  LandmarkJacobian* J_place = nullptr) const {
+                                  BorderJacobian* J_place = nullptr) const {
     NavVector x_place = NavVector::Zero();
     x_place(kNavX) = place.x(), x_place(kNavY) = place.y(), x_place(kNavYaw) = place.z();
     Jacobian J_x, J_x_place;
@@ -115,17 +115,17 @@ class BearingRangeFactor {
   static constexpr int kDim = 3;
   using Residual = Eigen::Matrix<double, kDim, 1>;
   using Jacobian = Eigen::Matrix<double, kDim, 6>;
-  using LandmarkJacobian = Eigen::Matrix<double, kDim, 3>;
+  using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
 
   BearingRangeFactor(const Eigen::Vector2d& measured, const Eigen::Vector2d& sigma)
       : measured_(measured), inv_sigma_(sigma.cwiseInverse()) {}
 
   [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p,
                                   Jacobian* J_pose = nullptr,
-                                  LandmarkJacobian* J_landmark = nullptr) const {
+                                  BorderJacobian* J_landmark = nullptr) const {
     const Eigen::Vector2d d = p.head<2>() - x.head<2>();
     const double range = std::max(d.norm(), 1e-6);
-    LandmarkJacobian J = LandmarkJacobian::Identity();
+    BorderJacobian J = BorderJacobian::Identity();
     J.topLeftCorner<2, 2>() << -d.y() / (range * range), d.x() / (range * range), d.x() / range,
         d.y() / range;
     J.topRows<2>() = (inv_sigma_.asDiagonal() * J.topRows<2>()).eval();
@@ -151,14 +151,14 @@ class ScaledDistanceFactor {
   static constexpr int kDim = 1;
   using Residual = Eigen::Matrix<double, kDim, 1>;
   using Jacobian = Eigen::Matrix<double, kDim, 6>;
-  using LandmarkJacobian = Eigen::Matrix<double, kDim, 3>;
+  using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
 
   ScaledDistanceFactor(double measured, double sigma)
       : measured_(measured), inv_sigma_(1.0 / sigma) {}
 
   [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& beacon,
                                   Jacobian* J_pose = nullptr,
-                                  LandmarkJacobian* J_beacon = nullptr) const {
+                                  BorderJacobian* J_beacon = nullptr) const {
     const Eigen::Vector2d d = beacon.head<2>() - x.head<2>();
     const double distance = std::max(d.norm(), 1e-6), scale = 1.0 + beacon.z();
     const Eigen::RowVector2d J = inv_sigma_ * scale / distance * d.transpose();

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <optional>
 
-#include "estimation/smoothing/batch_solver.hpp"
 #include "estimation/smoothing/factors/distance_factor.hpp"
 #include "estimation/smoothing/factors/landmark_prior_factor.hpp"
 #include "estimation/smoothing/factors/pose_prior_factor.hpp"
 #include "limpet/core/require.hpp"
+#include "tests/support/batch_solver.hpp"
 #include "tests/support/beacon_start.hpp"
 #include "tests/support/planar_factors.hpp"
 
@@ -73,10 +73,10 @@ class SetRunner {
     if (is_new) {
       const NavVector x = smoother_.PoseAt(earlier);
       found->second = smoother_.AddLandmark({x(kNavX), x(kNavY), x(kNavYaw)});
-      smoother_.AddTerm(earlier, Term::OnSight(PlaceFactor(kTieSigma), found->second));
+      smoother_.AddTerm(earlier, Term::OnObservation(PlaceFactor(kTieSigma), found->second));
     }
     const PlaceEdgeFactor factor(FactorOf(edge), edge.from == earlier);
-    smoother_.AddTerm(later, Term::OnSight(factor, found->second));
+    smoother_.AddTerm(later, Term::OnObservation(factor, found->second));
   }
   void Update() {
     const double start = clock_();
@@ -93,7 +93,7 @@ class SetRunner {
     for (int i = 0; i < running.node_count(); ++i)
       running.node(i).x = smoother_.PoseAt(i);
     for (int slot = 0; slot < running.slot_count(); ++slot)
-      running.landmark(slot).p = smoother_.LandmarkAt(slot);
+      running.border(slot).p = smoother_.BorderAt(slot);
     result_.running_cost = running.Cost();
     const double start = clock_();
     result_.finish = smoother_.Converge();
@@ -143,7 +143,7 @@ class Beacons {
     const double third = params_.has_own_scale ? 0.1 : 1e-3;
     const LandmarkPriorFactor prior({start->x(), start->y(), 0.0},
                                     Eigen::Vector3d(1e6, 1e6, third * third).asDiagonal());
-    smoother_.AddLandmarkTerm(beacon.slot, Term::OnLandmark(prior, beacon.slot));
+    smoother_.AddBorderTerm(beacon.slot, Term::OnBorder(prior, beacon.slot));
     for (const auto& [from, measured] : beacon.waiting)
       AddRange(beacon.slot, from, measured);
     beacon.waiting.clear();
@@ -165,10 +165,10 @@ class Beacons {
     const Loss loss = Loss::Huber(params_.huber);
     if (params_.has_own_scale) {
       const ScaledDistanceFactor factor(range, params_.range_sigma);
-      smoother_.AddTerm(node, Term::OnSight(factor, slot, loss));
+      smoother_.AddTerm(node, Term::OnObservation(factor, slot, loss));
     } else {
       const DistanceFactor factor(Meters(range), Meters(params_.range_sigma));
-      smoother_.AddTerm(node, Term::OnSight(factor, slot, loss));
+      smoother_.AddTerm(node, Term::OnObservation(factor, slot, loss));
     }
   }
   ArrowSmoother& smoother_;
@@ -210,7 +210,7 @@ SetResult RunPlanarGraph(const PlanarGraph& graph, const std::function<double()>
             {x(kNavX) + range * std::cos(way), x(kNavY) + range * std::sin(way), 0.0});
       }
       const BearingRangeFactor factor(seen.bearing_range, seen.sigma);
-      runner.smoother().AddTerm(k, Term::OnSight(factor, slot->second));
+      runner.smoother().AddTerm(k, Term::OnObservation(factor, slot->second));
     }
     runner.Update();
   }
@@ -220,7 +220,7 @@ SetResult RunPlanarGraph(const PlanarGraph& graph, const std::function<double()>
     for (int i = 0; i < count; ++i)
       anew.node(i).x = InPlane(graph.poses[AsIndex(i)]);
     for (const auto& [pose, slot] : runner.places())
-      anew.landmark(slot).p = graph.poses[AsIndex(pose)];
+      anew.border(slot).p = graph.poses[AsIndex(pose)];
   });
 }
 
@@ -258,11 +258,11 @@ SetResult RunRangeSession(const RangeSession& session, const RangeSessionParams&
     for (const auto& [id, slot] : slots) {
       const auto known = session.beacons.find(id);
       if (known == session.beacons.end()) continue;
-      anew.landmark(slot).p = {known->second.x(), known->second.y(), 0.0};
+      anew.border(slot).p = {known->second.x(), known->second.y(), 0.0};
     }
   });
   for (const auto& [id, slot] : slots)
-    result.beacons[id] = runner.smoother().LandmarkAt(slot).head<2>();
+    result.beacons[id] = runner.smoother().BorderAt(slot).head<2>();
   return result;
 }
 

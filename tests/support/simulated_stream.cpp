@@ -271,7 +271,7 @@ class Recorder {
 
   void TakeFrame(double t, const Pose& X) {
     FrameRow row{.arrival = t + random_.Uniform(0.15, 0.35),
-                 .frame = {.frame = frames_, .t = t, .boxes = {}}};
+                 .frame = {.frame = frames_, .exposure = Seconds(t), .boxes = {}}};
     for (std::size_t i = 0; i < ground_.objects().size(); ++i) {
       const auto box = BoxOf(ground_.objects()[i], X, 0.87, 0.95);
       if (!box) continue;
@@ -295,21 +295,21 @@ class Recorder {
   }
 
   /// The noisy box of a sphere at `p`, cut by the image's border; nothing if it is not detected.
-  std::optional<BoxDetection> BoxOf(const Eigen::Vector3d& p, const Pose& X, double confidence,
-                                    double hit_share) {
+  std::optional<Box> BoxOf(const Eigen::Vector3d& p, const Pose& X, double confidence,
+                           double hit_share) {
     const StreamMeta& meta = out_.stream.meta;
     const Eigen::Matrix3d R_WC = RotationOf(X) * meta.camera.R_BC;
     const Eigen::Vector3d p_C = R_WC.transpose() * (p - X.p_WB - RotationOf(X) * meta.camera.p_BC);
     CameraModel wide = meta.camera;  // whose border cuts nothing
-    constexpr double kMargin = 4000.0;
-    wide.width_px += 2.0 * kMargin, wide.height_px += 2.0 * kMargin;
+    constexpr int kMargin = 4000;
+    wide.width_px += 2 * kMargin, wide.height_px += 2 * kMargin;
     wide.cx += kMargin, wide.cy += kMargin;
     const auto whole = BoxOfSphere(p_C, meta.opi_radius, wide);
     const auto cut = BoxOfSphere(p_C, meta.opi_radius, meta.camera);
     if (!whole || !cut || p_C.norm() > kFurthest || p_C.z() < 0.5) return std::nullopt;
     const double visible = cut->w * cut->h / (whole->w * whole->h);
     if (visible < 0.25 || !boxes_.Chance(hit_share * std::sqrt(visible))) return std::nullopt;
-    BoxDetection box = *whole;
+    Box box = *whole;
     box.confidence =
         std::clamp(confidence - 0.2 * (1.0 - visible) + boxes_.Normal(0.09), 0.1, 0.99);
     const double doubt = 1.0 + 2.0 * (1.0 - box.confidence);
@@ -320,14 +320,14 @@ class Recorder {
     return Clipped(box);
   }
 
-  [[nodiscard]] std::optional<BoxDetection> Clipped(const BoxDetection& box) const {
+  [[nodiscard]] std::optional<Box> Clipped(const Box& box) const {
     const CameraModel& camera = out_.stream.meta.camera;
     const double left = std::max(box.u - 0.5 * box.w, 0.0);
-    const double right = std::min(box.u + 0.5 * box.w, camera.width_px);
+    const double right = std::min<double>(box.u + 0.5 * box.w, camera.width_px);
     const double top = std::max(box.v - 0.5 * box.h, 0.0);
-    const double bottom = std::min(box.v + 0.5 * box.h, camera.height_px);
+    const double bottom = std::min<double>(box.v + 0.5 * box.h, camera.height_px);
     if (right - left < 8.0 || bottom - top < 8.0) return std::nullopt;
-    BoxDetection cut = box;
+    Box cut = box;
     cut.u = 0.5 * (left + right), cut.w = right - left;
     cut.v = 0.5 * (top + bottom), cut.h = bottom - top;
     return cut;
@@ -339,13 +339,12 @@ class Recorder {
     for (int i = 0; i < count && !frame_rows_.empty(); ++i) {
       auto& frame = std::get<FrameRow>(rows_[frame_rows_[boxes_.Index(frame_rows_.size())]].row);
       const double w = boxes_.Uniform(40.0, 140.0);
-      BoxDetection box{
-          .u = boxes_.Uniform(0.0, 640.0),
-          .v = boxes_.Uniform(0.0, 360.0),
-          .w = w,
-          .h = w * boxes_.Uniform(0.7, 1.4),
-          .confidence = std::clamp(0.48 + boxes_.Normal(0.1), 0.1, 0.9),
-          .color = std::to_string(boxes_.Index(static_cast<unsigned>(scene_.classes)))};
+      Box box{.u = boxes_.Uniform(0.0, 640.0),
+              .v = boxes_.Uniform(0.0, 360.0),
+              .w = w,
+              .h = w * boxes_.Uniform(0.7, 1.4),
+              .confidence = std::clamp(0.48 + boxes_.Normal(0.1), 0.1, 0.9),
+              .color = std::to_string(boxes_.Index(static_cast<unsigned>(scene_.classes)))};
       if (const auto cut = Clipped(box)) frame.frame.boxes.push_back(*cut);
     }
   }

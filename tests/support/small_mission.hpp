@@ -7,6 +7,7 @@
 #include <regex>
 #include <string>
 
+#include "limpet/mission/expanded_text.hpp"
 #include "tests/support/limpet_command.hpp"
 
 namespace limpet {
@@ -29,7 +30,7 @@ inline void WriteSmallMission(const std::filesystem::path& folder) {
       std::filesystem::path(LIMPET_SOURCE_DIR) / "missions" / "basin";
   std::filesystem::create_directories(folder);
   std::filesystem::copy_file(basin / "mission.bhv", folder / "mission.bhv");
-  std::string text = TextOfFile(basin / "mission.moos");
+  std::string text = ExpandedText(TextOfFile(basin / "mission.moos"), basin / "mission.moos");
   const std::map<std::string, std::string> values{{"area_north_min_m", "-4"},
                                                   {"area_north_max_m", "4"},
                                                   {"area_east_min_m", "-4"},

@@ -33,13 +33,13 @@ std::string LineOf(const GpsRow& row) {
 }
 
 std::string LineOf(const FrameRow& row) {
-  const FrameDetections& frame = row.frame;
-  std::string text =
-      fmt::format("FRM,{},{},{},{}\n", frame.t, row.arrival, frame.frame, frame.boxes.size());
+  const Detections& frame = row.frame;
+  std::string text = fmt::format("FRM,{},{},{},{}\n", frame.exposure.value(), row.arrival,
+                                 frame.frame, frame.boxes.size());
   for (std::size_t i = 0; i < frame.boxes.size(); ++i) {
-    const BoxDetection& box = frame.boxes[i];
-    text += fmt::format("DET,{},{},{},{},{},{},{},{},{},{}\n", frame.t, row.arrival, frame.frame, i,
-                        box.u, box.v, box.w, box.h, box.confidence, box.color);
+    const Box& box = frame.boxes[i];
+    text += fmt::format("DET,{},{},{},{},{},{},{},{},{},{}\n", frame.exposure.value(), row.arrival,
+                        frame.frame, i, box.u, box.v, box.w, box.h, box.confidence, box.color);
   }
   return text;
 }

@@ -50,7 +50,7 @@ struct LandmarkErrors {
   int duplicates = 0, false_ones = 0;
   std::vector<int> missed;
 };
-[[nodiscard]] LandmarkErrors ErrorsOf(const std::vector<LandmarkEstimate>& landmarks,
+[[nodiscard]] LandmarkErrors ErrorsOf(const std::vector<Landmark>& landmarks,
                                       const Alignment& alignment, const StreamTruth& truth);
 
 inline std::vector<std::vector<double>> ReadTable(const std::filesystem::path& file) {
@@ -121,13 +121,13 @@ inline TrajectoryError ErrorOf(const std::vector<SmoothedPose>& poses, const Str
   return error;
 }
 
-inline LandmarkErrors ErrorsOf(const std::vector<LandmarkEstimate>& landmarks,
-                               const Alignment& alignment, const StreamTruth& truth) {
+inline LandmarkErrors ErrorsOf(const std::vector<Landmark>& landmarks, const Alignment& alignment,
+                               const StreamTruth& truth) {
   constexpr double kSameObject = 1.5;  // [m] further off, an estimate shows nothing
   LandmarkErrors errors;
   std::map<int, int> found;
-  for (const LandmarkEstimate& landmark : landmarks) {
-    const Eigen::Vector3d p = alignment.Apply(landmark.p);
+  for (const Landmark& landmark : landmarks) {
+    const Eigen::Vector3d p = alignment.Apply(landmark.object.p_W);
     const auto nearest = std::ranges::min_element(
         truth.landmarks, {}, [&p](const TrueLandmark& t) { return (t.p - p).norm(); });
     const double error = (nearest->p - p).norm();
@@ -138,7 +138,7 @@ inline LandmarkErrors ErrorsOf(const std::vector<LandmarkEstimate>& landmarks,
     errors.duplicates += found[nearest->id]++ > 0 ? 1 : 0;
     errors.aligned_max = std::max(errors.aligned_max, error);
     errors.aligned_mean += error;
-    errors.absolute_max = std::max(errors.absolute_max, (landmark.p - nearest->p).norm());
+    errors.absolute_max = std::max(errors.absolute_max, (landmark.object.p_W - nearest->p).norm());
   }
   const auto matched = landmarks.size() - static_cast<std::size_t>(errors.false_ones);
   errors.aligned_mean /= std::max<double>(static_cast<double>(matched), 1.0);

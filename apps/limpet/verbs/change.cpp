@@ -10,14 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/limpet/cli.hpp"
-#include "apps/pMap/former_map.hpp"
-#include "apps/pMap/map_app.hpp"
-#include "apps/pMap/map_conversions.hpp"
-#include "apps/pSession/saved_session.hpp"
 #include "estimation/change/sight_gate.hpp"
-#include "limpet/app/registry.hpp"
+#include "estimation/mapping/former_map.hpp"
+#include "limpet/core/app_keys.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/mission/mission_file.hpp"
+#include "limpet/session/saved_session.hpp"
 
 namespace limpet {
 namespace {
@@ -57,13 +55,8 @@ Landmarks LandmarksOf(const OpiBeliefs& objects) {
   Landmarks landmarks;
   for (const OpiBelief& opi : objects.opis) {
     if (opi.landmark < 0) continue;
-    landmarks.landmarks.push_back({.id = opi.landmark,
-                                   .ned = opi.ned,
-                                   .cov = opi.cov,
-                                   .color = opi.color,
-                                   .looks = opi.looks,
-                                   .is_confirmed = true,
-                                   .prior_id = -1});
+    landmarks.landmarks.push_back(
+        {.id = opi.landmark, .object = opi.object, .looks = opi.looks, .is_confirmed = true});
   }
   return landmarks;
 }
@@ -77,8 +70,8 @@ SessionPrior PriorFrom(const SavedSession& a, const ConfigBlock& block) {
 }
 
 /// Parameters are read here, where a problem has a file and a line.
-MapApp::Params MapParamsOf(const ConfigBlock& block) {
-  return ReadParams<MapApp::Params>(block, CommonAppKeys());
+MapParams MapParamsOf(const ConfigBlock& block) {
+  return ReadParams<MapParams>(block, CommonAppKeys());
 }
 
 /// What session B, replayed, believes about the objects of both.
@@ -86,35 +79,35 @@ StatusBook Compare(const SavedSession& a, const SavedSession& b,
                    const std::optional<std::string>& mission) {
   const ConfigBlock block_a = MapBlockFor(a, mission);
   static_cast<void>(MapParamsOf(block_a));
-  const MapApp::Params params = MapParamsOf(MapBlockFor(b, mission));
+  const MapParams params = MapParamsOf(MapBlockFor(b, mission));
   StatusBook book(params.status, params.camera.geometry());
   const SessionPrior prior = PriorFrom(a, block_a);
   book.SetFormerViews(FormerViewsOf(prior, params));
-  book.SetFormer(FormerOf(prior));
+  book.SetFormer(prior.opis);
   SightGate gate(params.sight_gate());
   const std::vector<std::string> phase_of = PhaseOfSights(b.memory);
   for (std::size_t i = 0; i < phase_of.size(); ++i) {
-    const Sight& sight = b.memory.sights[i];
+    const ObservedFrame& sight = b.memory.sights[i];
     if (!gate.Judge(sight.exposure, sight.altitude, phase_of[i]).drop) {
-      book.AddSight(RecordOf(sight));
+      book.AddSight(sight);
     }
   }
-  book.SetLandmarks(ConfirmedOf(b.memory.known_landmarks.value_or(LandmarksOf(b.memory.objects))));
+  book.SetLandmarks(b.memory.known_landmarks.value_or(LandmarksOf(b.memory.objects)).landmarks);
   book.Rejudge();
   return book;
 }
 
 /// True for a place that is only worth a look: nothing was judged there.
-bool IsHunch(const ObjectStatus& object) { return object.landmark < 0 && object.former < 0; }
+bool IsHunch(const OpiBelief& object) { return object.landmark < 0 && object.prior_id < 0; }
 
-OrderedJson JsonOf(const ObjectStatus& object) {
+OrderedJson JsonOf(const OpiBelief& object) {
   const StatusPosterior& p = object.posterior;
-  const Eigen::Vector3d& ned = object.object.ned;
+  const Eigen::Vector3d& ned = object.object.p_W;
   return {
       {"decided", NameOf(object.decided)},
       {"color", object.object.color},
       {"ned_m", {ned.x(), ned.y(), ned.z()}},
-      {"id_a", object.former >= 0 ? OrderedJson(object.former) : OrderedJson(nullptr)},
+      {"id_a", object.prior_id >= 0 ? OrderedJson(object.prior_id) : OrderedJson(nullptr)},
       {"landmark_b", object.landmark >= 0 ? OrderedJson(object.landmark) : OrderedJson(nullptr)},
       {"posterior",
        {{"confirmed", p.confirmed},
@@ -123,7 +116,7 @@ OrderedJson JsonOf(const ObjectStatus& object) {
         {"nothing", p.nothing}}},
       {"looks_b", object.looks},
       {"looks_with_box_b", object.looks_with_box},
-      {"log_likelihood_ratio_b", object.lambda}};
+      {"log_likelihood_ratio_b", object.log_likelihood_ratio}};
 }
 
 OrderedJson JsonOf(const SessionFacts& facts) {
@@ -148,7 +141,7 @@ int RunChange(std::span<const std::string> args) {
   const SavedSession b = LoadSavedSession(*given.Find("session-b"), "session B");
   StatusBook book = Compare(a, b, given.Find("mission"));
   OrderedJson objects = OrderedJson::array();
-  for (const ObjectStatus& object : book.Assess()) {
+  for (const OpiBelief& object : book.Assess()) {
     if (!IsHunch(object)) objects.push_back(JsonOf(object));
   }
   const FrameOffset& offset = book.offset();

@@ -14,7 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "apps/limpet/session_runner.hpp"
+#include "limpet/core/interrupt.hpp"
 
 namespace limpet {
 namespace {

@@ -7,21 +7,23 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
-#include "apps/limpet/describe/parameter_list.hpp"
-#include "apps/limpet/describe/variable_list.hpp"
 #include "limpet/core/config.hpp"
+#include "limpet/describe/parameter_list.hpp"
+#include "limpet/describe/variable_list.hpp"
+#include "limpet/describe/warning_list.hpp"
 
 namespace limpet {
 namespace {
 
 constexpr const char* kDescribeHelp =
-    R"(usage: limpet describe                             names of apps, behaviors and variables
-       limpet describe parameters                  every parameter of every app and behavior
+    R"(usage: limpet describe                             names of apps, behaviors, detectors and variables
+       limpet describe parameters                  every parameter of them all
        limpet describe variables [mission folder]  every variable; with a mission, who reads it
-       limpet describe NAME...                     apps, behaviors or variables, by name
+       limpet describe warnings                    every warning and event of apps and behaviors
+       limpet describe NAME...                     any of these, by name
 
   --json               as JSON
-  --markdown           as the pages of docs/ (parameters and variables)
+  --markdown           as the pages of docs/ (parameters, variables, warnings)
 )";
 
 enum class Form { kText, kJson, kMarkdown };
@@ -60,16 +62,25 @@ std::string Show(const std::vector<Variable>& variables, const Readers& readers,
   return text;
 }
 
+std::string Show(const WarningList& list, Form form) {
+  if (form == Form::kJson) return Json(list);
+  return form == Form::kText ? PlainText(list) : Markdown(list);
+}
+
 std::string ShowNames(Form form) {
   if (form != Form::kText)
-    throw UsageError("say what to describe: parameters, variables, or names");
-  std::string text = "apps, behaviors:\n";
+    throw UsageError("say what to describe: parameters, variables, warnings, or names");
+  std::string text = "apps, behaviors, detectors:\n";
   for (const ParameterOwner& owner : AllParameterOwners()) {
     text += fmt::format("  {} ({} parameters)\n", owner.name, owner.parameters.size());
   }
   text += "variables:\n";
   for (const auto& [name, variable] : VariableCatalog()) {
     text += fmt::format("  {:<22} {}\n", name, variable.meaning);
+  }
+  text += "warnings:\n";
+  for (const WarningDeclaration& warning : WarningCatalog()) {
+    text += fmt::format("  {:<22} {}\n", warning.id, warning.facts.meaning);
   }
   return text;
 }
@@ -79,36 +90,64 @@ std::string ShowVariables(std::span<const std::string> mission, Form form) {
   return Show(AllVariables(), mission.empty() ? Readers{} : ReadersOf(mission[0]), form);
 }
 
-std::string ShowNamed(std::span<const std::string> names, Form form) {
+/// What names on the command line stand for.
+struct Described {
   std::vector<ParameterOwner> owners;
   std::vector<Variable> variables;
-  const std::vector<ParameterOwner> all = AllParameterOwners();
-  std::vector<std::string> known{"parameters", "variables"};
-  std::ranges::transform(all, std::back_inserter(known), &ParameterOwner::name);
-  for (const auto& [name, variable] : VariableCatalog())
-    known.push_back(name);
-  for (const std::string& name : names) {
-    const auto is_named = [&name](const std::string& other) {
-      return EqualsIgnoringCase(name, other);
-    };
-    const auto owner = std::ranges::find_if(all, is_named, &ParameterOwner::name);
-    const auto variable = VariableCatalog().find(name);
+  WarningList warnings;
+
+  /// False if nothing has this name.
+  bool Add(const std::string& name) {
+    const std::vector<ParameterOwner> all = AllParameterOwners();
+    const auto owner = std::ranges::find_if(
+        all, [&name](const ParameterOwner& other) { return EqualsIgnoringCase(name, other.name); });
     if (owner != all.end()) {
       owners.push_back(*owner);
-    } else if (variable != VariableCatalog().end()) {
-      variables.push_back(variable->second);
-    } else {
-      const std::string nearest = NearestWord(name, known);
-      throw UsageError(
-          fmt::format("no app, behavior or variable `{}`{}", name,
-                      nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest)));
+      return true;
     }
+    if (const auto found = VariableCatalog().find(name); found != VariableCatalog().end()) {
+      variables.push_back(found->second);
+      return true;
+    }
+    const auto events = EventCatalog().find(name);
+    if (events != EventCatalog().end()) warnings.events.insert(*events);
+    const std::size_t before = warnings.warnings.size();
+    std::ranges::copy_if(WarningCatalog(), std::back_inserter(warnings.warnings),
+                         [&name](const WarningDeclaration& warning) {
+                           return warning.id == name || warning.Covers(name);
+                         });
+    return events != EventCatalog().end() || warnings.warnings.size() > before;
   }
-  if (!owners.empty() && !variables.empty() && form == Form::kJson) {
-    throw UsageError("--json describes either variables, or apps and behaviors, at a time");
+  [[nodiscard]] bool has_warnings() const {
+    return !warnings.warnings.empty() || !warnings.events.empty();
   }
-  return (owners.empty() ? "" : Show(owners, form)) +
-         (variables.empty() ? "" : Show(variables, {}, form));
+};
+
+[[noreturn]] void RefuseName(const std::string& name) {
+  std::vector<std::string> known{"parameters", "variables", "warnings"};
+  std::ranges::transform(AllParameterOwners(), std::back_inserter(known), &ParameterOwner::name);
+  for (const auto& [variable, facts] : VariableCatalog())
+    known.push_back(variable);
+  std::ranges::transform(WarningCatalog(), std::back_inserter(known), &WarningDeclaration::id);
+  const std::string nearest = NearestWord(name, known);
+  throw UsageError(
+      fmt::format("no app, behavior, detector, variable or warning `{}`{}", name,
+                  nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest)));
+}
+
+std::string ShowNamed(std::span<const std::string> names, Form form) {
+  Described found;
+  for (const std::string& name : names) {
+    if (!found.Add(name)) RefuseName(name);
+  }
+  const int kinds = (found.owners.empty() ? 0 : 1) + (found.variables.empty() ? 0 : 1) +
+                    (found.has_warnings() ? 1 : 0);
+  if (kinds > 1 && form == Form::kJson) {
+    throw UsageError("--json describes variables, warnings, or who has parameters, one at a time");
+  }
+  return (found.owners.empty() ? "" : Show(found.owners, form)) +
+         (found.variables.empty() ? "" : Show(found.variables, {}, form)) +
+         (found.has_warnings() ? Show(found.warnings, form) : "");
 }
 
 }  // namespace
@@ -128,6 +167,9 @@ int RunDescribe(std::span<const std::string> args) {
   } else if (words[0] == "parameters") {
     if (words.size() > 1) throw UsageError("describe parameters takes nothing else");
     fmt::print("{}", Show(AllParameterOwners(), form));
+  } else if (words[0] == "warnings") {
+    if (words.size() > 1) throw UsageError("describe warnings takes nothing else");
+    fmt::print("{}", Show(WarningList{WarningCatalog(), EventCatalog()}, form));
   } else {
     fmt::print("{}", ShowNamed(words, form));
   }

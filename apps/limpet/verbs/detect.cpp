@@ -6,13 +6,15 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
 #include "limpet/core/number_text.hpp"
-#include "limpet/vision/color_shape_detector.hpp"
+#include "limpet/core/params.hpp"
+#include "limpet/vision/detector_registry.hpp"
 #include "limpet/vision/image_file.hpp"
 
 namespace limpet {
@@ -22,7 +24,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kDetectHelp =
     "usage: limpet detect <images or folders> --out FILE [--min-confidence C]\n"
-    "  writes CSV image,class,confidence,x,y,w,h; pixels, x y of the upper left corner\n";
+    "                     [--detector NAME] [--set key=value]...\n"
+    "  writes CSV image,class,confidence,x,y,w,h; pixels, x y of the upper left corner\n"
+    "  --detector NAME    default color_shape; `limpet describe` lists them and their keys\n";
 
 bool IsImageName(const fs::path& file) {
   std::string extension = file.extension().string();
@@ -77,9 +81,29 @@ double LeastConfidence(const Arguments& arguments) {
   return *value;
 }
 
+/// The detector that --detector names, with the parameters that --set gives.
+std::unique_ptr<Detector> DetectorOf(const Arguments& arguments) {
+  auto factory = FindDetector(arguments.Find("detector").value_or("color_shape"));
+  if (!factory) {
+    throw UsageError("--detector: " + factory.error().text);
+  }
+  ConfigBlock block{.name = "--set", .where = {.file = "--set", .line = 0}, .entries = {}};
+  for (const std::string& setting : arguments.All("set")) {
+    const std::size_t equals = std::min(setting.find('='), setting.size());
+    block.entries.push_back({.key = setting.substr(0, equals),
+                             .value = setting.substr(std::min(equals + 1, setting.size())),
+                             .where = block.where});
+  }
+  const std::vector<ConfigProblem> problems = ApplyBlock(block, (*factory)->Parameters());
+  if (!problems.empty()) {
+    throw UsageError(problems.front().Format());
+  }
+  return (*factory)->Make();
+}
+
 /// Returns how many images could not be read.
-int DetectAll(const std::vector<fs::path>& images, double least_confidence, std::ostream& out) {
-  ColorShapeDetector detector;
+int DetectAll(Detector& detector, const std::vector<fs::path>& images, double least_confidence,
+              std::ostream& out) {
   int failed = 0;
   out << "image,class,confidence,x,y,w,h\n";
   for (const fs::path& file : images) {
@@ -106,6 +130,7 @@ int RunChecked(const Arguments& arguments) {
     throw UsageError("needs images and --out FILE");
   }
   const double least_confidence = LeastConfidence(arguments);
+  const std::unique_ptr<Detector> detector = DetectorOf(arguments);
   const std::vector<fs::path> images = ImagesOf(arguments.positionals());
   if (images.empty()) {
     fmt::print(stderr, "limpet detect: no image found\n");
@@ -116,7 +141,7 @@ int RunChecked(const Arguments& arguments) {
     fmt::print(stderr, "limpet detect: {}: cannot be written\n", *out_name);
     return kFailed;
   }
-  const int failed = DetectAll(images, least_confidence, out);
+  const int failed = DetectAll(*detector, images, least_confidence, out);
   out.close();
   if (!out) {
     fmt::print(stderr, "limpet detect: {}: writing failed\n", *out_name);
@@ -129,7 +154,7 @@ int RunChecked(const Arguments& arguments) {
 
 int RunDetect(std::span<const std::string> args) {
   try {
-    const Arguments arguments(args, {"out", "min-confidence"}, {"help"});
+    const Arguments arguments(args, {"out", "min-confidence", "detector", "set"}, {"help"});
     if (arguments.Has("help")) {
       fmt::print("{}", kDetectHelp);
       return kOk;

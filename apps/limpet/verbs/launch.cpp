@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "apps/pLaunch/launch.hpp"
+#include "limpet/launch/launch.hpp"
 
 namespace limpet {
 

@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
-#include "apps/limpet/command_output.hpp"
-#include "apps/limpet/log/log_commands.hpp"
+#include "limpet/console/command_output.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/core/config.hpp"
+#include "limpet/log_tools/log_commands.hpp"
 
 namespace limpet {
 namespace {

@@ -46,10 +46,10 @@ std::string PosesCsv(const std::vector<SmoothedPose>& poses) {
   return text;
 }
 
-std::string MatchesCsv(const std::vector<LandmarkEstimate>& landmarks) {
+std::string MatchesCsv(const std::vector<Landmark>& landmarks) {
   std::string text = "landmark,former\n";
-  for (const LandmarkEstimate& landmark : landmarks) {
-    text += fmt::format("{},{}\n", landmark.id, landmark.prior_id);
+  for (const Landmark& landmark : landmarks) {
+    text += fmt::format("{},{}\n", landmark.id, landmark.former_id.value_or(-1));
   }
   return text;
 }
@@ -79,7 +79,7 @@ std::string TimingJson(std::vector<double> updates, double total) {
 
 std::string FormerSummary(const ReplayResult& result, const FormerSession& former) {
   const auto matched = std::ranges::count_if(
-      result.landmarks, [](const LandmarkEstimate& landmark) { return landmark.prior_id >= 0; });
+      result.landmarks, [](const Landmark& landmark) { return landmark.former_id.has_value(); });
   const FrameOffset& offset = result.former_offset;
   return fmt::format(
       "former session: {} of {} objects recognised; its frame lies {:.2f} m north, {:.2f} m east, "

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "apps/limpet/report/map_axes.hpp"
-#include "apps/limpet/report/map_symbols.hpp"
-#include "apps/limpet/report/palette.hpp"
-#include "apps/limpet/report/plot_axes.hpp"
+#include "limpet/figures/map_axes.hpp"
+#include "limpet/figures/map_symbols.hpp"
+#include "limpet/figures/palette.hpp"
+#include "limpet/figures/plot_axes.hpp"
 
 namespace limpet {
 namespace {
@@ -85,8 +85,8 @@ SurveyArea AreaOf(const ReplayResult& result) {
   };
   for (const SmoothedPose& pose : result.smoothed)
     cover(pose.X_WB.p_WB);
-  for (const LandmarkEstimate& landmark : result.landmarks)
-    cover(landmark.p);
+  for (const Landmark& landmark : result.landmarks)
+    cover(landmark.object.p_W);
   return area;
 }
 
@@ -138,15 +138,16 @@ std::string NavMapPlot(const ReplayResult& result, const std::string& name) {
   map.BeginMap();
   map.canvas().Polyline(PointsOf(map, result.reckoned), kDeadReckoning);
   map.canvas().Polyline(PointsOf(map, result.smoothed), kTrack);
-  for (const LandmarkEstimate& landmark : result.landmarks) {
-    const Point at = map.At(landmark.p.x(), landmark.p.y());
-    const Eigen::Matrix3d& S = landmark.covariance;
+  for (const Landmark& landmark : result.landmarks) {
+    const Point at = map.At(landmark.object.p_W.x(), landmark.object.p_W.y());
+    const Eigen::Matrix3d& S = landmark.object.cov_W;
     DrawCovariance(map.canvas(), at, 3.0 * map.pixels_per_metre(), {S(0, 0), S(0, 1), S(1, 1)},
                    kEllipse);
     map.canvas().Circle(at, 3.5, {.fill = palette::kMapInk});
   }
-  for (const LandmarkEstimate& landmark : result.landmarks) {
-    DrawLabel(map, landmark.p, {.lines = {fmt::format("{}", landmark.id)}, .distance = 7.0});
+  for (const Landmark& landmark : result.landmarks) {
+    DrawLabel(map, landmark.object.p_W,
+              {.lines = {fmt::format("{}", landmark.id)}, .distance = 7.0});
   }
   map.EndMap();
   map.LegendHeading("Vehicle");

@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "apps/limpet/cli.hpp"
-#include "apps/limpet/command_output.hpp"
+#include "limpet/console/command_output.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/mission/plug.hpp"
 

@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
-#include "apps/limpet/report/log_replay.hpp"
-#include "apps/limpet/report/report.hpp"
-#include "apps/limpet/report/report_json.hpp"
-#include "apps/limpet/report/terminal_report.hpp"
-#include "apps/limpet/run_folder/run_folder.hpp"
 #include "apps/limpet/verbs/run_settings.hpp"
 #include "limpet/console/shown_text.hpp"
+#include "limpet/report/report.hpp"
+#include "limpet/report/report_json.hpp"
+#include "limpet/report/terminal_report.hpp"
+#include "limpet/runs/run_folder.hpp"
+#include "limpet/scoring/log_replay.hpp"
 #include "limpet/session/session_name.hpp"
 
 namespace limpet {

@@ -2,9 +2,9 @@
 #include "apps/limpet/verbs/run_settings.hpp"
 
 #include "apps/limpet/cli.hpp"
-#include "apps/limpet/mission_check.hpp"
-#include "apps/pHelm/helm_params.hpp"
-#include "apps/pSurvey/survey_app.hpp"
+#include "limpet/helm/helm_params.hpp"
+#include "limpet/runs/mission_check.hpp"
+#include "limpet/survey/survey_params.hpp"
 
 namespace limpet {
 
@@ -20,14 +20,14 @@ std::string MissionName(const std::filesystem::path& folder) {
 
 ReportSettings SettingsOf(const MissionFile& mission, const Scenario& scenario) {
   const auto helm = ReadAppParams<HelmParams>(mission, "pHelm");
-  const auto survey = ReadAppParams<SurveyApp::Params>(mission, "pSurvey");
+  const auto survey = ReadAppParams<SurveyParams>(mission, "pSurvey");
   const ConfigBlock* camera = mission.Block("uSimCamera");
   const ConfigEntry* kind = camera != nullptr ? camera->Find("camera") : nullptr;
   ReportSettings settings;
-  settings.planner = helm.planner;
-  settings.gain = helm.gain;
+  settings.planner = helm.views.planner;
+  settings.gain = helm.views.gain;
   settings.camera = kind != nullptr && kind->value != "scenario" ? kind->value : scenario.camera;
-  settings.camera_geometry = helm.camera.geometry();
+  settings.camera_geometry = helm.views.camera.geometry();
   settings.altitude_m = survey.altitude.value();
   settings.object_height_max_m = survey.object_height_max.value();
   settings.object_radius_m = scenario.opis.empty() ? 0.5 : scenario.opis.front().radius_m;

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include "apps/limpet/report/report_settings.hpp"
 #include "limpet/mission/mission_file.hpp"
 #include "limpet/mission/scenario.hpp"
+#include "limpet/scoring/report_settings.hpp"
 
 namespace limpet {
 

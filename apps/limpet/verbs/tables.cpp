@@ -10,12 +10,12 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
-#include "apps/limpet/report/expectation_check.hpp"
-#include "apps/limpet/report/paper_tables.hpp"
 #include "apps/limpet/verbs/run_settings.hpp"
 #include "apps/limpet/verbs/tables_runs.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/mission/scenario.hpp"
+#include "limpet/report/expectation_check.hpp"
+#include "limpet/report/paper_tables.hpp"
 
 namespace limpet {
 namespace {

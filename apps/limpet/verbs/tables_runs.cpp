@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "apps/limpet/cli.hpp"
-#include "apps/limpet/command_output.hpp"
 #include "apps/limpet/verbs/child_runs.hpp"
+#include "limpet/console/command_output.hpp"
 #include "limpet/console/progress_line.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/session/durable_file.hpp"

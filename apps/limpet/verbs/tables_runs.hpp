@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "apps/limpet/run_folder/run_configuration.hpp"
-#include "apps/limpet/run_folder/run_folder.hpp"
 #include "apps/limpet/verbs/run_settings.hpp"
+#include "limpet/runs/run_configuration.hpp"
+#include "limpet/runs/run_folder.hpp"
 
 namespace limpet {
 

@@ -15,19 +15,19 @@ class BirthplaceFactor {
   static constexpr int kDim = 3;
   using Residual = Eigen::Matrix<double, kDim, 1>;
   using Jacobian = Eigen::Matrix<double, kDim, 6>;
-  using LandmarkJacobian = Eigen::Matrix<double, kDim, 3>;
+  using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
 
   BirthplaceFactor(const Eigen::Vector3d& offset_W, Meters sigma)
       : offset_(offset_W), inv_sigma_(1.0 / sigma.value()) {}
 
   [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p_W,
                                   Jacobian* J_pose = nullptr,
-                                  LandmarkJacobian* J_landmark = nullptr) const {
+                                  BorderJacobian* J_landmark = nullptr) const {
     if (J_pose != nullptr) {
       J_pose->setZero();
       J_pose->leftCols<3>().diagonal().setConstant(-inv_sigma_);
     }
-    if (J_landmark != nullptr) *J_landmark = inv_sigma_ * LandmarkJacobian::Identity();
+    if (J_landmark != nullptr) *J_landmark = inv_sigma_ * BorderJacobian::Identity();
     return inv_sigma_ * (p_W - x.head<3>() - offset_);
   }
 

@@ -14,7 +14,7 @@ class BridgedStepFactor {
   static constexpr int kDim = 4;
   using Residual = Eigen::Matrix<double, kDim, 1>;
   using Jacobian = Eigen::Matrix<double, kDim, 6>;
-  using LandmarkJacobian = Eigen::Matrix<double, kDim, 3>;
+  using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
 
   BridgedStepFactor(const Eigen::Vector4d& motion, const Eigen::Vector4d& variance, double duration)
       : share_(duration * variance.head<2>().cwiseSqrt().cwiseInverse()), step_(motion, variance) {}
@@ -22,7 +22,7 @@ class BridgedStepFactor {
   [[nodiscard]] Residual Evaluate(const NavVector& x_i, const NavVector& x_j,
                                   const Eigen::Vector3d& error, Jacobian* J_i = nullptr,
                                   Jacobian* J_j = nullptr,
-                                  LandmarkJacobian* J_error = nullptr) const {
+                                  BorderJacobian* J_error = nullptr) const {
     if (J_error != nullptr) {
       J_error->setZero();
       J_error->topLeftCorner<2, 2>() = share_.asDiagonal();

@@ -26,7 +26,7 @@ class CalibratedStepFactor {
   static constexpr int kDim = 4;
   using Residual = Eigen::Matrix<double, kDim, 1>;
   using Jacobian = Eigen::Matrix<double, kDim, 6>;
-  using LandmarkJacobian = Eigen::Matrix<double, kDim, 3>;
+  using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
 
   CalibratedStepFactor(const Eigen::Vector4d& motion, const Eigen::Vector4d& variance,
                        double duration)
@@ -38,7 +38,7 @@ class CalibratedStepFactor {
   [[nodiscard]] Residual Evaluate(const NavVector& x_i, const NavVector& x_j,
                                   const SlowErrors& errors, Jacobian* J_i = nullptr,
                                   Jacobian* J_j = nullptr,
-                                  LandmarkJacobian* J_errors = nullptr) const {
+                                  BorderJacobian* J_errors = nullptr) const {
     if (J_errors != nullptr) {
       *J_errors << motion_.x(), -motion_.y(), 0.0,  //
           motion_.y(), motion_.x(), 0.0,            //

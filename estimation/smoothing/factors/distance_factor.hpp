@@ -16,17 +16,17 @@ class DistanceFactor {
   static constexpr int kDim = 1;
   using Residual = Eigen::Matrix<double, kDim, 1>;
   using Jacobian = Eigen::Matrix<double, kDim, 6>;
-  using LandmarkJacobian = Eigen::Matrix<double, kDim, 3>;
+  using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
 
   DistanceFactor(Meters measured, Meters sigma)
       : measured_(measured.value()), inv_sigma_(1.0 / sigma.value()) {}
 
   [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p_W,
                                   Jacobian* J_pose = nullptr,
-                                  LandmarkJacobian* J_landmark = nullptr) const {
+                                  BorderJacobian* J_landmark = nullptr) const {
     const Eigen::Vector3d d = p_W - x.head<3>();
     const double distance = d.norm();
-    const LandmarkJacobian J = inv_sigma_ / std::max(distance, kNearest) * d.transpose();
+    const BorderJacobian J = inv_sigma_ / std::max(distance, kNearest) * d.transpose();
     if (J_pose != nullptr) *J_pose << -J, 0.0, 0.0, 0.0;
     if (J_landmark != nullptr) *J_landmark = J;
     return Residual((distance - measured_) * inv_sigma_);

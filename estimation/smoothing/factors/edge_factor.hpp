@@ -18,7 +18,7 @@ class EdgeFactor {
   static constexpr int kDim = 1;
   using Residual = Eigen::Matrix<double, kDim, 1>;
   using Jacobian = Eigen::Matrix<double, kDim, 6>;
-  using LandmarkJacobian = Eigen::Matrix<double, kDim, 3>;
+  using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
 
   /// Which edge: along u (0) or v (1), and its lower (-1) or upper (1) end.
   struct Edge {
@@ -33,13 +33,13 @@ class EdgeFactor {
 
   [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p_W,
                                   Jacobian* J_pose = nullptr,
-                                  LandmarkJacobian* J_landmark = nullptr) const {
+                                  BorderJacobian* J_landmark = nullptr) const {
     const CameraPoint point = CameraPointOf(*camera_, x, p_W);
     const double along = point.p_C(edge_.axis), depth = point.p_C.z();
     const double f = edge_.axis == 0 ? camera_->fx : camera_->fy;
     const double c = edge_.axis == 0 ? camera_->cx : camera_->cy;
     const double distance = std::hypot(along, depth);
-    LandmarkJacobian J_C = LandmarkJacobian::Zero();
+    BorderJacobian J_C = BorderJacobian::Zero();
     Residual r(kLost / edge_.sigma_px);
     const double half = std::asin(std::min(radius_ / std::max(distance, 1e-6), 1.0));
     const double angle = std::atan2(along, depth) + edge_.side * half;

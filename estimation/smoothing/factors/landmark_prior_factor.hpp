@@ -13,7 +13,7 @@ class LandmarkPriorFactor {
  public:
   static constexpr int kDim = 3;
   using Residual = Eigen::Matrix<double, kDim, 1>;
-  using LandmarkJacobian = Eigen::Matrix<double, kDim, 3>;
+  using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
 
   /// REQUIRES: `covariance` [m^2] symmetric and positive definite.
   LandmarkPriorFactor(const Eigen::Vector3d& mean, const Eigen::Matrix3d& covariance)
@@ -23,7 +23,7 @@ class LandmarkPriorFactor {
     sqrt_information_ = llt.matrixL().solve(Eigen::Matrix3d::Identity());
   }
 
-  [[nodiscard]] Residual Evaluate(const Eigen::Vector3d& p, LandmarkJacobian* J = nullptr) const {
+  [[nodiscard]] Residual Evaluate(const Eigen::Vector3d& p, BorderJacobian* J = nullptr) const {
     if (J != nullptr) {
       *J = sqrt_information_;
     }

@@ -17,7 +17,7 @@ class RangeFactor {
   static constexpr int kDim = 1;
   using Residual = Eigen::Matrix<double, kDim, 1>;
   using Jacobian = Eigen::Matrix<double, kDim, 6>;
-  using LandmarkJacobian = Eigen::Matrix<double, kDim, 3>;
+  using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
 
   /// `camera` must outlive the factor.
   RangeFactor(const CameraModel& camera, Meters measured, Meters sigma)
@@ -25,7 +25,7 @@ class RangeFactor {
 
   [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p_W,
                                   Jacobian* J_pose = nullptr,
-                                  LandmarkJacobian* J_landmark = nullptr) const {
+                                  BorderJacobian* J_landmark = nullptr) const {
     const CameraPoint point = CameraPointOf(*camera_, x, p_W);
     const Eigen::Vector3d& p = point.p_C;
     const double xz = std::max(std::hypot(p.x(), p.z()), 1e-6);

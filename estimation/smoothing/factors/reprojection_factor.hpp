@@ -14,7 +14,7 @@ class ReprojectionFactor {
   static constexpr int kDim = 2;
   using Residual = Eigen::Matrix<double, kDim, 1>;
   using Jacobian = Eigen::Matrix<double, kDim, 6>;
-  using LandmarkJacobian = Eigen::Matrix<double, kDim, 3>;
+  using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
 
   /// `camera` must outlive the factor.
   ReprojectionFactor(const CameraModel& camera, const Eigen::Vector2d& measured_px,
@@ -23,10 +23,10 @@ class ReprojectionFactor {
 
   [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p_W,
                                   Jacobian* J_pose = nullptr,
-                                  LandmarkJacobian* J_landmark = nullptr) const {
+                                  BorderJacobian* J_landmark = nullptr) const {
     const CameraPoint point = CameraPointOf(*camera_, x, p_W);
     const Eigen::Vector3d& p = point.p_C;
-    LandmarkJacobian J_C = LandmarkJacobian::Zero();
+    BorderJacobian J_C = BorderJacobian::Zero();
     Residual r = Residual::Constant(kLost).cwiseProduct(inv_sigma_);
     if (p.z() > kNearest) {
       const double k = 1.0 / p.z();

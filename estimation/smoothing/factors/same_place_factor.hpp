@@ -13,15 +13,15 @@ class SamePlaceFactor {
  public:
   static constexpr int kDim = 3;
   using Residual = Eigen::Matrix<double, kDim, 1>;
-  using LandmarkJacobian = Eigen::Matrix<double, kDim, 3>;
+  using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
 
   explicit SamePlaceFactor(Meters sigma) : inv_sigma_(1.0 / sigma.value()) {}
 
   [[nodiscard]] Residual Evaluate(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                                  LandmarkJacobian* J_a = nullptr,
-                                  LandmarkJacobian* J_b = nullptr) const {
-    if (J_a != nullptr) *J_a = inv_sigma_ * LandmarkJacobian::Identity();
-    if (J_b != nullptr) *J_b = -inv_sigma_ * LandmarkJacobian::Identity();
+                                  BorderJacobian* J_a = nullptr,
+                                  BorderJacobian* J_b = nullptr) const {
+    if (J_a != nullptr) *J_a = inv_sigma_ * BorderJacobian::Identity();
+    if (J_b != nullptr) *J_b = -inv_sigma_ * BorderJacobian::Identity();
     return inv_sigma_ * (a - b);
   }
 

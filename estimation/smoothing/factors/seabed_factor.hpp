@@ -15,14 +15,14 @@ class SeabedFactor {
   static constexpr int kDim = 1;
   using Residual = Eigen::Matrix<double, kDim, 1>;
   using Jacobian = Eigen::Matrix<double, kDim, 6>;
-  using LandmarkJacobian = Eigen::Matrix<double, kDim, 3>;
+  using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
 
   SeabedFactor(Meters altitude, Meters height, Meters sigma)
       : below_((altitude - height).value()), inv_sigma_(1.0 / sigma.value()) {}
 
   [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p_W,
                                   Jacobian* J_pose = nullptr,
-                                  LandmarkJacobian* J_landmark = nullptr) const {
+                                  BorderJacobian* J_landmark = nullptr) const {
     if (J_pose != nullptr) {
       J_pose->setZero();
       (*J_pose)(0, kNavZ) = -inv_sigma_;

@@ -11,14 +11,14 @@ class SlowErrorsFactor {
  public:
   static constexpr int kDim = 3;
   using Residual = Eigen::Matrix<double, kDim, 1>;
-  using LandmarkJacobian = Eigen::Matrix<double, kDim, 3>;
+  using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
 
   SlowErrorsFactor(const Eigen::Vector3d& keep, const Eigen::Vector3d& sigma)
       : keep_(keep), inv_sigma_(sigma.cwiseInverse()) {}
 
   [[nodiscard]] Residual Evaluate(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                                  LandmarkJacobian* J_a = nullptr,
-                                  LandmarkJacobian* J_b = nullptr) const {
+                                  BorderJacobian* J_a = nullptr,
+                                  BorderJacobian* J_b = nullptr) const {
     if (J_a != nullptr) *J_a = (-keep_.cwiseProduct(inv_sigma_)).asDiagonal();
     if (J_b != nullptr) *J_b = inv_sigma_.asDiagonal();
     return (b - keep_.cwiseProduct(a)).cwiseProduct(inv_sigma_);

@@ -9,7 +9,7 @@ namespace limpet {
 
 /// Dead-reckoned displacement between two poses, in the levelled heading frame of the earlier one:
 ///   r = (Rz(yaw_i)^T (p_j - p_i) - moved, yaw_j - yaw_i - turned) / sigma.
-/// Metres and radians; paper eq. (6), first sum.
+/// Metres and radians; [Bucci 2025] eq. (6), first sum.
 class XyzYawFactor {
  public:
   static constexpr int kDim = 4;

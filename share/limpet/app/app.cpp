@@ -2,12 +2,9 @@
 #include "limpet/app/app.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
-
-#include "limpet/app/warning_text.hpp"
 
 namespace limpet {
 
@@ -19,6 +16,7 @@ std::string AppContext::Global(std::string_view key) const {
 
 App::App(const AppContext& context)
     : context_(context),
+      warnings_(context.warp),
       stamps_(context.warp),
       created_(context.link != nullptr ? context.link->Now() : Seconds(0.0)) {}
 
@@ -41,6 +39,7 @@ void App::Iterate(Seconds now) {
   ++iteration_;
   WatchClock();
   Tick(now);
+  PublishWarnings();
   if (caster_.IsDue(now)) {
     Cast(now);
   }
@@ -64,11 +63,11 @@ bool App::HasUsableStamp(const std::string& variable, Seconds stamp, const std::
   const Seconds at = now();
   const StampGuard::Verdict verdict = stamps_.Judge(variable, stamp, at);
   if (verdict == StampGuard::Verdict::kRefused) {
-    Warn("STAMP_FROM_FUTURE_" + variable,
+    Warn(warnings::kStampFromFuture.Of(variable),
          fmt::format("refused: {} stamped it {:.1f} s ahead of vehicle time", source,
                      (stamp - at).value()));
   } else if (verdict == StampGuard::Verdict::kGoodAgain) {
-    ClearWarning("STAMP_FROM_FUTURE_" + variable);
+    ClearWarning(warnings::kStampFromFuture, variable);
   }
   return verdict != StampGuard::Verdict::kRefused;
 }
@@ -85,14 +84,16 @@ void App::WatchClock() {
   constexpr double kNoticed = 0.5;  // [s]
   const double ahead = context_.link->ClockDisagreement().value();
   if (std::abs(ahead) <= kNoticed) {
-    ClearWarning("CLOCK_DIFFERS");
+    ClearWarning(warnings::kClockDiffers);
   } else {
-    Warn("CLOCK_DIFFERS",
+    Warn(warnings::kClockDiffers,
          fmt::format("the database's clock is {:+.1f} s off vehicle time; not followed", ahead));
   }
 }
 
-void App::ReportEvent(std::string_view text) { caster_.AddEvent(now() - created_, text); }
+void App::ReportEvent(const EventId& event, std::string_view text) {
+  caster_.AddEvent(now() - created_, fmt::format("{}: {}", event.name(), text));
+}
 
 void App::Deliver(const MessagePtr& message) {
   const auto found = handlers_.find(message->name);
@@ -127,29 +128,32 @@ void App::PublishRaw(std::string name, Value value, std::string source_aux) {
   context_.link->Publish(std::move(name), std::move(value), std::move(source_aux));
 }
 
-void App::Warn(const std::string& id, const std::string& text) {
-  const auto [position, is_new] = warnings_.try_emplace(id, text);
-  if (is_new) {
-    caster_.RaiseWarning(id, text);
-    ReportEvent(fmt::format("warning {}: {}", id, text));
+void App::Warn(const WarningId& id, const std::string& text) {
+  const Seconds at = now();
+  const WarningBoard::Change change = warnings_.Raise(id, text, at);
+  if (change == WarningBoard::Change::kNone) {
+    return;
+  }
+  caster_.RaiseWarning(id, text, at - created_);
+  if (change == WarningBoard::Change::kRaised) {
+    caster_.AddEvent(at - created_,
+                     fmt::format("{} {}: {}", NameOf(id.severity()), id.name(), text));
     PublishWarnings();
   }
 }
 
-void App::ClearWarning(const std::string& id) {
-  if (warnings_.erase(id) > 0) {
+void App::ClearWarning(const WarningId& id) {
+  if (warnings_.Clear(id)) {
     caster_.ClearWarning(id);
-    ReportEvent(fmt::format("cleared {}", id));
+    caster_.AddEvent(now() - created_, fmt::format("cleared {}", id.name()));
     PublishWarnings();
   }
 }
 
 void App::PublishWarnings() {
-  std::string variable = context_.name + "_WARNINGS";
-  std::ranges::transform(variable, variable.begin(), [](char c) {
-    return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  });
-  PublishRaw(variable, EncodeWarnings(warnings_));
+  if (std::optional<std::string> news = warnings_.TakeNews(now())) {
+    PublishRaw(WarningsVariable(context_.name), *std::move(news));
+  }
 }
 
 Random App::MakeRandom(std::string_view part) const {

@@ -15,14 +15,18 @@
 #include <vector>
 
 #include "limpet/app/app_caster.hpp"
+#include "limpet/app/app_warnings.hpp"
 #include "limpet/app/report_lines.hpp"
 #include "limpet/app/stamp_guard.hpp"
+#include "limpet/app/warning_board.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/core/message.hpp"
 #include "limpet/core/random.hpp"
 #include "limpet/core/units.hpp"
 #include "limpet/pubsub/database.hpp"
+#include "limpet/topics/event.hpp"
 #include "limpet/topics/topic.hpp"
+#include "limpet/topics/warning.hpp"
 
 namespace limpet {
 
@@ -104,8 +108,10 @@ class App {
   void End(Seconds now);
   [[nodiscard]] std::int64_t iteration() const { return iteration_; }
   [[nodiscard]] const std::string& name() const { return context_.name; }
-  /// Warnings now raised, id to text.
-  [[nodiscard]] const std::map<std::string, std::string>& warnings() const { return warnings_; }
+  /// Warnings that stand now, by id.
+  [[nodiscard]] const std::map<std::string, StandingWarning>& warnings() const {
+    return warnings_.standing();
+  }
 
  protected:
   /// Calls `handler` for each message of `topic`. Text that does not decode raises a warning.
@@ -115,21 +121,22 @@ class App {
   template <class A, class T>
   void Subscribe(const Topic<T>& topic, void (A::*handler)(const Stamped<T>&),
                  Seconds interval = Seconds(0.0)) {
-    AddHandler(topic.name, interval, [this, handler, is_command = topic.is_command](const MessagePtr& message) {
-      if (!is_command && !HasUsableStamp(message->name, message->time, message->source)) {
-        return;
-      }
-      std::optional<T> value = TopicCodec<T>::Decode(message->value);
-      if (!value) {
-        Warn("BAD_MAIL_" + message->name, "does not decode; sent by " + message->source);
-        return;
-      }
-      if (!warnings_.empty()) {
-        ClearWarning("BAD_MAIL_" + message->name);
-      }
-      const Seconds time = is_command ? now() : message->time;
-      (static_cast<A*>(this)->*handler)(Stamped<T>{time, std::move(*value)});
-    });
+    AddHandler(
+        topic.name, interval,
+        [this, handler, is_command = topic.is_command](const MessagePtr& message) {
+          if (!is_command && !HasUsableStamp(message->name, message->time, message->source)) {
+            return;
+          }
+          std::optional<T> value = TopicCodec<T>::Decode(message->value);
+          if (!value) {
+            Warn(warnings::kBadMail.Of(message->name),
+                 "does not decode; sent by " + message->source);
+            return;
+          }
+          ClearWarning(warnings::kBadMail, message->name);
+          const Seconds time = is_command ? now() : message->time;
+          (static_cast<A*>(this)->*handler)(Stamped<T>{time, std::move(*value)});
+        });
   }
   /// False for a time that a variable's content names (an exposure) and that lies in the future:
   /// refused, counted and warned of like a message's own stamp.
@@ -156,11 +163,18 @@ class App {
                             .community = ""});
   }
 
-  /// Raises a health warning; published once per change as <APP>_WARNINGS.
-  void Warn(const std::string& id, const std::string& text);
-  void ClearWarning(const std::string& id);
+  /// Raises a declared warning, or gives one that stands its new text. <APP>_WARNINGS tells at once
+  /// what is raised and cleared, and every few seconds what a text says anew.
+  void Warn(const WarningId& id, const std::string& text);
+  void ClearWarning(const WarningId& id);
+  /// The one of a family that is about `subject`; cheap while nothing stands.
+  void ClearWarning(const WarningFamily& family, std::string_view subject) {
+    if (!warnings().empty()) {
+      ClearWarning(family.Of(subject));
+    }
+  }
   /// Something that an operator may want to have seen; the report lists the last few.
-  void ReportEvent(std::string_view text);
+  void ReportEvent(const EventId& event, std::string_view text);
   /// A doubt about the configuration: in the report from now on.
   void WarnOfConfig(std::string text) { caster_.AddConfigWarning(std::move(text)); }
 
@@ -180,7 +194,7 @@ class App {
   AppContext context_;
   std::unordered_map<std::string, std::vector<Handler>> handlers_;
   std::vector<std::pair<WildcardFilter, Handler>> wildcard_handlers_;
-  std::map<std::string, std::string> warnings_;
+  WarningBoard warnings_;
   StampGuard stamps_;
   AppCaster caster_;
   Seconds created_;

@@ -2,6 +2,7 @@
 #include "limpet/app/app_caster.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -53,21 +54,25 @@ void AppCaster::AddConfigWarning(std::string text) {
   has_news_ = true;
 }
 
-void AppCaster::RaiseWarning(const std::string& id, const std::string& text) {
-  if (run_warnings_.size() >= kMostWarnings && !run_warnings_.contains(id)) {
+void AppCaster::RaiseWarning(const WarningId& id, const std::string& text, Seconds elapsed) {
+  if (run_warnings_.size() >= kMostWarnings && !run_warnings_.contains(id.name())) {
     return;
   }
-  Raised& warning = run_warnings_[id];
+  Raised& warning = run_warnings_[id.name()];
+  warning.severity = id.severity();
   warning.text = text;
-  warning.count += warning.is_up ? 0 : 1;
-  warning.is_up = true;
+  if (!warning.is_up) {
+    warning.is_up = true;
+    warning.since = elapsed;
+    ++warning.count;
+  }
   for (auto& [key, request] : requests_) {
     request.has_been_told = false;
   }
 }
 
-void AppCaster::ClearWarning(const std::string& id) {
-  if (const auto found = run_warnings_.find(id); found != run_warnings_.end()) {
+void AppCaster::ClearWarning(const WarningId& id) {
+  if (const auto found = run_warnings_.find(id.name()); found != run_warnings_.end()) {
     found->second.is_up = false;
     for (auto& [key, request] : requests_) {
       request.has_been_told = false;
@@ -121,17 +126,27 @@ AppCast AppCaster::Cast(std::vector<std::string> body, std::int64_t iteration, S
                .messages = std::move(body),
                .config_warnings = config_warnings_,
                .events = {events_.begin(), events_.end()}};
+  AddStandingWarnings(cast);
+  return cast;
+}
+
+void AppCaster::AddStandingWarnings(AppCast& cast) const {
+  std::vector<std::pair<std::string_view, const Raised*>> standing;
   for (const auto& [id, warning] : run_warnings_) {
-    if (!warning.is_up) {
-      continue;
-    }
-    cast.run_warning_total += warning.count;
-    if (cast.run_warnings.size() < settings_.max_run_warnings) {
-      cast.run_warnings.push_back(
-          {.text = fmt::format("{}: {}", id, warning.text), .count = warning.count});
+    if (warning.is_up) {
+      standing.emplace_back(id, &warning);
+      cast.run_warning_total += warning.count;
     }
   }
-  return cast;
+  std::ranges::stable_sort(standing, std::greater{},
+                           [](const auto& entry) { return entry.second->severity; });
+  standing.resize(std::min(standing.size(), settings_.max_run_warnings));
+  for (const auto& [id, warning] : standing) {
+    cast.run_warnings.push_back(
+        {.text = fmt::format("{} ({} since [{:.2f}]): {}", id, NameOf(warning->severity),
+                             warning->since.value(), warning->text),
+         .count = warning->count});
+  }
 }
 
 }  // namespace limpet

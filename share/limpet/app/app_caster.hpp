@@ -12,6 +12,7 @@
 #include "limpet/app/app_cast.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/core/units.hpp"
+#include "limpet/topics/warning.hpp"
 
 namespace limpet {
 
@@ -39,8 +40,9 @@ class AppCaster {
   /// Remembers what happened `elapsed` after the app's start.
   void AddEvent(Seconds elapsed, std::string_view text);
   void AddConfigWarning(std::string text);
-  void RaiseWarning(const std::string& id, const std::string& text);
-  void ClearWarning(const std::string& id);
+  /// Raised `elapsed` after the app's start; one that stands keeps that, and takes the text.
+  void RaiseWarning(const WarningId& id, const std::string& text, Seconds elapsed);
+  void ClearWarning(const WarningId& id);
 
   /// Mail of APPCAST_REQ; what is not for this app, or no request, is ignored.
   void OnRequest(std::string_view text, Seconds now);
@@ -56,11 +58,15 @@ class AppCaster {
     bool has_been_told = false;  ///< of the warnings that stand now
   };
   struct Raised {
+    Severity severity = Severity::kWarning;
     std::string text;
+    Seconds since;  ///< after the app's start
     int count = 0;
     bool is_up = false;
   };
   [[nodiscard]] bool IsWanted(Seconds now);
+  /// The gravest first.
+  void AddStandingWarnings(AppCast& cast) const;
 
   CastSettings settings_;
   std::deque<std::string> events_;

@@ -2,6 +2,7 @@
 #include "limpet/app/embedded.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -53,20 +54,21 @@ class EmbeddedCommunity::Impl {
     (*found)->is_stalled = hangs;
   }
 
-  void Write(Message message) {
-    message.time = now();
-    const Database::WriteResult result = database_.Write(std::move(message), now());
-    LIMPET_REQUIRE(result == Database::WriteResult::kStored, "a variable changed its data type");
+  void StallDatabase(bool hangs) {
+    is_database_stalled_ = hangs;
+    if (!hangs) {
+      for (Message& message : std::exchange(held_, {})) {
+        Write(std::move(message));
+      }
+      DeliverAll();
+    }
   }
 
-  void Publish(const std::string& source, std::string name, Value value, std::string aux) {
-    const std::string variable = name;
-    Write({.name = std::move(name),
-           .value = std::move(value),
-           .time = now(),
-           .source = source,
-           .source_aux = std::move(aux),
-           .community = {}});
+  /// To the database, and to who observes it.
+  void Write(Message message) {
+    const std::string variable = message.name;
+    const Database::WriteResult result = database_.Write(std::move(message), now());
+    LIMPET_REQUIRE(result == Database::WriteResult::kStored, "a variable changed its data type");
     if (!observers_.empty()) {
       const MessagePtr latest = database_.Latest(variable);
       for (const auto& observer : observers_) {
@@ -75,7 +77,24 @@ class EmbeddedCommunity::Impl {
     }
   }
 
+  void Publish(const std::string& source, std::string name, Value value, std::string aux) {
+    Message message{.name = std::move(name),
+                    .value = std::move(value),
+                    .time = now(),
+                    .source = source,
+                    .source_aux = std::move(aux),
+                    .community = {}};
+    if (is_database_stalled_) {
+      held_.push_back(std::move(message));
+    } else {
+      Write(std::move(message));
+    }
+  }
+
   void DeliverAll() {
+    if (is_database_stalled_) {
+      return;
+    }
     int deliveries = 0;
     for (bool is_quiet = false; !is_quiet;) {
       is_quiet = true;
@@ -110,6 +129,8 @@ class EmbeddedCommunity::Impl {
   Database database_;
   double elapsed_ = 0.0;
   std::vector<std::function<void(const Message&)>> observers_;
+  bool is_database_stalled_ = false;
+  std::vector<Message> held_;  ///< written while the database hangs
 
  private:
   struct Hosted final : AppLink {
@@ -189,6 +210,7 @@ void EmbeddedCommunity::Poke(const std::string& name, Value value) {
   impl_->DeliverAll();
 }
 void EmbeddedCommunity::Stall(const std::string& app, bool hangs) { impl_->Stall(app, hangs); }
+void EmbeddedCommunity::StallDatabase(bool hangs) { impl_->StallDatabase(hangs); }
 void EmbeddedCommunity::Observe(std::function<void(const Message&)> observer) {
   impl_->observers_.push_back(std::move(observer));
 }

@@ -48,6 +48,9 @@ class EmbeddedCommunity {
   /// From now on the app does nothing, as a process that hangs: no tick, no mail; or it goes on,
   /// with the mail that has waited. Ticks that it missed are left out. REQUIRES: the app is hosted.
   void Stall(const std::string& app, bool hangs = true);
+  /// From now on nothing that is written reaches anybody, as when the database's process hangs; or
+  /// it goes on: what was written meanwhile is delivered, in order, stamped when it was written.
+  void StallDatabase(bool hangs = true);
   /// Calls `observer` for every write, in order.
   void Observe(std::function<void(const Message&)> observer);
   /// Ends every app in launch order; the last call.

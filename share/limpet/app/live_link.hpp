@@ -26,9 +26,7 @@ class LiveLink final : public AppLink {
   void Subscribe(const std::string& name, Seconds interval) override;
   void SubscribeWildcard(const WildcardFilter& filter) override;
   [[nodiscard]] Seconds Now() const override { return replayed_ ? *replayed_ : client_.Now(); }
-  [[nodiscard]] Seconds ClockDisagreement() const override {
-    return client_.clock_disagreement();
-  }
+  [[nodiscard]] Seconds ClockDisagreement() const override { return client_.clock_disagreement(); }
   [[nodiscard]] bool is_replaying() const override { return replayed_.has_value(); }
 
   /// Mail that the app heard in a former life: its like is not news when registering brings it.

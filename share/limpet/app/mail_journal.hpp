@@ -27,7 +27,6 @@ class MailJournal {
   /// Calls `take` for each entry of the former life, in order: the time that was, and the mail; a
   /// tick has none. May be called again.
   void Replay(const std::function<void(Seconds now, const MessagePtr& mail)>& take) const;
-  [[nodiscard]] bool has_former_life() const { return end_ > kHeaderSize; }
   /// The app has gone through it and lives.
   void Vouch();
 

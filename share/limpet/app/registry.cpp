@@ -14,23 +14,6 @@ std::map<std::string, AppEntry>& AppRegistry() {
   return registry;
 }
 
-const std::vector<std::string>& CommonAppKeys() {
-  static const std::vector<std::string> keys{"AppTick",
-                                             "CommsTick",
-                                             "MaxAppTick",
-                                             "IterateMode",
-                                             "SortMailByTime",
-                                             "CatchCommandMessages",
-                                             "TERM_REPORT_INTERVAL",
-                                             "MAX_APPCAST_EVENTS",
-                                             "MAX_APPCAST_RUN_WARNINGS",
-                                             "APP_LOGGING",
-                                             "COMMS_POLICY",
-                                             "DEPRECATED_OK",
-                                             "moos_tw_delay_factor"};
-  return keys;
-}
-
 std::vector<ConfigProblem> CheckCommonAppKeys(const ConfigBlock& block) {
   std::vector<ConfigProblem> problems;
   const auto collect = [&problems](const auto& read) {

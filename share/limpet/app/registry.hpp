@@ -4,14 +4,18 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <functional>
 #include <iterator>
 #include <map>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "limpet/app/app.hpp"
+#include "limpet/core/app_keys.hpp"
+#include "limpet/core/described_params.hpp"
 #include "limpet/core/params.hpp"
 
 namespace limpet {
@@ -33,14 +37,36 @@ struct AppEntry {
 /// The one singleton: filled before main by the registration lines.
 [[nodiscard]] std::map<std::string, AppEntry>& AppRegistry();
 
-/// Keys that MOOS gives every app; the runner reads them, apps do not.
-[[nodiscard]] const std::vector<std::string>& CommonAppKeys();
-
 /// Problems of the keys that MOOS gives every app: AppTick, the reports' limits.
 [[nodiscard]] std::vector<ConfigProblem> CheckCommonAppKeys(const ConfigBlock& block);
 
+/// True; for a class that cannot be an app the compiler says what it lacks.
+template <class A>
+[[nodiscard]] consteval bool IsAppKind() {
+  static_assert(std::derived_from<A, App>,
+                "an app derives from limpet::App: `class NavApp final : public App`");
+  static_assert(HasParams<A>, "an app has a public `struct Params`, empty if it needs none");
+  static_assert(!HasParams<A> || HasDescribedParams<A>,
+                "an app's Params has a default for each member, and declares it in "
+                "`template <class Visitor> void Describe(Visitor& visit)`");
+  static_assert(!std::is_abstract_v<A>,
+                "an app defines every pure virtual function that it inherits or declares");
+  if constexpr (HasParams<A> && !std::is_abstract_v<A>) {
+    static_assert(std::constructible_from<A, const AppContext&, const typename A::Params&>,
+                  "an app has a public constructor "
+                  "`NavApp(const AppContext& context, const Params& params)`");
+  }
+  return true;
+}
+
+template <class A>
+concept ReplaysMail = requires {
+  A::kReplaysMail;
+};
+
 template <class A>
 [[nodiscard]] AppEntry MakeAppEntry(double default_tick_hz) {
+  static_assert(IsAppKind<A>());
   return {
       .default_tick_hz = default_tick_hz,
       .describe =
@@ -59,9 +85,8 @@ template <class A>
                               std::back_inserter(problems));
             return problems;
           },
-      .replays_mail = requires {A::kReplaysMail;
-}
-};  // namespace limpet
+      .replays_mail = ReplaysMail<A>,
+  };
 }
 
 }  // namespace limpet

@@ -19,8 +19,7 @@ StampGuard::Verdict StampGuard::Judge(const std::string& variable, Seconds stamp
     return Verdict::kGoodAgain;
   }
   Refused& refused = refused_[variable];
-  const double ahead =
-      is_number ? (stamp - now).value() : std::numeric_limits<double>::infinity();
+  const double ahead = is_number ? (stamp - now).value() : std::numeric_limits<double>::infinity();
   ++refused.count;
   refused.farthest = Seconds(std::max(refused.farthest.value(), ahead));
   refused.last = now;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limpet/core/camera_geometry.hpp"
+#include "limpet/core/camera_model.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/core/units.hpp"
 
@@ -28,13 +28,8 @@ struct CameraParams {
     visit.Required("camera_height_px", height_px, "Height of the image in pixels",
                    InRange(64, 4096));
   }
-  [[nodiscard]] CameraGeometry geometry() const {
-    CameraGeometry camera;
-    camera.width_px = width_px;
-    camera.height_px = height_px;
-    camera.fov_across = fov_across.value();
-    camera.fov_along = fov_along.value();
-    return camera;
+  [[nodiscard]] CameraModel geometry() const {
+    return CameraModel::FromFieldOfView(width_px, height_px, fov_across.value(), fov_along.value());
   }
 };
 

@@ -157,7 +157,9 @@ void ParamCollector::Choice(const char* name, std::string& field, const char* he
   spec.set = [&field, choices = std::move(choices),
               allowed = spec.allowed](std::string_view text) -> std::optional<std::string> {
     if (std::ranges::find(choices, text) == choices.end()) {
-      return fmt::format("`{}` is not allowed; allowed: {}", text, allowed);
+      const std::string nearest = NearestWord(text, choices);
+      return fmt::format("`{}` is not allowed; allowed: {}{}", text, allowed,
+                         nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest));
     }
     field = std::string(text);
     return std::nullopt;

@@ -10,12 +10,13 @@
 #include "limpet/helm/peak.hpp"
 #include "limpet/helm/situation.hpp"
 #include "limpet/planning/option.hpp"
+#include "limpet/topics/warning.hpp"
 
 namespace limpet {
 
-/// A health warning that a behavior asks the helm to raise.
+/// A warning that a behavior declares and asks the helm to raise.
 struct BehaviorWarning {
-  std::string id;
+  WarningId id;
   std::string text;
 };
 
@@ -34,8 +35,8 @@ struct Reason {
   double value;
 };
 
-/// Where next: the worth of one option in metres of path (nats in paper mode), with reasons; or a
-/// veto.
+/// Where next: the worth of one option, with reasons; or a veto. In metres of path, or in nats if
+/// the behavior says so; behaviors that run together use one unit.
 struct Bid {
   double value = 0.0;
   std::vector<Reason> why;
@@ -67,11 +68,13 @@ class Behavior {
   }
   /// True if a view decision is wanted while this behavior runs.
   [[nodiscard]] virtual bool WantsView() const { return false; }
-  /// Adds this behavior's terms, times `weight`, to what the option search looks for.
-  virtual void Shape(const Situation& now, double weight, SearchObjective& objective) const {
-    static_cast<void>(now), static_cast<void>(weight), static_cast<void>(objective);
+  /// Adds this behavior's wishes, times `weight`, to what generators look for: rates of new ground,
+  /// targets, destinations, or a term of its own (`goals.objective.terms`), so that searches find
+  /// what `Value` will like.
+  virtual void Shape(const Situation& now, double weight, SearchGoals& goals) const {
+    static_cast<void>(now), static_cast<void>(weight), static_cast<void>(goals);
   }
-  /// Paths of its own, e.g. the way home.
+  /// Paths of its own, beside those of the generators.
   virtual void Offer(const Situation& now, std::vector<Option>& options) const {
     static_cast<void>(now), static_cast<void>(options);
   }

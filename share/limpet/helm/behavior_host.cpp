@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "limpet/core/number_text.hpp"
+#include "limpet/helm/behavior_update_warnings.hpp"
 #include "limpet/helm/registry.hpp"
 
 namespace limpet {
@@ -76,17 +77,14 @@ void AddFlag(const ConfigEntry& entry, std::vector<Flag>& flags,
 
 }  // namespace
 
-BehaviorHost::BehaviorHost(const std::vector<BehaviorFile>& given,
-                           const std::vector<std::string>& settings) {
-  std::vector<BehaviorFile> files = given;
-  ApplyBehaviorSettings(files, settings);
+BehaviorHost::BehaviorHost(const std::vector<BehaviorFile>& files) {
   std::vector<ConfigProblem> problems;
   std::vector<ModeDeclaration> modes;
-  for (BehaviorFile& file : files) {
+  for (const BehaviorFile& file : files) {
     initializes_.insert(initializes_.end(), file.initializes.begin(), file.initializes.end());
     modes.insert(modes.end(), file.modes.begin(), file.modes.end());
-    for (ConfigBlock& block : file.behaviors) {
-      AddBehavior(std::move(block), problems);
+    for (const ConfigBlock& block : file.behaviors) {
+      AddBehavior(block, problems);
     }
   }
   if (!problems.empty()) {
@@ -220,7 +218,7 @@ void BehaviorHost::ApplyUpdate(Hosted& hosted, const std::string& text) {
     hosted.good_updates += parts;
     hosted.is_running = false;  // the new one is started like any other
   } catch (const ConfigError& error) {
-    warnings_.push_back({hosted.name, {"BHV_UPDATE_" + hosted.name, error.what()}});
+    warnings_.push_back({hosted.name, {warnings::kBehaviorUpdate.Of(hosted.name), error.what()}});
   }
 }
 

@@ -43,8 +43,7 @@ void ApplyBehaviorSettings(std::vector<BehaviorFile>& files,
 class BehaviorHost {
  public:
   /// Throws ConfigError with every problem of every behavior; an unknown parameter is one.
-  /// `settings` are overrides `name.key=value`.
-  BehaviorHost(const std::vector<BehaviorFile>& files, const std::vector<std::string>& settings);
+  explicit BehaviorHost(const std::vector<BehaviorFile>& files);
   ~BehaviorHost();
   BehaviorHost(const BehaviorHost&) = delete;
   BehaviorHost& operator=(const BehaviorHost&) = delete;

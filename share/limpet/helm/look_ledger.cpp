@@ -25,10 +25,11 @@ void LookLedger::SetBeliefs(const std::vector<OpiBelief>& beliefs) {
   for (const OpiBelief& belief : beliefs) {
     const auto [found, is_new] = entries_.try_emplace(belief.id);
     Entry& entry = found->second;
-    const bool is_same =
-        entry.looks == belief.looks && std::abs(entry.entropy - belief.entropy) < kSameBelief;
+    const bool is_same = entry.looks == belief.looks &&
+                         std::abs(entry.entropy - belief.posterior.Entropy()) < kSameBelief;
     if (is_new || !is_same) {
-      entry = {.looks = belief.looks, .entropy = belief.entropy, .fruitless = 0, .due = {}};
+      entry = {
+          .looks = belief.looks, .entropy = belief.posterior.Entropy(), .fruitless = 0, .due = {}};
     }
   }
 }
@@ -43,8 +44,8 @@ void LookLedger::Promise(const DubinsPath& path, std::span<const WatchedObject> 
         open, [id = id](const WatchedObject& watched) { return watched.belief.id == id; });
     std::optional<double> first;
     if (object != open.end() && object->window) {
-      first = FirstLook(path, {.north = object->belief.ned[0],
-                               .east = object->belief.ned[1],
+      first = FirstLook(path, {.north = object->belief.object.p_W.x(),
+                               .east = object->belief.object.p_W.y(),
                                .window = *object->window});
     }
     // The first promise counts: a look that each new path puts off is never flown either.

@@ -28,8 +28,9 @@ std::optional<LookWindow> ObjectWatch::WindowOf(const OpiBelief& belief,
     return std::nullopt;
   }
   // Where no seabed is known the object is taken to lie on it.
-  const double drop = seabed_down ? belief.ned[2] - (*seabed_down - altitude_) : altitude_;
-  const double place_sigma = std::sqrt(std::max(0.0, 0.5 * (belief.cov[0] + belief.cov[3])));
+  const double drop = seabed_down ? belief.object.p_W.z() - (*seabed_down - altitude_) : altitude_;
+  const double place_sigma =
+      std::sqrt(std::max(0.0, 0.5 * (belief.object.cov_W(0, 0) + belief.object.cov_W(1, 1))));
   return LookWindowAbove(*model_, drop, allowance_ + place_sigma);
 }
 
@@ -38,7 +39,8 @@ std::vector<WatchedObject> ObjectWatch::Objects(const SurveyGrid* grid,
   std::vector<WatchedObject> objects;
   for (const OpiBelief& belief : beliefs_) {
     const std::optional<double> seen =
-        grid != nullptr ? SeabedAt(*grid, belief.ned[0], belief.ned[1]) : std::nullopt;
+        grid != nullptr ? SeabedAt(*grid, belief.object.p_W.x(), belief.object.p_W.y())
+                        : std::nullopt;
     objects.push_back({.belief = belief,
                        .window = WindowOf(belief, seen ? seen : seabed_down),
                        .fruitless = ledger_.fruitless(belief.id)});

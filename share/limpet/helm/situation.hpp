@@ -66,6 +66,16 @@ struct Prospect {
   [[nodiscard]] double length() const { return option->path.length(); }
 };
 
-using SearchObjective = Objective;
+/// A place where paths may end for good.
+struct Destination {
+  double north = 0.0, east = 0.0;  ///< NED [m]
+};
+
+/// What the running behaviors want options for.
+struct SearchGoals {
+  Objective objective{.ground = {.cover = 0.0, .frontier = 0.0}, .targets = {}, .terms = {}};
+  std::vector<Destination> destinations{};  ///< e.g. home
+  bool leads_into_region = false;  ///< a vehicle outside the operating region is to come in
+};
 
 }  // namespace limpet

@@ -55,20 +55,23 @@ ValuedOption ValueOption(std::span<const WeightedBehavior> behaviors, const Situ
 }  // namespace
 
 ViewDecision DecideView(std::span<const WeightedBehavior> behaviors, const Situation& now,
-                        std::vector<Option> options, SightAlong& sight, int listed) {
+                        std::vector<Option> options, SightAlong& sight, const DecisionRule& rule) {
   std::vector<ValuedOption> valued;
   for (std::size_t i = 0; i < options.size(); ++i) {
     valued.push_back(ValueOption(behaviors, now, options[i], i, sight));
   }
-  std::ranges::stable_sort(valued, [](const ValuedOption& a, const ValuedOption& b) {
-    return a.has_veto != b.has_veto ? b.has_veto : a.bidden.rate > b.bidden.rate;
+  const auto merit = [&rule](const ValuedOption& option) {
+    return rule.order == OptionOrder::kPerMetre ? option.bidden.rate : option.bidden.total;
+  };
+  std::ranges::stable_sort(valued, [&merit](const ValuedOption& a, const ValuedOption& b) {
+    return a.has_veto != b.has_veto ? b.has_veto : merit(a) > merit(b);
   });
   ViewDecision decision;
   decision.bids.considered = static_cast<int>(options.size());
   if (!valued.empty() && !valued.front().has_veto) {
     decision.chosen = std::move(options[valued.front().index]);
   }
-  for (std::size_t i = 0; i < std::min(valued.size(), static_cast<std::size_t>(listed)); ++i) {
+  for (std::size_t i = 0; i < std::min(valued.size(), static_cast<std::size_t>(rule.listed)); ++i) {
     decision.bids.options.push_back(std::move(valued[i].bidden));
   }
   return decision;

@@ -24,11 +24,21 @@ struct ViewDecision {
   HelmBids bids;
 };
 
+/// How options of different length are compared.
+enum class OptionOrder {
+  kPerMetre,  ///< by the sum of bids per metre of option: what follows a short one counts too
+  kBySum      ///< by the sum alone
+};
+struct DecisionRule {
+  OptionOrder order = OptionOrder::kPerMetre;
+  int listed = 5;  ///< options that go into the bids, at most
+};
+
 /// "Where next": every running behavior values every option; values times weights are added, vetoed
-/// options dropped, the best taken; among equals the first offered. At most `listed` options go
-/// into the bids.
+/// options dropped, the best taken; among equals the first offered. HELM_BIDS lists the best few
+/// and says how many were valued.
 [[nodiscard]] ViewDecision DecideView(std::span<const WeightedBehavior> behaviors,
                                       const Situation& now, std::vector<Option> options,
-                                      SightAlong& sight, int listed = 5);
+                                      SightAlong& sight, const DecisionRule& rule = {});
 
 }  // namespace limpet

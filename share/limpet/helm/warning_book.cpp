@@ -1,30 +1,44 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/helm/warning_book.hpp"
 
+#include <utility>
+
 namespace limpet {
+namespace {
+
+/// Several behaviors may raise one warning, each with a text of its own; the first one's is told.
+struct Raised {
+  std::string owners;
+  BehaviorWarning warning;
+};
+
+std::map<std::string, Raised> ById(const std::vector<OwnedWarning>& now) {
+  std::map<std::string, Raised> raised;
+  for (const OwnedWarning& owned : now) {
+    const auto [entry, is_new] =
+        raised.try_emplace(owned.warning.id.name(), Raised{owned.owner, owned.warning});
+    if (!is_new) {
+      entry->second.owners += ", " + owned.owner;
+    }
+  }
+  return raised;
+}
+
+}  // namespace
 
 WarningBook::Change WarningBook::Update(const std::vector<OwnedWarning>& now) {
-  std::map<std::string, std::string> owners;
-  std::map<std::string, std::string> texts;
-  for (const OwnedWarning& raised : now) {
-    std::string& names = owners[raised.warning.id];
-    names += (names.empty() ? "" : ", ") + raised.owner;
-    texts.try_emplace(raised.warning.id, raised.warning.text);
-  }
   Change change;
-  for (const auto& [id, names] : owners_) {
-    const auto still = owners.find(id);
-    if (still == owners.end() || still->second != names) {
-      change.cleared.push_back(id);
-    }
+  std::map<std::string, WarningId> former = std::move(standing_);
+  standing_.clear();
+  for (const auto& [id, raised] : ById(now)) {
+    former.erase(id);
+    standing_.emplace(id, raised.warning.id);
+    change.standing.push_back(
+        {.id = raised.warning.id, .text = raised.owners + ": " + raised.warning.text});
   }
-  for (const auto& [id, names] : owners) {
-    const auto before = owners_.find(id);
-    if (before == owners_.end() || before->second != names) {
-      change.raised.push_back({.id = id, .text = names + ": " + texts.at(id)});
-    }
+  for (const auto& [id, cleared] : former) {
+    change.cleared.push_back(cleared);
   }
-  owners_ = std::move(owners);
   return change;
 }
 

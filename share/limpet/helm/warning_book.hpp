@@ -20,14 +20,15 @@ struct OwnedWarning {
 class WarningBook {
  public:
   struct Change {
-    std::vector<std::string> cleared;     ///< ids; first
-    std::vector<BehaviorWarning> raised;  ///< the text begins with who raises it
+    std::vector<WarningId> cleared;
+    /// All that stand, by id; the text begins with who raises it, e.g. `altitude, region: ...`.
+    std::vector<BehaviorWarning> standing;
   };
   /// `now` is all that is raised at this time, in any order.
   [[nodiscard]] Change Update(const std::vector<OwnedWarning>& now);
 
  private:
-  std::map<std::string, std::string> owners_;  ///< by id, e.g. `altitude, region`
+  std::map<std::string, WarningId> standing_;
 };
 
 }  // namespace limpet

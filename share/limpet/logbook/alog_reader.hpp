@@ -52,7 +52,6 @@ class AlogReader {
 
   /// MOOS time of the log's start, from the banner; nothing if it has none.
   [[nodiscard]] std::optional<Seconds> start() const { return start_; }
-  [[nodiscard]] bool has_escapes() const { return has_escapes_; }
   /// Lines so far that were neither entries nor comments.
   [[nodiscard]] std::size_t skipped_lines() const { return skipped_; }
   struct Skipped {

@@ -258,6 +258,9 @@ class Expander {
 
   [[nodiscard]] std::string SearchedText() const {
     std::string text = " beside this file";
+    if (options_.search_folders.empty()) {
+      text += ", and no folder called `plugs` is beside or above it or the program";
+    }
     for (const fs::path& folder : options_.search_folders) {
       text += ", nor in " + folder.string();
     }

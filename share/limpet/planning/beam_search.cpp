@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <tuple>
+
+#include "limpet/planning/path_valuer.hpp"
 
 namespace limpet {
 namespace {
@@ -18,14 +21,21 @@ constexpr double kOpeningShare = 0.05;
 constexpr double kSamePlace = 0.5;
 constexpr double kSameYaw = std::numbers::pi / 12.0;
 
+/// Where alternatives must differ [m], and by how much.
+constexpr double kStemLength = 10.0;
+constexpr double kOtherPlace = 1.5;
+constexpr double kOtherYaw = std::numbers::pi / 6.0;
+
 struct Node {
   Pose2 pose;
   int parent = -1;
   double curvature = 0.0;
-  int opening = -1;  ///< index of the first motion
+  int opening = -1;             ///< index of the first motion
+  Pose2 stem{};                 ///< after the first kStemLength, or as far as it has come
+  bool is_alternative = false;  ///< kept for its stem: the search for the best ignores it
   double value = 0.0;
   std::size_t change_begin = 0, change_end = 0;
-  std::size_t seen_begin = 0, seen_end = 0;  ///< targets that this motion is the first to see
+  std::size_t event_begin = 0, event_end = 0;  ///< of the objective, that this motion brings
 };
 
 using Bin = std::tuple<int, int, int>;
@@ -36,18 +46,30 @@ Bin BinOf(const Pose2& pose) {
           static_cast<int>(std::floor(WrapAngle(pose.yaw) / kSameYaw))};
 }
 
+bool AreAlternatives(const Pose2& a, const Pose2& b) {
+  return Distance(a, b) > kOtherPlace || std::abs(WrapAngle(a.yaw - b.yaw)) > kOtherYaw;
+}
+
+/// Adds `stem` if it is an alternative to all of `stems`.
+bool IsNewStem(const Pose2& stem, std::vector<Pose2>& stems) {
+  const bool is_new =
+      std::ranges::all_of(stems, [&stem](const Pose2& s) { return AreAlternatives(s, stem); });
+  if (is_new) {
+    stems.push_back(stem);
+  }
+  return is_new;
+}
+
 class Search {
  public:
   Search(const Pose2& start, const Ground& ground, const Region& region, const Objective& objective,
          const BeamParams& params)
       : region_(region),
-        objective_(objective),
         params_(params),
         workspace_(ground),
-        swath_(ground.swath()) {
+        valuer_(objective, ground, start, params.horizon.value()) {
     const double tight = 1.0 / params.turn_radius.value();
     curvatures_ = {0.0, -0.5 * tight, 0.5 * tight, -tight, tight};
-    FindTargetsInReach(start);
     nodes_.push_back({.pose = start});
     beam_.push_back(0);
   }
@@ -63,23 +85,22 @@ class Search {
       if (candidates_.empty()) {
         return;
       }
-      Keep();
+      Keep(depth + 1 >= StemDepth());
     }
   }
 
-  /// The best leaf of each first motion.
+  /// The best leaf of each stem.
   [[nodiscard]] std::vector<Option> Offers() const {
     std::vector<Option> offers;
-    std::array<bool, 5> is_offered{};
+    std::vector<Pose2> stems;
     for (const int leaf : beam_) {
+      const Node& node = nodes_[static_cast<std::size_t>(leaf)];
       if (leaf == 0 || static_cast<int>(offers.size()) >= params_.offers) {
         break;
       }
-      const Node& node = nodes_[static_cast<std::size_t>(leaf)];
-      if (is_offered[static_cast<std::size_t>(node.opening)]) {
+      if (!IsNewStem(node.stem, stems)) {
         continue;
       }
-      is_offered[static_cast<std::size_t>(node.opening)] = true;
       DubinsPath path(nodes_.front().pose);
       for (const double curvature : MotionsTo(leaf)) {
         path.Append({.curvature = curvature, .length = params_.primitive.value()});
@@ -90,16 +111,9 @@ class Search {
   }
 
  private:
-  /// Of many targets a horizon's length shows few: the rest costs nothing.
-  void FindTargetsInReach(const Pose2& start) {
-    for (const Target& target : objective_.targets) {
-      const double reach =
-          params_.horizon.value() + target.window.half_along + target.window.half_across;
-      if (std::hypot(target.north - start.north, target.east - start.east) <= reach) {
-        targets_.push_back(target);
-      }
-    }
-    is_seen_.resize(targets_.size());
+  /// Motions after which alternatives must differ.
+  [[nodiscard]] int StemDepth() const {
+    return static_cast<int>(std::lround(kStemLength / params_.primitive.value()));
   }
 
   void Expand(int index, int depth) {
@@ -116,12 +130,17 @@ class Search {
                 .parent = index,
                 .curvature = curvature,
                 .opening = depth == 0 ? static_cast<int>(i) : from.opening,
+                .stem = {},
+                .is_alternative = from.is_alternative,
                 .value = from.value - motion.length};
-      const NewSight gain = workspace_.Sweep(from.pose, motion);
-      next.value += objective_.w_cover * gain.new_area / swath_ -
-                    objective_.w_frontier * gain.frontier_growth -
+      next.stem = depth < StemDepth() ? next.pose : from.stem;
+      const std::size_t events = valuer_.Mark();
+      next.value += valuer_.Worth({.from = from.pose,
+                                   .motion = motion,
+                                   .before = depth * motion.length,
+                                   .sight = workspace_.Sweep(from.pose, motion)}) -
                     kDeficitPrice * region_.Deficit(next.pose, params_.turn_radius);
-      SeeTargets(from.pose, motion, depth * motion.length, next);
+      NoteEvents(events, next);
       next.change_begin = changes_.size();
       const auto changed = workspace_.changes().subspan(mark);
       changes_.insert(changes_.end(), changed.begin(), changed.end());
@@ -131,10 +150,18 @@ class Search {
     }
   }
 
-  /// Brings workspace and seen targets to the state after the motions that lead to `index`.
+  void NoteEvents(std::size_t mark, Node& next) {
+    next.event_begin = events_.size();
+    const auto added = valuer_.EventsSince(mark);
+    events_.insert(events_.end(), added.begin(), added.end());
+    next.event_end = events_.size();
+    valuer_.Rewind(mark);
+  }
+
+  /// Brings workspace and events to the state after the motions that lead to `index`.
   void Restore(int index) {
     workspace_.Rewind(0);
-    std::fill(is_seen_.begin(), is_seen_.end(), false);
+    valuer_.Rewind(0);
     chain_.clear();
     for (int i = index; i > 0; i = nodes_[static_cast<std::size_t>(i)].parent) {
       chain_.push_back(i);
@@ -143,31 +170,13 @@ class Search {
       const Node& node = nodes_[static_cast<std::size_t>(*i)];
       workspace_.Replay(
           std::span(changes_).subspan(node.change_begin, node.change_end - node.change_begin));
-      for (std::size_t k = node.seen_begin; k < node.seen_end; ++k) {
-        is_seen_[seen_[k]] = true;
-      }
+      valuer_.Replay(
+          std::span(events_).subspan(node.event_begin, node.event_end - node.event_begin));
     }
   }
 
-  void SeeTargets(const Pose2& from, const PathSegment& motion, double s_before, Node& next) {
-    next.seen_begin = seen_.size();
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      const Target& target = targets_[i];
-      for (double s = SightWorkspace::kStep; !is_seen_[i] && s <= motion.length + 1e-9;
-           s += SightWorkspace::kStep) {
-        if (target.IsSeenFrom(Advance(from, motion.curvature, s))) {
-          seen_.push_back(i);
-          next.value +=
-              target.value * std::max(0.0, 1.0 - (s_before + s) / objective_.target_decay_m);
-          break;
-        }
-      }
-    }
-    next.seen_end = seen_.size();
-  }
-
-  /// The best candidates, one per place, become the beam.
-  void Keep() {
+  /// The best candidates become the beam, and if `with_alternatives` the best of other stems.
+  void Keep(bool with_alternatives) {
     std::vector<std::size_t> order(candidates_.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
       order[i] = i;
@@ -175,14 +184,29 @@ class Search {
     std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
       return candidates_[a].value > candidates_[b].value;
     });
-    std::vector<Bin> taken;
     std::vector<bool> is_kept(order.size(), false);
+    KeepBest(order, is_kept);
+    if (with_alternatives) {
+      KeepAlternatives(order, is_kept);
+    }
+    beam_.clear();
+    for (const std::size_t i : order) {
+      if (is_kept[i]) {
+        beam_.push_back(static_cast<int>(nodes_.size()));
+        nodes_.push_back(candidates_[i]);
+      }
+    }
+  }
+
+  /// The best candidates of `order`, one per place.
+  void KeepBest(const std::vector<std::size_t>& order, std::vector<bool>& is_kept) const {
+    std::vector<Bin> taken;
     const int reserved = static_cast<int>(std::lround(kOpeningShare * params_.width));
     std::array<int, 5> per_opening{};
     int kept = 0;
     const auto keep_while = [&](auto has_room) {
       for (const std::size_t i : order) {
-        if (is_kept[i] || !has_room(candidates_[i])) {
+        if (candidates_[i].is_alternative || is_kept[i] || !has_room(candidates_[i])) {
           continue;
         }
         const Bin bin = BinOf(candidates_[i].pose);
@@ -199,11 +223,23 @@ class Search {
       return per_opening[static_cast<std::size_t>(node.opening)] < reserved;
     });
     keep_while([&](const Node&) { return kept < params_.width; });
-    beam_.clear();
+  }
+
+  /// The best candidate of each stem that none of those kept stands for.
+  void KeepAlternatives(const std::vector<std::size_t>& order, std::vector<bool>& is_kept) {
+    std::vector<Pose2> stems;
     for (const std::size_t i : order) {
       if (is_kept[i]) {
-        beam_.push_back(static_cast<int>(nodes_.size()));
-        nodes_.push_back(candidates_[i]);
+        static_cast<void>(IsNewStem(candidates_[i].stem, stems));
+      }
+    }
+    for (const std::size_t i : order) {
+      if (static_cast<int>(stems.size()) >= params_.offers) {
+        return;
+      }
+      if (!is_kept[i] && IsNewStem(candidates_[i].stem, stems)) {
+        is_kept[i] = true;
+        candidates_[i].is_alternative = true;
       }
     }
   }
@@ -218,17 +254,14 @@ class Search {
   }
 
   const Region& region_;
-  const Objective& objective_;
   const BeamParams& params_;
   SightWorkspace workspace_;
-  double swath_;
+  PathValuer valuer_;
   std::array<double, 5> curvatures_{};
-  std::vector<Target> targets_;  ///< those in reach
-  std::vector<bool> is_seen_;    ///< of these, by the motions up to the node at hand
-  std::vector<std::size_t> seen_;
   std::vector<Node> nodes_, candidates_;
   std::vector<int> beam_, chain_;
   std::vector<SightWorkspace::Change> changes_;
+  std::vector<std::uint32_t> events_;
 };
 
 }  // namespace

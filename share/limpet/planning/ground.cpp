@@ -8,9 +8,9 @@
 
 namespace limpet {
 
-Footprint::Footprint(double altitude, double object_height_max, const CameraGeometry& camera) {
-  const double across = std::tan(0.5 * camera.fov_across);
-  const double along = std::tan(0.5 * camera.fov_along);
+Footprint::Footprint(double altitude, double object_height_max, const CameraModel& camera) {
+  const double across = camera.half_across();
+  const double along = camera.half_along();
   for (int layer = 0; layer < kLayers; ++layer) {
     const std::size_t k = Slot(layer);
     height_[k] = std::max(0.0, object_height_max) * layer / (kLayers - 1);

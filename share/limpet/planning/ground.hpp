@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "limpet/core/camera_geometry.hpp"
+#include "limpet/core/camera_model.hpp"
 #include "limpet/planning/pose2.hpp"
 #include "limpet/survey/survey_grid.hpp"
 
@@ -18,7 +18,7 @@ class Footprint {
  public:
   static constexpr int kLayers = 4;
   /// Heights of the layers above the seabed [m]: k/3 of the band; all 0 if the band is.
-  Footprint(double altitude, double object_height_max, const CameraGeometry& camera);
+  Footprint(double altitude, double object_height_max, const CameraModel& camera);
 
   [[nodiscard]] double half_across(int layer) const { return across_[Slot(layer)]; }
   [[nodiscard]] double half_along(int layer) const { return along_[Slot(layer)]; }

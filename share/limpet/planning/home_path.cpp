@@ -26,7 +26,7 @@ Option HomePath(const Pose2& start, double north, double east, const Region& reg
       is_best_inside = is_inside;
     }
   }
-  return {.source = "home", .path = *best, .estimate = -best->length()};
+  return {.source = kHomeSource, .path = *best, .estimate = -best->length()};
 }
 
 }  // namespace limpet

@@ -7,6 +7,12 @@
 
 namespace limpet {
 
+/// Source of options that lead home, for good: they may leave the operating region.
+inline constexpr const char* kHomeSource = "home";
+[[nodiscard]] inline bool MayEndAnywhere(const Option& option) {
+  return option.source == kHomeSource;
+}
+
 /// The shortest way from `start` that ends at the point (north, east), whatever the heading there,
 /// inside the region where that is possible. A point outside the region is approached as it is.
 [[nodiscard]] Option HomePath(const Pose2& start, double north, double east, const Region& region,

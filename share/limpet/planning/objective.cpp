@@ -9,6 +9,21 @@ namespace {
 
 constexpr double kTargetStep = 0.25;
 
+/// What behaviors add, step by step.
+double TermValueOf(const DubinsPath& path, const Objective& objective, SightAlong& sight) {
+  double value = 0.0;
+  for (const auto& term : objective.terms) {
+    PathEvents all(term->event_count());
+    TermEvents events(all, 0);
+    sight.EachStep(path, [&](const Pose2& from, const PathSegment& motion, double before,
+                             const NewSight& seen) {
+      value +=
+          term->Worth({.from = from, .motion = motion, .before = before, .sight = seen}, events);
+    });
+  }
+  return value;
+}
+
 }  // namespace
 
 bool Target::IsSeenFrom(const Pose2& pose) const {
@@ -21,6 +36,10 @@ bool Target::IsSeenFrom(const Pose2& pose) const {
   const double c = std::cos(pose.yaw);
   const double s = std::sin(pose.yaw);
   return window.Contains(dn * c + de * s, -dn * s + de * c);
+}
+
+double Target::WorthAt(double s, double decay_m) const {
+  return value * std::max(0.0, 1.0 - s / decay_m);
 }
 
 std::optional<double> FirstLook(const DubinsPath& path, const Target& target) {
@@ -37,7 +56,7 @@ double TargetValueOf(const DubinsPath& path, const Objective& objective) {
   double value = 0.0;
   for (const Target& target : objective.targets) {
     if (const std::optional<double> first = FirstLook(path, target)) {
-      value += target.value * std::max(0.0, 1.0 - *first / objective.target_decay_m);
+      value += target.WorthAt(*first, objective.target_decay_m);
     }
   }
   return value;
@@ -45,10 +64,9 @@ double TargetValueOf(const DubinsPath& path, const Objective& objective) {
 
 double ValueOf(const DubinsPath& path, const Objective& objective, const Ground& ground,
                SightAlong& sight) {
-  const NewSight gain = sight(path);
-  return objective.w_cover * gain.new_area / ground.swath() -
-         objective.w_frontier * gain.frontier_growth - path.length() +
-         TargetValueOf(path, objective);
+  const GroundWorth worth = objective.ground.Of(sight(path), ground.swath());
+  return worth.useful - worth.ragged - path.length() + TargetValueOf(path, objective) +
+         TermValueOf(path, objective, sight);
 }
 
 }  // namespace limpet

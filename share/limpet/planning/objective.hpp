@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "limpet/planning/pose2.hpp"
+#include "limpet/planning/search_term.hpp"
 #include "limpet/planning/sight_along.hpp"
 #include "limpet/survey/look.hpp"
 
@@ -12,20 +14,43 @@ namespace limpet {
 
 /// A place worth looking at, e.g. an object of the former session.
 struct Target {
-  double north = 0.0, east = 0.0;  ///< [m]
+  double north = 0.0, east = 0.0;  ///< NED [m]
   LookWindow window{};             ///< where it must lie below the vehicle
   double value = 0.0;              ///< for seeing it now [m of path]
   /// Whether the vehicle at `pose` and survey altitude looks at it.
   [[nodiscard]] bool IsSeenFrom(const Pose2& pose) const;
+  /// Worth of the first look at it, `s` metres from now: falls to nothing at `decay_m` [m of path].
+  [[nodiscard]] double WorthAt(double s, double decay_m) const;
 };
 
-/// What a path is worth, in metres of path (paper.md section 5):
-///   U = w_cover newArea / swath - w_frontier dFrontier - length + sum value_i (1 - s_i / decay).
+/// What newly seen ground is worth, in metres of path.
+struct GroundWorth {
+  double useful = 0.0;  ///< of the new area
+  double ragged = 0.0;  ///< cost of the border that is left between seen and unseen
+};
+/// The exchange rates between new ground and path.
+struct GroundRates {
+  double cover = 1.0;       ///< metres of path per metre of fully useful track
+  double frontier = 0.325;  ///< ... per metre of new border; best in the study with kBottomTwice
+  /// `swath` is the ground's [m].
+  [[nodiscard]] GroundWorth Of(const NewSight& sight, double swath) const {
+    return {.useful = cover * sight.new_area / swath, .ragged = frontier * sight.frontier_growth};
+  }
+};
+
+/// What a path is worth, in metres of path (docs/references.md):
+///   U = cover newArea / swath - frontier dFrontier - length + sum value_i (1 - s_i / decay)
+///     + sum of what behaviors add.
 struct Objective {
-  double w_cover = 1.0;
-  double w_frontier = 0.325;  ///< best in the study with kBottomTwice
+  GroundRates ground;
   std::vector<Target> targets;
   double target_decay_m = 100.0;
+  std::vector<std::shared_ptr<const SearchTerm>> terms;  ///< of behaviors; never null
+
+  /// False if there is nothing to search for.
+  [[nodiscard]] bool SeeksAnything() const {
+    return ground.cover > 0.0 || !targets.empty() || !terms.empty();
+  }
 };
 
 /// The objective of a whole path from the present ground.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "limpet/planning/dubins_path.hpp"
 
@@ -9,10 +10,14 @@ namespace limpet {
 
 /// Something the vehicle could do next: a generator offers it, behaviors value it.
 struct Option {
-  std::string source;  ///< generator: beam, gap, tour, transit, home, view_tree
-  DubinsPath path;
+  std::string source;  ///< name of the generator (or behavior) that offers it, e.g. beam
+  DubinsPath path;     ///< what would be flown; NED
   /// What the generator itself thinks of it [m of path]: orders its offers, decides nothing.
   double estimate = 0.0;
+  /// For generators that plan single views instead of motions: where the images that count would be
+  /// taken, NED. The first is the end of `path`; the others are of what would follow. Empty: the
+  /// whole motion counts.
+  std::vector<Pose2> views{};
 };
 
 }  // namespace limpet

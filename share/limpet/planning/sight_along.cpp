@@ -170,18 +170,18 @@ void SightWorkspace::Replay(std::span<const Change> changes) {
   }
 }
 
-NewSight SightAlong::operator()(const DubinsPath& path) {
+void SightAlong::Follow() {
   if (version_ != ground_.version()) {
     workspace_.Reset(ground_);
     version_ = ground_.version();
   }
+}
+
+NewSight SightAlong::operator()(const DubinsPath& path) {
   NewSight gain;
-  Pose2 from = path.start();
-  for (const PathSegment& segment : path.segments()) {
-    gain += workspace_.Sweep(from, segment);
-    from = Advance(from, segment.curvature, segment.length);
-  }
-  workspace_.Rewind(0);
+  EachStep(path, [&gain](const Pose2&, const PathSegment&, double, const NewSight& seen) {
+    gain += seen;
+  });
   return gain;
 }
 

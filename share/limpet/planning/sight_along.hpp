@@ -81,7 +81,24 @@ class SightAlong {
       : ground_(ground), workspace_(ground), version_(ground.version()) {}
   [[nodiscard]] NewSight operator()(const DubinsPath& path);
 
+  /// Calls visit(from, segment, length before it, what it newly shows) for each segment of `path`.
+  template <class Visit>
+  void EachStep(const DubinsPath& path, Visit visit) {
+    Follow();
+    Pose2 from = path.start();
+    double before = 0.0;
+    for (const PathSegment& segment : path.segments()) {
+      visit(from, segment, before, workspace_.Sweep(from, segment));
+      from = Advance(from, segment.curvature, segment.length);
+      before += segment.length;
+    }
+    workspace_.Rewind(0);
+  }
+
  private:
+  /// Takes over the ground if it has changed.
+  void Follow();
+
   const Ground& ground_;
   SightWorkspace workspace_;
   std::uint64_t version_;

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "limpet/planning/home_path.hpp"
+
 namespace limpet {
 namespace {
 
@@ -39,6 +41,10 @@ std::optional<Option> TransitPath(const Pose2& start, const Region& region, Mete
   }
   const double length = best->length();
   return Option{.source = "transit", .path = *std::move(best), .estimate = -length};
+}
+
+bool LeadsInto(const Region& region, const Option& option) {
+  return !MayEndAnywhere(option) && region.Outside(option.path.end()) <= 0.0;
 }
 
 }  // namespace limpet

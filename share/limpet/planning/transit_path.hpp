@@ -15,4 +15,7 @@ namespace limpet {
 [[nodiscard]] std::optional<Option> TransitPath(const Pose2& start, const Region& region,
                                                 Meters turn_radius);
 
+/// Whether `option` ends inside: true of no way home, which may end anywhere.
+[[nodiscard]] bool LeadsInto(const Region& region, const Option& option);
+
 }  // namespace limpet

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <cstdint>
 #include <utility>
+
+#include "limpet/planning/path_valuer.hpp"
 
 namespace limpet {
 namespace {
@@ -19,7 +21,7 @@ struct View {
   double value = 0.0;                           ///< objective of the whole branch up to here [m]
   double length = 0.0;                          ///< of the whole branch [m]
   std::vector<SightWorkspace::Change> changes;  ///< what the edge shows beyond its ancestors
-  std::vector<bool> targets_seen;
+  std::vector<std::uint32_t> events;            ///< of the objective, that the edge brings
 };
 
 class Tree {
@@ -27,13 +29,11 @@ class Tree {
   Tree(const Pose2& start, const Ground& ground, const Region& region, const Objective& objective,
        const ViewTreeParams& params)
       : region_(region),
-        objective_(objective),
         params_(params),
         workspace_(ground),
-        swath_(ground.swath()) {
+        valuer_(objective, ground, start, params.nodes * params.max_edge.value()) {
     View root;
     root.edge = DubinsPath(start);
-    root.targets_seen.assign(objective.targets.size(), false);
     views_.push_back(std::move(root));
   }
 
@@ -126,40 +126,30 @@ class Tree {
   /// Value of the branch up to `index`, whose parent is up to date.
   void Evaluate(int index) {
     workspace_.Rewind(0);
+    valuer_.Rewind(0);
     for (const int view : BranchTo(At(index).parent)) {
       workspace_.Replay(At(view).changes);
+      valuer_.Replay(At(view).events);
     }
-    const std::size_t mark = workspace_.Mark();
+    const std::size_t changes = workspace_.Mark(), events = valuer_.Mark();
     View& view = At(index);
     const View& parent = At(view.parent);
-    NewSight gain;
+    view.value = parent.value;
+    view.length = parent.length;
     Pose2 from = view.edge.start();
     for (const PathSegment& segment : view.edge.segments()) {
-      gain += workspace_.Sweep(from, segment);
+      view.value += valuer_.Worth({.from = from,
+                                   .motion = segment,
+                                   .before = view.length,
+                                   .sight = workspace_.Sweep(from, segment)}) -
+                    segment.length;
+      view.length += segment.length;
       from = Advance(from, segment.curvature, segment.length);
     }
-    const auto changed = workspace_.changes().subspan(mark);
+    const auto changed = workspace_.changes().subspan(changes);
     view.changes.assign(changed.begin(), changed.end());
-    view.length = parent.length + view.edge.length();
-    view.targets_seen = parent.targets_seen;
-    view.value = parent.value + objective_.w_cover * gain.new_area / swath_ -
-                 objective_.w_frontier * gain.frontier_growth - view.edge.length() +
-                 SeeTargets(parent.length, view);
-  }
-
-  double SeeTargets(double length_before, View& view) const {
-    double value = 0.0;
-    for (std::size_t i = 0; i < objective_.targets.size(); ++i) {
-      const Target& target = objective_.targets[i];
-      view.edge.Sample(SightWorkspace::kStep, [&](const Pose2& pose, double s) {
-        if (!view.targets_seen[i] && target.IsSeenFrom(pose)) {
-          view.targets_seen[i] = true;
-          value +=
-              target.value * std::max(0.0, 1.0 - (length_before + s) / objective_.target_decay_m);
-        }
-      });
-    }
-    return value;
+    const auto happened = valuer_.EventsSince(events);
+    view.events.assign(happened.begin(), happened.end());
   }
 
   /// Hangs views near `index` below it where that makes their branch worth more. Every view below a
@@ -197,10 +187,9 @@ class Tree {
   }
 
   const Region& region_;
-  const Objective& objective_;
   const ViewTreeParams& params_;
   SightWorkspace workspace_;
-  double swath_;
+  PathValuer valuer_;
   std::vector<View> views_;
 };
 

@@ -21,7 +21,7 @@ struct ViewTreeParams {
   int offers = 5;
 };
 
-/// The paper's tree of views (Algorithms 2-4, with the corrections of paper.md section 5): views
+/// The tree of views of [Bucci 2025] (Algorithms 2-4, corrected as docs/references.md says): views
 /// are sampled away from seen ground, joined by Dubins motions, rewired towards the better parent.
 /// Offers its best branches under `objective`. Deterministic for equal `random`.
 [[nodiscard]] std::vector<Option> ViewTree(const Pose2& start, const Ground& ground,

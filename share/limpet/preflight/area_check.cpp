@@ -95,13 +95,20 @@ void CheckCells(const MissionReading& reading, const SurveyFacts& survey, Missio
   }
 }
 
-/// Where one object is in one session, against what the mission surveys.
+/// An object in one session.
+struct ObjectPlace {
+  const ScenarioOpi& opi;
+  const std::string& session;
+  Eigen::Vector3d p_W;  ///< [m]
+};
+
+/// Where an object is, against what the mission surveys.
 void CheckPlace(const MissionReading& reading, const SurveyFacts& survey, const Seabed& seabed,
-                const ScenarioOpi& opi, const std::string& session, const Eigen::Vector3d& place,
-                MissionProblems& found) {
+                const ObjectPlace& object, MissionProblems& found) {
+  const auto& [opi, session, place] = object;
   const SourceLine where = reading.InScenario(opi.name);
   const auto refuse = [&](const std::string& text) {
-    found.geometry.push_back({where, opi.name, session + " " + text});
+    found.geometry.push_back({where, object.opi.name, object.session + " " + text});
   };
   const SurveyArea& area = survey.area;
   if (survey.Outside(place.x(), place.y()) > 0.0) {
@@ -139,7 +146,7 @@ void CheckObjects(const MissionReading& reading, const SurveyFacts& survey,
   const Seabed seabed(reading.scenario()->seabed);
   for (const ScenarioOpi& opi : reading.scenario()->opis) {
     for (const auto& [session, place] : opi.places) {
-      if (place) CheckPlace(reading, survey, seabed, opi, session, *place, found);
+      if (place) CheckPlace(reading, survey, seabed, {opi, session, *place}, found);
     }
   }
 }

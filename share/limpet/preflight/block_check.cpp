@@ -2,10 +2,12 @@
 // The blocks of Limpet's apps and behaviors, each for itself.
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "limpet/helm/behavior_host.hpp"
+#include "limpet/helm/generator_registry.hpp"
 #include "limpet/helm/motion_domain.hpp"
 #include "limpet/preflight/checks.hpp"
 
@@ -23,6 +25,16 @@ void CheckDomain(const MissionReading& reading, const LaunchedApp& helm, Mission
   }
   MotionDomain domain;
   if (!lines.empty()) Append(ReadMotionDomain(lines, helm.block.where, domain), found.syntax);
+}
+
+void CheckGenerators(const MissionReading& reading, MissionProblems& found) {
+  const std::optional<Setting> names = reading.Find("pHelm", "generators");
+  if (!names || names->is_default) return;
+  for (const std::string& name : NamesOfGenerators(names->text)) {
+    if (!GeneratorRegistry().contains(name)) {
+      found.syntax.push_back({names->where, names->key, UnknownGenerator(name)});
+    }
+  }
 }
 
 /// Of lines that set one parameter twice, the last counts.
@@ -48,7 +60,10 @@ void CheckBlocks(const MissionReading& reading, MissionProblems& found) {
   for (const LaunchedApp& app : reading.apps()) {
     Append(app.entry->check(app.block), found.syntax);
     NoteRepeats(app, found);
-    if (app.process == "pHelm") CheckDomain(reading, app, found);
+    if (app.process == "pHelm") {
+      CheckDomain(reading, app, found);
+      CheckGenerators(reading, found);
+    }
   }
   for (const auto& [name, entry] : AppRegistry()) {
     const ConfigBlock* block = reading.mission().Block(name);
@@ -67,7 +82,7 @@ void CheckBehaviors(const MissionReading& reading, MissionProblems& found) {
     }
   }
   try {
-    const BehaviorHost host(reading.behavior_files(), {});
+    const BehaviorHost host(reading.behavior_files());
   } catch (const ConfigError& error) {
     Append(error.problems(), found.syntax);
   }

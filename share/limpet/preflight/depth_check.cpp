@@ -124,14 +124,20 @@ void CheckDive(const MissionReading& reading, const SurveyFacts& survey, const S
   }
 }
 
+/// One variable of the helm's domain.
+struct DomainRange {
+  const char* variable;
+  double low, high;
+};
+
 /// What behaviors ask for must be in the domain, or the helm asks for something else.
 void CheckDomainOf(const MissionReading& reading, const char* type, const char* key,
-                   const char* variable, double low, double high, MissionProblems& found) {
+                   const DomainRange& range, MissionProblems& found) {
   for (const Setting& wanted : reading.OfBehaviors(type, key)) {
-    if (wanted.number() < low || wanted.number() > high) {
-      found.geometry.push_back(wanted.Refuse(
-          fmt::format("`{}` is outside of the helm's {}; allowed: {:g} to {:g} {}", wanted.text,
-                      DomainLine(reading, variable).Named(), low, high, wanted.unit)));
+    if (wanted.number() < range.low || wanted.number() > range.high) {
+      found.geometry.push_back(wanted.Refuse(fmt::format(
+          "`{}` is outside of the helm's {}; allowed: {:g} to {:g} {}", wanted.text,
+          DomainLine(reading, range.variable).Named(), range.low, range.high, wanted.unit)));
     }
   }
 }
@@ -142,12 +148,13 @@ void CheckMotion(const MissionReading& reading, MissionProblems& found) {
   if (!reading.Launches("pHelm")) return;
   const MotionDomain domain = DomainOf(reading);
   const auto speed = [&](const char* type) {
-    CheckDomainOf(reading, type, "speed_mps", "speed", domain.speed_low, domain.speed_high, found);
+    CheckDomainOf(reading, type, "speed_mps", {"speed", domain.speed_low, domain.speed_high},
+                  found);
   };
   speed("BHV_FollowPath");
   speed("BHV_HoldStation");
-  CheckDomainOf(reading, "BHV_ConstantDepth", "depth", "depth", domain.depth_low, domain.depth_high,
-                found);
+  CheckDomainOf(reading, "BHV_ConstantDepth", "depth",
+                {"depth", domain.depth_low, domain.depth_high}, found);
   const std::vector<Setting> stations = reading.OfBehaviors("BHV_HoldStation", "speed_mps");
   const Setting line = DomainLine(reading, "speed");
   if (!stations.empty() && domain.speed_low > 0.0) {

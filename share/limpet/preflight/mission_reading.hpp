@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "limpet/app/registry.hpp"
-#include "limpet/core/camera_geometry.hpp"
+#include "limpet/core/camera_model.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/mission/behavior_file.hpp"
 #include "limpet/mission/mission_file.hpp"

@@ -123,7 +123,7 @@ MissionProblems CheckBehaviorFile(const fs::path& file) {
       found.syntax.push_back({{.file = file.string(), .line = 0}, "", "has no behavior"});
     }
     SetStrangersAside(behaviors, found);
-    const BehaviorHost host({behaviors}, {});
+    const BehaviorHost host({behaviors});
   } catch (const ConfigError& error) {
     Join(error.problems(), found.syntax);
   }

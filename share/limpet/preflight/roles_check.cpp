@@ -122,7 +122,7 @@ class Roles {
 /// Variables that conditions and modes read: without them a behavior never runs.
 Names ReadByConditions(const MissionReading& reading) {
   try {
-    const BehaviorHost host(reading.behavior_files(), {});
+    const BehaviorHost host(reading.behavior_files());
     const std::vector<std::string> variables = host.Variables();
     return {variables.begin(), variables.end()};
   } catch (const ConfigError&) {

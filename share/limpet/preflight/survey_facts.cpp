@@ -10,17 +10,15 @@
 namespace limpet {
 namespace {
 
-CameraGeometry CameraOf(const MissionReading& reading, const char* app) {
+CameraModel CameraOf(const MissionReading& reading, const char* app) {
   const auto number = [&](const char* key) {
     const auto setting = reading.Find(app, key);
     return setting ? setting->number() : 0.0;
   };
-  CameraGeometry camera;
-  camera.width_px = static_cast<int>(number("camera_width_px"));
-  camera.height_px = static_cast<int>(number("camera_height_px"));
-  camera.fov_across = RadiansFromDegrees(number("camera_fov_across_deg"));
-  camera.fov_along = RadiansFromDegrees(number("camera_fov_along_deg"));
-  return camera;
+  return CameraModel::FromFieldOfView(static_cast<int>(number("camera_width_px")),
+                                      static_cast<int>(number("camera_height_px")),
+                                      RadiansFromDegrees(number("camera_fov_across_deg")),
+                                      RadiansFromDegrees(number("camera_fov_along_deg")));
 }
 
 /// Half the width of the image that counts for the target [m].

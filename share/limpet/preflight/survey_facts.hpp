@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "limpet/core/camera_geometry.hpp"
+#include "limpet/core/camera_model.hpp"
 #include "limpet/planning/ground.hpp"
 #include "limpet/preflight/mission_reading.hpp"
 #include "limpet/topics/mission.hpp"
@@ -15,7 +15,7 @@ struct SurveyFacts {
   SurveyArea area;
   Setting north_min, north_max, east_min, east_max;
   Setting altitude, band;
-  CameraGeometry camera;
+  CameraModel camera;
   Setting speed;  ///< of the first BHV_FollowPath; 0 if there is none
   double turning_radius = 0.0;
 

@@ -57,7 +57,7 @@ void CheckPixels(const MissionReading& reading, const SurveyFacts& survey, Missi
   const auto radius = reading.Find("pMap", "object_radius_m");
   if (!radius) return;
   const double least_px = BoxModelConstants{}.least_radius_px;
-  const double focal_px = std::min(survey.camera.fx(), survey.camera.fy());
+  const double focal_px = std::min(survey.camera.fx, survey.camera.fy);
   const double radius_px = focal_px * radius->number() / survey.altitude.number();
   if (radius_px < least_px) {
     found.geometry.push_back(survey.altitude.Refuse(fmt::format(

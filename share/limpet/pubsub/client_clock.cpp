@@ -82,8 +82,8 @@ void ClientClock::TakeWelcome(const WireMessage& welcome, bool learns_warp) {
     skew = welcome.time - Own().value();  // the hello's time was of another warp
   }
   const std::optional<double> ahead = AheadOnThisMachine(welcome.source_aux);
-  const bool is_shared = ahead && std::abs(welcome.time / warp() - *ahead -
-                                           VehicleTime().value()) < kSameClock;
+  const bool is_shared =
+      ahead && std::abs(welcome.time / warp() - *ahead - VehicleTime().value()) < kSameClock;
   corrects_ = !is_shared && welcome.source_aux != "hostname=" + HostName();
   skew_ = is_shared ? *ahead * warp() : corrects_ ? skew : 0.0;
   latest_ = kLongAgo;

@@ -22,7 +22,7 @@ double Rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 /// A frame that may go on, and the last altitude heard until then.
 struct View {
-  const Sight* sight = nullptr;
+  const ObservedFrame* sight = nullptr;
   double altitude = 0.0;
   Seconds altitude_time;
 };
@@ -34,7 +34,7 @@ std::vector<View> MappingViews(const SessionMemory& memory) {
   std::optional<double> altitude;
   Seconds altitude_time;
   for (std::size_t i = 0; i < memory.sights.size(); ++i) {
-    const Sight& sight = memory.sights[i];
+    const ObservedFrame& sight = memory.sights[i];
     if (sight.altitude) {
       altitude = sight.altitude;
       altitude_time = sight.exposure;
@@ -46,27 +46,32 @@ std::vector<View> MappingViews(const SessionMemory& memory) {
   return views;
 }
 
-bool IsOneLook(const Sight& a, const Sight& b) {
-  return (a.pose().p_WB - b.pose().p_WB).norm() < kViewDistance &&
-         std::abs(WrapAngle(a.yaw - b.yaw)) < kViewTurn;
+bool IsOneLook(const ObservedFrame& a, const ObservedFrame& b) {
+  return (a.X_WB.p_WB - b.X_WB.p_WB).norm() < kViewDistance &&
+         std::abs(WrapAngle(a.X_WB.yaw - b.X_WB.yaw)) < kViewTurn;
 }
 
-bool IsListed(const SightedBox& box, const std::vector<int>& landmarks) {
+bool IsListed(const Box& box, const std::vector<int>& landmarks) {
   return box.landmark >= 0 && std::ranges::find(landmarks, box.landmark) != landmarks.end();
 }
 
 void AddView(const View& view, Seconds start, const std::vector<int>& landmarks,
              SessionPrior& prior) {
-  const Sight& sight = *view.sight;
-  const Pose pose = sight.pose();
-  prior.views.push_back({Rounded((sight.exposure - start).value()), Rounded(pose.p_WB.x()),
-                         Rounded(pose.p_WB.y()), Rounded(pose.p_WB.z()), Rounded(pose.roll),
-                         Rounded(pose.pitch), Rounded(pose.yaw), Rounded(view.altitude),
-                         Rounded((sight.exposure - view.altitude_time).value())});
-  for (const SightedBox& box : sight.boxes) {
+  const ObservedFrame& sight = *view.sight;
+  const Pose& pose = sight.X_WB;
+  FormerView former{
+      .frame = {.frame = sight.frame,
+                .exposure = Seconds(Rounded((sight.exposure - start).value())),
+                .X_WB = {pose.p_WB.unaryExpr(&Rounded), Rounded(pose.roll), Rounded(pose.pitch),
+                         Rounded(pose.yaw)},
+                .altitude = Rounded(view.altitude)},
+      .altitude_age = Seconds(Rounded((sight.exposure - view.altitude_time).value()))};
+  for (const Box& box : sight.boxes) {
     if (IsListed(box, landmarks)) continue;
-    prior.boxes.push_back({static_cast<int>(prior.views.size()) - 1, box.box});
+    former.frame.boxes.push_back(box);
+    former.frame.boxes.back().landmark = -1;  // of none that is handed on
   }
+  prior.views.push_back(std::move(former));
 }
 
 }  // namespace
@@ -78,10 +83,9 @@ void AddFormerViews(const SessionMemory& memory, const std::vector<int>& landmar
     bool has_stranger = false;
     for (end = first; end < views.size() && IsOneLook(*views[first].sight, *views[end].sight);
          ++end) {
-      has_stranger =
-          has_stranger || !std::ranges::all_of(views[end].sight->boxes, [&](const SightedBox& box) {
-            return IsListed(box, landmarks);
-          });
+      has_stranger = has_stranger ||
+                     !std::ranges::all_of(views[end].sight->boxes,
+                                          [&](const Box& box) { return IsListed(box, landmarks); });
     }
     const std::size_t kept = has_stranger ? end : first + 1;
     for (std::size_t i = first; i < kept; ++i) {

@@ -11,7 +11,7 @@
 
 namespace limpet {
 
-/// Fills in `views` and `boxes` of `prior`: the frames of dive, survey and return, thinned to one
+/// Fills in `views` of `prior`: the frames of dive, survey and return, thinned to one
 /// per look. Looks with a box that is none of `landmarks`' are kept whole: there something was
 /// seen that the session did not list.
 void AddFormerViews(const SessionMemory& memory, const std::vector<int>& landmarks,

@@ -21,28 +21,16 @@ constexpr const char* kPhases = "phases.csv";
 constexpr const char* kMap = "map.ot";
 constexpr std::string_view kMission = "mission/";
 
-/// Numbers in the lower triangle of a joint covariance.
-std::size_t LowerTriangleSize(std::size_t landmarks) {
-  return 3 * landmarks * (3 * landmarks + 1) / 2;
-}
-
 /// The rows of `joint` that belong to these landmarks; empty if one of them is not in it.
-std::vector<double> JointOf(const std::vector<int>& landmarks, const LandmarkJoint& joint) {
-  std::vector<std::size_t> rows;
+Eigen::MatrixXd JointOf(const std::vector<int>& landmarks, const LandmarkJoint& joint) {
+  std::vector<Eigen::Index> rows;
   for (const int landmark : landmarks) {
     const auto found = std::ranges::find(joint.ids, landmark);
     if (found == joint.ids.end()) return {};
-    const auto first = static_cast<std::size_t>(3 * (found - joint.ids.begin()));
+    const Eigen::Index first = 3 * (found - joint.ids.begin());
     rows.insert(rows.end(), {first, first + 1, first + 2});
   }
-  std::vector<double> lower;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      const auto [small, great] = std::minmax(rows[i], rows[j]);
-      lower.push_back(joint.lower[great * (great + 1) / 2 + small]);
-    }
-  }
-  return lower;
+  return joint.cov_W(rows, rows);
 }
 
 const std::string* Find(const SessionFiles& files, const char* name) {
@@ -92,7 +80,7 @@ Expected<SessionMemory> MemoryOf(const SessionFiles& files) {
   memory.objects = *beliefs;
   if (const std::string* text = Find(files, kLandmarks)) {
     const std::optional<LandmarkJoint> joint = TopicCodec<LandmarkJoint>::Decode(*text);
-    if (!joint || joint->lower.size() != LowerTriangleSize(joint->ids.size())) {
+    if (!joint || joint->cov_W.rows() != static_cast<Eigen::Index>(3 * joint->ids.size())) {
       return Error{std::string(kLandmarks) + ": not a joint covariance of landmarks"};
     }
     memory.landmarks = *joint;
@@ -107,7 +95,7 @@ Expected<SessionMemory> MemoryOf(const SessionFiles& files) {
     memory.phases = *std::move(phases);
   }
   if (const std::string* text = Find(files, kSights)) {
-    Expected<std::vector<Sight>> sights = SightsFromCsv(*text);
+    Expected<std::vector<ObservedFrame>> sights = SightsFromCsv(*text);
     if (!sights) return Error{std::string(kSights) + ": " + sights.error().text};
     memory.sights = *std::move(sights);
   }
@@ -136,16 +124,14 @@ SessionPrior PriorOf(const SessionFacts& facts, const SessionMemory& memory) {
   prior.session = facts.session;
   std::vector<int> landmarks;
   for (const OpiBelief& opi : memory.objects.opis) {
-    if (opi.landmark < 0 || opi.probability < kLikely) continue;
+    if (opi.landmark < 0 || opi.posterior.present() < kLikely) continue;
     landmarks.push_back(opi.landmark);
     prior.opis.push_back({.id = opi.id,
-                          .ned = opi.ned,
-                          .cov = opi.cov,
-                          .color = opi.color,
+                          .object = opi.object,
                           .log_likelihood_ratio = opi.log_likelihood_ratio,
                           .looks = opi.looks});
   }
-  prior.joint = JointOf(landmarks, memory.landmarks);
+  prior.joint_cov_W = JointOf(landmarks, memory.landmarks);
   AddFormerViews(memory, landmarks, prior);
   return prior;
 }

@@ -27,10 +27,10 @@ struct SessionMemory {
   OpiBeliefs objects;
   /// All landmarks as pNav had them when `objects` were judged; nothing in an older session.
   std::optional<Landmarks> known_landmarks;
-  LandmarkJoint landmarks;         ///< of the objects' landmarks; empty if never heard
-  std::vector<Sight> sights;       ///< every frame with its pose and boxes
-  std::vector<PhaseStart> phases;  ///< in order; before the first one none was announced
-  std::string map;                 ///< the semantic octree as MAP_SNAPSHOT; empty if none
+  LandmarkJoint landmarks;            ///< of the objects' landmarks; empty if never heard
+  std::vector<ObservedFrame> sights;  ///< every frame with its pose and boxes
+  std::vector<PhaseStart> phases;     ///< in order; before the first one none was announced
+  std::string map;                    ///< the semantic octree as MAP_SNAPSHOT; empty if none
   std::map<std::string, std::string> mission;  ///< the mission's own files
 };
 

@@ -14,10 +14,9 @@ constexpr std::string_view kHeader =
 constexpr std::size_t kColumns = 10;
 constexpr std::size_t kBoxFields = 7;
 
-std::string BoxText(const SightedBox& sighted) {
-  const Box& box = sighted.box;
+std::string BoxText(const Box& box) {
   return fmt::format("{:.2f}:{:.2f}:{:.2f}:{:.2f}:{:.4f}:{}:{}", box.u, box.v, box.w, box.h,
-                     box.confidence, box.color, sighted.landmark);
+                     box.confidence, box.color, box.landmark);
 }
 
 /// Reads numbers until one is bad.
@@ -34,7 +33,7 @@ class NumberReader {
   bool is_good_ = true;
 };
 
-std::optional<SightedBox> ParseBox(std::string_view text) {
+std::optional<Box> ParseBox(std::string_view text) {
   const std::vector<std::string> fields = Split(text, ':');
   if (fields.size() != kBoxFields) return std::nullopt;
   NumberReader number;
@@ -43,40 +42,40 @@ std::optional<SightedBox> ParseBox(std::string_view text) {
                 .w = number(fields[2]),
                 .h = number(fields[3]),
                 .confidence = number(fields[4]),
-                .color = fields[5]};
-  const auto landmark = static_cast<int>(number(fields[6]));
-  return number.is_good() ? std::optional<SightedBox>({box, landmark}) : std::nullopt;
+                .color = fields[5],
+                .landmark = static_cast<int>(number(fields[6]))};
+  return number.is_good() ? std::optional<Box>(box) : std::nullopt;
 }
 
-std::optional<Sight> ParseRow(std::string_view row) {
+std::optional<ObservedFrame> ParseRow(std::string_view row) {
   const std::vector<std::string> fields = Split(row, ',');
   if (fields.size() != kColumns) return std::nullopt;
   NumberReader number;
-  Sight sight;
+  ObservedFrame sight;
   sight.frame = static_cast<int>(number(fields[0]));
   sight.exposure = Seconds(number(fields[1]));
-  sight.ned = {number(fields[2]), number(fields[3]), number(fields[4])};
-  sight.roll = number(fields[5]);
-  sight.pitch = number(fields[6]);
-  sight.yaw = number(fields[7]);
+  sight.X_WB.p_WB = {number(fields[2]), number(fields[3]), number(fields[4])};
+  sight.X_WB.roll = number(fields[5]);
+  sight.X_WB.pitch = number(fields[6]);
+  sight.X_WB.yaw = number(fields[7]);
   if (!fields[8].empty()) sight.altitude = number(fields[8]);
   for (const std::string& text : Split(fields[9], ' ')) {
     if (text.empty()) continue;
-    const std::optional<SightedBox> box = ParseBox(text);
+    const std::optional<Box> box = ParseBox(text);
     if (!box) return std::nullopt;
     sight.boxes.push_back(*box);
   }
-  return number.is_good() ? std::optional<Sight>(std::move(sight)) : std::nullopt;
+  return number.is_good() ? std::optional<ObservedFrame>(std::move(sight)) : std::nullopt;
 }
 
 }  // namespace
 
-std::string SightsToCsv(const std::vector<Sight>& sights) {
+std::string SightsToCsv(const std::vector<ObservedFrame>& sights) {
   std::string text = std::string(kHeader) + "\n";
-  for (const Sight& sight : sights) {
+  for (const ObservedFrame& sight : sights) {
     fmt::format_to(std::back_inserter(text), "{},{:.3f},{:.4f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f},",
-                   sight.frame, sight.exposure.value(), sight.ned[0], sight.ned[1], sight.ned[2],
-                   sight.roll, sight.pitch, sight.yaw);
+                   sight.frame, sight.exposure.value(), sight.X_WB.p_WB.x(), sight.X_WB.p_WB.y(),
+                   sight.X_WB.p_WB.z(), sight.X_WB.roll, sight.X_WB.pitch, sight.X_WB.yaw);
     text += sight.altitude ? fmt::format("{:.4f},", *sight.altitude) : ",";
     for (std::size_t i = 0; i < sight.boxes.size(); ++i) {
       text += (i > 0 ? " " : "") + BoxText(sight.boxes[i]);
@@ -86,15 +85,15 @@ std::string SightsToCsv(const std::vector<Sight>& sights) {
   return text;
 }
 
-Expected<std::vector<Sight>> SightsFromCsv(std::string_view text) {
-  std::vector<Sight> sights;
+Expected<std::vector<ObservedFrame>> SightsFromCsv(std::string_view text) {
+  std::vector<ObservedFrame> sights;
   const std::vector<std::string> rows = Split(text, '\n');
   if (rows.front() != kHeader) {
     return Error{"line 1: not the header of a list of frames"};
   }
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (rows[i].empty()) continue;
-    std::optional<Sight> sight = ParseRow(rows[i]);
+    std::optional<ObservedFrame> sight = ParseRow(rows[i]);
     if (!sight) {
       return Error{fmt::format("line {}: not a frame", i + 1)};
     }

@@ -34,16 +34,16 @@ double DetectionModel::Detects(double range, double share) const {
   return best * contrast * inside;
 }
 
-double VisibleShare(const CameraGeometry& camera, const Pose& X_WB, const Eigen::Vector3d& p_W,
+double VisibleShare(const CameraModel& camera, const Pose& X_WB, const Eigen::Vector3d& p_W,
                     double radius) {
   const Eigen::Vector3d p_C = camera.InCamera(X_WB, p_W);
   if (p_C.z() < 0.1) {
     return 0.0;
   }
-  const double u = camera.cx() + camera.fx() * p_C.x() / p_C.z();
-  const double v = camera.cy() + camera.fy() * p_C.y() / p_C.z();
-  const double radius_u = camera.fx() * radius / p_C.z();
-  const double radius_v = camera.fy() * radius / p_C.z();
+  const double u = camera.cx + camera.fx * p_C.x() / p_C.z();
+  const double v = camera.cy + camera.fy * p_C.y() / p_C.z();
+  const double radius_u = camera.fx * radius / p_C.z();
+  const double radius_v = camera.fy * radius / p_C.z();
   int inside = 0;
   for (int i = 0; i < kDiscPoints; ++i) {
     const Eigen::Vector2d offset = DiscPoint(i);

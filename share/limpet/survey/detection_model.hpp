@@ -3,14 +3,14 @@
 
 #include <Eigen/Core>
 
-#include "limpet/core/camera_geometry.hpp"
+#include "limpet/core/camera_model.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/core/units.hpp"
 
 namespace limpet {
 
 /// How well the detector sees: the chance that one frame shows a box for an object that is there,
-/// and for a place where there is none. `paper.md` sections 3 (miss) and 4.
+/// and for a place where there is none. docs/references.md, "Change posterior".
 struct DetectionModel {
   double best = 0.97;             ///< chance per frame close by and wholly inside the image
   Meters visibility{8.0};         ///< range at which contrast is gone
@@ -41,7 +41,7 @@ struct DetectionModel {
 
 /// Share of a sphere's disc (centre p_W, NED, radius [m]) that lies inside the image; 0 behind the
 /// camera.
-[[nodiscard]] double VisibleShare(const CameraGeometry& camera, const Pose& X_WB,
+[[nodiscard]] double VisibleShare(const CameraModel& camera, const Pose& X_WB,
                                   const Eigen::Vector3d& p_W, double radius);
 
 }  // namespace limpet

@@ -19,8 +19,8 @@ double ChanceToDetect(const LookModel& model, const Pose& X_WB, const Eigen::Vec
 }
 
 std::optional<LookWindow> LookWindowAbove(const LookModel& model, double drop, double slack) {
-  const double along = drop * std::tan(0.5 * model.camera.fov_along);
-  const double across = drop * std::tan(0.5 * model.camera.fov_across);
+  const double along = drop * model.camera.half_along();
+  const double across = drop * model.camera.half_across();
   // The chance falls towards the corners; so where the corners are looked at, all within them is.
   const auto is_look = [&](double scale) {
     for (const double x : {-scale * along, scale * along}) {
@@ -49,8 +49,8 @@ std::optional<LookWindow> LookWindowAbove(const LookModel& model, double drop, d
 }
 
 MapLook ToMapLook(const LookModel& model) {
-  return {.fov_across = model.camera.fov_across,
-          .fov_along = model.camera.fov_along,
+  return {.fov_across = model.camera.fov_across(),
+          .fov_along = model.camera.fov_along(),
           .width_px = model.camera.width_px,
           .height_px = model.camera.height_px,
           .best = model.detection.best,
@@ -62,10 +62,8 @@ MapLook ToMapLook(const LookModel& model) {
 
 LookModel ToLookModel(const MapLook& look) {
   LookModel model;
-  model.camera.fov_across = look.fov_across;
-  model.camera.fov_along = look.fov_along;
-  model.camera.width_px = look.width_px;
-  model.camera.height_px = look.height_px;
+  model.camera =
+      CameraModel::FromFieldOfView(look.width_px, look.height_px, look.fov_across, look.fov_along);
   model.detection.best = look.best;
   model.detection.visibility = Meters(look.visibility);
   model.detection.share_none = look.share_none;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "limpet/core/camera_geometry.hpp"
+#include "limpet/core/camera_model.hpp"
 #include "limpet/survey/detection_model.hpp"
 #include "limpet/topics/mapping.hpp"
 
@@ -14,7 +14,7 @@ namespace limpet {
 
 /// What judges a look: the camera, how well the detector sees, and how large the objects are.
 struct LookModel {
-  CameraGeometry camera;
+  CameraModel camera;
   DetectionModel detection;
   double object_radius = 0.5;  ///< [m]
 };

@@ -97,7 +97,7 @@ std::size_t SurveyGrid::Index(int row, int column) const {
          static_cast<std::size_t>(column);
 }
 
-void SurveyGrid::Observe(const Pose& X_WB, double altitude, const CameraGeometry& camera) {
+void SurveyGrid::Observe(const Pose& X_WB, double altitude, const CameraModel& camera) {
   if (!(altitude > 0.0)) {
     return;
   }

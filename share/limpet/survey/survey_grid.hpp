@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "limpet/core/camera_geometry.hpp"
+#include "limpet/core/camera_model.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
 
@@ -53,7 +53,7 @@ class SurveyGrid {
 
   /// Marks what the camera sees from `X_WB`. `altitude` [m] is the height of the body origin above
   /// the seabed; it stands in where the seabed's depth is not known.
-  void Observe(const Pose& X_WB, double altitude, const CameraGeometry& camera);
+  void Observe(const Pose& X_WB, double altitude, const CameraModel& camera);
   /// A point of the seabed (a DVL beam's end): moves the depth of the cells within
   /// `kSeabedReach` towards `down` [m].
   void SetSeabed(double north, double east, double down);

@@ -12,13 +12,13 @@ constexpr double kReliefShare = 0.1;
 
 }  // namespace
 
-ViewCone::ViewCone(const Pose& X_WB, const CameraGeometry& camera, double disc_inset)
+ViewCone::ViewCone(const Pose& X_WB, const CameraModel& camera, double disc_inset)
     : inset_(disc_inset) {
   const Eigen::Matrix3d R_WB = RotationOf(X_WB);
-  const Eigen::Matrix3d R_WC = R_WB * CameraGeometry::R_BC();
+  const Eigen::Matrix3d R_WC = R_WB * camera.R_BC;
   apex_ = X_WB.p_WB + R_WB * camera.p_BC;
-  const double across = std::tan(0.5 * camera.fov_across);
-  const double along = std::tan(0.5 * camera.fov_along);
+  const double across = camera.half_across();
+  const double along = camera.half_along();
   // In C: |x| <= across z and |y| <= along z.
   normals_ = {R_WC * Eigen::Vector3d(1.0, 0.0, across), R_WC * Eigen::Vector3d(-1.0, 0.0, across),
               R_WC * Eigen::Vector3d(0.0, 1.0, along), R_WC * Eigen::Vector3d(0.0, -1.0, along)};

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "limpet/core/camera_geometry.hpp"
+#include "limpet/core/camera_model.hpp"
 #include "limpet/topics/mapping.hpp"
 
 namespace limpet {
@@ -21,7 +21,7 @@ class ViewCone {
  public:
   /// `disc_inset` [m], horizontal for a level camera, is how far inside the image an object's
   /// centre must be.
-  ViewCone(const Pose& X_WB, const CameraGeometry& camera, double disc_inset);
+  ViewCone(const Pose& X_WB, const CameraModel& camera, double disc_inset);
 
   /// Greatest height above the seabed point `p_W` at which an object's centre would be well inside
   /// the image, at least 0; nothing if the seabed point itself is outside the image, or if the

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Every topic that travels as JSON, in the one translation unit that pays for the JSON library.
+#include <array>
+#include <utility>
+#include <vector>
+
 #include <nlohmann/json.hpp>
 
+#include "limpet/core/lower_triangle.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
@@ -28,22 +33,179 @@ struct adl_serializer<std::optional<double>> {
 
 namespace limpet {
 
+/// Which landmark it shows is said beside a box, where it is known.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Box, u, v, w, h, confidence, color)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Detections, frame, exposure, boxes)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Landmark, id, ned, cov, color, looks, is_confirmed, prior_id)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LandmarkJoint, ids, lower)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Landmarks, landmarks)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SightedBox, box, landmark)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Sight, frame, exposure, ned, roll, pitch, yaw, altitude, boxes)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TrackShift, steps)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChangePosterior, confirmed, removed, appeared, nothing)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OpiBelief, id, landmark, prior_id, ned, cov, centroid,
-                                   centroid_sd, color, probability, posterior, decided, looks,
-                                   entropy, log_likelihood_ratio)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StatusPosterior, confirmed, removed, appeared, nothing)
+
+nlohmann::json TripleOf(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+Eigen::Vector3d VectorFrom(const nlohmann::json& in) {
+  const auto v = in.get<std::array<double, 3>>();
+  return {v[0], v[1], v[2]};
+}
+
+/// Stands among the fields of whoever has it; the covariance as its upper triangle: nn, ne, nd, ee,
+/// ed, dd.
+void AddEstimate(const ObjectEstimate& object, nlohmann::json& out) {
+  const Eigen::Matrix3d& S = object.cov_W;
+  out["ned"] = TripleOf(object.p_W);
+  out["cov"] = {S(0, 0), S(0, 1), S(0, 2), S(1, 1), S(1, 2), S(2, 2)};
+  out["color"] = object.color;
+}
+
+ObjectEstimate EstimateFrom(const nlohmann::json& in) {
+  const auto cov = in.at("cov").get<std::array<double, 6>>();
+  ObjectEstimate object{.p_W = VectorFrom(in.at("ned")), .cov_W = {}, .color = in.at("color")};
+  object.cov_W << cov[0], cov[1], cov[2],  //
+      cov[1], cov[3], cov[4],              //
+      cov[2], cov[4], cov[5];
+  return object;
+}
+
+void to_json(nlohmann::json& out, const Landmark& landmark) {
+  out = {{"id", landmark.id},
+         {"looks", landmark.looks},
+         {"is_confirmed", landmark.is_confirmed},
+         {"prior_id", landmark.former_id.value_or(-1)}};
+  AddEstimate(landmark.object, out);
+}
+
+void from_json(const nlohmann::json& in, Landmark& landmark) {
+  const int former = in.at("prior_id");
+  landmark = {.id = in.at("id"),
+              .object = EstimateFrom(in),
+              .looks = in.at("looks"),
+              .is_confirmed = in.at("is_confirmed"),
+              .former_id = former < 0 ? std::nullopt : std::optional(former)};
+}
+
+/// Matrices that are none come as empty ones.
+Eigen::MatrixXd SymmetricFrom(const nlohmann::json& lower) {
+  return FromLowerTriangle(lower.get<std::vector<double>>()).value_or(Eigen::MatrixXd());
+}
+
+void to_json(nlohmann::json& out, const LandmarkJoint& joint) {
+  out = {{"ids", joint.ids}, {"lower", LowerTriangleOf(joint.cov_W)}};
+}
+
+void from_json(const nlohmann::json& in, LandmarkJoint& joint) {
+  in.at("ids").get_to(joint.ids);
+  joint.cov_W = SymmetricFrom(in.at("lower"));
+}
+
+/// `probability` and `entropy` follow from the posterior, and are written for those who read only
+/// them.
+void to_json(nlohmann::json& out, const OpiBelief& opi) {
+  out = {{"id", opi.id},
+         {"landmark", opi.landmark},
+         {"prior_id", opi.prior_id},
+         {"centroid", TripleOf(opi.centroid_W)},
+         {"centroid_sd", TripleOf(opi.centroid_sd)},
+         {"probability", opi.posterior.present()},
+         {"posterior", opi.posterior},
+         {"decided", NameOf(opi.decided)},
+         {"looks", opi.looks},
+         {"entropy", opi.posterior.Entropy()},
+         {"log_likelihood_ratio", opi.log_likelihood_ratio}};
+  AddEstimate(opi.object, out);
+}
+
+void from_json(const nlohmann::json& in, OpiBelief& opi) {
+  opi = {
+      .id = in.at("id"),
+      .landmark = in.at("landmark"),
+      .prior_id = in.at("prior_id"),
+      .object = EstimateFrom(in),
+      .log_likelihood_ratio = in.at("log_likelihood_ratio"),
+      .looks = in.at("looks"),
+      .posterior = in.at("posterior"),
+      .decided = StatusFromName(in.at("decided").get<std::string>()).value_or(Status::kUncertain),
+      .centroid_W = VectorFrom(in.at("centroid")),
+      .centroid_sd = VectorFrom(in.at("centroid_sd"))};
+}
+
+void to_json(nlohmann::json& out, const FormerObject& former) {
+  out = {{"id", former.id},
+         {"log_likelihood_ratio", former.log_likelihood_ratio},
+         {"looks", former.looks}};
+  AddEstimate(former.object, out);
+}
+
+void from_json(const nlohmann::json& in, FormerObject& former) {
+  former = {.id = in.at("id"),
+            .object = EstimateFrom(in),
+            .log_likelihood_ratio = in.at("log_likelihood_ratio"),
+            .looks = in.at("looks")};
+}
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Landmarks, landmarks)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OpiBeliefs, opis)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PriorOpi, id, ned, cov, color, log_likelihood_ratio, looks)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PriorBox, view, box)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SessionPrior, session, opis, views, boxes, map_parameters, joint)
+
+void to_json(nlohmann::json& out, const ObservedFrame& frame) {
+  const Pose& X_WB = frame.X_WB;
+  nlohmann::json boxes = nlohmann::json::array();
+  for (const Box& box : frame.boxes) {
+    boxes.push_back({{"box", box}, {"landmark", box.landmark}});
+  }
+  out = {{"frame", frame.frame},       {"exposure", frame.exposure}, {"ned", TripleOf(X_WB.p_WB)},
+         {"roll", X_WB.roll},          {"pitch", X_WB.pitch},        {"yaw", X_WB.yaw},
+         {"altitude", frame.altitude}, {"boxes", std::move(boxes)}};
+}
+
+void from_json(const nlohmann::json& in, ObservedFrame& frame) {
+  in.at("frame").get_to(frame.frame);
+  in.at("exposure").get_to(frame.exposure);
+  frame.X_WB = {VectorFrom(in.at("ned")), in.at("roll"), in.at("pitch"), in.at("yaw")};
+  in.at("altitude").get_to(frame.altitude);
+  for (const nlohmann::json& sighted : in.at("boxes")) {
+    frame.boxes.push_back(sighted.at("box").get<Box>());
+    sighted.at("landmark").get_to(frame.boxes.back().landmark);
+  }
+}
+
+/// A view is t [s], north, east, down [m], roll, pitch, yaw [rad], altitude [m] and its age [s];
+/// its boxes stand apart, each with the view's index.
+void to_json(nlohmann::json& out, const SessionPrior& prior) {
+  nlohmann::json views = nlohmann::json::array(), boxes = nlohmann::json::array();
+  for (const FormerView& view : prior.views) {
+    const ObservedFrame& frame = view.frame;
+    const Pose& X_WB = frame.X_WB;
+    for (const Box& box : frame.boxes) {
+      boxes.push_back({{"view", views.size()}, {"box", box}});
+    }
+    views.push_back({frame.exposure, X_WB.p_WB.x(), X_WB.p_WB.y(), X_WB.p_WB.z(), X_WB.roll,
+                     X_WB.pitch, X_WB.yaw, frame.altitude.value_or(0.0), view.altitude_age});
+  }
+  out = {{"session", prior.session},
+         {"opis", prior.opis},
+         {"views", std::move(views)},
+         {"boxes", std::move(boxes)},
+         {"map_parameters", prior.map_parameters},
+         {"joint", LowerTriangleOf(prior.joint_cov_W)}};
+}
+
+void from_json(const nlohmann::json& in, SessionPrior& prior) {
+  in.at("session").get_to(prior.session);
+  in.at("opis").get_to(prior.opis);
+  for (const auto& [t, north, east, down, roll, pitch, yaw, altitude, age] :
+       in.at("views").get<std::vector<std::array<double, 9>>>()) {
+    prior.views.push_back({.frame = {.exposure = Seconds(t),
+                                     .X_WB = {{north, east, down}, roll, pitch, yaw},
+                                     .altitude = altitude},
+                           .altitude_age = Seconds(age)});
+  }
+  for (const nlohmann::json& box : in.at("boxes")) {
+    const auto view = box.at("view").get<std::size_t>();
+    if (view < prior.views.size()) {  // text from another program may point anywhere
+      prior.views[view].frame.boxes.push_back(box.at("box").get<Box>());
+    }
+  }
+  in.at("map_parameters").get_to(prior.map_parameters);
+  prior.joint_cov_W = SymmetricFrom(in.at("joint"));
+}
+
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PathSegment, curvature, length)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmPath, id, north, east, yaw, segments, purpose)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OptionBid, behavior, value, weight, has_veto, why)
@@ -74,7 +236,7 @@ std::optional<T> JsonCodec<T>::Decode(const Value& value) {
 template struct JsonCodec<Detections>;
 template struct JsonCodec<Landmarks>;
 template struct JsonCodec<LandmarkJoint>;
-template struct JsonCodec<Sight>;
+template struct JsonCodec<ObservedFrame>;
 template struct JsonCodec<TrackShift>;
 template struct JsonCodec<OpiBeliefs>;
 template struct JsonCodec<SessionPrior>;

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "limpet/core/message.hpp"
-#include "limpet/topics/sensors.hpp"
+#include "limpet/objects/frame.hpp"
+#include "limpet/objects/object_estimate.hpp"
 #include "limpet/topics/topic.hpp"
 
 namespace limpet {
@@ -53,30 +54,6 @@ struct Coverage {
   }
 };
 
-/// The 4-way posterior of `paper.md` section 4; the four sum to one. In a discovery session only
-/// `appeared` and `nothing` are non-zero and mean "is there" and "is not".
-struct ChangePosterior {
-  double confirmed = 0.0, removed = 0.0, appeared = 0.0, nothing = 0.0;
-};
-
-/// An object of potential interest, as map and smoother together know it.
-struct OpiBelief {
-  int id = 0;                        ///< unique in the session
-  int landmark = -1;                 ///< NAV_LANDMARKS id, or -1 if only the former session knew it
-  int prior_id = -1;                 ///< id in SESSION_PRIOR, or -1
-  std::array<double, 3> ned{};       ///< smoother's position, else the former session's [m]
-  std::array<double, 6> cov{};       ///< as Landmark::cov
-  std::array<double, 3> centroid{};  ///< of the map's OPI voxels [m]
-  std::array<double, 3> centroid_sd{};  ///< their spread [m]
-  std::string color;
-  double probability = 0.0;  ///< that an object is there now
-  ChangePosterior posterior;
-  std::string decided;   ///< confirmed, removed, new, moved, uncertain; discovery: new or uncertain
-  int looks = 0;         ///< independent looks of this session, with or without a detection
-  double entropy = 0.0;  ///< of the posterior [nats]
-  /// Lambda of this session: ln P(looks | present) / P(looks | absent).
-  double log_likelihood_ratio = 0.0;
-};
 struct OpiBeliefs {
   std::vector<OpiBelief> opis;
 };
@@ -102,34 +79,17 @@ struct MapLook {
   }
 };
 
-/// An object that a former session found.
-struct PriorOpi {
-  int id = 0;
-  std::array<double, 3> ned{};
-  std::array<double, 6> cov{};
-  std::string color;
-  double log_likelihood_ratio =
-      0.0;  ///< Lambda of the former session: ln P(looks | present) / P(looks | absent)
-  int looks = 0;
-};
-/// A box that one of SessionPrior's views saw and that none of its objects owns.
-struct PriorBox {
-  int view = 0;  ///< index
-  Box box;
-};
 struct SessionPrior {
   std::string session;  ///< name of the former session
-  std::vector<PriorOpi> opis;
-  /// Where its map looked from: t [s], north, east, down [m], roll, pitch, yaw [rad], last altitude
-  /// heard [m] and its age [s]. Thinned to independent looks, but for looks with boxes that are
-  /// nobody's. Tells a new object from one that was never looked for.
-  std::vector<std::array<double, 9>> views;
-  std::vector<PriorBox> boxes;  ///< in order of `view`
+  std::vector<FormerObject> opis;
+  /// Where its map looked from, thinned to independent looks, but for looks with boxes that are
+  /// nobody's; only such boxes are kept. Tells a new object from one that was never looked for.
+  std::vector<FormerView> views;
   /// Keys and values of pMap's block in the former mission: its camera, and how well it saw. Empty
   /// if not known.
   std::vector<std::array<std::string, 2>> map_parameters;
-  /// Joint covariance of `opis`, as in LandmarkJoint; empty if the session did not keep it.
-  std::vector<double> joint;
+  /// Joint covariance of `opis` [m^2], three rows each; empty if the session did not keep it.
+  Eigen::MatrixXd joint_cov_W;
 };
 template <>
 struct TopicCodec<SessionPrior> : JsonCodec<SessionPrior> {};

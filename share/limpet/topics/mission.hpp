@@ -105,34 +105,24 @@ struct ThrusterCommand {
 }
 
 namespace topics {
-inline const auto kSurveyArea =
-    Declare<SurveyArea>("SURVEY_AREA", "area to cover",
-                        {.unit = "m",
-                         .frame = "NED",
-                         .rate = "once",
-                         .writers = {"pSurvey"},
-                         .is_command = true});
-inline const auto kSurveyHome =
-    Declare<HomePoint>("SURVEY_HOME", "where the vehicle started and returns to",
-                       {.unit = "m",
-                        .frame = "NED",
-                        .rate = "once",
-                        .writers = {"pSurvey"},
-                        .is_command = true});
+inline const auto kSurveyArea = Declare<SurveyArea>(
+    "SURVEY_AREA", "area to cover",
+    {.unit = "m", .frame = "NED", .rate = "once", .writers = {"pSurvey"}, .is_command = true});
+inline const auto kSurveyHome = Declare<HomePoint>(
+    "SURVEY_HOME", "where the vehicle started and returns to",
+    {.unit = "m", .frame = "NED", .rate = "once", .writers = {"pSurvey"}, .is_command = true});
 inline const auto kSurveyPhase =
     Declare<std::string>("SURVEY_PHASE", "IDLE, ALIGN, DIVE, SURVEY, RETURN, ASCEND, FIX, DONE",
                          {.rate = "on change", .writers = {"pSurvey"}});
-inline const auto kDeploy = Declare<bool>(
-    "DEPLOY", "start the mission",
-    {.rate = "on event", .writers = {"operator", "pHelm"}, .is_command = true});
-inline const auto kReturn = Declare<bool>(
-    "RETURN", "end the survey and go home",
-    {.rate = "on event", .writers = {"operator", "pHelm"}, .is_command = true});
-inline const auto kManualOverride =
-    Declare<bool>("MOOS_MANUAL_OVERRIDE", "true parks the helm",
-                  {.rate = "on event",
-                   .writers = {"operator", "pHelm", "pLaunch"},
-                   .is_command = true});
+inline const auto kDeploy =
+    Declare<bool>("DEPLOY", "start the mission",
+                  {.rate = "on event", .writers = {"operator", "pHelm"}, .is_command = true});
+inline const auto kReturn =
+    Declare<bool>("RETURN", "end the survey and go home",
+                  {.rate = "on event", .writers = {"operator", "pHelm"}, .is_command = true});
+inline const auto kManualOverride = Declare<bool>(
+    "MOOS_MANUAL_OVERRIDE", "true parks the helm",
+    {.rate = "on event", .writers = {"operator", "pHelm", "pLaunch"}, .is_command = true});
 inline const auto kHelmState =
     Declare<std::string>("IVPHELM_STATE", "DRIVE or PARK", {.rate = "10 Hz", .writers = {"pHelm"}});
 inline const auto kHelmAllStop = Declare<std::string>(
@@ -160,10 +150,7 @@ inline const auto kDesiredTurnRate = Declare<double>(
     {.unit = "rad/s", .frame = "starboard positive", .rate = "10 Hz", .writers = {"pHelm"}});
 inline const auto kThrusterCommand = Declare<ThrusterCommand>(
     "THRUSTER_COMMAND", "normalised thrust of each thruster, in the order of the vehicle file",
-    {.unit = "-1 to 1",
-     .frame = "body FRD",
-     .rate = "10 Hz",
-     .writers = {"pPilot", "pLaunch"}});
+    {.unit = "-1 to 1", .frame = "body FRD", .rate = "10 Hz", .writers = {"pPilot", "pLaunch"}});
 inline const auto kMissionEnd =
     Declare<std::string>("MISSION_END", "home, aborted, timeout or lost: the session is over",
                          {.rate = "once", .writers = {"pSurvey", "pLaunch"}});

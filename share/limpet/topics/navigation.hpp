@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "limpet/core/frames.hpp"
-#include "limpet/topics/sensors.hpp"
+#include "limpet/objects/frame.hpp"
+#include "limpet/objects/object_estimate.hpp"
 #include "limpet/topics/topic.hpp"
 
 namespace limpet {
@@ -73,51 +74,22 @@ struct DeadReckoning {
   }
 };
 
-/// An object as the smoother knows it.
-struct Landmark {
-  int id = 0;
-  std::array<double, 3> ned{};
-  std::array<double, 6>
-      cov{};  ///< upper triangle of the NED covariance [m^2]: nn, ne, nd, ee, ed, dd
-  std::string color;
-  int looks = 0;              ///< detections associated
-  bool is_confirmed = false;  ///< enough looks and parallax to be an object; tentative ones are not
-                              ///< published to users
-  int prior_id = -1;          ///< object of the former session it was matched with, or -1
-};
 struct Landmarks {
   std::vector<Landmark> landmarks;
 };
 template <>
 struct TopicCodec<Landmarks> : JsonCodec<Landmarks> {};
 
-/// Covariance of several landmarks' places together, NED [m^2]: the lower triangle, row by row,
-/// three rows per landmark in the order of `ids`.
+/// Covariance of several landmarks' places together.
 struct LandmarkJoint {
   std::vector<int> ids;
-  std::vector<double> lower;
+  Eigen::MatrixXd cov_W;  ///< NED [m^2], three rows per landmark in the order of `ids`
 };
 template <>
 struct TopicCodec<LandmarkJoint> : JsonCodec<LandmarkJoint> {};
 
-/// A box with the landmark it was associated with, or -1.
-struct SightedBox {
-  Box box;
-  int landmark = -1;
-};
-
-/// One camera frame with the pose at its exposure: all the map needs.
-struct Sight {
-  int frame = 0;
-  Seconds exposure;
-  std::array<double, 3> ned{};  ///< of the body
-  double roll = 0.0, pitch = 0.0, yaw = 0.0;
-  std::optional<double> altitude;  ///< of the body origin above the seabed [m]
-  std::vector<SightedBox> boxes;
-  [[nodiscard]] Pose pose() const { return {{ned[0], ned[1], ned[2]}, roll, pitch, yaw}; }
-};
 template <>
-struct TopicCodec<Sight> : JsonCodec<Sight> {};
+struct TopicCodec<ObservedFrame> : JsonCodec<ObservedFrame> {};
 
 /// How the smoother moved the way already travelled since it last said so: after a fix that ends a
 /// dive, or a loop closed. Landmarks move with it; so must whoever keeps poses of NAV_SIGHT.
@@ -184,7 +156,7 @@ inline const auto kNavLandmarks = Declare<Landmarks>(
 inline const auto kNavLandmarkJoint = Declare<LandmarkJoint>(
     "NAV_LANDMARK_JOINT", "joint covariance of all objects, for the saved session",
     {.unit = "m", .frame = "NED", .rate = "on MAP_SNAPSHOT_REQUEST", .writers = {"pNav"}});
-inline const auto kNavSight = Declare<Sight>(
+inline const auto kNavSight = Declare<ObservedFrame>(
     "NAV_SIGHT", "each camera frame, posed and associated",
     {.unit = "m, rad, px", .frame = "NED, body FRD, image", .rate = "4 Hz", .writers = {"pNav"}});
 inline const auto kNavTrackShift = Declare<TrackShift>(

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "limpet/core/message.hpp"
+#include "limpet/objects/frame.hpp"
 #include "limpet/topics/topic.hpp"
 
 namespace limpet {
@@ -74,19 +75,7 @@ struct TopicCodec<CameraFrame> {
   [[nodiscard]] static std::optional<CameraFrame> Decode(const Value& value);
 };
 
-/// A detector's box: centre and size in pixels.
-struct Box {
-  double u = 0.0, v = 0.0, w = 0.0, h = 0.0;
-  double confidence = 0.0;
-  std::string color;  ///< class: yellow, orange, green, ...
-};
-
-/// All boxes of one frame; sent for every frame, also when it shows nothing.
-struct Detections {
-  int frame = 0;
-  Seconds exposure;
-  std::vector<Box> boxes;
-};
+/// Sent for every frame, also when it shows nothing. Boxes have no `landmark` yet.
 template <>
 struct TopicCodec<Detections> : JsonCodec<Detections> {};
 

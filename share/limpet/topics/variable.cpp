@@ -8,17 +8,17 @@
 namespace limpet {
 namespace {
 
-std::map<std::string, Variable>& Catalog() {
+std::map<std::string, Variable>& VariableStore() {
   static std::map<std::string, Variable> catalog;
   return catalog;
 }
 
 }  // namespace
 
-const std::map<std::string, Variable>& VariableCatalog() { return Catalog(); }
+const std::map<std::string, Variable>& VariableCatalog() { return VariableStore(); }
 
 void AddToVariableCatalog(Variable variable) {
-  const bool is_new = Catalog().try_emplace(variable.name, variable).second;
+  const bool is_new = VariableStore().try_emplace(variable.name, variable).second;
   LIMPET_REQUIRE(is_new, "a variable is declared twice");
 }
 

@@ -33,9 +33,6 @@ class EventMonitor {
   /// Crosses guard `index` to the other condition.
   VehicleEvent Cross(int index);
 
-  [[nodiscard]] bool is_surfaced() const { return is_surfaced_; }
-  [[nodiscard]] bool is_at_bottom() const { return is_at_bottom_; }
-
  private:
   const VehicleModel* model_;
   bool is_surfaced_;

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "limpet/core/camera_geometry.hpp"
+#include "limpet/core/camera_model.hpp"
 #include "limpet/core/frames.hpp"
 #include "limpet/core/random.hpp"
 #include "limpet/topics/sensors.hpp"
@@ -45,7 +45,7 @@ struct BoxModelConstants {
 class BoxModel {
  public:
   struct Settings {
-    CameraGeometry camera;
+    CameraModel camera;
     double visibility_m = 8.0;
     double false_boxes_per_image = 0.01;
     BoxModelConstants constants;

@@ -92,19 +92,19 @@ SceneRenderer::SceneRenderer(const SceneSettings& settings)
 }
 
 float SceneRenderer::Vignette(double u, double v) const {
-  const CameraGeometry& camera = settings_.camera;
-  const double du = u - camera.cx();
-  const double dv = v - camera.cy();
-  const double corner2 = camera.cx() * camera.cx() + camera.cy() * camera.cy();
+  const CameraModel& camera = settings_.camera;
+  const double du = u - camera.cx;
+  const double dv = v - camera.cy;
+  const double corner2 = camera.cx * camera.cx + camera.cy * camera.cy;
   return static_cast<float>(1.0 - kVignetteAtCorner * (du * du + dv * dv) / corner2);
 }
 
 void SceneRenderer::FillNode(const View& view, int column, int row, double& distance) {
-  const CameraGeometry& camera = settings_.camera;
+  const CameraModel& camera = settings_.camera;
   const double u = column * kBlock;
   const double v = row * kBlock;
-  const Eigen::Vector3d ray = view.R_WC * Eigen::Vector3d((u - camera.cx()) / camera.fx(),
-                                                          (v - camera.cy()) / camera.fy(), 1.0);
+  const Eigen::Vector3d ray =
+      view.R_WC * Eigen::Vector3d((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0);
   // Newton steps from the neighbour's distance (in units of the ray) to the relief.
   constexpr double kFarthest = 60.0;
   SeabedRelief::Surface ground;
@@ -266,11 +266,11 @@ void SceneRenderer::AddSpecks(std::uint32_t frame, Image& image) const {
 
 Image SceneRenderer::Render(const Pose& X_WB, std::span<const Sphere> spheres,
                             std::uint32_t frame) {
-  const CameraGeometry& camera = settings_.camera;
+  const CameraModel& camera = settings_.camera;
   const Eigen::Matrix3d R_WB = RotationOf(X_WB);
   const Eigen::Vector3d p_W = X_WB.p_WB + R_WB * camera.p_BC;
   constexpr double kTile = SeabedTexture::kSize / SeabedTexture::kTexelsPerMeter;
-  const View view{.R_WC = R_WB * CameraGeometry::R_BC(),
+  const View view{.R_WC = R_WB * camera.R_BC,
                   .p_W = p_W,
                   .origin_north = kTile * std::floor(p_W.x() / kTile),
                   .origin_east = kTile * std::floor(p_W.y() / kTile)};
@@ -288,8 +288,7 @@ Image SceneRenderer::Render(const Pose& X_WB, std::span<const Sphere> spheres,
   image.bgr.resize(row_bytes * static_cast<std::size_t>(camera.height_px));
   LinearRow linear;
   linear.fill(std::vector<float>(brightness_.size()));
-  const double vignette_curve =
-      kVignetteAtCorner / (camera.cx() * camera.cx() + camera.cy() * camera.cy());
+  const double vignette_curve = kVignetteAtCorner / (camera.cx * camera.cx + camera.cy * camera.cy);
   for (int row = 0; row < camera.height_px; ++row) {
     SampleSeabedRow(row);
     ShadeSeabedRow(linear);

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "limpet/core/camera_geometry.hpp"
+#include "limpet/core/camera_model.hpp"
 #include "limpet/core/frames.hpp"
 #include "limpet/vision/image.hpp"
 #include "limpet/vision/linear_row.hpp"
@@ -20,7 +20,7 @@
 namespace limpet {
 
 struct SceneSettings {
-  CameraGeometry camera;
+  CameraModel camera;
   SeabedDepthFunction seabed_depth;  ///< [m] at (north, east) [m]; smooth over 0.25 m
   double visibility_m = 8.0;
   std::uint64_t seabed_seed = 1;  ///< of texture and patches: the same place in every session

@@ -26,7 +26,7 @@ std::optional<std::pair<double, double>> TangentSlopes(double across, double ahe
 }
 
 /// Fills in the visible part's rectangle and share by chords of equally spaced rows.
-void ClipToImage(const CameraGeometry& camera, const Eigen::Vector3d& p_C, double radius,
+void ClipToImage(const CameraModel& camera, const Eigen::Vector3d& p_C, double radius,
                  SphereImage& image) {
   constexpr int kRows = 128;
   const PixelRect& outline = image.outline;
@@ -69,10 +69,10 @@ double Overlap(const PixelRect& a, const PixelRect& b) {
   return any > 0.0 ? both / any : 0.0;
 }
 
-std::optional<Chord> ChordOfSphere(const CameraGeometry& camera, const Eigen::Vector3d& p_C,
+std::optional<Chord> ChordOfSphere(const CameraModel& camera, const Eigen::Vector3d& p_C,
                                    double radius, double v_px) {
   // A ray d = (x, y, 1) touches where (d.c)^2 = |d|^2 (|c|^2 - r^2): quadratic in x for fixed y.
-  const double y = (v_px - camera.cy()) / camera.fy();
+  const double y = (v_px - camera.cy) / camera.fy;
   const double k = p_C.squaredNorm() - radius * radius;
   const double q = y * p_C.y() + p_C.z();
   const double a = p_C.x() * p_C.x() - k;
@@ -83,11 +83,10 @@ std::optional<Chord> ChordOfSphere(const CameraGeometry& camera, const Eigen::Ve
     return std::nullopt;
   }
   const double root = std::sqrt(discriminant);
-  return Chord{camera.cx() + camera.fx() * (-b + root) / a,
-               camera.cx() + camera.fx() * (-b - root) / a};
+  return Chord{camera.cx + camera.fx * (-b + root) / a, camera.cx + camera.fx * (-b - root) / a};
 }
 
-std::optional<SphereImage> ImageOfSphere(const CameraGeometry& camera, const Eigen::Vector3d& p_C,
+std::optional<SphereImage> ImageOfSphere(const CameraModel& camera, const Eigen::Vector3d& p_C,
                                          double radius) {
   const auto across = TangentSlopes(p_C.x(), p_C.z(), radius);
   const auto along = TangentSlopes(p_C.y(), p_C.z(), radius);
@@ -96,9 +95,8 @@ std::optional<SphereImage> ImageOfSphere(const CameraGeometry& camera, const Eig
   }
   SphereImage image;
   image.range = p_C.norm();
-  image.outline = {
-      camera.cx() + camera.fx() * across->first, camera.cy() + camera.fy() * along->first,
-      camera.cx() + camera.fx() * across->second, camera.cy() + camera.fy() * along->second};
+  image.outline = {camera.cx + camera.fx * across->first, camera.cy + camera.fy * along->first,
+                   camera.cx + camera.fx * across->second, camera.cy + camera.fy * along->second};
   ClipToImage(camera, p_C, radius, image);
   if (image.visible_fraction <= 0.0) {
     return std::nullopt;

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "limpet/core/camera_geometry.hpp"
+#include "limpet/core/camera_model.hpp"
 
 namespace limpet {
 
@@ -37,7 +37,7 @@ struct SphereImage {
 
 /// The image of a sphere with centre `p_C` [m] in the camera frame, or nothing if no part of it is
 /// inside the image or it reaches behind the camera's plane. Obstacles are not considered.
-[[nodiscard]] std::optional<SphereImage> ImageOfSphere(const CameraGeometry& camera,
+[[nodiscard]] std::optional<SphereImage> ImageOfSphere(const CameraModel& camera,
                                                        const Eigen::Vector3d& p_C, double radius);
 
 /// Where the image row at `v_px` crosses the silhouette.
@@ -45,7 +45,7 @@ struct Chord {
   double left = 0.0, right = 0.0;
 };
 /// Nothing if the row misses the silhouette. REQUIRES: the sphere lies in front of the camera.
-[[nodiscard]] std::optional<Chord> ChordOfSphere(const CameraGeometry& camera,
+[[nodiscard]] std::optional<Chord> ChordOfSphere(const CameraModel& camera,
                                                  const Eigen::Vector3d& p_C, double radius,
                                                  double v_px);
 

@@ -6,7 +6,7 @@
 
 namespace limpet {
 
-std::optional<SpherePainter> SpherePainter::Make(const CameraGeometry& camera, const Pose& X_WB,
+std::optional<SpherePainter> SpherePainter::Make(const CameraModel& camera, const Pose& X_WB,
                                                  const Sphere& sphere, const WaterOptics& water,
                                                  SeabedRelief& relief) {
   const Eigen::Vector3d p_C = camera.InCamera(X_WB, sphere.p_W);
@@ -19,7 +19,7 @@ std::optional<SpherePainter> SpherePainter::Make(const CameraGeometry& camera, c
   return SpherePainter(camera, X_WB, sphere, water, relief, *image);
 }
 
-SpherePainter::SpherePainter(const CameraGeometry& camera, const Pose& X_WB, const Sphere& sphere,
+SpherePainter::SpherePainter(const CameraModel& camera, const Pose& X_WB, const Sphere& sphere,
                              const WaterOptics& water, SeabedRelief& relief,
                              const SphereImage& image)
     : camera_(camera),
@@ -29,11 +29,11 @@ SpherePainter::SpherePainter(const CameraGeometry& camera, const Pose& X_WB, con
       p_C_(camera.InCamera(X_WB, sphere.p_W)),
       radius_(sphere.radius),
       albedo_(AlbedoOf(sphere.color).value_or(Albedo{0.3F, 0.3F, 0.3F})),
-      R_WC_(RotationOf(X_WB) * CameraGeometry::R_BC()),
+      R_WC_(RotationOf(X_WB) * camera.R_BC),
       camera_W_(X_WB.p_WB + RotationOf(X_WB) * camera.p_BC),
       light_C_(R_WC_.transpose() * Eigen::Vector3d(0.20, 0.15, -0.97).normalized()),
-      fx_(camera.fx()),
-      fy_(camera.fy()) {
+      fx_(camera.fx),
+      fy_(camera.fy) {
   for (std::size_t c = 0; c < 3; ++c) {
     transmission_[c] = std::exp(-water.attenuation_per_m[c] * image.range);
   }
@@ -69,7 +69,7 @@ bool SpherePainter::IsBuried(const Eigen::Vector3d& hit) {
 
 void SpherePainter::PaintRow(int row, double vignette_curve, LinearRow& linear) {
   const double v = row + 0.5;
-  const double y = (v - camera_.cy()) / fy_;
+  const double y = (v - camera_.cy) / fy_;
   const std::optional<Chord> chord = ChordOfSphere(camera_, p_C_, radius_, v);
   // A row that misses the outline by less than a pixel still shows a little of it.
   const double left = chord ? chord->left : image_.outline.left;
@@ -78,15 +78,15 @@ void SpherePainter::PaintRow(int row, double vignette_curve, LinearRow& linear) 
   const int last = std::min(static_cast<int>(std::ceil(right)) + 1, camera_.width_px);
   for (int column = first; column < last; ++column) {
     const double u = column + 0.5;
-    const Sample sample = Trace((u - camera_.cx()) / fx_, y);
+    const Sample sample = Trace((u - camera_.cx) / fx_, y);
     if (sample.coverage <= 0.0 || (touches_seabed_ && IsBuried(sample.hit))) {
       continue;
     }
     const Eigen::Vector3d normal = (sample.hit - p_C_) / radius_;
     const double light = 0.40 + 0.60 * std::max(normal.dot(light_C_), 0.0);
     const double nearer = image_.range - sample.hit.norm();
-    const double du = u - camera_.cx();
-    const double dv = v - camera_.cy();
+    const double du = u - camera_.cx;
+    const double dv = v - camera_.cy;
     const double vignette = 4095.0 * (1.0 - vignette_curve * (du * du + dv * dv));
     for (std::size_t c = 0; c < 3; ++c) {
       const double gain = water_.attenuation_per_m[c] * nearer;

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "limpet/core/camera_geometry.hpp"
+#include "limpet/core/camera_model.hpp"
 #include "limpet/core/frames.hpp"
 #include "limpet/vision/color_table.hpp"
 #include "limpet/vision/linear_row.hpp"
@@ -21,7 +21,7 @@ namespace limpet {
 class SpherePainter {
  public:
   /// Nothing if the sphere is outside the image, or so far that water hides it.
-  [[nodiscard]] static std::optional<SpherePainter> Make(const CameraGeometry& camera,
+  [[nodiscard]] static std::optional<SpherePainter> Make(const CameraModel& camera,
                                                          const Pose& X_WB, const Sphere& sphere,
                                                          const WaterOptics& water,
                                                          SeabedRelief& relief);
@@ -33,7 +33,7 @@ class SpherePainter {
   void PaintRow(int row, double vignette_curve, LinearRow& linear);
 
  private:
-  SpherePainter(const CameraGeometry& camera, const Pose& X_WB, const Sphere& sphere,
+  SpherePainter(const CameraModel& camera, const Pose& X_WB, const Sphere& sphere,
                 const WaterOptics& water, SeabedRelief& relief, const SphereImage& image);
   struct Sample {
     double coverage = 0.0;  ///< of the pixel, 0 to 1
@@ -42,7 +42,7 @@ class SpherePainter {
   [[nodiscard]] Sample Trace(double x, double y) const;
   [[nodiscard]] bool IsBuried(const Eigen::Vector3d& hit);
 
-  CameraGeometry camera_;
+  CameraModel camera_;
   WaterOptics water_;
   SeabedRelief* relief_;
   SphereImage image_;

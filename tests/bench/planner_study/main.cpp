@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// planner_study [key=value ...]: the two-dimensional study of paper.md section 5, perfect pose.
+// planner_study [key=value ...]: the two-dimensional study of planners (docs/references.md),
+// perfect pose.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -40,8 +41,8 @@ bool Apply(Settings& settings, const std::string& key, const std::string& text) 
       {"path_max", [&] { study.path_max_m = number; }},
       {"top_stop", [&] { study.band_top_stop = number; }},
       {"target_value", [&] { study.target_value = number; }},
-      {"w_cover", [&] { study.objective.w_cover = number; }},
-      {"w_frontier", [&] { study.objective.w_frontier = number; }},
+      {"w_cover", [&] { study.objective.ground.cover = number; }},
+      {"w_frontier", [&] { study.objective.ground.frontier = number; }},
       {"bottom", [&] { study.bottom_weight = number; }},
       {"gap_below", [&] { study.gap_below = number; }},
       {"north", [&] { study.area.north_max = study.area.north_min + number; }},
@@ -50,6 +51,7 @@ bool Apply(Settings& settings, const std::string& key, const std::string& text) 
       {"late_share", [&] { study.late_share = number; }},
       {"late", [&] { study.late_frontier = number; }},
       {"decay", [&] { study.objective.target_decay_m = number; }},
+      {"offers", [&] { study.beam.offers = static_cast<int>(number); }},
       {"width", [&] { study.beam.width = static_cast<int>(number); }},
       {"horizon", [&] { study.beam.horizon = Meters(number); }},
       {"primitive", [&] { study.beam.primitive = Meters(number); }},
@@ -57,7 +59,7 @@ bool Apply(Settings& settings, const std::string& key, const std::string& text) 
       {"tile", [&] { study.gap.tile = Meters(number); }},
       {"nodes", [&] { study.paper.nodes = static_cast<int>(number); }},
       {"edge", [&] { study.paper.max_edge = Meters(number); }},
-      {"counts_band", [&] { study.paper.counts_band = number != 0.0; }},
+      {"counts_band", [&] { study.paper_counts_band = number != 0.0; }},
   };
   const auto entry = keys.find(key);
   if (entry == keys.end()) {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "limpet/planning/target_tour.hpp"
+#include "limpet/planning/view_entropy.hpp"
 #include "tests/bench/planner_study/study_scorer.hpp"
 
 namespace limpet {
@@ -44,7 +45,7 @@ class Flight {
                 Weights(study.bottom_weight)),
         sight_(ground_),
         scorer_(study.area, study.altitude, camera_, random_),
-        paper_(study.paper, region_, Random(seed, "paper")),
+        tree_random_(seed, "paper"),
         objective_(study.objective) {
     pose_ = study.has_fixed_start ? Pose2{-12.5, -15.5, 0.5 * std::numbers::pi}
                                   : RandomStart(region_, study.beam.turn_radius, random_);
@@ -82,10 +83,10 @@ class Flight {
  private:
   std::optional<Option> Decide() {
     if (study_.planner == "paper") {
-      return paper_.Next(pose_, ground_, {}, ground_.SeenShare(0));
+      return DecideLikeThePaper();
     }
     if (ground_.SeenShare(0) > study_.late_share) {
-      objective_.w_frontier = study_.late_frontier;
+      objective_.ground.frontier = study_.late_frontier;
     }
     std::vector<Option> options = BeamSearch(pose_, ground_, region_, objective_, study_.beam);
     if (UsefulShare(options) < study_.gap_below) {
@@ -105,6 +106,21 @@ class Flight {
       }
     }
     return best;
+  }
+
+  /// The branch with the most entropy (eq. 17); its other views are kept for the next tree.
+  std::optional<Option> DecideLikeThePaper() {
+    std::vector<Option> branches =
+        PaperTree(pose_, kept_, ground_, region_, study_.paper, tree_random_);
+    kept_.clear();
+    if (branches.empty()) {
+      return std::nullopt;
+    }
+    const auto best = std::ranges::max_element(branches, {}, [this](const Option& branch) {
+      return MapEntropyOf(branch.views, ground_, study_.paper_counts_band);
+    });
+    kept_.assign(best->views.begin() + 1, best->views.end());
+    return *best;
   }
 
   /// Metres of useful track per metre of the first option, the beam's best.
@@ -142,14 +158,15 @@ class Flight {
   }
 
   const StudyCase& study_;
-  CameraGeometry camera_;
+  CameraModel camera_;
   Region region_;
   Random random_;
   SurveyGrid grid_;
   Ground ground_;
   SightAlong sight_;
   StudyScorer scorer_;
-  PaperPlanner paper_;
+  Random tree_random_;
+  std::vector<Pose2> kept_;
   Objective objective_;
   Pose2 pose_;
   double path_ = 0.0, total_ms_ = 0.0;
@@ -160,13 +177,10 @@ class Flight {
 
 }  // namespace
 
-CameraGeometry CameraOf(const StudyCase& study) {
-  CameraGeometry camera;
-  if (study.camera == "60x45") {
-    camera.fov_across = RadiansFromDegrees(60.0);
-    camera.fov_along = RadiansFromDegrees(45.0);
-  }
-  return camera;
+CameraModel CameraOf(const StudyCase& study) {
+  return study.camera == "60x45" ? CameraModel::FromFieldOfView(640, 480, RadiansFromDegrees(60.0),
+                                                                RadiansFromDegrees(45.0))
+                                 : CameraModel();
 }
 
 std::vector<Target> FormerObjects(double value) {

@@ -8,7 +8,7 @@
 
 #include "limpet/planning/beam_search.hpp"
 #include "limpet/planning/gap_paths.hpp"
-#include "limpet/planning/paper_planner.hpp"
+#include "limpet/planning/paper_tree.hpp"
 
 namespace limpet {
 
@@ -32,7 +32,8 @@ struct StudyCase {
   double bottom_weight = 2.0;  ///< of the lowest layer against each other one
   BeamParams beam;
   GapParams gap;
-  PaperParams paper;
+  PaperTreeParams paper;
+  bool paper_counts_band = false;  ///< entropy of the band, not of the bottom alone
 };
 
 struct StudyResult {
@@ -44,7 +45,7 @@ struct StudyResult {
 };
 
 [[nodiscard]] StudyResult RunStudy(const StudyCase& study, std::uint64_t seed);
-[[nodiscard]] CameraGeometry CameraOf(const StudyCase& study);
+[[nodiscard]] CameraModel CameraOf(const StudyCase& study);
 /// Former objects of Table 1 (north, east).
 [[nodiscard]] std::vector<Target> FormerObjects(double value);
 

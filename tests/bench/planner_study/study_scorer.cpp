@@ -47,11 +47,11 @@ std::optional<double> LevelLog::PathAt(double level) const {
   return std::nullopt;
 }
 
-StudyScorer::StudyScorer(const SurveyArea& area, double altitude, const CameraGeometry& camera,
+StudyScorer::StudyScorer(const SurveyArea& area, double altitude, const CameraModel& camera,
                          Random& random)
     : altitude_(altitude),
-      tan_across_(std::tan(0.5 * camera.fov_across)),
-      tan_along_(std::tan(0.5 * camera.fov_along)),
+      tan_across_(camera.half_across()),
+      tan_along_(camera.half_along()),
       north_min_(area.north_min),
       east_min_(area.east_min),
       rows_(static_cast<int>(std::lround((area.north_max - area.north_min) / kCell))),

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "limpet/core/camera_geometry.hpp"
+#include "limpet/core/camera_model.hpp"
 #include "limpet/core/random.hpp"
 #include "limpet/planning/pose2.hpp"
 #include "limpet/topics/mission.hpp"
@@ -31,8 +31,7 @@ class LevelLog {
 /// at least 60 % of its disc is inside the image in at least three frames.
 class StudyScorer {
  public:
-  StudyScorer(const SurveyArea& area, double altitude, const CameraGeometry& camera,
-              Random& random);
+  StudyScorer(const SurveyArea& area, double altitude, const CameraModel& camera, Random& random);
   /// One frame of a level camera, `path` metres into the flight.
   void Frame(const Pose2& at, double path);
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "limpet/app/registry.hpp"
-#include "limpet/app/test_link.hpp"
+#include "tests/support/test_link.hpp"
 
 namespace limpet {
 namespace {
@@ -14,6 +14,19 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 const Seconds kStart(1000.0);
+
+WarningId Declared(const char* id, Severity severity) {
+  return DeclareWarning(id, {.severity = severity,
+                             .raised_by = {"pWatched"},
+                             .meaning = "It happens.",
+                             .action = "Look.",
+                             .clears = "When it is over."});
+}
+const WarningId kLate = Declared("LATE", Severity::kWarning);
+const WarningId kHot = Declared("HOT", Severity::kNote);
+const WarningId kTorn = Declared("TORN", Severity::kAlarm);
+const EventId kHappened =
+    DeclareEvent("HAPPENED", {.reported_by = {"pWatched"}, .meaning = "It happened."});
 
 class AppCasterTest : public ::testing::Test {
  protected:
@@ -72,15 +85,15 @@ TEST_F(AppCasterTest, WhoAsksForWarningsHearsWhenTheyChange) {
   EXPECT_TRUE(Sends(0.0));
   Ask(1.0, "run_warning");
   EXPECT_FALSE(Sends(1.0));
-  caster_.RaiseWarning("DVL_STALE", "no DVL");
+  caster_.RaiseWarning(kLate, "no DVL", Seconds(0.5));
   EXPECT_TRUE(Sends(1.5));
   EXPECT_FALSE(Sends(2.5));
-  caster_.ClearWarning("DVL_STALE");
+  caster_.ClearWarning(kLate);
   EXPECT_TRUE(Sends(3.5));
 }
 
 TEST_F(AppCasterTest, WhoAsksLaterLearnsOfAWarningThatStands) {
-  caster_.RaiseWarning("DVL_STALE", "no DVL");
+  caster_.RaiseWarning(kLate, "no DVL", Seconds(0.5));
   EXPECT_TRUE(Sends(0.0));
   Ask(1.0, "run_warning");
   EXPECT_TRUE(Sends(1.0));
@@ -96,17 +109,29 @@ TEST_F(AppCasterTest, ANewConfigurationWarningNeedsNobodyToAsk) {
 }
 
 TEST_F(AppCasterTest, CountsHowOftenAWarningWasRaisedAndDropsItWhenCleared) {
-  for (int i = 0; i < 2; ++i) {
-    caster_.RaiseWarning("A", "first");
-    caster_.ClearWarning("A");
+  for (const double t : {1.0, 2.0}) {
+    caster_.RaiseWarning(kHot, "first", Seconds(t));
+    caster_.ClearWarning(kHot);
   }
-  caster_.RaiseWarning("A", "first");
-  caster_.RaiseWarning("B", "second");
+  caster_.RaiseWarning(kHot, "first", Seconds(3.0));
+  caster_.RaiseWarning(kHot, "second", Seconds(9.0));  // it stands: only its text follows
+  caster_.RaiseWarning(kLate, "third", Seconds(4.25));
   EXPECT_THAT(caster_.Cast({}, 1, kStart).run_warnings,
-              ElementsAre(CountedWarning{"A: first", 3}, CountedWarning{"B: second", 1}));
+              ElementsAre(CountedWarning{"LATE (warning since [4.25]): third", 1},
+                          CountedWarning{"HOT (note since [3.00]): second", 3}));
   EXPECT_EQ(caster_.Cast({}, 1, kStart).run_warning_total, 4);
-  caster_.ClearWarning("A");
+  caster_.ClearWarning(kHot);
   EXPECT_EQ(caster_.Cast({}, 1, kStart).run_warning_total, 1);
+}
+
+TEST_F(AppCasterTest, NoAlarmIsLeftOutForWantOfRoom) {
+  caster_.Configure({.process = "pNav", .node = "", .max_run_warnings = 2});
+  for (const WarningId& id : {kHot, kLate, kTorn}) {
+    caster_.RaiseWarning(id, "it is so", Seconds(1.0));
+  }
+  EXPECT_THAT(caster_.Cast({}, 1, kStart).run_warnings,
+              ElementsAre(CountedWarning{"TORN (alarm since [1.00]): it is so", 1},
+                          CountedWarning{"LATE (warning since [1.00]): it is so", 1}));
 }
 
 TEST_F(AppCasterTest, KeepsTheLastFewEvents) {
@@ -137,7 +162,7 @@ TEST(CastSettings, AreReadFromTheAppsBlock) {
 class WatchedApp final : public App {
  public:
   explicit WatchedApp(const AppContext& context) : App(context) {}
-  void Tick(Seconds) override { ReportEvent("ticked"); }
+  void Tick(Seconds) override { ReportEvent(kHappened, "ticked"); }
   void Report(ReportLines& report) const override { report.Pair("Depth", "3 m"); }
 };
 
@@ -174,7 +199,7 @@ TEST_F(ReportingTest, ALiveAppTellsWhatItHasToTell) {
                                  .iteration = 1,
                                  .messages = {"Depth:        3 m"},
                                  .config_warnings = {},
-                                 .events = {"[1.25]: ticked"},
+                                 .events = {"[1.25]: HAPPENED: ticked"},
                                  .run_warning_total = 0,
                                  .run_warnings = {}}));
 }

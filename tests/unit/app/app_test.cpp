@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/app/app.hpp"
 
+#include <concepts>
+#include <string>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "limpet/app/registry.hpp"
-#include "limpet/app/test_link.hpp"
 #include "limpet/topics/navigation.hpp"
+#include "tests/support/test_link.hpp"
 
 namespace limpet {
 namespace {
@@ -14,6 +17,19 @@ namespace {
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+
+const WarningId kLow = DeclareWarning("LOW", {.severity = Severity::kAlarm,
+                                              .raised_by = {"pEcho"},
+                                              .meaning = "It is low.",
+                                              .action = "Lift it.",
+                                              .clears = "When it is high."});
+const EventId kEchoed = DeclareEvent("ECHOED", {.reported_by = {"pEcho"}, .meaning = "It echoed."});
+
+/// What is no declaration cannot be raised or reported: it does not compile.
+static_assert(!std::convertible_to<const char*, WarningId>);
+static_assert(!std::constructible_from<WarningId, std::string, Severity>);
+static_assert(!std::constructible_from<WarningFamily, std::string, Severity>);
+static_assert(!std::constructible_from<EventId, std::string>);
 
 /// Doubles every NAV_DEPTH it hears.
 class EchoApp final : public App {
@@ -33,11 +49,9 @@ class EchoApp final : public App {
                  [this](const MessagePtr& message) { heard.push_back(message->name); });
   }
   double Draw(const char* part) const { return MakeRandom(part).Uniform(0.0, 1.0); }
-  void RaiseTwice() {
-    Warn("LOW", "first");
-    Warn("LOW", "first");
-  }
-  void Lower() { ClearWarning("LOW"); }
+  void Raise(const std::string& text) { Warn(kLow, text); }
+  void Lower() { ClearWarning(kLow); }
+  void Tell() { ReportEvent(kEchoed, "twice"); }
 
   std::vector<std::string> heard;
 
@@ -94,17 +108,68 @@ TEST_F(AppTest, WarnsOfMailThatDoesNotDecode) {
   EchoApp app(Context(), {});
   Send(app, "NAV_DEAD_RECKONING", std::string("north=abc"));
   EXPECT_TRUE(app.heard.empty());
-  EXPECT_THAT(app.warnings().at("BAD_MAIL_NAV_DEAD_RECKONING"), HasSubstr("pOther"));
+  EXPECT_THAT(app.warnings().at("BAD_MAIL_NAV_DEAD_RECKONING").text, HasSubstr("pOther"));
+  link_.Send(app, topics::kNavDeadReckoning, DeadReckoning{});
+  EXPECT_TRUE(app.warnings().empty());
 }
 
 TEST_F(AppTest, PublishesAWarningOnceAndItsEnd) {
   EchoApp app(Context(), {});
-  app.RaiseTwice();
+  app.Raise("first");
+  app.Raise("first");
   ASSERT_EQ(link_.published.size(), 1U);
   EXPECT_EQ(link_.published[0]->name, "PECHO_WARNINGS");
-  EXPECT_EQ(link_.published[0]->value, Value(std::string("LOW: first")));
+  EXPECT_EQ(link_.published[0]->value, Value(std::string("LOW (alarm): first")));
   app.Lower();
   EXPECT_EQ(link_.published.back()->value, Value(std::string("none")));
+}
+
+TEST_F(AppTest, AStandingWarningSaysWhatIsSoNowAndSinceWhenItStands) {
+  EchoApp app(Context(), {});
+  const Seconds raised = link_.time;
+  app.Raise("1 lost");
+  link_.time += Seconds(5.0);
+  app.Raise("2 lost");
+  EXPECT_EQ(app.warnings().at("LOW").text, "2 lost");
+  EXPECT_EQ(app.warnings().at("LOW").since, raised);
+}
+
+TEST_F(AppTest, ATextThatChangesAtEveryTickIsToldNowAndThen) {
+  EchoApp app(Context(), {});
+  for (int tick = 0; tick < 40; ++tick) {
+    app.Raise(std::to_string(tick));
+    app.Iterate(link_.time);
+    link_.time += Seconds(0.25);
+  }
+  std::vector<std::string> told;
+  for (const MessagePtr& message : link_.published) {
+    if (message->name == "PECHO_WARNINGS") told.push_back(std::get<std::string>(message->value));
+  }
+  EXPECT_THAT(told, ElementsAre("LOW (alarm): 0", "LOW (alarm): 8", "LOW (alarm): 16",
+                                "LOW (alarm): 24", "LOW (alarm): 32"));
+}
+
+TEST_F(AppTest, TheReportHasSeverityAndTimesOfWarningsAndEvents) {
+  EchoApp app(Context(), {});
+  app.StartReporting({});
+  link_.time += Seconds(2.0);
+  app.Raise("first");
+  link_.time += Seconds(1.0);
+  app.Tell();
+  app.End(link_.time);
+  const AppCast cast = *DecodeAppCast(std::get<std::string>(link_.published.back()->value));
+  EXPECT_EQ(cast.run_warnings.at(0).text, "LOW (alarm since [2.00]): first");
+  EXPECT_THAT(cast.events, ElementsAre("[2.00]: alarm LOW: first", "[3.00]: ECHOED: twice"));
+}
+
+TEST_F(AppTest, WarnsWhileTheDatabasesClockRunsAway) {
+  EchoApp app(Context(), {});
+  link_.clock_disagreement = Seconds(-3.0);
+  app.Iterate(link_.time);
+  EXPECT_THAT(app.warnings().at("CLOCK_DIFFERS").text, HasSubstr("-3.0 s off"));
+  link_.clock_disagreement = Seconds(0.4);
+  app.Iterate(link_.time);
+  EXPECT_FALSE(app.warnings().contains("CLOCK_DIFFERS"));
 }
 
 TEST_F(AppTest, DrawsTheSameNumbersForTheSameSeedNameSessionAndPart) {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "limpet/app/app.hpp"
-#include "limpet/app/test_link.hpp"
+#include "tests/support/test_link.hpp"
 
 namespace limpet {
 namespace {
@@ -49,7 +49,8 @@ TEST_F(StampGuardTest, RefusesWhatIsStampedInTheFutureAndNamesIt) {
   Measure(app_, 3600.0);
   EXPECT_TRUE(app_.measured.empty());
   ASSERT_TRUE(app_.warnings().contains("STAMP_FROM_FUTURE_MEASURED"));
-  EXPECT_THAT(app_.warnings().at("STAMP_FROM_FUTURE_MEASURED"), testing::HasSubstr("3600.0 s"));
+  EXPECT_THAT(app_.warnings().at("STAMP_FROM_FUTURE_MEASURED").text,
+              testing::HasSubstr("3600.0 s"));
 }
 
 TEST_F(StampGuardTest, RefusesTimesThatAreNoNumber) {

@@ -4,49 +4,50 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "limpet/app/test_link.hpp"
 #include "tests/support/flyover.hpp"
+#include "tests/support/test_link.hpp"
 
 namespace limpet {
 namespace {
 
 constexpr SurveyArea kArea{.north_min = -15, .north_max = 15, .east_min = -18, .east_max = 18};
 
+const Eigen::Vector3d kCovariance(0.04, 0.04, 0.09);  // of each place [m^2]
+
 Landmark LandmarkOf(const trial::Sphere& sphere) {
   return {.id = sphere.landmark,
-          .ned = {sphere.ned.x(), sphere.ned.y(), sphere.ned.z()},
-          .cov = {0.04, 0, 0, 0.04, 0, 0.09},
-          .color = sphere.color,
+          .object = {.p_W = sphere.ned, .cov_W = kCovariance.asDiagonal(), .color = sphere.color},
           .looks = 5,
-          .is_confirmed = true,
-          .prior_id = -1};
+          .is_confirmed = true};
 }
 
 struct FormerOpi {
   int id;
-  std::array<double, 3> ned;
+  Eigen::Vector3d ned;
   std::string color;
 };
 SessionPrior Former(const std::vector<FormerOpi>& objects) {
   SessionPrior prior;
   prior.session = "discovery";
   for (const FormerOpi& object : objects) {
-    prior.opis.push_back({.id = object.id,
-                          .ned = object.ned,
-                          .cov = {0.04, 0, 0, 0.04, 0, 0.09},
-                          .color = object.color,
-                          .log_likelihood_ratio = 8.0,
-                          .looks = 5});
+    prior.opis.push_back(
+        {.id = object.id,
+         .object = {.p_W = object.ned, .cov_W = kCovariance.asDiagonal(), .color = object.color},
+         .log_likelihood_ratio = 8.0,
+         .looks = 5});
   }
   return prior;
 }
 
 /// Where a former session looked from on this leg, two views a metre.
 void AddViews(const trial::Leg& leg, SessionPrior& prior) {
-  const double start = prior.views.empty() ? 0.0 : prior.views.back()[0] + 20.0;
+  const Seconds start =
+      prior.views.empty() ? Seconds(0.0) : prior.views.back().frame.exposure + Seconds(20.0);
   for (int i = 0; 0.5 * i <= leg.length; ++i) {
-    prior.views.push_back(
-        {start + i, leg.north + 0.5 * i, leg.east, leg.down, 0.0, 0.0, 0.0, leg.altitude, 0.0});
+    prior.views.push_back({.frame = {.exposure = start + Seconds(i),
+                                     .X_WB = {{leg.north + 0.5 * i, leg.east, leg.down}},
+                                     .altitude = leg.altitude},
+                           .altitude_age = Seconds(0.0)});
   }
 }
 
@@ -62,7 +63,7 @@ class MapAppTest : public ::testing::Test {
 
   void Survey(const trial::Leg& leg, const std::vector<trial::Sphere>& spheres,
               const trial::Detector& detector = {}) {
-    for (const Sight& sight : trial::Fly(leg, link_.time, spheres, detector, random_)) {
+    for (const ObservedFrame& sight : trial::Fly(leg, link_.time, spheres, detector, random_)) {
       link_.time = sight.exposure;
       link_.Send(app_, topics::kNavSight, sight);
       app_.Tick(link_.time);
@@ -117,8 +118,8 @@ TEST_F(MapAppTest, IsSureOfAnObjectAfterOneCleanPass) {
   Survey({.north = -1, .east = 1, .length = 10}, {kYellow});
   Confirm({kYellow});
   ASSERT_EQ(Objects().size(), 1U);
-  EXPECT_EQ(Objects()[0].decided, "new");
-  EXPECT_GT(Objects()[0].probability, 0.95);
+  EXPECT_EQ(Objects()[0].decided, Status::kNew);
+  EXPECT_GT(Objects()[0].posterior.present(), 0.95);
 }
 
 TEST_F(MapAppTest, DoesNotTakeAFalseDetectionForAnObject) {
@@ -128,8 +129,8 @@ TEST_F(MapAppTest, DoesNotTakeAFalseDetectionForAnObject) {
   Survey({.north = 4, .east = 1, .length = 6}, {});
   Confirm({ghost});
   for (const OpiBelief& opi : Objects()) {
-    EXPECT_EQ(opi.decided, "uncertain");
-    EXPECT_LT(opi.probability, 0.5);
+    EXPECT_EQ(opi.decided, Status::kUncertain);
+    EXPECT_LT(opi.posterior.present(), 0.5);
   }
 }
 
@@ -139,9 +140,9 @@ TEST_F(MapAppTest, LeavesAFormerObjectUncertainUntilItHasLooked) {
   link_.time += Seconds(1.0);
   app_.Tick(link_.time);
   ASSERT_EQ(Objects().size(), 1U);
-  EXPECT_EQ(Objects()[0].decided, "uncertain");
+  EXPECT_EQ(Objects()[0].decided, Status::kUncertain);
   EXPECT_EQ(Objects()[0].looks, 0);
-  EXPECT_GT(Objects()[0].entropy, 0.6);
+  EXPECT_GT(Objects()[0].posterior.Entropy(), 0.6);
 }
 
 TEST_F(MapAppTest, DecidesAllFourWaysInAChangeSession) {
@@ -153,13 +154,13 @@ TEST_F(MapAppTest, DecidesAllFourWaysInAChangeSession) {
   Survey({.north = -3, .east = 8, .length = 16}, {kYellow, newcomer});
   Survey({.north = -3, .east = -4, .length = 16}, {kYellow, newcomer});
   Confirm({kYellow, newcomer});
-  std::vector<std::string> decided;
+  std::vector<Status> decided;
   for (const OpiBelief& opi : Objects()) {
     decided.push_back(opi.decided);
-    const ChangePosterior& p = opi.posterior;
+    const StatusPosterior& p = opi.posterior;
     EXPECT_NEAR(p.confirmed + p.removed + p.appeared + p.nothing, 1.0, 1e-12);
   }
-  EXPECT_THAT(decided, ::testing::ElementsAre("confirmed", "removed", "new"));
+  EXPECT_THAT(decided, ::testing::ElementsAre(Status::kConfirmed, Status::kRemoved, Status::kNew));
 }
 
 TEST_F(MapAppTest, CallsNothingNewOnGroundThatTheFormerSessionNeverSaw) {
@@ -172,10 +173,11 @@ TEST_F(MapAppTest, CallsNothingNewOnGroundThatTheFormerSessionNeverSaw) {
   }
   Confirm({kYellow, seen_ground});
   ASSERT_EQ(Objects().size(), 2U);
-  EXPECT_EQ(Objects()[0].color, "yellow");
-  EXPECT_EQ(Objects()[0].decided, "uncertain");
-  EXPECT_GT(Objects()[0].probability, 0.95) << "it is there, but may have been there before";
-  EXPECT_EQ(Objects()[1].decided, "new");
+  EXPECT_EQ(Objects()[0].object.color, "yellow");
+  EXPECT_EQ(Objects()[0].decided, Status::kUncertain);
+  EXPECT_GT(Objects()[0].posterior.present(), 0.95)
+      << "it is there, but may have been there before";
+  EXPECT_EQ(Objects()[1].decided, Status::kNew);
 }
 
 TEST_F(MapAppTest, JudgesTheFormerViewsByTheFormerCamera) {
@@ -190,7 +192,7 @@ TEST_F(MapAppTest, JudgesTheFormerViewsByTheFormerCamera) {
   link_.Send(app_, topics::kSessionPrior, prior);
   Survey({.north = -3, .east = 1, .length = 16}, {kYellow});
   Confirm({kYellow});
-  EXPECT_EQ(Objects()[0].decided, "uncertain");
+  EXPECT_EQ(Objects()[0].decided, Status::kUncertain);
 }
 
 TEST_F(MapAppTest, DoesNotTrustViewsOfAMapThatItDoesNotUnderstand) {
@@ -199,21 +201,29 @@ TEST_F(MapAppTest, DoesNotTrustViewsOfAMapThatItDoesNotUnderstand) {
   prior.map_parameters = {{"visibility_m", "thick"}};
   link_.Send(app_, topics::kSessionPrior, prior);
   ASSERT_TRUE(app_.warnings().contains("FORMER_PARAMETERS"));
-  EXPECT_THAT(app_.warnings().at("FORMER_PARAMETERS"), ::testing::HasSubstr("visibility_m"));
+  EXPECT_THAT(app_.warnings().at("FORMER_PARAMETERS").text, ::testing::HasSubstr("visibility_m"));
   Survey({.north = -3, .east = 1, .length = 16}, {kYellow});
   Confirm({kYellow});
-  EXPECT_EQ(Objects()[0].decided, "uncertain");
+  EXPECT_EQ(Objects()[0].decided, Status::kUncertain);
+}
+
+TEST_F(MapAppTest, TrustsTheNextFormerSessionThatItUnderstands) {
+  SessionPrior prior = Former({});
+  prior.map_parameters = {{"visibility_m", "thick"}};
+  link_.Send(app_, topics::kSessionPrior, prior);
+  ASSERT_TRUE(app_.warnings().contains("FORMER_PARAMETERS"));
+  link_.Send(app_, topics::kSessionPrior, Former({}));
+  EXPECT_FALSE(app_.warnings().contains("FORMER_PARAMETERS"));
 }
 
 TEST_F(MapAppTest, SurvivesViewsOutOfOrder) {
   SessionPrior prior = Former({});
   AddViews({.north = -3, .east = 1, .length = 16}, prior);
   prior.views.push_back(prior.views.front());
-  prior.boxes = {{.view = 90, .box = {}}, {.view = -1, .box = {}}};
   link_.Send(app_, topics::kSessionPrior, prior);
   Survey({.north = -3, .east = 1, .length = 16}, {kYellow});
   Confirm({kYellow});
-  EXPECT_EQ(Objects()[0].decided, "new");
+  EXPECT_EQ(Objects()[0].decided, Status::kNew);
 }
 
 /// What the report says of frames that were left out.
@@ -238,7 +248,7 @@ TEST_F(MapAppTest, SaysThatItFliesTooHighToSee) {
 }
 
 TEST_F(MapAppTest, SaysThatFramesWithoutAnAltitudeAreLeftOut) {
-  Sight sight;
+  ObservedFrame sight;
   sight.exposure = link_.time;
   link_.Send(app_, topics::kNavSight, sight);
   EXPECT_TRUE(app_.warnings().contains("VIEW_WITHOUT_ALTITUDE"));
@@ -293,9 +303,9 @@ TEST_F(MapAppTest, PutsTheCentroidAtTheSpheresCentre) {
   Survey({.north = -1, .east = 0, .length = 10}, {off_grid});
   Confirm({off_grid});
   ASSERT_EQ(Objects().size(), 1U);
-  const auto centroid = Objects()[0].centroid;
-  EXPECT_LT((Eigen::Vector3d(centroid[0], centroid[1], centroid[2]) - off_grid.ned).norm(), 0.2);
-  EXPECT_NE(centroid[0], off_grid.ned.x()) << "from the voxels, not from the smoother";
+  const Eigen::Vector3d centroid = Objects()[0].centroid_W;
+  EXPECT_LT((centroid - off_grid.ned).norm(), 0.2);
+  EXPECT_NE(centroid.x(), off_grid.ned.x()) << "from the voxels, not from the smoother";
   EXPECT_NEAR(Objects()[0].centroid_sd[0], 0.25, 0.1);
 }
 

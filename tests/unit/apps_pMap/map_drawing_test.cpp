@@ -13,12 +13,12 @@ using ::testing::SizeIs;
 
 class MapDrawingTest : public ::testing::Test {
  protected:
-  static OpiBelief Belief(int id, const std::string& status, double north = 4.0) {
+  static OpiBelief Belief(int id, Status status, double north = 4.0) {
     OpiBelief belief;
     belief.id = id;
-    belief.ned = {north, 1.0, 5.5};
-    belief.cov = {0.04, 0.0, 0.0, 0.09, 0.0, 0.0};
-    belief.color = "yellow";
+    belief.object.p_W = {north, 1.0, 5.5};
+    belief.object.cov_W = Eigen::Vector3d(0.04, 0.09, 0.0).asDiagonal();
+    belief.object.color = "yellow";
     belief.decided = status;
     return belief;
   }
@@ -34,7 +34,7 @@ class MapDrawingTest : public ::testing::Test {
 };
 
 TEST_F(MapDrawingTest, AnObjectIsAMarkerOfItsStatusAndACircleOfOneSigma) {
-  EXPECT_THAT(Draw({Belief(3, "confirmed")}),
+  EXPECT_THAT(Draw({Belief(3, Status::kConfirmed)}),
               ElementsAre("VIEW_MARKER x=1,y=4,width=0.5,primary_color=green,type=circle,"
                           "label=alpha_opi_3,msg=yellow confirmed,label_color=green",
                           "VIEW_CIRCLE x=1,y=4,radius=0.3,label=alpha_opi_3,label_color=invisible,"
@@ -42,14 +42,14 @@ TEST_F(MapDrawingTest, AnObjectIsAMarkerOfItsStatusAndACircleOfOneSigma) {
 }
 
 TEST_F(MapDrawingTest, CentimetresAreNotWorthAPost) {
-  static_cast<void>(Draw({Belief(3, "new")}));
-  EXPECT_THAT(Draw({Belief(3, "new", 4.05)}), IsEmpty());
-  EXPECT_THAT(Draw({Belief(3, "new", 4.15)}), SizeIs(2));
+  static_cast<void>(Draw({Belief(3, Status::kNew)}));
+  EXPECT_THAT(Draw({Belief(3, Status::kNew, 4.05)}), IsEmpty());
+  EXPECT_THAT(Draw({Belief(3, Status::kNew, 4.15)}), SizeIs(2));
 }
 
 TEST_F(MapDrawingTest, ARemovedObjectLosesItsCircleAndKeepsAGreyMarker) {
-  static_cast<void>(Draw({Belief(3, "uncertain")}));
-  EXPECT_THAT(Draw({Belief(3, "removed")}),
+  static_cast<void>(Draw({Belief(3, Status::kUncertain)}));
+  EXPECT_THAT(Draw({Belief(3, Status::kRemoved)}),
               ElementsAre("VIEW_MARKER x=1,y=4,width=0.5,primary_color=gray50,type=square,"
                           "label=alpha_opi_3,msg=yellow removed,label_color=gray50",
                           "VIEW_CIRCLE x=1,y=4,radius=0.3,active=false,label=alpha_opi_3,"
@@ -57,8 +57,8 @@ TEST_F(MapDrawingTest, ARemovedObjectLosesItsCircleAndKeepsAGreyMarker) {
 }
 
 TEST_F(MapDrawingTest, WhatIsNoObjectAnyMoreIsErased) {
-  static_cast<void>(Draw({Belief(3, "uncertain"), Belief(4, "new")}));
-  EXPECT_THAT(Draw({Belief(4, "new")}), SizeIs(2));
+  static_cast<void>(Draw({Belief(3, Status::kUncertain), Belief(4, Status::kNew)}));
+  EXPECT_THAT(Draw({Belief(4, Status::kNew)}), SizeIs(2));
 }
 
 }  // namespace

@@ -6,10 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "apps/pSession/saved_session.hpp"
 #include "estimation/mapping/semantic_octree.hpp"
-#include "limpet/app/test_link.hpp"
+#include "limpet/session/saved_session.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/test_link.hpp"
 
 namespace limpet {
 namespace {
@@ -32,10 +32,10 @@ class SessionAppTest : public ::testing::Test {
     OpiBelief opi;
     opi.id = 1;
     opi.landmark = 3;
-    opi.ned = {4, 1, 5.5};
-    opi.color = "yellow";
-    opi.probability = 0.98;
-    opi.decided = "new";
+    opi.object.p_W = {4, 1, 5.5};
+    opi.object.color = "yellow";
+    opi.posterior = {.appeared = 0.98, .nothing = 0.02};
+    opi.decided = Status::kNew;
     opi.log_likelihood_ratio = 8.5;
     return {.opis = {opi}};
   }
@@ -53,8 +53,8 @@ class SessionAppTest : public ::testing::Test {
 
 TEST_F(SessionAppTest, KeepsItsFramesWhereTheSmootherMovesThem) {
   SessionApp app(Context("discovery"), {});
-  Sight sight;
-  sight.exposure = link_.time, sight.ned = {1, 2, 3};
+  ObservedFrame sight;
+  sight.exposure = link_.time, sight.X_WB.p_WB = {1, 2, 3};
   link_.Send(app, topics::kNavSight, sight);
   const double t = link_.time.value();
   link_.Send(app, topics::kNavTrackShift,
@@ -64,9 +64,9 @@ TEST_F(SessionAppTest, KeepsItsFramesWhereTheSmootherMovesThem) {
   ASSERT_TRUE(stored);
   const Expected<SessionMemory> memory = MemoryOf(stored->files);
   ASSERT_TRUE(memory);
-  EXPECT_NEAR(memory->sights[0].ned[0], 1.5, 1e-3);
-  EXPECT_NEAR(memory->sights[0].ned[1], 1.0, 1e-3);
-  EXPECT_NEAR(memory->sights[0].yaw, 0.05, 1e-3);
+  EXPECT_NEAR(memory->sights[0].X_WB.p_WB.x(), 1.5, 1e-3);
+  EXPECT_NEAR(memory->sights[0].X_WB.p_WB.y(), 1.0, 1e-3);
+  EXPECT_NEAR(memory->sights[0].X_WB.yaw, 0.05, 1e-3);
 }
 
 TEST_F(SessionAppTest, IsSelfDescribingFromItsFirstSecond) {
@@ -82,6 +82,21 @@ TEST_F(SessionAppTest, IsSelfDescribingFromItsFirstSecond) {
   EXPECT_FALSE(stored->files.contains("mission/scenario.yaml"));
 }
 
+TEST_F(SessionAppTest, KeepsBehaviorsWithTheirPlugsInPlace) {
+  fs::create_directories(folder_.path() / "table1" / "plugs");
+  std::ofstream(folder_.path() / "table1" / "mission.bhv")
+      << "#define ALTITUDE 4\n#include plug_hold.bhv\n";
+  std::ofstream(folder_.path() / "table1" / "plugs" / "plug_hold.bhv")
+      << "Behavior = BHV_HoldAltitude\n{\n  altitude_m = $(ALTITUDE)\n}\n";
+  std::ofstream(folder_.path() / "table1" / "broken.bhv") << "#include nowhere.bhv\n";
+  SessionApp app(Context("discovery"), {});
+  app.Tick(link_.time);
+  const Expected<StoredSession> stored = LoadSession(folder_.path() / "discovery");
+  ASSERT_TRUE(stored);
+  EXPECT_THAT(stored->files.at("mission/mission.bhv"), testing::HasSubstr("  altitude_m = 4\n"));
+  EXPECT_EQ(stored->files.at("mission/broken.bhv"), "#include nowhere.bhv\n");
+}
+
 TEST_F(SessionAppTest, SavesNothingTwiceWhenItGoesThroughItsFormerLife) {
   Discover();
   link_.replays = true;
@@ -94,14 +109,14 @@ class SessionAppAgain : public SessionAppTest {
   /// A dive that was saved: deployed, with one frame.
   void Dive(SessionApp& app, double north) {
     link_.Send(app, topics::kSurveyArea, SurveyArea{});
-    Sight sight;
-    sight.exposure = link_.time, sight.ned = {north, 0, 1};
+    ObservedFrame sight;
+    sight.exposure = link_.time, sight.X_WB.p_WB = {north, 0, 1};
     link_.Send(app, topics::kNavSight, sight);
   }
   double SavedNorth(const fs::path& session) {
     const Expected<StoredSession> stored = LoadSession(session);
     EXPECT_TRUE(stored) << stored.error().text;
-    return MemoryOf(stored->files)->sights.at(0).ned[0];
+    return MemoryOf(stored->files)->sights.at(0).X_WB.p_WB.x();
   }
   fs::path Run() const { return folder_.path() / "discovery"; }
   void FlyOnce() {
@@ -116,8 +131,8 @@ TEST_F(SessionAppAgain, NeverSavesOverAFormerSessionBeforeItIsDeployed) {
   FlyOnce();
   SessionApp app(Context("discovery"), {});
   app.Tick(link_.time);
-  Sight sight;  // the camera sees the surface before anybody deploys
-  sight.exposure = link_.time, sight.ned = {7, 0, 0};
+  ObservedFrame sight;  // the camera sees the surface before anybody deploys
+  sight.exposure = link_.time, sight.X_WB.p_WB = {7, 0, 0};
   link_.Send(app, topics::kNavSight, sight);
   app.Finish(link_.time + Seconds(100.0));
   EXPECT_EQ(SavedNorth(Run()), 1.0);
@@ -133,6 +148,18 @@ TEST_F(SessionAppAgain, SetsAFormerSessionAsideOnceItHasFlownItself) {
   EXPECT_EQ(SavedNorth(Run()), 2.0);
   EXPECT_EQ(SavedNorth(Run() / "session-former-1"), 1.0);
   EXPECT_TRUE(app.warnings().contains("FORMER_SESSION_ASIDE"));
+  EXPECT_FALSE(app.warnings().contains("FORMER_SESSION"));
+}
+
+TEST_F(SessionAppAgain, SaysThatItCannotGoOnFromWhatItHadSaved) {
+  FlyOnce();
+  for (const auto& entry : fs::recursive_directory_iterator(Run())) {
+    if (entry.is_regular_file()) std::ofstream(entry.path()) << "damaged";
+  }
+  AppContext context = Context("discovery");
+  context.is_restarted = true;
+  const SessionApp app(context, {});
+  EXPECT_TRUE(app.warnings().contains("SESSION_NOT_RESUMED"));
 }
 
 TEST_F(SessionAppAgain, StartedAgainWithoutItsMailItGoesOnFromWhatItHadSaved) {
@@ -203,9 +230,9 @@ TEST_F(SessionAppTest, KeepsThePhasesOfItsFramesAndTheLandmarksOfItsObjects) {
   SessionApp app(Context("discovery"), {});
   app.Tick(link_.time);
   const auto see = [&](double north) {
-    Sight sight;
+    ObservedFrame sight;
     sight.exposure = link_.time += Seconds(1.0);
-    sight.ned = {north, 0, 3};
+    sight.X_WB.p_WB = {north, 0, 3};
     sight.altitude = 4.0;
     link_.Send(app, topics::kNavSight, sight);
   };
@@ -225,7 +252,7 @@ TEST_F(SessionAppTest, KeepsThePhasesOfItsFramesAndTheLandmarksOfItsObjects) {
   EXPECT_EQ(saved.memory.known_landmarks->landmarks.size(), 1U);
   const SessionPrior prior = PriorWithParameters(saved);
   ASSERT_EQ(prior.views.size(), 2U) << "at the surface the map does not look";
-  EXPECT_EQ(prior.views[1][1], 3.0);
+  EXPECT_EQ(prior.views[1].frame.X_WB.p_WB.x(), 3.0);
 }
 
 TEST_F(SessionAppTest, SavesWithoutAMapThatDoesNotCome) {
@@ -235,6 +262,20 @@ TEST_F(SessionAppTest, SavesWithoutAMapThatDoesNotCome) {
   app.Tick(link_.time + Seconds(3.0));
   EXPECT_EQ(link_.Last(topics::kSessionSaved), "generation=2,cause=home");
   EXPECT_TRUE(app.warnings().contains("MAP_SILENT"));
+  link_.Send(app, topics::kMapSnapshot, Binary{});
+  EXPECT_FALSE(app.warnings().contains("MAP_SILENT"));
+}
+
+TEST_F(SessionAppTest, WarnsWhileItCannotSave) {
+  std::ofstream(folder_.path() / "discovery") << "a file where the run's folder should be\n";
+  SessionApp app(Context("discovery"), {});
+  app.Tick(link_.time);
+  EXPECT_TRUE(app.warnings().contains("SESSION_NOT_SAVED"));
+  fs::remove(folder_.path() / "discovery");
+  link_.Send(app, topics::kSessionSave, std::string("home"));
+  link_.Send(app, topics::kMapSnapshot, Binary{});
+  EXPECT_FALSE(app.warnings().contains("SESSION_NOT_SAVED"));
+  EXPECT_TRUE(LoadSession(folder_.path() / "discovery"));
 }
 
 TEST_F(SessionAppTest, SavesEveryMinute) {
@@ -264,7 +305,7 @@ TEST_F(SessionAppTest, HandsTheFormerSessionOverAtItsStart) {
   ASSERT_TRUE(prior);
   EXPECT_EQ(prior->session, "discovery");
   ASSERT_EQ(prior->opis.size(), 1U);
-  EXPECT_EQ(prior->opis[0].color, "yellow");
+  EXPECT_EQ(prior->opis[0].object.color, "yellow");
 }
 
 TEST_F(SessionAppTest, RefusesADamagedFormerSessionByName) {

@@ -8,12 +8,12 @@
 namespace limpet {
 namespace {
 
-constexpr double kRadius = 0.5;
+constexpr double kSphereRadius = 0.5;
 
 TEST(BoxReading, FindsTheCentreOfASphereOffTheAxisWhereItsBoxHasItsMiddleElsewhere) {
   const CameraModel camera;
   const Eigen::Vector3d p_C(1.1, -0.6, 3.0);
-  const auto box = BoxOfSphere(p_C, kRadius, camera);
+  const auto box = BoxOfSphere(p_C, kSphereRadius, camera);
   ASSERT_TRUE(box.has_value());
   const BoxReading reading = ReadBox(*box, camera, {});
   const double u = camera.cx + camera.fx * p_C.x() / p_C.z();
@@ -24,25 +24,25 @@ TEST(BoxReading, FindsTheCentreOfASphereOffTheAxisWhereItsBoxHasItsMiddleElsewhe
 TEST(BoxReading, KnowsTheDistanceOfASphereOfKnownRadius) {
   const CameraModel camera;
   const Eigen::Vector3d p_C(0.5, 0.4, 3.0);
-  const BoxReading reading = ReadBox(*BoxOfSphere(p_C, kRadius, camera), camera, {});
+  const BoxReading reading = ReadBox(*BoxOfSphere(p_C, kSphereRadius, camera), camera, {});
   const double expected = 0.5 * (std::hypot(0.5, 3.0) + std::hypot(0.4, 3.0));
-  EXPECT_NEAR(*reading.Range(kRadius), expected, 1e-6);
+  EXPECT_NEAR(*reading.Range(kSphereRadius), expected, 1e-6);
 }
 
 TEST(BoxReading, TrustsOnlyTheAxisThatTheBorderDoesNotCut) {
   const CameraModel camera;
   const Eigen::Vector3d p_C(2.4, 0.0, 3.0);
-  const BoxReading reading = ReadBox(*BoxOfSphere(p_C, kRadius, camera), camera, {});
+  const BoxReading reading = ReadBox(*BoxOfSphere(p_C, kSphereRadius, camera), camera, {});
   EXPECT_TRUE(reading.is_cut_u);
   EXPECT_TRUE(std::isinf(reading.sigma_px.x()));
   EXPECT_FALSE(reading.is_cut_v);
-  EXPECT_FALSE(reading.Range(kRadius).has_value());
+  EXPECT_FALSE(reading.Range(kSphereRadius).has_value());
   EXPECT_TRUE(reading.is_usable());
 }
 
 TEST(BoxReading, KeepsTheEdgeThatShowsOfACutBox) {
   const CameraModel camera;
-  const auto box = BoxOfSphere({2.4, 0.0, 3.0}, kRadius, camera);
+  const auto box = BoxOfSphere({2.4, 0.0, 3.0}, kSphereRadius, camera);
   const BoxReading reading = ReadBox(*box, camera, {});
   ASSERT_TRUE(reading.lone_edge.has_value());
   EXPECT_EQ(reading.lone_edge->axis, 0);
@@ -52,7 +52,7 @@ TEST(BoxReading, KeepsTheEdgeThatShowsOfACutBox) {
 
 TEST(BoxReading, DoubtsAnUnsureBox) {
   const CameraModel camera;
-  BoxDetection box{.u = 300, .v = 200, .w = 80, .h = 80, .confidence = 1.0, .color = ""};
+  Box box{.u = 300, .v = 200, .w = 80, .h = 80, .confidence = 1.0, .color = ""};
   const double sure = ReadBox(box, camera, {}).sigma_px.x();
   box.confidence = 0.5;
   EXPECT_NEAR(ReadBox(box, camera, {}).sigma_px.x(), 2.0 * sure, 1e-9);
@@ -60,8 +60,8 @@ TEST(BoxReading, DoubtsAnUnsureBox) {
 
 TEST(BoxOfSphere, IsNothingBehindTheCameraOrOutOfTheImage) {
   const CameraModel camera;
-  EXPECT_FALSE(BoxOfSphere({0.0, 0.0, -2.0}, kRadius, camera).has_value());
-  EXPECT_FALSE(BoxOfSphere({9.0, 0.0, 3.0}, kRadius, camera).has_value());
+  EXPECT_FALSE(BoxOfSphere({0.0, 0.0, -2.0}, kSphereRadius, camera).has_value());
+  EXPECT_FALSE(BoxOfSphere({9.0, 0.0, 3.0}, kSphereRadius, camera).has_value());
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ TEST_F(JointIdentityTest, OfAPairNearALoneThingOneIsItWhereThingsComeInPairs) {
   MayBe(left_again, {lone});
   MayBe(right_again, {lone});
   problem_.apart = {{left_again, right_again}};
-  problem_.company = 0.05, problem_.crowd = 0.05;
+  problem_.pair_density = 0.05, problem_.crowding = 0.05;
   const auto hypotheses = Solve(2.0);
   EXPECT_GT(ShareOf(hypotheses, 0, lone) + ShareOf(hypotheses, 1, lone), 0.9);
 }
@@ -118,16 +118,16 @@ TEST_F(JointIdentityTest, BesideALoneThingAnotherIsLikelyWhereThingsComeInPairs)
   const int again = Add({0.9, 0.0}, 0), lone = Add({0.0, 0.0});
   MayBe(again, {lone});
   const double alone = ShareOf(Solve(0.3), 0, again);
-  problem_.company = 0.05, problem_.crowd = 0.05;
+  problem_.pair_density = 0.05, problem_.crowding = 0.05;
   EXPECT_GT(ShareOf(Solve(0.3), 0, again), alone + 0.2);
 }
 
 TEST_F(JointIdentityTest, BesideOneOfAPairAThirdIsUnlikely) {
   const int again = Add({0.9, 0.0}, 0), left = Add({0.0, 0.0}), right = Add({-1.1, 0.0});
   MayBe(again, {left, right});
-  problem_.company = 0.05, problem_.crowd = 0.05;
+  problem_.pair_density = 0.05, problem_.crowding = 0.05;
   const double beside_a_lone_one = ShareOf(Solve(0.3), 0, again);
-  problem_.has_company = {false, true, true};
+  problem_.has_neighbour = {false, true, true};
   EXPECT_LT(ShareOf(Solve(0.3), 0, again), beside_a_lone_one - 0.2);
 }
 
@@ -169,7 +169,7 @@ TEST_F(JointIdentityTest, TakingOutATieGivesBackWhatWasKnownWithoutIt) {
   const Eigen::MatrixXd gain = P * A.transpose() * S.inverse();
   places -= gain * A * places;
   P -= gain * A * P;
-  ASSERT_TRUE(TakeOutTie(places, P, 0, 2, kSigma));
+  ASSERT_TRUE(TakeOutTie(places, P, {.a = 0, .b = 2}, kSigma));
   EXPECT_LT((places - problem_.places).norm(), 1e-6);
   EXPECT_LT((P - problem_.covariance).norm(), 1e-6);
 }
@@ -179,7 +179,7 @@ TEST_F(JointIdentityTest, ATieThatIsNotThereIsNotTakenOut) {
   static_cast<void>(Solve(0.5));
   Eigen::VectorXd places = problem_.places;
   Eigen::MatrixXd P = problem_.covariance;
-  EXPECT_FALSE(TakeOutTie(places, P, 0, 1, 0.05));
+  EXPECT_FALSE(TakeOutTie(places, P, {.a = 0, .b = 1}, 0.05));
   EXPECT_EQ(places, problem_.places);
 }
 

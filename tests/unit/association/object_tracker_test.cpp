@@ -7,116 +7,31 @@
 
 #include <gtest/gtest.h>
 
-#include "estimation/smoothing/arrow_smoother.hpp"
-#include "estimation/smoothing/camera_point.hpp"
-#include "estimation/smoothing/factors/depth_factor.hpp"
-#include "estimation/smoothing/factors/pose_prior_factor.hpp"
-#include "estimation/smoothing/factors/roll_pitch_factor.hpp"
-#include "estimation/smoothing/factors/xyz_yaw_factor.hpp"
-#include "limpet/core/random.hpp"
+#include "tests/support/object_flight.hpp"
 
 namespace limpet {
 namespace {
 
-using namespace literals;
-
-/// A vehicle flies straight lines at 0.5 m/s, 4 m above the seabed at 7.5 m, four frames a second.
-class ObjectTrackerTest : public ::testing::Test {
+class ObjectTrackerTest : public ::testing::Test, protected ObjectFlight {
  protected:
-  /// Flies to (north, east); `drift` is added to what odometry says of each step [m].
+  /// Flies to (north, east); `drift_east` is added to what odometry says of the way [m].
   void FlyTo(double north, double east, double drift_east = 0.0) {
-    const Eigen::Vector2d way = Eigen::Vector2d(north, east) - truth_.head<2>();
-    const int steps = std::max(1, static_cast<int>(way.norm() / 0.125));
-    for (int i = 0; i < steps; ++i) {
-      truth_.head<2>() += way / steps;
-      Step({way.x() / steps, way.y() / steps + drift_east / steps});
-      Look();
-    }
+    ObjectFlight::FlyTo({north, east}, {0.0, drift_east});
   }
-  void Step(const Eigen::Vector2d& moved) {
-    const int count = smoother_.graph().node_count();
-    NavVector x = count == 0 ? truth_ : smoother_.PoseAt(count - 1);
-    if (count == 0) {
-      smoother_.AddNode(x, std::nullopt);
-      smoother_.AddTerm(0, Term::OnPose(PosePriorFactor(x, NavVector::Constant(0.05))));
-    } else {
-      x.head<2>() += moved;
-      const double drift = step_sigma_ * step_sigma_;
-      const Eigen::Vector4d variance(drift, drift, 1e-4, 1e-8);
-      smoother_.AddNode(x, Term::OnStep(XyzYawFactor({moved.x(), moved.y(), 0.0, 0.0}, variance)));
-    }
-    smoother_.AddTerm(count, Term::OnPose(DepthFactor(Meters(truth_(kNavZ)), 0.02_m)));
-    smoother_.AddTerm(count,
-                      Term::OnPose(RollPitchFactor(Radians(0.0), Radians(0.0), Radians(0.005))));
-    smoother_.Update();
-    path_ += moved.norm();
-  }
-  void Look() {
-    FrameDetections frame{.frame = frame_++, .t = time_ += 0.25, .boxes = {}};
-    for (const Eigen::Vector3d& object : objects_) {
-      const auto box = BoxOfSphere(CameraPointOf(camera_, truth_, object).p_C, 0.5, camera_);
-      if (!box || box->w < 20.0 || box->h < 20.0) continue;
-      BoxDetection seen = *box;
-      if (!random_.Chance(hit_share_)) continue;
-      seen.confidence = confidence_, seen.color = "yellow";
-      if (seen.u - 0.5 * seen.w > 2.0 && seen.u + 0.5 * seen.w < 638.0) {
-        seen.u += random_.Normal(2.0);
-      }
-      frame.boxes.push_back(seen);
-    }
-    if (random_.Chance(false_share_)) {
-      frame.boxes.push_back({.u = random_.Uniform(50.0, 590.0),
-                             .v = random_.Uniform(50.0, 430.0),
-                             .w = random_.Uniform(40.0, 140.0),
-                             .h = random_.Uniform(40.0, 140.0),
-                             .confidence = random_.Uniform(0.3, 0.7),
-                             .color = "yellow"});
-    }
-    const int node = smoother_.graph().node_count() - 1;
-    shown_ = tracker_.Process({.detections = &frame,
-                               .x = smoother_.PoseAt(node),
-                               .node = node,
-                               .path = path_,
-                               .altitude = 4.0});
-    smoother_.Update();
-    tracker_.Refresh();
-    if (tracker_.Review()) {
-      smoother_.Update();
-      tracker_.Refresh();
-    }
-  }
-  std::vector<TrackedObject> Found() const {
-    std::vector<TrackedObject> found;
-    for (const TrackedObject& object : tracker_.objects()) {
-      if (object.is_landmark()) found.push_back(object);
-    }
-    return found;
-  }
-
-  Random random_{3};
-  const CameraModel camera_;
-  ArrowSmoother smoother_;
-  ObjectTracker tracker_{smoother_, camera_, ObjectTrackerParams{}};
-  NavVector truth_ = (NavVector() << 0.0, 0.0, 3.5, 0.0, 0.0, 0.0).finished();
-  std::vector<Eigen::Vector3d> objects_;
-  std::vector<int> shown_;
-  double hit_share_ = 1.0, confidence_ = 0.85;
-  double false_share_ = 0.0, step_sigma_ = 0.003, time_ = 0.0, path_ = 0.0;
-  int frame_ = 0;
 };
 
 TEST_F(ObjectTrackerTest, FindsAnObjectWhereItIs) {
   objects_ = {{5.0, 0.5, 6.5}};
   FlyTo(10.0, 0.0);
   ASSERT_EQ(Found().size(), 1U);
-  EXPECT_LT((Found()[0].p - objects_[0]).norm(), 0.15);
+  EXPECT_LT((Found()[0].p_W - objects_[0]).norm(), 0.15);
 }
 
 TEST_F(ObjectTrackerTest, NamesTheLandmarkThatABoxShows) {
   objects_ = {{5.0, 0.5, 6.5}};
   FlyTo(5.0, 0.0);
   ASSERT_EQ(shown_.size(), 1U);
-  EXPECT_EQ(shown_[0], Found()[0].id);
+  EXPECT_EQ(shown_[0], Found()[0].id());
 }
 
 TEST_F(ObjectTrackerTest, TakesRandomFalseBoxesForNothing) {
@@ -147,7 +62,7 @@ TEST_F(ObjectTrackerTest, KeepsTwoObjectsThatStandCloseTogetherApart) {
   FlyTo(10.0, 0.3);
   FlyTo(0.0, 0.6);
   ASSERT_EQ(Found().size(), 2U);
-  EXPECT_NEAR((Found()[0].p - Found()[1].p).norm(), 1.2, 0.25);
+  EXPECT_NEAR((Found()[0].p_W - Found()[1].p_W).norm(), 1.2, 0.25);
 }
 
 TEST_F(ObjectTrackerTest, RecognisesAnObjectAfterALongWayRound) {
@@ -157,7 +72,7 @@ TEST_F(ObjectTrackerTest, RecognisesAnObjectAfterALongWayRound) {
   FlyTo(5.0, 15.0);
   FlyTo(5.0, -3.0);
   ASSERT_EQ(Found().size(), 1U);
-  EXPECT_EQ(Found()[0].id, 1);
+  EXPECT_EQ(Found()[0].id(), 1);
 }
 
 TEST_F(ObjectTrackerTest, RecognisesAnObjectAfterDriftThatOdometryAdmits) {
@@ -168,7 +83,7 @@ TEST_F(ObjectTrackerTest, RecognisesAnObjectAfterDriftThatOdometryAdmits) {
   FlyTo(5.0, 15.0);
   FlyTo(5.0, -3.0);
   ASSERT_EQ(Found().size(), 1U);
-  EXPECT_LT((Found()[0].p - objects_[0]).norm(), 0.3);
+  EXPECT_LT((Found()[0].p_W - objects_[0]).norm(), 0.3);
 }
 
 TEST_F(ObjectTrackerTest, OneFalseBoxWhereADriftedObjectIsExpectedMovesNothing) {
@@ -196,7 +111,7 @@ TEST_F(ObjectTrackerTest, TellsWhichOfTwoLikeObjectsItSeesAgainAfterDrift) {
   FlyTo(10.0, 0.6);
   ASSERT_EQ(Found().size(), 2U);
   for (const Eigen::Vector3d& object : objects_) {
-    const double off = std::min((Found()[0].p - object).norm(), (Found()[1].p - object).norm());
+    const double off = std::min((Found()[0].p_W - object).norm(), (Found()[1].p_W - object).norm());
     EXPECT_LT(off, 0.35);
   }
 }
@@ -208,7 +123,7 @@ TEST_F(ObjectTrackerTest, MergesADuplicateUnderTheOlderId) {
   FlyTo(5.0, 15.0);
   FlyTo(5.0, -3.0);
   EXPECT_GE(Found().size(), 1U);
-  EXPECT_EQ(Found()[0].id, 1);
+  EXPECT_EQ(Found()[0].id(), 1);
 }
 
 /// One or two objects and, some way east, two more. After a way round with drift that odometry
@@ -237,14 +152,14 @@ class SecondVisitTest : public ObjectTrackerTest {
     objects_ = others_;
     FlyTo(5.0, 16.0);
   }
-  int InDoubt() const {
+  int CountInDoubt() const {
     return static_cast<int>(std::ranges::count_if(
-        tracker_.objects(), [](const TrackedObject& o) { return o.is_in_doubt; }));
+        tracker_.objects(), [](const TrackedObject& o) { return o.Is<InDoubt>(); }));
   }
   double NearestTo(const Eigen::Vector3d& place) const {
     double nearest = 99.0;
     for (const TrackedObject& object : Found())
-      nearest = std::min(nearest, (object.p - place).norm());
+      nearest = std::min(nearest, (object.p_W - place).norm());
     return nearest;
   }
   double PoseError() const {
@@ -261,7 +176,7 @@ TEST_F(SecondVisitTest, WhatMayBeEitherOfTwoLikeObjectsIsLeftOpenAndShownAsNeith
   VisitAll({{5.0, 0.0, 6.8}, {5.0, 1.2, 6.8}});
   SeeAgain(first_[1]);
   EXPECT_EQ(Found().size(), known_);
-  EXPECT_EQ(InDoubt(), 1);
+  EXPECT_EQ(CountInDoubt(), 1);
 }
 
 TEST_F(SecondVisitTest, WhatWasLeftOpenIsDecidedByWhatIsSeenNext) {
@@ -269,7 +184,7 @@ TEST_F(SecondVisitTest, WhatWasLeftOpenIsDecidedByWhatIsSeenNext) {
   SeeAgain(first_[1]);
   SeeOthers();
   FlyTo(5.0, 19.0);
-  EXPECT_EQ(InDoubt(), 0);
+  EXPECT_EQ(CountInDoubt(), 0);
   EXPECT_EQ(Found().size(), known_);
   EXPECT_LT(NearestTo(first_[0]), 0.3);
   EXPECT_LT(NearestTo(first_[1]), 0.3);
@@ -325,7 +240,7 @@ TEST_F(SecondVisitTest, BoxesOfARecognisedObjectAreGivenItsNameAtOnce) {
   ASSERT_EQ(shown_.size(), 1U);
   FlyTo(5.0, 2.0);
   ASSERT_EQ(shown_.size(), 1U);
-  EXPECT_EQ(shown_[0], Found()[0].id);
+  EXPECT_EQ(shown_[0], Found()[0].id());
 }
 
 TEST_F(SecondVisitTest, TheEndOfTheSessionGivesALandmarkTheLooksOfAllVisits) {
@@ -335,7 +250,7 @@ TEST_F(SecondVisitTest, TheEndOfTheSessionGivesALandmarkTheLooksOfAllVisits) {
   static_cast<void>(tracker_.Conclude());
   smoother_.Update();
   ASSERT_EQ(Found().size(), known_);
-  EXPECT_GT(Found()[0].looks.back().t, before);
+  EXPECT_GT(Found()[0].observations.back().t, before);
 }
 
 }  // namespace

@@ -16,11 +16,11 @@ TrackedObject SeenAs(const std::vector<std::string>& classes, int first = 0,
                      double confidence = 0.85) {
   TrackedObject object;
   for (const std::string& name : classes) {
-    Look look;
-    look.frame = first++;
-    look.color = name;
-    look.confidence = confidence;
-    object.AddLook(look);
+    Observation one;
+    one.frame = first++;
+    one.color = name;
+    one.confidence = confidence;
+    object.Add(one);
   }
   return object;
 }

@@ -30,7 +30,7 @@ TEST(BhvHoldAltitude, HasNoOpinionBeforeTheFirstBottomLock) {
   behavior.Start(At(0.0, 3.0, {}));
   const MotionBid bid = behavior.Move(At(1.0, 3.0, {}));
   EXPECT_FALSE(bid.depth.has_value());
-  EXPECT_EQ(bid.warning->id, "ALTITUDE_LOST");
+  EXPECT_EQ(bid.warning->id.name(), "ALTITUDE_LOST");
 }
 
 TEST(BhvHoldAltitude, RemembersALostSeabedForAWhileOnly) {

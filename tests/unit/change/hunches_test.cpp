@@ -9,23 +9,23 @@ namespace limpet {
 namespace {
 
 const WatchModel kModel{.camera = {}, .detection = {}, .object_radius = 0.5};
-const SightRecord kSight{
-    .time = 0.0, .X_WB = {{10.0, 20.0, 3.5}, 0, 0, 0}, .boxes = {}, .altitude = 4.0};
+const ObservedFrame kSight{
+    .exposure = Seconds(0.0), .X_WB = {{10.0, 20.0, 3.5}, 0, 0, 0}, .altitude = 4.0};
 
 /// The box of a sphere of 0.5 m at body offset (forward, starboard) and 2.5 m below, cut at the
 /// image's border.
-SightedDetection BoxAt(double forward, double starboard) {
-  const CameraGeometry& camera = kModel.camera;
+Box BoxAt(double forward, double starboard) {
+  const CameraModel& camera = kModel.camera;
   const double depth = 2.5;
   const auto clip = [](double x, int extent) {
     return std::clamp(x, 0.0, static_cast<double>(extent));
   };
-  const double u = camera.cx() + camera.fx() * starboard / depth;
-  const double v = camera.cy() - camera.fy() * forward / depth;
-  const double left = clip(u - camera.fx() * 0.5 / depth, camera.width_px);
-  const double right = clip(u + camera.fx() * 0.5 / depth, camera.width_px);
-  const double top = clip(v - camera.fy() * 0.5 / depth, camera.height_px);
-  const double bottom = clip(v + camera.fy() * 0.5 / depth, camera.height_px);
+  const double u = camera.cx + camera.fx * starboard / depth;
+  const double v = camera.cy - camera.fy * forward / depth;
+  const double left = clip(u - camera.fx * 0.5 / depth, camera.width_px);
+  const double right = clip(u + camera.fx * 0.5 / depth, camera.width_px);
+  const double top = clip(v - camera.fy * 0.5 / depth, camera.height_px);
+  const double bottom = clip(v + camera.fy * 0.5 / depth, camera.height_px);
   return {.u = 0.5 * (left + right),
           .v = 0.5 * (top + bottom),
           .w = right - left,
@@ -52,28 +52,27 @@ TEST(PlaceOfBox, IsAlsoFoundWhenOneBorderCutsTheBox) {
 TEST(PlaceOfBox, IsUnknownInACorner) { EXPECT_FALSE(PlaceOfBox(BoxAt(1.4, 2.0), kSight, kModel)); }
 
 TEST(PlaceOfBox, IsNotBelowTheSeabed) {
-  SightedDetection small = BoxAt(0.0, 0.0);
+  Box small = BoxAt(0.0, 0.0);
   small.w = small.h = 40.0;
   EXPECT_FALSE(PlaceOfBox(small, kSight, kModel));
 }
 
-bool Nothing(const SightRecord&, const SightedDetection&) { return false; }
+bool Nothing(const ObservedFrame&, const Box&) { return false; }
 
 /// Flies north past an object that is `starboard` of the track; every frame has its box.
 void FlyPast(HunchBook& hunches, double starboard, bool has_box, double start = 0.0) {
   for (int i = 0; i < 24; ++i) {
     const double forward = 1.5 - 0.125 * i;
-    SightRecord sight{.time = start + 0.25 * i,
-                      .X_WB = {{10.0 - forward, 20.0 - starboard, 3.5}, 0, 0, 0},
-                      .boxes = {},
-                      .altitude = 4.0};
+    ObservedFrame sight{.exposure = Seconds(start + 0.25 * i),
+                        .X_WB = {{10.0 - forward, 20.0 - starboard, 3.5}, 0, 0, 0},
+                        .altitude = 4.0};
     if (has_box) sight.boxes = {BoxAt(forward, starboard)};
     hunches.AddSight(sight, kModel, Nothing);
   }
 }
 /// Time goes by elsewhere.
 void FlyElsewhere(HunchBook& hunches, double time) {
-  hunches.AddSight({.time = time, .X_WB = {{90.0, 90.0, 3.5}, 0, 0, 0}, .boxes = {}}, kModel,
+  hunches.AddSight({.exposure = Seconds(time), .X_WB = {{90.0, 90.0, 3.5}, 0, 0, 0}}, kModel,
                    Nothing);
 }
 
@@ -82,7 +81,7 @@ TEST(HunchBook, TakesCutBoxesThatAgreeForAHunch) {
   FlyPast(hunches, 2.0, true);
   FlyElsewhere(hunches, 10.0);
   ASSERT_EQ(hunches.Open().size(), 1U);
-  EXPECT_LT((hunches.Open()[0]->place.ned - Eigen::Vector3d(10.0, 20.0, 6.0)).norm(), 0.3);
+  EXPECT_LT((hunches.Open()[0]->place.p_W - Eigen::Vector3d(10.0, 20.0, 6.0)).norm(), 0.3);
 }
 
 TEST(HunchBook, IsOverAfterAGoodLookThatShowsNothing) {
@@ -102,7 +101,7 @@ TEST(HunchBook, GivesUpAPlaceThatNobodyReaches) {
 
 TEST(HunchBook, MakesNothingOfOneFalseDetection) {
   HunchBook hunches;
-  SightRecord sight = kSight;
+  ObservedFrame sight = kSight;
   sight.boxes = {BoxAt(0.3, 2.0)};
   hunches.AddSight(sight, kModel, Nothing);
   FlyElsewhere(hunches, 10.0);

@@ -9,26 +9,26 @@
 namespace limpet {
 namespace {
 
-const CameraGeometry kCamera;
+const CameraModel kCamera;
 
-PlacedObject At(double north, double east, const std::string& color = "yellow") {
-  return {.ned = {north, east, 6.0}, .cov = 0.04 * Eigen::Matrix3d::Identity(), .color = color};
+ObjectEstimate At(double north, double east, const std::string& color = "yellow") {
+  return {.p_W = {north, east, 6.0}, .cov_W = 0.04 * Eigen::Matrix3d::Identity(), .color = color};
 }
 
 /// A book and a vehicle that flies north over the field at 3 m above the objects.
 class StatusBookTest : public ::testing::Test {
  protected:
   struct Real {
-    PlacedObject object;
+    ObjectEstimate object;
     int landmark = -1;
   };
   void Fly(double east, const std::vector<Real>& objects, double detects = 1.0) {
     for (double north = -4.0; north <= 12.0; north += 0.125, time_ += 0.25) {
-      SightRecord sight{.time = time_, .X_WB = {{north, east, 3.0}, 0, 0, 0}, .boxes = {}};
+      ObservedFrame sight{.exposure = Seconds(time_), .X_WB = {{north, east, 3.0}, 0, 0, 0}};
       for (const Real& real : objects) {
-        const Eigen::Vector3d p_C = kCamera.InCamera(sight.X_WB, real.object.ned);
+        const Eigen::Vector3d p_C = kCamera.InCamera(sight.X_WB, real.object.p_W);
         const Eigen::Vector2d pixel = *kCamera.Project(p_C);
-        if (VisibleShare(kCamera, sight.X_WB, real.object.ned, 0.5) < 0.5) continue;
+        if (VisibleShare(kCamera, sight.X_WB, real.object.p_W, 0.5) < 0.5) continue;
         if (!random_.Chance(detects)) continue;
         sight.boxes.push_back({.u = pixel.x(),
                                .v = pixel.y(),
@@ -47,25 +47,28 @@ class StatusBookTest : public ::testing::Test {
     FormerViews views{.sights = {}, .model = {.camera = kCamera, .detection = {}}, .looks = {}};
     for (double north = -4.0; north <= 12.0; north += 0.5) {
       views.sights.push_back(
-          {.time = north + 4.0, .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}, .boxes = {}});
+          {.exposure = Seconds(north + 4.0), .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}});
     }
     book_.SetFormerViews(std::move(views));
   }
   void Landmarks(const std::vector<Real>& objects) {
-    std::vector<KnownLandmark> known;
+    std::vector<Landmark> known;
     for (const Real& real : objects) {
-      known.push_back({.id = real.landmark, .object = real.object, .looks = 10 - real.landmark});
+      known.push_back({.id = real.landmark,
+                       .object = real.object,
+                       .looks = 10 - real.landmark,
+                       .is_confirmed = true});
     }
     book_.SetLandmarks(known);
   }
   std::vector<Status> Decided() {
     std::vector<Status> decided;
-    for (const ObjectStatus& object : book_.Assess())
+    for (const OpiBelief& object : book_.Assess())
       decided.push_back(object.decided);
     return decided;
   }
-  static FormerObject Former(int id, const PlacedObject& object) {
-    return {.id = id, .object = object, .lambda = 8.0, .looks = 5};
+  static FormerObject Former(int id, const ObjectEstimate& object) {
+    return {.id = id, .object = object, .log_likelihood_ratio = 8.0, .looks = 5};
   }
 
   Random random_{7};
@@ -75,7 +78,7 @@ class StatusBookTest : public ::testing::Test {
 
 /// A fix at the end moves everything; an object at the image's border must not fall out of it.
 TEST_F(StatusBookTest, TakesItsFramesAlongWhenAFixMovesTheTrack) {
-  const PlacedObject object = At(4, 0.5);
+  const ObjectEstimate object = At(4, 0.5);
   Fly(0.0, {{object, 1}});
   Fly(3.4, {});  // passes by: the object is outside the image
   const Eigen::Vector3d shift(0.2, 0.9, 0.0);
@@ -83,8 +86,8 @@ TEST_F(StatusBookTest, TakesItsFramesAlongWhenAFixMovesTheTrack) {
     X_WB.p_WB += shift;
     return X_WB;
   });
-  PlacedObject moved = object;
-  moved.ned += shift;
+  ObjectEstimate moved = object;
+  moved.p_W += shift;
   Landmarks({{moved, 1}});
   EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kNew));
 }
@@ -100,8 +103,8 @@ TEST_F(StatusBookTest, JudgesALandmarkAlsoFromFramesBeforeItWasConfirmed) {
 
 TEST_F(StatusBookTest, BoxesThatNoLandmarkExplainsAreWorthALook) {
   Fly(0.0, {{At(4, 2.4), -1}});
-  book_.AddSight({.time = time_, .X_WB = {{90.0, 90.0, 3.0}, 0, 0, 0}, .boxes = {}});
-  const std::vector<ObjectStatus> objects = book_.Assess();
+  book_.AddSight({.exposure = Seconds(time_), .X_WB = {{90.0, 90.0, 3.0}, 0, 0, 0}});
+  const std::vector<OpiBelief> objects = book_.Assess();
   ASSERT_EQ(objects.size(), 1U);
   EXPECT_EQ(objects[0].decided, Status::kUncertain);
   EXPECT_EQ(objects[0].landmark, -1);
@@ -164,7 +167,7 @@ TEST_F(StatusBookTest, AFormerObjectThatIsStillThereIsConfirmed) {
   Fly(0.0, {real});
   Landmarks({real});
   ASSERT_THAT(Decided(), ::testing::ElementsAre(Status::kConfirmed));
-  EXPECT_EQ(book_.Assess()[0].former, 7);
+  EXPECT_EQ(book_.Assess()[0].prior_id, 7);
   EXPECT_EQ(book_.Assess()[0].landmark, 1);
 }
 
@@ -200,12 +203,12 @@ TEST_F(StatusBookTest, AnObjectWhereNobodyLookedBeforeMayBeOld) {
   const Real real{At(4, 0.5), 1};
   book_.SetFormer({});
   book_.SetFormerViews(
-      {.sights = {{.time = 0.0, .X_WB = {{100.0, 0.0, 3.0}, 0, 0, 0}, .boxes = {}}},
+      {.sights = {{.exposure = Seconds(0.0), .X_WB = {{100.0, 0.0, 3.0}, 0, 0, 0}}},
        .model = {.camera = kCamera, .detection = {}},
        .looks = {}});
   Fly(0.0, {real});
   Landmarks({real});
-  const std::vector<ObjectStatus> objects = book_.Assess();
+  const std::vector<OpiBelief> objects = book_.Assess();
   ASSERT_EQ(objects.size(), 1U);
   EXPECT_EQ(objects[0].decided, Status::kUncertain);
   EXPECT_GT(objects[0].posterior.present(), 0.9);
@@ -224,9 +227,9 @@ TEST_F(StatusBookTest, AnObjectIsNotNewWhereTheFormerSessionSawBoxesThatItDidNot
   const Real real{At(4, 0.5), 1};
   FormerViews views{.sights = {}, .model = {.camera = kCamera, .detection = {}}, .looks = {}};
   for (double north = -4.0; north <= 12.0; north += 0.5) {
-    SightRecord view{.time = north + 4.0, .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}, .boxes = {}};
-    if (VisibleShare(kCamera, view.X_WB, real.object.ned, 0.5) > 0.5) {
-      const Eigen::Vector2d pixel = *kCamera.Project(kCamera.InCamera(view.X_WB, real.object.ned));
+    ObservedFrame view{.exposure = Seconds(north + 4.0), .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}};
+    if (VisibleShare(kCamera, view.X_WB, real.object.p_W, 0.5) > 0.5) {
+      const Eigen::Vector2d pixel = *kCamera.Project(kCamera.InCamera(view.X_WB, real.object.p_W));
       view.boxes.push_back({.u = pixel.x(),
                             .v = pixel.y(),
                             .w = 120,
@@ -253,16 +256,16 @@ TEST_F(StatusBookTest, JudgedAgainItDoesNotDependOnHowItCameToKnow) {
   Landmarks({late});
   book_.Rejudge();
   StatusBook again(StatusParams{}, kCamera);
-  for (const SightRecord& sight : book_.sights())
+  for (const ObservedFrame& sight : book_.sights())
     again.AddSight(sight);
   again.SetFormer({Former(7, At(8, 0.0))});
-  again.SetLandmarks({{.id = 1, .object = late.object, .looks = 9}});
+  again.SetLandmarks({{.id = 1, .object = late.object, .looks = 9, .is_confirmed = true}});
   again.Rejudge();
-  const std::vector<ObjectStatus> first = book_.Assess();
-  const std::vector<ObjectStatus> second = again.Assess();
+  const std::vector<OpiBelief> first = book_.Assess();
+  const std::vector<OpiBelief> second = again.Assess();
   ASSERT_EQ(first.size(), second.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
-    EXPECT_EQ(first[i].lambda, second[i].lambda);
+    EXPECT_EQ(first[i].log_likelihood_ratio, second[i].log_likelihood_ratio);
   }
 }
 
@@ -275,7 +278,7 @@ TEST_F(StatusBookTest, AnObjectThatMovedIsOneStoryNotTwo) {
   Landmarks(now);
   EXPECT_THAT(Decided(),
               ::testing::ElementsAre(Status::kConfirmed, Status::kConfirmed, Status::kMoved));
-  EXPECT_EQ(book_.Assess().back().former, 7);
+  EXPECT_EQ(book_.Assess().back().prior_id, 7);
 }
 
 TEST_F(StatusBookTest, KeepsAnObjectsIdWhenItIsFoundAgain) {
@@ -293,7 +296,7 @@ TEST_F(StatusBookTest, LearnsHowOftenTheDetectorSeesGhosts) {
     Fly(0.0, {real});
   }
   for (int i = 0; i < 600; ++i, time_ += 0.25) {
-    SightRecord sight{.time = time_, .X_WB = {{90.0, 90.0, 3.0}, 0, 0, 0}, .boxes = {}};
+    ObservedFrame sight{.exposure = Seconds(time_), .X_WB = {{90.0, 90.0, 3.0}, 0, 0, 0}};
     if (i % 2 == 0) sight.boxes.push_back({.u = 30, .v = 30, .w = 40, .h = 40, .color = "green"});
     book_.AddSight(std::move(sight));
   }
@@ -305,7 +308,7 @@ TEST_F(StatusBookTest, LearnsHowOftenTheDetectorSeesGhosts) {
 TEST_F(StatusBookTest, FalseDetectionsNeverAddUpToAnObject) {
   // One random box in every tenth frame, and a smoother that believes in one of them.
   for (double north = -4.0; north <= 12.0; north += 0.125, time_ += 0.25) {
-    SightRecord sight{.time = time_, .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}, .boxes = {}};
+    ObservedFrame sight{.exposure = Seconds(time_), .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}};
     if (random_.Chance(0.1)) {
       sight.boxes.push_back({.u = random_.Uniform(0, 640),
                              .v = random_.Uniform(0, 480),
@@ -319,7 +322,7 @@ TEST_F(StatusBookTest, FalseDetectionsNeverAddUpToAnObject) {
   }
   for (double north = -2.0; north <= 10.0; north += 0.7) {
     Landmarks({{At(north, 0.8), 1}});
-    for (const ObjectStatus& object : book_.Assess()) {
+    for (const OpiBelief& object : book_.Assess()) {
       EXPECT_EQ(object.decided, Status::kUncertain) << north;
     }
   }

@@ -15,8 +15,8 @@
 
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/verbs/change.hpp"
-#include "apps/pSession/saved_session.hpp"
 #include "limpet/app/embedded.hpp"
+#include "limpet/session/saved_session.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
 #include "tests/support/flyover.hpp"
@@ -28,6 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
+const Eigen::Vector3d kCovariance(0.04, 0.04, 0.09);  // of each place [m^2]
 const trial::Sphere kStays{.ned = {4, 1, 5.5}, .color = "yellow", .landmark = 1};
 const trial::Sphere kGoes{.ned = {9, -1, 6.0}, .color = "orange", .landmark = 2};
 const trial::Sphere kComes{.ned = {0, 0.5, 6.2}, .color = "green", .landmark = 3};
@@ -72,7 +73,7 @@ class ChangeVerbTest : public ::testing::Test {
   }
   void Pass(EmbeddedCommunity& community, const trial::Leg& leg,
             const std::vector<trial::Sphere>& spheres) {
-    for (const Sight& sight :
+    for (const ObservedFrame& sight :
          trial::Fly(leg, community.now(), spheres, {.detects = 0.8}, random_)) {
       Say(community, topics::kNavSight, sight);
       Wait(community, 0.25);
@@ -83,14 +84,12 @@ class ChangeVerbTest : public ::testing::Test {
                       const Eigen::Vector3d& off) {
     Landmarks landmarks;
     for (const trial::Sphere& sphere : spheres) {
-      const Eigen::Vector3d ned = sphere.ned + off;
       landmarks.landmarks.push_back({.id = sphere.landmark,
-                                     .ned = {ned.x(), ned.y(), ned.z()},
-                                     .cov = {0.04, 0, 0, 0.04, 0, 0.09},
-                                     .color = sphere.color,
+                                     .object = {.p_W = sphere.ned + off,
+                                                .cov_W = kCovariance.asDiagonal(),
+                                                .color = sphere.color},
                                      .looks = 9,
-                                     .is_confirmed = true,
-                                     .prior_id = -1});
+                                     .is_confirmed = true});
     }
     Say(community, topics::kNavLandmarks, landmarks);
     Wait(community, 1.0);
@@ -149,14 +148,14 @@ TEST_F(ChangeVerbTest, SaysWhatTheVehicleSaid) {
   for (std::size_t i = 0; i < changes.size(); ++i) {
     const nlohmann::json& change = changes[i];
     const OpiBelief& opi = on_board.opis[i];
-    EXPECT_EQ(change.at("decided"), opi.decided);
-    EXPECT_EQ(change.at("color"), opi.color);
+    EXPECT_EQ(change.at("decided"), NameOf(opi.decided));
+    EXPECT_EQ(change.at("color"), opi.object.color);
     EXPECT_NEAR(change.at("posterior").at("confirmed"), opi.posterior.confirmed, 1e-3);
     EXPECT_NEAR(change.at("posterior").at("removed"), opi.posterior.removed, 1e-3);
     EXPECT_NEAR(change.at("posterior").at("new"), opi.posterior.appeared, 1e-3);
     EXPECT_NEAR(change.at("log_likelihood_ratio_b"), opi.log_likelihood_ratio,
                 1e-3 * std::abs(opi.log_likelihood_ratio));
-    decided[opi.color + (opi.ned[1] > 10.0 ? " far" : "")] = opi.decided;
+    decided[opi.object.color + (opi.object.p_W.y() > 10.0 ? " far" : "")] = NameOf(opi.decided);
   }
   EXPECT_EQ(decided["yellow"], "confirmed");
   EXPECT_EQ(decided["orange"], "removed");

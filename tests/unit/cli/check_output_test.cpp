@@ -57,14 +57,27 @@ TEST(CheckVerbOfFiles, NotesWhatBelongsToOtherPeoplesApps) {
 
 TEST(CheckVerbOfFiles, NestedTextOfAnAcousticModemIsANoteAndInABlockOfOursAnError) {
   const MissionCopy mission;
-  mission.Apply({"mission.moos", "ProcessConfig = pDetect\n{\n",
+  mission.Apply({PlugOf("pDetect"), "ProcessConfig = pDetect\n{\n",
                  "ProcessConfig = pAcommsHandler\n{\n  driver_cfg {\n    modem_id = 3\n    fsk { "
                  "rate: 0 }\n  }\n}\nProcessConfig = pDetect\n{\n"});
   const Checked foreign = mission.Run();
   EXPECT_EQ(foreign.exit_code, kOk) << foreign.text;
   EXPECT_THAT(foreign.text, HasSubstr("note: "));
-  mission.Apply({"mission.moos", "detector = color_shape", "detector = color_shape\n  x {\n  }"});
+  mission.Apply(
+      {PlugOf("pDetect"), "detector = color_shape", "detector = color_shape\n  x {\n  }"});
   EXPECT_EQ(mission.Run().exit_code, kUsage);
+}
+
+TEST(CheckVerbOfFiles, TakesASurveyWithOtherPeoplesDriversDatabaseAndLogger) {
+  const MissionCopy mission;
+  fs::remove(mission.path() / "scenario.yaml");
+  std::ofstream(mission.path() / "my_drivers.moos") << "Run = iEverything\n";
+  mission.Apply({"mission.moos", "#include plug_survey",
+                 "#define OWN_COMMUNITY\n#define DRIVERS my_drivers.moos\n#include plug_survey"});
+  const Checked checked = mission.Run();
+  EXPECT_EQ(checked.exit_code, kOk) << checked.text;
+  EXPECT_THAT(checked.text, HasSubstr("no problems"));
+  EXPECT_THAT(checked.text, HasSubstr("note: iEverything: is no app of Limpet's"));
 }
 
 TEST(CheckVerbOfFiles, RefusesAMisspeltBehaviorAndABadParameterOfABehaviorFile) {
@@ -97,21 +110,22 @@ TEST(CheckVerbOfFiles, SaysThatThereIsNoSuchFile) {
 TEST(CheckOutput, IsOneLineEachByFileAndLineWithACount) {
   const MissionCopy mission;
   mission.Apply({"mission.moos", "MOOSTimeWarp = 1", "MOOSTimeWarp = 9000"});
-  mission.Apply({"mission.moos", "coverage_target     = 0.975", "coverage_target     = 1.5"});
-  mission.Apply({"mission.bhv", "radius_m  = 1", "radius_m  = -1"});
+  mission.Apply({PlugOf("pSurvey"), "coverage_target     = 0.975", "coverage_target     = 1.5"});
+  mission.Apply({"../plugs/plug_survey.bhv", "radius_m  = 1", "radius_m  = -1"});
   const Checked checked = mission.Run();
   EXPECT_EQ(checked.exit_code, kUsage);
   const std::vector<std::string> lines = Split(checked.text, '\n');
   ASSERT_EQ(lines.size(), 5U) << checked.text;
-  EXPECT_THAT(lines[0], HasSubstr("mission.bhv:"));
-  EXPECT_THAT(lines[1], HasSubstr("mission.moos:7: MOOSTimeWarp"));
-  EXPECT_THAT(lines[2], HasSubstr("coverage_target"));
+  EXPECT_THAT(lines[0], HasSubstr("plug_pSurvey.moos:11: coverage_target"));
+  EXPECT_THAT(lines[1], HasSubstr("plug_survey.bhv:102: radius_m"));
+  EXPECT_THAT(lines[2], HasSubstr("mission.moos:7: MOOSTimeWarp"));
   EXPECT_EQ(lines[3], "3 problems");
 }
 
 TEST(CheckOutput, HoldsNothingThatATerminalObeys) {
   const MissionCopy mission;
-  mission.Apply({"mission.moos", "detector = color_shape", "detector = \x1b]0;owned\x07\x1b[2J"});
+  mission.Apply(
+      {PlugOf("pDetect"), "detector = color_shape", "detector = \x1b]0;owned\x07\x1b[2J"});
   const Checked checked = mission.Run();
   EXPECT_EQ(checked.exit_code, kUsage);
   EXPECT_THAT(checked.text, Not(HasSubstr("\x1b")));
@@ -120,7 +134,7 @@ TEST(CheckOutput, HoldsNothingThatATerminalObeys) {
 
 TEST(CheckOutput, AsJsonTellsKindsApart) {
   const MissionCopy mission;
-  mission.Apply({"mission.bhv", "altitude_m = 4", "altitude_m = 3"});
+  mission.Apply({"mission.bhv", "ALTITUDE 4", "ALTITUDE 3"});
   const Checked checked = Check({mission.path().string(), "--json"});
   EXPECT_EQ(checked.exit_code, kRefused);
   const auto found = nlohmann::json::parse(checked.text);

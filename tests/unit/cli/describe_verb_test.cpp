@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <set>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -8,11 +10,14 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/limpet/cli.hpp"
-#include "apps/limpet/describe/parameter_list.hpp"
-#include "apps/limpet/describe/variable_list.hpp"
 #include "apps/limpet/verbs/describe.hpp"
 #include "limpet/app/app_example.hpp"
+#include "limpet/describe/parameter_list.hpp"
+#include "limpet/describe/variable_list.hpp"
+#include "limpet/helm/registry.hpp"
 #include "limpet/mission/mission_file.hpp"
+#include "limpet/topics/event.hpp"
+#include "limpet/topics/warning.hpp"
 
 namespace limpet {
 namespace {
@@ -86,6 +91,29 @@ TEST(Describe, SaysWhoWritesAndReadsAVariable) {
   EXPECT_EQ(state->at("unit"), "m, rad, s");
 }
 
+TEST(Describe, SaysWhatAWarningMeansAndWhatToDo) {
+  const std::string text = Describe({"NAV_STALE"}).text;
+  EXPECT_THAT(text, HasSubstr("NAV_STALE: alarm, raised by pPilot"));
+  EXPECT_THAT(text, HasSubstr("to do "));
+  EXPECT_THAT(text, HasSubstr("clears "));
+  EXPECT_THAT(Describe({"SILENT_NAV_X"}).text, HasSubstr("SILENT_<VARIABLE>: "))
+      << "the id as it was raised";
+  EXPECT_THAT(Describe({"GOING_HOME"}).text, HasSubstr("GOING_HOME: event, note"));
+}
+
+TEST(Describe, ListsTheWarningsOfAppsBehaviorsAndTheDatabase) {
+  const auto list = nlohmann::json::parse(Describe({"warnings", "--json"}).text);
+  std::map<std::string, std::string> severities;
+  for (const auto& warning : list.at("warnings")) {
+    severities[warning.at("id")] = warning.at("severity");
+  }
+  EXPECT_EQ(severities.at("NAV_INVALID"), "alarm");
+  EXPECT_EQ(severities.at("OUTSIDE_REGION"), "alarm");
+  EXPECT_EQ(severities.at("OBJECTS_GIVEN_UP"), "note");
+  EXPECT_TRUE(severities.contains("SLOW_<CLIENT>") && severities.contains("DOWN_<PROCESS>"));
+  EXPECT_FALSE(list.at("events").empty());
+}
+
 TEST(Describe, NamesTheNearestOfAMisspeltName) {
   try {
     static_cast<void>(RunDescribe(std::vector<std::string>{"pHlem"}));
@@ -103,6 +131,37 @@ TEST(Describe, EveryVariableHasAMeaningARateAndAWriter) {
   }
 }
 
+TEST(Describe, EveryWarningSaysWhoRaisesItWhatItMeansWhatToDoAndWhenItClears) {
+  for (const WarningDeclaration& warning : WarningCatalog()) {
+    const WarningFacts& facts = warning.facts;
+    for (const std::string& text : {facts.meaning, facts.action, facts.clears}) {
+      EXPECT_TRUE(text.ends_with('.')) << warning.id << ": `" << text << "`";
+    }
+    for (const std::string& raiser : facts.raised_by) {
+      const bool is_known = AppRegistry().contains(raiser) || BehaviorRegistry().contains(raiser) ||
+                            raiser == "LimpetDB" || raiser == "pLaunch" || raiser == "limpet";
+      EXPECT_TRUE(is_known) << warning.id << " is raised by " << raiser;
+    }
+  }
+  for (const auto& [id, facts] : EventCatalog()) {
+    EXPECT_TRUE(facts.meaning.ends_with('.')) << id;
+    EXPECT_THAT(facts.reported_by, Not(IsEmpty())) << id;
+  }
+}
+
+TEST(Describe, EveryWarningIsRaisedInATest) {
+  // A disk that is too slow, and a step that CVODE gives up, are not to be had at will.
+  const std::set<std::string> not_at_will{"LOG_DROPPED", "INTEGRATOR_FAILED"};
+  std::string tests;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kSource / "tests")) {
+    if (entry.path().extension() == ".cpp") tests += TextOf(entry.path());
+  }
+  for (const WarningDeclaration& warning : WarningCatalog()) {
+    const bool is_tested = tests.find('"' + std::string(warning.stem())) != std::string::npos;
+    EXPECT_TRUE(is_tested || not_at_will.contains(warning.id)) << warning.id;
+  }
+}
+
 TEST(Documentation, ListsTheParametersThatTheCodeHas) {
   EXPECT_TRUE(TextOf(kSource / "docs/parameters.md") == Describe({"parameters", "--markdown"}).text)
       << "docs/parameters.md is behind the code; in the repository root run\n"
@@ -115,6 +174,12 @@ TEST(Documentation, ListsTheVariablesThatTheCodeHas) {
               Describe({"variables", mission, "--markdown"}).text)
       << "docs/variables.md is behind the code; in the repository root run\n"
          "  ./limpet describe variables missions/table1 --markdown > docs/variables.md";
+}
+
+TEST(Documentation, ListsTheWarningsThatTheCodeHas) {
+  EXPECT_TRUE(TextOf(kSource / "docs/warnings.md") == Describe({"warnings", "--markdown"}).text)
+      << "docs/warnings.md is behind the code; in the repository root run\n"
+         "  ./limpet describe warnings --markdown > docs/warnings.md";
 }
 
 }  // namespace

@@ -67,6 +67,22 @@ TEST_F(DetectVerb, WrongUsageIsTwo) {
   EXPECT_EQ(Run({Path("ball.png"), "--otu", Path("out.csv")}), kUsage);
 }
 
+TEST_F(DetectVerb, TakesADetectorByNameWithItsParameters) {
+  EXPECT_EQ(Run({Path("ball.png"), "--out", Path("out.csv"), "--detector", "color_shape", "--set",
+                 "least_radius_px=300"}),
+            kOk);
+  EXPECT_EQ(Csv(), "image,class,confidence,x,y,w,h\n") << "the ball is smaller than that";
+  for (const char* wrong : {"least_radius_px=-1", "least_radius_px", "leest_radius_px=3"}) {
+    EXPECT_EQ(Run({Path("ball.png"), "--out", Path("out.csv"), "--set", wrong}), kUsage) << wrong;
+  }
+}
+
+TEST_F(DetectVerb, RefusesADetectorThatDoesNotExist) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(Run({Path("ball.png"), "--out", Path("out.csv"), "--detector", "color_shap"}), kUsage);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("did you mean `color_shape`?"));
+}
+
 TEST_F(DetectVerb, FailsWhereItCannotWrite) {
   EXPECT_EQ(Run({Path("ball.png"), "--out", Path("nowhere/out.csv")}), kFailed);
 }

@@ -11,7 +11,7 @@
 
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/verbs/launch.hpp"
-#include "apps/pLaunch/launch_check.hpp"
+#include "limpet/launch/launch_check.hpp"
 #include "limpet/mission/mission_file.hpp"
 #include "tests/unit/cli/mission_copy.hpp"
 
@@ -50,7 +50,7 @@ Refusal Launch(const MissionCopy& mission) {
 
 TEST(LaunchVerb, StartsNothingOfAMissionThatCannotWork) {
   const MissionCopy mission;
-  mission.Apply({"mission.bhv", "altitude_m = 4", "altitude_m = 3"});
+  mission.Apply({"mission.bhv", "ALTITUDE 4", "ALTITUDE 3"});
   MakeStandIns(mission);
   const Refusal refusal = Launch(mission);
   EXPECT_EQ(refusal.exit_code, kRefused);
@@ -61,7 +61,7 @@ TEST(LaunchVerb, StartsNothingOfAMissionThatCannotWork) {
 
 TEST(LaunchVerb, StartsNothingOfAMissionThatCannotBeRead) {
   const MissionCopy mission;
-  mission.Apply({"mission.moos", "ProcessConfig = pSurvey", "ProcessConfig = pSurvy"});
+  mission.Apply({PlugOf("pSurvey"), "ProcessConfig = pSurvey", "ProcessConfig = pSurvy"});
   MakeStandIns(mission);
   const Refusal refusal = Launch(mission);
   EXPECT_EQ(refusal.exit_code, kUsage);

@@ -33,6 +33,9 @@ struct Edit {
   std::string to;
 };
 
+/// The plug with an app's block, from a mission's folder.
+inline std::string PlugOf(const std::string& app) { return "../plugs/plug_" + app + ".moos"; }
+
 /// A copy of missions/table1, with the plugs beside it.
 class MissionCopy {
  public:

@@ -7,12 +7,12 @@ namespace limpet {
 namespace {
 
 TEST(CameraParams, DefaultIsTheDefaultCamera) {
-  const CameraGeometry camera = CameraParams().geometry();
-  const CameraGeometry plain;
+  const CameraModel camera = CameraParams().geometry();
+  const CameraModel plain;
   EXPECT_EQ(camera.width_px, plain.width_px);
   EXPECT_EQ(camera.height_px, plain.height_px);
-  EXPECT_DOUBLE_EQ(camera.fx(), plain.fx());
-  EXPECT_DOUBLE_EQ(camera.fy(), plain.fy());
+  EXPECT_DOUBLE_EQ(camera.fx, plain.fx);
+  EXPECT_DOUBLE_EQ(camera.fy, plain.fy);
 }
 
 TEST(CameraParams, ReadsDegreesAndPixels) {
@@ -21,8 +21,8 @@ TEST(CameraParams, ReadsDegreesAndPixels) {
                    {"camera_fov_along_deg", "45", {}},
                    {"camera_width_px", "320", {}},
                    {"camera_height_px", "240", {}}};
-  const CameraGeometry camera = ReadParams<CameraParams>(block).geometry();
-  EXPECT_NEAR(camera.fov_across, RadiansFromDegrees(60.0), 1e-12);
+  const CameraModel camera = ReadParams<CameraParams>(block).geometry();
+  EXPECT_NEAR(camera.fov_across(), RadiansFromDegrees(60.0), 1e-12);
   EXPECT_EQ(camera.height_px, 240);
 }
 

@@ -10,8 +10,8 @@ class LookLedgerTest : public ::testing::Test {
  protected:
   LookLedgerTest() {
     belief_.id = 7;
-    belief_.ned = {10.0, 0.0, 6.0};
-    belief_.entropy = 0.6;
+    belief_.object.p_W = {10.0, 0.0, 6.0};
+    belief_.posterior = {.confirmed = 0.7, .removed = 0.3};
     ledger_.SetBeliefs({belief_});
   }
   static DubinsPath North(double length) { return DubinsPath({}, {{0.0, length}}); }
@@ -42,7 +42,7 @@ TEST_F(LookLedgerTest, CountsNoLookThatToldSomething) {
 TEST_F(LookLedgerTest, StartsAnewWhenTheBeliefChanges) {
   Promise(North(20.0), 0.0);
   EXPECT_TRUE(ledger_.Judge(13.0));
-  belief_.entropy = 0.3;
+  belief_.posterior = {.confirmed = 0.9, .removed = 0.1};
   ledger_.SetBeliefs({belief_});
   EXPECT_EQ(ledger_.fruitless(7), 0);
 }

@@ -36,23 +36,26 @@ class ViewDecisionTest : public ::testing::Test {
 
   SurveyArea area_{.north_min = -10, .north_max = 10, .east_min = -10, .east_max = 10};
   SurveyGrid grid_{area_};
-  Ground ground_{grid_, Footprint(4.0, 2.0, CameraGeometry{})};
+  Ground ground_{grid_, Footprint(4.0, 2.0, CameraModel{})};
   Region region_{area_};
   SightAlong sight_{ground_};
 };
 
 TEST_F(ViewDecisionTest, AddsWeightedBidsAndTakesTheBest) {
-  JudgingBehavior likes_long(
-      [](const Prospect& p) { return Bid{.value = p.length() * p.length(), .why = {}, .veto = {}}; });
-  JudgingBehavior likes_short(
-      [](const Prospect& p) { return Bid{.value = -p.length() * p.length(), .why = {}, .veto = {}}; });
+  JudgingBehavior likes_long([](const Prospect& p) {
+    return Bid{.value = p.length() * p.length(), .why = {}, .veto = {}};
+  });
+  JudgingBehavior likes_short([](const Prospect& p) {
+    return Bid{.value = -p.length() * p.length(), .why = {}, .veto = {}};
+  });
   EXPECT_EQ(Decide({{"a", 1.0, &likes_long}, {"b", 0.5, &likes_short}}).chosen->source, "long");
   EXPECT_EQ(Decide({{"a", 1.0, &likes_long}, {"b", 2.0, &likes_short}}).chosen->source, "short");
 }
 
 TEST_F(ViewDecisionTest, DropsVetoedOptionsHoweverGood) {
-  JudgingBehavior likes_long(
-      [](const Prospect& p) { return Bid{.value = p.length() * p.length(), .why = {}, .veto = {}}; });
+  JudgingBehavior likes_long([](const Prospect& p) {
+    return Bid{.value = p.length() * p.length(), .why = {}, .veto = {}};
+  });
   JudgingBehavior forbids_long([](const Prospect& p) {
     Bid bid;
     if (p.length() > 5.0) {

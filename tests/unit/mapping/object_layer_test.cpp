@@ -8,27 +8,27 @@
 namespace limpet {
 namespace {
 
-const CameraGeometry kCamera;
+const CameraModel kCamera;
 constexpr double kRadius = 0.5;
 
-SightedDetection BoxAround(const Pose& X_WB, const Eigen::Vector3d& p_W, int landmark) {
+Box BoxAround(const Pose& X_WB, const Eigen::Vector3d& p_W, int landmark) {
   const Eigen::Vector3d p_C = kCamera.InCamera(X_WB, p_W);
   const Eigen::Vector2d pixel = *kCamera.Project(p_C);
   return {.u = pixel.x(),
           .v = pixel.y(),
-          .w = 2.0 * kRadius * kCamera.fx() / p_C.z(),
-          .h = 2.0 * kRadius * kCamera.fy() / p_C.z(),
+          .w = 2.0 * kRadius * kCamera.fx / p_C.z(),
+          .h = 2.0 * kRadius * kCamera.fy / p_C.z(),
           .confidence = 0.9,
           .color = "yellow",
           .landmark = landmark};
 }
 
-ObjectStatus StatusAt(const Eigen::Vector3d& ned, Status decided, int landmark = 1) {
-  ObjectStatus status;
+OpiBelief StatusAt(const Eigen::Vector3d& ned, Status decided, int landmark = 1) {
+  OpiBelief status;
   status.id = 1;
   status.landmark = landmark;
-  status.former = landmark < 0 ? 7 : -1;
-  status.object.ned = ned;
+  status.prior_id = landmark < 0 ? 7 : -1;
+  status.object.p_W = ned;
   status.posterior.appeared = 0.98;
   status.posterior.nothing = 0.02;
   status.decided = decided;
@@ -44,13 +44,14 @@ struct Flight {
 
   explicit Flight(const Eigen::Vector3d& ned) {
     book.SetLandmarks(
-        {{.id = 1, .object = {.ned = ned, .cov = {}, .color = "yellow"}, .looks = 5}});
+        {{.id = 1, .object = {.p_W = ned, .color = "yellow"}, .looks = 5, .is_confirmed = true}});
     for (int i = 0; i < 20; ++i) {
       const Pose X_WB{{ned.x() - 1.2 + 0.125 * i, ned.y() + 0.4, ned.z() - 3.0}, 0.02, -0.01, 0.0};
-      book.AddSight({.time = 0.25 * i, .X_WB = X_WB, .boxes = {BoxAround(X_WB, ned, 1)}});
+      book.AddSight(
+          {.exposure = Seconds(0.25 * i), .X_WB = X_WB, .boxes = {BoxAround(X_WB, ned, 1)}});
     }
   }
-  void Paint(const ObjectStatus& object) { layer.SetObjects({object}, book, octree); }
+  void Paint(const OpiBelief& object) { layer.SetObjects({object}, book, octree); }
 };
 
 const Eigen::Vector3d kPlace(4.07, 1.02, 5.53);
@@ -140,7 +141,7 @@ TEST(ObjectLayer, LabelsVoxelsWithTheirObjectsStatus) {
 
 TEST(ObjectLayer, DrawsAFormerObjectThatIsGone) {
   Flight flight(kPlace);
-  ObjectStatus gone = StatusAt(kPlace, Status::kRemoved, -1);
+  OpiBelief gone = StatusAt(kPlace, Status::kRemoved, -1);
   gone.posterior = {.confirmed = 0.02, .removed = 0.98};
   flight.Paint(gone);
   const auto top = flight.octree.At(kPlace - Eigen::Vector3d(0, 0, 0.45));
@@ -158,7 +159,7 @@ TEST(ObjectLayer, ForgetsAnObjectThatIsNoMore) {
 }
 
 /// What the detector reports of a box that reaches over the image's border.
-SightedDetection Clipped(SightedDetection box) {
+Box Clipped(Box box) {
   const auto clip = [](double& centre, double& size, double image) {
     const double low = std::max(centre - 0.5 * size, 0.0);
     const double high = std::min(centre + 0.5 * size, image);
@@ -173,22 +174,23 @@ SightedDetection Clipped(SightedDetection box) {
 Flight PastTheEdge(const Eigen::Vector3d& ned, int landmark) {
   Flight flight(ned);
   flight.book = StatusBook(flight.status, kCamera);
-  const double beside = 3.0 * std::tan(0.5 * kCamera.fov_across) - 0.1;
+  const double beside = 3.0 * kCamera.half_across() - 0.1;
   for (int i = 0; i < 20; ++i) {
     const Pose X_WB{{ned.x() - 1.2 + 0.125 * i, ned.y() - beside, ned.z() - 3.0}, 0.0, 0.0, 0.0};
-    flight.book.AddSight(
-        {.time = 0.25 * i, .X_WB = X_WB, .boxes = {Clipped(BoxAround(X_WB, ned, landmark))}});
+    flight.book.AddSight({.exposure = Seconds(0.25 * i),
+                          .X_WB = X_WB,
+                          .boxes = {Clipped(BoxAround(X_WB, ned, landmark))}});
   }
   flight.book.SetLandmarks(
-      {{.id = 1, .object = {.ned = ned, .cov = {}, .color = "yellow"}, .looks = 5}});
+      {{.id = 1, .object = {.p_W = ned, .color = "yellow"}, .looks = 5, .is_confirmed = true}});
   return flight;
 }
 
 TEST(WholeBox, IsTheOneBeyondTheBorder) {
   const Pose X_WB{{4.0, 1.5, 2.5}, 0.0, 0.0, 0.0};
   for (const Eigen::Vector3d& beside : {Eigen::Vector3d(0.3, 2.4, 3.0), {1.7, 0.2, 3.0}}) {
-    const SightedDetection box = BoxAround(X_WB, X_WB.p_WB + beside, 1);
-    const SightedDetection mended = WholeBox(Clipped(box), {50.0, 50.0}, kCamera);
+    const Box box = BoxAround(X_WB, X_WB.p_WB + beside, 1);
+    const Box mended = WholeBox(Clipped(box), {50.0, 50.0}, kCamera);
     EXPECT_LT(box.w, box.h * 1.2);
     EXPECT_NEAR(mended.u, box.u, 1.0);
     EXPECT_NEAR(mended.v, box.v, 1.0);
@@ -199,8 +201,8 @@ TEST(WholeBox, IsTheOneBeyondTheBorder) {
 
 TEST(WholeBox, OfACornerHasTheObjectsSize) {
   const Pose X_WB{{4.0, 1.5, 2.5}, 0.0, 0.0, 0.0};
-  const SightedDetection box = BoxAround(X_WB, X_WB.p_WB + Eigen::Vector3d(1.7, 2.4, 3.0), 1);
-  const SightedDetection mended = WholeBox(Clipped(box), {0.5 * box.w, 0.5 * box.h}, kCamera);
+  const Box box = BoxAround(X_WB, X_WB.p_WB + Eigen::Vector3d(1.7, 2.4, 3.0), 1);
+  const Box mended = WholeBox(Clipped(box), {0.5 * box.w, 0.5 * box.h}, kCamera);
   EXPECT_NEAR(mended.u, box.u, 1.0);
   EXPECT_NEAR(mended.v, box.v, 1.0);
 }
@@ -233,7 +235,7 @@ TEST(ObjectLayer, HoldsNothingAgainstAnObjectThatWasFirstThoughtElsewhere) {
   const Eigen::Vector3d elsewhere = kPlace + Eigen::Vector3d(6.0, 0.0, 0.0);
   for (int i = 0; i < 8; ++i) {
     const Pose over{elsewhere + Eigen::Vector3d(0.6 * (i - 4), 0.0, -3.0), 0.0, 0.0, 0.0};
-    flight.book.AddSight({.time = 100.0 + 0.25 * i, .X_WB = over, .boxes = {}});
+    flight.book.AddSight({.exposure = Seconds(100.0 + 0.25 * i), .X_WB = over});
   }
   flight.Paint(StatusAt(elsewhere, Status::kNew));
   flight.Paint(StatusAt(kPlace, Status::kNew));
@@ -250,7 +252,7 @@ TEST(ObjectLayer, OnePassThatMissesDoesNotUndoAnObject) {
   Flight flight(kPlace);
   for (int i = 0; i < 20; ++i) {
     const Pose beside{kPlace + Eigen::Vector3d(0.125 * (i - 10), 0.0, -3.0), 0.0, 0.0, 0.0};
-    flight.book.AddSight({.time = 100.0 + 0.25 * i, .X_WB = beside, .boxes = {}});
+    flight.book.AddSight({.exposure = Seconds(100.0 + 0.25 * i), .X_WB = beside});
   }
   flight.Paint(StatusAt(kPlace, Status::kNew));
   EXPECT_TRUE(flight.layer.Cluster(1));
@@ -263,7 +265,7 @@ TEST(ObjectLayer, LooksThatMissMakeVoxelsLessCertain) {
   // Pass after pass: one miss alone is lost in the clamp of a sure voxel.
   for (int i = 0; i < 8; ++i) {
     const Pose beside{kPlace + Eigen::Vector3d(0.6 * (i - 4), 0.0, -3.0), 0.0, 0.0, 0.0};
-    flight.book.AddSight({.time = 100.0 + 30.0 * i, .X_WB = beside, .boxes = {}});
+    flight.book.AddSight({.exposure = Seconds(100.0 + 30.0 * i), .X_WB = beside});
     flight.layer.AddSight(flight.book.sights().back(), flight.book);
   }
   flight.Paint(StatusAt(kPlace, Status::kNew));

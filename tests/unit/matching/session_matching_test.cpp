@@ -11,16 +11,16 @@ namespace {
 
 using ::testing::ElementsAre;
 
-PlacedObject FormerAt(double north, double east, const std::string& color = "yellow") {
-  return {.ned = {north, east, 6.0}, .cov = 0.04 * Eigen::Matrix3d::Identity(), .color = color};
+ObjectEstimate FormerAt(double north, double east, const std::string& color = "yellow") {
+  return {.p_W = {north, east, 6.0}, .cov_W = 0.04 * Eigen::Matrix3d::Identity(), .color = color};
 }
 
 TEST(MatchSessions, FindsTheOffsetThatAllObjectsShare) {
-  const std::vector<PlacedObject> former{FormerAt(4, 1), FormerAt(2, 10), FormerAt(6, -3),
-                                         FormerAt(-6, -5)};
-  std::vector<PlacedObject> now;
-  for (const PlacedObject& object : former) {
-    now.push_back(FormerAt(object.ned.x() + 0.8, object.ned.y() - 0.6));
+  const std::vector<ObjectEstimate> former{FormerAt(4, 1), FormerAt(2, 10), FormerAt(6, -3),
+                                           FormerAt(-6, -5)};
+  std::vector<ObjectEstimate> now;
+  for (const ObjectEstimate& object : former) {
+    now.push_back(FormerAt(object.p_W.x() + 0.8, object.p_W.y() - 0.6));
   }
   const SessionMatch match = MatchSessions(former, now, {});
   EXPECT_THAT(match.now_of_former, ElementsAre(0, 1, 2, 3));
@@ -29,11 +29,11 @@ TEST(MatchSessions, FindsTheOffsetThatAllObjectsShare) {
 }
 
 TEST(MatchSessions, FindsTheTurnFromTwoMatches) {
-  const std::vector<PlacedObject> former{FormerAt(-14, 0), FormerAt(14, 0)};
+  const std::vector<ObjectEstimate> former{FormerAt(-14, 0), FormerAt(14, 0)};
   const double turn = RadiansFromDegrees(2.0);
-  std::vector<PlacedObject> now;
-  for (const PlacedObject& object : former) {
-    now.push_back(FormerAt(object.ned.x() * std::cos(turn), object.ned.x() * std::sin(turn)));
+  std::vector<ObjectEstimate> now;
+  for (const ObjectEstimate& object : former) {
+    now.push_back(FormerAt(object.p_W.x() * std::cos(turn), object.p_W.x() * std::sin(turn)));
   }
   MatchingParams params;
   params.turn_sigma = Radians::FromTextUnit(5.0);

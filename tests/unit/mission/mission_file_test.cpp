@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/mission/mission_file.hpp"
 
+#include <filesystem>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "limpet/core/params.hpp"
+#include "limpet/mission/behavior_file.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace limpet {
 namespace {
@@ -225,6 +229,30 @@ TEST(MissionFile, LoadsOurOwnMissionsWithTheirPlugs) {
   EXPECT_EQ(nav->Find("camera_fov_across_deg")->value, "80");
   EXPECT_THAT(nav->Find("camera_width_px")->where.file, HasSubstr("plug_camera.moos"));
   EXPECT_TRUE(mission.warnings.empty());
+}
+
+TEST(MissionFile, OfOursFindsTheProgramsPlugsFromWhereverItIsCopiedTo) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder elsewhere;
+  for (const char* name : {"table1", "basin", "rough"}) {
+    const fs::path source = fs::path(LIMPET_SOURCE_DIR) / "missions" / name;
+    fs::copy(source, elsewhere.path() / name);
+    const MissionFile copied = LoadMission(elsewhere.path() / name / "mission.moos");
+    EXPECT_TRUE(copied.warnings.empty()) << name;
+    EXPECT_EQ(copied.launches.size(), LoadMission(source / "mission.moos").launches.size());
+    EXPECT_GE(LoadBehaviors(elsewhere.path() / name / "mission.bhv").behaviors.size(), 5U);
+  }
+}
+
+TEST(MissionFile, OfAVehicleWithItsOwnDriversLaunchesWhatSurveysAlone) {
+  const MissionFile mission = ParseMission(
+      "#define OWN_COMMUNITY\n#include plug_ANTLER.moos\n",
+      (std::filesystem::path(LIMPET_SOURCE_DIR) / "missions/table1/mission.moos").string());
+  for (const LaunchEntry& launch : mission.launches) {
+    EXPECT_EQ(launch.binary.front(), 'p') << launch.binary;
+    EXPECT_NE(launch.binary, "pLog");
+  }
+  EXPECT_EQ(mission.launches.size(), 7U);
 }
 
 }  // namespace

@@ -111,7 +111,8 @@ TEST_F(PlugTest, IncludesFragmentsThatShareMacros) {
 TEST_F(PlugTest, SearchesTheGivenFoldersAfterItsOwn) {
   Write("more/b.plug", "b\n");
   EXPECT_THAT(ErrorOf("#include b.plug\n"),
-              HasSubstr("in.moos:1: #include: `b.plug` is not found"));
+              HasSubstr("in.moos:1: #include: `b.plug` is not found beside this file, and no "
+                        "folder called `plugs` is beside or above it or the program"));
   options_.search_folders = {folder_ / "more"};
   EXPECT_EQ(Expand("#include b.plug\n"), "b|");
 }

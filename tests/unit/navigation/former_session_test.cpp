@@ -14,21 +14,21 @@ using ::testing::ElementsAre;
 
 /// Joint covariance of places in a frame that may be off by `shift` [m] and `turn` [rad], each
 /// place known to `own` [m] in it.
-Eigen::MatrixXd JointOf(const std::vector<PlacedObject>& objects, double shift, double turn,
+Eigen::MatrixXd JointOf(const std::vector<ObjectEstimate>& objects, double shift, double turn,
                         double own) {
   const auto n = static_cast<Eigen::Index>(3 * objects.size());
   Eigen::MatrixXd J(n, 4);
   for (Eigen::Index i = 0; i < n; i += 3) {
-    J.middleRows<3>(i) = FrameOffset{}.Jacobian(objects[static_cast<std::size_t>(i / 3)].ned);
+    J.middleRows<3>(i) = FrameOffset{}.Jacobian(objects[static_cast<std::size_t>(i / 3)].p_W);
   }
   const Eigen::Vector4d frame(shift * shift, shift * shift, 0.01 * 0.01, turn * turn);
   return J * frame.asDiagonal() * J.transpose() + own * own * Eigen::MatrixXd::Identity(n, n);
 }
 
-std::vector<PlacedObject> Objects(const std::vector<Eigen::Vector2d>& places) {
-  std::vector<PlacedObject> objects;
+std::vector<ObjectEstimate> Objects(const std::vector<Eigen::Vector2d>& places) {
+  std::vector<ObjectEstimate> objects;
   for (const Eigen::Vector2d& p : places) {
-    objects.push_back({.ned = {p.x(), p.y(), 6.0}, .cov = {}, .color = "yellow"});
+    objects.push_back({.p_W = {p.x(), p.y(), 6.0}, .color = "yellow"});
   }
   return objects;
 }
@@ -45,8 +45,8 @@ FormerSession Former(double frame_shift = 0.5) {
 PresentLandmarks Present(const std::vector<Eigen::Vector2d>& places, const FrameOffset& offset = {},
                          double frame_shift = 0.5) {
   PresentLandmarks present{.slots = {}, .objects = Objects(places), .covariance = {}};
-  for (PlacedObject& object : present.objects) {
-    object.ned = offset.Apply(object.ned);
+  for (ObjectEstimate& object : present.objects) {
+    object.p_W = offset.Apply(object.p_W);
     present.slots.push_back(10 + static_cast<int>(present.slots.size()));
   }
   present.covariance = JointOf(present.objects, frame_shift, 0.01, 0.05);
@@ -60,7 +60,7 @@ std::pair<Eigen::VectorXd, Eigen::MatrixXd> Together(const PresentLandmarks& pre
   Eigen::MatrixXd information = present.covariance.inverse();
   Eigen::VectorXd mean(n);
   for (Eigen::Index i = 0; i < n; i += 3)
-    mean.segment<3>(i) = present.objects[static_cast<std::size_t>(i / 3)].ned;
+    mean.segment<3>(i) = present.objects[static_cast<std::size_t>(i / 3)].p_W;
   Eigen::VectorXd pull = information * mean;
   for (std::size_t a = 0; a < prior.slots().size(); ++a) {
     const auto row = static_cast<Eigen::Index>(3 * (prior.slots()[a] - 10));
@@ -104,7 +104,7 @@ TEST(FormerSessionTie, TakesOnlyTheShapeOfASessionWhoseFrameIsFarOff) {
   tie.SetFormer(Former());
   const FrameOffset off{.shift = {6.0, 2.0}, .turn = 0.0, .pivot = {}};
   PresentLandmarks present = Present(kPlaces, off);
-  present.objects[3].ned.x() += 0.3;  // as drift would have it
+  present.objects[3].p_W.x() += 0.3;  // as drift would have it
   present.covariance(9, 9) += 0.25;
   ASSERT_TRUE(tie.Match(present, std::nullopt));
   const auto [places, covariance] = Together(present, *tie.prior());
@@ -121,7 +121,7 @@ TEST(FormerSessionTie, IsNotDraggedByWhatWentCameOrMoved) {
   // The first and the last are where they were; the second moved by 2 m, one is new.
   ASSERT_TRUE(tie.Match(Present({kPlaces[0], kPlaces[3], {2.0, 12.0}, {-3.0, 11.0}}, off), {}));
   ASSERT_TRUE(undisturbed.Match(Present({kPlaces[0], kPlaces[3]}, off), {}));
-  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 4, -1, -1));
+  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 4, std::nullopt, std::nullopt));
   EXPECT_THAT(tie.prior()->slots(), ElementsAre(10, 11));
   EXPECT_LT((tie.offset().vector() - undisturbed.offset().vector()).norm(), 0.005);
 }
@@ -139,7 +139,7 @@ TEST(FormerSessionTie, AMatchDoesNotProveItself) {
   const auto [places, covariance] = Together(alone, first);
   tied.covariance = covariance;
   for (Eigen::Index i = 0; i < places.size(); i += 3)
-    tied.objects[static_cast<std::size_t>(i / 3)].ned = places.segment<3>(i);
+    tied.objects[static_cast<std::size_t>(i / 3)].p_W = places.segment<3>(i);
   ASSERT_TRUE(tie.Match(tied, first));
   EXPECT_LT((tie.offset().vector() - offset.vector()).norm(), 1e-4);
   EXPECT_LT((tie.prior()->mean() - first.mean()).norm(), 1e-3);
@@ -152,7 +152,7 @@ TEST(FormerSessionTie, DoesNotAskALandmarkWhosePlaceAmongTheOthersIsNotKnown) {
   PresentLandmarks present = Present({kPlaces[0], kPlaces[1], kPlaces[2], {-4.5, -4.0}});
   present.covariance.block<2, 2>(9, 9) += 4.0 * Eigen::Matrix2d::Identity();
   ASSERT_TRUE(tie.Match(present, std::nullopt));
-  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 2, 3, -1));
+  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 2, 3, std::nullopt));
 }
 
 TEST(FormerSessionTie, LetsGoOfALandmarkThatHasComeInDoubt) {
@@ -164,7 +164,7 @@ TEST(FormerSessionTie, LetsGoOfALandmarkThatHasComeInDoubt) {
   present.covariance = Together(present, applied).second;
   present.others = 1;  // the last one
   ASSERT_TRUE(tie.Match(present, applied));
-  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 2, -1));
+  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 2, std::nullopt));
   EXPECT_THAT(tie.prior()->slots(), ElementsAre(10, 11));
 }
 
@@ -179,8 +179,8 @@ TEST(FormerSessionTie, OneObjectAloneTiesNothing) {
 TEST(FormerSessionTie, LivesWithCovariancesThatAreNone) {
   FormerSession broken = Former();
   broken.covariance.setConstant(-1.0);
-  for (PlacedObject& object : broken.objects)
-    object.cov = -Eigen::Matrix3d::Identity();
+  for (ObjectEstimate& object : broken.objects)
+    object.cov_W = -Eigen::Matrix3d::Identity();
   FormerSessionTie tie({});
   tie.SetFormer(broken);
   ASSERT_TRUE(tie.Match(Present(kPlaces), std::nullopt));

@@ -46,9 +46,9 @@ TEST_F(NavigatorTest, AltitudeIsThatOfTheBodyOriginHoweverTheVehicleTilts) {
 
 TEST_F(NavigatorTest, AFrameComesWithTheAltitudeAtItsExposure) {
   Rest(0.2, -0.3, 3.0);
-  navigator_.AddFrame({.frame = 1, .t = t_ - 0.1, .boxes = {}});
+  navigator_.AddFrame({.frame = 1, .exposure = Seconds(t_ - 0.1), .boxes = {}});
   Rest(0.2, -0.3, 2.0);
-  const std::vector<PosedFrame> frames = navigator_.TakeFrames();
+  const std::vector<ObservedFrame> frames = navigator_.TakeFrames();
   ASSERT_EQ(frames.size(), 1U);
   EXPECT_NEAR(frames[0].altitude.value(), kSeabed - kDown, 1e-9);
 }
@@ -66,7 +66,7 @@ TEST_F(NavigatorTest, ACorruptTimeIsRefusedAndCountedAndStopsNothing) {
   navigator_.AddAttitude(leap);
   navigator_.AddVelocity(t_ + 1e6, Eigen::Vector3d::Zero());
   navigator_.AddDepth(std::nan(""), kDown);
-  navigator_.AddFrame({.frame = 1, .t = t_ + 1e6, .boxes = {}});
+  navigator_.AddFrame({.frame = 1, .exposure = Seconds(t_ + 1e6), .boxes = {}});
   EXPECT_EQ(navigator_.counts().stale_samples, 4);
   const int before = navigator_.node_count();
   Rest(0.0, 0.0, 5.0);
@@ -78,7 +78,7 @@ TEST_F(NavigatorTest, ARealGapInTheAttitudeIsCrossed) {
   t_ += 120.0;
   Rest(0.0, 0.0, 5.0);
   EXPECT_NEAR(navigator_.Estimate(t_).t, t_, 1e-9);
-  EXPECT_GT(navigator_.Estimate(t_).sd_p.x(), 0.5);
+  EXPECT_GT(navigator_.Estimate(t_).sd_p_W.x(), 0.5);
 }
 
 TEST_F(NavigatorTest, SigmasGrowWhileNothingIsMeasured) {
@@ -86,20 +86,20 @@ TEST_F(NavigatorTest, SigmasGrowWhileNothingIsMeasured) {
   const NavigatorEstimate fresh = navigator_.Estimate(t_);
   navigator_.Advance(t_ + 100.0);
   const NavigatorEstimate stale = navigator_.Estimate(t_ + 100.0);
-  EXPECT_LT(fresh.sd_p.x(), 1.0);
-  EXPECT_NEAR(stale.sd_p.x(), 75.0, 1.0);
-  EXPECT_NEAR(stale.sd_p.z(), 30.0, 1.0);
+  EXPECT_LT(fresh.sd_p_W.x(), 1.0);
+  EXPECT_NEAR(stale.sd_p_W.x(), 75.0, 1.0);
+  EXPECT_NEAR(stale.sd_p_W.z(), 30.0, 1.0);
   EXPECT_GT(stale.sd_yaw, 1.0);
 }
 
 TEST_F(NavigatorTest, WithoutVelocityForLongThePositionIsLostButDepthIsNot) {
   Rest(0.0, 0.0, 5.0);
   Rest(0.0, 0.0, 60.0, false);
-  EXPECT_LT(navigator_.Estimate(t_).sd_p.x(), 10.0) << "a dropout is bridged";
+  EXPECT_LT(navigator_.Estimate(t_).sd_p_W.x(), 10.0) << "a dropout is bridged";
   Rest(0.0, 0.0, 600.0, false);
   const NavigatorEstimate estimate = navigator_.Estimate(t_);
-  EXPECT_NEAR(estimate.sd_p.x(), 0.75 * 540.0, 30.0);
-  EXPECT_LT(estimate.sd_p.z(), 0.5);
+  EXPECT_NEAR(estimate.sd_p_W.x(), 0.75 * 540.0, 30.0);
+  EXPECT_LT(estimate.sd_p_W.z(), 0.5);
 }
 
 TEST_F(NavigatorTest, VelocitiesThatGoBackInTimeAreCounted) {

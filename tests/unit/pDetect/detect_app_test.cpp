@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "limpet/app/test_link.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/vision/scene_renderer.hpp"
+#include "tests/support/test_link.hpp"
 
 namespace limpet {
 namespace {
@@ -34,7 +34,7 @@ class Detect : public testing::Test {
     AppContext context;
     context.name = "pDetect";
     context.link = &link_;
-    DetectApp app(context, params);
+    DetectApp app(context, params, MakeDetector(params.detector));
     link_.Send(app, topics::kCameraFrame, Picture(balls));
     return link_.Last(topics::kDetections);
   }

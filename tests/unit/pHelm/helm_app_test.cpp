@@ -8,10 +8,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "limpet/app/test_link.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/topics/viewer.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/test_link.hpp"
 
 namespace limpet {
 namespace {
@@ -161,7 +161,7 @@ TEST_F(HelmAppTest, RefusesAnAreaThatNoVehicleCanSurveyAndGoesOn) {
     Tick();
   }
   link_.Send(*app_, topics::kSurveyArea, vast);
-  EXPECT_THAT(app_->warnings().at("AREA_REFUSED"), HasSubstr("north -10 to 2e+06"));
+  EXPECT_THAT(app_->warnings().at("AREA_REFUSED").text, HasSubstr("north -10 to 2e+06"));
   link_.Send(*app_, topics::kSurveyArea, good);
   EXPECT_FALSE(app_->warnings().contains("AREA_REFUSED"));
 }

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "apps/pLog/log_app.hpp"
-#include "limpet/app/test_link.hpp"
 #include "limpet/logbook/alog_reader.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/test_link.hpp"
 
 namespace limpet {
 namespace {
@@ -278,12 +278,18 @@ TEST_F(LiveLogAppTest, CopiesNothingThatIsNotTheMissionsOrTheRuns) {
   context_.mission_file = mission / "alpha.moos";
   std::ofstream(context_.mission_file) << "Community = alpha\n";
   Start();
-  for (const std::string name : {"/etc/passwd", (mission / "link.txt").c_str(), "/dev/zero",
-                                 (mission / "../neighbour.txt").c_str(),
-                                 (mission / ".ssh/id_rsa").c_str(), mission.c_str()}) {
+  const std::vector<std::filesystem::path> refused = {"/etc/passwd",
+                                                      mission / "link.txt",
+                                                      "/dev/zero",
+                                                      mission / "../neighbour.txt",
+                                                      mission / ".ssh/id_rsa",
+                                                      mission};
+  for (const std::filesystem::path& path : refused) {
+    const std::string name = path.string();
     Send("PLOGGER_CMD", "COPY_FILE_REQUEST = " + name);
+    EXPECT_THAT(app_->warnings().at("COPY_REFUSED").text,
+                HasSubstr("of `" + name + "`, by pNav: no"));
   }
-  EXPECT_THAT(app_->warnings().at("COPY_REFUSED"), HasSubstr("of `/etc/passwd`, by pNav: not a"));
   ReportLines report;
   app_->Report(report);
   EXPECT_THAT(report.Text(), HasSubstr("0 at request, 6 refused"));
@@ -312,7 +318,7 @@ TEST_F(LiveLogAppTest, CopiesOnlySoManyFiles) {
     std::ofstream(folder_ / name) << i;
     Send("PLOGGER_CMD", "COPY_FILE_REQUEST = " + (folder_ / name).string());
   }
-  EXPECT_THAT(app_->warnings().at("COPY_REFUSED"), HasSubstr("more than 64 copies"));
+  EXPECT_THAT(app_->warnings().at("COPY_REFUSED").text, HasSubstr("more than 64 copies"));
   End();
   EXPECT_FALSE(std::filesystem::exists(folder_ / "LOG_ALPHA/f64._txt"));
 }
@@ -334,6 +340,37 @@ TEST_F(LiveLogAppTest, CompressesTheLogAtItsEnd) {
   End();
   EXPECT_FALSE(std::filesystem::exists(folder_ / "LOG_ALPHA/LOG_ALPHA.alog"));
   EXPECT_THAT(NamesIn("LOG_ALPHA/LOG_ALPHA.alog.gz"), ElementsAre("NAV_X"));
+}
+
+TEST_F(LiveLogAppTest, WarnsOfACommandThatMeansNothingUntilOneIsObeyed) {
+  Start();
+  Send("PLOGGER_CMD", std::string("DANCE"));
+  EXPECT_THAT(app_->warnings().at("BAD_COMMAND").text, HasSubstr("`DANCE`"));
+  Send("PLOGGER_CMD", std::string("LOG_REQUEST = NAV_X @ often"));
+  EXPECT_THAT(app_->warnings().at("BAD_COMMAND").text, HasSubstr("often"));
+  Send("PLOGGER_CMD", std::string("LOG_REQUEST = NAV_X @ 0"));
+  EXPECT_FALSE(app_->warnings().contains("BAD_COMMAND"));
+  End();
+}
+
+TEST_F(LiveLogAppTest, WarnsWhileThereIsNoPlaceForALog) {
+  const std::filesystem::path home = std::filesystem::current_path();
+  std::filesystem::create_directory(folder_ / "gone");
+  std::filesystem::current_path(folder_ / "gone");  // the place for want of a better
+  std::filesystem::remove(folder_ / "gone");
+  params_.path = (folder_ / "logs").string();
+  std::ofstream(params_.path) << "no folder\n";
+  Start();
+  Send("NAV_X", 1.0);
+  std::filesystem::current_path(home);
+  EXPECT_TRUE(app_->warnings().contains("LOG_FAILED"));
+  EXPECT_TRUE(app_->warnings().contains("LOG_FOLDER"));
+  std::filesystem::remove(params_.path);
+  Send("LOGGER_RESTART", 1.0);
+  app_->Tick(link_.time);
+  EXPECT_FALSE(app_->warnings().contains("LOG_FAILED"));
+  EXPECT_FALSE(app_->warnings().contains("LOG_FOLDER"));
+  End();
 }
 
 TEST_F(LiveLogAppTest, WarnsWhileAMonitoredVariableIsSilent) {

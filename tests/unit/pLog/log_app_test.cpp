@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "limpet/app/registry.hpp"
-#include "limpet/app/test_link.hpp"
 #include "limpet/logbook/alog_reader.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/test_link.hpp"
 
 namespace limpet {
 namespace {

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "limpet/app/test_link.hpp"
+#include "tests/support/test_link.hpp"
 
 namespace limpet {
 namespace {
@@ -136,7 +136,7 @@ TEST_F(NavAppTest, PosesAFrameAtItsExposureAlsoWhenItShowsNothing) {
   const auto sight = link_.Last(topics::kNavSight);
   ASSERT_TRUE(sight.has_value());
   EXPECT_EQ(sight->frame, 7);
-  EXPECT_NEAR(sight->ned[1], east, 0.05);
+  EXPECT_NEAR(sight->X_WB.p_WB.y(), east, 0.05);
 }
 
 TEST_F(NavAppTest, WarnsWhileTheDvlHasNoLock) {
@@ -220,6 +220,23 @@ TEST_F(NavAppTest, PublishesNoFrozenEstimateAsFreshWhenAllSensorsFallSilent) {
   for (const char* id : {"IMU_STALE", "FOG_STALE", "DVL_STALE", "DEPTH_STALE", "NAV_INVALID"}) {
     EXPECT_TRUE(app_.warnings().contains(id)) << id;
   }
+}
+
+TEST_F(NavAppTest, EverySensorsWarningIsOverWhenTheSensorIsBack) {
+  const auto warned_of = [this] {
+    std::vector<std::string> ids;
+    for (const char* id :
+         {"IMU_STALE", "FOG_STALE", "DVL_STALE", "DVL_NO_LOCK", "DEPTH_STALE", "NAV_INVALID"}) {
+      if (app_.warnings().contains(id)) ids.emplace_back(id);
+    }
+    return ids;
+  };
+  RunFor(20.0);
+  EXPECT_THAT(warned_of(), testing::IsEmpty());
+  StayDeaf(30.0);
+  EXPECT_EQ(warned_of().size(), 6U);
+  RunFor(20.0);
+  EXPECT_THAT(warned_of(), testing::IsEmpty());
 }
 
 TEST_F(NavAppTest, IsBackWhenItsSensorsAreAndUnsureUntilTheNextFix) {

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "limpet/app/test_link.hpp"
+#include "tests/support/test_link.hpp"
 
 namespace limpet {
 namespace {

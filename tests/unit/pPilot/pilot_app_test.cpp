@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "limpet/app/test_link.hpp"
+#include "tests/support/test_link.hpp"
 
 namespace limpet {
 namespace {
@@ -130,6 +130,40 @@ TEST_F(PilotAppTest, StopsAllThrustersASecondAfterNavigationFellSilent) {
     SendWishes(), Tick();
   EXPECT_TRUE(IsAtRest());
   EXPECT_TRUE(HasWarning("NAV_STALE"));
+}
+
+TEST_F(PilotAppTest, FliesOnWithoutAWarningWhenHelmAndNavigationAreBack) {
+  SendNav(), SendWishes();
+  Tick(15);
+  SendNav(), Tick();
+  EXPECT_TRUE(HasWarning("DESIRED_STALE"));
+  SendWishes(), Tick(15);
+  SendWishes(), Tick();
+  EXPECT_TRUE(HasWarning("NAV_STALE"));
+  SendNav(), SendWishes(), Tick();
+  EXPECT_TRUE(app_.warnings().empty());
+  EXPECT_FALSE(IsAtRest());
+}
+
+TEST_F(PilotAppTest, WarnsOfControlLawsThatGiveNoNumberUntilTheyDo) {
+  PilotApp::Params params;
+  params.depth_gain = 1.7e308;  // a small error makes it overflow
+  PilotApp app(ContextFor(link_), params);
+  const auto fly = [&] {
+    link_.Send(app, topics::kNavState, NavState{.down = 3.0, .altitude = {}});
+    link_.Send(app, topics::kDesiredHeading, 0.0);
+    link_.Send(app, topics::kDesiredSpeed, 0.5);
+    link_.Send(app, topics::kDesiredDepth, 10.0);
+    app.Tick(link_.time);
+    link_.time += Seconds(0.1);
+  };
+  for (int i = 0; i < 100 && app.warnings().empty(); ++i) {
+    fly();
+  }
+  ASSERT_TRUE(app.warnings().contains("COMMAND_NOT_FINITE"));
+  EXPECT_TRUE(IsAtRest());
+  fly();  // the laws begin anew, without an error
+  EXPECT_FALSE(app.warnings().contains("COMMAND_NOT_FINITE"));
 }
 
 TEST_F(PilotAppTest, CountsAgesByItsOwnClock) {

@@ -11,11 +11,11 @@
 #include <gtest/gtest.h>
 
 #include "limpet/app/registry.hpp"
-#include "limpet/app/test_link.hpp"
 #include "limpet/sharing/share_datagram.hpp"
 #include "limpet/wire/message_conversion.hpp"
 #include "tests/support/moos_captures.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/test_link.hpp"
 
 namespace limpet {
 namespace {
@@ -257,7 +257,7 @@ TEST_F(ShareAppTest, WarnsOfAMalformedDatagramAndForgetsItInTime) {
   Start(Plain({}, {"route=localhost:0, interface=127.0.0.1"}));
   SendToApp(ByteBuffer(10, std::byte{0xff}));
   EXPECT_EQ(CountsNow().malformed, 1.0);
-  EXPECT_THAT(app_->warnings().at("REFUSED_malformed"), HasSubstr("from 127.0.0.1:"));
+  EXPECT_THAT(app_->warnings().at("REFUSED_malformed").text, HasSubstr("from 127.0.0.1:"));
   link_.time += Seconds(60.0);
   app_->Tick(link_.time);
   EXPECT_FALSE(app_->warnings().contains("REFUSED_malformed"));
@@ -266,8 +266,16 @@ TEST_F(ShareAppTest, WarnsOfAMalformedDatagramAndForgetsItInTime) {
 TEST_F(ShareAppTest, SaysWhichVariableIsTooLarge) {
   Start(Plain({"X->" + ToPeer()}));
   app_->Deliver(Write("X", std::string(60'000, 'x')));
-  EXPECT_THAT(app_->warnings().at("TOO_LARGE_X"), HasSubstr("49152"));
+  EXPECT_THAT(app_->warnings().at("TOO_LARGE_X").text, HasSubstr("49152"));
   EXPECT_THAT(Counts(), HasSubstr("too_large=1,"));
+  app_->Deliver(Write("X", 1.0));
+  EXPECT_FALSE(app_->warnings().contains("TOO_LARGE_X"));
+}
+
+TEST_F(ShareAppTest, SaysWhichRouteTheSystemDoesNotTake) {
+  Start(Plain({"X->255.255.255.255:9021"}));  // nobody asked for a broadcast
+  app_->Deliver(Write("X", 1.0));
+  EXPECT_TRUE(app_->warnings().contains("UNSENT_255.255.255.255:9021"));
 }
 
 TEST_F(ShareAppTest, TakesRoutesAtRunTime) {
@@ -292,7 +300,7 @@ TEST_F(ShareAppTest, IgnoresCommandsOfBeforeItsStart) {
 TEST_F(ShareAppTest, SaysWhatIsWrongWithACommand) {
   Start({});
   app_->Deliver(Write("PSHARE_CMD", "cmd=output,src_name=X,route=" + ToPeer()));
-  EXPECT_THAT(app_->warnings().at("BAD_COMMAND"), HasSubstr("allow_plain_routes"));
+  EXPECT_THAT(app_->warnings().at("BAD_COMMAND").text, HasSubstr("allow_plain_routes"));
 }
 
 /// A pShare with a key, whose block allows nothing plain.
@@ -315,7 +323,7 @@ class SealedShareAppTest : public ShareAppTest {
 TEST_F(SealedShareAppTest, OpensNoPlainRouteByCommand) {
   Start(params_);
   Command("cmd=input,route=localhost:0,plain=true");
-  EXPECT_THAT(app_->warnings().at("BAD_COMMAND"), HasSubstr("`allow_plain_routes = true`"));
+  EXPECT_THAT(app_->warnings().at("BAD_COMMAND").text, HasSubstr("`allow_plain_routes = true`"));
   EXPECT_THAT(app_->Ports(), IsEmpty());
   Command("cmd=output,src_name=X,plain=true,route=" + ToPeer());
   EXPECT_EQ(link_.Last(topics::kShareOutputs), "");
@@ -325,7 +333,7 @@ TEST_F(SealedShareAppTest, OpensNoPlainRouteByCommand) {
 TEST_F(SealedShareAppTest, OpensSealedRoutesByCommandWithTheKeysOfItsBlockAlone) {
   Start(params_);
   Command("cmd=input,route=localhost:0,key=other.key");
-  EXPECT_THAT(app_->warnings().at("BAD_COMMAND"), HasSubstr("no key but those"));
+  EXPECT_THAT(app_->warnings().at("BAD_COMMAND").text, HasSubstr("no key but those"));
   EXPECT_THAT(app_->Ports(), IsEmpty());
   Command("cmd=input,route=localhost:0");
   EXPECT_FALSE(app_->warnings().contains("BAD_COMMAND"));
@@ -335,7 +343,7 @@ TEST_F(SealedShareAppTest, OpensSealedRoutesByCommandWithTheKeysOfItsBlockAlone)
 TEST_F(ShareAppTest, ListensOnLoopbackWhereACommandOpensAPlainInput) {
   Start(Plain({}));
   app_->Deliver(Write("PSHARE_CMD", std::string("cmd=input,route=localhost:0,interface=0.0.0.0")));
-  EXPECT_THAT(app_->warnings().at("BAD_COMMAND"), HasSubstr("`command_interface`"));
+  EXPECT_THAT(app_->warnings().at("BAD_COMMAND").text, HasSubstr("`command_interface`"));
   EXPECT_THAT(app_->Ports(), IsEmpty());
 }
 
@@ -353,6 +361,19 @@ TEST_F(ShareAppTest, GoesOnTryingToListenAtAPortInUse) {
   Start(Plain({}, {"interface=127.0.0.1, route=" + ToPeer()}));
   EXPECT_TRUE(app_->warnings().contains("CANNOT_LISTEN_" + std::to_string(peer_port_)));
   EXPECT_THAT(app_->Ports(), IsEmpty());
+}
+
+TEST_F(ShareAppTest, ListensAtAPortThatIsFreeAgain) {
+  auto other = std::make_unique<UdpSockets>([] {});
+  const auto taken = other->Listen({.host = "localhost", .port = 0}, "127.0.0.1");
+  const std::string port = std::to_string(other->PortOf(*taken));
+  Start(Plain({}, {"interface=127.0.0.1, route=localhost:" + port}));
+  EXPECT_TRUE(app_->warnings().contains("CANNOT_LISTEN_" + port));
+  other.reset();
+  link_.time += Seconds(1.0);
+  app_->Tick(link_.time);
+  EXPECT_FALSE(app_->warnings().contains("CANNOT_LISTEN_" + port));
+  EXPECT_THAT(app_->Ports(), testing::SizeIs(1));
 }
 
 }  // namespace

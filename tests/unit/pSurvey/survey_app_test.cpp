@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "limpet/app/test_link.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/test_link.hpp"
 
 namespace limpet {
 namespace {
@@ -167,18 +167,30 @@ TEST_F(SurveyAppTest, WarnsWhileNobodySteers) {
   hear("DRIVE", "clear");
   EXPECT_FALSE(app_.warnings().contains("HELM_INACTIVE"));
   Tick(11.0);
-  EXPECT_THAT(app_.warnings().at("HELM_INACTIVE"), testing::HasSubstr("nothing is heard"));
+  EXPECT_THAT(app_.warnings().at("HELM_INACTIVE").text, testing::HasSubstr("nothing is heard"));
   hear("DRIVE", "clear");
   EXPECT_FALSE(app_.warnings().contains("HELM_INACTIVE"));
   for (int i = 0; i < 12; ++i) {
     hear("DRIVE", "NothingToDo");
   }
-  EXPECT_THAT(app_.warnings().at("HELM_INACTIVE"), testing::HasSubstr("NothingToDo"));
+  EXPECT_THAT(app_.warnings().at("HELM_INACTIVE").text, testing::HasSubstr("NothingToDo"));
 }
 
 TEST_F(SurveyAppTest, SaysNothingOfTheHelmBeforeItIsDeployed) {
   Tick(100.0);
   EXPECT_TRUE(app_.warnings().empty());
+}
+
+TEST_F(SurveyAppTest, WarnsWhileItCannotNoteTheMissionsState) {
+  const TemporaryFolder folder;
+  context_.runs_live = true;
+  context_.run_folder = folder.path() / "run";
+  SurveyApp app(context_, {});
+  link_.Send(app, topics::kDeploy, true);
+  EXPECT_TRUE(app.warnings().contains("STATE_NOT_KEPT"));
+  std::filesystem::create_directory(context_.run_folder);
+  link_.Send(app, topics::kReturn, true);
+  EXPECT_FALSE(app.warnings().contains("STATE_NOT_KEPT"));
 }
 
 TEST_F(SurveyAppTest, EndsLostWhenNavigationFallsSilent) {
@@ -196,6 +208,7 @@ TEST_F(SurveyAppTest, GivesUpAWayHomeThatNeverEnds) {
   Nav(10.0, 10.0, 3.5, 4.0);
   Tick(SurveyApp::Params{}.give_up.value() + 1.0);
   EXPECT_EQ(link_.Last(topics::kMissionEnd), "timeout");
+  EXPECT_TRUE(app_.warnings().contains("GAVE_UP"));
 }
 
 TEST(SurveyAppRestart, GoesOnWhereItsFormerLifeWas) {

@@ -13,7 +13,7 @@ inline constexpr double kAltitude = 4.0;
 inline constexpr double kSeabedDown = 7.5;
 inline constexpr Meters kRadius{3.0};
 
-inline Footprint TableFootprint() { return {kAltitude, kArea.object_height_max, CameraGeometry{}}; }
+inline Footprint TableFootprint() { return {kAltitude, kArea.object_height_max, CameraModel{}}; }
 
 inline Pose At(const Pose2& pose) {
   Pose X_WB;
@@ -25,7 +25,7 @@ inline Pose At(const Pose2& pose) {
 /// Flies `path` over `grid` with an image every 0.125 m.
 inline void Fly(SurveyGrid& grid, const DubinsPath& path) {
   path.Sample(0.125, [&grid](const Pose2& pose, double) {
-    grid.Observe(At(pose), kAltitude, CameraGeometry{});
+    grid.Observe(At(pose), kAltitude, CameraModel{});
   });
 }
 

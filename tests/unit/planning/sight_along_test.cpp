@@ -125,7 +125,7 @@ TEST_F(SightAlongPaths, FollowsTheGroundsUpdates) {
 
 TEST(SightAlong, ASweptLineShowsItsSwath) {
   SurveyGrid grid(SurveyArea{-15.0, 15.0, -18.0, 18.0, 2.0, 0.0});  // the bottom alone
-  const Ground ground(grid, Footprint(4.0, 0.0, CameraGeometry{}));
+  const Ground ground(grid, Footprint(4.0, 0.0, CameraModel{}));
   SightAlong sight(ground);
   const NewSight gain = sight(DubinsPath({-5.0, 0.0, 0.0}, {{.curvature = 0.0, .length = 10.0}}));
   EXPECT_NEAR(gain.new_area, 6.713 * (9.5 + 4.619), 5.0);
@@ -166,7 +166,7 @@ TEST(SightWorkspace, ASecondPassShowsNothingNew) {
 
 TEST(Ground, CountsTheLayersThatAHeightReaches) {
   SurveyGrid grid(kArea);
-  grid.Observe(scene::At({0.0, 0.0, 0.0}), scene::kAltitude, CameraGeometry{});
+  grid.Observe(scene::At({0.0, 0.0, 0.0}), scene::kAltitude, CameraModel{});
   const Ground ground(grid, scene::TableFootprint());
   const auto level = [&](double north, double east) {
     const int row = static_cast<int>((north + 15.0) / 0.25);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "apps/limpet/report/expectation_check.hpp"
+#include "limpet/report/expectation_check.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "apps/limpet/report/report_json.hpp"
-
-#include "synthetic_session.hpp"
+#include "limpet/report/report_json.hpp"
+#include "tests/support/synthetic_session.hpp"
 
 namespace limpet {
 namespace {
@@ -20,7 +19,7 @@ RunScore ChangeRun(bool has_wrong_status) {
   session.name = "change";
   session.seconds_of_survey = 20.0;
   session.opis = RightBeliefs(Table1Scenario(), "change", 0.3);
-  if (has_wrong_status) session.opis[0].decided = "removed";
+  if (has_wrong_status) session.opis[0].decided = Status::kRemoved;
   return ScoreRun({RecordOf(session)}, Table1Scenario(), Table1Settings());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/limpet/report/report.hpp"
+#include "limpet/report/report.hpp"
 
 #include <fstream>
 #include <memory>
@@ -9,11 +9,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "apps/limpet/report/report_json.hpp"
 #include "limpet/core/config.hpp"
+#include "limpet/report/report_json.hpp"
+#include "tests/support/synthetic_session.hpp"
 #include "tests/support/temporary_folder.hpp"
-
-#include "synthetic_session.hpp"
 
 namespace limpet {
 namespace {
@@ -144,15 +143,18 @@ TEST(ReportJson, ListsWarningsWithTheirTimes) {
   SessionScore session;
   session.name = "discovery";
   session.begun = Seconds(1000.0);
-  session.warnings = {{"pNav", "DVL_STALE", "no bottom lock", Seconds(1010.0), Seconds(1015.5)},
-                      {"limpet", "SESSION_CUT", "cut", Seconds(1020.0), {}}};
+  session.warnings = {
+      {"pNav", "DVL_STALE", Severity::kWarning, "no bottom lock", Seconds(1010.0), Seconds(1015.5)},
+      {"limpet", "SESSION_CUT", Severity::kAlarm, "cut", Seconds(1020.0), {}}};
   RunScore run{Table1Settings(), {session}};
   const auto list = nlohmann::json::parse(ReportJson(run))["sessions"]["discovery"]["warnings"];
   ASSERT_EQ(list.size(), 2U);
   EXPECT_EQ(list[0]["app"], "pNav");
+  EXPECT_EQ(list[0]["severity"], "warning");
   EXPECT_EQ(list[0]["from_s"], 10.0);
   EXPECT_EQ(list[0]["to_s"], 15.5);
   EXPECT_EQ(list[1]["text"], "cut");
+  EXPECT_EQ(list[1]["severity"], "alarm");
   EXPECT_TRUE(list[1]["to_s"].is_null());
 }
 

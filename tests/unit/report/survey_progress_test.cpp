@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/limpet/report/survey_progress.hpp"
+#include "limpet/report/survey_progress.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -50,7 +50,8 @@ TEST(SurveyProgress, TellsOfWarningsRaisedAndOver) {
   SessionRecord record("discovery");
   record.begun = Seconds(100.0);
   SurveyProgress progress("discovery", file);
-  record.warnings.push_back({"pSurvey", "HELM_INACTIVE", "nothing is heard", Seconds(130.0), {}});
+  record.warnings.push_back(
+      {"pSurvey", "HELM_INACTIVE", Severity::kAlarm, "nothing is heard", Seconds(130.0), {}});
   progress.Show(record);
   progress.Show(record);  // once is enough
   record.warnings[0].to = Seconds(142.0);
@@ -60,8 +61,8 @@ TEST(SurveyProgress, TellsOfWarningsRaisedAndOver) {
   for (int letter = std::fgetc(file); letter != EOF; letter = std::fgetc(file))
     text += static_cast<char>(letter);
   std::fclose(file);
-  EXPECT_THAT(text, HasSubstr("30 s: pSurvey HELM_INACTIVE: nothing is heard\n"));
-  EXPECT_THAT(text, HasSubstr("42 s: pSurvey HELM_INACTIVE is over\n"));
+  EXPECT_THAT(text, HasSubstr("30 s: pSurvey HELM_INACTIVE (alarm): nothing is heard\n"));
+  EXPECT_THAT(text, HasSubstr("42 s: pSurvey HELM_INACTIVE (alarm) is over\n"));
   EXPECT_EQ(std::ranges::count(text, '\n'), 2);
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "apps/limpet/report/terminal_report.hpp"
+#include "limpet/report/terminal_report.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "apps/limpet/report/verdict.hpp"
-
-#include "synthetic_session.hpp"
+#include "limpet/scoring/verdict.hpp"
+#include "tests/support/synthetic_session.hpp"
 
 namespace limpet {
 namespace {
@@ -19,7 +18,7 @@ RunScore BriefRun(bool has_mistakes) {
   session.name = "change";
   session.seconds_of_survey = 20.0;
   session.opis = RightBeliefs(Table1Scenario(), "change", 0.3);
-  if (has_mistakes) session.opis[0].decided = "removed";
+  if (has_mistakes) session.opis[0].decided = Status::kRemoved;
   return ScoreRun({RecordOf(session)}, Table1Scenario(), Table1Settings());
 }
 

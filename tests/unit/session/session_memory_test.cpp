@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "limpet/core/lower_triangle.hpp"
 #include "limpet/session/sights_csv.hpp"
 
 namespace limpet {
@@ -13,17 +14,17 @@ OpiBelief Object(int id, int landmark, double probability) {
   OpiBelief opi;
   opi.id = id;
   opi.landmark = landmark;
-  opi.ned = {4, 1, 5.5};
-  opi.cov = {0.04, 0, 0, 0.04, 0, 0.09};
-  opi.color = "yellow";
-  opi.probability = probability;
+  opi.object.p_W = {4, 1, 5.5};
+  opi.object.cov_W = Eigen::Vector3d(0.04, 0.04, 0.09).asDiagonal();
+  opi.object.color = "yellow";
+  opi.posterior = {.appeared = probability, .nothing = 1.0 - probability};
   opi.looks = 5;
   opi.log_likelihood_ratio = 8.5;
   return opi;
 }
 
-Sight Frame(int frame) {
-  Sight sight;
+ObservedFrame Frame(int frame) {
+  ObservedFrame sight;
   sight.frame = frame;
   sight.exposure = Seconds(1767225600.0 + 0.25 * frame);
   return sight;
@@ -33,14 +34,14 @@ SessionMemory Sample() {
   SessionMemory memory;
   memory.area = SurveyArea{.north_min = -15, .north_max = 15, .east_min = -18, .east_max = 18};
   memory.objects.opis = {Object(1, 3, 0.98)};
-  memory.landmarks = {.ids = {3}, .lower = {0.04, 0.01, 0.05, 0.0, 0.0, 0.09}};
-  Sight sight = Frame(12);
-  sight.ned = {1.5, -2.25, 3.5};
-  sight.yaw = 0.5;
+  memory.landmarks = {.ids = {3}, .cov_W = *FromLowerTriangle({0.04, 0.01, 0.05, 0.0, 0.0, 0.09})};
+  ObservedFrame sight = Frame(12);
+  sight.X_WB.p_WB = {1.5, -2.25, 3.5};
+  sight.X_WB.yaw = 0.5;
   sight.altitude = 4.0;
   sight.boxes = {
-      {{.u = 320.5, .v = 100, .w = 80, .h = 81, .confidence = 0.9, .color = "yellow"}, 3},
-      {{.u = 10, .v = 20, .w = 30, .h = 40, .confidence = 0.5, .color = "green"}, -1}};
+      {.u = 320.5, .v = 100, .w = 80, .h = 81, .confidence = 0.9, .color = "yellow", .landmark = 3},
+      {.u = 10, .v = 20, .w = 30, .h = 40, .confidence = 0.5, .color = "green"}};
   memory.sights = {sight, Frame(13)};
   memory.map = std::string("\0ot", 3);
   memory.mission["mission.moos"] = "Community = alpha\n";
@@ -53,7 +54,7 @@ TEST(SessionMemory, ComesBackFromItsFiles) {
   ASSERT_TRUE(loaded);
   EXPECT_EQ(FilesOf(*loaded), FilesOf(saved));
   EXPECT_EQ(loaded->sights.size(), 2U);
-  EXPECT_EQ(loaded->sights[0].boxes[1].box.color, "green");
+  EXPECT_EQ(loaded->sights[0].boxes[1].color, "green");
   EXPECT_FALSE(loaded->sights[1].altitude);
   EXPECT_EQ(loaded->map, saved.map);
 }
@@ -82,12 +83,17 @@ TEST(SessionPrior, HandsOverWhereItLookedFromHalfAMetreApart) {
   SessionMemory memory;
   for (int i = 0; i <= 40; ++i) {
     memory.sights.push_back(Frame(i));
-    memory.sights.back().ned = {0.125 * i, 0.0, 3.5};
+    memory.sights.back().X_WB.p_WB = {0.125 * i, 0.0, 3.5};
     memory.sights.back().altitude = 4.0;
   }
   const SessionPrior prior = PriorOf(SessionFacts{}, memory);
   ASSERT_EQ(prior.views.size(), 11U);
-  EXPECT_EQ(prior.views[1], (std::array<double, 9>{1.0, 0.5, 0.0, 3.5, 0.0, 0.0, 0.0, 4.0, 0.0}));
+  const FormerView& second = prior.views[1];
+  EXPECT_EQ(second.frame.exposure, Seconds(1.0));
+  EXPECT_EQ(second.frame.X_WB.p_WB, Eigen::Vector3d(0.5, 0.0, 3.5));
+  EXPECT_EQ(second.frame.X_WB.yaw, 0.0);
+  EXPECT_EQ(second.frame.altitude, 4.0);
+  EXPECT_EQ(second.altitude_age, Seconds(0.0));
 }
 
 TEST(SessionPrior, KeepsLooksWholeThatSawWhatIsNotListed) {
@@ -95,16 +101,17 @@ TEST(SessionPrior, KeepsLooksWholeThatSawWhatIsNotListed) {
   memory.objects.opis = {Object(1, 3, 0.98)};
   for (int i = 0; i < 12; ++i) {
     memory.sights.push_back(Frame(i));
-    memory.sights.back().ned = {0.125 * i, 0.0, 3.5};
+    memory.sights.back().X_WB.p_WB = {0.125 * i, 0.0, 3.5};
     memory.sights.back().altitude = 4.0;
-    memory.sights.back().boxes = {{{.color = "listed"}, 3}};
+    memory.sights.back().boxes = {{.color = "listed", .landmark = 3}};
   }
-  memory.sights[5].boxes.push_back({{.u = 7.0, .color = "stranger"}, -1});
+  memory.sights[5].boxes.push_back({.u = 7.0, .color = "stranger"});
   const SessionPrior prior = PriorOf(SessionFacts{}, memory);
   ASSERT_EQ(prior.views.size(), 6U);  // of looks of four frames the second is kept whole
-  ASSERT_EQ(prior.boxes.size(), 1U);
-  EXPECT_EQ(prior.boxes[0].view, 2);
-  EXPECT_EQ(prior.boxes[0].box.color, "stranger");
+  for (std::size_t i = 0; i < prior.views.size(); ++i) {
+    EXPECT_EQ(prior.views[i].frame.boxes.size(), i == 2 ? 1U : 0U);
+  }
+  EXPECT_EQ(prior.views[2].frame.boxes.at(0).color, "stranger");
 }
 
 TEST(SessionMemory, NamesALineThatStartsNoPhase) {
@@ -123,16 +130,18 @@ TEST(SessionPrior, HasTheJointCovarianceOfItsObjectsInTheirOrder) {
   SessionMemory memory;
   memory.objects.opis = {Object(1, 7, 0.98), Object(2, 3, 0.1), Object(3, 5, 0.9)};
   memory.landmarks.ids = {3, 5, 7};
+  std::vector<double> lower;
   for (int row = 0; row < 9; ++row) {
     for (int column = 0; column <= row; ++column)
-      memory.landmarks.lower.push_back(10.0 * row + column);
+      lower.push_back(10.0 * row + column);
   }
+  memory.landmarks.cov_W = *FromLowerTriangle(lower);
   // Landmarks 7 and 5: rows 6 to 8, then 3 to 5.
-  EXPECT_THAT(PriorOf({}, memory).joint,
+  EXPECT_THAT(LowerTriangleOf(PriorOf({}, memory).joint_cov_W),
               ::testing::ElementsAre(66, 76, 77, 86, 87, 88, 63, 73, 83, 33, 64, 74, 84, 43, 44, 65,
                                      75, 85, 53, 54, 55));
   memory.landmarks.ids = {3, 5, 8};
-  EXPECT_TRUE(PriorOf({}, memory).joint.empty());
+  EXPECT_TRUE(PriorOf({}, memory).joint_cov_W.size() == 0);
 }
 
 TEST(SessionMemory, RefusesAJointCovarianceThatIsNone) {

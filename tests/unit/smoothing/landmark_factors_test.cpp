@@ -34,7 +34,7 @@ class LandmarkFactorTest : public ::testing::Test {
   template <class F>
   void ExpectJacobiansMatch(const F& factor) {
     typename F::Jacobian J_pose;
-    typename F::LandmarkJacobian J_landmark;
+    typename F::BorderJacobian J_landmark;
     const auto r = factor.Evaluate(x_, p_W_, &J_pose, &J_landmark);
     EXPECT_GT(r.norm(), 0.0);
     const auto of_x = [&](const NavVector& x) { return Eigen::VectorXd(factor.Evaluate(x, p_W_)); };
@@ -132,7 +132,7 @@ TEST_F(LandmarkFactorTest, PriorWeighsByItsCovariance) {
 }
 TEST_F(LandmarkFactorTest, PriorJacobianMatchesCentralDifferences) {
   const LandmarkPriorFactor factor({1.0, 2.0, 3.0}, 0.2 * Eigen::Matrix3d::Identity());
-  LandmarkPriorFactor::LandmarkJacobian J;
+  LandmarkPriorFactor::BorderJacobian J;
   const auto r = factor.Evaluate(p_W_, &J);
   EXPECT_GT(r.norm(), 0.0);
   const auto f = [&](const Eigen::Vector3d& p) { return Eigen::VectorXd(factor.Evaluate(p)); };
@@ -158,7 +158,7 @@ TEST_F(LandmarkFactorTest, DistanceJacobiansMatchCentralDifferences) {
   ExpectJacobiansMatch(DistanceFactor(3.0_m, 0.5_m));
 }
 TEST_F(LandmarkFactorTest, DistanceHasNoDerivativeWhereBothCoincide) {
-  DistanceFactor::LandmarkJacobian J;
+  DistanceFactor::BorderJacobian J;
   EXPECT_NEAR(DistanceFactor(3.0_m, 0.5_m).Evaluate(x_, x_.head<3>(), nullptr, &J)(0), -6.0, 1e-12);
   EXPECT_EQ(J.norm(), 0.0);
 }
@@ -169,7 +169,7 @@ TEST(SamePlaceFactor, IsZeroForTwoLandmarksAtOnePlace) {
 TEST(SamePlaceFactor, JacobiansMatchCentralDifferences) {
   const SamePlaceFactor factor(0.05_m);
   const Eigen::Vector3d a(1.0, 2.0, 3.0), b(1.2, 1.9, 3.1);
-  SamePlaceFactor::LandmarkJacobian J_a, J_b;
+  SamePlaceFactor::BorderJacobian J_a, J_b;
   EXPECT_NEAR(factor.Evaluate(a, b, &J_a, &J_b).norm(), (a - b).norm() / 0.05, 1e-9);
   const auto of_a = [&](const Eigen::Vector3d& p) {
     return Eigen::VectorXd(factor.Evaluate(p, b));

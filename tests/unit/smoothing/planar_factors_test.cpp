@@ -16,7 +16,7 @@ const XyzYawFactor kPlanarEdge({0.5, 0.1, 0.0, 0.5}, {0.01, 0.02, 0.04, 0.001});
 template <class F>
 void ExpectPlanarJacobiansMatch(const F& factor) {
   typename F::Jacobian J_pose;
-  typename F::LandmarkJacobian J_block;
+  typename F::BorderJacobian J_block;
   EXPECT_GT(factor.Evaluate(kPlanarPose, kPlanarBlock, &J_pose, &J_block).norm(), 0.0);
   const auto of_pose = [&](const NavVector& x) {
     return Eigen::VectorXd(factor.Evaluate(x, kPlanarBlock));

@@ -15,7 +15,7 @@ class StepFactorTest : public ::testing::Test {
   template <class Factor>
   void ExpectJacobiansMatch(const Factor& factor, const Eigen::Vector3d& errors) const {
     typename Factor::Jacobian J_i, J_j;
-    typename Factor::LandmarkJacobian J_errors;
+    typename Factor::BorderJacobian J_errors;
     EXPECT_GT(factor.Evaluate(x_i_, x_j_, errors, &J_i, &J_j, &J_errors).norm(), 0.0);
     const auto of_i = [&](const NavVector& x) {
       return Eigen::VectorXd(factor.Evaluate(x, x_j_, errors));

@@ -8,7 +8,7 @@
 namespace limpet {
 namespace {
 
-const CameraGeometry kTestedCamera;
+const CameraModel kTestedCamera;
 const Pose kAbove{{0.0, 0.0, 0.0}, 0.0, 0.0, 0.0};
 
 TEST(VisibleShare, IsOneInTheMiddleOfTheImage) {
@@ -16,7 +16,7 @@ TEST(VisibleShare, IsOneInTheMiddleOfTheImage) {
 }
 
 TEST(VisibleShare, IsAHalfOnTheImagesEdge) {
-  const double edge = 3.0 * std::tan(0.5 * kTestedCamera.fov_along);
+  const double edge = 3.0 * kTestedCamera.half_along();
   EXPECT_NEAR(VisibleShare(kTestedCamera, kAbove, {edge, 0, 3}, 0.5), 0.5, 0.1);
 }
 

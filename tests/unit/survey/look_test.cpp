@@ -56,7 +56,7 @@ TEST(LookModel, SurvivesItsMessage) {
   LookModel model;
   model.detection.visibility = Meters(5.0);
   model.object_radius = 0.3;
-  model.camera.fov_across = 1.0;
+  model.camera = CameraModel::FromFieldOfView(640, 480, 1.0, 0.8);
   const auto decoded = TopicCodec<MapLook>::Decode(TopicCodec<MapLook>::Encode(ToMapLook(model)));
   ASSERT_TRUE(decoded);
   const auto sent = LookWindowAbove(model, 2.0, 0.1);

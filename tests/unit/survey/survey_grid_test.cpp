@@ -53,20 +53,20 @@ TEST(SurveyGrid, StartsWithNothingSeen) {
 
 TEST(SurveyGrid, OneImageShowsItsFootprintOnTheBottom) {
   SurveyGrid grid(kArea);
-  grid.Observe(At(0.0, 0.0), 4.0, CameraGeometry{});
+  grid.Observe(At(0.0, 0.0), 4.0, CameraModel{});
   EXPECT_NEAR(SeenArea(grid, 0.0), 6.713 * 4.619, 1.0);
 }
 
 TEST(SurveyGrid, TheImageIsHalfAsWideAtTheTopOfTheBand) {
   SurveyGrid grid(kArea);
-  grid.Observe(At(0.0, 0.0), 4.0, CameraGeometry{});
+  grid.Observe(At(0.0, 0.0), 4.0, CameraModel{});
   const double inset = 2.0 * SurveyGrid::kDiscInset;
   EXPECT_NEAR(SeenArea(grid, 2.0), (3.356 - inset) * (2.309 - inset), 0.5);
 }
 
 TEST(SurveyGrid, TheImageIsWideAcrossTheTrack) {
   SurveyGrid grid(kArea);
-  grid.Observe(At(0.0, 0.0, std::numbers::pi / 2.0), 4.0, CameraGeometry{});  // heading east
+  grid.Observe(At(0.0, 0.0, std::numbers::pi / 2.0), 4.0, CameraModel{});  // heading east
   EXPECT_TRUE(grid.SeenHeight(RowOf(grid, 3.0), ColumnOf(grid, 0.0)).has_value());
   EXPECT_FALSE(grid.SeenHeight(RowOf(grid, 0.0), ColumnOf(grid, 3.0)).has_value());
 }
@@ -75,16 +75,16 @@ TEST(SurveyGrid, RollMovesTheFootprintToTheRaisedSide) {
   SurveyGrid grid(kArea);
   Pose rolled = At(0.0, 0.0);
   rolled.roll = 0.3;  // starboard down: the camera looks to port
-  grid.Observe(rolled, 4.0, CameraGeometry{});
+  grid.Observe(rolled, 4.0, CameraModel{});
   EXPECT_TRUE(grid.SeenHeight(RowOf(grid, 0.0), ColumnOf(grid, -4.5)).has_value());
   EXPECT_FALSE(grid.SeenHeight(RowOf(grid, 0.0), ColumnOf(grid, 3.0)).has_value());
 }
 
 TEST(SurveyGrid, ALaterLowerLookNeverForgetsAHigherOne) {
   SurveyGrid grid(kArea);
-  grid.Observe(At(0.0, 0.0), 4.0, CameraGeometry{});
+  grid.Observe(At(0.0, 0.0), 4.0, CameraModel{});
   const double before = SeenArea(grid, 1.0);
-  grid.Observe(At(0.0, 2.5), 4.0, CameraGeometry{});
+  grid.Observe(At(0.0, 2.5), 4.0, CameraModel{});
   EXPECT_GE(SeenArea(grid, 1.0), before);
   EXPECT_DOUBLE_EQ(grid.SeenHeight(RowOf(grid, 0.1), ColumnOf(grid, 0.1)).value(), 2.0);
 }
@@ -94,8 +94,8 @@ TEST(SurveyGrid, KnownReliefRaisesTheBottomIntoTheNarrowPartOfTheView) {
   for (double east = -5.0; east < 5.0; east += 0.5) {
     ridge.SetSeabed(0.0, east, 6.0);  // 1.5 m above the flat bottom at 7.5 m
   }
-  flat.Observe(At(0.0, 0.0), 4.0, CameraGeometry{});
-  ridge.Observe(At(0.0, 0.0), 4.0, CameraGeometry{});
+  flat.Observe(At(0.0, 0.0), 4.0, CameraModel{});
+  ridge.Observe(At(0.0, 0.0), 4.0, CameraModel{});
   EXPECT_LT(SeenArea(ridge, 0.0), SeenArea(flat, 0.0));
 }
 
@@ -112,7 +112,7 @@ TEST(SurveyGrid, AMirrorFedWithDeltasIsTheSameGrid) {
   SurveyGrid grid(kArea), mirror(kArea);
   for (int i = 0; i < 5; ++i) {
     grid.SetSeabed(i, i, 7.4);
-    grid.Observe(At(i, 2.0 * i, 0.3 * i), 4.0, CameraGeometry{});
+    grid.Observe(At(i, 2.0 * i, 0.3 * i), 4.0, CameraModel{});
     ASSERT_TRUE(mirror.Apply(grid.TakeDelta()));
   }
   EXPECT_TRUE(std::equal(grid.heights().begin(), grid.heights().end(), mirror.heights().begin()));
@@ -121,7 +121,7 @@ TEST(SurveyGrid, AMirrorFedWithDeltasIsTheSameGrid) {
 TEST(SurveyGrid, ALateMirrorLearnsEverythingAtOnce) {
   SurveyGrid grid(kArea), mirror(kArea);
   for (int i = 0; i < 5; ++i) {
-    grid.Observe(At(i, 2.0 * i, 0.3 * i), 4.0, CameraGeometry{});
+    grid.Observe(At(i, 2.0 * i, 0.3 * i), 4.0, CameraModel{});
     static_cast<void>(grid.TakeDelta());
   }
   ASSERT_TRUE(mirror.Apply(grid.Everything()));
@@ -131,8 +131,8 @@ TEST(SurveyGrid, ALateMirrorLearnsEverythingAtOnce) {
 
 TEST(SurveyGrid, ADeltaHoldsEachChangedCellOnce) {
   SurveyGrid grid(kArea);
-  grid.Observe(At(0.0, 0.0), 4.0, CameraGeometry{});
-  grid.Observe(At(0.1, 0.0), 4.0, CameraGeometry{});
+  grid.Observe(At(0.0, 0.0), 4.0, CameraModel{});
+  grid.Observe(At(0.1, 0.0), 4.0, CameraModel{});
   const GridDelta delta = grid.TakeDelta();
   std::vector<std::uint32_t> cells;
   for (const GridDelta::Cell& cell : delta.cells) {
@@ -145,7 +145,7 @@ TEST(SurveyGrid, ADeltaHoldsEachChangedCellOnce) {
 
 TEST(SurveyGrid, RefusesADeltaOfAnotherFrame) {
   SurveyGrid grid(kArea), coarse(kArea, 0.5);
-  coarse.Observe(At(0.0, 0.0), 4.0, CameraGeometry{});
+  coarse.Observe(At(0.0, 0.0), 4.0, CameraModel{});
   EXPECT_FALSE(grid.Apply(coarse.TakeDelta()));
   EXPECT_EQ(grid.coverage().seabed, 0.0);
 }
@@ -155,7 +155,7 @@ TEST(SurveyGrid, CoverageIsAnHonestShareWhenLanesLeaveThinGaps) {
   SurveyGrid grid(SurveyArea{0.0, 20.0, 0.0, 68.0, 2.0, 0.0});
   for (int lane = 0; lane < 10; ++lane) {
     for (double north = -3.0; north < 23.0; north += 0.25) {
-      grid.Observe(At(north, 6.8 * lane + 3.4), 4.0, CameraGeometry{});
+      grid.Observe(At(north, 6.8 * lane + 3.4), 4.0, CameraModel{});
     }
   }
   EXPECT_NEAR(1.0 - grid.coverage().seabed, (6.8 - 6.713) / 6.8, 0.003);
@@ -163,7 +163,7 @@ TEST(SurveyGrid, CoverageIsAnHonestShareWhenLanesLeaveThinGaps) {
 
 TEST(SurveyGrid, BandCoverageIsTheMeanOverTheHeightsOfObjects) {
   SurveyGrid grid(SurveyArea{-0.25, 0.25, -0.25, 0.25, 2.0, 2.0});
-  grid.Observe(At(0.0, 0.0), 2.75, CameraGeometry{});  // seen to about 2.4 m at most: to the top
+  grid.Observe(At(0.0, 0.0), 2.75, CameraModel{});  // seen to about 2.4 m at most: to the top
   EXPECT_NEAR(grid.coverage().band, 1.0, 0.05);
   EXPECT_GT(grid.coverage().band, grid.coverage().band_top - 1e-9);
 }

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "limpet/app/test_link.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/test_link.hpp"
 
 namespace limpet {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "limpet/app/test_link.hpp"
 #include "limpet/topics/sensors.hpp"
+#include "tests/support/test_link.hpp"
 
 namespace limpet {
 namespace {

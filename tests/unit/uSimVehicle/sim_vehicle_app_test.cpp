@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
-#include "limpet/app/test_link.hpp"
+#include "tests/support/test_link.hpp"
 
 namespace limpet {
 namespace {
@@ -160,16 +162,22 @@ TEST(SimVehicleApp, ALateTickStopsTheThrustersInTheMidstOfWhatItMakesUpFor) {
 TEST(SimVehicleApp, ObeysNoCommandThatIsNotFiniteOrBeyondFullThrust) {
   SimVehicle vehicle(Table());
   vehicle.Run({}, 0.2);
-  for (const char* bad : {"t1=nan,t2=0,t3=0,t4=0,t5=0,t6=0", "t1=0,t2=inf,t3=0,t4=0,t5=0,t6=0",
-                          "t1=0,t2=0,t3=0,t4=0,t5=1e9,t6=0", "t1=0,t2=0,t3=0,t4=0,t5=0,t6=-1.5"}) {
+  const std::vector<std::pair<const char*, const char*>> refused{
+      {"t1=nan,t2=0,t3=0,t4=0,t5=0,t6=0", "BAD_MAIL_THRUSTER_COMMAND"},
+      {"t1=0,t2=inf,t3=0,t4=0,t5=0,t6=0", "BAD_MAIL_THRUSTER_COMMAND"},
+      {"t1=0,t2=0,t3=0,t4=0,t5=1e9,t6=0", "COMMAND_REFUSED"},
+      {"t1=0,t2=0,t3=0,t4=0,t5=0,t6=-1.5", "COMMAND_REFUSED"}};
+  for (const auto& [bad, warning] : refused) {
     vehicle.Say(bad);
     vehicle.RunSilently(0.5);
     EXPECT_EQ(vehicle.Thrust().greatest, 0.0) << bad;
-    EXPECT_FALSE(vehicle.app().warnings().empty()) << bad;
+    EXPECT_TRUE(vehicle.app().warnings().contains(warning)) << bad;
   }
   EXPECT_FALSE(std::isnan(vehicle.Truth().down));
   vehicle.RunSilently(1.0);
   EXPECT_GE(vehicle.Thrust().refused, 2);
+  vehicle.Run({}, 0.2);
+  EXPECT_FALSE(vehicle.app().warnings().contains("COMMAND_REFUSED"));
 }
 
 TEST(SimVehicleApp, DriftsWithTheScenariosCurrent) {

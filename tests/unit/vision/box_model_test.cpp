@@ -106,7 +106,7 @@ TEST(BoxModel, EqualSeedsGiveEqualBoxes) {
 
 TEST(BoxModel, FindsLessTheFartherAndTheMoreIsCut) {
   const BoxModel model({});
-  const CameraGeometry camera;
+  const CameraModel camera;
   double last = 1.1;
   for (const double range : {4.0, 8.0, 10.0, 11.0, 12.0}) {
     const double p = model.DetectionProbability(*ImageOfSphere(camera, {0.0, 0.0, range}, 0.5));

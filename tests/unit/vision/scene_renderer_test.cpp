@@ -99,8 +99,8 @@ TEST(SceneRenderer, SeabedMovesWithTheCamera) {
   Pose moved = Above(3.0);
   moved.p_WB.x() += 0.25;
   const Image after = renderer.Render(moved, {}, 0);
-  const CameraGeometry camera;
-  const int shift = static_cast<int>(std::lround(0.25 * camera.fy() / 3.0));
+  const CameraModel camera;
+  const int shift = static_cast<int>(std::lround(0.25 * camera.fy / 3.0));
   const auto difference = [&](int rows) {
     double sum = 0.0;
     for (int row = 150; row < 300; ++row) {

@@ -11,11 +11,11 @@ namespace limpet {
 namespace {
 
 TEST(ImageOfSphere, OnTheAxisIsACircleAroundTheMiddle) {
-  const CameraGeometry camera;
+  const CameraModel camera;
   const auto image = ImageOfSphere(camera, {0.0, 0.0, 5.0}, 0.5);
   ASSERT_TRUE(image);
   // The silhouette's half angle is asin(r / d), not atan(r / d).
-  const double half = camera.fx() * std::tan(std::asin(0.1));
+  const double half = camera.fx * std::tan(std::asin(0.1));
   EXPECT_NEAR(image->outline.center_u(), 320.0, 1e-9);
   EXPECT_NEAR(image->outline.width(), 2.0 * half, 1e-9);
   EXPECT_NEAR(image->visible_fraction, 1.0, 1e-9);
@@ -23,7 +23,7 @@ TEST(ImageOfSphere, OnTheAxisIsACircleAroundTheMiddle) {
 }
 
 TEST(ImageOfSphere, BoxHoldsEveryPointOfTheSphereAndTouchesItsEdges) {
-  const CameraGeometry camera;
+  const CameraModel camera;
   Random random(3);
   for (int trial = 0; trial < 20; ++trial) {
     const Eigen::Vector3d p_C(random.Uniform(-1.5, 1.5), random.Uniform(-1.0, 1.0),
@@ -48,7 +48,7 @@ TEST(ImageOfSphere, BoxHoldsEveryPointOfTheSphereAndTouchesItsEdges) {
 }
 
 TEST(ImageOfSphere, OffTheAxisTheBoxIsNotAroundTheProjectedCentre) {
-  const CameraGeometry camera;
+  const CameraModel camera;
   const Eigen::Vector3d p_C(1.5, 0.0, 2.5);
   const auto image = ImageOfSphere(camera, p_C, 0.4);
   ASSERT_TRUE(image);
@@ -56,8 +56,8 @@ TEST(ImageOfSphere, OffTheAxisTheBoxIsNotAroundTheProjectedCentre) {
 }
 
 TEST(ImageOfSphere, HalfOutsideIsHalfVisible) {
-  const CameraGeometry camera;
-  const double edge = std::tan(0.5 * camera.fov_along);
+  const CameraModel camera;
+  const double edge = camera.half_along();
   const auto image = ImageOfSphere(camera, {0.0, 20.0 * edge, 20.0}, 0.3);
   ASSERT_TRUE(image);
   EXPECT_NEAR(image->visible_fraction, 0.5, 0.02);
@@ -66,11 +66,10 @@ TEST(ImageOfSphere, HalfOutsideIsHalfVisible) {
 
 TEST(ImageOfSphere, CutAtACornerItsVisibleBoxIsSmallerThanTheClippedOutline) {
   // A long lens, so that the silhouette is nearly a circle; its centre is outside both borders.
-  CameraGeometry camera;
-  camera.fov_across = RadiansFromDegrees(20.0);
-  camera.fov_along = RadiansFromDegrees(15.0);
-  const Eigen::Vector3d p_C(-20.0 * std::tan(0.5 * camera.fov_across) - 0.25,
-                            -20.0 * std::tan(0.5 * camera.fov_along) - 0.25, 20.0);
+  const CameraModel camera =
+      CameraModel::FromFieldOfView(640, 480, RadiansFromDegrees(20.0), RadiansFromDegrees(15.0));
+  const Eigen::Vector3d p_C(-20.0 * camera.half_across() - 0.25, -20.0 * camera.half_along() - 0.25,
+                            20.0);
   const auto image = ImageOfSphere(camera, p_C, 0.5);
   ASSERT_TRUE(image);
   EXPECT_LT(image->visible.right, image->outline.right - 2.0);
@@ -78,7 +77,7 @@ TEST(ImageOfSphere, CutAtACornerItsVisibleBoxIsSmallerThanTheClippedOutline) {
 }
 
 TEST(ImageOfSphere, NothingBehindOrBesideTheCamera) {
-  const CameraGeometry camera;
+  const CameraModel camera;
   EXPECT_FALSE(ImageOfSphere(camera, {0.0, 0.0, -3.0}, 0.5));
   EXPECT_FALSE(ImageOfSphere(camera, {9.0, 0.0, 3.0}, 0.5));
   EXPECT_FALSE(ImageOfSphere(camera, {0.0, 0.0, 0.3}, 0.5));

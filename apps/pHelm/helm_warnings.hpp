@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// What pHelm warns of and reports.
+#pragma once
+
+#include "limpet/topics/event.hpp"
+#include "limpet/topics/warning.hpp"
+
+namespace limpet::warnings {
+
+inline const WarningId kBandAboveView = DeclareWarning(
+    "BAND_ABOVE_VIEW",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pHelm"},
+     .meaning = "Objects may float so high that the camera cannot cover their band from "
+                "survey_altitude_m.",
+     .action =
+         "Survey from higher up (survey_altitude_m), or lower object_height_max_m of pSurvey.",
+     .clears = "With the next SURVEY_AREA whose band can be covered."});
+
+inline const WarningId kNoOption = DeclareWarning(
+    "NO_OPTION",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pHelm"},
+     .meaning = "No option for the next view is left: all are vetoed, or none is offered; there is "
+                "no new path.",
+     .action =
+         "See in `limpet why` who vetoes what; if it lasts, call the vehicle home with RETURN.",
+     .clears = "With the next decision that finds an option."});
+
+inline const WarningId kObjectsGivenUp = DeclareWarning(
+    "OBJECTS_GIVEN_UP",
+    {.severity = Severity::kNote,
+     .raised_by = {"pHelm"},
+     .meaning = "Looks at the objects named told nothing so often that they get no more.",
+     .action = "Nothing now; their status stays as uncertain as it is.",
+     .clears = "Once a new belief makes a look at each of them worth its way again."});
+
+inline const WarningId kObjectsOutOfReach = DeclareWarning(
+    "OBJECTS_OUT_OF_REACH",
+    {.severity = Severity::kNote,
+     .raised_by = {"pHelm"},
+     .meaning =
+         "No pass inside the operating region at survey altitude would show the objects named.",
+     .action = "Nothing now; to see them, widen margin_m of pSurvey in the next session.",
+     .clears = "Once each of them can be seen from inside the region."});
+
+}  // namespace limpet::warnings
+
+namespace limpet::events {
+
+inline const EventId kMode =
+    DeclareEvent("HELM_MODE", {.severity = Severity::kNote,
+                               .reported_by = {"pHelm"},
+                               .meaning = "A mode of the behaviors has changed."});
+
+inline const EventId kPath = DeclareEvent(
+    "PATH_CHOSEN",
+    {.severity = Severity::kNote,
+     .reported_by = {"pHelm"},
+     .meaning = "The helm has decided where to go next; with its length and why it decided now."});
+
+inline const EventId kFruitlessLook = DeclareEvent(
+    "FRUITLESS_LOOK",
+    {.severity = Severity::kNote,
+     .reported_by = {"pHelm"},
+     .meaning = "A look at an object has told nothing about it; with how many did so in a row."});
+
+}  // namespace limpet::events

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// What pMap warns of.
+#pragma once
+
+#include "limpet/topics/warning.hpp"
+
+namespace limpet::warnings {
+
+inline const WarningId kSightOutOfOrder =
+    DeclareWarning("SIGHT_OUT_OF_ORDER",
+                   {.severity = Severity::kNote,
+                    .raised_by = {"pMap"},
+                    .meaning = "A frame came after a later one and was left out.",
+                    .action = "Nothing if it is rare; else see whether the machine keeps up.",
+                    .clears = "With the next frame in order."});
+
+inline const WarningId kViewTooHigh =
+    DeclareWarning("VIEW_TOO_HIGH",
+                   {.severity = Severity::kWarning,
+                    .raised_by = {"pMap"},
+                    .meaning = "While surveying, frames are taken from higher above the seabed "
+                               "than highest_view_m: they show nothing and count for nothing.",
+                    .action = "See why the vehicle flies high (NAV_ALTITUDE, ALTITUDE_LOST); or "
+                              "raise highest_view_m where the water is clear.",
+                    .clears = "With the next frame from low enough, or out of the survey phase."});
+
+inline const WarningId kViewWithoutAltitude = DeclareWarning(
+    "VIEW_WITHOUT_ALTITUDE",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pMap"},
+     .meaning =
+         "While surveying, frames are left out: no altitude is known within altitude_lasts_s.",
+     .action = "See DVL_NO_LOCK of pNav.",
+     .clears = "With the next frame of known altitude, or out of the survey phase."});
+
+inline const WarningId kBeamsLeftOut = DeclareWarning(
+    "BEAMS_LEFT_OUT",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pMap"},
+     .meaning = "A quarter or more of the latest 200 DVL beams end where neither seabed nor "
+                "objects can be.",
+     .action = "Check the lever arm and the mounting of the DVL (pNav), and the depth sensor.",
+     .clears = "After 200 beams of which fewer do."});
+
+inline const WarningId kFormerParameters = DeclareWarning(
+    "FORMER_PARAMETERS",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pMap"},
+     .meaning = "Parameters that the former session was saved with are out of range: where it "
+                "looked is not used, and nothing will be called new.",
+     .action = "Judge new objects by hand; compare the versions of Limpet of both sessions.",
+     .clears = "With a former session whose parameters can be used."});
+
+inline const WarningId kHunchesLeftOut = DeclareWarning(
+    "HUNCHES_LEFT_OUT",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pMap"},
+     .meaning = "Boxes hint at more objects than can be kept in mind: some places are not looked "
+                "at again.",
+     .action = "See in the frames whether the detector takes something else for objects.",
+     .clears = "Once all such places are kept again."});
+
+}  // namespace limpet::warnings

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// What pNav warns of.
+#pragma once
+
+#include "limpet/topics/warning.hpp"
+
+namespace limpet::warnings {
+
+inline const WarningId kImuStale = DeclareWarning(
+    "IMU_STALE",
+    {.severity = Severity::kAlarm,
+     .raised_by = {"pNav"},
+     .meaning = "No IMU_DATA has been heard within stale_after_s: there is no attitude.",
+     .action = "Bring the vehicle up (RETURN, or MOOS_MANUAL_OVERRIDE if it does not obey); see to "
+               "the IMU and its driver.",
+     .clears = "With the next IMU_DATA."});
+
+inline const WarningId kFogStale = DeclareWarning(
+    "FOG_STALE",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pNav"},
+     .meaning = "No FOG_YAW_RATE has been heard within stale_after_s, though it was before: the "
+                "yaw rate of the IMU serves, and the heading drifts faster.",
+     .action = "See to the FOG and its driver.",
+     .clears = "With the next FOG_YAW_RATE."});
+
+inline const WarningId kDvlStale = DeclareWarning(
+    "DVL_STALE", {.severity = Severity::kWarning,
+                  .raised_by = {"pNav"},
+                  .meaning = "No DVL_DATA has been heard within stale_after_s: velocity is "
+                             "guessed, and the position drifts.",
+                  .action = "See to the DVL and its driver; if it lasts, call the vehicle home.",
+                  .clears = "With the next DVL_DATA."});
+
+inline const WarningId kDvlNoLock = DeclareWarning(
+    "DVL_NO_LOCK",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pNav"},
+     .meaning = "The DVL has had no bottom lock within stale_after_s: velocity is guessed, "
+                "altitude is unknown.",
+     .action = "Nothing at the surface or over deep water; else see how high the vehicle flies.",
+     .clears = "With the next ping that has bottom lock."});
+
+inline const WarningId kDepthStale = DeclareWarning(
+    "DEPTH_STALE",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pNav"},
+     .meaning =
+         "No DEPTH_SENSOR has been heard within stale_after_s: depth is integrated, and drifts.",
+     .action = "See to the depth sensor and its driver; if it lasts, call the vehicle home.",
+     .clears = "With the next DEPTH_SENSOR."});
+
+inline const WarningId kNavInvalid = DeclareWarning(
+    "NAV_INVALID",
+    {.severity = Severity::kAlarm,
+     .raised_by = {"pNav"},
+     .meaning = "There is no attitude, or nothing tells how the vehicle moves: NAV_STATE is not "
+                "valid, NAV_X and its kin are silent, and pPilot stops.",
+     .action =
+         "See which of the other warnings of pNav stand: those sensors are to be brought back.",
+     .clears = "Once attitude and one of bottom lock, depth and GPS are fresh."});
+
+}  // namespace limpet::warnings

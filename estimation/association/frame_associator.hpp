@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "estimation/association/track_list.hpp"
+#include "estimation/association/tracker_params.hpp"
+#include "estimation/smoothing/smoother.hpp"
+#include "limpet/objects/frame.hpp"
+
+namespace limpet {
+
+/// One frame at a pose: what the tracker works on.
+struct TrackerFrame {
+  const Detections* detections = nullptr;
+  NavVector x = NavVector::Zero();
+  std::optional<int> node{};  ///< of the chain, newest; nothing when the frame has no usable box
+  double path = 0.0;          ///< way travelled [m]
+  std::optional<double> altitude{};  ///< of the body origin above the seabed [m]
+};
+
+/// A box that is used, and its index in the frame.
+struct Candidate {
+  int detection = 0;
+  ReadDetection seen;
+};
+
+/// What a box shows.
+struct Association {
+  enum class Kind {
+    kTrack,      ///< one of the tracks
+    kNothing,    ///< none of them
+    kAmbiguous,  ///< it may be either of several: left out rather than guessed
+  };
+  Kind kind = Kind::kNothing;
+  std::size_t track = 0;  ///< index, of kTrack
+};
+
+/// Assigns the boxes of a frame to tracks: gates on the predicted box with the joint covariance of
+/// pose and place, then the one-to-one assignment of the greatest likelihood against being
+/// something new. All must outlive it.
+class FrameAssociator {
+ public:
+  FrameAssociator(const Smoother& smoother, const CameraModel& camera,
+                  const ObjectTrackerParams& params, const TrackList& tracks)
+      : smoother_(smoother), params_(params), tracks_(tracks), gate_(camera, params.gate) {}
+
+  /// Per candidate; the smoother must be up to date with the frame's node.
+  [[nodiscard]] std::vector<Association> Assign(const TrackerFrame& frame,
+                                                const std::vector<Candidate>& candidates) const;
+
+ private:
+  /// Tracks that no error of the pose could bring into view are left out.
+  struct Reachable {
+    std::vector<bool> is_reachable;  ///< per track
+    Eigen::MatrixXd joint;           ///< of the pose and those that are mapped
+  };
+  [[nodiscard]] Reachable CollectReachable(const TrackerFrame& frame) const;
+  [[nodiscard]] SightCovariance CovarianceWith(const TrackedObject& object, double path,
+                                               const Eigen::MatrixXd& joint, int row) const;
+  /// -2 ln of the likelihood ratio against being something new, per candidate and track.
+  [[nodiscard]] Eigen::MatrixXd Costs(const TrackerFrame& frame,
+                                      const std::vector<Candidate>& candidates) const;
+  [[nodiscard]] bool IsSeenAgain(const TrackedObject& object) const {
+    return tracks_.now - object.last_seen() > params_.confirm_within_s;
+  }
+
+  const Smoother& smoother_;
+  const ObjectTrackerParams& params_;
+  const TrackList& tracks_;
+  BoxGate gate_;
+};
+
+}  // namespace limpet

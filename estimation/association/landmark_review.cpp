@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/association/landmark_review.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "estimation/association/pair_evidence.hpp"
+#include "estimation/association/track_placement.hpp"
+#include "estimation/smoothing/factors/reprojection_factor.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kMoved = 0.1;  // [m] after which all observations of a landmark are reviewed again
+constexpr double kRecent = 30.0;       // [s] of observations that always are
+constexpr double kSplitDriftSd = 0.5;  // [m] of what was taken for another landmark by mistake
+constexpr double kModelError = 0.05;   // [m] between two landmarks of one object
+constexpr double kLongAgo = -1e18;     // [s]
+
+}  // namespace
+
+std::vector<Observation> LandmarkReview::TakeOutliers(TrackedObject& object) {
+  const Eigen::Vector3d p_W = smoother_.BorderAt(object.slot());
+  // Old observations are reviewed again once the object has moved.
+  const bool has_moved = !object.reviewed_p_W || (p_W - *object.reviewed_p_W).norm() > kMoved;
+  const double since = has_moved ? kLongAgo : object.last_seen() - kRecent;
+  if (has_moved) object.reviewed_p_W = p_W;
+  const auto fits = [&](const Observation& one) {
+    if (one.terms.empty() || one.t < since) {
+      return true;
+    }
+    const ReprojectionFactor factor(camera_, one.reading.centre_px, one.reading.sigma_px);
+    return !(factor.Evaluate(smoother_.PoseAt(one.node), p_W).norm() > params_.outlier_sigma);
+  };
+  const auto bad =
+      std::stable_partition(object.observations.begin(), object.observations.end(), fits);
+  std::vector<Observation> outliers(std::make_move_iterator(bad),
+                                    std::make_move_iterator(object.observations.end()));
+  object.observations.erase(bad, object.observations.end());
+  return outliers;
+}
+
+bool LandmarkReview::RemoveOutliers() {
+  bool has_changed = false;
+  std::vector<TrackedObject> split;
+  for (TrackedObject& object : tracks_.objects) {
+    if (!object.is_mapped() || !std::exchange(object.needs_review, false)) continue;
+    std::vector<Observation> outliers = TakeOutliers(object);
+    if (outliers.empty()) continue;
+    object.RecountColor();
+    rejected_ += static_cast<int>(outliers.size());
+    SplitOff(std::move(outliers), object, split);
+    has_changed = true;
+  }
+  for (TrackedObject& object : split) {
+    tracks_.objects.push_back(std::move(object));
+    terms_.Map(tracks_.objects.back(), InDoubt{});
+    ++tracks_.identity_news;
+  }
+  return has_changed;
+}
+
+void LandmarkReview::SplitOff(std::vector<Observation> outliers, const TrackedObject& from,
+                              std::vector<TrackedObject>& split) {
+  for (Observation& one : outliers)
+    terms_.RemoveTerms(one);
+  for (auto begin = outliers.begin(); begin != outliers.end();) {
+    auto end = std::next(begin);
+    while (end != outliers.end() && end->t - std::prev(end)->t <= params_.confirm_within_s)
+      ++end;
+    TrackedObject object;
+    for (; begin != end; ++begin)
+      object.Add(std::move(*begin));
+    if (static_cast<int>(object.observations.size()) < params_.looks_to_confirm) continue;
+    Place(object, smoother_, camera_, params_.model);
+    const bool agrees = object.tentative().worst_residual <= params_.confirm_residual;
+    if (!agrees || !IsPlaced(object, params_)) continue;
+    object.expected = object.hits = static_cast<int>(object.observations.size());
+    object.max_distance = from.max_distance;
+    object.last_path = from.last_path;
+    object.drift_sd = kSplitDriftSd;
+    split.push_back(std::move(object));
+  }
+}
+
+bool LandmarkReview::AreLikelyOne(const TrackedObject& a, const TrackedObject& b,
+                                  const Eigen::Matrix3d& difference) const {
+  const Eigen::Vector3d d = smoother_.BorderAt(a.slot()) - smoother_.BorderAt(b.slot());
+  const double one = d.dot(difference.llt().solve(d)) + std::log(difference.determinant()) +
+                     3.0 * std::log(2.0 * std::numbers::pi) + TogetherCost(a, b) +
+                     ClassCost(a, b, params_.gate.confused_class_share);
+  return one < NewObjectCost(tracks_, params_) + OverlapCost(d, difference, params_.model.radius_m);
+}
+
+void LandmarkReview::DoubtDuplicates() {
+  for (TrackedObject& a : tracks_.objects) {
+    for (TrackedObject& b : tracks_.objects) {
+      if (!a.is_landmark() || !b.is_landmark() || a.id() >= b.id()) continue;
+      const Eigen::Vector3d d = smoother_.BorderAt(a.slot()) - smoother_.BorderAt(b.slot());
+      if (d.norm() > params_.merge_distance_m || AreSeenTogether(a, b)) continue;
+      const Eigen::MatrixXd joint = smoother_.Covariance({a.slot(), b.slot()});
+      Eigen::Matrix3d S = joint.block<3, 3>(6, 6) + joint.block<3, 3>(9, 9) -
+                          joint.block<3, 3>(6, 9) - joint.block<3, 3>(9, 6);
+      S.diagonal().array() += kModelError * kModelError;
+      if (!AreLikelyOne(a, b, S)) continue;
+      b.drift_sd = std::sqrt(S.diagonal().head<2>().maxCoeff());
+      b.state = InDoubt{};
+      ++tracks_.identity_news;
+    }
+  }
+}
+
+bool LandmarkReview::DropFalseLandmarks() {
+  bool has_changed = false;
+  for (TrackedObject& object : tracks_.objects) {
+    const bool is_false = object.is_untied() && object.expected >= params_.drop_after_expected &&
+                          object.hits < params_.drop_hit_share * object.expected;
+    const bool is_empty = object.is_mapped() && object.observations.empty();
+    if (!is_false && !is_empty) continue;
+    terms_.Remove(object);
+    has_changed = true;
+  }
+  tracks_.EraseEmpty();
+  return has_changed;
+}
+
+}  // namespace limpet

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "estimation/association/landmark_terms.hpp"
+
+namespace limpet {
+
+/// Second thoughts after an update: observations that do not fit, landmarks that may be one,
+/// landmarks that are none. All must outlive it.
+class LandmarkReview {
+ public:
+  LandmarkReview(Smoother& smoother, const CameraModel& camera, const ObjectTrackerParams& params,
+                 TrackList& tracks, LandmarkTerms& terms)
+      : smoother_(smoother), camera_(camera), params_(params), tracks_(tracks), terms_(terms) {}
+
+  /// Takes out observations that do not fit; those that agree among themselves are another object
+  /// after all. True if the graph changed.
+  bool RemoveOutliers();
+  /// Puts in doubt which of two landmarks is likely the other one.
+  void DoubtDuplicates();
+  /// Gives up landmarks that too few frames show. True if the graph changed.
+  bool DropFalseLandmarks();
+  [[nodiscard]] int rejected() const { return rejected_; }
+
+ private:
+  /// Takes the observations out of the track that do not fit its place.
+  [[nodiscard]] std::vector<Observation> TakeOutliers(TrackedObject& object);
+  void SplitOff(std::vector<Observation> outliers, const TrackedObject& from,
+                std::vector<TrackedObject>& split);
+  [[nodiscard]] bool AreLikelyOne(const TrackedObject& a, const TrackedObject& b,
+                                  const Eigen::Matrix3d& difference) const;
+
+  Smoother& smoother_;
+  const CameraModel& camera_;
+  const ObjectTrackerParams& params_;
+  TrackList& tracks_;
+  LandmarkTerms& terms_;
+  int rejected_ = 0;  ///< observations, since the start
+};
+
+}  // namespace limpet

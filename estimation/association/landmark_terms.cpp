@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/association/landmark_terms.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "estimation/smoothing/factors/birthplace_factor.hpp"
+#include "estimation/smoothing/factors/same_place_factor.hpp"
+
+namespace limpet {
+
+void LandmarkTerms::Map(TrackedObject& object, const TrackState& as) {
+  object.Map(next_id_++, smoother_.AddLandmark(object.p_W), as);
+  const int node = object.observations.front().node;
+  const BirthplaceFactor hold(object.p_W - smoother_.PoseAt(node).head<3>(),
+                              Meters(params_.place_prior_m));
+  smoother_.AddTerm(node, Term::OnObservation(hold, object.slot()));
+  for (std::size_t i = 0; i < object.observations.size(); ++i)
+    AddTerms(object, object.observations[i], i == 0);
+}
+
+void LandmarkTerms::AddTerms(const TrackedObject& object, Observation& observation,
+                             bool with_seabed) {
+  for (Term& term : TermsOf(observation, object.slot(), camera_, params_.model, with_seabed))
+    observation.terms.push_back(smoother_.AddTerm(observation.node, std::move(term)));
+}
+
+void LandmarkTerms::RemoveTerms(Observation& observation) {
+  for (const TermId& term : observation.terms)
+    smoother_.RemoveTerm(term);
+  observation.terms.clear();
+}
+
+void LandmarkTerms::MergeTentative(TrackedObject& tentative, TrackedObject& into) {
+  for (std::size_t i = 0; i < tentative.observations.size(); ++i) {
+    AddTerms(into, tentative.observations[i], i == 0);
+    into.Add(std::move(tentative.observations[i]));
+  }
+  tentative.observations.clear();
+  into.needs_review = true;
+  ++tracks_.identity_news;
+  into.expected += tentative.expected;
+  into.hits += tentative.hits;
+  into.last_path = tentative.last_path;
+  into.max_distance = std::max(into.max_distance, tentative.max_distance);
+}
+
+void LandmarkTerms::Remove(TrackedObject& object) {
+  ReleaseTiedTo(object);
+  smoother_.RemoveLandmark(object.slot());
+  object.observations.clear();
+  object.state = Gone{};
+}
+
+void LandmarkTerms::Tie(TrackedObject& object, TrackedObject& to) {
+  smoother_.AddBorderTerm(object.slot(), Term::OnBorderPair(SamePlaceFactor(Meters(kTieSigma)),
+                                                            object.slot(), to.slot()));
+  object.state = Tied{.to = to.id(), .since = tracks_.now};
+  object.needs_review = to.needs_review = true;
+  to.last_path = std::max(to.last_path, object.last_path);
+}
+
+void LandmarkTerms::Release(TrackedObject& object) {
+  smoother_.RemovePairTerms(object.slot());
+  object.state = InDoubt{};
+  ++tracks_.identity_news;
+}
+
+void LandmarkTerms::ReleaseTiedTo(const TrackedObject& object) {
+  for (TrackedObject& other : tracks_.objects) {
+    if (other.IsTiedTo(object.id())) Release(other);
+  }
+}
+
+void LandmarkTerms::Absorb(TrackedObject& object) {
+  TrackedObject& into = *tracks_.FindById(*object.tied_to());
+  for (TrackedObject& other : tracks_.objects) {
+    if (!other.IsTiedTo(object.id())) continue;
+    smoother_.RemovePairTerms(other.slot());
+    Tie(other, into);
+  }
+  for (std::size_t i = 0; i < object.observations.size(); ++i) {
+    Observation& observation = object.observations[i];
+    RemoveTerms(observation);
+    AddTerms(into, observation, i == 0);
+    into.Add(std::move(observation));
+  }
+  std::ranges::stable_sort(into.observations, {}, &Observation::frame);
+  into.expected += object.expected;
+  into.hits += object.hits;
+  into.max_distance = std::max(into.max_distance, object.max_distance);
+  object.observations.clear();
+  absorbed_slots_.push_back(object.slot());
+  object.state = Gone{};
+}
+
+bool LandmarkTerms::RemoveAbsorbed(bool all) {
+  const auto removed = std::erase_if(absorbed_slots_, [&](int slot) {
+    const bool is_due = all || smoother_.HasCaughtUp(slot);
+    if (is_due) smoother_.RemoveLandmark(slot);
+    return is_due;
+  });
+  return removed > 0;
+}
+
+}  // namespace limpet

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/mapping/former_map.hpp"
+
+#include <utility>
+
+#include "estimation/change/sight_gate.hpp"
+#include "limpet/core/app_keys.hpp"
+
+namespace limpet {
+namespace {
+
+MapParams FormerParams(const SessionPrior& prior, const MapParams& own) {
+  if (prior.map_parameters.empty()) {
+    return own;
+  }
+  const SourceLine where{.file = "former session " + prior.session, .line = 0};
+  ConfigBlock block{.name = "pMap", .where = where, .entries = {}};
+  for (const auto& [key, value] : prior.map_parameters) {
+    block.entries.push_back({.key = key, .value = value, .where = where});
+  }
+  return ReadParams<MapParams>(block, CommonAppKeys());
+}
+
+}  // namespace
+
+FormerViews FormerViewsOf(const SessionPrior& prior, const MapParams& own) {
+  const MapParams params = FormerParams(prior, own);
+  FormerViews views{.sights = {},
+                    .model = {.camera = params.camera.geometry(),
+                              .detection = params.status.detection,
+                              .object_radius = params.status.object_radius.value()},
+                    .looks = params.status.looks};
+  SightGate gate(params.sight_gate());
+  for (const FormerView& view : prior.views) {
+    const Seconds exposure = view.frame.exposure;
+    if (view.frame.altitude) gate.Hear(exposure - view.altitude_age, *view.frame.altitude);
+    if (!gate.Judge(exposure, std::nullopt, "").drop) {
+      views.sights.push_back(view.frame);
+    }
+  }
+  return views;
+}
+
+}  // namespace limpet

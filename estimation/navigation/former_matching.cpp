@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/navigation/former_matching.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace limpet {
+namespace {
+
+constexpr double kMovedLandmark = 0.03;  // [m] since the last match: worth another
+
+}  // namespace
+
+void FormerMatching::SetFormer(FormerSession former) {
+  tie_.SetFormer(std::move(former));
+  matched_.clear();
+}
+
+FormerMatching::Present FormerMatching::CollectPresent() {
+  Present present;
+  PresentLandmarks& landmarks = present.landmarks;
+  const auto add = [&](TrackedObject& object) {
+    present.objects.push_back(&object);
+    landmarks.slots.push_back(object.slot());
+    landmarks.objects.push_back({.p_W = object.p_W, .color = object.Color()});
+  };
+  for (TrackedObject& object : tracker_.objects()) {
+    if (object.is_landmark()) add(object);
+  }
+  const std::optional<JointPrior>& applied = smoother_.graph().joint_prior();
+  for (TrackedObject& object : tracker_.objects()) {
+    const bool is_in_prior =
+        applied && object.is_mapped() && std::ranges::count(applied->slots(), object.slot()) > 0;
+    if (is_in_prior && !object.is_landmark()) add(object), ++landmarks.others;
+  }
+  return present;
+}
+
+void FormerMatching::Update() {
+  if (!has_former()) {
+    return;
+  }
+  Present present = CollectPresent();
+  PresentLandmarks& landmarks = present.landmarks;
+  if (landmarks.slots.empty() || !HasChanged(landmarks)) {
+    return;
+  }
+  const auto n = static_cast<Eigen::Index>(3 * landmarks.slots.size());
+  landmarks.covariance = smoother_.Covariance(landmarks.slots).bottomRightCorner(n, n);
+  if (!tie_.Match(landmarks, smoother_.graph().joint_prior())) {
+    return;
+  }
+  for (std::size_t i = 0; i < present.objects.size(); ++i)
+    present.objects[i]->former_id = tie_.former_ids()[i];
+  smoother_.SetJointPrior(tie_.prior());
+  smoother_.Update();
+  tracker_.Refresh();
+  matched_.clear();
+  for (const TrackedObject* object : present.objects)
+    matched_.push_back({object->slot(), object->p_W});
+}
+
+bool FormerMatching::HasChanged(const PresentLandmarks& present) const {
+  if (present.slots.size() != matched_.size()) {
+    return true;
+  }
+  for (std::size_t i = 0; i < matched_.size(); ++i) {
+    if (matched_[i].slot != present.slots[i] ||
+        (matched_[i].p_W - present.objects[i].p_W).norm() > kMovedLandmark) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace limpet

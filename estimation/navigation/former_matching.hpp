@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "estimation/association/object_tracker.hpp"
+#include "estimation/navigation/former_session.hpp"
+#include "estimation/smoothing/smoother.hpp"
+
+namespace limpet {
+
+/// Finds the former session's objects among the tracker's landmarks, anew whenever those have
+/// changed, and gives the smoother what it knew of their places. `smoother` and `tracker` must
+/// outlive it.
+class FormerMatching {
+ public:
+  FormerMatching(const MatchingParams& params, Smoother& smoother, ObjectTracker& tracker)
+      : tie_(params), smoother_(smoother), tracker_(tracker) {}
+
+  void SetFormer(FormerSession former);
+  [[nodiscard]] bool has_former() const { return tie_.has_former(); }
+  /// Matches and updates the smoother, if landmarks have changed since the last match.
+  void Update();
+  /// Of the former session's frame in this one; as it was before any match.
+  [[nodiscard]] const FrameOffset& offset() const { return tie_.offset(); }
+
+ private:
+  struct MatchedLandmark {
+    int slot;
+    Eigen::Vector3d p_W;
+  };
+  struct Present {
+    std::vector<TrackedObject*> objects;
+    PresentLandmarks landmarks;
+  };
+  /// Landmarks, then those that have come in doubt since the prior was applied.
+  [[nodiscard]] Present CollectPresent();
+  [[nodiscard]] bool HasChanged(const PresentLandmarks& present) const;
+
+  FormerSessionTie tie_;
+  Smoother& smoother_;
+  ObjectTracker& tracker_;
+  std::vector<MatchedLandmark> matched_;  ///< as of the last match
+};
+
+}  // namespace limpet

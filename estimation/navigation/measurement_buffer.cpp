@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/navigation/measurement_buffer.hpp"
+
+#include <cmath>
+
+namespace limpet {
+namespace {
+
+constexpr double kAhead = 5.0;           // [s] of a sensor before the attitude
+constexpr double kSinkRateSpan = 1.0;    // [s] of depths that tell the sink rate
+constexpr double kAltitudeMaxAge = 1.5;  // [s]
+
+}  // namespace
+
+MeasurementBuffer::MeasurementBuffer(const OdometryParams& odometry,
+                                     const VelocityGateParams& velocity_gate)
+    : p_dvl_B_(odometry.dvl_B), velocity_gate_(velocity_gate), track_(odometry) {}
+
+void MeasurementBuffer::AddAttitude(const AttitudeEstimate& attitude) {
+  const bool is_finite = std::isfinite(attitude.t) && std::isfinite(attitude.roll) &&
+                         std::isfinite(attitude.pitch) && std::isfinite(attitude.yaw);
+  const bool is_in_order = track_.is_empty() || attitude.t > track_.last_time();
+  if (!is_finite || !is_in_order ||
+      (!track_.is_empty() && !attitude_gate_.Accepts(attitude.t, track_.last_time()))) {
+    ++counts_.stale_samples;
+    return;
+  }
+  track_.AddAttitude(attitude);
+}
+
+bool MeasurementBuffer::IsPlausible(double t) const {
+  return std::isfinite(t) && (track_.is_empty() || t < track_.last_time() + kAhead);
+}
+
+void MeasurementBuffer::AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B) {
+  if (!IsPlausible(t) || t <= track_.settled_time()) {
+    ++counts_.stale_samples;
+    return;
+  }
+  const bool is_good = v_dvl_B && velocity_gate_.Accepts(t, *v_dvl_B);
+  counts_.velocities += v_dvl_B && !is_good ? 1 : 0;
+  if (const auto rate = is_good ? std::nullopt : depths_.Slope(kSinkRateSpan)) {
+    track_.SetSinkRate(*rate);
+  }
+  track_.AddVelocity(t, is_good ? v_dvl_B : std::nullopt);
+}
+
+void MeasurementBuffer::AddAltitude(double t, double dvl_altitude) {
+  if (track_.is_empty() || !IsPlausible(t) || !std::isfinite(dvl_altitude) || dvl_altitude <= 0.0 ||
+      !altitudes_.IsNewest(t)) {
+    return;
+  }
+  const AttitudeEstimate attitude = track_.AttitudeAt(t);
+  const Eigen::Matrix3d R_WB =
+      RotationFromRollPitchYaw(attitude.roll, attitude.pitch, attitude.yaw);
+  altitudes_.Add({t, dvl_altitude + (R_WB * p_dvl_B_).z()});
+}
+
+void MeasurementBuffer::AddDepth(double t, double depth) {
+  if (!std::isfinite(depth) || !IsPlausible(t) || !depths_.IsNewest(t)) {
+    ++counts_.stale_samples;
+    return;
+  }
+  depths_.Add({t, depth});
+}
+
+void MeasurementBuffer::AddFix(const PositionFix& fix) {
+  if (!fix.p_W.allFinite() || !IsPlausible(fix.t) || !(fix.sd > 0.0) ||
+      (!fixes_.empty() && fix.t <= fixes_.back().t)) {
+    ++counts_.stale_samples;
+    return;
+  }
+  fixes_.push_back(fix);
+}
+
+void MeasurementBuffer::AddFrame(const Detections& frame) {
+  if (!IsPlausible(frame.exposure.value())) {
+    ++counts_.stale_samples;
+    return;
+  }
+  frames_.push_back(frame);
+}
+
+void MeasurementBuffer::DropBefore(double t) {
+  track_.DropBefore(t);
+  depths_.DropBefore(t);
+  altitudes_.DropBefore(t);
+}
+
+std::optional<double> MeasurementBuffer::AltitudeAt(double t) const {
+  const auto nearest = altitudes_.Nearest(t);
+  if (!nearest || std::abs(nearest->t - t) > kAltitudeMaxAge) return std::nullopt;
+  return nearest->value;
+}
+
+}  // namespace limpet

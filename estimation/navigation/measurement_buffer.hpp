@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "estimation/attitude/attitude_filter.hpp"
+#include "estimation/navigation/odometry_track.hpp"
+#include "estimation/navigation/scalar_history.hpp"
+#include "estimation/navigation/time_gate.hpp"
+#include "estimation/navigation/velocity_gate.hpp"
+#include "limpet/objects/frame.hpp"
+
+namespace limpet {
+
+/// A horizontal fix in W with its 1-sigma [m].
+struct PositionFix {
+  double t = 0.0;
+  Eigen::Vector2d p_W = Eigen::Vector2d::Zero();
+  double sd = 0.0;
+};
+
+/// Measurements that were refused, since the start.
+struct NavigatorCounts {
+  int velocities = 0, depths = 0, fixes = 0, late_frames = 0, stale_samples = 0, looks = 0;
+};
+
+/// Takes measurements in order of arrival, refuses and counts what cannot be, and keeps what is to
+/// be worked off and what the last seconds brought. Times in seconds.
+class MeasurementBuffer {
+ public:
+  MeasurementBuffer(const OdometryParams& odometry, const VelocityGateParams& velocity_gate);
+
+  void AddAttitude(const AttitudeEstimate& attitude);
+  /// Of the DVL in body axes [m/s]; nothing without lock.
+  void AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B);
+  /// Of the DVL above the seabed [m]; kept as that of the body origin. Comes after an attitude.
+  void AddAltitude(double t, double dvl_altitude);
+  void AddDepth(double t, double depth);
+  void AddFix(const PositionFix& fix);
+  void AddFrame(const Detections& frame);
+  /// Forgets samples older than `t`, but for what is still to be worked off.
+  void DropBefore(double t);
+
+  [[nodiscard]] const OdometryTrack& track() const { return track_; }
+  [[nodiscard]] OdometryTrack& track() { return track_; }
+  [[nodiscard]] const ScalarHistory& depths() const { return depths_; }
+  /// Of the body origin above the seabed, if measured about then [m].
+  [[nodiscard]] std::optional<double> AltitudeAt(double t) const;
+  [[nodiscard]] std::deque<PositionFix>& fixes() { return fixes_; }
+  [[nodiscard]] std::vector<Detections>& frames() { return frames_; }
+  [[nodiscard]] const NavigatorCounts& counts() const { return counts_; }
+  [[nodiscard]] NavigatorCounts& counts() { return counts_; }
+
+ private:
+  /// False for times that are no number or further ahead of the attitude than any sensor can be.
+  [[nodiscard]] bool IsPlausible(double t) const;
+
+  Eigen::Vector3d p_dvl_B_;
+  VelocityGate velocity_gate_;
+  TimeGate attitude_gate_;
+  OdometryTrack track_;
+  ScalarHistory depths_, altitudes_;  ///< altitudes: of the body origin
+  std::deque<PositionFix> fixes_;
+  std::vector<Detections> frames_;
+  NavigatorCounts counts_;
+};
+
+}  // namespace limpet

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "estimation/association/object_tracker.hpp"
+#include "estimation/matching/session_matching.hpp"
+#include "estimation/navigation/odometry_track.hpp"
+#include "estimation/navigation/velocity_gate.hpp"
+#include "estimation/smoothing/arrow_smoother.hpp"
+#include "limpet/core/units.hpp"
+
+namespace limpet {
+
+struct NavigatorParams {
+  OdometryParams odometry;
+  VelocityGateParams velocity_gate;
+  CameraModel camera;
+  ObjectTrackerParams objects;
+  ArrowParams smoother{.converged_decrease = 1e-6};
+  Seconds frame_wait{0.6};    ///< boxes of a frame are waited for this long after its exposure
+  Seconds node_period{1.0};   ///< longest time between poses of the chain
+  Meters node_distance{0.5};  ///< and longest way
+  Meters depth_sigma{0.015};  ///< of the depths of one second together, bias included
+  Radians tilt_sigma{0.0047};
+  Meters start_sigma{5.0};          ///< of the first position, before any fix
+  Seconds errors_period{1800.0};    ///< slow errors of the odometry are estimated anew after this
+  Seconds yaw_bias_memory{7200.0};  ///< after which the bias of the yaw rate is another
+  Seconds gps_correlation{240.0};   ///< fixes this far apart are worth two: twice the error's own
+  Seconds fix_wait{0.0};            ///< start at the origin when no fix comes in time; 0: never
+  MatchingParams session;
+};
+
+}  // namespace limpet

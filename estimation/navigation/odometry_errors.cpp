@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/navigation/odometry_errors.hpp"
+
+#include <cmath>
+
+#include "estimation/smoothing/factors/bridged_step_factor.hpp"
+#include "estimation/smoothing/factors/calibrated_step_factor.hpp"
+#include "estimation/smoothing/factors/landmark_prior_factor.hpp"
+#include "estimation/smoothing/factors/slow_errors_factor.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kShortDropout = 3.0;    // [s] of which steps bear the error alone
+constexpr double kBridgeStretch = 60.0;  // [s] for which the bridged velocity is off by the same
+constexpr double kBridgeNoise = 0.02;    // [m/sqrt(s)] that it changes in between
+constexpr double kScaleChange = 0.1;     // share of the sigmas, from one period to the next
+
+}  // namespace
+
+void OdometryErrors::Begin(double t) {
+  const OdometryParams& odometry = params_.odometry;
+  const Eigen::Vector3d sigma(odometry.scale_sigma, odometry.misalign_sigma, odometry.yaw_bias);
+  const int slot = smoother_.AddSensorErrors(Eigen::Vector3d::Zero());
+  slow_ = Variable{.slot = slot, .since = t};
+  const LandmarkPriorFactor prior(Eigen::Vector3d::Zero(),
+                                  sigma.cwiseAbs2().asDiagonal().toDenseMatrix());
+  smoother_.AddBorderTerm(slot, Term::OnBorder(prior, slot));
+}
+
+int OdometryErrors::SlowAt(double t) {
+  const double age = t - slow_->since;
+  if (age < params_.errors_period.value()) {
+    return slow_->slot;
+  }
+  const OdometryParams& odometry = params_.odometry;
+  const double keep = std::exp(-age / params_.yaw_bias_memory.value());
+  const double change = std::sqrt(1.0 - keep * keep) * odometry.yaw_bias;
+  const SlowErrorsFactor factor({1.0, 1.0, keep}, {kScaleChange * odometry.scale_sigma,
+                                                   kScaleChange * odometry.misalign_sigma, change});
+  const int next = smoother_.AddSensorErrors(Now());
+  smoother_.AddBorderTerm(slow_->slot, Term::OnBorderPair(factor, slow_->slot, next));
+  smoother_.CloseSensorErrors(slow_->slot);
+  slow_ = Variable{.slot = next, .since = t};
+  return next;
+}
+
+int OdometryErrors::BridgeAt(double t, double age) {
+  if (bridge_ && t - bridge_->since < kBridgeStretch) {
+    return bridge_->slot;
+  }
+  EndBridge();
+  const int slot = smoother_.AddSensorErrors(Eigen::Vector3d::Zero());
+  bridge_ = Variable{.slot = slot, .since = t};
+  const double variance = std::pow(track_.BridgeSigma(age + kBridgeStretch), 2);
+  const LandmarkPriorFactor prior(Eigen::Vector3d::Zero(), variance * Eigen::Matrix3d::Identity());
+  smoother_.AddBorderTerm(slot, Term::OnBorder(prior, slot));
+  return slot;
+}
+
+void OdometryErrors::EndBridge() {
+  if (bridge_) smoother_.CloseSensorErrors(bridge_->slot);
+  bridge_.reset();
+}
+
+Term OdometryErrors::StepTerm(double from, double to) {
+  OdometryStep step = track_.Between(from, to);
+  const auto age = track_.DropoutAge(to);
+  if (!age || *age < kShortDropout) {
+    EndBridge();
+    return Term::OnStep(CalibratedStepFactor(step.motion, step.variance, step.duration),
+                        SlowAt(to));
+  }
+  // The error of the guess is one for many steps: it is estimated, and each step alone is good.
+  step.motion = WithoutSlowErrors(step.motion, step.duration, Now());
+  const double changes = kBridgeNoise * kBridgeNoise * step.duration;
+  step.variance.head<2>().array() += changes - step.bridge_variance;
+  return Term::OnStep(BridgedStepFactor(step.motion, step.variance, step.duration),
+                      BridgeAt(to, *age));
+}
+
+OdometryStep OdometryErrors::Corrected(double from, double to) const {
+  OdometryStep step = track_.Between(from, to);
+  step.motion = WithoutSlowErrors(step.motion, step.duration, Now());
+  if (bridge_) step.motion.head<2>() -= step.duration * smoother_.BorderAt(bridge_->slot).head<2>();
+  return step;
+}
+
+}  // namespace limpet

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "estimation/navigation/navigator_params.hpp"
+#include "estimation/smoothing/smoother.hpp"
+
+namespace limpet {
+
+/// What dead reckoning is off for longer than a step, as border variables of the smoother: scale,
+/// misalignment [rad] and bias of the yaw rate [rad/s], anew from time to time; and in a dropout of
+/// the DVL the velocity that the bridge is off. `params`, `smoother`, `track` must outlive it.
+class OdometryErrors {
+ public:
+  OdometryErrors(const NavigatorParams& params, Smoother& smoother, const OdometryTrack& track)
+      : params_(params), smoother_(smoother), track_(track) {}
+
+  /// The chain begins at `t` [s].
+  void Begin(double t);
+  /// From one node to the next, `from` to `to` [s].
+  [[nodiscard]] Term StepTerm(double from, double to);
+  /// The track's step, errors as estimated now taken out. REQUIRES: the chain has begun.
+  [[nodiscard]] OdometryStep Corrected(double from, double to) const;
+
+ private:
+  /// A border variable that holds from a time [s] on.
+  struct Variable {
+    int slot;
+    double since;
+  };
+  /// Scale, misalignment [rad], bias of the yaw rate [rad/s]. REQUIRES: the chain has begun.
+  [[nodiscard]] Eigen::Vector3d Now() const { return smoother_.BorderAt(slow_->slot); }
+  /// Slot of the slow errors that hold at `t`.
+  int SlowAt(double t);
+  /// In a dropout of that age: slot of what the bridged velocity is off.
+  int BridgeAt(double t, double age);
+  void EndBridge();
+
+  const NavigatorParams& params_;
+  Smoother& smoother_;
+  const OdometryTrack& track_;
+  std::optional<Variable> slow_, bridge_;
+};
+
+}  // namespace limpet

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "estimation/navigation/measurement_buffer.hpp"
+#include "estimation/navigation/navigator_params.hpp"
+#include "estimation/navigation/odometry_errors.hpp"
+#include "estimation/smoothing/smoother.hpp"
+#include "limpet/core/frames.hpp"
+
+namespace limpet {
+
+/// The chain of poses in the smoother: when it grows, and which terms a new pose gets. Dead
+/// reckoning predicts from its newest pose, the head. `params`, `smoother` and `measurements` must
+/// outlive it. Times in seconds.
+class PoseChain {
+ public:
+  enum class FixUse { kTaken, kRefused, kLate };
+
+  PoseChain(const NavigatorParams& params, Smoother& smoother, MeasurementBuffer& measurements);
+
+  /// First pose: at a horizontal position in W [m], depth and attitude as measured then.
+  void Begin(double t, const Eigen::Vector2d& p_W);
+  /// The node at `t`: a new one, or the head if it is that old.
+  int NodeAt(double t);
+  FixUse AddFix(const PositionFix& fix);
+
+  [[nodiscard]] bool has_begun() const { return !times_.empty(); }
+  [[nodiscard]] int size() const { return static_cast<int>(times_.size()); }
+  [[nodiscard]] double TimeOf(int node) const { return times_[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] double head_time() const { return times_.back(); }
+  [[nodiscard]] NavVector Head() const { return smoother_.PoseAt(size() - 1); }
+  /// True if `t` is older than the head, beyond what counts as one time.
+  [[nodiscard]] bool IsTooLate(double t) const;
+  /// When the next pose is due, whatever is measured.
+  [[nodiscard]] double NextKeyframe() const;
+
+  /// Motion from the head to `t`, slow errors taken out.
+  [[nodiscard]] OdometryStep StepTo(double t) const;
+  /// The head after a step, with the tilt [rad] that is measured then.
+  [[nodiscard]] NavVector After(const OdometryStep& step, double roll, double pitch) const;
+  [[nodiscard]] NavVector Predict(double t) const;
+  /// Bottom track alone from the first pose on.
+  [[nodiscard]] Pose DeadReckoned(double t) const;
+
+ private:
+  void AddTilt(int node, double t);
+  /// The mean of the depths since `since`, carried to `t`.
+  void AddDepth(int node, double since, double t);
+
+  const NavigatorParams& params_;
+  Smoother& smoother_;
+  MeasurementBuffer& measurements_;
+  OdometryErrors errors_;
+  std::vector<double> times_;  ///< of the nodes
+  PersistenceGate fix_gate_, depth_gate_;
+  double last_fix_t_ = -1e18;
+  Eigen::Vector3d p_WD_ = Eigen::Vector3d::Zero();  ///< of the track's frame at the start, in W
+};
+
+}  // namespace limpet

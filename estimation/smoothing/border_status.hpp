@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What the smoother keeps of each border variable, beside its terms and its estimate.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace limpet {
+
+enum class BorderKind {
+  kLandmark,      ///< a place in W [m]
+  kSensorErrors,  ///< slow errors of the sensors, on which steps depend
+};
+
+/// Sensor errors leave the border in two steps, landmarks never.
+enum class BorderPhase {
+  kOpen,
+  kClosing,  ///< no node to come depends on it
+  kClosed,   ///< nor does any leaf to come: eliminated in the tree
+};
+
+/// Leaves `first` to `last`.
+struct LeafRange {
+  int first = 0, last = 0;
+};
+
+struct BorderStatus {
+  BorderKind kind = BorderKind::kLandmark;
+  BorderPhase phase = BorderPhase::kOpen;
+  std::optional<LeafRange> leaves{};  ///< that have or had a term on it
+  int last_node = 0;                  ///< once it is closing: the last that may depend on it
+};
+
+}  // namespace limpet

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/smoothing/moved_leaf_search.hpp"
+
+#include <algorithm>
+
+namespace limpet {
+namespace {
+
+constexpr int kLeavesPerUpdate = 64;
+constexpr double kMovedShare = 0.2;     // of the thresholds: worth a visit
+constexpr int kUpdatesPerWhole = 1024;  // so that no slow drift stays unseen
+
+}  // namespace
+
+void MovedLeafSearch::AddBorderVariable(int slot, const Eigen::Vector3d& start) {
+  const std::size_t size = std::max(has_border_moved_.size(), AsIndex(slot + 1));
+  has_border_moved_.resize(size);
+  border_.resize(3 * size, 0.0);
+  for (int i = 0; i < 3; ++i)
+    border_[AsIndex(3 * slot + i)] = start(i);
+}
+
+void MovedLeafSearch::AddLeaf(const NavVector& anchor) {
+  visit_.insert(static_cast<int>(anchors_.size()));
+  anchors_.push_back(anchor);
+  is_due_ = true;
+}
+
+void MovedLeafSearch::Restart(const ArrowChain& chain, const std::vector<double>& border) {
+  at_.reset();
+  for (int leaf = 0; leaf < chain.tree().size(); ++leaf)
+    anchors_[AsIndex(leaf)] = chain.tree().leaf(leaf).x_anchor();
+  border_ = border;
+}
+
+std::vector<int> MovedLeafSearch::Continue(const ArrowChain& chain,
+                                           const ArrowEstimates& estimates) {
+  if (!at_) {
+    const bool has_moved = NoteMovedLandmarks(chain, estimates);
+    if (++updates_since_whole_ < kUpdatesPerWhole && !has_moved && !is_due_) return {};
+    Begin(chain.tree().size());
+  }
+  std::vector<int> moved;
+  for (int leaves = 0; leaves<kLeavesPerUpdate&& * at_> 0; ++leaves) {
+    const Next next = Advance(chain, estimates);
+    if (next.is_leaf) {
+      const int leaf = next.anchor;
+      visit_.erase(leaf);
+      const ArrowLeaf::Ends ends{.anchor = estimates.Anchor(leaf),
+                                 .head = estimates.Anchor(leaf + 1)};
+      const auto displacement =
+          chain.tree().leaf(leaf).DisplacementAt(ends, estimates.border(), chain.border_status());
+      if (Exceeds(displacement, thresholds_)) moved.push_back(leaf);
+    }
+    ComeDownTo(next.anchor, estimates);
+  }
+  if (*at_ == 0) at_.reset();
+  return moved;
+}
+
+MovedLeafSearch::Next MovedLeafSearch::Advance(const ArrowChain& chain,
+                                               const ArrowEstimates& estimates) const {
+  const int leaf = *at_ - 1;
+  for (const ArrowStretch* stretch : chain.tree().PathTo(leaf)) {
+    if (stretch->end == *at_ && IsUnmoved(*stretch, estimates))
+      return {.anchor = stretch->first, .is_leaf = false};
+    estimates.SolveStretch(*stretch);
+  }
+  return {.anchor = leaf, .is_leaf = true};
+}
+
+void MovedLeafSearch::Begin(int leaves) {
+  is_due_ = false;
+  is_whole_ = updates_since_whole_ >= kUpdatesPerWhole;
+  if (is_whole_) updates_since_whole_ = 0;
+  at_ = leaves;
+  has_at_moved_ = true;  // the last anchor does with every observation
+}
+
+void MovedLeafSearch::ComeDownTo(int anchor, const ArrowEstimates& estimates) {
+  at_ = anchor;
+  has_at_moved_ = HasMoved(anchor, estimates);
+  if (has_at_moved_) anchors_[AsIndex(anchor)] = estimates.Anchor(anchor);
+}
+
+bool MovedLeafSearch::IsUnmoved(const ArrowStretch& stretch,
+                                const ArrowEstimates& estimates) const {
+  const auto visit = visit_.lower_bound(stretch.first);
+  if (is_whole_ || has_at_moved_ || (visit != visit_.end() && *visit < stretch.end)) {
+    return false;
+  }
+  // Without a begin, all that it depends on is its end and the border.
+  if (stretch.has_begin && HasMoved(stretch.first, estimates)) return false;
+  return std::ranges::none_of(stretch.middle_slots,
+                              [this](int slot) { return has_border_moved_[AsIndex(slot)]; });
+}
+
+bool MovedLeafSearch::NoteMovedLandmarks(const ArrowChain& chain, const ArrowEstimates& estimates) {
+  const double enough = kMovedShare * thresholds_.distance;
+  bool has_any = false;
+  has_border_moved_.assign(chain.border_status().size(), false);
+  for (std::size_t slot = 0; slot < chain.border_status().size(); ++slot) {
+    const Eigen::Map<const Eigen::Vector3d> now(&estimates.border()[3 * slot]);
+    Eigen::Map<Eigen::Vector3d> then(&border_[3 * slot]);
+    const bool is_landmark = chain.border_status()[slot].kind == BorderKind::kLandmark;
+    if (!is_landmark || (now - then).lpNorm<Eigen::Infinity>() <= enough) continue;
+    then = now;
+    has_border_moved_[slot] = has_any = true;
+  }
+  return has_any;
+}
+
+bool MovedLeafSearch::HasMoved(int anchor, const ArrowEstimates& estimates) const {
+  const NavVector moved = (estimates.Anchor(anchor) - anchors_[AsIndex(anchor)]).cwiseAbs();
+  return moved.head<3>().maxCoeff() > kMovedShare * thresholds_.distance ||
+         moved.tail<3>().maxCoeff() > kMovedShare * thresholds_.angle;
+}
+
+}  // namespace limpet

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/control/pilot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "limpet/core/frames.hpp"
+
+namespace limpet {
+
+Pilot::Pilot(const Gains& gains, const VehicleParams& vehicle)
+    : heading_(gains.heading, DeriveHydrodynamics(vehicle)),
+      speed_(gains.speed, DeriveHydrodynamics(vehicle)),
+      sway_(gains.sway, DeriveHydrodynamics(vehicle)),
+      drift_(gains.drift),
+      depth_(gains.depth, DeriveHydrodynamics(vehicle)),
+      allocation_(vehicle.thrusters) {}
+
+void Pilot::Reset(const NavState& nav) {
+  heading_.Reset();
+  speed_.Reset(nav.u);
+  drift_.Reset();
+  depth_.Reset(nav.down);
+  is_saturated_ = false;
+}
+
+Eigen::Vector2d Pilot::HorizontalForce(const NavState& nav, const DesiredMotion& desired,
+                                       double dt) {
+  // Facing away from the wanted course, speed would only carry the vehicle off its path.
+  const double facing = std::max(0.0, std::cos(WrapAngle(desired.yaw - nav.yaw)));
+  if (!desired.speed) speed_.Reset(nav.u);
+  double lack = desired.speed ? speed_.Lack(nav.u, facing * *desired.speed, dt) : 0.0;
+  double v = nav.v;
+  if (nav.velocity_age) lack = v = 0.0;  // held, not measured: feed forward alone, learn nothing
+  current_B_ = drift_.Update(nav.yaw, {lack, -v}, dt, is_saturated_);
+  const double sway = sway_.Force({.u = nav.u,
+                                   .v = v,
+                                   .turn_rate = nav.yaw_rate,
+                                   .current_u = current_B_.x(),
+                                   .current_v = current_B_.y()});
+  return {desired.speed ? speed_.Force(lack, current_B_.x()) : 0.0, sway};
+}
+
+Wrench Pilot::WantedWrench(const NavState& nav, const DesiredMotion& desired, double dt) {
+  const Eigen::Vector3d v_W = RotationOf(nav.pose()) * Eigen::Vector3d(nav.u, nav.v, nav.w);
+  Wrench wanted = Wrench::Zero();
+  wanted.head<2>() = HorizontalForce(nav, desired, dt);
+  wanted(2) = depth_.Update({nav.down, v_W.z(), desired.depth}, dt, is_saturated_);
+  wanted(5) = heading_.Update({.yaw = nav.yaw,
+                               .yaw_rate = nav.yaw_rate,
+                               .desired_yaw = desired.yaw,
+                               .desired_turn_rate = desired.turn_rate,
+                               .u_water = nav.u - current_B_.x(),
+                               .v_water = -current_B_.y()},
+                              dt, is_saturated_);
+  return wanted;
+}
+
+ThrusterCommand Pilot::Update(const NavState& nav, const DesiredMotion& desired, double dt) {
+  const ThrustAllocation::Result result = allocation_.Allocate(WantedWrench(nav, desired, dt));
+  is_saturated_ = result.is_saturated;
+  const ThrusterVector& c = result.command;
+  return {.t1 = c(0), .t2 = c(1), .t3 = c(2), .t4 = c(3), .t5 = c(4), .t6 = c(5)};
+}
+
+}  // namespace limpet

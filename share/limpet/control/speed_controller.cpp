@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/control/speed_controller.hpp"
+
+#include <algorithm>
+
+namespace limpet {
+
+SpeedController::SpeedController(const Gains& gains, const Hydrodynamics& hydro)
+    : gains_(gains), hydro_(hydro) {}
+
+void SpeedController::Reset(double speed) {
+  reference_ = speed;
+  ramp_ = 0.0;
+}
+
+double SpeedController::Lack(double speed, double desired_speed, double dt) {
+  const double step = gains_.max_acceleration * dt;
+  const double change = std::clamp(desired_speed - reference_, -step, step);
+  reference_ += change;
+  ramp_ = dt > 0.0 ? change / dt : 0.0;
+  return reference_ - speed;
+}
+
+double SpeedController::Force(double lack, double current) const {
+  return hydro_.mass_matrix(kSurge, kSurge) * (ramp_ + gains_.speed * lack) +
+         DragForce(hydro_, kSurge, reference_ - current);
+}
+
+}  // namespace limpet

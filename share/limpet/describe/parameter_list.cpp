@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/describe/parameter_list.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "limpet/app/registry.hpp"
+#include "limpet/describe/markdown_cell.hpp"
+#include "limpet/helm/registry.hpp"
+#include "limpet/vision/detector_registry.hpp"
+
+namespace limpet {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+using Kind = ParameterOwner::Kind;
+
+const char* NameOf(Kind kind) {
+  return kind == Kind::kApp ? "app" : kind == Kind::kBehavior ? "behavior" : "detector";
+}
+
+/// Keys that all owners of a kind take, or that the block takes which a detector's keys stand in.
+std::vector<std::string> CommonKeysOf(Kind kind) {
+  if (kind != Kind::kDetector) {
+    return kind == Kind::kApp ? CommonAppKeys() : CommonBehaviorKeys();
+  }
+  std::vector<std::string> keys;
+  std::ranges::transform(AppRegistry().at("pDetect").describe(), std::back_inserter(keys),
+                         &ParamSpec::name);
+  return keys;
+}
+
+std::string DefaultOf(const ParamSpec& parameter) {
+  if (parameter.is_required) return "required";
+  const std::string text = parameter.default_text.empty() ? "(empty)" : parameter.default_text;
+  return parameter.unit.empty() ? text : text + " " + parameter.unit;
+}
+
+std::string AllowedOf(const ParamSpec& parameter) {
+  return parameter.is_repeatable ? parameter.allowed + " (may repeat)" : parameter.allowed;
+}
+
+OrderedJson JsonOf(const ParameterOwner& owner) {
+  OrderedJson parameters = OrderedJson::array();
+  for (const ParamSpec& parameter : owner.parameters) {
+    parameters.push_back({{"name", parameter.name},
+                          {"unit", parameter.unit},
+                          {"default", parameter.is_required ? OrderedJson(nullptr)
+                                                            : OrderedJson(parameter.default_text)},
+                          {"required", parameter.is_required},
+                          {"example", parameter.example},
+                          {"allowed", parameter.allowed},
+                          {"repeatable", parameter.is_repeatable},
+                          {"meaning", parameter.help}});
+  }
+  OrderedJson out{{"name", owner.name}, {"kind", NameOf(owner.kind)}};
+  if (owner.tick_hz) out["tick_hz"] = *owner.tick_hz;
+  out["parameters"] = std::move(parameters);
+  return out;
+}
+
+std::string MarkdownTable(const ParameterOwner& owner) {
+  std::string page = fmt::format("\n### {}\n\n", owner.name);
+  if (owner.tick_hz)
+    page += fmt::format("Ticks at {} Hz unless AppTick says otherwise.\n\n", *owner.tick_hz);
+  if (owner.parameters.empty()) return page + "No parameters of its own.\n";
+  page += "| parameter | default | allowed | meaning |\n| --- | --- | --- | --- |\n";
+  for (const ParamSpec& parameter : owner.parameters) {
+    page +=
+        fmt::format("| `{}` | {} | {} | {} |\n", parameter.name, MarkdownCell(DefaultOf(parameter)),
+                    MarkdownCell(AllowedOf(parameter)), MarkdownCell(parameter.help));
+  }
+  return page;
+}
+
+}  // namespace
+
+std::vector<ParameterOwner> AllParameterOwners() {
+  std::vector<ParameterOwner> owners;
+  for (const auto& [name, entry] : AppRegistry()) {
+    owners.push_back(
+        {.name = name, .tick_hz = entry.default_tick_hz, .parameters = entry.describe()});
+  }
+  for (const auto& [name, entry] : BehaviorRegistry()) {
+    owners.push_back(
+        {.name = name, .kind = Kind::kBehavior, .tick_hz = {}, .parameters = entry.describe()});
+  }
+  for (const std::string& name : DetectorNames()) {
+    owners.push_back({.name = name,
+                      .kind = Kind::kDetector,
+                      .tick_hz = {},
+                      .parameters = (*FindDetector(name))->Parameters()});
+  }
+  return owners;
+}
+
+std::string PlainText(const ParameterOwner& owner) {
+  std::string text = fmt::format("{}: {}", owner.name, NameOf(owner.kind));
+  text += owner.tick_hz ? fmt::format(", ticks at {} Hz\n", *owner.tick_hz) : "\n";
+  for (const ParamSpec& parameter : owner.parameters) {
+    const std::string value = parameter.is_required ? ": required" : " = " + DefaultOf(parameter);
+    text += fmt::format("\n  {}{}\n      {}\n      allowed: {}\n", parameter.name, value,
+                        parameter.help, AllowedOf(parameter));
+  }
+  const std::string beside = owner.kind == Kind::kDetector
+                                 ? std::string("in the block of pDetect, beside its own")
+                                 : fmt::format("and as every {}", NameOf(owner.kind));
+  return text + fmt::format("\n  {}: {}\n", beside, fmt::join(CommonKeysOf(owner.kind), ", "));
+}
+
+std::string Json(const std::vector<ParameterOwner>& owners) {
+  OrderedJson list = OrderedJson::array();
+  std::ranges::transform(owners, std::back_inserter(list), JsonOf);
+  return list.dump(1) + "\n";
+}
+
+std::string Markdown(const std::vector<ParameterOwner>& owners) {
+  std::string page =
+      "# Parameters\n\nWhat the blocks of `mission.moos` (apps, and the detector that pDetect "
+      "uses) "
+      "and of `.bhv` files (behaviors) may set. Generated: `limpet describe parameters --markdown "
+      "> "
+      "docs/parameters.md`.\n";
+  const auto add = [&page, &owners](Kind kind, const char* heading, const char* takes) {
+    if (std::ranges::find(owners, kind, &ParameterOwner::kind) == owners.end()) return;
+    page +=
+        fmt::format("\n## {}\n\n{}: {}.\n", heading, takes, fmt::join(CommonKeysOf(kind), ", "));
+    for (const ParameterOwner& owner : owners) {
+      if (owner.kind == kind) page += MarkdownTable(owner);
+    }
+  };
+  add(Kind::kApp, "Apps", "Every app also takes MOOS's own keys");
+  add(Kind::kBehavior, "Behaviors", "Every behavior also takes");
+  add(Kind::kDetector, "Detectors",
+      "Chosen by `detector` in the block of pDetect, which takes these keys beside its own");
+  return page;
+}
+
+}  // namespace limpet

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/figures/map_axes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limpet/figures/indexed_png.hpp"
+#include "limpet/figures/tick_marks.hpp"
+
+namespace limpet {
+namespace {
+
+using Point = SvgCanvas::Point;
+
+constexpr double kMapLeft = 58.0, kMapTop = 64.0, kMapBottom = 50.0, kMapGap = 24.0,
+                 kLegendWidth = 212.0;
+constexpr double kLargestMap = 620.0;  ///< longer side of the map [px]
+
+double ScaleFor(double north_span, double east_span) {
+  return kLargestMap / std::max({north_span, east_span, 1.0});
+}
+
+}  // namespace
+
+MapAxes::MapAxes(const SurveyArea& area, const std::string& title, const std::string& subtitle)
+    : north_min_(area.north_min - area.margin),
+      north_max_(area.north_max + area.margin),
+      east_min_(area.east_min - area.margin),
+      east_max_(area.east_max + area.margin),
+      scale_(ScaleFor(north_max_ - north_min_, east_max_ - east_min_)),
+      canvas_(kMapLeft + (east_max_ - east_min_) * scale_ + kMapGap + kLegendWidth,
+              kMapTop + std::max((north_max_ - north_min_) * scale_, 300.0) + kMapBottom, title),
+      legend_y_(kMapTop + 6.0) {
+  DrawFrame(title, subtitle);
+}
+
+Point MapAxes::At(double north, double east) const {
+  return {kMapLeft + (east - east_min_) * scale_, kMapTop + (north_max_ - north) * scale_};
+}
+
+void MapAxes::DrawFrame(const std::string& title, const std::string& subtitle) {
+  const Point corner = At(north_max_, east_min_);
+  const Point size((east_max_ - east_min_) * scale_, (north_max_ - north_min_) * scale_);
+  canvas_.Text({kMapLeft, 24.0}, title, {.size = 17.0, .is_bold = true});
+  canvas_.Text({kMapLeft, 44.0}, subtitle, {.size = 12.5, .fill = palette::kMuted});
+  canvas_.Rect(corner, size, {.fill = palette::kUnseen});
+  const double bottom = corner.y() + size.y();
+  for (const double east : TickMarks(east_min_, east_max_, 9)) {
+    const double x = At(0.0, east).x();
+    canvas_.Line({x, bottom}, {x, bottom + 5.0}, {.stroke = palette::kMuted});
+    canvas_.Text({x, bottom + 19.0}, TickText(east), {.anchor = Anchor::kMiddle});
+  }
+  for (const double north : TickMarks(north_min_, north_max_, 8)) {
+    const double y = At(north, 0.0).y();
+    canvas_.Line({corner.x() - 5.0, y}, {corner.x(), y}, {.stroke = palette::kMuted});
+    canvas_.Text({corner.x() - 9.0, y + 4.0}, TickText(north), {.anchor = Anchor::kEnd});
+  }
+  canvas_.Text({corner.x() + 0.5 * size.x(), bottom + 38.0}, "east [m]",
+               {.anchor = Anchor::kMiddle, .fill = palette::kMuted});
+  canvas_.Text({17.0, corner.y() + 0.5 * size.y()}, "north [m]",
+               {.anchor = Anchor::kMiddle, .fill = palette::kMuted, .turn_deg = -90.0});
+}
+
+void MapAxes::Raster(const GridRecord& grid, const std::function<palette::Rgb(std::size_t)>& color,
+                     double opacity) {
+  const GridFrame& frame = grid.frame;
+  if (frame.rows <= 0 || frame.columns <= 0) return;
+  IndexedImage image{frame.columns, frame.rows, {{0, 0, 0, 0}}, {}};
+  for (int row = frame.rows - 1; row >= 0; --row) {  // rows of a picture start in the north
+    for (int column = 0; column < frame.columns; ++column) {
+      const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.columns) +
+                        static_cast<std::size_t>(column);
+      if (grid.seen_height[cell] < 0.0F) {
+        image.pixels.push_back(0);
+        continue;
+      }
+      const palette::Rgb rgb = color(cell);
+      const auto known =
+          std::find_if(image.colors.begin() + 1, image.colors.end(), [&](const auto& entry) {
+            return entry.red == rgb[0] && entry.green == rgb[1] && entry.blue == rgb[2];
+          });
+      if (known == image.colors.end() && image.colors.size() < 256) {
+        image.colors.push_back({rgb[0], rgb[1], rgb[2], 255});
+        image.pixels.push_back(static_cast<std::uint8_t>(image.colors.size() - 1));
+      } else {
+        const auto index = std::min<std::ptrdiff_t>(known - image.colors.begin(), 255);
+        image.pixels.push_back(static_cast<std::uint8_t>(index));
+      }
+    }
+  }
+  const double north_max = frame.north_min + frame.rows * frame.cell_m;
+  canvas_.Image(At(north_max, frame.east_min),
+                Point(frame.columns, frame.rows) * frame.cell_m * scale_, Base64(EncodePng(image)),
+                opacity);
+}
+
+void MapAxes::Outline(const SurveyArea& area) {
+  canvas_.Rect(At(area.north_max, area.east_min),
+               Point(area.east_max - area.east_min, area.north_max - area.north_min) * scale_,
+               {.stroke = palette::kMapMuted, .width = 1.0, .dash = "5 4"});
+}
+
+void MapAxes::BeginMap() {
+  canvas_.BeginClip(At(north_max_, east_min_),
+                    Point(east_max_ - east_min_, north_max_ - north_min_) * scale_);
+}
+
+void MapAxes::EndMap() { canvas_.EndClip(); }
+
+void MapAxes::Legend(const std::function<void(SvgCanvas&, const Point&)>& symbol,
+                     const std::string& text) {
+  const double x = At(0.0, east_max_).x() + kMapGap;
+  symbol(canvas_, {x + 12.0, legend_y_ + 6.0});
+  std::size_t begin = 0;
+  double y = legend_y_ + 10.0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    canvas_.Text({x + 34.0, y}, text.substr(begin, end - begin), {.size = 12.0});
+    y += 15.0;
+    begin = end + 1;
+  }
+  legend_y_ = y - 2.0 + 6.0 - 10.0 + 4.0;
+}
+
+void MapAxes::LegendHeading(const std::string& text) {
+  const double x = At(0.0, east_max_).x() + kMapGap;
+  legend_y_ += legend_y_ > kMapTop + 6.0 ? 14.0 : 0.0;
+  canvas_.Text({x, legend_y_ + 8.0}, text,
+               {.size = 12.0, .fill = palette::kMuted, .is_bold = true});
+  legend_y_ += 20.0;
+}
+
+void MapAxes::ColorBar(const std::function<palette::Rgb(double)>& color, const std::string& low,
+                       const std::string& high, const std::string& what) {
+  LegendHeading(what);
+  const double x = At(0.0, east_max_).x() + kMapGap;
+  constexpr int kSteps = 64;
+  constexpr double kHeight = 150.0, kWidth = 16.0;
+  IndexedImage image{1, kSteps, {}, {}};
+  for (int i = 0; i < kSteps; ++i) {
+    const palette::Rgb rgb = color(1.0 - (i + 0.5) / kSteps);
+    image.colors.push_back({rgb[0], rgb[1], rgb[2], 255});
+    image.pixels.push_back(static_cast<std::uint8_t>(i));
+  }
+  canvas_.Image({x, legend_y_}, {kWidth, kHeight}, Base64(EncodePng(image)));
+  canvas_.Text({x + kWidth + 9.0, legend_y_ + 9.0}, high);
+  canvas_.Text({x + kWidth + 9.0, legend_y_ + kHeight}, low);
+  legend_y_ += kHeight + 8.0;
+}
+
+}  // namespace limpet

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Symbols that several maps share: each status and purpose has a shape and a colour of its own.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "limpet/figures/map_axes.hpp"
+#include "limpet/mission/scenario.hpp"
+
+namespace limpet {
+
+/// Colour of a change status; grey for what is not known.
+[[nodiscard]] std::string_view StatusColor(const std::string& status);
+
+/// confirmed: disc; removed: cross; new: triangle; moved: diamond; uncertain: hollow square.
+void DrawStatus(SvgCanvas& canvas, const SvgCanvas::Point& centre, const std::string& status,
+                double radius = 7.0);
+
+/// A true object: a ring of its real size.
+void DrawTruth(MapAxes& map, const Eigen::Vector3d& ned, double radius_m);
+
+/// Ellipse of a horizontal covariance (nn, ne, ee) [m^2]; `scale` is pixels per metre times
+/// standard deviations.
+void DrawCovariance(SvgCanvas& canvas, const SvgCanvas::Point& centre, double scale,
+                    const std::array<double, 3>& cov, const Paint& paint);
+
+/// Lines of text beside a place on a map, the first in bold; left of it where it would not fit.
+struct PlaceLabel {
+  std::vector<std::string> lines;
+  double distance = 15.0;  ///< from the place [px]
+  std::string_view fill = palette::kMapInk;
+};
+void DrawLabel(MapAxes& map, const Eigen::Vector3d& ned, const PlaceLabel& label);
+
+/// Where the vehicle started and should end.
+void DrawHome(SvgCanvas& canvas, const SvgCanvas::Point& centre);
+
+void DrawTriangle(SvgCanvas& canvas, const SvgCanvas::Point& centre, double radius, double turn_rad,
+                  const Paint& paint);
+void DrawCross(SvgCanvas& canvas, const SvgCanvas::Point& centre, double radius,
+               const Paint& paint);
+
+}  // namespace limpet

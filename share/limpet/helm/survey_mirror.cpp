@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/helm/survey_mirror.hpp"
+
+#include <algorithm>
+
+namespace limpet {
+namespace {
+
+LayerWeights WeightsOfLayers(double bottom) {
+  LayerWeights weights;
+  weights.fill(1.0 / (bottom + Footprint::kLayers - 1));
+  weights.front() *= bottom;
+  return weights;
+}
+
+}  // namespace
+
+SurveyMirror::SurveyMirror(const ViewParams& params)
+    : params_(params), watch_(params.survey_altitude, params.tracking_allowance) {}
+
+bool SurveyMirror::SetArea(const SurveyArea& area) {
+  if (area_ && EncodeRecord(*area_) == EncodeRecord(area)) {
+    return false;
+  }
+  area_ = area;
+  grid_ = std::make_unique<SurveyGrid>(area);
+  ground_ = std::make_unique<Ground>(
+      *grid_,
+      Footprint(params_.survey_altitude.value(), area.object_height_max, params_.camera.geometry()),
+      WeightsOfLayers(params_.bottom_weight));
+  sight_ = std::make_unique<SightAlong>(*ground_);
+  region_ = std::make_unique<Region>(
+      area, std::max(0.0, area.margin - params_.tracking_allowance.value()));
+  return true;
+}
+
+bool SurveyMirror::SeesWholeBand() const {
+  constexpr int kTop = Footprint::kLayers - 1;
+  return !ground_ || (ground_->footprint().half_along(kTop) > 0.0 &&
+                      ground_->footprint().half_across(kTop) > 0.0);
+}
+
+bool SurveyMirror::SetObjects(const std::vector<OpiBelief>& objects) {
+  const auto same_decision = [](const OpiBelief& a, const OpiBelief& b) {
+    return a.id == b.id && a.decided == b.decided;
+  };
+  const bool is_same = std::ranges::equal(objects, watch_.beliefs(), same_decision);
+  watch_.SetBeliefs(objects);
+  return !is_same;
+}
+
+void SurveyMirror::Apply(const GridDelta& delta) {
+  if (grid_) {
+    static_cast<void>(grid_->Apply(delta));  // another frame is another area's late mail
+  }
+}
+
+void SurveyMirror::NoteAltitude(const NavState& nav) {
+  if (nav.altitude) {
+    seabed_down_ = nav.down + *nav.altitude;
+  }
+}
+
+Situation SurveyMirror::Snapshot(Seconds now, const Pose2& pose, double travelled) const {
+  return {.now = now,
+          .pose = pose,
+          .ground = ground_.get(),
+          .region = region_.get(),
+          .turn_radius = params_.turning_radius,
+          .home = home_,
+          .objects = watch_.Objects(grid_.get(), seabed_down_),
+          .coverage = coverage_,
+          .travelled = travelled};
+}
+
+}  // namespace limpet

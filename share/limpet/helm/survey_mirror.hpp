@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "limpet/helm/object_watch.hpp"
+#include "limpet/helm/situation.hpp"
+#include "limpet/helm/view_params.hpp"
+#include "limpet/survey/survey_grid.hpp"
+
+namespace limpet {
+
+/// The helm's picture of the survey, kept up to date by mail: area, ground seen, objects, home.
+/// Makes the snapshots that behaviors and generators judge by.
+class SurveyMirror {
+ public:
+  explicit SurveyMirror(const ViewParams& params);
+
+  /// False if that is the area already: what is known of it stays.
+  bool SetArea(const SurveyArea& area);
+  void SetHome(const HomePoint& home) { home_ = home; }
+  void SetCoverage(const Coverage& coverage) { coverage_ = coverage; }
+  void SetLookModel(const MapLook& look) { watch_.SetModel(look); }
+  /// True if an object is new, gone, or decided otherwise than before.
+  bool SetObjects(const std::vector<OpiBelief>& objects);
+  void Apply(const GridDelta& delta);
+  /// Where the vehicle is, for the depth of the seabed where none has been seen.
+  void NoteAltitude(const NavState& nav);
+  /// Takes the grid's present state. REQUIRES: has_area().
+  void UpdateGround() { ground_->Update(*grid_); }
+
+  [[nodiscard]] bool has_area() const { return area_.has_value(); }
+  [[nodiscard]] const std::optional<SurveyArea>& area() const { return area_; }
+  /// False if objects at the top of the area's band are never inside the image.
+  [[nodiscard]] bool SeesWholeBand() const;
+  /// Of the present ground. REQUIRES: has_area().
+  [[nodiscard]] SightAlong& sight() { return *sight_; }
+  [[nodiscard]] LookLedger& ledger() { return watch_.ledger(); }
+
+  /// The snapshot for options that start at `pose`. REQUIRES: has_area(); it is valid until the
+  /// next change of this.
+  [[nodiscard]] Situation Snapshot(Seconds now, const Pose2& pose, double travelled) const;
+
+ private:
+  ViewParams params_;
+  std::optional<SurveyArea> area_;
+  std::unique_ptr<SurveyGrid> grid_;
+  std::unique_ptr<Ground> ground_;
+  std::unique_ptr<SightAlong> sight_;
+  std::unique_ptr<Region> region_;
+  HomePoint home_;
+  ObjectWatch watch_;
+  Coverage coverage_;
+  std::optional<double> seabed_down_;  ///< NED depth of the seabed last measured [m]
+};
+
+}  // namespace limpet

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/helm/view_planner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace limpet {
+namespace {
+
+/// What `running` want of each object, the most eager where they differ.
+std::vector<RevisitInterest> InterestsOf(std::span<const WeightedBehavior> running,
+                                         const Situation& now) {
+  std::vector<RevisitInterest> interests;
+  for (const WeightedBehavior& behavior : running) {
+    for (RevisitInterest& interest : behavior.behavior->Interests(now)) {
+      const auto known = std::ranges::find(interests, interest.id, &RevisitInterest::id);
+      if (known == interests.end()) {
+        interests.push_back(std::move(interest));
+      } else if (interest.worth > known->worth) {
+        *known = std::move(interest);
+      }
+    }
+  }
+  return interests;
+}
+
+/// The objects that some running behavior wants to look at.
+std::vector<WatchedObject> OpenObjects(std::span<const WeightedBehavior> running,
+                                       const Situation& now) {
+  std::vector<WatchedObject> open;
+  for (const WeightedBehavior& behavior : running) {
+    for (const RevisitInterest& interest : behavior.behavior->Interests(now)) {
+      const auto object =
+          std::ranges::find(now.objects, interest.id, [](const auto& o) { return o.belief.id; });
+      if (interest.state == "open" && object != now.objects.end()) {
+        open.push_back(*object);
+      }
+    }
+  }
+  return open;
+}
+
+}  // namespace
+
+ViewPlanner::ViewPlanner(const ViewParams& params, const Random& random)
+    : params_(params),
+      preset_(PresetOf(params)),
+      survey_(params),
+      search_(params.of_generators, preset_.generators, random) {}
+
+bool ViewPlanner::SetArea(const SurveyArea& area) {
+  const bool is_new = survey_.SetArea(area);
+  if (is_new) {
+    DropPath();
+  }
+  return is_new;
+}
+
+void ViewPlanner::SetObjects(const std::vector<OpiBelief>& objects) {
+  objects_changed_ = survey_.SetObjects(objects) || objects_changed_;
+  are_interests_due_ = true;
+}
+
+void ViewPlanner::DropPath() {
+  tracker_.Drop();
+  decided_by_.clear();
+}
+
+std::string ViewPlanner::CauseToDecide(std::span<const WeightedBehavior> running) const {
+  const auto same_name = [](const WeightedBehavior& a, const std::string& b) {
+    return a.name == b;
+  };
+  const LineOfSight::Steering& steering = tracker_.steering();
+  if (!tracker_.has_path()) {
+    return "no path";
+  }
+  if (!std::ranges::equal(running, decided_by_, same_name)) {
+    return "other behaviors are running";
+  }
+  if (steering.has_arrived || steering.remaining <= params_.arrival.value()) {
+    return "arrived";
+  }
+  if (std::abs(steering.cross_track) > params_.off_track.value()) {
+    return "off track";
+  }
+  if (preset_.decides_at_views_only) {
+    return "";
+  }
+  if (objects_changed_) {
+    return "objects changed";
+  }
+  return steering.progress >= params_.replan_every.value() ? "periodic" : "";
+}
+
+Situation ViewPlanner::SituationOf(const NavState& nav, Seconds now) const {
+  const Pose2 start = tracker_.JoiningPose(nav, 0.5 * params_.off_track.value());
+  return survey_.Snapshot(now, start, tracker_.Travelled());
+}
+
+std::optional<std::vector<RevisitInterest>> ViewPlanner::InterestsIfDue(
+    std::span<const WeightedBehavior> running, const NavState& nav, Seconds now) {
+  if (!are_interests_due_ || !survey_.has_area()) {
+    return std::nullopt;
+  }
+  are_interests_due_ = false;
+  return InterestsOf(running, SituationOf(nav, now));
+}
+
+void ViewPlanner::Follow(const Option& option, std::span<const WeightedBehavior> running,
+                         const Situation& now) {
+  search_.TellChoice(option);
+  tracker_.Follow(option);
+  survey_.ledger().Promise(tracker_.path(), OpenObjects(running, now), tracker_.Travelled());
+}
+
+std::optional<ViewDecision> ViewPlanner::DecideIfDue(std::span<const WeightedBehavior> running,
+                                                     const NavState& nav, Seconds now) {
+  survey_.NoteAltitude(nav);
+  are_interests_due_ = survey_.ledger().Judge(tracker_.Travelled()) || are_interests_due_;
+  const bool is_wanted = std::ranges::any_of(
+      running, [](const WeightedBehavior& b) { return b.behavior->WantsView(); });
+  if (!is_wanted || !survey_.has_area()) {
+    DropPath();
+    return std::nullopt;
+  }
+  const std::string cause = CauseToDecide(running);
+  if (cause.empty()) {
+    return std::nullopt;
+  }
+  survey_.UpdateGround();
+  const Situation situation = SituationOf(nav, now);
+  ViewDecision decision = DecideView(running, situation, search_.Gather(running, situation),
+                                     survey_.sight(), {.order = preset_.order});
+  are_interests_due_ = true;
+  objects_changed_ = false;
+  decided_by_.clear();
+  std::ranges::transform(running, std::back_inserter(decided_by_), &WeightedBehavior::name);
+  if (decision.chosen) {
+    Follow(*decision.chosen, running, situation);
+  }
+  decision.bids.cause = cause;
+  decision.bids.path_id = tracker_.path_id();
+  return decision;
+}
+
+}  // namespace limpet

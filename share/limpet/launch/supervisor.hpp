@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+#include "limpet/app/heartbeat.hpp"
+#include "limpet/launch/launch_plan.hpp"
+
+namespace limpet {
+
+/// Keeps processes alive: starts them with their output in a file each, starts again what fails,
+/// with pauses that grow from 0.5 s to 30 s and shrink after a minute of health, and ends them in
+/// order. After `kMostFailures` failures without a minute of health it gives a process up.
+/// For a database it holds a file in memory open (LIMPET_KEPT_FD), in which it finds its latest
+/// values when it is started again; after `kForgetAfter` early ends in a row the file is emptied:
+/// what it holds may be what it dies of. A process that has given signs of life (heartbeat.hpp) and
+/// gives none for `LaunchItem::hung_after` hangs: it is killed and counts as failed. Those that
+/// never gave one, which are not ours, are left alone.
+class Supervisor {
+ public:
+  static constexpr int kMostFailures = 8;
+  static constexpr int kForgetAfter = 3;
+  using Say = std::function<void(const std::string&)>;
+
+  /// `environment` is added to each process's own.
+  Supervisor(std::filesystem::path log_folder,
+             std::vector<std::pair<std::string, std::string>> environment, Say say);
+  ~Supervisor();
+  Supervisor(const Supervisor&) = delete;
+  Supervisor& operator=(const Supervisor&) = delete;
+
+  void Start(const LaunchItem& item);
+  /// Notices ends and starts again what is due. False once nothing runs or is to run.
+  [[nodiscard]] bool Poll();
+  /// SIGTERM in reverse order of start, the database last; SIGKILL after `patience` (real time).
+  void End(Seconds patience);
+  /// The same in two waves: those for which `is_late` holds end after the others, and after
+  /// `between` was called.
+  void End(Seconds patience, const std::function<bool(const std::string& name)>& is_late,
+           const std::function<void()>& between);
+  /// What became of each process, as PLAUNCH_STATUS says it: `app=pNav,state=running,restarts=1,
+  /// last=was killed by signal 9 (Killed),database=false # app=...`; states running, waiting (to be
+  /// started again), ended, given_up.
+  [[nodiscard]] std::string Status() const;
+  struct Report {
+    std::string name;
+    const char* state = "";
+    int restarts = 0;
+    std::string last_end{};  ///< how it last ended; empty: it has not
+    bool is_database = false;
+  };
+  /// The same, one by one in order of start.
+  [[nodiscard]] std::vector<Report> Reports() const;
+  /// True if a process was given up.
+  [[nodiscard]] bool has_given_up() const { return has_given_up_; }
+  /// Name of a process given up without which the mission cannot go on.
+  [[nodiscard]] std::optional<std::string> LostVital() const;
+  /// True if the database was given up: nobody hears anything any more.
+  [[nodiscard]] bool HasLostDatabase() const;
+
+ private:
+  struct Child {
+    LaunchItem item;
+    pid_t pid = 0;       ///< 0: not running
+    int kept = -1;       ///< descriptor of the file in memory, of a database
+    int early_ends = 0;  ///< in a row, soon after the start
+    int failures = 0;
+    int starts = 0;
+    bool is_due = false;
+    bool is_given_up = false;
+    std::string last_end{};  ///< how it last ended; empty: it has not
+    Seconds started, next_start;
+    HeartbeatMonitor heart{};
+    std::uint64_t last_beat = 0;
+    Seconds silent{};  ///< since the last beat, as far as we were awake ourselves
+    bool is_hung = false;
+  };
+  void Launch(Child& child);
+  [[noreturn]] void Become(const Child& child, pid_t parent, const char* log,
+                           char* const* argv) const;
+  void NoteEnd(Child& child, int status);
+  /// Kills it if it hangs. `passed`: since the last look.
+  void WatchBeat(Child& child, Seconds passed);
+  /// Ends those for which `which` holds.
+  void EndThose(const std::function<bool(const Child&)>& which, Seconds patience);
+
+  std::filesystem::path log_folder_;
+  std::vector<std::pair<std::string, std::string>> environment_;
+  Say say_;
+  std::vector<Child> children_;
+  bool has_given_up_ = false;
+  Seconds last_poll_{};  ///< steady; 0: none yet
+};
+
+}  // namespace limpet

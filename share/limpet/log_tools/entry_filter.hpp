@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "limpet/console/arguments.hpp"
+#include "limpet/logbook/alog_reader.hpp"
+
+namespace limpet {
+
+/// Which entries a command is about: names and sources by pattern, times, a text in the value.
+class EntryFilter {
+ public:
+  /// Options that Of understands, for Arguments.
+  static const std::vector<std::string>& Options();
+  /// `names` are patterns; none: every variable. Throws UsageError.
+  [[nodiscard]] static EntryFilter Of(const Arguments& given, std::vector<std::string> names);
+
+  [[nodiscard]] bool Accepts(const AlogEntry& entry);
+
+ private:
+  [[nodiscard]] bool AcceptsName(std::string_view name);
+
+  std::vector<std::string> names_;
+  std::vector<std::string> sources_;
+  std::optional<double> from_;
+  std::optional<double> to_;
+  std::optional<std::string> part_of_value_;
+  std::unordered_map<std::string, bool> verdicts_;  ///< on names
+  std::string key_;
+};
+
+}  // namespace limpet

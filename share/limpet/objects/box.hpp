@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "limpet/core/camera_model.hpp"
+
+namespace limpet {
+
+/// A detector's box in an image: centre and size [px], its confidence (0 to 1) and class.
+struct Box {
+  double u = 0.0, v = 0.0, w = 0.0, h = 0.0;
+  double confidence = 0.0;
+  std::string color;  ///< class: yellow, orange, green, ...
+  /// NAV_LANDMARKS id of the object that pNav says it shows; -1: of none, or not yet asked.
+  int landmark = -1;
+};
+
+/// A box's edge this near the image's border is the border, not the object's edge [px]: detectors
+/// place an edge no better than that.
+inline constexpr double kBorderMargin = 2.0;
+
+/// A box along one axis of the image: its two edges [px], and which of them the image's border
+/// cuts. A cut edge tells nothing of the object but that it goes on.
+struct BoxExtent {
+  double low = 0.0, high = 0.0;
+  bool is_low_cut = false, is_high_cut = false;
+  [[nodiscard]] bool is_cut() const { return is_low_cut || is_high_cut; }
+  /// One edge shows.
+  [[nodiscard]] bool is_half_cut() const { return is_low_cut != is_high_cut; }
+  /// The edge that shows; REQUIRES is_half_cut().
+  [[nodiscard]] double shown_edge() const { return is_low_cut ? high : low; }
+  /// Centre of an object whose image has this half size: of a half cut one from the edge that
+  /// shows, else the middle.
+  [[nodiscard]] double CentreOf(double half) const;
+};
+
+/// Along u and along v.
+[[nodiscard]] BoxExtent ExtentAcross(const Box& box, const CameraModel& camera);
+[[nodiscard]] BoxExtent ExtentAlong(const Box& box, const CameraModel& camera);
+
+/// True for a box that the image's border cuts anywhere: its centre and size are not the object's.
+[[nodiscard]] bool IsCut(const Box& box, const CameraModel& camera);
+
+}  // namespace limpet

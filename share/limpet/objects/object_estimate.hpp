@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <Eigen/Core>
+
+#include "limpet/objects/status_posterior.hpp"
+
+namespace limpet {
+
+/// Where an object is believed to be, and what it is. W is the north-east-down frame of the session
+/// that says so.
+struct ObjectEstimate {
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();    ///< of its centre [m]
+  Eigen::Matrix3d cov_W = Eigen::Matrix3d::Zero();  ///< [m^2]
+  std::string color;                                ///< class, as Box::color
+};
+
+/// An object as the smoother knows it.
+struct Landmark {
+  int id = 0;
+  ObjectEstimate object;
+  int looks = 0;              ///< detections associated
+  bool is_confirmed = false;  ///< enough looks and parallax to be an object; tentative ones are not
+                              ///< published to users
+  std::optional<int> former_id = std::nullopt;  ///< of the FormerObject that it was matched with
+};
+
+/// An object that a former session found, in that session's frame.
+struct FormerObject {
+  int id = 0;
+  ObjectEstimate object;
+  /// Lambda of the former session: ln P(looks | present) / P(looks | absent).
+  double log_likelihood_ratio = 0.0;
+  int looks = 0;
+};
+
+/// An object of potential interest, as map and smoother together know it.
+struct OpiBelief {
+  int id = 0;             ///< unique in the session and lasting
+  int landmark = -1;      ///< NAV_LANDMARKS id, or -1 if only the former session knew it
+  int prior_id = -1;      ///< id in SESSION_PRIOR, or -1
+  ObjectEstimate object;  ///< the smoother's, else the former session's in this session's frame
+  /// Lambda of this session: ln P(looks | present) / P(looks | absent).
+  double log_likelihood_ratio = 0.0;
+  int looks = 0;           ///< independent looks of this session, with or without a detection
+  int looks_with_box = 0;  ///< of them; MAP_OPIS does not carry it
+  StatusPosterior posterior;
+  Status decided = Status::kUncertain;  ///< in a discovery session new or uncertain
+  Eigen::Vector3d centroid_W = Eigen::Vector3d::Zero();   ///< of the map's OPI voxels [m]
+  Eigen::Vector3d centroid_sd = Eigen::Vector3d::Zero();  ///< their spread [m]
+};
+
+}  // namespace limpet

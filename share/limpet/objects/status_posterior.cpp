@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/objects/status_posterior.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace limpet {
+namespace {
+
+/// p ln p, which tends to 0 at 0.
+double PLogP(double p) { return p > 0.0 ? p * std::log(p) : 0.0; }
+
+}  // namespace
+
+double StatusPosterior::Entropy() const {
+  return -(PLogP(confirmed) + PLogP(removed) + PLogP(appeared) + PLogP(nothing));
+}
+
+StatusPosterior StatusPosterior::Times(double if_present, double if_absent) const {
+  return {.confirmed = confirmed * if_present,
+          .removed = removed * if_absent,
+          .appeared = appeared * if_present,
+          .nothing = nothing * if_absent};
+}
+
+StatusPosterior StatusPosterior::Normalized() const {
+  const double all = sum();
+  if (all <= 0.0) {
+    return {};
+  }
+  return {confirmed / all, removed / all, appeared / all, nothing / all};
+}
+
+std::string_view NameOf(Status status) {
+  switch (status) {
+    case Status::kConfirmed:
+      return "confirmed";
+    case Status::kRemoved:
+      return "removed";
+    case Status::kNew:
+      return "new";
+    case Status::kMoved:
+      return "moved";
+    case Status::kNothing:
+      return "nothing";
+    case Status::kUncertain:
+      break;
+  }
+  return "uncertain";
+}
+
+std::optional<Status> StatusFromName(std::string_view name) {
+  for (const Status status : std::array{Status::kUncertain, Status::kConfirmed, Status::kRemoved,
+                                        Status::kNew, Status::kMoved, Status::kNothing}) {
+    if (NameOf(status) == name) return status;
+  }
+  return std::nullopt;
+}
+
+}  // namespace limpet

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace limpet {
+
+/// What became of a place from the former session to this one, as probabilities that sum to one
+/// (docs/references.md). In a discovery session only `appeared` and `nothing` are non-zero and mean
+/// "is there" and "is not".
+struct StatusPosterior {
+  double confirmed = 0.0, removed = 0.0, appeared = 0.0, nothing = 0.0;
+
+  /// That an object is there now.
+  [[nodiscard]] double present() const { return confirmed + appeared; }
+  [[nodiscard]] double Entropy() const;  ///< [nats]
+  [[nodiscard]] double sum() const { return confirmed + removed + appeared + nothing; }
+  /// Each times the likelihood of an observation if an object is there now, and if none is: the
+  /// joint probabilities, whose sum is that of the observation.
+  [[nodiscard]] StatusPosterior Times(double if_present, double if_absent) const;
+  /// Scaled so that they sum to one; all zero stays so.
+  [[nodiscard]] StatusPosterior Normalized() const;
+};
+
+/// What is decided about an object.
+enum class Status { kUncertain, kConfirmed, kRemoved, kNew, kMoved, kNothing };
+[[nodiscard]] std::string_view NameOf(Status status);
+/// Nothing for a word that names no status.
+[[nodiscard]] std::optional<Status> StatusFromName(std::string_view name);
+
+}  // namespace limpet

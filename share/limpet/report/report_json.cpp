@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/report/report_json.hpp"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+namespace limpet {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+OrderedJson Rounded(double value, double scale) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::round(value * scale) / scale + 0.0;  // + 0.0 turns -0 into 0
+}
+OrderedJson Length(double metres) { return Rounded(metres, 1e3); }
+OrderedJson Share(double share) { return Rounded(share, 1e4); }
+OrderedJson Time(double seconds) { return Rounded(seconds, 1e2); }
+OrderedJson Optional(const std::optional<double>& value, OrderedJson (*write)(double)) {
+  return value ? write(*value) : OrderedJson(nullptr);
+}
+OrderedJson PointJson(const Eigen::Vector3d& p) {
+  return {Length(p.x()), Length(p.y()), Length(p.z())};
+}
+
+OrderedJson Levels(const std::vector<CoverageLevel>& levels, double lowest) {
+  OrderedJson list = OrderedJson::array();
+  for (const CoverageLevel& level : levels) {
+    if (level.level < lowest) continue;
+    list.push_back({{"level", level.level},
+                    {"path_m", Optional(level.path_m, Length)},
+                    {"time_s", Optional(level.time_s, Time)}});
+  }
+  return list;
+}
+
+OrderedJson Navigation(const NavScore& nav) {
+  return {{"position_rmse_m", Optional(nav.position_rmse_m, Length)},
+          {"aligned_rmse_m", Optional(nav.aligned_rmse_m, Length)},
+          {"final_error_m", Optional(nav.final_error_m, Length)},
+          {"dead_reckoning_final_error_m", Optional(nav.dead_reckoning_final_error_m, Length)},
+          {"nees_mean", Optional(nav.nees_mean, Share)}};
+}
+
+OrderedJson Opis(const std::vector<OpiScore>& opis) {
+  OrderedJson list = OrderedJson::array();
+  for (const OpiScore& opi : opis) {
+    list.push_back({{"truth", opi.truth},
+                    {"truth_ned_m", PointJson(opi.truth_ned)},
+                    {"slam_ned_m", PointJson(opi.slam_ned)},
+                    {"slam_sd_m", PointJson(opi.slam_sd)},
+                    {"map_centroid_ned_m", PointJson(opi.map_centroid)},
+                    {"map_sd_m", PointJson(opi.map_sd)},
+                    {"error_m", Length(opi.error_m)},
+                    {"aligned_error_m", Length(opi.aligned_error_m)},
+                    {"looks", opi.looks}});
+  }
+  return list;
+}
+
+OrderedJson Opis(const std::vector<ReportedOpi>& opis) {
+  OrderedJson list = OrderedJson::array();
+  for (const ReportedOpi& opi : opis) {
+    list.push_back({{"truth", nullptr},
+                    {"truth_ned_m", nullptr},
+                    {"slam_ned_m", PointJson(opi.ned)},
+                    {"slam_sd_m", PointJson(opi.sd)},
+                    {"map_centroid_ned_m", PointJson(opi.map_centroid)},
+                    {"map_sd_m", PointJson(opi.map_sd)},
+                    {"error_m", nullptr},
+                    {"aligned_error_m", nullptr},
+                    {"looks", opi.looks},
+                    {"class", opi.color},
+                    {"probability", Share(opi.probability)}});
+  }
+  return list;
+}
+
+OrderedJson FalseOpis(const std::vector<FalseOpi>& opis) {
+  OrderedJson list = OrderedJson::array();
+  for (const FalseOpi& opi : opis) {
+    list.push_back({{"ned_m", PointJson(opi.ned)},
+                    {"class", opi.color},
+                    {"probability", Share(opi.probability)}});
+  }
+  return list;
+}
+
+OrderedJson Changes(const std::vector<ChangeScore>& changes) {
+  OrderedJson list = OrderedJson::array();
+  for (const ChangeScore& change : changes) {
+    list.push_back(
+        {{"truth", change.truth ? OrderedJson(*change.truth) : OrderedJson(nullptr)},
+         {"expected", change.expected ? OrderedJson(*change.expected) : OrderedJson(nullptr)},
+         {"decided", change.decided},
+         {"probability", Share(change.probability)},
+         {"ned_m", change.ned ? PointJson(*change.ned) : OrderedJson(nullptr)}});
+  }
+  return list;
+}
+
+/// `value` where the truth is known, else null.
+OrderedJson IfJudged(const SessionScore& session, OrderedJson value) {
+  return session.has_truth ? std::move(value) : OrderedJson(nullptr);
+}
+
+/// Times in seconds since the session's start; `to_s` null: it stood at the end.
+OrderedJson Warnings(const SessionScore& session) {
+  OrderedJson list = OrderedJson::array();
+  const auto since_start = [&session](Seconds time) {
+    return Time((time - session.begun.value_or(time)).value());
+  };
+  for (const WarningRecord& warning : session.warnings) {
+    list.push_back({{"app", warning.app},
+                    {"id", warning.id},
+                    {"severity", NameOf(warning.severity)},
+                    {"text", warning.text},
+                    {"from_s", since_start(warning.from)},
+                    {"to_s", warning.to ? since_start(*warning.to) : OrderedJson(nullptr)}});
+  }
+  return list;
+}
+
+OrderedJson Session(const SessionScore& session) {
+  OrderedJson out = {
+      {"coverage", IfJudged(session, Levels(session.coverage.seabed, 0.90))},
+      {"detectable", IfJudged(session, Levels(session.coverage.band, 0.95))},
+      {"covered", IfJudged(session, Share(session.coverage.covered))},
+      {"detected_band", IfJudged(session, Share(session.coverage.detected_band))},
+      {"path_m", IfJudged(session, Length(session.path_m))},
+      {"duration_s", Time(session.duration_s)},
+      {"wall_s", Optional(session.wall_s, Length)},
+      {"realtime_factor", Optional(session.realtime_factor(), Time)},
+      {"ended", session.ended},
+      {"home_error_m", Optional(session.home_error_m, Length)},
+      {"nav", Navigation(session.nav)},
+      {"opis", session.has_truth ? Opis(session.opis.found) : Opis(session.opis.reported)},
+      {"missed", IfJudged(session, session.opis.missed)},
+      {"false", IfJudged(session, FalseOpis(session.opis.invented))}};
+  out["warnings"] = Warnings(session);
+  if (!session.former.empty()) {
+    out["prior_opis_seen_path_m"] = Optional(session.coverage.prior_opis_seen_path_m, Length);
+    out["changes"] = Changes(session.opis.changes);
+  }
+  if (!session.has_truth) {
+    out["truth"] = false;
+    out["estimated_path_m"] = Length(session.path_m);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string ReportJson(const RunScore& run) {
+  const ReportSettings& settings = run.settings;
+  const auto footprint = settings.footprint_m();
+  const auto centimetres = [](double metres) { return Rounded(metres, 1e2); };
+  OrderedJson report = {{"limpet", settings.version},
+                        {"mission", settings.mission},
+                        {"seed", settings.seed},
+                        {"settings",
+                         {{"planner", settings.planner},
+                          {"gain", settings.gain},
+                          {"camera", settings.camera},
+                          {"footprint_m", {centimetres(footprint[0]), centimetres(footprint[1])}},
+                          {"object_height_max_m", settings.object_height_max_m}}},
+                        {"sessions", OrderedJson::object()}};
+  for (const SessionScore& session : run.sessions) {
+    report["sessions"][session.name] = Session(session);
+  }
+  return report.dump(2) + "\n";
+}
+
+}  // namespace limpet

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/scoring/opi_score.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limpet {
+namespace {
+
+constexpr double kMatchRadius = 2.5;
+/// An object farther than this from its former place was moved.
+constexpr double kMovedDistance = 0.5;
+
+/// At one place the belief about an object of the same colour comes first.
+constexpr double kOtherColor = 1.0;
+
+struct Belief {
+  const OpiBelief* opi = nullptr;
+  Eigen::Vector3d ned = Eigen::Vector3d::Zero();
+  Eigen::Vector3d sd = Eigen::Vector3d::Zero();
+};
+
+struct Place {
+  const ScenarioOpi* opi = nullptr;
+  Eigen::Vector3d ned = Eigen::Vector3d::Zero();
+};
+
+/// The smoother's last word on the object, else what the map has.
+Belief BeliefOf(const OpiBelief& opi, const std::vector<Landmark>& landmarks) {
+  const ObjectEstimate* object = &opi.object;
+  for (const Landmark& landmark : landmarks) {
+    if (opi.landmark >= 0 && landmark.id == opi.landmark) object = &landmark.object;
+  }
+  return {&opi, object->p_W, object->cov_W.diagonal().cwiseMax(0.0).cwiseSqrt()};
+}
+
+bool SaysPresent(const OpiBelief& opi) {
+  return opi.decided == Status::kNew || opi.decided == Status::kConfirmed ||
+         opi.decided == Status::kMoved;
+}
+
+double ProbabilityOf(const OpiBelief& opi) {
+  const StatusPosterior& p = opi.posterior;
+  if (opi.decided == Status::kConfirmed) return p.confirmed;
+  if (opi.decided == Status::kRemoved) return p.removed;
+  if (opi.decided == Status::kNew) return p.appeared;
+  return std::max({p.confirmed, p.removed, p.appeared, p.nothing});
+}
+
+/// For each place the belief it is matched with, or nullptr; nearest pairs first, those of one
+/// colour before others.
+std::vector<const Belief*> Match(const std::vector<Place>& places,
+                                 const std::vector<Belief>& beliefs) {
+  struct Pair {
+    double distance;
+    std::size_t place, belief;
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t j = 0; j < beliefs.size(); ++j) {
+      const double distance = (places[i].ned - beliefs[j].ned).norm();
+      const bool is_same_color = places[i].opi->color == beliefs[j].opi->object.color;
+      if (distance <= kMatchRadius) {
+        pairs.push_back({distance + (is_same_color ? 0.0 : kOtherColor), i, j});
+      }
+    }
+  }
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
+  std::vector<const Belief*> matched(places.size(), nullptr);
+  std::vector<bool> is_taken(beliefs.size(), false);
+  for (const Pair& pair : pairs) {
+    if (matched[pair.place] != nullptr || is_taken[pair.belief]) continue;
+    matched[pair.place] = &beliefs[pair.belief];
+    is_taken[pair.belief] = true;
+  }
+  return matched;
+}
+
+bool Contains(const std::vector<const Belief*>& matched, const Belief& belief) {
+  return std::find(matched.begin(), matched.end(), &belief) != matched.end();
+}
+
+void ScorePresence(const SessionRecord& record, const Scenario& scenario,
+                   const CommonOffset& offset, OpiScores& scores) {
+  std::vector<Belief> beliefs;
+  for (const OpiBelief& opi : record.opis) {
+    if (SaysPresent(opi)) beliefs.push_back(BeliefOf(opi, record.landmarks));
+  }
+  std::vector<Place> places;
+  for (const ScenarioOpi& opi : scenario.opis) {
+    if (const auto place = opi.Place(record.name)) places.push_back({&opi, *place});
+  }
+  const auto matched = Match(places, beliefs);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const ScenarioOpi& truth = *places[i].opi;
+    if (matched[i] == nullptr) {
+      scores.missed.push_back(truth.name);
+      continue;
+    }
+    const Belief& belief = *matched[i];
+    OpiScore score{.truth = truth.name, .color = truth.color, .radius_m = truth.radius_m};
+    score.truth_ned = places[i].ned;
+    score.slam_ned = belief.ned;
+    score.slam_sd = belief.sd;
+    score.map_centroid = belief.opi->centroid_W;
+    score.map_sd = belief.opi->centroid_sd;
+    score.probability = belief.opi->posterior.present();
+    score.error_m = (belief.ned - places[i].ned).norm();
+    score.aligned_error_m = (offset.Apply(belief.ned) - places[i].ned).norm();
+    score.looks = belief.opi->looks;
+    scores.found.push_back(std::move(score));
+  }
+  for (const Belief& belief : beliefs) {
+    if (Contains(matched, belief)) continue;
+    scores.invented.push_back(
+        {belief.ned, belief.opi->object.color, belief.opi->posterior.present()});
+  }
+}
+
+/// A session and the one that it is compared with.
+struct SessionPair {
+  std::string former, now;
+};
+
+std::optional<std::string> ExpectedStatus(const ScenarioOpi& opi, const SessionPair& sessions) {
+  const auto before = opi.Place(sessions.former);
+  const auto now = opi.Place(sessions.now);
+  if (before && now) return (*before - *now).norm() > kMovedDistance ? "moved" : "confirmed";
+  if (before) return "removed";
+  if (now) return "new";
+  return std::nullopt;
+}
+
+/// True for what is left over at the old place of an object that was moved.
+bool IsTraceOfAMove(const Belief& belief, const Scenario& scenario, const SessionPair& sessions) {
+  return std::any_of(scenario.opis.begin(), scenario.opis.end(), [&](const ScenarioOpi& opi) {
+    const auto before = opi.Place(sessions.former);
+    return ExpectedStatus(opi, sessions) == "moved" && belief.opi->decided == Status::kRemoved &&
+           (*before - belief.ned).norm() <= kMatchRadius;
+  });
+}
+
+bool IsDecided(const OpiBelief& opi) { return SaysPresent(opi) || opi.decided == Status::kRemoved; }
+
+void ScoreChanges(const SessionRecord& record, const std::string& former, const Scenario& scenario,
+                  OpiScores& scores) {
+  const SessionPair sessions{former, record.name};
+  std::vector<Belief> beliefs;
+  for (const OpiBelief& opi : record.opis)
+    beliefs.push_back(BeliefOf(opi, record.landmarks));
+  std::vector<Place> places;
+  for (const ScenarioOpi& opi : scenario.opis) {
+    auto place = opi.Place(sessions.now);
+    if (!place) place = opi.Place(sessions.former);
+    if (place) places.push_back({&opi, *place});
+  }
+  const auto matched = Match(places, beliefs);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    ChangeScore score{
+        places[i].opi->name, ExpectedStatus(*places[i].opi, sessions), "uncertain", 0.0, {}};
+    if (matched[i] != nullptr) {
+      const OpiBelief& opi = *matched[i]->opi;
+      score.decided = NameOf(opi.decided);
+      score.probability = ProbabilityOf(opi);
+      score.ned = matched[i]->ned;
+    }
+    scores.changes.push_back(std::move(score));
+  }
+  for (const Belief& belief : beliefs) {
+    const bool is_known = Contains(matched, belief) || IsTraceOfAMove(belief, scenario, sessions);
+    if (is_known || !IsDecided(*belief.opi)) continue;
+    scores.changes.push_back({std::nullopt, std::nullopt, std::string(NameOf(belief.opi->decided)),
+                              ProbabilityOf(*belief.opi), belief.ned});
+  }
+}
+
+}  // namespace
+
+OpiScores ScoreOpis(const SessionRecord& record, const std::string& former,
+                    const Scenario& scenario, const CommonOffset& offset) {
+  OpiScores scores;
+  ScorePresence(record, scenario, offset, scores);
+  if (!former.empty()) ScoreChanges(record, former, scenario, scores);
+  return scores;
+}
+
+OpiScores ReportedOpis(const SessionRecord& record, bool has_former) {
+  OpiScores scores;
+  for (const OpiBelief& opi : record.opis) {
+    const Belief belief = BeliefOf(opi, record.landmarks);
+    if (SaysPresent(opi)) {
+      scores.reported.push_back({opi.id, opi.object.color, belief.ned, belief.sd, opi.centroid_W,
+                                 opi.centroid_sd, opi.posterior.present(), opi.looks});
+    }
+    if (has_former) {
+      scores.changes.push_back({std::nullopt, std::nullopt, std::string(NameOf(opi.decided)),
+                                ProbabilityOf(opi), belief.ned});
+    }
+  }
+  return scores;
+}
+
+}  // namespace limpet

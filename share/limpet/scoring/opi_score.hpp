@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limpet/mission/scenario.hpp"
+#include "limpet/scoring/nav_score.hpp"
+#include "limpet/scoring/session_record.hpp"
+
+namespace limpet {
+
+/// A true object and where the vehicle says it is. NED [m].
+struct OpiScore {
+  std::string truth;
+  std::string color;  ///< the true one
+  double radius_m = 0.5;
+  Eigen::Vector3d truth_ned = Eigen::Vector3d::Zero();
+  Eigen::Vector3d slam_ned = Eigen::Vector3d::Zero();
+  Eigen::Vector3d slam_sd = Eigen::Vector3d::Zero();
+  Eigen::Vector3d map_centroid = Eigen::Vector3d::Zero();
+  Eigen::Vector3d map_sd = Eigen::Vector3d::Zero();
+  double probability = 0.0;
+  double error_m = 0.0;
+  double aligned_error_m = 0.0;  ///< after the session's common offset and heading
+  int looks = 0;
+};
+
+/// A reported object that is not there.
+struct FalseOpi {
+  Eigen::Vector3d ned = Eigen::Vector3d::Zero();
+  std::string color;
+  double probability = 0.0;
+};
+
+/// What became of a true object between the sessions, and what the vehicle decided.
+struct ChangeScore {
+  std::optional<std::string> truth;     ///< nothing: a decision about nothing
+  std::optional<std::string> expected;  ///< confirmed, removed, new, moved
+  std::string decided;                  ///< one of these, or uncertain
+  double probability = 0.0;             ///< of what was decided
+  std::optional<Eigen::Vector3d> ned;   ///< where the vehicle says; nothing: it knows of no object
+  [[nodiscard]] bool is_right() const { return expected && *expected == decided; }
+};
+
+/// An object as the vehicle reports it, where nobody knows the truth.
+struct ReportedOpi {
+  int id = 0;
+  std::string color;
+  Eigen::Vector3d ned = Eigen::Vector3d::Zero();
+  Eigen::Vector3d sd = Eigen::Vector3d::Zero();
+  Eigen::Vector3d map_centroid = Eigen::Vector3d::Zero();
+  Eigen::Vector3d map_sd = Eigen::Vector3d::Zero();
+  double probability = 0.0;
+  int looks = 0;
+};
+
+struct OpiScores {
+  std::vector<ReportedOpi> reported;  ///< without truth only; then the three lists below are empty
+  std::vector<OpiScore> found;
+  std::vector<std::string> missed;
+  std::vector<FalseOpi> invented;
+  std::vector<ChangeScore> changes;  ///< empty unless the session has a former one
+};
+
+/// Matches reported and true objects one to one, nearest first, within 2.5 m; and decisions with
+/// what became of the objects since the session `former`, if there is one.
+[[nodiscard]] OpiScores ScoreOpis(const SessionRecord& record, const std::string& former,
+                                  const Scenario& scenario, const CommonOffset& offset);
+
+/// What the vehicle reports, and decided if it had a former session; nothing of it is judged.
+[[nodiscard]] OpiScores ReportedOpis(const SessionRecord& record, bool has_former);
+
+}  // namespace limpet

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/scoring/scorer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limpet {
+namespace {
+
+std::vector<Eigen::Vector3d> FormerPlaces(const std::string& former, const Scenario& scenario) {
+  std::vector<Eigen::Vector3d> places;
+  for (const ScenarioOpi& opi : scenario.opis) {
+    if (const auto place = opi.Place(former)) places.push_back(*place);
+  }
+  return places;
+}
+
+void ScoreWay(const PoseTrack& track, SessionScore& score) {
+  if (track.empty()) return;
+  const std::size_t last = track.size() - 1;
+  score.path_m = track.path(last);
+  score.duration_s = track.time(last) - track.time(0);
+}
+
+void ScoreAgainstTruth(const SessionRecord& record, const Scenario& scenario,
+                       const ReportSettings& settings, SessionScore& score) {
+  const SurveyFrames frames = FramesOfSurvey(record, settings);
+  score.coverage = ScoreCoverage(frames, record.area.value_or(SurveyArea{}), scenario, settings,
+                                 FormerPlaces(score.former, scenario));
+  const std::size_t last = record.truth.size() - 1;
+  score.home_error_m = std::hypot(record.truth.north(last) - scenario.start.north_m,
+                                  record.truth.east(last) - scenario.start.east_m);
+  const double start = record.PhaseStart("SURVEY").value_or(Seconds(record.truth.time(0))).value();
+  score.survey_start_s = start - record.truth.time(0);
+  score.nav = ScoreNavigation(record, start);
+  score.opis = ScoreOpis(record, score.former, scenario, score.nav.offset);
+}
+
+}  // namespace
+
+std::string FormerOf(const SessionRecord& record, const ReportSettings& settings) {
+  if (!record.former.empty()) return record.former;
+  const auto& order = settings.sessions;
+  const auto own = std::find(order.begin(), order.end(), record.name);
+  return own == order.end() || own == order.begin() ? "" : *std::prev(own);
+}
+
+SessionScore ScoreSession(const SessionRecord& record, const Scenario& scenario,
+                          const ReportSettings& settings) {
+  SessionScore score;
+  score.name = record.name;
+  score.former = FormerOf(record, settings);
+  score.has_truth = settings.has_scenario && !record.truth.empty();
+  score.ended = record.ended.empty() ? "aborted" : record.ended;
+  score.warnings = record.warnings;
+  score.begun = record.begun;
+  if (const auto wall = settings.wall_s.find(record.name); wall != settings.wall_s.end()) {
+    score.wall_s = wall->second;
+  }
+  ScoreWay(score.has_truth ? record.truth : record.nav, score);
+  if (score.has_truth) {
+    ScoreAgainstTruth(record, scenario, settings, score);
+  } else {
+    score.opis = ReportedOpis(record, !score.former.empty());
+  }
+  return score;
+}
+
+RunScore ScoreRun(const std::vector<SessionRecord>& records, const Scenario& scenario,
+                  const ReportSettings& settings) {
+  RunScore run{settings, {}};
+  ReportSettings in_order = settings;
+  if (in_order.sessions.empty()) {
+    for (const SessionRecord& record : records)
+      in_order.sessions.push_back(record.name);
+  }
+  for (const SessionRecord& record : records) {
+    run.sessions.push_back(ScoreSession(record, scenario, in_order));
+  }
+  return run;
+}
+
+}  // namespace limpet

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/scoring/session_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "limpet/app/warning_text.hpp"
+#include "limpet/core/config.hpp"
+#include "limpet/scoring/scoring_warnings.hpp"
+#include "limpet/topics/simulation.hpp"
+
+namespace limpet {
+namespace {
+
+// The log keeps five decimals of a stamp; rounding here makes a live record equal to a replayed
+// one.
+Seconds LoggedStamp(const Message& message) {
+  return Seconds(std::round(message.time.value() * 1e4) / 1e4);
+}
+
+template <class T>
+std::optional<T> Read(const Topic<T>&, const Message& message) {
+  return TopicCodec<T>::Decode(message.value);
+}
+
+bool IsSame(const StatusPosterior& a, const StatusPosterior& b) {
+  return a.confirmed == b.confirmed && a.removed == b.removed && a.appeared == b.appeared;
+}
+
+bool IsSame(const GridFrame& a, const GridFrame& b) {
+  return a.rows == b.rows && a.columns == b.columns && a.north_min == b.north_min &&
+         a.east_min == b.east_min && a.cell_m == b.cell_m;
+}
+
+void CollectTruth(SessionRecord& record, const Message& message) {
+  constexpr double kMinInterval = 0.0399;  // 25 Hz: 2 cm of way at survey speed
+  PoseTrack& truth = record.truth;
+  const Seconds time = LoggedStamp(message);
+  if (!truth.empty() && time.value() < truth.time(truth.size() - 1) + kMinInterval) return;
+  if (const auto state = Read(topics::kSimTruth, message)) truth.Add(time, state->pose());
+}
+
+void CollectNavState(SessionRecord& record, const Message& message) {
+  const auto state = Read(topics::kNavState, message);
+  if (!state) return;
+  record.nav.Add(LoggedStamp(message), state->pose());
+  if (record.nav_sd.size() < record.nav.size()) {
+    record.nav_sd.push_back({static_cast<float>(state->sd_north),
+                             static_cast<float>(state->sd_east), static_cast<float>(state->sd_down),
+                             static_cast<float>(state->sd_yaw)});
+  }
+}
+
+void CollectDeadReckoning(SessionRecord& record, const Message& message) {
+  const auto state = Read(topics::kNavDeadReckoning, message);
+  if (!state) return;
+  record.dead_reckoning.Add(LoggedStamp(message),
+                            {{state->north, state->east, state->down}, 0.0, 0.0, state->yaw});
+}
+
+void CollectLandmarks(SessionRecord& record, const Message& message) {
+  if (auto update = Read(topics::kNavLandmarks, message)) {
+    record.landmarks = std::move(update->landmarks);
+  }
+}
+
+void CollectOpis(SessionRecord& record, const Message& message) {
+  const auto update = Read(topics::kMapOpis, message);
+  if (!update) return;
+  record.opis = update->opis;
+  for (const OpiBelief& opi : record.opis) {
+    const auto last =
+        std::find_if(record.beliefs.rbegin(), record.beliefs.rend(),
+                     [&](const BeliefRecord& belief) { return belief.opi == opi.id; });
+    if (last != record.beliefs.rend() && IsSame(last->posterior, opi.posterior)) continue;
+    record.beliefs.push_back({LoggedStamp(message), opi.id, opi.posterior});
+  }
+}
+
+void CollectCoverage(SessionRecord& record, const Message& message) {
+  if (const auto update = Read(topics::kMapCoverage, message)) {
+    record.believed_coverage.push_back({LoggedStamp(message), *update});
+  }
+}
+
+void CollectGrid(SessionRecord& record, const Message& message) {
+  if (const auto delta = Read(topics::kMapDelta, message)) record.grid.Apply(*delta);
+}
+
+// A path and its bids come in either order; the first of the two opens the decision.
+DecisionRecord& DecisionOf(SessionRecord& record, int path_id, const Message& message) {
+  if (record.decisions.empty() || record.decisions.back().path.id != path_id) {
+    record.decisions.push_back({LoggedStamp(message), {}, std::nullopt});
+    record.decisions.back().path.id = path_id;
+  }
+  return record.decisions.back();
+}
+
+void CollectPath(SessionRecord& record, const Message& message) {
+  auto path = Read(topics::kHelmPath, message);
+  if (path) DecisionOf(record, path->id, message).path = std::move(*path);
+}
+
+void CollectBids(SessionRecord& record, const Message& message) {
+  auto bids = Read(topics::kHelmBids, message);
+  if (bids) DecisionOf(record, bids->path_id, message).bids = std::move(*bids);
+}
+
+void CollectPhase(SessionRecord& record, const Message& message) {
+  const auto text = Read(topics::kSurveyPhase, message);
+  if (!text) return;
+  const std::string phase(Trim(*text));
+  if (record.phases.empty() || record.phases.back().value != phase) {
+    record.phases.push_back({LoggedStamp(message), phase});
+  }
+}
+
+void CollectArea(SessionRecord& record, const Message& message) {
+  if (const auto area = Read(topics::kSurveyArea, message)) record.area = area;
+}
+
+void CollectHome(SessionRecord& record, const Message& message) {
+  if (const auto home = Read(topics::kSurveyHome, message)) record.home = home;
+}
+
+void CollectPrior(SessionRecord& record, const Message& message) {
+  if (auto prior = Read(topics::kSessionPrior, message)) record.former = std::move(prior->session);
+}
+
+void CollectEnd(SessionRecord& record, const Message& message) {
+  if (const auto text = Read(topics::kMissionEnd, message)) record.ended = std::string(Trim(*text));
+}
+
+using Collector = void (*)(SessionRecord&, const Message&);
+
+const std::map<std::string, Collector, std::less<>>& Collectors() {
+  static const std::map<std::string, Collector, std::less<>> collectors{
+      {topics::kSimTruth.name, CollectTruth},
+      {topics::kNavState.name, CollectNavState},
+      {topics::kNavDeadReckoning.name, CollectDeadReckoning},
+      {topics::kNavLandmarks.name, CollectLandmarks},
+      {topics::kMapOpis.name, CollectOpis},
+      {topics::kMapCoverage.name, CollectCoverage},
+      {topics::kMapDelta.name, CollectGrid},
+      {topics::kHelmPath.name, CollectPath},
+      {topics::kHelmBids.name, CollectBids},
+      {topics::kSurveyPhase.name, CollectPhase},
+      {topics::kSurveyArea.name, CollectArea},
+      {topics::kSurveyHome.name, CollectHome},
+      {topics::kSessionPrior.name, CollectPrior},
+      {topics::kMissionEnd.name, CollectEnd}};
+  return collectors;
+}
+
+}  // namespace
+
+void GridRecord::Apply(const GridDelta& delta) {
+  if (delta.frame.rows <= 0 || delta.frame.columns <= 0) return;
+  if (!IsSame(frame, delta.frame)) {
+    frame = delta.frame;
+    const auto cells =
+        static_cast<std::size_t>(frame.rows) * static_cast<std::size_t>(frame.columns);
+    seen_height.assign(cells, -1.0F);
+    seabed_down.assign(cells, 0.0F);
+  }
+  for (const GridDelta::Cell& cell : delta.cells) {
+    if (cell.index >= seen_height.size()) continue;
+    seen_height[cell.index] = cell.seen_height;
+    seabed_down[cell.index] = cell.seabed_down;
+  }
+}
+
+std::optional<Seconds> SessionRecord::PhaseStart(const std::string& phase) const {
+  const auto found = std::find_if(phases.begin(), phases.end(),
+                                  [&](const auto& entry) { return entry.value == phase; });
+  return found != phases.end() ? std::optional<Seconds>(found->time) : std::nullopt;
+}
+
+void SessionRecord::AddCut(const std::string& why_and_where, Seconds elapsed) {
+  warnings.push_back({.app = "limpet",
+                      .id = warnings::kSessionCut.name(),
+                      .severity = warnings::kSessionCut.severity(),
+                      .text = why_and_where,
+                      .from = begun.value_or(Seconds(0.0)) + elapsed,
+                      .to = {}});
+}
+
+bool SessionRecord::Listens(const std::string& variable) {
+  return Collectors().contains(variable) || CarriesWarnings(variable);
+}
+
+void SessionRecord::Collect(const Message& message) {
+  const auto found = Collectors().find(message.name);
+  if (found != Collectors().end()) {
+    begun = begun.value_or(LoggedStamp(message));
+    found->second(*this, message);
+  } else if (CarriesWarnings(message.name) && ended.empty()) {
+    // Once the mission has ended, apps miss each other.
+    CollectWarnings(message, LoggedStamp(message), warnings);
+  }
+}
+
+}  // namespace limpet

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limpet/core/message.hpp"
+#include "limpet/scoring/pose_track.hpp"
+#include "limpet/scoring/warning_record.hpp"
+#include "limpet/topics/mapping.hpp"
+#include "limpet/topics/mission.hpp"
+#include "limpet/topics/navigation.hpp"
+
+namespace limpet {
+
+/// The survey grid as it was at the end of the session, and when each cell was first seen.
+struct GridRecord {
+  GridFrame frame;
+  std::vector<float> seen_height;  ///< greatest height seen [m]; -1 where never seen
+  std::vector<float> seabed_down;  ///< [m]; meaningful where seen
+  void Apply(const GridDelta& delta);
+};
+
+/// One decision of the helm: the path it chose and what it was offered.
+struct DecisionRecord {
+  Seconds time;
+  HelmPath path;
+  std::optional<HelmBids> bids;
+};
+
+/// How sure the vehicle was about its objects at one time.
+struct BeliefRecord {
+  Seconds time;
+  int opi = 0;
+  StatusPosterior posterior;
+};
+
+/// All that a report needs to know about one session, gathered message by message: from the running
+/// session or from its log, with the same result. Unknown and malformed messages are passed over.
+struct SessionRecord {
+  explicit SessionRecord(std::string session_name) : name(std::move(session_name)) {}
+  void Collect(const Message& message);
+  /// True for the variables that Collect reads; for a reader that wants to skip the rest.
+  [[nodiscard]] static bool Listens(const std::string& variable);
+
+  /// Notes that the session did not end by itself, `elapsed` after its start.
+  void AddCut(const std::string& why_and_where, Seconds elapsed);
+
+  /// Start of the first phase of this name, or nothing.
+  [[nodiscard]] std::optional<Seconds> PhaseStart(const std::string& phase) const;
+
+  std::string name;    ///< discovery, change, ...
+  std::string former;  ///< session that the vehicle compared with (SESSION_PRIOR); empty: none
+  PoseTrack truth;     ///< SIM_TRUTH, at most 25 Hz; empty after a real dive
+  PoseTrack nav;       ///< NAV_STATE
+  /// 1-sigma of north, east, down [m] and yaw [rad], one for each pose of `nav`.
+  std::vector<std::array<float, 4>> nav_sd;
+  PoseTrack dead_reckoning;
+  std::vector<Landmark> landmarks;    ///< as last published
+  std::vector<OpiBelief> opis;        ///< as last published
+  std::vector<BeliefRecord> beliefs;  ///< every change of every posterior
+  std::vector<Stamped<Coverage>> believed_coverage;
+  GridRecord grid;
+  std::vector<DecisionRecord> decisions;
+  std::vector<Stamped<std::string>> phases;
+  std::optional<SurveyArea> area;
+  std::optional<HomePoint> home;
+  std::vector<WarningRecord> warnings;  ///< every one raised, in order
+  std::optional<Seconds> begun;         ///< stamp of the first message collected
+  std::string ended;                    ///< MISSION_END; empty when the session was cut short
+};
+
+}  // namespace limpet

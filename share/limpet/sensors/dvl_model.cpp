@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/sensors/dvl_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+namespace limpet {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::array kAzimuths_deg = {45.0, 135.0, 225.0, 315.0};
+
+/// Time to the next of events that come at random, `per_second` on average.
+Seconds Waiting(double per_second, Random& random) {
+  return Seconds(-std::log(1.0 - random.Uniform(0.0, 1.0)) / per_second);
+}
+
+}  // namespace
+
+DvlModel::DvlModel(const Params& params, SoundScene scene, Random random)
+    : params_(params),
+      scene_(std::move(scene)),
+      random_(random),
+      faults_(random_.Bits(), "faults") {
+  const double tilt = params.beam_from_vertical_rad;
+  std::ranges::transform(kAzimuths_deg, beams_B_.begin(), [tilt](double azimuth_deg) {
+    const double azimuth = RadiansFromDegrees(azimuth_deg);
+    return Vector3d(std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth),
+                    std::cos(tilt));
+  });
+  const double scale = 1.0 + random_.Normal(params.scale_sigma);
+  const double misalignment = random_.Normal(params.misalignment_sigma_rad);
+  distortion_ = scale * RotationFromRollPitchYaw(0.0, 0.0, misalignment);
+  for (double& part : bias_)
+    part = random_.Normal(params.bias_sigma_mps);
+}
+
+bool DvlModel::IsInDropout(Seconds now) {
+  if (params_.dropout_per_min <= 0.0) return false;
+  const double per_second = params_.dropout_per_min / 60.0;
+  if (!next_dropout_) next_dropout_ = now + Waiting(per_second, faults_);
+  while (*next_dropout_ <= now) {
+    dropout_until_ = *next_dropout_ + Seconds(faults_.Uniform(params_.dropout_shortest_s,
+                                                              params_.dropout_longest_s));
+    next_dropout_ = dropout_until_ + Waiting(per_second, faults_);
+  }
+  return now < dropout_until_;
+}
+
+DvlModel::Ranges DvlModel::MeasureRanges(const Pose& X_WB) {
+  const Eigen::Matrix3d R_WB = RotationOf(X_WB);
+  const Vector3d origin_W = X_WB.p_WB + R_WB * params_.p_BD;
+  const double max_range = params_.max_altitude_m / std::cos(params_.beam_from_vertical_rad);
+  Ranges ranges;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const double unit = random_.Normal(1.0);  // drawn even when nothing is met: noise stays aligned
+    ranges[i] = scene_.Range(origin_W, R_WB * beams_B_[i], max_range);
+    if (ranges[i]) {
+      *ranges[i] += unit * (params_.range_noise_m + params_.range_noise_share * *ranges[i]);
+    }
+  }
+  return ranges;
+}
+
+std::optional<double> DvlModel::Altitude(const Ranges& ranges, const Pose& X_WB) const {
+  const Eigen::Matrix3d R_WB = RotationOf(X_WB);
+  std::vector<double> heights;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (ranges[i]) heights.push_back(*ranges[i] * (R_WB * beams_B_[i]).z());
+  }
+  if (heights.size() < 3) return std::nullopt;
+  std::ranges::sort(heights);
+  // The middle beams: one that meets an object must not lift the seabed.
+  return 0.5 * (heights[(heights.size() - 1) / 2] + heights[heights.size() / 2]);
+}
+
+Vector3d DvlModel::MeasureVelocity(const SimTruth& truth) {
+  const Vector3d omega(truth.p, truth.q, truth.r);
+  const Vector3d at_lever = Vector3d(truth.u, truth.v, truth.w) + omega.cross(params_.p_BD);
+  Vector3d noise;
+  for (double& part : noise)
+    part = random_.Normal(params_.noise_horizontal_mps);
+  noise.z() *= params_.noise_vertical_mps / params_.noise_horizontal_mps;
+  Vector3d velocity = distortion_ * at_lever + bias_ + noise;
+  if (faults_.Chance(params_.outlier_share)) {
+    for (double& part : velocity)
+      part += faults_.Normal(params_.outlier_sigma_mps);
+  }
+  return velocity;
+}
+
+std::optional<DvlSample> DvlModel::Sample(const SimTruth& truth, Seconds now) {
+  DvlSample sample;
+  sample.sd_horizontal = params_.noise_horizontal_mps;
+  sample.sd_vertical = params_.noise_vertical_mps;
+  const Ranges ranges = MeasureRanges(truth.pose());
+  const Vector3d velocity = MeasureVelocity(truth);
+  const std::optional<double> altitude = Altitude(ranges, truth.pose());
+  const bool is_in_dropout = IsInDropout(now);
+  if (is_in_dropout || !altitude || *altitude < params_.min_altitude_m ||
+      *altitude > params_.max_altitude_m) {
+    return sample;
+  }
+  sample.has_lock = true;
+  sample.u = velocity.x(), sample.v = velocity.y(), sample.w = velocity.z();
+  sample.altitude = altitude;
+  sample.b1 = ranges[0], sample.b2 = ranges[1], sample.b3 = ranges[2], sample.b4 = ranges[3];
+  return sample;
+}
+
+}  // namespace limpet

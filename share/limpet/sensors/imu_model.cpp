@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/sensors/imu_model.hpp"
+
+#include "limpet/core/frames.hpp"
+
+namespace limpet {
+
+ImuModel::ImuModel(const Params& params, Random random)
+    : params_(params),
+      random_(random),
+      accel_bias_(Noise(params.accel_bias_mps2)),
+      gyro_bias_(Noise(params.gyro_bias_radps)),
+      heading_offset_(random_.Normal(params.heading_sigma_rad)),
+      heading_slow_(params.heading_slow_sigma_rad, params.heading_slow) {}
+
+Eigen::Vector3d ImuModel::Noise(double sigma) {
+  Eigen::Vector3d noise;  // one statement each: the order of arguments is not defined
+  for (double& part : noise)
+    part = random_.Normal(sigma);
+  return noise;
+}
+
+std::optional<ImuSample> ImuModel::Sample(const SimTruth& truth, Seconds now) {
+  const Eigen::Vector3d f =
+      Eigen::Vector3d(truth.fx, truth.fy, truth.fz) + accel_bias_ + Noise(params_.accel_noise_mps2);
+  const Eigen::Vector3d w =
+      Eigen::Vector3d(truth.p, truth.q, truth.r) + gyro_bias_ + Noise(params_.gyro_noise_radps);
+  const double slow = heading_slow_.Sample(now, random_);
+  const double heading =
+      truth.yaw + heading_offset_ + slow + random_.Normal(params_.heading_noise_rad);
+  return ImuSample{.fx = f.x(),
+                   .fy = f.y(),
+                   .fz = f.z(),
+                   .p = w.x(),
+                   .q = w.y(),
+                   .r = w.z(),
+                   .heading = WrapAngle(heading)};
+}
+
+}  // namespace limpet

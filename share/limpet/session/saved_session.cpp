@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/session/saved_session.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "limpet/mission/mission_file.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kMapApp = "pMap";
+
+ConfigError RefusalOf(const std::string& file, const std::string& why) {
+  return ConfigError(ConfigProblem{.where = {.file = file, .line = 0}, .key = "", .text = why});
+}
+
+std::optional<ConfigBlock> MapBlockIn(const SavedSession& session, const std::string& name,
+                                      const std::string& text) {
+  const fs::path file = session.folder / "mission" / name;
+  const MissionFile mission = ParseMission(text, file.string());
+  const ConfigBlock* block = mission.Block(kMapApp);
+  if (block != nullptr) return *block;
+  // Of a mission as it was run, no block means that pMap flew with its defaults.
+  const bool is_complete = name == kMissionAsRun;
+  return is_complete
+             ? std::optional<ConfigBlock>(
+                   {.name = kMapApp, .where = {.file = file.string(), .line = 0}, .entries = {}})
+             : std::nullopt;
+}
+
+}  // namespace
+
+SavedSession LoadSavedSession(const fs::path& folder, const std::string& what) {
+  Expected<StoredSession> stored = LoadSession(folder);
+  if (!stored) throw RefusalOf(what, stored.error().text);
+  Expected<SessionMemory> memory = MemoryOf(stored->files);
+  if (!memory) throw RefusalOf(what + " " + folder.string(), memory.error().text);
+  return {folder, stored->facts, *std::move(memory)};
+}
+
+std::string MissionText(const std::vector<ConfigEntry>& globals,
+                        const std::vector<ConfigBlock>& blocks) {
+  std::string text = "// The mission as it was run: plugs expanded, settings in place.\n\n";
+  for (const ConfigEntry& global : globals) {
+    text += fmt::format("{} = {}\n", global.key, global.value);
+  }
+  for (const ConfigBlock& block : blocks) {
+    text += fmt::format("\nProcessConfig = {}\n{{\n", block.name);
+    for (const ConfigEntry& entry : block.entries) {
+      text += fmt::format("  {} = {}\n", entry.key, entry.value);
+    }
+    text += "}\n";
+  }
+  return text;
+}
+
+std::optional<ConfigBlock> MapBlockOf(const SavedSession& session) {
+  const auto& files = session.memory.mission;
+  if (const auto as_run = files.find(kMissionAsRun); as_run != files.end()) {
+    return MapBlockIn(session, as_run->first, as_run->second);
+  }
+  for (const auto& [name, text] : files) {
+    if (!name.ends_with(".moos")) continue;
+    if (std::optional<ConfigBlock> block = MapBlockIn(session, name, text)) return block;
+  }
+  return std::nullopt;
+}
+
+SessionPrior PriorWithParameters(const SavedSession& session) {
+  SessionPrior prior = PriorOf(session.facts, session.memory);
+  if (const std::optional<ConfigBlock> block = MapBlockOf(session)) {
+    for (const ConfigEntry& entry : block->entries) {
+      prior.map_parameters.push_back({entry.key, entry.value});
+    }
+  }
+  return prior;
+}
+
+}  // namespace limpet

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <string>
+
+#include "limpet/core/params.hpp"
+#include "limpet/core/units.hpp"
+
+namespace limpet {
+
+/// What a survey is to cover and when it ends: the mission manager's block (pSurvey).
+struct SurveyParams {
+  Meters north_min{-15.0}, north_max{15.0}, east_min{-18.0}, east_max{18.0};
+  Meters margin{2.0};
+  Meters object_height_max{2.0};
+  Meters altitude{4.0};
+  Meters altitude_tolerance{0.3};
+  Seconds align{300.0};
+  Seconds last_fix{300.0};
+  double coverage_target = 0.975;
+  std::string coverage_kind = "band_top";
+  Meters home_radius{1.0};
+  Meters surface_depth{0.35};
+  Seconds stall{240.0};
+  Seconds max_time{5400.0};
+  Seconds lost{300.0};
+  Seconds give_up{1800.0};
+  template <class Visitor>
+  void Describe(Visitor& visit) {
+    visit.Required("area_north_min_m", north_min, "South edge of the area");
+    visit.Required("area_north_max_m", north_max, "North edge of the area");
+    visit.Required("area_east_min_m", east_min, "West edge of the area");
+    visit.Required("area_east_max_m", east_max, "East edge of the area");
+    visit("margin_m", margin, "Strip around the area that the vehicle may use",
+          InRange(Meters(0.0), Meters(100.0)));
+    visit.Required("object_height_max_m", object_height_max,
+                   "Objects float up to this height above the seabed; 0 covers the bottom alone",
+                   InRange(Meters(0.0), Meters(10.0)));
+    visit.Required("altitude_m", altitude,
+                   "Survey altitude; the dive ends within altitude_tolerance_m of it",
+                   InRange(Meters(0.5), Meters(50.0)));
+    visit("altitude_tolerance_m", altitude_tolerance, "How near the altitude must be",
+          InRange(Meters(0.05), Meters(5.0)));
+    visit("align_s", align, "Time at the surface to collect GPS fixes before the dive",
+          InRange(Seconds(0.0), Seconds(3600.0)));
+    visit("last_fix_s", last_fix,
+          "Time at the surface at the end: later GPS fixes are independent of the first ones",
+          InRange(Seconds(0.0), Seconds(3600.0)));
+    visit("coverage_target", coverage_target, "Share of the area to see before going home",
+          InRange(0.0, 1.0));
+    visit.Choice(
+        "coverage_kind", coverage_kind,
+        "What the target counts: the bottom, the mean over the band, or its greatest height",
+        {"seabed", "band", "band_top"});
+    visit("home_radius_m", home_radius, "Home is reached within this distance",
+          InRange(Meters(0.2), Meters(50.0)));
+    visit("surface_depth_m", surface_depth, "Shallower than this is at the surface",
+          InRange(Meters(0.0), Meters(5.0)));
+    visit("stall_s", stall,
+          "Go home when coverage has not grown, or on the way to the area that has not come "
+          "nearer, for this long",
+          InRange(Seconds(10.0), Seconds(86400.0)));
+    visit("max_time_s", max_time, "Go home after this time under way",
+          InRange(Seconds(10.0), Seconds(864000.0)));
+    visit("lost_s", lost, "End the mission, lost, after this time under way without NAV_STATE",
+          InRange(Seconds(10.0), Seconds(86400.0)));
+    visit("give_up_s", give_up,
+          "End the mission where it is if diving, returning or ascending takes longer",
+          InRange(Seconds(10.0), Seconds(86400.0)));
+  }
+  /// No mission takes longer, whatever happens: each phase ends by itself, and after `max_time`
+  /// the vehicle goes home. From DEPLOY to MISSION_END.
+  [[nodiscard]] Seconds Longest() const {
+    const Seconds dive_ends = align + give_up;
+    return std::max(max_time, dive_ends) + 2.0 * give_up + lost + last_fix;
+  }
+};
+
+}  // namespace limpet

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "tests/layers/test_subjects.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace limpet::layers {
+namespace {
+
+/// What the tests of one library may be called after.
+struct Subjects {
+  std::set<std::string> files, folders;
+};
+using SubjectsOfLibrary = std::map<std::string, Subjects>;
+
+/// Every folder on the way to a file is a library to whoever calls a test folder so.
+void AddSubject(std::string_view path, SubjectsOfLibrary& subjects) {
+  constexpr std::string_view kShared = "share/limpet/";
+  if (path.starts_with(kShared)) path.remove_prefix(kShared.size());
+  const std::filesystem::path file(path);
+  for (const auto& library : file.parent_path()) {
+    Subjects& known = subjects[library.string()];
+    known.files.insert(file.stem().string());
+    known.folders.insert(file.parent_path().filename().string());
+  }
+}
+
+bool BeginsWithWords(std::string_view text, std::string_view words) {
+  return text == words || (text.starts_with(words) && text[words.size()] == '_');
+}
+
+bool HasSubject(const std::string& name, const Subjects& subjects) {
+  const auto is_kin = [&name](const std::string& file) {
+    return BeginsWithWords(name, file) || BeginsWithWords(file, name);
+  };
+  const auto is_inside = [&name](const std::string& folder) {
+    return name.ends_with("_" + folder);
+  };
+  return std::ranges::any_of(subjects.files, is_kin) ||
+         std::ranges::any_of(subjects.folders, is_inside);
+}
+
+/// The library that tests/unit/<folder> is about.
+std::string LibraryOf(std::string folder) {
+  constexpr std::string_view kApp = "apps_";  // where a library has the app's name but for the case
+  if (folder.starts_with(kApp)) folder.erase(0, kApp.size());
+  return folder == "cli" ? "limpet" : folder;
+}
+
+}  // namespace
+
+std::vector<std::string> TestsWithoutSubject(const std::vector<SourceFile>& files) {
+  SubjectsOfLibrary subjects;
+  for (const SourceFile& file : files) {
+    if (!file.path.starts_with("tests/") || file.path.starts_with("tests/support/")) {
+      AddSubject(file.path, subjects);
+    }
+  }
+  std::vector<std::string> complaints;
+  for (const SourceFile& file : files) {
+    constexpr std::string_view kUnit = "tests/unit/", kEnd = "_test";
+    std::string name = std::filesystem::path(file.path).stem().string();
+    if (!file.path.starts_with(kUnit) || !name.ends_with(kEnd)) continue;
+    name.erase(name.size() - kEnd.size());
+    const std::string folder =
+        file.path.substr(kUnit.size(), file.path.find('/', kUnit.size()) - kUnit.size());
+    const std::string library = LibraryOf(folder);
+    if (!BeginsWithWords(name, library) && !HasSubject(name, subjects[library]) &&
+        !HasSubject(name, subjects["support"])) {
+      complaints.push_back(fmt::format("{}: is of no file of `{}`", file.path, library));
+    }
+  }
+  return complaints;
+}
+
+}  // namespace limpet::layers

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "behaviors/BHV_OpRegion.hpp"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace limpet {
+namespace {
+
+const SurveyArea kRegionArea{-10.0, 10.0, -10.0, 10.0, 2.0, 2.0};
+
+VehicleState StateAt(double north, const std::string& purpose = "") {
+  VehicleState state;
+  state.nav.north = north;
+  state.area = kRegionArea;
+  if (!purpose.empty()) {
+    state.guidance = Guidance{.purpose = purpose};
+  }
+  return state;
+}
+
+TEST(BhvOpRegion, AsksForAWayIn) {
+  const BHV_OpRegion behavior({});
+  SearchGoals goals;
+  behavior.Shape({}, 1.0, goals);
+  EXPECT_TRUE(goals.leads_into_region);
+}
+
+TEST(BhvOpRegion, VetoesWhatDoesNotLeadAVehicleOutsideIn) {
+  const Region region(kRegionArea);
+  const BHV_OpRegion behavior({});
+  Situation now;
+  now.pose = {20.0, 0.0, std::numbers::pi};
+  now.region = &region;
+  const auto has_veto = [&](double length, const std::string& source) {
+    const Option option{.source = source, .path = DubinsPath(now.pose, {{0.0, length}})};
+    return behavior.Value({.option = &option, .sight = {}}, now)->veto.has_value();
+  };
+  EXPECT_FALSE(has_veto(20.0, "transit"));
+  EXPECT_TRUE(has_veto(3.0, "transit"));
+  EXPECT_FALSE(has_veto(3.0, "home"));
+}
+
+TEST(BhvOpRegion, IsInForceOnlyOnceEntered) {
+  BHV_OpRegion behavior({});
+  behavior.Start(StateAt(60.0));
+  EXPECT_FALSE(behavior.Move(StateAt(60.0, "transit")).warning);
+  EXPECT_FALSE(behavior.Move(StateAt(5.0, "beam")).warning);
+  EXPECT_EQ(behavior.Move(StateAt(13.0, "beam")).warning->id.name(), "OUTSIDE_REGION");
+}
+
+TEST(BhvOpRegion, LetsTheWayHomeLeave) {
+  BHV_OpRegion behavior({});
+  behavior.Start(StateAt(5.0));
+  static_cast<void>(behavior.Move(StateAt(5.0, "home")));
+  EXPECT_FALSE(behavior.Move(StateAt(30.0, "home")).warning);
+}
+
+}  // namespace
+}  // namespace limpet

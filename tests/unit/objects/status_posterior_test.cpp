@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/objects/status_posterior.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace limpet {
+namespace {
+
+TEST(StatusPosterior, IsLeastCertainWhereAllFourAreEquallyLikely) {
+  const StatusPosterior even{0.25, 0.25, 0.25, 0.25};
+  EXPECT_NEAR(even.Entropy(), std::log(4.0), 1e-12);
+  EXPECT_EQ((StatusPosterior{.removed = 1.0}).Entropy(), 0.0);
+  EXPECT_LT((StatusPosterior{0.7, 0.1, 0.1, 0.1}).Entropy(), even.Entropy());
+}
+
+TEST(StatusPosterior, HoldsConfirmedAndNewForPresent) {
+  EXPECT_DOUBLE_EQ((StatusPosterior{0.5, 0.2, 0.25, 0.05}).present(), 0.75);
+}
+
+TEST(StatusPosterior, FollowsBayesRule) {
+  const StatusPosterior prior{.confirmed = 0.5, .removed = 0.5};
+  const StatusPosterior joint = prior.Times(0.9, 0.1);
+  EXPECT_DOUBLE_EQ(joint.sum(), 0.5);
+  EXPECT_DOUBLE_EQ(joint.Normalized().confirmed, 0.9);
+  EXPECT_DOUBLE_EQ(joint.Normalized().sum(), 1.0);
+}
+
+TEST(StatusPosterior, OfTheImpossibleStaysZero) {
+  EXPECT_EQ((StatusPosterior{.removed = 1.0}).Times(1.0, 0.0).Normalized().sum(), 0.0);
+}
+
+TEST(Status, HasANameThatLeadsBack) {
+  for (const Status status : {Status::kUncertain, Status::kConfirmed, Status::kRemoved,
+                              Status::kNew, Status::kMoved, Status::kNothing}) {
+    EXPECT_EQ(StatusFromName(NameOf(status)), status);
+  }
+  EXPECT_FALSE(StatusFromName("gone").has_value());
+}
+
+}  // namespace
+}  // namespace limpet

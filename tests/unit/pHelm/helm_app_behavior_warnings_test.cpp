@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Warnings of behaviors, whatever their ids: raised by the helm and cleared by it.
+#include <fstream>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "apps/pHelm/helm_app.hpp"
+#include "limpet/helm/registry.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/support/test_link.hpp"
+
+namespace limpet {
+namespace {
+
+const WarningId kTooDeep = DeclareWarning("TOO_DEEP", {.severity = Severity::kWarning,
+                                                       .raised_by = {"BHV_TestWorry"},
+                                                       .meaning = "It is deep.",
+                                                       .action = "Rise.",
+                                                       .clears = "When it is shallow."});
+
+/// Worries while it is deep.
+class BHV_TestWorry final : public Behavior {
+ public:
+  struct Params {
+    template <class V>
+    void Describe(V&) {}
+  };
+  explicit BHV_TestWorry(const Params&) {}
+  [[nodiscard]] MotionBid Move(const VehicleState& state) override {
+    MotionBid bid;
+    if (state.nav.down > 5.0) {
+      bid.warning = BehaviorWarning{kTooDeep, "deeper than 5 m"};
+    }
+    return bid;
+  }
+};
+LIMPET_REGISTER_BEHAVIOR(BHV_TestWorry);
+
+class BehaviorWarningsTest : public ::testing::Test {
+ protected:
+  BehaviorWarningsTest() {
+    std::ofstream(folder_.path() / "mission.bhv") << R"(
+Behavior = BHV_TestWorry
+{
+  name      = worry
+  condition = CALM != true
+  updates   = WORRY_UPDATES
+}
+)";
+    AppContext context;
+    context.name = "pHelm";
+    context.link = &link_;
+    context.mission_folder = folder_.path();
+    app_ = std::make_unique<HelmApp>(context, HelmApp::Params{});
+    link_.Send(*app_, topics::kNavState, NavState{});
+    Hear("CALM", "false");
+  }
+  void Hear(const std::string& variable, const std::string& value) {
+    link_.Send(*app_, Topic<std::string>{variable, ""}, value);
+  }
+  void Tick() {
+    link_.time += Seconds(0.1);
+    app_->Tick(link_.time);
+  }
+
+  TemporaryFolder folder_;
+  TestLink link_;
+  std::unique_ptr<HelmApp> app_;
+};
+
+TEST_F(BehaviorWarningsTest, ClearsAnyBehaviorsWarningWhenItIsOver) {
+  link_.Send(*app_, topics::kNavState, NavState{.down = 6.0, .altitude = {}});
+  Tick();
+  EXPECT_EQ(app_->warnings().at("TOO_DEEP").text, "worry: deeper than 5 m");
+  link_.Send(*app_, topics::kNavState, NavState{.down = 4.0, .altitude = {}});
+  Tick();
+  EXPECT_FALSE(app_->warnings().contains("TOO_DEEP"));
+}
+
+TEST_F(BehaviorWarningsTest, ClearsTheWarningOfABehaviorThatStopsRunning) {
+  link_.Send(*app_, topics::kNavState, NavState{.down = 6.0, .altitude = {}});
+  Tick();
+  Hear("CALM", "true");
+  Tick();
+  EXPECT_FALSE(app_->warnings().contains("TOO_DEEP"));
+}
+
+TEST_F(BehaviorWarningsTest, ClearsTheWarningOfABadUpdateWithTheNextGoodOne) {
+  Hear("WORRY_UPDATES", "nonsense = 3");
+  Tick();
+  EXPECT_TRUE(app_->warnings().contains("BHV_UPDATE_worry"));
+  Hear("WORRY_UPDATES", "pwt = 3");
+  Tick();
+  EXPECT_FALSE(app_->warnings().contains("BHV_UPDATE_worry"));
+}
+
+}  // namespace
+}  // namespace limpet

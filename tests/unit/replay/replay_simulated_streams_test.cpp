@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// The estimator on simulated sessions that are harder than the recorded ones.
+#include <algorithm>
+#include <limits>
+
+#include <Eigen/Cholesky>
+#include <gtest/gtest.h>
+
+#include "tests/support/batch_solver.hpp"
+#include "tests/support/simulated_stream.hpp"
+
+namespace limpet {
+namespace {
+
+double NoClock() { return 0.0; }
+
+StreamScene RoughHour(std::uint64_t seed) {
+  return {.seed = seed,
+          .duration_s = 3600.0,
+          .half_size_m = 30.0,
+          .objects = 14,
+          .classes = 2,
+          .is_rough = true,
+          .tilt_deg = 0.0,
+          .altitude_m = 3.5,
+          .false_share = 0.6,
+          .yaw_bias_degph = 4.0,
+          .long_dropouts = 5};
+}
+
+TEST(SimulatedStream, IsTheSameForTheSameSeed) {
+  const SimulatedStream a = SimulateStream({.seed = 4, .duration_s = 60.0});
+  const SimulatedStream b = SimulateStream({.seed = 4, .duration_s = 60.0});
+  ASSERT_EQ(a.stream.rows.size(), b.stream.rows.size());
+  EXPECT_EQ(a.truth.p.back(), b.truth.p.back());
+}
+
+class HardHour : public ::testing::TestWithParam<int> {};
+
+TEST_P(HardHour, LongDropoutsAndFalseBoxesNeitherDoubleNorInventAnObject) {
+  const SimulatedStream session = SimulateStream(RoughHour(static_cast<unsigned>(GetParam())));
+  const ReplayResult result = Replay(session.stream, ParamsForStream(session.stream.meta), NoClock);
+  const auto error = ErrorOf(result.smoothed, session.truth);
+  const auto objects = ErrorsOf(result.landmarks, error.alignment, session.truth);
+  EXPECT_EQ(objects.duplicates, 0);
+  EXPECT_EQ(objects.false_ones, 0);
+  EXPECT_LT(error.aligned, 0.25);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, HardHour, ::testing::Range(1, 5));
+
+StreamScene TwinHour(std::uint64_t seed) {
+  StreamScene scene = RoughHour(seed);
+  scene.has_twins = true;
+  scene.yaw_bias_degph = 2.0;
+  scene.false_share = 0.5;
+  scene.look_alikes = 6;
+  scene.long_dropouts = 1;
+  return scene;
+}
+
+/// Pairs of identical objects 1.1 m apart, first seen again after most of an hour.
+class TwinHourTest : public ::testing::TestWithParam<int> {};
+
+TEST_P(TwinHourTest, TwinsAreNeverTakenForEachOtherForGood) {
+  const SimulatedStream session = SimulateStream(TwinHour(static_cast<unsigned>(GetParam())));
+  const ReplayResult result = Replay(session.stream, ParamsForStream(session.stream.meta), NoClock);
+  const auto error = ErrorOf(result.smoothed, session.truth);
+  EXPECT_EQ(ErrorsOf(result.landmarks, error.alignment, session.truth).duplicates, 0);
+  EXPECT_LT(error.aligned, 0.2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, TwinHourTest, ::testing::Values(3, 9, 10, 12, 15));
+
+TEST(SimulatedStream, CovariancesAreHonestOverManySessions) {
+  constexpr int kSessions = 20;
+  double pose = 0.0, landmark = 0.0;
+  for (int seed = 1; seed <= kSessions; ++seed) {
+    const SimulatedStream session = SimulateStream({.seed = static_cast<unsigned>(seed)});
+    const ReplayResult result =
+        Replay(session.stream, ParamsForStream(session.stream.meta), NoClock);
+    const Eigen::Vector3d error =
+        result.online.back().X_WB.p_WB - session.truth.At(result.online.back().t);
+    pose += error.dot(result.online_covariance.back().llt().solve(error)) / kSessions;
+    double sum = 0.0;
+    for (const Landmark& l : result.landmarks) {
+      double nearest = std::numeric_limits<double>::infinity();
+      Eigen::Vector3d off = Eigen::Vector3d::Zero();
+      for (const TrueLandmark& truth : session.truth.landmarks) {
+        if ((truth.p - l.object.p_W).norm() < nearest)
+          nearest = (truth.p - l.object.p_W).norm(), off = truth.p - l.object.p_W;
+      }
+      sum += off.dot(l.object.cov_W.llt().solve(off));
+    }
+    landmark += sum / static_cast<double>(result.landmarks.size()) / kSessions;
+  }
+  // 95 % band of the mean of twenty squared errors with three degrees of freedom: 3 +- 1.07.
+  EXPECT_NEAR(pose, 3.0, 1.07);
+  EXPECT_NEAR(landmark, 3.0, 1.07);
+}
+
+/// Two sessions over one place: in the second, two of six objects are gone and one came.
+class LaterSession : public ::testing::TestWithParam<int> {
+ protected:
+  static StreamScene Scene(int seed) {
+    return {.seed = static_cast<unsigned>(seed), .objects = 6, .place = 77};
+  }
+  LaterSession() {
+    StreamScene scene = Scene(GetParam());
+    const SimulatedStream first = SimulateStream(scene);
+    scene.seed += 1000;
+    scene.gone = 2;
+    scene.came = 1;
+    now_ = SimulateStream(scene);
+    const ReplayResult before = Replay(first.stream, ParamsForStream(first.stream.meta), NoClock);
+    for (const Landmark& l : before.landmarks) {
+      former_.ids.push_back(TrueIdOf(l, before, first.truth));
+      former_.objects.push_back(
+          {.p_W = l.object.p_W, .cov_W = l.object.cov_W, .color = l.object.color});
+    }
+    former_.covariance = before.landmark_covariance;
+  }
+  /// The true object nearest to an estimate.
+  static int TrueIdOf(const Landmark& l, const ReplayResult& result, const StreamTruth& truth) {
+    const Alignment alignment = ErrorOf(result.smoothed, truth).alignment;
+    const auto distance = [&](const TrueLandmark& t) {
+      return (t.p - alignment.Apply(l.object.p_W)).norm();
+    };
+    return std::ranges::min_element(truth.landmarks, {}, distance)->id;
+  }
+  [[nodiscard]] ReplayResult Survey(const FormerSession& former) const {
+    return Replay(now_.stream, ParamsForStream(now_.stream.meta), NoClock, {}, former);
+  }
+
+  SimulatedStream now_;
+  FormerSession former_;
+};
+
+TEST_P(LaterSession, KnowsEveryObjectThatStayedAgainAndNoOther) {
+  const ReplayResult result = Survey(former_);
+  ASSERT_GE(result.landmarks.size(), 4U);
+  for (const Landmark& l : result.landmarks) {
+    const int truth = TrueIdOf(l, result, now_.truth);
+    const bool was_known = std::ranges::count(former_.ids, truth) > 0;
+    EXPECT_EQ(l.former_id, was_known ? std::optional(truth) : std::nullopt);
+  }
+}
+
+TEST_P(LaterSession, FindsAFrameThatLiesMetresOffAndTurned) {
+  const FrameOffset shifted{.shift = {-4.0, 2.5}, .turn = 0.1, .pivot = {}};
+  FormerSession moved = former_;
+  for (ObjectEstimate& object : moved.objects)
+    object.p_W = shifted.Undo(object.p_W);
+  NavigatorParams params = ParamsForStream(now_.stream.meta);
+  params.session.datum_sigma = Meters(5.0);
+  params.session.datum_turn_sigma = Radians(0.2);
+  const ReplayResult here = Survey(former_);
+  const ReplayResult there = Replay(now_.stream, params, NoClock, {}, moved);
+  ASSERT_EQ(there.landmarks.size(), here.landmarks.size());
+  for (std::size_t i = 0; i < here.landmarks.size(); ++i) {
+    EXPECT_EQ(there.landmarks[i].former_id, here.landmarks[i].former_id);
+  }
+  const double alone = ErrorOf(Survey({}).smoothed, now_.truth).absolute;
+  EXPECT_LT(ErrorOf(there.smoothed, now_.truth).absolute, alone + 0.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, LaterSession, ::testing::Range(1, 4));
+
+TEST(SimulatedStream, AFormerSessionMakesALaterOneBetter) {
+  double alone = 0.0, tied = 0.0;
+  constexpr int kPairs = 8;
+  for (unsigned pair = 1; pair <= kPairs; ++pair) {
+    const SimulatedStream first = SimulateStream({.seed = pair, .objects = 6, .place = 77});
+    const SimulatedStream now =
+        SimulateStream({.seed = 1000 + pair, .objects = 6, .place = 77, .gone = 2, .came = 1});
+    const ReplayResult before = Replay(first.stream, ParamsForStream(first.stream.meta), NoClock);
+    FormerSession former{.ids = {}, .objects = {}, .covariance = before.landmark_covariance};
+    for (const Landmark& l : before.landmarks) {
+      former.ids.push_back(l.id);
+      former.objects.push_back(
+          {.p_W = l.object.p_W, .cov_W = l.object.cov_W, .color = l.object.color});
+    }
+    const NavigatorParams params = ParamsForStream(now.stream.meta);
+    const auto error = [&](const FormerSession& known) {
+      const ReplayResult result = Replay(now.stream, params, NoClock, {}, known);
+      return ErrorOf(result.smoothed, now.truth).absolute / kPairs;
+    };
+    alone += error({});
+    tied += error(former);
+  }
+  EXPECT_LT(tied, 0.9 * alone);
+}
+
+TEST(SimulatedStream, EndsWithinHalfAPercentOfTheBatchOptimum) {
+  const SimulatedStream session = SimulateStream(RoughHour(3));
+  double best = 0.0;
+  const ReplayResult result = Replay(session.stream, ParamsForStream(session.stream.meta), NoClock,
+                                     [&best](const Navigator& navigator) {
+                                       ChainGraph graph = navigator.graph();
+                                       best = SolveBatch(graph).cost;
+                                     });
+  EXPECT_TRUE(result.finish.has_converged);
+  EXPECT_LE(result.finish.cost, 1.005 * best);
+}
+
+}  // namespace
+}  // namespace limpet

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "limpet/sensors/dvl_model.hpp"
+#include "tests/unit/sensors/statistics.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kSeabed = 7.5;
+
+SoundScene FlatScene(std::vector<SoundScene::Sphere> spheres = {}) {
+  return {[](double, double) { return kSeabed; }, std::move(spheres)};
+}
+
+DvlModel::Params Perfect() {
+  DvlModel::Params params;
+  params.noise_horizontal_mps = 1e-12;
+  params.noise_vertical_mps = params.scale_sigma = params.misalignment_sigma_rad = 0.0;
+  params.bias_sigma_mps = params.range_noise_m = params.range_noise_share = 0.0;
+  return params;
+}
+
+SimTruth Cruising() {
+  SimTruth truth;
+  truth.down = 3.5;
+  truth.u = 0.5;
+  truth.r = 0.2;
+  return truth;
+}
+
+TEST(DvlModel, MeasuresTheVelocityOfItsLeverArm) {
+  DvlModel dvl(Perfect(), FlatScene(), Random(1));
+  const DvlSample sample = *dvl.Sample(Cruising(), Seconds(0.0));
+  EXPECT_NEAR(*sample.u, 0.5, 1e-9);
+  EXPECT_NEAR(*sample.v, -0.2 * 0.2, 1e-9);
+}
+
+TEST(DvlModel, RangesReachAFlatSeabedAlongItsTiltedBeams) {
+  DvlModel dvl(Perfect(), FlatScene(), Random(1));
+  const DvlSample sample = *dvl.Sample(Cruising(), Seconds(0.0));
+  const double height = kSeabed - 3.5 - 0.18;
+  for (const auto& range : sample.beams()) {
+    EXPECT_NEAR(*range, height / std::cos(RadiansFromDegrees(25.0)), 1e-6);
+  }
+  EXPECT_NEAR(*sample.altitude, height, 1e-6);
+}
+
+TEST(DvlModel, BeamMeetsAFloatingObjectAndAltitudeStaysThatOfTheSeabed) {
+  const double reach = (6.0 - 3.68) * std::tan(RadiansFromDegrees(25.0)) * std::sqrt(0.5);
+  const SoundScene::Sphere opi{{-0.2 + reach, reach, 6.0}, 0.5};  // in beam 1, 45 deg starboard
+  DvlModel dvl(Perfect(), FlatScene({opi}), Random(1));
+  const DvlSample sample = *dvl.Sample(Cruising(), Seconds(0.0));
+  EXPECT_NEAR(*sample.b1, (6.0 - 3.68) / std::cos(RadiansFromDegrees(25.0)) - 0.5, 1e-6);
+  EXPECT_NEAR(*sample.altitude, kSeabed - 3.68, 1e-6);
+}
+
+TEST(DvlModel, HasTheNoiseItStates) {
+  DvlModel dvl({}, FlatScene(), Random(2));
+  Statistics u, w, range;
+  for (int i = 0; i < 4000; ++i) {
+    const DvlSample sample = *dvl.Sample(Cruising(), Seconds(0.2 * i));
+    u.Add(*sample.u), w.Add(*sample.w), range.Add(*sample.b2);
+  }
+  EXPECT_NEAR(u.sigma(), 0.01, 0.001);
+  EXPECT_NEAR(w.sigma(), 0.005, 0.0005);
+  EXPECT_NEAR(range.sigma(), 0.0184, 0.002);
+}
+
+TEST(DvlModel, ScaleAndMisalignmentDifferBetweenSessions) {
+  Statistics scale, angle;
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    DvlModel::Params params;
+    params.noise_horizontal_mps = 1e-9;
+    params.bias_sigma_mps = 0.0;
+    SimTruth truth = Cruising();
+    truth.r = 0.0;
+    const DvlSample sample =
+        *DvlModel(params, FlatScene(), Random(seed)).Sample(truth, Seconds(0.0));
+    scale.Add(std::hypot(*sample.u, *sample.v) / 0.5 - 1.0);
+    angle.Add(std::atan2(*sample.v, *sample.u));
+  }
+  EXPECT_NEAR(scale.sigma(), 0.002, 2e-4);
+  EXPECT_NEAR(angle.sigma(), RadiansFromDegrees(0.15), RadiansFromDegrees(0.015));
+}
+
+bool HasLock(const SimTruth& truth) {
+  return DvlModel({}, FlatScene(), Random(1)).Sample(truth, Seconds(0.0))->has_lock;
+}
+
+TEST(DvlModel, LosesTheBottomTooCloseTooFarAndUpsideDown) {
+  SimTruth truth;
+  truth.down = 7.1;
+  EXPECT_FALSE(HasLock(truth));
+  truth.down = -60.0;
+  EXPECT_FALSE(HasLock(truth));
+  truth.down = 3.5;
+  EXPECT_TRUE(HasLock(truth));
+  truth.roll = M_PI;
+  EXPECT_FALSE(HasLock(truth));
+}
+
+TEST(DvlModel, DropsOutAsOftenAndAsLongAsConfigured) {
+  DvlModel::Params params;
+  params.dropout_per_min = 1.0;
+  DvlModel dvl(params, FlatScene(), Random(5));
+  int spells = 0, lost = 0;
+  bool had_lock = true;
+  constexpr int kSamples = 5 * 60 * 600;
+  for (int i = 0; i < kSamples; ++i) {
+    const bool has_lock = dvl.Sample(Cruising(), Seconds(0.2 * i))->has_lock;
+    spells += had_lock && !has_lock ? 1 : 0;
+    lost += has_lock ? 0 : 1;
+    had_lock = has_lock;
+  }
+  EXPECT_NEAR(spells / 600.0, 60.0 / 65.5, 0.1);  // one spell per 60 s of lock and 5.5 s without
+  EXPECT_NEAR(0.2 * lost / spells, 5.5, 0.4);
+}
+
+TEST(DvlModel, SaysNothingButThatItLostLockInADropout) {
+  DvlModel::Params params;
+  params.dropout_per_min = 1e6;
+  DvlModel dvl(params, FlatScene(), Random(5));
+  (void)dvl.Sample(Cruising(), Seconds(0.0));
+  const DvlSample sample = *dvl.Sample(Cruising(), Seconds(0.2));
+  EXPECT_FALSE(sample.has_lock);
+  EXPECT_FALSE(sample.u || sample.altitude || sample.b1);
+}
+
+TEST(DvlModel, CallsItsOutliersValid) {
+  DvlModel::Params params = Perfect();
+  params.outlier_share = 0.05;
+  DvlModel dvl(params, FlatScene(), Random(6));
+  int outliers = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const DvlSample sample = *dvl.Sample(Cruising(), Seconds(0.2 * i));
+    ASSERT_TRUE(sample.has_lock);
+    outliers += std::abs(*sample.u - 0.5) > 0.01 ? 1 : 0;
+  }
+  EXPECT_NEAR(outliers / 4000.0, 0.05, 0.01);
+}
+
+TEST(DvlModel, FaultsLeaveTheNoiseOfGoodSamplesAsItWas) {
+  DvlModel::Params faulty;
+  faulty.outlier_share = 0.2;
+  DvlModel clean({}, FlatScene(), Random(9));
+  DvlModel dirty(faulty, FlatScene(), Random(9));
+  int equal = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Seconds now(0.2 * i);
+    equal += *clean.Sample(Cruising(), now)->u == *dirty.Sample(Cruising(), now)->u ? 1 : 0;
+  }
+  EXPECT_GT(equal, 60);
+}
+
+TEST(SoundScene, FindsASlopingSeabedToATenthOfAMillimetre) {
+  const auto seabed = [](double north, double east) { return 6.0 + 0.2 * north - 0.1 * east; };
+  const SoundScene scene(seabed, {});
+  const Eigen::Vector3d origin(1.0, 2.0, 3.0);
+  const Eigen::Vector3d direction = Eigen::Vector3d(0.3, 0.3, 0.9).normalized();
+  const Eigen::Vector3d hit = origin + *scene.Range(origin, direction, 50.0) * direction;
+  EXPECT_NEAR(hit.z(), seabed(hit.x(), hit.y()), 2e-4);
+}
+
+}  // namespace
+}  // namespace limpet

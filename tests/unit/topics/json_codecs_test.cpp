@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// The text of what other programs, logs and saved sessions hold: a line that a version wrote is
+// read, and written again, byte for byte.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "limpet/topics/mapping.hpp"
+#include "limpet/topics/navigation.hpp"
+#include "limpet/topics/sensors.hpp"
+
+namespace limpet {
+namespace {
+
+template <class T>
+void ExpectSameBytes(const std::string& text) {
+  const std::optional<T> decoded = TopicCodec<T>::Decode(text);
+  ASSERT_TRUE(decoded.has_value());
+  EXPECT_EQ(std::get<std::string>(TopicCodec<T>::Encode(*decoded)), text);
+}
+
+const std::string kSight =
+    R"({"altitude":4.000456842982075,"boxes":[{"box":{"color":"orange","confidence":0.9232326689366569,)"
+    R"("h":41.338002985091535,"u":375.26882134670086,"v":20.643823415291994,"w":113.68842549239903},)"
+    R"("landmark":7}],"exposure":1767225934.0,"frame":124,"ned":[-6.510404940694112,)"
+    R"(-7.141642969300916,3.5196724749447905],"pitch":0.0016489699621612375,)"
+    R"("roll":-0.0013635916550055322,"yaw":0.9245956845691923})";
+
+const std::string kPrior =
+    R"({"boxes":[{"box":{"color":"yellow","confidence":0.6012,"h":32.12,"u":43.41,"v":249.71,"w":32.69},)"
+    R"("view":1}],"joint":[0.051,-0.0058,0.0453,0.0003,0.0003,0.0007],)"
+    R"("map_parameters":[["object_radius_m","0.5"],["camera_fov_across_deg","80"]],)"
+    R"("opis":[{"color":"orange","cov":[0.051,-0.0058,0.0003,0.0453,0.0003,0.0007],"id":1,)"
+    R"("log_likelihood_ratio":36.57330369251949,"looks":21,)"
+    R"("ned":[-6.172356896106559,-5.134421666485932,6.506311282865518]}],"session":"discovery",)"
+    R"("views":[[0.0,-12.5829,-15.2591,0.5096,-0.0002,0.0039,1.5492,7.0383,0.0],)"
+    R"([1.66,-12.5838,-15.2585,1.0171,0.0005,0.0032,1.5492,6.4885,0.26]]})";
+
+TEST(WireForm, OfDetectionsStays) {
+  ExpectSameBytes<Detections>(
+      R"({"boxes":[{"color":"orange","confidence":0.9232326689366569,"h":41.338002985091535,)"
+      R"("u":375.26882134670086,"v":20.643823415291994,"w":113.68842549239903}],)"
+      R"("exposure":1767225934.0,"frame":124})");
+}
+
+TEST(WireForm, OfAnObservedFrameStays) {
+  ExpectSameBytes<ObservedFrame>(kSight);
+  ExpectSameBytes<ObservedFrame>(R"({"altitude":null,"boxes":[],"exposure":1.5,"frame":0,)"
+                                 R"("ned":[1.0,2.0,3.0],"pitch":0.0,"roll":0.0,"yaw":0.5})");
+}
+
+TEST(WireForm, OfAnObservedFrameSaysWhereItWasAndWhatItShows) {
+  const auto frame = TopicCodec<ObservedFrame>::Decode(kSight);
+  ASSERT_TRUE(frame.has_value());
+  EXPECT_EQ(frame->X_WB.p_WB,
+            Eigen::Vector3d(-6.510404940694112, -7.141642969300916, 3.5196724749447905));
+  EXPECT_EQ(frame->X_WB.yaw, 0.9245956845691923);
+  EXPECT_EQ(frame->boxes.at(0).landmark, 7);
+  EXPECT_EQ(frame->boxes.at(0).w, 113.68842549239903);
+}
+
+TEST(WireForm, OfLandmarksStays) {
+  ExpectSameBytes<Landmarks>(
+      R"({"landmarks":[{"color":"orange","cov":[0.0376,-0.0038,-7.232413314403378e-05,)"
+      R"(0.0352,0.0003,0.0017],"id":1,"is_confirmed":true,"looks":28,)"
+      R"("ned":[-5.953011914054159,-5.275651358762531,6.488511807801939],"prior_id":1}]})");
+}
+
+TEST(WireForm, OfObjectsStays) {
+  ExpectSameBytes<OpiBeliefs>(
+      R"({"opis":[{"centroid":[2.13,9.69,6.99],"centroid_sd":[0.25,0.27,0.13],"color":"orange",)"
+      R"("cov":[0.05055000270313892,-0.00266471630185821,0.0,0.052716729863397815,0.0,0.0225],)"
+      R"("decided":"removed","entropy":0.002010407440100028,"id":2,"landmark":-1,)"
+      R"("log_likelihood_ratio":-8.455850091755652,"looks":14,)"
+      R"("ned":[2.165252948213077,9.688318413900872,7.026120948295405],)"
+      R"("posterior":{"appeared":7.2795613984329e-23,"confirmed":0.00021260751983256758,)"
+      R"("nothing":1.6773756263129142e-17,"removed":0.9997873924801675},"prior_id":2,)"
+      R"("probability":0.00021260751983256758}]})");
+}
+
+TEST(WireForm, OfAFormerSessionStays) { ExpectSameBytes<SessionPrior>(kPrior); }
+
+TEST(WireForm, OfAFormerSessionGivesEachViewItsBoxes) {
+  const auto prior = TopicCodec<SessionPrior>::Decode(kPrior);
+  ASSERT_TRUE(prior.has_value());
+  ASSERT_EQ(prior->views.size(), 2U);
+  EXPECT_TRUE(prior->views[0].frame.boxes.empty());
+  EXPECT_EQ(prior->views[1].frame.boxes.at(0).color, "yellow");
+  EXPECT_EQ(prior->views[1].altitude_age, Seconds(0.26));
+}
+
+TEST(WireForm, OfAFormerSessionMayPointABoxAtNoView) {
+  std::string text = kPrior;
+  text.replace(text.find(R"("view":1)"), 8, R"("view":-9)");
+  const auto prior = TopicCodec<SessionPrior>::Decode(text);
+  ASSERT_TRUE(prior.has_value());
+  for (const FormerView& view : prior->views) {
+    EXPECT_TRUE(view.frame.boxes.empty());
+  }
+}
+
+}  // namespace
+}  // namespace limpet
