@@ -106,7 +106,7 @@ Beginning FlyBasin(const std::string& more_behaviors, std::uint64_t seed) {
 
 TEST(NewBehavior, OfHalfTheWeightDrawsTheVehicleWhereItWantsIt) {
   double drawn = 0.0;
-  for (const std::uint64_t seed : {5, 6, 7}) {
+  for (const std::uint64_t seed : {5U, 6U, 7U}) {
     const double without = FlyBasin("", seed).north_share;
     const double with = FlyBasin(kPreferNorth, seed).north_share;
     ::testing::Test::RecordProperty(fmt::format("seed_{}", seed),

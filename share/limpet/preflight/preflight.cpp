@@ -26,8 +26,10 @@ void Sort(std::vector<ConfigProblem>& problems) {
     return std::tie(p.where.file, p.where.line, p.key, p.text);
   };
   std::ranges::sort(problems, {}, key);
-  const auto repeats = std::ranges::unique(problems, {}, key);
-  problems.erase(repeats.begin(), repeats.end());
+  const auto alike = [&key](const ConfigProblem& a, const ConfigProblem& b) {
+    return key(a) == key(b);
+  };
+  problems.erase(std::unique(problems.begin(), problems.end(), alike), problems.end());
 }
 
 MissionProblems Sorted(MissionProblems found) {

@@ -44,7 +44,7 @@ class BoxGateTest : public ::testing::Test {
     camera.fx = camera.fy = 400.0;
     return camera;
   }();
-  const BoxGateParams params_;
+  const BoxGateParams params_{};
   const BoxGate gate_{camera_, params_};
 };
 

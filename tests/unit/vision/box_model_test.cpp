@@ -10,7 +10,7 @@
 namespace limpet {
 namespace {
 
-constexpr trial::Plan kPlan{.scenes = 8, .frames = 40, .seed = 5};
+const trial::Plan kPlan{.scenes = 8, .frames = 40, .seed = 5};
 
 const trial::Result& Detected() {
   static const trial::Result result = trial::RunDetector(kPlan);
