@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every verb reads its words with, and the codes it ends with.
+// What every verb declares its words with, and the codes it ends with.
 #pragma once
 
-#include "limpet/console/arguments.hpp"
+#include "limpet/console/command.hpp"
+#include "limpet/console/exit_code.hpp"

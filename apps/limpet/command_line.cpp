@@ -17,36 +17,45 @@ namespace {
 
 void PrintVerbs() {
   fmt::print(
-      "limpet: cover the seabed, look again, go home, say what changed\n\nusage: limpet <verb> "
-      "[options]\n\n");
+      "limpet: cover the seabed, look again, go home, say what changed\n\n"
+      "usage: limpet <verb> [options]\n\n");
   for (const Verb& verb : Verbs()) {
     fmt::print("  {:<10} {}\n", verb.name, verb.summary);
   }
   fmt::print(
-      "\n`limpet <verb> --help` says more. ./limpet build builds, ./limpet test runs every "
-      "test.\n");
+      "\n`limpet help <verb>` says more. ./limpet build builds, ./limpet test runs\n"
+      "every test.\n");
+}
+
+const Verb& VerbOf(const std::string& word) {
+  std::vector<std::string> names;
+  for (const Verb& verb : Verbs()) {
+    if (word == verb.name) return verb;
+    names.emplace_back(verb.name);
+  }
+  const std::string nearest = NearestWord(word, names);
+  throw UsageError(
+      fmt::format("no verb `{}`{}; `limpet --help` lists them", word,
+                  nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest)));
 }
 
 int Dispatch(const std::vector<std::string>& words) {
-  if (words.empty() || words[0] == "--help" || words[0] == "help") {
+  const bool asks_for_help =
+      !words.empty() && (words[0] == "--help" || words[0] == "-h" || words[0] == "help");
+  if (words.empty() || (asks_for_help && words.size() == 1)) {
     PrintVerbs();
     return words.empty() ? kUsage : kOk;
+  }
+  if (asks_for_help) {  // `limpet help log grep` is `limpet log grep --help`
+    std::vector<std::string> rest(words.begin() + 2, words.end());
+    rest.emplace_back("--help");
+    return VerbOf(words[1]).run(rest);
   }
   if (words[0] == "--version") {
     fmt::print("limpet 0.1.0\n");
     return kOk;
   }
-  std::vector<std::string> names;
-  for (const Verb& verb : Verbs()) {
-    if (words[0] == verb.name) {
-      return verb.run(std::span(words).subspan(1));
-    }
-    names.emplace_back(verb.name);
-  }
-  const std::string nearest = NearestWord(words[0], names);
-  throw UsageError(
-      fmt::format("no verb `{}`{}; `limpet --help` lists them", words[0],
-                  nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest)));
+  return VerbOf(words[0]).run(std::span(words).subspan(1));
 }
 
 void Say(const char* what) {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/limpet/verbs/survey.hpp"
-#include "limpet/console/arguments.hpp"
+#include "limpet/console/exit_code.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace limpet {

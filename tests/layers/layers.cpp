@@ -20,7 +20,8 @@ const std::vector<std::pair<std::string, std::vector<std::string>>>& ThirdParty(
       {"nlohmann-json", {"nlohmann/"}},
       {"yaml-cpp", {"yaml-cpp/"}},
       {"xxHash", {"xxhash.h"}},
-      {"libsodium", {"sodium.h"}}};
+      {"libsodium", {"sodium.h"}},
+      {"CLI11", {"CLI/"}}};
   return prefixes;
 }
 

@@ -61,6 +61,16 @@ TEST(Layers, EveryIncludeOfTheTreeIsInTheTableOfTheArchitecture) {
   EXPECT_THAT(Violations(files, table), IsEmpty());
 }
 
+TEST(Layers, OneFileAloneReadsTheHeavyHeadersOfTheCommandLine) {
+  std::vector<std::string> readers;
+  for (const SourceFile& file : TreeFiles()) {
+    if (file.text.find("#include <"
+                       "CLI/") != std::string::npos)
+      readers.push_back(file.path);
+  }
+  EXPECT_THAT(readers, ElementsAre("share/limpet/console/command_reader.cpp"));
+}
+
 TEST(TypeNames, AreEachOfOneType) { EXPECT_THAT(TypesDefinedTwice(TreeFiles()), IsEmpty()); }
 
 TEST(TypeNames, OfTwoFilesThatDefineTheSameAreComplainedAbout) {

@@ -22,15 +22,28 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-constexpr const char* kChangeHelp =
-    R"(usage: limpet change --session-a DIR --session-b DIR [--mission FILE]
-
-What changed from session A to session B, from their saved frames and objects, as JSON: the
-vehicle's own judgement, made again. DIR is a session's run folder or the session folder in it.
-Each session is judged with pMap's parameters of the mission that it kept.
-
-  --mission FILE       judge both with pMap's parameters of this .moos file instead
-)";
+Command ChangeForm() {
+  return {.name = "limpet change",
+          .about =
+              "What changed from session A to session B, from their saved frames and objects, "
+              "as JSON: the vehicle's own judgement, made again. DIR is a session's run "
+              "folder or the session folder in it. Each session is judged with pMap's "
+              "parameters of the mission that it kept.",
+          .options = {{.names = "--session-a",
+                       .value = "DIR",
+                       .meaning = "the earlier session",
+                       .is_required = true},
+                      {.names = "--session-b",
+                       .value = "DIR",
+                       .meaning = "the later session",
+                       .is_required = true},
+                      {.names = "--mission",
+                       .value = "FILE",
+                       .meaning = "judge both with pMap's parameters of this .moos file instead"},
+                      {.names = "--json", .meaning = "as it always is"}},
+          .takes = "--session-a DIR and --session-b DIR",
+          .most_words = 0};
+}
 
 /// pMap's block for a session: of `mission` if given, else of the session's own mission.
 ConfigBlock MapBlockFor(const SavedSession& session, const std::optional<std::string>& mission) {
@@ -126,17 +139,7 @@ OrderedJson JsonOf(const SessionFacts& facts) {
           {"saved_at_s", facts.saved_at}};
 }
 
-}  // namespace
-
-int RunChange(std::span<const std::string> args) {
-  const Arguments given(args, {"session-a", "session-b", "mission"}, {"json", "help"});
-  if (given.Has("help")) {
-    fmt::print("{}", kChangeHelp);
-    return kOk;
-  }
-  if (!given.Find("session-a") || !given.Find("session-b") || !given.positionals().empty()) {
-    throw UsageError("change takes --session-a DIR and --session-b DIR");
-  }
+int CompareSessions(const Arguments& given) {
   const SavedSession a = LoadSavedSession(*given.Find("session-a"), "session A");
   const SavedSession b = LoadSavedSession(*given.Find("session-b"), "session B");
   StatusBook book = Compare(a, b, given.Find("mission"));
@@ -154,6 +157,12 @@ int RunChange(std::span<const std::string> args) {
                         {"changes", objects}};
   fmt::print("{}\n", out.dump(1));
   return kOk;
+}
+
+}  // namespace
+
+int RunChange(std::span<const std::string> args) {
+  return RunCommand(ChangeForm(), args, CompareSessions);
 }
 
 }  // namespace limpet

@@ -15,15 +15,22 @@
 namespace limpet {
 namespace {
 
-constexpr const char* kCheckHelp =
-    R"(usage: limpet check <mission folder | file.moos | file.bhv> [--json]
-
-Says everything that is wrong with a mission, with file and line, and runs nothing: what cannot
-be read, what cannot work (with its scenario.yaml: water, currents, places), and, as notes, what
-belongs to other people's apps or is near a limit.
-
-Exit code 0: it may be run (notes or not); 2: it cannot be read; 3: it cannot work.
-)";
+Command CheckForm() {
+  return {.name = "limpet check",
+          .words = "<mission folder | file.moos | file.bhv>",
+          .about =
+              "Says everything that is wrong with a mission, with file and line, and runs "
+              "nothing: what cannot be read, what cannot work (with its scenario.yaml: water, "
+              "currents, places), and, as notes, what belongs to other people's apps or is "
+              "near a limit.",
+          .options = {{.names = "--json", .meaning = "as JSON"}},
+          .more =
+              "Exit code 0: it may be run (notes or not); 2: it cannot be read; 3: it cannot "
+              "work.",
+          .takes = "one mission folder, .moos or .bhv file",
+          .least_words = 1,
+          .most_words = 1};
+}
 
 nlohmann::ordered_json JsonOf(const std::vector<ConfigProblem>& problems) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -71,17 +78,7 @@ void PrintLines(const MissionProblems& found) {
              found.notes.empty() ? "" : ", " + Counted(found.notes.size(), "note"));
 }
 
-}  // namespace
-
-int RunCheck(std::span<const std::string> args) {
-  const Arguments given(args, {}, {"json", "help"});
-  if (given.Has("help")) {
-    fmt::print("{}", kCheckHelp);
-    return kOk;
-  }
-  if (given.positionals().size() != 1) {
-    throw UsageError("check takes one mission folder, .moos or .bhv file");
-  }
+int CheckMission(const Arguments& given) {
   const std::string& path = given.positionals()[0];
   if (!std::filesystem::exists(path)) {
     throw UsageError(fmt::format("{}: there is no such file or folder", OneLine(path)));
@@ -99,6 +96,12 @@ int RunCheck(std::span<const std::string> args) {
     return kUsage;
   }
   return found.geometry.empty() ? kOk : kRefused;
+}
+
+}  // namespace
+
+int RunCheck(std::span<const std::string> args) {
+  return RunCommand(CheckForm(), args, CheckMission);
 }
 
 }  // namespace limpet

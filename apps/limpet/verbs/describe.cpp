@@ -15,16 +15,20 @@
 namespace limpet {
 namespace {
 
-constexpr const char* kDescribeHelp =
-    R"(usage: limpet describe                             names of apps, behaviors, detectors and variables
-       limpet describe parameters                  every parameter of them all
-       limpet describe variables [mission folder]  every variable; with a mission, who reads it
-       limpet describe warnings                    every warning and event of apps and behaviors
-       limpet describe NAME...                     any of these, by name
+Command DescribeForm() {
+  return {.name = "limpet describe",
+          .words = "[parameters | variables [mission folder] | warnings | NAME ...]",
+          .about = R"(What the code itself says of its apps, behaviors and detectors:
 
-  --json               as JSON
-  --markdown           as the pages of docs/ (parameters, variables, warnings)
-)";
+  (nothing)                   their names, and those of variables and warnings
+  parameters                  every parameter of them all
+  variables [mission folder]  every variable; with a mission, who reads it
+  warnings                    every warning and event of apps and behaviors
+  NAME ...                    any of these, by name)",
+          .options = {{.names = "--json", .meaning = "as JSON"},
+                      {.names = "--markdown",
+                       .meaning = "as the pages of docs/ (parameters, variables, warnings)"}}};
+}
 
 enum class Form { kText, kJson, kMarkdown };
 
@@ -150,14 +154,7 @@ std::string ShowNamed(std::span<const std::string> names, Form form) {
          (found.has_warnings() ? Show(found.warnings, form) : "");
 }
 
-}  // namespace
-
-int RunDescribe(std::span<const std::string> args) {
-  const Arguments given(args, {}, {"json", "markdown", "help"});
-  if (given.Has("help")) {
-    fmt::print("{}", kDescribeHelp);
-    return kOk;
-  }
+int DescribeNamed(const Arguments& given) {
   const Form form = FormOf(given);
   const std::span<const std::string> words = given.positionals();
   if (words.empty()) {
@@ -174,6 +171,12 @@ int RunDescribe(std::span<const std::string> args) {
     fmt::print("{}", ShowNamed(words, form));
   }
   return kOk;
+}
+
+}  // namespace
+
+int RunDescribe(std::span<const std::string> args) {
+  return RunCommand(DescribeForm(), args, DescribeNamed);
 }
 
 }  // namespace limpet

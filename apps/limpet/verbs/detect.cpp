@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
-#include "limpet/core/number_text.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/vision/detector_registry.hpp"
 #include "limpet/vision/image_file.hpp"
@@ -22,11 +21,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kDetectHelp =
-    "usage: limpet detect <images or folders> --out FILE [--min-confidence C]\n"
-    "                     [--detector NAME] [--set key=value]...\n"
-    "  writes CSV image,class,confidence,x,y,w,h; pixels, x y of the upper left corner\n"
-    "  --detector NAME    default color_shape; `limpet describe` lists them and their keys\n";
+Command DetectForm() {
+  return {.name = "limpet detect",
+          .words = "<images or folders>",
+          .about =
+              "Runs the detector alone and writes CSV: image,class,confidence,x,y,w,h in "
+              "pixels, x and y of the box's upper left corner. An image that cannot be read "
+              "is named and makes the exit code 1; the others are still done.",
+          .options = {{.names = "--out",
+                       .value = "FILE",
+                       .meaning = "where the table goes",
+                       .is_required = true},
+                      {.names = "--min-confidence",
+                       .value = "C",
+                       .meaning = "only boxes of at least this confidence",
+                       .fallback = "0",
+                       .rule = NumberBetween(0.0, 1.0)},
+                      {.names = "--detector",
+                       .value = "NAME",
+                       .meaning = "`limpet describe` lists them and their keys",
+                       .fallback = "color_shape"},
+                      {.names = "--set",
+                       .value = "KEY=V",
+                       .meaning = "override a parameter of the detector",
+                       .is_repeatable = true}},
+          .takes = "images and --out FILE",
+          .least_words = 1};
+}
 
 bool IsImageName(const fs::path& file) {
   std::string extension = file.extension().string();
@@ -69,21 +90,9 @@ std::string CsvField(const std::string& text) {
   return quoted + "\"";
 }
 
-double LeastConfidence(const Arguments& arguments) {
-  const std::optional<std::string> text = arguments.Find("min-confidence");
-  if (!text) {
-    return 0.0;
-  }
-  const std::optional<double> value = ParseNumber(*text);
-  if (!value || *value < 0.0 || *value > 1.0) {
-    throw UsageError(fmt::format("--min-confidence {}: allowed: 0 to 1", *text));
-  }
-  return *value;
-}
-
 /// The detector that --detector names, with the parameters that --set gives.
 std::unique_ptr<Detector> DetectorOf(const Arguments& arguments) {
-  auto factory = FindDetector(arguments.Find("detector").value_or("color_shape"));
+  auto factory = FindDetector(*arguments.Find("detector"));
   if (!factory) {
     throw UsageError("--detector: " + factory.error().text);
   }
@@ -124,27 +133,24 @@ int DetectAll(Detector& detector, const std::vector<fs::path>& images, double le
   return failed;
 }
 
-int RunChecked(const Arguments& arguments) {
-  const std::optional<std::string> out_name = arguments.Find("out");
-  if (arguments.positionals().empty() || !out_name) {
-    throw UsageError("needs images and --out FILE");
-  }
-  const double least_confidence = LeastConfidence(arguments);
+int DetectInImages(const Arguments& arguments) {
+  const std::string out_name = *arguments.Find("out");
+  const double least_confidence = *arguments.Number("min-confidence");
   const std::unique_ptr<Detector> detector = DetectorOf(arguments);
   const std::vector<fs::path> images = ImagesOf(arguments.positionals());
   if (images.empty()) {
     fmt::print(stderr, "limpet detect: no image found\n");
     return kFailed;
   }
-  std::ofstream out(*out_name);
+  std::ofstream out(out_name);
   if (!out) {
-    fmt::print(stderr, "limpet detect: {}: cannot be written\n", *out_name);
+    fmt::print(stderr, "limpet detect: {}: cannot be written\n", out_name);
     return kFailed;
   }
   const int failed = DetectAll(*detector, images, least_confidence, out);
   out.close();
   if (!out) {
-    fmt::print(stderr, "limpet detect: {}: writing failed\n", *out_name);
+    fmt::print(stderr, "limpet detect: {}: writing failed\n", out_name);
     return kFailed;
   }
   return failed == 0 ? kOk : kFailed;
@@ -153,17 +159,7 @@ int RunChecked(const Arguments& arguments) {
 }  // namespace
 
 int RunDetect(std::span<const std::string> args) {
-  try {
-    const Arguments arguments(args, {"out", "min-confidence", "detector", "set"}, {"help"});
-    if (arguments.Has("help")) {
-      fmt::print("{}", kDetectHelp);
-      return kOk;
-    }
-    return RunChecked(arguments);
-  } catch (const UsageError& error) {
-    fmt::print(stderr, "limpet detect: {}\n{}", error.what(), kDetectHelp);
-    return ExitCode::kUsage;
-  }
+  return RunCommand(DetectForm(), args, DetectInImages);
 }
 
 }  // namespace limpet

@@ -11,15 +11,19 @@
 namespace limpet {
 namespace {
 
-constexpr const char* kKeyHelp =
-    R"(usage: limpet key new <file>
-       limpet key show <file>
+Command KeyForm() {
+  return {.name = "limpet key",
+          .words = "new|show <file>",
+          .about = R"(new: makes a random key for pShare's sealed routes in a file that only you may
+read; never writes over one (exit code 3). Copy it to each node over a channel you trust, e.g.
+scp -p.
 
-new   makes a random key for pShare's sealed routes in a file that only you may read; never writes
-      over one (exit code 3). Copy it to each node over a channel you trust, e.g. scp -p.
-show  tells the key's fingerprint, which gives nothing away: two nodes understand each other if
-      theirs are equal. Fails (exit code 1) if pShare would refuse the file.
-)";
+show: tells the key's fingerprint, which gives nothing away: two nodes understand each other if
+theirs are equal. Fails (exit code 1) if pShare would refuse the file.)",
+          .takes = "`new` or `show`, and a file; `limpet key --help` says more",
+          .least_words = 2,
+          .most_words = 2};
+}
 
 int MakeKey(const std::filesystem::path& file) {
   if (std::filesystem::exists(std::filesystem::symlink_status(file))) {
@@ -48,19 +52,16 @@ int ShowKey(const std::filesystem::path& file) {
   return kOk;
 }
 
-}  // namespace
-
-int RunKey(std::span<const std::string> args) {
-  const Arguments arguments(args, {}, {"help"});
-  if (arguments.Has("help")) {
-    fmt::print("{}", kKeyHelp);
-    return kOk;
-  }
-  const std::vector<std::string>& words = arguments.positionals();
-  if (words.size() != 2 || (words[0] != "new" && words[0] != "show")) {
-    throw UsageError("key takes `new` or `show`, and a file; `limpet key --help` says more");
+int MakeOrShow(const Arguments& given) {
+  const std::vector<std::string>& words = given.positionals();
+  if (words[0] != "new" && words[0] != "show") {
+    throw UsageError("key takes " + KeyForm().takes);
   }
   return words[0] == "new" ? MakeKey(words[1]) : ShowKey(words[1]);
 }
+
+}  // namespace
+
+int RunKey(std::span<const std::string> args) { return RunCommand(KeyForm(), args, MakeOrShow); }
 
 }  // namespace limpet

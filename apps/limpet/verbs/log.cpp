@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "apps/limpet/verbs/log.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
-#include "limpet/console/command_output.hpp"
-#include "limpet/console/shown_text.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/log_tools/log_commands.hpp"
 
@@ -23,8 +20,8 @@ void PrintHelp() {
     fmt::print("  {:<10} {}\n", command->name, command->summary);
   }
   fmt::print(
-      "\n<log> is an .alog file, ours or MOOS's, also as .gz; a folder that holds one, itself or "
-      "below,\nas a run folder does; or - for the standard input.\n"
+      "\n<log> is an .alog file, ours or MOOS's, also as .gz; a folder that holds one,\n"
+      "itself or below, as a run folder does; or - for the standard input.\n"
       "`limpet log <command> --help` says more.\n");
 }
 
@@ -42,27 +39,15 @@ const LogCommand& CommandOf(const std::string& word) {
                   nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest)));
 }
 
-bool IsHelp(const std::string& word) { return word == "--help" || word == "-h"; }
-
 }  // namespace
 
 int RunLog(std::span<const std::string> args) {
-  if (args.empty() || IsHelp(args[0])) {
+  if (args.empty() || args[0] == "--help" || args[0] == "-h") {
     PrintHelp();
     return args.empty() ? kUsage : kOk;
   }
   const LogCommand& command = CommandOf(args[0]);
-  const std::span<const std::string> rest = args.subspan(1);
-  if (std::ranges::any_of(rest, IsHelp)) {
-    fmt::print("{}", command.help);
-    return kOk;
-  }
-  try {
-    return command.run(rest);
-  } catch (const Refusal& refusal) {
-    fmt::print(stderr, "limpet: {}\n", ShownLines(refusal.what()));
-    return kRefused;
-  }
+  return RunCommand(command.form(), args.subspan(1), command.run);
 }
 
 }  // namespace limpet

@@ -21,20 +21,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kNavHelp =
-    R"(usage: limpet nav <stream folder> --out DIR [--former DIR] [--plot] [--json]
-
-Runs the estimator alone on a recorded sensor stream (meta.csv and stream.csv.gz) and writes
-online.csv, smoothed.csv, landmarks.csv, landmarks_covariance.csv, associations.csv and
-timing.json into DIR.
-
-  --out DIR            where the results go
-  --former DIR         where those of an earlier session are: its objects are recognised, whatever
-                       the offset and turn between the two, and matches.csv says which they are
-  --plot               also draw error.svg (with 3-sigma bounds; against the smoothed track, no
-                       truth is read) and map.svg
-  --json               print timing.json instead of the summary
-)";
+Command NavForm() {
+  return {.name = "limpet nav",
+          .words = "<stream folder>",
+          .about =
+              "Runs the estimator alone on a recorded sensor stream (meta.csv and "
+              "stream.csv.gz) and writes online.csv, smoothed.csv, landmarks.csv, "
+              "landmarks_covariance.csv, associations.csv and timing.json into DIR.",
+          .options = {{.names = "--out",
+                       .value = "DIR",
+                       .meaning = "where the results go",
+                       .is_required = true},
+                      {.names = "--former",
+                       .value = "DIR",
+                       .meaning = "where those of an earlier session are: its objects are "
+                                  "recognised, whatever the offset and turn between the two, and "
+                                  "matches.csv says which they are"},
+                      {.names = "--plot",
+                       .meaning = "also draw error.svg (with 3-sigma bounds; against the smoothed "
+                                  "track, no truth is read) and map.svg"},
+                      {.names = "--json", .meaning = "print timing.json instead of the summary"}},
+          .takes = "one stream folder and --out DIR",
+          .least_words = 1,
+          .most_words = 1};
+}
 
 std::string PosesCsv(const std::vector<SmoothedPose>& poses) {
   std::string text = "t,x,y,z,roll,pitch,yaw\n";
@@ -98,17 +108,7 @@ bool Write(const fs::path& file, const std::string& text) {
   return static_cast<bool>(out);
 }
 
-}  // namespace
-
-int RunNav(std::span<const std::string> args) {
-  const Arguments given(args, {"out", "former"}, {"json", "plot", "help"});
-  if (given.Has("help")) {
-    fmt::print("{}", kNavHelp);
-    return kOk;
-  }
-  if (given.positionals().size() != 1 || !given.Find("out")) {
-    throw UsageError("nav takes one stream folder and --out DIR");
-  }
+int ReplayStream(const Arguments& given) {
   const Expected<SensorStream> stream = LoadSensorStream(given.positionals().front());
   if (!stream) {
     fmt::print(stderr, "{}\n", stream.error().text);
@@ -163,5 +163,9 @@ int RunNav(std::span<const std::string> args) {
   }
   return is_written && is_drawn ? kOk : kFailed;
 }
+
+}  // namespace
+
+int RunNav(std::span<const std::string> args) { return RunCommand(NavForm(), args, ReplayStream); }
 
 }  // namespace limpet

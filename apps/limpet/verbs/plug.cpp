@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "apps/limpet/verbs/plug.hpp"
 
-#include <array>
+#include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <iostream>
+#include <iterator>
 #include <optional>
 
 #include <fmt/format.h>
@@ -20,30 +20,45 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kPlugHelp =
-    R"(usage: limpet plug <in> <out> [options] [MACRO=value ...] [MACRO ...]
+Command PlugForm() {
+  return {
+      .name = "limpet plug",
+      .words = "<in> <out> [MACRO=value ...] [MACRO ...]",
+      .about =
+          R"(Expands a template into a mission, as nsplug does: #include, #define, #ifdef, #ifndef,
+#elseifdef, #else, #endif; $(M) a macro's value, %(M) in upper case, $(M=x) x if M is undefined,
+$(M:=x) x if M is undefined or empty. MACRO alone is as `#define MACRO`: #ifdef MACRO holds, and it
+stands for nothing. After MACRO= it does not hold, nor does #ifndef count it as defined.)",
+      .options =
+          {{.names = "-f,--force",
+            .meaning = "write over <out>; otherwise a person is asked, and without one it is "
+                       "refused"},
+           {.names = "-s,--strict",
+            .meaning = "an undefined macro is an error, and nothing is written"},
+           {.names = "-l,--lenient",
+            .meaning = "expand the defined macros of a line that has undefined ones too (default: "
+                       "such a line is left as it is, with a warning)"},
+           {.names = "-i,--interactive", .meaning = "ask whether to go on at each undefined macro"},
+           {.names = "-I", .meaning = "the same, but only `y` goes on"},
+           {.names = "-p,--path",
+            .value = "DIR:DIR",
+            .meaning = "where #include looks, after the folder of <in> and the current one; then "
+                       "come the folders called plugs above them",
+            .is_repeatable = true},
+           {.names = "--macros",
+            .value = "FILE",
+            .meaning = "NAME=value lines",
+            .is_repeatable = true},
+           {.names = "--tag", .value = "NAME", .meaning = "only that <tag> section of <in>"},
+           {.names = "-x,--xfile",
+            .meaning = "take <in>x (e.g. meta.moosx) instead, if there is one"},
+           {.names = "-t,--terminal", .meaning = "print the result; <out> must still be named"}},
+      .more = R"(Exit code 2 if the template is wrong, 3 if <out> must not be written.
 
-Expands a template into a mission, as nsplug does: #include, #define, #ifdef, #ifndef, #elseifdef,
-#else, #endif; $(M) a macro's value, %(M) in upper case, $(M=x) x if M is undefined, $(M:=x) x if M is
-undefined or empty. MACRO alone is as `#define MACRO`: #ifdef MACRO holds, and it stands for nothing.
-After MACRO= it does not hold, nor does #ifndef count it as defined.
-
-  -f, --force         write over <out>; otherwise a person is asked, and without one it is refused
-  -s, --strict        an undefined macro is an error, and nothing is written
-  -l, --lenient       expand the defined macros of a line that has undefined ones too
-                      (default: such a line is left as it is, with a warning)
-  -i, --interactive   ask whether to go on at each undefined macro; -I: only `y` goes on
-  -p DIR, --path=DIR:DIR   where #include looks, after the folder of <in> and the current one;
-                      then come the folders called plugs above them
-  --macros=FILE       NAME=value lines; repeatable
-  --tag=NAME          only that <tag> section of <in>
-  -x, --xfile         take <in>x (e.g. meta.moosx) instead, if there is one
-  -t, --terminal      print the result; <out> must still be named
-
-Exit code 2 if the template is wrong, 3 if <out> must not be written.
-
-  limpet plug meta_vehicle.moos targ_alpha.moos -f VNAME=alpha SHARE_PORT=9201
-)";
+  limpet plug meta_vehicle.moos targ_alpha.moos -f VNAME=alpha SHARE_PORT=9201)",
+      .takes = "an input and an output file",
+      .least_words = 2};
+}
 
 struct PlugCommand {
   std::vector<std::string> files;  ///< input, output
@@ -53,77 +68,7 @@ struct PlugCommand {
   bool takes_xfile = false;
   bool asks = false;
   bool goes_on_by_default = true;  ///< what an empty answer means
-  bool wants_help = false;
 };
-
-struct Switch {
-  const char* brief;
-  const char* full;
-  std::function<void(PlugCommand&)> set;
-};
-
-const std::array<Switch, 8>& Switches() {
-  using Undefined = PlugOptions::Undefined;
-  static const std::array<Switch, 8> switches{{
-      {"-f", "--force", [](PlugCommand& c) { c.may_overwrite = true; }},
-      {"-s", "--strict", [](PlugCommand& c) { c.options.undefined = Undefined::kRefuse; }},
-      {"-l", "--lenient", [](PlugCommand& c) { c.options.undefined = Undefined::kKeepMacro; }},
-      {"-i", "--interactive", [](PlugCommand& c) { c.asks = true; }},
-      {"-I", "-I", [](PlugCommand& c) { c.asks = true, c.goes_on_by_default = false; }},
-      {"-x", "--xfile", [](PlugCommand& c) { c.takes_xfile = true; }},
-      {"-t", "--terminal", [](PlugCommand& c) { c.prints = true; }},
-      {"-h", "--help", [](PlugCommand& c) { c.wants_help = true; }},
-  }};
-  return switches;
-}
-
-void AddFolders(PlugCommand& command, const std::string& folders) {
-  for (const std::string& folder : Split(folders, ':')) {
-    if (!folder.empty()) {
-      command.options.search_folders.emplace_back(folder);
-    }
-  }
-}
-
-bool TakeSwitch(PlugCommand& command, const std::string& word) {
-  for (const Switch& known : Switches()) {
-    if (word == known.brief || word == known.full) {
-      known.set(command);
-      return true;
-    }
-  }
-  return false;
-}
-
-/// Options that carry a value after `=`.
-bool TakeValued(PlugCommand& command, const std::string& word) {
-  const std::size_t equals = word.find('=');
-  if (!word.starts_with("--") || equals == std::string::npos) {
-    return false;
-  }
-  const std::string name = word.substr(0, equals);
-  const std::string value = word.substr(equals + 1);
-  if (name == "--path") {
-    AddFolders(command, value);
-  } else if (name == "--macros") {
-    command.options.macro_files.emplace_back(value);
-  } else if (name == "--tag") {
-    command.options.tag = value;
-  } else {
-    return false;
-  }
-  return true;
-}
-
-[[noreturn]] void RefuseOption(const std::string& word) {
-  std::vector<std::string> known{"--path", "--macros", "--tag"};
-  for (const Switch& option : Switches()) {
-    known.emplace_back(option.full);
-  }
-  const std::string nearest = NearestWord(word.substr(0, word.find('=')), known);
-  throw UsageError(fmt::format("unknown option {}{}", word,
-                               nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)));
-}
 
 /// `NAME=value`, `NAME=` (empty: `#ifdef NAME` does not hold), `NAME` (as `#define NAME`).
 PlugOptions::Macro MacroOf(const std::string& word) {
@@ -134,23 +79,32 @@ PlugOptions::Macro MacroOf(const std::string& word) {
           .is_set_empty = equals != std::string::npos && Trim(value).empty()};
 }
 
-PlugCommand Parse(std::span<const std::string> args) {
-  PlugCommand command;
-  for (std::size_t i = 0; i < args.size(); ++i) {
-    const std::string& word = args[i];
-    if ((word == "-p" || word == "--path") && i + 1 < args.size()) {
-      AddFolders(command, args[++i]);
-    } else if (TakeSwitch(command, word) || TakeValued(command, word)) {
-      continue;
-    } else if (word.size() > 1 && word[0] == '-') {
-      RefuseOption(word);
-    } else if (command.files.size() < 2) {
-      command.files.push_back(word);
-    } else {
-      command.options.macros.push_back(MacroOf(word));
+PlugOptions OptionsOf(const Arguments& given) {
+  using Undefined = PlugOptions::Undefined;
+  PlugOptions options;
+  if (given.Has("lenient")) options.undefined = Undefined::kKeepMacro;
+  if (given.Has("strict")) options.undefined = Undefined::kRefuse;
+  for (const std::string& folders : given.All("path")) {
+    for (const std::string& folder : Split(folders, ':')) {
+      if (!folder.empty()) options.search_folders.emplace_back(folder);
     }
   }
-  return command;
+  for (const std::string& file : given.All("macros"))
+    options.macro_files.emplace_back(file);
+  options.tag = given.Find("tag").value_or("");
+  const auto macros = std::span(given.positionals()).subspan(2);
+  std::ranges::transform(macros, std::back_inserter(options.macros), MacroOf);
+  return options;
+}
+
+PlugCommand ReadPlugCommand(const Arguments& given) {
+  return {.files = {given.positionals()[0], given.positionals()[1]},
+          .options = OptionsOf(given),
+          .may_overwrite = given.Has("force"),
+          .prints = given.Has("terminal"),
+          .takes_xfile = given.Has("xfile"),
+          .asks = given.Has("interactive") || given.Has("I"),
+          .goes_on_by_default = !given.Has("I")};
 }
 
 /// Asks a person; without one the answer is no.
@@ -210,20 +164,8 @@ int Expand(PlugCommand command) {
 }  // namespace
 
 int RunPlug(std::span<const std::string> args) {
-  PlugCommand command = Parse(args);
-  if (command.wants_help) {
-    fmt::print("{}", kPlugHelp);
-    return kOk;
-  }
-  if (command.files.size() < 2) {
-    throw UsageError("plug takes an input and an output file");
-  }
-  try {
-    return Expand(std::move(command));
-  } catch (const Refusal& refusal) {
-    fmt::print(stderr, "limpet: {}\n", refusal.what());
-    return kRefused;
-  }
+  return RunCommand(PlugForm(), args,
+                    [](const Arguments& given) { return Expand(ReadPlugCommand(given)); });
 }
 
 }  // namespace limpet

@@ -22,17 +22,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kReportHelp =
-    R"(usage: limpet report <run folder> [--mission DIR [--seed N]] [--json]
+Command ReportForm() {
+  return {
+      .name = "limpet report",
+      .words = "<run folder>",
+      .about =
+          "Scores a run from its logs and writes report.json, figures/ and report.html "
+          "anew, also for a run that was cut short.",
+      .options = {{.names = "--mission",
+                   .value = "DIR",
+                   .meaning = "the mission of a run of `limpet launch`, which does not say so"},
+                  {.names = "--seed",
+                   .value = "N",
+                   .meaning = "of such a run",
+                   .fallback = "1",
+                   .rule = WholeNumber(0)},
+                  {.names = "--json", .meaning = "print report.json instead of the table"}},
+      .more = R"(A dive whose log has no true poses, or whose mission has no scenario.yaml, is not
+judged: what needs the truth is left out.
 
-Scores a run from its logs and writes report.json, figures/ and report.html anew, also for a
-run that was cut short. --json prints report.json instead of the table.
-
-A run of `limpet launch` does not say which mission it was: --mission does, e.g.
-  limpet report runs/table1-live --mission missions/table1
-A dive whose log has no true poses, or whose mission has no scenario.yaml, is not judged: what
-needs the truth is left out.
-)";
+  limpet report runs/table1-live --mission missions/table1)",
+      .takes = "one run folder, e.g. runs/table1-1",
+      .least_words = 1,
+      .most_words = 1};
+}
 
 /// Sessions that left a folder, discovery first, then change, then others by name.
 std::vector<std::string> SessionsIn(const fs::path& run) {
@@ -58,13 +71,11 @@ struct ReportCommand {
 };
 
 ReportCommand ReadReportCommand(const Arguments& given) {
-  if (given.positionals().size() != 1 || given.positionals()[0].empty()) {
-    throw UsageError("report takes one run folder, e.g. runs/table1-1");
-  }
+  if (given.positionals()[0].empty()) throw UsageError("report takes " + ReportForm().takes);
   ReportCommand command;
   command.run = given.positionals()[0];
   if (const auto mission = given.Find("mission")) command.mission_folder = MissionFolder(*mission);
-  command.seed = static_cast<std::uint64_t>(given.Integer("seed", 1, 0));
+  command.seed = static_cast<std::uint64_t>(given.Integer("seed"));
   command.prints_json = given.Has("json");
   if (!fs::is_directory(command.run)) {
     throw UsageError(fmt::format("{}: no such folder", command.run.string()));
@@ -128,14 +139,7 @@ void AdoptOldReport(RunFolder& folder, const ReportFiles& files) {
     folder.written().ClaimAllIn(name);
 }
 
-}  // namespace
-
-int RunReport(std::span<const std::string> args) {
-  const Arguments given(args, {"mission", "seed"}, {"json", "help"});
-  if (given.Has("help")) {
-    fmt::print("{}", kReportHelp);
-    return kOk;
-  }
+int ReportAgain(const Arguments& given) {
   const ReportCommand command = ReadReportCommand(given);
   const RunDescription description = Describe(command);
   RunFolder folder(command.run, RunFolder::Use::kReport);
@@ -156,6 +160,12 @@ int RunReport(std::span<const std::string> args) {
     fmt::print("\nreport: {}\n", OneLine((command.run / "report.html").string()));
   }
   return kOk;
+}
+
+}  // namespace
+
+int RunReport(std::span<const std::string> args) {
+  return RunCommand(ReportForm(), args, ReportAgain);
 }
 
 }  // namespace limpet

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/verbs/run_settings.hpp"
+#include "apps/limpet/verbs/survey_options.hpp"
 #include "limpet/console/command_output.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/core/interrupt.hpp"
@@ -32,23 +34,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kSurveyHelp =
-    R"(usage: limpet survey <mission folder> [options]
-
-Surveys the mission's area once per session (embedded, on virtual time, no port opened),
-compares the sessions, and reports what is confirmed, new or removed. Where the mission
-has an expect.yaml, the report is held to its bounds: exit code 1 if one is broken.
-
-  --seed N             every random draw comes from it (default 1)
-  --out DIR            run folder (default runs/<mission>-<seed>); an earlier run in it is
-                       replaced, and nothing else is removed
-  --sessions LIST      sessions of scenario.yaml in order (default discovery,change); each is
-                       compared with the one before it, the first with what --out already has
-  --set OWNER.KEY=V    override a parameter of an app, or of a behavior by its name
-  --planner P          limpet, or paper: the 2025 paper's planner
-  --gain G             full, or coverage: objects have no say
-  --without-truth      withhold SIM_* from every app on board (the result must not change)
-)";
+Command SurveyForm() {
+  Command form{
+      .name = "limpet survey",
+      .words = "<mission folder>",
+      .about =
+          "Surveys the mission's area once per session (embedded, on virtual time, no port "
+          "opened), compares the sessions, and reports what is confirmed, new or removed. "
+          "Where the mission has an expect.yaml, the report is held to its bounds: exit code "
+          "1 if one is broken.",
+      .options = {{.names = "--seed",
+                   .value = "N",
+                   .meaning = "every random draw comes from it",
+                   .fallback = "1",
+                   .rule = WholeNumber(0)},
+                  {.names = "--out",
+                   .value = "DIR",
+                   .meaning = "run folder (default runs/<mission>-<seed>); an earlier run in it is "
+                              "replaced, and nothing else is removed",
+                   .rule = NotEmpty("a folder")}},
+      .takes = "one mission folder, e.g. missions/table1",
+      .least_words = 1,
+      .most_words = 1};
+  std::ranges::move(SurveyMethodOptions(), std::back_inserter(form.options));
+  return form;
+}
 
 struct SurveyCommand {
   fs::path mission_folder;
@@ -62,20 +72,14 @@ struct SurveyCommand {
   std::string command_line;
 };
 
-SurveyCommand ReadSurveyCommand(std::span<const std::string> args) {
-  const Arguments given(args, {"seed", "out", "sessions", "set", "planner", "gain"},
-                        {"without-truth", "help"});
-  if (given.positionals().size() != 1) {
-    throw UsageError("survey takes one mission folder, e.g. missions/table1");
-  }
+SurveyCommand ReadSurveyCommand(const Arguments& given) {
   SurveyCommand command;
   command.mission_folder = MissionFolder(given.positionals()[0]);
   command.mission_name = MissionName(command.mission_folder);
-  command.seed = static_cast<std::uint64_t>(given.Integer("seed", 1, 0));
+  command.seed = static_cast<std::uint64_t>(given.Integer("seed"));
   command.out =
       given.Find("out").value_or(fmt::format("runs/{}-{}", command.mission_name, command.seed));
-  if (command.out.empty()) throw UsageError("--out takes a folder, not an empty word");
-  command.sessions = Split(given.Find("sessions").value_or("discovery,change"), ',');
+  command.sessions = Split(*given.Find("sessions"), ',');
   command.settings = given.All("set");
   command.planner = given.Find("planner").value_or("");
   command.gain = given.Find("gain").value_or("");
@@ -88,7 +92,7 @@ SurveyCommand ReadSurveyCommand(std::span<const std::string> args) {
   }
   command.command_line =
       fmt::format("limpet survey missions/{} --seed {}", command.mission_name, command.seed);
-  if (given.Find("sessions")) {
+  if (given.Has("sessions")) {
     command.command_line += fmt::format(" --sessions {}", fmt::join(command.sessions, ","));
   }
   for (const std::string& setting : command.settings) {
@@ -227,11 +231,9 @@ class SurveyRun {
 }  // namespace
 
 int RunSurvey(std::span<const std::string> args) {
-  if (std::ranges::find(args, "--help") != args.end()) {
-    fmt::print("{}", kSurveyHelp);
-    return kOk;
-  }
-  return SurveyRun(ReadSurveyCommand(args)).Run();
+  return RunCommand(SurveyForm(), args, [](const Arguments& given) {
+    return SurveyRun(ReadSurveyCommand(given)).Run();
+  });
 }
 
 }  // namespace limpet

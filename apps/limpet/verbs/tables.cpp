@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <thread>
 
@@ -11,6 +12,7 @@
 
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/verbs/run_settings.hpp"
+#include "apps/limpet/verbs/survey_options.hpp"
 #include "apps/limpet/verbs/tables_runs.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/mission/scenario.hpp"
@@ -22,47 +24,68 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kTablesHelp =
-    R"(usage: limpet tables <mission folder> [options]
+Command TablesForm() {
+  Command form{
+      .name = "limpet tables",
+      .words = "<mission folder>",
+      .about =
+          "Surveys with one seed after the other, several at a time, and prints the paper's "
+          "tables beside ours. Each run keeps <out>/<seed>/report.json. Seeds already done "
+          "are not run again, so that after an interruption or a full disk the same command "
+          "goes on. Once a seed is done, the mission, its plugs, the options and the program "
+          "must stay as they are (exit code 3 if not). Where the mission has an expect.yaml, "
+          "every run is held to its bounds: exit code 1 if fewer runs than its share_of_runs "
+          "keep them.",
+      .options = {{.names = "--runs",
+                   .value = "N",
+                   .meaning = "number of seeds",
+                   .fallback = "10",
+                   .rule = WholeNumber(1)},
+                  {.names = "--seed",
+                   .value = "N",
+                   .meaning = "first seed",
+                   .fallback = "1",
+                   .rule = WholeNumber(0)},
+                  {.names = "--jobs",
+                   .value = "J",
+                   .meaning = "runs at a time (default: one per core)",
+                   .rule = WholeNumber(1)},
+                  {.names = "--out",
+                   .value = "DIR",
+                   .meaning = "folder of the runs (default runs/tables-<mission>)",
+                   .rule = NotEmpty("a folder")},
+                  {.names = "--json", .meaning = "print tables.json instead of the tables"}},
+      .takes = "one mission folder, e.g. missions/table1",
+      .least_words = 1,
+      .most_words = 1};
+  std::ranges::move(SurveyMethodOptions(), std::back_inserter(form.options));
+  return form;
+}
 
-Surveys with one seed after the other, several at a time, and prints the paper's tables
-beside ours. Each run keeps <out>/<seed>/report.json. Seeds already done are not run again,
-so that after an interruption or a full disk the same command goes on. Once a seed is done, the
-mission, its plugs, the options and the program must stay as they are (exit code 3 if not).
-Where the mission has an expect.yaml, every run is held to its bounds: exit code 1 if fewer
-runs than its share_of_runs keep them.
-
-  --runs N             number of seeds (default 10)
-  --seed N             first seed (default 1)
-  --jobs J             runs at a time (default: one per core)
-  --out DIR            default runs/tables-<mission>
-  --json               print tables.json instead of the tables
-  --sessions, --set, --gain, --planner, --without-truth: as of limpet survey
-)";
-
-TablesCommand ReadTablesCommand(std::span<const std::string> args) {
-  const std::vector<std::string> passed_on{"sessions", "set", "gain", "planner"};
-  std::vector<std::string> with_value{"runs", "seed", "jobs", "out"};
-  with_value.insert(with_value.end(), passed_on.begin(), passed_on.end());
-  const Arguments given(args, with_value, {"json", "without-truth", "help"});
-  if (given.positionals().size() != 1) {
-    throw UsageError("tables takes one mission folder, e.g. missions/table1");
+/// The options of each run, as they were given.
+std::vector<std::string> HandedOn(const Arguments& given) {
+  std::vector<std::string> options;
+  for (const CommandOption& option : SurveyMethodOptions()) {
+    const bool is_flag = option.value.empty();
+    if (is_flag && given.Has(option.names.substr(2))) options.push_back(option.names);
+    if (is_flag) continue;
+    for (const std::string& value : given.All(option.names.substr(2))) {
+      options.push_back(fmt::format("{}={}", option.names, value));
+    }
   }
+  return options;
+}
+
+TablesCommand ReadTablesCommand(const Arguments& given) {
   TablesCommand command;
   command.mission_folder = MissionFolder(given.positionals()[0]);
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  command.runs = given.Integer("runs", 10, 1);
-  command.first_seed = given.Integer("seed", 1, 0);
-  command.jobs = given.Integer("jobs", cores, 1);
+  command.runs = given.Integer("runs");
+  command.first_seed = given.Integer("seed");
+  command.jobs = given.Has("jobs") ? given.Integer("jobs") : cores;
   command.out = given.Find("out").value_or("runs/tables-" + command.MissionName());
-  if (command.out.empty()) throw UsageError("--out takes a folder, not an empty word");
   command.prints_json = given.Has("json");
-  for (const std::string& option : passed_on) {
-    for (const std::string& value : given.All(option)) {
-      command.survey_options.push_back(fmt::format("--{}={}", option, value));
-    }
-  }
-  if (given.Has("without-truth")) command.survey_options.emplace_back("--without-truth");
+  command.survey_options = HandedOn(given);
   return command;
 }
 
@@ -120,14 +143,7 @@ bool KeepBounds(const TablesCommand& command, const Expectations& expected) {
   return is_enough;
 }
 
-}  // namespace
-
-int RunTables(std::span<const std::string> args) {
-  if (std::ranges::find(args, "--help") != args.end()) {
-    fmt::print("{}", kTablesHelp);
-    return kOk;
-  }
-  const TablesCommand command = ReadTablesCommand(args);
+int MakeTables(const TablesCommand& command) {
   if (!fs::exists(command.mission_folder / "mission.moos")) {
     throw UsageError(fmt::format("no mission in {}", command.mission_folder.string()));
   }
@@ -144,6 +160,13 @@ int RunTables(std::span<const std::string> args) {
   const bool keep_bounds = !expected || KeepBounds(command, *expected);
   if (reached == Reached::kRefused) return kRefused;
   return reached == Reached::kAll && keep_bounds && statistics.failed.empty() ? kOk : kFailed;
+}
+
+}  // namespace
+
+int RunTables(std::span<const std::string> args) {
+  return RunCommand(TablesForm(), args,
+                    [](const Arguments& given) { return MakeTables(ReadTablesCommand(given)); });
 }
 
 }  // namespace limpet

@@ -1,80 +1,41 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/console/arguments.hpp"
 
-#include <algorithm>
+#include <cstdint>
 
-#include <fmt/format.h>
-
-#include "limpet/core/config.hpp"
 #include "limpet/core/number_text.hpp"
+#include "limpet/core/require.hpp"
 
 namespace limpet {
-namespace {
 
-bool IsListed(const std::vector<std::string>& names, const std::string& name) {
-  return std::ranges::find(names, name) != names.end();
+const Arguments::Given& Arguments::Of(const std::string& option) const {
+  const auto found = options_.find(option);
+  LIMPET_REQUIRE(found != options_.end(), option);
+  return found->second;
 }
 
-}  // namespace
-
-Arguments::Arguments(std::span<const std::string> args, const std::vector<std::string>& with_value,
-                     const std::vector<std::string>& flags) {
-  for (std::size_t i = 0; i < args.size(); ++i) {
-    const std::string& word = args[i];
-    if (!word.starts_with("--")) {
-      positionals_.push_back(word);
-      continue;
-    }
-    const std::size_t equals = word.find('=');
-    const std::string name = word.substr(2, equals == std::string::npos ? equals : equals - 2);
-    if (IsListed(flags, name) && equals == std::string::npos) {
-      given_.push_back({name, ""});
-    } else if (IsListed(with_value, name) && equals != std::string::npos) {
-      given_.push_back({name, word.substr(equals + 1)});
-    } else if (IsListed(with_value, name)) {
-      if (i + 1 == args.size()) {
-        throw UsageError(fmt::format("--{} needs a value", name));
-      }
-      given_.push_back({name, args[++i]});
-    } else {
-      std::vector<std::string> known = with_value;
-      known.insert(known.end(), flags.begin(), flags.end());
-      const std::string nearest = NearestWord(name, known);
-      throw UsageError(
-          fmt::format("unknown option --{}{}", name,
-                      nearest.empty() ? "" : fmt::format("; did you mean --{}?", nearest)));
-    }
-  }
-}
-
-bool Arguments::Has(const std::string& flag) const { return Find(flag).has_value(); }
+bool Arguments::Has(const std::string& option) const { return !Of(option).values.empty(); }
 
 std::optional<std::string> Arguments::Find(const std::string& option) const {
-  const std::vector<std::string> all = All(option);
-  return all.empty() ? std::nullopt : std::optional<std::string>(all.back());
+  const Given& given = Of(option);
+  if (!given.values.empty()) return given.values.back();
+  return given.fallback.empty() ? std::nullopt : std::optional(given.fallback);
 }
 
 std::vector<std::string> Arguments::All(const std::string& option) const {
-  std::vector<std::string> values;
-  for (const Given& given : given_) {
-    if (given.name == option) {
-      values.push_back(given.value);
-    }
-  }
-  return values;
+  return Of(option).values;
 }
 
-int Arguments::Integer(const std::string& option, int fallback, int low) const {
+int Arguments::Integer(const std::string& option) const {
   const std::optional<std::string> text = Find(option);
-  if (!text) {
-    return fallback;
-  }
-  const std::optional<std::int64_t> value = ParseInteger(*text);
-  if (!value || *value < low || *value > 2'000'000'000) {
-    throw UsageError(
-        fmt::format("--{} takes a whole number of at least {}, not `{}`", option, low, *text));
-  }
+  const std::optional<std::int64_t> value = text ? ParseInteger(*text) : std::nullopt;
+  LIMPET_REQUIRE(value.has_value(), option);
   return static_cast<int>(*value);
+}
+
+std::optional<double> Arguments::Number(const std::string& option) const {
+  const std::optional<std::string> text = Find(option);
+  return text ? ParseNumber(*text) : std::nullopt;
 }
 
 }  // namespace limpet

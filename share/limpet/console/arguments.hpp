@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The contract of the limpet command and its tools: exit codes, and the small argument reader.
 #pragma once
 
+#include <map>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace limpet {
-
-/// design contract: 0 ok, 1 failed, 2 usage or configuration, 3 refused by a check.
-enum ExitCode : int { kOk = 0, kFailed = 1, kUsage = 2, kRefused = 3 };
 
 /// A wrong command line; the text names the nearest known option.
 class UsageError : public std::runtime_error {
@@ -19,30 +15,36 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Splits arguments into positionals and options. Options are `--name value`, `--name=value`, or
-/// bare flags.
+/// What a command was given. Options are asked for without their dashes, and only those that it
+/// declares.
 class Arguments {
  public:
-  /// `with_value` and `flags` list the known options without their dashes. Throws UsageError.
-  Arguments(std::span<const std::string> args, const std::vector<std::string>& with_value,
-            const std::vector<std::string>& flags);
+  struct Given {
+    std::vector<std::string> values{};  ///< a flag's: one for each time that it was given
+    std::string fallback{};
+  };
 
+  Arguments(std::vector<std::string> positionals, std::map<std::string, Given> options)
+      : positionals_(std::move(positionals)), options_(std::move(options)) {}
+
+  /// Words that belong to no option, in order.
   [[nodiscard]] const std::vector<std::string>& positionals() const { return positionals_; }
-  [[nodiscard]] bool Has(const std::string& flag) const;
-  /// Last value given, if any.
+  /// True for an option or flag that was given.
+  [[nodiscard]] bool Has(const std::string& option) const;
+  /// The last value given, else the one declared for that case, if there is one.
   [[nodiscard]] std::optional<std::string> Find(const std::string& option) const;
   /// Every value given, in order.
   [[nodiscard]] std::vector<std::string> All(const std::string& option) const;
-  /// A whole number of at least `low`. Throws UsageError.
-  [[nodiscard]] int Integer(const std::string& option, int fallback, int low) const;
+  /// REQUIRES: an option declared as WholeNumber, with a fallback.
+  [[nodiscard]] int Integer(const std::string& option) const;
+  /// REQUIRES: an option that is declared to be a number.
+  [[nodiscard]] std::optional<double> Number(const std::string& option) const;
 
  private:
-  struct Given {
-    std::string name;
-    std::string value;
-  };
+  [[nodiscard]] const Given& Of(const std::string& option) const;
+
   std::vector<std::string> positionals_;
-  std::vector<Given> given_;
+  std::map<std::string, Given> options_;
 };
 
 }  // namespace limpet

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "limpet/console/arguments.hpp"
+#include "limpet/console/command.hpp"
 #include "limpet/core/message.hpp"
 #include "limpet/mission/mission_file.hpp"
 #include "limpet/pubsub/tcp_client.hpp"
@@ -29,10 +29,8 @@ struct CommunityAddress {
   [[nodiscard]] std::string Text() const;
 };
 
-/// Options that AddressOf understands, for Arguments; `with` are the tool's own.
-[[nodiscard]] std::vector<std::string> WithAddressOptions(std::vector<std::string> with);
-/// Their lines in a tool's help.
-[[nodiscard]] const char* AddressHelp();
+/// Options that AddressOf understands, for a Command; `with` are the tool's own.
+[[nodiscard]] std::vector<CommandOption> WithAddressOptions(std::vector<CommandOption> with);
 /// `.moos`, `.moos++`, or a folder that holds a mission.moos.
 [[nodiscard]] bool IsMissionName(const std::string& word);
 /// What the options say wins over the mission's ServerHost and ServerPort. Throws UsageError,

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -11,26 +13,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-double NumberOf(const std::string& what, const std::string& text, double least, double most) {
-  const std::optional<double> number = ParseNumber(text);
-  if (!number || *number < least || *number > most) {
-    throw UsageError(fmt::format("{} takes {:g} to {:g}, not `{}`", what, least, most, text));
-  }
-  return *number;
+ValueRule PortRule() {
+  constexpr int kGreatest = 65535;
+  ValueRule rule = WholeNumber(1, kGreatest);
+  rule.allowed = "a port from 1 to 65535";
+  return rule;
 }
 
-std::uint16_t PortOf(const std::string& what, const std::string& text) {
-  const std::optional<std::int64_t> port = ParseInteger(text);
-  if (!port || *port < 1 || *port > 65535) {
-    throw UsageError(fmt::format("{} takes a port from 1 to 65535, not `{}`", what, text));
-  }
-  return static_cast<std::uint16_t>(*port);
-}
-
-/// The last one given of an option that MOOS tools know by another name too.
-std::optional<std::string> FindEither(const Arguments& given, const std::string& name) {
-  const std::optional<std::string> own = given.Find(name);
-  return own ? own : given.Find("moos_" + name);
+std::uint16_t PortOf(const std::string& text) {
+  return static_cast<std::uint16_t>(ParseInteger(text).value_or(0));
 }
 
 void ReadGlobals(CommunityAddress& address) {
@@ -38,7 +29,11 @@ void ReadGlobals(CommunityAddress& address) {
     address.host = host;
   }
   if (const std::string port = address.mission->Global("ServerPort"); !port.empty()) {
-    address.port = PortOf(address.mission->file + ": ServerPort", port);
+    if (!PortRule().accepts(port)) {
+      throw UsageError(fmt::format("{}: ServerPort takes {}, not `{}`", address.mission->file,
+                                   PortRule().allowed, port));
+    }
+    address.port = PortOf(port);
   }
 }
 
@@ -46,20 +41,30 @@ void ReadGlobals(CommunityAddress& address) {
 
 std::string CommunityAddress::Text() const { return fmt::format("{}:{}", host, port); }
 
-std::vector<std::string> WithAddressOptions(std::vector<std::string> with) {
-  for (const char* name : {"host", "port", "moos_host", "moos_port", "wait", "timeout", "name"}) {
-    with.emplace_back(name);
-  }
+std::vector<CommandOption> WithAddressOptions(std::vector<CommandOption> with) {
+  std::vector<CommandOption> own{
+      {.names = "--host,--moos_host",
+       .value = "NAME",
+       .meaning = "where the community is (default: the mission's ServerHost, else localhost)",
+       .rule = NotEmpty("a name or an address")},
+      {.names = "--port,--moos_port",
+       .value = "N",
+       .meaning = "its port (default: the mission's ServerPort, else 9000)",
+       .rule = PortRule()},
+      {.names = "--wait",
+       .value = "S",
+       .meaning = "try for S seconds to join (default: give up at once)",
+       .rule = NumberBetween(0.0, 1e6, "seconds")},
+      {.names = "--timeout",
+       .value = "S",
+       .meaning = "how long to wait for an answer",
+       .fallback = "5",
+       .rule = NumberBetween(0.01, 1e6, "seconds")},
+      {.names = "--name",
+       .value = "NAME",
+       .meaning = "name to join under (default: the tool's, with a number)"}};
+  std::ranges::move(own, std::back_inserter(with));
   return with;
-}
-
-const char* AddressHelp() {
-  return R"(  --host NAME, --port N  where the community is; otherwise the mission's ServerHost and
-                         ServerPort, otherwise localhost:9000
-  --wait S               try for S seconds to join (default: give up at once)
-  --timeout S            how long to wait for an answer (default 5)
-  --name NAME            name to join under (default: the tool's, with a number)
-)";
 }
 
 bool IsMissionName(const std::string& word) {
@@ -75,20 +80,11 @@ CommunityAddress AddressOf(const Arguments& given, const std::optional<std::stri
     address.mission = LoadMission(file);
     ReadGlobals(address);
   }
-  address.host = FindEither(given, "host").value_or(address.host);
-  if (const auto port = FindEither(given, "port")) {
-    address.port = PortOf("--port", *port);
-  }
-  if (const auto wait = given.Find("wait")) {
-    address.wait = Seconds(NumberOf("--wait", *wait, 0.0, 1e6));
-  }
-  if (const auto patience = given.Find("timeout")) {
-    address.patience = Seconds(NumberOf("--timeout", *patience, 0.01, 1e6));
-  }
+  address.host = given.Find("host").value_or(address.host);
+  if (const auto port = given.Find("port")) address.port = PortOf(*port);
+  address.wait = Seconds(given.Number("wait").value_or(0.0));
+  address.patience = Seconds(*given.Number("timeout"));
   address.name = given.Find("name").value_or("");
-  if (address.host.empty()) {
-    throw UsageError("--host takes a name or an address");
-  }
   return address;
 }
 

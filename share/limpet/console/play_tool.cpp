@@ -8,6 +8,7 @@
 
 #include "limpet/app/run_app.hpp"
 #include "limpet/console/community.hpp"
+#include "limpet/console/exit_code.hpp"
 #include "limpet/console/log_player.hpp"
 #include "limpet/console/progress_line.hpp"
 #include "limpet/console/tool_frame.hpp"
@@ -19,24 +20,48 @@
 namespace limpet {
 namespace {
 
-constexpr const char* kPlayHelp = R"(usage: {0} <log.alog> [mission.moos] [options]
+ValueRule SpeedRule() {
+  return {.allowed = "a number above 0, or max", .accepts = [](const std::string& text) {
+            const std::optional<double> speed = ParseNumber(text);
+            return text == "max" || (speed && *speed > 0.0);
+          }};
+}
 
-Plays a log, ours or MOOS's, also as .gz, into a community: in the log's order, with the log's
-pauses, each message under the name of the app that wrote it, with the time at which it is played.
-Binary values come from the .blog file beside the log. The database's own DB_* are left out.
-
-  --speed N|max          seconds of log per second of the community's clock (default 1)
-  --from S, --to S       only entries of these times, seconds since the start of the log; with
-                         --from, first the value that every variable had then
-  --bare                 with --from: without those
-  --only PATTERN         only such variables; repeatable
-  --skip PATTERN         not these; repeatable
-  --as NAME              join as NAME and write everything under it; the app goes into the aux
-{1}
-Exit code 1 if it was stopped or the community was lost.
-
-  {0} run.alog --port 9001 --speed 10 --only 'NAV_*'
-)";
+Command PlayForm(const std::string& caller) {
+  const ValueRule seconds = AnyNumber("seconds since the start of the log");
+  return {
+      .name = caller,
+      .words = "<log.alog> [mission.moos]",
+      .about =
+          "Plays a log, ours or MOOS's, also as .gz, into a community: in the log's "
+          "order, with the log's pauses, each message under the name of the app that "
+          "wrote it, with the time at which it is played. Binary values come from the "
+          ".blog file beside the log. The database's own DB_* are left out.",
+      .options = WithAddressOptions(
+          {{.names = "--speed",
+            .value = "N|max",
+            .meaning = "seconds of log per second of the community's clock",
+            .fallback = "1",
+            .rule = SpeedRule()},
+           {.names = "--from",
+            .value = "S",
+            .meaning = "only entries from then on, in seconds since the start of the log; "
+                       "first the value that every variable had then",
+            .rule = seconds},
+           {.names = "--to", .value = "S", .meaning = "only entries up to then", .rule = seconds},
+           {.names = "--bare", .meaning = "with --from: without the values of before"},
+           {.names = "--only",
+            .value = "PATTERN",
+            .meaning = "only such variables",
+            .is_repeatable = true},
+           {.names = "--skip", .value = "PATTERN", .meaning = "not these", .is_repeatable = true},
+           {.names = "--as",
+            .value = "NAME",
+            .meaning = "join as NAME and write everything under it; the app goes into the "
+                       "aux"}}),
+      .more = "Exit code 1 if it was stopped or the community was lost.\n\n  " + caller +
+              " run.alog --port 9001 --speed 10 --only 'NAV_*'"};
+}
 
 constexpr Seconds kPlaySlice(0.05);                         ///< real time
 constexpr std::size_t kMostUnsent = std::size_t{4} << 20U;  // [bytes]
@@ -49,26 +74,6 @@ struct PlayCommand {
   bool plays_at_once = false;  ///< --speed max
   std::string alias;
 };
-
-std::optional<double> SecondsOf(const Arguments& given, const std::string& option) {
-  const std::optional<std::string> text = given.Find(option);
-  const std::optional<double> value = text ? ParseNumber(*text) : std::nullopt;
-  if (text && !value) {
-    throw UsageError(
-        fmt::format("--{} takes seconds since the start of the log, not `{}`", option, *text));
-  }
-  return value;
-}
-
-void ReadSpeed(const Arguments& given, PlayCommand& command) {
-  const std::string text = given.Find("speed").value_or("1");
-  const std::optional<double> speed = ParseNumber(text);
-  command.plays_at_once = text == "max";
-  if (!command.plays_at_once && (!speed || *speed <= 0.0)) {
-    throw UsageError(fmt::format("--speed takes a number above 0, or max, not `{}`", text));
-  }
-  command.speed = speed.value_or(1.0);
-}
 
 /// A folder holds one log, or it is not said which.
 std::filesystem::path LogOf(const std::string& word) {
@@ -88,9 +93,7 @@ std::filesystem::path LogOf(const std::string& word) {
   return logs.front();
 }
 
-PlayCommand ReadPlay(std::span<const std::string> args) {
-  const Arguments given(args, WithAddressOptions({"speed", "from", "to", "only", "skip", "as"}),
-                        {"bare"});
+PlayCommand ReadPlay(const Arguments& given) {
   const ToolWords words = Sorted(given.positionals());
   if (words.others.size() != 1) {
     throw UsageError("one log is expected, e.g. run.alog");
@@ -101,13 +104,14 @@ PlayCommand ReadPlay(std::span<const std::string> args) {
   command.log = LogOf(words.others.front());
   command.choice = {.only = given.All("only"),
                     .skip = given.All("skip"),
-                    .from = SecondsOf(given, "from"),
-                    .to = SecondsOf(given, "to"),
+                    .from = given.Number("from"),
+                    .to = given.Number("to"),
                     .begins_with_held = !given.Has("bare")};
   if (command.choice.from && command.choice.to && *command.choice.from > *command.choice.to) {
     throw UsageError("--from lies behind --to");
   }
-  ReadSpeed(given, command);
+  command.plays_at_once = *given.Find("speed") == "max";
+  command.speed = given.Number("speed").value_or(1.0);
   command.alias = given.Find("as").value_or("");
   return command;
 }
@@ -249,8 +253,8 @@ class Playback {
 }  // namespace
 
 int RunPlay(const std::string& caller, std::span<const std::string> args) {
-  return RunTool(caller, fmt::format(fmt::runtime(kPlayHelp), caller, AddressHelp()), args,
-                 [&args] { return Playback(ReadPlay(args)).Run(); });
+  return RunTool(PlayForm(caller), args,
+                 [](const Arguments& given) { return Playback(ReadPlay(given)).Run(); });
 }
 
 }  // namespace limpet

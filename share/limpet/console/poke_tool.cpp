@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "limpet/console/community.hpp"
+#include "limpet/console/exit_code.hpp"
 #include "limpet/console/poke.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/console/tool_frame.hpp"
@@ -13,24 +14,27 @@
 namespace limpet {
 namespace {
 
-constexpr const char* kPokeHelp = R"(usage: {0} [mission.moos] VAR=value [VAR:=string ...] [options]
-
-Writes variables into a community, reads them back, and prints what they were and are.
+Command PokeForm(const std::string& caller) {
+  return {.name = caller,
+          .words = "[mission.moos] VAR=value [VAR:=string ...]",
+          .about = R"(Writes variables into a community, reads them back, and prints what they were
+and are.
 
   VAR=3       a number if it looks like one, else a string
   VAR:=3      the string, as it stands
-  VAR="3"     the string between the quotes (the shell takes unguarded quotes away)
-  @MOOSTIME   as the value, or inside one: the community's time; so is @UTC
-
-{1}  --quiet                print only what goes wrong
-host=NAME and port=N, as uPokeDB takes them, are understood too.
+  VAR="3"     the string between the quotes (guard them from the shell)
+  @MOOSTIME   as the value, or inside one: the community's time; so is @UTC)",
+          .options = WithAddressOptions(
+              {{.names = "-q,--quiet", .meaning = "print only what goes wrong"}}),
+          .more = fmt::format(R"(host=NAME and port=N, as uPokeDB takes them, are understood too.
 
 Exit code 1 if the broker does not answer or refuses a value: a variable keeps the type of its
 first write.
 
   {0} missions/table1 DEPLOY=true
-  {0} --port 9001 SPEED=1.5 LABEL:=007
-)";
+  {0} --port 9001 SPEED=1.5 LABEL:=007)",
+                              caller)};
+}
 
 struct PokeCommand {
   CommunityAddress address;
@@ -38,7 +42,7 @@ struct PokeCommand {
   bool is_quiet = false;
 };
 
-/// `host=x` and its kin as options.
+/// `host=x` and its kin, as MOOS spells them, as options.
 std::vector<std::string> WithMoosSpellings(std::span<const std::string> args) {
   constexpr std::array<std::array<std::string_view, 2>, 7> kSpellings{{{"host", "--host="},
                                                                        {"server", "--host="},
@@ -56,14 +60,11 @@ std::vector<std::string> WithMoosSpellings(std::span<const std::string> args) {
         break;
       }
     }
-    word = word == "-q" ? "--quiet" : word;
   }
   return words;
 }
 
-PokeCommand ReadPoke(std::span<const std::string> args) {
-  const std::vector<std::string> words = WithMoosSpellings(args);
-  const Arguments given(words, WithAddressOptions({}), {"quiet"});
+PokeCommand ReadPoke(const Arguments& given) {
   PokeCommand command;
   std::vector<std::string> others;
   for (const std::string& word : given.positionals()) {
@@ -164,8 +165,8 @@ int WritePokes(const std::string& caller, const PokeCommand& command) {
 }  // namespace
 
 int RunPoke(const std::string& caller, std::span<const std::string> args) {
-  return RunTool(caller, fmt::format(fmt::runtime(kPokeHelp), caller, AddressHelp()), args,
-                 [&] { return WritePokes(caller, ReadPoke(args)); });
+  return RunTool(PokeForm(caller), WithMoosSpellings(args),
+                 [&](const Arguments& given) { return WritePokes(caller, ReadPoke(given)); });
 }
 
 }  // namespace limpet

@@ -8,6 +8,7 @@
 
 #include "limpet/app/run_app.hpp"
 #include "limpet/console/community.hpp"
+#include "limpet/console/exit_code.hpp"
 #include "limpet/console/scope_screen.hpp"
 #include "limpet/console/terminal.hpp"
 #include "limpet/console/tool_frame.hpp"
@@ -18,27 +19,44 @@
 namespace limpet {
 namespace {
 
-constexpr const char* kScopeHelp = R"(usage: {0} [mission.moos] [PATTERN ...] [options]
+Command ScopeForm(const std::string& caller) {
+  return {.name = caller,
+          .words = "[mission.moos] [PATTERN ...]",
+          .about = R"(Shows the variables of a community, live: value, type, writer, age, rate.
+PATTERN chooses them (`*`: anything, `?`: one character); without one all are shown. Ages and rates
+are in MOOS seconds, that is, of the mission's clock whatever the time warp.
 
-Shows the variables of a community, live: value, type, writer, age, rate. PATTERN chooses them
-(`*`: anything, `?`: one character); without one all are shown. Ages and rates are in MOOS seconds,
-that is, of the mission's clock whatever the time warp.
-
-Piped, it prints one line per write instead: MOOS time, variable, writer, type, value.
-
-  --source PATTERN       only variables last written by such an app; repeatable
-  --sort ORDER           name (default), age, rate or source
-  --changed              only variables whose value has changed since they were first heard
-  --history VAR          begin with the history of VAR; piped: VAR alone
-  --once                 print the table once and end
-  --rate N               pictures a second (default 4)
-{1}
-Keys: q quit, s sort, r reverse, / filter, c changed only, space pause, arrows and page keys move,
-h or Enter history of the variable under the cursor, Esc back. NO_COLOR=1 leaves out colours.
+Piped, it prints one line per write instead: MOOS time, variable, writer, type, value.)",
+          .options = WithAddressOptions(
+              {{.names = "--source",
+                .value = "PATTERN",
+                .meaning = "only variables last written by such an app",
+                .is_repeatable = true},
+               {.names = "--sort",
+                .value = "ORDER",
+                .meaning = "name, age, rate or source",
+                .fallback = "name",
+                .rule = OneOf({"name", "age", "rate", "source"})},
+               {.names = "--changed",
+                .meaning = "only variables whose value has changed since they were first heard"},
+               {.names = "--history",
+                .value = "VAR",
+                .meaning = "begin with the history of VAR; piped: VAR alone"},
+               {.names = "--once", .meaning = "print the table once and end"},
+               {.names = "--rate",
+                .value = "N",
+                .meaning = "pictures a second",
+                .fallback = "4",
+                .rule = NumberBetween(0.1, 30.0, "pictures a second")}}),
+          .more = fmt::format(
+              R"(Keys: q quit, s sort, r reverse, / filter, c changed only, space pause, arrows and
+page keys move, h or Enter history of the variable under the cursor, Esc back. NO_COLOR=1 leaves
+out colours.
 
   {0} missions/table1 'NAV_*' 'DB_*' --source pNav
-  {0} --port 9001 NAV_DEPTH | head
-)";
+  {0} --port 9001 NAV_DEPTH | head)",
+              caller)};
+}
 
 struct ScopeCommand {
   CommunityAddress address;
@@ -55,12 +73,10 @@ ScopeSort SortOf(const std::string& text) {
       return sort;
     }
   }
-  throw UsageError(fmt::format("--sort takes name, age, rate or source, not `{}`", text));
+  return ScopeSort::kName;
 }
 
-ScopeCommand ReadScope(std::span<const std::string> args) {
-  const Arguments given(args, WithAddressOptions({"source", "sort", "history", "rate"}),
-                        {"once", "changed"});
+ScopeCommand ReadScope(const Arguments& given) {
   const ToolWords words = Sorted(given.positionals());
   ScopeCommand command;
   command.address = AddressOf(
@@ -68,15 +84,10 @@ ScopeCommand ReadScope(std::span<const std::string> args) {
   command.patterns = words.others;
   command.settings.filter.sources = given.All("source");
   command.settings.filter.changed_only = given.Has("changed");
-  command.settings.sort = SortOf(given.Find("sort").value_or("name"));
+  command.settings.sort = SortOf(*given.Find("sort"));
   command.settings.history_of = given.Find("history").value_or("");
   command.is_once = given.Has("once");
-  const std::string rate = given.Find("rate").value_or("4");
-  const std::optional<double> hz = ParseNumber(rate);
-  if (!hz || *hz < 0.1 || *hz > 30.0) {
-    throw UsageError(fmt::format("--rate takes 0.1 to 30 pictures a second, not `{}`", rate));
-  }
-  command.period = Seconds(1.0 / *hz);
+  command.period = Seconds(1.0 / *given.Number("rate"));
   return command;
 }
 
@@ -242,14 +253,13 @@ int RunOnce(ScopeFeed& feed) {
 }  // namespace
 
 int RunScope(const std::string& caller, std::span<const std::string> args) {
-  return RunTool(caller, fmt::format(fmt::runtime(kScopeHelp), caller, AddressHelp()), args,
-                 [&args] {
-                   ScopeFeed feed(ReadScope(args));
-                   if (feed.command().is_once) {
-                     return RunOnce(feed);
-                   }
-                   return Terminal::IsThere() ? RunLive(feed) : RunStream(feed);
-                 });
+  return RunTool(ScopeForm(caller), args, [](const Arguments& given) {
+    ScopeFeed feed(ReadScope(given));
+    if (feed.command().is_once) {
+      return RunOnce(feed);
+    }
+    return Terminal::IsThere() ? RunLive(feed) : RunStream(feed);
+  });
 }
 
 }  // namespace limpet

@@ -8,6 +8,7 @@
 #include "limpet/app/run_app.hpp"
 #include "limpet/console/community.hpp"
 #include "limpet/console/community_status.hpp"
+#include "limpet/console/exit_code.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/console/tool_frame.hpp"
 #include "limpet/console/tools.hpp"
@@ -16,22 +17,23 @@
 namespace limpet {
 namespace {
 
-constexpr const char* kStatusHelp = R"(usage: {0} [mission.moos] [options]
-
-Says who is in a community: one row for each process that the mission's ANTLER block starts, or
-that pLaunch watches over, and for each guest. AWOL: should be there and is not.
+Command StatusForm(const std::string& caller) {
+  return {.name = caller,
+          .words = "[mission.moos]",
+          .about = R"(Says who is in a community: one row for each process that the mission's ANTLER
+block starts, or that pLaunch watches over, and for each guest. AWOL: should be there and is not.
 
   READS, WRITES  how many variables it subscribes to and has written
   DELAY ms       of its mail on the way to the database, lately
   RESTARTS       by pLaunch, and how it last ended
-  NOTE           warnings of the process itself
+  NOTE           warnings of the process itself)",
+          .options = WithAddressOptions({}),
+          .more = fmt::format(R"(With --wait it waits that long for the missing, too. Exit code 0 if
+all are there, 1 if one is missing, 2 if no community answers.
 
-{1}
-With --wait it waits that long for the missing, too. Exit code 0 if all are there, 1 if one is
-missing, 2 if no community answers.
-
-  {0} missions/table1
-)";
+  {} missions/table1)",
+                              caller)};
+}
 
 /// Asks who is there now; what was said before of other things holds.
 void Ask(const CommunityAddress& address, Community& community, CommunityStatus& status) {
@@ -67,8 +69,7 @@ CommunityStatus AskPatiently(const CommunityAddress& address, Community& communi
   return status;
 }
 
-int PrintStatus(std::span<const std::string> args) {
-  const Arguments given(args, WithAddressOptions({}), {});
+int PrintStatus(const Arguments& given) {
   const ToolWords words = Sorted(given.positionals());
   if (!words.others.empty()) {
     throw UsageError(fmt::format("`{}` is no mission file", OneLine(words.others.front(), 60)));
@@ -104,8 +105,7 @@ int PrintStatus(std::span<const std::string> args) {
 }  // namespace
 
 int RunStatus(const std::string& caller, std::span<const std::string> args) {
-  return RunTool(caller, fmt::format(fmt::runtime(kStatusHelp), caller, AddressHelp()), args,
-                 [&args] { return PrintStatus(args); });
+  return RunTool(StatusForm(caller), args, PrintStatus);
 }
 
 }  // namespace limpet

@@ -1,28 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/console/tool_frame.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include "limpet/app/run_app.hpp"
-#include "limpet/console/arguments.hpp"
 #include "limpet/console/community.hpp"
+#include "limpet/console/exit_code.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/console/tools.hpp"
 
 namespace limpet {
 
-int RunTool(const std::string& caller, const std::string& help, std::span<const std::string> args,
-            const std::function<int()>& work) {
-  if (std::ranges::any_of(args, [](const auto& arg) { return arg == "--help" || arg == "-h"; })) {
-    fmt::print("{}", help);
-    return kOk;
-  }
+int RunTool(const Command& command, std::span<const std::string> args,
+            const std::function<int(const Arguments&)>& work) {
+  const std::string& caller = command.name;
   try {
-    CatchEndSignals();
-    return work();
+    return RunCommand(command, args, [&work](const Arguments& given) {
+      CatchEndSignals();
+      return work(given);
+    });
   } catch (const UsageError& error) {
     fmt::print(stderr, "{}: {}; --help says more\n", caller, ShownLines(error.what()));
     return kUsage;

@@ -7,14 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "limpet/console/command.hpp"
 #include "limpet/console/frame.hpp"
 
 namespace limpet {
 
-/// Prints `help` if a word asks for it; else runs `work` and turns what it throws into a complaint
-/// on stderr and an exit code.
-[[nodiscard]] int RunTool(const std::string& caller, const std::string& help,
-                          std::span<const std::string> args, const std::function<int()>& work);
+/// Prints the help if a word asks for it; else runs `work` and turns what it throws into a
+/// complaint on stderr, under the command's name, and an exit code.
+[[nodiscard]] int RunTool(const Command& command, std::span<const std::string> args,
+                          const std::function<int(const Arguments&)>& work);
 
 /// Prints lines to stdout; with ink if that is a terminal and colours are wanted.
 void PrintFrame(const Frame& frame);

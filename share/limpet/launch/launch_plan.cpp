@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "limpet/console/command.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/launch/launch_rules.hpp"
 #include "limpet/mission/expanded_text.hpp"
@@ -216,7 +217,9 @@ LaunchCommand ReadLaunchCommand(const std::vector<std::string>& args) {
     const auto equals = arg.find('=');
     const std::string value = equals == std::string::npos ? "" : arg.substr(equals + 1);
     const std::string name = arg.substr(0, equals);
-    if (!arg.starts_with("--")) {
+    if (name == "--help" || name == "-h") {
+      command.wants_help = true;
+    } else if (!arg.starts_with("--")) {
       if (command.mission_file.empty()) {
         command.mission_file = arg;
       } else {
@@ -225,8 +228,6 @@ LaunchCommand ReadLaunchCommand(const std::vector<std::string>& args) {
           command.only.push_back(word);
         }
       }
-    } else if (name == "--help") {
-      command.wants_help = true;
     } else if (name == "--quiet" || name == "--terse") {
       command.is_quiet = true;
     } else if (name == "--allow-outside") {
@@ -264,33 +265,39 @@ LaunchCommand ReadLaunchCommand(const std::vector<std::string>& args) {
 }
 
 std::string LaunchHelp(const std::string& caller) {
-  return fmt::format(R"(usage: {} <file.moos> ["nameA nameB"] [options]
-
-Starts every process of the file's ANTLER block, keeps what each prints in
-<run folder>/<name>.log, starts again what fails (with growing pauses), and on Ctrl-C ends
-all in order. `Run = pNav @ Restart = never|on_failure|always` says otherwise for one process.
-What hangs is killed and started again (`HungAfter_s = 6`). When an app that the mission cannot do
-without is given up (`Vital = true|false`), the vehicle is brought up and the mission is aborted.
-
-  --Name=value       replace the lines that set Name, e.g. --MOOSTimeWarp=10; the processes
-                     then read the copy <file>++
-  --run_folder=DIR   default runs/<mission folder>-live, with the file's name if not mission.moos;
-                     -live-2, -live-3, ... if a former launch left something there
-  --session=NAME     discovery (default), change, ...; later sessions compare with the discovery
-                     of the latest dive
-  --prior_folder=DIR ... or with the session saved there
-  --seed=N           for the simulators
-  --deploy           write DEPLOY = true once every process is up
-  --until=VARIABLE   end in order as soon as VARIABLE is written, e.g. MISSION_END
-  --allow-outside    let the mission start any program and write its logs anywhere; without it,
-                     only MOOS processes (p, i or u and a capital letter) from beside this
-                     program and from PATH, and logs below the mission's, the run's and the
-                     working folder
-  --quiet            say only what goes wrong
-
-A program that is not there is said and left out. Exit code 1 if one was vital (no viewer, no tool).
-)",
-                     caller);
+  return HelpText(
+      {.name = caller,
+       .words = "<file.moos> [\"nameA nameB\"]",
+       .about = "Starts every process of the file's ANTLER block, keeps what each prints in "
+                "<run folder>/<name>.log, starts again what fails (with growing pauses), and on "
+                "Ctrl-C ends all in order. `Run = pNav @ Restart = never|on_failure|always` says "
+                "otherwise for one process. What hangs is killed and started again (`HungAfter_s "
+                "= 6`). When an app that the mission cannot do without is given up (`Vital = "
+                "true|false`), the vehicle is brought up and the mission is aborted.",
+       .options =
+           {{.names = "--Name=value",
+             .meaning = "replace the lines that set Name, e.g. --MOOSTimeWarp=10; the processes "
+                        "then read the copy <file>++"},
+            {.names = "--run_folder=DIR",
+             .meaning = "default runs/<mission folder>-live, with the file's name if not "
+                        "mission.moos; -live-2, -live-3, ... if a former launch left something "
+                        "there"},
+            {.names = "--session=NAME",
+             .meaning = "discovery (default), change, ...; later sessions compare with the "
+                        "discovery of the latest dive"},
+            {.names = "--prior_folder=DIR", .meaning = "... or with the session saved there"},
+            {.names = "--seed=N", .meaning = "for the simulators"},
+            {.names = "--deploy", .meaning = "write DEPLOY = true once every process is up"},
+            {.names = "--until=VARIABLE",
+             .meaning = "end in order as soon as VARIABLE is written, e.g. MISSION_END"},
+            {.names = "--allow-outside",
+             .meaning = "let the mission start any program and write its logs anywhere; without "
+                        "it, only MOOS processes (p, i or u and a capital letter) from beside this "
+                        "program and from PATH, and logs below the mission's, the run's and the "
+                        "working folder"},
+            {.names = "--quiet", .meaning = "say only what goes wrong"}},
+       .more = "A program that is not there is said and left out. Exit code 1 if one was vital (no "
+               "viewer, no tool)."});
 }
 
 std::string WithReplacements(std::string_view text,

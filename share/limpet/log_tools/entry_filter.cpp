@@ -3,9 +3,6 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
-#include "limpet/core/number_text.hpp"
 #include "limpet/pubsub/database.hpp"
 
 namespace limpet {
@@ -17,32 +14,28 @@ bool MatchesAny(const std::vector<std::string>& patterns, std::string_view text)
          });
 }
 
-std::optional<double> SecondsOf(const Arguments& given, const std::string& option) {
-  const std::optional<std::string> text = given.Find(option);
-  if (!text) {
-    return std::nullopt;
-  }
-  const std::optional<double> value = ParseNumber(*text);
-  if (!value) {
-    throw UsageError(
-        fmt::format("--{} takes seconds since the start of the log, not `{}`", option, *text));
-  }
-  return value;
-}
-
 }  // namespace
 
-const std::vector<std::string>& EntryFilter::Options() {
-  static const std::vector<std::string> options{"source", "from", "to", "value"};
-  return options;
+std::vector<CommandOption> EntryFilter::Options() {
+  const ValueRule seconds = AnyNumber("seconds since the start of the log");
+  return {
+      {.names = "--source",
+       .value = "PATTERN",
+       .meaning = "only entries written by such an app",
+       .is_repeatable = true},
+      {.names = "--value", .value = "TEXT", .meaning = "only entries whose value contains TEXT"},
+      {.names = "--from",
+       .value = "S",
+       .meaning = "only entries from then on, in seconds since the start of the log",
+       .rule = seconds},
+      {.names = "--to", .value = "S", .meaning = "only entries up to then", .rule = seconds}};
 }
 
 EntryFilter EntryFilter::Of(const Arguments& given, std::vector<std::string> names) {
-  EntryFilter filter;
-  filter.names_ = std::move(names);
+  EntryFilter filter(std::move(names));
   filter.sources_ = given.All("source");
-  filter.from_ = SecondsOf(given, "from");
-  filter.to_ = SecondsOf(given, "to");
+  filter.from_ = given.Number("from");
+  filter.to_ = given.Number("to");
   filter.part_of_value_ = given.Find("value");
   if (filter.from_ && filter.to_ && *filter.from_ > *filter.to_) {
     throw UsageError("--from lies behind --to");

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "limpet/console/arguments.hpp"
+#include "limpet/console/command.hpp"
 #include "limpet/logbook/alog_reader.hpp"
 
 namespace limpet {
@@ -15,9 +15,11 @@ namespace limpet {
 /// Which entries a command is about: names and sources by pattern, times, a text in the value.
 class EntryFilter {
  public:
-  /// Options that Of understands, for Arguments.
-  static const std::vector<std::string>& Options();
-  /// `names` are patterns; none: every variable. Throws UsageError.
+  /// Options that Of understands, for a Command.
+  [[nodiscard]] static std::vector<CommandOption> Options();
+  /// Of names alone: patterns; none: every variable.
+  explicit EntryFilter(std::vector<std::string> names) : names_(std::move(names)) {}
+  /// `names` as above. Throws UsageError.
   [[nodiscard]] static EntryFilter Of(const Arguments& given, std::vector<std::string> names);
 
   [[nodiscard]] bool Accepts(const AlogEntry& entry);

@@ -2,18 +2,16 @@
 // The commands of `limpet log`; each reads its log once, line by line.
 #pragma once
 
-#include <span>
-#include <string>
-#include <vector>
+#include "limpet/console/command.hpp"
 
 namespace limpet {
 
 struct LogCommand {
   const char* name;
   const char* summary;
-  const char* help;
-  /// `args` without the command's name. Throws UsageError, Refusal, std::runtime_error.
-  int (*run)(std::span<const std::string> args);
+  Command (*form)();
+  /// Throws UsageError, Refusal, std::runtime_error.
+  int (*run)(const Arguments& given);
 };
 
 extern const LogCommand kLogScan;

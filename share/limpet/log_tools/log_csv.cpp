@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // limpet log csv: variables as columns of a table.
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include <fmt/format.h>
 
-#include "limpet/console/arguments.hpp"
 #include "limpet/console/command_output.hpp"
+#include "limpet/console/exit_code.hpp"
 #include "limpet/log_tools/entry_filter.hpp"
 #include "limpet/log_tools/log_commands.hpp"
 #include "limpet/log_tools/log_input.hpp"
@@ -24,7 +25,7 @@ std::vector<std::string> ColumnsOf(const std::string& log, const std::vector<std
   for (const std::string& name : names) {
     std::set<std::string, std::less<>> found;
     if (IsPattern(name)) {
-      EntryFilter filter = EntryFilter::Of(Arguments({}, {}, {}), {name});
+      EntryFilter filter(std::vector<std::string>{name});
       LogInput input(log);
       AlogLine line;
       for (AlogEntry entry; input.Next(line, entry);) {
@@ -45,14 +46,6 @@ std::vector<std::string> ColumnsOf(const std::string& log, const std::vector<std
   return columns;
 }
 
-AlogCsv::Join JoinOf(const Arguments& given) {
-  const std::string join = given.Find("join").value_or("none");
-  if (join != "none" && join != "last") {
-    throw UsageError(fmt::format("--join takes none or last, not `{}`", join));
-  }
-  return join == "last" ? AlogCsv::Join::kLast : AlogCsv::Join::kNone;
-}
-
 /// Empties `text`.
 void WriteRows(std::string& text, CommandOutput& output) {
   if (!text.empty()) {
@@ -61,13 +54,35 @@ void WriteRows(std::string& text, CommandOutput& output) {
   }
 }
 
-int RunCsv(std::span<const std::string> args) {
-  const Arguments given(args, {"join", "source", "from", "to", "out"}, {"force"});
+Command CsvForm() {
+  Command form{
+      .name = "limpet log csv",
+      .words = "<log> VARIABLE ...",
+      .about =
+          "Writes a CSV table: `time` (seconds since the start of the log), then a column "
+          "per variable. A pattern (`*`, `?`) stands for its variables by name. Rows follow "
+          "the log's order of arrival.",
+      .options = {{.names = "--join",
+                   .value = "HOW",
+                   .meaning = "none: a row per entry, the other cells empty; last: a row per "
+                              "instant, every cell with its variable's last value",
+                   .fallback = "none",
+                   .rule = OneOf({"none", "last"})},
+                  {.names = "--out", .value = "FILE", .meaning = "write to FILE"},
+                  {.names = "--force", .meaning = "write over an existing one"}},
+      .more = R"(Exit code 1 if there is no row.
+
+  limpet log csv run.alog NAV_X NAV_Y NAV_DEPTH --join last --out track.csv)",
+      .takes = "a log and variables, e.g. run.alog NAV_X NAV_Y",
+      .least_words = 2};
+  std::ranges::move(EntryFilter::Options(), std::back_inserter(form.options));
+  return form;
+}
+
+int RunCsv(const Arguments& given) {
   const std::vector<std::string>& words = given.positionals();
-  if (words.size() < 2) {
-    throw UsageError("log csv takes a log and variables, e.g. run.alog NAV_X NAV_Y");
-  }
-  const AlogCsv::Join join = JoinOf(given);
+  const AlogCsv::Join join =
+      *given.Find("join") == "last" ? AlogCsv::Join::kLast : AlogCsv::Join::kNone;
   EntryFilter filter = EntryFilter::Of(given, {});
   const std::vector<std::string> names(words.begin() + 1, words.end());
   if (words[0] == "-" && std::ranges::any_of(names, IsPattern)) {
@@ -100,22 +115,6 @@ int RunCsv(std::span<const std::string> args) {
 
 }  // namespace
 
-const LogCommand kLogCsv{"csv", "variables as columns of a table",
-                         R"(usage: limpet log csv <log> VARIABLE ... [options]
-
-Writes a CSV table: `time` (seconds since the start of the log), then a column per variable. A
-pattern (`*`, `?`) stands for its variables by name. Rows follow the log's order of arrival.
-
-  --join none        a row per entry, the other cells empty (default)
-  --join last        a row per instant, every cell with its variable's last value
-  --source PATTERN   only entries written by such an app; repeatable
-  --from S, --to S   only entries of these times
-  --out FILE         write to FILE; --force writes over an existing one
-
-Exit code 1 if there is no row.
-
-  limpet log csv run.alog NAV_X NAV_Y NAV_DEPTH --join last --out track.csv
-)",
-                         RunCsv};
+const LogCommand kLogCsv{"csv", "variables as columns of a table", CsvForm, RunCsv};
 
 }  // namespace limpet

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // limpet log grep, limpet log clip: some lines of a log, as they are.
+#include <algorithm>
+#include <iterator>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "limpet/console/arguments.hpp"
 #include "limpet/console/command_output.hpp"
+#include "limpet/console/exit_code.hpp"
 #include "limpet/log_tools/entry_filter.hpp"
 #include "limpet/log_tools/log_commands.hpp"
 #include "limpet/log_tools/log_input.hpp"
@@ -60,9 +63,8 @@ Counts Copy(LogInput& input, EntryFilter& filter, const Form& form, CommandOutpu
   return counts;
 }
 
-int RunFilter(const Arguments& given, std::vector<std::string> names, bool is_inverted) {
+int RunFilter(const Arguments& given, EntryFilter filter, bool is_inverted) {
   LogInput input(given.positionals()[0]);
-  EntryFilter filter = EntryFilter::Of(given, std::move(names));
   CommandOutput output(given.Find("out"), given.Has("force"), input.file());
   // On a terminal the banner only pushes away what was asked for; anywhere else the result is a
   // log.
@@ -83,66 +85,68 @@ int RunFilter(const Arguments& given, std::vector<std::string> names, bool is_in
   return counts.kept > 0 ? kOk : kFailed;
 }
 
-std::vector<std::string> WithFilterOptions() {
-  std::vector<std::string> options = EntryFilter::Options();
-  options.emplace_back("out");
-  return options;
+/// Of both commands: what is done with the entries.
+std::vector<CommandOption> OutputOptions() {
+  return {
+      {.names = "--out", .value = "FILE", .meaning = "write to FILE"},
+      {.names = "--force", .meaning = "write over an existing one"},
+      {.names = "--bare", .meaning = "entries alone, without the log's banner (as on a terminal)"},
+      {.names = "--json", .meaning = "one JSON object per entry: time, name, source, aux, value"}};
 }
 
-int RunGrep(std::span<const std::string> args) {
-  const Arguments given(args, WithFilterOptions(), {"invert", "bare", "json", "force"});
+Command GrepForm() {
+  Command form{.name = "limpet log grep",
+               .words = "<log> [VARIABLE ...]",
+               .about =
+                   "Prints the entries whose variable matches one of the patterns (`*`: "
+                   "anything, `?`: one character), as they stand in the log, so that the "
+                   "result is a log again.",
+               .options = EntryFilter::Options(),
+               .more = R"(Exit code 1 if nothing matches.
+
+  limpet log grep run.alog 'NAV_*' DEPLOY
+  limpet log grep run.alog CAMERA_FRAME --invert --out small.alog)",
+               .takes = "a log and patterns, e.g. run.alog 'NAV_*'",
+               .least_words = 1};
+  form.options.push_back(
+      {.names = "--invert", .meaning = "the other entries: takes variables out of a log"});
+  std::ranges::move(OutputOptions(), std::back_inserter(form.options));
+  return form;
+}
+
+int RunGrep(const Arguments& given) {
   const std::vector<std::string>& words = given.positionals();
-  if (words.empty()) {
-    throw UsageError("log grep takes a log and patterns, e.g. run.alog 'NAV_*'");
-  }
-  return RunFilter(given, {words.begin() + 1, words.end()}, given.Has("invert"));
+  return RunFilter(given, EntryFilter::Of(given, {words.begin() + 1, words.end()}),
+                   given.Has("invert"));
 }
 
-int RunClip(std::span<const std::string> args) {
-  const Arguments given(args, {"from", "to", "out"}, {"bare", "json", "force"});
-  if (given.positionals().size() != 1 || (!given.Find("from") && !given.Find("to"))) {
-    throw UsageError("log clip takes one log and --from SECONDS, --to SECONDS or both");
+Command ClipForm() {
+  Command form{.name = "limpet log clip",
+               .words = "<log>",
+               .about =
+                   "Prints the entries of some times (both ends included), as they stand in "
+                   "the log, so that the result is a log again. Times keep their meaning.",
+               .options = EntryFilter::Options(),
+               .more = R"(Exit code 1 if there is no such entry.
+
+  limpet log clip run.alog --from 120 --to 180 --out turn.alog)",
+               .takes = "one log and --from SECONDS, --to SECONDS or both",
+               .least_words = 1,
+               .most_words = 1};
+  std::ranges::move(OutputOptions(), std::back_inserter(form.options));
+  return form;
+}
+
+int RunClip(const Arguments& given) {
+  if (!given.Has("from") && !given.Has("to")) {
+    throw UsageError("log clip takes " + ClipForm().takes);
   }
-  return RunFilter(given, {}, false);
+  return RunFilter(given, EntryFilter::Of(given, {}), false);
 }
 
 }  // namespace
 
-const LogCommand kLogGrep{"grep", "entries of some variables",
-                          R"(usage: limpet log grep <log> [VARIABLE ...] [options]
-
-Prints the entries whose variable matches one of the patterns (`*`: anything, `?`: one character),
-as they stand in the log, so that the result is a log again.
-
-  --source PATTERN   only entries written by such an app; repeatable
-  --value TEXT       only entries whose value contains TEXT
-  --from S, --to S   only entries of these times, seconds since the start of the log
-  --invert           the other entries: takes variables out of a log
-  --out FILE         write to FILE; --force writes over an existing one
-  --bare             entries alone, without the log's banner (as on a terminal)
-  --json             one JSON object per entry: time, name, source, aux, value
-
-Exit code 1 if nothing matches.
-
-  limpet log grep run.alog 'NAV_*' DEPLOY
-  limpet log grep run.alog CAMERA_FRAME --invert --out small.alog
-)",
-                          RunGrep};
-
-const LogCommand kLogClip{"clip", "entries between two times",
-                          R"(usage: limpet log clip <log> [--from S] [--to S] [options]
-
-Prints the entries of these times (seconds since the start of the log, both included), as they stand
-in the log, so that the result is a log again. Times keep their meaning.
-
-  --out FILE   write to FILE; --force writes over an existing one
-  --bare       entries alone, without the log's banner (as on a terminal)
-  --json       one JSON object per entry: time, name, source, aux, value
-
-Exit code 1 if there is no such entry.
-
-  limpet log clip run.alog --from 120 --to 180 --out turn.alog
-)",
-                          RunClip};
+const LogCommand kLogGrep{"grep", "entries of some variables", GrepForm, RunGrep};
+const LogCommand kLogClip{"clip", "entries between two times", ClipForm, RunClip};
 
 }  // namespace limpet

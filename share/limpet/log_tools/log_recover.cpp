@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "limpet/console/arguments.hpp"
 #include "limpet/console/command_output.hpp"
+#include "limpet/console/exit_code.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/log_tools/column_table.hpp"
 #include "limpet/log_tools/log_commands.hpp"
@@ -53,11 +53,28 @@ void PrintText(const LogInput& input, const AlogRecovery& recovery, const Comman
   }
 }
 
-int RunRecover(std::span<const std::string> args) {
-  const Arguments given(args, {"out"}, {"json", "force"});
-  if (given.positionals().size() != 1 || !given.Find("out")) {
-    throw UsageError("log recover takes one log and --out FILE");
-  }
+Command RecoverForm() {
+  return {.name = "limpet log recover",
+          .words = "<log>",
+          .about =
+              "Copies what is sound of a log that a kill, a power cut or a bad disk has torn, "
+              "and says what was not: the torn last line, lines with bytes that no log "
+              "holds, binary values whose bytes are missing. The log itself stays as it is. "
+              "Every other command reads torn logs too; recover makes one for tools that do "
+              "not.",
+          .options = {{.names = "--out",
+                       .value = "FILE",
+                       .meaning = "where the sound log goes",
+                       .is_required = true},
+                      {.names = "--force", .meaning = "write over an existing file"},
+                      {.names = "--json", .meaning = "what was found, as JSON"}},
+          .more = "  limpet log recover run.alog --out sound.alog",
+          .takes = "one log and --out FILE",
+          .least_words = 1,
+          .most_words = 1};
+}
+
+int RunRecover(const Arguments& given) {
   LogInput input(given.positionals()[0]);
   CommandOutput output(given.Find("out"), given.Has("force"), input.file());
   AlogRecovery recovery(input.file().parent_path());
@@ -79,16 +96,6 @@ int RunRecover(std::span<const std::string> args) {
 
 }  // namespace
 
-const LogCommand kLogRecover{"recover", "a sound log of a torn one",
-                             R"(usage: limpet log recover <log> --out FILE [--force] [--json]
-
-Copies what is sound of a log that a kill, a power cut or a bad disk has torn, and says what was not:
-the torn last line, lines with bytes that no log holds, binary values whose bytes are missing. The
-log itself stays as it is. Every other command reads torn logs too; recover makes one for tools that
-do not.
-
-  limpet log recover run.alog --out sound.alog
-)",
-                             RunRecover};
+const LogCommand kLogRecover{"recover", "a sound log of a torn one", RecoverForm, RunRecover};
 
 }  // namespace limpet

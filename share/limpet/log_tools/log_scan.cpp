@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // limpet log scan, limpet log stat: what a log holds.
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "limpet/console/arguments.hpp"
+#include "limpet/console/exit_code.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/log_tools/column_table.hpp"
 #include "limpet/log_tools/entry_filter.hpp"
@@ -177,27 +178,49 @@ void Sort(Variables& variables, const std::string& key) {
     std::ranges::stable_sort(variables, {}, &VariableStatistics::first);
   } else if (key == "last") {
     std::ranges::stable_sort(variables, {}, &VariableStatistics::last);
-  } else if (key != "name") {
-    throw UsageError(
-        fmt::format("--sort takes name, entries, size, rate, first or last, not `{}`", key));
-  }
+  }  // by name they come
 }
 
-int Run(std::span<const std::string> args, const char* command,
-        void (*print)(const LogInput&, const Scanned&)) {
-  std::vector<std::string> options = EntryFilter::Options();
-  options.emplace_back("sort");
-  const Arguments given(args, options, {"json"});
+/// What both commands take, but for what they are about.
+Command FormOf(const char* name, const char* about, const char* json, const char* example) {
+  Command form{.name = std::string("limpet log ") + name,
+               .words = "<log> [VARIABLE ...]",
+               .about = about,
+               .options = {{.names = "--sort",
+                            .value = "KEY",
+                            .meaning = "name, entries, size, rate, first or last",
+                            .fallback = "name",
+                            .rule = OneOf({"name", "entries", "size", "rate", "first", "last"})}},
+               .more = example,
+               .takes = "a log",
+               .least_words = 1};
+  std::ranges::move(EntryFilter::Options(), std::back_inserter(form.options));
+  form.options.push_back({.names = "--json", .meaning = json});
+  return form;
+}
+
+Command ScanForm() {
+  return FormOf("scan",
+                "Lists the variables of a log: entries, rate, share of the file, first and last "
+                "time, writers. VARIABLE is a pattern (`*`: anything, `?`: one character).",
+                "all facts, with those of `stat`",
+                "  limpet log scan runs/table1-1/discovery --sort size");
+}
+
+Command StatForm() {
+  return FormOf("stat",
+                "Says of each variable with numbers how many there are, their least, mean and "
+                "greatest value, standard deviation, first and last value, and the longest time "
+                "without one. VARIABLE is a pattern (`*`: anything, `?`: one character).",
+                "all facts, with those of `scan`", "  limpet log stat run.alog 'NAV_*' --from 60");
+}
+
+int Run(const Arguments& given, void (*print)(const LogInput&, const Scanned&)) {
   const std::vector<std::string>& words = given.positionals();
-  if (words.empty()) {
-    throw UsageError(fmt::format("log {} takes a log", command));
-  }
-  Variables none;
-  Sort(none, given.Find("sort").value_or("name"));  // complains before the long reading
   EntryFilter filter = EntryFilter::Of(given, {words.begin() + 1, words.end()});
   LogInput input(words[0]);
   Scanned scanned = Scan(input, filter);
-  Sort(scanned.variables, given.Find("sort").value_or("name"));
+  Sort(scanned.variables, *given.Find("sort"));
   if (given.Has("json")) {
     PrintJson(input, scanned);
   } else {
@@ -208,41 +231,14 @@ int Run(std::span<const std::string> args, const char* command,
   return kOk;
 }
 
-int RunScan(std::span<const std::string> args) { return Run(args, "scan", PrintScan); }
-int RunStat(std::span<const std::string> args) { return Run(args, "stat", PrintStat); }
+int RunScan(const Arguments& given) { return Run(given, PrintScan); }
+int RunStat(const Arguments& given) { return Run(given, PrintStat); }
 
 }  // namespace
 
 const LogCommand kLogScan{"scan", "which variables a log holds, how many, how often, by whom",
-                          R"(usage: limpet log scan <log> [VARIABLE ...] [options]
-
-Lists the variables of a log: entries, rate, share of the file, first and last time, writers.
-VARIABLE is a pattern (`*`: anything, `?`: one character).
-
-  --sort KEY         name (default), entries, size, rate, first or last
-  --source PATTERN   only entries written by such an app; repeatable
-  --from S, --to S   only entries of these times, seconds since the start of the log
-  --value TEXT       only entries whose value contains TEXT
-  --json             all facts, with those of `stat`
-
-  limpet log scan runs/table1-1/discovery --sort size
-)",
-                          RunScan};
-
-const LogCommand kLogStat{"stat", "least, mean, greatest, spread of the numbers in a log",
-                          R"(usage: limpet log stat <log> [VARIABLE ...] [options]
-
-Says of each variable with numbers how many there are, their least, mean and greatest value, standard
-deviation, first and last value, and the longest time without one. VARIABLE is a pattern.
-
-  --sort KEY         name (default), entries, size, rate, first or last
-  --source PATTERN   only entries written by such an app; repeatable
-  --from S, --to S   only entries of these times, seconds since the start of the log
-  --value TEXT       only entries whose value contains TEXT
-  --json             all facts, with those of `scan`
-
-  limpet log stat run.alog 'NAV_*' --from 60
-)",
+                          ScanForm, RunScan};
+const LogCommand kLogStat{"stat", "least, mean, greatest, spread of the numbers in a log", StatForm,
                           RunStat};
 
 }  // namespace limpet

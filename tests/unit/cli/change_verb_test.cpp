@@ -227,7 +227,7 @@ TEST_F(ChangeVerbTest, NothingComesOfTwoSessionsThatSawNothing) {
 
 TEST_F(ChangeVerbTest, NamesTheFolderThatHoldsNoSession) {
   EXPECT_THROW(static_cast<void>(Change()), ConfigError);
-  EXPECT_THROW(static_cast<void>(Change({"more"})), UsageError);
+  EXPECT_THROW(static_cast<void>(Change({"more"})), UsageError) << "a word too many";
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "apps/limpet/cli.hpp"
-#include "apps/limpet/verbs/detect.hpp"
+#include "apps/limpet/command_line.hpp"
 #include "limpet/vision/image_file.hpp"
 #include "limpet/vision/scene_renderer.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -33,7 +33,11 @@ class DetectVerb : public ::testing::Test {
     std::ofstream(folder_.path() / "broken.png") << "no image";
   }
   std::string Path(const std::string& name) const { return (folder_.path() / name).string(); }
-  int Run(const std::vector<std::string>& args) { return RunDetect(args); }
+  int Run(const std::vector<std::string>& args) {
+    std::vector<std::string> words{"detect"};
+    words.insert(words.end(), args.begin(), args.end());
+    return RunCommandLine(words);
+  }
   std::string Csv() const {
     std::ostringstream text;
     text << std::ifstream(folder_.path() / "out.csv").rdbuf();

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/limpet/cli.hpp"
+#include "apps/limpet/command_line.hpp"
 #include "apps/limpet/verbs/log.hpp"
 #include "tests/support/pseudo_terminal.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -33,18 +34,11 @@ class LogVerbTest : public ::testing::Test {
   int Run(std::vector<std::string> words) {
     ::testing::internal::CaptureStdout();
     ::testing::internal::CaptureStderr();
-    const auto end_capture = [this] {
-      out_ = ::testing::internal::GetCapturedStdout();
-      err_ = ::testing::internal::GetCapturedStderr();
-    };
-    try {
-      const int code = RunLog(words);
-      end_capture();
-      return code;
-    } catch (...) {
-      end_capture();
-      throw;
-    }
+    words.insert(words.begin(), "log");
+    const int code = RunCommandLine(words);
+    out_ = ::testing::internal::GetCapturedStdout();
+    err_ = ::testing::internal::GetCapturedStderr();
+    return code;
   }
   [[nodiscard]] static std::string TextOf(const std::filesystem::path& file) {
     std::ifstream in(file);
@@ -135,11 +129,23 @@ TEST_F(LogVerbTest, HelpsWithEveryCommand) {
     EXPECT_EQ(Run({command, "--help"}), kOk);
     EXPECT_THAT(out_, HasSubstr(std::string("usage: limpet log ") + command));
   }
-  EXPECT_THROW(Run({"scna"}), UsageError);
+  EXPECT_EQ(Run({"scna"}), kUsage);
+  EXPECT_THAT(err_, HasSubstr("did you mean `scan`?"));
+}
+
+TEST_F(LogVerbTest, NamesOptionAndValueThatAreNotAllowed) {
+  EXPECT_EQ(Run({"scan", log_.string(), "--sort", "nmae"}), kUsage);
+  EXPECT_EQ(err_, "limpet: --sort takes name, entries, size, rate, first or last, not `nmae`\n");
+  EXPECT_EQ(Run({"clip", log_.string(), "--from=noon"}), kUsage);
+  EXPECT_EQ(err_, "limpet: --from takes seconds since the start of the log, not `noon`\n");
+  EXPECT_EQ(Run({"clip", log_.string()}), kUsage);
+  EXPECT_EQ(err_, "limpet: log clip takes one log and --from SECONDS, --to SECONDS or both\n");
+  EXPECT_EQ(Run({"recover", log_.string()}), kUsage);
+  EXPECT_EQ(err_, "limpet: log recover takes one log and --out FILE\n");
 }
 
 TEST_F(LogVerbTest, ComplainsOfALogThatIsNotThere) {
-  EXPECT_THROW(Run({"scan", (folder_.path() / "none.alog").string()}), std::runtime_error);
+  EXPECT_EQ(Run({"scan", (folder_.path() / "none.alog").string()}), kFailed);
 }
 
 /// A log by somebody who knows what terminals obey: a window's title, colours, a C1 sequence.

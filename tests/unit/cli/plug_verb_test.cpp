@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/limpet/cli.hpp"
-#include "apps/limpet/verbs/plug.hpp"
+#include "apps/limpet/command_line.hpp"
 #include "limpet/core/config.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -31,14 +31,10 @@ class PlugVerbTest : public ::testing::Test {
       printed_ = ::testing::internal::GetCapturedStdout();
       complaints_ = ::testing::internal::GetCapturedStderr();
     };
-    try {
-      const int code = RunPlug(words);
-      end_capture();
-      return code;
-    } catch (...) {
-      end_capture();
-      throw;
-    }
+    words.insert(words.begin(), "plug");
+    const int code = RunCommandLine(words);
+    end_capture();
+    return code;
   }
   [[nodiscard]] std::string Result() const {
     std::ifstream in(out_);
@@ -84,7 +80,7 @@ TEST_F(PlugVerbTest, WarnsOfAnUndefinedMacroWithFileAndLine) {
 }
 
 TEST_F(PlugVerbTest, WritesNothingWhenStrictAndUndefined) {
-  EXPECT_THROW(Run({path_, "-s"}), ConfigError);
+  EXPECT_EQ(Run({path_, "-s"}), kUsage);
   EXPECT_FALSE(std::filesystem::exists(out_));
 }
 
@@ -107,12 +103,8 @@ TEST_F(PlugVerbTest, TakesSectionsWhoseMarkersHaveNoBlank) {
 
 TEST_F(PlugVerbTest, AMacroThatGrowsByItselfIsRefusedWithItsLineAndWritesNothing) {
   std::ofstream(in_) << "#define A $(A)$(A)\nx = $(A)\n";
-  try {
-    Run({"-f"});
-    FAIL() << "must be refused";
-  } catch (const ConfigError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("meta.moos:2"));
-  }
+  EXPECT_EQ(Run({"-f"}), kUsage);
+  EXPECT_THAT(complaints_, HasSubstr("meta.moos:2"));
   EXPECT_FALSE(std::filesystem::exists(out_));
 }
 
@@ -133,8 +125,17 @@ TEST_F(PlugVerbTest, WritesNothingWhenNobodyCanBeAsked) {
   EXPECT_FALSE(std::filesystem::exists(out_));
 }
 
+TEST_F(PlugVerbTest, TakesShortOptionsTogetherAndFoldersWithOrWithoutEqualsSign) {
+  const std::string folder = (folder_.path() / "lib").string();
+  EXPECT_EQ(Run({"-p", folder, "-tf", "PORT=7"}), kOk);
+  EXPECT_THAT(printed_, HasSubstr("ServerPort = 7\n"));
+  EXPECT_EQ(Run({"--path", folder, "-t", "PORT=8"}), kOk);
+  EXPECT_THAT(printed_, HasSubstr("ServerPort = 8\n"));
+}
+
 TEST_F(PlugVerbTest, NamesTheNearestOption) {
-  EXPECT_THROW(RunPlug(std::vector<std::string>{"a", "b", "--stirct"}), UsageError);
+  EXPECT_EQ(Run({"--stirct"}), kUsage);
+  EXPECT_EQ(complaints_, "limpet: unknown option --stirct; did you mean --strict?\n");
 }
 
 }  // namespace
