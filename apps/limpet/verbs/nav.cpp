@@ -2,19 +2,18 @@
 #include "apps/limpet/verbs/nav.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <vector>
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include "apps/limpet/cli.hpp"
-#include "apps/limpet/verbs/nav_plot.hpp"
 #include "estimation/replay/former_landmarks.hpp"
 #include "estimation/replay/replay.hpp"
 #include "limpet/core/clock.hpp"
+#include "limpet/replay_output/replay_plot.hpp"
+#include "limpet/replay_output/replay_tables.hpp"
 
 namespace limpet {
 namespace {
@@ -44,47 +43,6 @@ Command NavForm() {
           .takes = "one stream folder and --out DIR",
           .least_words = 1,
           .most_words = 1};
-}
-
-std::string PosesCsv(const std::vector<SmoothedPose>& poses) {
-  std::string text = "t,x,y,z,roll,pitch,yaw\n";
-  for (const SmoothedPose& pose : poses) {
-    const Pose& X = pose.X_WB;
-    text += fmt::format("{:.3f},{:.4f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f}\n", pose.t, X.p_WB.x(),
-                        X.p_WB.y(), X.p_WB.z(), X.roll, X.pitch, X.yaw);
-  }
-  return text;
-}
-
-std::string MatchesCsv(const std::vector<Landmark>& landmarks) {
-  std::string text = "landmark,former\n";
-  for (const Landmark& landmark : landmarks) {
-    text += fmt::format("{},{}\n", landmark.id, landmark.former_id.value_or(-1));
-  }
-  return text;
-}
-
-std::string AssociationsCsv(const std::vector<ReplayAssociation>& associations) {
-  std::string text = "frame,det,landmark\n";
-  for (const ReplayAssociation& a : associations) {
-    text += fmt::format("{},{},{}\n", a.frame, a.detection, a.landmark);
-  }
-  return text;
-}
-
-std::string TimingJson(std::vector<double> updates, double total) {
-  std::ranges::sort(updates);
-  const auto quantile = [&updates](double share) {
-    const auto last = static_cast<double>(updates.size()) - 1.0;
-    return updates.empty() ? 0.0 : 1e3 * updates[static_cast<std::size_t>(share * last)];
-  };
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return fmt::format(
-      "{{\"updates\": {}, \"median_ms\": {:.4f}, \"p99_ms\": {:.4f}, \"max_ms\": {:.4f}, "
-      "\"total_s\": {:.4f}, \"peak_rss_mb\": {:.1f}}}\n",
-      updates.size(), quantile(0.5), quantile(0.99), quantile(1.0), total,
-      static_cast<double>(usage.ru_maxrss) / 1024.0);
 }
 
 std::string FormerSummary(const ReplayResult& result, const FormerSession& former) {

@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
-#include "apps/limpet/verbs/run_settings.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/report/report.hpp"
 #include "limpet/report/report_json.hpp"
 #include "limpet/report/terminal_report.hpp"
 #include "limpet/runs/run_folder.hpp"
+#include "limpet/runs/run_settings.hpp"
 #include "limpet/scoring/log_replay.hpp"
 #include "limpet/session/session_name.hpp"
 

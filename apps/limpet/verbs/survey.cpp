@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
-#include "apps/limpet/verbs/run_settings.hpp"
 #include "apps/limpet/verbs/survey_options.hpp"
 #include "limpet/console/command_output.hpp"
 #include "limpet/console/shown_text.hpp"
@@ -24,6 +23,7 @@
 #include "limpet/report/terminal_report.hpp"
 #include "limpet/runs/mission_check.hpp"
 #include "limpet/runs/run_folder.hpp"
+#include "limpet/runs/run_settings.hpp"
 #include "limpet/runs/session_runner.hpp"
 #include "limpet/session/session_name.hpp"
 #include "limpet/topics/mapping.hpp"

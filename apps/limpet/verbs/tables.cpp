@@ -11,13 +11,13 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
-#include "apps/limpet/verbs/run_settings.hpp"
 #include "apps/limpet/verbs/survey_options.hpp"
-#include "apps/limpet/verbs/tables_runs.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/mission/scenario.hpp"
 #include "limpet/report/expectation_check.hpp"
 #include "limpet/report/paper_tables.hpp"
+#include "limpet/runs/run_settings.hpp"
+#include "limpet/runs/tables_runs.hpp"
 
 namespace limpet {
 namespace {
@@ -84,7 +84,6 @@ TablesCommand ReadTablesCommand(const Arguments& given) {
   command.first_seed = given.Integer("seed");
   command.jobs = given.Has("jobs") ? given.Integer("jobs") : cores;
   command.out = given.Find("out").value_or("runs/tables-" + command.MissionName());
-  command.prints_json = given.Has("json");
   command.survey_options = HandedOn(given);
   return command;
 }
@@ -143,7 +142,7 @@ bool KeepBounds(const TablesCommand& command, const Expectations& expected) {
   return is_enough;
 }
 
-int MakeTables(const TablesCommand& command) {
+int MakeTables(const TablesCommand& command, bool prints_json) {
   if (!fs::exists(command.mission_folder / "mission.moos")) {
     throw UsageError(fmt::format("no mission in {}", command.mission_folder.string()));
   }
@@ -154,7 +153,7 @@ int MakeTables(const TablesCommand& command) {
   const RunStatistics statistics = Gather(command);
   const auto paper_tables = PaperTables(statistics);
   const std::string json = TablesJson(statistics, command.OptionsText());
-  fmt::print("{}", command.prints_json ? json : PlainText(paper_tables));
+  fmt::print("{}", prints_json ? json : PlainText(paper_tables));
   SayHowFar(command, reached);
   tables.folder.Write({{"tables.json", json}, {"tables.md", Markdown(paper_tables)}});
   const bool keep_bounds = !expected || KeepBounds(command, *expected);
@@ -165,8 +164,9 @@ int MakeTables(const TablesCommand& command) {
 }  // namespace
 
 int RunTables(std::span<const std::string> args) {
-  return RunCommand(TablesForm(), args,
-                    [](const Arguments& given) { return MakeTables(ReadTablesCommand(given)); });
+  return RunCommand(TablesForm(), args, [](const Arguments& given) {
+    return MakeTables(ReadTablesCommand(given), given.Has("json"));
+  });
 }
 
 }  // namespace limpet

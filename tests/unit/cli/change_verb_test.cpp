@@ -189,36 +189,6 @@ TEST_F(ChangeVerbTest, NamesFileAndLineOfAParameterThatIsNone) {
   }
 }
 
-/// Saves a session whose mission says something else than it flew with.
-void SaveWithMission(const fs::path& folder, std::map<std::string, std::string> mission) {
-  SessionMemory memory;
-  memory.mission = std::move(mission);
-  ASSERT_TRUE(SessionWriter(folder / "session").Commit({}, FilesOf(memory)));
-}
-
-TEST_F(ChangeVerbTest, NamesTheSavedMissionThatItCannotRead) {
-  SaveWithMission(folder_.path() / "discovery",
-                  {{"mission.moos", "ProcessConfig = pMap\n{\n  decide_at = 2\n}\n"}});
-  SaveWithMission(folder_.path() / "change", {});
-  try {
-    static_cast<void>(Change());
-    FAIL() << "took a parameter out of range";
-  } catch (const ConfigError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("discovery/mission/mission.moos:3: decide_at"));
-  }
-}
-
-TEST_F(ChangeVerbTest, RefusesASessionWithoutAMissionAndSaysWhatHelps) {
-  SaveWithMission(folder_.path() / "discovery", {});
-  SaveWithMission(folder_.path() / "change", {});
-  try {
-    static_cast<void>(Change());
-    FAIL() << "judged with made-up parameters";
-  } catch (const ConfigError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("--mission"));
-  }
-}
-
 TEST_F(ChangeVerbTest, NothingComesOfTwoSessionsThatSawNothing) {
   FlySession("discovery", {}, {});
   FlySession("change", {}, {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/limpet/verbs/child_runs.hpp"
+#include "limpet/runs/child_runs.hpp"
 
 #include <filesystem>
 #include <set>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "apps/limpet/verbs/tables_runs.hpp"
+#include "limpet/runs/tables_runs.hpp"
 
 #include <set>
 #include <stdexcept>
 
-#include "apps/limpet/cli.hpp"
-#include "apps/limpet/verbs/child_runs.hpp"
 #include "limpet/console/command_output.hpp"
+#include "limpet/console/exit_code.hpp"
 #include "limpet/console/progress_line.hpp"
 #include "limpet/console/shown_text.hpp"
+#include "limpet/runs/child_runs.hpp"
 #include "limpet/session/durable_file.hpp"
 
 namespace limpet {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "apps/limpet/verbs/run_settings.hpp"
+#include "limpet/runs/run_settings.hpp"
 
-#include "apps/limpet/cli.hpp"
+#include "limpet/console/arguments.hpp"
 #include "limpet/helm/helm_params.hpp"
 #include "limpet/runs/mission_check.hpp"
 #include "limpet/survey/survey_params.hpp"

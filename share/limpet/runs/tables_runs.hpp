@@ -9,16 +9,15 @@
 
 #include <fmt/format.h>
 
-#include "apps/limpet/verbs/run_settings.hpp"
 #include "limpet/runs/run_configuration.hpp"
 #include "limpet/runs/run_folder.hpp"
+#include "limpet/runs/run_settings.hpp"
 
 namespace limpet {
 
 struct TablesCommand {
   std::filesystem::path mission_folder, out;
   int first_seed = 1, runs = 10, jobs = 1;
-  bool prints_json = false;
   std::vector<std::string> survey_options;
   [[nodiscard]] std::string MissionName() const { return limpet::MissionName(mission_folder); }
   [[nodiscard]] std::string OptionsText() const {

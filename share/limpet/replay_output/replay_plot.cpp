@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/limpet/verbs/nav_plot.hpp"
+#include "limpet/replay_output/replay_plot.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/comparison/session_comparison.hpp"
+
+#include <cstddef>
+
+#include <nlohmann/json.hpp>
+
+#include "estimation/change/sight_gate.hpp"
+#include "estimation/change/status_book.hpp"
+#include "estimation/mapping/former_map.hpp"
+#include "limpet/core/app_keys.hpp"
+#include "limpet/core/config.hpp"
+#include "limpet/core/units.hpp"
+#include "limpet/mission/mission_file.hpp"
+
+namespace limpet {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+/// pMap's block for a session: of `mission` if given, else of the session's own mission.
+ConfigBlock MapBlockFor(const SavedSession& session, const std::optional<std::string>& mission) {
+  std::optional<ConfigBlock> block;
+  if (mission) {
+    const MissionFile file = LoadMission(*mission);
+    if (const ConfigBlock* found = file.Block("pMap")) block = *found;
+  } else {
+    block = MapBlockOf(session);
+  }
+  if (!block) {
+    throw ConfigError(ConfigProblem{
+        .where = {.file = mission.value_or(session.folder.string()), .line = 0},
+        .key = "",
+        .text = "no mission with a block `ProcessConfig = pMap`: give one with --mission"});
+  }
+  return *block;
+}
+
+/// Objects of a session that kept no landmarks, as landmarks.
+Landmarks LandmarksOf(const OpiBeliefs& objects) {
+  Landmarks landmarks;
+  for (const OpiBelief& opi : objects.opis) {
+    if (opi.landmark < 0) continue;
+    landmarks.landmarks.push_back(
+        {.id = opi.landmark, .object = opi.object, .looks = opi.looks, .is_confirmed = true});
+  }
+  return landmarks;
+}
+
+SessionPrior PriorFrom(const SavedSession& a, const ConfigBlock& block) {
+  SessionPrior prior = PriorOf(a.facts, a.memory);
+  for (const ConfigEntry& entry : block.entries) {
+    prior.map_parameters.push_back({entry.key, entry.value});
+  }
+  return prior;
+}
+
+/// Parameters are read here, where a problem has a file and a line.
+MapParams MapParamsOf(const ConfigBlock& block) {
+  return ReadParams<MapParams>(block, CommonAppKeys());
+}
+
+/// What session B, replayed, believes about the objects of both.
+StatusBook Compare(const SavedSession& a, const SavedSession& b,
+                   const std::optional<std::string>& mission) {
+  const ConfigBlock block_a = MapBlockFor(a, mission);
+  static_cast<void>(MapParamsOf(block_a));
+  const MapParams params = MapParamsOf(MapBlockFor(b, mission));
+  StatusBook book(params.status, params.camera.geometry());
+  const SessionPrior prior = PriorFrom(a, block_a);
+  book.SetFormerViews(FormerViewsOf(prior, params));
+  book.SetFormer(prior.opis);
+  SightGate gate(params.sight_gate());
+  const std::vector<std::string> phase_of = PhaseOfSights(b.memory);
+  for (std::size_t i = 0; i < phase_of.size(); ++i) {
+    const ObservedFrame& sight = b.memory.sights[i];
+    if (!gate.Judge(sight.exposure, sight.altitude, phase_of[i]).drop) {
+      book.AddSight(sight);
+    }
+  }
+  book.SetLandmarks(b.memory.known_landmarks.value_or(LandmarksOf(b.memory.objects)).landmarks);
+  book.Rejudge();
+  return book;
+}
+
+/// True for a place that is only worth a look: nothing was judged there.
+bool IsHunch(const OpiBelief& object) { return object.landmark < 0 && object.prior_id < 0; }
+
+OrderedJson JsonOf(const OpiBelief& object) {
+  const StatusPosterior& p = object.posterior;
+  const Eigen::Vector3d& ned = object.object.p_W;
+  return {
+      {"decided", NameOf(object.decided)},
+      {"color", object.object.color},
+      {"ned_m", {ned.x(), ned.y(), ned.z()}},
+      {"id_a", object.prior_id >= 0 ? OrderedJson(object.prior_id) : OrderedJson(nullptr)},
+      {"landmark_b", object.landmark >= 0 ? OrderedJson(object.landmark) : OrderedJson(nullptr)},
+      {"posterior",
+       {{"confirmed", p.confirmed},
+        {"removed", p.removed},
+        {"new", p.appeared},
+        {"nothing", p.nothing}}},
+      {"looks_b", object.looks},
+      {"looks_with_box_b", object.looks_with_box},
+      {"log_likelihood_ratio_b", object.log_likelihood_ratio}};
+}
+
+OrderedJson JsonOf(const SessionFacts& facts) {
+  return {{"mission", facts.mission},
+          {"session", facts.session},
+          {"seed", facts.seed},
+          {"saved_at_s", facts.saved_at}};
+}
+
+}  // namespace
+
+SessionComparison CompareSessions(const SavedSession& a, const SavedSession& b,
+                                  const std::optional<std::string>& mission) {
+  StatusBook book = Compare(a, b, mission);
+  SessionComparison comparison{.a = a.facts, .b = b.facts, .offset = {}, .objects = {}};
+  for (const OpiBelief& object : book.Assess()) {
+    if (!IsHunch(object)) comparison.objects.push_back(object);
+  }
+  comparison.offset = book.offset();
+  return comparison;
+}
+
+std::string Json(const SessionComparison& comparison) {
+  OrderedJson objects = OrderedJson::array();
+  for (const OpiBelief& object : comparison.objects)
+    objects.push_back(JsonOf(object));
+  const FrameOffset& offset = comparison.offset;
+  const OrderedJson out{{"session_a", JsonOf(comparison.a)},
+                        {"session_b", JsonOf(comparison.b)},
+                        {"offset",
+                         {{"north_m", offset.shift.x()},
+                          {"east_m", offset.shift.y()},
+                          {"turn_deg", DegreesFromRadians(offset.turn)}}},
+                        {"changes", objects}};
+  return out.dump(1) + "\n";
+}
+
+}  // namespace limpet

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "estimation/matching/frame_offset.hpp"
+#include "limpet/objects/object_estimate.hpp"
+#include "limpet/session/saved_session.hpp"
+
+namespace limpet {
+
+/// What changed from session A to session B.
+struct SessionComparison {
+  SessionFacts a, b;
+  FrameOffset offset;              ///< of A's frame in B's
+  std::vector<OpiBelief> objects;  ///< of either; their places in B's frame
+};
+
+/// The vehicle's own judgement, made again from what the sessions saved: each with pMap's
+/// parameters of the mission that it kept, or both with those of the file `mission`. Throws
+/// ConfigError.
+[[nodiscard]] SessionComparison CompareSessions(const SavedSession& a, const SavedSession& b,
+                                                const std::optional<std::string>& mission = {});
+
+[[nodiscard]] std::string Json(const SessionComparison& comparison);
+
+}  // namespace limpet

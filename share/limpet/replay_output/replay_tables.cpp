@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/replay_output/replay_tables.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+namespace limpet {
+
+std::string PosesCsv(const std::vector<SmoothedPose>& poses) {
+  std::string text = "t,x,y,z,roll,pitch,yaw\n";
+  for (const SmoothedPose& pose : poses) {
+    const Pose& X = pose.X_WB;
+    text += fmt::format("{:.3f},{:.4f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f}\n", pose.t, X.p_WB.x(),
+                        X.p_WB.y(), X.p_WB.z(), X.roll, X.pitch, X.yaw);
+  }
+  return text;
+}
+
+std::string MatchesCsv(const std::vector<Landmark>& landmarks) {
+  std::string text = "landmark,former\n";
+  for (const Landmark& landmark : landmarks) {
+    text += fmt::format("{},{}\n", landmark.id, landmark.former_id.value_or(-1));
+  }
+  return text;
+}
+
+std::string AssociationsCsv(const std::vector<ReplayAssociation>& associations) {
+  std::string text = "frame,det,landmark\n";
+  for (const ReplayAssociation& a : associations) {
+    text += fmt::format("{},{},{}\n", a.frame, a.detection, a.landmark);
+  }
+  return text;
+}
+
+std::string TimingJson(std::vector<double> updates_s, double total_s) {
+  std::ranges::sort(updates_s);
+  const auto quantile = [&updates_s](double share) {
+    const auto last = static_cast<double>(updates_s.size()) - 1.0;
+    return updates_s.empty() ? 0.0 : 1e3 * updates_s[static_cast<std::size_t>(share * last)];
+  };
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return fmt::format(
+      "{{\"updates\": {}, \"median_ms\": {:.4f}, \"p99_ms\": {:.4f}, \"max_ms\": {:.4f}, "
+      "\"total_s\": {:.4f}, \"peak_rss_mb\": {:.1f}}}\n",
+      updates_s.size(), quantile(0.5), quantile(0.99), quantile(1.0), total_s,
+      static_cast<double>(usage.ru_maxrss) / 1024.0);
+}
+
+}  // namespace limpet

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// A replayed stream as tables; landmarks are written by estimation/replay, which reads them again.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "estimation/replay/replay.hpp"
+
+namespace limpet {
+
+/// `t,x,y,z,roll,pitch,yaw` [s, m, rad], NED.
+[[nodiscard]] std::string PosesCsv(const std::vector<SmoothedPose>& poses);
+/// `landmark,former`: -1 for one that no earlier session knew.
+[[nodiscard]] std::string MatchesCsv(const std::vector<Landmark>& landmarks);
+/// `frame,det,landmark`
+[[nodiscard]] std::string AssociationsCsv(const std::vector<ReplayAssociation>& associations);
+/// How long updates took, each and together [s], and the most memory that this process has had.
+[[nodiscard]] std::string TimingJson(std::vector<double> updates_s, double total_s);
+
+}  // namespace limpet
