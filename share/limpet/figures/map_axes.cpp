@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "limpet/figures/indexed_png.hpp"
+#include "limpet/figures/rgba_png.hpp"
 #include "limpet/figures/tick_marks.hpp"
 
 namespace limpet {
@@ -17,6 +17,8 @@ using Point = SvgCanvas::Point;
 constexpr double kMapLeft = 58.0, kMapTop = 64.0, kMapBottom = 50.0, kMapGap = 24.0,
                  kLegendWidth = 212.0;
 constexpr double kLargestMap = 620.0;  ///< longer side of the map [px]
+
+RgbaImage::Pixel Opaque(const palette::Rgb& rgb) { return {rgb[0], rgb[1], rgb[2], 255}; }
 
 double ScaleFor(double north_span, double east_span) {
   return kLargestMap / std::max({north_span, east_span, 1.0});
@@ -67,32 +69,18 @@ void MapAxes::Raster(const GridRecord& grid, const std::function<palette::Rgb(st
                      double opacity) {
   const GridFrame& frame = grid.frame;
   if (frame.rows <= 0 || frame.columns <= 0) return;
-  IndexedImage image{frame.columns, frame.rows, {{0, 0, 0, 0}}, {}};
+  RgbaImage raster{frame.columns, frame.rows, {}};
   for (int row = frame.rows - 1; row >= 0; --row) {  // rows of a picture start in the north
     for (int column = 0; column < frame.columns; ++column) {
       const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.columns) +
                         static_cast<std::size_t>(column);
-      if (grid.seen_height[cell] < 0.0F) {
-        image.pixels.push_back(0);
-        continue;
-      }
-      const palette::Rgb rgb = color(cell);
-      const auto known =
-          std::find_if(image.colors.begin() + 1, image.colors.end(), [&](const auto& entry) {
-            return entry.red == rgb[0] && entry.green == rgb[1] && entry.blue == rgb[2];
-          });
-      if (known == image.colors.end() && image.colors.size() < 256) {
-        image.colors.push_back({rgb[0], rgb[1], rgb[2], 255});
-        image.pixels.push_back(static_cast<std::uint8_t>(image.colors.size() - 1));
-      } else {
-        const auto index = std::min<std::ptrdiff_t>(known - image.colors.begin(), 255);
-        image.pixels.push_back(static_cast<std::uint8_t>(index));
-      }
+      const bool is_seen = grid.seen_height[cell] >= 0.0F;
+      raster.pixels.push_back(is_seen ? Opaque(color(cell)) : RgbaImage::Pixel{});
     }
   }
   const double north_max = frame.north_min + frame.rows * frame.cell_m;
   canvas_.Image(At(north_max, frame.east_min),
-                Point(frame.columns, frame.rows) * frame.cell_m * scale_, Base64(EncodePng(image)),
+                Point(frame.columns, frame.rows) * frame.cell_m * scale_, Base64(EncodePng(raster)),
                 opacity);
 }
 
@@ -138,13 +126,11 @@ void MapAxes::ColorBar(const std::function<palette::Rgb(double)>& color, const s
   const double x = At(0.0, east_max_).x() + kMapGap;
   constexpr int kSteps = 64;
   constexpr double kHeight = 150.0, kWidth = 16.0;
-  IndexedImage image{1, kSteps, {}, {}};
+  RgbaImage bar{1, kSteps, {}};
   for (int i = 0; i < kSteps; ++i) {
-    const palette::Rgb rgb = color(1.0 - (i + 0.5) / kSteps);
-    image.colors.push_back({rgb[0], rgb[1], rgb[2], 255});
-    image.pixels.push_back(static_cast<std::uint8_t>(i));
+    bar.pixels.push_back(Opaque(color(1.0 - (i + 0.5) / kSteps)));
   }
-  canvas_.Image({x, legend_y_}, {kWidth, kHeight}, Base64(EncodePng(image)));
+  canvas_.Image({x, legend_y_}, {kWidth, kHeight}, Base64(EncodePng(bar)));
   canvas_.Text({x + kWidth + 9.0, legend_y_ + 9.0}, high);
   canvas_.Text({x + kWidth + 9.0, legend_y_ + kHeight}, low);
   legend_y_ += kHeight + 8.0;

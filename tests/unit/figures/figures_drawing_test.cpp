@@ -3,10 +3,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
 
 #include "limpet/core/random.hpp"
-#include "limpet/figures/indexed_png.hpp"
 #include "limpet/figures/map_axes.hpp"
+#include "limpet/figures/rgba_png.hpp"
 #include "limpet/figures/svg_canvas.hpp"
 #include "limpet/figures/tick_marks.hpp"
 #include "limpet/scoring/disc_in_rectangle.hpp"
@@ -61,15 +63,23 @@ TEST(Base64, EncodesTheStandardsExamples) {
   EXPECT_EQ(encoded("foobar"), "Zm9vYmFy");
 }
 
-TEST(IndexedPng, EndsWithTheChecksumThatEveryPngEndsWith) {
-  const auto png = EncodePng({1, 1, {{1, 2, 3, 255}}, {0}});
+TEST(RgbaPng, EndsWithTheChecksumThatEveryPngEndsWith) {
+  const auto png = EncodePng({1, 1, {{1, 2, 3, 255}}});
   const std::vector<std::uint8_t> end(png.end() - 8, png.end());
   EXPECT_THAT(end, ElementsAre('I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82));
 }
 
-TEST(IndexedPng, SplitsLargeRastersIntoBlocks) {
-  const auto png = EncodePng({400, 400, {{0, 0, 0, 255}}, std::vector<std::uint8_t>(160000, 0)});
-  EXPECT_GT(png.size(), 400U * 401U + 3U * 5U);
+TEST(RgbaPng, KeepsEveryColourAndItsOpacity) {
+  const auto png = EncodePng({2, 1, {{1, 2, 3, 255}, {200, 100, 50, 0}}});
+  const cv::Mat image = cv::imdecode(png, cv::IMREAD_UNCHANGED);
+  ASSERT_EQ(image.cols, 2);
+  EXPECT_EQ(image.at<cv::Vec4b>(0, 0), cv::Vec4b(3, 2, 1, 255));
+  EXPECT_EQ(image.at<cv::Vec4b>(0, 1), cv::Vec4b(50, 100, 200, 0));
+}
+
+TEST(RgbaPng, IsSmallForAnEvenImage) {
+  const auto png = EncodePng({400, 400, std::vector<RgbaImage::Pixel>(160000)});
+  EXPECT_LT(png.size(), 2000U);
 }
 
 TEST(TickMarks, AreRound) {
