@@ -9,31 +9,6 @@
 namespace limpet {
 namespace {
 
-constexpr double kNearestSphere = 0.2;  // [m] a sphere nearer to the camera plane has no box
-
-struct Interval {
-  double low, high;
-};
-
-/// Where the tangents to a circle at (side, depth) meet the image line.
-std::optional<Interval> EdgesOf(double side, double depth, double radius, double f, double c) {
-  const double distance = std::hypot(side, depth);
-  if (depth < kNearestSphere || distance <= radius) {
-    return std::nullopt;
-  }
-  const double middle = std::atan2(side, depth), half = std::asin(radius / distance);
-  constexpr double kLimit = 1.5;  // [rad]
-  return Interval{c + f * std::tan(std::max(middle - half, -kLimit)),
-                  c + f * std::tan(std::min(middle + half, kLimit))};
-}
-
-std::optional<Interval> Clip(const std::optional<Interval>& edges, double size) {
-  if (!edges || edges->high <= 0.0 || edges->low >= size) {
-    return std::nullopt;
-  }
-  return Interval{std::max(edges->low, 0.0), std::min(edges->high, size)};
-}
-
 /// The edge of the cut axis that shows, if the other axis is whole.
 std::optional<EdgeFactor::Edge> LoneEdge(const Box& box, const BoxReading& reading,
                                          const std::array<BoxExtent, 2>& extents,
@@ -80,19 +55,6 @@ std::optional<double> BoxReading::Range(double radius) const {
     return std::nullopt;
   }
   return 0.5 * radius * (1.0 / std::sin(half_angle.x()) + 1.0 / std::sin(half_angle.y()));
-}
-
-std::optional<Box> BoxOfSphere(const Eigen::Vector3d& p_C, double radius,
-                               const CameraModel& camera) {
-  const auto u = Clip(EdgesOf(p_C.x(), p_C.z(), radius, camera.fx, camera.cx), camera.width_px);
-  const auto v = Clip(EdgesOf(p_C.y(), p_C.z(), radius, camera.fy, camera.cy), camera.height_px);
-  if (!u || !v) {
-    return std::nullopt;
-  }
-  Box box;
-  box.u = 0.5 * (u->low + u->high), box.w = u->high - u->low;
-  box.v = 0.5 * (v->low + v->high), box.h = v->high - v->low;
-  return box;
 }
 
 }  // namespace limpet

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a box says about the sphere it shows, and the box that a sphere would have.
+// What a box says about the sphere it shows.
 #pragma once
 
 #include <optional>
@@ -39,9 +39,5 @@ struct BoxReading {
 };
 
 [[nodiscard]] BoxReading ReadBox(const Box& box, const CameraModel& camera, const BoxNoise& noise);
-
-/// Box of a sphere at `p_C`, clipped to the image; nothing when it is out of sight.
-[[nodiscard]] std::optional<Box> BoxOfSphere(const Eigen::Vector3d& p_C, double radius,
-                                             const CameraModel& camera);
 
 }  // namespace limpet

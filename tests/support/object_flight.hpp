@@ -15,6 +15,7 @@
 #include "estimation/smoothing/factors/roll_pitch_factor.hpp"
 #include "estimation/smoothing/factors/xyz_yaw_factor.hpp"
 #include "limpet/core/random.hpp"
+#include "tests/support/sphere_box.hpp"
 
 namespace limpet {
 

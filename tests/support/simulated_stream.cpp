@@ -7,8 +7,8 @@
 
 #include <Eigen/Geometry>
 
-#include "estimation/association/box_reading.hpp"
 #include "limpet/core/random.hpp"
+#include "tests/support/sphere_box.hpp"
 
 namespace limpet {
 namespace {

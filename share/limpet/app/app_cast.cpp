@@ -14,7 +14,6 @@ namespace {
 
 constexpr std::string_view kField = "!@#";
 constexpr std::string_view kItem = "!@";
-constexpr std::size_t kHeaderWidth = 62;
 constexpr double kLongestRequest = 30.0;  ///< [s]
 constexpr std::size_t kLongestKey = 200;
 
@@ -133,40 +132,6 @@ std::optional<AppCast> DecodeAppCast(std::string_view text) {
     }
   }
   return cast.process.empty() ? std::nullopt : std::optional<AppCast>(std::move(cast));
-}
-
-std::string FormatAppCast(const AppCast& cast) {
-  const std::string rule(kHeaderWidth, '=');
-  const std::string title = fmt::format("{} {}", cast.process, cast.node);
-  const std::string counts =
-      fmt::format("{}/{}({})", cast.config_warnings.size(), cast.run_warning_total, cast.iteration);
-  const std::size_t used = std::min(title.size(), kHeaderWidth);
-  std::string text =
-      fmt::format("{}\n{}{:>{}}\n{}\n", rule, title, counts, kHeaderWidth - used, rule);
-  if (!cast.config_warnings.empty()) {
-    text += fmt::format("Configuration Warnings: {}\n", cast.config_warnings.size());
-    for (const std::string& warning : cast.config_warnings) {
-      text += fmt::format(" {}\n", warning);
-    }
-    text += "\n";
-  }
-  if (!cast.run_warnings.empty()) {
-    text += fmt::format("Runtime Warnings: {}\n", cast.run_warning_total);
-    for (const CountedWarning& warning : cast.run_warnings) {
-      text += fmt::format(" [{}]: {}\n", warning.count, warning.text);
-    }
-    text += "\n";
-  }
-  for (const std::string& line : cast.messages) {
-    text += line + "\n";
-  }
-  if (!cast.events.empty()) {
-    text += fmt::format("\n{}\nMost Recent Events ({}):\n{}\n", rule, cast.events.size(), rule);
-    for (auto event = cast.events.rbegin(); event != cast.events.rend(); ++event) {
-      text += *event + "\n";
-    }
-  }
-  return text;
 }
 
 bool AppCastRequest::IsFor(std::string_view app_name, std::string_view community) const {

@@ -39,9 +39,6 @@ struct AppCast {
 /// Nothing if no process is named. Fields that are missing keep their defaults.
 [[nodiscard]] std::optional<AppCast> DecodeAppCast(std::string_view text);
 
-/// The form that a terminal shows: header, warnings, body, events with the newest first.
-[[nodiscard]] std::string FormatAppCast(const AppCast& cast);
-
 /// Somebody wants reports for a while.
 struct AppCastRequest {
   std::string node;  ///< community or `all`

@@ -50,11 +50,4 @@ MoosPose MoosFromNed(const Eigen::Vector3d& p_WB, double yaw_ned) {
           .yaw = WrapAngle(0.5 * std::numbers::pi - yaw_ned)};
 }
 
-Pose NedFromMoos(const MoosPose& moos) {
-  Pose pose;
-  pose.p_WB = {moos.y, moos.x, moos.depth};
-  pose.yaw = YawFromMoosHeading(moos.heading_deg);
-  return pose;
-}
-
 }  // namespace limpet

@@ -39,7 +39,5 @@ struct MoosPose {
 [[nodiscard]] double MoosHeadingFromYaw(double yaw_ned);
 [[nodiscard]] double YawFromMoosHeading(double heading_deg);
 [[nodiscard]] MoosPose MoosFromNed(const Eigen::Vector3d& p_WB, double yaw_ned);
-/// The inverse of MoosFromNed; `yaw` of the result is NED.
-[[nodiscard]] Pose NedFromMoos(const MoosPose& moos);
 
 }  // namespace limpet

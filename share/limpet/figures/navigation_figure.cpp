@@ -30,10 +30,19 @@ std::vector<double> Minutes(const std::vector<double>& seconds) {
   return out;
 }
 
+/// One of the charts below each other: a position axis, its error and the estimator's bound [m].
+struct ErrorPanel {
+  double top_px = 0.0;
+  const char* label;
+  const std::vector<double>& error;
+  const std::vector<double>& sd;
+  bool is_last = false;
+};
+
 /// Error of one axis over its own 3-sigma bounds.
-void DrawAxis(SvgCanvas& canvas, double top, const std::string& label, const NavErrorCurve& curve,
-              const std::vector<double>& error, const std::vector<double>& sd, double x_high,
-              bool is_last) {
+void DrawAxis(SvgCanvas& canvas, const ErrorPanel& panel, const std::vector<double>& minutes,
+              double minutes_high) {
+  const std::vector<double>&error = panel.error, &sd = panel.sd;
   std::vector<double> low, high;
   double largest = 0.05;
   for (std::size_t i = 0; i < sd.size(); ++i) {
@@ -47,14 +56,13 @@ void DrawAxis(SvgCanvas& canvas, double top, const std::string& label, const Nav
   if (!sorted.empty())
     largest = std::max(largest, std::min(sorted[sorted.size() * 9 / 10], 6.0 * largest));
   largest *= 1.1;
-  const std::vector<double> minutes = Minutes(curve.time_s);
-  PlotAxes axes(canvas, {.corner = {kNavigationLeft, top},
+  PlotAxes axes(canvas, {.corner = {kNavigationLeft, panel.top_px},
                          .size = {kNavigationWidth, 84.0},
-                         .x = {0.0, x_high},
+                         .x = {0.0, minutes_high},
                          .y = {-largest, largest},
                          .x_label = "time since the survey began [min]",
-                         .y_label = label,
-                         .has_x_labels = is_last,
+                         .y_label = panel.label,
+                         .has_x_labels = panel.is_last,
                          .y_ticks = 4});
   axes.Band(minutes, low, high, kBounds);
   axes.Level(0.0, {.stroke = palette::kMuted, .width = 0.8});
@@ -94,9 +102,13 @@ Figure NavigationFigure(const FigureSource& source) {
   canvas.Rect({kNavigationLeft + 280.0, 65.0}, {26.0, 12.0}, kBounds);
   canvas.Text({kNavigationLeft + 313.0, 75.0},
               "\u00b13 standard deviations, as the estimator says");
-  DrawAxis(canvas, 284.0, "north [m]", curve, curve.north_m, curve.sd_north_m, x_high, false);
-  DrawAxis(canvas, 388.0, "east [m]", curve, curve.east_m, curve.sd_east_m, x_high, false);
-  DrawAxis(canvas, 492.0, "down [m]", curve, curve.down_m, curve.sd_down_m, x_high, true);
+  const std::vector<double> minutes = Minutes(curve.time_s);
+  for (const ErrorPanel& panel :
+       {ErrorPanel{284.0, "north [m]", curve.north_m, curve.sd_north_m},
+        ErrorPanel{388.0, "east [m]", curve.east_m, curve.sd_east_m},
+        ErrorPanel{492.0, "down [m]", curve.down_m, curve.sd_down_m, true}}) {
+    DrawAxis(canvas, panel, minutes, x_high);
+  }
   return {
       source.record.name + "_navigation.svg",
       fmt::format("Above: distance between estimate and truth. Below: the same by axis, with the "

@@ -152,17 +152,6 @@ DubinsPath DubinsPath::Prefix(double length) const {
   return prefix;
 }
 
-DubinsPath DubinsPath::Suffix(double length) const {
-  DubinsPath suffix(At(length));
-  double skip = std::max(0.0, length);
-  for (const PathSegment& segment : segments_) {
-    const double skipped = std::min(skip, segment.length);
-    suffix.Append({.curvature = segment.curvature, .length = segment.length - skipped});
-    skip -= skipped;
-  }
-  return suffix;
-}
-
 std::vector<DubinsPath> AllDubins(const Pose2& from, const Pose2& to, Meters radius) {
   LIMPET_REQUIRE(radius.value() > 0.0, "turns need a radius");
   std::vector<DubinsPath> paths;
@@ -192,10 +181,6 @@ HelmPath ToHelmPath(const DubinsPath& path, int id, const std::string& purpose) 
           .yaw = path.start().yaw,
           .segments = path.segments(),
           .purpose = purpose};
-}
-
-DubinsPath FromHelmPath(const HelmPath& path) {
-  return DubinsPath({path.north, path.east, path.yaw}, path.segments);
 }
 
 }  // namespace limpet

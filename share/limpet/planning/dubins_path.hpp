@@ -33,8 +33,6 @@ class DubinsPath {
   void Append(const DubinsPath& next);
   /// The first `length` metres.
   [[nodiscard]] DubinsPath Prefix(double length) const;
-  /// What is left after `length` metres.
-  [[nodiscard]] DubinsPath Suffix(double length) const;
 
   /// Calls visit(pose, s) every `step` metres from `first_s` on, and at the end.
   template <class Visit>
@@ -65,6 +63,5 @@ class DubinsPath {
 
 /// As told to the pilot and the log.
 [[nodiscard]] HelmPath ToHelmPath(const DubinsPath& path, int id, const std::string& purpose);
-[[nodiscard]] DubinsPath FromHelmPath(const HelmPath& path);
 
 }  // namespace limpet

@@ -30,19 +30,4 @@ Expected<Image> ReadImage(const std::filesystem::path& file) {
   return image;
 }
 
-Expected<bool> WriteImage(const std::filesystem::path& file, const ImageView& image) {
-  // OpenCV takes no const pixels, but imwrite leaves them alone.
-  const cv::Mat pixels(
-      image.height_px, image.width_px, CV_8UC3,
-      const_cast<std::uint8_t*>(image.bgr));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
-  try {
-    if (cv::imwrite(file.string(), pixels)) {
-      return true;
-    }
-  } catch (const cv::Exception& exception) {
-    return Error{file.string() + ": " + exception.what()};
-  }
-  return Error{file.string() + ": cannot be written"};
-}
-
 }  // namespace limpet

@@ -10,7 +10,5 @@ namespace limpet {
 
 /// Reads PNG, JPEG, TIFF and whatever else OpenCV knows, as 8-bit BGR.
 [[nodiscard]] Expected<Image> ReadImage(const std::filesystem::path& file);
-/// Writes in the format that the extension names; the complaint if that failed.
-[[nodiscard]] Expected<bool> WriteImage(const std::filesystem::path& file, const ImageView& image);
 
 }  // namespace limpet

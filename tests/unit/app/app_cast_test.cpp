@@ -81,20 +81,6 @@ TEST(AppCast, ComesBackFromItsTextWhateverItsLinesHold) {
   }
 }
 
-TEST(AppCast, TerminalFormHasItsHeaderAndTheNewestEventFirst) {
-  EXPECT_EQ(FormatAppCast(FullCast()),
-            "==============================================================\n"
-            "pHelmIvP alpha                                        2/3(120)\n"
-            "==============================================================\n"
-            "Configuration Warnings: 2\n w1\n w2\n\n"
-            "Runtime Warnings: 3\n [2]: text\n [1]: text\n\n"
-            "line1\nline2\n\n"
-            "==============================================================\n"
-            "Most Recent Events (2):\n"
-            "==============================================================\n"
-            "[9.50]: text\n[3.12]: text\n");
-}
-
 TEST(AppCastRequest, IsReadAsViewersWriteIt) {
   const auto request = ParseAppCastRequest(
       "node=alpha,app=pHelm,duration=3.0,key=pMarineViewer:alpha:pHelm:app,thresh=run_warning");

@@ -8,6 +8,7 @@
 
 #include "estimation/smoothing/camera_point.hpp"
 #include "limpet/core/random.hpp"
+#include "tests/support/sphere_box.hpp"
 
 namespace limpet {
 namespace {

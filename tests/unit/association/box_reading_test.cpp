@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/sphere_box.hpp"
+
 namespace limpet {
 namespace {
 

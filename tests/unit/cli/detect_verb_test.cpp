@@ -6,7 +6,6 @@
 
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/command_line.hpp"
-#include "limpet/vision/image_file.hpp"
 #include "limpet/vision/scene_renderer.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -29,7 +28,12 @@ class DetectVerb : public ::testing::Test {
     pose.p_WB = {0.0, 0.0, 3.5};
     const Sphere ball{{0.4, 0.8, 7.0}, 0.5, "yellow"};
     const Image image = renderer.Render(pose, std::span(&ball, 1), 0);
-    EXPECT_TRUE(WriteImage(folder_.path() / "ball.png", image.view()));
+    std::ofstream file(folder_.path() / "ball.ppm", std::ios::binary);
+    file << "P6 " << image.width_px << ' ' << image.height_px << " 255\n";
+    for (std::size_t i = 0; i < image.bgr.size(); i += 3) {
+      for (const std::size_t color : {2, 1, 0})
+        file.put(static_cast<char>(image.bgr[i + color]));
+    }
     std::ofstream(folder_.path() / "broken.png") << "no image";
   }
   std::string Path(const std::string& name) const { return (folder_.path() / name).string(); }
@@ -47,48 +51,48 @@ class DetectVerb : public ::testing::Test {
 };
 
 TEST_F(DetectVerb, WritesOneRowPerBox) {
-  EXPECT_EQ(Run({Path("ball.png"), "--out", Path("out.csv")}), kOk);
+  EXPECT_EQ(Run({Path("ball.ppm"), "--out", Path("out.csv")}), kOk);
   EXPECT_THAT(Csv(),
-              StartsWith("image,class,confidence,x,y,w,h\n" + Path("ball.png") + ",yellow,"));
+              StartsWith("image,class,confidence,x,y,w,h\n" + Path("ball.ppm") + ",yellow,"));
 }
 
 TEST_F(DetectVerb, NamesAnUnreadableImageAndDoesTheOthers) {
-  EXPECT_EQ(Run({Path("broken.png"), Path("ball.png"), "--out", Path("out.csv")}), kFailed);
-  EXPECT_THAT(Csv(), HasSubstr("ball.png,yellow"));
+  EXPECT_EQ(Run({Path("broken.png"), Path("ball.ppm"), "--out", Path("out.csv")}), kFailed);
+  EXPECT_THAT(Csv(), HasSubstr("ball.ppm,yellow"));
   EXPECT_THAT(Csv(), Not(HasSubstr("broken")));
 }
 
 TEST_F(DetectVerb, TakesAFolder) {
   std::filesystem::remove(folder_.path() / "broken.png");
   EXPECT_EQ(Run({folder_.path().string(), "--out", Path("out.csv")}), kOk);
-  EXPECT_THAT(Csv(), HasSubstr("ball.png,yellow"));
+  EXPECT_THAT(Csv(), HasSubstr("ball.ppm,yellow"));
 }
 
 TEST_F(DetectVerb, WrongUsageIsTwo) {
   EXPECT_EQ(Run({}), kUsage);
-  EXPECT_EQ(Run({Path("ball.png")}), kUsage);
-  EXPECT_EQ(Run({Path("ball.png"), "--out", Path("out.csv"), "--min-confidence", "7"}), kUsage);
-  EXPECT_EQ(Run({Path("ball.png"), "--otu", Path("out.csv")}), kUsage);
+  EXPECT_EQ(Run({Path("ball.ppm")}), kUsage);
+  EXPECT_EQ(Run({Path("ball.ppm"), "--out", Path("out.csv"), "--min-confidence", "7"}), kUsage);
+  EXPECT_EQ(Run({Path("ball.ppm"), "--otu", Path("out.csv")}), kUsage);
 }
 
 TEST_F(DetectVerb, TakesADetectorByNameWithItsParameters) {
-  EXPECT_EQ(Run({Path("ball.png"), "--out", Path("out.csv"), "--detector", "color_shape", "--set",
+  EXPECT_EQ(Run({Path("ball.ppm"), "--out", Path("out.csv"), "--detector", "color_shape", "--set",
                  "least_radius_px=300"}),
             kOk);
   EXPECT_EQ(Csv(), "image,class,confidence,x,y,w,h\n") << "the ball is smaller than that";
   for (const char* wrong : {"least_radius_px=-1", "least_radius_px", "leest_radius_px=3"}) {
-    EXPECT_EQ(Run({Path("ball.png"), "--out", Path("out.csv"), "--set", wrong}), kUsage) << wrong;
+    EXPECT_EQ(Run({Path("ball.ppm"), "--out", Path("out.csv"), "--set", wrong}), kUsage) << wrong;
   }
 }
 
 TEST_F(DetectVerb, RefusesADetectorThatDoesNotExist) {
   testing::internal::CaptureStderr();
-  EXPECT_EQ(Run({Path("ball.png"), "--out", Path("out.csv"), "--detector", "color_shap"}), kUsage);
+  EXPECT_EQ(Run({Path("ball.ppm"), "--out", Path("out.csv"), "--detector", "color_shap"}), kUsage);
   EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("did you mean `color_shape`?"));
 }
 
 TEST_F(DetectVerb, FailsWhereItCannotWrite) {
-  EXPECT_EQ(Run({Path("ball.png"), "--out", Path("nowhere/out.csv")}), kFailed);
+  EXPECT_EQ(Run({Path("ball.ppm"), "--out", Path("nowhere/out.csv")}), kFailed);
 }
 
 }  // namespace

@@ -66,9 +66,9 @@ TEST(MoosPose, RoundTrips) {
   for (int i = 0; i < 200; ++i) {
     const Eigen::Vector3d p_WB(random.Uniform(-9, 9), random.Uniform(-9, 9), random.Uniform(0, 9));
     const double yaw = random.Uniform(-kPi, kPi);
-    const Pose back = NedFromMoos(MoosFromNed(p_WB, yaw));
-    EXPECT_EQ(back.p_WB, p_WB);
-    EXPECT_NEAR(WrapAngle(back.yaw - yaw), 0.0, 1e-12);
+    const MoosPose moos = MoosFromNed(p_WB, yaw);
+    EXPECT_EQ(Eigen::Vector3d(moos.y, moos.x, moos.depth), p_WB);
+    EXPECT_NEAR(WrapAngle(YawFromMoosHeading(moos.heading_deg) - yaw), 0.0, 1e-12);
   }
 }
 
