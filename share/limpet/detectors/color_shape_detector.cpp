@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -19,87 +19,22 @@ constexpr int kSmallWidth = 160;     ///< of the reduced image, about
 constexpr double kSmallNoise = 0.8;  ///< least standard deviation of its colours [levels]
 constexpr double kFullNoise = 2.5;
 
-/// Value below which `share` of the plane's pixels lie; every third pixel is asked.
-std::int16_t Quantile(const Plane& plane, double share) {
-  std::vector<std::int16_t> sample;
-  sample.reserve(plane.values.size() / 3 + 1);
-  for (std::size_t i = 0; i < plane.values.size(); i += 3) {
-    sample.push_back(plane.values[i]);
-  }
-  const auto middle =
-      sample.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sample.size() - 1));
-  std::ranges::nth_element(sample, middle);
-  return *middle;
+/// OpenCV takes no const pixels: for what only reads them.
+cv::Mat MatOf(const ImageView& image) {
+  auto* pixels =
+      const_cast<std::uint8_t*>(image.bgr);  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+  return {image.height_px, image.width_px, CV_8UC3, pixels};
 }
 
-/// Levels from just above the background's spread to the brightest pixel.
-std::vector<int> LevelsOf(const Plane& plane) {
-  constexpr double kFirst = 2.0;  // in spreads above the median
-  constexpr double kGrowth = 1.25;
-  const double median = Quantile(plane, 0.5);
-  // The darker half: objects do not widen it.
-  const double spread = std::max(median - Quantile(plane, 0.16), 4.0);
-  const int brightest = *std::ranges::max_element(plane.values);
-  std::vector<int> levels;
-  for (double step = kFirst * spread; median + step < brightest; step *= kGrowth) {
-    levels.push_back(static_cast<int>(median + step));
-  }
-  return levels;
+ImageView ViewOf(const cv::Mat& pixels) {
+  return {pixels.ptr<std::uint8_t>(), pixels.cols, pixels.rows};
 }
-
-/// Squared distance of every pixel's colour from the scene's usual colours.
-class UsualColors {
- public:
-  explicit UsualColors(const Image& image) {
-    const auto pixels =
-        static_cast<std::size_t>(image.width_px) * static_cast<std::size_t>(image.height_px);
-    // Three rounds: each forgets what the one before found unusual.
-    for (double limit : {1e9, 9.0, 9.0}) {
-      double count = 0.0;
-      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-      for (std::size_t i = 0; i < pixels; i += 7) {
-        const Eigen::Vector3d color = ColorOf(&image.bgr[3 * i]);
-        if (Distance2(color) < limit) {
-          count += 1.0;
-          sum += color;
-          squares += color * color.transpose();
-        }
-      }
-      if (count < 30.0) {
-        return;
-      }
-      mean_ = sum / count;
-      const Eigen::Matrix3d covariance = squares / count - mean_ * mean_.transpose() +
-                                         kSmallNoise * kSmallNoise * Eigen::Matrix3d::Identity();
-      whiten_ = covariance.llt().matrixL().solve(Eigen::Matrix3d::Identity().eval());
-    }
-  }
-  [[nodiscard]] static Eigen::Vector3d ColorOf(const std::uint8_t* bgr) {
-    return {static_cast<double>(bgr[0]), static_cast<double>(bgr[1]), static_cast<double>(bgr[2])};
-  }
-  [[nodiscard]] double Distance2(const Eigen::Vector3d& color) const {
-    return (whiten_ * (color - mean_)).squaredNorm();
-  }
-
- private:
-  Eigen::Vector3d mean_ = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d whiten_ = Eigen::Matrix3d::Zero();
-};
 
 /// Means over `factor` x `factor` pixels; a remainder at the right and bottom is left out.
-void Reduce(const ImageView& image, int factor, Image& reduced) {
-  reduced.width_px = image.width_px / factor;
-  reduced.height_px = image.height_px / factor;
-  reduced.bgr.resize(3 * static_cast<std::size_t>(reduced.width_px) *
-                     static_cast<std::size_t>(reduced.height_px));
-  // OpenCV takes no const pixels, but resize leaves its source alone.
-  const cv::Mat full(
-      image.height_px, image.width_px, CV_8UC3,
-      const_cast<std::uint8_t*>(image.bgr));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
-  cv::Mat target(reduced.height_px, reduced.width_px, CV_8UC3, reduced.bgr.data());
-  const cv::Rect whole(0, 0, reduced.width_px * factor, reduced.height_px * factor);
-  cv::resize(full(whole), target, target.size(), 0.0, 0.0, cv::INTER_AREA);
+void Reduce(const cv::Mat& image, int factor, cv::Mat& reduced) {
+  const cv::Size size(image.cols / factor, image.rows / factor);
+  const cv::Rect whole(0, 0, size.width * factor, size.height * factor);
+  cv::resize(image(whole), reduced, size, 0.0, 0.0, cv::INTER_AREA);
 }
 
 /// Of boxes that share more than half of the smaller one, the most confident.
@@ -138,6 +73,17 @@ double MostElongation(const Eigen::Vector2d& center, const ImageView& image) {
   return 1.3 + 0.45 * (center - middle).squaredNorm() / middle.squaredNorm();
 }
 
+std::optional<Contrast> Settled(const ImageView& image,
+                                const std::optional<RefinedOutline>& outline, double noise) {
+  return outline ? MeasureContrast(image, outline->ellipse, noise) : std::nullopt;
+}
+
+/// Whether the refined outline is clearly larger or smaller than the guess.
+bool HasMoved(const Ellipse& guess, const Ellipse& refined) {
+  constexpr double kClearly = 0.04;
+  return std::abs(guess.MeanRadius() / refined.MeanRadius() - 1.0) > kClearly;
+}
+
 /// Rises from 0 at `low` to 1 at `high`.
 double Ramp(double value, double low, double high) {
   return std::clamp((value - low) / (high - low), 0.0, 1.0);
@@ -145,47 +91,28 @@ double Ramp(double value, double low, double high) {
 
 }  // namespace
 
-void ColorShapeDetector::Shrink(const ImageView& image) {
-  factor_ = std::max(1, (image.width_px + kSmallWidth / 2) / kSmallWidth);
-  Reduce(image, std::max(1, factor_ / 2), half_);
-  Reduce(image, factor_, small_);
+ColorShapeDetector::ColorShapeDetector(const Params& params) : params_(params) {
+  // The work on one image is too small to share among threads; and other processes want the cores.
+  cv::setNumThreads(0);
 }
 
-/// Four planes: yellowness, redness and greenness (differences over the sum, so that shading drops
-/// out), and distance from the scene's usual colours.
-void ColorShapeDetector::FillPlanes() {
-  const std::size_t pixels = small_.bgr.size() / 3;
-  planes_.resize(4);
-  for (Plane& plane : planes_) {
-    plane.width = small_.width_px;
-    plane.height = small_.height_px;
-    plane.values.resize(pixels);
-  }
-  const UsualColors usual(small_);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    const std::uint8_t* bgr = &small_.bgr[3 * i];
-    const float blue = bgr[0];
-    const float green = bgr[1];
-    const float red = bgr[2];
-    const float scale = 2048.0F / (blue + green + red + 48.0F);
-    planes_[0].values[i] = static_cast<std::int16_t>((0.5F * (red + green) - blue) * scale);
-    planes_[1].values[i] = static_cast<std::int16_t>((red - green) * scale);
-    planes_[2].values[i] = static_cast<std::int16_t>((green - 0.5F * (red + blue)) * scale);
-    planes_[3].values[i] = static_cast<std::int16_t>(
-        std::min(16.0 * std::sqrt(usual.Distance2(UsualColors::ColorOf(bgr))), 30000.0));
-  }
+void ColorShapeDetector::Shrink(const ImageView& image) {
+  factor_ = std::max(1, (image.width_px + kSmallWidth / 2) / kSmallWidth);
+  Reduce(MatOf(image), std::max(1, factor_ / 2), half_);
+  // Not from the half: what it rounds off, faint colours need.
+  Reduce(MatOf(image), factor_, small_);
 }
 
 bool ColorShapeDetector::Assess(const Blob& blob, Candidate& candidate) const {
-  const bool touches_border = blob.left <= 0 || blob.top <= 0 || blob.right >= small_.width_px ||
-                              blob.bottom >= small_.height_px;
-  const double fullness = blob.Fullness();
+  const bool touches_border =
+      blob.left <= 0 || blob.top <= 0 || blob.right >= small_.cols || blob.bottom >= small_.rows;
+  const double fullness = blob.fullness;
   if (fullness < (touches_border ? 0.78 : 0.86) ||
       blob.Elongation() > (touches_border ? 4.0 : 2.0)) {
     return false;
   }
   const Ellipse small = Ellipse::OfMoments(blob.center, blob.covariance);
-  const std::optional<Contrast> contrast = MeasureContrast(small_.view(), small, kSmallNoise);
+  const std::optional<Contrast> contrast = MeasureContrast(ViewOf(small_), small, kSmallNoise);
   if (!contrast || contrast->separation < 3.0 || contrast->support < 0.6) {
     return false;
   }
@@ -197,19 +124,22 @@ bool ColorShapeDetector::Assess(const Blob& blob, Candidate& candidate) const {
   return true;
 }
 
-void ColorShapeDetector::CollectCandidates(const Plane& plane,
-                                           std::vector<Candidate>& candidates) const {
+void ColorShapeDetector::CollectCandidates() {
   const double radius = params_.least_radius_px / factor_;
   const double least_area = std::max(6.0, 2.0 * radius * radius);
-  const double most_area = 0.6 * small_.width_px * small_.height_px;
-  std::vector<Blob> blobs;
-  for (const int level : LevelsOf(plane)) {
-    FindBlobs(plane, level, least_area, blobs);
+  const double most_area = 0.6 * static_cast<double>(small_.total());
+  colors_.Fill(small_, kSmallNoise);
+  blobs_.clear();
+  for (const cv::Mat& plane : colors_.planes()) {
+    for (const int level : colors_.LevelsOf(plane)) {
+      finder_.Find(plane, level, least_area, blobs_);
+    }
   }
-  for (const Blob& blob : blobs) {
+  candidates_.clear();
+  for (const Blob& blob : blobs_) {
     Candidate candidate;
     if (blob.area <= most_area && Assess(blob, candidate)) {
-      candidates.push_back(candidate);
+      candidates_.push_back(candidate);
     }
   }
 }
@@ -226,8 +156,8 @@ std::optional<ColorShapeDetector::Finding> ColorShapeDetector::Refine(const Imag
     double noise;
   };
   const std::array<Scaled, 3> pyramid{{{image, 1, kFullNoise},
-                                       {half_.view(), half, 0.6 * kFullNoise},
-                                       {small_.view(), factor_, kSmallNoise}}};
+                                       {ViewOf(half_), half, 0.6 * kFullNoise},
+                                       {ViewOf(small_), factor_, kSmallNoise}}};
   for (const Scaled& scaled : pyramid) {
     const double f = scaled.factor;
     const Ellipse ellipse{guess.center / f, guess.axes / f};
@@ -237,12 +167,13 @@ std::optional<ColorShapeDetector::Finding> ColorShapeDetector::Refine(const Imag
       continue;
     }
     std::optional<RefinedOutline> outline = RefineOutline(scaled.view, ellipse, *contrast);
-    if (!outline) {
-      return std::nullopt;
+    std::optional<Contrast> settled = Settled(scaled.view, outline, scaled.noise);
+    // What was measured about a poor guess misplaces edges; short arcs cannot tell, they drift.
+    if (settled && !outline->IsCut() && HasMoved(ellipse, outline->ellipse)) {
+      outline = RefineOutline(scaled.view, outline->ellipse, *settled);
+      settled = Settled(scaled.view, outline, scaled.noise);
     }
-    const std::optional<Contrast> settled =
-        MeasureContrast(scaled.view, outline->ellipse, scaled.noise);
-    if (!settled) {
+    if (!outline || !settled) {
       return std::nullopt;
     }
     outline->ellipse = {outline->ellipse.center * f, outline->ellipse.axes * f};
@@ -259,7 +190,7 @@ std::optional<Box> ColorShapeDetector::Verify(const ImageView& image,
   }
   const auto& [outline, contrast, factor] = *finding;
   const PixelRect rect = outline.ellipse.VisiblePart(image.width_px, image.height_px);
-  const bool is_cut = outline.sides < 0.8;
+  const bool is_cut = outline.IsCut();
   const std::optional<PaintClass> paint = Classify(contrast, is_cut);
   if (!paint || outline.sides < 0.2 || outline.ellipse.MeanRadius() < params_.least_radius_px ||
       rect.area() <= 0.0) {
@@ -286,15 +217,11 @@ std::vector<Box> ColorShapeDetector::Detect(const ImageView& image) {
     return {};
   }
   Shrink(image);
-  FillPlanes();
-  std::vector<Candidate> candidates;
-  for (const Plane& plane : planes_) {
-    CollectCandidates(plane, candidates);
-  }
-  std::ranges::stable_sort(candidates, std::ranges::greater(), &Candidate::quality);
+  CollectCandidates();
+  std::ranges::stable_sort(candidates_, std::ranges::greater(), &Candidate::quality);
   std::vector<Candidate> chosen;
   std::vector<Box> boxes;
-  for (const Candidate& candidate : candidates) {
+  for (const Candidate& candidate : candidates_) {
     const bool is_known = std::ranges::any_of(chosen, [&candidate](const Candidate& other) {
       return Overlap(candidate.rect, other.rect) > 0.35;
     });

@@ -5,8 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include <opencv2/core.hpp>
+
 #include "limpet/core/params.hpp"
-#include "limpet/vision/blob_finder.hpp"
+#include "limpet/detectors/blob_finder.hpp"
+#include "limpet/detectors/color_planes.hpp"
 #include "limpet/vision/detector.hpp"
 #include "limpet/vision/ellipse.hpp"
 #include "limpet/vision/outline_refiner.hpp"
@@ -31,7 +34,7 @@ class ColorShapeDetector final : public Detector {
     }
   };
 
-  explicit ColorShapeDetector(const Params& params) : params_(params) {}
+  explicit ColorShapeDetector(const Params& params);
   [[nodiscard]] std::vector<Box> Detect(const ImageView& image) override;
 
  private:
@@ -52,17 +55,19 @@ class ColorShapeDetector final : public Detector {
     }
   };
   void Shrink(const ImageView& image);
-  void FillPlanes();
-  void CollectCandidates(const Plane& plane, std::vector<Candidate>& candidates) const;
+  void CollectCandidates();
   [[nodiscard]] bool Assess(const Blob& blob, Candidate& candidate) const;
   [[nodiscard]] std::optional<Finding> Refine(const ImageView& image, const Ellipse& guess) const;
   [[nodiscard]] std::optional<Box> Verify(const ImageView& image, const Candidate& candidate) const;
 
   Params params_;
   int factor_ = 4;  ///< full over least resolution
-  Image half_;
-  Image small_;
-  std::vector<Plane> planes_;
+  cv::Mat half_;
+  cv::Mat small_;
+  ColorPlanes colors_;
+  BlobFinder finder_;
+  std::vector<Blob> blobs_;
+  std::vector<Candidate> candidates_;
 };
 
 }  // namespace limpet

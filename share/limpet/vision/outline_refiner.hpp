@@ -30,6 +30,9 @@ struct RefinedOutline {
   double support = 0.0;    ///< share of directions inside the image whose edge lies on the ellipse
   double sides = 0.0;      ///< share of all directions whose edge lies inside the image
   double roughness = 0.0;  ///< rms distance of those edges from the ellipse, in radii
+
+  /// By the image's border, mostly.
+  [[nodiscard]] bool IsCut() const { return sides < 0.8; }
 };
 
 /// Moves an outline to where the colour changes, to a fraction of a pixel. Nothing if no ellipse
