@@ -4,6 +4,7 @@
 #include "apps/pNav/source_watch.hpp"
 #include "apps/pNav/track_watch.hpp"
 #include "estimation/attitude/attitude_filter.hpp"
+#include "estimation/matching/default_matching.hpp"
 #include "estimation/navigation/navigator.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/core/camera_params.hpp"
@@ -36,9 +37,6 @@ class NavApp final : public App {
     Meters node_distance{0.5};
     MatchingParams session = DefaultMatching();
     CameraParams camera;
-
-    /// Two sessions' fixes, each with its own slow error.
-    static MatchingParams DefaultMatching() { return {.offset_sigma = Meters(0.8)}; }
 
     template <class Visitor>
     void Describe(Visitor& visit) {

@@ -9,6 +9,17 @@
 namespace limpet {
 namespace {
 
+/// The former object; "?" beside what it may be while that is undecided.
+std::string FormerOf(const Landmark& landmark) {
+  if (landmark.former_candidates.empty()) {
+    return landmark.former_id ? std::to_string(*landmark.former_id) : "-";
+  }
+  std::string text;
+  for (const FormerCandidate& candidate : landmark.former_candidates)
+    text += fmt::format("{}{}?", text.empty() ? "" : " ", candidate.id);
+  return text;
+}
+
 void AddLandmarks(const std::vector<Landmark>& landmarks, ReportLines& report) {
   if (landmarks.empty()) {
     report.Add("No landmarks yet.");
@@ -23,7 +34,7 @@ void AddLandmarks(const std::vector<Landmark>& landmarks, ReportLines& report) {
                   fmt::format("{:.2f}", landmark.object.p_W.y()),
                   fmt::format("{:.2f}", landmark.object.p_W.z()), fmt::format("{:.2f}", sd(0)),
                   fmt::format("{:.2f}", sd(1)), std::to_string(landmark.looks),
-                  landmark.former_id ? std::to_string(*landmark.former_id) : "-"});
+                  FormerOf(landmark)});
   }
   report.Add(table);
 }

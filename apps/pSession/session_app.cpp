@@ -83,7 +83,9 @@ void SessionApp::GoOnFromSaved() {
     Warn(warnings::kSessionNotResumed, saved.error().text);
     return;
   }
+  const std::optional<FormerFacts> former = memory_.former;
   memory_ = *saved;
+  memory_.former = former;
   is_folder_ours_ = true;
   ReportEvent(events::kSessionResumed,
               fmt::format("goes on from saved generation {}", stored->generation));
@@ -111,6 +113,7 @@ bool SessionApp::MaySave() {
 void SessionApp::LoadFormer() {
   const SavedSession former = LoadSavedSession(context().prior_folder, "former session");
   prior_ = PriorWithParameters(former);
+  memory_.former = FormerFactsOf(former.facts);
   former_ = Former{prior_->session, prior_->opis.size(), prior_->views.size()};
 }
 

@@ -11,6 +11,7 @@
 
 #include "estimation/association/box_reading.hpp"
 #include "estimation/smoothing/chain_graph.hpp"
+#include "limpet/objects/object_estimate.hpp"
 
 namespace limpet {
 
@@ -65,7 +66,8 @@ class TrackedObject {
   int expected = 0;              ///< frames that should have shown it
   int hits = 0;                  ///< of these, how many did
   std::optional<int> former_id;  ///< object of the former session it was matched with
-  double drift_sd = 0.0;         ///< of its distance to landmarks when it came in doubt [m]
+  std::vector<FormerCandidate> former_candidates;  ///< while that is undecided
+  double drift_sd = 0.0;  ///< of its distance to landmarks when it came in doubt [m]
   IdentityVerdict verdict;
   bool needs_review = true;  ///< seen since the last review
   /// Where it was when all its observations were last reviewed; nothing before that.

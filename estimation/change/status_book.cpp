@@ -19,6 +19,14 @@ constexpr double kBelievedFrames = 100.0;
 constexpr double kHunchIsObject = 0.3;
 constexpr double kHunchReach = 1.5;
 
+bool HasFormer(const Landmark& landmark) {
+  return landmark.former_id || !landmark.former_candidates.empty();
+}
+
+bool HasDecidedFormer(const Landmark& landmark) {
+  return landmark.former_id && landmark.former_candidates.empty();
+}
+
 double HorizontalDistance(const ObjectEstimate& a, const ObjectEstimate& b) {
   return (a.p_W - b.p_W).head<2>().norm();
 }
@@ -71,7 +79,7 @@ void StatusBook::SetLandmarks(const std::vector<Landmark>& landmarks) {
   }
   WatchLandmarks();
   if (former_) {
-    MatchFormer();
+    TakeMatches();
     // Who owns a box depends on which landmarks there are.
     WatchFormer(rejudges_all_ || before != representative_);
   }
@@ -94,7 +102,7 @@ void StatusBook::Rejudge() {
   former_lambda_.clear();
   WatchLandmarks();
   if (former_) {
-    MatchFormer();
+    TakeMatches();
     WatchFormer(true);
   }
   rejudges_all_ = false;
@@ -134,7 +142,9 @@ bool StatusBook::IsExplained(const ObservedFrame& sight, const Box& box) const {
 }
 
 bool StatusBook::AreOne(const Landmark& a, const Landmark& b) const {
-  return HorizontalDistance(a.object, b.object) < params_.merge_within.value() &&
+  const bool are_two_former =
+      HasDecidedFormer(a) && HasDecidedFormer(b) && a.former_id != b.former_id;
+  return !are_two_former && HorizontalDistance(a.object, b.object) < params_.merge_within.value() &&
          !seen_together_.contains(std::minmax(a.id, b.id));
 }
 
@@ -153,6 +163,9 @@ void StatusBook::MergeLandmarks() {
     representative_[landmark->id] = same == objects_.end() ? landmark->id : same->id;
     if (same == objects_.end()) {
       objects_.push_back(*landmark);
+    } else if (HasDecidedFormer(*landmark) || !HasFormer(*same)) {
+      same->former_id = landmark->former_id;
+      same->former_candidates = landmark->former_candidates;
     }
   }
   std::ranges::sort(objects_, {}, &Landmark::id);
@@ -195,15 +208,14 @@ OpiBelief StatusBook::StatusOfFormer(std::size_t index) const {
   const Landmark* object = now < 0 ? nullptr : &objects_[static_cast<std::size_t>(now)];
   const PlaceWatch& watch =
       object != nullptr ? landmark_watch_.at(object->id) : *former_watch_[index];
-  OpiBelief status{
-      .id = static_cast<int>(index) + 1,
-      .landmark = object != nullptr ? object->id : -1,
-      .prior_id = former.id,
-      .object = object != nullptr ? object->object : FormerPlace(index),
-      .log_likelihood_ratio = watch.Lambda(),
-      .looks = watch.looks(),
-      .looks_with_box = watch.looks_with_box(),
-      .posterior = ChangeStatus(former.log_likelihood_ratio, watch.Lambda(), params_.priors)};
+  OpiBelief status{.id = static_cast<int>(index) + 1,
+                   .landmark = object != nullptr ? object->id : -1,
+                   .prior_id = former.id,
+                   .object = object != nullptr ? object->object : FormerPlace(index),
+                   .log_likelihood_ratio = watch.Lambda(),
+                   .looks = watch.looks(),
+                   .looks_with_box = watch.looks_with_box(),
+                   .posterior = PosteriorOfFormer(index)};
   status.decided = Decide(status.posterior, status.looks, params_.priors);
   if (status.decided == Status::kConfirmed && object == nullptr) {
     status.decided = Status::kUncertain;  // boxes near by, but the smoother knows no object
@@ -214,15 +226,19 @@ OpiBelief StatusBook::StatusOfFormer(std::size_t index) const {
 std::optional<OpiBelief> StatusBook::StatusOfNewcomer(std::size_t index) {
   const Landmark& object = objects_[index];
   const PlaceWatch& watch = landmark_watch_.at(object.id);
-  OpiBelief status{
-      .landmark = object.id,
-      .object = object.object,
-      .log_likelihood_ratio = watch.Lambda(),
-      .looks = watch.looks(),
-      .looks_with_box = watch.looks_with_box(),
-      .posterior = former_ ? ChangeStatus(FormerLambdaAt(object), watch.Lambda(), params_.priors)
-                           : DiscoveryStatus(watch.Lambda(), params_.priors)};
+  OpiBelief status{.landmark = object.id,
+                   .object = object.object,
+                   .log_likelihood_ratio = watch.Lambda(),
+                   .looks = watch.looks(),
+                   .looks_with_box = watch.looks_with_box(),
+                   .posterior = former_ ? PosteriorOfNewcomer(index)
+                                        : DiscoveryStatus(watch.Lambda(), params_.priors)};
   status.decided = Decide(status.posterior, status.looks, params_.priors);
+  const bool may_be_former =
+      former_ && match_.chance.col(static_cast<Eigen::Index>(index)).sum() > 0.0;
+  if (status.decided != Status::kNothing && may_be_former) {
+    status.decided = Status::kUncertain;  // which former object it is, if any, is undecided
+  }
   if (status.decided == Status::kNothing) {
     return std::nullopt;
   }

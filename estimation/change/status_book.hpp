@@ -20,7 +20,7 @@ struct StatusParams {
   DetectionModel detection;
   LookParams looks;
   StatusPriors priors;
-  MatchingParams matching;
+  MatchingParams matching;  ///< of these only what the frames' offset takes: matches are given
   Meters object_radius{0.5};
   Meters merge_within{1.2};
   Meters moved_within{2.5};
@@ -31,7 +31,11 @@ struct StatusParams {
     detection.Describe(visit);
     looks.Describe(visit);
     priors.Describe(visit);
-    matching.Describe(visit);
+    matching.DescribeOffset(visit);
+    visit("match_gate_sigmas", matching.gate_sigmas, "Not used: pNav matches the sessions' objects",
+          InRange(1.0, 10.0));
+    visit("match_color_penalty", matching.color_penalty,
+          "Not used: pNav matches the sessions' objects", InRange(0.0, 100.0));
     visit.Required("object_radius_m", object_radius, "Radius of the objects looked for",
                    InRange(0.05_m, 5.0_m));
     visit("merge_within_m", merge_within,
@@ -68,7 +72,8 @@ class StatusBook {
   /// Takes kept frames along when the track behind the vehicle has moved; `moved` gives the new
   /// pose from time [s] and old pose. Landmarks that moved with it are to follow.
   void MoveSights(const std::function<Pose(double t, const Pose& X_WB)>& moved);
-  /// All landmarks as now estimated; one that is absent, or not confirmed, is forgotten.
+  /// All landmarks as now estimated; one that is absent, or not confirmed, is forgotten. Which
+  /// former object each of them is, if any, is taken as they say it.
   void SetLandmarks(const std::vector<Landmark>& landmarks);
   /// Judges every place again from all frames, exactly where it now is, with the rate of false
   /// boxes that these frames show. After this what is believed depends on the frames, the landmarks
@@ -104,7 +109,13 @@ class StatusBook {
   /// The place where the other session's frame has it, with what is then unknown about it.
   [[nodiscard]] ObjectEstimate InOtherFrame(ObjectEstimate place, const Eigen::Vector3d& ned) const;
   [[nodiscard]] ObjectEstimate FormerPlace(std::size_t index) const;
-  void MatchFormer();
+  /// Takes the matches from the landmarks, and fits the frames' offset to them.
+  void TakeMatches();
+  void TakeCandidates(const Landmark& landmark, std::size_t object);
+  /// Chance that one of the objects is the former one.
+  [[nodiscard]] double ChanceOfFormer(std::size_t index) const;
+  [[nodiscard]] StatusPosterior PosteriorOfFormer(std::size_t index) const;
+  [[nodiscard]] StatusPosterior PosteriorOfNewcomer(std::size_t index);
   [[nodiscard]] int IdOfLandmark(int landmark);
   [[nodiscard]] OpiBelief StatusOfFormer(std::size_t index) const;
   [[nodiscard]] std::optional<OpiBelief> StatusOfNewcomer(std::size_t index);
@@ -125,7 +136,7 @@ class StatusBook {
   std::map<int, PlaceWatch> landmark_watch_;
   std::vector<std::optional<PlaceWatch>> former_watch_;
   bool rejudges_all_ = false;  ///< frames have moved since landmarks were last set
-  SessionMatch match_;
+  SessionMatch match_;  ///< of objects_; `chance` is what landmarks say, 1 for a decided match
   std::map<int, PlaceWatch> former_lambda_;  ///< of newcomers' places, by landmark
   HunchBook hunches_;
   std::map<int, int> id_of_landmark_;

@@ -16,7 +16,7 @@ void StatusBook::SetFormer(std::vector<FormerObject> former) {
   former_ = std::move(former);
   // Former objects take the first ids, so that they keep them when they are found again.
   next_id_ = std::max(next_id_, static_cast<int>(former_->size()) + 1);
-  MatchFormer();
+  TakeMatches();
   WatchFormer(true);
 }
 
@@ -34,7 +34,22 @@ OwnerOf StatusBook::OwnerForFormer() const {
   };
 }
 
-void StatusBook::MatchFormer() {
+void StatusBook::TakeCandidates(const Landmark& landmark, std::size_t object) {
+  const auto take = [&](int former_id, double chance, bool is_best) {
+    const auto found = std::ranges::find(*former_, former_id, &FormerObject::id);
+    if (found == former_->end()) return;  // of another former session
+    const auto i = found - former_->begin();
+    int& now = match_.now_of_former[static_cast<std::size_t>(i)];
+    if (is_best && now < 0) now = static_cast<int>(object);
+    match_.chance(i, static_cast<Eigen::Index>(object)) = std::clamp(chance, 0.0, 1.0);
+  };
+  for (const FormerCandidate& candidate : landmark.former_candidates)
+    take(candidate.id, candidate.probability, candidate.id == landmark.former_id);
+  if (landmark.former_id && landmark.former_candidates.empty())
+    take(*landmark.former_id, 1.0, true);
+}
+
+void StatusBook::TakeMatches() {
   std::vector<ObjectEstimate> former;
   std::vector<ObjectEstimate> now;
   for (const FormerObject& object : *former_) {
@@ -43,15 +58,69 @@ void StatusBook::MatchFormer() {
   for (const Landmark& object : objects_) {
     now.push_back(object.object);
   }
-  match_ = MatchSessions(WithOwnCovariance(std::move(former)), WithOwnCovariance(std::move(now)),
-                         params_.matching);
+  match_.now_of_former.assign(former.size(), -1);
+  match_.chance.setZero(static_cast<Eigen::Index>(former.size()),
+                        static_cast<Eigen::Index>(now.size()));
+  for (std::size_t j = 0; j < objects_.size(); ++j)
+    TakeCandidates(objects_[j], j);
+  // The offset rests on what is decided alone.
+  std::vector<int> decided = match_.now_of_former;
+  for (std::size_t i = 0; i < decided.size(); ++i) {
+    if (decided[i] >= 0 && match_.chance(static_cast<Eigen::Index>(i), decided[i]) < 1.0)
+      decided[i] = -1;
+  }
+  const SessionMatch fit =
+      FitSessions(WithOwnCovariance(std::move(former)), WithOwnCovariance(std::move(now)),
+                  std::move(decided), params_.matching);
+  match_.offset = fit.offset;
+  match_.offset_cov = fit.offset_cov;
+}
+
+double StatusBook::ChanceOfFormer(std::size_t index) const {
+  return std::min(match_.chance.row(static_cast<Eigen::Index>(index)).sum(), 1.0);
+}
+
+StatusPosterior StatusBook::PosteriorOfFormer(std::size_t index) const {
+  const double former = (*former_)[index].log_likelihood_ratio;
+  const auto row = match_.chance.row(static_cast<Eigen::Index>(index));
+  const double total = std::max(row.sum(), 1.0);  // several landmarks may each be likely it
+  StatusPosterior sum{.confirmed = 0.0, .removed = 0.0, .appeared = 0.0, .nothing = 0.0};
+  const auto add = [&](double lambda_now, double share) {
+    sum.Add(ChangeStatus(former, lambda_now, params_.priors), share);
+  };
+  for (std::size_t j = 0; j < objects_.size(); ++j) {
+    const double chance = row(static_cast<Eigen::Index>(j)) / total;
+    if (chance > 0.0) add(landmark_watch_.at(objects_[j].id).Lambda(), chance);
+  }
+  if (former_watch_[index]) add(former_watch_[index]->Lambda(), 1.0 - ChanceOfFormer(index));
+  return sum;
+}
+
+StatusPosterior StatusBook::PosteriorOfNewcomer(std::size_t index) {
+  const Landmark& object = objects_[index];
+  const double now = landmark_watch_.at(object.id).Lambda();
+  StatusPosterior sum = ChangeStatus(FormerLambdaAt(object), now, params_.priors);
+  const auto column = match_.chance.col(static_cast<Eigen::Index>(index));
+  const double known = column.sum();
+  if (known <= 0.0) {
+    return sum;
+  }
+  sum = StatusPosterior{.confirmed = 0.0, .removed = 0.0, .appeared = 0.0, .nothing = 0.0};
+  const double total = std::max(known, 1.0);
+  for (std::size_t i = 0; i < former_->size(); ++i) {
+    const double former = (*former_)[i].log_likelihood_ratio;
+    sum.Add(ChangeStatus(former, now, params_.priors),
+            column(static_cast<Eigen::Index>(i)) / total);
+  }
+  sum.Add(ChangeStatus(FormerLambdaAt(object), now, params_.priors), 1.0 - std::min(known, 1.0));
+  return sum;
 }
 
 ObjectEstimate StatusBook::InOtherFrame(ObjectEstimate place, const Eigen::Vector3d& ned) const {
   const double own = std::pow(params_.matching.position_floor.value(), 2);
   place.p_W = ned;
   place.cov_W = own * Eigen::Matrix3d::Identity();
-  place.cov_W.topLeftCorner<2, 2>() += match_.shift_cov;
+  place.cov_W.topLeftCorner<2, 2>() += match_.offset_cov.topLeftCorner<2, 2>();
   return place;
 }
 
@@ -63,7 +132,7 @@ ObjectEstimate StatusBook::FormerPlace(std::size_t index) const {
 void StatusBook::WatchFormer(bool rejudges_all) {
   for (std::size_t i = 0; i < former_->size(); ++i) {
     std::optional<PlaceWatch>& watch = former_watch_[i];
-    if (match_.now_of_former[i] >= 0) {
+    if (match_.now_of_former[i] >= 0 && ChanceOfFormer(i) >= 1.0) {
       watch.reset();
       continue;
     }

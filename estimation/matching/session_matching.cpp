@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <Eigen/LU>
 
@@ -31,6 +32,26 @@ class SessionMatcher {
   }
 
   [[nodiscard]] SessionMatch Solve() const {
+    SessionMatch best = Best();
+    best.chance = Chances(best);
+    return best;
+  }
+
+  /// The offset of given matches.
+  [[nodiscard]] SessionMatch Fit(std::vector<int> now_of_former) const {
+    SessionMatch match{.now_of_former = std::move(now_of_former)};
+    FitOffset(match);
+    return match;
+  }
+
+ private:
+  using Pair = std::pair<std::size_t, int>;  // indices of a former and of a present object
+  struct Hypothesis {
+    std::vector<int> now_of_former;
+    double weight = 1.0;  // likelihood relative to the best
+  };
+
+  [[nodiscard]] SessionMatch Best() const {
     SessionMatch best = Refine(FrameOffset{.pivot = pivot_});
     double best_cost = Cost(best);
     for (const Start& start : BestStarts()) {
@@ -44,7 +65,6 @@ class SessionMatcher {
     return best;
   }
 
- private:
   /// A place to start from, and how promising it looks.
   struct Start {
     FrameOffset offset;
@@ -146,7 +166,8 @@ class SessionMatcher {
     return error.dot(covariance.inverse() * error) + ColorCost(a, b);
   }
 
-  [[nodiscard]] std::vector<int> Assign(const FrameOffset& offset) const {
+  [[nodiscard]] std::vector<int> Assign(const FrameOffset& offset,
+                                        const std::optional<Pair>& forbidden) const {
     Eigen::MatrixXd costs(former_.size(), now_.size());
     for (Eigen::Index i = 0; i < costs.rows(); ++i) {
       for (Eigen::Index j = 0; j < costs.cols(); ++j) {
@@ -154,14 +175,18 @@ class SessionMatcher {
                                now_[static_cast<std::size_t>(j)], offset);
       }
     }
+    if (forbidden) {
+      costs(static_cast<Eigen::Index>(forbidden->first), forbidden->second) = kImpossibleCost;
+    }
     return AssignOneToOne(costs, gate_);
   }
 
-  [[nodiscard]] SessionMatch Refine(FrameOffset offset) const {
-    SessionMatch match{.now_of_former = Assign(offset), .offset = offset, .shift_cov = {}};
+  [[nodiscard]] SessionMatch Refine(FrameOffset offset,
+                                    const std::optional<Pair>& forbidden = std::nullopt) const {
+    SessionMatch match{.now_of_former = Assign(offset, forbidden), .offset = offset};
     for (int i = 0; i < kRefinements; ++i) {
       FitOffset(match);
-      std::vector<int> again = Assign(match.offset);
+      std::vector<int> again = Assign(match.offset, forbidden);
       if (again == match.now_of_former) {
         return match;
       }
@@ -173,7 +198,7 @@ class SessionMatcher {
 
   /// Least squares for (north, east, down, turn) with the priors.
   void FitOffset(SessionMatch& match) const {
-    const auto matches = std::ranges::count_if(match.now_of_former, [](int j) { return j >= 0; });
+    const auto matches = CountOf(match.now_of_former);
     FrameOffset offset{.pivot = pivot_};
     Eigen::Matrix4d covariance;
     for (int turn = 0; turn < kTurns; ++turn) {
@@ -196,7 +221,7 @@ class SessionMatcher {
       offset.Move(covariance * pull);
     }
     match.offset = offset;
-    match.shift_cov = covariance.topLeftCorner<2, 2>();
+    match.offset_cov = covariance;
   }
 
   /// What a match explains less what the offset costs; lower is better.
@@ -207,6 +232,96 @@ class SessionMatcher {
       cost += j < 0 ? gate_ : Distance(former_[i], now_[static_cast<std::size_t>(j)], match.offset);
     }
     return cost;
+  }
+
+  [[nodiscard]] static std::ptrdiff_t CountOf(const std::vector<int>& now_of_former) {
+    return std::ranges::count_if(now_of_former, [](int j) { return j >= 0; });
+  }
+
+  /// True if the offset, as far as other matches than this object's pin it, may bring the two
+  /// together.
+  [[nodiscard]] bool MayBeOne(const SessionMatch& match, std::size_t i, int j) const {
+    constexpr std::ptrdiff_t kPinned = 3;  // matches from which on one more or less does not matter
+    constexpr double kWithoutIt = 4.0;     // share by which the offset's covariance then grows
+    const ObjectEstimate& a = former_[i];
+    const ObjectEstimate& b = now_[static_cast<std::size_t>(j)];
+    const Eigen::Matrix<double, 3, 4> J = match.offset.Jacobian(a.p_W);
+    const bool is_pinned = CountOf(match.now_of_former) >= kPinned;
+    const Eigen::Matrix4d frame =
+        is_pinned ? Eigen::Matrix4d(kWithoutIt * match.offset_cov) : prior_.inverse();
+    const double reach = (PairCovariance(a, b) + J * frame * J.transpose()).trace();
+    return ColorCost(a, b) <= gate_ &&
+           (b.p_W - match.offset.Apply(a.p_W)).squaredNorm() <= gate_ * reach;
+  }
+
+  /// Offsets from which the best assignment without a pair is looked for: the other objects that
+  /// one of the two may be. Empty if there is none.
+  [[nodiscard]] std::vector<FrameOffset> StartsWithout(const Pair& pair,
+                                                       const SessionMatch& best) const {
+    std::vector<FrameOffset> starts;
+    const auto add = [&](std::size_t i, int j) {
+      if (!MayBeOne(best, i, j)) return;
+      FrameOffset shifted = best.offset;
+      shifted.shift +=
+          (now_[static_cast<std::size_t>(j)].p_W - best.offset.Apply(former_[i].p_W)).head<2>();
+      starts.push_back(shifted);
+    };
+    for (std::size_t i = 0; i < former_.size(); ++i) {
+      if (i != pair.first) add(i, pair.second);
+    }
+    for (int j = 0; j < static_cast<int>(now_.size()); ++j) {
+      if (j != pair.second) add(pair.first, j);
+    }
+    if (!starts.empty()) starts.push_back(best.offset);
+    return starts;
+  }
+
+  /// The best assignment first, then distinct ones of as many matches, each the best without one of
+  /// its pairs.
+  [[nodiscard]] std::vector<Hypothesis> Hypotheses(const SessionMatch& best) const {
+    std::vector<Hypothesis> hypotheses{{.now_of_former = best.now_of_former}};
+    const double least = Cost(best);
+    for (std::size_t i = 0; i < former_.size(); ++i) {
+      if (best.now_of_former[i] < 0) continue;
+      const Pair pair{i, best.now_of_former[i]};
+      Hypothesis rival{.now_of_former = {}, .weight = 0.0};
+      for (const FrameOffset& start : StartsWithout(pair, best)) {
+        SessionMatch match = Refine(start, pair);
+        const double weight = std::exp(std::min(0.5 * (least - Cost(match)), 0.0));
+        if (CountOf(match.now_of_former) == CountOf(best.now_of_former) && weight > rival.weight) {
+          rival = {std::move(match.now_of_former), weight};
+        }
+      }
+      const bool is_known = std::ranges::any_of(hypotheses, [&rival](const Hypothesis& other) {
+        return other.now_of_former == rival.now_of_former;
+      });
+      if (rival.weight > 0.0 && !is_known) hypotheses.push_back(std::move(rival));
+    }
+    return hypotheses;
+  }
+
+  /// Each present object over the hypotheses that say something else of it than the best one, and
+  /// that one: doubts elsewhere are none about this object.
+  [[nodiscard]] Eigen::MatrixXd Chances(const SessionMatch& best) const {
+    const std::vector<Hypothesis> hypotheses = Hypotheses(best);
+    const auto former_of = [](const std::vector<int>& now_of_former, Eigen::Index j) {
+      const auto found = std::ranges::find(now_of_former, static_cast<int>(j));
+      return found == now_of_former.end() ? Eigen::Index{-1} : found - now_of_former.begin();
+    };
+    Eigen::MatrixXd chance = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(former_.size()),
+                                                   static_cast<Eigen::Index>(now_.size()));
+    for (Eigen::Index j = 0; j < chance.cols(); ++j) {
+      const Eigen::Index usual = former_of(best.now_of_former, j);
+      double total = 0.0;
+      for (std::size_t h = 0; h < hypotheses.size(); ++h) {
+        const Eigen::Index i = former_of(hypotheses[h].now_of_former, j);
+        if (h > 0 && i == usual) continue;
+        total += hypotheses[h].weight;
+        if (i >= 0) chance(i, j) += hypotheses[h].weight;
+      }
+      chance.col(j) /= total;
+    }
+    return chance;
   }
 
   const std::vector<ObjectEstimate>& former_;
@@ -230,6 +345,12 @@ SessionMatch MatchSessions(const std::vector<ObjectEstimate>& former,
                            const std::vector<ObjectEstimate>& now, const MatchingParams& params,
                            const Eigen::Matrix4d& prior) {
   return SessionMatcher(former, now, params, prior).Solve();
+}
+
+SessionMatch FitSessions(const std::vector<ObjectEstimate>& former,
+                         const std::vector<ObjectEstimate>& now, std::vector<int> now_of_former,
+                         const MatchingParams& params) {
+  return SessionMatcher(former, now, params, OffsetPrior(params)).Fit(std::move(now_of_former));
 }
 
 }  // namespace limpet

@@ -26,6 +26,16 @@ struct MatchingParams {
   template <class V>
   void Describe(V& visit) {
     using namespace literals;
+    DescribeOffset(visit);
+    visit("match_gate_sigmas", gate_sigmas, "Farther than this is another object",
+          InRange(1.0, 10.0));
+    visit("match_color_penalty", color_penalty, "Squared sigmas that another colour costs",
+          InRange(0.0, 100.0));
+  }
+  /// What is needed where matches are given.
+  template <class V>
+  void DescribeOffset(V& visit) {
+    using namespace literals;
     visit("session_offset_sigma_m", offset_sigma,
           "Deviation of the shift between two sessions' frames, per axis", InRange(0.01_m, 50.0_m));
     visit("session_datum_sigma_m", datum_sigma,
@@ -40,10 +50,6 @@ struct MatchingParams {
           "Deviation of the turn between two sessions' frames", InRange(0.01_deg, 45.0_deg));
     visit("match_position_floor_m", position_floor, "Deviation added to every object's position",
           InRange(0.0_m, 5.0_m));
-    visit("match_gate_sigmas", gate_sigmas, "Farther than this is another object",
-          InRange(1.0, 10.0));
-    visit("match_color_penalty", color_penalty, "Squared sigmas that another colour costs",
-          InRange(0.0, 100.0));
   }
 };
 
@@ -51,9 +57,13 @@ struct MatchingParams {
 [[nodiscard]] Eigen::Matrix4d OffsetPrior(const MatchingParams& params);
 
 struct SessionMatch {
-  std::vector<int> now_of_former;  ///< per former object, index of this session's object or -1
-  FrameOffset offset;
-  Eigen::Matrix2d shift_cov = Eigen::Matrix2d::Zero();  ///< of the shift, given the matches
+  std::vector<int> now_of_former{};  ///< per former object, index of this session's object or -1
+  FrameOffset offset{};
+  /// Of (north, east, down, turn), given the matches.
+  Eigen::Matrix4d offset_cov = Eigen::Matrix4d::Zero();
+  /// Per former and present object, that they are one: over the best assignment and its rivals, the
+  /// best ones of as many matches that do without one of its pairs.
+  Eigen::MatrixXd chance{};
 };
 
 /// Matches two sessions' objects one-to-one by Mahalanobis distance with both covariances, and
@@ -71,5 +81,12 @@ struct SessionMatch {
                                                 const MatchingParams& params) {
   return MatchSessions(former, now, params, OffsetPrior(params));
 }
+
+/// The frames' offset from matches that somebody else has decided; `now_of_former` as in
+/// SessionMatch. `chance` stays empty.
+[[nodiscard]] SessionMatch FitSessions(const std::vector<ObjectEstimate>& former,
+                                       const std::vector<ObjectEstimate>& now,
+                                       std::vector<int> now_of_former,
+                                       const MatchingParams& params);
 
 }  // namespace limpet

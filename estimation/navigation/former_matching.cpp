@@ -43,7 +43,7 @@ void FormerMatching::Update() {
   }
   Present present = CollectPresent();
   PresentLandmarks& landmarks = present.landmarks;
-  if (landmarks.slots.empty() || !HasChanged(landmarks)) {
+  if (landmarks.slots.empty() || !HasChanged(present)) {
     return;
   }
   const auto n = static_cast<Eigen::Index>(3 * landmarks.slots.size());
@@ -51,23 +51,30 @@ void FormerMatching::Update() {
   if (!tie_.Match(landmarks, smoother_.graph().joint_prior())) {
     return;
   }
-  for (std::size_t i = 0; i < present.objects.size(); ++i)
+  for (std::size_t i = 0; i < present.objects.size(); ++i) {
     present.objects[i]->former_id = tie_.former_ids()[i];
+    present.objects[i]->former_candidates = tie_.candidates()[i];
+  }
   smoother_.SetJointPrior(tie_.prior());
   smoother_.Update();
   tracker_.Refresh();
   matched_.clear();
   for (const TrackedObject* object : present.objects)
-    matched_.push_back({object->slot(), object->p_W});
+    matched_.push_back({object->slot(), object->p_W,
+                        object->former_candidates.empty() ? 0 : object->observations.size()});
 }
 
-bool FormerMatching::HasChanged(const PresentLandmarks& present) const {
-  if (present.slots.size() != matched_.size()) {
+bool FormerMatching::HasChanged(const Present& present) const {
+  if (present.objects.size() != matched_.size()) {
     return true;
   }
   for (std::size_t i = 0; i < matched_.size(); ++i) {
-    if (matched_[i].slot != present.slots[i] ||
-        (matched_[i].p_W - present.objects[i].p_W).norm() > kMovedLandmark) {
+    const MatchedLandmark& before = matched_[i];
+    const TrackedObject& now = *present.objects[i];
+    const bool may_be_decided =
+        before.undecided_at > 0 && now.observations.size() != before.undecided_at;
+    if (before.slot != now.slot() || (before.p_W - now.p_W).norm() > kMovedLandmark ||
+        may_be_decided) {
       return true;
     }
   }

@@ -28,6 +28,7 @@ class FormerMatching {
   struct MatchedLandmark {
     int slot;
     Eigen::Vector3d p_W;
+    std::size_t undecided_at;  ///< its observations if it was undecided, else 0
   };
   struct Present {
     std::vector<TrackedObject*> objects;
@@ -35,7 +36,7 @@ class FormerMatching {
   };
   /// Landmarks, then those that have come in doubt since the prior was applied.
   [[nodiscard]] Present CollectPresent();
-  [[nodiscard]] bool HasChanged(const PresentLandmarks& present) const;
+  [[nodiscard]] bool HasChanged(const Present& present) const;
 
   FormerSessionTie tie_;
   Smoother& smoother_;

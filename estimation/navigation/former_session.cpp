@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 
 #include "estimation/matching/own_covariance.hpp"
+#include "estimation/navigation/former_candidates.hpp"
 #include "limpet/core/require.hpp"
 
 namespace limpet {
@@ -85,6 +86,7 @@ void SetOwn(std::vector<ObjectEstimate>& objects, const Eigen::MatrixXd& own) {
 void FormerSessionTie::SetFormer(FormerSession former) {
   former_ = std::move(former);
   former_ids_.clear();
+  candidates_.clear();
   prior_.reset();
   if (!has_former()) {
     return;
@@ -126,18 +128,36 @@ bool FormerSessionTie::Match(const PresentLandmarks& landmarks,
   const SessionMatch match =
       MatchSessions(former_.objects, candidates, params_, OffsetInformation(split.frame));
   offset_ = match.offset;
-  former_ids_.assign(present.slots.size(), std::nullopt);
-  std::vector<Pair> pairs;
-  for (std::size_t i = 0; i < former_.ids.size(); ++i) {
-    if (match.now_of_former[i] < 0) continue;
-    pairs.push_back({i, placed[static_cast<std::size_t>(match.now_of_former[i])]});
-    former_ids_[pairs.back().now] = former_.ids[i];
-  }
+  const std::vector<Pair> pairs = Decide(present, match, placed);
   prior_.reset();
   if (pairs.size() >= 2) {
     prior_ = PriorFrom(pairs, present, split.frame, split.own);
   }
   return true;
+}
+
+std::vector<FormerSessionTie::Pair> FormerSessionTie::Decide(
+    const PresentLandmarks& present, const SessionMatch& match,
+    const std::vector<std::size_t>& placed) {
+  const FormerObjects former{.ids = former_.ids, .objects = former_.objects};
+  former_ids_.assign(present.slots.size(), std::nullopt);
+  candidates_.assign(present.slots.size(), {});
+  for (std::size_t j = 0; j < placed.size(); ++j)
+    candidates_[placed[j]] = RivalCandidates(former, match, static_cast<int>(j));
+  std::vector<Pair> pairs;
+  std::vector<bool> is_taken(former_.ids.size(), false);
+  for (std::size_t i = 0; i < former_.ids.size(); ++i) {
+    if (match.now_of_former[i] < 0) continue;
+    const std::size_t now = placed[static_cast<std::size_t>(match.now_of_former[i])];
+    former_ids_[now] = former_.ids[i];
+    is_taken[i] = true;
+    if (candidates_[now].empty()) pairs.push_back({i, now});
+  }
+  for (std::size_t now = 0; now + present.others < present.slots.size(); ++now) {
+    if (former_ids_[now] || !candidates_[now].empty()) continue;
+    candidates_[now] = NearbyCandidates(former, is_taken, present.objects[now], match, params_);
+  }
+  return pairs;
 }
 
 Eigen::Matrix4d FormerSessionTie::DatumCovariance() const {

@@ -46,16 +46,24 @@ class FormerSessionTie {
 
   /// Per present landmark of the last Match: the former object's id, if it is one.
   [[nodiscard]] const std::vector<std::optional<int>>& former_ids() const { return former_ids_; }
+  /// Per present landmark: what it may be as long as that is undecided, as in Landmark.
+  [[nodiscard]] const std::vector<std::vector<FormerCandidate>>& candidates() const {
+    return candidates_;
+  }
   /// Of the former session's frame in this one, from the last Match.
   [[nodiscard]] const FrameOffset& offset() const { return offset_; }
-  /// Over the matched landmarks; nothing with less than two of them: one alone could be a mistake,
-  /// and nothing would show it.
+  /// Over the landmarks whose match is decided; nothing with less than two of them: one alone could
+  /// be a mistake, and nothing would show it.
   [[nodiscard]] const std::optional<JointPrior>& prior() const { return prior_; }
 
  private:
   struct Pair {
     std::size_t former, now;
   };
+  /// Sets `former_ids_` and `candidates_`; the pairs that are decided. `placed`: indices of the
+  /// landmarks that took part in the match.
+  std::vector<Pair> Decide(const PresentLandmarks& present, const SessionMatch& match,
+                           const std::vector<std::size_t>& placed);
   /// Of what neither session's fixes know of.
   [[nodiscard]] Eigen::Matrix4d DatumCovariance() const;
   /// Of the offset (north, east, down, turn) before any match.
@@ -70,6 +78,7 @@ class FormerSessionTie {
   Eigen::Matrix4d former_frame_ = Eigen::Matrix4d::Zero();
   Eigen::MatrixXd former_own_;
   std::vector<std::optional<int>> former_ids_;
+  std::vector<std::vector<FormerCandidate>> candidates_;
   FrameOffset offset_;
   std::optional<JointPrior> prior_;
 };

@@ -198,7 +198,8 @@ std::vector<Landmark> Navigator::Landmarks() const {
                     .color = object->Color()},
          .looks = static_cast<int>(object->observations.size()),
          .is_confirmed = true,
-         .former_id = object->former_id});
+         .former_id = object->former_id,
+         .former_candidates = object->former_candidates});
   }
   return landmarks;
 }

@@ -13,9 +13,10 @@ Command ChangeForm() {
   return {.name = "limpet change",
           .about =
               "What changed from session A to session B, from their saved frames and objects, "
-              "as JSON: the vehicle's own judgement, made again. DIR is a session's run "
-              "folder or the session folder in it. Each session is judged with pMap's "
-              "parameters of the mission that it kept.",
+              "as JSON: the vehicle's own judgement, made again. Which objects of B are objects "
+              "of A is what B's pNav decided when it flew with A as its former session, else "
+              "what it would decide. DIR is a session's run folder or the session folder in "
+              "it. Each session is judged with pMap's parameters of the mission that it kept.",
           .options = {{.names = "--session-a",
                        .value = "DIR",
                        .meaning = "the earlier session",

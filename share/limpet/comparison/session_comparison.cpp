@@ -8,6 +8,7 @@
 #include "estimation/change/sight_gate.hpp"
 #include "estimation/change/status_book.hpp"
 #include "estimation/mapping/former_map.hpp"
+#include "limpet/comparison/session_matches.hpp"
 #include "limpet/core/app_keys.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/core/units.hpp"
@@ -25,7 +26,7 @@ ConfigBlock MapBlockFor(const SavedSession& session, const std::optional<std::st
     const MissionFile file = LoadMission(*mission);
     if (const ConfigBlock* found = file.Block("pMap")) block = *found;
   } else {
-    block = MapBlockOf(session);
+    block = BlockOf(session, "pMap");
   }
   if (!block) {
     throw ConfigError(ConfigProblem{
@@ -34,17 +35,6 @@ ConfigBlock MapBlockFor(const SavedSession& session, const std::optional<std::st
         .text = "no mission with a block `ProcessConfig = pMap`: give one with --mission"});
   }
   return *block;
-}
-
-/// Objects of a session that kept no landmarks, as landmarks.
-Landmarks LandmarksOf(const OpiBeliefs& objects) {
-  Landmarks landmarks;
-  for (const OpiBelief& opi : objects.opis) {
-    if (opi.landmark < 0) continue;
-    landmarks.landmarks.push_back(
-        {.id = opi.landmark, .object = opi.object, .looks = opi.looks, .is_confirmed = true});
-  }
-  return landmarks;
 }
 
 SessionPrior PriorFrom(const SavedSession& a, const ConfigBlock& block) {
@@ -78,7 +68,7 @@ StatusBook Compare(const SavedSession& a, const SavedSession& b,
       book.AddSight(sight);
     }
   }
-  book.SetLandmarks(b.memory.known_landmarks.value_or(LandmarksOf(b.memory.objects)).landmarks);
+  book.SetLandmarks(MatchedLandmarks(a, b, prior));
   book.Rejudge();
   return book;
 }

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -18,6 +19,12 @@ struct ObjectEstimate {
   std::string color;                                ///< class, as Box::color
 };
 
+/// A former session's object that a landmark may be.
+struct FormerCandidate {
+  int id = 0;  ///< of the FormerObject
+  double probability = 0.0;
+};
+
 /// An object as the smoother knows it.
 struct Landmark {
   int id = 0;
@@ -26,6 +33,9 @@ struct Landmark {
   bool is_confirmed = false;  ///< enough looks and parallax to be an object; tentative ones are not
                               ///< published to users
   std::optional<int> former_id = std::nullopt;  ///< of the FormerObject that it was matched with
+  /// Not empty: which former object it is, if any, is undecided. What the probabilities leave to
+  /// one is that it is none of them; `former_id` is then the likeliest match, if there is one.
+  std::vector<FormerCandidate> former_candidates = {};
 };
 
 /// An object that a former session found, in that session's frame.

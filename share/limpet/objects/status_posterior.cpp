@@ -23,6 +23,13 @@ StatusPosterior StatusPosterior::Times(double if_present, double if_absent) cons
           .nothing = nothing * if_absent};
 }
 
+void StatusPosterior::Add(const StatusPosterior& other, double probability) {
+  confirmed += probability * other.confirmed;
+  removed += probability * other.removed;
+  appeared += probability * other.appeared;
+  nothing += probability * other.nothing;
+}
+
 StatusPosterior StatusPosterior::Normalized() const {
   const double all = sum();
   if (all <= 0.0) {

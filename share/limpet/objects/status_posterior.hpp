@@ -19,6 +19,8 @@ struct StatusPosterior {
   /// Each times the likelihood of an observation if an object is there now, and if none is: the
   /// joint probabilities, whose sum is that of the observation.
   [[nodiscard]] StatusPosterior Times(double if_present, double if_absent) const;
+  /// Adds what holds with this probability.
+  void Add(const StatusPosterior& other, double probability);
   /// Scaled so that they sum to one; all zero stays so.
   [[nodiscard]] StatusPosterior Normalized() const;
 };

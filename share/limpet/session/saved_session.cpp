@@ -18,17 +18,17 @@ ConfigError RefusalOf(const std::string& file, const std::string& why) {
   return ConfigError(ConfigProblem{.where = {.file = file, .line = 0}, .key = "", .text = why});
 }
 
-std::optional<ConfigBlock> MapBlockIn(const SavedSession& session, const std::string& name,
-                                      const std::string& text) {
+std::optional<ConfigBlock> BlockIn(const SavedSession& session, const std::string& app,
+                                   const std::string& name, const std::string& text) {
   const fs::path file = session.folder / "mission" / name;
   const MissionFile mission = ParseMission(text, file.string());
-  const ConfigBlock* block = mission.Block(kMapApp);
+  const ConfigBlock* block = mission.Block(app);
   if (block != nullptr) return *block;
-  // Of a mission as it was run, no block means that pMap flew with its defaults.
+  // Of a mission as it was run, no block means that the app flew with its defaults.
   const bool is_complete = name == kMissionAsRun;
   return is_complete
              ? std::optional<ConfigBlock>(
-                   {.name = kMapApp, .where = {.file = file.string(), .line = 0}, .entries = {}})
+                   {.name = app, .where = {.file = file.string(), .line = 0}, .entries = {}})
              : std::nullopt;
 }
 
@@ -58,21 +58,21 @@ std::string MissionText(const std::vector<ConfigEntry>& globals,
   return text;
 }
 
-std::optional<ConfigBlock> MapBlockOf(const SavedSession& session) {
+std::optional<ConfigBlock> BlockOf(const SavedSession& session, const std::string& app) {
   const auto& files = session.memory.mission;
   if (const auto as_run = files.find(kMissionAsRun); as_run != files.end()) {
-    return MapBlockIn(session, as_run->first, as_run->second);
+    return BlockIn(session, app, as_run->first, as_run->second);
   }
   for (const auto& [name, text] : files) {
     if (!name.ends_with(".moos")) continue;
-    if (std::optional<ConfigBlock> block = MapBlockIn(session, name, text)) return block;
+    if (std::optional<ConfigBlock> block = BlockIn(session, app, name, text)) return block;
   }
   return std::nullopt;
 }
 
 SessionPrior PriorWithParameters(const SavedSession& session) {
   SessionPrior prior = PriorOf(session.facts, session.memory);
-  if (const std::optional<ConfigBlock> block = MapBlockOf(session)) {
+  if (const std::optional<ConfigBlock> block = BlockOf(session, kMapApp)) {
     for (const ConfigEntry& entry : block->entries) {
       prior.map_parameters.push_back({entry.key, entry.value});
     }

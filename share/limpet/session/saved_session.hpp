@@ -28,10 +28,11 @@ struct SavedSession {
 [[nodiscard]] std::string MissionText(const std::vector<ConfigEntry>& globals,
                                       const std::vector<ConfigBlock>& blocks);
 
-/// pMap's block of the mission that the session was flown with: of the mission as it was run, else
-/// of the first .moos file that has one. Nothing if the session kept no such mission. Its lines are
-/// those of `<folder>/mission/<file>`. Throws ConfigError if the mission cannot be read.
-[[nodiscard]] std::optional<ConfigBlock> MapBlockOf(const SavedSession& session);
+/// An app's block of the mission that the session was flown with: of the mission as it was run,
+/// else of the first .moos file that has one. Nothing if the session kept no such mission. Its
+/// lines are those of `<folder>/mission/<file>`. Throws ConfigError if the mission cannot be read.
+[[nodiscard]] std::optional<ConfigBlock> BlockOf(const SavedSession& session,
+                                                 const std::string& app);
 
 /// PriorOf with the parameters of the session's map. Throws ConfigError.
 [[nodiscard]] SessionPrior PriorWithParameters(const SavedSession& session);

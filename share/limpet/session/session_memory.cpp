@@ -13,6 +13,7 @@ namespace limpet {
 namespace {
 
 constexpr const char* kArea = "area.txt";
+constexpr const char* kFormer = "former.txt";
 constexpr const char* kObjects = "objects.json";
 constexpr const char* kLandmarks = "landmarks.json";
 constexpr const char* kKnownLandmarks = "known_landmarks.json";
@@ -40,10 +41,20 @@ const std::string* Find(const SessionFiles& files, const char* name) {
 
 }  // namespace
 
+FormerFacts FormerFactsOf(const SessionFacts& facts) {
+  return {.mission = facts.mission,
+          .session = facts.session,
+          .seed = std::to_string(facts.seed),
+          .saved_at = facts.saved_at};
+}
+
 SessionFiles FilesOf(const SessionMemory& memory) {
   SessionFiles files;
   if (memory.area) {
     files[kArea] = EncodeRecord(*memory.area) + "\n";
+  }
+  if (memory.former) {
+    files[kFormer] = EncodeRecord(*memory.former) + "\n";
   }
   files[kObjects] = std::get<std::string>(TopicCodec<OpiBeliefs>::Encode(memory.objects)) + "\n";
   if (!memory.landmarks.ids.empty()) {
@@ -70,6 +81,10 @@ Expected<SessionMemory> MemoryOf(const SessionFiles& files) {
   if (const std::string* text = Find(files, kArea)) {
     memory.area = DecodeRecord<SurveyArea>(Trim(*text));
     if (!memory.area) return Error{std::string(kArea) + ": not a survey area"};
+  }
+  if (const std::string* text = Find(files, kFormer)) {
+    memory.former = DecodeRecord<FormerFacts>(Trim(*text));
+    if (!memory.former) return Error{std::string(kFormer) + ": names no session"};
   }
   const std::string* objects = Find(files, kObjects);
   const std::optional<OpiBeliefs> beliefs =

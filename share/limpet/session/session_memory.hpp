@@ -20,10 +20,23 @@ struct PhaseStart {
   std::string phase;
 };
 
-/// Files: area.txt, objects.json, known_landmarks.json, landmarks.json, sights.csv, phases.csv,
-/// map.ot, mission/*.
+/// Which session was this one's former one: the one that its landmarks were matched with.
+struct FormerFacts {
+  std::string mission, session, seed;
+  double saved_at = 0.0;
+  template <class V>
+  void Describe(V& visit) {
+    visit("mission", mission), visit("session", session), visit("seed", seed);
+    visit("saved_at", saved_at);
+  }
+};
+[[nodiscard]] FormerFacts FormerFactsOf(const SessionFacts& facts);
+
+/// Files: area.txt, former.txt, objects.json, known_landmarks.json, landmarks.json, sights.csv,
+/// phases.csv, map.ot, mission/*.
 struct SessionMemory {
   std::optional<SurveyArea> area;
+  std::optional<FormerFacts> former;  ///< nothing in a discovery session, or an older one
   OpiBeliefs objects;
   /// All landmarks as pNav had them when `objects` were judged; nothing in an older session.
   std::optional<Landmarks> known_landmarks;

@@ -64,11 +64,15 @@ ObjectEstimate EstimateFrom(const nlohmann::json& in) {
   return object;
 }
 
+/// `prior_candidates` is there only while the match is undecided.
 void to_json(nlohmann::json& out, const Landmark& landmark) {
   out = {{"id", landmark.id},
          {"looks", landmark.looks},
          {"is_confirmed", landmark.is_confirmed},
          {"prior_id", landmark.former_id.value_or(-1)}};
+  for (const FormerCandidate& candidate : landmark.former_candidates) {
+    out["prior_candidates"].push_back({{"id", candidate.id}, {"p", candidate.probability}});
+  }
   AddEstimate(landmark.object, out);
 }
 
@@ -79,6 +83,10 @@ void from_json(const nlohmann::json& in, Landmark& landmark) {
               .looks = in.at("looks"),
               .is_confirmed = in.at("is_confirmed"),
               .former_id = former < 0 ? std::nullopt : std::optional(former)};
+  for (const nlohmann::json& candidate : in.value("prior_candidates", nlohmann::json::array())) {
+    landmark.former_candidates.push_back(
+        {.id = candidate.at("id"), .probability = candidate.at("p")});
+  }
 }
 
 /// Matrices that are none come as empty ones.

@@ -151,7 +151,7 @@ inline const auto kNavDeadReckoning = Declare<DeadReckoning>(
     "NAV_DEAD_RECKONING", "DVL dead reckoning from the first GPS fix, for comparison",
     {.unit = "m, rad", .frame = "NED", .rate = "10 Hz", .writers = {"pNav"}});
 inline const auto kNavLandmarks = Declare<Landmarks>(
-    "NAV_LANDMARKS", "objects with covariance",
+    "NAV_LANDMARKS", "objects with covariance, and which of the former session's each one is",
     {.unit = "m", .frame = "NED", .rate = "on change, at most 2 Hz", .writers = {"pNav"}});
 inline const auto kNavLandmarkJoint = Declare<LandmarkJoint>(
     "NAV_LANDMARK_JOINT", "joint covariance of all objects, for the saved session",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "apps/pMap/map_app.hpp"
 
+#include <map>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -70,10 +72,13 @@ class MapAppTest : public ::testing::Test {
     }
     link_.time += Seconds(20.0);
   }
-  void Confirm(const std::vector<trial::Sphere>& spheres) {
+  /// `former_of`: by landmark, which former object pNav matched it with.
+  void Confirm(const std::vector<trial::Sphere>& spheres, std::map<int, int> former_of = {}) {
     Landmarks landmarks;
     for (const trial::Sphere& sphere : spheres) {
       landmarks.landmarks.push_back(LandmarkOf(sphere));
+      const auto former = former_of.find(sphere.landmark);
+      if (former != former_of.end()) landmarks.landmarks.back().former_id = former->second;
     }
     link_.Send(app_, topics::kNavLandmarks, landmarks);
     link_.time += Seconds(1.0);
@@ -153,7 +158,7 @@ TEST_F(MapAppTest, DecidesAllFourWaysInAChangeSession) {
   Survey({.north = -3, .east = 1, .length = 16}, {kYellow, newcomer});
   Survey({.north = -3, .east = 8, .length = 16}, {kYellow, newcomer});
   Survey({.north = -3, .east = -4, .length = 16}, {kYellow, newcomer});
-  Confirm({kYellow, newcomer});
+  Confirm({kYellow, newcomer}, {{kYellow.landmark, 1}});
   std::vector<Status> decided;
   for (const OpiBelief& opi : Objects()) {
     decided.push_back(opi.decided);

@@ -218,7 +218,7 @@ TEST_F(SessionAppTest, KeepsTheMissionAsItWasRun) {
   app.Tick(link_.time);
   const SavedSession saved = LoadSavedSession(folder_.path() / "discovery", "session");
   EXPECT_THAT(saved.memory.mission.at("as_run.moos"), testing::HasSubstr("Community = alpha\n"));
-  const std::optional<ConfigBlock> block = MapBlockOf(saved);
+  const std::optional<ConfigBlock> block = BlockOf(saved, "pMap");
   ASSERT_TRUE(block);
   ASSERT_EQ(block->entries.size(), 2U);
   EXPECT_EQ(block->entries[0].value, "5.5");

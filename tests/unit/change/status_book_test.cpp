@@ -21,6 +21,8 @@ class StatusBookTest : public ::testing::Test {
   struct Real {
     ObjectEstimate object;
     int landmark = -1;
+    std::optional<int> former_id = std::nullopt;
+    std::vector<FormerCandidate> candidates = {};
   };
   void Fly(double east, const std::vector<Real>& objects, double detects = 1.0) {
     for (double north = -4.0; north <= 12.0; north += 0.125, time_ += 0.25) {
@@ -57,7 +59,9 @@ class StatusBookTest : public ::testing::Test {
       known.push_back({.id = real.landmark,
                        .object = real.object,
                        .looks = 10 - real.landmark,
-                       .is_confirmed = true});
+                       .is_confirmed = true,
+                       .former_id = real.former_id,
+                       .former_candidates = real.candidates});
     }
     book_.SetLandmarks(known);
   }
@@ -144,7 +148,7 @@ TEST_F(StatusBookTest, KeepsTwoNeighboursApartThatWereSeenTogether) {
 TEST_F(StatusBookTest, AnObjectThatAnotherColourReplacedIsRemoved) {
   FormerLookedEverywhere();
   book_.SetFormer({Former(7, At(0, 0.5)), Former(8, At(7, 0.0)), Former(9, At(4, 0.5))});
-  const std::vector<Real> now{{At(0, 0.5), 1}, {At(7, 0.0), 2}, {At(4, 0.5, "orange"), 3}};
+  const std::vector<Real> now{{At(0, 0.5), 1, 7}, {At(7, 0.0), 2, 8}, {At(4, 0.5, "orange"), 3}};
   Fly(0.0, now);
   Landmarks(now);
   EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kConfirmed, Status::kConfirmed,
@@ -154,7 +158,7 @@ TEST_F(StatusBookTest, AnObjectThatAnotherColourReplacedIsRemoved) {
 TEST_F(StatusBookTest, AnObjectThatStandsBesideItsFormerPlaceHasMoved) {
   FormerLookedEverywhere();
   book_.SetFormer({Former(7, At(0, 0.5)), Former(8, At(8, 0.0)), Former(9, At(4, 0.5))});
-  const std::vector<Real> now{{At(0, 0.5), 1}, {At(8, 0.0), 2}, {At(4, -1.0), 3}};
+  const std::vector<Real> now{{At(0, 0.5), 1, 7}, {At(8, 0.0), 2, 8}, {At(4, -1.0), 3}};
   Fly(0.0, now);
   Landmarks(now);
   EXPECT_THAT(Decided(),
@@ -163,7 +167,7 @@ TEST_F(StatusBookTest, AnObjectThatStandsBesideItsFormerPlaceHasMoved) {
 
 TEST_F(StatusBookTest, AFormerObjectThatIsStillThereIsConfirmed) {
   book_.SetFormer({Former(7, At(4.4, 0.2))});
-  const Real real{At(4, 0.5), 1};
+  const Real real{At(4, 0.5), 1, 7};
   Fly(0.0, {real});
   Landmarks({real});
   ASSERT_THAT(Decided(), ::testing::ElementsAre(Status::kConfirmed));
@@ -272,7 +276,7 @@ TEST_F(StatusBookTest, JudgedAgainItDoesNotDependOnHowItCameToKnow) {
 TEST_F(StatusBookTest, AnObjectThatMovedIsOneStoryNotTwo) {
   FormerLookedEverywhere();
   book_.SetFormer({Former(7, At(4, -1.2)), Former(8, At(9, 0)), Former(9, At(0, 0))});
-  const std::vector<Real> now{{At(4, 1.1), 1}, {At(9, 0), 2}, {At(0, 0), 3}};
+  const std::vector<Real> now{{At(4, 1.1), 1}, {At(9, 0), 2, 8}, {At(0, 0), 3, 9}};
   Fly(-0.5, now);
   Fly(0.5, now);
   Landmarks(now);
@@ -284,10 +288,104 @@ TEST_F(StatusBookTest, AnObjectThatMovedIsOneStoryNotTwo) {
 TEST_F(StatusBookTest, KeepsAnObjectsIdWhenItIsFoundAgain) {
   book_.SetFormer({Former(7, At(4, 0.5)), Former(8, At(9, 0))});
   const int before = book_.Assess()[1].id;
-  const Real real{At(9, 0.2), 1};
+  const Real real{At(9, 0.2), 1, 8};
   Fly(0.0, {real});
   Landmarks({real});
   EXPECT_EQ(book_.Assess()[1].id, before);
+}
+
+/// Which landmark is which former object is pNav's to say, however near another one stands.
+TEST_F(StatusBookTest, BelievesTheMatchThatItIsTold) {
+  book_.SetFormer({Former(7, At(4, 0.2)), Former(8, At(4, 1.4))});
+  const std::vector<Real> now{{At(4, 0.8), 1, 8}};
+  Fly(0.5, now);
+  Landmarks(now);
+  const std::vector<OpiBelief> objects = book_.Assess();
+  ASSERT_EQ(objects.size(), 2U);
+  EXPECT_EQ(objects[0].landmark, -1);
+  EXPECT_EQ(objects[1].landmark, 1);
+  EXPECT_EQ(objects[1].prior_id, 8);
+  EXPECT_EQ(objects[1].decided, Status::kConfirmed);
+}
+
+TEST_F(StatusBookTest, ALandmarkAtAFormerPlaceIsNewIfItIsToldToBeAnother) {
+  FormerLookedEverywhere();
+  book_.SetFormer({Former(7, At(4, 0.5, "orange"))});
+  const Real real{At(4, 0.5), 1};
+  Fly(0.0, {real});
+  Landmarks({real});
+  EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kRemoved, Status::kNew));
+}
+
+TEST_F(StatusBookTest, TheFrameThatDriftedHalfAMetreIsThatOfTheMatches) {
+  book_.SetFormer({Former(7, At(0, 0.0)), Former(8, At(4, 0.5)), Former(9, At(8, 0.2))});
+  const std::vector<Real> now{{At(0.5, 0.0), 1, 7}, {At(8.5, 0.2), 3, 9}};
+  Fly(0.0, now);
+  Landmarks(now);
+  EXPECT_NEAR(book_.offset().shift.x(), 0.5, 0.05);
+  EXPECT_THAT(Decided(),
+              ::testing::ElementsAre(Status::kConfirmed, Status::kRemoved, Status::kConfirmed));
+  EXPECT_NEAR(book_.Assess()[1].object.p_W.x(), 4.5, 0.1) << "taken along";
+}
+
+/// It may be the former object, or one that came while that one went.
+TEST_F(StatusBookTest, AnUndecidedLandmarkIsNeitherSurelyNewNorConfirmed) {
+  FormerLookedEverywhere();
+  book_.SetFormer({Former(7, At(4, -0.5))});
+  const Real real{At(4, 1.2), 1, std::nullopt, {{.id = 7, .probability = 0.6}}};
+  Fly(0.5, {real});
+  Landmarks({real});
+  const std::vector<OpiBelief> objects = book_.Assess();
+  ASSERT_EQ(objects.size(), 2U);
+  EXPECT_EQ(objects[0].decided, Status::kUncertain);
+  EXPECT_NEAR(objects[0].posterior.confirmed, 0.6, 0.05);
+  EXPECT_NEAR(objects[0].posterior.removed, 0.4, 0.05);
+  EXPECT_EQ(objects[1].landmark, 1);
+  EXPECT_EQ(objects[1].decided, Status::kUncertain);
+  EXPECT_NEAR(objects[1].posterior.confirmed, 0.6, 0.05);
+  EXPECT_NEAR(objects[1].posterior.appeared, 0.4, 0.05);
+  EXPECT_GT(objects[1].posterior.present(), 0.95) << "it is there all the same";
+}
+
+TEST_F(StatusBookTest, OneOfTwoCloseFormerObjectsIsLeftAndNobodyKnowsWhich) {
+  FormerLookedEverywhere();
+  book_.SetFormer({Former(7, At(4, 0.0)), Former(8, At(4, 0.9))});
+  const Real real{At(4, 0.4), 1, 7, {{7, 0.55}, {8, 0.45}}};
+  Fly(0.5, {real});
+  Landmarks({real});
+  EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kUncertain, Status::kUncertain));
+  EXPECT_NEAR(book_.Assess()[0].posterior.confirmed, 0.55, 0.05);
+  EXPECT_NEAR(book_.Assess()[1].posterior.confirmed, 0.45, 0.05);
+}
+
+/// Which is which does not matter then.
+TEST_F(StatusBookTest, TwoCloseFormerObjectsThatAreBothStillThereAreConfirmed) {
+  book_.SetFormer({Former(7, At(4, 0.0)), Former(8, At(4, 1.0))});
+  const std::vector<Real> now{{At(4, 0.1), 1, 7, {{7, 0.6}, {8, 0.4}}},
+                              {At(4, 1.1), 2, 8, {{7, 0.4}, {8, 0.6}}}};
+  Fly(0.5, now);
+  Landmarks(now);
+  EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kConfirmed, Status::kConfirmed));
+}
+
+TEST_F(StatusBookTest, AMatchIsKeptWhenItsLandmarkIsMergedIntoAnother) {
+  book_.SetFormer({Former(7, At(4, 0.5))});
+  Fly(0.0, {{At(4, 0.5), 1}});
+  Fly(0.5, {{At(4, 0.5), 2}});
+  Landmarks({{At(4, 0.5), 1}, {At(4.6, 0.9), 2, 7}});
+  ASSERT_EQ(book_.Assess().size(), 1U);
+  EXPECT_EQ(book_.Assess()[0].landmark, 1);
+  EXPECT_EQ(book_.Assess()[0].decided, Status::kConfirmed);
+}
+
+TEST_F(StatusBookTest, MatchesWithAnotherFormerSessionSayNothing) {
+  FormerLookedEverywhere();
+  book_.SetFormer({});
+  const Real real{At(4, 0.5), 1, 99};
+  Fly(0.0, {real});
+  Landmarks({real});
+  EXPECT_EQ(book_.Assess()[0].prior_id, -1);
+  EXPECT_EQ(book_.Assess()[0].decided, Status::kNew);
 }
 
 TEST_F(StatusBookTest, LearnsHowOftenTheDetectorSeesGhosts) {

@@ -80,8 +80,13 @@ class ChangeVerbTest : public ::testing::Test {
     }
     Wait(community, 20.0);
   }
-  static void Confirm(EmbeddedCommunity& community, const std::vector<trial::Sphere>& spheres,
-                      const Eigen::Vector3d& off) {
+  /// As pNav would say it: kStays is object 1 of the discovery session.
+  static std::optional<int> FormerOf(const std::string& session, const trial::Sphere& sphere) {
+    const bool is_matched = session == "change" && sphere.landmark == kStays.landmark;
+    return is_matched ? std::optional(1) : std::nullopt;
+  }
+  static void Confirm(EmbeddedCommunity& community, const std::string& session,
+                      const std::vector<trial::Sphere>& spheres, const Eigen::Vector3d& off) {
     Landmarks landmarks;
     for (const trial::Sphere& sphere : spheres) {
       landmarks.landmarks.push_back({.id = sphere.landmark,
@@ -89,7 +94,8 @@ class ChangeVerbTest : public ::testing::Test {
                                                 .cov_W = kCovariance.asDiagonal(),
                                                 .color = sphere.color},
                                      .looks = 9,
-                                     .is_confirmed = true});
+                                     .is_confirmed = true,
+                                     .former_id = FormerOf(session, sphere)});
     }
     Say(community, topics::kNavLandmarks, landmarks);
     Wait(community, 1.0);
@@ -104,20 +110,20 @@ class ChangeVerbTest : public ::testing::Test {
     Say(community, topics::kSurveyPhase, std::string("SURVEY"));
     for (const double east : easts) {
       Pass(community, {.north = -3, .east = east, .length = 15}, spheres);
-      Confirm(community, spheres, {0.15, -0.1, 0.0});
+      Confirm(community, session, spheres, {0.15, -0.1, 0.0});
     }
     Pass(community, {.north = -3, .east = 1, .length = 4, .altitude = 9.0}, {});  // too high
     Say(community, topics::kSurveyPhase, std::string("FIX"));
     const double t = community.now().value();
     Say(community, topics::kNavTrackShift, TrackShift{{{t, 0.2, 0.1, 0.0, 0.0}}});
-    Confirm(community, spheres, {0.22, 0.08, 0.0});
+    Confirm(community, session, spheres, {0.22, 0.08, 0.0});
     Say(community, topics::kSessionSave, std::string("home"));
     Wait(community, 1.0);
     community.Finish();
   }
-  nlohmann::json Change(std::vector<std::string> more = {}) {
+  nlohmann::json Change(std::vector<std::string> more = {}, const std::string& b = "change") {
     std::vector<std::string> words{"--session-a", (folder_.path() / "discovery").string(),
-                                   "--session-b", (folder_.path() / "change").string()};
+                                   "--session-b", (folder_.path() / b).string()};
     words.insert(words.end(), more.begin(), more.end());
     ::testing::internal::CaptureStdout();
     try {
@@ -161,6 +167,18 @@ TEST_F(ChangeVerbTest, SaysWhatTheVehicleSaid) {
   EXPECT_EQ(decided["orange"], "removed");
   EXPECT_EQ(decided["green"], "new");
   EXPECT_EQ(decided["orange far"], "uncertain") << "nobody had looked there before";
+}
+
+/// Neither was flown after the other: the matches are made here, by pNav's rule.
+TEST_F(ChangeVerbTest, MatchesTwoSessionsThatNeverMet) {
+  FlySession("discovery", {kStays, kGoes}, {-1.0, 1.0});
+  FlySession("stranger", {kStays, kComes}, {-1.0, 1.5});
+  const nlohmann::json changes = Change({}, "stranger").at("changes");
+  ASSERT_EQ(changes.size(), 3U);
+  EXPECT_EQ(changes[0].at("decided"), "confirmed");
+  EXPECT_EQ(changes[0].at("color"), "yellow");
+  EXPECT_EQ(changes[1].at("decided"), "removed");
+  EXPECT_EQ(changes[2].at("decided"), "new");
 }
 
 TEST_F(ChangeVerbTest, JudgesWithTheMissionsParameters) {

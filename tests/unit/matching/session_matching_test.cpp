@@ -72,6 +72,41 @@ TEST(MatchSessions, LeavesAnObjectThatMovedUnmatched) {
   EXPECT_THAT(match.now_of_former, ElementsAre(0, 1, -1));
 }
 
+TEST(MatchSessions, IsSureOfWhatNothingRivals) {
+  const SessionMatch match = MatchSessions({FormerAt(0, 0), FormerAt(8, 0), FormerAt(0, 8)},
+                                           {FormerAt(0.3, 0.2), FormerAt(8.3, 0.2)}, {});
+  EXPECT_EQ(match.chance(0, 0), 1.0);
+  EXPECT_EQ(match.chance(1, 1), 1.0);
+  EXPECT_EQ(match.chance.row(2).sum(), 0.0);
+}
+
+TEST(MatchSessions, SharesTheChanceBetweenTwoFormerObjectsThatItCouldBe) {
+  const SessionMatch match =
+      MatchSessions({FormerAt(0, 0), FormerAt(0, 1)}, {FormerAt(0, 0.5)}, {});
+  EXPECT_NEAR(match.chance(0, 0), 0.5, 0.02);
+  EXPECT_NEAR(match.chance(1, 0), 0.5, 0.02);
+}
+
+TEST(MatchSessions, ADoubtElsewhereIsNoneHere) {
+  std::vector<ObjectEstimate> former{FormerAt(0, 0)}, now{FormerAt(0, 0)};
+  for (int i = 1; i < 8; ++i) {  // pairs of which one is left each
+    former.push_back(FormerAt(12.0 * i, -0.5));
+    former.push_back(FormerAt(12.0 * i, 0.5));
+    now.push_back(FormerAt(12.0 * i, 0.0));
+  }
+  EXPECT_EQ(MatchSessions(former, now, {}).chance(0, 0), 1.0);
+}
+
+TEST(FitSessions, GivesTheOffsetOfTheMatchesItIsGiven) {
+  const std::vector<ObjectEstimate> former{FormerAt(0, 0), FormerAt(8, 0), FormerAt(0, 8)};
+  const std::vector<ObjectEstimate> now{FormerAt(0.5, 8), FormerAt(0.5, 0), FormerAt(8.5, 0)};
+  const SessionMatch fit = FitSessions(former, now, {1, 2, 0}, {});
+  EXPECT_THAT(fit.now_of_former, ElementsAre(1, 2, 0));
+  EXPECT_NEAR(fit.offset.shift.x(), 0.5, 0.12);
+  EXPECT_NEAR(fit.offset.shift.y(), 0.0, 0.05);
+  EXPECT_EQ(FitSessions(former, {}, {-1, -1, -1}, {}).offset.shift.norm(), 0.0);
+}
+
 TEST(MatchSessions, WorksWithNothingToMatch) {
   EXPECT_TRUE(MatchSessions({}, {FormerAt(0, 0)}, {}).now_of_former.empty());
   EXPECT_THAT(MatchSessions({FormerAt(0, 0)}, {}, {}).now_of_former, ElementsAre(-1));

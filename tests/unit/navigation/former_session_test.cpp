@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/navigation/former_session.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/LU>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "limpet/core/random.hpp"
 
 namespace limpet {
 namespace {
@@ -153,6 +156,92 @@ TEST(FormerSessionTie, DoesNotAskALandmarkWhosePlaceAmongTheOthersIsNotKnown) {
   present.covariance.block<2, 2>(9, 9) += 4.0 * Eigen::Matrix2d::Identity();
   ASSERT_TRUE(tie.Match(present, std::nullopt));
   EXPECT_THAT(tie.former_ids(), ElementsAre(1, 2, 3, std::nullopt));
+  ASSERT_EQ(tie.candidates()[3].size(), 1U) << "but it may be the fourth";
+  EXPECT_EQ(tie.candidates()[3][0].id, 4);
+  EXPECT_GT(tie.candidates()[3][0].probability, 0.1);
+  EXPECT_LT(tie.candidates()[3][0].probability, 0.9);
+  EXPECT_THAT(tie.prior()->slots(), ElementsAre(10, 11, 12));
+}
+
+TEST(FormerSessionTie, ALandmarkThatFitsNoFormerObjectIsNoCandidate) {
+  FormerSessionTie tie({});
+  tie.SetFormer(Former());
+  PresentLandmarks present = Present({kPlaces[0], kPlaces[1], kPlaces[2], {9.0, 12.0}});
+  present.covariance.block<2, 2>(9, 9) += 1.0 * Eigen::Matrix2d::Identity();
+  ASSERT_TRUE(tie.Match(present, std::nullopt));
+  EXPECT_THAT(tie.candidates()[3], ::testing::IsEmpty());
+}
+
+TEST(FormerSessionTie, DecidesThroughADriftOfHalfAMetre) {
+  FormerSessionTie tie({});
+  tie.SetFormer(Former());
+  const FrameOffset drift{.shift = {0.4, -0.3}, .turn = 0.01, .pivot = {}};
+  ASSERT_TRUE(tie.Match(Present({kPlaces[0], kPlaces[2], kPlaces[3]}, drift), std::nullopt));
+  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 3, 4));
+  for (const auto& candidates : tie.candidates())
+    EXPECT_THAT(candidates, ::testing::IsEmpty());
+}
+
+/// Alone, one object of two that stand a metre apart may be either: the frames may be off by that.
+TEST(FormerSessionTie, DoesNotDecideWhichOfTwoCloseFormerObjectsIsLeft) {
+  FormerSession former{
+      .ids = {1, 2}, .objects = Objects({{4.0, 1.0}, {4.0, 2.0}}), .covariance = {}};
+  former.covariance = JointOf(former.objects, 0.5, 0.01, 0.05);
+  FormerSessionTie tie({});
+  tie.SetFormer(former);
+  ASSERT_TRUE(tie.Match(Present({{4.0, 1.4}}), std::nullopt));
+  ASSERT_EQ(tie.candidates()[0].size(), 2U);
+  EXPECT_NEAR(tie.candidates()[0][0].probability + tie.candidates()[0][1].probability, 1.0, 1e-9);
+  EXPECT_EQ(tie.former_ids()[0], 1) << "the likelier one";
+  EXPECT_FALSE(tie.prior());
+}
+
+/// Others tell where the frame lies.
+TEST(FormerSessionTie, DecidesWhichOfTwoCloseFormerObjectsIsLeftIfOthersPinTheFrame) {
+  FormerSession former{.ids = {1, 2, 3, 4, 5},
+                       .objects = Objects({{4, 1}, {4, 2}, {-6, -5}, {6, -9}, {-2, 10}}),
+                       .covariance = {}};
+  former.covariance = JointOf(former.objects, 0.5, 0.01, 0.05);
+  FormerSessionTie tie({});
+  tie.SetFormer(former);
+  const FrameOffset drift{.shift = {0.3, 0.4}, .turn = 0.0, .pivot = {}};
+  ASSERT_TRUE(tie.Match(Present({{4, 2}, {-6, -5}, {6, -9}, {-2, 10}}, drift), std::nullopt));
+  EXPECT_THAT(tie.former_ids(), ElementsAre(2, 3, 4, 5));
+  EXPECT_THAT(tie.candidates()[0], ::testing::IsEmpty());
+}
+
+/// Over random fields: chances are chances, what is decided has no candidates, and an undecided
+/// landmark ties nothing.
+TEST(FormerSessionTieProperties, CandidatesAreChancesOfWhatIsNotDecided) {
+  Random random(5);
+  for (int trial = 0; trial < 60; ++trial) {
+    std::vector<Eigen::Vector2d> places;
+    for (int i = 0; i < 4; ++i)
+      places.emplace_back(random.Uniform(-4.0, 4.0), random.Uniform(-4.0, 4.0));
+    FormerSession former{.ids = {1, 2, 3, 4}, .objects = Objects(places), .covariance = {}};
+    former.covariance = JointOf(former.objects, 0.5, 0.01, 0.05);
+    places.erase(places.begin() + trial % 4);
+    const FrameOffset drift{
+        .shift = {random.Uniform(-0.5, 0.5), random.Uniform(-0.5, 0.5)}, .turn = 0.0, .pivot = {}};
+    PresentLandmarks present = Present(places, drift);
+    present.covariance.block<2, 2>(6, 6) += random.Uniform(0.0, 2.0) * Eigen::Matrix2d::Identity();
+    FormerSessionTie tie({});
+    tie.SetFormer(former);
+    ASSERT_TRUE(tie.Match(present, std::nullopt));
+    for (std::size_t j = 0; j < places.size(); ++j) {
+      double sum = 0.0;
+      for (const FormerCandidate& candidate : tie.candidates()[j]) {
+        EXPECT_GE(candidate.id, 1);
+        EXPECT_LE(candidate.id, 4);
+        EXPECT_LT(candidate.probability, 1.0);
+        sum += candidate.probability;
+      }
+      EXPECT_LE(sum, 1.0 + 1e-9);
+      const bool is_tied =
+          tie.prior() && std::ranges::count(tie.prior()->slots(), 10 + static_cast<int>(j)) > 0;
+      EXPECT_FALSE(is_tied && !tie.candidates()[j].empty()) << trial;
+    }
+  }
 }
 
 TEST(FormerSessionTie, LetsGoOfALandmarkThatHasComeInDoubt) {

@@ -66,6 +66,18 @@ TEST(WireForm, OfLandmarksStays) {
       R"("ned":[-5.953011914054159,-5.275651358762531,6.488511807801939],"prior_id":1}]})");
 }
 
+TEST(WireForm, OfAnUndecidedLandmarkSaysWhatItMayBe) {
+  Landmark landmark;
+  landmark.former_candidates = {{7, 0.5}, {8, 0.25}};
+  const auto decoded = TopicCodec<Landmarks>::Decode(TopicCodec<Landmarks>::Encode({{landmark}}));
+  ASSERT_TRUE(decoded);
+  const Landmark& same = decoded->landmarks.at(0);
+  EXPECT_FALSE(same.former_id);
+  ASSERT_EQ(same.former_candidates.size(), 2U);
+  EXPECT_EQ(same.former_candidates[1].id, 8);
+  EXPECT_EQ(same.former_candidates[1].probability, 0.25);
+}
+
 TEST(WireForm, OfObjectsStays) {
   ExpectSameBytes<OpiBeliefs>(
       R"({"opis":[{"centroid":[2.13,9.69,6.99],"centroid_sd":[0.25,0.27,0.13],"color":"orange",)"

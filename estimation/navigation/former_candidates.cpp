@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/navigation/former_candidates.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/LU>
+
+namespace limpet {
+namespace {
+
+constexpr double kStays = 0.5;         // chance that a former object is still there
+constexpr double kNewDensity = 0.025;  // [1/m^2] of objects that came: 0.02 at a place of 0.5 m
+
+/// Density of the landmark's horizontal place [1/m^2] if it is the former object; 0 beyond the
+/// gate.
+double DensityThere(const ObjectEstimate& former, const ObjectEstimate& landmark,
+                    const SessionMatch& match, const MatchingParams& params) {
+  const Eigen::Matrix<double, 3, 4> J = match.offset.Jacobian(former.p_W);
+  Eigen::Matrix3d S = former.cov_W + landmark.cov_W + J * match.offset_cov * J.transpose();
+  S.diagonal().array() += 2.0 * std::pow(params.position_floor.value(), 2);
+  const Eigen::Vector3d off = landmark.p_W - match.offset.Apply(former.p_W);
+  const double color = former.color == landmark.color ? 0.0 : params.color_penalty;
+  const double distance = off.dot(S.inverse() * off) + color;
+  if (!(distance <= std::pow(params.gate_sigmas, 2))) {
+    return 0.0;
+  }
+  const double area = 2.0 * std::numbers::pi * std::sqrt(S.topLeftCorner<2, 2>().determinant());
+  return std::exp(-0.5 * distance) / area;
+}
+
+}  // namespace
+
+std::vector<FormerCandidate> RivalCandidates(const FormerObjects& former, const SessionMatch& match,
+                                             int now) {
+  std::vector<FormerCandidate> candidates;
+  for (std::size_t i = 0; i < former.ids.size(); ++i) {
+    const double chance = match.chance(static_cast<Eigen::Index>(i), now);
+    if (match.now_of_former[i] == now && chance >= kDecidedMatch) return {};
+    if (chance > 1.0 - kDecidedMatch) candidates.push_back({former.ids[i], chance});
+  }
+  return candidates;
+}
+
+std::vector<FormerCandidate> NearbyCandidates(const FormerObjects& former,
+                                              const std::vector<bool>& is_taken,
+                                              const ObjectEstimate& landmark,
+                                              const SessionMatch& match,
+                                              const MatchingParams& params) {
+  std::vector<double> weights(former.ids.size(), 0.0);
+  double total = kNewDensity;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (is_taken[i]) continue;
+    weights[i] = kStays * DensityThere(former.objects[i], landmark, match, params);
+    total += weights[i];
+  }
+  std::vector<FormerCandidate> candidates;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const double chance = weights[i] / total;
+    if (chance > 1.0 - kDecidedMatch) candidates.push_back({former.ids[i], chance});
+  }
+  return candidates;
+}
+
+}  // namespace limpet

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/comparison/session_matches.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "estimation/matching/default_matching.hpp"
+#include "estimation/matching/own_covariance.hpp"
+#include "estimation/navigation/former_session.hpp"
+#include "limpet/core/params.hpp"
+
+namespace limpet {
+namespace {
+
+/// Objects of a session that kept no landmarks, as landmarks.
+std::vector<Landmark> LandmarksOf(const OpiBeliefs& objects) {
+  std::vector<Landmark> landmarks;
+  for (const OpiBelief& opi : objects.opis) {
+    if (opi.landmark < 0) continue;
+    landmarks.push_back(
+        {.id = opi.landmark, .object = opi.object, .looks = opi.looks, .is_confirmed = true});
+  }
+  return landmarks;
+}
+
+bool WasFlownWith(const SavedSession& b, const SavedSession& a) {
+  constexpr double kSameTime = 1e-3;  // [s]
+  const std::optional<FormerFacts>& former = b.memory.former;
+  const FormerFacts facts = FormerFactsOf(a.facts);
+  return former && b.memory.known_landmarks && former->mission == facts.mission &&
+         former->session == facts.session && former->seed == facts.seed &&
+         std::abs(former->saved_at - facts.saved_at) < kSameTime;
+}
+
+/// What pNav's block says of matching; its other lines are not judged here.
+MatchingParams ParamsOf(const SavedSession& session) {
+  MatchingParams params = DefaultMatching();
+  std::optional<ConfigBlock> block = BlockOf(session, "pNav");
+  if (!block) return params;
+  const std::vector<ParamSpec> specs = DescribeParams(params);
+  std::erase_if(block->entries, [&specs](const ConfigEntry& entry) {
+    return std::ranges::none_of(specs, [&entry](const ParamSpec& spec) {
+      return EqualsIgnoringCase(spec.name, entry.key);
+    });
+  });
+  const std::vector<ConfigProblem> problems = ApplyBlock(*block, specs);
+  if (!problems.empty()) throw ConfigError(problems);
+  return params;
+}
+
+/// Three rows per landmark; as from the single covariances if the session did not keep those of
+/// all.
+Eigen::MatrixXd JointOf(const std::vector<Landmark>& landmarks, const LandmarkJoint& joint) {
+  std::vector<Eigen::Index> rows;
+  std::vector<ObjectEstimate> objects;
+  for (const Landmark& landmark : landmarks) {
+    objects.push_back(landmark.object);
+    const auto found = std::ranges::find(joint.ids, landmark.id);
+    if (found == joint.ids.end()) continue;
+    const Eigen::Index first = 3 * (found - joint.ids.begin());
+    rows.insert(rows.end(), {first, first + 1, first + 2});
+  }
+  return rows.size() == 3 * landmarks.size() ? Eigen::MatrixXd(joint.cov_W(rows, rows))
+                                             : JointOfSingles(objects);
+}
+
+}  // namespace
+
+std::vector<Landmark> MatchedLandmarks(const SavedSession& a, const SavedSession& b,
+                                       const SessionPrior& prior) {
+  std::vector<Landmark> landmarks = b.memory.known_landmarks ? b.memory.known_landmarks->landmarks
+                                                             : LandmarksOf(b.memory.objects);
+  if (WasFlownWith(b, a)) {
+    return landmarks;
+  }
+  std::erase_if(landmarks, [](const Landmark& landmark) { return !landmark.is_confirmed; });
+  FormerSession former{.ids = {}, .objects = {}, .covariance = prior.joint_cov_W};
+  for (const FormerObject& object : prior.opis) {
+    former.ids.push_back(object.id);
+    former.objects.push_back(object.object);
+  }
+  PresentLandmarks present{.slots = {}, .objects = {}, .covariance = {}};
+  for (const Landmark& landmark : landmarks) {
+    present.slots.push_back(landmark.id);
+    present.objects.push_back(landmark.object);
+  }
+  present.covariance = JointOf(landmarks, b.memory.landmarks);
+  FormerSessionTie tie(ParamsOf(b));
+  tie.SetFormer(std::move(former));
+  const bool is_matched = tie.Match(present, std::nullopt);
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    landmarks[i].former_id = is_matched ? tie.former_ids()[i] : std::nullopt;
+    landmarks[i].former_candidates.clear();
+    if (is_matched) landmarks[i].former_candidates = tie.candidates()[i];
+  }
+  return landmarks;
+}
+
+}  // namespace limpet
