@@ -97,7 +97,10 @@ void Navigator::TakeFix(const PositionFix& fix) {
   const PoseChain::FixUse use = chain_.AddFix(fix);
   if (use == PoseChain::FixUse::kLate) return;
   tracker_.Refresh();
-  if (use == PoseChain::FixUse::kTaken) ++landmark_version_;  // after a dive it moves them all
+  if (use == PoseChain::FixUse::kTaken) {
+    former_.Update();     // what no match explained in the dive may be clear now:
+    ++landmark_version_;  // after it a fix moves all landmarks
+  }
 }
 
 void Navigator::TakeFrame(const Detections& frame) {
