@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "limpet/mission/shared_settings.hpp"
 #include "limpet/preflight/checks.hpp"
 
 namespace limpet::internal {
@@ -16,8 +17,21 @@ bool IsSame(const Setting& a, const Setting& b) {
   return a.text == b.text || std::abs(a.number() - b.number()) <= kSlack * std::abs(a.number());
 }
 
+constexpr const char* kMission = "the mission";
+
+/// A global that the command line overrides for all who take it says nothing any more.
+void DropOverridden(std::vector<Setting>& settings) {
+  const bool has_global = settings.size() > 1 && settings.front().owner == kMission;
+  if (has_global && std::all_of(settings.begin() + 1, settings.end(), [](const Setting& setting) {
+        return setting.where.file.starts_with("--set ");
+      })) {
+    settings.erase(settings.begin());
+  }
+}
+
 /// Every setting that differs from the first one given is a problem of its line.
-void Compare(const char* fact, const std::vector<Setting>& settings, MissionProblems& found) {
+void Compare(const char* fact, std::vector<Setting> settings, MissionProblems& found) {
+  DropOverridden(settings);
   for (const Setting& other : settings) {
     const Setting& first = settings.front();
     if (!IsSame(first, other)) {
@@ -38,9 +52,28 @@ std::vector<Setting> With(std::vector<Setting> settings, const std::vector<Setti
   return settings;
 }
 
+/// What the mission says for all, if it does. It is compared with first, so that a block which says
+/// something else is the one that is refused.
+std::vector<Setting> GlobalSetting(const MissionReading& reading, std::string_view name) {
+  for (const ConfigEntry& global : reading.mission().globals) {
+    if (EqualsIgnoringCase(global.key, name)) {
+      return {{.owner = kMission,
+               .key = std::string(name),
+               .text = global.value,
+               .unit = {},
+               .where = global.where}};
+    }
+  }
+  return {};
+}
+
 /// Of all apps that have one: what they project pixels with is one camera.
 void CompareCameras(const MissionReading& reading, MissionProblems& found) {
   std::map<std::string, std::vector<Setting>> settings;
+  for (const char* key :
+       {"camera_fov_across_deg", "camera_fov_along_deg", "camera_width_px", "camera_height_px"}) {
+    settings[key] = GlobalSetting(reading, key);
+  }
   for (const LaunchedApp& app : reading.apps()) {
     for (const ParamSpec& spec : app.entry->describe()) {
       if (spec.name.starts_with("camera_") && spec.is_required) {
@@ -56,20 +89,20 @@ void CompareCameras(const MissionReading& reading, MissionProblems& found) {
 }  // namespace
 
 void CheckAgreement(const MissionReading& reading, MissionProblems& found) {
-  std::vector<Setting> altitudes;
+  std::vector<Setting> altitudes = GlobalSetting(reading, "survey_altitude_m");
   Add(reading.Find("pSurvey", "altitude_m"), altitudes);
   Add(reading.Find("pHelm", "survey_altitude_m"), altitudes);
   Compare("the survey altitude",
           With(altitudes, reading.OfBehaviors("BHV_HoldAltitude", "altitude_m")), found);
   CompareCameras(reading, found);
 
-  std::vector<Setting> radii;
+  std::vector<Setting> radii = GlobalSetting(reading, "object_radius_m");
   Add(reading.Find("pMap", "object_radius_m"), radii);
   Add(reading.Find("pNav", "opi_radius_m"), radii);
   std::erase_if(radii, [](const Setting& s) { return s.number() == 0.0; });  // pNav: unknown
   Compare("the objects' radius", radii, found);
 
-  std::vector<Setting> scenarios;
+  std::vector<Setting> scenarios = GlobalSetting(reading, "scenario");
   for (const char* app : {"uSimVehicle", "uSimSensors", "uSimCamera"}) {
     Add(reading.Find(app, "scenario"), scenarios);
   }
@@ -77,10 +110,13 @@ void CheckAgreement(const MissionReading& reading, MissionProblems& found) {
 
   // An object that pSurvey waits for must be one that the helm still goes to.
   for (const char* key : {"settled_entropy", "settled_looks"}) {
-    std::vector<Setting> settled;
+    std::vector<Setting> settled = GlobalSetting(reading, key);
     Add(reading.Find("pSurvey", key), settled);
-    Compare("when an object is settled", With(settled, reading.OfBehaviors("BHV_RevisitOpi", key)),
-            found);
+    settled = With(settled, reading.OfBehaviors("BHV_RevisitOpi", key));
+    if (!settled.empty() && settled.front().owner == kMission) {
+      settled = With(settled, reading.OfBehaviors("BHV_ReduceObjectEntropy", key));
+    }
+    Compare("when an object is settled", settled, found);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "limpet/app/registry.hpp"
 #include "limpet/helm/behavior_host.hpp"
 #include "limpet/helm/registry.hpp"
+#include "limpet/mission/shared_settings.hpp"
 #include "limpet/preflight/checks.hpp"
 
 namespace limpet {
@@ -75,6 +76,32 @@ void CheckGeometryOf(const MissionReading& reading, MissionProblems& found) {
   }
 }
 
+/// Globals of the mission beside a behavior file whose helm reads it; none if there is no such
+/// mission, or it cannot be read.
+std::vector<ConfigEntry> GlobalsBeside(const fs::path& file) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  std::vector<fs::path> missions;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".moos") missions.push_back(entry.path());
+  }
+  std::ranges::sort(missions);
+  for (const fs::path& path : missions) {
+    try {
+      const MissionFile mission = LoadMission(path);
+      const ConfigBlock* helm = mission.Block("pHelm");
+      const bool reads =
+          helm != nullptr && std::ranges::any_of(helm->entries, [&file](const ConfigEntry& entry) {
+            return EqualsIgnoringCase(entry.key, "behaviors") &&
+                   entry.value == file.filename().string();
+          });
+      if (reads) return mission.globals;
+    } catch (const ConfigError&) {
+      continue;  // its problems are told when it is checked itself
+    }
+  }
+  return {};
+}
+
 /// Sorts the behaviors of a file into ours, which stay, and others', which are noted.
 void SetStrangersAside(BehaviorFile& file, MissionProblems& found) {
   std::vector<std::string> known;
@@ -120,6 +147,7 @@ MissionProblems CheckBehaviorFile(const fs::path& file) {
   MissionProblems found;
   try {
     BehaviorFile behaviors = LoadBehaviors(file);
+    TakeGlobals(GlobalsBeside(file), behaviors.behaviors);
     Join(behaviors.warnings, found.notes);
     if (behaviors.behaviors.empty() && behaviors.modes.empty() && behaviors.initializes.empty()) {
       found.syntax.push_back({{.file = file.string(), .line = 0}, "", "has no behavior"});

@@ -43,13 +43,14 @@ const std::string kAntler = PlugOf("ANTLER");
 const std::string kMap = PlugOf("pMap");
 const std::string kSurvey = PlugOf("pSurvey");
 const std::string kHelm = PlugOf("pHelm");
+const std::string kFacts = "../plugs/plug_facts.moos";
 const std::string kTruth = "scenario.yaml";
 
 Edit Altitude(const std::string& meters) {
   return {kMoos, "#define ALTITUDE 4", "#define ALTITUDE " + meters};
 }
 Edit BehaviorAltitude(const std::string& meters) {
-  return {"mission.bhv", "#define ALTITUDE 4", "#define ALTITUDE " + meters};
+  return {"mission.bhv", "#include", "#define ALTITUDE " + meters + "\n#include"};
 }
 Edit Without(const std::string& line, const std::string& file = kMoos) {
   return {file, line + "\n", ""};
@@ -77,11 +78,11 @@ INSTANTIATE_TEST_SUITE_P(
              2,
              {"area_north_max_m: is missing in pSurvey and has no default"}},
         Slip{"ABlockThatForgetsTheCamera",
-             {Without("  #include plug_camera.moos", kMap)},
+             {Without("#include plug_camera.moos", kFacts)},
              2,
              {"camera_fov_across_deg: is missing in pMap"}},
         Slip{"ABehaviorThatForgetsItsAltitude",
-             {Without("  altitude_m = $(ALTITUDE)", kBhv)},
+             {Without("survey_altitude_m = $(ALTITUDE)", kFacts)},
              2,
              {"plug_survey.bhv:", "altitude_m: is missing in BHV_HoldAltitude"}},
         Slip{"ABehaviorThatForgetsItsSpeed",
@@ -194,7 +195,7 @@ INSTANTIATE_TEST_SUITE_P(
              2,
              {"mission.bhv: has no behavior"}},
         Slip{"AScenarioThatIsNotThere",
-             {{PlugOf("uSimVehicle"), "scenario = scenario.yaml", "scenario = other.yaml"}},
+             {{kFacts, "scenario = scenario.yaml", "scenario = other.yaml"}},
              2,
              {"scenario: `other.yaml` cannot be read"}}),
     [](const auto& slip) { return slip.param.name; });
@@ -206,25 +207,51 @@ INSTANTIATE_TEST_SUITE_P(
              {BehaviorAltitude("3")},
              3,
              {"plug_survey.bhv:",
-              "altitude_m: the survey altitude is 3 m for altitude and 4 m for pSurvey",
-              "plug_pSurvey.moos:"}},
+              "altitude_m: the survey altitude is 3 m for altitude and 4 m for the mission",
+              "plug_facts.moos:5"}},
         Slip{"AltitudeOfTheHelmDiffers",
-             {{kHelm, "survey_altitude_m = $(ALTITUDE)", "survey_altitude_m = 3.5"}},
+             {{kHelm, "turning_radius_m", "survey_altitude_m = 3.5\n  turning_radius_m"}},
              3,
-             {"survey_altitude_m: the survey altitude is 3.5 m for pHelm and 4 m for pSurvey"}},
-        Slip{"CamerasDiffer",
-             {{kMap, "  #include plug_camera.moos",
-               "  camera_fov_across_deg = 60\n  camera_fov_along_deg = 45\n"
-               "  camera_width_px = 640\n  camera_height_px = 480"}},
-             3,
-             {"camera_fov_across_deg: the camera is", "60 deg for pMap", "80 deg",
-              "camera_fov_along_deg"}},
+             {"plug_pHelm.moos:",
+              "survey_altitude_m: the survey altitude is 3.5 m for pHelm and 4 m for the mission: "
+              "the mission survey_altitude_m = 4 (plug_facts.moos:5)"}},
+        Slip{
+            "CamerasDiffer",
+            {{kMap, "ProcessConfig = pMap\n{",
+              "ProcessConfig = pMap\n{\n  camera_fov_across_deg = 60\n  camera_fov_along_deg = 45\n"
+              "  camera_width_px = 640\n  camera_height_px = 480"}},
+            3,
+            {"camera_fov_across_deg: the camera is", "60 deg for pMap", "80 deg",
+             "camera_fov_along_deg"}},
         Slip{"RadiiDiffer",
-             {{PlugOf("pNav"), "opi_radius_m = $(OBJECT_RADIUS)", "opi_radius_m = 0.3"}},
+             {{PlugOf("pNav"), "AppTick = 10", "AppTick = 10\n  opi_radius_m = 0.3"}},
              3,
-             {"the objects' radius is 0.3 m for pNav and 0.5 m for pMap"}},
+             {"the objects' radius is 0.3 m for pNav and 0.5 m for the mission"}},
+        Slip{"AScenarioOfItsOwn",
+             {{PlugOf("uSimSensors"), "{", "{\n  scenario = other.yaml"}},
+             3,
+             {"scenario: the scenario is other.yaml for uSimSensors and scenario.yaml for the "
+              "mission"}},
+        Slip{"WhenAnObjectIsSettledDiffers",
+             {{kMoos, "ServerHost", "settled_looks = 3\nServerHost"},
+              {kBhv, "  name      = revisit", "  name      = revisit\n  settled_looks = 4"}},
+             3,
+             {"when an object is settled is 4 for revisit and 3 for the mission"}},
+        Slip{"WhatABlockSaysAsTheMissionDoes",
+             {{kHelm, "turning_radius_m", "survey_altitude_m = 4.0\n  turning_radius_m"}},
+             0,
+             {"no problems"}},
+        Slip{"GlobalsAloneAreEnough",
+             {{kMoos, "#define ALTITUDE 4\n", "survey_altitude_m = 4\n"},
+              {kMoos, "#define OBJECT_RADIUS 0.5\n", "Object_Radius_M = 0.5\n"}},
+             0,
+             {"no problems\n"}},
+        Slip{"ASlipInAGlobal",
+             {{kMoos, "#define ALTITUDE 4\n", "survey_altitud_m = 4\n"}},
+             2,
+             {"nothing reads this global; did you mean `survey_altitude_m`?"}},
         Slip{"RadiusUnknownToNavigation",
-             {{PlugOf("pNav"), "opi_radius_m = $(OBJECT_RADIUS)", "opi_radius_m = 0"}},
+             {{PlugOf("pNav"), "AppTick = 10", "AppTick = 10\n  opi_radius_m = 0"}},
              0,
              {"no problems"}}),
     [](const auto& slip) { return slip.param.name; });
@@ -238,8 +265,7 @@ INSTANTIATE_TEST_SUITE_P(
              {"altitude_m: from 8 m nothing is seen", "highest_view_m = 6.5 (default)",
               "up to 6.5 m"}},
         Slip{"TooHighByTheMissionsOwnWord",
-             {{kMap, "  #include plug_camera.moos\n",
-               "  #include plug_camera.moos\n  highest_view_m = 3.9\n"}},
+             {{kMap, "ProcessConfig = pMap\n{", "ProcessConfig = pMap\n{\n  highest_view_m = 3.9"}},
              3,
              {"from 4 m nothing is seen", "highest_view_m = 3.9 ("}},
         Slip{"TooHighForTheWater",
@@ -256,7 +282,7 @@ INSTANTIATE_TEST_SUITE_P(
              3,
              {"the detector finds none below 9 px"}},
         Slip{"TooFewFrames",
-             {{PlugOf("uSimCamera"), "rate_hz  = 4", "rate_hz  = 0.3"}},
+             {{PlugOf("uSimCamera"), "rate_hz = 4", "rate_hz = 0.3"}},
              3,
              {"frames of a pass"}}),
     [](const auto& slip) { return slip.param.name; });
@@ -343,13 +369,11 @@ INSTANTIATE_TEST_SUITE_P(
              3,
              {"where the vehicle flies: pSurvey altitude_m = 4 ("}},
         Slip{"CellsThatTheHelmDoesNotKnow",
-             {{kMap, "  #include plug_camera.moos\n",
-               "  #include plug_camera.moos\n  cell_m = 1\n"}},
+             {{kMap, "ProcessConfig = pMap\n{", "ProcessConfig = pMap\n{\n  cell_m = 1"}},
              3,
              {"cell_m: pHelm mirrors the map with cells of 0.25 m"}},
         Slip{"VoxelsLargerThanObjects",
-             {{kMap, "  #include plug_camera.moos\n",
-               "  #include plug_camera.moos\n  voxel_m = 1.5\n"}},
+             {{kMap, "ProcessConfig = pMap\n{", "ProcessConfig = pMap\n{\n  voxel_m = 1.5"}},
              3,
              {"voxel_m: a voxel of 1.5 m is larger than an object"}}),
     [](const auto& slip) { return slip.param.name; });
