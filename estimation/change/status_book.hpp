@@ -32,10 +32,6 @@ struct StatusParams {
     looks.Describe(visit);
     priors.Describe(visit);
     matching.DescribeOffset(visit);
-    visit("match_gate_sigmas", matching.gate_sigmas, "Not used: pNav matches the sessions' objects",
-          InRange(1.0, 10.0));
-    visit("match_color_penalty", matching.color_penalty,
-          "Not used: pNav matches the sessions' objects", InRange(0.0, 100.0));
     visit.Required("object_radius_m", object_radius, "Radius of the objects looked for",
                    InRange(0.05_m, 5.0_m));
     visit("merge_within_m", merge_within,

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// A field of objects, a vehicle that flies over it, and the book that judges them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "estimation/change/status_book.hpp"
+#include "limpet/core/random.hpp"
+
+namespace limpet {
+
+inline const CameraModel kCamera;
+
+inline ObjectEstimate At(double north, double east, const std::string& color = "yellow") {
+  return {.p_W = {north, east, 6.0}, .cov_W = 0.04 * Eigen::Matrix3d::Identity(), .color = color};
+}
+
+/// A book and a vehicle that flies north over the field at 3 m above the objects.
+class StatusBookTest : public ::testing::Test {
+ protected:
+  struct Real {
+    ObjectEstimate object;
+    int landmark = -1;
+    std::optional<int> former_id = std::nullopt;
+    std::vector<FormerCandidate> candidates = {};
+  };
+  void Fly(double east, const std::vector<Real>& objects, double detects = 1.0) {
+    for (double north = -4.0; north <= 12.0; north += 0.125, time_ += 0.25) {
+      ObservedFrame sight{.exposure = Seconds(time_), .X_WB = {{north, east, 3.0}, 0, 0, 0}};
+      for (const Real& real : objects) {
+        const Eigen::Vector3d p_C = kCamera.InCamera(sight.X_WB, real.object.p_W);
+        const Eigen::Vector2d pixel = *kCamera.Project(p_C);
+        if (VisibleShare(kCamera, sight.X_WB, real.object.p_W, 0.5) < 0.5) continue;
+        if (!random_.Chance(detects)) continue;
+        sight.boxes.push_back({.u = pixel.x(),
+                               .v = pixel.y(),
+                               .w = 120,
+                               .h = 120,
+                               .confidence = 0.9,
+                               .color = real.object.color,
+                               .landmark = real.landmark});
+      }
+      book_.AddSight(std::move(sight));
+    }
+    time_ += 30.0;
+  }
+  /// The former session flew north over the field and saw what its list has.
+  void FormerLookedEverywhere() {
+    FormerViews views{.sights = {}, .model = {.camera = kCamera, .detection = {}}, .looks = {}};
+    for (double north = -4.0; north <= 12.0; north += 0.5) {
+      views.sights.push_back(
+          {.exposure = Seconds(north + 4.0), .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}});
+    }
+    book_.SetFormerViews(std::move(views));
+  }
+  void Landmarks(const std::vector<Real>& objects) {
+    std::vector<Landmark> known;
+    for (const Real& real : objects) {
+      known.push_back({.id = real.landmark,
+                       .object = real.object,
+                       .looks = 10 - real.landmark,
+                       .is_confirmed = true,
+                       .former_id = real.former_id,
+                       .former_candidates = real.candidates});
+    }
+    book_.SetLandmarks(known);
+  }
+  std::vector<Status> Decided() {
+    std::vector<Status> decided;
+    for (const OpiBelief& object : book_.Assess())
+      decided.push_back(object.decided);
+    return decided;
+  }
+  static FormerObject Former(int id, const ObjectEstimate& object) {
+    return {.id = id, .object = object, .log_likelihood_ratio = 8.0, .looks = 5};
+  }
+
+  Random random_{7};
+  double time_ = 0.0;
+  StatusBook book_{StatusParams{}, kCamera};
+};
+
+}  // namespace limpet
