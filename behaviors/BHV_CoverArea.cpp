@@ -11,7 +11,7 @@ void BHV_CoverArea::Shape(const Situation&, double weight, SearchGoals& goals) c
 }
 
 std::optional<Bid> BHV_CoverArea::Value(const Prospect& prospect, const Situation& now) const {
-  const GroundWorth worth = params_.rates.Of(prospect.sight, now.ground->swath());
+  const GroundWorth worth = params_.rates.Of(prospect.seen, now.ground->swath());
   return Bid{
       .value = worth.useful - worth.ragged - prospect.length(),
       .why = {{"useful", worth.useful}, {"ragged", worth.ragged}, {"length", prospect.length()}},

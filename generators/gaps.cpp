@@ -42,7 +42,7 @@ class GapGenerator final : public OptionGenerator {
       return 0.0;
     }
     const DubinsPath& best = options.front().path;
-    return SightAlong(*now.ground)(best).new_area / (now.ground->swath() * best.length());
+    return SeenAlong(*now.ground)(best).new_area / (now.ground->swath() * best.length());
   }
 
   Params params_;

@@ -19,8 +19,8 @@ MapApp::MapApp(const AppContext& context, const Params& params)
     : App(context),
       params_(params),
       camera_(params.camera.geometry()),
-      gate_(params.sight_gate()),
-      book_(params.status, camera_),
+      gate_(params.frame_gate()),
+      statuses_(params.status, camera_),
       octree_(params.voxel),
       layer_({.threshold = params.object_threshold}, params.status, camera_),
       drawing_(context.Global("Community"), [this](std::string variable, std::string text) {
@@ -28,7 +28,7 @@ MapApp::MapApp(const AppContext& context, const Params& params)
       }) {
   Subscribe(topics::kSurveyArea, &MapApp::OnArea);
   Subscribe(topics::kSurveyPhase, &MapApp::OnPhase);
-  Subscribe(topics::kNavSight, &MapApp::OnSight);
+  Subscribe(topics::kNavSight, &MapApp::OnFrame);
   Subscribe(topics::kNavBeams, &MapApp::OnBeams);
   Subscribe(topics::kNavTrackShift, &MapApp::OnTrackShift);
   Subscribe(topics::kNavLandmarks, &MapApp::OnLandmarks);
@@ -58,22 +58,22 @@ void MapApp::OnGridRequest(const Stamped<std::string>& /*cause*/) {
 
 void MapApp::OnPhase(const Stamped<std::string>& phase) { phase_ = phase.value; }
 
-void MapApp::WarnOfDrop(const std::optional<SightDrop>& drop) {
-  if (drop == SightDrop::kOutOfOrder) {
-    Warn(warnings::kSightOutOfOrder, "a frame came late and was left out");
+void MapApp::WarnOfDrop(const std::optional<FrameDrop>& drop) {
+  if (drop == FrameDrop::kOutOfOrder) {
+    Warn(warnings::kFrameOutOfOrder, "a frame came late and was left out");
     return;
   }
-  ClearWarning(warnings::kSightOutOfOrder);
+  ClearWarning(warnings::kFrameOutOfOrder);
   // On the way down frames from above are no trouble.
   const bool is_surveying = phase_.empty() || phase_ == "SURVEY";
-  if (is_surveying && drop == SightDrop::kTooHigh) {
+  if (is_surveying && drop == FrameDrop::kTooHigh) {
     Warn(warnings::kViewTooHigh,
          fmt::format("frames from higher than highest_view_m = {:g} above the seabed show nothing",
                      params_.highest_view.value()));
   } else {
     ClearWarning(warnings::kViewTooHigh);
   }
-  if (is_surveying && drop == SightDrop::kNoAltitude) {
+  if (is_surveying && drop == FrameDrop::kNoAltitude) {
     Warn(warnings::kViewWithoutAltitude,
          fmt::format("frames are left out: no altitude within altitude_lasts_s = {:g}",
                      params_.altitude_lasts.value()));
@@ -82,17 +82,17 @@ void MapApp::WarnOfDrop(const std::optional<SightDrop>& drop) {
   }
 }
 
-void MapApp::OnSight(const Stamped<ObservedFrame>& sight) {
-  const SightGate::Verdict verdict =
-      gate_.Judge(sight.value.exposure, sight.value.altitude, phase_);
+void MapApp::OnFrame(const Stamped<ObservedFrame>& frame) {
+  const FrameGate::Verdict verdict =
+      gate_.Judge(frame.value.exposure, frame.value.altitude, phase_);
   WarnOfDrop(verdict.drop);
   if (verdict.drop) {
     return;
   }
-  book_.AddSight(sight.value);
-  layer_.AddSight(book_.sights().back(), book_);
+  statuses_.AddFrame(frame.value);
+  layer_.AddFrame(statuses_.frames().back(), statuses_);
   if (grid_) {
-    grid_->Observe(sight.value.X_WB, *verdict.altitude, camera_);
+    grid_->Observe(frame.value.X_WB, *verdict.altitude, camera_);
   }
 }
 
@@ -137,25 +137,25 @@ void MapApp::OnBeams(const Stamped<PosedBeams>& beams) {
 }
 
 void MapApp::OnTrackShift(const Stamped<TrackShift>& shift) {
-  book_.MoveSights([&shift](double t, const Pose& X_WB) { return shift.value.Apply(t, X_WB); });
+  statuses_.MoveFrames([&shift](double t, const Pose& X_WB) { return shift.value.Apply(t, X_WB); });
 }
 
 void MapApp::OnLandmarks(const Stamped<Landmarks>& landmarks) {
-  book_.SetLandmarks(landmarks.value.landmarks);
+  statuses_.SetLandmarks(landmarks.value.landmarks);
   landmarks_changed_ = true;
 }
 
 void MapApp::OnPrior(const Stamped<SessionPrior>& prior) {
   try {
-    book_.SetFormerViews(FormerViewsOf(prior.value, params_));
+    statuses_.SetFormerViews(FormerViewsOf(prior.value, params_));
     ClearWarning(warnings::kFormerParameters);
   } catch (const ConfigError& error) {
-    book_.SetFormerViews({});
+    statuses_.SetFormerViews({});
     Warn(warnings::kFormerParameters,
          fmt::format("where the former session looked is not used, nothing will be called new: {}",
                      error.what()));
   }
-  book_.SetFormer(prior.value.opis);
+  statuses_.SetFormer(prior.value.opis);
 }
 
 void MapApp::TellHowItLooks() {
@@ -186,12 +186,12 @@ void MapApp::UpdateObjects() {
   // At rest every place is judged exactly where it is, so that the last word is what the saved
   // session says when it is judged again.
   if (landmarks_changed_ && !IsMappingPhase(phase_)) {
-    book_.Rejudge();
+    statuses_.Rejudge();
     landmarks_changed_ = false;
   }
-  objects_ = book_.Assess();
-  WarnOfHunches();
-  layer_.SetObjects(objects_, book_, octree_);
+  objects_ = statuses_.Assess();
+  WarnOfTentativeObjects();
+  layer_.SetObjects(objects_, statuses_, octree_);
 }
 
 void MapApp::PublishObjects() {
@@ -212,19 +212,19 @@ void MapApp::PublishObjects() {
   }
 }
 
-void MapApp::WarnOfHunches() {
-  if (const int left_out = book_.hunches_left_out(); left_out > 0) {
-    Warn(warnings::kHunchesLeftOut,
+void MapApp::WarnOfTentativeObjects() {
+  if (const int left_out = statuses_.tentative_left_out(); left_out > 0) {
+    Warn(warnings::kTentativeObjectsLeftOut,
          fmt::format("{} places where boxes hint at an object are not looked at again: too many; "
                      "does the detector see ghosts?",
                      left_out));
   } else {
-    ClearWarning(warnings::kHunchesLeftOut);
+    ClearWarning(warnings::kTentativeObjectsLeftOut);
   }
 }
 
 void MapApp::OnSnapshotRequest(const Stamped<std::string>&) {
-  book_.Rejudge();
+  statuses_.Rejudge();
   PublishObjects();
   const std::string bytes = octree_.Serialize();
   const auto* first = reinterpret_cast<const std::byte*>(bytes.data());

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "apps/pMap/map_drawing.hpp"
-#include "estimation/change/sight_gate.hpp"
-#include "estimation/change/status_book.hpp"
+#include "estimation/change/frame_gate.hpp"
+#include "estimation/change/object_statuses.hpp"
 #include "estimation/mapping/map_params.hpp"
 #include "estimation/mapping/object_layer.hpp"
 #include "estimation/mapping/semantic_octree.hpp"
@@ -33,15 +33,15 @@ class MapApp final : public App {
  private:
   void OnArea(const Stamped<SurveyArea>& area);
   void OnPhase(const Stamped<std::string>& phase);
-  void OnSight(const Stamped<ObservedFrame>& sight);
+  void OnFrame(const Stamped<ObservedFrame>& frame);
   void OnBeams(const Stamped<PosedBeams>& beams);
   void OnTrackShift(const Stamped<TrackShift>& shift);
   void OnLandmarks(const Stamped<Landmarks>& landmarks);
   void OnPrior(const Stamped<SessionPrior>& prior);
   void OnGridRequest(const Stamped<std::string>& cause);
   /// Tells the operator of frames that are left out where frames should count.
-  void WarnOfDrop(const std::optional<SightDrop>& drop);
-  void WarnOfHunches();
+  void WarnOfDrop(const std::optional<FrameDrop>& drop);
+  void WarnOfTentativeObjects();
   [[nodiscard]] double TallestObject() const;
   /// Beams of one ping that had a range, and those of them that the map took.
   void CountBeams(int given, int used);
@@ -53,8 +53,8 @@ class MapApp final : public App {
 
   Params params_;
   CameraModel camera_;
-  SightGate gate_;
-  StatusBook book_;
+  FrameGate gate_;
+  ObjectStatuses statuses_;
   SemanticOctree octree_;
   ObjectLayer layer_;
   std::vector<OpiBelief> objects_;

@@ -11,10 +11,10 @@ namespace limpet {
 namespace {
 
 /// How many frames were left out, by reason.
-std::string LeftOut(const SightGate& gate) {
+std::string LeftOut(const FrameGate& gate) {
   std::string text;
-  for (std::size_t i = 0; i < kSightDrops; ++i) {
-    const auto drop = static_cast<SightDrop>(i);
+  for (std::size_t i = 0; i < kFrameDrops; ++i) {
+    const auto drop = static_cast<FrameDrop>(i);
     if (gate.dropped(drop) == 0) continue;
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", gate.dropped(drop), NameOf(drop));
   }
@@ -27,7 +27,7 @@ void MapApp::Report(ReportLines& report) const {
   report.Pair("Phase", phase_.empty() ? "none announced: every frame counts" : phase_);
   report.Pair("Frames used", std::to_string(gate_.used()));
   report.Pair("Left out", LeftOut(gate_));
-  report.Pair("False boxes", fmt::format("{:.3f} per image", book_.false_per_image()));
+  report.Pair("False boxes", fmt::format("{:.3f} per image", statuses_.false_per_image()));
   report.Pair("DVL beams", fmt::format("{} used, {} left out as outliers", beams_ - beams_left_out_,
                                        beams_left_out_));
   report.Pair("Altitude", gate_.altitude()

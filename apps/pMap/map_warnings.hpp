@@ -6,7 +6,7 @@
 
 namespace limpet::warnings {
 
-inline const WarningId kSightOutOfOrder =
+inline const WarningId kFrameOutOfOrder =
     DeclareWarning("SIGHT_OUT_OF_ORDER",
                    {.severity = Severity::kNote,
                     .raised_by = {"pMap"},
@@ -51,8 +51,8 @@ inline const WarningId kFormerParameters = DeclareWarning(
      .action = "Judge new objects by hand; compare the versions of Limpet of both sessions.",
      .clears = "With a former session whose parameters can be used."});
 
-inline const WarningId kHunchesLeftOut = DeclareWarning(
-    "HUNCHES_LEFT_OUT",
+inline const WarningId kTentativeObjectsLeftOut = DeclareWarning(
+    "TENTATIVE_OBJECTS_LEFT_OUT",
     {.severity = Severity::kWarning,
      .raised_by = {"pMap"},
      .meaning = "Boxes hint at more objects than can be kept in mind: some places are not looked "

@@ -152,7 +152,7 @@ void NavApp::Tick(Seconds now) {
   WatchSensors(now.value());
   if (navigator_.has_started()) {
     PublishState(now.value());
-    PublishSights();
+    PublishFrames();
     track_watch_.Note(navigator_.Smoothed(track_watch_.noted()));
     PublishLandmarks(now.value());
   }
@@ -205,7 +205,7 @@ void NavApp::PublishDeadReckoning(double now) {
                                                    .yaw = reckoned.yaw});
 }
 
-void NavApp::PublishSights() {
+void NavApp::PublishFrames() {
   for (const ObservedFrame& frame : navigator_.TakeFrames()) {
     Publish(topics::kNavSight, frame);
   }

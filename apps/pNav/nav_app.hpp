@@ -92,7 +92,7 @@ class NavApp final : public App {
   void PublishScalars(const NavigatorEstimate& estimate);
   void PublishState(double now);
   void PublishDeadReckoning(double now);
-  void PublishSights();
+  void PublishFrames();
   void PublishLandmarks(double now);
   void PublishBeams(const Stamped<DvlSample>& dvl);
   void WatchSensors(double now);

@@ -54,7 +54,7 @@ SessionApp::SessionApp(const AppContext& context, const Params& params)
   Subscribe(topics::kNavLandmarks, &SessionApp::OnLandmarks);
   Subscribe(topics::kMapOpis, &SessionApp::OnObjects);
   Subscribe(topics::kNavLandmarkJoint, &SessionApp::OnLandmarkJoint);
-  Subscribe(topics::kNavSight, &SessionApp::OnSight);
+  Subscribe(topics::kNavSight, &SessionApp::OnFrame);
   Subscribe(topics::kNavTrackShift, &SessionApp::OnTrackShift);
   Subscribe(topics::kMapSnapshot, &SessionApp::OnSnapshot);
   Subscribe(topics::kSessionSave, &SessionApp::OnSave);
@@ -95,7 +95,7 @@ bool SessionApp::MaySave() {
   if (is_folder_ours_) {
     return true;
   }
-  if (!memory_.area || memory_.sights.empty()) {
+  if (!memory_.area || memory_.frames.empty()) {
     return false;
   }
   const Expected<fs::path> aside = SetSessionAside(context().run_folder / kSessionFolder);
@@ -135,7 +135,7 @@ void SessionApp::CopyMission() {
 }
 
 void SessionApp::OnPhase(const Stamped<std::string>& phase) {
-  memory_.phases.push_back({memory_.sights.size(), phase.value});
+  memory_.phases.push_back({memory_.frames.size(), phase.value});
 }
 
 void SessionApp::OnObjects(const Stamped<OpiBeliefs>& objects) {
@@ -144,8 +144,8 @@ void SessionApp::OnObjects(const Stamped<OpiBeliefs>& objects) {
 }
 
 void SessionApp::OnTrackShift(const Stamped<TrackShift>& shift) {
-  for (ObservedFrame& sight : memory_.sights) {
-    sight.X_WB = shift.value.Apply(sight.exposure.value(), sight.X_WB);
+  for (ObservedFrame& frame : memory_.frames) {
+    frame.X_WB = shift.value.Apply(frame.exposure.value(), frame.X_WB);
   }
 }
 

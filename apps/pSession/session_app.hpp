@@ -39,7 +39,7 @@ class SessionApp final : public App {
   void OnLandmarks(const Stamped<Landmarks>& landmarks) { landmarks_ = landmarks.value; }
   void OnObjects(const Stamped<OpiBeliefs>& objects);
   void OnLandmarkJoint(const Stamped<LandmarkJoint>& joint) { memory_.landmarks = joint.value; }
-  void OnSight(const Stamped<ObservedFrame>& sight) { memory_.sights.push_back(sight.value); }
+  void OnFrame(const Stamped<ObservedFrame>& frame) { memory_.frames.push_back(frame.value); }
   void OnTrackShift(const Stamped<TrackShift>& shift);
   void OnSnapshot(const Stamped<Binary>& map);
   void OnSave(const Stamped<std::string>& cause);

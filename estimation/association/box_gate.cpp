@@ -54,7 +54,7 @@ std::optional<AxisOffset> OffsetAlong(const ImageAxis& axis, const PlaneSphere& 
 
 /// Predicted pixel: covariance, from that of pose and object.
 Eigen::Matrix2d PixelCovariance(const CameraPoint& point, const CameraModel& camera,
-                                const SightCovariance& covariance) {
+                                const PoseObjectCovariance& covariance) {
   const Eigen::Vector3d& p = point.p_C;
   const double k = 1.0 / p.z();
   Eigen::Matrix<double, 2, 3> J_C;
@@ -112,7 +112,7 @@ class Innovation {
 };
 
 void AddRangeTo(Innovation& innovation, double range, const CameraPoint& point,
-                const SightCovariance& covariance) {
+                const PoseObjectCovariance& covariance) {
   const Eigen::Vector3d& p = point.p_C;
   const double expected = 0.5 * (std::hypot(p.x(), p.z()) + std::hypot(p.y(), p.z()));
   const Eigen::RowVector3d ray_C(0.0, 0.0, 1.0);

@@ -12,7 +12,7 @@
 namespace limpet {
 
 /// Joint uncertainty of a pose and an object: first six of the pose, last three of the object.
-using SightCovariance = Eigen::Matrix<double, 9, 9>;
+using PoseObjectCovariance = Eigen::Matrix<double, 9, 9>;
 
 struct BoxGateParams {
   double model_error_px = 4.0;         ///< that no covariance knows of
@@ -37,7 +37,7 @@ struct ExpectedObject {
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
   double radius = 0.0;  ///< [m]
   std::string color;
-  SightCovariance covariance = SightCovariance::Zero();
+  PoseObjectCovariance covariance = PoseObjectCovariance::Zero();
 };
 
 /// A box and what it says.

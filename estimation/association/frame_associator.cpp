@@ -113,9 +113,9 @@ Eigen::MatrixXd FrameAssociator::Costs(const TrackerFrame& frame,
   return costs;
 }
 
-SightCovariance FrameAssociator::CovarianceWith(const TrackedObject& object, double path,
-                                                const Eigen::MatrixXd& joint, int row) const {
-  SightCovariance covariance = SightCovariance::Zero();
+PoseObjectCovariance FrameAssociator::CovarianceWith(const TrackedObject& object, double path,
+                                                     const Eigen::MatrixXd& joint, int row) const {
+  PoseObjectCovariance covariance = PoseObjectCovariance::Zero();
   if (object.is_mapped()) {
     covariance.topLeftCorner<6, 6>() = joint.topLeftCorner<6, 6>();
     covariance.bottomRightCorner<3, 3>() = joint.block<3, 3>(row, row);

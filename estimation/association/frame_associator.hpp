@@ -57,8 +57,8 @@ class FrameAssociator {
     Eigen::MatrixXd joint;           ///< of the pose and those that are mapped
   };
   [[nodiscard]] Reachable CollectReachable(const TrackerFrame& frame) const;
-  [[nodiscard]] SightCovariance CovarianceWith(const TrackedObject& object, double path,
-                                               const Eigen::MatrixXd& joint, int row) const;
+  [[nodiscard]] PoseObjectCovariance CovarianceWith(const TrackedObject& object, double path,
+                                                    const Eigen::MatrixXd& joint, int row) const;
   /// -2 ln of the likelihood ratio against being something new, per candidate and track.
   [[nodiscard]] Eigen::MatrixXd Costs(const TrackerFrame& frame,
                                       const std::vector<Candidate>& candidates) const;

@@ -43,12 +43,12 @@ struct BoxesHere {
   const Box* possible = nullptr;
 };
 
-BoxesHere LookForBoxes(const ObservedFrame& sight, const ObjectEstimate& place,
+BoxesHere LookForBoxes(const ObservedFrame& frame, const ObjectEstimate& place,
                        const Foresight& foresight, const CameraModel& camera,
                        const OwnerOf& owner_of) {
   BoxesHere here;
-  for (const Box& box : sight.boxes) {
-    const BoxOwner owner = owner_of(sight, box);
+  for (const Box& box : frame.boxes) {
+    const BoxOwner owner = owner_of(frame, box);
     if (owner == BoxOwner::kThisPlace) {
       here.own = &box;
     } else if (owner == BoxOwner::kUnknown && foresight.Explains(box, camera) &&
@@ -96,13 +96,13 @@ std::optional<Foresight> Foresee(const ObjectEstimate& place, const Pose& X_WB,
                    .gate = kGateSigmas * sigma};
 }
 
-const Box* FindBox(const ObservedFrame& sight, const ObjectEstimate& place, const WatchModel& model,
+const Box* FindBox(const ObservedFrame& frame, const ObjectEstimate& place, const WatchModel& model,
                    const OwnerOf& owner_of) {
-  const std::optional<Foresight> foresight = Foresee(place, sight.X_WB, model);
+  const std::optional<Foresight> foresight = Foresee(place, frame.X_WB, model);
   if (!foresight) {
     return nullptr;
   }
-  const BoxesHere boxes = LookForBoxes(sight, place, *foresight, model.camera, owner_of);
+  const BoxesHere boxes = LookForBoxes(frame, place, *foresight, model.camera, owner_of);
   return boxes.own != nullptr ? boxes.own : boxes.possible;
 }
 
@@ -118,20 +118,20 @@ PlaceWatch::PlaceWatch(const ObjectEstimate& place, const LookParams& looks) : p
             {place.p_W - Eigen::Vector3d(0, east, 0), 1.0 / 6.0, empty}};
 }
 
-void PlaceWatch::See(const ObservedFrame& sight, const WatchModel& model, const OwnerOf& owner_of) {
-  const std::optional<Foresight> foresight = Foresee(place_, sight.X_WB, model);
+void PlaceWatch::See(const ObservedFrame& frame, const WatchModel& model, const OwnerOf& owner_of) {
+  const std::optional<Foresight> foresight = Foresee(place_, frame.X_WB, model);
   if (!foresight) {
     return;
   }
-  const BoxesHere boxes = LookForBoxes(sight, place_, *foresight, model.camera, owner_of);
+  const BoxesHere boxes = LookForBoxes(frame, place_, *foresight, model.camera, owner_of);
   const bool has_own = boxes.own != nullptr;
   const double false_alarm = FalseAlarm(*foresight, model);
   const LookModel look = LookModelOf(model);
   for (Spot& spot : spots_) {
-    const double detects = ChanceToDetect(look, sight.X_WB, spot.p_W);
+    const double detects = ChanceToDetect(look, frame.X_WB, spot.p_W);
     if (detects < model.least_detection && !has_own) continue;
-    spot.log.Add({.time = sight.exposure.value(),
-                  .p_OC = sight.X_WB.p_WB - spot.p_W,
+    spot.log.Add({.time = frame.exposure.value(),
+                  .p_OC = frame.X_WB.p_WB - spot.p_W,
                   .detects = std::max(detects, model.least_detection),
                   .false_alarm = false_alarm,
                   .has_box = has_own || boxes.possible != nullptr});

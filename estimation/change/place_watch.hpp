@@ -38,7 +38,7 @@ using OwnerOf = std::function<BoxOwner(const ObservedFrame&, const Box&)>;
 
 /// The box in a frame that shows an object at `place`: one of its own, else one of unknown owner
 /// that falls near the place's projection and has its colour and size. nullptr if there is none.
-[[nodiscard]] const Box* FindBox(const ObservedFrame& sight, const ObjectEstimate& place,
+[[nodiscard]] const Box* FindBox(const ObservedFrame& frame, const ObjectEstimate& place,
                                  const WatchModel& model, const OwnerOf& owner_of);
 
 /// A place where an object is or may be, and what this session's frames said about it. Boxes of
@@ -53,7 +53,7 @@ class PlaceWatch {
   PlaceWatch(const ObjectEstimate& place, const LookParams& looks);
 
   /// Judges one frame; frames in order of time.
-  void See(const ObservedFrame& sight, const WatchModel& model, const OwnerOf& owner_of);
+  void See(const ObservedFrame& frame, const WatchModel& model, const OwnerOf& owner_of);
   [[nodiscard]] double Lambda() const;
   /// Looks at the most likely spot.
   [[nodiscard]] int looks() const { return spots_.front().log.looks(); }

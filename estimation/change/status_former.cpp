@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What a StatusBook makes of the former session: its objects, its frame, and what it would have
+// What a ObjectStatuses makes of the former session: its objects, its frame, and what it would have
 // seen.
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "estimation/change/status_book.hpp"
+#include "estimation/change/object_statuses.hpp"
 #include "estimation/change/watched_place.hpp"
 #include "estimation/matching/own_covariance.hpp"
 
 namespace limpet {
 
-void StatusBook::SetFormer(std::vector<FormerObject> former) {
+void ObjectStatuses::SetFormer(std::vector<FormerObject> former) {
   former_watch_.assign(former.size(), std::nullopt);
   former_ = std::move(former);
   // Former objects take the first ids, so that they keep them when they are found again.
@@ -20,21 +20,21 @@ void StatusBook::SetFormer(std::vector<FormerObject> former) {
   WatchFormer(true);
 }
 
-void StatusBook::SetFormerViews(FormerViews views) {
+void ObjectStatuses::SetFormerViews(FormerViews views) {
   former_views_ = std::move(views);
   former_lambda_.clear();
 }
 
-OwnerOf StatusBook::OwnerForFormer() const {
+OwnerOf ObjectStatuses::OwnerForFormer() const {
   // A former place is watched by itself only while no landmark stands for it, so every confirmed
   // landmark is another object; also in frames from before it was confirmed.
-  return [this](const ObservedFrame& sight, const Box& box) {
-    const bool is_another = Representative(box.landmark) >= 0 || IsExplained(sight, box);
+  return [this](const ObservedFrame& frame, const Box& box) {
+    const bool is_another = Representative(box.landmark) >= 0 || IsExplained(frame, box);
     return is_another ? BoxOwner::kAnotherPlace : BoxOwner::kUnknown;
   };
 }
 
-void StatusBook::TakeCandidates(const Landmark& landmark, std::size_t object) {
+void ObjectStatuses::TakeCandidates(const Landmark& landmark, std::size_t object) {
   const auto take = [&](int former_id, double chance, bool is_best) {
     const auto found = std::ranges::find(*former_, former_id, &FormerObject::id);
     if (found == former_->end()) return;  // of another former session
@@ -49,7 +49,7 @@ void StatusBook::TakeCandidates(const Landmark& landmark, std::size_t object) {
     take(*landmark.former_id, 1.0, true);
 }
 
-void StatusBook::TakeMatches() {
+void ObjectStatuses::TakeMatches() {
   std::vector<ObjectEstimate> former;
   std::vector<ObjectEstimate> now;
   for (const FormerObject& object : *former_) {
@@ -76,11 +76,11 @@ void StatusBook::TakeMatches() {
   match_.offset_cov = fit.offset_cov;
 }
 
-double StatusBook::ChanceOfFormer(std::size_t index) const {
+double ObjectStatuses::ChanceOfFormer(std::size_t index) const {
   return std::min(match_.chance.row(static_cast<Eigen::Index>(index)).sum(), 1.0);
 }
 
-StatusPosterior StatusBook::PosteriorOfFormer(std::size_t index) const {
+StatusPosterior ObjectStatuses::PosteriorOfFormer(std::size_t index) const {
   const double former = (*former_)[index].log_likelihood_ratio;
   const auto row = match_.chance.row(static_cast<Eigen::Index>(index));
   const double total = std::max(row.sum(), 1.0);  // several landmarks may each be likely it
@@ -96,7 +96,7 @@ StatusPosterior StatusBook::PosteriorOfFormer(std::size_t index) const {
   return sum;
 }
 
-StatusPosterior StatusBook::PosteriorOfNewcomer(std::size_t index) {
+StatusPosterior ObjectStatuses::PosteriorOfNewcomer(std::size_t index) {
   const Landmark& object = objects_[index];
   const double now = landmark_watch_.at(object.id).Lambda();
   StatusPosterior sum = ChangeStatus(FormerLambdaAt(object), now, params_.priors);
@@ -116,7 +116,8 @@ StatusPosterior StatusBook::PosteriorOfNewcomer(std::size_t index) {
   return sum;
 }
 
-ObjectEstimate StatusBook::InOtherFrame(ObjectEstimate place, const Eigen::Vector3d& ned) const {
+ObjectEstimate ObjectStatuses::InOtherFrame(ObjectEstimate place,
+                                            const Eigen::Vector3d& ned) const {
   const double own = std::pow(params_.matching.position_floor.value(), 2);
   place.p_W = ned;
   place.cov_W = own * Eigen::Matrix3d::Identity();
@@ -124,12 +125,12 @@ ObjectEstimate StatusBook::InOtherFrame(ObjectEstimate place, const Eigen::Vecto
   return place;
 }
 
-ObjectEstimate StatusBook::FormerPlace(std::size_t index) const {
+ObjectEstimate ObjectStatuses::FormerPlace(std::size_t index) const {
   const ObjectEstimate& former = (*former_)[index].object;
   return InOtherFrame(former, match_.offset.Apply(former.p_W));
 }
 
-void StatusBook::WatchFormer(bool rejudges_all) {
+void ObjectStatuses::WatchFormer(bool rejudges_all) {
   for (std::size_t i = 0; i < former_->size(); ++i) {
     std::optional<PlaceWatch>& watch = former_watch_[i];
     if (match_.now_of_former[i] >= 0 && ChanceOfFormer(i) >= 1.0) {
@@ -144,7 +145,7 @@ void StatusBook::WatchFormer(bool rejudges_all) {
   }
 }
 
-OwnerOf StatusBook::OwnerInFormerViews() const {
+OwnerOf ObjectStatuses::OwnerInFormerViews() const {
   return [this](const ObservedFrame& view, const Box& box) {
     const bool is_listed = std::ranges::any_of(*former_, [&](const FormerObject& former) {
       const std::optional<Foresight> foresight =
@@ -155,7 +156,7 @@ OwnerOf StatusBook::OwnerInFormerViews() const {
   };
 }
 
-double StatusBook::FormerLambdaAt(const Landmark& newcomer) {
+double ObjectStatuses::FormerLambdaAt(const Landmark& newcomer) {
   const ObjectEstimate place =
       InOtherFrame(newcomer.object, match_.offset.Undo(newcomer.object.p_W));
   const auto known = former_lambda_.find(newcomer.id);
@@ -164,7 +165,7 @@ double StatusBook::FormerLambdaAt(const Landmark& newcomer) {
   }
   PlaceWatch watch(place, former_views_.looks);
   const OwnerOf owner_of = OwnerInFormerViews();
-  for (const ObservedFrame& view : former_views_.sights) {
+  for (const ObservedFrame& view : former_views_.frames) {
     watch.See(view, former_views_.model, owner_of);
   }
   const double lambda = watch.Lambda();

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "estimation/change/sight_gate.hpp"
+#include "estimation/change/frame_gate.hpp"
 #include "limpet/core/app_keys.hpp"
 
 namespace limpet {
@@ -25,17 +25,17 @@ MapParams FormerParams(const SessionPrior& prior, const MapParams& own) {
 
 FormerViews FormerViewsOf(const SessionPrior& prior, const MapParams& own) {
   const MapParams params = FormerParams(prior, own);
-  FormerViews views{.sights = {},
+  FormerViews views{.frames = {},
                     .model = {.camera = params.camera.geometry(),
                               .detection = params.status.detection,
                               .object_radius = params.status.object_radius.value()},
                     .looks = params.status.looks};
-  SightGate gate(params.sight_gate());
+  FrameGate gate(params.frame_gate());
   for (const FormerView& view : prior.views) {
     const Seconds exposure = view.frame.exposure;
     if (view.frame.altitude) gate.Hear(exposure - view.altitude_age, *view.frame.altitude);
     if (!gate.Judge(exposure, std::nullopt, "").drop) {
-      views.sights.push_back(view.frame);
+      views.frames.push_back(view.frame);
     }
   }
   return views;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "estimation/change/sight_gate.hpp"
-#include "estimation/change/status_book.hpp"
+#include "estimation/change/frame_gate.hpp"
+#include "estimation/change/object_statuses.hpp"
 #include "limpet/core/camera_params.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/core/units.hpp"
@@ -36,7 +36,7 @@ struct MapParams {
     visit("altitude_lasts_s", altitude_lasts, "How long an altitude stands in for a lost one",
           InRange(0.1_s, 60.0_s));
   }
-  [[nodiscard]] SightGate::Params sight_gate() const {
+  [[nodiscard]] FrameGate::Params frame_gate() const {
     return {.highest_view = highest_view, .altitude_lasts = altitude_lasts};
   }
 };

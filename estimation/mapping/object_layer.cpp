@@ -70,40 +70,41 @@ double ObjectLayer::MissLogOdds(const Pose& X_WB, const Eigen::Vector3d& ned) co
   return std::min(std::log((1.0 - detects) / (1.0 - false_alarm)), 0.0);
 }
 
-void ObjectLayer::Look(Painted& object, const ObservedFrame& sight, const StatusBook& book) const {
+void ObjectLayer::Look(Painted& object, const ObservedFrame& frame,
+                       const ObjectStatuses& book) const {
   const Eigen::Vector3d& ned = object.status.object.p_W;
-  const Eigen::Vector3d p_OC = sight.X_WB.p_WB - ned;
+  const Eigen::Vector3d p_OC = frame.X_WB.p_WB - ned;
   if (object.status.landmark < 0 || !IsNewViewpoint(object, p_OC)) {
     return;
   }
-  if (const Box* box = book.BoxOf(object.status, sight)) {
-    const double depth = camera_.InCamera(sight.X_WB, ned).z();
+  if (const Box* box = book.BoxOf(object.status, frame)) {
+    const double depth = camera_.InCamera(frame.X_WB, ned).z();
     const Eigen::Vector2d half_px =
         status_.object_radius.value() / depth * Eigen::Vector2d(camera_.fx, camera_.fy);
-    object.looks.push_back({.X_WB = sight.X_WB,
+    object.looks.push_back({.X_WB = frame.X_WB,
                             .box = WholeBox(*box, half_px, camera_),
                             .object_W = ned,
-                            .time = sight.exposure.value()});
+                            .time = frame.exposure.value()});
   } else {
-    const double miss = MissLogOdds(sight.X_WB, ned);
+    const double miss = MissLogOdds(frame.X_WB, ned);
     if (miss == 0.0) return;
     // What made one look of a pass miss may have made them all: they are one witness.
-    const bool is_new_pass = !object.last_miss || sight.exposure.value() - *object.last_miss >
+    const bool is_new_pass = !object.last_miss || frame.exposure.value() - *object.last_miss >
                                                       status_.looks.new_pass_gap.value();
     object.miss_log_odds += is_new_pass ? miss : 0.0;
-    object.last_miss = sight.exposure.value();
+    object.last_miss = frame.exposure.value();
   }
   object.last_viewpoint = p_OC;
   object.is_stale = true;
 }
 
-void ObjectLayer::AddSight(const ObservedFrame& sight, const StatusBook& book) {
+void ObjectLayer::AddFrame(const ObservedFrame& frame, const ObjectStatuses& book) {
   for (auto& [id, object] : objects_) {
-    Look(object, sight, book);
+    Look(object, frame, book);
   }
 }
 
-void ObjectLayer::Judge(Painted& object, const StatusBook& book) const {
+void ObjectLayer::Judge(Painted& object, const ObjectStatuses& book) const {
   std::map<double, Eigen::Vector3d> object_W;  // a look keeps to where the object was thought to be
   for (const ObjectLook& look : object.looks) {
     object_W[look.time] = look.object_W;
@@ -113,8 +114,8 @@ void ObjectLayer::Judge(Painted& object, const StatusBook& book) const {
   object.last_miss.reset();
   object.last_viewpoint.reset();
   object.judged_at = object.status.object.p_W;
-  for (const ObservedFrame& sight : book.sights()) {
-    Look(object, sight, book);
+  for (const ObservedFrame& frame : book.frames()) {
+    Look(object, frame, book);
   }
   for (ObjectLook& look : object.looks) {
     const auto known = object_W.find(look.time);
@@ -122,7 +123,8 @@ void ObjectLayer::Judge(Painted& object, const StatusBook& book) const {
   }
 }
 
-void ObjectLayer::Follow(Painted& object, const OpiBelief& status, const StatusBook& book) const {
+void ObjectLayer::Follow(Painted& object, const OpiBelief& status,
+                         const ObjectStatuses& book) const {
   const bool is_another = object.status.landmark != status.landmark;
   const double moved = (object.status.object.p_W - status.object.p_W).norm();
   object.is_stale = object.is_stale || is_another || moved > params_.repaint_at.value() ||
@@ -141,7 +143,7 @@ void ObjectLayer::Follow(Painted& object, const OpiBelief& status, const StatusB
   }
 }
 
-void ObjectLayer::SetObjects(const std::vector<OpiBelief>& objects, const StatusBook& book,
+void ObjectLayer::SetObjects(const std::vector<OpiBelief>& objects, const ObjectStatuses& book,
                              SemanticOctree& octree) {
   std::map<int, Painted> kept;
   for (const OpiBelief& status : objects) {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "estimation/change/status_book.hpp"
+#include "estimation/change/object_statuses.hpp"
 #include "estimation/mapping/object_look.hpp"
 #include "estimation/mapping/semantic_octree.hpp"
 #include "estimation/mapping/voxel_cluster.hpp"
@@ -25,10 +25,10 @@ class ObjectLayer {
       : params_(params), status_(status), camera_(camera) {}
 
   /// One frame: at most one look at each known object.
-  void AddSight(const ObservedFrame& sight, const StatusBook& book);
+  void AddFrame(const ObservedFrame& frame, const ObjectStatuses& book);
   /// All objects as now believed; new ones are judged from all frames of the book. Paints what has
   /// changed.
-  void SetObjects(const std::vector<OpiBelief>& objects, const StatusBook& book,
+  void SetObjects(const std::vector<OpiBelief>& objects, const ObjectStatuses& book,
                   SemanticOctree& octree);
   /// The object's largest cluster of voxels; nothing before they pass the threshold.
   [[nodiscard]] std::optional<ObjectCluster> Cluster(int object) const;
@@ -46,13 +46,13 @@ class ObjectLayer {
     bool is_stale = true;
   };
 
-  void Look(Painted& object, const ObservedFrame& sight, const StatusBook& book) const;
+  void Look(Painted& object, const ObservedFrame& frame, const ObjectStatuses& book) const;
   [[nodiscard]] bool IsNewViewpoint(const Painted& object, const Eigen::Vector3d& p_OC) const;
   /// What a frame without a box says; 0 where the object would not be well visible.
   [[nodiscard]] double MissLogOdds(const Pose& X_WB, const Eigen::Vector3d& ned) const;
   /// Takes the object's looks from all frames of the book.
-  void Judge(Painted& object, const StatusBook& book) const;
-  void Follow(Painted& object, const OpiBelief& status, const StatusBook& book) const;
+  void Judge(Painted& object, const ObjectStatuses& book) const;
+  void Follow(Painted& object, const OpiBelief& status, const ObjectStatuses& book) const;
   void Repaint(Painted& object, SemanticOctree& octree) const;
   [[nodiscard]] std::map<VoxelKey, double> Gather(const Painted& object, double radius,
                                                   double resolution) const;

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "estimation/smoothing/factors/border_prior_factor.hpp"
 #include "estimation/smoothing/factors/bridged_step_factor.hpp"
 #include "estimation/smoothing/factors/calibrated_step_factor.hpp"
-#include "estimation/smoothing/factors/landmark_prior_factor.hpp"
 #include "estimation/smoothing/factors/slow_errors_factor.hpp"
 
 namespace limpet {
@@ -23,8 +23,8 @@ void OdometryErrors::Begin(double t) {
   const Eigen::Vector3d sigma(odometry.scale_sigma, odometry.misalign_sigma, odometry.yaw_bias);
   const int slot = smoother_.AddSensorErrors(Eigen::Vector3d::Zero());
   slow_ = Variable{.slot = slot, .since = t};
-  const LandmarkPriorFactor prior(Eigen::Vector3d::Zero(),
-                                  sigma.cwiseAbs2().asDiagonal().toDenseMatrix());
+  const BorderPriorFactor prior(Eigen::Vector3d::Zero(),
+                                sigma.cwiseAbs2().asDiagonal().toDenseMatrix());
   smoother_.AddBorderTerm(slot, Term::OnBorder(prior, slot));
 }
 
@@ -53,7 +53,7 @@ int OdometryErrors::BridgeAt(double t, double age) {
   const int slot = smoother_.AddSensorErrors(Eigen::Vector3d::Zero());
   bridge_ = Variable{.slot = slot, .since = t};
   const double variance = std::pow(track_.BridgeSigma(age + kBridgeStretch), 2);
-  const LandmarkPriorFactor prior(Eigen::Vector3d::Zero(), variance * Eigen::Matrix3d::Identity());
+  const BorderPriorFactor prior(Eigen::Vector3d::Zero(), variance * Eigen::Matrix3d::Identity());
   smoother_.AddBorderTerm(slot, Term::OnBorder(prior, slot));
   return slot;
 }

@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     files[name] = text;
     if (const auto memory = limpet::MemoryOf(files)) {
       static_cast<void>(limpet::PriorOf({}, *memory));
-      static_cast<void>(limpet::PhaseOfSights(*memory));
+      static_cast<void>(limpet::PhaseOfFrames(*memory));
     }
   }
   return 0;

@@ -163,11 +163,11 @@ TEST(Survey, DecidesTheSameWhenTheTruthReachesNobodyOnBoard) {
 
 TEST(Survey, AnInterruptEndsItWithTheLogIntact) {
   const TemporaryFolder folder;
-  int sights = 0;
+  int frames = 0;
   const SessionOutcome outcome =
-      RunSession(BasinWithBoxes(), PlanFor(folder, "discovery"), [&sights](const Message& message) {
-        sights += message.name == "NAV_SIGHT" ? 1 : 0;
-        interrupt_requested = sights > 100;
+      RunSession(BasinWithBoxes(), PlanFor(folder, "discovery"), [&frames](const Message& message) {
+        frames += message.name == "NAV_SIGHT" ? 1 : 0;
+        interrupt_requested = frames > 100;
       });
   interrupt_requested = false;
   EXPECT_EQ(outcome.ended, "aborted");

@@ -39,15 +39,15 @@ inline ObservedFrame SightFrom(const Pose& X_WB, double altitude,
                                const std::vector<Sphere>& spheres, const Detector& detector,
                                Random& random) {
   const CameraModel camera;
-  ObservedFrame sight;
-  sight.X_WB = X_WB;
-  sight.altitude = altitude;
+  ObservedFrame frame;
+  frame.X_WB = X_WB;
+  frame.altitude = altitude;
   for (const Sphere& sphere : spheres) {
     const double share = VisibleShare(camera, X_WB, sphere.ned, sphere.radius);
     if (share < detector.least_share || !random.Chance(detector.detects)) continue;
     const Eigen::Vector3d p_C = camera.InCamera(X_WB, sphere.ned);
     const Eigen::Vector2d pixel = *camera.Project(p_C);
-    sight.boxes.push_back({.u = pixel.x(),
+    frame.boxes.push_back({.u = pixel.x(),
                            .v = pixel.y(),
                            .w = 2.0 * sphere.radius * camera.fx / p_C.z(),
                            .h = 2.0 * sphere.radius * camera.fy / p_C.z(),
@@ -56,21 +56,21 @@ inline ObservedFrame SightFrom(const Pose& X_WB, double altitude,
                            .landmark = sphere.landmark});
   }
   if (random.Chance(detector.false_per_image)) {
-    sight.boxes.push_back({.u = random.Uniform(40, 600),
+    frame.boxes.push_back({.u = random.Uniform(40, 600),
                            .v = random.Uniform(40, 440),
                            .w = 80,
                            .h = 80,
                            .confidence = 0.6,
                            .color = "yellow"});
   }
-  return sight;
+  return frame;
 }
 
 /// All frames of a leg, from `start` on.
 inline std::vector<ObservedFrame> Fly(const Leg& leg, Seconds start,
                                       const std::vector<Sphere>& spheres, const Detector& detector,
                                       Random& random) {
-  std::vector<ObservedFrame> sights;
+  std::vector<ObservedFrame> frames;
   const double step = leg.speed * 0.25;
   for (int i = 0; i * step <= leg.length; ++i) {
     const Pose X_WB{{leg.north + i * step * std::cos(leg.yaw),
@@ -78,11 +78,11 @@ inline std::vector<ObservedFrame> Fly(const Leg& leg, Seconds start,
                     0.0,
                     0.0,
                     leg.yaw};
-    sights.push_back(SightFrom(X_WB, leg.altitude, spheres, detector, random));
-    sights.back().frame = i;
-    sights.back().exposure = start + Seconds(0.25 * i);
+    frames.push_back(SightFrom(X_WB, leg.altitude, spheres, detector, random));
+    frames.back().frame = i;
+    frames.back().exposure = start + Seconds(0.25 * i);
   }
-  return sights;
+  return frames;
 }
 
 }  // namespace limpet::trial

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "estimation/smoothing/factors/border_prior_factor.hpp"
 #include "estimation/smoothing/factors/distance_factor.hpp"
-#include "estimation/smoothing/factors/landmark_prior_factor.hpp"
 #include "estimation/smoothing/factors/pose_prior_factor.hpp"
 #include "limpet/core/require.hpp"
 #include "tests/support/batch_solver.hpp"
@@ -141,8 +141,8 @@ class Beacons {
     beacon.slot = smoother_.AddLandmark({start->x(), start->y(), 0.0});
     // The third number is the height, or the scale.
     const double third = params_.has_own_scale ? 0.1 : 1e-3;
-    const LandmarkPriorFactor prior({start->x(), start->y(), 0.0},
-                                    Eigen::Vector3d(1e6, 1e6, third * third).asDiagonal());
+    const BorderPriorFactor prior({start->x(), start->y(), 0.0},
+                                  Eigen::Vector3d(1e6, 1e6, third * third).asDiagonal());
     smoother_.AddBorderTerm(beacon.slot, Term::OnBorder(prior, beacon.slot));
     for (const auto& [from, measured] : beacon.waiting)
       AddRange(beacon.slot, from, measured);

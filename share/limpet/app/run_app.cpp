@@ -94,7 +94,7 @@ void NoteFormerLife(const MailJournal& journal, LiveLink& link, std::optional<Se
 }
 
 /// Leads the app through its former life. What it says meanwhile was said then.
-void LiveAgain(MailJournal& journal, LiveLink& link, App& app) {
+void ReplayFormerLife(MailJournal& journal, LiveLink& link, App& app) {
   const Seconds begin = SteadyTime();
   std::int64_t count = 0;
   journal.Replay([&](Seconds now, const MessagePtr& mail) {
@@ -171,7 +171,7 @@ int Run(const AppCommand& command, const AppEntry& entry) {
   const std::unique_ptr<App> app = entry.create(context, block);
   app->StartReporting(std::move(casts));
   if (began) {
-    LiveAgain(*journal, link, *app);
+    ReplayFormerLife(*journal, link, *app);
   }
   Loop(*app, link, Seconds(1.0 / (tick_hz * command.warp)), journal ? &*journal : nullptr, heart);
   return 0;

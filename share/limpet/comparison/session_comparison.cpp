@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "estimation/change/sight_gate.hpp"
-#include "estimation/change/status_book.hpp"
+#include "estimation/change/frame_gate.hpp"
+#include "estimation/change/object_statuses.hpp"
 #include "estimation/mapping/former_map.hpp"
 #include "limpet/comparison/session_matches.hpp"
 #include "limpet/core/app_keys.hpp"
@@ -51,21 +51,21 @@ MapParams MapParamsOf(const ConfigBlock& block) {
 }
 
 /// What session B, replayed, believes about the objects of both.
-StatusBook Compare(const SavedSession& a, const SavedSession& b,
-                   const std::optional<std::string>& mission) {
+ObjectStatuses Compare(const SavedSession& a, const SavedSession& b,
+                       const std::optional<std::string>& mission) {
   const ConfigBlock block_a = MapBlockFor(a, mission);
   static_cast<void>(MapParamsOf(block_a));
   const MapParams params = MapParamsOf(MapBlockFor(b, mission));
-  StatusBook book(params.status, params.camera.geometry());
+  ObjectStatuses book(params.status, params.camera.geometry());
   const SessionPrior prior = PriorFrom(a, block_a);
   book.SetFormerViews(FormerViewsOf(prior, params));
   book.SetFormer(prior.opis);
-  SightGate gate(params.sight_gate());
-  const std::vector<std::string> phase_of = PhaseOfSights(b.memory);
+  FrameGate gate(params.frame_gate());
+  const std::vector<std::string> phase_of = PhaseOfFrames(b.memory);
   for (std::size_t i = 0; i < phase_of.size(); ++i) {
-    const ObservedFrame& sight = b.memory.sights[i];
-    if (!gate.Judge(sight.exposure, sight.altitude, phase_of[i]).drop) {
-      book.AddSight(sight);
+    const ObservedFrame& frame = b.memory.frames[i];
+    if (!gate.Judge(frame.exposure, frame.altitude, phase_of[i]).drop) {
+      book.AddFrame(frame);
     }
   }
   book.SetLandmarks(MatchedLandmarks(a, b, prior));
@@ -74,7 +74,7 @@ StatusBook Compare(const SavedSession& a, const SavedSession& b,
 }
 
 /// True for a place that is only worth a look: nothing was judged there.
-bool IsHunch(const OpiBelief& object) { return object.landmark < 0 && object.prior_id < 0; }
+bool IsTentative(const OpiBelief& object) { return object.landmark < 0 && object.prior_id < 0; }
 
 OrderedJson JsonOf(const OpiBelief& object) {
   const StatusPosterior& p = object.posterior;
@@ -106,10 +106,10 @@ OrderedJson JsonOf(const SessionFacts& facts) {
 
 SessionComparison CompareSessions(const SavedSession& a, const SavedSession& b,
                                   const std::optional<std::string>& mission) {
-  StatusBook book = Compare(a, b, mission);
+  ObjectStatuses book = Compare(a, b, mission);
   SessionComparison comparison{.a = a.facts, .b = b.facts, .offset = {}, .objects = {}};
   for (const OpiBelief& object : book.Assess()) {
-    if (!IsHunch(object)) comparison.objects.push_back(object);
+    if (!IsTentative(object)) comparison.objects.push_back(object);
   }
   comparison.offset = book.offset();
   return comparison;

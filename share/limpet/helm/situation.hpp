@@ -11,7 +11,7 @@
 #include "limpet/planning/objective.hpp"
 #include "limpet/planning/option.hpp"
 #include "limpet/planning/region.hpp"
-#include "limpet/planning/sight_along.hpp"
+#include "limpet/planning/seen_along.hpp"
 #include "limpet/survey/look.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
@@ -60,7 +60,7 @@ struct Situation {
 /// An option with what its whole motion would newly show.
 struct Prospect {
   const Option* option = nullptr;
-  NewSight sight;
+  NewlySeen seen;
 
   [[nodiscard]] const DubinsPath& path() const { return option->path; }
   [[nodiscard]] double length() const { return option->path.length(); }

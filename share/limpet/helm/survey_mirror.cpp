@@ -28,7 +28,7 @@ bool SurveyMirror::SetArea(const SurveyArea& area) {
       *grid_,
       Footprint(params_.survey_altitude.value(), area.object_height_max, params_.camera.geometry()),
       WeightsOfLayers(params_.bottom_weight));
-  sight_ = std::make_unique<SightAlong>(*ground_);
+  sight_ = std::make_unique<SeenAlong>(*ground_);
   region_ = std::make_unique<Region>(
       area, std::max(0.0, area.margin - params_.tracking_allowance.value()));
   return true;

@@ -36,7 +36,7 @@ class SurveyMirror {
   /// False if objects at the top of the area's band are never inside the image.
   [[nodiscard]] bool SeesWholeBand() const;
   /// Of the present ground. REQUIRES: has_area().
-  [[nodiscard]] SightAlong& sight() { return *sight_; }
+  [[nodiscard]] SeenAlong& seen() { return *sight_; }
   [[nodiscard]] LookLedger& ledger() { return watch_.ledger(); }
 
   /// The snapshot for options that start at `pose`. REQUIRES: has_area(); it is valid until the
@@ -48,7 +48,7 @@ class SurveyMirror {
   std::optional<SurveyArea> area_;
   std::unique_ptr<SurveyGrid> grid_;
   std::unique_ptr<Ground> ground_;
-  std::unique_ptr<SightAlong> sight_;
+  std::unique_ptr<SeenAlong> sight_;
   std::unique_ptr<Region> region_;
   HomePoint home_;
   ObjectWatch watch_;

@@ -28,8 +28,8 @@ std::string WhyText(const Bid& bid) {
 }
 
 ValuedOption ValueOption(std::span<const WeightedBehavior> behaviors, const Situation& now,
-                         const Option& option, std::size_t index, SightAlong& sight) {
-  const Prospect prospect{.option = &option, .sight = sight(option.path)};
+                         const Option& option, std::size_t index, SeenAlong& seen) {
+  const Prospect prospect{.option = &option, .seen = seen(option.path)};
   const Pose2 end = option.path.end();
   ValuedOption valued{.index = index, .has_veto = false, .bidden = {}};
   valued.bidden.source = option.source;
@@ -55,10 +55,10 @@ ValuedOption ValueOption(std::span<const WeightedBehavior> behaviors, const Situ
 }  // namespace
 
 ViewDecision DecideView(std::span<const WeightedBehavior> behaviors, const Situation& now,
-                        std::vector<Option> options, SightAlong& sight, const DecisionRule& rule) {
+                        std::vector<Option> options, SeenAlong& seen, const DecisionRule& rule) {
   std::vector<ValuedOption> valued;
   for (std::size_t i = 0; i < options.size(); ++i) {
-    valued.push_back(ValueOption(behaviors, now, options[i], i, sight));
+    valued.push_back(ValueOption(behaviors, now, options[i], i, seen));
   }
   const auto merit = [&rule](const ValuedOption& option) {
     return rule.order == OptionOrder::kPerMetre ? option.bidden.rate : option.bidden.total;

@@ -39,6 +39,6 @@ struct DecisionRule {
 /// and says how many were valued.
 [[nodiscard]] ViewDecision DecideView(std::span<const WeightedBehavior> behaviors,
                                       const Situation& now, std::vector<Option> options,
-                                      SightAlong& sight, const DecisionRule& rule = {});
+                                      SeenAlong& seen, const DecisionRule& rule = {});
 
 }  // namespace limpet

@@ -138,7 +138,7 @@ class Search {
       next.value += valuer_.Worth({.from = from.pose,
                                    .motion = motion,
                                    .before = depth * motion.length,
-                                   .sight = workspace_.Sweep(from.pose, motion)}) -
+                                   .seen = workspace_.Sweep(from.pose, motion)}) -
                     kDeficitPrice * region_.Deficit(next.pose, params_.turn_radius);
       NoteEvents(events, next);
       next.change_begin = changes_.size();
@@ -255,12 +255,12 @@ class Search {
 
   const Region& region_;
   const BeamParams& params_;
-  SightWorkspace workspace_;
+  SeenWorkspace workspace_;
   PathValuer valuer_;
   std::array<double, 5> curvatures_{};
   std::vector<Node> nodes_, candidates_;
   std::vector<int> beam_, chain_;
-  std::vector<SightWorkspace::Change> changes_;
+  std::vector<SeenWorkspace::Change> changes_;
   std::vector<std::uint32_t> events_;
 };
 

@@ -104,14 +104,14 @@ std::optional<Option> GapTour(const Pose2& start, const Ground& ground, const Re
 std::vector<Option> GapPaths(const Pose2& start, const Ground& ground, const Region& region,
                              const Objective& objective, const GapParams& params) {
   const PassTour tour = TourOf(start, ground, region, params);
-  SightAlong sight(ground);
+  SeenAlong seen(ground);
   std::vector<Option> options;
   for (const double end : tour.reached) {
     DubinsPath path = tour.path.Prefix(end);
     if (!region.Contains(path)) {
       break;
     }
-    const double value = ValueOf(path, objective, ground, sight);
+    const double value = ValueOf(path, objective, ground, seen);
     options.push_back({.source = "gap", .path = std::move(path), .estimate = value});
   }
   std::stable_sort(options.begin(), options.end(), [](const Option& a, const Option& b) {

@@ -10,15 +10,15 @@ namespace {
 constexpr double kTargetStep = 0.25;
 
 /// What behaviors add, step by step.
-double TermValueOf(const DubinsPath& path, const Objective& objective, SightAlong& sight) {
+double TermValueOf(const DubinsPath& path, const Objective& objective, SeenAlong& seen) {
   double value = 0.0;
   for (const auto& term : objective.terms) {
     PathEvents all(term->event_count());
     TermEvents events(all, 0);
-    sight.EachStep(path, [&](const Pose2& from, const PathSegment& motion, double before,
-                             const NewSight& seen) {
+    seen.EachStep(path, [&](const Pose2& from, const PathSegment& motion, double before,
+                            const NewlySeen& step) {
       value +=
-          term->Worth({.from = from, .motion = motion, .before = before, .sight = seen}, events);
+          term->Worth({.from = from, .motion = motion, .before = before, .seen = step}, events);
     });
   }
   return value;
@@ -63,10 +63,10 @@ double TargetValueOf(const DubinsPath& path, const Objective& objective) {
 }
 
 double ValueOf(const DubinsPath& path, const Objective& objective, const Ground& ground,
-               SightAlong& sight) {
-  const GroundWorth worth = objective.ground.Of(sight(path), ground.swath());
+               SeenAlong& seen) {
+  const GroundWorth worth = objective.ground.Of(seen(path), ground.swath());
   return worth.useful - worth.ragged - path.length() + TargetValueOf(path, objective) +
-         TermValueOf(path, objective, sight);
+         TermValueOf(path, objective, seen);
 }
 
 }  // namespace limpet

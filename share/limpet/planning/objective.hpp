@@ -7,7 +7,7 @@
 
 #include "limpet/planning/pose2.hpp"
 #include "limpet/planning/search_term.hpp"
-#include "limpet/planning/sight_along.hpp"
+#include "limpet/planning/seen_along.hpp"
 #include "limpet/survey/look.hpp"
 
 namespace limpet {
@@ -33,8 +33,8 @@ struct GroundRates {
   double cover = 1.0;       ///< metres of path per metre of fully useful track
   double frontier = 0.325;  ///< ... per metre of new border; best in the study with kBottomTwice
   /// `swath` is the ground's [m].
-  [[nodiscard]] GroundWorth Of(const NewSight& sight, double swath) const {
-    return {.useful = cover * sight.new_area / swath, .ragged = frontier * sight.frontier_growth};
+  [[nodiscard]] GroundWorth Of(const NewlySeen& seen, double swath) const {
+    return {.useful = cover * seen.new_area / swath, .ragged = frontier * seen.frontier_growth};
   }
 };
 
@@ -55,7 +55,7 @@ struct Objective {
 
 /// The objective of a whole path from the present ground.
 [[nodiscard]] double ValueOf(const DubinsPath& path, const Objective& objective,
-                             const Ground& ground, SightAlong& sight);
+                             const Ground& ground, SeenAlong& seen);
 /// The targets' part alone: sum of value_i (1 - s_i / decay), s_i where the path first looks at it.
 [[nodiscard]] double TargetValueOf(const DubinsPath& path, const Objective& objective);
 /// Length of `path` at which it first looks at `target` [m]; nothing if it never does.

@@ -12,7 +12,7 @@ class GroundTerm final : public SearchTerm {
  public:
   GroundTerm(const GroundRates& rates, double swath) : rates_(rates), swath_(swath) {}
   [[nodiscard]] double Worth(const PathStep& step, TermEvents&) const override {
-    const GroundWorth worth = rates_.Of(step.sight, swath_);
+    const GroundWorth worth = rates_.Of(step.seen, swath_);
     return worth.useful - worth.ragged;
   }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "limpet/planning/dubins_path.hpp"
-#include "limpet/planning/sight_along.hpp"
+#include "limpet/planning/seen_along.hpp"
 
 namespace limpet {
 
@@ -17,13 +17,13 @@ struct PathStep {
   Pose2 from;  ///< NED
   PathSegment motion;
   double before = 0.0;  ///< length of the path up to `from` [m]
-  NewSight sight{};     ///< what the motion shows that the path up to `from` did not
+  NewlySeen seen{};     ///< what the motion shows that the path up to `from` did not
 
-  /// Calls visit(pose, s) every SightWorkspace::kStep along the motion and at its end, not at its
+  /// Calls visit(pose, s) every SeenWorkspace::kStep along the motion and at its end, not at its
   /// start, with s the length of the whole path there [m].
   template <class Visit>
   void Sample(Visit visit) const {
-    for (double s = SightWorkspace::kStep; s < motion.length - 1e-9; s += SightWorkspace::kStep) {
+    for (double s = SeenWorkspace::kStep; s < motion.length - 1e-9; s += SeenWorkspace::kStep) {
       visit(Advance(from, motion.curvature, s), before + s);
     }
     visit(Advance(from, motion.curvature, motion.length), before + motion.length);
@@ -83,7 +83,7 @@ class SearchTerm {
   [[nodiscard]] virtual double Worth(const PathStep& step, TermEvents& events) const = 0;
 };
 
-/// Worth of a whole path by one term that does not depend on what is seen (`step.sight` is 0): so a
+/// Worth of a whole path by one term that does not depend on what is seen (`step.seen` is 0): so a
 /// behavior bids exactly what it made the search seek.
 [[nodiscard]] double WorthAlong(const DubinsPath& path, const SearchTerm& term);
 

@@ -18,10 +18,10 @@ constexpr int kDrawsPerNode = 20;
 struct View {
   DubinsPath edge;  ///< from the parent; its end is the view
   int parent = -1;
-  double value = 0.0;                           ///< objective of the whole branch up to here [m]
-  double length = 0.0;                          ///< of the whole branch [m]
-  std::vector<SightWorkspace::Change> changes;  ///< what the edge shows beyond its ancestors
-  std::vector<std::uint32_t> events;            ///< of the objective, that the edge brings
+  double value = 0.0;                          ///< objective of the whole branch up to here [m]
+  double length = 0.0;                         ///< of the whole branch [m]
+  std::vector<SeenWorkspace::Change> changes;  ///< what the edge shows beyond its ancestors
+  std::vector<std::uint32_t> events;           ///< of the objective, that the edge brings
 };
 
 class Tree {
@@ -118,7 +118,7 @@ class Tree {
   }
 
   [[nodiscard]] bool IsFlyable(const DubinsPath& edge) const {
-    return edge.length() > SightWorkspace::kStep &&
+    return edge.length() > SeenWorkspace::kStep &&
            edge.length() <= params_.max_edge.value() + 1e-9 && region_.Contains(edge) &&
            region_.IsRecoverable(edge.end(), params_.turn_radius);
   }
@@ -141,7 +141,7 @@ class Tree {
       view.value += valuer_.Worth({.from = from,
                                    .motion = segment,
                                    .before = view.length,
-                                   .sight = workspace_.Sweep(from, segment)}) -
+                                   .seen = workspace_.Sweep(from, segment)}) -
                     segment.length;
       view.length += segment.length;
       from = Advance(from, segment.curvature, segment.length);
@@ -188,7 +188,7 @@ class Tree {
 
   const Region& region_;
   const ViewTreeParams& params_;
-  SightWorkspace workspace_;
+  SeenWorkspace workspace_;
   PathValuer valuer_;
   std::vector<View> views_;
 };

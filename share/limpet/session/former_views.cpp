@@ -22,25 +22,25 @@ double Rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 /// A frame that may go on, and the last altitude heard until then.
 struct View {
-  const ObservedFrame* sight = nullptr;
+  const ObservedFrame* frame = nullptr;
   double altitude = 0.0;
   Seconds altitude_time;
 };
 
 /// Frames in which the session mapped; a vehicle that never heard an altitude saw nothing.
 std::vector<View> MappingViews(const SessionMemory& memory) {
-  const std::vector<std::string> phase_of = PhaseOfSights(memory);
+  const std::vector<std::string> phase_of = PhaseOfFrames(memory);
   std::vector<View> views;
   std::optional<double> altitude;
   Seconds altitude_time;
-  for (std::size_t i = 0; i < memory.sights.size(); ++i) {
-    const ObservedFrame& sight = memory.sights[i];
-    if (sight.altitude) {
-      altitude = sight.altitude;
-      altitude_time = sight.exposure;
+  for (std::size_t i = 0; i < memory.frames.size(); ++i) {
+    const ObservedFrame& frame = memory.frames[i];
+    if (frame.altitude) {
+      altitude = frame.altitude;
+      altitude_time = frame.exposure;
     }
     if (altitude && IsMappingPhase(phase_of[i])) {
-      views.push_back({&sight, *altitude, altitude_time});
+      views.push_back({&frame, *altitude, altitude_time});
     }
   }
   return views;
@@ -57,16 +57,16 @@ bool IsListed(const Box& box, const std::vector<int>& landmarks) {
 
 void AddView(const View& view, Seconds start, const std::vector<int>& landmarks,
              SessionPrior& prior) {
-  const ObservedFrame& sight = *view.sight;
-  const Pose& pose = sight.X_WB;
+  const ObservedFrame& frame = *view.frame;
+  const Pose& pose = frame.X_WB;
   FormerView former{
-      .frame = {.frame = sight.frame,
-                .exposure = Seconds(Rounded((sight.exposure - start).value())),
+      .frame = {.frame = frame.frame,
+                .exposure = Seconds(Rounded((frame.exposure - start).value())),
                 .X_WB = {pose.p_WB.unaryExpr(&Rounded), Rounded(pose.roll), Rounded(pose.pitch),
                          Rounded(pose.yaw)},
                 .altitude = Rounded(view.altitude)},
-      .altitude_age = Seconds(Rounded((sight.exposure - view.altitude_time).value()))};
-  for (const Box& box : sight.boxes) {
+      .altitude_age = Seconds(Rounded((frame.exposure - view.altitude_time).value()))};
+  for (const Box& box : frame.boxes) {
     if (IsListed(box, landmarks)) continue;
     former.frame.boxes.push_back(box);
     former.frame.boxes.back().landmark = -1;  // of none that is handed on
@@ -81,15 +81,15 @@ void AddFormerViews(const SessionMemory& memory, const std::vector<int>& landmar
   const std::vector<View> views = MappingViews(memory);
   for (std::size_t first = 0, end = 0; first < views.size(); first = end) {
     bool has_stranger = false;
-    for (end = first; end < views.size() && IsOneLook(*views[first].sight, *views[end].sight);
+    for (end = first; end < views.size() && IsOneLook(*views[first].frame, *views[end].frame);
          ++end) {
       has_stranger = has_stranger ||
-                     !std::ranges::all_of(views[end].sight->boxes,
+                     !std::ranges::all_of(views[end].frame->boxes,
                                           [&](const Box& box) { return IsListed(box, landmarks); });
     }
     const std::size_t kept = has_stranger ? end : first + 1;
     for (std::size_t i = first; i < kept; ++i) {
-      AddView(views[i], memory.sights.front().exposure, landmarks, prior);
+      AddView(views[i], memory.frames.front().exposure, landmarks, prior);
     }
   }
 }
@@ -100,13 +100,13 @@ std::string PhasesToCsv(const std::vector<PhaseStart>& phases) {
     std::string phase = start.phase;  // any client may announce one
     std::ranges::replace_if(
         phase, [](char c) { return c == ',' || c == '\n'; }, '_');
-    text += fmt::format("{},{}\n", start.sight, phase);
+    text += fmt::format("{},{}\n", start.frame, phase);
   }
   return text;
 }
 
 Expected<std::vector<PhaseStart>> PhasesFromCsv(std::string_view text) {
-  constexpr double kMostSights = 1e9;
+  constexpr double kMostFrames = 1e9;
   std::vector<PhaseStart> phases;
   const std::vector<std::string> rows = Split(text, '\n');
   if (rows.front() != kPhasesHeader) {
@@ -115,13 +115,13 @@ Expected<std::vector<PhaseStart>> PhasesFromCsv(std::string_view text) {
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (rows[i].empty()) continue;
     const std::vector<std::string> fields = Split(rows[i], ',');
-    const std::optional<double> sight =
+    const std::optional<double> frame =
         fields.size() == 2 ? ParseNumber(fields[0]) : std::optional<double>();
-    const double least = phases.empty() ? 0.0 : static_cast<double>(phases.back().sight);
-    if (!sight || !(*sight >= least && *sight <= kMostSights)) {
+    const double least = phases.empty() ? 0.0 : static_cast<double>(phases.back().frame);
+    if (!frame || !(*frame >= least && *frame <= kMostFrames)) {
       return Error{fmt::format("line {}: not the start of a phase", i + 1)};
     }
-    phases.push_back({static_cast<std::size_t>(*sight), fields[1]});
+    phases.push_back({static_cast<std::size_t>(*frame), fields[1]});
   }
   return phases;
 }

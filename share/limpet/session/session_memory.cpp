@@ -7,7 +7,7 @@
 #include "limpet/core/config.hpp"
 #include "limpet/core/record.hpp"
 #include "limpet/session/former_views.hpp"
-#include "limpet/session/sights_csv.hpp"
+#include "limpet/session/frames_csv.hpp"
 
 namespace limpet {
 namespace {
@@ -17,7 +17,7 @@ constexpr const char* kFormer = "former.txt";
 constexpr const char* kObjects = "objects.json";
 constexpr const char* kLandmarks = "landmarks.json";
 constexpr const char* kKnownLandmarks = "known_landmarks.json";
-constexpr const char* kSights = "sights.csv";
+constexpr const char* kFrames = "sights.csv";
 constexpr const char* kPhases = "phases.csv";
 constexpr const char* kMap = "map.ot";
 constexpr std::string_view kMission = "mission/";
@@ -65,7 +65,7 @@ SessionFiles FilesOf(const SessionMemory& memory) {
     files[kKnownLandmarks] =
         std::get<std::string>(TopicCodec<Landmarks>::Encode(*memory.known_landmarks)) + "\n";
   }
-  files[kSights] = SightsToCsv(memory.sights);
+  files[kFrames] = FramesToCsv(memory.frames);
   files[kPhases] = PhasesToCsv(memory.phases);
   if (!memory.map.empty()) {
     files[kMap] = memory.map;
@@ -109,10 +109,10 @@ Expected<SessionMemory> MemoryOf(const SessionFiles& files) {
     if (!phases) return Error{std::string(kPhases) + ": " + phases.error().text};
     memory.phases = *std::move(phases);
   }
-  if (const std::string* text = Find(files, kSights)) {
-    Expected<std::vector<ObservedFrame>> sights = SightsFromCsv(*text);
-    if (!sights) return Error{std::string(kSights) + ": " + sights.error().text};
-    memory.sights = *std::move(sights);
+  if (const std::string* text = Find(files, kFrames)) {
+    Expected<std::vector<ObservedFrame>> frames = FramesFromCsv(*text);
+    if (!frames) return Error{std::string(kFrames) + ": " + frames.error().text};
+    memory.frames = *std::move(frames);
   }
   if (const std::string* map = Find(files, kMap)) {
     memory.map = *map;
@@ -123,11 +123,11 @@ Expected<SessionMemory> MemoryOf(const SessionFiles& files) {
   return memory;
 }
 
-std::vector<std::string> PhaseOfSights(const SessionMemory& memory) {
-  std::vector<std::string> phase_of(memory.sights.size());
+std::vector<std::string> PhaseOfFrames(const SessionMemory& memory) {
+  std::vector<std::string> phase_of(memory.frames.size());
   for (const PhaseStart& start : memory.phases) {
-    if (start.sight >= phase_of.size()) break;
-    std::fill(phase_of.begin() + static_cast<std::ptrdiff_t>(start.sight), phase_of.end(),
+    if (start.frame >= phase_of.size()) break;
+    std::fill(phase_of.begin() + static_cast<std::ptrdiff_t>(start.frame), phase_of.end(),
               start.phase);
   }
   return phase_of;

@@ -14,9 +14,9 @@
 
 namespace limpet {
 
-/// From the frame with this index in SessionMemory::sights on, the mission was in `phase`.
+/// From the frame with this index in SessionMemory::frames on, the mission was in `phase`.
 struct PhaseStart {
-  std::size_t sight = 0;
+  std::size_t frame = 0;
   std::string phase;
 };
 
@@ -41,7 +41,7 @@ struct SessionMemory {
   /// All landmarks as pNav had them when `objects` were judged; nothing in an older session.
   std::optional<Landmarks> known_landmarks;
   LandmarkJoint landmarks;            ///< of the objects' landmarks; empty if never heard
-  std::vector<ObservedFrame> sights;  ///< every frame with its pose and boxes
+  std::vector<ObservedFrame> frames;  ///< every frame with its pose and boxes
   std::vector<PhaseStart> phases;     ///< in order; before the first one none was announced
   std::string map;                    ///< the semantic octree as MAP_SNAPSHOT; empty if none
   std::map<std::string, std::string> mission;  ///< the mission's own files
@@ -57,7 +57,7 @@ struct SessionMemory {
 inline constexpr const char* kMissionAsRun = "as_run.moos";
 
 /// Phase of each frame, "" if none was announced.
-[[nodiscard]] std::vector<std::string> PhaseOfSights(const SessionMemory& memory);
+[[nodiscard]] std::vector<std::string> PhaseOfFrames(const SessionMemory& memory);
 
 /// What a later session takes over: objects that were there at the end of this one, and where it
 /// looked from. Without `map_parameters`, which the mission tells.

@@ -163,7 +163,7 @@ class Flight {
   Random random_;
   SurveyGrid grid_;
   Ground ground_;
-  SightAlong sight_;
+  SeenAlong sight_;
   StudyScorer scorer_;
   Random tree_random_;
   std::vector<Pose2> kept_;

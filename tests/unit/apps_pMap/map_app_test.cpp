@@ -65,9 +65,9 @@ class MapAppTest : public ::testing::Test {
 
   void Survey(const trial::Leg& leg, const std::vector<trial::Sphere>& spheres,
               const trial::Detector& detector = {}) {
-    for (const ObservedFrame& sight : trial::Fly(leg, link_.time, spheres, detector, random_)) {
-      link_.time = sight.exposure;
-      link_.Send(app_, topics::kNavSight, sight);
+    for (const ObservedFrame& frame : trial::Fly(leg, link_.time, spheres, detector, random_)) {
+      link_.time = frame.exposure;
+      link_.Send(app_, topics::kNavSight, frame);
       app_.Tick(link_.time);
     }
     link_.time += Seconds(20.0);
@@ -253,17 +253,17 @@ TEST_F(MapAppTest, SaysThatItFliesTooHighToSee) {
 }
 
 TEST_F(MapAppTest, SaysThatFramesWithoutAnAltitudeAreLeftOut) {
-  ObservedFrame sight;
-  sight.exposure = link_.time;
-  link_.Send(app_, topics::kNavSight, sight);
+  ObservedFrame frame;
+  frame.exposure = link_.time;
+  link_.Send(app_, topics::kNavSight, frame);
   EXPECT_TRUE(app_.warnings().contains("VIEW_WITHOUT_ALTITUDE"));
-  sight.exposure = link_.time - Seconds(1.0);
-  link_.Send(app_, topics::kNavSight, sight);
+  frame.exposure = link_.time - Seconds(1.0);
+  link_.Send(app_, topics::kNavSight, frame);
   EXPECT_TRUE(app_.warnings().contains("SIGHT_OUT_OF_ORDER"));
   EXPECT_THAT(LeftOutIn(app_), ::testing::HasSubstr("1 out of order, 1 without an altitude"));
-  sight.exposure = link_.time + Seconds(1.0);
-  sight.altitude = 4.0;
-  link_.Send(app_, topics::kNavSight, sight);
+  frame.exposure = link_.time + Seconds(1.0);
+  frame.altitude = 4.0;
+  link_.Send(app_, topics::kNavSight, frame);
   EXPECT_TRUE(app_.warnings().empty());
 }
 
@@ -276,11 +276,11 @@ TEST_F(MapAppTest, SaysThatItDoesNotFollowUpEveryHint) {
   Survey({.north = -4, .east = 1, .length = 16}, ghosts);
   link_.time += Seconds(1.0);
   app_.Tick(link_.time);
-  EXPECT_FALSE(app_.warnings().contains("HUNCHES_LEFT_OUT"));
+  EXPECT_FALSE(app_.warnings().contains("TENTATIVE_OBJECTS_LEFT_OUT"));
   Survey({.north = 12, .east = 1, .length = 26}, ghosts);
   link_.time += Seconds(1.0);
   app_.Tick(link_.time);
-  EXPECT_TRUE(app_.warnings().contains("HUNCHES_LEFT_OUT"));
+  EXPECT_TRUE(app_.warnings().contains("TENTATIVE_OBJECTS_LEFT_OUT"));
 }
 
 TEST_F(MapAppTest, SaysThatBeamsEndWhereNothingCanBe) {

@@ -53,9 +53,9 @@ class SessionAppTest : public ::testing::Test {
 
 TEST_F(SessionAppTest, KeepsItsFramesWhereTheSmootherMovesThem) {
   SessionApp app(Context("discovery"), {});
-  ObservedFrame sight;
-  sight.exposure = link_.time, sight.X_WB.p_WB = {1, 2, 3};
-  link_.Send(app, topics::kNavSight, sight);
+  ObservedFrame frame;
+  frame.exposure = link_.time, frame.X_WB.p_WB = {1, 2, 3};
+  link_.Send(app, topics::kNavSight, frame);
   const double t = link_.time.value();
   link_.Send(app, topics::kNavTrackShift,
              TrackShift{{{t - 5.0, 0.0, 0.0, 0.0, 0.0}, {t + 5.0, 1.0, -2.0, 0.0, 0.1}}});
@@ -64,9 +64,9 @@ TEST_F(SessionAppTest, KeepsItsFramesWhereTheSmootherMovesThem) {
   ASSERT_TRUE(stored);
   const Expected<SessionMemory> memory = MemoryOf(stored->files);
   ASSERT_TRUE(memory);
-  EXPECT_NEAR(memory->sights[0].X_WB.p_WB.x(), 1.5, 1e-3);
-  EXPECT_NEAR(memory->sights[0].X_WB.p_WB.y(), 1.0, 1e-3);
-  EXPECT_NEAR(memory->sights[0].X_WB.yaw, 0.05, 1e-3);
+  EXPECT_NEAR(memory->frames[0].X_WB.p_WB.x(), 1.5, 1e-3);
+  EXPECT_NEAR(memory->frames[0].X_WB.p_WB.y(), 1.0, 1e-3);
+  EXPECT_NEAR(memory->frames[0].X_WB.yaw, 0.05, 1e-3);
 }
 
 TEST_F(SessionAppTest, IsSelfDescribingFromItsFirstSecond) {
@@ -109,14 +109,14 @@ class SessionAppAgain : public SessionAppTest {
   /// A dive that was saved: deployed, with one frame.
   void Dive(SessionApp& app, double north) {
     link_.Send(app, topics::kSurveyArea, SurveyArea{});
-    ObservedFrame sight;
-    sight.exposure = link_.time, sight.X_WB.p_WB = {north, 0, 1};
-    link_.Send(app, topics::kNavSight, sight);
+    ObservedFrame frame;
+    frame.exposure = link_.time, frame.X_WB.p_WB = {north, 0, 1};
+    link_.Send(app, topics::kNavSight, frame);
   }
   double SavedNorth(const fs::path& session) {
     const Expected<StoredSession> stored = LoadSession(session);
     EXPECT_TRUE(stored) << stored.error().text;
-    return MemoryOf(stored->files)->sights.at(0).X_WB.p_WB.x();
+    return MemoryOf(stored->files)->frames.at(0).X_WB.p_WB.x();
   }
   fs::path Run() const { return folder_.path() / "discovery"; }
   void FlyOnce() {
@@ -131,9 +131,9 @@ TEST_F(SessionAppAgain, NeverSavesOverAFormerSessionBeforeItIsDeployed) {
   FlyOnce();
   SessionApp app(Context("discovery"), {});
   app.Tick(link_.time);
-  ObservedFrame sight;  // the camera sees the surface before anybody deploys
-  sight.exposure = link_.time, sight.X_WB.p_WB = {7, 0, 0};
-  link_.Send(app, topics::kNavSight, sight);
+  ObservedFrame frame;  // the camera sees the surface before anybody deploys
+  frame.exposure = link_.time, frame.X_WB.p_WB = {7, 0, 0};
+  link_.Send(app, topics::kNavSight, frame);
   app.Finish(link_.time + Seconds(100.0));
   EXPECT_EQ(SavedNorth(Run()), 1.0);
   EXPECT_TRUE(app.warnings().contains("FORMER_SESSION"));
@@ -230,11 +230,11 @@ TEST_F(SessionAppTest, KeepsThePhasesOfItsFramesAndTheLandmarksOfItsObjects) {
   SessionApp app(Context("discovery"), {});
   app.Tick(link_.time);
   const auto see = [&](double north) {
-    ObservedFrame sight;
-    sight.exposure = link_.time += Seconds(1.0);
-    sight.X_WB.p_WB = {north, 0, 3};
-    sight.altitude = 4.0;
-    link_.Send(app, topics::kNavSight, sight);
+    ObservedFrame frame;
+    frame.exposure = link_.time += Seconds(1.0);
+    frame.X_WB.p_WB = {north, 0, 3};
+    frame.altitude = 4.0;
+    link_.Send(app, topics::kNavSight, frame);
   };
   see(1.0);
   link_.Send(app, topics::kSurveyPhase, std::string("ALIGN"));
@@ -247,7 +247,7 @@ TEST_F(SessionAppTest, KeepsThePhasesOfItsFramesAndTheLandmarksOfItsObjects) {
   link_.Send(app, topics::kNavLandmarks, Landmarks{});
   app.Finish(link_.time + Seconds(1.0));
   const SavedSession saved = LoadSavedSession(folder_.path() / "discovery", "session");
-  EXPECT_THAT(PhaseOfSights(saved.memory), testing::ElementsAre("", "ALIGN", "SURVEY"));
+  EXPECT_THAT(PhaseOfFrames(saved.memory), testing::ElementsAre("", "ALIGN", "SURVEY"));
   ASSERT_TRUE(saved.memory.known_landmarks);
   EXPECT_EQ(saved.memory.known_landmarks->landmarks.size(), 1U);
   const SessionPrior prior = PriorWithParameters(saved);

@@ -23,7 +23,7 @@ class BoxGateTest : public ::testing::Test {
     return {.p_W = camera_.R_BC * p_C,
             .radius = kRadius,
             .color = "yellow",
-            .covariance = SightCovariance::Zero()};
+            .covariance = PoseObjectCovariance::Zero()};
   }
   [[nodiscard]] ReadDetection BoxOf(const Eigen::Vector3d& p_C, double confidence = 1.0) const {
     return Read([&] {

@@ -35,7 +35,7 @@ TEST(BhvOpRegion, VetoesWhatDoesNotLeadAVehicleOutsideIn) {
   now.region = &region;
   const auto has_veto = [&](double length, const std::string& source) {
     const Option option{.source = source, .path = DubinsPath(now.pose, {{0.0, length}})};
-    return behavior.Value({.option = &option, .sight = {}}, now)->veto.has_value();
+    return behavior.Value({.option = &option, .seen = {}}, now)->veto.has_value();
   };
   EXPECT_FALSE(has_veto(20.0, "transit"));
   EXPECT_TRUE(has_veto(3.0, "transit"));

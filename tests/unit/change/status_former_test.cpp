@@ -3,17 +3,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "estimation/change/status_book.hpp"
-#include "tests/unit/change/status_book_fixture.hpp"
+#include "estimation/change/object_statuses.hpp"
+#include "tests/unit/change/object_statuses_fixture.hpp"
 
 namespace limpet {
 namespace {
 
-class StatusFormerTest : public StatusBookTest {};
+class StatusFormerTest : public ObjectStatusesTest {};
 
 TEST_F(StatusFormerTest, AnObjectThatAnotherColourReplacedIsRemoved) {
   FormerLookedEverywhere();
-  book_.SetFormer({Former(7, At(0, 0.5)), Former(8, At(7, 0.0)), Former(9, At(4, 0.5))});
+  statuses_.SetFormer({Former(7, At(0, 0.5)), Former(8, At(7, 0.0)), Former(9, At(4, 0.5))});
   const std::vector<Real> now{{At(0, 0.5), 1, 7}, {At(7, 0.0), 2, 8}, {At(4, 0.5, "orange"), 3}};
   Fly(0.0, now);
   Landmarks(now);
@@ -23,7 +23,7 @@ TEST_F(StatusFormerTest, AnObjectThatAnotherColourReplacedIsRemoved) {
 
 TEST_F(StatusFormerTest, AnObjectThatStandsBesideItsFormerPlaceHasMoved) {
   FormerLookedEverywhere();
-  book_.SetFormer({Former(7, At(0, 0.5)), Former(8, At(8, 0.0)), Former(9, At(4, 0.5))});
+  statuses_.SetFormer({Former(7, At(0, 0.5)), Former(8, At(8, 0.0)), Former(9, At(4, 0.5))});
   const std::vector<Real> now{{At(0, 0.5), 1, 7}, {At(8, 0.0), 2, 8}, {At(4, -1.0), 3}};
   Fly(0.0, now);
   Landmarks(now);
@@ -32,37 +32,37 @@ TEST_F(StatusFormerTest, AnObjectThatStandsBesideItsFormerPlaceHasMoved) {
 }
 
 TEST_F(StatusFormerTest, AFormerObjectThatIsStillThereIsConfirmed) {
-  book_.SetFormer({Former(7, At(4.4, 0.2))});
+  statuses_.SetFormer({Former(7, At(4.4, 0.2))});
   const Real real{At(4, 0.5), 1, 7};
   Fly(0.0, {real});
   Landmarks({real});
   ASSERT_THAT(Decided(), ::testing::ElementsAre(Status::kConfirmed));
-  EXPECT_EQ(book_.Assess()[0].prior_id, 7);
-  EXPECT_EQ(book_.Assess()[0].landmark, 1);
+  EXPECT_EQ(statuses_.Assess()[0].prior_id, 7);
+  EXPECT_EQ(statuses_.Assess()[0].landmark, 1);
 }
 
 TEST_F(StatusFormerTest, AFormerObjectThatCleanLooksMissIsRemoved) {
-  book_.SetFormer({Former(7, At(4.4, 0.2))});
+  statuses_.SetFormer({Former(7, At(4.4, 0.2))});
   Fly(0.0, {});
   EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kRemoved));
 }
 
 TEST_F(StatusFormerTest, AFormerObjectOutOfSightStaysUncertain) {
-  book_.SetFormer({Former(7, At(4.4, 9.0))});
+  statuses_.SetFormer({Former(7, At(4.4, 9.0))});
   Fly(0.0, {});
   EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kUncertain));
-  EXPECT_EQ(book_.Assess()[0].looks, 0);
+  EXPECT_EQ(statuses_.Assess()[0].looks, 0);
 }
 
 TEST_F(StatusFormerTest, BoxesOfALandmarkToBeDoNotLeaveItsFormerObjectRemoved) {
-  book_.SetFormer({Former(7, At(4.4, 0.2))});
+  statuses_.SetFormer({Former(7, At(4.4, 0.2))});
   Fly(0.0, {{At(4, 0.5), -1}});
   EXPECT_NE(Decided()[0], Status::kRemoved);
 }
 
 TEST_F(StatusFormerTest, ANewObjectIsNewWhenTheFormerSessionLookedThere) {
   const Real real{At(4, 0.5), 1};
-  book_.SetFormer({});
+  statuses_.SetFormer({});
   FormerLookedEverywhere();
   Fly(0.0, {real});
   Landmarks({real});
@@ -71,14 +71,14 @@ TEST_F(StatusFormerTest, ANewObjectIsNewWhenTheFormerSessionLookedThere) {
 
 TEST_F(StatusFormerTest, AnObjectWhereNobodyLookedBeforeMayBeOld) {
   const Real real{At(4, 0.5), 1};
-  book_.SetFormer({});
-  book_.SetFormerViews(
-      {.sights = {{.exposure = Seconds(0.0), .X_WB = {{100.0, 0.0, 3.0}, 0, 0, 0}}},
+  statuses_.SetFormer({});
+  statuses_.SetFormerViews(
+      {.frames = {{.exposure = Seconds(0.0), .X_WB = {{100.0, 0.0, 3.0}, 0, 0, 0}}},
        .model = {.camera = kCamera, .detection = {}},
        .looks = {}});
   Fly(0.0, {real});
   Landmarks({real});
-  const std::vector<OpiBelief> objects = book_.Assess();
+  const std::vector<OpiBelief> objects = statuses_.Assess();
   ASSERT_EQ(objects.size(), 1U);
   EXPECT_EQ(objects[0].decided, Status::kUncertain);
   EXPECT_GT(objects[0].posterior.present(), 0.9);
@@ -86,7 +86,7 @@ TEST_F(StatusFormerTest, AnObjectWhereNobodyLookedBeforeMayBeOld) {
 
 TEST_F(StatusFormerTest, AFormerSessionThatNeverLookedProvesNothing) {
   const Real real{At(4, 0.5), 1};
-  book_.SetFormer({});
+  statuses_.SetFormer({});
   Fly(0.0, {real});
   Landmarks({real});
   EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kUncertain));
@@ -95,7 +95,7 @@ TEST_F(StatusFormerTest, AFormerSessionThatNeverLookedProvesNothing) {
 /// The former smoother made no object of what its camera saw.
 TEST_F(StatusFormerTest, AnObjectIsNotNewWhereTheFormerSessionSawBoxesThatItDidNotList) {
   const Real real{At(4, 0.5), 1};
-  FormerViews views{.sights = {}, .model = {.camera = kCamera, .detection = {}}, .looks = {}};
+  FormerViews views{.frames = {}, .model = {.camera = kCamera, .detection = {}}, .looks = {}};
   for (double north = -4.0; north <= 12.0; north += 0.5) {
     ObservedFrame view{.exposure = Seconds(north + 4.0), .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}};
     if (VisibleShare(kCamera, view.X_WB, real.object.p_W, 0.5) > 0.5) {
@@ -107,10 +107,10 @@ TEST_F(StatusFormerTest, AnObjectIsNotNewWhereTheFormerSessionSawBoxesThatItDidN
                             .confidence = 0.9,
                             .color = "yellow"});
     }
-    views.sights.push_back(std::move(view));
+    views.frames.push_back(std::move(view));
   }
-  book_.SetFormerViews(std::move(views));
-  book_.SetFormer({});
+  statuses_.SetFormerViews(std::move(views));
+  statuses_.SetFormer({});
   Fly(0.0, {real});
   Landmarks({real});
   EXPECT_NE(Decided()[0], Status::kNew);
@@ -120,18 +120,18 @@ TEST_F(StatusFormerTest, JudgedAgainItDoesNotDependOnHowItCameToKnow) {
   const Real early{At(4.2, 0.7), 1};
   const Real late{At(4, 0.5), 1};
   FormerLookedEverywhere();
-  book_.SetFormer({Former(7, At(8, 0.0))});
+  statuses_.SetFormer({Former(7, At(8, 0.0))});
   Fly(0.0, {late}, 0.8);
   Landmarks({early});
   Landmarks({late});
-  book_.Rejudge();
-  StatusBook again(StatusParams{}, kCamera);
-  for (const ObservedFrame& sight : book_.sights())
-    again.AddSight(sight);
+  statuses_.Rejudge();
+  ObjectStatuses again(StatusParams{}, kCamera);
+  for (const ObservedFrame& frame : statuses_.frames())
+    again.AddFrame(frame);
   again.SetFormer({Former(7, At(8, 0.0))});
   again.SetLandmarks({{.id = 1, .object = late.object, .looks = 9, .is_confirmed = true}});
   again.Rejudge();
-  const std::vector<OpiBelief> first = book_.Assess();
+  const std::vector<OpiBelief> first = statuses_.Assess();
   const std::vector<OpiBelief> second = again.Assess();
   ASSERT_EQ(first.size(), second.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
@@ -141,32 +141,32 @@ TEST_F(StatusFormerTest, JudgedAgainItDoesNotDependOnHowItCameToKnow) {
 
 TEST_F(StatusFormerTest, AnObjectThatMovedIsOneStoryNotTwo) {
   FormerLookedEverywhere();
-  book_.SetFormer({Former(7, At(4, -1.2)), Former(8, At(9, 0)), Former(9, At(0, 0))});
+  statuses_.SetFormer({Former(7, At(4, -1.2)), Former(8, At(9, 0)), Former(9, At(0, 0))});
   const std::vector<Real> now{{At(4, 1.1), 1}, {At(9, 0), 2, 8}, {At(0, 0), 3, 9}};
   Fly(-0.5, now);
   Fly(0.5, now);
   Landmarks(now);
   EXPECT_THAT(Decided(),
               ::testing::ElementsAre(Status::kConfirmed, Status::kConfirmed, Status::kMoved));
-  EXPECT_EQ(book_.Assess().back().prior_id, 7);
+  EXPECT_EQ(statuses_.Assess().back().prior_id, 7);
 }
 
 TEST_F(StatusFormerTest, KeepsAnObjectsIdWhenItIsFoundAgain) {
-  book_.SetFormer({Former(7, At(4, 0.5)), Former(8, At(9, 0))});
-  const int before = book_.Assess()[1].id;
+  statuses_.SetFormer({Former(7, At(4, 0.5)), Former(8, At(9, 0))});
+  const int before = statuses_.Assess()[1].id;
   const Real real{At(9, 0.2), 1, 8};
   Fly(0.0, {real});
   Landmarks({real});
-  EXPECT_EQ(book_.Assess()[1].id, before);
+  EXPECT_EQ(statuses_.Assess()[1].id, before);
 }
 
 /// Which landmark is which former object is pNav's to say, however near another one stands.
 TEST_F(StatusFormerTest, BelievesTheMatchThatItIsTold) {
-  book_.SetFormer({Former(7, At(4, 0.2)), Former(8, At(4, 1.4))});
+  statuses_.SetFormer({Former(7, At(4, 0.2)), Former(8, At(4, 1.4))});
   const std::vector<Real> now{{At(4, 0.8), 1, 8}};
   Fly(0.5, now);
   Landmarks(now);
-  const std::vector<OpiBelief> objects = book_.Assess();
+  const std::vector<OpiBelief> objects = statuses_.Assess();
   ASSERT_EQ(objects.size(), 2U);
   EXPECT_EQ(objects[0].landmark, -1);
   EXPECT_EQ(objects[1].landmark, 1);
@@ -176,7 +176,7 @@ TEST_F(StatusFormerTest, BelievesTheMatchThatItIsTold) {
 
 TEST_F(StatusFormerTest, ALandmarkAtAFormerPlaceIsNewIfItIsToldToBeAnother) {
   FormerLookedEverywhere();
-  book_.SetFormer({Former(7, At(4, 0.5, "orange"))});
+  statuses_.SetFormer({Former(7, At(4, 0.5, "orange"))});
   const Real real{At(4, 0.5), 1};
   Fly(0.0, {real});
   Landmarks({real});
@@ -184,24 +184,24 @@ TEST_F(StatusFormerTest, ALandmarkAtAFormerPlaceIsNewIfItIsToldToBeAnother) {
 }
 
 TEST_F(StatusFormerTest, TheFrameThatDriftedHalfAMetreIsThatOfTheMatches) {
-  book_.SetFormer({Former(7, At(0, 0.0)), Former(8, At(4, 0.5)), Former(9, At(8, 0.2))});
+  statuses_.SetFormer({Former(7, At(0, 0.0)), Former(8, At(4, 0.5)), Former(9, At(8, 0.2))});
   const std::vector<Real> now{{At(0.5, 0.0), 1, 7}, {At(8.5, 0.2), 3, 9}};
   Fly(0.0, now);
   Landmarks(now);
-  EXPECT_NEAR(book_.offset().shift.x(), 0.5, 0.05);
+  EXPECT_NEAR(statuses_.offset().shift.x(), 0.5, 0.05);
   EXPECT_THAT(Decided(),
               ::testing::ElementsAre(Status::kConfirmed, Status::kRemoved, Status::kConfirmed));
-  EXPECT_NEAR(book_.Assess()[1].object.p_W.x(), 4.5, 0.1) << "taken along";
+  EXPECT_NEAR(statuses_.Assess()[1].object.p_W.x(), 4.5, 0.1) << "taken along";
 }
 
 /// It may be the former object, or one that came while that one went.
 TEST_F(StatusFormerTest, AnUndecidedLandmarkIsNeitherSurelyNewNorConfirmed) {
   FormerLookedEverywhere();
-  book_.SetFormer({Former(7, At(4, -0.5))});
+  statuses_.SetFormer({Former(7, At(4, -0.5))});
   const Real real{At(4, 1.2), 1, std::nullopt, {{.id = 7, .probability = 0.6}}};
   Fly(0.5, {real});
   Landmarks({real});
-  const std::vector<OpiBelief> objects = book_.Assess();
+  const std::vector<OpiBelief> objects = statuses_.Assess();
   ASSERT_EQ(objects.size(), 2U);
   EXPECT_EQ(objects[0].decided, Status::kUncertain);
   EXPECT_NEAR(objects[0].posterior.confirmed, 0.6, 0.05);
@@ -215,18 +215,18 @@ TEST_F(StatusFormerTest, AnUndecidedLandmarkIsNeitherSurelyNewNorConfirmed) {
 
 TEST_F(StatusFormerTest, OneOfTwoCloseFormerObjectsIsLeftAndNobodyKnowsWhich) {
   FormerLookedEverywhere();
-  book_.SetFormer({Former(7, At(4, 0.0)), Former(8, At(4, 0.9))});
+  statuses_.SetFormer({Former(7, At(4, 0.0)), Former(8, At(4, 0.9))});
   const Real real{At(4, 0.4), 1, 7, {{7, 0.55}, {8, 0.45}}};
   Fly(0.5, {real});
   Landmarks({real});
   EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kUncertain, Status::kUncertain));
-  EXPECT_NEAR(book_.Assess()[0].posterior.confirmed, 0.55, 0.05);
-  EXPECT_NEAR(book_.Assess()[1].posterior.confirmed, 0.45, 0.05);
+  EXPECT_NEAR(statuses_.Assess()[0].posterior.confirmed, 0.55, 0.05);
+  EXPECT_NEAR(statuses_.Assess()[1].posterior.confirmed, 0.45, 0.05);
 }
 
 /// Which is which does not matter then.
 TEST_F(StatusFormerTest, TwoCloseFormerObjectsThatAreBothStillThereAreConfirmed) {
-  book_.SetFormer({Former(7, At(4, 0.0)), Former(8, At(4, 1.0))});
+  statuses_.SetFormer({Former(7, At(4, 0.0)), Former(8, At(4, 1.0))});
   const std::vector<Real> now{{At(4, 0.1), 1, 7, {{7, 0.6}, {8, 0.4}}},
                               {At(4, 1.1), 2, 8, {{7, 0.4}, {8, 0.6}}}};
   Fly(0.5, now);
@@ -235,23 +235,23 @@ TEST_F(StatusFormerTest, TwoCloseFormerObjectsThatAreBothStillThereAreConfirmed)
 }
 
 TEST_F(StatusFormerTest, AMatchIsKeptWhenItsLandmarkIsMergedIntoAnother) {
-  book_.SetFormer({Former(7, At(4, 0.5))});
+  statuses_.SetFormer({Former(7, At(4, 0.5))});
   Fly(0.0, {{At(4, 0.5), 1}});
   Fly(0.5, {{At(4, 0.5), 2}});
   Landmarks({{At(4, 0.5), 1}, {At(4.6, 0.9), 2, 7}});
-  ASSERT_EQ(book_.Assess().size(), 1U);
-  EXPECT_EQ(book_.Assess()[0].landmark, 1);
-  EXPECT_EQ(book_.Assess()[0].decided, Status::kConfirmed);
+  ASSERT_EQ(statuses_.Assess().size(), 1U);
+  EXPECT_EQ(statuses_.Assess()[0].landmark, 1);
+  EXPECT_EQ(statuses_.Assess()[0].decided, Status::kConfirmed);
 }
 
 TEST_F(StatusFormerTest, MatchesWithAnotherFormerSessionSayNothing) {
   FormerLookedEverywhere();
-  book_.SetFormer({});
+  statuses_.SetFormer({});
   const Real real{At(4, 0.5), 1, 99};
   Fly(0.0, {real});
   Landmarks({real});
-  EXPECT_EQ(book_.Assess()[0].prior_id, -1);
-  EXPECT_EQ(book_.Assess()[0].decided, Status::kNew);
+  EXPECT_EQ(statuses_.Assess()[0].prior_id, -1);
+  EXPECT_EQ(statuses_.Assess()[0].decided, Status::kNew);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "estimation/change/status_book.hpp"
+#include "estimation/change/object_statuses.hpp"
 
 namespace limpet {
 namespace {
@@ -29,17 +29,17 @@ std::array<double, 4> Parts(const StatusPosterior& posterior) {
 /// A flight north between a former object's place, where nothing is seen now, and a landmark that
 /// may be that object with `chance`.
 std::vector<OpiBelief> AssessedWith(double chance) {
-  StatusBook book(StatusParams{}, kDownCamera);
+  ObjectStatuses book(StatusParams{}, kDownCamera);
   const ObjectEstimate seen = YellowAt(4.0, 1.2);
-  FormerViews views{.sights = {}, .model = {.camera = kDownCamera, .detection = {}}, .looks = {}};
+  FormerViews views{.frames = {}, .model = {.camera = kDownCamera, .detection = {}}, .looks = {}};
   double time = 0.0;
   for (double north = -4.0; north <= 12.0; north += 0.25, time += 0.5) {
     const Pose X_WB{{north, 0.5, 3.0}, 0.0, 0.0, 0.0};
-    views.sights.push_back({.exposure = Seconds(time), .X_WB = X_WB});
-    ObservedFrame sight{.exposure = Seconds(100.0 + time), .X_WB = X_WB};
+    views.frames.push_back({.exposure = Seconds(time), .X_WB = X_WB});
+    ObservedFrame frame{.exposure = Seconds(100.0 + time), .X_WB = X_WB};
     if (VisibleShare(kDownCamera, X_WB, seen.p_W, 0.5) >= 0.5) {
       const Eigen::Vector2d pixel = *kDownCamera.Project(kDownCamera.InCamera(X_WB, seen.p_W));
-      sight.boxes.push_back({.u = pixel.x(),
+      frame.boxes.push_back({.u = pixel.x(),
                              .v = pixel.y(),
                              .w = 120,
                              .h = 120,
@@ -47,7 +47,7 @@ std::vector<OpiBelief> AssessedWith(double chance) {
                              .color = seen.color,
                              .landmark = 1});
     }
-    book.AddSight(std::move(sight));
+    book.AddFrame(std::move(frame));
   }
   book.SetFormer(
       {{.id = kFormer, .object = YellowAt(4.0, -0.5), .log_likelihood_ratio = 8.0, .looks = 5}});

@@ -73,9 +73,9 @@ class ChangeVerbTest : public ::testing::Test {
   }
   void Pass(EmbeddedCommunity& community, const trial::Leg& leg,
             const std::vector<trial::Sphere>& spheres) {
-    for (const ObservedFrame& sight :
+    for (const ObservedFrame& frame :
          trial::Fly(leg, community.now(), spheres, {.detects = 0.8}, random_)) {
-      Say(community, topics::kNavSight, sight);
+      Say(community, topics::kNavSight, frame);
       Wait(community, 0.25);
     }
     Wait(community, 20.0);

@@ -70,14 +70,14 @@ struct Track {
 };
 
 Track Follow(Vessel& vessel, const std::vector<PathSegment>& segments, double depth) {
-  LineOfSight sight;
+  LineOfSight frame;
   const NavState start = vessel.Truth();
-  sight.SetPath({start.north, start.east, 0.0}, segments);
+  frame.SetPath({start.north, start.east, 0.0}, segments);
   Track track;
   int count = 0;
   for (bool has_arrived = false; !has_arrived; ++count) {
     const NavState nav = vessel.Truth();
-    const auto steering = sight.Update(nav.north, nav.east, std::hypot(nav.u, nav.v));
+    const auto steering = frame.Update(nav.north, nav.east, std::hypot(nav.u, nav.v));
     vessel.Fly({steering.course, 0.5, depth, steering.turn_rate});
     has_arrived = steering.has_arrived || count > 5000;
     track.rms += steering.cross_track * steering.cross_track;

@@ -38,7 +38,7 @@ class ViewDecisionTest : public ::testing::Test {
   SurveyGrid grid_{area_};
   Ground ground_{grid_, Footprint(4.0, 2.0, CameraModel{})};
   Region region_{area_};
-  SightAlong sight_{ground_};
+  SeenAlong sight_{ground_};
 };
 
 TEST_F(ViewDecisionTest, AddsWeightedBidsAndTakesTheBest) {

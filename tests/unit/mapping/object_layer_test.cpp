@@ -38,7 +38,7 @@ OpiBelief StatusAt(const Eigen::Vector3d& ned, Status decided, int landmark = 1)
 /// Flies north over `ned` and paints what it sees.
 struct Flight {
   StatusParams status;
-  StatusBook book{status, kCamera};
+  ObjectStatuses book{status, kCamera};
   SemanticOctree octree;
   ObjectLayer layer{{}, status, kCamera};
 
@@ -47,7 +47,7 @@ struct Flight {
         {{.id = 1, .object = {.p_W = ned, .color = "yellow"}, .looks = 5, .is_confirmed = true}});
     for (int i = 0; i < 20; ++i) {
       const Pose X_WB{{ned.x() - 1.2 + 0.125 * i, ned.y() + 0.4, ned.z() - 3.0}, 0.02, -0.01, 0.0};
-      book.AddSight(
+      book.AddFrame(
           {.exposure = Seconds(0.25 * i), .X_WB = X_WB, .boxes = {BoxAround(X_WB, ned, 1)}});
     }
   }
@@ -173,11 +173,11 @@ Box Clipped(Box box) {
 /// Flies north past `ned` with the object at the image's edge in every frame.
 Flight PastTheEdge(const Eigen::Vector3d& ned, int landmark) {
   Flight flight(ned);
-  flight.book = StatusBook(flight.status, kCamera);
+  flight.book = ObjectStatuses(flight.status, kCamera);
   const double beside = 3.0 * kCamera.half_across() - 0.1;
   for (int i = 0; i < 20; ++i) {
     const Pose X_WB{{ned.x() - 1.2 + 0.125 * i, ned.y() - beside, ned.z() - 3.0}, 0.0, 0.0, 0.0};
-    flight.book.AddSight({.exposure = Seconds(0.25 * i),
+    flight.book.AddFrame({.exposure = Seconds(0.25 * i),
                           .X_WB = X_WB,
                           .boxes = {Clipped(BoxAround(X_WB, ned, landmark))}});
   }
@@ -235,7 +235,7 @@ TEST(ObjectLayer, HoldsNothingAgainstAnObjectThatWasFirstThoughtElsewhere) {
   const Eigen::Vector3d elsewhere = kPlace + Eigen::Vector3d(6.0, 0.0, 0.0);
   for (int i = 0; i < 8; ++i) {
     const Pose over{elsewhere + Eigen::Vector3d(0.6 * (i - 4), 0.0, -3.0), 0.0, 0.0, 0.0};
-    flight.book.AddSight({.exposure = Seconds(100.0 + 0.25 * i), .X_WB = over});
+    flight.book.AddFrame({.exposure = Seconds(100.0 + 0.25 * i), .X_WB = over});
   }
   flight.Paint(StatusAt(elsewhere, Status::kNew));
   flight.Paint(StatusAt(kPlace, Status::kNew));
@@ -252,7 +252,7 @@ TEST(ObjectLayer, OnePassThatMissesDoesNotUndoAnObject) {
   Flight flight(kPlace);
   for (int i = 0; i < 20; ++i) {
     const Pose beside{kPlace + Eigen::Vector3d(0.125 * (i - 10), 0.0, -3.0), 0.0, 0.0, 0.0};
-    flight.book.AddSight({.exposure = Seconds(100.0 + 0.25 * i), .X_WB = beside});
+    flight.book.AddFrame({.exposure = Seconds(100.0 + 0.25 * i), .X_WB = beside});
   }
   flight.Paint(StatusAt(kPlace, Status::kNew));
   EXPECT_TRUE(flight.layer.Cluster(1));
@@ -265,8 +265,8 @@ TEST(ObjectLayer, LooksThatMissMakeVoxelsLessCertain) {
   // Pass after pass: one miss alone is lost in the clamp of a sure voxel.
   for (int i = 0; i < 8; ++i) {
     const Pose beside{kPlace + Eigen::Vector3d(0.6 * (i - 4), 0.0, -3.0), 0.0, 0.0, 0.0};
-    flight.book.AddSight({.exposure = Seconds(100.0 + 30.0 * i), .X_WB = beside});
-    flight.layer.AddSight(flight.book.sights().back(), flight.book);
+    flight.book.AddFrame({.exposure = Seconds(100.0 + 30.0 * i), .X_WB = beside});
+    flight.layer.AddFrame(flight.book.frames().back(), flight.book);
   }
   flight.Paint(StatusAt(kPlace, Status::kNew));
   EXPECT_LT(flight.octree.At(kPlace - Eigen::Vector3d(0, 0, 0.45))->object, before);

@@ -133,10 +133,10 @@ TEST_F(NavAppTest, PosesAFrameAtItsExposureAlsoWhenItShowsNothing) {
   RunFor(0.25);
   link_.Send(app_, topics::kDetections, Detections{.frame = 7, .exposure = exposure, .boxes = {}});
   RunFor(1.0);
-  const auto sight = link_.Last(topics::kNavSight);
-  ASSERT_TRUE(sight.has_value());
-  EXPECT_EQ(sight->frame, 7);
-  EXPECT_NEAR(sight->X_WB.p_WB.y(), east, 0.05);
+  const auto frame = link_.Last(topics::kNavSight);
+  ASSERT_TRUE(frame.has_value());
+  EXPECT_EQ(frame->frame, 7);
+  EXPECT_NEAR(frame->X_WB.p_WB.y(), east, 0.05);
 }
 
 TEST_F(NavAppTest, WarnsWhileTheDvlHasNoLock) {

@@ -42,11 +42,11 @@ TEST(BeamSearch, ItsEstimateIsTheObjectiveOfItsPath) {
   const HalfSeen scene;
   Objective objective = Defaults();
   objective.targets = {{.north = -3.0, .east = -12.0, .window = {1.5, 1.5}, .value = 30.0}};
-  SightAlong sight(scene.ground);
+  SeenAlong seen(scene.ground);
   for (const Option& option :
        BeamSearch(kStart, scene.ground, kSceneRegion, objective, {.offers = 5})) {
     // Joined segments are sampled at other places than single motions: a few cells differ.
-    EXPECT_NEAR(option.estimate, ValueOf(option.path, objective, scene.ground, sight), 1.5);
+    EXPECT_NEAR(option.estimate, ValueOf(option.path, objective, scene.ground, seen), 1.5);
   }
 }
 
@@ -116,11 +116,11 @@ TEST(SearchTerm, CountsItsEventsOncePerPath) {
   Objective objective;
   objective.ground = {.cover = 0.0, .frontier = 0.0};
   objective.terms = {std::make_shared<NorthTerm>(100.0)};
-  SightAlong sight(scene.ground);
+  SeenAlong seen(scene.ground);
   for (const Option& option :
        BeamSearch({-4.0, 0.0, 0.0}, scene.ground, kSceneRegion, objective, {})) {
     EXPECT_LT(option.estimate, 126.0);
-    EXPECT_NEAR(option.estimate, ValueOf(option.path, objective, scene.ground, sight), 1.5);
+    EXPECT_NEAR(option.estimate, ValueOf(option.path, objective, scene.ground, seen), 1.5);
   }
 }
 

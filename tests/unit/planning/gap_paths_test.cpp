@@ -20,8 +20,8 @@ TEST(GapPaths, ReachAPatchFarBeyondTheBeamsHorizon) {
   const Ground ground(grid, TableFootprint());
   const auto offers = GapPaths(kStart, ground, kSceneRegion, Defaults(), {.finish_share = 1.0});
   ASSERT_FALSE(offers.empty());
-  SightAlong sight(ground);
-  EXPECT_GT(sight(offers.front().path).new_area, 1.0);
+  SeenAlong seen(ground);
+  EXPECT_GT(seen(offers.front().path).new_area, 1.0);
   EXPECT_TRUE(kSceneRegion.Contains(offers.front().path));
 }
 

@@ -23,9 +23,9 @@ TEST(ViewTree, ItsEstimateIsTheObjectiveOfItsPath) {
   const HalfSeen scene;
   const Objective objective = Defaults();
   Random random(5);
-  SightAlong sight(scene.ground);
+  SeenAlong seen(scene.ground);
   for (const Option& option : ViewTree(kStart, scene.ground, kSceneRegion, objective, {}, random)) {
-    EXPECT_NEAR(option.estimate, ValueOf(option.path, objective, scene.ground, sight), 1.5);
+    EXPECT_NEAR(option.estimate, ValueOf(option.path, objective, scene.ground, seen), 1.5);
   }
 }
 

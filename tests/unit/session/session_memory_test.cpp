@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "limpet/core/lower_triangle.hpp"
-#include "limpet/session/sights_csv.hpp"
+#include "limpet/session/frames_csv.hpp"
 
 namespace limpet {
 namespace {
@@ -24,10 +24,10 @@ OpiBelief Object(int id, int landmark, double probability) {
 }
 
 ObservedFrame Frame(int frame) {
-  ObservedFrame sight;
-  sight.frame = frame;
-  sight.exposure = Seconds(1767225600.0 + 0.25 * frame);
-  return sight;
+  ObservedFrame frame;
+  frame.frame = frame;
+  frame.exposure = Seconds(1767225600.0 + 0.25 * frame);
+  return frame;
 }
 
 SessionMemory Sample() {
@@ -35,14 +35,14 @@ SessionMemory Sample() {
   memory.area = SurveyArea{.north_min = -15, .north_max = 15, .east_min = -18, .east_max = 18};
   memory.objects.opis = {Object(1, 3, 0.98)};
   memory.landmarks = {.ids = {3}, .cov_W = *FromLowerTriangle({0.04, 0.01, 0.05, 0.0, 0.0, 0.09})};
-  ObservedFrame sight = Frame(12);
-  sight.X_WB.p_WB = {1.5, -2.25, 3.5};
-  sight.X_WB.yaw = 0.5;
-  sight.altitude = 4.0;
-  sight.boxes = {
+  ObservedFrame frame = Frame(12);
+  frame.X_WB.p_WB = {1.5, -2.25, 3.5};
+  frame.X_WB.yaw = 0.5;
+  frame.altitude = 4.0;
+  frame.boxes = {
       {.u = 320.5, .v = 100, .w = 80, .h = 81, .confidence = 0.9, .color = "yellow", .landmark = 3},
       {.u = 10, .v = 20, .w = 30, .h = 40, .confidence = 0.5, .color = "green"}};
-  memory.sights = {sight, Frame(13)};
+  memory.frames = {frame, Frame(13)};
   memory.map = std::string("\0ot", 3);
   memory.mission["mission.moos"] = "Community = alpha\n";
   return memory;
@@ -53,9 +53,9 @@ TEST(SessionMemory, ComesBackFromItsFiles) {
   const Expected<SessionMemory> loaded = MemoryOf(FilesOf(saved));
   ASSERT_TRUE(loaded);
   EXPECT_EQ(FilesOf(*loaded), FilesOf(saved));
-  EXPECT_EQ(loaded->sights.size(), 2U);
-  EXPECT_EQ(loaded->sights[0].boxes[1].color, "green");
-  EXPECT_FALSE(loaded->sights[1].altitude);
+  EXPECT_EQ(loaded->frames.size(), 2U);
+  EXPECT_EQ(loaded->frames[0].boxes[1].color, "green");
+  EXPECT_FALSE(loaded->frames[1].altitude);
   EXPECT_EQ(loaded->map, saved.map);
 }
 
@@ -82,9 +82,9 @@ TEST(SessionPrior, HandsOverObjectsThatWereThere) {
 TEST(SessionPrior, HandsOverWhereItLookedFromHalfAMetreApart) {
   SessionMemory memory;
   for (int i = 0; i <= 40; ++i) {
-    memory.sights.push_back(Frame(i));
-    memory.sights.back().X_WB.p_WB = {0.125 * i, 0.0, 3.5};
-    memory.sights.back().altitude = 4.0;
+    memory.frames.push_back(Frame(i));
+    memory.frames.back().X_WB.p_WB = {0.125 * i, 0.0, 3.5};
+    memory.frames.back().altitude = 4.0;
   }
   const SessionPrior prior = PriorOf(SessionFacts{}, memory);
   ASSERT_EQ(prior.views.size(), 11U);
@@ -100,12 +100,12 @@ TEST(SessionPrior, KeepsLooksWholeThatSawWhatIsNotListed) {
   SessionMemory memory;
   memory.objects.opis = {Object(1, 3, 0.98)};
   for (int i = 0; i < 12; ++i) {
-    memory.sights.push_back(Frame(i));
-    memory.sights.back().X_WB.p_WB = {0.125 * i, 0.0, 3.5};
-    memory.sights.back().altitude = 4.0;
-    memory.sights.back().boxes = {{.color = "listed", .landmark = 3}};
+    memory.frames.push_back(Frame(i));
+    memory.frames.back().X_WB.p_WB = {0.125 * i, 0.0, 3.5};
+    memory.frames.back().altitude = 4.0;
+    memory.frames.back().boxes = {{.color = "listed", .landmark = 3}};
   }
-  memory.sights[5].boxes.push_back({.u = 7.0, .color = "stranger"});
+  memory.frames[5].boxes.push_back({.u = 7.0, .color = "stranger"});
   const SessionPrior prior = PriorOf(SessionFacts{}, memory);
   ASSERT_EQ(prior.views.size(), 6U);  // of looks of four frames the second is kept whole
   for (std::size_t i = 0; i < prior.views.size(); ++i) {
@@ -124,7 +124,7 @@ TEST(SessionMemory, NamesALineThatStartsNoPhase) {
   }
 }
 
-TEST(SightsCsv, RefusesATextWithoutItsHeader) { EXPECT_FALSE(SightsFromCsv("1,2,3\n")); }
+TEST(FramesCsv, RefusesATextWithoutItsHeader) { EXPECT_FALSE(FramesFromCsv("1,2,3\n")); }
 
 TEST(SessionPrior, HasTheJointCovarianceOfItsObjectsInTheirOrder) {
   SessionMemory memory;

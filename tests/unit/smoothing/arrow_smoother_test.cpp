@@ -8,9 +8,9 @@
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
+#include "estimation/smoothing/factors/border_prior_factor.hpp"
 #include "estimation/smoothing/factors/calibrated_step_factor.hpp"
 #include "estimation/smoothing/factors/depth_factor.hpp"
-#include "estimation/smoothing/factors/landmark_prior_factor.hpp"
 #include "estimation/smoothing/factors/pose_prior_factor.hpp"
 #include "estimation/smoothing/factors/range_factor.hpp"
 #include "estimation/smoothing/factors/reprojection_factor.hpp"
@@ -292,9 +292,9 @@ TEST_F(ArrowSmootherTest, TakesInWhatIsKnownOfSeveralLandmarksTogether) {
 TEST_F(ArrowSmootherTest, FindsTheScaleOfItsSteps) {
   const int errors = smoother_->AddSensorErrors(Eigen::Vector3d::Zero());
   smoother_->AddBorderTerm(
-      errors, Term::OnBorder(
-                  LandmarkPriorFactor(Eigen::Vector3d::Zero(), 1e-4 * Eigen::Matrix3d::Identity()),
-                  errors));
+      errors,
+      Term::OnBorder(BorderPriorFactor(Eigen::Vector3d::Zero(), 1e-4 * Eigen::Matrix3d::Identity()),
+                     errors));
   const Eigen::Vector4d variance(1e-6, 1e-6, 1e-6, 1e-8);
   for (int k = 0; k < 40; ++k) {
     const NavVector truth = (NavVector() << 0.5 * k, 0.0, 0.0, 0.0, 0.0, 0.0).finished();

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "estimation/smoothing/factors/birthplace_factor.hpp"
+#include "estimation/smoothing/factors/border_prior_factor.hpp"
 #include "estimation/smoothing/factors/distance_factor.hpp"
 #include "estimation/smoothing/factors/edge_factor.hpp"
-#include "estimation/smoothing/factors/landmark_prior_factor.hpp"
 #include "estimation/smoothing/factors/range_factor.hpp"
 #include "estimation/smoothing/factors/reprojection_factor.hpp"
 #include "estimation/smoothing/factors/same_place_factor.hpp"
@@ -124,15 +124,15 @@ TEST_F(LandmarkFactorTest, SeabedJacobiansMatchCentralDifferences) {
 TEST_F(LandmarkFactorTest, PriorWeighsByItsCovariance) {
   Eigen::Matrix3d covariance;
   covariance << 0.5, 0.1, 0.0, 0.1, 0.4, 0.05, 0.0, 0.05, 0.3;
-  const LandmarkPriorFactor factor({1.0, 2.0, 3.0}, covariance);
+  const BorderPriorFactor factor({1.0, 2.0, 3.0}, covariance);
   EXPECT_NEAR(factor.Evaluate({1.0, 2.0, 3.0}).norm(), 0.0, 1e-12);
   const Eigen::Vector3d off(0.3, -0.2, 0.1);
   EXPECT_NEAR(factor.Evaluate(Eigen::Vector3d(1.0, 2.0, 3.0) + off).squaredNorm(),
               off.dot(covariance.inverse() * off), 1e-9);
 }
 TEST_F(LandmarkFactorTest, PriorJacobianMatchesCentralDifferences) {
-  const LandmarkPriorFactor factor({1.0, 2.0, 3.0}, 0.2 * Eigen::Matrix3d::Identity());
-  LandmarkPriorFactor::BorderJacobian J;
+  const BorderPriorFactor factor({1.0, 2.0, 3.0}, 0.2 * Eigen::Matrix3d::Identity());
+  BorderPriorFactor::BorderJacobian J;
   const auto r = factor.Evaluate(p_W_, &J);
   EXPECT_GT(r.norm(), 0.0);
   const auto f = [&](const Eigen::Vector3d& p) { return Eigen::VectorXd(factor.Evaluate(p)); };

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "estimation/smoothing/arrow_smoother.hpp"
+#include "estimation/smoothing/factors/border_prior_factor.hpp"
 #include "estimation/smoothing/factors/calibrated_step_factor.hpp"
-#include "estimation/smoothing/factors/landmark_prior_factor.hpp"
 #include "estimation/smoothing/factors/pose_prior_factor.hpp"
 #include "estimation/smoothing/factors/slow_errors_factor.hpp"
 #include "tests/support/batch_solver.hpp"
@@ -41,7 +41,7 @@ class SlowErrorsTest : public ::testing::Test {
   void Change(bool closes) {
     const int next = smoother_->AddSensorErrors(Eigen::Vector3d::Zero());
     if (blocks_.empty()) {
-      const LandmarkPriorFactor prior(Eigen::Vector3d::Zero(), 4e-4 * Eigen::Matrix3d::Identity());
+      const BorderPriorFactor prior(Eigen::Vector3d::Zero(), 4e-4 * Eigen::Matrix3d::Identity());
       smoother_->AddBorderTerm(next, Term::OnBorder(prior, next));
     } else {
       const SlowErrorsFactor change({1.0, 0.9, 0.9}, Eigen::Vector3d::Constant(0.02));

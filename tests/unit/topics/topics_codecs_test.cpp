@@ -72,7 +72,7 @@ TEST(JsonTopic, BringsBackDecisionsWithTheirReasons) {
   EXPECT_EQ(back->options.at(0).end[1], 2.0);
 }
 
-TEST(JsonTopic, BringsBackASightWithoutAltitude) {
+TEST(JsonTopic, BringsBackAFrameWithoutAltitude) {
   ObservedFrame sent;
   sent.boxes.push_back({.color = "yellow", .landmark = 3});
   const auto back = RoundTrip(sent);

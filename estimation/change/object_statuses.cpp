@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "estimation/change/status_book.hpp"
+#include "estimation/change/object_statuses.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +14,10 @@ namespace {
 /// The mission's rate of false boxes is worth as much as so many frames.
 constexpr double kBelievedFrames = 100.0;
 
-/// What a hunch is believed to be before anyone has looked, and how near another entry tells about
-/// it.
-constexpr double kHunchIsObject = 0.3;
-constexpr double kHunchReach = 1.5;
+/// What a tentative object is believed to be before anyone has looked, and how near another entry
+/// tells about it.
+constexpr double kTentativeIsObject = 0.3;
+constexpr double kTentativeReach = 1.5;
 
 bool HasFormer(const Landmark& landmark) {
   return landmark.former_id || !landmark.former_candidates.empty();
@@ -33,42 +33,42 @@ double HorizontalDistance(const ObjectEstimate& a, const ObjectEstimate& b) {
 
 }  // namespace
 
-StatusBook::StatusBook(const StatusParams& params, const CameraModel& camera)
+ObjectStatuses::ObjectStatuses(const StatusParams& params, const CameraModel& camera)
     : params_(params),
       model_{.camera = camera,
              .detection = params.detection,
              .object_radius = params.object_radius.value()} {}
 
-void StatusBook::AddSight(ObservedFrame sight) {
-  LIMPET_REQUIRE(sights_.empty() || sight.exposure >= sights_.back().exposure,
-                 "sights out of order");
-  for (std::size_t i = 0; i < sight.boxes.size(); ++i) {
-    for (std::size_t j = i + 1; j < sight.boxes.size(); ++j) {
-      seen_together_.insert(std::minmax(sight.boxes[i].landmark, sight.boxes[j].landmark));
+void ObjectStatuses::AddFrame(ObservedFrame frame) {
+  LIMPET_REQUIRE(frames_.empty() || frame.exposure >= frames_.back().exposure,
+                 "frames out of order");
+  for (std::size_t i = 0; i < frame.boxes.size(); ++i) {
+    for (std::size_t j = i + 1; j < frame.boxes.size(); ++j) {
+      seen_together_.insert(std::minmax(frame.boxes[i].landmark, frame.boxes[j].landmark));
     }
   }
   for (auto& [landmark, watch] : landmark_watch_) {
-    watch.See(sight, model_, OwnerForLandmark(landmark));
+    watch.See(frame, model_, OwnerForLandmark(landmark));
   }
   for (std::size_t i = 0; i < former_watch_.size(); ++i) {
     if (former_watch_[i]) {
-      former_watch_[i]->See(sight, model_, OwnerForFormer());
+      former_watch_[i]->See(frame, model_, OwnerForFormer());
     }
   }
-  hunches_.AddSight(sight, model_, [this](const ObservedFrame& frame, const Box& box) {
-    return Representative(box.landmark) >= 0 || IsExplained(frame, box);
+  tentative_.AddFrame(frame, model_, [this](const ObservedFrame& in, const Box& box) {
+    return Representative(box.landmark) >= 0 || IsExplained(in, box);
   });
-  sights_.push_back(std::move(sight));
+  frames_.push_back(std::move(frame));
 }
 
-void StatusBook::MoveSights(const std::function<Pose(double t, const Pose& X_WB)>& moved) {
-  for (ObservedFrame& sight : sights_) {
-    sight.X_WB = moved(sight.exposure.value(), sight.X_WB);
+void ObjectStatuses::MoveFrames(const std::function<Pose(double t, const Pose& X_WB)>& moved) {
+  for (ObservedFrame& frame : frames_) {
+    frame.X_WB = moved(frame.exposure.value(), frame.X_WB);
   }
   rejudges_all_ = true;
 }
 
-void StatusBook::SetLandmarks(const std::vector<Landmark>& landmarks) {
+void ObjectStatuses::SetLandmarks(const std::vector<Landmark>& landmarks) {
   landmarks_ = landmarks;
   std::erase_if(landmarks_, [](const Landmark& landmark) { return !landmark.is_confirmed; });
   std::ranges::sort(landmarks_, {}, &Landmark::id);
@@ -86,17 +86,17 @@ void StatusBook::SetLandmarks(const std::vector<Landmark>& landmarks) {
   rejudges_all_ = false;
 }
 
-double StatusBook::FalseRate() const {
+double ObjectStatuses::FalseRate() const {
   double boxes = kBelievedFrames * params_.detection.false_per_image;
-  for (const ObservedFrame& sight : sights_) {
-    boxes += static_cast<double>(std::ranges::count_if(sight.boxes, [&](const Box& box) {
-      return Representative(box.landmark) < 0 && !IsExplained(sight, box);
+  for (const ObservedFrame& frame : frames_) {
+    boxes += static_cast<double>(std::ranges::count_if(frame.boxes, [&](const Box& box) {
+      return Representative(box.landmark) < 0 && !IsExplained(frame, box);
     }));
   }
-  return boxes / (kBelievedFrames + static_cast<double>(sights_.size()));
+  return boxes / (kBelievedFrames + static_cast<double>(frames_.size()));
 }
 
-void StatusBook::Rejudge() {
+void ObjectStatuses::Rejudge() {
   model_.detection.false_per_image = FalseRate();
   landmark_watch_.clear();
   former_lambda_.clear();
@@ -108,24 +108,24 @@ void StatusBook::Rejudge() {
   rejudges_all_ = false;
 }
 
-int StatusBook::Representative(int landmark) const {
+int ObjectStatuses::Representative(int landmark) const {
   const auto found = representative_.find(landmark);
   return found == representative_.end() ? -1 : found->second;
 }
 
-const Box* StatusBook::BoxOf(const OpiBelief& object, const ObservedFrame& sight) const {
+const Box* ObjectStatuses::BoxOf(const OpiBelief& object, const ObservedFrame& frame) const {
   return object.landmark < 0 ? nullptr
-                             : FindBox(sight, WatchedPlace(object.object), model_,
+                             : FindBox(frame, WatchedPlace(object.object), model_,
                                        OwnerForLandmark(object.landmark));
 }
 
-void StatusBook::Replay(PlaceWatch& watch, const OwnerOf& owner_of) const {
-  for (const ObservedFrame& sight : sights_) {
-    watch.See(sight, model_, owner_of);
+void ObjectStatuses::Replay(PlaceWatch& watch, const OwnerOf& owner_of) const {
+  for (const ObservedFrame& frame : frames_) {
+    watch.See(frame, model_, owner_of);
   }
 }
 
-OwnerOf StatusBook::OwnerForLandmark(int landmark) const {
+OwnerOf ObjectStatuses::OwnerForLandmark(int landmark) const {
   return [this, landmark](const ObservedFrame&, const Box& box) {
     const int owner = Representative(box.landmark);
     if (owner < 0) return BoxOwner::kUnknown;
@@ -133,22 +133,22 @@ OwnerOf StatusBook::OwnerForLandmark(int landmark) const {
   };
 }
 
-bool StatusBook::IsExplained(const ObservedFrame& sight, const Box& box) const {
+bool ObjectStatuses::IsExplained(const ObservedFrame& frame, const Box& box) const {
   return std::ranges::any_of(objects_, [&](const Landmark& object) {
     const std::optional<Foresight> foresight =
-        Foresee(WatchedPlace(object.object), sight.X_WB, model_);
+        Foresee(WatchedPlace(object.object), frame.X_WB, model_);
     return foresight && foresight->Explains(box, model_.camera);
   });
 }
 
-bool StatusBook::AreOne(const Landmark& a, const Landmark& b) const {
+bool ObjectStatuses::AreOne(const Landmark& a, const Landmark& b) const {
   const bool are_two_former =
       HasDecidedFormer(a) && HasDecidedFormer(b) && a.former_id != b.former_id;
   return !are_two_former && HorizontalDistance(a.object, b.object) < params_.merge_within.value() &&
          !seen_together_.contains(std::minmax(a.id, b.id));
 }
 
-void StatusBook::MergeLandmarks() {
+void ObjectStatuses::MergeLandmarks() {
   std::vector<const Landmark*> by_looks;
   for (const Landmark& landmark : landmarks_) {
     by_looks.push_back(&landmark);
@@ -171,7 +171,7 @@ void StatusBook::MergeLandmarks() {
   std::ranges::sort(objects_, {}, &Landmark::id);
 }
 
-void StatusBook::WatchLandmarks() {
+void ObjectStatuses::WatchLandmarks() {
   std::erase_if(landmark_watch_,
                 [this](const auto& entry) { return Representative(entry.first) != entry.first; });
   for (const Landmark& object : objects_) {
@@ -186,7 +186,7 @@ void StatusBook::WatchLandmarks() {
   }
 }
 
-int StatusBook::IdOfLandmark(int landmark) {
+int ObjectStatuses::IdOfLandmark(int landmark) {
   const auto known = id_of_landmark_.find(landmark);
   if (known != id_of_landmark_.end()) {
     return known->second;
@@ -202,7 +202,7 @@ int StatusBook::IdOfLandmark(int landmark) {
   return next_id_++;
 }
 
-OpiBelief StatusBook::StatusOfFormer(std::size_t index) const {
+OpiBelief ObjectStatuses::StatusOfFormer(std::size_t index) const {
   const FormerObject& former = (*former_)[index];
   const int now = match_.now_of_former[index];
   const Landmark* object = now < 0 ? nullptr : &objects_[static_cast<std::size_t>(now)];
@@ -223,7 +223,7 @@ OpiBelief StatusBook::StatusOfFormer(std::size_t index) const {
   return status;
 }
 
-std::optional<OpiBelief> StatusBook::StatusOfNewcomer(std::size_t index) {
+std::optional<OpiBelief> ObjectStatuses::StatusOfNewcomer(std::size_t index) {
   const Landmark& object = objects_[index];
   const PlaceWatch& watch = landmark_watch_.at(object.id);
   OpiBelief status{.landmark = object.id,
@@ -246,27 +246,28 @@ std::optional<OpiBelief> StatusBook::StatusOfNewcomer(std::size_t index) {
   return status;
 }
 
-std::optional<OpiBelief> StatusBook::StatusOfHunch(Hunch& hunch) {
+std::optional<OpiBelief> ObjectStatuses::StatusOfTentative(TentativeObject& tentative) {
   const bool is_told = std::ranges::any_of(objects_, [&](const Landmark& object) {
-    return HorizontalDistance(object.object, hunch.place) < kHunchReach;
+    return HorizontalDistance(object.object, tentative.place) < kTentativeReach;
   });
   if (is_told) {
     return std::nullopt;
   }
   for (std::size_t i = 0; former_ && i < former_->size(); ++i) {
     if (match_.now_of_former[i] < 0 &&
-        HorizontalDistance(FormerPlace(i), hunch.place) < kHunchReach) {
+        HorizontalDistance(FormerPlace(i), tentative.place) < kTentativeReach) {
       return std::nullopt;
     }
   }
-  hunch.id = hunch.id > 0 ? hunch.id : next_id_++;
-  return OpiBelief{.id = hunch.id,
-                   .object = hunch.place,
-                   .looks = hunch.good_looks,
-                   .posterior = {.appeared = kHunchIsObject, .nothing = 1.0 - kHunchIsObject}};
+  tentative.id = tentative.id > 0 ? tentative.id : next_id_++;
+  return OpiBelief{
+      .id = tentative.id,
+      .object = tentative.place,
+      .looks = tentative.good_looks,
+      .posterior = {.appeared = kTentativeIsObject, .nothing = 1.0 - kTentativeIsObject}};
 }
 
-std::vector<OpiBelief> StatusBook::Assess() {
+std::vector<OpiBelief> ObjectStatuses::Assess() {
   std::vector<OpiBelief> objects;
   std::vector<bool> is_matched(objects_.size(), false);
   for (std::size_t i = 0; former_ && i < former_->size(); ++i) {
@@ -282,15 +283,15 @@ std::vector<OpiBelief> StatusBook::Assess() {
     }
   }
   PairMoved(objects);
-  for (Hunch* hunch : hunches_.Open()) {
-    if (std::optional<OpiBelief> status = StatusOfHunch(*hunch)) {
+  for (TentativeObject* tentative : tentative_.Open()) {
+    if (std::optional<OpiBelief> status = StatusOfTentative(*tentative)) {
       objects.push_back(std::move(*status));
     }
   }
   return objects;
 }
 
-void StatusBook::PairMoved(std::vector<OpiBelief>& objects) const {
+void ObjectStatuses::PairMoved(std::vector<OpiBelief>& objects) const {
   for (OpiBelief& removed : objects) {
     if (removed.decided != Status::kRemoved) continue;
     const auto moved = std::ranges::find_if(objects, [&](const OpiBelief& other) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limpet/planning/sight_along.hpp"
+#include "limpet/planning/seen_along.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@ namespace limpet {
 
 /// Cuts the image's rectangles at `at` into runs of columns, row by row: a cell is inside when its
 /// centre is.
-class SightWorkspace::RowSlicer {
+class SeenWorkspace::RowSlicer {
  public:
   RowSlicer(const GridFrame& frame, const Footprint& footprint, const Pose2& at)
       : frame_(frame), footprint_(footprint), cos_(std::cos(at.yaw)), sin_(std::sin(at.yaw)) {
@@ -65,7 +65,7 @@ class SightWorkspace::RowSlicer {
   int row_begin_ = 0, row_end_ = 0;
 };
 
-SightWorkspace::SightWorkspace(const Ground& ground)
+SeenWorkspace::SeenWorkspace(const Ground& ground)
     : frame_(ground.frame()),
       footprint_(ground.footprint()),
       stride_(static_cast<std::size_t>(ground.frame().columns) + 2) {
@@ -77,7 +77,7 @@ SightWorkspace::SightWorkspace(const Ground& ground)
   Reset(ground);
 }
 
-void SightWorkspace::Reset(const Ground& ground) {
+void SeenWorkspace::Reset(const Ground& ground) {
   const auto columns = static_cast<std::size_t>(frame_.columns);
   for (std::size_t row = 0; row < static_cast<std::size_t>(frame_.rows); ++row) {
     std::copy_n(ground.levels().data() + row * columns, columns,
@@ -88,8 +88,8 @@ void SightWorkspace::Reset(const Ground& ground) {
   border_ = 0.0;
 }
 
-NewSight SightWorkspace::Sweep(const Pose2& from, const PathSegment& segment) {
-  NewSight gain;
+NewlySeen SeenWorkspace::Sweep(const Pose2& from, const PathSegment& segment) {
+  NewlySeen gain;
   for (double s = kStep; s < segment.length - 1e-9; s += kStep) {
     gain += Look(Advance(from, segment.curvature, s));
   }
@@ -97,7 +97,7 @@ NewSight SightWorkspace::Sweep(const Pose2& from, const PathSegment& segment) {
   return gain;
 }
 
-NewSight SightWorkspace::Look(const Pose2& at) {
+NewlySeen SeenWorkspace::Look(const Pose2& at) {
   const RowSlicer slicer(frame_, footprint_, at);
   std::array<Span, Footprint::kLayers> spans;
   for (int row = slicer.row_begin(); row < slicer.row_end(); ++row) {
@@ -109,7 +109,7 @@ NewSight SightWorkspace::Look(const Pose2& at) {
   return TakeGain();
 }
 
-void SightWorkspace::LookRow(int row, const std::array<Span, Footprint::kLayers>& spans) {
+void SeenWorkspace::LookRow(int row, const std::array<Span, Footprint::kLayers>& spans) {
   // Higher layers' runs lie inside lower ones': each cell is visited once, at its highest layer.
   Span inner{};
   for (int layer = Footprint::kLayers - 1; layer >= 0; --layer) {
@@ -126,7 +126,7 @@ void SightWorkspace::LookRow(int row, const std::array<Span, Footprint::kLayers>
   }
 }
 
-void SightWorkspace::RaiseSpan(int row, Span span, std::uint8_t level) {
+void SeenWorkspace::RaiseSpan(int row, Span span, std::uint8_t level) {
   const std::size_t first = (static_cast<std::size_t>(row) + 1) * stride_ + 1;
   for (int column = span.begin; column < span.end; ++column) {
     const std::size_t cell = first + static_cast<std::size_t>(column);
@@ -136,7 +136,7 @@ void SightWorkspace::RaiseSpan(int row, Span span, std::uint8_t level) {
   }
 }
 
-void SightWorkspace::Raise(std::size_t cell, std::uint8_t level) {
+void SeenWorkspace::Raise(std::size_t cell, std::uint8_t level) {
   const std::uint8_t before = levels_[cell];
   const double worth_before = worth_[before], worth_after = worth_[level];
   for (const std::size_t neighbour : {cell - 1, cell + 1, cell - stride_, cell + stride_}) {
@@ -148,38 +148,38 @@ void SightWorkspace::Raise(std::size_t cell, std::uint8_t level) {
   levels_[cell] = level;
 }
 
-NewSight SightWorkspace::TakeGain() {
-  const NewSight gain{.new_area = raised_ * frame_.cell_m * frame_.cell_m,
-                      .frontier_growth = border_ * frame_.cell_m};
+NewlySeen SeenWorkspace::TakeGain() {
+  const NewlySeen gain{.new_area = raised_ * frame_.cell_m * frame_.cell_m,
+                       .frontier_growth = border_ * frame_.cell_m};
   raised_ = 0.0;
   border_ = 0.0;
   return gain;
 }
 
-void SightWorkspace::Rewind(std::size_t mark) {
+void SeenWorkspace::Rewind(std::size_t mark) {
   while (changes_.size() > mark) {
     levels_[changes_.back().cell] = changes_.back().before;
     changes_.pop_back();
   }
 }
 
-void SightWorkspace::Replay(std::span<const Change> changes) {
+void SeenWorkspace::Replay(std::span<const Change> changes) {
   for (const Change& change : changes) {
     levels_[change.cell] = change.after;
     changes_.push_back(change);
   }
 }
 
-void SightAlong::Follow() {
+void SeenAlong::Follow() {
   if (version_ != ground_.version()) {
     workspace_.Reset(ground_);
     version_ = ground_.version();
   }
 }
 
-NewSight SightAlong::operator()(const DubinsPath& path) {
-  NewSight gain;
-  EachStep(path, [&gain](const Pose2&, const PathSegment&, double, const NewSight& seen) {
+NewlySeen SeenAlong::operator()(const DubinsPath& path) {
+  NewlySeen gain;
+  EachStep(path, [&gain](const Pose2&, const PathSegment&, double, const NewlySeen& seen) {
     gain += seen;
   });
   return gain;

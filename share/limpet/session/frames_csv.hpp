@@ -12,7 +12,7 @@ namespace limpet {
 
 /// One row per frame: frame,t,north,east,down,roll,pitch,yaw,altitude,boxes; boxes are
 /// `u:v:w:h:confidence:color:landmark` joined by blanks. Metres, radians, pixels; t is MOOS time.
-[[nodiscard]] std::string SightsToCsv(const std::vector<ObservedFrame>& sights);
-[[nodiscard]] Expected<std::vector<ObservedFrame>> SightsFromCsv(std::string_view text);
+[[nodiscard]] std::string FramesToCsv(const std::vector<ObservedFrame>& frames);
+[[nodiscard]] Expected<std::vector<ObservedFrame>> FramesFromCsv(std::string_view text);
 
 }  // namespace limpet

@@ -11,13 +11,13 @@
 namespace limpet {
 
 /// Why a frame says nothing to the map.
-enum class SightDrop { kOutOfOrder, kOtherPhase, kNoAltitude, kTooHigh };
-inline constexpr std::size_t kSightDrops = 4;
-[[nodiscard]] std::string_view NameOf(SightDrop drop);
+enum class FrameDrop { kOutOfOrder, kOtherPhase, kNoAltitude, kTooHigh };
+inline constexpr std::size_t kFrameDrops = 4;
+[[nodiscard]] std::string_view NameOf(FrameDrop drop);
 
 /// Says which camera frames count, and counts those that do not by reason. One rule for the vehicle
 /// and for whoever judges its saved frames again.
-class SightGate {
+class FrameGate {
  public:
   struct Params {
     Meters highest_view{6.5};     ///< frames from higher above the seabed show nothing
@@ -25,10 +25,10 @@ class SightGate {
   };
   struct Verdict {
     std::optional<double> altitude;  ///< above the seabed [m], if known lately
-    std::optional<SightDrop> drop;   ///< nothing: the frame counts
+    std::optional<FrameDrop> drop;   ///< nothing: the frame counts
   };
 
-  explicit SightGate(const Params& params) : params_(params) {}
+  explicit FrameGate(const Params& params) : params_(params) {}
 
   /// An altitude that was heard at `time`.
   void Hear(Seconds time, double altitude);
@@ -36,7 +36,7 @@ class SightGate {
   [[nodiscard]] Verdict Judge(Seconds time, std::optional<double> altitude, std::string_view phase);
 
   [[nodiscard]] int used() const { return used_; }
-  [[nodiscard]] int dropped(SightDrop drop) const {
+  [[nodiscard]] int dropped(FrameDrop drop) const {
     return dropped_[static_cast<std::size_t>(drop)];
   }
   /// Last altitude heard, and when.
@@ -44,7 +44,7 @@ class SightGate {
   [[nodiscard]] Seconds altitude_time() const { return altitude_time_; }
 
  private:
-  [[nodiscard]] std::optional<SightDrop> Reason(Seconds time, const std::optional<double>& fresh,
+  [[nodiscard]] std::optional<FrameDrop> Reason(Seconds time, const std::optional<double>& fresh,
                                                 std::string_view phase) const;
 
   Params params_;
@@ -52,7 +52,7 @@ class SightGate {
   Seconds altitude_time_;
   std::optional<Seconds> last_;
   int used_ = 0;
-  std::array<int, kSightDrops> dropped_{};
+  std::array<int, kFrameDrops> dropped_{};
 };
 
 }  // namespace limpet

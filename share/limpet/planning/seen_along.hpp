@@ -12,12 +12,12 @@
 namespace limpet {
 
 /// What a motion would newly show, each cell once, weighted means over the layers of the band.
-struct NewSight {
+struct NewlySeen {
   double new_area = 0.0;         ///< [m^2]
   double frontier_growth = 0.0;  ///< of the border between seen and unseen [m]; the area's edge
                                  ///< counts as seen
 
-  NewSight& operator+=(const NewSight& other) {
+  NewlySeen& operator+=(const NewlySeen& other) {
     new_area += other.new_area;
     frontier_growth += other.frontier_growth;
     return *this;
@@ -26,9 +26,9 @@ struct NewSight {
 
 /// Levels of the cells that motions raise one after another, with undo. Works on its own copy of a
 /// ground's levels and allocates nothing after construction.
-class SightWorkspace {
+class SeenWorkspace {
  public:
-  explicit SightWorkspace(const Ground& ground);
+  explicit SeenWorkspace(const Ground& ground);
   /// Takes over the ground's levels again and forgets all motions.
   void Reset(const Ground& ground);
 
@@ -36,9 +36,9 @@ class SightWorkspace {
   static constexpr double kStep = 0.5;
 
   /// Sweeps from `from` along `segment`: images every kStep and at the end, not at the start.
-  NewSight Sweep(const Pose2& from, const PathSegment& segment);
+  NewlySeen Sweep(const Pose2& from, const PathSegment& segment);
   /// One image.
-  NewSight Look(const Pose2& at);
+  NewlySeen Look(const Pose2& at);
   /// A mark for Rewind.
   [[nodiscard]] std::size_t Mark() const { return changes_.size(); }
   /// Takes back everything since `mark`.
@@ -61,7 +61,7 @@ class SightWorkspace {
   void LookRow(int row, const std::array<Span, Footprint::kLayers>& spans);
   void RaiseSpan(int row, Span span, std::uint8_t level);
   void Raise(std::size_t cell, std::uint8_t level);
-  [[nodiscard]] NewSight TakeGain();
+  [[nodiscard]] NewlySeen TakeGain();
 
   GridFrame frame_;
   Footprint footprint_;
@@ -74,12 +74,12 @@ class SightWorkspace {
 };
 
 /// What a path would newly show. The workspace is reused from call to call: one per user.
-class SightAlong {
+class SeenAlong {
  public:
   /// `ground` must outlive this; its updates are followed.
-  explicit SightAlong(const Ground& ground)
+  explicit SeenAlong(const Ground& ground)
       : ground_(ground), workspace_(ground), version_(ground.version()) {}
-  [[nodiscard]] NewSight operator()(const DubinsPath& path);
+  [[nodiscard]] NewlySeen operator()(const DubinsPath& path);
 
   /// Calls visit(from, segment, length before it, what it newly shows) for each segment of `path`.
   template <class Visit>
@@ -100,7 +100,7 @@ class SightAlong {
   void Follow();
 
   const Ground& ground_;
-  SightWorkspace workspace_;
+  SeenWorkspace workspace_;
   std::uint64_t version_;
 };
 

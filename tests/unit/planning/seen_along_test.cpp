@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limpet/planning/sight_along.hpp"
+#include "limpet/planning/seen_along.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -39,7 +39,7 @@ std::vector<int> LevelsAfter(const Ground& ground, const DubinsPath& path) {
   };
   Pose2 from = path.start();
   for (const PathSegment& segment : path.segments()) {
-    for (double s = SightWorkspace::kStep; s < segment.length - 1e-9; s += SightWorkspace::kStep) {
+    for (double s = SeenWorkspace::kStep; s < segment.length - 1e-9; s += SeenWorkspace::kStep) {
       look(Advance(from, segment.curvature, s));
     }
     from = Advance(from, segment.curvature, segment.length);
@@ -72,7 +72,7 @@ double Border(const std::vector<int>& levels, const GridFrame& frame) {
   return edges * frame.cell_m / Footprint::kLayers;
 }
 
-class SightAlongPaths : public ::testing::Test {
+class SeenAlongPaths : public ::testing::Test {
  protected:
   DubinsPath RandomPath() {
     DubinsPath path(
@@ -86,14 +86,14 @@ class SightAlongPaths : public ::testing::Test {
   Random random_{1};
 };
 
-TEST_F(SightAlongPaths, NewAreaAndFrontierEqualBruteForce) {
+TEST_F(SeenAlongPaths, NewAreaAndFrontierEqualBruteForce) {
   SurveyGrid grid(kArea);
   for (int i = 0; i < 20; ++i) {
     scene::Fly(grid, RandomPath());
     const Ground ground(grid, scene::TableFootprint(), kUniformLayers);
-    SightAlong sight(ground);
+    SeenAlong seen(ground);
     const DubinsPath path = RandomPath();
-    const NewSight gain = sight(path);
+    const NewlySeen gain = seen(path);
     const std::vector<int> before(ground.levels().begin(), ground.levels().end());
     const std::vector<int> after = LevelsAfter(ground, path);
     ASSERT_NEAR(gain.new_area, Area(after, ground.frame()) - Area(before, ground.frame()), 1e-6);
@@ -102,63 +102,63 @@ TEST_F(SightAlongPaths, NewAreaAndFrontierEqualBruteForce) {
   }
 }
 
-TEST_F(SightAlongPaths, IsTheSameWhenAskedAgain) {
+TEST_F(SeenAlongPaths, IsTheSameWhenAskedAgain) {
   const SurveyGrid grid(kArea);
   const Ground ground(grid, scene::TableFootprint());
-  SightAlong sight(ground);
+  SeenAlong seen(ground);
   const DubinsPath path = RandomPath();
-  const NewSight first = sight(path);
-  static_cast<void>(sight(RandomPath()));
-  EXPECT_EQ(sight(path).new_area, first.new_area);
+  const NewlySeen first = seen(path);
+  static_cast<void>(seen(RandomPath()));
+  EXPECT_EQ(seen(path).new_area, first.new_area);
 }
 
-TEST_F(SightAlongPaths, FollowsTheGroundsUpdates) {
+TEST_F(SeenAlongPaths, FollowsTheGroundsUpdates) {
   SurveyGrid grid(kArea);
   Ground ground(grid, scene::TableFootprint());
-  SightAlong sight(ground);
+  SeenAlong seen(ground);
   const DubinsPath path({0.0, 0.0, 0.0}, {{.curvature = 0.0, .length = 10.0}});
-  EXPECT_GT(sight(path).new_area, 30.0);
+  EXPECT_GT(seen(path).new_area, 30.0);
   scene::Fly(grid, path);
   ground.Update(grid);
-  EXPECT_LT(sight(path).new_area, 1.0);
+  EXPECT_LT(seen(path).new_area, 1.0);
 }
 
-TEST(SightAlong, ASweptLineShowsItsSwath) {
+TEST(SeenAlong, ASweptLineShowsItsSwath) {
   SurveyGrid grid(SurveyArea{-15.0, 15.0, -18.0, 18.0, 2.0, 0.0});  // the bottom alone
   const Ground ground(grid, Footprint(4.0, 0.0, CameraModel{}));
-  SightAlong sight(ground);
-  const NewSight gain = sight(DubinsPath({-5.0, 0.0, 0.0}, {{.curvature = 0.0, .length = 10.0}}));
+  SeenAlong seen(ground);
+  const NewlySeen gain = seen(DubinsPath({-5.0, 0.0, 0.0}, {{.curvature = 0.0, .length = 10.0}}));
   EXPECT_NEAR(gain.new_area, 6.713 * (9.5 + 4.619), 5.0);
   EXPECT_NEAR(gain.frontier_growth, 2.0 * (6.713 + 9.5 + 4.619), 2.0);
 }
 
-TEST(SightAlong, LanesBesideSeenGroundLeaveLessFrontierThanLanesApart) {
+TEST(SeenAlong, LanesBesideSeenGroundLeaveLessFrontierThanLanesApart) {
   SurveyGrid grid(kArea);
   scene::Fly(grid, DubinsPath({-10.0, 0.0, 0.0}, {{.curvature = 0.0, .length = 20.0}}));
   const Ground ground(grid, scene::TableFootprint());
-  SightAlong sight(ground);
+  SeenAlong seen(ground);
   const auto lane = [](double east) {
     return DubinsPath({-10.0, east, 0.0}, {{.curvature = 0.0, .length = 20.0}});
   };
-  EXPECT_LT(sight(lane(4.0)).frontier_growth, sight(lane(9.0)).frontier_growth - 20.0);
+  EXPECT_LT(seen(lane(4.0)).frontier_growth, seen(lane(9.0)).frontier_growth - 20.0);
 }
 
-TEST(SightWorkspace, RewindRestoresEverything) {
+TEST(SeenWorkspace, RewindRestoresEverything) {
   const SurveyGrid grid(kArea);
   const Ground ground(grid, scene::TableFootprint());
-  SightWorkspace workspace(ground);
+  SeenWorkspace workspace(ground);
   const PathSegment motion{.curvature = 0.2, .length = 5.0};
-  const NewSight first = workspace.Sweep({0.0, 0.0, 1.0}, motion);
+  const NewlySeen first = workspace.Sweep({0.0, 0.0, 1.0}, motion);
   workspace.Rewind(0);
-  const NewSight again = workspace.Sweep({0.0, 0.0, 1.0}, motion);
+  const NewlySeen again = workspace.Sweep({0.0, 0.0, 1.0}, motion);
   EXPECT_EQ(first.new_area, again.new_area);
   EXPECT_EQ(first.frontier_growth, again.frontier_growth);
 }
 
-TEST(SightWorkspace, ASecondPassShowsNothingNew) {
+TEST(SeenWorkspace, ASecondPassShowsNothingNew) {
   const SurveyGrid grid(kArea);
   const Ground ground(grid, scene::TableFootprint());
-  SightWorkspace workspace(ground);
+  SeenWorkspace workspace(ground);
   const PathSegment motion{.curvature = 0.2, .length = 5.0};
   static_cast<void>(workspace.Sweep({0.0, 0.0, 1.0}, motion));
   EXPECT_EQ(workspace.Sweep({0.0, 0.0, 1.0}, motion).new_area, 0.0);
@@ -181,11 +181,11 @@ TEST(Ground, CountsTheLayersThatAHeightReaches) {
 TEST(Ground, AFullSwathOfNewGroundIsWorthItsLength) {
   const SurveyGrid grid(kArea);
   const Ground ground(grid, scene::TableFootprint());
-  SightAlong sight(ground);
+  SeenAlong seen(ground);
   const double short_way =
-      sight(DubinsPath({-10.0, 0.0, 0.0}, {{.curvature = 0.0, .length = 5.0}})).new_area;
+      seen(DubinsPath({-10.0, 0.0, 0.0}, {{.curvature = 0.0, .length = 5.0}})).new_area;
   const double long_way =
-      sight(DubinsPath({-10.0, 0.0, 0.0}, {{.curvature = 0.0, .length = 15.0}})).new_area;
+      seen(DubinsPath({-10.0, 0.0, 0.0}, {{.curvature = 0.0, .length = 15.0}})).new_area;
   EXPECT_NEAR((long_way - short_way) / ground.swath(), 10.0, 0.5);
 }
 

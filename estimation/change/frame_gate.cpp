@@ -1,52 +1,52 @@
 // SPDX-License-Identifier: MIT
-#include "estimation/change/sight_gate.hpp"
+#include "estimation/change/frame_gate.hpp"
 
 #include "limpet/topics/mission.hpp"
 
 namespace limpet {
 
-std::string_view NameOf(SightDrop drop) {
+std::string_view NameOf(FrameDrop drop) {
   switch (drop) {
-    case SightDrop::kOutOfOrder:
+    case FrameDrop::kOutOfOrder:
       return "out of order";
-    case SightDrop::kOtherPhase:
+    case FrameDrop::kOtherPhase:
       return "outside dive, survey and return";
-    case SightDrop::kNoAltitude:
+    case FrameDrop::kNoAltitude:
       return "without an altitude";
-    case SightDrop::kTooHigh:
+    case FrameDrop::kTooHigh:
       break;
   }
   return "too high above the seabed";
 }
 
-std::optional<SightDrop> SightGate::Reason(Seconds time, const std::optional<double>& fresh,
+std::optional<FrameDrop> FrameGate::Reason(Seconds time, const std::optional<double>& fresh,
                                            std::string_view phase) const {
-  if (last_ && time <= *last_) return SightDrop::kOutOfOrder;
-  if (!IsMappingPhase(phase)) return SightDrop::kOtherPhase;
-  if (!fresh) return SightDrop::kNoAltitude;
-  if (*fresh > params_.highest_view.value()) return SightDrop::kTooHigh;
+  if (last_ && time <= *last_) return FrameDrop::kOutOfOrder;
+  if (!IsMappingPhase(phase)) return FrameDrop::kOtherPhase;
+  if (!fresh) return FrameDrop::kNoAltitude;
+  if (*fresh > params_.highest_view.value()) return FrameDrop::kTooHigh;
   return std::nullopt;
 }
 
-void SightGate::Hear(Seconds time, double altitude) {
+void FrameGate::Hear(Seconds time, double altitude) {
   altitude_ = altitude;
   altitude_time_ = time;
 }
 
-SightGate::Verdict SightGate::Judge(Seconds time, std::optional<double> altitude,
+FrameGate::Verdict FrameGate::Judge(Seconds time, std::optional<double> altitude,
                                     std::string_view phase) {
   if (altitude) {
     Hear(time, *altitude);
   }
   const bool is_fresh = altitude_ && time - altitude_time_ <= params_.altitude_lasts;
   const std::optional<double> fresh = is_fresh ? altitude_ : std::nullopt;
-  const std::optional<SightDrop> drop = Reason(time, fresh, phase);
+  const std::optional<FrameDrop> drop = Reason(time, fresh, phase);
   if (drop) {
     ++dropped_[static_cast<std::size_t>(*drop)];
   } else {
     ++used_;
   }
-  if (drop != SightDrop::kOutOfOrder) {
+  if (drop != FrameDrop::kOutOfOrder) {
     last_ = time;
   }
   return {fresh, drop};

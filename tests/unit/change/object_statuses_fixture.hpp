@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "estimation/change/status_book.hpp"
+#include "estimation/change/object_statuses.hpp"
 #include "limpet/core/random.hpp"
 
 namespace limpet {
@@ -21,7 +21,7 @@ inline ObjectEstimate At(double north, double east, const std::string& color = "
 }
 
 /// A book and a vehicle that flies north over the field at 3 m above the objects.
-class StatusBookTest : public ::testing::Test {
+class ObjectStatusesTest : public ::testing::Test {
  protected:
   struct Real {
     ObjectEstimate object;
@@ -31,13 +31,13 @@ class StatusBookTest : public ::testing::Test {
   };
   void Fly(double east, const std::vector<Real>& objects, double detects = 1.0) {
     for (double north = -4.0; north <= 12.0; north += 0.125, time_ += 0.25) {
-      ObservedFrame sight{.exposure = Seconds(time_), .X_WB = {{north, east, 3.0}, 0, 0, 0}};
+      ObservedFrame frame{.exposure = Seconds(time_), .X_WB = {{north, east, 3.0}, 0, 0, 0}};
       for (const Real& real : objects) {
-        const Eigen::Vector3d p_C = kCamera.InCamera(sight.X_WB, real.object.p_W);
+        const Eigen::Vector3d p_C = kCamera.InCamera(frame.X_WB, real.object.p_W);
         const Eigen::Vector2d pixel = *kCamera.Project(p_C);
-        if (VisibleShare(kCamera, sight.X_WB, real.object.p_W, 0.5) < 0.5) continue;
+        if (VisibleShare(kCamera, frame.X_WB, real.object.p_W, 0.5) < 0.5) continue;
         if (!random_.Chance(detects)) continue;
-        sight.boxes.push_back({.u = pixel.x(),
+        frame.boxes.push_back({.u = pixel.x(),
                                .v = pixel.y(),
                                .w = 120,
                                .h = 120,
@@ -45,18 +45,18 @@ class StatusBookTest : public ::testing::Test {
                                .color = real.object.color,
                                .landmark = real.landmark});
       }
-      book_.AddSight(std::move(sight));
+      statuses_.AddFrame(std::move(frame));
     }
     time_ += 30.0;
   }
   /// The former session flew north over the field and saw what its list has.
   void FormerLookedEverywhere() {
-    FormerViews views{.sights = {}, .model = {.camera = kCamera, .detection = {}}, .looks = {}};
+    FormerViews views{.frames = {}, .model = {.camera = kCamera, .detection = {}}, .looks = {}};
     for (double north = -4.0; north <= 12.0; north += 0.5) {
-      views.sights.push_back(
+      views.frames.push_back(
           {.exposure = Seconds(north + 4.0), .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}});
     }
-    book_.SetFormerViews(std::move(views));
+    statuses_.SetFormerViews(std::move(views));
   }
   void Landmarks(const std::vector<Real>& objects) {
     std::vector<Landmark> known;
@@ -68,11 +68,11 @@ class StatusBookTest : public ::testing::Test {
                        .former_id = real.former_id,
                        .former_candidates = real.candidates});
     }
-    book_.SetLandmarks(known);
+    statuses_.SetLandmarks(known);
   }
   std::vector<Status> Decided() {
     std::vector<Status> decided;
-    for (const OpiBelief& object : book_.Assess())
+    for (const OpiBelief& object : statuses_.Assess())
       decided.push_back(object.decided);
     return decided;
   }
@@ -82,7 +82,7 @@ class StatusBookTest : public ::testing::Test {
 
   Random random_{7};
   double time_ = 0.0;
-  StatusBook book_{StatusParams{}, kCamera};
+  ObjectStatuses statuses_{StatusParams{}, kCamera};
 };
 
 }  // namespace limpet

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "estimation/change/hunches.hpp"
 #include "estimation/change/place_watch.hpp"
 #include "estimation/change/status.hpp"
+#include "estimation/change/tentative_objects.hpp"
 #include "limpet/objects/object_estimate.hpp"
 
 namespace limpet {
@@ -46,16 +46,16 @@ struct StatusParams {
 /// Where the former session looked from, in its frame and in order of time, with what it saw there
 /// and how well it saw.
 struct FormerViews {
-  std::vector<ObservedFrame> sights;  ///< boxes of the listed objects may be left out
+  std::vector<ObservedFrame> frames;  ///< boxes of the listed objects may be left out
   WatchModel model;
   LookParams looks;
 };
 
 /// Everything one session knows about the status of objects: frames and landmarks in, posteriors
 /// out. Keeps all frames, because a landmark is confirmed only some frames after it was first seen.
-class StatusBook {
+class ObjectStatuses {
  public:
-  StatusBook(const StatusParams& params, const CameraModel& camera);
+  ObjectStatuses(const StatusParams& params, const CameraModel& camera);
 
   /// Makes this a change session. Call before the first frame, or lose nothing: frames are
   /// replayed.
@@ -64,10 +64,10 @@ class StatusBook {
   /// views are not known has looked nowhere: it proves nothing about such a place.
   void SetFormerViews(FormerViews views);
   /// Frames in order of time.
-  void AddSight(ObservedFrame sight);
+  void AddFrame(ObservedFrame frame);
   /// Takes kept frames along when the track behind the vehicle has moved; `moved` gives the new
   /// pose from time [s] and old pose. Landmarks that moved with it are to follow.
-  void MoveSights(const std::function<Pose(double t, const Pose& X_WB)>& moved);
+  void MoveFrames(const std::function<Pose(double t, const Pose& X_WB)>& moved);
   /// All landmarks as now estimated; one that is absent, or not confirmed, is forgotten. Which
   /// former object each of them is, if any, is taken as they say it.
   void SetLandmarks(const std::vector<Landmark>& landmarks);
@@ -79,22 +79,22 @@ class StatusBook {
   /// All objects, former ones first, then by id. What is certainly nothing is left out.
   [[nodiscard]] std::vector<OpiBelief> Assess();
   [[nodiscard]] const FrameOffset& offset() const { return match_.offset; }
-  [[nodiscard]] const std::vector<ObservedFrame>& sights() const { return sights_; }
+  [[nodiscard]] const std::vector<ObservedFrame>& frames() const { return frames_; }
   /// Boxes per image that show nothing: what the mission says, weighed with what was seen.
   [[nodiscard]] double false_per_image() const { return model_.detection.false_per_image; }
   /// Places that boxes hint at but that nobody is sent to, because there were too many.
-  [[nodiscard]] int hunches_left_out() const { return hunches_.left_out(); }
+  [[nodiscard]] int tentative_left_out() const { return tentative_.left_out(); }
   /// The landmark that stands for `landmark` after merging; -1 if it is not confirmed.
   [[nodiscard]] int Representative(int landmark) const;
   /// The box of an object in a frame, also in one from before the smoother knew the object.
   /// nullptr if the frame has none, or the object is no landmark.
-  [[nodiscard]] const Box* BoxOf(const OpiBelief& object, const ObservedFrame& sight) const;
+  [[nodiscard]] const Box* BoxOf(const OpiBelief& object, const ObservedFrame& frame) const;
 
  private:
   void Replay(PlaceWatch& watch, const OwnerOf& owner_of) const;
   [[nodiscard]] OwnerOf OwnerForLandmark(int landmark) const;
   [[nodiscard]] OwnerOf OwnerForFormer() const;
-  [[nodiscard]] bool IsExplained(const ObservedFrame& sight, const Box& box) const;
+  [[nodiscard]] bool IsExplained(const ObservedFrame& frame, const Box& box) const;
   [[nodiscard]] double FalseRate() const;
   void MergeLandmarks();
   [[nodiscard]] bool AreOne(const Landmark& a, const Landmark& b) const;
@@ -117,12 +117,12 @@ class StatusBook {
   [[nodiscard]] std::optional<OpiBelief> StatusOfNewcomer(std::size_t index);
   /// A place that hints at an object, as one of which nothing is known; nothing if another entry
   /// tells about it.
-  [[nodiscard]] std::optional<OpiBelief> StatusOfHunch(Hunch& hunch);
+  [[nodiscard]] std::optional<OpiBelief> StatusOfTentative(TentativeObject& tentative);
   void PairMoved(std::vector<OpiBelief>& objects) const;
 
   StatusParams params_;
   WatchModel model_;
-  std::vector<ObservedFrame> sights_;
+  std::vector<ObservedFrame> frames_;
   std::optional<std::vector<FormerObject>> former_;
   FormerViews former_views_;
   std::vector<Landmark> landmarks_;    ///< as given
@@ -134,7 +134,7 @@ class StatusBook {
   bool rejudges_all_ = false;  ///< frames have moved since landmarks were last set
   SessionMatch match_;  ///< of objects_; `chance` is what landmarks say, 1 for a decided match
   std::map<int, PlaceWatch> former_lambda_;  ///< of newcomers' places, by landmark
-  HunchBook hunches_;
+  TentativeObjects tentative_;
   std::map<int, int> id_of_landmark_;
   int next_id_ = 1;
 };

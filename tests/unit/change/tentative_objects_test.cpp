@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "estimation/change/hunches.hpp"
+#include "estimation/change/tentative_objects.hpp"
 
 #include <algorithm>
 
@@ -60,52 +60,52 @@ TEST(PlaceOfBox, IsNotBelowTheSeabed) {
 bool Nothing(const ObservedFrame&, const Box&) { return false; }
 
 /// Flies north past an object that is `starboard` of the track; every frame has its box.
-void FlyPast(HunchBook& hunches, double starboard, bool has_box, double start = 0.0) {
+void FlyPast(TentativeObjects& tentative, double starboard, bool has_box, double start = 0.0) {
   for (int i = 0; i < 24; ++i) {
     const double forward = 1.5 - 0.125 * i;
-    ObservedFrame sight{.exposure = Seconds(start + 0.25 * i),
+    ObservedFrame frame{.exposure = Seconds(start + 0.25 * i),
                         .X_WB = {{10.0 - forward, 20.0 - starboard, 3.5}, 0, 0, 0},
                         .altitude = 4.0};
-    if (has_box) sight.boxes = {BoxAt(forward, starboard)};
-    hunches.AddSight(sight, kModel, Nothing);
+    if (has_box) frame.boxes = {BoxAt(forward, starboard)};
+    tentative.AddFrame(frame, kModel, Nothing);
   }
 }
 /// Time goes by elsewhere.
-void FlyElsewhere(HunchBook& hunches, double time) {
-  hunches.AddSight({.exposure = Seconds(time), .X_WB = {{90.0, 90.0, 3.5}, 0, 0, 0}}, kModel,
-                   Nothing);
+void FlyElsewhere(TentativeObjects& tentative, double time) {
+  tentative.AddFrame({.exposure = Seconds(time), .X_WB = {{90.0, 90.0, 3.5}, 0, 0, 0}}, kModel,
+                     Nothing);
 }
 
-TEST(HunchBook, TakesCutBoxesThatAgreeForAHunch) {
-  HunchBook hunches;
-  FlyPast(hunches, 2.0, true);
-  FlyElsewhere(hunches, 10.0);
-  ASSERT_EQ(hunches.Open().size(), 1U);
-  EXPECT_LT((hunches.Open()[0]->place.p_W - Eigen::Vector3d(10.0, 20.0, 6.0)).norm(), 0.3);
+TEST(TentativeObjects, TakesCutBoxesThatAgreeForATentativeObject) {
+  TentativeObjects tentative;
+  FlyPast(tentative, 2.0, true);
+  FlyElsewhere(tentative, 10.0);
+  ASSERT_EQ(tentative.Open().size(), 1U);
+  EXPECT_LT((tentative.Open()[0]->place.p_W - Eigen::Vector3d(10.0, 20.0, 6.0)).norm(), 0.3);
 }
 
-TEST(HunchBook, IsOverAfterAGoodLookThatShowsNothing) {
-  HunchBook hunches;
-  FlyPast(hunches, 2.0, true);
-  FlyPast(hunches, 0.3, false, 60.0);
-  FlyElsewhere(hunches, 70.0);
-  EXPECT_TRUE(hunches.Open().empty());
+TEST(TentativeObjects, IsOverAfterAGoodLookThatShowsNothing) {
+  TentativeObjects tentative;
+  FlyPast(tentative, 2.0, true);
+  FlyPast(tentative, 0.3, false, 60.0);
+  FlyElsewhere(tentative, 70.0);
+  EXPECT_TRUE(tentative.Open().empty());
 }
 
-TEST(HunchBook, GivesUpAPlaceThatNobodyReaches) {
-  HunchBook hunches;
-  FlyPast(hunches, 2.0, true);
-  FlyElsewhere(hunches, 500.0);
-  EXPECT_TRUE(hunches.Open().empty());
+TEST(TentativeObjects, GivesUpAPlaceThatNobodyReaches) {
+  TentativeObjects tentative;
+  FlyPast(tentative, 2.0, true);
+  FlyElsewhere(tentative, 500.0);
+  EXPECT_TRUE(tentative.Open().empty());
 }
 
-TEST(HunchBook, MakesNothingOfOneFalseDetection) {
-  HunchBook hunches;
-  ObservedFrame sight = kSight;
-  sight.boxes = {BoxAt(0.3, 2.0)};
-  hunches.AddSight(sight, kModel, Nothing);
-  FlyElsewhere(hunches, 10.0);
-  EXPECT_TRUE(hunches.Open().empty());
+TEST(TentativeObjects, MakesNothingOfOneFalseDetection) {
+  TentativeObjects tentative;
+  ObservedFrame frame = kSight;
+  frame.boxes = {BoxAt(0.3, 2.0)};
+  tentative.AddFrame(frame, kModel, Nothing);
+  FlyElsewhere(tentative, 10.0);
+  EXPECT_TRUE(tentative.Open().empty());
 }
 
 }  // namespace

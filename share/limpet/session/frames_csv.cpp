@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limpet/session/sights_csv.hpp"
+#include "limpet/session/frames_csv.hpp"
 
 #include <fmt/format.h>
 
@@ -51,55 +51,55 @@ std::optional<ObservedFrame> ParseRow(std::string_view row) {
   const std::vector<std::string> fields = Split(row, ',');
   if (fields.size() != kColumns) return std::nullopt;
   NumberReader number;
-  ObservedFrame sight;
-  sight.frame = static_cast<int>(number(fields[0]));
-  sight.exposure = Seconds(number(fields[1]));
-  sight.X_WB.p_WB = {number(fields[2]), number(fields[3]), number(fields[4])};
-  sight.X_WB.roll = number(fields[5]);
-  sight.X_WB.pitch = number(fields[6]);
-  sight.X_WB.yaw = number(fields[7]);
-  if (!fields[8].empty()) sight.altitude = number(fields[8]);
+  ObservedFrame frame;
+  frame.frame = static_cast<int>(number(fields[0]));
+  frame.exposure = Seconds(number(fields[1]));
+  frame.X_WB.p_WB = {number(fields[2]), number(fields[3]), number(fields[4])};
+  frame.X_WB.roll = number(fields[5]);
+  frame.X_WB.pitch = number(fields[6]);
+  frame.X_WB.yaw = number(fields[7]);
+  if (!fields[8].empty()) frame.altitude = number(fields[8]);
   for (const std::string& text : Split(fields[9], ' ')) {
     if (text.empty()) continue;
     const std::optional<Box> box = ParseBox(text);
     if (!box) return std::nullopt;
-    sight.boxes.push_back(*box);
+    frame.boxes.push_back(*box);
   }
-  return number.is_good() ? std::optional<ObservedFrame>(std::move(sight)) : std::nullopt;
+  return number.is_good() ? std::optional<ObservedFrame>(std::move(frame)) : std::nullopt;
 }
 
 }  // namespace
 
-std::string SightsToCsv(const std::vector<ObservedFrame>& sights) {
+std::string FramesToCsv(const std::vector<ObservedFrame>& frames) {
   std::string text = std::string(kHeader) + "\n";
-  for (const ObservedFrame& sight : sights) {
+  for (const ObservedFrame& frame : frames) {
     fmt::format_to(std::back_inserter(text), "{},{:.3f},{:.4f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f},",
-                   sight.frame, sight.exposure.value(), sight.X_WB.p_WB.x(), sight.X_WB.p_WB.y(),
-                   sight.X_WB.p_WB.z(), sight.X_WB.roll, sight.X_WB.pitch, sight.X_WB.yaw);
-    text += sight.altitude ? fmt::format("{:.4f},", *sight.altitude) : ",";
-    for (std::size_t i = 0; i < sight.boxes.size(); ++i) {
-      text += (i > 0 ? " " : "") + BoxText(sight.boxes[i]);
+                   frame.frame, frame.exposure.value(), frame.X_WB.p_WB.x(), frame.X_WB.p_WB.y(),
+                   frame.X_WB.p_WB.z(), frame.X_WB.roll, frame.X_WB.pitch, frame.X_WB.yaw);
+    text += frame.altitude ? fmt::format("{:.4f},", *frame.altitude) : ",";
+    for (std::size_t i = 0; i < frame.boxes.size(); ++i) {
+      text += (i > 0 ? " " : "") + BoxText(frame.boxes[i]);
     }
     text += "\n";
   }
   return text;
 }
 
-Expected<std::vector<ObservedFrame>> SightsFromCsv(std::string_view text) {
-  std::vector<ObservedFrame> sights;
+Expected<std::vector<ObservedFrame>> FramesFromCsv(std::string_view text) {
+  std::vector<ObservedFrame> frames;
   const std::vector<std::string> rows = Split(text, '\n');
   if (rows.front() != kHeader) {
     return Error{"line 1: not the header of a list of frames"};
   }
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (rows[i].empty()) continue;
-    std::optional<ObservedFrame> sight = ParseRow(rows[i]);
-    if (!sight) {
+    std::optional<ObservedFrame> frame = ParseRow(rows[i]);
+    if (!frame) {
       return Error{fmt::format("line {}: not a frame", i + 1)};
     }
-    sights.push_back(*std::move(sight));
+    frames.push_back(*std::move(frame));
   }
-  return sights;
+  return frames;
 }
 
 }  // namespace limpet
