@@ -23,10 +23,10 @@ OpiBelief Object(int id, int landmark, double probability) {
   return opi;
 }
 
-ObservedFrame Frame(int frame) {
+ObservedFrame Frame(int number) {
   ObservedFrame frame;
-  frame.frame = frame;
-  frame.exposure = Seconds(1767225600.0 + 0.25 * frame);
+  frame.frame = number;
+  frame.exposure = Seconds(1767225600.0 + 0.25 * number);
   return frame;
 }
 
