@@ -20,7 +20,7 @@ struct BoxGateParams {
   double range_sigma = 0.2;            ///< relative, of the distance from size
   double new_object_share = 0.1;       ///< of boxes that show what no object explains
   double confused_class_share = 0.03;  ///< of boxes with the wrong class
-  double chi2_per_gate = 16.3;         ///< no match beyond this squared Mahalanobis distance
+  double chi2_per_gate = 16.3;         ///< no match beyond: Mahalanobis, [Bar-Shalom 2001]
   double overlap_share = 0.4;          ///< of the box: centres nearer than this always may match
 };
 

@@ -42,7 +42,7 @@ struct Voxel {
 
 /// The map of record: an octree over NED whose voxels know whether they are occupied, belong to an
 /// object, and whether that object is there now. Log-odds are clamped to [0.12, 0.97] in
-/// probability for occupancy and to +-3.5 for the others.
+/// probability for occupancy [Hornung 2013] and to +-3.5 for the others.
 class SemanticOctree {
  public:
   explicit SemanticOctree(Meters resolution = Meters(0.2));

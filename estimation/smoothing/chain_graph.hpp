@@ -37,8 +37,8 @@ struct BorderVariable {
 };
 
 /// Poses in order of time, each tied to its neighbours, and a border of landmarks and slow errors
-/// that any pose may depend on: the factor graph of [Bucci 2025] eq. (6). Holds variables and
-/// terms; solving is somebody else's.
+/// that any pose may depend on: the factor graph [Dellaert 2006] of [Bucci 2025] eq. (6). Holds
+/// variables and terms; solving is somebody else's.
 class ChainGraph {
  public:
   /// REQUIRES: a step with a slot names one in use.

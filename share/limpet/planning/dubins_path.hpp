@@ -55,8 +55,8 @@ class DubinsPath {
   double length_ = 0.0;
 };
 
-/// The shortest of Dubins' six words (LSL, RSR, LSR, RSL, LRL, RLR) from `from` to `to` with turns
-/// of radius `radius`. REQUIRES: radius > 0.
+/// The shortest of the six words of [Dubins 1957] (LSL, RSR, LSR, RSL, LRL, RLR) from `from` to
+/// `to` with turns of radius `radius`. REQUIRES: radius > 0.
 [[nodiscard]] DubinsPath ShortestDubins(const Pose2& from, const Pose2& to, Meters radius);
 /// Every word that exists, in the order above, unsorted: for choosing one that stays inside.
 [[nodiscard]] std::vector<DubinsPath> AllDubins(const Pose2& from, const Pose2& to, Meters radius);

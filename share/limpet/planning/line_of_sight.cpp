@@ -32,21 +32,20 @@ void LineOfSight::SetPath(const Pose2& start, const std::vector<PathSegment>& se
   pieces_.push_back({end, 0.0, kRunOut, length_});
 }
 
-double LineOfSight::Nearest(const Piece& piece, double north, double east, double low,
-                            double high) {
+double LineOfSight::Nearest(const Piece& piece, double north, double east,
+                            const Interval& stretch) {
   const double curvature = piece.curvature;
   const double dn = north - piece.start.north;
   const double de = east - piece.start.east;
   const double c = std::cos(piece.start.yaw);
   const double s = std::sin(piece.start.yaw);
-  if (std::abs(curvature) < kFlat) return std::clamp(dn * c + de * s, low, high);
+  if (std::abs(curvature) < kFlat) return stretch.Nearest(dn * c + de * s);
   // Seen from the arc's centre the point lies where the path has this yaw.
   const double from_center_n = dn * curvature + s;
   const double from_center_e = de * curvature - c;
   const double yaw = std::atan2(from_center_n, -from_center_e);
-  const double middle = 0.5 * (low + high);
-  const double turn = WrapAngle(yaw - piece.start.yaw - curvature * middle);
-  return std::clamp(middle + turn / curvature, low, high);
+  const double turn = WrapAngle(yaw - piece.start.yaw - curvature * stretch.middle());
+  return stretch.Nearest(stretch.middle() + turn / curvature);
 }
 
 double LineOfSight::NearestAhead(double north, double east) const {
@@ -55,10 +54,10 @@ double LineOfSight::NearestAhead(double north, double east) const {
   double best_distance = std::numeric_limits<double>::infinity();
   for (const Piece& piece : pieces_) {
     if (piece.begin > limit) break;
-    const double low = std::max(0.0, progress_ - piece.begin);
-    const double high = std::min(piece.length, limit - piece.begin);
-    if (low > high) continue;
-    const double along = Nearest(piece, north, east, low, high);
+    const Interval stretch{std::max(0.0, progress_ - piece.begin),
+                           std::min(piece.length, limit - piece.begin)};
+    if (stretch.is_empty()) continue;
+    const double along = Nearest(piece, north, east, stretch);
     const Pose2 at = Advance(piece.start, piece.curvature, along);
     const double distance = std::hypot(north - at.north, east - at.east);
     if (distance < best_distance) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "limpet/core/interval.hpp"
 #include "limpet/core/units.hpp"
 #include "limpet/planning/pose2.hpp"
 #include "limpet/topics/mission.hpp"
@@ -57,10 +58,10 @@ class LineOfSight {
     double length = 0.0;
     double begin = 0.0;  ///< progress at its start
   };
-  /// Where in [low, high] of its own length a piece is nearest to a point. Exact for
-  /// high - low shorter than a full turn.
-  [[nodiscard]] static double Nearest(const Piece& piece, double north, double east, double low,
-                                      double high);
+  /// Where within a stretch of its own length a piece is nearest to a point. Exact for stretches
+  /// shorter than a full turn.
+  [[nodiscard]] static double Nearest(const Piece& piece, double north, double east,
+                                      const Interval& stretch);
   [[nodiscard]] double NearestAhead(double north, double east) const;
   [[nodiscard]] double TurnRate(double cross_track, double speed) const;
 

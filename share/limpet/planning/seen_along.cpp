@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "limpet/core/interval.hpp"
+
 namespace limpet {
 
 /// Cuts the image's rectangles at `at` into runs of columns, row by row: a cell is inside when its
@@ -30,32 +32,35 @@ class SeenWorkspace::RowSlicer {
 
   [[nodiscard]] Span Slice(int row, int layer) const {
     const double dn = row - north_;
-    double low = -1e9, high = 1e9;
+    Interval east{-1e9, 1e9};  // of the vehicle
     // Forward: dn cos + de sin; starboard: -dn sin + de cos.
     const double along = footprint_.half_along(layer) / frame_.cell_m;
     const double across = footprint_.half_across(layer) / frame_.cell_m;
-    if (!Clip(dn * cos_, sin_, inverse_sin_, along, low, high) ||
-        !Clip(-dn * sin_, cos_, inverse_cos_, across, low, high)) {
+    if (!Clip({dn * cos_, sin_, inverse_sin_}, along, east) ||
+        !Clip({-dn * sin_, cos_, inverse_cos_}, across, east)) {
       return {};
     }
-    const int begin = std::max(0, static_cast<int>(std::ceil(east_ + low)));
-    const int end = std::min(frame_.columns, static_cast<int>(std::floor(east_ + high)) + 1);
+    const int begin = std::max(0, static_cast<int>(std::ceil(east_ + east.low)));
+    const int end = std::min(frame_.columns, static_cast<int>(std::floor(east_ + east.high)) + 1);
     return begin < end ? Span{begin, end} : Span{};
   }
 
  private:
   static constexpr double kParallel = 1e-9;
 
-  /// Keeps of [low, high] the x with |offset + slope x| <= half; false if offset alone is outside.
-  static bool Clip(double offset, double slope, double inverse, double half, double& low,
-                   double& high) {
-    if (std::abs(slope) <= kParallel) {
-      return std::abs(offset) <= half;
+  struct Line {
+    double offset, slope;
+    double inverse;  ///< 1 / slope; 0 if there is none
+  };
+  /// Keeps of `kept` the x with |offset + slope x| <= half; false if none is left.
+  static bool Clip(const Line& line, double half, Interval& kept) {
+    if (std::abs(line.slope) <= kParallel) {
+      return std::abs(line.offset) <= half;
     }
-    const double a = (-half - offset) * inverse, b = (half - offset) * inverse;
-    low = std::max(low, std::min(a, b));
-    high = std::min(high, std::max(a, b));
-    return low <= high;
+    const double a = (-half - line.offset) * line.inverse;
+    const double b = (half - line.offset) * line.inverse;
+    kept.Cut({std::min(a, b), std::max(a, b)});
+    return !kept.is_empty();
   }
 
   const GridFrame& frame_;

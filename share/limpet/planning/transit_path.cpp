@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/planning/transit_path.hpp"
 
-#include <algorithm>
 #include <numbers>
 #include <utility>
 
+#include "limpet/core/interval.hpp"
 #include "limpet/planning/home_path.hpp"
 
 namespace limpet {
@@ -12,19 +12,15 @@ namespace {
 
 constexpr int kEntryHeadings = 72;
 
-/// The point of [low, high], drawn in by `inset` at both ends, that is nearest to `at`.
-double NearestInside(double at, double low, double high, double inset) {
-  const double middle = 0.5 * (low + high);
-  return std::clamp(at, std::min(low + inset, middle), std::max(high - inset, middle));
-}
-
 }  // namespace
 
 std::optional<Option> TransitPath(const Pose2& start, const Region& region, Meters turn_radius) {
   // A full turn of this radius fits around the entry, so that some heading is recoverable there.
   const double inset = turn_radius.value();
-  Pose2 entry{NearestInside(start.north, region.north_min(), region.north_max(), inset),
-              NearestInside(start.east, region.east_min(), region.east_max(), inset), 0.0};
+  const Interval north{region.north_min(), region.north_max()};
+  const Interval east{region.east_min(), region.east_max()};
+  Pose2 entry{north.DrawnIn(inset).Nearest(start.north), east.DrawnIn(inset).Nearest(start.east),
+              0.0};
   std::optional<DubinsPath> best;
   for (int i = 0; i < kEntryHeadings; ++i) {
     entry.yaw = 2.0 * std::numbers::pi * i / kEntryHeadings;

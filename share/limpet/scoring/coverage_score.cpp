@@ -115,8 +115,9 @@ void SampleGrid::See(const Pose& X_WB, const CameraModel& camera, double radius)
       }
       if (sample.frames < kFramesToDetect) {
         const Eigen::Vector3d p = R_CW * sample.object + offset;
-        if (p.z() > radius && ShareOfDiscInRectangle(p.x(), p.y(), radius, across * p.z(),
-                                                     along * p.z()) >= kShareOfDisc) {
+        if (p.z() > radius &&
+            ShareOfDiscInRectangle(p.head<2>(), radius, {across * p.z(), along * p.z()}) >=
+                kShareOfDisc) {
           if (++sample.frames == kFramesToDetect) detected_ += 1.0;
         }
       }

@@ -32,16 +32,16 @@ double AreaLeftOfAndBelow(double p, double q) {
 
 }  // namespace
 
-double ShareOfDiscInRectangle(double x, double y, double radius, double half_width,
-                              double half_height) {
-  if (std::abs(x) + radius <= half_width && std::abs(y) + radius <= half_height) return 1.0;
-  if (std::abs(x) - radius >= half_width || std::abs(y) - radius >= half_height) return 0.0;
-  const double left = (-half_width - x) / radius;
-  const double right = (half_width - x) / radius;
-  const double bottom = (-half_height - y) / radius;
-  const double top = (half_height - y) / radius;
-  const double area = AreaLeftOfAndBelow(right, top) - AreaLeftOfAndBelow(left, top) -
-                      AreaLeftOfAndBelow(right, bottom) + AreaLeftOfAndBelow(left, bottom);
+double ShareOfDiscInRectangle(const Eigen::Vector2d& center, double radius,
+                              const Eigen::Vector2d& half_size) {
+  const Eigen::Array2d off = center.array().abs();
+  if ((off + radius <= half_size.array()).all()) return 1.0;
+  if ((off - radius >= half_size.array()).any()) return 0.0;
+  const Eigen::Vector2d low = (-half_size - center) / radius;
+  const Eigen::Vector2d high = (half_size - center) / radius;
+  const double area = AreaLeftOfAndBelow(high.x(), high.y()) -
+                      AreaLeftOfAndBelow(low.x(), high.y()) -
+                      AreaLeftOfAndBelow(high.x(), low.y()) + AreaLeftOfAndBelow(low.x(), low.y());
   return std::clamp(area / std::numbers::pi, 0.0, 1.0);
 }
 

@@ -35,7 +35,8 @@ struct NavScore {
   /// the end of the record.
   std::optional<double> final_error_m;
   std::optional<double> dead_reckoning_final_error_m;  ///< at the same moment
-  /// Per degree of freedom times 3: 3 is consistent, more is overconfident.
+  /// Normalised estimation error squared [Bar-Shalom 2001], per degree of freedom times 3: 3 is
+  /// consistent, more is overconfident.
   std::optional<double> nees_mean;
   CommonOffset offset;
   NavErrorCurve curve;
