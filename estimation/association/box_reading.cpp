@@ -43,9 +43,10 @@ BoxReading ReadBox(const Box& box, const CameraModel& camera, const BoxNoise& no
                        mid(along, camera.fy, camera.cy, reading.half_angle.y())};
   const double doubt = 1.0 + noise.doubt * (1.0 - std::clamp(box.confidence, 0.0, 1.0));
   constexpr double kUnused = std::numeric_limits<double>::infinity();
-  reading.sigma_px = {
-      reading.is_cut_u ? kUnused : (noise.floor_px + noise.share_of_size * box.w) * doubt,
-      reading.is_cut_v ? kUnused : (noise.floor_px + noise.share_of_size * box.h) * doubt};
+  const auto sigma = [&](bool is_cut, double size) {
+    return is_cut ? kUnused : (noise.floor_px + noise.share_of_size * size) * doubt;
+  };
+  reading.sigma_px = {sigma(reading.is_cut_u, box.w), sigma(reading.is_cut_v, box.h)};
   reading.lone_edge = LoneEdge(box, reading, {across, along}, noise);
   return reading;
 }

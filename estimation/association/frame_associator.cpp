@@ -23,8 +23,9 @@ int CountRivals(const Eigen::MatrixXd& costs, Eigen::Index row, int track,
   int rivals = 0;
   for (Eigen::Index j = 0; j < costs.cols(); ++j) {
     const bool is_taken = std::ranges::count(assigned, static_cast<int>(j)) > 0;
-    rivals +=
+    const bool is_rival =
         track >= 0 && j != track && !is_taken && costs(row, j) < costs(row, track) + kAmbiguous;
+    rivals += is_rival ? 1 : 0;
   }
   return rivals;
 }

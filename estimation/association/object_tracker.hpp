@@ -23,6 +23,7 @@ class ObjectTracker {
  public:
   /// `smoother` and `camera` must outlive the tracker.
   ObjectTracker(Smoother& smoother, const CameraModel& camera, const ObjectTrackerParams& params);
+  ~ObjectTracker() = default;
   ObjectTracker(const ObjectTracker&) = delete;
   ObjectTracker& operator=(const ObjectTracker&) = delete;
 

@@ -50,10 +50,8 @@ void ObjectStatuses::AddFrame(ObservedFrame frame) {
   for (auto& [landmark, watch] : landmark_watch_) {
     watch.See(frame, model_, OwnerForLandmark(landmark));
   }
-  for (std::size_t i = 0; i < former_watch_.size(); ++i) {
-    if (former_watch_[i]) {
-      former_watch_[i]->See(frame, model_, OwnerForFormer());
-    }
+  for (std::optional<PlaceWatch>& watch : former_watch_) {
+    if (watch) watch->See(frame, model_, OwnerForFormer());
   }
   tentative_.AddFrame(frame, model_, [this](const ObservedFrame& in, const Box& box) {
     return Representative(box.landmark) >= 0 || IsExplained(in, box);

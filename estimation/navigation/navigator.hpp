@@ -31,6 +31,7 @@ struct SmoothedPose {
 class Navigator {
  public:
   explicit Navigator(const NavigatorParams& params);
+  ~Navigator() = default;
   Navigator(const Navigator&) = delete;
   Navigator& operator=(const Navigator&) = delete;
 

@@ -30,6 +30,7 @@ struct ArrowParams {
 class ArrowSmoother final : public Smoother {
  public:
   explicit ArrowSmoother(const ArrowParams& params = {});
+  ~ArrowSmoother() override = default;
   ArrowSmoother(const ArrowSmoother&) = delete;
   ArrowSmoother& operator=(const ArrowSmoother&) = delete;
 

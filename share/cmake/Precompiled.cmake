@@ -1,6 +1,6 @@
 # Headers of others that nearly every file reads, compiled once for all libraries and once for all tests: to read them
-# is half of what a file costs. No file may rely on it: the preset `tidy` builds without
-# (CMAKE_DISABLE_PRECOMPILE_HEADERS), so that an #include that is missing fails there.
+# is half of what a file costs. No file may rely on it: -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON builds without, so that
+# an #include that is missing fails.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # ccache can tell what a precompiled header holds only by this.
   target_compile_options(limpet_options INTERFACE -fpch-preprocess)

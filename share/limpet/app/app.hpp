@@ -148,8 +148,8 @@ class App {
   void SubscribeRaw(const std::string& name, std::function<void(const MessagePtr&)> handler);
 
   template <class T>
-  void Publish(const Topic<T>& topic, const T& value, std::string source_aux = "") {
-    context_.link->Publish(topic.name, TopicCodec<T>::Encode(value), std::move(source_aux));
+  void Publish(const Topic<T>& topic, const T& value, const std::string& source_aux = "") {
+    context_.link->Publish(topic.name, TopicCodec<T>::Encode(value), source_aux);
   }
   void PublishRaw(std::string name, Value value, std::string source_aux = "");
   /// What was so at `time`, a moment ago: subscribers get that time, not the time of sending.

@@ -61,9 +61,9 @@ FrameLine& FrameLine::AddNumber(std::string_view text, std::size_t width, Ink in
 
 FrameLine& FrameLine::FitTo(std::size_t width) {
   std::size_t left = width;
-  for (auto span = spans_.begin(); span != spans_.end(); ++span) {
-    span->text = OneLine(span->text, left);
-    left -= ColumnsOf(span->text);
+  for (Span& span : spans_) {
+    span.text = OneLine(span.text, left);
+    left -= ColumnsOf(span.text);
   }
   return Add(Blanks(left));
 }

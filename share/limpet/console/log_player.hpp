@@ -56,6 +56,7 @@ class LogPlayer {
 
   /// `folder` holds the .blog file of the log's binary values.
   LogPlayer(AlogReader reader, PlayChoice choice, LogOutline outline, std::filesystem::path folder);
+  ~LogPlayer() = default;
   LogPlayer(const LogPlayer&) = delete;  // the next entry's views lie in the reader
   LogPlayer& operator=(const LogPlayer&) = delete;
 

@@ -31,7 +31,7 @@ std::size_t ColumnsOfTerminal(std::FILE* out) {
 
 }  // namespace
 
-ProgressLine::ProgressLine(std::string label, std::FILE* out)
+ProgressLine::ProgressLine(const std::string& label, std::FILE* out)
     : label_(OneLine(label)), out_(out), is_terminal_(isatty(fileno(out)) != 0) {}
 
 ProgressLine::~ProgressLine() {

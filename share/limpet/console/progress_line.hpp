@@ -12,7 +12,7 @@ namespace limpet {
 /// terminal. Writes to stderr by default, so that results on stdout stay clean.
 class ProgressLine {
  public:
-  explicit ProgressLine(std::string label, std::FILE* out = stderr);
+  explicit ProgressLine(const std::string& label, std::FILE* out = stderr);
   /// A terminal's line is closed when the work ends.
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;

@@ -157,7 +157,7 @@ KeptValue KeptValue::Of(const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value)) {
     bytes = *text;
   } else {
-    const Binary& binary = std::get<Binary>(value);
+    const auto& binary = std::get<Binary>(value);
     bytes = {reinterpret_cast<const char*>(binary.data()), binary.size()};
   }
   return {.type = std::holds_alternative<Binary>(value) ? 'B' : 'S',

@@ -21,7 +21,7 @@ class UsualColors {
       double count = 0.0;
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-      const std::uint8_t* pixels = bgr.ptr<std::uint8_t>();
+      const auto* pixels = bgr.ptr<std::uint8_t>();
       for (std::size_t i = 0; i < bgr.total(); i += 7) {
         const Eigen::Vector3d color(pixels[3 * i], pixels[3 * i + 1], pixels[3 * i + 2]);
         if ((whiten_ * (color - mean_)).squaredNorm() < limit) {

@@ -24,7 +24,7 @@ void DrawTriangle(SvgCanvas& canvas, const Point& centre, double radius, double 
   std::vector<Point> corners;
   for (int k = 0; k < 3; ++k) {
     const double angle = turn_rad + 2.0 * std::numbers::pi * k / 3.0;
-    corners.push_back(centre + radius * Point(std::sin(angle), -std::cos(angle)));
+    corners.emplace_back(centre + radius * Point(std::sin(angle), -std::cos(angle)));
   }
   canvas.Polygon(corners, paint);
 }

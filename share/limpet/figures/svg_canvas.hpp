@@ -13,8 +13,8 @@ namespace limpet {
 struct Paint {
   std::string_view fill = "none";
   std::string_view stroke = "none";
-  double width = 1.0;          ///< of the stroke [px]
-  std::string_view dash = "";  ///< SVG dash pattern; empty: solid
+  double width = 1.0;       ///< of the stroke [px]
+  std::string_view dash{};  ///< SVG dash pattern; empty: solid
   double opacity = 1.0;
 };
 
@@ -24,7 +24,7 @@ enum class Anchor { kStart, kMiddle, kEnd };
 struct TextStyle {
   double size = 12.0;  ///< [px]
   Anchor anchor = Anchor::kStart;
-  std::string_view fill = "";  ///< empty: the palette's ink
+  std::string_view fill{};  ///< empty: the palette's ink
   bool is_bold = false;
   double turn_deg = 0.0;  ///< about its position, clockwise
   bool has_halo = false;  ///< a pale rim, for text on a map

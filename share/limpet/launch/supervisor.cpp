@@ -7,6 +7,8 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <ranges>
+#include <system_error>
 #include <thread>
 
 #include <fcntl.h>
@@ -104,7 +106,8 @@ void Supervisor::Launch(Child& child) {
   ++child.starts;
   if (child.pid < 0) {
     child.pid = 0;
-    say_(fmt::format("{} cannot be started: {}", child.item.name, std::strerror(errno)));
+    say_(fmt::format("{} cannot be started: {}", child.item.name,
+                     std::generic_category().message(errno)));
   }
 }
 
@@ -244,9 +247,9 @@ std::string Supervisor::Status() const {
 
 void Supervisor::EndThose(const std::function<bool(const Child&)>& which, Seconds patience) {
   const auto concerns = [&which](const Child& child) { return child.pid > 0 && which(child); };
-  for (auto child = children_.rbegin(); child != children_.rend(); ++child) {
-    if (concerns(*child)) {
-      ::kill(child->pid, SIGTERM);
+  for (const Child& child : std::views::reverse(children_)) {
+    if (concerns(child)) {
+      ::kill(child.pid, SIGTERM);
     }
   }
   const Seconds deadline = SteadyTime() + patience;

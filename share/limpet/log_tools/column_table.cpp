@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "limpet/console/frame.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/core/require.hpp"
 
@@ -46,7 +46,7 @@ std::string ColumnTable::Text(bool has_colours) const {
   return text;
 }
 
-bool HasColours() { return isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr; }
+bool HasColours() { return isatty(STDOUT_FILENO) != 0 && ColorsAreWanted(); }
 
 std::string BytesText(double bytes) {
   constexpr std::array<const char*, 5> kUnits{"B", "kB", "MB", "GB", "TB"};

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
+#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
@@ -57,7 +57,8 @@ Expected<AppendFile> AppendFile::Continue(const std::filesystem::path& path) {
   AppendFile file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
   const off_t size = file.descriptor_ < 0 ? -1 : ::lseek(file.descriptor_, 0, SEEK_END);
   if (size < 0) {
-    return Error{fmt::format("`{}` cannot be continued: {}", path.string(), std::strerror(errno))};
+    return Error{fmt::format("`{}` cannot be continued: {}", path.string(),
+                             std::generic_category().message(errno))};
   }
   file.size_ = static_cast<std::uint64_t>(size);
   return file;
@@ -68,8 +69,8 @@ Expected<AppendFile> AppendFile::ContinueLines(const std::filesystem::path& path
   if (file) {
     file->size_ = EndOfLines(file->descriptor_, file->size_);
     if (::ftruncate(file->descriptor_, static_cast<off_t>(file->size_)) != 0) {
-      return Error{
-          fmt::format("`{}` cannot be continued: {}", path.string(), std::strerror(errno))};
+      return Error{fmt::format("`{}` cannot be continued: {}", path.string(),
+                               std::generic_category().message(errno))};
     }
   }
   return file;
@@ -78,7 +79,8 @@ Expected<AppendFile> AppendFile::ContinueLines(const std::filesystem::path& path
 Expected<AppendFile> AppendFile::Create(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) {
-    return Error{fmt::format("`{}` cannot be created: {}", path.string(), std::strerror(errno))};
+    return Error{fmt::format("`{}` cannot be created: {}", path.string(),
+                             std::generic_category().message(errno))};
   }
   return AppendFile(descriptor);
 }

@@ -50,7 +50,7 @@ SessionExpectation ReadSession(YamlReader& in, const YAML::Node& node, const std
   for (const std::string& key : ExpectableNumbers()) {
     fields.push_back({key, [&in, &expected, &session, &file, key](const YAML::Node& bound) {
                         expected.bounds.push_back(
-                            ReadBound(in, bound, session + "." + key, key, file));
+                            ReadBound(in, bound, fmt::format("{}.{}", session, key), key, file));
                       }});
   }
   in.ReadMap(node, session, fields);

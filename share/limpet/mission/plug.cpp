@@ -185,7 +185,7 @@ class Expander {
     }
     const bool keeps_line =
         options_.undefined == PlugOptions::Undefined::kKeepLine || expansion.is_endless;
-    Put(keeps_line ? line.text : std::move(expansion.text), line.where);
+    Put(keeps_line ? line.text : expansion.text, line.where);
   }
 
   /// Looks for a near name for the first hundred only: that takes the product of all lengths.
@@ -341,6 +341,7 @@ std::vector<fs::path> PlugFoldersAround(const fs::path& file) {
   AddPlugFoldersAbove(fs::absolute(file, ignored).lexically_normal().parent_path(), absolute);
   AddPlugFoldersAbove(fs::read_symlink("/proc/self/exe", ignored).parent_path(), absolute);
   std::vector<fs::path> folders;
+  folders.reserve(absolute.size());
   for (const fs::path& folder : absolute) {
     folders.push_back(fs::proximate(folder, ignored));
   }

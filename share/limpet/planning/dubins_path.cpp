@@ -102,7 +102,8 @@ DubinsPath PathOf(const Pose2& from, const Word& word, double radius) {
 
 }  // namespace
 
-DubinsPath::DubinsPath(const Pose2& start, std::vector<PathSegment> segments) : start_(start) {
+DubinsPath::DubinsPath(const Pose2& start, const std::vector<PathSegment>& segments)
+    : start_(start) {
   for (const PathSegment& segment : segments) {
     Append(segment);
   }

@@ -15,7 +15,7 @@ namespace limpet {
 class DubinsPath {
  public:
   DubinsPath() = default;
-  explicit DubinsPath(const Pose2& start, std::vector<PathSegment> segments = {});
+  explicit DubinsPath(const Pose2& start, const std::vector<PathSegment>& segments = {});
 
   [[nodiscard]] const Pose2& start() const { return start_; }
   [[nodiscard]] const std::vector<PathSegment>& segments() const& { return segments_; }

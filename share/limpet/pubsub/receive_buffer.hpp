@@ -25,6 +25,8 @@ enum class RoomKind {
 class ReceiveBuffer {
  public:
   ReceiveBuffer() = default;
+  ReceiveBuffer(const ReceiveBuffer&) = delete;
+  ReceiveBuffer& operator=(const ReceiveBuffer&) = delete;
   ReceiveBuffer(ReceiveBuffer&& other) noexcept { Swap(other); }
   ReceiveBuffer& operator=(ReceiveBuffer&& other) noexcept {
     ReceiveBuffer(std::move(other)).Swap(*this);

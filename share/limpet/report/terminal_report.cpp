@@ -2,11 +2,11 @@
 #include "limpet/report/terminal_report.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "limpet/console/frame.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/figures/probability_text.hpp"
 #include "limpet/scoring/verdict.hpp"
@@ -192,7 +192,7 @@ std::string TerminalReport(const RunScore& run, bool has_color) {
 }
 
 void PrintReport(const RunScore& run, std::FILE* out) {
-  const bool has_color = isatty(fileno(out)) != 0 && std::getenv("NO_COLOR") == nullptr;
+  const bool has_color = isatty(fileno(out)) != 0 && ColorsAreWanted();
   std::fputs(TerminalReport(run, has_color).c_str(), out);
   std::fflush(out);
 }

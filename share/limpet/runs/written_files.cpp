@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <ranges>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -151,10 +152,10 @@ void WrittenFiles::RemoveIf(const std::function<bool(const std::string&)>& is_wa
     file = files_.erase(file);
   }
   // Inner folders come after outer ones; one that still holds something stays.
-  for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder) {
+  for (const fs::path& folder : std::views::reverse(folders)) {
     std::error_code ignored;
-    if (fs::symlink_status(folder_ / *folder).type() == fs::file_type::directory) {
-      fs::remove(folder_ / *folder, ignored);
+    if (fs::symlink_status(folder_ / folder).type() == fs::file_type::directory) {
+      fs::remove(folder_ / folder, ignored);
     }
   }
   Save();

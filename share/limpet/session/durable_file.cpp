@@ -2,9 +2,9 @@
 #include "limpet/session/durable_file.hpp"
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -15,7 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 Error SystemError(const fs::path& file, const char* what) {
-  return Error{file.filename().string() + ": " + what + ": " + std::strerror(errno)};
+  return Error{file.filename().string() + ": " + what + ": " +
+               std::generic_category().message(errno)};
 }
 
 /// A POSIX descriptor that closes itself; the standard streams cannot sync.

@@ -63,7 +63,7 @@ std::uint64_t ShareChannelId(std::string_view address) {
   return HashOf("limpet channel ", address);
 }
 
-Sealer::Sealer(ShareKey key, ShareInstant now) : key_(std::move(key)), start_(now.steady) {
+Sealer::Sealer(const ShareKey& key, ShareInstant now) : key_(key), start_(now.steady) {
   StartSodium();
   randombytes_buf(run_.data(), run_.size());
 }

@@ -79,7 +79,7 @@ struct SealedContent {
 /// never be used twice.
 class Sealer {
  public:
-  Sealer(ShareKey key, ShareInstant now);
+  Sealer(const ShareKey& key, ShareInstant now);
   [[nodiscard]] ByteBuffer Seal(SealedContent::Kind kind, std::uint64_t receiver, ByteView body,
                                 ShareInstant now);
   [[nodiscard]] const ShareRun& run() const { return run_; }

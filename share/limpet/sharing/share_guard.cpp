@@ -18,9 +18,9 @@ constexpr std::size_t kQuestionSize = kWordAt + sizeof(std::uint64_t);
 
 }  // namespace
 
-ShareGuard::ShareGuard(ShareKey key, Settings settings, std::shared_ptr<Sealer> sealer,
+ShareGuard::ShareGuard(const ShareKey& key, Settings settings, std::shared_ptr<Sealer> sealer,
                        ShareInstant now)
-    : key_(std::move(key)), settings_(settings), sealer_(std::move(sealer)), start_(now.steady) {}
+    : key_(key), settings_(settings), sealer_(std::move(sealer)), start_(now.steady) {}
 
 Seconds ShareGuard::Oldest(ShareInstant now) const {
   constexpr Seconds kRounding(2e-6);  // of the times in a datagram

@@ -27,7 +27,8 @@ class ShareGuard {
     Seconds max_age{5.0};
   };
   /// `sealer`: of this node, under the same key; it seals the questions.
-  ShareGuard(ShareKey key, Settings settings, std::shared_ptr<Sealer> sealer, ShareInstant now);
+  ShareGuard(const ShareKey& key, Settings settings, std::shared_ptr<Sealer> sealer,
+             ShareInstant now);
 
   struct Verdict {
     std::vector<ByteBuffer> bodies;  ///< plain datagrams that are let in

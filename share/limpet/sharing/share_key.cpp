@@ -2,7 +2,7 @@
 #include "limpet/sharing/share_key.hpp"
 
 #include <cerrno>
-#include <cstring>
+#include <system_error>
 #include <vector>
 
 #include <fcntl.h>
@@ -49,7 +49,7 @@ class File {
 };
 
 Error SystemError(const std::filesystem::path& file) {
-  return Error{fmt::format("{}: {}", file.string(), std::strerror(errno))};
+  return Error{fmt::format("{}: {}", file.string(), std::generic_category().message(errno))};
 }
 
 /// Why a file must not be trusted with a key.

@@ -165,8 +165,8 @@ class UdpSockets::Impl {
     std::string trouble;
   };
 
-  static void Open(udp::socket& socket, const ShareAddress& address, asio::ip::address_v4 bound,
-                   std::error_code& error) {
+  static void Open(udp::socket& socket, const ShareAddress& address,
+                   const asio::ip::address_v4& bound, std::error_code& error) {
     socket.open(udp::v4(), error);
     std::error_code ignored;
     socket.set_option(udp::socket::receive_buffer_size(kReceiveRoom), ignored);

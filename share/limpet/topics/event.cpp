@@ -13,8 +13,8 @@ std::map<std::string, EventFacts>& EventStore() {
 
 }  // namespace
 
-EventId DeclareEvent(std::string id, EventFacts facts) {
-  const bool is_new = EventStore().try_emplace(id, std::move(facts)).second;
+EventId DeclareEvent(std::string id, const EventFacts& facts) {
+  const bool is_new = EventStore().try_emplace(id, facts).second;
   LIMPET_REQUIRE(is_new, "an event is declared twice: " + id);
   return EventId(std::move(id));
 }

@@ -25,14 +25,14 @@ class EventId {
   [[nodiscard]] const std::string& name() const { return name_; }
 
  private:
-  friend EventId DeclareEvent(std::string id, EventFacts facts);
+  friend EventId DeclareEvent(std::string id, const EventFacts& facts);
   explicit EventId(std::string name) : name_(std::move(name)) {}
 
   std::string name_;
 };
 
 /// For constants, which are made before main. REQUIRES: no event of this id is declared.
-[[nodiscard]] EventId DeclareEvent(std::string id, EventFacts facts);
+[[nodiscard]] EventId DeclareEvent(std::string id, const EventFacts& facts);
 
 /// Every event that this program declares, by id.
 [[nodiscard]] const std::map<std::string, EventFacts>& EventCatalog();

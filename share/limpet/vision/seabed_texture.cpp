@@ -26,7 +26,8 @@ void AddNoise(Field& field, int cell, float amplitude, Random& random) {
     return amplitude * static_cast<float>(random.Uniform(-1.0, 1.0));
   });
   const auto node = [&values, nodes](int column, int row) {
-    return values[static_cast<std::size_t>((row & (nodes - 1)) * nodes + (column & (nodes - 1)))];
+    const int index = (row & (nodes - 1)) * nodes + (column & (nodes - 1));
+    return values[static_cast<std::size_t>(index)];
   };
   const auto ease = [cell](int texel) {
     const float t = static_cast<float>(texel & (cell - 1)) / static_cast<float>(cell);

@@ -40,7 +40,7 @@ WireMessage ViewOf(const Message& message) {
     view.data_type = wire_data::kString;
     view.text = *text;
   } else {
-    const Binary& bytes = std::get<Binary>(message.value);
+    const auto& bytes = std::get<Binary>(message.value);
     view.data_type = wire_data::kBinary;
     view.text = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   }
