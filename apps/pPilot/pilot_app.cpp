@@ -9,6 +9,7 @@
 #include "apps/pPilot/pilot_warnings.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/frames.hpp"
+#include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
 namespace {
@@ -30,7 +31,11 @@ Pilot::Gains GainsOf(const PilotApp::Params& params) {
 }  // namespace
 
 PilotApp::PilotApp(const AppContext& context, const Params& params)
-    : App(context), params_(params), pilot_(GainsOf(params), VehicleParams{}) {
+    : App(context),
+      params_(params),
+      pilot_(
+          GainsOf(params),
+          LoadMissionVehicle(context.Global(kVehicleFileGlobal), context.mission_folder).params) {
   Subscribe(topics::kNavState, &PilotApp::OnNav);
   Subscribe(topics::kDesiredHeading, &PilotApp::OnHeading);
   Subscribe(topics::kDesiredSpeed, &PilotApp::OnSpeed);

@@ -11,6 +11,7 @@
 #include "limpet/mission/expanded_text.hpp"
 #include "limpet/session/durable_file.hpp"
 #include "limpet/session/saved_session.hpp"
+#include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
 namespace {
@@ -128,6 +129,11 @@ void SessionApp::CopyMission() {
       memory_.mission[entry.path().filename().string()] =
           extension == ".bhv" ? WithPlugs(*text, entry.path()) : *text;
     }
+  }
+  const fs::path vehicle =
+      FindVehicleFile(context().Global(kVehicleFileGlobal), context().mission_folder);
+  if (Expected<std::string> text = ReadWhole(vehicle)) {
+    memory_.mission[vehicle.filename().string()] = *std::move(text);
   }
   if (!context().blocks.empty()) {
     memory_.mission[kMissionAsRun] = MissionText(context().globals, context().blocks);

@@ -11,7 +11,7 @@
 #include "limpet/sensors/fog_model.hpp"
 #include "limpet/sensors/gps_model.hpp"
 #include "limpet/sensors/imu_model.hpp"
-#include "limpet/vehicle/vehicle_params.hpp"
+#include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
 namespace {
@@ -48,10 +48,10 @@ DvlModel::Params DvlOf(const Scenario::Sensors& sensors) {
   return params;
 }
 
-GpsModel::Params GpsOf(const Scenario::Sensors& sensors) {
+GpsModel::Params GpsOf(const Scenario::Sensors& sensors, const VehicleParams& vehicle) {
   GpsModel::Params params;
   params.sigma_m = sensors.gps_sigma_m;
-  params.antenna_B = VehicleParams{}.antenna_B;
+  params.antenna_B = vehicle.antenna_B;
   return params;
 }
 
@@ -69,7 +69,9 @@ SimSensorsApp::SimSensorsApp(const AppContext& context, const Scenario& scenario
   Add(topics::kDepthSensor, Hertz(20.0), DepthModel({}, MakeRandom("depth")));
   Add(topics::kDvlData, Hertz(5.0),
       DvlModel(DvlOf(sensors), SceneOf(scenario, context.session), MakeRandom("dvl")));
-  Add(topics::kGpsData, Hertz(1.0), GpsModel(GpsOf(sensors), MakeRandom("gps")));
+  const VehicleFile vehicle =
+      LoadMissionVehicle(context.Global(kVehicleFileGlobal), context.mission_folder);
+  Add(topics::kGpsData, Hertz(1.0), GpsModel(GpsOf(sensors, vehicle.params), MakeRandom("gps")));
   Subscribe(topics::kSimTruth, &SimSensorsApp::OnTruth);
 }
 

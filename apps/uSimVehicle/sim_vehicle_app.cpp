@@ -10,6 +10,7 @@
 #include "apps/uSimVehicle/sim_vehicle_warnings.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/mission/seabed.hpp"
+#include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
 namespace {
@@ -28,10 +29,11 @@ VehicleSimulation::Place StartOf(const Scenario& scenario) {
           .down = std::nullopt};
 }
 
-VehicleSimulation MakeSimulation(const Scenario& scenario, const std::string& integrator,
+VehicleSimulation MakeSimulation(const VehicleParams& vehicle, const Scenario& scenario,
+                                 const std::string& integrator,
                                  const VehicleSimulation::Place& place) {
   const Scenario::Water& water = scenario.water;
-  VehicleModel model(VehicleParams{}, {water.current_north_mps, water.current_east_mps, 0.0},
+  VehicleModel model(vehicle, {water.current_north_mps, water.current_east_mps, 0.0},
                      [seabed = Seabed(scenario.seabed)](double north, double east) {
                        return seabed.Depth(north, east);
                      });
@@ -66,9 +68,11 @@ SimVehicleApp::SimVehicleApp(const AppContext& context, const Params& params)
 SimVehicleApp::SimVehicleApp(const AppContext& context, const Params& params,
                              const Scenario& scenario)
     : App(context),
+      vehicle_(
+          LoadMissionVehicle(context.Global(kVehicleFileGlobal), context.mission_folder).params),
       scenario_(scenario),
       integrator_(params.integrator),
-      simulation_(MakeSimulation(scenario, params.integrator, StartOf(scenario))),
+      simulation_(MakeSimulation(vehicle_, scenario, params.integrator, StartOf(scenario))),
       has_place_(!context.is_restarted) {
   Subscribe(topics::kThrusterCommand, &SimVehicleApp::OnCommand);
   if (context.is_restarted) {
@@ -81,7 +85,7 @@ void SimVehicleApp::OnFormerTruth(const Stamped<SimTruth>& truth) {
     has_place_ = true;
     const SimTruth& last = truth.value;
     simulation_ = MakeSimulation(
-        scenario_, integrator_,
+        vehicle_, scenario_, integrator_,
         {.north = last.north, .east = last.east, .yaw = last.yaw, .down = last.down});
   }
 }

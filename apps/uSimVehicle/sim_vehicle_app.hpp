@@ -10,6 +10,7 @@
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/simulation.hpp"
 #include "limpet/vehicle/thruster_watchdog.hpp"
+#include "limpet/vehicle/vehicle_params.hpp"
 #include "limpet/vehicle/vehicle_simulation.hpp"
 
 namespace limpet {
@@ -47,6 +48,7 @@ class SimVehicleApp final : public App {
   void NoteZero(bool is_zero, Seconds time);
   void TellThrust(Seconds now);
 
+  VehicleParams vehicle_;
   Scenario scenario_;
   std::string integrator_;
   VehicleSimulation simulation_;

@@ -10,24 +10,28 @@
 #include "limpet/core/config.hpp"
 #include "limpet/describe/parameter_list.hpp"
 #include "limpet/describe/variable_list.hpp"
+#include "limpet/describe/vehicle_list.hpp"
 #include "limpet/describe/warning_list.hpp"
 
 namespace limpet {
 namespace {
 
 Command DescribeForm() {
-  return {.name = "limpet describe",
-          .words = "[parameters | variables [mission folder] | warnings | NAME ...]",
-          .about = R"(What the code itself says of its apps, behaviors and detectors:
+  return {
+      .name = "limpet describe",
+      .words = "[parameters | variables [mission folder] | warnings | vehicle | NAME ...]",
+      .about = R"(What the code itself says of its apps, behaviors and detectors:
 
   (nothing)                   their names, and those of variables and warnings
   parameters                  every parameter of them all
   variables [mission folder]  every variable; with a mission, who reads it
   warnings                    every warning and event of apps and behaviors
+  vehicle                     every key of a vehicle's file
   NAME ...                    any of these, by name)",
-          .options = {{.names = "--json", .meaning = "as JSON"},
-                      {.names = "--markdown",
-                       .meaning = "as the pages of docs/ (parameters, variables, warnings)"}}};
+      .options = {
+          {.names = "--json", .meaning = "as JSON"},
+          {.names = "--markdown",
+           .meaning = "as the pages of docs/ (parameters, variables, warnings, vehicle-file)"}}};
 }
 
 enum class Form { kText, kJson, kMarkdown };
@@ -71,9 +75,14 @@ std::string Show(const WarningList& list, Form form) {
   return form == Form::kText ? PlainText(list) : Markdown(list);
 }
 
+std::string ShowVehicleKeys(Form form) {
+  if (form == Form::kJson) return VehicleKeysJson();
+  return form == Form::kText ? VehicleKeysText() : VehicleKeysMarkdown();
+}
+
 std::string ShowNames(Form form) {
   if (form != Form::kText)
-    throw UsageError("say what to describe: parameters, variables, warnings, or names");
+    throw UsageError("say what to describe: parameters, variables, warnings, vehicle, or names");
   std::string text = "apps, behaviors, detectors:\n";
   for (const ParameterOwner& owner : AllParameterOwners()) {
     text += fmt::format("  {} ({} parameters)\n", owner.name, owner.parameters.size());
@@ -128,7 +137,7 @@ struct Described {
 };
 
 [[noreturn]] void RefuseName(const std::string& name) {
-  std::vector<std::string> known{"parameters", "variables", "warnings"};
+  std::vector<std::string> known{"parameters", "variables", "warnings", "vehicle"};
   std::ranges::transform(AllParameterOwners(), std::back_inserter(known), &ParameterOwner::name);
   for (const auto& [variable, facts] : VariableCatalog())
     known.push_back(variable);
@@ -167,6 +176,9 @@ int DescribeNamed(const Arguments& given) {
   } else if (words[0] == "warnings") {
     if (words.size() > 1) throw UsageError("describe warnings takes nothing else");
     fmt::print("{}", Show(WarningList{WarningCatalog(), EventCatalog()}, form));
+  } else if (words[0] == "vehicle") {
+    if (words.size() > 1) throw UsageError("describe vehicle takes nothing else");
+    fmt::print("{}", ShowVehicleKeys(form));
   } else {
     fmt::print("{}", ShowNamed(words, form));
   }

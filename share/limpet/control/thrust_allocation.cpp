@@ -2,7 +2,7 @@
 #include "limpet/control/thrust_allocation.hpp"
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 #include <Eigen/LU>
 
@@ -11,8 +11,6 @@
 
 namespace limpet {
 namespace {
-
-constexpr std::array kControlled = {kSurge, kSway, kHeave, kPitch, kYaw};
 
 /// The largest share of `step`, at most 1, that keeps every thruster within `limit`.
 double FeasibleShare(const ThrusterVector& thrust, const ThrusterVector& step, double limit) {
@@ -25,25 +23,29 @@ double FeasibleShare(const ThrusterVector& thrust, const ThrusterVector& step, d
   return share;
 }
 
+/// Thrusts per unit of each of the axes, the others of them zero: Fossen 2011 eq. 12.276,
+/// W^-1 B' (B W^-1 B')^-1.
+template <int kAxes>
+Eigen::MatrixXd ThrustFor(const Eigen::Matrix<double, 6, kThrusters>& wrench_per_thrust,
+                          const std::vector<int>& axes, const ThrusterVector& cheapness) {
+  const Eigen::Matrix<double, kAxes, kThrusters> B = wrench_per_thrust(axes, Eigen::all);
+  const Eigen::Matrix<double, kThrusters, kAxes> weighted = cheapness.asDiagonal() * B.transpose();
+  const Eigen::Matrix<double, kAxes, kAxes> gram = B * weighted;
+  return weighted * gram.inverse();
+}
+
 }  // namespace
 
 ThrustAllocation::ThrustAllocation(const ThrusterLayout& layout, const ThrusterVector& price)
     : layout_(layout), wrench_per_thrust_(layout.WrenchPerThrust()) {
   LIMPET_REQUIRE((price.array() > 0.0).all(), "prices of thrusters are positive");
-  constexpr int kRows = static_cast<int>(kControlled.size());
-  Eigen::Matrix<double, kRows, kThrusters> B;
-  for (int row = 0; row < kRows; ++row) {
-    B.row(row) = wrench_per_thrust_.row(kControlled[static_cast<std::size_t>(row)]);
-  }
-  // Fossen 2011 eq. 12.276: W^-1 B' (B W^-1 B')^-1.
+  const std::vector<int> axes = layout.ControlledAxes();
+  LIMPET_REQUIRE(!axes.empty(), "thrusters push ahead, aside and down, and turn");
   const ThrusterVector cheapness = price.cwiseInverse();
-  const Eigen::Matrix<double, kThrusters, kRows> weighted = cheapness.asDiagonal() * B.transpose();
-  const Eigen::Matrix<double, kRows, kRows> gram = B * weighted;
-  const Eigen::Matrix<double, kThrusters, kRows> inverse = weighted * gram.inverse();
   thrust_per_wrench_.setZero();
-  for (int row = 0; row < kRows; ++row) {
-    thrust_per_wrench_.col(kControlled[static_cast<std::size_t>(row)]) = inverse.col(row);
-  }
+  thrust_per_wrench_(Eigen::all, axes) = axes.size() == 5
+                                             ? ThrustFor<5>(wrench_per_thrust_, axes, cheapness)
+                                             : ThrustFor<4>(wrench_per_thrust_, axes, cheapness);
 }
 
 ThrustAllocation::Result ThrustAllocation::Allocate(const Wrench& wanted) const {

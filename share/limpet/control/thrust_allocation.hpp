@@ -9,7 +9,8 @@ namespace limpet {
 
 /// Turns a wanted wrench into thruster commands: weighted pseudo-inverse, and when thrusters
 /// saturate yaw is served first, then heave, then pitch, then surge and sway by one common factor,
-/// so that direction is kept. Roll cannot be commanded.
+/// so that direction is kept. Roll cannot be commanded, nor can pitch with thrusters that make none
+/// (`ThrusterLayout::ControlledAxes`).
 class ThrustAllocation {
  public:
   struct Result {
@@ -27,7 +28,8 @@ class ThrustAllocation {
  private:
   ThrusterLayout layout_;
   Eigen::Matrix<double, 6, kThrusters> wrench_per_thrust_;
-  Eigen::Matrix<double, kThrusters, 6> thrust_per_wrench_;  // column of roll is zero
+  Eigen::Matrix<double, kThrusters, 6>
+      thrust_per_wrench_;  // columns of what cannot be commanded are zero
 };
 
 }  // namespace limpet

@@ -27,6 +27,24 @@ ConfigProblem Missing(const ConfigBlock& block, const ParamSpec& spec) {
                       spec.allowed, spec.is_repeatable ? " (may repeat)" : "")};
 }
 
+/// `[1, 2, 3]`, `1, 2, 3` or `1 2 3`.
+std::optional<Eigen::Vector3d> ParseVector3(std::string_view text) {
+  std::string numbers(text);
+  std::ranges::replace_if(
+      numbers, [](char c) { return c == '[' || c == ']' || c == ','; }, ' ');
+  Eigen::Vector3d vector;
+  std::string_view rest = numbers;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+    const std::optional<double> value = ParseNumber(rest.substr(0, rest.find(' ')));
+    if (!value) return std::nullopt;
+    vector(i) = *value;
+    rest.remove_prefix(std::min(rest.find(' '), rest.size()));
+  }
+  return rest.find_first_not_of(' ') == std::string_view::npos ? std::optional(vector)
+                                                               : std::nullopt;
+}
+
 bool IsInside(double value, const Range<double>& range) {
   // A bound that went through degrees and back may miss itself by an ulp.
   constexpr double kSlack = 1e-12;
@@ -78,7 +96,7 @@ void ParamCollector::operator()(const char* name, int& field, const char* help, 
   ParamSpec& spec = specs_.back();
   spec.set = [&field, check = spec.set,
               allowed = spec.allowed](std::string_view text) -> std::optional<std::string> {
-    if (const auto complaint = check(text)) {
+    if (auto complaint = check(text)) {
       return complaint;
     }
     const std::optional<std::int64_t> value = ParseInteger(text);
@@ -119,6 +137,28 @@ void ParamCollector::operator()(const char* name, std::string& field, const char
                  .set = nullptr};
   spec.set = [&field](std::string_view text) -> std::optional<std::string> {
     field = std::string(text);
+    return std::nullopt;
+  };
+  Add(std::move(spec));
+}
+
+void ParamCollector::operator()(const char* name, Eigen::Vector3d& field, const char* unit,
+                                const char* help, Range<double> each) {
+  ParamSpec spec{
+      .name = name,
+      .unit = unit,
+      .default_text = fmt::format("[{:.10g}, {:.10g}, {:.10g}]", field.x(), field.y(), field.z()),
+      .allowed = fmt::format("[x, y, z], each {}", AllowedText(each, unit)),
+      .help = help,
+      .is_repeatable = false,
+      .set = nullptr};
+  spec.set = [&field, each,
+              allowed = spec.allowed](std::string_view text) -> std::optional<std::string> {
+    const std::optional<Eigen::Vector3d> value = ParseVector3(text);
+    if (!value || !IsInside(value->minCoeff(), each) || !IsInside(value->maxCoeff(), each)) {
+      return fmt::format("`{}` is not allowed; allowed: {}", text, allowed);
+    }
+    field = *value;
     return std::nullopt;
   };
   Add(std::move(spec));

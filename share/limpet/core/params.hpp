@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "limpet/core/config.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/core/units.hpp"
@@ -56,6 +58,10 @@ class ParamCollector {
   void operator()(const char* name, int& field, const char* help, Range<int> range = {});
   void operator()(const char* name, bool& field, const char* help);
   void operator()(const char* name, std::string& field, const char* help);
+  /// Three numbers, each in the range: `[x, y, z]`, brackets and commas optional. `unit` is the
+  /// symbol of what they are in.
+  void operator()(const char* name, Eigen::Vector3d& field, const char* unit, const char* help,
+                  Range<double> each = {});
   /// One entry per line of the block.
   void operator()(const char* name, std::vector<std::string>& field, const char* help);
   /// A string that must be one of `choices`.

@@ -11,6 +11,8 @@ namespace limpet::internal {
 // Syntax.
 void CheckBlockNames(const MissionReading& reading, MissionProblems& found);
 void CheckGlobals(const MissionReading& reading, MissionProblems& found);
+/// That the mission says which vehicle flies it, if it starts an app that needs to know.
+void CheckVehicle(const MissionReading& reading, MissionProblems& found);
 void CheckLaunches(const MissionReading& reading, MissionProblems& found);
 void CheckBlocks(const MissionReading& reading, MissionProblems& found);
 void CheckBehaviors(const MissionReading& reading, MissionProblems& found);

@@ -8,6 +8,7 @@
 
 #include "limpet/preflight/checks.hpp"
 #include "limpet/vehicle/hydrodynamics.hpp"
+#include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet::internal {
 namespace {
@@ -95,7 +96,8 @@ void CheckWayHome(const MissionReading& reading, const SurveyFacts& survey, cons
 /// Steady speed through the water at full thrust ahead [m/s].
 double TopSpeed(const VehicleParams& vehicle) {
   const Hydrodynamics hydro = DeriveHydrodynamics(vehicle);
-  const double thrust = 4.0 * ThrusterLayout::kDiagonal * vehicle.thrusters.max_thrust_n;
+  const double thrust = vehicle.thrusters.max_thrust_n *
+                        vehicle.thrusters.WrenchPerThrust().row(kSurge).cwiseAbs().sum();
   double low = 0.0, high = 20.0;
   for (int i = 0; i < 60; ++i) {
     const double speed = 0.5 * (low + high);
@@ -107,7 +109,8 @@ double TopSpeed(const VehicleParams& vehicle) {
 void CheckCurrent(const MissionReading& reading, const SurveyFacts& survey,
                   MissionProblems& found) {
   if (!reading.Launches("uSimVehicle")) return;  // another vehicle has another top speed
-  const double top = TopSpeed(VehicleParams{});
+  const double top = TopSpeed(
+      LoadMissionVehicle(reading.mission().Global(kVehicleFileGlobal), reading.folder()).params);
   const double speed = survey.speed.number();
   if (speed > top) {
     found.geometry.push_back(survey.speed.Refuse(fmt::format(

@@ -52,6 +52,7 @@ Eigen::Map<const StateVector> View(N_Vector y) {
 class CvodeIntegrator::Solver {
  public:
   Solver(const VehicleModel& model, const StateVector& start, const Options& options);
+  ~Solver() = default;
   Solver(const Solver&) = delete;
   Solver& operator=(const Solver&) = delete;
 

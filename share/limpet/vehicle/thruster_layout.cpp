@@ -2,8 +2,26 @@
 #include "limpet/vehicle/thruster_layout.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 
 namespace limpet {
+namespace {
+
+bool AreIndependent(const Eigen::Matrix<double, 6, kThrusters>& wrenches,
+                    const std::vector<int>& axes) {
+  const Eigen::MatrixXd rows = wrenches(axes, Eigen::all);
+  return rows.colPivHouseholderQr().rank() == rows.rows();
+}
+
+}  // namespace
+
+std::vector<int> ThrusterLayout::ControlledAxes() const {
+  const Eigen::Matrix<double, 6, kThrusters> wrenches = WrenchPerThrust();
+  std::vector<int> axes{0, 1, 2, 4, 5};
+  if (AreIndependent(wrenches, axes)) return axes;
+  axes = {0, 1, 2, 5};
+  return AreIndependent(wrenches, axes) ? axes : std::vector<int>{};
+}
 
 Eigen::Matrix<double, 6, kThrusters> ThrusterLayout::WrenchPerThrust() const {
   Eigen::Matrix<double, 6, kThrusters> B;

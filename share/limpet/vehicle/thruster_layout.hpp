@@ -2,8 +2,11 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include <Eigen/Core>
+
+#include "limpet/core/params.hpp"
 
 namespace limpet {
 
@@ -20,7 +23,7 @@ struct Thruster {
 
 /// Four vectored thrusters in the horizontal plane (fore starboard, fore port, aft starboard, aft
 /// port; each pushes forward and, by 45 deg, sideways) and two vertical ones (fore, aft; positive
-/// pushes down). Roll is left to the righting moment.
+/// pushes down), unless a vehicle's file says otherwise.
 struct ThrusterLayout {
   static constexpr double kDiagonal = 0.70710678118654752;  // cos and sin of 45 deg
   std::array<Thruster, kThrusters> thrusters = {
@@ -35,6 +38,19 @@ struct ThrusterLayout {
   /// First-order lag from command to thrust.
   double lag_s = 0.12;
 
+  /// What all thrusters have in common; where they are is a list of its own in a vehicle's file.
+  template <class V>
+  void Describe(V& visit) {
+    visit("max_thrust_n", max_thrust_n, "Greatest thrust of one thruster, either way [N]",
+          InRange(0.1, 1000.0));
+    visit("lag_s", lag_s, "First-order lag from command to thrust [s]", InRange(0.01, 2.0));
+  }
+
+  /// Axes of a wrench that the thrusters can push along or turn about, each by itself: surge, sway,
+  /// heave and yaw, and pitch where some thrusters stand ahead of others. Roll is left to the
+  /// righting moment, and so is pitch if it is not among them. Empty if surge, sway, heave or yaw
+  /// is not.
+  [[nodiscard]] std::vector<int> ControlledAxes() const;
   /// Column i is the wrench of 1 N of thruster i.
   [[nodiscard]] Eigen::Matrix<double, 6, kThrusters> WrenchPerThrust() const;
 };

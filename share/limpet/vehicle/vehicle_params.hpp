@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Constants of a FeelHippo-class vehicle. They are estimates: published mass (35 kg), size
-// (about 0.6 m), number of thrusters (6) and top speed (about 1 m/s) are met; the rest follows from
-// the formulae named at each entry (Fossen 2011, Handbook of Marine Craft Hydrodynamics).
+// What a vehicle's model is made of. A vehicle's file (share/vehicles) says it; the defaults are of
+// a FeelHippo-class vehicle and stand for what a file leaves out. They are estimates: published
+// mass (35 kg), size (about 0.6 m), number of thrusters (6) and top speed (about 1 m/s) are met;
+// the rest follows from the formulae named at each entry (Fossen 2011).
 #pragma once
 
 #include <array>
 
 #include <Eigen/Core>
 
+#include "limpet/core/params.hpp"
 #include "limpet/vehicle/thruster_layout.hpp"
 
 namespace limpet {
@@ -24,6 +26,19 @@ struct ContactParams {
                                             {0.25, -0.15, 0.2},
                                             {-0.25, 0.15, 0.2},
                                             {-0.25, -0.15, 0.2}};
+
+  template <class V>
+  void Describe(V& visit) {
+    visit("skid_fore_starboard_m", skids_B[0], "m",
+          "Where a skid touches the seabed, from the body origin", InRange(-5.0, 5.0));
+    visit("skid_fore_port_m", skids_B[1], "m", "The same, fore and port", InRange(-5.0, 5.0));
+    visit("skid_aft_starboard_m", skids_B[2], "m", "The same, aft and starboard",
+          InRange(-5.0, 5.0));
+    visit("skid_aft_port_m", skids_B[3], "m", "The same, aft and port", InRange(-5.0, 5.0));
+    visit("skid_stiffness_n_per_m", stiffness_n_per_m, "Of each skid on the seabed [N/m]",
+          InRange(10.0, 1e6));
+    visit("skid_friction", friction, "Coefficient of friction on the seabed", InRange(0.0, 2.0));
+  }
 };
 
 /// Body origin is the centre of buoyancy; axes forward-right-down; SI units.
@@ -56,6 +71,37 @@ struct VehicleParams {
 
   ThrusterLayout thrusters;
   ContactParams contact;
+
+  /// Hull and ballast.
+  template <class V>
+  void Describe(V& visit) {
+    visit("mass_kg", mass, "Dry mass with ballast [kg]", InRange(0.5, 1e5));
+    visit("net_buoyancy_n", net_buoyancy_n, "Buoyancy less weight: a dead vehicle must rise [N]",
+          InRange(0.01, 1000.0));
+    visit("length_m", length_m, "Of the displaced ellipsoid [m]", InRange(0.1, 20.0));
+    visit("width_m", width_m, "Of the displaced ellipsoid; its height follows from the mass [m]",
+          InRange(0.05, 10.0));
+    visit("cg_below_cb_m", cg_below_cb_m, "Centre of gravity below that of buoyancy [m]",
+          InRange(0.001, 2.0));
+    visit("inertia_factor", inertia_factor, "Moments of inertia over those of a solid ellipsoid",
+          InRange(0.2, 5.0));
+    visit("frame_added_mass", frame_added_mass,
+          "Share of the dry inertia that frame, ducts and skids drag along", InRange(0.0, 2.0));
+    visit("drag_coefficient", drag_coefficient, "",
+          "Surge, sway and heave, on the ellipsoid's projected areas", InRange(0.05, 5.0));
+    visit("linear_drag_speed_mps", linear_drag_speed_mps,
+          "Speed at which linear and quadratic drag are equal [m/s]", InRange(0.0, 2.0));
+    visit("rotation_drag_factor", rotation_drag_factor, "Rotational drag over that of strip theory",
+          InRange(0.1, 20.0));
+    visit("linear_drag_rate_radps", linear_drag_rate_radps,
+          "Turn rate at which linear and quadratic drag are equal [rad/s]", InRange(0.0, 10.0));
+    visit("antenna_m", antenna_B, "m", "GPS antenna, from the body origin", InRange(-10.0, 10.0));
+    visit("surfaced_depth_m", surfaced_depth_m, "Origin shallower than this: surfaced [m]",
+          InRange(0.0, 5.0));
+    visit("submerged_depth_m", submerged_depth_m,
+          "Origin deeper than this: submerged, antenna under water [m]", InRange(0.0, 5.0));
+    contact.Describe(visit);
+  }
 };
 
 }  // namespace limpet

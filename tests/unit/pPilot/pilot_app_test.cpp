@@ -16,6 +16,7 @@ namespace {
 
 AppContext ContextFor(TestLink& link) {
   AppContext context;
+  context.globals = {{"VehicleFile", "feelhippo.yaml", {}}};
   context.name = "pPilot";
   context.link = &link;
   return context;

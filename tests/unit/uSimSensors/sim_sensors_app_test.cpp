@@ -13,6 +13,7 @@ namespace {
 
 AppContext ContextFor(TestLink& link, std::uint64_t seed = 1) {
   AppContext context;
+  context.globals = {{"VehicleFile", "feelhippo.yaml", {}}};
   context.name = "uSimSensors";
   context.link = &link;
   context.seed = seed;

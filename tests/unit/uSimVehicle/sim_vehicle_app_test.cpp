@@ -15,6 +15,7 @@ namespace {
 
 AppContext ContextFor(TestLink& link, bool runs_live = false) {
   AppContext context;
+  context.globals = {{"VehicleFile", "feelhippo.yaml", {}}};
   context.runs_live = runs_live;
   context.name = "uSimVehicle";
   context.link = &link;

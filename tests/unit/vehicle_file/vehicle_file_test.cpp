@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/vehicle_file/vehicle_file.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limpet/vehicle/hydrodynamics.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const fs::path kShipped = fs::path(LIMPET_SOURCE_DIR) / "share" / "vehicles";
+
+constexpr const char* kThrusterLines = R"(
+    - {name: a, at_m: [0.2, 0.2, 0], push: [1, -1, 0]}
+    - {name: b, at_m: [0.2, -0.2, 0], push: [1, 1, 0]}
+    - {name: c, at_m: [-0.2, 0.2, 0], push: [1, 1, 0]}
+    - {name: d, at_m: [-0.2, -0.2, 0], push: [1, -1, 0]}
+    - {name: e, at_m: [0.2, 0, 0], push: [0, 0, 1]}
+    - {name: f, at_m: [-0.2, 0, 0], push: [0, 0, 1]}
+)";
+
+std::string FileWith(const std::string& hull, const std::string& thrusters = kThrusterLines) {
+  return fmt::format("name: Test\nhull:\n  {}\nthrusters:\n  list:{}", hull, thrusters);
+}
+
+/// Every problem, as a user reads it.
+std::vector<std::string> ProblemsOf(const std::string& text) {
+  std::vector<std::string> lines;
+  try {
+    static_cast<void>(ParseVehicleFile(text, "v.yaml"));
+  } catch (const ConfigError& error) {
+    for (const ConfigProblem& problem : error.problems())
+      lines.push_back(problem.Format());
+  }
+  return lines;
+}
+
+TEST(VehicleFile, OfFeelHippoIsTheVehicleThatEveryFigureWasMeasuredWith) {
+  const VehicleFile file = LoadVehicleFile(kShipped / "feelhippo.yaml");
+  const VehicleParams usual;
+  EXPECT_EQ(file.name, "FeelHippo");
+  EXPECT_EQ(DeriveHydrodynamics(file.params).mass_matrix, DeriveHydrodynamics(usual).mass_matrix);
+  EXPECT_EQ(DeriveHydrodynamics(file.params).quadratic_drag,
+            DeriveHydrodynamics(usual).quadratic_drag);
+  EXPECT_EQ(file.params.thrusters.WrenchPerThrust(), usual.thrusters.WrenchPerThrust());
+  EXPECT_EQ(file.params.thrusters.max_thrust_n, usual.thrusters.max_thrust_n);
+  EXPECT_EQ(file.params.antenna_B, usual.antenna_B);
+}
+
+TEST(VehicleFile, OfBlueRov2LeavesPitchToBuoyancy) {
+  const VehicleFile file = LoadVehicleFile(kShipped / "bluerov2.yaml");
+  EXPECT_THAT(file.params.thrusters.ControlledAxes(), ElementsAre(0, 1, 2, 5));
+}
+
+TEST(VehicleFile, TakesPushesOfAnyLength) {
+  const VehicleFile file = ParseVehicleFile(FileWith("mass_kg: 20"), "v.yaml");
+  for (const Thruster& thruster : file.params.thrusters.thrusters) {
+    EXPECT_NEAR(thruster.axis_B.norm(), 1.0, 1e-15);
+  }
+  EXPECT_EQ(file.params.mass, 20.0);
+}
+
+TEST(VehicleFile, NamesLineKeyValueAndWhatIsAllowed) {
+  EXPECT_THAT(ProblemsOf(FileWith("mass_kg: -35")),
+              ElementsAre("v.yaml:3: hull.mass_kg: `-35` is not allowed; allowed: 0.5 to 100000"));
+  EXPECT_THAT(ProblemsOf(FileWith("mass_kgs: 35")),
+              ElementsAre("v.yaml:3: hull.mass_kgs: unknown key; did you mean `mass_kg`?"));
+  EXPECT_THAT(
+      ProblemsOf(FileWith("antenna_m: [0, 0]")),
+      ElementsAre(HasSubstr("`[0, 0]` is not allowed; allowed: [x, y, z], each -10 to 10 m")));
+  EXPECT_THAT(ProblemsOf(FileWith("antenna_m: [0, 0, 0, 1]")), testing::SizeIs(1));
+  EXPECT_THAT(ProblemsOf(FileWith("antenna_m: {x: 1}")), testing::SizeIs(1));
+}
+
+TEST(VehicleFile, MissesAThruster) {
+  const std::string five =
+      std::string(kThrusterLines).substr(0, std::string(kThrusterLines).rfind("    - "));
+  EXPECT_THAT(
+      ProblemsOf(FileWith("mass_kg: 35", five)),
+      ElementsAre(HasSubstr("thrusters.list: a list of 5 is not allowed; allowed: a list of "
+                            "6 thrusters")));
+  EXPECT_THAT(ProblemsOf("name: Test\n"), ElementsAre(HasSubstr("thrusters.list: is missing")));
+}
+
+TEST(VehicleFile, RefusesThrustersThatCannotMoveTheVehicle) {
+  std::string flat = kThrusterLines;
+  for (std::size_t at = flat.find("[0, 0, 1]"); at != std::string::npos;
+       at = flat.find("[0, 0, 1]")) {
+    flat.replace(at, 9, "[1, 0, 0]");
+  }
+  EXPECT_THAT(ProblemsOf(FileWith("mass_kg: 35", flat)),
+              ElementsAre(HasSubstr("cannot push the vehicle ahead, aside and down")));
+  std::string idle = kThrusterLines;
+  idle.replace(idle.find("[0, 0, 1]"), 9, "[0, 0, 0]");
+  EXPECT_THAT(ProblemsOf(FileWith("mass_kg: 35", idle)),
+              ElementsAre(HasSubstr("a thruster pushes some way")));
+}
+
+TEST(VehicleFile, RefusesABodyThatContradictsItself) {
+  EXPECT_THAT(ProblemsOf(FileWith("width_m: 0.7")), ElementsAre(HasSubstr("longer than wide")));
+  EXPECT_THAT(ProblemsOf(FileWith("surfaced_depth_m: 0.4")),
+              ElementsAre(HasSubstr("lies above hull.submerged_depth_m")));
+}
+
+TEST(VehicleFile, RefusesWhatIsNoYamlAndWhatIsNoMap) {
+  EXPECT_THAT(ProblemsOf("name: [unclosed"), ElementsAre(HasSubstr("not YAML")));
+  EXPECT_THAT(ProblemsOf("- a\n- b\n"), testing::SizeIs(1));
+  EXPECT_THAT(ProblemsOf(FileWith("mass_kg: 35") + "name: Again\n"),
+              ElementsAre(HasSubstr("is given twice")));
+}
+
+TEST(VehicleFile, LiesBesideTheMissionBeforeItIsLookedForAmongTheShipped) {
+  const TemporaryFolder folder;
+  const auto beside = [&] { return LoadMissionVehicle("feelhippo.yaml", folder.path()).name; };
+  EXPECT_EQ(beside(), "FeelHippo");
+  std::ofstream(folder.path() / "feelhippo.yaml") << FileWith("mass_kg: 35");
+  EXPECT_EQ(beside(), "Test");
+}
+
+TEST(VehicleFile, ThatIsNowhereIsNamedWithThoseThereAre) {
+  const TemporaryFolder folder;
+  try {
+    static_cast<void>(LoadMissionVehicle("feelhipo.yaml", folder.path()));
+    FAIL() << "found";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("there is no `feelhipo.yaml`"));
+    EXPECT_THAT(error.what(), HasSubstr("feelhippo.yaml"));
+  }
+}
+
+TEST(VehicleFile, DeclaresEveryKeyOnceWithUnitRangeAndMeaning) {
+  VehicleParams params;
+  for (const VehicleFileSection& section : VehicleFileSections(params)) {
+    for (const ParamSpec& key : section.keys) {
+      EXPECT_FALSE(key.help.empty()) << section.name << "." << key.name;
+      EXPECT_THAT(key.allowed, HasSubstr("to")) << section.name << "." << key.name;
+      EXPECT_FALSE(key.default_text.empty()) << section.name << "." << key.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace limpet
