@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// What holds for every behavior there is: of its parameters, and of its first tick.
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "behaviors/BHV_ConstantDepth.hpp"
+#include "behaviors/BHV_CoverArea.hpp"
+#include "behaviors/BHV_FollowPath.hpp"
+#include "behaviors/BHV_HoldAltitude.hpp"
+#include "behaviors/BHV_HoldStation.hpp"
+#include "behaviors/BHV_OpRegion.hpp"
+#include "behaviors/BHV_ReduceMapEntropy.hpp"
+#include "behaviors/BHV_ReduceObjectEntropy.hpp"
+#include "behaviors/BHV_ReturnHome.hpp"
+#include "behaviors/BHV_RevisitOpi.hpp"
+#include "limpet/helm/registry.hpp"
+
+namespace limpet {
+namespace {
+
+using ::testing::HasSubstr;
+
+ConfigBlock BlockOf(const std::vector<ParamSpec>& specs) {
+  ConfigBlock block{.name = "BHV", .where = {"mission.bhv", 3}, .entries = {}};
+  for (const ParamSpec& spec : specs) {
+    if (spec.is_required) block.entries.push_back({spec.name, spec.example[0], {"mission.bhv", 4}});
+  }
+  return block;
+}
+
+template <class B>
+class EveryBehavior : public ::testing::Test {
+ protected:
+  [[nodiscard]] static std::string ComplaintAbout(const std::string& key,
+                                                  const std::string& value) {
+    ConfigBlock block = BlockOf(entry_.describe());
+    std::erase_if(block.entries, [&key](const ConfigEntry& e) { return e.key == key; });
+    block.entries.push_back({key, value, {"mission.bhv", 17}});
+    try {
+      static_cast<void>(entry_.create(block));
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+    return "";
+  }
+  static inline const BehaviorEntry entry_ = MakeBehaviorEntry<B>();
+};
+
+using Behaviors =
+    ::testing::Types<BHV_ConstantDepth, BHV_CoverArea, BHV_FollowPath, BHV_HoldAltitude,
+                     BHV_HoldStation, BHV_OpRegion, BHV_ReduceMapEntropy, BHV_ReduceObjectEntropy,
+                     BHV_ReturnHome, BHV_RevisitOpi>;
+TYPED_TEST_SUITE(EveryBehavior, Behaviors);
+
+TYPED_TEST(EveryBehavior, IsBuiltFromItsExamples) {
+  const std::vector<ParamSpec> specs = this->entry_.describe();
+  ConfigBlock block = BlockOf(specs);
+  EXPECT_NO_THROW(static_cast<void>(this->entry_.create(block)));
+  block.entries.clear();
+  for (const ParamSpec& spec : specs) {
+    block.entries.push_back({spec.name, spec.example[0], {"mission.bhv", 4}});
+  }
+  EXPECT_NO_THROW(static_cast<void>(this->entry_.create(block))) << "its defaults, said aloud";
+}
+
+TYPED_TEST(EveryBehavior, RefusesAKeyThatItDoesNotHaveAndNamesTheNearest) {
+  for (const ParamSpec& spec : this->entry_.describe()) {
+    const std::string misspelt = spec.name + "x";
+    const std::string complaint = this->ComplaintAbout(misspelt, spec.example[0]);
+    EXPECT_THAT(complaint, HasSubstr("mission.bhv:17: " + misspelt + ": "));
+    EXPECT_THAT(complaint, HasSubstr("`" + spec.name + "`"));
+  }
+  EXPECT_THAT(this->ComplaintAbout("conditon", "A = 1"), HasSubstr("`condition`"));
+}
+
+TYPED_TEST(EveryBehavior, RefusesWordsWhereANumberBelongs) {
+  for (const ParamSpec& spec : this->entry_.describe()) {
+    if (spec.allowed == "text") continue;
+    for (const char* value : {"much", "", "1e999", "nan", "3 4"}) {
+      const std::string complaint = this->ComplaintAbout(spec.name, value);
+      EXPECT_THAT(complaint, HasSubstr("mission.bhv:17: " + spec.name + ": ")) << value;
+      EXPECT_THAT(complaint, HasSubstr(spec.allowed)) << "says what would do";
+    }
+  }
+}
+
+TYPED_TEST(EveryBehavior, RefusesNumbersBeyondItsRangeAndTakesItsBounds) {
+  for (const ParamSpec& spec : this->entry_.describe()) {
+    double low = 0.0, high = 0.0;
+    if (std::sscanf(spec.allowed.c_str(), "%lf to %lf", &low, &high) != 2) continue;
+    const double step = std::max(1.0, std::abs(high));
+    EXPECT_THAT(this->ComplaintAbout(spec.name, fmt::format("{}", high + step)),
+                HasSubstr("is not allowed"))
+        << spec.name;
+    EXPECT_THAT(this->ComplaintAbout(spec.name, fmt::format("{}", low - step)),
+                HasSubstr("is not allowed"))
+        << spec.name;
+    EXPECT_EQ(this->ComplaintAbout(spec.name, fmt::format("{}", low)), "");
+    EXPECT_EQ(this->ComplaintAbout(spec.name, fmt::format("{}", high)), "");
+  }
+}
+
+TYPED_TEST(EveryBehavior, SaysWhatItNeedsWhenABlockLacksIt) {
+  for (const ParamSpec& spec : this->entry_.describe()) {
+    if (!spec.is_required) continue;
+    ConfigBlock block = BlockOf(this->entry_.describe());
+    std::erase_if(block.entries, [&spec](const ConfigEntry& e) { return e.key == spec.name; });
+    try {
+      static_cast<void>(this->entry_.create(block));
+      ADD_FAILURE() << spec.name << " is required";
+    } catch (const ConfigError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("mission.bhv:3: " + spec.name + ": is missing"));
+    }
+  }
+}
+
+void ExpectSound(const std::optional<Peak>& peak) {
+  if (!peak) return;
+  EXPECT_TRUE(std::isfinite(peak->summit));
+  EXPECT_GE(peak->flat_half_width, 0.0);
+  EXPECT_GT(peak->base_half_width, peak->flat_half_width) << "the helm divides by the difference";
+}
+
+/// Also of a vehicle that knows nothing of itself yet, and of one that has just stopped running.
+TYPED_TEST(EveryBehavior, BidsPeaksThatTheHelmCanWeigh) {
+  const auto behavior = this->entry_.create(BlockOf(this->entry_.describe()));
+  VehicleState state;
+  const auto tick = [&] {
+    const MotionBid bid = behavior->Move(state);
+    ExpectSound(bid.course);
+    ExpectSound(bid.speed);
+    ExpectSound(bid.depth);
+  };
+  tick();  // not even started
+  behavior->Start(state);
+  tick();
+  state.area = SurveyArea{-10.0, 10.0, -10.0, 10.0, 2.0, 2.0};
+  state.guidance = Guidance{.course = -3.0, .turn_rate = 0.1};
+  state.nav.altitude = 0.0;
+  tick();
+  state.now = Seconds(-5.0);  // a clock that was set back
+  tick();
+  state.now = Seconds(1e6);
+  state.nav.north = 500.0;
+  tick();
+}
+
+TEST(BehaviorRegistry, HoldsEveryBehaviorOfThisFolder) {
+  for (const char* name :
+       {"BHV_ConstantDepth", "BHV_CoverArea", "BHV_FollowPath", "BHV_HoldAltitude",
+        "BHV_HoldStation", "BHV_OpRegion", "BHV_ReduceMapEntropy", "BHV_ReduceObjectEntropy",
+        "BHV_ReturnHome", "BHV_RevisitOpi"}) {
+    EXPECT_TRUE(BehaviorRegistry().contains(name)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace limpet
