@@ -65,6 +65,21 @@ void ApplyBehaviorSettings(std::vector<BehaviorFile>& files,
 
 namespace {
 
+bool IsWeight(std::string_view key) {
+  return EqualsIgnoringCase(key, "pwt") || EqualsIgnoringCase(key, "priority");
+}
+
+/// Throws ConfigError.
+double WeightFrom(const ConfigEntry& entry) {
+  const std::optional<double> weight = ParseNumber(entry.value);
+  if (!weight || *weight < 0.0) {
+    throw ConfigError(
+        ConfigProblem{entry.where, entry.key,
+                      fmt::format("`{}` is not allowed; allowed: at least 0", entry.value)});
+  }
+  return *weight;
+}
+
 void AddFlag(const ConfigEntry& entry, std::vector<Flag>& flags,
              std::vector<ConfigProblem>& problems) {
   Expected<Flag> flag = Flag::Parse(entry.value);
@@ -111,14 +126,16 @@ void BehaviorHost::AddBehavior(ConfigBlock block, std::vector<ConfigProblem>& pr
                                     NearestWord(block.name, known))});
     return;
   }
-  const std::map<std::string, std::vector<Flag>*> flag_keys{
+  const std::vector<std::pair<std::string_view, std::vector<Flag>*>> flag_keys{
       {"runflag", &hosted->run_flags},
       {"runxflag", &hosted->running_flags},
       {"activeflag", &hosted->active_flags},
       {"inactiveflag", &hosted->inactive_flags},
       {"idleflag", &hosted->idle_flags}};
   for (const ConfigEntry& e : block.entries) {
-    if (const auto flags = flag_keys.find(e.key); flags != flag_keys.end()) {
+    const auto flags = std::ranges::find_if(
+        flag_keys, [&e](const auto& known) { return EqualsIgnoringCase(e.key, known.first); });
+    if (flags != flag_keys.end()) {
       AddFlag(e, *flags->second, problems);
     } else if (EqualsIgnoringCase(e.key, "condition")) {
       Expected<Condition> condition = Condition::Parse(e.value);
@@ -127,13 +144,12 @@ void BehaviorHost::AddBehavior(ConfigBlock block, std::vector<ConfigProblem>& pr
       } else {
         problems.push_back({e.where, e.key, condition.error().text});
       }
-    } else if (EqualsIgnoringCase(e.key, "pwt") || EqualsIgnoringCase(e.key, "priority")) {
-      const std::optional<double> weight = ParseNumber(e.value);
-      if (!weight || *weight < 0.0) {
-        problems.push_back(
-            {e.where, e.key, fmt::format("`{}` is not allowed; allowed: at least 0", e.value)});
+    } else if (IsWeight(e.key)) {
+      try {
+        hosted->weight = WeightFrom(e);
+      } catch (const ConfigError& error) {
+        problems.push_back(error.problems().front());
       }
-      hosted->weight = weight.value_or(0.0);
     } else if (EqualsIgnoringCase(e.key, "updates")) {
       hosted->updates_variable = e.value;
     }
@@ -188,6 +204,7 @@ void BehaviorHost::SetVariable(const std::string& name, const Value& value) {
 
 void BehaviorHost::ApplyUpdate(Hosted& hosted, const std::string& text) {
   ConfigBlock updated = hosted.block;
+  std::optional<ConfigEntry> weight;
   int parts = 0;
   const SourceLine where{.file = hosted.updates_variable, .line = 0};
   for (const std::string& part : Split(text, '#')) {
@@ -202,8 +219,8 @@ void BehaviorHost::ApplyUpdate(Hosted& hosted, const std::string& text) {
       continue;
     }
     ++parts;
-    if (key == "pwt") {
-      hosted.weight = ParseNumber(value).value_or(hosted.weight);
+    if (IsWeight(key)) {
+      weight = {key, value, where};
       continue;
     }
     std::erase_if(updated.entries,
@@ -213,7 +230,9 @@ void BehaviorHost::ApplyUpdate(Hosted& hosted, const std::string& text) {
   hosted.updates += parts;
   std::erase_if(warnings_, [&hosted](const OwnedWarning& old) { return old.owner == hosted.name; });
   try {
+    const double new_weight = weight ? WeightFrom(*weight) : hosted.weight;
     hosted.behavior = BehaviorRegistry().at(updated.name).create(updated);
+    hosted.weight = new_weight;
     hosted.block = std::move(updated);
     hosted.good_updates += parts;
     hosted.is_running = false;  // the new one is started like any other
