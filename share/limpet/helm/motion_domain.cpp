@@ -59,8 +59,9 @@ std::vector<ConfigProblem> ReadMotionDomain(std::span<const ConfigEntry> lines,
       problems.push_back({line.where, "domain", *complaint});
     }
   }
+  const bool is_readable = problems.empty();  // else a name that is misspelt would be missed, too
   for (const std::string& name : DecisionVariables()) {
-    if (problems.empty() && std::ranges::find(seen, name) == seen.end()) {
+    if (is_readable && std::ranges::find(seen, name) == seen.end()) {
       problems.push_back(
           {block, "domain", fmt::format("`{}` is missing; the helm decides on all three", name)});
     }

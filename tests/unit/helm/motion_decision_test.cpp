@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// How now: which behaviors count, how much, and what the mission's domain allows.
+#include "limpet/helm/motion_decision.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limpet/core/frames.hpp"
+#include "limpet/core/random.hpp"
+#include "limpet/helm/motion_domain.hpp"
+
+namespace limpet {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class MovingBehavior final : public Behavior {
+ public:
+  MovingBehavior() = default;
+  explicit MovingBehavior(MotionBid bid) : bid_(std::move(bid)) {}
+  [[nodiscard]] MotionBid Move(const VehicleState&) override {
+    ++asked;
+    return bid_;
+  }
+  int asked = 0;
+
+ private:
+  MotionBid bid_;
+};
+
+MotionBid Course(double course, double turn_rate = 0.0) {
+  MotionBid bid;
+  bid.course = Peak{.summit = course, .flat_half_width = 0.0, .base_half_width = 3.1};
+  bid.turn_rate = turn_rate;
+  return bid;
+}
+MotionBid Speed(double speed) {
+  MotionBid bid;
+  bid.speed = Peak{.summit = speed, .flat_half_width = 0.0, .base_half_width = 1.0};
+  return bid;
+}
+MotionBid Depth(double depth) {
+  MotionBid bid;
+  bid.depth = Peak{.summit = depth, .flat_half_width = 0.0, .base_half_width = 5.0};
+  return bid;
+}
+
+TEST(MotionDecision, NamesWhatNobodyBidOn) {
+  MovingBehavior course(Course(1.0)), depth(Depth(3.0));
+  const std::vector<WeightedBehavior> running{{"course", 100.0, &course}, {"depth", 1.0, &depth}};
+  EXPECT_EQ(DecideMotion(running, {}, {}).Missing(), "speed");
+  EXPECT_EQ(DecideMotion({}, {}, {}).Missing(), "course,speed,depth");
+  EXPECT_THAT(DecideMotion(running, {}, {}).active, ElementsAre("course", "depth"));
+}
+
+TEST(MotionDecision, DoesNotEvenAskABehaviorWithoutWeight) {
+  MovingBehavior silent(Course(1.0)), loud(Course(-1.0));
+  const std::vector<WeightedBehavior> running{{"silent", 0.0, &silent}, {"loud", 1.0, &loud}};
+  const MotionDecision decision = DecideMotion(running, {}, {});
+  EXPECT_EQ(silent.asked, 0);
+  EXPECT_NEAR(*decision.course, -1.0, 1e-12);
+  EXPECT_THAT(decision.active, ElementsAre("loud"));
+}
+
+TEST(MotionDecision, TurnsAsTheHeaviestBidderOnCourseSays) {
+  MovingBehavior light(Course(1.0, 0.1)), heavy(Course(1.2, 0.2)), deep(Depth(3.0));
+  const std::vector<WeightedBehavior> running{
+      {"light", 1.0, &light}, {"heavy", 5.0, &heavy}, {"deep", 50.0, &deep}};
+  EXPECT_EQ(*DecideMotion(running, {}, {}).turn_rate, 0.2);
+  const std::vector<WeightedBehavior> turned(running.rbegin(), running.rend());
+  EXPECT_EQ(*DecideMotion(turned, {}, {}).turn_rate, 0.2) << "whatever their order";
+}
+
+TEST(MotionDecision, KeepsSpeedAndDepthInsideTheMissionsDomain) {
+  Random random(1, "domain");
+  for (int run = 0; run < 300; ++run) {
+    const MotionDomain domain{
+        .speed_low = 0.2, .speed_high = 1.5, .depth_low = 1.0, .depth_high = 20.0};
+    const double speed = random.Uniform(-2.0, 4.0), depth = random.Uniform(-10.0, 40.0);
+    MovingBehavior fast(Speed(speed)), deep(Depth(depth));
+    const std::vector<WeightedBehavior> running{{"fast", 1.0, &fast}, {"deep", 1.0, &deep}};
+    const MotionDecision decision = DecideMotion(running, {}, domain);
+    EXPECT_EQ(*decision.speed, std::clamp(speed, 0.2, 1.5));
+    EXPECT_EQ(*decision.depth, std::clamp(depth, 1.0, 20.0));
+  }
+}
+
+TEST(MotionDecision, DependsOnWeightsInProportionAndOnNoOrder) {
+  Random random(2, "weights");
+  for (int run = 0; run < 200; ++run) {
+    std::vector<MovingBehavior> behaviors;
+    for (int i = 0; i < 4; ++i)
+      behaviors.emplace_back(Course(random.Uniform(-3.1, 3.1)));
+    std::vector<WeightedBehavior> running, scaled;
+    for (MovingBehavior& behavior : behaviors) {
+      const double weight = random.Uniform(0.5, 5.0);
+      running.push_back({"b", weight, &behavior});
+      scaled.push_back({"b", 10.0 * weight, &behavior});
+    }
+    const double course = *DecideMotion(running, {}, {}).course;
+    std::ranges::reverse(running);
+    EXPECT_EQ(*DecideMotion(running, {}, {}).course, course);
+    EXPECT_NEAR(WrapAngle(*DecideMotion(scaled, {}, {}).course - course), 0.0, 1e-12);
+  }
+}
+
+TEST(CourseArbitration, TurnsWithTheWorld) {
+  Random random(3, "turn");
+  for (int run = 0; run < 200; ++run) {
+    std::vector<WeightedPeak> peaks, turned;
+    const double turn = random.Uniform(-3.0, 3.0);
+    for (int i = 0; i < 3; ++i) {
+      const WeightedPeak peak{{.summit = random.Uniform(-3.1, 3.1),
+                               .flat_half_width = random.Uniform(0.0, 0.3),
+                               .base_half_width = random.Uniform(0.4, 3.1)},
+                              random.Uniform(0.5, 2.0)};
+      peaks.push_back(peak);
+      turned.push_back(peak);
+      turned.back().peak.summit = WrapAngle(peak.peak.summit + turn);
+    }
+    const auto value = [](const std::vector<WeightedPeak>& all, double x) {
+      double sum = 0.0;
+      for (const WeightedPeak& p : all) {
+        sum += p.weight * PeakValue(p.peak, WrapAngle(x - p.peak.summit));
+      }
+      return sum;
+    };
+    const double best = MaximizeOverCircle(peaks);
+    EXPECT_GT(best, -std::numbers::pi);
+    EXPECT_LE(best, std::numbers::pi);
+    EXPECT_NEAR(value(turned, MaximizeOverCircle(turned)), value(peaks, best), 1e-9);
+    for (double x = -3.14; x < 3.15; x += 0.02)
+      EXPECT_LE(value(peaks, x), value(peaks, best) + 1e-9);
+  }
+}
+
+std::vector<std::string> DomainProblems(const std::vector<std::string>& lines,
+                                        MotionDomain& domain) {
+  std::vector<ConfigEntry> entries;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    entries.push_back({"domain", lines[i], {"m.moos", 10 + static_cast<int>(i)}});
+  }
+  std::vector<std::string> texts;
+  for (const auto& problem : ReadMotionDomain(entries, {"m.moos", 5}, domain)) {
+    texts.push_back(problem.Format());
+  }
+  return texts;
+}
+
+TEST(MotionDomain, IsReadInAnyOrder) {
+  MotionDomain domain;
+  EXPECT_THAT(
+      DomainProblems({"depth:1:50:100", "course:0:359:360", " speed : 0.1 : 2 : 21 "}, domain),
+      IsEmpty());
+  EXPECT_EQ(domain.speed_low, 0.1);
+  EXPECT_EQ(domain.speed_high, 2.0);
+  EXPECT_EQ(domain.depth_low, 1.0);
+  EXPECT_EQ(domain.depth_high, 50.0);
+}
+
+TEST(MotionDomain, NamesFileLineAndWhatIsWrong) {
+  const std::vector<std::string> good{"course:0:359:360", "speed:0:1:21", "depth:0:10:11"};
+  const auto with = [&good](std::size_t i, const std::string& line) {
+    std::vector<std::string> lines = good;
+    lines[i] = line;
+    MotionDomain domain;
+    const auto problems = DomainProblems(lines, domain);
+    return problems.empty() ? std::string() : problems[0];
+  };
+  EXPECT_THAT(with(1, "sped:0:1:21"), HasSubstr("m.moos:11: domain: no decision variable `sped`"));
+  EXPECT_THAT(with(1, "sped:0:1:21"), HasSubstr("did you mean `speed`?"));
+  EXPECT_THAT(with(2, "depth:10:0:11"), HasSubstr("m.moos:12: domain: `depth:10:0:11`"));
+  EXPECT_THAT(with(2, "depth:10:10:11"), HasSubstr("low below high"));
+  EXPECT_THAT(with(2, "depth:0:10"), HasSubstr("name:low:high:points"));
+  EXPECT_THAT(with(2, "depth:0:ten:11"), HasSubstr("name:low:high:points"));
+  EXPECT_THAT(with(1, "speed:0:1:1"), HasSubstr("at least 2"));
+  EXPECT_THAT(with(1, "speed:0:1:2.5"), HasSubstr("a whole number"));
+  EXPECT_THAT(with(1, "course:0:359:360"), HasSubstr("`course` is given twice"));
+}
+
+TEST(MotionDomain, NeedsAllThreeVariables) {
+  MotionDomain domain;
+  EXPECT_THAT(DomainProblems({"course:0:359:360", "speed:0:1:21"}, domain),
+              ElementsAre(HasSubstr("m.moos:5: domain: `depth` is missing")));
+  EXPECT_THAT(DomainProblems({}, domain), ::testing::SizeIs(3));
+}
+
+}  // namespace
+}  // namespace limpet
