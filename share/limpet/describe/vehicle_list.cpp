@@ -10,7 +10,7 @@
 namespace limpet {
 namespace {
 
-constexpr const char* kPageHead = R"(# The vehicle's file
+constexpr const char* kVehiclePageHead = R"(# The vehicle's file
 
 Which vehicle flies a mission is said once, by the mission's global `VehicleFile = feelhippo.yaml`. The file is looked for beside the mission, then in `share/vehicles`, where those that come with Limpet are: `feelhippo.yaml` and `bluerov2.yaml`. pPilot flies by it and uSimVehicle simulates it; uSimSensors takes the antenna's place from it. Nothing else knows the vehicle's body. A mission that starts one of these, pNav or uSimCamera without the global is refused; keys that are unknown, given twice or out of range are refused with file, line and what is allowed.
 
@@ -27,7 +27,7 @@ std::vector<VehicleFileSection> Sections() {
   return VehicleFileSections(defaults);
 }
 
-std::string DefaultOf(const ParamSpec& key) {
+std::string DefaultWithUnit(const ParamSpec& key) {
   return key.unit.empty() ? key.default_text : key.default_text + " " + key.unit;
 }
 
@@ -38,8 +38,8 @@ std::string VehicleKeysText() {
   for (const VehicleFileSection& section : Sections()) {
     text += fmt::format("{}{}:\n", text.empty() ? "" : "\n", section.name);
     for (const ParamSpec& key : section.keys) {
-      text += fmt::format("\n  {} = {}\n      {}\n      allowed: {}\n", key.name, DefaultOf(key),
-                          key.help, key.allowed);
+      text += fmt::format("\n  {} = {}\n      {}\n      allowed: {}\n", key.name,
+                          DefaultWithUnit(key), key.help, key.allowed);
     }
   }
   return text;
@@ -61,13 +61,13 @@ std::string VehicleKeysJson() {
 }
 
 std::string VehicleKeysMarkdown() {
-  std::string page = kPageHead;
+  std::string page = kVehiclePageHead;
   for (const VehicleFileSection& section : Sections()) {
     page +=
         fmt::format("\n## {}\n\n| key | default | allowed | meaning |\n| --- | --- | --- | --- |\n",
                     section.name);
     for (const ParamSpec& key : section.keys) {
-      page += fmt::format("| `{}` | {} | {} | {} |\n", key.name, MarkdownCell(DefaultOf(key)),
+      page += fmt::format("| `{}` | {} | {} | {} |\n", key.name, MarkdownCell(DefaultWithUnit(key)),
                           MarkdownCell(key.allowed), MarkdownCell(key.help));
     }
   }

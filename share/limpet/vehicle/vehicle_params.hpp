@@ -75,7 +75,7 @@ struct VehicleParams {
   /// Hull and ballast.
   template <class V>
   void Describe(V& visit) {
-    visit("mass_kg", mass, "Dry mass with ballast [kg]", InRange(0.5, 1e5));
+    visit("mass_kg", mass, "Dry mass with ballast [kg]", InRange(0.5, 20000.0));
     visit("net_buoyancy_n", net_buoyancy_n, "Buoyancy less weight: a dead vehicle must rise [N]",
           InRange(0.01, 1000.0));
     visit("length_m", length_m, "Of the displaced ellipsoid [m]", InRange(0.1, 20.0));

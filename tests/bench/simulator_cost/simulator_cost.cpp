@@ -60,6 +60,7 @@ void RunApps(const char* integrator, double seconds) {
   setup.blocks = {{.name = "uSimVehicle",
                    .where = {},
                    .entries = {{.key = "integrator", .value = integrator, .where = {}}}}};
+  setup.globals = {{.key = "VehicleFile", .value = "feelhippo.yaml", .where = {}}};
   setup.mission_folder = LIMPET_SOURCE_DIR "/missions/table1";
   setup.session = "discovery";
   EmbeddedCommunity community(std::move(setup));

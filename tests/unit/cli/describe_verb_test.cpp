@@ -182,5 +182,16 @@ TEST(Documentation, ListsTheWarningsThatTheCodeHas) {
          "  ./limpet describe warnings --markdown > docs/warnings.md";
 }
 
+TEST(Documentation, ListsTheKeysOfAVehiclesFile) {
+  EXPECT_TRUE(TextOf(kSource / "docs/vehicle-file.md") == Describe({"vehicle", "--markdown"}).text)
+      << "docs/vehicle-file.md is behind the code; in the repository root run\n"
+         "  ./limpet describe vehicle --markdown > docs/vehicle-file.md";
+}
+
+TEST(DescribeVerb, TellsTheKeysOfAVehiclesFileInEveryForm) {
+  EXPECT_THAT(Describe({"vehicle"}).text, testing::HasSubstr("mass_kg = 35"));
+  EXPECT_THAT(Describe({"vehicle", "--json"}).text, testing::HasSubstr("\"max_thrust_n\""));
+}
+
 }  // namespace
 }  // namespace limpet

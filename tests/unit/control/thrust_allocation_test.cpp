@@ -58,5 +58,31 @@ TEST(ThrustAllocation, SparesAnExpensiveThruster) {
   EXPECT_NEAR(spared.achieved(5), 2.0, 1e-9);
 }
 
+/// As on a BlueROV2: the vertical pair stands side by side.
+ThrusterLayout WithoutPitch() {
+  ThrusterLayout layout;
+  layout.thrusters[4].p_B = {0.0, 0.1, 0.0};
+  layout.thrusters[5].p_B = {0.0, -0.1, 0.0};
+  return layout;
+}
+
+TEST(ThrustAllocation, MakesEverythingElseWhereNoThrusterPitches) {
+  const ThrustAllocation allocation{WithoutPitch()};
+  const auto result = allocation.Allocate(Wanted(5.0, -2.0, 3.0, 1.0, 0.5));
+  EXPECT_NEAR(result.achieved(0), 5.0, 1e-9);
+  EXPECT_NEAR(result.achieved(1), -2.0, 1e-9);
+  EXPECT_NEAR(result.achieved(2), 3.0, 1e-9);
+  EXPECT_NEAR(result.achieved(3), 0.0, 1e-9) << "both vertical thrusters push alike";
+  EXPECT_NEAR(result.achieved(5), 0.5, 1e-9);
+}
+
+TEST(ThrusterLayout, KnowsWhatItCannotDo) {
+  EXPECT_EQ(ThrusterLayout{}.ControlledAxes(), (std::vector<int>{0, 1, 2, 4, 5}));
+  EXPECT_EQ(WithoutPitch().ControlledAxes(), (std::vector<int>{0, 1, 2, 5}));
+  ThrusterLayout flat;
+  flat.thrusters[4].axis_B = flat.thrusters[5].axis_B = {1.0, 0.0, 0.0};
+  EXPECT_TRUE(flat.ControlledAxes().empty()) << "nothing pushes it down";
+}
+
 }  // namespace
 }  // namespace limpet

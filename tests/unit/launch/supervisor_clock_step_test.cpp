@@ -115,7 +115,7 @@ class ClockStep : public testing::Test {
     std::ofstream(folder_.path() / "mission.moos")
         << "ServerHost = localhost\nServerPort = " << port_
         << "\nCommunity = limpet\nMOOSTimeWarp = " << kWarp
-        << "\nLatOrigin = 43.721\nLongOrigin = 10.283\n"
+        << "\nLatOrigin = 43.721\nLongOrigin = 10.283\nVehicleFile = feelhippo.yaml\n"
            "ProcessConfig = uSimVehicle\n{\n  scenario = scenario.yaml\n}\n"
            "ProcessConfig = uSimSensors\n{\n  scenario = scenario.yaml\n}\n"
            "ProcessConfig = pNav\n{\n  opi_radius_m = 0.3\n  camera_fov_across_deg = 80\n"

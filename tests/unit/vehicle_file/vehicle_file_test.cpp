@@ -73,7 +73,7 @@ TEST(VehicleFile, TakesPushesOfAnyLength) {
 
 TEST(VehicleFile, NamesLineKeyValueAndWhatIsAllowed) {
   EXPECT_THAT(ProblemsOf(FileWith("mass_kg: -35")),
-              ElementsAre("v.yaml:3: hull.mass_kg: `-35` is not allowed; allowed: 0.5 to 100000"));
+              ElementsAre("v.yaml:3: hull.mass_kg: `-35` is not allowed; allowed: 0.5 to 20000"));
   EXPECT_THAT(ProblemsOf(FileWith("mass_kgs: 35")),
               ElementsAre("v.yaml:3: hull.mass_kgs: unknown key; did you mean `mass_kg`?"));
   EXPECT_THAT(
