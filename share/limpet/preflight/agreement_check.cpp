@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "limpet/core/number_text.hpp"
 #include "limpet/preflight/checks.hpp"
 
 namespace limpet::internal {
@@ -13,7 +17,10 @@ namespace {
 
 bool IsSame(const Setting& a, const Setting& b) {
   constexpr double kSlack = 1e-9;
-  return a.text == b.text || std::abs(a.number() - b.number()) <= kSlack * std::abs(a.number());
+  const std::optional<double> first = ParseNumber(a.text);
+  const std::optional<double> other = ParseNumber(b.text);
+  if (!first || !other) return a.text == b.text;
+  return std::abs(*first - *other) <= kSlack * std::abs(*first);
 }
 
 /// Every setting that differs from the first one given is a problem of its line.
