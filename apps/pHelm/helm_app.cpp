@@ -9,6 +9,7 @@
 #include "limpet/app/registry.hpp"
 #include "limpet/core/frames.hpp"
 #include "limpet/helm/motion_domain.hpp"
+#include "limpet/mission/shared_settings.hpp"
 #include "limpet/survey/survey_area_warnings.hpp"
 #include "limpet/topics/viewer.hpp"
 
@@ -19,6 +20,7 @@ std::vector<BehaviorFile> LoadBehaviorFiles(const AppContext& context, const Hel
   std::vector<BehaviorFile> files;
   for (const std::string& name : params.behaviors) {
     files.push_back(LoadBehaviors(context.mission_folder / name));
+    TakeGlobals(context.globals, files.back().behaviors);
   }
   ApplyBehaviorSettings(files, params.behavior_setting);
   ApplyStandIns(PresetOf(params.views), files);

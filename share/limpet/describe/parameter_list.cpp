@@ -10,6 +10,7 @@
 #include "limpet/app/registry.hpp"
 #include "limpet/describe/markdown_cell.hpp"
 #include "limpet/helm/registry.hpp"
+#include "limpet/mission/shared_settings.hpp"
 #include "limpet/vision/detector_registry.hpp"
 
 namespace limpet {
@@ -43,6 +44,11 @@ std::string AllowedOf(const ParamSpec& parameter) {
   return parameter.is_repeatable ? parameter.allowed + " (may repeat)" : parameter.allowed;
 }
 
+/// The global that a mission may say it by.
+std::string GlobalOf(const ParameterOwner& owner, const ParamSpec& parameter) {
+  return std::string(GlobalFor(owner.name, parameter.name));
+}
+
 OrderedJson JsonOf(const ParameterOwner& owner) {
   OrderedJson parameters = OrderedJson::array();
   for (const ParamSpec& parameter : owner.parameters) {
@@ -54,6 +60,7 @@ OrderedJson JsonOf(const ParameterOwner& owner) {
                           {"example", parameter.example},
                           {"allowed", parameter.allowed},
                           {"repeatable", parameter.is_repeatable},
+                          {"global", GlobalOf(owner, parameter)},
                           {"meaning", parameter.help}});
   }
   OrderedJson out{{"name", owner.name}, {"kind", NameOf(owner.kind)}};
@@ -69,9 +76,11 @@ std::string MarkdownTable(const ParameterOwner& owner) {
   if (owner.parameters.empty()) return page + "No parameters of its own.\n";
   page += "| parameter | default | allowed | meaning |\n| --- | --- | --- | --- |\n";
   for (const ParamSpec& parameter : owner.parameters) {
-    page +=
-        fmt::format("| `{}` | {} | {} | {} |\n", parameter.name, MarkdownCell(DefaultOf(parameter)),
-                    MarkdownCell(AllowedOf(parameter)), MarkdownCell(parameter.help));
+    const std::string global = GlobalOf(owner, parameter);
+    page += fmt::format("| `{}` | {} | {} | {}{} |\n", parameter.name,
+                        MarkdownCell(DefaultOf(parameter)), MarkdownCell(AllowedOf(parameter)),
+                        MarkdownCell(parameter.help),
+                        global.empty() ? "" : fmt::format("; global `{}`", global));
   }
   return page;
 }
@@ -104,6 +113,9 @@ std::string PlainText(const ParameterOwner& owner) {
     const std::string value = parameter.is_required ? ": required" : " = " + DefaultOf(parameter);
     text += fmt::format("\n  {}{}\n      {}\n      allowed: {}\n", parameter.name, value,
                         parameter.help, AllowedOf(parameter));
+    if (const std::string global = GlobalOf(owner, parameter); !global.empty()) {
+      text += fmt::format("      else the mission's global {}\n", global);
+    }
   }
   const std::string beside = owner.kind == Kind::kDetector
                                  ? std::string("in the block of pDetect, beside its own")
@@ -123,7 +135,9 @@ std::string Markdown(const std::vector<ParameterOwner>& owners) {
       "uses) "
       "and of `.bhv` files (behaviors) may set. Generated: `limpet describe parameters --markdown "
       "> "
-      "docs/parameters.md`.\n";
+      "docs/parameters.md`.\n\nA parameter with a global may be said once for the whole mission, "
+      "outside of blocks: a block that does not say it takes the global; one that says something "
+      "else is refused by `limpet check`.\n";
   const auto add = [&page, &owners](Kind kind, const char* heading, const char* takes) {
     if (std::ranges::find(owners, kind, &ParameterOwner::kind) == owners.end()) return;
     page +=

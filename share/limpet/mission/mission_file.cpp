@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "limpet/mission/mission_lines.hpp"
+#include "limpet/mission/shared_settings.hpp"
 
 namespace limpet {
 namespace {
@@ -45,6 +46,7 @@ class MissionParser {
     if (!problems_.empty()) {
       throw ConfigError(problems_);
     }
+    SpreadGlobals();
     return std::move(mission_);
   }
 
@@ -232,6 +234,19 @@ class MissionParser {
       if (EqualsIgnoringCase(entry.key, "Run")) {
         ParseLaunch(entry);
       }
+    }
+  }
+
+  /// A block may stand under the name that its program is launched as.
+  void SpreadGlobals() {
+    for (ConfigBlock& block : mission_.blocks) {
+      const auto launch = std::ranges::find_if(mission_.launches, [&block](const LaunchEntry& l) {
+        return EqualsIgnoringCase(l.moos_name, block.name);
+      });
+      const std::string owner = launch == mission_.launches.end()
+                                    ? block.name
+                                    : std::filesystem::path(launch->binary).filename().string();
+      TakeGlobals(mission_.globals, owner, block);
     }
   }
 

@@ -46,7 +46,8 @@ struct MissionFile {
                                                 const PlugOptions& options,
                                                 std::vector<ConfigProblem>& warnings);
 
-/// Reads a mission as MOOS does, but says what MOOS ignores: what stands outside of blocks in
+/// Reads a mission as MOOS does, gives each block what it takes from the globals and does not say
+/// itself (shared_settings.hpp), and says what MOOS ignores: what stands outside of blocks in
 /// `warnings`, and what stands in a block (nested braces, a line that is neither a comment nor
 /// `key = value`, a `${NAME}` that nothing defines) in the block's `problems`: only the app whose
 /// block it is knows if that matters. Throws ConfigError with every problem of the rest and of the

@@ -10,10 +10,13 @@
 #include <fmt/format.h>
 
 #include "limpet/core/number_text.hpp"
+#include "limpet/mission/shared_settings.hpp"
 #include "limpet/preflight/checks.hpp"
 
 namespace limpet::internal {
 namespace {
+
+constexpr const char* kMission = "the mission";
 
 bool IsSame(const Setting& a, const Setting& b) {
   constexpr double kSlack = 1e-9;
@@ -23,8 +26,19 @@ bool IsSame(const Setting& a, const Setting& b) {
   return std::abs(*first - *other) <= kSlack * std::abs(*first);
 }
 
+/// A global that the command line overrides for all who take it says nothing any more.
+void DropOverridden(std::vector<Setting>& settings) {
+  const bool has_global = settings.size() > 1 && settings.front().owner == kMission;
+  if (has_global && std::all_of(settings.begin() + 1, settings.end(), [](const Setting& setting) {
+        return setting.where.file.starts_with("--set ");
+      })) {
+    settings.erase(settings.begin());
+  }
+}
+
 /// Every setting that differs from the first one given is a problem of its line.
-void Compare(const char* fact, const std::vector<Setting>& settings, MissionProblems& found) {
+void Compare(const char* fact, std::vector<Setting> settings, MissionProblems& found) {
+  DropOverridden(settings);
   for (const Setting& other : settings) {
     const Setting& first = settings.front();
     if (!IsSame(first, other)) {
@@ -40,9 +54,41 @@ void Add(const std::optional<Setting>& setting, std::vector<Setting>& settings) 
   if (setting) settings.push_back(*setting);
 }
 
-std::vector<Setting> With(std::vector<Setting> settings, const std::vector<Setting>& more) {
+void Add(const std::vector<Setting>& more, std::vector<Setting>& settings) {
   settings.insert(settings.end(), more.begin(), more.end());
-  return settings;
+}
+
+/// What the mission says for all, if it does.
+std::vector<Setting> GlobalSetting(const MissionReading& reading, const char* name) {
+  for (const ConfigEntry& global : reading.mission().globals) {
+    if (EqualsIgnoringCase(global.key, name)) {
+      return {{.owner = kMission,
+               .key = name,
+               .text = global.value,
+               .unit = {},
+               .where = global.where}};
+    }
+  }
+  return {};
+}
+
+/// The global goes first, so that a block which says something else is the one that is refused.
+void CompareShared(const MissionReading& reading, const SharedSetting& shared,
+                   MissionProblems& found) {
+  const std::vector<Setting> global = GlobalSetting(reading, shared.global);
+  std::vector<Setting> settings = global;
+  for (const SharedSetting::Taker& taker : shared.takers) {
+    Add(reading.Find(taker.owner, taker.key), settings);
+    Add(reading.OfBehaviors(taker.owner, taker.key), settings);
+    // pNav may not know the objects' radius, and says so with 0.
+    std::erase_if(settings,
+                  [](const Setting& s) { return s.key == "opi_radius_m" && s.number() == 0.0; });
+    if (global.empty() && !shared.is_one_fact) {
+      Compare(shared.meaning, settings, found);
+      settings.clear();
+    }
+  }
+  Compare(shared.meaning, settings, found);
 }
 
 /// Of all apps that have one: what they project pixels with is one camera.
@@ -63,32 +109,16 @@ void CompareCameras(const MissionReading& reading, MissionProblems& found) {
 }  // namespace
 
 void CheckAgreement(const MissionReading& reading, MissionProblems& found) {
-  std::vector<Setting> altitudes;
-  Add(reading.Find("pSurvey", "altitude_m"), altitudes);
-  Add(reading.Find("pHelm", "survey_altitude_m"), altitudes);
-  Compare("the survey altitude",
-          With(altitudes, reading.OfBehaviors("BHV_HoldAltitude", "altitude_m")), found);
+  for (const SharedSetting& shared : SharedSettings()) {
+    CompareShared(reading, shared, found);
+  }
   CompareCameras(reading, found);
-
-  std::vector<Setting> radii;
-  Add(reading.Find("pMap", "object_radius_m"), radii);
-  Add(reading.Find("pNav", "opi_radius_m"), radii);
-  std::erase_if(radii, [](const Setting& s) { return s.number() == 0.0; });  // pNav: unknown
-  Compare("the objects' radius", radii, found);
 
   std::vector<Setting> scenarios;
   for (const char* app : {"uSimVehicle", "uSimSensors", "uSimCamera"}) {
     Add(reading.Find(app, "scenario"), scenarios);
   }
   Compare("the scenario", scenarios, found);
-
-  // An object that pSurvey waits for must be one that the helm still goes to.
-  for (const char* key : {"settled_entropy", "settled_looks"}) {
-    std::vector<Setting> settled;
-    Add(reading.Find("pSurvey", key), settled);
-    Compare("when an object is settled", With(settled, reading.OfBehaviors("BHV_RevisitOpi", key)),
-            found);
-  }
 }
 
 }  // namespace limpet::internal

@@ -11,6 +11,7 @@
 #include "limpet/helm/behavior_host.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/mission/expectations.hpp"
+#include "limpet/mission/shared_settings.hpp"
 #include "limpet/mission/source_text.hpp"
 
 namespace limpet {
@@ -121,6 +122,7 @@ void MissionReading::LoadBehaviorFiles() {
             "`{}` cannot be read; it is looked for beside the mission file", name.text)));
       }
       behavior_files_.push_back(LoadBehaviors(folder_ / name.text));
+      TakeGlobals(mission_.globals, behavior_files_.back().behaviors);
     });
   }
   if (problems_.empty()) {

@@ -8,6 +8,7 @@
 
 #include "limpet/core/number_text.hpp"
 #include "limpet/core/word_distance.hpp"
+#include "limpet/mission/shared_settings.hpp"
 #include "limpet/preflight/checks.hpp"
 
 namespace limpet::internal {
@@ -169,6 +170,7 @@ void CheckBlockNames(const MissionReading& reading, MissionProblems& found) {
 void CheckGlobals(const MissionReading& reading, MissionProblems& found) {
   std::vector<std::string> known;
   std::ranges::transform(kGlobals, std::back_inserter(known), &GlobalRule::name);
+  std::ranges::transform(SharedSettings(), std::back_inserter(known), &SharedSetting::global);
   for (const ConfigEntry& global : reading.mission().globals) {
     const auto rule = std::ranges::find_if(kGlobals, [&global](const GlobalRule& r) {
       return EqualsIgnoringCase(r.name, global.key);

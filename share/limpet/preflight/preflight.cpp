@@ -9,6 +9,7 @@
 #include "limpet/app/registry.hpp"
 #include "limpet/helm/behavior_host.hpp"
 #include "limpet/helm/registry.hpp"
+#include "limpet/mission/shared_settings.hpp"
 #include "limpet/preflight/checks.hpp"
 
 namespace limpet {
@@ -32,7 +33,22 @@ void Sort(std::vector<ConfigProblem>& problems) {
   problems.erase(std::unique(problems.begin(), problems.end(), alike), problems.end());
 }
 
+/// What is missing in several blocks is said once by a global: names it.
+void NameGlobals(std::vector<ConfigProblem>& problems) {
+  for (ConfigProblem& problem : problems) {
+    for (const SharedSetting& shared : SharedSettings()) {
+      const bool stands_in = std::ranges::any_of(shared.takers, [&problem](const auto& taker) {
+        return problem.key == taker.key &&
+               problem.text.starts_with(fmt::format("is missing in {} ", taker.owner));
+      });
+      if (stands_in)
+        problem.text += fmt::format("; the mission's global `{}` says it for all", shared.global);
+    }
+  }
+}
+
 MissionProblems Sorted(MissionProblems found) {
+  NameGlobals(found.syntax);
   Sort(found.syntax);
   Sort(found.geometry);
   Sort(found.notes);
@@ -74,6 +90,32 @@ void CheckGeometryOf(const MissionReading& reading, MissionProblems& found) {
     internal::CheckObjects(reading, *survey, found);
     internal::CheckEndurance(reading, *survey, found);
   }
+}
+
+/// Globals of the mission beside a behavior file whose helm reads it; none if there is no such
+/// mission, or it cannot be read.
+std::vector<ConfigEntry> GlobalsBeside(const fs::path& file) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  std::vector<fs::path> missions;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".moos") missions.push_back(entry.path());
+  }
+  std::ranges::sort(missions);
+  for (const fs::path& path : missions) {
+    try {
+      const MissionFile mission = LoadMission(path);
+      const ConfigBlock* helm = mission.Block("pHelm");
+      const bool reads =
+          helm != nullptr && std::ranges::any_of(helm->entries, [&file](const ConfigEntry& entry) {
+            return EqualsIgnoringCase(entry.key, "behaviors") &&
+                   entry.value == file.filename().string();
+          });
+      if (reads) return mission.globals;
+    } catch (const ConfigError&) {
+      continue;  // its problems are told when it is checked itself
+    }
+  }
+  return {};
 }
 
 /// Sorts the behaviors of a file into ours, which stay, and others', which are noted.
@@ -121,6 +163,7 @@ MissionProblems CheckBehaviorFile(const fs::path& file) {
   MissionProblems found;
   try {
     BehaviorFile behaviors = LoadBehaviors(file);
+    TakeGlobals(GlobalsBeside(file), behaviors.behaviors);
     Join(behaviors.warnings, found.notes);
     if (behaviors.behaviors.empty() && behaviors.modes.empty() && behaviors.initializes.empty()) {
       found.syntax.push_back({{.file = file.string(), .line = 0}, "", "has no behavior"});

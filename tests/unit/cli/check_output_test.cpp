@@ -116,8 +116,8 @@ TEST(CheckOutput, IsOneLineEachByFileAndLineWithACount) {
   EXPECT_EQ(checked.exit_code, kUsage);
   const std::vector<std::string> lines = Split(checked.text, '\n');
   ASSERT_EQ(lines.size(), 5U) << checked.text;
-  EXPECT_THAT(lines[0], HasSubstr("plug_pSurvey.moos:11: coverage_target"));
-  EXPECT_THAT(lines[1], HasSubstr("plug_survey.bhv:102: radius_m"));
+  EXPECT_THAT(lines[0], HasSubstr("plug_pSurvey.moos:13: coverage_target"));
+  EXPECT_THAT(lines[1], HasSubstr("plug_survey.bhv:104: radius_m"));
   EXPECT_THAT(lines[2], HasSubstr("mission.moos:7: MOOSTimeWarp"));
   EXPECT_EQ(lines[3], "3 problems");
 }
@@ -134,7 +134,7 @@ TEST(CheckOutput, HoldsNothingThatATerminalObeys) {
 
 TEST(CheckOutput, AsJsonTellsKindsApart) {
   const MissionCopy mission;
-  mission.Apply({"mission.bhv", "ALTITUDE 4", "ALTITUDE 3"});
+  mission.Apply({"mission.bhv", "#include", "#define ALTITUDE 3\n#include"});
   const Checked checked = Check({mission.path().string(), "--json"});
   EXPECT_EQ(checked.exit_code, kRefused);
   const auto found = nlohmann::json::parse(checked.text);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -16,6 +17,7 @@
 #include "limpet/describe/variable_list.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/mission/mission_file.hpp"
+#include "limpet/mission/shared_settings.hpp"
 #include "limpet/topics/event.hpp"
 #include "limpet/topics/warning.hpp"
 
@@ -51,6 +53,31 @@ TEST(Describe, SaysWhatABehaviorMayBeGiven) {
   EXPECT_EQ(output.exit_code, kOk);
   EXPECT_THAT(output.text, HasSubstr("altitude_m: required"));
   EXPECT_THAT(output.text, HasSubstr("allowed: "));
+}
+
+TEST(Describe, SaysWhichParametersAMissionMaySayOnceForAll) {
+  EXPECT_THAT(Describe({"pSurvey"}).text, HasSubstr("else the mission's global survey_altitude_m"));
+  EXPECT_THAT(Describe({"pNav", "--markdown"}).text,
+              HasSubstr("0: unknown; global `object_radius_m` |"));
+  const auto list = nlohmann::json::parse(Describe({"BHV_RevisitOpi", "--json"}).text);
+  for (const nlohmann::json& parameter : list.at(0).at("parameters")) {
+    const std::string name = parameter.at("name");
+    EXPECT_EQ(parameter.at("global"), name.starts_with("settled_") ? name : "");
+  }
+}
+
+TEST(Describe, EveryGlobalReachesParametersThatThereAre) {
+  for (const SharedSetting& setting : SharedSettings()) {
+    for (const SharedSetting::Taker& taker : setting.takers) {
+      const bool is_app = AppRegistry().contains(taker.owner);
+      ASSERT_TRUE(is_app || BehaviorRegistry().contains(taker.owner)) << taker.owner;
+      const std::vector<ParamSpec> specs = is_app ? AppRegistry().at(taker.owner).describe()
+                                                  : BehaviorRegistry().at(taker.owner).describe();
+      EXPECT_TRUE(std::ranges::any_of(
+          specs, [&taker](const ParamSpec& spec) { return spec.name == taker.key; }))
+          << taker.owner << " " << taker.key;
+    }
+  }
 }
 
 TEST(Describe, SaysWhatAMissionMustSay) {

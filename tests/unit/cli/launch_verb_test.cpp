@@ -50,7 +50,7 @@ Refusal Launch(const MissionCopy& mission) {
 
 TEST(LaunchVerb, StartsNothingOfAMissionThatCannotWork) {
   const MissionCopy mission;
-  mission.Apply({"mission.bhv", "ALTITUDE 4", "ALTITUDE 3"});
+  mission.Apply({"mission.bhv", "#include", "#define ALTITUDE 3\n#include"});
   MakeStandIns(mission);
   const Refusal refusal = Launch(mission);
   EXPECT_EQ(refusal.exit_code, kRefused);

@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <ostream>
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "apps/limpet/verbs/check.hpp"
@@ -61,5 +63,27 @@ class MissionCopy {
  private:
   TemporaryFolder folder_;
 };
+
+/// Edits of a mission, and what `limpet check` makes of them.
+struct Slip {
+  std::string name;
+  std::vector<Edit> edits;
+  int exit_code = 0;
+  std::vector<std::string> says;
+};
+
+inline std::ostream& operator<<(std::ostream& out, const Slip& slip) { return out << slip.name; }
+
+inline void ExpectSaid(const Slip& slip) {
+  const MissionCopy mission;
+  for (const Edit& edit : slip.edits) {
+    mission.Apply(edit);
+  }
+  const Checked checked = mission.Run();
+  EXPECT_EQ(checked.exit_code, slip.exit_code) << checked.text;
+  for (const std::string& text : slip.says) {
+    EXPECT_THAT(checked.text, ::testing::HasSubstr(text));
+  }
+}
 
 }  // namespace limpet

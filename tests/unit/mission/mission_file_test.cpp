@@ -231,6 +231,24 @@ TEST(MissionFile, LoadsOurOwnMissionsWithTheirPlugs) {
   EXPECT_TRUE(mission.warnings.empty());
 }
 
+TEST(MissionFile, GivesABlockTheGlobalsThatItTakesAndDoesNotSay) {
+  const MissionFile mission = ParseMission(
+      "ProcessConfig = ANTLER\n{\n  Run = pMap ~ eye\n}\n"
+      "ProcessConfig = pSurvey\n{\n  altitude_m = 5\n}\n"
+      "ProcessConfig = pHelm\n{\n}\n"
+      "ProcessConfig = pLog\n{\n}\n"
+      "ProcessConfig = eye\n{\n}\n"
+      "survey_altitude_m = 4\nsurvey_altitude_m = 3\nobject_radius_m = 0.5\n",
+      "m.moos");
+  EXPECT_EQ(mission.Block("pSurvey")->Find("altitude_m")->value, "5") << "its own";
+  const ConfigEntry* taken = mission.Block("pHelm")->Find("survey_altitude_m");
+  ASSERT_NE(taken, nullptr);
+  EXPECT_EQ(taken->value, "4") << "the first counts, as with every global";
+  EXPECT_EQ(taken->where.line, 18);
+  EXPECT_TRUE(mission.Block("pLog")->entries.empty());
+  EXPECT_NE(mission.Block("eye")->Find("object_radius_m"), nullptr) << "it is pMap's";
+}
+
 TEST(MissionFile, OfOursFindsTheProgramsPlugsFromWhereverItIsCopiedTo) {
   namespace fs = std::filesystem;
   const TemporaryFolder elsewhere;
