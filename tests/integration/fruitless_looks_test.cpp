@@ -37,6 +37,7 @@ class FruitlessLooksTest : public ::testing::Test {
     context.name = "pHelm";
     context.link = &link_;
     context.mission_folder = fs::path(LIMPET_SOURCE_DIR) / "missions" / "basin";
+    context.globals = {{.key = "survey_altitude_m", .value = "3", .where = {}}};
     app_ = std::make_unique<HelmApp>(context, ParamsOfTheTest());
     object_.id = 4;
     object_.object.p_W = {3.0, 3.0, 5.0};
