@@ -14,9 +14,33 @@ constexpr std::string_view kHeader =
 constexpr std::size_t kColumns = 10;
 constexpr std::size_t kBoxFields = 7;
 
+/// A class is named by whoever wrote the detector: what would end a field here goes as `%20`.
+std::string ClassText(std::string_view name) {
+  std::string text;
+  for (const char c : name) {
+    const bool ends_a_field = static_cast<unsigned char>(c) <= ' ' || c == ',' || c == ':';
+    text += ends_a_field || c == '%' ? fmt::format("%{:02x}", static_cast<unsigned char>(c))
+                                     : std::string(1, c);
+  }
+  return text;
+}
+
+std::string ClassFrom(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string name;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::size_t high = i + 2 < text.size() ? kDigits.find(text[i + 1]) : kDigits.npos;
+    const std::size_t low = high != kDigits.npos ? kDigits.find(text[i + 2]) : kDigits.npos;
+    const bool is_coded = text[i] == '%' && low != kDigits.npos;
+    name += is_coded ? static_cast<char>(16 * high + low) : text[i];
+    i += is_coded ? 2 : 0;
+  }
+  return name;
+}
+
 std::string BoxText(const Box& box) {
   return fmt::format("{:.2f}:{:.2f}:{:.2f}:{:.2f}:{:.4f}:{}:{}", box.u, box.v, box.w, box.h,
-                     box.confidence, box.color, box.landmark);
+                     box.confidence, ClassText(box.color), box.landmark);
 }
 
 /// Reads numbers until one is bad.
@@ -42,7 +66,7 @@ std::optional<Box> ParseBox(std::string_view text) {
                 .w = number(fields[2]),
                 .h = number(fields[3]),
                 .confidence = number(fields[4]),
-                .color = fields[5],
+                .color = ClassFrom(fields[5]),
                 .landmark = static_cast<int>(number(fields[6]))};
   return number.is_good() ? std::optional<Box>(box) : std::nullopt;
 }

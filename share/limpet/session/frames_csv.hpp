@@ -11,7 +11,8 @@
 namespace limpet {
 
 /// One row per frame: frame,t,north,east,down,roll,pitch,yaw,altitude,boxes; boxes are
-/// `u:v:w:h:confidence:color:landmark` joined by blanks. Metres, radians, pixels; t is MOOS time.
+/// `u:v:w:h:confidence:color:landmark` joined by blanks; blanks, commas and colons of a color as
+/// `%20`. Metres, radians, pixels; t is MOOS time.
 [[nodiscard]] std::string FramesToCsv(const std::vector<ObservedFrame>& frames);
 [[nodiscard]] Expected<std::vector<ObservedFrame>> FramesFromCsv(std::string_view text);
 
