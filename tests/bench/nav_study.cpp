@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// nav_study [--scene table1|hour|dropouts|twins|day|deep] [--seed FIRST] [--seeds N] [--oracle]
+// nav_study [--scene NAME] [--seed FIRST] [--seeds N] [--oracle]
 // [--former] [--details]: the estimator on simulated sessions, one line each, and their summary
 // with NEES and update times. --oracle adds what a detector without mistakes would give; --former
 // gives each session what an earlier one over the same place left: since then an eighth of the

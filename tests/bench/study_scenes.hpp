@@ -19,8 +19,12 @@ inline std::map<std::string, StreamScene> Scenes() {
                          .tilt_deg = 0.0,
                          .altitude_m = 3.5,
                          .false_share = 0.5,
-                         .long_dropouts = 1};
-  std::map<std::string, StreamScene> scenes{{"table1", {}}, {"hour", hour}};
+                         .long_dropouts = 1,
+                         .has_turns_in_dropouts = true,
+                         .current_mps = 0.15,
+                         .leg_speed_sd_mps = 0.003};
+  std::map<std::string, StreamScene> scenes{
+      {"table1", {.current_mps = 0.15, .leg_speed_sd_mps = 0.003}}, {"hour", hour}};
   scenes["dropouts"] = hour;
   scenes["dropouts"].false_share = 0.6;
   scenes["dropouts"].yaw_bias_degph = 4.0;
@@ -37,6 +41,14 @@ inline std::map<std::string, StreamScene> Scenes() {
   scenes["deep"] = scenes["day"];
   scenes["deep"].objects = 20;
   scenes["deep"].resurface_every_s = 0.0;
+  scenes["chains"] = scenes["dropouts"];
+  scenes["chains"].long_dropouts = 8;
+  scenes["chains"].shortest_dropout_s = 90.0;
+  scenes["chains"].longest_dropout_s = 180.0;
+  scenes["unsteady"] = scenes["dropouts"];
+  scenes["unsteady"].leg_speed_sd_mps = 0.02;
+  scenes["bursts"] = hour;
+  scenes["bursts"].velocity_bursts = 20;
   return scenes;
 }
 

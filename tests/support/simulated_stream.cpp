@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <Eigen/Geometry>
 
@@ -13,153 +14,13 @@
 namespace limpet {
 namespace {
 
-constexpr double kStep = 0.05;         // [s] of the simulation: the attitude's period
-constexpr double kSpeed = 0.5;         // [m/s]
-constexpr double kSurfaceTime = 45.0;  // [s] at the surface, with GPS
-constexpr double kSurfaceDepth = 0.2;  // [m] of the body then
-constexpr double kFurthest = 6.0;      // [m] an object is seen from
+constexpr double kFurthest = 6.0;  // [m] an object is seen from
 constexpr double kRadians = std::numbers::pi / 180.0;
-
-/// Noise that stays the same for about `tau`: first-order Gauss-Markov.
-class SlowNoise {
- public:
-  SlowNoise(Random& random, double sigma, double tau)
-      : random_(random), sigma_(sigma), tau_(tau), value_(random.Normal(sigma)) {}
-  double Step(double dt) {
-    const double keep = std::exp(-dt / tau_);
-    value_ = keep * value_ + random_.Normal(sigma_ * std::sqrt(1.0 - keep * keep));
-    return value_;
-  }
-
- private:
-  Random& random_;
-  double sigma_, tau_, value_;
-};
-
-/// The seabed's depth and what stands on it.
-class Ground {
- public:
-  explicit Ground(const StreamScene& scene)
-      : scene_(scene), random_(scene.place > 0 ? scene.place : scene.seed, "ground") {
-    slope_ = {random_.Uniform(-0.03, 0.03), random_.Uniform(-0.03, 0.03)};
-    for (double& phase : phases_)
-      phase = random_.Uniform(0.0, 6.28);
-    while (static_cast<int>(objects_.size()) < scene.objects)
-      Place(objects_, 3.5);
-    while (static_cast<int>(look_alikes_.size()) < scene.look_alikes)
-      Place(look_alikes_, 2.0);
-    while (static_cast<int>(objects_.size()) < scene.objects + scene.came)
-      Place(objects_, 3.5);
-    objects_.erase(objects_.begin(), objects_.begin() + scene.gone);
-  }
-  [[nodiscard]] double Depth(const Eigen::Vector2d& p) const {
-    if (!scene_.is_rough) return 7.5;
-    return 9.0 + slope_.dot(p) + 0.5 * std::sin(0.21 * p.x() + phases_[0]) +
-           0.4 * std::sin(0.17 * p.y() + phases_[1]) +
-           0.15 * std::sin(0.6 * (p.x() + p.y()) + phases_[2]);
-  }
-  [[nodiscard]] const std::vector<Eigen::Vector3d>& objects() const { return objects_; }
-  [[nodiscard]] const std::vector<Eigen::Vector3d>& look_alikes() const { return look_alikes_; }
-
- private:
-  void Place(std::vector<Eigen::Vector3d>& things, double apart) {
-    const double reach = 0.85 * scene_.half_size_m;
-    Eigen::Vector3d p(random_.Uniform(-reach, reach), random_.Uniform(-reach, reach), 0.0);
-    const bool is_twin = scene_.has_twins && &things == &objects_ && things.size() % 2 == 1;
-    if (is_twin) {
-      const double way = random_.Uniform(0.0, 6.28);
-      p = things.back() + 1.1 * Eigen::Vector3d(std::cos(way), std::sin(way), 0.0);
-      p.z() = things.back().z();
-    } else {
-      const auto is_near = [&](const Eigen::Vector3d& q) {
-        return (p - q).head<2>().norm() < apart;
-      };
-      if (std::ranges::any_of(objects_, is_near)) return;
-      p.z() = Depth(p.head<2>()) - random_.Uniform(0.4, scene_.is_rough ? 1.2 : 2.0);
-    }
-    things.push_back(p);
-  }
-  const StreamScene& scene_;
-  Random random_;
-  Eigen::Vector2d slope_;
-  std::array<double, 3> phases_{};
-  std::vector<Eigen::Vector3d> objects_, look_alikes_;
-};
-
-/// Where the vehicle really is: it follows the survey's legs, along and across in turn.
-class Vehicle {
- public:
-  Vehicle(const StreamScene& scene, const Ground& ground)
-      : scene_(scene), ground_(ground), random_(scene.seed, "vehicle") {
-    X_.p_WB = {random_.Uniform(-1.0, 1.0) - 0.6 * scene.half_size_m, random_.Uniform(-2.0, 2.0),
-               kSurfaceDepth};
-    X_.yaw = random_.Uniform(-3.1, 3.1);
-  }
-  void Step(double t) {
-    if (waypoints_.empty()) PlanLegs();
-    const Eigen::Vector2d off = waypoints_.front() - X_.p_WB.head<2>();
-    if (off.norm() < 2.2) {
-      waypoints_.erase(waypoints_.begin());
-      leg_speed_ = kSpeed + random_.Normal(0.02);  // a current helps or hinders
-    }
-    const double since =
-        scene_.resurface_every_s > 0.0 ? std::fmod(t, scene_.resurface_every_s) : t;
-    is_up_ = since < kSurfaceTime;
-    const double want_z =
-        is_up_ ? kSurfaceDepth : ground_.Depth(X_.p_WB.head<2>()) - scene_.altitude_m;
-    const double turn = WrapAngle(std::atan2(off.y(), off.x()) - X_.yaw);
-    rate_ += std::clamp(std::clamp(0.6 * turn, -0.3, 0.3) - rate_, -0.01, 0.01);
-    const double speed = is_up_ && t < kSurfaceTime ? 0.12 : leg_speed_;
-    speed_ += 0.05 * (speed - speed_);
-    sink_ += 0.03 * (std::clamp(0.25 * (want_z - X_.p_WB.z()), -0.2, 0.2) - sink_);
-    const double c = std::cos(X_.yaw), s = std::sin(X_.yaw), sway = 0.15 * rate_;
-    v_W_ = {c * speed_ - s * sway, s * speed_ + c * sway, sink_};
-    X_.p_WB += kStep * v_W_;
-    X_.yaw = WrapAngle(X_.yaw + kStep * rate_);
-    X_.roll += 0.02 * (roll_.Step(kStep) - X_.roll);
-    X_.pitch += 0.02 * (pitch_.Step(kStep) - X_.pitch);
-  }
-  [[nodiscard]] const Pose& pose() const { return X_; }
-  [[nodiscard]] double yaw_rate() const { return rate_; }
-  [[nodiscard]] bool is_up() const { return is_up_; }
-  /// Of the DVL at its lever arm, in body axes.
-  [[nodiscard]] Eigen::Vector3d VelocityOf(const Eigen::Vector3d& arm) const {
-    const Eigen::Matrix3d R = RotationOf(X_);
-    const Eigen::Vector3d w_B = R.transpose() * Eigen::Vector3d(0.0, 0.0, rate_);
-    return R.transpose() * v_W_ + w_B.cross(arm);
-  }
-
- private:
-  void PlanLegs() {
-    const double half = scene_.half_size_m - random_.Uniform(0.0, 1.0);
-    const double shift = random_.Uniform(0.0, 1.0) * scene_.leg_spacing_m;
-    const double leg_jitter = 0.2 * scene_.leg_spacing_m;
-    double end = random_.Chance(0.5) ? 1.0 : -1.0;
-    const double side = random_.Chance(0.5) ? 1.0 : -1.0;
-    for (double across = -half + shift; across < half; across += scene_.leg_spacing_m, end = -end) {
-      const double lane = side * (across + random_.Uniform(-leg_jitter, leg_jitter));
-      for (const double along : {end * half, -end * half}) {
-        waypoints_.emplace_back(is_across_ ? lane : along, is_across_ ? along : lane);
-      }
-    }
-    is_across_ = !is_across_;
-  }
-  const StreamScene& scene_;
-  const Ground& ground_;
-  Random random_;
-  SlowNoise roll_{random_, 0.03, 6.0}, pitch_{random_, 0.03, 6.0};
-  Pose X_;
-  Eigen::Vector3d v_W_ = Eigen::Vector3d::Zero();
-  double leg_speed_ = kSpeed;
-  double rate_ = 0.0, speed_ = 0.0, sink_ = 0.0;
-  bool is_up_ = true, is_across_ = false;
-  std::vector<Eigen::Vector2d> waypoints_;
-};
 
 /// What the sensors make of it, row by row in order of arrival.
 class Recorder {
  public:
-  Recorder(const StreamScene& scene, const Ground& ground, SimulatedStream& out)
+  Recorder(const StreamScene& scene, const SimulatedGround& ground, SimulatedStream& out)
       : scene_(scene),
         ground_(ground),
         out_(out),
@@ -181,11 +42,11 @@ class Recorder {
       dvl_bias_(i) = random_.Normal(0.001);
     tilt_bias_ = {random_.Normal(0.002), random_.Normal(0.002)};
     depth_bias_ = random_.Normal(0.01);
-    PlanDropouts();
+    troubles_.emplace(scene, random_);
   }
 
-  void Step(int step, const Vehicle& vehicle) {
-    const double t = step * kStep;
+  void Step(int step, const SimulatedVehicle& vehicle) {
+    const double t = step * kSimulationStep;
     TakeAttitude(t, vehicle);
     if (step % 4 == 2) TakeDvl(t, vehicle);
     if (step % 5 == 3) TakeFrame(t, vehicle.pose());
@@ -211,27 +72,15 @@ class Recorder {
     double t;
     StreamRow row;
   };
-  struct Interval {
-    double start, end;
-  };
-
-  void PlanDropouts() {
-    for (int i = 0; i < scene_.long_dropouts; ++i) {
-      const double slot = (scene_.duration_s - 500.0) / scene_.long_dropouts;
-      const double start = 400.0 + slot * (i + random_.Uniform(0.1, 0.8));
-      dropouts_.push_back({start, start + random_.Uniform(25.0, 60.0)});
-    }
-  }
-
-  void TakeAttitude(double t, const Vehicle& vehicle) {
+  void TakeAttitude(double t, const SimulatedVehicle& vehicle) {
     const StreamMeta& meta = out_.stream.meta;
-    const double drift = yaw_bias_.Step(kStep) * kStep;
-    yaw_error_ += drift + random_.Normal(meta.yaw_random_walk * std::sqrt(kStep));
+    const double drift = yaw_bias_.Step(kSimulationStep) * kSimulationStep;
+    yaw_error_ += drift + random_.Normal(meta.yaw_random_walk * std::sqrt(kSimulationStep));
     const Pose& X = vehicle.pose();
     rows_.push_back(
         {t, AttitudeEstimate{.t = t,
-                             .roll = X.roll + roll_error_.Step(kStep) + tilt_bias_.x(),
-                             .pitch = X.pitch + pitch_error_.Step(kStep) + tilt_bias_.y(),
+                             .roll = X.roll + roll_error_.Step(kSimulationStep) + tilt_bias_.x(),
+                             .pitch = X.pitch + pitch_error_.Step(kSimulationStep) + tilt_bias_.y(),
                              .yaw = WrapAngle(X.yaw + yaw_error_),
                              .yaw_rate = 0.0,
                              .sd_roll = 0.0047,
@@ -239,29 +88,29 @@ class Recorder {
                              .sd_yaw = 0.0175}});
   }
 
-  void TakeDvl(double t, const Vehicle& vehicle) {
+  void TakeDvl(double t, const SimulatedVehicle& vehicle) {
     const Eigen::Vector3d arm = out_.stream.meta.dvl_B;
     const Pose& X = vehicle.pose();
     const Eigen::Vector3d p = X.p_WB + RotationOf(X) * arm;
-    const auto covers = [t](const Interval& gap) { return t >= gap.start && t < gap.end; };
     if (t > short_gap_end_ && random_.Chance(0.0005))
       short_gap_end_ = t + random_.Uniform(1.0, 5.0);
     DvlRow row{.t = t, .velocity = {}, .altitude = {}};
-    if (t > short_gap_end_ && std::ranges::none_of(dropouts_, covers)) {
+    const bool is_in_dropout = troubles_->IsInDropout(t, vehicle);
+    if (t > short_gap_end_ && !is_in_dropout) {
       Eigen::Vector3d v = scale_ * vehicle.VelocityOf(arm) + dvl_bias_;
       v = Eigen::Vector3d(v.x() - misalign_ * v.y(), v.y() + misalign_ * v.x(), v.z());
       v += Eigen::Vector3d(random_.Normal(0.01), random_.Normal(0.01), random_.Normal(0.005));
       if (random_.Chance(0.003)) {
         v += Eigen::Vector3d(random_.Normal(0.6), random_.Normal(0.6), random_.Normal(0.2));
       }
-      row.velocity = v;
+      row.velocity = v + troubles_->FalsePart(t);
       row.altitude = ground_.Depth(p.head<2>()) - p.z() + random_.Normal(0.03);
     }
     rows_.push_back({t + 1e-4, row});
     rows_.push_back({t + 2e-4, DepthRow{t, X.p_WB.z() + depth_bias_ + random_.Normal(0.02)}});
   }
 
-  void TakeFix(double t, const Vehicle& vehicle) {
+  void TakeFix(double t, const SimulatedVehicle& vehicle) {
     const double dt = std::max(t - last_fix_t_, 0.0);
     last_fix_t_ = t;
     const Eigen::Vector2d slow(gps_x_.Step(dt), gps_y_.Step(dt));
@@ -350,7 +199,7 @@ class Recorder {
   }
 
   const StreamScene& scene_;
-  const Ground& ground_;
+  const SimulatedGround& ground_;
   SimulatedStream& out_;
   Random random_, boxes_;
   SlowNoise roll_error_{random_, 0.004, 30.0}, pitch_error_{random_, 0.004, 30.0};
@@ -360,7 +209,7 @@ class Recorder {
          last_fix_t_ = 0.0;
   Eigen::Vector3d dvl_bias_ = Eigen::Vector3d::Zero();
   Eigen::Vector2d tilt_bias_ = Eigen::Vector2d::Zero();
-  std::vector<Interval> dropouts_;
+  std::optional<DvlTroubles> troubles_;
   std::vector<Arrival> rows_;
   std::vector<std::size_t> frame_rows_;
   int frames_ = 0, true_boxes_ = 0;
@@ -370,11 +219,11 @@ class Recorder {
 
 SimulatedStream SimulateStream(const StreamScene& scene) {
   SimulatedStream out;
-  const Ground ground(scene);
-  Vehicle vehicle(scene, ground);
+  const SimulatedGround ground(scene);
+  SimulatedVehicle vehicle(scene, ground);
   Recorder recorder(scene, ground, out);
-  for (int step = 0; step * kStep <= scene.duration_s; ++step) {
-    vehicle.Step(step * kStep);
+  for (int step = 0; step * kSimulationStep <= scene.duration_s; ++step) {
+    vehicle.Step(step * kSimulationStep);
     recorder.Step(step, vehicle);
   }
   recorder.Finish();
