@@ -12,8 +12,8 @@ namespace limpet {
 namespace {
 
 constexpr double kShortDropout = 3.0;    // [s] of which steps bear the error alone
-constexpr double kBridgeStretch = 60.0;  // [s] for which the bridged velocity is off by the same
-constexpr double kBridgeNoise = 0.02;    // [m/sqrt(s)] that it changes in between
+constexpr double kBridgeStretch = 30.0;  // [s] for which current and speed are off by the same
+constexpr double kBridgeNoise = 0.01;    // [m/sqrt(s)] that they change in between
 constexpr double kScaleChange = 0.1;     // share of the sigmas, from one period to the next
 
 }  // namespace
@@ -45,15 +45,22 @@ int OdometryErrors::SlowAt(double t) {
   return next;
 }
 
-int OdometryErrors::BridgeAt(double t, double age) {
+int OdometryErrors::BridgeAt(double t) {
   if (bridge_ && t - bridge_->since < kBridgeStretch) {
     return bridge_->slot;
   }
-  EndBridge();
+  const WaterModel& water = track_.water();
+  if (bridge_) {
+    const int next = smoother_.AddSensorErrors(smoother_.BorderAt(bridge_->slot));
+    const SlowErrorsFactor factor(Eigen::Vector3d::Ones(), water.BridgeChange(t - bridge_->since));
+    smoother_.AddBorderTerm(bridge_->slot, Term::OnBorderPair(factor, bridge_->slot, next));
+    EndBridge();
+    bridge_ = Variable{.slot = next, .since = t};
+    return next;
+  }
   const int slot = smoother_.AddSensorErrors(Eigen::Vector3d::Zero());
   bridge_ = Variable{.slot = slot, .since = t};
-  const double variance = std::pow(track_.BridgeSigma(age + kBridgeStretch), 2);
-  const BorderPriorFactor prior(Eigen::Vector3d::Zero(), variance * Eigen::Matrix3d::Identity());
+  const BorderPriorFactor prior(Eigen::Vector3d::Zero(), water.BridgeCovariance(t));
   smoother_.AddBorderTerm(slot, Term::OnBorder(prior, slot));
   return slot;
 }
@@ -75,14 +82,17 @@ Term OdometryErrors::StepTerm(double from, double to) {
   step.motion = WithoutSlowErrors(step.motion, step.duration, Now());
   const double changes = kBridgeNoise * kBridgeNoise * step.duration;
   step.variance.head<2>().array() += changes - step.bridge_variance;
-  return Term::OnStep(BridgedStepFactor(step.motion, step.variance, step.duration),
-                      BridgeAt(to, *age));
+  return Term::OnStep(BridgedStepFactor(step.motion, step.variance, step.duration), BridgeAt(to));
 }
 
 OdometryStep OdometryErrors::Corrected(double from, double to) const {
   OdometryStep step = track_.Between(from, to);
   step.motion = WithoutSlowErrors(step.motion, step.duration, Now());
-  if (bridge_) step.motion.head<2>() -= step.duration * smoother_.BorderAt(bridge_->slot).head<2>();
+  if (bridge_) {
+    const double yaw = track_.AttitudeAt(from).yaw;
+    step.motion.head<2>() -=
+        step.duration * BridgeErrorAhead(smoother_.BorderAt(bridge_->slot), yaw);
+  }
   return step;
 }
 

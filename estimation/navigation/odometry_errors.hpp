@@ -12,7 +12,8 @@ namespace limpet {
 
 /// What dead reckoning is off for longer than a step, as border variables of the smoother: scale,
 /// misalignment [rad] and bias of the yaw rate [rad/s], anew from time to time; and in a dropout of
-/// the DVL the velocity that the bridge is off. `params`, `smoother`, `track` must outlive it.
+/// the DVL what current and speed through the water are off [m/s]. `params`, `smoother`, `track`
+/// must outlive it.
 class OdometryErrors {
  public:
   OdometryErrors(const NavigatorParams& params, Smoother& smoother, const OdometryTrack& track)
@@ -35,8 +36,8 @@ class OdometryErrors {
   [[nodiscard]] Eigen::Vector3d Now() const { return smoother_.BorderAt(slow_->slot); }
   /// Slot of the slow errors that hold at `t`.
   int SlowAt(double t);
-  /// In a dropout of that age: slot of what the bridged velocity is off.
-  int BridgeAt(double t, double age);
+  /// In a dropout: slot of what current and speed through the water are off.
+  int BridgeAt(double t);
   void EndBridge();
 
   const NavigatorParams& params_;

@@ -73,18 +73,14 @@ void OdometryTrack::AddVelocity(double t, const std::optional<Eigen::Vector3d>& 
   previous_ = has_velocity_ ? velocity_ : v_dvl_B.value_or(Eigen::Vector3d::Zero());
   velocity_t_ = t;
   if (v_dvl_B) {
-    if (is_bridging_) previous_ += SwayAt(previous_t_);
     velocity_ = *v_dvl_B;
     accepted_t_ = t;
-    is_bridging_ = false;
-    NoteUsual(velocity_, has_velocity_ ? t - previous_t_ : 0.0);
     has_velocity_ = true;
-  } else if (DropoutAge(t)) {
-    if (!is_bridging_) velocity_ = recent_;
-    is_bridging_ = true;
-    const Eigen::Vector3d target = BridgeTarget();
-    const double keep = std::exp(-(t - previous_t_) / params_.bridge_memory.value());
-    velocity_ = target + keep * (velocity_ - target);
+    TeachWater(t, velocity_);
+  } else if (DropoutAge(t) && !is_empty()) {
+    const Sample sample = SampleAt(t);
+    velocity_ = sample.R_DB.transpose() *
+                BridgedVelocity(t, {.yaw = sample.attitude.yaw, .rate = sample.turn_rate});
   }
   // What was held since the last row is integrated again with the interpolated velocity.
   const auto is_older = [this](const Sample& s) { return s.attitude.t <= previous_t_; };
@@ -96,29 +92,16 @@ void OdometryTrack::AddVelocity(double t, const std::optional<Eigen::Vector3d>& 
   }
 }
 
-void OdometryTrack::NoteUsual(const Eigen::Vector3d& v_dvl_B, double dt) {
-  const Eigen::Vector3d v = v_dvl_B - SwayAt(velocity_t_);
-  if (!has_velocity_) {
-    recent_ = usual_ = v;
-    return;
-  }
-  sway_.Add(v_dvl_B.y() - usual_.y(), TurnRateAt(velocity_t_), std::min(dt, 1.0));
-  recent_ += (1.0 - std::exp(-dt / params_.recent_memory.value())) * (v - recent_);
-  const double share = std::min(dt, 1.0) / params_.usual_memory.value();
-  const Eigen::Vector3d off = v - usual_;
-  usual_ += share * off;
-  spread_ += share * (off.head<2>().squaredNorm() / 2.0 - spread_);
+void OdometryTrack::TeachWater(double t, const Eigen::Vector3d& v_dvl_B) {
+  if (is_empty()) return;
+  const AttitudeEstimate a = AttitudeAt(t);
+  const Eigen::Vector3d v_H = RotationFromRollPitchYaw(a.roll, a.pitch, 0.0) * v_dvl_B;
+  water_.Add(t, v_H.head<2>(), {.yaw = a.yaw, .rate = TurnRateAt(t)});
 }
 
-Eigen::Vector3d OdometryTrack::BridgeTarget() const {
-  const Eigen::Vector3d most(params_.bridge_ahead, params_.bridge_abeam, params_.bridge_abeam);
-  return usual_ + (recent_ - usual_).cwiseMax(-most).cwiseMin(most);
-}
-
-double OdometryTrack::BridgeSigma(double age) const {
-  const double limit = std::clamp(params_.bridge_spread * std::sqrt(spread_), params_.bridge_floor,
-                                  params_.bridge_limit);
-  return std::min(params_.bridge_velocity + params_.bridge_growth * age, limit);
+Eigen::Vector3d OdometryTrack::BridgedVelocity(double t, const Turning& turning) const {
+  const Eigen::Vector2d v = water_.VelocityAt(t, turning);
+  return {v.x(), v.y(), sink_rate_.value_or(0.0)};
 }
 
 Eigen::Vector3d OdometryTrack::VelocityAt(double t) const {
@@ -135,22 +118,15 @@ double OdometryTrack::TurnRateAt(double t) const {
   return around ? around->after->turn_rate : samples_.back().turn_rate;
 }
 
-Eigen::Vector3d OdometryTrack::SwayAt(double t) const {
-  return {0.0, sway_.per_rate() * TurnRateAt(t), 0.0};
-}
-
 std::optional<double> OdometryTrack::DropoutAge(double t) const {
   const double age = t - accepted_t_;
   return age > kDropoutAge ? std::optional<double>(age) : std::nullopt;
 }
 
 Eigen::Vector3d OdometryTrack::LevelVelocity(const Sample& sample) const {
-  const bool is_bridged = DropoutAge(sample.attitude.t).has_value();
-  Eigen::Vector3d v_B = VelocityAt(sample.attitude.t);
-  if (is_bridged) v_B.y() += sway_.per_rate() * sample.turn_rate;
-  Eigen::Vector3d v = sample.R_DB * v_B;
-  if (sink_rate_ && is_bridged) v.z() = *sink_rate_;
-  return v;
+  const double t = sample.attitude.t;
+  if (!DropoutAge(t)) return sample.R_DB * VelocityAt(t);
+  return BridgedVelocity(t, {.yaw = sample.attitude.yaw, .rate = sample.turn_rate});
 }
 
 void OdometryTrack::Integrate(const Sample& from, Sample& to) const {
@@ -162,8 +138,9 @@ void OdometryTrack::Integrate(const Sample& from, Sample& to) const {
   auto age = DropoutAge(to.attitude.t);
   if (!age && dt > kDropoutAge) age = dt;  // the attitude itself was away
   if (age) {
-    const double sd = BridgeSigma(*age);
-    to.bridge_variance += 2.0 * sd * sd * std::min(*age, params_.bridge_correlation.value()) * dt;
+    const Turning turning{.yaw = to.attitude.yaw, .rate = to.turn_rate};
+    const double correlated = std::min(*age, params_.bridge_correlation.value());
+    to.bridge_variance += 2.0 * water_.VarianceAt(to.attitude.t, turning) * correlated * dt;
   }
   const auto squared = [](double x) { return x * x; };
   const double silent =

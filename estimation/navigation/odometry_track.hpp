@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 
 #include "estimation/attitude/attitude_filter.hpp"
-#include "estimation/navigation/sway_model.hpp"
+#include "estimation/navigation/water_model.hpp"
 #include "limpet/core/frames.hpp"
 #include "limpet/core/units.hpp"
 
@@ -24,21 +24,12 @@ struct OdometryParams {
   double misalign_sigma = 0.0033;    ///< of its misalignment [rad], a bias across included
   double changing_share = 0.3;       ///< of the slow errors that does not stay the same for long
   Meters scale_correlation{30.0};    ///< way after which that share of scale is taken as new
-  double bridge_velocity = 0.03;     ///< error of the bridging model as a dropout begins [m/s]
-  double bridge_growth = 0.02;       ///< and its growth per second [m/s^2]
-  double bridge_limit = 0.3;         ///< that it does not exceed [m/s], nor
-  double bridge_spread = 0.6;        ///< this share of the velocity's usual spread, or
-  double bridge_floor = 0.015;       ///< this [m/s]: recorded surveys show 0.01 to 0.02
-  Seconds bridge_memory{4.0};        ///< in which a bridged velocity far from the usual comes near
-  double bridge_ahead = 0.1;         ///< how near, forward [m/s]
-  double bridge_abeam = 0.05;        ///< and sideways [m/s]
-  Seconds recent_memory{1.5};        ///< over which the velocity that is held is averaged
-  Seconds usual_memory{60.0};        ///< and the usual one
+  WaterParams water;                 ///< bridges a dropout
   Seconds bridge_correlation{10.0};  ///< the error stays the same for about this long
-  /// Without any velocity for longer than `bridge_trusted` (recorded dropouts end before), or
+  /// Without any velocity for longer than `bridge_trusted`, or
   /// without attitude, nothing is known of the motion but what the vehicle and the water can do:
   /// a velocity that stays the same, with this 1-sigma [m/s], horizontal (each way) and vertical.
-  Seconds bridge_trusted{120.0};
+  Seconds bridge_trusted{240.0};
   double unknown_velocity = 0.75;
   double unknown_sink = 0.3;
   double yaw_walk = 3.5e-6;  ///< [rad/sqrt(s)]
@@ -73,12 +64,12 @@ struct TrackPose {
 
 /// Compounds attitude and velocity samples, each in time order, and answers for any time of the
 /// last seconds. The velocity between two samples is their linear interpolation; after the last one
-/// it is held. A missing velocity is bridged, in body axes, by the recent one and by what turning
-/// adds to it; where it is far from the usual one, it comes back near it. The vertical part, if
-/// known, is the sink rate.
+/// it is held. A missing velocity is bridged by what the vehicle did in the water and the water
+/// itself. The vertical part is then the sink rate, if known.
 class OdometryTrack {
  public:
-  explicit OdometryTrack(const OdometryParams& params) : params_(params), sway_(params.dvl_B.x()) {}
+  explicit OdometryTrack(const OdometryParams& params)
+      : params_(params), water_(params.water, params.dvl_B.x()) {}
 
   void AddAttitude(const AttitudeEstimate& attitude);
   /// Velocity of the DVL in body axes [m/s] at `t`; nothing when the DVL had no lock or lied.
@@ -99,8 +90,8 @@ class OdometryTrack {
   /// Seconds since the last accepted velocity, if that is long enough to be a dropout at `t`.
   [[nodiscard]] std::optional<double> DropoutAge(double t) const;
 
-  /// 1-sigma of the velocity that bridges a dropout of that age [m/s].
-  [[nodiscard]] double BridgeSigma(double age) const;
+  /// Current and speed through the water; its north is the attitude's.
+  [[nodiscard]] const WaterModel& water() const { return water_; }
 
   /// REQUIRES: !is_empty(). Times outside the buffer answer with its ends, extrapolated by at most
   /// 0.3 s at the new end.
@@ -136,12 +127,10 @@ class OdometryTrack {
   [[nodiscard]] static AttitudeEstimate Between(const Bracket& around, double t);
   [[nodiscard]] Eigen::Vector3d VelocityAt(double t) const;
   [[nodiscard]] double TurnRateAt(double t) const;
-  /// What turning adds to a bridged velocity then.
-  [[nodiscard]] Eigen::Vector3d SwayAt(double t) const;
-  void NoteUsual(const Eigen::Vector3d& v, double dt);
-  /// What a dropout's velocity comes to.
-  [[nodiscard]] Eigen::Vector3d BridgeTarget() const;
-  /// The same in the track's frame, with the vertical part that holds then.
+  void TeachWater(double t, const Eigen::Vector3d& v_dvl_B);
+  /// In a dropout: in the track's frame.
+  [[nodiscard]] Eigen::Vector3d BridgedVelocity(double t, const Turning& turning) const;
+  /// The velocity in the track's frame, measured or bridged.
   [[nodiscard]] Eigen::Vector3d LevelVelocity(const Sample& sample) const;
   [[nodiscard]] Sample SampleAt(double t) const;
   void Integrate(const Sample& from, Sample& to) const;
@@ -150,15 +139,12 @@ class OdometryTrack {
 
   OdometryParams params_;
   std::deque<Sample> samples_;
-  bool has_velocity_ = false, is_bridging_ = false;
+  bool has_velocity_ = false;
   double velocity_t_ = -1e18, previous_t_ = -1e18;  ///< of the last two velocity rows
   double accepted_t_ = -1e18, fix_t_ = -1e18;
   double began_t_ = 0.0;  ///< of the first attitude
   Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero(), previous_ = Eigen::Vector3d::Zero();
-  /// Averages of accepted ones, without what turning adds.
-  Eigen::Vector3d recent_ = Eigen::Vector3d::Zero(), usual_ = recent_;
-  double spread_ = 0.0;  ///< variance about it, horizontal [m^2/s^2]
-  SwayModel sway_;
+  WaterModel water_;
   std::optional<double> sink_rate_;
 };
 

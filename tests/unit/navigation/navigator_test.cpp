@@ -98,7 +98,7 @@ TEST_F(NavigatorTest, WithoutVelocityForLongThePositionIsLostButDepthIsNot) {
   EXPECT_LT(navigator_.Estimate(t_).sd_p_W.x(), 10.0) << "a dropout is bridged";
   Rest(0.0, 0.0, 600.0, false);
   const NavigatorEstimate estimate = navigator_.Estimate(t_);
-  EXPECT_NEAR(estimate.sd_p_W.x(), 0.75 * 540.0, 30.0);
+  EXPECT_NEAR(estimate.sd_p_W.x(), 0.75 * 420.0, 30.0);
   EXPECT_LT(estimate.sd_p_W.z(), 0.5);
 }
 

@@ -51,12 +51,12 @@ TEST_F(OdometryTrackTest, StepsCompoundToTheWholeWay) {
   EXPECT_NEAR(first.motion(3) + second.motion(3), whole.motion(3), 1e-12);
 }
 
-TEST_F(OdometryTrackTest, BridgesADropoutWithTheLastVelocityAndSaysHowUnsureItIs) {
+TEST_F(OdometryTrackTest, BridgesADropoutAndSaysHowUnsureItIs) {
   Drive(0.0, 20.0);
   const double sure = track_.Between(10.0, 20.0).variance(0);
   Drive(20.0, 30.0, false);
   const OdometryStep step = track_.Between(0.0, 29.0);
-  EXPECT_NEAR((step.motion.head<2>() - OnCircle(29.0)).norm(), 0.0, 5e-3);
+  EXPECT_NEAR((step.motion.head<2>() - OnCircle(29.0)).norm(), 0.0, 2e-2);
   EXPECT_GT(track_.Between(19.0, 29.0).variance(0), 5.0 * sure);
 }
 

@@ -25,7 +25,10 @@ StreamScene RoughHour(std::uint64_t seed) {
           .altitude_m = 3.5,
           .false_share = 0.6,
           .yaw_bias_degph = 4.0,
-          .long_dropouts = 5};
+          .long_dropouts = 5,
+          .has_turns_in_dropouts = true,
+          .current_mps = 0.15,
+          .leg_speed_sd_mps = 0.003};
 }
 
 TEST(SimulatedStream, IsTheSameForTheSameSeed) {
@@ -37,7 +40,7 @@ TEST(SimulatedStream, IsTheSameForTheSameSeed) {
 
 class HardHour : public ::testing::TestWithParam<int> {};
 
-TEST_P(HardHour, LongDropoutsAndFalseBoxesNeitherDoubleNorInventAnObject) {
+TEST_P(HardHour, DropoutsInACurrentAndFalseBoxesNeitherDoubleNorInventAnObject) {
   const SimulatedStream session = SimulateStream(RoughHour(static_cast<unsigned>(GetParam())));
   const ReplayResult result = Replay(session.stream, ParamsForStream(session.stream.meta), NoClock);
   const auto error = ErrorOf(result.smoothed, session.truth);

@@ -51,15 +51,18 @@ TEST_F(StepFactorTest, CalibratedJacobiansMatchCentralDifferences) {
                        {0.01, -0.02, 0.003});
 }
 
-TEST_F(StepFactorTest, BridgedIsZeroWhenTheVelocityWasOffByTheError) {
-  const NavVector from = NavVector::Zero();
-  const NavVector to = (NavVector() << 1.0, 0.2, 0.0, 0.0, 0.0, 0.0).finished();
-  const BridgedStepFactor factor({1.2, 0.1, 0.0, 0.0}, Eigen::Vector4d::Ones(), 2.0);
-  EXPECT_NEAR(factor.Evaluate(from, to, {0.1, -0.05, 0.0}).norm(), 0.0, 1e-12);
+TEST_F(StepFactorTest, BridgedIsZeroWhenCurrentAndSpeedWereOffByTheError) {
+  // Two seconds heading east: ahead is east, abeam is south.
+  const NavVector from = (NavVector() << 0.0, 0.0, 0.0, M_PI_2, 0.0, 0.0).finished();
+  const NavVector to = (NavVector() << 0.2, 1.0, 0.0, M_PI_2, 0.0, 0.0).finished();
+  const Eigen::Vector3d error(0.1, -0.05, 0.2);  // current north, east, speed ahead
+  const Eigen::Vector4d motion(1.0 + 2.0 * (-0.05 + 0.2), -0.2 - 2.0 * 0.1, 0.0, 0.0);
+  const BridgedStepFactor factor(motion, Eigen::Vector4d::Ones(), 2.0);
+  EXPECT_NEAR(factor.Evaluate(from, to, error).norm(), 0.0, 1e-12);
 }
 
 TEST_F(StepFactorTest, BridgedJacobiansMatchCentralDifferences) {
-  ExpectJacobiansMatch(BridgedStepFactor({0.5, 0.1, 0.0, 0.5}, variance_, 1.2), {0.1, -0.2, 0.0});
+  ExpectJacobiansMatch(BridgedStepFactor({0.5, 0.1, 0.0, 0.5}, variance_, 1.2), {0.1, -0.2, 0.3});
 }
 
 TEST(SlowErrorsFactor, IsZeroWhenTheErrorsFade) {

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "limpet/core/units.hpp"
+
+namespace limpet {
+
+/// What thrusters, hull and coastal water usually do, each with a margin; random walks in units per
+/// root second.
+struct WaterParams {
+  /// 1-sigma of a bottom-track velocity about this model [m/s]: the sensor's noise (0.01) and what
+  /// hull and waves do besides.
+  double velocity_noise = 0.02;
+  double speed_sigma = 0.5;       ///< of the speed ahead through the water, at first [m/s]
+  double speed_walk = 0.0005;     ///< and its random walk [m/s/sqrt(s)]
+  double drift_sigma = 0.008;     ///< of the speed abeam through the water [m/s]
+  Seconds drift_memory{600.0};    ///< after which that is another
+  double sway_sigma = 0.3;        ///< of the sway per yaw rate, at first [m/s per rad/s]
+  double sway_walk = 0.002;       ///< and its random walk
+  double current_sigma = 0.15;    ///< of each of north and east, at first [m/s]
+  double current_walk = 0.0007;   ///< and its random walk [m/s/sqrt(s)]
+  double model_error = 0.006;     ///< of a velocity that this model predicts, besides [m/s]
+  Seconds usual_memory{60.0};     ///< over which the usual speed through the water is averaged
+  double usual_band = 0.1;        ///< a speed further from the usual one is not held for long [m/s]
+  Seconds excursion_memory{4.0};  ///< in which it comes back that near
+};
+
+/// Heading [rad] and yaw rate [rad/s] that a velocity belongs to.
+struct Turning {
+  double yaw = 0.0, rate = 0.0;
+};
+
+/// Current (north, east) and speed ahead through the water, as estimated [m/s], with 1-sigma.
+struct WaterState {
+  Eigen::Vector2d current_W = Eigen::Vector2d::Zero(), sd_current = Eigen::Vector2d::Zero();
+  double speed = 0.0, sd_speed = 0.0;
+};
+
+/// Parts the velocity over ground into what the vehicle does in the water and what the water does:
+/// a Kalman filter of (speed ahead, speed abeam, sway per yaw rate, current north, current east).
+/// The first three turn with the vehicle, the current does not; so a turn tells them apart, and
+/// before one the covariance says that nothing has. Without commands of the thrusters the speed
+/// through the water is a random walk; a change that this does not explain is taken for a change of
+/// speed, not of the current. The DVL's lever arm is part of the sway. Times in seconds.
+class WaterModel {
+ public:
+  using State = Eigen::Matrix<double, 5, 1>;
+  using Covariance = Eigen::Matrix<double, 5, 5>;
+
+  /// `arm`: how far ahead of the body's origin the DVL is [m]; the sway until turns teach it.
+  WaterModel(const WaterParams& params, double arm);
+
+  /// Velocity of the DVL over ground [m/s], ahead and abeam in the levelled heading frame.
+  void Add(double t, const Eigen::Vector2d& v_H, const Turning& turning);
+
+  /// The same quantity at `t`, in axes north and east, for when nothing measures it.
+  [[nodiscard]] Eigen::Vector2d VelocityAt(double t, const Turning& turning) const;
+  /// Variance of each axis of VelocityAt, their mean [m^2/s^2].
+  [[nodiscard]] double VarianceAt(double t, const Turning& turning) const;
+  /// Of (current north, current east, speed ahead) at `t`, with what the model leaves out
+  /// [m^2/s^2]: what a bridge from there is off.
+  [[nodiscard]] Eigen::Matrix3d BridgeCovariance(double t) const;
+  /// 1-sigma of how these change in `seconds` [m/s].
+  [[nodiscard]] Eigen::Vector3d BridgeChange(double seconds) const;
+
+  [[nodiscard]] WaterState StateAt(double t) const;
+  /// False until a first velocity has come.
+  [[nodiscard]] bool has_velocity() const { return t_.has_value(); }
+  [[nodiscard]] const State& state() const { return x_; }
+
+ private:
+  using Observation = Eigen::Matrix<double, 2, 5>;
+  /// Velocity ahead and abeam of a state.
+  [[nodiscard]] static Observation ObservationOf(const Turning& turning);
+  [[nodiscard]] Covariance CovarianceAt(double t) const;
+  [[nodiscard]] double AgeAt(double t) const;
+  /// Speed ahead at `t`: as it was, or back near the usual one.
+  [[nodiscard]] double SpeedAt(double t) const;
+
+  WaterParams params_;
+  State x_;
+  Covariance P_;
+  std::optional<double> t_;  ///< of the last velocity
+  double usual_ = 0.0;       ///< speed ahead
+};
+
+}  // namespace limpet

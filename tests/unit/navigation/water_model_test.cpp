@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/navigation/water_model.hpp"
+
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include "limpet/core/random.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kPeriod = 0.2;  // [s] of the DVL
+constexpr double kArm = -0.2;    // [m]
+constexpr double kSway = -0.35;  // [m/s per rad/s] arm and slip
+
+/// A survey in water that moves: legs of a minute, then half a turn in 15 s, to and fro.
+class WaterModelTest : public ::testing::Test {
+ protected:
+  void Survey(double seconds, bool has_velocity = true) {
+    for (const double end = t_ + seconds; t_ < end; t_ += kPeriod) {
+      if (std::fmod(t_, kLeg + kTurn) < kPeriod) way_ = -way_;
+      const bool turns = std::fmod(t_, kLeg + kTurn) > kLeg;
+      turning_.rate = turns ? way_ * M_PI / kTurn : 0.0;
+      turning_.yaw += kPeriod * turning_.rate;
+      current_W_ += Eigen::Vector2d(random_.Normal(walk_), random_.Normal(walk_));
+      const Eigen::Vector2d noise(random_.Normal(0.01), random_.Normal(0.01));
+      if (has_velocity) model_.Add(t_, HeadingFrame(Velocity()) + noise, turning_);
+    }
+  }
+  [[nodiscard]] Eigen::Vector2d Velocity() const {
+    return Eigen::Rotation2Dd(turning_.yaw) * Eigen::Vector2d(speed_, kSway * turning_.rate) +
+           current_W_;
+  }
+  [[nodiscard]] Eigen::Vector2d HeadingFrame(const Eigen::Vector2d& v_W) const {
+    return Eigen::Rotation2Dd(-turning_.yaw) * v_W;
+  }
+  [[nodiscard]] double CurrentError() const {
+    return (model_.StateAt(t_).current_W - current_W_).norm();
+  }
+
+  static constexpr double kLeg = 60.0, kTurn = 15.0;  // [s]
+  Random random_{7};
+  WaterModel model_{WaterParams{}, kArm};
+  Turning turning_{.yaw = 0.6, .rate = 0.0};
+  Eigen::Vector2d current_W_{0.08, -0.1};
+  double speed_ = 0.5, walk_ = 0.0, way_ = 1.0, t_ = 0.0;
+};
+
+TEST_F(WaterModelTest, FindsAConstantCurrentOnceTheVehicleHasTurned) {
+  Survey(400.0);
+  EXPECT_LT(CurrentError(), 0.01);
+  const WaterState state = model_.StateAt(t_);
+  EXPECT_NEAR(state.speed, 0.5, 0.01);
+  EXPECT_LT(state.sd_current.norm(), 0.02);
+  EXPECT_LT(CurrentError(), 3.0 * state.sd_current.norm());
+}
+
+TEST_F(WaterModelTest, BeforeAnyTurnItDoesNotClaimToKnowTheCurrentAlongTheWay) {
+  Survey(55.0);
+  const Eigen::Vector2d ahead = Eigen::Rotation2Dd(turning_.yaw) * Eigen::Vector2d::UnitX();
+  const Eigen::Matrix2d covariance = model_.BridgeCovariance(t_).topLeftCorner<2, 2>();
+  EXPECT_GT(std::sqrt(ahead.dot(covariance * ahead)), 0.1);
+  const double off = ahead.dot(model_.StateAt(t_).current_W - current_W_);
+  EXPECT_LT(std::abs(off), 3.0 * std::sqrt(ahead.dot(covariance * ahead)));
+}
+
+TEST_F(WaterModelTest, StraightOnItIsSureOfTheVelocityAllTheSame) {
+  Survey(55.0);
+  EXPECT_LT((model_.VelocityAt(t_, turning_) - Velocity()).norm(), 0.01);
+  EXPECT_LT(model_.VarianceAt(t_, turning_), 0.02 * 0.02);
+  const Turning back{.yaw = turning_.yaw + M_PI, .rate = 0.0};
+  EXPECT_GT(model_.VarianceAt(t_, back), 0.1 * 0.1) << "but not of the way back";
+}
+
+TEST_F(WaterModelTest, CarriesTheVehicleThroughATurnWithoutVelocity) {
+  Survey(410.0);
+  Eigen::Vector2d off = Eigen::Vector2d::Zero();
+  for (int i = 0; i < 200; ++i) {
+    Survey(kPeriod, false);
+    off += kPeriod * (model_.VelocityAt(t_, turning_) - Velocity());
+  }
+  EXPECT_LT(off.norm(), 0.3) << "of 20 m, in a current that would have added 5";
+}
+
+TEST_F(WaterModelTest, ItsBridgesAreAsFarOffAsItSays) {
+  walk_ = 0.0007 * std::sqrt(kPeriod);
+  Survey(300.0);
+  double nees = 0.0;
+  constexpr int kWindows = 60;
+  constexpr double kEddy = 0.006;  // [m/s] of water that is here and not there
+  for (int window = 0; window < kWindows; ++window) {
+    Survey(random_.Uniform(60.0, 200.0));
+    const Eigen::Matrix3d error = model_.BridgeCovariance(t_);
+    const double length = random_.Uniform(25.0, 60.0);
+    const Eigen::Vector2d eddy(random_.Normal(kEddy), random_.Normal(kEddy));
+    current_W_ += eddy;
+    Eigen::Vector2d off = Eigen::Vector2d::Zero();
+    Eigen::Matrix<double, 2, 3> per_error = Eigen::Matrix<double, 2, 3>::Zero();
+    for (double gone = 0.0; gone < length; gone += kPeriod) {
+      Survey(kPeriod, false);
+      off += kPeriod * (model_.VelocityAt(t_, turning_) - Velocity());
+      per_error.leftCols<2>() += kPeriod * Eigen::Matrix2d::Identity();
+      per_error(0, 2) += kPeriod * std::cos(turning_.yaw);
+      per_error(1, 2) += kPeriod * std::sin(turning_.yaw);
+    }
+    current_W_ -= eddy;
+    const Eigen::Matrix2d covariance = per_error * error * per_error.transpose();
+    nees += off.dot(covariance.inverse() * off) / kWindows;
+  }
+  EXPECT_GT(nees, 0.3) << "2 if it said exactly what it is; it has a margin";
+  EXPECT_LT(nees, 2.5);
+}
+
+TEST_F(WaterModelTest, AChangeOfSpeedIsTheVehiclesNotTheWaters) {
+  Survey(400.0);
+  const Eigen::Vector2d before = model_.StateAt(t_).current_W;
+  speed_ = 0.2;
+  Survey(10.0);
+  EXPECT_NEAR(model_.StateAt(t_).speed, 0.2, 0.1) << "it is near the usual one";
+  EXPECT_NEAR(model_.state()(0), 0.2, 0.02);
+  EXPECT_LT((model_.StateAt(t_).current_W - before).norm(), 0.02);
+}
+
+TEST_F(WaterModelTest, ASpeedFarFromTheUsualOneIsNotHeldForLong) {
+  Survey(400.0);
+  speed_ = 0.0;
+  Survey(2.0);
+  EXPECT_GT(HeadingFrame(model_.VelocityAt(t_ + 20.0, turning_) - current_W_).x(), 0.3);
+  EXPECT_GT(model_.VarianceAt(t_ + 20.0, turning_), 0.1 * 0.1);
+}
+
+TEST_F(WaterModelTest, TurningBringsTheLeverArmsSwayUntilTurnsTeachIt) {
+  EXPECT_DOUBLE_EQ(model_.state()(2), kArm);
+  Survey(300.0);
+  EXPECT_NEAR(model_.state()(2), kSway, 0.02);
+}
+
+TEST_F(WaterModelTest, ItsCovarianceGrowsInADropout) {
+  Survey(400.0);
+  const double sure = model_.StateAt(t_).sd_current.x();
+  EXPECT_GT(model_.StateAt(t_ + 3600.0).sd_current.x(), sure + 0.03);
+  EXPECT_GT(model_.BridgeCovariance(t_ + 180.0).eigenvalues().real().minCoeff(), 0.0);
+}
+
+}  // namespace
+}  // namespace limpet
