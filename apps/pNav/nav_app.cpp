@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "limpet/app/registry.hpp"
@@ -194,6 +195,7 @@ void NavApp::PublishState(double now) {
   Publish(topics::kNavState, state);
   if (*state.is_valid) {
     PublishDeadReckoning(now);
+    PublishCurrent(now);
   }
 }
 
@@ -203,6 +205,18 @@ void NavApp::PublishDeadReckoning(double now) {
                                                    .east = reckoned.p_WB.y(),
                                                    .down = reckoned.p_WB.z(),
                                                    .yaw = reckoned.yaw});
+}
+
+void NavApp::PublishCurrent(double now) {
+  constexpr double kPeriod = 1.0;  // [s]
+  const std::optional<WaterState> water = navigator_.Water(now);
+  if (!water || now - current_t_ < kPeriod - 1e-6) {
+    return;
+  }
+  current_t_ = now;
+  Publish(topics::kNavCurrent, WaterCurrent{.north = water->current_W.x(),
+                                            .east = water->current_W.y(),
+                                            .sd = water->sd_current.norm() / std::sqrt(2.0)});
 }
 
 void NavApp::PublishFrames() {

@@ -92,6 +92,7 @@ class NavApp final : public App {
   void PublishScalars(const NavigatorEstimate& estimate);
   void PublishState(double now);
   void PublishDeadReckoning(double now);
+  void PublishCurrent(double now);
   void PublishFrames();
   void PublishLandmarks(double now);
   void PublishBeams(const Stamped<DvlSample>& dvl);
@@ -114,7 +115,7 @@ class NavApp final : public App {
   SourceWatch imu_, fog_, dvl_, lock_, depth_, gps_, camera_;
   int gps_fixes_ = 0, dvl_pings_ = 0, dvl_pings_without_lock_ = 0;  ///< for the report
   int landmark_version_ = 0;
-  double landmarks_t_ = -1e18;
+  double landmarks_t_ = -1e18, current_t_ = -1e18;
 };
 
 }  // namespace limpet

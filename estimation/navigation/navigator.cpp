@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 namespace limpet {
 namespace {
 
@@ -178,6 +180,15 @@ SolveReport Navigator::Finish() {
   }
   ++landmark_version_;
   return report;
+}
+
+std::optional<WaterState> Navigator::Water(double t) const {
+  const OdometryTrack& track = measurements_.track();
+  if (!track.water().has_velocity()) return std::nullopt;
+  WaterState water = track.water().StateAt(t);
+  const double off = chain_.Head()(kNavYaw) - track.AttitudeAt(chain_.head_time()).yaw;
+  water.current_W = Eigen::Rotation2Dd(off) * water.current_W;  // from the attitude's north
+  return water;
 }
 
 std::vector<ObservedFrame> Navigator::TakeFrames() { return std::exchange(posed_, {}); }

@@ -15,6 +15,7 @@
 #include "estimation/navigation/navigator_estimate.hpp"
 #include "estimation/navigation/navigator_params.hpp"
 #include "estimation/navigation/pose_chain.hpp"
+#include "estimation/navigation/water_model.hpp"
 
 namespace limpet {
 
@@ -64,6 +65,9 @@ class Navigator {
   }
   /// Bottom track alone from the first fix. REQUIRES: has_started().
   [[nodiscard]] Pose DeadReckoned(double t) const { return chain_.DeadReckoned(t); }
+  /// Current and speed through the water at `t`, as known now; nothing before a first velocity.
+  /// REQUIRES: has_started().
+  [[nodiscard]] std::optional<WaterState> Water(double t) const;
   /// Frames posed since the last call, in order of exposure.
   [[nodiscard]] std::vector<ObservedFrame> TakeFrames();
   [[nodiscard]] std::vector<Landmark> Landmarks() const;

@@ -12,6 +12,7 @@ namespace {
 constexpr double kArrival = 10.0;       // [s] that a row may be behind its measurement
 constexpr double kSilence = 0.3;        // [s]
 constexpr double kOnlinePeriod = 0.19;  // [s] between rows of online.csv
+constexpr double kWaterPeriod = 0.99;   // [s] between those of states.csv
 
 /// Feeds one row after the other and keeps what the estimator says.
 class Replayer {
@@ -89,7 +90,13 @@ class Replayer {
       result_.online.push_back({now_, estimate.X_WB});
       result_.online_covariance.push_back(estimate.covariance_p_W);
       result_.reckoned.push_back({now_, navigator_.DeadReckoned(now_)});
+      KeepWater();
     }
+  }
+
+  void KeepWater() {
+    if (!result_.water.empty() && now_ - result_.water.back().t < kWaterPeriod) return;
+    if (const auto water = navigator_.Water(now_)) result_.water.push_back({now_, *water});
   }
 
   Navigator navigator_;

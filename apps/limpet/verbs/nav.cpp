@@ -25,7 +25,9 @@ Command NavForm() {
           .words = "<stream folder>",
           .about =
               "Runs the estimator alone on a recorded sensor stream (meta.csv and "
-              "stream.csv.gz) and writes online.csv, smoothed.csv, landmarks.csv, "
+              "stream.csv.gz) and writes online.csv, smoothed.csv, states.csv (current and speed "
+              "through the "
+              "water), landmarks.csv, "
               "landmarks_covariance.csv, associations.csv and timing.json into DIR.",
           .options = {{.names = "--out",
                        .value = "DIR",
@@ -98,6 +100,7 @@ int ReplayStream(const Arguments& given) {
   const bool is_written =
       Write(out / "online.csv", PosesCsv(result.online)) &&
       Write(out / "smoothed.csv", PosesCsv(result.smoothed)) &&
+      Write(out / "states.csv", StatesCsv(result.water)) &&
       Write(out / "landmarks.csv", LandmarksCsv(result.landmarks)) &&
       Write(out / "landmarks_covariance.csv",
             LandmarkCovarianceCsv(result.landmarks, result.landmark_covariance)) &&

@@ -7,8 +7,8 @@
 namespace limpet {
 
 /// `limpet nav <stream folder> --out DIR [--plot]`: runs the estimator alone on a recorded sensor
-/// stream and writes online.csv, smoothed.csv, landmarks.csv, associations.csv and timing.json.
-/// Returns the exit code.
+/// stream and writes online.csv, smoothed.csv, states.csv, landmarks.csv, associations.csv and
+/// timing.json. Returns the exit code.
 int RunNav(std::span<const std::string> args);
 
 }  // namespace limpet

@@ -19,6 +19,19 @@ std::string PosesCsv(const std::vector<SmoothedPose>& poses) {
   return text;
 }
 
+std::string StatesCsv(const std::vector<TimedWater>& water) {
+  std::string text = "t,state,value,sd\n";
+  for (const auto& [t, state] : water) {
+    const auto add = [&text, t = t](const char* name, double value, double sd) {
+      text += fmt::format("{:.3f},{},{:.4f},{:.4f}\n", t, name, value, sd);
+    };
+    add("current_north", state.current_W.x(), state.sd_current.x());
+    add("current_east", state.current_W.y(), state.sd_current.y());
+    add("water_speed", state.speed, state.sd_speed);
+  }
+  return text;
+}
+
 std::string MatchesCsv(const std::vector<Landmark>& landmarks) {
   std::string text = "landmark,former\n";
   for (const Landmark& landmark : landmarks) {

@@ -29,7 +29,8 @@ struct NavState {
   double roll = 0.0, pitch = 0.0, yaw = 0.0;
   double u = 0.0, v = 0.0, w = 0.0;  ///< body velocity over ground [m/s]
   /// Seconds since the DVL last gave a velocity; absent while it does. In such a dropout u and v
-  /// are held, no feedback of what the vehicle does, and w comes from the depth sensor.
+  /// are what the vehicle was last seen to do in the water, no feedback of what it does, and the
+  /// estimated current; w comes from the depth sensor.
   std::optional<double> velocity_age = std::nullopt;
   double yaw_rate = 0.0;  ///< [rad/s]
   /// Of the body origin above the seabed [m], as `down` is its depth: their sum is the seabed's
@@ -71,6 +72,16 @@ struct DeadReckoning {
   template <class V>
   void Describe(V& visit) {
     visit("north", north), visit("east", east), visit("down", down), visit("yaw", yaw);
+  }
+};
+
+/// Motion of the water, as estimated from the bottom track; where it comes to, north and east.
+struct WaterCurrent {
+  double north = 0.0, east = 0.0;  ///< [m/s]
+  double sd = 0.0;                 ///< 1-sigma of each [m/s]
+  template <class V>
+  void Describe(V& visit) {
+    visit("north", north), visit("east", east), visit("sd", sd);
   }
 };
 
@@ -150,6 +161,10 @@ inline const auto kNavState = Declare<NavState>(
 inline const auto kNavDeadReckoning = Declare<DeadReckoning>(
     "NAV_DEAD_RECKONING", "DVL dead reckoning from the first GPS fix, for comparison",
     {.unit = "m, rad", .frame = "NED", .rate = "10 Hz", .writers = {"pNav"}});
+inline const auto kNavCurrent = Declare<WaterCurrent>(
+    "NAV_CURRENT",
+    "current, where it sets to, with its 1-sigma: large until bottom track and turns have told",
+    {.unit = "m/s", .frame = "NED", .rate = "1 Hz", .writers = {"pNav"}});
 inline const auto kNavLandmarks = Declare<Landmarks>(
     "NAV_LANDMARKS", "objects with covariance, and which of the former session's each one is",
     {.unit = "m", .frame = "NED", .rate = "on change, at most 2 Hz", .writers = {"pNav"}});

@@ -53,6 +53,15 @@ TEST_F(NavVerbTest, WritesPosesLandmarksAssociationsAndTiming) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out/map.svg"));
 }
 
+TEST_F(NavVerbTest, WritesCurrentAndSpeedThroughTheWaterWithTheirSigmas) {
+  ASSERT_EQ(Run({folder_.path().string(), "--out", (folder_.path() / "out").string()}), kOk);
+  const std::string states = Text("states.csv");
+  EXPECT_THAT(states, HasSubstr("t,state,value,sd\n"));
+  EXPECT_THAT(states, HasSubstr(",current_north,"));
+  EXPECT_THAT(states, HasSubstr(",current_east,0.0000,0.0"));
+  EXPECT_THAT(states, HasSubstr(",water_speed,0."));
+}
+
 TEST_F(NavVerbTest, TakesUpWhatAnEarlierSessionLeft) {
   const std::string stream = folder_.path().string(), out = (folder_.path() / "out").string();
   ASSERT_EQ(Run({stream, "--out", out}), kOk);

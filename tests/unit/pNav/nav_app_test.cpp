@@ -95,6 +95,18 @@ TEST_F(NavAppTest, SpeaksMoosInItsScalars) {
   EXPECT_NEAR(*link_.Last(topics::kNavSpeed), 0.5, 1e-3);
 }
 
+TEST_F(NavAppTest, SaysTheCurrentOnceASecondAndHowUnsureItIsWithoutATurn) {
+  RunFor(30.0);
+  const std::size_t before = CountOf("NAV_CURRENT");
+  EXPECT_GT(before, 10U);
+  RunFor(10.0);
+  EXPECT_NEAR(static_cast<double>(CountOf("NAV_CURRENT") - before), 10.0, 1.0);
+  const WaterCurrent current = link_.Last(topics::kNavCurrent).value();
+  EXPECT_NEAR(current.north, 0.0, 0.03);
+  EXPECT_GT(current.sd, 0.05) << "along the way it cannot be told from speed";
+  EXPECT_LT(std::abs(current.east), 3.0 * current.sd);
+}
+
 TEST_F(NavAppTest, SaysTheAltitudeOfTheBodyAboveTheDvl) {
   RunFor(20.0);
   EXPECT_NEAR(*link_.Last(topics::kNavAltitude), 4.18, 1e-9);
