@@ -12,13 +12,15 @@ namespace {
 
 enum Index { kAhead, kAbeam, kSway, kNorth, kEast };
 
+constexpr double kPause = 1.0;     // [s] without velocity that end a trial
 constexpr double kSurprise = 9.0;  // squared innovation over covariance, of two: 1 in 90
 
 double Squared(double x) { return x * x; }
 
 }  // namespace
 
-WaterModel::WaterModel(const WaterParams& params, double arm) : params_(params) {
+WaterModel::WaterModel(const WaterParams& params, double arm)
+    : params_(params), error_variance_(Squared(params.model_error)) {
   x_ << 0.0, 0.0, arm, 0.0, 0.0;
   State sigma;
   sigma << params.speed_sigma, params.drift_sigma, params.sway_sigma, params.current_sigma,
@@ -67,9 +69,35 @@ void WaterModel::Add(double t, const Eigen::Vector2d& v_H, const Turning& turnin
   x_ += K * innovation;
   const Covariance rest = Covariance::Identity() - K * H;
   P_ = (rest * P_ * rest.transpose() + K * R * K.transpose()).eval();
+  Try(t, v_H, H);
   const double share = t_ ? std::min(dt, 1.0) / params_.usual_memory.value() : 1.0;
-  usual_ += share * (x_(kAhead) - usual_);
+  const double off_usual = x_(kAhead) - usual_;
+  spread_ += t_ ? share * (Squared(off_usual) - spread_) : 0.0;
+  usual_ += share * off_usual;
   t_ = t;
+}
+
+void WaterModel::Try(double t, const Eigen::Vector2d& v_H, const Observation& H) {
+  if (!trial_ || t - trial_->last > kPause) {
+    trial_ = Trial{.since = t, .last = t, .x = x_};
+    return;
+  }
+  trial_->last = t;
+  const Eigen::Matrix2d R_HW = H.block<2, 2>(0, kNorth);
+  trial_->off += R_HW.transpose() * (v_H - H * trial_->x);
+  ++trial_->count;
+  const double length = t - trial_->since;
+  if (length < params_.trial.value()) return;
+  const double variance = 0.5 * (trial_->off / trial_->count).squaredNorm();
+  const double share = length / params_.trial_memory.value();
+  error_variance_ += share * (std::min(variance, Squared(params_.worst_trial)) - error_variance_);
+  error_variance_ = std::max(error_variance_, Squared(params_.model_error));
+  trial_ = Trial{.since = t, .last = t, .x = x_};
+}
+
+double WaterModel::ManeuverVariance(double seconds) const {
+  const double reached = Squared(params_.maneuver_mps2 * seconds);
+  return std::min(Squared(params_.maneuver_share) * spread_, reached);
 }
 
 double WaterModel::SpeedAt(double t) const {
@@ -88,7 +116,7 @@ Eigen::Vector2d WaterModel::VelocityAt(double t, const Turning& turning) const {
 double WaterModel::VarianceAt(double t, const Turning& turning) const {
   const Observation H = ObservationOf(turning);
   const Eigen::Matrix2d of_state = H * CovarianceAt(t) * H.transpose();
-  return 0.5 * of_state.trace() + Squared(params_.model_error) +
+  return 0.5 * of_state.trace() + error_variance_ + ManeuverVariance(AgeAt(t)) +
          0.25 * Squared(x_(kAhead) - SpeedAt(t));
 }
 
@@ -98,9 +126,11 @@ Eigen::Matrix3d WaterModel::BridgeCovariance(double t) const {
   bridge.topLeftCorner<2, 2>() = P.block<2, 2>(kNorth, kNorth);
   bridge.topRightCorner<2, 1>() = P.block<2, 1>(kNorth, kAhead);
   bridge.bottomLeftCorner<1, 2>() = P.block<1, 2>(kAhead, kNorth);
-  bridge(2, 2) = P(kAhead, kAhead) + 0.25 * Squared(x_(kAhead) - SpeedAt(t));
+  constexpr double kLong = 60.0;  // [s] a bridge may be
+  bridge(2, 2) =
+      P(kAhead, kAhead) + ManeuverVariance(kLong) + 0.25 * Squared(x_(kAhead) - SpeedAt(t));
   // Speed abeam turns with the vehicle; as a part of the current it is nowhere less likely.
-  const double besides = Squared(params_.model_error) + P(kAbeam, kAbeam);
+  const double besides = error_variance_ + P(kAbeam, kAbeam);
   bridge.diagonal().head<2>().array() += besides;
   return bridge;
 }

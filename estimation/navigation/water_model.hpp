@@ -15,15 +15,25 @@ struct WaterParams {
   /// 1-sigma of a bottom-track velocity about this model [m/s]: the sensor's noise (0.01) and what
   /// hull and waves do besides.
   double velocity_noise = 0.02;
-  double speed_sigma = 0.5;       ///< of the speed ahead through the water, at first [m/s]
-  double speed_walk = 0.0005;     ///< and its random walk [m/s/sqrt(s)]
-  double drift_sigma = 0.008;     ///< of the speed abeam through the water [m/s]
-  Seconds drift_memory{600.0};    ///< after which that is another
-  double sway_sigma = 0.3;        ///< of the sway per yaw rate, at first [m/s per rad/s]
-  double sway_walk = 0.002;       ///< and its random walk
-  double current_sigma = 0.15;    ///< of each of north and east, at first [m/s]
-  double current_walk = 0.0007;   ///< and its random walk [m/s/sqrt(s)]
-  double model_error = 0.006;     ///< of a velocity that this model predicts, besides [m/s]
+  double speed_sigma = 0.5;      ///< of the speed ahead through the water, at first [m/s]
+  double speed_walk = 0.0005;    ///< and its random walk [m/s/sqrt(s)]
+  double drift_sigma = 0.008;    ///< of the speed abeam through the water [m/s]
+  Seconds drift_memory{600.0};   ///< after which that is another
+  double sway_sigma = 0.3;       ///< of the sway per yaw rate, at first [m/s per rad/s]
+  double sway_walk = 0.002;      ///< and its random walk
+  double current_sigma = 0.15;   ///< of each of north and east, at first [m/s]
+  double current_walk = 0.0007;  ///< and its random walk [m/s/sqrt(s)]
+  /// 1-sigma of a predicted velocity besides [m/s]: at first and at least. Learnt from what the
+  /// model would have been off in stretches so long, each taken as no worse than the worst; so a
+  /// vehicle that is less steady than the model is bridged with more doubt.
+  double model_error = 0.005;
+  Seconds trial{20.0};
+  double worst_trial = 0.06;
+  Seconds trial_memory{600.0};
+  /// Who was told another speed lately may be told one now: 1-sigma of the speed ahead, as a share
+  /// of its spread about the usual one, reached at this rate [m/s^2].
+  double maneuver_share = 0.6;
+  double maneuver_mps2 = 0.05;
   Seconds usual_memory{60.0};     ///< over which the usual speed through the water is averaged
   double usual_band = 0.1;        ///< a speed further from the usual one is not held for long [m/s]
   Seconds excursion_memory{4.0};  ///< in which it comes back that near
@@ -73,11 +83,22 @@ class WaterModel {
   [[nodiscard]] const State& state() const { return x_; }
 
  private:
+  /// A prediction that goes on beside the filter, to see how good a bridge would be now.
+  struct Trial {
+    double since = 0.0, last = 0.0;  ///< [s]
+    State x;
+    Eigen::Vector2d off = Eigen::Vector2d::Zero();  ///< sum of what it is off, north and east [m/s]
+    int count = 0;
+  };
   using Observation = Eigen::Matrix<double, 2, 5>;
   /// Velocity ahead and abeam of a state.
   [[nodiscard]] static Observation ObservationOf(const Turning& turning);
+  /// Tries what a bridge would be off. `v_H` as in Add.
+  void Try(double t, const Eigen::Vector2d& v_H, const Observation& H);
   [[nodiscard]] Covariance CovarianceAt(double t) const;
   [[nodiscard]] double AgeAt(double t) const;
+  /// Of the speed ahead: what it may have been told to change.
+  [[nodiscard]] double ManeuverVariance(double seconds) const;
   /// Speed ahead at `t`: as it was, or back near the usual one.
   [[nodiscard]] double SpeedAt(double t) const;
 
@@ -86,6 +107,9 @@ class WaterModel {
   Covariance P_;
   std::optional<double> t_;  ///< of the last velocity
   double usual_ = 0.0;       ///< speed ahead
+  double spread_ = 0.0;      ///< variance about it [m^2/s^2]
+  std::optional<Trial> trial_;
+  double error_variance_;  ///< of a predicted velocity, besides [m^2/s^2]
 };
 
 }  // namespace limpet
