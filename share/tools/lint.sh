@@ -21,7 +21,7 @@ prepare() { # folder cmake-argument...: compile commands and precompiled headers
 }
 
 commands() { # folder: one compile command per line, as a shell reads it; not those of the precompiled headers
-  sed -n 's/^ *"command": "\(.*\)",$/\1/p' "$1/compile_commands.json" | grep -v '[_/]precompiled' |
+  sed -n 's/^ *"command": "\(.*\)",$/\1/p' "$1/compile_commands.json" | grep -v ' -c [^ ]*precompiled[^ ]*$' |
     sed 's/\\\(["\\]\)/\1/g'
 }
 

@@ -7,7 +7,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <ranges>
 #include <system_error>
 #include <thread>
 
@@ -247,9 +246,9 @@ std::string Supervisor::Status() const {
 
 void Supervisor::EndThose(const std::function<bool(const Child&)>& which, Seconds patience) {
   const auto concerns = [&which](const Child& child) { return child.pid > 0 && which(child); };
-  for (const Child& child : std::views::reverse(children_)) {
-    if (concerns(child)) {
-      ::kill(child.pid, SIGTERM);
+  for (auto child = children_.rbegin(); child != children_.rend(); ++child) {
+    if (concerns(*child)) {
+      ::kill(child->pid, SIGTERM);
     }
   }
   const Seconds deadline = SteadyTime() + patience;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <ranges>
 #include <tuple>
 
 #include "limpet/planning/path_valuer.hpp"
@@ -167,8 +166,8 @@ class Search {
     for (int i = index; i > 0; i = nodes_[static_cast<std::size_t>(i)].parent) {
       chain_.push_back(i);
     }
-    for (const int i : std::views::reverse(chain_)) {
-      const Node& node = nodes_[static_cast<std::size_t>(i)];
+    for (auto i = chain_.rbegin(); i != chain_.rend(); ++i) {
+      const Node& node = nodes_[static_cast<std::size_t>(*i)];
       workspace_.Replay(
           std::span(changes_).subspan(node.change_begin, node.change_end - node.change_begin));
       valuer_.Replay(

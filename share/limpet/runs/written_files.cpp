@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <ranges>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -152,10 +151,10 @@ void WrittenFiles::RemoveIf(const std::function<bool(const std::string&)>& is_wa
     file = files_.erase(file);
   }
   // Inner folders come after outer ones; one that still holds something stays.
-  for (const fs::path& folder : std::views::reverse(folders)) {
+  for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder) {
     std::error_code ignored;
-    if (fs::symlink_status(folder_ / folder).type() == fs::file_type::directory) {
-      fs::remove(folder_ / folder, ignored);
+    if (fs::symlink_status(folder_ / *folder).type() == fs::file_type::directory) {
+      fs::remove(folder_ / *folder, ignored);
     }
   }
   Save();

@@ -31,7 +31,7 @@ class DetectVerb : public ::testing::Test {
     std::ofstream file(folder_.path() / "ball.ppm", std::ios::binary);
     file << "P6 " << image.width_px << ' ' << image.height_px << " 255\n";
     for (std::size_t i = 0; i < image.bgr.size(); i += 3) {
-      for (const std::size_t color : {2, 1, 0})
+      for (const std::size_t color : {2UL, 1UL, 0UL})
         file.put(static_cast<char>(image.bgr[i + color]));
     }
     std::ofstream(folder_.path() / "broken.png") << "no image";

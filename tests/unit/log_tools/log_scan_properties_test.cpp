@@ -187,7 +187,8 @@ TEST(LogScan, ShowsEveryVariableOnceWithItsShareOfTheFile) {
   const std::vector<std::string> lines = LinesOf(RunLogCommand(kLogScan, {log}).out);
   for (const auto& [name, its] : Grouped(entries)) {
     EXPECT_EQ(std::ranges::count_if(
-                  lines, [&name](const std::string& line) { return line.starts_with(name + " "); }),
+                  lines,
+                  [&name = name](const std::string& line) { return line.starts_with(name + " "); }),
               1)
         << name;
   }
