@@ -34,7 +34,9 @@ void TrackedObject::RecountColor() {
 void TrackedObject::Add(Observation observation) {
   const double votes = votes_[observation.color] += observation.confidence;
   const auto leading = votes_.find(color_);
-  if (leading == votes_.end() || votes > leading->second) color_ = observation.color;
+  const bool leads = leading == votes_.end() || votes > leading->second ||
+                     (votes == leading->second && observation.color < color_);
+  if (leads) color_ = observation.color;
   observations.push_back(std::move(observation));
 }
 
