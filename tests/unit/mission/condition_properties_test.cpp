@@ -158,7 +158,7 @@ TEST(FieldMatches, AreContiguousWholeFieldsEitherWay) {
   };
   const auto holds_in = [](const std::vector<std::string>& all,
                            const std::vector<std::string>& part) {
-    return !std::ranges::search(all, part).empty();
+    return std::search(all.begin(), all.end(), part.begin(), part.end()) != all.end();
   };
   for (int run = 0; run < 2000; ++run) {
     const auto a = fields(), b = fields();
