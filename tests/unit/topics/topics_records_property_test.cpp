@@ -100,7 +100,7 @@ class RecordProperty : public ::testing::Test {
 
 using Records = ::testing::Types<SurveyArea, HomePoint, ThrusterCommand, NavState, DeadReckoning,
                                  PosedBeams, ImuSample, DvlSample, GpsFix, Coverage, MapLook,
-                                 SimTruth, SimThrust, ShareCounts>;
+                                 SimTruth, SimThrust, ShareCounts, WaterCurrent>;
 TYPED_TEST_SUITE(RecordProperty, Records);
 
 TYPED_TEST(RecordProperty, BringsBackEveryFieldToTheLastBit) {
