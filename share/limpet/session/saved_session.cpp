@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/session/saved_session.hpp"
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -32,6 +34,16 @@ std::optional<ConfigBlock> BlockIn(const SavedSession& session, const std::strin
              : std::nullopt;
 }
 
+/// In quotes, so that none of `special` is taken for more than text. A line has one pair of quotes
+/// that the reader takes off, the first: it ends before the value's own.
+std::string Quoted(const std::string& value, std::string_view special) {
+  if (value.find("//") == std::string::npos && value.find_first_of(special) == std::string::npos) {
+    return value;
+  }
+  const std::size_t own_quote = std::min(value.find('"'), value.size());
+  return fmt::format("\"{}\"{}", value.substr(0, own_quote), value.substr(own_quote));
+}
+
 }  // namespace
 
 SavedSession LoadSavedSession(const fs::path& folder, const std::string& what) {
@@ -46,12 +58,14 @@ std::string MissionText(const std::vector<ConfigEntry>& globals,
                         const std::vector<ConfigBlock>& blocks) {
   std::string text = "// The mission as it was run: plugs expanded, settings in place.\n\n";
   for (const ConfigEntry& global : globals) {
-    text += fmt::format("{} = {}\n", global.key, global.value);
+    text += fmt::format("{} = {}\n", global.key, Quoted(global.value, "\"{} \t"));
   }
   for (const ConfigBlock& block : blocks) {
     text += fmt::format("\nProcessConfig = {}\n{{\n", block.name);
+    const bool keeps_quotes = block.name.starts_with("pHelm");  // as the reader does
     for (const ConfigEntry& entry : block.entries) {
-      text += fmt::format("  {} = {}\n", entry.key, entry.value);
+      text += fmt::format("  {} = {}\n", entry.key,
+                          keeps_quotes ? entry.value : Quoted(entry.value, "\"{}"));
     }
     text += "}\n";
   }

@@ -55,6 +55,53 @@ TEST(MissionAsRun, ReadsAsTheMissionThatItWas) {
   }
 }
 
+/// A line of a mission with whatever a value may hold, in quotes or not.
+std::string RandomEntry(Random& random, int number) {
+  const std::array<const char*, 9> pieces{"http://shore", "//", " ", "{", "}", "a", "=", ",", "\t"};
+  std::string value;
+  for (std::uint64_t i = 1 + random.Index(5); i > 0; --i)
+    value += pieces[random.Index(pieces.size())];
+  // A brace outside of quotes is no text.
+  const bool has_brace = value.find_first_of("{}") != std::string::npos;
+  if (has_brace || random.Chance(0.5)) value = "\"" + value + "\"";
+  if (random.Chance(0.2)) value += " \"more\"";
+  return "key" + std::to_string(number) + " = x" + value + "\n";
+}
+
+TEST(MissionAsRun, ReadsAsTheMissionThatItWasWhateverItsValuesHold) {
+  Random random(2, "texts");
+  for (int run = 0; run < 400; ++run) {
+    std::string text;
+    for (int i = 0; i < 3; ++i)
+      text += RandomEntry(random, i);
+    for (const char* app : {"pMap", "pHelm"}) {
+      text += std::string("ProcessConfig = ") + app + "\n{\n";
+      for (int i = 0; i < 3; ++i)
+        text += RandomEntry(random, i);
+      text += "}\n";
+    }
+    const MissionFile mission = ParseMission(text, "mission.moos");
+    const std::string copy = MissionText(mission.globals, mission.blocks);
+    const MissionFile back = ParseMission(copy, "as_run.moos");
+    ExpectSameEntries(back.globals, mission.globals);
+    ASSERT_EQ(back.blocks.size(), mission.blocks.size());
+    for (std::size_t b = 0; b < mission.blocks.size(); ++b)
+      ExpectSameEntries(back.blocks[b].entries, mission.blocks[b].entries);
+    if (::testing::Test::HasFailure()) FAIL() << text << "\nbecame\n" << copy;
+  }
+}
+
+TEST(MissionAsRun, AnAddressWithItsSlashesIsKept) {
+  const MissionFile mission = ParseMission(
+      "Page = \"http://shore/map\"\nProcessConfig = pMap\n{\n  page = \"http://shore\"  // "
+      "why\n}\n",
+      "mission.moos");
+  const MissionFile back =
+      ParseMission(MissionText(mission.globals, mission.blocks), "as_run.moos");
+  EXPECT_EQ(back.globals.at(0).value, "http://shore/map");
+  EXPECT_EQ(back.Block("pMap")->Find("page")->value, "http://shore");
+}
+
 TEST(MissionAsRun, GivesAnAppItsBlockWithTheFileAndLineWhereItStands) {
   SavedSession session;
   session.folder = "saved";
