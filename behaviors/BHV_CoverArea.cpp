@@ -6,8 +6,8 @@
 namespace limpet {
 
 void BHV_CoverArea::Shape(const Situation&, double weight, SearchGoals& goals) const {
-  goals.objective.ground = {.cover = weight * params_.rates.cover,
-                            .frontier = weight * params_.rates.frontier};
+  goals.objective.ground.cover += weight * params_.rates.cover;
+  goals.objective.ground.frontier += weight * params_.rates.frontier;
 }
 
 std::optional<Bid> BHV_CoverArea::Value(const Prospect& prospect, const Situation& now) const {

@@ -11,7 +11,7 @@
 namespace limpet {
 
 void BHV_ReduceMapEntropy::Shape(const Situation&, double weight, SearchGoals& goals) const {
-  goals.objective.ground.cover = weight;  // no entropy, but new ground is what it is about
+  goals.objective.ground.cover += weight;  // no entropy, but new ground is what it is about
 }
 
 std::optional<Bid> BHV_ReduceMapEntropy::Value(const Prospect& prospect,

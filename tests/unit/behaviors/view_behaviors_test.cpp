@@ -2,6 +2,8 @@
 // What each behavior bids on an option, against geometry done by hand.
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -93,6 +95,26 @@ TEST_F(ViewBehaviorTest, CoverAreaAsksItsSearchForWhatItWillPay) {
   const double searched = ValueOf(option.path, goals.objective, ground_, seen);
   const Bid bid = *behavior.Value({.option = &option, .seen = seen(option.path)}, now_);
   EXPECT_NEAR(searched, 3.0 * (Reason(bid, "useful") - Reason(bid, "ragged")) - 12.0, 1e-9);
+}
+
+TEST_F(ViewBehaviorTest, BehaviorsThatWantNewGroundWantItTogetherInWhateverOrder) {
+  BHV_CoverArea::Params params;
+  params.rates = {.cover = 2.0, .frontier = 0.25};
+  const BHV_CoverArea cover(params), cover_more(params);
+  const BHV_ReduceMapEntropy entropy({});
+  const auto rates_of = [&](std::vector<std::pair<const Behavior*, double>> running) {
+    SearchGoals goals;
+    for (const auto& [behavior, weight] : running)
+      behavior->Shape(now_, weight, goals);
+    return goals.objective.ground;
+  };
+  const GroundRates both = rates_of({{&cover, 3.0}, {&entropy, 5.0}});
+  const GroundRates turned = rates_of({{&entropy, 5.0}, {&cover, 3.0}});
+  EXPECT_EQ(both.cover, 3.0 * 2.0 + 5.0);
+  EXPECT_EQ(both.frontier, 3.0 * 0.25);
+  EXPECT_EQ(turned.cover, both.cover);
+  EXPECT_EQ(turned.frontier, both.frontier);
+  EXPECT_EQ(rates_of({{&cover, 3.0}, {&cover_more, 1.0}}).frontier, 4.0 * 0.25);
 }
 
 TEST_F(ViewBehaviorTest, ReturnHomeCountsTheWayAlongTheOptionAndOnToHome) {
