@@ -125,7 +125,7 @@ void MapApp::CountBeams(int given, int used) {
 void MapApp::OnBeams(const Stamped<PosedBeams>& beams) {
   const PosedBeams& ping = beams.value;
   const std::array<std::optional<double>, 4> ranges{ping.b1, ping.b2, ping.b3, ping.b4};
-  const std::vector<BeamEnd> ends = BeamEnds(ping.pose(), ranges, TallestObject());
+  const std::vector<BeamEnd> ends = BeamEnds(ping.pose(), ranges, TallestObject(), params_.beams);
   CountBeams(static_cast<int>(std::ranges::count_if(ranges, [](const auto& r) { return !!r; })),
              static_cast<int>(ends.size()));
   for (const BeamEnd& end : ends) {

@@ -6,7 +6,9 @@
 #include <optional>
 #include <utility>
 
+#include "estimation/navigation/sensor_beliefs.hpp"
 #include "limpet/app/registry.hpp"
+#include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
 namespace {
@@ -14,17 +16,15 @@ namespace {
 constexpr double kAttitudePeriod = 0.049;  // [s] the smoother needs no more than 20 Hz
 constexpr Seconds kRealPause(0.5);         // real time that mail may take: at warp it is more
 
-AttitudeParams AttitudeParamsOf(const NavApp::Params& params) {
-  return {.heading_sigma = params.heading_sigma, .alignment = params.alignment};
+AttitudeParams AttitudeParamsOf(const NavApp::Params& params, const SensorSheets& sheets) {
+  AttitudeParams result = BelievedAttitude(sheets);
+  result.alignment = params.alignment;
+  return result;
 }
 
-Eigen::Vector3d DvlLeverOf(const NavApp::Params& params) {
-  return {params.dvl_x.value(), params.dvl_y.value(), params.dvl_z.value()};
-}
-
-NavigatorParams NavigatorParamsOf(const NavApp::Params& params) {
+NavigatorParams NavigatorParamsOf(const NavApp::Params& params, const SensorSheets& sheets) {
   NavigatorParams result;
-  result.odometry.dvl_B = DvlLeverOf(params);
+  BelieveSheets(sheets, result);
   // Anywhere within reach: of a uniform disc each axis has half the radius as its 1-sigma.
   result.odometry.unknown_velocity =
       0.5 * (params.top_speed.value() + params.strongest_current.value());
@@ -44,11 +44,17 @@ NavigatorParams NavigatorParamsOf(const NavApp::Params& params) {
 }  // namespace
 
 NavApp::NavApp(const AppContext& context, const Params& params)
+    : NavApp(
+          context, params,
+          LoadMissionVehicle(context.Global(kVehicleFileGlobal), context.mission_folder).sensors) {}
+
+NavApp::NavApp(const AppContext& context, const Params& params, const SensorSheets& sheets)
     : App(context),
-      params_(params),
+      dvl_sheet_(sheets.dvl),
+      R_BD_(RotationFromRollPitchYaw(0.0, 0.0, sheets.dvl.yaw.value())),
       stale_after_(std::max(params.stale_after, kRealPause * context.warp)),
-      attitude_(AttitudeParamsOf(params)),
-      navigator_(NavigatorParamsOf(params)) {
+      attitude_(AttitudeParamsOf(params, sheets)),
+      navigator_(NavigatorParamsOf(params, sheets)) {
   Subscribe(topics::kImuData, &NavApp::OnImu);
   Subscribe(topics::kFogYawRate, &NavApp::OnFog);
   Subscribe(topics::kDvlData, &NavApp::OnDvl);
@@ -91,7 +97,7 @@ void NavApp::OnDvl(const Stamped<DvlSample>& dvl) {
   dvl_pings_without_lock_ += sample.has_lock ? 0 : 1;
   std::optional<Eigen::Vector3d> velocity;
   if (sample.has_lock && sample.u && sample.v && sample.w) {
-    velocity = Eigen::Vector3d(*sample.u, *sample.v, *sample.w);
+    velocity = R_BD_ * Eigen::Vector3d(*sample.u, *sample.v, *sample.w);
     if (velocity->allFinite()) {
       lock_.Note(t, now().value());
     }
@@ -240,7 +246,7 @@ void NavApp::PublishLandmarks(double now) {
 
 void NavApp::PublishBeams(const Stamped<DvlSample>& dvl) {
   const Pose X_WB = navigator_.Estimate(dvl.time.value()).X_WB;
-  const Eigen::Vector3d p_dvl_W = X_WB.p_WB + RotationOf(X_WB) * DvlLeverOf(params_);
+  const Eigen::Vector3d p_dvl_W = X_WB.p_WB + RotationOf(X_WB) * dvl_sheet_.p_BD;
   const DvlSample& sample = dvl.value;
   Publish(topics::kNavBeams, PosedBeams{.north = p_dvl_W.x(),
                                         .east = p_dvl_W.y(),

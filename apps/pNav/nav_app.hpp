@@ -12,6 +12,7 @@
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/navigation.hpp"
 #include "limpet/topics/sensors.hpp"
+#include "limpet/vehicle/sensor_sheets.hpp"
 
 namespace limpet {
 
@@ -22,9 +23,7 @@ class NavApp final : public App {
  public:
   static constexpr bool kReplaysMail = true;  ///< what it knows is what it heard
   struct Params {
-    Radians heading_sigma = Radians::FromTextUnit(0.5);
     Seconds alignment{5.0};
-    Meters dvl_x{-0.2}, dvl_y{0.0}, dvl_z{0.18};
     MetersPerSecond dvl_jump{0.15};
     Seconds frame_wait{0.4};
     Seconds stale_after{2.0};
@@ -41,13 +40,8 @@ class NavApp final : public App {
     template <class Visitor>
     void Describe(Visitor& visit) {
       using namespace literals;
-      visit("heading_sigma_deg", heading_sigma, "1-sigma of the magnetic heading at the start",
-            InRange(0.01_deg, 30.0_deg));
       visit("alignment_s", alignment, "The heading is averaged this long at the start",
             InRange(0.0_s, 120.0_s));
-      visit("dvl_x_m", dvl_x, "DVL's lever arm, forward");
-      visit("dvl_y_m", dvl_y, "DVL's lever arm, to starboard");
-      visit("dvl_z_m", dvl_z, "DVL's lever arm, down");
       visit("dvl_jump_mps", dvl_jump, "Change of velocity that is no outlier",
             InRange(0.01_mps, 5.0_mps));
       visit("frame_wait_s", frame_wait, "Boxes are waited for this long after the exposure",
@@ -75,6 +69,7 @@ class NavApp final : public App {
     }
   };
 
+  /// Throws ConfigError without the vehicle's file.
   NavApp(const AppContext& context, const Params& params);
   void Tick(Seconds now) override;
   void Report(ReportLines& report) const override;
@@ -106,8 +101,11 @@ class NavApp final : public App {
   void AddSources(double now, NavState& state) const;
   void ReportSources(ReportLines& report) const;
 
-  Params params_;
-  Seconds stale_after_;  ///< as the mission says, and at least half a second of real time
+  NavApp(const AppContext& context, const Params& params, const SensorSheets& sheets);
+
+  DvlSheet dvl_sheet_;
+  Eigen::Matrix3d R_BD_;  ///< body from the DVL's own frame
+  Seconds stale_after_;   ///< as the mission says, and at least half a second of real time
   AttitudeFilter attitude_;
   Navigator navigator_;
   TrackWatch track_watch_;

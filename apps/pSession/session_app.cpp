@@ -9,9 +9,9 @@
 #include "estimation/mapping/map_export.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/mission/expanded_text.hpp"
+#include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/session/durable_file.hpp"
 #include "limpet/session/saved_session.hpp"
-#include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
 namespace {
@@ -132,8 +132,10 @@ void SessionApp::CopyMission() {
   }
   const fs::path vehicle =
       FindVehicleFile(context().Global(kVehicleFileGlobal), context().mission_folder);
-  if (Expected<std::string> text = ReadWhole(vehicle)) {
-    memory_.mission[vehicle.filename().string()] = *std::move(text);
+  for (const fs::path& file : VehicleFileChain(vehicle)) {
+    if (Expected<std::string> text = ReadWhole(file)) {
+      memory_.mission[file.filename().string()] = *std::move(text);
+    }
   }
   if (!context().blocks.empty()) {
     memory_.mission[kMissionAsRun] = MissionText(context().globals, context().blocks);

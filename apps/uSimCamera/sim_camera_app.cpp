@@ -52,38 +52,50 @@ SimCameraApp::SimCameraApp(const AppContext& context, const Params& params)
 
 void SimCameraApp::OnTruth(const Stamped<SimTruth>& truth) {
   // The millionth absorbs what a time that is no exact multiple loses in the product.
-  const double slot = std::floor(truth.time.value() * params_.rate.value() + 1e-6);
-  if (slot == last_slot_ || truth.value.down < params_.least_depth.value()) {
-    return;
+  const double slot = std::floor(truth.time.value() * params_.timing.rate.value() + 1e-6);
+  if (slot != last_slot_ && truth.value.down >= params_.least_depth.value()) {
+    last_slot_ = slot;
+    if (renderer_) {
+      exposed_.emplace_back(truth.time, MakeImage(truth));
+    } else {
+      exposed_.emplace_back(truth.time, MakeBoxes(truth));
+    }
+    ++frame_;
   }
-  last_slot_ = slot;
-  if (renderer_) {
-    PublishImage(truth);
-  } else {
-    PublishBoxes(truth);
-  }
-  ++frame_;
+  PublishReady(truth.time);
 }
 
-void SimCameraApp::PublishImage(const Stamped<SimTruth>& truth) {
+CameraFrame SimCameraApp::MakeImage(const Stamped<SimTruth>& truth) {
   Image image = renderer_->Render(truth.value.pose(), spheres_, frame_);
-  Publish(topics::kCameraFrame, CameraFrame{.frame = frame_,
-                                            .exposure = truth.time,
-                                            .width_px = image.width_px,
-                                            .height_px = image.height_px,
-                                            .bgr = std::move(image.bgr)});
+  return {.frame = frame_,
+          .exposure = truth.time,
+          .width_px = image.width_px,
+          .height_px = image.height_px,
+          .bgr = std::move(image.bgr)};
 }
 
-void SimCameraApp::PublishBoxes(const Stamped<SimTruth>& truth) {
-  Publish(topics::kDetections,
-          Detections{.frame = static_cast<int>(frame_),
-                     .exposure = truth.time,
-                     .boxes = box_model_.Detect(truth.value.pose(), spheres_, box_random_)});
+Detections SimCameraApp::MakeBoxes(const Stamped<SimTruth>& truth) {
+  return {.frame = static_cast<int>(frame_),
+          .exposure = truth.time,
+          .boxes = box_model_.Detect(truth.value.pose(), spheres_, box_random_)};
+}
+
+void SimCameraApp::PublishReady(Seconds now) {
+  constexpr Seconds kSlack(1e-6);  // MOOS time is coarse
+  while (!exposed_.empty() && now + kSlack >= exposed_.front().first + params_.timing.latency) {
+    const auto& made = exposed_.front().second;
+    if (const auto* image = std::get_if<CameraFrame>(&made)) {
+      Publish(topics::kCameraFrame, *image);
+    } else {
+      Publish(topics::kDetections, std::get<Detections>(made));
+    }
+    exposed_.pop_front();
+  }
 }
 
 void SimCameraApp::Report(ReportLines& report) const {
   report.Pair("Makes", renderer_ ? "images" : "boxes, without images");
-  report.Pair("Frames", fmt::format("{} at {:g} Hz", frame_, params_.rate.value()));
+  report.Pair("Frames", fmt::format("{} at {:g} Hz", frame_, params_.timing.rate.value()));
   report.Pair("Objects", fmt::format("{} in this session", spheres_.size()));
 }
 

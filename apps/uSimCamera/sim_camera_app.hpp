@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "limpet/app/app.hpp"
@@ -25,8 +28,8 @@ class SimCameraApp final : public App {
   struct Params {
     std::string scenario = "scenario.yaml";
     std::string camera = "scenario";
-    Hertz rate{4.0};
     Meters least_depth{0.5};
+    CameraTiming timing;
     CameraParams geometry;
     template <class Visitor>
     void Describe(Visitor& visit) {
@@ -34,7 +37,7 @@ class SimCameraApp final : public App {
       visit("scenario", scenario, "The truth; relative to the mission's folder");
       visit.Choice("camera", camera, "Images, boxes, or what the scenario says",
                    {"scenario", "rendered", "boxes"});
-      visit("rate_hz", rate, "Frames per second", InRange(0.1_hz, 50.0_hz));
+      timing.Describe(visit);
       visit("least_depth_m", least_depth, "No frames while the body is higher than this",
             InRange(0.0_m, 100.0_m));
       geometry.Describe(visit);
@@ -47,8 +50,10 @@ class SimCameraApp final : public App {
 
  private:
   void OnTruth(const Stamped<SimTruth>& truth);
-  void PublishImage(const Stamped<SimTruth>& truth);
-  void PublishBoxes(const Stamped<SimTruth>& truth);
+  [[nodiscard]] CameraFrame MakeImage(const Stamped<SimTruth>& truth);
+  [[nodiscard]] Detections MakeBoxes(const Stamped<SimTruth>& truth);
+  /// What was exposed at least the latency ago.
+  void PublishReady(Seconds now);
 
   Params params_;
   std::vector<Sphere> spheres_;
@@ -57,6 +62,7 @@ class SimCameraApp final : public App {
   Random box_random_;
   double last_slot_ = -1.0;  ///< exposures are the first truth in each 1/rate of MOOS time
   std::uint32_t frame_ = 0;
+  std::deque<std::pair<Seconds, std::variant<CameraFrame, Detections>>> exposed_;
 };
 
 }  // namespace limpet

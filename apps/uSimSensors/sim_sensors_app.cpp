@@ -29,29 +29,23 @@ SoundScene SceneOf(const Scenario& scenario, const std::string& session) {
           std::move(spheres)};
 }
 
-ImuModel::Params ImuOf(const Scenario::Sensors& sensors) {
-  ImuModel::Params params;
-  params.heading_sigma_rad = RadiansFromDegrees(sensors.heading_sigma_deg);
+ImuModel::Params ImuOf(const ImuSheet& sheet, const Scenario::Sensors& truth) {
+  ImuModel::Params params{.sheet = sheet};
+  if (truth.heading_sigma_deg) {
+    params.sheet.heading_sigma = Radians::FromTextUnit(*truth.heading_sigma_deg);
+  }
   return params;
 }
 
-FogModel::Params FogOf(const Scenario::Sensors& sensors) {
-  FogModel::Params params;
-  params.bias_sigma_radps = RadiansFromDegrees(sensors.yaw_bias_deg_per_h) / 3600.0;
-  return params;
+FogSheet FogOf(FogSheet sheet, const Scenario::Sensors& truth) {
+  sheet.bias_deg_per_h = truth.yaw_bias_deg_per_h.value_or(sheet.bias_deg_per_h);
+  return sheet;
 }
 
-DvlModel::Params DvlOf(const Scenario::Sensors& sensors) {
-  DvlModel::Params params;
-  params.dropout_per_min = sensors.dvl_dropout_per_min;
-  params.outlier_share = sensors.dvl_outlier_share;
-  return params;
-}
-
-GpsModel::Params GpsOf(const Scenario::Sensors& sensors, const VehicleParams& vehicle) {
-  GpsModel::Params params;
-  params.sigma_m = sensors.gps_sigma_m;
-  params.antenna_B = vehicle.antenna_B;
+DvlModel::Params DvlOf(const DvlSheet& sheet, const Scenario::Sensors& truth) {
+  DvlModel::Params params{.sheet = sheet};
+  params.dropout_per_min = truth.dvl_dropout_per_min;
+  params.outlier_share = truth.dvl_outlier_share;
   return params;
 }
 
@@ -63,15 +57,25 @@ SimSensorsApp::SimSensorsApp(const AppContext& context, const Params& params)
 SimSensorsApp::SimSensorsApp(const AppContext& context, const Scenario& scenario)
     : App(context),
       longest_delay_(kLongestDelay * ParseNumber(context.Global("MOOSTimeWarp")).value_or(1.0)) {
-  const Scenario::Sensors& sensors = scenario.sensors;
-  Add(topics::kImuData, Hertz(50.0), ImuModel(ImuOf(sensors), MakeRandom("imu")));
-  Add(topics::kFogYawRate, Hertz(50.0), FogModel(FogOf(sensors), MakeRandom("fog")));
-  Add(topics::kDepthSensor, Hertz(20.0), DepthModel({}, MakeRandom("depth")));
-  Add(topics::kDvlData, Hertz(5.0),
-      DvlModel(DvlOf(sensors), SceneOf(scenario, context.session), MakeRandom("dvl")));
   const VehicleFile vehicle =
       LoadMissionVehicle(context.Global(kVehicleFileGlobal), context.mission_folder);
-  Add(topics::kGpsData, Hertz(1.0), GpsModel(GpsOf(sensors, vehicle.params), MakeRandom("gps")));
+  const SensorSheets& sheets = vehicle.sensors;
+  const Scenario::Sensors& truth = scenario.sensors;
+  if (sheets.imu.is_present) {
+    Add(topics::kImuData, sheets.imu.rate, ImuModel(ImuOf(sheets.imu, truth), MakeRandom("imu")));
+  }
+  if (sheets.fog.is_present) {
+    Add(topics::kFogYawRate, sheets.fog.rate,
+        FogModel(FogOf(sheets.fog, truth), MakeRandom("fog")));
+  }
+  Add(topics::kDepthSensor, sheets.depth.rate, DepthModel(sheets.depth, MakeRandom("depth")));
+  Add(topics::kDvlData, sheets.dvl.rate,
+      DvlModel(DvlOf(sheets.dvl, truth), SceneOf(scenario, context.session), MakeRandom("dvl")));
+  Add(topics::kGpsData, sheets.gps.rate,
+      GpsModel({.sheet = sheets.gps,
+                .true_sigma_m = truth.gps_sigma_m,
+                .antenna_B = vehicle.params.antenna_B},
+               MakeRandom("gps")));
   Subscribe(topics::kSimTruth, &SimSensorsApp::OnTruth);
 }
 

@@ -14,7 +14,8 @@
 
 namespace limpet {
 
-/// The vehicle's sensors, fed by the truth. A sensor is one file with a model that has
+/// The sensors of the vehicle's file, fed by the truth; where the scenario says how large an error
+/// truly is, it is that. A sensor is one file with a model that has
 /// `std::optional<T> Sample(const SimTruth&, Seconds)`, and one line in the constructor.
 class SimSensorsApp final : public App {
  public:

@@ -8,7 +8,6 @@
 namespace limpet {
 namespace {
 
-constexpr double kTilt = 25.0 * std::numbers::pi / 180.0;
 constexpr double kShortest = 0.2;  ///< [m]
 constexpr double kLongest = 100.0;
 constexpr double kSeabedTolerance = 0.4;  ///< around the beams' median depth [m]
@@ -16,10 +15,11 @@ constexpr double kDeepestHole = 1.0;      ///< a beam may end this far below the
 /// On a slope that grows with the beams' spread: up to 37 degrees, as a share of the height.
 constexpr double kSteepest = 0.35;
 
-Eigen::Vector3d Direction(std::size_t beam) {
-  const double azimuth = (45.0 + 90.0 * static_cast<double>(beam)) * std::numbers::pi / 180.0;
-  return {std::sin(kTilt) * std::cos(azimuth), std::sin(kTilt) * std::sin(azimuth),
-          std::cos(kTilt)};
+Eigen::Vector3d Direction(std::size_t beam, const DvlBeams& dvl) {
+  const double azimuth =
+      (45.0 + 90.0 * static_cast<double>(beam)) * std::numbers::pi / 180.0 + dvl.yaw.value();
+  const double tilt = dvl.from_vertical.value();
+  return {std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth), std::cos(tilt)};
 }
 
 /// Of two middle values the deeper one: an object pulls beams up, nothing pulls them down.
@@ -35,13 +35,14 @@ double MedianDepth(const std::vector<BeamEnd>& ends) {
 }  // namespace
 
 std::vector<BeamEnd> BeamEnds(const Pose& X_WD, const std::array<std::optional<double>, 4>& ranges,
-                              double tallest_object) {
+                              double tallest_object, const DvlBeams& dvl) {
   const Eigen::Matrix3d R_WD = RotationOf(X_WD);
   std::vector<BeamEnd> ends;
   for (std::size_t beam = 0; beam < ranges.size(); ++beam) {
     const double range = ranges[beam].value_or(0.0);
     if (range >= kShortest && range <= kLongest) {
-      ends.push_back({.p_W = X_WD.p_WB + R_WD * (range * Direction(beam)), .is_seabed = false});
+      ends.push_back(
+          {.p_W = X_WD.p_WB + R_WD * (range * Direction(beam, dvl)), .is_seabed = false});
     }
   }
   if (ends.empty()) {

@@ -3,6 +3,7 @@
 
 #include "estimation/change/frame_gate.hpp"
 #include "estimation/change/object_statuses.hpp"
+#include "estimation/mapping/dvl_beams.hpp"
 #include "limpet/core/camera_params.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/core/units.hpp"
@@ -13,6 +14,7 @@ namespace limpet {
 /// again.
 struct MapParams {
   CameraParams camera;
+  DvlBeams beams;
   StatusParams status;
   Meters cell{0.25};
   Meters voxel{0.2};
@@ -24,6 +26,7 @@ struct MapParams {
   void Describe(V& visit) {
     using namespace literals;
     camera.Describe(visit);
+    beams.Describe(visit);
     status.Describe(visit);
     visit("cell_m", cell, "Cell of the survey grid", InRange(0.05_m, 5.0_m));
     visit("voxel_m", voxel, "Voxel of the semantic octree", InRange(0.05_m, 2.0_m));

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
+
 #include "limpet/core/camera_model.hpp"
+#include "limpet/core/frames.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/core/units.hpp"
 
 namespace limpet {
 
-/// The camera's geometry as every app that needs it declares it: a member of its Params, whose
-/// Describe calls `camera.Describe(visit)`. A mission must say it, once for all of them:
-/// plugs/plug_camera.moos.
+/// The camera's geometry as the vehicle's file and every app that needs it declare it: a member of
+/// its Params, whose Describe calls `camera.Describe(visit)`. A mission says it once for all of
+/// them, by its vehicle's file (there without `camera_`).
 struct CameraParams {
   Radians fov_across = Radians::FromTextUnit(80.0);
   Radians fov_along = Radians::FromTextUnit(60.0);
   int width_px = 640;
   int height_px = 480;
+  Eigen::Vector3d p_BC = Eigen::Vector3d::Zero();
+  Radians tilt{0.0};
 
   template <class V>
   void Describe(V& visit) {
@@ -27,9 +32,34 @@ struct CameraParams {
     visit.Required("camera_width_px", width_px, "Width of the image in pixels", InRange(64, 4096));
     visit.Required("camera_height_px", height_px, "Height of the image in pixels",
                    InRange(64, 4096));
+    visit("camera_at_m", p_BC, "m", "Where it is, from the body origin", InRange(-10.0, 10.0));
+    visit("camera_tilt_deg", tilt,
+          "How far it looks ahead of straight down; below 0: astern. The planner takes the image "
+          "to lie straight below",
+          InRange(-180.0_deg, 180.0_deg));
   }
   [[nodiscard]] CameraModel geometry() const {
-    return CameraModel::FromFieldOfView(width_px, height_px, fov_across.value(), fov_along.value());
+    CameraModel camera =
+        CameraModel::FromFieldOfView(width_px, height_px, fov_across.value(), fov_along.value());
+    camera.p_BC = p_BC;
+    if (tilt != Radians(0.0)) {
+      camera.R_BC = RotationFromRollPitchYaw(0.0, tilt.value(), 0.0) * camera.R_BC;
+    }
+    return camera;
+  }
+};
+
+/// When it makes images, as the vehicle's file and the simulated camera declare it.
+struct CameraTiming {
+  Hertz rate{4.0};
+  Seconds latency{0.0};
+
+  template <class V>
+  void Describe(V& visit) {
+    using namespace literals;
+    visit("rate_hz", rate, "Frames per second", InRange(0.1_hz, 50.0_hz));
+    visit("latency_s", latency, "From a frame's exposure until it is published",
+          InRange(0.0_s, 3.0_s));
   }
 };
 

@@ -11,6 +11,7 @@
 #include "limpet/describe/markdown_cell.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/mission/shared_settings.hpp"
+#include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/vision/detector_registry.hpp"
 
 namespace limpet {
@@ -61,6 +62,7 @@ OrderedJson JsonOf(const ParameterOwner& owner) {
                           {"allowed", parameter.allowed},
                           {"repeatable", parameter.is_repeatable},
                           {"global", GlobalOf(owner, parameter)},
+                          {"vehicle_key", std::string(VehicleKeyFor(owner.name, parameter.name))},
                           {"meaning", parameter.help}});
   }
   OrderedJson out{{"name", owner.name}, {"kind", NameOf(owner.kind)}};
@@ -77,10 +79,12 @@ std::string MarkdownTable(const ParameterOwner& owner) {
   page += "| parameter | default | allowed | meaning |\n| --- | --- | --- | --- |\n";
   for (const ParamSpec& parameter : owner.parameters) {
     const std::string global = GlobalOf(owner, parameter);
-    page += fmt::format("| `{}` | {} | {} | {}{} |\n", parameter.name,
+    const std::string_view vehicle = VehicleKeyFor(owner.name, parameter.name);
+    page += fmt::format("| `{}` | {} | {} | {}{}{} |\n", parameter.name,
                         MarkdownCell(DefaultOf(parameter)), MarkdownCell(AllowedOf(parameter)),
                         MarkdownCell(parameter.help),
-                        global.empty() ? "" : fmt::format("; global `{}`", global));
+                        global.empty() ? "" : fmt::format("; global `{}`", global),
+                        vehicle.empty() ? "" : fmt::format("; vehicle's file `{}`", vehicle));
   }
   return page;
 }
@@ -116,6 +120,9 @@ std::string PlainText(const ParameterOwner& owner) {
     if (const std::string global = GlobalOf(owner, parameter); !global.empty()) {
       text += fmt::format("      else the mission's global {}\n", global);
     }
+    if (const auto vehicle = VehicleKeyFor(owner.name, parameter.name); !vehicle.empty()) {
+      text += fmt::format("      else the vehicle's file, {}\n", vehicle);
+    }
   }
   const std::string beside = owner.kind == Kind::kDetector
                                  ? std::string("in the block of pDetect, beside its own")
@@ -137,7 +144,8 @@ std::string Markdown(const std::vector<ParameterOwner>& owners) {
       "> "
       "docs/parameters.md`.\n\nA parameter with a global may be said once for the whole mission, "
       "outside of blocks: a block that does not say it takes the global; one that says something "
-      "else is refused by `limpet check`.\n";
+      "else is refused by `limpet check`. So it is with a parameter that the vehicle's file says "
+      "(`docs/vehicle-file.md`).\n";
   const auto add = [&page, &owners](Kind kind, const char* heading, const char* takes) {
     if (std::ranges::find(owners, kind, &ParameterOwner::kind) == owners.end()) return;
     page +=

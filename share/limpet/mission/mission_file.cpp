@@ -9,6 +9,7 @@
 
 #include "limpet/mission/mission_lines.hpp"
 #include "limpet/mission/shared_settings.hpp"
+#include "limpet/mission/vehicle_settings.hpp"
 
 namespace limpet {
 namespace {
@@ -324,7 +325,9 @@ MissionFile ReadMission(std::string_view text, const std::string& file,
                         const PlugOptions& options) {
   std::vector<ConfigProblem> warnings;
   const std::vector<TextLine> lines = ConfigLines(text, file, options, warnings);
-  return MissionParser(file).Run(lines, std::move(warnings));
+  MissionFile mission = MissionParser(file).Run(lines, std::move(warnings));
+  TakeVehicle(mission);
+  return mission;
 }
 
 MissionFile LoadMission(const std::filesystem::path& file) {

@@ -27,7 +27,8 @@ struct MissionFile {
       globals;  ///< outside of blocks; values without blanks, as MOOS reads them
   std::vector<ConfigBlock> blocks;  ///< the first of each name
   std::vector<LaunchEntry> launches;
-  std::vector<ConfigProblem> warnings;  ///< what MOOS would silently ignore
+  std::vector<ConfigProblem> warnings;     ///< what MOOS would silently ignore
+  std::vector<std::string> vehicle_files;  ///< whose lines stand in blocks
 
   /// The ProcessConfig block of an app (case ignored), or nullptr.
   [[nodiscard]] const ConfigBlock* Block(std::string_view name) const;
@@ -47,11 +48,11 @@ struct MissionFile {
                                                 std::vector<ConfigProblem>& warnings);
 
 /// Reads a mission as MOOS does, gives each block what it takes from the globals and does not say
-/// itself (shared_settings.hpp), and says what MOOS ignores: what stands outside of blocks in
-/// `warnings`, and what stands in a block (nested braces, a line that is neither a comment nor
-/// `key = value`, a `${NAME}` that nothing defines) in the block's `problems`: only the app whose
-/// block it is knows if that matters. Throws ConfigError with every problem of the rest and of the
-/// ANTLER block.
+/// itself (shared_settings.hpp) and from the vehicle's file (vehicle_settings.hpp), and says what
+/// MOOS ignores: what stands outside of blocks in `warnings`, and what stands in a block (nested
+/// braces, a line that is neither a comment nor `key = value`, a `${NAME}` that nothing defines) in
+/// the block's `problems`: only the app whose block it is knows if that matters. Throws ConfigError
+/// with every problem of the rest and of the ANTLER block.
 [[nodiscard]] MissionFile ReadMission(std::string_view text, const std::string& file,
                                       const PlugOptions& options);
 [[nodiscard]] MissionFile LoadMission(const std::filesystem::path& file);

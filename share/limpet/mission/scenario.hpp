@@ -47,9 +47,8 @@ struct Scenario {
   struct Sensors {
     double dvl_dropout_per_min = 0.0;
     double dvl_outlier_share = 0.0;
-    double yaw_bias_deg_per_h = 1.0;
-    double heading_sigma_deg = 0.5;
-    double gps_sigma_m = 0.4;
+    /// True errors of this vehicle's sensors where they are not those of its file.
+    std::optional<double> yaw_bias_deg_per_h, heading_sigma_deg, gps_sigma_m;
     double false_detections_per_image = 0.01;
   } sensors;
 };

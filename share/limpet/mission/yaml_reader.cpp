@@ -94,6 +94,15 @@ std::optional<double> YamlReader::NumberIn(const YAML::Node& node) {
 YamlReader::Field YamlReader::Number(const std::string& path, const char* key, double& field,
                                      Range<double> range) {
   return {key, [this, path, key, &field, range](const YAML::Node& node) {
+            std::optional<double> value;
+            Number(path, key, value, range).read(node);
+            field = value.value_or(field);
+          }};
+}
+
+YamlReader::Field YamlReader::Number(const std::string& path, const char* key,
+                                     std::optional<double>& field, Range<double> range) {
+  return {key, [this, path, key, &field, range](const YAML::Node& node) {
             const std::optional<double> value = NumberIn(node);
             if (value && IsInside(*value, range)) {
               field = *value;

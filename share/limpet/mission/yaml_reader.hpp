@@ -36,6 +36,8 @@ class YamlReader {
   /// Stores a number in range.
   [[nodiscard]] Field Number(const std::string& path, const char* key, double& field,
                              Range<double> range);
+  [[nodiscard]] Field Number(const std::string& path, const char* key, std::optional<double>& field,
+                             Range<double> range);
   [[nodiscard]] Field Integer(const std::string& path, const char* key, int& field,
                               Range<double> range);
   [[nodiscard]] Field Choice(const std::string& path, const char* key, std::string& field,

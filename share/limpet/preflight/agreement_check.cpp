@@ -11,6 +11,7 @@
 
 #include "limpet/core/number_text.hpp"
 #include "limpet/mission/shared_settings.hpp"
+#include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/preflight/checks.hpp"
 
 namespace limpet::internal {
@@ -37,7 +38,7 @@ void DropOverridden(std::vector<Setting>& settings) {
 }
 
 /// Every setting that differs from the first one given is a problem of its line.
-void Compare(const char* fact, std::vector<Setting> settings, MissionProblems& found) {
+void Compare(const std::string& fact, std::vector<Setting> settings, MissionProblems& found) {
   DropOverridden(settings);
   for (const Setting& other : settings) {
     const Setting& first = settings.front();
@@ -91,6 +92,23 @@ void CompareShared(const MissionReading& reading, const SharedSetting& shared,
   Compare(shared.meaning, settings, found);
 }
 
+/// A block that says a fact of the vehicle must say what its file says.
+void CompareWithVehicle(const MissionReading& reading, MissionProblems& found) {
+  const std::vector<ConfigEntry> entries = VehicleEntries(reading.vehicle_path());
+  for (const VehicleTaker& taker : VehicleTakers()) {
+    const auto entry = std::ranges::find(entries, taker.vehicle_key, &ConfigEntry::key);
+    if (taker.is_former || entry == entries.end()) continue;
+    std::vector<Setting> settings{{.owner = "the vehicle's file",
+                                   .key = taker.vehicle_key,
+                                   .text = entry->value,
+                                   .unit = {},
+                                   .where = entry->where}};
+    Add(reading.Find(taker.owner, taker.key), settings);
+    if (settings.size() > 1 && settings.back().where.file.starts_with("--set ")) continue;
+    Compare(fmt::format("the vehicle's {}", taker.vehicle_key), settings, found);
+  }
+}
+
 /// Of all apps that have one: what they project pixels with is one camera.
 void CompareCameras(const MissionReading& reading, MissionProblems& found) {
   std::map<std::string, std::vector<Setting>> settings;
@@ -112,6 +130,7 @@ void CheckAgreement(const MissionReading& reading, MissionProblems& found) {
   for (const SharedSetting& shared : SharedSettings()) {
     CompareShared(reading, shared, found);
   }
+  CompareWithVehicle(reading, found);
   CompareCameras(reading, found);
 
   std::vector<Setting> scenarios;

@@ -10,7 +10,6 @@
 #include "limpet/core/units.hpp"
 #include "limpet/helm/motion_domain.hpp"
 #include "limpet/preflight/checks.hpp"
-#include "limpet/vehicle/dvl_reach.hpp"
 
 namespace limpet::internal {
 namespace {
@@ -78,13 +77,14 @@ void CheckDeep(const MissionReading& reading, const SurveyFacts& survey, const S
         "domain to {:.0f} m or more",
         line.text, seabeds.deepest, survey.altitude.Named(), deepest, std::ceil(deepest))));
   }
-  const DvlReach dvl;
-  if (seabeds.at_start > dvl.farthest_m) {
+  if (!reading.vehicle()) return;
+  const double reach = reading.vehicle()->sensors.dvl.greatest_altitude.value();
+  if (seabeds.at_start > reach) {
     found.geometry.push_back(
         {reading.InScenario("depth_m:"), "seabed",
          fmt::format("the seabed is {:.1f} m below the start, and the DVL reaches {:g} m: "
                      "BHV_HoldAltitude never gets an altitude to dive to",
-                     seabeds.at_start, dvl.farthest_m)});
+                     seabeds.at_start, reach)});
   }
 }
 
@@ -164,7 +164,28 @@ void CheckMotion(const MissionReading& reading, MissionProblems& found) {
   }
 }
 
+/// From the survey altitude the DVL must have bottom lock.
+void CheckDvlReach(const MissionReading& reading, const SurveyFacts& survey,
+                   MissionProblems& found) {
+  if (!reading.vehicle() || !reading.Launches("pNav")) return;
+  const DvlSheet& dvl = reading.vehicle()->sensors.dvl;
+  const double altitude = survey.altitude.number() - dvl.p_BD.z();
+  const auto refuse = [&](const char* key, Meters bound, const char* than) {
+    found.geometry.push_back(
+        {reading.InVehicle(key), key,
+         fmt::format("`{:g}`: the DVL is {:g} m above the seabed at {}, where it has no bottom "
+                     "lock; allowed: {} than that",
+                     bound.value(), altitude, survey.altitude.Named(), than)});
+  };
+  if (dvl.least_altitude.value() >= altitude)
+    refuse("dvl.least_altitude_m", dvl.least_altitude, "less");
+  if (dvl.greatest_altitude.value() <= altitude) {
+    refuse("dvl.greatest_altitude_m", dvl.greatest_altitude, "more");
+  }
+}
+
 void CheckDepths(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found) {
+  CheckDvlReach(reading, survey, found);
   const MotionDomain domain = DomainOf(reading);
   if (domain.depth_low > 0.0) {
     const Setting line = DomainLine(reading, "depth");

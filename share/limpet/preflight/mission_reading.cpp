@@ -89,6 +89,7 @@ MissionReading::MissionReading(const MissionFile& mission, fs::path folder)
   SortLaunches();
   LoadBehaviorFiles();
   LoadTruth();
+  LoadVehicle();
 }
 
 void MissionReading::SortLaunches() {
@@ -148,6 +149,21 @@ void MissionReading::LoadTruth() {
   }
   Keep(problems_,
        [&] { static_cast<void>(LoadExpectations(folder_, scenario_.value_or(Scenario{}))); });
+}
+
+void MissionReading::LoadVehicle() {
+  const std::string named = mission_.Global(kVehicleFileGlobal);
+  if (named.empty()) return;
+  vehicle_path_ = FindVehicleFile(named, folder_);
+  std::vector<ConfigProblem> said_by_the_vehicles_check;
+  Keep(said_by_the_vehicles_check, [&] { vehicle_ = LoadMissionVehicle(named, folder_); });
+}
+
+SourceLine MissionReading::InVehicle(std::string_view key) const {
+  for (const ConfigEntry& entry : VehicleEntries(vehicle_path_)) {
+    if (entry.key == key) return entry.where;
+  }
+  return {.file = vehicle_path_.string(), .line = 0};
 }
 
 bool MissionReading::Launches(std::string_view process) const {

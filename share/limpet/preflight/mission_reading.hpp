@@ -14,6 +14,7 @@
 #include "limpet/mission/behavior_file.hpp"
 #include "limpet/mission/mission_file.hpp"
 #include "limpet/mission/scenario.hpp"
+#include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
 
@@ -64,6 +65,12 @@ class MissionReading {
   [[nodiscard]] std::vector<Setting> OfBehaviors(std::string_view type, std::string_view key) const;
 
   [[nodiscard]] const std::vector<BehaviorFile>& behavior_files() const { return behavior_files_; }
+  /// File of the vehicle; empty if there is none.
+  [[nodiscard]] const std::filesystem::path& vehicle_path() const { return vehicle_path_; }
+  /// Nothing without a file that can be read.
+  [[nodiscard]] const std::optional<VehicleFile>& vehicle() const { return vehicle_; }
+  /// A key of the vehicle's file with its line: that of the file alone where it has the default.
+  [[nodiscard]] SourceLine InVehicle(std::string_view key) const;
   [[nodiscard]] const std::optional<Scenario>& scenario() const { return scenario_; }
   /// The first line of scenario.yaml that has `text`, or its file alone.
   [[nodiscard]] SourceLine InScenario(std::string_view text) const;
@@ -76,12 +83,15 @@ class MissionReading {
   void SortLaunches();
   void LoadBehaviorFiles();
   void LoadTruth();
+  void LoadVehicle();
 
   MissionFile mission_;
   std::filesystem::path folder_;
   std::vector<LaunchedApp> apps_;
   std::vector<LaunchEntry> strangers_;
   std::vector<BehaviorFile> behavior_files_;
+  std::filesystem::path vehicle_path_;
+  std::optional<VehicleFile> vehicle_;
   std::optional<Scenario> scenario_;
   std::string scenario_text_;
   std::string scenario_file_;

@@ -10,6 +10,7 @@
 #include "limpet/helm/behavior_host.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/mission/shared_settings.hpp"
+#include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/preflight/checks.hpp"
 
 namespace limpet {
@@ -33,7 +34,7 @@ void Sort(std::vector<ConfigProblem>& problems) {
   problems.erase(std::unique(problems.begin(), problems.end(), alike), problems.end());
 }
 
-/// What is missing in several blocks is said once by a global: names it.
+/// What is missing in several blocks is said once, by a global or the vehicle's file: names it.
 void NameGlobals(std::vector<ConfigProblem>& problems) {
   for (ConfigProblem& problem : problems) {
     for (const SharedSetting& shared : SharedSettings()) {
@@ -43,6 +44,13 @@ void NameGlobals(std::vector<ConfigProblem>& problems) {
       });
       if (stands_in)
         problem.text += fmt::format("; the mission's global `{}` says it for all", shared.global);
+    }
+    for (const VehicleTaker& taker : VehicleTakers()) {
+      if (problem.key == taker.key &&
+          problem.text.starts_with(fmt::format("is missing in {} ", taker.owner))) {
+        problem.text +=
+            fmt::format("; the vehicle's file says it for all, by its key {}", taker.vehicle_key);
+      }
     }
   }
 }

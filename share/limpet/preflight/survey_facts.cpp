@@ -5,20 +5,20 @@
 #include <cmath>
 #include <numbers>
 
-#include "limpet/core/units.hpp"
+#include "limpet/core/camera_params.hpp"
+#include "limpet/core/params.hpp"
 
 namespace limpet {
 namespace {
 
 CameraModel CameraOf(const MissionReading& reading, const char* app) {
-  const auto number = [&](const char* key) {
-    const auto setting = reading.Find(app, key);
-    return setting ? setting->number() : 0.0;
-  };
-  return CameraModel::FromFieldOfView(static_cast<int>(number("camera_width_px")),
-                                      static_cast<int>(number("camera_height_px")),
-                                      RadiansFromDegrees(number("camera_fov_across_deg")),
-                                      RadiansFromDegrees(number("camera_fov_along_deg")));
+  CameraParams camera;
+  for (const ParamSpec& spec : DescribeParams(camera)) {
+    if (const auto setting = reading.Find(app, spec.name)) {
+      static_cast<void>(spec.set(setting->text));  // its problems are syntax
+    }
+  }
+  return camera.geometry();
 }
 
 /// Half the width of the image that counts for the target [m].

@@ -10,13 +10,33 @@ namespace limpet::internal {
 namespace {
 
 /// Those whose work depends on which vehicle it is.
-constexpr std::array kNeedVehicle{"pPilot", "pNav", "uSimVehicle", "uSimSensors", "uSimCamera"};
+constexpr std::array kNeedVehicle{"pPilot",      "pNav",        "pHelm",     "pMap",
+                                  "uSimVehicle", "uSimSensors", "uSimCamera"};
 
 SourceLine LineOfGlobal(const MissionFile& mission) {
   for (const ConfigEntry& global : mission.globals) {
     if (EqualsIgnoringCase(global.key, kVehicleFileGlobal)) return global.where;
   }
   return {.file = mission.file, .line = 0};
+}
+
+/// What a vehicle lacks for an app that the mission launches.
+void CheckSensorsFor(const MissionReading& reading, MissionProblems& found) {
+  if (!reading.vehicle() || !reading.Launches("pNav")) return;
+  const VehicleFile& vehicle = *reading.vehicle();
+  if (!vehicle.sensors.imu.is_present) {
+    found.syntax.push_back({reading.InVehicle("imu.present"), "imu.present",
+                            "`false`: pNav has no attitude without an IMU; allowed: true"});
+  }
+  const auto wait = reading.Find("pNav", "frame_wait_s");
+  const double latency = vehicle.camera_timing.latency.value();
+  if (wait && latency >= wait->number()) {
+    found.syntax.push_back(
+        {reading.InVehicle("camera.latency_s"), "camera.latency_s",
+         fmt::format("`{:g}`: {} gives up frames that come so late; allowed: less than that, or a "
+                     "longer frame_wait_s",
+                     latency, wait->Named())});
+  }
 }
 
 }  // namespace
@@ -28,6 +48,7 @@ void CheckVehicle(const MissionReading& reading, MissionProblems& found) {
     if (needed_by.empty() && reading.Launches(app)) needed_by = app;
   }
   if (named.empty() && needed_by.empty()) return;
+  CheckSensorsFor(reading, found);
   try {
     static_cast<void>(LoadMissionVehicle(named, reading.folder()));
   } catch (const ConfigError& error) {

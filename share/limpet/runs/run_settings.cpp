@@ -2,6 +2,8 @@
 #include "limpet/runs/run_settings.hpp"
 
 #include "limpet/console/arguments.hpp"
+#include "limpet/core/camera_params.hpp"
+#include "limpet/core/number_text.hpp"
 #include "limpet/helm/helm_params.hpp"
 #include "limpet/runs/mission_check.hpp"
 #include "limpet/survey/survey_params.hpp"
@@ -28,6 +30,9 @@ ReportSettings SettingsOf(const MissionFile& mission, const Scenario& scenario) 
   settings.gain = helm.views.gain;
   settings.camera = kind != nullptr && kind->value != "scenario" ? kind->value : scenario.camera;
   settings.camera_geometry = helm.views.camera.geometry();
+  const ConfigEntry* rate = camera != nullptr ? camera->Find("rate_hz") : nullptr;
+  settings.frame_rate_hz =
+      ParseNumber(rate != nullptr ? rate->value : "").value_or(CameraTiming{}.rate.value());
   settings.altitude_m = survey.altitude.value();
   settings.object_height_max_m = survey.object_height_max.value();
   settings.object_radius_m = scenario.opis.empty() ? 0.5 : scenario.opis.front().radius_m;

@@ -27,17 +27,19 @@ DvlModel::DvlModel(const Params& params, SoundScene scene, Random random)
       scene_(std::move(scene)),
       random_(random),
       faults_(random_.Bits(), "faults") {
-  const double tilt = params.beam_from_vertical_rad;
-  std::ranges::transform(kAzimuths_deg, beams_B_.begin(), [tilt](double azimuth_deg) {
-    const double azimuth = RadiansFromDegrees(azimuth_deg);
+  const DvlSheet& sheet = params.sheet;
+  const double tilt = sheet.beam_angle.value(), yaw = sheet.yaw.value();
+  std::ranges::transform(kAzimuths_deg, beams_B_.begin(), [tilt, yaw](double azimuth_deg) {
+    const double azimuth = RadiansFromDegrees(azimuth_deg) + yaw;
     return Vector3d(std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth),
                     std::cos(tilt));
   });
-  const double scale = 1.0 + random_.Normal(params.scale_sigma);
-  const double misalignment = random_.Normal(params.misalignment_sigma_rad);
+  const double scale = 1.0 + random_.Normal(sheet.scale_sigma);
+  const double misalignment = random_.Normal(sheet.misalignment_sigma.value());
+  R_DB_ = RotationFromRollPitchYaw(0.0, 0.0, -yaw);
   distortion_ = scale * RotationFromRollPitchYaw(0.0, 0.0, misalignment);
   for (double& part : bias_)
-    part = random_.Normal(params.bias_sigma_mps);
+    part = random_.Normal(sheet.bias_mps);
 }
 
 bool DvlModel::IsInDropout(Seconds now) {
@@ -54,14 +56,16 @@ bool DvlModel::IsInDropout(Seconds now) {
 
 DvlModel::Ranges DvlModel::MeasureRanges(const Pose& X_WB) {
   const Eigen::Matrix3d R_WB = RotationOf(X_WB);
-  const Vector3d origin_W = X_WB.p_WB + R_WB * params_.p_BD;
-  const double max_range = params_.max_altitude_m / std::cos(params_.beam_from_vertical_rad);
+  const Vector3d origin_W = X_WB.p_WB + R_WB * params_.sheet.p_BD;
+  const double max_range =
+      params_.sheet.greatest_altitude.value() / std::cos(params_.sheet.beam_angle.value());
   Ranges ranges;
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     const double unit = random_.Normal(1.0);  // drawn even when nothing is met: noise stays aligned
     ranges[i] = scene_.Range(origin_W, R_WB * beams_B_[i], max_range);
     if (ranges[i]) {
-      *ranges[i] += unit * (params_.range_noise_m + params_.range_noise_share * *ranges[i]);
+      *ranges[i] +=
+          unit * (params_.sheet.range_noise_m + params_.sheet.range_noise_share * *ranges[i]);
     }
   }
   return ranges;
@@ -81,12 +85,12 @@ std::optional<double> DvlModel::Altitude(const Ranges& ranges, const Pose& X_WB)
 
 Vector3d DvlModel::MeasureVelocity(const SimTruth& truth) {
   const Vector3d omega(truth.p, truth.q, truth.r);
-  const Vector3d at_lever = Vector3d(truth.u, truth.v, truth.w) + omega.cross(params_.p_BD);
+  const Vector3d at_lever = Vector3d(truth.u, truth.v, truth.w) + omega.cross(params_.sheet.p_BD);
   Vector3d noise;
   for (double& part : noise)
-    part = random_.Normal(params_.noise_horizontal_mps);
-  noise.z() *= params_.noise_vertical_mps / params_.noise_horizontal_mps;
-  Vector3d velocity = distortion_ * at_lever + bias_ + noise;
+    part = random_.Normal(params_.sheet.noise_mps);
+  noise.z() *= params_.sheet.vertical_noise_mps / params_.sheet.noise_mps;
+  Vector3d velocity = distortion_ * (R_DB_ * at_lever) + bias_ + noise;
   if (faults_.Chance(params_.outlier_share)) {
     for (double& part : velocity)
       part += faults_.Normal(params_.outlier_sigma_mps);
@@ -96,14 +100,14 @@ Vector3d DvlModel::MeasureVelocity(const SimTruth& truth) {
 
 std::optional<DvlSample> DvlModel::Sample(const SimTruth& truth, Seconds now) {
   DvlSample sample;
-  sample.sd_horizontal = params_.noise_horizontal_mps;
-  sample.sd_vertical = params_.noise_vertical_mps;
+  sample.sd_horizontal = params_.sheet.noise_mps;
+  sample.sd_vertical = params_.sheet.vertical_noise_mps;
   const Ranges ranges = MeasureRanges(truth.pose());
   const Vector3d velocity = MeasureVelocity(truth);
   const std::optional<double> altitude = Altitude(ranges, truth.pose());
   const bool is_in_dropout = IsInDropout(now);
-  if (is_in_dropout || !altitude || *altitude < params_.min_altitude_m ||
-      *altitude > params_.max_altitude_m) {
+  if (is_in_dropout || !altitude || *altitude < params_.sheet.least_altitude.value() ||
+      *altitude > params_.sheet.greatest_altitude.value()) {
     return sample;
   }
   sample.has_lock = true;

@@ -11,27 +11,17 @@
 #include "limpet/sensors/sound_scene.hpp"
 #include "limpet/topics/sensors.hpp"
 #include "limpet/topics/simulation.hpp"
-#include "limpet/vehicle/dvl_reach.hpp"
+#include "limpet/vehicle/sensor_sheets.hpp"
 
 namespace limpet {
 
-/// Doppler velocity log (Nortek DVL1000 class): bottom-track velocity at its lever arm with scale,
+/// Doppler velocity log: bottom-track velocity at its lever arm, in its own frame, with scale,
 /// misalignment, bias and noise, and four slant ranges to seabed or object. Fails as they do:
 /// dropouts of seconds, and gross velocity errors that are still marked valid.
 class DvlModel {
  public:
   struct Params {
-    Eigen::Vector3d p_BD{-0.2, 0.0, 0.18};  ///< lever arm
-    double beam_from_vertical_rad = RadiansFromDegrees(25.0);
-    double noise_horizontal_mps = 0.01;
-    double noise_vertical_mps = 0.005;
-    double scale_sigma = 0.002;                                ///< per session
-    double misalignment_sigma_rad = RadiansFromDegrees(0.15);  ///< about body z, per session
-    double bias_sigma_mps = 0.001;                             ///< per axis and session
-    double range_noise_m = 0.01;
-    double range_noise_share = 0.002;  ///< of the range, on top
-    double min_altitude_m = DvlReach{}.nearest_m;
-    double max_altitude_m = DvlReach{}.farthest_m;
+    DvlSheet sheet;
     double dropout_per_min = 0.0;
     double dropout_shortest_s = 1.0, dropout_longest_s = 10.0;
     double outlier_share = 0.0;
@@ -53,6 +43,7 @@ class DvlModel {
   Random random_;
   Random faults_;  // a stream of its own: faults leave the noise of other samples as it was
   std::array<Eigen::Vector3d, 4> beams_B_;
+  Eigen::Matrix3d R_DB_;  ///< into its own frame
   Eigen::Matrix3d distortion_;
   Eigen::Vector3d bias_;
   std::optional<Seconds> next_dropout_;

@@ -8,9 +8,9 @@ namespace limpet {
 ImuModel::ImuModel(const Params& params, Random random)
     : params_(params),
       random_(random),
-      accel_bias_(Noise(params.accel_bias_mps2)),
-      gyro_bias_(Noise(params.gyro_bias_radps)),
-      heading_offset_(random_.Normal(params.heading_sigma_rad)),
+      accel_bias_(Noise(params.sheet.force_bias_mps2)),
+      gyro_bias_(Noise(params.sheet.gyro_bias_radps)),
+      heading_offset_(random_.Normal(params.sheet.heading_sigma.value())),
       heading_slow_(params.heading_slow_sigma_rad, params.heading_slow) {}
 
 Eigen::Vector3d ImuModel::Noise(double sigma) {
@@ -21,10 +21,10 @@ Eigen::Vector3d ImuModel::Noise(double sigma) {
 }
 
 std::optional<ImuSample> ImuModel::Sample(const SimTruth& truth, Seconds now) {
-  const Eigen::Vector3d f =
-      Eigen::Vector3d(truth.fx, truth.fy, truth.fz) + accel_bias_ + Noise(params_.accel_noise_mps2);
-  const Eigen::Vector3d w =
-      Eigen::Vector3d(truth.p, truth.q, truth.r) + gyro_bias_ + Noise(params_.gyro_noise_radps);
+  const Eigen::Vector3d f = Eigen::Vector3d(truth.fx, truth.fy, truth.fz) + accel_bias_ +
+                            Noise(params_.sheet.force_noise_mps2);
+  const Eigen::Vector3d w = Eigen::Vector3d(truth.p, truth.q, truth.r) + gyro_bias_ +
+                            Noise(params_.sheet.gyro_noise_radps);
   const double slow = heading_slow_.Sample(now, random_);
   const double heading =
       truth.yaw + heading_offset_ + slow + random_.Normal(params_.heading_noise_rad);

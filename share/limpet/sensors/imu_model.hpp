@@ -10,20 +10,17 @@
 #include "limpet/sensors/gauss_markov.hpp"
 #include "limpet/topics/sensors.hpp"
 #include "limpet/topics/simulation.hpp"
+#include "limpet/vehicle/sensor_sheets.hpp"
 
 namespace limpet {
 
-/// An industrial MEMS unit (Orientus class) at the body origin: white noise and constant biases on
+/// An inertial unit at the body origin: white noise and constant biases on
 /// accelerations and rates. Its magnetic heading has an error that hardly changes within a session
 /// (declination, hard iron) with a little slow and white noise on top.
 class ImuModel {
  public:
   struct Params {
-    double accel_noise_mps2 = 0.01;
-    double accel_bias_mps2 = 0.02;  ///< 0.12 deg of roll and pitch
-    double gyro_noise_radps = 5e-4;
-    double gyro_bias_radps = 2e-4;
-    double heading_sigma_rad = RadiansFromDegrees(0.5);       ///< of the session's constant
+    ImuSheet sheet;
     double heading_slow_sigma_rad = RadiansFromDegrees(0.1);  ///< correlated over heading_slow
     Seconds heading_slow{60.0};
     double heading_noise_rad = RadiansFromDegrees(0.1);

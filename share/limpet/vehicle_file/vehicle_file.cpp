@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <ranges>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <yaml-cpp/yaml.h>
 
 #include "limpet/mission/source_text.hpp"
+#include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/mission/yaml_reader.hpp"
 
 namespace limpet {
@@ -101,18 +105,40 @@ void CheckBody(YamlReader& in, const YAML::Node& root, const VehicleParams& para
   }
 }
 
-VehicleFile ReadVehicle(YamlReader& in, const YAML::Node& root) {
-  VehicleFile file;
+void CheckSensors(YamlReader& in, const YAML::Node& root, const SensorSheets& sensors) {
+  if (sensors.dvl.least_altitude >= sensors.dvl.greatest_altitude) {
+    in.Complain(root["dvl"], "dvl.least_altitude_m", "lies below dvl.greatest_altitude_m");
+  }
+}
+
+void CheckCamera(YamlReader& in, const YAML::Node& root, const CameraParams& camera) {
+  const double highest = std::abs(camera.tilt.value()) + 0.5 * camera.fov_along.value();
+  if (highest >= RadiansFromDegrees(85.0)) {
+    in.Complain(root["camera"], "camera.tilt_deg",
+                fmt::format("the camera looks up or to the horizon: tilt and half of fov_along_deg "
+                            "make {:.0f} deg; allowed: less than 85 deg from straight down",
+                            DegreesFromRadians(highest)));
+  }
+}
+
+/// What the files read so far say.
+struct Reading {
+  VehicleFile vehicle;
   bool has_thrusters = false;
+};
+
+void ReadSections(YamlReader& in, const YAML::Node& root, Reading& reading) {
+  VehicleFile& file = reading.vehicle;
   std::vector<YamlReader::Field> sections;
+  sections.push_back({kBasedOn, [](const YAML::Node&) {}});  // read before
   sections.push_back({"name", [&](const YAML::Node& node) { file.name = ValueText(node); }});
-  for (VehicleFileSection& section : VehicleFileSections(file.params)) {
+  for (VehicleFileSection& section : VehicleFileSections(file)) {
     sections.push_back({section.name, [&, section](const YAML::Node& node) {
                           std::vector<YamlReader::Field> fields =
                               FieldsOf(in, section.name, section.keys);
                           if (section.name == "thrusters") {
                             fields.push_back({"list", [&](const YAML::Node& list) {
-                                                has_thrusters = true;
+                                                reading.has_thrusters = true;
                                                 ReadThrusterList(in, list, file.params.thrusters);
                                               }});
                           }
@@ -120,49 +146,76 @@ VehicleFile ReadVehicle(YamlReader& in, const YAML::Node& root) {
                         }});
   }
   in.ReadMap(root, "", sections);
-  if (!in.problems().empty()) return file;
-  if (file.name.empty()) in.Complain(root, "name", "is missing: which vehicle is it?");
-  if (!has_thrusters) {
+}
+
+/// Reads the files that this one is based on, the deepest first.
+Reading ReadBase(YamlReader& in, const YAML::Node& root, const fs::path& folder) {
+  Reading reading;
+  if (!root.IsMap() || !root[kBasedOn]) return reading;
+  const YAML::Node named = root[kBasedOn];
+  const fs::path base = FindVehicleFile(ValueText(named), folder);
+  if (base.empty()) {
+    in.Complain(named, kBasedOn, fmt::format("there is no {}", TextOfNode(named)));
+    return reading;
+  }
+  std::vector<fs::path> chain = VehicleFileChain(base);
+  if (chain.size() >= kMostVehicleFiles) {
+    in.Complain(named, kBasedOn, "files that are based on one another without end");
+    return reading;
+  }
+  for (const fs::path& file : chain | std::views::reverse) {
+    YamlReader one(file.string());
+    ReadSections(one, YAML::Load(ReadTextFile(file)), reading);
+    if (!one.problems().empty()) throw ConfigError(one.problems());
+  }
+  return reading;
+}
+
+VehicleFile ReadVehicle(YamlReader& in, const YAML::Node& root, const fs::path& folder) {
+  Reading reading = ReadBase(in, root, folder);
+  ReadSections(in, root, reading);
+  if (!in.problems().empty()) return reading.vehicle;
+  if (reading.vehicle.name.empty()) in.Complain(root, "name", "is missing: which vehicle is it?");
+  if (!reading.has_thrusters) {
     in.Complain(root, "thrusters.list",
                 fmt::format("is missing: {} entries of name, at_m and push", kThrusters));
   }
-  CheckBody(in, root, file.params);
-  return file;
+  CheckBody(in, root, reading.vehicle.params);
+  CheckSensors(in, root, reading.vehicle.sensors);
+  CheckCamera(in, root, reading.vehicle.camera);
+  return std::move(reading.vehicle);
 }
 
-/// `share/vehicles` of every folder above `folder`.
-void AddVehicleFolders(fs::path folder, std::vector<fs::path>& found) {
-  std::error_code ignored;
-  for (int level = 0; level < 32 && !folder.empty(); ++level) {
-    const fs::path candidate = folder / "share" / "vehicles";
-    if (fs::is_directory(candidate, ignored) &&
-        std::ranges::find(found, candidate) == found.end()) {
-      found.push_back(candidate);
-    }
-    if (folder == folder.parent_path()) return;
-    folder = folder.parent_path();
+/// The keys that blocks know as `camera_...`.
+std::vector<ParamSpec> CameraKeys(VehicleFile& vehicle) {
+  constexpr std::string_view kPrefix = "camera_";
+  std::vector<ParamSpec> keys = DescribeParams(vehicle.camera);
+  for (ParamSpec& key : keys) {
+    if (key.name.starts_with(kPrefix)) key.name.erase(0, kPrefix.size());
   }
-}
-
-std::vector<fs::path> VehicleFolders(const fs::path& mission_folder) {
-  std::error_code ignored;
-  std::vector<fs::path> folders{mission_folder};
-  AddVehicleFolders(fs::absolute(mission_folder, ignored).lexically_normal(), folders);
-  AddVehicleFolders(fs::read_symlink("/proc/self/exe", ignored).parent_path(), folders);
-  return folders;
+  std::ranges::move(DescribeParams(vehicle.camera_timing), std::back_inserter(keys));
+  return keys;
 }
 
 }  // namespace
 
-std::vector<VehicleFileSection> VehicleFileSections(VehicleParams& params) {
-  return {{"hull", DescribeParams(params)}, {"thrusters", DescribeParams(params.thrusters)}};
+std::vector<VehicleFileSection> VehicleFileSections(VehicleFile& vehicle) {
+  SensorSheets& sensors = vehicle.sensors;
+  return {{"hull", DescribeParams(vehicle.params)},
+          {"thrusters", DescribeParams(vehicle.params.thrusters)},
+          {"imu", DescribeParams(sensors.imu)},
+          {"fog", DescribeParams(sensors.fog)},
+          {"dvl", DescribeParams(sensors.dvl)},
+          {"depth", DescribeParams(sensors.depth)},
+          {"gps", DescribeParams(sensors.gps)},
+          {"camera", CameraKeys(vehicle)}};
 }
 
 VehicleFile ParseVehicleFile(const std::string& text, const std::string& file) {
   YamlReader in(file);
   VehicleFile vehicle;
   try {
-    vehicle = ReadVehicle(in, YAML::Load(text));
+    vehicle = ReadVehicle(in, YAML::Load(text), fs::path(file).parent_path());
   } catch (const YAML::Exception& error) {
     in.Complain(error.mark.line + 1, "", "not YAML: " + error.msg);
   }
@@ -172,14 +225,6 @@ VehicleFile ParseVehicleFile(const std::string& text, const std::string& file) {
 
 VehicleFile LoadVehicleFile(const fs::path& file) {
   return ParseVehicleFile(ReadTextFile(file), file.string());
-}
-
-fs::path FindVehicleFile(const fs::path& named, const fs::path& mission_folder) {
-  std::error_code ignored;
-  for (const fs::path& folder : VehicleFolders(mission_folder)) {
-    if (fs::is_regular_file(folder / named, ignored)) return folder / named;
-  }
-  return {};
 }
 
 VehicleFile LoadMissionVehicle(const std::string& named, const fs::path& mission_folder) {

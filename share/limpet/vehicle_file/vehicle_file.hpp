@@ -7,8 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "limpet/core/camera_params.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/core/params.hpp"
+#include "limpet/mission/vehicle_settings.hpp"
+#include "limpet/vehicle/sensor_sheets.hpp"
 #include "limpet/vehicle/vehicle_params.hpp"
 
 namespace limpet {
@@ -18,20 +21,17 @@ namespace limpet {
 struct VehicleFile {
   std::string name;
   VehicleParams params;
+  SensorSheets sensors;
+  CameraParams camera;
+  CameraTiming camera_timing;
 };
 
-/// Name of the global of a mission that says which vehicle flies it.
-inline constexpr const char* kVehicleFileGlobal = "VehicleFile";
-
-/// The same from text; `file` names it in problems. Throws ConfigError with every problem: unknown
+/// From text; `file` names it in problems and says where the one it is based on is looked for.
+/// Throws ConfigError with every problem: unknown
 /// keys, wrong types, values out of range, thrusters that are missing or cannot move the vehicle.
 [[nodiscard]] VehicleFile ParseVehicleFile(const std::string& text, const std::string& file);
 [[nodiscard]] VehicleFile LoadVehicleFile(const std::filesystem::path& file);
 
-/// Where `named` lies: beside the mission, or in `share/vehicles` of one of the folders above the
-/// mission or the running program. Empty if nowhere.
-[[nodiscard]] std::filesystem::path FindVehicleFile(const std::filesystem::path& named,
-                                                    const std::filesystem::path& mission_folder);
 /// The vehicle of a mission, by the value of its global. Throws ConfigError that says where it was
 /// looked for and what there is.
 [[nodiscard]] VehicleFile LoadMissionVehicle(const std::string& named,
@@ -42,6 +42,6 @@ struct VehicleFileSection {
   std::string name;
   std::vector<ParamSpec> keys;
 };
-[[nodiscard]] std::vector<VehicleFileSection> VehicleFileSections(VehicleParams& params);
+[[nodiscard]] std::vector<VehicleFileSection> VehicleFileSections(VehicleFile& vehicle);
 
 }  // namespace limpet

@@ -28,7 +28,7 @@ inline Checked Check(const std::vector<std::string>& args) {
   return {exit_code, ::testing::internal::GetCapturedStdout()};
 }
 
-/// Text that stands in a file, and what is to stand there.
+/// Text that stands in a file, and what is to stand there; of a new file the first is empty.
 struct Edit {
   std::string file;
   std::string from;
@@ -37,6 +37,12 @@ struct Edit {
 
 /// The plug with an app's block, from a mission's folder.
 inline std::string PlugOf(const std::string& app) { return "../plugs/plug_" + app + ".moos"; }
+
+/// FeelHippo but for some lines of its file, flying the mission.
+inline std::vector<Edit> Vehicle(const std::string& lines) {
+  return {{"vehicle.yaml", "", "based_on: feelhippo.yaml\nname: Changed\n" + lines + "\n"},
+          {"mission.moos", "ServerHost", "#define VEHICLE_FILE vehicle.yaml\nServerHost"}};
+}
 
 /// A copy of missions/table1, with the plugs beside it.
 class MissionCopy {

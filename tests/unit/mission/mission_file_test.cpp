@@ -227,7 +227,7 @@ TEST(MissionFile, LoadsOurOwnMissionsWithTheirPlugs) {
   ASSERT_NE(nav, nullptr);
   ASSERT_NE(nav->Find("camera_fov_across_deg"), nullptr);
   EXPECT_EQ(nav->Find("camera_fov_across_deg")->value, "80");
-  EXPECT_THAT(nav->Find("camera_width_px")->where.file, HasSubstr("plug_camera.moos"));
+  EXPECT_THAT(nav->Find("camera_width_px")->where.file, HasSubstr("feelhippo.yaml"));
   EXPECT_TRUE(mission.warnings.empty());
 }
 

@@ -21,6 +21,7 @@ class NavAppTest : public ::testing::Test {
     AppContext context;
     context.name = "pNav";
     context.link = &link_;
+    context.globals = {{"VehicleFile", "feelhippo.yaml", {}}};
     return context;
   }
   void RunFor(double seconds, double speed = 0.5) {

@@ -17,9 +17,10 @@ SoundScene FlatScene(std::vector<SoundScene::Sphere> spheres = {}) {
 
 DvlModel::Params Perfect() {
   DvlModel::Params params;
-  params.noise_horizontal_mps = 1e-12;
-  params.noise_vertical_mps = params.scale_sigma = params.misalignment_sigma_rad = 0.0;
-  params.bias_sigma_mps = params.range_noise_m = params.range_noise_share = 0.0;
+  params.sheet.noise_mps = 1e-12;
+  params.sheet.vertical_noise_mps = params.sheet.scale_sigma = 0.0;
+  params.sheet.misalignment_sigma = Radians(0.0);
+  params.sheet.bias_mps = params.sheet.range_noise_m = params.sheet.range_noise_share = 0.0;
   return params;
 }
 
@@ -73,8 +74,8 @@ TEST(DvlModel, ScaleAndMisalignmentDifferBetweenSessions) {
   Statistics scale, angle;
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     DvlModel::Params params;
-    params.noise_horizontal_mps = 1e-9;
-    params.bias_sigma_mps = 0.0;
+    params.sheet.noise_mps = 1e-9;
+    params.sheet.bias_mps = 0.0;
     SimTruth truth = Cruising();
     truth.r = 0.0;
     const DvlSample sample =

@@ -33,7 +33,7 @@ TEST(GpsModel, ErrorHasItsSigmaOverSessions) {
 double Correlation(double apart) {
   double product = 0.0, square = 0.0;
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
-    GpsModel gps({.noise_m = 0.0}, Random(seed));
+    GpsModel gps({.sheet = {.noise_m = 0.0}}, Random(seed));
     const double first = gps.Sample(AtDepth(0.1), Seconds(0.0))->east;
     product += first * gps.Sample(AtDepth(0.1), Seconds(apart))->east;
     square += first * first;

@@ -48,7 +48,7 @@ TEST(ImuModel, FeelsGravityUpwardsWithItsStatedNoise) {
 TEST(FogModel, WalksInAngleAsStated) {
   Statistics angles;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    FogModel fog({.bias_sigma_radps = 0.0}, Random(seed));
+    FogModel fog({.bias_deg_per_h = 0.0}, Random(seed));
     double angle = 0.0;
     for (int i = 0; i < 50 * 25; ++i)
       angle += 0.02 * *fog.Sample(AtRest(), Seconds(0.02 * i));

@@ -16,6 +16,7 @@ namespace limpet {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AnyOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -61,6 +62,44 @@ TEST(VehicleFile, OfFeelHippoIsTheVehicleThatEveryFigureWasMeasuredWith) {
 TEST(VehicleFile, OfBlueRov2LeavesPitchToBuoyancy) {
   const VehicleFile file = LoadVehicleFile(kShipped / "bluerov2.yaml");
   EXPECT_THAT(file.params.thrusters.ControlledAxes(), ElementsAre(0, 1, 2, 5));
+}
+
+TEST(VehicleFile, OfFeelHippoHasTheSensorsThatTheSheetsHaveByDefault) {
+  VehicleFile shipped = LoadVehicleFile(kShipped / "feelhippo.yaml");
+  VehicleFile usual;
+  const std::vector<VehicleFileSection> is = VehicleFileSections(shipped);
+  const std::vector<VehicleFileSection> should = VehicleFileSections(usual);
+  for (std::size_t i = 2; i < is.size(); ++i) {
+    for (std::size_t key = 0; key < is[i].keys.size(); ++key) {
+      EXPECT_EQ(is[i].keys[key].example, should[i].keys[key].example)
+          << is[i].name << "." << is[i].keys[key].name;
+    }
+  }
+}
+
+TEST(VehicleFile, OfBlueRov2HasNoFibreOpticGyroAndASlowerDvl) {
+  const VehicleFile file = LoadVehicleFile(kShipped / "bluerov2.yaml");
+  EXPECT_FALSE(file.sensors.fog.is_present);
+  EXPECT_EQ(file.sensors.dvl.rate, Hertz(4.0));
+  EXPECT_EQ(file.sensors.dvl.p_BD.x(), -0.15);
+  EXPECT_NEAR(file.camera.fov_across.in_text_unit(), 60.0, 1e-12);
+  EXPECT_EQ(file.camera.p_BC.x(), 0.15);
+}
+
+TEST(VehicleFile, LeavesToTheOneItIsBasedOnWhatItDoesNotSay) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "base.yaml") << FileWith("mass_kg: 20") << "dvl: {rate_hz: 3}\n";
+  const std::string text = "based_on: base.yaml\nname: Own\nimu: {heading_sigma_deg: 3}\n";
+  const VehicleFile file = ParseVehicleFile(text, (folder.path() / "v.yaml").string());
+  EXPECT_EQ(file.name, "Own");
+  EXPECT_EQ(file.params.mass, 20.0);
+  EXPECT_EQ(file.sensors.dvl.rate, Hertz(3.0));
+  EXPECT_EQ(file.sensors.imu.heading_sigma, Radians::FromTextUnit(3.0));
+}
+
+TEST(VehicleFile, RefusesACameraThatSeesTheHorizon) {
+  EXPECT_THAT(ProblemsOf(FileWith("mass_kg: 20") + "camera: {tilt_deg: 60}\n"),
+              ElementsAre(HasSubstr("camera.tilt_deg: the camera looks up or to the horizon")));
 }
 
 TEST(VehicleFile, TakesPushesOfAnyLength) {
@@ -140,12 +179,13 @@ TEST(VehicleFile, ThatIsNowhereIsNamedWithThoseThereAre) {
 }
 
 TEST(VehicleFile, DeclaresEveryKeyOnceWithUnitRangeAndMeaning) {
-  VehicleParams params;
-  for (const VehicleFileSection& section : VehicleFileSections(params)) {
+  VehicleFile vehicle;
+  for (const VehicleFileSection& section : VehicleFileSections(vehicle)) {
     for (const ParamSpec& key : section.keys) {
       EXPECT_FALSE(key.help.empty()) << section.name << "." << key.name;
-      EXPECT_THAT(key.allowed, HasSubstr("to")) << section.name << "." << key.name;
-      EXPECT_FALSE(key.default_text.empty()) << section.name << "." << key.name;
+      EXPECT_THAT(key.allowed, AnyOf(HasSubstr(" to "), "true or false"))
+          << section.name << "." << key.name;
+      EXPECT_EQ(key.default_text.empty(), key.is_required) << section.name << "." << key.name;
     }
   }
 }

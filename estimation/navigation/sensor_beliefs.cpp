@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/navigation/sensor_beliefs.hpp"
+
+#include <cmath>
+
+namespace limpet {
+namespace {
+
+constexpr double kGravity = 9.81;
+constexpr double kUsualSpeed = 0.5;  // [m/s] of a survey
+
+// Data sheets are made in a laboratory, and a vehicle shakes, warms up and was mounted by hand.
+constexpr double kNoiseMargin = 1.2;    // of a DVL's velocity
+constexpr double kFogBiasMargin = 2.0;  // of a bias at one temperature
+constexpr double kGyroNoiseMargin =
+    4.0;  // thrusters shake the IMU; over one second, not one sample
+constexpr double kGyroBiasMargin = 25.0;  // from one start to the next, before anything tells it
+constexpr double kTiltMargin = 2.3;       // of the tilt that a bias of the force makes
+constexpr double kDepthMargin = 1.4;
+
+/// A belief has two digits: nobody knows more of a sensor's errors.
+double TwoDigits(double value) {
+  if (value <= 0.0) return 0.0;
+  const double digits = 1.0 - std::floor(std::log10(value));
+  const double scale = std::pow(10.0, std::abs(digits));
+  return digits >= 0.0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
+}
+
+struct YawRateErrors {
+  double walk = 0.0;  ///< over one second [rad/sqrt(s)]
+  double bias = 0.0;  ///< [rad/s]
+};
+
+YawRateErrors BelievedYawRate(const SensorSheets& sheets) {
+  if (sheets.fog.is_present) {
+    const double bias = RadiansFromDegrees(sheets.fog.bias_deg_per_h) / 3600.0;
+    return {.walk = TwoDigits(sheets.fog.random_walk), .bias = TwoDigits(kFogBiasMargin * bias)};
+  }
+  const ImuSheet& imu = sheets.imu;
+  return {.walk = TwoDigits(kGyroNoiseMargin * imu.gyro_noise_radps / std::sqrt(imu.rate.value())),
+          .bias = TwoDigits(kFogBiasMargin * imu.gyro_bias_radps)};
+}
+
+/// Of what a bias of the force tilts the horizon by.
+Radians BelievedTilt(const ImuSheet& imu) {
+  return Radians(TwoDigits(kTiltMargin * imu.force_bias_mps2 / kGravity));
+}
+
+}  // namespace
+
+AttitudeParams BelievedAttitude(const SensorSheets& sheets) {
+  const ImuSheet& imu = sheets.imu;
+  const YawRateErrors yaw = BelievedYawRate(sheets);
+  AttitudeParams params;
+  params.gyro_noise = Radians(TwoDigits(kGyroNoiseMargin * imu.gyro_noise_radps));
+  params.gyro_bias_sigma = Radians(TwoDigits(kGyroBiasMargin * imu.gyro_bias_radps));
+  params.tilt_floor = BelievedTilt(imu);
+  params.heading_sigma = imu.heading_sigma;
+  params.yaw_random_walk = Radians(yaw.walk);
+  params.yaw_bias_sigma = Radians(yaw.bias);
+  return params;
+}
+
+void BelieveSheets(const SensorSheets& sheets, NavigatorParams& params) {
+  const DvlSheet& dvl = sheets.dvl;
+  OdometryParams& odometry = params.odometry;
+  odometry.dvl_B = dvl.p_BD;
+  odometry.velocity_noise = TwoDigits(kNoiseMargin * dvl.noise_mps);
+  odometry.velocity_period = Seconds(1.0 / dvl.rate.value());
+  // At a survey's steady speed a bias of the velocity cannot be told from scale or misalignment.
+  const double bias = dvl.bias_mps / kUsualSpeed;
+  odometry.scale_sigma = TwoDigits(std::hypot(dvl.scale_sigma, bias));
+  odometry.misalign_sigma = TwoDigits(std::hypot(dvl.misalignment_sigma.value(), bias));
+  const YawRateErrors yaw = BelievedYawRate(sheets);
+  odometry.yaw_walk = yaw.walk;
+  odometry.yaw_bias = yaw.bias;
+  params.tilt_sigma = BelievedTilt(sheets.imu);
+  const double second = sheets.depth.noise_m / std::sqrt(sheets.depth.rate.value());
+  params.depth_sigma = Meters(TwoDigits(kDepthMargin * std::hypot(sheets.depth.bias_m, second)));
+  params.gps_correlation = Seconds(2.0 * sheets.gps.correlation.value());
+}
+
+}  // namespace limpet

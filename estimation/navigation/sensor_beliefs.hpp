@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// What navigation believes of a vehicle's sensors: their data sheets, with margins. Nothing of it
+// is known from a simulator.
+#pragma once
+
+#include "estimation/attitude/attitude_filter.hpp"
+#include "estimation/navigation/navigator_params.hpp"
+#include "limpet/vehicle/sensor_sheets.hpp"
+
+namespace limpet {
+
+/// Roll, pitch and yaw. Without a fibre-optic gyro the IMU's own yaw rate serves, with its errors.
+[[nodiscard]] AttitudeParams BelievedAttitude(const SensorSheets& sheets);
+
+/// Sets what the sheets tell of velocity, yaw rate, tilt, depth and fixes.
+void BelieveSheets(const SensorSheets& sheets, NavigatorParams& params);
+
+}  // namespace limpet
