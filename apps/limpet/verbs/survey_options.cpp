@@ -11,7 +11,9 @@ std::vector<CommandOption> SurveyMethodOptions() {
            .fallback = "discovery,change"},
           {.names = "--set",
            .value = "OWNER.KEY=V",
-           .meaning = "override a parameter of an app, or of a behavior by its name",
+           .meaning =
+               "override a parameter of an app, or of a behavior by its name; KEY=V: a global of "
+               "the mission, e.g. VehicleFile=bluerov2.yaml",
            .is_repeatable = true},
           {.names = "--planner",
            .value = "P",

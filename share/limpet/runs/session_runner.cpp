@@ -10,6 +10,7 @@
 #include "limpet/app/embedded.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/interrupt.hpp"
+#include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/runs/mission_check.hpp"
 #include "limpet/survey/survey_params.hpp"
 #include "limpet/topics/mission.hpp"
@@ -90,10 +91,46 @@ Seconds LongestSession(const MissionFile& mission) {
   return kDeployAfter + ReadAppParams<SurveyParams>(mission, "pSurvey").Longest() + kLongestMargin;
 }
 
+namespace {
+
+/// `KEY=V` sets a global; what the vehicle's file says reaches the blocks anew.
+void ApplyGlobal(MissionFile& mission, const std::string& setting, std::size_t equals) {
+  const std::string key = setting.substr(0, equals);
+  const SourceLine where{.file = "--set " + setting, .line = 0};
+  const auto global = std::ranges::find_if(mission.globals, [&key](const ConfigEntry& entry) {
+    return EqualsIgnoringCase(entry.key, key);
+  });
+  if (global == mission.globals.end()) {
+    std::vector<std::string> known;
+    std::ranges::transform(mission.globals, std::back_inserter(known), &ConfigEntry::key);
+    const std::string nearest = NearestWord(key, known);
+    throw ConfigError(
+        {{},
+         "--set",
+         fmt::format("`{}` is neither app.key=value nor one of the mission's globals{}", setting,
+                     nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest))});
+  }
+  const SourceLine former = global->where;
+  *global = {global->key, setting.substr(equals + 1), where};
+  for (ConfigBlock& block : mission.blocks) {
+    for (ConfigEntry& entry : block.entries) {  // what the block took from the global
+      const bool is_taken = entry.where.file == former.file && entry.where.line == former.line;
+      if (is_taken) entry = {entry.key, global->value, where};
+    }
+  }
+  TakeVehicle(mission);
+}
+
+}  // namespace
+
 void ApplySetting(MissionFile& mission, const std::string& setting) {
   const std::size_t dot = setting.find('.');
   const std::size_t equals = setting.find('=');
-  if (dot == std::string::npos || equals == std::string::npos || dot > equals) {
+  if (equals != std::string::npos && equals > 0 && (dot == std::string::npos || dot > equals)) {
+    ApplyGlobal(mission, setting, equals);
+    return;
+  }
+  if (dot == std::string::npos || equals == std::string::npos) {
     throw ConfigError({{}, "--set", fmt::format("`{}` is not app.key=value", setting)});
   }
   const std::string owner = setting.substr(0, dot);
@@ -117,6 +154,7 @@ void ApplySetting(MissionFile& mission, const std::string& setting) {
                   [&](const ConfigEntry& old) { return EqualsIgnoringCase(old.key, entry.key); });
   }
   block->entries.push_back(std::move(entry));
+  TakeVehicle(mission);
 }
 
 SessionOutcome RunSession(const MissionFile& mission, const SessionPlan& plan,

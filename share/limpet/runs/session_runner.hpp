@@ -46,7 +46,8 @@ using MessageObserver = std::function<void(const Message&)>;
 [[nodiscard]] SessionOutcome RunSession(const MissionFile& mission, const SessionPlan& plan,
                                         const MessageObserver& observer);
 
-/// Applies `app.key=value` (or `behavior_name.key=value`) to a mission. Throws ConfigError.
+/// Applies `app.key=value`, `behavior_name.key=value` or `global=value` to a mission; another
+/// VehicleFile reaches every block. Throws ConfigError.
 void ApplySetting(MissionFile& mission, const std::string& setting);
 
 /// Processes of the ANTLER block that an embedded run hosts: all but the database and what needs a

@@ -72,13 +72,38 @@ INSTANTIATE_TEST_SUITE_P(
              {{"mission.moos", "ServerPort", "settled_looks = 3\nServerPort"}},
              0,
              {"no problems"}},
-        Slip{"CamerasDiffer",
+        Slip{"ACameraThatIsNotTheVehicles",
              {{PlugOf("pMap"), "  #include plug_camera.moos",
-               "  camera_fov_across_deg = 60\n  camera_fov_along_deg = 45\n"
-               "  camera_width_px = 640\n  camera_height_px = 480"}},
+               "  camera_fov_across_deg = 60\n  camera_fov_along_deg = 45"}},
              3,
-             {"camera_fov_across_deg: the camera is", "60 deg for pMap", "80 deg",
-              "camera_fov_along_deg"}},
+             {"plug_pMap.moos:",
+              "camera_fov_across_deg: the vehicle's camera.fov_across_deg is 60 "
+              "deg for pMap and 80 deg for the vehicle's file: ",
+              "camera.fov_across_deg = 80 (feelhippo.yaml:", "camera_fov_along_deg"}},
+        Slip{"ACameraAsTheVehiclesFileSaysIt",
+             {{"mission.moos", "ServerHost",
+               "#define FOV_ACROSS 80.0\n#define FOV_ALONG 60\nServerHost"},
+              {PlugOf("uSimCamera"), "scenario =", "rate_hz = 4\n  scenario ="}},
+             0,
+             {"no problems"}},
+        Slip{"AnotherRateOfTheCamera",
+             {{PlugOf("uSimCamera"), "scenario =", "rate_hz = 2\n  scenario ="}},
+             3,
+             {"rate_hz: the vehicle's camera.rate_hz is 2 hz for uSimCamera and 4 hz"}},
+        Slip{"ACompassAsTheVehiclesFileSaysIt",
+             {{"mission.moos", "ServerHost", "#define HEADING_SIGMA 0.5\nServerHost"},
+              {PlugOf("pNav"), "AppTick = 10", "AppTick = 10\n  dvl_x_m = -0.20"}},
+             0,
+             {"no problems"}},
+        Slip{"ACompassThatIsNotTheVehicles",
+             {{"mission.moos", "ServerHost", "#define HEADING_SIGMA 1\nServerHost"}},
+             2,
+             {"heading_sigma_deg: `1`: the vehicle's file says it, and says 0.5 (",
+              "feelhippo.yaml:", "imu.heading_sigma_deg"}},
+        Slip{"ADvlThatIsNotTheVehicles",
+             {{PlugOf("pNav"), "AppTick = 10", "AppTick = 10\n  dvl_z_m = 0.3"}},
+             2,
+             {"dvl_z_m: `0.3`: the vehicle's file says it, and says 0.18 (", "dvl.at_m"}},
         Slip{"RadiiDiffer",
              {{PlugOf("pNav"), "AppTick = 10", "AppTick = 10\n  opi_radius_m = 0.3"}},
              3,
@@ -110,6 +135,41 @@ TEST(CheckAgreementOfSettings, OverrideAGlobalForAllWhoTakeItOrNotAtAll) {
   EXPECT_TRUE(GeometryWith({"pSurvey.altitude_m=3.5", "pHelm.survey_altitude_m=3.5",
                             "altitude.altitude_m=3.5"})
                   .empty());
+}
+
+TEST(SettingOfAGlobal, AnotherVehicleReachesEveryBlock) {
+  const std::filesystem::path folder = std::filesystem::path(LIMPET_SOURCE_DIR) / "missions/table1";
+  MissionFile mission = LoadMission(folder / "mission.moos");
+  ApplySetting(mission, "VehicleFile=bluerov2.yaml");
+  for (const char* app : {"pHelm", "pMap", "pNav", "uSimCamera"}) {
+    EXPECT_EQ(mission.Block(app)->Find("camera_fov_across_deg")->value, "60") << app;
+  }
+  EXPECT_TRUE(GeometryWith({"VehicleFile=bluerov2.yaml"}).empty());
+}
+
+TEST(SettingOfAGlobal, ReachesWhoTakesIt) {
+  EXPECT_TRUE(GeometryWith({"survey_altitude_m=3.5"}).empty());
+  EXPECT_FALSE(GeometryWith({"survey_altitude_m=9"}).empty());
+}
+
+TEST(SettingOfAGlobal, ThatTheMissionHasNotNamesTheNearest) {
+  MissionFile mission =
+      LoadMission(std::filesystem::path(LIMPET_SOURCE_DIR) / "missions/table1/mission.moos");
+  try {
+    ApplySetting(mission, "VehicelFile=bluerov2.yaml");
+    FAIL() << "took a global that nothing reads";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("did you mean `VehicleFile`?"));
+  }
+}
+
+TEST(SettingOfAFormerParameter, NamesTheVehiclesKey) {
+  MissionFile mission =
+      LoadMission(std::filesystem::path(LIMPET_SOURCE_DIR) / "missions/table1/mission.moos");
+  ApplySetting(mission, "pNav.heading_sigma_deg=2");
+  ASSERT_EQ(mission.Block("pNav")->problems.size(), 1U);
+  EXPECT_THAT(mission.Block("pNav")->problems[0].Format(),
+              ::testing::HasSubstr("imu.heading_sigma_deg"));
 }
 
 }  // namespace
