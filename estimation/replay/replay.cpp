@@ -6,9 +6,12 @@
 #include <map>
 #include <utility>
 
+#include "estimation/navigation/sensor_beliefs.hpp"
+
 namespace limpet {
 namespace {
 
+constexpr Seconds kFixWait(5.0);        // a stream may begin under water
 constexpr double kArrival = 10.0;       // [s] that a row may be behind its measurement
 constexpr double kSilence = 0.3;        // [s]
 constexpr double kOnlinePeriod = 0.19;  // [s] between rows of online.csv
@@ -120,8 +123,28 @@ NavigatorParams ParamsForStream(const StreamMeta& meta) {
   params.odometry.scale_sigma = std::hypot(meta.dvl_scale_sigma, bias);
   params.odometry.misalign_sigma = std::hypot(meta.dvl_misalign_sigma, bias);
   params.objects.model.radius_m = meta.opi_radius;
-  params.fix_wait = Seconds(5.0);
+  params.fix_wait = kFixWait;
   return params;
+}
+
+NavigatorParams ParamsForVehicle(const SensorSheets& sheets, const CameraModel& camera,
+                                 const StreamMeta& meta) {
+  NavigatorParams params;
+  BelieveSheets(sheets, params);
+  params.camera = camera;
+  params.objects.model.radius_m = meta.opi_radius;
+  params.fix_wait = kFixWait;
+  return params;
+}
+
+std::optional<std::string> MissingCamera(const SensorStream& stream) {
+  const StreamMeta& meta = stream.meta;
+  const bool has_frames = std::ranges::any_of(
+      stream.rows, [](const StreamRow& row) { return std::holds_alternative<FrameRow>(row); });
+  if (!has_frames || (meta.has_image_size && meta.has_intrinsics)) return std::nullopt;
+  return std::string(meta.has_image_size ? "intrinsics_fx_fy_cx_cy" : "image_size") +
+         ": is missing, and the stream has frames: no camera is known; say it here or give the "
+         "vehicle's file with --vehicle";
 }
 
 ReplayResult Replay(const SensorStream& stream, const NavigatorParams& params,

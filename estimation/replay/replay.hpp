@@ -2,15 +2,24 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "estimation/navigation/navigator.hpp"
 #include "estimation/replay/sensor_stream.hpp"
+#include "limpet/vehicle/sensor_sheets.hpp"
 
 namespace limpet {
 
-/// The navigator's parameters for a stream's vehicle.
+/// The navigator's parameters for a stream's vehicle, as its meta.csv has it.
 [[nodiscard]] NavigatorParams ParamsForStream(const StreamMeta& meta);
+/// The same for a vehicle by its file's sheets and camera; objects are those of the stream, whose
+/// velocities are in the vehicle's axes, however its DVL is turned.
+[[nodiscard]] NavigatorParams ParamsForVehicle(const SensorSheets& sheets,
+                                               const CameraModel& camera, const StreamMeta& meta);
+/// Why boxes of the stream cannot be used: it has frames, and its meta.csv no camera.
+[[nodiscard]] std::optional<std::string> MissingCamera(const SensorStream& stream);
 
 struct ReplayAssociation {
   int frame = 0;

@@ -108,9 +108,11 @@ void TakeMeta(std::string_view line, StreamMeta& meta) {
   const auto vector = [&f] { return Eigen::Vector3d(f.Number(1), f.Number(2), f.Number(3)); };
   if (f.kind() == "image_size") {
     camera.width_px = f.Integer(1), camera.height_px = f.Integer(2);
+    meta.has_image_size = true;
   } else if (f.kind() == "intrinsics_fx_fy_cx_cy") {
     camera.fx = f.Number(1), camera.fy = f.Number(2);
     camera.cx = f.Number(3), camera.cy = f.Number(4);
+    meta.has_intrinsics = true;
   } else if (f.kind() == "cam_pos_body") {
     camera.p_BC = vector();
   } else if (f.kind() == "cam_R_body_from_cam") {

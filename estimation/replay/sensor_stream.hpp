@@ -20,6 +20,7 @@ namespace limpet {
 /// What meta.csv says of vehicle and sensors.
 struct StreamMeta {
   CameraModel camera;
+  bool has_image_size = false, has_intrinsics = false;  ///< of the camera, in the file
   Eigen::Vector3d dvl_B = Eigen::Vector3d::Zero();
   double yaw_random_walk = 3.5e-6;  ///< [rad/sqrt(s)]
   double yaw_bias_sigma = 9.7e-6;   ///< [rad/s]

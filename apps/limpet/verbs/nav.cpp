@@ -14,6 +14,7 @@
 #include "limpet/core/clock.hpp"
 #include "limpet/replay_output/replay_plot.hpp"
 #include "limpet/replay_output/replay_tables.hpp"
+#include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
 namespace {
@@ -38,6 +39,10 @@ Command NavForm() {
                        .meaning = "where those of an earlier session are: its objects are "
                                   "recognised, whatever the offset and turn between the two, and "
                                   "matches.csv says which they are"},
+                      {.names = "--vehicle",
+                       .value = "FILE",
+                       .meaning = "the vehicle's sensors and camera by its file, e.g. "
+                                  "feelhippo.yaml; else as meta.csv says them"},
                       {.names = "--plot",
                        .meaning = "also draw error.svg (with 3-sigma bounds; against the smoothed "
                                   "track, no truth is read) and map.svg"},
@@ -68,10 +73,32 @@ bool Write(const fs::path& file, const std::string& text) {
   return static_cast<bool>(out);
 }
 
+/// Of the file that `--vehicle` names, or of meta.csv; the error says what it lacks.
+Expected<NavigatorParams> ParamsFor(const Arguments& given, const SensorStream& stream) {
+  if (const auto file = given.Find("vehicle")) {
+    try {
+      const VehicleFile vehicle = LoadMissionVehicle(*file, fs::current_path());
+      return ParamsForVehicle(vehicle.sensors, vehicle.camera.geometry(), stream.meta);
+    } catch (const ConfigError& error) {
+      return Error{error.what()};
+    }
+  }
+  if (const auto problem = MissingCamera(stream)) {
+    const fs::path meta = fs::path(given.positionals().front()) / "meta.csv";
+    return Error{fmt::format("{}: {}", meta.string(), *problem)};
+  }
+  return ParamsForStream(stream.meta);
+}
+
 int ReplayStream(const Arguments& given) {
   const Expected<SensorStream> stream = LoadSensorStream(given.positionals().front());
   if (!stream) {
     fmt::print(stderr, "{}\n", stream.error().text);
+    return kFailed;
+  }
+  const Expected<NavigatorParams> params = ParamsFor(given, *stream);
+  if (!params) {
+    fmt::print(stderr, "{}\n", params.error().text);
     return kFailed;
   }
   FormerSession former;
@@ -85,8 +112,7 @@ int ReplayStream(const Arguments& given) {
   }
   const auto thread_time = [] { return ThreadTime().value(); };
   const double start = thread_time();
-  const ReplayResult result =
-      Replay(*stream, ParamsForStream(stream->meta), thread_time, {}, former);
+  const ReplayResult result = Replay(*stream, *params, thread_time, {}, former);
   const std::string timing = TimingJson(result.update_s, thread_time() - start);
   if (result.smoothed.empty()) {
     fmt::print(stderr, "{}: no pose could be estimated (no attitude)\n",

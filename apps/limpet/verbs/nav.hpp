@@ -6,9 +6,9 @@
 
 namespace limpet {
 
-/// `limpet nav <stream folder> --out DIR [--plot]`: runs the estimator alone on a recorded sensor
-/// stream and writes online.csv, smoothed.csv, states.csv, landmarks.csv, associations.csv and
-/// timing.json. Returns the exit code.
+/// `limpet nav <stream folder> --out DIR [--vehicle FILE] [--plot]`: runs the estimator alone on a
+/// recorded sensor stream and writes online.csv, smoothed.csv, states.csv, landmarks.csv,
+/// associations.csv and timing.json. Returns the exit code.
 int RunNav(std::span<const std::string> args);
 
 }  // namespace limpet

@@ -31,6 +31,9 @@ class NavVerbTest : public ::testing::Test {
       if (i % 10 == 0 && i < 100) rows << fmt::format("GPS,{:.2f},{:.2f},0,0.5\n", t, 0.5 * t);
     }
   }
+  void AddFrame() const {
+    std::ofstream(folder_.path() / "stream.csv.gz", std::ios::app) << "FRM,59.9,59.95,1,0\n";
+  }
   int Run(std::vector<std::string> words) {
     ::testing::internal::CaptureStdout();
     const int code = RunNav(words);
@@ -95,6 +98,32 @@ TEST_F(NavVerbTest, FailsOnAFolderThatIsNoStream) {
   EXPECT_EQ(Run({(folder_.path() / "nowhere").string(), "--out", folder_.path().string()}),
             kFailed);
   EXPECT_THAT(::testing::internal::GetCapturedStderr(), HasSubstr("cannot be opened"));
+}
+
+TEST_F(NavVerbTest, TakesSensorsAndCameraFromTheVehiclesFile) {
+  AddFrame();
+  const std::string stream = folder_.path().string(), out = (folder_.path() / "out").string();
+  EXPECT_EQ(Run({stream, "--out", out, "--vehicle", "feelhippo.yaml", "--plot"}), kOk);
+  const std::string with_feelhippo = Text("error.svg");
+  EXPECT_EQ(Run({stream, "--out", out, "--vehicle", "bluerov2.yaml", "--plot"}), kOk);
+  EXPECT_TRUE(Text("error.svg") != with_feelhippo) << "its DVL is believed less: wider bounds";
+}
+
+TEST_F(NavVerbTest, FramesOfAStreamWhoseCameraNobodySaysAreRefused) {
+  AddFrame();
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(Run({folder_.path().string(), "--out", (folder_.path() / "out").string()}), kFailed);
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(),
+              HasSubstr("meta.csv: image_size: is missing, and the stream has frames"));
+}
+
+TEST_F(NavVerbTest, AVehicleThatIsNowhereIsNamedWithThoseThereAre) {
+  ::testing::internal::CaptureStderr();
+  EXPECT_NE(Run({folder_.path().string(), "--out", (folder_.path() / "out").string(), "--vehicle",
+                 "dolphin.yaml"}),
+            kOk);
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(),
+              HasSubstr("there is no `dolphin.yaml`; known: bluerov2.yaml, feelhippo.yaml"));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/core/camera_params.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace limpet {
@@ -40,6 +42,20 @@ TEST(CameraParams, RefusesAnAngleThatNoPinholeHas) {
   ConfigBlock block;
   block.entries.push_back({.key = "camera_fov_along_deg", .value = "180", .where = {}});
   EXPECT_THROW(static_cast<void>(ReadParams<CameraParams>(block)), ConfigError);
+}
+
+TEST(CameraParams, ATiltedCameraLooksAheadFromItsPlace) {
+  CameraParams params;
+  params.tilt = Radians::FromTextUnit(30.0);
+  params.p_BC = {0.2, 0.0, 0.1};
+  const CameraModel camera = params.geometry();
+  EXPECT_TRUE((camera.R_BC * Eigen::Vector3d::UnitZ())
+                  .isApprox(Eigen::Vector3d(0.5, 0.0, std::sqrt(0.75))));
+  const Eigen::Vector3d ahead(0.2 + 2.0 * std::tan(params.tilt.value()), 0.0, 2.1);
+  const auto pixel = camera.Project(camera.InCamera(Pose{}, ahead));
+  ASSERT_TRUE(pixel);
+  EXPECT_NEAR(pixel->x(), 320.0, 1e-9);
+  EXPECT_NEAR(pixel->y(), 240.0, 1e-9);
 }
 
 }  // namespace

@@ -66,5 +66,22 @@ TEST(BeamEnds, KeepsAllBeamsOnASlopeOfTwentyFiveDegrees) {
 
 TEST(BeamEnds, SaysNothingWithoutBeams) { EXPECT_TRUE(BeamEnds(kPose, {}).empty()); }
 
+TEST(BeamEnds, ATurnedDvlsFirstBeamLooksElsewhere) {
+  const DvlBeams turned{.yaw = Radians::FromTextUnit(90.0)};
+  const std::vector<BeamEnd> ends = BeamEnds(kPose, {kSlant, {}, {}, {}}, 3.0, turned);
+  const std::vector<BeamEnd> second = BeamEnds(kPose, {std::nullopt, kSlant, {}, {}});
+  ASSERT_EQ(ends.size(), 1U);
+  EXPECT_TRUE(ends[0].p_W.isApprox(second[0].p_W));
+}
+
+TEST(BeamEnds, ReachFartherOutWithWiderBeams) {
+  const DvlBeams wide{.from_vertical = Radians::FromTextUnit(30.0)};
+  const std::vector<BeamEnd> ends = BeamEnds(kPose, {kSlant, {}, {}, {}}, 3.0, wide);
+  const std::vector<BeamEnd> usual = BeamEnds(kPose, {kSlant, {}, {}, {}});
+  ASSERT_EQ(ends.size(), 1U);
+  EXPECT_GT((ends[0].p_W - kPose.p_WB).head<2>().norm(),
+            (usual[0].p_W - kPose.p_WB).head<2>().norm());
+}
+
 }  // namespace
 }  // namespace limpet

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <optional>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_link.hpp"
 
 namespace limpet {
@@ -15,7 +18,7 @@ namespace {
 /// A vehicle with ideal sensors that runs east at 0.5 m/s, level, at 1 m depth.
 class NavAppTest : public ::testing::Test {
  protected:
-  NavAppTest() : app_(MakeContext(), NavApp::Params{}) {}
+  NavAppTest() { app_.emplace(MakeContext(), NavApp::Params{}); }
 
   AppContext MakeContext() {
     AppContext context;
@@ -27,11 +30,11 @@ class NavAppTest : public ::testing::Test {
   void RunFor(double seconds, double speed = 0.5) {
     for (int i = 0; i < static_cast<int>(std::lround(seconds * 50.0)); ++i, ++step_) {
       link_.time = Seconds(1767225600.0 + 0.02 * step_);
-      link_.Send(app_, topics::kFogYawRate, 0.0);
-      link_.Send(app_, topics::kImuData, ImuSample{.fz = -9.81, .heading = 0.5 * M_PI});
+      link_.Send(*app_, topics::kFogYawRate, 0.0);
+      link_.Send(*app_, topics::kImuData, ImuSample{.fz = -9.81, .heading = 0.5 * M_PI});
       east_ += speed * 0.02;
       if (step_ % 10 == 0) {
-        link_.Send(app_, topics::kDvlData,
+        link_.Send(*app_, topics::kDvlData,
                    DvlSample{.has_lock = true,
                              .u = speed,
                              .v = 0.0,
@@ -41,13 +44,13 @@ class NavAppTest : public ::testing::Test {
                              .b2 = 4.4,
                              .b3 = 4.4,
                              .b4 = 4.4});
-        link_.Send(app_, topics::kDepthSensor, 1.0);
+        link_.Send(*app_, topics::kDepthSensor, 1.0);
       }
       if (has_gps_ && step_ % 50 == 0) {
-        link_.Send(app_, topics::kGpsData, GpsFix{.north = 10.0, .east = east_, .sd = 0.4});
+        link_.Send(*app_, topics::kGpsData, GpsFix{.north = 10.0, .east = east_, .sd = 0.4});
       }
       if (step_ % 5 == 0) {
-        app_.Tick(link_.time);
+        app_->Tick(link_.time);
       }
     }
   }
@@ -56,7 +59,7 @@ class NavAppTest : public ::testing::Test {
   void StayDeaf(double seconds) {
     for (int i = 0; i < static_cast<int>(std::lround(seconds * 10.0)); ++i, step_ += 5) {
       link_.time = Seconds(1767225600.0 + 0.02 * step_);
-      app_.Tick(link_.time);
+      app_->Tick(link_.time);
     }
   }
   std::size_t CountOf(const std::string& name) const {
@@ -65,7 +68,7 @@ class NavAppTest : public ::testing::Test {
   }
 
   TestLink link_;
-  NavApp app_;
+  std::optional<NavApp> app_;
   int step_ = 0;
   double east_ = 20.0;
   bool has_gps_ = true;
@@ -144,7 +147,7 @@ TEST_F(NavAppTest, PosesAFrameAtItsExposureAlsoWhenItShowsNothing) {
   const Seconds exposure = link_.time;
   const double east = east_;
   RunFor(0.25);
-  link_.Send(app_, topics::kDetections, Detections{.frame = 7, .exposure = exposure, .boxes = {}});
+  link_.Send(*app_, topics::kDetections, Detections{.frame = 7, .exposure = exposure, .boxes = {}});
   RunFor(1.0);
   const auto frame = link_.Last(topics::kNavSight);
   ASSERT_TRUE(frame.has_value());
@@ -156,21 +159,21 @@ TEST_F(NavAppTest, WarnsWhileTheDvlHasNoLock) {
   RunFor(10.0);
   for (int i = 0; i < 30; ++i) {
     link_.time += Seconds(0.1);
-    link_.Send(app_, topics::kDvlData, DvlSample{});
-    app_.Tick(link_.time);
+    link_.Send(*app_, topics::kDvlData, DvlSample{});
+    app_->Tick(link_.time);
   }
-  EXPECT_TRUE(app_.warnings().contains("DVL_NO_LOCK"));
+  EXPECT_TRUE(app_->warnings().contains("DVL_NO_LOCK"));
   RunFor(1.0);
-  EXPECT_FALSE(app_.warnings().contains("DVL_NO_LOCK"));
+  EXPECT_FALSE(app_->warnings().contains("DVL_NO_LOCK"));
 }
 
 TEST_F(NavAppTest, TellsTheOperatorWhatItWaitsForAndWhereItIs) {
   ReportLines before;
-  app_.Report(before);
+  app_->Report(before);
   EXPECT_THAT(before.Text(), testing::HasSubstr("waiting for heading and a GPS fix"));
   RunFor(10.0);
   ReportLines after;
-  app_.Report(after);
+  app_->Report(after);
   EXPECT_THAT(after.Text(), testing::HasSubstr("GPS fixes:    10, 0 refused"));
   EXPECT_THAT(after.Text(), testing::HasSubstr("DVL pings:    50, 0 without bottom lock"));
   EXPECT_THAT(after.Text(), testing::HasSubstr("Position:     north "));
@@ -180,26 +183,26 @@ TEST_F(NavAppTest, TellsTheOperatorWhatItWaitsForAndWhereItIs) {
 TEST_F(NavAppTest, SamplesStampedAnHourAheadAreRefusedAndStopNothing) {
   RunFor(20.0);
   const Seconds ahead = link_.time + Seconds(3600.0);
-  link_.SendStamped(app_, topics::kImuData, ImuSample{.fz = -9.81, .r = 1.0, .heading = 0.0},
+  link_.SendStamped(*app_, topics::kImuData, ImuSample{.fz = -9.81, .r = 1.0, .heading = 0.0},
                     ahead);
-  link_.SendStamped(app_, topics::kFogYawRate, 1.0, ahead);
+  link_.SendStamped(*app_, topics::kFogYawRate, 1.0, ahead);
   DvlSample dvl;
   dvl.has_lock = true;
   dvl.u = 3.0, dvl.v = 0.0, dvl.w = 0.0;
-  link_.SendStamped(app_, topics::kDvlData, dvl, ahead);
-  link_.SendStamped(app_, topics::kDepthSensor, 9.0, ahead);
-  link_.SendStamped(app_, topics::kGpsData, GpsFix{.north = 99.0, .east = 99.0, .sd = 0.4}, ahead);
-  link_.Send(app_, topics::kDetections, Detections{.frame = 1, .exposure = ahead, .boxes = {}});
+  link_.SendStamped(*app_, topics::kDvlData, dvl, ahead);
+  link_.SendStamped(*app_, topics::kDepthSensor, 9.0, ahead);
+  link_.SendStamped(*app_, topics::kGpsData, GpsFix{.north = 99.0, .east = 99.0, .sd = 0.4}, ahead);
+  link_.Send(*app_, topics::kDetections, Detections{.frame = 1, .exposure = ahead, .boxes = {}});
   for (const char* name :
        {"IMU_DATA", "FOG_YAW_RATE", "DVL_DATA", "DEPTH_SENSOR", "GPS_DATA", "DETECTIONS"}) {
-    EXPECT_TRUE(app_.warnings().contains(std::string("STAMP_FROM_FUTURE_") + name)) << name;
+    EXPECT_TRUE(app_->warnings().contains(std::string("STAMP_FROM_FUTURE_") + name)) << name;
   }
   RunFor(30.0);
   const auto state = link_.Last(topics::kNavState);
   EXPECT_NEAR(state->east, east_, 0.05);
   EXPECT_NEAR(state->yaw, 0.5 * M_PI, 0.01);
   EXPECT_TRUE(state->is_usable());
-  EXPECT_FALSE(app_.warnings().contains("STAMP_FROM_FUTURE_IMU_DATA"));
+  EXPECT_FALSE(app_->warnings().contains("STAMP_FROM_FUTURE_IMU_DATA"));
 }
 
 TEST_F(NavAppTest, SaysTheAgeOfEachSourceAndThatAllAreValid) {
@@ -231,7 +234,7 @@ TEST_F(NavAppTest, PublishesNoFrozenEstimateAsFreshWhenAllSensorsFallSilent) {
   EXPECT_GT(state->sd_down, 100.0);
   EXPECT_GT(state->sd_yaw, 1.5);
   for (const char* id : {"IMU_STALE", "FOG_STALE", "DVL_STALE", "DEPTH_STALE", "NAV_INVALID"}) {
-    EXPECT_TRUE(app_.warnings().contains(id)) << id;
+    EXPECT_TRUE(app_->warnings().contains(id)) << id;
   }
 }
 
@@ -240,7 +243,7 @@ TEST_F(NavAppTest, EverySensorsWarningIsOverWhenTheSensorIsBack) {
     std::vector<std::string> ids;
     for (const char* id :
          {"IMU_STALE", "FOG_STALE", "DVL_STALE", "DVL_NO_LOCK", "DEPTH_STALE", "NAV_INVALID"}) {
-      if (app_.warnings().contains(id)) ids.emplace_back(id);
+      if (app_->warnings().contains(id)) ids.emplace_back(id);
     }
     return ids;
   };
@@ -260,7 +263,7 @@ TEST_F(NavAppTest, IsBackWhenItsSensorsAreAndUnsureUntilTheNextFix) {
   const auto unsure = link_.Last(topics::kNavState);
   EXPECT_TRUE(unsure->is_usable());
   EXPECT_GT(unsure->sd_north, 100.0);
-  EXPECT_FALSE(app_.warnings().contains("NAV_INVALID"));
+  EXPECT_FALSE(app_->warnings().contains("NAV_INVALID"));
   has_gps_ = true;
   RunFor(20.0);
   const auto sure = link_.Last(topics::kNavState);
@@ -273,17 +276,17 @@ TEST_F(NavAppTest, TheSilenceOfOneSourceIsNamedAndNavigationGoesOn) {
   has_gps_ = false;
   for (int i = 0; i < 500; ++i, ++step_) {  // 10 s of attitude and depth alone
     link_.time = Seconds(1767225600.0 + 0.02 * step_);
-    link_.Send(app_, topics::kFogYawRate, 0.0);
-    link_.Send(app_, topics::kImuData, ImuSample{.fz = -9.81, .heading = 0.5 * M_PI});
-    if (step_ % 10 == 0) link_.Send(app_, topics::kDepthSensor, 1.0);
-    if (step_ % 5 == 0) app_.Tick(link_.time);
+    link_.Send(*app_, topics::kFogYawRate, 0.0);
+    link_.Send(*app_, topics::kImuData, ImuSample{.fz = -9.81, .heading = 0.5 * M_PI});
+    if (step_ % 10 == 0) link_.Send(*app_, topics::kDepthSensor, 1.0);
+    if (step_ % 5 == 0) app_->Tick(link_.time);
   }
   const auto state = link_.Last(topics::kNavState);
   EXPECT_TRUE(state->is_usable());
   EXPECT_EQ(state->dvl.is_valid, false);
   EXPECT_EQ(state->gps.is_valid, false);
   EXPECT_EQ(state->depth.is_valid, true);
-  EXPECT_TRUE(app_.warnings().contains("DVL_STALE"));
+  EXPECT_TRUE(app_->warnings().contains("DVL_STALE"));
 }
 
 TEST_F(NavAppTest, AnImuWhoseClockWasSetBackCostsNoHeading) {
@@ -294,17 +297,17 @@ TEST_F(NavAppTest, AnImuWhoseClockWasSetBackCostsNoHeading) {
     link_.time = Seconds(1767225600.0 + 0.02 * step_);
     yaw += rate * 0.02;
     const Seconds stamp = link_.time - Seconds(i < 250 ? 0.0 : 1.0);
-    link_.SendStamped(app_, topics::kFogYawRate, rate, stamp);
-    link_.SendStamped(app_, topics::kImuData,
+    link_.SendStamped(*app_, topics::kFogYawRate, rate, stamp);
+    link_.SendStamped(*app_, topics::kImuData,
                       ImuSample{.fz = -9.81, .r = rate, .heading = WrapAngle(yaw)}, stamp);
-    if (step_ % 10 == 0) link_.Send(app_, topics::kDepthSensor, 1.0);
-    if (step_ % 5 == 0) app_.Tick(link_.time);
+    if (step_ % 10 == 0) link_.Send(*app_, topics::kDepthSensor, 1.0);
+    if (step_ % 5 == 0) app_->Tick(link_.time);
   }
   // Its samples are taken for a second older than they are; the estimate leads them by 0.3 s.
   const auto state = link_.Last(topics::kNavState);
   EXPECT_LT(std::abs(WrapAngle(state->yaw - (yaw + 0.3 * rate))), 0.05);
   ReportLines report;
-  app_.Report(report);
+  app_->Report(report);
   EXPECT_THAT(report.Text(), testing::HasSubstr("Out of order: 50 of the IMU"));
 }
 
@@ -312,10 +315,28 @@ TEST_F(NavAppTest, ShowsTheOperatorTheAgeOfEachSource) {
   RunFor(20.0);
   StayDeaf(60.0);
   ReportLines report;
-  app_.Report(report);
+  app_->Report(report);
   EXPECT_THAT(report.Text(), testing::ContainsRegex("IMU +59.9 +no"));
   EXPECT_THAT(report.Text(), testing::ContainsRegex("camera +never heard +no"));
   EXPECT_THAT(report.Text(), testing::HasSubstr("NOT VALID"));
+}
+
+TEST_F(NavAppTest, TurnsTheVelocityOfADvlThatIsMountedTurned) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "vehicle.yaml")
+      << "based_on: feelhippo.yaml\nname: Turned\ndvl: {yaw_deg: 180}\n";
+  AppContext context = MakeContext();
+  context.globals = {{"VehicleFile", "vehicle.yaml", {}}};
+  context.mission_folder = folder.path();
+  app_.emplace(context, NavApp::Params{});
+  RunFor(20.0, -0.5);  // the DVL says astern, and is mounted astern
+  EXPECT_NEAR(link_.Last(topics::kNavState)->u, 0.5, 0.01);
+}
+
+TEST_F(NavAppTest, IsNotBuiltWithoutAVehicle) {
+  AppContext context = MakeContext();
+  context.globals.clear();
+  EXPECT_THROW(NavApp(context, NavApp::Params{}), ConfigError);
 }
 
 }  // namespace

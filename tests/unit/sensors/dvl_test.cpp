@@ -165,5 +165,23 @@ TEST(SoundScene, FindsASlopingSeabedToATenthOfAMillimetre) {
   EXPECT_NEAR(hit.z(), seabed(hit.x(), hit.y()), 2e-4);
 }
 
+TEST(DvlModel, MeasuresInItsOwnFrame) {
+  DvlModel::Params params = Perfect();
+  params.sheet.yaw = Radians::FromTextUnit(90.0);
+  DvlModel dvl(params, FlatScene(), Random(1));
+  SimTruth truth = Cruising();
+  truth.r = 0.0;
+  const DvlSample sample = *dvl.Sample(truth, Seconds(0.0));
+  EXPECT_NEAR(*sample.u, 0.0, 1e-9);
+  EXPECT_NEAR(*sample.v, -0.5, 1e-9) << "ahead of the vehicle is to port of a DVL turned right";
+}
+
+TEST(DvlModel, HasNoLockBelowItsLeastAltitude) {
+  DvlModel::Params params = Perfect();
+  params.sheet.least_altitude = Meters(5.0);
+  DvlModel dvl(params, FlatScene(), Random(1));
+  EXPECT_FALSE(dvl.Sample(Cruising(), Seconds(0.0))->has_lock);
+}
+
 }  // namespace
 }  // namespace limpet

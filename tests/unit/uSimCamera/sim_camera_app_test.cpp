@@ -123,5 +123,17 @@ TEST_F(SimCamera, RefusesAScenarioThatIsNotThere) {
   EXPECT_THROW(Make("discovery", params), ConfigError);
 }
 
+TEST_F(SimCamera, PublishesAFrameItsLatencyAfterTheExposure) {
+  SimCameraApp::Params params;
+  params.camera = "boxes";
+  params.timing.latency = Seconds(0.3);
+  SimCameraApp app = Make("discovery", params);
+  Fly(app, 0.2, 3.5);
+  EXPECT_EQ(CountOf("DETECTIONS"), 0);
+  Fly(app, 0.2, 3.5);
+  EXPECT_EQ(CountOf("DETECTIONS"), 1);
+  EXPECT_GT((link_.time - link_.Last(topics::kDetections)->exposure).value(), 0.3);
+}
+
 }  // namespace
 }  // namespace limpet
