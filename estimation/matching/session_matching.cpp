@@ -80,6 +80,7 @@ class SessionMatcher {
         if (ColorCost(a, b) > gate_) continue;
         FrameOffset shifted{.pivot = pivot_};
         shifted.shift = b.p_W.head<2>() - a.p_W.head<2>();
+        shifted.down = DownFrom(a, b);
         AddStart(shifted, a.p_W, starts);
         for (const ObjectEstimate* neighbour : neighbours)
           AddTurned(a, b, *neighbour, starts);
@@ -118,6 +119,7 @@ class SessionMatcher {
       FrameOffset turned{.pivot = pivot_};
       turned.turn = std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
       turned.shift = (b.p_W - turned.Apply(a.p_W)).head<2>();
+      turned.down = DownFrom(a, b);
       AddStart(turned, std::nullopt, starts);
     }
   }
@@ -139,6 +141,11 @@ class SessionMatcher {
       });
     }
     starts.push_back({offset, near - improbable / gate_});
+  }
+
+  /// What one pair says of the depth between the frames, weighed with the prior.
+  [[nodiscard]] double DownFrom(const ObjectEstimate& a, const ObjectEstimate& b) const {
+    return (b.p_W.z() - a.p_W.z()) / (1.0 + prior_(2, 2) * PairCovariance(a, b)(2, 2));
   }
 
   [[nodiscard]] double PriorCost(const FrameOffset& offset) const {
