@@ -11,7 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include "limpet/mission/mission_file.hpp"
+#include "limpet/mission/mission_lines.hpp"
 #include "limpet/mission/source_text.hpp"
+#include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/runs/written_files.hpp"
 #include "limpet/session/checksum.hpp"
 #include "limpet/session/durable_file.hpp"
@@ -82,6 +84,29 @@ void AddPlugs(const fs::path& folder, const fs::path& file, RunConfiguration& to
   to.parts[file.filename().string().append(kExpanded)] = ChecksumOf(expanded);
 }
 
+/// The file of the vehicle that the mission names, or an option `VehicleFile=`, and those it is
+/// based on.
+void AddVehicle(const fs::path& folder, const std::vector<std::string>& options,
+                RunConfiguration& to) {
+  std::vector<std::string> named;
+  for (const TextLine& line : LinesOf(folder / "mission.moos")) {
+    const KeyValue pair = SplitKeyValue(line.text);
+    if (EqualsIgnoringCase(pair.key, kVehicleFileGlobal)) named.push_back(pair.value);
+  }
+  for (const std::string& option : options) {
+    const std::string setting = option.substr(option.rfind(' ') + 1);
+    const std::size_t value = setting.rfind('=');
+    if (value != std::string::npos && setting.find(kVehicleFileGlobal) != std::string::npos) {
+      named.push_back(setting.substr(value + 1));
+    }
+  }
+  for (const std::string& name : named) {
+    for (const fs::path& file : VehicleFileChain(FindVehicleFile(name, folder))) {
+      to.parts[file.filename().string()] = ChecksumOfFile(file);
+    }
+  }
+}
+
 /// Of a file that differs itself, what it expands to need not be named.
 bool IsToldAlready(const std::string& name, const RunConfiguration& before,
                    const RunConfiguration& now) {
@@ -104,6 +129,7 @@ RunConfiguration RunConfiguration::Of(const fs::path& mission_folder,
       AddPlugs(mission_folder, entry.path(), configuration);
     }
   }
+  AddVehicle(mission_folder, options, configuration);
   configuration.parts[kOptionsPart] = fmt::format("{}", fmt::join(options, " "));
   configuration.parts[kProgramPart] = ChecksumOfFile("/proc/self/exe");
   return configuration;

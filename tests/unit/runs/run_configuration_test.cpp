@@ -52,6 +52,23 @@ TEST_F(RunConfigurationTest, KnowsThePlugsOfTheMission) {
       ElementsAre("mission.moos with its plugs and macros has changed", "plug_a.moos has changed"));
 }
 
+TEST_F(RunConfigurationTest, KnowsTheVehicleAndTheOneItIsBasedOn) {
+  Put("m/mission.moos", "VehicleFile = own.yaml\n");
+  Put("share/vehicles/own.yaml", "based_on: base.yaml\n");
+  Put("share/vehicles/base.yaml", "name: a\n");
+  const RunConfiguration before = Now();
+  Put("share/vehicles/base.yaml", "name: b\n");
+  EXPECT_THAT(DifferencesBetween(before, Now()), ElementsAre("base.yaml has changed"));
+}
+
+TEST_F(RunConfigurationTest, KnowsTheVehicleThatAnOptionNames) {
+  Put("share/vehicles/other.yaml", "name: a\n");
+  const RunConfiguration before = Now("--set=VehicleFile=other.yaml");
+  Put("share/vehicles/other.yaml", "name: b\n");
+  EXPECT_THAT(DifferencesBetween(before, Now("--set=VehicleFile=other.yaml")),
+              ElementsAre("other.yaml has changed"));
+}
+
 TEST_F(RunConfigurationTest, LeavesOutWhatNoRunReads) {
   const RunConfiguration before = Now();
   Put("m/README.md", "a mission");
