@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <fstream>
 
 #include <nlohmann/json.hpp>
 
 #include "limpet/core/config.hpp"
+#include "limpet/core/frames.hpp"
 #include "limpet/report/report_json.hpp"
 #include "limpet/session/session_name.hpp"
 
@@ -80,6 +82,7 @@ OrderedJson SettingsJson(const ReportSettings& settings) {
           {"fov_across_rad", camera.fov_across()},
           {"fov_along_rad", camera.fov_along()},
           {"lever_arm_m", {camera.p_BC.x(), camera.p_BC.y(), camera.p_BC.z()}},
+          {"tilt_rad", std::atan2(camera.R_BC(0, 2), camera.R_BC(2, 2))},
           {"altitude_m", settings.altitude_m},
           {"frame_rate_hz", settings.frame_rate_hz},
           {"object_radius_m", settings.object_radius_m},
@@ -112,6 +115,8 @@ ReportSettings SettingsFrom(const OrderedJson& in) {
                                         in.at("fov_across_rad"), in.at("fov_along_rad"));
   const OrderedJson& lever = in.at("lever_arm_m");
   camera.p_BC = PointFrom(lever);
+  const double tilt = in.value("tilt_rad", 0.0);  // none in a run of an older version
+  if (tilt != 0.0) camera.R_BC = RotationFromRollPitchYaw(0.0, tilt, 0.0) * camera.R_BC;
   settings.altitude_m = in.at("altitude_m");
   settings.frame_rate_hz = in.at("frame_rate_hz");
   settings.object_radius_m = in.at("object_radius_m");

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limpet/core/config.hpp"
+#include "limpet/core/frames.hpp"
 #include "limpet/report/report_json.hpp"
 #include "tests/support/synthetic_session.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -256,6 +257,16 @@ TEST(ReportHtml, EscapesNamesOfTheMission) {
     EXPECT_THAT(text, Not(HasSubstr("<script>"))) << name;
     EXPECT_THAT(text, Not(HasSubstr("<b>m"))) << name;
   }
+}
+
+TEST(ReadRun, KeepsHowTheCameraIsTilted) {
+  const TemporaryFolder run;
+  ReportSettings settings = Table1Settings();
+  settings.camera_geometry.R_BC =
+      RotationFromRollPitchYaw(0.0, 0.3, 0.0) * CameraModel::LookingDown();
+  std::ofstream(run.path() / "run.json") << RunJson(settings, Table1Scenario());
+  EXPECT_TRUE(
+      ReadRun(run.path()).settings.camera_geometry.R_BC.isApprox(settings.camera_geometry.R_BC));
 }
 
 TEST(ReadRun, RefusesASessionsNameThatLeavesTheFolder) {
