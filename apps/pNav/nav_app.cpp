@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "apps/pNav/nav_block.hpp"
+#include "estimation/navigation/measurement_source.hpp"
 #include "estimation/navigation/sensor_beliefs.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/vehicle_file/vehicle_file.hpp"
@@ -63,6 +65,22 @@ NavApp::NavApp(const AppContext& context, const Params& params, const SensorShee
   Subscribe(topics::kDetections, &NavApp::OnDetections);
   Subscribe(topics::kSessionPrior, &NavApp::OnPrior);
   Subscribe(topics::kMapSnapshotRequest, &NavApp::OnSnapshotRequest);
+}
+
+void NavApp::Hear(const std::string& name, std::unique_ptr<MeasurementSource> source) {
+  const MeasurementSource* heard = source.get();
+  const int number = navigator_.AddSource(std::move(source));
+  aiding_.push_back(name);
+  SubscribeRaw(heard->variable(), [this, heard, number](const MessagePtr& message) {
+    if (!HasUsableStamp(message->name, message->time, message->source)) return;
+    auto seen = heard->Observe(message->time.value(), message->value);
+    if (seen == nullptr) {
+      Warn(warnings::kBadMail.Of(message->name), "makes no sense; sent by " + message->source);
+      return;
+    }
+    ClearWarning(warnings::kBadMail, message->name);
+    navigator_.AddObservation(number, std::move(seen));
+  });
 }
 
 void NavApp::OnFog(const Stamped<double>& rate) {
@@ -260,6 +278,16 @@ void NavApp::PublishBeams(const Stamped<DvlSample>& dvl) {
                                         .b4 = sample.b4});
 }
 
-LIMPET_REGISTER_APP(NavApp, "pNav", 10.0);
+namespace {
 
+/// As LIMPET_REGISTER_APP, with the keys of the sources that a block names.
+const bool is_registered = [] {
+  AppEntry entry = MakeAppEntry<NavApp>(10.0);
+  entry.create = CreateNavApp;
+  entry.check = CheckNavBlock;
+  AppRegistry()["pNav"] = std::move(entry);
+  return true;
+}();
+
+}  // namespace
 }  // namespace limpet

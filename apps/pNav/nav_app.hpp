@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "apps/pNav/source_watch.hpp"
 #include "apps/pNav/track_watch.hpp"
 #include "estimation/attitude/attitude_filter.hpp"
@@ -36,6 +40,7 @@ class NavApp final : public App {
     Meters node_distance{0.5};
     MatchingParams session = DefaultMatching();
     CameraParams camera;
+    std::string sources = "none";
 
     template <class Visitor>
     void Describe(Visitor& visit) {
@@ -66,11 +71,16 @@ class NavApp final : public App {
             InRange(0.05_m, 10.0_m));
       session.Describe(visit);
       camera.Describe(visit);
+      visit("sources", sources,
+            "Further sensors that are heard, e.g. acoustic_fix, magnetic_heading; each brings keys "
+            "of its own, behind its name");
     }
   };
 
   /// Throws ConfigError without the vehicle's file.
   NavApp(const AppContext& context, const Params& params);
+  /// A further sensor; before the first mail.
+  void Hear(const std::string& name, std::unique_ptr<MeasurementSource> source);
   void Tick(Seconds now) override;
   void Report(ReportLines& report) const override;
 
@@ -100,6 +110,7 @@ class NavApp final : public App {
   [[nodiscard]] bool IsValid(double now) const;
   void AddSources(double now, NavState& state) const;
   void ReportSources(ReportLines& report) const;
+  void ReportAiding(ReportLines& report) const;
 
   NavApp(const AppContext& context, const Params& params, const SensorSheets& sheets);
 
@@ -108,6 +119,7 @@ class NavApp final : public App {
   Seconds stale_after_;   ///< as the mission says, and at least half a second of real time
   AttitudeFilter attitude_;
   Navigator navigator_;
+  std::vector<std::string> aiding_;  ///< names of the further sensors
   TrackWatch track_watch_;
   double last_attitude_t_ = -1e18;
   SourceWatch imu_, fog_, dvl_, lock_, depth_, gps_, camera_;

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What an operator sees of the navigation.
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
 
 #include <fmt/format.h>
 
 #include "apps/pNav/nav_app.hpp"
+#include "estimation/navigation/aiding_sources.hpp"
 
 namespace limpet {
 namespace {
@@ -56,6 +60,27 @@ void NavApp::ReportSources(ReportLines& report) const {
   report.Blank();
 }
 
+void NavApp::ReportAiding(ReportLines& report) const {
+  if (aiding_.empty()) return;
+  ReportTable table({"further source", ">taken", ">refused", ">late", "its own errors, 1-sigma"});
+  const AidingSources& all = navigator_.aiding();
+  for (int i = 0; i < all.size(); ++i) {
+    const SourceCounts& counts = all.counts(i);
+    std::string errors;
+    const auto known = all.source(i).Errors();
+    const auto now = navigator_.has_started() ? all.ErrorsOf(i) : std::nullopt;
+    for (std::size_t k = 0; known && now && k < known->names.size(); ++k) {
+      const auto axis = static_cast<Eigen::Index>(k);
+      errors += fmt::format("{}{} {:.3f} +- {:.3f}", k == 0 ? "" : ", ", known->names[k],
+                            now->value(axis), now->sd(axis));
+    }
+    table.AddRow({aiding_[static_cast<std::size_t>(i)], std::to_string(counts.taken),
+                  std::to_string(counts.refused), std::to_string(counts.late), errors});
+  }
+  report.Add(table);
+  report.Blank();
+}
+
 void NavApp::Report(ReportLines& report) const {
   const NavigatorCounts& refused = navigator_.counts();
   report.Pair("Alignment", attitude_.is_aligned() ? "done" : "under way");
@@ -67,6 +92,7 @@ void NavApp::Report(ReportLines& report) const {
   report.Pair("Out of order", fmt::format("{} of the IMU, {} of others", attitude_.refused(),
                                           refused.stale_samples));
   ReportSources(report);
+  ReportAiding(report);
   if (!navigator_.has_started()) {
     report.Pair("State", "waiting for heading and a GPS fix");
     return;

@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "estimation/navigation/aiding_sources.hpp"
+
 namespace limpet {
 namespace {
 
@@ -22,7 +24,18 @@ Navigator::Navigator(const NavigatorParams& params)
       smoother_(params.smoother),
       tracker_(smoother_, params_.camera, params.objects),
       chain_(params_, smoother_, measurements_),
-      former_(params.session, smoother_, tracker_) {}
+      former_(params.session, smoother_, tracker_),
+      aiding_(std::make_unique<AidingSources>(smoother_)) {}
+
+Navigator::~Navigator() = default;
+
+int Navigator::AddSource(std::unique_ptr<MeasurementSource> source) {
+  return aiding_->Add(std::move(source));
+}
+
+void Navigator::AddObservation(int source, std::shared_ptr<mrpt::obs::CObservation> seen) {
+  aiding_->Keep(source, std::move(seen));
+}
 
 std::optional<double> Navigator::attitude_time() const {
   const OdometryTrack& track = measurements_.track();
@@ -55,13 +68,18 @@ void Navigator::StartIfPossible(double limit) {
   while (!fixes.empty() && fixes.front().t < begin)
     fixes.pop_front();
   if (!fixes.empty() && fixes.front().t <= limit) {
-    chain_.Begin(fixes.front().t, fixes.front().p_W);
+    Begin(fixes.front().t, fixes.front().p_W);
     return;
   }
   if (!first_time_) first_time_ = begin;
   if (params_.fix_wait.value() > 0.0 && limit - *first_time_ > params_.fix_wait.value()) {
-    chain_.Begin(begin, Eigen::Vector2d::Zero());
+    Begin(begin, Eigen::Vector2d::Zero());
   }
+}
+
+void Navigator::Begin(double t, const Eigen::Vector2d& p_W) {
+  chain_.Begin(t, p_W);
+  aiding_->Begin();
 }
 
 void Navigator::WorkOff(double limit) {
@@ -72,13 +90,16 @@ void Navigator::WorkOff(double limit) {
   while (true) {
     const double fix_t = fixes.empty() ? kNever : fixes.front().t;
     const double frame_t = frame == frames.end() ? kNever : frame->exposure.value();
+    const double seen_t = aiding_->NextTime().value_or(kNever);
     const double keyframe_t = chain_.NextKeyframe();
-    if (std::min({fix_t, frame_t, keyframe_t}) > limit) {
+    if (std::min({fix_t, frame_t, seen_t, keyframe_t}) > limit) {
       break;
     }
-    if (fix_t <= std::min(frame_t, keyframe_t)) {
+    if (fix_t <= std::min({frame_t, seen_t, keyframe_t})) {
       TakeFix(fixes.front());
       fixes.pop_front();
+    } else if (seen_t <= std::min(frame_t, keyframe_t)) {
+      TakeObservation(seen_t);
     } else if (frame_t <= keyframe_t) {
       TakeFrame(*frame);
       ++frame;
@@ -103,6 +124,20 @@ void Navigator::TakeFix(const PositionFix& fix) {
     former_.Update();     // what no match explained in the dive may be clear now:
     ++landmark_version_;  // after it a fix moves all landmarks
   }
+}
+
+void Navigator::TakeObservation(double t) {
+  if (chain_.IsTooLate(t)) {
+    aiding_->Drop();
+    return;
+  }
+  auto offer = aiding_->Take();
+  if (!offer) return;
+  if (aiding_->Use(*std::move(offer), NodeAt(t))) {
+    measurements_.track().NoteFix(t);
+    ++landmark_version_;
+  }
+  tracker_.Refresh();
 }
 
 void Navigator::TakeFrame(const Detections& frame) {

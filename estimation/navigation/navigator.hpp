@@ -2,6 +2,7 @@
 // The estimator behind pNav and `limpet nav`: measurements in, poses and landmarks out.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,7 +18,14 @@
 #include "estimation/navigation/pose_chain.hpp"
 #include "estimation/navigation/water_model.hpp"
 
+namespace mrpt::obs {
+class CObservation;
+}
+
 namespace limpet {
+
+class AidingSources;
+class MeasurementSource;
 
 /// A pose of the chain, smoothed.
 struct SmoothedPose {
@@ -32,7 +40,7 @@ struct SmoothedPose {
 class Navigator {
  public:
   explicit Navigator(const NavigatorParams& params);
-  ~Navigator() = default;
+  ~Navigator();
   Navigator(const Navigator&) = delete;
   Navigator& operator=(const Navigator&) = delete;
 
@@ -50,6 +58,10 @@ class Navigator {
     measurements_.AddFix({.t = t, .p_W = p_W, .sd = sd});
   }
   void AddFrame(const Detections& frame) { measurements_.AddFrame(frame); }
+  /// A sensor beside these; its number. Before the first measurement.
+  int AddSource(std::unique_ptr<MeasurementSource> source);
+  /// What the source of that number has seen, at its own time.
+  void AddObservation(int source, std::shared_ptr<mrpt::obs::CObservation> seen);
   void SetFormerSession(FormerSession former) { former_.SetFormer(std::move(former)); }
   void Advance(double now);
   /// Works off what is left and iterates to the optimum.
@@ -83,14 +95,17 @@ class Navigator {
   /// Of the former session's frame in this one; as it was before any match.
   [[nodiscard]] const FrameOffset& former_offset() const { return former_.offset(); }
   [[nodiscard]] int node_count() const { return chain_.size(); }
+  [[nodiscard]] const AidingSources& aiding() const { return *aiding_; }
   [[nodiscard]] const NavigatorCounts& counts() const { return measurements_.counts(); }
 
  private:
   void StartIfPossible(double limit);
+  void Begin(double t, const Eigen::Vector2d& p_W);
   /// Fixes, frames and keyframes up to `limit`, in order of time.
   void WorkOff(double limit);
   int NodeAt(double t);
   void TakeFix(const PositionFix& fix);
+  void TakeObservation(double t);
   void TakeFrame(const Detections& frame);
   void ReviewObjects(double t);
   void ConvergeAndRefresh(SolveReport& report);
@@ -103,6 +118,7 @@ class Navigator {
   ObjectTracker tracker_;
   PoseChain chain_;
   FormerMatching former_;
+  std::unique_ptr<AidingSources> aiding_;
   std::vector<ObservedFrame> posed_;
   std::optional<double> first_time_;  ///< of an attitude, while no fix has come
   double last_review_t_ = -1e18;

@@ -2,11 +2,15 @@
 #include "limpet/describe/parameter_list.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "estimation/navigation/source_factory.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/describe/markdown_cell.hpp"
 #include "limpet/helm/registry.hpp"
@@ -21,17 +25,32 @@ using OrderedJson = nlohmann::ordered_json;
 using Kind = ParameterOwner::Kind;
 
 const char* NameOf(Kind kind) {
-  return kind == Kind::kApp ? "app" : kind == Kind::kBehavior ? "behavior" : "detector";
+  switch (kind) {
+    case Kind::kApp:
+      return "app";
+    case Kind::kBehavior:
+      return "behavior";
+    case Kind::kDetector:
+      return "detector";
+    case Kind::kSource:
+      return "measurement source";
+  }
+  return "";
 }
 
-/// Keys that all owners of a kind take, or that the block takes which a detector's keys stand in.
+/// The app in whose block the keys of this kind stand beside its own; none of those that have one.
+std::string_view HostOf(Kind kind) {
+  return kind == Kind::kDetector ? "pDetect" : kind == Kind::kSource ? "pNav" : "";
+}
+
+/// Keys that all owners of a kind take, or that the block takes which this kind's keys stand in.
 std::vector<std::string> CommonKeysOf(Kind kind) {
-  if (kind != Kind::kDetector) {
+  if (HostOf(kind).empty()) {
     return kind == Kind::kApp ? CommonAppKeys() : CommonBehaviorKeys();
   }
   std::vector<std::string> keys;
-  std::ranges::transform(AppRegistry().at("pDetect").describe(), std::back_inserter(keys),
-                         &ParamSpec::name);
+  std::ranges::transform(AppRegistry().at(std::string(HostOf(kind))).describe(),
+                         std::back_inserter(keys), &ParamSpec::name);
   return keys;
 }
 
@@ -107,6 +126,13 @@ std::vector<ParameterOwner> AllParameterOwners() {
                       .tick_hz = {},
                       .parameters = (*FindDetector(name))->Parameters()});
   }
+  for (const std::string& name : SourceNames()) {
+    std::vector<ParamSpec> parameters = (*FindSource(name))->Parameters();
+    for (ParamSpec& parameter : parameters)
+      parameter.name = name + "_" + parameter.name;
+    owners.push_back(
+        {.name = name, .kind = Kind::kSource, .tick_hz = {}, .parameters = std::move(parameters)});
+  }
   return owners;
 }
 
@@ -124,9 +150,9 @@ std::string PlainText(const ParameterOwner& owner) {
       text += fmt::format("      else the vehicle's file, {}\n", vehicle);
     }
   }
-  const std::string beside = owner.kind == Kind::kDetector
-                                 ? std::string("in the block of pDetect, beside its own")
-                                 : fmt::format("and as every {}", NameOf(owner.kind));
+  const std::string_view host = HostOf(owner.kind);
+  const std::string beside = host.empty() ? fmt::format("and as every {}", NameOf(owner.kind))
+                                          : fmt::format("in the block of {}, beside its own", host);
   return text + fmt::format("\n  {}: {}\n", beside, fmt::join(CommonKeysOf(owner.kind), ", "));
 }
 
@@ -138,8 +164,8 @@ std::string Json(const std::vector<ParameterOwner>& owners) {
 
 std::string Markdown(const std::vector<ParameterOwner>& owners) {
   std::string page =
-      "# Parameters\n\nWhat the blocks of `mission.moos` (apps, and the detector that pDetect "
-      "uses) "
+      "# Parameters\n\nWhat the blocks of `mission.moos` (apps, the detector that pDetect "
+      "uses, the measurement sources of pNav) "
       "and of `.bhv` files (behaviors) may set. Generated: `limpet describe parameters --markdown "
       "> "
       "docs/parameters.md`.\n\nA parameter with a global may be said once for the whole mission, "
@@ -158,6 +184,9 @@ std::string Markdown(const std::vector<ParameterOwner>& owners) {
   add(Kind::kBehavior, "Behaviors", "Every behavior also takes");
   add(Kind::kDetector, "Detectors",
       "Chosen by `detector` in the block of pDetect, which takes these keys beside its own");
+  add(Kind::kSource, "Measurement sources",
+      "Sensors that aid the estimate, heard if `sources` in the block of pNav names them; it takes "
+      "these keys beside its own");
   return page;
 }
 

@@ -9,16 +9,17 @@
 
 namespace limpet {
 
-/// What a mission file may set of an app, a behavior or a detector.
+/// What a mission file may set of an app, a behavior, a detector or a measurement source.
 struct ParameterOwner {
-  enum class Kind { kApp, kBehavior, kDetector };
+  enum class Kind { kApp, kBehavior, kDetector, kSource };
   std::string name;
   Kind kind = Kind::kApp;
   std::optional<double> tick_hz;  ///< an app's default AppTick; absent for all others
   std::vector<ParamSpec> parameters;
 };
 
-/// Every registered app, then every registered behavior, then every registered detector, by name.
+/// Every registered app, then every behavior, then every detector, then every measurement source,
+/// by name.
 [[nodiscard]] std::vector<ParameterOwner> AllParameterOwners();
 
 /// For a terminal.

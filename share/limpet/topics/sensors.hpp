@@ -59,6 +59,15 @@ struct GpsFix {
   }
 };
 
+/// A fix by an acoustic positioning system in the mission's local frame [m], of the body origin.
+struct UsblFix {
+  double north = 0.0, east = 0.0, down = 0.0, sd = 0.0;
+  template <class V>
+  void Describe(V& visit) {
+    visit("north", north), visit("east", east), visit("down", down), visit("sd", sd);
+  }
+};
+
 /// One image, 8-bit BGR, row-major, as exposed at `exposure` (MOOS time).
 struct CameraFrame {
   std::uint32_t frame = 0;
@@ -100,6 +109,11 @@ inline const auto kDvlData = Declare<DvlSample>(
 inline const auto kGpsData = Declare<GpsFix>(
     "GPS_DATA", "GPS fix in the mission's local frame",
     {.unit = "m", .frame = "NED", .rate = "1 Hz at the surface", .writers = {"uSimSensors"}});
+inline const auto kUsblFix =
+    Declare<UsblFix>("USBL_FIX",
+                     "fix by an acoustic positioning system; heard if pNav's `sources` "
+                     "name acoustic_fix",
+                     {.unit = "m", .frame = "NED", .rate = "as it comes", .writers = {}});
 inline const auto kCameraFrame = Declare<CameraFrame>(
     "CAMERA_FRAME", "down-looking image, 8-bit BGR",
     {.unit = "px, s", .frame = "image", .rate = "4 Hz", .writers = {"uSimCamera"}});

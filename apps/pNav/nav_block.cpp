@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pNav/nav_block.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+
+#include "estimation/navigation/measurement_source.hpp"
+#include "limpet/app/registry.hpp"
+
+namespace limpet {
+namespace {
+
+/// The names in a block's `sources`.
+std::vector<std::string> NamesIn(const ConfigEntry& entry) {
+  std::vector<std::string> names;
+  for (const std::string& part : Split(entry.value, ',')) {
+    const std::string name(Trim(part));
+    if (!name.empty() && !EqualsIgnoringCase(name, "none")) names.push_back(name);
+  }
+  return names;
+}
+
+std::vector<ParamSpec> PrefixedKeys(const std::string& name, SourceFactory& factory) {
+  std::vector<ParamSpec> specs = factory.Parameters();
+  for (ParamSpec& spec : specs)
+    spec.name = name + "_" + spec.name;
+  return specs;
+}
+
+/// MOOS's keys; where a source is unknown, those of all sources too: one slip is one problem.
+std::vector<std::string> KeysOfOthers(bool are_all_known) {
+  std::vector<std::string> keys = CommonAppKeys();
+  for (const std::string& name : are_all_known ? std::vector<std::string>() : SourceNames()) {
+    auto factory = *FindSource(name);
+    std::ranges::transform(PrefixedKeys(name, *factory), std::back_inserter(keys),
+                           &ParamSpec::name);
+  }
+  return keys;
+}
+
+}  // namespace
+
+NavBlock::NavBlock(const ConfigBlock& block) {
+  std::vector<ParamSpec> specs = DescribeParams(params);
+  std::vector<ConfigProblem> unknown;
+  const ConfigEntry* entry = block.Find("sources");
+  for (const std::string& name : entry != nullptr ? NamesIn(*entry) : std::vector<std::string>()) {
+    const bool is_twice = std::ranges::count(sources, name, [](const auto& s) { return s.first; });
+    auto found = FindSource(name);
+    if (is_twice || !found) {
+      const std::string why = found ? "`" + name + "` stands there twice" : found.error().text;
+      unknown.push_back({.where = entry->where, .key = entry->key, .text = why});
+      continue;
+    }
+    sources.emplace_back(name, *std::move(found));
+    std::ranges::move(PrefixedKeys(name, *sources.back().second), std::back_inserter(specs));
+  }
+  problems = ApplyBlock(block, specs, KeysOfOthers(unknown.empty()));
+  std::ranges::move(unknown, std::back_inserter(problems));
+}
+
+std::vector<ConfigProblem> CheckNavBlock(const ConfigBlock& block) {
+  std::vector<ConfigProblem> problems = CheckCommonAppKeys(block);
+  std::ranges::move(NavBlock(block).problems, std::back_inserter(problems));
+  return problems;
+}
+
+std::unique_ptr<App> CreateNavApp(const AppContext& context, const ConfigBlock& block) {
+  const NavBlock read(block);
+  if (!read.problems.empty()) throw ConfigError(read.problems);
+  auto app = std::make_unique<NavApp>(context, read.params);
+  for (const auto& [name, factory] : read.sources)
+    app->Hear(name, factory->Make());
+  return app;
+}
+
+}  // namespace limpet

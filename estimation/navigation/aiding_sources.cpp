@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/navigation/aiding_sources.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <Eigen/Cholesky>
+#include <mrpt/core/Clock.h>
+#include <mrpt/obs/CObservation.h>
+
+#include "estimation/smoothing/factors/border_prior_factor.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr int kBelieveAfter = 10;  // refused in a row, then taken after all
+constexpr double kGateSigmas = 5.0;
+constexpr std::size_t kLongestQueue = 4096;  // observations that wait: a source gone wild
+
+}  // namespace
+
+int AidingSources::Add(std::unique_ptr<MeasurementSource> source) {
+  entries_.push_back({.source = std::move(source),
+                      .errors = std::nullopt,
+                      .gate = PersistenceGate(kBelieveAfter),
+                      .counts = {}});
+  return size() - 1;
+}
+
+void AidingSources::Begin() {
+  for (Entry& entry : entries_) {
+    const auto errors = entry.source->Errors();
+    if (!errors) continue;
+    entry.errors = smoother_.AddSensorErrors(Eigen::Vector3d::Zero());
+    const Eigen::Matrix3d covariance = errors->sigma.cwiseAbs2().asDiagonal();
+    smoother_.AddBorderTerm(
+        *entry.errors,
+        Term::OnBorder(BorderPriorFactor(Eigen::Vector3d::Zero(), covariance), *entry.errors));
+  }
+}
+
+void AidingSources::Keep(int source, std::shared_ptr<mrpt::obs::CObservation> seen) {
+  const double t = mrpt::Clock::toDouble(seen->timestamp);
+  if (waiting_.size() >= kLongestQueue) {
+    ++At(source).counts.late;
+    return;
+  }
+  const auto after = std::ranges::upper_bound(waiting_, t, {}, &Waiting::t);
+  waiting_.insert(after, {.t = t, .source = source, .seen = std::move(seen)});
+}
+
+std::optional<double> AidingSources::NextTime() const {
+  return waiting_.empty() ? std::nullopt : std::optional(waiting_.front().t);
+}
+
+void AidingSources::Drop() {
+  ++At(waiting_.front().source).counts.late;
+  waiting_.pop_front();
+}
+
+std::optional<AidingSources::Offer> AidingSources::Take() {
+  const Waiting next = std::move(waiting_.front());
+  waiting_.pop_front();
+  Entry& entry = At(next.source);
+  std::optional<Term> term = entry.source->Measure(*next.seen, entry.errors.value_or(-1));
+  if (!term) {
+    ++entry.counts.unused;
+    return std::nullopt;
+  }
+  return Offer{.source = next.source, .term = *std::move(term)};
+}
+
+bool AidingSources::Use(Offer offer, int node) {
+  Entry& entry = At(offer.source);
+  if (!entry.gate.Accepts(IsAsPredicted(offer.term))) {
+    ++entry.counts.refused;
+    return false;
+  }
+  ++entry.counts.taken;
+  smoother_.AddTerm(node, std::move(offer.term));
+  smoother_.Update();
+  return entry.source->is_fix();
+}
+
+bool AidingSources::IsAsPredicted(const Term& term) const {
+  const std::vector<int> slots =
+      term.border() ? std::vector<int>{*term.border()} : std::vector<int>{};
+  const NavVector x = smoother_.PoseAt(smoother_.graph().node_count() - 1);
+  const Eigen::Vector3d errors =
+      term.border() ? smoother_.BorderAt(*term.border()) : Eigen::Vector3d::Zero();
+  LinearTerm linear;
+  term.Linearize({.previous = nullptr, .pose = &x, .border = &errors, .second = nullptr}, linear);
+  const Eigen::MatrixXd covariance = smoother_.Covariance(slots);
+  Eigen::MatrixXd J(linear.rows, covariance.rows());
+  J.leftCols<6>() = linear.J_pose.topRows(linear.rows);
+  if (term.border()) J.rightCols<3>() = linear.J_border.topRows(linear.rows);
+  const Eigen::MatrixXd S =
+      J * covariance * J.transpose() + Eigen::MatrixXd::Identity(linear.rows, linear.rows);
+  const Eigen::VectorXd r = linear.r.head(linear.rows);
+  return r.dot(S.llt().solve(r)) <= kGateSigmas * kGateSigmas;
+}
+
+std::optional<SourceErrorEstimate> AidingSources::ErrorsOf(int i) const {
+  if (!At(i).errors) return std::nullopt;
+  const int slot = *At(i).errors;
+  const Eigen::MatrixXd covariance = smoother_.Covariance({slot});
+  return SourceErrorEstimate{.value = smoother_.BorderAt(slot),
+                             .sd = covariance.diagonal().tail<3>().cwiseMax(0.0).cwiseSqrt()};
+}
+
+}  // namespace limpet
