@@ -37,12 +37,21 @@ void MeasurementBuffer::AddVelocity(double t, const std::optional<Eigen::Vector3
     ++counts_.stale_samples;
     return;
   }
-  const bool is_good = v_dvl_B && velocity_gate_.Accepts(t, *v_dvl_B);
+  using Verdict = VelocityGate::Verdict;
+  const Verdict verdict =
+      v_dvl_B ? velocity_gate_.Judge(t, *v_dvl_B, track_.BridgedAt(t)) : Verdict::kRefused;
+  const bool is_good = verdict == Verdict::kGood || verdict == Verdict::kBelieved;
   counts_.velocities += v_dvl_B && !is_good ? 1 : 0;
   if (const auto rate = is_good ? std::nullopt : depths_.Slope(kSinkRateSpan)) {
     track_.SetSinkRate(*rate);
   }
   track_.AddVelocity(t, is_good ? v_dvl_B : std::nullopt);
+  if (verdict == Verdict::kContested) track_.NoteContested(t, *v_dvl_B);
+  if (verdict == Verdict::kBelieved) track_.BelieveContested();
+  if (verdict == Verdict::kGood && !velocity_gate_.alternative_B()) track_.ForgetContested();
+  if (is_good && velocity_gate_.alternative_B()) {
+    track_.NoteContested(t, *velocity_gate_.alternative_B());
+  }
 }
 
 void MeasurementBuffer::AddAltitude(double t, double dvl_altitude) {

@@ -12,11 +12,12 @@ namespace limpet {
 namespace {
 
 constexpr double kLongestExtrapolation = 0.3;  // [s]
-constexpr double kUsualPeriod = 0.2;           // [s] of a DVL
 constexpr double kDropoutAge = 0.5;            // [s] without velocity before it counts as a dropout
+constexpr double kDropoutPeriods = 2.4;        // and so many of the DVL's periods
 constexpr double kTurnMemory = 0.2;            // [s] over which a rate of turning is averaged
 constexpr double kAttitudeGap = 2.0;           // [s] in which the vehicle does not turn away
 constexpr double kUnknownTurnRate = 0.3;       // [rad/s] 1-sigma of a turn that nobody measures
+constexpr double kContestedShare = 0.3;  // 1-sigma of what the track catches up with, as its share
 constexpr double kAnyYawVariance = M_PI * M_PI / 3.0;  // [rad^2] of a heading that can be any
 
 Eigen::Matrix3d RotationOf(const AttitudeEstimate& a) {
@@ -66,8 +67,10 @@ void OdometryTrack::AddVelocity(double t, const std::optional<Eigen::Vector3d>& 
     return;
   }
   // A DVL that fell silent is one without lock.
-  if (v_dvl_B && has_velocity_ && t - velocity_t_ > kDropoutAge) {
-    AddVelocity(t - kUsualPeriod, std::nullopt);
+  if (v_dvl_B && has_velocity_ && t - velocity_t_ > LongestPause()) {
+    AddVelocity(t - period_.value(), std::nullopt);
+  } else {
+    period_.Note(t);
   }
   previous_t_ = has_velocity_ ? velocity_t_ : t;
   previous_ = has_velocity_ ? velocity_ : v_dvl_B.value_or(Eigen::Vector3d::Zero());
@@ -78,9 +81,7 @@ void OdometryTrack::AddVelocity(double t, const std::optional<Eigen::Vector3d>& 
     has_velocity_ = true;
     TeachWater(t, velocity_);
   } else if (DropoutAge(t) && !is_empty()) {
-    const Sample sample = SampleAt(t);
-    velocity_ = sample.R_DB.transpose() *
-                BridgedVelocity(t, {.yaw = sample.attitude.yaw, .rate = sample.turn_rate});
+    velocity_ = BridgedAt(t).value_or(velocity_);
   }
   // What was held since the last row is integrated again with the interpolated velocity.
   const auto is_older = [this](const Sample& s) { return s.attitude.t <= previous_t_; };
@@ -90,6 +91,22 @@ void OdometryTrack::AddVelocity(double t, const std::optional<Eigen::Vector3d>& 
       Integrate(*std::prev(sample), *sample);
     }
   }
+}
+
+void OdometryTrack::NoteContested(double t, const Eigen::Vector3d& v_dvl_B) {
+  if (is_empty()) return;
+  const Sample sample = SampleAt(t);
+  const Eigen::Vector3d off = sample.R_DB * v_dvl_B - LevelVelocity(sample);
+  contested_way_ += (t - previous_t_) * off.head<2>();
+}
+
+void OdometryTrack::BelieveContested() {
+  if (is_empty()) return;
+  Sample& now = samples_.back();
+  now.shift += contested_way_;
+  now.p_dvl.head<2>() += contested_way_;
+  now.bridge_variance += kContestedShare * kContestedShare * contested_way_.squaredNorm();
+  contested_way_.setZero();
 }
 
 void OdometryTrack::TeachWater(double t, const Eigen::Vector3d& v_dvl_B) {
@@ -102,6 +119,13 @@ void OdometryTrack::TeachWater(double t, const Eigen::Vector3d& v_dvl_B) {
 Eigen::Vector3d OdometryTrack::BridgedVelocity(double t, const Turning& turning) const {
   const Eigen::Vector2d v = water_.VelocityAt(t, turning);
   return {v.x(), v.y(), sink_rate_.value_or(0.0)};
+}
+
+std::optional<Eigen::Vector3d> OdometryTrack::BridgedAt(double t) const {
+  if (is_empty() || !has_velocity_ || !DropoutAge(t)) return std::nullopt;
+  const Sample sample = SampleAt(t);
+  return sample.R_DB.transpose() *
+         BridgedVelocity(t, {.yaw = sample.attitude.yaw, .rate = sample.turn_rate});
 }
 
 Eigen::Vector3d OdometryTrack::VelocityAt(double t) const {
@@ -120,7 +144,11 @@ double OdometryTrack::TurnRateAt(double t) const {
 
 std::optional<double> OdometryTrack::DropoutAge(double t) const {
   const double age = t - accepted_t_;
-  return age > kDropoutAge ? std::optional<double>(age) : std::nullopt;
+  return age > LongestPause() ? std::optional<double>(age) : std::nullopt;
+}
+
+double OdometryTrack::LongestPause() const {
+  return std::max(kDropoutAge, kDropoutPeriods * period_.value());
 }
 
 Eigen::Vector3d OdometryTrack::LevelVelocity(const Sample& sample) const {
@@ -133,10 +161,12 @@ void OdometryTrack::Integrate(const Sample& from, Sample& to) const {
   const double dt = to.attitude.t - from.attitude.t;
   const Eigen::Vector3d moved = 0.5 * dt * (LevelVelocity(from) + LevelVelocity(to));
   to.p_dvl = from.p_dvl + moved;
+  to.p_dvl.head<2>() += to.shift;
   to.path = from.path + moved.head<2>().norm();
-  to.bridge_variance = from.bridge_variance;
+  to.bridge_variance =
+      from.bridge_variance + kContestedShare * kContestedShare * to.shift.squaredNorm();
   auto age = DropoutAge(to.attitude.t);
-  if (!age && dt > kDropoutAge) age = dt;  // the attitude itself was away
+  if (!age && dt > LongestPause()) age = dt;  // the attitude itself was away
   if (age) {
     const Turning turning{.yaw = to.attitude.yaw, .rate = to.turn_rate};
     const double correlated = std::min(*age, params_.bridge_correlation.value());
@@ -240,8 +270,8 @@ OdometryStep OdometryTrack::Between(double from, double to) const {
   step.duration = to - from;
   step.path = b.path - a.path;
 
-  const double white = params_.velocity_noise * params_.velocity_noise *
-                       params_.velocity_period.value() * step.duration;
+  const double white =
+      params_.velocity_noise * params_.velocity_noise * period_.value() * step.duration;
   const double scale_sigma =
       params_.changing_share * std::hypot(params_.scale_sigma, params_.misalign_sigma);
   const double scale = scale_sigma * scale_sigma * params_.scale_correlation.value() * step.path;

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "estimation/attitude/attitude_filter.hpp"
+#include "estimation/navigation/sample_period.hpp"
 #include "estimation/navigation/water_model.hpp"
 #include "limpet/core/frames.hpp"
 #include "limpet/core/units.hpp"
@@ -19,9 +20,9 @@ namespace limpet {
 struct OdometryParams {
   Eigen::Vector3d dvl_B = {-0.2, 0.0, 0.18};  ///< lever arm of the DVL in the body frame [m]
   double velocity_noise = 0.012;              ///< of one horizontal velocity sample [m/s]
-  Seconds velocity_period{0.2};
-  double scale_sigma = 0.0028;       ///< of the velocity's scale, a bias along included
-  double misalign_sigma = 0.0033;    ///< of its misalignment [rad], a bias across included
+  Seconds velocity_period{0.2};               ///< until the DVL's own is known
+  double scale_sigma = 0.0028;                ///< of the velocity's scale, a bias along included
+  double misalign_sigma = 0.0033;             ///< of its misalignment [rad], a bias across included
   double changing_share = 0.3;       ///< of the slow errors that does not stay the same for long
   Meters scale_correlation{30.0};    ///< way after which that share of scale is taken as new
   WaterParams water;                 ///< bridges a dropout
@@ -69,11 +70,20 @@ struct TrackPose {
 class OdometryTrack {
  public:
   explicit OdometryTrack(const OdometryParams& params)
-      : params_(params), water_(params.water, params.dvl_B.x()) {}
+      : params_(params),
+        period_(params.velocity_period.value()),
+        water_(params.water, params.dvl_B.x()) {}
 
   void AddAttitude(const AttitudeEstimate& attitude);
   /// Velocity of the DVL in body axes [m/s] at `t`; nothing when the DVL had no lock or lied.
   void AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B);
+
+  /// A velocity at `t` that AddVelocity was not given, since it may be false: what the vehicle
+  /// would have gone besides, if it is not, is kept until it is known to be false or believed after
+  /// all. Then the track catches up, and says how far it was off.
+  void NoteContested(double t, const Eigen::Vector3d& v_dvl_B);
+  void ForgetContested() { contested_way_.setZero(); }
+  void BelieveContested();
 
   /// A fix at `t` [s] has shown where the vehicle is: silence begins anew.
   void NoteFix(double t) { fix_t_ = std::max(fix_t_, t); }
@@ -87,8 +97,13 @@ class OdometryTrack {
   [[nodiscard]] double last_time() const { return samples_.back().attitude.t; }
   /// Up to here later velocities change nothing any more.
   [[nodiscard]] double settled_time() const { return velocity_t_; }
-  /// Seconds since the last accepted velocity, if that is long enough to be a dropout at `t`.
+  /// Seconds since the last accepted velocity, if that is long enough to be a dropout at `t`: half
+  /// a second, or more of a DVL that pings more slowly.
   [[nodiscard]] std::optional<double> DropoutAge(double t) const;
+
+  /// Velocity of the DVL in body axes [m/s] that a dropout at `t` is bridged with; nothing while
+  /// there is none.
+  [[nodiscard]] std::optional<Eigen::Vector3d> BridgedAt(double t) const;
 
   /// Current and speed through the water; its north is the attitude's.
   [[nodiscard]] const WaterModel& water() const { return water_; }
@@ -115,6 +130,8 @@ class OdometryTrack {
     /// of them those without attitude.
     double unknown_way = 0.0, unattended = 0.0;
     double turn_rate = 0.0;  ///< of yaw, smoothed [rad/s]
+    /// Of the track, to catch up with what was not believed at first, in its frame [m].
+    Eigen::Vector2d shift = Eigen::Vector2d::Zero();
   };
   /// Neighbouring samples about a time, and the share of the way from one to the other.
   struct Bracket {
@@ -125,6 +142,8 @@ class OdometryTrack {
   /// Nothing outside the buffer.
   [[nodiscard]] std::optional<Bracket> Around(double t) const;
   [[nodiscard]] static AttitudeEstimate Between(const Bracket& around, double t);
+  /// Seconds between velocities that are no dropout.
+  [[nodiscard]] double LongestPause() const;
   [[nodiscard]] Eigen::Vector3d VelocityAt(double t) const;
   [[nodiscard]] double TurnRateAt(double t) const;
   void TeachWater(double t, const Eigen::Vector3d& v_dvl_B);
@@ -144,6 +163,8 @@ class OdometryTrack {
   double accepted_t_ = -1e18, fix_t_ = -1e18;
   double began_t_ = 0.0;  ///< of the first attitude
   Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero(), previous_ = Eigen::Vector3d::Zero();
+  Eigen::Vector2d contested_way_ = Eigen::Vector2d::Zero();  ///< in the track's frame [m]
+  SamplePeriod period_;
   WaterModel water_;
   std::optional<double> sink_rate_;
 };

@@ -16,8 +16,9 @@ namespace {
 constexpr double kSameTime = 1e-3;  // [s] within which two measurements share a node
 constexpr int kBelieveFixes = 5;    // refused in a row, then taken after all
 constexpr int kBelieveDepths = 20;
-constexpr double kGpsGate = 5.0;    // standard deviations
-constexpr double kDepthGate = 0.7;  // [m] off the predicted depth
+constexpr double kGpsGate = 5.0;          // standard deviations
+constexpr double kDepthGate = 0.7;        // [m] off the predicted depth that is always believed
+constexpr double kDepthGateSigmas = 5.0;  // or so many of its own
 constexpr double kStartDepthSigma = 0.05, kStartTiltSigma = 0.01, kLeastYawSigma = 1e-4;
 
 }  // namespace
@@ -37,8 +38,8 @@ void PoseChain::Begin(double t, const Eigen::Vector2d& p_W) {
   NavVector x, sigma;
   x << p_W, depth ? depth->value : 0.0, attitude.yaw, attitude.pitch, attitude.roll;
   const double start = params_.start_sigma.value();
-  sigma << start, start, kStartDepthSigma, std::max(attitude.sd_yaw, kLeastYawSigma),
-      kStartTiltSigma, kStartTiltSigma;
+  sigma << start, start, std::max(kStartDepthSigma, 2.0 * params_.depth_sigma.value()),
+      std::max(attitude.sd_yaw, kLeastYawSigma), kStartTiltSigma, kStartTiltSigma;
   errors_.Begin(t);
   const int node = smoother_.AddNode(x, std::nullopt);
   times_.push_back(t);
@@ -85,6 +86,7 @@ void PoseChain::AddDepth(int node, double since, double t) {
   const OdometryTrack& track = measurements_.track();
   const double predicted = smoother_.PoseAt(node)(kNavZ);
   const double z_now = track.At(t).X_DB.p_WB.z();
+  const double gate = std::max(kDepthGate, kDepthGateSigmas * params_.depth_sigma.value());
   double sum = 0.0;
   int count = 0;
   for (const ScalarHistory::Sample& depth : measurements_.depths().samples()) {
@@ -92,7 +94,7 @@ void PoseChain::AddDepth(int node, double since, double t) {
       continue;
     }
     const double carried = depth.value + z_now - track.At(depth.t).X_DB.p_WB.z();
-    if (!depth_gate_.Accepts(std::abs(carried - predicted) <= kDepthGate)) {
+    if (!depth_gate_.Accepts(std::abs(carried - predicted) <= gate)) {
       ++measurements_.counts().depths;
       continue;
     }

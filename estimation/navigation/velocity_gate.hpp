@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 
 #include <Eigen/Core>
@@ -14,29 +15,57 @@ struct VelocityGateParams {
   MetersPerSecond jump{0.15};   ///< change against the last accepted velocity that always passes
   double growth_mps2 = 0.15;    ///< further allowance per second since then [m/s^2]
   Seconds longest_growth{1.0};  ///< no older velocity allows more
+  Seconds longest_pause{0.5};   ///< between false velocities that are one
+  Seconds proven{1.0};          ///< velocities that agree so long stand against others
+  Seconds dropout{1.0};         ///< without a good one, in which a vehicle may change its way
+  Seconds longest_burst{6.0};   ///< false velocities that agree with one another do not last longer
 };
 
-/// Sorts out gross outliers of bottom-track velocity: a sample passes when it differs from the last
-/// accepted one by no more than an allowance that grows with its age, or agrees with the sample
-/// before it that was refused. So neither a long dropout nor a wrong first sample can lock the
-/// gate, nor can one outlier at a dropout's end become the truth.
+/// Sorts out bottom-track velocity that cannot be the vehicle's: a sample passes when it differs
+/// from one of the last two accepted ones by no more than an allowance that grows with its age, or
+/// from what is predicted by as much. Any other is false, however many samples in a row say so,
+/// until they have lasted too long for that; sooner after a dropout, in which the vehicle may have
+/// changed its way, but then what was before stays an alternative for as long. Samples that tell of
+/// another sink rate only are believed at the second: a vehicle begins to dive at once. Before
+/// anything is proven a second sample that agrees is enough: a wrong first one must not lock the
+/// gate.
 class VelocityGate {
  public:
+  enum class Verdict : std::uint8_t {
+    kGood,
+    kRefused,    ///< an outlier
+    kContested,  ///< goes on as the refused one before it: one false velocity, or a new truth
+    kBelieved,   ///< what was contested, or an alternative, is the truth, and was since it began
+  };
+
   explicit VelocityGate(const VelocityGateParams& params) : params_(params) {}
 
-  /// True if `v_B` [m/s], measured at `t` [s], is to be used.
-  [[nodiscard]] bool Accepts(double t, const Eigen::Vector3d& v_B) {
-    if (!v_B.allFinite()) {
-      return false;
-    }
+  /// Of `v_B` [m/s], measured at `t` [s], where `predicted_B` is expected, if anything is.
+  [[nodiscard]] Verdict Judge(double t, const Eigen::Vector3d& v_B,
+                              const std::optional<Eigen::Vector3d>& predicted_B = std::nullopt) {
+    if (!v_B.allFinite()) return Verdict::kRefused;
     const Sample sample{t, v_B};
-    if (last_ && !Agrees(sample, *last_) && !(refused_ && Agrees(sample, *refused_))) {
-      refused_ = sample;
-      return false;
+    if (!last_) return Accept(sample, Verdict::kGood);
+    if (t - good_since_ > params_.longest_burst.value()) alternative_.reset();
+    if (alternative_ && !Agrees(sample, *last_) && Agrees(sample, *alternative_)) {
+      alternative_.reset();
+      return Accept(sample, Verdict::kBelieved);
     }
-    last_ = sample;
-    refused_.reset();
-    return true;
+    const bool goes_on = refused_ && Agrees(sample, *refused_) && IsNearer(sample, *refused_);
+    if (!goes_on && (IsAsLately(sample) || IsAsPredicted(sample, predicted_B))) {
+      return Accept(sample, Verdict::kGood);
+    }
+    if (!goes_on) {
+      if (!IsContest(t)) Begin(sample);
+      return Verdict::kRefused;
+    }
+    refused_ = sample;
+    return JudgeContest(sample);
+  }
+
+  /// The velocity [m/s] that the vehicle has if the one believed now is false.
+  [[nodiscard]] std::optional<Eigen::Vector3d> alternative_B() const {
+    return alternative_ ? std::optional(alternative_->v_B) : std::nullopt;
   }
 
  private:
@@ -44,12 +73,58 @@ class VelocityGate {
     double t;
     Eigen::Vector3d v_B;
   };
+  /// Of a sample that goes on as the refused ones.
+  Verdict JudgeContest(const Sample& sample) {
+    const bool is_proven =
+        last_->t - good_since_ >= params_.proven.value() && !AgreesLevel(sample, *last_);
+    const bool had_dropout = refused_since_ - last_->t > params_.dropout.value();
+    const Seconds longest = had_dropout ? params_.proven : params_.longest_burst;
+    if (is_proven && sample.t - refused_since_ < longest.value()) return Verdict::kContested;
+    alternative_ = is_proven && had_dropout ? last_ : std::nullopt;
+    good_since_ = refused_since_;
+    return Accept(sample, is_proven ? Verdict::kBelieved : Verdict::kGood);
+  }
+  Verdict Accept(const Sample& sample, Verdict verdict) {
+    if (!last_) good_since_ = sample.t;
+    before_last_ = verdict == Verdict::kGood ? last_ : std::nullopt;
+    last_ = sample;
+    refused_.reset();
+    return verdict;
+  }
+  /// As one of the last two: one of them may have been an outlier that was allowed.
+  [[nodiscard]] bool IsAsLately(const Sample& sample) const {
+    const bool is_fresh =
+        before_last_ && sample.t - before_last_->t <= params_.longest_growth.value();
+    return Agrees(sample, *last_) || (is_fresh && Agrees(sample, *before_last_));
+  }
+  /// False velocities that go on, though not in this sample: it is a mere outlier among them.
+  [[nodiscard]] bool IsContest(double t) const {
+    return refused_ && refused_->t > refused_since_ &&
+           t - refused_->t <= params_.longest_pause.value();
+  }
+  void Begin(const Sample& first) {
+    refused_ = first;
+    refused_since_ = first.t;
+  }
+  /// To `refused` than to the last good one, whose allowance has grown since.
+  [[nodiscard]] bool IsNearer(const Sample& sample, const Sample& refused) const {
+    return (sample.v_B - refused.v_B).squaredNorm() < (sample.v_B - last_->v_B).squaredNorm();
+  }
+  [[nodiscard]] bool IsAsPredicted(const Sample& sample,
+                                   const std::optional<Eigen::Vector3d>& predicted_B) const {
+    return predicted_B && (sample.v_B - *predicted_B).norm() <= params_.jump.value();
+  }
   [[nodiscard]] bool Agrees(const Sample& a, const Sample& b) const {
     const double age = std::min(a.t - b.t, params_.longest_growth.value());
     return (a.v_B - b.v_B).norm() <= params_.jump.value() + params_.growth_mps2 * age;
   }
+  /// A vehicle that begins to dive leaves its velocity ahead and abeam as it was.
+  [[nodiscard]] bool AgreesLevel(const Sample& a, const Sample& b) const {
+    return (a.v_B - b.v_B).head<2>().norm() <= params_.jump.value();
+  }
   VelocityGateParams params_;
-  std::optional<Sample> last_, refused_;
+  std::optional<Sample> last_, before_last_, refused_, alternative_;
+  double good_since_ = 0.0, refused_since_ = 0.0;  ///< [s]
 };
 
 }  // namespace limpet

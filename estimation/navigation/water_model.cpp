@@ -12,7 +12,7 @@ namespace {
 
 enum Index { kAhead, kAbeam, kSway, kNorth, kEast };
 
-constexpr double kPause = 1.0;     // [s] without velocity that end a trial
+constexpr double kPause = 1.5;     // [s] without velocity that end a trial
 constexpr double kSurprise = 9.0;  // squared innovation over covariance, of two: 1 in 90
 
 double Squared(double x) { return x * x; }

@@ -90,14 +90,14 @@ Expected<FormerSession> ParseFormerLandmarks(const StreamFile& landmarks,
 }
 
 Expected<FormerSession> LoadFormerLandmarks(const std::filesystem::path& folder) {
-  StreamFile landmarks{.name = (folder / kLandmarks).string(), .lines = {}};
-  StreamFile covariance{.name = (folder / kCovariance).string(), .lines = {}};
-  for (StreamFile* file : {&landmarks, &covariance}) {
-    Expected<std::vector<std::string>> lines = ReadLines(file->name);
-    if (!lines) return lines.error();
-    file->lines = *std::move(lines);
+  std::array<StreamFile, 2> files;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    Expected<StreamFile> file = ReadLines(folder / (i == 0 ? kLandmarks : kCovariance));
+    if (!file) return file.error();
+    if (file->damage) return Error{*file->damage};
+    files[i] = *std::move(file);
   }
-  return ParseFormerLandmarks(landmarks, covariance);
+  return ParseFormerLandmarks(files[0], files[1]);
 }
 
 }  // namespace limpet

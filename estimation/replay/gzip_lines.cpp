@@ -10,12 +10,13 @@
 
 namespace limpet {
 
-Expected<std::vector<std::string>> ReadLines(const std::filesystem::path& file) {
+Expected<StreamFile> ReadLines(const std::filesystem::path& file) {
   const std::unique_ptr<gzFile_s, int (*)(gzFile_s*)> input(gzopen(file.c_str(), "rb"), gzclose);
   if (input == nullptr) {
     return Error{fmt::format("{}: cannot be opened", file.string())};
   }
-  std::vector<std::string> lines;
+  StreamFile read{.name = file.string(), .lines = {}, .damage = {}};
+  std::vector<std::string>& lines = read.lines;
   std::string pending;
   std::array<char, 65536> buffer{};
   int count = 0;
@@ -38,13 +39,13 @@ Expected<std::vector<std::string>> ReadLines(const std::filesystem::path& file) 
   int code = Z_OK;
   const char* why = gzerror(input.get(), &code);
   if (code != Z_OK && code != Z_STREAM_END) {
-    return Error{fmt::format("{}:{}: the file is damaged or cut short ({})", file.string(),
-                             lines.size() + 1, why)};
-  }
-  if (!pending.empty()) {
+    read.damage = fmt::format("{}:{}: the file is damaged or cut short ({})", read.name,
+                              lines.size() + 1, why);
+  } else if (!pending.empty()) {
+    read.is_last_line_whole = false;
     lines.push_back(std::move(pending));
   }
-  return lines;
+  return read;
 }
 
 }  // namespace limpet

@@ -109,12 +109,23 @@ class Replayer {
   ReplayResult result_;
 };
 
+/// What the sensors state of themselves in place of what is usual, with the same margins.
+void TakeNoise(const StatedNoise& stated, NavigatorParams& params) {
+  const StatedNoise usual;
+  OdometryParams& odometry = params.odometry;
+  odometry.velocity_noise *= stated.velocity / usual.velocity;
+  odometry.water.velocity_noise *= stated.velocity / usual.velocity;
+  params.depth_sigma = Meters(params.depth_sigma.value() * (stated.depth / usual.depth));
+  params.tilt_sigma = Radians(params.tilt_sigma.value() * (stated.tilt / usual.tilt));
+}
+
 }  // namespace
 
 NavigatorParams ParamsForStream(const StreamMeta& meta) {
   NavigatorParams params;
   params.camera = meta.camera;
   params.odometry.dvl_B = meta.dvl_B;
+  TakeNoise(meta.noise, params);
   params.odometry.yaw_walk = meta.yaw_random_walk;
   params.odometry.yaw_bias = meta.yaw_bias_sigma;
   // At a survey's steady speed a bias of the velocity cannot be told from scale or misalignment.

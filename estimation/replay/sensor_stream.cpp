@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/replay/sensor_stream.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <string>
 #include <string_view>
@@ -13,6 +15,29 @@
 
 namespace limpet {
 namespace {
+
+/// Medians of what the rows state; what none of them states stays as it is.
+class StatedNoises {
+ public:
+  void AddVelocity(double sd) { velocity_.push_back(sd); }
+  void AddDepth(double sd) { depth_.push_back(sd); }
+  void AddTilt(double sd) { tilt_.push_back(sd); }
+  void ReplaceIn(StatedNoise& noise) {
+    Replace(velocity_, noise.velocity);
+    Replace(depth_, noise.depth);
+    Replace(tilt_, noise.tilt);
+  }
+
+ private:
+  static void Replace(std::vector<double>& stated, double& noise) {
+    std::erase_if(stated, [](double sd) { return !(sd > 0.0); });
+    if (stated.empty()) return;
+    const auto middle = stated.begin() + static_cast<std::ptrdiff_t>(stated.size() / 2);
+    std::ranges::nth_element(stated, middle);
+    noise = *middle;
+  }
+  std::vector<double> velocity_, depth_, tilt_;
+};
 
 DvlRow ParseDvl(const CsvFields& f) {
   f.Expect(13);
@@ -64,6 +89,7 @@ class StreamParser {
       ++stream_.refused_rows;
     } else if (kind == "ATT") {
       f.Expect(8);
+      noises_.AddTilt(std::max(f.Number(5), f.Number(6)));
       stream_.rows.push_back(AttitudeEstimate{.t = f.Number(1),
                                               .roll = f.Number(2),
                                               .pitch = f.Number(3),
@@ -74,8 +100,10 @@ class StreamParser {
                                               .sd_yaw = f.Number(7)});
     } else if (kind == "DVL") {
       stream_.rows.push_back(ParseDvl(f));
+      if (const auto sd = f.Optional(6)) noises_.AddVelocity(*sd);
     } else if (kind == "DEP") {
       f.Expect(4);
+      noises_.AddDepth(f.Number(3));
       stream_.rows.push_back(DepthRow{f.Number(1), f.Number(2)});
     } else if (kind == "GPS") {
       f.Expect(5);
@@ -84,8 +112,13 @@ class StreamParser {
       throw BadLine{fmt::format("`{}` is no kind of row (ATT, DVL, DEP, GPS, FRM, DET)", kind)};
     }
   }
-  void Finish() const {
-    if (missing_boxes_ > 0) throw BadLine{"the last frame's DET rows are missing"};
+  /// A last frame without all its boxes would say of objects that they were not seen.
+  void Finish() {
+    if (missing_boxes_ > 0) {
+      stream_.rows.pop_back();
+      stream_.cut = "the last frame's DET rows are missing";
+    }
+    noises_.ReplaceIn(stream_.meta.noise);
   }
 
  private:
@@ -99,6 +132,7 @@ class StreamParser {
     frame.boxes.push_back(ParseDetection(f, frame));
   }
   SensorStream& stream_;
+  StatedNoises noises_;
   int missing_boxes_ = 0;
 };
 
@@ -136,15 +170,21 @@ void TakeMeta(std::string_view line, StreamMeta& meta) {
   }
 }
 
-/// Calls `take` with each line; the error names the file and the line it choked on.
+/// A line that could not be taken, and whether that is because it was cut in two.
+struct Stumble {
+  std::string why;  ///< with file and line
+  bool is_cut = false;
+};
+
+/// Calls `take` with each line up to the first one that it chokes on.
 template <class Take>
-std::optional<Error> ForEachLine(const std::string& file, const std::vector<std::string>& lines,
-                                 Take take) {
-  for (std::size_t i = 0; i < lines.size(); ++i) {
+std::optional<Stumble> ForEachLine(const StreamFile& file, Take take) {
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
     try {
-      take(lines[i]);
+      take(file.lines[i]);
     } catch (const BadLine& bad) {
-      return Error{fmt::format("{}:{}: {}", file, i + 1, bad.why)};
+      return Stumble{.why = fmt::format("{}:{}: {}", file.name, i + 1, bad.why),
+                     .is_cut = i + 1 == file.lines.size() && !file.is_last_line_whole};
     }
   }
   return std::nullopt;
@@ -155,19 +195,16 @@ std::optional<Error> ForEachLine(const std::string& file, const std::vector<std:
 Expected<SensorStream> ParseSensorStream(const StreamFile& meta, const StreamFile& rows) {
   SensorStream stream;
   const auto key = [&stream](std::string_view line) { TakeMeta(line, stream.meta); };
-  if (std::optional<Error> error = ForEachLine(meta.name, meta.lines, key)) {
-    return *error;
-  }
+  if (const auto bad = ForEachLine(meta, key)) return Error{bad->why};
+  if (meta.damage) return Error{*meta.damage};
   StreamParser parser(stream);
   const auto row = [&parser](std::string_view line) { parser.Take(line); };
-  if (std::optional<Error> error = ForEachLine(rows.name, rows.lines, row)) {
-    return *error;
-  }
-  try {
-    parser.Finish();
-  } catch (const BadLine& bad) {
-    return Error{fmt::format("{}: {}", rows.name, bad.why)};
-  }
+  const auto bad = ForEachLine(rows, row);
+  if (bad && !bad->is_cut) return Error{bad->why};
+  parser.Finish();
+  if (stream.cut) stream.cut = fmt::format("{}: {}", rows.name, *stream.cut);
+  if (rows.damage) stream.cut = rows.damage;
+  if (bad) stream.cut = bad->why;
   if (stream.rows.empty()) {
     return Error{fmt::format("{}: holds no measurement", rows.name)};
   }
@@ -175,14 +212,11 @@ Expected<SensorStream> ParseSensorStream(const StreamFile& meta, const StreamFil
 }
 
 Expected<SensorStream> LoadSensorStream(const std::filesystem::path& folder) {
-  StreamFile meta{.name = (folder / "meta.csv").string(), .lines = {}};
-  StreamFile rows{.name = (folder / "stream.csv.gz").string(), .lines = {}};
-  for (StreamFile* file : {&meta, &rows}) {
-    Expected<std::vector<std::string>> lines = ReadLines(file->name);
-    if (!lines) return lines.error();
-    file->lines = *std::move(lines);
-  }
-  return ParseSensorStream(meta, rows);
+  const Expected<StreamFile> meta = ReadLines(folder / "meta.csv");
+  if (!meta) return meta.error();
+  const Expected<StreamFile> rows = ReadLines(folder / "stream.csv.gz");
+  if (!rows) return rows.error();
+  return ParseSensorStream(*meta, *rows);
 }
 
 }  // namespace limpet

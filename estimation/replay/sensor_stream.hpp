@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -17,10 +18,19 @@
 
 namespace limpet {
 
-/// What meta.csv says of vehicle and sensors.
+/// 1-sigma that the rows of a stream state of themselves: their medians, since a sensor's noise is
+/// a property of the sensor.
+struct StatedNoise {
+  double velocity = 0.01;  ///< of a horizontal bottom-track velocity [m/s]
+  double depth = 0.02;     ///< of one depth [m]
+  double tilt = 0.0047;    ///< of roll and pitch [rad]
+};
+
+/// What meta.csv says of vehicle and sensors, and the rows of themselves.
 struct StreamMeta {
   CameraModel camera;
   bool has_image_size = false, has_intrinsics = false;  ///< of the camera, in the file
+  StatedNoise noise;
   Eigen::Vector3d dvl_B = Eigen::Vector3d::Zero();
   double yaw_random_walk = 3.5e-6;  ///< [rad/sqrt(s)]
   double yaw_bias_sigma = 9.7e-6;   ///< [rad/s]
@@ -54,20 +64,26 @@ struct SensorStream {
   StreamMeta meta;
   std::vector<StreamRow> rows;  ///< in order of arrival
   int refused_rows = 0;         ///< that held a value that is no finite number
+  /// Why the rows after these could not be read: the file was cut. Names file and line.
+  std::optional<std::string> cut;
 };
 
-/// A file's lines, and what errors call it.
+/// A file's lines and what errors call it.
 struct StreamFile {
   std::string name;
   std::vector<std::string> lines;
+  bool is_last_line_whole = true;     ///< it ends in a newline
+  std::optional<std::string> damage;  ///< of what comes after the lines; names file and line
 };
-/// The error names file and line.
+/// The error names file and line. A recorder that lost power leaves a last line, frame or block of
+/// a gzip file cut in two: what comes before is the stream, and `cut` says so.
 [[nodiscard]] Expected<SensorStream> ParseSensorStream(const StreamFile& meta,
                                                        const StreamFile& rows);
 /// Reads a stream from its folder: meta.csv and stream.csv.gz. The error names file and line.
 [[nodiscard]] Expected<SensorStream> LoadSensorStream(const std::filesystem::path& folder);
 
-/// The lines of a text file, or of a gzip file; the error names file and line.
-[[nodiscard]] Expected<std::vector<std::string>> ReadLines(const std::filesystem::path& file);
+/// The lines of a text file, or of a gzip file; of a damaged one those before the damage. The
+/// error names the file.
+[[nodiscard]] Expected<StreamFile> ReadLines(const std::filesystem::path& file);
 
 }  // namespace limpet

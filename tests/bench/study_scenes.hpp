@@ -49,6 +49,10 @@ inline std::map<std::string, StreamScene> Scenes() {
   scenes["unsteady"].leg_speed_sd_mps = 0.02;
   scenes["bursts"] = hour;
   scenes["bursts"].velocity_bursts = 20;
+  scenes["slow_dvl"] = hour;
+  scenes["slow_dvl"].dvl_period_s = 1.0;
+  scenes["noisy"] = hour;
+  scenes["noisy"].noise = 5.0;
   return scenes;
 }
 

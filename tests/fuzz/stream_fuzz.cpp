@@ -12,8 +12,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::size_t kRows = 300;  // a fuzzer's patience
-  limpet::StreamFile meta{.name = "meta.csv", .lines = {}};
-  limpet::StreamFile rows{.name = "stream.csv", .lines = {}};
+  limpet::StreamFile meta{.name = "meta.csv", .lines = {}, .damage = {}};
+  limpet::StreamFile rows{.name = "stream.csv", .lines = {}, .damage = {}};
   bool is_meta = true;
   for (std::string& line :
        limpet::Split(std::string_view(reinterpret_cast<const char*>(data), size), '\n')) {

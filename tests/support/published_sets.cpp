@@ -61,10 +61,11 @@ class Words {
 /// Calls `take` with the words of every line that has any.
 template <class Take>
 std::optional<Error> ForEachSetLine(const std::filesystem::path& file, Take take) {
-  const Expected<std::vector<std::string>> lines = ReadLines(file);
-  if (!lines) return lines.error();
-  for (std::size_t i = 0; i < lines->size(); ++i) {
-    const Words words((*lines)[i]);
+  const Expected<StreamFile> read = ReadLines(file);
+  if (!read) return read.error();
+  if (read->damage) return Error{*read->damage};
+  for (std::size_t i = 0; i < read->lines.size(); ++i) {
+    const Words words(read->lines[i]);
     if (words.is_empty() || words.kind().front() == '#') continue;
     try {
       take(words);

@@ -34,13 +34,16 @@ class Recorder {
     meta.camera.R_BC << 0.0, -std::cos(tilt), std::sin(tilt),  //
         1.0, 0.0, 0.0,                                         //
         0.0, std::sin(tilt), std::cos(tilt);
+    meta.noise.velocity *= scene.noise;
+    meta.noise.depth *= scene.noise;
+    meta.noise.tilt *= scene.noise;
     meta.yaw_bias_sigma = scene.yaw_bias_degph * kRadians / 3600.0;
     yaw_error_ = random_.Normal(1.0 * kRadians);
     scale_ = 1.0 + random_.Normal(meta.dvl_scale_sigma);
     misalign_ = random_.Normal(meta.dvl_misalign_sigma);
     for (int i = 0; i < 3; ++i)
       dvl_bias_(i) = random_.Normal(0.001);
-    tilt_bias_ = {random_.Normal(0.002), random_.Normal(0.002)};
+    tilt_bias_ = {random_.Normal(0.002 * scene.noise), random_.Normal(0.002 * scene.noise)};
     depth_bias_ = random_.Normal(0.01);
     troubles_.emplace(scene, random_);
   }
@@ -48,7 +51,8 @@ class Recorder {
   void Step(int step, const SimulatedVehicle& vehicle) {
     const double t = step * kSimulationStep;
     TakeAttitude(t, vehicle);
-    if (step % 4 == 2) TakeDvl(t, vehicle);
+    if (step % DvlSteps() == 2) TakeDvl(t, vehicle);
+    if (step % 4 == 2) TakeDepth(t, vehicle.pose());
     if (step % 5 == 3) TakeFrame(t, vehicle.pose());
     if (step % 20 == 10 && vehicle.is_up() && vehicle.pose().p_WB.z() < 0.5) TakeFix(t, vehicle);
     if (step % 4 == 0) {
@@ -83,9 +87,14 @@ class Recorder {
                              .pitch = X.pitch + pitch_error_.Step(kSimulationStep) + tilt_bias_.y(),
                              .yaw = WrapAngle(X.yaw + yaw_error_),
                              .yaw_rate = 0.0,
-                             .sd_roll = 0.0047,
-                             .sd_pitch = 0.0047,
+                             .sd_roll = meta.noise.tilt,
+                             .sd_pitch = meta.noise.tilt,
                              .sd_yaw = 0.0175}});
+  }
+
+  /// Of the simulation, from one ping of the DVL to the next.
+  [[nodiscard]] int DvlSteps() const {
+    return static_cast<int>(std::lround(scene_.dvl_period_s / kSimulationStep));
   }
 
   void TakeDvl(double t, const SimulatedVehicle& vehicle) {
@@ -99,7 +108,9 @@ class Recorder {
     if (t > short_gap_end_ && !is_in_dropout) {
       Eigen::Vector3d v = scale_ * vehicle.VelocityOf(arm) + dvl_bias_;
       v = Eigen::Vector3d(v.x() - misalign_ * v.y(), v.y() + misalign_ * v.x(), v.z());
-      v += Eigen::Vector3d(random_.Normal(0.01), random_.Normal(0.01), random_.Normal(0.005));
+      const double noise = out_.stream.meta.noise.velocity;
+      v += Eigen::Vector3d(random_.Normal(noise), random_.Normal(noise),
+                           random_.Normal(0.5 * noise));
       if (random_.Chance(0.003)) {
         v += Eigen::Vector3d(random_.Normal(0.6), random_.Normal(0.6), random_.Normal(0.2));
       }
@@ -107,7 +118,11 @@ class Recorder {
       row.altitude = ground_.Depth(p.head<2>()) - p.z() + random_.Normal(0.03);
     }
     rows_.push_back({t + 1e-4, row});
-    rows_.push_back({t + 2e-4, DepthRow{t, X.p_WB.z() + depth_bias_ + random_.Normal(0.02)}});
+  }
+
+  void TakeDepth(double t, const Pose& X) {
+    const double noise = random_.Normal(out_.stream.meta.noise.depth);
+    rows_.push_back({t + 2e-4, DepthRow{t, X.p_WB.z() + depth_bias_ + noise}});
   }
 
   void TakeFix(double t, const SimulatedVehicle& vehicle) {
@@ -202,7 +217,8 @@ class Recorder {
   const SimulatedGround& ground_;
   SimulatedStream& out_;
   Random random_, boxes_;
-  SlowNoise roll_error_{random_, 0.004, 30.0}, pitch_error_{random_, 0.004, 30.0};
+  SlowNoise roll_error_{random_, 0.004 * scene_.noise, 30.0};
+  SlowNoise pitch_error_{random_, 0.004 * scene_.noise, 30.0};
   SlowNoise yaw_bias_{random_, scene_.yaw_bias_degph* kRadians / 3600.0, 3600.0};
   SlowNoise gps_x_{random_, 0.5, 120.0}, gps_y_{random_, 0.5, 120.0};
   double yaw_error_ = 0.0, scale_ = 1.0, misalign_ = 0.0, depth_bias_ = 0.0, short_gap_end_ = -1.0,

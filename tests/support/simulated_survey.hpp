@@ -36,6 +36,8 @@ struct StreamScene {
   double current_mps = 0.0;
   double leg_speed_sd_mps = 0.02;  ///< of the speed through the water, from leg to leg
   int velocity_bursts = 0;  ///< of 2 to 4 s in which the DVL says one wrong velocity, as valid
+  double dvl_period_s = 0.2;
+  double noise = 1.0;  ///< of DVL, depth and tilt, over the usual; the rows state it
   double resurface_every_s = 0.0;
   std::uint64_t place = 0;  ///< seed of the seabed and what stands on it; 0: `seed`
   int gone = 0, came = 0;   ///< of the place's objects, the first are gone, and others came since

@@ -55,8 +55,8 @@ struct LandmarkErrors {
 
 inline std::vector<std::vector<double>> ReadTable(const std::filesystem::path& file) {
   std::vector<std::vector<double>> rows;
-  const Expected<std::vector<std::string>> lines = ReadLines(file);
-  for (const std::string& line : lines ? *lines : std::vector<std::string>()) {
+  const Expected<StreamFile> read = ReadLines(file);
+  for (const std::string& line : read ? read->lines : std::vector<std::string>()) {
     std::vector<double> row;
     for (const std::string& field : Split(line, ',')) {
       row.push_back(ParseNumber(field).value_or(0.0));

@@ -137,6 +137,9 @@ int ReplayStream(const Arguments& given) {
   const bool is_drawn =
       !given.Has("plot") || (Write(out / "error.svg", NavErrorPlot(result, name)) &&
                              Write(out / "map.svg", NavMapPlot(result, name)));
+  if (stream->cut) {
+    fmt::print(stderr, "{}; what comes before was used\n", *stream->cut);
+  }
   if (given.Has("json")) {
     fmt::print("{}", timing);
   } else {

@@ -51,6 +51,41 @@ TEST_F(OdometryTrackTest, StepsCompoundToTheWholeWay) {
   EXPECT_NEAR(first.motion(3) + second.motion(3), whole.motion(3), 1e-12);
 }
 
+TEST_F(OdometryTrackTest, CatchesUpWithWhatItDidNotBelieveAtFirst) {
+  Drive(0.0, 20.0);
+  Drive(20.0, 26.0, false);
+  for (int i = 0; i < 30; ++i)  // as the gate says of every velocity meanwhile
+    track_.NoteContested(20.0 + 0.2 * i, v_dvl_ + Eigen::Vector3d(0.3, 0.0, 0.0));
+  const OdometryStep before = track_.Between(25.0, 25.9);
+  track_.BelieveContested();
+  const OdometryStep after = track_.Between(25.0, 25.9), whole = track_.Between(25.0, 25.95);
+  EXPECT_LT((after.motion - before.motion).norm(), 1e-9);
+  const double caught_up = (whole.motion - after.motion).head<2>().norm();
+  EXPECT_GT(caught_up, 0.5);  // a curve of 0.3 m/s over six seconds
+  EXPECT_GT(whole.variance(0), 0.05 * caught_up * caught_up);
+  Drive(26.0, 27.0);
+  EXPECT_LT(track_.Between(26.0, 26.9).motion.head<2>().norm(), 0.5);
+}
+
+TEST_F(OdometryTrackTest, AFalseVelocityThatEndedLeavesNothingBehind) {
+  Drive(0.0, 20.0);
+  track_.NoteContested(19.8, v_dvl_ + Eigen::Vector3d(1.0, 0.0, 0.0));
+  const OdometryStep before = track_.Between(10.0, 19.9);
+  track_.ForgetContested();
+  track_.BelieveContested();
+  EXPECT_EQ(before.motion, track_.Between(10.0, 19.9).motion);
+}
+
+TEST(OdometryTrack, ADvlOfOneHertzHasNoDropout) {
+  OdometryTrack track{OdometryParams{}};
+  for (int i = 0; i <= 600; ++i) {
+    track.AddAttitude({.t = 0.05 * i});
+    if (i % 20 == 0) track.AddVelocity(0.05 * i, Eigen::Vector3d(0.5, 0.0, 0.0));
+  }
+  EXPECT_FALSE(track.DropoutAge(30.9));
+  EXPECT_TRUE(track.DropoutAge(33.0));
+}
+
 TEST_F(OdometryTrackTest, BridgesADropoutAndSaysHowUnsureItIs) {
   Drive(0.0, 20.0);
   const double sure = track_.Between(10.0, 20.0).variance(0);

@@ -2,48 +2,115 @@
 #include "estimation/navigation/velocity_gate.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include <gtest/gtest.h>
 
 namespace limpet {
 namespace {
 
-const Eigen::Vector3d kCruise(0.5, 0.0, 0.0);
+using Verdict = VelocityGate::Verdict;
 
-TEST(VelocityGate, RefusesAJumpThatNoVehicleMakes) {
-  VelocityGate gate{VelocityGateParams{}};
-  EXPECT_TRUE(gate.Accepts(0.0, kCruise));
-  EXPECT_FALSE(gate.Accepts(0.2, kCruise + Eigen::Vector3d(0.0, 1.0, 0.0)));
-  EXPECT_TRUE(gate.Accepts(0.4, kCruise));
-}
+const Eigen::Vector3d kCruise(0.5, 0.0, 0.0), kFalse(0.1, 0.6, 0.0);
+constexpr double kPing = 0.2;  // [s] from one velocity to the next
 
-TEST(VelocityGate, TakesANewVelocityAfterADropoutOnceASecondSampleConfirmsIt) {
-  VelocityGate gate{VelocityGateParams{}};
-  EXPECT_TRUE(gate.Accepts(0.0, kCruise));
-  EXPECT_FALSE(gate.Accepts(60.0, -kCruise));
-  EXPECT_TRUE(gate.Accepts(60.2, -kCruise));
-}
-
-TEST(VelocityGate, TakesNoOutlierForTheTruthAtADropoutsEnd) {
-  VelocityGate gate{VelocityGateParams{}};
-  EXPECT_TRUE(gate.Accepts(0.0, kCruise));
-  EXPECT_FALSE(gate.Accepts(60.0, kCruise + Eigen::Vector3d(1.8, 0.0, 0.0)));
-  EXPECT_TRUE(gate.Accepts(60.2, kCruise));
-}
-
-TEST(VelocityGate, AWrongFirstSampleDoesNotLockItForEver) {
-  VelocityGate gate{VelocityGateParams{}};
-  EXPECT_TRUE(gate.Accepts(0.0, Eigen::Vector3d(3.0, 0.0, 0.0)));
-  double t = 0.0;
-  while (!gate.Accepts(t += 0.2, kCruise)) {
-    ASSERT_LT(t, 30.0);
+/// A gate that has seen ten seconds of cruise.
+class VelocityGateTest : public ::testing::Test {
+ protected:
+  VelocityGateTest() { EXPECT_EQ(Say(kCruise, 10.0), Verdict::kGood); }
+  /// The last verdict about `seconds` of one velocity.
+  Verdict Say(const Eigen::Vector3d& v_B, double seconds = kPing) {
+    Verdict verdict = Verdict::kRefused;
+    for (int i = 0; i < std::lround(seconds / kPing); ++i)
+      verdict = gate_.Judge(t_ += kPing, v_B, predicted_B_);
+    return verdict;
   }
-  EXPECT_TRUE(gate.Accepts(t + 0.2, kCruise));
+  VelocityGate gate_{VelocityGateParams{}};
+  std::optional<Eigen::Vector3d> predicted_B_;
+  double t_ = 0.0;
+};
+
+TEST_F(VelocityGateTest, RefusesAJumpThatNoVehicleMakes) {
+  EXPECT_EQ(Say(kCruise + Eigen::Vector3d(0.0, 1.0, 0.0)), Verdict::kRefused);
+  EXPECT_EQ(Say(kCruise), Verdict::kGood);
+}
+
+TEST_F(VelocityGateTest, OneFalseVelocityForSecondsIsNotBelieved) {
+  EXPECT_EQ(Say(kFalse, 4.0), Verdict::kContested);
+  EXPECT_EQ(Say(kCruise), Verdict::kGood);
+}
+
+TEST_F(VelocityGateTest, AFalseVelocityWithinTheAllowanceOfAnOldOneIsStillFalse) {
+  const Eigen::Vector3d near = kCruise + Eigen::Vector3d(0.22, 0.0, 0.0);
+  EXPECT_EQ(Say(near, 3.0), Verdict::kContested);  // a second later 0.3 m/s would pass
+  EXPECT_EQ(Say(kCruise), Verdict::kGood);
+}
+
+TEST_F(VelocityGateTest, AnOutlierAmongFalseVelocitiesDoesNotMakeThemTrue) {
+  EXPECT_EQ(Say(kFalse, 1.0), Verdict::kContested);
+  EXPECT_EQ(Say(Eigen::Vector3d(2.0, -1.0, 0.0)), Verdict::kRefused);
+  EXPECT_EQ(Say(kFalse, 1.0), Verdict::kContested);
+}
+
+TEST_F(VelocityGateTest, WhatLastsLongerThanAnyFalseVelocityIsTheTruth) {
+  EXPECT_EQ(Say(kFalse, 6.0), Verdict::kContested);
+  EXPECT_EQ(Say(kFalse), Verdict::kContested);
+  EXPECT_EQ(Say(kFalse), Verdict::kBelieved);
+  EXPECT_EQ(Say(kFalse), Verdict::kGood);
+}
+
+TEST_F(VelocityGateTest, AVehicleThatBeginsToDiveIsBelievedAtTheSecondSample) {
+  const Eigen::Vector3d dive = kCruise + Eigen::Vector3d(0.02, 0.0, 0.25);
+  EXPECT_EQ(Say(dive), Verdict::kRefused);
+  EXPECT_EQ(Say(dive), Verdict::kGood);
+}
+
+TEST_F(VelocityGateTest, AfterADropoutWhatIsPredictedIsTakenAtOnce) {
+  t_ += 60.0;
+  predicted_B_ = -kCruise;
+  EXPECT_EQ(Say(-kCruise), Verdict::kGood);
+}
+
+TEST_F(VelocityGateTest, AfterADropoutAVehicleMayGoAnotherWay) {
+  t_ += 20.0;
+  predicted_B_ = kCruise;
+  EXPECT_EQ(Say(kFalse, 1.2), Verdict::kContested);
+  EXPECT_EQ(Say(kFalse), Verdict::kBelieved);
+  EXPECT_TRUE(gate_.alternative_B());
+  EXPECT_EQ(Say(kFalse, 6.0), Verdict::kGood);
+  EXPECT_FALSE(gate_.alternative_B());
+}
+
+TEST_F(VelocityGateTest, WhatWasFalseAfterADropoutIsTakenBackWhenTheOldTruthReturns) {
+  t_ += 20.0;
+  EXPECT_EQ(Say(kFalse, 1.4), Verdict::kBelieved);
+  EXPECT_EQ(Say(kFalse, 2.0), Verdict::kGood);
+  EXPECT_EQ(Say(kCruise), Verdict::kBelieved);
+  EXPECT_EQ(Say(kCruise), Verdict::kGood);
+}
+
+TEST_F(VelocityGateTest, AnOutlierThatPassedDoesNotMakeTheTruthFalse) {
+  const Eigen::Vector3d off(0.1, 0.12, 0.0);
+  EXPECT_EQ(Say(kCruise + off), Verdict::kGood);
+  EXPECT_EQ(Say(kCruise - Eigen::Vector3d(0.03, 0.05, 0.0)), Verdict::kGood);
+}
+
+TEST_F(VelocityGateTest, TakesNoOutlierForTheTruthAtADropoutsEnd) {
+  t_ += 60.0;
+  EXPECT_EQ(Say(kCruise + Eigen::Vector3d(1.8, 0.0, 0.0)), Verdict::kRefused);
+  EXPECT_EQ(Say(kCruise), Verdict::kGood);
+}
+
+TEST(VelocityGate, AWrongFirstSampleDoesNotLockIt) {
+  VelocityGate gate{VelocityGateParams{}};
+  EXPECT_EQ(gate.Judge(0.0, Eigen::Vector3d(3.0, 0.0, 0.0)), Verdict::kGood);
+  EXPECT_EQ(gate.Judge(0.2, kCruise), Verdict::kRefused);
+  EXPECT_EQ(gate.Judge(0.4, kCruise), Verdict::kGood);
 }
 
 TEST(VelocityGate, RefusesWhatIsNoNumber) {
   VelocityGate gate{VelocityGateParams{}};
-  EXPECT_FALSE(gate.Accepts(0.0, Eigen::Vector3d(std::nan(""), 0.0, 0.0)));
+  EXPECT_EQ(gate.Judge(0.0, Eigen::Vector3d(std::nan(""), 0.0, 0.0)), Verdict::kRefused);
 }
 
 }  // namespace

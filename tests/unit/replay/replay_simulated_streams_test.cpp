@@ -52,6 +52,45 @@ TEST_P(HardHour, DropoutsInACurrentAndFalseBoxesNeitherDoubleNorInventAnObject) 
 
 INSTANTIATE_TEST_SUITE_P(Seeds, HardHour, ::testing::Range(1, 5));
 
+/// How far off the smoothed track is [m], once no object is doubled or invented.
+double AlignedErrorOf(const StreamScene& scene) {
+  const SimulatedStream session = SimulateStream(scene);
+  const ReplayResult result = Replay(session.stream, ParamsForStream(session.stream.meta), NoClock);
+  const auto error = ErrorOf(result.smoothed, session.truth);
+  const auto objects = ErrorsOf(result.landmarks, error.alignment, session.truth);
+  EXPECT_EQ(objects.duplicates + objects.false_ones, 0);
+  return error.aligned;
+}
+
+TEST_P(HardHour, BurstsOfFalseVelocityDoNotCarryTheVehicleOff) {
+  StreamScene scene = RoughHour(static_cast<unsigned>(GetParam()));
+  scene.long_dropouts = 1;
+  const double without = AlignedErrorOf(scene);
+  scene.velocity_bursts = 20;
+  EXPECT_LT(AlignedErrorOf(scene), without + 0.05);
+}
+
+TEST_P(HardHour, ADvlOfOneHertzIsAsGoodAsThereIsLockForIt) {
+  StreamScene scene = RoughHour(static_cast<unsigned>(GetParam()));
+  scene.long_dropouts = 1;
+  scene.dvl_period_s = 1.0;
+  EXPECT_LT(AlignedErrorOf(scene), 0.3);
+}
+
+TEST(SimulatedStream, ANoisierVehicleIsBelievedLess) {
+  constexpr int kSessions = 10;
+  double nees = 0.0;
+  for (unsigned seed = 1; seed <= kSessions; ++seed) {
+    const SimulatedStream session = SimulateStream({.seed = seed, .noise = 5.0});
+    const ReplayResult result =
+        Replay(session.stream, ParamsForStream(session.stream.meta), NoClock);
+    const Eigen::Vector3d error =
+        result.online.back().X_WB.p_WB - session.truth.At(result.online.back().t);
+    nees += error.dot(result.online_covariance.back().llt().solve(error)) / kSessions;
+  }
+  EXPECT_LT(nees, 5.0);
+}
+
 StreamScene TwinHour(std::uint64_t seed) {
   StreamScene scene = RoughHour(seed);
   scene.has_twins = true;
