@@ -109,11 +109,11 @@ inline const auto kDvlData = Declare<DvlSample>(
 inline const auto kGpsData = Declare<GpsFix>(
     "GPS_DATA", "GPS fix in the mission's local frame",
     {.unit = "m", .frame = "NED", .rate = "1 Hz at the surface", .writers = {"uSimSensors"}});
-inline const auto kUsblFix =
-    Declare<UsblFix>("USBL_FIX",
-                     "fix by an acoustic positioning system; heard if pNav's `sources` "
-                     "name acoustic_fix",
-                     {.unit = "m", .frame = "NED", .rate = "as it comes", .writers = {}});
+inline const auto kUsblFix = Declare<UsblFix>(
+    "USBL_FIX",
+    "fix by an acoustic positioning system; heard if pNav's `sources` "
+    "name acoustic_fix",
+    {.unit = "m", .frame = "NED", .rate = "as it comes", .writers = {"a driver of the vehicle's"}});
 inline const auto kCameraFrame = Declare<CameraFrame>(
     "CAMERA_FRAME", "down-looking image, 8-bit BGR",
     {.unit = "px, s", .frame = "image", .rate = "4 Hz", .writers = {"uSimCamera"}});
