@@ -2,13 +2,15 @@
 # What a compiler of another make and clang-tidy say of the code. Every file is read by Clang on its own, so that an
 # #include which a neighbour in a unity build, or another compiler's headers, would hide is missing here; every file of
 # the product is held to .clang-tidy, eight at a time, since most of the time goes into the headers of others.
-# What was clean stays so until a file that it reads changes: ~/.cache/limpet/tidy knows.
+# What was clean stays so until a file that it reads changes: ~/.cache/limpet/lint knows. The newest files come first;
+# with LIMPET_LINT_SECONDS nothing is begun after so many, and what is left for another time is counted and said.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 root=$PWD
-jobs="$(nproc)"
-clean="${XDG_CACHE_HOME:-$HOME/.cache}/limpet/tidy"
-export root clean
+clean="${XDG_CACHE_HOME:-$HOME/.cache}/limpet/lint"
+findings="$root/build-lint/findings"
+deadline=$((EPOCHSECONDS + ${LIMPET_LINT_SECONDS:-1000000}))
+export root clean findings deadline
 
 prepare() { # folder cmake-argument...: compile commands and precompiled headers, by Clang
   local folder="$root/$1" targets=(limpet_precompiled)
@@ -20,27 +22,57 @@ prepare() { # folder cmake-argument...: compile commands and precompiled headers
   ninja -C "$folder" --quiet "${targets[@]}"
 }
 
+newest_first() { # compile commands: those of files that changed last come first
+  git log --format= --name-only --diff-filter=AM >build-lint/newest
+  awk -v root="$root/" '
+    NR == FNR { if (!($0 in rank)) rank[$0] = ++n; next }
+    { file = $0; sub(".* -c ", "", file); sub(root, "", file)
+      printf "%d\t%s\n", file in rank ? rank[file] : n + 1, $0 }' build-lint/newest - | sort -n | cut -f 2-
+}
+
 commands() { # folder: one compile command per line, as a shell reads it; not those of the precompiled headers
   sed -n 's/^ *"command": "\(.*\)",$/\1/p' "$1/compile_commands.json" | grep -v ' -c [^ ]*precompiled[^ ]*$' |
     sed 's/\\\(["\\]\)/\1/g'
 }
 
-read_alone() { # compile command: only the front end, which finds all that can be wrong
-  eval "${1/ -o * -c / -fsyntax-only }"
+once() { # key check argument...: runs the check unless what has this key was clean, or the time is over
+  local key="$clean/$1"
+  shift
+  [ ! -e "$key" ] || return 0
+  if [ "$EPOCHSECONDS" -ge "$deadline" ]; then echo left >>"$findings"; return 0; fi
+  if "$@"; then : >"$key"; else echo bad >>"$findings"; fi
 }
 
-tidy() { # compile command of a batch: silent if it is clean, or was so with the same text
-  local batch="${1##* -c }" key
-  key="$(eval "${1/ -o * -c / -MM }" | tr -s ' \\' '\n' | grep "^$root/" | grep -v "^$root/build" | sort -u |
-    xargs cat "$root/.clang-tidy" "$batch" | sha256sum | cut -d ' ' -f 1)"
-  [ ! -e "$clean/$key" ] || return 0
-  clang-tidy-14 -p "$root/build-lint/unity" --quiet --config-file="$root/.clang-tidy" "$batch" 2>/dev/null && : >"$clean/$key"
+syntax() { eval "${1/ -o * -c / -fsyntax-only }"; } # compile command: only the front end, which finds all there is
+
+read_alone() { # compile command
+  once "$( (echo "$1$headers" && cat "${1##* -c }") | sha256sum | cut -d ' ' -f 1)" syntax "$1"
 }
-export -f read_alone tidy
+
+run_tidy() { # file
+  clang-tidy-14 -p "$root/build-lint/unity" --quiet --config-file="$root/.clang-tidy" "$1" 2>/dev/null
+}
+
+tidy() { # compile command of a batch: its key is the text of all files of ours that it reads
+  local batch="${1##* -c }"
+  once "$(eval "${1/ -o * -c / -MM }" | tr -s ' \\' '\n' | grep "^$root/" | grep -v "^$root/build" | sort -u |
+    xargs cat "$root/.clang-tidy" "$batch" | sha256sum | cut -d ' ' -f 1)" run_tidy "$batch"
+}
+export -f once syntax read_alone run_tidy tidy
+
+each() { # check: of every compile command that comes in, on all cores
+  tr '\n' '\0' | xargs -0 -r -P "$(nproc)" -n 1 bash -c "$1"' "$1"' -
+}
 
 mkdir -p build-lint "$clean"
 find "$clean" -type f -mtime +30 -delete
+: >"$findings"
+headers="$(git ls-files -z '*.hpp' '*.cmake' '*CMakeLists.txt' | xargs -0 cat | sha256sum)"
+export headers
 prepare build-lint/alone -DBUILD_TESTING=ON
-commands build-lint/alone | tr '\n' '\0' | xargs -0 -P "$jobs" -n 1 bash -c 'read_alone "$1"' -
+commands build-lint/alone | newest_first | each read_alone
 prepare build-lint/unity -DBUILD_TESTING=OFF -DCMAKE_UNITY_BUILD=ON
-commands build-lint/unity | tr '\n' '\0' | xargs -0 -P "$jobs" -n 1 bash -c 'tidy "$1"' -
+commands build-lint/unity | each tidy
+left="$(grep -c left "$findings" || true)"
+[ "$left" -eq 0 ] || echo "lint: $left files or batches left for another time" >&2
+! grep -q bad "$findings"
