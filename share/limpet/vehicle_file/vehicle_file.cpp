@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <ranges>
 #include <utility>
 
 #include <fmt/format.h>
@@ -163,7 +162,8 @@ Reading ReadBase(YamlReader& in, const YAML::Node& root, const fs::path& folder)
     in.Complain(named, kBasedOn, "files that are based on one another without end");
     return reading;
   }
-  for (const fs::path& file : chain | std::views::reverse) {
+  std::ranges::reverse(chain);
+  for (const fs::path& file : chain) {
     YamlReader one(file.string());
     ReadSections(one, YAML::Load(ReadTextFile(file)), reading);
     if (!one.problems().empty()) throw ConfigError(one.problems());
