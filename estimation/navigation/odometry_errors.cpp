@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "estimation/smoothing/factors/border_prior_factor.hpp"
+#include "estimation/smoothing/factors/bridge_end_factor.hpp"
 #include "estimation/smoothing/factors/bridged_step_factor.hpp"
 #include "estimation/smoothing/factors/calibrated_step_factor.hpp"
 #include "estimation/smoothing/factors/slow_errors_factor.hpp"
@@ -14,6 +15,8 @@ namespace {
 constexpr double kShortDropout = 3.0;    // [s] of which steps bear the error alone
 constexpr double kBridgeStretch = 30.0;  // [s] for which current and speed are off by the same
 constexpr double kBridgeNoise = 0.01;    // [m/sqrt(s)] that they change in between
+constexpr double kEndWait = 2.1;         // [s] after a dropout until its end is known
+constexpr int kEnoughAtEnd = 3;          // velocities
 constexpr double kScaleChange = 0.1;     // share of the sigmas, from one period to the next
 
 }  // namespace
@@ -65,6 +68,18 @@ int OdometryErrors::BridgeAt(double t) {
   return slot;
 }
 
+void OdometryErrors::ConcludeBridge(double t) {
+  if (!bridge_) return;
+  const auto& end = track_.bridge_end();
+  const bool is_of_it = end && end->t >= bridge_->since;
+  if (is_of_it && t < end->t + kEndWait) return;
+  if (is_of_it && end->count >= kEnoughAtEnd) {
+    const BridgeEndFactor factor(end->off_H, end->variance_H, end->yaw);
+    smoother_.AddBorderTerm(bridge_->slot, Term::OnBorder(factor, bridge_->slot));
+  }
+  EndBridge();
+}
+
 void OdometryErrors::EndBridge() {
   if (bridge_) smoother_.CloseSensorErrors(bridge_->slot);
   bridge_.reset();
@@ -74,7 +89,7 @@ Term OdometryErrors::StepTerm(double from, double to) {
   OdometryStep step = track_.Between(from, to);
   const auto age = track_.DropoutAge(to);
   if (!age || *age < kShortDropout) {
-    EndBridge();
+    ConcludeBridge(to);
     return Term::OnStep(CalibratedStepFactor(step.motion, step.variance, step.duration),
                         SlowAt(to));
   }
@@ -88,7 +103,7 @@ Term OdometryErrors::StepTerm(double from, double to) {
 OdometryStep OdometryErrors::Corrected(double from, double to) const {
   OdometryStep step = track_.Between(from, to);
   step.motion = WithoutSlowErrors(step.motion, step.duration, Now());
-  if (bridge_) {
+  if (bridge_ && track_.DropoutAge(to)) {
     const double yaw = track_.AttitudeAt(from).yaw;
     step.motion.head<2>() -=
         step.duration * BridgeErrorAhead(smoother_.BorderAt(bridge_->slot), yaw);

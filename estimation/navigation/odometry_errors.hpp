@@ -38,6 +38,8 @@ class OdometryErrors {
   int SlowAt(double t);
   /// In a dropout: slot of what current and speed through the water are off.
   int BridgeAt(double t);
+  /// Out of the dropout: what the first velocities say of the bridge, once they have come.
+  void ConcludeBridge(double t);
   void EndBridge();
 
   const NavigatorParams& params_;

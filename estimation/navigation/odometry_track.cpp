@@ -14,6 +14,7 @@ namespace {
 constexpr double kLongestExtrapolation = 0.3;  // [s]
 constexpr double kDropoutAge = 0.5;            // [s] without velocity before it counts as a dropout
 constexpr double kDropoutPeriods = 2.4;        // and so many of the DVL's periods
+constexpr double kBridgeEnd = 2.0;             // [s] of velocities that a bridge is held against
 constexpr double kTurnMemory = 0.2;            // [s] over which a rate of turning is averaged
 constexpr double kAttitudeGap = 2.0;           // [s] in which the vehicle does not turn away
 constexpr double kUnknownTurnRate = 0.3;       // [rad/s] 1-sigma of a turn that nobody measures
@@ -77,6 +78,7 @@ void OdometryTrack::AddVelocity(double t, const std::optional<Eigen::Vector3d>& 
   velocity_t_ = t;
   if (v_dvl_B) {
     velocity_ = *v_dvl_B;
+    HoldAgainstBridge(t, velocity_);
     accepted_t_ = t;
     has_velocity_ = true;
     TeachWater(t, velocity_);
@@ -107,6 +109,24 @@ void OdometryTrack::BelieveContested() {
   now.p_dvl.head<2>() += contested_way_;
   now.bridge_variance += kContestedShare * kContestedShare * contested_way_.squaredNorm();
   contested_way_.setZero();
+}
+
+void OdometryTrack::HoldAgainstBridge(double t, const Eigen::Vector3d& v_dvl_B) {
+  if (is_empty() || !has_velocity_) return;
+  const Sample sample = SampleAt(t);
+  const double yaw = sample.attitude.yaw;
+  if (const auto age = DropoutAge(t)) {
+    bridging_ = water_;
+    bridge_end_ = BridgeEnd{.t = t, .length = *age, .yaw = yaw};
+  }
+  if (!bridge_end_ || t - bridge_end_->t > kBridgeEnd) return;
+  const Eigen::Vector2d bridged = bridging_->VelocityAt(t, {.yaw = yaw, .rate = sample.turn_rate});
+  const Eigen::Vector2d measured = (sample.R_DB * v_dvl_B).head<2>();
+  BridgeEnd& end = *bridge_end_;
+  ++end.count;
+  end.off_H += (Eigen::Rotation2Dd(-yaw) * (bridged - measured) - end.off_H) / end.count;
+  const double white = params_.velocity_noise * params_.velocity_noise / end.count;
+  end.variance_H = bridging_->EndVariance(end.length).array() + white;
 }
 
 void OdometryTrack::TeachWater(double t, const Eigen::Vector3d& v_dvl_B) {

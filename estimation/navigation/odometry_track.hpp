@@ -55,6 +55,17 @@ struct SilenceVariance {
 };
 [[nodiscard]] SilenceVariance VarianceOfSilence(const OdometryParams& params, double seconds);
 
+/// The first velocities after a dropout beside those that would still bridge it.
+struct BridgeEnd {
+  double t = 0.0;       ///< of the first of them [s]
+  double length = 0.0;  ///< of the dropout [s]
+  Eigen::Vector2d off_H =
+      Eigen::Vector2d::Zero();  ///< bridged less measured, ahead and abeam, mean
+  Eigen::Vector2d variance_H = Eigen::Vector2d::Zero();
+  double yaw = 0.0;  ///< of the vehicle at the first [rad]
+  int count = 0;
+};
+
 /// Body pose in the track's own drifting frame, oriented by the attitude filter's yaw.
 struct TrackPose {
   double t = 0.0;
@@ -105,6 +116,9 @@ class OdometryTrack {
   /// there is none.
   [[nodiscard]] std::optional<Eigen::Vector3d> BridgedAt(double t) const;
 
+  /// Of the last dropout that has ended; nothing before one.
+  [[nodiscard]] const std::optional<BridgeEnd>& bridge_end() const { return bridge_end_; }
+
   /// Current and speed through the water; its north is the attitude's.
   [[nodiscard]] const WaterModel& water() const { return water_; }
 
@@ -146,6 +160,8 @@ class OdometryTrack {
   [[nodiscard]] double LongestPause() const;
   [[nodiscard]] Eigen::Vector3d VelocityAt(double t) const;
   [[nodiscard]] double TurnRateAt(double t) const;
+  /// Before the water model learns from a velocity.
+  void HoldAgainstBridge(double t, const Eigen::Vector3d& v_dvl_B);
   void TeachWater(double t, const Eigen::Vector3d& v_dvl_B);
   /// In a dropout: in the track's frame.
   [[nodiscard]] Eigen::Vector3d BridgedVelocity(double t, const Turning& turning) const;
@@ -166,6 +182,8 @@ class OdometryTrack {
   Eigen::Vector2d contested_way_ = Eigen::Vector2d::Zero();  ///< in the track's frame [m]
   SamplePeriod period_;
   WaterModel water_;
+  std::optional<WaterModel> bridging_;  ///< as it bridged the last dropout
+  std::optional<BridgeEnd> bridge_end_;
   std::optional<double> sink_rate_;
 };
 

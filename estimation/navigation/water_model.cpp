@@ -140,6 +140,10 @@ Eigen::Vector3d WaterModel::BridgeChange(double seconds) const {
          Eigen::Vector3d(params_.current_walk, params_.current_walk, params_.speed_walk);
 }
 
+Eigen::Vector2d WaterModel::EndVariance(double seconds) const {
+  return Eigen::Vector2d(ManeuverVariance(seconds), 0.0).array() + 0.3 * error_variance_;
+}
+
 WaterState WaterModel::StateAt(double t) const {
   const Covariance P = CovarianceAt(t);
   WaterState state{.current_W = {x_(kNorth), x_(kEast)}, .speed = SpeedAt(t)};

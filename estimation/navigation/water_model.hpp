@@ -77,6 +77,10 @@ class WaterModel {
   /// 1-sigma of how these change in `seconds` [m/s].
   [[nodiscard]] Eigen::Vector3d BridgeChange(double seconds) const;
 
+  /// Variance of each of ahead and abeam of what the error of a bridge of `seconds` is at its end,
+  /// beside what it was all along [m^2/s^2].
+  [[nodiscard]] Eigen::Vector2d EndVariance(double seconds) const;
+
   [[nodiscard]] WaterState StateAt(double t) const;
   /// False until a first velocity has come.
   [[nodiscard]] bool has_velocity() const { return t_.has_value(); }

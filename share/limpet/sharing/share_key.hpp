@@ -22,6 +22,8 @@ class ShareKey {
   explicit ShareKey(const Bytes& bytes) : bytes_(bytes) {}
   ShareKey(const ShareKey&) = default;
   ShareKey& operator=(const ShareKey&) = default;
+  ShareKey(ShareKey&&) = default;  ///< copies: each wipes its own
+  ShareKey& operator=(ShareKey&&) = default;
   ~ShareKey();
 
   [[nodiscard]] static ShareKey Random();

@@ -51,6 +51,29 @@ TEST_F(OdometryTrackTest, StepsCompoundToTheWholeWay) {
   EXPECT_NEAR(first.motion(3) + second.motion(3), whole.motion(3), 1e-12);
 }
 
+TEST_F(OdometryTrackTest, ADropoutsEndShowsWhatItsBridgeWasOff) {
+  const Eigen::Vector3d current_W(0.0, 0.1, 0.0);  // comes up while nothing measures it
+  for (int i = 0; i <= 3000; ++i) {
+    const double t = 0.05 * i;
+    track_.AddAttitude({.t = t, .yaw = 0.3});
+    if (i % 4 != 0) continue;
+    const bool is_after = t > 120.0;
+    const Eigen::Vector3d v_B =
+        Eigen::Vector3d(kSpeed, 0.0, 0.0) +
+        (is_after ? Eigen::AngleAxisd(-0.3, Eigen::Vector3d::UnitZ()) * current_W
+                  : Eigen::Vector3d(Eigen::Vector3d::Zero()));
+    const bool has_lock = t < 60.0 || is_after;
+    track_.AddVelocity(t, has_lock ? std::optional(v_B) : std::nullopt);
+  }
+  ASSERT_TRUE(track_.bridge_end());
+  const BridgeEnd& end = *track_.bridge_end();
+  EXPECT_NEAR(end.length, 60.4, 0.3);
+  EXPECT_GE(end.count, 9);
+  const Eigen::Vector2d off_W = Eigen::Rotation2Dd(end.yaw) * end.off_H;  // bridged less true
+  EXPECT_NEAR((off_W + current_W.head<2>()).norm(), 0.0, 0.01);
+  EXPECT_GT(end.variance_H.minCoeff(), 0.0);
+}
+
 TEST_F(OdometryTrackTest, CatchesUpWithWhatItDidNotBelieveAtFirst) {
   Drive(0.0, 20.0);
   Drive(20.0, 26.0, false);
