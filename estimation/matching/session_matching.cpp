@@ -135,10 +135,11 @@ class SessionMatcher {
     for (const ObjectEstimate& a : former_) {
       const Eigen::Vector2d there = offset.Apply(a.p_W).head<2>();
       const double swing = pair ? params_.turn_sigma.value() * (a.p_W - *pair).norm() : 0.0;
-      near += std::ranges::any_of(now_, [&](const ObjectEstimate& b) {
+      const auto is_near = [&](const ObjectEstimate& b) {
         const double reach = gate_ * (PairCovariance(a, b).trace() + swing * swing);
         return ColorCost(a, b) <= gate_ && (b.p_W.head<2>() - there).squaredNorm() < reach;
-      });
+      };
+      near += std::ranges::any_of(now_, is_near) ? 1 : 0;
     }
     starts.push_back({offset, near - improbable / gate_});
   }
@@ -188,7 +189,7 @@ class SessionMatcher {
     return AssignOneToOne(costs, gate_);
   }
 
-  [[nodiscard]] SessionMatch Refine(FrameOffset offset,
+  [[nodiscard]] SessionMatch Refine(const FrameOffset& offset,
                                     const std::optional<Pair>& forbidden = std::nullopt) const {
     SessionMatch match{.now_of_former = Assign(offset, forbidden), .offset = offset};
     for (int i = 0; i < kRefinements; ++i) {
