@@ -59,9 +59,10 @@ void FormerMatching::Update() {
   smoother_.Update();
   tracker_.Refresh();
   matched_.clear();
-  for (const TrackedObject* object : present.objects)
+  for (const TrackedObject* object : present.objects) {
     matched_.push_back({object->slot(), object->p_W,
                         object->former_candidates.empty() ? 0 : object->observations.size()});
+  }
 }
 
 bool FormerMatching::HasChanged(const Present& present) const {

@@ -82,7 +82,7 @@ class StreamParser {
     } else if (kind == "FRM") {
       f.Expect(5);
       missing_boxes_ = f.Integer(4);
-      stream_.rows.push_back(FrameRow{
+      stream_.rows.emplace_back(FrameRow{
           .arrival = f.Number(2),
           .frame = {.frame = f.Integer(3), .exposure = Seconds(f.Number(1)), .boxes = {}}});
     } else if (!f.AreFinite(1)) {
@@ -90,24 +90,24 @@ class StreamParser {
     } else if (kind == "ATT") {
       f.Expect(8);
       noises_.AddTilt(std::max(f.Number(5), f.Number(6)));
-      stream_.rows.push_back(AttitudeEstimate{.t = f.Number(1),
-                                              .roll = f.Number(2),
-                                              .pitch = f.Number(3),
-                                              .yaw = f.Number(4),
-                                              .yaw_rate = 0.0,
-                                              .sd_roll = f.Number(5),
-                                              .sd_pitch = f.Number(6),
-                                              .sd_yaw = f.Number(7)});
+      stream_.rows.emplace_back(AttitudeEstimate{.t = f.Number(1),
+                                                 .roll = f.Number(2),
+                                                 .pitch = f.Number(3),
+                                                 .yaw = f.Number(4),
+                                                 .yaw_rate = 0.0,
+                                                 .sd_roll = f.Number(5),
+                                                 .sd_pitch = f.Number(6),
+                                                 .sd_yaw = f.Number(7)});
     } else if (kind == "DVL") {
-      stream_.rows.push_back(ParseDvl(f));
+      stream_.rows.emplace_back(ParseDvl(f));
       if (const auto sd = f.Optional(6)) noises_.AddVelocity(*sd);
     } else if (kind == "DEP") {
       f.Expect(4);
       noises_.AddDepth(f.Number(3));
-      stream_.rows.push_back(DepthRow{f.Number(1), f.Number(2)});
+      stream_.rows.emplace_back(DepthRow{f.Number(1), f.Number(2)});
     } else if (kind == "GPS") {
       f.Expect(5);
-      stream_.rows.push_back(GpsRow{f.Number(1), {f.Number(2), f.Number(3)}, f.Number(4)});
+      stream_.rows.emplace_back(GpsRow{f.Number(1), {f.Number(2), f.Number(3)}, f.Number(4)});
     } else {
       throw BadLine{fmt::format("`{}` is no kind of row (ATT, DVL, DEP, GPS, FRM, DET)", kind)};
     }

@@ -162,7 +162,7 @@ JointCovariance HeadCovariance(const std::vector<int>& slots, const ArrowEstimat
     solved.push_back(slots[i]);
     Append(rows, static_cast<Eigen::Index>(6 + 3 * i), 3);
   }
-  const JointCovariance known = root.Covariance(solved);
+  JointCovariance known = root.Covariance(solved);
   if (solved.size() == slots.size()) {
     return known;
   }
