@@ -22,8 +22,7 @@ class ViewTreeGenerator final : public OptionGenerator {
       visit("tree_offers", offers, "Generator view_tree: branches offered", InRange(1, 1000));
     }
   };
-  ViewTreeGenerator(const Params& params, Random random)
-      : params_(params), random_(std::move(random)) {}
+  ViewTreeGenerator(const Params& params, Random random) : params_(params), random_(random) {}
 
   void Offer(const Situation& now, const SearchGoals& goals,
              std::vector<Option>& options) override {

@@ -78,8 +78,8 @@ TcpBrokerOptions OptionsOf(const AppCommand& command) {
 /// a burst is over.
 void KeepMemoryWarm() {
   constexpr int kWarm = 16 << 20;
-  mallopt(M_MMAP_THRESHOLD, kWarm);
-  mallopt(M_TRIM_THRESHOLD, kWarm);
+  mallopt(M_MMAP_THRESHOLD, kWarm);  // NOLINT(concurrency-mt-unsafe): before any other thread
+  mallopt(M_TRIM_THRESHOLD, kWarm);  // NOLINT(concurrency-mt-unsafe): as above
 }
 
 /// A connection is a file; systems start programs with 1024 where many more are allowed.
