@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <iterator>
-#include <utility>
 
 #include "limpet/helm/generator_registry.hpp"
 #include "limpet/planning/paper_tree.hpp"
@@ -22,8 +21,7 @@ class PaperGenerator final : public OptionGenerator {
       visit("paper_nodes", nodes, "Generator paper: nodes of its tree", InRange(10, 100000));
     }
   };
-  PaperGenerator(const Params& params, Random random)
-      : params_(params), random_(std::move(random)) {}
+  PaperGenerator(const Params& params, Random random) : params_(params), random_(random) {}
 
   void Offer(const Situation& now, const SearchGoals& goals,
              std::vector<Option>& options) override {

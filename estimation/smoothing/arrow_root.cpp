@@ -80,29 +80,33 @@ const Eigen::MatrixXd& ArrowRoot::PriorColumns(int block) const {
   return prior_->columns[block] = prior_->llt.solve(unit);
 }
 
+void ArrowRoot::SelectPrior(const std::vector<int>& blocks, Eigen::Index size) {
+  Prior& p = *prior_;
+  if (blocks == p.blocks && p.z_columns.rows() == p.mean.size()) return;
+  p.blocks = blocks;
+  p.z_columns.resize(p.mean.size(), size);
+  Eigen::Index column = 0;
+  for (const int block : blocks) {
+    p.z_columns.middleCols(column, Prior::Width(block)) = PriorColumns(block);
+    column += Prior::Width(block);
+  }
+  Eigen::MatrixXd& covariance = p.z_covariance;
+  covariance.resize(size, size);
+  Eigen::Index row = 0;
+  for (const int block : blocks) {
+    covariance.middleRows(row, Prior::Width(block)) =
+        p.z_columns.middleRows(p.First(block), Prior::Width(block));
+    row += Prior::Width(block);
+  }
+  p.information = covariance.llt().solve(Eigen::MatrixXd::Identity(size, size));
+}
+
 void ArrowRoot::Solve(const ArrowLeaf& leaf, const ArrowMessage& message) {
   Prior& p = *prior_;
   std::vector<int> blocks{-1};
   blocks.insert(blocks.end(), leaf.slots().begin(), leaf.slots().end());
   const auto size = static_cast<Eigen::Index>(6 + 3 * leaf.slots().size());
-  if (blocks != p.blocks || p.z_columns.rows() != p.mean.size()) {
-    p.blocks = blocks;
-    p.z_columns.resize(p.mean.size(), size);
-    Eigen::Index column = 0;
-    for (const int block : blocks) {
-      p.z_columns.middleCols(column, Prior::Width(block)) = PriorColumns(block);
-      column += Prior::Width(block);
-    }
-    Eigen::MatrixXd& covariance = p.z_covariance;
-    covariance.resize(size, size);
-    Eigen::Index row = 0;
-    for (const int block : blocks) {
-      covariance.middleRows(row, Prior::Width(block)) =
-          p.z_columns.middleRows(p.First(block), Prior::Width(block));
-      row += Prior::Width(block);
-    }
-    p.information = covariance.llt().solve(Eigen::MatrixXd::Identity(size, size));
-  }
+  SelectPrior(blocks, size);
   // Changes count from where the leaf is linearised; the prior's mean is moved there.
   Eigen::VectorXd prior_change(size), linearised(size);
   linearised.head<6>() = leaf.x_anchor();

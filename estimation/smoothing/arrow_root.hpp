@@ -45,6 +45,9 @@ class ArrowRoot {
  private:
   struct Prior;
   [[nodiscard]] const Eigen::MatrixXd& PriorColumns(int block) const;
+  /// The prior of the anchor (-1) and these other blocks, `size` unknowns together; nothing to do
+  /// while they stay the same.
+  void SelectPrior(const std::vector<int>& blocks, Eigen::Index size);
 
   std::unique_ptr<Prior> prior_;
   std::vector<int> held_;
