@@ -2,6 +2,7 @@
 #include "estimation/association/landmark_terms.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "estimation/smoothing/factors/birthplace_factor.hpp"
@@ -53,8 +54,8 @@ void LandmarkTerms::Remove(TrackedObject& object) {
 }
 
 void LandmarkTerms::Tie(TrackedObject& object, TrackedObject& to) {
-  smoother_.AddBorderTerm(object.slot(), Term::OnBorderPair(SamePlaceFactor(Meters(kTieSigma)),
-                                                            object.slot(), to.slot()));
+  smoother_.AddBorderTerm(object.slot(), Term::OnBorder(SamePlaceFactor(Meters(kTieSigma)),
+                                                        std::array{object.slot(), to.slot()}));
   object.state = Tied{.to = to.id(), .since = tracks_.now};
   object.needs_review = to.needs_review = true;
   to.last_path = std::max(to.last_path, object.last_path);

@@ -97,8 +97,8 @@ Triangulation Triangulate(const std::vector<Observation>& observations,
     Eigen::Vector3d g = kGuessInformation * (guess - result.p_W);
     result.worst_residual = 0.0;
     for (const Bound& b : bound) {
-      b.term.Linearize({nullptr, &b.x, &result.p_W}, linear);
-      const auto J = linear.J_border.topRows(linear.rows);
+      b.term.Linearize({.pose = &b.x, .border = {&result.p_W}}, linear);
+      const auto J = linear.J_border[0].topRows(linear.rows);
       H += J.transpose() * J;
       g -= J.transpose() * linear.r.head(linear.rows);
       result.worst_residual = std::max(result.worst_residual, std::sqrt(2.0 * linear.cost));

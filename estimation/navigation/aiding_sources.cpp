@@ -2,6 +2,7 @@
 #include "estimation/navigation/aiding_sources.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -83,17 +84,22 @@ bool AidingSources::Use(Offer offer, int node) {
 }
 
 bool AidingSources::IsAsPredicted(const Term& term) const {
-  const std::vector<int> slots =
-      term.border() ? std::vector<int>{*term.border()} : std::vector<int>{};
+  const std::vector<int> slots(term.slots().begin(), term.slots().end());
   const NavVector x = smoother_.PoseAt(smoother_.graph().node_count() - 1);
-  const Eigen::Vector3d errors =
-      term.border() ? smoother_.BorderAt(*term.border()) : Eigen::Vector3d::Zero();
+  std::array<Eigen::Vector3d, kMostBorders> errors;
+  TermPoint at{.pose = &x};
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    errors[i] = smoother_.BorderAt(slots[i]);
+    at.border[i] = &errors[i];
+  }
   LinearTerm linear;
-  term.Linearize({.previous = nullptr, .pose = &x, .border = &errors, .second = nullptr}, linear);
+  term.Linearize(at, linear);
   const Eigen::MatrixXd covariance = smoother_.Covariance(slots);
   Eigen::MatrixXd J(linear.rows, covariance.rows());
   J.leftCols<6>() = linear.J_pose.topRows(linear.rows);
-  if (term.border()) J.rightCols<3>() = linear.J_border.topRows(linear.rows);
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    J.middleCols<3>(static_cast<Eigen::Index>(6 + 3 * i)) = linear.J_border[i].topRows(linear.rows);
+  }
   const Eigen::MatrixXd S =
       J * covariance * J.transpose() + Eigen::MatrixXd::Identity(linear.rows, linear.rows);
   const Eigen::VectorXd r = linear.r.head(linear.rows);

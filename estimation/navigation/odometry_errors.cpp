@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/navigation/odometry_errors.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "estimation/smoothing/factors/border_prior_factor.hpp"
@@ -42,7 +43,7 @@ int OdometryErrors::SlowAt(double t) {
   const SlowErrorsFactor factor({1.0, 1.0, keep}, {kScaleChange * odometry.scale_sigma,
                                                    kScaleChange * odometry.misalign_sigma, change});
   const int next = smoother_.AddSensorErrors(Now());
-  smoother_.AddBorderTerm(slow_->slot, Term::OnBorderPair(factor, slow_->slot, next));
+  smoother_.AddBorderTerm(slow_->slot, Term::OnBorder(factor, std::array{slow_->slot, next}));
   smoother_.CloseSensorErrors(slow_->slot);
   slow_ = Variable{.slot = next, .since = t};
   return next;
@@ -56,7 +57,7 @@ int OdometryErrors::BridgeAt(double t) {
   if (bridge_) {
     const int next = smoother_.AddSensorErrors(smoother_.BorderAt(bridge_->slot));
     const SlowErrorsFactor factor(Eigen::Vector3d::Ones(), water.BridgeChange(t - bridge_->since));
-    smoother_.AddBorderTerm(bridge_->slot, Term::OnBorderPair(factor, bridge_->slot, next));
+    smoother_.AddBorderTerm(bridge_->slot, Term::OnBorder(factor, std::array{bridge_->slot, next}));
     EndBridge();
     bridge_ = Variable{.slot = next, .since = t};
     return next;
@@ -91,13 +92,14 @@ Term OdometryErrors::StepTerm(double from, double to) {
   if (!age || *age < kShortDropout) {
     ConcludeBridge(to);
     return Term::OnStep(CalibratedStepFactor(step.motion, step.variance, step.duration),
-                        SlowAt(to));
+                        std::array{SlowAt(to)});
   }
   // The error of the guess is one for many steps: it is estimated, and each step alone is good.
   step.motion = WithoutSlowErrors(step.motion, step.duration, Now());
   const double changes = kBridgeNoise * kBridgeNoise * step.duration;
   step.variance.head<2>().array() += changes - step.bridge_variance;
-  return Term::OnStep(BridgedStepFactor(step.motion, step.variance, step.duration), BridgeAt(to));
+  return Term::OnStep(BridgedStepFactor(step.motion, step.variance, step.duration),
+                      std::array{BridgeAt(to)});
 }
 
 OdometryStep OdometryErrors::Corrected(double from, double to) const {

@@ -10,16 +10,16 @@
 namespace limpet {
 
 int ArrowChain::AddNode(const NavVector& x, std::optional<Term> step) {
-  LIMPET_REQUIRE(!step || !HasLeftBorder(step->border()),
+  LIMPET_REQUIRE(!step || !HaveLeftBorder(step->slots()),
                  "a step does not depend on sensor errors that are closed");
   return graph_.AddNode(x, std::move(step));
 }
 
 TermId ArrowChain::AddTerm(int node, Term term) {
-  LIMPET_REQUIRE(!HasLeftBorder(term.border()),
+  LIMPET_REQUIRE(!HaveLeftBorder(term.slots()),
                  "a term does not depend on sensor errors that are closed");
-  if (term.border()) {
-    std::optional<LeafRange>& range = status_[AsIndex(*term.border())].leaves;
+  for (const int slot : term.slots()) {
+    std::optional<LeafRange>& range = status_[AsIndex(slot)].leaves;
     const int leaf = node / ArrowLeaf::kNodes, before = std::max(node - 1, 0) / ArrowLeaf::kNodes;
     range = range ? LeafRange{std::min(range->first, before), std::max(range->last, leaf)}
                   : LeafRange{before, leaf};
@@ -97,8 +97,10 @@ void ArrowChain::CloseWhatIsDue(const std::vector<double>& border) {
 
 bool ArrowChain::IsNamedByOthers(int slot) const {
   for (int other = 0; other < graph_.slot_count(); ++other) {
-    const auto names_it = [slot](const Term& term) { return term.second() == slot; };
-    if (!IsClosed(other) && std::ranges::any_of(graph_.border(other).terms, names_it)) return true;
+    const auto names_it = [slot](const Term& term) { return term.DependsOn(slot); };
+    if (other != slot && !IsClosed(other) &&
+        std::ranges::any_of(graph_.border(other).terms, names_it))
+      return true;
   }
   return false;
 }
@@ -107,12 +109,14 @@ ClosedBlock ArrowChain::ClosedBlockOf(int slot, const std::vector<double>& borde
   ClosedBlock block{.slot = slot, .leaves = *status(slot).leaves, .terms = {}};
   for (const Term& term : graph_.border(slot).terms) {
     ClosedBlock::OwnTerm& own = block.terms.emplace_back();
-    own.second = term.second();
-    LinearizeBorderTerm(slot, term, border, tree_.origin, own.linear);
+    own.slots.assign(term.slots().begin(), term.slots().end());
+    LinearizeBorderTerm(term, border, tree_.origin, own.linear);
   }
   // What has a term on it must be eliminated before it.
   for (const ClosedBlock& other : tree_.closed()) {
-    const auto names_it = [slot](const auto& term) { return term.second == slot; };
+    const auto names_it = [slot](const auto& own) {
+      return std::ranges::count(own.slots, slot) > 0;
+    };
     if (std::ranges::any_of(other.terms, names_it))
       block.leaves.first = std::min(block.leaves.first, other.leaves.first);
   }

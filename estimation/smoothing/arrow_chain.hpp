@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "estimation/smoothing/arrow_tree.hpp"
@@ -56,8 +58,10 @@ class ArrowChain {
   [[nodiscard]] int LeafOf(int node) const;
 
  private:
-  [[nodiscard]] bool HasLeftBorder(std::optional<int> slot) const {
-    return slot && status(*slot).phase != BorderPhase::kOpen;
+  /// Any of these.
+  [[nodiscard]] bool HaveLeftBorder(std::span<const int> slots) const {
+    return std::ranges::any_of(
+        slots, [this](int slot) { return status(slot).phase != BorderPhase::kOpen; });
   }
   void FileOpenLeaf(const std::vector<double>& border);
   /// Sensor errors that nothing depends on from here on leave the border.

@@ -19,19 +19,17 @@ void FillLink(const LinearTerm& step, ArrowLink& link) {
   Eigen::Map<NavCovariance>(link.head_next.data()) = J_previous.transpose() * J_pose;
   Eigen::Map<NavCovariance>(link.next_next.data()) = J_pose.transpose() * J_pose;
   Eigen::Map<NavVector>(link.g_next.data()) = -J_pose.transpose() * step.r.head<kRows>();
-  if (!link.columns.empty()) {
-    Eigen::Map<Eigen::Matrix<double, 6, 3>>(link.next_border.data()) =
-        J_pose.transpose() * step.J_border.topRows<kRows>();
+  for (std::size_t i = 0; i < link.columns.size(); ++i) {
+    Eigen::Map<Eigen::Matrix<double, 6, 3>>(&link.next_border[18 * i]) =
+        J_pose.transpose() * step.J_border[i].topRows<kRows>();
   }
 }
 
-/// `column` of the border where the variable begins that the step depends on, if any.
-ArrowLink LinkOf(const LinearTerm& step, std::optional<int> column) {
+/// `columns` of the border where the variables begin that the step depends on.
+ArrowLink LinkOf(const LinearTerm& step, std::span<const int> columns) {
   ArrowLink link;
-  if (column) {
-    link.columns.push_back(*column);
-    link.next_border.resize(18);
-  }
+  link.columns.assign(columns.begin(), columns.end());
+  link.next_border.resize(18 * columns.size());
   constexpr std::array kFill{&FillLink<1>, &FillLink<2>, &FillLink<3>,
                              &FillLink<4>, &FillLink<5>, &FillLink<6>};
   if (step.rows > 0) kFill[AsIndex(step.rows - 1)](step, link);
@@ -45,10 +43,21 @@ int ArrowLeaf::ColumnOf(int slot, ArrowMessage& message, const std::vector<doubl
   const auto local = static_cast<int>(found - slots_.begin());
   if (found == slots_.end()) {
     slots_.push_back(slot);
-    linearised_.insert(linearised_.end(), border.begin() + 3 * slot, border.begin() + 3 * slot + 3);
+    linearised_.emplace_back(&border[AsIndex(3 * slot)]);
   }
   message.GrowBorder(6 + 3 * static_cast<int>(slots_.size()));
   return kBlocksColumn + 3 * local;
+}
+
+ArrowLeaf::TermBlocks ArrowLeaf::BlocksOf(const Term& term, ArrowMessage& message,
+                                          const std::vector<double>& border, TermPoint& at) {
+  TermBlocks blocks;
+  for (const int slot : term.slots())
+    blocks.columns[blocks.count++] = ColumnOf(slot, message, border);
+  for (std::size_t i = 0; i < blocks.count;
+       ++i)  // no block is appended, and so moved, from here on
+    at.border[i] = &linearised_[AsIndex((blocks.columns[i] - kBlocksColumn) / 3)];
+  return blocks;
 }
 
 void ArrowLeaf::AddTerms(const ChainGraph& graph, ArrowMessage& message,
@@ -57,18 +66,14 @@ void ArrowLeaf::AddTerms(const ChainGraph& graph, ArrowMessage& message,
   const bool is_anchor = head_ == anchor_;
   const NavVector& x = is_anchor ? x_anchor_ : graph.node(head_).x;
   for (const ChainNode::Entry& entry : graph.node(head_).terms) {
-    std::array<JacobianBlock, 2> blocks{
-        JacobianBlock{is_anchor ? kAnchorColumn : 0, 6, linear.J_pose.data()}, {}};
     TermPoint at{.pose = &x};
-    Eigen::Vector3d p;
-    const std::optional<int> slot = entry.term.border();
-    if (slot) {
-      blocks[1] = {ColumnOf(*slot, message, border), 3, linear.J_border.data()};
-      p = Eigen::Map<const Eigen::Vector3d>(&linearised_[AsIndex(blocks[1].first - kBlocksColumn)]);
-      at.border = &p;
-    }
+    const TermBlocks blocks = BlocksOf(entry.term, message, border, at);
     entry.term.Linearize(at, linear);
-    message.Add(linear, std::span(blocks).first(slot ? 2 : 1));
+    std::array<JacobianBlock, 1 + kMostBorders> jacobians{
+        JacobianBlock{is_anchor ? kAnchorColumn : 0, 6, linear.J_pose.data()}};
+    for (std::size_t i = 0; i < blocks.count; ++i)
+      jacobians[1 + i] = {blocks.columns[i], 3, linear.J_border[i].data()};
+    message.Add(linear, std::span(jacobians).first(1 + blocks.count));
   }
 }
 
@@ -79,25 +84,25 @@ void ArrowLeaf::Extend(const ChainGraph& graph, const std::vector<double>& borde
   const bool is_anchor = head_ == anchor_;
   TermPoint at{.previous = is_anchor ? &x_anchor_ : &graph.node(head_).x, .pose = &next.x};
   LinearTerm linear;
-  Eigen::Vector3d errors;
-  const std::optional<int> slot = next.step->border();
-  const int column = slot ? ColumnOf(*slot, message_, border) : 0;
-  if (slot) {
-    errors = Eigen::Map<const Eigen::Vector3d>(&linearised_[AsIndex(column - kBlocksColumn)]);
-    at.border = &errors;
-  }
+  const TermBlocks blocks = BlocksOf(*next.step, message_, border, at);
   next.step->Linearize(at, linear);
+  std::array<JacobianBlock, 2 + kMostBorders> jacobians;
+  std::size_t count = 0;
   if (is_anchor) {
-    const std::array<JacobianBlock, 3> blocks{{{0, 6, linear.J_pose.data()},
-                                               {kAnchorColumn, 6, linear.J_previous.data()},
-                                               {column, 3, linear.J_border.data()}}};
-    message_.Add(linear, std::span(blocks).first(slot ? 3 : 2));
+    jacobians[count++] = {0, 6, linear.J_pose.data()};
+    jacobians[count++] = {kAnchorColumn, 6, linear.J_previous.data()};
   } else {
-    const std::array<JacobianBlock, 2> blocks{
-        {{0, 6, linear.J_previous.data()}, {column, 3, linear.J_border.data()}}};
-    message_.Add(linear, std::span(blocks).first(slot ? 2 : 1));
+    jacobians[count++] = {0, 6, linear.J_previous.data()};
+  }
+  for (std::size_t i = 0; i < blocks.count; ++i)
+    jacobians[count++] = {blocks.columns[i], 3, linear.J_border[i].data()};
+  message_.Add(linear, std::span(jacobians).first(count));
+  if (!is_anchor) {
+    std::array<int, kMostBorders> columns = blocks.columns;
+    for (int& column : columns)
+      column -= 6;
     interior_.push_back(
-        EliminateHead(message_, LinkOf(linear, slot ? std::optional(column - 6) : std::nullopt)));
+        EliminateHead(message_, LinkOf(linear, std::span(columns).first(blocks.count))));
   }
   ++head_;
   x_head_ = next.x;
@@ -113,12 +118,13 @@ ArrowMessage ArrowLeaf::WithHeadTerms(const ChainGraph& graph, const std::vector
 
 std::vector<double> ArrowLeaf::ChangeOf(const NavVector& x_anchor,
                                         const std::vector<double>& border) const {
-  std::vector<double> change(6 + linearised_.size());
+  std::vector<double> change(6 + 3 * linearised_.size());
   for (int i = 0; i < 6; ++i)
     change[AsIndex(i)] = x_anchor(i) - x_anchor_(i);
   for (std::size_t b = 0; b < slots_.size(); ++b) {
     for (std::size_t i = 0; i < 3; ++i) {
-      change[6 + 3 * b + i] = border[AsIndex(3 * slots_[b]) + i] - linearised_[3 * b + i];
+      change[6 + 3 * b + i] =
+          border[AsIndex(3 * slots_[b]) + i] - linearised_[b](static_cast<Eigen::Index>(i));
     }
   }
   return change;
@@ -135,7 +141,7 @@ ArrowLeaf::Displacement ArrowLeaf::DisplacementAt(const Ends& ends,
     if (status[AsIndex(slots_[b])].kind != BorderKind::kLandmark) continue;
     for (int i = 0; i < 3; ++i) {
       const std::size_t k = AsIndex(3 * slots_[b] + i);
-      const double off = border[k] - linearised_[3 * b + AsIndex(i)];
+      const double off = border[k] - linearised_[b](i);
       moved.distance =
           std::max({moved.distance, std::abs(off - first(i)), std::abs(off - last(i))});
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "estimation/smoothing/arrow_elimination.hpp"
@@ -36,8 +38,8 @@ class ArrowLeaf {
   [[nodiscard]] int anchor() const { return anchor_; }
   [[nodiscard]] int head() const { return head_; }
   [[nodiscard]] const std::vector<int>& slots() const { return slots_; }
-  /// Blocks' values where the leaf is linearised, three each.
-  [[nodiscard]] const std::vector<double>& linearised() const { return linearised_; }
+  /// Blocks' values where the leaf is linearised.
+  [[nodiscard]] const std::vector<Eigen::Vector3d>& linearised() const { return linearised_; }
   [[nodiscard]] const NavVector& x_anchor() const { return x_anchor_; }
   [[nodiscard]] const NavVector& x_head() const { return x_head_; }
   /// Of (head, anchor, blocks), without terms of the head.
@@ -65,6 +67,14 @@ class ArrowLeaf {
                                             const std::vector<BorderStatus>& status) const;
 
  private:
+  /// First columns of a term's blocks in the message.
+  struct TermBlocks {
+    std::array<int, kMostBorders> columns{};
+    std::size_t count = 0;
+  };
+  /// Also sets where the term is linearised: where the leaf is.
+  TermBlocks BlocksOf(const Term& term, ArrowMessage& message, const std::vector<double>& border,
+                      TermPoint& at);
   void AddTerms(const ChainGraph& graph, ArrowMessage& message, const std::vector<double>& border);
   /// First column of a block in the message; new blocks are appended.
   int ColumnOf(int slot, ArrowMessage& message, const std::vector<double>& border);
@@ -74,7 +84,7 @@ class ArrowLeaf {
   int anchor_ = 0, head_ = 0;
   NavVector x_anchor_ = NavVector::Zero(), x_head_ = NavVector::Zero();
   std::vector<int> slots_;
-  std::vector<double> linearised_;
+  std::vector<Eigen::Vector3d> linearised_;
   std::vector<ArrowConditional> interior_;
   ArrowMessage message_;
 };

@@ -111,7 +111,7 @@ void ArrowRoot::Solve(const ArrowLeaf& leaf, const ArrowMessage& message) {
   Eigen::VectorXd prior_change(size), linearised(size);
   linearised.head<6>() = leaf.x_anchor();
   for (Eigen::Index i = 6; i < size; ++i)
-    linearised(i) = leaf.linearised()[static_cast<std::size_t>(i - 6)];
+    linearised(i) = leaf.linearised()[static_cast<std::size_t>((i - 6) / 3)]((i - 6) % 3);
   Eigen::Index row = 0;
   for (const int block : blocks) {
     prior_change.segment(row, Prior::Width(block)) =

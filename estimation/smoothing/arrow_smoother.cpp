@@ -88,7 +88,7 @@ void ArrowSmoother::SetJointPrior(std::optional<JointPrior> prior) {
 
 void ArrowSmoother::RemovePairTerms(int landmark) {
   std::erase_if(chain_.graph().border(landmark).terms,
-                [](const Term& term) { return term.second().has_value(); });
+                [](const Term& term) { return term.slots().size() > 1; });
   is_root_old_ = true;
 }
 

@@ -23,8 +23,8 @@ std::vector<double> RebasedGradient(const ArrowLeaf& leaf, int number, const Arr
   }
   for (std::size_t b = 0; b < leaf.slots().size(); ++b) {
     for (std::size_t i = 0; i < 3; ++i) {
-      off[12 + 3 * b + i] =
-          origin.border[AsIndex(3 * leaf.slots()[b]) + i] - leaf.linearised()[3 * b + i];
+      off[12 + 3 * b + i] = origin.border[AsIndex(3 * leaf.slots()[b]) + i] -
+                            leaf.linearised()[b](static_cast<Eigen::Index>(i));
     }
   }
   for (int c = 0; c < n; ++c) {
@@ -64,13 +64,13 @@ void Eliminate(ArrowStretch& stretch, const ClosedBlock& closed) {
   const int first = stretch.has_begin ? 12 : 6;
   const int column = first + 3 * PositionOf(closed.slot, stretch.slots);
   for (const ClosedBlock::OwnTerm& term : closed.terms) {
-    std::array<JacobianBlock, 2> blocks{{{column, 3, term.linear.J_border.data()}, {}}};
-    if (term.second) {
-      blocks[1] = {first + 3 * PositionOf(*term.second, stretch.slots), 3,
-                   term.linear.J_second.data()};
+    std::array<JacobianBlock, kMostBorders> blocks;
+    for (std::size_t i = 0; i < term.slots.size(); ++i) {
+      blocks[i] = {first + 3 * PositionOf(term.slots[i], stretch.slots), 3,
+                   term.linear.J_border[i].data()};
     }
     stretch.message.GrowBorder(first - 6 + 3 * static_cast<int>(stretch.slots.size()));
-    stretch.message.Add(term.linear, std::span(blocks).first(term.second ? 2 : 1));
+    stretch.message.Add(term.linear, std::span(blocks).first(term.slots.size()));
   }
   const ArrowMessage& message = stretch.message;
   Eigen::Matrix<double, 3, Eigen::Dynamic> W(3, message.size() - 3);

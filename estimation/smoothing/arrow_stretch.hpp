@@ -19,8 +19,8 @@ struct ArrowOrigin {
 /// border.
 struct ClosedBlock {
   struct OwnTerm {
-    LinearTerm linear;          ///< its residual where the changes are zero
-    std::optional<int> second;  ///< the other variable, of a term on two
+    LinearTerm linear;       ///< its residual where the changes are zero
+    std::vector<int> slots;  ///< of the variables, this one first
   };
   int slot = 0;
   LeafRange leaves;  ///< that depend on it

@@ -34,10 +34,11 @@ void AddOwnTerms(int slot, const ChainGraph& graph, const BorderColumns& columns
                  ArrowMessage& message) {
   LinearTerm linear;
   for (const Term& term : graph.border(slot).terms) {
-    LinearizeBorderTerm(slot, term, border, origin, linear);
-    std::array<JacobianBlock, 2> blocks{{{columns.Of(slot), 3, linear.J_border.data()}, {}}};
-    if (term.second()) blocks[1] = {columns.Of(*term.second()), 3, linear.J_second.data()};
-    message.Add(linear, std::span(blocks).first(term.second() ? 2 : 1));
+    LinearizeBorderTerm(term, border, origin, linear);
+    std::array<JacobianBlock, kMostBorders> blocks;
+    for (std::size_t i = 0; i < term.slots().size(); ++i)
+      blocks[i] = {columns.Of(term.slots()[i]), 3, linear.J_border[i].data()};
+    message.Add(linear, std::span(blocks).first(term.slots().size()));
   }
 }
 
@@ -66,19 +67,21 @@ void AddJointPrior(const JointPrior& prior, const BorderColumns& columns, const 
 
 }  // namespace
 
-void LinearizeBorderTerm(int slot, const Term& term, const std::vector<double>& border,
+void LinearizeBorderTerm(const Term& term, const std::vector<double>& border,
                          const ArrowOrigin& origin, LinearTerm& linear) {
-  const auto value = [&border](int s) {
-    return Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(&border[AsIndex(3 * s)]));
-  };
-  const auto change = [&](int s) -> Eigen::Vector3d {
-    return value(s) - Eigen::Map<const Eigen::Vector3d>(&origin.border[AsIndex(3 * s)]);
-  };
-  const std::optional<int> second = term.second();
-  const Eigen::Vector3d p = value(slot), q = second ? value(*second) : p;
-  term.Linearize({.border = &p, .second = &q}, linear);
-  linear.r.head(linear.rows) -= linear.J_border.topRows(linear.rows) * change(slot);
-  if (second) linear.r.head(linear.rows) -= linear.J_second.topRows(linear.rows) * change(*second);
+  const std::span<const int> slots = term.slots();
+  std::array<Eigen::Vector3d, kMostBorders> values;
+  TermPoint at;
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    values[i] = Eigen::Map<const Eigen::Vector3d>(&border[AsIndex(3 * slots[i])]);
+    at.border[i] = &values[i];
+  }
+  term.Linearize(at, linear);
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    const Eigen::Vector3d change =
+        values[i] - Eigen::Map<const Eigen::Vector3d>(&origin.border[AsIndex(3 * slots[i])]);
+    linear.r.head(linear.rows) -= linear.J_border[i].topRows(linear.rows) * change;
+  }
 }
 
 BorderInformation CollectBorderInformation(const ChainGraph& graph, const ArrowTree& tree,

@@ -9,9 +9,9 @@
 
 namespace limpet {
 
-/// Linearises a term on the border variable `slot`, alone or with a second one, at the estimates
-/// `border` (three per slot); its residual is where the changes from `origin` are zero.
-void LinearizeBorderTerm(int slot, const Term& term, const std::vector<double>& border,
+/// Linearises a term on border variables alone at the estimates `border` (three per slot); its
+/// residual is where the changes from `origin` are zero.
+void LinearizeBorderTerm(const Term& term, const std::vector<double>& border,
                          const ArrowOrigin& origin, LinearTerm& linear);
 
 /// What all full leaves, the border's own terms and the joint prior say of the last anchor and the

@@ -15,9 +15,9 @@ int ChainGraph::AddNode(const NavVector& x, std::optional<Term> step) {
 }
 
 TermId ChainGraph::AddTerm(int node_index, Term term) {
-  if (term.border()) {
-    BorderVariable& seen = border(*term.border());
-    LIMPET_REQUIRE(seen.is_used, "a term needs its border variable");
+  for (const int slot : term.slots()) {
+    BorderVariable& seen = border(slot);
+    LIMPET_REQUIRE(seen.is_used, "a term needs its border variables");
     seen.nodes.insert(std::ranges::upper_bound(seen.nodes, node_index), node_index);
   }
   node(node_index).terms.push_back({next_serial_, std::move(term)});
@@ -30,11 +30,15 @@ void ChainGraph::RemoveTerm(const TermId& id) {
   if (found == terms.end()) {
     return;
   }
-  if (found->term.border()) {
-    std::vector<int>& seen_by = border(*found->term.border()).nodes;
-    seen_by.erase(std::ranges::find(seen_by, id.node));
-  }
+  Forget(id.node, found->term.slots());
   terms.erase(found);
+}
+
+void ChainGraph::Forget(int node_index, std::span<const int> slots) {
+  for (const int slot : slots) {
+    std::vector<int>& seen_by = border(slot).nodes;
+    seen_by.erase(std::ranges::find(seen_by, node_index));
+  }
 }
 
 int ChainGraph::AddBorderVariable(const Eigen::Vector3d& start) {
@@ -49,9 +53,13 @@ int ChainGraph::AddBorderVariable(const Eigen::Vector3d& start) {
 }
 
 void ChainGraph::RemoveBorderVariable(int slot) {
-  for (const int seen_by : std::exchange(border(slot).nodes, {})) {
-    std::erase_if(node(seen_by).terms,
-                  [slot](const ChainNode::Entry& entry) { return entry.term.border() == slot; });
+  const std::vector<int> seen_by = border(slot).nodes;
+  for (const int node_index : seen_by) {
+    std::erase_if(node(node_index).terms, [&](const ChainNode::Entry& entry) {
+      const bool is_on_it = entry.term.DependsOn(slot);
+      if (is_on_it) Forget(node_index, entry.term.slots());
+      return is_on_it;
+    });
   }
   border(slot) = {};
   if (joint_prior_ && std::ranges::count(joint_prior_->slots(), slot) > 0) {
@@ -69,23 +77,23 @@ void ChainGraph::SetJointPrior(std::optional<JointPrior> prior) {
 }
 
 void ChainGraph::AddBorderTerm(int slot, Term term) {
-  LIMPET_REQUIRE(term.border() == slot && border(slot).is_used, "a term on its border variable");
+  LIMPET_REQUIRE(!term.slots().empty() && term.slots().front() == slot && border(slot).is_used,
+                 "a term on its border variable");
   border(slot).terms.push_back(std::move(term));
 }
 
 void ChainGraph::Linearize(int index, const Term& term, LinearTerm& out) const {
-  term.Linearize({.pose = &node(index).x, .border = PointOf(term.border())}, out);
+  term.Linearize({.pose = &node(index).x, .border = PointsOf(term)}, out);
 }
 
 void ChainGraph::LinearizeStep(int index, LinearTerm& out) const {
   const Term& step = *node(index).step;
-  step.Linearize(
-      {.previous = &node(index - 1).x, .pose = &node(index).x, .border = PointOf(step.border())},
-      out);
+  step.Linearize({.previous = &node(index - 1).x, .pose = &node(index).x, .border = PointsOf(step)},
+                 out);
 }
 
 void ChainGraph::LinearizeBorder(const Term& term, LinearTerm& out) const {
-  term.Linearize({.border = PointOf(term.border()), .second = PointOf(term.second())}, out);
+  term.Linearize({.border = PointsOf(term)}, out);
 }
 
 double ChainGraph::Cost() const {

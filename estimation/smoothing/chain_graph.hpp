@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "estimation/smoothing/joint_prior.hpp"
@@ -43,13 +46,13 @@ class ChainGraph {
  public:
   /// REQUIRES: a step with a slot names one in use.
   int AddNode(const NavVector& x, std::optional<Term> step);
-  /// REQUIRES: a term on a border variable names one in use.
+  /// REQUIRES: a term on border variables names some in use.
   TermId AddTerm(int node, Term term);
   void RemoveTerm(const TermId& id);
   int AddBorderVariable(const Eigen::Vector3d& start);
   /// Also removes every term on it. REQUIRES: no step depends on it.
   void RemoveBorderVariable(int slot);
-  /// REQUIRES: `term` is on this variable, alone or with a second one.
+  /// REQUIRES: `term` is on border variables alone, this the first of them.
   void AddBorderTerm(int slot, Term term);
   /// Takes the place of the former one; nothing takes it away. A landmark that is removed leaves
   /// it. REQUIRES: it names landmarks in use, each once.
@@ -73,9 +76,15 @@ class ChainGraph {
   [[nodiscard]] double Cost() const;
 
  private:
-  [[nodiscard]] const Eigen::Vector3d* PointOf(std::optional<int> slot) const {
-    return slot ? &border(*slot).p : nullptr;
+  [[nodiscard]] std::array<const Eigen::Vector3d*, kMostBorders> PointsOf(const Term& term) const {
+    std::array<const Eigen::Vector3d*, kMostBorders> points{};
+    std::ranges::transform(term.slots(), points.begin(),
+                           [this](int slot) { return &border(slot).p; });
+    return points;
   }
+  /// A term of this node on these border variables goes.
+  void Forget(int node_index, std::span<const int> slots);
+
   std::vector<ChainNode> nodes_;
   std::vector<BorderVariable> border_;
   std::optional<JointPrior> joint_prior_;

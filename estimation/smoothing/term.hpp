@@ -2,8 +2,11 @@
 // A factor on the chain's variables, free of its type: what the solvers see.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <functional>
-#include <optional>
+#include <span>
 #include <utility>
 
 #include <Eigen/Core>
@@ -13,12 +16,15 @@
 
 namespace limpet {
 
+/// Border variables that one term depends on, at most.
+inline constexpr std::size_t kMostBorders = 3;
+
 /// Where a term is linearised. A term reads only what it depends on.
 struct TermPoint {
   const NavVector* previous = nullptr;
   const NavVector* pose = nullptr;
-  const Eigen::Vector3d* border = nullptr;  ///< a landmark, or slow errors of the sensors
-  const Eigen::Vector3d* second = nullptr;
+  /// Landmarks and slow errors of the sensors, in the order of the term's slots.
+  std::array<const Eigen::Vector3d*, kMostBorders> border{};
 };
 
 /// Whitened, reweighted residual and Jacobians of a term; only the first `rows` rows count, and
@@ -27,106 +33,123 @@ struct LinearTerm {
   int rows = 0;
   Eigen::Matrix<double, 6, 1> r;
   Eigen::Matrix<double, 6, 6> J_previous, J_pose;
-  Eigen::Matrix<double, 6, 3> J_border, J_second;
+  std::array<Eigen::Matrix<double, 6, 3>, kMostBorders> J_border;  ///< in the order of the slots
   double cost = 0.0;
 };
 
-/// A factor with its loss, bound to a kind of variables: a pose; a step between neighbouring poses,
-/// with or without slow errors of the sensors; a pose and a landmark; border variables alone.
+/// A factor with its loss, bound to a kind of variables: a pose, or a step between neighbouring
+/// poses, either with border variables (a landmark, slow errors of the sensors) or without; or
+/// border variables alone.
 class Term {
  public:
   template <class F>
   [[nodiscard]] static Term OnPose(F factor, Loss loss = Loss::LeastSquares()) {
-    return Term([factor, loss](const TermPoint& at, LinearTerm& out) {
+    return Term({}, [factor, loss](const TermPoint& at, LinearTerm& out) {
       typename F::Jacobian J;
-      Store(factor.Evaluate(*at.pose, &J), loss, out, J, out.J_pose);
+      const double weight = Store(factor.Evaluate(*at.pose, &J), loss, out);
+      out.J_pose.topRows<F::kDim>() = weight * J;
     });
   }
   template <class F>
   [[nodiscard]] static Term OnStep(F factor, Loss loss = Loss::LeastSquares()) {
-    return Term([factor, loss](const TermPoint& at, LinearTerm& out) {
+    return Term({}, [factor, loss](const TermPoint& at, LinearTerm& out) {
       typename F::Jacobian J_previous, J_pose;
-      const double weight = Store(factor.Evaluate(*at.previous, *at.pose, &J_previous, &J_pose),
-                                  loss, out, J_pose, out.J_pose);
+      const double weight =
+          Store(factor.Evaluate(*at.previous, *at.pose, &J_previous, &J_pose), loss, out);
       out.J_previous.topRows<F::kDim>() = weight * J_previous;
+      out.J_pose.topRows<F::kDim>() = weight * J_pose;
     });
   }
-  /// A step whose sensors' slow errors are the border variable `slot`.
-  template <class F>
-  [[nodiscard]] static Term OnStep(F factor, int slot, Loss loss = Loss::LeastSquares()) {
-    Term term([factor, loss](const TermPoint& at, LinearTerm& out) {
+  /// A step whose sensors' slow errors are these border variables.
+  template <class F, std::size_t N>
+  [[nodiscard]] static Term OnStep(F factor, const std::array<int, N>& slots,
+                                   Loss loss = Loss::LeastSquares()) {
+    return Term(slots, [factor, loss](const TermPoint& at, LinearTerm& out) {
       typename F::Jacobian J_previous, J_pose;
-      typename F::BorderJacobian J_errors;
-      const double weight = Store(
-          factor.Evaluate(*at.previous, *at.pose, *at.border, &J_previous, &J_pose, &J_errors),
-          loss, out, J_pose, out.J_pose);
+      BorderJacobians<F, N> J;
+      const auto evaluate = [&]<std::size_t... I>(std::index_sequence<I...>) {
+        return factor.Evaluate(*at.previous, *at.pose, *at.border[I]..., &J_previous, &J_pose,
+                               &J[I]...);
+      };
+      const double weight = Store(evaluate(std::make_index_sequence<N>()), loss, out);
       out.J_previous.topRows<F::kDim>() = weight * J_previous;
-      out.J_border.template topRows<F::kDim>() = weight * J_errors;
+      out.J_pose.topRows<F::kDim>() = weight * J_pose;
+      StoreBorders<F>(J, weight, out);
     });
-    term.border_ = slot;
-    return term;
+  }
+  /// A pose and border variables: a landmark and what else bears on how it is seen.
+  template <class F, std::size_t N>
+  [[nodiscard]] static Term OnObservation(F factor, const std::array<int, N>& slots,
+                                          Loss loss = Loss::LeastSquares()) {
+    return Term(slots, [factor, loss](const TermPoint& at, LinearTerm& out) {
+      typename F::Jacobian J_pose;
+      BorderJacobians<F, N> J;
+      const auto evaluate = [&]<std::size_t... I>(std::index_sequence<I...>) {
+        return factor.Evaluate(*at.pose, *at.border[I]..., &J_pose, &J[I]...);
+      };
+      const double weight = Store(evaluate(std::make_index_sequence<N>()), loss, out);
+      out.J_pose.topRows<F::kDim>() = weight * J_pose;
+      StoreBorders<F>(J, weight, out);
+    });
   }
   template <class F>
   [[nodiscard]] static Term OnObservation(F factor, int slot, Loss loss = Loss::LeastSquares()) {
-    Term term([factor, loss](const TermPoint& at, LinearTerm& out) {
-      typename F::Jacobian J_pose;
-      typename F::BorderJacobian J_landmark;
-      const double weight = Store(factor.Evaluate(*at.pose, *at.border, &J_pose, &J_landmark), loss,
-                                  out, J_pose, out.J_pose);
-      out.J_border.template topRows<F::kDim>() = weight * J_landmark;
+    return OnObservation(std::move(factor), std::array{slot}, loss);
+  }
+  /// Border variables alone.
+  template <class F, std::size_t N>
+  [[nodiscard]] static Term OnBorder(F factor, const std::array<int, N>& slots,
+                                     Loss loss = Loss::LeastSquares()) {
+    return Term(slots, [factor, loss](const TermPoint& at, LinearTerm& out) {
+      BorderJacobians<F, N> J;
+      const auto evaluate = [&]<std::size_t... I>(std::index_sequence<I...>) {
+        return factor.Evaluate(*at.border[I]..., &J[I]...);
+      };
+      const double weight = Store(evaluate(std::make_index_sequence<N>()), loss, out);
+      StoreBorders<F>(J, weight, out);
     });
-    term.border_ = slot;
-    return term;
   }
   template <class F>
   [[nodiscard]] static Term OnBorder(F factor, int slot, Loss loss = Loss::LeastSquares()) {
-    Term term([factor, loss](const TermPoint& at, LinearTerm& out) {
-      typename F::BorderJacobian J;
-      Store(factor.Evaluate(*at.border, &J), loss, out, J, out.J_border);
-    });
-    term.border_ = slot;
-    return term;
-  }
-  /// On two border variables.
-  template <class F>
-  [[nodiscard]] static Term OnBorderPair(F factor, int slot, int second,
-                                         Loss loss = Loss::LeastSquares()) {
-    Term term([factor, loss](const TermPoint& at, LinearTerm& out) {
-      typename F::BorderJacobian J, J_second;
-      const double weight =
-          Store(factor.Evaluate(*at.border, *at.second, &J, &J_second), loss, out, J, out.J_border);
-      out.J_second.template topRows<F::kDim>() = weight * J_second;
-    });
-    term.border_ = slot;
-    term.second_ = second;
-    return term;
+    return OnBorder(std::move(factor), std::array{slot}, loss);
   }
 
   void Linearize(const TermPoint& at, LinearTerm& out) const { linearize_(at, out); }
-  /// Slot of the border variable that the term depends on, if any.
-  [[nodiscard]] std::optional<int> border() const { return border_; }
-  /// The other one, of a term on two.
-  [[nodiscard]] std::optional<int> second() const { return second_; }
+  /// Slots of the border variables that the term depends on.
+  [[nodiscard]] std::span<const int> slots() const { return std::span(slots_).first(slot_count_); }
+  [[nodiscard]] bool DependsOn(int slot) const { return std::ranges::count(slots(), slot) > 0; }
 
  private:
   using Linearizer = std::function<void(const TermPoint&, LinearTerm&)>;
-  explicit Term(Linearizer linearize) : linearize_(std::move(linearize)) {}
+  template <class F, std::size_t N>
+  using BorderJacobians = std::array<typename F::BorderJacobian, N>;
 
-  template <class Residual, class Jacobian, class Target>
-  static double Store(const Residual& r, Loss loss, LinearTerm& out, const Jacobian& J,
-                      Target& target) {
+  Term(std::span<const int> slots, Linearizer linearize)
+      : linearize_(std::move(linearize)), slot_count_(slots.size()) {
+    std::ranges::copy(slots, slots_.begin());
+  }
+
+  /// The factor's weight under the loss.
+  template <class Residual>
+  static double Store(const Residual& r, Loss loss, LinearTerm& out) {
     constexpr int kRows = Residual::RowsAtCompileTime;
     const double norm = r.norm();
     const double weight = loss.SqrtWeight(norm);
     out.rows = kRows;
     out.r.template head<kRows>() = weight * r;
-    target.template topRows<kRows>() = weight * J;
     out.cost = loss.Cost(norm);
     return weight;
   }
+  template <class F, std::size_t N>
+  static void StoreBorders(const BorderJacobians<F, N>& J, double weight, LinearTerm& out) {
+    static_assert(N <= kMostBorders);
+    for (std::size_t i = 0; i < N; ++i)
+      out.J_border[i].template topRows<F::kDim>() = weight * J[i];
+  }
 
   Linearizer linearize_;
-  std::optional<int> border_, second_;
+  std::array<int, kMostBorders> slots_{};
+  std::size_t slot_count_;
 };
 
 }  // namespace limpet

@@ -25,23 +25,21 @@ class NormalEquations {
         graph.LinearizeStep(i, linear);
         std::vector<Block> blocks{{6 * (i - 1), 6, linear.J_previous.data()},
                                   {6 * i, 6, linear.J_pose.data()}};
-        if (const auto slot = graph.node(i).step->border()) {
-          blocks.push_back({poses_ + 3 * *slot, 3, linear.J_border.data()});
-        }
+        AddBorders(*graph.node(i).step, linear, blocks);
         Add(linear, blocks);
       }
       for (const ChainNode::Entry& entry : graph.node(i).terms) {
         graph.Linearize(i, entry.term, linear);
-        AddPoseTerm(linear, i, entry.term.border());
+        std::vector<Block> blocks{{6 * i, 6, linear.J_pose.data()}};
+        AddBorders(entry.term, linear, blocks);
+        Add(linear, blocks);
       }
     }
     for (int slot = 0; slot < graph.slot_count(); ++slot) {
       for (const Term& term : graph.border(slot).terms) {
         graph.LinearizeBorder(term, linear);
-        std::vector<Block> blocks{{poses_ + 3 * slot, 3, linear.J_border.data()}};
-        if (term.second()) {
-          blocks.push_back({poses_ + 3 * *term.second(), 3, linear.J_second.data()});
-        }
+        std::vector<Block> blocks;
+        AddBorders(term, linear, blocks);
         Add(linear, blocks);
       }
     }
@@ -67,13 +65,9 @@ class NormalEquations {
     int columns;
     const double* J;  ///< six rows, column-major
   };
-  void AddPoseTerm(const LinearTerm& linear, int node, std::optional<int> slot) {
-    if (!slot) {
-      Add(linear, {{6 * node, 6, linear.J_pose.data()}});
-    } else {
-      Add(linear,
-          {{6 * node, 6, linear.J_pose.data()}, {poses_ + 3 * *slot, 3, linear.J_border.data()}});
-    }
+  void AddBorders(const Term& term, const LinearTerm& linear, std::vector<Block>& blocks) const {
+    for (std::size_t i = 0; i < term.slots().size(); ++i)
+      blocks.push_back({poses_ + 3 * term.slots()[i], 3, linear.J_border[i].data()});
   }
   void Add(const LinearTerm& linear, const std::vector<Block>& blocks) {
     for (const Block& a : blocks) {

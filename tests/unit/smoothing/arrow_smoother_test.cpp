@@ -155,21 +155,22 @@ Eigen::MatrixXd DenseCovariance(const ChainGraph& graph) {
   const int poses = 6 * graph.node_count(), n = poses + 3 * graph.slot_count();
   Eigen::MatrixXd H = Eigen::MatrixXd::Zero(n, n);
   LinearTerm linear;
-  const auto add = [&](std::optional<int> previous, int pose, std::optional<int> slot) {
+  const auto add = [&](std::optional<int> previous, int pose, const Term& term) {
     Eigen::MatrixXd J = Eigen::MatrixXd::Zero(linear.rows, n);
     if (previous) J.middleCols(6 * *previous, 6) = linear.J_previous.topRows(linear.rows);
     J.middleCols(6 * pose, 6) = linear.J_pose.topRows(linear.rows);
-    if (slot) J.middleCols(poses + 3 * *slot, 3) = linear.J_border.topRows(linear.rows);
+    for (std::size_t i = 0; i < term.slots().size(); ++i)
+      J.middleCols(poses + 3 * term.slots()[i], 3) = linear.J_border[i].topRows(linear.rows);
     H += J.transpose() * J;
   };
   for (int i = 0; i < graph.node_count(); ++i) {
     if (i > 0) {
       graph.LinearizeStep(i, linear);
-      add(i - 1, i, graph.node(i).step->border());
+      add(i - 1, i, *graph.node(i).step);
     }
     for (const ChainNode::Entry& entry : graph.node(i).terms) {
       graph.Linearize(i, entry.term, linear);
-      add(std::nullopt, i, entry.term.border());
+      add(std::nullopt, i, entry.term);
     }
   }
   return H.llt().solve(Eigen::MatrixXd::Identity(n, n));
@@ -302,7 +303,7 @@ TEST_F(ArrowSmootherTest, FindsTheScaleOfItsSteps) {
       smoother_->AddNode(truth, std::nullopt);
     } else {
       const CalibratedStepFactor step({0.505, 0.0, 0.0, 0.0}, variance, 1.0);
-      smoother_->AddNode(truth, Term::OnStep(step, errors));
+      smoother_->AddNode(truth, Term::OnStep(step, std::array{errors}));
     }
     const NavVector sigma = NavVector::Constant(0.01);
     smoother_->AddTerm(k, Term::OnPose(PosePriorFactor(truth, sigma)));

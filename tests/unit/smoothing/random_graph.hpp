@@ -73,8 +73,8 @@ class RandomGraph {
   void AddPair() {
     if (slots.size() < 2) return;
     const std::size_t i = random_.Index(slots.size() - 1);
-    smoother_.AddBorderTerm(
-        slots[i + 1], Term::OnBorderPair(SamePlaceFactor(Meters(2.0)), slots[i + 1], slots[i]));
+    smoother_.AddBorderTerm(slots[i + 1], Term::OnBorder(SamePlaceFactor(Meters(2.0)),
+                                                         std::array{slots[i + 1], slots[i]}));
   }
   void AddJointPrior() {
     const auto n = static_cast<Eigen::Index>(3 * slots.size());
@@ -141,10 +141,13 @@ class WholeGraph {
       graph_.Linearize(i, entry.term, linear);
       Eigen::MatrixXd J = Blank(linear);
       J.middleCols(6 * i, 6) = linear.J_pose.topRows(linear.rows);
-      if (const auto slot = entry.term.border())
-        J.middleCols(RowOf(*slot), 3) = linear.J_border.topRows(linear.rows);
+      FillBorders(entry.term, linear, J);
       Add(J, linear);
     }
+  }
+  void FillBorders(const Term& term, const LinearTerm& linear, Eigen::MatrixXd& J) const {
+    for (std::size_t i = 0; i < term.slots().size(); ++i)
+      J.middleCols(RowOf(term.slots()[i]), 3) = linear.J_border[i].topRows(linear.rows);
   }
   void AddBorder(int slot) {
     if (!graph_.border(slot).is_used) {
@@ -155,9 +158,7 @@ class WholeGraph {
     for (const Term& term : graph_.border(slot).terms) {
       graph_.LinearizeBorder(term, linear);
       Eigen::MatrixXd J = Blank(linear);
-      J.middleCols(RowOf(*term.border()), 3) = linear.J_border.topRows(linear.rows);
-      if (const auto second = term.second())
-        J.middleCols(RowOf(*second), 3) = linear.J_second.topRows(linear.rows);
+      FillBorders(term, linear, J);
       Add(J, linear);
     }
   }

@@ -31,7 +31,7 @@ class SlowErrorsTest : public ::testing::Test {
         const double scale = 0.01 * (k / kStretch + 1);
         const Eigen::Vector4d variance(1e-4, 1e-4, 1e-4, 1e-6);
         const CalibratedStepFactor step({0.5 * (1.0 + scale), 0.0, 0.0, 0.0}, variance, 1.0);
-        smoother_->AddNode(at, Term::OnStep(step, blocks_.back()));
+        smoother_->AddNode(at, Term::OnStep(step, std::array{blocks_.back()}));
       }
       const NavVector sigma = NavVector::Constant(0.05);
       if (k % 5 == 0) smoother_->AddTerm(k, Term::OnPose(PosePriorFactor(at, sigma)));
@@ -45,7 +45,8 @@ class SlowErrorsTest : public ::testing::Test {
       smoother_->AddBorderTerm(next, Term::OnBorder(prior, next));
     } else {
       const SlowErrorsFactor change({1.0, 0.9, 0.9}, Eigen::Vector3d::Constant(0.02));
-      smoother_->AddBorderTerm(blocks_.back(), Term::OnBorderPair(change, blocks_.back(), next));
+      smoother_->AddBorderTerm(blocks_.back(),
+                               Term::OnBorder(change, std::array{blocks_.back(), next}));
       if (closes) smoother_->CloseSensorErrors(blocks_.back());
     }
     blocks_.push_back(next);
