@@ -26,6 +26,10 @@ void BHV_HoldStation::Start(const VehicleState& state) {
 }
 
 void BHV_HoldStation::TrackOffset(const VehicleState& state) {
+  if (params_.station == "home" && state.home) {
+    offset_W_ = {state.nav.north - state.home->north, state.nav.east - state.home->east};
+    return;
+  }
   const double elapsed = (state.now - last_.value_or(state.now)).value();
   last_ = state.now;
   const Eigen::Vector3d v_B(state.nav.u, state.nav.v, state.nav.w);

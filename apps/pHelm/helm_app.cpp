@@ -141,7 +141,8 @@ void HelmApp::Tick(Seconds now) {
   VehicleState state{.now = now,
                      .nav = *nav_,
                      .guidance = planner_.Guide(*nav_),
-                     .area = planner_.survey().area()};
+                     .area = planner_.survey().area(),
+                     .home = planner_.survey().home()};
   Post(host_.Update(state));
   if (is_parked_) {
     planner_.DropPath();

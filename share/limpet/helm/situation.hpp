@@ -34,6 +34,7 @@ struct VehicleState {
   NavState nav;
   std::optional<Guidance> guidance;  ///< absent without a path
   std::optional<SurveyArea> area;
+  std::optional<HomePoint> home{};  ///< once it is known
 };
 
 /// An object as the helm weighs it.

@@ -67,7 +67,7 @@ Situation SurveyMirror::Snapshot(Seconds now, const Pose2& pose, double travelle
           .ground = ground_.get(),
           .region = region_.get(),
           .turn_radius = params_.turning_radius,
-          .home = home_,
+          .home = home_.value_or(HomePoint{}),
           .objects = watch_.Objects(grid_.get(), seabed_down_),
           .coverage = coverage_,
           .travelled = travelled};

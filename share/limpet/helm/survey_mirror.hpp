@@ -21,6 +21,7 @@ class SurveyMirror {
   /// False if that is the area already: what is known of it stays.
   bool SetArea(const SurveyArea& area);
   void SetHome(const HomePoint& home) { home_ = home; }
+  [[nodiscard]] const std::optional<HomePoint>& home() const { return home_; }
   void SetCoverage(const Coverage& coverage) { coverage_ = coverage; }
   void SetLookModel(const MapLook& look) { watch_.SetModel(look); }
   /// True if an object is new, gone, or decided otherwise than before.
@@ -50,7 +51,7 @@ class SurveyMirror {
   std::unique_ptr<Ground> ground_;
   std::unique_ptr<SeenAlong> sight_;
   std::unique_ptr<Region> region_;
-  HomePoint home_;
+  std::optional<HomePoint> home_;
   ObjectWatch watch_;
   Coverage coverage_;
   std::optional<double> seabed_down_;  ///< NED depth of the seabed last measured [m]

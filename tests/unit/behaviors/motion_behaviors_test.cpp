@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -111,6 +112,27 @@ TEST(BhvHoldStation, StopsAgainNearItsStation) {
 TEST(BhvHoldStation, DoesNotMoveForAFixThatMovesTheEstimate) {
   BHV_HoldStation behavior({});
   EXPECT_DOUBLE_EQ(CarriedEast(behavior, 2.0, 5.0).speed->summit, 0.0);
+}
+
+TEST(BhvHoldStation, GoesHomeWhenAFixShowsThatItIsElsewhere) {
+  BHV_HoldStation behavior({.station = "home"});
+  VehicleState state;
+  state.home = HomePoint{.north = 3.0, .east = -2.0};
+  state.nav.north = 3.2, state.nav.east = -2.0;
+  behavior.Start(state);
+  EXPECT_DOUBLE_EQ(behavior.Move(state).speed->summit, 0.0);
+  state.nav.east = 2.0;  // a fix: carried off without noticing
+  const MotionBid bid = behavior.Move(state);
+  EXPECT_NEAR(bid.course->summit, std::atan2(-4.0, -0.2), 1e-9);
+  EXPECT_GT(bid.speed->summit, 0.2);
+}
+
+TEST(BhvHoldStation, StaysWhereItIsUntilHomeIsKnown) {
+  BHV_HoldStation behavior({.station = "home"});
+  VehicleState state;
+  state.nav.north = 40.0;
+  behavior.Start(state);
+  EXPECT_DOUBLE_EQ(behavior.Move(state).speed->summit, 0.0);
 }
 
 TEST(BhvConstantDepth, RefusesADepthBelowItsRange) {
