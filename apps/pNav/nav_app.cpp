@@ -10,7 +10,6 @@
 #include "estimation/navigation/measurement_source.hpp"
 #include "estimation/navigation/sensor_beliefs.hpp"
 #include "limpet/app/registry.hpp"
-#include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
 namespace {
@@ -24,9 +23,10 @@ AttitudeParams AttitudeParamsOf(const NavApp::Params& params, const SensorSheets
   return result;
 }
 
-NavigatorParams NavigatorParamsOf(const NavApp::Params& params, const SensorSheets& sheets) {
+NavigatorParams NavigatorParamsOf(const NavApp::Params& params, const VehicleFile& vehicle) {
   NavigatorParams result;
-  BelieveSheets(sheets, result);
+  BelieveSheets(vehicle.sensors, result);
+  result.odometry.drive = BelievedDrive(vehicle.params);
   // Anywhere within reach: of a uniform disc each axis has half the radius as its 1-sigma.
   result.odometry.unknown_velocity =
       0.5 * (params.top_speed.value() + params.strongest_current.value());
@@ -46,21 +46,23 @@ NavigatorParams NavigatorParamsOf(const NavApp::Params& params, const SensorShee
 }  // namespace
 
 NavApp::NavApp(const AppContext& context, const Params& params)
-    : NavApp(
-          context, params,
-          LoadMissionVehicle(context.Global(kVehicleFileGlobal), context.mission_folder).sensors) {}
+    : NavApp(context, params,
+             LoadMissionVehicle(context.Global(kVehicleFileGlobal), context.mission_folder)) {}
 
-NavApp::NavApp(const AppContext& context, const Params& params, const SensorSheets& sheets)
+NavApp::NavApp(const AppContext& context, const Params& params, const VehicleFile& vehicle)
     : App(context),
-      dvl_sheet_(sheets.dvl),
-      R_BD_(RotationFromRollPitchYaw(0.0, 0.0, sheets.dvl.yaw.value())),
+      dvl_sheet_(vehicle.sensors.dvl),
+      R_BD_(RotationFromRollPitchYaw(0.0, 0.0, vehicle.sensors.dvl.yaw.value())),
+      full_force_B_(vehicle.params.thrusters.max_thrust_n *
+                    vehicle.params.thrusters.WrenchPerThrust().topRows<2>()),
       stale_after_(std::max(params.stale_after, kRealPause * context.warp)),
-      attitude_(AttitudeParamsOf(params, sheets)),
-      navigator_(NavigatorParamsOf(params, sheets)) {
+      attitude_(AttitudeParamsOf(params, vehicle.sensors)),
+      navigator_(NavigatorParamsOf(params, vehicle)) {
   Subscribe(topics::kImuData, &NavApp::OnImu);
   Subscribe(topics::kFogYawRate, &NavApp::OnFog);
   Subscribe(topics::kDvlData, &NavApp::OnDvl);
   Subscribe(topics::kDepthSensor, &NavApp::OnDepth);
+  Subscribe(topics::kThrusterCommand, &NavApp::OnThrusters);
   Subscribe(topics::kGpsData, &NavApp::OnGps);
   Subscribe(topics::kDetections, &NavApp::OnDetections);
   Subscribe(topics::kSessionPrior, &NavApp::OnPrior);
@@ -88,6 +90,12 @@ void NavApp::OnFog(const Stamped<double>& rate) {
   if (std::isfinite(rate.value)) {
     fog_.Note(rate.time.value(), now().value());
   }
+}
+
+void NavApp::OnThrusters(const Stamped<ThrusterCommand>& command) {
+  const ThrusterCommand& c = command.value;
+  const ThrusterVector share{c.t1, c.t2, c.t3, c.t4, c.t5, c.t6};
+  navigator_.AddForce(command.time.value(), full_force_B_ * share.cwiseMax(-1.0).cwiseMin(1.0));
 }
 
 void NavApp::OnImu(const Stamped<ImuSample>& imu) {

@@ -14,9 +14,10 @@
 #include "limpet/core/camera_params.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/topics/mapping.hpp"
+#include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
 #include "limpet/topics/sensors.hpp"
-#include "limpet/vehicle/sensor_sheets.hpp"
+#include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
 
@@ -89,6 +90,7 @@ class NavApp final : public App {
   void OnFog(const Stamped<double>& rate);
   void OnDvl(const Stamped<DvlSample>& dvl);
   void OnDepth(const Stamped<double>& depth);
+  void OnThrusters(const Stamped<ThrusterCommand>& command);
   void OnGps(const Stamped<GpsFix>& fix);
   void OnDetections(const Stamped<Detections>& detections);
   void OnPrior(const Stamped<SessionPrior>& prior);
@@ -112,11 +114,13 @@ class NavApp final : public App {
   void ReportSources(ReportLines& report) const;
   void ReportAiding(ReportLines& report) const;
 
-  NavApp(const AppContext& context, const Params& params, const SensorSheets& sheets);
+  NavApp(const AppContext& context, const Params& params, const VehicleFile& vehicle);
 
   DvlSheet dvl_sheet_;
   Eigen::Matrix3d R_BD_;  ///< body from the DVL's own frame
-  Seconds stale_after_;   ///< as the mission says, and at least half a second of real time
+  /// Force ahead and abeam of each thruster at full command [N].
+  Eigen::Matrix<double, 2, kThrusters> full_force_B_;
+  Seconds stale_after_;  ///< as the mission says, and at least half a second of real time
   AttitudeFilter attitude_;
   Navigator navigator_;
   std::vector<std::string> aiding_;  ///< names of the further sensors

@@ -40,6 +40,10 @@ class MeasurementBuffer {
   /// Of the DVL above the seabed [m]; kept as that of the body origin. Comes after an attitude.
   void AddAltitude(double t, double dvl_altitude);
   void AddDepth(double t, double depth);
+  /// As OdometryTrack::AddForce.
+  void AddForce(double t, const Eigen::Vector2d& force_B) {
+    if (IsPlausible(t)) track_.AddForce(t, force_B);
+  }
   void AddFix(const PositionFix& fix);
   void AddFrame(const Detections& frame);
   /// Forgets samples older than `t`, but for what is still to be worked off.

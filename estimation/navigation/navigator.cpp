@@ -220,7 +220,7 @@ SolveReport Navigator::Finish() {
 std::optional<WaterState> Navigator::Water(double t) const {
   const OdometryTrack& track = measurements_.track();
   if (!track.water().has_velocity()) return std::nullopt;
-  WaterState water = track.water().StateAt(t);
+  WaterState water = track.water().StateAt(t, track.ConductAt(t));
   const double off = chain_.Head()(kNavYaw) - track.AttitudeAt(chain_.head_time()).yaw;
   water.current_W = Eigen::Rotation2Dd(off) * water.current_W;  // from the attitude's north
   return water;

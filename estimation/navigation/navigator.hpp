@@ -52,6 +52,8 @@ class Navigator {
   /// Height of the DVL above the seabed [m]; kept as that of the body origin. Comes after an
   /// attitude.
   void AddAltitude(double t, double dvl_altitude) { measurements_.AddAltitude(t, dvl_altitude); }
+  /// The thrusters push with this force from `t` on, ahead and abeam [N].
+  void AddForce(double t, const Eigen::Vector2d& force_B) { measurements_.AddForce(t, force_B); }
   void AddDepth(double t, double depth) { measurements_.AddDepth(t, depth); }
   /// Fix in W [m] with its 1-sigma.
   void AddGps(double t, const Eigen::Vector2d& p_W, double sd) {

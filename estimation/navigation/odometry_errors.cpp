@@ -64,7 +64,8 @@ int OdometryErrors::BridgeAt(double t) {
   }
   const int slot = smoother_.AddSensorErrors(Eigen::Vector3d::Zero());
   bridge_ = Variable{.slot = slot, .since = t};
-  const BorderPriorFactor prior(Eigen::Vector3d::Zero(), water.BridgeCovariance(t));
+  const BorderPriorFactor prior(Eigen::Vector3d::Zero(),
+                                water.BridgeCovariance(t, track_.ConductAt(t)));
   smoother_.AddBorderTerm(slot, Term::OnBorder(prior, slot));
   return slot;
 }

@@ -120,7 +120,7 @@ void OdometryTrack::HoldAgainstBridge(double t, const Eigen::Vector3d& v_dvl_B) 
     bridge_end_ = BridgeEnd{.t = t, .length = *age, .yaw = yaw};
   }
   if (!bridge_end_ || t - bridge_end_->t > kBridgeEnd) return;
-  const Eigen::Vector2d bridged = bridging_->VelocityAt(t, {.yaw = yaw, .rate = sample.turn_rate});
+  const Eigen::Vector2d bridged = bridging_->VelocityAt(t, ConductOf(sample));
   const Eigen::Vector2d measured = (sample.R_DB * v_dvl_B).head<2>();
   BridgeEnd& end = *bridge_end_;
   ++end.count;
@@ -133,19 +133,18 @@ void OdometryTrack::TeachWater(double t, const Eigen::Vector3d& v_dvl_B) {
   if (is_empty()) return;
   const AttitudeEstimate a = AttitudeAt(t);
   const Eigen::Vector3d v_H = RotationFromRollPitchYaw(a.roll, a.pitch, 0.0) * v_dvl_B;
-  water_.Add(t, v_H.head<2>(), {.yaw = a.yaw, .rate = TurnRateAt(t)});
+  water_.Add(t, v_H.head<2>(), ConductAt(t));
 }
 
-Eigen::Vector3d OdometryTrack::BridgedVelocity(double t, const Turning& turning) const {
-  const Eigen::Vector2d v = water_.VelocityAt(t, turning);
+Eigen::Vector3d OdometryTrack::BridgedVelocity(double t, const Conduct& conduct) const {
+  const Eigen::Vector2d v = water_.VelocityAt(t, conduct);
   return {v.x(), v.y(), sink_rate_.value_or(0.0)};
 }
 
 std::optional<Eigen::Vector3d> OdometryTrack::BridgedAt(double t) const {
   if (is_empty() || !has_velocity_ || !DropoutAge(t)) return std::nullopt;
   const Sample sample = SampleAt(t);
-  return sample.R_DB.transpose() *
-         BridgedVelocity(t, {.yaw = sample.attitude.yaw, .rate = sample.turn_rate});
+  return sample.R_DB.transpose() * BridgedVelocity(t, ConductOf(sample));
 }
 
 Eigen::Vector3d OdometryTrack::VelocityAt(double t) const {
@@ -156,10 +155,16 @@ Eigen::Vector3d OdometryTrack::VelocityAt(double t) const {
   return previous_ + share * (velocity_ - previous_);
 }
 
-double OdometryTrack::TurnRateAt(double t) const {
-  if (samples_.empty()) return 0.0;
+Conduct OdometryTrack::ConductAt(double t) const {
   const auto around = Around(t);
-  return around ? around->after->turn_rate : samples_.back().turn_rate;
+  const double rate = around ? around->after->turn_rate : samples_.back().turn_rate;
+  return {.yaw = AttitudeAt(t).yaw, .rate = rate, .driven_B = driven_.At(t)};
+}
+
+Conduct OdometryTrack::ConductOf(const Sample& sample) const {
+  return {.yaw = sample.attitude.yaw,
+          .rate = sample.turn_rate,
+          .driven_B = driven_.At(sample.attitude.t)};
 }
 
 std::optional<double> OdometryTrack::DropoutAge(double t) const {
@@ -174,7 +179,7 @@ double OdometryTrack::LongestPause() const {
 Eigen::Vector3d OdometryTrack::LevelVelocity(const Sample& sample) const {
   const double t = sample.attitude.t;
   if (!DropoutAge(t)) return sample.R_DB * VelocityAt(t);
-  return BridgedVelocity(t, {.yaw = sample.attitude.yaw, .rate = sample.turn_rate});
+  return BridgedVelocity(t, ConductOf(sample));
 }
 
 void OdometryTrack::Integrate(const Sample& from, Sample& to) const {
@@ -188,9 +193,8 @@ void OdometryTrack::Integrate(const Sample& from, Sample& to) const {
   auto age = DropoutAge(to.attitude.t);
   if (!age && dt > LongestPause()) age = dt;  // the attitude itself was away
   if (age) {
-    const Turning turning{.yaw = to.attitude.yaw, .rate = to.turn_rate};
     const double correlated = std::min(*age, params_.bridge_correlation.value());
-    to.bridge_variance += 2.0 * water_.VarianceAt(to.attitude.t, turning) * correlated * dt;
+    to.bridge_variance += 2.0 * water_.VarianceAt(to.attitude.t, ConductOf(to)) * correlated * dt;
   }
   const auto squared = [](double x) { return x * x; };
   const double silent =
@@ -317,6 +321,7 @@ void OdometryTrack::DropBefore(double t) {
   while (samples_.size() > 2 && samples_[1].attitude.t < t) {
     samples_.pop_front();
   }
+  driven_.DropBefore(t);
 }
 
 }  // namespace limpet

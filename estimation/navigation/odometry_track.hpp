@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "estimation/attitude/attitude_filter.hpp"
+#include "estimation/navigation/driven_speed.hpp"
 #include "estimation/navigation/sample_period.hpp"
 #include "estimation/navigation/water_model.hpp"
 #include "limpet/core/frames.hpp"
@@ -26,6 +27,7 @@ struct OdometryParams {
   double changing_share = 0.3;       ///< of the slow errors that does not stay the same for long
   Meters scale_correlation{30.0};    ///< way after which that share of scale is taken as new
   WaterParams water;                 ///< bridges a dropout
+  DriveParams drive;                 ///< and what the thrusters do in it
   Seconds bridge_correlation{10.0};  ///< the error stays the same for about this long
   /// Without any velocity for longer than `bridge_trusted`, or
   /// without attitude, nothing is known of the motion but what the vehicle and the water can do:
@@ -83,7 +85,8 @@ class OdometryTrack {
   explicit OdometryTrack(const OdometryParams& params)
       : params_(params),
         period_(params.velocity_period.value()),
-        water_(params.water, params.dvl_B.x()) {}
+        water_(params.water, params.dvl_B.x()),
+        driven_(params.drive) {}
 
   void AddAttitude(const AttitudeEstimate& attitude);
   /// Velocity of the DVL in body axes [m/s] at `t`; nothing when the DVL had no lock or lied.
@@ -119,8 +122,15 @@ class OdometryTrack {
   /// Of the last dropout that has ended; nothing before one.
   [[nodiscard]] const std::optional<BridgeEnd>& bridge_end() const { return bridge_end_; }
 
+  /// The thrusters push with this force from `t` on, ahead and abeam [N].
+  void AddForce(double t, const Eigen::Vector2d& force_B) {
+    driven_.AddForce(t, force_B, is_empty() ? 0.0 : samples_.back().turn_rate);
+  }
+
   /// Current and speed through the water; its north is the attitude's.
   [[nodiscard]] const WaterModel& water() const { return water_; }
+  /// REQUIRES: !is_empty().
+  [[nodiscard]] Conduct ConductAt(double t) const;
 
   /// REQUIRES: !is_empty(). Times outside the buffer answer with its ends, extrapolated by at most
   /// 0.3 s at the new end.
@@ -159,12 +169,12 @@ class OdometryTrack {
   /// Seconds between velocities that are no dropout.
   [[nodiscard]] double LongestPause() const;
   [[nodiscard]] Eigen::Vector3d VelocityAt(double t) const;
-  [[nodiscard]] double TurnRateAt(double t) const;
+  [[nodiscard]] Conduct ConductOf(const Sample& sample) const;
   /// Before the water model learns from a velocity.
   void HoldAgainstBridge(double t, const Eigen::Vector3d& v_dvl_B);
   void TeachWater(double t, const Eigen::Vector3d& v_dvl_B);
   /// In a dropout: in the track's frame.
-  [[nodiscard]] Eigen::Vector3d BridgedVelocity(double t, const Turning& turning) const;
+  [[nodiscard]] Eigen::Vector3d BridgedVelocity(double t, const Conduct& conduct) const;
   /// The velocity in the track's frame, measured or bridged.
   [[nodiscard]] Eigen::Vector3d LevelVelocity(const Sample& sample) const;
   [[nodiscard]] Sample SampleAt(double t) const;
@@ -182,6 +192,7 @@ class OdometryTrack {
   Eigen::Vector2d contested_way_ = Eigen::Vector2d::Zero();  ///< in the track's frame [m]
   SamplePeriod period_;
   WaterModel water_;
+  DrivenSpeed driven_;
   std::optional<WaterModel> bridging_;  ///< as it bridged the last dropout
   std::optional<BridgeEnd> bridge_end_;
   std::optional<double> sink_rate_;

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "limpet/vehicle/hydrodynamics.hpp"
+
 namespace limpet {
 namespace {
 
@@ -59,6 +61,13 @@ AttitudeParams BelievedAttitude(const SensorSheets& sheets) {
   params.yaw_random_walk = Radians(yaw.walk);
   params.yaw_bias_sigma = Radians(yaw.bias);
   return params;
+}
+
+DriveParams BelievedDrive(const VehicleParams& vehicle) {
+  const Hydrodynamics hydro = DeriveHydrodynamics(vehicle);
+  return {.mass = hydro.mass_matrix.diagonal().head<2>(),
+          .linear_drag = hydro.linear_drag.head<2>(),
+          .quadratic_drag = hydro.quadratic_drag.head<2>()};
 }
 
 void BelieveSheets(const SensorSheets& sheets, NavigatorParams& params) {

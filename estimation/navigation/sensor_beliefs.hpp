@@ -6,6 +6,7 @@
 #include "estimation/attitude/attitude_filter.hpp"
 #include "estimation/navigation/navigator_params.hpp"
 #include "limpet/vehicle/sensor_sheets.hpp"
+#include "limpet/vehicle/vehicle_params.hpp"
 
 namespace limpet {
 
@@ -14,5 +15,9 @@ namespace limpet {
 
 /// Sets what the sheets tell of velocity, yaw rate, tilt, depth and fixes.
 void BelieveSheets(const SensorSheets& sheets, NavigatorParams& params);
+
+/// How hull and thrusters answer to commands, as the vehicle's file says; how much of it is true is
+/// learnt at sea.
+[[nodiscard]] DriveParams BelievedDrive(const VehicleParams& vehicle);
 
 }  // namespace limpet

@@ -10,7 +10,7 @@
 namespace limpet {
 namespace {
 
-enum Index { kAhead, kAbeam, kSway, kNorth, kEast };
+enum Index { kAhead, kAbeam, kSwayPerRate, kNorth, kEast, kDriven };
 
 constexpr double kPause = 1.5;     // [s] without velocity that end a trial
 constexpr double kSurprise = 9.0;  // squared innovation over covariance, of two: 1 in 90
@@ -20,52 +20,74 @@ double Squared(double x) { return x * x; }
 }  // namespace
 
 WaterModel::WaterModel(const WaterParams& params, double arm)
-    : params_(params), error_variance_(Squared(params.model_error)) {
-  x_ << 0.0, 0.0, arm, 0.0, 0.0;
-  State sigma;
-  sigma << params.speed_sigma, params.drift_sigma, params.sway_sigma, params.current_sigma,
-      params.current_sigma;
-  P_ = sigma.cwiseAbs2().asDiagonal();
+    : params_(params), arm_(arm), error_variance_(Squared(params.model_error)) {
+  Begin(false);
 }
 
-WaterModel::Observation WaterModel::ObservationOf(const Turning& turning) {
-  const double c = std::cos(turning.yaw), s = std::sin(turning.yaw);
+void WaterModel::Begin(bool is_driven) {
+  x_ << 0.0, 0.0, arm_, 0.0, 0.0, 1.0;
+  State sigma;
+  sigma << (is_driven ? params_.beside_driven : params_.speed_sigma),
+      (is_driven ? params_.beside_driven : params_.drift_sigma), params_.sway_sigma,
+      params_.current_sigma, params_.current_sigma, params_.driven_sigma;
+  P_ = sigma.cwiseAbs2().asDiagonal();
+  trial_.reset();
+}
+
+WaterModel::Observation WaterModel::ObservationOf(const Conduct& conduct) {
+  const double c = std::cos(conduct.yaw), s = std::sin(conduct.yaw);
   Observation H;
-  H << 1.0, 0.0, 0.0, c, s,  //
-      0.0, 1.0, turning.rate, -s, c;
+  const Eigen::Vector2d driven = conduct.driven_B.value_or(Eigen::Vector2d::Zero());
+  H << 1.0, 0.0, 0.0, c, s, driven.x(),  //
+      0.0, 1.0, conduct.rate, -s, c, driven.y();
   return H;
 }
 
 double WaterModel::AgeAt(double t) const { return t_ ? std::max(t - *t_, 0.0) : 0.0; }
 
 WaterModel::Covariance WaterModel::CovarianceAt(double t) const {
-  const double age = AgeAt(t), keep = std::exp(-age / params_.drift_memory.value());
+  const double age = AgeAt(t);
   Covariance P = P_;
-  P.row(kAbeam) *= keep;
-  P.col(kAbeam) *= keep;
-  P(kAhead, kAhead) += Squared(params_.speed_walk) * age;
-  P(kAbeam, kAbeam) += (1.0 - keep * keep) * Squared(params_.drift_sigma);
-  P(kSway, kSway) += Squared(params_.sway_walk) * age;
+  const auto forget = [&P](Index i, double keep, double sigma) {
+    P.row(i) *= keep;
+    P.col(i) *= keep;
+    P(i, i) += (1.0 - keep * keep) * Squared(sigma);
+  };
+  if (driven_B_) {
+    forget(kAhead, KeepAt(t), params_.beside_driven);
+    forget(kAbeam, KeepAt(t), params_.beside_driven);
+    P(kDriven, kDriven) += Squared(params_.driven_walk) * age;
+  } else {
+    forget(kAbeam, KeepAt(t), params_.drift_sigma);
+    P(kAhead, kAhead) += Squared(params_.speed_walk) * age;
+  }
+  P(kSwayPerRate, kSwayPerRate) += Squared(params_.sway_walk) * age;
   P(kNorth, kNorth) += Squared(params_.current_walk) * age;
   P(kEast, kEast) += Squared(params_.current_walk) * age;
   return P;
 }
 
-void WaterModel::Add(double t, const Eigen::Vector2d& v_H, const Turning& turning) {
+void WaterModel::Add(double t, const Eigen::Vector2d& v_H, const Conduct& conduct) {
+  if (conduct.driven_B && !driven_B_)
+    Begin(true);  // else the speed was taken for the vehicle's own
   const double dt = AgeAt(t);
   P_ = CovarianceAt(t);
-  x_(kAbeam) *= std::exp(-dt / params_.drift_memory.value());
-  const Observation H = ObservationOf(turning);
+  const Eigen::Vector2d change = DrivenVariance(conduct);
+  P_(kAhead, kAhead) += change.x();
+  P_(kAbeam, kAbeam) += change.y();
+  x_(kAhead) *= driven_B_ ? KeepAt(t) : 1.0;
+  x_(kAbeam) *= KeepAt(t);
+  const Observation H = ObservationOf(conduct);
   const Eigen::Vector2d innovation = v_H - H * x_;
   const Eigen::Matrix2d R = Squared(params_.velocity_noise) * Eigen::Matrix2d::Identity();
   Eigen::Matrix2d S = H * P_ * H.transpose() + R;
-  if (innovation.dot(S.inverse() * innovation) > kSurprise) {
+  if (!conduct.driven_B && innovation.dot(S.inverse() * innovation) > kSurprise) {
     // The vehicle changed its way through the water; the water has no thrusters.
     P_(kAhead, kAhead) += Squared(innovation.x());
     P_(kAbeam, kAbeam) += Squared(innovation.y());
     S = H * P_ * H.transpose() + R;
   }
-  const Eigen::Matrix<double, 5, 2> K = P_ * H.transpose() * S.inverse();
+  const Eigen::Matrix<double, 6, 2> K = P_ * H.transpose() * S.inverse();
   x_ += K * innovation;
   const Covariance rest = Covariance::Identity() - K * H;
   P_ = (rest * P_ * rest.transpose() + K * R * K.transpose()).eval();
@@ -75,6 +97,7 @@ void WaterModel::Add(double t, const Eigen::Vector2d& v_H, const Turning& turnin
   spread_ += t_ ? share * (Squared(off_usual) - spread_) : 0.0;
   usual_ += share * off_usual;
   t_ = t;
+  driven_B_ = conduct.driven_B;
 }
 
 void WaterModel::Try(double t, const Eigen::Vector2d& v_H, const Observation& H) {
@@ -97,38 +120,48 @@ void WaterModel::Try(double t, const Eigen::Vector2d& v_H, const Observation& H)
 
 double WaterModel::ManeuverVariance(double seconds) const {
   const double reached = Squared(params_.maneuver_mps2 * seconds);
-  return std::min(Squared(params_.maneuver_share) * spread_, reached);
+  return driven_B_ ? 0.0 : std::min(Squared(params_.maneuver_share) * spread_, reached);
+}
+
+double WaterModel::KeepAt(double t) const {
+  return std::exp(-AgeAt(t) / (driven_B_ ? params_.beside_memory : params_.drift_memory).value());
 }
 
 double WaterModel::SpeedAt(double t) const {
+  if (driven_B_) return KeepAt(t) * x_(kAhead);
   const double off = x_(kAhead) - usual_;
   const double target = usual_ + std::clamp(off, -params_.usual_band, params_.usual_band);
   return target + std::exp(-AgeAt(t) / params_.excursion_memory.value()) * (x_(kAhead) - target);
 }
 
-Eigen::Vector2d WaterModel::VelocityAt(double t, const Turning& turning) const {
+Eigen::Vector2d WaterModel::VelocityAt(double t, const Conduct& conduct) const {
   State x = x_;
   x(kAhead) = SpeedAt(t);
-  x(kAbeam) *= std::exp(-AgeAt(t) / params_.drift_memory.value());
-  return Eigen::Rotation2Dd(turning.yaw) * (ObservationOf(turning) * x);
+  x(kAbeam) *= KeepAt(t);
+  return Eigen::Rotation2Dd(conduct.yaw) * (ObservationOf(conduct) * x);
 }
 
-double WaterModel::VarianceAt(double t, const Turning& turning) const {
-  const Observation H = ObservationOf(turning);
+double WaterModel::VarianceAt(double t, const Conduct& conduct) const {
+  const Observation H = ObservationOf(conduct);
   const Eigen::Matrix2d of_state = H * CovarianceAt(t) * H.transpose();
   return 0.5 * of_state.trace() + error_variance_ + ManeuverVariance(AgeAt(t)) +
-         0.25 * Squared(x_(kAhead) - SpeedAt(t));
+         0.25 * Squared(x_(kAhead) - SpeedAt(t)) + 0.5 * DrivenVariance(conduct).sum();
 }
 
-Eigen::Matrix3d WaterModel::BridgeCovariance(double t) const {
+Eigen::Vector2d WaterModel::DrivenVariance(const Conduct& conduct) const {
+  if (!driven_B_ || !conduct.driven_B) return Eigen::Vector2d::Zero();
+  return (params_.driven_change * (*conduct.driven_B - *driven_B_)).cwiseAbs2();
+}
+
+Eigen::Matrix3d WaterModel::BridgeCovariance(double t, const Conduct& conduct) const {
   const Covariance P = CovarianceAt(t);
-  Eigen::Matrix3d bridge;
-  bridge.topLeftCorner<2, 2>() = P.block<2, 2>(kNorth, kNorth);
-  bridge.topRightCorner<2, 1>() = P.block<2, 1>(kNorth, kAhead);
-  bridge.bottomLeftCorner<1, 2>() = P.block<1, 2>(kAhead, kNorth);
+  Eigen::Matrix<double, 3, 6> parts = Eigen::Matrix<double, 3, 6>::Zero();
+  parts(0, kNorth) = parts(1, kEast) = parts(2, kAhead) = 1.0;
+  parts(2, kDriven) = conduct.driven_B.value_or(Eigen::Vector2d::Zero()).x();
+  Eigen::Matrix3d bridge = parts * P * parts.transpose();
   constexpr double kLong = 60.0;  // [s] a bridge may be
-  bridge(2, 2) =
-      P(kAhead, kAhead) + ManeuverVariance(kLong) + 0.25 * Squared(x_(kAhead) - SpeedAt(t));
+  bridge(2, 2) += ManeuverVariance(kLong) + 0.25 * Squared(x_(kAhead) - SpeedAt(t)) +
+                  DrivenVariance(conduct).x();
   // Speed abeam turns with the vehicle; as a part of the current it is nowhere less likely.
   const double besides = error_variance_ + P(kAbeam, kAbeam);
   bridge.diagonal().head<2>().array() += besides;
@@ -144,11 +177,16 @@ Eigen::Vector2d WaterModel::EndVariance(double seconds) const {
   return Eigen::Vector2d(ManeuverVariance(seconds), 0.0).array() + 0.3 * error_variance_;
 }
 
-WaterState WaterModel::StateAt(double t) const {
+WaterState WaterModel::StateAt(double t, const Conduct& conduct) const {
   const Covariance P = CovarianceAt(t);
-  WaterState state{.current_W = {x_(kNorth), x_(kEast)}, .speed = SpeedAt(t)};
+  const double driven = conduct.driven_B.value_or(Eigen::Vector2d::Zero()).x();
+  Eigen::Matrix<double, 1, 6> ahead = Eigen::Matrix<double, 1, 6>::Zero();
+  ahead(kAhead) = 1.0;
+  ahead(kDriven) = driven;
+  WaterState state{.current_W = {x_(kNorth), x_(kEast)},
+                   .speed = SpeedAt(t) + x_(kDriven) * driven};
   state.sd_current = {std::sqrt(P(kNorth, kNorth)), std::sqrt(P(kEast, kEast))};
-  state.sd_speed = std::sqrt(P(kAhead, kAhead));
+  state.sd_speed = std::sqrt((ahead * P).dot(ahead));
   return state;
 }
 

@@ -15,12 +15,19 @@ struct WaterParams {
   /// 1-sigma of a bottom-track velocity about this model [m/s]: the sensor's noise (0.01) and what
   /// hull and waves do besides.
   double velocity_noise = 0.02;
-  double speed_sigma = 0.5;      ///< of the speed ahead through the water, at first [m/s]
-  double speed_walk = 0.0005;    ///< and its random walk [m/s/sqrt(s)]
-  double drift_sigma = 0.008;    ///< of the speed abeam through the water [m/s]
-  Seconds drift_memory{600.0};   ///< after which that is another
-  double sway_sigma = 0.3;       ///< of the sway per yaw rate, at first [m/s per rad/s]
-  double sway_walk = 0.002;      ///< and its random walk
+  double speed_sigma = 0.5;     ///< of the speed ahead through the water, at first [m/s]
+  double speed_walk = 0.0005;   ///< and its random walk [m/s/sqrt(s)]
+  double drift_sigma = 0.008;   ///< of the speed abeam through the water [m/s]
+  Seconds drift_memory{600.0};  ///< after which that is another
+  double sway_sigma = 0.3;      ///< of the sway per yaw rate, at first [m/s per rad/s]
+  double sway_walk = 0.002;     ///< and its random walk
+  /// With commands of the thrusters: 1-sigma of what is left of speed ahead and abeam beside what
+  /// they make [m/s], after which that is another, of how much of that is true, its random walk,
+  /// and the share of its changes that is not.
+  double beside_driven = 0.03;
+  Seconds beside_memory{60.0};
+  double driven_sigma = 0.3, driven_walk = 0.0005;
+  double driven_change = 0.2;
   double current_sigma = 0.15;   ///< of each of north and east, at first [m/s]
   double current_walk = 0.0007;  ///< and its random walk [m/s/sqrt(s)]
   /// 1-sigma of a predicted velocity besides [m/s]: at first and at least. Learnt from what the
@@ -39,9 +46,12 @@ struct WaterParams {
   Seconds excursion_memory{4.0};  ///< in which it comes back that near
 };
 
-/// Heading [rad] and yaw rate [rad/s] that a velocity belongs to.
-struct Turning {
+/// What the vehicle did when it had a velocity: heading [rad], yaw rate [rad/s], and speed ahead
+/// and abeam through the water that its thrusters alone would make [m/s], if their commands are
+/// known.
+struct Conduct {
   double yaw = 0.0, rate = 0.0;
+  std::optional<Eigen::Vector2d> driven_B{};
 };
 
 /// Current (north, east) and speed ahead through the water, as estimated [m/s], with 1-sigma.
@@ -51,29 +61,31 @@ struct WaterState {
 };
 
 /// Parts the velocity over ground into what the vehicle does in the water and what the water does:
-/// a Kalman filter of (speed ahead, speed abeam, sway per yaw rate, current north, current east).
-/// The first three turn with the vehicle, the current does not; so a turn tells them apart, and
-/// before one the covariance says that nothing has. Without commands of the thrusters the speed
-/// through the water is a random walk; a change that this does not explain is taken for a change of
-/// speed, not of the current. The DVL's lever arm is part of the sway. Times in seconds.
+/// a Kalman filter of (speed ahead, speed abeam, sway per yaw rate, current north, current east,
+/// how much of the speed that the thrusters make is true). All but the current turn with the
+/// vehicle; so a turn tells them apart, and before one the covariance says that nothing has.
+/// Without commands of the thrusters the speed through the water is a random walk; a change that
+/// this does not explain is taken for a change of speed, not of the current. With them the first
+/// two are what is left beside what the thrusters make, and little. The DVL's lever arm is part of
+/// the sway. Times in seconds.
 class WaterModel {
  public:
-  using State = Eigen::Matrix<double, 5, 1>;
-  using Covariance = Eigen::Matrix<double, 5, 5>;
+  using State = Eigen::Matrix<double, 6, 1>;
+  using Covariance = Eigen::Matrix<double, 6, 6>;
 
   /// `arm`: how far ahead of the body's origin the DVL is [m]; the sway until turns teach it.
   WaterModel(const WaterParams& params, double arm);
 
   /// Velocity of the DVL over ground [m/s], ahead and abeam in the levelled heading frame.
-  void Add(double t, const Eigen::Vector2d& v_H, const Turning& turning);
+  void Add(double t, const Eigen::Vector2d& v_H, const Conduct& conduct);
 
   /// The same quantity at `t`, in axes north and east, for when nothing measures it.
-  [[nodiscard]] Eigen::Vector2d VelocityAt(double t, const Turning& turning) const;
+  [[nodiscard]] Eigen::Vector2d VelocityAt(double t, const Conduct& conduct) const;
   /// Variance of each axis of VelocityAt, their mean [m^2/s^2].
-  [[nodiscard]] double VarianceAt(double t, const Turning& turning) const;
+  [[nodiscard]] double VarianceAt(double t, const Conduct& conduct) const;
   /// Of (current north, current east, speed ahead) at `t`, with what the model leaves out
   /// [m^2/s^2]: what a bridge from there is off.
-  [[nodiscard]] Eigen::Matrix3d BridgeCovariance(double t) const;
+  [[nodiscard]] Eigen::Matrix3d BridgeCovariance(double t, const Conduct& conduct) const;
   /// 1-sigma of how these change in `seconds` [m/s].
   [[nodiscard]] Eigen::Vector3d BridgeChange(double seconds) const;
 
@@ -81,7 +93,7 @@ class WaterModel {
   /// beside what it was all along [m^2/s^2].
   [[nodiscard]] Eigen::Vector2d EndVariance(double seconds) const;
 
-  [[nodiscard]] WaterState StateAt(double t) const;
+  [[nodiscard]] WaterState StateAt(double t, const Conduct& conduct) const;
   /// False until a first velocity has come.
   [[nodiscard]] bool has_velocity() const { return t_.has_value(); }
   [[nodiscard]] const State& state() const { return x_; }
@@ -94,19 +106,28 @@ class WaterModel {
     Eigen::Vector2d off = Eigen::Vector2d::Zero();  ///< sum of what it is off, north and east [m/s]
     int count = 0;
   };
-  using Observation = Eigen::Matrix<double, 2, 5>;
+  using Observation = Eigen::Matrix<double, 2, 6>;
+  /// With what is known before a first velocity.
+  void Begin(bool is_driven);
   /// Velocity ahead and abeam of a state.
-  [[nodiscard]] static Observation ObservationOf(const Turning& turning);
+  [[nodiscard]] static Observation ObservationOf(const Conduct& conduct);
   /// Tries what a bridge would be off. `v_H` as in Add.
   void Try(double t, const Eigen::Vector2d& v_H, const Observation& H);
   [[nodiscard]] Covariance CovarianceAt(double t) const;
   [[nodiscard]] double AgeAt(double t) const;
+  /// Of speed ahead and abeam, since the last velocity: what the thrusters' sheet may be off.
+  [[nodiscard]] Eigen::Vector2d DrivenVariance(const Conduct& conduct) const;
   /// Of the speed ahead: what it may have been told to change.
   [[nodiscard]] double ManeuverVariance(double seconds) const;
-  /// Speed ahead at `t`: as it was, or back near the usual one.
+  /// Share of speed abeam, and of speed ahead beside the thrusters', that is left at `t`.
+  [[nodiscard]] double KeepAt(double t) const;
+  /// Speed ahead at `t`, what the thrusters make left out: as it was, or back near the usual one.
   [[nodiscard]] double SpeedAt(double t) const;
 
   WaterParams params_;
+  double arm_;  ///< of the DVL [m]
+  /// What the thrusters made at the last velocity; nothing without their commands.
+  std::optional<Eigen::Vector2d> driven_B_;
   State x_;
   Covariance P_;
   std::optional<double> t_;  ///< of the last velocity
