@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/uSimCamera/sim_camera_app.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -11,14 +12,8 @@
 namespace limpet {
 namespace {
 
-std::vector<Sphere> SpheresOf(const Scenario& scenario, const std::string& session) {
-  std::vector<Sphere> spheres;
-  for (const ScenarioOpi& opi : scenario.opis) {
-    if (const auto place = opi.Place(session)) {
-      spheres.push_back({.p_W = *place, .radius = opi.radius_m, .color = opi.color});
-    }
-  }
-  return spheres;
+bool Moves(const ObjectMotionParams& motion) {
+  return !motion.sway_W.isZero(0.0) || !motion.drift_W.isZero(0.0);
 }
 
 }  // namespace
@@ -26,15 +21,23 @@ std::vector<Sphere> SpheresOf(const Scenario& scenario, const std::string& sessi
 SimCameraApp::SimCameraApp(const AppContext& context, const Params& params)
     : App(context),
       params_(params),
+      stamp_({}, Random(0)),
       box_model_(BoxModel::Settings{}),
       box_random_(MakeRandom("boxes")) {
   const Scenario scenario = LoadScenario(context.mission_folder / params.scenario);
-  spheres_ = SpheresOf(scenario, context.session);
-  const CameraModel camera = params.geometry.geometry();
+  for (const ScenarioOpi& opi : scenario.opis) {
+    if (const auto place = opi.Place(context.session)) {
+      spheres_.push_back({.p_W = *place, .radius = opi.radius_m, .color = opi.color});
+      motions_.push_back(opi.motion);
+    }
+  }
+  errors_ = scenario.errors.camera;
+  stamp_ = StampError(errors_.stamps, MakeRandom("stamps camera"));
+  camera_ = errors_.mounting.Applied(params.geometry.geometry());
   const std::string kind = params.camera == "scenario" ? scenario.camera : params.camera;
   if (kind == "rendered") {
     renderer_.emplace(SceneSettings{
-        .camera = camera,
+        .camera = camera_,
         .seabed_depth = [seabed = Seabed(scenario.seabed)](
                             double north, double east) { return seabed.Depth(north, east); },
         .visibility_m = scenario.water.visibility_m,
@@ -42,7 +45,7 @@ SimCameraApp::SimCameraApp(const AppContext& context, const Params& params)
         .seabed_seed = MixSeed(context.seed, "seabed texture"),
         .noise_seed = MakeRandom("image noise").Bits()});
   } else {
-    box_model_ = BoxModel({.camera = camera,
+    box_model_ = BoxModel({.camera = camera_,
                            .visibility_m = scenario.water.visibility_m,
                            .false_boxes_per_image = scenario.sensors.false_detections_per_image,
                            .constants = {}});
@@ -53,31 +56,50 @@ SimCameraApp::SimCameraApp(const AppContext& context, const Params& params)
 void SimCameraApp::OnTruth(const Stamped<SimTruth>& truth) {
   // The millionth absorbs what a time that is no exact multiple loses in the product.
   const double slot = std::floor(truth.time.value() * params_.timing.rate.value() + 1e-6);
+  if (!start_) start_ = truth.time;
   if (slot != last_slot_ && truth.value.down >= params_.least_depth.value()) {
     last_slot_ = slot;
+    const std::vector<Sphere> shown = Shown(truth);
+    const Seconds stamp = stamp_.StampOf(truth.time);
+    // A driver stamps what it hands on: no frame comes before its stamp.
+    const Seconds taken = std::max(truth.time, stamp);
     if (renderer_) {
-      exposed_.emplace_back(truth.time, MakeImage(truth));
+      exposed_.emplace_back(taken, MakeImage(truth.value, shown, stamp));
     } else {
-      exposed_.emplace_back(truth.time, MakeBoxes(truth));
+      exposed_.emplace_back(taken, MakeBoxes(truth.value, shown, stamp));
     }
     ++frame_;
   }
   PublishReady(truth.time);
 }
 
-CameraFrame SimCameraApp::MakeImage(const Stamped<SimTruth>& truth) {
-  Image image = renderer_->Render(truth.value.pose(), spheres_, frame_);
+std::vector<Sphere> SimCameraApp::Shown(const Stamped<SimTruth>& truth) {
+  std::vector<Sphere> shown = spheres_;
+  const SimTruth& body = truth.value;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    if (Moves(motions_[i])) shown[i].p_W += motions_[i].At(truth.time - *start_);
+    shown[i].p_W = SeenRowByRow(
+        errors_.shutter, camera_, body.pose(),
+        {.v_B = {body.u, body.v, body.w}, .omega_B = {body.p, body.q, body.r}}, shown[i].p_W);
+  }
+  return shown;
+}
+
+CameraFrame SimCameraApp::MakeImage(const SimTruth& truth, std::span<const Sphere> shown,
+                                    Seconds stamp) {
+  Image image = renderer_->Render(truth.pose(), shown, frame_);
   return {.frame = frame_,
-          .exposure = truth.time,
+          .exposure = stamp,
           .width_px = image.width_px,
           .height_px = image.height_px,
           .bgr = std::move(image.bgr)};
 }
 
-Detections SimCameraApp::MakeBoxes(const Stamped<SimTruth>& truth) {
+Detections SimCameraApp::MakeBoxes(const SimTruth& truth, std::span<const Sphere> shown,
+                                   Seconds stamp) {
   return {.frame = static_cast<int>(frame_),
-          .exposure = truth.time,
-          .boxes = box_model_.Detect(truth.value.pose(), spheres_, box_random_)};
+          .exposure = stamp,
+          .boxes = box_model_.Detect(truth.pose(), shown, box_random_)};
 }
 
 void SimCameraApp::PublishReady(Seconds now) {

@@ -4,6 +4,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -13,6 +14,7 @@
 #include "limpet/core/camera_params.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/mission/scenario.hpp"
+#include "limpet/simulation/stamp_error.hpp"
 #include "limpet/topics/sensors.hpp"
 #include "limpet/topics/simulation.hpp"
 #include "limpet/vision/box_model.hpp"
@@ -50,14 +52,23 @@ class SimCameraApp final : public App {
 
  private:
   void OnTruth(const Stamped<SimTruth>& truth);
-  [[nodiscard]] CameraFrame MakeImage(const Stamped<SimTruth>& truth);
-  [[nodiscard]] Detections MakeBoxes(const Stamped<SimTruth>& truth);
+  /// Where the objects appear to be in an image taken now.
+  [[nodiscard]] std::vector<Sphere> Shown(const Stamped<SimTruth>& truth);
+  [[nodiscard]] CameraFrame MakeImage(const SimTruth& truth, std::span<const Sphere> shown,
+                                      Seconds stamp);
+  [[nodiscard]] Detections MakeBoxes(const SimTruth& truth, std::span<const Sphere> shown,
+                                     Seconds stamp);
   /// What was exposed at least the latency ago.
   void PublishReady(Seconds now);
 
   Params params_;
-  std::vector<Sphere> spheres_;
-  std::optional<SceneRenderer> renderer_;  ///< unless boxes are drawn
+  SimulatedErrors::Camera errors_;
+  CameraModel camera_;  ///< as it truly stands
+  StampError stamp_;
+  std::vector<Sphere> spheres_;              ///< in their places
+  std::vector<ObjectMotionParams> motions_;  ///< of each
+  std::optional<Seconds> start_;             ///< of the session
+  std::optional<SceneRenderer> renderer_;    ///< unless boxes are drawn
   BoxModel box_model_;
   Random box_random_;
   double last_slot_ = -1.0;  ///< exposures are the first truth in each 1/rate of MOOS time

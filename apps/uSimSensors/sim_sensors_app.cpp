@@ -29,8 +29,11 @@ SoundScene SceneOf(const Scenario& scenario, const std::string& session) {
           std::move(spheres)};
 }
 
-ImuModel::Params ImuOf(const ImuSheet& sheet, const Scenario::Sensors& truth) {
+ImuModel::Params ImuOf(const ImuSheet& sheet, const Scenario::Sensors& truth,
+                       const SimulatedErrors::Imu& errors) {
   ImuModel::Params params{.sheet = sheet};
+  params.compass = errors.compass;
+  params.gyro = errors.gyro;
   if (truth.heading_sigma_deg) {
     params.sheet.heading_sigma = Radians::FromTextUnit(*truth.heading_sigma_deg);
   }
@@ -42,10 +45,12 @@ FogSheet FogOf(FogSheet sheet, const Scenario::Sensors& truth) {
   return sheet;
 }
 
-DvlModel::Params DvlOf(const DvlSheet& sheet, const Scenario::Sensors& truth) {
+DvlModel::Params DvlOf(const DvlSheet& sheet, const Scenario::Sensors& truth,
+                       const SimulatedErrors::Dvl& errors) {
   DvlModel::Params params{.sheet = sheet};
   params.dropout_per_min = truth.dvl_dropout_per_min;
   params.outlier_share = truth.dvl_outlier_share;
+  params.error = errors;
   return params;
 }
 
@@ -61,21 +66,27 @@ SimSensorsApp::SimSensorsApp(const AppContext& context, const Scenario& scenario
       LoadMissionVehicle(context.Global(kVehicleFileGlobal), context.mission_folder);
   const SensorSheets& sheets = vehicle.sensors;
   const Scenario::Sensors& truth = scenario.sensors;
+  const SimulatedErrors& errors = scenario.errors;
   if (sheets.imu.is_present) {
-    Add(topics::kImuData, sheets.imu.rate, ImuModel(ImuOf(sheets.imu, truth), MakeRandom("imu")));
+    Add(topics::kImuData, sheets.imu.rate, errors.imu.stamps,
+        ImuModel(ImuOf(sheets.imu, truth, errors.imu), MakeRandom("imu"),
+                 MakeRandom("imu errors")));
   }
   if (sheets.fog.is_present) {
-    Add(topics::kFogYawRate, sheets.fog.rate,
-        FogModel(FogOf(sheets.fog, truth), MakeRandom("fog")));
+    Add(topics::kFogYawRate, sheets.fog.rate, errors.fog.stamps,
+        FogModel(FogOf(sheets.fog, truth), MakeRandom("fog"), errors.fog.gyro));
   }
-  Add(topics::kDepthSensor, sheets.depth.rate, DepthModel(sheets.depth, MakeRandom("depth")));
-  Add(topics::kDvlData, sheets.dvl.rate,
-      DvlModel(DvlOf(sheets.dvl, truth), SceneOf(scenario, context.session), MakeRandom("dvl")));
-  Add(topics::kGpsData, sheets.gps.rate,
+  Add(topics::kDepthSensor, sheets.depth.rate, errors.depth.stamps,
+      DepthModel(sheets.depth, MakeRandom("depth"), errors.depth.pressure));
+  Add(topics::kDvlData, sheets.dvl.rate, errors.dvl.stamps,
+      DvlModel(DvlOf(sheets.dvl, truth, errors.dvl), SceneOf(scenario, context.session),
+               MakeRandom("dvl"), MakeRandom("dvl errors")));
+  Add(topics::kGpsData, sheets.gps.rate, errors.gps.stamps,
       GpsModel({.sheet = sheets.gps,
                 .true_sigma_m = truth.gps_sigma_m,
-                .antenna_B = vehicle.params.antenna_B},
-               MakeRandom("gps")));
+                .antenna_B = vehicle.params.antenna_B,
+                .error = errors.gps.multipath},
+               MakeRandom("gps"), MakeRandom("gps errors")));
   Subscribe(topics::kSimTruth, &SimSensorsApp::OnTruth);
 }
 

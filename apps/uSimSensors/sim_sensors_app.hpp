@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "limpet/core/params.hpp"
 #include "limpet/mission/scenario.hpp"
 #include "limpet/sensors/sample_clock.hpp"
+#include "limpet/simulation/stamp_error.hpp"
 #include "limpet/topics/simulation.hpp"
 
 namespace limpet {
@@ -34,15 +36,23 @@ class SimSensorsApp final : public App {
 
  private:
   template <class T, class Model>
-  void Add(const Topic<T>& topic, Hertz rate, Model model) {
+  void Add(const Topic<T>& topic, Hertz rate, const StampErrorParams& stamps, Model model) {
     const std::size_t index = counts_.size();
     counts_.push_back({.variable = topic.name, .rate = rate});
     sensors_.push_back([this, &topic, index, clock = SampleClock(rate),
+                        stamp = StampError(stamps, MakeRandom("stamps " + counts_[index].variable)),
+                        held = std::deque<std::pair<Seconds, T>>(),
                         model = std::move(model)](const Stamped<SimTruth>& truth) mutable {
-      if (!clock.IsDue(truth.time)) return;
-      if (const auto sample = model.Sample(truth.value, truth.time)) {
+      if (clock.IsDue(truth.time)) {
+        if (const auto sample = model.Sample(truth.value, truth.time)) {
+          held.emplace_back(stamp.StampOf(truth.time), *sample);
+        }
+      }
+      // A driver stamps what it hands on: nothing comes before its stamp.
+      while (!held.empty() && held.front().first <= truth.time) {
         ++counts_[index].samples;
-        PublishMeasured(topic, *sample, truth.time);
+        PublishMeasured(topic, held.front().second, held.front().first);
+        held.pop_front();
       }
     });
   }

@@ -29,6 +29,13 @@ VehicleSimulation::Place StartOf(const Scenario& scenario) {
           .down = std::nullopt};
 }
 
+/// As the vehicle truly is: its thrusters are not quite those of its file.
+VehicleParams WithErrors(VehicleParams vehicle, const ThrusterErrorParams& error) {
+  vehicle.thrusters.max_thrust_n *= error.thrust_factor;
+  vehicle.thrusters.lag_s *= error.lag_factor;
+  return vehicle;
+}
+
 VehicleSimulation MakeSimulation(const VehicleParams& vehicle, const Scenario& scenario,
                                  const std::string& integrator,
                                  const VehicleSimulation::Place& place) {
@@ -68,10 +75,14 @@ SimVehicleApp::SimVehicleApp(const AppContext& context, const Params& params)
 SimVehicleApp::SimVehicleApp(const AppContext& context, const Params& params,
                              const Scenario& scenario)
     : App(context),
-      vehicle_(
-          LoadMissionVehicle(context.Global(kVehicleFileGlobal), context.mission_folder).params),
+      vehicle_(WithErrors(
+          LoadMissionVehicle(context.Global(kVehicleFileGlobal), context.mission_folder).params,
+          scenario.errors.thrusters)),
       scenario_(scenario),
       integrator_(params.integrator),
+      current_(scenario.water.current,
+               {scenario.water.current_north_mps, scenario.water.current_east_mps},
+               MakeRandom("current")),
       simulation_(MakeSimulation(vehicle_, scenario, params.integrator, StartOf(scenario))),
       has_place_(!context.is_restarted) {
   Subscribe(topics::kThrusterCommand, &SimVehicleApp::OnCommand);
@@ -169,7 +180,11 @@ void SimVehicleApp::Move(Seconds duration, Seconds end) {
   if (duration <= Seconds(0.0)) {
     return;
   }
-  for (const TimedEvent& event : simulation_.Advance(thrust, duration)) {
+  const Eigen::Vector2d current = current_.At(end, simulation_.state()(state_index::kPosition + 2));
+  simulation_.SetCurrent({current.x(), current.y(), 0.0});
+  const double most = scenario_.errors.thrusters.saturates_at;
+  const ThrusterVector given = thrust.cwiseMax(-most).cwiseMin(most);
+  for (const TimedEvent& event : simulation_.Advance(given, duration)) {
     ReportEvent(events::kSimulatedEvent, EventName(event.event));
     Publish(topics::kSimEvent, std::string(EventName(event.event)));
   }

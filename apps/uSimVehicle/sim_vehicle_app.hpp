@@ -7,6 +7,7 @@
 #include "limpet/app/app.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/mission/scenario.hpp"
+#include "limpet/simulation/tidal_current.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/simulation.hpp"
 #include "limpet/vehicle/thruster_watchdog.hpp"
@@ -51,6 +52,7 @@ class SimVehicleApp final : public App {
   VehicleParams vehicle_;
   Scenario scenario_;
   std::string integrator_;
+  TidalCurrent current_;
   VehicleSimulation simulation_;
   bool has_place_ = true;  ///< false after a restart, until the place of the former life is known
   std::optional<Seconds> waits_since_;

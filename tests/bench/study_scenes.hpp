@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "tests/bench/error_scenes.hpp"
 #include "tests/support/simulated_stream.hpp"
 
 namespace limpet {
@@ -53,6 +54,8 @@ inline std::map<std::string, StreamScene> Scenes() {
   scenes["slow_dvl"].dvl_period_s = 1.0;
   scenes["noisy"] = hour;
   scenes["noisy"].noise = 5.0;
+  for (const ErrorScene& error : ErrorScenes(hour))
+    scenes[error.name] = error.scene;
   return scenes;
 }
 

@@ -46,6 +46,9 @@ class Recorder {
     tilt_bias_ = {random_.Normal(0.002 * scene.noise), random_.Normal(0.002 * scene.noise)};
     depth_bias_ = random_.Normal(0.01);
     troubles_.emplace(scene, random_);
+    camera_ = scene.errors.camera.mounting.Applied(meta.camera);
+    p_BD_ = meta.dvl_B + scene.errors.dvl.mounting.off_B;
+    R_DB_ = scene.errors.dvl.mounting.rotation().transpose();
   }
 
   void Step(int step, const SimulatedVehicle& vehicle) {
@@ -53,7 +56,7 @@ class Recorder {
     TakeAttitude(t, vehicle);
     if (step % DvlSteps() == 2) TakeDvl(t, vehicle);
     if (step % 4 == 2) TakeDepth(t, vehicle.pose());
-    if (step % 5 == 3) TakeFrame(t, vehicle.pose());
+    if (step % 5 == 3) TakeFrame(t, vehicle);
     if (step % 20 == 10 && vehicle.is_up() && vehicle.pose().p_WB.z() < 0.5) TakeFix(t, vehicle);
     if (step % 4 == 0) {
       out_.truth.t.push_back(t);
@@ -80,16 +83,20 @@ class Recorder {
     const StreamMeta& meta = out_.stream.meta;
     const double drift = yaw_bias_.Step(kSimulationStep) * kSimulationStep;
     yaw_error_ += drift + random_.Normal(meta.yaw_random_walk * std::sqrt(kSimulationStep));
+    yaw_error_ += kSimulationStep * gyro_.Of(vehicle.yaw_rate(), Seconds(t));
     const Pose& X = vehicle.pose();
-    rows_.push_back(
-        {t, AttitudeEstimate{.t = t,
-                             .roll = X.roll + roll_error_.Step(kSimulationStep) + tilt_bias_.x(),
-                             .pitch = X.pitch + pitch_error_.Step(kSimulationStep) + tilt_bias_.y(),
-                             .yaw = WrapAngle(X.yaw + yaw_error_),
-                             .yaw_rate = 0.0,
-                             .sd_roll = meta.noise.tilt,
-                             .sd_pitch = meta.noise.tilt,
-                             .sd_yaw = 0.0175}});
+    const double noise = scene_.true_noise, stamp = attitude_stamp_.StampOf(Seconds(t)).value();
+    const double roll_error = noise * roll_error_.Step(kSimulationStep);
+    const double pitch_error = noise * pitch_error_.Step(kSimulationStep);
+    rows_.push_back({std::max(t, stamp),
+                     AttitudeEstimate{.t = stamp,
+                                      .roll = X.roll + roll_error + noise * tilt_bias_.x(),
+                                      .pitch = X.pitch + pitch_error + noise * tilt_bias_.y(),
+                                      .yaw = WrapAngle(X.yaw + yaw_error_ + compass_.Of(X.yaw)),
+                                      .yaw_rate = 0.0,
+                                      .sd_roll = meta.noise.tilt,
+                                      .sd_pitch = meta.noise.tilt,
+                                      .sd_yaw = 0.0175}});
   }
 
   /// Of the simulation, from one ping of the DVL to the next.
@@ -98,31 +105,48 @@ class Recorder {
   }
 
   void TakeDvl(double t, const SimulatedVehicle& vehicle) {
-    const Eigen::Vector3d arm = out_.stream.meta.dvl_B;
     const Pose& X = vehicle.pose();
-    const Eigen::Vector3d p = X.p_WB + RotationOf(X) * arm;
+    const Eigen::Vector3d p = X.p_WB + RotationOf(X) * p_BD_;
     if (t > short_gap_end_ && random_.Chance(0.0005))
       short_gap_end_ = t + random_.Uniform(1.0, 5.0);
-    DvlRow row{.t = t, .velocity = {}, .altitude = {}};
+    const double stamp = dvl_stamp_.StampOf(Seconds(t)).value();
+    DvlRow row{.t = stamp, .velocity = {}, .altitude = {}};
     const bool is_in_dropout = troubles_->IsInDropout(t, vehicle);
     if (t > short_gap_end_ && !is_in_dropout) {
-      Eigen::Vector3d v = scale_ * vehicle.VelocityOf(arm) + dvl_bias_;
+      Eigen::Vector3d v = scale_ * (R_DB_ * vehicle.VelocityOf(p_BD_)) + dvl_bias_;
       v = Eigen::Vector3d(v.x() - misalign_ * v.y(), v.y() + misalign_ * v.x(), v.z());
-      const double noise = out_.stream.meta.noise.velocity;
+      const double noise = scene_.true_noise * out_.stream.meta.noise.velocity;
       v += Eigen::Vector3d(random_.Normal(noise), random_.Normal(noise),
                            random_.Normal(0.5 * noise));
       if (random_.Chance(0.003)) {
         v += Eigen::Vector3d(random_.Normal(0.6), random_.Normal(0.6), random_.Normal(0.2));
       }
-      row.velocity = v + troubles_->FalsePart(t);
+      v += troubles_->FalsePart(t) + bursts_.At(Seconds(t));
+      row.velocity = beams_.Velocity(v, SlopesBelow(X), beams_.DrawLost());
       row.altitude = ground_.Depth(p.head<2>()) - p.z() + random_.Normal(0.03);
     }
-    rows_.push_back({t + 1e-4, row});
+    rows_.push_back({std::max(t, stamp) + 1e-4, row});
+  }
+
+  /// Of the seabed along the beams, which stand 25 deg from the vertical.
+  [[nodiscard]] BeamError::Slopes SlopesBelow(const Pose& X) const {
+    BeamError::Slopes slopes{};
+    const double height = ground_.Depth(X.p_WB.head<2>()) - X.p_WB.z();
+    for (int beam = 0; beam < BeamError::kBeams; ++beam) {
+      const Eigen::Vector3d beam_W = RotationOf(X) * R_DB_.transpose() * beams_.Direction(beam);
+      const Eigen::Vector2d at = (X.p_WB + height / beam_W.z() * beam_W).head<2>();
+      const Eigen::Vector2d way = 0.25 * beam_W.head<2>().normalized();
+      slopes[static_cast<std::size_t>(beam)] =
+          (ground_.Depth(at + way) - ground_.Depth(at - way)) / 0.5;
+    }
+    return slopes;
   }
 
   void TakeDepth(double t, const Pose& X) {
-    const double noise = random_.Normal(out_.stream.meta.noise.depth);
-    rows_.push_back({t + 2e-4, DepthRow{t, X.p_WB.z() + depth_bias_ + noise}});
+    const double noise = scene_.true_noise * random_.Normal(out_.stream.meta.noise.depth);
+    const double stamp = depth_stamp_.StampOf(Seconds(t)).value();
+    const double depth = X.p_WB.z() + depth_bias_ + noise + pressure_.At(Seconds(t));
+    rows_.push_back({std::max(t, stamp) + 2e-4, DepthRow{stamp, depth}});
   }
 
   void TakeFix(double t, const SimulatedVehicle& vehicle) {
@@ -130,14 +154,23 @@ class Recorder {
     last_fix_t_ = t;
     const Eigen::Vector2d slow(gps_x_.Step(dt), gps_y_.Step(dt));
     const Eigen::Vector2d white(random_.Normal(0.25), random_.Normal(0.25));
-    rows_.push_back({t + 3e-4, GpsRow{t, vehicle.pose().p_WB.head<2>() + slow + white, 0.58}});
+    const double stamp = gps_stamp_.StampOf(Seconds(t)).value();
+    const Eigen::Vector2d p = vehicle.pose().p_WB.head<2>() + slow + white;
+    rows_.push_back(
+        {std::max(t, stamp) + 3e-4, GpsRow{stamp, p + multipath_.At(Seconds(t)), 0.58}});
   }
 
-  void TakeFrame(double t, const Pose& X) {
-    FrameRow row{.arrival = t + random_.Uniform(0.15, 0.35),
-                 .frame = {.frame = frames_, .exposure = Seconds(t), .boxes = {}}};
+  void TakeFrame(double t, const SimulatedVehicle& vehicle) {
+    const Pose& X = vehicle.pose();
+    const Seconds stamp = camera_stamp_.StampOf(Seconds(t));
+    FrameRow row{.arrival = std::max(t, stamp.value()) + random_.Uniform(0.15, 0.35),
+                 .frame = {.frame = frames_, .exposure = stamp, .boxes = {}}};
+    const Eigen::Vector3d moved = scene_.motion.At(Seconds(t));
+    const auto shown = [&](const Eigen::Vector3d& p) {
+      return SeenRowByRow(scene_.errors.camera.shutter, camera_, X, vehicle.motion(), p);
+    };
     for (std::size_t i = 0; i < ground_.objects().size(); ++i) {
-      const auto box = BoxOf(ground_.objects()[i], X, 0.87, 0.95);
+      const auto box = BoxOf(shown(ground_.objects()[i] + moved), ground_.size(i), X, 0.87, 0.95);
       if (!box) continue;
       const int id = scene_.gone + static_cast<int>(i) + 1;
       out_.shown[{frames_, static_cast<int>(row.frame.boxes.size())}] = id;
@@ -148,7 +181,7 @@ class Recorder {
       ++true_boxes_;
     }
     for (const Eigen::Vector3d& p : ground_.look_alikes()) {
-      if (auto box = BoxOf(p, X, 0.52, 0.3)) {
+      if (auto box = BoxOf(shown(p), 1.0, X, 0.52, 0.3)) {
         box->color = "0";
         row.frame.boxes.push_back(*box);
       }
@@ -158,25 +191,26 @@ class Recorder {
     rows_.push_back({row.arrival, row});
   }
 
-  /// The noisy box of a sphere at `p`, cut by the image's border; nothing if it is not detected.
-  std::optional<Box> BoxOf(const Eigen::Vector3d& p, const Pose& X, double confidence,
+  /// The noisy box of a sphere at `p`, `size` times as large as believed, cut by the image's
+  /// border; nothing if it is not detected.
+  std::optional<Box> BoxOf(const Eigen::Vector3d& p, double size, const Pose& X, double confidence,
                            double hit_share) {
-    const StreamMeta& meta = out_.stream.meta;
-    const Eigen::Matrix3d R_WC = RotationOf(X) * meta.camera.R_BC;
-    const Eigen::Vector3d p_C = R_WC.transpose() * (p - X.p_WB - RotationOf(X) * meta.camera.p_BC);
-    CameraModel wide = meta.camera;  // whose border cuts nothing
+    const double radius = size * out_.stream.meta.opi_radius;
+    const Eigen::Matrix3d R_WC = RotationOf(X) * camera_.R_BC;
+    const Eigen::Vector3d p_C = R_WC.transpose() * (p - X.p_WB - RotationOf(X) * camera_.p_BC);
+    CameraModel wide = camera_;  // whose border cuts nothing
     constexpr int kMargin = 4000;
     wide.width_px += 2 * kMargin, wide.height_px += 2 * kMargin;
     wide.cx += kMargin, wide.cy += kMargin;
-    const auto whole = BoxOfSphere(p_C, meta.opi_radius, wide);
-    const auto cut = BoxOfSphere(p_C, meta.opi_radius, meta.camera);
+    const auto whole = BoxOfSphere(p_C, radius, wide);
+    const auto cut = BoxOfSphere(p_C, radius, camera_);
     if (!whole || !cut || p_C.norm() > kFurthest || p_C.z() < 0.5) return std::nullopt;
     const double visible = cut->w * cut->h / (whole->w * whole->h);
     if (visible < 0.25 || !boxes_.Chance(hit_share * std::sqrt(visible))) return std::nullopt;
     Box box = *whole;
     box.confidence =
         std::clamp(confidence - 0.2 * (1.0 - visible) + boxes_.Normal(0.09), 0.1, 0.99);
-    const double doubt = 1.0 + 2.0 * (1.0 - box.confidence);
+    const double doubt = scene_.true_noise * (1.0 + 2.0 * (1.0 - box.confidence));
     box.u += boxes_.Normal((2.0 + 0.02 * whole->w) * doubt) - kMargin;
     box.v += boxes_.Normal((2.0 + 0.02 * whole->h) * doubt) - kMargin;
     box.w *= std::max(1.0 + boxes_.Normal(0.05 * doubt), 0.3);
@@ -226,6 +260,21 @@ class Recorder {
   Eigen::Vector3d dvl_bias_ = Eigen::Vector3d::Zero();
   Eigen::Vector2d tilt_bias_ = Eigen::Vector2d::Zero();
   std::optional<DvlTroubles> troubles_;
+  // What differs from what the estimator is told; the estimator has the data sheet's.
+  CameraModel camera_;
+  Eigen::Vector3d p_BD_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d R_DB_ = Eigen::Matrix3d::Identity();
+  GyroError gyro_{scene_.errors.fog.gyro};
+  CompassError compass_{scene_.errors.imu.compass, Random(scene_.seed, "compass")};
+  BeamError beams_{scene_.errors.dvl.beams, 25.0 * kRadians, Random(scene_.seed, "beams")};
+  FalseVelocity bursts_{scene_.errors.dvl.bursts, Random(scene_.seed, "bursts")};
+  DepthError pressure_{scene_.errors.depth.pressure};
+  GpsError multipath_{scene_.errors.gps.multipath, Random(scene_.seed, "multipath")};
+  StampError attitude_stamp_{scene_.errors.imu.stamps, Random(scene_.seed, "attitude stamps")};
+  StampError dvl_stamp_{scene_.errors.dvl.stamps, Random(scene_.seed, "DVL stamps")};
+  StampError depth_stamp_{scene_.errors.depth.stamps, Random(scene_.seed, "depth stamps")};
+  StampError gps_stamp_{scene_.errors.gps.stamps, Random(scene_.seed, "GPS stamps")};
+  StampError camera_stamp_{scene_.errors.camera.stamps, Random(scene_.seed, "camera stamps")};
   std::vector<Arrival> rows_;
   std::vector<std::size_t> frame_rows_;
   int frames_ = 0, true_boxes_ = 0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -41,7 +42,11 @@ SimulatedGround::SimulatedGround(const StreamScene& scene)
     Place(look_alikes_, 2.0);
   while (static_cast<int>(objects_.size()) < scene.objects + scene.came)
     Place(objects_, 3.5);
+  Random sizes(scene.place > 0 ? scene.place : scene.seed, "sizes");
+  std::ranges::generate_n(std::back_inserter(sizes_), objects_.size(),
+                          [&] { return std::pow(scene.size_spread, sizes.Uniform(-1.0, 1.0)); });
   objects_.erase(objects_.begin(), objects_.begin() + scene.gone);
+  sizes_.erase(sizes_.begin(), sizes_.begin() + scene.gone);
 }
 
 double SimulatedGround::Depth(const Eigen::Vector2d& p) const {
@@ -67,28 +72,24 @@ void SimulatedGround::Place(std::vector<Eigen::Vector3d>& things, double apart) 
   things.push_back(p);
 }
 
-SimulatedCurrent::SimulatedCurrent(const StreamScene& scene)
-    : random_(scene.seed, "current"),
-      speed_(random_.Uniform(0.0, scene.current_mps)),
-      way_(random_.Uniform(-kPi, kPi)),
-      swing_(random_.Uniform(0.2, 1.0)),
-      period_(random_.Uniform(3600.0, 7200.0)),
-      phase_(random_.Uniform(-kPi, kPi)),
-      north_(random_, kUnrest * speed_, kUnrestMemory),
-      east_(random_, kUnrest * speed_, kUnrestMemory) {}
-
-Eigen::Vector2d SimulatedCurrent::At(double t) {
-  const double angle = 2.0 * kPi * t / period_ + phase_;
-  const Eigen::Vector2d tide(speed_ * (1.0 + 0.1 * std::cos(angle)), 0.0);
-  return Eigen::Rotation2Dd(way_ + swing_ * std::sin(angle)) * tide +
-         Eigen::Vector2d(north_.Step(kStep), east_.Step(kStep));
+TidalCurrent CurrentOf(const StreamScene& scene) {
+  Random random(scene.seed, "current");
+  const double speed = random.Uniform(0.0, scene.current_mps);
+  const double way = random.Uniform(-kPi, kPi);
+  TidalCurrentParams params;
+  params.tide_swing = Radians(random.Uniform(0.2, 1.0));
+  params.tide_period = Seconds(random.Uniform(3600.0, 7200.0));
+  params.tide_share = 0.1;
+  params.unrest_share = kUnrest;
+  params.unrest = Seconds(kUnrestMemory);
+  return {scene.tide.value_or(params), {speed * std::cos(way), speed * std::sin(way)}, random};
 }
 
 SimulatedVehicle::SimulatedVehicle(const StreamScene& scene, const SimulatedGround& ground)
     : scene_(scene),
       ground_(ground),
       random_(scene.seed, "vehicle"),
-      current_(scene),
+      current_(CurrentOf(scene)),
       leg_speed_(kSpeed) {
   X_.p_WB = {random_.Uniform(-1.0, 1.0) - 0.6 * scene.half_size_m, random_.Uniform(-2.0, 2.0),
              kSurfaceDepth};
@@ -113,7 +114,7 @@ void SimulatedVehicle::Step(double t) {
   sink_ += 0.03 * (std::clamp(0.25 * (want_z - X_.p_WB.z()), -0.2, 0.2) - sink_);
   const double c = std::cos(X_.yaw), s = std::sin(X_.yaw), sway = kSwayPerRate * rate_;
   v_W_ = {c * speed_ - s * sway, s * speed_ + c * sway, sink_};
-  v_W_.head<2>() += current_.At(t);
+  v_W_.head<2>() += current_.At(Seconds(t), X_.p_WB.z());
   X_.p_WB += kStep * v_W_;
   X_.yaw = WrapAngle(X_.yaw + kStep * rate_);
   X_.roll += 0.02 * (roll_.Step(kStep) - X_.roll);
@@ -123,6 +124,11 @@ void SimulatedVehicle::Step(double t) {
 double SimulatedVehicle::UntilTurn() const {
   if (waypoints_.empty()) return std::numeric_limits<double>::infinity();
   return ((waypoints_.front() - X_.p_WB.head<2>()).norm() - kReached) / kSpeed;
+}
+
+BodyMotion SimulatedVehicle::motion() const {
+  const Eigen::Matrix3d R = RotationOf(X_);
+  return {.v_B = R.transpose() * v_W_, .omega_B = R.transpose() * Eigen::Vector3d(0, 0, rate_)};
 }
 
 Eigen::Vector3d SimulatedVehicle::VelocityOf(const Eigen::Vector3d& arm) const {

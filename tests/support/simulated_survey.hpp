@@ -11,6 +11,9 @@
 
 #include "limpet/core/frames.hpp"
 #include "limpet/core/random.hpp"
+#include "limpet/simulation/object_motion.hpp"
+#include "limpet/simulation/simulated_errors.hpp"
+#include "limpet/simulation/tidal_current.hpp"
 
 namespace limpet {
 
@@ -39,8 +42,14 @@ struct StreamScene {
   double dvl_period_s = 0.2;
   double noise = 1.0;  ///< of DVL, depth and tilt, over the usual; the rows state it
   double resurface_every_s = 0.0;
-  std::uint64_t place = 0;  ///< seed of the seabed and what stands on it; 0: `seed`
-  int gone = 0, came = 0;   ///< of the place's objects, the first are gone, and others came since
+  std::uint64_t place = 0;   ///< seed of the seabed and what stands on it; 0: `seed`
+  int gone = 0, came = 0;    ///< of the place's objects, the first are gone, and others came since
+  double size_spread = 1.0;  ///< objects are up to this factor larger or smaller than believed
+  double true_noise = 1.0;   ///< of DVL, depth, tilt and boxes, over what is stated
+  ObjectMotionParams motion{};  ///< of every object
+  SimulatedErrors errors{};     ///< what differs from what the estimator is told
+  /// Instead of the slow swing that a session's current has otherwise.
+  std::optional<TidalCurrentParams> tide{};
 };
 
 constexpr double kSimulationStep = 0.05;  // [s]
@@ -64,6 +73,8 @@ class SimulatedGround {
   [[nodiscard]] double Depth(const Eigen::Vector2d& p) const;
   [[nodiscard]] const std::vector<Eigen::Vector3d>& objects() const { return objects_; }
   [[nodiscard]] const std::vector<Eigen::Vector3d>& look_alikes() const { return look_alikes_; }
+  /// Of an object's radius over the believed one.
+  [[nodiscard]] double size(std::size_t object) const { return sizes_[object]; }
 
  private:
   void Place(std::vector<Eigen::Vector3d>& things, double apart);
@@ -72,20 +83,12 @@ class SimulatedGround {
   Eigen::Vector2d slope_;
   std::array<double, 3> phases_{};
   std::vector<Eigen::Vector3d> objects_, look_alikes_;
+  std::vector<double> sizes_;
 };
 
-/// The water's own motion: a tide that swings, and a little unrest.
-class SimulatedCurrent {
- public:
-  explicit SimulatedCurrent(const StreamScene& scene);
-  /// North and east [m/s] at `t` [s], a step after the last one asked for.
-  [[nodiscard]] Eigen::Vector2d At(double t);
-
- private:
-  Random random_;
-  double speed_, way_, swing_, period_, phase_;
-  SlowNoise north_, east_;
-};
+/// The water's own motion: a session's mean, from anywhere, that a tide swings, and a little
+/// unrest.
+[[nodiscard]] TidalCurrent CurrentOf(const StreamScene& scene);
 
 /// Where the vehicle really is: it follows the survey's legs, along and across in turn.
 class SimulatedVehicle {
@@ -94,6 +97,8 @@ class SimulatedVehicle {
   void Step(double t);
   [[nodiscard]] const Pose& pose() const { return X_; }
   [[nodiscard]] double yaw_rate() const { return rate_; }
+  /// In body axes.
+  [[nodiscard]] BodyMotion motion() const;
   [[nodiscard]] bool is_up() const { return is_up_; }
   /// About so long before it turns to the next leg [s].
   [[nodiscard]] double UntilTurn() const;
@@ -106,7 +111,7 @@ class SimulatedVehicle {
   const SimulatedGround& ground_;
   Random random_;
   SlowNoise roll_{random_, 0.03, 6.0}, pitch_{random_, 0.03, 6.0};
-  SimulatedCurrent current_;
+  TidalCurrent current_;
   Pose X_;
   Eigen::Vector3d v_W_ = Eigen::Vector3d::Zero();
   double leg_speed_;

@@ -9,6 +9,7 @@
 #include "apps/limpet/cli.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/describe/parameter_list.hpp"
+#include "limpet/describe/scenario_list.hpp"
 #include "limpet/describe/variable_list.hpp"
 #include "limpet/describe/vehicle_list.hpp"
 #include "limpet/describe/warning_list.hpp"
@@ -19,7 +20,8 @@ namespace {
 Command DescribeForm() {
   return {
       .name = "limpet describe",
-      .words = "[parameters | variables [mission folder] | warnings | vehicle | NAME ...]",
+      .words =
+          "[parameters | variables [mission folder] | warnings | vehicle | scenario | NAME ...]",
       .about = R"(What the code itself says of its apps, behaviors and detectors:
 
   (nothing)                   their names, and those of variables and warnings
@@ -27,11 +29,12 @@ Command DescribeForm() {
   variables [mission folder]  every variable; with a mission, who reads it
   warnings                    every warning and event of apps and behaviors
   vehicle                     every key of a vehicle's file
+  scenario                    what a scenario can say beyond the vehicle's data sheets
   NAME ...                    any of these, by name)",
-      .options = {
-          {.names = "--json", .meaning = "as JSON"},
-          {.names = "--markdown",
-           .meaning = "as the pages of docs/ (parameters, variables, warnings, vehicle-file)"}}};
+      .options = {{.names = "--json", .meaning = "as JSON"},
+                  {.names = "--markdown",
+                   .meaning = "as the pages of docs/ (parameters, variables, warnings, "
+                              "vehicle-file, scenario-file)"}}};
 }
 
 enum class Form { kText, kJson, kMarkdown };
@@ -80,9 +83,15 @@ std::string ShowVehicleKeys(Form form) {
   return form == Form::kText ? VehicleKeysText() : VehicleKeysMarkdown();
 }
 
+std::string ShowScenarioKeys(Form form) {
+  if (form == Form::kJson) return ScenarioKeysJson();
+  return form == Form::kText ? ScenarioKeysText() : ScenarioKeysMarkdown();
+}
+
 std::string ShowNames(Form form) {
   if (form != Form::kText)
-    throw UsageError("say what to describe: parameters, variables, warnings, vehicle, or names");
+    throw UsageError(
+        "say what to describe: parameters, variables, warnings, vehicle, scenario, or names");
   std::string text = "apps, behaviors, detectors:\n";
   for (const ParameterOwner& owner : AllParameterOwners()) {
     text += fmt::format("  {} ({} parameters)\n", owner.name, owner.parameters.size());
@@ -137,7 +146,7 @@ struct Described {
 };
 
 [[noreturn]] void RefuseName(const std::string& name) {
-  std::vector<std::string> known{"parameters", "variables", "warnings", "vehicle"};
+  std::vector<std::string> known{"parameters", "variables", "warnings", "vehicle", "scenario"};
   std::ranges::transform(AllParameterOwners(), std::back_inserter(known), &ParameterOwner::name);
   for (const auto& [variable, facts] : VariableCatalog())
     known.push_back(variable);
@@ -179,6 +188,9 @@ int DescribeNamed(const Arguments& given) {
   } else if (words[0] == "vehicle") {
     if (words.size() > 1) throw UsageError("describe vehicle takes nothing else");
     fmt::print("{}", ShowVehicleKeys(form));
+  } else if (words[0] == "scenario") {
+    if (words.size() > 1) throw UsageError("describe scenario takes nothing else");
+    fmt::print("{}", ShowScenarioKeys(form));
   } else {
     fmt::print("{}", ShowNamed(words, form));
   }

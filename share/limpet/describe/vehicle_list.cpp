@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/describe/vehicle_list.hpp"
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
-#include "limpet/describe/markdown_cell.hpp"
+#include "limpet/describe/key_sections.hpp"
 #include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
@@ -28,58 +28,19 @@ The other keys, from their declarations. The camera's field of view and image ha
 )";
 
 /// Of the file's defaults.
-std::vector<VehicleFileSection> Sections() {
+std::vector<KeySection> Sections() {
   static VehicleFile defaults;
-  return VehicleFileSections(defaults);
-}
-
-std::string DefaultWithUnit(const ParamSpec& key) {
-  if (key.is_required) return "required";
-  return key.unit.empty() ? key.default_text : key.default_text + " " + key.unit;
+  std::vector<KeySection> sections;
+  for (VehicleFileSection& section : VehicleFileSections(defaults)) {
+    sections.push_back({section.name, std::move(section.keys)});
+  }
+  return sections;
 }
 
 }  // namespace
 
-std::string VehicleKeysText() {
-  std::string text;
-  for (const VehicleFileSection& section : Sections()) {
-    text += fmt::format("{}{}:\n", text.empty() ? "" : "\n", section.name);
-    for (const ParamSpec& key : section.keys) {
-      text +=
-          fmt::format("\n  {}{}{}\n      {}\n      allowed: {}\n", key.name,
-                      key.is_required ? ": " : " = ", DefaultWithUnit(key), key.help, key.allowed);
-    }
-  }
-  return text;
-}
-
-std::string VehicleKeysJson() {
-  nlohmann::ordered_json sections = nlohmann::ordered_json::object();
-  for (const VehicleFileSection& section : Sections()) {
-    nlohmann::ordered_json& keys = sections[section.name] = nlohmann::ordered_json::array();
-    for (const ParamSpec& key : section.keys) {
-      keys.push_back({{"name", key.name},
-                      {"unit", key.unit},
-                      {"default", key.default_text},
-                      {"allowed", key.allowed},
-                      {"meaning", key.help}});
-    }
-  }
-  return sections.dump(1) + "\n";
-}
-
-std::string VehicleKeysMarkdown() {
-  std::string page = kVehiclePageHead;
-  for (const VehicleFileSection& section : Sections()) {
-    page +=
-        fmt::format("\n## {}\n\n| key | default | allowed | meaning |\n| --- | --- | --- | --- |\n",
-                    section.name);
-    for (const ParamSpec& key : section.keys) {
-      page += fmt::format("| `{}` | {} | {} | {} |\n", key.name, MarkdownCell(DefaultWithUnit(key)),
-                          MarkdownCell(key.allowed), MarkdownCell(key.help));
-    }
-  }
-  return page;
-}
+std::string VehicleKeysText() { return KeysText(Sections()); }
+std::string VehicleKeysJson() { return KeysJson(Sections()); }
+std::string VehicleKeysMarkdown() { return kVehiclePageHead + KeysMarkdown(Sections()); }
 
 }  // namespace limpet

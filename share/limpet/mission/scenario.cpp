@@ -32,10 +32,12 @@ void ReadSeabed(YamlReader& in, const YAML::Node& node, Scenario::Seabed& seabed
 
 void ReadWater(YamlReader& in, const YAML::Node& node, Scenario::Water& water) {
   const std::string path = "water";
-  in.ReadMap(node, path,
-             {in.Number(path, "visibility_m", water.visibility_m, InRange(0.1, 100.0)),
-              in.Number(path, "current_north_mps", water.current_north_mps, InRange(-3.0, 3.0)),
-              in.Number(path, "current_east_mps", water.current_east_mps, InRange(-3.0, 3.0))});
+  std::vector<YamlReader::Field> fields = {
+      in.Number(path, "visibility_m", water.visibility_m, InRange(0.1, 100.0)),
+      in.Number(path, "current_north_mps", water.current_north_mps, InRange(-3.0, 3.0)),
+      in.Number(path, "current_east_mps", water.current_east_mps, InRange(-3.0, 3.0))};
+  std::ranges::move(in.Declared(path, DescribeParams(water.current)), std::back_inserter(fields));
+  in.ReadMap(node, path, fields);
 }
 
 void ReadStart(YamlReader& in, const YAML::Node& node, Scenario::Start& start) {
@@ -57,6 +59,18 @@ void ReadSensors(YamlReader& in, const YAML::Node& node, Scenario::Sensors& sens
        in.Number(path, "gps_sigma_m", sensors.gps_sigma_m, InRange(0.0, 100.0)),
        in.Number(path, "false_detections_per_image", sensors.false_detections_per_image,
                  InRange(0.0, 10.0))});
+}
+
+/// What differs from the vehicle's data sheets, by sensor.
+void ReadErrors(YamlReader& in, const YAML::Node& node, SimulatedErrors& errors) {
+  std::vector<YamlReader::Field> sections;
+  for (const ErrorSection& section : ErrorSections(errors)) {
+    const std::string path = "errors." + section.name;
+    sections.push_back({section.name, [&in, path, keys = section.keys](const YAML::Node& map) {
+                          in.ReadMap(map, path, in.Declared(path, keys));
+                        }});
+  }
+  in.ReadMap(node, "errors", sections);
 }
 
 /// `[n, e, d]`, or nothing and a complaint.
@@ -109,14 +123,15 @@ ScenarioOpi ReadOpi(YamlReader& in, const YAML::Node& node, const std::string& p
     }
     opi.name = name.Scalar();
   };
-  in.ReadMap(node, path,
-             {{"name", read_name},
-              in.Choice(path, "color", opi.color,
-                        {"yellow", "orange", "green", "red", "blue", "white", "black", "purple"}),
-              in.Number(path, "radius_m", opi.radius_m, InRange(0.05, 5.0))},
-             [&](const std::string& key, const YAML::Node& place) {
-               ReadSessionPlace(in, path, key, place, opi);
-             });
+  std::vector<YamlReader::Field> fields = {
+      {"name", read_name},
+      in.Choice(path, "color", opi.color,
+                {"yellow", "orange", "green", "red", "blue", "white", "black", "purple"}),
+      in.Number(path, "radius_m", opi.radius_m, InRange(0.05, 5.0))};
+  std::ranges::move(in.Declared(path, DescribeParams(opi.motion)), std::back_inserter(fields));
+  in.ReadMap(node, path, fields, [&](const std::string& key, const YAML::Node& place) {
+    ReadSessionPlace(in, path, key, place, opi);
+  });
   if (node.IsMap() && (!node["name"] || !node["color"])) {
     in.Complain(node, path, "needs a name and a color");
   }
@@ -170,7 +185,8 @@ Scenario ReadScenario(YamlReader& in, const YAML::Node& root, bool checks_places
                  ReadOpis(in, n, scenario.opis);
                }},
               in.Choice("", "camera", scenario.camera, {"rendered", "boxes"}),
-              {"sensors", [&](const YAML::Node& n) { ReadSensors(in, n, scenario.sensors); }}});
+              {"sensors", [&](const YAML::Node& n) { ReadSensors(in, n, scenario.sensors); }},
+              {"errors", [&](const YAML::Node& n) { ReadErrors(in, n, scenario.errors); }}});
   if (checks_places && in.problems().empty()) {
     CheckPlaces(in, opis, scenario);
   }
@@ -178,6 +194,17 @@ Scenario ReadScenario(YamlReader& in, const YAML::Node& root, bool checks_places
 }
 
 }  // namespace
+
+std::vector<ScenarioSection> DeclaredScenarioSections() {
+  static Scenario scenario;
+  static ScenarioOpi opi;
+  std::vector<ScenarioSection> sections = {{"water", DescribeParams(scenario.water.current)},
+                                           {"opis[]", DescribeParams(opi.motion)}};
+  for (ErrorSection& section : ErrorSections(scenario.errors)) {
+    sections.push_back({"errors." + section.name, std::move(section.keys)});
+  }
+  return sections;
+}
 
 std::optional<Eigen::Vector3d> ScenarioOpi::Place(const std::string& session) const {
   const auto found = places.find(session);

@@ -11,6 +11,10 @@
 #include <Eigen/Core>
 
 #include "limpet/core/config.hpp"
+#include "limpet/core/params.hpp"
+#include "limpet/simulation/object_motion.hpp"
+#include "limpet/simulation/simulated_errors.hpp"
+#include "limpet/simulation/tidal_current.hpp"
 
 namespace limpet {
 
@@ -19,7 +23,8 @@ struct ScenarioOpi {
   std::string color;
   double radius_m = 0.5;
   std::map<std::string, std::optional<Eigen::Vector3d>>
-      places;  ///< session to NED of the centre; nothing: absent then
+      places;                   ///< session to NED of the centre; nothing: absent then
+  ObjectMotionParams motion{};  ///< from its place, which stays the truth that a run is judged by
   /// Where it is in `session`, or nothing.
   [[nodiscard]] std::optional<Eigen::Vector3d> Place(const std::string& session) const;
 };
@@ -36,6 +41,7 @@ struct Scenario {
     double visibility_m = 8.0;
     double current_north_mps = 0.0;
     double current_east_mps = 0.0;
+    TidalCurrentParams current{};  ///< how it differs from that mean
   } water;
   struct Start {
     double north_m = 0.0;
@@ -51,7 +57,15 @@ struct Scenario {
     std::optional<double> yaw_bias_deg_per_h, heading_sigma_deg, gps_sigma_m;
     double false_detections_per_image = 0.01;
   } sensors;
+  SimulatedErrors errors{};
 };
+
+/// A section of scenario.yaml whose keys declare themselves, e.g. `errors.camera`.
+struct ScenarioSection {
+  std::string name;
+  std::vector<ParamSpec> keys;
+};
+[[nodiscard]] std::vector<ScenarioSection> DeclaredScenarioSections();
 
 /// Sessions that the scenario's objects have places in, by name; none without objects. Where one of
 /// discovery and change is among them both are: an object without a place in one is absent then.

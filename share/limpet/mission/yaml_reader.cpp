@@ -46,6 +46,15 @@ std::string TextOfNode(const YAML::Node& node) {
   }
 }
 
+std::string ValueText(const YAML::Node& node) {
+  if (!node.IsSequence()) return node.IsScalar() ? node.Scalar() : TextOfNode(node);
+  std::vector<std::string> parts;
+  for (const YAML::Node& part : node) {
+    parts.push_back(part.IsScalar() ? part.Scalar() : TextOfNode(part));
+  }
+  return fmt::format("[{}]", fmt::join(parts, ", "));
+}
+
 void YamlReader::Complain(int line, const std::string& key, std::string text) {
   problems_.push_back({{file_, line}, key, std::move(text)});
 }
@@ -85,6 +94,20 @@ void YamlReader::ReadMap(
                                                   : fmt::format("did you mean `{}`?", nearest)));
     }
   }
+}
+
+std::vector<YamlReader::Field> YamlReader::Declared(const std::string& path,
+                                                    const std::vector<ParamSpec>& specs) {
+  std::vector<Field> fields;
+  fields.reserve(specs.size());
+  for (const ParamSpec& spec : specs) {
+    fields.push_back({spec.name, [this, path, spec](const YAML::Node& node) {
+                        if (auto complaint = spec.set(ValueText(node))) {
+                          Complain(node, PathOf(path, spec.name), *std::move(complaint));
+                        }
+                      }});
+  }
+  return fields;
 }
 
 std::optional<double> YamlReader::NumberIn(const YAML::Node& node) {

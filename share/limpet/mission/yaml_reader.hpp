@@ -43,6 +43,10 @@ class YamlReader {
   [[nodiscard]] Field Choice(const std::string& path, const char* key, std::string& field,
                              std::vector<std::string> choices);
 
+  /// A field for each declared key; their values are text to them, a list is `[a, b, c]`.
+  [[nodiscard]] std::vector<Field> Declared(const std::string& path,
+                                            const std::vector<ParamSpec>& specs);
+
   /// A finite number, or nothing.
   [[nodiscard]] static std::optional<double> NumberIn(const YAML::Node& node);
   void Complain(const YAML::Node& node, const std::string& key, std::string text);
@@ -53,6 +57,9 @@ class YamlReader {
   std::string file_;
   std::vector<ConfigProblem> problems_;
 };
+
+/// A scalar as it stands, a list as `[a, b, c]`.
+[[nodiscard]] std::string ValueText(const YAML::Node& node);
 
 /// How a node reads in a complaint.
 [[nodiscard]] std::string TextOfNode(const YAML::Node& node);

@@ -118,7 +118,9 @@ void CheckCurrent(const MissionReading& reading, const SurveyFacts& survey,
   }
   if (!reading.scenario()) return;
   const Scenario::Water& water = reading.scenario()->water;
-  const double current = std::hypot(water.current_north_mps, water.current_east_mps);
+  const double strongest =
+      water.current.tide_period > Seconds(0.0) ? 1.0 + water.current.tide_share : 1.0;
+  const double current = strongest * std::hypot(water.current_north_mps, water.current_east_mps);
   const bool is_north = std::abs(water.current_north_mps) >= std::abs(water.current_east_mps);
   const SourceLine where =
       reading.InScenario(is_north ? "current_north_mps:" : "current_east_mps:");

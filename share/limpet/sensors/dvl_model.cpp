@@ -15,48 +15,39 @@ using Eigen::Vector3d;
 
 constexpr std::array kAzimuths_deg = {45.0, 135.0, 225.0, 315.0};
 
-/// Time to the next of events that come at random, `per_second` on average.
-Seconds Waiting(double per_second, Random& random) {
-  return Seconds(-std::log(1.0 - random.Uniform(0.0, 1.0)) / per_second);
-}
-
 }  // namespace
 
-DvlModel::DvlModel(const Params& params, SoundScene scene, Random random)
+DvlModel::DvlModel(const Params& params, SoundScene scene, Random random, Random errors)
     : params_(params),
       scene_(std::move(scene)),
       random_(random),
-      faults_(random_.Bits(), "faults") {
+      p_BD_(params.sheet.p_BD + params.error.mounting.off_B),
+      faults_(random_.Bits(), "faults"),
+      dropouts_({.per_second = params.dropout_per_min / 60.0,
+                 .shortest = Seconds(params.dropout_shortest_s),
+                 .longest = Seconds(params.dropout_longest_s)}),
+      beam_error_(params.error.beams, params.sheet.beam_angle.value(),
+                  Random(errors.Bits(), "beams")),
+      bursts_(params.error.bursts, Random(errors.Bits(), "bursts")) {
   const DvlSheet& sheet = params.sheet;
+  const Eigen::Matrix3d R_mounting = params.error.mounting.rotation();
   const double tilt = sheet.beam_angle.value(), yaw = sheet.yaw.value();
-  std::ranges::transform(kAzimuths_deg, beams_B_.begin(), [tilt, yaw](double azimuth_deg) {
+  std::ranges::transform(kAzimuths_deg, beams_B_.begin(), [&](double azimuth_deg) {
     const double azimuth = RadiansFromDegrees(azimuth_deg) + yaw;
-    return Vector3d(std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth),
-                    std::cos(tilt));
+    return Vector3d(R_mounting * Vector3d(std::sin(tilt) * std::cos(azimuth),
+                                          std::sin(tilt) * std::sin(azimuth), std::cos(tilt)));
   });
   const double scale = 1.0 + random_.Normal(sheet.scale_sigma);
   const double misalignment = random_.Normal(sheet.misalignment_sigma.value());
-  R_DB_ = RotationFromRollPitchYaw(0.0, 0.0, -yaw);
+  R_DB_ = RotationFromRollPitchYaw(0.0, 0.0, -yaw) * R_mounting.transpose();
   distortion_ = scale * RotationFromRollPitchYaw(0.0, 0.0, misalignment);
   for (double& part : bias_)
     part = random_.Normal(sheet.bias_mps);
 }
 
-bool DvlModel::IsInDropout(Seconds now) {
-  if (params_.dropout_per_min <= 0.0) return false;
-  const double per_second = params_.dropout_per_min / 60.0;
-  if (!next_dropout_) next_dropout_ = now + Waiting(per_second, faults_);
-  while (*next_dropout_ <= now) {
-    dropout_until_ = *next_dropout_ + Seconds(faults_.Uniform(params_.dropout_shortest_s,
-                                                              params_.dropout_longest_s));
-    next_dropout_ = dropout_until_ + Waiting(per_second, faults_);
-  }
-  return now < dropout_until_;
-}
-
 DvlModel::Ranges DvlModel::MeasureRanges(const Pose& X_WB) {
   const Eigen::Matrix3d R_WB = RotationOf(X_WB);
-  const Vector3d origin_W = X_WB.p_WB + R_WB * params_.sheet.p_BD;
+  const Vector3d origin_W = X_WB.p_WB + R_WB * p_BD_;
   const double max_range =
       params_.sheet.greatest_altitude.value() / std::cos(params_.sheet.beam_angle.value());
   Ranges ranges;
@@ -85,7 +76,7 @@ std::optional<double> DvlModel::Altitude(const Ranges& ranges, const Pose& X_WB)
 
 Vector3d DvlModel::MeasureVelocity(const SimTruth& truth) {
   const Vector3d omega(truth.p, truth.q, truth.r);
-  const Vector3d at_lever = Vector3d(truth.u, truth.v, truth.w) + omega.cross(params_.sheet.p_BD);
+  const Vector3d at_lever = Vector3d(truth.u, truth.v, truth.w) + omega.cross(p_BD_);
   Vector3d noise;
   for (double& part : noise)
     part = random_.Normal(params_.sheet.noise_mps);
@@ -98,14 +89,33 @@ Vector3d DvlModel::MeasureVelocity(const SimTruth& truth) {
   return velocity;
 }
 
+BeamError::Slopes DvlModel::SlopesAt(const Pose& X_WB, const Ranges& ranges) const {
+  BeamError::Slopes slopes{};
+  const Eigen::Matrix3d R_WB = RotationOf(X_WB);
+  const Vector3d origin_W = X_WB.p_WB + R_WB * p_BD_;
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    if (ranges[i]) slopes[i] = scene_.SlopeAlong(origin_W, R_WB * beams_B_[i], *ranges[i]);
+  }
+  return slopes;
+}
+
 std::optional<DvlSample> DvlModel::Sample(const SimTruth& truth, Seconds now) {
   DvlSample sample;
   sample.sd_horizontal = params_.sheet.noise_mps;
   sample.sd_vertical = params_.sheet.vertical_noise_mps;
-  const Ranges ranges = MeasureRanges(truth.pose());
-  const Vector3d velocity = MeasureVelocity(truth);
+  Ranges ranges = MeasureRanges(truth.pose());
+  Vector3d velocity = MeasureVelocity(truth);
+  if (!params_.error.beams.is_off()) {
+    const BeamError::Lost lost = beam_error_.DrawLost();
+    const auto said = beam_error_.Velocity(velocity, SlopesAt(truth.pose(), ranges), lost);
+    velocity = said.value_or(velocity);  // without, the altitude says below that there is no lock
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      if (lost[i]) ranges[i].reset();
+    }
+  }
+  velocity += bursts_.At(now);
   const std::optional<double> altitude = Altitude(ranges, truth.pose());
-  const bool is_in_dropout = IsInDropout(now);
+  const bool is_in_dropout = dropouts_.Contain(now, faults_);
   if (is_in_dropout || !altitude || *altitude < params_.sheet.least_altitude.value() ||
       *altitude > params_.sheet.greatest_altitude.value()) {
     return sample;

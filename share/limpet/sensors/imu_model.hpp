@@ -7,7 +7,9 @@
 
 #include "limpet/core/random.hpp"
 #include "limpet/core/units.hpp"
-#include "limpet/sensors/gauss_markov.hpp"
+#include "limpet/simulation/compass_error.hpp"
+#include "limpet/simulation/gauss_markov.hpp"
+#include "limpet/simulation/gyro_error.hpp"
 #include "limpet/topics/sensors.hpp"
 #include "limpet/topics/simulation.hpp"
 #include "limpet/vehicle/sensor_sheets.hpp"
@@ -24,8 +26,10 @@ class ImuModel {
     double heading_slow_sigma_rad = RadiansFromDegrees(0.1);  ///< correlated over heading_slow
     Seconds heading_slow{60.0};
     double heading_noise_rad = RadiansFromDegrees(0.1);
+    CompassErrorParams compass{};
+    GyroErrorParams gyro{};  ///< of the rate about body z
   };
-  ImuModel(const Params& params, Random random);
+  ImuModel(const Params& params, Random random, Random errors = Random(0));
   [[nodiscard]] std::optional<ImuSample> Sample(const SimTruth& truth, Seconds now);
 
  private:
@@ -37,6 +41,8 @@ class ImuModel {
   Eigen::Vector3d gyro_bias_;
   double heading_offset_;
   GaussMarkov heading_slow_;
+  CompassError compass_;
+  GyroError gyro_;
 };
 
 }  // namespace limpet

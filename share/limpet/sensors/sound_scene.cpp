@@ -40,6 +40,15 @@ std::optional<double> SoundScene::ToSeabed(const Eigen::Vector3d& origin_W,
   return range;
 }
 
+double SoundScene::SlopeAlong(const Eigen::Vector3d& origin_W, const Eigen::Vector3d& direction_W,
+                              double range) const {
+  constexpr double kReach = 0.25;  // [m] either way: about what a beam lights up
+  const Eigen::Vector2d at = (origin_W + range * direction_W).head<2>();
+  const Eigen::Vector2d way = direction_W.head<2>().normalized();
+  const Eigen::Vector2d far = at + kReach * way, near = at - kReach * way;
+  return (seabed_(far.x(), far.y()) - seabed_(near.x(), near.y())) / (2.0 * kReach);
+}
+
 std::optional<double> SoundScene::Range(const Eigen::Vector3d& origin_W,
                                         const Eigen::Vector3d& direction_W,
                                         double max_range) const {

@@ -23,6 +23,9 @@ class SoundScene {
   [[nodiscard]] std::optional<double> Range(const Eigen::Vector3d& origin_W,
                                             const Eigen::Vector3d& direction_W,
                                             double max_range) const;
+  /// How much the seabed falls along a ray's way over ground, per metre, where `range` [m] ends.
+  [[nodiscard]] double SlopeAlong(const Eigen::Vector3d& origin_W,
+                                  const Eigen::Vector3d& direction_W, double range) const;
 
  private:
   [[nodiscard]] std::optional<double> ToSeabed(const Eigen::Vector3d& origin_W,

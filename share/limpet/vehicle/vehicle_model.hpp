@@ -35,13 +35,17 @@ struct VehicleMotion {
 };
 
 /// Equations of motion (Fossen 2011 eq. 8.2 with eq. 8.6): rigid body and added mass move with the
-/// velocity through the water, which is exact for a current that is constant in W:
+/// velocity through the water, which is exact for a current that is constant in W, and near enough
+/// for one that changes over minutes:
 ///   M nu_r' + C(nu_r) nu_r + D(nu_r) nu_r + g(eta) = B thrust + contact.
-/// Immutable, so any number of integrators may share it.
+/// Any number of integrators may share it; only SetCurrent changes it, between their steps.
 class VehicleModel {
  public:
   VehicleModel(const VehicleParams& params, const Eigen::Vector3d& current_W,
                SeabedFunction seabed);
+
+  /// North, east, down [m/s]. The velocity through the water stays: that over ground steps.
+  void SetCurrent(const Eigen::Vector3d& current_W) { current_W_ = current_W; }
 
   /// Time derivative. `with_seabed` false leaves out contact, for when IsNearSeabed says so.
   [[nodiscard]] StateVector Derivative(const StateVector& x, const ThrusterVector& wanted_thrust,

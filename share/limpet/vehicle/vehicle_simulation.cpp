@@ -6,7 +6,7 @@
 namespace limpet {
 
 VehicleSimulation::VehicleSimulation(VehicleModel model, const Place& start, IntegratorKind kind)
-    : model_(std::make_unique<const VehicleModel>(std::move(model))),
+    : model_(std::make_unique<VehicleModel>(std::move(model))),
       integrator_(MakeIntegrator(*model_, start, kind)) {}
 
 VehicleSimulation::Integrator VehicleSimulation::MakeIntegrator(const VehicleModel& model,

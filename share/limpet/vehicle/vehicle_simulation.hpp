@@ -28,6 +28,9 @@ class VehicleSimulation {
   /// the thrusters' drives would. Says what happened, in order.
   std::vector<TimedEvent> Advance(const ThrusterVector& command, Seconds duration);
 
+  /// From now on [m/s], in W. Small steps only: an integrator takes them for the same motion.
+  void SetCurrent(const Eigen::Vector3d& current_W) { model_->SetCurrent(current_W); }
+
   [[nodiscard]] VehicleMotion motion() const;
   [[nodiscard]] const StateVector& state() const;
   [[nodiscard]] Seconds time() const;
@@ -39,7 +42,7 @@ class VehicleSimulation {
   static Integrator MakeIntegrator(const VehicleModel& model, const Place& start,
                                    IntegratorKind kind);
 
-  std::unique_ptr<const VehicleModel> model_;  // integrators point to it
+  std::unique_ptr<VehicleModel> model_;  // integrators point to it
   Integrator integrator_;
   ThrusterVector wanted_thrust_ = ThrusterVector::Zero();
 };

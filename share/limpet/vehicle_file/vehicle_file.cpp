@@ -19,31 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using internal::TextOfNode;
+using internal::ValueText;
 using internal::YamlReader;
-
-/// A scalar as it stands, a list as `[a, b, c]`.
-std::string ValueText(const YAML::Node& node) {
-  if (!node.IsSequence()) return node.IsScalar() ? node.Scalar() : TextOfNode(node);
-  std::vector<std::string> parts;
-  for (const YAML::Node& part : node) {
-    parts.push_back(part.IsScalar() ? part.Scalar() : TextOfNode(part));
-  }
-  return fmt::format("[{}]", fmt::join(parts, ", "));
-}
-
-std::vector<YamlReader::Field> FieldsOf(YamlReader& in, const std::string& path,
-                                        const std::vector<ParamSpec>& specs) {
-  std::vector<YamlReader::Field> fields;
-  fields.reserve(specs.size());
-  for (const ParamSpec& spec : specs) {
-    fields.push_back({spec.name, [&in, path, spec](const YAML::Node& node) {
-                        if (auto complaint = spec.set(ValueText(node))) {
-                          in.Complain(node, path + "." + spec.name, *std::move(complaint));
-                        }
-                      }});
-  }
-  return fields;
-}
 
 /// One entry of `thrusters.list`.
 struct ThrusterEntry {
@@ -63,7 +40,7 @@ struct ThrusterEntry {
 void ReadThruster(YamlReader& in, const YAML::Node& node, const std::string& path,
                   Thruster& thruster) {
   ThrusterEntry entry;
-  in.ReadMap(node, path, FieldsOf(in, path, DescribeParams(entry)));
+  in.ReadMap(node, path, in.Declared(path, DescribeParams(entry)));
   const double length = entry.push_B.norm();
   if (length <= 0.0) {
     in.Complain(node, path + ".push",
@@ -134,7 +111,7 @@ void ReadSections(YamlReader& in, const YAML::Node& root, Reading& reading) {
   for (VehicleFileSection& section : VehicleFileSections(file)) {
     sections.push_back({section.name, [&, section](const YAML::Node& node) {
                           std::vector<YamlReader::Field> fields =
-                              FieldsOf(in, section.name, section.keys);
+                              in.Declared(section.name, section.keys);
                           if (section.name == "thrusters") {
                             fields.push_back({"list", [&](const YAML::Node& list) {
                                                 reading.has_thrusters = true;

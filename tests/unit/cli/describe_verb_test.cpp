@@ -215,6 +215,13 @@ TEST(Documentation, ListsTheKeysOfAVehiclesFile) {
          "  ./limpet describe vehicle --markdown > docs/vehicle-file.md";
 }
 
+TEST(Documentation, ListsWhatAScenarioCanSayBeyondTheDataSheets) {
+  EXPECT_TRUE(TextOf(kSource / "docs/scenario-file.md") ==
+              Describe({"scenario", "--markdown"}).text)
+      << "docs/scenario-file.md is behind the code; in the repository root run\n"
+         "  ./limpet describe scenario --markdown > docs/scenario-file.md";
+}
+
 TEST(DescribeVerb, TellsTheKeysOfAVehiclesFileInEveryForm) {
   EXPECT_THAT(Describe({"vehicle"}).text, testing::HasSubstr("mass_kg = 35"));
   EXPECT_THAT(Describe({"vehicle", "--json"}).text, testing::HasSubstr("\"max_thrust_n\""));

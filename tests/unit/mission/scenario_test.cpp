@@ -52,6 +52,33 @@ TEST(Scenario, ReportsEveryProblemAtOnce) {
   EXPECT_THAT(errors, HasSubstr("s.yaml:4: sensors: a list of 1 is not allowed; allowed: a map"));
 }
 
+TEST(Scenario, SaysWhatDiffersFromTheDataSheets) {
+  const Scenario scenario = ParseScenario(
+      "water: {current_east_mps: 0.1, tide_period_s: 900, tide_swing_deg: 30}\n"
+      "errors:\n  camera: {pitch_deg: 2, off_m: [0.1, 0, -0.1]}\n  gps: {jumps_per_h: 30}\n"
+      "opis:\n  - {name: A, color: red, sway_m: [0.2, 0, 0], winter: [1, 2, 3]}\n",
+      "s.yaml");
+  EXPECT_EQ(scenario.water.current.tide_period, Seconds(900.0));
+  EXPECT_EQ(scenario.errors.camera.mounting.off_B, Eigen::Vector3d(0.1, 0.0, -0.1));
+  EXPECT_DOUBLE_EQ(scenario.errors.camera.mounting.pitch.in_text_unit(), 2.0);
+  EXPECT_DOUBLE_EQ(scenario.errors.gps.multipath.jumps_per_h, 30.0);
+  EXPECT_EQ(scenario.opis[0].motion.sway_W, Eigen::Vector3d(0.2, 0.0, 0.0));
+}
+
+TEST(Scenario, RefusesErrorsOutOfRangeAndThoseItDoesNotKnow) {
+  const std::string errors = ScenarioErrorsOf(
+      "errors:\n  dvl: {beam_loss_share: 1.5}\n  camera: {off_m: [0.1, 9, 0]}\n"
+      "  fogg: {}\n  gps: {jump: 3}\nwater: {tide_swing_deg: 270}\n");
+  EXPECT_THAT(
+      errors,
+      HasSubstr("s.yaml:2: errors.dvl.beam_loss_share: `1.5` is not allowed; allowed: 0 to 1"));
+  EXPECT_THAT(errors, HasSubstr("s.yaml:3: errors.camera.off_m: `[0.1, 9, 0]` is not allowed"));
+  EXPECT_THAT(errors, HasSubstr("s.yaml:4: errors.fogg: unknown key; did you mean `fog`?"));
+  EXPECT_THAT(errors, HasSubstr("s.yaml:5: errors.gps.jump: unknown key; did you mean `jump_m`?"));
+  EXPECT_THAT(errors, HasSubstr("s.yaml:6: water.tide_swing_deg: `270` is not allowed; allowed: 0 "
+                                "to 180 deg"));
+}
+
 TEST(Scenario, AcceptsAnySessionNameForAPlace) {
   const Scenario scenario = ParseScenario(
       "opis:\n  - {name: A, color: red, winter: [1, 2, 3], change2: null}\n", "s.yaml");

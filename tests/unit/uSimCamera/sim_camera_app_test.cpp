@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "apps/uSimCamera/sim_camera_app.hpp"
 
+#include <algorithm>
 #include <fstream>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +12,12 @@
 
 namespace limpet {
 namespace {
+
+std::string TextOf(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
 
 class SimCamera : public ::testing::Test {
  protected:
@@ -24,6 +32,13 @@ class SimCamera : public ::testing::Test {
            "  - {name: A, color: yellow, radius_m: 0.5, discovery: [0, 0, 7], change: null}\n"
            "camera: "
         << camera << "\n";
+  }
+  /// Boxes of a world with more to it: lines of scenario.yaml, and of the object.
+  void WriteWith(const std::string& lines, const std::string& of_object = "") {
+    Write("boxes");
+    std::string text = TextOf(folder_.path() / "scenario.yaml");
+    text.replace(text.find("radius_m: 0.5"), 13, "radius_m: 0.5" + of_object);
+    std::ofstream(folder_.path() / "scenario.yaml") << text << lines;
   }
   SimCameraApp Make(const std::string& session, const SimCameraApp::Params& params = {}) {
     AppContext context;
@@ -133,6 +148,100 @@ TEST_F(SimCamera, PublishesAFrameItsLatencyAfterTheExposure) {
   Fly(app, 0.2, 3.5);
   EXPECT_EQ(CountOf("DETECTIONS"), 1);
   EXPECT_GT((link_.time - link_.Last(topics::kDetections)->exposure).value(), 0.3);
+}
+
+/// Mean of the middle of the object's boxes.
+struct Seen {
+  double u = 0.0, v = 0.0;
+  int boxes = 0;
+};
+Seen SeenIn(const TestLink& link) {
+  Seen seen;
+  for (const MessagePtr& message : link.published) {
+    if (message->name != "DETECTIONS") continue;
+    const auto frame = TopicCodec<Detections>::Decode(message->value);
+    for (const Box& box : frame->boxes) {
+      if (box.color != "yellow") continue;
+      seen.u += box.u, seen.v += box.v;
+      ++seen.boxes;
+    }
+  }
+  seen.u /= std::max(seen.boxes, 1), seen.v /= std::max(seen.boxes, 1);
+  return seen;
+}
+
+TEST_F(SimCamera, ATiltedCameraShowsAnObjectElsewhere) {
+  WriteWith("errors:\n  camera: {pitch_deg: 3, roll_deg: 2}\n");
+  SimCameraApp app = Make("discovery");
+  Fly(app, 20.0, 3.5);
+  const Seen seen = SeenIn(link_);
+  ASSERT_GT(seen.boxes, 40);
+  const CameraModel camera = SimCameraApp::Params{}.geometry.geometry();
+  // Pitched up it looks ahead: what lies below moves aft, down in the image.
+  EXPECT_NEAR(seen.v, 240.0 + camera.fy * std::tan(RadiansFromDegrees(3.0)), 1.5);
+  // Rolled to starboard it looks to port: what lies below moves to starboard.
+  EXPECT_NEAR(seen.u, 320.0 + camera.fx * std::tan(RadiansFromDegrees(2.0)), 1.5);
+}
+
+TEST_F(SimCamera, ACameraOffItsPlaceShowsAnObjectElsewhere) {
+  WriteWith("errors: {camera: {off_m: [0.2, 0, 0]}}\n");
+  SimCameraApp app = Make("discovery");
+  Fly(app, 20.0, 3.5);
+  const CameraModel camera = SimCameraApp::Params{}.geometry.geometry();
+  EXPECT_NEAR(SeenIn(link_).v, 240.0 + camera.fy * 0.2 / 3.5, 1.5);
+}
+
+TEST_F(SimCamera, StampsFramesTooLateAndHandsThemOnThen) {
+  WriteWith("errors: {camera: {stamp_delay_s: 0.2}}\n");
+  SimCameraApp app = Make("discovery");
+  SimTruth truth;
+  truth.down = 3.5;
+  link_.time = Seconds(2000.0);
+  link_.Send(app, topics::kSimTruth, truth);
+  EXPECT_EQ(CountOf("DETECTIONS"), 0);
+  link_.time = Seconds(2000.2);
+  link_.Send(app, topics::kSimTruth, truth);
+  ASSERT_EQ(CountOf("DETECTIONS"), 1);
+  EXPECT_EQ(link_.Last(topics::kDetections)->exposure, Seconds(2000.2));
+}
+
+TEST_F(SimCamera, ReadsItsRowsOneAfterAnother) {
+  WriteWith("errors: {camera: {readout_s: 0.4}}\n");
+  SimCameraApp app = Make("discovery");
+  SimTruth truth;
+  truth.down = 3.5;
+  truth.u = 0.5;  // said to move, held where the object is below
+  for (int i = 0; i < 1000; ++i) {
+    link_.time = Seconds(3000.0 + 0.02 * i);
+    link_.Send(app, topics::kSimTruth, truth);
+  }
+  const CameraModel camera = SimCameraApp::Params{}.geometry.geometry();
+  EXPECT_NEAR(SeenIn(link_).v, 240.0 + camera.fy * 0.5 * 0.2 / 3.5, 2.5);
+}
+
+TEST_F(SimCamera, ShowsObjectsThatMoveWhereTheyHaveGone) {
+  WriteWith("", ", drift_mps: [0, 0.05, 0]");
+  SimCameraApp app = Make("discovery");
+  Fly(app, 10.0, 3.5);
+  link_.published.clear();
+  Fly(app, 2.0, 3.5);
+  const CameraModel camera = SimCameraApp::Params{}.geometry.geometry();
+  EXPECT_NEAR(SeenIn(link_).u, 320.0 + camera.fx * 0.55 / 3.5, 4.0);
+}
+
+TEST_F(SimCamera, AnObjectThatSwaysKeepsItsMiddle) {
+  WriteWith("", ", sway_m: [0, 0.3, 0], sway_period_s: 5");
+  SimCameraApp app = Make("discovery");
+  Fly(app, 20.0, 3.5);
+  const Seen swaying = SeenIn(link_);
+  EXPECT_NEAR(swaying.u, 320.0, 4.0);
+  double widest = 0.0;
+  for (const MessagePtr& message : link_.published) {
+    const auto frame = TopicCodec<Detections>::Decode(message->value);
+    for (const Box& box : frame->boxes)
+      widest = std::max(widest, box.color == "yellow" ? std::abs(box.u - 320.0) : 0.0);
+  }
+  EXPECT_GT(widest, 25.0);
 }
 
 }  // namespace

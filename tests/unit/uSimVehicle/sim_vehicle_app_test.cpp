@@ -189,6 +189,51 @@ TEST(SimVehicleApp, DriftsWithTheScenariosCurrent) {
   EXPECT_NEAR(vehicle.Truth().east, -15.5 + 1.0, 1e-3);
 }
 
+TEST(SimVehicleApp, DriftsWithATideThatTurnsBack) {
+  Scenario scenario = Table();
+  scenario.water.current_east_mps = 0.1;
+  scenario.water.current.tide_period = Seconds(40.0);
+  scenario.water.current.tide_share = 2.0;
+  for (const std::string integrator : {"cvode", "rk4"}) {
+    SimVehicle vehicle(scenario, integrator);
+    double least = 0.0, most = 0.0;
+    for (int second = 0; second < 40; ++second) {
+      const double before = vehicle.Truth().east;
+      vehicle.Run({}, 1.0);
+      if (second == 0) continue;
+      least = std::min(least, vehicle.Truth().east - before);
+      most = std::max(most, vehicle.Truth().east - before);
+    }
+    EXPECT_NEAR(most, 0.3, 0.01) << integrator;
+    EXPECT_NEAR(least, -0.1, 0.01) << integrator;
+    EXPECT_NEAR(vehicle.Truth().east, -15.5 + 4.0, 0.02) << integrator;
+  }
+}
+
+TEST(SimVehicleApp, ACurrentWeakensWithDepth) {
+  Scenario scenario = Table();
+  scenario.water.current_east_mps = 0.1;
+  scenario.water.current.shear_per_m = 1.0;
+  SimVehicle vehicle(scenario);
+  vehicle.Run({}, 10.02);  // floats 0.13 m deep
+  EXPECT_NEAR(vehicle.Truth().east, -15.5 + 0.87, 0.01);
+}
+
+TEST(SimVehicleApp, FouledThrustersPushLess) {
+  const ThrusterCommand ahead{.t1 = 0.8, .t2 = 0.8, .t3 = 0.8, .t4 = 0.8, .t5 = 0.0, .t6 = 0.0};
+  const auto speed_with = [&ahead](const ThrusterErrorParams& error) {
+    Scenario scenario = Table();
+    scenario.errors.thrusters = error;
+    SimVehicle vehicle(scenario);
+    vehicle.Run(ahead, 20.0);
+    return vehicle.Truth().u;
+  };
+  const double full = speed_with({});
+  EXPECT_NEAR(speed_with({.thrust_factor = 0.5}) / full, std::sqrt(0.5), 0.05);
+  EXPECT_NEAR(speed_with({.saturates_at = 0.4}) / full, std::sqrt(0.5), 0.05);
+  EXPECT_NEAR(speed_with({.lag_factor = 5.0}) / full, 1.0, 0.03);
+}
+
 TEST(SimVehicleApp, FliesTheSameTrackWithEitherIntegrator) {
   SimVehicle cvode(Table(), "cvode");
   SimVehicle rk4(Table(), "rk4");

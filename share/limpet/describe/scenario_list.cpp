@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/describe/scenario_list.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "limpet/describe/key_sections.hpp"
+#include "limpet/mission/scenario.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr const char* kScenarioPageHead = R"(# What a simulated world does beyond the data sheets
+
+`scenario.yaml` is the truth, for the simulator and the scorer alone; whoever navigates never reads it. `missions/table1/scenario.yaml` shows what each scenario says: seabed, water, start, objects, camera, and how large the sensors' errors are. Real vehicles have more: tides, brackets that are not square, clocks that are late, iron near the compass. The keys below bring such things in. Each is off by default, and a scenario without them gives the same run as before, bit for bit. What they draw comes from the mission's seed, each from a stream of its own.
+
+`errors:` is what differs from the vehicle's file, which the rest of the mission goes on believing:
+```yaml
+water:  {visibility_m: 8, current_north_mps: 0.1, current_east_mps: 0, tide_period_s: 1800, tide_swing_deg: 60, shear_per_m: 0.05}
+errors:
+  camera: {pitch_deg: 2, off_m: [0.1, 0, 0], stamp_delay_s: 0.1}
+  dvl:    {yaw_deg: 0.5, beam_loss_share: 0.1}
+```
+A stamp that is too late comes with its message: nothing arrives before its stamp. Objects seen through a rolling shutter are where its rows see them; the texture of the seabed in rendered images is not. An object that moves is judged by its place in the scenario, and sound meets it there. A current that changes is one for the whole area.
+
+The models are one file each in `share/limpet/simulation`, used by the simulated vehicle and by the streams of `tests/support/simulated_stream` alike. Generated: `limpet describe scenario --markdown > docs/scenario-file.md`.
+)";
+
+std::vector<KeySection> ScenarioSections() {
+  std::vector<KeySection> sections;
+  for (ScenarioSection& section : DeclaredScenarioSections()) {
+    sections.push_back({section.name, std::move(section.keys)});
+  }
+  return sections;
+}
+
+}  // namespace
+
+std::string ScenarioKeysText() { return KeysText(ScenarioSections()); }
+std::string ScenarioKeysJson() { return KeysJson(ScenarioSections()); }
+std::string ScenarioKeysMarkdown() { return kScenarioPageHead + KeysMarkdown(ScenarioSections()); }
+
+}  // namespace limpet

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/simulation/simulated_errors.hpp"
+
+#include <utility>
+
+namespace limpet {
+namespace {
+
+template <class... Params>
+ErrorSection Section(std::string name, Params&... params) {
+  ParamCollector keys;
+  (params.Describe(keys), ...);
+  return {std::move(name), keys.specs()};
+}
+
+}  // namespace
+
+std::vector<ErrorSection> ErrorSections(SimulatedErrors& errors) {
+  auto& [camera, imu, fog, dvl, depth, gps, thrusters] = errors;
+  return {Section("camera", camera.mounting, camera.shutter, camera.stamps),
+          Section("imu", imu.gyro, imu.compass, imu.stamps),
+          Section("fog", fog.gyro, fog.stamps),
+          Section("dvl", dvl.mounting, dvl.beams, dvl.bursts, dvl.stamps),
+          Section("depth", depth.pressure, depth.stamps),
+          Section("gps", gps.multipath, gps.stamps),
+          Section("thrusters", thrusters)};
+}
+
+}  // namespace limpet
