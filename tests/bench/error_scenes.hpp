@@ -46,7 +46,7 @@ inline void AddTimes(const StreamScene& plain, std::vector<ErrorScene>& scenes) 
   late.errors.depth.stamps = late.errors.gps.stamps = late.errors.dvl.stamps;
   shutter.errors.camera.shutter.readout = Seconds(0.06);
   scenes.push_back({"delay", "camera's stamps 0.15 s late", delay});
-  scenes.push_back({"late", "one stamp in twenty 0.5 s late, all jitter", late});
+  scenes.push_back({"late", "one stamp in twenty of DVL, depth, GPS and camera 0.5 s late", late});
   scenes.push_back({"shutter", "image read out in 0.06 s", shutter});
 }
 
@@ -55,7 +55,8 @@ inline void AddHeadings(const StreamScene& plain, std::vector<ErrorScene>& scene
   compass.errors.imu.compass = {
       .constant = Degrees(2.0), .sine = Degrees(2.0), .cosine = Degrees(1.0)};
   ramp.errors.fog.gyro = {.scale_error = 0.002, .drift_deg_per_h = 4.0};
-  scenes.push_back({"compass", "heading off by 2 deg, swinging by 2 deg as it turns", compass});
+  scenes.push_back(
+      {"compass", "heading of a compass: 2 deg off, swinging by 2 deg as it turns", compass});
   scenes.push_back({"fog_ramp", "gyro warms up by 4 deg/h, 0.2 % of scale", ramp});
 }
 
