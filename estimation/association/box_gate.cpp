@@ -54,7 +54,7 @@ std::optional<AxisOffset> OffsetAlong(const ImageAxis& axis, const PlaneSphere& 
 
 /// Predicted pixel: covariance, from that of pose and object.
 Eigen::Matrix2d PixelCovariance(const CameraPoint& point, const CameraModel& camera,
-                                const PoseObjectCovariance& covariance) {
+                                const ExpectedObject& object) {
   const Eigen::Vector3d& p = point.p_C;
   const double k = 1.0 / p.z();
   Eigen::Matrix<double, 2, 3> J_C;
@@ -62,7 +62,7 @@ Eigen::Matrix2d PixelCovariance(const CameraPoint& point, const CameraModel& cam
       0.0, camera.fy * k, -camera.fy * p.y() * k * k;
   Eigen::Matrix<double, 2, 9> J;
   J << J_C * point.J_pose, J_C * point.J_landmark;
-  return J * covariance * J.transpose();
+  return J * object.covariance * J.transpose() + J_C * object.mount_C * J_C.transpose();
 }
 
 /// Standard deviation in the worst direction.
@@ -139,7 +139,7 @@ std::optional<BoxMatch> BoxGate::Match(const ReadDetection& seen, const NavVecto
   if (!along_u && !along_v) {
     return std::nullopt;
   }
-  const Eigen::Matrix2d S = PixelCovariance(point, camera_, object.covariance);
+  const Eigen::Matrix2d S = PixelCovariance(point, camera_, object);
   Innovation innovation(S, params_);
   innovation.AddAxis(0, along_u, reading.sigma_px.x());
   innovation.AddAxis(1, along_v, reading.sigma_px.y());

@@ -38,6 +38,8 @@ struct ExpectedObject {
   double radius = 0.0;  ///< [m]
   std::string color;
   PoseObjectCovariance covariance = PoseObjectCovariance::Zero();
+  /// What doubt about the camera itself adds, in its frame [m^2].
+  Eigen::Matrix3d mount_C = Eigen::Matrix3d::Zero();
 };
 
 /// A box and what it says.

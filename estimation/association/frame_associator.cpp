@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "estimation/matching/assignment.hpp"
+#include "estimation/smoothing/camera_point.hpp"
 
 namespace limpet {
 namespace {
@@ -60,6 +61,7 @@ FrameAssociator::Reachable FrameAssociator::CollectReachable(const TrackerFrame&
     reachable.is_reachable.push_back(!object.is_mapped() || is_within);
     if (is_within) slots.push_back(object.slot());
   }
+  if (mount_.slots()) slots.insert(slots.end(), mount_.slots()->begin(), mount_.slots()->end());
   reachable.joint = smoother_.Covariance(slots);
   return reachable;
 }
@@ -73,6 +75,8 @@ Eigen::MatrixXd FrameAssociator::Costs(const TrackerFrame& frame,
     return costs;
   }
   const Reachable reachable = CollectReachable(frame);
+  const CameraModel camera = mount_.At(frame.motion);
+  const BoxGate gate(camera, params_.gate);
   const double radius = params_.model.radius_m > 0.0 ? params_.model.radius_m : kGuessedRadius;
   // Per candidate: best of the mapped tracks whose place is known too badly to take a box at once.
   Eigen::VectorXd unplaced = Eigen::VectorXd::Zero(rows);
@@ -85,11 +89,14 @@ Eigen::MatrixXd FrameAssociator::Costs(const TrackerFrame& frame,
         .p_W = object.p_W,
         .radius = radius,
         .color = object.Color(),
-        .covariance = CovarianceWith(object, frame.path, reachable.joint, row_in_joint)};
+        .covariance = CovarianceWith(object, frame.path, reachable.joint, row_in_joint),
+        .mount_C =
+            MountCovariance(frame, object.p_W, reachable.joint,
+                            object.is_mapped() ? std::optional(row_in_joint) : std::nullopt)};
     row_in_joint += object.is_mapped() ? 3 : 0;
     for (Eigen::Index i = 0; i < rows; ++i) {
       const ReadDetection& seen = candidates[static_cast<std::size_t>(i)].seen;
-      const auto match = gate_.Match(seen, frame.x, expected);
+      const auto match = gate.Match(seen, frame.x, expected);
       if (!match || match->cost >= match->new_cost) continue;
       const double cost = match->cost - match->new_cost;
       const double placed =
@@ -112,6 +119,27 @@ Eigen::MatrixXd FrameAssociator::Costs(const TrackerFrame& frame,
     }
   }
   return costs;
+}
+
+Eigen::Matrix3d FrameAssociator::MountCovariance(const TrackerFrame& frame,
+                                                 const Eigen::Vector3d& p_W,
+                                                 const Eigen::MatrixXd& joint,
+                                                 std::optional<int> row) const {
+  // A tentative object was placed by the same camera a moment ago: it is off by the same.
+  if (!mount_.slots() || !row) return Eigen::Matrix3d::Zero();
+  const CameraPoint point = CameraPointOf(mount_.At(frame.motion), frame.x, p_W);
+  const CameraErrorJacobians by_errors =
+      ErrorJacobiansOf(mount_.camera(), mount_.errors(), frame.motion, point.p_C);
+  Eigen::Matrix<double, 3, 9> J;
+  J << point.J_pose, point.J_landmark;
+  Eigen::Matrix<double, 3, 6> J_errors;
+  J_errors << by_errors.J_tilt, by_errors.J_shift;
+  const Eigen::Index first = joint.rows() - 6;  // they come last
+  Eigen::Matrix<double, 9, 6> cross;
+  cross << joint.block<6, 6>(0, first), joint.block<3, 6>(*row, first);
+  const Eigen::Matrix3d shared = J * cross * J_errors.transpose();
+  return J_errors * joint.bottomRightCorner<6, 6>() * J_errors.transpose() + shared +
+         shared.transpose();
 }
 
 PoseObjectCovariance FrameAssociator::CovarianceWith(const TrackedObject& object, double path,

@@ -18,6 +18,7 @@ struct TrackerFrame {
   std::optional<int> node{};  ///< of the chain, newest; nothing when the frame has no usable box
   double path = 0.0;          ///< way travelled [m]
   std::optional<double> altitude{};  ///< of the body origin above the seabed [m]
+  BodyMotion motion{};
 };
 
 /// A box that is used, and its index in the frame.
@@ -42,9 +43,9 @@ struct Association {
 /// something new. All must outlive it.
 class FrameAssociator {
  public:
-  FrameAssociator(const Smoother& smoother, const CameraModel& camera,
+  FrameAssociator(const Smoother& smoother, const CameraMount& mount,
                   const ObjectTrackerParams& params, const TrackList& tracks)
-      : smoother_(smoother), params_(params), tracks_(tracks), gate_(camera, params.gate) {}
+      : smoother_(smoother), mount_(mount), params_(params), tracks_(tracks) {}
 
   /// Per candidate; the smoother must be up to date with the frame's node.
   [[nodiscard]] std::vector<Association> Assign(const TrackerFrame& frame,
@@ -54,9 +55,15 @@ class FrameAssociator {
   /// Tracks that no error of the pose could bring into view are left out.
   struct Reachable {
     std::vector<bool> is_reachable;  ///< per track
-    Eigen::MatrixXd joint;           ///< of the pose and those that are mapped
+    Eigen::MatrixXd joint;           ///< of the pose, those that are mapped, the camera's errors
   };
   [[nodiscard]] Reachable CollectReachable(const TrackerFrame& frame) const;
+  /// In the camera's frame: what its errors add to where the object is expected [m^2]. `row`: of
+  /// the object in the joint covariance; nothing if it is not mapped.
+  [[nodiscard]] Eigen::Matrix3d MountCovariance(const TrackerFrame& frame,
+                                                const Eigen::Vector3d& p_W,
+                                                const Eigen::MatrixXd& joint,
+                                                std::optional<int> row) const;
   [[nodiscard]] PoseObjectCovariance CovarianceWith(const TrackedObject& object, double path,
                                                     const Eigen::MatrixXd& joint, int row) const;
   /// -2 ln of the likelihood ratio against being something new, per candidate and track.
@@ -67,9 +74,9 @@ class FrameAssociator {
   }
 
   const Smoother& smoother_;
+  const CameraMount& mount_;
   const ObjectTrackerParams& params_;
   const TrackList& tracks_;
-  BoxGate gate_;
 };
 
 }  // namespace limpet

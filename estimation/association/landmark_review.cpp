@@ -35,7 +35,8 @@ std::vector<Observation> LandmarkReview::TakeOutliers(TrackedObject& object) {
     if (one.terms.empty() || one.t < since) {
       return true;
     }
-    const ReprojectionFactor factor(camera_, one.reading.centre_px, one.reading.sigma_px);
+    const CameraModel camera = mount_.At(one.motion);
+    const ReprojectionFactor factor(camera, one.reading.centre_px, one.reading.sigma_px);
     return !(factor.Evaluate(smoother_.PoseAt(one.node), p_W).norm() > params_.outlier_sigma);
   };
   const auto bad =
@@ -78,7 +79,7 @@ void LandmarkReview::SplitOff(std::vector<Observation> outliers, const TrackedOb
     for (; begin != end; ++begin)
       object.Add(std::move(*begin));
     if (static_cast<int>(object.observations.size()) < params_.looks_to_confirm) continue;
-    Place(object, smoother_, camera_, params_.model);
+    Place(object, smoother_, mount_, params_.model);
     const bool agrees = object.tentative().worst_residual <= params_.confirm_residual;
     if (!agrees || !IsPlaced(object, params_)) continue;
     object.expected = object.hits = static_cast<int>(object.observations.size());

@@ -11,9 +11,9 @@ namespace limpet {
 /// landmarks that are none. All must outlive it.
 class LandmarkReview {
  public:
-  LandmarkReview(Smoother& smoother, const CameraModel& camera, const ObjectTrackerParams& params,
+  LandmarkReview(Smoother& smoother, const CameraMount& mount, const ObjectTrackerParams& params,
                  TrackList& tracks, LandmarkTerms& terms)
-      : smoother_(smoother), camera_(camera), params_(params), tracks_(tracks), terms_(terms) {}
+      : smoother_(smoother), mount_(mount), params_(params), tracks_(tracks), terms_(terms) {}
 
   /// Takes out observations that do not fit; those that agree among themselves are another object
   /// after all. True if the graph changed.
@@ -33,7 +33,7 @@ class LandmarkReview {
                                   const Eigen::Matrix3d& difference) const;
 
   Smoother& smoother_;
-  const CameraModel& camera_;
+  const CameraMount& mount_;
   const ObjectTrackerParams& params_;
   TrackList& tracks_;
   LandmarkTerms& terms_;

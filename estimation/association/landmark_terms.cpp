@@ -11,6 +11,7 @@
 namespace limpet {
 
 void LandmarkTerms::Map(TrackedObject& object, const TrackState& as) {
+  mount_.Begin();
   object.Map(next_id_++, smoother_.AddLandmark(object.p_W), as);
   const int node = object.observations.front().node;
   const BirthplaceFactor hold(object.p_W - smoother_.PoseAt(node).head<3>(),
@@ -22,7 +23,7 @@ void LandmarkTerms::Map(TrackedObject& object, const TrackState& as) {
 
 void LandmarkTerms::AddTerms(const TrackedObject& object, Observation& observation,
                              bool with_seabed) {
-  for (Term& term : TermsOf(observation, object.slot(), camera_, params_.model, with_seabed))
+  for (Term& term : TermsOf(observation, object.slot(), mount_, params_.model, with_seabed))
     observation.terms.push_back(smoother_.AddTerm(observation.node, std::move(term)));
 }
 

@@ -13,9 +13,9 @@ namespace limpet {
 /// ties between tracks that are taken for one object. All must outlive it.
 class LandmarkTerms {
  public:
-  LandmarkTerms(Smoother& smoother, const CameraModel& camera, const ObjectTrackerParams& params,
+  LandmarkTerms(Smoother& smoother, CameraMount& mount, const ObjectTrackerParams& params,
                 TrackList& tracks)
-      : smoother_(smoother), camera_(camera), params_(params), tracks_(tracks) {}
+      : smoother_(smoother), mount_(mount), params_(params), tracks_(tracks) {}
 
   /// Puts a tentative track into the smoother.
   void Map(TrackedObject& object, const TrackState& as);
@@ -41,7 +41,7 @@ class LandmarkTerms {
   void ReleaseTiedTo(const TrackedObject& object);
 
   Smoother& smoother_;
-  const CameraModel& camera_;
+  CameraMount& mount_;
   const ObjectTrackerParams& params_;
   TrackList& tracks_;
   int next_id_ = 1;

@@ -19,6 +19,7 @@ Observation ObservationOf(const Candidate& candidate, const TrackerFrame& frame)
           .reading = candidate.seen.reading,
           .color = candidate.seen.box.color,
           .confidence = candidate.seen.box.confidence,
+          .motion = frame.motion,
           .altitude = frame.altitude,
           .terms = {}};
 }
@@ -28,12 +29,12 @@ Observation ObservationOf(const Candidate& candidate, const TrackerFrame& frame)
 ObjectTracker::ObjectTracker(Smoother& smoother, const CameraModel& camera,
                              const ObjectTrackerParams& params)
     : smoother_(smoother),
-      camera_(camera),
       params_(params),
-      terms_(smoother, camera, params_, tracks_),
-      associator_(smoother, camera, params_, tracks_),
+      mount_(camera, params.mount, smoother),
+      terms_(smoother, mount_, params_, tracks_),
+      associator_(smoother, mount_, params_, tracks_),
       confirmation_(smoother, params_, tracks_, terms_),
-      review_(smoother, camera, params_, tracks_, terms_),
+      review_(smoother, mount_, params_, tracks_, terms_),
       identities_(smoother, params_, tracks_, terms_) {}
 
 bool ObjectTracker::IsUsable(const Box& box) const {
@@ -47,7 +48,7 @@ std::vector<Candidate> ObjectTracker::CandidatesOf(const TrackerFrame& frame) co
     const Box& box = boxes[static_cast<std::size_t>(i)];
     if (!IsUsable(box)) continue;
     candidates.push_back(
-        {.detection = i, .seen = {box, ReadBox(box, camera_, params_.model.noise)}});
+        {.detection = i, .seen = {box, ReadBox(box, mount_.camera(), params_.model.noise)}});
   }
   return candidates;
 }
@@ -74,7 +75,7 @@ std::vector<std::optional<int>> ObjectTracker::Process(const TrackerFrame& frame
   }
   for (std::size_t j = known; j < tracks_.objects.size(); ++j)
     seen.push_back(j);
-  CountVisibility(frame, seen, camera_, params_, tracks_);
+  CountVisibility(frame, seen, mount_, params_, tracks_);
   confirmation_.ConfirmWhatIsDue(frame);
   return shown;
 }
@@ -83,15 +84,15 @@ void ObjectTracker::AddObservation(TrackedObject& object, Observation observatio
                                    const TrackerFrame& frame) {
   const bool is_new_pass = observation.t - object.last_seen() > params_.confirm_within_s;
   object.last_path = frame.path;
-  object.max_distance =
-      std::max(object.max_distance, CameraPointOf(camera_, frame.x, object.p_W).p_C.norm());
+  object.max_distance = std::max(
+      object.max_distance, CameraPointOf(mount_.At(frame.motion), frame.x, object.p_W).p_C.norm());
   object.needs_review = true;
   object.Add(std::move(observation));
   if (object.is_mapped()) {
     terms_.AddTerms(object, object.observations.back(), is_new_pass);
     tracks_.identity_news += is_new_pass ? 1 : 0;
   } else {
-    Place(object, smoother_, camera_, params_.model);
+    Place(object, smoother_, mount_, params_.model);
   }
 }
 
@@ -99,8 +100,8 @@ void ObjectTracker::StartTrack(Observation observation, const TrackerFrame& fram
   TrackedObject object;
   object.last_path = frame.path;
   object.Add(std::move(observation));
-  Place(object, smoother_, camera_, params_.model);
-  object.max_distance = CameraPointOf(camera_, frame.x, object.p_W).p_C.norm();
+  Place(object, smoother_, mount_, params_.model);
+  object.max_distance = CameraPointOf(mount_.At(frame.motion), frame.x, object.p_W).p_C.norm();
   tracks_.objects.push_back(std::move(object));
 }
 

@@ -21,7 +21,7 @@ namespace limpet {
 /// `IdentityDecisions` which tracks are one object, `LandmarkReview` takes out what does not fit.
 class ObjectTracker {
  public:
-  /// `smoother` and `camera` must outlive the tracker.
+  /// `smoother` must outlive the tracker.
   ObjectTracker(Smoother& smoother, const CameraModel& camera, const ObjectTrackerParams& params);
   ~ObjectTracker() = default;
   ObjectTracker(const ObjectTracker&) = delete;
@@ -44,6 +44,7 @@ class ObjectTracker {
 
   [[nodiscard]] const std::vector<TrackedObject>& objects() const { return tracks_.objects; }
   [[nodiscard]] std::vector<TrackedObject>& objects() { return tracks_.objects; }
+  [[nodiscard]] const CameraMount& mount() const { return mount_; }
   [[nodiscard]] int rejected_observations() const { return review_.rejected(); }
 
  private:
@@ -54,8 +55,8 @@ class ObjectTracker {
   void DropStale();
 
   Smoother& smoother_;
-  const CameraModel& camera_;
   ObjectTrackerParams params_;
+  CameraMount mount_;
   TrackList tracks_;
   LandmarkTerms terms_;
   FrameAssociator associator_;

@@ -8,10 +8,10 @@ namespace {
 
 constexpr double kInTheGround = 1.0;  // [m] of a centre below the seabed where it was seen
 
-void Locate(TrackedObject& object, const Smoother& smoother, const CameraModel& camera,
+void Locate(TrackedObject& object, const Smoother& smoother, const CameraMount& mount,
             const ObjectModel& model) {
   const Triangulation found = Triangulate(
-      object.observations, [&smoother](int node) { return smoother.PoseAt(node); }, camera, model);
+      object.observations, [&smoother](int node) { return smoother.PoseAt(node); }, mount, model);
   object.p_W = found.p_W;
   object.state =
       Tentative{.covariance_W = found.covariance, .worst_residual = found.worst_residual};
@@ -19,9 +19,9 @@ void Locate(TrackedObject& object, const Smoother& smoother, const CameraModel& 
 
 }  // namespace
 
-void Place(TrackedObject& object, const Smoother& smoother, const CameraModel& camera,
+void Place(TrackedObject& object, const Smoother& smoother, const CameraMount& mount,
            const ObjectModel& model) {
-  Locate(object, smoother, camera, model);
+  Locate(object, smoother, mount, model);
   // No object is in the ground: the oldest observation then was of something else.
   const Observation& last = object.observations.back();
   if (object.observations.size() > 2 && last.altitude &&
@@ -29,7 +29,7 @@ void Place(TrackedObject& object, const Smoother& smoother, const CameraModel& c
     object.observations.erase(object.observations.begin());
     object.expected = object.hits = static_cast<int>(object.observations.size());
     object.RecountColor();
-    Locate(object, smoother, camera, model);
+    Locate(object, smoother, mount, model);
   }
 }
 

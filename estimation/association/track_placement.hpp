@@ -8,7 +8,7 @@
 namespace limpet {
 
 /// Place of a tentative track from its observations; one that cannot be of it goes.
-void Place(TrackedObject& object, const Smoother& smoother, const CameraModel& camera,
+void Place(TrackedObject& object, const Smoother& smoother, const CameraMount& mount,
            const ObjectModel& model);
 
 /// True if its place is known well enough for the smoother. REQUIRES: it is tentative.

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "estimation/association/box_reading.hpp"
+#include "estimation/smoothing/camera_errors.hpp"
 #include "estimation/smoothing/chain_graph.hpp"
 #include "limpet/objects/object_estimate.hpp"
 
@@ -24,6 +25,7 @@ struct Observation {
   BoxReading reading;
   std::string color;
   double confidence = 0.0;
+  BodyMotion motion{};             ///< of the vehicle then
   std::optional<double> altitude;  ///< of the body origin above the seabed then [m]
   std::vector<TermId> terms;       ///< of the graph, once the object is in it
 };

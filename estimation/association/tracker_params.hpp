@@ -9,6 +9,7 @@ namespace limpet {
 struct ObjectTrackerParams {
   ObjectModel model;
   BoxGateParams gate;
+  CameraMountParams mount;
   double min_confidence = 0.45;  ///< boxes below are not used
   int looks_to_confirm = 3;
   double confirm_log_odds = 2.5;  ///< sum of ln(c / (1 - c)) over the observations' confidences

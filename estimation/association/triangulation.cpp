@@ -2,10 +2,13 @@
 #include "estimation/association/triangulation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Cholesky>
 
+#include "estimation/smoothing/factors/camera_errors_factor.hpp"
 #include "estimation/smoothing/factors/range_factor.hpp"
 #include "estimation/smoothing/factors/reprojection_factor.hpp"
 #include "estimation/smoothing/factors/seabed_factor.hpp"
@@ -37,26 +40,23 @@ Eigen::Vector3d PlaceAlongRay(const Observation& observation, const NavVector& x
   return p_WC + std::clamp(depth, kLeastDepth, 30.0) * ray_W;
 }
 
-}  // namespace
-
-std::vector<Term> TermsOf(const Observation& observation, int slot, const CameraModel& camera,
-                          const ObjectModel& model, bool with_seabed) {
+/// `bind` makes a term of a factor of the camera, for which the object is `slot`.
+template <class Bind>
+std::vector<Term> CollectTerms(const Observation& observation, int slot, const CameraModel& camera,
+                               const ObjectModel& model, bool with_seabed, const Bind& bind) {
   std::vector<Term> terms;
   const Loss loss = Loss::Huber(model.huber);
   const BoxReading& reading = observation.reading;
   if (!reading.is_usable()) {
     return terms;
   }
-  terms.push_back(Term::OnObservation(
-      ReprojectionFactor(camera, reading.centre_px, reading.sigma_px), slot, loss));
+  terms.push_back(bind(ReprojectionFactor(camera, reading.centre_px, reading.sigma_px), loss));
   if (const auto range = reading.Range(model.radius_m)) {
     const double sigma = model.noise.range_floor_m + model.noise.range_share * *range;
-    terms.push_back(
-        Term::OnObservation(RangeFactor(camera, Meters(*range), Meters(sigma)), slot, loss));
+    terms.push_back(bind(RangeFactor(camera, Meters(*range), Meters(sigma)), loss));
   }
   if (reading.lone_edge && model.radius_m > 0.0) {
-    terms.push_back(Term::OnObservation(
-        EdgeFactor(camera, Meters(model.radius_m), *reading.lone_edge), slot, loss));
+    terms.push_back(bind(EdgeFactor(camera, Meters(model.radius_m), *reading.lone_edge), loss));
   }
   if (with_seabed && observation.altitude) {
     terms.push_back(
@@ -67,26 +67,51 @@ std::vector<Term> TermsOf(const Observation& observation, int slot, const Camera
   return terms;
 }
 
+}  // namespace
+
+std::vector<Term> TermsOf(const Observation& observation, int slot, const CameraMount& mount,
+                          const ObjectModel& model, bool with_seabed) {
+  const CameraModel& camera = mount.camera();
+  if (!mount.slots()) {
+    return CollectTerms(observation, slot, camera, model, with_seabed,
+                        [slot](auto factor, Loss loss) {
+                          return Term::OnObservation(std::move(factor), slot, loss);
+                        });
+  }
+  const std::array slots{slot, (*mount.slots())[0], (*mount.slots())[1]};
+  return CollectTerms(observation, slot, camera, model, with_seabed, [&](auto factor, Loss loss) {
+    return Term::OnObservation(CameraErrorsFactor(camera, observation.motion, std::move(factor)),
+                               slots, loss);
+  });
+}
+
 Triangulation Triangulate(const std::vector<Observation>& observations,
-                          const std::function<NavVector(int)>& pose_of, const CameraModel& camera,
+                          const std::function<NavVector(int)>& pose_of, const CameraMount& mount,
                           const ObjectModel& model) {
   struct Bound {
     NavVector x;
     Term term;
   };
   std::vector<Bound> bound;
+  std::vector<CameraModel> cameras;  // as each exposure saw it; the factors refer to them
+  cameras.reserve(observations.size());
   const Observation* start = &observations.front();
   for (const Observation& observation : observations) {
     const NavVector x = pose_of(observation.node);
-    for (const Term& term :
-         TermsOf(observation, 0, camera, model, &observation == &observations.front())) {
-      bound.push_back({x, term});
+    cameras.push_back(mount.At(observation.motion));
+    for (Term& term :
+         CollectTerms(observation, 0, cameras.back(), model, &observation == &observations.front(),
+                      [](auto factor, Loss loss) {
+                        return Term::OnObservation(std::move(factor), 0, loss);
+                      })) {
+      bound.push_back({x, std::move(term)});
     }
     if (observation.reading.is_whole() && !start->reading.is_whole()) {
       start = &observation;
     }
   }
-  Triangulation result{.p_W = PlaceAlongRay(*start, pose_of(start->node), camera, model)};
+  Triangulation result{
+      .p_W = PlaceAlongRay(*start, pose_of(start->node), mount.At(start->motion), model)};
   // Ties the point to the first guess within metres: observations from one place leave a direction
   // open.
   const Eigen::Vector3d guess = result.p_W;

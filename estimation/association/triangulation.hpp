@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "estimation/association/camera_mount.hpp"
 #include "estimation/association/tracked_object.hpp"
 #include "estimation/smoothing/nav_vector.hpp"
 #include "limpet/core/camera_model.hpp"
@@ -25,15 +26,16 @@ struct Triangulation {
 };
 
 /// Where an object is, from its observations at poses taken as known: bearing, range of whole
-/// boxes, and the seabed below the first observation.
+/// boxes, and the seabed below the first observation; the camera as estimated now.
 [[nodiscard]] Triangulation Triangulate(const std::vector<Observation>& observations,
                                         const std::function<NavVector(int)>& pose_of,
-                                        const CameraModel& camera, const ObjectModel& model);
+                                        const CameraMount& mount, const ObjectModel& model);
 
-/// The terms that an observation puts on pose and landmark; none for a box that both borders cut.
-/// `with_seabed`: also the weak hint of the seabed's depth, once per pass.
+/// The terms that an observation puts on pose and landmark, and on the camera's errors; none for a
+/// box that both borders cut. `with_seabed`: also the weak hint of the seabed's depth, once per
+/// pass.
 [[nodiscard]] std::vector<Term> TermsOf(const Observation& observation, int slot,
-                                        const CameraModel& camera, const ObjectModel& model,
+                                        const CameraMount& mount, const ObjectModel& model,
                                         bool with_seabed);
 
 }  // namespace limpet

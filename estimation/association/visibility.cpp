@@ -29,8 +29,9 @@ bool ShouldBeSeen(const TrackedObject& object, const NavVector& x, const CameraM
 }  // namespace
 
 void CountVisibility(const TrackerFrame& frame, const std::vector<std::size_t>& seen,
-                     const CameraModel& camera, const ObjectTrackerParams& params,
+                     const CameraMount& mount, const ObjectTrackerParams& params,
                      TrackList& tracks) {
+  const CameraModel camera = mount.At(frame.motion);
   for (std::size_t j = 0; j < tracks.objects.size(); ++j) {
     TrackedObject& object = tracks.objects[j];
     if (object.is_mapped() && !tracks.TakesObservations(object, params.confirm_within_s)) continue;

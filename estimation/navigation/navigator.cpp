@@ -152,7 +152,8 @@ void Navigator::TakeFrame(const Detections& frame) {
                     .x = NavVector::Zero(),
                     .node = has_usable ? std::optional(NodeAt(t)) : std::nullopt,
                     .path = measurements_.track().PathAt(t),
-                    .altitude = measurements_.AltitudeAt(t)};
+                    .altitude = measurements_.AltitudeAt(t),
+                    .motion = MotionAt(t)};
   seen.x = has_usable ? smoother_.PoseAt(*seen.node) : chain_.Predict(t);
   const std::vector<std::optional<int>> landmarks = tracker_.Process(seen);
   bool has_changed = has_usable;
@@ -174,6 +175,11 @@ void Navigator::TakeFrame(const Detections& frame) {
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
     posed_.back().boxes[i].landmark = landmarks[i].value_or(-1);
   }
+}
+
+BodyMotion Navigator::MotionAt(double t) const {
+  const TrackPose pose = measurements_.track().At(t);
+  return {.v_B = pose.v_B, .omega_B = {0.0, 0.0, pose.yaw_rate}};
 }
 
 void Navigator::ReviewObjects(double t) {

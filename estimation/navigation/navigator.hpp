@@ -109,6 +109,7 @@ class Navigator {
   void TakeFix(const PositionFix& fix);
   void TakeObservation(double t);
   void TakeFrame(const Detections& frame);
+  [[nodiscard]] BodyMotion MotionAt(double t) const;
   void ReviewObjects(double t);
   void ConvergeAndRefresh(SolveReport& report);
   /// The landmarks, by id.

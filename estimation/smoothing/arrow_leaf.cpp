@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kAnchorColumn = 6;  // of the message
 constexpr int kBlocksColumn = 12;
+constexpr double kCameraRange = 3.0;  // [m] at which a camera's errors, [rad] or [m], are felt
 
 /// What a step with so many rows says beyond its earlier pose and the border.
 template <int kRows>
@@ -138,12 +139,17 @@ ArrowLeaf::Displacement ArrowLeaf::DisplacementAt(const Ends& ends,
   Displacement moved{.angle = std::max(first.tail<3>().lpNorm<Eigen::Infinity>(),
                                        last.tail<3>().lpNorm<Eigen::Infinity>())};
   for (std::size_t b = 0; b < slots_.size(); ++b) {
-    if (status[AsIndex(slots_[b])].kind != BorderKind::kLandmark) continue;
+    const BorderKind kind = status[AsIndex(slots_[b])].kind;
+    if (kind == BorderKind::kSensorErrors) continue;
+    const Eigen::Vector3d off =
+        Eigen::Map<const Eigen::Vector3d>(&border[AsIndex(3 * slots_[b])]) - linearised_[b];
+    if (kind == BorderKind::kCameraErrors) {
+      moved.distance = std::max(moved.distance, kCameraRange * off.lpNorm<Eigen::Infinity>());
+      continue;
+    }
     for (int i = 0; i < 3; ++i) {
-      const std::size_t k = AsIndex(3 * slots_[b] + i);
-      const double off = border[k] - linearised_[b](i);
       moved.distance =
-          std::max({moved.distance, std::abs(off - first(i)), std::abs(off - last(i))});
+          std::max({moved.distance, std::abs(off(i) - first(i)), std::abs(off(i) - last(i))});
     }
   }
   return moved;

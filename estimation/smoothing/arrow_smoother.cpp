@@ -64,6 +64,10 @@ int ArrowSmoother::AddSensorErrors(const Eigen::Vector3d& start) {
   return AddBorderVariable(start, BorderKind::kSensorErrors);
 }
 
+int ArrowSmoother::AddCameraErrors(const Eigen::Vector3d& start) {
+  return AddBorderVariable(start, BorderKind::kCameraErrors);
+}
+
 void ArrowSmoother::CloseSensorErrors(int slot) { chain_.Close(slot); }
 
 void ArrowSmoother::RemoveLandmark(int landmark) {

@@ -10,6 +10,7 @@ namespace limpet {
 enum class BorderKind {
   kLandmark,      ///< a place in W [m]
   kSensorErrors,  ///< slow errors of the sensors, on which steps depend
+  kCameraErrors,  ///< of a camera, on which what it sees depends
 };
 
 /// Sensor errors leave the border in two steps, landmarks never.

@@ -102,8 +102,8 @@ bool MovedLeafSearch::NoteMovedLandmarks(const ArrowChain& chain, const ArrowEst
   for (std::size_t slot = 0; slot < chain.border_status().size(); ++slot) {
     const Eigen::Map<const Eigen::Vector3d> now(&estimates.border()[3 * slot]);
     Eigen::Map<Eigen::Vector3d> then(&border_[3 * slot]);
-    const bool is_landmark = chain.border_status()[slot].kind == BorderKind::kLandmark;
-    if (!is_landmark || (now - then).lpNorm<Eigen::Infinity>() <= enough) continue;
+    const bool counts = chain.border_status()[slot].kind != BorderKind::kSensorErrors;
+    if (!counts || (now - then).lpNorm<Eigen::Infinity>() <= enough) continue;
     then = now;
     has_border_moved_[slot] = has_any = true;
   }

@@ -39,6 +39,8 @@ class Smoother {
   virtual int AddLandmark(const Eigen::Vector3d& p_W) = 0;
   /// Three slow errors of the sensors, on which steps may depend; never removed.
   virtual int AddSensorErrors(const Eigen::Vector3d& start) = 0;
+  /// Three errors of a camera, on which looks at landmarks may depend; never removed.
+  virtual int AddCameraErrors(const Eigen::Vector3d& start) = 0;
   /// No term on these errors is added from now on, by any node: they need not be kept at hand.
   virtual void CloseSensorErrors(int slot) = 0;
   virtual void RemoveLandmark(int landmark) = 0;

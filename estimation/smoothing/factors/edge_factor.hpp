@@ -35,11 +35,19 @@ class EdgeFactor {
                                   Jacobian* J_pose = nullptr,
                                   BorderJacobian* J_landmark = nullptr) const {
     const CameraPoint point = CameraPointOf(*camera_, x, p_W);
-    const double along = point.p_C(edge_.axis), depth = point.p_C.z();
+    BorderJacobian J_C;
+    const Residual r = InCamera(point.p_C, J_C);
+    if (J_pose != nullptr) *J_pose = J_C * point.J_pose;
+    if (J_landmark != nullptr) *J_landmark = J_C * point.J_landmark;
+    return r;
+  }
+  /// Of a point in the camera's frame, with the derivative by it.
+  [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p_C, BorderJacobian& J_C) const {
+    const double along = p_C(edge_.axis), depth = p_C.z();
     const double f = edge_.axis == 0 ? camera_->fx : camera_->fy;
     const double c = edge_.axis == 0 ? camera_->cx : camera_->cy;
     const double distance = std::hypot(along, depth);
-    BorderJacobian J_C = BorderJacobian::Zero();
+    J_C.setZero();
     Residual r(kLost / edge_.sigma_px);
     const double half = std::asin(std::min(radius_ / std::max(distance, 1e-6), 1.0));
     const double angle = std::atan2(along, depth) + edge_.side * half;
@@ -51,8 +59,6 @@ class EdgeFactor {
       J_C(2) = stretch * (-along / squared + edge_.side * d_half * depth);
       r(0) = (c + f * std::tan(angle) - edge_.measured_px) / edge_.sigma_px;
     }
-    if (J_pose != nullptr) *J_pose = J_C * point.J_pose;
-    if (J_landmark != nullptr) *J_landmark = J_C * point.J_landmark;
     return r;
   }
 

@@ -27,13 +27,17 @@ class RangeFactor {
                                   Jacobian* J_pose = nullptr,
                                   BorderJacobian* J_landmark = nullptr) const {
     const CameraPoint point = CameraPointOf(*camera_, x, p_W);
-    const Eigen::Vector3d& p = point.p_C;
-    const double xz = std::max(std::hypot(p.x(), p.z()), 1e-6);
-    const double yz = std::max(std::hypot(p.y(), p.z()), 1e-6);
-    const Eigen::RowVector3d J_C =
-        0.5 * inv_sigma_ * Eigen::RowVector3d(p.x() / xz, p.y() / yz, p.z() / xz + p.z() / yz);
+    BorderJacobian J_C;
+    const Residual r = InCamera(point.p_C, J_C);
     if (J_pose != nullptr) *J_pose = J_C * point.J_pose;
     if (J_landmark != nullptr) *J_landmark = J_C * point.J_landmark;
+    return r;
+  }
+  /// Of a point in the camera's frame, with the derivative by it.
+  [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p, BorderJacobian& J_C) const {
+    const double xz = std::max(std::hypot(p.x(), p.z()), 1e-6);
+    const double yz = std::max(std::hypot(p.y(), p.z()), 1e-6);
+    J_C = 0.5 * inv_sigma_ * Eigen::RowVector3d(p.x() / xz, p.y() / yz, p.z() / xz + p.z() / yz);
     return Residual((0.5 * (xz + yz) - measured_) * inv_sigma_);
   }
 

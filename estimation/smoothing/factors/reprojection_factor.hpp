@@ -25,8 +25,15 @@ class ReprojectionFactor {
                                   Jacobian* J_pose = nullptr,
                                   BorderJacobian* J_landmark = nullptr) const {
     const CameraPoint point = CameraPointOf(*camera_, x, p_W);
-    const Eigen::Vector3d& p = point.p_C;
-    BorderJacobian J_C = BorderJacobian::Zero();
+    BorderJacobian J_C;
+    const Residual r = InCamera(point.p_C, J_C);
+    if (J_pose != nullptr) *J_pose = J_C * point.J_pose;
+    if (J_landmark != nullptr) *J_landmark = J_C * point.J_landmark;
+    return r;
+  }
+  /// Of a point in the camera's frame, with the derivative by it.
+  [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p, BorderJacobian& J_C) const {
+    J_C.setZero();
     Residual r = Residual::Constant(kLost).cwiseProduct(inv_sigma_);
     if (p.z() > kNearest) {
       const double k = 1.0 / p.z();
@@ -36,8 +43,6 @@ class ReprojectionFactor {
           0.0, camera_->fy * k, -camera_->fy * p.y() * k * k;
       J_C = (inv_sigma_.asDiagonal() * J_C).eval();
     }
-    if (J_pose != nullptr) *J_pose = J_C * point.J_pose;
-    if (J_landmark != nullptr) *J_landmark = J_C * point.J_landmark;
     return r;
   }
 

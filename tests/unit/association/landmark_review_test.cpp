@@ -27,7 +27,7 @@ class LandmarkReviewTest : public TracksFixture {
     object.needs_review = true;
     Solve();
   }
-  LandmarkReview review_{smoother_, camera_, params_, tracks_, terms_};
+  LandmarkReview review_{smoother_, mount_, params_, tracks_, terms_};
 };
 
 TEST_F(LandmarkReviewTest, BoxesThatFitStay) {
@@ -198,7 +198,7 @@ TEST_F(TrackPlacementTest, AnOldestBoxThatPutsTheObjectIntoTheGroundWasOfSomethi
     one.altitude = 1.9;  // the object would be 1.1 m below the seabed
     object.Add(std::move(one));
   }
-  Place(object, smoother_, camera_, params_.model);
+  Place(object, smoother_, mount_, params_.model);
   EXPECT_EQ(object.observations.size(), 2U);
   EXPECT_EQ(object.observations.front().node, nodes[1]);
   EXPECT_EQ(object.hits, 2);
@@ -211,7 +211,7 @@ TEST_F(TrackPlacementTest, AnObjectOnTheSeabedKeepsItsBoxes) {
     one.altitude = 3.9;
     object.Add(std::move(one));
   }
-  Place(object, smoother_, camera_, params_.model);
+  Place(object, smoother_, mount_, params_.model);
   EXPECT_EQ(object.observations.size(), 3U);
   EXPECT_LT((object.p_W - kOne).norm(), 0.01);
 }

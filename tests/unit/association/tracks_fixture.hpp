@@ -74,7 +74,7 @@ class TracksFixture : public ::testing::Test {
       object.Add(See(p_W, node, confidence));
     object.hits = object.expected = static_cast<int>(nodes.size());
     object.max_distance = 4.0;
-    Place(object, smoother_, camera_, params_.model);
+    Place(object, smoother_, mount_, params_.model);
     tracks_.objects.push_back(std::move(object));
     return tracks_.objects.back();
   }
@@ -110,10 +110,11 @@ class TracksFixture : public ::testing::Test {
   }
 
   const CameraModel camera_{};
+  CameraMount mount_{camera_};
   ObjectTrackerParams params_;
   ArrowSmoother smoother_;
   TrackList tracks_;
-  LandmarkTerms terms_{smoother_, camera_, params_, tracks_};
+  LandmarkTerms terms_{smoother_, mount_, params_, tracks_};
   std::vector<NavVector> truth_;
 
  private:

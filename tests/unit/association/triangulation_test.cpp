@@ -55,10 +55,11 @@ class TriangulationTest : public ::testing::Test {
     return scene;
   }
   [[nodiscard]] Triangulation Solve(const SphereScene& scene) const {
-    return Triangulate(scene.observations, scene.PoseOf(), camera_, model_);
+    return Triangulate(scene.observations, scene.PoseOf(), mount_, model_);
   }
 
   const CameraModel camera_{};
+  const CameraMount mount_{camera_};
   ObjectModel model_;
 };
 
@@ -168,7 +169,7 @@ TEST_F(TriangulationTest, OneCutBoxMakesAPlaceWithNumbersWhereverItIs) {
     Observation one = ObservationOf(box, camera_, 0);
     if (random.Chance(0.5)) one.altitude = random.Uniform(0.5, 9.0);
     const Triangulation found = Triangulate(
-        {one}, [&x](int) { return x; }, camera_, model_);
+        {one}, [&x](int) { return x; }, mount_, model_);
     EXPECT_TRUE(found.p_W.allFinite()) << i;
     EXPECT_TRUE(found.covariance.allFinite()) << i;
     EXPECT_EQ(found.covariance.llt().info(), Eigen::Success) << i;
@@ -184,7 +185,7 @@ TEST_F(TriangulationTest, AWholeBoxLaterInThePassGivesTheDistanceThatACutFirstOn
   ASSERT_FALSE(both.front().reading.is_whole());
   ASSERT_TRUE(both.back().reading.is_whole());
   const auto pose_of = [&](int node) { return node == 0 ? early : late; };
-  EXPECT_LT((Triangulate(both, pose_of, camera_, model_).p_W - p_W).norm(), 1e-4);
+  EXPECT_LT((Triangulate(both, pose_of, mount_, model_).p_W - p_W).norm(), 1e-4);
 }
 
 TEST_F(TriangulationTest, TheSeabedHoldsTheDepthOfABoxWithoutARange) {
@@ -193,9 +194,9 @@ TEST_F(TriangulationTest, TheSeabedHoldsTheDepthOfABoxWithoutARange) {
   Observation one = Observe({0.0, 0.0, 3.1}, x, 0);
   one.altitude = 4.0;
   const auto pose_of = [&x](int) { return x; };
-  EXPECT_NEAR(Triangulate({one}, pose_of, camera_, model_).p_W.z(), 3.1, 1e-6);
+  EXPECT_NEAR(Triangulate({one}, pose_of, mount_, model_).p_W.z(), 3.1, 1e-6);
   one.altitude = 5.0;
-  EXPECT_NEAR(Triangulate({one}, pose_of, camera_, model_).p_W.z(), 4.1, 1e-6);
+  EXPECT_NEAR(Triangulate({one}, pose_of, mount_, model_).p_W.z(), 4.1, 1e-6);
 }
 
 TEST_F(TriangulationTest, OnlyTheFirstBoxOfAPassHintsAtTheSeabed) {
@@ -214,7 +215,7 @@ TEST_F(TriangulationTest, ABoxGivesTheTermsThatItTells) {
     one.altitude = 4.0;
     ObjectModel model;
     model.radius_m = radius;
-    return TermsOf(one, 0, camera_, model, with_seabed).size();
+    return TermsOf(one, 0, mount_, model, with_seabed).size();
   };
   const Eigen::Vector3d whole(0.0, 0.0, 3.0), side(0.0, 2.4, 3.0), corner(1.75, 2.4, 3.0);
   EXPECT_EQ(count(whole, 0.5, false), 2U) << "direction and distance";

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "estimation/smoothing/camera_errors.hpp"
+#include "estimation/smoothing/smoother.hpp"
+
+namespace limpet {
+
+/// 1-sigma of what a camera's file may be off.
+struct CameraMountParams {
+  double tilt_sigma = 0.0;   ///< about each axis [rad]
+  double lever_sigma = 0.0;  ///< ahead and to starboard [m]
+  double delay_sigma = 0.0;  ///< of its stamps [s]
+};
+
+/// The camera on the vehicle, with what is known of how its extrinsics and clock differ from its
+/// file: two border variables of the smoother, from the first mapped object on.
+class CameraMount {
+ public:
+  /// Of the two variables.
+  using Slots = std::array<int, 2>;
+
+  /// A camera that is as its file says.
+  explicit CameraMount(const CameraModel& camera) : camera_(camera) {}
+  /// `smoother` must outlive it.
+  CameraMount(const CameraModel& camera, const CameraMountParams& params, Smoother& smoother)
+      : camera_(camera), params_(params), smoother_(&smoother) {}
+
+  /// Before the first term on the variables. Nothing to do if they are there, or nothing is in
+  /// doubt.
+  void Begin();
+  /// Nothing before that, or if nothing is in doubt.
+  [[nodiscard]] const std::optional<Slots>& slots() const { return slots_; }
+  /// As its file says.
+  [[nodiscard]] const CameraModel& camera() const { return camera_; }
+  [[nodiscard]] CameraErrors errors() const;
+  /// As estimated now, for an exposure in this motion.
+  [[nodiscard]] CameraModel At(const BodyMotion& motion) const;
+
+ private:
+  [[nodiscard]] bool is_in_doubt() const {
+    return params_.tilt_sigma > 0.0 || params_.lever_sigma > 0.0 || params_.delay_sigma > 0.0;
+  }
+  CameraModel camera_;
+  CameraMountParams params_{};
+  Smoother* smoother_ = nullptr;
+  std::optional<Slots> slots_{};
+};
+
+}  // namespace limpet

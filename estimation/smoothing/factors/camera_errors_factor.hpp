@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+
+#include "estimation/smoothing/camera_errors.hpp"
+#include "estimation/smoothing/camera_point.hpp"
+
+namespace limpet {
+
+/// A factor of a camera (ReprojectionFactor, EdgeFactor, RangeFactor) whose extrinsics and clock
+/// are estimated with pose and landmark: what F says of the point where it then is in the camera.
+template <class F>
+class CameraErrorsFactor {
+ public:
+  static constexpr int kDim = F::kDim;
+  using Residual = typename F::Residual;
+  using Jacobian = typename F::Jacobian;
+  using BorderJacobian = typename F::BorderJacobian;
+
+  /// `camera`: as its file says; must outlive the factor.
+  CameraErrorsFactor(const CameraModel& camera, const BodyMotion& motion, F factor)
+      : camera_(&camera), motion_(motion), factor_(std::move(factor)) {}
+
+  [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p_W,
+                                  const Eigen::Vector3d& tilt_B, const Eigen::Vector3d& shift,
+                                  Jacobian* J_pose = nullptr, BorderJacobian* J_landmark = nullptr,
+                                  BorderJacobian* J_tilt = nullptr,
+                                  BorderJacobian* J_shift = nullptr) const {
+    const CameraErrors errors{.tilt_B = tilt_B, .shift = shift};
+    const CameraPoint point = CameraPointOf(WithErrors(*camera_, errors, motion_), x, p_W);
+    const CameraErrorJacobians by_errors = ErrorJacobiansOf(*camera_, errors, motion_, point.p_C);
+    BorderJacobian J_C;
+    const Residual r = factor_.InCamera(point.p_C, J_C);
+    if (J_pose != nullptr) *J_pose = J_C * point.J_pose;
+    if (J_landmark != nullptr) *J_landmark = J_C * point.J_landmark;
+    if (J_tilt != nullptr) *J_tilt = J_C * by_errors.J_tilt;
+    if (J_shift != nullptr) *J_shift = J_C * by_errors.J_shift;
+    return r;
+  }
+
+ private:
+  const CameraModel* camera_;
+  BodyMotion motion_;
+  F factor_;
+};
+
+}  // namespace limpet
