@@ -62,7 +62,7 @@ NavApp::NavApp(const AppContext& context, const Params& params, const VehicleFil
   Subscribe(topics::kFogYawRate, &NavApp::OnFog);
   Subscribe(topics::kDvlData, &NavApp::OnDvl);
   Subscribe(topics::kDepthSensor, &NavApp::OnDepth);
-  Subscribe(topics::kThrusterCommand, &NavApp::OnThrusters);
+  SubscribeIfWritten(topics::kThrusterCommand, &NavApp::OnThrusters);
   Subscribe(topics::kGpsData, &NavApp::OnGps);
   Subscribe(topics::kDetections, &NavApp::OnDetections);
   Subscribe(topics::kSessionPrior, &NavApp::OnPrior);

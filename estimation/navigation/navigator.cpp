@@ -15,6 +15,7 @@ constexpr double kBufferLength = 20.0;  // [s] of samples behind the present
 constexpr double kVelocityWait = 1.5;   // [s] that the chain waits for a velocity
 constexpr double kNever = 1e18;         // [s]
 constexpr double kReviewPeriod = 1.0;   // [s]
+constexpr int kLastRounds = 4;          // of review, when nothing more is to come
 
 }  // namespace
 
@@ -206,11 +207,17 @@ SolveReport Navigator::Finish() {
   }
   WorkOff(measurements_.track().last_time());
   ConvergeAndRefresh(report);
-  if (tracker_.Review()) {
-    smoother_.Update();
-    ConvergeAndRefresh(report);
-  }
-  if (tracker_.Conclude()) {
+  // What one round takes out or joins may show the next what else is one, or does not fit.
+  for (int round = 0; round < kLastRounds; ++round) {
+    const bool has_reviewed = tracker_.Review();
+    if (has_reviewed) {
+      smoother_.Update();
+      ConvergeAndRefresh(report);
+    }
+    if (!tracker_.Conclude()) {
+      if (!has_reviewed) break;
+      continue;
+    }
     smoother_.Update();
     ConvergeAndRefresh(report);
   }

@@ -13,6 +13,7 @@
 #include "estimation/association/object_tracker.hpp"
 #include "estimation/navigation/former_matching.hpp"
 #include "estimation/navigation/measurement_buffer.hpp"
+#include "estimation/navigation/named_state.hpp"
 #include "estimation/navigation/navigator_estimate.hpp"
 #include "estimation/navigation/navigator_params.hpp"
 #include "estimation/navigation/pose_chain.hpp"
@@ -82,6 +83,9 @@ class Navigator {
   /// Current and speed through the water at `t`, as known now; nothing before a first velocity.
   /// REQUIRES: has_started().
   [[nodiscard]] std::optional<WaterState> Water(double t) const;
+  /// Current and speed through the water, and what sensors and their mounting are off, as known at
+  /// `t`. REQUIRES: has_started().
+  [[nodiscard]] std::vector<NamedState> States(double t) const;
   /// Frames posed since the last call, in order of exposure.
   [[nodiscard]] std::vector<ObservedFrame> TakeFrames();
   [[nodiscard]] std::vector<Landmark> Landmarks() const;

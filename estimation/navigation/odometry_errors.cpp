@@ -18,6 +18,7 @@ constexpr double kBridgeStretch = 30.0;  // [s] for which current and speed are 
 constexpr double kBridgeNoise = 0.01;    // [m/sqrt(s)] that they change in between
 constexpr double kEndWait = 2.1;         // [s] after a dropout until its end is known
 constexpr int kEnoughAtEnd = 3;          // velocities
+constexpr double kLeastSigma = 1e-6;     // of what is not in doubt: a prior needs one
 constexpr double kScaleChange = 0.1;     // share of the sigmas, from one period to the next
 
 }  // namespace
@@ -30,6 +31,23 @@ void OdometryErrors::Begin(double t) {
   const BorderPriorFactor prior(Eigen::Vector3d::Zero(),
                                 sigma.cwiseAbs2().asDiagonal().toDenseMatrix());
   smoother_.AddBorderTerm(slot, Term::OnBorder(prior, slot));
+  BeginMount();
+}
+
+void OdometryErrors::BeginMount() {
+  const OdometryParams& odometry = params_.odometry;
+  if (odometry.gyro_scale_sigma <= 0.0 && odometry.dvl_lever_sigma <= 0.0) return;
+  const Eigen::Vector3d sigma(odometry.gyro_scale_sigma, odometry.dvl_lever_sigma,
+                              odometry.dvl_lever_sigma);
+  mount_ = smoother_.AddSensorErrors(Eigen::Vector3d::Zero());
+  const BorderPriorFactor prior(
+      Eigen::Vector3d::Zero(),
+      sigma.cwiseMax(kLeastSigma).cwiseAbs2().asDiagonal().toDenseMatrix());
+  smoother_.AddBorderTerm(*mount_, Term::OnBorder(prior, *mount_));
+}
+
+Eigen::Vector4d OdometryErrors::Without(const OdometryStep& step) const {
+  return WithoutMountErrors(WithoutSlowErrors(step.motion, step.duration, Now()), Mount());
 }
 
 int OdometryErrors::SlowAt(double t) {
@@ -92,11 +110,12 @@ Term OdometryErrors::StepTerm(double from, double to) {
   const auto age = track_.DropoutAge(to);
   if (!age || *age < kShortDropout) {
     ConcludeBridge(to);
-    return Term::OnStep(CalibratedStepFactor(step.motion, step.variance, step.duration),
-                        std::array{SlowAt(to)});
+    const CalibratedStepFactor factor(step.motion, step.variance, step.duration);
+    return mount_ ? Term::OnStep(factor, std::array{SlowAt(to), *mount_})
+                  : Term::OnStep(factor, std::array{SlowAt(to)});
   }
   // The error of the guess is one for many steps: it is estimated, and each step alone is good.
-  step.motion = WithoutSlowErrors(step.motion, step.duration, Now());
+  step.motion = Without(step);
   const double changes = kBridgeNoise * kBridgeNoise * step.duration;
   step.variance.head<2>().array() += changes - step.bridge_variance;
   return Term::OnStep(BridgedStepFactor(step.motion, step.variance, step.duration),
@@ -105,7 +124,7 @@ Term OdometryErrors::StepTerm(double from, double to) {
 
 OdometryStep OdometryErrors::Corrected(double from, double to) const {
   OdometryStep step = track_.Between(from, to);
-  step.motion = WithoutSlowErrors(step.motion, step.duration, Now());
+  step.motion = Without(step);
   if (bridge_ && track_.DropoutAge(to)) {
     const double yaw = track_.AttitudeAt(from).yaw;
     step.motion.head<2>() -=

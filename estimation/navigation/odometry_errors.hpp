@@ -11,9 +11,9 @@
 namespace limpet {
 
 /// What dead reckoning is off for longer than a step, as border variables of the smoother: scale,
-/// misalignment [rad] and bias of the yaw rate [rad/s], anew from time to time; and in a dropout of
-/// the DVL what current and speed through the water are off [m/s]. `params`, `smoother`, `track`
-/// must outlive it.
+/// misalignment [rad] and bias of the yaw rate [rad/s], anew from time to time; the gyro's scale
+/// and where the DVL is [m], for good; and in a dropout of the DVL what current and speed through
+/// the water are off [m/s]. `params`, `smoother`, `track` must outlive it.
 class OdometryErrors {
  public:
   OdometryErrors(const NavigatorParams& params, Smoother& smoother, const OdometryTrack& track)
@@ -23,6 +23,11 @@ class OdometryErrors {
   void Begin(double t);
   /// From one node to the next, `from` to `to` [s].
   [[nodiscard]] Term StepTerm(double from, double to);
+  /// Slot of scale, misalignment and bias of the yaw rate that hold now. REQUIRES: the chain has
+  /// begun.
+  [[nodiscard]] int slow_slot() const { return slow_->slot; }
+  /// Of the gyro's scale and where the DVL is ahead and to starboard, if these are estimated.
+  [[nodiscard]] std::optional<int> mount_slot() const { return mount_; }
   /// The track's step, errors as estimated now taken out. REQUIRES: the chain has begun.
   [[nodiscard]] OdometryStep Corrected(double from, double to) const;
 
@@ -34,6 +39,12 @@ class OdometryErrors {
   };
   /// Scale, misalignment [rad], bias of the yaw rate [rad/s]. REQUIRES: the chain has begun.
   [[nodiscard]] Eigen::Vector3d Now() const { return smoother_.BorderAt(slow_->slot); }
+  void BeginMount();
+  [[nodiscard]] Eigen::Vector3d Mount() const {
+    return mount_ ? smoother_.BorderAt(*mount_) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  }
+  /// Less the errors as estimated now.
+  [[nodiscard]] Eigen::Vector4d Without(const OdometryStep& step) const;
   /// Slot of the slow errors that hold at `t`.
   int SlowAt(double t);
   /// In a dropout: slot of what current and speed through the water are off.
@@ -46,6 +57,7 @@ class OdometryErrors {
   Smoother& smoother_;
   const OdometryTrack& track_;
   std::optional<Variable> slow_, bridge_;
+  std::optional<int> mount_;
 };
 
 }  // namespace limpet

@@ -24,6 +24,8 @@ struct OdometryParams {
   Seconds velocity_period{0.2};               ///< until the DVL's own is known
   double scale_sigma = 0.0028;                ///< of the velocity's scale, a bias along included
   double misalign_sigma = 0.0033;             ///< of its misalignment [rad], a bias across included
+  double gyro_scale_sigma = 0.0;     ///< of the yaw rate's scale; with the next: 0, not estimated
+  double dvl_lever_sigma = 0.0;      ///< of where the DVL is, ahead and to starboard [m]
   double changing_share = 0.3;       ///< of the slow errors that does not stay the same for long
   Meters scale_correlation{30.0};    ///< way after which that share of scale is taken as new
   WaterParams water;                 ///< bridges a dropout

@@ -45,6 +45,7 @@ class PoseChain {
   [[nodiscard]] NavVector Predict(double t) const;
   /// Bottom track alone from the first pose on.
   [[nodiscard]] Pose DeadReckoned(double t) const;
+  [[nodiscard]] const OdometryErrors& errors() const { return errors_; }
 
  private:
   void AddTilt(int node, double t);

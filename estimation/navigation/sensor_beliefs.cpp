@@ -63,6 +63,16 @@ AttitudeParams BelievedAttitude(const SensorSheets& sheets) {
   return params;
 }
 
+void BelieveMounting(const SensorSheets& sheets, NavigatorParams& params) {
+  const CameraMountSheet& camera = sheets.camera_mount;
+  params.objects.mount = {.tilt_sigma = camera.tilt_sigma.value(),
+                          .lever_sigma = camera.lever_sigma.value(),
+                          .delay_sigma = camera.delay_sigma.value()};
+  params.odometry.dvl_lever_sigma = sheets.dvl.lever_sigma.value();
+  params.odometry.gyro_scale_sigma =
+      sheets.fog.is_present ? sheets.fog.scale_sigma : sheets.imu.gyro_scale_sigma;
+}
+
 DriveParams BelievedDrive(const VehicleParams& vehicle) {
   const Hydrodynamics hydro = DeriveHydrodynamics(vehicle);
   return {.mass = hydro.mass_matrix.diagonal().head<2>(),
@@ -87,6 +97,7 @@ void BelieveSheets(const SensorSheets& sheets, NavigatorParams& params) {
   const double second = sheets.depth.noise_m / std::sqrt(sheets.depth.rate.value());
   params.depth_sigma = Meters(TwoDigits(kDepthMargin * std::hypot(sheets.depth.bias_m, second)));
   params.gps_correlation = Seconds(2.0 * sheets.gps.correlation.value());
+  BelieveMounting(sheets, params);
 }
 
 }  // namespace limpet

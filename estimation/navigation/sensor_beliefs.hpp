@@ -16,6 +16,9 @@ namespace limpet {
 /// Sets what the sheets tell of velocity, yaw rate, tilt, depth and fixes.
 void BelieveSheets(const SensorSheets& sheets, NavigatorParams& params);
 
+/// Sets how well camera, DVL and gyro are known to sit, run and scale: what is not is estimated.
+void BelieveMounting(const SensorSheets& sheets, NavigatorParams& params);
+
 /// How hull and thrusters answer to commands, as the vehicle's file says; how much of it is true is
 /// learnt at sea.
 [[nodiscard]] DriveParams BelievedDrive(const VehicleParams& vehicle);

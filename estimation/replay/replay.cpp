@@ -15,7 +15,7 @@ constexpr Seconds kFixWait(5.0);        // a stream may begin under water
 constexpr double kArrival = 10.0;       // [s] that a row may be behind its measurement
 constexpr double kSilence = 0.3;        // [s]
 constexpr double kOnlinePeriod = 0.19;  // [s] between rows of online.csv
-constexpr double kWaterPeriod = 0.99;   // [s] between those of states.csv
+constexpr double kStatesPeriod = 0.99;  // [s] between those of states.csv
 
 /// Feeds one row after the other and keeps what the estimator says.
 class Replayer {
@@ -93,13 +93,13 @@ class Replayer {
       result_.online.push_back({now_, estimate.X_WB});
       result_.online_covariance.push_back(estimate.covariance_p_W);
       result_.reckoned.push_back({now_, navigator_.DeadReckoned(now_)});
-      KeepWater();
+      KeepStates();
     }
   }
 
-  void KeepWater() {
-    if (!result_.water.empty() && now_ - result_.water.back().t < kWaterPeriod) return;
-    if (const auto water = navigator_.Water(now_)) result_.water.push_back({now_, *water});
+  void KeepStates() {
+    if (!result_.states.empty() && now_ - result_.states.back().t < kStatesPeriod) return;
+    result_.states.push_back({now_, navigator_.States(now_)});
   }
 
   Navigator navigator_;
@@ -135,6 +135,7 @@ NavigatorParams ParamsForStream(const StreamMeta& meta) {
   params.odometry.misalign_sigma = std::hypot(meta.dvl_misalign_sigma, bias);
   params.objects.model.radius_m = meta.opi_radius;
   params.fix_wait = kFixWait;
+  BelieveMounting(SensorSheets{}, params);  // a stream says nothing of it
   return params;
 }
 

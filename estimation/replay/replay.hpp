@@ -27,17 +27,17 @@ struct ReplayAssociation {
   int landmark = -1;
 };
 
-/// The water and the vehicle in it, as known at that time [s].
-struct TimedWater {
+/// What is estimated beside pose and objects, as known at that time [s].
+struct TimedStates {
   double t = 0.0;
-  WaterState water;
+  std::vector<NamedState> states;
 };
 
 /// Everything `limpet nav` writes.
 struct ReplayResult {
   std::vector<SmoothedPose> online, smoothed, reckoned;
   std::vector<Eigen::Matrix3d> online_covariance;  ///< of the positions of `online`, in W [m^2]
-  std::vector<TimedWater> water;                   ///< about once a second
+  std::vector<TimedStates> states;                 ///< about once a second
   std::vector<Landmark> landmarks;
   Eigen::MatrixXd landmark_covariance;  ///< joint, three rows each [m^2]
   FrameOffset former_offset;            ///< of the former session's frame in this one

@@ -126,7 +126,7 @@ int ReplayStream(const Arguments& given) {
   const bool is_written =
       Write(out / "online.csv", PosesCsv(result.online)) &&
       Write(out / "smoothed.csv", PosesCsv(result.smoothed)) &&
-      Write(out / "states.csv", StatesCsv(result.water)) &&
+      Write(out / "states.csv", StatesCsv(result.states)) &&
       Write(out / "landmarks.csv", LandmarksCsv(result.landmarks)) &&
       Write(out / "landmarks_covariance.csv",
             LandmarkCovarianceCsv(result.landmarks, result.landmark_covariance)) &&

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+
 #include "estimation/smoothing/factors/xyz_yaw_factor.hpp"
 
 namespace limpet {
@@ -19,7 +21,30 @@ using SlowErrors = Eigen::Vector3d;
                                   errors.z() * duration);
 }
 
-/// XyzYawFactor for sensors whose slow errors are estimated with the poses:
+/// Constant errors of the dead reckoning: (scale of the gyro, the DVL further ahead and to
+/// starboard than its file says [m]).
+using MountErrors = Eigen::Vector3d;
+
+/// What a turn of `yaw` [rad] shows of a DVL that sits elsewhere: how far the body's origin then
+/// moves, ahead and to starboard at first, per metre ahead and to starboard.
+[[nodiscard]] inline Eigen::Matrix2d SwingOf(double yaw) {
+  const double c = std::cos(yaw), s = std::sin(yaw);
+  Eigen::Matrix2d swing;
+  swing << c - 1.0, -s, s, c - 1.0;
+  return swing;
+}
+
+/// The motion less its constant errors.
+[[nodiscard]] inline Eigen::Vector4d WithoutMountErrors(const Eigen::Vector4d& motion,
+                                                        const MountErrors& errors) {
+  Eigen::Vector4d without = motion;
+  without.head<2>() -= SwingOf(motion.w()) * errors.tail<2>();
+  without.w() -= errors.x() * motion.w();
+  return without;
+}
+
+/// XyzYawFactor for sensors whose slow errors, and constant ones if asked for, are estimated with
+/// the poses:
 ///   r = (Rz(yaw_i)^T (p_j - p_i), yaw_j - yaw_i) - motion without errors, over sigma.
 class CalibratedStepFactor {
  public:
@@ -48,6 +73,19 @@ class CalibratedStepFactor {
     }
     const Eigen::Vector4d corrected = WithoutSlowErrors(motion_, duration_, errors);
     return step_.Evaluate(x_i, x_j, J_i, J_j) + (motion_ - corrected).cwiseProduct(inv_sigma_);
+  }
+  [[nodiscard]] Residual Evaluate(const NavVector& x_i, const NavVector& x_j,
+                                  const SlowErrors& errors, const MountErrors& mount,
+                                  Jacobian* J_i = nullptr, Jacobian* J_j = nullptr,
+                                  BorderJacobian* J_errors = nullptr,
+                                  BorderJacobian* J_mount = nullptr) const {
+    if (J_mount != nullptr) {
+      J_mount->setZero();
+      J_mount->topRightCorner<2, 2>() = inv_sigma_.head<2>().asDiagonal() * SwingOf(motion_.w());
+      (*J_mount)(3, 0) = inv_sigma_.w() * motion_.w();
+    }
+    const Eigen::Vector4d off = motion_ - WithoutMountErrors(motion_, mount);
+    return Evaluate(x_i, x_j, errors, J_i, J_j, J_errors) + off.cwiseProduct(inv_sigma_);
   }
 
  private:

@@ -108,6 +108,8 @@ class App {
   void End(Seconds now);
   [[nodiscard]] std::int64_t iteration() const { return iteration_; }
   [[nodiscard]] const std::string& name() const { return context_.name; }
+  /// Variables that it hears and can do without.
+  [[nodiscard]] const std::set<std::string>& dispensable() const { return dispensable_; }
   /// Warnings that stand now, by id.
   [[nodiscard]] const std::map<std::string, StandingWarning>& warnings() const {
     return warnings_.standing();
@@ -137,6 +139,12 @@ class App {
           const Seconds time = is_command ? now() : message->time;
           (static_cast<A*>(this)->*handler)(Stamped<T>{time, std::move(*value)});
         });
+  }
+  /// Likewise what it is better off with, and does without where nobody writes it.
+  template <class A, class T>
+  void SubscribeIfWritten(const Topic<T>& topic, void (A::*handler)(const Stamped<T>&)) {
+    dispensable_.insert(topic.name);
+    Subscribe(topic, handler);
   }
   /// False for a time that a variable's content names (an exposure) and that lies in the future:
   /// refused, counted and warned of like a message's own stamp.
@@ -194,6 +202,7 @@ class App {
   AppContext context_;
   std::unordered_map<std::string, std::vector<Handler>> handlers_;
   std::vector<std::pair<WildcardFilter, Handler>> wildcard_handlers_;
+  std::set<std::string> dispensable_;
   WarningBoard warnings_;
   StampGuard stamps_;
   AppCaster caster_;

@@ -4,11 +4,13 @@
 // declarations.
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "limpet/app/app.hpp"
 #include "limpet/helm/behavior_host.hpp"
 #include "limpet/preflight/checks.hpp"
 #include "limpet/topics/variable.hpp"
@@ -41,7 +43,9 @@ Names HeardBy(const LaunchedApp& app, const MissionReading& reading,
                            .session = "discovery",
                            .seed = 1};
   try {
-    static_cast<void>(app.entry->create(context, app.block));
+    const std::unique_ptr<App> made = app.entry->create(context, app.block);
+    for (const std::string& name : made->dispensable())
+      link.heard.erase(name);
   } catch (const ConfigError& error) {
     for (ConfigProblem problem : error.problems()) {
       if (problem.where.file.empty()) problem.where = app.block.where;

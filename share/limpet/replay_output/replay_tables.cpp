@@ -19,15 +19,11 @@ std::string PosesCsv(const std::vector<SmoothedPose>& poses) {
   return text;
 }
 
-std::string StatesCsv(const std::vector<TimedWater>& water) {
+std::string StatesCsv(const std::vector<TimedStates>& all) {
   std::string text = "t,state,value,sd\n";
-  for (const auto& [t, state] : water) {
-    const auto add = [&text, t = t](const char* name, double value, double sd) {
-      text += fmt::format("{:.3f},{},{:.4f},{:.4f}\n", t, name, value, sd);
-    };
-    add("current_north", state.current_W.x(), state.sd_current.x());
-    add("current_east", state.current_W.y(), state.sd_current.y());
-    add("water_speed", state.speed, state.sd_speed);
+  for (const TimedStates& then : all) {
+    for (const NamedState& state : then.states)
+      text += fmt::format("{:.3f},{},{:.6g},{:.4g}\n", then.t, state.name, state.value, state.sd);
   }
   return text;
 }

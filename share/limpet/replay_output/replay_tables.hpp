@@ -11,8 +11,8 @@ namespace limpet {
 
 /// `t,x,y,z,roll,pitch,yaw` [s, m, rad], NED.
 [[nodiscard]] std::string PosesCsv(const std::vector<SmoothedPose>& poses);
-/// `t,state,value,sd` [s, m/s]: current_north, current_east and water_speed at each time.
-[[nodiscard]] std::string StatesCsv(const std::vector<TimedWater>& water);
+/// `t,state,value,sd` [s; m/s, rad, m, s]: what is estimated beside pose and objects, at each time.
+[[nodiscard]] std::string StatesCsv(const std::vector<TimedStates>& all);
 /// `landmark,former`: -1 for one that no earlier session knew.
 [[nodiscard]] std::string MatchesCsv(const std::vector<Landmark>& landmarks);
 /// `frame,det,landmark`

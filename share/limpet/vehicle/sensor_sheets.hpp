@@ -22,6 +22,7 @@ struct ImuSheet {
   double gyro_noise_radps = 5e-4;
   double gyro_bias_radps = 2e-4;
   double force_noise_mps2 = 0.01;
+  double gyro_scale_sigma = 0.002;
   double force_bias_mps2 = 0.02;  ///< 0.12 deg of roll and pitch
   Radians heading_sigma = Radians::FromTextUnit(0.5);
 
@@ -34,6 +35,8 @@ struct ImuSheet {
           InRange(0.0, 1.0));
     visit("gyro_bias_radps", gyro_bias_radps, "Bias of each rate, constant over a session [rad/s]",
           InRange(0.0, 1.0));
+    visit("gyro_scale_sigma", gyro_scale_sigma,
+          "1-sigma of the scale of the rates; counts without a fog", InRange(0.0, 0.1));
     visit("force_noise_mps2", force_noise_mps2,
           "Noise of one sample of each specific force [m/s^2]", InRange(0.0, 10.0));
     visit("force_bias_mps2", force_bias_mps2,
@@ -50,6 +53,7 @@ struct FogSheet {
   Hertz rate{50.0};
   double random_walk = 3.5e-6;  ///< [rad/sqrt(s)], 0.012 deg/sqrt(h)
   double bias_deg_per_h = 1.0;
+  double scale_sigma = 0.0005;
 
   template <class V>
   void Describe(V& visit) {
@@ -60,12 +64,14 @@ struct FogSheet {
           InRange(0.0, 0.01));
     visit("bias_deg_per_h", bias_deg_per_h, "Bias, constant over a session [deg/h]",
           InRange(0.0, 3600.0));
+    visit("scale_sigma", scale_sigma, "1-sigma of the rate's scale", InRange(0.0, 0.1));
   }
 };
 
 /// Doppler velocity log: four beams at 45, 135, 225, 315 deg clockwise from its own forward.
 struct DvlSheet {
   Eigen::Vector3d p_BD{-0.2, 0.0, 0.18};
+  Meters lever_sigma{0.02};
   Radians yaw{0.0};
   Radians beam_angle = Radians::FromTextUnit(25.0);
   Hertz rate{5.0};
@@ -83,6 +89,8 @@ struct DvlSheet {
   void Describe(V& visit) {
     using namespace literals;
     visit("at_m", p_BD, "m", "Where it is, from the body origin", InRange(-10.0, 10.0));
+    visit("lever_sigma_m", lever_sigma, "1-sigma of how well that is known, ahead and to starboard",
+          InRange(0.0_m, 1.0_m));
     visit("yaw_deg", yaw, "How its forward is turned from the vehicle's, clockwise from above",
           InRange(-180.0_deg, 180.0_deg));
     visit("beam_angle_deg", beam_angle, "Of its four beams from its vertical",
@@ -140,12 +148,33 @@ struct GpsSheet {
   }
 };
 
+/// How well the camera's place on the body and its clock are known.
+struct CameraMountSheet {
+  Radians tilt_sigma = Radians::FromTextUnit(1.0);
+  Meters lever_sigma{0.03};
+  Seconds delay_sigma{0.1};
+
+  template <class V>
+  void Describe(V& visit) {
+    using namespace literals;
+    visit(
+        "tilt_sigma_deg", tilt_sigma,
+        "1-sigma of how well its direction is known, about each axis; 0: pNav does not estimate it",
+        InRange(0.0_deg, 10.0_deg));
+    visit("lever_sigma_m", lever_sigma, "1-sigma of how well at_m is known, ahead and to starboard",
+          InRange(0.0_m, 1.0_m));
+    visit("delay_sigma_s", delay_sigma, "1-sigma of how late its stamps are",
+          InRange(0.0_s, 2.0_s));
+  }
+};
+
 struct SensorSheets {
   ImuSheet imu;
   FogSheet fog;
   DvlSheet dvl;
   DepthSheet depth;
   GpsSheet gps;
+  CameraMountSheet camera_mount;
 };
 
 }  // namespace limpet

@@ -171,6 +171,7 @@ std::vector<ParamSpec> CameraKeys(VehicleFile& vehicle) {
     if (key.name.starts_with(kPrefix)) key.name.erase(0, kPrefix.size());
   }
   std::ranges::move(DescribeParams(vehicle.camera_timing), std::back_inserter(keys));
+  std::ranges::move(DescribeParams(vehicle.sensors.camera_mount), std::back_inserter(keys));
   return keys;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Steps of the dead reckoning whose sensors' errors are estimated too.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "estimation/smoothing/factors/bridge_end_factor.hpp"
@@ -50,6 +52,36 @@ TEST_F(StepFactorTest, CalibratedIsZeroWhenTheErrorsExplainTheMotion) {
 TEST_F(StepFactorTest, CalibratedJacobiansMatchCentralDifferences) {
   ExpectJacobiansMatch(CalibratedStepFactor({0.5, 0.1, 0.0, 0.5}, variance_, 1.2),
                        {0.01, -0.02, 0.003});
+}
+
+TEST_F(StepFactorTest, AMisplacedDvlSwingsInATurn) {
+  // The DVL stays where it is while the vehicle turns about it: it sits 0.3 m ahead of the body's
+  // origin, where the file says 0.
+  const NavVector from = NavVector::Zero();
+  NavVector to = NavVector::Zero();
+  to(kNavYaw) = 0.5;
+  to(kNavX) = 0.3 * (1.0 - std::cos(0.5));
+  to(kNavY) = -0.3 * std::sin(0.5);
+  const CalibratedStepFactor factor({0.0, 0.0, 0.0, 0.5 * 1.01}, Eigen::Vector4d::Ones(), 1.0);
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+  EXPECT_LT(factor.Evaluate(from, to, none, Eigen::Vector3d(0.01, 0.3, 0.0)).norm(), 2e-3);
+  EXPECT_GT(factor.Evaluate(from, to, none, none).norm(), 0.1);
+}
+
+TEST_F(StepFactorTest, MountJacobiansMatchCentralDifferences) {
+  const CalibratedStepFactor factor({0.5, 0.1, 0.0, 0.5}, variance_, 1.2);
+  const Eigen::Vector3d errors(0.01, -0.02, 0.003), mount(0.002, 0.05, -0.04);
+  CalibratedStepFactor::Jacobian J_i, J_j;
+  CalibratedStepFactor::BorderJacobian J_errors, J_mount;
+  static_cast<void>(factor.Evaluate(x_i_, x_j_, errors, mount, &J_i, &J_j, &J_errors, &J_mount));
+  const auto of_mount = [&](const Eigen::Vector3d& m) {
+    return Eigen::VectorXd(factor.Evaluate(x_i_, x_j_, errors, m));
+  };
+  const auto of_errors = [&](const Eigen::Vector3d& e) {
+    return Eigen::VectorXd(factor.Evaluate(x_i_, x_j_, e, mount));
+  };
+  EXPECT_LT((J_mount - NumericJacobian(of_mount, mount)).lpNorm<Eigen::Infinity>(), 1e-5);
+  EXPECT_LT((J_errors - NumericJacobian(of_errors, errors)).lpNorm<Eigen::Infinity>(), 1e-5);
 }
 
 TEST_F(StepFactorTest, BridgedIsZeroWhenCurrentAndSpeedWereOffByTheError) {

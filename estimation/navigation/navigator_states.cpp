@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// What is estimated beside pose and objects, by name.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "estimation/navigation/navigator.hpp"
+
+namespace limpet {
+namespace {
+
+using Names = std::array<const char*, 3>;
+
+constexpr Names kSlow{"dvl_scale", "dvl_misalignment", "yaw_rate_bias"};
+constexpr Names kMount{"gyro_scale", "dvl_lever_ahead", "dvl_lever_starboard"};
+constexpr Names kTilt{"camera_tilt_roll", "camera_tilt_pitch", "camera_tilt_yaw"};
+constexpr Names kShift{"camera_lever_ahead", "camera_lever_starboard", "camera_delay"};
+
+void AddBlock(const Smoother& smoother, int slot, const Names& names,
+              std::vector<NamedState>& states) {
+  const Eigen::Vector3d value = smoother.BorderAt(slot);
+  const Eigen::Vector3d variance = smoother.Covariance({slot}).diagonal().tail<3>();
+  for (int i = 0; i < 3; ++i) {
+    states.push_back({.name = names[static_cast<std::size_t>(i)],
+                      .value = value(i),
+                      .sd = std::sqrt(std::max(variance(i), 0.0))});
+  }
+}
+
+}  // namespace
+
+std::vector<NamedState> Navigator::States(double t) const {
+  std::vector<NamedState> states;
+  if (const auto water = Water(t)) {
+    states.push_back({"current_north", water->current_W.x(), water->sd_current.x()});
+    states.push_back({"current_east", water->current_W.y(), water->sd_current.y()});
+    states.push_back({"water_speed", water->speed, water->sd_speed});
+  }
+  const OdometryErrors& errors = chain_.errors();
+  AddBlock(smoother_, errors.slow_slot(), kSlow, states);
+  if (errors.mount_slot()) AddBlock(smoother_, *errors.mount_slot(), kMount, states);
+  if (const auto& slots = tracker_.mount().slots()) {
+    AddBlock(smoother_, (*slots)[0], kTilt, states);
+    AddBlock(smoother_, (*slots)[1], kShift, states);
+  }
+  return states;
+}
+
+}  // namespace limpet
