@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "limpet/core/body_motion.hpp"
 #include "limpet/core/camera_model.hpp"
 
 namespace limpet {
@@ -15,12 +16,6 @@ struct CameraErrors {
   Eigen::Vector3d tilt_B = Eigen::Vector3d::Zero();
   /// It sits further ahead and to starboard [m], and its stamps are late [s].
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-};
-
-/// How the body moves about an exposure: where it was when that really was.
-struct BodyMotion {
-  Eigen::Vector3d v_B = Eigen::Vector3d::Zero();      ///< [m/s]
-  Eigen::Vector3d omega_B = Eigen::Vector3d::Zero();  ///< [rad/s]
 };
 
 /// The camera on a body with the pose of the stamp, from which the image looks as it does:

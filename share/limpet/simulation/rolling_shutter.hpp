@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "limpet/core/body_motion.hpp"
 #include "limpet/core/camera_model.hpp"
 #include "limpet/core/frames.hpp"
 #include "limpet/core/params.hpp"
@@ -20,12 +21,6 @@ struct RollingShutterParams {
     visit("readout_s", readout, "From the first row of an image to its last: a rolling shutter",
           InRange(0.0_s, 0.5_s));
   }
-};
-
-/// How a body moves, in its own axes.
-struct BodyMotion {
-  Eigen::Vector3d v_B = Eigen::Vector3d::Zero();      ///< [m/s]
-  Eigen::Vector3d omega_B = Eigen::Vector3d::Zero();  ///< [rad/s]
 };
 
 /// Where a point would have to be to show, in an image taken all at once at `X_WB`, where the row
