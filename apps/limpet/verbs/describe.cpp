@@ -21,7 +21,7 @@ Command DescribeForm() {
   return {
       .name = "limpet describe",
       .words =
-          "[parameters | variables [mission folder] | warnings | vehicle | scenario | NAME ...]",
+          "[parameters | variables [mission] | warnings | vehicle | scenario | NAME ...]",
       .about = R"(What the code itself says of its apps, behaviors and detectors:
 
   (nothing)                   their names, and those of variables and warnings
