@@ -29,7 +29,7 @@ Command DescribeForm() {
   variables [mission folder]  every variable; with a mission, who reads it
   warnings                    every warning and event of apps and behaviors
   vehicle                     every key of a vehicle's file
-  scenario                    what a scenario can say beyond the vehicle's data sheets
+  scenario                    what a scenario can add to the data sheets
   NAME ...                    any of these, by name)",
       .options = {{.names = "--json", .meaning = "as JSON"},
                   {.names = "--markdown",

@@ -181,8 +181,7 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"NoPilot",
              {Without("  Run = pPilot      @ NewConsole = false", kAntler)},
              2,
-             {"pPilot is not launched: nobody writes THRUSTER_COMMAND, needed by pNav, "
-              "uSimVehicle"}},
+             {"pPilot is not launched: nobody writes THRUSTER_COMMAND, needed by uSimVehicle"}},
         Slip{"NoMissionManager",
              {Without("  Run = pSurvey     @ NewConsole = false", kAntler)},
              2,
