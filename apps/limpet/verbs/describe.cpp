@@ -18,11 +18,9 @@ namespace limpet {
 namespace {
 
 Command DescribeForm() {
-  return {
-      .name = "limpet describe",
-      .words =
-          "[parameters | variables [mission] | warnings | vehicle | scenario | NAME ...]",
-      .about = R"(What the code itself says of its apps, behaviors and detectors:
+  return {.name = "limpet describe",
+          .words = "[parameters | variables [mission] | warnings | vehicle | scenario | NAME ...]",
+          .about = R"(What the code itself says of its apps, behaviors and detectors:
 
   (nothing)                   their names, and those of variables and warnings
   parameters                  every parameter of them all
@@ -31,10 +29,10 @@ Command DescribeForm() {
   vehicle                     every key of a vehicle's file
   scenario                    what a scenario can add to the data sheets
   NAME ...                    any of these, by name)",
-      .options = {{.names = "--json", .meaning = "as JSON"},
-                  {.names = "--markdown",
-                   .meaning = "as the pages of docs/ (parameters, variables, warnings, "
-                              "vehicle-file, scenario-file)"}}};
+          .options = {{.names = "--json", .meaning = "as JSON"},
+                      {.names = "--markdown",
+                       .meaning = "as the pages of docs/ (parameters, variables, warnings, "
+                                  "vehicle-file, scenario-file)"}}};
 }
 
 enum class Form { kText, kJson, kMarkdown };
