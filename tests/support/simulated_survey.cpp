@@ -43,7 +43,7 @@ SimulatedGround::SimulatedGround(const StreamScene& scene)
   while (static_cast<int>(objects_.size()) < scene.objects + scene.came)
     Place(objects_, 3.5);
   Random sizes(scene.place > 0 ? scene.place : scene.seed, "sizes");
-  std::ranges::generate_n(std::back_inserter(sizes_), objects_.size(),
+  std::ranges::generate_n(std::back_inserter(sizes_), std::ssize(objects_),
                           [&] { return std::pow(scene.size_spread, sizes.Uniform(-1.0, 1.0)); });
   objects_.erase(objects_.begin(), objects_.begin() + scene.gone);
   sizes_.erase(sizes_.begin(), sizes_.begin() + scene.gone);
