@@ -31,7 +31,7 @@ class CameraErrorsFactor {
     const CameraPoint point = CameraPointOf(WithErrors(*camera_, errors, motion_), x, p_W);
     const CameraErrorJacobians by_errors = ErrorJacobiansOf(*camera_, errors, motion_, point.p_C);
     BorderJacobian J_C;
-    const Residual r = factor_.InCamera(point.p_C, J_C);
+    Residual r = factor_.InCamera(point.p_C, J_C);
     if (J_pose != nullptr) *J_pose = J_C * point.J_pose;
     if (J_landmark != nullptr) *J_landmark = J_C * point.J_landmark;
     if (J_tilt != nullptr) *J_tilt = J_C * by_errors.J_tilt;

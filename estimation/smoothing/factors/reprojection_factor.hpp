@@ -26,7 +26,7 @@ class ReprojectionFactor {
                                   BorderJacobian* J_landmark = nullptr) const {
     const CameraPoint point = CameraPointOf(*camera_, x, p_W);
     BorderJacobian J_C;
-    const Residual r = InCamera(point.p_C, J_C);
+    Residual r = InCamera(point.p_C, J_C);
     if (J_pose != nullptr) *J_pose = J_C * point.J_pose;
     if (J_landmark != nullptr) *J_landmark = J_C * point.J_landmark;
     return r;
