@@ -44,6 +44,8 @@ void NavApp::WatchSensors(double now) {
   watch(warnings::kDvlStale, !IsFresh(dvl_, now), "no DVL_DATA within stale_after_s");
   watch(warnings::kDvlNoLock, !IsFresh(lock_, now), "no bottom lock within stale_after_s");
   watch(warnings::kDepthStale, !IsFresh(depth_, now), "no DEPTH_SENSOR within stale_after_s");
+  watch(warnings::kFormerElsewhere, navigator_.is_former_elsewhere(),
+        "the former session's frame lies elsewhere than its fixes and compass say");
   watch(
       warnings::kNavInvalid, navigator_.has_started() && !IsValid(now),
       "no attitude, or nothing else either: NAV_STATE is not valid, NAV_X and its kin are silent");

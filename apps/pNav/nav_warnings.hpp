@@ -50,6 +50,15 @@ inline const WarningId kDepthStale = DeclareWarning(
      .action = "See to the depth sensor and its driver; if it lasts, call the vehicle home.",
      .clears = "With the next DEPTH_SENSOR."});
 
+inline const WarningId kFormerElsewhere = DeclareWarning(
+    "FORMER_ELSEWHERE",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pNav"},
+     .meaning = "The former session's objects were recognised, but lie metres or degrees away from "
+                "where its fixes and compass have them: of that session only the shape is used.",
+     .action = "Compare datum, GPS and compass of both sessions: one of them is wrong.",
+     .clears = "Once its objects are found where they were said to be."});
+
 inline const WarningId kNavInvalid = DeclareWarning(
     "NAV_INVALID",
     {.severity = Severity::kAlarm,

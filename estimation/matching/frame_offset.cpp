@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 
+#include "limpet/core/frames.hpp"
+
 namespace limpet {
 
 Eigen::Vector3d FrameOffset::Apply(const Eigen::Vector3d& former) const {
@@ -29,6 +31,15 @@ void FrameOffset::Move(const Eigen::Vector4d& step) {
   shift += step.head<2>();
   down += step(2);
   turn += step(3);
+}
+
+FrameOffset Together(const FrameOffset& first, const FrameOffset& second) {
+  FrameOffset both = first;
+  both.turn = WrapAngle(first.turn + second.turn);
+  both.down += second.down;
+  const Eigen::Vector3d pivot(first.pivot.x(), first.pivot.y(), 0.0);
+  both.shift = second.Apply(first.Apply(pivot)).head<2>() - first.pivot;
+  return both;
 }
 
 }  // namespace limpet

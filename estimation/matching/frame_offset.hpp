@@ -22,4 +22,7 @@ struct FrameOffset {
   void Move(const Eigen::Vector4d& step);
 };
 
+/// `first`, then `second`, as one about the pivot of `first`.
+[[nodiscard]] FrameOffset Together(const FrameOffset& first, const FrameOffset& second);
+
 }  // namespace limpet

@@ -22,7 +22,8 @@ class FormerMatching {
   /// Matches and updates the smoother, if landmarks have changed since the last match.
   void Update();
   /// Of the former session's frame in this one; as it was before any match.
-  [[nodiscard]] const FrameOffset& offset() const { return tie_.offset(); }
+  [[nodiscard]] FrameOffset offset() const { return tie_.offset(); }
+  [[nodiscard]] bool is_elsewhere() const { return tie_.is_elsewhere(); }
 
  private:
   struct MatchedLandmark {

@@ -6,8 +6,11 @@
 #include <utility>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "estimation/matching/frame_search.hpp"
+#include "estimation/matching/match_evidence.hpp"
 #include "estimation/matching/own_covariance.hpp"
 #include "estimation/navigation/former_candidates.hpp"
 #include "limpet/core/require.hpp"
@@ -18,6 +21,13 @@ namespace {
 // The 99 % quantile of chi-squared with four degrees of freedom: a frame that lies farther off than
 // both sessions hold possible is believed the less, the farther.
 constexpr double kFrameGate = 13.3;
+
+constexpr double kCertain = 12.0;  // of a match, natural logarithm: nothing else is looked for
+constexpr double kElsewhere =
+    3.0;  // ln 20: by so much a frame must be likelier that lies elsewhere
+constexpr std::size_t kSearchEvery = 20;  // matches, if no landmarks came: those known have moved
+constexpr Meters kFoundShift{1.0};        // of such a frame, until all objects are matched
+constexpr Radians kFoundTurn = Radians::FromTextUnit(3.0);
 
 constexpr double kPlaced = 0.6;          // [m] deviation per axis of a place among the others
 constexpr double kLeastVariance = 1e-6;  // [m^2] of a place, whatever a file says
@@ -30,6 +40,22 @@ std::vector<Eigen::Vector3d> PlacesOf(const std::vector<ObjectEstimate>& objects
     places.push_back(object.p_W);
   }
   return places;
+}
+
+Eigen::Vector2d MeanOf(const std::vector<ObjectEstimate>& objects) {
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (const ObjectEstimate& object : objects)
+    mean += object.p_W.head<2>() / static_cast<double>(objects.size());
+  return mean;
+}
+
+/// Each place's axes, in place.
+void Turn(double angle, Eigen::MatrixXd& joint) {
+  const Eigen::Matrix3d R = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  for (Eigen::Index i = 0; i + 2 < joint.rows(); i += 3) {
+    joint.middleRows<3>(i) = (R * joint.middleRows<3>(i)).eval();
+    joint.middleCols<3>(i) = (joint.middleCols<3>(i) * R.transpose()).eval();
+  }
 }
 
 /// Landmarks without what the prior on some of them says; false if it was all that is known.
@@ -84,32 +110,76 @@ void SetOwn(std::vector<ObjectEstimate>& objects, const Eigen::MatrixXd& own) {
 }  // namespace
 
 void FormerSessionTie::SetFormer(FormerSession former) {
-  former_ = std::move(former);
+  given_ = std::move(former);
   former_ids_.clear();
   candidates_.clear();
   prior_.reset();
+  is_elsewhere_ = false;
+  searched_with_ = matches_since_search_ = 0;
   if (!has_former()) {
     return;
   }
-  const auto n = static_cast<Eigen::Index>(3 * former_.ids.size());
-  if (former_.covariance.size() == 0 || !IsCovariance(former_.covariance)) {
-    for (ObjectEstimate& object : former_.objects) {
+  const auto n = static_cast<Eigen::Index>(3 * given_.ids.size());
+  if (given_.covariance.size() == 0 || !IsCovariance(given_.covariance)) {
+    for (ObjectEstimate& object : given_.objects) {
       object.cov_W.diagonal() = object.cov_W.diagonal().cwiseMax(kLeastVariance);
     }
-    former_.covariance = JointOfSingles(former_.objects);
+    given_.covariance = JointOfSingles(given_.objects);
   }
-  LIMPET_REQUIRE(former_.objects.size() == former_.ids.size() && former_.covariance.rows() == n &&
-                     former_.covariance.cols() == n,
+  LIMPET_REQUIRE(given_.objects.size() == given_.ids.size() && given_.covariance.rows() == n &&
+                     given_.covariance.cols() == n,
                  "three rows of covariance per former object");
-  offset_ = {};
-  for (const ObjectEstimate& object : former_.objects) {
-    offset_.pivot += object.p_W.head<2>() / static_cast<double>(former_.ids.size());
-  }
+  Place({.pivot = MeanOf(given_.objects)});
+}
+
+void FormerSessionTie::Place(const FrameOffset& placed) {
+  placed_ = placed;
+  former_ = given_;
+  former_.objects = Moved(std::move(former_.objects), placed);
+  Turn(placed.turn, former_.covariance);
+  offset_ = {.pivot = MeanOf(former_.objects)};
   const SplitCovariance split =
       SplitFrom(PlacesOf(former_.objects), former_.covariance, offset_.pivot);
   former_frame_ = split.frame;
   former_own_ = split.own;
   SetOwn(former_.objects, former_own_);
+}
+
+SessionMatch FormerSessionTie::MatchOrSearch(const std::vector<ObjectEstimate>& candidates,
+                                             const Eigen::Matrix4d& now_frame) {
+  const auto match = [&] {
+    return MatchSessions(former_.objects, candidates, params_, OffsetInformation(now_frame));
+  };
+  const auto evidence_of = [&](const SessionMatch& found) {
+    const FrameSearchParams search;
+    const FramePrior prior = is_elsewhere_ ? FramePrior::Unknown(search.radius_m, search.turn)
+                                           : FramePrior::Known(OffsetInformation(now_frame));
+    return MatchEvidence(former_.objects, candidates, found, params_, prior);
+  };
+  SessionMatch here = match();
+  double evidence = evidence_of(here);
+  if (evidence > kCertain) return here;
+  if (is_elsewhere_) {
+    is_elsewhere_ = false;
+    Place({.pivot = placed_.pivot});
+    here = match();
+    evidence = evidence_of(here);
+  }
+  if (!IsTimeToSearch(candidates.size())) return here;
+  const std::optional<FoundFrame> found = SearchFrame(former_.objects, candidates, params_);
+  if (!found || found->evidence < evidence + kElsewhere) return here;
+  is_elsewhere_ = true;
+  Place(found->offset);
+  return match();
+}
+
+bool FormerSessionTie::IsTimeToSearch(std::size_t candidates) {
+  ++matches_since_search_;
+  const bool has_more = 10 * candidates > 11 * searched_with_;
+  if (!has_more && matches_since_search_ < kSearchEvery) return false;
+  searched_with_ = candidates;
+  matches_since_search_ = 0;
+  return true;
 }
 
 bool FormerSessionTie::Match(const PresentLandmarks& landmarks,
@@ -125,8 +195,7 @@ bool FormerSessionTie::Match(const PresentLandmarks& landmarks,
   std::vector<ObjectEstimate> candidates;
   for (const std::size_t i : placed)
     candidates.push_back(present.objects[i]);
-  const SessionMatch match =
-      MatchSessions(former_.objects, candidates, params_, OffsetInformation(split.frame));
+  const SessionMatch match = MatchOrSearch(candidates, split.frame);
   offset_ = match.offset;
   const std::vector<Pair> pairs = Decide(present, match, placed);
   prior_.reset();
@@ -161,11 +230,17 @@ std::vector<FormerSessionTie::Pair> FormerSessionTie::Decide(
 }
 
 Eigen::Matrix4d FormerSessionTie::DatumCovariance() const {
-  const double datum = params_.datum_sigma.value(), turn = params_.datum_turn_sigma.value();
+  const FrameSearchParams anywhere;
+  const double datum = is_elsewhere_ ? anywhere.radius_m : params_.datum_sigma.value();
+  const double turn = (is_elsewhere_ ? anywhere.turn : params_.datum_turn_sigma).value();
   return Eigen::Vector4d(datum * datum, datum * datum, 0.0, turn * turn).asDiagonal();
 }
 
 Eigen::Matrix4d FormerSessionTie::OffsetInformation(const Eigen::Matrix4d& now_frame) const {
+  if (is_elsewhere_) {
+    return OffsetPrior(
+        {.offset_sigma = kFoundShift, .down_sigma = params_.down_sigma, .turn_sigma = kFoundTurn});
+  }
   // Never surer than the parameters are: a fix may be worse than it says.
   const Eigen::Vector4d least = OffsetPrior(params_).diagonal().cwiseInverse();
   Eigen::Matrix4d covariance = former_frame_ + now_frame + DatumCovariance();

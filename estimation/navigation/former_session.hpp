@@ -31,14 +31,16 @@ struct PresentLandmarks {
 /// Recognises the former session's objects among the present landmarks, and says what it then
 /// tells about their places. Where the former session's frame lies in this one (a shift, a turn, a
 /// depth) is estimated from the matches alone, weighed against what both sessions know of their
-/// frames; objects that went, came or moved have no part in it.
+/// frames; objects that went, came or moved have no part in it. Where that finds too little, the
+/// frame is looked for in the whole neighbourhood, at any shift and turn: then the former session
+/// tells how its objects lie among each other, and nothing of where.
 class FormerSessionTie {
  public:
   explicit FormerSessionTie(const MatchingParams& params) : params_(params) {}
 
   /// REQUIRES: ids, objects and covariance agree in size.
   void SetFormer(FormerSession former);
-  [[nodiscard]] bool has_former() const { return !former_.ids.empty(); }
+  [[nodiscard]] bool has_former() const { return !given_.ids.empty(); }
 
   /// Matches anew. `applied` is the prior that the landmarks already contain: it is taken out
   /// first, so that a match never proves itself. False if nothing can be said now.
@@ -51,7 +53,9 @@ class FormerSessionTie {
     return candidates_;
   }
   /// Of the former session's frame in this one, from the last Match.
-  [[nodiscard]] const FrameOffset& offset() const { return offset_; }
+  [[nodiscard]] FrameOffset offset() const { return Together(placed_, offset_); }
+  /// The former session's frame lies where neither its fixes nor its compass would have it.
+  [[nodiscard]] bool is_elsewhere() const { return is_elsewhere_; }
   /// Over the landmarks whose match is decided; nothing with less than two of them: one alone could
   /// be a mistake, and nothing would show it.
   [[nodiscard]] const std::optional<JointPrior>& prior() const { return prior_; }
@@ -64,6 +68,13 @@ class FormerSessionTie {
   /// landmarks that took part in the match.
   std::vector<Pair> Decide(const PresentLandmarks& present, const SessionMatch& match,
                            const std::vector<std::size_t>& placed);
+  /// Takes the former session's places to where `placed` has its frame.
+  void Place(const FrameOffset& placed);
+  /// The match under the frame as it is placed, or under one that is found elsewhere.
+  [[nodiscard]] SessionMatch MatchOrSearch(const std::vector<ObjectEstimate>& candidates,
+                                           const Eigen::Matrix4d& now_frame);
+  /// A search that found nothing is worth another with a tenth more of landmarks, or after a while.
+  [[nodiscard]] bool IsTimeToSearch(std::size_t candidates);
   /// Of what neither session's fixes know of.
   [[nodiscard]] Eigen::Matrix4d DatumCovariance() const;
   /// Of the offset (north, east, down, turn) before any match.
@@ -74,12 +85,17 @@ class FormerSessionTie {
                                      const Eigen::MatrixXd& now_own);
 
   MatchingParams params_;
-  FormerSession former_;
+  FormerSession given_;  ///< places and covariance in its own frame
+  FrameOffset placed_;   ///< of its frame
+  bool is_elsewhere_ = false;
+  std::size_t searched_with_ = 0;  ///< candidates of the last search
+  std::size_t matches_since_search_ = 0;
+  FormerSession former_;  ///< as placed, each object's covariance its own
   Eigen::Matrix4d former_frame_ = Eigen::Matrix4d::Zero();
   Eigen::MatrixXd former_own_;
   std::vector<std::optional<int>> former_ids_;
   std::vector<std::vector<FormerCandidate>> candidates_;
-  FrameOffset offset_;
+  FrameOffset offset_;  ///< of the frame as placed
   std::optional<JointPrior> prior_;
 };
 

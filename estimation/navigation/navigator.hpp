@@ -99,7 +99,9 @@ class Navigator {
   [[nodiscard]] const ChainGraph& graph() const { return smoother_.graph(); }
   [[nodiscard]] const Smoother& smoother() const { return smoother_; }
   /// Of the former session's frame in this one; as it was before any match.
-  [[nodiscard]] const FrameOffset& former_offset() const { return former_.offset(); }
+  [[nodiscard]] FrameOffset former_offset() const { return former_.offset(); }
+  /// That frame lies where neither session's fixes and compass would have it.
+  [[nodiscard]] bool is_former_elsewhere() const { return former_.is_elsewhere(); }
   [[nodiscard]] int node_count() const { return chain_.size(); }
   [[nodiscard]] const AidingSources& aiding() const { return *aiding_; }
   [[nodiscard]] const NavigatorCounts& counts() const { return measurements_.counts(); }

@@ -3,7 +3,9 @@
 // [--former] [--details]: the estimator on simulated sessions, one line each, and their summary
 // with NEES and update times. --oracle adds what a detector without mistakes would give; --former
 // gives each session what an earlier one over the same place left: since then an eighth of the
-// objects are gone, and as many came. --markdown writes docs/navigation-honesty.md, --errors its
+// objects are gone, and as many came (--changed SHARE: another share); --shift M and --turn DEG put
+// that earlier one into a frame of its own, so far off at most, and count how many objects are
+// recognised. --markdown writes docs/navigation-honesty.md, --errors its
 // last table alone, both with a line per session on the error output.
 #include <algorithm>
 #include <cmath>
@@ -17,6 +19,7 @@
 #include <fmt/format.h>
 
 #include "limpet/core/clock.hpp"
+#include "tests/bench/earlier_session.hpp"
 #include "tests/bench/error_scenes.hpp"
 #include "tests/bench/honesty_page.hpp"
 #include "tests/bench/study_scenes.hpp"
@@ -145,6 +148,7 @@ struct Outcome {
                   axes_between = axes_pose;
   double smoothed = 0.0, reckoned = 0.0, nees_pose = 0.0, nees_landmark = 0.0, nees_between = 0.0;
   int duplicates = 0, false_ones = 0, missed = 0, wrong = 0;
+  Recognition recognition{};
   std::vector<double> update_s;
 };
 
@@ -196,33 +200,16 @@ struct Options {
   std::string scene = "table1";
   int first = 1, count = 5;
   bool has_oracle = false, has_details = false, has_former = false, is_markdown = false;
+  FormerFrame former_frame{};
 };
 
-/// What an earlier session over the scene's place left; makes the scene a later one.
-FormerSession FormerOf(StreamScene& scene) {
-  StreamScene earlier = scene;
-  earlier.place = scene.place = scene.seed;
-  earlier.seed += 100000;
-  scene.gone = scene.came = std::max(scene.objects / 8, 1);
-  const SimulatedStream session = SimulateStream(earlier);
-  const ReplayResult result =
-      Replay(session.stream, ParamsForStream(session.stream.meta), [] { return 0.0; });
-  FormerSession former{.ids = {}, .objects = {}, .covariance = result.landmark_covariance};
-  for (const Landmark& l : result.landmarks) {
-    former.ids.push_back(l.id);
-    former.objects.push_back(
-        {.p_W = l.object.p_W, .cov_W = l.object.cov_W, .color = l.object.color});
-  }
-  return former;
-}
-
-Outcome PrintSession(const SimulatedStream& session, const FormerSession& former, int seed,
+Outcome PrintSession(const SimulatedStream& session, const EarlierSession& earlier, int seed,
                      const Options& options) {
   const double start = ThreadTime().value();
   Consistency between;
   const ReplayResult result = Replay(
       session.stream, ParamsForStream(session.stream.meta), [] { return ThreadTime().value(); },
-      [&](const Navigator& n) { between = ConsistencyBetween(n, session.truth); }, former);
+      [&](const Navigator& n) { between = ConsistencyBetween(n, session.truth); }, earlier.former);
   const double total = ThreadTime().value() - start;
   const auto smoothed = ErrorOf(result.smoothed, session.truth);
   const auto online = ErrorOf(result.online, session.truth);
@@ -251,6 +238,11 @@ Outcome PrintSession(const SimulatedStream& session, const FormerSession& former
     fmt::print(out, " ids {:.3f} missed {}", truth_smoothed.aligned,
                ErrorsOf(oracle.landmarks, truth_smoothed.alignment, session.truth).missed.size());
   }
+  const Recognition recognition = RecognitionOf(result, earlier, session.truth, smoothed.alignment);
+  if (options.has_former) {
+    fmt::print(out, " known again {} of {}, wrongly {}", recognition.right, recognition.possible,
+               recognition.wrong);
+  }
   fmt::print(out, "\n");
   const Outcome outcome{.axes_pose = nees.pose.axes(),
                         .axes_landmark = nees.landmark.axes(),
@@ -264,6 +256,7 @@ Outcome PrintSession(const SimulatedStream& session, const FormerSession& former
                         .false_ones = opis.false_ones,
                         .missed = static_cast<int>(opis.missed.size()),
                         .wrong = associations.wrong,
+                        .recognition = recognition,
                         .update_s = result.update_s};
   if (options.has_details) PrintDetails(session, result, smoothed.alignment);
   return outcome;
@@ -280,6 +273,8 @@ Outcome Together(const std::vector<Outcome>& all) {
     sum.smoothed += o.smoothed / n, sum.reckoned += o.reckoned / n;
     sum.duplicates += o.duplicates, sum.false_ones += o.false_ones, sum.missed += o.missed;
     sum.wrong += o.wrong;
+    sum.recognition.possible += o.recognition.possible;
+    sum.recognition.right += o.recognition.right, sum.recognition.wrong += o.recognition.wrong;
     sum.update_s.insert(sum.update_s.end(), o.update_s.begin(), o.update_s.end());
   }
   return sum;
@@ -311,6 +306,10 @@ void PrintSummary(const std::vector<Outcome>& all) {
   fmt::print("  per axis (1 each): poses {}, landmarks {}; between landmarks {}, together {:.2f}\n",
              TextOfAxes(sum.axes_pose), TextOfAxes(sum.axes_landmark), TextOfAxes(sum.axes_between),
              sum.nees_between);
+  if (sum.recognition.possible > 0) {
+    fmt::print("  of the former session's objects {} of {} known again, {} wrongly\n",
+               sum.recognition.right, sum.recognition.possible, sum.recognition.wrong);
+  }
 }
 
 std::vector<Outcome> RunScene(const Options& options) {
@@ -318,8 +317,9 @@ std::vector<Outcome> RunScene(const Options& options) {
   for (int seed = options.first; seed < options.first + options.count; ++seed) {
     StreamScene scene = Scenes().at(options.scene);
     scene.seed = static_cast<std::uint64_t>(seed);
-    const FormerSession former = options.has_former ? FormerOf(scene) : FormerSession{};
-    outcomes.push_back(PrintSession(SimulateStream(scene), former, seed, options));
+    const EarlierSession earlier =
+        options.has_former ? EarlierOf(scene, options.former_frame) : EarlierSession{};
+    outcomes.push_back(PrintSession(SimulateStream(scene), earlier, seed, options));
   }
   return outcomes;
 }
@@ -381,6 +381,12 @@ int main(int argc, char** argv) {
       options.scene = argv[++i];
     } else if (i + 1 < argc && word == "--seed") {
       options.first = std::stoi(argv[++i]);
+    } else if (i + 1 < argc && word == "--changed") {
+      options.former_frame.changed = std::stod(argv[++i]);
+    } else if (i + 1 < argc && word == "--shift") {
+      options.former_frame.shift_m = std::stod(argv[++i]);
+    } else if (i + 1 < argc && word == "--turn") {
+      options.former_frame.turn_deg = std::stod(argv[++i]);
     } else if (i + 1 < argc && word == "--seeds") {
       options.count = std::stoi(argv[++i]);
     }

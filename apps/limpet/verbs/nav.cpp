@@ -36,9 +36,10 @@ Command NavForm() {
                        .is_required = true},
                       {.names = "--former",
                        .value = "DIR",
-                       .meaning = "where those of an earlier session are: its objects are "
-                                  "recognised, whatever the offset and turn between the two, and "
-                                  "matches.csv says which they are"},
+                       .meaning =
+                           "where those of an earlier session are: its objects are "
+                           "recognised, also if its frame lies up to 50 m and 60 degrees off, and "
+                           "matches.csv says which they are"},
                       {.names = "--vehicle",
                        .value = "FILE",
                        .meaning = "the vehicle's sensors and camera by its file, e.g. "

@@ -90,6 +90,29 @@ TEST(FormerSessionTie, FindsAShiftOfMetresAndATurnOfManyDegrees) {
   EXPECT_NEAR(tie.offset().turn, 0.2, 0.01);
 }
 
+TEST(FormerSessionTie, FindsAFrameThatLiesElsewhereWithoutBeingTold) {
+  const std::vector<Eigen::Vector2d> places{{4.0, 1.0},   {2.0, 10.0},  {6.0, -3.0},  {-6.0, -5.0},
+                                            {-15.0, 2.0}, {11.0, 18.0}, {19.0, -8.0}, {-9.0, 14.0}};
+  FormerSession former{
+      .ids = {1, 2, 3, 4, 5, 6, 7, 8}, .objects = Objects(places), .covariance = {}};
+  former.covariance = JointOf(former.objects, 0.5, 0.01, 0.05);
+  FormerSessionTie tie({});
+  tie.SetFormer(former);
+  const FrameOffset truth{.shift = {-14.0, 14.0}, .turn = 0.7, .pivot = {}};
+  const PresentLandmarks present = Present(places, truth);
+  ASSERT_TRUE(tie.Match(present, std::nullopt));
+  EXPECT_TRUE(tie.is_elsewhere());
+  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 2, 3, 4, 5, 6, 7, 8));
+  EXPECT_NEAR(tie.offset().turn, 0.7, 0.01);
+  // It says nothing of where the places are: no surer than by this session's fixes alone.
+  const auto [where, covariance] = Together(present, *tie.prior());
+  EXPECT_NEAR(where(0), present.objects[0].p_W.x(), 0.1);
+  EXPECT_GT(std::sqrt(covariance(0, 0)), 0.9 * std::sqrt(present.covariance(0, 0)));
+  // Back where it should be, it is believed again.
+  ASSERT_TRUE(tie.Match(Present(places), std::nullopt));
+  EXPECT_FALSE(tie.is_elsewhere());
+}
+
 TEST(FormerSessionTie, WeighsBothSessionsFixesWhereTheirFramesAgreeAsTheyShould) {
   FormerSessionTie tie({});
   tie.SetFormer(Former());
