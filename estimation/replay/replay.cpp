@@ -11,18 +11,19 @@
 namespace limpet {
 namespace {
 
-constexpr Seconds kFixWait(5.0);        // a stream may begin under water
-constexpr double kArrival = 10.0;       // [s] that a row may be behind its measurement
-constexpr double kSilence = 0.3;        // [s]
-constexpr double kOnlinePeriod = 0.19;  // [s] between rows of online.csv
-constexpr double kStatesPeriod = 0.99;  // [s] between those of states.csv
+constexpr Seconds kFixWait(5.0);           // a stream may begin under water
+constexpr double kArrival = 10.0;          // [s] that a row may be behind its measurement
+constexpr double kSilence = 0.3;           // [s]
+constexpr double kOnlinePeriod = 0.19;     // [s] between rows of online.csv
+constexpr double kAttitudePeriod = 0.049;  // [s] as pNav: the smoother needs no more than 20 Hz
+constexpr double kStatesPeriod = 0.99;     // [s] between those of states.csv
 
 /// Feeds one row after the other and keeps what the estimator says.
 class Replayer {
  public:
   Replayer(const NavigatorParams& params, const std::function<double()>& clock,
-           const FormerSession& former)
-      : navigator_(params), clock_(clock) {
+           const FormerSession& former, const AttitudeParams& attitude)
+      : navigator_(params), filter_(attitude), clock_(clock) {
     navigator_.SetFormerSession(former);
   }
 
@@ -31,10 +32,23 @@ class Replayer {
     // The other sensors' rows drive the estimator; attitude alone does only when they are silent.
     if (row.t - now_ > kSilence) AdvanceTo(row.t);
   }
+  void operator()(const FogRow& row) { filter_.AddFogRate(row.t, row.rate); }
+  void operator()(const InertialInput& row) {
+    if (!filter_.AddInertial(row)) {
+      ++refused_inertial_;
+      return;
+    }
+    if (filter_.is_aligned() && row.t - attitude_t_ >= kAttitudePeriod) {
+      attitude_t_ = row.t;
+      (*this)(*filter_.estimate());
+    }
+  }
   void operator()(const DvlRow& row) {
     navigator_.AddVelocity(row.t, row.velocity);
     if (row.altitude) navigator_.AddAltitude(row.t, *row.altitude);
     AdvanceTo(row.t);
+    const bool is_filtering = filter_.estimate().has_value() && navigator_.has_started();
+    if (is_filtering) filter_.SetBodyVelocity(navigator_.Estimate(now_).v_B);
   }
   void operator()(const DepthRow& row) { navigator_.AddDepth(row.t, row.depth); }
   void operator()(const GpsRow& row) {
@@ -58,6 +72,7 @@ class Replayer {
     result_.landmark_covariance = navigator_.LandmarkCovariance();
     result_.former_offset = navigator_.former_offset();
     result_.counts = navigator_.counts();
+    result_.counts.stale_samples += refused_inertial_;
     result_.counts.looks = navigator_.tracker().rejected_observations();
     for (const TrackedObject& object : navigator_.tracker().objects()) {
       for (const Observation& one : object.observations) {
@@ -103,6 +118,9 @@ class Replayer {
   }
 
   Navigator navigator_;
+  AttitudeFilter filter_;
+  double attitude_t_ = -1e18;
+  int refused_inertial_ = 0;
   const std::function<double()>& clock_;
   double now_ = -1e18;
   std::map<std::pair<int, int>, int> landmark_of_;
@@ -149,6 +167,13 @@ NavigatorParams ParamsForVehicle(const SensorSheets& sheets, const CameraModel& 
   return params;
 }
 
+AttitudeParams AttitudeParamsForStream(const StreamMeta& meta) {
+  AttitudeParams params;
+  params.yaw_random_walk = Radians(meta.yaw_random_walk);
+  params.yaw_bias_sigma = Radians(meta.yaw_bias_sigma);
+  return params;
+}
+
 std::optional<std::string> MissingCamera(const SensorStream& stream) {
   const StreamMeta& meta = stream.meta;
   const bool has_frames = std::ranges::any_of(
@@ -162,8 +187,8 @@ std::optional<std::string> MissingCamera(const SensorStream& stream) {
 ReplayResult Replay(const SensorStream& stream, const NavigatorParams& params,
                     const std::function<double()>& clock,
                     const std::function<void(const Navigator&)>& inspect,
-                    const FormerSession& former) {
-  Replayer replayer(params, clock, former);
+                    const FormerSession& former, const AttitudeParams& attitude) {
+  Replayer replayer(params, clock, former, attitude);
   for (const StreamRow& row : stream.rows) {
     std::visit(replayer, row);
   }

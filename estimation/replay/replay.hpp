@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "estimation/attitude/attitude_filter.hpp"
 #include "estimation/navigation/navigator.hpp"
 #include "estimation/replay/sensor_stream.hpp"
 #include "limpet/vehicle/sensor_sheets.hpp"
@@ -47,11 +48,16 @@ struct ReplayResult {
   NavigatorCounts counts;
 };
 
+/// Of the filter that makes attitudes of a stream's inertial samples.
+[[nodiscard]] AttitudeParams AttitudeParamsForStream(const StreamMeta& meta);
+
 /// Runs the navigator over a stream in order of arrival. `clock` [s] only times the updates;
 /// `inspect`, if given, sees the navigator at the end. `former` is what an earlier session left.
+/// `attitude`: for inertial samples, where the stream has these in place of attitudes.
 [[nodiscard]] ReplayResult Replay(const SensorStream& stream, const NavigatorParams& params,
                                   const std::function<double()>& clock,
                                   const std::function<void(const Navigator&)>& inspect = {},
-                                  const FormerSession& former = {});
+                                  const FormerSession& former = {},
+                                  const AttitudeParams& attitude = {});
 
 }  // namespace limpet

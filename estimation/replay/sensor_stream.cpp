@@ -41,7 +41,10 @@ class StatedNoises {
 
 DvlRow ParseDvl(const CsvFields& f) {
   f.Expect(13);
-  DvlRow row{.t = f.Number(1), .velocity = {}, .altitude = f.Optional(8)};
+  DvlRow row{.t = f.Number(1),
+             .velocity = {},
+             .altitude = f.Optional(8),
+             .beams = {f.Optional(9), f.Optional(10), f.Optional(11), f.Optional(12)}};
   if (f.Integer(2) != 0) {
     row.velocity = Eigen::Vector3d(f.Number(3), f.Number(4), f.Number(5));
   }
@@ -167,6 +170,8 @@ void TakeMeta(std::string_view line, StreamMeta& meta) {
     meta.dvl_misalign_sigma = f.Number(1);
   } else if (f.kind() == "opi_radius") {
     meta.opi_radius = f.Number(1);
+  } else if (f.kind() == "stated_noise_velocity_depth_tilt") {
+    meta.noise = {.velocity = f.Number(1), .depth = f.Number(2), .tilt = f.Number(3)};
   }
 }
 
@@ -192,11 +197,19 @@ std::optional<Stumble> ForEachLine(const StreamFile& file, Take take) {
 
 }  // namespace
 
-Expected<SensorStream> ParseSensorStream(const StreamFile& meta, const StreamFile& rows) {
-  SensorStream stream;
-  const auto key = [&stream](std::string_view line) { TakeMeta(line, stream.meta); };
+Expected<StreamMeta> ParseStreamMeta(const StreamFile& meta) {
+  StreamMeta said;
+  const auto key = [&said](std::string_view line) { TakeMeta(line, said); };
   if (const auto bad = ForEachLine(meta, key)) return Error{bad->why};
   if (meta.damage) return Error{*meta.damage};
+  return said;
+}
+
+Expected<SensorStream> ParseSensorStream(const StreamFile& meta, const StreamFile& rows) {
+  SensorStream stream;
+  Expected<StreamMeta> said = ParseStreamMeta(meta);
+  if (!said) return said.error();
+  stream.meta = *std::move(said);
   StreamParser parser(stream);
   const auto row = [&parser](std::string_view line) { parser.Take(line); };
   const auto bad = ForEachLine(rows, row);

@@ -44,7 +44,8 @@ struct StreamMeta {
 struct DvlRow {
   double t = 0.0;
   std::optional<Eigen::Vector3d> velocity;
-  std::optional<double> altitude;  ///< of the DVL above the seabed [m]
+  std::optional<double> altitude;                   ///< of the DVL above the seabed [m]
+  std::array<std::optional<double>, 4> beams = {};  ///< slant ranges [m]
 };
 struct DepthRow {
   double t = 0.0, depth = 0.0;
@@ -58,7 +59,12 @@ struct FrameRow {
   double arrival = 0.0;
   Detections frame;
 };
-using StreamRow = std::variant<AttitudeEstimate, DvlRow, DepthRow, GpsRow, FrameRow>;
+struct FogRow {
+  double t = 0.0, rate = 0.0;  ///< about body z [rad/s]
+};
+/// Attitudes, or what a filter makes them of: inertial samples, and a fibre-optic gyro's rates.
+using StreamRow =
+    std::variant<AttitudeEstimate, DvlRow, DepthRow, GpsRow, FrameRow, InertialInput, FogRow>;
 
 struct SensorStream {
   StreamMeta meta;
@@ -66,6 +72,7 @@ struct SensorStream {
   int refused_rows = 0;         ///< that held a value that is no finite number
   /// Why the rows after these could not be read: the file was cut. Names file and line.
   std::optional<std::string> cut;
+  std::vector<std::string> left_out;  ///< what else of the file is not in the rows, and why
 };
 
 /// A file's lines and what errors call it.
@@ -79,6 +86,8 @@ struct StreamFile {
 /// a gzip file cut in two: what comes before is the stream, and `cut` says so.
 [[nodiscard]] Expected<SensorStream> ParseSensorStream(const StreamFile& meta,
                                                        const StreamFile& rows);
+/// What meta.csv says; the error names file and line.
+[[nodiscard]] Expected<StreamMeta> ParseStreamMeta(const StreamFile& meta);
 /// Reads a stream from its folder: meta.csv and stream.csv.gz. The error names file and line.
 [[nodiscard]] Expected<SensorStream> LoadSensorStream(const std::filesystem::path& folder);
 

@@ -44,6 +44,10 @@ std::string LineOf(const FrameRow& row) {
   return text;
 }
 
+/// A stream's folder holds attitudes, not what they are made of.
+std::string LineOf(const InertialInput& /*row*/) { return {}; }
+std::string LineOf(const FogRow& /*row*/) { return {}; }
+
 std::string MetaOf(const StreamMeta& meta) {
   const CameraModel& camera = meta.camera;
   std::string rotation;

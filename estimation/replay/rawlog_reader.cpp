@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <initializer_list>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <mrpt/obs/CObservationComment.h>
+#include <mrpt/obs/CObservationIMU.h>
+#include <mrpt/obs/CObservationRawDAQ.h>
+#include <mrpt/obs/CObservationRobotPose.h>
+#include <mrpt/obs/registerAllClasses.h>
+#include <mrpt/serialization/CArchive.h>
+
+#include "estimation/replay/bounded_input.hpp"
+#include "estimation/replay/csv_fields.hpp"
+#include "estimation/replay/gzip_bytes.hpp"
+#include "estimation/replay/rawlog.hpp"
+#include "estimation/replay/rawlog_form.hpp"
+#include "estimation/replay/rawlog_scan.hpp"
+#include "limpet/core/config.hpp"
+
+namespace limpet {
+namespace {
+
+using mrpt::obs::CObservationComment;
+using mrpt::obs::CObservationIMU;
+using mrpt::obs::CObservationRawDAQ;
+using mrpt::obs::CObservationRobotPose;
+using mrpt::obs::TIMUDataIndex;
+
+constexpr std::array kOrientation{mrpt::obs::IMU_ROLL, mrpt::obs::IMU_PITCH, mrpt::obs::IMU_YAW};
+constexpr std::array kVelocity{mrpt::obs::IMU_X_VEL, mrpt::obs::IMU_Y_VEL, mrpt::obs::IMU_Z_VEL};
+constexpr std::array kInertial{mrpt::obs::IMU_X_ACC, mrpt::obs::IMU_Y_ACC, mrpt::obs::IMU_Z_ACC,
+                               mrpt::obs::IMU_WX,    mrpt::obs::IMU_WY,    mrpt::obs::IMU_WZ,
+                               mrpt::obs::IMU_YAW};
+
+/// Turns observations into rows; false for one that says nothing to the estimator.
+class RawlogRows {
+ public:
+  RawlogRows(SensorStream& stream, std::string name) : stream_(stream), name_(std::move(name)) {}
+
+  bool Take(const CObservationComment& comment) {
+    if (!comment.text.starts_with(rawlog::kMetaBegin)) return false;
+    auto meta = ParseStreamMeta(
+        {.name = name_ + ": meta", .lines = Split(comment.text, '\n'), .damage = {}});
+    if (!meta) throw BadLine{meta.error().text};
+    stream_.meta = *std::move(meta);
+    return true;
+  }
+  bool Take(const CObservationIMU& imu) {
+    if (!AreTruthValues(imu)) throw BadLine{"a CObservationIMU that is damaged begins there"};
+    const double t = rawlog::SecondsOf(imu.timestamp);
+    if (imu.sensorLabel == rawlog::kDvl) return TakePing(t, imu);
+    if (imu.sensorLabel == rawlog::kDepth && imu.has(mrpt::obs::IMU_Z)) {
+      Add(DepthRow{t, imu.get(mrpt::obs::IMU_Z)}, {imu.get(mrpt::obs::IMU_Z)});
+    } else if (const auto turned = Numbers(imu, kOrientation)) {
+      TakeAttitude(t, *turned);
+    } else if (const auto felt = Numbers(imu, kInertial)) {
+      const std::vector<double>& f = *felt;
+      const InertialInput row{
+          .t = t, .force = {f[0], f[1], f[2]}, .rate = {f[3], f[4], f[5]}, .heading = f[6]};
+      Add(row, {row.force.sum(), row.rate.sum(), row.heading});
+    } else if (imu.has(mrpt::obs::IMU_WZ) && !imu.has(mrpt::obs::IMU_WX)) {
+      Add(FogRow{t, imu.get(mrpt::obs::IMU_WZ)}, {imu.get(mrpt::obs::IMU_WZ)});
+    } else {
+      return false;
+    }
+    return true;
+  }
+  bool Take(const CObservationRobotPose& fix) {
+    if (fix.sensorLabel != rawlog::kGps) return false;
+    const auto& mean = fix.pose.mean;
+    const auto& cov = fix.pose.cov;
+    const double sd = std::sqrt(std::max(cov(0, 0), cov(1, 1)));
+    Add(GpsRow{rawlog::SecondsOf(fix.timestamp), {mean.x(), mean.y()}, sd},
+        {mean.x(), mean.y(), sd});
+    return true;
+  }
+  bool Take(const CObservationRawDAQ& some) {
+    const std::vector<double>& numbers = some.AIN_double;
+    if (some.sensorLabel == rawlog::kAttitudeSigma && numbers.size() == 3) {
+      sigma_ = {numbers[0], numbers[1], numbers[2]};
+      return true;
+    }
+    if (some.sensorLabel == rawlog::kBeams && numbers.size() == 4 && !stream_.rows.empty()) {
+      auto* ping = std::get_if<DvlRow>(&stream_.rows.back());
+      for (std::size_t i = 0; ping != nullptr && i < 4; ++i)
+        if (std::isfinite(numbers[i])) ping->beams.at(i) = numbers[i];
+      return ping != nullptr;
+    }
+    return some.sensorLabel == rawlog::kBoxes && TakeBoxes(some);
+  }
+
+ private:
+  /// MRPT copies what the file holds into `bool`s; to look at one that is neither is undefined.
+  static bool AreTruthValues(const CObservationIMU& imu) {
+    std::array<std::uint8_t, sizeof(imu.dataIsPresent)> bytes{};
+    std::memcpy(bytes.data(), imu.dataIsPresent.data(), bytes.size());
+    return std::ranges::all_of(bytes, [](std::uint8_t byte) { return byte <= 1; });
+  }
+  /// Nothing if it lacks one of them.
+  static std::optional<std::vector<double>> Numbers(const CObservationIMU& imu,
+                                                    std::span<const TIMUDataIndex> fields) {
+    std::vector<double> numbers;
+    for (const TIMUDataIndex field : fields) {
+      if (!imu.has(field)) return std::nullopt;
+      numbers.push_back(imu.get(field));
+    }
+    return numbers;
+  }
+  void Add(StreamRow row, std::initializer_list<double> values) {
+    if (std::ranges::all_of(values, [](double v) { return std::isfinite(v); })) {
+      stream_.rows.push_back(std::move(row));
+    } else {
+      ++stream_.refused_rows;
+    }
+  }
+  bool TakePing(double t, const CObservationIMU& imu) {
+    DvlRow ping{.t = t, .velocity = {}, .altitude = {}};
+    if (const auto v = Numbers(imu, kVelocity)) ping.velocity = {(*v)[0], (*v)[1], (*v)[2]};
+    if (imu.has(mrpt::obs::IMU_ALTITUDE)) ping.altitude = imu.get(mrpt::obs::IMU_ALTITUDE);
+    Add(ping, {ping.velocity.value_or(Eigen::Vector3d::Zero()).sum(), ping.altitude.value_or(0.0)});
+    return true;
+  }
+  void TakeAttitude(double t, const std::vector<double>& angles) {
+    Add(AttitudeEstimate{.t = t,
+                         .roll = angles[0],
+                         .pitch = angles[1],
+                         .yaw = angles[2],
+                         .yaw_rate = 0.0,
+                         .sd_roll = sigma_.x(),
+                         .sd_pitch = sigma_.y(),
+                         .sd_yaw = sigma_.z()},
+        {angles[0], angles[1], angles[2], sigma_.sum()});
+  }
+  bool TakeBoxes(const CObservationRawDAQ& some) {
+    const std::vector<double>& numbers = some.AIN_double;
+    const std::size_t count =
+        (std::max(numbers.size(), rawlog::kNumbersOfAFrame) - rawlog::kNumbersOfAFrame) /
+        rawlog::kNumbersOfABox;
+    const std::vector<std::string> classes =
+        Split({reinterpret_cast<const char*>(some.AIN_8bits.data()), some.AIN_8bits.size()}, '\n');
+    if (numbers.size() != rawlog::kNumbersOfAFrame + count * rawlog::kNumbersOfABox ||
+        classes.size() < count || !(std::abs(numbers[0]) < 2e9)) {
+      return false;
+    }
+    FrameRow row{
+        .arrival = numbers[2],
+        .frame = {
+            .frame = static_cast<int>(numbers[0]), .exposure = Seconds(numbers[1]), .boxes = {}}};
+    for (std::size_t i = 0; i < count; ++i) {
+      const double* n = &numbers[rawlog::kNumbersOfAFrame + i * rawlog::kNumbersOfABox];
+      if (!std::isfinite(n[0] + n[1] + n[2] + n[3] + n[4])) {
+        ++stream_.refused_rows;
+        row.frame.boxes.emplace_back();  // keeps the numbering; its confidence is 0
+        continue;
+      }
+      row.frame.boxes.push_back(
+          {.u = n[0], .v = n[1], .w = n[2], .h = n[3], .confidence = n[4], .color = classes[i]});
+    }
+    stream_.rows.emplace_back(std::move(row));
+    return true;
+  }
+
+  SensorStream& stream_;
+  std::string name_;
+  Eigen::Vector3d sigma_{0.0047, 0.0047, 0.0175};  // [rad] of an attitude that says none
+};
+
+/// Goes through the bytes once and keeps account of what is not taken.
+class RawlogParser {
+ public:
+  RawlogParser(std::string_view bytes, const std::string& name, SensorStream& stream)
+      : bytes_(bytes), name_(name), stream_(stream), rows_(stream, name) {
+    static std::once_flag once;
+    std::call_once(once, [] { mrpt::obs::registerAllClasses_mrpt_obs(); });
+  }
+
+  void Parse() {
+    for (std::size_t at = 0; at < bytes_.size() && !stream_.cut;)
+      at = TakeObject(at);
+    for (const auto& [kind, count] : passed_over_)
+      stream_.left_out.push_back(fmt::format("{}: {} {} passed over", name_, count, kind));
+    if (damaged_ > 0) {
+      stream_.left_out.push_back(fmt::format("{}: damaged in {} {}; {}", name_, damaged_,
+                                             damaged_ == 1 ? "place" : "places", first_damage_));
+    }
+  }
+
+ private:
+  /// Where to go on.
+  std::size_t TakeObject(std::size_t at) {
+    const std::string_view rest = bytes_.substr(at);
+    const std::string_view kind = ClassAt(rest);
+    if (kind == "CObservationIMU") return Take<CObservationIMU>(at, kind);
+    if (kind == "CObservationRawDAQ") return Take<CObservationRawDAQ>(at, kind);
+    if (kind == "CObservationRobotPose") return Take<CObservationRobotPose>(at, kind);
+    if (kind == "CObservationComment") return Take<CObservationComment>(at, kind);
+    if (!kind.empty()) {
+      ++passed_over_[std::string(kind)];
+      is_in_foreign_ = true;
+    } else if (!is_in_foreign_) {
+      NoteDamage(at, "no observation begins there");
+    }
+    return NextObservation(bytes_, at + 1);
+  }
+  template <class T>
+  std::size_t Take(std::size_t at, std::string_view kind) {
+    BoundedInput input(bytes_.substr(at));
+    std::string why;
+    try {
+      T object;
+      mrpt::serialization::archiveFrom(input) >> object;
+      if (!rows_.Take(object)) ++passed_over_[std::string(kind) + " `" + object.sensorLabel + "`"];
+      return at + input.getPosition();
+    } catch (const BadLine& bad) {
+      why = bad.why;
+    } catch (const std::exception&) {  // MRPT's words are a page with a stack
+      why = fmt::format("a {} that is damaged begins there", kind);
+    }
+    const std::size_t next = NextObservation(bytes_, at + 1);
+    if (next == bytes_.size() && input.has_ended()) {
+      stream_.cut =
+          fmt::format("{}: byte {} of {}: the last observation is cut", name_, at, bytes_.size());
+    } else {
+      NoteDamage(at, why);
+    }
+    return next;
+  }
+  void NoteDamage(std::size_t at, const std::string& why) {
+    if (damaged_++ == 0) first_damage_ = fmt::format("byte {} of {}: {}", at, bytes_.size(), why);
+  }
+
+  std::string_view bytes_;
+  const std::string& name_;
+  SensorStream& stream_;
+  RawlogRows rows_;
+  std::map<std::string, int> passed_over_;
+  bool is_in_foreign_ = false;  ///< what follows may be the rest of an object of another class
+  int damaged_ = 0;
+  std::string first_damage_;
+};
+
+}  // namespace
+
+Expected<SensorStream> ParseRawlog(std::string_view bytes, const std::string& name) {
+  SensorStream stream;
+  RawlogParser(bytes, name, stream).Parse();
+  if (!stream.rows.empty()) return stream;
+  std::string why = fmt::format("{}: holds no measurement that can be used", name);
+  for (const std::string& loss : stream.left_out)
+    why += "\n" + loss;
+  return Error{stream.cut.value_or(why)};
+}
+
+Expected<SensorStream> LoadRawlog(const std::filesystem::path& file) {
+  constexpr std::size_t kLongest = std::size_t{1} << 32U;
+  const Expected<UnpackedFile> read = ReadUnpacked(file, kLongest);
+  if (!read) return read.error();
+  Expected<SensorStream> stream = ParseRawlog(read->bytes, file.string());
+  if (stream && read->damage) stream->cut = read->damage;
+  if (!stream && read->damage) return Error{*read->damage};
+  return stream;
+}
+
+}  // namespace limpet

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// A rawlog, unpacked; what is understood goes through a rawlog again.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "estimation/replay/rawlog.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto stream =
+      limpet::ParseRawlog({reinterpret_cast<const char*>(data), size}, "some.rawlog");
+  if (!stream) return 0;
+  if (stream->rows.empty()) std::abort();
+  const limpet::PackedRawlog packed = limpet::ToRawlog(*stream);
+  if (packed.untimely_rows > static_cast<int>(stream->rows.size()) * 2) std::abort();
+  return 0;
+}
