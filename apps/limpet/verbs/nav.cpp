@@ -9,8 +9,11 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
+#include "estimation/navigation/sensor_beliefs.hpp"
 #include "estimation/replay/former_landmarks.hpp"
+#include "estimation/replay/rawlog.hpp"
 #include "estimation/replay/replay.hpp"
+#include "limpet/console/command_output.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/replay_output/replay_plot.hpp"
 #include "limpet/replay_output/replay_tables.hpp"
@@ -23,10 +26,11 @@ namespace fs = std::filesystem;
 
 Command NavForm() {
   return {.name = "limpet nav",
-          .words = "<stream folder>",
+          .words = "<stream folder | FILE.rawlog>",
           .about =
-              "Runs the estimator alone on a recorded sensor stream (meta.csv and "
-              "stream.csv.gz) and writes online.csv, smoothed.csv, states.csv (current and speed "
+              "Runs the estimator alone on a recorded sensor stream (a folder with meta.csv and "
+              "stream.csv.gz, or a rawlog of MRPT) and writes online.csv, smoothed.csv, states.csv "
+              "(current and speed "
               "through the "
               "water), landmarks.csv, "
               "landmarks_covariance.csv, associations.csv and timing.json into DIR.",
@@ -44,11 +48,17 @@ Command NavForm() {
                        .value = "FILE",
                        .meaning = "the vehicle's sensors and camera by its file, e.g. "
                                   "feelhippo.yaml; else as meta.csv says them"},
+                      {.names = "--rawlog",
+                       .value = "FILE",
+                       .meaning = "also write the stream as a rawlog, which MRPT's viewers open "
+                                  "and this command takes for the stream; docs/estimation.md "
+                                  "says what is in it"},
+                      {.names = "--force", .meaning = "write over an existing rawlog"},
                       {.names = "--plot",
                        .meaning = "also draw error.svg (with 3-sigma bounds; against the smoothed "
                                   "track, no truth is read) and map.svg"},
                       {.names = "--json", .meaning = "print timing.json instead of the summary"}},
-          .takes = "one stream folder and --out DIR",
+          .takes = "one stream (a folder or a .rawlog file) and --out DIR",
           .least_words = 1,
           .most_words = 1};
 }
@@ -74,30 +84,85 @@ bool Write(const fs::path& file, const std::string& text) {
   return static_cast<bool>(out);
 }
 
+struct ReplayParams {
+  NavigatorParams navigator;
+  AttitudeParams attitude;
+};
+
 /// Of the file that `--vehicle` names, or of meta.csv; the error says what it lacks.
-Expected<NavigatorParams> ParamsFor(const Arguments& given, const SensorStream& stream) {
+Expected<ReplayParams> ParamsFor(const Arguments& given, const SensorStream& stream) {
   if (const auto file = given.Find("vehicle")) {
     try {
       const VehicleFile vehicle = LoadMissionVehicle(*file, fs::current_path());
-      return ParamsForVehicle(vehicle.sensors, vehicle.camera.geometry(), stream.meta);
+      return ReplayParams{ParamsForVehicle(vehicle.sensors, vehicle.camera.geometry(), stream.meta),
+                          BelievedAttitude(vehicle.sensors)};
     } catch (const ConfigError& error) {
       return Error{error.what()};
     }
   }
   if (const auto problem = MissingCamera(stream)) {
-    const fs::path meta = fs::path(given.positionals().front()) / "meta.csv";
+    const fs::path named = given.positionals().front();
+    const fs::path meta = fs::is_directory(named) ? named / "meta.csv" : named;
     return Error{fmt::format("{}: {}", meta.string(), *problem)};
   }
-  return ParamsForStream(stream.meta);
+  return ReplayParams{ParamsForStream(stream.meta), AttitudeParamsForStream(stream.meta)};
+}
+
+Expected<SensorStream> LoadStream(const fs::path& named) {
+  std::error_code error;
+  return fs::is_regular_file(named, error) ? LoadRawlog(named) : LoadSensorStream(named);
+}
+
+/// Throws Refusal.
+void WriteRawlog(const Arguments& given, const SensorStream& stream) {
+  const auto name = given.Find("rawlog");
+  if (!name) return;
+  CommandOutput output(name, given.Has("force"), given.positionals().front());
+  const PackedRawlog rawlog = ToRawlog(stream);
+  output.Write(rawlog.bytes);
+  output.Commit();
+  if (rawlog.untimely_rows > 0) {
+    fmt::print(stderr, "{}: {} rows left out: their times are none that a rawlog can hold\n", *name,
+               rawlog.untimely_rows);
+  }
+}
+
+void PrintLosses(const SensorStream& stream) {
+  for (const std::string& loss : stream.left_out)
+    fmt::print(stderr, "{}\n", loss);
+  if (stream.cut) fmt::print(stderr, "{}; what comes before was used\n", *stream.cut);
+}
+
+bool WriteResults(const Arguments& given, const ReplayResult& result, const FormerSession& former,
+                  const std::string& timing) {
+  const fs::path out = *given.Find("out");
+  std::error_code error;
+  fs::create_directories(out, error);
+  const bool is_written =
+      Write(out / "online.csv", PosesCsv(result.online)) &&
+      Write(out / "smoothed.csv", PosesCsv(result.smoothed)) &&
+      Write(out / "states.csv", StatesCsv(result.states)) &&
+      Write(out / "landmarks.csv", LandmarksCsv(result.landmarks)) &&
+      Write(out / "landmarks_covariance.csv",
+            LandmarkCovarianceCsv(result.landmarks, result.landmark_covariance)) &&
+      (former.ids.empty() || Write(out / "matches.csv", MatchesCsv(result.landmarks))) &&
+      Write(out / "associations.csv", AssociationsCsv(result.associations)) &&
+      Write(out / "timing.json", timing);
+  const std::string name = fs::path(given.positionals().front()).lexically_normal().filename();
+  return is_written &&
+         (!given.Has("plot") || (Write(out / "error.svg", NavErrorPlot(result, name)) &&
+                                 Write(out / "map.svg", NavMapPlot(result, name))));
 }
 
 int ReplayStream(const Arguments& given) {
-  const Expected<SensorStream> stream = LoadSensorStream(given.positionals().front());
+  const Expected<SensorStream> stream = LoadStream(given.positionals().front());
   if (!stream) {
     fmt::print(stderr, "{}\n", stream.error().text);
     return kFailed;
   }
-  const Expected<NavigatorParams> params = ParamsFor(given, *stream);
+  PrintLosses(*stream);
+  WriteRawlog(given, *stream);
+  const Expected<ReplayParams> params = ParamsFor(given, *stream);
   if (!params) {
     fmt::print(stderr, "{}\n", params.error().text);
     return kFailed;
@@ -113,7 +178,8 @@ int ReplayStream(const Arguments& given) {
   }
   const auto thread_time = [] { return ThreadTime().value(); };
   const double start = thread_time();
-  const ReplayResult result = Replay(*stream, *params, thread_time, {}, former);
+  const ReplayResult result =
+      Replay(*stream, params->navigator, thread_time, {}, former, params->attitude);
   const std::string timing = TimingJson(result.update_s, thread_time() - start);
   if (result.smoothed.empty()) {
     fmt::print(stderr, "{}: no pose could be estimated (no attitude)\n",
@@ -121,26 +187,7 @@ int ReplayStream(const Arguments& given) {
     return kFailed;
   }
 
-  const fs::path out = *given.Find("out");
-  std::error_code error;
-  fs::create_directories(out, error);
-  const bool is_written =
-      Write(out / "online.csv", PosesCsv(result.online)) &&
-      Write(out / "smoothed.csv", PosesCsv(result.smoothed)) &&
-      Write(out / "states.csv", StatesCsv(result.states)) &&
-      Write(out / "landmarks.csv", LandmarksCsv(result.landmarks)) &&
-      Write(out / "landmarks_covariance.csv",
-            LandmarkCovarianceCsv(result.landmarks, result.landmark_covariance)) &&
-      (former.ids.empty() || Write(out / "matches.csv", MatchesCsv(result.landmarks))) &&
-      Write(out / "associations.csv", AssociationsCsv(result.associations)) &&
-      Write(out / "timing.json", timing);
-  const std::string name = fs::path(given.positionals().front()).lexically_normal().filename();
-  const bool is_drawn =
-      !given.Has("plot") || (Write(out / "error.svg", NavErrorPlot(result, name)) &&
-                             Write(out / "map.svg", NavMapPlot(result, name)));
-  if (stream->cut) {
-    fmt::print(stderr, "{}; what comes before was used\n", *stream->cut);
-  }
+  const bool is_written = WriteResults(given, result, former, timing);
   if (given.Has("json")) {
     fmt::print("{}", timing);
   } else {
@@ -152,7 +199,7 @@ int ReplayStream(const Arguments& given) {
         result.counts.depths, result.counts.fixes, result.counts.late_frames);
     if (!former.ids.empty()) fmt::print("{}", FormerSummary(result, former));
   }
-  return is_written && is_drawn ? kOk : kFailed;
+  return is_written ? kOk : kFailed;
 }
 
 }  // namespace

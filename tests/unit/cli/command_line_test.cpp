@@ -116,7 +116,7 @@ TEST(CommandLine, SaysWhatIsWrongAndWhatWouldBeRight) {
            {{"survey", "a", "--without-truth=no"}, "--without-truth takes no value"},
            {{"tables", "a", "--runs", "0"}, "--runs takes a whole number of at least 1, not `0`"},
            {{"tables", "a", "--jobs=1.5"}, "--jobs takes a whole number of at least 1, not `1.5`"},
-           {{"nav", "stream"}, "nav takes one stream folder and --out DIR"},
+           {{"nav", "stream"}, "nav takes one stream (a folder or a .rawlog file) and --out DIR"},
            {{"change", "--session-a", "a"}, "change takes --session-a DIR and --session-b DIR"},
            {{"detect", "a.png"}, "detect takes images and --out FILE"},
            {{"detect", "a", "--out", "b", "--min-confidence", "7"},

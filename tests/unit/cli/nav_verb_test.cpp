@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/limpet/cli.hpp"
+#include "apps/limpet/command_line.hpp"
 #include "apps/limpet/verbs/nav.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -118,6 +119,52 @@ TEST_F(NavVerbTest, FramesOfAStreamWhoseCameraNobodySaysAreRefused) {
   EXPECT_EQ(Run({folder_.path().string(), "--out", (folder_.path() / "out").string()}), kFailed);
   EXPECT_THAT(::testing::internal::GetCapturedStderr(),
               HasSubstr("meta.csv: image_size: is missing, and the stream has frames"));
+}
+
+TEST_F(NavVerbTest, OverAStreamAndOverItsRawlogEstimatesTheSame) {
+  const std::string stream = folder_.path().string(), out = (folder_.path() / "out").string();
+  const std::string rawlog = (folder_.path() / "x.rawlog").string();
+  ASSERT_EQ(Run({stream, "--out", out, "--rawlog", rawlog}), kOk);
+  std::vector<std::string> before;
+  for (const char* file : {"online.csv", "smoothed.csv", "states.csv", "landmarks.csv"})
+    before.push_back(Text(file));
+  std::filesystem::remove_all(out);
+  ASSERT_EQ(Run({rawlog, "--out", out}), kOk);
+  for (const char* file : {"landmarks.csv", "states.csv", "smoothed.csv", "online.csv"}) {
+    EXPECT_EQ(Text(file), before.back()) << file;
+    before.pop_back();
+  }
+}
+
+TEST_F(NavVerbTest, WritesNoRawlogOverAFileUnlessForced) {
+  const std::string stream = folder_.path().string(), out = (folder_.path() / "out").string();
+  const std::string rawlog = (folder_.path() / "x.rawlog").string();
+  std::ofstream(rawlog) << "mine";
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(RunCommandLine({"nav", stream, "--out", out, "--rawlog", rawlog}), kRefused);
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(), HasSubstr("--force writes over it"));
+  EXPECT_EQ(std::filesystem::file_size(rawlog), 4U);
+  EXPECT_EQ(Run({stream, "--out", out, "--rawlog", rawlog, "--force"}), kOk);
+  EXPECT_GT(std::filesystem::file_size(rawlog), 1000U);
+}
+
+TEST_F(NavVerbTest, SaysWhatOfACutRawlogItUsed) {
+  const std::string stream = folder_.path().string(), out = (folder_.path() / "out").string();
+  const std::filesystem::path rawlog = folder_.path() / "x.rawlog";
+  ASSERT_EQ(Run({stream, "--out", out, "--rawlog", rawlog.string()}), kOk);
+  std::filesystem::resize_file(rawlog, std::filesystem::file_size(rawlog) / 2);
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(Run({rawlog.string(), "--out", out}), kOk);
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(),
+              HasSubstr("unexpected end of file); what comes before was used"));
+}
+
+TEST_F(NavVerbTest, RefusesAFileThatIsNoRawlog) {
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(Run({(folder_.path() / "meta.csv").string(), "--out", folder_.path().string()}),
+            kFailed);
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(),
+              HasSubstr("meta.csv: holds no measurement that can be used"));
 }
 
 TEST_F(NavVerbTest, AVehicleThatIsNowhereIsNamedWithThoseThereAre) {
