@@ -12,7 +12,8 @@
 namespace limpet {
 namespace {
 
-constexpr std::array kCommands{&kLogScan, &kLogStat, &kLogGrep, &kLogClip, &kLogCsv, &kLogRecover};
+constexpr std::array kCommands{&kLogScan, &kLogStat,    &kLogGrep,  &kLogClip,
+                               &kLogCsv,  &kLogRecover, &kLogRawlog};
 
 void PrintHelp() {
   fmt::print("usage: limpet log <command> <log> [options]\n\n");

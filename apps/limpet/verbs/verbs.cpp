@@ -33,7 +33,7 @@ const std::vector<Verb>& Verbs() {
       {"scope", "look at the variables of a community, live", RunScopeVerb},
       {"poke", "write variables of a community and read them back", RunPokeVerb},
       {"play", "play a log into a community", RunPlayVerb},
-      {"log", "look into a log: scan, stat, grep, clip, csv, recover", RunLog},
+      {"log", "look into a log: scan, stat, grep, clip, csv, recover, rawlog", RunLog},
       {"plug", "expand a mission template, as nsplug does", RunPlug},
   };
   return verbs;

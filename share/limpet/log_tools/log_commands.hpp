@@ -20,5 +20,6 @@ extern const LogCommand kLogGrep;
 extern const LogCommand kLogClip;
 extern const LogCommand kLogCsv;
 extern const LogCommand kLogRecover;
+extern const LogCommand kLogRawlog;
 
 }  // namespace limpet

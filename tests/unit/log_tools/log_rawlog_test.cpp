@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// The sensors of a logged run as a rawlog, by the command.
+#include <algorithm>
+#include <variant>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "estimation/replay/rawlog.hpp"
+#include "estimation/replay/replay.hpp"
+#include "limpet/core/config.hpp"
+#include "limpet/vehicle_file/vehicle_file.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/unit/log_tools/made_log.hpp"
+
+namespace limpet {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string Entry(double t, const char* name, const std::string& value) {
+  return fmt::format("{:<15.5f} {:<20} {:<15} {} \n", t, name, "uSimSensors", value);
+}
+
+/// Half a minute at rest and level, heading north, then half a minute ahead.
+std::string LogOfARun() {
+  std::string log = kMadeBanner;
+  for (int i = 0; i < 3000; ++i) {
+    const double t = 0.02 * i, u = t < 30.0 ? 0.0 : 0.5;
+    log += Entry(t, "IMU_DATA", "fx=0,fy=0,fz=-9.81,p=0,q=0,r=0,heading=0");
+    log += Entry(t, "FOG_YAW_RATE", "0.00000");
+    if (i % 10 == 0) {
+      log += Entry(
+          t, "DVL_DATA",
+          fmt::format(
+              "has_lock=true,u={},v=0,w=0,altitude=4,b1=4.4,sd_horizontal=0.01,sd_vertical=0.005",
+              u));
+      log += Entry(t, "DEPTH_SENSOR", "3.00000");
+    }
+    if (i % 50 == 0 && t < 20.0) log += Entry(t, "GPS_DATA", "north=7,east=-3,sd=0.4");
+  }
+  return log + Entry(61.0, "DETECTIONS",
+                     R"({"frame":4,"exposure":1767225660.5,"boxes":[{"u":9,"v":8,"w":7,"h":6,)"
+                     R"("confidence":0.9,"color":"yellow"}]})");
+}
+
+class LogRawlog : public ::testing::Test {
+ protected:
+  LogRawlog() { WriteLog(log_, LogOfARun()); }
+  [[nodiscard]] SensorStream Convert(std::vector<std::string> more = {}) {
+    std::vector<std::string> words{log_, "--out", out_};
+    words.insert(words.end(), more.begin(), more.end());
+    run_ = RunLogCommand(kLogRawlog, words);
+    const auto stream = LoadRawlog(out_);
+    EXPECT_TRUE(stream.has_value());
+    return stream ? *stream : SensorStream();
+  }
+  template <class Row>
+  static std::size_t CountOf(const SensorStream& stream) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        stream.rows, [](const StreamRow& row) { return std::holds_alternative<Row>(row); }));
+  }
+  TemporaryFolder folder_;
+  std::string log_ = (folder_.path() / "run.alog").string();
+  std::string out_ = (folder_.path() / "run.rawlog").string();
+  LogRun run_;
+};
+
+TEST_F(LogRawlog, HoldsEveryMeasurementAtItsTime) {
+  const SensorStream stream = Convert();
+  EXPECT_EQ(CountOf<InertialInput>(stream), 3000U);
+  EXPECT_EQ(CountOf<FogRow>(stream), 3000U);
+  EXPECT_EQ(CountOf<DvlRow>(stream), 300U);
+  EXPECT_EQ(CountOf<DepthRow>(stream), 300U);
+  EXPECT_EQ(CountOf<GpsRow>(stream), 20U);
+  EXPECT_NEAR(std::get<InertialInput>(stream.rows.front()).t, 1767225600.0, 1e-6);
+  const auto& frame = std::get<FrameRow>(stream.rows.back());
+  EXPECT_NEAR(frame.arrival, 1767225661.0, 1e-6);
+  EXPECT_NEAR(frame.frame.exposure.value(), 1767225660.5, 1e-6);
+  EXPECT_EQ(frame.frame.boxes.at(0).color, "yellow");
+  EXPECT_THAT(run_.out, HasSubstr("run.rawlog: 6 621 measurements\n"));
+  EXPECT_THAT(run_.out, HasSubstr("no vehicle is known"));
+}
+
+TEST_F(LogRawlog, IsReplayedByTheEstimator) {
+  const SensorStream stream = Convert({"--vehicle", "feelhippo.yaml"});
+  const VehicleFile vehicle = LoadMissionVehicle("feelhippo.yaml", ".");
+  const ReplayResult result =
+      Replay(stream, ParamsForVehicle(vehicle.sensors, vehicle.camera.geometry(), stream.meta),
+             [] { return 0.0; });
+  ASSERT_FALSE(result.smoothed.empty());
+  EXPECT_NEAR(result.smoothed.back().X_WB.p_WB.x(), 7.0 + 0.5 * 31.0, 0.3);
+  EXPECT_NEAR(result.smoothed.back().X_WB.p_WB.y(), -3.0, 0.3);
+  EXPECT_NEAR(result.smoothed.back().X_WB.p_WB.z(), 3.0, 0.05);
+}
+
+TEST_F(LogRawlog, HasTheCameraOfTheVehicleThatIsNamed) {
+  const StreamMeta meta = Convert({"--vehicle", "feelhippo.yaml"}).meta;
+  EXPECT_TRUE(meta.has_image_size && meta.has_intrinsics);
+  EXPECT_EQ(meta.camera.fx, LoadMissionVehicle("feelhippo.yaml", ".").camera.geometry().fx);
+}
+
+TEST_F(LogRawlog, VelocitiesAreTurnedIntoTheVehiclesAxes) {
+  std::ofstream(folder_.path() / "turned.yaml")
+      << "based_on: feelhippo.yaml\ndvl:\n  yaw_deg: 90\n";
+  const SensorStream stream = Convert({"--vehicle", (folder_.path() / "turned.yaml").string()});
+  Eigen::Vector3d last = Eigen::Vector3d::Zero();
+  for (const StreamRow& row : stream.rows)
+    if (const auto* ping = std::get_if<DvlRow>(&row)) last = ping->velocity.value_or(last);
+  EXPECT_NEAR(last.x(), 0.0, 1e-9);
+  EXPECT_NEAR(last.y(), 0.5, 1e-9);
+}
+
+TEST_F(LogRawlog, EntriesThatMakeNoSenseAreCountedAndLeftOut) {
+  WriteLog(log_, LogOfARun() + Entry(61.5, "DVL_DATA", "has_lock=maybe") +
+                     Entry(61.6, "DEPTH_SENSOR", "deep"));
+  EXPECT_EQ(CountOf<DvlRow>(Convert()), 300U);
+  EXPECT_THAT(run_.out, HasSubstr("2 left out: they make no sense\n"));
+}
+
+TEST_F(LogRawlog, ALogWithoutSensorsLeavesNoFile) {
+  WriteLog(log_, std::string(kMadeBanner) + Entry(1.0, "NAV_X", "1.00000"));
+  EXPECT_EQ(RunLogCommand(kLogRawlog, {log_, "--out", out_}).code, kFailed);
+  EXPECT_FALSE(std::filesystem::exists(out_));
+}
+
+}  // namespace
+}  // namespace limpet
