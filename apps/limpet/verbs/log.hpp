@@ -6,7 +6,7 @@
 
 namespace limpet {
 
-/// `limpet log scan|stat|grep|clip|csv|recover`: looks into .alog files, ours and MOOS's.
+/// `limpet log scan|stat|grep|clip|csv|recover|rawlog`: looks into .alog files, ours and MOOS's.
 int RunLog(std::span<const std::string> args);
 
 }  // namespace limpet

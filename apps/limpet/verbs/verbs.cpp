@@ -9,6 +9,7 @@
 #include "apps/limpet/verbs/key.hpp"
 #include "apps/limpet/verbs/launch.hpp"
 #include "apps/limpet/verbs/log.hpp"
+#include "apps/limpet/verbs/map.hpp"
 #include "apps/limpet/verbs/nav.hpp"
 #include "apps/limpet/verbs/plug.hpp"
 #include "apps/limpet/verbs/report.hpp"
@@ -34,6 +35,7 @@ const std::vector<Verb>& Verbs() {
       {"poke", "write variables of a community and read them back", RunPokeVerb},
       {"play", "play a log into a community", RunPlayVerb},
       {"log", "look into a log: scan, stat, grep, clip, csv, recover, rawlog", RunLog},
+      {"map", "a saved session's map for other programs", RunMap},
       {"plug", "expand a mission template, as nsplug does", RunPlug},
   };
   return verbs;

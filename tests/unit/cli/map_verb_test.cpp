@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "apps/limpet/cli.hpp"
+#include "apps/limpet/command_line.hpp"
+#include "estimation/mapping/semantic_octree.hpp"
+#include "estimation/replay/gzip_bytes.hpp"
+#include "limpet/session/session_memory.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace limpet {
+namespace {
+
+using ::testing::HasSubstr;
+
+class MapVerbTest : public ::testing::Test {
+ protected:
+  void Save(const std::string& map) const {
+    SessionMemory memory;
+    memory.map = map;
+    OpiBelief opi;
+    opi.id = 12;
+    opi.object.cov_W = Eigen::Matrix3d::Identity();
+    opi.object.color = "yellow";
+    memory.objects.opis.push_back(opi);
+    for (int i = 0; i < 3; ++i)
+      memory.frames.push_back({.frame = i, .exposure = Seconds(i), .X_WB = {}});
+    ASSERT_TRUE(SessionWriter(folder_.path() / "session").Commit({}, FilesOf(memory)).has_value());
+  }
+  static std::string OneVoxel() {
+    SemanticOctree octree;
+    octree.Set({1.1, 2.1, 3.1}, {.occupied = 0.85F});
+    return octree.Serialize();
+  }
+  int Run(std::vector<std::string> words) {
+    ::testing::internal::CaptureStdout();
+    ::testing::internal::CaptureStderr();
+    words.insert(words.begin(), "map");
+    const int code = RunCommandLine(words);
+    out_ = ::testing::internal::GetCapturedStdout();
+    err_ = ::testing::internal::GetCapturedStderr();
+    return code;
+  }
+  TemporaryFolder folder_;
+  std::string session_ = folder_.path().string();
+  std::string scene_ = (folder_.path() / "map.3Dscene").string();
+  std::string out_, err_;
+};
+
+TEST_F(MapVerbTest, WritesASavedSessionsMapAsAScene) {
+  Save(OneVoxel());
+  ASSERT_EQ(Run({"export", session_, "--3dscene", scene_}), kOk);
+  EXPECT_THAT(out_, HasSubstr("map.3Dscene: 1 objects, path of 3 poses\n"));
+  const auto read = ReadUnpacked(scene_, 1U << 20U);
+  ASSERT_TRUE(read.has_value());
+  for (const char* part : {"COpenGLScene", "COctoMapVoxels", "object 12", "CSetOfLines"})
+    EXPECT_THAT(read->bytes, HasSubstr(part));
+}
+
+TEST_F(MapVerbTest, SaysThatASessionKeptNoVoxels) {
+  Save("");
+  EXPECT_EQ(Run({"export", session_, "--3dscene", scene_}), kOk);
+  EXPECT_THAT(out_, HasSubstr("the session kept no voxels"));
+}
+
+TEST_F(MapVerbTest, NamesTheMapThatIsDamaged) {
+  Save("# Octomap OcTree file\nid SemanticOcTree\n");
+  EXPECT_NE(Run({"export", session_, "--3dscene", scene_}), kOk);
+  EXPECT_THAT(err_, HasSubstr("map.ot: "));
+  EXPECT_FALSE(std::filesystem::exists(scene_));
+}
+
+TEST_F(MapVerbTest, WritesOverNothingUnlessForced) {
+  Save(OneVoxel());
+  ASSERT_EQ(Run({"export", session_, "--3dscene", scene_}), kOk);
+  EXPECT_EQ(Run({"export", session_, "--3dscene", scene_}), kRefused);
+  EXPECT_EQ(Run({"export", session_, "--3dscene", scene_, "--force"}), kOk);
+}
+
+TEST_F(MapVerbTest, ComplainsOfWhatIsNoSessionAndNoCommand) {
+  EXPECT_NE(Run({"export", session_, "--3dscene", scene_}), kOk);
+  EXPECT_THAT(err_, HasSubstr("no complete session here"));
+  EXPECT_EQ(Run({"exprot", session_}), kUsage);
+  EXPECT_THAT(err_, HasSubstr("did you mean `export`?"));
+  EXPECT_EQ(Run({"--help"}), kOk);
+}
+
+}  // namespace
+}  // namespace limpet
