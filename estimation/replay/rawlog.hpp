@@ -32,7 +32,8 @@ struct PackedRawlog {
 [[nodiscard]] PackedRawlog ToRawlog(const SensorStream& stream);
 
 /// `bytes` are unpacked; `name` is what errors call them. Also takes what is of these classes and
-/// fields in other people's rawlogs, in sensory frames too. What is of other classes, and what is
+/// fields in other people's rawlogs, in sensory frames too, and GGA of CObservationGPS, north and
+/// east of the first. What is of other classes, and what is
 /// damaged, is passed over, and the stream says so.
 [[nodiscard]] Expected<SensorStream> ParseRawlog(std::string_view bytes, const std::string& name);
 /// The error names the file.

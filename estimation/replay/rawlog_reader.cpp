@@ -15,11 +15,13 @@
 
 #include <fmt/format.h>
 #include <mrpt/obs/CObservationComment.h>
+#include <mrpt/obs/CObservationGPS.h>
 #include <mrpt/obs/CObservationIMU.h>
 #include <mrpt/obs/CObservationRawDAQ.h>
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/obs/registerAllClasses.h>
 #include <mrpt/serialization/CArchive.h>
+#include <mrpt/topography/conversions.h>
 
 #include "estimation/replay/bounded_input.hpp"
 #include "estimation/replay/csv_fields.hpp"
@@ -33,16 +35,28 @@ namespace limpet {
 namespace {
 
 using mrpt::obs::CObservationComment;
+using mrpt::obs::CObservationGPS;
 using mrpt::obs::CObservationIMU;
 using mrpt::obs::CObservationRawDAQ;
 using mrpt::obs::CObservationRobotPose;
 using mrpt::obs::TIMUDataIndex;
+using Gga = mrpt::obs::gnss::Message_NMEA_GGA;
 
 constexpr std::array kOrientation{mrpt::obs::IMU_ROLL, mrpt::obs::IMU_PITCH, mrpt::obs::IMU_YAW};
 constexpr std::array kVelocity{mrpt::obs::IMU_X_VEL, mrpt::obs::IMU_Y_VEL, mrpt::obs::IMU_Z_VEL};
 constexpr std::array kInertial{mrpt::obs::IMU_X_ACC, mrpt::obs::IMU_Y_ACC, mrpt::obs::IMU_Z_ACC,
                                mrpt::obs::IMU_WX,    mrpt::obs::IMU_WY,    mrpt::obs::IMU_WZ,
                                mrpt::obs::IMU_YAW};
+
+/// 1-sigma of each horizontal axis [m]: what a receiver errs by per unit of dilution, by the kind
+/// of its solution; nothing if it has none, or only guesses.
+std::optional<double> SigmaOf(const Gga::content_t& fix) {
+  constexpr std::array<double, 6> kErrors{0.0, 3.0, 1.0, 3.0, 0.02, 0.3};  // invalid, GPS, ... RTK
+  constexpr double kUsualDilution = 1.5;
+  if (fix.fix_quality == 0 || fix.fix_quality >= kErrors.size()) return std::nullopt;
+  const double dilution = static_cast<double>(fix.HDOP);
+  return kErrors.at(fix.fix_quality) * (dilution > 0.0 ? dilution : kUsualDilution);
+}
 
 /// Turns observations into rows; false for one that says nothing to the estimator.
 class RawlogRows {
@@ -84,6 +98,22 @@ class RawlogRows {
     const double sd = std::sqrt(std::max(cov(0, 0), cov(1, 1)));
     Add(GpsRow{rawlog::SecondsOf(fix.timestamp), {mean.x(), mean.y()}, sd},
         {mean.x(), mean.y(), sd});
+    return true;
+  }
+  bool Take(const CObservationGPS& gps) {
+    if (!gps.hasMsgClass<Gga>()) return false;
+    const Gga::content_t& fix = gps.getMsgByClass<Gga>().fields;
+    const std::optional<double> sd = SigmaOf(fix);
+    const bool is_place =
+        std::abs(fix.latitude_degrees) < 89.0 && std::abs(fix.longitude_degrees) <= 180.0;
+    if (!sd || !is_place) return false;
+    const GeoPoint place{fix.latitude_degrees, fix.longitude_degrees};
+    if (!stream_.datum) stream_.datum = place;
+    mrpt::math::TPoint3D p_ENU;
+    mrpt::topography::geodeticToENU_WGS84(
+        {place.latitude_deg, place.longitude_deg, 0.0}, p_ENU,
+        {stream_.datum->latitude_deg, stream_.datum->longitude_deg, 0.0});
+    Add(GpsRow{rawlog::SecondsOf(gps.timestamp), {p_ENU.y, p_ENU.x}, *sd}, {*sd});
     return true;
   }
   bool Take(const CObservationRawDAQ& some) {
@@ -203,6 +233,7 @@ class RawlogParser {
     const std::string_view rest = bytes_.substr(at);
     const std::string_view kind = ClassAt(rest);
     if (kind == "CObservationIMU") return Take<CObservationIMU>(at, kind);
+    if (kind == "CObservationGPS") return Take<CObservationGPS>(at, kind);
     if (kind == "CObservationRawDAQ") return Take<CObservationRawDAQ>(at, kind);
     if (kind == "CObservationRobotPose") return Take<CObservationRobotPose>(at, kind);
     if (kind == "CObservationComment") return Take<CObservationComment>(at, kind);

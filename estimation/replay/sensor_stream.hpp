@@ -14,6 +14,7 @@
 #include "estimation/attitude/attitude_filter.hpp"
 #include "limpet/core/camera_model.hpp"
 #include "limpet/core/expected.hpp"
+#include "limpet/core/geodesy.hpp"
 #include "limpet/objects/frame.hpp"
 
 namespace limpet {
@@ -72,6 +73,8 @@ struct SensorStream {
   int refused_rows = 0;         ///< that held a value that is no finite number
   /// Why the rows after these could not be read: the file was cut. Names file and line.
   std::optional<std::string> cut;
+  /// Where north and east count from, if fixes came as latitude and longitude: the first of them.
+  std::optional<GeoPoint> datum;
   std::vector<std::string> left_out;  ///< what else of the file is not in the rows, and why
 };
 

@@ -7,6 +7,9 @@
 
 #include "estimation/replay/rawlog.hpp"
 
+/// MRPT 2.5.8 loses the message of a CObservationGPS, 80 bytes, where the file ends inside it.
+extern "C" const char* __lsan_default_suppressions() { return "leak:gnss_message::Factory"; }
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto stream =
       limpet::ParseRawlog({reinterpret_cast<const char*>(data), size}, "some.rawlog");

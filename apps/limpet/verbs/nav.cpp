@@ -197,6 +197,10 @@ int ReplayStream(const Arguments& given) {
         result.smoothed.size(), result.landmarks.size(), result.finish.reason,
         stream->refused_rows + result.counts.stale_samples, result.counts.velocities,
         result.counts.depths, result.counts.fixes, result.counts.late_frames);
+    if (stream->datum) {
+      fmt::print("north and east count from the first fix, {:.7f}, {:.7f}\n",
+                 stream->datum->latitude_deg, stream->datum->longitude_deg);
+    }
     if (!former.ids.empty()) fmt::print("{}", FormerSummary(result, former));
   }
   return is_written ? kOk : kFailed;

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <mrpt/io/CMemoryStream.h>
 #include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CObservationGPS.h>
 #include <mrpt/obs/CObservationIMU.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CRawlog.h>
@@ -232,6 +233,34 @@ TEST(Rawlog, OfOtherPeopleGivesWhatItHasAndNamesTheRest) {
   EXPECT_EQ(stream->rows.size(), 2U);
   EXPECT_THAT(stream->left_out, ElementsAre("x.rawlog: 1 CObservationIMU `xsens` passed over",
                                             "x.rawlog: 2 CObservationOdometry passed over"));
+}
+
+mrpt::obs::CObservationGPS FixAt(double latitude_deg, double longitude_deg, int quality) {
+  mrpt::obs::gnss::Message_NMEA_GGA gga;
+  gga.fields.latitude_degrees = latitude_deg, gga.fields.longitude_degrees = longitude_deg;
+  gga.fields.fix_quality = static_cast<std::uint8_t>(quality);
+  gga.fields.thereis_HDOP = true, gga.fields.HDOP = 2.0F;
+  mrpt::obs::CObservationGPS gps;
+  gps.timestamp = mrpt::Clock::fromDouble(1767225600.0);
+  gps.setMsg(gga);
+  return gps;
+}
+
+TEST(Rawlog, PlacesOnEarthBecomeNorthAndEastOfTheFirst) {
+  const auto stream = ParseRawlog(
+      BytesOf(FixAt(43.7, 10.3, 0), FixAt(43.721, 10.283, 1), FixAt(43.731, 10.293, 4)), "x");
+  ASSERT_TRUE(stream.has_value());
+  ASSERT_EQ(stream->rows.size(), 2U);
+  const auto& first = std::get<GpsRow>(stream->rows[0]);
+  const auto& second = std::get<GpsRow>(stream->rows[1]);
+  EXPECT_NEAR(first.t, 1767225600.0, 1e-6);
+  EXPECT_NEAR(first.p_W.norm(), 0.0, 1e-6);
+  EXPECT_NEAR(first.sd, 6.0, 1e-9);
+  EXPECT_NEAR(second.p_W.x(), 1111.12, 0.01) << "0.01 deg of the ellipsoid's tables";
+  EXPECT_NEAR(second.p_W.y(), 805.68, 0.01);
+  EXPECT_NEAR(second.sd, 0.04, 1e-9);
+  EXPECT_EQ(stream->datum->latitude_deg, 43.721);
+  EXPECT_THAT(stream->left_out, ElementsAre("x: 1 CObservationGPS `` passed over"));
 }
 
 TEST(Rawlog, TakesObservationsOutOfSensoryFrames) {
