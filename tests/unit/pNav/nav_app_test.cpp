@@ -5,10 +5,13 @@
 #include <cmath>
 #include <fstream>
 #include <optional>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "estimation/matching/frame_offset.hpp"
+#include "tests/support/sphere_box.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_link.hpp"
 
@@ -52,6 +55,23 @@ class NavAppTest : public ::testing::Test {
       if (step_ % 5 == 0) {
         app_->Tick(link_.time);
       }
+    }
+  }
+
+  /// Runs on with boxes of what the camera sees of objects of 0.5 m radius, four images a second.
+  void RunOver(const std::vector<Eigen::Vector3d>& objects, double seconds) {
+    const CameraModel camera = NavApp::Params{}.camera.geometry();
+    for (int frame = 0; frame < static_cast<int>(4.0 * seconds); ++frame) {
+      RunFor(0.26);
+      const Pose X_WB{{10.0, east_ - 0.01, 1.0}, 0.0, 0.0, 0.5 * M_PI};
+      Detections seen{.frame = frame, .exposure = link_.time, .boxes = {}};
+      for (const Eigen::Vector3d& p_W : objects) {
+        auto box = BoxOfSphere(camera.InCamera(X_WB, p_W), 0.5, camera);
+        if (!box || box->w < 20.0 || box->h < 20.0) continue;
+        box->confidence = 0.9, box->color = "yellow";
+        seen.boxes.push_back(*box);
+      }
+      link_.Send(*app_, topics::kDetections, seen);
     }
   }
 
@@ -153,6 +173,31 @@ TEST_F(NavAppTest, PosesAFrameAtItsExposureAlsoWhenItShowsNothing) {
   ASSERT_TRUE(frame.has_value());
   EXPECT_EQ(frame->frame, 7);
   EXPECT_NEAR(frame->X_WB.p_WB.y(), east, 0.05);
+}
+
+TEST_F(NavAppTest, WarnsOfAFormerSessionWhoseFrameLiesElsewhere) {
+  const std::vector<Eigen::Vector3d> objects{{10.5, 32.0, 4.5}, {9.0, 36.0, 4.4},
+                                             {11.2, 43.0, 4.5}, {9.4, 46.0, 4.5},
+                                             {10.8, 55.0, 4.4}, {9.9, 61.0, 4.5}};
+  const FrameOffset off{.shift = {12.0, -9.0}, .turn = 0.3};
+  SessionPrior prior;
+  prior.session = "discovery";
+  for (const Eigen::Vector3d& p_W : objects) {
+    FormerObject& former = prior.opis.emplace_back();
+    former.id = static_cast<int>(prior.opis.size());
+    former.object.p_W = off.Undo(p_W), former.object.color = "yellow";
+    former.object.cov_W = 0.01 * Eigen::Matrix3d::Identity();
+  }
+  RunFor(10.0);
+  link_.Send(*app_, topics::kSessionPrior, prior);
+  RunOver(objects, 95.0);
+  EXPECT_TRUE(app_->warnings().contains("FORMER_ELSEWHERE"));
+  // Found again where it should be, the warning is over.
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    prior.opis[i].object.p_W = objects[i];
+  link_.Send(*app_, topics::kSessionPrior, prior);
+  RunFor(5.0);
+  EXPECT_FALSE(app_->warnings().contains("FORMER_ELSEWHERE"));
 }
 
 TEST_F(NavAppTest, WarnsWhileTheDvlHasNoLock) {
