@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "apps/pNav/class_radii.hpp"
 #include "apps/pNav/nav_block.hpp"
 #include "estimation/navigation/measurement_source.hpp"
 #include "estimation/navigation/sensor_beliefs.hpp"
@@ -36,6 +37,9 @@ NavigatorParams NavigatorParamsOf(const NavApp::Params& params, const VehicleFil
   result.node_period = params.node_period;
   result.node_distance = params.node_distance;
   result.objects.model.radius_m = params.opi_radius.value();
+  result.objects.model.size_spread = params.opi_radius_spread;
+  if (const auto radii = ParseClassRadii(params.opi_radius_by_class))
+    result.objects.model.class_radius_m = *radii;  // else the block is refused
   result.objects.min_confidence = params.min_confidence;
   result.objects.looks_to_confirm = params.looks_to_confirm;
   result.objects.confirm_log_odds = params.confirm_log_odds;

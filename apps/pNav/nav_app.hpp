@@ -34,6 +34,8 @@ class NavApp final : public App {
     Seconds stale_after{2.0};
     MetersPerSecond top_speed{1.0}, strongest_current{0.5};
     Meters opi_radius{0.5};
+    double opi_radius_spread = 0.2;
+    std::string opi_radius_by_class = "none";
     double min_confidence = 0.45;
     int looks_to_confirm = 3;
     double confirm_log_odds = 2.5;
@@ -62,6 +64,12 @@ class NavApp final : public App {
             InRange(0.0_mps, 5.0_mps));
       visit.Required("opi_radius_m", opi_radius, "Radius of the objects; 0: unknown",
                      InRange(0.0_m, 5.0_m));
+      visit("opi_radius_spread", opi_radius_spread,
+            "1-sigma of the share by which radii differ from that, until objects seen tell; 0: all "
+            "are alike",
+            InRange(0.0, 2.0));
+      visit("opi_radius_by_class", opi_radius_by_class,
+            "Classes with a radius of their own, e.g. yellow:0.5, orange:0.3");
       visit("min_confidence", min_confidence, "Boxes below are not used", InRange(0.0, 1.0));
       visit("looks_to_confirm", looks_to_confirm, "Boxes that make an object", InRange(2, 100));
       visit("confirm_log_odds", confirm_log_odds,

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <optional>
 
+#include "apps/pNav/class_radii.hpp"
 #include "estimation/navigation/measurement_source.hpp"
 #include "limpet/app/registry.hpp"
 
@@ -57,6 +58,12 @@ NavBlock::NavBlock(const ConfigBlock& block) {
     std::ranges::move(PrefixedKeys(name, *sources.back().second), std::back_inserter(specs));
   }
   problems = ApplyBlock(block, specs, KeysOfOthers(unknown.empty()));
+  if (const auto radii = ParseClassRadii(params.opi_radius_by_class); !radii) {
+    const ConfigEntry* stated = block.Find("opi_radius_by_class");
+    problems.push_back({.where = stated != nullptr ? stated->where : block.where,
+                        .key = "opi_radius_by_class",
+                        .text = radii.error().text});
+  }
   std::ranges::move(unknown, std::back_inserter(problems));
 }
 

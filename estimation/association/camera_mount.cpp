@@ -12,8 +12,8 @@ constexpr double kLeastSigma = 1e-6;  // of what is not in doubt: a prior needs 
 
 }  // namespace
 
-void CameraMount::Begin() {
-  if (slots_ || smoother_ == nullptr || !is_in_doubt()) return;
+void CameraMount::Begin(bool is_needed) {
+  if (slots_ || smoother_ == nullptr || !(is_needed || is_in_doubt())) return;
   const auto add = [this](const Eigen::Vector3d& sigma) {
     const int slot = smoother_->AddCameraErrors(Eigen::Vector3d::Zero());
     const Eigen::Matrix3d covariance =

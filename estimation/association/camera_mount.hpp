@@ -29,9 +29,9 @@ class CameraMount {
   CameraMount(const CameraModel& camera, const CameraMountParams& params, Smoother& smoother)
       : camera_(camera), params_(params), smoother_(&smoother) {}
 
-  /// Before the first term on the variables. Nothing to do if they are there, or nothing is in
-  /// doubt.
-  void Begin();
+  /// Before the first term on the variables. Nothing to do if they are there, or if nothing is in
+  /// doubt and they are not needed anyway.
+  void Begin(bool is_needed = false);
   /// Nothing before that, or if nothing is in doubt.
   [[nodiscard]] const std::optional<Slots>& slots() const { return slots_; }
   /// As its file says.

@@ -87,7 +87,7 @@ Eigen::MatrixXd FrameAssociator::Costs(const TrackerFrame& frame,
     if (!reachable.is_reachable[index]) continue;
     const ExpectedObject expected{
         .p_W = object.p_W,
-        .radius = radius,
+        .radius = radius * std::exp(object.log_size),
         .color = object.Color(),
         .covariance = CovarianceWith(object, frame.path, reachable.joint, row_in_joint),
         .mount_C =

@@ -11,8 +11,9 @@
 namespace limpet {
 
 void LandmarkTerms::Map(TrackedObject& object, const TrackState& as) {
-  mount_.Begin();
-  object.Map(next_id_++, smoother_.AddLandmark(object.p_W), as);
+  mount_.Begin(params_.model.size_spread > 0.0);
+  const int slot = smoother_.AddLandmark(object.p_W);
+  object.Map(next_id_++, slot, as, sizes_.Take(params_.model.LogSizeOf(object.Color())));
   const int node = object.observations.front().node;
   const BirthplaceFactor hold(object.p_W - smoother_.PoseAt(node).head<3>(),
                               Meters(params_.place_prior_m));
@@ -23,7 +24,8 @@ void LandmarkTerms::Map(TrackedObject& object, const TrackState& as) {
 
 void LandmarkTerms::AddTerms(const TrackedObject& object, Observation& observation,
                              bool with_seabed) {
-  for (Term& term : TermsOf(observation, object.slot(), mount_, params_.model, with_seabed))
+  const LookSlots slots{.landmark = object.slot(), .mount = mount_.slots(), .size = object.size()};
+  for (Term& term : TermsOf(observation, slots, mount_.camera(), params_.model, with_seabed))
     observation.terms.push_back(smoother_.AddTerm(observation.node, std::move(term)));
 }
 

@@ -15,7 +15,15 @@ class LandmarkTerms {
  public:
   LandmarkTerms(Smoother& smoother, CameraMount& mount, const ObjectTrackerParams& params,
                 TrackList& tracks)
-      : smoother_(smoother), mount_(mount), params_(params), tracks_(tracks) {}
+      : smoother_(smoother),
+        mount_(mount),
+        params_(params),
+        tracks_(tracks),
+        sizes_(params.model.size_spread, smoother) {}
+
+  /// Of the mapped tracks.
+  [[nodiscard]] ObjectSizes& sizes() { return sizes_; }
+  [[nodiscard]] const ObjectSizes& sizes() const { return sizes_; }
 
   /// Puts a tentative track into the smoother.
   void Map(TrackedObject& object, const TrackState& as);
@@ -44,6 +52,7 @@ class LandmarkTerms {
   CameraMount& mount_;
   const ObjectTrackerParams& params_;
   TrackList& tracks_;
+  ObjectSizes sizes_;
   int next_id_ = 1;
   /// Of absorbed tracks: they stay until the last trace of their observations is gone.
   std::vector<int> absorbed_slots_;

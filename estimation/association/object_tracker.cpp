@@ -2,6 +2,7 @@
 #include "estimation/association/object_tracker.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "estimation/association/track_placement.hpp"
@@ -111,17 +112,35 @@ void ObjectTracker::DropStale() {
   });
 }
 
+std::optional<ObjectTracker::Radius> ObjectTracker::RadiusOf(const TrackedObject& landmark) const {
+  if (!landmark.size()) return std::nullopt;
+  const ObjectSizes& sizes = terms_.sizes();
+  const double radius = params_.model.radius_m * std::exp(sizes.LogSizeAt(*landmark.size()));
+  return Radius{.value = radius, .sd = radius * std::sqrt(sizes.VarianceOf(*landmark.size()))};
+}
+
 bool ObjectTracker::Review() {
   bool has_changed = review_.RemoveOutliers();
   review_.DoubtDuplicates();
   has_changed = identities_.DecideWhatIsDue() || has_changed;
   has_changed = terms_.RemoveAbsorbed(false) || has_changed;
+  LearnSizes();
   return review_.DropFalseLandmarks() || has_changed;
+}
+
+void ObjectTracker::LearnSizes() {
+  std::vector<SizeSlot> seen;
+  for (const TrackedObject& object : tracks_.objects) {
+    if (object.is_landmark() && object.size()) seen.push_back(*object.size());
+  }
+  terms_.sizes().Learn(seen);
 }
 
 void ObjectTracker::Refresh() {
   for (TrackedObject& object : tracks_.objects) {
-    if (object.is_mapped()) object.p_W = smoother_.BorderAt(object.slot());
+    if (!object.is_mapped()) continue;
+    object.p_W = smoother_.BorderAt(object.slot());
+    if (object.size()) object.log_size = terms_.sizes().LogSizeAt(*object.size());
   }
 }
 

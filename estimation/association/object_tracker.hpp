@@ -45,12 +45,18 @@ class ObjectTracker {
   [[nodiscard]] const std::vector<TrackedObject>& objects() const { return tracks_.objects; }
   [[nodiscard]] std::vector<TrackedObject>& objects() { return tracks_.objects; }
   [[nodiscard]] const CameraMount& mount() const { return mount_; }
+  /// Radius of a landmark [m] and its 1-sigma; nothing if sizes are taken for known.
+  struct Radius {
+    double value = 0.0, sd = 0.0;
+  };
+  [[nodiscard]] std::optional<Radius> RadiusOf(const TrackedObject& landmark) const;
   [[nodiscard]] int rejected_observations() const { return review_.rejected(); }
 
  private:
   [[nodiscard]] std::vector<Candidate> CandidatesOf(const TrackerFrame& frame) const;
   void AddObservation(TrackedObject& object, Observation observation, const TrackerFrame& frame);
   void StartTrack(Observation observation, const TrackerFrame& frame);
+  void LearnSizes();
   /// Tentative tracks that nothing has shown for long.
   void DropStale();
 

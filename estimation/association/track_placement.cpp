@@ -13,6 +13,7 @@ void Locate(TrackedObject& object, const Smoother& smoother, const CameraMount& 
   const Triangulation found = Triangulate(
       object.observations, [&smoother](int node) { return smoother.PoseAt(node); }, mount, model);
   object.p_W = found.p_W;
+  object.log_size = found.log_size;
   object.state =
       Tentative{.covariance_W = found.covariance, .worst_residual = found.worst_residual};
 }

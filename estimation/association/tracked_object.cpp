@@ -7,8 +7,8 @@
 
 namespace limpet {
 
-void TrackedObject::Map(int id, int slot, const TrackState& as) {
-  mapped_ = Mapped{.id = id, .slot = slot};
+void TrackedObject::Map(int id, int slot, const TrackState& as, std::optional<SizeSlot> size) {
+  mapped_ = Mapped{.id = id, .slot = slot, .size = size};
   state = as;
 }
 

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "estimation/association/box_reading.hpp"
+#include "estimation/association/object_sizes.hpp"
 #include "estimation/smoothing/camera_errors.hpp"
 #include "estimation/smoothing/chain_graph.hpp"
 #include "limpet/objects/object_estimate.hpp"
@@ -62,6 +63,7 @@ class TrackedObject {
  public:
   std::vector<Observation> observations;          ///< in order of time
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< [m], as of the last solution
+  double log_size = 0.0;  ///< natural logarithm of its share of the believed radius, as of then
   TrackState state = Tentative{};
   double last_path = 0.0;        ///< way travelled when last seen [m]
   double max_distance = 0.0;     ///< from the camera that it was seen at [m]
@@ -75,12 +77,15 @@ class TrackedObject {
   /// Where it was when all its observations were last reviewed; nothing before that.
   std::optional<Eigen::Vector3d> reviewed_p_W;
 
-  /// Puts it into the smoother at `slot`, under an id from 1 on that is never used again.
-  void Map(int id, int slot, const TrackState& as);
+  /// Puts it into the smoother at `slot`, and its size at `size` if that is estimated, under an id
+  /// from 1 on that is never used again.
+  void Map(int id, int slot, const TrackState& as, std::optional<SizeSlot> size = std::nullopt);
   /// REQUIRES: is_mapped(), now or before it was gone.
   [[nodiscard]] int id() const { return mapped_->id; }
   /// Its variable in the smoother. REQUIRES: is_mapped().
   [[nodiscard]] int slot() const { return mapped_->slot; }
+  /// The same for its size, if that is estimated.
+  [[nodiscard]] const std::optional<SizeSlot>& size() const { return mapped_->size; }
 
   template <class State>
   [[nodiscard]] bool Is() const {
@@ -116,6 +121,7 @@ class TrackedObject {
  private:
   struct Mapped {
     int id, slot;
+    std::optional<SizeSlot> size;
   };
   std::optional<Mapped> mapped_;
   std::map<std::string, double> votes_;

@@ -9,6 +9,7 @@
 #include <Eigen/Cholesky>
 
 #include "estimation/smoothing/factors/camera_errors_factor.hpp"
+#include "estimation/smoothing/factors/object_size_factor.hpp"
 #include "estimation/smoothing/factors/range_factor.hpp"
 #include "estimation/smoothing/factors/reprojection_factor.hpp"
 #include "estimation/smoothing/factors/seabed_factor.hpp"
@@ -19,6 +20,11 @@ namespace {
 constexpr double kUsualDistance = 3.0;  // [m] when nothing tells
 constexpr double kLeastDepth = 0.8;     // [m]
 constexpr int kIterations = 6;
+constexpr double kKnownSize = 1e-4;  // 1-sigma of the logarithm of a size that is not in doubt
+// A size far from what is believed is likelier than a Gaussian has it: mapped objects have the
+// tails of Huber's loss, tentative ones a wider spread.
+constexpr double kTentativeSpread = 1.5;
+constexpr double kMostLogSize = 2.0;  // seven times as large or small
 
 /// A first guess from one observation.
 Eigen::Vector3d PlaceAlongRay(const Observation& observation, const NavVector& x,
@@ -40,7 +46,7 @@ Eigen::Vector3d PlaceAlongRay(const Observation& observation, const NavVector& x
   return p_WC + std::clamp(depth, kLeastDepth, 30.0) * ray_W;
 }
 
-/// `bind` makes a term of a factor of the camera, for which the object is `slot`.
+/// `bind` makes a term of a factor of the camera; the object's place is the border variable `slot`.
 template <class Bind>
 std::vector<Term> CollectTerms(const Observation& observation, int slot, const CameraModel& camera,
                                const ObjectModel& model, bool with_seabed, const Bind& bind) {
@@ -67,22 +73,65 @@ std::vector<Term> CollectTerms(const Observation& observation, int slot, const C
   return terms;
 }
 
+/// A look from a known pose at the border variables 0, the object's place, and 1, whose first
+/// number is its size.
+template <class F>
+class LookFromKnownPose {
+ public:
+  static constexpr int kDim = F::kDim;
+  using Residual = typename F::Residual;
+  using Jacobian = typename F::Jacobian;
+  using BorderJacobian = typename F::BorderJacobian;
+
+  LookFromKnownPose(const CameraModel& camera, F factor)
+      : camera_(&camera), factor_(std::move(factor)) {}
+
+  [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p_W,
+                                  const Eigen::Vector3d& log_size, Jacobian* J_pose,
+                                  BorderJacobian* J_landmark, BorderJacobian* J_size) const {
+    const CameraPoint point = CameraPointOf(*camera_, x, p_W);
+    BorderJacobian J_C;
+    J_size->setZero();
+    Residual r = InCamera(point.p_C, log_size.x(), J_C, *J_size);
+    *J_pose = J_C * point.J_pose;
+    *J_landmark = J_C * point.J_landmark;
+    return r;
+  }
+
+ private:
+  Residual InCamera(const Eigen::Vector3d& p_C, double log_size, BorderJacobian& J_C,
+                    BorderJacobian& J_size) const {
+    if constexpr (TakesSize<F>) {
+      Residual by_size;
+      Residual r = factor_.InCamera(p_C, log_size, J_C, by_size);
+      J_size.col(0) = by_size;
+      return r;
+    } else {
+      return factor_.InCamera(p_C, J_C);
+    }
+  }
+  const CameraModel* camera_;
+  F factor_;
+};
+
 }  // namespace
 
-std::vector<Term> TermsOf(const Observation& observation, int slot, const CameraMount& mount,
-                          const ObjectModel& model, bool with_seabed) {
-  const CameraModel& camera = mount.camera();
-  if (!mount.slots()) {
-    return CollectTerms(observation, slot, camera, model, with_seabed,
-                        [slot](auto factor, Loss loss) {
-                          return Term::OnObservation(std::move(factor), slot, loss);
-                        });
-  }
-  const std::array slots{slot, (*mount.slots())[0], (*mount.slots())[1]};
-  return CollectTerms(observation, slot, camera, model, with_seabed, [&](auto factor, Loss loss) {
+std::vector<Term> TermsOf(const Observation& observation, const LookSlots& slots,
+                          const CameraModel& camera, const ObjectModel& model, bool with_seabed) {
+  const auto bind = [&]<class F>(F factor, Loss loss) {
+    if (!slots.mount) return Term::OnObservation(std::move(factor), slots.landmark, loss);
+    const int tilt = (*slots.mount)[0], shift = (*slots.mount)[1];
+    if constexpr (TakesSize<F>) {
+      if (slots.size) {
+        return Term::OnObservation(ObjectSizeFactor(camera, observation.motion, std::move(factor),
+                                                    slots.size->index, slots.size->believed),
+                                   std::array{slots.landmark, tilt, shift, slots.size->slot}, loss);
+      }
+    }
     return Term::OnObservation(CameraErrorsFactor(camera, observation.motion, std::move(factor)),
-                               slots, loss);
-  });
+                               std::array{slots.landmark, tilt, shift}, loss);
+  };
+  return CollectTerms(observation, slots.landmark, camera, model, with_seabed, bind);
 }
 
 Triangulation Triangulate(const std::vector<Observation>& observations,
@@ -99,11 +148,12 @@ Triangulation Triangulate(const std::vector<Observation>& observations,
   for (const Observation& observation : observations) {
     const NavVector x = pose_of(observation.node);
     cameras.push_back(mount.At(observation.motion));
-    for (Term& term :
-         CollectTerms(observation, 0, cameras.back(), model, &observation == &observations.front(),
-                      [](auto factor, Loss loss) {
-                        return Term::OnObservation(std::move(factor), 0, loss);
-                      })) {
+    for (Term& term : CollectTerms(
+             observation, 0, cameras.back(), model, &observation == &observations.front(),
+             [&cameras](auto factor, Loss loss) {
+               return Term::OnObservation(LookFromKnownPose(cameras.back(), std::move(factor)),
+                                          std::array{0, 1}, loss);
+             })) {
       bound.push_back({x, std::move(term)});
     }
     if (observation.reading.is_whole() && !start->reading.is_whole()) {
@@ -116,21 +166,35 @@ Triangulation Triangulate(const std::vector<Observation>& observations,
   // open.
   const Eigen::Vector3d guess = result.p_W;
   constexpr double kGuessInformation = 1.0 / (2.0 * 2.0);
+  const double expected_size = model.LogSizeOf(observations.front().color);
+  result.log_size = expected_size;
+  const double spread = std::max(kTentativeSpread * model.size_spread, kKnownSize);
+  const double size_information = 1.0 / (spread * spread);
   LinearTerm linear;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
-    Eigen::Matrix3d H = kGuessInformation * Eigen::Matrix3d::Identity();
-    Eigen::Vector3d g = kGuessInformation * (guess - result.p_W);
+    Eigen::Matrix4d H =
+        Eigen::Vector4d(kGuessInformation, kGuessInformation, kGuessInformation, size_information)
+            .asDiagonal();
+    Eigen::Vector4d g;
+    g << kGuessInformation * (guess - result.p_W),
+        size_information * (expected_size - result.log_size);
     result.worst_residual = 0.0;
+    const Eigen::Vector3d size(result.log_size, 0.0, 0.0);
     for (const Bound& b : bound) {
-      b.term.Linearize({.pose = &b.x, .border = {&result.p_W}}, linear);
-      const auto J = linear.J_border[0].topRows(linear.rows);
+      b.term.Linearize({.pose = &b.x, .border = {&result.p_W, &size}}, linear);
+      Eigen::Matrix<double, 6, 4> J = Eigen::Matrix<double, 6, 4>::Zero();
+      J.topLeftCorner(linear.rows, 3) = linear.J_border[0].topRows(linear.rows);
+      if (b.term.DependsOn(1))
+        J.col(3).head(linear.rows) = linear.J_border[1].col(0).head(linear.rows);
       H += J.transpose() * J;
-      g -= J.transpose() * linear.r.head(linear.rows);
+      g -= J.topRows(linear.rows).transpose() * linear.r.head(linear.rows);
       result.worst_residual = std::max(result.worst_residual, std::sqrt(2.0 * linear.cost));
     }
-    const Eigen::LLT<Eigen::Matrix3d> llt(H);
-    result.p_W += llt.solve(g);
-    result.covariance = llt.solve(Eigen::Matrix3d::Identity());
+    const Eigen::LLT<Eigen::Matrix4d> llt(H);
+    const Eigen::Vector4d step = llt.solve(g);
+    result.p_W += step.head<3>();
+    result.log_size = std::clamp(result.log_size + step(3), -kMostLogSize, kMostLogSize);
+    result.covariance = llt.solve(Eigen::Matrix4d::Identity()).topLeftCorner<3, 3>();
   }
   return result;
 }

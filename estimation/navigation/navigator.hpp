@@ -86,6 +86,8 @@ class Navigator {
   /// Current and speed through the water, and what sensors and their mounting are off, as known at
   /// `t`. REQUIRES: has_started().
   [[nodiscard]] std::vector<NamedState> States(double t) const;
+  /// Radii of the landmarks, `radius_<id>` [m]; none if sizes are taken for known.
+  [[nodiscard]] std::vector<NamedState> Sizes() const;
   /// Frames posed since the last call, in order of exposure.
   [[nodiscard]] std::vector<ObservedFrame> TakeFrames();
   [[nodiscard]] std::vector<Landmark> Landmarks() const;

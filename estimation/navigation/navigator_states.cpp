@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "estimation/navigation/navigator.hpp"
 
 namespace limpet {
@@ -45,6 +47,16 @@ std::vector<NamedState> Navigator::States(double t) const {
     AddBlock(smoother_, (*slots)[1], kShift, states);
   }
   return states;
+}
+
+std::vector<NamedState> Navigator::Sizes() const {
+  std::vector<NamedState> sizes;
+  for (const TrackedObject& object : tracker_.objects()) {
+    if (!object.is_landmark()) continue;
+    if (const auto radius = tracker_.RadiusOf(object))
+      sizes.push_back({fmt::format("radius_{}", object.id()), radius->value, radius->sd});
+  }
+  return sizes;
 }
 
 }  // namespace limpet

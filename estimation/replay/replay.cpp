@@ -17,6 +17,7 @@ constexpr double kSilence = 0.3;           // [s]
 constexpr double kOnlinePeriod = 0.19;     // [s] between rows of online.csv
 constexpr double kAttitudePeriod = 0.049;  // [s] as pNav: the smoother needs no more than 20 Hz
 constexpr double kStatesPeriod = 0.99;     // [s] between those of states.csv
+constexpr double kSizeSpread = 0.2;        // of the objects: a stream says one radius for all
 
 /// Feeds one row after the other and keeps what the estimator says.
 class Replayer {
@@ -70,6 +71,7 @@ class Replayer {
     result_.smoothed = navigator_.Smoothed();
     result_.landmarks = navigator_.Landmarks();
     result_.landmark_covariance = navigator_.LandmarkCovariance();
+    if (navigator_.has_started()) result_.states.push_back({now_, navigator_.Sizes()});
     result_.former_offset = navigator_.former_offset();
     result_.counts = navigator_.counts();
     result_.counts.stale_samples += refused_inertial_;
@@ -152,6 +154,7 @@ NavigatorParams ParamsForStream(const StreamMeta& meta) {
   params.odometry.scale_sigma = std::hypot(meta.dvl_scale_sigma, bias);
   params.odometry.misalign_sigma = std::hypot(meta.dvl_misalign_sigma, bias);
   params.objects.model.radius_m = meta.opi_radius;
+  params.objects.model.size_spread = kSizeSpread;
   params.fix_wait = kFixWait;
   BelieveMounting(SensorSheets{}, params);  // a stream says nothing of it
   return params;
@@ -163,6 +166,7 @@ NavigatorParams ParamsForVehicle(const SensorSheets& sheets, const CameraModel& 
   BelieveSheets(sheets, params);
   params.camera = camera;
   params.objects.model.radius_m = meta.opi_radius;
+  params.objects.model.size_spread = kSizeSpread;
   params.fix_wait = kFixWait;
   return params;
 }

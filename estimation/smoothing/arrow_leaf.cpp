@@ -10,7 +10,8 @@ namespace {
 
 constexpr int kAnchorColumn = 6;  // of the message
 constexpr int kBlocksColumn = 12;
-constexpr double kCameraRange = 3.0;  // [m] at which a camera's errors, [rad] or [m], are felt
+constexpr double kCameraRange =
+    3.0;  // [m] at which a camera's errors, [rad] or [m], and sizes are felt
 
 /// What a step with so many rows says beyond its earlier pose and the border.
 template <int kRows>
@@ -143,7 +144,7 @@ ArrowLeaf::Displacement ArrowLeaf::DisplacementAt(const Ends& ends,
     if (kind == BorderKind::kSensorErrors) continue;
     const Eigen::Vector3d off =
         Eigen::Map<const Eigen::Vector3d>(&border[AsIndex(3 * slots_[b])]) - linearised_[b];
-    if (kind == BorderKind::kCameraErrors) {
+    if (kind == BorderKind::kCameraErrors || kind == BorderKind::kObjectSizes) {
       moved.distance = std::max(moved.distance, kCameraRange * off.lpNorm<Eigen::Infinity>());
       continue;
     }

@@ -68,6 +68,10 @@ int ArrowSmoother::AddCameraErrors(const Eigen::Vector3d& start) {
   return AddBorderVariable(start, BorderKind::kCameraErrors);
 }
 
+int ArrowSmoother::AddObjectSizes(const Eigen::Vector3d& start) {
+  return AddBorderVariable(start, BorderKind::kObjectSizes);
+}
+
 void ArrowSmoother::CloseSensorErrors(int slot) { chain_.Close(slot); }
 
 void ArrowSmoother::RemoveLandmark(int landmark) {

@@ -40,6 +40,7 @@ class ArrowSmoother final : public Smoother {
   int AddLandmark(const Eigen::Vector3d& p_W) override;
   int AddSensorErrors(const Eigen::Vector3d& start) override;
   int AddCameraErrors(const Eigen::Vector3d& start) override;
+  int AddObjectSizes(const Eigen::Vector3d& start) override;
   void CloseSensorErrors(int slot) override;
   void RemoveLandmark(int landmark) override;
   void AddBorderTerm(int slot, Term term) override;

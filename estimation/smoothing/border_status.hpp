@@ -11,6 +11,7 @@ enum class BorderKind {
   kLandmark,      ///< a place in W [m]
   kSensorErrors,  ///< slow errors of the sensors, on which steps depend
   kCameraErrors,  ///< of a camera, on which what it sees depends
+  kObjectSizes,   ///< of three objects: natural logarithms of shares of what is believed
 };
 
 /// Sensor errors leave the border in two steps, landmarks never.

@@ -41,6 +41,8 @@ class Smoother {
   virtual int AddSensorErrors(const Eigen::Vector3d& start) = 0;
   /// Three errors of a camera, on which looks at landmarks may depend; never removed.
   virtual int AddCameraErrors(const Eigen::Vector3d& start) = 0;
+  /// Logarithms of three objects' sizes, on which looks at them may depend; never removed.
+  virtual int AddObjectSizes(const Eigen::Vector3d& start) = 0;
   /// No term on these errors is added from now on, by any node: they need not be kept at hand.
   virtual void CloseSensorErrors(int slot) = 0;
   virtual void RemoveLandmark(int landmark) = 0;

@@ -17,7 +17,7 @@
 namespace limpet {
 
 /// Border variables that one term depends on, at most.
-inline constexpr std::size_t kMostBorders = 3;
+inline constexpr std::size_t kMostBorders = 4;
 
 /// Where a term is linearised. A term reads only what it depends on.
 struct TermPoint {

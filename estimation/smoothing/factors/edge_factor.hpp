@@ -43,20 +43,30 @@ class EdgeFactor {
   }
   /// Of a point in the camera's frame, with the derivative by it.
   [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p_C, BorderJacobian& J_C) const {
+    Residual J_size;
+    return InCamera(p_C, 0.0, J_C, J_size);
+  }
+  /// For a sphere exp(log_size) times as large, also with the derivative by that.
+  [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p_C, double log_size, BorderJacobian& J_C,
+                                  Residual& J_size) const {
+    const double radius = radius_ * std::exp(log_size);
     const double along = p_C(edge_.axis), depth = p_C.z();
     const double f = edge_.axis == 0 ? camera_->fx : camera_->fy;
     const double c = edge_.axis == 0 ? camera_->cx : camera_->cy;
     const double distance = std::hypot(along, depth);
     J_C.setZero();
+    J_size.setZero();
     Residual r(kLost / edge_.sigma_px);
-    const double half = std::asin(std::min(radius_ / std::max(distance, 1e-6), 1.0));
+    const double half = std::asin(std::min(radius / std::max(distance, 1e-6), 1.0));
     const double angle = std::atan2(along, depth) + edge_.side * half;
-    if (distance > 1.02 * radius_ && std::abs(angle) < kWidest) {
+    if (distance > 1.02 * radius && std::abs(angle) < kWidest) {
       const double squared = distance * distance;
-      const double d_half = -radius_ / (squared * std::sqrt(squared - radius_ * radius_));
+      const double tangent = std::sqrt(squared - radius * radius);
+      const double d_half = -radius / (squared * tangent);
       const double stretch = f / (std::cos(angle) * std::cos(angle)) / edge_.sigma_px;
       J_C(edge_.axis) = stretch * (depth / squared + edge_.side * d_half * along);
       J_C(2) = stretch * (-along / squared + edge_.side * d_half * depth);
+      J_size(0) = stretch * edge_.side * radius / tangent;
       r(0) = (c + f * std::tan(angle) - edge_.measured_px) / edge_.sigma_px;
     }
     return r;

@@ -35,10 +35,18 @@ class RangeFactor {
   }
   /// Of a point in the camera's frame, with the derivative by it.
   [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p, BorderJacobian& J_C) const {
+    Residual J_size;
+    return InCamera(p, 0.0, J_C, J_size);
+  }
+  /// For a sphere exp(log_size) times as large, also with the derivative by that.
+  [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p, double log_size, BorderJacobian& J_C,
+                                  Residual& J_size) const {
     const double xz = std::max(std::hypot(p.x(), p.z()), 1e-6);
     const double yz = std::max(std::hypot(p.y(), p.z()), 1e-6);
-    J_C = 0.5 * inv_sigma_ * Eigen::RowVector3d(p.x() / xz, p.y() / yz, p.z() / xz + p.z() / yz);
-    return Residual((0.5 * (xz + yz) - measured_) * inv_sigma_);
+    const double scale = 0.5 * inv_sigma_ * std::exp(-log_size);
+    J_C = scale * Eigen::RowVector3d(p.x() / xz, p.y() / yz, p.z() / xz + p.z() / yz);
+    J_size = Residual(-scale * (xz + yz));
+    return Residual(scale * (xz + yz) - measured_ * inv_sigma_);
   }
 
  private:

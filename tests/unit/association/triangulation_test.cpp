@@ -215,7 +215,7 @@ TEST_F(TriangulationTest, ABoxGivesTheTermsThatItTells) {
     one.altitude = 4.0;
     ObjectModel model;
     model.radius_m = radius;
-    return TermsOf(one, 0, mount_, model, with_seabed).size();
+    return TermsOf(one, {}, mount_.camera(), model, with_seabed).size();
   };
   const Eigen::Vector3d whole(0.0, 0.0, 3.0), side(0.0, 2.4, 3.0), corner(1.75, 2.4, 3.0);
   EXPECT_EQ(count(whole, 0.5, false), 2U) << "direction and distance";

@@ -53,6 +53,12 @@ TEST(NavBlock, TakesTheKeysOfItsSources) {
   EXPECT_THAT(ProblemsOf({{"sources", "none"}}), IsEmpty());
 }
 
+TEST(NavBlock, ARadiusOfAClassThatIsNoneIsAnError) {
+  EXPECT_THAT(ProblemsOf({{"opi_radius_by_class", "yellow:0.4"}}), IsEmpty());
+  EXPECT_THAT(ProblemsOf({{"opi_radius_by_class", "yellow=0.4"}}),
+              AllOf(HasSubstr("m.moos:7"), HasSubstr("opi_radius_by_class")));
+}
+
 TEST(NavBlock, ABeaconMustSayWhereItIs) {
   EXPECT_THAT(ProblemsOf({{"sources", "beacon_range"}}), HasSubstr("beacon_range_at_m"));
 }

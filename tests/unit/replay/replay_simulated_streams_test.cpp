@@ -124,6 +124,26 @@ TEST(SimulatedStream, ACameraMountedAmissIsFoundAndCostsLittle) {
   EXPECT_LT(amiss, 1.5 * as_said);
 }
 
+TEST_P(HardHour, ObjectsOfHalfToTwiceTheSizeAreNeitherDoubledNorInvented) {
+  StreamScene scene = RoughHour(static_cast<unsigned>(GetParam()));
+  scene.size_spread = 2.0;
+  const SimulatedStream session = SimulateStream(scene);
+  const ReplayResult result = Replay(session.stream, ParamsForStream(session.stream.meta), NoClock);
+  const TrajectoryError error = ErrorOf(result.smoothed, session.truth);
+  EXPECT_LT(error.aligned, 0.3);
+  const LandmarkErrors landmarks = ErrorsOf(result.landmarks, error.alignment, session.truth);
+  EXPECT_EQ(landmarks.duplicates, 0);
+  EXPECT_EQ(landmarks.false_ones, 0);
+  // What it says of their sizes: not all alike; each with its 1-sigma.
+  double smallest = 1e9, largest = 0.0;
+  for (const NamedState& size : result.states.back().states) {
+    EXPECT_TRUE(size.name.starts_with("radius_"));
+    EXPECT_GT(size.sd, 0.0);
+    smallest = std::min(smallest, size.value), largest = std::max(largest, size.value);
+  }
+  EXPECT_GT(largest, 1.5 * smallest);
+}
+
 TEST(SimulatedStream, ANoisierVehicleIsBelievedLess) {
   constexpr int kSessions = 10;
   double nees = 0.0;

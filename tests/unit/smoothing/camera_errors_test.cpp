@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include "estimation/smoothing/factors/border_prior_factor.hpp"
 #include "estimation/smoothing/factors/camera_errors_factor.hpp"
 #include "estimation/smoothing/factors/edge_factor.hpp"
+#include "estimation/smoothing/factors/object_size_factor.hpp"
 #include "estimation/smoothing/factors/range_factor.hpp"
 #include "estimation/smoothing/factors/reprojection_factor.hpp"
 #include "tests/unit/smoothing/numeric_jacobian.hpp"
@@ -84,6 +86,35 @@ TEST_F(CameraErrorsTest, JacobiansMatchCentralDifferences) {
   ExpectJacobiansMatch(RangeFactor(camera_, Meters(2.5), Meters(0.3)));
   ExpectJacobiansMatch(EdgeFactor(camera_, Meters(0.4),
                                   {.axis = 1, .side = -1, .measured_px = 150.0, .sigma_px = 3.0}));
+}
+
+TEST_F(CameraErrorsTest, ALookAtAnObjectOfUnknownSizeMatchesCentralDifferences) {
+  const Eigen::Vector3d sizes(0.1, -0.3, 0.4);
+  const auto expect_match = [&](const auto& bare) {
+    using F = std::decay_t<decltype(bare)>;
+    for (int index = 0; index < 3; ++index) {
+      const ObjectSizeFactor<F> factor(camera_, motion_, bare, index, 0.05);
+      typename F::Jacobian J_pose;
+      typename F::BorderJacobian J_landmark, J_tilt, J_shift, J_sizes;
+      static_cast<void>(factor.Evaluate(x_, p_W_, errors_.tilt_B, errors_.shift, sizes, &J_pose,
+                                        &J_landmark, &J_tilt, &J_shift, &J_sizes));
+      const auto by_sizes = [&](const Eigen::Vector3d& s) {
+        return Eigen::VectorXd(factor.Evaluate(x_, p_W_, errors_.tilt_B, errors_.shift, s));
+      };
+      const auto by_place = [&](const Eigen::Vector3d& p) {
+        return Eigen::VectorXd(factor.Evaluate(x_, p, errors_.tilt_B, errors_.shift, sizes));
+      };
+      const double scale = 1.0 + J_sizes.template lpNorm<Eigen::Infinity>();
+      EXPECT_LT((J_sizes - NumericJacobian(by_sizes, sizes)).template lpNorm<Eigen::Infinity>(),
+                1e-4 * scale);
+      EXPECT_GT(std::abs(J_sizes(0, index)), 0.1);
+      EXPECT_LT((J_landmark - NumericJacobian(by_place, p_W_)).template lpNorm<Eigen::Infinity>(),
+                1e-4 * (1.0 + J_landmark.template lpNorm<Eigen::Infinity>()));
+    }
+  };
+  expect_match(RangeFactor(camera_, Meters(2.5), Meters(0.3)));
+  expect_match(EdgeFactor(camera_, Meters(0.4),
+                          {.axis = 1, .side = -1, .measured_px = 150.0, .sigma_px = 3.0}));
 }
 
 }  // namespace
