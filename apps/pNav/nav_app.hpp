@@ -134,7 +134,8 @@ class NavApp final : public App {
   std::vector<std::string> aiding_;  ///< names of the further sensors
   TrackWatch track_watch_;
   double last_attitude_t_ = -1e18;
-  SourceWatch imu_, fog_, dvl_, lock_, depth_, gps_, camera_;
+  SourceWatch imu_, fog_, dvl_, lock_, depth_, gps_, camera_, refused_fix_;
+  int refused_fixes_ = 0;                                           ///< as of the last tick
   int gps_fixes_ = 0, dvl_pings_ = 0, dvl_pings_without_lock_ = 0;  ///< for the report
   int landmark_version_ = 0;
   double landmarks_t_ = -1e18, current_t_ = -1e18;

@@ -9,6 +9,7 @@ namespace limpet {
 namespace {
 
 constexpr Seconds kGpsPause(5.0);  // fixes come once a second, some are left out
+constexpr Seconds kRefusedFixPause(10.0);
 
 }  // namespace
 
@@ -44,6 +45,12 @@ void NavApp::WatchSensors(double now) {
   watch(warnings::kDvlStale, !IsFresh(dvl_, now), "no DVL_DATA within stale_after_s");
   watch(warnings::kDvlNoLock, !IsFresh(lock_, now), "no bottom lock within stale_after_s");
   watch(warnings::kDepthStale, !IsFresh(depth_, now), "no DEPTH_SENSOR within stale_after_s");
+  if (const int refused = navigator_.counts().fixes; refused != refused_fixes_) {
+    refused_fixes_ = refused;
+    refused_fix_.Note(now, now);
+  }
+  watch(warnings::kGpsRefused, refused_fix_.IsFresh(now, kRefusedFixPause),
+        "fixes lie metres from where dead reckoning and the others have the vehicle");
   watch(warnings::kFormerElsewhere, navigator_.is_former_elsewhere(),
         "the former session's frame lies elsewhere than its fixes and compass say");
   watch(

@@ -50,6 +50,16 @@ inline const WarningId kDepthStale = DeclareWarning(
      .action = "See to the depth sensor and its driver; if it lasts, call the vehicle home.",
      .clears = "With the next DEPTH_SENSOR."});
 
+inline const WarningId kGpsRefused = DeclareWarning(
+    "GPS_REFUSED",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pNav"},
+     .meaning = "Fixes lie metres from where dead reckoning and the other fixes have the vehicle: "
+                "reflections, or dead reckoning is wrong. They are not used unless they stay.",
+     .action = "See that the antenna is out of the water and off walls and hulls; wait for good "
+               "fixes before the dive.",
+     .clears = "10 s after the last such fix."});
+
 inline const WarningId kFormerElsewhere = DeclareWarning(
     "FORMER_ELSEWHERE",
     {.severity = Severity::kWarning,

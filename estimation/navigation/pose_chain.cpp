@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "estimation/smoothing/factors/depth_factor.hpp"
@@ -14,9 +15,9 @@ namespace limpet {
 namespace {
 
 constexpr double kSameTime = 1e-3;  // [s] within which two measurements share a node
-constexpr int kBelieveFixes = 5;    // refused in a row, then taken after all
-constexpr int kBelieveDepths = 20;
-constexpr double kGpsGate = 5.0;          // standard deviations
+constexpr int kBelieveDepths = 20;  // refused in a row, then taken after all
+constexpr double kScaleStep = 1.1;  // of the fixes' sigma, from which on they are weighed anew
+constexpr std::size_t kSpreadEvery = 5, kMostForSpread = 180;  // fixes of a stay
 constexpr double kDepthGate = 0.7;        // [m] off the predicted depth that is always believed
 constexpr double kDepthGateSigmas = 5.0;  // or so many of its own
 constexpr double kStartDepthSigma = 0.05, kStartTiltSigma = 0.01, kLeastYawSigma = 1e-4;
@@ -29,7 +30,6 @@ PoseChain::PoseChain(const NavigatorParams& params, Smoother& smoother,
       smoother_(smoother),
       measurements_(measurements),
       errors_(params, smoother, measurements.track()),
-      fix_gate_(kBelieveFixes),
       depth_gate_(kBelieveDepths) {}
 
 void PoseChain::Begin(double t, const Eigen::Vector2d& p_W) {
@@ -113,21 +113,69 @@ PoseChain::FixUse PoseChain::AddFix(const PositionFix& fix) {
     return FixUse::kLate;
   }
   const int node = NodeAt(fix.t);
-  const NavVector x = smoother_.PoseAt(node);
-  const Eigen::MatrixXd covariance = smoother_.Covariance({});
-  const double off = (fix.p_W - x.head<2>()).norm();
-  const double sd = std::sqrt(covariance(0, 0) + covariance(1, 1) + 2.0 * fix.sd * fix.sd);
-  if (!fix_gate_.Accepts(off <= kGpsGate * sd)) {
-    ++measurements_.counts().fixes;
+  const Eigen::Vector2d reckoned_D = measurements_.track().At(fix.t).X_DB.p_WB.head<2>();
+  if (consensus_.IsNewStay(fix.t)) BeginStay(reckoned_D);
+  const FixConsensus::Verdict verdict =
+      consensus_.Add({.fix = fix, .node = node, .off_W = fix.p_W - reckoned_D});
+  measurements_.counts().fixes = refused_before_ + static_cast<int>(consensus_.refused());
+  if (consensus_.believed().empty()) return FixUse::kRefused;
+  const double scale = StayScale();
+  const bool is_old = scale > kScaleStep * fix_scale_ || scale < fix_scale_ / kScaleStep;
+  if (verdict.has_changed_group || is_old) {
+    fix_scale_ = scale;
+    RetakeFixes();
+  } else if (verdict.is_believed) {
+    TakeFix(consensus_.believed().back());
+  } else {
     return FixUse::kRefused;
   }
-  const Meters sigma =
-      GpsFactor::WhiteSigma(Meters(fix.sd), Seconds(fix.t - last_fix_t_), params_.gps_correlation);
-  last_fix_t_ = fix.t;
   measurements_.track().NoteFix(fix.t);
-  smoother_.AddTerm(node, Term::OnPose(GpsFactor(fix.p_W, sigma)));
   smoother_.Update();
   return FixUse::kTaken;
+}
+
+void PoseChain::BeginStay(const Eigen::Vector2d& reckoned_D) {
+  refused_before_ = measurements_.counts().fixes;
+  before_stay_t_ = last_fix_t_;
+  fix_terms_.clear();
+  fix_scale_ = spread_scale_ = 1.0;
+  std::optional<FixPrediction> prediction;
+  if (has_fix_) {
+    prediction = FixPrediction{.off_W = Head().head<2>() - reckoned_D,
+                               .covariance = smoother_.Covariance({}).topLeftCorner<2, 2>()};
+  }
+  consensus_.BeginStay(prediction);
+}
+
+double PoseChain::StayScale() {
+  const std::vector<HeldFix>& fixes = consensus_.believed();
+  const double sd = fixes.back().fix.sd;
+  // A spread changes slowly, and a long stay has shown all there is.
+  if (fixes.size() % kSpreadEvery == 0 && fixes.size() <= kMostForSpread) {
+    std::vector<Eigen::Vector2d> residuals_W;
+    for (const HeldFix& held : fixes)
+      residuals_W.push_back(held.fix.p_W - smoother_.PoseAt(held.node).head<2>());
+    spread_scale_ = SpreadScale(residuals_W, sd, fixes.back().fix.t - fixes.front().fix.t,
+                                0.5 * params_.gps_correlation.value());
+  }
+  return std::hypot(spread_scale_, std::sqrt(consensus_.DoubtVariance()) / sd);
+}
+
+void PoseChain::RetakeFixes() {
+  for (const TermId& term : fix_terms_)
+    smoother_.RemoveTerm(term);
+  fix_terms_.clear();
+  last_fix_t_ = before_stay_t_;
+  for (const HeldFix& held : consensus_.believed())
+    TakeFix(held);
+}
+
+void PoseChain::TakeFix(const HeldFix& held) {
+  const Meters sigma = GpsFactor::WhiteSigma(
+      Meters(fix_scale_ * held.fix.sd), Seconds(held.fix.t - last_fix_t_), params_.gps_correlation);
+  last_fix_t_ = held.fix.t;
+  has_fix_ = true;
+  fix_terms_.push_back(smoother_.AddTerm(held.node, Term::OnPose(GpsFactor(held.fix.p_W, sigma))));
 }
 
 OdometryStep PoseChain::StepTo(double t) const {

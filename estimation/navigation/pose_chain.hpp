@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "estimation/navigation/fix_consensus.hpp"
 #include "estimation/navigation/measurement_buffer.hpp"
 #include "estimation/navigation/navigator_params.hpp"
 #include "estimation/navigation/odometry_errors.hpp"
@@ -52,13 +53,26 @@ class PoseChain {
   /// The mean of the depths since `since`, carried to `t`.
   void AddDepth(int node, double since, double t);
 
+  /// Dead reckoning has the vehicle at `reckoned_D` [m].
+  void BeginStay(const Eigen::Vector2d& reckoned_D);
+  /// Sigma of this stay's fixes over what they state.
+  [[nodiscard]] double StayScale();
+  /// All that are believed in place of those that were.
+  void RetakeFixes();
+  void TakeFix(const HeldFix& held);
+
   const NavigatorParams& params_;
   Smoother& smoother_;
   MeasurementBuffer& measurements_;
   OdometryErrors errors_;
   std::vector<double> times_;  ///< of the nodes
-  PersistenceGate fix_gate_, depth_gate_;
-  double last_fix_t_ = -1e18;
+  PersistenceGate depth_gate_;
+  FixConsensus consensus_;
+  std::vector<TermId> fix_terms_;  ///< of the fixes of this stay
+  double last_fix_t_ = -1e18, before_stay_t_ = -1e18;
+  double fix_scale_ = 1.0, spread_scale_ = 1.0;  ///< of their sigma; by their spread alone
+  bool has_fix_ = false;
+  int refused_before_ = 0;                          ///< fixes, before this stay
   Eigen::Vector3d p_WD_ = Eigen::Vector3d::Zero();  ///< of the track's frame at the start, in W
 };
 
