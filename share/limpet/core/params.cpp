@@ -28,13 +28,14 @@ ConfigProblem Missing(const ConfigBlock& block, const ParamSpec& spec) {
 }
 
 /// `[1, 2, 3]`, `1, 2, 3` or `1 2 3`.
-std::optional<Eigen::Vector3d> ParseVector3(std::string_view text) {
+template <int N>
+std::optional<Eigen::Matrix<double, N, 1>> ParseNumbers(std::string_view text) {
   std::string numbers(text);
   std::ranges::replace_if(
       numbers, [](char c) { return c == '[' || c == ']' || c == ','; }, ' ');
-  Eigen::Vector3d vector;
+  Eigen::Matrix<double, N, 1> vector;
   std::string_view rest = numbers;
-  for (Eigen::Index i = 0; i < 3; ++i) {
+  for (Eigen::Index i = 0; i < N; ++i) {
     rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
     const std::optional<double> value = ParseNumber(rest.substr(0, rest.find(' ')));
     if (!value) return std::nullopt;
@@ -154,11 +155,32 @@ void ParamCollector::operator()(const char* name, Eigen::Vector3d& field, const 
       .set = nullptr};
   spec.set = [&field, each,
               allowed = spec.allowed](std::string_view text) -> std::optional<std::string> {
-    const std::optional<Eigen::Vector3d> value = ParseVector3(text);
+    const auto value = ParseNumbers<3>(text);
     if (!value || !IsInside(value->minCoeff(), each) || !IsInside(value->maxCoeff(), each)) {
       return fmt::format("`{}` is not allowed; allowed: {}", text, allowed);
     }
     field = *value;
+    return std::nullopt;
+  };
+  Add(std::move(spec));
+}
+
+void ParamCollector::operator()(const char* name, std::array<double, 5>& field, const char* form,
+                                const char* help, Range<double> each) {
+  ParamSpec spec{.name = name,
+                 .unit = "",
+                 .default_text = fmt::format("[{:.10g}]", fmt::join(field, ", ")),
+                 .allowed = fmt::format("{}, each {}", form, AllowedText(each, "")),
+                 .help = help,
+                 .is_repeatable = false,
+                 .set = nullptr};
+  spec.set = [&field, each,
+              allowed = spec.allowed](std::string_view text) -> std::optional<std::string> {
+    const auto value = ParseNumbers<5>(text);
+    if (!value || !IsInside(value->minCoeff(), each) || !IsInside(value->maxCoeff(), each)) {
+      return fmt::format("`{}` is not allowed; allowed: {}", text, allowed);
+    }
+    std::ranges::copy(*value, field.begin());
     return std::nullopt;
   };
   Add(std::move(spec));

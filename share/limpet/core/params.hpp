@@ -5,6 +5,7 @@
 // refused.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -62,6 +63,9 @@ class ParamCollector {
   /// symbol of what they are in.
   void operator()(const char* name, Eigen::Vector3d& field, const char* unit, const char* help,
                   Range<double> each = {});
+  /// Numbers in a given order, `[a, b, c]`, brackets and commas optional; `form` says the order.
+  void operator()(const char* name, std::array<double, 5>& field, const char* form,
+                  const char* help, Range<double> each = {});
   /// One entry per line of the block.
   void operator()(const char* name, std::vector<std::string>& field, const char* help);
   /// A string that must be one of `choices`.
