@@ -8,6 +8,7 @@
 
 #include "limpet/app/registry.hpp"
 #include "limpet/mission/seabed.hpp"
+#include "limpet/objects/lens_box.hpp"
 
 namespace limpet {
 namespace {
@@ -21,6 +22,7 @@ bool Moves(const ObjectMotionParams& motion) {
 SimCameraApp::SimCameraApp(const AppContext& context, const Params& params)
     : App(context),
       params_(params),
+      lens_(params.geometry.lens()),
       stamp_({}, Random(0)),
       box_model_(BoxModel::Settings{}),
       box_random_(MakeRandom("boxes")) {
@@ -33,7 +35,7 @@ SimCameraApp::SimCameraApp(const AppContext& context, const Params& params)
   }
   errors_ = scenario.errors.camera;
   stamp_ = StampError(errors_.stamps, MakeRandom("stamps camera"));
-  camera_ = errors_.mounting.Applied(params.geometry.geometry());
+  camera_ = errors_.mounting.Applied(lens_.enclosing());
   const std::string kind = params.camera == "scenario" ? scenario.camera : params.camera;
   if (kind == "rendered") {
     renderer_.emplace(SceneSettings{
@@ -44,6 +46,7 @@ SimCameraApp::SimCameraApp(const AppContext& context, const Params& params)
         // The place looks the same in every session; noise and specks do not.
         .seabed_seed = MixSeed(context.seed, "seabed texture"),
         .noise_seed = MakeRandom("image noise").Bits()});
+    if (!lens_.is_pinhole()) lens_image_.emplace(lens_);
   } else {
     box_model_ = BoxModel({.camera = camera_,
                            .visibility_m = scenario.water.visibility_m,
@@ -88,6 +91,7 @@ std::vector<Sphere> SimCameraApp::Shown(const Stamped<SimTruth>& truth) {
 CameraFrame SimCameraApp::MakeImage(const SimTruth& truth, std::span<const Sphere> shown,
                                     Seconds stamp) {
   Image image = renderer_->Render(truth.pose(), shown, frame_);
+  if (lens_image_) image = lens_image_->Distorted(image);
   return {.frame = frame_,
           .exposure = stamp,
           .width_px = image.width_px,
@@ -97,9 +101,11 @@ CameraFrame SimCameraApp::MakeImage(const SimTruth& truth, std::span<const Spher
 
 Detections SimCameraApp::MakeBoxes(const SimTruth& truth, std::span<const Sphere> shown,
                                    Seconds stamp) {
-  return {.frame = static_cast<int>(frame_),
-          .exposure = stamp,
-          .boxes = box_model_.Detect(truth.pose(), shown, box_random_)};
+  Detections seen{.frame = static_cast<int>(frame_), .exposure = stamp, .boxes = {}};
+  for (const Box& box : box_model_.Detect(truth.pose(), shown, box_random_)) {
+    if (const auto distorted = Distorted(lens_, box)) seen.boxes.push_back(*distorted);
+  }
+  return seen;
 }
 
 void SimCameraApp::PublishReady(Seconds now) {

@@ -12,12 +12,14 @@
 
 #include "limpet/app/app.hpp"
 #include "limpet/core/camera_params.hpp"
+#include "limpet/core/lens_model.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/mission/scenario.hpp"
 #include "limpet/simulation/stamp_error.hpp"
 #include "limpet/topics/sensors.hpp"
 #include "limpet/topics/simulation.hpp"
 #include "limpet/vision/box_model.hpp"
+#include "limpet/vision/lens_image.hpp"
 #include "limpet/vision/scene_renderer.hpp"
 #include "limpet/vision/sphere.hpp"
 
@@ -63,7 +65,9 @@ class SimCameraApp final : public App {
 
   Params params_;
   SimulatedErrors::Camera errors_;
-  CameraModel camera_;  ///< as it truly stands
+  LensModel lens_;
+  CameraModel camera_;                   ///< the lens' enclosing pinhole, as it truly stands
+  std::optional<LensImage> lens_image_;  ///< if images are rendered and the lens distorts
   StampError stamp_;
   std::vector<Sphere> spheres_;              ///< in their places
   std::vector<ObjectMotionParams> motions_;  ///< of each

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+
 #include <Eigen/Core>
 
 #include "limpet/core/camera_model.hpp"
 #include "limpet/core/frames.hpp"
+#include "limpet/core/lens_model.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/core/units.hpp"
 
@@ -20,6 +23,8 @@ struct CameraParams {
   int height_px = 480;
   Eigen::Vector3d p_BC = Eigen::Vector3d::Zero();
   Radians tilt{0.0};
+  double fx_px = 0.0, fy_px = 0.0, cx_px = 0.0, cy_px = 0.0;  ///< 0: as the angles and sizes say
+  std::array<double, 5> distortion{};                         ///< k1, k2, p1, p2, k3
 
   template <class V>
   void Describe(V& visit) {
@@ -37,16 +42,43 @@ struct CameraParams {
           "How far it looks ahead of straight down; below 0: astern. The planner takes the image "
           "to lie straight below",
           InRange(-180.0_deg, 180.0_deg));
+    visit("camera_fx_px", fx_px, "Focal length across [px]; 0: what the field of view makes it",
+          InRange(0.0, 50000.0));
+    visit("camera_fy_px", fy_px, "Focal length along [px]; 0: what the field of view makes it",
+          InRange(0.0, 50000.0));
+    visit("camera_cx_px", cx_px, "Where its axis meets the image, from the left [px]; 0: middle",
+          InRange(0.0, 4096.0));
+    visit("camera_cy_px", cy_px, "Where its axis meets the image, from above [px]; 0: middle",
+          InRange(0.0, 4096.0));
+    visit("camera_distortion", distortion, "[k1, k2, p1, p2, k3]",
+          "Of its lens, radial and tangential, as OpenCV and MRPT calibrate it",
+          InRange(-10.0, 10.0));
   }
-  [[nodiscard]] CameraModel geometry() const {
+  /// The image as it comes, but for the lens' distortion.
+  [[nodiscard]] CameraModel pinhole() const {
     CameraModel camera =
         CameraModel::FromFieldOfView(width_px, height_px, fov_across.value(), fov_along.value());
     camera.p_BC = p_BC;
     if (tilt != Radians(0.0)) {
       camera.R_BC = RotationFromRollPitchYaw(0.0, tilt.value(), 0.0) * camera.R_BC;
     }
+    if (fx_px > 0.0) camera.fx = fx_px;
+    if (fy_px > 0.0) camera.fy = fy_px;
+    if (cx_px > 0.0) camera.cx = cx_px;
+    if (cy_px > 0.0) camera.cy = cy_px;
     return camera;
   }
+  [[nodiscard]] LensDistortion lens_distortion() const {
+    return {.k1 = distortion[0],
+            .k2 = distortion[1],
+            .p1 = distortion[2],
+            .p2 = distortion[3],
+            .k3 = distortion[4]};
+  }
+  /// REQUIRES: a distortion that does not fold the image, which a vehicle's file is refused for.
+  [[nodiscard]] LensModel lens() const { return {pinhole(), lens_distortion()}; }
+  /// What estimates, maps and plans works with: the lens' rectified camera.
+  [[nodiscard]] CameraModel geometry() const { return lens().rectified(); }
 };
 
 /// When it makes images, as the vehicle's file and the simulated camera declare it.

@@ -129,6 +129,11 @@ std::vector<VehicleTaker> MakeTakers() {
     takers.push_back({owner, "camera_height_px", "camera.height_px"});
     takers.push_back({owner, "camera_at_m", "camera.at_m"});
     takers.push_back({owner, "camera_tilt_deg", "camera.tilt_deg"});
+    takers.push_back({owner, "camera_fx_px", "camera.fx_px"});
+    takers.push_back({owner, "camera_fy_px", "camera.fy_px"});
+    takers.push_back({owner, "camera_cx_px", "camera.cx_px"});
+    takers.push_back({owner, "camera_cy_px", "camera.cy_px"});
+    takers.push_back({owner, "camera_distortion", "camera.distortion"});
   }
   takers.push_back({"uSimCamera", "rate_hz", "camera.rate_hz"});
   takers.push_back({"uSimCamera", "latency_s", "camera.latency_s"});

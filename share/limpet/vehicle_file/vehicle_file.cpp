@@ -95,6 +95,11 @@ void CheckCamera(YamlReader& in, const YAML::Node& root, const CameraParams& cam
                             "make {:.0f} deg; allowed: less than 85 deg from straight down",
                             DegreesFromRadians(highest)));
   }
+  if (!LensModel::IsOneToOne(camera.pinhole(), camera.lens_distortion())) {
+    in.Complain(
+        root["camera"], "camera.distortion",
+        "folds the image: towards its border two directions would come to lie in one pixel");
+  }
 }
 
 /// What the files read so far say.

@@ -2,6 +2,7 @@
 #include "apps/uSimCamera/sim_camera_app.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -189,6 +190,37 @@ TEST_F(SimCamera, ACameraOffItsPlaceShowsAnObjectElsewhere) {
   Fly(app, 20.0, 3.5);
   const CameraModel camera = SimCameraApp::Params{}.geometry.geometry();
   EXPECT_NEAR(SeenIn(link_).v, 240.0 + camera.fy * 0.2 / 3.5, 1.5);
+}
+
+TEST_F(SimCamera, ALensThatDistortsDrawsBoxesToTheMiddle) {
+  WriteWith("errors: {camera: {off_m: [0, 1.7, 0]}}\n");
+  SimCameraApp straight = Make("discovery");
+  Fly(straight, 20.0, 3.5);
+  const Seen pinhole = SeenIn(link_);
+  link_.published.clear();
+  SimCameraApp::Params params;
+  params.geometry.distortion = {-0.18, 0.03, 0.0, 0.0, 0.0};
+  SimCameraApp app = Make("discovery", params);
+  Fly(app, 20.0, 3.5);
+  const Seen seen = SeenIn(link_);
+  ASSERT_GT(seen.boxes, 40);
+  const LensModel lens = params.geometry.lens();
+  const CameraModel camera = params.geometry.pinhole();
+  const Eigen::Vector2d there = lens.FromPinhole(camera, Eigen::Vector2d(pinhole.u, pinhole.v));
+  EXPECT_GT(std::abs(there.x() - pinhole.u), 6.0) << "else this shows nothing";
+  EXPECT_NEAR(seen.u, there.x(), 3.0) << "a box's middle is not quite that of the sphere";
+  EXPECT_NEAR(seen.v, there.y(), 3.0);
+}
+
+TEST_F(SimCamera, AnImageThroughALensIsAsLargeAsTheVehiclesFileSays) {
+  SimCameraApp::Params params;
+  params.geometry.distortion = {-0.18, 0.03, 0.0, 0.0, 0.0};
+  SimCameraApp app = Make("discovery", params);
+  Fly(app, 1.0, 3.5);
+  const auto frame = link_.Last(topics::kCameraFrame);
+  ASSERT_TRUE(frame.has_value());
+  EXPECT_EQ(frame->width_px, params.geometry.width_px);
+  EXPECT_EQ(frame->height_px, params.geometry.height_px);
 }
 
 TEST_F(SimCamera, StampsFramesTooLateAndHandsThemOnThen) {

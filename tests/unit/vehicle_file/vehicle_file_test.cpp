@@ -102,6 +102,24 @@ TEST(VehicleFile, RefusesACameraThatSeesTheHorizon) {
               ElementsAre(HasSubstr("camera.tilt_deg: the camera looks up or to the horizon")));
 }
 
+TEST(VehicleFile, SaysTheLensOfTheCamera) {
+  const VehicleFile file = ParseVehicleFile(
+      FileWith("mass_kg: 20") +
+          "camera: {fx_px: 500, cx_px: 310.5, distortion: [-0.2, 0.04, 0.001, -0.002, 0]}\n",
+      "x.yaml");
+  EXPECT_EQ(file.camera.pinhole().fx, 500.0);
+  EXPECT_EQ(file.camera.pinhole().cx, 310.5);
+  EXPECT_EQ(file.camera.lens_distortion().p2, -0.002);
+  EXPECT_GT(file.camera.geometry().width_px, file.camera.width_px) << "a barrel shows more";
+}
+
+TEST(VehicleFile, ALensThatFoldsTheImageIsRefused) {
+  EXPECT_THAT(ProblemsOf(FileWith("mass_kg: 20") + "camera: {distortion: [-0.9, 0, 0, 0, 0]}\n"),
+              ElementsAre(HasSubstr("camera.distortion: folds the image")));
+  EXPECT_THAT(ProblemsOf(FileWith("mass_kg: 20") + "camera: {distortion: [-0.1, 0]}\n"),
+              ElementsAre(HasSubstr("allowed: [k1, k2, p1, p2, k3], each -10 to 10")));
+}
+
 TEST(VehicleFile, TakesPushesOfAnyLength) {
   const VehicleFile file = ParseVehicleFile(FileWith("mass_kg: 20"), "v.yaml");
   for (const Thruster& thruster : file.params.thrusters.thrusters) {
