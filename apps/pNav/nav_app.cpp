@@ -11,6 +11,7 @@
 #include "estimation/navigation/measurement_source.hpp"
 #include "estimation/navigation/sensor_beliefs.hpp"
 #include "limpet/app/registry.hpp"
+#include "limpet/objects/lens_box.hpp"
 
 namespace limpet {
 namespace {
@@ -60,6 +61,7 @@ NavApp::NavApp(const AppContext& context, const Params& params, const VehicleFil
       full_force_B_(vehicle.params.thrusters.max_thrust_n *
                     vehicle.params.thrusters.WrenchPerThrust().topRows<2>()),
       stale_after_(std::max(params.stale_after, kRealPause * context.warp)),
+      lens_(params.camera.lens()),
       attitude_(AttitudeParamsOf(params, vehicle.sensors)),
       navigator_(NavigatorParamsOf(params, vehicle)) {
   Subscribe(topics::kImuData, &NavApp::OnImu);
@@ -160,7 +162,8 @@ void NavApp::OnDetections(const Stamped<Detections>& detections) {
     return;
   }
   camera_.Note(detections.value.exposure.value(), now().value());
-  navigator_.AddFrame(detections.value);
+  navigator_.AddFrame(lens_.is_pinhole() ? detections.value
+                                         : Rectified(lens_, detections.value).frame);
 }
 
 void NavApp::OnPrior(const Stamped<SessionPrior>& prior) {

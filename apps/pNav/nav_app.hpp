@@ -12,6 +12,7 @@
 #include "estimation/navigation/navigator.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/core/camera_params.hpp"
+#include "limpet/core/lens_model.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
@@ -129,6 +130,7 @@ class NavApp final : public App {
   /// Force ahead and abeam of each thruster at full command [N].
   Eigen::Matrix<double, 2, kThrusters> full_force_B_;
   Seconds stale_after_;  ///< as the mission says, and at least half a second of real time
+  LensModel lens_;       ///< boxes are rectified where they come in; what follows is a pinhole's
   AttitudeFilter attitude_;
   Navigator navigator_;
   std::vector<std::string> aiding_;  ///< names of the further sensors

@@ -32,6 +32,10 @@ std::string MetaLines(const StreamMeta& meta) {
     text += fmt::format("intrinsics_fx_fy_cx_cy,{},{},{},{}\n", camera.fx, camera.fy, camera.cx,
                         camera.cy);
   }
+  if (const LensDistortion& lens = meta.distortion; !lens.is_none()) {
+    text += fmt::format("distortion_k1_k2_p1_p2_k3,{},{},{},{},{}\n", lens.k1, lens.k2, lens.p1,
+                        lens.p2, lens.k3);
+  }
   text += fmt::format("cam_pos_body,{},{},{}\ncam_R_body_from_cam", p.x(), p.y(), p.z());
   for (int i = 0; i < 9; ++i)
     text += fmt::format(",{}", camera.R_BC(i / 3, i % 3));

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "estimation/navigation/sensor_beliefs.hpp"
+#include "limpet/objects/lens_box.hpp"
 
 namespace limpet {
 namespace {
@@ -23,8 +24,8 @@ constexpr double kSizeSpread = 0.2;        // of the objects: a stream says one 
 class Replayer {
  public:
   Replayer(const NavigatorParams& params, const std::function<double()>& clock,
-           const FormerSession& former, const AttitudeParams& attitude)
-      : navigator_(params), filter_(attitude), clock_(clock) {
+           const FormerSession& former, const ReplaySensors& sensors)
+      : navigator_(params), filter_(sensors.attitude), lens_(sensors.lens), clock_(clock) {
     navigator_.SetFormerSession(former);
   }
 
@@ -57,7 +58,13 @@ class Replayer {
     AdvanceTo(row.t);
   }
   void operator()(const FrameRow& row) {
-    navigator_.AddFrame(row.frame);
+    if (lens_.is_pinhole()) {
+      navigator_.AddFrame(row.frame);
+    } else {
+      RectifiedFrame rectified = Rectified(lens_, row.frame);
+      navigator_.AddFrame(rectified.frame);
+      numbers_[row.frame.frame] = std::move(rectified.numbers);
+    }
     for (int i = 0; i < static_cast<int>(row.frame.boxes.size()); ++i) {
       landmark_of_[{row.frame.frame, i}] = -1;
     }
@@ -78,7 +85,7 @@ class Replayer {
     result_.counts.looks = navigator_.tracker().rejected_observations();
     for (const TrackedObject& object : navigator_.tracker().objects()) {
       for (const Observation& one : object.observations) {
-        if (object.is_landmark()) landmark_of_[{one.frame, one.detection}] = object.id();
+        if (object.is_landmark()) landmark_of_[{one.frame, NumberOf(one)}] = object.id();
       }
     }
     for (const auto& [box, landmark] : landmark_of_) {
@@ -88,6 +95,12 @@ class Replayer {
   }
 
  private:
+  /// Of the box among the detector's.
+  [[nodiscard]] int NumberOf(const Observation& one) const {
+    const auto frame = numbers_.find(one.frame);
+    return frame == numbers_.end() ? one.detection
+                                   : frame->second.at(static_cast<std::size_t>(one.detection));
+  }
   void AdvanceTo(double t) {
     // The attitude's clock, which leaps are kept from, bounds everybody's.
     const std::optional<double> newest = navigator_.attitude_time();
@@ -123,6 +136,8 @@ class Replayer {
   AttitudeFilter filter_;
   double attitude_t_ = -1e18;
   int refused_inertial_ = 0;
+  LensModel lens_;
+  std::map<int, std::vector<int>> numbers_;  ///< of a frame's rectified boxes
   const std::function<double()>& clock_;
   double now_ = -1e18;
   std::map<std::pair<int, int>, int> landmark_of_;
@@ -143,7 +158,7 @@ void TakeNoise(const StatedNoise& stated, NavigatorParams& params) {
 
 NavigatorParams ParamsForStream(const StreamMeta& meta) {
   NavigatorParams params;
-  params.camera = meta.camera;
+  params.camera = LensModel(meta.camera, meta.distortion).rectified();
   params.odometry.dvl_B = meta.dvl_B;
   TakeNoise(meta.noise, params);
   params.odometry.yaw_walk = meta.yaw_random_walk;
@@ -171,11 +186,11 @@ NavigatorParams ParamsForVehicle(const SensorSheets& sheets, const CameraModel& 
   return params;
 }
 
-AttitudeParams AttitudeParamsForStream(const StreamMeta& meta) {
-  AttitudeParams params;
-  params.yaw_random_walk = Radians(meta.yaw_random_walk);
-  params.yaw_bias_sigma = Radians(meta.yaw_bias_sigma);
-  return params;
+ReplaySensors SensorsForStream(const StreamMeta& meta) {
+  ReplaySensors sensors{.attitude = {}, .lens = LensModel(meta.camera, meta.distortion)};
+  sensors.attitude.yaw_random_walk = Radians(meta.yaw_random_walk);
+  sensors.attitude.yaw_bias_sigma = Radians(meta.yaw_bias_sigma);
+  return sensors;
 }
 
 std::optional<std::string> MissingCamera(const SensorStream& stream) {
@@ -191,8 +206,8 @@ std::optional<std::string> MissingCamera(const SensorStream& stream) {
 ReplayResult Replay(const SensorStream& stream, const NavigatorParams& params,
                     const std::function<double()>& clock,
                     const std::function<void(const Navigator&)>& inspect,
-                    const FormerSession& former, const AttitudeParams& attitude) {
-  Replayer replayer(params, clock, former, attitude);
+                    const FormerSession& former, const ReplaySensors& sensors) {
+  Replayer replayer(params, clock, former, sensors);
   for (const StreamRow& row : stream.rows) {
     std::visit(replayer, row);
   }

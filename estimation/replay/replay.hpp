@@ -9,6 +9,7 @@
 #include "estimation/attitude/attitude_filter.hpp"
 #include "estimation/navigation/navigator.hpp"
 #include "estimation/replay/sensor_stream.hpp"
+#include "limpet/core/lens_model.hpp"
 #include "limpet/vehicle/sensor_sheets.hpp"
 
 namespace limpet {
@@ -48,16 +49,19 @@ struct ReplayResult {
   NavigatorCounts counts;
 };
 
-/// Of the filter that makes attitudes of a stream's inertial samples.
-[[nodiscard]] AttitudeParams AttitudeParamsForStream(const StreamMeta& meta);
+/// What makes of a stream's rows what the navigator takes.
+struct ReplaySensors {
+  AttitudeParams attitude;                        ///< for inertial samples, instead of attitudes
+  LensModel lens = LensModel(CameraModel(), {});  ///< boxes are rectified by it
+};
+[[nodiscard]] ReplaySensors SensorsForStream(const StreamMeta& meta);
 
 /// Runs the navigator over a stream in order of arrival. `clock` [s] only times the updates;
 /// `inspect`, if given, sees the navigator at the end. `former` is what an earlier session left.
-/// `attitude`: for inertial samples, where the stream has these in place of attitudes.
 [[nodiscard]] ReplayResult Replay(const SensorStream& stream, const NavigatorParams& params,
                                   const std::function<double()>& clock,
                                   const std::function<void(const Navigator&)>& inspect = {},
                                   const FormerSession& former = {},
-                                  const AttitudeParams& attitude = {});
+                                  const ReplaySensors& sensors = {});
 
 }  // namespace limpet

@@ -150,6 +150,12 @@ void TakeMeta(std::string_view line, StreamMeta& meta) {
     camera.fx = f.Number(1), camera.fy = f.Number(2);
     camera.cx = f.Number(3), camera.cy = f.Number(4);
     meta.has_intrinsics = true;
+  } else if (f.kind() == "distortion_k1_k2_p1_p2_k3") {
+    meta.distortion = {.k1 = f.Number(1),
+                       .k2 = f.Number(2),
+                       .p1 = f.Number(3),
+                       .p2 = f.Number(4),
+                       .k3 = f.Number(5)};
   } else if (f.kind() == "cam_pos_body") {
     camera.p_BC = vector();
   } else if (f.kind() == "cam_R_body_from_cam") {
@@ -202,6 +208,9 @@ Expected<StreamMeta> ParseStreamMeta(const StreamFile& meta) {
   const auto key = [&said](std::string_view line) { TakeMeta(line, said); };
   if (const auto bad = ForEachLine(meta, key)) return Error{bad->why};
   if (meta.damage) return Error{*meta.damage};
+  if (!said.distortion.is_none() && !LensModel::IsOneToOne(said.camera, said.distortion)) {
+    return Error{fmt::format("{}: distortion_k1_k2_p1_p2_k3: folds the image", meta.name)};
+  }
   return said;
 }
 

@@ -15,6 +15,7 @@
 #include "limpet/core/camera_model.hpp"
 #include "limpet/core/expected.hpp"
 #include "limpet/core/geodesy.hpp"
+#include "limpet/core/lens_model.hpp"
 #include "limpet/objects/frame.hpp"
 
 namespace limpet {
@@ -29,7 +30,8 @@ struct StatedNoise {
 
 /// What meta.csv says of vehicle and sensors, and the rows of themselves.
 struct StreamMeta {
-  CameraModel camera;
+  CameraModel camera;                                   ///< of the image as it comes, but for
+  LensDistortion distortion;                            ///< its lens
   bool has_image_size = false, has_intrinsics = false;  ///< of the camera, in the file
   StatedNoise noise;
   Eigen::Vector3d dvl_B = Eigen::Vector3d::Zero();

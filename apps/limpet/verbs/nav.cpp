@@ -86,7 +86,7 @@ bool Write(const fs::path& file, const std::string& text) {
 
 struct ReplayParams {
   NavigatorParams navigator;
-  AttitudeParams attitude;
+  ReplaySensors sensors;
 };
 
 /// Of the file that `--vehicle` names, or of meta.csv; the error says what it lacks.
@@ -94,8 +94,9 @@ Expected<ReplayParams> ParamsFor(const Arguments& given, const SensorStream& str
   if (const auto file = given.Find("vehicle")) {
     try {
       const VehicleFile vehicle = LoadMissionVehicle(*file, fs::current_path());
-      return ReplayParams{ParamsForVehicle(vehicle.sensors, vehicle.camera.geometry(), stream.meta),
-                          BelievedAttitude(vehicle.sensors)};
+      return ReplayParams{
+          ParamsForVehicle(vehicle.sensors, vehicle.camera.geometry(), stream.meta),
+          {.attitude = BelievedAttitude(vehicle.sensors), .lens = vehicle.camera.lens()}};
     } catch (const ConfigError& error) {
       return Error{error.what()};
     }
@@ -105,7 +106,7 @@ Expected<ReplayParams> ParamsFor(const Arguments& given, const SensorStream& str
     const fs::path meta = fs::is_directory(named) ? named / "meta.csv" : named;
     return Error{fmt::format("{}: {}", meta.string(), *problem)};
   }
-  return ReplayParams{ParamsForStream(stream.meta), AttitudeParamsForStream(stream.meta)};
+  return ReplayParams{ParamsForStream(stream.meta), SensorsForStream(stream.meta)};
 }
 
 Expected<SensorStream> LoadStream(const fs::path& named) {
@@ -179,7 +180,7 @@ int ReplayStream(const Arguments& given) {
   const auto thread_time = [] { return ThreadTime().value(); };
   const double start = thread_time();
   const ReplayResult result =
-      Replay(*stream, params->navigator, thread_time, {}, former, params->attitude);
+      Replay(*stream, params->navigator, thread_time, {}, former, params->sensors);
   const std::string timing = TimingJson(result.update_s, thread_time() - start);
   if (result.smoothed.empty()) {
     fmt::print(stderr, "{}: no pose could be estimated (no attitude)\n",

@@ -14,7 +14,8 @@ namespace {
 StreamMeta MetaOf(const VehicleFile& vehicle) {
   const SensorSheets& sheets = vehicle.sensors;
   StreamMeta meta;
-  meta.camera = vehicle.camera.geometry();
+  meta.camera = vehicle.camera.pinhole();
+  meta.distortion = vehicle.camera.lens_distortion();
   meta.has_image_size = meta.has_intrinsics = true;
   meta.dvl_B = sheets.dvl.p_BD;
   meta.yaw_random_walk = sheets.fog.random_walk;

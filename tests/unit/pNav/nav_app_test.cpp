@@ -200,6 +200,27 @@ TEST_F(NavAppTest, WarnsOfAFormerSessionWhoseFrameLiesElsewhere) {
   EXPECT_FALSE(app_->warnings().contains("FORMER_ELSEWHERE"));
 }
 
+TEST_F(NavAppTest, RectifiesTheBoxesOfALensThatDistorts) {
+  NavApp::Params params;
+  params.camera.distortion = {-0.18, 0.03, 0.0, 0.0, 0.0};
+  app_.emplace(MakeContext(), params);
+  RunFor(20.0);
+  const Box box{.u = 500, .v = 240, .w = 60, .h = 60, .confidence = 0.9, .color = "yellow"};
+  const Box corner{.u = 5, .v = 5, .w = 8, .h = 8, .confidence = 0.9, .color = "red"};
+  const Seconds exposure = link_.time;
+  RunFor(0.25);
+  link_.Send(*app_, topics::kDetections,
+             Detections{.frame = 7, .exposure = exposure, .boxes = {corner, box}});
+  RunFor(1.0);
+  const auto frame = link_.Last(topics::kNavSight);
+  ASSERT_TRUE(frame.has_value());
+  ASSERT_EQ(frame->boxes.size(), 1U) << "the corner is not in the rectified image";
+  const LensModel lens = params.camera.lens();
+  const Eigen::Vector2d there = lens.ToPinhole(lens.rectified(), {500.0, 240.0});
+  EXPECT_NEAR(frame->boxes[0].u, there.x(), 2.0);
+  EXPECT_GT(frame->boxes[0].w, 61.0) << "a barrel makes small what is far from the middle";
+}
+
 TEST_F(NavAppTest, WarnsWhileTheDvlHasNoLock) {
   RunFor(10.0);
   for (int i = 0; i < 30; ++i) {

@@ -77,6 +77,7 @@ SensorStream EveryRow() {
   stream.meta.has_intrinsics = true;
   stream.meta.noise.depth = 0.031;
   stream.meta.opi_radius = 0.4;
+  stream.meta.distortion.p2 = -0.0031;
   stream.rows = {
       AttitudeEstimate{.t = 0.1, .roll = 0.01, .yaw = 3.5, .sd_roll = 0.1, .sd_yaw = 1.0 / 3.0},
       AttitudeEstimate{.t = 0.2, .roll = 0.02, .yaw = 3.6, .sd_roll = 0.1, .sd_yaw = 0.5},
@@ -123,6 +124,7 @@ TEST(Rawlog, BringsEveryKindOfRowBackWithEveryBit) {
   EXPECT_EQ(RowsOf(*after), RowsOf(before));
   EXPECT_EQ(after->meta.camera.fx, before.meta.camera.fx);
   EXPECT_EQ(after->meta.noise.depth, before.meta.noise.depth);
+  EXPECT_EQ(after->meta.distortion.p2, before.meta.distortion.p2);
   EXPECT_TRUE(after->meta.has_intrinsics && !after->meta.has_image_size);
   EXPECT_THAT(after->left_out, IsEmpty());
   EXPECT_FALSE(after->cut.has_value());

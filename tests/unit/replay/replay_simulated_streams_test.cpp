@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "estimation/smoothing/camera_errors.hpp"
+#include "limpet/objects/lens_box.hpp"
 #include "tests/support/batch_solver.hpp"
 #include "tests/support/simulated_stream.hpp"
 
@@ -91,6 +92,63 @@ SensorStream Mismounted(SensorStream stream) {
     if (auto* frame = std::get_if<FrameRow>(&row)) frame->frame.exposure += Seconds(kDelay);
   }
   return stream;
+}
+
+/// The session as it comes through a lens that draws what is afar from the image's middle further
+/// away, so that all that it shows was in the pinhole's image; its meta data say so.
+SensorStream Distorted(SensorStream stream) {
+  StreamMeta& meta = stream.meta;
+  meta.distortion = {.k1 = 0.25, .k2 = 0.05, .p1 = 0.002, .p2 = -0.002};
+  const LensModel lens(meta.camera, meta.distortion);
+  for (StreamRow& row : stream.rows) {
+    auto* frame = std::get_if<FrameRow>(&row);
+    if (frame == nullptr) continue;
+    std::vector<Box> boxes;
+    for (Box box : frame->frame.boxes) {
+      box.u += lens.enclosing().cx - meta.camera.cx;
+      box.v += lens.enclosing().cy - meta.camera.cy;
+      if (auto seen = Distorted(lens, box)) boxes.push_back(*seen);
+    }
+    frame->frame.boxes = std::move(boxes);
+  }
+  return stream;
+}
+
+TEST(SimulatedStream, ThroughALensThatIsKnownGivesTheSameMap) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    const SimulatedStream session = SimulateStream({.seed = seed});
+    const auto map_of = [](const SensorStream& stream) {
+      return Replay(stream, ParamsForStream(stream.meta), NoClock, {}, {},
+                    SensorsForStream(stream.meta))
+          .landmarks;
+    };
+    const auto pinhole = map_of(session.stream), through = map_of(Distorted(session.stream));
+    ASSERT_EQ(pinhole.size(), through.size()) << "seed " << seed;
+    for (const Landmark& one : pinhole) {
+      double nearest = 1e9;
+      for (const Landmark& other : through)
+        nearest = std::min(nearest, (one.object.p_W - other.object.p_W).norm());
+      EXPECT_LT(nearest, 0.15) << "seed " << seed << ", object " << one.id;
+    }
+  }
+}
+
+TEST(SimulatedStream, ThroughALensThatNobodyTellsGivesAWorseOne) {
+  double told = 0.0, untold = 0.0;
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    const SimulatedStream session = SimulateStream({.seed = seed});
+    SensorStream stream = Distorted(session.stream);
+    const auto error_of = [&] {
+      const ReplayResult result = Replay(stream, ParamsForStream(stream.meta), NoClock, {}, {},
+                                         SensorsForStream(stream.meta));
+      const auto error = ErrorOf(result.smoothed, session.truth);
+      return ErrorsOf(result.landmarks, error.alignment, session.truth).aligned_mean;
+    };
+    told += error_of();
+    stream.meta.distortion = {};
+    untold += error_of();
+  }
+  EXPECT_LT(told, 0.75 * untold) << "sums over seeds [m]";
 }
 
 /// Of what is estimated of the camera of such a session, in units of it.

@@ -37,6 +37,18 @@ TEST_F(SensorStreamTest, ReadsEveryKindOfRow) {
   EXPECT_EQ(std::get<FrameRow>(stream->rows.back()).frame.boxes.front().color, "1");
 }
 
+TEST(StreamMetaText, ALensThatFoldsTheImageIsRefused) {
+  const auto meta_of = [](const char* line) {
+    return ParseStreamMeta({.name = "meta.csv", .lines = {"key,v1", line}, .damage = {}});
+  };
+  const auto mild = meta_of("distortion_k1_k2_p1_p2_k3,-0.2,0.04,0.001,0.002,0");
+  ASSERT_TRUE(mild.has_value());
+  EXPECT_EQ(mild->distortion.k2, 0.04);
+  const auto folded = meta_of("distortion_k1_k2_p1_p2_k3,-0.9,0,0,0,0");
+  ASSERT_FALSE(folded.has_value());
+  EXPECT_THAT(folded.error().text, HasSubstr("meta.csv: distortion_k1_k2_p1_p2_k3: folds"));
+}
+
 TEST_F(SensorStreamTest, ReadsADvlRowWithoutLock) {
   const auto stream = Load("DVL,0.1,0,,,,,,,,,,\n");
   ASSERT_TRUE(stream.has_value());
