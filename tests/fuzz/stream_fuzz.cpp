@@ -27,8 +27,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!stream || stream->rows.size() > kRows) {
     return 0;
   }
-  const auto result =
-      limpet::Replay(*stream, limpet::ParamsForStream(stream->meta), [] { return 0.0; });
+  const auto result = limpet::Replay(
+      *stream, limpet::ParamsForStream(stream->meta), [] { return 0.0; }, {}, {},
+      limpet::SensorsForStream(stream->meta));
   for (const limpet::SmoothedPose& pose : result.online) {
     if (!std::isfinite(pose.t)) std::abort();
   }
