@@ -28,6 +28,7 @@ AttitudeParams AttitudeParamsOf(const NavApp::Params& params, const SensorSheets
 NavigatorParams NavigatorParamsOf(const NavApp::Params& params, const VehicleFile& vehicle) {
   NavigatorParams result;
   BelieveSheets(vehicle.sensors, result);
+  BelieveHull(vehicle.params, result);
   result.odometry.drive = BelievedDrive(vehicle.params);
   // Anywhere within reach: of a uniform disc each axis has half the radius as its 1-sigma.
   result.odometry.unknown_velocity =

@@ -16,10 +16,14 @@ struct NavigatorParams {
   CameraModel camera;
   ObjectTrackerParams objects;
   ArrowParams smoother{.converged_decrease = 1e-6};
-  Seconds frame_wait{0.6};    ///< boxes of a frame are waited for this long after its exposure
-  Seconds node_period{1.0};   ///< longest time between poses of the chain
-  Meters node_distance{0.5};  ///< and longest way
-  Meters depth_sigma{0.015};  ///< of the depths of one second together, bias included
+  Seconds frame_wait{0.6};         ///< boxes of a frame are waited for this long after its exposure
+  Seconds node_period{1.0};        ///< longest time between poses of the chain
+  Meters node_distance{0.5};       ///< and longest way
+  Meters depth_sigma{0.015};       ///< of the depths of one second together, bias included
+  Meters depth_bias_sigma{0.15};   ///< of its zero and the air's pressure; 0: not estimated
+  double depth_bias_drift = 0.05;  ///< 1-sigma of how that changes within an hour [m]
+  /// Depth of the body origin where fixes come, with its 1-sigma.
+  Meters surface_depth{0.13}, surface_depth_sigma{0.087};
   Radians tilt_sigma{0.0047};
   Meters start_sigma{5.0};          ///< of the first position, before any fix
   Seconds errors_period{1800.0};    ///< slow errors of the odometry are estimated anew after this

@@ -16,6 +16,7 @@ using Names = std::array<const char*, 3>;
 
 constexpr Names kSlow{"dvl_scale", "dvl_misalignment", "yaw_rate_bias"};
 constexpr Names kMount{"gyro_scale", "dvl_lever_ahead", "dvl_lever_starboard"};
+constexpr Names kDepth{"depth_bias", "surface_depth_error", nullptr};
 constexpr Names kTilt{"camera_tilt_roll", "camera_tilt_pitch", "camera_tilt_yaw"};
 constexpr Names kShift{"camera_lever_ahead", "camera_lever_starboard", "camera_delay"};
 
@@ -23,7 +24,7 @@ void AddBlock(const Smoother& smoother, int slot, const Names& names,
               std::vector<NamedState>& states) {
   const Eigen::Vector3d value = smoother.BorderAt(slot);
   const Eigen::Vector3d variance = smoother.Covariance({slot}).diagonal().tail<3>();
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3 && names[static_cast<std::size_t>(i)] != nullptr; ++i) {
     states.push_back({.name = names[static_cast<std::size_t>(i)],
                       .value = value(i),
                       .sd = std::sqrt(std::max(variance(i), 0.0))});
@@ -42,6 +43,7 @@ std::vector<NamedState> Navigator::States(double t) const {
   const OdometryErrors& errors = chain_.errors();
   AddBlock(smoother_, errors.slow_slot(), kSlow, states);
   if (errors.mount_slot()) AddBlock(smoother_, *errors.mount_slot(), kMount, states);
+  if (const auto slot = chain_.depth_errors().slot()) AddBlock(smoother_, *slot, kDepth, states);
   if (const auto& slots = tracker_.mount().slots()) {
     AddBlock(smoother_, (*slots)[0], kTilt, states);
     AddBlock(smoother_, (*slots)[1], kShift, states);

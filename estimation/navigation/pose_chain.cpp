@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "estimation/smoothing/factors/depth_factor.hpp"
 #include "estimation/smoothing/factors/gps_factor.hpp"
 #include "estimation/smoothing/factors/pose_prior_factor.hpp"
 #include "estimation/smoothing/factors/roll_pitch_factor.hpp"
@@ -16,6 +15,7 @@ namespace {
 
 constexpr double kSameTime = 1e-3;  // [s] within which two measurements share a node
 constexpr int kBelieveDepths = 20;  // refused in a row, then taken after all
+constexpr double kLevelSpan = 3.0, kLevelRate = 0.03;  // [s], [m/s] of a vehicle that floats
 constexpr double kScaleStep = 1.1;  // of the fixes' sigma, from which on they are weighed anew
 constexpr std::size_t kSpreadEvery = 5, kMostForSpread = 180;  // fixes of a stay
 constexpr double kDepthGate = 0.7;        // [m] off the predicted depth that is always believed
@@ -30,6 +30,7 @@ PoseChain::PoseChain(const NavigatorParams& params, Smoother& smoother,
       smoother_(smoother),
       measurements_(measurements),
       errors_(params, smoother, measurements.track()),
+      depth_errors_(params, smoother),
       depth_gate_(kBelieveDepths) {}
 
 void PoseChain::Begin(double t, const Eigen::Vector2d& p_W) {
@@ -38,13 +39,21 @@ void PoseChain::Begin(double t, const Eigen::Vector2d& p_W) {
   NavVector x, sigma;
   x << p_W, depth ? depth->value : 0.0, attitude.yaw, attitude.pitch, attitude.roll;
   const double start = params_.start_sigma.value();
-  sigma << start, start, std::max(kStartDepthSigma, 2.0 * params_.depth_sigma.value()),
-      std::max(attitude.sd_yaw, kLeastYawSigma), kStartTiltSigma, kStartTiltSigma;
   errors_.Begin(t);
+  depth_errors_.Begin(t);
+  // A depth whose bias is estimated says the same once more, with its bias.
+  const double start_depth = depth && depth_errors_.is_estimated()
+                                 ? start
+                                 : std::max(kStartDepthSigma, 2.0 * params_.depth_sigma.value());
+  sigma << start, start, start_depth, std::max(attitude.sd_yaw, kLeastYawSigma), kStartTiltSigma,
+      kStartTiltSigma;
   const int node = smoother_.AddNode(x, std::nullopt);
   times_.push_back(t);
   smoother_.AddTerm(node, Term::OnPose(PosePriorFactor(x, sigma)));
   AddTilt(node, t);
+  if (depth && depth_errors_.is_estimated()) {
+    smoother_.AddTerm(node, depth_errors_.Measured(t, Meters(depth->value), params_.depth_sigma));
+  }
   smoother_.Update();
   p_WD_ = x.head<3>() - measurements_.track().At(t).X_DB.p_WB;
 }
@@ -87,13 +96,14 @@ void PoseChain::AddDepth(int node, double since, double t) {
   const double predicted = smoother_.PoseAt(node)(kNavZ);
   const double z_now = track.At(t).X_DB.p_WB.z();
   const double gate = std::max(kDepthGate, kDepthGateSigmas * params_.depth_sigma.value());
+  const double bias = depth_errors_.Bias();
   double sum = 0.0;
   int count = 0;
   for (const ScalarHistory::Sample& depth : measurements_.depths().samples()) {
     if (depth.t <= since || depth.t > t) {
       continue;
     }
-    const double carried = depth.value + z_now - track.At(depth.t).X_DB.p_WB.z();
+    const double carried = depth.value - bias + z_now - track.At(depth.t).X_DB.p_WB.z();
     if (!depth_gate_.Accepts(std::abs(carried - predicted) <= gate)) {
       ++measurements_.counts().depths;
       continue;
@@ -103,7 +113,7 @@ void PoseChain::AddDepth(int node, double since, double t) {
   }
   if (count > 0) {
     const double sigma = params_.depth_sigma.value() / std::sqrt(std::clamp(t - since, 0.1, 1.0));
-    smoother_.AddTerm(node, Term::OnPose(DepthFactor(Meters(sum / count), Meters(sigma))));
+    smoother_.AddTerm(node, depth_errors_.Measured(t, Meters(sum / count + bias), Meters(sigma)));
   }
 }
 
@@ -129,9 +139,20 @@ PoseChain::FixUse PoseChain::AddFix(const PositionFix& fix) {
   } else {
     return FixUse::kRefused;
   }
+  if (auto surfaced =
+          verdict.is_believed && IsLevel(fix.t) ? depth_errors_.Surfaced(fix.t) : std::nullopt) {
+    smoother_.AddTerm(node, *std::move(surfaced));
+  }
   measurements_.track().NoteFix(fix.t);
   smoother_.Update();
   return FixUse::kTaken;
+}
+
+bool PoseChain::IsLevel(double t) const {
+  const OdometryTrack& track = measurements_.track();
+  const double before = std::max(t - kLevelSpan, track.first_time());
+  const double sunk = track.At(t).X_DB.p_WB.z() - track.At(before).X_DB.p_WB.z();
+  return std::abs(sunk) <= kLevelSpan * kLevelRate;
 }
 
 void PoseChain::BeginStay(const Eigen::Vector2d& reckoned_D) {

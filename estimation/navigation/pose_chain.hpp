@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "estimation/navigation/depth_errors.hpp"
 #include "estimation/navigation/fix_consensus.hpp"
 #include "estimation/navigation/measurement_buffer.hpp"
 #include "estimation/navigation/navigator_params.hpp"
@@ -47,12 +48,16 @@ class PoseChain {
   /// Bottom track alone from the first pose on.
   [[nodiscard]] Pose DeadReckoned(double t) const;
   [[nodiscard]] const OdometryErrors& errors() const { return errors_; }
+  [[nodiscard]] const DepthErrors& depth_errors() const { return depth_errors_; }
 
  private:
   void AddTilt(int node, double t);
   /// The mean of the depths since `since`, carried to `t`.
   void AddDepth(int node, double since, double t);
 
+  /// True if it neither climbs nor sinks: one on its way may have its antenna out of the water,
+  /// too.
+  [[nodiscard]] bool IsLevel(double t) const;
   /// Dead reckoning has the vehicle at `reckoned_D` [m].
   void BeginStay(const Eigen::Vector2d& reckoned_D);
   /// Sigma of this stay's fixes over what they state.
@@ -65,6 +70,7 @@ class PoseChain {
   Smoother& smoother_;
   MeasurementBuffer& measurements_;
   OdometryErrors errors_;
+  DepthErrors depth_errors_;
   std::vector<double> times_;  ///< of the nodes
   PersistenceGate depth_gate_;
   FixConsensus consensus_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/navigation/sensor_beliefs.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "limpet/vehicle/hydrodynamics.hpp"
@@ -19,6 +20,7 @@ constexpr double kGyroNoiseMargin =
 constexpr double kGyroBiasMargin = 25.0;  // from one start to the next, before anything tells it
 constexpr double kTiltMargin = 2.3;       // of the tilt that a bias of the force makes
 constexpr double kDepthMargin = 1.4;
+constexpr double kHullMargin = 1.2;  // of how deep a vehicle floats: trim and load
 
 /// A belief has two digits: nobody knows more of a sensor's errors.
 double TwoDigits(double value) {
@@ -73,6 +75,13 @@ void BelieveMounting(const SensorSheets& sheets, NavigatorParams& params) {
       sheets.fog.is_present ? sheets.fog.scale_sigma : sheets.imu.gyro_scale_sigma;
 }
 
+void BelieveHull(const VehicleParams& vehicle, NavigatorParams& params) {
+  // Anywhere between the body's origin and the antenna at the surface, alike.
+  const double height = std::max(-vehicle.antenna_B.z(), 0.0);
+  params.surface_depth = Meters(TwoDigits(0.5 * height));
+  params.surface_depth_sigma = Meters(TwoDigits(kHullMargin * height / std::sqrt(12.0)));
+}
+
 DriveParams BelievedDrive(const VehicleParams& vehicle) {
   const Hydrodynamics hydro = DeriveHydrodynamics(vehicle);
   return {.mass = hydro.mass_matrix.diagonal().head<2>(),
@@ -96,6 +105,8 @@ void BelieveSheets(const SensorSheets& sheets, NavigatorParams& params) {
   params.tilt_sigma = BelievedTilt(sheets.imu);
   const double second = sheets.depth.noise_m / std::sqrt(sheets.depth.rate.value());
   params.depth_sigma = Meters(TwoDigits(kDepthMargin * std::hypot(sheets.depth.bias_m, second)));
+  params.depth_bias_sigma = sheets.depth.bias_sigma;
+  params.depth_bias_drift = sheets.depth.drift_m_per_sqrt_h;
   params.gps_correlation = Seconds(2.0 * sheets.gps.correlation.value());
   BelieveMounting(sheets, params);
 }

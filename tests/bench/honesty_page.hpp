@@ -20,9 +20,9 @@ Generated: `nav_study --markdown > docs/navigation-honesty.md` (`tests/bench`).
 )";
 
 inline constexpr const char* kHonestyTail = R"(
-The depth sensor's bias is no state: it lowers all poses and landmarks alike, and nothing else measures
-depth, so no estimate of it could differ from its prior. It is part of the depth's sigma; the z column shows
-that this is enough.
+The depth sensor's bias is a state: what its zero and the air's pressure leave lowers all poses and landmarks
+alike, and is told by the readings at the surface, as well as it is known how deep the vehicle floats. Nothing
+of it is off in these scenes: their z column is below 1.
 
 All of it took {:.0f} s of one thread, simulation included.
 )";

@@ -120,12 +120,23 @@ struct DepthSheet {
   Hertz rate{20.0};
   double noise_m = 0.02;
   double bias_m = 0.01;
+  Meters bias_sigma{0.15};
+  double drift_m_per_sqrt_h = 0.05;
 
   template <class V>
   void Describe(V& visit) {
+    using namespace literals;
     visit("rate_hz", rate, "Samples per second", SensorRates());
     visit("noise_m", noise_m, "Noise of one sample [m]", InRange(0.0, 5.0));
     visit("bias_m", bias_m, "Bias, constant over a session [m]", InRange(0.0, 5.0));
+    visit(
+        "bias_sigma_m", bias_sigma,
+        "1-sigma of what its zero and the air's pressure leave, on top; 0: pNav does not estimate "
+        "it",
+        InRange(0.0_m, 5.0_m));
+    visit("drift_m_per_sqrt_h", drift_m_per_sqrt_h,
+          "1-sigma of how that changes within an hour: tide, weather, creep [m/sqrt(h)]",
+          InRange(0.0, 2.0));
   }
 };
 

@@ -10,6 +10,7 @@ namespace {
 TEST(SensorBeliefs, OfTheUsualVehicleAreThoseThatTheEstimatorsWereTunedWith) {
   NavigatorParams params;
   BelieveSheets(SensorSheets{}, params);
+  BelieveHull(VehicleParams{}, params);
   const NavigatorParams usual;
   EXPECT_EQ(params.odometry.dvl_B, usual.odometry.dvl_B);
   EXPECT_EQ(params.odometry.velocity_noise, usual.odometry.velocity_noise);
@@ -21,6 +22,10 @@ TEST(SensorBeliefs, OfTheUsualVehicleAreThoseThatTheEstimatorsWereTunedWith) {
   EXPECT_EQ(params.tilt_sigma, usual.tilt_sigma);
   EXPECT_EQ(params.depth_sigma, usual.depth_sigma);
   EXPECT_EQ(params.gps_correlation, usual.gps_correlation);
+  EXPECT_EQ(params.depth_bias_sigma, usual.depth_bias_sigma);
+  EXPECT_EQ(params.depth_bias_drift, usual.depth_bias_drift);
+  EXPECT_EQ(params.surface_depth, usual.surface_depth);
+  EXPECT_EQ(params.surface_depth_sigma, usual.surface_depth_sigma);
 
   const AttitudeParams attitude = BelievedAttitude(SensorSheets{});
   const AttitudeParams usual_attitude;
