@@ -11,6 +11,7 @@
 #include "estimation/navigation/measurement_source.hpp"
 #include "estimation/navigation/sensor_beliefs.hpp"
 #include "limpet/app/registry.hpp"
+#include "limpet/core/frames.hpp"
 #include "limpet/objects/lens_box.hpp"
 
 namespace limpet {
@@ -46,6 +47,7 @@ NavigatorParams NavigatorParamsOf(const NavApp::Params& params, const VehicleFil
   result.objects.looks_to_confirm = params.looks_to_confirm;
   result.objects.confirm_log_odds = params.confirm_log_odds;
   result.session = params.session;
+  if (params.compass_aids) result.compass.sigma = BelievedAttitude(vehicle.sensors).heading_sigma;
   return result;
 }
 
@@ -118,6 +120,7 @@ void NavApp::OnImu(const Stamped<ImuSample>& imu) {
   imu_.Note(t, now().value());
   if (attitude_.is_aligned() && t - last_attitude_t_ >= kAttitudePeriod) {
     navigator_.AddAttitude(*attitude_.estimate());
+    navigator_.AddCompass(t, WrapAngle(sample.heading - attitude_.estimate()->yaw));
     last_attitude_t_ = t;
   }
 }

@@ -57,6 +57,9 @@ NavBlock::NavBlock(const ConfigBlock& block) {
     sources.emplace_back(name, *std::move(found));
     std::ranges::move(PrefixedKeys(name, *sources.back().second), std::back_inserter(specs));
   }
+  const bool has_own_compass = std::ranges::any_of(
+      sources, [](const auto& source) { return source.first == "magnetic_heading"; });
+  params.compass_aids = !has_own_compass;
   problems = ApplyBlock(block, specs, KeysOfOthers(unknown.empty()));
   if (const auto radii = ParseClassRadii(params.opi_radius_by_class); !radii) {
     const ConfigEntry* stated = block.Find("opi_radius_by_class");

@@ -51,6 +51,9 @@ void NavApp::WatchSensors(double now) {
   }
   watch(warnings::kGpsRefused, refused_fix_.IsFresh(now, kRefusedFixPause),
         "fixes lie metres from where dead reckoning and the others have the vehicle");
+  const auto deviation = navigator_.compass_deviation();
+  watch(warnings::kCompassDeviates, deviation && deviation->is_too_large,
+        "the compass is off by more than its data sheet admits");
   watch(warnings::kFormerElsewhere, navigator_.is_former_elsewhere(),
         "the former session's frame lies elsewhere than its fixes and compass say");
   watch(

@@ -60,6 +60,16 @@ inline const WarningId kGpsRefused = DeclareWarning(
                "fixes before the dive.",
      .clears = "10 s after the last such fix."});
 
+inline const WarningId kCompassDeviates = DeclareWarning(
+    "COMPASS_DEVIATES",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pNav"},
+     .meaning = "The magnetic heading is off, or swings as the vehicle turns, by far more than "
+                "heading_sigma_deg of the vehicle's file: what is known of that is taken out, and "
+                "the heading of all the map is believed less.",
+     .action = "Calibrate the compass, away from iron; see what was mounted beside it.",
+     .clears = "Once what is seen of it is within that again."});
+
 inline const WarningId kFormerElsewhere = DeclareWarning(
     "FORMER_ELSEWHERE",
     {.severity = Severity::kWarning,

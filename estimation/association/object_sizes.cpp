@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimation/smoothing/factors/size_prior_factor.hpp"
+#include "estimation/smoothing/factors/shared_prior_factor.hpp"
 
 namespace limpet {
 
@@ -16,7 +16,7 @@ std::optional<SizeSlot> ObjectSizes::Take(double believed) {
     // The linear tails of the loss let a size be quite another.
     for (int i = 0; i < kSizes; ++i) {
       smoother_->AddBorderTerm(
-          next_.slot, Term::OnBorder(SizePriorFactor(i, spread_), next_.slot, Loss::Huber(1.0)));
+          next_.slot, Term::OnBorder(SharedPriorFactor(i, spread_), next_.slot, Loss::Huber(1.0)));
     }
   }
   SizeSlot taken = next_;

@@ -3,12 +3,15 @@
 
 #include <cmath>
 
+#include "limpet/core/frames.hpp"
+
 namespace limpet {
 namespace {
 
 constexpr double kAhead = 5.0;           // [s] of a sensor before the attitude
 constexpr double kSinkRateSpan = 1.0;    // [s] of depths that tell the sink rate
 constexpr double kAltitudeMaxAge = 1.5;  // [s]
+constexpr double kCompassMaxAge = 1.5;   // [s]
 
 }  // namespace
 
@@ -73,6 +76,20 @@ void MeasurementBuffer::AddDepth(double t, double depth) {
   depths_.Add({t, depth});
 }
 
+void MeasurementBuffer::AddCompass(double t, double off) {
+  if (!std::isfinite(off) || !IsPlausible(t) || !compass_.IsNewest(t)) {
+    ++counts_.stale_samples;
+    return;
+  }
+  compass_.Add({t, off});
+}
+
+std::optional<double> MeasurementBuffer::CompassAt(double t) const {
+  const auto nearest = compass_.Nearest(t);
+  if (!nearest || std::abs(nearest->t - t) > kCompassMaxAge) return std::nullopt;
+  return WrapAngle(track_.AttitudeAt(t).yaw + nearest->value);
+}
+
 void MeasurementBuffer::AddFix(const PositionFix& fix) {
   if (!fix.p_W.allFinite() || !IsPlausible(fix.t) || !(fix.sd > 0.0) ||
       (!fixes_.empty() && fix.t <= fixes_.back().t)) {
@@ -94,6 +111,7 @@ void MeasurementBuffer::DropBefore(double t) {
   track_.DropBefore(t);
   depths_.DropBefore(t);
   altitudes_.DropBefore(t);
+  compass_.DropBefore(t);
 }
 
 std::optional<double> MeasurementBuffer::AltitudeAt(double t) const {

@@ -40,6 +40,8 @@ class MeasurementBuffer {
   /// Of the DVL above the seabed [m]; kept as that of the body origin. Comes after an attitude.
   void AddAltitude(double t, double dvl_altitude);
   void AddDepth(double t, double depth);
+  /// Of a compass against the attitude's yaw [rad].
+  void AddCompass(double t, double off);
   /// As OdometryTrack::AddForce.
   void AddForce(double t, const Eigen::Vector2d& force_B) {
     if (IsPlausible(t)) track_.AddForce(t, force_B);
@@ -52,6 +54,8 @@ class MeasurementBuffer {
   [[nodiscard]] const OdometryTrack& track() const { return track_; }
   [[nodiscard]] OdometryTrack& track() { return track_; }
   [[nodiscard]] const ScalarHistory& depths() const { return depths_; }
+  /// The compass's heading at `t` [rad], if measured about then.
+  [[nodiscard]] std::optional<double> CompassAt(double t) const;
   /// Of the body origin above the seabed, if measured about then [m].
   [[nodiscard]] std::optional<double> AltitudeAt(double t) const;
   [[nodiscard]] std::deque<PositionFix>& fixes() { return fixes_; }
@@ -68,6 +72,7 @@ class MeasurementBuffer {
   TimeGate attitude_gate_;
   OdometryTrack track_;
   ScalarHistory depths_, altitudes_;  ///< altitudes: of the body origin
+  ScalarHistory compass_;             ///< off the attitude's yaw
   std::deque<PositionFix> fixes_;
   std::vector<Detections> frames_;
   NavigatorCounts counts_;

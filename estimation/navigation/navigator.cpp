@@ -25,6 +25,7 @@ Navigator::Navigator(const NavigatorParams& params)
       smoother_(params.smoother),
       tracker_(smoother_, params_.camera, params.objects),
       chain_(params_, smoother_, measurements_),
+      compass_(params_.compass, smoother_),
       former_(params.session, smoother_, tracker_),
       aiding_(std::make_unique<AidingSources>(smoother_)) {}
 
@@ -81,6 +82,15 @@ void Navigator::StartIfPossible(double limit) {
 void Navigator::Begin(double t, const Eigen::Vector2d& p_W) {
   chain_.Begin(t, p_W);
   aiding_->Begin();
+  if (!compass_.is_in_use()) return;
+  compass_.Begin();
+  UseCompass(t, 0);
+  smoother_.Update();
+}
+
+void Navigator::UseCompass(double t, int node) {
+  if (!compass_.is_in_use()) return;
+  if (const auto heading = measurements_.CompassAt(t)) compass_.Use(*heading, t, node);
 }
 
 void Navigator::WorkOff(double limit) {
@@ -113,13 +123,17 @@ void Navigator::WorkOff(double limit) {
 
 int Navigator::NodeAt(double t) {
   const int before = chain_.size(), node = chain_.NodeAt(t);
-  if (chain_.size() > before) tracker_.Refresh();
+  if (chain_.size() > before) {
+    UseCompass(t, node);  // takes effect with the next pose
+    tracker_.Refresh();
+  }
   return node;
 }
 
 void Navigator::TakeFix(const PositionFix& fix) {
   const PoseChain::FixUse use = chain_.AddFix(fix);
   if (use == PoseChain::FixUse::kLate) return;
+  UseCompass(fix.t, chain_.size() - 1);
   tracker_.Refresh();
   if (use == PoseChain::FixUse::kTaken) {
     former_.Update();     // what no match explained in the dive may be clear now:

@@ -56,6 +56,8 @@ class Navigator {
   /// The thrusters push with this force from `t` on, ahead and abeam [N].
   void AddForce(double t, const Eigen::Vector2d& force_B) { measurements_.AddForce(t, force_B); }
   void AddDepth(double t, double depth) { measurements_.AddDepth(t, depth); }
+  /// Of a compass against the attitude's yaw [rad].
+  void AddCompass(double t, double off) { measurements_.AddCompass(t, off); }
   /// Fix in W [m] with its 1-sigma.
   void AddGps(double t, const Eigen::Vector2d& p_W, double sd) {
     measurements_.AddFix({.t = t, .p_W = p_W, .sd = sd});
@@ -86,6 +88,10 @@ class Navigator {
   /// Current and speed through the water, and what sensors and their mounting are off, as known at
   /// `t`. REQUIRES: has_started().
   [[nodiscard]] std::vector<NamedState> States(double t) const;
+  /// What the compass is off; nothing without one, or before the start.
+  [[nodiscard]] std::optional<Compass::Deviation> compass_deviation() const {
+    return compass_.deviation();
+  }
   /// Radii of the landmarks, `radius_<id>` [m]; none if sizes are taken for known.
   [[nodiscard]] std::vector<NamedState> Sizes() const;
   /// Frames posed since the last call, in order of exposure.
@@ -113,6 +119,7 @@ class Navigator {
   void Begin(double t, const Eigen::Vector2d& p_W);
   /// Fixes, frames and keyframes up to `limit`, in order of time.
   void WorkOff(double limit);
+  void UseCompass(double t, int node);
   int NodeAt(double t);
   void TakeFix(const PositionFix& fix);
   void TakeObservation(double t);
@@ -128,6 +135,7 @@ class Navigator {
   ArrowSmoother smoother_;
   ObjectTracker tracker_;
   PoseChain chain_;
+  Compass compass_;
   FormerMatching former_;
   std::unique_ptr<AidingSources> aiding_;
   std::vector<ObservedFrame> posed_;

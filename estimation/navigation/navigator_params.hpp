@@ -3,6 +3,7 @@
 
 #include "estimation/association/object_tracker.hpp"
 #include "estimation/matching/session_matching.hpp"
+#include "estimation/navigation/compass.hpp"
 #include "estimation/navigation/odometry_track.hpp"
 #include "estimation/navigation/velocity_gate.hpp"
 #include "estimation/smoothing/arrow_smoother.hpp"
@@ -13,6 +14,7 @@ namespace limpet {
 struct NavigatorParams {
   OdometryParams odometry;
   VelocityGateParams velocity_gate;
+  CompassParams compass;
   CameraModel camera;
   ObjectTrackerParams objects;
   ArrowParams smoother{.converged_decrease = 1e-6};

@@ -18,6 +18,7 @@ constexpr Names kSlow{"dvl_scale", "dvl_misalignment", "yaw_rate_bias"};
 constexpr Names kMount{"gyro_scale", "dvl_lever_ahead", "dvl_lever_starboard"};
 constexpr Names kDepth{"depth_bias", "surface_depth_error", nullptr};
 constexpr Names kTilt{"camera_tilt_roll", "camera_tilt_pitch", "camera_tilt_yaw"};
+constexpr Names kCompass{"compass_offset", "compass_deviation_sin", "compass_deviation_cos"};
 constexpr Names kShift{"camera_lever_ahead", "camera_lever_starboard", "camera_delay"};
 
 void AddBlock(const Smoother& smoother, int slot, const Names& names,
@@ -44,6 +45,7 @@ std::vector<NamedState> Navigator::States(double t) const {
   AddBlock(smoother_, errors.slow_slot(), kSlow, states);
   if (errors.mount_slot()) AddBlock(smoother_, *errors.mount_slot(), kMount, states);
   if (const auto slot = chain_.depth_errors().slot()) AddBlock(smoother_, *slot, kDepth, states);
+  if (compass_.slot()) AddBlock(smoother_, *compass_.slot(), kCompass, states);
   if (const auto& slots = tracker_.mount().slots()) {
     AddBlock(smoother_, (*slots)[0], kTilt, states);
     AddBlock(smoother_, (*slots)[1], kShift, states);

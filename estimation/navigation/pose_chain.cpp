@@ -21,6 +21,7 @@ constexpr std::size_t kSpreadEvery = 5, kMostForSpread = 180;  // fixes of a sta
 constexpr double kDepthGate = 0.7;        // [m] off the predicted depth that is always believed
 constexpr double kDepthGateSigmas = 5.0;  // or so many of its own
 constexpr double kStartDepthSigma = 0.05, kStartTiltSigma = 0.01, kLeastYawSigma = 1e-4;
+constexpr double kUnalignedYawSigma = 0.5;  // [rad] beside a compass, which tells it
 
 }  // namespace
 
@@ -45,7 +46,9 @@ void PoseChain::Begin(double t, const Eigen::Vector2d& p_W) {
   const double start_depth = depth && depth_errors_.is_estimated()
                                  ? start
                                  : std::max(kStartDepthSigma, 2.0 * params_.depth_sigma.value());
-  sigma << start, start, start_depth, std::max(attitude.sd_yaw, kLeastYawSigma), kStartTiltSigma,
+  const bool is_compass_aside = params_.compass.sigma > Radians(0.0);
+  const double yaw_sigma = is_compass_aside ? kUnalignedYawSigma : attitude.sd_yaw;
+  sigma << start, start, start_depth, std::max(yaw_sigma, kLeastYawSigma), kStartTiltSigma,
       kStartTiltSigma;
   const int node = smoother_.AddNode(x, std::nullopt);
   times_.push_back(t);

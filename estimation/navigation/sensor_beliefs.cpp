@@ -20,7 +20,8 @@ constexpr double kGyroNoiseMargin =
 constexpr double kGyroBiasMargin = 25.0;  // from one start to the next, before anything tells it
 constexpr double kTiltMargin = 2.3;       // of the tilt that a bias of the force makes
 constexpr double kDepthMargin = 1.4;
-constexpr double kHullMargin = 1.2;  // of how deep a vehicle floats: trim and load
+constexpr double kHullMargin = 1.2;     // of how deep a vehicle floats: trim and load
+constexpr double kHeadingMargin = 1.5;  // a compass is calibrated elsewhere, with other things on
 
 /// A belief has two digits: nobody knows more of a sensor's errors.
 double TwoDigits(double value) {
@@ -59,7 +60,7 @@ AttitudeParams BelievedAttitude(const SensorSheets& sheets) {
   params.gyro_noise = Radians(TwoDigits(kGyroNoiseMargin * imu.gyro_noise_radps));
   params.gyro_bias_sigma = Radians(TwoDigits(kGyroBiasMargin * imu.gyro_bias_radps));
   params.tilt_floor = BelievedTilt(imu);
-  params.heading_sigma = imu.heading_sigma;
+  params.heading_sigma = kHeadingMargin * imu.heading_sigma;
   params.yaw_random_walk = Radians(yaw.walk);
   params.yaw_bias_sigma = Radians(yaw.bias);
   return params;

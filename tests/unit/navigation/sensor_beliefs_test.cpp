@@ -34,7 +34,7 @@ TEST(SensorBeliefs, OfTheUsualVehicleAreThoseThatTheEstimatorsWereTunedWith) {
   EXPECT_EQ(attitude.tilt_floor, usual_attitude.tilt_floor);
   EXPECT_EQ(attitude.yaw_random_walk, usual_attitude.yaw_random_walk);
   EXPECT_EQ(attitude.yaw_bias_sigma, usual_attitude.yaw_bias_sigma);
-  EXPECT_EQ(attitude.heading_sigma, Radians::FromTextUnit(0.5));
+  EXPECT_EQ(attitude.heading_sigma, Radians::FromTextUnit(0.75));
 }
 
 TEST(SensorBeliefs, AreNeverBetterThanTheSheet) {

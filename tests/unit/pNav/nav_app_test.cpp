@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "estimation/matching/frame_offset.hpp"
+#include "limpet/core/frames.hpp"
 #include "tests/support/sphere_box.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_link.hpp"
@@ -219,6 +220,44 @@ TEST_F(NavAppTest, RectifiesTheBoxesOfALensThatDistorts) {
   const Eigen::Vector2d there = lens.ToPinhole(lens.rectified(), {500.0, 240.0});
   EXPECT_NEAR(frame->boxes[0].u, there.x(), 2.0);
   EXPECT_GT(frame->boxes[0].w, 61.0) << "a barrel makes small what is far from the middle";
+}
+
+TEST_F(NavAppTest, WarnsOfAFixThatCannotBe) {
+  RunFor(30.0);
+  EXPECT_FALSE(app_->warnings().contains("GPS_REFUSED"));
+  link_.Send(*app_, topics::kGpsData, GpsFix{.north = 60.0, .east = east_, .sd = 0.4});
+  RunFor(2.0);
+  EXPECT_TRUE(app_->warnings().contains("GPS_REFUSED"));
+  EXPECT_NEAR(link_.Last(topics::kNavState)->north, 10.0, 0.2);
+  RunFor(15.0);
+  EXPECT_FALSE(app_->warnings().contains("GPS_REFUSED"));
+}
+
+TEST_F(NavAppTest, WarnsOfACompassThatSwingsAsTheVehicleTurns) {
+  const auto turn_for = [this](double seconds, double swing) {
+    for (int i = 0; i < static_cast<int>(50.0 * seconds); ++i, ++step_) {
+      constexpr double kRate = 0.1;  // [rad/s]
+      link_.time = Seconds(1767225600.0 + 0.02 * step_);
+      const double yaw = 0.02 * kRate * step_;
+      link_.Send(*app_, topics::kFogYawRate, kRate);
+      link_.Send(
+          *app_, topics::kImuData,
+          ImuSample{.fz = -9.81, .r = kRate, .heading = WrapAngle(yaw + swing * std::sin(yaw))});
+      if (step_ % 10 == 0) {
+        DvlSample ping;
+        ping.has_lock = true, ping.u = ping.v = ping.w = 0.0, ping.altitude = 4.0;
+        link_.Send(*app_, topics::kDvlData, ping);
+        link_.Send(*app_, topics::kDepthSensor, 1.0);
+      }
+      if (step_ % 50 == 0)
+        link_.Send(*app_, topics::kGpsData, GpsFix{.north = 10.0, .east = 20.0, .sd = 0.4});
+      if (step_ % 5 == 0) app_->Tick(link_.time);
+    }
+  };
+  turn_for(200.0, 0.002);
+  EXPECT_FALSE(app_->warnings().contains("COMPASS_DEVIATES"));
+  turn_for(600.0, 0.08);
+  EXPECT_TRUE(app_->warnings().contains("COMPASS_DEVIATES"));
 }
 
 TEST_F(NavAppTest, WarnsWhileTheDvlHasNoLock) {
