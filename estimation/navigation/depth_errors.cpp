@@ -18,7 +18,7 @@ constexpr double kHour = 3600.0;        // [s]
 constexpr double kConstant = 1e-4;      // [m] by which what does not change does
 constexpr double kWaves = 0.05;         // [m] by which a vehicle bobs
 constexpr double kWavePeriod = 10.0;    // [s] in which that averages out
-constexpr double kSurfaceSigmas = 5.0;  // off the surface: no antenna is out of the water there
+constexpr double kSurfaceSigmas = 3.5;  // off the surface: no antenna is out of the water there
 
 }  // namespace
 
