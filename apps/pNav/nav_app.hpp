@@ -44,7 +44,7 @@ class NavApp final : public App {
     Meters node_distance{0.5};
     MatchingParams session = DefaultMatching();
     CameraParams camera;
-    bool compass_aids = true;
+    bool compass_aids = false;
     std::string sources = "none";
 
     template <class Visitor>
@@ -83,8 +83,8 @@ class NavApp final : public App {
       session.Describe(visit);
       camera.Describe(visit);
       visit("compass_aids", compass_aids,
-            "The magnetic heading is used during the dive, too, and its deviation estimated; where "
-            "the source magnetic_heading is heard, that one does so");
+            "The magnetic heading is used during the dive, too, and its deviation estimated; not "
+            "beside the source magnetic_heading, which does so itself");
       visit("sources", sources,
             "Further sensors that are heard, e.g. acoustic_fix, magnetic_heading; each brings keys "
             "of its own, behind its name");

@@ -59,8 +59,8 @@ NavBlock::NavBlock(const ConfigBlock& block) {
   }
   const bool has_own_compass = std::ranges::any_of(
       sources, [](const auto& source) { return source.first == "magnetic_heading"; });
-  params.compass_aids = !has_own_compass;
   problems = ApplyBlock(block, specs, KeysOfOthers(unknown.empty()));
+  params.compass_aids = params.compass_aids && !has_own_compass;
   if (const auto radii = ParseClassRadii(params.opi_radius_by_class); !radii) {
     const ConfigEntry* stated = block.Find("opi_radius_by_class");
     problems.push_back({.where = stated != nullptr ? stated->where : block.where,
