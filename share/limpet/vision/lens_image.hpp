@@ -13,6 +13,8 @@ class LensImage {
  public:
   explicit LensImage(const LensModel& lens);
   ~LensImage();
+  LensImage(const LensImage&) = delete;
+  LensImage& operator=(const LensImage&) = delete;
   LensImage(LensImage&&) noexcept;
   LensImage& operator=(LensImage&&) noexcept;
 

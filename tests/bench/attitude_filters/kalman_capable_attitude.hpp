@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include <mrpt/bayes/CKalmanFilterCapable.h>
@@ -34,7 +35,7 @@ class KalmanCapableAttitude final : public mrpt::bayes::CKalmanFilterCapable<4, 
       const Eigen::Vector2d tilt = TiltOf(force_);
       const double tilt_sd = params_.tilt_sigma.value(), bias_sd = params_.gyro_bias_sigma.value();
       m_xkk[0] = tilt.x(), m_xkk[1] = tilt.y();
-      for (int i = 0; i < 4; ++i)
+      for (std::size_t i = 0; i < 4; ++i)
         m_pkk(i, i) = i < 2 ? tilt_sd * tilt_sd : bias_sd * bias_sd;
     } else {
       dt_ = input.t - t_;
