@@ -15,6 +15,10 @@
 #include "estimation/replay/replay.hpp"
 #include "limpet/console/command_output.hpp"
 #include "limpet/core/clock.hpp"
+#include "limpet/recordings/check_text.hpp"
+#include "limpet/recordings/recording.hpp"
+#include "limpet/recordings/recording_check.hpp"
+#include "limpet/recordings/ros_csv.hpp"
 #include "limpet/replay_output/replay_plot.hpp"
 #include "limpet/replay_output/replay_tables.hpp"
 #include "limpet/vehicle_file/vehicle_file.hpp"
@@ -25,42 +29,51 @@ namespace {
 namespace fs = std::filesystem;
 
 Command NavForm() {
-  return {.name = "limpet nav",
-          .words = "<stream folder | FILE.rawlog>",
-          .about =
-              "Runs the estimator alone on a recorded sensor stream (a folder with meta.csv and "
-              "stream.csv.gz, or a rawlog of MRPT) and writes online.csv, smoothed.csv, states.csv "
-              "(current and speed "
-              "through the "
-              "water), landmarks.csv, "
-              "landmarks_covariance.csv, associations.csv and timing.json into DIR.",
-          .options = {{.names = "--out",
-                       .value = "DIR",
-                       .meaning = "where the results go",
-                       .is_required = true},
-                      {.names = "--former",
-                       .value = "DIR",
-                       .meaning =
-                           "where those of an earlier session are: its objects are "
-                           "recognised, also if its frame lies up to 50 m and 60 degrees off, and "
-                           "matches.csv says which they are"},
-                      {.names = "--vehicle",
-                       .value = "FILE",
-                       .meaning = "the vehicle's sensors and camera by its file, e.g. "
-                                  "feelhippo.yaml; else as meta.csv says them"},
-                      {.names = "--rawlog",
-                       .value = "FILE",
-                       .meaning = "also write the stream as a rawlog, which MRPT's viewers open "
-                                  "and this command takes for the stream; docs/estimation.md "
-                                  "says what is in it"},
-                      {.names = "--force", .meaning = "write over an existing rawlog"},
-                      {.names = "--plot",
-                       .meaning = "also draw error.svg (with 3-sigma bounds; against the smoothed "
-                                  "track, no truth is read) and map.svg"},
-                      {.names = "--json", .meaning = "print timing.json instead of the summary"}},
-          .takes = "one stream (a folder or a .rawlog file) and --out DIR",
-          .least_words = 1,
-          .most_words = 1};
+  return {
+      .name = "limpet nav",
+      .words = "<stream folder | FILE.rawlog | folder or file of ROS's topics as CSV>",
+      .about =
+          "Runs the estimator alone on a recorded sensor stream (a folder with meta.csv and "
+          "stream.csv.gz, or a rawlog of MRPT) and writes online.csv, smoothed.csv, states.csv "
+          "(current and speed "
+          "through the "
+          "water), landmarks.csv, "
+          "landmarks_covariance.csv, associations.csv and timing.json into DIR. With --check it "
+          "estimates nothing, but says what the recording holds, what of it agrees and what "
+          "lacks; that is all that can be done with topics of ROS (as `rostopic echo -p` writes "
+          "them) while none that is known here tells the attitude.",
+      .options = {{.names = "--out",
+                   .value = "DIR",
+                   .meaning = "where the results go; needed but with --check"},
+                  {.names = "--check",
+                   .meaning = "print what the recording holds and what of it agrees: rates and "
+                              "pauses, beams against velocity and altitude, what the gate for "
+                              "velocities refuses, the path's length, what is missing"},
+                  {.names = "--former",
+                   .value = "DIR",
+                   .meaning =
+                       "where those of an earlier session are: its objects are "
+                       "recognised, also if its frame lies up to 50 m and 60 degrees off, and "
+                       "matches.csv says which they are"},
+                  {.names = "--vehicle",
+                   .value = "FILE",
+                   .meaning = "the vehicle's sensors and camera by its file, e.g. "
+                              "feelhippo.yaml; else as meta.csv says them"},
+                  {.names = "--rawlog",
+                   .value = "FILE",
+                   .meaning = "also write the stream as a rawlog, which MRPT's viewers open "
+                              "and this command takes for the stream; docs/estimation.md "
+                              "says what is in it"},
+                  {.names = "--force", .meaning = "write over an existing rawlog"},
+                  {.names = "--plot",
+                   .meaning = "also draw error.svg (with 3-sigma bounds; against the smoothed "
+                              "track, no truth is read) and map.svg"},
+                  {.names = "--json",
+                   .meaning = "print timing.json instead of the summary, or the check as "
+                              "JSON"}},
+      .takes = "one recording (a folder or a file), and --out DIR or --check",
+      .least_words = 1,
+      .most_words = 1};
 }
 
 std::string FormerSummary(const ReplayResult& result, const FormerSession& former) {
@@ -114,6 +127,39 @@ Expected<SensorStream> LoadStream(const fs::path& named) {
   return fs::is_regular_file(named, error) ? LoadRawlog(named) : LoadSensorStream(named);
 }
 
+Expected<Recording> LoadRecording(const fs::path& named) {
+  if (IsRosRecording(named)) return LoadRosRecording(named);
+  const Expected<SensorStream> stream = LoadStream(named);
+  if (!stream) return stream.error();
+  return RecordingOf(*stream, named.string());
+}
+
+/// Prints what a recording of any kind holds and what of it agrees.
+int CheckRecording(const Arguments& given) {
+  for (const char* other : {"out", "former", "vehicle", "rawlog", "plot"}) {
+    if (given.Has(other)) throw UsageError(fmt::format("--check takes no --{}", other));
+  }
+  const fs::path named = given.positionals().front();
+  const Expected<Recording> recording = LoadRecording(named);
+  if (!recording) {
+    fmt::print(stderr, "{}\n", recording.error().text);
+    return kFailed;
+  }
+  const RecordingCheck check = Check(*recording);
+  fmt::print("{}", given.Has("json") ? CheckJson(*recording, check) : CheckText(*recording, check));
+  return kOk;
+}
+
+/// Throws Refusal: what is asked for cannot be had of another vehicle's recording.
+void RefuseRosRecording(const fs::path& named) {
+  const Expected<Recording> recording = LoadRosRecording(named);
+  if (!recording) throw Refusal(recording.error().text);
+  throw Refusal(
+      fmt::format("{0}: no track can be reckoned from it; missing are\n{1}"
+                  "`limpet nav {0} --check` says what it holds and what of it agrees",
+                  named.string(), MissingText(*recording)));
+}
+
 /// Throws Refusal.
 void WriteRawlog(const Arguments& given, const SensorStream& stream) {
   const auto name = given.Find("rawlog");
@@ -156,6 +202,9 @@ bool WriteResults(const Arguments& given, const ReplayResult& result, const Form
 }
 
 int ReplayStream(const Arguments& given) {
+  if (given.Has("check")) return CheckRecording(given);
+  if (!given.Has("out")) throw UsageError("nav takes " + NavForm().takes);
+  if (IsRosRecording(given.positionals().front())) RefuseRosRecording(given.positionals().front());
   const Expected<SensorStream> stream = LoadStream(given.positionals().front());
   if (!stream) {
     fmt::print(stderr, "{}\n", stream.error().text);

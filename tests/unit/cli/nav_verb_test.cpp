@@ -11,6 +11,7 @@
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/command_line.hpp"
 #include "apps/limpet/verbs/nav.hpp"
+#include "tests/support/ros_text.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace limpet {
@@ -174,6 +175,58 @@ TEST_F(NavVerbTest, AVehicleThatIsNowhereIsNamedWithThoseThereAre) {
             kOk);
   EXPECT_THAT(::testing::internal::GetCapturedStderr(),
               HasSubstr("there is no `dolphin.yaml`; known: bluerov2.yaml, feelhippo.yaml"));
+}
+
+TEST_F(NavVerbTest, ChecksAStreamAndEstimatesNothing) {
+  EXPECT_EQ(Run({folder_.path().string(), "--check"}), kOk);
+  EXPECT_THAT(output_, HasSubstr("300 in 59.8 s, 5.00 per second"));
+  EXPECT_THAT(output_, HasSubstr("camera frames: no row says it"));
+  EXPECT_EQ(RunCommandLine({"nav", folder_.path().string(), "--check", "--out", "x"}), kUsage);
+  EXPECT_EQ(RunCommandLine({"nav", folder_.path().string()}), kUsage);
+}
+
+/// What another vehicle recorded: topics of ROS as CSV, without any attitude.
+class NavVerbOfRosTest : public NavVerbTest {
+ protected:
+  NavVerbOfRosTest() {
+    std::filesystem::create_directory(ros_);
+    std::ofstream(ros_ / "dvl.csv") << DvlText(300);
+    std::ofstream(ros_ / "depth.csv") << DepthText(60.0);
+  }
+  std::filesystem::path ros_ = folder_.path() / "ros";
+};
+
+TEST_F(NavVerbOfRosTest, SaysWhatTheRecordingHoldsAndWhatOfItAgrees) {
+  EXPECT_EQ(Run({ros_.string(), "--check"}), kOk);
+  EXPECT_THAT(output_, HasSubstr("four in 240, three in 60, fewer in 0"));
+  EXPECT_THAT(output_, HasSubstr("22.0 at 0, 22.0 at 90"));
+  EXPECT_THAT(output_, HasSubstr("passes 300, believes 0"));
+  EXPECT_THAT(output_, HasSubstr("heading: dvl.csv: field.heading is 0 in all of 300 rows"));
+}
+
+TEST_F(NavVerbOfRosTest, SaysItToProgramsToo) {
+  EXPECT_EQ(Run({ros_.string(), "--check", "--json"}), kOk);
+  EXPECT_THAT(output_, HasSubstr("\"three_beams\": 60"));
+  EXPECT_THAT(output_, HasSubstr("\"what\": \"heading\""));
+}
+
+TEST_F(NavVerbOfRosTest, RefusesToReckonATrackWithoutAHeadingAndSaysWhatLacks) {
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(RunCommandLine({"nav", ros_.string(), "--out", (folder_.path() / "out").string()}),
+            kRefused);
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, HasSubstr("no track can be reckoned from it; missing are"));
+  EXPECT_THAT(said, HasSubstr("heading: dvl.csv: field.heading is 0"));
+  EXPECT_THAT(said, HasSubstr("--check` says what it holds"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out"));
+}
+
+TEST_F(NavVerbOfRosTest, NamesFileLineAndColumnOfWhatItCannotRead) {
+  std::ofstream(ros_ / "depth.csv") << "%time,field.depth\n1,2.5\n2,deep\n";
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(Run({ros_.string(), "--check"}), kFailed);
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(),
+              HasSubstr("depth.csv:3: column field.depth is `deep`, not a number"));
 }
 
 }  // namespace

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "estimation/replay/sensor_stream.hpp"
+
+namespace limpet {
+
+/// One ping of a DVL, in the instrument's own axes.
+struct DvlPing {
+  double t = 0.0;                                         ///< [s]
+  std::array<std::optional<double>, 4> beam_speeds = {};  ///< along each beam [m/s]; empty: bad
+  std::array<std::optional<double>, 4> beam_ranges = {};  ///< as the instrument says them [m]
+  std::optional<Eigen::Vector3d> velocity;                ///< that it makes of them [m/s]
+  std::optional<double> altitude;                         ///< [m]
+};
+
+/// Something that a recording was looked through for and does not hold.
+struct MissingData {
+  std::string what;    ///< `heading`
+  std::string reason;  ///< `dvl.csv: field.heading is 0 in all of 5564 rows`
+  std::string cost;    ///< what cannot be had without it
+};
+
+/// What was measured, as far as the files of another vehicle tell it.
+struct Recording {
+  std::string name;  ///< of the file or folder, for messages
+  std::vector<DvlPing> pings;
+  std::vector<DepthRow> depths;
+  std::vector<MissingData> missing;
+  std::vector<std::string> left_out;  ///< files and rows that are not in here, and why
+};
+
+/// What a stream of our own form, or of a rawlog, says of the same.
+[[nodiscard]] Recording RecordingOf(const SensorStream& stream, const std::string& name);
+
+}  // namespace limpet
