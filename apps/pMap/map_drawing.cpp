@@ -38,7 +38,7 @@ const char* ColorOf(Status status) {
 
 }  // namespace
 
-MapDrawing::MapDrawing(std::string vehicle, ShapeBoard::Post post)
+MapDrawing::MapDrawing(const std::string& vehicle, ShapeBoard::Post post)
     : prefix_(vehicle.empty() ? "opi_" : vehicle + "_opi_"), board_(std::move(post)) {}
 
 const MapDrawing::Place& MapDrawing::PlaceOf(const OpiBelief& belief) {

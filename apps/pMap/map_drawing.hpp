@@ -15,7 +15,7 @@ namespace limpet {
 /// centimetre of the estimate.
 class MapDrawing {
  public:
-  MapDrawing(std::string vehicle, ShapeBoard::Post post);
+  MapDrawing(const std::string& vehicle, ShapeBoard::Post post);
 
   void Draw(const OpiBeliefs& beliefs);
 

@@ -44,7 +44,7 @@ class NavApp final : public App {
     Meters node_distance{0.5};
     MatchingParams session = DefaultMatching();
     CameraParams camera;
-    bool compass_aids = false;
+    bool compass_aids = true;
     std::string sources = "none";
 
     template <class Visitor>

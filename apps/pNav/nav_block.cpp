@@ -47,7 +47,8 @@ NavBlock::NavBlock(const ConfigBlock& block) {
   std::vector<ConfigProblem> unknown;
   const ConfigEntry* entry = block.Find("sources");
   for (const std::string& name : entry != nullptr ? NamesIn(*entry) : std::vector<std::string>()) {
-    const bool is_twice = std::ranges::count(sources, name, [](const auto& s) { return s.first; });
+    const bool is_twice =
+        std::ranges::count(sources, name, [](const auto& s) { return s.first; }) > 0;
     auto found = FindSource(name);
     if (is_twice || !found) {
       const std::string why = found ? "`" + name + "` stands there twice" : found.error().text;

@@ -148,7 +148,7 @@ ThrusterVector SimVehicleApp::ThrustAt(Seconds time) {
     ClearWarning(warnings::kCommandStale);
   }
   is_stale_ = is_stale;
-  const ThrusterVector thrust = watchdog_.At(time);
+  ThrusterVector thrust = watchdog_.At(time);
   thrust_.greatest = thrust.cwiseAbs().maxCoeff();
   if (thrust_.greatest > 0.0) {
     thrust_.oldest_obeyed = std::max(thrust_.oldest_obeyed, watchdog_.Age(time)->value());

@@ -114,6 +114,36 @@ class LookFromKnownPose {
   F factor_;
 };
 
+/// A term of a look, from where the vehicle was.
+struct BoundTerm {
+  NavVector x;
+  Term term;
+};
+
+/// Of an object's place [m] and the logarithm of its size.
+struct NormalEquations {
+  Eigen::Matrix4d H;
+  Eigen::Vector4d g;
+
+  /// What the terms say at a guess; returns the worst of their whitened residuals.
+  double Add(const std::vector<BoundTerm>& terms, const Eigen::Vector3d& p_W, double log_size) {
+    LinearTerm linear;
+    double worst = 0.0;
+    const Eigen::Vector3d size(log_size, 0.0, 0.0);
+    for (const BoundTerm& b : terms) {
+      b.term.Linearize({.pose = &b.x, .border = {&p_W, &size}}, linear);
+      Eigen::Matrix<double, 6, 4> J = Eigen::Matrix<double, 6, 4>::Zero();
+      J.topLeftCorner(linear.rows, 3) = linear.J_border[0].topRows(linear.rows);
+      if (b.term.DependsOn(1))
+        J.col(3).head(linear.rows) = linear.J_border[1].col(0).head(linear.rows);
+      H += J.transpose() * J;
+      g -= J.topRows(linear.rows).transpose() * linear.r.head(linear.rows);
+      worst = std::max(worst, std::sqrt(2.0 * linear.cost));
+    }
+    return worst;
+  }
+};
+
 }  // namespace
 
 std::vector<Term> TermsOf(const Observation& observation, const LookSlots& slots,
@@ -137,11 +167,7 @@ std::vector<Term> TermsOf(const Observation& observation, const LookSlots& slots
 Triangulation Triangulate(const std::vector<Observation>& observations,
                           const std::function<NavVector(int)>& pose_of, const CameraMount& mount,
                           const ObjectModel& model) {
-  struct Bound {
-    NavVector x;
-    Term term;
-  };
-  std::vector<Bound> bound;
+  std::vector<BoundTerm> bound;
   std::vector<CameraModel> cameras;  // as each exposure saw it; the factors refer to them
   cameras.reserve(observations.size());
   const Observation* start = &observations.front();
@@ -170,28 +196,16 @@ Triangulation Triangulate(const std::vector<Observation>& observations,
   result.log_size = expected_size;
   const double spread = std::max(kTentativeSpread * model.size_spread, kKnownSize);
   const double size_information = 1.0 / (spread * spread);
-  LinearTerm linear;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
-    Eigen::Matrix4d H =
+    NormalEquations normal;
+    normal.H =
         Eigen::Vector4d(kGuessInformation, kGuessInformation, kGuessInformation, size_information)
             .asDiagonal();
-    Eigen::Vector4d g;
-    g << kGuessInformation * (guess - result.p_W),
+    normal.g << kGuessInformation * (guess - result.p_W),
         size_information * (expected_size - result.log_size);
-    result.worst_residual = 0.0;
-    const Eigen::Vector3d size(result.log_size, 0.0, 0.0);
-    for (const Bound& b : bound) {
-      b.term.Linearize({.pose = &b.x, .border = {&result.p_W, &size}}, linear);
-      Eigen::Matrix<double, 6, 4> J = Eigen::Matrix<double, 6, 4>::Zero();
-      J.topLeftCorner(linear.rows, 3) = linear.J_border[0].topRows(linear.rows);
-      if (b.term.DependsOn(1))
-        J.col(3).head(linear.rows) = linear.J_border[1].col(0).head(linear.rows);
-      H += J.transpose() * J;
-      g -= J.topRows(linear.rows).transpose() * linear.r.head(linear.rows);
-      result.worst_residual = std::max(result.worst_residual, std::sqrt(2.0 * linear.cost));
-    }
-    const Eigen::LLT<Eigen::Matrix4d> llt(H);
-    const Eigen::Vector4d step = llt.solve(g);
+    result.worst_residual = normal.Add(bound, result.p_W, result.log_size);
+    const Eigen::LLT<Eigen::Matrix4d> llt(normal.H);
+    const Eigen::Vector4d step = llt.solve(normal.g);
     result.p_W += step.head<3>();
     result.log_size = std::clamp(result.log_size + step(3), -kMostLogSize, kMostLogSize);
     result.covariance = llt.solve(Eigen::Matrix4d::Identity()).topLeftCorner<3, 3>();

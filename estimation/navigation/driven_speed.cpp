@@ -36,7 +36,7 @@ void DrivenSpeed::DropBefore(double t) {
 
 Eigen::Vector2d DrivenSpeed::After(const Knot& knot, double t) const {
   const double lasts = params_.command_lasts.value(), age = t - knot.t;
-  const Eigen::Vector2d v_B = Pushed(knot, std::min(age, lasts));
+  Eigen::Vector2d v_B = Pushed(knot, std::min(age, lasts));
   if (age <= lasts) return v_B;
   const Knot stopped{.t = knot.t + lasts, .v_B = v_B, .yaw_rate = knot.yaw_rate};
   return Pushed(stopped, std::min(age - lasts, kLongest));

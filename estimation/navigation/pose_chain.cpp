@@ -178,7 +178,7 @@ double PoseChain::StayScale() {
   if (fixes.size() % kSpreadEvery == 0 && fixes.size() <= kMostForSpread) {
     std::vector<Eigen::Vector2d> residuals_W;
     for (const HeldFix& held : fixes)
-      residuals_W.push_back(held.fix.p_W - smoother_.PoseAt(held.node).head<2>());
+      residuals_W.emplace_back(held.fix.p_W - smoother_.PoseAt(held.node).head<2>());
     spread_scale_ = SpreadScale(residuals_W, sd, fixes.back().fix.t - fixes.front().fix.t,
                                 0.5 * params_.gps_correlation.value());
   }

@@ -11,7 +11,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <thread>
@@ -30,6 +29,7 @@
 #include "limpet/wire/little_endian.hpp"
 #include "limpet/wire/packet_codec.hpp"
 #include "tests/bench/broker_process.hpp"
+#include "tests/bench/process_cost.hpp"
 
 namespace {
 
@@ -41,16 +41,6 @@ using limpet::TcpClient;
 using limpet::WireMessage;
 
 constexpr std::uint16_t kPort = 19763;
-
-double Megabytes(pid_t pid, std::string_view which) {
-  std::ifstream status(fmt::format("/proc/{}/status", pid));
-  for (std::string line; std::getline(status, line);) {
-    if (line.starts_with(which)) {
-      return std::stod(line.substr(which.size() + 1)) / 1024.0;
-    }
-  }
-  return -1.0;
-}
 
 /// A connection that never blocks; what it has to say goes out as the broker takes it.
 class Besieger {
@@ -171,8 +161,8 @@ Delays Bystander(double seconds, Meanwhile meanwhile) {
 
 void Print(const char* what, const Delays& delays, pid_t broker) {
   fmt::print("{:<34} p50 {:6.0f}  p99 {:7.0f} us ({})   {:6.1f} MB, at most {:6.1f}\n", what,
-             delays.p50, delays.p99, delays.count, Megabytes(broker, "VmRSS"),
-             Megabytes(broker, "VmHWM"));
+             delays.p50, delays.p99, delays.count, limpet::Megabytes(broker, "VmRSS"),
+             limpet::Megabytes(broker, "VmHWM"));
 }
 
 }  // namespace
@@ -207,7 +197,7 @@ int main(int argc, char** argv) {
     for (const auto& one : crowd) {
       one->Go(comes_again);
     }
-    most = std::max(most, Megabytes(broker, "VmRSS"));
+    most = std::max(most, limpet::Megabytes(broker, "VmRSS"));
   });
   Print(fmt::format("{} silent, {} half-sending", silent, half).c_str(), during, broker);
   std::size_t total = 0;
@@ -222,7 +212,7 @@ int main(int argc, char** argv) {
   const double ratio = during.p50 / before.p50;
   fmt::print("p50 {:.2f} times the undisturbed one; {:.0f} MB sent, {} sent away\n", ratio,
              1e-6 * static_cast<double>(total), losses);
-  most = std::max(most, Megabytes(broker, "VmHWM"));
+  most = std::max(most, limpet::Megabytes(broker, "VmHWM"));
   kill(broker, SIGTERM);
   waitpid(broker, nullptr, 0);
   return ratio < 3.0 && most < 128.0 ? 0 : 1;

@@ -11,7 +11,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -27,6 +26,8 @@
 #include "limpet/pubsub/tcp_client.hpp"
 #include "tests/bench/broker_process.hpp"
 #include "tests/bench/loopback_limits.hpp"
+#include "tests/bench/process_cost.hpp"
+#include "tests/support/quantile.hpp"
 
 namespace {
 
@@ -57,15 +58,6 @@ std::unique_ptr<TcpClient> Join(const std::string& name,
     std::this_thread::sleep_for(100us);
   }
   return client;
-}
-
-double Quantile(std::vector<double>& values, double q) {
-  if (values.empty()) {
-    return -1.0;
-  }
-  std::ranges::sort(values);
-  return values[std::min(values.size() - 1,
-                         static_cast<std::size_t>(q * static_cast<double>(values.size())))];
 }
 
 void Row(const std::string& what, const std::string& figure) {
@@ -118,9 +110,9 @@ double Latency(const std::string& what, double hz, int count, int readers, std::
     }
     last.push_back(worst);
   }
-  const double median = Quantile(last, 0.5);
-  Row(what, fmt::format("p50 {:.0f}  p99 {:.0f} us  ({} of {})", median, Quantile(last, 0.99),
-                        common, count));
+  const double median = limpet::Quantile(last, 0.5);
+  Row(what, fmt::format("p50 {:.0f}  p99 {:.0f} us  ({} of {})", median,
+                        limpet::Quantile(last, 0.99), common, count));
   return median;
 }
 
@@ -210,28 +202,6 @@ void Connections() {
       fmt::format("{:.1f} ms; {:.0f} ms", 1e3 * one, 1e3 * (SteadyTime().value() - begin)));
 }
 
-/// Of all its threads.
-double ProcessorSeconds(pid_t pid) {
-  double nanoseconds = 0.0;
-  for (const auto& task : std::filesystem::directory_iterator(fmt::format("/proc/{}/task", pid))) {
-    double of_one = 0.0;
-    std::ifstream(task.path() / "schedstat") >> of_one;
-    nanoseconds += of_one;
-  }
-  return 1e-9 * nanoseconds;
-}
-
-/// Resident now (`VmRSS`) or at most so far (`VmHWM`) [MB].
-double Megabytes(pid_t pid, std::string_view which = "VmRSS") {
-  std::ifstream status(fmt::format("/proc/{}/status", pid));
-  for (std::string line; std::getline(status, line);) {
-    if (line.starts_with(which)) {
-      return std::stod(line.substr(which.size() + 1)) / 1024.0;
-    }
-  }
-  return -1.0;
-}
-
 /// 64 MB in messages of `bytes` each to one reader, which is waited for if it counts what it takes;
 /// what the broker then holds [MB].
 double HeldAfterBurst(pid_t broker, std::size_t bytes,
@@ -256,7 +226,7 @@ double HeldAfterBurst(pid_t broker, std::size_t bytes,
     }
   }
   std::this_thread::sleep_for(200ms);
-  const double held = Megabytes(broker);
+  const double held = limpet::Megabytes(broker);
   before_leaving();
   return held;
 }
@@ -276,7 +246,8 @@ void StoppedReader(pid_t broker, const std::string& what, std::size_t bytes) {
         may_read.notify_all();
       });
   std::this_thread::sleep_for(3s);
-  Row(what, fmt::format("{:+.1f} MB; {:+.1f} MB", stopped - reading, Megabytes(broker) - reading));
+  Row(what, fmt::format("{:+.1f} MB; {:+.1f} MB", stopped - reading,
+                        limpet::Megabytes(broker) - reading));
 }
 
 void Idle(pid_t broker) {
@@ -285,12 +256,13 @@ void Idle(pid_t broker) {
     clients.push_back(Join(fmt::format("pIdle{}", i)));
   }
   const double begin = SteadyTime().value();
-  const double used = ProcessorSeconds(broker);
+  const double used = limpet::ProcessorSeconds(broker);
   std::this_thread::sleep_for(5s);
   Row("50 idle clients, of one core",
-      fmt::format("{:.2f} %, {:.1f} MB",
-                  100.0 * (ProcessorSeconds(broker) - used) / (SteadyTime().value() - begin),
-                  Megabytes(broker)));
+      fmt::format(
+          "{:.2f} %, {:.1f} MB",
+          100.0 * (limpet::ProcessorSeconds(broker) - used) / (SteadyTime().value() - begin),
+          limpet::Megabytes(broker)));
 }
 
 /// To ten readers at 1 kHz: the broker takes two hops, bare sockets one, just before and just
@@ -368,7 +340,7 @@ int main(int argc, char** argv) {
              may_go_locally ? "local socket" : "TCP");
   Row("figure", "LimpetDB");
   Row("--------------------------------------------", "--------------------------------");
-  Row("memory at start", fmt::format("{:.1f} MB", Megabytes(broker)));
+  Row("memory at start", fmt::format("{:.1f} MB", limpet::Megabytes(broker)));
   if (is_wanted("latency")) {
     Latency("1 kHz doubles 1->1", 1000.0, 4000, 1, 0);
     Latency("10 Hz doubles", 10.0, 30, 1, 0);
@@ -397,7 +369,8 @@ int main(int argc, char** argv) {
   }
   std::this_thread::sleep_for(1s);
   Row("memory at most; at the end",
-      fmt::format("{:.1f} MB; {:.1f} MB", Megabytes(broker, "VmHWM"), Megabytes(broker)));
+      fmt::format("{:.1f} MB; {:.1f} MB", limpet::Megabytes(broker, "VmHWM"),
+                  limpet::Megabytes(broker)));
   kill(broker, SIGTERM);
   waitpid(broker, nullptr, 0);
   return 0;

@@ -104,14 +104,16 @@ Beginning FlyBasin(const std::string& more_behaviors, std::uint64_t seed) {
   return beginning;
 }
 
+/// Whether one flight is turned hangs on hairs at its start: a third of them are, from then on.
 TEST(NewBehavior, OfHalfTheWeightDrawsTheVehicleWhereItWantsIt) {
+  constexpr std::uint64_t kFlights = 8;
   double drawn = 0.0;
-  for (const std::uint64_t seed : {5U, 6U, 7U}) {
+  for (std::uint64_t seed = 1; seed <= kFlights; ++seed) {
     const double without = FlyBasin("", seed).north_share;
     const double with = FlyBasin(kPreferNorth, seed).north_share;
     ::testing::Test::RecordProperty(fmt::format("seed_{}", seed),
                                     fmt::format("{:.3f} {:.3f}", without, with));
-    drawn += (with - without) / 3.0;
+    drawn += (with - without) / static_cast<double>(kFlights);
   }
   EXPECT_GT(drawn, 0.05);
 }

@@ -87,9 +87,10 @@ std::string ShowScenarioKeys(Form form) {
 }
 
 std::string ShowNames(Form form) {
-  if (form != Form::kText)
+  if (form != Form::kText) {
     throw UsageError(
         "say what to describe: parameters, variables, warnings, vehicle, scenario, or names");
+  }
   std::string text = "apps, behaviors, detectors:\n";
   for (const ParameterOwner& owner : AllParameterOwners()) {
     text += fmt::format("  {} ({} parameters)\n", owner.name, owner.parameters.size());

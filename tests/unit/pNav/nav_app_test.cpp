@@ -234,9 +234,6 @@ TEST_F(NavAppTest, WarnsOfAFixThatCannotBe) {
 }
 
 TEST_F(NavAppTest, WarnsOfACompassThatSwingsAsTheVehicleTurns) {
-  NavApp::Params params;
-  params.compass_aids = true;
-  app_.emplace(MakeContext(), params);
   const auto turn_for = [this](double seconds, double swing) {
     for (int i = 0; i < static_cast<int>(50.0 * seconds); ++i, ++step_) {
       constexpr double kRate = 0.1;  // [rad/s]
