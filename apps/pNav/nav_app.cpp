@@ -33,7 +33,7 @@ NavigatorParams NavigatorParamsOf(const NavApp::Params& params, const VehicleFil
   result.odometry.drive = BelievedDrive(vehicle.params);
   // Anywhere within reach: of a uniform disc each axis has half the radius as its 1-sigma.
   result.odometry.unknown_velocity =
-      0.5 * (params.top_speed.value() + params.strongest_current.value());
+      0.5 * (vehicle.params.top_speed.value() + params.strongest_current.value());
   result.velocity_gate.jump = params.dvl_jump;
   result.frame_wait = params.frame_wait;
   result.camera = params.camera.geometry();

@@ -33,7 +33,7 @@ class NavApp final : public App {
     MetersPerSecond dvl_jump{0.15};
     Seconds frame_wait{0.4};
     Seconds stale_after{2.0};
-    MetersPerSecond top_speed{1.0}, strongest_current{0.5};
+    MetersPerSecond strongest_current{0.5};
     Meters opi_radius{0.5};
     double opi_radius_spread = 0.2;
     std::string opi_radius_by_class = "none";
@@ -58,11 +58,9 @@ class NavApp final : public App {
             InRange(0.0_s, 3.0_s));
       visit("stale_after_s", stale_after,
             "A sensor silent for longer is not valid and raises a warning", InRange(0.1_s, 60.0_s));
-      visit("top_speed_mps", top_speed,
-            "What the vehicle can do, whatever it was told: while nothing measures its velocity, "
-            "sigma grows by it",
-            InRange(0.05_mps, 10.0_mps));
-      visit("strongest_current_mps", strongest_current, "... and by what the water can do",
+      visit("strongest_current_mps", strongest_current,
+            "What the water can do: while nothing measures the velocity, sigma grows by it and by "
+            "the vehicle's top speed",
             InRange(0.0_mps, 5.0_mps));
       visit.Required("opi_radius_m", opi_radius, "Radius of the objects; 0: unknown",
                      InRange(0.0_m, 5.0_m));

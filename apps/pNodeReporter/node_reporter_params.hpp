@@ -44,7 +44,7 @@ struct UnusedReporterKeys {
 /// pNodeReporter's block, with the names of MOOS-IvP's, the older ones too.
 struct NodeReporterParams {
   std::string platform_type = "uuv";
-  Meters platform_length{1.3};
+  Meters platform_length{0.0};
   Meters platform_beam{0.0};
   std::string platform_color{};
   std::string group{};

@@ -22,7 +22,7 @@ Sensors are described as their data sheets do. The simulator builds such sensors
 
 `based_on: feelhippo.yaml` gives everything that the file leaves out as another file has it.
 
-What blocks of a mission used to say of the sensors is the file's to say: `camera_...` of pHelm, pMap, pNav and uSimCamera, `rate_hz` of uSimCamera, `heading_sigma_deg`, `dvl_x_m`, `dvl_y_m` and `dvl_z_m` of pNav. The rule for all: a block that says what the file says flies as before, one that says something else is refused, with the file's key and line. `--set` overrides a parameter that a block still has.
+What blocks of a mission used to say of the sensors is the file's to say: `camera_...` of pHelm, pMap, pNav and uSimCamera, `rate_hz` of uSimCamera, `heading_sigma_deg`, `dvl_x_m`, `dvl_y_m`, `dvl_z_m` and `top_speed_mps` of pNav, `platform_length` of pNodeReporter. The rule for all: a block that says what the file says flies as before, one that says something else is refused, with the file's key and line. `--set` overrides a parameter that a block still has.
 
 The other keys, from their declarations. The camera's field of view and image have no default: blocks that need a camera are refused without them. What else a file leaves out has the default. Generated: `limpet describe vehicle --markdown > docs/vehicle-file.md`.
 )";

@@ -146,6 +146,9 @@ std::vector<VehicleTaker> MakeTakers() {
   former("dvl_x_m", "dvl.at_m", 0);
   former("dvl_y_m", "dvl.at_m", 1);
   former("dvl_z_m", "dvl.at_m", 2);
+  former("top_speed_mps", "hull.top_speed_mps", -1);
+  takers.push_back({"pNodeReporter", "platform_length", "hull.length_m"});
+  takers.push_back({"pNodeReporter", "vessel_length", "hull.length_m"});
   return takers;
 }
 

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "limpet/core/params.hpp"
+#include "limpet/core/units.hpp"
 #include "limpet/vehicle/thruster_layout.hpp"
 
 namespace limpet {
@@ -46,9 +47,10 @@ struct VehicleParams {
   double gravity = 9.81;
   double water_density = 1025.0;
   double mass = 35.0;
-  double net_buoyancy_n = 3.0;  ///< 0.9 % of the weight: a dead vehicle surfaces
-  double length_m = 0.6;        ///< of the displaced ellipsoid, whose height follows from the
-  double width_m = 0.36;        ///< displaced volume (about 0.30 m)
+  double net_buoyancy_n = 3.0;     ///< 0.9 % of the weight: a dead vehicle surfaces
+  double length_m = 0.6;           ///< of the displaced ellipsoid, whose height follows from the
+  double width_m = 0.36;           ///< displaced volume (about 0.30 m)
+  MetersPerSecond top_speed{1.0};  ///< through the water
   double cg_below_cb_m =
       0.05;  ///< metacentric height: 17 N m/rad, above the Munk moment in pitch at full speed
   double inertia_factor = 1.3;     ///< masses sit nearer the shell than in a solid ellipsoid
@@ -75,12 +77,17 @@ struct VehicleParams {
   /// Hull and ballast.
   template <class V>
   void Describe(V& visit) {
+    using namespace literals;
     visit("mass_kg", mass, "Dry mass with ballast [kg]", InRange(0.5, 20000.0));
     visit("net_buoyancy_n", net_buoyancy_n, "Buoyancy less weight: a dead vehicle must rise [N]",
           InRange(0.01, 1000.0));
     visit("length_m", length_m, "Of the displaced ellipsoid [m]", InRange(0.1, 20.0));
     visit("width_m", width_m, "Of the displaced ellipsoid; its height follows from the mass [m]",
           InRange(0.05, 10.0));
+    visit("top_speed_mps", top_speed,
+          "What it can do through the water, whatever it is told: while nothing measures its "
+          "velocity, pNav's sigma grows by it",
+          InRange(0.05_mps, 10.0_mps));
     visit("cg_below_cb_m", cg_below_cb_m, "Centre of gravity below that of buoyancy [m]",
           InRange(0.001, 2.0));
     visit("inertia_factor", inertia_factor, "Moments of inertia over those of a solid ellipsoid",

@@ -60,6 +60,13 @@ TEST_F(VehicleSettings, OfTheFileThatThisOneIsBasedOnCountWhereItSaysNothing) {
   EXPECT_EQ(mission.vehicle_files.size(), 2U);
 }
 
+TEST_F(VehicleSettings, AReportedLengthIsTheHulls) {
+  Say("v.yaml", "hull: {length_m: 0.457, top_speed_mps: 1.5}\n");
+  const MissionFile mission = Read("ProcessConfig = pNodeReporter\n{\n  platform_beam = 0.3\n}\n");
+  EXPECT_EQ(ValueIn(mission, "pNodeReporter", "platform_length"), "0.457");
+  EXPECT_EQ(ValueIn(mission, "pNodeReporter", "platform_beam"), "0.3");
+}
+
 TEST_F(VehicleSettings, AFormerParameterThatSaysTheSameIsDropped) {
   Say("v.yaml", "imu: {heading_sigma_deg: 1}\ndvl: {at_m: [-0.3, 0, 0.2]}\n");
   const MissionFile mission =

@@ -438,6 +438,20 @@ TEST_F(NavAppTest, TurnsTheVelocityOfADvlThatIsMountedTurned) {
   EXPECT_NEAR(link_.Last(topics::kNavState)->u, 0.5, 0.01);
 }
 
+TEST_F(NavAppTest, IsTheLessSureInSilenceTheFasterTheVehicleIs) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "vehicle.yaml")
+      << "based_on: feelhippo.yaml\nname: Fast\nhull: {top_speed_mps: 2.5}\n";
+  AppContext context = MakeContext();
+  context.globals = {{"VehicleFile", "vehicle.yaml", {}}};
+  context.mission_folder = folder.path();
+  app_.emplace(context, NavApp::Params{});
+  RunFor(20.0);
+  StayDeaf(2000.0);
+  // 2.5 m/s of vehicle and 0.5 m/s of water, anywhere within reach.
+  EXPECT_NEAR(link_.Last(topics::kNavState)->sd_north, 1.5 * 2000.0, 40.0);
+}
+
 TEST_F(NavAppTest, IsNotBuiltWithoutAVehicle) {
   AppContext context = MakeContext();
   context.globals.clear();

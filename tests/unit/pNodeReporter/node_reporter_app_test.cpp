@@ -57,7 +57,7 @@ TEST_F(NodeReporterTest, SaysWhereTheVehicleIsAndWhatItDoes) {
   ASSERT_TRUE(report);
   EXPECT_EQ(std::get<std::string>(link_.published.back()->value),
             "NAME=alpha,X=12.35,Y=-3,SPD=0.5,HDG=92.1,DEP=3.5,LAT=43.720973,LON=10.2831532,"
-            "TYPE=uuv,MODE=MODE@ACTIVE:SURVEYING,ALLSTOP=clear,TIME=1767225600,LENGTH=1.3");
+            "TYPE=uuv,MODE=MODE@ACTIVE:SURVEYING,ALLSTOP=clear,TIME=1767225600");
 }
 
 TEST_F(NodeReporterTest, AParkedHelmIsReportedAsParked) {
