@@ -9,16 +9,13 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
+#include "apps/limpet/verbs/nav_input.hpp"
 #include "estimation/navigation/sensor_beliefs.hpp"
 #include "estimation/replay/former_landmarks.hpp"
 #include "estimation/replay/rawlog.hpp"
 #include "estimation/replay/replay.hpp"
 #include "limpet/console/command_output.hpp"
 #include "limpet/core/clock.hpp"
-#include "limpet/recordings/check_text.hpp"
-#include "limpet/recordings/recording.hpp"
-#include "limpet/recordings/recording_check.hpp"
-#include "limpet/recordings/ros_csv.hpp"
 #include "limpet/replay_output/replay_plot.hpp"
 #include "limpet/replay_output/replay_tables.hpp"
 #include "limpet/vehicle_file/vehicle_file.hpp"
@@ -31,17 +28,15 @@ namespace fs = std::filesystem;
 Command NavForm() {
   return {
       .name = "limpet nav",
-      .words = "<stream folder | FILE.rawlog | folder or file of ROS's topics as CSV>",
+      .words = "<stream folder | FILE.rawlog | recording of another vehicle>",
       .about =
           "Runs the estimator alone on a recorded sensor stream (a folder with meta.csv and "
           "stream.csv.gz, or a rawlog of MRPT) and writes online.csv, smoothed.csv, states.csv "
-          "(current and speed "
-          "through the "
-          "water), landmarks.csv, "
-          "landmarks_covariance.csv, associations.csv and timing.json into DIR. With --check it "
-          "estimates nothing, but says what the recording holds, what of it agrees and what "
-          "lacks; that is all that can be done with topics of ROS (as `rostopic echo -p` writes "
-          "them) while none that is known here tells the attitude.",
+          "(current and speed through the water), landmarks.csv, landmarks_covariance.csv, "
+          "associations.csv and timing.json into DIR. Of a log of MOOS it makes a track from "
+          "NAV_HEADING, NAV_SPEED and NAV_DEPTH and compares it with NAV_X and NAV_Y. With --check "
+          "it estimates nothing, but says what a recording holds, what of it agrees and what "
+          "lacks; topics of ROS (as `rostopic echo -p` writes them) can be checked only.",
       .options = {{.names = "--out",
                    .value = "DIR",
                    .meaning = "where the results go; needed but with --check"},
@@ -58,7 +53,8 @@ Command NavForm() {
                   {.names = "--vehicle",
                    .value = "FILE",
                    .meaning = "the vehicle's sensors and camera by its file, e.g. "
-                              "feelhippo.yaml; else as meta.csv says them"},
+                              "feelhippo.yaml; else as meta.csv says them, which a log of MOOS "
+                              "does not have"},
                   {.names = "--rawlog",
                    .value = "FILE",
                    .meaning = "also write the stream as a rawlog, which MRPT's viewers open "
@@ -103,10 +99,13 @@ struct ReplayParams {
 };
 
 /// Of the file that `--vehicle` names, or of meta.csv; the error says what it lacks.
-Expected<ReplayParams> ParamsFor(const Arguments& given, const SensorStream& stream) {
+Expected<ReplayParams> ParamsFor(const Arguments& given, const NavInput& input) {
+  const SensorStream& stream = input.stream;
   if (const auto file = given.Find("vehicle")) {
     try {
-      const VehicleFile vehicle = LoadMissionVehicle(*file, fs::current_path());
+      VehicleFile vehicle = LoadMissionVehicle(*file, fs::current_path());
+      // A speed that navigation says is the vehicle's, not its DVL's.
+      if (input.is_own_navigation) vehicle.sensors.dvl.p_BD.setZero();
       return ReplayParams{
           ParamsForVehicle(vehicle.sensors, vehicle.camera.geometry(), stream.meta),
           {.attitude = BelievedAttitude(vehicle.sensors), .lens = vehicle.camera.lens()}};
@@ -120,44 +119,6 @@ Expected<ReplayParams> ParamsFor(const Arguments& given, const SensorStream& str
     return Error{fmt::format("{}: {}", meta.string(), *problem)};
   }
   return ReplayParams{ParamsForStream(stream.meta), SensorsForStream(stream.meta)};
-}
-
-Expected<SensorStream> LoadStream(const fs::path& named) {
-  std::error_code error;
-  return fs::is_regular_file(named, error) ? LoadRawlog(named) : LoadSensorStream(named);
-}
-
-Expected<Recording> LoadRecording(const fs::path& named) {
-  if (IsRosRecording(named)) return LoadRosRecording(named);
-  const Expected<SensorStream> stream = LoadStream(named);
-  if (!stream) return stream.error();
-  return RecordingOf(*stream, named.string());
-}
-
-/// Prints what a recording of any kind holds and what of it agrees.
-int CheckRecording(const Arguments& given) {
-  for (const char* other : {"out", "former", "vehicle", "rawlog", "plot"}) {
-    if (given.Has(other)) throw UsageError(fmt::format("--check takes no --{}", other));
-  }
-  const fs::path named = given.positionals().front();
-  const Expected<Recording> recording = LoadRecording(named);
-  if (!recording) {
-    fmt::print(stderr, "{}\n", recording.error().text);
-    return kFailed;
-  }
-  const RecordingCheck check = Check(*recording);
-  fmt::print("{}", given.Has("json") ? CheckJson(*recording, check) : CheckText(*recording, check));
-  return kOk;
-}
-
-/// Throws Refusal: what is asked for cannot be had of another vehicle's recording.
-void RefuseRosRecording(const fs::path& named) {
-  const Expected<Recording> recording = LoadRosRecording(named);
-  if (!recording) throw Refusal(recording.error().text);
-  throw Refusal(
-      fmt::format("{0}: no track can be reckoned from it; missing are\n{1}"
-                  "`limpet nav {0} --check` says what it holds and what of it agrees",
-                  named.string(), MissingText(*recording)));
 }
 
 /// Throws Refusal.
@@ -204,15 +165,15 @@ bool WriteResults(const Arguments& given, const ReplayResult& result, const Form
 int ReplayStream(const Arguments& given) {
   if (given.Has("check")) return CheckRecording(given);
   if (!given.Has("out")) throw UsageError("nav takes " + NavForm().takes);
-  if (IsRosRecording(given.positionals().front())) RefuseRosRecording(given.positionals().front());
-  const Expected<SensorStream> stream = LoadStream(given.positionals().front());
-  if (!stream) {
-    fmt::print(stderr, "{}\n", stream.error().text);
+  const Expected<NavInput> input = LoadNavInput(given);
+  if (!input) {
+    fmt::print(stderr, "{}\n", input.error().text);
     return kFailed;
   }
-  PrintLosses(*stream);
-  WriteRawlog(given, *stream);
-  const Expected<ReplayParams> params = ParamsFor(given, *stream);
+  const SensorStream& stream = input->stream;
+  PrintLosses(stream);
+  WriteRawlog(given, stream);
+  const Expected<ReplayParams> params = ParamsFor(given, *input);
   if (!params) {
     fmt::print(stderr, "{}\n", params.error().text);
     return kFailed;
@@ -229,7 +190,7 @@ int ReplayStream(const Arguments& given) {
   const auto thread_time = [] { return ThreadTime().value(); };
   const double start = thread_time();
   const ReplayResult result =
-      Replay(*stream, params->navigator, thread_time, {}, former, params->sensors);
+      Replay(stream, params->navigator, thread_time, {}, former, params->sensors);
   const std::string timing = TimingJson(result.update_s, thread_time() - start);
   if (result.smoothed.empty()) {
     fmt::print(stderr, "{}: no pose could be estimated (no attitude)\n",
@@ -245,13 +206,14 @@ int ReplayStream(const Arguments& given) {
         "{} poses, {} landmarks; {}\nrefused: {} rows, {} velocities, {} depths, {} fixes, "
         "{} late frames\n",
         result.smoothed.size(), result.landmarks.size(), result.finish.reason,
-        stream->refused_rows + result.counts.stale_samples, result.counts.velocities,
+        stream.refused_rows + result.counts.stale_samples, result.counts.velocities,
         result.counts.depths, result.counts.fixes, result.counts.late_frames);
-    if (stream->datum) {
+    if (stream.datum) {
       fmt::print("north and east count from the first fix, {:.7f}, {:.7f}\n",
-                 stream->datum->latitude_deg, stream->datum->longitude_deg);
+                 stream.datum->latitude_deg, stream.datum->longitude_deg);
     }
     if (!former.ids.empty()) fmt::print("{}", FormerSummary(result, former));
+    fmt::print("{}", OwnTrackSummary(*input, result));
   }
   return is_written ? kOk : kFailed;
 }

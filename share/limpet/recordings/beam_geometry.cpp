@@ -24,7 +24,8 @@ std::optional<Eigen::Vector4d> FourSpeeds(const DvlPing& ping) {
 }
 
 template <class Value>
-std::array<Value, 4> OfRows(const Eigen::Matrix<double, 4, 3>& D, Value (*of)(Eigen::Vector3d)) {
+std::array<Value, 4> OfRows(const Eigen::Matrix<double, 4, 3>& D,
+                            Value (*of)(const Eigen::Vector3d&)) {
   std::array<Value, 4> values{of(D.row(0)), of(D.row(1)), of(D.row(2)), of(D.row(3))};
   return values;
 }
@@ -80,20 +81,20 @@ std::optional<double> BeamGeometry::Contradiction(const DvlPing& ping) const {
 }
 
 std::array<Radians, 4> BeamGeometry::tilts() const {
-  return OfRows<Radians>(D_, [](Eigen::Vector3d direction) {
+  return OfRows<Radians>(D_, [](const Eigen::Vector3d& direction) {
     return Radians(std::atan2(direction.head<2>().norm(), std::abs(direction.z())));
   });
 }
 
 std::array<Radians, 4> BeamGeometry::azimuths() const {
-  return OfRows<Radians>(D_, [](Eigen::Vector3d direction) {
+  return OfRows<Radians>(D_, [](const Eigen::Vector3d& direction) {
     const double sign = direction.z() < 0.0 ? -1.0 : 1.0;
     return Radians(std::atan2(sign * direction.y(), sign * direction.x()));
   });
 }
 
 std::array<double, 4> BeamGeometry::lengths() const {
-  return OfRows<double>(D_, [](Eigen::Vector3d direction) { return direction.norm(); });
+  return OfRows<double>(D_, [](const Eigen::Vector3d& direction) { return direction.norm(); });
 }
 
 }  // namespace limpet

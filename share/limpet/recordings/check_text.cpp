@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 /// A line of a report: what it is about, and what of it.
 std::string Line(const char* subject, const std::string& text) {
-  return fmt::format("  {:<28}{}\n", subject, text);
+  return fmt::format("  {:<30}{}\n", subject, text);
 }
 
 std::string ShareText(std::size_t part, std::size_t of) {
@@ -124,6 +124,23 @@ std::string VerticalText(const VerticalAgreement& vertical) {
   return text;
 }
 
+std::string OwnText(const OwnNavigationCheck& own) {
+  std::string text = "Own navigation\n";
+  const auto add = [&text](const char* subject, const std::optional<SampleTimes>& times) {
+    text += Line(subject, times ? TimesText(*times) : "none");
+  };
+  add("places", own.places);
+  add("headings", own.headings);
+  add("speeds", own.speeds);
+  text += Line("path", fmt::format("{:.1f} m by its places, {:.1f} m by its speeds",
+                                   own.path_of_places, own.path_of_speeds));
+  text += Line("  speed of places - said", DifferencesText(own.speed, "m/s"));
+  Differences course = own.course;
+  for (double* angle : {&course.median, &course.within_95, &course.greatest})
+    *angle = Radians(*angle).in_text_unit();
+  return text + Line("  course of places - heading", DifferencesText(course, "deg"));
+}
+
 Json JsonOf(const SampleTimes& times) {
   return {{"count", times.count},
           {"first_s", times.first},
@@ -193,6 +210,19 @@ Json JsonOf(const DepthCheck& depth) {
           {"fastest_up_mps", depth.fastest_up}};
 }
 
+Json JsonOf(const OwnNavigationCheck& own) {
+  const auto times = [](const std::optional<SampleTimes>& samples) {
+    return samples ? JsonOf(*samples) : Json(nullptr);
+  };
+  return {{"places", times(own.places)},
+          {"headings", times(own.headings)},
+          {"speeds", times(own.speeds)},
+          {"path_of_places_m", own.path_of_places},
+          {"path_of_speeds_m", own.path_of_speeds},
+          {"speed_mps", JsonOf(own.speed)},
+          {"course_rad", JsonOf(own.course)}};
+}
+
 }  // namespace
 
 std::string MissingText(const Recording& recording) {
@@ -205,6 +235,7 @@ std::string MissingText(const Recording& recording) {
 std::string CheckText(const Recording& recording, const RecordingCheck& check) {
   std::string text = HarmlessText(recording.name) + "\n";
   if (check.dvl) text += DvlText(*check.dvl);
+  if (check.own) text += OwnText(*check.own);
   if (check.depth) text += DepthText(*check.depth);
   if (check.vertical) text += VerticalText(*check.vertical);
   if (!recording.missing.empty()) text += "Missing\n" + MissingText(recording);
@@ -227,6 +258,7 @@ std::string CheckJson(const Recording& recording, const RecordingCheck& check) {
   const Json all = {{"name", recording.name},
                     {"dvl", check.dvl ? JsonOf(*check.dvl) : Json(nullptr)},
                     {"depth", check.depth ? JsonOf(*check.depth) : Json(nullptr)},
+                    {"own_navigation", check.own ? JsonOf(*check.own) : Json(nullptr)},
                     {"vertical", vertical},
                     {"missing", missing},
                     {"left_out", recording.left_out}};

@@ -18,8 +18,12 @@ bool Holds(const SensorStream& stream) {
 }  // namespace
 
 Recording RecordingOf(const SensorStream& stream, const std::string& name) {
-  Recording recording{
-      .name = name, .pings = {}, .depths = {}, .missing = {}, .left_out = stream.left_out};
+  Recording recording{.name = name,
+                      .pings = {},
+                      .depths = {},
+                      .own = {},
+                      .missing = {},
+                      .left_out = stream.left_out};
   for (const StreamRow& row : stream.rows) {
     if (const auto* dvl = std::get_if<DvlRow>(&row)) {
       recording.pings.push_back({.t = dvl->t,

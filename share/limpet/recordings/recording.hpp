@@ -21,6 +21,25 @@ struct DvlPing {
   std::optional<double> altitude;                         ///< [m]
 };
 
+struct TimedNumber {
+  double t = 0.0, value = 0.0;
+};
+struct TimedPlace {
+  double t = 0.0;
+  Eigen::Vector2d p_W = Eigen::Vector2d::Zero();  ///< north, east [m]
+};
+/// What a vehicle's own navigation said of itself.
+struct OwnNavigation {
+  std::vector<TimedPlace> places;
+  std::vector<TimedNumber> headings;   ///< clockwise from north [rad]
+  std::vector<TimedNumber> speeds;     ///< [m/s]
+  std::vector<TimedNumber> altitudes;  ///< [m]
+
+  [[nodiscard]] bool is_empty() const {
+    return places.empty() && headings.empty() && speeds.empty();
+  }
+};
+
 /// Something that a recording was looked through for and does not hold.
 struct MissingData {
   std::string what;    ///< `heading`
@@ -33,6 +52,7 @@ struct Recording {
   std::string name;  ///< of the file or folder, for messages
   std::vector<DvlPing> pings;
   std::vector<DepthRow> depths;
+  OwnNavigation own{};
   std::vector<MissingData> missing;
   std::vector<std::string> left_out;  ///< files and rows that are not in here, and why
 };

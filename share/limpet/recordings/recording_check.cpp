@@ -7,40 +7,12 @@
 #include <span>
 
 #include "estimation/navigation/velocity_gate.hpp"
+#include "limpet/recordings/depth_rates.hpp"
 
 namespace limpet {
 namespace {
 
 constexpr double kLongestBridged = 1.0;  ///< between two velocities [s]
-constexpr double kRateWindow = 2.0;      ///< of a vertical speed [s]
-
-template <class Sample>
-SampleTimes TimesOf(const std::vector<Sample>& samples) {
-  SampleTimes times{.count = samples.size(),
-                    .untimely = 0,
-                    .first = samples.front().t,
-                    .last = samples.front().t,
-                    .longest_pause = 0.0};
-  for (const Sample& sample : std::span(samples).subspan(1)) {
-    const double step = sample.t - times.last;
-    if (step <= 0.0) ++times.untimely;
-    times.longest_pause = std::max(times.longest_pause, step);
-    times.last = std::max(times.last, sample.t);
-  }
-  return times;
-}
-
-Differences DifferencesOf(std::vector<double> lengths) {
-  if (lengths.empty()) return {};
-  std::ranges::sort(lengths);
-  const auto quantile = [&lengths](double share) {
-    return lengths[static_cast<std::size_t>(share * static_cast<double>(lengths.size() - 1))];
-  };
-  return {.count = lengths.size(),
-          .median = quantile(0.5),
-          .within_95 = quantile(0.95),
-          .greatest = lengths.back()};
-}
 
 /// Adds up a path, velocity by velocity.
 class PathMeter {
@@ -167,28 +139,6 @@ DvlCheck CheckDvl(const std::vector<DvlPing>& pings) {
   return check;
 }
 
-/// The depth's rate around times that rise.
-class DepthRates {
- public:
-  explicit DepthRates(const std::vector<DepthRow>& depths) : depths_(depths) {}
-  /// Nothing where samples do not lie over most of the window.
-  [[nodiscard]] std::optional<double> At(double t) {
-    while (begin_ < depths_.size() && depths_[begin_].t < t - 0.5 * kRateWindow)
-      ++begin_;
-    end_ = std::max(begin_, end_);
-    while (end_ < depths_.size() && depths_[end_].t <= t + 0.5 * kRateWindow)
-      ++end_;
-    if (end_ - begin_ < 2) return std::nullopt;
-    const double span = depths_[end_ - 1].t - depths_[begin_].t;
-    if (!(span >= 0.75 * kRateWindow)) return std::nullopt;
-    return (depths_[end_ - 1].depth - depths_[begin_].depth) / span;
-  }
-
- private:
-  const std::vector<DepthRow>& depths_;
-  std::size_t begin_ = 0, end_ = 0;
-};
-
 std::optional<VerticalAgreement> CompareVertically(const Recording& recording) {
   double rate_rate = 0.0, rate_speed = 0.0, speed_speed = 0.0;
   VerticalAgreement agreement;
@@ -225,14 +175,11 @@ DepthCheck CheckDepth(const std::vector<DepthRow>& depths) {
 
 }  // namespace
 
-double SampleTimes::Rate() const {
-  return last > first ? static_cast<double>(count - 1) / (last - first) : 0.0;
-}
-
 RecordingCheck Check(const Recording& recording) {
   RecordingCheck check;
   if (!recording.pings.empty()) check.dvl = CheckDvl(recording.pings);
   if (!recording.depths.empty()) check.depth = CheckDepth(recording.depths);
+  check.own = CheckOwnNavigation(recording.own);
   check.vertical = CompareVertically(recording);
   return check;
 }

@@ -7,25 +7,11 @@
 #include <vector>
 
 #include "limpet/recordings/beam_geometry.hpp"
+#include "limpet/recordings/own_navigation_check.hpp"
 #include "limpet/recordings/recording.hpp"
+#include "limpet/recordings/sample_figures.hpp"
 
 namespace limpet {
-
-/// When samples came.
-struct SampleTimes {
-  std::size_t count = 0, untimely = 0;  ///< untimely: not later than the one before
-  double first = 0.0, last = 0.0;       ///< [s]
-  double longest_pause = 0.0;           ///< between two [s]
-
-  /// Between the first and the last [Hz]; 0 of fewer than two.
-  [[nodiscard]] double Rate() const;
-};
-
-/// Of the lengths of differences.
-struct Differences {
-  std::size_t count = 0;
-  double median = 0.0, within_95 = 0.0, greatest = 0.0;  ///< within_95: 95 % of them
-};
 
 /// By limpet's own VelocityGate, without a prediction.
 struct GateVerdicts {
@@ -76,6 +62,7 @@ struct DepthCheck {
 struct RecordingCheck {
   std::optional<DvlCheck> dvl;
   std::optional<DepthCheck> depth;
+  std::optional<OwnNavigationCheck> own;
   std::optional<VerticalAgreement> vertical;  ///< nothing without both, or without any dive
 };
 

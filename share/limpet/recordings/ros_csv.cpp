@@ -271,7 +271,7 @@ bool IsRosRecording(const fs::path& named) {
 
 Expected<Recording> LoadRosRecording(const fs::path& named) {
   Recording recording{
-      .name = named.string(), .pings = {}, .depths = {}, .missing = {}, .left_out = {}};
+      .name = named.string(), .pings = {}, .depths = {}, .own = {}, .missing = {}, .left_out = {}};
   for (const fs::path& file : CsvFilesOf(named)) {
     const std::string name = file.filename().string();
     const auto read = ReadUnpacked(file, kMostBytes);

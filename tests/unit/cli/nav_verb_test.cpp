@@ -11,6 +11,7 @@
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/command_line.hpp"
 #include "apps/limpet/verbs/nav.hpp"
+#include "tests/support/moos_text.hpp"
 #include "tests/support/ros_text.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -227,6 +228,50 @@ TEST_F(NavVerbOfRosTest, NamesFileLineAndColumnOfWhatItCannotRead) {
   EXPECT_EQ(Run({ros_.string(), "--check"}), kFailed);
   EXPECT_THAT(::testing::internal::GetCapturedStderr(),
               HasSubstr("depth.csv:3: column field.depth is `deep`, not a number"));
+}
+
+/// The log of another vehicle, by MOOS.
+class NavVerbOfMoosTest : public NavVerbTest {
+ protected:
+  void Log(const MadeLog& log) { std::ofstream(log_) << MoosText(log); }
+  std::filesystem::path log_ = folder_.path() / "other.alog";
+  std::string out_ = (folder_.path() / "out").string();
+};
+
+TEST_F(NavVerbOfMoosTest, ReckonsATrackAndComparesItWithTheVehiclesOwn) {
+  Log({});
+  EXPECT_EQ(Run({log_.string(), "--out", out_, "--vehicle", "feelhippo.yaml"}), kOk);
+  EXPECT_THAT(output_, HasSubstr("against the recording's own places: 0."));
+  EXPECT_THAT(output_, HasSubstr("of a path of 159."));
+  EXPECT_THAT(Text("smoothed.csv"), HasSubstr("t,x,y,z,roll,pitch,yaw\n"));
+}
+
+TEST_F(NavVerbOfMoosTest, SaysWhatItHadToAssume) {
+  Log({});
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(Run({log_.string(), "--out", out_, "--vehicle", "feelhippo.yaml"}), kOk);
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, HasSubstr("a level vehicle was assumed that goes ahead at NAV_SPEED"));
+  EXPECT_THAT(said, HasSubstr("roll and pitch: other.alog: no "));
+}
+
+TEST_F(NavVerbOfMoosTest, WantsAVehicleAndAHeading) {
+  Log({});
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(RunCommandLine({"nav", log_.string(), "--out", out_}), kRefused);
+  Log({.has_heading = false});
+  EXPECT_EQ(RunCommandLine({"nav", log_.string(), "--out", out_, "--vehicle", "feelhippo.yaml"}),
+            kRefused);
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, HasSubstr("does not say its sensors' noise; --vehicle FILE does"));
+  EXPECT_THAT(said, HasSubstr("heading: other.alog: no NAV_HEADING; no track can be reckoned"));
+}
+
+TEST_F(NavVerbOfMoosTest, ChecksPlacesAgainstSpeedsAndHeadings) {
+  Log({.course_off = 20.0});
+  EXPECT_EQ(Run({log_.string(), "--check"}), kOk);
+  EXPECT_THAT(output_, HasSubstr("159.8 m by its places, 159.8 m by its speeds"));
+  EXPECT_THAT(output_, HasSubstr("median 20.0"));
 }
 
 }  // namespace
