@@ -10,9 +10,11 @@
 namespace limpet {
 namespace {
 
-double LogChance(double chance, bool has_box) {
-  const double p = std::clamp(chance, 1e-6, 1.0 - 1e-6);
-  return has_box ? std::log(p) : std::log1p(-p);
+PerVisibility LogChance(const PerVisibility& chance, bool has_box) {
+  return chance.unaryExpr([has_box](double value) {
+    const double p = std::clamp(value, 1e-6, 1.0 - 1e-6);
+    return has_box ? std::log(p) : std::log1p(-p);
+  });
 }
 
 }  // namespace
@@ -32,10 +34,10 @@ LookLog::Evidence LookLog::Evidence::operator/(double n) const {
 LookLog::Evidence LookLog::Weigh(const FrameEvidence& frame) const {
   // A false alarm can fall on an object that the detector missed, so presence never has less chance
   // of a box than absence.
-  const auto either = [&frame](double detects) {
-    return 1.0 - (1.0 - detects) * (1.0 - frame.false_alarm);
+  const auto either = [&frame](const PerVisibility& detects) {
+    return PerVisibility(1.0 - (1.0 - detects) * (1.0 - frame.false_alarm));
   };
-  const double clutter = params_.clutter_detects * frame.detects;
+  const PerVisibility clutter = params_.clutter_detects * frame.detects;
   return {
       .present = LogChance(either(frame.detects), frame.has_box),
       .present_failing = LogChance(either(params_.failing_detects * frame.detects), frame.has_box),
@@ -69,37 +71,47 @@ void LookLog::Add(const FrameEvidence& frame) {
   ++look_->frames;
 }
 
+PerVisibility LookLog::Look::counts() const {
+  const double least = has_box ? 0.0 : kLookChance * frames;
+  return detects.unaryExpr([least](double chances) { return chances >= least ? 1.0 : 0.0; });
+}
+
 void LookLog::CloseLook() {
   *pass_ += look_->mean();
-  closed_looks_ += look_->counts() ? 1 : 0;
+  closed_looks_ += look_->counts();
   closed_looks_with_box_ += look_->has_box ? 1 : 0;
   look_.reset();
 }
 
 void LookLog::ClosePass() {
   CloseLook();
-  closed_lambda_ += PassLambda(*pass_);
+  const Likelihoods pass = OfPass(*pass_);
+  closed_.present += pass.present;
+  closed_.absent += pass.absent;
   pass_.reset();
 }
 
-double LookLog::PassLambda(const Evidence& pass) const {
-  const double present = LogSum(std::log1p(-params_.pass_failure) + pass.present,
-                                std::log(params_.pass_failure) + pass.present_failing);
-  const double absent = LogSum(std::log1p(-params_.pass_clutter) + pass.absent,
-                               std::log(params_.pass_clutter) + pass.absent_clutter);
-  return present - absent;
+LookLog::Likelihoods LookLog::OfPass(const Evidence& pass) const {
+  return {.present = LogSum(std::log1p(-params_.pass_failure) + pass.present,
+                            std::log(params_.pass_failure) + pass.present_failing),
+          .absent = LogSum(std::log1p(-params_.pass_clutter) + pass.absent,
+                           std::log(params_.pass_clutter) + pass.absent_clutter)};
 }
 
-double LookLog::Lambda() const {
+LookLog::Likelihoods LookLog::likelihoods() const {
   if (!look_) {
-    return closed_lambda_;
+    return closed_;
   }
   Evidence pass = *pass_;
   pass += look_->mean();
-  return closed_lambda_ + PassLambda(pass);
+  const Likelihoods under_way = OfPass(pass);
+  return {.present = closed_.present + under_way.present,
+          .absent = closed_.absent + under_way.absent};
 }
 
-int LookLog::looks() const { return closed_looks_ + (look_ && look_->counts() ? 1 : 0); }
+PerVisibility LookLog::looks() const {
+  return look_ ? PerVisibility(closed_looks_ + look_->counts()) : closed_looks_;
+}
 
 int LookLog::looks_with_box() const {
   return closed_looks_with_box_ + (look_ && look_->has_box ? 1 : 0);

@@ -9,6 +9,7 @@
 #include "limpet/core/params.hpp"
 #include "limpet/core/units.hpp"
 #include "limpet/survey/look.hpp"
+#include "limpet/survey/visibility_belief.hpp"
 
 namespace limpet {
 
@@ -47,47 +48,53 @@ struct LookParams {
 struct FrameEvidence {
   double time = 0.0;                               ///< [s]
   Eigen::Vector3d p_OC = Eigen::Vector3d::Zero();  ///< camera relative to the place, NED [m]
-  double detects = 0.0;                            ///< chance of a box here if an object is there
+  PerVisibility detects = 0.0;                     ///< chance of a box here if an object is there
   double false_alarm = 0.0;                        ///< chance of a box here if none is
   bool has_box = false;
 };
 
 /// Collects what the frames of one session said about one place, as looks (frames from nearly one
 /// viewpoint count together as one witness) and passes (looks of one pass share what made them
-/// fail), and turns it into Lambda = ln P(seen | present) / P(seen | absent).
+/// fail), and turns it into Lambda = ln P(seen | present) / P(seen | absent), for each visibility
+/// that the water may have.
 class LookLog {
  public:
   explicit LookLog(const LookParams& params) : params_(params) {}
 
   /// REQUIRES: frames come in order of time; detects and false_alarm in (0, 1).
   void Add(const FrameEvidence& frame);
-  /// Lambda over all passes, the one under way included.
-  [[nodiscard]] double Lambda() const;
+  /// ln P(seen) over all passes, the one under way included.
+  struct Likelihoods {
+    PerVisibility present, absent;
+    [[nodiscard]] PerVisibility lambda() const { return present - absent; }
+  };
+  [[nodiscard]] Likelihoods likelihoods() const;
+  [[nodiscard]] PerVisibility Lambda() const { return likelihoods().lambda(); }
   /// Looks as `survey/look.hpp` has them, or that did show a box.
-  [[nodiscard]] int looks() const;
+  [[nodiscard]] PerVisibility looks() const;
   [[nodiscard]] int looks_with_box() const;
   [[nodiscard]] int passes() const { return passes_; }
 
  private:
   /// ln P of what was seen, under four states of the world; sums over looks of a pass.
   struct Evidence {
-    double present = 0.0, present_failing = 0.0, absent = 0.0, absent_clutter = 0.0;
+    PerVisibility present, present_failing, absent, absent_clutter;
     Evidence& operator+=(const Evidence& other);
     [[nodiscard]] Evidence operator/(double n) const;
   };
   struct Look {
     Eigen::Vector3d p_OC = Eigen::Vector3d::Zero();
-    Evidence sum;          ///< over frames; a look counts as its mean
-    double detects = 0.0;  ///< sum over frames
+    Evidence sum;                 ///< over frames; a look counts as its mean
+    PerVisibility detects = 0.0;  ///< sum over frames
     int frames = 0;
     bool has_box = false;
     [[nodiscard]] Evidence mean() const { return sum / static_cast<double>(frames); }
-    [[nodiscard]] bool counts() const { return has_box || detects >= kLookChance * frames; }
+    [[nodiscard]] PerVisibility counts() const;
   };
 
   [[nodiscard]] Evidence Weigh(const FrameEvidence& frame) const;
   [[nodiscard]] bool IsNewViewpoint(const FrameEvidence& frame) const;
-  [[nodiscard]] double PassLambda(const Evidence& pass) const;
+  [[nodiscard]] Likelihoods OfPass(const Evidence& pass) const;
   void CloseLook();
   void ClosePass();
 
@@ -95,8 +102,8 @@ class LookLog {
   std::optional<Look> look_;
   std::optional<Evidence> pass_;  ///< closed looks of the pass under way
   double last_time_ = 0.0;
-  double closed_lambda_ = 0.0;  ///< of the passes before
-  int closed_looks_ = 0;
+  Likelihoods closed_;  ///< of the passes before
+  PerVisibility closed_looks_;
   int closed_looks_with_box_ = 0;
   int passes_ = 0;
 };

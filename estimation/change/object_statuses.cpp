@@ -210,8 +210,8 @@ OpiBelief ObjectStatuses::StatusOfFormer(std::size_t index) const {
                    .landmark = object != nullptr ? object->id : -1,
                    .prior_id = former.id,
                    .object = object != nullptr ? object->object : FormerPlace(index),
-                   .log_likelihood_ratio = watch.Lambda(),
-                   .looks = watch.looks(),
+                   .log_likelihood_ratio = watch.Lambda()(0),
+                   .looks = static_cast<int>(watch.looks()(0)),
                    .looks_with_box = watch.looks_with_box(),
                    .posterior = PosteriorOfFormer(index)};
   status.decided = Decide(status.posterior, status.looks, params_.priors);
@@ -226,11 +226,11 @@ std::optional<OpiBelief> ObjectStatuses::StatusOfNewcomer(std::size_t index) {
   const PlaceWatch& watch = landmark_watch_.at(object.id);
   OpiBelief status{.landmark = object.id,
                    .object = object.object,
-                   .log_likelihood_ratio = watch.Lambda(),
-                   .looks = watch.looks(),
+                   .log_likelihood_ratio = watch.Lambda()(0),
+                   .looks = static_cast<int>(watch.looks()(0)),
                    .looks_with_box = watch.looks_with_box(),
                    .posterior = former_ ? PosteriorOfNewcomer(index)
-                                        : DiscoveryStatus(watch.Lambda(), params_.priors)};
+                                        : DiscoveryStatus(watch.Lambda()(0), params_.priors)};
   status.decided = Decide(status.posterior, status.looks, params_.priors);
   const bool may_be_former =
       former_ && match_.chance.col(static_cast<Eigen::Index>(index)).sum() > 0.0;

@@ -127,23 +127,30 @@ void PlaceWatch::See(const ObservedFrame& frame, const WatchModel& model, const 
   const bool has_own = boxes.own != nullptr;
   const double false_alarm = FalseAlarm(*foresight, model);
   const LookModel look = LookModelOf(model);
+  const PerVisibility visibilities =
+      model.visibilities.value_or(model.detection.visibility.value());
   for (Spot& spot : spots_) {
-    const double detects = ChanceToDetect(look, frame.X_WB, spot.p_W);
-    if (detects < model.least_detection && !has_own) continue;
+    const PerVisibility detects = ChancesToDetect(look, frame.X_WB, spot.p_W, visibilities);
+    if (detects.maxCoeff() < model.least_detection && !has_own) continue;
     spot.log.Add({.time = frame.exposure.value(),
                   .p_OC = frame.X_WB.p_WB - spot.p_W,
-                  .detects = std::max(detects, model.least_detection),
+                  .detects = has_own ? PerVisibility(detects.max(model.least_detection)) : detects,
                   .false_alarm = false_alarm,
                   .has_box = has_own || boxes.possible != nullptr});
   }
 }
 
-double PlaceWatch::Lambda() const {
-  double sum = std::log(spots_.front().weight) + spots_.front().log.Lambda();
+PerVisibility PlaceWatch::Lambda() const {
+  PerVisibility sum = std::log(spots_.front().weight) + spots_.front().log.Lambda();
   for (std::size_t i = 1; i < spots_.size(); ++i) {
     sum = LogSum(sum, std::log(spots_[i].weight) + spots_[i].log.Lambda());
   }
   return sum;
+}
+
+PerVisibility PlaceWatch::LogLikelihood(double worth) const {
+  const LookLog::Likelihoods seen = spots_.front().log.likelihoods();
+  return std::log(0.5) + LogSum(worth * seen.present, worth * seen.absent);
 }
 
 }  // namespace limpet

@@ -18,6 +18,8 @@ struct WatchModel {
   DetectionModel detection;
   double object_radius = 0.5;    ///< [m]
   double least_detection = 0.2;  ///< frames with less chance of a box say nothing
+  /// Visibilities that the water may have [m]; nothing: it has the one of `detection`.
+  std::optional<PerVisibility> visibilities = std::nullopt;
 };
 
 /// Where an uncertain place lies in a frame.
@@ -54,9 +56,13 @@ class PlaceWatch {
 
   /// Judges one frame; frames in order of time.
   void See(const ObservedFrame& frame, const WatchModel& model, const OwnerOf& owner_of);
-  [[nodiscard]] double Lambda() const;
+  /// For each visibility of the WatchModel, as all that follows.
+  [[nodiscard]] PerVisibility Lambda() const;
+  /// ln P of what was seen here where an object is as likely as none. Looks count `worth` each:
+  /// they share water, light and pose.
+  [[nodiscard]] PerVisibility LogLikelihood(double worth) const;
   /// Looks at the most likely spot.
-  [[nodiscard]] int looks() const { return spots_.front().log.looks(); }
+  [[nodiscard]] PerVisibility looks() const { return spots_.front().log.looks(); }
   [[nodiscard]] int looks_with_box() const { return spots_.front().log.looks_with_box(); }
   [[nodiscard]] const ObjectEstimate& place() const { return place_; }
 

@@ -90,15 +90,15 @@ StatusPosterior ObjectStatuses::PosteriorOfFormer(std::size_t index) const {
   };
   for (std::size_t j = 0; j < objects_.size(); ++j) {
     const double chance = row(static_cast<Eigen::Index>(j)) / total;
-    if (chance > 0.0) add(landmark_watch_.at(objects_[j].id).Lambda(), chance);
+    if (chance > 0.0) add(landmark_watch_.at(objects_[j].id).Lambda()(0), chance);
   }
-  if (former_watch_[index]) add(former_watch_[index]->Lambda(), 1.0 - ChanceOfFormer(index));
+  if (former_watch_[index]) add(former_watch_[index]->Lambda()(0), 1.0 - ChanceOfFormer(index));
   return sum;
 }
 
 StatusPosterior ObjectStatuses::PosteriorOfNewcomer(std::size_t index) {
   const Landmark& object = objects_[index];
-  const double now = landmark_watch_.at(object.id).Lambda();
+  const double now = landmark_watch_.at(object.id).Lambda()(0);
   StatusPosterior sum = ChangeStatus(FormerLambdaAt(object), now, params_.priors);
   const auto column = match_.chance.col(static_cast<Eigen::Index>(index));
   const double known = column.sum();
@@ -161,14 +161,14 @@ double ObjectStatuses::FormerLambdaAt(const Landmark& newcomer) {
       InOtherFrame(newcomer.object, match_.offset.Undo(newcomer.object.p_W));
   const auto known = former_lambda_.find(newcomer.id);
   if (known != former_lambda_.end() && !HasMoved(known->second, place)) {
-    return known->second.Lambda();
+    return known->second.Lambda()(0);
   }
   PlaceWatch watch(place, former_views_.looks);
   const OwnerOf owner_of = OwnerInFormerViews();
   for (const ObservedFrame& view : former_views_.frames) {
     watch.See(view, former_views_.model, owner_of);
   }
-  const double lambda = watch.Lambda();
+  const double lambda = watch.Lambda()(0);
   former_lambda_.insert_or_assign(newcomer.id, std::move(watch));
   return lambda;
 }

@@ -53,7 +53,7 @@ inline double SimulateLambda(const ChangeWorld& world, bool is_present, const Lo
                .has_box = random.Chance(std::min(std::max(chance, 0.0), 1.0))});
     }
   }
-  return log.Lambda();
+  return log.Lambda()(0);
 }
 
 /// Squared error and calibration of the probability of one status.

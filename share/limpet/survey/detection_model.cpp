@@ -18,6 +18,11 @@ double SmoothStep(double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
+/// Share of the contrast that reaches a camera `range` metres away.
+double Contrast(double range, double reach) {
+  return 1.0 / (1.0 + std::exp((range - kHalfRange * reach) / (kFallOff * reach)));
+}
+
 /// Offset of the i-th of kDiscPoints points spread evenly over the unit disc (sunflower).
 Eigen::Vector2d DiscPoint(int i) {
   const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
@@ -28,10 +33,15 @@ Eigen::Vector2d DiscPoint(int i) {
 }  // namespace
 
 double DetectionModel::Detects(double range, double share) const {
-  const double reach = visibility.value();
-  const double contrast = 1.0 / (1.0 + std::exp((range - kHalfRange * reach) / (kFallOff * reach)));
   const double inside = SmoothStep((share - share_none) / std::max(share_full - share_none, 1e-6));
-  return best * contrast * inside;
+  return best * Contrast(range, visibility.value()) * inside;
+}
+
+PerVisibility DetectionModel::Detects(double range, double share,
+                                      const PerVisibility& visibilities) const {
+  const double inside = SmoothStep((share - share_none) / std::max(share_full - share_none, 1e-6));
+  return visibilities.unaryExpr(
+      [&](double reach) { return best * Contrast(range, reach) * inside; });
 }
 
 double VisibleShare(const CameraModel& camera, const Pose& X_WB, const Eigen::Vector3d& p_W,

@@ -6,6 +6,7 @@
 #include "limpet/core/camera_model.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/core/units.hpp"
+#include "limpet/survey/visibility_belief.hpp"
 
 namespace limpet {
 
@@ -37,6 +38,9 @@ struct DetectionModel {
   /// Chance of a box in one frame for an object `range` metres away of which `share` is inside the
   /// image.
   [[nodiscard]] double Detects(double range, double share) const;
+  /// The chance in water of each of several visibilities [m], instead of `visibility`.
+  [[nodiscard]] PerVisibility Detects(double range, double share,
+                                      const PerVisibility& visibilities) const;
 };
 
 /// Share of a sphere's disc (centre p_W, NED, radius [m]) that lies inside the image; 0 behind the

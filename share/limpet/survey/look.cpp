@@ -18,6 +18,13 @@ double ChanceToDetect(const LookModel& model, const Pose& X_WB, const Eigen::Vec
   return share > 0.0 ? model.detection.Detects((p_W - X_WB.p_WB).norm(), share) : 0.0;
 }
 
+PerVisibility ChancesToDetect(const LookModel& model, const Pose& X_WB, const Eigen::Vector3d& p_W,
+                              const PerVisibility& visibilities) {
+  const double share = VisibleShare(model.camera, X_WB, p_W, model.object_radius);
+  return share > 0.0 ? model.detection.Detects((p_W - X_WB.p_WB).norm(), share, visibilities)
+                     : PerVisibility(0.0);
+}
+
 std::optional<LookWindow> LookWindowAbove(const LookModel& model, double drop, double slack) {
   const double along = drop * model.camera.half_along();
   const double across = drop * model.camera.half_across();

@@ -23,6 +23,10 @@ struct LookModel {
 /// is there: its disc must be inside the image and within range.
 [[nodiscard]] double ChanceToDetect(const LookModel& model, const Pose& X_WB,
                                     const Eigen::Vector3d& p_W);
+/// That chance in water of each of several visibilities [m].
+[[nodiscard]] PerVisibility ChancesToDetect(const LookModel& model, const Pose& X_WB,
+                                            const Eigen::Vector3d& p_W,
+                                            const PerVisibility& visibilities);
 /// A frame with at least this chance is a look: it would more likely than not show an object.
 inline constexpr double kLookChance = 0.5;
 

@@ -28,7 +28,7 @@ double PassLambda(const std::vector<std::vector<FrameEvidence>>& looks) {
   for (const std::vector<FrameEvidence>& look : looks) {
     const double share = 1.0 / static_cast<double>(look.size());
     for (const FrameEvidence& frame : look) {
-      const double f = frame.false_alarm, d = frame.detects;
+      const double f = frame.false_alarm, d = frame.detects(0);
       present *= std::pow(Likelihood(Either(d, f), frame.has_box), share);
       failing *= std::pow(Likelihood(Either(kParams.failing_detects * d, f), frame.has_box), share);
       absent *= std::pow(Likelihood(f, frame.has_box), share);
@@ -69,7 +69,7 @@ void Add(const std::vector<std::vector<FrameEvidence>>& pass, double start, Look
 double LambdaOf(const std::vector<std::vector<FrameEvidence>>& pass) {
   LookLog log(kParams);
   Add(pass, 0.0, log);
-  return log.Lambda();
+  return log.Lambda()(0);
 }
 
 class LookLogProperties : public ::testing::TestWithParam<std::uint64_t> {
@@ -109,8 +109,8 @@ TEST_P(LookLogProperties, PassesAddUpInAnyOrder) {
   Add(other, 100.0, one_first);
   Add(other, 0.0, other_first);
   Add(pass_, 100.0, other_first);
-  EXPECT_NEAR(one_first.Lambda(), LambdaOf(pass_) + LambdaOf(other), 1e-9);
-  EXPECT_NEAR(one_first.Lambda(), other_first.Lambda(), 1e-9);
+  EXPECT_NEAR(one_first.Lambda()(0), LambdaOf(pass_) + LambdaOf(other), 1e-9);
+  EXPECT_NEAR(one_first.Lambda()(0), other_first.Lambda()(0), 1e-9);
   EXPECT_EQ(one_first.passes(), 2);
 }
 
@@ -133,7 +133,7 @@ TEST_P(LookLogProperties, TheWorldsPlaceAndTheClockDoNotMatter) {
   }
   LookLog log(kParams);
   Add(turned, 1e6, log);
-  EXPECT_NEAR(log.Lambda(), LambdaOf(pass_), 1e-9);
+  EXPECT_NEAR(log.Lambda()(0), LambdaOf(pass_), 1e-9);
 }
 
 TEST_P(LookLogProperties, OnePassIsNeverMoreCertainThanPassesAreReliable) {
@@ -155,7 +155,7 @@ TEST(LookLogBorders, ANewLookBeginsAtHalfAMetre) {
     LookLog log(kParams);
     log.Add(FrameAt({0.0, 0.0, -4.0}, 0.0));
     log.Add(FrameAt({0.0, 0.0, -4.0 + moved}, 1.0));
-    EXPECT_EQ(log.looks(), looks) << moved << " m";
+    EXPECT_EQ(log.looks()(0), looks) << moved << " m";
   }
 }
 
@@ -165,7 +165,7 @@ TEST(LookLogBorders, ANewLookBeginsAtFifteenDegrees) {
     LookLog log(kParams);
     log.Add(FrameAt({0.0, 0.0, -1.0}, 0.0));
     log.Add(FrameAt({0.0, std::sin(angle), -std::cos(angle)}, 1.0));
-    EXPECT_EQ(log.looks(), looks) << degrees << " degrees";
+    EXPECT_EQ(log.looks()(0), looks) << degrees << " degrees";
   }
 }
 
@@ -181,7 +181,7 @@ TEST(LookLogBorders, ANewPassBeginsAfterEightSecondsOutOfSight) {
 TEST(LookLogBorders, ADetectorThatSeesNothingHereTellsNothing) {
   LookLog log(kParams);
   log.Add({.time = 0.0, .p_OC = {0, 0, -3}, .detects = 0.0, .false_alarm = 0.01, .has_box = false});
-  EXPECT_NEAR(log.Lambda(), 0.0, 1e-12);
+  EXPECT_NEAR(log.Lambda()(0), 0.0, 1e-12);
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ void Pass(LookLog& log, double start, int count, double step, bool has_box) {
 
 TEST(LookLog, SaysNothingBeforeItHasLooked) {
   const LookLog log{LookParams{}};
-  EXPECT_EQ(log.Lambda(), 0.0);
-  EXPECT_EQ(log.looks(), 0);
+  EXPECT_EQ(log.Lambda()(0), 0.0);
+  EXPECT_EQ(log.looks()(0), 0);
 }
 
 TEST(LookLog, CountsFramesFromOneViewpointAsOneWitness) {
@@ -30,14 +30,14 @@ TEST(LookLog, CountsFramesFromOneViewpointAsOneWitness) {
   LookLog hovering{LookParams{}};
   Pass(once, 0.0, 1, 0.0, true);
   Pass(hovering, 0.0, 40, 0.0, true);
-  EXPECT_EQ(hovering.looks(), 1);
-  EXPECT_NEAR(hovering.Lambda(), once.Lambda(), 1e-9);
+  EXPECT_EQ(hovering.looks()(0), 1);
+  EXPECT_NEAR(hovering.Lambda()(0), once.Lambda()(0), 1e-9);
 }
 
 TEST(LookLog, CountsANewLookEveryHalfMetre) {
   LookLog log{LookParams{}};
   Pass(log, 0.0, 17, 0.125, true);
-  EXPECT_EQ(log.looks(), 5);
+  EXPECT_EQ(log.looks()(0), 5);
   EXPECT_EQ(log.looks_with_box(), 5);
   EXPECT_EQ(log.passes(), 1);
 }
@@ -47,13 +47,13 @@ TEST(LookLog, CountsANewLookWhenTheDirectionTurns) {
   log.Add({.time = 0.0, .p_OC = {0, 0, -1}, .detects = 0.9, .false_alarm = 0.003, .has_box = true});
   log.Add(
       {.time = 1.0, .p_OC = {0.3, 0, -1}, .detects = 0.9, .false_alarm = 0.003, .has_box = true});
-  EXPECT_EQ(log.looks(), 2);
+  EXPECT_EQ(log.looks()(0), 2);
 }
 
 TEST(LookLog, OnePassCannotBeSurerThanPassesAreReliable) {
   LookLog log{LookParams{}};
   Pass(log, 0.0, 40, 0.125, false);
-  EXPECT_GT(log.Lambda(), std::log(LookParams{}.pass_failure) - 0.6);
+  EXPECT_GT(log.Lambda()(0), std::log(LookParams{}.pass_failure) - 0.6);
 }
 
 TEST(LookLog, ASecondPassIsASecondWitness) {
@@ -62,22 +62,22 @@ TEST(LookLog, ASecondPassIsASecondWitness) {
   LookLog two = one;
   Pass(two, 60.0, 20, 0.125, false);
   EXPECT_EQ(two.passes(), 2);
-  EXPECT_NEAR(two.Lambda(), 2.0 * one.Lambda(), 1e-9);
+  EXPECT_NEAR(two.Lambda()(0), 2.0 * one.Lambda()(0), 1e-9);
 }
 
 TEST(LookLog, ALoneBoxAmongManyCleanLooksIsAFalseAlarm) {
   LookLog log{LookParams{}};
   Pass(log, 0.0, 1, 0.125, true);
   Pass(log, 0.25, 24, 0.125, false);
-  EXPECT_LT(log.Lambda(), 0.0);
+  EXPECT_LT(log.Lambda()(0), 0.0);
 }
 
 TEST(LookLog, AMissWhereLittleWasVisibleSaysLittle) {
   LookLog log{LookParams{}};
   log.Add(
       {.time = 0.0, .p_OC = {0, 0, -3}, .detects = 0.2, .false_alarm = 0.003, .has_box = false});
-  EXPECT_GT(log.Lambda(), -0.25);
-  EXPECT_EQ(log.looks(), 0) << "and is no look that an operator would count";
+  EXPECT_GT(log.Lambda()(0), -0.25);
+  EXPECT_EQ(log.looks()(0), 0) << "and is no look that an operator would count";
 }
 
 }  // namespace

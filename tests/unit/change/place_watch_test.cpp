@@ -179,12 +179,12 @@ TEST(FindBox, ABoxOfUnknownOwnerMustHaveAboutTheSize) {
 
 TEST(PlaceWatchProperties, WhatIsOutOfSightSaysNothing) {
   PlaceWatch watch(PlaceAt({0, 0, 6}), LookParams{});
-  const double before = watch.Lambda();
+  const double before = watch.Lambda()(0);
   EXPECT_NEAR(before, 0.0, 1e-12);
   for (int i = 0; i < 20; ++i)
     watch.See(FrameOver({0, 0, 6}, 60.0 + i, 0.0, i), kWatchModel, Unknown);
-  EXPECT_EQ(watch.Lambda(), before);
-  EXPECT_EQ(watch.looks(), 0);
+  EXPECT_EQ(watch.Lambda()(0), before);
+  EXPECT_EQ(watch.looks()(0), 0);
 }
 
 /// A pass north over the place, with a box in each frame of which `shows` says so.
@@ -206,9 +206,10 @@ TEST(PlaceWatchProperties, NothingSpeaksMoreForAnObjectThanABoxInEveryFrameNorAg
     const double share = random.Uniform(0.0, 1.0);
     const ObjectEstimate place = PlaceAt({random.Normal(9), random.Normal(9), 6.0});
     const double starboard = random.Uniform(-1.0, 1.0);
-    const double some = Pass(place, starboard, [&](int) { return random.Chance(share); }).Lambda();
-    EXPECT_LE(some, Pass(place, starboard, [](int) { return true; }).Lambda() + 1e-9);
-    EXPECT_GE(some, Pass(place, starboard, [](int) { return false; }).Lambda() - 1e-9);
+    const double some =
+        Pass(place, starboard, [&](int) { return random.Chance(share); }).Lambda()(0);
+    EXPECT_LE(some, Pass(place, starboard, [](int) { return true; }).Lambda()(0) + 1e-9);
+    EXPECT_GE(some, Pass(place, starboard, [](int) { return false; }).Lambda()(0) - 1e-9);
   }
 }
 
@@ -221,15 +222,16 @@ TEST(PlaceWatchProperties, APassToStarboardSaysWhatOneToPortSays) {
     const PlaceWatch right = Pass(PlaceAt({0, 0, 6}), starboard, all);
     const PlaceWatch left = Pass(PlaceAt({0, 0, 6}), -starboard, all);
     // How much of an object shows at the border is counted by points that lie unevenly.
-    EXPECT_NEAR(right.Lambda(), left.Lambda(), 0.01) << starboard;
-    EXPECT_EQ(right.looks(), left.looks()) << starboard;
+    EXPECT_NEAR(right.Lambda()(0), left.Lambda()(0), 0.01) << starboard;
+    EXPECT_EQ(right.looks()(0), left.looks()(0)) << starboard;
   }
 }
 
 TEST(PlaceWatchProperties, CleanLooksAtAnUncertainPlaceProveLessThanAtACertainOne) {
   double before = -1e9;
   for (const double sigma : {0.05, 0.5, 1.0, 2.0}) {
-    const double lambda = Pass(PlaceAt({0, 0, 6}, sigma), 0.0, [](int) { return false; }).Lambda();
+    const double lambda =
+        Pass(PlaceAt({0, 0, 6}, sigma), 0.0, [](int) { return false; }).Lambda()(0);
     EXPECT_LT(lambda, 0.0);
     EXPECT_GE(lambda, before - 1e-9) << sigma;
     before = lambda;
@@ -243,7 +245,7 @@ TEST(PlaceWatchProperties, ABoxProvesLessWhereTheDetectorSeesMoreGhosts) {
     model.detection.false_per_image = ghosts;
     const double lambda = Pass(
                               PlaceAt({0, 0, 6}, 0.5), 0.0, [](int) { return true; }, model)
-                              .Lambda();
+                              .Lambda()(0);
     EXPECT_LE(lambda, before) << ghosts;
     before = lambda;
   }
@@ -254,9 +256,9 @@ TEST(PlaceWatchProperties, LooksWithABoxAreSomeOfTheLooks) {
   for (int i = 0; i < 60; ++i) {
     const PlaceWatch watch = Pass(PlaceAt({0, 0, 6}), random.Uniform(-1.5, 1.5),
                                   [&random](int) { return random.Chance(0.4); });
-    EXPECT_LE(watch.looks_with_box(), watch.looks());
-    EXPECT_GT(watch.looks(), 0);
-    EXPECT_TRUE(std::isfinite(watch.Lambda()));
+    EXPECT_LE(watch.looks_with_box(), watch.looks()(0));
+    EXPECT_GT(watch.looks()(0), 0);
+    EXPECT_TRUE(std::isfinite(watch.Lambda()(0)));
   }
 }
 
