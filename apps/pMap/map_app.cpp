@@ -167,6 +167,36 @@ void MapApp::TellHowItLooks() {
   }
 }
 
+void MapApp::TellWater(Seconds now) {
+  constexpr Seconds kEvery(5.0);
+  if (last_water_ && now - *last_water_ < kEvery) {
+    return;
+  }
+  last_water_ = now;
+  const VisibilityBelief water = statuses_.Water();
+  const VisibilityEstimate estimate = water.estimate();
+  Publish(topics::kWaterState,
+          WaterVisibility{.visibility = estimate.visibility.value(), .sd = estimate.sd.value()});
+  WarnOfMurk(water);
+}
+
+void MapApp::WarnOfMurk(const VisibilityBelief& water) {
+  const std::optional<double> altitude = gate_.altitude();
+  const bool is_surveying = phase_.empty() || phase_ == "SURVEY";
+  const auto chance = [&] {
+    return water.Expect(params_.status.detection.Detects(*altitude, 1.0, VisibilityBelief::Grid()));
+  };
+  if (is_surveying && altitude && chance() < kLookChance) {
+    const VisibilityEstimate estimate = water.estimate();
+    Warn(warnings::kWaterMurky,
+         fmt::format("the seabed, {:.1f} m below, is most likely out of sight: visibility about "
+                     "{:.1f} m, give or take {:.1f} m",
+                     *altitude, estimate.visibility.value(), estimate.sd.value()));
+  } else {
+    ClearWarning(warnings::kWaterMurky);
+  }
+}
+
 void MapApp::Tick(Seconds now) {
   TellHowItLooks();
   if (last_publish_ && now - *last_publish_ < params_.publish_every) {
@@ -180,6 +210,7 @@ void MapApp::Tick(Seconds now) {
     Publish(topics::kMapCoverage, grid_->coverage());
   }
   PublishObjects();
+  TellWater(now);
 }
 
 void MapApp::UpdateObjects() {

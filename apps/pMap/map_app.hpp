@@ -48,6 +48,9 @@ class MapApp final : public App {
   void OnSnapshotRequest(const Stamped<std::string>& request);
   /// By what looks are counted, for who plans them.
   void TellHowItLooks();
+  /// The water as now estimated, now and then, and whether the seabed is in sight.
+  void TellWater(Seconds now);
+  void WarnOfMurk(const VisibilityBelief& water);
   void UpdateObjects();
   void PublishObjects();
 
@@ -62,6 +65,7 @@ class MapApp final : public App {
   std::optional<SurveyGrid> grid_;
   std::string phase_;
   std::optional<Seconds> last_publish_;
+  std::optional<Seconds> last_water_;
   bool landmarks_changed_ = false;  ///< since places were last judged exactly where they are
   std::optional<Value> last_objects_;
   bool has_told_looks_ = false;

@@ -28,6 +28,9 @@ void MapApp::Report(ReportLines& report) const {
   report.Pair("Frames used", std::to_string(gate_.used()));
   report.Pair("Left out", LeftOut(gate_));
   report.Pair("False boxes", fmt::format("{:.3f} per image", statuses_.false_per_image()));
+  const VisibilityEstimate water = statuses_.Water().estimate();
+  report.Pair("Visibility", fmt::format("{:.1f} m, give or take {:.1f} m", water.visibility.value(),
+                                        water.sd.value()));
   report.Pair("DVL beams", fmt::format("{} used, {} left out as outliers", beams_ - beams_left_out_,
                                        beams_left_out_));
   report.Pair("Altitude", gate_.altitude()

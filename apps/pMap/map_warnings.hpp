@@ -33,6 +33,16 @@ inline const WarningId kViewWithoutAltitude = DeclareWarning(
      .action = "See DVL_NO_LOCK of pNav.",
      .clears = "With the next frame of known altitude, or out of the survey phase."});
 
+inline const WarningId kWaterMurky = DeclareWarning(
+    "WATER_MURKY",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pMap"},
+     .meaning = "While surveying, an object on the seabed would more likely than not be out of "
+                "sight from the altitude flown: so says how far objects were and were not seen.",
+     .action = "Fly lower, or another day; what was not seen is not proven absent (docs/water.md).",
+     .clears = "Once the estimate or a lower altitude brings the seabed into sight, or out of the "
+               "survey phase."});
+
 inline const WarningId kBeamsLeftOut = DeclareWarning(
     "BEAMS_LEFT_OUT",
     {.severity = Severity::kWarning,

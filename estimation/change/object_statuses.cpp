@@ -37,7 +37,11 @@ ObjectStatuses::ObjectStatuses(const StatusParams& params, const CameraModel& ca
     : params_(params),
       model_{.camera = camera,
              .detection = params.detection,
-             .object_radius = params.object_radius.value()} {}
+             .object_radius = params.object_radius.value(),
+             .visibilities = VisibilityBelief::Grid()} {
+  // The first is the one that statuses rest on.
+  (*model_.visibilities)(0) = params.detection.visibility.value();
+}
 
 void ObjectStatuses::AddFrame(ObservedFrame frame) {
   LIMPET_REQUIRE(frames_.empty() || frame.exposure >= frames_.back().exposure,

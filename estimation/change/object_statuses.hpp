@@ -21,6 +21,7 @@ struct StatusParams {
   LookParams looks;
   StatusPriors priors;
   MatchingParams matching;  ///< of these only what the frames' offset takes: matches are given
+  double visibility_spread = 2.0;  ///< factor that is one standard deviation of what was expected
   Meters object_radius{0.5};
   Meters merge_within{1.2};
   Meters moved_within{2.5};
@@ -32,6 +33,9 @@ struct StatusParams {
     looks.Describe(visit);
     priors.Describe(visit);
     matching.DescribeOffset(visit);
+    visit("visibility_spread", visibility_spread,
+          "The water's visibility may well be visibility_m times or by this factor",
+          InRange(1.05, 10.0));
     visit.Required("object_radius_m", object_radius, "Radius of the objects looked for",
                    InRange(0.05_m, 5.0_m));
     visit("merge_within_m", merge_within,
@@ -82,6 +86,9 @@ class ObjectStatuses {
   [[nodiscard]] const std::vector<ObservedFrame>& frames() const { return frames_; }
   /// Boxes per image that show nothing: what the mission says, weighed with what was seen.
   [[nodiscard]] double false_per_image() const { return model_.detection.false_per_image; }
+  /// How far one can see, from how far objects of known places were and were not seen; from
+  /// nothing else, so it depends on what is kept alone.
+  [[nodiscard]] VisibilityBelief Water() const;
   /// Places that boxes hint at but that nobody is sent to, because there were too many.
   [[nodiscard]] int tentative_left_out() const { return tentative_.left_out(); }
   /// The landmark that stands for `landmark` after merging; -1 if it is not confirmed.

@@ -79,6 +79,16 @@ struct MapLook {
   }
 };
 
+/// How far the vehicle can see in this water, as its own detector sees (docs/water.md).
+struct WaterVisibility {
+  double visibility = 0.0;  ///< range at which an object's contrast is gone [m]
+  double sd = 0.0;          ///< its standard deviation [m]
+  template <class V>
+  void Describe(V& visit) {
+    visit("visibility_m", visibility), visit("sd_m", sd);
+  }
+};
+
 struct SessionPrior {
   std::string session;  ///< name of the former session
   std::vector<FormerObject> opis;
@@ -110,6 +120,9 @@ inline const auto kMapOpis = Declare<OpiBeliefs>(
 inline const auto kMapLook =
     Declare<MapLook>("MAP_LOOK", "by what the map judges whether a frame looks at a place",
                      {.unit = "m, rad", .rate = "once", .writers = {"pMap"}});
+inline const auto kWaterState = Declare<WaterVisibility>(
+    "WATER_STATE", "how far the vehicle can see, estimated from what it saw",
+    {.unit = "m", .rate = "0.2 Hz", .writers = {"pMap"}});
 inline const auto kMapSnapshot = Declare<Binary>(
     "MAP_SNAPSHOT", "whole semantic octree",
     {.unit = "m", .frame = "NED", .rate = "on MAP_SNAPSHOT_REQUEST", .writers = {"pMap"}});

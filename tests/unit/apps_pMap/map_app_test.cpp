@@ -267,6 +267,38 @@ TEST_F(MapAppTest, SaysThatFramesWithoutAnAltitudeAreLeftOut) {
   EXPECT_TRUE(app_.warnings().empty());
 }
 
+TEST_F(MapAppTest, TellsHowFarItSeesAndWarnsWhereTheSeabedIsOutOfSight) {
+  std::vector<trial::Sphere> high;
+  for (int i = 0; i < 6; ++i) {
+    high.push_back({.ned = {3.0 * i, 0.0, 5.2}, .color = "yellow", .landmark = 10 + i});
+  }
+  // They are 1.7 m below the camera, and seen from 1.85 m at most.
+  std::vector<ObservedFrame> frames =
+      trial::Fly({.north = -3, .length = 22}, link_.time, high, {.detects = 1.0}, random_);
+  for (ObservedFrame& frame : frames) {
+    std::erase_if(frame.boxes, [&](const Box& box) {
+      return (high[static_cast<std::size_t>(box.landmark - 10)].ned - frame.X_WB.p_WB).norm() >
+             1.85;
+    });
+    link_.time = frame.exposure;
+    link_.Send(app_, topics::kNavSight, frame);
+    app_.Tick(link_.time);
+  }
+  EXPECT_NEAR(link_.Last(topics::kWaterState)->visibility, 8.0, 2.5);
+  EXPECT_FALSE(app_.warnings().contains("WATER_MURKY")) << "nothing is known of the water";
+  link_.time += Seconds(20.0);
+  Confirm(high);
+  link_.time += Seconds(6.0);
+  app_.Tick(link_.time);
+  EXPECT_LT(link_.Last(topics::kWaterState)->visibility, 3.0);
+  EXPECT_LT(link_.Last(topics::kWaterState)->sd, 1.2);
+  EXPECT_TRUE(app_.warnings().contains("WATER_MURKY"));
+  link_.Send(app_, topics::kSurveyPhase, std::string("HOME"));
+  link_.time += Seconds(6.0);
+  app_.Tick(link_.time);
+  EXPECT_FALSE(app_.warnings().contains("WATER_MURKY"));
+}
+
 TEST_F(MapAppTest, SaysThatItDoesNotFollowUpEveryHint) {
   std::vector<trial::Sphere> ghosts;
   for (int i = 0; i < 11; ++i) {

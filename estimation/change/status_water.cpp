@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// What an ObjectStatuses makes of the water. docs/water.md.
+#include "estimation/change/object_statuses.hpp"
+
+namespace limpet {
+namespace {
+
+/// Looks at one place share water, light and pose: each is worth this share of an independent one.
+constexpr double kWorth = 0.5;
+/// What happens at one place changes the odds of two visibilities by a factor of e^5 at most.
+constexpr double kMostOfOnePlace = 5.0;
+
+void TakeFrom(const PlaceWatch& watch, VisibilityBelief& water) {
+  PerVisibility seen = watch.LogLikelihood(kWorth);
+  seen(0) = seen(1);  // which stands for what statuses rest on, not for the grid's
+  water.Add(seen, kMostOfOnePlace);
+}
+
+}  // namespace
+
+VisibilityBelief ObjectStatuses::Water() const {
+  VisibilityBelief water(params_.detection.visibility, params_.visibility_spread);
+  for (const auto& [landmark, watch] : landmark_watch_) {
+    TakeFrom(watch, water);
+  }
+  for (const std::optional<PlaceWatch>& watch : former_watch_) {
+    if (watch) TakeFrom(*watch, water);
+  }
+  return water;
+}
+
+}  // namespace limpet

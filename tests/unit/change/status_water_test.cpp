@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "estimation/change/object_statuses.hpp"
+#include "limpet/core/random.hpp"
+#include "limpet/survey/look.hpp"
+
+namespace limpet {
+namespace {
+
+const CameraModel kWaterCamera;
+
+/// An object below the vehicle's lane.
+struct Sunk {
+  double north = 0.0;
+  double below = 3.0;  ///< its centre, below the camera [m]
+  bool is_there = true;
+  bool is_overgrown = false;  ///< there, but no detector knows it
+  [[nodiscard]] ObjectEstimate object(double starboard = 0.0) const {
+    return {.p_W = {north, starboard, 3.0 + below},
+            .cov_W = 0.04 * Eigen::Matrix3d::Identity(),
+            .color = "yellow"};
+  }
+};
+
+/// A session over objects in water of `visibility` [m]: one pass over each of them.
+class Dive {
+ public:
+  explicit Dive(std::vector<Sunk> objects) : objects_(std::move(objects)) {}
+
+  void Fly(double visibility) {
+    std::vector<FormerObject> former;
+    for (std::size_t i = 0; i < objects_.size(); ++i)
+      former.push_back({.id = static_cast<int>(i) + 1,
+                        .object = objects_[i].object(),
+                        .log_likelihood_ratio = 8.0,
+                        .looks = 5});
+    statuses_.SetFormer(former);
+    DetectionModel detector;
+    detector.visibility = Meters(visibility);
+    for (double north = -4.0; north <= 60.0; north += 0.125, time_ += 0.25)
+      AddFrame(north, detector);
+    std::vector<Landmark> landmarks;
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
+      if (boxes_[i] < 3) continue;
+      const int id = static_cast<int>(i) + 1;
+      landmarks.push_back({.id = id,
+                           .object = objects_[i].object(),
+                           .looks = boxes_[i],
+                           .is_confirmed = true,
+                           .former_id = id});
+    }
+    statuses_.SetLandmarks(landmarks);
+  }
+  [[nodiscard]] ObjectStatuses& statuses() { return statuses_; }
+  [[nodiscard]] VisibilityEstimate water() const { return statuses_.Water().estimate(); }
+
+ private:
+  void AddFrame(double north, const DetectionModel& detector) {
+    ObservedFrame frame{.exposure = Seconds(time_), .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}};
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
+      const Eigen::Vector3d p_W = objects_[i].object().p_W;
+      if (!objects_[i].is_there || objects_[i].is_overgrown) continue;
+      const double share = VisibleShare(kWaterCamera, frame.X_WB, p_W, 0.5);
+      if (!random_.Chance(detector.Detects((p_W - frame.X_WB.p_WB).norm(), share))) continue;
+      const Eigen::Vector2d pixel = *kWaterCamera.Project(kWaterCamera.InCamera(frame.X_WB, p_W));
+      const double size = kWaterCamera.fx / objects_[i].below;
+      frame.boxes.push_back({.u = pixel.x(),
+                             .v = pixel.y(),
+                             .w = size,
+                             .h = size,
+                             .confidence = 0.9,
+                             .color = "yellow",
+                             .landmark = static_cast<int>(i) + 1});
+      ++boxes_[i];
+    }
+    statuses_.AddFrame(std::move(frame));
+  }
+
+  std::vector<Sunk> objects_;
+  std::vector<int> boxes_ = std::vector<int>(objects_.size(), 0);
+  Random random_{11};
+  double time_ = 0.0;
+  ObjectStatuses statuses_{StatusParams{}, kWaterCamera};
+};
+
+TEST(StatusWater, IsAsExpectedBeforeAnythingWasSeen) {
+  Dive dive({});
+  dive.Fly(2.0);  // over bare seabed
+  EXPECT_NEAR(dive.water().visibility.value(), 8.0, 0.6);
+}
+
+TEST(StatusWater, ObjectsSeenFromNearByOnlyAreMurk) {
+  Dive dive({{.north = 0, .below = 1.9},
+             {.north = 9, .below = 3.2},
+             {.north = 18, .below = 2.0},
+             {.north = 27, .below = 2.1},
+             {.north = 36, .below = 3.4}});
+  dive.Fly(2.0);
+  const VisibilityEstimate water = dive.water();
+  EXPECT_NEAR(water.visibility.value(), 2.0, water.sd.value());
+  EXPECT_LT(water.visibility.value(), 4.0);
+}
+
+TEST(StatusWater, ObjectsSeenFromAfarAreClearWater) {
+  Dive dive({{.north = 0}, {.north = 9, .below = 3.5}, {.north = 18}});
+  dive.Fly(8.0);
+  const VisibilityEstimate water = dive.water();
+  EXPECT_GT(water.visibility.value(), 6.0);
+  EXPECT_GT(water.sd.value(), 2.0) << "how clear cannot be known from so near";
+}
+
+TEST(StatusWater, OneObjectThatNoDetectorKnowsDoesNotProveMurk) {
+  const std::vector<Sunk> seen{{.north = 0}, {.north = 9}, {.north = 18}, {.north = 27}};
+  std::vector<Sunk> with_blind = seen;
+  with_blind.push_back({.north = 36, .is_overgrown = true});
+  Dive all(seen), one_blind(with_blind);
+  all.Fly(8.0);
+  one_blind.Fly(8.0);
+  EXPECT_NEAR(one_blind.water().visibility.value(), all.water().visibility.value(), 0.7);
+}
+
+TEST(StatusWater, RemovedObjectsDoNotMakeMurkOfWaterThatShowsOthers) {
+  Dive dive({{.north = 0},
+             {.north = 9},
+             {.north = 18},
+             {.north = 27, .is_there = false},
+             {.north = 36, .is_there = false},
+             {.north = 45, .is_there = false}});
+  dive.Fly(8.0);
+  EXPECT_GT(dive.water().visibility.value(), 6.0);
+}
+
+}  // namespace
+}  // namespace limpet
