@@ -80,10 +80,11 @@ struct LinkQuestColumns {
   }
 };
 
-/// Whether a column ever says anything but one value.
-class Constancy {
+/// An angle of the instrument, and whether its column ever says anything but one value.
+class AngleColumn {
  public:
-  Constancy(const RosColumns& columns, const char* what, const std::string& name, const char* cost)
+  AngleColumn(const RosColumns& columns, const char* what, const std::string& name,
+              const char* cost)
       : what_(what), name_(name), cost_(cost), column_(columns.Find(name)) {}
   void Take(const RosRow& row) {
     const auto value = column_ ? row.Number(*column_) : std::nullopt;
@@ -92,16 +93,18 @@ class Constancy {
     value_ = value;
     ++rows_;
   }
-  [[nodiscard]] bool is_measured() const { return has_changed_; }
+  /// One that changes is not read: drivers differ in its unit, and how the instrument sits on the
+  /// vehicle is in no column.
   [[nodiscard]] MissingData Missing(const std::string& file) const {
-    return {.what = what_,
-            .reason = !value_ ? fmt::format("{}: no column {}", file, name_)
-                              : fmt::format("{}: {} is {} in all of {} rows", file, name_,
-                                            TextOf(*value_), rows_),
-            .cost = cost_};
+    return {.what = what_, .reason = file + ": " + Reason(), .cost = cost_};
   }
 
  private:
+  [[nodiscard]] std::string Reason() const {
+    if (!value_) return "no column " + name_;
+    if (has_changed_) return name_ + " is not read: its unit and the mounting are in no column";
+    return fmt::format("{} is {} in all of {} rows", name_, TextOf(*value_), rows_);
+  }
   const char* what_;
   std::string name_;
   const char* cost_;
@@ -116,12 +119,12 @@ class LinkQuestTopic final : public RosTopic {
   LinkQuestTopic(Recording& recording, const RosColumns& columns, const LinkQuestColumns& own)
       : recording_(recording),
         own_(own),
-        angles_{Constancy(columns, "heading", "field.heading",
-                          "velocities cannot be laid out: no track can be reckoned"),
-                Constancy(columns, "roll", "field.roll",
-                          "velocities cannot be levelled: a list of 5 deg tilts 9 % of each"),
-                Constancy(columns, "pitch", "field.pitch",
-                          "velocities cannot be levelled: a trim of 5 deg tilts 9 % of each")} {}
+        angles_{AngleColumn(columns, "heading", "field.heading",
+                            "velocities cannot be laid out: no track can be reckoned"),
+                AngleColumn(columns, "roll", "field.roll",
+                            "velocities cannot be levelled: a list of 5 deg tilts 9 % of each"),
+                AngleColumn(columns, "pitch", "field.pitch",
+                            "velocities cannot be levelled: a trim of 5 deg tilts 9 % of each")} {}
 
   bool Take(const RosRow& row) override {
     DvlPing ping{.t = row.Stamp(own_.stamp),
@@ -145,14 +148,14 @@ class LinkQuestTopic final : public RosTopic {
       ping.velocity = velocity;
     }
     if (!is_finite) return false;
-    for (Constancy& angle : angles_)
+    for (AngleColumn& angle : angles_)
       angle.Take(row);
     recording_.pings.push_back(ping);
     return true;
   }
   void Finish(const std::string& file) override {
-    for (const Constancy& angle : angles_) {
-      if (!angle.is_measured()) recording_.missing.push_back(angle.Missing(file));
+    for (const AngleColumn& angle : angles_) {
+      recording_.missing.push_back(angle.Missing(file));
     }
   }
 
@@ -163,7 +166,7 @@ class LinkQuestTopic final : public RosTopic {
   }
   Recording& recording_;
   LinkQuestColumns own_;
-  std::array<Constancy, 3> angles_;
+  std::array<AngleColumn, 3> angles_;
 };
 
 std::unique_ptr<RosTopic> TopicOf(const RosColumns& columns, Recording& recording) {

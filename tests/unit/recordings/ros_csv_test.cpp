@@ -53,6 +53,15 @@ TEST(RosCsv, SaysThatAHeadingWhichNeverChangesIsNone) {
   EXPECT_THAT(recording.missing.front().cost, HasSubstr("no track"));
 }
 
+TEST(RosCsv, SaysWhyAHeadingThatChangesIsNotRead) {
+  Recording recording;
+  ASSERT_TRUE(AddRosCsv(
+      DvlHeader() + DvlLine({.t = 1.0, .heading = 10.0}) + DvlLine({.t = 2.0, .heading = 12.0}),
+      "dvl.csv", recording));
+  EXPECT_EQ(recording.missing.front().reason,
+            "dvl.csv: field.heading is not read: its unit and the mounting are in no column");
+}
+
 TEST(RosCsv, NamesFileLineAndColumnOfWhatIsNoNumber) {
   std::string line = DvlLine({});
   line.replace(line.rfind(",3.0"), 4, ",deep");
