@@ -42,6 +42,10 @@ inline std::map<std::string, StreamScene> Scenes() {
   scenes["deep"] = scenes["day"];
   scenes["deep"].objects = 20;
   scenes["deep"].resurface_every_s = 0.0;
+  scenes["crowd"] = hour;
+  scenes["crowd"].duration_s = 2 * 3600.0;
+  scenes["crowd"].half_size_m = 60.0;
+  scenes["crowd"].objects = 300;
   scenes["chains"] = scenes["dropouts"];
   scenes["chains"].long_dropouts = 8;
   scenes["chains"].shortest_dropout_s = 90.0;
