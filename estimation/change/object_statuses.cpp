@@ -38,10 +38,8 @@ ObjectStatuses::ObjectStatuses(const StatusParams& params, const CameraModel& ca
       model_{.camera = camera,
              .detection = params.detection,
              .object_radius = params.object_radius.value(),
-             .visibilities = VisibilityBelief::Grid()} {
-  // The first is the one that statuses rest on.
-  (*model_.visibilities)(0) = params.detection.visibility.value();
-}
+             .visibilities = VisibilityBelief::Grid()},
+      water_(params.detection.visibility, params.visibility_spread) {}
 
 void ObjectStatuses::AddFrame(ObservedFrame frame) {
   LIMPET_REQUIRE(frames_.empty() || frame.exposure >= frames_.back().exposure,
@@ -214,8 +212,8 @@ OpiBelief ObjectStatuses::StatusOfFormer(std::size_t index) const {
                    .landmark = object != nullptr ? object->id : -1,
                    .prior_id = former.id,
                    .object = object != nullptr ? object->object : FormerPlace(index),
-                   .log_likelihood_ratio = watch.Lambda()(0),
-                   .looks = static_cast<int>(watch.looks()(0)),
+                   .log_likelihood_ratio = LambdaIn(water_, watch.Lambda(), params_.priors),
+                   .looks = Looks(watch),
                    .looks_with_box = watch.looks_with_box(),
                    .posterior = PosteriorOfFormer(index)};
   status.decided = Decide(status.posterior, status.looks, params_.priors);
@@ -230,11 +228,11 @@ std::optional<OpiBelief> ObjectStatuses::StatusOfNewcomer(std::size_t index) {
   const PlaceWatch& watch = landmark_watch_.at(object.id);
   OpiBelief status{.landmark = object.id,
                    .object = object.object,
-                   .log_likelihood_ratio = watch.Lambda()(0),
-                   .looks = static_cast<int>(watch.looks()(0)),
+                   .log_likelihood_ratio = LambdaIn(water_, watch.Lambda(), params_.priors),
+                   .looks = Looks(watch),
                    .looks_with_box = watch.looks_with_box(),
                    .posterior = former_ ? PosteriorOfNewcomer(index)
-                                        : DiscoveryStatus(watch.Lambda()(0), params_.priors)};
+                                        : DiscoveryStatus(watch.Lambda(), water_, params_.priors)};
   status.decided = Decide(status.posterior, status.looks, params_.priors);
   const bool may_be_former =
       former_ && match_.chance.col(static_cast<Eigen::Index>(index)).sum() > 0.0;
@@ -270,6 +268,7 @@ std::optional<OpiBelief> ObjectStatuses::StatusOfTentative(TentativeObject& tent
 }
 
 std::vector<OpiBelief> ObjectStatuses::Assess() {
+  water_ = Water();
   std::vector<OpiBelief> objects;
   std::vector<bool> is_matched(objects_.size(), false);
   for (std::size_t i = 0; former_ && i < former_->size(); ++i) {

@@ -119,6 +119,8 @@ class ObjectStatuses {
   [[nodiscard]] double ChanceOfFormer(std::size_t index) const;
   [[nodiscard]] StatusPosterior PosteriorOfFormer(std::size_t index) const;
   [[nodiscard]] StatusPosterior PosteriorOfNewcomer(std::size_t index);
+  /// Looks at a place, as the water is believed to be.
+  [[nodiscard]] int Looks(const PlaceWatch& watch) const;
   [[nodiscard]] int IdOfLandmark(int landmark);
   [[nodiscard]] OpiBelief StatusOfFormer(std::size_t index) const;
   [[nodiscard]] std::optional<OpiBelief> StatusOfNewcomer(std::size_t index);
@@ -129,6 +131,7 @@ class ObjectStatuses {
 
   StatusParams params_;
   WatchModel model_;
+  VisibilityBelief water_;  ///< when objects were last assessed
   std::vector<ObservedFrame> frames_;
   std::optional<std::vector<FormerObject>> former_;
   FormerViews former_views_;

@@ -5,6 +5,7 @@
 
 #include "limpet/core/params.hpp"
 #include "limpet/objects/status_posterior.hpp"
+#include "limpet/survey/visibility_belief.hpp"
 
 namespace limpet {
 
@@ -33,6 +34,19 @@ struct StatusPriors {
                                            const StatusPriors& priors);
 /// Discovery session: an object is there (appeared) or not (nothing).
 [[nodiscard]] StatusPosterior DiscoveryStatus(double lambda_now, const StatusPriors& priors);
+
+/// Both where the Lambda of this session is known for each visibility of the water: a place that
+/// was not seen in water where it could not be seen says nothing. The water is the same for all
+/// places, so `water` is to hold what all of them say of it.
+[[nodiscard]] StatusPosterior ChangeStatus(double lambda_former, const PerVisibility& lambda_now,
+                                           const VisibilityBelief& water,
+                                           const StatusPriors& priors);
+[[nodiscard]] StatusPosterior DiscoveryStatus(const PerVisibility& lambda_now,
+                                              const VisibilityBelief& water,
+                                              const StatusPriors& priors);
+/// The one Lambda that leads to the same chance of an object.
+[[nodiscard]] double LambdaIn(const VisibilityBelief& water, const PerVisibility& lambda,
+                              const StatusPriors& priors);
 
 /// The status that reaches decide_at, else uncertain; without a look nothing is decided.
 [[nodiscard]] Status Decide(const StatusPosterior& posterior, int looks,

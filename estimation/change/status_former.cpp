@@ -85,21 +85,21 @@ StatusPosterior ObjectStatuses::PosteriorOfFormer(std::size_t index) const {
   const auto row = match_.chance.row(static_cast<Eigen::Index>(index));
   const double total = std::max(row.sum(), 1.0);  // several landmarks may each be likely it
   StatusPosterior sum{.confirmed = 0.0, .removed = 0.0, .appeared = 0.0, .nothing = 0.0};
-  const auto add = [&](double lambda_now, double share) {
-    sum.Add(ChangeStatus(former, lambda_now, params_.priors), share);
+  const auto add = [&](const PerVisibility& lambda_now, double share) {
+    sum.Add(ChangeStatus(former, lambda_now, water_, params_.priors), share);
   };
   for (std::size_t j = 0; j < objects_.size(); ++j) {
     const double chance = row(static_cast<Eigen::Index>(j)) / total;
-    if (chance > 0.0) add(landmark_watch_.at(objects_[j].id).Lambda()(0), chance);
+    if (chance > 0.0) add(landmark_watch_.at(objects_[j].id).Lambda(), chance);
   }
-  if (former_watch_[index]) add(former_watch_[index]->Lambda()(0), 1.0 - ChanceOfFormer(index));
+  if (former_watch_[index]) add(former_watch_[index]->Lambda(), 1.0 - ChanceOfFormer(index));
   return sum;
 }
 
 StatusPosterior ObjectStatuses::PosteriorOfNewcomer(std::size_t index) {
   const Landmark& object = objects_[index];
-  const double now = landmark_watch_.at(object.id).Lambda()(0);
-  StatusPosterior sum = ChangeStatus(FormerLambdaAt(object), now, params_.priors);
+  const PerVisibility now = landmark_watch_.at(object.id).Lambda();
+  StatusPosterior sum = ChangeStatus(FormerLambdaAt(object), now, water_, params_.priors);
   const auto column = match_.chance.col(static_cast<Eigen::Index>(index));
   const double known = column.sum();
   if (known <= 0.0) {
@@ -109,10 +109,11 @@ StatusPosterior ObjectStatuses::PosteriorOfNewcomer(std::size_t index) {
   const double total = std::max(known, 1.0);
   for (std::size_t i = 0; i < former_->size(); ++i) {
     const double former = (*former_)[i].log_likelihood_ratio;
-    sum.Add(ChangeStatus(former, now, params_.priors),
+    sum.Add(ChangeStatus(former, now, water_, params_.priors),
             column(static_cast<Eigen::Index>(i)) / total);
   }
-  sum.Add(ChangeStatus(FormerLambdaAt(object), now, params_.priors), 1.0 - std::min(known, 1.0));
+  sum.Add(ChangeStatus(FormerLambdaAt(object), now, water_, params_.priors),
+          1.0 - std::min(known, 1.0));
   return sum;
 }
 

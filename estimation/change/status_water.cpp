@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What an ObjectStatuses makes of the water. docs/water.md.
+#include <cmath>
+
 #include "estimation/change/object_statuses.hpp"
 
 namespace limpet {
@@ -11,9 +13,7 @@ constexpr double kWorth = 0.5;
 constexpr double kMostOfOnePlace = 5.0;
 
 void TakeFrom(const PlaceWatch& watch, VisibilityBelief& water) {
-  PerVisibility seen = watch.LogLikelihood(kWorth);
-  seen(0) = seen(1);  // which stands for what statuses rest on, not for the grid's
-  water.Add(seen, kMostOfOnePlace);
+  water.Add(watch.LogLikelihood(kWorth), kMostOfOnePlace);
 }
 
 }  // namespace
@@ -27,6 +27,10 @@ VisibilityBelief ObjectStatuses::Water() const {
     if (watch) TakeFrom(*watch, water);
   }
   return water;
+}
+
+int ObjectStatuses::Looks(const PlaceWatch& watch) const {
+  return static_cast<int>(std::lround(water_.Expect(watch.looks())));
 }
 
 }  // namespace limpet

@@ -14,6 +14,26 @@ namespace {
 
 const CameraModel kWaterCamera;
 
+TEST(StatusInWater, IsThatOfOneLambdaWhereTheWaterDoesNotMatter) {
+  const VisibilityBelief water(Meters(8.0), 2.0);
+  for (const double lambda : {-12.0, -1.0, 0.0, 5.0, 20.0}) {
+    const StatusPosterior one = ChangeStatus(8.0, lambda, {});
+    const StatusPosterior all = ChangeStatus(8.0, PerVisibility(lambda), water, {});
+    EXPECT_NEAR(one.removed, all.removed, 1e-9);
+    EXPECT_NEAR(one.confirmed, all.confirmed, 1e-9);
+    EXPECT_NEAR(LambdaIn(water, lambda, {}), lambda, 1e-6);
+  }
+}
+
+TEST(StatusInWater, ProvesNothingWhereNothingCouldHaveBeenSeen) {
+  PerVisibility lambda = -10.0;
+  lambda.head<12>() = 0.0;  // not seen, but in murk there is nothing to be seen
+  const VisibilityBelief murk(Meters(1.5), 1.2);
+  EXPECT_NEAR(ChangeStatus(8.0, lambda, murk, {}).removed, 0.5, 0.02);
+  EXPECT_LT(ChangeStatus(8.0, lambda, VisibilityBelief(Meters(12.0), 1.2), {}).confirmed, 0.01);
+  EXPECT_GT(LambdaIn(murk, lambda, {}), -0.1);
+}
+
 /// An object below the vehicle's lane.
 struct Sunk {
   double north = 0.0;
@@ -57,6 +77,16 @@ class Dive {
     statuses_.SetLandmarks(landmarks);
   }
   [[nodiscard]] ObjectStatuses& statuses() { return statuses_; }
+  [[nodiscard]] Status DecidedOf(int former_id) {
+    for (const OpiBelief& belief : statuses_.Assess())
+      if (belief.prior_id == former_id) return belief.decided;
+    return Status::kNothing;
+  }
+  [[nodiscard]] double RemovedOf(int former_id) {
+    for (const OpiBelief& belief : statuses_.Assess())
+      if (belief.prior_id == former_id) return belief.posterior.removed;
+    return -1.0;
+  }
   [[nodiscard]] VisibilityEstimate water() const { return statuses_.Water().estimate(); }
 
  private:
@@ -133,6 +163,44 @@ TEST(StatusWater, RemovedObjectsDoNotMakeMurkOfWaterThatShowsOthers) {
              {.north = 45, .is_there = false}});
   dive.Fly(8.0);
   EXPECT_GT(dive.water().visibility.value(), 6.0);
+}
+
+TEST(StatusWater, WhatMurkHidesIsNotRemoved) {
+  Dive dive({{.north = 0, .below = 1.9},
+             {.north = 9, .below = 3.4},
+             {.north = 18, .below = 2.0},
+             {.north = 27, .below = 2.1},
+             {.north = 36, .below = 3.4, .is_there = false},
+             {.north = 45, .below = 1.5, .is_there = false}});
+  dive.Fly(2.0);
+  for (const int hidden : {2, 5}) {
+    EXPECT_EQ(dive.DecidedOf(hidden), Status::kUncertain) << "there or not, nobody can tell";
+    EXPECT_NEAR(dive.RemovedOf(hidden), 0.5, 0.25);
+  }
+  EXPECT_EQ(dive.DecidedOf(6), Status::kRemoved) << "murk does not hide what would be so near";
+  EXPECT_EQ(dive.DecidedOf(1), Status::kConfirmed);
+}
+
+TEST(StatusWater, WhatIsGoneFromClearWaterIsRemoved) {
+  Dive dive({{.north = 0},
+             {.north = 9},
+             {.north = 18},
+             {.north = 27, .is_there = false},
+             {.north = 36, .is_there = false},
+             {.north = 45, .is_there = false}});
+  dive.Fly(8.0);
+  for (const int gone : {4, 5, 6})
+    EXPECT_GT(dive.RemovedOf(gone), 0.95);
+}
+
+TEST(StatusWater, WhereNothingIsSeenNobodyIsSureThatAllIsGone) {
+  Dive dive({{.north = 0, .is_there = false},
+             {.north = 9, .is_there = false},
+             {.north = 18, .is_there = false},
+             {.north = 27, .is_there = false}});
+  dive.Fly(8.0);
+  EXPECT_LT(dive.RemovedOf(1), 0.9);
+  EXPECT_GT(dive.RemovedOf(1), 0.5);
 }
 
 }  // namespace
