@@ -180,18 +180,23 @@ void MapApp::TellWater(Seconds now) {
   WarnOfMurk(water);
 }
 
+std::optional<double> MapApp::ChanceAtSeabed(const VisibilityBelief& water) const {
+  if (!gate_.altitude()) {
+    return std::nullopt;
+  }
+  return water.Expect(
+      params_.status.detection.Detects(*gate_.altitude(), 1.0, VisibilityBelief::Grid()));
+}
+
 void MapApp::WarnOfMurk(const VisibilityBelief& water) {
-  const std::optional<double> altitude = gate_.altitude();
   const bool is_surveying = phase_.empty() || phase_ == "SURVEY";
-  const auto chance = [&] {
-    return water.Expect(params_.status.detection.Detects(*altitude, 1.0, VisibilityBelief::Grid()));
-  };
-  if (is_surveying && altitude && chance() < kLookChance) {
+  const std::optional<double> chance = ChanceAtSeabed(water);
+  if (is_surveying && chance && *chance < kLookChance) {
     const VisibilityEstimate estimate = water.estimate();
     Warn(warnings::kWaterMurky,
          fmt::format("the seabed, {:.1f} m below, is most likely out of sight: visibility about "
                      "{:.1f} m, give or take {:.1f} m",
-                     *altitude, estimate.visibility.value(), estimate.sd.value()));
+                     *gate_.altitude(), estimate.visibility.value(), estimate.sd.value()));
   } else {
     ClearWarning(warnings::kWaterMurky);
   }

@@ -51,6 +51,8 @@ class MapApp final : public App {
   /// The water as now estimated, now and then, and whether the seabed is in sight.
   void TellWater(Seconds now);
   void WarnOfMurk(const VisibilityBelief& water);
+  /// Chance that a frame shows an object on the seabed below; nothing if the altitude is not known.
+  [[nodiscard]] std::optional<double> ChanceAtSeabed(const VisibilityBelief& water) const;
   void UpdateObjects();
   void PublishObjects();
 

@@ -28,9 +28,14 @@ void MapApp::Report(ReportLines& report) const {
   report.Pair("Frames used", std::to_string(gate_.used()));
   report.Pair("Left out", LeftOut(gate_));
   report.Pair("False boxes", fmt::format("{:.3f} per image", statuses_.false_per_image()));
-  const VisibilityEstimate water = statuses_.Water().estimate();
+  const VisibilityBelief belief = statuses_.Water();
+  const VisibilityEstimate water = belief.estimate();
   report.Pair("Visibility", fmt::format("{:.1f} m, give or take {:.1f} m", water.visibility.value(),
                                         water.sd.value()));
+  if (const std::optional<double> chance = ChanceAtSeabed(belief)) {
+    report.Pair("Seabed", fmt::format("{:.0f} % of frames from here would show an object on it",
+                                      100.0 * *chance));
+  }
   report.Pair("DVL beams", fmt::format("{} used, {} left out as outliers", beams_ - beams_left_out_,
                                        beams_left_out_));
   report.Pair("Altitude", gate_.altitude()

@@ -293,6 +293,9 @@ TEST_F(MapAppTest, TellsHowFarItSeesAndWarnsWhereTheSeabedIsOutOfSight) {
   EXPECT_LT(link_.Last(topics::kWaterState)->visibility, 3.0);
   EXPECT_LT(link_.Last(topics::kWaterState)->sd, 1.2);
   EXPECT_TRUE(app_.warnings().contains("WATER_MURKY"));
+  ReportLines lines;
+  app_.Report(lines);
+  EXPECT_THAT(lines.Text(), ::testing::ContainsRegex("Seabed: +[0-9] % of frames"));
   link_.Send(app_, topics::kSurveyPhase, std::string("HOME"));
   link_.time += Seconds(6.0);
   app_.Tick(link_.time);
