@@ -102,7 +102,7 @@ TEST(Survey, SurveysTwiceComesHomeAndSaysWhatChanged) {
   settings.object_height_max_m = 1.5;
   settings.object_radius_m = 0.3;
   const RunScore score = ScoreRun({discovery.record, change.record}, scenario, settings);
-  const auto expected = LoadExpectations(kBasin, scenario);
+  const auto expected = LoadExpectations(kBasin, scenario, "");
   ASSERT_TRUE(expected);
   const ExpectationCheck check = CheckReport(*expected, ReportJson(score));
   EXPECT_GT(check.compared, 10);

@@ -16,6 +16,7 @@
 #include "limpet/core/interrupt.hpp"
 #include "limpet/mission/mission_file.hpp"
 #include "limpet/mission/scenario.hpp"
+#include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/report/expectation_check.hpp"
 #include "limpet/report/report.hpp"
 #include "limpet/report/report_json.hpp"
@@ -125,11 +126,12 @@ class SurveyRun {
   explicit SurveyRun(SurveyCommand command)
       : command_(std::move(command)),
         mission_(LoadMission(command_.mission_folder / "mission.moos")),
-        scenario_(LoadScenario(command_.mission_folder / "scenario.yaml")),
-        expectations_(LoadExpectations(command_.mission_folder, scenario_)) {
+        scenario_(LoadScenario(command_.mission_folder / "scenario.yaml")) {
     for (const std::string& setting : command_.settings) {
       ApplySetting(mission_, setting);
     }
+    expectations_ =
+        LoadExpectations(command_.mission_folder, scenario_, mission_.Global(kVehicleFileGlobal));
     // Everything is checked before the run folder is touched: a slip must not cost an earlier run.
     if (const auto problem = SessionListProblem(command_.sessions, SessionsOf(scenario_))) {
       throw UsageError("--sessions: " + problem->text);
@@ -164,12 +166,12 @@ class SurveyRun {
     if (!expectations_) return true;
     const ExpectationCheck check = CheckReport(*expectations_, ReportJson(score));
     if (check.is_other_method) {
-      fmt::print("expect.yaml is for planner limpet with gain full: not compared\n");
+      fmt::print("{} is for planner limpet with gain full: not compared\n", expectations_->file);
     } else if (check.is_kept()) {
-      fmt::print("expect.yaml: all {} bounds are kept\n", check.compared);
+      fmt::print("{}: all {} bounds are kept\n", expectations_->file, check.compared);
     }
     for (const std::string& breach : check.breaches) {
-      fmt::print("expect.yaml: {}\n", OneLine(breach));
+      fmt::print("{}: {}\n", expectations_->file, OneLine(breach));
     }
     return check.is_kept();
   }

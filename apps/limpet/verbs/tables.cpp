@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <string_view>
 #include <thread>
 
 #include <fmt/format.h>
@@ -13,10 +14,14 @@
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/verbs/survey_options.hpp"
 #include "limpet/console/shown_text.hpp"
+#include "limpet/mission/expectations.hpp"
+#include "limpet/mission/mission_file.hpp"
 #include "limpet/mission/scenario.hpp"
+#include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/report/expectation_check.hpp"
 #include "limpet/report/paper_tables.hpp"
 #include "limpet/runs/run_settings.hpp"
+#include "limpet/runs/session_runner.hpp"
 #include "limpet/runs/tables_runs.hpp"
 
 namespace limpet {
@@ -137,17 +142,28 @@ bool KeepBounds(const TablesCommand& command, const Expectations& expected) {
     }
   }
   const bool is_enough = kept >= expected.share_of_runs * runs;
-  fmt::print(stderr, "expect.yaml: {} of {} runs keep every bound{}\n", kept, runs,
+  fmt::print(stderr, "{}: {} of {} runs keep every bound{}\n", expected.file, kept, runs,
              is_enough ? "" : fmt::format("; at least {} of them should", expected.share_of_runs));
   return is_enough;
+}
+
+/// As the mission names its file, or an option of the runs.
+std::string VehicleOf(const TablesCommand& command) {
+  MissionFile mission = LoadMission(command.mission_folder / "mission.moos");
+  constexpr std::string_view kSet = "--set=";
+  for (const std::string& option : command.survey_options) {
+    if (option.starts_with(kSet)) ApplySetting(mission, option.substr(kSet.size()));
+  }
+  return mission.Global(kVehicleFileGlobal);
 }
 
 int MakeTables(const TablesCommand& command, bool prints_json) {
   if (!fs::exists(command.mission_folder / "mission.moos")) {
     throw UsageError(fmt::format("no mission in {}", command.mission_folder.string()));
   }
-  const auto expected = LoadExpectations(command.mission_folder,
-                                         LoadScenario(command.mission_folder / "scenario.yaml"));
+  const auto expected =
+      LoadExpectations(command.mission_folder,
+                       LoadScenario(command.mission_folder / "scenario.yaml"), VehicleOf(command));
   TablesFolder tables = OpenTablesFolder(command);
   const Reached reached = RunSeeds(command, tables);
   const RunStatistics statistics = Gather(command);

@@ -14,6 +14,8 @@
 namespace limpet {
 namespace {
 
+constexpr const char* kName = "expect";
+
 using internal::TextOfNode;
 using internal::YamlReader;
 
@@ -117,16 +119,24 @@ Expectations ParseExpectations(const std::string& text, const std::string& file,
 }
 
 std::optional<Expectations> LoadExpectations(const std::filesystem::path& folder,
-                                             const Scenario& scenario) {
-  const std::filesystem::path file = folder / "expect.yaml";
-  if (!std::filesystem::exists(file)) {
-    return std::nullopt;
-  }
+                                             const Scenario& scenario, const std::string& vehicle) {
+  const std::string kind = std::filesystem::path(vehicle).stem().string();
+  std::filesystem::path file = folder / fmt::format("{}.{}.yaml", kName, kind);
+  if (kind.empty() || !std::filesystem::exists(file)) file = folder / fmt::format("{}.yaml", kName);
+  if (!std::filesystem::exists(file)) return std::nullopt;
   std::set<std::string> sessions{"discovery", "change"};
   for (const std::string& session : SessionsOf(scenario)) {
     sessions.insert(session);
   }
-  return ParseExpectations(ReadTextFile(file), file.string(), {sessions.begin(), sessions.end()});
+  Expectations expected =
+      ParseExpectations(ReadTextFile(file), file.string(), {sessions.begin(), sessions.end()});
+  expected.file = file.filename().string();
+  return expected;
+}
+
+bool IsExpectationsFile(const std::filesystem::path& name) {
+  return name.extension() == ".yaml" &&
+         (name.stem() == kName || name.string().starts_with(fmt::format("{}.", kName)));
 }
 
 }  // namespace limpet

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// expect.yaml: bounds that a mission's report must keep; tests and `limpet survey` compare.
+// expect.yaml: bounds that a mission's report must keep; tests and `limpet survey` compare. Where a
+// vehicle has bounds of its own, they are in a file of its name: expect.bluerov2.yaml.
 #pragma once
 
 #include <filesystem>
@@ -31,6 +32,7 @@ struct Expectations {
   std::vector<SessionExpectation> sessions;
   /// Of many runs, at least this share must keep every bound.
   double share_of_runs = 1.0;
+  std::string file;  ///< its name
 };
 
 /// Keys that may be bounded, named after report.json: `error_m` and `aligned_error_m` are the
@@ -43,8 +45,13 @@ struct Expectations {
 /// `sessions` are known), bounds that no number can keep.
 [[nodiscard]] Expectations ParseExpectations(const std::string& text, const std::string& file,
                                              const std::vector<std::string>& sessions);
-/// The same of `<folder>/expect.yaml`, with the sessions of its scenario; nothing if there is none.
+/// The same of a mission's folder for a vehicle, as VehicleFile names it (`bluerov2.yaml`), with
+/// the sessions of its scenario: `expect.bluerov2.yaml` if that exists, else `expect.yaml`; nothing
+/// if there is neither.
 [[nodiscard]] std::optional<Expectations> LoadExpectations(const std::filesystem::path& folder,
-                                                           const Scenario& scenario);
+                                                           const Scenario& scenario,
+                                                           const std::string& vehicle);
+/// True of the names that such files have.
+[[nodiscard]] bool IsExpectationsFile(const std::filesystem::path& name);
 
 }  // namespace limpet

@@ -147,8 +147,10 @@ void MissionReading::LoadTruth() {
   } else if (named) {
     problems_.push_back(named->Refuse(fmt::format("`{}` cannot be read", named->text)));
   }
-  Keep(problems_,
-       [&] { static_cast<void>(LoadExpectations(folder_, scenario_.value_or(Scenario{}))); });
+  Keep(problems_, [&] {
+    static_cast<void>(LoadExpectations(folder_, scenario_.value_or(Scenario{}),
+                                       mission_.Global(kVehicleFileGlobal)));
+  });
 }
 
 void MissionReading::LoadVehicle() {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limpet/mission/expectations.hpp"
 #include "limpet/mission/mission_file.hpp"
 #include "limpet/mission/mission_lines.hpp"
 #include "limpet/mission/source_text.hpp"
@@ -39,7 +40,7 @@ bool IsReadByNoRun(const fs::path& relative) {
   const bool is_hidden = std::ranges::any_of(
       relative, [](const fs::path& part) { return part.string().starts_with("."); });
   const std::string name = relative.filename().string();
-  return is_hidden || name.ends_with("~") || relative == "expect.yaml" ||
+  return is_hidden || name.ends_with("~") || IsExpectationsFile(relative) ||
          pictures.contains(relative.extension().string());
 }
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/mission/expectations.hpp"
 
+#include <fstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.hpp"
 
 namespace limpet {
 namespace {
@@ -50,6 +54,22 @@ TEST(Expectations, RefuseABoundThatNoNumberKeeps) {
 
 TEST(Expectations, RefuseAnEndThatASessionCannotHave) {
   EXPECT_THAT(ComplaintAbout("each:\n  ended: hom\n"), HasSubstr("expect.yaml:2"));
+}
+
+TEST(Expectations, OfAnotherVehicleAreInAFileOfItsName) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "expect.yaml") << "each:\n  path_m: {max: 500}\n";
+  std::ofstream(folder.path() / "expect.bluerov2.yaml") << "each:\n  path_m: {max: 900}\n";
+  const auto limit_of = [&folder](const std::string& vehicle) {
+    const auto expected = LoadExpectations(folder.path(), Scenario{}, vehicle);
+    return expected->sessions.front().bounds.front().max;
+  };
+  EXPECT_EQ(limit_of("bluerov2.yaml"), 900.0);
+  EXPECT_EQ(limit_of("vehicles/bluerov2.yaml"), 900.0);
+  EXPECT_EQ(limit_of("feelhippo.yaml"), 500.0);
+  EXPECT_EQ(limit_of(""), 500.0);
+  EXPECT_EQ(LoadExpectations(folder.path(), Scenario{}, "bluerov2.yaml")->file,
+            "expect.bluerov2.yaml");
 }
 
 }  // namespace
