@@ -3,31 +3,15 @@
 
 #include <algorithm>
 #include <iterator>
-#include <optional>
+#include <utility>
 
 #include "apps/pNav/class_radii.hpp"
 #include "estimation/navigation/measurement_source.hpp"
+#include "estimation/navigation/source_block.hpp"
 #include "limpet/app/registry.hpp"
 
 namespace limpet {
 namespace {
-
-/// The names in a block's `sources`.
-std::vector<std::string> NamesIn(const ConfigEntry& entry) {
-  std::vector<std::string> names;
-  for (const std::string& part : Split(entry.value, ',')) {
-    const std::string name(Trim(part));
-    if (!name.empty() && !EqualsIgnoringCase(name, "none")) names.push_back(name);
-  }
-  return names;
-}
-
-std::vector<ParamSpec> PrefixedKeys(const std::string& name, SourceFactory& factory) {
-  std::vector<ParamSpec> specs = factory.Parameters();
-  for (ParamSpec& spec : specs)
-    spec.name = name + "_" + spec.name;
-  return specs;
-}
 
 /// MOOS's keys; where a source is unknown, those of all sources too: one slip is one problem.
 std::vector<std::string> KeysOfOthers(bool are_all_known) {
@@ -44,23 +28,12 @@ std::vector<std::string> KeysOfOthers(bool are_all_known) {
 
 NavBlock::NavBlock(const ConfigBlock& block) {
   std::vector<ParamSpec> specs = DescribeParams(params);
-  std::vector<ConfigProblem> unknown;
-  const ConfigEntry* entry = block.Find("sources");
-  for (const std::string& name : entry != nullptr ? NamesIn(*entry) : std::vector<std::string>()) {
-    const bool is_twice =
-        std::ranges::count(sources, name, [](const auto& s) { return s.first; }) > 0;
-    auto found = FindSource(name);
-    if (is_twice || !found) {
-      const std::string why = found ? "`" + name + "` stands there twice" : found.error().text;
-      unknown.push_back({.where = entry->where, .key = entry->key, .text = why});
-      continue;
-    }
-    sources.emplace_back(name, *std::move(found));
-    std::ranges::move(PrefixedKeys(name, *sources.back().second), std::back_inserter(specs));
-  }
+  SourceBlock named(block);
+  std::ranges::move(named.specs, std::back_inserter(specs));
+  sources = std::move(named.sources);
   const bool has_own_compass = std::ranges::any_of(
       sources, [](const auto& source) { return source.first == "magnetic_heading"; });
-  problems = ApplyBlock(block, specs, KeysOfOthers(unknown.empty()));
+  problems = ApplyBlock(block, specs, KeysOfOthers(named.problems.empty()));
   params.compass_aids = params.compass_aids && !has_own_compass;
   if (const auto radii = ParseClassRadii(params.opi_radius_by_class); !radii) {
     const ConfigEntry* stated = block.Find("opi_radius_by_class");
@@ -68,7 +41,7 @@ NavBlock::NavBlock(const ConfigBlock& block) {
                         .key = "opi_radius_by_class",
                         .text = radii.error().text});
   }
-  std::ranges::move(unknown, std::back_inserter(problems));
+  std::ranges::move(named.problems, std::back_inserter(problems));
 }
 
 std::vector<ConfigProblem> CheckNavBlock(const ConfigBlock& block) {

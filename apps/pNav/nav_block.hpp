@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "apps/pNav/nav_app.hpp"
-#include "estimation/navigation/source_factory.hpp"
+#include "estimation/navigation/source_block.hpp"
 #include "limpet/core/config.hpp"
 
 namespace limpet {
@@ -17,7 +17,7 @@ namespace limpet {
 /// The app's parameters, and a factory per source that holds the source's.
 struct NavBlock {
   NavApp::Params params;
-  std::vector<std::pair<std::string, std::unique_ptr<SourceFactory>>> sources;
+  NamedSources sources;
   std::vector<ConfigProblem> problems;
 
   explicit NavBlock(const ConfigBlock& block);

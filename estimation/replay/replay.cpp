@@ -23,9 +23,14 @@ constexpr double kSizeSpread = 0.2;        // of the objects: a stream says one 
 /// Feeds one row after the other and keeps what the estimator says.
 class Replayer {
  public:
-  Replayer(const NavigatorParams& params, const std::function<double()>& clock,
-           const FormerSession& former, const ReplaySensors& sensors)
-      : navigator_(params), filter_(sensors.attitude), lens_(sensors.lens), clock_(clock) {
+  Replayer(const SensorStream& stream, const NavigatorParams& params,
+           const std::function<double()>& clock, const FormerSession& former,
+           const ReplaySensors& sensors)
+      : navigator_(params),
+        filter_(sensors.attitude),
+        lens_(sensors.lens),
+        clock_(clock),
+        feed_(stream.source_rows, sensors.sources, navigator_) {
     navigator_.SetFormerSession(former);
   }
 
@@ -81,6 +86,7 @@ class Replayer {
     if (navigator_.has_started()) result_.states.push_back({now_, navigator_.Sizes()});
     result_.former_offset = navigator_.former_offset();
     result_.counts = navigator_.counts();
+    result_.sources = feed_.Use();
     result_.counts.stale_samples += refused_inertial_;
     result_.counts.looks = navigator_.tracker().rejected_observations();
     for (const TrackedObject& object : navigator_.tracker().objects()) {
@@ -106,6 +112,7 @@ class Replayer {
     const std::optional<double> newest = navigator_.attitude_time();
     if (!std::isfinite(t) || !newest || t > *newest + kArrival) return;
     now_ = std::max(now_, t);
+    feed_.FeedUpTo(now_);
     const int before = navigator_.node_count();
     const double start = clock_();
     navigator_.Advance(now_);
@@ -139,6 +146,7 @@ class Replayer {
   LensModel lens_;
   std::map<int, std::vector<int>> numbers_;  ///< of a frame's rectified boxes
   const std::function<double()>& clock_;
+  SourceFeed feed_;
   double now_ = -1e18;
   std::map<std::pair<int, int>, int> landmark_of_;
   ReplayResult result_;
@@ -207,7 +215,7 @@ ReplayResult Replay(const SensorStream& stream, const NavigatorParams& params,
                     const std::function<double()>& clock,
                     const std::function<void(const Navigator&)>& inspect,
                     const FormerSession& former, const ReplaySensors& sensors) {
-  Replayer replayer(params, clock, former, sensors);
+  Replayer replayer(stream, params, clock, former, sensors);
   for (const StreamRow& row : stream.rows) {
     std::visit(replayer, row);
   }

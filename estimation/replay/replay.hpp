@@ -9,6 +9,7 @@
 #include "estimation/attitude/attitude_filter.hpp"
 #include "estimation/navigation/navigator.hpp"
 #include "estimation/replay/sensor_stream.hpp"
+#include "estimation/replay/source_feed.hpp"
 #include "limpet/core/lens_model.hpp"
 #include "limpet/vehicle/sensor_sheets.hpp"
 
@@ -47,12 +48,14 @@ struct ReplayResult {
   std::vector<double> update_s;  ///< per node, up to its published pose
   SolveReport finish;
   NavigatorCounts counts;
+  SourceUse sources;  ///< of the stream's further sensors
 };
 
 /// What makes of a stream's rows what the navigator takes.
 struct ReplaySensors {
   AttitudeParams attitude;                        ///< for inertial samples, instead of attitudes
   LensModel lens = LensModel(CameraModel(), {});  ///< boxes are rectified by it
+  SourceFeed::Sources sources = {};               ///< further ones that are heard, by name
 };
 [[nodiscard]] ReplaySensors SensorsForStream(const StreamMeta& meta);
 

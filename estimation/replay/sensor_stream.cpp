@@ -2,11 +2,13 @@
 #include "estimation/replay/sensor_stream.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -181,6 +183,14 @@ void TakeMeta(std::string_view line, StreamMeta& meta) {
   }
 }
 
+Value MailValue(std::string_view written) {
+  const std::string_view text = Trim(written);
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  return is_number ? Value(number) : Value(std::string(text));
+}
+
 /// A line that could not be taken, and whether that is because it was cut in two.
 struct Stumble {
   std::string why;  ///< with file and line
@@ -233,12 +243,43 @@ Expected<SensorStream> ParseSensorStream(const StreamFile& meta, const StreamFil
   return stream;
 }
 
+std::optional<Error> AddSourceRows(const StreamFile& file, SensorStream& stream) {
+  const auto take = [&stream](std::string_view line) {
+    if (line.empty() || line.front() == '#' || Trim(line) == "t,variable,value") return;
+    const CsvFields f(line);
+    if (f.size() < 3 || f.Text(1).empty()) throw BadLine{"is no `t,variable,value`"};
+    const double t = f.Number(0);
+    if (!std::isfinite(t)) {
+      ++stream.refused_rows;
+      return;
+    }
+    const std::size_t variable = line.find(',') + 1;
+    stream.source_rows.push_back({.t = t,
+                                  .variable = f.Text(1),
+                                  .value = MailValue(line.substr(line.find(',', variable) + 1))});
+  };
+  const auto bad = ForEachLine(file, take);
+  if (bad && !bad->is_cut) return Error{bad->why};
+  if (file.damage) stream.cut = file.damage;
+  if (bad) stream.cut = bad->why;
+  std::ranges::stable_sort(stream.source_rows, {}, &SourceRow::t);
+  return std::nullopt;
+}
+
 Expected<SensorStream> LoadSensorStream(const std::filesystem::path& folder) {
   const Expected<StreamFile> meta = ReadLines(folder / "meta.csv");
   if (!meta) return meta.error();
   const Expected<StreamFile> rows = ReadLines(folder / "stream.csv.gz");
   if (!rows) return rows.error();
-  return ParseSensorStream(*meta, *rows);
+  Expected<SensorStream> stream = ParseSensorStream(*meta, *rows);
+  if (!stream) return stream.error();
+  for (const char* name : {"sources.csv.gz", "sources.csv"}) {
+    if (!std::filesystem::exists(folder / name)) continue;
+    const Expected<StreamFile> further = ReadLines(folder / name);
+    if (!further) return further.error();
+    if (const auto bad = AddSourceRows(*further, *stream)) return *bad;
+  }
+  return stream;
 }
 
 }  // namespace limpet

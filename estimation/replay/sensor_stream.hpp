@@ -16,6 +16,7 @@
 #include "limpet/core/expected.hpp"
 #include "limpet/core/geodesy.hpp"
 #include "limpet/core/lens_model.hpp"
+#include "limpet/core/message.hpp"
 #include "limpet/objects/frame.hpp"
 
 namespace limpet {
@@ -65,14 +66,21 @@ struct FrameRow {
 struct FogRow {
   double t = 0.0, rate = 0.0;  ///< about body z [rad/s]
 };
+/// What a further sensor said, as its mail is written: `variable` and its value.
+struct SourceRow {
+  double t = 0.0;
+  std::string variable;
+  Value value;
+};
 /// Attitudes, or what a filter makes them of: inertial samples, and a fibre-optic gyro's rates.
 using StreamRow =
     std::variant<AttitudeEstimate, DvlRow, DepthRow, GpsRow, FrameRow, InertialInput, FogRow>;
 
 struct SensorStream {
   StreamMeta meta;
-  std::vector<StreamRow> rows;  ///< in order of arrival
-  int refused_rows = 0;         ///< that held a value that is no finite number
+  std::vector<StreamRow> rows;         ///< in order of arrival
+  std::vector<SourceRow> source_rows;  ///< in order of time
+  int refused_rows = 0;                ///< that held a value that is no finite number
   /// Why the rows after these could not be read: the file was cut. Names file and line.
   std::optional<std::string> cut;
   /// Where north and east count from, if fixes came as latitude and longitude: the first of them.
@@ -93,7 +101,11 @@ struct StreamFile {
                                                        const StreamFile& rows);
 /// What meta.csv says; the error names file and line.
 [[nodiscard]] Expected<StreamMeta> ParseStreamMeta(const StreamFile& meta);
-/// Reads a stream from its folder: meta.csv and stream.csv.gz. The error names file and line.
+/// Adds the rows of further sensors: `t,variable,value`, of which the value may hold commas. A
+/// value that is a number is one, any other is text. The error names file and line.
+[[nodiscard]] std::optional<Error> AddSourceRows(const StreamFile& file, SensorStream& stream);
+/// Reads a stream from its folder: meta.csv, stream.csv.gz and, if there, sources.csv.gz or
+/// sources.csv. The error names file and line.
 [[nodiscard]] Expected<SensorStream> LoadSensorStream(const std::filesystem::path& folder);
 
 /// The lines of a text file, or of a gzip file; of a damaged one those before the damage. The

@@ -4,18 +4,22 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/verbs/nav_input.hpp"
+#include "estimation/navigation/measurement_source.hpp"
 #include "estimation/navigation/sensor_beliefs.hpp"
+#include "estimation/navigation/source_block.hpp"
 #include "estimation/replay/former_landmarks.hpp"
 #include "estimation/replay/rawlog.hpp"
 #include "estimation/replay/replay.hpp"
 #include "limpet/console/command_output.hpp"
 #include "limpet/core/clock.hpp"
+#include "limpet/core/harmless_text.hpp"
 #include "limpet/replay_output/replay_plot.hpp"
 #include "limpet/replay_output/replay_tables.hpp"
 #include "limpet/vehicle_file/vehicle_file.hpp"
@@ -55,6 +59,11 @@ Command NavForm() {
                    .meaning = "the vehicle's sensors and camera by its file, e.g. "
                               "feelhippo.yaml; else as meta.csv says them, which a log of MOOS "
                               "does not have"},
+                  {.names = "--sources",
+                   .value = "TEXT",
+                   .meaning = "further sensors that are heard, with their keys as pNav's block "
+                              "has them, e.g. \"acoustic_fix, beacon_range; beacon_range_at_m = "
+                              "10, 0, 20\"; their rows are the stream folder's sources.csv"},
                   {.names = "--rawlog",
                    .value = "FILE",
                    .meaning = "also write the stream as a rawlog, which MRPT's viewers open "
@@ -98,6 +107,42 @@ struct ReplayParams {
   ReplaySensors sensors;
 };
 
+/// Those that `--sources` names; the error says what is wrong with them.
+Expected<SourceFeed::Sources> SourcesFor(const Arguments& given) {
+  SourceFeed::Sources sources;
+  try {
+    for (auto& [name, factory] : ParseSources(given.Find("sources").value_or("none"))) {
+      static_cast<void>(factory->Make());  // its own checks, before any work
+      sources.emplace_back(name, std::move(factory));
+    }
+  } catch (const ConfigError& error) {
+    return Error{error.what()};
+  }
+  return sources;
+}
+
+/// What became of the rows of further sensors: also of those that nobody heard.
+std::string SourcesSummary(const SourceUse& use) {
+  std::string text;
+  for (const ReplayedSource& one : use.sources) {
+    if (one.heard == 0) {
+      text += fmt::format("{}: no row of {}\n", one.name, one.variable);
+      continue;
+    }
+    text += fmt::format(
+        "{}: {} rows of {}; {} taken, {} refused, {} late, {} unused, {} that make no sense\n",
+        one.name, one.heard, one.variable, one.counts.taken, one.counts.refused, one.counts.late,
+        one.counts.unused, one.senseless);
+  }
+  for (const auto& [variable, rows] : use.unheard)
+    text += fmt::format("{} rows of {} were not used: no source of --sources hears it\n", rows,
+                        HarmlessText(variable));
+  if (use.after_end > 0) {
+    text += fmt::format("{} rows of further sensors lie after the stream's end\n", use.after_end);
+  }
+  return text;
+}
+
 /// Of the file that `--vehicle` names, or of meta.csv; the error says what it lacks.
 Expected<ReplayParams> ParamsFor(const Arguments& given, const NavInput& input) {
   const SensorStream& stream = input.stream;
@@ -129,6 +174,10 @@ void WriteRawlog(const Arguments& given, const SensorStream& stream) {
   const PackedRawlog rawlog = ToRawlog(stream);
   output.Write(rawlog.bytes);
   output.Commit();
+  if (!stream.source_rows.empty()) {
+    fmt::print(stderr, "{}: {} rows of further sensors left out: a rawlog does not carry them\n",
+               *name, stream.source_rows.size());
+  }
   if (rawlog.untimely_rows > 0) {
     fmt::print(stderr, "{}: {} rows left out: their times are none that a rawlog can hold\n", *name,
                rawlog.untimely_rows);
@@ -173,11 +222,13 @@ int ReplayStream(const Arguments& given) {
   const SensorStream& stream = input->stream;
   PrintLosses(stream);
   WriteRawlog(given, stream);
-  const Expected<ReplayParams> params = ParamsFor(given, *input);
-  if (!params) {
-    fmt::print(stderr, "{}\n", params.error().text);
+  Expected<ReplayParams> params = ParamsFor(given, *input);
+  const Expected<SourceFeed::Sources> sources = SourcesFor(given);
+  if (!params || !sources) {
+    fmt::print(stderr, "{}\n", params ? sources.error().text : params.error().text);
     return kFailed;
   }
+  params->sensors.sources = *sources;
   FormerSession former;
   if (const auto folder = given.Find("former")) {
     Expected<FormerSession> loaded = LoadFormerLandmarks(*folder);
@@ -213,7 +264,7 @@ int ReplayStream(const Arguments& given) {
                  stream.datum->latitude_deg, stream.datum->longitude_deg);
     }
     if (!former.ids.empty()) fmt::print("{}", FormerSummary(result, former));
-    fmt::print("{}", OwnTrackSummary(*input, result));
+    fmt::print("{}{}", SourcesSummary(result.sources), OwnTrackSummary(*input, result));
   }
   return is_written ? kOk : kFailed;
 }

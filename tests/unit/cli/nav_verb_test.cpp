@@ -274,5 +274,40 @@ TEST_F(NavVerbOfMoosTest, ChecksPlacesAgainstSpeedsAndHeadings) {
   EXPECT_THAT(output_, HasSubstr("median 20.0"));
 }
 
+/// A track whose fixes end after ten seconds, and a positioning system that goes on.
+class NavVerbSourcesTest : public NavVerbTest {
+ protected:
+  NavVerbSourcesTest() {
+    std::ofstream rows(folder_.path() / "sources.csv");
+    rows << "t,variable,value\n";
+    for (int i = 10; i < 59; ++i) {
+      rows << fmt::format("{},USBL_FIX,north={:.2f},east=0,down=3,sd=0.5\n", i, 0.5 * i);
+      rows << fmt::format("{},BEACON_RANGE,{:.3f}\n", i, std::hypot(0.5 * i - 15.0, 20.0, 2.0));
+    }
+  }
+};
+
+TEST_F(NavVerbSourcesTest, SaysWhatItLeavesOut) {
+  EXPECT_EQ(Run({folder_.path().string(), "--out", (folder_.path() / "out").string()}), kOk);
+  EXPECT_THAT(output_, HasSubstr("49 rows of BEACON_RANGE were not used"));
+  EXPECT_THAT(output_, HasSubstr("49 rows of USBL_FIX were not used"));
+}
+
+TEST_F(NavVerbSourcesTest, HearsTheSourcesThatAreNamed) {
+  EXPECT_EQ(Run({folder_.path().string(), "--out", (folder_.path() / "out").string(), "--sources",
+                 "beacon_range, magnetic_heading; beacon_range_at_m = 15, 20, 5"}),
+            kOk);
+  EXPECT_THAT(output_, HasSubstr("beacon_range: 49 rows of BEACON_RANGE; 49 taken, 0 refused"));
+  EXPECT_THAT(output_, HasSubstr("magnetic_heading: no row of "));
+  EXPECT_THAT(output_, HasSubstr("49 rows of USBL_FIX were not used"));
+}
+
+TEST_F(NavVerbSourcesTest, RefusesAKeyThatNoNamedSourceHas) {
+  EXPECT_EQ(Run({folder_.path().string(), "--out", (folder_.path() / "out").string(), "--sources",
+                 "acoustic_fix; acoustic_fix_sgma_m = 2"}),
+            kFailed);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out"));
+}
+
 }  // namespace
 }  // namespace limpet

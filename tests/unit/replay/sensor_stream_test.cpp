@@ -134,5 +134,24 @@ TEST_F(SensorStreamTest, UsesWhatIsSoundOfAFileCutShortAndSaysWhatIsNot) {
   EXPECT_THAT(stream->cut.value_or(""), HasSubstr("cut short"));
 }
 
+TEST_F(SensorStreamTest, ReadsFurtherSensorsInOrderOfTime) {
+  std::ofstream(folder_.path() / "sources.csv") << "t,variable,value\n2,USBL_FIX,north=1,east=2\n1."
+                                                   "5,BEACON_RANGE,31.25\nnan,BEACON_RANGE,1\n";
+  const auto stream = Load("DEP,0.1,3.5,0.02\n");
+  ASSERT_TRUE(stream.has_value());
+  ASSERT_EQ(stream->source_rows.size(), 2U);
+  EXPECT_EQ(stream->source_rows[0].variable, "BEACON_RANGE");
+  EXPECT_EQ(stream->source_rows[0].value, Value(31.25));
+  EXPECT_EQ(stream->source_rows[1].value, Value("north=1,east=2"));
+  EXPECT_EQ(stream->refused_rows, 1);
+}
+
+TEST_F(SensorStreamTest, NamesTheLineOfAFurtherSensorItCannotRead) {
+  std::ofstream(folder_.path() / "sources.csv") << "1,BEACON_RANGE,3\n2,BEACON_RANGE\n";
+  const auto stream = Load("DEP,0.1,3.5,0.02\n");
+  ASSERT_FALSE(stream.has_value());
+  EXPECT_THAT(stream.error().text, HasSubstr("sources.csv:2: "));
+}
+
 }  // namespace
 }  // namespace limpet
