@@ -12,13 +12,14 @@
 namespace limpet {
 
 struct VelocityGateParams {
-  MetersPerSecond jump{0.15};   ///< change against the last accepted velocity that always passes
-  double growth_mps2 = 0.15;    ///< further allowance per second since then [m/s^2]
-  Seconds longest_growth{1.0};  ///< no older velocity allows more
-  Seconds longest_pause{0.5};   ///< between false velocities that are one
-  Seconds proven{1.0};          ///< velocities that agree so long stand against others
-  Seconds dropout{1.0};         ///< without a good one, in which a vehicle may change its way
-  Seconds longest_burst{6.0};   ///< false velocities that agree with one another do not last longer
+  MetersPerSecond fastest{30.0};  ///< that anything goes under water, of its own
+  MetersPerSecond jump{0.15};     ///< change against the last accepted velocity that always passes
+  double growth_mps2 = 0.15;      ///< further allowance per second since then [m/s^2]
+  Seconds longest_growth{1.0};    ///< no older velocity allows more
+  Seconds longest_pause{0.5};     ///< between false velocities that are one
+  Seconds proven{1.0};            ///< velocities that agree so long stand against others
+  Seconds dropout{1.0};           ///< without a good one, in which a vehicle may change its way
+  Seconds longest_burst{6.0};  ///< false velocities that agree with one another do not last longer
 };
 
 /// Sorts out bottom-track velocity that cannot be the vehicle's: a sample passes when it differs
@@ -43,7 +44,7 @@ class VelocityGate {
   /// Of `v_B` [m/s], measured at `t` [s], where `predicted_B` is expected, if anything is.
   [[nodiscard]] Verdict Judge(double t, const Eigen::Vector3d& v_B,
                               const std::optional<Eigen::Vector3d>& predicted_B = std::nullopt) {
-    if (!v_B.allFinite()) return Verdict::kRefused;
+    if (!(v_B.norm() <= params_.fastest.value())) return Verdict::kRefused;
     const Sample sample{t, v_B};
     if (!last_) return Accept(sample, Verdict::kGood);
     if (t - good_since_ > params_.longest_burst.value()) alternative_.reset();

@@ -108,8 +108,9 @@ TEST(VelocityGate, AWrongFirstSampleDoesNotLockIt) {
   EXPECT_EQ(gate.Judge(0.4, kCruise), Verdict::kGood);
 }
 
-TEST(VelocityGate, RefusesWhatIsNoNumber) {
+TEST(VelocityGate, RefusesWhatIsNoNumberAndWhatNothingUnderWaterReaches) {
   VelocityGate gate{VelocityGateParams{}};
+  EXPECT_EQ(gate.Judge(0.0, Eigen::Vector3d(0.5, 0.0, 5.5e80)), Verdict::kRefused);
   EXPECT_EQ(gate.Judge(0.0, Eigen::Vector3d(std::nan(""), 0.0, 0.0)), Verdict::kRefused);
 }
 
