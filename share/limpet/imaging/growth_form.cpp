@@ -9,6 +9,8 @@ namespace {
 
 constexpr float kSkyShare = 0.45F;
 
+float Length(float a, float b) { return std::sqrt(a * a + b * b); }
+
 float Soft(float edge, float at, float width) {
   return std::clamp(0.5F + (edge - at) / width, 0.0F, 1.0F);
 }
@@ -22,8 +24,8 @@ float StoneEdge(const Growth& growth, float a, float b) {
 
 GrowthSample Stone(const Growth& growth, float east, float north, float a, float b,
                    const Eigen::Vector3f& sun) {
-  const float far = std::hypot(a, b);
-  const float edge = StoneEdge(growth, a, b);
+  const float far = Length(a, b);
+  const float edge = far < 1.25F ? StoneEdge(growth, a, b) : 1.0F;
   if (far < edge) {
     const float share = far / edge;
     Eigen::Vector3f normal(east, north, 0.9F * std::sqrt(std::max(1.0F - share * share, 0.02F)));
@@ -38,13 +40,13 @@ GrowthSample Stone(const Growth& growth, float east, float north, float a, float
   // Its shadow falls away from the sun; nothing of the sky reaches under it.
   const float x = east + 0.45F * sun.x() / sun.z();
   const float y = north + 0.45F * sun.y() / sun.z();
-  const float shadow = 0.6F * Soft(0.86F, std::hypot(x, y), 0.25F);
+  const float shadow = 0.6F * Soft(0.86F, Length(x, y), 0.25F);
   const float foot = 0.5F * Soft(1.10F * edge, far, 0.35F);
   return {std::max(shadow, foot), Eigen::Array3f::Zero()};
 }
 
 GrowthSample Starfish(const Growth& growth, float a, float b) {
-  const float far = std::hypot(a, b);
+  const float far = Length(a, b);
   const float arm = 0.5F + 0.5F * std::cos(5.0F * std::atan2(b, a));
   const float edge = 0.24F + 0.76F * arm * arm * std::sqrt(arm);
   const float ridge = 1.15F - 0.55F * std::min(far / edge, 1.0F);
@@ -53,7 +55,7 @@ GrowthSample Starfish(const Growth& growth, float a, float b) {
 }
 
 GrowthSample Plant(const Growth& growth, float a, float b) {
-  const float far = std::hypot(a, b);
+  const float far = Length(a, b);
   const float angle = std::atan2(b, a);
   GrowthSample sample;
   // Two whorls of leaves, the inner on top and brighter.
@@ -76,13 +78,13 @@ GrowthSample Plant(const Growth& growth, float a, float b) {
 }
 
 GrowthSample Urchin(const Growth& growth, float a, float b) {
-  const float far = std::hypot(a, b);
+  const float far = Length(a, b);
   const float spines = 0.55F + 0.45F * std::abs(std::cos(13.0F * std::atan2(b, a) + 9.0F * far));
   return {0.92F * Soft(spines, far, 0.15F), growth.color * (0.6F + 0.8F * far)};
 }
 
 GrowthSample Shell(const Growth& growth, float a, float b) {
-  const float far = std::hypot(a, 1.25F * b);
+  const float far = Length(a, 1.25F * b);
   const float ribs = 0.82F + 0.18F * std::cos(26.0F * std::atan2(b, a + 0.9F));
   return {Soft(0.9F, far, 0.15F), ribs * (1.0F - 0.25F * far) * growth.color};
 }
@@ -91,6 +93,10 @@ GrowthSample Shell(const Growth& growth, float a, float b) {
 
 GrowthSample GrowthAt(const Growth& growth, float east, float north,
                       const Eigen::Vector3f& towards_sun) {
+  constexpr float kLeafTips = 1.05F;  // nothing but a stone's shadow is farther out
+  if (growth.kind != GrowthKind::kStone && east * east + north * north > kLeafTips * kLeafTips) {
+    return {};
+  }
   const float cosine = std::cos(growth.turn);
   const float sine = std::sin(growth.turn);
   const float a = cosine * east + sine * north;

@@ -12,7 +12,8 @@ Lamp::Lamp(const ImageParams::Light& light, const WaterColumn& water)
       water_(water),
       // Aft of a camera that looks down is below the image's middle.
       place_C_(0.0, light.lamp_off, 0.0) {
-  const Eigen::Array3f per_meter = water.BackscatterPerMeter();
+  // Straight back comes only what is scattered once: a quarter of what daylight sends upwards.
+  const Eigen::Array3f per_meter = 0.25F * water.BackscatterPerMeter();
   Eigen::Array3f sum = Eigen::Array3f::Zero();
   constexpr int kParts = 10;  // of a step: near the lens the light changes fast
   veil_.push_back(sum);

@@ -132,7 +132,8 @@ void PictureRenderer::AddFlakes(const SceneLight& light, std::uint32_t frame) {
       for (int column = static_cast<int>(u) - reach; column <= static_cast<int>(u) + reach;
            ++column) {
         if (column < 0 || column >= linear_.width_px) continue;
-        const double far2 = std::pow(column + 0.5 - u, 2.0) + std::pow(row + 0.5 - v, 2.0);
+        const double far2 =
+            (column + 0.5 - u) * (column + 0.5 - u) + (row + 0.5 - v) * (row + 0.5 - v);
         const auto cover = static_cast<float>(peak * std::exp(-0.5 * far2 / (sigma * sigma)));
         for (std::size_t c = 0; c < 3; ++c) {
           float& value = linear_.row(c, row)[column];

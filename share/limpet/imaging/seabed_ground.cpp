@@ -41,7 +41,7 @@ std::vector<float> SeabedGround::SmoothHeight(int radius) const {
 
 SeabedTile SeabedGround::Lit(const Eigen::Vector3d& towards_sun, double steepness) const {
   constexpr float kSky = 0.42F;          // share of light that comes from everywhere
-  constexpr float kHollow_per_m = 9.0F;  // light that a hollow lacks, per metre below its rim
+  constexpr float kHollow_per_m = 8.0F;  // light that a hollow lacks, per metre below its rim
   const std::vector<float> rim = SmoothHeight(12);
   const Eigen::Vector3f sun = towards_sun.cast<float>();
   const auto scale = static_cast<float>(steepness * 0.5 / kTexel);

@@ -3,19 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <cstdint>
 #include <numbers>
 
 #include "limpet/core/random.hpp"
-#include "limpet/imaging/tile_noise.hpp"
+#include "limpet/imaging/noise_field.hpp"
 
 namespace limpet {
 namespace {
 
 using Color = SeabedGround::Color;
-/// Share of a kind at a texel, 0 to 1.
-using Cover = std::function<float(float column, float row)>;
-
 constexpr int kSize = SeabedGround::kSize;
 constexpr double kTexel = SeabedGround::kTexel;
 constexpr double kTurn = 2.0 * std::numbers::pi;
@@ -27,36 +24,23 @@ float Ramp(float x, float low, float high) {
   return t * t * (3.0F - 2.0F * t);
 }
 
-/// Sums octaves of noise, each twice as fine and half as high.
-class Octaves {
- public:
-  Octaves(int first_cells, int count, Random& random) {
-    for (int i = 0; i < count; ++i)
-      octaves_.emplace_back(first_cells << i, kSize, random);
-  }
-  [[nodiscard]] float At(float column, float row) const {
-    float sum = 0.0F;
-    float share = 0.5F;
-    for (const TileNoise& octave : octaves_) {
-      sum += share * octave.At(column, row);
-      share *= 0.5F;
-    }
-    return sum;
-  }
-  /// Sharp crests: rock.
-  [[nodiscard]] float RidgesAt(float column, float row) const {
-    float sum = 0.0F;
-    float share = 0.5F;
-    for (const TileNoise& octave : octaves_) {
-      sum += share * (1.0F - 2.0F * std::abs(octave.At(column, row)));
-      share *= 0.5F;
-    }
-    return sum;
-  }
+/// Share of the ground that a kind takes, 0 to 1: where slow noise is high, or one share all over.
+struct Cover {
+  const NoiseField* noise = nullptr;
+  float from = 0.0F;  ///< of the noise; without noise the share
 
- private:
-  std::vector<TileNoise> octaves_;
+  [[nodiscard]] float At(int column, int row) const {
+    return noise == nullptr ? from : Ramp(noise->At(column, row), from, from + 0.08F);
+  }
 };
+
+/// White noise in -1 .. 1.
+float Grain(int column, int row) {
+  auto bits = static_cast<std::uint32_t>(row * kSize + column) * 0x9e3779b9U;
+  bits = (bits ^ (bits >> 15U)) * 0x85ebca6bU;
+  bits = (bits ^ (bits >> 13U)) * 0xc2b2ae35U;
+  return static_cast<float>(bits >> 8U) / 8388608.0F - 1.0F;
+}
 
 template <class Paint>
 void ForEachTexel(const Paint& paint) {
@@ -68,26 +52,25 @@ void ForEachTexel(const Paint& paint) {
 
 /// Ripples 13 to 16 cm apart, bent and torn by slow noise, with what is light lying in the troughs.
 void LaySand(SeabedGround& ground, Random& random) {
-  const Octaves bend(4, 3, random);
-  const Octaves strength(4, 2, random);
-  const Octaves tint(8, 4, random);
-  const TileNoise grain(2048, kSize, random);
-  const TileNoise coarse(512, kSize, random);
+  const NoiseField bend(4, 4, random);
+  const NoiseField strength(4, 3, random);
+  const NoiseField tint(8, 6, random);
+  const NoiseField grit(512, 2, random);
   const double along = random.Uniform(0.0, kTurn);
   const auto waves_across = static_cast<float>(std::round(72.0 * std::cos(along)) * kTurn / kSize);
   const auto waves_along = static_cast<float>(std::round(72.0 * std::sin(along)) * kTurn / kSize);
   ForEachTexel([&](int column, int row) {
-    const auto x = static_cast<float>(column);
-    const auto y = static_cast<float>(row);
-    const float phase = waves_across * x + waves_along * y + 16.0F * bend.At(x, y);
+    const float bent = bend.At(column, row);
+    const float phase = waves_across * static_cast<float>(column) +
+                        waves_along * static_cast<float>(row) + 15.0F * bent;
     const float crest = std::sin(phase + 0.55F * std::sin(phase));  // steeper on the lee side
-    const float ripple = crest * Ramp(strength.At(x, y), -0.35F, 0.25F);
-    const float dust = grain.At(x, y);
-    const float grit = coarse.At(x, y);
-    ground.height(column, row) = 0.0095F * ripple + 0.010F * bend.At(x, y) + 0.0006F * grit;
-    const Color sand =
-        Color(0.19F, 0.255F, 0.30F) * (1.0F + 0.45F * tint.At(x, y) + 0.13F * dust + 0.08F * grit);
-    const float detritus = 0.5F * Ramp(-ripple + 0.35F * grit + 0.5F * tint.At(y, x), 0.30F, 1.0F);
+    const float ripple = crest * Ramp(strength.At(column, row), -0.45F, 0.15F);
+    const float rough = grit.At(column, row);
+    const float shade = tint.At(column, row);
+    ground.height(column, row) = 0.010F * ripple + 0.020F * bent + 0.0010F * rough;
+    const Color sand = Color(0.19F, 0.255F, 0.30F) *
+                       (1.0F + 0.5F * shade + 0.13F * Grain(column, row) + 0.12F * rough);
+    const float detritus = 0.55F * Ramp(-ripple + 0.5F * rough + 0.8F * shade, 0.25F, 1.0F);
     ground.set_color(column, row, Between(sand, Color(0.055F, 0.085F, 0.095F), detritus));
   });
 }
@@ -146,48 +129,54 @@ void LayGravel(SeabedGround& ground, const Cover& cover, Random& random) {
                       .lumps = random.Uniform(0.0, kTurn),
                       .flatness = random.Uniform(0.45, 0.8),
                       .color = StoneColor(random)};
-    const bool lies =
-        random.Uniform(0.0, 1.0) < cover(static_cast<float>(column), static_cast<float>(row));
+    const bool lies = random.Uniform(0.0, 1.0) < cover.At(column, row);
     if (lies) LayStone(ground, stone, column, row);
   }
 }
 
-/// Ridges and boulders with crusts of coralline pink, brown and green turf.
-void LayRock(SeabedGround& ground, const Cover& cover, Random& random) {
-  const Octaves form(8, 7, random);
-  const Octaves pink(16, 4, random);
-  const Octaves turf(16, 5, random);
-  const Octaves tint(64, 4, random);
-  for (int i = 0; i < 260; ++i) {
+/// Boulders of all sizes under a rough skin.
+void LayBoulders(SeabedGround& ground, const Cover& cover, Random& random) {
+  constexpr int kBoulders = 700;
+  for (int i = 0; i < kBoulders; ++i) {
     const int column = static_cast<int>(random.Index(kSize));
     const int row = static_cast<int>(random.Index(kSize));
     const double share = random.Uniform(0.0, 1.0);
-    const Stone boulder{.radius = 0.10 + 0.55 * share * share * share,
+    const Stone boulder{.radius = 0.06 + 0.55 * share * share * share,
                         .squeeze = random.Uniform(0.55, 1.0),
                         .turn = random.Uniform(0.0, kTurn),
                         .lumps = random.Uniform(0.0, kTurn),
-                        .flatness = random.Uniform(0.3, 0.6),
+                        .flatness = random.Uniform(0.35, 0.7),
                         .color = Color(0.0F, 0.0F, 0.0F)};
-    if (cover(static_cast<float>(column), static_cast<float>(row)) > 0.5F) {
-      LayStone(ground, boulder, column, row);
-    }
+    if (cover.At(column, row) > 0.5F) LayStone(ground, boulder, column, row);
   }
+}
+
+/// Rock with crusts of coralline pink, brown and green turf.
+void LayRock(SeabedGround& ground, const Cover& cover, Random& random) {
+  const NoiseField form(8, 7, random, NoiseField::Form::kRidged, 0.55F);
+  const NoiseField pink(16, 6, random, NoiseField::Form::kSmooth, 0.65F);
+  const NoiseField turf(16, 7, random, NoiseField::Form::kSmooth, 0.7F);
+  const NoiseField tint(64, 5, random, NoiseField::Form::kSmooth, 0.8F);
+  const NoiseField cracks(16, 2, random, NoiseField::Form::kRidged, 0.3F);
+  SeabedGround boulders;
+  LayBoulders(boulders, cover, random);
   ForEachTexel([&](int column, int row) {
-    const auto x = static_cast<float>(column);
-    const auto y = static_cast<float>(row);
-    const float share = cover(x, y);
+    const float share = cover.At(column, row);
     if (share <= 0.0F) return;
-    const float ridges = form.RidgesAt(x, y);
-    ground.height(column, row) += share * 0.11F * ridges;
-    const float shade = 1.0F + 0.8F * tint.At(x, y);
-    Color color = Color(0.085F, 0.105F, 0.115F) * shade;
-    color = Between(color, Color(0.14F, 0.10F, 0.22F) * shade,
-                    0.75F * Ramp(pink.At(x, y), 0.10F, 0.22F));
+    const float ridges = form.At(column, row);
+    float& height = ground.height(column, row);
+    height = (1.0F - share) * height + share * (boulders.height(column, row) + 0.34F * ridges);
+    const float crack = Ramp(cracks.At(column, row), 0.80F, 0.97F);
+    const float shade =
+        (1.0F + 0.95F * tint.At(column, row) + 0.14F * Grain(column, row)) * (1.0F - 0.75F * crack);
+    Color color = Color(0.12F, 0.145F, 0.16F) * shade;
+    const float crust = Ramp(pink.At(column, row), 0.10F, 0.20F);
+    color = Between(color, Color(0.17F, 0.12F, 0.26F) * shade, 0.7F * crust);
     // Turf takes what is in the light: crests.
-    const float growth = turf.At(x, y) + 0.25F * ridges;
+    const float growth = turf.At(column, row) + 0.25F * ridges;
     color =
-        Between(color, Color(0.018F, 0.050F, 0.055F) * shade, 0.85F * Ramp(growth, 0.10F, 0.25F));
-    color = Between(color, Color(0.03F, 0.095F, 0.05F) * shade, 0.6F * Ramp(-growth, 0.18F, 0.35F));
+        Between(color, Color(0.018F, 0.050F, 0.055F) * shade, 0.8F * Ramp(growth, 0.08F, 0.20F));
+    color = Between(color, Color(0.03F, 0.095F, 0.05F) * shade, 0.6F * Ramp(-growth, 0.14F, 0.28F));
     ground.set_color(column, row, Between(ground.color(column, row), color, share));
   });
 }
@@ -221,27 +210,23 @@ void LayLeaf(SeabedGround& ground, double column, double row, double direction, 
 }
 
 void LaySeagrass(SeabedGround& ground, const Cover& cover, Random& random) {
-  const TileNoise sway(8, kSize, random);
+  const NoiseField sway(8, 2, random);
   const double current = random.Uniform(0.0, kTurn);
   ForEachTexel([&](int column, int row) {
-    const float share = 0.75F * cover(static_cast<float>(column), static_cast<float>(row));
+    const float share = 0.75F * cover.At(column, row);
     if (share <= 0.0F) return;
-    ground.set_color(column, row,
-                     Between(ground.color(column, row), Color(0.025F, 0.045F, 0.035F), share));
+    const Color litter(0.025F, 0.045F, 0.035F);
+    ground.set_color(column, row, Between(ground.color(column, row), litter, share));
   });
   constexpr int kLeaves = 90000;
   for (int i = 0; i < kLeaves; ++i) {
-    const double column = random.Uniform(0.0, kSize);
-    const double row = random.Uniform(0.0, kSize);
-    const bool grows =
-        random.Uniform(0.0, 1.0) < cover(static_cast<float>(column), static_cast<float>(row));
-    if (!grows) continue;
-    const double bend = sway.At(static_cast<float>(column), static_cast<float>(row));
-    LayLeaf(ground, column, row, current + 1.2 * bend + random.Normal(0.45), random);
+    const int column = static_cast<int>(random.Index(kSize));
+    const int row = static_cast<int>(random.Index(kSize));
+    if (random.Uniform(0.0, 1.0) >= cover.At(column, row)) continue;
+    const double direction = current + 1.2 * sway.At(column, row) + random.Normal(0.45);
+    LayLeaf(ground, column + 0.5, row + 0.5, direction, random);
   }
 }
-
-float Everywhere(float, float) { return 1.0F; }
 
 }  // namespace
 
@@ -249,27 +234,23 @@ SeabedGround MakeSeabed(std::string_view kind, std::uint64_t seed) {
   Random random(seed, "seabed ground");
   SeabedGround ground;
   LaySand(ground, random);
-  const Octaves banks(4, 5, random);
-  const Octaves meadows(4, 5, random);
-  const auto where = [](const Octaves& noise, float from) {
-    return [&noise, from](float column, float row) {
-      return Ramp(noise.At(column, row), from, from + 0.08F);
-    };
-  };
+  const Cover everywhere{.noise = nullptr, .from = 1.0F};
   if (kind == "gravel") {
-    LayGravel(ground, Everywhere, random);
+    LayGravel(ground, everywhere, random);
   } else if (kind == "rock") {
-    LayRock(ground, Everywhere, random);
+    LayRock(ground, everywhere, random);
   } else if (kind == "seagrass") {
-    LaySeagrass(ground, where(meadows, -0.16F), random);
+    const NoiseField meadows(4, 5, random);
+    LaySeagrass(ground, {&meadows, -0.16F}, random);
   } else if (kind == "mixed") {
-    LayGravel(ground, where(banks, 0.02F), random);
-    LayRock(ground, where(banks, 0.16F), random);
-    LaySeagrass(ground, where(meadows, 0.13F), random);
+    const NoiseField banks(4, 5, random);
+    const NoiseField meadows(4, 5, random);
+    LayGravel(ground, {&banks, 0.04F}, random);
+    LayRock(ground, {&banks, 0.20F}, random);
+    LaySeagrass(ground, {&meadows, 0.17F}, random);
   } else {
     // Sand has shells and a few stones, too.
-    LayGravel(
-        ground, [](float, float) { return 0.004F; }, random);
+    LayGravel(ground, {.noise = nullptr, .from = 0.004F}, random);
   }
   return ground;
 }

@@ -11,16 +11,19 @@ namespace {
 
 using AlbedoField = std::vector<std::array<float, 3>>;
 
-std::vector<std::uint32_t> Packed(const AlbedoField& albedo) {
-  std::vector<std::uint32_t> texels;
-  texels.reserve(albedo.size());
-  for (const auto& color : albedo) {
-    std::uint32_t packed = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const float root = std::sqrt(std::clamp(color[c], 0.0F, 1.0F));
-      packed |= static_cast<std::uint32_t>(std::lround(255.0F * root)) << (8U * c);
+std::vector<std::uint32_t> Packed(const AlbedoField& albedo, int bits) {
+  std::vector<std::uint32_t> texels(albedo.size());
+  const int side = 1 << bits;
+  for (int row = 0; row < side; ++row) {
+    for (int column = 0; column < side; ++column) {
+      const auto& color = albedo[static_cast<std::size_t>((row << bits) + column)];
+      std::uint32_t packed = 0;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const float root = std::sqrt(std::clamp(color[c], 0.0F, 1.0F));
+        packed |= static_cast<std::uint32_t>(255.0F * root + 0.5F) << (8U * c);
+      }
+      texels[SeabedTile::Place(column, row, bits)] = packed;
     }
-    texels.push_back(packed);
   }
   return texels;
 }
@@ -44,11 +47,11 @@ AlbedoField Halved(const AlbedoField& albedo, std::size_t side) {
 
 SeabedTile::SeabedTile(const AlbedoField& albedo) {
   LIMPET_REQUIRE(albedo.size() == static_cast<std::size_t>(kSize) * kSize, "a tile of one size");
-  levels_[0] = Packed(albedo);
+  levels_[0] = Packed(albedo, kSizeBits);
   AlbedoField coarser = albedo;
   for (std::size_t level = 1; level < kLevels; ++level) {
     coarser = Halved(coarser, static_cast<std::size_t>(kSize) >> (level - 1));
-    levels_[level] = Packed(coarser);
+    levels_[level] = Packed(coarser, kSizeBits - static_cast<int>(level));
   }
 }
 

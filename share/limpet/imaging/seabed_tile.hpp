@@ -24,6 +24,13 @@ class SeabedTile {
   /// Places count in 1/kUnitsPerTexel texel of full resolution.
   static constexpr int kUnitsPerTexel = 4096;
 
+  /// Where a texel of a level of 1 << bits texels per side is stored: 4 x 4 of them together fill a
+  /// line of the cache, so that walks in any direction find their neighbours there.
+  [[nodiscard]] static std::size_t Place(std::int32_t column, std::int32_t row, int bits) {
+    return static_cast<std::size_t>(((row & ~3) << bits) | ((column & ~3) << 2) | ((row & 3) << 2) |
+                                    (column & 3));
+  }
+
   /// One resolution, read at the nearest texel: for pixels as large as its texels. `index` 0 is
   /// full resolution, every further one half of that.
   class Level {
@@ -34,7 +41,7 @@ class SeabedTile {
           bits_(kSizeBits - index),
           mask_((1 << bits_) - 1) {}
     [[nodiscard]] std::uint32_t At(std::int32_t across, std::int32_t along) const {
-      return texels_[(((along >> shift_) & mask_) << bits_) + ((across >> shift_) & mask_)];
+      return texels_[Place((across >> shift_) & mask_, (along >> shift_) & mask_, bits_)];
     }
 
    private:
@@ -54,13 +61,15 @@ class SeabedTile {
     const std::int32_t v = (along - kUnitsPerTexel / 2) >> (kUnitBits - 8);
     const std::int32_t column = (u >> 8) & kMask;
     const std::int32_t next_column = (column + 1) & kMask;
-    const std::uint32_t* upper =
-        &levels_[0][static_cast<std::size_t>((v >> 8) & kMask) << kSizeBits];
-    const std::uint32_t* lower =
-        &levels_[0][static_cast<std::size_t>(((v >> 8) + 1) & kMask) << kSizeBits];
+    const std::int32_t row = (v >> 8) & kMask;
+    const std::int32_t next_row = (row + 1) & kMask;
+    const auto at = [this](std::int32_t x, std::int32_t y) {
+      return levels_[0][Place(x, y, kSizeBits)];
+    };
     const auto right = static_cast<std::uint32_t>(u & 255);
-    return Mix(Mix(upper[column], upper[next_column], right),
-               Mix(lower[column], lower[next_column], right), static_cast<std::uint32_t>(v & 255));
+    return Mix(Mix(at(column, row), at(next_column, row), right),
+               Mix(at(column, next_row), at(next_column, next_row), right),
+               static_cast<std::uint32_t>(v & 255));
   }
 
  private:

@@ -15,6 +15,8 @@ constexpr float kMiddleGray = 0.19F;  ///< where automatic exposure puts the mea
 /// So many times longer may the shutter stay open than under a clear noon sky (1/500 s to 1/60 s).
 constexpr float kLongestExposure = 8.0F;
 constexpr float kMostGain = 400.0F;
+/// Share of the other two channels in each: filters of a sensor overlap.
+constexpr float kCrosstalk = 0.02F;
 // Luminance of linear light.
 constexpr float kBlue = 0.0722F;
 constexpr float kGreen = 0.7152F;
@@ -33,6 +35,12 @@ std::vector<std::uint8_t> SignalCurve(double contrast) {
   return curve;
 }
 
+/// Of a channel's light and the sum of all three.
+template <class Own, class All>
+auto WithCrosstalk(const Own& own, const All& all) {
+  return (1.0F - 3.0F * kCrosstalk) * own + kCrosstalk * all;
+}
+
 Eigen::Array3f MeanOf(const LinearImage& light) {
   constexpr int kEvery = 4;  // rows and columns: enough for a mean
   Eigen::Array3f mean;
@@ -47,7 +55,7 @@ Eigen::Array3f MeanOf(const LinearImage& light) {
     }
     mean(static_cast<Eigen::Index>(c)) = static_cast<float>(sum / std::max(count, 1));
   }
-  return mean.max(1e-7F);
+  return WithCrosstalk(mean, mean.sum()).max(1e-7F);
 }
 
 }  // namespace
@@ -58,7 +66,8 @@ Sensor::Sensor(const ImageParams::Sensor& params, int width_px, std::uint64_t se
       curve_(SignalCurve(params.contrast)),
       noise_(kNoiseDraws + static_cast<std::size_t>(width_px)),
       signal_(3 * static_cast<std::size_t>(width_px)),
-      levels_(signal_.size()) {
+      levels_(signal_.size()),
+      sum_(static_cast<std::size_t>(width_px)) {
   Random random(seed, "sensor noise");
   for (float& draw : noise_)
     draw = static_cast<float>(random.Normal(1.0));
@@ -82,6 +91,9 @@ void Sensor::Develop(const LinearImage& light, const Settings& settings, std::ui
   const Eigen::Index width = light.width_px;
   Random draws(seed_ + frame, "noise of a frame");
   for (int row = 0; row < light.height_px; ++row) {
+    const auto light_of = [&](std::size_t channel) { return Row(light.row(channel, row), width); };
+    Eigen::Map<Eigen::ArrayXf> all(sum_.data(), width);
+    all = light_of(0) + light_of(1) + light_of(2);
     for (std::size_t c = 0; c < 3; ++c) {
       const float gain = settings.gain(static_cast<Eigen::Index>(c));
       // Per channel: a signal x came of x well / a electrons, a being all that is not exposure.
@@ -89,10 +101,10 @@ void Sensor::Develop(const LinearImage& light, const Settings& settings, std::ui
       const float shot = relative / static_cast<float>(params_.full_well);
       const float read = shot * static_cast<float>(params_.read_noise);
       const float read2 = read * read;
-      const Row from(light.row(c, row), width);
       const Row noise(noise_.data() + draws.Index(kNoiseDraws), width);
       Eigen::Map<Eigen::ArrayXf> to(signal_.data() + c * static_cast<std::size_t>(width), width);
-      to = gain * from + noise * (shot * gain * from + read2).sqrt();
+      to = WithCrosstalk(gain * light_of(c), gain * all);
+      to += noise * (shot * to + read2).sqrt();
     }
     Code(image.bgr.data() + 3 * static_cast<std::ptrdiff_t>(width) * row);
   }

@@ -38,6 +38,7 @@ class Sensor {
   std::vector<float> noise_;          ///< normal draws, 1-sigma 1
   std::vector<float> signal_;         ///< of a row: blue, then green, then red
   std::vector<std::int32_t> levels_;  ///< likewise, in 1/kWhite
+  std::vector<float> sum_;            ///< of the channels' light along a row
 };
 
 }  // namespace limpet

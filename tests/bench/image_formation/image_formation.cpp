@@ -3,6 +3,7 @@
 //   image_formation statistics FOLDER...   of the pictures of folders, mean over each folder
 //   image_formation plain                  of the plain look
 //   image_formation real [FOLDER]          of the real look on every seabed; pictures to FOLDER
+//   image_formation sheet FILE             one picture of each look and seabed on one sheet
 //   image_formation cost                   CPU time of a picture
 #include <algorithm>
 #include <cmath>
@@ -129,6 +130,48 @@ void OfRealLook(const std::string& seabed, const std::filesystem::path& folder) 
   PrintMean(seabed, all);
 }
 
+/// Pictures of half the size, three abreast: plain, then every seabed, at other waters and lights.
+void WriteSheet(const std::string& file) {
+  std::vector<cv::Mat> pictures;
+  const auto add = [&pictures](Image image) {
+    cv::Mat half;
+    cv::resize(MatOf(image), half, {320, 240}, 0.0, 0.0, cv::INTER_AREA);
+    pictures.push_back(half);
+  };
+  const Pose first = PoseOf(2, 3.0);
+  SceneRenderer plain({.camera = {}, .seabed_depth = Depth, .visibility_m = 8.0});
+  const Sphere ball{SolidsNear(first, 2)[0].p_W, 0.3, "yellow"};
+  add(plain.Render(first, std::span(&ball, 1), 0));
+  const auto shoot = [&](PictureSettings settings, int frame, double altitude) {
+    const Pose pose = PoseOf(frame, altitude);
+    add(PictureRenderer(settings).Render(pose, SolidsNear(pose, frame), 0, Seconds(0.3 * frame)));
+  };
+  shoot(RealLook("sand"), 2, 3.0);
+  shoot(RealLook("gravel"), 3, 2.5);
+  shoot(RealLook("rock"), 1, 3.0);
+  shoot(RealLook("seagrass"), 4, 3.0);
+  shoot(RealLook("mixed"), 8, 4.0);
+  PictureSettings clear = RealLook("mixed");
+  clear.visibility_m = 20.0;
+  clear.image.water.dissolved = 0.05;
+  shoot(clear, 5, 3.0);
+  PictureSettings murky = RealLook("mixed");
+  murky.visibility_m = 3.5;
+  murky.image.water.dissolved = 1.8;
+  shoot(murky, 6, 2.0);
+  PictureSettings night = RealLook("rock");
+  night.image.light.sun = 0.0;
+  night.image.light.lamp = 1.0;
+  shoot(night, 7, 2.0);
+  std::vector<cv::Mat> rows(pictures.size() / 3);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    cv::hconcat(&pictures[3 * i], 3, rows[i]);
+  }
+  cv::Mat sheet;
+  cv::vconcat(rows, sheet);
+  cv::imwrite(file, sheet, {cv::IMWRITE_JPEG_QUALITY, 80});
+}
+
 double CpuMs() {
   timespec time{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
@@ -187,11 +230,14 @@ int Run(int argc, char** argv) {
     for (const char* seabed : {"sand", "gravel", "rock", "seagrass", "mixed"}) {
       OfRealLook(seabed, argc > 2 ? argv[2] : "");
     }
+  } else if (verb == "sheet" && argc > 2) {
+    WriteSheet(argv[2]);
   } else if (verb == "cost") {
     PrintCost();
   } else {
     fmt::print(stderr,
-               "usage: image_formation statistics FOLDER... | plain | real [FOLDER] | cost\n");
+               "usage: image_formation statistics FOLDER... | plain | real [FOLDER] | sheet FILE | "
+               "cost\n");
     return 2;
   }
   return 0;
