@@ -10,6 +10,7 @@
 #include "limpet/app/registry.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/vision/color_table.hpp"
+#include "limpet/vision/ground_contrast.hpp"
 
 namespace limpet {
 namespace {
@@ -51,9 +52,21 @@ bool DetectApp::IsWanted(const Box& box) const {
          (classes_.empty() || std::ranges::find(classes_, box.color) != classes_.end());
 }
 
+void DetectApp::PublishContrast(ImageView picture, Seconds exposure) {
+  if (last_contrast_ && exposure - *last_contrast_ < kContrastPeriod) {
+    return;
+  }
+  last_contrast_ = exposure;
+  GroundContrast contrast = MeasureGroundContrast(picture);
+  contrast.exposure = exposure.value();
+  Publish(topics::kGroundContrast, contrast);
+}
+
 void DetectApp::OnFrame(const Stamped<CameraFrame>& frame) {
   const CameraFrame& image = frame.value;
-  std::vector<Box> boxes = detector_->Detect({image.bgr.data(), image.width_px, image.height_px});
+  const ImageView picture{image.bgr.data(), image.width_px, image.height_px};
+  PublishContrast(picture, image.exposure);
+  std::vector<Box> boxes = detector_->Detect(picture);
   std::erase_if(boxes, [this](const Box& box) { return !IsWanted(box); });
   ++frames_;
   frames_with_boxes_ += boxes.empty() ? 0 : 1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "limpet/topics/sensors.hpp"
 #include "limpet/vision/detector.hpp"
 #include "limpet/vision/detector_registry.hpp"
+#include "limpet/vision/image.hpp"
 
 namespace limpet {
 
@@ -35,6 +37,8 @@ class DetectApp final : public App {
 
  private:
   void OnFrame(const Stamped<CameraFrame>& frame);
+  /// Now and then, how strongly the ground stands out.
+  void PublishContrast(ImageView picture, Seconds exposure);
   [[nodiscard]] bool IsWanted(const Box& box) const;
 
   Params params_;
@@ -42,6 +46,7 @@ class DetectApp final : public App {
   std::unique_ptr<Detector> detector_;
   int frames_ = 0, frames_with_boxes_ = 0;
   Detections last_;
+  std::optional<Seconds> last_contrast_;
 };
 
 }  // namespace limpet

@@ -23,12 +23,14 @@ MapApp::MapApp(const AppContext& context, const Params& params)
       statuses_(params.status, camera_),
       octree_(params.voxel),
       layer_({.threshold = params.object_threshold}, params.status, camera_),
+      planned_visibility_(params.status.detection.visibility),
       drawing_(context.Global("Community"), [this](std::string variable, std::string text) {
         PublishRaw(std::move(variable), std::move(text));
       }) {
   Subscribe(topics::kSurveyArea, &MapApp::OnArea);
   Subscribe(topics::kSurveyPhase, &MapApp::OnPhase);
   Subscribe(topics::kNavSight, &MapApp::OnFrame);
+  Subscribe(topics::kGroundContrast, &MapApp::OnContrast);
   Subscribe(topics::kNavBeams, &MapApp::OnBeams);
   Subscribe(topics::kNavTrackShift, &MapApp::OnTrackShift);
   Subscribe(topics::kNavLandmarks, &MapApp::OnLandmarks);
@@ -46,6 +48,7 @@ void MapApp::OnArea(const Stamped<SurveyArea>& area) {
   if (!area_ || EncodeRecord(*area_) != EncodeRecord(area.value)) {
     area_ = area.value;
     grid_.emplace(area.value, params_.cell.value());
+    grid_->SetReach(PlannedDetection().HalfRange());
   }
 }
 
@@ -93,6 +96,14 @@ void MapApp::OnFrame(const Stamped<ObservedFrame>& frame) {
   layer_.AddFrame(statuses_.frames().back(), statuses_);
   if (grid_) {
     grid_->Observe(frame.value.X_WB, *verdict.altitude, camera_);
+  }
+}
+
+void MapApp::OnContrast(const Stamped<GroundContrast>& image) {
+  const Seconds age = Seconds(image.value.exposure) - gate_.altitude_time();
+  const bool has_altitude = gate_.altitude() && age <= params_.altitude_lasts;
+  if (has_altitude && IsMappingPhase(phase_)) {
+    statuses_.contrasts().Add(*gate_.altitude(), image.value);
   }
 }
 
@@ -158,12 +169,31 @@ void MapApp::OnPrior(const Stamped<SessionPrior>& prior) {
   statuses_.SetFormer(prior.value.opis);
 }
 
+DetectionModel MapApp::PlannedDetection() const {
+  DetectionModel detection = params_.status.detection;
+  detection.visibility = planned_visibility_;
+  return detection;
+}
+
 void MapApp::TellHowItLooks() {
   if (!has_told_looks_) {
     has_told_looks_ = true;
     Publish(topics::kMapLook, ToMapLook({.camera = camera_,
-                                         .detection = params_.status.detection,
+                                         .detection = PlannedDetection(),
                                          .object_radius = params_.status.object_radius.value()}));
+  }
+}
+
+void MapApp::FollowWater(const VisibilityBelief& water) {
+  constexpr double kOtherWater = 0.15;  // share; below it plans would change for nothing
+  const Meters visibility = params_.status.detection.MeanVisibility(water);
+  if (std::abs(visibility / planned_visibility_ - 1.0) <= kOtherWater) {
+    return;
+  }
+  planned_visibility_ = visibility;
+  has_told_looks_ = false;
+  if (grid_) {
+    grid_->SetReach(PlannedDetection().HalfRange());
   }
 }
 
@@ -177,6 +207,7 @@ void MapApp::TellWater(Seconds now) {
   const VisibilityEstimate estimate = water.estimate();
   Publish(topics::kWaterState,
           WaterVisibility{.visibility = estimate.visibility.value(), .sd = estimate.sd.value()});
+  FollowWater(water);
   WarnOfMurk(water);
 }
 
@@ -262,6 +293,11 @@ void MapApp::WarnOfTentativeObjects() {
 void MapApp::OnSnapshotRequest(const Stamped<std::string>&) {
   statuses_.Rejudge();
   PublishObjects();
+  const VisibilityEstimate water = statuses_.Water().estimate();
+  Publish(topics::kWaterRecord,
+          WaterRecord{.visibility = planned_visibility_.value(),
+                      .estimate = {.visibility = water.visibility.value(), .sd = water.sd.value()},
+                      .contrasts = statuses_.contrasts().bins()});
   const std::string bytes = octree_.Serialize();
   const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
   Publish(topics::kMapSnapshot, Binary(first, first + bytes.size()));

@@ -16,6 +16,7 @@
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
+#include "limpet/topics/sensors.hpp"
 
 namespace limpet {
 
@@ -34,6 +35,7 @@ class MapApp final : public App {
   void OnArea(const Stamped<SurveyArea>& area);
   void OnPhase(const Stamped<std::string>& phase);
   void OnFrame(const Stamped<ObservedFrame>& frame);
+  void OnContrast(const Stamped<GroundContrast>& image);
   void OnBeams(const Stamped<PosedBeams>& beams);
   void OnTrackShift(const Stamped<TrackShift>& shift);
   void OnLandmarks(const Stamped<Landmarks>& landmarks);
@@ -46,8 +48,11 @@ class MapApp final : public App {
   /// Beams of one ping that had a range, and those of them that the map took.
   void CountBeams(int given, int used);
   void OnSnapshotRequest(const Stamped<std::string>& request);
-  /// By what looks are counted, for who plans them.
+  /// By what looks are planned: the camera, and the water as it was last told.
   void TellHowItLooks();
+  [[nodiscard]] DetectionModel PlannedDetection() const;
+  /// Takes another water for what has been seen and for plans if the estimate has left it.
+  void FollowWater(const VisibilityBelief& water);
   /// The water as now estimated, now and then, and whether the seabed is in sight.
   void TellWater(Seconds now);
   void WarnOfMurk(const VisibilityBelief& water);
@@ -71,6 +76,7 @@ class MapApp final : public App {
   bool landmarks_changed_ = false;  ///< since places were last judged exactly where they are
   std::optional<Value> last_objects_;
   bool has_told_looks_ = false;
+  Meters planned_visibility_;  ///< by which coverage is counted and views are planned
   int beams_ = 0, beams_left_out_ = 0, beams_in_window_ = 0, left_out_in_window_ = 0;
   MapDrawing drawing_;
 };

@@ -30,6 +30,7 @@ const char* ColorOf(Status status) {
     case Status::kRemoved:
       return "gray50";
     case Status::kUncertain:
+    case Status::kNotInspected:
     case Status::kNothing:
       break;
   }

@@ -57,6 +57,7 @@ SessionApp::SessionApp(const AppContext& context, const Params& params)
   Subscribe(topics::kNavLandmarkJoint, &SessionApp::OnLandmarkJoint);
   Subscribe(topics::kNavSight, &SessionApp::OnFrame);
   Subscribe(topics::kNavTrackShift, &SessionApp::OnTrackShift);
+  Subscribe(topics::kWaterRecord, &SessionApp::OnWater);
   Subscribe(topics::kMapSnapshot, &SessionApp::OnSnapshot);
   Subscribe(topics::kSessionSave, &SessionApp::OnSave);
   CopyMission();

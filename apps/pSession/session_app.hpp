@@ -41,6 +41,7 @@ class SessionApp final : public App {
   void OnLandmarkJoint(const Stamped<LandmarkJoint>& joint) { memory_.landmarks = joint.value; }
   void OnFrame(const Stamped<ObservedFrame>& frame) { memory_.frames.push_back(frame.value); }
   void OnTrackShift(const Stamped<TrackShift>& shift);
+  void OnWater(const Stamped<WaterRecord>& water) { memory_.water = water.value; }
   void OnSnapshot(const Stamped<Binary>& map);
   void OnSave(const Stamped<std::string>& cause);
   void LoadFormer();

@@ -5,9 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "apps/pSurvey/survey_memory.hpp"
 #include "apps/pSurvey/survey_warnings.hpp"
 #include "limpet/app/registry.hpp"
+#include "limpet/survey/look.hpp"
 
 namespace limpet {
 namespace {
@@ -34,6 +37,7 @@ SurveyApp::SurveyApp(const AppContext& context, const Params& params)
   Subscribe(topics::kDeploy, &SurveyApp::OnDeploy);
   Subscribe(topics::kReturn, &SurveyApp::OnReturn);
   Subscribe(topics::kMapCoverage, &SurveyApp::OnCoverage);
+  Subscribe(topics::kMapLook, &SurveyApp::OnLook);
   Subscribe(topics::kMissionEnd, &SurveyApp::OnMissionEnd);
   Subscribe(topics::kHelmRevisits, &SurveyApp::OnRevisits);
   Subscribe(topics::kHelmState, &SurveyApp::OnHelmState);
@@ -155,6 +159,29 @@ void SurveyApp::OnCoverage(const Stamped<Coverage>& coverage) {
   }
 }
 
+void SurveyApp::OnLook(const Stamped<MapLook>& look) {
+  const LookModel model = ToLookModel(look.value);
+  footprint_.emplace(params_.altitude.value(), params_.object_height_max.value(), model.camera,
+                     model.detection.HalfRange());
+}
+
+double SurveyApp::AttainableShare() const {
+  const int lowest = footprint_ ? footprint_->widest_layer() : 0;
+  if (!footprint_ || (lowest == 0 && footprint_->is_in_reach(0))) {
+    return 1.0;
+  }
+  const bool is_any_in_reach = lowest > 0;
+  if (params_.coverage_kind == "band_top") {
+    return is_any_in_reach ? 1.0 : 0.0;
+  }
+  if (params_.coverage_kind == "seabed" || !is_any_in_reach) {
+    return 0.0;
+  }
+  const double top = params_.object_height_max.value();
+  const double bottom = std::min(SurveyGrid::kObjectRadius, top);
+  return top > bottom ? (top - std::max(bottom, footprint_->height(lowest))) / (top - bottom) : 1.0;
+}
+
 std::ptrdiff_t SurveyApp::OpenRevisits() const {
   return std::ranges::count(revisits_.objects, "open", &RevisitInterest::state);
 }
@@ -205,13 +232,23 @@ void SurveyApp::TrackTransit(Seconds now) {
 
 void SurveyApp::Survey(Seconds now) {
   TrackTransit(now);
-  if (CoveredShare(coverage_) >= params_.coverage_target && OpenRevisits() == 0) {
-    GoHome("coverage target reached", "home", now);
+  const double attainable = AttainableShare();
+  if (attainable > 0.0 && CoveredShare(coverage_) >= attainable * params_.coverage_target &&
+      OpenRevisits() == 0) {
+    GoHome(attainable < 1.0 ? "what this water shows has been seen" : "coverage target reached",
+           "home", now);
   } else if (now - *deployed_ > params_.max_time) {
     GoHome("out of time", "timeout", now);
   } else if (now - last_progress_ > params_.stall && !transit_.is_over()) {
     Warn(warnings::kTransitStalled, "the area has not come nearer for stall_s; going home");
     GoHome("the area is not reached", "timeout", now);
+  } else if (now - last_progress_ > params_.stall && attainable < 1.0) {
+    Warn(warnings::kOutOfSight,
+         fmt::format("{} shows no more of it from {:g} m; going home",
+                     params_.coverage_kind == "seabed" ? "the seabed is out of sight: this water"
+                                                       : "this water",
+                     params_.altitude.value()));
+    GoHome("no more is in sight", "home", now);
   } else if (now - last_progress_ > params_.stall) {
     Warn(warnings::kCoverageStalled,
          "coverage has not grown for stall_s; going home short of the target");

@@ -7,6 +7,7 @@
 #include "apps/pSurvey/helm_watch.hpp"
 #include "apps/pSurvey/transit.hpp"
 #include "limpet/app/app.hpp"
+#include "limpet/planning/ground.hpp"
 #include "limpet/survey/survey_params.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
@@ -38,6 +39,7 @@ class SurveyApp final : public App {
   void OnCoverage(const Stamped<Coverage>& coverage);
   void OnHelmState(const Stamped<std::string>& state) { helm_.HearState(state.value, now()); }
   void OnAllStop(const Stamped<std::string>& why) { helm_.HearAllStop(why.value, now()); }
+  void OnLook(const Stamped<MapLook>& look);
   void OnRevisits(const Stamped<HelmRevisits>& revisits) { revisits_ = revisits.value; }
 
   void Enter(Phase phase, Seconds now);
@@ -65,6 +67,8 @@ class SurveyApp final : public App {
   [[nodiscard]] std::optional<Seconds> TimeToTarget() const;
   [[nodiscard]] double CoveredShare(const Coverage& coverage) const;
   [[nodiscard]] double DistanceHome() const;
+  /// What coverage comes to when all that this water shows from survey altitude has been seen.
+  [[nodiscard]] double AttainableShare() const;
 
   Params params_;
   Phase phase_ = Phase::kIdle;
@@ -78,6 +82,7 @@ class SurveyApp final : public App {
   std::optional<Stamped<NavState>> nav_;
   std::optional<HomePoint> home_;
   Coverage coverage_;
+  std::optional<Footprint> footprint_;  ///< in this water
   HelmRevisits revisits_;
   std::string ended_ = "home";
 };

@@ -33,6 +33,15 @@ inline const WarningId kCoverageStalled = DeclareWarning(
      .action = "See in the report what is left and why; survey the rest in another session.",
      .clears = "It stands to the end of the run."});
 
+inline const WarningId kOutOfSight = DeclareWarning(
+    "OUT_OF_SIGHT",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pSurvey"},
+     .meaning = "The water hides what the survey seeks from survey altitude (WATER_STATE), and "
+                "nothing new has come into sight for stall_s: the vehicle goes home.",
+     .action = "Survey from lower, or another day; what was not in sight is not inspected.",
+     .clears = "It stands to the end of the run."});
+
 inline const WarningId kNavLost = DeclareWarning(
     "NAV_LOST",
     {.severity = Severity::kAlarm,

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "limpet/app/registry.hpp"
-#include "limpet/mission/seabed.hpp"
 #include "limpet/objects/lens_box.hpp"
 
 namespace limpet {
@@ -24,6 +23,8 @@ SimCameraApp::SimCameraApp(const AppContext& context, const Params& params)
       params_(params),
       lens_(params.geometry.lens()),
       stamp_({}, Random(0)),
+      seabed_({}),
+      contrast_random_(MakeRandom("ground contrast")),
       box_model_(BoxModel::Settings{}),
       box_random_(MakeRandom("boxes")) {
   const Scenario scenario = LoadScenario(context.mission_folder / params.scenario);
@@ -33,6 +34,7 @@ SimCameraApp::SimCameraApp(const AppContext& context, const Params& params)
       motions_.push_back(opi.motion);
     }
   }
+  seabed_ = Seabed(scenario.seabed);
   errors_ = scenario.errors.camera;
   stamp_ = StampError(errors_.stamps, MakeRandom("stamps camera"));
   camera_ = errors_.mounting.Applied(lens_.enclosing());
@@ -40,14 +42,16 @@ SimCameraApp::SimCameraApp(const AppContext& context, const Params& params)
   if (kind == "rendered") {
     renderer_.emplace(SceneSettings{
         .camera = camera_,
-        .seabed_depth = [seabed = Seabed(scenario.seabed)](
-                            double north, double east) { return seabed.Depth(north, east); },
+        .seabed_depth = [seabed = seabed_](double north,
+                                           double east) { return seabed.Depth(north, east); },
         .visibility_m = scenario.water.visibility_m,
         // The place looks the same in every session; noise and specks do not.
         .seabed_seed = MixSeed(context.seed, "seabed texture"),
         .noise_seed = MakeRandom("image noise").Bits()});
     if (!lens_.is_pinhole()) lens_image_.emplace(lens_);
   } else {
+    Random site(MixSeed(context.seed, "seabed texture"));  // the same ground in every session
+    contrast_model_.emplace(scenario.water.visibility_m, site);
     box_model_ = BoxModel({.camera = camera_,
                            .visibility_m = scenario.water.visibility_m,
                            .false_boxes_per_image = scenario.sensors.false_detections_per_image,
@@ -70,6 +74,7 @@ void SimCameraApp::OnTruth(const Stamped<SimTruth>& truth) {
       exposed_.emplace_back(taken, MakeImage(truth.value, shown, stamp));
     } else {
       exposed_.emplace_back(taken, MakeBoxes(truth.value, shown, stamp));
+      PublishContrast(truth.value, stamp);
     }
     ++frame_;
   }
@@ -106,6 +111,17 @@ Detections SimCameraApp::MakeBoxes(const SimTruth& truth, std::span<const Sphere
     if (const auto distorted = Distorted(lens_, box)) seen.boxes.push_back(*distorted);
   }
   return seen;
+}
+
+void SimCameraApp::PublishContrast(const SimTruth& truth, Seconds stamp) {
+  const double range = seabed_.Depth(truth.north, truth.east) - truth.down;
+  if (range <= 0.0 || (last_contrast_ && stamp - *last_contrast_ < kContrastPeriod)) {
+    return;
+  }
+  last_contrast_ = stamp;
+  GroundContrast contrast = contrast_model_->Draw(range, contrast_random_);
+  contrast.exposure = stamp.value();
+  Publish(topics::kGroundContrast, contrast);
 }
 
 void SimCameraApp::PublishReady(Seconds now) {

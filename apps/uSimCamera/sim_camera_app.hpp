@@ -15,10 +15,12 @@
 #include "limpet/core/lens_model.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/mission/scenario.hpp"
+#include "limpet/mission/seabed.hpp"
 #include "limpet/simulation/stamp_error.hpp"
 #include "limpet/topics/sensors.hpp"
 #include "limpet/topics/simulation.hpp"
 #include "limpet/vision/box_model.hpp"
+#include "limpet/vision/contrast_model.hpp"
 #include "limpet/vision/lens_image.hpp"
 #include "limpet/vision/scene_renderer.hpp"
 #include "limpet/vision/sphere.hpp"
@@ -60,6 +62,8 @@ class SimCameraApp final : public App {
                                       Seconds stamp);
   [[nodiscard]] Detections MakeBoxes(const SimTruth& truth, std::span<const Sphere> shown,
                                      Seconds stamp);
+  /// How the ground stands out in an image that is not made.
+  void PublishContrast(const SimTruth& truth, Seconds stamp);
   /// What was exposed at least the latency ago.
   void PublishReady(Seconds now);
 
@@ -73,6 +77,10 @@ class SimCameraApp final : public App {
   std::vector<ObjectMotionParams> motions_;  ///< of each
   std::optional<Seconds> start_;             ///< of the session
   std::optional<SceneRenderer> renderer_;    ///< unless boxes are drawn
+  Seabed seabed_;
+  std::optional<ContrastModel> contrast_model_;  ///< if boxes are drawn
+  Random contrast_random_;
+  std::optional<Seconds> last_contrast_;
   BoxModel box_model_;
   Random box_random_;
   double last_slot_ = -1.0;  ///< exposures are the first truth in each 1/rate of MOOS time

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "estimation/change/contrast_log.hpp"
 #include "estimation/change/place_watch.hpp"
 #include "estimation/change/status.hpp"
 #include "estimation/change/tentative_objects.hpp"
@@ -86,8 +87,11 @@ class ObjectStatuses {
   [[nodiscard]] const std::vector<ObservedFrame>& frames() const { return frames_; }
   /// Boxes per image that show nothing: what the mission says, weighed with what was seen.
   [[nodiscard]] double false_per_image() const { return model_.detection.false_per_image; }
-  /// How far one can see, from how far objects of known places were and were not seen; from
-  /// nothing else, so it depends on what is kept alone.
+  /// What images say of the water, beside the objects in them.
+  [[nodiscard]] ContrastLog& contrasts() { return contrasts_; }
+  [[nodiscard]] const ContrastLog& contrasts() const { return contrasts_; }
+  /// How far one can see, from the contrasts and from how far objects of known places were and were
+  /// not seen; from nothing else, so it depends on what is kept alone.
   [[nodiscard]] VisibilityBelief Water() const;
   /// Places that boxes hint at but that nobody is sent to, because there were too many.
   [[nodiscard]] int tentative_left_out() const { return tentative_.left_out(); }
@@ -131,6 +135,7 @@ class ObjectStatuses {
 
   StatusParams params_;
   WatchModel model_;
+  ContrastLog contrasts_;
   VisibilityBelief water_;  ///< when objects were last assessed
   std::vector<ObservedFrame> frames_;
   std::optional<std::vector<FormerObject>> former_;

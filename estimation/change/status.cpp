@@ -60,7 +60,7 @@ double LambdaIn(const VisibilityBelief& water, const PerVisibility& lambda,
 
 Status Decide(const StatusPosterior& posterior, int looks, const StatusPriors& priors) {
   if (looks == 0) {
-    return Status::kUncertain;
+    return Status::kNotInspected;
   }
   if (posterior.confirmed >= priors.decide_at) return Status::kConfirmed;
   if (posterior.removed >= priors.decide_at) return Status::kRemoved;

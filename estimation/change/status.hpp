@@ -48,7 +48,7 @@ struct StatusPriors {
 [[nodiscard]] double LambdaIn(const VisibilityBelief& water, const PerVisibility& lambda,
                               const StatusPriors& priors);
 
-/// The status that reaches decide_at, else uncertain; without a look nothing is decided.
+/// The status that reaches decide_at, else uncertain; without a look it is not inspected.
 [[nodiscard]] Status Decide(const StatusPosterior& posterior, int looks,
                             const StatusPriors& priors);
 

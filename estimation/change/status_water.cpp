@@ -12,6 +12,9 @@ constexpr double kWorth = 0.5;
 /// What happens at one place changes the odds of two visibilities by a factor of e^5 at most.
 constexpr double kMostOfOnePlace = 5.0;
 
+/// What all images together say: sun, tilt and ground are not so well known as to be sure.
+constexpr double kMostOfContrast = 6.0;
+
 void TakeFrom(const PlaceWatch& watch, VisibilityBelief& water) {
   water.Add(watch.LogLikelihood(kWorth), kMostOfOnePlace);
 }
@@ -20,6 +23,7 @@ void TakeFrom(const PlaceWatch& watch, VisibilityBelief& water) {
 
 VisibilityBelief ObjectStatuses::Water() const {
   VisibilityBelief water(params_.detection.visibility, params_.visibility_spread);
+  water.Add(contrasts_.LogLikelihood(), kMostOfContrast);
   for (const auto& [landmark, watch] : landmark_watch_) {
     TakeFrom(watch, water);
   }

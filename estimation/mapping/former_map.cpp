@@ -30,6 +30,9 @@ FormerViews FormerViewsOf(const SessionPrior& prior, const MapParams& own) {
                               .detection = params.status.detection,
                               .object_radius = params.status.object_radius.value()},
                     .looks = params.status.looks};
+  if (prior.visibility > 0.0) {
+    views.model.detection.visibility = Meters(prior.visibility);
+  }
   FrameGate gate(params.frame_gate());
   for (const FormerView& view : prior.views) {
     const Seconds exposure = view.frame.exposure;

@@ -9,8 +9,8 @@
 namespace limpet {
 
 /// Where the former session looked from and how well it saw: its own camera, detector and limits if
-/// the prior tells them, else `own`. Frames that its map did not use are left out. Throws
-/// ConfigError if its parameters are none.
+/// the prior tells them, else `own`; in water as it found it, if it said so. Frames that its map
+/// did not use are left out. Throws ConfigError if its parameters are none.
 [[nodiscard]] FormerViews FormerViewsOf(const SessionPrior& prior, const MapParams& own);
 
 }  // namespace limpet

@@ -30,6 +30,7 @@ VoxelLabel LabelOf(const OpiBelief& status) {
     case Status::kMoved:
       return VoxelLabel::kMoved;
     case Status::kUncertain:
+    case Status::kNotInspected:
     case Status::kNothing:
       break;
   }

@@ -45,6 +45,7 @@ VoxelLabel LabelOf(Status status) {
     case Status::kMoved:
       return VoxelLabel::kMoved;
     case Status::kUncertain:
+    case Status::kNotInspected:
     case Status::kNothing:
       break;
   }

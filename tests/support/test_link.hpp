@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -41,6 +42,12 @@ class TestLink final : public AppLink {
       }
     }
     return std::nullopt;
+  }
+  /// How often a topic was published.
+  template <class T>
+  [[nodiscard]] int Count(const Topic<T>& topic) const {
+    return static_cast<int>(std::ranges::count(
+        published, topic.name, [](const MessagePtr& message) { return message->name; }));
   }
   /// Delivers a value to an app at the link's current time.
   template <class T>

@@ -68,6 +68,9 @@ ObjectStatuses Compare(const SavedSession& a, const SavedSession& b,
       book.AddFrame(frame);
     }
   }
+  if (b.memory.water) {
+    book.contrasts().Set(b.memory.water->contrasts);
+  }
   book.SetLandmarks(MatchedLandmarks(a, b, prior));
   book.Rejudge();
   return book;

@@ -19,7 +19,7 @@ void DrawChange(MapAxes& map, const ChangeScore& change, bool is_judged) {
   const std::string decided = change.decided + " " + ProbabilityText(change.probability);
   PlaceLabel label{.lines = {decided}};
   if (is_judged) label.lines = {change.truth.value_or("nothing is here"), decided};
-  if (is_judged && !change.is_right()) {
+  if (is_judged && !change.is_right() && !change.is_open()) {
     map.canvas().Circle(at, 14.0, {.stroke = palette::kVermillion, .width = 2.5});
     label.lines.push_back("wrong: " + change.expected.value_or("there was never anything"));
     label.distance = 20.0;
@@ -33,7 +33,7 @@ void DrawChangeLegend(MapAxes& map, bool is_judged) {
                                      {"removed", "removed: there before only"},
                                      {"new", "new: there now only"},
                                      {"moved", "moved: there, elsewhere"},
-                                     {"uncertain", "uncertain"}};
+                                     {"uncertain", "uncertain, or not inspected"}};
   for (const auto& meaning : meanings) {
     const std::string status = meaning[0];
     map.Legend(

@@ -74,7 +74,7 @@ void MapAxes::Raster(const GridRecord& grid, const std::function<palette::Rgb(st
     for (int column = 0; column < frame.columns; ++column) {
       const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.columns) +
                         static_cast<std::size_t>(column);
-      const bool is_seen = grid.seen_height[cell] >= 0.0F;
+      const bool is_seen = grid.HasSeen(cell);
       raster.pixels.push_back(is_seen ? Opaque(color(cell)) : RgbaImage::Pixel{});
     }
   }

@@ -24,20 +24,34 @@ bool SurveyMirror::SetArea(const SurveyArea& area) {
   }
   area_ = area;
   grid_ = std::make_unique<SurveyGrid>(area);
-  ground_ = std::make_unique<Ground>(
-      *grid_,
-      Footprint(params_.survey_altitude.value(), area.object_height_max, params_.camera.geometry()),
-      WeightsOfLayers(params_.bottom_weight));
-  sight_ = std::make_unique<SeenAlong>(*ground_);
+  MirrorGround();
   region_ = std::make_unique<Region>(
       area, std::max(0.0, area.margin - params_.tracking_allowance.value()));
   return true;
 }
 
+void SurveyMirror::MirrorGround() {
+  const Footprint footprint(params_.survey_altitude.value(), area_->object_height_max,
+                            params_.camera.geometry(), reach_);
+  ground_ = std::make_unique<Ground>(*grid_, footprint, WeightsOfLayers(params_.bottom_weight));
+  sight_ = std::make_unique<SeenAlong>(*ground_);
+}
+
+void SurveyMirror::SetLookModel(const MapLook& look) {
+  watch_.SetModel(look);
+  reach_ = ToLookModel(look).detection.HalfRange();
+  if (area_) {
+    MirrorGround();
+  }
+}
+
 bool SurveyMirror::SeesWholeBand() const {
   constexpr int kTop = Footprint::kLayers - 1;
-  return !ground_ || (ground_->footprint().half_along(kTop) > 0.0 &&
-                      ground_->footprint().half_across(kTop) > 0.0);
+  if (!ground_ || !ground_->footprint().is_in_reach(kTop)) {
+    return true;
+  }
+  return ground_->footprint().half_along(kTop) > 0.0 &&
+         ground_->footprint().half_across(kTop) > 0.0;
 }
 
 bool SurveyMirror::SetObjects(const std::vector<OpiBelief>& objects) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -23,7 +24,8 @@ class SurveyMirror {
   void SetHome(const HomePoint& home) { home_ = home; }
   [[nodiscard]] const std::optional<HomePoint>& home() const { return home_; }
   void SetCoverage(const Coverage& coverage) { coverage_ = coverage; }
-  void SetLookModel(const MapLook& look) { watch_.SetModel(look); }
+  /// By what the map judges looks, and how far one sees: what is left to see follows from it.
+  void SetLookModel(const MapLook& look);
   /// True if an object is new, gone, or decided otherwise than before.
   bool SetObjects(const std::vector<OpiBelief>& objects);
   void Apply(const GridDelta& delta);
@@ -34,7 +36,7 @@ class SurveyMirror {
 
   [[nodiscard]] bool has_area() const { return area_.has_value(); }
   [[nodiscard]] const std::optional<SurveyArea>& area() const { return area_; }
-  /// False if objects at the top of the area's band are never inside the image.
+  /// False if objects at the top of the area's band are never inside the image, in any water.
   [[nodiscard]] bool SeesWholeBand() const;
   /// Of the present ground. REQUIRES: has_area().
   [[nodiscard]] SeenAlong& seen() { return *sight_; }
@@ -45,7 +47,10 @@ class SurveyMirror {
   [[nodiscard]] Situation Snapshot(Seconds now, const Pose2& pose, double travelled) const;
 
  private:
+  void MirrorGround();
+
   ViewParams params_;
+  double reach_ = std::numeric_limits<double>::infinity();  ///< [m]
   std::optional<SurveyArea> area_;
   std::unique_ptr<SurveyGrid> grid_;
   std::unique_ptr<Ground> ground_;

@@ -50,6 +50,8 @@ std::string_view NameOf(Status status) {
       return "moved";
     case Status::kNothing:
       return "nothing";
+    case Status::kNotInspected:
+      return "not_inspected";
     case Status::kUncertain:
       break;
   }
@@ -57,8 +59,9 @@ std::string_view NameOf(Status status) {
 }
 
 std::optional<Status> StatusFromName(std::string_view name) {
-  for (const Status status : std::array{Status::kUncertain, Status::kConfirmed, Status::kRemoved,
-                                        Status::kNew, Status::kMoved, Status::kNothing}) {
+  for (const Status status :
+       std::array{Status::kUncertain, Status::kNotInspected, Status::kConfirmed, Status::kRemoved,
+                  Status::kNew, Status::kMoved, Status::kNothing}) {
     if (NameOf(status) == name) return status;
   }
   return std::nullopt;

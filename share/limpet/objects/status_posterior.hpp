@@ -25,8 +25,9 @@ struct StatusPosterior {
   [[nodiscard]] StatusPosterior Normalized() const;
 };
 
-/// What is decided about an object.
-enum class Status { kUncertain, kConfirmed, kRemoved, kNew, kMoved, kNothing };
+/// What is decided about an object. Uncertain: looks say too little; not inspected: there was none
+/// that could have said anything, so nothing is known that was not known before.
+enum class Status { kUncertain, kNotInspected, kConfirmed, kRemoved, kNew, kMoved, kNothing };
 [[nodiscard]] std::string_view NameOf(Status status);
 /// Nothing for a word that names no status.
 [[nodiscard]] std::optional<Status> StatusFromName(std::string_view name);

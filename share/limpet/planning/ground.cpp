@@ -5,12 +5,20 @@
 #include <cmath>
 
 #include "limpet/core/require.hpp"
+#include "limpet/survey/sight_reach.hpp"
 
 namespace limpet {
+namespace {
 
-Footprint::Footprint(double altitude, double object_height_max, const CameraModel& camera) {
+constexpr double kLeastSwath = 1e-3;  // [m]
+
+}  // namespace
+
+Footprint::Footprint(double altitude, double object_height_max, const CameraModel& camera,
+                     double reach) {
   const double across = camera.half_across();
   const double along = camera.half_along();
+  double scale = 1.0;
   for (int layer = 0; layer < kLayers; ++layer) {
     const std::size_t k = Slot(layer);
     height_[k] = std::max(0.0, object_height_max) * layer / (kLayers - 1);
@@ -18,6 +26,11 @@ Footprint::Footprint(double altitude, double object_height_max, const CameraMode
     const double distance = std::max(0.0, altitude - height_[k]);
     across_[k] = std::max(0.0, distance * across - inset);
     along_[k] = std::max(0.0, distance * along - inset);
+    const double share = ShareInSight(distance, std::hypot(across_[k], along_[k]), reach);
+    in_reach_[k] = share > 0.0;
+    scale = in_reach_[k] ? std::min(scale, share) : scale;
+    across_[k] *= in_reach_[k] ? scale : 0.0;
+    along_[k] *= in_reach_[k] ? scale : 0.0;
   }
 }
 
@@ -26,7 +39,12 @@ double Footprint::swath() const {
   for (const double half : across_) {
     sum += 2.0 * half;
   }
-  return sum / kLayers;
+  return std::max(kLeastSwath, sum / kLayers);
+}
+
+int Footprint::widest_layer() const {
+  const auto found = std::find(in_reach_.begin(), in_reach_.end(), true);
+  return found == in_reach_.end() ? 0 : static_cast<int>(found - in_reach_.begin());
 }
 
 Ground::Ground(const SurveyGrid& grid, const Footprint& footprint, const LayerWeights& weights)
@@ -42,16 +60,16 @@ void Ground::Update(const SurveyGrid& grid) {
   }
   version_ = grid.version();
   constexpr float kTolerance = 1e-3F;
-  std::array<float, Footprint::kLayers> floors{};
-  for (int layer = 0; layer < Footprint::kLayers; ++layer) {
-    floors[static_cast<std::size_t>(layer)] =
-        std::max(0.0F, static_cast<float>(footprint_.height(layer)) - kTolerance);
-  }
-  const std::span<const float> heights = grid.heights();
+  const std::span<const float> seen = grid.heights();
   for (std::size_t i = 0; i < levels_.size(); ++i) {
+    const float floor = grid.Floor(i);
     int level = 0;
-    for (const float floor : floors) {
-      level += heights[i] >= floor ? 1 : 0;
+    while (level < Footprint::kLayers) {
+      const auto height = static_cast<float>(footprint_.height(level));
+      const bool is_seen =
+          seen[i] >= std::max(0.0F, height - kTolerance) && floor <= height + kTolerance;
+      if (!is_seen && footprint_.is_in_reach(level)) break;
+      ++level;
     }
     levels_[i] = static_cast<std::uint8_t>(level);
   }
@@ -62,7 +80,7 @@ double Ground::swath() const {
   for (int layer = 0; layer < Footprint::kLayers; ++layer) {
     sum += 2.0 * footprint_.half_across(layer) * weights_[static_cast<std::size_t>(layer)];
   }
-  return sum;
+  return std::max(kLeastSwath, sum);
 }
 
 double Ground::SeenShare() const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -13,23 +14,32 @@
 namespace limpet {
 
 /// What a level camera at survey altitude shows: half extents of the image at each layer of the
-/// band, from the bottom up.
+/// band, from the bottom up. Where the water hides a layer's corners, of it and of all above it as
+/// much of the image counts as is in sight, so that layers nest. A layer of which too little is in
+/// sight (ShareInSight) is out of reach: it has no extent, and does not cut those above it.
 class Footprint {
  public:
   static constexpr int kLayers = 4;
-  /// Heights of the layers above the seabed [m]: k/3 of the band; all 0 if the band is.
-  Footprint(double altitude, double object_height_max, const CameraModel& camera);
+  /// Heights of the layers above the seabed [m]: k/3 of the band; all 0 if the band is. `reach`:
+  /// how far one sees [m].
+  Footprint(double altitude, double object_height_max, const CameraModel& camera,
+            double reach = std::numeric_limits<double>::infinity());
 
   [[nodiscard]] double half_across(int layer) const { return across_[Slot(layer)]; }
   [[nodiscard]] double half_along(int layer) const { return along_[Slot(layer)]; }
-  /// Width of the image, mean over the layers [m].
+  /// Width of the image, mean over the layers [m]; never quite 0, so that it can be divided by.
   [[nodiscard]] double swath() const;
+  /// The lowest layer in reach, which holds all above it; the bottom if none is.
+  [[nodiscard]] int widest_layer() const;
+  /// False if the layer is too far below the camera for this water.
+  [[nodiscard]] bool is_in_reach(int layer) const { return in_reach_[Slot(layer)]; }
   /// Height above the seabed of a layer [m].
   [[nodiscard]] double height(int layer) const { return height_[Slot(layer)]; }
 
  private:
   static std::size_t Slot(int layer) { return static_cast<std::size_t>(layer); }
   std::array<double, kLayers> across_{}, along_{}, height_{};
+  std::array<bool, kLayers> in_reach_{};
 };
 
 /// How much each layer of the band counts, from the bottom up; they sum to one. More weight at the
@@ -41,8 +51,9 @@ inline constexpr LayerWeights kUniformLayers = {0.25, 0.25, 0.25, 0.25};
 inline constexpr LayerWeights kBottomTwice = {0.4, 0.2, 0.2, 0.2};
 
 /// The planner's copy of a survey grid: per cell the number of layers seen, 0 to
-/// Footprint::kLayers. Because layers nest, area and border of all layers are sums over these
-/// numbers alone.
+/// Footprint::kLayers, from the bottom up; layers out of reach count as done, as nothing can be
+/// done about them. Because layers nest, area and border of all layers are sums over these numbers
+/// alone.
 class Ground {
  public:
   Ground(const SurveyGrid& grid, const Footprint& footprint,

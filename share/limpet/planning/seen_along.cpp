@@ -18,9 +18,10 @@ class SeenWorkspace::RowSlicer {
     // In cells, from the centre of cell (0, 0).
     north_ = (at.north - frame.north_min) / frame.cell_m - 0.5;
     east_ = (at.east - frame.east_min) / frame.cell_m - 0.5;
-    const double reach =
-        (std::abs(cos_) * footprint.half_along(0) + std::abs(sin_) * footprint.half_across(0)) /
-        frame.cell_m;
+    const int widest = footprint.widest_layer();
+    const double reach = (std::abs(cos_) * footprint.half_along(widest) +
+                          std::abs(sin_) * footprint.half_across(widest)) /
+                         frame.cell_m;
     row_begin_ = std::max(0, static_cast<int>(std::ceil(north_ - reach)));
     row_end_ = std::min(frame.rows, static_cast<int>(std::floor(north_ + reach)) + 1);
     inverse_cos_ = std::abs(cos_) > kParallel ? 1.0 / cos_ : 0.0;
@@ -116,6 +117,7 @@ NewlySeen SeenWorkspace::Look(const Pose2& at) {
 
 void SeenWorkspace::LookRow(int row, const std::array<Span, Footprint::kLayers>& spans) {
   // Higher layers' runs lie inside lower ones': each cell is visited once, at its highest layer.
+  // (All cells are above the layers that are out of reach already, whose runs are empty.)
   Span inner{};
   for (int layer = Footprint::kLayers - 1; layer >= 0; --layer) {
     const Span outer = spans[static_cast<std::size_t>(layer)];

@@ -35,8 +35,10 @@ double CellEntropy(const Pose2& at, const Ground& ground, int row, int column, i
       ground.levels()[static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.columns) +
                       static_cast<std::size_t>(column)];
   double nats = 0.0;
-  for (int layer = 0; layer < layers && Shows(ground.footprint(), at, place, layer); ++layer) {
-    nats += (layer < level ? kSeenNats : std::numbers::ln2) / layers;
+  for (int layer = 0; layer < layers; ++layer) {
+    if (ground.footprint().is_in_reach(layer) && Shows(ground.footprint(), at, place, layer)) {
+      nats += (layer < level ? kSeenNats : std::numbers::ln2) / layers;
+    }
   }
   return nats;
 }
@@ -44,8 +46,9 @@ double CellEntropy(const Pose2& at, const Ground& ground, int row, int column, i
 double ImageEntropy(const Pose2& at, const Ground& ground, bool counts_band) {
   const GridFrame& frame = ground.frame();
   const int layers = counts_band ? Footprint::kLayers : 1;
+  const int widest = ground.footprint().widest_layer();
   const double reach =
-      std::hypot(ground.footprint().half_along(0), ground.footprint().half_across(0));
+      std::hypot(ground.footprint().half_along(widest), ground.footprint().half_across(widest));
   const auto cell = [&frame](double offset, int count) {
     return static_cast<int>(std::clamp(offset / frame.cell_m, 0.0, count - 1.0));
   };
@@ -80,7 +83,8 @@ ObjectEntropy ObjectEntropyOf(std::span<const Pose2> views, const Ground& ground
   ObjectEntropy entropy;
   for (const Pose2& view : views) {
     for (const OpiBelief& object : objects) {
-      if (!Shows(ground.footprint(), view, {object.object.p_W.x(), object.object.p_W.y()}, 0)) {
+      if (!Shows(ground.footprint(), view, {object.object.p_W.x(), object.object.p_W.y()},
+                 ground.footprint().widest_layer())) {
         continue;
       }
       if (object.looks > 0) {

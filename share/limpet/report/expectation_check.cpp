@@ -54,7 +54,7 @@ Number WrongStatuses(const Json& session) {
   }));
 }
 
-/// `uncertain` is never wrong.
+/// What is left open is never wrong.
 Number WrongWhenSure(const Json& session) {
   constexpr double kSure = 0.95;
   const bool has_changes = session.contains("changes");
@@ -63,7 +63,7 @@ Number WrongWhenSure(const Json& session) {
   return static_cast<double>(std::count_if(said.begin(), said.end(), [&](const Json& entry) {
     const bool is_wrong =
         !has_changes ||
-        (entry.at("decided") != "uncertain" &&
+        (entry.at("decided") != "uncertain" && entry.at("decided") != "not_inspected" &&
          (entry.at("truth").is_null() || entry.at("decided") != entry.at("expected")));
     return is_wrong && entry.at("probability").get<double>() >= kSure;
   }));

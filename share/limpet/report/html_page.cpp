@@ -11,6 +11,7 @@
 #include "limpet/report/html_explanations.hpp"
 #include "limpet/report/html_style.hpp"
 #include "limpet/report/html_warnings.hpp"
+#include "limpet/report/water_sentence.hpp"
 #include "limpet/scoring/verdict.hpp"
 
 namespace limpet {
@@ -72,6 +73,10 @@ std::string Cards(const SessionScore& session) {
   } else {
     out += Card(std::to_string(session.opis.reported.size()), "objects reported; not judged");
     out += Card(EscapedMarkup(session.ended), "how it ended");
+  }
+  if (session.water) {
+    out += Card(fmt::format("{:.1f} m", session.water->visibility.visibility),
+                "how far it could see, by its own account: " + WaterSentence(*session.water));
   }
   if (session.realtime_factor()) {
     out +=

@@ -122,6 +122,19 @@ OrderedJson Warnings(const SessionScore& session) {
   return list;
 }
 
+/// What the vehicle itself says; null if it said nothing.
+OrderedJson Water(const SessionScore& session) {
+  if (!session.water) return nullptr;
+  const WaterScore& water = *session.water;
+  return {{"visibility_m", Length(water.visibility.visibility)},
+          {"sd_m", Length(water.visibility.sd)},
+          {"seen_from_height_m", Length(water.seen_from_m)},
+          {"believed_coverage",
+           {{"seabed", Share(water.believed.seabed)},
+            {"band", Share(water.believed.band)},
+            {"band_top", Share(water.believed.band_top)}}}};
+}
+
 OrderedJson Session(const SessionScore& session) {
   OrderedJson out = {
       {"coverage", IfJudged(session, Levels(session.coverage.seabed, 0.90))},
@@ -138,6 +151,7 @@ OrderedJson Session(const SessionScore& session) {
       {"opis", session.has_truth ? Opis(session.opis.found) : Opis(session.opis.reported)},
       {"missed", IfJudged(session, session.opis.missed)},
       {"false", IfJudged(session, FalseOpis(session.opis.invented))}};
+  out["water"] = Water(session);
   out["warnings"] = Warnings(session);
   if (!session.former.empty()) {
     out["prior_opis_seen_path_m"] = Optional(session.coverage.prior_opis_seen_path_m, Length);

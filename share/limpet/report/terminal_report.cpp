@@ -9,6 +9,7 @@
 #include "limpet/console/frame.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/figures/probability_text.hpp"
+#include "limpet/report/water_sentence.hpp"
 #include "limpet/scoring/verdict.hpp"
 
 namespace limpet {
@@ -96,6 +97,11 @@ std::string ReportedTable(const SessionScore& session, const Painter& paint) {
          "  no truth in this session: nothing is judged, and what needs the truth is left out\n";
 }
 
+std::string OutcomeText(const ChangeScore& change, const Painter& paint) {
+  if (change.is_open()) return paint.Dim("open");
+  return paint.Verdict(change.is_right(), change.is_right() ? "right" : "WRONG");
+}
+
 std::string ChangeTable(const SessionScore& session, const Painter& paint) {
   std::string out =
       paint.Dim(fmt::format("  {:<10} {:>23}   {:<10} {:<10} {:>6} {:>7}\n", "object",
@@ -110,7 +116,7 @@ std::string ChangeTable(const SessionScore& session, const Painter& paint) {
                     Place(change.ned), change.expected.value_or("-"), Name(change.decided),
                     ProbabilityText(change.probability),
                     opi != found.end() ? fmt::format("{:.2f} m", opi->error_m) : "-",
-                    paint.Verdict(change.is_right(), change.is_right() ? "right" : "WRONG"));
+                    OutcomeText(change, paint));
   }
   return out;
 }
@@ -159,12 +165,18 @@ std::string NavigationLine(const NavScore& nav) {
       NumberText(nav.nees_mean));
 }
 
+std::string WaterLine(const SessionScore& session) {
+  if (!session.water) return "";
+  return fmt::format("  {}\n", WaterSentence(*session.water));
+}
+
 std::string SessionText(const SessionScore& session, const ReportSettings& settings,
                         const Painter& paint) {
   std::string out = "\n" + Heading(session, paint);
   if (!session.former.empty()) {
     out += paint.Dim(fmt::format("  compared with {}\n", OneLine(session.former, 64)));
   }
+  out += WaterLine(session);
   if (!session.has_truth) return out + ReportedTable(session, paint);
   out += session.former.empty() ? DiscoveryTable(session, paint) : ChangeTable(session, paint);
   out += Mistakes(session, paint);

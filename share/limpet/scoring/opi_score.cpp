@@ -157,8 +157,13 @@ void ScoreChanges(const SessionRecord& record, const std::string& former, const 
   }
   const auto matched = Match(places, beliefs);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    ChangeScore score{
-        places[i].opi->name, ExpectedStatus(*places[i].opi, sessions), "uncertain", 0.0, {}};
+    const Status unknown =
+        record.grid.HasInspected(places[i].ned) ? Status::kUncertain : Status::kNotInspected;
+    ChangeScore score{places[i].opi->name,
+                      ExpectedStatus(*places[i].opi, sessions),
+                      std::string(NameOf(unknown)),
+                      0.0,
+                      {}};
     if (matched[i] != nullptr) {
       const OpiBelief& opi = *matched[i]->opi;
       score.decided = NameOf(opi.decided);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "limpet/mission/scenario.hpp"
+#include "limpet/objects/status_posterior.hpp"
 #include "limpet/scoring/nav_score.hpp"
 #include "limpet/scoring/session_record.hpp"
 
@@ -39,10 +40,13 @@ struct FalseOpi {
 struct ChangeScore {
   std::optional<std::string> truth;     ///< nothing: a decision about nothing
   std::optional<std::string> expected;  ///< confirmed, removed, new, moved
-  std::string decided;                  ///< one of these, or uncertain
+  std::string decided;                  ///< one of these, uncertain or not_inspected
   double probability = 0.0;             ///< of what was decided
   std::optional<Eigen::Vector3d> ned;   ///< where the vehicle says; nothing: it knows of no object
   [[nodiscard]] bool is_right() const { return expected && *expected == decided; }
+  [[nodiscard]] bool is_open() const {
+    return decided == NameOf(Status::kUncertain) || decided == NameOf(Status::kNotInspected);
+  }
 };
 
 /// An object as the vehicle reports it, where nobody knows the truth.

@@ -53,6 +53,11 @@ SessionScore ScoreSession(const SessionRecord& record, const Scenario& scenario,
   score.has_truth = settings.has_scenario && !record.truth.empty();
   score.ended = record.ended.empty() ? "aborted" : record.ended;
   score.warnings = record.warnings;
+  if (record.water && !record.believed_coverage.empty()) {
+    score.water = WaterScore{.visibility = *record.water,
+                             .believed = record.believed_coverage.back().value,
+                             .seen_from_m = record.grid.SightFloor()};
+  }
   score.begun = record.begun;
   if (const auto wall = settings.wall_s.find(record.name); wall != settings.wall_s.end()) {
     score.wall_s = wall->second;

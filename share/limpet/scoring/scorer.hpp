@@ -13,6 +13,13 @@
 
 namespace limpet {
 
+/// What the vehicle itself says that it could see.
+struct WaterScore {
+  WaterVisibility visibility;
+  Coverage believed;         ///< at the end
+  double seen_from_m = 0.0;  ///< height above the seabed from which on things were in sight
+};
+
 /// Every number of one session in report.json.
 struct SessionScore {
   std::string name;
@@ -21,6 +28,7 @@ struct SessionScore {
   /// nothing, and of `opis` only what was reported and decided does.
   bool has_truth = true;
   CoverageScore coverage;
+  std::optional<WaterScore> water;  ///< nothing if nobody said
   NavScore nav;
   OpiScores opis;
   double path_m = 0.0;          ///< way of the whole session: true, or else as estimated

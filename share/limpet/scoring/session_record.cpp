@@ -85,6 +85,10 @@ void CollectCoverage(SessionRecord& record, const Message& message) {
   }
 }
 
+void CollectWater(SessionRecord& record, const Message& message) {
+  if (const auto state = Read(topics::kWaterState, message)) record.water = *state;
+}
+
 void CollectGrid(SessionRecord& record, const Message& message) {
   if (const auto delta = Read(topics::kMapDelta, message)) record.grid.Apply(*delta);
 }
@@ -143,6 +147,7 @@ const std::map<std::string, Collector, std::less<>>& Collectors() {
       {topics::kNavLandmarks.name, CollectLandmarks},
       {topics::kMapOpis.name, CollectOpis},
       {topics::kMapCoverage.name, CollectCoverage},
+      {topics::kWaterState.name, CollectWater},
       {topics::kMapDelta.name, CollectGrid},
       {topics::kHelmPath.name, CollectPath},
       {topics::kHelmBids.name, CollectBids},
@@ -164,12 +169,39 @@ void GridRecord::Apply(const GridDelta& delta) {
         static_cast<std::size_t>(frame.rows) * static_cast<std::size_t>(frame.columns);
     seen_height.assign(cells, -1.0F);
     seabed_down.assign(cells, 0.0F);
+    seen_floor.assign(cells, 0.0F);
   }
   for (const GridDelta::Cell& cell : delta.cells) {
     if (cell.index >= seen_height.size()) continue;
     seen_height[cell.index] = cell.seen_height;
     seabed_down[cell.index] = cell.seabed_down;
+    seen_floor[cell.index] = cell.seen_floor;
   }
+}
+
+double GridRecord::SightFloor() const {
+  std::vector<float> floors;
+  for (std::size_t cell = 0; cell < seen_floor.size(); ++cell) {
+    if (seen_height[cell] >= 0.0F) floors.push_back(seen_floor[cell]);
+  }
+  if (floors.empty()) return 0.0;
+  const auto middle = floors.begin() + static_cast<std::ptrdiff_t>(floors.size() / 2);
+  std::ranges::nth_element(floors, middle);
+  return static_cast<double>(*middle);
+}
+
+bool GridRecord::HasInspected(const Eigen::Vector3d& p_W) const {
+  const double row = std::floor((p_W.x() - frame.north_min) / frame.cell_m);
+  const double column = std::floor((p_W.y() - frame.east_min) / frame.cell_m);
+  if (seen_height.empty() || !(row >= 0.0 && row < frame.rows) ||
+      !(column >= 0.0 && column < frame.columns)) {
+    return false;
+  }
+  const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.columns) +
+                    static_cast<std::size_t>(column);
+  const double height = static_cast<double>(seabed_down[cell]) - p_W.z();
+  return HasSeen(cell) && height >= static_cast<double>(seen_floor[cell]) &&
+         height <= static_cast<double>(seen_height[cell]);
 }
 
 std::optional<Seconds> SessionRecord::PhaseStart(const std::string& phase) const {

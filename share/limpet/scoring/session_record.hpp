@@ -20,7 +20,16 @@ struct GridRecord {
   GridFrame frame;
   std::vector<float> seen_height;  ///< greatest height seen [m]; -1 where never seen
   std::vector<float> seabed_down;  ///< [m]; meaningful where seen
+  std::vector<float> seen_floor;   ///< lowest height in sight [m]; meaningful where seen
   void Apply(const GridDelta& delta);
+  /// True if anything of the cell was inside an image and in sight.
+  [[nodiscard]] bool HasSeen(std::size_t cell) const {
+    return seen_height[cell] >= 0.0F && seen_floor[cell] <= seen_height[cell];
+  }
+  /// Whether the vehicle believes to have seen this place (NED).
+  [[nodiscard]] bool HasInspected(const Eigen::Vector3d& p_W) const;
+  /// Lowest height that was in sight, median over what images have shown [m]; 0 if the bottom was.
+  [[nodiscard]] double SightFloor() const;
 };
 
 /// One decision of the helm: the path it chose and what it was offered.
@@ -62,6 +71,7 @@ struct SessionRecord {
   std::vector<OpiBelief> opis;        ///< as last published
   std::vector<BeliefRecord> beliefs;  ///< every change of every posterior
   std::vector<Stamped<Coverage>> believed_coverage;
+  std::optional<WaterVisibility> water;  ///< as last published
   GridRecord grid;
   std::vector<DecisionRecord> decisions;
   std::vector<Stamped<std::string>> phases;

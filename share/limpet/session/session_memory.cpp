@@ -19,6 +19,7 @@ constexpr const char* kLandmarks = "landmarks.json";
 constexpr const char* kKnownLandmarks = "known_landmarks.json";
 constexpr const char* kFrames = "sights.csv";
 constexpr const char* kPhases = "phases.csv";
+constexpr const char* kWater = "water.json";
 constexpr const char* kMap = "map.ot";
 constexpr std::string_view kMission = "mission/";
 
@@ -67,6 +68,9 @@ SessionFiles FilesOf(const SessionMemory& memory) {
   }
   files[kFrames] = FramesToCsv(memory.frames);
   files[kPhases] = PhasesToCsv(memory.phases);
+  if (memory.water) {
+    files[kWater] = std::get<std::string>(TopicCodec<WaterRecord>::Encode(*memory.water)) + "\n";
+  }
   if (!memory.map.empty()) {
     files[kMap] = memory.map;
   }
@@ -114,6 +118,10 @@ Expected<SessionMemory> MemoryOf(const SessionFiles& files) {
     if (!frames) return Error{std::string(kFrames) + ": " + frames.error().text};
     memory.frames = *std::move(frames);
   }
+  if (const std::string* text = Find(files, kWater)) {
+    memory.water = TopicCodec<WaterRecord>::Decode(*text);
+    if (!memory.water) return Error{std::string(kWater) + ": not a record of the water"};
+  }
   if (const std::string* map = Find(files, kMap)) {
     memory.map = *map;
   }
@@ -146,6 +154,7 @@ SessionPrior PriorOf(const SessionFacts& facts, const SessionMemory& memory) {
                           .log_likelihood_ratio = opi.log_likelihood_ratio,
                           .looks = opi.looks});
   }
+  prior.visibility = memory.water ? memory.water->visibility : 0.0;
   prior.joint_cov_W = JointOf(landmarks, memory.landmarks);
   AddFormerViews(memory, landmarks, prior);
   return prior;

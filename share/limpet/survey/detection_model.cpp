@@ -44,6 +44,20 @@ PerVisibility DetectionModel::Detects(double range, double share,
       [&](double reach) { return best * Contrast(range, reach) * inside; });
 }
 
+double DetectionModel::HalfRange() const { return kHalfRange * visibility.value(); }
+
+Meters DetectionModel::MeanVisibility(const VisibilityBelief& water) const {
+  constexpr int kBisections = 40;
+  double sure = 0.0, hopeless = 2.0 * VisibilityBelief::kMost_m;
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = 0.5 * (sure + hopeless);
+    const PerVisibility contrast = VisibilityBelief::Grid().unaryExpr(
+        [middle](double reach) { return Contrast(middle, reach); });
+    (water.Expect(contrast) > 0.5 ? sure : hopeless) = middle;
+  }
+  return Meters(sure / kHalfRange);
+}
+
 double VisibleShare(const CameraModel& camera, const Pose& X_WB, const Eigen::Vector3d& p_W,
                     double radius) {
   const Eigen::Vector3d p_C = camera.InCamera(X_WB, p_W);

@@ -41,6 +41,10 @@ struct DetectionModel {
   /// The chance in water of each of several visibilities [m], instead of `visibility`.
   [[nodiscard]] PerVisibility Detects(double range, double share,
                                       const PerVisibility& visibilities) const;
+  /// The range at which half the chance that there is close by is left [m].
+  [[nodiscard]] double HalfRange() const;
+  /// The visibility at which this range is what it is on average over `water`.
+  [[nodiscard]] Meters MeanVisibility(const VisibilityBelief& water) const;
 };
 
 /// Share of a sphere's disc (centre p_W, NED, radius [m]) that lies inside the image; 0 behind the

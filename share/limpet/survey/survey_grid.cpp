@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -14,6 +15,7 @@ namespace limpet {
 namespace {
 
 constexpr int kMostBeamWeight = 8;
+constexpr float kUnlimited = std::numeric_limits<float>::infinity();
 
 GridFrame FrameOf(const SurveyArea& area, double cell_m) {
   LIMPET_REQUIRE(cell_m > 0.0, "cells need a size");
@@ -71,11 +73,13 @@ SurveyGrid::SurveyGrid(const SurveyArea& area, double cell_m)
     : SurveyGrid(FrameOf(area, cell_m), area.object_height_max) {}
 
 SurveyGrid::SurveyGrid(const GridFrame& frame, double object_height_max)
-    : frame_(frame), height_max_(std::max(0.0, object_height_max)) {
+    : frame_(frame), height_max_(std::max(0.0, object_height_max)), reach_(kUnlimited) {
   LIMPET_REQUIRE(frame.rows > 0 && frame.columns > 0 && frame.cell_m > 0.0, "empty grid frame");
   const std::size_t count =
       static_cast<std::size_t>(frame.rows) * static_cast<std::size_t>(frame.columns);
   seen_.assign(count, kNeverSeen);
+  floor_.assign(count, 0);
+  closest_.assign(count, kUnlimited);
   seabed_.assign(count, 0.0F);
   seabed_source_.assign(count, SeabedSource::kNone);
   beam_count_.assign(count, 0);
@@ -111,8 +115,9 @@ void SurveyGrid::Observe(const Pose& X_WB, double altitude, const CameraModel& c
       const double down =
           seabed_source_[cell] == SeabedSource::kNone ? guessed_down : seabed_[cell];
       const double east = frame_.east_min + column * frame_.cell_m + jitter_east_[cell];
-      const auto height = cone.SeenHeight({north_edge + jitter_north_[cell], east, down});
-      if (height) {
+      const Eigen::Vector3d sample{north_edge + jitter_north_[cell], east, down};
+      if (const auto height = cone.SeenHeight(sample)) {
+        Approach(cell, static_cast<float>((sample - X_WB.p_WB).norm()));
         Raise(cell, static_cast<float>(std::min(*height, height_max_)),
               static_cast<float>(guessed_down));
       }
@@ -128,6 +133,34 @@ void SurveyGrid::Raise(std::size_t cell, float height, float seabed_down) {
   if (height > seen_[cell]) {
     seen_[cell] = height;
     MarkChanged(cell);
+  }
+}
+
+void SurveyGrid::Approach(std::size_t cell, float range) {
+  if (range < closest_[cell]) {
+    closest_[cell] = range;
+    SetFloor(cell, range - reach_);
+  }
+}
+
+void SurveyGrid::SetFloor(std::size_t cell, float floor) {
+  constexpr float kMostSteps = 65535.0F, kRounding = 1e-3F;
+  const float steps = std::ceil(floor / kFloorStep - kRounding);
+  // Written so that what is no number is 0.
+  const auto floor_steps =
+      static_cast<std::uint16_t>(steps > 0.0F ? std::min(steps, kMostSteps) : 0.0F);
+  if (floor_steps != floor_[cell]) {
+    floor_[cell] = floor_steps;
+    MarkChanged(cell);
+  }
+}
+
+void SurveyGrid::SetReach(double reach) {
+  reach_ = static_cast<float>(reach);
+  for (std::size_t cell = 0; cell < seen_.size(); ++cell) {
+    if (seen_[cell] >= 0.0F) {
+      SetFloor(cell, closest_[cell] - reach_);
+    }
   }
 }
 
@@ -174,8 +207,10 @@ GridDelta SurveyGrid::TakeDelta() {
   delta.frame = frame_;
   delta.cells.reserve(changed_.size());
   for (const std::uint32_t cell : changed_) {
-    delta.cells.push_back(
-        {.index = cell, .seen_height = seen_[cell], .seabed_down = seabed_[cell]});
+    delta.cells.push_back({.index = cell,
+                           .seen_height = seen_[cell],
+                           .seabed_down = seabed_[cell],
+                           .seen_floor = Floor(cell)});
     is_changed_[cell] = 0;
   }
   changed_.clear();
@@ -189,7 +224,8 @@ GridDelta SurveyGrid::Everything() const {
     if (seen_[cell] >= 0.0F) {
       delta.cells.push_back({.index = static_cast<std::uint32_t>(cell),
                              .seen_height = seen_[cell],
-                             .seabed_down = seabed_[cell]});
+                             .seabed_down = seabed_[cell],
+                             .seen_floor = Floor(cell)});
     }
   }
   return delta;
@@ -212,6 +248,7 @@ bool SurveyGrid::Apply(const GridDelta& delta) {
     seabed_source_[change.index] = SeabedSource::kBeam;
     beam_count_[change.index] = kMostBeamWeight;
     Raise(change.index, change.seen_height, change.seabed_down);
+    SetFloor(change.index, change.seen_floor);
   }
   return true;
 }
@@ -220,14 +257,15 @@ Coverage SurveyGrid::coverage() const {
   constexpr double kTopTolerance = 1e-3;
   const double low = std::min(kObjectRadius, height_max_);
   double bottom = 0.0, band = 0.0, top = 0.0;
-  for (const float height : seen_) {
-    const auto h = static_cast<double>(height);
-    bottom += h >= 0.0 ? 1.0 : 0.0;
-    top += h >= height_max_ - kTopTolerance ? 1.0 : 0.0;
+  for (std::size_t cell = 0; cell < seen_.size(); ++cell) {
+    const auto h = static_cast<double>(seen_[cell]), floor = static_cast<double>(Floor(cell));
+    bottom += h >= 0.0 && floor <= 0.0 ? 1.0 : 0.0;
+    const bool is_top_seen = h >= height_max_ - kTopTolerance && floor <= height_max_;
+    top += is_top_seen ? 1.0 : 0.0;
     if (height_max_ > low) {
-      band += std::clamp((h - low) / (height_max_ - low), 0.0, 1.0);
+      band += std::clamp((h - std::max(low, floor)) / (height_max_ - low), 0.0, 1.0);
     } else {
-      band += h >= height_max_ ? 1.0 : 0.0;
+      band += is_top_seen ? 1.0 : 0.0;
     }
   }
   const auto count = static_cast<double>(seen_.size());

@@ -31,11 +31,17 @@ namespace limpet {
 /// of four linear bounds. Three frames are not counted: at 4 fps and 0.5 m/s they are 0.25 m of
 /// track, far less than the image is long.
 ///
+/// Water. What is farther away than the reach (DetectionModel::HalfRange) does not count as seen.
+/// The closest that a cell's bottom has ever been is kept, so that what has been seen follows from
+/// what is known of the water today: at closest range r and reach d, heights above r - d were in
+/// sight. (Along the ray to the bottom this is exact; straight above the cell it is up to 0.1 m too
+/// low inside an image of 60 x 45 degrees.)
+///
 /// Sample points are jittered inside their cells by a fixed hash, because a planner that sees
 /// regular cell centres learns to leave gaps between them.
 class SurveyGrid {
  public:
-  /// Cells that a grid may have: 500 m by 500 m at 0.25 m, about 100 MB in each app that keeps one.
+  /// Cells that a grid may have: 500 m by 500 m at 0.25 m, about 120 MB in each app that keeps one.
   static constexpr double kMostCells = 4e6;
   /// Inset of an object's centre from the image's edge [m], for discs of 0.5 m radius.
   static constexpr double kDiscInset = 0.08;
@@ -58,6 +64,8 @@ class SurveyGrid {
   /// `kSeabedReach` towards `down` [m].
   void SetSeabed(double north, double east, double down);
   static constexpr double kSeabedReach = 0.75;
+  /// How far one sees [m]; before the first call without limit. Changes what has been seen.
+  void SetReach(double reach);
 
   /// Cells seen higher, or with a new seabed depth, since the last call; each once.
   [[nodiscard]] GridDelta TakeDelta();
@@ -69,13 +77,18 @@ class SurveyGrid {
   [[nodiscard]] Coverage coverage() const;
   [[nodiscard]] const GridFrame& frame() const { return frame_; }
   [[nodiscard]] double object_height_max() const { return height_max_; }
-  /// Greatest height seen [m], or nothing if not even the bottom has been.
+  /// Greatest height seen [m], or nothing if not even the bottom has been inside the image.
   [[nodiscard]] std::optional<double> SeenHeight(int row, int column) const;
+  /// Heights above the seabed below this were out of reach of every image of the cell [m]; 0 if its
+  /// bottom was in sight. In steps of 0.1 m, upwards.
+  [[nodiscard]] double SeenFloor(int row, int column) const { return Floor(Index(row, column)); }
   /// NED depth of the seabed [m], or nothing.
   [[nodiscard]] std::optional<double> Seabed(int row, int column) const;
   /// Raw heights, row-major, `kNeverSeen` where never seen: for planners' inner loops.
   [[nodiscard]] std::span<const float> heights() const { return seen_; }
   static constexpr float kNeverSeen = -1.0F;
+  /// SeenFloor of the cell with this index in heights().
+  [[nodiscard]] float Floor(std::size_t cell) const { return kFloorStep * floor_[cell]; }
   /// Increases with every change; mirrors compare it to know whether they are stale.
   [[nodiscard]] std::uint64_t version() const { return version_; }
 
@@ -83,11 +96,17 @@ class SurveyGrid {
   enum class SeabedSource : std::uint8_t { kNone, kAltitude, kBeam };
   [[nodiscard]] std::size_t Index(int row, int column) const;
   void Raise(std::size_t cell, float height, float seabed_down);
+  void Approach(std::size_t cell, float range);
+  void SetFloor(std::size_t cell, float floor);
   void MarkChanged(std::size_t cell);
 
   GridFrame frame_;
   double height_max_;
   std::vector<float> seen_;
+  static constexpr float kFloorStep = 0.1F;  ///< [m]
+  std::vector<std::uint16_t> floor_;         ///< in steps
+  std::vector<float> closest_;               ///< range of the cell's bottom [m]; not of a mirror
+  float reach_;
   std::vector<float> seabed_;
   std::vector<SeabedSource> seabed_source_;
   std::vector<std::uint8_t> beam_count_;

@@ -35,8 +35,10 @@ class ByteReader {
  public:
   explicit ByteReader(const Binary& bytes) : bytes_(bytes) {}
   [[nodiscard]] bool HasMagic(const char* four) {
-    std::array<char, 4> found{};
-    return Raw(found.data(), found.size()) && std::memcmp(found.data(), four, 4) == 0;
+    constexpr std::size_t kSize = 4;
+    const bool is_it = left() >= kSize && std::memcmp(bytes_.data() + position_, four, kSize) == 0;
+    position_ += is_it ? kSize : 0;
+    return is_it;
   }
   template <class T>
   bool Get(T& value) {
@@ -67,7 +69,8 @@ class ByteReader {
 
 constexpr std::size_t kCameraHeader = 32;
 constexpr std::size_t kGridHeader = 48;
-constexpr std::size_t kGridCell = 12;
+constexpr std::size_t kGridCell = 16;
+constexpr std::size_t kGridCellWithoutFloor = 12;
 constexpr std::uint32_t kMaxImageSide = 16384;
 constexpr std::uint32_t kMaxGridSide = 1U << 16U;
 
@@ -111,7 +114,7 @@ std::optional<CameraFrame> TopicCodec<CameraFrame>::Decode(const Value& value) {
 
 Value TopicCodec<GridDelta>::Encode(const GridDelta& delta) {
   ByteWriter out(kGridHeader + kGridCell * delta.cells.size());
-  out.Magic("LGD1");
+  out.Magic("LGD2");
   out.Put(static_cast<std::uint32_t>(delta.cells.size()));
   out.Put(delta.frame.north_min);
   out.Put(delta.frame.east_min);
@@ -123,6 +126,7 @@ Value TopicCodec<GridDelta>::Encode(const GridDelta& delta) {
     out.Put(cell.index);
     out.Put(cell.seen_height);
     out.Put(cell.seabed_down);
+    out.Put(cell.seen_floor);
   }
   return out.Take();
 }
@@ -137,11 +141,13 @@ std::optional<GridDelta> TopicCodec<GridDelta>::Decode(const Value& value) {
   std::uint32_t count = 0;
   std::uint32_t rows = 0;
   std::uint32_t columns = 0;
-  const bool has_header = in.HasMagic("LGD1") && in.Get(count) && in.Get(delta.frame.north_min) &&
-                          in.Get(delta.frame.east_min) && in.Get(delta.frame.cell_m) &&
-                          in.Get(rows) && in.Get(columns) && in.Skip(8);
+  const bool has_floors = in.HasMagic("LGD2");
+  const bool has_header = (has_floors || in.HasMagic("LGD1")) && in.Get(count) &&
+                          in.Get(delta.frame.north_min) && in.Get(delta.frame.east_min) &&
+                          in.Get(delta.frame.cell_m) && in.Get(rows) && in.Get(columns) &&
+                          in.Skip(8);
   if (!has_header || rows > kMaxGridSide || columns > kMaxGridSide ||
-      in.left() != kGridCell * count) {
+      in.left() != (has_floors ? kGridCell : kGridCellWithoutFloor) * count) {
     return std::nullopt;
   }
   delta.frame.rows = static_cast<int>(rows);
@@ -151,6 +157,9 @@ std::optional<GridDelta> TopicCodec<GridDelta>::Decode(const Value& value) {
     in.Get(cell.index);
     in.Get(cell.seen_height);
     in.Get(cell.seabed_down);
+    if (has_floors) {
+      in.Get(cell.seen_floor);
+    }
     if (cell.index >= std::uint64_t{rows} * columns) {
       return std::nullopt;
     }

@@ -173,6 +173,10 @@ void from_json(const nlohmann::json& in, ObservedFrame& frame) {
   }
 }
 
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WaterVisibility, visibility, sd)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ContrastBin, from, clear, log_contrast, faint, log_limit)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WaterRecord, visibility, estimate, contrasts)
+
 /// A view is t [s], north, east, down [m], roll, pitch, yaw [rad], altitude [m] and its age [s];
 /// its boxes stand apart, each with the view's index.
 void to_json(nlohmann::json& out, const SessionPrior& prior) {
@@ -192,6 +196,7 @@ void to_json(nlohmann::json& out, const SessionPrior& prior) {
          {"boxes", std::move(boxes)},
          {"map_parameters", prior.map_parameters},
          {"joint", LowerTriangleOf(prior.joint_cov_W)}};
+  if (prior.visibility > 0.0) out["visibility_m"] = prior.visibility;
 }
 
 void from_json(const nlohmann::json& in, SessionPrior& prior) {
@@ -211,6 +216,7 @@ void from_json(const nlohmann::json& in, SessionPrior& prior) {
     }
   }
   in.at("map_parameters").get_to(prior.map_parameters);
+  prior.visibility = in.value("visibility_m", 0.0);
   prior.joint_cov_W = SymmetricFrom(in.at("joint"));
 }
 
@@ -247,6 +253,7 @@ template struct JsonCodec<LandmarkJoint>;
 template struct JsonCodec<ObservedFrame>;
 template struct JsonCodec<TrackShift>;
 template struct JsonCodec<OpiBeliefs>;
+template struct JsonCodec<WaterRecord>;
 template struct JsonCodec<SessionPrior>;
 template struct JsonCodec<HelmPath>;
 template struct JsonCodec<HelmBids>;

@@ -24,19 +24,22 @@ struct GridFrame {
 };
 
 /// Cells that changed since the last message. `seen_height` is the greatest height above the seabed
-/// up to which the cell has been seen [m], negative never happens: 0 is "bottom seen" and absent
-/// cells were never seen.
+/// up to which the cell has been inside the image [m], negative never happens: 0 is "bottom only",
+/// and absent cells never were. Of that, what lies below `seen_floor` was out of reach in this
+/// water.
 struct GridDelta {
   GridFrame frame;
   struct Cell {
     std::uint32_t index = 0;
     float seen_height = 0.0F;
     float seabed_down = 0.0F;  ///< NED depth of the seabed here [m], from the DVL beams near by
+    float seen_floor = 0.0F;   ///< height above the seabed [m]; 0: the bottom was in sight
   };
   std::vector<Cell> cells;
 };
-/// Header of 48 little-endian bytes (magic "LGD1", count u32, north_min, east_min, cell_m f64,
-/// rows, columns u32, 8 reserved), then 12 bytes per cell.
+/// Header of 48 little-endian bytes (magic "LGD2", count u32, north_min, east_min, cell_m f64,
+/// rows, columns u32, 8 reserved), then 16 bytes per cell. "LGD1" of older logs has no floors and
+/// 12 bytes per cell.
 template <>
 struct TopicCodec<GridDelta> {
   [[nodiscard]] static Value Encode(const GridDelta& delta);
@@ -89,6 +92,24 @@ struct WaterVisibility {
   }
 };
 
+/// How strongly the ground stood out in the images from one range of distances.
+struct ContrastBin {
+  double from = 0.0;          ///< distance; up to the next quarter metre [m]
+  int clear = 0;              ///< images in which the ground stood out of the noise
+  double log_contrast = 0.0;  ///< mean over those
+  int faint = 0;              ///< images in which it did not
+  double log_limit = 0.0;     ///< what it would have had to exceed, mean over those
+};
+
+/// What a session keeps of its water.
+struct WaterRecord {
+  double visibility = 0.0;             ///< by which it counted what it had seen [m]
+  WaterVisibility estimate;            ///< at the end
+  std::vector<ContrastBin> contrasts;  ///< what images alone said
+};
+template <>
+struct TopicCodec<WaterRecord> : JsonCodec<WaterRecord> {};
+
 struct SessionPrior {
   std::string session;  ///< name of the former session
   std::vector<FormerObject> opis;
@@ -98,6 +119,7 @@ struct SessionPrior {
   /// Keys and values of pMap's block in the former mission: its camera, and how well it saw. Empty
   /// if not known.
   std::vector<std::array<std::string, 2>> map_parameters;
+  double visibility = 0.0;  ///< how far it saw, by its own account [m]; 0 if it gave none
   /// Joint covariance of `opis` [m^2], three rows each; empty if the session did not keep it.
   Eigen::MatrixXd joint_cov_W;
 };
@@ -119,10 +141,13 @@ inline const auto kMapOpis = Declare<OpiBeliefs>(
     {.unit = "m", .frame = "NED", .rate = "on change, at most 2 Hz", .writers = {"pMap"}});
 inline const auto kMapLook =
     Declare<MapLook>("MAP_LOOK", "by what the map judges whether a frame looks at a place",
-                     {.unit = "m, rad", .rate = "once", .writers = {"pMap"}});
+                     {.unit = "m, rad", .rate = "once, and in other water", .writers = {"pMap"}});
 inline const auto kWaterState = Declare<WaterVisibility>(
     "WATER_STATE", "how far the vehicle can see, estimated from what it saw",
     {.unit = "m", .rate = "0.2 Hz", .writers = {"pMap"}});
+inline const auto kWaterRecord =
+    Declare<WaterRecord>("WATER_RECORD", "what a session keeps of its water",
+                         {.unit = "m", .rate = "on MAP_SNAPSHOT_REQUEST", .writers = {"pMap"}});
 inline const auto kMapSnapshot = Declare<Binary>(
     "MAP_SNAPSHOT", "whole semantic octree",
     {.unit = "m", .frame = "NED", .rate = "on MAP_SNAPSHOT_REQUEST", .writers = {"pMap"}});

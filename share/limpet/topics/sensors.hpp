@@ -84,6 +84,22 @@ struct TopicCodec<CameraFrame> {
   [[nodiscard]] static std::optional<CameraFrame> Decode(const Value& value);
 };
 
+/// How strongly the ground stands out in a picture: spread over mean, by channel, beyond what noise
+/// alone would show. docs/water.md.
+struct GroundContrast {
+  double exposure = 0.0;  ///< MOOS time [s]
+  double blue = 0.0, green = 0.0, red = 0.0;
+  double noise = 0.0;  ///< what noise alone would show
+  template <class V>
+  void Describe(V& visit) {
+    visit("exposure", exposure), visit("blue", blue), visit("green", green), visit("red", red);
+    visit("noise", noise);
+  }
+};
+
+/// Images are that far apart at least; ground does not change faster.
+inline constexpr Seconds kContrastPeriod{1.0};
+
 /// Sent for every frame, also when it shows nothing. Boxes have no `landmark` yet.
 template <>
 struct TopicCodec<Detections> : JsonCodec<Detections> {};
@@ -117,6 +133,9 @@ inline const auto kUsblFix = Declare<UsblFix>(
 inline const auto kCameraFrame = Declare<CameraFrame>(
     "CAMERA_FRAME", "down-looking image, 8-bit BGR",
     {.unit = "px, s", .frame = "image", .rate = "4 Hz", .writers = {"uSimCamera"}});
+inline const auto kGroundContrast = Declare<GroundContrast>(
+    "GROUND_CONTRAST", "how strongly the ground stands out in the image, spread over mean",
+    {.unit = "1, s", .rate = "1 Hz", .writers = {"pDetect", "uSimCamera"}});
 inline const auto kDetections = Declare<Detections>(
     "DETECTIONS", "boxes of each frame, also of empty ones",
     {.unit = "px, s", .frame = "image", .rate = "4 Hz", .writers = {"pDetect", "uSimCamera"}});

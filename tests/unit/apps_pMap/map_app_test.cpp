@@ -139,13 +139,13 @@ TEST_F(MapAppTest, DoesNotTakeAFalseDetectionForAnObject) {
   }
 }
 
-TEST_F(MapAppTest, LeavesAFormerObjectUncertainUntilItHasLooked) {
+TEST_F(MapAppTest, CallsAFormerObjectNotInspectedUntilItHasLooked) {
   const SessionPrior prior = Former({{1, {4, 1, 5.5}, "yellow"}});
   link_.Send(app_, topics::kSessionPrior, prior);
   link_.time += Seconds(1.0);
   app_.Tick(link_.time);
   ASSERT_EQ(Objects().size(), 1U);
-  EXPECT_EQ(Objects()[0].decided, Status::kUncertain);
+  EXPECT_EQ(Objects()[0].decided, Status::kNotInspected);
   EXPECT_EQ(Objects()[0].looks, 0);
   EXPECT_GT(Objects()[0].posterior.Entropy(), 0.6);
 }
@@ -397,6 +397,30 @@ TEST(MapAppArea, RefusesOneThatNoGridCanHoldAndGoesOn) {
   link.time += Seconds(1.0);
   app.Tick(link.time);
   EXPECT_TRUE(link.Last(topics::kMapCoverage).has_value());
+}
+
+TEST_F(MapAppTest, BareGroundThatDoesNotStandOutIsNotCovered) {
+  link_.Send(app_, topics::kSurveyArea, kArea);
+  link_.Send(app_, topics::kSurveyPhase, std::string("SURVEY"));
+  Survey({.north = -10, .length = 20}, {});
+  link_.time += Seconds(1.0);
+  app_.Tick(link_.time);
+  const double believed = link_.Last(topics::kMapCoverage)->seabed;
+  EXPECT_GT(believed, 0.0);
+  for (const ObservedFrame& frame :
+       trial::Fly({.north = -10, .length = 20}, link_.time, {}, {}, random_)) {
+    link_.time = frame.exposure;
+    link_.Send(app_, topics::kNavSight, frame);
+    link_.Send(app_, topics::kGroundContrast,
+               {.exposure = link_.time.value(), .green = 0.0005, .noise = 0.0008});
+    app_.Tick(link_.time);
+  }
+  EXPECT_LT(link_.Last(topics::kWaterState)->visibility, 4.0);
+  EXPECT_LT(link_.Last(topics::kMapLook)->visibility, 4.0) << "plans follow the water";
+  EXPECT_EQ(link_.Last(topics::kMapCoverage)->seabed, 0.0);
+  link_.Send(app_, topics::kMapSnapshotRequest, std::string("test"));
+  EXPECT_EQ(link_.Last(topics::kWaterRecord)->visibility, link_.Last(topics::kMapLook)->visibility);
+  EXPECT_FALSE(link_.Last(topics::kWaterRecord)->contrasts.empty());
 }
 
 }  // namespace

@@ -47,10 +47,10 @@ TEST_F(StatusFormerTest, AFormerObjectThatCleanLooksMissIsRemoved) {
   EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kRemoved));
 }
 
-TEST_F(StatusFormerTest, AFormerObjectOutOfSightStaysUncertain) {
+TEST_F(StatusFormerTest, AFormerObjectOutOfSightIsNotInspected) {
   statuses_.SetFormer({Former(7, At(4.4, 9.0))});
   Fly(0.0, {});
-  EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kUncertain));
+  EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kNotInspected));
   EXPECT_EQ(statuses_.Assess()[0].looks, 0);
 }
 

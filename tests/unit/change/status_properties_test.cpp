@@ -150,7 +150,7 @@ TEST_F(ChangeProperties, ADecisionIsTheStatusThatReachesTheThresholdAndNoOther) 
                             : p.nothing >= 0.9  ? Status::kNothing
                                                 : Status::kUncertain;
     EXPECT_EQ(Decide(p, 3, c.priors), expected);
-    EXPECT_EQ(Decide(p, 0, c.priors), Status::kUncertain);
+    EXPECT_EQ(Decide(p, 0, c.priors), Status::kNotInspected);
   });
 }
 

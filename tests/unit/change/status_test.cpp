@@ -37,10 +37,10 @@ TEST(ChangeStatus, DecidesTheFourCases) {
   EXPECT_EQ(Decide(ChangeStatus(-6, -6, kPriors), 5, kPriors), Status::kNothing);
 }
 
-TEST(ChangeStatus, DecidesNothingWithoutALook) {
+TEST(ChangeStatus, IsNotInspectedWithoutALook) {
   StatusPriors sure_to_stay = kPriors;
   sure_to_stay.survival = 0.99;
-  EXPECT_EQ(Decide(ChangeStatus(12, 0, sure_to_stay), 0, sure_to_stay), Status::kUncertain);
+  EXPECT_EQ(Decide(ChangeStatus(12, 0, sure_to_stay), 0, sure_to_stay), Status::kNotInspected);
 }
 
 TEST(ChangeStatus, TwoCleanPassesSayNinetyNinePercent) {

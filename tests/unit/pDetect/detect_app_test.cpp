@@ -79,5 +79,19 @@ TEST_F(Detect, RefusesAClassThatDoesNotExist) {
   EXPECT_THROW(Run(params, {}), ConfigError);
 }
 
+TEST_F(Detect, TellsOnceASecondHowTheGroundStandsOut) {
+  AppContext context;
+  context.name = "pDetect";
+  context.link = &link_;
+  DetectApp app(context, {}, MakeDetector("color_shape"));
+  CameraFrame frame = Picture({});
+  for (int i = 0; i < 9; ++i) {
+    link_.Send(app, topics::kCameraFrame, frame);
+    frame.exposure += Seconds(0.25);
+  }
+  EXPECT_EQ(link_.Count(topics::kGroundContrast), 3);
+  EXPECT_GT(link_.Last(topics::kGroundContrast)->green, 0.003);
+}
+
 }  // namespace
 }  // namespace limpet

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "limpet/survey/look.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_link.hpp"
 
@@ -42,6 +43,13 @@ class SurveyAppTest : public ::testing::Test {
     Tick(SurveyApp::Params{}.align.value() + 1.0);
     Nav(north, -15.0, 3.5, 4.0);
     Tick(1.0);
+  }
+  /// The map says that one sees so far.
+  void Murk(double reach) {
+    LookModel look;
+    look.detection.visibility =
+        Meters(reach / DetectionModel{.visibility = Meters(1.0)}.HalfRange());
+    link_.Send(app_, topics::kMapLook, ToMapLook(look));
   }
   void ReachTarget() { link_.Send(app_, topics::kMapCoverage, Coverage{0.99, 0.99, 0.99}); }
 
@@ -92,6 +100,32 @@ TEST_F(SurveyAppTest, GoesHomeShortOfTheTargetWhenCoverageStalls) {
   Tick(241.0);
   EXPECT_EQ(Phase(), "RETURN");
   EXPECT_TRUE(app_.warnings().contains("COVERAGE_STALLED"));
+}
+
+TEST_F(SurveyAppTest, GoesHomeByItsOwnJudgementWhenTheWaterHidesTheRest) {
+  ReachSurvey();
+  Murk(3.3);  // the band's top is in sight, and seen; the bottom is not
+  link_.Send(app_, topics::kMapCoverage, Coverage{0.0, 0.6, 0.99});
+  Tick(1.0);
+  EXPECT_EQ(Phase(), "RETURN");
+}
+
+TEST_F(SurveyAppTest, DoesNotStayWhereNothingIsInSight) {
+  ReachSurvey();
+  Murk(1.0);
+  Tick(100.0);
+  EXPECT_EQ(Phase(), "SURVEY");
+  Tick(141.0);
+  EXPECT_EQ(Phase(), "RETURN");
+  EXPECT_TRUE(app_.warnings().contains("OUT_OF_SIGHT"));
+  EXPECT_FALSE(app_.warnings().contains("COVERAGE_STALLED"));
+  Nav(-12.0, -15.0, 3.5, 4.0);
+  Tick(1.0);
+  Nav(-12.0, -15.0, 0.2, std::nullopt);
+  Tick(1.0);
+  Tick(1.0);
+  Tick(SurveyApp::Params{}.last_fix.value() + 1.0);
+  EXPECT_EQ(link_.Last(topics::kMissionEnd), "home");
 }
 
 TEST_F(SurveyAppTest, DoesNotTakeTheWayToTheAreaForAStall) {

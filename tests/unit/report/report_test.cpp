@@ -72,10 +72,11 @@ TEST_F(Report, HasTheContractsKeysInItsOrder) {
 }
 
 TEST_F(Report, HasTheContractsKeysOfADiscoverySession) {
-  EXPECT_THAT(KeysOf(Json()["sessions"]["discovery"]),
-              testing::ElementsAre("coverage", "detectable", "covered", "detected_band", "path_m",
-                                   "duration_s", "wall_s", "realtime_factor", "ended",
-                                   "home_error_m", "nav", "opis", "missed", "false", "warnings"));
+  EXPECT_THAT(
+      KeysOf(Json()["sessions"]["discovery"]),
+      testing::ElementsAre("coverage", "detectable", "covered", "detected_band", "path_m",
+                           "duration_s", "wall_s", "realtime_factor", "ended", "home_error_m",
+                           "nav", "opis", "missed", "false", "water", "warnings"));
 }
 
 TEST_F(Report, AddsTheKeysOfAChangeSession) {

@@ -44,6 +44,9 @@ SessionMemory Sample() {
       {.u = 10, .v = 20, .w = 30, .h = 40, .confidence = 0.5, .color = "green"}};
   memory.frames = {frame, Frame(13)};
   memory.map = std::string("\0ot", 3);
+  memory.water = WaterRecord{.visibility = 3.5,
+                             .estimate = {.visibility = 3.1, .sd = 1.4},
+                             .contrasts = {{.from = 3.75, .clear = 2, .log_contrast = -4.25}}};
   memory.mission["mission.moos"] = "Community = alpha\n";
   return memory;
 }
@@ -65,6 +68,19 @@ TEST(SessionMemory, NamesTheFileThatItDoesNotUnderstand) {
   const Expected<SessionMemory> loaded = MemoryOf(files);
   ASSERT_FALSE(loaded);
   EXPECT_THAT(loaded.error().text, ::testing::StartsWith("sights.csv: line 4"));
+}
+
+TEST(SessionPrior, TellsHowFarTheSessionSawIfItSaidSo) {
+  SessionMemory memory = Sample();
+  EXPECT_EQ(PriorOf({}, memory).visibility, 3.5);
+  memory.water.reset();  // an older session
+  EXPECT_EQ(PriorOf({}, memory).visibility, 0.0);
+}
+
+TEST(SessionMemory, NamesARecordOfTheWaterThatIsNone) {
+  SessionFiles files = FilesOf(Sample());
+  files["water.json"] = "{\"visibility\": \"far\"}";
+  EXPECT_THAT(MemoryOf(files).error().text, ::testing::HasSubstr("water.json"));
 }
 
 TEST(SessionPrior, HandsOverObjectsThatWereThere) {

@@ -42,5 +42,16 @@ TEST(DetectionModel, FallsWithRangeAndWithTheShareInTheImage) {
   EXPECT_EQ(model.Detects(2.0, 0.1), 0.0);
 }
 
+TEST(DetectionModel, AtHalfItsRangeHalfOfTheChanceIsLeft) {
+  const DetectionModel model{.visibility = Meters(5.0)};
+  EXPECT_NEAR(model.Detects(model.HalfRange(), 1.0), 0.5 * model.Detects(0.5, 1.0), 0.01);
+}
+
+TEST(DetectionModel, MeanVisibilityFollowsWhatIsBelievedOfTheWater) {
+  const DetectionModel model;
+  EXPECT_NEAR(model.MeanVisibility(VisibilityBelief(Meters(8.0), 2.0)).value(), 8.0, 0.4);
+  EXPECT_NEAR(model.MeanVisibility(VisibilityBelief(Meters(2.0), 1.2)).value(), 2.0, 0.15);
+}
+
 }  // namespace
 }  // namespace limpet

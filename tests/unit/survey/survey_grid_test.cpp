@@ -190,5 +190,51 @@ TEST(SurveyArea, MayBeHalfAKilometreWideAndItsGridCanBeMade) {
   EXPECT_EQ(SurveyGrid(large).frame().rows, 2000);
 }
 
+TEST(SurveyGridInMurk, WhatWasTooFarAwayIsNotCovered) {
+  SurveyGrid clear(kArea), murky(kArea);
+  murky.SetReach(3.0);  // from 4 m
+  clear.Observe(At(0.0, 0.0), 4.0, CameraModel{});
+  murky.Observe(At(0.0, 0.0), 4.0, CameraModel{});
+  EXPECT_GT(clear.coverage().seabed, 0.0);
+  EXPECT_EQ(murky.coverage().seabed, 0.0);
+  EXPECT_EQ(murky.coverage().band_top, clear.coverage().band_top);
+  EXPECT_LT(murky.coverage().band, clear.coverage().band);
+  EXPECT_NEAR(murky.SeenFloor(RowOf(murky, 0.0), ColumnOf(murky, 0.0)), 1.0, 0.11);
+}
+
+TEST(SurveyGridInMurk, WaterThatTurnsOutMurkyTakesCoverageBack) {
+  SurveyGrid grid(kArea);
+  grid.Observe(At(0.0, 0.0), 4.0, CameraModel{});
+  const double before = grid.coverage().seabed;
+  static_cast<void>(grid.TakeDelta());
+  grid.SetReach(3.0);
+  EXPECT_EQ(grid.coverage().seabed, 0.0);
+  EXPECT_FALSE(grid.TakeDelta().cells.empty());
+  grid.SetReach(8.0);
+  EXPECT_EQ(grid.coverage().seabed, before);
+}
+
+TEST(SurveyGridInMurk, ALowerPassShowsWhatTheHigherDidNot) {
+  SurveyGrid grid(kArea);
+  grid.SetReach(3.0);
+  grid.Observe(At(0.0, 0.0), 4.0, CameraModel{});
+  Pose low = At(0.0, 0.0);
+  low.p_WB.z() = 5.0;  // 2.5 m above the bottom
+  grid.Observe(low, 2.5, CameraModel{});
+  EXPECT_GT(grid.coverage().seabed, 0.0);
+}
+
+TEST(SurveyGridInMurk, AMirrorKnowsWhatWasOutOfSight) {
+  SurveyGrid grid(kArea), mirror(kArea);
+  grid.SetReach(3.0);
+  grid.Observe(At(0.0, 0.0), 4.0, CameraModel{});
+  ASSERT_TRUE(mirror.Apply(grid.TakeDelta()));
+  EXPECT_EQ(mirror.coverage().seabed, 0.0);
+  EXPECT_EQ(mirror.coverage().band, grid.coverage().band);
+  grid.SetReach(8.0);
+  ASSERT_TRUE(mirror.Apply(grid.TakeDelta()));
+  EXPECT_EQ(mirror.coverage().seabed, grid.coverage().seabed);
+}
+
 }  // namespace
 }  // namespace limpet

@@ -3,6 +3,7 @@
 // program sends in its place is refused without a crash.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -94,6 +95,12 @@ class Maker {
     }
     out.map_parameters = {{"camera_width_px", "640"}, {Word(), Word()}};
     out.joint_cov_W = Symmetric(static_cast<Eigen::Index>(3 * out.opis.size()));
+    out.visibility = 1.0 + std::abs(Real());
+  }
+  void Fill(WaterRecord& out) {
+    out = {.visibility = Real(),
+           .estimate = {.visibility = Real(), .sd = Real()},
+           .contrasts = {{.from = Real(), .clear = 1, .log_contrast = Real()}}};
   }
   void Fill(HelmPath& out) {
     out = {.id = Whole(),
@@ -149,8 +156,9 @@ class JsonProperty : public ::testing::Test {
   Random random_{23, "json"};
 };
 
-using JsonTopics = ::testing::Types<Detections, Landmarks, LandmarkJoint, ObservedFrame, TrackShift,
-                                    OpiBeliefs, SessionPrior, HelmPath, HelmBids, HelmRevisits>;
+using JsonTopics =
+    ::testing::Types<Detections, Landmarks, LandmarkJoint, ObservedFrame, TrackShift, OpiBeliefs,
+                     SessionPrior, WaterRecord, HelmPath, HelmBids, HelmRevisits>;
 TYPED_TEST_SUITE(JsonProperty, JsonTopics);
 
 TYPED_TEST(JsonProperty, ComesBackTheSame) {
@@ -164,7 +172,8 @@ TYPED_TEST(JsonProperty, ComesBackTheSame) {
 
 TYPED_TEST(JsonProperty, IsNoneWithoutAFieldThatNothingElseSays) {
   // Who reads only these finds them; what is read back follows from the posterior.
-  const std::vector<std::string> may_lack{"prior_candidates", "probability", "entropy"};
+  const std::vector<std::string> may_lack{"prior_candidates", "probability", "entropy",
+                                          "visibility_m"};
   const Json whole = Json::parse(this->Next());
   Json walked = whole;
   this->EachField(walked, "", [&](const std::string& path) {

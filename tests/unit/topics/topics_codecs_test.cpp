@@ -127,6 +127,26 @@ TEST(BinaryTopic, BringsBackAGridDelta) {
   EXPECT_EQ(back->cells.at(0).seabed_down, 7.5F);
 }
 
+TEST(BinaryTopic, BringsBackWhatWasOutOfSight) {
+  GridDelta sent;
+  sent.frame = {.cell_m = 0.25, .rows = 1, .columns = 1};
+  sent.cells = {{.index = 0, .seen_height = 2.0F, .seabed_down = 7.5F, .seen_floor = 1.2F}};
+  EXPECT_EQ(RoundTrip(sent)->cells.at(0).seen_floor, 1.2F);
+}
+
+TEST(BinaryTopic, ReadsAGridDeltaOfAnOlderLog) {
+  GridDelta sent;
+  sent.frame = {.cell_m = 0.25, .rows = 1, .columns = 1};
+  sent.cells = {{.index = 0, .seen_height = 2.0F, .seabed_down = 7.5F, .seen_floor = 1.2F}};
+  Binary bytes = std::get<Binary>(TopicCodec<GridDelta>::Encode(sent));
+  bytes[3] = std::byte{'1'};  // LGD1 had no floors
+  bytes.resize(bytes.size() - sizeof(float));
+  const auto back = TopicCodec<GridDelta>::Decode(bytes);
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(back->cells.at(0).seabed_down, 7.5F);
+  EXPECT_EQ(back->cells.at(0).seen_floor, 0.0F);
+}
+
 TEST(BinaryTopic, RefusesACellOutsideTheGrid) {
   GridDelta sent;
   sent.frame.rows = 2;

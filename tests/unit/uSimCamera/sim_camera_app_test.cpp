@@ -270,10 +270,26 @@ TEST_F(SimCamera, AnObjectThatSwaysKeepsItsMiddle) {
   double widest = 0.0;
   for (const MessagePtr& message : link_.published) {
     const auto frame = TopicCodec<Detections>::Decode(message->value);
+    if (!frame) continue;  // how the ground stands out
     for (const Box& box : frame->boxes)
       widest = std::max(widest, box.color == "yellow" ? std::abs(box.u - 320.0) : 0.0);
   }
   EXPECT_GT(widest, 25.0);
+}
+
+TEST_F(SimCamera, TellsHowTheGroundStandsOutOnlyWhereNobodyElseCan) {
+  Write("boxes");
+  SimCameraApp boxes = Make("discovery");
+  Fly(boxes, 10.0, 3.5);
+  EXPECT_NEAR(CountOf("GROUND_CONTRAST"), 10, 1);
+  const double near = link_.Last(topics::kGroundContrast)->green;
+  Fly(boxes, 10.0, 0.6);
+  EXPECT_LT(link_.Last(topics::kGroundContrast)->green, near);
+  link_.published.clear();
+  Write("rendered");
+  SimCameraApp images = Make("discovery");
+  Fly(images, 2.0, 3.5);
+  EXPECT_EQ(CountOf("GROUND_CONTRAST"), 0) << "pDetect measures it";
 }
 
 }  // namespace

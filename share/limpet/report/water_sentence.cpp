@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/report/water_sentence.hpp"
+
+#include <fmt/format.h>
+
+namespace limpet {
+namespace {
+
+std::string InSight(const WaterScore& water) {
+  if (water.seen_from_m <= 0.0) {
+    return "the bottom was in sight";
+  }
+  if (water.believed.band_top <= 0.0) {
+    return "too murky: nothing was in sight from where it flew, nothing is inspected";
+  }
+  return fmt::format(
+      "too murky: seen from {:.1f} m above the bottom up only, what is lower is not "
+      "inspected",
+      water.seen_from_m);
+}
+
+}  // namespace
+
+std::string WaterSentence(const WaterScore& water) {
+  return fmt::format("visibility {:.1f} m, give or take {:.1f} m; {}", water.visibility.visibility,
+                     water.visibility.sd, InSight(water));
+}
+
+}  // namespace limpet

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+namespace limpet {
+
+/// Plans leave this share of the reach: altitude is not held to the centimetre.
+inline constexpr double kPlannedReach = 0.97;
+
+/// Share of an image, `distance` metres below the camera and `corner` from its centre to its corner
+/// there [m], that is in sight where one sees `reach` metres far: its sides are cut by as much.
+/// Nothing if less than half of them is left: lanes twice as dense are the most that is worth it.
+[[nodiscard]] inline double ShareInSight(double distance, double corner, double reach) {
+  constexpr double kLeast = 0.5;
+  const double planned = kPlannedReach * reach;
+  if (!(distance < planned)) {
+    return 0.0;
+  }
+  const double radius = std::sqrt(planned * planned - distance * distance);
+  if (radius >= corner) {
+    return 1.0;
+  }
+  return radius >= kLeast * corner ? radius / corner : 0.0;
+}
+
+}  // namespace limpet
