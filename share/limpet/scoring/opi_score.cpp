@@ -182,6 +182,10 @@ void ScoreChanges(const SessionRecord& record, const std::string& former, const 
 
 }  // namespace
 
+bool ChangeScore::is_open() const {
+  return decided == NameOf(Status::kUncertain) || decided == NameOf(Status::kNotInspected);
+}
+
 OpiScores ScoreOpis(const SessionRecord& record, const std::string& former,
                     const Scenario& scenario, const CommonOffset& offset) {
   OpiScores scores;

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "limpet/mission/scenario.hpp"
-#include "limpet/objects/status_posterior.hpp"
 #include "limpet/scoring/nav_score.hpp"
 #include "limpet/scoring/session_record.hpp"
 
@@ -44,9 +43,8 @@ struct ChangeScore {
   double probability = 0.0;             ///< of what was decided
   std::optional<Eigen::Vector3d> ned;   ///< where the vehicle says; nothing: it knows of no object
   [[nodiscard]] bool is_right() const { return expected && *expected == decided; }
-  [[nodiscard]] bool is_open() const {
-    return decided == NameOf(Status::kUncertain) || decided == NameOf(Status::kNotInspected);
-  }
+  /// True if nothing was decided.
+  [[nodiscard]] bool is_open() const;
 };
 
 /// An object as the vehicle reports it, where nobody knows the truth.
