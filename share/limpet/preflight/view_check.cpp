@@ -90,8 +90,8 @@ double DetectionChance(double range, double visibility) {
   return model.peak / (1.0 + std::exp((range / visibility - model.faint_at) / model.faint_width));
 }
 
-/// What the mission expects of the water must do; what the simulated water is, the vehicle is to
-/// find out.
+/// The vehicle finds out what the water is like, so what a mission expects of it, and what it is in
+/// a simulation, are worth a note only.
 void CheckVisibility(const MissionReading& reading, const SurveyFacts& survey,
                      MissionProblems& found) {
   const auto expected = reading.Find("pMap", "visibility_m");
@@ -99,8 +99,8 @@ void CheckVisibility(const MissionReading& reading, const SurveyFacts& survey,
   const double altitude = survey.altitude.number();
   const DetectionModel model{.visibility = Meters(expected->number())};
   if (altitude > model.HalfRange()) {
-    found.geometry.push_back(survey.altitude.Refuse(
-        fmt::format("from {:g} m the seabed is not seen in water of {}; allowed: up to {:.2f} m",
+    found.notes.push_back(survey.altitude.Refuse(
+        fmt::format("from {:g} m the seabed is not in sight in water of {}: up to {:.2f} m it is",
                     altitude, expected->Named(), model.HalfRange())));
   }
 }
