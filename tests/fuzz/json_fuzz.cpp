@@ -25,5 +25,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const limpet::Value text = std::string(reinterpret_cast<const char*>(data), size);
   RoundTrip<limpet::Detections>(text), RoundTrip<limpet::HelmBids>(text);
   RoundTrip<limpet::OpiBeliefs>(text), RoundTrip<limpet::ObservedFrame>(text);
+  RoundTrip<limpet::WaterRecord>(text), RoundTrip<limpet::SessionPrior>(text);
   return 0;
 }
