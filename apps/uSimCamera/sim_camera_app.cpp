@@ -8,12 +8,25 @@
 
 #include "limpet/app/registry.hpp"
 #include "limpet/objects/lens_box.hpp"
+#include "limpet/simulation/object_shape.hpp"
 
 namespace limpet {
 namespace {
 
 bool Moves(const ObjectMotionParams& motion) {
   return !motion.sway_W.isZero(0.0) || !motion.drift_W.isZero(0.0);
+}
+
+Solid SolidOf(const ScenarioOpi& opi) {
+  const ObjectShapeParams& form = opi.shape;
+  Solid solid{.kind = SolidKindOf(form.shape).value_or(SolidKind::kSphere),
+              .radius = opi.radius_m,
+              .height = form.shape == "sphere" ? 2.0 * opi.radius_m : form.height.value(),
+              .color = opi.color,
+              .band_color = form.band == "none" ? "" : form.band};
+  // The top leans towards the heading.
+  solid.R_WS = RotationFromRollPitchYaw(0.0, -form.tilt.value(), form.heading.value());
+  return solid;
 }
 
 }  // namespace
@@ -31,6 +44,7 @@ SimCameraApp::SimCameraApp(const AppContext& context, const Params& params)
   for (const ScenarioOpi& opi : scenario.opis) {
     if (const auto place = opi.Place(context.session)) {
       spheres_.push_back({.p_W = *place, .radius = opi.radius_m, .color = opi.color});
+      solids_.push_back(SolidOf(opi));
       motions_.push_back(opi.motion);
     }
   }
@@ -38,26 +52,51 @@ SimCameraApp::SimCameraApp(const AppContext& context, const Params& params)
   errors_ = scenario.errors.camera;
   stamp_ = StampError(errors_.stamps, MakeRandom("stamps camera"));
   camera_ = errors_.mounting.Applied(lens_.enclosing());
-  const std::string kind = params.camera == "scenario" ? scenario.camera : params.camera;
-  if (kind == "rendered") {
-    renderer_.emplace(SceneSettings{
-        .camera = camera_,
-        .seabed_depth = [seabed = seabed_](double north,
-                                           double east) { return seabed.Depth(north, east); },
-        .visibility_m = scenario.water.visibility_m,
-        // The place looks the same in every session; noise and specks do not.
-        .seabed_seed = MixSeed(context.seed, "seabed texture"),
-        .noise_seed = MakeRandom("image noise").Bits()});
-    if (!lens_.is_pinhole()) lens_image_.emplace(lens_);
-  } else {
+  MakeCamera(context, scenario);
+  Subscribe(topics::kSimTruth, &SimCameraApp::OnTruth);
+}
+
+void SimCameraApp::MakeCamera(const AppContext& context, const Scenario& scenario) {
+  const std::string kind = params_.camera == "scenario" ? scenario.camera : params_.camera;
+  if (kind != "rendered") {
     Random site(MixSeed(context.seed, "seabed texture"));  // the same ground in every session
     contrast_model_.emplace(scenario.water.visibility_m, site);
     box_model_ = BoxModel({.camera = camera_,
                            .visibility_m = scenario.water.visibility_m,
                            .false_boxes_per_image = scenario.sensors.false_detections_per_image,
                            .constants = {}});
+    return;
   }
-  Subscribe(topics::kSimTruth, &SimCameraApp::OnTruth);
+  const auto depth = [seabed = seabed_](double north, double east) {
+    return seabed.Depth(north, east);
+  };
+  // The place looks the same in every session; noise and specks do not.
+  const std::uint64_t seabed_seed = MixSeed(context.seed, "seabed texture");
+  const std::uint64_t noise_seed = MakeRandom("image noise").Bits();
+  if (scenario.image.look == "plain") {
+    renderer_.emplace(SceneSettings{.camera = camera_,
+                                    .seabed_depth = depth,
+                                    .visibility_m = scenario.water.visibility_m,
+                                    .seabed_seed = seabed_seed,
+                                    .noise_seed = noise_seed});
+  } else {
+    pictures_.emplace(
+        PictureSettings{.camera = camera_,
+                        .seabed_depth = depth,
+                        .visibility_m = scenario.water.visibility_m,
+                        .image = scenario.image,
+                        .decoys_per_image = scenario.sensors.false_detections_per_image,
+                        .seabed_seed = seabed_seed,
+                        .noise_seed = noise_seed});
+  }
+  if (!lens_.is_pinhole()) lens_image_.emplace(lens_);
+}
+
+Image SimCameraApp::Picture(const Stamped<SimTruth>& truth, std::span<const Sphere> shown) {
+  if (renderer_) return renderer_->Render(truth.value.pose(), shown, frame_);
+  for (std::size_t i = 0; i < solids_.size(); ++i)
+    solids_[i].p_W = shown[i].p_W;
+  return pictures_->Render(truth.value.pose(), solids_, frame_, truth.time - *start_);
 }
 
 void SimCameraApp::OnTruth(const Stamped<SimTruth>& truth) {
@@ -70,8 +109,8 @@ void SimCameraApp::OnTruth(const Stamped<SimTruth>& truth) {
     const Seconds stamp = stamp_.StampOf(truth.time);
     // A driver stamps what it hands on: no frame comes before its stamp.
     const Seconds taken = std::max(truth.time, stamp);
-    if (renderer_) {
-      exposed_.emplace_back(taken, MakeImage(truth.value, shown, stamp));
+    if (renderer_ || pictures_) {
+      exposed_.emplace_back(taken, MakeImage(truth, shown, stamp));
     } else {
       exposed_.emplace_back(taken, MakeBoxes(truth.value, shown, stamp));
       PublishContrast(truth.value, stamp);
@@ -93,9 +132,9 @@ std::vector<Sphere> SimCameraApp::Shown(const Stamped<SimTruth>& truth) {
   return shown;
 }
 
-CameraFrame SimCameraApp::MakeImage(const SimTruth& truth, std::span<const Sphere> shown,
+CameraFrame SimCameraApp::MakeImage(const Stamped<SimTruth>& truth, std::span<const Sphere> shown,
                                     Seconds stamp) {
-  Image image = renderer_->Render(truth.pose(), shown, frame_);
+  Image image = Picture(truth, shown);
   if (lens_image_) image = lens_image_->Distorted(image);
   return {.frame = frame_,
           .exposure = stamp,
@@ -138,7 +177,9 @@ void SimCameraApp::PublishReady(Seconds now) {
 }
 
 void SimCameraApp::Report(ReportLines& report) const {
-  report.Pair("Makes", renderer_ ? "images" : "boxes, without images");
+  report.Pair("Makes", renderer_   ? "images"
+                       : pictures_ ? "images with the real look"
+                                   : "boxes, without images");
   report.Pair("Frames", fmt::format("{} at {:g} Hz", frame_, params_.timing.rate.value()));
   report.Pair("Objects", fmt::format("{} in this session", spheres_.size()));
 }

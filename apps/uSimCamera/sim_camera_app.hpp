@@ -14,6 +14,7 @@
 #include "limpet/core/camera_params.hpp"
 #include "limpet/core/lens_model.hpp"
 #include "limpet/core/params.hpp"
+#include "limpet/imaging/picture_renderer.hpp"
 #include "limpet/mission/scenario.hpp"
 #include "limpet/mission/seabed.hpp"
 #include "limpet/simulation/stamp_error.hpp"
@@ -58,7 +59,9 @@ class SimCameraApp final : public App {
   void OnTruth(const Stamped<SimTruth>& truth);
   /// Where the objects appear to be in an image taken now.
   [[nodiscard]] std::vector<Sphere> Shown(const Stamped<SimTruth>& truth);
-  [[nodiscard]] CameraFrame MakeImage(const SimTruth& truth, std::span<const Sphere> shown,
+  void MakeCamera(const AppContext& context, const Scenario& scenario);
+  [[nodiscard]] Image Picture(const Stamped<SimTruth>& truth, std::span<const Sphere> shown);
+  [[nodiscard]] CameraFrame MakeImage(const Stamped<SimTruth>& truth, std::span<const Sphere> shown,
                                       Seconds stamp);
   [[nodiscard]] Detections MakeBoxes(const SimTruth& truth, std::span<const Sphere> shown,
                                      Seconds stamp);
@@ -76,7 +79,9 @@ class SimCameraApp final : public App {
   std::vector<Sphere> spheres_;              ///< in their places
   std::vector<ObjectMotionParams> motions_;  ///< of each
   std::optional<Seconds> start_;             ///< of the session
-  std::optional<SceneRenderer> renderer_;    ///< unless boxes are drawn
+  std::optional<SceneRenderer> renderer_;    ///< of the plain look, unless boxes are drawn
+  std::vector<Solid> solids_;                ///< the spheres' forms, for the real look
+  std::optional<PictureRenderer> pictures_;  ///< of the real look
   Seabed seabed_;
   std::optional<ContrastModel> contrast_model_;  ///< if boxes are drawn
   Random contrast_random_;

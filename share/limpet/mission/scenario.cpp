@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include <fmt/format.h>
@@ -73,6 +74,22 @@ void ReadErrors(YamlReader& in, const YAML::Node& node, SimulatedErrors& errors)
   in.ReadMap(node, "errors", sections);
 }
 
+/// How rendered pictures look: keys of its own, then a section per stage.
+void ReadImageLook(YamlReader& in, const YAML::Node& node, ImageParams& image) {
+  std::vector<YamlReader::Field> fields;
+  for (const ImageSection& section : ImageSections(image)) {
+    if (section.name.empty()) {
+      std::ranges::move(in.Declared("image", section.keys), std::back_inserter(fields));
+      continue;
+    }
+    const std::string path = "image." + section.name;
+    fields.push_back({section.name, [&in, path, keys = section.keys](const YAML::Node& map) {
+                        in.ReadMap(map, path, in.Declared(path, keys));
+                      }});
+  }
+  in.ReadMap(node, "image", fields);
+}
+
 /// `[n, e, d]`, or nothing and a complaint.
 std::optional<Eigen::Vector3d> ReadPlace(YamlReader& in, const YAML::Node& node,
                                          const std::string& key) {
@@ -128,6 +145,7 @@ ScenarioOpi ReadOpi(YamlReader& in, const YAML::Node& node, const std::string& p
       in.Choice(path, "color", opi.color,
                 {"yellow", "orange", "green", "red", "blue", "white", "black", "purple"}),
       in.Number(path, "radius_m", opi.radius_m, InRange(0.05, 5.0))};
+  std::ranges::move(in.Declared(path, DescribeParams(opi.shape)), std::back_inserter(fields));
   std::ranges::move(in.Declared(path, DescribeParams(opi.motion)), std::back_inserter(fields));
   in.ReadMap(node, path, fields, [&](const std::string& key, const YAML::Node& place) {
     ReadSessionPlace(in, path, key, place, opi);
@@ -172,6 +190,17 @@ void CheckPlaces(YamlReader& in, const YAML::Node& opis, const Scenario& scenari
   }
 }
 
+/// The plain look knows spheres of one colour only.
+void CheckShapes(YamlReader& in, const YAML::Node& opis, const Scenario& scenario) {
+  if (scenario.image.look != "plain") return;
+  for (std::size_t i = 0; i < scenario.opis.size(); ++i) {
+    if (scenario.opis[i].shape.is_plain()) continue;
+    in.Complain(opis[i], fmt::format("opis[{}]", i),
+                fmt::format("the shape or band of `{}` shows only with `image: {{look: real}}`",
+                            scenario.opis[i].name));
+  }
+}
+
 Scenario ReadScenario(YamlReader& in, const YAML::Node& root, bool checks_places) {
   Scenario scenario;
   YAML::Node opis;
@@ -186,7 +215,9 @@ Scenario ReadScenario(YamlReader& in, const YAML::Node& root, bool checks_places
                }},
               in.Choice("", "camera", scenario.camera, {"rendered", "boxes"}),
               {"sensors", [&](const YAML::Node& n) { ReadSensors(in, n, scenario.sensors); }},
-              {"errors", [&](const YAML::Node& n) { ReadErrors(in, n, scenario.errors); }}});
+              {"errors", [&](const YAML::Node& n) { ReadErrors(in, n, scenario.errors); }},
+              {"image", [&](const YAML::Node& n) { ReadImageLook(in, n, scenario.image); }}});
+  CheckShapes(in, opis, scenario);
   if (checks_places && in.problems().empty()) {
     CheckPlaces(in, opis, scenario);
   }
@@ -200,8 +231,13 @@ std::vector<ScenarioSection> DeclaredScenarioSections() {
   static ScenarioOpi opi;
   std::vector<ScenarioSection> sections = {{"water", DescribeParams(scenario.water.current)},
                                            {"opis[]", DescribeParams(opi.motion)}};
+  std::ranges::move(DescribeParams(opi.shape), std::back_inserter(sections.back().keys));
   for (ErrorSection& section : ErrorSections(scenario.errors)) {
     sections.push_back({"errors." + section.name, std::move(section.keys)});
+  }
+  for (ImageSection& section : ImageSections(scenario.image)) {
+    sections.push_back(
+        {section.name.empty() ? "image" : "image." + section.name, std::move(section.keys)});
   }
   return sections;
 }

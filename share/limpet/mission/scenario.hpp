@@ -12,7 +12,9 @@
 
 #include "limpet/core/config.hpp"
 #include "limpet/core/params.hpp"
+#include "limpet/simulation/image_params.hpp"
 #include "limpet/simulation/object_motion.hpp"
+#include "limpet/simulation/object_shape.hpp"
 #include "limpet/simulation/simulated_errors.hpp"
 #include "limpet/simulation/tidal_current.hpp"
 
@@ -24,6 +26,7 @@ struct ScenarioOpi {
   double radius_m = 0.5;
   std::map<std::string, std::optional<Eigen::Vector3d>>
       places;                   ///< session to NED of the centre; nothing: absent then
+  ObjectShapeParams shape{};    ///< radius_m is its radius
   ObjectMotionParams motion{};  ///< from its place, which stays the truth that a run is judged by
   /// Where it is in `session`, or nothing.
   [[nodiscard]] std::optional<Eigen::Vector3d> Place(const std::string& session) const;
@@ -58,6 +61,7 @@ struct Scenario {
     double false_detections_per_image = 0.01;
   } sensors;
   SimulatedErrors errors{};
+  ImageParams image{};
 };
 
 /// A section of scenario.yaml whose keys declare themselves, e.g. `errors.camera`.

@@ -52,6 +52,37 @@ TEST(Scenario, ReportsEveryProblemAtOnce) {
   EXPECT_THAT(errors, HasSubstr("s.yaml:4: sensors: a list of 1 is not allowed; allowed: a map"));
 }
 
+TEST(Scenario, SaysHowItsPicturesLook) {
+  const Scenario scenario = ParseScenario(
+      "image:\n  look: real\n  water: {dissolved: 1.5}\n  seabed: {kind: rock}\n"
+      "  sensor: {jpeg_quality: 60}\n"
+      "opis:\n  - {name: A, color: red, shape: cone, height_m: 0.6, tilt_deg: 90, band: white}\n",
+      "s.yaml");
+  EXPECT_EQ(scenario.image.look, "real");
+  EXPECT_DOUBLE_EQ(scenario.image.water.dissolved, 1.5);
+  EXPECT_EQ(scenario.image.seabed.kind, "rock");
+  EXPECT_DOUBLE_EQ(scenario.image.sensor.jpeg_quality, 60.0);
+  EXPECT_DOUBLE_EQ(scenario.image.light.caustics, ImageParams{}.light.caustics);
+  EXPECT_EQ(scenario.opis[0].shape.shape, "cone");
+  EXPECT_EQ(scenario.opis[0].shape.band, "white");
+}
+
+TEST(Scenario, RefusesLooksThatItDoesNotKnow) {
+  EXPECT_THAT(ScenarioErrorsOf("image:\n  look: reel\n"), HasSubstr("s.yaml:2: image.look: "));
+  EXPECT_THAT(ScenarioErrorsOf("image: {lens: {blur_px: 9}}\n"),
+              HasSubstr("s.yaml:1: image.lens.blur_px: `9` is not allowed; allowed: 0 to 5"));
+  EXPECT_THAT(ScenarioErrorsOf("image:\n  light: {\n    caustic: 1}\n"),
+              HasSubstr("s.yaml:3: image.light.caustic: unknown key; did you mean `caustics`?"));
+  EXPECT_THAT(ScenarioErrorsOf("image: {seabed: {kind: mud}}\n"), HasSubstr("image.seabed.kind: "));
+}
+
+TEST(Scenario, RefusesShapesThatThePlainLookCannotShow) {
+  EXPECT_THAT(
+      ScenarioErrorsOf("opis:\n  - {name: A, color: red, shape: tyre}\n"),
+      HasSubstr(
+          "s.yaml:2: opis[0]: the shape or band of `A` shows only with `image: {look: real}`"));
+}
+
 TEST(Scenario, SaysWhatDiffersFromTheDataSheets) {
   const Scenario scenario = ParseScenario(
       "water: {current_east_mps: 0.1, tide_period_s: 900, tide_swing_deg: 30}\n"

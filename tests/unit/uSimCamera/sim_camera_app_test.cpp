@@ -75,6 +75,17 @@ TEST_F(SimCamera, TakesFourPicturesPerSecondUnderWater) {
   EXPECT_EQ(CountOf("CAMERA_FRAME"), 8);
 }
 
+TEST_F(SimCamera, TakesPicturesWithTheRealLookIfTheScenarioAsksForIt) {
+  SimCameraApp plain = Make("discovery");
+  Fly(plain, 0.3, 3.5);
+  const auto clean = link_.Last(topics::kCameraFrame);
+  Write("rendered\nimage: {look: real, seabed: {kind: sand}}");
+  SimCameraApp real = Make("discovery");
+  Fly(real, 0.3, 3.5);
+  EXPECT_EQ(CountOf("CAMERA_FRAME"), 4);
+  EXPECT_NE(clean->bgr, link_.Last(topics::kCameraFrame)->bgr);
+}
+
 TEST_F(SimCamera, TakesNoneAtTheSurface) {
   SimCameraApp app = Make("discovery");
   Fly(app, 1.0, 0.2);
