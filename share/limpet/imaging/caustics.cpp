@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Core>
+
 #include "limpet/core/random.hpp"
 
 namespace limpet {
@@ -15,72 +17,92 @@ struct Wave {
   double slope, phase;
 };
 
-}  // namespace
-
-Caustics::Caustics(double contrast, std::uint64_t seed)
-    : contrast_(contrast), tile_(static_cast<std::size_t>(kSize) * kSize, 0.0F) {
-  if (contrast <= 0.0) return;
-  Random random(seed, "caustics");
+std::vector<Wave> WavesOf(Random& random, int size) {
   std::vector<Wave> waves;
   for (int i = 0; i < 24; ++i) {
     const double turn = random.Uniform(0.0, 2.0 * std::numbers::pi);
     const double count = random.Uniform(2.0, 9.0);
     const double across = std::round(count * std::cos(turn));
     const double along = std::round(count * std::sin(turn));
-    const double per_texel = 2.0 * std::numbers::pi / kSize;
+    const double per_texel = 2.0 * std::numbers::pi / size;
     // Shorter waves are lower; what bends light is their slope.
     waves.push_back({across * per_texel, along * per_texel, 1.0 / (1.0 + 0.25 * count),
                      random.Uniform(0.0, 2.0 * std::numbers::pi)});
   }
+  return waves;
+}
+
+/// Where the ray that would land at (x, y) [texel] is bent to.
+Eigen::Vector2d Landing(const std::vector<Wave>& waves, double x, double y) {
   // Slope times a quarter of the way to the focus of most waves [texel].
   constexpr double kThrow = 5.5;
+  Eigen::Vector2d landed(x, y);
+  for (const Wave& wave : waves) {
+    const double length = std::hypot(wave.across, wave.along) + 1e-9;
+    const double bend =
+        kThrow * wave.slope * std::cos(wave.across * x + wave.along * y + wave.phase);
+    landed.x() += bend * wave.across / length;
+    landed.y() += bend * wave.along / length;
+  }
+  return landed;
+}
+
+/// Counts rays where they land; the tile repeats.
+void CountRays(const std::vector<Wave>& waves, int size, std::vector<float>& tile) {
   constexpr int kRays = 2;  // per texel and axis
-  for (int row = 0; row < kRays * kSize; ++row) {
-    for (int column = 0; column < kRays * kSize; ++column) {
-      const double x = (column + 0.5) / kRays;
-      const double y = (row + 0.5) / kRays;
-      double landed_x = x;
-      double landed_y = y;
-      for (const Wave& wave : waves) {
-        const double length = std::hypot(wave.across, wave.along) + 1e-9;
-        const double bend =
-            kThrow * wave.slope * std::cos(wave.across * x + wave.along * y + wave.phase);
-        landed_x += bend * wave.across / length;
-        landed_y += bend * wave.along / length;
-      }
-      const auto i = static_cast<std::size_t>(static_cast<int>(std::floor(landed_x)) & (kSize - 1));
-      const auto j = static_cast<std::size_t>(static_cast<int>(std::floor(landed_y)) & (kSize - 1));
-      tile_[j * kSize + i] += 1.0F;
+  for (int row = 0; row < kRays * size; ++row) {
+    for (int column = 0; column < kRays * size; ++column) {
+      const Eigen::Vector2d landed = Landing(waves, (column + 0.5) / kRays, (row + 0.5) / kRays);
+      const int i = static_cast<int>(std::floor(landed.x())) & (size - 1);
+      const int j = static_cast<int>(std::floor(landed.y())) & (size - 1);
+      tile[static_cast<std::size_t>(j * size + i)] += 1.0F;
     }
   }
-  // The sun is half a degree wide: lines are soft. Then to mean 0, standard deviation 1.
-  for (int pass = 0; pass < 2; ++pass) {
-    const std::vector<float> sharp = tile_;
-    for (int row = 0; row < kSize; ++row) {
-      for (int column = 0; column < kSize; ++column) {
-        const auto at = [&sharp](int i, int j) {
-          return sharp[static_cast<std::size_t>((j & (kSize - 1)) * kSize + (i & (kSize - 1)))];
-        };
-        tile_[static_cast<std::size_t>(row * kSize + column)] =
-            0.25F * at(column, row) +
-            0.125F * (at(column - 1, row) + at(column + 1, row) + at(column, row - 1) +
-                      at(column, row + 1)) +
-            0.0625F * (at(column - 1, row - 1) + at(column + 1, row - 1) + at(column - 1, row + 1) +
-                       at(column + 1, row + 1));
-      }
+}
+
+/// The sun is half a degree wide: lines are soft.
+void Soften(int size, std::vector<float>& tile) {
+  const std::vector<float> sharp = tile;
+  const auto at = [&sharp, size](int i, int j) {
+    return sharp[static_cast<std::size_t>((j & (size - 1)) * size + (i & (size - 1)))];
+  };
+  for (int row = 0; row < size; ++row) {
+    for (int column = 0; column < size; ++column) {
+      tile[static_cast<std::size_t>(row * size + column)] =
+          0.25F * at(column, row) +
+          0.125F * (at(column - 1, row) + at(column + 1, row) + at(column, row - 1) +
+                    at(column, row + 1)) +
+          0.0625F * (at(column - 1, row - 1) + at(column + 1, row - 1) + at(column - 1, row + 1) +
+                     at(column + 1, row + 1));
     }
   }
+}
+
+/// To mean 0, standard deviation 1.
+void Standardize(std::vector<float>& tile) {
   double sum = 0.0;
   double sum2 = 0.0;
-  for (const float value : tile_) {
-    sum += value;
-    sum2 += static_cast<double>(value) * value;
+  for (const float value : tile) {
+    sum += static_cast<double>(value);
+    sum2 += static_cast<double>(value) * static_cast<double>(value);
   }
-  const double count = static_cast<double>(tile_.size());
+  const auto count = static_cast<double>(tile.size());
   const double mean = sum / count;
   const double sigma = std::sqrt(std::max(sum2 / count - mean * mean, 1e-12));
-  for (float& value : tile_)
-    value = static_cast<float>((value - mean) / sigma);
+  for (float& value : tile)
+    value = static_cast<float>((static_cast<double>(value) - mean) / sigma);
+}
+
+}  // namespace
+
+Caustics::Caustics(double contrast, std::uint64_t seed)
+    : contrast_(contrast), tile_(static_cast<std::size_t>(kSize) * kSize, 0.0F) {
+  if (contrast <= 0.0) return;
+  Random random(seed, "caustics");
+  CountRays(WavesOf(random, kSize), kSize, tile_);
+  for (int pass = 0; pass < 2; ++pass)
+    Soften(kSize, tile_);
+  Standardize(tile_);
 }
 
 float Caustics::Sample(float across, float along) const {

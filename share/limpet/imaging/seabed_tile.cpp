@@ -20,7 +20,7 @@ std::vector<std::uint32_t> Packed(const AlbedoField& albedo, int bits) {
       std::uint32_t packed = 0;
       for (std::size_t c = 0; c < 3; ++c) {
         const float root = std::sqrt(std::clamp(color[c], 0.0F, 1.0F));
-        packed |= static_cast<std::uint32_t>(255.0F * root + 0.5F) << (8U * c);
+        packed |= static_cast<std::uint32_t>(std::lround(255.0F * root)) << (8U * c);
       }
       texels[SeabedTile::Place(column, row, bits)] = packed;
     }

@@ -63,7 +63,7 @@ double Solid::DistanceTo(const Eigen::Vector3d& p_S) const {
 Eigen::Vector3d Solid::NormalAt(const Eigen::Vector3d& p_S) const {
   const Eigen::Vector3d outwards =
       Eigen::Vector3d(p_S.x(), p_S.y(), 0.0) / std::max(p_S.head<2>().norm(), 1e-12);
-  const Eigen::Vector3d end(0.0, 0.0, std::copysign(1.0, p_S.z()));
+  Eigen::Vector3d end(0.0, 0.0, std::copysign(1.0, p_S.z()));
   const bool is_end = DistanceTo(p_S) <= std::abs(p_S.z()) - 0.5 * height;
   switch (kind) {
     case SolidKind::kSphere:

@@ -88,7 +88,9 @@ class SurveyGrid {
   [[nodiscard]] std::span<const float> heights() const { return seen_; }
   static constexpr float kNeverSeen = -1.0F;
   /// SeenFloor of the cell with this index in heights().
-  [[nodiscard]] float Floor(std::size_t cell) const { return kFloorStep * floor_[cell]; }
+  [[nodiscard]] float Floor(std::size_t cell) const {
+    return kFloorStep * static_cast<float>(floor_[cell]);
+  }
   /// Increases with every change; mirrors compare it to know whether they are stale.
   [[nodiscard]] std::uint64_t version() const { return version_; }
 
