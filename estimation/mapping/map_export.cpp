@@ -18,7 +18,8 @@ constexpr std::array<const char*, 6> kLabelNames{"ground",  "uncertain", "confir
 
 double Probability(float log_odds) { return 1.0 / (1.0 + std::exp(-log_odds)); }
 
-/// Occupied leaves cut to the tree's resolution, so that every voxel stands for itself.
+}  // namespace
+
 std::vector<Voxel> OccupiedVoxels(const SemanticOctree& octree) {
   const double edge = octree.resolution();
   std::vector<Voxel> voxels;
@@ -34,8 +35,6 @@ std::vector<Voxel> OccupiedVoxels(const SemanticOctree& octree) {
   }
   return voxels;
 }
-
-}  // namespace
 
 VoxelColor ColorOf(const VoxelBelief& belief) {
   switch (belief.label) {

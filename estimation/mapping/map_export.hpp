@@ -15,6 +15,9 @@ struct VoxelColor {
 };
 [[nodiscard]] VoxelColor ColorOf(const VoxelBelief& belief);
 
+/// Occupied leaves cut to the tree's resolution, so that every voxel stands for itself.
+[[nodiscard]] std::vector<Voxel> OccupiedVoxels(const SemanticOctree& octree);
+
 /// Occupied voxels, one per line: north_m,east_m,down_m,size_m,p_occupied,p_object,p_exists,label.
 [[nodiscard]] std::string ToCsv(const SemanticOctree& octree);
 /// Occupied voxels as coloured points, ASCII PLY; x east, y north, z up.

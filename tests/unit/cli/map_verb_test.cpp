@@ -11,6 +11,7 @@
 #include "apps/limpet/command_line.hpp"
 #include "estimation/mapping/semantic_octree.hpp"
 #include "estimation/replay/gzip_bytes.hpp"
+#include "limpet/session/durable_file.hpp"
 #include "limpet/session/session_memory.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -89,6 +90,66 @@ TEST_F(MapVerbTest, ComplainsOfWhatIsNoSessionAndNoCommand) {
   EXPECT_EQ(Run({"exprot", session_}), kUsage);
   EXPECT_THAT(err_, HasSubstr("did you mean `export`?"));
   EXPECT_EQ(Run({"--help"}), kOk);
+}
+
+TEST_F(MapVerbTest, WritesEveryFormatThatItNames) {
+  Save(OneVoxel());
+  const auto out = [this](const std::string& name) { return (folder_.path() / name).string(); };
+  for (const std::string format : {"ot", "ply", "csv", "asc"}) {
+    ASSERT_EQ(Run({"export", session_, "--format", format, "--out", out("map." + format)}), kOk)
+        << err_;
+    EXPECT_TRUE(std::filesystem::exists(out("map." + format)));
+  }
+  EXPECT_THAT(*ReadWhole(out("map.asc")), HasSubstr("ncols 1\n"));
+  EXPECT_THAT(*ReadWhole(out("map_sigma.asc")), HasSubstr("0.058"));
+  EXPECT_THAT(*ReadWhole(out("map.csv")), HasSubstr("\n12,yellow,"));
+}
+
+TEST_F(MapVerbTest, OctovisReadsItsColourOctree) {
+  Save(OneVoxel());
+  const std::string file = (folder_.path() / "map.ot").string();
+  ASSERT_EQ(Run({"export", session_, "--format", "ot", "--out", file}), kOk);
+  EXPECT_THAT(*ReadWhole(file), HasSubstr("id ColorOcTree"));
+}
+
+TEST_F(MapVerbTest, WithoutADatumNothingIsPutOnEarth) {
+  Save(OneVoxel());
+  const std::string file = (folder_.path() / "o.geojson").string();
+  EXPECT_EQ(Run({"export", session_, "--format", "geojson", "--out", file}), kRefused);
+  EXPECT_THAT(err_, HasSubstr("LatOrigin"));
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST_F(MapVerbTest, NamesTheNearestFormat) {
+  Save(OneVoxel());
+  EXPECT_EQ(Run({"export", session_, "--format", "geojsn", "--out", scene_}), kUsage);
+  EXPECT_THAT(err_, HasSubstr("did you mean `geojson`?"));
+  EXPECT_EQ(Run({"export", session_, "--format", "csv"}), kUsage);
+  EXPECT_EQ(Run({"export", session_}), kUsage);
+}
+
+TEST_F(MapVerbTest, SaysWhatASessionsMapHolds) {
+  Save(OneVoxel());
+  ASSERT_EQ(Run({"info", session_, "--json"}), kOk) << err_;
+  EXPECT_THAT(out_, HasSubstr("\"occupied_voxels\": 1"));
+  EXPECT_THAT(out_, HasSubstr("\"frames\": 3"));
+  EXPECT_THAT(out_, HasSubstr("\"datum\": null"));
+  ASSERT_EQ(Run({"info", session_}), kOk);
+  EXPECT_THAT(out_, HasSubstr("1 occupied, 0 of objects"));
+  EXPECT_THAT(out_, HasSubstr("  12 yellow"));
+}
+
+TEST_F(MapVerbTest, InfoNamesWhatIsDamaged) {
+  Save("# Octomap OcTree file\nid SemanticOcTree\n");
+  EXPECT_EQ(Run({"info", session_}), kFailed);
+  EXPECT_THAT(err_, HasSubstr("map.ot: "));
+}
+
+TEST_F(MapVerbTest, DiffNeedsTwoSessions) {
+  Save(OneVoxel());
+  EXPECT_EQ(Run({"diff", session_}), kUsage);
+  EXPECT_NE(Run({"diff", session_, (folder_.path() / "none").string()}), kOk);
+  EXPECT_THAT(err_, HasSubstr("session B"));
 }
 
 }  // namespace

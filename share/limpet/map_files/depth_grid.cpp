@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/map_files/depth_grid.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "estimation/mapping/map_export.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+
+std::vector<Voxel> GroundVoxels(const SemanticOctree& octree) {
+  std::vector<Voxel> voxels = OccupiedVoxels(octree);
+  std::erase_if(voxels,
+                [](const Voxel& voxel) { return voxel.belief.label != VoxelLabel::kGround; });
+  return voxels;
+}
+
+/// A grid that holds these voxels, nothing known in it.
+DepthGrid EmptyGridAround(const std::vector<Voxel>& voxels, double cell_m) {
+  Eigen::Vector3d low = voxels.front().p_W, high = low;
+  for (const Voxel& voxel : voxels) {
+    low = low.cwiseMin(voxel.p_W);
+    high = high.cwiseMax(voxel.p_W);
+  }
+  DepthGrid grid{.north_min = low.x() - 0.5 * cell_m,
+                 .east_min = low.y() - 0.5 * cell_m,
+                 .cell_m = cell_m,
+                 .rows = static_cast<int>(std::lround((high.x() - low.x()) / cell_m)) + 1,
+                 .columns = static_cast<int>(std::lround((high.y() - low.y()) / cell_m)) + 1,
+                 .down_m = {},
+                 .sigma_m = {}};
+  const auto cells = static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.columns);
+  grid.down_m.assign(cells, kUnknown);
+  grid.sigma_m.assign(cells, kUnknown);
+  return grid;
+}
+
+std::size_t CellOf(const DepthGrid& grid, const Voxel& voxel) {
+  const auto index = [&grid](double offset) {
+    return static_cast<int>(std::floor(offset / grid.cell_m));
+  };
+  return grid.Index(index(voxel.p_W.x() - grid.north_min), index(voxel.p_W.y() - grid.east_min));
+}
+
+/// Sums over the voxels of one column that touch the one where most beams ended.
+struct Column {
+  double most = 0.0, most_down = 0.0;
+  double weight = 0.0, down = 0.0, square = 0.0;
+};
+
+}  // namespace
+
+std::optional<std::size_t> DepthGrid::At(double north, double east) const {
+  if (rows == 0) return std::nullopt;
+  const double row = std::floor((north - north_min) / cell_m);
+  const double column = std::floor((east - east_min) / cell_m);
+  if (!(row >= 0.0 && row < rows && column >= 0.0 && column < columns)) return std::nullopt;
+  const std::size_t cell = Index(static_cast<int>(row), static_cast<int>(column));
+  return IsKnown(cell) ? std::optional(cell) : std::nullopt;
+}
+
+DepthGrid DepthGridOf(const SemanticOctree& octree) {
+  const std::vector<Voxel> voxels = GroundVoxels(octree);
+  if (voxels.empty()) return {};
+  const double edge = octree.resolution();
+  DepthGrid grid = EmptyGridAround(voxels, edge);
+  std::vector<Column> columns(grid.down_m.size());
+  for (const Voxel& voxel : voxels) {
+    Column& column = columns[CellOf(grid, voxel)];
+    const auto weight = static_cast<double>(voxel.belief.occupied);
+    if (weight > column.most) {
+      column.most = weight;
+      column.most_down = voxel.p_W.z();
+    }
+  }
+  for (const Voxel& voxel : voxels) {
+    Column& column = columns[CellOf(grid, voxel)];
+    const double off = voxel.p_W.z() - column.most_down;
+    if (std::abs(off) > 1.5 * edge) continue;
+    const auto weight = static_cast<double>(voxel.belief.occupied);
+    column.weight += weight;
+    column.down += weight * off;
+    column.square += weight * off * off;
+  }
+  for (std::size_t cell = 0; cell < columns.size(); ++cell) {
+    const Column& column = columns[cell];
+    if (column.weight <= 0.0) continue;
+    const double mean = column.down / column.weight;
+    const double variance = std::max(0.0, column.square / column.weight - mean * mean);
+    grid.down_m[cell] = static_cast<float>(column.most_down + mean);
+    grid.sigma_m[cell] = static_cast<float>(std::sqrt(variance + edge * edge / 12.0));
+  }
+  return grid;
+}
+
+}  // namespace limpet

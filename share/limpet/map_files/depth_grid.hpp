@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "estimation/mapping/semantic_octree.hpp"
+
+namespace limpet {
+
+/// Depth of the seabed by columns of a session's octree, row-major from the south-west corner.
+struct DepthGrid {
+  double north_min = 0.0, east_min = 0.0;  ///< NED [m]
+  double cell_m = 0.0;
+  int rows = 0;     ///< along north
+  int columns = 0;  ///< along east
+  std::vector<float> down_m;   ///< not a number where no beam ended
+  std::vector<float> sigma_m;  ///< of those: the voxel's height and the beams' spread
+
+  [[nodiscard]] std::size_t Index(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
+  }
+  [[nodiscard]] bool IsKnown(std::size_t cell) const { return !std::isnan(down_m[cell]); }
+  /// The cell that holds a place; nothing outside the grid, or where no beam ended.
+  [[nodiscard]] std::optional<std::size_t> At(double north, double east) const;
+};
+
+/// Of each column of voxels on the ground the depth where most beams ended. Empty for a map
+/// without any.
+[[nodiscard]] DepthGrid DepthGridOf(const SemanticOctree& octree);
+
+}  // namespace limpet

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/map_files/map_diff.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace limpet {
+namespace {
+
+/// A single column is no change of the ground: beams scatter.
+constexpr int kLeastCells = 3;
+
+/// Differences by cell of B; not a number where not both are known.
+struct Compared {
+  std::vector<double> off_m, sigma_m;
+};
+
+Compared Compare(const DepthGrid& a, const DepthGrid& b, const FrameOffset& offset) {
+  constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+  Compared compared{.off_m = std::vector<double>(b.down_m.size(), kNoNumber),
+                    .sigma_m = std::vector<double>(b.down_m.size(), kNoNumber)};
+  for (int row = 0; row < b.rows; ++row) {
+    for (int column = 0; column < b.columns; ++column) {
+      const std::size_t cell = b.Index(row, column);
+      if (!b.IsKnown(cell)) continue;
+      const Eigen::Vector3d p_A = offset.Undo(
+          {b.north_min + (row + 0.5) * b.cell_m, b.east_min + (column + 0.5) * b.cell_m, 0.0});
+      if (const auto of_a = a.At(p_A.x(), p_A.y())) {
+        compared.off_m[cell] = static_cast<double>(b.down_m[cell] - a.down_m[*of_a]);
+        compared.sigma_m[cell] = std::hypot(static_cast<double>(b.sigma_m[cell]),
+                                            static_cast<double>(a.sigma_m[*of_a]));
+      }
+    }
+  }
+  return compared;
+}
+
+std::vector<double> Known(const std::vector<double>& values) {
+  std::vector<double> known = values;
+  std::erase_if(known, [](double value) { return std::isnan(value); });
+  return known;
+}
+
+double Median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+/// Columns side by side that are significantly deeper (sign 1), or shallower (-1).
+void AddChanges(const DepthGrid& b, const std::vector<double>& left_m,
+                const std::vector<double>& z, double sign, std::vector<DepthChange>& changes) {
+  cv::Mat mask(b.rows, b.columns, CV_8U, cv::Scalar(0));
+  for (int row = 0; row < b.rows; ++row) {
+    for (int column = 0; column < b.columns; ++column) {
+      const double here = sign * z[b.Index(row, column)];  // a comparison with no number is false
+      mask.at<std::uint8_t>(row, column) = here > DepthDifference::kSignificant ? 255 : 0;
+    }
+  }
+  cv::Mat labels, stats, middles;
+  const int count = cv::connectedComponentsWithStats(mask, labels, stats, middles, 8);
+  std::vector<DepthChange> found(static_cast<std::size_t>(count));
+  for (int row = 0; row < b.rows; ++row) {
+    for (int column = 0; column < b.columns; ++column) {
+      const int label = labels.at<int>(row, column);
+      const std::size_t cell = b.Index(row, column);
+      if (label == 0) continue;
+      DepthChange& change = found[static_cast<std::size_t>(label)];
+      change.mean_m += left_m[cell] / stats.at<int>(label, cv::CC_STAT_AREA);
+      change.z = std::abs(z[cell]) > std::abs(change.z) ? z[cell] : change.z;
+    }
+  }
+  for (int label = 1; label < count; ++label) {
+    const int cells = stats.at<int>(label, cv::CC_STAT_AREA);
+    if (cells < kLeastCells) continue;
+    DepthChange& change = found[static_cast<std::size_t>(label)];
+    change.north = b.north_min + (middles.at<double>(label, 1) + 0.5) * b.cell_m;
+    change.east = b.east_min + (middles.at<double>(label, 0) + 0.5) * b.cell_m;
+    change.area_m2 = cells * b.cell_m * b.cell_m;
+    changes.push_back(change);
+  }
+}
+
+}  // namespace
+
+DepthDifference Difference(const DepthGrid& a, const DepthGrid& b, const FrameOffset& offset) {
+  const Compared compared = Compare(a, b, offset);
+  const std::vector<double> off = Known(compared.off_m);
+  DepthDifference difference;
+  difference.cells = off.size();
+  if (off.empty()) return difference;
+  difference.offset_m = Median(off);
+  // Of a median; neighbouring columns share beams, so no better than one column's over ten.
+  constexpr double kIndependent = 100.0;
+  difference.offset_sd_m = std::sqrt(0.5 * std::numbers::pi) * Median(Known(compared.sigma_m)) /
+                           std::sqrt(std::min(static_cast<double>(off.size()), kIndependent));
+  std::vector<double> left_m = compared.off_m, z = compared.off_m;
+  for (std::size_t cell = 0; cell < left_m.size(); ++cell) {
+    left_m[cell] -= difference.offset_m;
+    z[cell] = left_m[cell] / std::hypot(compared.sigma_m[cell], difference.offset_sd_m);
+    if (std::isnan(left_m[cell])) continue;
+    difference.rms_m += left_m[cell] * left_m[cell] / static_cast<double>(off.size());
+    difference.significant_cells += std::abs(z[cell]) > DepthDifference::kSignificant ? 1 : 0;
+  }
+  difference.rms_m = std::sqrt(difference.rms_m);
+  AddChanges(b, left_m, z, 1.0, difference.changes);
+  AddChanges(b, left_m, z, -1.0, difference.changes);
+  std::ranges::stable_sort(difference.changes, std::ranges::greater{}, [](const DepthChange& c) {
+    return std::abs(c.mean_m) * c.area_m2;
+  });
+  return difference;
+}
+
+}  // namespace limpet

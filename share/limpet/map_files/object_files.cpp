@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/map_files/object_files.hpp"
+
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limpet/core/number_text.hpp"
+
+namespace limpet {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+std::vector<OpiBelief> ObjectsOf(const SavedSession& session) {
+  std::vector<OpiBelief> objects = session.memory.objects.opis;
+  std::erase_if(objects, [](const OpiBelief& opi) { return opi.decided == Status::kNothing; });
+  return objects;
+}
+
+Eigen::Vector3d SigmaOf(const OpiBelief& opi) {
+  return opi.object.cov_W.diagonal().cwiseMax(0.0).cwiseSqrt();
+}
+
+/// 1e-8 degrees are a millimetre.
+double Rounded(double degrees) { return std::round(degrees * 1e8) / 1e8; }
+
+OrderedJson Position(const LocalGrid& grid, double north, double east) {
+  const GeoPoint place = grid.At(north, east);
+  return {Rounded(place.longitude_deg), Rounded(place.latitude_deg)};
+}
+
+OrderedJson FeatureOf(const OpiBelief& opi, const LocalGrid& grid) {
+  const Eigen::Vector3d& p_W = opi.object.p_W;
+  const Eigen::Vector3d sigma = SigmaOf(opi);
+  return {{"type", "Feature"},
+          {"id", opi.id},
+          {"geometry",
+           {{"type", "Point"}, {"coordinates", Position(grid, p_W.x(), p_W.y())}}},
+          {"properties",
+           {{"class", opi.object.color},
+            {"decided", NameOf(opi.decided)},
+            {"p_present", opi.posterior.present()},
+            {"depth_m", p_W.z()},
+            {"sd_north_m", sigma.x()},
+            {"sd_east_m", sigma.y()},
+            {"sd_down_m", sigma.z()},
+            {"looks", opi.looks}}}};
+}
+
+OrderedJson FeatureOf(const SurveyArea& area, const LocalGrid& grid) {
+  const OrderedJson corner = Position(grid, area.north_min, area.east_min);
+  // Counterclockwise, and closed.
+  OrderedJson ring = {corner, Position(grid, area.north_min, area.east_max),
+                      Position(grid, area.north_max, area.east_max),
+                      Position(grid, area.north_max, area.east_min), corner};
+  return {{"type", "Feature"},
+          {"geometry",
+           {{"type", "Polygon"}, {"coordinates", OrderedJson::array({std::move(ring)})}}},
+          {"properties", {{"name", "survey area"}}}};
+}
+
+}  // namespace
+
+std::optional<GeoPoint> DatumOf(const SessionFacts& facts) {
+  const std::optional<double> latitude = ParseNumber(facts.lat_origin);
+  const std::optional<double> longitude = ParseNumber(facts.long_origin);
+  if (!latitude || !longitude) return std::nullopt;
+  return GeoPoint{.latitude_deg = *latitude, .longitude_deg = *longitude};
+}
+
+std::string ObjectsToCsv(const SavedSession& session) {
+  std::string text =
+      "id,class,decided,p_present,north_m,east_m,down_m,sd_north_m,sd_east_m,sd_down_m,"
+      "latitude_deg,longitude_deg,looks\n";
+  const std::optional<GeoPoint> datum = DatumOf(session.facts);
+  for (const OpiBelief& opi : ObjectsOf(session)) {
+    const Eigen::Vector3d& p_W = opi.object.p_W;
+    const Eigen::Vector3d sigma = SigmaOf(opi);
+    std::string place = ",";
+    if (datum) {
+      const GeoPoint at = LocalGrid(*datum).At(p_W.x(), p_W.y());
+      place = fmt::format("{:.8f},{:.8f}", at.latitude_deg, at.longitude_deg);
+    }
+    fmt::format_to(std::back_inserter(text),
+                   "{},{},{},{:.4f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{},{}\n", opi.id,
+                   opi.object.color, NameOf(opi.decided), opi.posterior.present(), p_W.x(),
+                   p_W.y(), p_W.z(), sigma.x(), sigma.y(), sigma.z(), place, opi.looks);
+  }
+  return text;
+}
+
+std::string ObjectsToGeoJson(const SavedSession& session, const GeoPoint& datum) {
+  const LocalGrid grid(datum);
+  OrderedJson features = OrderedJson::array();
+  for (const OpiBelief& opi : ObjectsOf(session))
+    features.push_back(FeatureOf(opi, grid));
+  if (session.memory.area) features.push_back(FeatureOf(*session.memory.area, grid));
+  const OrderedJson collection{{"type", "FeatureCollection"}, {"features", std::move(features)}};
+  return collection.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+}
+
+}  // namespace limpet

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/map_files/depth_grid.hpp"
+
+#include <gtest/gtest.h>
+
+#include "limpet/map_files/ascii_grid.hpp"
+
+namespace limpet {
+namespace {
+
+SemanticOctree Slope() {
+  SemanticOctree octree;
+  for (int i = 0; i < 10; ++i) {
+    octree.Set({0.1 + 0.2 * i, 0.1, 7.1 + 0.2 * i}, {.occupied = 2.0F});
+    octree.Set({0.1 + 0.2 * i, 0.3, 7.1 + 0.2 * i}, {.occupied = 2.0F});
+  }
+  return octree;
+}
+
+TEST(DepthGrid, HasTheDepthOfEachColumnOfTheSeabed) {
+  const DepthGrid grid = DepthGridOf(Slope());
+  EXPECT_EQ(grid.rows, 10);
+  EXPECT_EQ(grid.columns, 2);
+  const auto cell = grid.At(1.1, 0.1);
+  ASSERT_TRUE(cell);
+  EXPECT_NEAR(static_cast<double>(grid.down_m[*cell]), 8.1, 1e-3);
+  EXPECT_NEAR(static_cast<double>(grid.sigma_m[*cell]), 0.2 / std::sqrt(12.0), 1e-3);
+}
+
+TEST(DepthGrid, KnowsNothingBesideIt) {
+  const DepthGrid grid = DepthGridOf(Slope());
+  EXPECT_FALSE(grid.At(-5.0, 0.1));
+  EXPECT_FALSE(grid.At(1.0, std::nan("")));
+  EXPECT_FALSE(DepthGridOf(SemanticOctree()).At(0.0, 0.0));
+}
+
+TEST(DepthGrid, AnObjectIsNotTheSeabed) {
+  SemanticOctree octree = Slope();
+  octree.Set({1.1, 0.1, 5.1}, {.occupied = 3.0F, .label = VoxelLabel::kConfirmed});
+  const DepthGrid grid = DepthGridOf(octree);
+  EXPECT_NEAR(static_cast<double>(grid.down_m[*grid.At(1.1, 0.1)]), 8.1, 1e-3);
+}
+
+TEST(DepthGrid, FollowsWhereMostBeamsEnded) {
+  SemanticOctree octree = Slope();
+  octree.Set({1.1, 0.1, 6.1}, {.occupied = 0.5F});  // a fish
+  const DepthGrid grid = DepthGridOf(octree);
+  EXPECT_NEAR(static_cast<double>(grid.down_m[*grid.At(1.1, 0.1)]), 8.1, 1e-3);
+}
+
+TEST(AsciiGrid, HasItsRowsFromTheNorth) {
+  SemanticOctree octree;
+  octree.Set({0.1, 0.1, 7.1}, {.occupied = 2.0F});
+  octree.Set({0.3, 0.3, 8.1}, {.occupied = 2.0F});
+  const DepthGrid grid = DepthGridOf(octree);
+  EXPECT_EQ(ToAsciiGrid(grid, grid.down_m),
+            "ncols 2\nnrows 2\nxllcorner 0.000\nyllcorner 0.000\ncellsize 0.2\n"
+            "NODATA_value -9999\n-9999 8.100\n7.100 -9999\n");
+}
+
+}  // namespace
+}  // namespace limpet
