@@ -44,9 +44,10 @@ struct Format {
 MapFile MakeGeoJson(const SavedSession& session, const SemanticOctree&) {
   const std::optional<GeoPoint> datum = DatumOf(session.facts);
   if (!datum) {
-    throw Refusal(fmt::format("{}: the mission said no LatOrigin and LongOrigin: nobody knows where "
-                              "on earth its objects are; csv has them in metres",
-                              session.folder.string()));
+    throw Refusal(
+        fmt::format("{}: the mission said no LatOrigin and LongOrigin: nobody knows where "
+                    "on earth its objects are; csv has them in metres",
+                    session.folder.string()));
   }
   return {.main = ObjectsToGeoJson(session, *datum)};
 }
@@ -90,30 +91,32 @@ const Format& FormatNamed(const std::string& name) {
     names.emplace_back(format.name);
   }
   const std::string nearest = NearestWord(name, names);
-  throw UsageError(fmt::format(
-      "--format: `{}` is no format{}; there are {}", name,
-      nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest), fmt::join(names, ", ")));
+  throw UsageError(fmt::format("--format: `{}` is no format{}; there are {}", name,
+                               nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest),
+                               fmt::join(names, ", ")));
 }
 
 Command ExportForm() {
   return {.name = "limpet map export",
           .words = "<session>",
-          .about = "Writes the map of a saved session for other programs: --format and --out, or "
-                   "--3dscene for a scene that MRPT's SceneViewer3D opens, with the seabed's "
-                   "voxels, each object with the ellipsoid of its three sigmas in the colour of "
-                   "its status, and the vehicle's path.\n\n" +
-                   FormatWords() +
-                   "\nScenes, points and voxels have x east, y north, z up; csv and asc are in the "
-                   "session's frame, north and east of its origin, depth down. " +
-                   kSessionWords,
+          .about =
+              "Writes the map of a saved session for other programs: --format and --out, or "
+              "--3dscene for a scene that MRPT's SceneViewer3D opens, with the seabed's "
+              "voxels, each object with the ellipsoid of its three sigmas in the colour of "
+              "its status, and the vehicle's path.\n\n" +
+              FormatWords() +
+              "\nScenes, points and voxels have x east, y north, z up; csv and asc are in the "
+              "session's frame, north and east of its origin, depth down. " +
+              kSessionWords,
           .options = {{.names = "--format", .value = "FORMAT", .meaning = "one of the above"},
                       {.names = "--out", .value = "FILE", .meaning = "where it goes"},
                       {.names = "--3dscene",
                        .value = "FILE",
                        .meaning = "where the scene goes, e.g. map.3Dscene"},
                       {.names = "--force", .meaning = "write over an existing file"}},
-          .more = "  limpet map export runs/table1-1/change --format geojson --out objects.geojson\n"
-                  "  limpet map export runs/table1-1/change --3dscene change.3Dscene",
+          .more =
+              "  limpet map export runs/table1-1/change --format geojson --out objects.geojson\n"
+              "  limpet map export runs/table1-1/change --3dscene change.3Dscene",
           .takes = "one session and --format FORMAT --out FILE, or --3dscene FILE",
           .least_words = 1,
           .most_words = 1};
@@ -198,11 +201,12 @@ Command InfoForm() {
 Command DiffForm() {
   return {.name = "limpet map diff",
           .words = "<session A> <session B>",
-          .about = "What differs between the maps of two saved sessions: where the seabed is deeper "
-                   "or shallower in B than in A, beyond what both know it to, once what all depths "
-                   "differ by (tide, the sensor's zero) is taken off; and the objects as `limpet "
-                   "change` judges them. Places are in B's frame. A session is its run folder or "
-                   "the session folder in it.",
+          .about =
+              "What differs between the maps of two saved sessions: where the seabed is deeper "
+              "or shallower in B than in A, beyond what both know it to, once what all depths "
+              "differ by (tide, the sensor's zero) is taken off; and the objects as `limpet "
+              "change` judges them. Places are in B's frame. A session is its run folder or "
+              "the session folder in it.",
           .options = {{.names = "--json", .meaning = "for programs"}},
           .takes = "two sessions",
           .least_words = 2,
@@ -234,7 +238,7 @@ void PrintMapHelp() {
   fmt::print(
       "usage: limpet map <command> <session> [options]\n\n"
       "  info       what a saved session's map holds\n"
-      "  export     the map for other programs: ot, ply, geojson, csv, asc, a scene of MRPT's\n"
+      "  export     the map for other programs, from octovis to a GIS\n"
       "  diff       what differs between the maps of two sessions\n\n"
       "`limpet map <command> --help` says more.\n");
 }
@@ -250,8 +254,9 @@ int RunMap(std::span<const std::string> args) {
   if (args[0] == "export") return RunCommand(ExportForm(), args.subspan(1), Export);
   if (args[0] == "diff") return RunCommand(DiffForm(), args.subspan(1), Diff);
   const std::string nearest = NearestWord(args[0], {"info", "export", "diff"});
-  throw UsageError(fmt::format("no command `map {}`{}; `limpet map --help` lists them", args[0],
-                               nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest)));
+  throw UsageError(
+      fmt::format("no command `map {}`{}; `limpet map --help` lists them", args[0],
+                  nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest)));
 }
 
 }  // namespace limpet

@@ -35,7 +35,7 @@ const std::vector<Verb>& Verbs() {
       {"poke", "write variables of a community and read them back", RunPokeVerb},
       {"play", "play a log into a community", RunPlayVerb},
       {"log", "look into a log: scan, stat, grep, clip, csv, recover, rawlog", RunLog},
-      {"map", "a saved session's map for other programs", RunMap},
+      {"map", "a saved session's map: info, export, diff", RunMap},
       {"plug", "expand a mission template, as nsplug does", RunPlug},
   };
   return verbs;

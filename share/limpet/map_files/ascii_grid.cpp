@@ -9,10 +9,10 @@
 namespace limpet {
 
 std::string ToAsciiGrid(const DepthGrid& grid, std::span<const float> values) {
-  std::string text =
-      fmt::format("ncols {}\nnrows {}\nxllcorner {:.3f}\nyllcorner {:.3f}\ncellsize {:g}\n"
-                  "NODATA_value -9999\n",
-                  grid.columns, grid.rows, grid.east_min, grid.north_min, grid.cell_m);
+  std::string text = fmt::format(
+      "ncols {}\nnrows {}\nxllcorner {:.3f}\nyllcorner {:.3f}\ncellsize {:g}\n"
+      "NODATA_value -9999\n",
+      grid.columns, grid.rows, grid.east_min, grid.north_min, grid.cell_m);
   for (int row = grid.rows - 1; row >= 0; --row) {
     for (int column = 0; column < grid.columns; ++column) {
       const float value = values[grid.Index(row, column)];

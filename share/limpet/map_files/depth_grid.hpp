@@ -14,8 +14,8 @@ namespace limpet {
 struct DepthGrid {
   double north_min = 0.0, east_min = 0.0;  ///< NED [m]
   double cell_m = 0.0;
-  int rows = 0;     ///< along north
-  int columns = 0;  ///< along east
+  int rows = 0;                ///< along north
+  int columns = 0;             ///< along east
   std::vector<float> down_m;   ///< not a number where no beam ended
   std::vector<float> sigma_m;  ///< of those: the voxel's height and the beams' spread
 

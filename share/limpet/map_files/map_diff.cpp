@@ -34,8 +34,8 @@ Compared Compare(const DepthGrid& a, const DepthGrid& b, const FrameOffset& offs
           {b.north_min + (row + 0.5) * b.cell_m, b.east_min + (column + 0.5) * b.cell_m, 0.0});
       if (const auto of_a = a.At(p_A.x(), p_A.y())) {
         compared.off_m[cell] = static_cast<double>(b.down_m[cell] - a.down_m[*of_a]);
-        compared.sigma_m[cell] = std::hypot(static_cast<double>(b.sigma_m[cell]),
-                                            static_cast<double>(a.sigma_m[*of_a]));
+        compared.sigma_m[cell] =
+            std::hypot(static_cast<double>(b.sigma_m[cell]), static_cast<double>(a.sigma_m[*of_a]));
       }
     }
   }
@@ -55,8 +55,8 @@ double Median(std::vector<double> values) {
 }
 
 /// Columns side by side that are significantly deeper (sign 1), or shallower (-1).
-void AddChanges(const DepthGrid& b, const std::vector<double>& left_m,
-                const std::vector<double>& z, double sign, std::vector<DepthChange>& changes) {
+void AddChanges(const DepthGrid& b, const std::vector<double>& left_m, const std::vector<double>& z,
+                double sign, std::vector<DepthChange>& changes) {
   cv::Mat mask(b.rows, b.columns, CV_8U, cv::Scalar(0));
   for (int row = 0; row < b.rows; ++row) {
     for (int column = 0; column < b.columns; ++column) {
@@ -112,9 +112,8 @@ DepthDifference Difference(const DepthGrid& a, const DepthGrid& b, const FrameOf
   difference.rms_m = std::sqrt(difference.rms_m);
   AddChanges(b, left_m, z, 1.0, difference.changes);
   AddChanges(b, left_m, z, -1.0, difference.changes);
-  std::ranges::stable_sort(difference.changes, std::ranges::greater{}, [](const DepthChange& c) {
-    return std::abs(c.mean_m) * c.area_m2;
-  });
+  std::ranges::stable_sort(difference.changes, std::ranges::greater{},
+                           [](const DepthChange& c) { return std::abs(c.mean_m) * c.area_m2; });
   return difference;
 }
 

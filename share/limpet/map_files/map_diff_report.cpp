@@ -45,17 +45,15 @@ OrderedJson JsonOf(const DepthDifference& depth) {
                        {"mean_m", change.mean_m},
                        {"z", change.z}});
   }
-  return {{"cells", depth.cells},
-          {"significant_cells", depth.significant_cells},
-          {"offset_m", depth.offset_m},
-          {"offset_sd_m", depth.offset_sd_m},
-          {"rms_m", depth.rms_m},
-          {"changes", std::move(changes)}};
+  return {{"cells", depth.cells},       {"significant_cells", depth.significant_cells},
+          {"offset_m", depth.offset_m}, {"offset_sd_m", depth.offset_sd_m},
+          {"rms_m", depth.rms_m},       {"changes", std::move(changes)}};
 }
 
 std::string ChangesText(const DepthDifference& depth) {
   constexpr std::size_t kMost = 10;
-  if (depth.changes.empty()) return "  no part of the seabed is significantly deeper or shallower\n";
+  if (depth.changes.empty())
+    return "  no part of the seabed is significantly deeper or shallower\n";
   std::string text = fmt::format("  {:>8} {:>8} {:>9} {:>9} {:>6}\n", "north", "east", "area m2",
                                  "deeper m", "sigmas");
   for (std::size_t i = 0; i < std::min(kMost, depth.changes.size()); ++i) {

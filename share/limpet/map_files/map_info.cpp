@@ -133,9 +133,8 @@ OrderedJson WaterJson(const std::optional<WaterRecord>& water) {
 }
 
 std::string ObjectsTable(const std::vector<OpiBelief>& objects) {
-  std::string text =
-      fmt::format("  {:>4} {:<10} {:<14} {:>6} {:>8} {:>8} {:>7} {:>6}\n", "id", "class",
-                  "decided", "there", "north", "east", "down", "looks");
+  std::string text = fmt::format("  {:>4} {:<10} {:<14} {:>6} {:>8} {:>8} {:>7} {:>6}\n", "id",
+                                 "class", "decided", "there", "north", "east", "down", "looks");
   for (const OpiBelief& opi : objects) {
     const Eigen::Vector3d& p_W = opi.object.p_W;
     fmt::format_to(std::back_inserter(text),
@@ -183,8 +182,8 @@ Expected<std::string> MapInfoText(const SavedSession& session) {
     text += fmt::format("  {:<10} {}\n", name, value);
   };
   const std::optional<GeoPoint> datum = DatumOf(facts);
-  pair("datum", datum ? fmt::format("{:.7f}, {:.7f}", datum->latitude_deg, datum->longitude_deg)
-                      : "none");
+  pair("datum",
+       datum ? fmt::format("{:.7f}, {:.7f}", datum->latitude_deg, datum->longitude_deg) : "none");
   if (const auto& area = session.memory.area) {
     pair("area", fmt::format("north {:g} to {:g} m, east {:g} to {:g} m", area->north_min,
                              area->north_max, area->east_min, area->east_max));
@@ -194,10 +193,10 @@ Expected<std::string> MapInfoText(const SavedSession& session) {
     pair("water", fmt::format("visibility {:.1f} m, give or take {:.1f} m",
                               water->estimate.visibility, water->estimate.sd));
   }
-  pair("voxels", info->octree ? fmt::format("{} occupied, {} of objects, of {:g} m",
-                                            info->octree->occupied, info->octree->of_objects,
-                                            info->octree->resolution)
-                              : "none kept");
+  pair("voxels", info->octree
+                     ? fmt::format("{} occupied, {} of objects, of {:g} m", info->octree->occupied,
+                                   info->octree->of_objects, info->octree->resolution)
+                     : "none kept");
   if (info->depth) {
     pair("depth", fmt::format("{:.2f} to {:.2f} m in {} columns, sd {:.2f} m", info->depth->least,
                               info->depth->greatest, info->depth->cells, info->depth->sigma));

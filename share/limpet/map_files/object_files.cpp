@@ -38,8 +38,7 @@ OrderedJson FeatureOf(const OpiBelief& opi, const LocalGrid& grid) {
   const Eigen::Vector3d sigma = SigmaOf(opi);
   return {{"type", "Feature"},
           {"id", opi.id},
-          {"geometry",
-           {{"type", "Point"}, {"coordinates", Position(grid, p_W.x(), p_W.y())}}},
+          {"geometry", {{"type", "Point"}, {"coordinates", Position(grid, p_W.x(), p_W.y())}}},
           {"properties",
            {{"class", opi.object.color},
             {"decided", NameOf(opi.decided)},
@@ -57,10 +56,10 @@ OrderedJson FeatureOf(const SurveyArea& area, const LocalGrid& grid) {
   OrderedJson ring = {corner, Position(grid, area.north_min, area.east_max),
                       Position(grid, area.north_max, area.east_max),
                       Position(grid, area.north_max, area.east_min), corner};
-  return {{"type", "Feature"},
-          {"geometry",
-           {{"type", "Polygon"}, {"coordinates", OrderedJson::array({std::move(ring)})}}},
-          {"properties", {{"name", "survey area"}}}};
+  return {
+      {"type", "Feature"},
+      {"geometry", {{"type", "Polygon"}, {"coordinates", OrderedJson::array({std::move(ring)})}}},
+      {"properties", {{"name", "survey area"}}}};
 }
 
 }  // namespace
@@ -87,8 +86,8 @@ std::string ObjectsToCsv(const SavedSession& session) {
     }
     fmt::format_to(std::back_inserter(text),
                    "{},{},{},{:.4f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{},{}\n", opi.id,
-                   opi.object.color, NameOf(opi.decided), opi.posterior.present(), p_W.x(),
-                   p_W.y(), p_W.z(), sigma.x(), sigma.y(), sigma.z(), place, opi.looks);
+                   opi.object.color, NameOf(opi.decided), opi.posterior.present(), p_W.x(), p_W.y(),
+                   p_W.z(), sigma.x(), sigma.y(), sigma.z(), place, opi.looks);
   }
   return text;
 }

@@ -13,7 +13,13 @@ namespace {
 /// 12 by 12 m; `depth` of a place.
 template <class Depth>
 DepthGrid GridOf(const Depth& depth) {
-  DepthGrid grid{.north_min = -6.0, .east_min = -6.0, .cell_m = 0.2, .rows = 60, .columns = 60};
+  DepthGrid grid{.north_min = -6.0,
+                 .east_min = -6.0,
+                 .cell_m = 0.2,
+                 .rows = 60,
+                 .columns = 60,
+                 .down_m = {},
+                 .sigma_m = {}};
   for (int row = 0; row < grid.rows; ++row) {
     for (int column = 0; column < grid.columns; ++column) {
       grid.down_m.push_back(static_cast<float>(

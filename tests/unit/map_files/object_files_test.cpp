@@ -14,13 +14,15 @@ SavedSession Session() {
   SavedSession session;
   session.facts.lat_origin = "43.7210";
   session.facts.long_origin = "10.2830";
-  OpiBelief opi{.id = 3};
+  OpiBelief opi;
+  opi.id = 3;
   opi.object = {.p_W = {100.0, 50.0, 7.25},
                 .cov_W = Eigen::Vector3d(0.04, 0.09, 0.01).asDiagonal(),
                 .color = "orange"};
   opi.posterior = {.appeared = 0.98, .nothing = 0.02};
   opi.decided = Status::kNew;
-  OpiBelief nothing{.id = 4};
+  OpiBelief nothing;
+  nothing.id = 4;
   nothing.decided = Status::kNothing;
   session.memory.objects.opis = {opi, nothing};
   session.memory.area =
