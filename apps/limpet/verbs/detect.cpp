@@ -7,12 +7,16 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <optional>
+#include <set>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
 #include "limpet/core/params.hpp"
+#include "limpet/logbook/alog_csv.hpp"
+#include "limpet/vision/box_drawing.hpp"
 #include "limpet/vision/detector_registry.hpp"
 #include "limpet/vision/image_file.hpp"
 
@@ -41,6 +45,9 @@ Command DetectForm() {
                        .value = "NAME",
                        .meaning = "`limpet describe` lists them and their keys",
                        .fallback = "color_shape"},
+                      {.names = "--draw",
+                       .value = "DIR",
+                       .meaning = "also write each image there, its boxes drawn"},
                       {.names = "--set",
                        .value = "KEY=V",
                        .meaning = "override a parameter of the detector",
@@ -49,13 +56,25 @@ Command DetectForm() {
           .least_words = 1};
 }
 
-bool IsImageName(const fs::path& file) {
+std::string ExtensionOf(const fs::path& file) {
   std::string extension = file.extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char letter) {
     return static_cast<char>(std::tolower(letter));
   });
+  return extension;
+}
+
+bool IsImageName(const fs::path& file) {
+  const std::string extension = ExtensionOf(file);
   constexpr std::array kKnown{".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".ppm", ".webp"};
   return std::ranges::find(kKnown, extension) != kKnown.end();
+}
+
+/// What to do about a file that is a video.
+std::string AdviceOn(const fs::path& file) {
+  constexpr std::array kVideos{".mp4", ".avi", ".mkv", ".mov", ".m4v", ".mpg", ".mpeg", ".webm"};
+  if (std::ranges::find(kVideos, ExtensionOf(file)) == kVideos.end()) return "";
+  return fmt::format("; of a video give its frames: ffmpeg -i {} frame_%06d.png", file.string());
 }
 
 /// Files as given; of a folder its images in the order of their names.
@@ -78,18 +97,6 @@ std::vector<fs::path> ImagesOf(const std::vector<std::string>& given) {
   return images;
 }
 
-/// Quoted if the name holds what would end a CSV field.
-std::string CsvField(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) {
-    return text;
-  }
-  std::string quoted = "\"";
-  for (const char letter : text) {
-    quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  }
-  return quoted + "\"";
-}
-
 /// The detector that --detector names, with the parameters that --set gives.
 std::unique_ptr<Detector> DetectorOf(const Arguments& arguments) {
   auto factory = FindDetector(*arguments.Find("detector"));
@@ -110,27 +117,61 @@ std::unique_ptr<Detector> DetectorOf(const Arguments& arguments) {
   return (*factory)->Make();
 }
 
-/// Returns how many images could not be read.
+/// Where an image goes that its boxes are drawn in: like names from several folders do not meet.
+fs::path DrawnName(const fs::path& folder, const fs::path& image, std::set<fs::path>& taken) {
+  const std::string stem = image.stem().string();
+  fs::path name = folder / (stem + ".png");
+  for (int i = 2; !taken.insert(name).second; ++i) {
+    name = folder / fmt::format("{}-{}.png", stem, i);
+  }
+  return name;
+}
+
+/// What to do with an image's boxes.
+struct BoxOutput {
+  std::ostream& table;
+  std::optional<fs::path> drawings;
+  std::set<fs::path> drawn;
+};
+
+std::optional<Error> DetectIn(const fs::path& file, Detector& detector, double least_confidence,
+                              BoxOutput& out) {
+  Expected<Image> image = ReadImage(file);
+  if (!image) return image.error();
+  std::vector<Box> boxes = detector.Detect(image->view());
+  std::erase_if(boxes, [&](const Box& box) { return box.confidence < least_confidence; });
+  for (const Box& box : boxes) {
+    out.table << fmt::format("{},{},{:.3f},{:.1f},{:.1f},{:.1f},{:.1f}\n", CsvField(file.string()),
+                             box.color, box.confidence, box.u - 0.5 * box.w, box.v - 0.5 * box.h,
+                             box.w, box.h);
+  }
+  if (!out.drawings) return std::nullopt;
+  DrawBoxes(boxes, *image);
+  return WriteImage(DrawnName(*out.drawings, file, out.drawn), *image);
+}
+
+/// Returns how many images could not be read, or drawn.
 int DetectAll(Detector& detector, const std::vector<fs::path>& images, double least_confidence,
-              std::ostream& out) {
+              BoxOutput& out) {
   int failed = 0;
-  out << "image,class,confidence,x,y,w,h\n";
+  out.table << "image,class,confidence,x,y,w,h\n";
   for (const fs::path& file : images) {
-    const Expected<Image> image = ReadImage(file);
-    if (!image) {
-      fmt::print(stderr, "limpet detect: {}\n", image.error().text);
+    if (const auto problem = DetectIn(file, detector, least_confidence, out)) {
+      fmt::print(stderr, "limpet detect: {}{}\n", problem->text, AdviceOn(file));
       ++failed;
-      continue;
-    }
-    for (const Box& box : detector.Detect(image->view())) {
-      if (box.confidence >= least_confidence) {
-        out << fmt::format("{},{},{:.3f},{:.1f},{:.1f},{:.1f},{:.1f}\n", CsvField(file.string()),
-                           box.color, box.confidence, box.u - 0.5 * box.w, box.v - 0.5 * box.h,
-                           box.w, box.h);
-      }
     }
   }
   return failed;
+}
+
+/// Throws Refusal if it cannot be made.
+std::optional<fs::path> DrawingFolder(const Arguments& arguments) {
+  const std::optional<std::string> name = arguments.Find("draw");
+  if (!name) return std::nullopt;
+  std::error_code problem;
+  fs::create_directories(*name, problem);
+  if (!fs::is_directory(*name)) throw Refusal(fmt::format("{}: cannot be a folder", *name));
+  return fs::path(*name);
 }
 
 int DetectInImages(const Arguments& arguments) {
@@ -147,7 +188,8 @@ int DetectInImages(const Arguments& arguments) {
     fmt::print(stderr, "limpet detect: {}: cannot be written\n", out_name);
     return kFailed;
   }
-  const int failed = DetectAll(*detector, images, least_confidence, out);
+  BoxOutput output{.table = out, .drawings = DrawingFolder(arguments), .drawn = {}};
+  const int failed = DetectAll(*detector, images, least_confidence, output);
   out.close();
   if (!out) {
     fmt::print(stderr, "limpet detect: {}: writing failed\n", out_name);

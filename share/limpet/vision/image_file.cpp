@@ -30,4 +30,15 @@ Expected<Image> ReadImage(const std::filesystem::path& file) {
   return image;
 }
 
+std::optional<Error> WriteImage(const std::filesystem::path& file, const Image& image) {
+  const cv::Mat pixels(image.height_px, image.width_px, CV_8UC3,
+                       const_cast<std::uint8_t*>(image.bgr.data()));  // OpenCV's Mat is not const
+  try {
+    if (cv::imwrite(file.string(), pixels)) return std::nullopt;
+  } catch (const cv::Exception& exception) {
+    return Error{file.string() + ": " + exception.what()};
+  }
+  return Error{file.string() + ": cannot be written"};
+}
+
 }  // namespace limpet

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "limpet/core/expected.hpp"
 #include "limpet/vision/image.hpp"
@@ -10,5 +11,8 @@ namespace limpet {
 
 /// Reads PNG, JPEG, TIFF and whatever else OpenCV knows, as 8-bit BGR.
 [[nodiscard]] Expected<Image> ReadImage(const std::filesystem::path& file);
+/// Writes it as what the name's extension says. The complaint if that failed.
+[[nodiscard]] std::optional<Error> WriteImage(const std::filesystem::path& file,
+                                              const Image& image);
 
 }  // namespace limpet

@@ -6,6 +6,7 @@
 
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/command_line.hpp"
+#include "limpet/vision/image_file.hpp"
 #include "limpet/vision/scene_renderer.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -93,6 +94,24 @@ TEST_F(DetectVerb, RefusesADetectorThatDoesNotExist) {
 
 TEST_F(DetectVerb, FailsWhereItCannotWrite) {
   EXPECT_EQ(Run({Path("ball.ppm"), "--out", Path("nowhere/out.csv")}), kFailed);
+}
+
+TEST_F(DetectVerb, DrawsWhatItFound) {
+  ASSERT_EQ(
+      Run({Path("ball.ppm"), Path("ball.ppm"), "--out", Path("out.csv"), "--draw", Path("drawn")}),
+      kOk);
+  const Expected<Image> before = ReadImage(Path("ball.ppm"));
+  const Expected<Image> drawn = ReadImage(Path("drawn/ball.png"));
+  ASSERT_TRUE(before && drawn);
+  EXPECT_NE(drawn->bgr, before->bgr);
+  EXPECT_TRUE(ReadImage(Path("drawn/ball-2.png"))) << "one of like names does not hide another";
+}
+
+TEST_F(DetectVerb, SaysHowToTakeAVideo) {
+  std::ofstream(folder_.path() / "dive.mp4") << "no image";
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(Run({Path("dive.mp4"), "--out", Path("out.csv")}), kFailed);
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(), HasSubstr("ffmpeg -i "));
 }
 
 }  // namespace
