@@ -74,7 +74,7 @@ constexpr std::array<Format, 5> kFormats{
            [](const SavedSession& session, const SemanticOctree&) {
              return MapFile{.main = ObjectsToCsv(session)};
            }},
-    Format{"asc", "depth of the seabed as an Esri ASCII grid, and its sigma in a second file",
+    Format{"asc", "depth of the seabed as an Esri ASCII grid; its sigma in a second one",
            MakeDepths}};
 
 std::string FormatWords() {
