@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
+#include "limpet/console/command_output.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/logbook/alog_csv.hpp"
 #include "limpet/vision/box_drawing.hpp"
