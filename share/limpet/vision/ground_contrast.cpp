@@ -82,6 +82,9 @@ GroundContrast MeasureGroundContrast(ImageView picture) {
   const double shrink = std::max(1.0, static_cast<double>(picture.width_px) / kAcross);
   cv::Mat small;
   cv::resize(linear, small, {}, 1.0 / shrink, 1.0 / shrink, cv::INTER_AREA);
+  if (std::min(small.rows, small.cols) <= 2 * kMargin) {
+    return {};  // a strip: all of it is border
+  }
   std::array<cv::Mat, 3> channels;
   cv::split(small, channels.data());
   const double noise = PixelNoise(linear) / shrink / std::max(cv::mean(small)[1], kDarkest);

@@ -12,7 +12,7 @@ namespace limpet {
 ///
 /// Over one and the same ground it falls as exp(-c d) with the distance d: exposure cancels, what
 /// scatters light into the view stays in the mean. All zero for pictures of less than 64 pixels
-/// across.
+/// across, and for strips of less than a tenth of their length.
 [[nodiscard]] GroundContrast MeasureGroundContrast(ImageView picture);
 
 }  // namespace limpet
