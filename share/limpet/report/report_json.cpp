@@ -87,6 +87,13 @@ OrderedJson FalseOpis(const std::vector<FalseOpi>& opis) {
   return list;
 }
 
+OrderedJson PosteriorJson(const StatusPosterior& posterior) {
+  return {{"confirmed", Share(posterior.confirmed)},
+          {"removed", Share(posterior.removed)},
+          {"new", Share(posterior.appeared)},
+          {"nothing", Share(posterior.nothing)}};
+}
+
 OrderedJson Changes(const std::vector<ChangeScore>& changes) {
   OrderedJson list = OrderedJson::array();
   for (const ChangeScore& change : changes) {
@@ -95,7 +102,9 @@ OrderedJson Changes(const std::vector<ChangeScore>& changes) {
          {"expected", change.expected ? OrderedJson(*change.expected) : OrderedJson(nullptr)},
          {"decided", change.decided},
          {"probability", Share(change.probability)},
-         {"ned_m", change.ned ? PointJson(*change.ned) : OrderedJson(nullptr)}});
+         {"ned_m", change.ned ? PointJson(*change.ned) : OrderedJson(nullptr)},
+         {"posterior",
+          change.posterior ? PosteriorJson(*change.posterior) : OrderedJson(nullptr)}});
   }
   return list;
 }

@@ -169,6 +169,7 @@ void ScoreChanges(const SessionRecord& record, const std::string& former, const 
       score.decided = NameOf(opi.decided);
       score.probability = ProbabilityOf(opi);
       score.ned = matched[i]->ned;
+      score.posterior = opi.posterior;
     }
     scores.changes.push_back(std::move(score));
   }
@@ -176,7 +177,7 @@ void ScoreChanges(const SessionRecord& record, const std::string& former, const 
     const bool is_known = Contains(matched, belief) || IsTraceOfAMove(belief, scenario, sessions);
     if (is_known || !IsDecided(*belief.opi)) continue;
     scores.changes.push_back({std::nullopt, std::nullopt, std::string(NameOf(belief.opi->decided)),
-                              ProbabilityOf(*belief.opi), belief.ned});
+                              ProbabilityOf(*belief.opi), belief.ned, belief.opi->posterior});
   }
 }
 
@@ -204,7 +205,7 @@ OpiScores ReportedOpis(const SessionRecord& record, bool has_former) {
     }
     if (has_former) {
       scores.changes.push_back({std::nullopt, std::nullopt, std::string(NameOf(opi.decided)),
-                                ProbabilityOf(opi), belief.ned});
+                                ProbabilityOf(opi), belief.ned, opi.posterior});
     }
   }
   return scores;

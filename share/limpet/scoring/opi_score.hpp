@@ -42,6 +42,7 @@ struct ChangeScore {
   std::string decided;                  ///< one of these, uncertain or not_inspected
   double probability = 0.0;             ///< of what was decided
   std::optional<Eigen::Vector3d> ned;   ///< where the vehicle says; nothing: it knows of no object
+  std::optional<StatusPosterior> posterior = std::nullopt;  ///< of that object
   [[nodiscard]] bool is_right() const { return expected && *expected == decided; }
   /// True if nothing was decided.
   [[nodiscard]] bool is_open() const;

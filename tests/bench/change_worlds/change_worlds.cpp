@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Does a verdict mean what it says where the world is not the one believed? Two sessions each in
+// worlds drawn at random, flown in closed loop by the command itself; what it said beside what was
+// so.
+//   change_worlds fly LIMPET FOLDER FIRST LAST   flies seeds that FOLDER has no report of yet
+//   change_worlds tell FOLDER FIRST LAST         figures of those that have one
+#include <atomic>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/bench/change_worlds/drawn_world.hpp"
+#include "tests/bench/change_worlds/verdict_tally.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Seeds {
+  std::uint64_t first = 1, last = 1;
+};
+
+fs::path FolderOf(const fs::path& root, std::uint64_t seed) {
+  return root / fmt::format("world{}", seed);
+}
+
+void FlyOne(const std::string& limpet, const fs::path& root, std::uint64_t seed) {
+  const fs::path folder = FolderOf(root, seed);
+  if (fs::exists(folder / "run/report.json")) return;
+  fs::remove_all(folder / "run");
+  WriteDrawnWorld(seed, folder);
+  const std::string command = fmt::format("{0} survey {1} --seed {2} --out {1}/run > {1}/log 2>&1",
+                                          limpet, folder.string(), seed);
+  const int status = std::system(command.c_str());
+  if (!fs::exists(folder / "run/report.json")) {
+    fmt::print(stderr, "world {}: no report (status {}), see {}/log\n", seed, status,
+               folder.string());
+  }
+}
+
+void Fly(const std::string& limpet, const fs::path& root, Seeds seeds) {
+  std::atomic<std::uint64_t> next = seeds.first;
+  const auto work = [&] {
+    for (std::uint64_t seed = next++; seed <= seeds.last; seed = next++)
+      FlyOne(limpet, root, seed);
+  };
+  std::vector<std::jthread> workers;
+  for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
+    workers.emplace_back(work);
+}
+
+void Tell(const fs::path& root, Seeds seeds) {
+  VerdictTally tally;
+  for (std::uint64_t seed = seeds.first; seed <= seeds.last; ++seed) {
+    std::ifstream in(FolderOf(root, seed) / "run/report.json");
+    if (in) tally.Add(seed, nlohmann::json::parse(in));
+  }
+  fmt::print("{}", tally.Text());
+}
+
+std::uint64_t Number(const char* text) { return std::strtoull(text, nullptr, 10); }
+
+}  // namespace
+}  // namespace limpet
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> args(argv + 1, argv + argc);
+  if (args.size() == 5 && args[0] == "fly") {
+    limpet::Fly(args[1], args[2], {limpet::Number(argv[4]), limpet::Number(argv[5])});
+    limpet::Tell(args[2], {limpet::Number(argv[4]), limpet::Number(argv[5])});
+    return 0;
+  }
+  if (args.size() == 4 && args[0] == "tell") {
+    limpet::Tell(args[1], {limpet::Number(argv[3]), limpet::Number(argv[4])});
+    return 0;
+  }
+  fmt::print(stderr,
+             "usage: change_worlds fly LIMPET FOLDER FIRST LAST | tell FOLDER FIRST LAST\n");
+  return 2;
+}
