@@ -65,11 +65,12 @@ class TrackedObject {
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< [m], as of the last solution
   double log_size = 0.0;  ///< natural logarithm of its share of the believed radius, as of then
   TrackState state = Tentative{};
-  double last_path = 0.0;        ///< way travelled when last seen [m]
-  double max_distance = 0.0;     ///< from the camera that it was seen at [m]
-  int expected = 0;              ///< frames that should have shown it
-  int hits = 0;                  ///< of these, how many did
-  std::optional<int> former_id;  ///< object of the former session it was matched with
+  double last_path = 0.0;           ///< way travelled when last seen [m]
+  double max_distance = 0.0;        ///< from the camera that it was seen at [m]
+  int expected = 0;                 ///< frames that should have shown it
+  int hits = 0;                     ///< of these, how many did
+  std::optional<int> former_id;     ///< object of the former session it was matched with
+  double former_probability = 1.0;  ///< that it stands where that one stood
   std::vector<FormerCandidate> former_candidates;  ///< while that is undecided
   double drift_sd = 0.0;  ///< of its distance to landmarks when it came in doubt [m]
   IdentityVerdict verdict;

@@ -357,8 +357,8 @@ SessionMatch MatchSessions(const std::vector<ObjectEstimate>& former,
 
 SessionMatch FitSessions(const std::vector<ObjectEstimate>& former,
                          const std::vector<ObjectEstimate>& now, std::vector<int> now_of_former,
-                         const MatchingParams& params) {
-  return SessionMatcher(former, now, params, OffsetPrior(params)).Fit(std::move(now_of_former));
+                         const MatchingParams& params, const Eigen::Matrix4d& prior) {
+  return SessionMatcher(former, now, params, prior).Fit(std::move(now_of_former));
 }
 
 }  // namespace limpet

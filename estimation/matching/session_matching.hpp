@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -83,10 +84,16 @@ struct SessionMatch {
 }
 
 /// The frames' offset from matches that somebody else has decided; `now_of_former` as in
-/// SessionMatch. `chance` stays empty.
+/// SessionMatch, `prior` as in MatchSessions. `chance` stays empty.
 [[nodiscard]] SessionMatch FitSessions(const std::vector<ObjectEstimate>& former,
                                        const std::vector<ObjectEstimate>& now,
-                                       std::vector<int> now_of_former,
-                                       const MatchingParams& params);
+                                       std::vector<int> now_of_former, const MatchingParams& params,
+                                       const Eigen::Matrix4d& prior);
+[[nodiscard]] inline SessionMatch FitSessions(const std::vector<ObjectEstimate>& former,
+                                              const std::vector<ObjectEstimate>& now,
+                                              std::vector<int> now_of_former,
+                                              const MatchingParams& params) {
+  return FitSessions(former, now, std::move(now_of_former), params, OffsetPrior(params));
+}
 
 }  // namespace limpet

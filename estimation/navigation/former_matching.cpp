@@ -53,6 +53,7 @@ void FormerMatching::Update() {
   }
   for (std::size_t i = 0; i < present.objects.size(); ++i) {
     present.objects[i]->former_id = tie_.former_ids()[i];
+    present.objects[i]->former_probability = tie_.former_probabilities()[i];
     present.objects[i]->former_candidates = tie_.candidates()[i];
   }
   smoother_.SetJointPrior(tie_.prior());

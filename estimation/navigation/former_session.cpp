@@ -13,6 +13,7 @@
 #include "estimation/matching/match_evidence.hpp"
 #include "estimation/matching/own_covariance.hpp"
 #include "estimation/navigation/former_candidates.hpp"
+#include "estimation/navigation/former_displacement.hpp"
 #include "limpet/core/require.hpp"
 
 namespace limpet {
@@ -112,6 +113,7 @@ void SetOwn(std::vector<ObjectEstimate>& objects, const Eigen::MatrixXd& own) {
 void FormerSessionTie::SetFormer(FormerSession former) {
   given_ = std::move(former);
   former_ids_.clear();
+  former_probabilities_.clear();
   candidates_.clear();
   prior_.reset();
   is_elsewhere_ = false;
@@ -195,9 +197,11 @@ bool FormerSessionTie::Match(const PresentLandmarks& landmarks,
   std::vector<ObjectEstimate> candidates;
   for (const std::size_t i : placed)
     candidates.push_back(present.objects[i]);
-  const SessionMatch match = MatchOrSearch(candidates, split.frame);
+  SessionMatch match = MatchOrSearch(candidates, split.frame);
+  const std::vector<double> same_place = ChancesOfSamePlace(former_.objects, candidates, params_,
+                                                            OffsetInformation(split.frame), match);
   offset_ = match.offset;
-  const std::vector<Pair> pairs = Decide(present, match, placed);
+  const std::vector<Pair> pairs = Decide(present, match, placed, same_place);
   prior_.reset();
   if (pairs.size() >= 2) {
     prior_ = PriorFrom(pairs, present, split.frame, split.own);
@@ -207,9 +211,10 @@ bool FormerSessionTie::Match(const PresentLandmarks& landmarks,
 
 std::vector<FormerSessionTie::Pair> FormerSessionTie::Decide(
     const PresentLandmarks& present, const SessionMatch& match,
-    const std::vector<std::size_t>& placed) {
+    const std::vector<std::size_t>& placed, const std::vector<double>& same_place) {
   const FormerObjects former{.ids = former_.ids, .objects = former_.objects};
   former_ids_.assign(present.slots.size(), std::nullopt);
+  former_probabilities_.assign(present.slots.size(), 1.0);
   candidates_.assign(present.slots.size(), {});
   for (std::size_t j = 0; j < placed.size(); ++j)
     candidates_[placed[j]] = RivalCandidates(former, match, static_cast<int>(j));
@@ -218,9 +223,16 @@ std::vector<FormerSessionTie::Pair> FormerSessionTie::Decide(
   for (std::size_t i = 0; i < former_.ids.size(); ++i) {
     if (match.now_of_former[i] < 0) continue;
     const std::size_t now = placed[static_cast<std::size_t>(match.now_of_former[i])];
-    former_ids_[now] = former_.ids[i];
     is_taken[i] = true;
-    if (candidates_[now].empty()) pairs.push_back({i, now});
+    if (same_place[i] <= 1.0 - kDecidedMatch) continue;  // moved, or gone and another one came
+    former_ids_[now] = former_.ids[i];
+    former_probabilities_[now] = same_place[i];
+    if (!candidates_[now].empty()) continue;
+    if (same_place[i] < kDecidedMatch) {
+      candidates_[now] = {{former_.ids[i], same_place[i]}};
+    } else {
+      pairs.push_back({i, now});
+    }
   }
   for (std::size_t now = 0; now + present.others < present.slots.size(); ++now) {
     if (former_ids_[now] || !candidates_[now].empty()) continue;

@@ -48,6 +48,10 @@ class FormerSessionTie {
 
   /// Per present landmark of the last Match: the former object's id, if it is one.
   [[nodiscard]] const std::vector<std::optional<int>>& former_ids() const { return former_ids_; }
+  /// Per present landmark with such an id: the chance that it stands where that object stood.
+  [[nodiscard]] const std::vector<double>& former_probabilities() const {
+    return former_probabilities_;
+  }
   /// Per present landmark: what it may be as long as that is undecided, as in Landmark.
   [[nodiscard]] const std::vector<std::vector<FormerCandidate>>& candidates() const {
     return candidates_;
@@ -64,10 +68,12 @@ class FormerSessionTie {
   struct Pair {
     std::size_t former, now;
   };
-  /// Sets `former_ids_` and `candidates_`; the pairs that are decided. `placed`: indices of the
-  /// landmarks that took part in the match.
+  /// Sets `former_ids_` with their probabilities and `candidates_`; the pairs that are decided.
+  /// `placed`: indices of the landmarks that took part in the match; `same_place`:
+  /// ChancesOfSamePlace.
   std::vector<Pair> Decide(const PresentLandmarks& present, const SessionMatch& match,
-                           const std::vector<std::size_t>& placed);
+                           const std::vector<std::size_t>& placed,
+                           const std::vector<double>& same_place);
   /// Takes the former session's places to where `placed` has its frame.
   void Place(const FrameOffset& placed);
   /// The match under the frame as it is placed, or under one that is found elsewhere.
@@ -94,6 +100,7 @@ class FormerSessionTie {
   Eigen::Matrix4d former_frame_ = Eigen::Matrix4d::Zero();
   Eigen::MatrixXd former_own_;
   std::vector<std::optional<int>> former_ids_;
+  std::vector<double> former_probabilities_;
   std::vector<std::vector<FormerCandidate>> candidates_;
   FrameOffset offset_;  ///< of the frame as placed
   std::optional<JointPrior> prior_;

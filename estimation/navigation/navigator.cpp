@@ -275,6 +275,7 @@ std::vector<Landmark> Navigator::Landmarks() const {
          .looks = static_cast<int>(object->observations.size()),
          .is_confirmed = true,
          .former_id = object->former_id,
+         .former_probability = object->former_probability,
          .former_candidates = object->former_candidates});
   }
   return landmarks;

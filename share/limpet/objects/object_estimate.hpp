@@ -33,6 +33,8 @@ struct Landmark {
   bool is_confirmed = false;  ///< enough looks and parallax to be an object; tentative ones are not
                               ///< published to users
   std::optional<int> former_id = std::nullopt;  ///< of the FormerObject that it was matched with
+  double former_probability = 1.0;  ///< that it stands where that one stood; else it was moved, or
+                                    ///< that one is gone and this one came
   /// Not empty: which former object it is, if any, is undecided. What the probabilities leave to
   /// one is that it is none of them; `former_id` is then the likeliest match, if there is one.
   std::vector<FormerCandidate> former_candidates = {};

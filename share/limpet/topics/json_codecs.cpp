@@ -64,12 +64,16 @@ ObjectEstimate EstimateFrom(const nlohmann::json& in) {
   return object;
 }
 
-/// `prior_candidates` is there only while the match is undecided.
+/// `prior_candidates` is there only while the match is undecided, `prior_p` only where it is
+/// below 1.
 void to_json(nlohmann::json& out, const Landmark& landmark) {
   out = {{"id", landmark.id},
          {"looks", landmark.looks},
          {"is_confirmed", landmark.is_confirmed},
          {"prior_id", landmark.former_id.value_or(-1)}};
+  if (landmark.former_id && landmark.former_probability < 1.0) {
+    out["prior_p"] = landmark.former_probability;
+  }
   for (const FormerCandidate& candidate : landmark.former_candidates) {
     out["prior_candidates"].push_back({{"id", candidate.id}, {"p", candidate.probability}});
   }
@@ -82,7 +86,8 @@ void from_json(const nlohmann::json& in, Landmark& landmark) {
               .object = EstimateFrom(in),
               .looks = in.at("looks"),
               .is_confirmed = in.at("is_confirmed"),
-              .former_id = former < 0 ? std::nullopt : std::optional(former)};
+              .former_id = former < 0 ? std::nullopt : std::optional(former),
+              .former_probability = in.value("prior_p", 1.0)};
   for (const nlohmann::json& candidate : in.value("prior_candidates", nlohmann::json::array())) {
     landmark.former_candidates.push_back(
         {.id = candidate.at("id"), .probability = candidate.at("p")});
