@@ -20,15 +20,15 @@ PerVisibility LogChance(const PerVisibility& chance, bool has_box) {
 }  // namespace
 
 LookLog::Evidence& LookLog::Evidence::operator+=(const Evidence& other) {
-  present += other.present;
-  present_failing += other.present_failing;
-  absent += other.absent;
-  absent_clutter += other.absent_clutter;
+  object += other.object;
+  failing += other.failing;
+  bare += other.bare;
+  faint_lookalike += other.faint_lookalike;
   return *this;
 }
 
 LookLog::Evidence LookLog::Evidence::operator/(double n) const {
-  return {present / n, present_failing / n, absent / n, absent_clutter / n};
+  return {object / n, failing / n, bare / n, faint_lookalike / n};
 }
 
 LookLog::Evidence LookLog::Weigh(const FrameEvidence& frame) const {
@@ -38,11 +38,10 @@ LookLog::Evidence LookLog::Weigh(const FrameEvidence& frame) const {
     return PerVisibility(1.0 - (1.0 - detects) * (1.0 - frame.false_alarm));
   };
   const PerVisibility clutter = params_.clutter_detects * frame.detects;
-  return {
-      .present = LogChance(either(frame.detects), frame.has_box),
-      .present_failing = LogChance(either(params_.failing_detects * frame.detects), frame.has_box),
-      .absent = LogChance(frame.false_alarm, frame.has_box),
-      .absent_clutter = LogChance(either(clutter), frame.has_box)};
+  return {.object = LogChance(either(frame.detects), frame.has_box),
+          .failing = LogChance(either(params_.failing_detects * frame.detects), frame.has_box),
+          .bare = LogChance(frame.false_alarm, frame.has_box),
+          .faint_lookalike = LogChance(either(clutter), frame.has_box)};
 }
 
 bool LookLog::IsNewViewpoint(const FrameEvidence& frame) const {
@@ -85,28 +84,38 @@ void LookLog::CloseLook() {
 
 void LookLog::ClosePass() {
   CloseLook();
-  const Likelihoods pass = OfPass(*pass_);
-  closed_.present += pass.present;
-  closed_.absent += pass.absent;
+  closed_ += OfPass(*pass_);
   pass_.reset();
 }
 
-LookLog::Likelihoods LookLog::OfPass(const Evidence& pass) const {
-  return {.present = LogSum(std::log1p(-params_.pass_failure) + pass.present,
-                            std::log(params_.pass_failure) + pass.present_failing),
-          .absent = LogSum(std::log1p(-params_.pass_clutter) + pass.absent,
-                           std::log(params_.pass_clutter) + pass.absent_clutter)};
+LookLog::Evidence LookLog::OfPass(const Evidence& pass) const {
+  const auto may_fail = [&](const PerVisibility& seen) {
+    return LogSum(std::log1p(-params_.pass_failure) + seen,
+                  std::log(params_.pass_failure) + pass.failing);
+  };
+  return {.object = may_fail(pass.object),
+          .failing = pass.failing,
+          .bare = pass.bare,
+          .faint_lookalike = may_fail(pass.faint_lookalike)};
 }
 
 LookLog::Likelihoods LookLog::likelihoods() const {
-  if (!look_) {
-    return closed_;
+  Evidence all = closed_;
+  if (look_) {
+    Evidence pass = *pass_;
+    pass += look_->mean();
+    all += OfPass(pass);
   }
-  Evidence pass = *pass_;
-  pass += look_->mean();
-  const Likelihoods under_way = OfPass(pass);
-  return {.present = closed_.present + under_way.present,
-          .absent = closed_.absent + under_way.absent};
+  // Every other lookalike shows as reliably as an object: being seen often does not unmask it.
+  return {.present = LogSum(std::log1p(-params_.place_failure) + all.object,
+                            std::log(params_.place_failure) + all.failing),
+          .bare = all.bare,
+          .lookalike = std::log(0.5) + LogSum(all.object, all.faint_lookalike)};
+}
+
+PlaceEvidence LookLog::evidence() const {
+  const Likelihoods seen = likelihoods();
+  return {.present = seen.present - seen.bare, .lookalike = seen.lookalike - seen.bare};
 }
 
 PerVisibility LookLog::looks() const {

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "estimation/change/place_evidence.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/core/units.hpp"
 #include "limpet/survey/look.hpp"
@@ -13,13 +14,14 @@
 
 namespace limpet {
 
-/// When frames count as one look and looks as one pass, and how often a whole pass goes wrong.
+/// When frames count as one look and looks as one pass, and how often a whole pass goes wrong, or
+/// all of one session.
 struct LookParams {
   Meters new_look_distance{0.5};
   Radians new_look_angle = Radians::FromTextUnit(15.0);
   Seconds new_pass_gap{8.0};
   double pass_failure = 0.02;     ///< chance that a pass misses an object that it passed over
-  double pass_clutter = 2e-4;     ///< chance that a pass sees something lasting where there is none
+  double place_failure = 0.005;   ///< chance that all passes of one session do: it is overgrown
   double failing_detects = 0.05;  ///< share of the detection rate left in a failing pass
   double clutter_detects = 0.7;   ///< chance per frame of a box on lasting clutter
 
@@ -34,9 +36,8 @@ struct LookParams {
           InRange(1.0_s, 600.0_s));
     visit("pass_failure", pass_failure,
           "Chance that a whole pass misses an object it should have seen", InRange(1e-5, 0.5));
-    visit("pass_clutter", pass_clutter,
-          "Chance that something lasting looks like an object at a given place",
-          InRange(1e-7, 0.5));
+    visit("place_failure", place_failure,
+          "Chance that a whole session misses an object it should have seen", InRange(1e-5, 0.5));
     visit("failing_detects", failing_detects, "Share of the detection rate left in a failing pass",
           InRange(0.0, 0.9));
     visit("clutter_detects", clutter_detects, "Chance per frame of a box on lasting clutter",
@@ -55,8 +56,9 @@ struct FrameEvidence {
 
 /// Collects what the frames of one session said about one place, as looks (frames from nearly one
 /// viewpoint count together as one witness) and passes (looks of one pass share what made them
-/// fail), and turns it into Lambda = ln P(seen | present) / P(seen | absent), for each visibility
-/// that the water may have.
+/// fail), for each visibility that the water may have. What lasts is drawn once for all passes: a
+/// stone that looks like a buoy does not become one by being seen again, and an overgrown buoy that
+/// no pass saw is not gone for that.
 class LookLog {
  public:
   explicit LookLog(const LookParams& params) : params_(params) {}
@@ -65,20 +67,20 @@ class LookLog {
   void Add(const FrameEvidence& frame);
   /// ln P(seen) over all passes, the one under way included.
   struct Likelihoods {
-    PerVisibility present, absent;
-    [[nodiscard]] PerVisibility lambda() const { return present - absent; }
+    PerVisibility present, bare, lookalike;
   };
   [[nodiscard]] Likelihoods likelihoods() const;
-  [[nodiscard]] PerVisibility Lambda() const { return likelihoods().lambda(); }
+  [[nodiscard]] PlaceEvidence evidence() const;
   /// Looks as `survey/look.hpp` has them, or that did show a box.
   [[nodiscard]] PerVisibility looks() const;
   [[nodiscard]] int looks_with_box() const;
   [[nodiscard]] int passes() const { return passes_; }
 
  private:
-  /// ln P of what was seen, under four states of the world; sums over looks of a pass.
+  /// ln P of what was seen of an object, of one in a pass that fails, of bare seabed, and of a
+  /// lookalike that shows less often than an object; sums over looks.
   struct Evidence {
-    PerVisibility present, present_failing, absent, absent_clutter;
+    PerVisibility object, failing, bare, faint_lookalike;
     Evidence& operator+=(const Evidence& other);
     [[nodiscard]] Evidence operator/(double n) const;
   };
@@ -94,7 +96,8 @@ class LookLog {
 
   [[nodiscard]] Evidence Weigh(const FrameEvidence& frame) const;
   [[nodiscard]] bool IsNewViewpoint(const FrameEvidence& frame) const;
-  [[nodiscard]] Likelihoods OfPass(const Evidence& pass) const;
+  /// The same where the pass may have failed: it misses objects and lookalikes then.
+  [[nodiscard]] Evidence OfPass(const Evidence& pass) const;
   void CloseLook();
   void ClosePass();
 
@@ -102,7 +105,7 @@ class LookLog {
   std::optional<Look> look_;
   std::optional<Evidence> pass_;  ///< closed looks of the pass under way
   double last_time_ = 0.0;
-  Likelihoods closed_;  ///< of the passes before
+  Evidence closed_;  ///< of the passes before, each of which may have failed
   PerVisibility closed_looks_;
   int closed_looks_with_box_ = 0;
   int passes_ = 0;

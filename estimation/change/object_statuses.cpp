@@ -19,14 +19,6 @@ constexpr double kBelievedFrames = 100.0;
 constexpr double kTentativeIsObject = 0.3;
 constexpr double kTentativeReach = 1.5;
 
-bool HasFormer(const Landmark& landmark) {
-  return landmark.former_id || !landmark.former_candidates.empty();
-}
-
-bool HasDecidedFormer(const Landmark& landmark) {
-  return landmark.former_id && landmark.former_candidates.empty();
-}
-
 double HorizontalDistance(const ObjectEstimate& a, const ObjectEstimate& b) {
   return (a.p_W - b.p_W).head<2>().norm();
 }
@@ -165,6 +157,7 @@ void ObjectStatuses::MergeLandmarks() {
       objects_.push_back(*landmark);
     } else if (HasDecidedFormer(*landmark) || !HasFormer(*same)) {
       same->former_id = landmark->former_id;
+      same->former_probability = landmark->former_probability;
       same->former_candidates = landmark->former_candidates;
     }
   }
@@ -212,7 +205,7 @@ OpiBelief ObjectStatuses::StatusOfFormer(std::size_t index) const {
                    .landmark = object != nullptr ? object->id : -1,
                    .prior_id = former.id,
                    .object = object != nullptr ? object->object : FormerPlace(index),
-                   .log_likelihood_ratio = LambdaIn(water_, watch.Lambda(), params_.priors),
+                   .log_likelihood_ratio = LambdaOf(watch),
                    .looks = Looks(watch),
                    .looks_with_box = watch.looks_with_box(),
                    .posterior = PosteriorOfFormer(index)};
@@ -228,11 +221,12 @@ std::optional<OpiBelief> ObjectStatuses::StatusOfNewcomer(std::size_t index) {
   const PlaceWatch& watch = landmark_watch_.at(object.id);
   OpiBelief status{.landmark = object.id,
                    .object = object.object,
-                   .log_likelihood_ratio = LambdaIn(water_, watch.Lambda(), params_.priors),
+                   .log_likelihood_ratio = LambdaOf(watch),
                    .looks = Looks(watch),
                    .looks_with_box = watch.looks_with_box(),
-                   .posterior = former_ ? PosteriorOfNewcomer(index)
-                                        : DiscoveryStatus(watch.Lambda(), water_, params_.priors)};
+                   .posterior = former_
+                                    ? PosteriorOfNewcomer(index)
+                                    : DiscoveryStatus(watch.evidence(), water_, params_.priors)};
   status.decided = Decide(status.posterior, status.looks, params_.priors);
   const bool may_be_former =
       former_ && match_.chance.col(static_cast<Eigen::Index>(index)).sum() > 0.0;

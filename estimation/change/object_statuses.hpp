@@ -123,6 +123,8 @@ class ObjectStatuses {
   [[nodiscard]] double ChanceOfFormer(std::size_t index) const;
   [[nodiscard]] StatusPosterior PosteriorOfFormer(std::size_t index) const;
   [[nodiscard]] StatusPosterior PosteriorOfNewcomer(std::size_t index);
+  /// Lambda of a place, as the water is believed to be.
+  [[nodiscard]] double LambdaOf(const PlaceWatch& watch) const;
   /// Looks at a place, as the water is believed to be.
   [[nodiscard]] int Looks(const PlaceWatch& watch) const;
   [[nodiscard]] int IdOfLandmark(int landmark);

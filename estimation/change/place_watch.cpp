@@ -140,17 +140,24 @@ void PlaceWatch::See(const ObservedFrame& frame, const WatchModel& model, const 
   }
 }
 
-PerVisibility PlaceWatch::Lambda() const {
-  PerVisibility sum = std::log(spots_.front().weight) + spots_.front().log.Lambda();
+PlaceEvidence PlaceWatch::evidence() const {
+  const auto weighed = [](const Spot& spot) {
+    const PlaceEvidence here = spot.log.evidence();
+    const double weight = std::log(spot.weight);
+    return PlaceEvidence{.present = weight + here.present, .lookalike = weight + here.lookalike};
+  };
+  PlaceEvidence sum = weighed(spots_.front());
   for (std::size_t i = 1; i < spots_.size(); ++i) {
-    sum = LogSum(sum, std::log(spots_[i].weight) + spots_[i].log.Lambda());
+    const PlaceEvidence here = weighed(spots_[i]);
+    sum.present = LogSum(sum.present, here.present);
+    sum.lookalike = LogSum(sum.lookalike, here.lookalike);
   }
   return sum;
 }
 
 PerVisibility PlaceWatch::LogLikelihood(double worth) const {
   const LookLog::Likelihoods seen = spots_.front().log.likelihoods();
-  return std::log(0.5) + LogSum(worth * seen.present, worth * seen.absent);
+  return std::log(0.5) + LogSum(worth * seen.present, worth * seen.bare);
 }
 
 }  // namespace limpet

@@ -49,7 +49,7 @@ using OwnerOf = std::function<BoxOwner(const ObservedFrame&, const Box&)>;
 ///
 /// Where exactly the object would be is uncertain, and the same for all frames: a pass that looks
 /// beside it misses it in every frame. So each of a few possible spots keeps a log of its own, and
-/// their likelihoods are averaged: Lambda = ln sum_k w_k exp(Lambda_k).
+/// their likelihoods are averaged.
 class PlaceWatch {
  public:
   PlaceWatch(const ObjectEstimate& place, const LookParams& looks);
@@ -57,7 +57,7 @@ class PlaceWatch {
   /// Judges one frame; frames in order of time.
   void See(const ObservedFrame& frame, const WatchModel& model, const OwnerOf& owner_of);
   /// For each visibility of the WatchModel, as all that follows.
-  [[nodiscard]] PerVisibility Lambda() const;
+  [[nodiscard]] PlaceEvidence evidence() const;
   /// ln P of what was seen here where an object is as likely as none. Looks count `worth` each:
   /// they share water, light and pose.
   [[nodiscard]] PerVisibility LogLikelihood(double worth) const;

@@ -8,18 +8,41 @@
 
 namespace limpet {
 
-StatusPosterior ChangeStatus(double lambda_former, double lambda_now, const StatusPriors& priors) {
+namespace {
+
+/// ln of what this session saw where an object is, where one was and is gone, and where none was.
+struct SeenNow {
+  double present = 0.0, gone = 0.0, never = 0.0;
+};
+
+StatusPosterior Weigh(double lambda_former, const SeenNow& now, const StatusPriors& priors) {
   const double c =
-      std::log(priors.presence) + std::log(priors.survival) + lambda_former + lambda_now;
-  const double r = std::log(priors.presence) + std::log1p(-priors.survival) + lambda_former;
-  const double n = std::log1p(-priors.presence) + std::log(priors.appearance) + lambda_now;
-  const double none = std::log1p(-priors.presence) + std::log1p(-priors.appearance);
+      std::log(priors.presence) + std::log(priors.survival) + lambda_former + now.present;
+  const double r =
+      std::log(priors.presence) + std::log1p(-priors.survival) + lambda_former + now.gone;
+  const double n = std::log1p(-priors.presence) + std::log(priors.appearance) + now.present;
+  const double none = std::log1p(-priors.presence) + std::log1p(-priors.appearance) + now.never;
   const double high = std::max({c, r, n, none});
   const StatusPosterior weight{.confirmed = std::exp(c - high),
                                .removed = std::exp(r - high),
                                .appeared = std::exp(n - high),
                                .nothing = std::exp(none - high)};
   return weight.Normalized();
+}
+
+/// Chance of a lookalike now where there was no object, after what the former session saw. From
+/// P(lookalike | seen then) = l P(seen | lookalike) / P(seen | no object), where a lookalike is
+/// taken to be seen as an object is.
+double LookalikeNow(double lambda_former, const StatusPriors& priors) {
+  const double then = std::min(1.0, priors.lookalike * std::exp(std::min(lambda_former, 100.0)));
+  const double still = priors.lookalike_survival * then;
+  return std::min(still + (1.0 - still) * priors.lookalike, 1.0 - 1e-9);
+}
+
+}  // namespace
+
+StatusPosterior ChangeStatus(double lambda_former, double lambda_now, const StatusPriors& priors) {
+  return Weigh(lambda_former, {.present = lambda_now}, priors);
 }
 
 StatusPosterior DiscoveryStatus(double lambda_now, const StatusPriors& priors) {
@@ -30,18 +53,21 @@ StatusPosterior DiscoveryStatus(double lambda_now, const StatusPriors& priors) {
           .nothing = 1.0 / (1.0 + std::exp(log_odds))};
 }
 
-StatusPosterior ChangeStatus(double lambda_former, const PerVisibility& lambda_now,
+StatusPosterior ChangeStatus(double lambda_former, const PlaceEvidence& now,
                              const VisibilityBelief& water, const StatusPriors& priors) {
+  const PerVisibility gone = now.Absent(priors.lookalike);
+  const PerVisibility never = now.Absent(LookalikeNow(lambda_former, priors));
   StatusPosterior sum{.confirmed = 0.0, .removed = 0.0, .appeared = 0.0, .nothing = 0.0};
   for (int i = 0; i < PerVisibility::kCount; ++i) {
-    sum.Add(ChangeStatus(lambda_former, lambda_now(i), priors), water.chances()(i));
+    const SeenNow seen{.present = now.present(i), .gone = gone(i), .never = never(i)};
+    sum.Add(Weigh(lambda_former, seen, priors), water.chances()(i));
   }
   return sum;
 }
 
-StatusPosterior DiscoveryStatus(const PerVisibility& lambda_now, const VisibilityBelief& water,
+StatusPosterior DiscoveryStatus(const PlaceEvidence& now, const VisibilityBelief& water,
                                 const StatusPriors& priors) {
-  return DiscoveryStatus(LambdaIn(water, lambda_now, priors), priors);
+  return DiscoveryStatus(LambdaIn(water, now.Lambda(priors.lookalike), priors), priors);
 }
 
 double LambdaIn(const VisibilityBelief& water, const PerVisibility& lambda,

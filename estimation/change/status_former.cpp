@@ -46,7 +46,7 @@ void ObjectStatuses::TakeCandidates(const Landmark& landmark, std::size_t object
   for (const FormerCandidate& candidate : landmark.former_candidates)
     take(candidate.id, candidate.probability, candidate.id == landmark.former_id);
   if (landmark.former_id && landmark.former_candidates.empty())
-    take(*landmark.former_id, 1.0, true);
+    take(*landmark.former_id, landmark.former_probability, true);
 }
 
 void ObjectStatuses::TakeMatches() {
@@ -65,9 +65,8 @@ void ObjectStatuses::TakeMatches() {
     TakeCandidates(objects_[j], j);
   // The offset rests on what is decided alone.
   std::vector<int> decided = match_.now_of_former;
-  for (std::size_t i = 0; i < decided.size(); ++i) {
-    if (decided[i] >= 0 && match_.chance(static_cast<Eigen::Index>(i), decided[i]) < 1.0)
-      decided[i] = -1;
+  for (int& now_of : decided) {
+    if (now_of >= 0 && !HasDecidedFormer(objects_[static_cast<std::size_t>(now_of)])) now_of = -1;
   }
   const SessionMatch fit =
       FitSessions(WithOwnCovariance(std::move(former)), WithOwnCovariance(std::move(now)),
@@ -85,20 +84,20 @@ StatusPosterior ObjectStatuses::PosteriorOfFormer(std::size_t index) const {
   const auto row = match_.chance.row(static_cast<Eigen::Index>(index));
   const double total = std::max(row.sum(), 1.0);  // several landmarks may each be likely it
   StatusPosterior sum{.confirmed = 0.0, .removed = 0.0, .appeared = 0.0, .nothing = 0.0};
-  const auto add = [&](const PerVisibility& lambda_now, double share) {
-    sum.Add(ChangeStatus(former, lambda_now, water_, params_.priors), share);
+  const auto add = [&](const PlaceWatch& watch, double share) {
+    sum.Add(ChangeStatus(former, watch.evidence(), water_, params_.priors), share);
   };
   for (std::size_t j = 0; j < objects_.size(); ++j) {
     const double chance = row(static_cast<Eigen::Index>(j)) / total;
-    if (chance > 0.0) add(landmark_watch_.at(objects_[j].id).Lambda(), chance);
+    if (chance > 0.0) add(landmark_watch_.at(objects_[j].id), chance);
   }
-  if (former_watch_[index]) add(former_watch_[index]->Lambda(), 1.0 - ChanceOfFormer(index));
+  if (former_watch_[index]) add(*former_watch_[index], 1.0 - ChanceOfFormer(index));
   return sum;
 }
 
 StatusPosterior ObjectStatuses::PosteriorOfNewcomer(std::size_t index) {
   const Landmark& object = objects_[index];
-  const PerVisibility now = landmark_watch_.at(object.id).Lambda();
+  const PlaceEvidence now = landmark_watch_.at(object.id).evidence();
   StatusPosterior sum = ChangeStatus(FormerLambdaAt(object), now, water_, params_.priors);
   const auto column = match_.chance.col(static_cast<Eigen::Index>(index));
   const double known = column.sum();
@@ -158,18 +157,21 @@ OwnerOf ObjectStatuses::OwnerInFormerViews() const {
 }
 
 double ObjectStatuses::FormerLambdaAt(const Landmark& newcomer) {
+  const auto lambda_of = [this](const PlaceWatch& watch) {
+    return watch.evidence().Lambda(params_.priors.lookalike)(0);
+  };
   const ObjectEstimate place =
       InOtherFrame(newcomer.object, match_.offset.Undo(newcomer.object.p_W));
   const auto known = former_lambda_.find(newcomer.id);
   if (known != former_lambda_.end() && !HasMoved(known->second, place)) {
-    return known->second.Lambda()(0);
+    return lambda_of(known->second);
   }
   PlaceWatch watch(place, former_views_.looks);
   const OwnerOf owner_of = OwnerInFormerViews();
   for (const ObservedFrame& view : former_views_.frames) {
     watch.See(view, former_views_.model, owner_of);
   }
-  const double lambda = watch.Lambda()(0);
+  const double lambda = lambda_of(watch);
   former_lambda_.insert_or_assign(newcomer.id, std::move(watch));
   return lambda;
 }

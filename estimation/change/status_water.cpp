@@ -33,6 +33,10 @@ VisibilityBelief ObjectStatuses::Water() const {
   return water;
 }
 
+double ObjectStatuses::LambdaOf(const PlaceWatch& watch) const {
+  return LambdaIn(water_, watch.evidence().Lambda(params_.priors.lookalike), params_.priors);
+}
+
 int ObjectStatuses::Looks(const PlaceWatch& watch) const {
   return static_cast<int>(std::lround(water_.Expect(watch.looks())));
 }

@@ -16,6 +16,16 @@ namespace limpet {
   return place;
 }
 
+/// True if a landmark is, or may be, an object of the former session.
+[[nodiscard]] inline bool HasFormer(const Landmark& landmark) {
+  return landmark.former_id || !landmark.former_candidates.empty();
+}
+
+/// True if it is decided which one.
+[[nodiscard]] inline bool HasDecidedFormer(const Landmark& landmark) {
+  return landmark.former_id && landmark.former_candidates.empty();
+}
+
 /// True if the place is now somewhere else, or known much better or worse than when it was judged:
 /// then it is judged again from all frames.
 [[nodiscard]] inline bool HasMoved(const PlaceWatch& watch, const ObjectEstimate& place) {

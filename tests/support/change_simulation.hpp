@@ -18,12 +18,13 @@ struct ChangeWorld {
   double presence = 0.3;  ///< places that had an object in the former session
   double survival = 0.5;
   double appearance = 0.3;
-  double detects = 0.9;        ///< mean chance per frame, as the estimator believes
-  double rate_factor = 1.0;    ///< true rate over believed rate
-  double pass_spread = 0.1;    ///< standard deviation of the rate from pass to pass
-  double pass_failure = 0.02;  ///< passes that see next to nothing of what is there
-  double pass_clutter = 2e-4;  ///< passes with lasting clutter
-  double false_alarm = 0.003;  ///< per frame
+  double detects = 0.9;          ///< mean chance per frame, as the estimator believes
+  double rate_factor = 1.0;      ///< true rate over believed rate
+  double pass_spread = 0.1;      ///< standard deviation of the rate from pass to pass
+  double pass_failure = 0.02;    ///< passes that see next to nothing of what is there
+  double place_failure = 0.005;  ///< sessions in which no pass sees what is there
+  double lookalike = 5e-5;       ///< empty places with something that looks like an object
+  double false_alarm = 0.003;    ///< per frame
   int passes_max = 3;
   int looks_max = 6;
   int frames_per_look = 4;
@@ -31,17 +32,18 @@ struct ChangeWorld {
 
 enum class Fate { kConfirmed, kRemoved, kNew, kNothing };
 
-/// Lambda of one session's passes over one place.
-inline double SimulateLambda(const ChangeWorld& world, bool is_present, const LookParams& params,
-                             Random& random) {
+/// What one session's passes over one place say.
+inline PlaceEvidence SimulateSession(const ChangeWorld& world, bool is_present,
+                                     const LookParams& params, Random& random) {
   LookLog log(params);
+  const bool is_overgrown = random.Chance(world.place_failure);
+  const double clutter = random.Chance(world.lookalike) ? 0.7 : 0.0;
   const int passes =
       1 + static_cast<int>(random.Index(static_cast<std::uint64_t>(world.passes_max)));
   double time = 0.0;
   for (int pass = 0; pass < passes; ++pass, time += 60.0) {
     double rate = world.detects * world.rate_factor + random.Normal(world.pass_spread);
-    if (random.Chance(world.pass_failure)) rate *= 0.05;
-    const double clutter = random.Chance(world.pass_clutter) ? 0.7 : 0.0;
+    if (is_overgrown || random.Chance(world.pass_failure)) rate *= 0.05;
     const double chance = is_present ? rate : std::max(world.false_alarm, clutter);
     const int looks =
         1 + static_cast<int>(random.Index(static_cast<std::uint64_t>(world.looks_max)));
@@ -53,7 +55,7 @@ inline double SimulateLambda(const ChangeWorld& world, bool is_present, const Lo
                .has_box = random.Chance(std::min(std::max(chance, 0.0), 1.0))});
     }
   }
-  return log.Lambda()(0);
+  return log.evidence();
 }
 
 /// Squared error and calibration of the probability of one status.
@@ -67,6 +69,7 @@ inline std::array<Calibration, 4> Calibrate(const ChangeWorld& world, const Look
                                             int places, Random& random) {
   const StatusPriors priors{
       .presence = world.presence, .survival = world.survival, .appearance = world.appearance};
+  const VisibilityBelief water(Meters(8.0), 2.0);
   constexpr int kBins = 10;
   struct Bin {
     double probability = 0.0, outcome = 0.0;
@@ -76,9 +79,9 @@ inline std::array<Calibration, 4> Calibrate(const ChangeWorld& world, const Look
   for (int i = 0; i < places; ++i) {
     const bool was = random.Chance(world.presence);
     const bool is = random.Chance(was ? world.survival : world.appearance);
-    const double former = SimulateLambda(world, was, params, random);
-    const double now = SimulateLambda(world, is, params, random);
-    const StatusPosterior p = ChangeStatus(former, now, priors);
+    const PlaceEvidence former = SimulateSession(world, was, params, random);
+    const PlaceEvidence now = SimulateSession(world, is, params, random);
+    const StatusPosterior p = ChangeStatus(former.Lambda(priors.lookalike)(0), now, water, priors);
     const std::array<double, 4> says{p.confirmed, p.removed, p.appeared, p.nothing};
     const Fate fate =
         was ? (is ? Fate::kConfirmed : Fate::kRemoved) : (is ? Fate::kNew : Fate::kNothing);

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/change/lambda.hpp"
+
 namespace limpet {
 namespace {
 
@@ -21,7 +23,7 @@ void Pass(LookLog& log, double start, int count, double step, bool has_box) {
 
 TEST(LookLog, SaysNothingBeforeItHasLooked) {
   const LookLog log{LookParams{}};
-  EXPECT_EQ(log.Lambda()(0), 0.0);
+  EXPECT_NEAR(trial::Lambda(log), 0.0, 1e-12);
   EXPECT_EQ(log.looks()(0), 0);
 }
 
@@ -31,7 +33,7 @@ TEST(LookLog, CountsFramesFromOneViewpointAsOneWitness) {
   Pass(once, 0.0, 1, 0.0, true);
   Pass(hovering, 0.0, 40, 0.0, true);
   EXPECT_EQ(hovering.looks()(0), 1);
-  EXPECT_NEAR(hovering.Lambda()(0), once.Lambda()(0), 1e-9);
+  EXPECT_NEAR(trial::Lambda(hovering), trial::Lambda(once), 1e-9);
 }
 
 TEST(LookLog, CountsANewLookEveryHalfMetre) {
@@ -53,30 +55,49 @@ TEST(LookLog, CountsANewLookWhenTheDirectionTurns) {
 TEST(LookLog, OnePassCannotBeSurerThanPassesAreReliable) {
   LookLog log{LookParams{}};
   Pass(log, 0.0, 40, 0.125, false);
-  EXPECT_GT(log.Lambda()(0), std::log(LookParams{}.pass_failure) - 0.6);
+  EXPECT_GT(trial::Lambda(log), std::log(LookParams{}.pass_failure) - 0.6);
 }
 
-TEST(LookLog, ASecondPassIsASecondWitness) {
+TEST(LookLog, ASecondPassIsASecondWitnessOfWhatAPassMayMiss) {
   LookLog one{LookParams{}};
   Pass(one, 0.0, 20, 0.125, false);
   LookLog two = one;
   Pass(two, 60.0, 20, 0.125, false);
   EXPECT_EQ(two.passes(), 2);
-  EXPECT_NEAR(two.Lambda()(0), 2.0 * one.Lambda()(0), 1e-9);
+  EXPECT_LT(trial::Lambda(two), trial::Lambda(one) - 0.5);
+}
+
+TEST(LookLog, WhatNoPassOfASessionSawMayStillBeOvergrown) {
+  LookLog log{LookParams{}};
+  for (int pass = 0; pass < 50; ++pass)
+    Pass(log, 60.0 * pass, 5, 0.5, false);
+  EXPECT_EQ(log.passes(), 50);
+  const double failing_looks = 50.0 * 5.0 * std::log(1.0 - 0.9 * LookParams{}.failing_detects);
+  EXPECT_GT(trial::Lambda(log), std::log(LookParams{}.place_failure) + failing_looks - 0.1);
+}
+
+TEST(LookLog, AStoneThatLooksLikeABuoyIsNoneForBeingSeenAgain) {
+  LookLog one{LookParams{}};
+  Pass(one, 0.0, 20, 0.125, true);
+  LookLog many = one;
+  for (int pass = 1; pass < 10; ++pass)
+    Pass(many, 60.0 * pass, 1, 0.5, true);
+  EXPECT_LT(trial::Lambda(many), -std::log(0.5 * trial::kLookalike));
+  EXPECT_LT(trial::Lambda(many), trial::Lambda(one) + std::log(2.0)) << "nine times over";
 }
 
 TEST(LookLog, ALoneBoxAmongManyCleanLooksIsAFalseAlarm) {
   LookLog log{LookParams{}};
   Pass(log, 0.0, 1, 0.125, true);
   Pass(log, 0.25, 24, 0.125, false);
-  EXPECT_LT(log.Lambda()(0), 0.0);
+  EXPECT_LT(trial::Lambda(log), 0.0);
 }
 
 TEST(LookLog, AMissWhereLittleWasVisibleSaysLittle) {
   LookLog log{LookParams{}};
   log.Add(
       {.time = 0.0, .p_OC = {0, 0, -3}, .detects = 0.2, .false_alarm = 0.003, .has_box = false});
-  EXPECT_GT(log.Lambda()(0), -0.25);
+  EXPECT_GT(trial::Lambda(log), -0.25);
   EXPECT_EQ(log.looks()(0), 0) << "and is no look that an operator would count";
 }
 

@@ -11,6 +11,7 @@
 #include "estimation/change/log_space.hpp"
 #include "estimation/change/watched_place.hpp"
 #include "limpet/core/random.hpp"
+#include "tests/unit/change/lambda.hpp"
 
 namespace limpet {
 namespace {
@@ -179,11 +180,11 @@ TEST(FindBox, ABoxOfUnknownOwnerMustHaveAboutTheSize) {
 
 TEST(PlaceWatchProperties, WhatIsOutOfSightSaysNothing) {
   PlaceWatch watch(PlaceAt({0, 0, 6}), LookParams{});
-  const double before = watch.Lambda()(0);
+  const double before = trial::Lambda(watch);
   EXPECT_NEAR(before, 0.0, 1e-12);
   for (int i = 0; i < 20; ++i)
     watch.See(FrameOver({0, 0, 6}, 60.0 + i, 0.0, i), kWatchModel, Unknown);
-  EXPECT_EQ(watch.Lambda()(0), before);
+  EXPECT_EQ(trial::Lambda(watch), before);
   EXPECT_EQ(watch.looks()(0), 0);
 }
 
@@ -207,9 +208,9 @@ TEST(PlaceWatchProperties, NothingSpeaksMoreForAnObjectThanABoxInEveryFrameNorAg
     const ObjectEstimate place = PlaceAt({random.Normal(9), random.Normal(9), 6.0});
     const double starboard = random.Uniform(-1.0, 1.0);
     const double some =
-        Pass(place, starboard, [&](int) { return random.Chance(share); }).Lambda()(0);
-    EXPECT_LE(some, Pass(place, starboard, [](int) { return true; }).Lambda()(0) + 1e-9);
-    EXPECT_GE(some, Pass(place, starboard, [](int) { return false; }).Lambda()(0) - 1e-9);
+        trial::Lambda(Pass(place, starboard, [&](int) { return random.Chance(share); }));
+    EXPECT_LE(some, trial::Lambda(Pass(place, starboard, [](int) { return true; })) + 1e-9);
+    EXPECT_GE(some, trial::Lambda(Pass(place, starboard, [](int) { return false; })) - 1e-9);
   }
 }
 
@@ -222,7 +223,7 @@ TEST(PlaceWatchProperties, APassToStarboardSaysWhatOneToPortSays) {
     const PlaceWatch right = Pass(PlaceAt({0, 0, 6}), starboard, all);
     const PlaceWatch left = Pass(PlaceAt({0, 0, 6}), -starboard, all);
     // How much of an object shows at the border is counted by points that lie unevenly.
-    EXPECT_NEAR(right.Lambda()(0), left.Lambda()(0), 0.01) << starboard;
+    EXPECT_NEAR(trial::Lambda(right), trial::Lambda(left), 0.01) << starboard;
     EXPECT_EQ(right.looks()(0), left.looks()(0)) << starboard;
   }
 }
@@ -231,7 +232,7 @@ TEST(PlaceWatchProperties, CleanLooksAtAnUncertainPlaceProveLessThanAtACertainOn
   double before = -1e9;
   for (const double sigma : {0.05, 0.5, 1.0, 2.0}) {
     const double lambda =
-        Pass(PlaceAt({0, 0, 6}, sigma), 0.0, [](int) { return false; }).Lambda()(0);
+        trial::Lambda(Pass(PlaceAt({0, 0, 6}, sigma), 0.0, [](int) { return false; }));
     EXPECT_LT(lambda, 0.0);
     EXPECT_GE(lambda, before - 1e-9) << sigma;
     before = lambda;
@@ -243,9 +244,8 @@ TEST(PlaceWatchProperties, ABoxProvesLessWhereTheDetectorSeesMoreGhosts) {
   for (const double ghosts : {0.01, 0.03, 0.1, 0.4}) {
     WatchModel model = kWatchModel;
     model.detection.false_per_image = ghosts;
-    const double lambda = Pass(
-                              PlaceAt({0, 0, 6}, 0.5), 0.0, [](int) { return true; }, model)
-                              .Lambda()(0);
+    const double lambda = trial::Lambda(Pass(
+        PlaceAt({0, 0, 6}, 0.5), 0.0, [](int) { return true; }, model));
     EXPECT_LE(lambda, before) << ghosts;
     before = lambda;
   }
@@ -258,7 +258,7 @@ TEST(PlaceWatchProperties, LooksWithABoxAreSomeOfTheLooks) {
                                   [&random](int) { return random.Chance(0.4); });
     EXPECT_LE(watch.looks_with_box(), watch.looks()(0));
     EXPECT_GT(watch.looks()(0), 0);
-    EXPECT_TRUE(std::isfinite(watch.Lambda()(0)));
+    EXPECT_TRUE(std::isfinite(trial::Lambda(watch)));
   }
 }
 

@@ -50,6 +50,22 @@ TEST(ChangeStatus, TwoCleanPassesSayNinetyNinePercent) {
   EXPECT_GT(ChangeStatus(-7.8, 17.0, kPriors).appeared, 0.99);
 }
 
+/// A stone that looks like a buoy looks like one in both sessions.
+TEST(ChangeStatus, BoxesOfBothSessionsAreNotTwiceAsSureThatItIsAnObject) {
+  const VisibilityBelief water(Meters(8.0), 2.0);
+  const double surest = -std::log(0.5 * kPriors.lookalike);
+  const PlaceEvidence now{.present = 40.0, .lookalike = 40.0 - std::log(2.0)};
+  const StatusPosterior lasting = ChangeStatus(surest, now, water, kPriors);
+  EXPECT_GT(lasting.confirmed, 0.995);
+  EXPECT_GT(lasting.nothing, 2e-4);
+  StatusPriors passing = kPriors;
+  passing.lookalike_survival = 0.0;
+  EXPECT_LT(ChangeStatus(surest, now, water, passing).nothing, 1e-6);
+  StatusPriors common = kPriors;
+  common.lookalike = 0.02;
+  EXPECT_LT(ChangeStatus(-std::log(0.5 * common.lookalike), now, water, common).confirmed, 0.9);
+}
+
 TEST(ChangeStatus, IsMostUncertainBeforeALook) {
   const double before = ChangeStatus(12, 0, kPriors).Entropy();
   EXPECT_GT(before, ChangeStatus(12, 5, kPriors).Entropy());

@@ -14,11 +14,14 @@ namespace {
 
 const CameraModel kWaterCamera;
 
+/// Evidence of a place where nothing looks like an object.
+PlaceEvidence Clean(const PerVisibility& lambda) { return {.present = lambda, .lookalike = 0.0}; }
+
 TEST(StatusInWater, IsThatOfOneLambdaWhereTheWaterDoesNotMatter) {
   const VisibilityBelief water(Meters(8.0), 2.0);
   for (const double lambda : {-12.0, -1.0, 0.0, 5.0, 20.0}) {
     const StatusPosterior one = ChangeStatus(8.0, lambda, {});
-    const StatusPosterior all = ChangeStatus(8.0, PerVisibility(lambda), water, {});
+    const StatusPosterior all = ChangeStatus(8.0, Clean(lambda), water, {});
     EXPECT_NEAR(one.removed, all.removed, 1e-9);
     EXPECT_NEAR(one.confirmed, all.confirmed, 1e-9);
     EXPECT_NEAR(LambdaIn(water, lambda, {}), lambda, 1e-6);
@@ -29,8 +32,9 @@ TEST(StatusInWater, ProvesNothingWhereNothingCouldHaveBeenSeen) {
   PerVisibility lambda = -10.0;
   lambda.head<12>() = 0.0;  // not seen, but in murk there is nothing to be seen
   const VisibilityBelief murk(Meters(1.5), 1.2);
-  EXPECT_NEAR(ChangeStatus(8.0, lambda, murk, {}).removed, 0.5, 0.02);
-  EXPECT_LT(ChangeStatus(8.0, lambda, VisibilityBelief(Meters(12.0), 1.2), {}).confirmed, 0.01);
+  EXPECT_NEAR(ChangeStatus(8.0, Clean(lambda), murk, {}).removed, 0.5, 0.02);
+  EXPECT_LT(ChangeStatus(8.0, Clean(lambda), VisibilityBelief(Meters(12.0), 1.2), {}).confirmed,
+            0.01);
   EXPECT_GT(LambdaIn(murk, lambda, {}), -0.1);
 }
 
