@@ -1,22 +1,35 @@
 // SPDX-License-Identifier: MIT
 #include "apps/limpet/verbs/change.hpp"
 
+#include <cctype>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
-#include "limpet/comparison/session_comparison.hpp"
+#include "limpet/comparison/object_histories.hpp"
+#include "limpet/console/arguments.hpp"
+#include "limpet/console/command_output.hpp"
+#include "limpet/map_files/change_files.hpp"
+#include "limpet/map_files/object_files.hpp"
 
 namespace limpet {
 namespace {
 
+constexpr char kFirstSession = 'a', kLastSession = 'h';
+
 Command ChangeForm() {
   return {.name = "limpet change",
           .about =
-              "What changed from session A to session B, from their saved frames and objects, "
-              "as JSON: the vehicle's own judgement, made again. Which objects of B are objects "
-              "of A is what B's pNav decided when it flew with A as its former session, else "
-              "what it would decide. DIR is a session's run folder or the session folder in "
-              "it. Each session is judged with pMap's parameters of the mission that it kept.",
+              "What changed from session A to session B, from their saved frames and objects: "
+              "the vehicle's own judgement, made again. Which objects of B are objects of A is "
+              "what B's pNav decided when it flew with A as its former session, else what it "
+              "would decide. DIR is a session's run folder or the session folder in it. Each "
+              "session is judged with pMap's parameters of the mission that it kept. With more "
+              "than two sessions `changes` are those of the last one, and `objects` tell each "
+              "object's history.",
           .options = {{.names = "--session-a",
                        .value = "DIR",
                        .meaning = "the earlier session",
@@ -25,18 +38,82 @@ Command ChangeForm() {
                        .value = "DIR",
                        .meaning = "the later session",
                        .is_required = true},
+                      {.names = "--session-c", .value = "DIR", .meaning = "one later still"},
+                      {.names = "--session-d", .value = "DIR", .meaning = "a fourth"},
+                      {.names = "--session-e", .value = "DIR", .meaning = "a fifth"},
+                      {.names = "--session-f", .value = "DIR", .meaning = "a sixth"},
+                      {.names = "--session-g", .value = "DIR", .meaning = "a seventh"},
+                      {.names = "--session-h", .value = "DIR", .meaning = "an eighth"},
                       {.names = "--mission",
                        .value = "FILE",
-                       .meaning = "judge both with pMap's parameters of this .moos file instead"},
-                      {.names = "--json", .meaning = "as it always is"}},
+                       .meaning = "judge all with pMap's parameters of this .moos file instead"},
+                      {.names = "--json", .meaning = "as JSON, as it is without --format"},
+                      {.names = "--format",
+                       .value = "FORMAT",
+                       .meaning = "json; csv: a table; geojson: points on WGS84"},
+                      {.names = "--out",
+                       .value = "FILE",
+                       .meaning = "where it goes; without: to the standard output"},
+                      {.names = "--force", .meaning = "overwrites FILE"}},
           .takes = "--session-a DIR and --session-b DIR",
           .most_words = 0};
 }
 
+/// In order of time. Throws UsageError if one is left out, ConfigError if one is damaged.
+std::vector<SavedSession> SessionsOf(const Arguments& given) {
+  std::vector<SavedSession> sessions;
+  std::optional<char> missing;
+  for (char letter = kFirstSession; letter <= kLastSession; ++letter) {
+    const std::optional<std::string> folder = given.Find(fmt::format("session-{}", letter));
+    if (!folder) {
+      missing = missing.value_or(letter);
+      continue;
+    }
+    if (missing) {
+      throw UsageError(fmt::format("--session-{} without --session-{}", letter, *missing));
+    }
+    const auto name = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+    sessions.push_back(LoadSavedSession(*folder, fmt::format("session {}", name)));
+  }
+  return sessions;
+}
+
+std::string FormatOf(const Arguments& given) {
+  const std::string format = given.Find("format").value_or("json");
+  if (format != "json" && format != "csv" && format != "geojson") {
+    throw UsageError(
+        fmt::format("--format: `{}` is no format; there are json, csv, geojson", format));
+  }
+  return format;
+}
+
+/// Throws Refusal where nobody knows where on earth the objects are.
+std::string TextOf(const SessionComparison& comparison, const std::string& format) {
+  if (format == "csv") return ChangesToCsv(comparison);
+  const std::optional<GeoPoint> datum = DatumOf(comparison.b);
+  if (!datum) {
+    throw Refusal(
+        "the later session's mission said no LatOrigin and LongOrigin: nobody knows "
+        "where on earth its objects are; csv has them in metres");
+  }
+  return ChangesToGeoJson(comparison, *datum);
+}
+
 int PrintComparison(const Arguments& given) {
-  const SavedSession a = LoadSavedSession(*given.Find("session-a"), "session A");
-  const SavedSession b = LoadSavedSession(*given.Find("session-b"), "session B");
-  fmt::print("{}", Json(CompareSessions(a, b, given.Find("mission"))));
+  const std::string format = FormatOf(given);
+  const std::vector<SavedSession> sessions = SessionsOf(given);
+  const std::optional<std::string> mission = given.Find("mission");
+  std::string text;
+  if (sessions.size() > 2) {
+    const SessionSeries series = CompareSeries(sessions, mission);
+    text = format == "json" ? Json(series) : TextOf(series.steps.back(), format);
+  } else {
+    const SessionComparison comparison = CompareSessions(sessions[0], sessions[1], mission);
+    text = format == "json" ? Json(comparison) : TextOf(comparison, format);
+  }
+  CommandOutput output(given.Find("out"), given.Has("force"), *given.Find("session-b"));
+  output.Write(text);
+  output.Commit();
   return kOk;
 }
 

@@ -3,21 +3,16 @@
 
 #include <cstddef>
 
-#include <nlohmann/json.hpp>
-
 #include "estimation/change/frame_gate.hpp"
 #include "estimation/change/object_statuses.hpp"
 #include "estimation/mapping/former_map.hpp"
 #include "limpet/comparison/session_matches.hpp"
 #include "limpet/core/app_keys.hpp"
 #include "limpet/core/config.hpp"
-#include "limpet/core/units.hpp"
 #include "limpet/mission/mission_file.hpp"
 
 namespace limpet {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 /// pMap's block for a session: of `mission` if given, else of the session's own mission.
 ConfigBlock MapBlockFor(const SavedSession& session, const std::optional<std::string>& mission) {
@@ -79,32 +74,6 @@ ObjectStatuses Compare(const SavedSession& a, const SavedSession& b,
 /// True for a place that is only worth a look: nothing was judged there.
 bool IsTentative(const OpiBelief& object) { return object.landmark < 0 && object.prior_id < 0; }
 
-OrderedJson JsonOf(const OpiBelief& object) {
-  const StatusPosterior& p = object.posterior;
-  const Eigen::Vector3d& ned = object.object.p_W;
-  return {
-      {"decided", NameOf(object.decided)},
-      {"color", object.object.color},
-      {"ned_m", {ned.x(), ned.y(), ned.z()}},
-      {"id_a", object.prior_id >= 0 ? OrderedJson(object.prior_id) : OrderedJson(nullptr)},
-      {"landmark_b", object.landmark >= 0 ? OrderedJson(object.landmark) : OrderedJson(nullptr)},
-      {"posterior",
-       {{"confirmed", p.confirmed},
-        {"removed", p.removed},
-        {"new", p.appeared},
-        {"nothing", p.nothing}}},
-      {"looks_b", object.looks},
-      {"looks_with_box_b", object.looks_with_box},
-      {"log_likelihood_ratio_b", object.log_likelihood_ratio}};
-}
-
-OrderedJson JsonOf(const SessionFacts& facts) {
-  return {{"mission", facts.mission},
-          {"session", facts.session},
-          {"seed", facts.seed},
-          {"saved_at_s", facts.saved_at}};
-}
-
 }  // namespace
 
 SessionComparison CompareSessions(const SavedSession& a, const SavedSession& b,
@@ -116,21 +85,6 @@ SessionComparison CompareSessions(const SavedSession& a, const SavedSession& b,
   }
   comparison.offset = book.offset();
   return comparison;
-}
-
-std::string Json(const SessionComparison& comparison) {
-  OrderedJson objects = OrderedJson::array();
-  for (const OpiBelief& object : comparison.objects)
-    objects.push_back(JsonOf(object));
-  const FrameOffset& offset = comparison.offset;
-  const OrderedJson out{{"session_a", JsonOf(comparison.a)},
-                        {"session_b", JsonOf(comparison.b)},
-                        {"offset",
-                         {{"north_m", offset.shift.x()},
-                          {"east_m", offset.shift.y()},
-                          {"turn_deg", DegreesFromRadians(offset.turn)}}},
-                        {"changes", objects}};
-  return out.dump(1) + "\n";
 }
 
 }  // namespace limpet

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/comparison/comparison_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "limpet/core/units.hpp"
+
+namespace limpet {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+OrderedJson ObjectJson(const OpiBelief& object) {
+  return {
+      {"decided", NameOf(object.decided)},
+      {"color", object.object.color},
+      {"ned_m", {object.object.p_W.x(), object.object.p_W.y(), object.object.p_W.z()}},
+      {"id_a", object.prior_id >= 0 ? OrderedJson(object.prior_id) : OrderedJson(nullptr)},
+      {"landmark_b", object.landmark >= 0 ? OrderedJson(object.landmark) : OrderedJson(nullptr)},
+      {"posterior", JsonOf(object.posterior)},
+      {"looks_b", object.looks},
+      {"looks_with_box_b", object.looks_with_box},
+      {"log_likelihood_ratio_b", object.log_likelihood_ratio}};
+}
+
+}  // namespace
+
+OrderedJson JsonOf(const StatusPosterior& posterior) {
+  return {{"confirmed", posterior.confirmed},
+          {"removed", posterior.removed},
+          {"new", posterior.appeared},
+          {"nothing", posterior.nothing}};
+}
+
+OrderedJson JsonOf(const SessionFacts& facts) {
+  return {{"mission", facts.mission},
+          {"session", facts.session},
+          {"seed", facts.seed},
+          {"saved_at_s", facts.saved_at}};
+}
+
+OrderedJson JsonOf(const SessionComparison& comparison) {
+  OrderedJson objects = OrderedJson::array();
+  for (const OpiBelief& object : comparison.objects)
+    objects.push_back(ObjectJson(object));
+  const FrameOffset& offset = comparison.offset;
+  return {{"session_a", JsonOf(comparison.a)},
+          {"session_b", JsonOf(comparison.b)},
+          {"offset",
+           {{"north_m", offset.shift.x()},
+            {"east_m", offset.shift.y()},
+            {"turn_deg", DegreesFromRadians(offset.turn)}}},
+          {"changes", std::move(objects)}};
+}
+
+std::string Json(const SessionComparison& comparison) { return JsonOf(comparison).dump(1) + "\n"; }
+
+}  // namespace limpet

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limpet/comparison/session_comparison.hpp"
+
+namespace limpet {
+
+/// What one session of several says of an object.
+struct HistoryEntry {
+  Status decided = Status::kNotInspected;
+  bool is_back = false;                                     ///< was there, was gone, is there again
+  std::optional<StatusPosterior> posterior = std::nullopt;  ///< nothing in the first session
+  int id = -1;                                              ///< in that session; -1: not there
+};
+
+/// An object over all sessions.
+struct ObjectHistory {
+  std::string color;
+  Eigen::Vector3d p_W =
+      Eigen::Vector3d::Zero();        ///< where it was last seen, in that session's frame
+  std::size_t placed_in = 0;          ///< index of that session
+  std::size_t since = 0;              ///< the session that saw it first
+  std::vector<HistoryEntry> entries;  ///< one per session from `since` on
+};
+
+/// What became of every object over sessions in order of time.
+struct SessionSeries {
+  std::vector<SessionFacts> sessions;
+  std::vector<SessionComparison> steps;  ///< each session against the one before
+  std::vector<ObjectHistory> objects;
+};
+
+/// Each session is compared with the one before; of an object that is gone, with the last session
+/// that had it, so that what comes back is known again. Each comparison as CompareSessions makes
+/// it. REQUIRES: two sessions or more. Throws ConfigError.
+[[nodiscard]] SessionSeries CompareSeries(const std::vector<SavedSession>& sessions,
+                                          const std::optional<std::string>& mission = {});
+
+/// In words: "seen in 1, removed in 2, back in 3".
+[[nodiscard]] std::string StoryOf(const ObjectHistory& object);
+
+/// The last step as Json(SessionComparison) has it, then all steps and histories.
+[[nodiscard]] std::string Json(const SessionSeries& series);
+
+}  // namespace limpet

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/map_files/change_files.hpp"
+
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limpet/map_files/object_files.hpp"
+
+namespace limpet {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+/// 1e-8 degrees are a millimetre.
+double AsWritten(double degrees) { return std::round(degrees * 1e8) / 1e8; }
+
+std::string IdText(int id) { return id < 0 ? "" : std::to_string(id); }
+
+OrderedJson IdJson(int id) { return id < 0 ? OrderedJson(nullptr) : OrderedJson(id); }
+
+OrderedJson ChangeFeature(const OpiBelief& object, const LocalGrid& grid) {
+  const Eigen::Vector3d& p_W = object.object.p_W;
+  const GeoPoint place = grid.At(p_W.x(), p_W.y());
+  return {{"type", "Feature"},
+          {"geometry",
+           {{"type", "Point"},
+            {"coordinates", {AsWritten(place.longitude_deg), AsWritten(place.latitude_deg)}}}},
+          {"properties",
+           {{"decided", NameOf(object.decided)},
+            {"class", object.object.color},
+            {"p_confirmed", object.posterior.confirmed},
+            {"p_removed", object.posterior.removed},
+            {"p_new", object.posterior.appeared},
+            {"depth_m", p_W.z()},
+            {"id_a", IdJson(object.prior_id)},
+            {"landmark_b", IdJson(object.landmark)},
+            {"looks_b", object.looks}}}};
+}
+
+}  // namespace
+
+std::string ChangesToCsv(const SessionComparison& comparison) {
+  std::string text =
+      "decided,class,p_confirmed,p_removed,p_new,north_m,east_m,down_m,latitude_deg,longitude_deg,"
+      "id_a,landmark_b,looks_b\n";
+  const std::optional<GeoPoint> datum = DatumOf(comparison.b);
+  for (const OpiBelief& object : comparison.objects) {
+    const Eigen::Vector3d& p_W = object.object.p_W;
+    const StatusPosterior& p = object.posterior;
+    std::string place = ",";
+    if (datum) {
+      const GeoPoint at = LocalGrid(*datum).At(p_W.x(), p_W.y());
+      place = fmt::format("{:.8f},{:.8f}", at.latitude_deg, at.longitude_deg);
+    }
+    fmt::format_to(
+        std::back_inserter(text), "{},{},{:.4f},{:.4f},{:.4f},{:.3f},{:.3f},{:.3f},{},{},{},{}\n",
+        NameOf(object.decided), object.object.color, p.confirmed, p.removed, p.appeared, p_W.x(),
+        p_W.y(), p_W.z(), place, IdText(object.prior_id), IdText(object.landmark), object.looks);
+  }
+  return text;
+}
+
+std::string ChangesToGeoJson(const SessionComparison& comparison, const GeoPoint& datum) {
+  const LocalGrid grid(datum);
+  OrderedJson features = OrderedJson::array();
+  for (const OpiBelief& object : comparison.objects)
+    features.push_back(ChangeFeature(object, grid));
+  const OrderedJson collection{{"type", "FeatureCollection"}, {"features", std::move(features)}};
+  return collection.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+}
+
+}  // namespace limpet
