@@ -162,10 +162,20 @@ SessionMatch FormerSessionTie::MatchOrSearch(const std::vector<ObjectEstimate>& 
   double evidence = evidence_of(here);
   if (evidence > kCertain) return here;
   if (is_elsewhere_) {
+    // What was found elsewhere stands until the frame where it should be explains as much.
+    const FrameOffset found = placed_;
+    const SessionMatch there = std::move(here);
+    const double found_evidence = evidence;
     is_elsewhere_ = false;
     Place({.pivot = placed_.pivot});
     here = match();
     evidence = evidence_of(here);
+    if (found_evidence >= evidence + kElsewhere) {
+      is_elsewhere_ = true;
+      Place(found);
+      here = there;
+      evidence = found_evidence;
+    }
   }
   if (!IsTimeToSearch(candidates.size())) return here;
   const std::optional<FoundFrame> found = SearchFrame(former_.objects, candidates, params_);

@@ -113,6 +113,34 @@ TEST(FormerSessionTie, FindsAFrameThatLiesElsewhereWithoutBeingTold) {
   EXPECT_FALSE(tie.is_elsewhere());
 }
 
+/// Evidence for it comes and goes with every landmark; where the frame lies does not.
+TEST(FormerSessionTie, AFrameThatWasFoundElsewhereStaysThere) {
+  const std::vector<Eigen::Vector2d> places{{4.0, 1.0},   {2.0, 10.0}, {6.0, -3.0},
+                                            {-6.0, -5.0}, {-9.0, 4.0}, {11.0, 8.0}};
+  FormerSession former{.ids = {1, 2, 3, 4, 5, 6}, .objects = Objects(places), .covariance = {}};
+  former.covariance = JointOf(former.objects, 0.3, 0.01, 0.15);
+  FormerSessionTie tie({});
+  tie.SetFormer(former);
+  // GPS was off by metres; two of the objects are gone and one has come.
+  const FrameOffset truth{.shift = {-4.0, 1.5}, .turn = 0.0, .pivot = {}};
+  Random random(4);
+  int elsewhere = 0;
+  bool was_elsewhere = false;
+  for (int i = 0; i < 60; ++i) {
+    PresentLandmarks present =
+        Present({places[0], places[1], places[2], places[3], places[4], {-2.0, -11.0}}, truth, 0.3);
+    for (ObjectEstimate& object : present.objects) {
+      object.p_W += Eigen::Vector3d(random.Normal(0.15), random.Normal(0.15), 0.0);
+    }
+    present.covariance = JointOf(present.objects, 0.3, 0.01, 0.15);
+    ASSERT_TRUE(tie.Match(present, std::nullopt));
+    EXPECT_TRUE(tie.is_elsewhere() || !was_elsewhere) << "lost after " << i;
+    was_elsewhere = was_elsewhere || tie.is_elsewhere();
+    elsewhere += tie.is_elsewhere() ? 1 : 0;
+  }
+  EXPECT_GT(elsewhere, 30);
+}
+
 TEST(FormerSessionTie, WeighsBothSessionsFixesWhereTheirFramesAgreeAsTheyShould) {
   FormerSessionTie tie({});
   tie.SetFormer(Former());
