@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/map_files/change_files.hpp"
 
-#include <cmath>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -9,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limpet/map_files/geo_place.hpp"
 #include "limpet/map_files/object_files.hpp"
 
 namespace limpet {
@@ -16,20 +16,14 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// 1e-8 degrees are a millimetre.
-double AsWritten(double degrees) { return std::round(degrees * 1e8) / 1e8; }
-
 std::string IdText(int id) { return id < 0 ? "" : std::to_string(id); }
 
 OrderedJson IdJson(int id) { return id < 0 ? OrderedJson(nullptr) : OrderedJson(id); }
 
 OrderedJson ChangeFeature(const OpiBelief& object, const LocalGrid& grid) {
   const Eigen::Vector3d& p_W = object.object.p_W;
-  const GeoPoint place = grid.At(p_W.x(), p_W.y());
   return {{"type", "Feature"},
-          {"geometry",
-           {{"type", "Point"},
-            {"coordinates", {AsWritten(place.longitude_deg), AsWritten(place.latitude_deg)}}}},
+          {"geometry", {{"type", "Point"}, {"coordinates", GeoPosition(grid, p_W.x(), p_W.y())}}},
           {"properties",
            {{"decided", NameOf(object.decided)},
             {"class", object.object.color},
@@ -52,15 +46,11 @@ std::string ChangesToCsv(const SessionComparison& comparison) {
   for (const OpiBelief& object : comparison.objects) {
     const Eigen::Vector3d& p_W = object.object.p_W;
     const StatusPosterior& p = object.posterior;
-    std::string place = ",";
-    if (datum) {
-      const GeoPoint at = LocalGrid(*datum).At(p_W.x(), p_W.y());
-      place = fmt::format("{:.8f},{:.8f}", at.latitude_deg, at.longitude_deg);
-    }
-    fmt::format_to(
-        std::back_inserter(text), "{},{},{:.4f},{:.4f},{:.4f},{:.3f},{:.3f},{:.3f},{},{},{},{}\n",
-        NameOf(object.decided), object.object.color, p.confirmed, p.removed, p.appeared, p_W.x(),
-        p_W.y(), p_W.z(), place, IdText(object.prior_id), IdText(object.landmark), object.looks);
+    fmt::format_to(std::back_inserter(text),
+                   "{},{},{:.4f},{:.4f},{:.4f},{:.3f},{:.3f},{:.3f},{},{},{},{}\n",
+                   NameOf(object.decided), object.object.color, p.confirmed, p.removed, p.appeared,
+                   p_W.x(), p_W.y(), p_W.z(), GeoFields(datum, p_W), IdText(object.prior_id),
+                   IdText(object.landmark), object.looks);
   }
   return text;
 }

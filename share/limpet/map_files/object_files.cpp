@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/map_files/object_files.hpp"
 
-#include <cmath>
 #include <iterator>
 #include <vector>
 
@@ -9,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limpet/core/number_text.hpp"
+#include "limpet/map_files/geo_place.hpp"
 
 namespace limpet {
 namespace {
@@ -25,20 +25,12 @@ Eigen::Vector3d SigmaOf(const OpiBelief& opi) {
   return opi.object.cov_W.diagonal().cwiseMax(0.0).cwiseSqrt();
 }
 
-/// 1e-8 degrees are a millimetre.
-double Rounded(double degrees) { return std::round(degrees * 1e8) / 1e8; }
-
-OrderedJson Position(const LocalGrid& grid, double north, double east) {
-  const GeoPoint place = grid.At(north, east);
-  return {Rounded(place.longitude_deg), Rounded(place.latitude_deg)};
-}
-
 OrderedJson FeatureOf(const OpiBelief& opi, const LocalGrid& grid) {
   const Eigen::Vector3d& p_W = opi.object.p_W;
   const Eigen::Vector3d sigma = SigmaOf(opi);
   return {{"type", "Feature"},
           {"id", opi.id},
-          {"geometry", {{"type", "Point"}, {"coordinates", Position(grid, p_W.x(), p_W.y())}}},
+          {"geometry", {{"type", "Point"}, {"coordinates", GeoPosition(grid, p_W.x(), p_W.y())}}},
           {"properties",
            {{"class", opi.object.color},
             {"decided", NameOf(opi.decided)},
@@ -51,11 +43,11 @@ OrderedJson FeatureOf(const OpiBelief& opi, const LocalGrid& grid) {
 }
 
 OrderedJson FeatureOf(const SurveyArea& area, const LocalGrid& grid) {
-  const OrderedJson corner = Position(grid, area.north_min, area.east_min);
+  const OrderedJson corner = GeoPosition(grid, area.north_min, area.east_min);
   // Counterclockwise, and closed.
-  OrderedJson ring = {corner, Position(grid, area.north_min, area.east_max),
-                      Position(grid, area.north_max, area.east_max),
-                      Position(grid, area.north_max, area.east_min), corner};
+  OrderedJson ring = {corner, GeoPosition(grid, area.north_min, area.east_max),
+                      GeoPosition(grid, area.north_max, area.east_max),
+                      GeoPosition(grid, area.north_max, area.east_min), corner};
   return {
       {"type", "Feature"},
       {"geometry", {{"type", "Polygon"}, {"coordinates", OrderedJson::array({std::move(ring)})}}},
@@ -79,15 +71,10 @@ std::string ObjectsToCsv(const SavedSession& session) {
   for (const OpiBelief& opi : ObjectsOf(session)) {
     const Eigen::Vector3d& p_W = opi.object.p_W;
     const Eigen::Vector3d sigma = SigmaOf(opi);
-    std::string place = ",";
-    if (datum) {
-      const GeoPoint at = LocalGrid(*datum).At(p_W.x(), p_W.y());
-      place = fmt::format("{:.8f},{:.8f}", at.latitude_deg, at.longitude_deg);
-    }
     fmt::format_to(std::back_inserter(text),
                    "{},{},{},{:.4f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{},{}\n", opi.id,
                    opi.object.color, NameOf(opi.decided), opi.posterior.present(), p_W.x(), p_W.y(),
-                   p_W.z(), sigma.x(), sigma.y(), sigma.z(), place, opi.looks);
+                   p_W.z(), sigma.x(), sigma.y(), sigma.z(), GeoFields(datum, p_W), opi.looks);
   }
   return text;
 }
