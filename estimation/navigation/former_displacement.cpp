@@ -18,6 +18,8 @@ constexpr double kLeastMove = 0.5;    // [m] less is no move
 constexpr double kMostMove = 2.5;     // [m] all distances between are as likely
 constexpr double kOtherCame = 0.002;  // [1/m^2] of objects that took the place of one that is gone
 
+constexpr std::size_t kMostTakenOut = 20;  // pairs of one fit: beyond that it is no fit at all
+
 /// Most of the weight that the offset may owe to the pair itself: less than all, or nothing else
 /// would say how far the two are apart.
 constexpr double kMostLeverage = 0.9;
@@ -89,7 +91,7 @@ std::vector<double> ChancesOfSamePlace(const std::vector<ObjectEstimate>& former
                                        SessionMatch& match) {
   std::vector<int> fitted = match.now_of_former;
   std::vector<double> chances(former.size(), 1.0);
-  for (std::size_t round = 0; round <= former.size(); ++round) {
+  for (std::size_t round = 0; round <= kMostTakenOut; ++round) {
     std::optional<std::size_t> least;
     for (std::size_t i = 0; i < former.size(); ++i) {
       const int j = match.now_of_former[i];

@@ -32,6 +32,17 @@ TEST(TerminalReport, NamesAWrongStatusAndAMissedObject) {
   EXPECT_THAT(text, HasSubstr("MISSED"));
 }
 
+TEST(TerminalReport, SaysWhatAnOpenObjectMayBe) {
+  RunScore run = BriefRun(false);
+  ChangeScore& change = run.sessions[0].opis.changes.at(0);
+  change.decided = NameOf(Status::kUncertain);
+  change.posterior =
+      StatusPosterior{.confirmed = 0.72, .removed = 0.25, .appeared = 0.0, .nothing = 0.03};
+  EXPECT_THAT(TerminalReport(run, false), HasSubstr("open: confirmed or removed\n"));
+  change.decided = NameOf(Status::kNotInspected);
+  EXPECT_THAT(TerminalReport(run, false), HasSubstr(" open\n"));
+}
+
 TEST(TerminalReport, FitsA100ColumnTerminalInItsTables) {
   const std::string text = TerminalReport(BriefRun(false), false);
   std::size_t begin = 0;
