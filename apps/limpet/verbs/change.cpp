@@ -79,7 +79,7 @@ std::vector<SavedSession> SessionsOf(const Arguments& given) {
 }
 
 std::string FormatOf(const Arguments& given) {
-  const std::string format = given.Find("format").value_or("json");
+  std::string format = given.Find("format").value_or("json");
   if (format != "json" && format != "csv" && format != "geojson") {
     throw UsageError(
         fmt::format("--format: `{}` is no format; there are json, csv, geojson", format));

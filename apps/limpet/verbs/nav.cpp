@@ -134,9 +134,10 @@ std::string SourcesSummary(const SourceUse& use) {
         one.name, one.heard, one.variable, one.counts.taken, one.counts.refused, one.counts.late,
         one.counts.unused, one.senseless);
   }
-  for (const auto& [variable, rows] : use.unheard)
+  for (const auto& [variable, rows] : use.unheard) {
     text += fmt::format("{} rows of {} were not used: no source of --sources hears it\n", rows,
                         HarmlessText(variable));
+  }
   if (use.after_end > 0) {
     text += fmt::format("{} rows of further sensors lie after the stream's end\n", use.after_end);
   }
