@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "limpet/core/folders_above.hpp"
 #include "limpet/mission/plug_condition.hpp"
 #include "limpet/mission/plug_macros.hpp"
 
@@ -298,21 +299,6 @@ class Expander {
   int files_read_ = 0, undefined_ = 0;
 };
 
-void AddPlugFoldersAbove(fs::path folder, std::vector<fs::path>& found) {
-  std::error_code ignored;
-  for (int level = 0; level < 32; ++level) {
-    const fs::path candidate = folder / "plugs";
-    const bool is_known = std::ranges::find(found, candidate) != found.end();
-    if (!is_known && fs::is_directory(candidate, ignored)) {
-      found.push_back(candidate);
-    }
-    if (folder == folder.parent_path()) {
-      return;
-    }
-    folder = folder.parent_path();
-  }
-}
-
 }  // namespace
 
 bool HasPlugDirective(std::string_view text) {
@@ -338,8 +324,8 @@ PlugResult ExpandPlugs(std::string_view text, const fs::path& file, const PlugOp
 std::vector<fs::path> PlugFoldersAround(const fs::path& file) {
   std::vector<fs::path> absolute;
   std::error_code ignored;
-  AddPlugFoldersAbove(fs::absolute(file, ignored).lexically_normal().parent_path(), absolute);
-  AddPlugFoldersAbove(fs::read_symlink("/proc/self/exe", ignored).parent_path(), absolute);
+  AddFoldersAbove(fs::absolute(file, ignored).lexically_normal().parent_path(), "plugs", absolute);
+  AddFoldersAbove(RunningProgramFolder(), "plugs", absolute);
   std::vector<fs::path> folders;
   folders.reserve(absolute.size());
   for (const fs::path& folder : absolute) {

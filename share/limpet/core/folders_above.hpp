@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace limpet {
+
+/// Appends `wanted` (such as "share/vehicles") of `folder` and of every folder above it, nearest
+/// first, where there is one that `found` lacks.
+void AddFoldersAbove(const std::filesystem::path& folder, const std::filesystem::path& wanted,
+                     std::vector<std::filesystem::path>& found);
+
+/// Where the running program lies.
+[[nodiscard]] std::filesystem::path RunningProgramFolder();
+
+}  // namespace limpet
