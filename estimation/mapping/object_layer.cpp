@@ -66,7 +66,10 @@ double ObjectLayer::MissLogOdds(const Pose& X_WB, const Eigen::Vector3d& ned) co
   if (share < kWellVisible) {
     return 0.0;
   }
-  const double detects = status_.detection.Detects((X_WB.p_WB - ned).norm(), share);
+  const double detects = ChanceToDetect({.camera = camera_,
+                                         .detection = status_.detection,
+                                         .object_radius = status_.object_radius.value()},
+                                        X_WB, ned);
   const double false_alarm = status_.detection.false_per_image;
   return std::min(std::log((1.0 - detects) / (1.0 - false_alarm)), 0.0);
 }

@@ -8,9 +8,7 @@
 namespace limpet {
 namespace {
 
-/// Contrast falls off within this share of the visibility around kHalfRange of it.
-constexpr double kHalfRange = 1.1;
-constexpr double kFallOff = 0.06;
+constexpr double kSizeFallOff = 0.1;  ///< over the least size
 constexpr int kDiscPoints = 24;
 
 double SmoothStep(double x) {
@@ -18,9 +16,10 @@ double SmoothStep(double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// Share of the contrast that reaches a camera `range` metres away.
-double Contrast(double range, double reach) {
-  return 1.0 / (1.0 + std::exp((range - kHalfRange * reach) / (kFallOff * reach)));
+/// Share of the contrast that reaches a camera `range` metres away in water of this visibility [m].
+double Contrast(const DetectionModel& model, double range, double visibility) {
+  return 1.0 /
+         (1.0 + std::exp((range - model.half_range * visibility) / (model.fall_off * visibility)));
 }
 
 /// Offset of the i-th of kDiscPoints points spread evenly over the unit disc (sunflower).
@@ -34,17 +33,21 @@ Eigen::Vector2d DiscPoint(int i) {
 
 double DetectionModel::Detects(double range, double share) const {
   const double inside = SmoothStep((share - share_none) / std::max(share_full - share_none, 1e-6));
-  return best * Contrast(range, visibility.value()) * inside;
+  return best * Contrast(*this, range, visibility.value()) * inside;
 }
 
 PerVisibility DetectionModel::Detects(double range, double share,
                                       const PerVisibility& visibilities) const {
   const double inside = SmoothStep((share - share_none) / std::max(share_full - share_none, 1e-6));
   return visibilities.unaryExpr(
-      [&](double reach) { return best * Contrast(range, reach) * inside; });
+      [&](double reach) { return best * Contrast(*this, range, reach) * inside; });
 }
 
-double DetectionModel::HalfRange() const { return kHalfRange * visibility.value(); }
+double DetectionModel::HalfRange() const { return half_range * visibility.value(); }
+
+double DetectionModel::FindsSize(double size_px) const {
+  return 1.0 / (1.0 + std::exp((least_size_px - size_px) / (kSizeFallOff * least_size_px)));
+}
 
 Meters DetectionModel::MeanVisibility(const VisibilityBelief& water) const {
   constexpr int kBisections = 40;
@@ -52,10 +55,10 @@ Meters DetectionModel::MeanVisibility(const VisibilityBelief& water) const {
   for (int i = 0; i < kBisections; ++i) {
     const double middle = 0.5 * (sure + hopeless);
     const PerVisibility contrast = VisibilityBelief::Grid().unaryExpr(
-        [middle](double reach) { return Contrast(middle, reach); });
+        [&](double reach) { return Contrast(*this, middle, reach); });
     (water.Expect(contrast) > 0.5 ? sure : hopeless) = middle;
   }
-  return Meters(sure / kHalfRange);
+  return Meters(sure / half_range);
 }
 
 double VisibleShare(const CameraModel& camera, const Pose& X_WB, const Eigen::Vector3d& p_W,

@@ -11,18 +11,28 @@ namespace {
 constexpr double kMostSlackShare = 0.6;
 constexpr int kBisections = 30;
 
+/// Diameter of the object's image [px].
+double SizeInImage(const LookModel& model, double range) {
+  return 2.0 * model.object_radius * model.camera.fx / std::max(range, 1e-3);
+}
+
 }  // namespace
 
 double ChanceToDetect(const LookModel& model, const Pose& X_WB, const Eigen::Vector3d& p_W) {
   const double share = VisibleShare(model.camera, X_WB, p_W, model.object_radius);
-  return share > 0.0 ? model.detection.Detects((p_W - X_WB.p_WB).norm(), share) : 0.0;
+  if (share <= 0.0) return 0.0;
+  const double range = (p_W - X_WB.p_WB).norm();
+  return model.detection.Detects(range, share) *
+         model.detection.FindsSize(SizeInImage(model, range));
 }
 
 PerVisibility ChancesToDetect(const LookModel& model, const Pose& X_WB, const Eigen::Vector3d& p_W,
                               const PerVisibility& visibilities) {
   const double share = VisibleShare(model.camera, X_WB, p_W, model.object_radius);
-  return share > 0.0 ? model.detection.Detects((p_W - X_WB.p_WB).norm(), share, visibilities)
-                     : PerVisibility(0.0);
+  if (share <= 0.0) return {0.0};
+  const double range = (p_W - X_WB.p_WB).norm();
+  return model.detection.Detects(range, share, visibilities) *
+         model.detection.FindsSize(SizeInImage(model, range));
 }
 
 std::optional<LookWindow> LookWindowAbove(const LookModel& model, double drop, double slack) {
@@ -62,6 +72,9 @@ MapLook ToMapLook(const LookModel& model) {
           .height_px = model.camera.height_px,
           .best = model.detection.best,
           .visibility = model.detection.visibility.value(),
+          .half_range = model.detection.half_range,
+          .fall_off = model.detection.fall_off,
+          .least_size_px = model.detection.least_size_px,
           .share_none = model.detection.share_none,
           .share_full = model.detection.share_full,
           .object_radius = model.object_radius};
@@ -73,6 +86,9 @@ LookModel ToLookModel(const MapLook& look) {
       CameraModel::FromFieldOfView(look.width_px, look.height_px, look.fov_across, look.fov_along);
   model.detection.best = look.best;
   model.detection.visibility = Meters(look.visibility);
+  model.detection.half_range = look.half_range;
+  model.detection.fall_off = look.fall_off;
+  model.detection.least_size_px = look.least_size_px;
   model.detection.share_none = look.share_none;
   model.detection.share_full = look.share_full;
   model.object_radius = look.object_radius;

@@ -70,6 +70,9 @@ struct MapLook {
   int width_px = 0, height_px = 0;
   double best = 0.0;           ///< chance per frame close by and wholly inside the image
   double visibility = 0.0;     ///< range at which contrast is gone [m]
+  double half_range = 1.0;     ///< over the visibility: there half of the best chance is left
+  double fall_off = 0.1;       ///< over the visibility: within so much it falls
+  double least_size_px = 1.0;  ///< diameter of an object's image of which half are found
   double share_none = 0.0;     ///< share of an object inside the image below which it is missed
   double share_full = 0.0;     ///< and above which the border does not matter
   double object_radius = 0.0;  ///< [m]
@@ -77,7 +80,9 @@ struct MapLook {
   void Describe(V& visit) {
     visit("fov_across", fov_across), visit("fov_along", fov_along);
     visit("width_px", width_px), visit("height_px", height_px), visit("best", best);
-    visit("visibility", visibility), visit("share_none", share_none);
+    visit("visibility", visibility), visit("half_range", half_range);
+    visit("fall_off", fall_off), visit("least_size_px", least_size_px);
+    visit("share_none", share_none);
     visit("share_full", share_full), visit("object_radius", object_radius);
   }
 };

@@ -47,6 +47,20 @@ TEST(DetectionModel, AtHalfItsRangeHalfOfTheChanceIsLeft) {
   EXPECT_NEAR(model.Detects(model.HalfRange(), 1.0), 0.5 * model.Detects(0.5, 1.0), 0.01);
 }
 
+TEST(DetectionModel, OfAnotherDetectorReachesAsFarAsItsFileSays) {
+  const DetectionModel model{.visibility = Meters(5.0), .half_range = 0.6, .fall_off = 0.1};
+  EXPECT_DOUBLE_EQ(model.HalfRange(), 3.0);
+  EXPECT_NEAR(model.Detects(3.0, 1.0), 0.5 * model.best, 0.01);
+  EXPECT_NEAR(model.MeanVisibility(VisibilityBelief(Meters(5.0), 1.2)).value(), 5.0, 0.4);
+}
+
+TEST(DetectionModel, FindsHalfOfWhatIsAsSmallAsItsLeast) {
+  const DetectionModel model{.least_size_px = 20.0};
+  EXPECT_DOUBLE_EQ(model.FindsSize(20.0), 0.5);
+  EXPECT_LT(model.FindsSize(10.0), 0.01);
+  EXPECT_GT(model.FindsSize(40.0), 0.99);
+}
+
 TEST(DetectionModel, MeanVisibilityFollowsWhatIsBelievedOfTheWater) {
   const DetectionModel model;
   EXPECT_NEAR(model.MeanVisibility(VisibilityBelief(Meters(8.0), 2.0)).value(), 8.0, 0.4);
