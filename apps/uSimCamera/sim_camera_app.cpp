@@ -64,7 +64,7 @@ void SimCameraApp::MakeCamera(const AppContext& context, const Scenario& scenari
     box_model_ = BoxModel({.camera = camera_,
                            .visibility_m = scenario.water.visibility_m,
                            .false_boxes_per_image = scenario.sensors.false_detections_per_image,
-                           .constants = {}});
+                           .constants = params_.boxes});
     return;
   }
   const auto depth = [seabed = seabed_](double north, double east) {

@@ -38,6 +38,7 @@ class SimCameraApp final : public App {
     Meters least_depth{0.5};
     CameraTiming timing;
     CameraParams geometry;
+    BoxModelConstants boxes;  ///< where it makes boxes
     template <class Visitor>
     void Describe(Visitor& visit) {
       using namespace literals;
@@ -48,6 +49,7 @@ class SimCameraApp final : public App {
       visit("least_depth_m", least_depth, "No frames while the body is higher than this",
             InRange(0.0_m, 100.0_m));
       geometry.Describe(visit);
+      boxes.Describe(visit);
     }
   };
 

@@ -84,9 +84,15 @@ void CheckFrames(const MissionReading& reading, const SurveyFacts& survey, Missi
   }
 }
 
-/// How likely the detector finds an object at a range in water of this visibility.
-double DetectionChance(double range, double visibility) {
-  const BoxModelConstants model;
+/// How likely the simulated detector finds an object at a range in water of this visibility.
+double DetectionChance(const MissionReading& reading, double range, double visibility) {
+  BoxModelConstants model;
+  const auto take = [&reading](const char* key, double& value) {
+    if (const auto setting = reading.Find("uSimCamera", key)) value = setting->number();
+  };
+  take("box_peak", model.peak);
+  take("box_faint_at", model.faint_at);
+  take("box_faint_width", model.faint_width);
   return model.peak / (1.0 + std::exp((range / visibility - model.faint_at) / model.faint_width));
 }
 
@@ -97,7 +103,9 @@ void CheckVisibility(const MissionReading& reading, const SurveyFacts& survey,
   const auto expected = reading.Find("pMap", "visibility_m");
   if (!expected) return;
   const double altitude = survey.altitude.number();
-  const DetectionModel model{.visibility = Meters(expected->number())};
+  DetectionModel model{.visibility = Meters(expected->number())};
+  if (const auto share = reading.Find("pMap", "detection_half_range"))
+    model.half_range = share->number();
   if (altitude > model.HalfRange()) {
     found.notes.push_back(survey.altitude.Refuse(
         fmt::format("from {:g} m the seabed is not in sight in water of {}: up to {:.2f} m it is",
@@ -111,7 +119,7 @@ void CheckSimulatedWater(const MissionReading& reading, const SurveyFacts& surve
   constexpr double kPoor = 0.9;
   const double visibility = reading.scenario()->water.visibility_m;
   const double altitude = survey.altitude.number();
-  const double chance = DetectionChance(altitude, visibility);
+  const double chance = DetectionChance(reading, altitude, visibility);
   if (chance < kPoor) {
     found.notes.push_back(survey.altitude.Refuse(
         fmt::format("from {:g} m an object on the seabed is found in {:.0f} % of the frames only, "
