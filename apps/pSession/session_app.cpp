@@ -131,11 +131,13 @@ void SessionApp::CopyMission() {
           extension == ".bhv" ? WithPlugs(*text, entry.path()) : *text;
     }
   }
-  const fs::path vehicle =
-      FindVehicleFile(context().Global(kVehicleFileGlobal), context().mission_folder);
-  for (const fs::path& file : VehicleFileChain(vehicle)) {
-    if (Expected<std::string> text = ReadWhole(file)) {
-      memory_.mission[file.filename().string()] = *std::move(text);
+  for (const FactFile* kind : FactFiles()) {
+    const fs::path named =
+        FindFactFile(*kind, context().Global(kind->global), context().mission_folder);
+    for (const fs::path& file : FactFileChain(*kind, named)) {
+      if (Expected<std::string> text = ReadWhole(file)) {
+        memory_.mission[file.filename().string()] = *std::move(text);
+      }
     }
   }
   if (!context().blocks.empty()) {

@@ -14,6 +14,7 @@
 #include "limpet/app/registry.hpp"
 #include "limpet/describe/markdown_cell.hpp"
 #include "limpet/helm/registry.hpp"
+#include "limpet/mission/detector_settings.hpp"
 #include "limpet/mission/shared_settings.hpp"
 #include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/vision/detector_registry.hpp"
@@ -69,6 +70,12 @@ std::string GlobalOf(const ParameterOwner& owner, const ParamSpec& parameter) {
   return std::string(GlobalFor(owner.name, parameter.name));
 }
 
+/// The key of such a file that stands in for a parameter; "" if none does.
+std::string KeyIn(const FactFile& kind, const ParameterOwner& owner, const ParamSpec& parameter) {
+  const StandIn other = StandInFor(owner.name, parameter.name);
+  return other.kind == &kind ? std::string(other.fact) : "";
+}
+
 OrderedJson JsonOf(const ParameterOwner& owner) {
   OrderedJson parameters = OrderedJson::array();
   for (const ParamSpec& parameter : owner.parameters) {
@@ -81,7 +88,8 @@ OrderedJson JsonOf(const ParameterOwner& owner) {
                           {"allowed", parameter.allowed},
                           {"repeatable", parameter.is_repeatable},
                           {"global", GlobalOf(owner, parameter)},
-                          {"vehicle_key", std::string(VehicleKeyFor(owner.name, parameter.name))},
+                          {"vehicle_key", KeyIn(VehicleFacts(), owner, parameter)},
+                          {"detector_key", KeyIn(DetectorFacts(), owner, parameter)},
                           {"meaning", parameter.help}});
   }
   OrderedJson out{{"name", owner.name}, {"kind", NameOf(owner.kind)}};
@@ -98,12 +106,12 @@ std::string MarkdownTable(const ParameterOwner& owner) {
   page += "| parameter | default | allowed | meaning |\n| --- | --- | --- | --- |\n";
   for (const ParamSpec& parameter : owner.parameters) {
     const std::string global = GlobalOf(owner, parameter);
-    const std::string_view vehicle = VehicleKeyFor(owner.name, parameter.name);
-    page += fmt::format("| `{}` | {} | {} | {}{}{} |\n", parameter.name,
-                        MarkdownCell(DefaultOf(parameter)), MarkdownCell(AllowedOf(parameter)),
-                        MarkdownCell(parameter.help),
-                        global.empty() ? "" : fmt::format("; global `{}`", global),
-                        vehicle.empty() ? "" : fmt::format("; vehicle's file `{}`", vehicle));
+    const StandIn other = StandInFor(owner.name, parameter.name);
+    page += fmt::format(
+        "| `{}` | {} | {} | {}{}{} |\n", parameter.name, MarkdownCell(DefaultOf(parameter)),
+        MarkdownCell(AllowedOf(parameter)), MarkdownCell(parameter.help),
+        global.empty() ? "" : fmt::format("; global `{}`", global),
+        other.fact.empty() ? "" : fmt::format("; {}'s file `{}`", other.kind->of, other.fact));
   }
   return page;
 }
@@ -146,8 +154,8 @@ std::string PlainText(const ParameterOwner& owner) {
     if (const std::string global = GlobalOf(owner, parameter); !global.empty()) {
       text += fmt::format("      else the mission's global {}\n", global);
     }
-    if (const auto vehicle = VehicleKeyFor(owner.name, parameter.name); !vehicle.empty()) {
-      text += fmt::format("      else the vehicle's file, {}\n", vehicle);
+    if (const auto other = StandInFor(owner.name, parameter.name); !other.fact.empty()) {
+      text += fmt::format("      else the {}'s file, {}\n", other.kind->of, other.fact);
     }
   }
   const std::string_view host = HostOf(owner.kind);

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "limpet/mission/fact_files.hpp"
 #include "limpet/mission/mission_lines.hpp"
 #include "limpet/mission/shared_settings.hpp"
-#include "limpet/mission/vehicle_settings.hpp"
 
 namespace limpet {
 namespace {
@@ -326,7 +326,7 @@ MissionFile ReadMission(std::string_view text, const std::string& file,
   std::vector<ConfigProblem> warnings;
   const std::vector<TextLine> lines = ConfigLines(text, file, options, warnings);
   MissionFile mission = MissionParser(file).Run(lines, std::move(warnings));
-  TakeVehicle(mission);
+  TakeFacts(mission);
   return mission;
 }
 

@@ -27,8 +27,8 @@ struct MissionFile {
       globals;  ///< outside of blocks; values without blanks, as MOOS reads them
   std::vector<ConfigBlock> blocks;  ///< the first of each name
   std::vector<LaunchEntry> launches;
-  std::vector<ConfigProblem> warnings;     ///< what MOOS would silently ignore
-  std::vector<std::string> vehicle_files;  ///< whose lines stand in blocks
+  std::vector<ConfigProblem> warnings;  ///< what MOOS would silently ignore
+  std::vector<std::string> fact_files;  ///< whose lines stand in blocks
 
   /// The ProcessConfig block of an app (case ignored), or nullptr.
   [[nodiscard]] const ConfigBlock* Block(std::string_view name) const;

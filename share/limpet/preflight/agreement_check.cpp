@@ -94,18 +94,18 @@ void CompareShared(const MissionReading& reading, const SharedSetting& shared,
 
 /// A block that says a fact of the vehicle must say what its file says.
 void CompareWithVehicle(const MissionReading& reading, MissionProblems& found) {
-  const std::vector<ConfigEntry> entries = VehicleEntries(reading.vehicle_path());
-  for (const VehicleTaker& taker : VehicleTakers()) {
-    const auto entry = std::ranges::find(entries, taker.vehicle_key, &ConfigEntry::key);
+  const std::vector<ConfigEntry> entries = FactEntries(VehicleFacts(), reading.vehicle_path());
+  for (const FactTaker& taker : VehicleFacts().takers) {
+    const auto entry = std::ranges::find(entries, taker.fact, &ConfigEntry::key);
     if (taker.is_former || entry == entries.end()) continue;
     std::vector<Setting> settings{{.owner = "the vehicle's file",
-                                   .key = taker.vehicle_key,
+                                   .key = taker.fact,
                                    .text = entry->value,
                                    .unit = {},
                                    .where = entry->where}};
     Add(reading.Find(taker.owner, taker.key), settings);
     if (settings.size() > 1 && settings.back().where.file.starts_with("--set ")) continue;
-    Compare(fmt::format("the vehicle's {}", taker.vehicle_key), settings, found);
+    Compare(fmt::format("the vehicle's {}", taker.fact), settings, found);
   }
 }
 

@@ -156,13 +156,13 @@ void MissionReading::LoadTruth() {
 void MissionReading::LoadVehicle() {
   const std::string named = mission_.Global(kVehicleFileGlobal);
   if (named.empty()) return;
-  vehicle_path_ = FindVehicleFile(named, folder_);
+  vehicle_path_ = FindFactFile(VehicleFacts(), named, folder_);
   std::vector<ConfigProblem> said_by_the_vehicles_check;
   Keep(said_by_the_vehicles_check, [&] { vehicle_ = LoadMissionVehicle(named, folder_); });
 }
 
 SourceLine MissionReading::InVehicle(std::string_view key) const {
-  for (const ConfigEntry& entry : VehicleEntries(vehicle_path_)) {
+  for (const ConfigEntry& entry : FactEntries(VehicleFacts(), vehicle_path_)) {
     if (entry.key == key) return entry.where;
   }
   return {.file = vehicle_path_.string(), .line = 0};

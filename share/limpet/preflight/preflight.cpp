@@ -45,11 +45,11 @@ void NameGlobals(std::vector<ConfigProblem>& problems) {
       if (stands_in)
         problem.text += fmt::format("; the mission's global `{}` says it for all", shared.global);
     }
-    for (const VehicleTaker& taker : VehicleTakers()) {
+    for (const FactTaker& taker : VehicleFacts().takers) {
       if (problem.key == taker.key &&
           problem.text.starts_with(fmt::format("is missing in {} ", taker.owner))) {
         problem.text +=
-            fmt::format("; the vehicle's file says it for all, by its key {}", taker.vehicle_key);
+            fmt::format("; the vehicle's file says it for all, by its key {}", taker.fact);
       }
     }
   }

@@ -85,24 +85,24 @@ void AddPlugs(const fs::path& folder, const fs::path& file, RunConfiguration& to
   to.parts[file.filename().string().append(kExpanded)] = ChecksumOf(expanded);
 }
 
-/// The file of the vehicle that the mission names, or an option `VehicleFile=`, and those it is
-/// based on.
-void AddVehicle(const fs::path& folder, const std::vector<std::string>& options,
-                RunConfiguration& to) {
+/// The files of facts that the mission names, or an option such as `VehicleFile=`, and those they
+/// are based on.
+void AddFacts(const FactFile& kind, const fs::path& folder, const std::vector<std::string>& options,
+              RunConfiguration& to) {
   std::vector<std::string> named;
   for (const TextLine& line : LinesOf(folder / "mission.moos")) {
     const KeyValue pair = SplitKeyValue(line.text);
-    if (EqualsIgnoringCase(pair.key, kVehicleFileGlobal)) named.push_back(pair.value);
+    if (EqualsIgnoringCase(pair.key, kind.global)) named.push_back(pair.value);
   }
   for (const std::string& option : options) {
     const std::string setting = option.substr(option.rfind(' ') + 1);
     const std::size_t value = setting.rfind('=');
-    if (value != std::string::npos && setting.find(kVehicleFileGlobal) != std::string::npos) {
+    if (value != std::string::npos && setting.find(kind.global) != std::string::npos) {
       named.push_back(setting.substr(value + 1));
     }
   }
   for (const std::string& name : named) {
-    for (const fs::path& file : VehicleFileChain(FindVehicleFile(name, folder))) {
+    for (const fs::path& file : FactFileChain(kind, FindFactFile(kind, name, folder))) {
       to.parts[file.filename().string()] = ChecksumOfFile(file);
     }
   }
@@ -130,7 +130,8 @@ RunConfiguration RunConfiguration::Of(const fs::path& mission_folder,
       AddPlugs(mission_folder, entry.path(), configuration);
     }
   }
-  AddVehicle(mission_folder, options, configuration);
+  for (const FactFile* kind : FactFiles())
+    AddFacts(*kind, mission_folder, options, configuration);
   configuration.parts[kOptionsPart] = fmt::format("{}", fmt::join(options, " "));
   configuration.parts[kProgramPart] = ChecksumOfFile("/proc/self/exe");
   return configuration;

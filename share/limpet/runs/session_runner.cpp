@@ -118,7 +118,7 @@ void ApplyGlobal(MissionFile& mission, const std::string& setting, std::size_t e
       if (is_taken) entry = {entry.key, global->value, where};
     }
   }
-  TakeVehicle(mission);
+  TakeFacts(mission);
 }
 
 }  // namespace
@@ -154,7 +154,7 @@ void ApplySetting(MissionFile& mission, const std::string& setting) {
                   [&](const ConfigEntry& old) { return EqualsIgnoringCase(old.key, entry.key); });
   }
   block->entries.push_back(std::move(entry));
-  TakeVehicle(mission);
+  TakeFacts(mission);
 }
 
 SessionOutcome RunSession(const MissionFile& mission, const SessionPlan& plan,

@@ -134,13 +134,13 @@ Reading ReadBase(YamlReader& in, const YAML::Node& root, const fs::path& folder)
   Reading reading;
   if (!root.IsMap() || !root[kBasedOn]) return reading;
   const YAML::Node named = root[kBasedOn];
-  const fs::path base = FindVehicleFile(ValueText(named), folder);
+  const fs::path base = FindFactFile(VehicleFacts(), ValueText(named), folder);
   if (base.empty()) {
     in.Complain(named, kBasedOn, fmt::format("there is no {}", TextOfNode(named)));
     return reading;
   }
-  std::vector<fs::path> chain = VehicleFileChain(base);
-  if (chain.size() >= kMostVehicleFiles) {
+  std::vector<fs::path> chain = FactFileChain(VehicleFacts(), base);
+  if (chain.size() >= kMostFactFiles) {
     in.Complain(named, kBasedOn, "files that are based on one another without end");
     return reading;
   }
@@ -211,28 +211,9 @@ VehicleFile LoadVehicleFile(const fs::path& file) {
 }
 
 VehicleFile LoadMissionVehicle(const std::string& named, const fs::path& mission_folder) {
-  const fs::path file = named.empty() ? fs::path() : FindVehicleFile(named, mission_folder);
+  const fs::path file = FindFactFile(VehicleFacts(), named, mission_folder);
   if (!file.empty()) return LoadVehicleFile(file);
-  std::vector<std::string> known, looked_in;
-  std::error_code ignored;
-  for (const fs::path& folder : VehicleFolders(mission_folder)) {
-    looked_in.push_back(folder.string());
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-      const bool is_vehicle =
-          entry.path().extension() == ".yaml" &&
-          (folder != mission_folder || entry.path().filename() == "vehicle.yaml");
-      if (is_vehicle) known.push_back(entry.path().filename().string());
-    }
-  }
-  std::ranges::sort(known);
-  const std::string complaint = named.empty() ? "is missing: which vehicle flies this mission?"
-                                              : fmt::format("there is no `{}`", named);
-  throw ConfigError(ConfigProblem{
-      .where = {},
-      .key = kVehicleFileGlobal,
-      .text = fmt::format("{}; known: {} (looked in {})", complaint,
-                          known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", ")),
-                          fmt::join(looked_in, ", "))});
+  throw ConfigError(UnknownFactFile(VehicleFacts(), named, mission_folder));
 }
 
 }  // namespace limpet

@@ -57,7 +57,7 @@ TEST_F(VehicleSettings, OfTheFileThatThisOneIsBasedOnCountWhereItSaysNothing) {
   const MissionFile mission = Read("ProcessConfig = pMap\n{\n}\n");
   EXPECT_EQ(ValueIn(mission, "pMap", "camera_fov_across_deg"), "70");
   EXPECT_EQ(ValueIn(mission, "pMap", "camera_width_px"), "320");
-  EXPECT_EQ(mission.vehicle_files.size(), 2U);
+  EXPECT_EQ(mission.fact_files.size(), 2U);
 }
 
 TEST_F(VehicleSettings, AReportedLengthIsTheHulls) {
@@ -93,7 +93,7 @@ TEST_F(VehicleSettings, OfAnotherVehicleTakeThePlaceOfTheFormers) {
   Say("w.yaml", "camera: {fov_across_deg: 60}\n");
   MissionFile mission = Read("ProcessConfig = pMap\n{\n}\n");
   mission.globals.front().value = "w.yaml";
-  TakeVehicle(mission);
+  TakeFacts(mission);
   EXPECT_EQ(ValueIn(mission, "pMap", "camera_fov_across_deg"), "60");
   EXPECT_EQ(ValueIn(mission, "pMap", "camera_tilt_deg"), "");
 }
@@ -103,16 +103,16 @@ TEST_F(VehicleSettings, OfAFileThatIsNoYamlAreNone) {
   EXPECT_THAT(Read("ProcessConfig = pMap\n{\n}\n").Block("pMap")->entries, IsEmpty());
 }
 
-TEST(VehicleTakers, TakeEveryKeyOfTheCamera) {
+TEST(VehicleFacts, HoldEveryKeyOfTheCamera) {
   CameraParams camera;
   for (const ParamSpec& spec : DescribeParams(camera)) {
     for (const char* owner : {"pHelm", "pMap", "pNav", "uSimCamera"}) {
-      EXPECT_EQ(VehicleKeyFor(owner, spec.name), "camera." + spec.name.substr(7));
+      EXPECT_EQ(StandInFor(owner, spec.name).fact, "camera." + spec.name.substr(7));
     }
   }
   CameraTiming timing;
   for (const ParamSpec& spec : DescribeParams(timing)) {
-    EXPECT_EQ(VehicleKeyFor("uSimCamera", spec.name), "camera." + spec.name);
+    EXPECT_EQ(StandInFor("uSimCamera", spec.name).fact, "camera." + spec.name);
   }
 }
 
