@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <optional>
 #include <vector>
 
-#include <opencv2/core.hpp>
-
 #include "limpet/core/params.hpp"
+#include "limpet/detectors/ball_outline.hpp"
 #include "limpet/detectors/blob_finder.hpp"
 #include "limpet/detectors/color_planes.hpp"
 #include "limpet/vision/detector.hpp"
 #include "limpet/vision/ellipse.hpp"
-#include "limpet/vision/outline_refiner.hpp"
 
 namespace limpet {
 
@@ -43,27 +40,12 @@ class ColorShapeDetector final : public Detector {
     PixelRect rect;
     double quality = 0.0;
   };
-  struct Finding {
-    RefinedOutline outline;  ///< pixels of the full image
-    Contrast contrast;
-    int factor = 1;  ///< full resolution over the one it was found at
-
-    /// Distance of edges from the ellipse [px] at which nothing speaks for a ball any more.
-    [[nodiscard]] double AllowedWobble() const {
-      const double radius = outline.ellipse.MeanRadius();
-      return std::min(0.10 * radius, 1.3 + 0.4 * factor + 0.01 * radius);
-    }
-  };
-  void Shrink(const ImageView& image);
   void CollectCandidates();
   [[nodiscard]] bool Assess(const Blob& blob, Candidate& candidate) const;
-  [[nodiscard]] std::optional<Finding> Refine(const ImageView& image, const Ellipse& guess) const;
   [[nodiscard]] std::optional<Box> Verify(const ImageView& image, const Candidate& candidate) const;
 
   Params params_;
-  int factor_ = 4;  ///< full over least resolution
-  cv::Mat half_;
-  cv::Mat small_;
+  BallOutlines outlines_;
   ColorPlanes colors_;
   BlobFinder finder_;
   std::vector<Blob> blobs_;
