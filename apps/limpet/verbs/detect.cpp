@@ -14,10 +14,14 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
+#include "limpet/characterisation/detector_sheet.hpp"
+#include "limpet/characterisation/detector_trial.hpp"
+#include "limpet/console/arguments.hpp"
 #include "limpet/console/command_output.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/logbook/alog_csv.hpp"
 #include "limpet/vision/box_drawing.hpp"
+#include "limpet/vision/color_table.hpp"
 #include "limpet/vision/detector_registry.hpp"
 #include "limpet/vision/image_file.hpp"
 
@@ -28,11 +32,13 @@ namespace fs = std::filesystem;
 
 Command DetectForm() {
   return {.name = "limpet detect",
-          .words = "<images or folders>",
+          .words = "<images or folders> | --characterise",
           .about =
               "Runs the detector alone and writes CSV: image,class,confidence,x,y,w,h in "
               "pixels, x and y of the box's upper left corner. An image that cannot be read "
-              "is named and makes the exit code 1; the others are still done.",
+              "is named and makes the exit code 1; the others are still done. With --characterise "
+              "it renders pictures of its own, measures what the detector finds by range, size, "
+              "water and kind, and writes the file that DetectorFile in a mission names.",
           .options = {{.names = "--out",
                        .value = "FILE",
                        .meaning = "where the table goes",
@@ -49,12 +55,27 @@ Command DetectForm() {
                       {.names = "--draw",
                        .value = "DIR",
                        .meaning = "also write each image there, its boxes drawn"},
+                      {.names = "--characterise",
+                       .meaning = "measure the detector; takes no images, --out is a .yaml"},
+                      {.names = "--worlds",
+                       .value = "N",
+                       .meaning = "of 20 pictures each, that it is measured in",
+                       .fallback = "60",
+                       .rule = NumberBetween(2.0, 10000.0)},
+                      {.names = "--colors",
+                       .value = "LIST",
+                       .meaning = "of the things in these worlds: the colours sought",
+                       .fallback = "yellow,orange,green"},
+                      {.names = "--seed",
+                       .value = "S",
+                       .meaning = "of these worlds",
+                       .fallback = "1",
+                       .rule = NumberBetween(0.0, 1e9)},
                       {.names = "--set",
                        .value = "KEY=V",
                        .meaning = "override a parameter of the detector",
                        .is_repeatable = true}},
-          .takes = "images and --out FILE",
-          .least_words = 1};
+          .takes = "images and --out FILE"};
 }
 
 std::string ExtensionOf(const fs::path& file) {
@@ -175,6 +196,55 @@ std::optional<fs::path> DrawingFolder(const Arguments& arguments) {
   return fs::path(*name);
 }
 
+/// Throws UsageError if one of them is none.
+std::vector<std::string> ColorsOf(const Arguments& arguments) {
+  std::vector<std::string> colors;
+  const std::vector<std::string> known = ColorNames();
+  for (const std::string& word : Split(*arguments.Find("colors"), ',')) {
+    const std::string color(Trim(word));
+    if (std::ranges::find(known, color) == known.end()) {
+      const std::string nearest = NearestWord(color, known);
+      throw UsageError(fmt::format("--colors: `{}` is no colour{}", color,
+                                   nearest.empty() ? "" : "; did you mean `" + nearest + "`?"));
+    }
+    colors.push_back(color);
+  }
+  return colors;
+}
+
+/// The command that makes the file again.
+std::string CommandOf(const Arguments& arguments) {
+  std::string text =
+      fmt::format("limpet detect --characterise --detector {} --colors {} --worlds {} --seed {}",
+                  *arguments.Find("detector"), *arguments.Find("colors"), *arguments.Find("worlds"),
+                  *arguments.Find("seed"));
+  for (const std::string& setting : arguments.All("set"))
+    text += " --set " + setting;
+  return text;
+}
+
+int Characterise(const Arguments& arguments) {
+  if (!arguments.positionals().empty())
+    throw UsageError("--characterise renders its own pictures and takes none");
+  const std::unique_ptr<Detector> detector = DetectorOf(arguments);
+  CommandOutput output(arguments.Find("out"), true, {});  // refused before the work, not after
+  TrialPlan plan;
+  plan.colors = ColorsOf(arguments);
+  plan.worlds = static_cast<int>(*arguments.Number("worlds"));
+  plan.seed = static_cast<std::uint64_t>(*arguments.Number("seed"));
+  const TrialResult trial = RunTrial(plan, *detector, [&plan](int done) {
+    if (done % 10 == 0) fmt::print(stderr, "{} of {} worlds\n", done, plan.worlds);
+  });
+  const bool finds = std::ranges::any_of(trial.looks, [](const TrialLook& look) {
+    return look.kind == SolidKind::kSphere && look.found.has_value();
+  });
+  if (!finds) throw Refusal("the detector found no ball in any picture: there is no model of that");
+  output.Write(DetectorSheetText(
+      {.detector = *arguments.Find("detector"), .made_with = CommandOf(arguments)}, trial));
+  output.Commit();
+  return kOk;
+}
+
 int DetectInImages(const Arguments& arguments) {
   const std::string out_name = *arguments.Find("out");
   const double least_confidence = *arguments.Number("min-confidence");
@@ -202,7 +272,11 @@ int DetectInImages(const Arguments& arguments) {
 }  // namespace
 
 int RunDetect(std::span<const std::string> args) {
-  return RunCommand(DetectForm(), args, DetectInImages);
+  return RunCommand(DetectForm(), args, [](const Arguments& arguments) {
+    if (arguments.Has("characterise")) return Characterise(arguments);
+    if (arguments.positionals().empty()) throw UsageError("detect takes images and --out FILE");
+    return DetectInImages(arguments);
+  });
 }
 
 }  // namespace limpet

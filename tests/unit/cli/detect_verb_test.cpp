@@ -107,6 +107,42 @@ TEST_F(DetectVerb, DrawsWhatItFound) {
   EXPECT_TRUE(ReadImage(Path("drawn/ball-2.png"))) << "one of like names does not hide another";
 }
 
+TEST_F(DetectVerb, CharacterisesADetectorInAFileThatAMissionMayName) {
+  ASSERT_EQ(Run({"--characterise", "--worlds", "2", "--seed", "7", "--out", Path("own.yaml")}),
+            kOk);
+  std::ostringstream sheet;
+  sheet << std::ifstream(Path("own.yaml")).rdbuf();
+  EXPECT_THAT(sheet.str(),
+              HasSubstr("# Made by: limpet detect --characterise --detector "
+                        "color_shape --colors yellow,orange,green --worlds 2 --seed 7\n"));
+  EXPECT_THAT(sheet.str(), HasSubstr("half_range_share: "));
+}
+
+TEST_F(DetectVerb, CharacterisesNoGivenImages) {
+  EXPECT_EQ(Run({Path("ball.ppm"), "--characterise", "--out", Path("own.yaml")}), kUsage);
+  EXPECT_FALSE(std::filesystem::exists(Path("own.yaml")));
+}
+
+TEST_F(DetectVerb, CharacterisesNoColourThatDoesNotExist) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(Run({"--characterise", "--colors", "yellow,orang", "--out", Path("own.yaml")}), kUsage);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("did you mean `orange`?"));
+}
+
+TEST_F(DetectVerb, HasNoModelOfADetectorThatFindsNothing) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(Run({"--characterise", "--worlds", "2", "--set", "least_radius_px=300", "--out",
+                 Path("own.yaml")}),
+            kRefused);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("found no ball"));
+  EXPECT_FALSE(std::filesystem::exists(Path("own.yaml")));
+}
+
+TEST_F(DetectVerb, SaysBeforeItCharacterisesThatItCannotWrite) {
+  EXPECT_EQ(Run({"--characterise", "--worlds", "9000", "--out", Path("nowhere/own.yaml")}),
+            kFailed);
+}
+
 TEST_F(DetectVerb, SaysHowToTakeAVideo) {
   std::ofstream(folder_.path() / "dive.mp4") << "no image";
   ::testing::internal::CaptureStderr();

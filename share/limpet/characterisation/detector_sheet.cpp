@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/characterisation/detector_sheet.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace limpet {
+namespace {
+
+/// Found of all, as "0.97 of 123"; "-" where too few were there.
+template <class Keep>
+std::string ShareText(const TrialResult& trial, const Keep& keep) {
+  int all = 0;
+  int found = 0;
+  for (const TrialLook& look : trial.looks) {
+    if (!keep(look)) continue;
+    ++all;
+    found += look.found ? 1 : 0;
+  }
+  constexpr int kFew = 5;
+  return all < kFew ? "-" : fmt::format("{:.2f} of {}", static_cast<double>(found) / all, all);
+}
+
+bool IsBall(const TrialLook& look) { return look.kind == SolidKind::kSphere; }
+bool IsShown(const TrialLook& look) { return look.visible_fraction > 0.6; }
+
+/// Rows: range over visibility; columns: diameter in the image.
+std::string ByRangeAndSize(const TrialResult& trial) {
+  constexpr std::array kShares{0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5};
+  constexpr std::array kSizes{0.0, 14.0, 20.0, 30.0, 60.0, 1000.0};
+  std::string text = "# found, by range over visibility (down) and diameter in the image [px]\n#";
+  text += fmt::format("{:>12}", "");
+  for (std::size_t s = 0; s + 1 < kSizes.size(); ++s)
+    text += fmt::format("{:>14}", fmt::format("{:g} to {:g}", kSizes[s], kSizes[s + 1]));
+  for (std::size_t r = 0; r + 1 < kShares.size(); ++r) {
+    text += fmt::format("\n#{:>12}", fmt::format("{:g} to {:g}", kShares[r], kShares[r + 1]));
+    for (std::size_t s = 0; s + 1 < kSizes.size(); ++s) {
+      text += fmt::format("{:>14}", ShareText(trial, [&](const TrialLook& look) {
+                            return IsBall(look) && IsShown(look) &&
+                                   look.range_share() >= kShares[r] &&
+                                   look.range_share() < kShares[r + 1] &&
+                                   look.size_px >= kSizes[s] && look.size_px < kSizes[s + 1];
+                          }));
+    }
+  }
+  return text + "\n";
+}
+
+std::string ByColorAndKind(const TrialResult& trial) {
+  std::set<std::string> colors;
+  for (const TrialLook& look : trial.looks)
+    colors.insert(look.color);
+  const auto is_clear = [](const TrialLook& look) {
+    return IsShown(look) && look.range_share() < 0.75 && look.size_px > 30.0;
+  };
+  std::string text = "# found of clear balls, by colour:";
+  for (const std::string& color : colors) {
+    text += fmt::format(" {} {};", color, ShareText(trial, [&](const TrialLook& look) {
+                          return IsBall(look) && is_clear(look) && look.color == color;
+                        }));
+  }
+  text += "\n# taken for a ball, of clear things of other forms:";
+  for (const std::string& name : SolidKindNames()) {
+    const SolidKind kind = *SolidKindOf(name);
+    if (kind == SolidKind::kSphere) continue;
+    text += fmt::format(" {} {};", name, ShareText(trial, [&](const TrialLook& look) {
+                          return look.kind == kind && is_clear(look);
+                        }));
+  }
+  return text + "\n";
+}
+
+std::string Line(std::string_view key, double value, std::string_view meaning) {
+  return fmt::format("  {}: {:.4g}  # {}\n", key, value, meaning);
+}
+
+/// Writes `section: key: value  # meaning` of what BoxModelConstants declares.
+class BoxLines {
+ public:
+  void operator()(const char* name, double& field, const char* help, const Range<double>&) {
+    constexpr std::string_view kPrefix = "box_";  // of a camera's block
+    text += Line(std::string_view(name).substr(kPrefix.size()), field, help);
+  }
+  std::string text;
+};
+
+std::string Believed(const DetectionSheet& sheet) {
+  return Line("best", sheet.best, "chance per picture of a near, whole object") +
+         Line("half_range_share", sheet.half_range_share,
+              "over the visibility: there half of it is left") +
+         Line("fall_off_share", sheet.fall_off_share, "over the visibility: within so much") +
+         Line("least_size_px", sheet.least_size_px,
+              "diameter in the image of which half are found") +
+         Line("share_none", sheet.share_none, "visible share below which nothing is found") +
+         Line("share_full", sheet.share_full, "and above which the border does not matter") +
+         Line("false_per_image", sheet.false_per_image, "boxes per picture that show nothing");
+}
+
+}  // namespace
+
+std::string DetectorSheetText(const SheetOrigin& origin, const TrialResult& trial) {
+  BoxModelConstants boxes = FitBoxModel(trial);
+  const DetectionSheet sheet = SheetOf(boxes, trial);
+  BoxLines lines;
+  boxes.Describe(lines);
+  const double false_boxes = static_cast<double>(trial.false_boxes) / std::max(1, trial.pictures);
+  return fmt::format(
+      "# What the detector `{0}` finds, measured on {1} rendered pictures of balls among other\n"
+      "# things (docs/detectors.md). A mission names this file: DetectorFile = {0}.yaml\n"
+      "# Made by: {2}\n"
+      "#\n{3}{4}# boxes at nothing that was put there: {5:.4f} per picture\n\n"
+      "detector:\n  name: {0}\n\n"
+      "# What the vehicle believes: as measured, with a margin.\n"
+      "believed:\n{6}\n"
+      "# What a simulated camera that makes boxes draws from.\n"
+      "boxes:\n{7}",
+      origin.detector, trial.pictures, origin.made_with, ByRangeAndSize(trial),
+      ByColorAndKind(trial), false_boxes, Believed(sheet), lines.text);
+}
+
+}  // namespace limpet
