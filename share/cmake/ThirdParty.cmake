@@ -62,6 +62,11 @@ foreach(module core imgproc imgcodecs)
   target_link_libraries(thirdparty_opencv INTERFACE ${OPENCV_${module}})
 endforeach()
 add_library(thirdparty::opencv ALIAS thirdparty_opencv)
+# Runs networks; what only draws and measures needs none of it.
+add_library(thirdparty_opencv_dnn INTERFACE)
+find_library(OPENCV_dnn opencv_dnn REQUIRED)
+target_link_libraries(thirdparty_opencv_dnn INTERFACE thirdparty_opencv ${OPENCV_dnn})
+add_library(thirdparty::opencv_dnn ALIAS thirdparty_opencv_dnn)
 
 # Libraries of a header and an archive, without CMake configuration of their own.
 function(limpet_thirdparty name header)

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/detectors/network_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "limpet/vision/sphere_box.hpp"
+
+namespace limpet {
+namespace {
+
+/// Channels before those of the colours.
+enum Channel { kScore, kAcross, kDown, kWidth, kHeight, kFirstColor };
+
+/// The planes of a network's output.
+class Cells {
+ public:
+  Cells(const cv::Mat& output, const NetworkDescription& network)
+      : output_(output), network_(network), rows_(output.size[2]), columns_(output.size[3]) {}
+
+  [[nodiscard]] int rows() const { return rows_; }
+  [[nodiscard]] int columns() const { return columns_; }
+  [[nodiscard]] double At(int channel, int row, int column) const {
+    return static_cast<double>(
+        output_.ptr<float>(0, channel)[static_cast<std::ptrdiff_t>(row) * columns_ + column]);
+  }
+  [[nodiscard]] NetworkFinding FindingAt(int row, int column) const {
+    const auto size = [&](int channel) {
+      return network_.size_unit_px * std::exp(std::clamp(At(channel, row, column), -4.0, 4.0));
+    };
+    NetworkFinding finding{.u = (column + 0.5 + At(kAcross, row, column)) * network_.stride_px,
+                           .v = (row + 0.5 + At(kDown, row, column)) * network_.stride_px,
+                           .w = size(kWidth),
+                           .h = size(kHeight),
+                           .score_logit = At(kScore, row, column)};
+    SetColor(row, column, finding);
+    return finding;
+  }
+
+ private:
+  void SetColor(int row, int column, NetworkFinding& finding) const {
+    const auto logit = [&](std::size_t color) {
+      return At(kFirstColor + static_cast<int>(color), row, column);
+    };
+    for (std::size_t color = 1; color < network_.colors.size(); ++color) {
+      if (logit(color) > logit(finding.color)) finding.color = color;
+    }
+    // log p / (1 - p) of a softmax: against the sum of all others.
+    double others = 0.0;
+    for (std::size_t color = 0; color < network_.colors.size(); ++color) {
+      if (color != finding.color) others += std::exp(logit(color) - logit(finding.color));
+    }
+    finding.color_logit = -std::log(std::max(others, 1e-9));
+  }
+
+  const cv::Mat& output_;
+  const NetworkDescription& network_;
+  int rows_, columns_;
+};
+
+PixelRect RectOf(const NetworkFinding& one) {
+  return {one.u - 0.5 * one.w, one.v - 0.5 * one.h, one.u + 0.5 * one.w, one.v + 0.5 * one.h};
+}
+
+}  // namespace
+
+std::vector<NetworkFinding> ReadCells(const cv::Mat& cells, const NetworkDescription& network,
+                                      double least_logit, double most_overlap) {
+  const Cells grid(cells, network);
+  std::vector<NetworkFinding> findings;
+  for (int row = 0; row < grid.rows(); ++row) {
+    for (int column = 0; column < grid.columns(); ++column) {
+      if (grid.At(kScore, row, column) >= least_logit) {
+        findings.push_back(grid.FindingAt(row, column));
+      }
+    }
+  }
+  std::ranges::stable_sort(findings, std::ranges::greater(), &NetworkFinding::score_logit);
+  std::vector<NetworkFinding> kept;
+  for (const NetworkFinding& finding : findings) {
+    const bool repeats = std::ranges::any_of(kept, [&](const NetworkFinding& other) {
+      return Overlap(RectOf(finding), RectOf(other)) > most_overlap;
+    });
+    if (!repeats) kept.push_back(finding);
+  }
+  return kept;
+}
+
+}  // namespace limpet

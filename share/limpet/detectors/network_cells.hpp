@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+#include "limpet/detectors/network_description.hpp"
+
+namespace limpet {
+
+/// What a network says about one object; pixels of its input.
+struct NetworkFinding {
+  double u = 0.0, v = 0.0, w = 0.0, h = 0.0;
+  double score_logit = 0.0;  ///< that an object with about this box is there
+  double color_logit = 0.0;  ///< that it has its colour, against all others
+  std::size_t color = 0;     ///< index in the description
+};
+
+/// Reads the findings of a network's output (1 x channels x rows x columns, 32-bit floats) whose
+/// score is at least `least_logit`; of those that overlap by more than `most_overlap` only the
+/// best. Best first.
+[[nodiscard]] std::vector<NetworkFinding> ReadCells(const cv::Mat& cells,
+                                                    const NetworkDescription& network,
+                                                    double least_logit, double most_overlap);
+
+}  // namespace limpet
