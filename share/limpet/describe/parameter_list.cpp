@@ -72,7 +72,7 @@ std::string GlobalOf(const ParameterOwner& owner, const ParamSpec& parameter) {
 
 /// The key of such a file that stands in for a parameter; "" if none does.
 std::string KeyIn(const FactFile& kind, const ParameterOwner& owner, const ParamSpec& parameter) {
-  const StandIn other = StandInFor(owner.name, parameter.name);
+  const FactSource other = FactFor(owner.name, parameter.name);
   return other.kind == &kind ? std::string(other.fact) : "";
 }
 
@@ -106,7 +106,7 @@ std::string MarkdownTable(const ParameterOwner& owner) {
   page += "| parameter | default | allowed | meaning |\n| --- | --- | --- | --- |\n";
   for (const ParamSpec& parameter : owner.parameters) {
     const std::string global = GlobalOf(owner, parameter);
-    const StandIn other = StandInFor(owner.name, parameter.name);
+    const FactSource other = FactFor(owner.name, parameter.name);
     page += fmt::format(
         "| `{}` | {} | {} | {}{}{} |\n", parameter.name, MarkdownCell(DefaultOf(parameter)),
         MarkdownCell(AllowedOf(parameter)), MarkdownCell(parameter.help),
@@ -154,7 +154,7 @@ std::string PlainText(const ParameterOwner& owner) {
     if (const std::string global = GlobalOf(owner, parameter); !global.empty()) {
       text += fmt::format("      else the mission's global {}\n", global);
     }
-    if (const auto other = StandInFor(owner.name, parameter.name); !other.fact.empty()) {
+    if (const auto other = FactFor(owner.name, parameter.name); !other.fact.empty()) {
       text += fmt::format("      else the {}'s file, {}\n", other.kind->of, other.fact);
     }
   }

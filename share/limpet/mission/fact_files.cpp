@@ -244,7 +244,7 @@ std::vector<fs::path> FactFileChain(const FactFile& kind, const fs::path& file) 
   return chain;
 }
 
-StandIn StandInFor(std::string_view owner, std::string_view key) {
+FactSource FactFor(std::string_view owner, std::string_view key) {
   for (const FactFile* kind : FactFiles()) {
     for (const FactTaker& taker : kind->takers) {
       if (owner == taker.owner && EqualsIgnoringCase(key, taker.key)) return {kind, taker.fact};

@@ -57,11 +57,11 @@ inline constexpr std::size_t kMostFactFiles = 8;
                                                                const std::filesystem::path& file);
 
 /// The key of the file that stands in for a parameter, and whose file it is; nothing if none does.
-struct StandIn {
+struct FactSource {
   const FactFile* kind = nullptr;
   std::string_view fact;
 };
-[[nodiscard]] StandIn StandInFor(std::string_view owner, std::string_view key);
+[[nodiscard]] FactSource FactFor(std::string_view owner, std::string_view key);
 
 /// What a file and those it is based on say, key (`section.key`) by key, unchecked; what cannot be
 /// read is left out. Who reads the file for its own sake checks it and says so.

@@ -107,12 +107,12 @@ TEST(VehicleFacts, HoldEveryKeyOfTheCamera) {
   CameraParams camera;
   for (const ParamSpec& spec : DescribeParams(camera)) {
     for (const char* owner : {"pHelm", "pMap", "pNav", "uSimCamera"}) {
-      EXPECT_EQ(StandInFor(owner, spec.name).fact, "camera." + spec.name.substr(7));
+      EXPECT_EQ(FactFor(owner, spec.name).fact, "camera." + spec.name.substr(7));
     }
   }
   CameraTiming timing;
   for (const ParamSpec& spec : DescribeParams(timing)) {
-    EXPECT_EQ(StandInFor("uSimCamera", spec.name).fact, "camera." + spec.name);
+    EXPECT_EQ(FactFor("uSimCamera", spec.name).fact, "camera." + spec.name);
   }
 }
 
