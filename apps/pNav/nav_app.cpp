@@ -44,6 +44,7 @@ NavigatorParams NavigatorParamsOf(const NavApp::Params& params, const VehicleFil
   if (const auto radii = ParseClassRadii(params.opi_radius_by_class))
     result.objects.model.class_radius_m = *radii;  // else the block is refused
   result.objects.min_confidence = params.min_confidence;
+  result.objects.gate.confused_class_share = params.wrong_color_share;
   result.objects.looks_to_confirm = params.looks_to_confirm;
   result.objects.confirm_log_odds = params.confirm_log_odds;
   result.session = params.session;

@@ -38,6 +38,7 @@ class NavApp final : public App {
     double opi_radius_spread = 0.2;
     std::string opi_radius_by_class = "none";
     double min_confidence = 0.45;
+    double wrong_color_share = 0.03;
     int looks_to_confirm = 3;
     double confirm_log_odds = 2.5;
     Seconds node_period{1.0};
@@ -71,6 +72,8 @@ class NavApp final : public App {
       visit("opi_radius_by_class", opi_radius_by_class,
             "Classes with a radius of their own, e.g. yellow:0.5, orange:0.3");
       visit("min_confidence", min_confidence, "Boxes below are not used", InRange(0.0, 1.0));
+      visit("wrong_color_share", wrong_color_share,
+            "Share of boxes whose class is not the object's", InRange(0.001, 0.45));
       visit("looks_to_confirm", looks_to_confirm, "Boxes that make an object", InRange(2, 100));
       visit("confirm_log_odds", confirm_log_odds,
             "Sum of ln(c / (1 - c)) over their confidences that makes an object");

@@ -161,6 +161,16 @@ void FitSpreads(const Looks& found, BoxModelConstants& k) {
   k.confusion_cut = std::max(k.confusion_whole, ShareConfused(cut));
 }
 
+/// Of two sessions that name different colours: -2 ln of how much likelier that is if they mean two
+/// objects than if one of them is wrong about the same. One water, one light: within a session a
+/// wrong colour is wrong in all looks.
+double ColorPenalty(double wrong_color) {
+  constexpr double kOthersDiffer = 0.5;  // two objects, two colours
+  constexpr double kMost = 30.0;
+  const double differ = 2.0 * wrong_color * (1.0 - wrong_color);
+  return std::clamp(-2.0 * std::log(differ / kOthersDiffer), 0.0, kMost);
+}
+
 }  // namespace
 
 BoxModelConstants FitBoxModel(const TrialResult& trial) {
@@ -179,14 +189,19 @@ DetectionSheet SheetOf(const BoxModelConstants& boxes, const TrialResult& trial)
   constexpr double kRangeMargin = 0.85;  // of the range
   constexpr double kFalseMargin = 3.0;   // a sea has more that looks like a ball than renderings
   constexpr double kLeastFalse = 0.01;
+  constexpr double kLeastWrong = 0.01;
+  constexpr double kMostWrong = 0.4;
   const double false_boxes = static_cast<double>(trial.false_boxes) / std::max(1, trial.pictures);
+  const double wrong_color = std::clamp(boxes.confusion_whole, kLeastWrong, kMostWrong);
   return {.best = kMargin * boxes.peak,
           .half_range_share = kRangeMargin * boxes.faint_at,
           .fall_off_share = std::max(boxes.faint_width, 0.03),
           .least_size_px = 2.0 * boxes.least_radius_px,
           .share_none = std::clamp(boxes.cut_at - boxes.cut_width, 0.0, 0.8),
           .share_full = std::clamp(boxes.cut_at + 3.5 * boxes.cut_width, 0.1, 1.0),
-          .false_per_image = std::clamp(kFalseMargin * false_boxes, kLeastFalse, 1.0)};
+          .false_per_image = std::clamp(kFalseMargin * false_boxes, kLeastFalse, 1.0),
+          .wrong_color = wrong_color,
+          .color_penalty = ColorPenalty(wrong_color)};
 }
 
 }  // namespace limpet

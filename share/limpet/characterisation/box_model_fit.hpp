@@ -16,6 +16,8 @@ struct DetectionSheet {
   double share_none = 0.2;        ///< visible share below which nothing is found
   double share_full = 0.6;        ///< and above which the border does not matter
   double false_per_image = 0.03;
+  double wrong_color = 0.03;    ///< share of boxes that name another colour than the object's
+  double color_penalty = 30.0;  ///< squared sigmas that another colour costs between sessions
 };
 
 /// Constants of BoxModel that make what was found of the balls likeliest, and the spread of their

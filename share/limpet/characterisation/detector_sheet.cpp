@@ -98,7 +98,10 @@ std::string Believed(const DetectionSheet& sheet) {
               "diameter in the image of which half are found") +
          Line("share_none", sheet.share_none, "visible share below which nothing is found") +
          Line("share_full", sheet.share_full, "and above which the border does not matter") +
-         Line("false_per_image", sheet.false_per_image, "boxes per picture that show nothing");
+         Line("false_per_image", sheet.false_per_image, "boxes per picture that show nothing") +
+         Line("wrong_color", sheet.wrong_color, "share of boxes with a colour not the object's") +
+         Line("color_penalty", sheet.color_penalty,
+              "squared sigmas that another colour costs between sessions");
 }
 
 }  // namespace

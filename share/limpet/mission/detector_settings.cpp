@@ -6,6 +6,8 @@ namespace {
 
 std::vector<FactTaker> MakeTakers() {
   std::vector<FactTaker> takers{{"pDetect", "detector", "detector.name"},
+                                {"pNav", "wrong_color_share", "believed.wrong_color"},
+                                {"pNav", "match_color_penalty", "believed.color_penalty"},
                                 {"pMap", "detection_best", "believed.best"},
                                 {"pMap", "detection_half_range", "believed.half_range_share"},
                                 {"pMap", "detection_fall_off", "believed.fall_off_share"},

@@ -61,6 +61,20 @@ TEST(DetectionSheet, PromisesLessThanWasMeasured) {
   EXPECT_LT(sheet.share_none, sheet.share_full);
 }
 
+TEST(DetectionSheet, ADetectorThatConfusesColoursLetsThemDiffer) {
+  BoxModelConstants sure;
+  BoxModelConstants unsure;
+  sure.confusion_whole = 0.001;
+  unsure.confusion_whole = 0.3;
+  const TrialResult trial = DrawTrial({}, 500, 6);
+  constexpr double kGate = 9.0;  // squared sigmas of a match, pNav's default
+  EXPECT_LT(SheetOf(unsure, trial).color_penalty, 2.0);
+  EXPECT_GT(SheetOf(sure, trial).color_penalty, 5.0);
+  EXPECT_LT(SheetOf(sure, trial).color_penalty, kGate)
+      << "two boxes in a hundred are wrong at least";
+  EXPECT_LT(SheetOf(sure, trial).wrong_color, SheetOf(unsure, trial).wrong_color);
+}
+
 TEST(DetectionSheet, OfADetectorThatInventedNothingStillExpectsSome) {
   TrialResult trial = DrawTrial(kOther, 2000, 5);
   trial.false_boxes = 0;

@@ -31,6 +31,7 @@ TEST(DetectorSheet, IsTakenByAMissionThatNamesIt) {
   std::ofstream(folder.path() / "network.yaml") << Sheet();
   const MissionFile mission = ReadMission(
       "DetectorFile = network.yaml\nProcessConfig = pDetect\n{\n}\n"
+      "ProcessConfig = pNav\n{\n}\n"
       "ProcessConfig = pMap\n{\n}\nProcessConfig = uSimCamera\n{\n}\n",
       (folder.path() / "m.moos").string(), {});
   for (const ConfigBlock& block : mission.blocks)

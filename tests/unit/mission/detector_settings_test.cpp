@@ -32,15 +32,17 @@ class DetectorSettings : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(DetectorSettings, ReachTheDetectorTheMapAndTheSimulatedCamera) {
+TEST_F(DetectorSettings, ReachEveryBlockThatTakesThem) {
   Say("net.yaml",
       "detector:\n  name: network\n"
-      "believed:\n  best: 0.9\n  half_range_share: 0.7\n  least_size_px: 20\n"
+      "believed:\n  best: 0.9\n  half_range_share: 0.7\n  least_size_px: 20\n  wrong_color: 0.2\n"
       "boxes:\n  peak: 0.95\n");
   const MissionFile mission = Read(
       "ProcessConfig = pDetect\n{\n}\nProcessConfig = pMap\n{\n}\n"
+      "ProcessConfig = pNav\n{\n}\n"
       "ProcessConfig = uSimCamera\n{\n}\n");
   EXPECT_EQ(ValueIn(mission, "pDetect", "detector"), "network");
+  EXPECT_EQ(ValueIn(mission, "pNav", "wrong_color_share"), "0.2");
   EXPECT_EQ(ValueIn(mission, "pMap", "detection_best"), "0.9");
   EXPECT_EQ(ValueIn(mission, "pMap", "detection_half_range"), "0.7");
   EXPECT_EQ(ValueIn(mission, "pMap", "detection_least_size_px"), "20");
