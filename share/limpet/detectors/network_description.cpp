@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 /// Reads keys of one map and remembers which it was asked for.
 class Keys {
  public:
-  Keys(YAML::Node root, std::string file) : root_(std::move(root)), file_(std::move(file)) {
+  Keys(const YAML::Node& root, std::string file) : root_(root), file_(std::move(file)) {
     if (!root_.IsMap()) Fail(root_, "", "is no list of `key: value`");
   }
 
