@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "limpet/core/random.hpp"
+#include "limpet/objects/pixel_rect.hpp"
 #include "limpet/vision/box_model.hpp"
 #include "limpet/vision/detector_registry.hpp"
 #include "limpet/vision/scene_renderer.hpp"
@@ -42,10 +43,6 @@ struct Plan {
   std::uint64_t seed = 1;
   std::string detector = "color_shape";
 };
-
-inline PixelRect RectOf(const Box& box) {
-  return {box.u - 0.5 * box.w, box.v - 0.5 * box.h, box.u + 0.5 * box.w, box.v + 0.5 * box.h};
-}
 
 /// A body 2 to 5 m above a bottom at 7.5 m, rolling and pitching a little.
 inline Pose RandomPose(Random& random) {

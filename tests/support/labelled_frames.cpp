@@ -12,10 +12,6 @@ double Share(int part, int rest) {
   return part + rest > 0 ? static_cast<double>(part) / (part + rest) : 1.0;
 }
 
-PixelRect RectOf(const Box& box) {
-  return {box.u - 0.5 * box.w, box.v - 0.5 * box.h, box.u + 0.5 * box.w, box.v + 0.5 * box.h};
-}
-
 }  // namespace
 
 std::map<std::string, std::vector<FrameLabel>> ReadFrameLabels(const std::filesystem::path& file) {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "limpet/objects/pixel_rect.hpp"
 #include "limpet/topics/sensors.hpp"
-#include "limpet/vision/sphere_box.hpp"
 
 namespace limpet {
 

@@ -20,7 +20,7 @@
 #include "limpet/characterisation/detector_trial.hpp"
 #include "limpet/detectors/image_mat.hpp"
 #include "limpet/detectors/network_detector.hpp"
-#include "limpet/vision/sphere_box.hpp"
+#include "limpet/objects/pixel_rect.hpp"
 
 #include "training/detector/labelled_picture.hpp"
 
@@ -33,10 +33,6 @@ struct Example {
   Features features;
   bool is_right = false;
 };
-
-PixelRect RectOf(const Box& box) {
-  return {box.u - 0.5 * box.w, box.v - 0.5 * box.h, box.u + 0.5 * box.w, box.v + 0.5 * box.h};
-}
 
 std::vector<BallLabel> BallsOf(const TrialPicture& picture) {
   constexpr double kLeastVisible = 0.5;

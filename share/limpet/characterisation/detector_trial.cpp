@@ -11,6 +11,7 @@
 
 #include "limpet/core/random.hpp"
 #include "limpet/imaging/picture_renderer.hpp"
+#include "limpet/objects/pixel_rect.hpp"
 
 namespace limpet {
 namespace {
@@ -85,10 +86,6 @@ Solid DrawOther(const TrialPlan& plan, const Pose& pose, Random& random) {
           .toRotationMatrix();
   solid.p_W.z() = kDepth - 0.6 * solid.radius;
   return solid;
-}
-
-PixelRect RectOf(const Box& box) {
-  return {box.u - 0.5 * box.w, box.v - 0.5 * box.h, box.u + 0.5 * box.w, box.v + 0.5 * box.h};
 }
 
 TrialLook LookAt(const Pose& pose, double visibility, const Solid& solid, const SolidLabel& label) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "limpet/imaging/solid.hpp"
+#include "limpet/objects/pixel_rect.hpp"
 #include "limpet/topics/sensors.hpp"
 #include "limpet/vision/detector.hpp"
 #include "limpet/vision/image.hpp"

@@ -10,6 +10,7 @@
 
 #include "limpet/detectors/image_mat.hpp"
 #include "limpet/detectors/ramp.hpp"
+#include "limpet/objects/pixel_rect.hpp"
 #include "limpet/vision/detector_registry.hpp"
 #include "limpet/vision/paint_classifier.hpp"
 
@@ -18,15 +19,11 @@ namespace {
 
 /// Of boxes that share more than half of the smaller one, the most confident.
 std::vector<Box> WithoutRepeats(const std::vector<Box>& boxes) {
-  const auto rect = [](const Box& box) {
-    return PixelRect{box.u - 0.5 * box.w, box.v - 0.5 * box.h, box.u + 0.5 * box.w,
-                     box.v + 0.5 * box.h};
-  };
   std::vector<Box> kept;
   for (const Box& box : boxes) {
-    const bool repeats = std::ranges::any_of(kept, [&box, &rect](const Box& other) {
-      const double least = std::min(rect(box).area(), rect(other).area());
-      return Intersection(rect(box), rect(other)).area() > 0.5 * least;
+    const bool repeats = std::ranges::any_of(kept, [&box](const Box& other) {
+      const double least = std::min(RectOf(box).area(), RectOf(other).area());
+      return Intersection(RectOf(box), RectOf(other)).area() > 0.5 * least;
     });
     if (!repeats) {
       kept.push_back(box);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "limpet/vision/sphere_box.hpp"
+#include "limpet/objects/pixel_rect.hpp"
 
 namespace limpet {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "limpet/core/config.hpp"
 #include "limpet/detectors/image_mat.hpp"
+#include "limpet/objects/pixel_rect.hpp"
 #include "limpet/vision/detector_registry.hpp"
-#include "limpet/vision/sphere_box.hpp"
 
 namespace limpet {
 namespace {
@@ -23,15 +23,6 @@ constexpr double kMostOverlap = 0.45;  // of boxes of two objects
 constexpr int kInputStep = 16;         // what the network halves four times
 constexpr int kLeastSide = 32;
 constexpr double kLeastAgreement = 0.6;  // overlap of an outline's box with the network's
-
-PixelRect RectOf(const Box& box) {
-  return {box.u - 0.5 * box.w, box.v - 0.5 * box.h, box.u + 0.5 * box.w, box.v + 0.5 * box.h};
-}
-
-void SetRect(const PixelRect& rect, Box& box) {
-  box.u = rect.center_u(), box.v = rect.center_v();
-  box.w = rect.width(), box.h = rect.height();
-}
 
 /// A ball whose visible part has this box: of one that the border cuts, the longer side is whole.
 Ellipse GuessOf(const Box& box, const ImageView& image) {

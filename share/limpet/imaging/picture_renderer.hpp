@@ -18,10 +18,10 @@
 #include "limpet/imaging/sensor.hpp"
 #include "limpet/imaging/solid.hpp"
 #include "limpet/imaging/water_column.hpp"
+#include "limpet/objects/pixel_rect.hpp"
 #include "limpet/simulation/image_params.hpp"
 #include "limpet/vision/image.hpp"
 #include "limpet/vision/seabed_relief.hpp"
-#include "limpet/vision/sphere_box.hpp"
 
 namespace limpet {
 

@@ -5,7 +5,7 @@
 
 #include "limpet/core/camera_model.hpp"
 #include "limpet/imaging/solid.hpp"
-#include "limpet/vision/sphere_box.hpp"
+#include "limpet/objects/pixel_rect.hpp"
 
 namespace limpet {
 

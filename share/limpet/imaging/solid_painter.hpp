@@ -10,7 +10,7 @@
 #include "limpet/imaging/linear_image.hpp"
 #include "limpet/imaging/scene_light.hpp"
 #include "limpet/imaging/solid.hpp"
-#include "limpet/vision/sphere_box.hpp"
+#include "limpet/objects/pixel_rect.hpp"
 
 namespace limpet {
 

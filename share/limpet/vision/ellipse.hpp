@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "limpet/vision/sphere_box.hpp"
+#include "limpet/objects/pixel_rect.hpp"
 
 namespace limpet {
 

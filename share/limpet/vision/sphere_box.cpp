@@ -58,17 +58,6 @@ void ClipToImage(const CameraModel& camera, const Eigen::Vector3d& p_C, double r
 
 }  // namespace
 
-PixelRect Intersection(const PixelRect& a, const PixelRect& b) {
-  return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),
-          std::min(a.bottom, b.bottom)};
-}
-
-double Overlap(const PixelRect& a, const PixelRect& b) {
-  const double both = Intersection(a, b).area();
-  const double any = a.area() + b.area() - both;
-  return any > 0.0 ? both / any : 0.0;
-}
-
 std::optional<Chord> ChordOfSphere(const CameraModel& camera, const Eigen::Vector3d& p_C,
                                    double radius, double v_px) {
   // A ray d = (x, y, 1) touches where (d.c)^2 = |d|^2 (|c|^2 - r^2): quadratic in x for fixed y.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "limpet/objects/pixel_rect.hpp"
 #include "limpet/vision/detector_registry.hpp"
 #include "tests/support/detector_trial.hpp"
 
@@ -61,7 +62,7 @@ TEST(ColorShapeDetector, BoxOfACutBallEndsAtTheBorder) {
   const std::vector<Box> boxes = scene.Find({ball});
   ASSERT_EQ(boxes.size(), 1U);
   EXPECT_NEAR(boxes[0].u + 0.5 * boxes[0].w, 640.0, 1e-6);
-  EXPECT_GT(Overlap(trial::RectOf(boxes[0]), truth.visible), 0.9);
+  EXPECT_GT(Overlap(RectOf(boxes[0]), truth.visible), 0.9);
 }
 
 TEST(ColorShapeDetector, FindsAFaintBallInPoorVisibility) {

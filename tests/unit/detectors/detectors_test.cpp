@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "limpet/objects/pixel_rect.hpp"
 #include "limpet/vision/detector_registry.hpp"
 #include "tests/support/detector_trial.hpp"
 
@@ -50,7 +51,7 @@ TEST_P(EveryDetector, NamesTheMostConfidentFirstAndNothingOutsideTheImage) {
   const std::vector<Box> boxes = Find(kBalls);
   EXPECT_TRUE(std::ranges::is_sorted(boxes, std::ranges::greater(), &Box::confidence));
   for (const Box& box : boxes) {
-    const PixelRect rect = trial::RectOf(box);
+    const PixelRect rect = RectOf(box);
     EXPECT_GE(rect.left, -1e-9);
     EXPECT_GE(rect.top, -1e-9);
     EXPECT_LE(rect.right, 640.0 + 1e-9);
