@@ -3,12 +3,14 @@
 // `limpet detect --characterise` renders (what it learned from is harder than any sea):
 //   calibrate_network NETWORK.yaml WORLDS SEED
 // A box is right if its overlap (IoU) with a ball is at least 0.5, whatever colour it names. Writes
-// its lines `confidence_...` of NETWORK.yaml anew: a logistic curve in the logits of score and
-// colour and in the roundness of the outline.
+// its lines `confidence_...` and `witnesses_...` of NETWORK.yaml anew: logistic curves in the
+// logits of score and colour and in the roundness of the outline; the second also in what
+// color_shape says.
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <fstream>
+#include <initializer_list>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -18,8 +20,8 @@
 #include <fmt/format.h>
 
 #include "limpet/characterisation/detector_trial.hpp"
+#include "limpet/detectors/combined_detector.hpp"
 #include "limpet/detectors/image_mat.hpp"
-#include "limpet/detectors/network_detector.hpp"
 #include "limpet/objects/pixel_rect.hpp"
 
 #include "training/detector/labelled_picture.hpp"
@@ -27,7 +29,7 @@
 namespace limpet {
 namespace {
 
-using Features = Eigen::Vector4d;  // 1, logit of score, logit of colour, roundness
+using Features = Eigen::VectorXd;  // 1 first
 
 struct Example {
   Features features;
@@ -55,42 +57,64 @@ std::vector<BallLabel> BallsOf(const TrialPicture& picture) {
   return labelled.labels;
 }
 
-/// What the proposals teach; those at an unclear ball teach nothing.
-void AddExamples(const std::vector<BallLabel>& labels,
-                 const std::vector<NetworkProposal>& proposals, std::vector<Example>& examples) {
-  for (const NetworkProposal& proposal : proposals) {
-    const BallLabel* nearest = nullptr;
-    double most = 0.0;
-    for (const BallLabel& label : labels) {
-      const double overlap = Overlap(RectOf(label.box), RectOf(proposal.box));
-      if (overlap > most) most = overlap, nearest = &label;
-    }
-    if (nearest != nullptr && nearest->is_unclear && most > 0.2) continue;
-    const bool is_right = most >= 0.5;
-    examples.push_back(
-        {{1.0, proposal.score_logit, proposal.color_logit, proposal.roundness}, is_right});
+enum class Verdict { kRight, kWrong, kUnclear };
+
+/// Whether a box lies on a ball; one at an unclear ball teaches nothing.
+Verdict Judge(const std::vector<BallLabel>& labels, const Box& box) {
+  const BallLabel* nearest = nullptr;
+  double most = 0.0;
+  for (const BallLabel& label : labels) {
+    const double overlap = Overlap(RectOf(label.box), RectOf(box));
+    if (overlap > most) most = overlap, nearest = &label;
   }
+  if (nearest != nullptr && nearest->is_unclear && most > 0.2) return Verdict::kUnclear;
+  return most >= 0.5 ? Verdict::kRight : Verdict::kWrong;
 }
 
-double ChanceOf(const Features& theta, const Features& features) {
-  return 1.0 / (1.0 + std::exp(-theta.dot(features)));
-}
-
-/// Maximum of the likelihood by Newton's method.
-Features Fit(const std::vector<Example>& examples) {
-  Features theta = Features::Zero();
-  for (int round = 0; round < 50; ++round) {
-    Features gradient = -1e-3 * theta;
-    Eigen::Matrix4d curvature = 1e-3 * Eigen::Matrix4d::Identity();
-    for (const Example& one : examples) {
-      const double p = ChanceOf(theta, one.features);
-      gradient += ((one.is_right ? 1.0 : 0.0) - p) * one.features;
-      curvature += p * (1.0 - p) * one.features * one.features.transpose();
-    }
-    theta += curvature.ldlt().solve(gradient);
+/// What is known of a detector's boxes: features, and whether they were right.
+class Examples {
+ public:
+  void Add(Verdict verdict, std::initializer_list<double> features) {
+    if (verdict == Verdict::kUnclear) return;
+    all_.push_back({Eigen::Map<const Features>(std::data(features),
+                                               static_cast<Eigen::Index>(features.size())),
+                    verdict == Verdict::kRight});
   }
-  return theta;
-}
+  /// Weights of the features: maximum of the likelihood by Newton's method.
+  [[nodiscard]] Features Fit() const {
+    if (all_.empty()) throw std::runtime_error("the detector found nothing to be fitted");
+    const Eigen::Index size = all_.front().features.size();
+    Features theta = Features::Zero(size);
+    for (int round = 0; round < 50; ++round) {
+      Features gradient = -1e-3 * theta;
+      Eigen::MatrixXd curvature = 1e-3 * Eigen::MatrixXd::Identity(size, size);
+      for (const Example& one : all_) {
+        const double p = ChanceOf(theta, one.features);
+        gradient += ((one.is_right ? 1.0 : 0.0) - p) * one.features;
+        curvature += p * (1.0 - p) * one.features * one.features.transpose();
+      }
+      theta += curvature.ldlt().solve(gradient);
+    }
+    return theta;
+  }
+  void Print(const char* name, const Features& theta) const {
+    double right = 0.0;
+    double brier = 0.0;
+    for (const Example& one : all_) {
+      right += one.is_right ? 1.0 : 0.0;
+      brier += std::pow(ChanceOf(theta, one.features) - (one.is_right ? 1.0 : 0.0), 2.0);
+    }
+    const auto count = static_cast<double>(all_.size());
+    fmt::print("{}: {} boxes, {:.3f} of them right; Brier score {:.4f}\n", name, all_.size(),
+               right / count, brier / count);
+  }
+
+ private:
+  [[nodiscard]] static double ChanceOf(const Features& theta, const Features& features) {
+    return 1.0 / (1.0 + std::exp(-theta.dot(features)));
+  }
+  std::vector<Example> all_;
+};
 
 /// Replaces the value of `key: value` lines.
 std::string WithValue(const std::string& text, const std::string& key, double value) {
@@ -101,14 +125,23 @@ std::string WithValue(const std::string& text, const std::string& key, double va
   return changed;
 }
 
-void WriteInto(const std::string& file, const Features& theta) {
+/// Nothing is less likely to be a ball for looking more like one.
+constexpr double kNoWeight = 0.0;
+
+void WriteInto(const std::string& file, const Features& alone, const Features& together) {
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
-  std::string changed = WithValue(text.str(), "confidence_offset", theta[0]);
-  // Nothing is less likely to be a ball for looking more like one.
-  changed = WithValue(changed, "confidence_per_score", std::max(0.0, theta[1]));
-  changed = WithValue(changed, "confidence_per_color", std::max(0.0, theta[2]));
-  changed = WithValue(changed, "confidence_per_roundness", std::max(0.0, theta[3]));
+  const auto weight = [](double fitted) { return std::max(kNoWeight, fitted); };
+  std::string changed = WithValue(text.str(), "confidence_offset", alone[0]);
+  changed = WithValue(changed, "confidence_per_score", weight(alone[1]));
+  changed = WithValue(changed, "confidence_per_color", weight(alone[2]));
+  changed = WithValue(changed, "confidence_per_roundness", weight(alone[3]));
+  changed = WithValue(changed, "witnesses_offset", together[0]);
+  changed = WithValue(changed, "witnesses_per_score", weight(together[1]));
+  changed = WithValue(changed, "witnesses_per_color", weight(together[2]));
+  changed = WithValue(changed, "witnesses_per_roundness", weight(together[3]));
+  changed = WithValue(changed, "witnesses_shape_found", together[4]);
+  changed = WithValue(changed, "witnesses_per_shape", weight(together[5]));
   std::ofstream out(file);
   out << changed;
   if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
@@ -119,28 +152,30 @@ int Run(int argc, char** argv) {
     fmt::print(stderr, "usage: calibrate_network NETWORK.yaml WORLDS SEED\n");
     return 2;
   }
-  NetworkDetector detector({.network = argv[1]});
-  std::vector<Example> examples;
+  CombinedDetector detector({.network = argv[1]});
+  Examples alone;
+  Examples together;
   TrialPlan plan;
   plan.worlds = std::stoi(argv[2]);
   plan.seed = std::stoull(argv[3]);
-  MakeTrialPictures(plan,
-                    [&](const TrialPicture& picture) {
-                      AddExamples(BallsOf(picture), detector.Propose(picture.image.view()),
-                                  examples);
-                    },
-                    {});
-  const Features theta = Fit(examples);
-  double right = 0.0;
-  double brier = 0.0;
-  for (const Example& one : examples) {
-    right += one.is_right ? 1.0 : 0.0;
-    brier += std::pow(ChanceOf(theta, one.features) - (one.is_right ? 1.0 : 0.0), 2.0);
-  }
-  const auto count = static_cast<double>(examples.size());
-  fmt::print("{} boxes, {:.3f} of them right; Brier score {:.4f}\n", examples.size(), right / count,
-             brier / count);
-  WriteInto(argv[1], theta);
+  const auto learn = [&](const TrialPicture& picture) {
+    const std::vector<BallLabel> balls = BallsOf(picture);
+    for (const WitnessedProposal& proposal : detector.Propose(picture.image.view())) {
+      const NetworkProposal& network = proposal.network;
+      const Verdict verdict = Judge(balls, network.box);
+      const WitnessFeatures f = FeaturesOf(proposal);
+      together.Add(verdict, {1.0, f.score, f.color, f.roundness, f.shape_found, f.shape});
+      if (proposal.is_of_network) {
+        alone.Add(verdict, {1.0, network.score_logit, network.color_logit, network.roundness});
+      }
+    }
+  };
+  MakeTrialPictures(plan, learn, {});
+  const Features of_network = alone.Fit();
+  const Features of_both = together.Fit();
+  alone.Print("network", of_network);
+  together.Print("combined", of_both);
+  WriteInto(argv[1], of_network, of_both);
   return 0;
 }
 

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "limpet/objects/pixel_rect.hpp"
+#include <optional>
 
 namespace limpet {
 namespace {
@@ -84,6 +83,30 @@ std::vector<NetworkFinding> ReadCells(const cv::Mat& cells, const NetworkDescrip
     if (!repeats) kept.push_back(finding);
   }
   return kept;
+}
+
+NetworkFinding StrongestAt(const cv::Mat& cells, const NetworkDescription& network,
+                           const PixelRect& place) {
+  const Cells grid(cells, network);
+  const double stride = network.stride_px;
+  const auto cell_of = [stride](double pixel, int count) {
+    return std::clamp(static_cast<int>(pixel / stride), 0, count - 1);
+  };
+  constexpr double kInner = 0.25;  // of the width to either side of the middle
+  const double across = kInner * place.width();
+  const double down = kInner * place.height();
+  const int last_row = cell_of(place.center_v() + down, grid.rows());
+  const int last_column = cell_of(place.center_u() + across, grid.columns());
+  std::optional<NetworkFinding> best;
+  for (int row = cell_of(place.center_v() - down, grid.rows()); row <= last_row; ++row) {
+    for (int column = cell_of(place.center_u() - across, grid.columns()); column <= last_column;
+         ++column) {
+      if (!best || grid.At(kScore, row, column) > best->score_logit) {
+        best = grid.FindingAt(row, column);
+      }
+    }
+  }
+  return *best;
 }
 
 }  // namespace limpet

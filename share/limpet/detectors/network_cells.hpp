@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 
 #include "limpet/detectors/network_description.hpp"
+#include "limpet/objects/pixel_rect.hpp"
 
 namespace limpet {
 
@@ -24,5 +25,10 @@ struct NetworkFinding {
 [[nodiscard]] std::vector<NetworkFinding> ReadCells(const cv::Mat& cells,
                                                     const NetworkDescription& network,
                                                     double least_logit, double most_overlap);
+
+/// What the network says of a place where somebody else sees an object: of the cells in the inner
+/// half of the box that `place` has, the one with the greatest score. Its own box is not asked.
+[[nodiscard]] NetworkFinding StrongestAt(const cv::Mat& cells, const NetworkDescription& network,
+                                         const PixelRect& place);
 
 }  // namespace limpet

@@ -27,6 +27,11 @@ class Keys {
     if (!root_.IsMap()) Fail(root_, "", "is no list of `key: value`");
   }
 
+  /// Whether the file says it; the key is then known.
+  [[nodiscard]] bool Has(const char* key) {
+    asked_.insert(key);
+    return root_[key].IsDefined();
+  }
   template <class T>
   T Get(const char* key) {
     asked_.insert(key);
@@ -78,6 +83,18 @@ YAML::Node Load(const fs::path& file) {
   }
 }
 
+/// All keys of the section or none of it.
+std::optional<WitnessWeights> ReadWitnesses(Keys& keys) {
+  if (!keys.Has("witnesses_offset")) return std::nullopt;
+  constexpr double kMost = 100.0;
+  return WitnessWeights{.offset = keys.Number("witnesses_offset", -kMost, kMost),
+                        .per_score = keys.Number("witnesses_per_score", 0.0, kMost),
+                        .per_color = keys.Number("witnesses_per_color", 0.0, kMost),
+                        .per_roundness = keys.Number("witnesses_per_roundness", 0.0, kMost),
+                        .shape_found = keys.Number("witnesses_shape_found", -kMost, kMost),
+                        .per_shape = keys.Number("witnesses_per_shape", 0.0, kMost)};
+}
+
 void CheckColors(const NetworkDescription& made, const Keys& keys) {
   const std::vector<std::string> known = ColorNames();
   if (made.colors.empty()) keys.Fail(keys["colors"], "colors", "names no class");
@@ -104,6 +121,7 @@ NetworkDescription NetworkDescription::Read(const fs::path& file) {
   made.confidence_per_score = keys.Number("confidence_per_score", 0.0, 100.0);
   made.confidence_per_color = keys.Number("confidence_per_color", 0.0, 100.0);
   made.confidence_per_roundness = keys.Number("confidence_per_roundness", 0.0, 100.0);
+  made.witnesses = ReadWitnesses(keys);
   keys.Finish();
   CheckColors(made, keys);
   if (!fs::is_regular_file(made.weights)) {

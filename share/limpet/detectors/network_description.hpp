@@ -2,10 +2,22 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace limpet {
+
+/// How far a box is to be believed of which a second detector was asked, too: logistic in a
+/// constant and in what each of the two witnesses says. Fitted like the network's own confidence.
+struct WitnessWeights {
+  double offset = 0.0;
+  double per_score = 0.0;      ///< logit of the network's score
+  double per_color = 0.0;      ///< logit of the network's colour
+  double per_roundness = 0.0;  ///< 0 to 1
+  double shape_found = 0.0;    ///< `color_shape` has a box there, too
+  double per_shape = 0.0;      ///< logit of that box's confidence
+};
 
 /// What a detector network's .yaml file says beside its weights: what its cells mean, and how far
 /// its scores are to be believed. docs/detectors.md has the format.
@@ -22,6 +34,7 @@ struct NetworkDescription {
   double confidence_per_score = 1.0;
   double confidence_per_color = 0.0;
   double confidence_per_roundness = 0.0;
+  std::optional<WitnessWeights> witnesses;  ///< where the network was calibrated with another
 
   /// Throws ConfigError that names file, line and key.
   [[nodiscard]] static NetworkDescription Read(const std::filesystem::path& file);

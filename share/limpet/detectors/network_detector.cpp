@@ -145,6 +145,25 @@ std::vector<NetworkProposal> NetworkDetector::Propose(const ImageView& image) {
   return proposals;
 }
 
+NetworkProposal NetworkDetector::Weigh(const ImageView& image, const Box& box) const {
+  const double across = static_cast<double>(reduced_.cols) / image.width_px;
+  const double down = static_cast<double>(reduced_.rows) / image.height_px;
+  const PixelRect rect = RectOf(box);
+  const NetworkFinding finding =
+      StrongestAt(net_->cells, description_,
+                  {across * rect.left, down * rect.top, across * rect.right, down * rect.bottom});
+  NetworkProposal proposal{.box = box,
+                           .score_logit = finding.score_logit,
+                           .color_logit = finding.color_logit,
+                           .roundness = 0.0};
+  FollowOutline(image, proposal);
+  proposal.box = box;
+  if (description_.colors[finding.color] != box.color) {
+    proposal.color_logit = -proposal.color_logit;  // against the colour that the box has
+  }
+  return proposal;
+}
+
 std::vector<Box> NetworkDetector::Detect(const ImageView& image) {
   std::vector<Box> boxes;
   for (NetworkProposal& proposal : Propose(image)) {

@@ -52,6 +52,10 @@ class NetworkDetector final : public Detector {
   [[nodiscard]] std::vector<Box> Detect(const ImageView& image) override;
   /// Everything that may be something, whatever its confidence, best score first.
   [[nodiscard]] std::vector<NetworkProposal> Propose(const ImageView& image);
+  /// What network and outline say of a box that another detector has found in the image that was
+  /// last proposed from; the box stays as it is, its colour too.
+  [[nodiscard]] NetworkProposal Weigh(const ImageView& image, const Box& box) const;
+  [[nodiscard]] const NetworkDescription& description() const { return description_; }
 
  private:
   struct Net;

@@ -26,7 +26,11 @@ class NetworkCells : public testing::Test {
   [[nodiscard]] std::vector<NetworkFinding> Read() const {
     return ReadCells(cells_, network_, -2.0, 0.45);
   }
-  NetworkDescription network_{.weights = {}, .colors = {"yellow", "orange", "green"}};
+  [[nodiscard]] NetworkFinding Ask(const PixelRect& place) const {
+    return StrongestAt(cells_, network_, place);
+  }
+  NetworkDescription network_{
+      .weights = {}, .colors = {"yellow", "orange", "green"}, .witnesses = {}};
 
  private:
   const std::array<int, 4> sizes_{1, 8, kRows, kColumns};
@@ -68,6 +72,20 @@ TEST_F(NetworkCells, KeepsTwoObjectsApartSurestFirst) {
 TEST_F(NetworkCells, SayNothingBelowTheLeastScore) {
   Set(0, 0, 0, -2.5);
   EXPECT_TRUE(Read().empty());
+}
+
+TEST_F(NetworkCells, AnswerForAPlaceByTheStrongestOfItsInnerHalf) {
+  Set(0, 0, 0, 5.0);  // at the place's edge: another object's
+  Set(0, 1, 1, -1.0);
+  Set(0, 1, 2, -3.0);
+  EXPECT_NEAR(Ask({0.0, 0.0, 32.0, 24.0}).score_logit, -1.0, 1e-6);
+}
+
+TEST_F(NetworkCells, AnswerForAPlaceSmallerThanACellAndForOneOutside) {
+  Set(0, 1, 1, 1.5);
+  EXPECT_NEAR(Ask({11.0, 11.0, 12.0, 12.0}).score_logit, 1.5, 1e-6);
+  EXPECT_NEAR(Ask({500.0, 500.0, 510.0, 510.0}).score_logit, -9.0, 1e-6);
+  EXPECT_NEAR(Ask({-50.0, -50.0, -40.0, -40.0}).score_logit, -9.0, 1e-6);
 }
 
 TEST_F(NetworkCells, StayFiniteWhateverTheNetworkSays) {

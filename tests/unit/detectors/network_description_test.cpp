@@ -56,6 +56,21 @@ TEST_F(ADescribedNetwork, IsReadAsWritten) {
   EXPECT_EQ(read.confidence_per_score, 1.5);
 }
 
+TEST_F(ADescribedNetwork, SaysAllOfItsWitnessesOrNothing) {
+  EXPECT_FALSE(NetworkDescription::Read(Write(kSound)).witnesses.has_value());
+  const std::string started = std::string(kSound) + "witnesses_offset: -2\n";
+  EXPECT_THAT(ComplaintAbout(started), HasSubstr("witnesses_per_score: is missing"));
+  const std::string all = started +
+                          "witnesses_per_score: 1\nwitnesses_per_color: 0.5\n"
+                          "witnesses_per_roundness: 2\nwitnesses_shape_found: -0.5\n"
+                          "witnesses_per_shape: 0.25\n";
+  const NetworkDescription read = NetworkDescription::Read(Write(all));
+  ASSERT_TRUE(read.witnesses.has_value());
+  EXPECT_EQ(read.witnesses->offset, -2.0);
+  EXPECT_EQ(read.witnesses->shape_found, -0.5);
+  EXPECT_EQ(read.witnesses->per_shape, 0.25);
+}
+
 TEST_F(ADescribedNetwork, NamesFileLineAndKeyOfASlip) {
   const std::string text = std::string(kSound) + "confidence_per_scor: 1\n";
   const std::string complaint = ComplaintAbout(text);

@@ -1,44 +1,25 @@
 // SPDX-License-Identifier: MIT
-#include <memory>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
-#include "limpet/imaging/picture_renderer.hpp"
-#include "limpet/vision/detector_registry.hpp"
+#include "tests/unit/detectors/sea_scene.hpp"
 
 namespace limpet {
 namespace {
 
-constexpr double kDepth = 7.5;
+using sea_scene::Ball;
+using sea_scene::kDepth;
 
-/// Two balls over a seabed, as a real camera would show them; the seeds are not those learned from.
-struct SeaScene {
-  explicit SeaScene(const std::string& seabed, double visibility_m = 8.0) {
-    PictureSettings settings{
-        .camera = {}, .seabed_depth = [](double, double) { return kDepth; }, .image = {}};
-    settings.visibility_m = visibility_m;
-    settings.image.look = "real";
-    settings.image.seabed.kind = seabed;
-    settings.seabed_seed = 77;
-    renderer = std::make_unique<PictureRenderer>(settings);
-  }
-  std::vector<Box> Find(const std::vector<Solid>& solids, double altitude = 3.0) {
-    Pose pose;
-    pose.p_WB = {0.0, 0.0, kDepth - altitude};
-    return detector->Detect(renderer->Render(pose, solids, 0, Seconds(1.0)).view());
-  }
-  std::unique_ptr<PictureRenderer> renderer;
-  std::unique_ptr<Detector> detector = MakeDetector("network");
-};
-
-Solid Ball(double north, double east, double radius, const std::string& color) {
-  return {.p_W = {north, east, kDepth - radius}, .radius = radius, .color = color};
+sea_scene::SeaScene NetworkOver(const std::string& seabed, double visibility_m = 8.0) {
+  return {"network", seabed, visibility_m};
 }
 
 class NetworkOn : public testing::TestWithParam<std::string> {};
 
 TEST_P(NetworkOn, EverySeabedFindsBallsAndCallsThemByTheirNames) {
-  SeaScene scene(GetParam());
+  auto scene = NetworkOver(GetParam());
   const auto boxes = scene.Find({Ball(0.6, -0.9, 0.3, "yellow"), Ball(-0.5, 0.8, 0.25, "red")});
   ASSERT_GE(boxes.size(), 2U);
   for (const Box& box : {boxes[0], boxes[1]}) {
@@ -52,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, NetworkOn, testing::Values("sand", "gravel", "ro
                          [](const auto& kind) { return kind.param; });
 
 TEST(NetworkDetector, PutsABoxWhereTheOutlineIs) {
-  SeaScene scene("sand");
+  auto scene = NetworkOver("sand");
   const auto boxes = scene.Find({Ball(0.4, -0.6, 0.3, "orange")}, 3.0);
   ASSERT_FALSE(boxes.empty());
   const PixelRect& truth = scene.renderer->labels().front().outline;
@@ -63,7 +44,7 @@ TEST(NetworkDetector, PutsABoxWhereTheOutlineIs) {
 }
 
 TEST(NetworkDetector, FindsABallThatTheBorderCuts) {
-  SeaScene scene("sand");
+  auto scene = NetworkOver("sand");
   const auto boxes = scene.Find({Ball(0.0, 2.0, 0.35, "orange")}, 3.0);
   ASSERT_FALSE(boxes.empty());
   const SolidLabel& truth = scene.renderer->labels().front();
@@ -73,7 +54,7 @@ TEST(NetworkDetector, FindsABallThatTheBorderCuts) {
 }
 
 TEST(NetworkDetector, SaysTheSameOfTheSamePicture) {
-  SeaScene scene("gravel");
+  auto scene = NetworkOver("gravel");
   const std::vector<Solid> balls{Ball(0.5, -0.5, 0.3, "yellow"), Ball(-0.4, 0.6, 0.3, "green")};
   const auto once = scene.Find(balls);
   static_cast<void>(scene.Find({Ball(0.0, 0.0, 0.4, "red")}));
@@ -86,7 +67,7 @@ TEST(NetworkDetector, SaysTheSameOfTheSamePicture) {
 }
 
 TEST(NetworkDetector, TakesNoOtherFormForABall) {
-  SeaScene scene("sand");
+  auto scene = NetworkOver("sand");
   Solid box{.kind = SolidKind::kBox,
             .p_W = {0.5, 0.5, kDepth - 0.2},
             .radius = 0.25,
@@ -104,8 +85,8 @@ TEST(NetworkDetector, TakesNoOtherFormForABall) {
 
 TEST(NetworkDetector, IsLessSureBehindMoreWater) {
   const std::vector<Solid> balls{Ball(0.0, 0.0, 0.3, "orange")};
-  const auto clear = SeaScene("sand", 10.0).Find(balls, 4.0);
-  const auto murky = SeaScene("sand", 2.2).Find(balls, 4.0);
+  const auto clear = NetworkOver("sand", 10.0).Find(balls, 4.0);
+  const auto murky = NetworkOver("sand", 2.2).Find(balls, 4.0);
   ASSERT_FALSE(clear.empty());
   EXPECT_GT(clear[0].confidence, murky.empty() ? 0.0 : murky[0].confidence);
 }
