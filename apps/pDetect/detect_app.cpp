@@ -9,6 +9,8 @@
 #include "apps/pDetect/detect_block.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/config.hpp"
+#include "limpet/topics/chips.hpp"
+#include "limpet/vision/chip_cutter.hpp"
 #include "limpet/vision/color_table.hpp"
 #include "limpet/vision/ground_contrast.hpp"
 
@@ -73,7 +75,21 @@ void DetectApp::OnFrame(const Stamped<CameraFrame>& frame) {
   last_ = {.frame = static_cast<int>(image.frame),
            .exposure = image.exposure,
            .boxes = std::move(boxes)};
+  PublishChips(picture);  // before the boxes: who hears of these has the pictures
   Publish(topics::kDetections, last_);
+}
+
+void DetectApp::PublishChips(ImageView picture) {
+  if (last_chips_ && last_.exposure - *last_chips_ < params_.chips_every) return;
+  ImageChips chips{.exposure = last_.exposure, .chips = {}};
+  for (const Box& box : last_.boxes) {
+    if (box.confidence >= params_.chip_confidence) {
+      chips.chips.push_back(CutChip(picture, box, {}));
+    }
+  }
+  if (chips.chips.empty()) return;
+  last_chips_ = last_.exposure;
+  Publish(topics::kDetectionChips, chips);
 }
 
 void DetectApp::Report(ReportLines& report) const {

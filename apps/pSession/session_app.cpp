@@ -56,6 +56,7 @@ SessionApp::SessionApp(const AppContext& context, const Params& params)
   Subscribe(topics::kMapOpis, &SessionApp::OnObjects);
   Subscribe(topics::kNavLandmarkJoint, &SessionApp::OnLandmarkJoint);
   Subscribe(topics::kNavSight, &SessionApp::OnFrame);
+  SubscribeIfWritten(topics::kDetectionChips, &SessionApp::OnChips);
   Subscribe(topics::kNavTrackShift, &SessionApp::OnTrackShift);
   Subscribe(topics::kWaterRecord, &SessionApp::OnWater);
   Subscribe(topics::kMapSnapshot, &SessionApp::OnSnapshot);
@@ -154,6 +155,11 @@ void SessionApp::OnObjects(const Stamped<OpiBeliefs>& objects) {
   memory_.known_landmarks = landmarks_;
 }
 
+void SessionApp::OnFrame(const Stamped<ObservedFrame>& frame) {
+  memory_.frames.push_back(frame.value);
+  chips_.Add(frame.value);
+}
+
 void SessionApp::OnTrackShift(const Stamped<TrackShift>& shift) {
   for (ObservedFrame& frame : memory_.frames) {
     frame.X_WB = shift.value.Apply(frame.exposure.value(), frame.X_WB);
@@ -211,6 +217,7 @@ void SessionApp::Commit(std::string cause, Seconds now) {
                            .long_origin = context().Global("LongOrigin"),
                            .saved_at = now.value(),
                            .cause = cause};
+  memory_.chips = ChipsOf(memory_.objects, chips_, memory_.chips);
   SessionFiles files = FilesOf(memory_);
   if (cause != kPeriodic) {
     AddExports(memory_.map, files);

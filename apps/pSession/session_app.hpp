@@ -6,7 +6,9 @@
 
 #include "limpet/app/app.hpp"
 #include "limpet/core/params.hpp"
+#include "limpet/objects/best_chips.hpp"
 #include "limpet/session/session_memory.hpp"
+#include "limpet/topics/chips.hpp"
 
 namespace limpet {
 
@@ -39,7 +41,8 @@ class SessionApp final : public App {
   void OnLandmarks(const Stamped<Landmarks>& landmarks) { landmarks_ = landmarks.value; }
   void OnObjects(const Stamped<OpiBeliefs>& objects);
   void OnLandmarkJoint(const Stamped<LandmarkJoint>& joint) { memory_.landmarks = joint.value; }
-  void OnFrame(const Stamped<ObservedFrame>& frame) { memory_.frames.push_back(frame.value); }
+  void OnFrame(const Stamped<ObservedFrame>& frame);
+  void OnChips(const Stamped<ImageChips>& chips) { chips_.Add(chips.value); }
   void OnTrackShift(const Stamped<TrackShift>& shift);
   void OnWater(const Stamped<WaterRecord>& water) { memory_.water = water.value; }
   void OnSnapshot(const Stamped<Binary>& map);
@@ -62,6 +65,7 @@ class SessionApp final : public App {
   Params params_;
   SessionMemory memory_;
   Landmarks landmarks_;  ///< as last heard; those that the objects were judged with are in memory_
+  BestChips chips_;      ///< of all landmarks; those of the objects go into memory_
   std::optional<SessionWriter> writer_;
   std::optional<SessionPrior> prior_;
   std::optional<Pending> pending_;  ///< waits for the map

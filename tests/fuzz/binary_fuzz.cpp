@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "limpet/topics/chips.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/sensors.hpp"
 
@@ -22,5 +23,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const limpet::Value bytes = limpet::Binary(first, first + size);
   RoundTrip<limpet::CameraFrame>(bytes);
   RoundTrip<limpet::GridDelta>(bytes);
+  RoundTrip<limpet::ImageChips>(bytes);
   return 0;
 }

@@ -9,6 +9,7 @@
 #include "limpet/figures/probability_text.hpp"
 #include "limpet/figures/svg_canvas.hpp"
 #include "limpet/report/html_explanations.hpp"
+#include "limpet/report/html_pictures.hpp"
 #include "limpet/report/html_style.hpp"
 #include "limpet/report/html_warnings.hpp"
 #include "limpet/report/water_sentence.hpp"
@@ -206,6 +207,7 @@ std::string SessionSection(const SessionScore& session, const ReportSettings& se
   out += session.has_truth ? ObjectsTable(session) + CoverageTable(session, settings)
                            : ReportedObjectsTable(session);
   const Seconds begun = session.begun.value_or(Seconds(0.0));
+  out += PicturesOf(session.pictured, begun);
   out += WarningsTable(session.warnings, begun, begun + Seconds(session.duration_s));
   for (const Figure& figure : figures) {
     if (!figure.file.ends_with("_status.svg")) out += FigureMarkup(figure);

@@ -43,6 +43,10 @@ td:first-child{font-weight:550}
 .text{white-space:normal;min-width:20rem}
 figure{margin:1.4rem 0 2rem;background:var(--card);border-radius:.7rem;padding:1rem 1rem .9rem}
 figure svg{display:block;width:100%;height:auto}
+.chips{display:flex;flex-wrap:wrap;gap:1.1rem 1.6rem;margin:.8rem 0 1.4rem;font-size:.9rem;color:var(--muted)}
+.chips p{margin:0 0 .35rem;display:flex;gap:.35rem}
+.chips img{display:block;height:6rem;width:auto;border-radius:.35rem}
+.chips b{color:var(--ink);font-weight:550}
 figcaption{font-size:.9rem;margin:.7rem .4rem 0;max-width:48rem}
 code{font-family:ui-monospace,'Cascadia Mono','DejaVu Sans Mono',Menlo,Consolas,monospace;font-size:.9em}
 pre{background:var(--card);border-radius:.5rem;padding:.8rem 1rem;overflow-x:auto;margin:.4rem 0 1rem}

@@ -109,12 +109,15 @@ void ScorePresence(const SessionRecord& record, const Scenario& scenario,
     score.error_m = (belief.ned - places[i].ned).norm();
     score.aligned_error_m = (offset.Apply(belief.ned) - places[i].ned).norm();
     score.looks = belief.opi->looks;
+    score.id = belief.opi->id;
     scores.found.push_back(std::move(score));
   }
   for (const Belief& belief : beliefs) {
     if (Contains(matched, belief)) continue;
-    scores.invented.push_back(
-        {belief.ned, belief.opi->object.color, belief.opi->posterior.present()});
+    scores.invented.push_back({.ned = belief.ned,
+                               .color = belief.opi->object.color,
+                               .probability = belief.opi->posterior.present(),
+                               .id = belief.opi->id});
   }
 }
 

@@ -26,6 +26,7 @@ struct OpiScore {
   double error_m = 0.0;
   double aligned_error_m = 0.0;  ///< after the session's common offset and heading
   int looks = 0;
+  int id = 0;  ///< of the OpiBelief
 };
 
 /// A reported object that is not there.
@@ -33,6 +34,7 @@ struct FalseOpi {
   Eigen::Vector3d ned = Eigen::Vector3d::Zero();
   std::string color;
   double probability = 0.0;
+  int id = 0;  ///< of the OpiBelief
 };
 
 /// What became of a true object between the sessions, and what the vehicle decided.

@@ -68,6 +68,7 @@ SessionScore ScoreSession(const SessionRecord& record, const Scenario& scenario,
   } else {
     score.opis = ReportedOpis(record, !score.former.empty());
   }
+  score.pictured = PicturedObjects(record, score.opis);
   return score;
 }
 

@@ -9,6 +9,7 @@
 #include "limpet/app/warning_text.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/scoring/scoring_warnings.hpp"
+#include "limpet/topics/chips.hpp"
 #include "limpet/topics/simulation.hpp"
 
 namespace limpet {
@@ -79,6 +80,14 @@ void CollectOpis(SessionRecord& record, const Message& message) {
   }
 }
 
+void CollectChips(SessionRecord& record, const Message& message) {
+  if (auto chips = Read(topics::kDetectionChips, message)) record.chips.Add(std::move(*chips));
+}
+
+void CollectFrame(SessionRecord& record, const Message& message) {
+  if (const auto frame = Read(topics::kNavSight, message)) record.chips.Add(*frame);
+}
+
 void CollectCoverage(SessionRecord& record, const Message& message) {
   if (const auto update = Read(topics::kMapCoverage, message)) {
     record.believed_coverage.push_back({LoggedStamp(message), *update});
@@ -146,6 +155,8 @@ const std::map<std::string, Collector, std::less<>>& Collectors() {
       {topics::kNavDeadReckoning.name, CollectDeadReckoning},
       {topics::kNavLandmarks.name, CollectLandmarks},
       {topics::kMapOpis.name, CollectOpis},
+      {topics::kDetectionChips.name, CollectChips},
+      {topics::kNavSight.name, CollectFrame},
       {topics::kMapCoverage.name, CollectCoverage},
       {topics::kWaterState.name, CollectWater},
       {topics::kMapDelta.name, CollectGrid},

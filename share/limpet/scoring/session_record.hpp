@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "limpet/core/message.hpp"
+#include "limpet/objects/best_chips.hpp"
 #include "limpet/scoring/pose_track.hpp"
 #include "limpet/scoring/warning_record.hpp"
 #include "limpet/topics/mapping.hpp"
@@ -70,6 +71,7 @@ struct SessionRecord {
   std::vector<Landmark> landmarks;    ///< as last published
   std::vector<OpiBelief> opis;        ///< as last published
   std::vector<BeliefRecord> beliefs;  ///< every change of every posterior
+  BestChips chips;                    ///< pictures of the landmarks; none without images
   std::vector<Stamped<Coverage>> believed_coverage;
   std::optional<WaterVisibility> water;  ///< as last published
   GridRecord grid;

@@ -5,6 +5,7 @@
 
 #include "limpet/core/config.hpp"
 #include "limpet/core/number_text.hpp"
+#include "limpet/session/class_text.hpp"
 
 namespace limpet {
 namespace {
@@ -13,30 +14,6 @@ constexpr std::string_view kHeader =
     "frame,t,north_m,east_m,down_m,roll_rad,pitch_rad,yaw_rad,altitude_m,boxes";
 constexpr std::size_t kColumns = 10;
 constexpr std::size_t kBoxFields = 7;
-
-/// A class is named by whoever wrote the detector: what would end a field here goes as `%20`.
-std::string ClassText(std::string_view name) {
-  std::string text;
-  for (const char c : name) {
-    const bool ends_a_field = static_cast<unsigned char>(c) <= ' ' || c == ',' || c == ':';
-    text += ends_a_field || c == '%' ? fmt::format("%{:02x}", static_cast<unsigned char>(c))
-                                     : std::string(1, c);
-  }
-  return text;
-}
-
-std::string ClassFrom(std::string_view text) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string name;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const std::size_t high = i + 2 < text.size() ? kDigits.find(text[i + 1]) : kDigits.npos;
-    const std::size_t low = high != kDigits.npos ? kDigits.find(text[i + 2]) : kDigits.npos;
-    const bool is_coded = text[i] == '%' && low != kDigits.npos;
-    name += is_coded ? static_cast<char>(16 * high + low) : text[i];
-    i += is_coded ? 2 : 0;
-  }
-  return name;
-}
 
 std::string BoxText(const Box& box) {
   return fmt::format("{:.2f}:{:.2f}:{:.2f}:{:.2f}:{:.4f}:{}:{}", box.u, box.v, box.w, box.h,

@@ -74,6 +74,7 @@ SessionFiles FilesOf(const SessionMemory& memory) {
   if (!memory.map.empty()) {
     files[kMap] = memory.map;
   }
+  AddChips(memory.chips, files);
   for (const auto& [name, bytes] : memory.mission) {
     files[std::string(kMission) + name] = bytes;
   }
@@ -125,6 +126,9 @@ Expected<SessionMemory> MemoryOf(const SessionFiles& files) {
   if (const std::string* map = Find(files, kMap)) {
     memory.map = *map;
   }
+  Expected<std::vector<SavedChip>> chips = ChipsFrom(files);
+  if (!chips) return chips.error();
+  memory.chips = *std::move(chips);
   for (const auto& [name, bytes] : files) {
     if (name.starts_with(kMission)) memory.mission[name.substr(kMission.size())] = bytes;
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "limpet/core/expected.hpp"
+#include "limpet/session/object_chips.hpp"
 #include "limpet/session/session_store.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
@@ -33,7 +34,7 @@ struct FormerFacts {
 [[nodiscard]] FormerFacts FormerFactsOf(const SessionFacts& facts);
 
 /// Files: area.txt, former.txt, objects.json, known_landmarks.json, landmarks.json, sights.csv,
-/// phases.csv, water.json, map.ot, mission/*.
+/// phases.csv, water.json, map.ot, chips.csv, chips/*, mission/*.
 struct SessionMemory {
   std::optional<SurveyArea> area;
   std::optional<FormerFacts> former;  ///< nothing in a discovery session, or an older one
@@ -45,6 +46,7 @@ struct SessionMemory {
   std::optional<WaterRecord> water;   ///< nothing in an older session
   std::vector<PhaseStart> phases;     ///< in order; before the first one none was announced
   std::string map;                    ///< the semantic octree as MAP_SNAPSHOT; empty if none
+  std::vector<SavedChip> chips;       ///< pictures of the objects; none without images
   std::map<std::string, std::string> mission;  ///< the mission's own files
 };
 

@@ -51,6 +51,28 @@ class SessionAppTest : public ::testing::Test {
   TestLink link_;
 };
 
+TEST_F(SessionAppTest, KeepsPicturesOfItsObjectsAndOfNothingElse) {
+  SessionApp app(Context("discovery"), {});
+  app.Tick(link_.time);
+  ObservedFrame frame;
+  frame.exposure = link_.time;
+  frame.boxes = {
+      {.u = 99, .v = 99, .w = 30, .h = 30, .confidence = 0.9, .color = "yellow", .landmark = 3},
+      {.u = 400, .v = 99, .w = 30, .h = 30, .confidence = 0.9, .color = "yellow", .landmark = 8}};
+  link_.Send(app, topics::kDetectionChips,
+             ImageChips{.exposure = frame.exposure,
+                        .chips = {{.box = frame.boxes[0], .jpeg = "object"},
+                                  {.box = frame.boxes[1], .jpeg = "no object"}}});
+  link_.Send(app, topics::kNavSight, frame);
+  link_.Send(app, topics::kMapOpis, OneObject());
+  link_.Send(app, topics::kSessionSave, std::string("home"));
+  link_.Send(app, topics::kMapSnapshot, Binary{std::byte{1}});
+  const auto saved = LoadSavedSession(folder_.path() / "discovery", "session");
+  ASSERT_EQ(saved.memory.chips.size(), 1U);
+  EXPECT_EQ(saved.memory.chips[0].object, 1);
+  EXPECT_EQ(saved.memory.chips[0].chip.jpeg, "object");
+}
+
 TEST_F(SessionAppTest, KeepsItsFramesWhereTheSmootherMovesThem) {
   SessionApp app(Context("discovery"), {});
   ObservedFrame frame;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "limpet/core/config.hpp"
+#include "limpet/topics/chips.hpp"
 #include "limpet/vision/scene_renderer.hpp"
 #include "tests/support/test_link.hpp"
 
@@ -77,6 +78,28 @@ TEST_F(Detect, RefusesAClassThatDoesNotExist) {
   DetectApp::Params params;
   params.classes = "yelow";
   EXPECT_THROW(Run(params, {}), ConfigError);
+}
+
+TEST_F(Detect, CutsOutWhatItIsSureOfOnceASecondAtMost) {
+  AppContext context;
+  context.name = "pDetect";
+  context.link = &link_;
+  DetectApp app(context, {}, MakeDetector("color_shape"));
+  CameraFrame frame = Picture(kBalls);
+  for (int i = 0; i < 9; ++i) {
+    link_.Send(app, topics::kCameraFrame, frame);
+    frame.exposure += Seconds(0.25);
+  }
+  EXPECT_EQ(link_.Count(topics::kDetectionChips), 3);
+  const auto chips = link_.Last(topics::kDetectionChips);
+  const auto boxes = link_.Last(topics::kDetections)->boxes;
+  ASSERT_EQ(chips->chips.size(), boxes.size());
+  EXPECT_EQ(chips->chips[0].box.color, boxes[0].color);
+  EXPECT_NEAR(chips->chips[0].box.u, boxes[0].u, 0.1);
+  frame = Picture({});
+  frame.exposure += Seconds(60.0);
+  link_.Send(app, topics::kCameraFrame, frame);
+  EXPECT_EQ(link_.Count(topics::kDetectionChips), 3) << "nothing to be cut out";
 }
 
 TEST_F(Detect, TellsOnceASecondHowTheGroundStandsOut) {
