@@ -17,8 +17,7 @@
 namespace limpet {
 namespace {
 
-constexpr double kAttitudePeriod = 0.049;  // [s] the smoother needs no more than 20 Hz
-constexpr Seconds kRealPause(0.5);         // real time that mail may take: at warp it is more
+constexpr Seconds kRealPause(0.5);  // real time that mail may take: at warp it is more
 
 AttitudeParams AttitudeParamsOf(const NavApp::Params& params, const SensorSheets& sheets) {
   AttitudeParams result = BelievedAttitude(sheets);
@@ -119,7 +118,7 @@ void NavApp::OnImu(const Stamped<ImuSample>& imu) {
     return;
   }
   imu_.Note(t, now().value());
-  if (attitude_.is_aligned() && t - last_attitude_t_ >= kAttitudePeriod) {
+  if (attitude_.is_aligned() && t - last_attitude_t_ >= Navigator::kAttitudePeriod) {
     navigator_.AddAttitude(*attitude_.estimate());
     navigator_.AddCompass(t, WrapAngle(sample.heading - attitude_.estimate()->yaw));
     last_attitude_t_ = t;

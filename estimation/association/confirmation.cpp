@@ -62,12 +62,12 @@ double Confirmation::LogOddsOf(const TrackedObject& object) const {
   return object.LogOdds() * alone / (alone + kCorrelation * more) + std::min(seldom, 0.0);
 }
 
-void Confirmation::ConfirmWhatIsDue(const TrackerFrame& frame) {
+void Confirmation::ConfirmWhatIsDue(const NavVector& x) {
   for (TrackedObject& object : tracks_.objects) {
     const bool is_ripe = HasQuorum(object, QuorumOfNew());
     if (!is_ripe && !HasQuorum(object, QuorumOfKnown())) continue;
-    if (!MayHaveDrifted(object, frame.x) && !tracks_.is_provisional) {
-      Decide(object, frame.x);
+    if (!MayHaveDrifted(object, x) && !tracks_.is_provisional) {
+      Decide(object, x);
     } else if (is_ripe && IsPlaced(object, params_)) {
       terms_.Map(object, InDoubt{});
     }

@@ -15,7 +15,8 @@ class Confirmation {
                LandmarkTerms& terms)
       : smoother_(smoother), params_(params), tracks_(tracks), terms_(terms) {}
 
-  void ConfirmWhatIsDue(const TrackerFrame& frame);
+  /// `x`: the newest pose.
+  void ConfirmWhatIsDue(const NavVector& x);
 
  private:
   /// How many observations, and how certain ones, must agree.

@@ -33,9 +33,9 @@ int CountRivals(const Eigen::MatrixXd& costs, Eigen::Index row, int track,
 
 }  // namespace
 
-std::vector<Association> FrameAssociator::Assign(const TrackerFrame& frame,
+std::vector<Association> FrameAssociator::Assign(const Viewpoint& from,
                                                  const std::vector<Candidate>& candidates) const {
-  const Eigen::MatrixXd costs = Costs(frame, candidates);
+  const Eigen::MatrixXd costs = Costs(from, candidates);
   const std::vector<int> assigned = AssignOneToOne(costs, 0.0);
   std::vector<Association> associations(candidates.size());
   for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -49,13 +49,13 @@ std::vector<Association> FrameAssociator::Assign(const TrackerFrame& frame,
   return associations;
 }
 
-FrameAssociator::Reachable FrameAssociator::CollectReachable(const TrackerFrame& frame) const {
+FrameAssociator::Reachable FrameAssociator::CollectReachable(const NavVector& x) const {
   const Eigen::MatrixXd pose = smoother_.Covariance({});
   const double reach = kReach + 4.0 * std::sqrt(pose.diagonal().head<2>().maxCoeff());
   Reachable reachable;
   std::vector<int> slots;
   for (const TrackedObject& object : tracks_.objects) {
-    const double distance = (object.p_W - frame.x.head<3>()).norm();
+    const double distance = (object.p_W - x.head<3>()).norm();
     const bool is_within = distance < object.max_distance + reach &&
                            tracks_.TakesObservations(object, params_.confirm_within_s);
     reachable.is_reachable.push_back(!object.is_mapped() || is_within);
@@ -66,7 +66,7 @@ FrameAssociator::Reachable FrameAssociator::CollectReachable(const TrackerFrame&
   return reachable;
 }
 
-Eigen::MatrixXd FrameAssociator::Costs(const TrackerFrame& frame,
+Eigen::MatrixXd FrameAssociator::Costs(const Viewpoint& from,
                                        const std::vector<Candidate>& candidates) const {
   const auto rows = static_cast<Eigen::Index>(candidates.size());
   const auto columns = static_cast<Eigen::Index>(tracks_.objects.size());
@@ -74,8 +74,8 @@ Eigen::MatrixXd FrameAssociator::Costs(const TrackerFrame& frame,
   if (rows == 0 || columns == 0) {
     return costs;
   }
-  const Reachable reachable = CollectReachable(frame);
-  const CameraModel camera = mount_.At(frame.motion);
+  const Reachable reachable = CollectReachable(from.x);
+  const CameraModel camera = mount_.At(from.motion);
   const BoxGate gate(camera, params_.gate);
   const double radius = params_.model.radius_m > 0.0 ? params_.model.radius_m : kGuessedRadius;
   // Per candidate: best of the mapped tracks whose place is known too badly to take a box at once.
@@ -89,14 +89,14 @@ Eigen::MatrixXd FrameAssociator::Costs(const TrackerFrame& frame,
         .p_W = object.p_W,
         .radius = radius * std::exp(object.log_size),
         .color = object.Color(),
-        .covariance = CovarianceWith(object, frame.path, reachable.joint, row_in_joint),
+        .covariance = CovarianceWith(object, from.path, reachable.joint, row_in_joint),
         .mount_C =
-            MountCovariance(frame, object.p_W, reachable.joint,
+            MountCovariance(from, object.p_W, reachable.joint,
                             object.is_mapped() ? std::optional(row_in_joint) : std::nullopt)};
     row_in_joint += object.is_mapped() ? 3 : 0;
     for (Eigen::Index i = 0; i < rows; ++i) {
       const ReadDetection& seen = candidates[static_cast<std::size_t>(i)].seen;
-      const auto match = gate.Match(seen, frame.x, expected);
+      const auto match = gate.Match(seen, from.x, expected);
       if (!match || match->cost >= match->new_cost) continue;
       const double cost = match->cost - match->new_cost;
       const double placed =
@@ -121,15 +121,14 @@ Eigen::MatrixXd FrameAssociator::Costs(const TrackerFrame& frame,
   return costs;
 }
 
-Eigen::Matrix3d FrameAssociator::MountCovariance(const TrackerFrame& frame,
-                                                 const Eigen::Vector3d& p_W,
+Eigen::Matrix3d FrameAssociator::MountCovariance(const Viewpoint& from, const Eigen::Vector3d& p_W,
                                                  const Eigen::MatrixXd& joint,
                                                  std::optional<int> row) const {
   // A tentative object was placed by the same camera a moment ago: it is off by the same.
   if (!mount_.slots() || !row) return Eigen::Matrix3d::Zero();
-  const CameraPoint point = CameraPointOf(mount_.At(frame.motion), frame.x, p_W);
+  const CameraPoint point = CameraPointOf(mount_.At(from.motion), from.x, p_W);
   const CameraErrorJacobians by_errors =
-      ErrorJacobiansOf(mount_.camera(), mount_.errors(), frame.motion, point.p_C);
+      ErrorJacobiansOf(mount_.camera(), mount_.errors(), from.motion, point.p_C);
   Eigen::Matrix<double, 3, 9> J;
   J << point.J_pose, point.J_landmark;
   Eigen::Matrix<double, 3, 6> J_errors;

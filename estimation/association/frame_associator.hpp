@@ -7,13 +7,11 @@
 #include "estimation/association/track_list.hpp"
 #include "estimation/association/tracker_params.hpp"
 #include "estimation/smoothing/smoother.hpp"
-#include "limpet/objects/frame.hpp"
 
 namespace limpet {
 
-/// One frame at a pose: what the tracker works on.
-struct TrackerFrame {
-  const Detections* detections = nullptr;
+/// Where a frame was taken from.
+struct Viewpoint {
   NavVector x = NavVector::Zero();
   std::optional<int> node{};  ///< of the chain, newest; nothing when the frame has no usable box
   double path = 0.0;          ///< way travelled [m]
@@ -48,7 +46,7 @@ class FrameAssociator {
       : smoother_(smoother), mount_(mount), params_(params), tracks_(tracks) {}
 
   /// Per candidate; the smoother must be up to date with the frame's node.
-  [[nodiscard]] std::vector<Association> Assign(const TrackerFrame& frame,
+  [[nodiscard]] std::vector<Association> Assign(const Viewpoint& from,
                                                 const std::vector<Candidate>& candidates) const;
 
  private:
@@ -57,17 +55,16 @@ class FrameAssociator {
     std::vector<bool> is_reachable;  ///< per track
     Eigen::MatrixXd joint;           ///< of the pose, those that are mapped, the camera's errors
   };
-  [[nodiscard]] Reachable CollectReachable(const TrackerFrame& frame) const;
+  [[nodiscard]] Reachable CollectReachable(const NavVector& x) const;
   /// In the camera's frame: what its errors add to where the object is expected [m^2]. `row`: of
   /// the object in the joint covariance; nothing if it is not mapped.
-  [[nodiscard]] Eigen::Matrix3d MountCovariance(const TrackerFrame& frame,
-                                                const Eigen::Vector3d& p_W,
+  [[nodiscard]] Eigen::Matrix3d MountCovariance(const Viewpoint& from, const Eigen::Vector3d& p_W,
                                                 const Eigen::MatrixXd& joint,
                                                 std::optional<int> row) const;
   [[nodiscard]] PoseObjectCovariance CovarianceWith(const TrackedObject& object, double path,
                                                     const Eigen::MatrixXd& joint, int row) const;
   /// -2 ln of the likelihood ratio against being something new, per candidate and track.
-  [[nodiscard]] Eigen::MatrixXd Costs(const TrackerFrame& frame,
+  [[nodiscard]] Eigen::MatrixXd Costs(const Viewpoint& from,
                                       const std::vector<Candidate>& candidates) const;
   [[nodiscard]] bool IsSeenAgain(const TrackedObject& object) const {
     return tracks_.now - object.last_seen() > params_.confirm_within_s;

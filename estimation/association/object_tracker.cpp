@@ -12,16 +12,17 @@
 namespace limpet {
 namespace {
 
-Observation ObservationOf(const Candidate& candidate, const TrackerFrame& frame) {
-  return {.frame = frame.detections->frame,
+Observation ObservationOf(const Candidate& candidate, const Detections& frame,
+                          const Viewpoint& from) {
+  return {.frame = frame.frame,
           .detection = candidate.detection,
-          .node = *frame.node,
-          .t = frame.detections->exposure.value(),
+          .node = *from.node,
+          .t = frame.exposure.value(),
           .reading = candidate.seen.reading,
           .color = candidate.seen.box.color,
           .confidence = candidate.seen.box.confidence,
-          .motion = frame.motion,
-          .altitude = frame.altitude,
+          .motion = from.motion,
+          .altitude = from.altitude,
           .terms = {}};
 }
 
@@ -42,11 +43,10 @@ bool ObjectTracker::IsUsable(const Box& box) const {
   return box.confidence >= params_.min_confidence && box.w > 1.0 && box.h > 1.0;
 }
 
-std::vector<Candidate> ObjectTracker::CandidatesOf(const TrackerFrame& frame) const {
+std::vector<Candidate> ObjectTracker::CandidatesOf(const Detections& frame) const {
   std::vector<Candidate> candidates;
-  const std::vector<Box>& boxes = frame.detections->boxes;
-  for (int i = 0; frame.node && i < static_cast<int>(boxes.size()); ++i) {
-    const Box& box = boxes[static_cast<std::size_t>(i)];
+  for (int i = 0; i < static_cast<int>(frame.boxes.size()); ++i) {
+    const Box& box = frame.boxes[static_cast<std::size_t>(i)];
     if (!IsUsable(box)) continue;
     candidates.push_back(
         {.detection = i, .seen = {box, ReadBox(box, mount_.camera(), params_.model.noise)}});
@@ -54,39 +54,41 @@ std::vector<Candidate> ObjectTracker::CandidatesOf(const TrackerFrame& frame) co
   return candidates;
 }
 
-std::vector<std::optional<int>> ObjectTracker::Process(const TrackerFrame& frame) {
-  std::vector<std::optional<int>> shown(frame.detections->boxes.size());
-  const std::vector<Candidate> candidates = CandidatesOf(frame);
-  tracks_.now = frame.detections->exposure.value();
+std::vector<std::optional<int>> ObjectTracker::Process(const Detections& frame,
+                                                       const Viewpoint& from) {
+  std::vector<std::optional<int>> shown(frame.boxes.size());
+  const std::vector<Candidate> candidates =
+      from.node ? CandidatesOf(frame) : std::vector<Candidate>();
+  tracks_.now = frame.exposure.value();
   DropStale();
   const std::size_t known = tracks_.objects.size();
-  const std::vector<Association> associations = associator_.Assign(frame, candidates);
+  const std::vector<Association> associations = associator_.Assign(from, candidates);
   std::vector<std::size_t> seen;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (associations[i].kind == Association::Kind::kAmbiguous) continue;
-    Observation observation = ObservationOf(candidates[i], frame);
+    Observation observation = ObservationOf(candidates[i], frame, from);
     if (associations[i].kind == Association::Kind::kTrack) {
       seen.push_back(associations[i].track);
       TrackedObject& track = tracks_.objects[associations[i].track];
-      AddObservation(track, std::move(observation), frame);
+      AddObservation(track, std::move(observation), from);
       shown[static_cast<std::size_t>(candidates[i].detection)] = tracks_.LandmarkIdOf(track);
     } else if (observation.reading.is_usable()) {
-      StartTrack(std::move(observation), frame);
+      StartTrack(std::move(observation), from);
     }
   }
   for (std::size_t j = known; j < tracks_.objects.size(); ++j)
     seen.push_back(j);
-  CountVisibility(frame, seen, mount_, params_, tracks_);
-  confirmation_.ConfirmWhatIsDue(frame);
+  CountVisibility(from, seen, mount_, params_, tracks_);
+  confirmation_.ConfirmWhatIsDue(from.x);
   return shown;
 }
 
 void ObjectTracker::AddObservation(TrackedObject& object, Observation observation,
-                                   const TrackerFrame& frame) {
+                                   const Viewpoint& from) {
   const bool is_new_pass = observation.t - object.last_seen() > params_.confirm_within_s;
-  object.last_path = frame.path;
+  object.last_path = from.path;
   object.max_distance = std::max(
-      object.max_distance, CameraPointOf(mount_.At(frame.motion), frame.x, object.p_W).p_C.norm());
+      object.max_distance, CameraPointOf(mount_.At(from.motion), from.x, object.p_W).p_C.norm());
   object.needs_review = true;
   object.Add(std::move(observation));
   if (object.is_mapped()) {
@@ -97,12 +99,12 @@ void ObjectTracker::AddObservation(TrackedObject& object, Observation observatio
   }
 }
 
-void ObjectTracker::StartTrack(Observation observation, const TrackerFrame& frame) {
+void ObjectTracker::StartTrack(Observation observation, const Viewpoint& from) {
   TrackedObject object;
-  object.last_path = frame.path;
+  object.last_path = from.path;
   object.Add(std::move(observation));
   Place(object, smoother_, mount_, params_.model);
-  object.max_distance = CameraPointOf(mount_.At(frame.motion), frame.x, object.p_W).p_C.norm();
+  object.max_distance = CameraPointOf(mount_.At(from.motion), from.x, object.p_W).p_C.norm();
   tracks_.objects.push_back(std::move(object));
 }
 

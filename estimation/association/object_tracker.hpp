@@ -12,6 +12,7 @@
 #include "estimation/association/track_list.hpp"
 #include "estimation/association/tracker_params.hpp"
 #include "estimation/smoothing/smoother.hpp"
+#include "limpet/objects/frame.hpp"
 
 namespace limpet {
 
@@ -32,7 +33,8 @@ class ObjectTracker {
   /// Associates the boxes of one frame; the smoother must be up to date with its node. Returns per
   /// box the id of the landmark that it shows, if any. The smoother is to be updated afterwards if
   /// it returns any.
-  [[nodiscard]] std::vector<std::optional<int>> Process(const TrackerFrame& frame);
+  [[nodiscard]] std::vector<std::optional<int>> Process(const Detections& frame,
+                                                        const Viewpoint& from);
   /// After an update: takes out observations that do not fit, merges duplicates, drops false
   /// landmarks. True if the graph changed.
   bool Review();
@@ -53,9 +55,9 @@ class ObjectTracker {
   [[nodiscard]] int rejected_observations() const { return review_.rejected(); }
 
  private:
-  [[nodiscard]] std::vector<Candidate> CandidatesOf(const TrackerFrame& frame) const;
-  void AddObservation(TrackedObject& object, Observation observation, const TrackerFrame& frame);
-  void StartTrack(Observation observation, const TrackerFrame& frame);
+  [[nodiscard]] std::vector<Candidate> CandidatesOf(const Detections& frame) const;
+  void AddObservation(TrackedObject& object, Observation observation, const Viewpoint& from);
+  void StartTrack(Observation observation, const Viewpoint& from);
   void LearnSizes();
   /// Tentative tracks that nothing has shown for long.
   void DropStale();

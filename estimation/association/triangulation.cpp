@@ -13,6 +13,7 @@
 #include "estimation/smoothing/factors/range_factor.hpp"
 #include "estimation/smoothing/factors/reprojection_factor.hpp"
 #include "estimation/smoothing/factors/seabed_factor.hpp"
+#include "estimation/smoothing/jacobians.hpp"
 
 namespace limpet {
 namespace {
@@ -82,19 +83,20 @@ class LookFromKnownPose {
   using Residual = typename F::Residual;
   using Jacobian = typename F::Jacobian;
   using BorderJacobian = typename F::BorderJacobian;
+  /// By the pose; place and size.
+  using Jacobians = ObservationJacobians<kDim, 2>;
 
   LookFromKnownPose(const CameraModel& camera, F factor)
       : camera_(&camera), factor_(std::move(factor)) {}
 
   [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p_W,
-                                  const Eigen::Vector3d& log_size, Jacobian* J_pose,
-                                  BorderJacobian* J_landmark, BorderJacobian* J_size) const {
+                                  const Eigen::Vector3d& log_size, Jacobians* J) const {
     const CameraPoint point = CameraPointOf(*camera_, x, p_W);
     BorderJacobian J_C;
-    J_size->setZero();
-    Residual r = InCamera(point.p_C, log_size.x(), J_C, *J_size);
-    *J_pose = J_C * point.J_pose;
-    *J_landmark = J_C * point.J_landmark;
+    J->border[1].setZero();
+    Residual r = InCamera(point.p_C, log_size.x(), J_C, J->border[1]);
+    J->pose = J_C * point.J_pose;
+    J->border[0] = J_C * point.J_landmark;
     return r;
   }
 

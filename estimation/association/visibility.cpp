@@ -28,10 +28,10 @@ bool ShouldBeSeen(const TrackedObject& object, const NavVector& x, const CameraM
 
 }  // namespace
 
-void CountVisibility(const TrackerFrame& frame, const std::vector<std::size_t>& seen,
+void CountVisibility(const Viewpoint& from, const std::vector<std::size_t>& seen,
                      const CameraMount& mount, const ObjectTrackerParams& params,
                      TrackList& tracks) {
-  const CameraModel camera = mount.At(frame.motion);
+  const CameraModel camera = mount.At(from.motion);
   for (std::size_t j = 0; j < tracks.objects.size(); ++j) {
     TrackedObject& object = tracks.objects[j];
     if (object.is_mapped() && !tracks.TakesObservations(object, params.confirm_within_s)) continue;
@@ -40,7 +40,7 @@ void CountVisibility(const TrackerFrame& frame, const std::vector<std::size_t>& 
       ++object.hits;
       continue;
     }
-    if (!ShouldBeSeen(object, frame.x, camera)) continue;
+    if (!ShouldBeSeen(object, from.x, camera)) continue;
     // What is open and seen now may be this one.
     const auto may_be_it = [&](std::size_t k) {
       const TrackedObject& other = tracks.objects[k];

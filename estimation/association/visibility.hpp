@@ -9,7 +9,7 @@ namespace limpet {
 
 /// Counts, per track, that this frame should have shown it, and whether it did. `seen`: indices of
 /// the tracks that it shows.
-void CountVisibility(const TrackerFrame& frame, const std::vector<std::size_t>& seen,
+void CountVisibility(const Viewpoint& from, const std::vector<std::size_t>& seen,
                      const CameraMount& mount, const ObjectTrackerParams& params,
                      TrackList& tracks);
 

@@ -12,7 +12,6 @@
 namespace limpet {
 namespace {
 
-constexpr double kStays = 0.5;              // chance that a former object is still there
 constexpr double kBorder_m = 5.0;           // seen around the outermost objects
 constexpr std::array kHorizontal{0, 1, 3};  // of (north, east, down, turn)
 
@@ -63,7 +62,7 @@ double MatchEvidence(const std::vector<ObjectEstimate>& former,
     const Eigen::Vector2d off = (there.p_W - match.offset.Apply(former[i].p_W)).head<2>();
     const Eigen::Matrix2d S =
         (former[i].cov_W + there.cov_W).topLeftCorner<2, 2>() + floor * Eigen::Matrix2d::Identity();
-    evidence += std::log(kStays / DensityOf(there.color, now)) - LogOf2Pi() -
+    evidence += std::log(kFormerStays / DensityOf(there.color, now)) - LogOf2Pi() -
                 0.5 * std::log(S.determinant()) - 0.5 * off.dot(S.inverse() * off);
   }
   return evidence;

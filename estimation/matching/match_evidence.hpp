@@ -7,6 +7,9 @@
 
 namespace limpet {
 
+/// Chance, before anything is seen, that a former object is still there.
+inline constexpr double kFormerStays = 0.5;
+
 /// Where the former session's frame may lie before any match is seen, as densities of (north,
 /// east) [1/m^2] and turn [1/rad].
 struct FramePrior {

@@ -6,10 +6,11 @@
 
 #include <Eigen/LU>
 
+#include "estimation/matching/match_evidence.hpp"
+
 namespace limpet {
 namespace {
 
-constexpr double kStays = 0.5;         // chance that a former object is still there
 constexpr double kNewDensity = 0.025;  // [1/m^2] of objects that came: 0.02 at a place of 0.5 m
 
 /// Density of the landmark's horizontal place [1/m^2] if it is the former object; 0 beyond the
@@ -51,7 +52,7 @@ std::vector<FormerCandidate> NearbyCandidates(const FormerObjects& former,
   double total = kNewDensity;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     if (is_taken[i]) continue;
-    weights[i] = kStays * DensityThere(former.objects[i], landmark, match, params);
+    weights[i] = kFormerStays * DensityThere(former.objects[i], landmark, match, params);
     total += weights[i];
   }
   std::vector<FormerCandidate> candidates;

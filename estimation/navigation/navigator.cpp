@@ -163,14 +163,13 @@ void Navigator::TakeFrame(const Detections& frame) {
   }
   const bool has_usable =
       std::ranges::any_of(frame.boxes, [this](const Box& box) { return tracker_.IsUsable(box); });
-  TrackerFrame seen{.detections = &frame,
-                    .x = NavVector::Zero(),
-                    .node = has_usable ? std::optional(NodeAt(t)) : std::nullopt,
-                    .path = measurements_.track().PathAt(t),
-                    .altitude = measurements_.AltitudeAt(t),
-                    .motion = MotionAt(t)};
-  seen.x = has_usable ? smoother_.PoseAt(*seen.node) : chain_.Predict(t);
-  const std::vector<std::optional<int>> landmarks = tracker_.Process(seen);
+  Viewpoint from{.x = NavVector::Zero(),
+                 .node = has_usable ? std::optional(NodeAt(t)) : std::nullopt,
+                 .path = measurements_.track().PathAt(t),
+                 .altitude = measurements_.AltitudeAt(t),
+                 .motion = MotionAt(t)};
+  from.x = has_usable ? smoother_.PoseAt(*from.node) : chain_.Predict(t);
+  const std::vector<std::optional<int>> landmarks = tracker_.Process(frame, from);
   bool has_changed = has_usable;
   if (has_usable) {
     smoother_.Update();
@@ -181,11 +180,11 @@ void Navigator::TakeFrame(const Detections& frame) {
     ReviewObjects(t);
     has_changed = true;
   }
-  const NavVector x = has_changed ? chain_.Predict(t) : seen.x;
+  const NavVector x = has_changed ? chain_.Predict(t) : from.x;
   posed_.push_back({.frame = frame.frame,
                     .exposure = frame.exposure,
                     .X_WB = PoseOf(x),
-                    .altitude = seen.altitude,
+                    .altitude = from.altitude,
                     .boxes = frame.boxes});
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
     posed_.back().boxes[i].landmark = landmarks[i].value_or(-1);

@@ -40,6 +40,9 @@ struct SmoothedPose {
 /// counted.
 class Navigator {
  public:
+  /// Attitudes closer together than this tell nothing more [s]: 20 Hz are enough.
+  static constexpr double kAttitudePeriod = 0.049;
+
   explicit Navigator(const NavigatorParams& params);
   ~Navigator();
   Navigator(const Navigator&) = delete;

@@ -10,7 +10,6 @@ namespace limpet {
 namespace {
 
 constexpr double kGravity = 9.81;
-constexpr double kUsualSpeed = 0.5;  // [m/s] of a survey
 
 // Data sheets are made in a laboratory, and a vehicle shakes, warms up and was mounted by hand.
 constexpr double kNoiseMargin = 1.2;    // of a DVL's velocity
@@ -97,7 +96,7 @@ void BelieveSheets(const SensorSheets& sheets, NavigatorParams& params) {
   odometry.velocity_noise = TwoDigits(kNoiseMargin * dvl.noise_mps);
   odometry.velocity_period = Seconds(1.0 / dvl.rate.value());
   // At a survey's steady speed a bias of the velocity cannot be told from scale or misalignment.
-  const double bias = dvl.bias_mps / kUsualSpeed;
+  const double bias = dvl.bias_mps / kSurveySpeed.value();
   odometry.scale_sigma = TwoDigits(std::hypot(dvl.scale_sigma, bias));
   odometry.misalign_sigma = TwoDigits(std::hypot(dvl.misalignment_sigma.value(), bias));
   const YawRateErrors yaw = BelievedYawRate(sheets);

@@ -5,10 +5,14 @@
 
 #include "estimation/attitude/attitude_filter.hpp"
 #include "estimation/navigation/navigator_params.hpp"
+#include "limpet/core/units.hpp"
 #include "limpet/vehicle/sensor_sheets.hpp"
 #include "limpet/vehicle/vehicle_params.hpp"
 
 namespace limpet {
+
+/// What a vehicle does over ground in a survey, usually.
+inline constexpr MetersPerSecond kSurveySpeed(0.5);
 
 /// Roll, pitch and yaw. Without a fibre-optic gyro the IMU's own yaw rate serves, with its errors.
 [[nodiscard]] AttitudeParams BelievedAttitude(const SensorSheets& sheets);

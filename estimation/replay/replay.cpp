@@ -12,13 +12,12 @@
 namespace limpet {
 namespace {
 
-constexpr Seconds kFixWait(5.0);           // a stream may begin under water
-constexpr double kArrival = 10.0;          // [s] that a row may be behind its measurement
-constexpr double kSilence = 0.3;           // [s]
-constexpr double kOnlinePeriod = 0.19;     // [s] between rows of online.csv
-constexpr double kAttitudePeriod = 0.049;  // [s] as pNav: the smoother needs no more than 20 Hz
-constexpr double kStatesPeriod = 0.99;     // [s] between those of states.csv
-constexpr double kSizeSpread = 0.2;        // of the objects: a stream says one radius for all
+constexpr Seconds kFixWait(5.0);        // a stream may begin under water
+constexpr double kArrival = 10.0;       // [s] that a row may be behind its measurement
+constexpr double kSilence = 0.3;        // [s]
+constexpr double kOnlinePeriod = 0.19;  // [s] between rows of online.csv
+constexpr double kStatesPeriod = 0.99;  // [s] between those of states.csv
+constexpr double kSizeSpread = 0.2;     // of the objects: a stream says one radius for all
 
 /// Feeds one row after the other and keeps what the estimator says.
 class Replayer {
@@ -45,7 +44,7 @@ class Replayer {
       ++refused_inertial_;
       return;
     }
-    if (filter_.is_aligned() && row.t - attitude_t_ >= kAttitudePeriod) {
+    if (filter_.is_aligned() && row.t - attitude_t_ >= Navigator::kAttitudePeriod) {
       attitude_t_ = row.t;
       (*this)(*filter_.estimate());
     }
@@ -172,8 +171,7 @@ NavigatorParams ParamsForStream(const StreamMeta& meta) {
   params.odometry.yaw_walk = meta.yaw_random_walk;
   params.odometry.yaw_bias = meta.yaw_bias_sigma;
   // At a survey's steady speed a bias of the velocity cannot be told from scale or misalignment.
-  constexpr double kUsualSpeed = 0.5;  // [m/s]
-  const double bias = meta.dvl_bias_sigma / kUsualSpeed;
+  const double bias = meta.dvl_bias_sigma / kSurveySpeed.value();
   params.odometry.scale_sigma = std::hypot(meta.dvl_scale_sigma, bias);
   params.odometry.misalign_sigma = std::hypot(meta.dvl_misalign_sigma, bias);
   params.objects.model.radius_m = meta.opi_radius;

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include "estimation/smoothing/jacobians.hpp"
 #include "estimation/smoothing/loss.hpp"
 #include "estimation/smoothing/nav_vector.hpp"
 
@@ -39,7 +40,8 @@ struct LinearTerm {
 
 /// A factor with its loss, bound to a kind of variables: a pose, or a step between neighbouring
 /// poses, either with border variables (a landmark, slow errors of the sensors) or without; or
-/// border variables alone.
+/// border variables alone. A factor's Evaluate takes the variables, then where each derivative is
+/// to go; beside a pose and several border variables, where all of them are to go.
 class Term {
  public:
   template <class F>
@@ -65,16 +67,19 @@ class Term {
   [[nodiscard]] static Term OnStep(F factor, const std::array<int, N>& slots,
                                    Loss loss = Loss::LeastSquares()) {
     return Term(slots, [factor, loss](const TermPoint& at, LinearTerm& out) {
-      typename F::Jacobian J_previous, J_pose;
-      BorderJacobians<F, N> J;
+      StepJacobians<F::kDim, N> J;
       const auto evaluate = [&]<std::size_t... I>(std::index_sequence<I...>) {
-        return factor.Evaluate(*at.previous, *at.pose, *at.border[I]..., &J_previous, &J_pose,
-                               &J[I]...);
+        if constexpr (N > 1) {
+          return factor.Evaluate(*at.previous, *at.pose, *at.border[I]..., &J);
+        } else {
+          return factor.Evaluate(*at.previous, *at.pose, *at.border[I]..., &J.previous, &J.pose,
+                                 &J.border[I]...);
+        }
       };
       const double weight = Store(evaluate(std::make_index_sequence<N>()), loss, out);
-      out.J_previous.topRows<F::kDim>() = weight * J_previous;
-      out.J_pose.topRows<F::kDim>() = weight * J_pose;
-      StoreBorders<F>(J, weight, out);
+      out.J_previous.topRows<F::kDim>() = weight * J.previous;
+      out.J_pose.topRows<F::kDim>() = weight * J.pose;
+      StoreBorders<F>(J.border, weight, out);
     });
   }
   /// A pose and border variables: a landmark and what else bears on how it is seen.
@@ -82,14 +87,17 @@ class Term {
   [[nodiscard]] static Term OnObservation(F factor, const std::array<int, N>& slots,
                                           Loss loss = Loss::LeastSquares()) {
     return Term(slots, [factor, loss](const TermPoint& at, LinearTerm& out) {
-      typename F::Jacobian J_pose;
-      BorderJacobians<F, N> J;
+      ObservationJacobians<F::kDim, N> J;
       const auto evaluate = [&]<std::size_t... I>(std::index_sequence<I...>) {
-        return factor.Evaluate(*at.pose, *at.border[I]..., &J_pose, &J[I]...);
+        if constexpr (N > 1) {
+          return factor.Evaluate(*at.pose, *at.border[I]..., &J);
+        } else {
+          return factor.Evaluate(*at.pose, *at.border[I]..., &J.pose, &J.border[I]...);
+        }
       };
       const double weight = Store(evaluate(std::make_index_sequence<N>()), loss, out);
-      out.J_pose.topRows<F::kDim>() = weight * J_pose;
-      StoreBorders<F>(J, weight, out);
+      out.J_pose.topRows<F::kDim>() = weight * J.pose;
+      StoreBorders<F>(J.border, weight, out);
     });
   }
   template <class F>

@@ -2,14 +2,13 @@
 #include "tests/layers/layers.hpp"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/layers/cited_code.hpp"
 #include "tests/layers/test_subjects.hpp"
+#include "tests/layers/tree_files.hpp"
 #include "tests/layers/type_names.hpp"
 
 namespace limpet::layers {
@@ -18,27 +17,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-std::string ReadAll(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-std::vector<SourceFile> TreeFiles() {
-  const std::filesystem::path root(LIMPET_SOURCE_DIR);
-  std::vector<SourceFile> files;
-  for (const char* top :
-       {"share/limpet", "estimation", "behaviors", "generators", "apps", "tests"}) {
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / top)) {
-      const std::string extension = entry.path().extension().string();
-      if (entry.is_regular_file() && (extension == ".cpp" || extension == ".hpp")) {
-        files.push_back(
-            {entry.path().lexically_relative(root).generic_string(), ReadAll(entry.path())});
-      }
-    }
-  }
-  return files;
-}
 
 const LayerTable& SmallTable() {
   static const LayerTable table = ReadLayerTable(

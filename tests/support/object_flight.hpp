@@ -82,11 +82,8 @@ class ObjectFlight {
     Detections frame{.frame = frame_++, .exposure = Seconds(time_ += 0.25), .boxes = {}};
     DrawBoxes(frame);
     const int node = smoother_.graph().node_count() - 1;
-    shown_ = tracker_.Process({.detections = &frame,
-                               .x = smoother_.PoseAt(node),
-                               .node = node,
-                               .path = path_,
-                               .altitude = 4.0});
+    shown_ = tracker_.Process(
+        frame, {.x = smoother_.PoseAt(node), .node = node, .path = path_, .altitude = 4.0});
     smoother_.Update();
     tracker_.Refresh();
     if (tracker_.Review()) {

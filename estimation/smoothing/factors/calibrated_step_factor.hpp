@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "estimation/smoothing/factors/xyz_yaw_factor.hpp"
+#include "estimation/smoothing/jacobians.hpp"
 
 namespace limpet {
 
@@ -52,6 +53,8 @@ class CalibratedStepFactor {
   using Residual = Eigen::Matrix<double, kDim, 1>;
   using Jacobian = Eigen::Matrix<double, kDim, 6>;
   using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
+  /// By the poses; slow errors and mount.
+  using Jacobians = StepJacobians<kDim, 2>;
 
   CalibratedStepFactor(const Eigen::Vector4d& motion, const Eigen::Vector4d& variance,
                        double duration)
@@ -76,16 +79,17 @@ class CalibratedStepFactor {
   }
   [[nodiscard]] Residual Evaluate(const NavVector& x_i, const NavVector& x_j,
                                   const SlowErrors& errors, const MountErrors& mount,
-                                  Jacobian* J_i = nullptr, Jacobian* J_j = nullptr,
-                                  BorderJacobian* J_errors = nullptr,
-                                  BorderJacobian* J_mount = nullptr) const {
-    if (J_mount != nullptr) {
-      J_mount->setZero();
-      J_mount->topRightCorner<2, 2>() = inv_sigma_.head<2>().asDiagonal() * SwingOf(motion_.w());
-      (*J_mount)(3, 0) = inv_sigma_.w() * motion_.w();
-    }
+                                  Jacobians* J = nullptr) const {
     const Eigen::Vector4d off = motion_ - WithoutMountErrors(motion_, mount);
-    return Evaluate(x_i, x_j, errors, J_i, J_j, J_errors) + off.cwiseProduct(inv_sigma_);
+    if (J == nullptr) {
+      return Evaluate(x_i, x_j, errors) + off.cwiseProduct(inv_sigma_);
+    }
+    BorderJacobian& J_mount = J->border[1];
+    J_mount.setZero();
+    J_mount.topRightCorner<2, 2>() = inv_sigma_.head<2>().asDiagonal() * SwingOf(motion_.w());
+    J_mount(3, 0) = inv_sigma_.w() * motion_.w();
+    return Evaluate(x_i, x_j, errors, &J->previous, &J->pose, &J->border[0]) +
+           off.cwiseProduct(inv_sigma_);
   }
 
  private:

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <utility>
 
 #include "estimation/smoothing/camera_errors.hpp"
 #include "estimation/smoothing/camera_point.hpp"
+#include "estimation/smoothing/jacobians.hpp"
 
 namespace limpet {
 
@@ -17,6 +19,8 @@ class CameraErrorsFactor {
   using Residual = typename F::Residual;
   using Jacobian = typename F::Jacobian;
   using BorderJacobian = typename F::BorderJacobian;
+  /// By the pose; landmark, tilt and shift.
+  using Jacobians = ObservationJacobians<kDim, 3>;
 
   /// `camera`: as its file says; must outlive the factor.
   CameraErrorsFactor(const CameraModel& camera, const BodyMotion& motion, F factor)
@@ -24,18 +28,18 @@ class CameraErrorsFactor {
 
   [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p_W,
                                   const Eigen::Vector3d& tilt_B, const Eigen::Vector3d& shift,
-                                  Jacobian* J_pose = nullptr, BorderJacobian* J_landmark = nullptr,
-                                  BorderJacobian* J_tilt = nullptr,
-                                  BorderJacobian* J_shift = nullptr) const {
+                                  Jacobians* J = nullptr) const {
     const CameraErrors errors{.tilt_B = tilt_B, .shift = shift};
     const CameraPoint point = CameraPointOf(WithErrors(*camera_, errors, motion_), x, p_W);
     const CameraErrorJacobians by_errors = ErrorJacobiansOf(*camera_, errors, motion_, point.p_C);
     BorderJacobian J_C;
     Residual r = factor_.InCamera(point.p_C, J_C);
-    if (J_pose != nullptr) *J_pose = J_C * point.J_pose;
-    if (J_landmark != nullptr) *J_landmark = J_C * point.J_landmark;
-    if (J_tilt != nullptr) *J_tilt = J_C * by_errors.J_tilt;
-    if (J_shift != nullptr) *J_shift = J_C * by_errors.J_shift;
+    if (J != nullptr) {
+      J->pose = J_C * point.J_pose;
+      J->border[0] = J_C * point.J_landmark;
+      J->border[1] = J_C * by_errors.J_tilt;
+      J->border[2] = J_C * by_errors.J_shift;
+    }
     return r;
   }
 

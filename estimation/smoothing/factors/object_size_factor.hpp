@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <utility>
 
 #include "estimation/smoothing/factors/camera_errors_factor.hpp"
+#include "estimation/smoothing/jacobians.hpp"
 
 namespace limpet {
 
@@ -45,6 +47,8 @@ class ObjectSizeFactor {
   using Residual = typename F::Residual;
   using Jacobian = typename F::Jacobian;
   using BorderJacobian = typename F::BorderJacobian;
+  /// By the pose; landmark, tilt, shift and sizes.
+  using Jacobians = ObservationJacobians<kDim, 4>;
 
   /// `camera`: as its file says; must outlive the factor. `index` of the size in the variable;
   /// `believed`: logarithm of what is believed of it as a share of the radius that F has.
@@ -58,19 +62,19 @@ class ObjectSizeFactor {
 
   [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p_W,
                                   const Eigen::Vector3d& tilt_B, const Eigen::Vector3d& shift,
-                                  const Eigen::Vector3d& log_sizes, Jacobian* J_pose = nullptr,
-                                  BorderJacobian* J_landmark = nullptr,
-                                  BorderJacobian* J_tilt = nullptr,
-                                  BorderJacobian* J_shift = nullptr,
-                                  BorderJacobian* J_sizes = nullptr) const {
+                                  const Eigen::Vector3d& log_sizes, Jacobians* J = nullptr) const {
     Residual J_size;
     const double log_size = believed_ + log_sizes(index_);
     const CameraErrorsFactor look(*camera_, motion_, AtSize(factor_, log_size, J_size));
-    Residual r = look.Evaluate(x, p_W, tilt_B, shift, J_pose, J_landmark, J_tilt, J_shift);
-    if (J_sizes != nullptr) {
-      J_sizes->setZero();
-      J_sizes->col(index_) = J_size;
+    if (J == nullptr) {
+      return look.Evaluate(x, p_W, tilt_B, shift);
     }
+    typename decltype(look)::Jacobians J_look;
+    Residual r = look.Evaluate(x, p_W, tilt_B, shift, &J_look);
+    J->pose = J_look.pose;
+    std::ranges::copy(J_look.border, J->border.begin());
+    J->border.back().setZero();
+    J->border.back().col(index_) = J_size;
     return r;
   }
 

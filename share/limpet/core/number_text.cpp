@@ -19,8 +19,8 @@ namespace {
 template <class T>
 std::optional<T> ParseWhole(std::string_view text) {
   text = Trim(text);
-  if (text.starts_with('+')) {
-    text.remove_prefix(1);
+  if (text.starts_with('+') && !text.starts_with("+-")) {
+    text.remove_prefix(1);  // from_chars takes a minus only
   }
   T value{};
   const auto result = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -122,8 +122,8 @@ float Caustics::Sample(float across, float along) const {
   return above + low * (below - above);
 }
 
-Caustics::Layer Caustics::At(double depth, double time, double north, double east) const {
-  return {*this, depth, time, north, east};
+Caustics::Layer Caustics::At(const Eigen::Vector3d& p_W, Seconds time) const {
+  return {*this, p_W, time};
 }
 
 namespace {
@@ -134,21 +134,21 @@ constexpr double kKept = 0.55;
 
 }  // namespace
 
-Caustics::Layer::Layer(const Caustics& caustics, double depth, double time, double north,
-                       double east)
-    : caustics_(&caustics), north_(north), east_(east) {
+Caustics::Layer::Layer(const Caustics& caustics, const Eigen::Vector3d& p_W, Seconds time)
+    : caustics_(&caustics), north_(p_W.x()), east_(p_W.y()) {
   // Lines of many waves overlap and blur on the way down: half of the contrast is left at 6 m.
   constexpr double kHalf = 6.0;
   amplitude_ = static_cast<float>(caustics.contrast_ *
-                                  std::exp2(-(std::max(depth, 1.0) - 1.0) / (kHalf - 1.0)));
+                                  std::exp2(-(std::max(p_W.z(), 1.0) - 1.0) / (kHalf - 1.0)));
   // A wave of 30 cm travels at 0.7 m/s. Wrapped to the tile before floats get coarse.
   const auto wrapped = [](double meters) {
     return static_cast<float>(std::fmod(meters * (kSize / kTile), kSize));
   };
-  first_along_ = wrapped(north + 0.55 * time);
-  first_across_ = wrapped(east + 0.20 * time);
-  second_along_ = wrapped(kTurned * east + kKept * north - 0.35 * time);
-  second_across_ = wrapped(kKept * east - kTurned * north + 0.45 * time);
+  const double t = time.value();
+  first_along_ = wrapped(north_ + 0.55 * t);
+  first_across_ = wrapped(east_ + 0.20 * t);
+  second_along_ = wrapped(kTurned * east_ + kKept * north_ - 0.35 * t);
+  second_across_ = wrapped(kKept * east_ - kTurned * north_ + 0.45 * t);
 }
 
 float Caustics::Layer::LightAt(double north, double east) const {

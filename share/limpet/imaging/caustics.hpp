@@ -4,6 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include <Eigen/Core>
+
+#include "limpet/core/units.hpp"
+
 namespace limpet {
 
 /// Light gathered by the waves of the surface: rays of a vertical sun refracted by a sum of waves
@@ -14,10 +18,10 @@ class Caustics {
   /// `contrast`: standard deviation 1 m below the surface. Equal seeds give equal light.
   Caustics(double contrast, std::uint64_t seed);
 
-  /// What multiplies sunlight at (north, east) [m], `depth` [m] below the surface, at `time` [s].
+  /// What multiplies sunlight near a place on the seabed, at one time.
   class Layer;
-  /// What does not vary within a frame taken near (north, east) [m].
-  [[nodiscard]] Layer At(double depth, double time, double north, double east) const;
+  /// What does not vary within a frame taken above `p_W` on the seabed.
+  [[nodiscard]] Layer At(const Eigen::Vector3d& p_W, Seconds time) const;
 
  private:
   static constexpr int kSize = 256;     ///< texels per side
@@ -37,7 +41,7 @@ class Caustics::Layer {
 
  private:
   friend class Caustics;
-  Layer(const Caustics& caustics, double depth, double time, double north, double east);
+  Layer(const Caustics& caustics, const Eigen::Vector3d& p_W, Seconds time);
   const Caustics* caustics_;
   float amplitude_;
   double north_, east_;  ///< where the offsets below belong to [m]

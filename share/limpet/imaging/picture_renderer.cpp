@@ -150,10 +150,10 @@ Image PictureRenderer::Render(const Pose& X_WB, std::span<const Solid> solids, s
   labels_.clear();
   growth_.clear();
   litter_.clear();
-  const double depth = relief_.At(X_WB.p_WB.x(), X_WB.p_WB.y()).depth;
-  const SceneLight light(settings_.image, camera, water_, lamp_,
-                         caustics_.At(depth, time.value(), X_WB.p_WB.x(), X_WB.p_WB.y()), relief_,
-                         X_WB);
+  Eigen::Vector3d below_W = X_WB.p_WB;
+  below_W.z() = relief_.At(below_W.x(), below_W.y()).depth;
+  const SceneLight light({settings_.image, camera, water_, lamp_, relief_},
+                         caustics_.At(below_W, time), X_WB);
   ground_.Look(light, relief_);
   clutter_.Collect(ground_.area(), relief_, growth_, litter_);
   for (const Solid& solid : solids)

@@ -20,18 +20,16 @@ Eigen::Vector3d TowardsSun(const ImageParams::Light& light) {
           -std::sin(light.elevation.value())};
 }
 
-SceneLight::SceneLight(const ImageParams& params, const CameraModel& camera,
-                       const WaterColumn& water, const Lamp& lamp, Caustics::Layer caustics,
-                       SeabedRelief& relief, const Pose& X_WB)
-    : params_(params),
-      camera_(camera),
-      water_(&water),
-      lamp_(&lamp),
+SceneLight::SceneLight(const Scene& scene, Caustics::Layer caustics, const Pose& X_WB)
+    : params_(scene.params),
+      camera_(scene.camera),
+      water_(&scene.water),
+      lamp_(&scene.lamp),
       caustics_(caustics),
-      relief_(&relief),
-      R_WC_(RotationOf(X_WB) * camera.R_BC),
-      camera_W_(X_WB.p_WB + RotationOf(X_WB) * camera.p_BC),
-      sun_W_(TowardsSun(params.light)),
+      relief_(&scene.relief),
+      R_WC_(RotationOf(X_WB) * camera_.R_BC),
+      camera_W_(X_WB.p_WB + RotationOf(X_WB) * camera_.p_BC),
+      sun_W_(TowardsSun(params_.light)),
       daylight_(DaylightAt(camera_W_.z())) {}
 
 SceneLight::Path SceneLight::Along(const Eigen::Vector3d& ray_W, double range) const {

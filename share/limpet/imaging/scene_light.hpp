@@ -19,8 +19,15 @@ namespace limpet {
 /// The light of one frame: sun with caustics, lamp, and the water between camera and things.
 class SceneLight {
  public:
-  SceneLight(const ImageParams& params, const CameraModel& camera, const WaterColumn& water,
-             const Lamp& lamp, Caustics::Layer caustics, SeabedRelief& relief, const Pose& X_WB);
+  /// What it is made of; must outlive it.
+  struct Scene {
+    const ImageParams& params;
+    const CameraModel& camera;
+    const WaterColumn& water;
+    const Lamp& lamp;
+    SeabedRelief& relief;
+  };
+  SceneLight(const Scene& scene, Caustics::Layer caustics, const Pose& X_WB);
 
   struct Path {
     Eigen::Array3f direct;  ///< share of a thing's light that arrives

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "limpet/core/require.hpp"
+#include "limpet/vision/water_optics.hpp"
 
 namespace limpet {
 namespace {
 
-constexpr double kContrastLeft = 0.05;
 constexpr std::array<double, 3> kWavelength_nm{450.0, 530.0, 610.0};
 /// Absorption by pure water at those [1/m], after [Pope 1997].
 const Eigen::Array3d kPureWater(0.0092, 0.0434, 0.2644);
@@ -28,7 +28,7 @@ WaterColumn::WaterColumn(double visibility_m, double dissolved, double backscatt
   LIMPET_REQUIRE(visibility_m > 0.0, "visibility must be positive");
   LIMPET_REQUIRE(dissolved >= 0.0 && backscatter >= 0.0, "water takes light, it makes none");
   // c = pure water + s (dissolved matter's shape + 1) with the s at which the least c fits.
-  const double wanted = -std::log(kContrastLeft) / visibility_m;
+  const double wanted = -std::log(kContrastAtVisibility) / visibility_m;
   Eigen::Array3d dissolved_shape;
   double scattering = 0.0;
   for (Eigen::Index i = 0; i < 3; ++i) {

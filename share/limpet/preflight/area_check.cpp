@@ -13,9 +13,6 @@
 namespace limpet::internal {
 namespace {
 
-/// Of cells that pMap and pHelm can hold: with all their copies some 100 bytes each.
-constexpr double kMostCells = 4e6;
-
 bool CheckExtent(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found) {
   const auto is_empty = [&](const Setting& low, const Setting& high) {
     if (low.number() < high.number()) return false;
@@ -29,13 +26,14 @@ bool CheckExtent(const MissionReading& reading, const SurveyFacts& survey, Missi
   const auto cell = reading.Find("pMap", "cell_m");
   const double cell_m = cell ? cell->number() : SurveyGrid::kCell_m;
   const double cells = survey.north_extent() * survey.east_extent() / (cell_m * cell_m);
-  if (cells > kMostCells) {
+  if (cells > SurveyGrid::kMostCells) {
+    const double side_m = std::sqrt(SurveyGrid::kMostCells) * cell_m;
     found.geometry.push_back(survey.north_max.Refuse(
         fmt::format("an area of {:.0f} x {:.0f} m has {:.3g} cells of {:g} m; allowed: {:g} cells, "
                     "e.g. {:.0f} x "
                     "{:.0f} m",
-                    survey.north_extent(), survey.east_extent(), cells, cell_m, kMostCells,
-                    std::sqrt(kMostCells) * cell_m, std::sqrt(kMostCells) * cell_m)));
+                    survey.north_extent(), survey.east_extent(), cells, cell_m,
+                    SurveyGrid::kMostCells, side_m, side_m)));
     return false;
   }
   return true;

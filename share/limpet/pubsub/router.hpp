@@ -12,6 +12,7 @@
 
 #include "limpet/core/units.hpp"
 #include "limpet/pubsub/wildcard.hpp"
+#include "limpet/wire/wire_message.hpp"
 
 namespace limpet {
 
@@ -25,7 +26,7 @@ class Router {
   using Client = std::uint32_t;
   /// Small numbers in order of creation, never used again.
   using Variable = std::uint32_t;
-  static constexpr char kUnset = '~';
+  static constexpr char kUnset = wire_data::kUnset;
 
   enum class WriteResult { kStored, kTypeMismatch };
 

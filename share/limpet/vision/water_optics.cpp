@@ -9,8 +9,7 @@ namespace limpet {
 
 WaterOptics WaterOptics::OfVisibility(double visibility_m) {
   LIMPET_REQUIRE(visibility_m > 0.0, "visibility must be positive");
-  constexpr double kContrastLeft = 0.05;
-  const double green = -std::log(kContrastLeft) / visibility_m;
+  const double green = -std::log(kContrastAtVisibility) / visibility_m;
   // What red and blue lose beyond green in coastal water [1/m].
   constexpr double kExtraRed = 0.12;
   constexpr double kExtraBlue = 0.03;

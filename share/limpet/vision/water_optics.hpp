@@ -5,6 +5,9 @@
 
 namespace limpet {
 
+/// Share of a contrast that is left at the visibility.
+inline constexpr double kContrastAtVisibility = 0.05;
+
 /// How water dims and veils what lies behind it: I = J exp(-c d) + A (1 - exp(-c d)) per channel,
 /// linear light. The visibility is the distance at which the clearest channel, green, keeps 5 % of
 /// a contrast; red fades faster by the absorption of water itself.

@@ -91,9 +91,8 @@ class TracksFixture : public ::testing::Test {
       if (object.is_mapped()) object.p_W = smoother_.BorderAt(object.slot());
     }
   }
-  [[nodiscard]] TrackerFrame Newest() const {
-    const int node = static_cast<int>(truth_.size()) - 1;
-    return {.detections = nullptr, .x = smoother_.PoseAt(node), .node = node};
+  [[nodiscard]] NavVector Newest() const {
+    return smoother_.PoseAt(static_cast<int>(truth_.size()) - 1);
   }
   [[nodiscard]] std::size_t CountLandmarks() const {
     return static_cast<std::size_t>(

@@ -25,7 +25,7 @@ class VisibilityTest : public TracksFixture {
     return tracks_.objects.back();
   }
   void Count(const std::vector<std::size_t>& seen = {}) {
-    CountVisibility({.detections = nullptr}, seen, mount_, params_, tracks_);
+    CountVisibility({}, seen, mount_, params_, tracks_);
   }
   /// True if a frame without its box counts against an object there.
   bool IsExpected(const Eigen::Vector3d& p_C) {
@@ -93,7 +93,7 @@ TEST_F(VisibilityTest, TheWayTheVehicleHeadsDoesNotMatter) {
     const bool expected = IsExpected(p_C);
     const NavVector x = DrawPose(random);
     tracks_.objects[0].p_W = InWorld(camera_, x, p_C);
-    CountVisibility({.detections = nullptr, .x = x}, {}, mount_, params_, tracks_);
+    CountVisibility({.x = x}, {}, mount_, params_, tracks_);
     EXPECT_EQ(tracks_.objects[0].expected, expected ? 2 : 0);
   }
 }

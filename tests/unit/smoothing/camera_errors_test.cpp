@@ -25,26 +25,24 @@ class CameraErrorsTest : public ::testing::Test {
   template <class F>
   void ExpectJacobiansMatch(const F& bare) const {
     const CameraErrorsFactor<F> factor(camera_, motion_, bare);
-    typename F::Jacobian J_pose;
-    typename F::BorderJacobian J_landmark, J_tilt, J_shift;
-    static_cast<void>(factor.Evaluate(x_, p_W_, errors_.tilt_B, errors_.shift, &J_pose, &J_landmark,
-                                      &J_tilt, &J_shift));
-    const auto expect = [](const auto& J, const auto& numeric) {
-      EXPECT_LT((J - numeric).template lpNorm<Eigen::Infinity>(),
-                1e-4 * (1.0 + J.template lpNorm<Eigen::Infinity>()));
+    typename CameraErrorsFactor<F>::Jacobians J;
+    static_cast<void>(factor.Evaluate(x_, p_W_, errors_.tilt_B, errors_.shift, &J));
+    const auto expect = [](const auto& exact, const auto& numeric) {
+      EXPECT_LT((exact - numeric).template lpNorm<Eigen::Infinity>(),
+                1e-4 * (1.0 + exact.template lpNorm<Eigen::Infinity>()));
     };
     const auto at = [&](const NavVector& x, const Eigen::Vector3d& p_W, const Eigen::Vector3d& tilt,
                         const Eigen::Vector3d& shift) {
       return Eigen::VectorXd(factor.Evaluate(x, p_W, tilt, shift));
     };
     const auto &tilt = errors_.tilt_B, &shift = errors_.shift;
-    expect(J_pose,
+    expect(J.pose,
            NumericJacobian([&](const NavVector& x) { return at(x, p_W_, tilt, shift); }, x_));
-    expect(J_landmark,
+    expect(J.border[0],
            NumericJacobian([&](const Eigen::Vector3d& p) { return at(x_, p, tilt, shift); }, p_W_));
-    expect(J_tilt,
+    expect(J.border[1],
            NumericJacobian([&](const Eigen::Vector3d& t) { return at(x_, p_W_, t, shift); }, tilt));
-    expect(J_shift,
+    expect(J.border[2],
            NumericJacobian([&](const Eigen::Vector3d& s) { return at(x_, p_W_, tilt, s); }, shift));
   }
 
@@ -94,10 +92,9 @@ TEST_F(CameraErrorsTest, ALookAtAnObjectOfUnknownSizeMatchesCentralDifferences) 
     using F = std::decay_t<decltype(bare)>;
     for (int index = 0; index < 3; ++index) {
       const ObjectSizeFactor<F> factor(camera_, motion_, bare, index, 0.05);
-      typename F::Jacobian J_pose;
-      typename F::BorderJacobian J_landmark, J_tilt, J_shift, J_sizes;
-      static_cast<void>(factor.Evaluate(x_, p_W_, errors_.tilt_B, errors_.shift, sizes, &J_pose,
-                                        &J_landmark, &J_tilt, &J_shift, &J_sizes));
+      typename ObjectSizeFactor<F>::Jacobians J;
+      static_cast<void>(factor.Evaluate(x_, p_W_, errors_.tilt_B, errors_.shift, sizes, &J));
+      const auto &J_landmark = J.border.front(), &J_sizes = J.border.back();
       const auto by_sizes = [&](const Eigen::Vector3d& s) {
         return Eigen::VectorXd(factor.Evaluate(x_, p_W_, errors_.tilt_B, errors_.shift, s));
       };

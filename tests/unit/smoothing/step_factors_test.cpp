@@ -71,17 +71,24 @@ TEST_F(StepFactorTest, AMisplacedDvlSwingsInATurn) {
 TEST_F(StepFactorTest, MountJacobiansMatchCentralDifferences) {
   const CalibratedStepFactor factor({0.5, 0.1, 0.0, 0.5}, variance_, 1.2);
   const Eigen::Vector3d errors(0.01, -0.02, 0.003), mount(0.002, 0.05, -0.04);
-  CalibratedStepFactor::Jacobian J_i, J_j;
-  CalibratedStepFactor::BorderJacobian J_errors, J_mount;
-  static_cast<void>(factor.Evaluate(x_i_, x_j_, errors, mount, &J_i, &J_j, &J_errors, &J_mount));
+  CalibratedStepFactor::Jacobians J;
+  static_cast<void>(factor.Evaluate(x_i_, x_j_, errors, mount, &J));
+  const auto of_i = [&](const NavVector& x) {
+    return Eigen::VectorXd(factor.Evaluate(x, x_j_, errors, mount));
+  };
+  const auto of_j = [&](const NavVector& x) {
+    return Eigen::VectorXd(factor.Evaluate(x_i_, x, errors, mount));
+  };
   const auto of_mount = [&](const Eigen::Vector3d& m) {
     return Eigen::VectorXd(factor.Evaluate(x_i_, x_j_, errors, m));
   };
   const auto of_errors = [&](const Eigen::Vector3d& e) {
     return Eigen::VectorXd(factor.Evaluate(x_i_, x_j_, e, mount));
   };
-  EXPECT_LT((J_mount - NumericJacobian(of_mount, mount)).lpNorm<Eigen::Infinity>(), 1e-5);
-  EXPECT_LT((J_errors - NumericJacobian(of_errors, errors)).lpNorm<Eigen::Infinity>(), 1e-5);
+  EXPECT_LT((J.previous - NumericJacobian(of_i, x_i_)).lpNorm<Eigen::Infinity>(), 1e-5);
+  EXPECT_LT((J.pose - NumericJacobian(of_j, x_j_)).lpNorm<Eigen::Infinity>(), 1e-5);
+  EXPECT_LT((J.border[0] - NumericJacobian(of_errors, errors)).lpNorm<Eigen::Infinity>(), 1e-5);
+  EXPECT_LT((J.border[1] - NumericJacobian(of_mount, mount)).lpNorm<Eigen::Infinity>(), 1e-5);
 }
 
 TEST_F(StepFactorTest, BridgedIsZeroWhenCurrentAndSpeedWereOffByTheError) {

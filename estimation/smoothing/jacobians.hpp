@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Derivatives of factors that depend on several border variables: these in the order of the
+// factor's arguments.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <Eigen/Core>
+
+namespace limpet {
+
+/// By a pose and N border variables.
+template <int kRows, std::size_t N>
+struct ObservationJacobians {
+  Eigen::Matrix<double, kRows, 6> pose;
+  std::array<Eigen::Matrix<double, kRows, 3>, N> border;
+};
+
+/// By two neighbouring poses and N border variables.
+template <int kRows, std::size_t N>
+struct StepJacobians {
+  Eigen::Matrix<double, kRows, 6> previous, pose;
+  std::array<Eigen::Matrix<double, kRows, 3>, N> border;
+};
+
+}  // namespace limpet

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/helm/survey_mirror.hpp"
+
+#include <gtest/gtest.h>
+
+namespace limpet {
+namespace {
+
+SurveyArea MirroredArea() {
+  return {.north_min = -8, .north_max = 8, .east_min = -8, .east_max = 8};
+}
+
+OpiBelief BeliefAt(int id, double north, double east, Status decided = Status::kUncertain) {
+  OpiBelief belief;
+  belief.id = id;
+  belief.object.p_W = {north, east, 7.0};
+  belief.decided = decided;
+  belief.posterior = {.confirmed = 0.4, .removed = 0.6, .appeared = 0.0, .nothing = 0.0};
+  return belief;
+}
+
+class SurveyMirrorTest : public ::testing::Test {
+ protected:
+  SurveyMirrorTest() { mirror_.SetArea(MirroredArea()); }
+  /// What the map saw of the area from one place.
+  [[nodiscard]] static SurveyGrid SeenAbove(double north, double east) {
+    SurveyGrid grid(MirroredArea());
+    grid.Observe({{north, east, 3.5}, 0.0, 0.0, 0.0}, 4.0, CameraModel{});
+    return grid;
+  }
+  SurveyMirror mirror_{ViewParams{}};
+};
+
+TEST_F(SurveyMirrorTest, TheSameAreaAgainForgetsNothing) {
+  mirror_.Apply(SeenAbove(0.0, 0.0).Everything());
+  mirror_.UpdateGround();
+  EXPECT_FALSE(mirror_.SetArea(MirroredArea()));
+  SurveyArea other = MirroredArea();
+  other.north_max = 9.0;
+  EXPECT_TRUE(mirror_.SetArea(other));
+  EXPECT_EQ(mirror_.area()->north_max, 9.0);
+}
+
+TEST_F(SurveyMirrorTest, ADeltaOfAnotherAreaIsLateMailAndChangesNothing) {
+  SurveyArea other = MirroredArea();
+  other.east_max = 20.0;
+  SurveyGrid elsewhere(other);
+  elsewhere.Observe({{0.0, 0.0, 3.5}, 0.0, 0.0, 0.0}, 4.0, CameraModel{});
+  mirror_.UpdateGround();
+  const double before = mirror_.seen()(DubinsPath({0.0, -3.0, 1.57}, {{0.0, 6.0}})).new_area;
+  mirror_.Apply(elsewhere.Everything());
+  mirror_.UpdateGround();
+  EXPECT_EQ(mirror_.seen()(DubinsPath({0.0, -3.0, 1.57}, {{0.0, 6.0}})).new_area, before);
+  mirror_.Apply(SeenAbove(0.0, 0.0).Everything());
+  mirror_.UpdateGround();
+  EXPECT_LT(mirror_.seen()(DubinsPath({0.0, -3.0, 1.57}, {{0.0, 6.0}})).new_area, before);
+}
+
+TEST_F(SurveyMirrorTest, NoticesObjectsThatCameWentOrWereDecided) {
+  EXPECT_TRUE(mirror_.SetObjects({BeliefAt(1, 0.0, 0.0), BeliefAt(2, 3.0, 0.0)}));
+  EXPECT_FALSE(mirror_.SetObjects({BeliefAt(1, 0.1, 0.0), BeliefAt(2, 3.0, 0.1)}))
+      << "moved a little: nothing to decide anew for";
+  EXPECT_TRUE(mirror_.SetObjects({BeliefAt(1, 0.0, 0.0, Status::kRemoved), BeliefAt(2, 3.0, 0.0)}));
+  EXPECT_TRUE(mirror_.SetObjects({BeliefAt(2, 3.0, 0.0)}));
+}
+
+TEST_F(SurveyMirrorTest, ASnapshotHoldsWhatWasTold) {
+  const HomePoint home{.north = 1.0, .east = 2.0};
+  mirror_.SetHome(home);
+  mirror_.SetCoverage({.seabed = 0.5, .band = 0.25, .band_top = 0.125});
+  mirror_.SetObjects({BeliefAt(7, 0.0, 0.0)});
+  const Situation now = mirror_.Snapshot(Seconds(12.0), {1.0, 2.0, 0.5}, 34.0);
+  EXPECT_EQ(now.now.value(), 12.0);
+  EXPECT_EQ(now.pose.yaw, 0.5);
+  EXPECT_EQ(now.travelled, 34.0);
+  EXPECT_EQ(now.home.east, 2.0);
+  EXPECT_EQ(now.coverage.band, 0.25);
+  ASSERT_EQ(now.objects.size(), 1U);
+  EXPECT_EQ(now.objects[0].belief.id, 7);
+  EXPECT_EQ(now.turn_radius, ViewParams{}.turning_radius);
+}
+
+TEST_F(SurveyMirrorTest, WithoutALookModelNoObjectHasAWindow) {
+  mirror_.SetObjects({BeliefAt(1, 0.0, 0.0)});
+  EXPECT_FALSE(mirror_.Snapshot(Seconds(0.0), {}, 0.0).objects[0].window);
+  mirror_.SetLookModel(ToMapLook(LookModel{}));
+  EXPECT_TRUE(mirror_.Snapshot(Seconds(0.0), {}, 0.0).objects[0].window);
+}
+
+TEST_F(SurveyMirrorTest, AnObjectIsSeenFromNarrowerTheNearerItIsBelowTheVehicle) {
+  mirror_.SetLookModel(ToMapLook(LookModel{}));
+  NavState nav;
+  nav.down = 3.5;
+  nav.altitude = 4.0;
+  mirror_.NoteAltitude(nav);  // the seabed is at 7.5 m
+  OpiBelief floating = BeliefAt(2, 0.0, 0.0);
+  floating.object.p_W.z() = 5.5;
+  mirror_.SetObjects({BeliefAt(1, 0.0, 0.0), floating});
+  const auto objects = mirror_.Snapshot(Seconds(0.0), {}, 0.0).objects;
+  ASSERT_TRUE(objects[0].window && objects[1].window);
+  EXPECT_LT(objects[1].window->half_across, objects[0].window->half_across);
+}
+
+TEST_F(SurveyMirrorTest, AnUncertainPlaceLeavesLessOfItsWindow) {
+  mirror_.SetLookModel(ToMapLook(LookModel{}));
+  OpiBelief vague = BeliefAt(2, 0.0, 0.0);
+  vague.object.cov_W = 0.09 * Eigen::Matrix3d::Identity();
+  mirror_.SetObjects({BeliefAt(1, 0.0, 0.0), vague});
+  const auto objects = mirror_.Snapshot(Seconds(0.0), {}, 0.0).objects;
+  ASSERT_TRUE(objects[0].window && objects[1].window);
+  EXPECT_NEAR(objects[0].window->half_across - objects[1].window->half_across, 0.3, 1e-6);
+}
+
+TEST_F(SurveyMirrorTest, InMurkyWaterLessIsLeftToSee) {
+  mirror_.UpdateGround();
+  const DubinsPath lane({0.0, -3.0, 1.57}, {{0.0, 6.0}});
+  const double clear = mirror_.seen()(lane).new_area;
+  LookModel murky;
+  murky.detection.visibility = Meters(3.0);
+  mirror_.SetLookModel(ToMapLook(murky));
+  mirror_.UpdateGround();
+  EXPECT_LT(mirror_.seen()(lane).new_area, clear);
+}
+
+TEST(SurveyMirrorBand, IsSeenWholeUnlessTheVehicleFliesTooLowForIt) {
+  SurveyArea area = MirroredArea();
+  SurveyMirror high{ViewParams{}};
+  EXPECT_TRUE(high.SeesWholeBand()) << "nothing is known of the area yet";
+  high.SetArea(area);
+  EXPECT_TRUE(high.SeesWholeBand());
+  area.object_height_max = ViewParams{}.survey_altitude.value() - 0.05;
+  SurveyMirror low{ViewParams{}};
+  low.SetArea(area);
+  EXPECT_FALSE(low.SeesWholeBand());
+}
+
+}  // namespace
+}  // namespace limpet

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// What any detector's chances obey, over random models, ranges and water.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+#include "limpet/core/random.hpp"
+#include "limpet/survey/detection_model.hpp"
+
+namespace limpet {
+namespace {
+
+DetectionModel DrawModel(Random& random) {
+  DetectionModel model;
+  model.best = random.Uniform(0.3, 0.999);
+  model.visibility = Meters(random.Uniform(1.0, 20.0));
+  model.half_range = random.Uniform(0.4, 2.0);
+  model.fall_off = random.Uniform(0.01, 0.3);
+  model.least_size_px = random.Uniform(3.0, 60.0);
+  model.share_none = random.Uniform(0.0, 0.4);
+  model.share_full = model.share_none + random.Uniform(0.1, 0.5);
+  return model;
+}
+
+class DetectionModelProperties : public ::testing::TestWithParam<int> {
+ protected:
+  Random random_{static_cast<std::uint64_t>(GetParam()), "detection model"};
+  const DetectionModel model_ = DrawModel(random_);
+  [[nodiscard]] double DrawRange() {
+    return random_.Uniform(0.1, 3.0) * model_.half_range * model_.visibility.value();
+  }
+};
+
+TEST_P(DetectionModelProperties, AChanceIsNeverMoreThanTheBest) {
+  for (int i = 0; i < 200; ++i) {
+    const double chance = model_.Detects(DrawRange(), random_.Uniform(0.0, 1.0));
+    EXPECT_GE(chance, 0.0);
+    EXPECT_LE(chance, model_.best);
+  }
+}
+
+TEST_P(DetectionModelProperties, MoreRangeNeverHelpsAndMoreOfTheObjectNeverHurts) {
+  for (int i = 0; i < 100; ++i) {
+    const double near = DrawRange(), far = near + random_.Uniform(0.0, 5.0);
+    const double little = random_.Uniform(0.0, 1.0), much = random_.Uniform(little, 1.0);
+    EXPECT_GE(model_.Detects(near, much), model_.Detects(far, much));
+    EXPECT_GE(model_.Detects(near, much), model_.Detects(near, little));
+  }
+}
+
+TEST_P(DetectionModelProperties, AtTheHalfRangeHalfIsLeftAndTheFallIsSymmetricAboutIt) {
+  const double half = model_.HalfRange();
+  EXPECT_NEAR(model_.Detects(half, 1.0), 0.5 * model_.best, 1e-12);
+  for (int i = 0; i < 20; ++i) {
+    const double off = random_.Uniform(0.0, half);
+    EXPECT_NEAR(model_.Detects(half - off, 1.0) + model_.Detects(half + off, 1.0), model_.best,
+                1e-9);
+  }
+}
+
+TEST_P(DetectionModelProperties, TwiceTheVisibilityShowsTwiceAsFar) {
+  DetectionModel clearer = model_;
+  clearer.visibility = 2.0 * model_.visibility;
+  for (int i = 0; i < 50; ++i) {
+    const double range = DrawRange(), share = random_.Uniform(0.0, 1.0);
+    EXPECT_NEAR(clearer.Detects(2.0 * range, share), model_.Detects(range, share), 1e-12);
+  }
+}
+
+TEST_P(DetectionModelProperties, TheBorderMattersBetweenItsTwoSharesOnly) {
+  const double range = DrawRange(), open = model_.Detects(range, 1.0);
+  EXPECT_EQ(model_.Detects(range, model_.share_none), 0.0);
+  EXPECT_EQ(model_.Detects(range, 0.5 * model_.share_none), 0.0);
+  EXPECT_NEAR(model_.Detects(range, model_.share_full), open, 1e-12);
+  const double middle = 0.5 * (model_.share_none + model_.share_full);
+  EXPECT_NEAR(model_.Detects(range, middle), 0.5 * open, 1e-9);
+}
+
+TEST_P(DetectionModelProperties, TheChancesOfAllWatersAreThoseOfEachWater) {
+  for (int i = 0; i < 20; ++i) {
+    const double range = DrawRange(), share = random_.Uniform(0.0, 1.0);
+    const PerVisibility all = model_.Detects(range, share, VisibilityBelief::Grid());
+    for (int k = 0; k < PerVisibility::kCount; ++k) {
+      DetectionModel in_it = model_;
+      in_it.visibility = Meters(VisibilityBelief::Grid()(k));
+      EXPECT_NEAR(all(k), in_it.Detects(range, share), 1e-12);
+    }
+  }
+}
+
+TEST_P(DetectionModelProperties, SizeHelpsByHalfAtItsLeastAndNearlyWhollyAtTwice) {
+  EXPECT_NEAR(model_.FindsSize(model_.least_size_px), 0.5, 1e-12);
+  EXPECT_GT(model_.FindsSize(2.0 * model_.least_size_px), 0.999);
+  EXPECT_LT(model_.FindsSize(0.5 * model_.least_size_px), 0.01);
+  for (int i = 0; i < 50; ++i) {
+    const double size = random_.Uniform(0.0, 3.0) * model_.least_size_px;
+    EXPECT_LE(model_.FindsSize(size), model_.FindsSize(size + random_.Uniform(0.0, 5.0)));
+  }
+}
+
+TEST_P(DetectionModelProperties, TheMeanVisibilityOfSureWaterIsThatOfTheWater) {
+  for (int i = 0; i < 10; ++i) {
+    const double visibility = 1.5 * std::pow(10.0, random_.Uniform(0.0, 1.0));
+    // Between two steps of the grid it is known to a tenth.
+    const VisibilityBelief sure(Meters(visibility), 1.1);
+    EXPECT_NEAR(model_.MeanVisibility(sure).value() / visibility, 1.0, 0.12);
+  }
+}
+
+TEST_P(DetectionModelProperties, ClearerWaterHasAGreaterMeanVisibility) {
+  double before = 0.0;
+  for (const double visibility : {1.0, 2.0, 4.0, 8.0, 16.0}) {
+    const double mean = model_.MeanVisibility(VisibilityBelief(Meters(visibility), 1.5)).value();
+    EXPECT_GT(mean, 1.3 * before);
+    before = mean;
+  }
+}
+
+TEST_P(DetectionModelProperties, AShareOfADiscIsThatOfAnyWayTheVehicleIsTurned) {
+  const CameraModel camera;
+  for (int i = 0; i < 30; ++i) {
+    const Eigen::Vector3d p_B(random_.Uniform(-3.0, 3.0), random_.Uniform(-3.0, 3.0),
+                              random_.Uniform(1.0, 6.0));
+    const double radius = random_.Uniform(0.1, 1.0);
+    const double level = VisibleShare(camera, Pose{}, p_B, radius);
+    const Pose X_WB{{random_.Normal(10.0), random_.Normal(10.0), random_.Normal(3.0)},
+                    random_.Uniform(-0.5, 0.5),
+                    random_.Uniform(-0.5, 0.5),
+                    random_.Uniform(-3.1, 3.1)};
+    const Eigen::Vector3d p_W = X_WB.p_WB + RotationOf(X_WB) * p_B;
+    EXPECT_NEAR(VisibleShare(camera, X_WB, p_W, radius), level, 0.05);
+    EXPECT_GE(level, 0.0);
+    EXPECT_LE(level, 1.0);
+  }
+}
+
+TEST_P(DetectionModelProperties, AnImageOfTwiceTheSizeNeverShowsLess) {
+  const CameraModel camera;
+  CameraModel wide = camera;  // the same lens before more pixels
+  wide.width_px *= 2, wide.height_px *= 2;
+  wide.cx *= 2.0, wide.cy *= 2.0;
+  for (int i = 0; i < 50; ++i) {
+    const Eigen::Vector3d p_W(random_.Uniform(-4.0, 4.0), random_.Uniform(-5.0, 5.0),
+                              random_.Uniform(1.0, 6.0));
+    EXPECT_GE(VisibleShare(wide, Pose{}, p_W, 0.5), VisibleShare(camera, Pose{}, p_W, 0.5));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Drawn, DetectionModelProperties, ::testing::Range(1, 9));
+
+}  // namespace
+}  // namespace limpet
