@@ -14,6 +14,14 @@
 #include "limpet/survey/survey_area_warnings.hpp"
 
 namespace limpet {
+namespace {
+
+Binary BinaryOf(const std::string& bytes) {
+  const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
+  return {first, first + bytes.size()};
+}
+
+}  // namespace
 
 MapApp::MapApp(const AppContext& context, const Params& params)
     : App(context),
@@ -299,9 +307,9 @@ void MapApp::OnSnapshotRequest(const Stamped<std::string>&) {
           WaterRecord{.visibility = planned_visibility_.value(),
                       .estimate = {.visibility = water.visibility.value(), .sd = water.sd.value()},
                       .contrasts = statuses_.contrasts().bins()});
-  const std::string bytes = map_.Octree().Serialize();
-  const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
-  Publish(topics::kMapSnapshot, Binary(first, first + bytes.size()));
+  const SemanticOctree& octree = map_.Octree();
+  Publish(topics::kMapDepths, BinaryOf(map_.beams().depths().Serialize()));
+  Publish(topics::kMapSnapshot, BinaryOf(octree.Serialize()));
 }
 
 LIMPET_REGISTER_APP(MapApp, "pMap", 4.0);

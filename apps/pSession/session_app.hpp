@@ -42,6 +42,7 @@ class SessionApp final : public App {
   void OnFrame(const Stamped<ObservedFrame>& frame) { memory_.frames.push_back(frame.value); }
   void OnTrackShift(const Stamped<TrackShift>& shift);
   void OnWater(const Stamped<WaterRecord>& water) { memory_.water = water.value; }
+  void OnDepths(const Stamped<Binary>& depths);
   void OnSnapshot(const Stamped<Binary>& map);
   void OnSave(const Stamped<std::string>& cause);
   void LoadFormer();

@@ -26,7 +26,8 @@ double StaysUntil(const TrackShift& shift) {
 BeamMap::BeamMap(Meters resolution, const DvlBeams& dvl)
     : directions_(BeamDirections(dvl)),
       reach_(std::sin(dvl.from_vertical.value())),
-      evidence_(resolution.value()) {}
+      evidence_(resolution.value()),
+      depths_(resolution.value()) {}
 
 int BeamMap::Add(double t, const PosedBeams& ping, const std::vector<BeamEnd>& ends) {
   const std::array<std::optional<double>, 4> ranges{ping.b1, ping.b2, ping.b3, ping.b4};
@@ -49,8 +50,16 @@ int BeamMap::Add(double t, const PosedBeams& ping, const std::vector<BeamEnd>& e
   if (laid > 0) {
     Lay(kept, Laying::kAdd);
     pings_.push_back(kept);
+    NoteDepthSigma(ping);
   }
   return laid;
+}
+
+void BeamMap::NoteDepthSigma(const PosedBeams& ping) {
+  if (!ping.sd_down) return;
+  down_variance_ += *ping.sd_down * *ping.sd_down;
+  ++with_variance_;
+  depths_.SetZeroSigma(std::sqrt(down_variance_ / with_variance_));
 }
 
 void BeamMap::Lay(const Ping& ping, Laying laying) {
@@ -62,10 +71,13 @@ void BeamMap::Lay(const Ping& ping, Laying laying) {
     const Eigen::Vector3d end_W =
         p_WD + R_WD * (static_cast<double>(ping.ranges[beam]) * directions_[beam]);
     if (!evidence_.Holds(p_WD) || !evidence_.Holds(end_W)) continue;  // nor was it laid there
+    const bool is_seabed = (ping.seabed >> beam & 1U) != 0;
     if (laying == Laying::kAdd) {
       evidence_.Add(p_WD, end_W);
+      if (is_seabed) depths_.Add(end_W);
     } else {
       evidence_.TakeBack(p_WD, end_W);
+      if (is_seabed) depths_.TakeBack(end_W);
     }
   }
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "estimation/mapping/beam_evidence.hpp"
+#include "estimation/mapping/depth_map.hpp"
 #include "estimation/mapping/dvl_beams.hpp"
 #include "limpet/core/units.hpp"
 #include "limpet/topics/navigation.hpp"
@@ -39,6 +40,8 @@ class BeamMap {
 
   [[nodiscard]] const BeamEvidence& evidence() const { return evidence_; }
   [[nodiscard]] BeamEvidence& evidence() { return evidence_; }
+  /// Depths of the seabed, by columns as wide as a voxel.
+  [[nodiscard]] const DepthMap& depths() const { return depths_; }
   [[nodiscard]] std::size_t pings() const { return pings_.size(); }
 
  private:
@@ -58,6 +61,7 @@ class BeamMap {
   };
   enum class Laying { kAdd, kTakeBack };
 
+  void NoteDepthSigma(const PosedBeams& ping);
   void Lay(const Ping& ping, Laying laying);
   /// Returns the work it took.
   int Move(Ping& ping, const TrackShift& shift);
@@ -66,6 +70,9 @@ class BeamMap {
   std::array<Eigen::Vector3d, 4> directions_;
   double reach_;  ///< of a beam of one metre, from the vertical [m]
   BeamEvidence evidence_;
+  DepthMap depths_;
+  double down_variance_ = 0.0;  ///< sum over the pings that say it [m^2]
+  int with_variance_ = 0;
   std::deque<Ping> pings_;
   std::deque<Sweep> sweeps_;
 };

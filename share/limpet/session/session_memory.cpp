@@ -21,6 +21,7 @@ constexpr const char* kFrames = "sights.csv";
 constexpr const char* kPhases = "phases.csv";
 constexpr const char* kWater = "water.json";
 constexpr const char* kMap = "map.ot";
+constexpr const char* kDepths = "depths.csv";
 constexpr std::string_view kMission = "mission/";
 
 /// The rows of `joint` that belong to these landmarks; empty if one of them is not in it.
@@ -74,6 +75,9 @@ SessionFiles FilesOf(const SessionMemory& memory) {
   if (!memory.map.empty()) {
     files[kMap] = memory.map;
   }
+  if (!memory.depths.empty()) {
+    files[kDepths] = memory.depths;
+  }
   for (const auto& [name, bytes] : memory.mission) {
     files[std::string(kMission) + name] = bytes;
   }
@@ -124,6 +128,9 @@ Expected<SessionMemory> MemoryOf(const SessionFiles& files) {
   }
   if (const std::string* map = Find(files, kMap)) {
     memory.map = *map;
+  }
+  if (const std::string* depths = Find(files, kDepths)) {
+    memory.depths = *depths;
   }
   for (const auto& [name, bytes] : files) {
     if (name.starts_with(kMission)) memory.mission[name.substr(kMission.size())] = bytes;

@@ -33,7 +33,7 @@ struct FormerFacts {
 [[nodiscard]] FormerFacts FormerFactsOf(const SessionFacts& facts);
 
 /// Files: area.txt, former.txt, objects.json, known_landmarks.json, landmarks.json, sights.csv,
-/// phases.csv, water.json, map.ot, mission/*.
+/// phases.csv, water.json, map.ot, depths.csv, mission/*.
 struct SessionMemory {
   std::optional<SurveyArea> area;
   std::optional<FormerFacts> former;  ///< nothing in a discovery session, or an older one
@@ -45,6 +45,7 @@ struct SessionMemory {
   std::optional<WaterRecord> water;   ///< nothing in an older session
   std::vector<PhaseStart> phases;     ///< in order; before the first one none was announced
   std::string map;                    ///< the semantic octree as MAP_SNAPSHOT; empty if none
+  std::string depths;                 ///< as MAP_DEPTHS; empty in an older session
   std::map<std::string, std::string> mission;  ///< the mission's own files
 };
 

@@ -40,7 +40,8 @@ std::vector<TimedPing> RecordedPings() {
                                .b1 = range(),
                                .b2 = range(),
                                .b3 = range(),
-                               .b4 = random.Uniform(0.0, 1.0) < 0.9 ? range() : std::nullopt}});
+                               .b4 = random.Uniform(0.0, 1.0) < 0.9 ? range() : std::nullopt,
+                               .sd_down = {}}});
   }
   return pings;
 }
@@ -101,7 +102,9 @@ TEST(BeamMap, AfterShiftsIsVoxelForVoxelTheMapOfTheCorrectedTrack) {
     }
     map.SettleAll();
     // A ping that moved less than kStays may be behind: none of these does.
-    EXPECT_EQ(VoxelsOf(map), VoxelsOf(MapOf(track))) << "seed " << seed;
+    const BeamMap corrected = MapOf(track);
+    EXPECT_EQ(VoxelsOf(map), VoxelsOf(corrected)) << "seed " << seed;
+    EXPECT_EQ(map.depths().Serialize(), corrected.depths().Serialize()) << "seed " << seed;
   }
 }
 
@@ -154,6 +157,25 @@ TEST(BeamMap, SmallStepsAddUpUntilTheyAreWorthIt) {
   map.Shift(step);
   map.SettleAll();
   EXPECT_EQ(VoxelsOf(map), VoxelsOf(MapOf(Moved(RecordedPings(), both))));
+}
+
+TEST(BeamMap, DepthsAreOfTheSeabedAloneAndSayHowWellTheVehicleKnewItsOwn) {
+  BeamMap map(kMapVoxel);
+  const double slant = 4.0 / std::cos(DvlBeams{}.from_vertical.value());
+  PosedBeams ping{
+      .down = 3.5, .b1 = slant, .b2 = slant, .b3 = slant, .b4 = 0.6 * slant, .sd_down = 0.3};
+  const std::vector<BeamEnd> ends = BeamEnds(ping.pose(), {ping.b1, ping.b2, ping.b3, ping.b4});
+  ASSERT_EQ(ends.size(), 4U);
+  map.Add(0.0, ping, ends);
+  ping.sd_down = 0.4;
+  map.Add(1.0, ping, ends);
+  const std::vector<DepthColumn> columns = map.depths().Columns();
+  ASSERT_EQ(columns.size(), 3U) << "the fourth beam ends on an object";
+  for (const DepthColumn& column : columns) {
+    EXPECT_NEAR(column.down, 7.5, 1e-3);
+    EXPECT_EQ(column.beams, 2U);
+  }
+  EXPECT_NEAR(map.depths().zero_sigma(), std::sqrt(0.125), 1e-9);
 }
 
 TEST(BeamMap, DoesNotTakeWhatIsTooFarAwayNorGoesThereByAShift) {

@@ -10,7 +10,8 @@ namespace {
 
 const VoxelBelief kPaintedBelief{
     .occupied = 1.7F, .object = 2.2F, .exists = -1.5F, .label = VoxelLabel::kRemoved};
-const PosedBeams kLevelPing{.north = 0.0, .down = 3.5, .b1 = 4.4, .b2 = 4.4, .b3 = 4.4, .b4 = 4.4};
+const PosedBeams kLevelPing{
+    .north = 0.0, .down = 3.5, .b1 = 4.4, .b2 = 4.4, .b3 = 4.4, .b4 = 4.4, .sd_down = {}};
 
 void LayPing(SemanticMap& map, double t, double north) {
   PosedBeams ping = kLevelPing;
