@@ -14,6 +14,14 @@
 #include "limpet/survey/survey_area_warnings.hpp"
 
 namespace limpet {
+namespace {
+
+Binary BinaryOf(const std::string& bytes) {
+  const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
+  return {first, first + bytes.size()};
+}
+
+}  // namespace
 
 MapApp::MapApp(const AppContext& context, const Params& params)
     : App(context),
@@ -21,7 +29,7 @@ MapApp::MapApp(const AppContext& context, const Params& params)
       camera_(params.camera.geometry()),
       gate_(params.frame_gate()),
       statuses_(params.status, camera_),
-      octree_(params.voxel),
+      map_(params.voxel, params.beams),
       layer_({.threshold = params.object_threshold}, params.status, camera_),
       planned_visibility_(params.status.detection.visibility),
       drawing_(context.Global("Community"), [this](std::string variable, std::string text) {
@@ -138,9 +146,8 @@ void MapApp::OnBeams(const Stamped<PosedBeams>& beams) {
   const std::array<std::optional<double>, 4> ranges{ping.b1, ping.b2, ping.b3, ping.b4};
   const std::vector<BeamEnd> ends = BeamEnds(ping.pose(), ranges, TallestObject(), params_.beams);
   CountBeams(static_cast<int>(std::ranges::count_if(ranges, [](const auto& r) { return !!r; })),
-             static_cast<int>(ends.size()));
+             map_.beams().Add(beams.time.value(), ping, ends));
   for (const BeamEnd& end : ends) {
-    octree_.InsertBeam(ping.pose().p_WB, end.p_W);
     if (grid_ && end.is_seabed) {
       grid_->SetSeabed(end.p_W.x(), end.p_W.y(), end.p_W.z());
     }
@@ -149,6 +156,7 @@ void MapApp::OnBeams(const Stamped<PosedBeams>& beams) {
 
 void MapApp::OnTrackShift(const Stamped<TrackShift>& shift) {
   statuses_.MoveFrames([&shift](double t, const Pose& X_WB) { return shift.value.Apply(t, X_WB); });
+  map_.beams().Shift(shift.value);
 }
 
 void MapApp::OnLandmarks(const Stamped<Landmarks>& landmarks) {
@@ -235,6 +243,7 @@ void MapApp::WarnOfMurk(const VisibilityBelief& water) {
 
 void MapApp::Tick(Seconds now) {
   TellHowItLooks();
+  static_cast<void>(map_.beams().Settle());
   if (last_publish_ && now - *last_publish_ < params_.publish_every) {
     return;
   }
@@ -258,7 +267,7 @@ void MapApp::UpdateObjects() {
   }
   objects_ = statuses_.Assess();
   WarnOfTentativeObjects();
-  layer_.SetObjects(objects_, statuses_, octree_);
+  layer_.SetObjects(objects_, statuses_, map_);
 }
 
 void MapApp::PublishObjects() {
@@ -298,9 +307,9 @@ void MapApp::OnSnapshotRequest(const Stamped<std::string>&) {
           WaterRecord{.visibility = planned_visibility_.value(),
                       .estimate = {.visibility = water.visibility.value(), .sd = water.sd.value()},
                       .contrasts = statuses_.contrasts().bins()});
-  const std::string bytes = octree_.Serialize();
-  const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
-  Publish(topics::kMapSnapshot, Binary(first, first + bytes.size()));
+  const SemanticOctree& octree = map_.Octree();
+  Publish(topics::kMapDepths, BinaryOf(map_.beams().depths().Serialize()));
+  Publish(topics::kMapSnapshot, BinaryOf(octree.Serialize()));
 }
 
 LIMPET_REGISTER_APP(MapApp, "pMap", 4.0);

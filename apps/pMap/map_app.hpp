@@ -10,7 +10,7 @@
 #include "estimation/change/object_statuses.hpp"
 #include "estimation/mapping/map_params.hpp"
 #include "estimation/mapping/object_layer.hpp"
-#include "estimation/mapping/semantic_octree.hpp"
+#include "estimation/mapping/semantic_map.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/survey/survey_grid.hpp"
 #include "limpet/topics/mapping.hpp"
@@ -21,7 +21,7 @@
 namespace limpet {
 
 /// What the vehicle believes about the ground and the objects on it: coverage, the status of every
-/// object, and the semantic octree.
+/// object, and the semantic map.
 class MapApp final : public App {
  public:
   static constexpr bool kReplaysMail = true;  ///< what it knows is what it heard
@@ -65,7 +65,7 @@ class MapApp final : public App {
   CameraModel camera_;
   FrameGate gate_;
   ObjectStatuses statuses_;
-  SemanticOctree octree_;
+  SemanticMap map_;
   ObjectLayer layer_;
   std::vector<OpiBelief> objects_;
   std::optional<SurveyArea> area_;

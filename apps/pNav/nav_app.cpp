@@ -282,7 +282,8 @@ void NavApp::PublishLandmarks(double now) {
 }
 
 void NavApp::PublishBeams(const Stamped<DvlSample>& dvl) {
-  const Pose X_WB = navigator_.Estimate(dvl.time.value()).X_WB;
+  const NavigatorEstimate estimate = navigator_.Estimate(dvl.time.value());
+  const Pose& X_WB = estimate.X_WB;
   const Eigen::Vector3d p_dvl_W = X_WB.p_WB + RotationOf(X_WB) * dvl_sheet_.p_BD;
   const DvlSample& sample = dvl.value;
   Publish(topics::kNavBeams, PosedBeams{.north = p_dvl_W.x(),
@@ -294,7 +295,8 @@ void NavApp::PublishBeams(const Stamped<DvlSample>& dvl) {
                                         .b1 = sample.b1,
                                         .b2 = sample.b2,
                                         .b3 = sample.b3,
-                                        .b4 = sample.b4});
+                                        .b4 = sample.b4,
+                                        .sd_down = estimate.sd_p_W.z()});
 }
 
 namespace {

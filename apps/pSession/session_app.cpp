@@ -59,6 +59,7 @@ SessionApp::SessionApp(const AppContext& context, const Params& params)
   SubscribeIfWritten(topics::kDetectionChips, &SessionApp::OnChips);
   Subscribe(topics::kNavTrackShift, &SessionApp::OnTrackShift);
   Subscribe(topics::kWaterRecord, &SessionApp::OnWater);
+  Subscribe(topics::kMapDepths, &SessionApp::OnDepths);
   Subscribe(topics::kMapSnapshot, &SessionApp::OnSnapshot);
   Subscribe(topics::kSessionSave, &SessionApp::OnSave);
   CopyMission();
@@ -172,6 +173,8 @@ void SessionApp::StartSaving(const std::string& cause, Seconds now) {
   pending_ = Pending{cause, now};
   Publish(topics::kMapSnapshotRequest, cause);
 }
+
+void SessionApp::OnDepths(const Stamped<Binary>& depths) { memory_.depths = TextOf(depths.value); }
 
 void SessionApp::OnSnapshot(const Stamped<Binary>& map) {
   ClearWarning(warnings::kMapSilent);

@@ -34,6 +34,10 @@ double MedianDepth(const std::vector<BeamEnd>& ends) {
 
 }  // namespace
 
+std::array<Eigen::Vector3d, 4> BeamDirections(const DvlBeams& dvl) {
+  return {Direction(0, dvl), Direction(1, dvl), Direction(2, dvl), Direction(3, dvl)};
+}
+
 std::vector<BeamEnd> BeamEnds(const Pose& X_WD, const std::array<std::optional<double>, 4>& ranges,
                               double tallest_object, const DvlBeams& dvl) {
   const Eigen::Matrix3d R_WD = RotationOf(X_WD);
@@ -41,8 +45,9 @@ std::vector<BeamEnd> BeamEnds(const Pose& X_WD, const std::array<std::optional<d
   for (std::size_t beam = 0; beam < ranges.size(); ++beam) {
     const double range = ranges[beam].value_or(0.0);
     if (range >= kShortest && range <= kLongest) {
-      ends.push_back(
-          {.p_W = X_WD.p_WB + R_WD * (range * Direction(beam, dvl)), .is_seabed = false});
+      ends.push_back({.p_W = X_WD.p_WB + R_WD * (range * Direction(beam, dvl)),
+                      .is_seabed = false,
+                      .beam = beam});
     }
   }
   if (ends.empty()) {

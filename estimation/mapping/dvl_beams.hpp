@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,7 @@ namespace limpet {
 struct BeamEnd {
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< NED [m]
   bool is_seabed = false;  ///< agrees with its neighbours; an object stands out of the bottom
+  std::size_t beam = 0;    ///< which of the four
 };
 
 /// How the DVL is built and mounted: four beams at azimuth 45, 135, 225, 315 deg, clockwise from
@@ -33,6 +35,9 @@ struct DvlBeams {
           InRange(5.0_deg, 45.0_deg));
   }
 };
+
+/// Unit vectors along the beams, in the DVL's axes (forward, starboard, down) turned to the body's.
+[[nodiscard]] std::array<Eigen::Vector3d, 4> BeamDirections(const DvlBeams& dvl);
 
 /// Ends of the beams from `X_WD`, the DVL's place with the body's attitude; slant ranges in metres.
 /// Ranges that neither seabed nor objects up to `tallest_object` [m] above it can give (outliers)

@@ -148,7 +148,7 @@ void ObjectLayer::Follow(Painted& object, const OpiBelief& status,
 }
 
 void ObjectLayer::SetObjects(const std::vector<OpiBelief>& objects, const ObjectStatuses& book,
-                             SemanticOctree& octree) {
+                             SemanticMap& map) {
   std::map<int, Painted> kept;
   for (const OpiBelief& status : objects) {
     const auto known = objects_.find(status.id);
@@ -161,13 +161,13 @@ void ObjectLayer::SetObjects(const std::vector<OpiBelief>& objects, const Object
   }
   for (const auto& [id, gone] : objects_) {
     for (const auto& [key, log_odds] : gone.log_odds) {
-      octree.Forget(CentreOf(key, octree.resolution()));
+      map.Unpaint(key);
     }
   }
   objects_ = std::move(kept);
   for (auto& [id, object] : objects_) {
     if (object.is_stale) {
-      Repaint(object, octree);
+      Repaint(object, map);
     }
   }
 }
@@ -198,8 +198,8 @@ std::map<VoxelKey, double> ObjectLayer::Gather(const Painted& object, double rad
   return sum;
 }
 
-void ObjectLayer::Repaint(Painted& object, SemanticOctree& octree) const {
-  const double resolution = octree.resolution();
+void ObjectLayer::Repaint(Painted& object, SemanticMap& map) const {
+  const double resolution = map.resolution();
   double radius = object.looks.empty() ? status_.object_radius.value() : 0.0;
   for (const ObjectLook& look : object.looks) {
     radius += RadiusFromBox(look, camera_) / static_cast<double>(object.looks.size());
@@ -207,17 +207,16 @@ void ObjectLayer::Repaint(Painted& object, SemanticOctree& octree) const {
   std::map<VoxelKey, double> painted = Gather(object, radius, resolution);
   for (const auto& [key, log_odds] : object.log_odds) {
     if (!painted.contains(key)) {
-      octree.Forget(CentreOf(key, resolution));
+      map.Unpaint(key);
     }
   }
   const auto looks = static_cast<float>(std::max<std::size_t>(object.looks.size(), 1));
   std::vector<VoxelKey> certain;
   for (const auto& [key, log_odds] : painted) {
-    octree.Set(CentreOf(key, resolution),
-               {.occupied = kOccupiedPerLook * looks,
-                .object = static_cast<float>(log_odds),
-                .exists = static_cast<float>(LogOdds(object.status.posterior.present())),
-                .label = LabelOf(object.status)});
+    map.Paint(key, {.occupied = kOccupiedPerLook * looks,
+                    .object = static_cast<float>(log_odds),
+                    .exists = static_cast<float>(LogOdds(object.status.posterior.present())),
+                    .label = LabelOf(object.status)});
     if (log_odds > LogOdds(params_.threshold)) {
       certain.push_back(key);
     }

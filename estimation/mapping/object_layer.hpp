@@ -7,12 +7,12 @@
 
 #include "estimation/change/object_statuses.hpp"
 #include "estimation/mapping/object_look.hpp"
-#include "estimation/mapping/semantic_octree.hpp"
+#include "estimation/mapping/semantic_map.hpp"
 #include "estimation/mapping/voxel_cluster.hpp"
 
 namespace limpet {
 
-/// Paints the objects of the smoother into the semantic octree, from independent looks only. Keeps
+/// Paints the objects of the smoother into the semantic map, from independent looks only. Keeps
 /// the looks, so that an object whose landmark moves takes its voxels along.
 class ObjectLayer {
  public:
@@ -29,7 +29,7 @@ class ObjectLayer {
   /// All objects as now believed; new ones are judged from all frames of the book. Paints what has
   /// changed.
   void SetObjects(const std::vector<OpiBelief>& objects, const ObjectStatuses& book,
-                  SemanticOctree& octree);
+                  SemanticMap& map);
   /// The object's largest cluster of voxels; nothing before they pass the threshold.
   [[nodiscard]] std::optional<ObjectCluster> Cluster(int object) const;
 
@@ -53,7 +53,7 @@ class ObjectLayer {
   /// Takes the object's looks from all frames of the book.
   void Judge(Painted& object, const ObjectStatuses& book) const;
   void Follow(Painted& object, const OpiBelief& status, const ObjectStatuses& book) const;
-  void Repaint(Painted& object, SemanticOctree& octree) const;
+  void Repaint(Painted& object, SemanticMap& map) const;
   [[nodiscard]] std::map<VoxelKey, double> Gather(const Painted& object, double radius,
                                                   double resolution) const;
 

@@ -91,10 +91,6 @@ SemanticOctree::~SemanticOctree() = default;
 SemanticOctree::SemanticOctree(SemanticOctree&&) noexcept = default;
 SemanticOctree& SemanticOctree::operator=(SemanticOctree&&) noexcept = default;
 
-void SemanticOctree::InsertBeam(const Eigen::Vector3d& origin_W, const Eigen::Vector3d& end_W) {
-  impl_->tree->insertRay(PointOf(origin_W), PointOf(end_W));
-}
-
 void SemanticOctree::Set(const Eigen::Vector3d& p_W, const VoxelBelief& belief) {
   SemanticTree& tree = *impl_->tree;
   const float occupied =
@@ -106,9 +102,6 @@ void SemanticOctree::Set(const Eigen::Vector3d& p_W, const VoxelBelief& belief) 
     node->label = static_cast<std::uint8_t>(belief.label);
   }
 }
-
-// OctoMap 1.9.7's deleteNode aborts when it takes a node's last child; even odds mean the same.
-void SemanticOctree::Forget(const Eigen::Vector3d& p_W) { Set(p_W, VoxelBelief{}); }
 
 std::optional<VoxelBelief> SemanticOctree::At(const Eigen::Vector3d& p_W) const {
   const SemanticNode* node = impl_->tree->search(PointOf(p_W));
@@ -134,6 +127,7 @@ std::vector<Voxel> SemanticOctree::Leaves() const {
 
 std::string SemanticOctree::Serialize() const {
   impl_->tree->updateInnerOccupancy();
+  impl_->tree->prune();
   std::ostringstream out(std::ios::binary);
   impl_->tree->write(out);
   return std::move(out).str();

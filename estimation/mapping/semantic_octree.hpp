@@ -40,9 +40,9 @@ struct Voxel {
   VoxelBelief belief;
 };
 
-/// The map of record: an octree over NED whose voxels know whether they are occupied, belong to an
-/// object, and whether that object is there now. Log-odds are clamped to [0.12, 0.97] in
-/// probability for occupancy [Hornung 2013] and to +-3.5 for the others.
+/// A map as it is saved and read: an octree over NED whose voxels know whether they are occupied,
+/// belong to an object, and whether that object is there now. Log-odds are clamped to [0.12, 0.97]
+/// in probability for occupancy [Hornung 2013] and to +-3.5 for the others.
 class SemanticOctree {
  public:
   explicit SemanticOctree(Meters resolution = Meters(0.2));
@@ -52,12 +52,8 @@ class SemanticOctree {
   SemanticOctree(SemanticOctree&&) noexcept;
   SemanticOctree& operator=(SemanticOctree&&) noexcept;
 
-  /// A sonar beam: free up to its end, occupied there.
-  void InsertBeam(const Eigen::Vector3d& origin_W, const Eigen::Vector3d& end_W);
-  /// Sets all beliefs of the voxel at a point.
+  /// Sets all beliefs of the voxel at a point. No effect beyond 32 768 voxels from the origin.
   void Set(const Eigen::Vector3d& p_W, const VoxelBelief& belief);
-  /// Puts the voxel at a point back to even odds.
-  void Forget(const Eigen::Vector3d& p_W);
 
   /// Nothing where the map knows nothing.
   [[nodiscard]] std::optional<VoxelBelief> At(const Eigen::Vector3d& p_W) const;
@@ -68,8 +64,8 @@ class SemanticOctree {
   /// All leaves, in the tree's order.
   [[nodiscard]] std::vector<Voxel> Leaves() const;
 
-  /// OctoMap's `.ot` stream of tree type SemanticOcTree; payload per node: l_o, l_a, l_e as f32,
-  /// label as u8.
+  /// Equal voxels side by side are merged first, so that equal maps give equal bytes. OctoMap's
+  /// `.ot` stream of tree type SemanticOcTree; payload per node: l_o, l_a, l_e as f32, label as u8.
   [[nodiscard]] std::string Serialize() const;
   /// Checks every byte's place before it builds the tree: OctoMap's own reader trusts its input.
   [[nodiscard]] static Expected<SemanticOctree> Parse(const std::string& bytes);

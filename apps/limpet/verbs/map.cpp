@@ -2,6 +2,7 @@
 #include "apps/limpet/verbs/map.hpp"
 
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "limpet/console/command_output.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/map_files/ascii_grid.hpp"
+#include "limpet/map_files/depth_grid.hpp"
 #include "limpet/map_files/map_diff_report.hpp"
 #include "limpet/map_files/map_info.hpp"
 #include "limpet/map_files/object_files.hpp"
@@ -52,12 +54,22 @@ MapFile MakeGeoJson(const SavedSession& session, const SemanticOctree&) {
   return {.main = ObjectsToGeoJson(session, *datum)};
 }
 
-MapFile MakeDepths(const SavedSession&, const SemanticOctree& octree) {
-  const DepthGrid grid = DepthGridOf(octree);
-  if (grid.rows == 0) throw Refusal("the session kept no depth of the seabed");
-  return {.main = ToAsciiGrid(grid, grid.down_m),
+/// Throws ConfigError.
+MapFile MakeDepths(const SavedSession& session, const SemanticOctree&) {
+  const Expected<DepthGrid> grid = DepthGridOf(session.memory);
+  if (!grid) {
+    throw ConfigError(ConfigProblem{.where = {.file = session.folder.string(), .line = 0},
+                                    .key = "",
+                                    .text = grid.error().text});
+  }
+  if (grid->rows == 0) throw Refusal("the session kept no depth of the seabed");
+  std::vector<float> sigma_m = grid->sigma_m;
+  for (float& sigma : sigma_m) {
+    sigma = std::hypot(sigma, static_cast<float>(grid->zero_sigma_m));
+  }
+  return {.main = ToAsciiGrid(*grid, grid->down_m),
           .suffix = "_sigma",
-          .second = ToAsciiGrid(grid, grid.sigma_m)};
+          .second = ToAsciiGrid(*grid, sigma_m)};
 }
 
 constexpr std::array<Format, 5> kFormats{

@@ -2,6 +2,7 @@
 #include "limpet/map_files/depth_grid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "estimation/mapping/map_export.hpp"
@@ -18,13 +19,8 @@ std::vector<Voxel> GroundVoxels(const SemanticOctree& octree) {
   return voxels;
 }
 
-/// A grid that holds these voxels, nothing known in it.
-DepthGrid EmptyGridAround(const std::vector<Voxel>& voxels, double cell_m) {
-  Eigen::Vector3d low = voxels.front().p_W, high = low;
-  for (const Voxel& voxel : voxels) {
-    low = low.cwiseMin(voxel.p_W);
-    high = high.cwiseMax(voxel.p_W);
-  }
+/// A grid whose cells' middles go from `low` to `high`, nothing known in it.
+DepthGrid EmptyGrid(const Eigen::Vector2d& low, const Eigen::Vector2d& high, double cell_m) {
   DepthGrid grid{.north_min = low.x() - 0.5 * cell_m,
                  .east_min = low.y() - 0.5 * cell_m,
                  .cell_m = cell_m,
@@ -38,11 +34,33 @@ DepthGrid EmptyGridAround(const std::vector<Voxel>& voxels, double cell_m) {
   return grid;
 }
 
-std::size_t CellOf(const DepthGrid& grid, const Voxel& voxel) {
+DepthGrid EmptyGridAround(const std::vector<Voxel>& voxels, double cell_m) {
+  Eigen::Vector3d low = voxels.front().p_W, high = low;
+  for (const Voxel& voxel : voxels) {
+    low = low.cwiseMin(voxel.p_W);
+    high = high.cwiseMax(voxel.p_W);
+  }
+  return EmptyGrid(low.head<2>(), high.head<2>(), cell_m);
+}
+
+std::size_t CellOf(const DepthGrid& grid, double north, double east) {
   const auto index = [&grid](double offset) {
     return static_cast<int>(std::floor(offset / grid.cell_m));
   };
-  return grid.Index(index(voxel.p_W.x() - grid.north_min), index(voxel.p_W.y() - grid.east_min));
+  return grid.Index(index(north - grid.north_min), index(east - grid.east_min));
+}
+std::size_t CellOf(const DepthGrid& grid, const Voxel& voxel) {
+  return CellOf(grid, voxel.p_W.x(), voxel.p_W.y());
+}
+
+/// Extent of the columns' middles: south-west and north-east.
+std::array<Eigen::Vector2d, 2> ExtentOf(const std::vector<DepthColumn>& columns) {
+  Eigen::Vector2d low(columns.front().north, columns.front().east), high = low;
+  for (const DepthColumn& column : columns) {
+    low = low.cwiseMin(Eigen::Vector2d(column.north, column.east));
+    high = high.cwiseMax(Eigen::Vector2d(column.north, column.east));
+  }
+  return {low, high};
 }
 
 /// Sums over the voxels of one column that touch the one where most beams ended.
@@ -50,6 +68,9 @@ struct Column {
   double most = 0.0, most_down = 0.0;
   double weight = 0.0, down = 0.0, square = 0.0;
 };
+
+/// Cells of a grid that nobody needs to hold: 25 km2 of columns of 0.2 m.
+constexpr double kTooManyCells = 6e8;
 
 }  // namespace
 
@@ -60,6 +81,39 @@ std::optional<std::size_t> DepthGrid::At(double north, double east) const {
   if (!(row >= 0.0 && row < rows && column >= 0.0 && column < columns)) return std::nullopt;
   const std::size_t cell = Index(static_cast<int>(row), static_cast<int>(column));
   return IsKnown(cell) ? std::optional(cell) : std::nullopt;
+}
+
+DepthGrid DepthGridOf(const DepthMap& depths) {
+  const std::vector<DepthColumn> columns = depths.Columns();
+  if (columns.empty()) return {};
+  const auto [low, high] = ExtentOf(columns);
+  DepthGrid grid = EmptyGrid(low, high, depths.cell_m());
+  grid.zero_sigma_m = depths.zero_sigma();
+  for (const DepthColumn& column : columns) {
+    const std::size_t cell = CellOf(grid, column.north, column.east);
+    grid.down_m[cell] = static_cast<float>(column.down);
+    grid.sigma_m[cell] = static_cast<float>(column.sigma);
+  }
+  return grid;
+}
+
+Expected<DepthGrid> DepthGridOf(const SessionMemory& memory) {
+  if (!memory.depths.empty()) {
+    const Expected<DepthMap> depths = DepthMap::Parse(memory.depths);
+    if (!depths) return Error{"depths.csv: " + depths.error().text};
+    const std::vector<DepthColumn> columns = depths->Columns();
+    if (columns.empty()) return DepthGrid{};
+    const auto [low, high] = ExtentOf(columns);
+    const Eigen::Vector2d cells = (high - low) / depths->cell_m();
+    if ((cells.x() + 1.0) * (cells.y() + 1.0) > kTooManyCells) {
+      return Error{"depths.csv: its columns lie too far apart"};
+    }
+    return DepthGridOf(*depths);
+  }
+  if (memory.map.empty()) return DepthGrid{};
+  const Expected<SemanticOctree> octree = SemanticOctree::Parse(memory.map);
+  if (!octree) return Error{"map.ot: " + octree.error().text};
+  return DepthGridOf(*octree);
 }
 
 DepthGrid DepthGridOf(const SemanticOctree& octree) {

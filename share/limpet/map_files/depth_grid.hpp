@@ -6,18 +6,22 @@
 #include <optional>
 #include <vector>
 
+#include "estimation/mapping/depth_map.hpp"
 #include "estimation/mapping/semantic_octree.hpp"
+#include "limpet/core/expected.hpp"
+#include "limpet/session/session_memory.hpp"
 
 namespace limpet {
 
-/// Depth of the seabed by columns of a session's octree, row-major from the south-west corner.
+/// Depth of the seabed by columns of a session's map, row-major from the south-west corner.
 struct DepthGrid {
   double north_min = 0.0, east_min = 0.0;  ///< NED [m]
   double cell_m = 0.0;
   int rows = 0;                ///< along north
   int columns = 0;             ///< along east
   std::vector<float> down_m;   ///< not a number where no beam ended
-  std::vector<float> sigma_m;  ///< of those: the voxel's height and the beams' spread
+  std::vector<float> sigma_m;  ///< of those, beside what the whole session is off by
+  double zero_sigma_m = 0.0;   ///< by how much that may be
 
   [[nodiscard]] std::size_t Index(int row, int column) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
@@ -28,8 +32,11 @@ struct DepthGrid {
   [[nodiscard]] std::optional<std::size_t> At(double north, double east) const;
 };
 
-/// Of each column of voxels on the ground the depth where most beams ended. Empty for a map
-/// without any.
+[[nodiscard]] DepthGrid DepthGridOf(const DepthMap& depths);
+/// Of a session that kept no depths: of each column of voxels on the ground the depth where most
+/// beams ended; its sigma is the voxel's height and the beams' spread. Empty for a map without any.
 [[nodiscard]] DepthGrid DepthGridOf(const SemanticOctree& octree);
+/// The session's depths as finely as it kept them. The error names the file that is damaged.
+[[nodiscard]] Expected<DepthGrid> DepthGridOf(const SessionMemory& memory);
 
 }  // namespace limpet

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
@@ -52,6 +53,14 @@ double Median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
   return *middle;
+}
+
+/// Standard deviation of what most of the values are, whatever the rest is.
+double UsualSize(const std::vector<double>& values) {
+  constexpr double kOfNormal = 0.6745;  // half of a normal distribution is within so many sigmas
+  std::vector<double> sizes = Known(values);
+  std::ranges::transform(sizes, sizes.begin(), [](double value) { return std::abs(value); });
+  return Median(std::move(sizes)) / kOfNormal;
 }
 
 /// Columns side by side that are significantly deeper (sign 1), or shallower (-1).
@@ -104,7 +113,12 @@ DepthDifference Difference(const DepthGrid& a, const DepthGrid& b, const FrameOf
   std::vector<double> left_m = compared.off_m, z = compared.off_m;
   for (std::size_t cell = 0; cell < left_m.size(); ++cell) {
     left_m[cell] -= difference.offset_m;
-    z[cell] = left_m[cell] / std::hypot(compared.sigma_m[cell], difference.offset_sd_m);
+    z[cell] = left_m[cell] / compared.sigma_m[cell];
+  }
+  difference.sigma_scale = std::max(1.0, UsualSize(z));
+  for (std::size_t cell = 0; cell < left_m.size(); ++cell) {
+    z[cell] = left_m[cell] /
+              std::hypot(difference.sigma_scale * compared.sigma_m[cell], difference.offset_sd_m);
     if (std::isnan(left_m[cell])) continue;
     difference.rms_m += left_m[cell] * left_m[cell] / static_cast<double>(off.size());
     difference.significant_cells += std::abs(z[cell]) > DepthDifference::kSignificant ? 1 : 0;

@@ -24,6 +24,10 @@ struct DepthDifference {
   double offset_m = 0.0;     ///< what all differ by: tide, sensor's zero; taken off before the rest
   double offset_sd_m = 0.0;  ///< its standard deviation
   double rms_m = 0.0;        ///< of what is left
+  /// By what the sigmas of both depths are multiplied, 1 or more: so that most of the ground
+  /// differs as they say. What they do not hold (places off by decimetres on rough or sloping
+  /// ground) is in it; it takes for granted that half of the ground or more has not changed.
+  double sigma_scale = 1.0;
   std::vector<DepthChange> changes;  ///< largest volume first
 
   static constexpr double kSignificant = 3.0;

@@ -21,10 +21,9 @@ struct MapDiff {
 };
 
 Expected<DepthGrid> DepthsOf(const SavedSession& session) {
-  if (session.memory.map.empty()) return DepthGrid{};
-  const Expected<SemanticOctree> octree = SemanticOctree::Parse(session.memory.map);
-  if (!octree) return Error{session.folder.string() + ": map.ot: " + octree.error().text};
-  return DepthGridOf(*octree);
+  Expected<DepthGrid> depths = DepthGridOf(session.memory);
+  if (!depths) return Error{session.folder.string() + ": " + depths.error().text};
+  return depths;
 }
 
 Expected<MapDiff> DiffOf(const SavedSession& a, const SavedSession& b) {
@@ -45,9 +44,10 @@ OrderedJson JsonOf(const DepthDifference& depth) {
                        {"mean_m", change.mean_m},
                        {"z", change.z}});
   }
-  return {{"cells", depth.cells},       {"significant_cells", depth.significant_cells},
-          {"offset_m", depth.offset_m}, {"offset_sd_m", depth.offset_sd_m},
-          {"rms_m", depth.rms_m},       {"changes", std::move(changes)}};
+  return {{"cells", depth.cells},         {"significant_cells", depth.significant_cells},
+          {"offset_m", depth.offset_m},   {"offset_sd_m", depth.offset_sd_m},
+          {"rms_m", depth.rms_m},         {"sigma_scale", depth.sigma_scale},
+          {"changes", std::move(changes)}};
 }
 
 std::string ChangesText(const DepthDifference& depth) {

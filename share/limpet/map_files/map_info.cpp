@@ -69,11 +69,13 @@ std::optional<DepthInfo> InfoOf(const DepthGrid& grid) {
 
 Expected<MapInfo> InfoOf(const SavedSession& session) {
   MapInfo info;
+  const Expected<DepthGrid> depths = DepthGridOf(session.memory);
+  if (!depths) return depths.error();
+  info.depth = InfoOf(*depths);
   if (session.memory.map.empty()) return info;
   const Expected<SemanticOctree> octree = SemanticOctree::Parse(session.memory.map);
   if (!octree) return Error{"map.ot: " + octree.error().text};
   info.octree = InfoOf(*octree);
-  info.depth = InfoOf(DepthGridOf(*octree));
   return info;
 }
 

@@ -21,6 +21,7 @@ constexpr const char* kFrames = "sights.csv";
 constexpr const char* kPhases = "phases.csv";
 constexpr const char* kWater = "water.json";
 constexpr const char* kMap = "map.ot";
+constexpr const char* kDepths = "depths.csv";
 constexpr std::string_view kMission = "mission/";
 
 /// The rows of `joint` that belong to these landmarks; empty if one of them is not in it.
@@ -75,6 +76,9 @@ SessionFiles FilesOf(const SessionMemory& memory) {
     files[kMap] = memory.map;
   }
   AddChips(memory.chips, files);
+  if (!memory.depths.empty()) {
+    files[kDepths] = memory.depths;
+  }
   for (const auto& [name, bytes] : memory.mission) {
     files[std::string(kMission) + name] = bytes;
   }
@@ -129,6 +133,9 @@ Expected<SessionMemory> MemoryOf(const SessionFiles& files) {
   Expected<std::vector<SavedChip>> chips = ChipsFrom(files);
   if (!chips) return chips.error();
   memory.chips = *std::move(chips);
+  if (const std::string* depths = Find(files, kDepths)) {
+    memory.depths = *depths;
+  }
   for (const auto& [name, bytes] : files) {
     if (name.starts_with(kMission)) memory.mission[name.substr(kMission.size())] = bytes;
   }

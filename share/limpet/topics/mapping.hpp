@@ -153,6 +153,9 @@ inline const auto kWaterState = Declare<WaterVisibility>(
 inline const auto kWaterRecord =
     Declare<WaterRecord>("WATER_RECORD", "what a session keeps of its water",
                          {.unit = "m", .rate = "on MAP_SNAPSHOT_REQUEST", .writers = {"pMap"}});
+inline const auto kMapDepths = Declare<Binary>(
+    "MAP_DEPTHS", "depth of the seabed by columns, as text of depths.csv (docs/map-files.md)",
+    {.unit = "m", .frame = "NED", .rate = "before each MAP_SNAPSHOT", .writers = {"pMap"}});
 inline const auto kMapSnapshot = Declare<Binary>(
     "MAP_SNAPSHOT", "whole semantic octree",
     {.unit = "m", .frame = "NED", .rate = "on MAP_SNAPSHOT_REQUEST", .writers = {"pMap"}});

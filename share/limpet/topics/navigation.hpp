@@ -118,11 +118,13 @@ struct PosedBeams {
   double north = 0.0, east = 0.0, down = 0.0;
   double roll = 0.0, pitch = 0.0, yaw = 0.0;
   std::optional<double> b1, b2, b3, b4;
+  std::optional<double> sd_down;  ///< of the pose's depth, 1-sigma [m]
   template <class V>
   void Describe(V& visit) {
     visit("north", north), visit("east", east), visit("down", down);
     visit("roll", roll), visit("pitch", pitch), visit("yaw", yaw);
     visit("b1", b1), visit("b2", b2), visit("b3", b3), visit("b4", b4);
+    visit("sd_down", sd_down);
   }
   [[nodiscard]] Pose pose() const { return {{north, east, down}, roll, pitch, yaw}; }
 };

@@ -321,8 +321,9 @@ TEST_F(MapAppTest, SaysThatItDoesNotFollowUpEveryHint) {
 TEST_F(MapAppTest, SaysThatBeamsEndWhereNothingCanBe) {
   const auto ping = [this](double first) {
     for (int i = 0; i < 60; ++i) {
-      link_.Send(app_, topics::kNavBeams,
-                 PosedBeams{.down = 0.0, .b1 = first, .b2 = 12.0, .b3 = 12.0, .b4 = first});
+      link_.Send(
+          app_, topics::kNavBeams,
+          PosedBeams{.down = 0.0, .b1 = first, .b2 = 12.0, .b3 = 12.0, .b4 = first, .sd_down = {}});
     }
   };
   ping(2.0);
@@ -351,7 +352,7 @@ TEST_F(MapAppTest, PutsTheCentroidAtTheSpheresCentre) {
 
 TEST_F(MapAppTest, SendsItsMapOnRequest) {
   link_.Send(app_, topics::kNavBeams,
-             PosedBeams{.down = 3.5, .b1 = 4.4, .b2 = 4.4, .b3 = 4.4, .b4 = 4.4});
+             PosedBeams{.down = 3.5, .b1 = 4.4, .b2 = 4.4, .b3 = 4.4, .b4 = 4.4, .sd_down = 0.07});
   Survey({.north = -1, .east = 0, .length = 10}, {kYellow});
   Confirm({kYellow});
   link_.Send(app_, topics::kMapSnapshotRequest, std::string("test"));
@@ -364,6 +365,26 @@ TEST_F(MapAppTest, SendsItsMapOnRequest) {
   ASSERT_TRUE(top);
   EXPECT_GT(top->object, std::log(0.7 / 0.3));
   EXPECT_EQ(top->label, VoxelLabel::kNew);
+}
+
+TEST_F(MapAppTest, SavesBeamsAndDepthsWhereTheTrackIsNow) {
+  const PosedBeams ping{.down = 3.5, .b1 = 4.4, .b2 = 4.4, .b3 = 4.4, .b4 = 4.4, .sd_down = 0.07};
+  link_.Send(app_, topics::kNavBeams, ping);
+  const auto depths = [this] {
+    link_.Send(app_, topics::kMapSnapshotRequest, std::string("test"));
+    const Binary bytes = *link_.Last(topics::kMapDepths);
+    return *DepthMap::Parse({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  };
+  const DepthMap before = depths();
+  ASSERT_EQ(before.Columns().size(), 4U);
+  EXPECT_EQ(before.zero_sigma(), 0.07);
+  link_.Send(app_, topics::kNavTrackShift, TrackShift{{{link_.time.value(), 2.0, 0.0, 0.1, 0.0}}});
+  const std::vector<DepthColumn> moved = depths().Columns();
+  ASSERT_EQ(moved.size(), 4U);
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    EXPECT_NEAR(moved[i].north, before.Columns()[i].north + 2.0, 1e-9);
+    EXPECT_NEAR(moved[i].down, before.Columns()[i].down + 0.1, 1e-3);
+  }
 }
 
 TEST_F(MapAppTest, TellsTheOperatorOfCoverageAndObjects) {

@@ -217,6 +217,17 @@ TEST_F(SessionAppTest, ExportsTheMapForOtherPrograms) {
   EXPECT_THAT(files.at("export/map.csv"), ::testing::HasSubstr(",new\n"));
 }
 
+TEST_F(SessionAppTest, KeepsTheDepthsThatCameWithTheMap) {
+  SessionApp app(Context("discovery"), {});
+  app.Tick(link_.time);
+  link_.Send(app, topics::kSessionSave, std::string("home"));
+  link_.Send(app, topics::kMapDepths, Binary{std::byte{'d'}});
+  link_.Send(app, topics::kMapSnapshot, Binary{std::byte{'m'}});
+  const SavedSession saved = LoadSavedSession(folder_.path() / "discovery", "session");
+  EXPECT_EQ(saved.memory.depths, "d");
+  EXPECT_EQ(FilesOf(saved.memory).at("depths.csv"), "d");
+}
+
 /// Over water too deep for the DVL the map stays empty.
 TEST_F(SessionAppTest, ExportsAnEmptyMap) {
   const std::string bytes = SemanticOctree().Serialize();

@@ -48,6 +48,50 @@ TEST(DepthGrid, FollowsWhereMostBeamsEnded) {
   EXPECT_NEAR(static_cast<double>(grid.down_m[*grid.At(1.1, 0.1)]), 8.1, 1e-3);
 }
 
+SessionMemory MemoryWith(const std::string& depths, const std::string& map) {
+  SessionMemory memory;
+  memory.depths = depths;
+  memory.map = map;
+  return memory;
+}
+
+TEST(DepthGrid, IsAsFineAsTheSessionKeptIt) {
+  DepthMap depths(0.2);
+  for (int i = 0; i < 10; ++i) {
+    depths.Add({1.1, 0.1, i % 2 == 0 ? 8.03 : 8.05});
+  }
+  depths.Add({2.1, -0.9, 8.3});
+  depths.SetZeroSigma(0.07);
+  const auto grid = DepthGridOf(MemoryWith(depths.Serialize(), Slope().Serialize()));
+  ASSERT_TRUE(grid) << grid.error().text;
+  EXPECT_EQ(grid->rows, 6);
+  EXPECT_EQ(grid->columns, 6);
+  EXPECT_EQ(grid->zero_sigma_m, 0.07);
+  const auto cell = grid->At(1.1, 0.1);
+  ASSERT_TRUE(cell);
+  EXPECT_NEAR(static_cast<double>(grid->down_m[*cell]), 8.04, 1e-3);
+  EXPECT_LT(static_cast<double>(grid->sigma_m[*cell]), 0.012);
+  EXPECT_FALSE(grid->At(1.5, 0.1));
+}
+
+TEST(DepthGrid, OfAnOlderSessionIsThatOfItsVoxels) {
+  const auto grid = DepthGridOf(MemoryWith("", Slope().Serialize()));
+  ASSERT_TRUE(grid) << grid.error().text;
+  EXPECT_EQ(grid->rows, 10);
+  EXPECT_EQ(DepthGridOf(MemoryWith("", ""))->rows, 0);
+}
+
+TEST(DepthGrid, NamesTheFileThatIsDamaged) {
+  const std::string vast =
+      "cell_m=0.2,zero_sigma_m=0\nnorth,east,beams,down_mm,square_mm2\n"
+      "-2000000000,-2000000000,1,7000,49000000\n2000000000,2000000000,1,7000,49000000\n";
+  EXPECT_EQ(DepthGridOf(MemoryWith(vast, "")).error().text,
+            "depths.csv: its columns lie too far apart");
+  EXPECT_EQ(DepthGridOf(MemoryWith("no depths", "")).error().text,
+            "depths.csv: says no cell_m and zero_sigma_m");
+  EXPECT_TRUE(DepthGridOf(MemoryWith("", "no octree")).error().text.starts_with("map.ot: "));
+}
+
 TEST(AsciiGrid, HasItsRowsFromTheNorth) {
   SemanticOctree octree;
   octree.Set({0.1, 0.1, 7.1}, {.occupied = 2.0F});

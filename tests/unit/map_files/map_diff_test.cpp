@@ -66,6 +66,44 @@ TEST(MapDiff, FindsAHoleAndAHeapWithTheirSigns) {
   EXPECT_NEAR(difference.changes[1].mean_m, -0.6, 0.01);
 }
 
+/// As a session keeps it: so many beams of a DVL's noise in each column of 6 by 6 m.
+DepthGrid SurveyedGrid(int beams, std::uint64_t seed, double patch_m) {
+  Random random(seed);
+  DepthMap depths(0.2);
+  for (double north = -2.9; north < 3.0; north += 0.2) {
+    for (double east = -2.9; east < 3.0; east += 0.2) {
+      const double down = 7.5 + (std::hypot(north, east) < 0.6 ? patch_m : 0.0);
+      for (int beam = 0; beam < beams; ++beam) {
+        depths.Add({north, east, down + random.Normal(0.02)});
+      }
+    }
+  }
+  return DepthGridOf(depths);
+}
+
+TEST(MapDiff, TenBeamsAColumnTellTenCentimetres) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const DepthGrid before = SurveyedGrid(10, seed, 0.0);
+    const DepthDifference same = Difference(before, SurveyedGrid(10, seed + 10, 0.0), {});
+    EXPECT_TRUE(same.changes.empty());
+    const DepthDifference deeper = Difference(before, SurveyedGrid(10, seed + 20, 0.1), {});
+    ASSERT_EQ(deeper.changes.size(), 1U);
+    EXPECT_NEAR(deeper.changes[0].mean_m, 0.1, 0.02);
+    EXPECT_NEAR(deeper.changes[0].area_m2, 3.14 * 0.6 * 0.6, 0.4);
+    EXPECT_LT(std::hypot(deeper.changes[0].north, deeper.changes[0].east), 0.1);
+    EXPECT_TRUE(Difference(SurveyedGrid(1, seed, 0.0), SurveyedGrid(1, seed + 20, 0.05), {})
+                    .changes.empty());
+  }
+}
+
+TEST(MapDiff, WhatAllGroundDiffersByMoreThanItsSigmasIsNoChange) {
+  Random random(7);
+  const auto rough = [&random](double, double) { return 7.5 + random.Normal(0.4); };
+  const DepthDifference difference = Difference(GridOf(rough), GridOf(rough), {});
+  EXPECT_NEAR(difference.sigma_scale, 0.4 / 0.06, 0.3);
+  EXPECT_TRUE(difference.changes.empty());
+}
+
 TEST(MapDiff, ComparesPlacesWhereTheFramesSayTheyAre) {
   const auto heap = [](double north, double east) {
     return std::hypot(north, east) < 1.0 ? 6.5 : 7.5;

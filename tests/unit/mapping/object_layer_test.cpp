@@ -39,7 +39,7 @@ OpiBelief StatusAt(const Eigen::Vector3d& ned, Status decided, int landmark = 1)
 struct Flight {
   StatusParams status;
   ObjectStatuses book{status, kCamera};
-  SemanticOctree octree;
+  SemanticMap map;
   ObjectLayer layer{{}, status, kCamera};
 
   explicit Flight(const Eigen::Vector3d& ned) {
@@ -51,7 +51,10 @@ struct Flight {
           {.exposure = Seconds(0.25 * i), .X_WB = X_WB, .boxes = {BoxAround(X_WB, ned, 1)}});
     }
   }
-  void Paint(const OpiBelief& object) { layer.SetObjects({object}, book, octree); }
+  [[nodiscard]] std::optional<VoxelBelief> At(const Eigen::Vector3d& p_W) const {
+    return map.At(KeyOf(p_W, map.resolution()));
+  }
+  void Paint(const OpiBelief& object) { layer.SetObjects({object}, book, map); }
 };
 
 const Eigen::Vector3d kPlace(4.07, 1.02, 5.53);
@@ -126,13 +129,13 @@ TEST(ObjectLayer, TakesTheVoxelsAlongWhenTheLandmarkMoves) {
   const Eigen::Vector3d moved = kPlace + Eigen::Vector3d(0.6, -0.4, 0.2);
   flight.Paint(StatusAt(moved, Status::kNew));
   EXPECT_LT((flight.layer.Cluster(1)->centre - moved).norm(), 0.15);
-  EXPECT_EQ(flight.octree.At(kPlace - Eigen::Vector3d(0.45, 0, 0.2))->object, 0.0F);
+  EXPECT_FALSE(flight.At(kPlace - Eigen::Vector3d(0.45, 0, 0.2)));
 }
 
 TEST(ObjectLayer, LabelsVoxelsWithTheirObjectsStatus) {
   Flight flight(kPlace);
   flight.Paint(StatusAt(kPlace, Status::kConfirmed));
-  const auto top = flight.octree.At(kPlace - Eigen::Vector3d(0, 0, 0.45));
+  const auto top = flight.At(kPlace - Eigen::Vector3d(0, 0, 0.45));
   ASSERT_TRUE(top);
   EXPECT_EQ(top->label, VoxelLabel::kConfirmed);
   EXPECT_GT(top->object, std::log(0.7 / 0.3));
@@ -144,7 +147,7 @@ TEST(ObjectLayer, DrawsAFormerObjectThatIsGone) {
   OpiBelief gone = StatusAt(kPlace, Status::kRemoved, -1);
   gone.posterior = {.confirmed = 0.02, .removed = 0.98};
   flight.Paint(gone);
-  const auto top = flight.octree.At(kPlace - Eigen::Vector3d(0, 0, 0.45));
+  const auto top = flight.At(kPlace - Eigen::Vector3d(0, 0, 0.45));
   ASSERT_TRUE(top);
   EXPECT_EQ(top->label, VoxelLabel::kRemoved);
   EXPECT_LT(top->exists, -3.0F);
@@ -153,9 +156,9 @@ TEST(ObjectLayer, DrawsAFormerObjectThatIsGone) {
 TEST(ObjectLayer, ForgetsAnObjectThatIsNoMore) {
   Flight flight(kPlace);
   flight.Paint(StatusAt(kPlace, Status::kNew));
-  flight.layer.SetObjects({}, flight.book, flight.octree);
+  flight.layer.SetObjects({}, flight.book, flight.map);
   EXPECT_FALSE(flight.layer.Cluster(1));
-  EXPECT_EQ(flight.octree.At(kPlace - Eigen::Vector3d(0, 0, 0.45))->object, 0.0F);
+  EXPECT_FALSE(flight.At(kPlace - Eigen::Vector3d(0, 0, 0.45)));
 }
 
 /// What the detector reports of a box that reaches over the image's border.
@@ -261,7 +264,7 @@ TEST(ObjectLayer, OnePassThatMissesDoesNotUndoAnObject) {
 TEST(ObjectLayer, LooksThatMissMakeVoxelsLessCertain) {
   Flight flight(kPlace);
   flight.Paint(StatusAt(kPlace, Status::kNew));
-  const float before = flight.octree.At(kPlace - Eigen::Vector3d(0, 0, 0.45))->object;
+  const float before = flight.At(kPlace - Eigen::Vector3d(0, 0, 0.45))->object;
   // Pass after pass: one miss alone is lost in the clamp of a sure voxel.
   for (int i = 0; i < 8; ++i) {
     const Pose beside{kPlace + Eigen::Vector3d(0.6 * (i - 4), 0.0, -3.0), 0.0, 0.0, 0.0};
@@ -269,7 +272,7 @@ TEST(ObjectLayer, LooksThatMissMakeVoxelsLessCertain) {
     flight.layer.AddFrame(flight.book.frames().back(), flight.book);
   }
   flight.Paint(StatusAt(kPlace, Status::kNew));
-  EXPECT_LT(flight.octree.At(kPlace - Eigen::Vector3d(0, 0, 0.45))->object, before);
+  EXPECT_LT(flight.At(kPlace - Eigen::Vector3d(0, 0, 0.45))->object, before);
 }
 
 }  // namespace

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/mapping/beam_evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace limpet {
+namespace {
+
+using VoxelIndex = std::array<std::int32_t, 3>;
+
+/// A beam's way from voxel to voxel [Amanatides 1987]. The number of steps follows from both ends'
+/// voxels alone, so it always arrives, however the crossings round.
+class BeamWalk {
+ public:
+  /// Both ends in voxels.
+  BeamWalk(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<Eigen::Index>(axis);
+      const double first = std::floor(from[i]);
+      const double off = to[i] - from[i];
+      at_[axis] = static_cast<std::int32_t>(first);
+      const std::int32_t way = static_cast<std::int32_t>(std::floor(to[i])) - at_[axis];
+      left_[axis] = std::abs(way);
+      steps_ += left_[axis];
+      step_[axis] = way < 0 ? -1 : 1;
+      if (way != 0) {
+        per_voxel_[axis] = 1.0 / std::abs(off);
+        crossing_[axis] = ((way > 0 ? first + 1.0 : first) - from[i]) / off;
+      }
+    }
+  }
+  [[nodiscard]] const VoxelIndex& at() const { return at_; }
+  [[nodiscard]] bool HasArrived() const { return steps_ == 0; }
+  void Step() {
+    const std::size_t nearer = crossing_[0] <= crossing_[1] ? 0 : 1;
+    const std::size_t axis = crossing_[nearer] <= crossing_[2] ? nearer : 2;
+    at_[axis] += step_[axis];
+    crossing_[axis] = --left_[axis] > 0 ? crossing_[axis] + per_voxel_[axis] : kNever;
+    --steps_;
+  }
+
+ private:
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+  VoxelIndex at_{}, left_{}, step_{};
+  std::int32_t steps_ = 0;
+  /// Shares of the beam: where it next leaves its voxel along an axis, and what a voxel takes.
+  std::array<double, 3> crossing_{kNever, kNever, kNever}, per_voxel_{};
+};
+
+}  // namespace
+
+float OccupiedLogOdds(const VoxelCounts& counts) {
+  constexpr double kHit = 0.8472978603872034, kMiss = -0.4054651081081643;  // ln p / (1 - p)
+  constexpr double kLeast = -2.0, kMost = 3.5;
+  return static_cast<float>(std::clamp(kHit * counts.hits + kMiss * counts.misses, kLeast, kMost));
+}
+
+bool BeamEvidence::Holds(const Eigen::Vector3d& p_W) const {
+  constexpr double kMostVoxels = 32767.0;
+  return (p_W.array().abs() < kMostVoxels * resolution_).all();  // false for what is no number
+}
+
+std::size_t BeamEvidence::BrickHash::operator()(const BrickKey& key) const {
+  constexpr std::uint64_t kSpread = 0x9e3779b97f4a7c15ULL;
+  std::uint64_t hash = 0;
+  for (const std::int32_t index : key) {
+    hash = (hash ^ static_cast<std::uint32_t>(index)) * kSpread;
+    hash ^= hash >> 29U;
+  }
+  return static_cast<std::size_t>(hash);
+}
+
+BeamEvidence::Brick& BeamEvidence::ChangedBrick(const BrickKey& key) {
+  Brick& brick = bricks_[key];
+  if (!brick.is_changed) {
+    brick.is_changed = true;
+    changed_.push_back(key);
+  }
+  return brick;
+}
+
+void BeamEvidence::Count(const Eigen::Vector3d& origin_W, const Eigen::Vector3d& end_W,
+                         std::uint32_t delta) {
+  constexpr std::int32_t kInside = kEdge - 1;
+  BeamWalk walk(origin_W / resolution_, end_W / resolution_);
+  const auto brick_of = [](const VoxelIndex& at) {
+    return BrickKey{at[0] >> kBits, at[1] >> kBits, at[2] >> kBits};
+  };
+  BrickKey key = brick_of(walk.at());
+  Brick* brick = &ChangedBrick(key);
+  while (true) {
+    const VoxelIndex& at = walk.at();
+    if (const BrickKey here = brick_of(at); here != key) {
+      key = here;
+      brick = &ChangedBrick(key);
+    }
+    const auto voxel = static_cast<std::size_t>((at[0] & kInside) | (at[1] & kInside) << kBits |
+                                                (at[2] & kInside) << (2 * kBits));
+    if (walk.HasArrived()) {
+      brick->voxels[voxel].hits += delta;
+      return;
+    }
+    brick->voxels[voxel].misses += delta;
+    walk.Step();
+  }
+}
+
+VoxelCounts BeamEvidence::At(const VoxelKey& key) const {
+  const auto part = [&key](std::size_t axis) { return static_cast<std::int32_t>(key[axis]); };
+  const auto found = bricks_.find({part(0) >> kBits, part(1) >> kBits, part(2) >> kBits});
+  if (found == bricks_.end()) return {};
+  constexpr std::int32_t kInside = kEdge - 1;
+  return found->second.voxels[static_cast<std::size_t>(
+      (part(0) & kInside) | (part(1) & kInside) << kBits | (part(2) & kInside) << (2 * kBits))];
+}
+
+void BeamEvidence::Visit(const BrickKey& key, const Brick& brick, const VoxelVisitor& visit) {
+  constexpr std::size_t kEdgeVoxels = kEdge;
+  for (std::size_t voxel = 0; voxel < brick.voxels.size(); ++voxel) {
+    const std::array<std::size_t, 3> in{voxel % kEdgeVoxels, voxel / kEdgeVoxels % kEdgeVoxels,
+                                        voxel / kEdgeVoxels / kEdgeVoxels};
+    VoxelKey at{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      at[axis] = std::int64_t{key[axis]} * kEdge + static_cast<std::int64_t>(in[axis]);
+    }
+    visit(at, brick.voxels[voxel]);
+  }
+}
+
+void BeamEvidence::TakeChanged(const VoxelVisitor& visit) {
+  for (const BrickKey& key : changed_) {
+    Brick& brick = bricks_[key];
+    brick.is_changed = false;
+    Visit(key, brick, visit);
+  }
+  changed_.clear();
+}
+
+void BeamEvidence::ForEachKnown(const VoxelVisitor& visit) const {
+  for (const auto& [key, brick] : bricks_) {
+    Visit(key, brick, [&visit](const VoxelKey& at, const VoxelCounts& counts) {
+      if (counts.is_known()) visit(at, counts);
+    });
+  }
+}
+
+}  // namespace limpet

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "estimation/mapping/beam_evidence.hpp"
+#include "estimation/mapping/depth_map.hpp"
+#include "estimation/mapping/dvl_beams.hpp"
+#include "limpet/core/units.hpp"
+#include "limpet/topics/navigation.hpp"
+
+namespace limpet {
+
+/// A session's DVL pings, laid into space where the track now has them. Each ping is kept, 72 bytes
+/// (12 MB for six hours at 8 Hz), so that it can be taken back and laid elsewhere when the smoother
+/// moves the way behind: the map is then, voxel for voxel, what the corrected track would have
+/// made.
+class BeamMap {
+ public:
+  /// Pings that have moved less than this since they were laid stay [m].
+  static constexpr double kStays = 0.01;
+  /// Work that fits into one tick: about 500 pings laid again.
+  static constexpr int kWorkPerTick = 50'000;
+
+  explicit BeamMap(Meters resolution, const DvlBeams& dvl = {});
+
+  /// Lays the ping of time `t` [s], not before the last one's, whose beams end at `ends`
+  /// (BeamEnds). Returns how many of them it could hold: those not too far from the origin.
+  int Add(double t, const PosedBeams& ping, const std::vector<BeamEnd>& ends);
+  /// The track behind has moved. Takes effect with Settle, for the pings that there are now.
+  void Shift(const TrackShift& shift);
+  /// Moves pings as the shifts say, oldest shift first; at most about `work` units, of which one
+  /// looks at a ping and a hundred lay one again. True if nothing is left to do.
+  bool Settle(int work = kWorkPerTick);
+  void SettleAll();
+
+  [[nodiscard]] const BeamEvidence& evidence() const { return evidence_; }
+  [[nodiscard]] BeamEvidence& evidence() { return evidence_; }
+  /// Depths of the seabed, by columns as wide as a voxel.
+  [[nodiscard]] const DepthMap& depths() const { return depths_; }
+  [[nodiscard]] std::size_t pings() const { return pings_.size(); }
+
+ private:
+  struct Ping {
+    double t = 0.0;
+    std::array<float, 3> p_WD{};                  ///< the DVL's place, as laid [m]
+    float roll = 0.0F, pitch = 0.0F, yaw = 0.0F;  ///< as laid [rad]
+    std::array<float, 4> ranges{};
+    std::array<float, 4> owed{};  ///< what it has moved since: north, east, down [m], yaw [rad]
+    std::uint8_t used = 0;        ///< bit by beam: laid
+    std::uint8_t seabed = 0;      ///< bit by beam: its end is the seabed
+  };
+  /// A shift on its way through the pings.
+  struct Sweep {
+    TrackShift shift;
+    std::size_t next = 0, end = 0;
+  };
+  enum class Laying { kAdd, kTakeBack };
+
+  void NoteDepthSigma(const PosedBeams& ping);
+  void Lay(const Ping& ping, Laying laying);
+  /// Returns the work it took.
+  int Move(Ping& ping, const TrackShift& shift);
+  [[nodiscard]] double Owed(const Ping& ping) const;
+
+  std::array<Eigen::Vector3d, 4> directions_;
+  double reach_;  ///< of a beam of one metre, from the vertical [m]
+  BeamEvidence evidence_;
+  DepthMap depths_;
+  double down_variance_ = 0.0;  ///< sum over the pings that say it [m^2]
+  int with_variance_ = 0;
+  std::deque<Ping> pings_;
+  std::deque<Sweep> sweeps_;
+};
+
+}  // namespace limpet

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/mapping/semantic_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include "limpet/core/random.hpp"
+
+namespace limpet {
+namespace {
+
+const VoxelBelief kPaintedBelief{
+    .occupied = 1.7F, .object = 2.2F, .exists = -1.5F, .label = VoxelLabel::kRemoved};
+const PosedBeams kLevelPing{
+    .north = 0.0, .down = 3.5, .b1 = 4.4, .b2 = 4.4, .b3 = 4.4, .b4 = 4.4, .sd_down = {}};
+
+void LayPing(SemanticMap& map, double t, double north) {
+  PosedBeams ping = kLevelPing;
+  ping.north = north;
+  map.beams().Add(t, ping, BeamEnds(ping.pose(), {ping.b1, ping.b2, ping.b3, ping.b4}));
+}
+
+VoxelKey EndOfFirstBeam() {
+  return KeyOf(BeamEnds(kLevelPing.pose(), {4.4, {}, {}, {}})[0].p_W, 0.2);
+}
+
+TEST(SemanticMap, KnowsNothingAtFirst) {
+  SemanticMap map;
+  EXPECT_FALSE(map.At({1, 2, 3}));
+  EXPECT_EQ(map.Octree().nodes(), 0U);
+}
+
+TEST(SemanticMap, BeamsDoNotTouchWhatIsKnownOfObjects) {
+  SemanticMap map;
+  map.Paint(EndOfFirstBeam(), kPaintedBelief);
+  for (int i = 0; i < 50; ++i) {
+    LayPing(map, i, 0.0);
+  }
+  EXPECT_EQ(map.At(EndOfFirstBeam()), kPaintedBelief);
+  EXPECT_EQ(map.Octree().At(CentreOf(EndOfFirstBeam(), 0.2)), kPaintedBelief);
+}
+
+TEST(SemanticMap, WhereAnObjectWasIsWhatBeamsSayAgain) {
+  SemanticMap map;
+  LayPing(map, 0.0, 0.0);
+  const std::optional<VoxelBelief> ground = map.At(EndOfFirstBeam());
+  ASSERT_TRUE(ground);
+  EXPECT_GT(ground->occupied, 0.0F);
+  map.Paint(EndOfFirstBeam(), kPaintedBelief);
+  EXPECT_EQ(map.Octree().At(CentreOf(EndOfFirstBeam(), 0.2)), kPaintedBelief);
+  map.Unpaint(EndOfFirstBeam());
+  EXPECT_EQ(map.Octree().At(CentreOf(EndOfFirstBeam(), 0.2)), ground);
+}
+
+TEST(SemanticMap, ForgetsAnObjectWhereNoBeamHasBeen) {
+  SemanticMap map;
+  map.Paint({3, 3, 3}, kPaintedBelief);
+  EXPECT_EQ(map.Octree().nodes(), 17U);
+  map.Unpaint({3, 3, 3});
+  EXPECT_EQ(map.Octree().nodes(), 0U);
+}
+
+TEST(SemanticMap, TheOctreeDoesNotDependOnWhenItWasReadNorOnHowTheTrackMoved) {
+  const TrackShift shift{{{100.0, 0.75, -0.5, 0.0, 0.0}}};
+  SemanticMap watched, unwatched;
+  for (int i = 0; i < 100; ++i) {
+    LayPing(watched, i, 0.125 * i);
+    watched.Paint({i, 2, 30}, kPaintedBelief);
+    if (i % 10 == 0) static_cast<void>(watched.Octree().Serialize());
+    watched.Unpaint({i - 1, 2, 30});
+    PosedBeams ping = kLevelPing;
+    ping.north = 0.125 * i + 0.75, ping.east = -0.5;
+    unwatched.beams().Add(i, ping, BeamEnds(ping.pose(), {4.4, 4.4, 4.4, 4.4}));
+  }
+  watched.beams().Shift(shift);
+  unwatched.Paint({99, 2, 30}, kPaintedBelief);
+  EXPECT_EQ(watched.Octree().Serialize(), unwatched.Octree().Serialize());
+}
+
+TEST(SemanticMap, EqualMapsGiveEqualBytesAndComeBackFromThem) {
+  SemanticMap map;
+  Random random(8);
+  for (int i = 0; i < 200; ++i) {
+    LayPing(map, i, random.Uniform(-5.0, 5.0));
+  }
+  const std::string bytes = map.Octree().Serialize();
+  const Expected<SemanticOctree> loaded = SemanticOctree::Parse(bytes);
+  ASSERT_TRUE(loaded) << loaded.error().text;
+  EXPECT_EQ(loaded->At(CentreOf(EndOfFirstBeam(), 0.2)), map.At(EndOfFirstBeam()));
+  EXPECT_EQ(loaded->Serialize(), bytes);
+}
+
+}  // namespace
+}  // namespace limpet
