@@ -97,6 +97,11 @@ TEST_P(HydrodynamicsProperties, TurningMovesTheWaterThatTheSpheroidMoves) {
   const double displaced = hydro.buoyancy_n / bare.gravity;
   const double shape = (a * a + b * b) / 5.0;
   EXPECT_NEAR(hydro.mass_matrix(kYaw, kYaw), shape * (bare.mass + k.rotation * displaced), 1e-9);
+  const double upright = (a * a + hydro.half_height_m * hydro.half_height_m) / 5.0;
+  EXPECT_NEAR(hydro.mass_matrix(kPitch, kPitch),
+              upright * (bare.mass + k.rotation * displaced) +
+                  bare.mass * bare.cg_below_cb_m * bare.cg_below_cb_m,
+              1e-9);
 }
 
 TEST_P(HydrodynamicsProperties, AnEverywhereTwiceAsLargeHullHasFourTimesTheDrag) {
