@@ -67,6 +67,40 @@ TEST_F(ConfirmationTest, WhatIsMissedMoreOftenThanSeenMustBeSeenMoreSurely) {
   EXPECT_TRUE(IsConfirmed());
 }
 
+TEST_F(ConfirmationTest, BoxesBeyondThoseThatMakeAnObjectAreWorthLessEach) {
+  // What makes a detector take a thing for an object once makes it do so again: six boxes that each
+  // correlate by 0.2 with the others are worth 1.4 / 2 of six.
+  std::vector<int> nodes = FlyOver(kHere);
+  for (const int node : FlyOver(kHere))
+    nodes.push_back(node);
+  const auto of_each = [&](double log_odds) {
+    return 1.0 / (1.0 + std::exp(-log_odds / 6.0 / 0.7));
+  };
+  Track(kHere, nodes, of_each(params_.confirm_log_odds - 1e-6));
+  EXPECT_FALSE(IsConfirmed());
+  tracks_.objects.clear();
+  Track(kHere, nodes, of_each(params_.confirm_log_odds + 1e-6));
+  EXPECT_TRUE(IsConfirmed());
+}
+
+TEST_F(ConfirmationTest, WhatMayJustBeAKnownObjectIsInDoubtAndWhatLiesBeyondIsNew) {
+  // Places known to 0.3 m and 0.1 m more: 0.32 m together. Four of those are the gate.
+  for (const double distance : {1.20, 1.40}) {
+    tracks_.objects.clear();
+    const Eigen::Vector3d known = kHere + Eigen::Vector3d(10.0 * distance, 0.0, 0.0);
+    const Eigen::Vector3d beside = known + Eigen::Vector3d(0.0, distance, 0.0);
+    Mapped(known, FlyOver(known), Confirmed{});
+    TrackedObject& object = Track(beside, FlyOver(beside));
+    Tentative place = object.tentative();
+    place.covariance_W = 0.09 * Eigen::Matrix3d::Identity();
+    object.state = place;
+    Confirm();
+    ASSERT_EQ(tracks_.objects.size(), 2U);
+    EXPECT_EQ(tracks_.objects[1].Is<InDoubt>(), distance < 1.3) << distance;
+    EXPECT_EQ(tracks_.objects[1].is_landmark(), distance > 1.3) << distance;
+  }
+}
+
 TEST_F(ConfirmationTest, BoxesTooLongAgoDoNotCount) {
   const TrackedObject& object = ThreeBoxes();
   tracks_.now = object.observations.front().t + params_.confirm_within_s + 0.001;

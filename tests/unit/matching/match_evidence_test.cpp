@@ -82,6 +82,23 @@ TEST_P(MatchEvidenceProperties, AFrameKnownBetterMakesATrueMatchLikelier) {
 
 INSTANTIATE_TEST_SUITE_P(Drawn, MatchEvidenceProperties, ::testing::Range(1, 9));
 
+TEST(MatchEvidence, AMatchTellsMoreTheMoreRoomThereWasToLieElsewhere) {
+  const auto object_at = [](double north, double east) {
+    return ObjectEstimate{
+        .p_W = {north, east, 6.0}, .cov_W = 0.01 * Eigen::Matrix3d::Identity(), .color = "yellow"};
+  };
+  const MatchingParams params;
+  const auto evidence = [&](double north, double east) {
+    const std::vector<ObjectEstimate> former{object_at(0.0, 0.0)};
+    const std::vector<ObjectEstimate> now{object_at(0.0, 0.0), object_at(north, east)};
+    return MatchEvidence(former, now, FitSessions(former, now, {0}, params), params,
+                         FramePrior::Known(OffsetPrior(params)));
+  };
+  // Five metres around the outermost objects were seen, too.
+  const double rooms = (30.0 + 10.0) * (20.0 + 10.0) / ((3.0 + 10.0) * (4.0 + 10.0));
+  EXPECT_NEAR(evidence(30.0, 20.0) - evidence(3.0, 4.0), std::log(rooms), 1e-9);
+}
+
 TEST(FramePrior, OfAKnownFrameIsADensity) {
   MatchingParams params;
   params.offset_sigma = Meters(0.5);

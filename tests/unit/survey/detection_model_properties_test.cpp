@@ -76,6 +76,9 @@ TEST_P(DetectionModelProperties, TheBorderMattersBetweenItsTwoSharesOnly) {
   EXPECT_NEAR(model_.Detects(range, model_.share_full), open, 1e-12);
   const double middle = 0.5 * (model_.share_none + model_.share_full);
   EXPECT_NEAR(model_.Detects(range, middle), 0.5 * open, 1e-9);
+  // Between them it rises smoothly: slowly at first, and from three quarters on hardly any more.
+  const double quarter = model_.share_none + 0.25 * (model_.share_full - model_.share_none);
+  EXPECT_NEAR(model_.Detects(range, quarter), 5.0 / 32.0 * open, 1e-9);
 }
 
 TEST_P(DetectionModelProperties, TheChancesOfAllWatersAreThoseOfEachWater) {

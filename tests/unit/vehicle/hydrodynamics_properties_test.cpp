@@ -73,6 +73,37 @@ TEST_P(HydrodynamicsProperties, DragIsOddAndGrowsFasterThanSpeed) {
   }
 }
 
+TEST_P(HydrodynamicsProperties, TurningDragIsThatOfTheHullsStrips) {
+  // Strips of the ellipse that the hull shows from the side, each across its own flow.
+  const double arm = 0.5 * params_.length_m, breadth = hydro_.half_height_m;
+  constexpr int kStrips = 20000;
+  double sum = 0.0;
+  for (int i = 0; i < kStrips; ++i) {
+    const double x = arm * (2.0 * (i + 0.5) / kStrips - 1.0);
+    const double height = 2.0 * breadth * std::sqrt(1.0 - x * x / (arm * arm));
+    sum += height * std::pow(std::abs(x), 3) * 2.0 * arm / kStrips;
+  }
+  const double expected = 0.5 * params_.water_density * params_.rotation_drag_factor *
+                          params_.drag_coefficient.y() * sum;
+  EXPECT_NEAR(hydro_.quadratic_drag(kYaw) / expected, 1.0, 1e-3);
+}
+
+TEST_P(HydrodynamicsProperties, TurningMovesTheWaterThatTheSpheroidMoves) {
+  VehicleParams bare = params_;
+  bare.frame_added_mass = 0.0, bare.inertia_factor = 1.0;
+  const Hydrodynamics hydro = DeriveHydrodynamics(bare);
+  const double a = 0.5 * bare.length_m, b = 0.5 * bare.width_m;
+  const SpheroidAddedMass k = LambFactors(2.0 * a, 2.0 * std::sqrt(b * hydro.half_height_m));
+  const double displaced = hydro.buoyancy_n / bare.gravity;
+  const double shape = (a * a + b * b) / 5.0;
+  EXPECT_NEAR(hydro.mass_matrix(kYaw, kYaw), shape * (bare.mass + k.rotation * displaced), 1e-9);
+  const double upright = (a * a + hydro.half_height_m * hydro.half_height_m) / 5.0;
+  EXPECT_NEAR(hydro.mass_matrix(kPitch, kPitch),
+              upright * (bare.mass + k.rotation * displaced) +
+                  bare.mass * bare.cg_below_cb_m * bare.cg_below_cb_m,
+              1e-9);
+}
+
 TEST_P(HydrodynamicsProperties, AnEverywhereTwiceAsLargeHullHasFourTimesTheDrag) {
   VehicleParams large = params_;
   large.mass *= 8.0, large.net_buoyancy_n *= 8.0;

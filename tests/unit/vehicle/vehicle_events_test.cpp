@@ -71,6 +71,15 @@ TEST_P(VehicleEvents, AGuardIsPositiveWhereItsConditionHoldsAndFallsTowardsTheOt
   EXPECT_GT(monitor.Guards(AtDepth(deep), false)[0], monitor.Guards(AtDepth(deep - 0.5), false)[0]);
 }
 
+TEST_P(VehicleEvents, ItHasSurfacedAtTheShallowerThresholdAlone) {
+  const VehicleParams& params = model_.params();
+  const double between =
+      random_.Uniform(params.surfaced_depth_m + 1e-6, params.submerged_depth_m - 1e-6);
+  EXPECT_TRUE(Along({AtDepth(2.0), AtDepth(between)}).empty());
+  EXPECT_EQ(Along({AtDepth(2.0), AtDepth(params.surfaced_depth_m - 1e-6)}),
+            (std::vector{VehicleEvent::kSurfaced}));
+}
+
 TEST_P(VehicleEvents, FarFromTheSeabedItsGuardIsLeftOut) {
   const EventMonitor monitor(model_, AtDepth(1.0));
   EXPECT_EQ(monitor.Guards(AtClearance(-0.1), false)[1], 1.0);
