@@ -55,15 +55,15 @@ void MapApp::OnArea(const Stamped<SurveyArea>& area) {
   ClearWarning(warnings::kAreaRefused);
   if (!area_ || EncodeRecord(*area_) != EncodeRecord(area.value)) {
     area_ = area.value;
-    grid_.emplace(area.value, params_.cell.value());
-    grid_->SetReach(PlannedDetection().HalfRange());
+    ground_.emplace(area.value, params_.cell, camera_, map_.beams());
+    ground_->SetReach(PlannedDetection().HalfRange());
   }
 }
 
 void MapApp::OnGridRequest(const Stamped<std::string>& /*cause*/) {
   has_told_looks_ = false;  // who asks has been restarted
-  if (grid_) {
-    Publish(topics::kMapDelta, grid_->Everything());
+  if (ground_) {
+    Publish(topics::kMapDelta, ground_->grid().Everything());
   }
 }
 
@@ -102,8 +102,8 @@ void MapApp::OnFrame(const Stamped<ObservedFrame>& frame) {
   }
   statuses_.AddFrame(frame.value);
   layer_.AddFrame(statuses_.frames().back(), statuses_);
-  if (grid_) {
-    grid_->Observe(frame.value.X_WB, *verdict.altitude, camera_);
+  if (ground_) {
+    ground_->Observe(frame.value.exposure.value(), frame.value.X_WB, *verdict.altitude);
   }
 }
 
@@ -147,16 +147,17 @@ void MapApp::OnBeams(const Stamped<PosedBeams>& beams) {
   const std::vector<BeamEnd> ends = BeamEnds(ping.pose(), ranges, TallestObject(), params_.beams);
   CountBeams(static_cast<int>(std::ranges::count_if(ranges, [](const auto& r) { return !!r; })),
              map_.beams().Add(beams.time.value(), ping, ends));
-  for (const BeamEnd& end : ends) {
-    if (grid_ && end.is_seabed) {
-      grid_->SetSeabed(end.p_W.x(), end.p_W.y(), end.p_W.z());
-    }
+  if (ground_) {
+    ground_->TakePings();
   }
 }
 
 void MapApp::OnTrackShift(const Stamped<TrackShift>& shift) {
   statuses_.MoveFrames([&shift](double t, const Pose& X_WB) { return shift.value.Apply(t, X_WB); });
   map_.beams().Shift(shift.value);
+  if (ground_) {
+    ground_->Shift(shift.value);
+  }
 }
 
 void MapApp::OnLandmarks(const Stamped<Landmarks>& landmarks) {
@@ -200,8 +201,8 @@ void MapApp::FollowWater(const VisibilityBelief& water) {
   }
   planned_visibility_ = visibility;
   has_told_looks_ = false;
-  if (grid_) {
-    grid_->SetReach(PlannedDetection().HalfRange());
+  if (ground_) {
+    ground_->SetReach(PlannedDetection().HalfRange());
   }
 }
 
@@ -244,15 +245,18 @@ void MapApp::WarnOfMurk(const VisibilityBelief& water) {
 void MapApp::Tick(Seconds now) {
   TellHowItLooks();
   static_cast<void>(map_.beams().Settle());
+  if (ground_) {
+    static_cast<void>(ground_->Settle());
+  }
   if (last_publish_ && now - *last_publish_ < params_.publish_every) {
     return;
   }
   last_publish_ = now;
-  if (grid_) {
-    if (const GridDelta delta = grid_->TakeDelta(); !delta.cells.empty()) {
+  if (ground_) {
+    if (const GridDelta delta = ground_->grid().TakeDelta(); !delta.cells.empty()) {
       Publish(topics::kMapDelta, delta);
     }
-    Publish(topics::kMapCoverage, grid_->coverage());
+    Publish(topics::kMapCoverage, ground_->grid().coverage());
   }
   PublishObjects();
   TellWater(now);

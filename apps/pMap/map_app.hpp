@@ -8,11 +8,11 @@
 #include "apps/pMap/map_drawing.hpp"
 #include "estimation/change/frame_gate.hpp"
 #include "estimation/change/object_statuses.hpp"
+#include "estimation/mapping/anchored_grid.hpp"
 #include "estimation/mapping/map_params.hpp"
 #include "estimation/mapping/object_layer.hpp"
 #include "estimation/mapping/semantic_map.hpp"
 #include "limpet/app/app.hpp"
-#include "limpet/survey/survey_grid.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
@@ -69,7 +69,7 @@ class MapApp final : public App {
   ObjectLayer layer_;
   std::vector<OpiBelief> objects_;
   std::optional<SurveyArea> area_;
-  std::optional<SurveyGrid> grid_;
+  std::optional<AnchoredGrid> ground_;
   std::string phase_;
   std::optional<Seconds> last_publish_;
   std::optional<Seconds> last_water_;

@@ -42,10 +42,10 @@ void MapApp::Report(ReportLines& report) const {
                               ? fmt::format("{:.2f} m, {:.1f} s old", *gate_.altitude(),
                                             (now() - gate_.altitude_time()).value())
                               : "never heard");
-  if (!grid_) {
+  if (!ground_) {
     report.Pair("Coverage", "no SURVEY_AREA yet");
   } else {
-    const Coverage seen = grid_->coverage();
+    const Coverage seen = ground_->grid().coverage();
     report.Pair("Coverage",
                 fmt::format("seabed {:.1f} %, band {:.1f} %, its top {:.1f} %", 100.0 * seen.seabed,
                             100.0 * seen.band, 100.0 * seen.band_top));

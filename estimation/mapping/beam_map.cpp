@@ -31,28 +31,34 @@ BeamMap::BeamMap(Meters resolution, const DvlBeams& dvl)
 
 int BeamMap::Add(double t, const PosedBeams& ping, const std::vector<BeamEnd>& ends) {
   const std::array<std::optional<double>, 4> ranges{ping.b1, ping.b2, ping.b3, ping.b4};
-  Ping kept{.t = pings_.empty() ? t : std::max(t, pings_.back().t),
-            .p_WD = {static_cast<float>(ping.north), static_cast<float>(ping.east),
-                     static_cast<float>(ping.down)},
-            .roll = static_cast<float>(ping.roll),
-            .pitch = static_cast<float>(ping.pitch),
-            .yaw = static_cast<float>(ping.yaw)};
-  int laid = 0;
-  const bool is_near = evidence_.Holds(ping.pose().p_WB);
+  Ping kept{.t = pings_.empty() ? t : std::max(t, pings_.back().t), .X_WD = ping.pose()};
+  int held = 0;
   for (const BeamEnd& end : ends) {
-    if (!is_near || !evidence_.Holds(end.p_W)) continue;
-    ++laid;
-    kept.ranges[end.beam] = static_cast<float>(ranges[end.beam].value_or(0.0));
+    held += evidence_.Holds(ping.pose().p_WB) && evidence_.Holds(end.p_W) ? 1 : 0;
+    kept.ranges[end.beam] = ranges[end.beam].value_or(0.0);
     const auto bit = static_cast<std::uint8_t>(1U << end.beam);
     kept.used = static_cast<std::uint8_t>(kept.used | bit);
     kept.seabed = static_cast<std::uint8_t>(kept.seabed | (end.is_seabed ? bit : 0U));
   }
-  if (laid > 0) {
-    Lay(kept, Laying::kAdd);
-    pings_.push_back(kept);
-    NoteDepthSigma(ping);
+  Lay(kept, Laying::kAdd);
+  pings_.push_back(kept);
+  NoteDepthSigma(ping);
+  return held;
+}
+
+Eigen::Vector3d BeamMap::EndOf(const Ping& ping, const Eigen::Matrix3d& R_WD,
+                               std::size_t beam) const {
+  return ping.X_WD.p_WB + R_WD * (ping.ranges[beam] * directions_[beam]);
+}
+
+std::vector<Eigen::Vector3d> BeamMap::SeabedEnds(std::size_t ping) const {
+  const Ping& kept = pings_[ping];
+  const Eigen::Matrix3d R_WD = RotationOf(kept.X_WD);
+  std::vector<Eigen::Vector3d> ends;
+  for (std::size_t beam = 0; beam < kept.ranges.size(); ++beam) {
+    if (kept.sees_seabed(beam)) ends.push_back(EndOf(kept, R_WD, beam));
   }
-  return laid;
+  return ends;
 }
 
 void BeamMap::NoteDepthSigma(const PosedBeams& ping) {
@@ -63,21 +69,18 @@ void BeamMap::NoteDepthSigma(const PosedBeams& ping) {
 }
 
 void BeamMap::Lay(const Ping& ping, Laying laying) {
-  const Eigen::Vector3d p_WD =
-      Eigen::Vector3f(ping.p_WD[0], ping.p_WD[1], ping.p_WD[2]).cast<double>();
-  const Eigen::Matrix3d R_WD = RotationFromRollPitchYaw(ping.roll, ping.pitch, ping.yaw);
+  const Eigen::Vector3d& p_WD = ping.X_WD.p_WB;
+  const Eigen::Matrix3d R_WD = RotationOf(ping.X_WD);
   for (std::size_t beam = 0; beam < ping.ranges.size(); ++beam) {
-    if ((ping.used >> beam & 1U) == 0) continue;
-    const Eigen::Vector3d end_W =
-        p_WD + R_WD * (static_cast<double>(ping.ranges[beam]) * directions_[beam]);
+    if (!ping.uses(beam)) continue;
+    const Eigen::Vector3d end_W = EndOf(ping, R_WD, beam);
     if (!evidence_.Holds(p_WD) || !evidence_.Holds(end_W)) continue;  // nor was it laid there
-    const bool is_seabed = (ping.seabed >> beam & 1U) != 0;
     if (laying == Laying::kAdd) {
       evidence_.Add(p_WD, end_W);
-      if (is_seabed) depths_.Add(end_W);
+      if (ping.sees_seabed(beam)) depths_.Add(end_W);
     } else {
       evidence_.TakeBack(p_WD, end_W);
-      if (is_seabed) depths_.TakeBack(end_W);
+      if (ping.sees_seabed(beam)) depths_.TakeBack(end_W);
     }
   }
 }
@@ -96,8 +99,7 @@ void BeamMap::Shift(const TrackShift& shift) {
 
 double BeamMap::Owed(const Ping& ping) const {
   const auto [north, east, down, yaw] = ping.owed;
-  const double swing = std::abs(static_cast<double>(yaw)) * reach_ *
-                       static_cast<double>(std::ranges::max(ping.ranges));
+  const double swing = std::abs(static_cast<double>(yaw)) * reach_ * std::ranges::max(ping.ranges);
   return std::sqrt(static_cast<double>(north * north + east * east + down * down)) + swing;
 }
 
@@ -109,10 +111,8 @@ int BeamMap::Move(Ping& ping, const TrackShift& shift) {
   ping.owed[3] += static_cast<float>(moved.yaw);
   if (Owed(ping) <= kStays) return kLookWork;
   Lay(ping, Laying::kTakeBack);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    ping.p_WD[axis] += ping.owed[axis];
-  }
-  ping.yaw += ping.owed[3];
+  ping.X_WD.p_WB += Eigen::Vector3f(ping.owed[0], ping.owed[1], ping.owed[2]).cast<double>();
+  ping.X_WD.yaw += static_cast<double>(ping.owed[3]);
   ping.owed = {};
   Lay(ping, Laying::kAdd);
   return kLayWork;

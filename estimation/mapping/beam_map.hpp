@@ -15,10 +15,10 @@
 
 namespace limpet {
 
-/// A session's DVL pings, laid into space where the track now has them. Each ping is kept, 72 bytes
-/// (12 MB for six hours at 8 Hz), so that it can be taken back and laid elsewhere when the smoother
-/// moves the way behind: the map is then, voxel for voxel, what the corrected track would have
-/// made.
+/// A session's DVL pings, laid into space where the track now has them. Each ping is kept, 112
+/// bytes (19 MB for six hours at 8 Hz), so that it can be taken back and laid elsewhere when the
+/// smoother moves the way behind: the map is then, voxel for voxel, what the corrected track would
+/// have made.
 class BeamMap {
  public:
   /// Pings that have moved less than this since they were laid stay [m].
@@ -37,6 +37,9 @@ class BeamMap {
   /// looks at a ping and a hundred lay one again. True if nothing is left to do.
   bool Settle(int work = kWorkPerTick);
   void SettleAll();
+  [[nodiscard]] bool is_settled() const { return sweeps_.empty(); }
+  /// Ends on the seabed of a ping, as laid; pings count from 0 in the order in which they came.
+  [[nodiscard]] std::vector<Eigen::Vector3d> SeabedEnds(std::size_t ping) const;
 
   [[nodiscard]] const BeamEvidence& evidence() const { return evidence_; }
   [[nodiscard]] BeamEvidence& evidence() { return evidence_; }
@@ -47,12 +50,13 @@ class BeamMap {
  private:
   struct Ping {
     double t = 0.0;
-    std::array<float, 3> p_WD{};                  ///< the DVL's place, as laid [m]
-    float roll = 0.0F, pitch = 0.0F, yaw = 0.0F;  ///< as laid [rad]
-    std::array<float, 4> ranges{};
+    Pose X_WD;  ///< as laid
+    std::array<double, 4> ranges{};
     std::array<float, 4> owed{};  ///< what it has moved since: north, east, down [m], yaw [rad]
     std::uint8_t used = 0;        ///< bit by beam: laid
     std::uint8_t seabed = 0;      ///< bit by beam: its end is the seabed
+    [[nodiscard]] bool uses(std::size_t beam) const { return (used >> beam & 1U) != 0; }
+    [[nodiscard]] bool sees_seabed(std::size_t beam) const { return (seabed >> beam & 1U) != 0; }
   };
   /// A shift on its way through the pings.
   struct Sweep {
@@ -61,6 +65,8 @@ class BeamMap {
   };
   enum class Laying { kAdd, kTakeBack };
 
+  [[nodiscard]] Eigen::Vector3d EndOf(const Ping& ping, const Eigen::Matrix3d& R_WD,
+                                      std::size_t beam) const;
   void NoteDepthSigma(const PosedBeams& ping);
   void Lay(const Ping& ping, Laying laying);
   /// Returns the work it took.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <octomap/OcTree.h>
 
+#include "estimation/mapping/anchored_grid.hpp"
 #include "estimation/mapping/semantic_map.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/core/random.hpp"
@@ -20,6 +21,13 @@ using namespace limpet;
 constexpr double kVoxel = 0.2;
 constexpr double kHertz = 8.0;
 constexpr double kTick = 0.25;  ///< pMap's [s]
+constexpr double kAltitude = 4.0;
+const SurveyArea kArea{.north_min = 0.0,
+                       .north_max = 36.0,
+                       .east_min = 0.0,
+                       .east_max = 28.0,
+                       .margin = 2.0,
+                       .object_height_max = 2.0};
 
 struct TimedPing {
   double t = 0.0;
@@ -29,7 +37,7 @@ struct TimedPing {
 
 /// Lanes 4 m apart and 36 m long at 0.5 m/s, 4 m above a gently waving seabed, over and over.
 std::vector<TimedPing> Survey(double duration_s) {
-  constexpr double kSpeed = 0.5, kLane = 36.0, kApart = 4.0, kSeabed = 7.5, kAltitude = 4.0;
+  constexpr double kSpeed = 0.5, kLane = 36.0, kApart = 4.0, kSeabed = 7.5;
   constexpr int kLanes = 8;
   Random random(1);
   std::vector<TimedPing> pings;
@@ -112,19 +120,24 @@ TrackShift LoopClosed(double now) {
 void MeasureUpdates(double duration_s, double shift_every_s) {
   const std::vector<TimedPing> pings = Survey(duration_s);
   SemanticMap map{Meters(kVoxel)};
+  AnchoredGrid ground(kArea, Meters(0.25), CameraModel{}, map.beams());
   std::vector<double> updates_ms;
   double next_tick = kTick, next_shift = shift_every_s;
   int unsettled = 0, shifts = 0;
   for (const TimedPing& ping : pings) {
     const double start = ThreadTime().value();
     map.beams().Add(ping.t, ping.beams, ping.ends);
+    ground.TakePings();
     if (ping.t >= next_shift) {
       map.beams().Shift(LoopClosed(ping.t));
+      ground.Shift(LoopClosed(ping.t));
       next_shift += shift_every_s;
       ++shifts;
     }
     if (ping.t >= next_tick) {
-      unsettled += map.beams().Settle() ? 0 : 1;
+      ground.Observe(ping.t, ping.beams.pose(), kAltitude);  // a frame a tick
+      const bool is_settled = map.beams().Settle();
+      unsettled += ground.Settle() && is_settled ? 0 : 1;
       next_tick += kTick;
     }
     updates_ms.push_back(1e3 * (ThreadTime().value() - start));

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -101,9 +102,9 @@ std::size_t SurveyGrid::Index(int row, int column) const {
          static_cast<std::size_t>(column);
 }
 
-void SurveyGrid::Observe(const Pose& X_WB, double altitude, const CameraModel& camera) {
+int SurveyGrid::Observe(const Pose& X_WB, double altitude, const CameraModel& camera) {
   if (!(altitude > 0.0)) {
-    return;
+    return 0;
   }
   const ViewCone cone(X_WB, camera, kDiscInset);
   const double guessed_down = X_WB.p_WB.z() + altitude;
@@ -123,6 +124,8 @@ void SurveyGrid::Observe(const Pose& X_WB, double altitude, const CameraModel& c
       }
     }
   }
+  return std::max(0, box.row_max - box.row_min + 1) *
+         std::max(0, box.column_max - box.column_min + 1);
 }
 
 void SurveyGrid::Raise(std::size_t cell, float height, float seabed_down) {
@@ -131,6 +134,12 @@ void SurveyGrid::Raise(std::size_t cell, float height, float seabed_down) {
     seabed_source_[cell] = SeabedSource::kAltitude;
   }
   if (height > seen_[cell]) {
+    SetHeight(cell, height);
+  }
+}
+
+void SurveyGrid::SetHeight(std::size_t cell, float height) {
+  if (height != seen_[cell]) {
     seen_[cell] = height;
     MarkChanged(cell);
   }
@@ -172,7 +181,7 @@ void SurveyGrid::MarkChanged(std::size_t cell) {
   }
 }
 
-void SurveyGrid::SetSeabed(double north, double east, double down) {
+int SurveyGrid::SetSeabed(double north, double east, double down) {
   const auto first = [this](double offset) {
     return static_cast<int>(std::ceil((offset - kSeabedReach) / frame_.cell_m - 0.5));
   };
@@ -180,6 +189,7 @@ void SurveyGrid::SetSeabed(double north, double east, double down) {
     return static_cast<int>(std::floor((offset + kSeabedReach) / frame_.cell_m - 0.5));
   };
   const double dn = north - frame_.north_min, de = east - frame_.east_min;
+  int cells = 0;
   for (int row = std::max(0, first(dn)); row <= std::min(frame_.rows - 1, last(dn)); ++row) {
     for (int column = std::max(0, first(de)); column <= std::min(frame_.columns - 1, last(de));
          ++column) {
@@ -188,6 +198,7 @@ void SurveyGrid::SetSeabed(double north, double east, double down) {
       if (std::hypot(off_north, off_east) > kSeabedReach) {
         continue;
       }
+      ++cells;
       const std::size_t cell = Index(row, column);
       const bool had_beam = seabed_source_[cell] == SeabedSource::kBeam;
       const int weight = had_beam ? std::min<int>(beam_count_[cell], kMostBeamWeight) : 0;
@@ -200,6 +211,23 @@ void SurveyGrid::SetSeabed(double north, double east, double down) {
       }
     }
   }
+  return cells;
+}
+
+void SurveyGrid::Become(SurveyGrid&& other) {
+  LIMPET_REQUIRE(other.seen_.size() == seen_.size(), "another area's grid");
+  for (std::size_t cell = 0; cell < seen_.size(); ++cell) {
+    const bool has_moved = other.seen_[cell] >= 0.0F && other.seabed_[cell] != seabed_[cell];
+    if (has_moved || other.seen_[cell] != seen_[cell] || other.floor_[cell] != floor_[cell]) {
+      MarkChanged(cell);
+    }
+  }
+  seen_ = std::move(other.seen_);
+  floor_ = std::move(other.floor_);
+  closest_ = std::move(other.closest_);
+  seabed_ = std::move(other.seabed_);
+  seabed_source_ = std::move(other.seabed_source_);
+  beam_count_ = std::move(other.beam_count_);
 }
 
 GridDelta SurveyGrid::TakeDelta() {
@@ -247,7 +275,7 @@ bool SurveyGrid::Apply(const GridDelta& delta) {
     seabed_[change.index] = change.seabed_down;
     seabed_source_[change.index] = SeabedSource::kBeam;
     beam_count_[change.index] = kMostBeamWeight;
-    Raise(change.index, change.seen_height, change.seabed_down);
+    SetHeight(change.index, change.seen_height >= 0.0F ? change.seen_height : kNeverSeen);
     SetFloor(change.index, change.seen_floor);
   }
   return true;

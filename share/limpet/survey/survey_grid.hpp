@@ -58,20 +58,24 @@ class SurveyGrid {
   SurveyGrid(const GridFrame& frame, double object_height_max);
 
   /// Marks what the camera sees from `X_WB`. `altitude` [m] is the height of the body origin above
-  /// the seabed; it stands in where the seabed's depth is not known.
-  void Observe(const Pose& X_WB, double altitude, const CameraModel& camera);
+  /// the seabed; it stands in where the seabed's depth is not known. Returns how many cells it
+  /// looked at.
+  int Observe(const Pose& X_WB, double altitude, const CameraModel& camera);
   /// A point of the seabed (a DVL beam's end): moves the depth of the cells within
-  /// `kSeabedReach` towards `down` [m].
-  void SetSeabed(double north, double east, double down);
+  /// `kSeabedReach` towards `down` [m]. Returns how many those are.
+  int SetSeabed(double north, double east, double down);
   static constexpr double kSeabedReach = 0.75;
   /// How far one sees [m]; before the first call without limit. Changes what has been seen.
   void SetReach(double reach);
 
-  /// Cells seen higher, or with a new seabed depth, since the last call; each once.
+  /// Takes another grid's state, which may have seen less. REQUIRES: a grid of the same area.
+  void Become(SurveyGrid&& other);
+
+  /// Cells seen higher or lower, or with a new seabed depth, since the last call; each once.
   [[nodiscard]] GridDelta TakeDelta();
   /// All cells ever seen, as one delta.
   [[nodiscard]] GridDelta Everything() const;
-  /// Merges another grid's changes; false, with nothing changed, if its frame is another one.
+  /// Takes over another grid's changes; false, with nothing changed, if its frame is another one.
   [[nodiscard]] bool Apply(const GridDelta& delta);
 
   [[nodiscard]] Coverage coverage() const;
@@ -98,6 +102,7 @@ class SurveyGrid {
   enum class SeabedSource : std::uint8_t { kNone, kAltitude, kBeam };
   [[nodiscard]] std::size_t Index(int row, int column) const;
   void Raise(std::size_t cell, float height, float seabed_down);
+  void SetHeight(std::size_t cell, float height);
   void Approach(std::size_t cell, float range);
   void SetFloor(std::size_t cell, float floor);
   void MarkChanged(std::size_t cell);

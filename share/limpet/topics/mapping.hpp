@@ -23,10 +23,10 @@ struct GridFrame {
   int columns = 0;  ///< along east
 };
 
-/// Cells that changed since the last message. `seen_height` is the greatest height above the seabed
-/// up to which the cell has been inside the image [m], negative never happens: 0 is "bottom only",
-/// and absent cells never were. Of that, what lies below `seen_floor` was out of reach in this
-/// water.
+/// Cells that changed since the last message, as they are now. `seen_height` is the greatest height
+/// above the seabed up to which the cell has been inside the image [m]: 0 is "bottom only", absent
+/// cells never were, and negative ones were not after all, because the track turned out to lie
+/// elsewhere. Of that, what lies below `seen_floor` was out of reach in this water.
 struct GridDelta {
   GridFrame frame;
   struct Cell {

@@ -367,6 +367,29 @@ TEST_F(MapAppTest, SendsItsMapOnRequest) {
   EXPECT_EQ(top->label, VoxelLabel::kNew);
 }
 
+TEST_F(MapAppTest, TakesBackCoverageOfGroundThatTheTrackTurnsOutNotToHaveShown) {
+  link_.Send(app_, topics::kSurveyArea, kArea);
+  SurveyGrid mirror(kArea);
+  const auto tick = [&] {
+    link_.time += Seconds(1.0);
+    app_.Tick(link_.time);
+    EXPECT_TRUE(mirror.Apply(*link_.Last(topics::kMapDelta)));
+    return *link_.Last(topics::kMapCoverage);
+  };
+  Survey({.north = -10, .length = 20}, {});
+  const Coverage thought = tick();
+  EXPECT_GT(thought.seabed, 0.05);
+  // It was at the area's edge, half of each image outside.
+  link_.Send(app_, topics::kNavTrackShift,
+             TrackShift{{{link_.time.value(), 0.0, kArea.east_max, 0.0, 0.0}}});
+  for (int i = 0; i < 20; ++i) {
+    static_cast<void>(tick());
+  }
+  const Coverage known = tick();
+  EXPECT_NEAR(known.seabed, 0.5 * thought.seabed, 0.2 * thought.seabed);
+  EXPECT_NEAR(mirror.coverage().seabed, known.seabed, 1e-9);
+}
+
 TEST_F(MapAppTest, SavesBeamsAndDepthsWhereTheTrackIsNow) {
   const PosedBeams ping{.down = 3.5, .b1 = 4.4, .b2 = 4.4, .b3 = 4.4, .b4 = 4.4, .sd_down = 0.07};
   link_.Send(app_, topics::kNavBeams, ping);

@@ -129,6 +129,40 @@ TEST(SurveyGrid, ALateMirrorLearnsEverythingAtOnce) {
   EXPECT_TRUE(grid.TakeDelta().cells.empty()) << "others' deltas are not delayed";
 }
 
+TEST(SurveyGrid, AMirrorFollowsAlsoToWhatWasNotSeenAfterAll) {
+  SurveyGrid grid(kArea), mirror(kArea), corrected(kArea);
+  grid.Observe(At(0.0, 0.0), 4.0, CameraModel{});
+  grid.Observe(At(5.0, 0.0), 4.0, CameraModel{});
+  ASSERT_TRUE(mirror.Apply(grid.TakeDelta()));
+  corrected.Observe(At(0.0, 0.0), 4.0, CameraModel{});
+  corrected.Observe(At(5.5, 0.5), 4.0, CameraModel{});
+  corrected.SetSeabed(5.5, 0.5, 7.6);
+  const SurveyGrid expected = corrected;
+  const std::uint64_t before = grid.version();
+  grid.Become(std::move(corrected));
+  EXPECT_TRUE(std::ranges::equal(grid.heights(), expected.heights()));
+  EXPECT_GT(grid.version(), before);
+  const GridDelta delta = grid.TakeDelta();
+  EXPECT_LT(delta.cells.size(), 700U) << "of the image that stayed, nothing is told";
+  ASSERT_TRUE(mirror.Apply(delta));
+  EXPECT_TRUE(std::ranges::equal(mirror.heights(), expected.heights()));
+  EXPECT_EQ(mirror.coverage().band, expected.coverage().band);
+  EXPECT_EQ(mirror.Seabed(RowOf(mirror, 5.5), ColumnOf(mirror, 0.5)), 7.6F);
+}
+
+TEST(SurveyGrid, BecomingWhatItIsChangesNothing) {
+  SurveyGrid grid(kArea), same(kArea);
+  for (SurveyGrid* each : {&grid, &same}) {
+    each->Observe(At(0.0, 0.0), 4.0, CameraModel{});
+    each->SetSeabed(0.0, 0.0, 7.4);
+  }
+  static_cast<void>(grid.TakeDelta());
+  const std::uint64_t before = grid.version();
+  grid.Become(std::move(same));
+  EXPECT_EQ(grid.version(), before);
+  EXPECT_TRUE(grid.TakeDelta().cells.empty());
+}
+
 TEST(SurveyGrid, ADeltaHoldsEachChangedCellOnce) {
   SurveyGrid grid(kArea);
   grid.Observe(At(0.0, 0.0), 4.0, CameraModel{});

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <deque>
+#include <optional>
+
+#include "estimation/mapping/beam_map.hpp"
+#include "limpet/survey/survey_grid.hpp"
+#include "limpet/topics/navigation.hpp"
+
+namespace limpet {
+
+/// The survey grid, and what it is made of: the frames' poses, and the seabed that the pings of a
+/// BeamMap show. When the smoother has moved the way behind so far that other ground was seen than
+/// was thought, the grid is made anew beside the one in use, a bounded part per tick, and then
+/// takes its place: it is then, cell for cell, what the corrected track would have made. What was
+/// not really seen is unseen again.
+class AnchoredGrid {
+ public:
+  /// Cells looked at in one tick, about two milliseconds.
+  static constexpr int kWorkPerTick = 150'000;
+
+  /// Ground seen, and pings laid, from now on. `beams` outlives this.
+  AnchoredGrid(const SurveyArea& area, Meters cell, const CameraModel& camera,
+               const BeamMap& beams);
+
+  /// A frame of time `t` [s] that counts; `altitude` [m] as for SurveyGrid::Observe.
+  void Observe(double t, const Pose& X_WB, double altitude);
+  /// The pings that the beams have had since the last call.
+  void TakePings();
+  void SetReach(double reach);
+  /// The track behind has moved; the beams are to be told, too.
+  void Shift(const TrackShift& shift);
+  /// Goes on making the grid anew if it must be; waits for the beams to be where they belong.
+  /// True if nothing is left to do.
+  bool Settle(int work = kWorkPerTick);
+
+  [[nodiscard]] SurveyGrid& grid() { return grid_; }
+  [[nodiscard]] const SurveyGrid& grid() const { return grid_; }
+
+ private:
+  struct Frame {
+    double t = 0.0;
+    Pose X_WB;
+    double altitude = 0.0;
+    std::size_t pings_before = 0;
+    /// What it has moved since the grid was last made of it: north, east, down [m], yaw [rad].
+    std::array<float, 4> moved{};
+  };
+  /// A grid in the making.
+  struct Remake {
+    SurveyGrid grid;
+    std::size_t next_frame = 0, next_ping = 0;
+  };
+
+  [[nodiscard]] bool ShowsOtherGround(const Frame& frame) const;
+  void StartRemake();
+  /// Lays pings into the grid from `next` up to `end`; returns the cells it looked at.
+  int LayPings(SurveyGrid& grid, std::size_t& next, std::size_t end) const;
+
+  SurveyArea area_;
+  CameraModel camera_;
+  const BeamMap* beams_;
+  std::optional<double> reach_;
+  SurveyGrid grid_;
+  std::deque<Frame> frames_;
+  std::size_t first_ping_, next_ping_;
+  bool is_stale_ = false;  ///< frames have moved since the grid, or its remake, was begun
+  std::optional<Remake> remake_;
+};
+
+}  // namespace limpet
