@@ -118,6 +118,7 @@ void NavApp::OnImu(const Stamped<ImuSample>& imu) {
     return;
   }
   imu_.Note(t, now().value());
+  navigator_.AddSpecificForce(t, {sample.fx, sample.fy, sample.fz});
   if (attitude_.is_aligned() && t - last_attitude_t_ >= Navigator::kAttitudePeriod) {
     navigator_.AddAttitude(*attitude_.estimate());
     navigator_.AddCompass(t, WrapAngle(sample.heading - attitude_.estimate()->yaw));

@@ -49,9 +49,13 @@ std::vector<Association> FrameAssociator::Assign(const Viewpoint& from,
   return associations;
 }
 
-FrameAssociator::Reachable FrameAssociator::CollectReachable(const NavVector& x) const {
+double FrameAssociator::Reach() const {
   const Eigen::MatrixXd pose = smoother_.Covariance({});
-  const double reach = kReach + 4.0 * std::sqrt(pose.diagonal().head<2>().maxCoeff());
+  return kReach + 4.0 * std::sqrt(pose.diagonal().head<2>().maxCoeff());
+}
+
+FrameAssociator::Reachable FrameAssociator::CollectReachable(const NavVector& x) const {
+  const double reach = Reach();
   Reachable reachable;
   std::vector<int> slots;
   for (const TrackedObject& object : tracks_.objects) {

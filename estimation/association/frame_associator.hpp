@@ -49,6 +49,10 @@ class FrameAssociator {
   [[nodiscard]] std::vector<Association> Assign(const Viewpoint& from,
                                                 const std::vector<Candidate>& candidates) const;
 
+  /// [m] beyond the greatest distance that a track was seen from: no error of the newest pose
+  /// brings one further off into view.
+  [[nodiscard]] double Reach() const;
+
  private:
   /// Tracks that no error of the pose could bring into view are left out.
   struct Reachable {

@@ -22,6 +22,7 @@ constexpr double kRecent = 30.0;       // [s] of observations that always are
 constexpr double kSplitDriftSd = 0.5;  // [m] of what was taken for another landmark by mistake
 constexpr double kModelError = 0.05;   // [m] between two landmarks of one object
 constexpr double kLongAgo = -1e18;     // [s]
+constexpr double kOldPlace = 0.5;      // [m] that copies of places may be off one another
 
 }  // namespace
 
@@ -103,6 +104,7 @@ void LandmarkReview::DoubtDuplicates() {
   for (TrackedObject& a : tracks_.objects) {
     for (TrackedObject& b : tracks_.objects) {
       if (!a.is_landmark() || !b.is_landmark() || a.id() >= b.id()) continue;
+      if ((a.p_W - b.p_W).norm() > params_.merge_distance_m + kOldPlace) continue;
       const Eigen::Vector3d d = smoother_.BorderAt(a.slot()) - smoother_.BorderAt(b.slot());
       if (d.norm() > params_.merge_distance_m || AreSeenTogether(a, b)) continue;
       const Eigen::MatrixXd joint = smoother_.Covariance({a.slot(), b.slot()});

@@ -37,8 +37,13 @@ void ObjectSizes::Learn(const std::vector<SizeSlot>& seen) {
 }
 
 double ObjectSizes::VarianceOf(const SizeSlot& size) const {
-  const Eigen::Index row = 6 + size.index;  // behind the pose
-  return std::max(smoother_->Covariance({size.slot})(row, row), 0.0);
+  const bool is_at_hand = smoother_->IsAtHand(size.slot);
+  auto known = variances_.find(size.slot);
+  if (is_at_hand || known == variances_.end()) {
+    const Eigen::Vector3d now = smoother_->Covariance({size.slot}).diagonal().tail<3>();
+    known = variances_.insert_or_assign(size.slot, now).first;
+  }
+  return std::max(known->second(size.index), 0.0);
 }
 
 }  // namespace limpet

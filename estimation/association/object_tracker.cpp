@@ -12,6 +12,9 @@
 namespace limpet {
 namespace {
 
+constexpr std::size_t kFarPerRefresh = 1;
+constexpr double kSoonInReach = 6.0;  // [m] beyond what may be seen now: about a leaf's way
+
 Observation ObservationOf(const Candidate& candidate, const Detections& frame,
                           const Viewpoint& from) {
   return {.frame = frame.frame,
@@ -138,12 +141,42 @@ void ObjectTracker::LearnSizes() {
   terms_.sizes().Learn(seen);
 }
 
-void ObjectTracker::Refresh() {
+void ObjectTracker::Refresh(TrackedObject& object) {
+  object.p_W = smoother_.BorderAt(object.slot());
+  if (object.size()) object.log_size = terms_.sizes().LogSizeAt(*object.size());
+}
+
+void ObjectTracker::RefreshAll() {
   for (TrackedObject& object : tracks_.objects) {
-    if (!object.is_mapped()) continue;
-    object.p_W = smoother_.BorderAt(object.slot());
-    if (object.size()) object.log_size = terms_.sizes().LogSizeAt(*object.size());
+    if (object.is_mapped()) Refresh(object);
   }
+}
+
+void ObjectTracker::Refresh() {
+  for (std::size_t i = 0; i < tracks_.objects.size(); ++i) {
+    TrackedObject& object = tracks_.objects[i];
+    const bool is_due = i >= next_far_ && i < next_far_ + kFarPerRefresh;
+    if (object.is_mapped() && (is_due || smoother_.IsAtHand(object.slot()))) Refresh(object);
+  }
+  next_far_ = next_far_ < tracks_.objects.size() ? next_far_ + kFarPerRefresh : 0;
+  KeepNearAtHand();
+}
+
+void ObjectTracker::KeepNearAtHand() {
+  const int nodes = smoother_.graph().node_count();
+  if (nodes == 0) return;
+  const Eigen::Vector3d p_W = smoother_.PoseAt(nodes - 1).head<3>();
+  const double reach = associator_.Reach() + kSoonInReach;
+  std::vector<int> near;
+  for (const TrackedObject& object : tracks_.objects) {
+    const bool is_near =
+        object.is_mapped() &&
+        (object.is_open() || (object.p_W - p_W).norm() < object.max_distance + reach);
+    if (!is_near) continue;
+    near.push_back(object.slot());
+    if (object.size()) near.push_back(object.size()->slot);
+  }
+  smoother_.KeepAtHand(near);
 }
 
 }  // namespace limpet

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -41,8 +42,11 @@ class ObjectTracker {
   /// The session is over: decides what is still in doubt as well as can be. True if the graph
   /// changed.
   bool Conclude() { return identities_.Conclude(); }
-  /// Copies landmark estimates from the smoother.
+  /// Copies estimates from the smoother: of what the vehicle may see soon at once, of what is far
+  /// from it one by one.
   void Refresh();
+  /// Of all at once.
+  void RefreshAll();
 
   [[nodiscard]] const std::vector<TrackedObject>& objects() const { return tracks_.objects; }
   [[nodiscard]] std::vector<TrackedObject>& objects() { return tracks_.objects; }
@@ -59,6 +63,9 @@ class ObjectTracker {
   void AddObservation(TrackedObject& object, Observation observation, const Viewpoint& from);
   void StartTrack(Observation observation, const Viewpoint& from);
   void LearnSizes();
+  void Refresh(TrackedObject& object);
+  /// Tells the smoother what may be asked about with the poses to come.
+  void KeepNearAtHand();
   /// Tentative tracks that nothing has shown for long.
   void DropStale();
 
@@ -71,6 +78,7 @@ class ObjectTracker {
   Confirmation confirmation_;
   LandmarkReview review_;
   IdentityDecisions identities_;
+  std::size_t next_far_ = 0;  ///< whose turn it is to be refreshed
 };
 
 }  // namespace limpet

@@ -34,13 +34,14 @@ void CountVisibility(const Viewpoint& from, const std::vector<std::size_t>& seen
   const CameraModel camera = mount.At(from.motion);
   for (std::size_t j = 0; j < tracks.objects.size(); ++j) {
     TrackedObject& object = tracks.objects[j];
+    const bool is_seen = std::ranges::count(seen, j) > 0;
+    if (!is_seen && !ShouldBeSeen(object, from.x, camera)) continue;
     if (object.is_mapped() && !tracks.TakesObservations(object, params.confirm_within_s)) continue;
-    if (std::ranges::count(seen, j) > 0) {
+    if (is_seen) {
       ++object.expected;
       ++object.hits;
       continue;
     }
-    if (!ShouldBeSeen(object, from.x, camera)) continue;
     // What is open and seen now may be this one.
     const auto may_be_it = [&](std::size_t k) {
       const TrackedObject& other = tracks.objects[k];

@@ -58,7 +58,7 @@ void FormerMatching::Update() {
   }
   smoother_.SetJointPrior(tie_.prior());
   smoother_.Update();
-  tracker_.Refresh();
+  tracker_.RefreshAll();
   matched_.clear();
   for (const TrackedObject* object : present.objects) {
     matched_.push_back({object->slot(), object->p_W,

@@ -35,6 +35,21 @@ bool MeasurementBuffer::IsPlausible(double t) const {
   return std::isfinite(t) && (track_.is_empty() || t < track_.last_time() + kAhead);
 }
 
+Eigen::Matrix3d MeasurementBuffer::LevelRotationAt(double t) const {
+  const AttitudeEstimate attitude = track_.AttitudeAt(t);
+  return RotationFromRollPitchYaw(attitude.roll, attitude.pitch, attitude.yaw);
+}
+
+void MeasurementBuffer::AddSpecificForce(double t, const Eigen::Vector3d& force_B) {
+  if (track_.is_empty() || !IsPlausible(t) || !force_B.allFinite()) return;
+  felt_.AddForce(t, force_B, LevelRotationAt(t));
+}
+
+VelocityEvidence MeasurementBuffer::EvidenceAt(double t) const {
+  if (track_.is_empty()) return {};
+  return {.predicted_B = track_.BridgedAt(t), .felt_B = felt_.At(t, LevelRotationAt(t))};
+}
+
 void MeasurementBuffer::AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B) {
   if (!IsPlausible(t) || t <= track_.settled_time()) {
     ++counts_.stale_samples;
@@ -42,8 +57,9 @@ void MeasurementBuffer::AddVelocity(double t, const std::optional<Eigen::Vector3
   }
   using Verdict = VelocityGate::Verdict;
   const Verdict verdict =
-      v_dvl_B ? velocity_gate_.Judge(t, *v_dvl_B, track_.BridgedAt(t)) : Verdict::kRefused;
+      v_dvl_B ? velocity_gate_.Judge(t, *v_dvl_B, EvidenceAt(t)) : Verdict::kRefused;
   const bool is_good = verdict == Verdict::kGood || verdict == Verdict::kBelieved;
+  if (is_good && !track_.is_empty()) felt_.Believe(t, *v_dvl_B, LevelRotationAt(t));
   counts_.velocities += v_dvl_B && !is_good ? 1 : 0;
   if (const auto rate = is_good ? std::nullopt : depths_.Slope(kSinkRateSpan)) {
     track_.SetSinkRate(*rate);
@@ -62,10 +78,7 @@ void MeasurementBuffer::AddAltitude(double t, double dvl_altitude) {
       !altitudes_.IsNewest(t)) {
     return;
   }
-  const AttitudeEstimate attitude = track_.AttitudeAt(t);
-  const Eigen::Matrix3d R_WB =
-      RotationFromRollPitchYaw(attitude.roll, attitude.pitch, attitude.yaw);
-  altitudes_.Add({t, dvl_altitude + (R_WB * p_dvl_B_).z()});
+  altitudes_.Add({t, dvl_altitude + (LevelRotationAt(t) * p_dvl_B_).z()});
 }
 
 void MeasurementBuffer::AddDepth(double t, double depth) {

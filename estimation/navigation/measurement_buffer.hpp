@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "estimation/attitude/attitude_filter.hpp"
+#include "estimation/navigation/inertial_velocity.hpp"
 #include "estimation/navigation/odometry_track.hpp"
 #include "estimation/navigation/scalar_history.hpp"
 #include "estimation/navigation/time_gate.hpp"
@@ -35,6 +36,8 @@ class MeasurementBuffer {
   MeasurementBuffer(const OdometryParams& odometry, const VelocityGateParams& velocity_gate);
 
   void AddAttitude(const AttitudeEstimate& attitude);
+  /// Of an accelerometer in body axes [m/s^2]. Comes after an attitude.
+  void AddSpecificForce(double t, const Eigen::Vector3d& force_B);
   /// Of the DVL in body axes [m/s]; nothing without lock.
   void AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B);
   /// Of the DVL above the seabed [m]; kept as that of the body origin. Comes after an attitude.
@@ -66,9 +69,13 @@ class MeasurementBuffer {
  private:
   /// False for times that are no number or further ahead of the attitude than any sensor can be.
   [[nodiscard]] bool IsPlausible(double t) const;
+  /// From the body to level axes, by the attitude. REQUIRES: there is one.
+  [[nodiscard]] Eigen::Matrix3d LevelRotationAt(double t) const;
+  [[nodiscard]] VelocityEvidence EvidenceAt(double t) const;
 
   Eigen::Vector3d p_dvl_B_;
   VelocityGate velocity_gate_;
+  InertialVelocity felt_;
   TimeGate attitude_gate_;
   OdometryTrack track_;
   ScalarHistory depths_, altitudes_;  ///< altitudes: of the body origin

@@ -17,6 +17,13 @@ constexpr double kNever = 1e18;         // [s]
 constexpr double kReviewPeriod = 1.0;   // [s]
 constexpr int kLastRounds = 4;          // of review, when nothing more is to come
 
+std::vector<int> SlotsOf(const std::vector<const TrackedObject*>& objects) {
+  std::vector<int> slots;
+  for (const TrackedObject* object : objects)
+    slots.push_back(object->slot());
+  return slots;
+}
+
 }  // namespace
 
 Navigator::Navigator(const NavigatorParams& params)
@@ -136,6 +143,7 @@ void Navigator::TakeFix(const PositionFix& fix) {
   UseCompass(fix.t, chain_.size() - 1);
   tracker_.Refresh();
   if (use == PoseChain::FixUse::kTaken) {
+    tracker_.RefreshAll();
     former_.Update();     // what no match explained in the dive may be clear now:
     ++landmark_version_;  // after it a fix moves all landmarks
   }
@@ -210,7 +218,7 @@ void Navigator::ReviewObjects(double t) {
 
 void Navigator::ConvergeAndRefresh(SolveReport& report) {
   report = smoother_.Converge();
-  tracker_.Refresh();
+  tracker_.RefreshAll();
 }
 
 SolveReport Navigator::Finish() {
@@ -234,7 +242,7 @@ SolveReport Navigator::Finish() {
     smoother_.Update();
     ConvergeAndRefresh(report);
   }
-  tracker_.Refresh();
+  tracker_.RefreshAll();
   if (former_.has_former()) {
     former_.Update();
     ConvergeAndRefresh(report);
@@ -265,25 +273,24 @@ std::vector<const TrackedObject*> Navigator::LandmarksById() const {
 
 std::vector<Landmark> Navigator::Landmarks() const {
   std::vector<Landmark> landmarks;
-  for (const TrackedObject* object : LandmarksById()) {
-    landmarks.push_back(
-        {.id = object->id(),
-         .object = {.p_W = object->p_W,
-                    .cov_W = smoother_.Covariance({object->slot()}).bottomRightCorner<3, 3>(),
-                    .color = object->Color()},
-         .looks = static_cast<int>(object->observations.size()),
-         .is_confirmed = true,
-         .former_id = object->former_id,
-         .former_probability = object->former_probability,
-         .former_candidates = object->former_candidates});
+  const std::vector<const TrackedObject*> objects = LandmarksById();
+  const std::vector<Eigen::Matrix3d> covariances = smoother_.BorderCovariances(SlotsOf(objects));
+  for (const TrackedObject* object : objects) {
+    landmarks.push_back({.id = object->id(),
+                         .object = {.p_W = smoother_.BorderAt(object->slot()),
+                                    .cov_W = covariances[landmarks.size()],
+                                    .color = object->Color()},
+                         .looks = static_cast<int>(object->observations.size()),
+                         .is_confirmed = true,
+                         .former_id = object->former_id,
+                         .former_probability = object->former_probability,
+                         .former_candidates = object->former_candidates});
   }
   return landmarks;
 }
 
 Eigen::MatrixXd Navigator::LandmarkCovariance() const {
-  std::vector<int> slots;
-  for (const TrackedObject* object : LandmarksById())
-    slots.push_back(object->slot());
+  const std::vector<int> slots = SlotsOf(LandmarksById());
   const auto n = static_cast<Eigen::Index>(3 * slots.size());
   return slots.empty() ? Eigen::MatrixXd()
                        : Eigen::MatrixXd(smoother_.Covariance(slots).bottomRightCorner(n, n));

@@ -49,6 +49,10 @@ class Navigator {
   Navigator& operator=(const Navigator&) = delete;
 
   void AddAttitude(const AttitudeEstimate& attitude) { measurements_.AddAttitude(attitude); }
+  /// Of an accelerometer in body axes [m/s^2]: tells a true change of velocity from a false one.
+  void AddSpecificForce(double t, const Eigen::Vector3d& force_B) {
+    measurements_.AddSpecificForce(t, force_B);
+  }
   /// Velocity of the DVL in body axes [m/s]; nothing without lock.
   void AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B) {
     measurements_.AddVelocity(t, v_dvl_B);

@@ -19,14 +19,24 @@ struct VelocityGateParams {
   Seconds longest_pause{0.5};     ///< between false velocities that are one
   Seconds proven{1.0};            ///< velocities that agree so long stand against others
   Seconds dropout{1.0};           ///< without a good one, in which a vehicle may change its way
-  Seconds longest_burst{6.0};  ///< false velocities that agree with one another do not last longer
+  Seconds longest_burst{12.0};  ///< false velocities that agree with one another do not last longer
+  double felt_share = 0.3;      ///< of a change: less than this was none, says the accelerometer
+  Seconds longest_denied{60.0};  ///< likewise, of those that the accelerometer has not felt begin
+};
+
+/// What else tells of the velocity [m/s].
+struct VelocityEvidence {
+  std::optional<Eigen::Vector3d> predicted_B{};  ///< that a dropout is bridged with
+  /// That the accelerometer makes of the last one accepted, while that is good for anything.
+  std::optional<Eigen::Vector3d> felt_B{};
 };
 
 /// Sorts out bottom-track velocity that cannot be the vehicle's: a sample passes when it differs
 /// from one of the last two accepted ones by no more than an allowance that grows with its age, or
-/// from what is predicted by as much. Any other is false, however many samples in a row say so,
-/// until they have lasted too long for that; sooner after a dropout, in which the vehicle may have
-/// changed its way, but then what was before stays an alternative for as long. Samples that tell of
+/// from what is predicted or felt by as much. Any other is false, however many samples in a row say
+/// so, until they have lasted too long for that: much longer where the accelerometer felt nothing
+/// when they began; sooner after a dropout, in which the vehicle may have changed its way, but then
+/// what was before stays an alternative for as long. Samples that tell of
 /// another sink rate only are believed at the second: a vehicle begins to dive at once. Before
 /// anything is proven a second sample that agrees is enough: a wrong first one must not lock the
 /// gate.
@@ -41,9 +51,9 @@ class VelocityGate {
 
   explicit VelocityGate(const VelocityGateParams& params) : params_(params) {}
 
-  /// Of `v_B` [m/s], measured at `t` [s], where `predicted_B` is expected, if anything is.
+  /// Of `v_B` [m/s], measured at `t` [s].
   [[nodiscard]] Verdict Judge(double t, const Eigen::Vector3d& v_B,
-                              const std::optional<Eigen::Vector3d>& predicted_B = std::nullopt) {
+                              const VelocityEvidence& evidence = {}) {
     if (!(v_B.norm() <= params_.fastest.value())) return Verdict::kRefused;
     const Sample sample{t, v_B};
     if (!last_) return Accept(sample, Verdict::kGood);
@@ -53,11 +63,12 @@ class VelocityGate {
       return Accept(sample, Verdict::kBelieved);
     }
     const bool goes_on = refused_ && Agrees(sample, *refused_) && IsNearer(sample, *refused_);
-    if (!goes_on && (IsAsLately(sample) || IsAsPredicted(sample, predicted_B))) {
+    const bool is_felt = IsAs(evidence.felt_B, sample);
+    if (is_felt || (!goes_on && (IsAsLately(sample) || IsAs(evidence.predicted_B, sample)))) {
       return Accept(sample, Verdict::kGood);
     }
     if (!goes_on) {
-      if (!IsContest(t)) Begin(sample);
+      if (!IsContest(t)) Begin(sample, evidence);
       return Verdict::kRefused;
     }
     refused_ = sample;
@@ -79,7 +90,9 @@ class VelocityGate {
     const bool is_proven =
         last_->t - good_since_ >= params_.proven.value() && !AgreesLevel(sample, *last_);
     const bool had_dropout = refused_since_ - last_->t > params_.dropout.value();
-    const Seconds longest = had_dropout ? params_.proven : params_.longest_burst;
+    const Seconds longest = had_dropout  ? params_.proven
+                            : is_denied_ ? params_.longest_denied
+                                         : params_.longest_burst;
     if (is_proven && sample.t - refused_since_ < longest.value()) return Verdict::kContested;
     alternative_ = is_proven && had_dropout ? last_ : std::nullopt;
     good_since_ = refused_since_;
@@ -103,17 +116,20 @@ class VelocityGate {
     return refused_ && refused_->t > refused_since_ &&
            t - refused_->t <= params_.longest_pause.value();
   }
-  void Begin(const Sample& first) {
+  void Begin(const Sample& first, const VelocityEvidence& evidence) {
     refused_ = first;
     refused_since_ = first.t;
+    const double claimed = (first.v_B - last_->v_B).norm();
+    is_denied_ =
+        evidence.felt_B && (*evidence.felt_B - last_->v_B).norm() < params_.felt_share * claimed;
   }
   /// To `refused` than to the last good one, whose allowance has grown since.
   [[nodiscard]] bool IsNearer(const Sample& sample, const Sample& refused) const {
     return (sample.v_B - refused.v_B).squaredNorm() < (sample.v_B - last_->v_B).squaredNorm();
   }
-  [[nodiscard]] bool IsAsPredicted(const Sample& sample,
-                                   const std::optional<Eigen::Vector3d>& predicted_B) const {
-    return predicted_B && (sample.v_B - *predicted_B).norm() <= params_.jump.value();
+  [[nodiscard]] bool IsAs(const std::optional<Eigen::Vector3d>& expected_B,
+                          const Sample& sample) const {
+    return expected_B && (sample.v_B - *expected_B).norm() <= params_.jump.value();
   }
   [[nodiscard]] bool Agrees(const Sample& a, const Sample& b) const {
     const double age = std::min(a.t - b.t, params_.longest_growth.value());
@@ -126,6 +142,7 @@ class VelocityGate {
   VelocityGateParams params_;
   std::optional<Sample> last_, before_last_, refused_, alternative_;
   double good_since_ = 0.0, refused_since_ = 0.0;  ///< [s]
+  bool is_denied_ = false;                         ///< what is refused, by the accelerometer
 };
 
 }  // namespace limpet

@@ -44,6 +44,7 @@ class Replayer {
       ++refused_inertial_;
       return;
     }
+    navigator_.AddSpecificForce(row.t, row.force);
     if (filter_.is_aligned() && row.t - attitude_t_ >= Navigator::kAttitudePeriod) {
       attitude_t_ = row.t;
       (*this)(*filter_.estimate());

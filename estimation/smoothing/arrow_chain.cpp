@@ -2,12 +2,18 @@
 #include "estimation/smoothing/arrow_chain.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "estimation/smoothing/border_terms.hpp"
 #include "limpet/core/require.hpp"
 
 namespace limpet {
+namespace {
+
+constexpr int kIdleLeaves = 2;  // after which what is not needed may rest
+
+}  // namespace
 
 int ArrowChain::AddNode(const NavVector& x, std::optional<Term> step) {
   LIMPET_REQUIRE(!step || !HaveLeftBorder(step->slots()),
@@ -24,6 +30,7 @@ TermId ArrowChain::AddTerm(int node, Term term) {
     range = range ? LeafRange{std::min(range->first, before), std::max(range->last, leaf)}
                   : LeafRange{before, leaf};
   }
+  Need(term.slots());
   return graph_.AddTerm(node, std::move(term));
 }
 
@@ -32,6 +39,7 @@ int ArrowChain::AddBorderVariable(const Eigen::Vector3d& start, BorderKind kind)
   status_.resize(AsIndex(graph_.slot_count()));
   status_[AsIndex(slot)] = {};
   status_[AsIndex(slot)].kind = kind;
+  status_[AsIndex(slot)].needed_leaf = tree_.size();
   tree_.origin.border.resize(AsIndex(3 * graph_.slot_count()), 0.0);
   for (int i = 0; i < 3; ++i)
     tree_.origin.border[AsIndex(3 * slot + i)] = start(i);
@@ -44,6 +52,25 @@ void ArrowChain::Close(int slot) {
   if (status.phase != BorderPhase::kOpen) return;
   status.phase = BorderPhase::kClosing;
   status.last_node = graph_.node_count() - 1;
+}
+
+void ArrowChain::Need(std::span<const int> slots) {
+  for (const int slot : slots)
+    status_[AsIndex(slot)].needed_leaf = tree_.size();
+}
+
+std::vector<int> ArrowChain::Resting(std::span<const int> slots) const {
+  std::vector<int> resting;
+  std::ranges::copy_if(slots, std::back_inserter(resting),
+                       [this](int slot) { return IsClosed(slot) && CanRest(status(slot).kind); });
+  return resting;
+}
+
+void ArrowChain::Wake(const std::vector<int>& slots) {
+  for (const int slot : slots)
+    status_[AsIndex(slot)].phase = BorderPhase::kOpen;
+  Need(slots);
+  tree_.Reopen(slots);
 }
 
 std::optional<int> ArrowChain::NoteChange(int node) {
@@ -78,6 +105,7 @@ void ArrowChain::FileOpenLeaf(const std::vector<double>& border) {
     status.leaves = LeafRange{status.leaves ? status.leaves->first : leaf, leaf};
   }
   CloseWhatIsDue(border);
+  RestWhatIsIdle(border);
   tree_.origin.anchors.push_back(graph_.node(anchor).x);
   tree_.Append(std::move(open_));
   open_ = ArrowLeaf(anchor, graph_.node(anchor).x);
@@ -93,6 +121,39 @@ void ArrowChain::CloseWhatIsDue(const std::vector<double>& border) {
     status.phase = BorderPhase::kClosed;
     tree_.Close(ClosedBlockOf(slot, border));
   }
+}
+
+void ArrowChain::RestWhatIsIdle(const std::vector<double>& border) {
+  const auto is_at_hand = [](const BorderStatus& status) {
+    return CanRest(status.kind) && status.phase == BorderPhase::kOpen && status.leaves.has_value();
+  };
+  if (std::ranges::count_if(status_, is_at_hand) <= most_at_hand_) return;
+  const std::vector<bool> is_tied = IsTiedInBorder();
+  for (int slot = 0; slot < graph_.slot_count(); ++slot) {
+    BorderStatus& status = status_[AsIndex(slot)];
+    const bool is_idle = is_at_hand(status) && graph_.border(slot).is_used &&
+                         !is_tied[AsIndex(slot)] && status.leaves->last < tree_.size() &&
+                         status.needed_leaf + kIdleLeaves <= tree_.size();
+    if (!is_idle) continue;
+    status.phase = BorderPhase::kClosed;
+    tree_.Close(ClosedBlockOf(slot, border));
+  }
+}
+
+std::vector<bool> ArrowChain::IsTiedInBorder() const {
+  std::vector<bool> is_tied(AsIndex(graph_.slot_count()), false);
+  for (int slot = 0; slot < graph_.slot_count(); ++slot) {
+    for (const Term& term : graph_.border(slot).terms) {
+      if (term.slots().size() < 2) continue;
+      for (const int other : term.slots())
+        is_tied[AsIndex(other)] = true;
+    }
+  }
+  if (graph_.joint_prior()) {
+    for (const int slot : graph_.joint_prior()->slots())
+      is_tied[AsIndex(slot)] = true;
+  }
+  return is_tied;
 }
 
 bool ArrowChain::IsNamedByOthers(int slot) const {

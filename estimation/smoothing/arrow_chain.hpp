@@ -17,11 +17,20 @@ namespace limpet {
 /// `border`, throughout: estimates of all border variables, three per slot.
 class ArrowChain {
  public:
+  /// `most_at_hand`: landmarks and sizes beyond which those that are not needed rest.
+  explicit ArrowChain(int most_at_hand) : most_at_hand_(most_at_hand) {}
+
   int AddNode(const NavVector& x, std::optional<Term> step);
   TermId AddTerm(int node, Term term);
   int AddBorderVariable(const Eigen::Vector3d& start, BorderKind kind);
   /// No node to come depends on these sensor errors.
   void Close(int slot);
+  /// The next poses may depend on these or be asked about with them: they do not go to rest now.
+  void Need(std::span<const int> slots);
+  /// Brings back to the border what rests.
+  void Wake(const std::vector<int>& slots);
+  /// Those of the variables that rest.
+  [[nodiscard]] std::vector<int> Resting(std::span<const int> slots) const;
   /// Notes that terms of the node change: the full leaf that is to be linearised anew, if it is in
   /// one.
   [[nodiscard]] std::optional<int> NoteChange(int node);
@@ -66,6 +75,10 @@ class ArrowChain {
   void FileOpenLeaf(const std::vector<double>& border);
   /// Sensor errors that nothing depends on from here on leave the border.
   void CloseWhatIsDue(const std::vector<double>& border);
+  /// Landmarks and sizes that have not been needed for long leave it until they are.
+  void RestWhatIsIdle(const std::vector<double>& border);
+  /// By slot: true if a term or prior on it does not belong to a single variable of the border.
+  [[nodiscard]] std::vector<bool> IsTiedInBorder() const;
   /// True if a variable that stays in the border has a term on it.
   [[nodiscard]] bool IsNamedByOthers(int slot) const;
   [[nodiscard]] ClosedBlock ClosedBlockOf(int slot, const std::vector<double>& border) const;
@@ -74,6 +87,7 @@ class ArrowChain {
   std::vector<BorderStatus> status_;  ///< by slot
   ArrowTree tree_;                    ///< of the full leaves
   ArrowLeaf open_;                    ///< the newest
+  int most_at_hand_;
   bool has_begun_ = false, is_open_dirty_ = false;
 };
 

@@ -28,13 +28,17 @@ std::string ReasonOf(const std::vector<int>& held) {
 }  // namespace
 
 ArrowSmoother::ArrowSmoother(const ArrowParams& params)
-    : params_(params), search_(params.relinearize), relinearization_(params.work_per_update) {}
+    : params_(params),
+      chain_(params.most_at_hand),
+      search_(params.relinearize),
+      relinearization_(params.work_per_update) {}
 
 int ArrowSmoother::AddNode(const NavVector& x, std::optional<Term> step) {
   return chain_.AddNode(x, std::move(step));
 }
 
 TermId ArrowSmoother::AddTerm(int node, Term term) {
+  WakeNow(term.slots());
   NoteChange(node);
   return chain_.AddTerm(node, std::move(term));
 }
@@ -46,6 +50,32 @@ void ArrowSmoother::RemoveTerm(const TermId& id) {
 
 void ArrowSmoother::NoteChange(int node) {
   if (const auto leaf = chain_.NoteChange(node)) relinearization_.Add(*leaf);
+}
+
+void ArrowSmoother::KeepAtHand(const std::vector<int>& slots) {
+  chain_.Need(slots);
+  needed_ = chain_.Resting(slots);
+  BringUpToDate(needed_);
+}
+
+void ArrowSmoother::BringUpToDate(const std::vector<int>& resting) const {
+  for (const int slot : resting)
+    static_cast<void>(estimates_.BorderAt(slot));  // leaves are linearised where it is
+}
+
+void ArrowSmoother::Wake(const std::vector<int>& resting) {
+  if (resting.empty()) return;
+  chain_.Wake(resting);
+  is_root_old_ = true;
+}
+
+void ArrowSmoother::WakeNow(std::span<const int> slots) {
+  const std::vector<int> resting = chain_.Resting(slots);
+  if (resting.empty()) return;
+  BringUpToDate(resting);
+  Wake(resting);
+  SolveReport solved;
+  SolveRoot(solved, 0);
 }
 
 int ArrowSmoother::AddBorderVariable(const Eigen::Vector3d& start, BorderKind kind) {
@@ -75,6 +105,7 @@ int ArrowSmoother::AddObjectSizes(const Eigen::Vector3d& start) {
 void ArrowSmoother::CloseSensorErrors(int slot) { chain_.Close(slot); }
 
 void ArrowSmoother::RemoveLandmark(int landmark) {
+  WakeNow(std::array{landmark});
   ChainGraph& graph = chain_.graph();
   for (const int node : graph.border(landmark).nodes)
     NoteChange(node);
@@ -85,11 +116,13 @@ void ArrowSmoother::RemoveLandmark(int landmark) {
 }
 
 void ArrowSmoother::AddBorderTerm(int slot, Term term) {
+  WakeNow(term.slots());
   chain_.graph().AddBorderTerm(slot, std::move(term));
   is_root_old_ = true;
 }
 
 void ArrowSmoother::SetJointPrior(std::optional<JointPrior> prior) {
+  if (prior) WakeNow(prior->slots());
   chain_.graph().SetJointPrior(std::move(prior));
   is_root_old_ = true;
 }
@@ -115,6 +148,7 @@ void ArrowSmoother::ExtendToEnd() {
   chain_.RebuildOpenLeafIfDirty(estimates_.border());
   while (chain_.open_leaf().head() < chain_.graph().node_count() - 1) {
     if (!chain_.ExtendOpenLeaf(estimates_.border())) continue;
+    Wake(chain_.Resting(std::exchange(needed_, {})));
     search_.AddLeaf(estimates_.LastAnchor());
     estimates_.AddAnchor(chain_.open_leaf().x_anchor());
     is_root_old_ = true;
@@ -249,6 +283,16 @@ JointCovariance ArrowSmoother::Covariance(const std::vector<int>& slots) const {
 JointCovariance ArrowSmoother::CovarianceOf(const std::vector<int>& nodes,
                                             const std::vector<int>& slots) const {
   return limpet::CovarianceOf({.nodes = nodes, .slots = slots}, chain_, estimates_, root_);
+}
+
+std::vector<Eigen::Matrix3d> ArrowSmoother::BorderCovariances(const std::vector<int>& slots) const {
+  if (std::ranges::any_of(slots, [this](int slot) { return chain_.IsClosed(slot); })) {
+    return limpet::BorderCovariances(slots, chain_, estimates_, root_);
+  }
+  std::vector<Eigen::Matrix3d> covariances;
+  for (const int slot : slots)
+    covariances.emplace_back(Covariance({slot}).bottomRightCorner<3, 3>());
+  return covariances;
 }
 
 }  // namespace limpet

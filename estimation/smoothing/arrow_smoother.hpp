@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "estimation/smoothing/arrow_estimates.hpp"
@@ -18,6 +19,8 @@ struct ArrowParams {
   int rounds_per_update = 2;     ///< relinearisations of the newest leaf in one Update
   int rounds_to_converge = 40;
   double converged_decrease = 1e-8;  ///< share of the cost
+  /// Landmarks and sizes (border variables) that stay in the root, needed or not.
+  int most_at_hand = 32;
 };
 
 /// Incremental smoother for a chain of poses with a border of landmarks and slow sensor errors: a
@@ -45,6 +48,8 @@ class ArrowSmoother final : public Smoother {
   void RemoveLandmark(int landmark) override;
   void AddBorderTerm(int slot, Term term) override;
   void SetJointPrior(std::optional<JointPrior> prior) override;
+  void KeepAtHand(const std::vector<int>& slots) override;
+  [[nodiscard]] bool IsAtHand(int slot) const override { return !chain_.IsClosed(slot); }
   void RemovePairTerms(int landmark) override;
   [[nodiscard]] bool HasCaughtUp(int landmark) const override;
   SolveReport Update() override;
@@ -59,10 +64,18 @@ class ArrowSmoother final : public Smoother {
   [[nodiscard]] JointCovariance Covariance(const std::vector<int>& slots) const override;
   [[nodiscard]] JointCovariance CovarianceOf(const std::vector<int>& nodes,
                                              const std::vector<int>& slots) const override;
+  [[nodiscard]] std::vector<Eigen::Matrix3d> BorderCovariances(
+      const std::vector<int>& slots) const override;
 
  private:
   int AddBorderVariable(const Eigen::Vector3d& start, BorderKind kind);
   void NoteChange(int node);
+  /// What rests of these is solved with the newest pose again, from now on.
+  void WakeNow(std::span<const int> slots);
+  /// Solves for what rests of these: the estimate that leaves are linearised at.
+  void BringUpToDate(const std::vector<int>& resting) const;
+  /// Takes effect with the next solve.
+  void Wake(const std::vector<int>& resting);
   void BeginIfNew();
   /// Takes the new nodes into the newest leaf; a full one goes to the tree.
   void ExtendToEnd();
@@ -82,6 +95,7 @@ class ArrowSmoother final : public Smoother {
   ArrowEstimates estimates_{chain_};
   MovedLeafSearch search_;
   Relinearization relinearization_;
+  std::vector<int> needed_;  ///< that rest and are to be woken with the next leaf
   bool is_root_old_ = true;  ///< tree or border have changed since the root took them up
 };
 

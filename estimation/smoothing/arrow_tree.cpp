@@ -99,10 +99,44 @@ void ArrowTree::RenewSpineFrom(int part) {
 }
 
 void ArrowTree::RefreshNow(const std::vector<int>& leaves) {
-  std::set<Place> waiting;
-  auto spine_from = static_cast<int>(spine_.size());
+  Rejoins rejoins = NoRejoins();
   for (const int number : leaves)
-    PassOn({0, number}, waiting, spine_from);
+    PassOn({0, number}, rejoins.places, rejoins.spine_from);
+  RejoinNow(std::move(rejoins));
+}
+
+void ArrowTree::Reopen(const std::vector<int>& slots) {
+  Rejoins rejoins = NoRejoins();
+  for (const int slot : slots) {
+    const auto block = std::ranges::find(closed_, slot, &ClosedBlock::slot);
+    if (block == closed_.end()) continue;
+    AddElimination(*block, rejoins);
+    closed_.erase(block);
+  }
+  RejoinNow(std::move(rejoins));
+}
+
+void ArrowTree::AddElimination(const ClosedBlock& block, Rejoins& rejoins) const {
+  const auto eliminated = [&](const ArrowStretch& stretch) {
+    return std::ranges::count(stretch.blocks, block.slot, &ArrowStretch::Block::slot) > 0;
+  };
+  const int leaf = block.leaves.last, part = SpineOf(leaf);
+  const auto levels = std::countr_zero(static_cast<unsigned>(TreeAt(Before(spine_, part).end)));
+  for (int level = 1; level <= levels; ++level) {
+    const Place place{level, leaf >> level};
+    if (!eliminated(levels_[AsIndex(level)][AsIndex(place.second)])) continue;
+    rejoins.places.insert(place);
+    return;
+  }
+  for (int i = part; i < static_cast<int>(spine_.size()); ++i) {
+    if (!eliminated(spine_[AsIndex(i)])) continue;
+    rejoins.spine_from = std::min(rejoins.spine_from, i);
+    return;
+  }
+}
+
+void ArrowTree::RejoinNow(Rejoins rejoins) {
+  auto& [waiting, spine_from] = rejoins;
   while (!waiting.empty()) {
     const Place place = *waiting.begin();
     waiting.erase(waiting.begin());

@@ -38,6 +38,8 @@ class ArrowTree {
   void ReplaceAll(std::vector<ArrowLeaf> leaves);
   /// No leaf to come depends on the block. Takes effect with the next leaf.
   void Close(ClosedBlock block) { closed_.push_back(std::move(block)); }
+  /// Takes closed blocks back: leaves to come may depend on them. Joins anew what eliminated them.
+  void Reopen(const std::vector<int>& slots);
   [[nodiscard]] std::vector<ClosedBlock>& closed() { return closed_; }
   [[nodiscard]] const std::vector<ClosedBlock>& closed() const { return closed_; }
 
@@ -57,6 +59,18 @@ class ArrowTree {
     return part == 0 ? nothing_ : spine[AsIndex(part - 1)];
   }
   void RenewSpineFrom(int part);
+  /// What is to be joined anew: places in the levels, lowest first, and the spine from a part on.
+  struct Rejoins {
+    std::set<Place> places;
+    int spine_from;
+  };
+  [[nodiscard]] Rejoins NoRejoins() const {
+    return {.places = {}, .spine_from = static_cast<int>(spine_.size())};
+  }
+  /// Does these and all that depend on them.
+  void RejoinNow(Rejoins rejoins);
+  /// Adds the lowest stretch that eliminated the block, if any did.
+  void AddElimination(const ClosedBlock& block, Rejoins& rejoins) const;
   /// Goes up from what has been joined anew: the place above, or the spine.
   void PassOn(const Place& place, std::set<Place>& waiting, int& spine_from) const;
 

@@ -19,6 +19,13 @@ struct VariableList {
 [[nodiscard]] JointCovariance CovarianceOf(const VariableList& variables, const ArrowChain& chain,
                                            const ArrowEstimates& estimates, const ArrowRoot& root);
 
+/// Of border variables, each alone, in the order of the list: far less work than all together where
+/// many rest. REQUIRES: an update has been.
+[[nodiscard]] std::vector<Eigen::Matrix3d> BorderCovariances(const std::vector<int>& slots,
+                                                             const ArrowChain& chain,
+                                                             const ArrowEstimates& estimates,
+                                                             const ArrowRoot& root);
+
 /// Of the newest pose and border variables that are not closed: the root's alone.
 [[nodiscard]] JointCovariance HeadCovariance(const std::vector<int>& slots,
                                              const ArrowEstimates& estimates,

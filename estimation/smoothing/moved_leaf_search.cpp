@@ -59,12 +59,14 @@ std::vector<int> MovedLeafSearch::Continue(const ArrowChain& chain,
 }
 
 MovedLeafSearch::Next MovedLeafSearch::Advance(const ArrowChain& chain,
-                                               const ArrowEstimates& estimates) const {
+                                               const ArrowEstimates& estimates) {
   const int leaf = *at_ - 1;
   for (const ArrowStretch* stretch : chain.tree().PathTo(leaf)) {
     if (stretch->end == *at_ && IsUnmoved(*stretch, estimates))
       return {.anchor = stretch->first, .is_leaf = false};
     estimates.SolveStretch(*stretch);
+    for (const ArrowStretch::Block& block : stretch->blocks)
+      NoteIfMoved(block.slot, chain, estimates);
   }
   return {.anchor = leaf, .is_leaf = true};
 }
@@ -91,23 +93,29 @@ bool MovedLeafSearch::IsUnmoved(const ArrowStretch& stretch,
   }
   // Without a begin, all that it depends on is its end and the border.
   if (stretch.has_begin && HasMoved(stretch.first, estimates)) return false;
-  return std::ranges::none_of(stretch.middle_slots,
+  // What rests inside it moves with these alone.
+  return std::ranges::none_of(stretch.slots,
                               [this](int slot) { return has_border_moved_[AsIndex(slot)]; });
 }
 
 bool MovedLeafSearch::NoteMovedLandmarks(const ArrowChain& chain, const ArrowEstimates& estimates) {
-  const double enough = kMovedShare * thresholds_.distance;
   bool has_any = false;
   has_border_moved_.assign(chain.border_status().size(), false);
-  for (std::size_t slot = 0; slot < chain.border_status().size(); ++slot) {
-    const Eigen::Map<const Eigen::Vector3d> now(&estimates.border()[3 * slot]);
-    Eigen::Map<Eigen::Vector3d> then(&border_[3 * slot]);
-    const bool counts = chain.border_status()[slot].kind != BorderKind::kSensorErrors;
-    if (!counts || (now - then).lpNorm<Eigen::Infinity>() <= enough) continue;
-    then = now;
-    has_border_moved_[slot] = has_any = true;
-  }
+  for (std::size_t slot = 0; slot < chain.border_status().size(); ++slot)
+    has_any = NoteIfMoved(static_cast<int>(slot), chain, estimates) || has_any;
   return has_any;
+}
+
+bool MovedLeafSearch::NoteIfMoved(int slot, const ArrowChain& chain,
+                                  const ArrowEstimates& estimates) {
+  const Eigen::Map<const Eigen::Vector3d> now(&estimates.border()[AsIndex(3 * slot)]);
+  Eigen::Map<Eigen::Vector3d> then(&border_[AsIndex(3 * slot)]);
+  const double enough = kMovedShare * thresholds_.distance;
+  const bool counts = chain.status(slot).kind != BorderKind::kSensorErrors;
+  if (!counts || (now - then).lpNorm<Eigen::Infinity>() <= enough) return false;
+  then = now;
+  has_border_moved_[AsIndex(slot)] = true;
+  return true;
 }
 
 bool MovedLeafSearch::HasMoved(int anchor, const ArrowEstimates& estimates) const {

@@ -47,13 +47,15 @@ class MovedLeafSearch {
     int anchor;
     bool is_leaf;
   };
-  [[nodiscard]] Next Advance(const ArrowChain& chain, const ArrowEstimates& estimates) const;
+  [[nodiscard]] Next Advance(const ArrowChain& chain, const ArrowEstimates& estimates);
   void Begin(int leaves);
   void ComeDownTo(int anchor, const ArrowEstimates& estimates);
   /// True if the search may pass over all of it: neither ends nor landmarks have moved.
   [[nodiscard]] bool IsUnmoved(const ArrowStretch& stretch, const ArrowEstimates& estimates) const;
   [[nodiscard]] bool HasMoved(int anchor, const ArrowEstimates& estimates) const;
   [[nodiscard]] bool NoteMovedLandmarks(const ArrowChain& chain, const ArrowEstimates& estimates);
+  /// True if it has moved since the last search.
+  bool NoteIfMoved(int slot, const ArrowChain& chain, const ArrowEstimates& estimates);
 
   RelinearizeThresholds thresholds_;
   std::optional<int> at_;      ///< anchor that the search has come down to; nothing: at rest

@@ -50,6 +50,11 @@ class Smoother {
   virtual void AddBorderTerm(int slot, Term term) = 0;
   /// What is known beforehand of several landmarks together; takes the place of the former one.
   virtual void SetJointPrior(std::optional<JointPrior> prior) = 0;
+  /// The next poses may see these landmarks and sizes, or be asked about with them. Others that no
+  /// pose has seen for a while may take longer to answer about.
+  virtual void KeepAtHand(const std::vector<int>& slots) = 0;
+  /// True if estimate and covariance of the variable cost no more than those of the newest pose.
+  [[nodiscard]] virtual bool IsAtHand(int slot) const = 0;
   /// Takes out the landmark's own terms on two variables; takes effect with the next update.
   virtual void RemovePairTerms(int landmark) = 0;
   /// True if no term on the landmark that was taken out still has an effect.
@@ -74,6 +79,9 @@ class Smoother {
   /// nodes.
   [[nodiscard]] virtual JointCovariance CovarianceOf(const std::vector<int>& nodes,
                                                      const std::vector<int>& slots) const = 0;
+  /// Of border variables, each alone.
+  [[nodiscard]] virtual std::vector<Eigen::Matrix3d> BorderCovariances(
+      const std::vector<int>& slots) const = 0;
   [[nodiscard]] NavCovariance PoseCovariance(int node) const { return CovarianceOf({node}, {}); }
 };
 

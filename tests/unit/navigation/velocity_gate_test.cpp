@@ -22,11 +22,11 @@ class VelocityGateTest : public ::testing::Test {
   Verdict Say(const Eigen::Vector3d& v_B, double seconds = kPing) {
     Verdict verdict = Verdict::kRefused;
     for (int i = 0; i < std::lround(seconds / kPing); ++i)
-      verdict = gate_.Judge(t_ += kPing, v_B, predicted_B_);
+      verdict = gate_.Judge(t_ += kPing, v_B, evidence_);
     return verdict;
   }
   VelocityGate gate_{VelocityGateParams{}};
-  std::optional<Eigen::Vector3d> predicted_B_;
+  VelocityEvidence evidence_;
   double t_ = 0.0;
 };
 
@@ -53,10 +53,35 @@ TEST_F(VelocityGateTest, AnOutlierAmongFalseVelocitiesDoesNotMakeThemTrue) {
 }
 
 TEST_F(VelocityGateTest, WhatLastsLongerThanAnyFalseVelocityIsTheTruth) {
-  EXPECT_EQ(Say(kFalse, 6.0), Verdict::kContested);
+  EXPECT_EQ(Say(kFalse, 12.0), Verdict::kContested);
   EXPECT_EQ(Say(kFalse), Verdict::kContested);
   EXPECT_EQ(Say(kFalse), Verdict::kBelieved);
   EXPECT_EQ(Say(kFalse), Verdict::kGood);
+}
+
+TEST_F(VelocityGateTest, AJumpThatTheAccelerometerFeltIsBelievedAtOnce) {
+  evidence_.felt_B = kFalse + Eigen::Vector3d(0.05, -0.05, 0.0);
+  EXPECT_EQ(Say(kFalse), Verdict::kGood);
+}
+
+TEST_F(VelocityGateTest, AFalseVelocityOfWhichNothingWasFeltIsNotBelievedInHalfAMinute) {
+  evidence_.felt_B = kCruise + Eigen::Vector3d(0.05, 0.03, 0.0);
+  EXPECT_EQ(Say(kFalse), Verdict::kRefused);
+  evidence_.felt_B.reset();  // what was felt is no longer good for anything
+  EXPECT_EQ(Say(kFalse, 30.0), Verdict::kContested);
+  EXPECT_EQ(Say(kCruise), Verdict::kGood);
+}
+
+TEST_F(VelocityGateTest, AnAccelerometerThatFeelsNothingDoesNotLockTheGateForEver) {
+  evidence_.felt_B = kCruise;
+  EXPECT_EQ(Say(kFalse, 50.0), Verdict::kContested);
+  EXPECT_EQ(Say(kFalse, 11.0), Verdict::kGood);
+}
+
+TEST_F(VelocityGateTest, APartOfAJumpThatWasFeltLeavesItOpen) {
+  evidence_.felt_B = kCruise + 0.5 * (kFalse - kCruise);
+  EXPECT_EQ(Say(kFalse, 12.0), Verdict::kContested);
+  EXPECT_EQ(Say(kFalse, 0.6), Verdict::kGood);
 }
 
 TEST_F(VelocityGateTest, AVehicleThatBeginsToDiveIsBelievedAtTheSecondSample) {
@@ -67,17 +92,17 @@ TEST_F(VelocityGateTest, AVehicleThatBeginsToDiveIsBelievedAtTheSecondSample) {
 
 TEST_F(VelocityGateTest, AfterADropoutWhatIsPredictedIsTakenAtOnce) {
   t_ += 60.0;
-  predicted_B_ = -kCruise;
+  evidence_.predicted_B = -kCruise;
   EXPECT_EQ(Say(-kCruise), Verdict::kGood);
 }
 
 TEST_F(VelocityGateTest, AfterADropoutAVehicleMayGoAnotherWay) {
   t_ += 20.0;
-  predicted_B_ = kCruise;
+  evidence_.predicted_B = kCruise;
   EXPECT_EQ(Say(kFalse, 1.2), Verdict::kContested);
   EXPECT_EQ(Say(kFalse), Verdict::kBelieved);
   EXPECT_TRUE(gate_.alternative_B());
-  EXPECT_EQ(Say(kFalse, 6.0), Verdict::kGood);
+  EXPECT_EQ(Say(kFalse, 12.0), Verdict::kGood);
   EXPECT_FALSE(gate_.alternative_B());
 }
 
