@@ -114,7 +114,7 @@ class ObjectStatuses {
   [[nodiscard]] double FormerLambdaAt(const Landmark& newcomer);
   [[nodiscard]] OwnerOf OwnerInFormerViews() const;
   /// The place where the other session's frame has it, with what is then unknown about it.
-  [[nodiscard]] ObjectEstimate InOtherFrame(ObjectEstimate place, const Eigen::Vector3d& ned) const;
+  [[nodiscard]] ObjectEstimate InOtherFrame(ObjectEstimate place, const Eigen::Vector3d& p_W) const;
   [[nodiscard]] ObjectEstimate FormerPlace(std::size_t index) const;
   /// Takes the matches from the landmarks, and fits the frames' offset to them.
   void TakeMatches();

@@ -117,9 +117,9 @@ StatusPosterior ObjectStatuses::PosteriorOfNewcomer(std::size_t index) {
 }
 
 ObjectEstimate ObjectStatuses::InOtherFrame(ObjectEstimate place,
-                                            const Eigen::Vector3d& ned) const {
+                                            const Eigen::Vector3d& p_W) const {
   const double own = std::pow(params_.matching.position_floor.value(), 2);
-  place.p_W = ned;
+  place.p_W = p_W;
   place.cov_W = own * Eigen::Matrix3d::Identity();
   place.cov_W.topLeftCorner<2, 2>() += match_.offset_cov.topLeftCorner<2, 2>();
   return place;

@@ -38,16 +38,16 @@ VoxelLabel LabelOf(const OpiBelief& status) {
 }
 
 /// The look that shows a whole object from straight above.
-ObjectLook VirtualLook(const Eigen::Vector3d& ned, double radius, const CameraModel& camera) {
+ObjectLook VirtualLook(const Eigen::Vector3d& p_W, double radius, const CameraModel& camera) {
   const double depth = kVirtualHeight + radius;
-  return {.X_WB = {.p_WB = ned - Eigen::Vector3d(0.0, 0.0, depth)},
+  return {.X_WB = {.p_WB = p_W - Eigen::Vector3d(0.0, 0.0, depth)},
           .box = {.u = camera.cx,
                   .v = camera.cy,
                   .w = 2.0 * radius * camera.fx / depth,
                   .h = 2.0 * radius * camera.fy / depth,
                   .confidence = 0.9,
                   .color = {}},
-          .object_W = ned};
+          .object_W = p_W};
 }
 
 }  // namespace
@@ -61,36 +61,36 @@ bool ObjectLayer::IsNewViewpoint(const Painted& object, const Eigen::Vector3d& p
          p_OC.normalized().dot(last.normalized()) <= std::cos(status_.looks.new_look_angle.value());
 }
 
-double ObjectLayer::MissLogOdds(const Pose& X_WB, const Eigen::Vector3d& ned) const {
-  const double share = VisibleShare(camera_, X_WB, ned, status_.object_radius.value());
+double ObjectLayer::MissLogOdds(const Pose& X_WB, const Eigen::Vector3d& p_W) const {
+  const double share = VisibleShare(camera_, X_WB, p_W, status_.object_radius.value());
   if (share < kWellVisible) {
     return 0.0;
   }
   const double detects = ChanceToDetect({.camera = camera_,
                                          .detection = status_.detection,
                                          .object_radius = status_.object_radius.value()},
-                                        X_WB, ned);
+                                        X_WB, p_W);
   const double false_alarm = status_.detection.false_per_image;
   return std::min(std::log((1.0 - detects) / (1.0 - false_alarm)), 0.0);
 }
 
 void ObjectLayer::Look(Painted& object, const ObservedFrame& frame,
                        const ObjectStatuses& book) const {
-  const Eigen::Vector3d& ned = object.status.object.p_W;
-  const Eigen::Vector3d p_OC = frame.X_WB.p_WB - ned;
+  const Eigen::Vector3d& p_W = object.status.object.p_W;
+  const Eigen::Vector3d p_OC = frame.X_WB.p_WB - p_W;
   if (object.status.landmark < 0 || !IsNewViewpoint(object, p_OC)) {
     return;
   }
   if (const Box* box = book.BoxOf(object.status, frame)) {
-    const double depth = camera_.InCamera(frame.X_WB, ned).z();
+    const double depth = camera_.InCamera(frame.X_WB, p_W).z();
     const Eigen::Vector2d half_px =
         status_.object_radius.value() / depth * Eigen::Vector2d(camera_.fx, camera_.fy);
     object.looks.push_back({.X_WB = frame.X_WB,
                             .box = WholeBox(*box, half_px, camera_),
-                            .object_W = ned,
+                            .object_W = p_W,
                             .time = frame.exposure.value()});
   } else {
-    const double miss = MissLogOdds(frame.X_WB, ned);
+    const double miss = MissLogOdds(frame.X_WB, p_W);
     if (miss == 0.0) return;
     // What made one look of a pass miss may have made them all: they are one witness.
     const bool is_new_pass = !object.last_miss || frame.exposure.value() - *object.last_miss >
@@ -117,7 +117,7 @@ void ObjectLayer::Judge(Painted& object, const ObjectStatuses& book) const {
   object.miss_log_odds = 0.0;
   object.last_miss.reset();
   object.last_viewpoint.reset();
-  object.judged_at = object.status.object.p_W;
+  object.judged_at_W = object.status.object.p_W;
   for (const ObservedFrame& frame : book.frames()) {
     Look(object, frame, book);
   }
@@ -139,7 +139,7 @@ void ObjectLayer::Follow(Painted& object, const OpiBelief& status,
     object.looks.clear();
   }
   // At a place where it was thought to be before, frames showed nothing: no evidence against it.
-  if (is_another || (object.judged_at - status.object.p_W).norm() > kRejudgeDistance) {
+  if (is_another || (object.judged_at_W - status.object.p_W).norm() > kRejudgeDistance) {
     Judge(object, book);
     object.is_stale = true;
   } else if (!object.is_stale) {

@@ -40,7 +40,7 @@ class ObjectLayer {
     double miss_log_odds = 0.0;                     ///< of passes with looks that had none
     std::optional<double> last_miss;                ///< time [s]
     std::optional<Eigen::Vector3d> last_viewpoint;  ///< camera relative to the object [m]
-    Eigen::Vector3d judged_at = Eigen::Vector3d::Zero();
+    Eigen::Vector3d judged_at_W = Eigen::Vector3d::Zero();
     std::map<VoxelKey, double> log_odds;  ///< P_a per voxel, as painted
     std::optional<ObjectCluster> cluster;
     bool is_stale = true;
@@ -49,7 +49,7 @@ class ObjectLayer {
   void Look(Painted& object, const ObservedFrame& frame, const ObjectStatuses& book) const;
   [[nodiscard]] bool IsNewViewpoint(const Painted& object, const Eigen::Vector3d& p_OC) const;
   /// What a frame without a box says; 0 where the object would not be well visible.
-  [[nodiscard]] double MissLogOdds(const Pose& X_WB, const Eigen::Vector3d& ned) const;
+  [[nodiscard]] double MissLogOdds(const Pose& X_WB, const Eigen::Vector3d& p_W) const;
   /// Takes the object's looks from all frames of the book.
   void Judge(Painted& object, const ObjectStatuses& book) const;
   void Follow(Painted& object, const OpiBelief& status, const ObjectStatuses& book) const;

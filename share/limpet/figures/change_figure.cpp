@@ -13,8 +13,8 @@ namespace {
 using Point = SvgCanvas::Point;
 
 void DrawChange(MapAxes& map, const ChangeScore& change, bool is_judged) {
-  if (!change.ned) return;
-  const Point at = map.At(change.ned->x(), change.ned->y());
+  if (!change.p_W) return;
+  const Point at = map.At(change.p_W->x(), change.p_W->y());
   DrawStatus(map.canvas(), at, change.decided, 8.0);
   const std::string decided = change.decided + " " + ProbabilityText(change.probability);
   PlaceLabel label{.lines = {decided}};
@@ -24,7 +24,7 @@ void DrawChange(MapAxes& map, const ChangeScore& change, bool is_judged) {
     label.lines.push_back("wrong: " + change.expected.value_or("there was never anything"));
     label.distance = 20.0;
   }
-  DrawLabel(map, *change.ned, label);
+  DrawLabel(map, *change.p_W, label);
 }
 
 void DrawChangeLegend(MapAxes& map, bool is_judged) {

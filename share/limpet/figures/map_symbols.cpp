@@ -54,8 +54,8 @@ void DrawStatus(SvgCanvas& canvas, const Point& centre, const std::string& statu
   }
 }
 
-void DrawTruth(MapAxes& map, const Eigen::Vector3d& ned, double radius_m) {
-  map.canvas().Circle(map.At(ned.x(), ned.y()), radius_m * map.pixels_per_metre(),
+void DrawTruth(MapAxes& map, const Eigen::Vector3d& p_W, double radius_m) {
+  map.canvas().Circle(map.At(p_W.x(), p_W.y()), radius_m * map.pixels_per_metre(),
                       {.stroke = palette::kMapInk, .width = 1.4});
 }
 
@@ -70,12 +70,12 @@ void DrawCovariance(SvgCanvas& canvas, const Point& centre, double scale,
   canvas.Ellipse(centre, {major * scale, minor * scale}, DegreesFromRadians(bearing) - 90.0, paint);
 }
 
-void DrawLabel(MapAxes& map, const Eigen::Vector3d& ned, const PlaceLabel& label) {
+void DrawLabel(MapAxes& map, const Eigen::Vector3d& p_W, const PlaceLabel& label) {
   constexpr double kLine = 15.0, kLetter = 6.6;
   std::size_t longest = 0;
   for (const std::string& line : label.lines)
     longest = std::max(longest, line.size());
-  Point at = map.At(ned.x(), ned.y());
+  Point at = map.At(p_W.x(), p_W.y());
   const bool is_left =
       at.x() + label.distance + kLetter * static_cast<double>(longest) > map.right();
   at += Point(is_left ? -label.distance : label.distance, -5.0);

@@ -19,7 +19,7 @@ void DrawStatus(SvgCanvas& canvas, const SvgCanvas::Point& centre, const std::st
                 double radius = 7.0);
 
 /// A true object: a ring of its real size.
-void DrawTruth(MapAxes& map, const Eigen::Vector3d& ned, double radius_m);
+void DrawTruth(MapAxes& map, const Eigen::Vector3d& p_W, double radius_m);
 
 /// Ellipse of a horizontal covariance (nn, ne, ee) [m^2]; `scale` is pixels per metre times
 /// standard deviations.
@@ -32,7 +32,7 @@ struct PlaceLabel {
   double distance = 15.0;  ///< from the place [px]
   std::string_view fill = palette::kMapInk;
 };
-void DrawLabel(MapAxes& map, const Eigen::Vector3d& ned, const PlaceLabel& label);
+void DrawLabel(MapAxes& map, const Eigen::Vector3d& p_W, const PlaceLabel& label);
 
 /// Where the vehicle started and should end.
 void DrawHome(SvgCanvas& canvas, const SvgCanvas::Point& centre);

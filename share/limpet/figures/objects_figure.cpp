@@ -43,16 +43,16 @@ void DrawBelief(const Drawing& drawing, const OpiBelief& opi) {
 /// Name and probability beside each object; an object without a true one says so.
 void LabelBeliefs(MapAxes& map, const FigureSource& source) {
   for (const OpiScore& opi : source.score.opis.found) {
-    DrawLabel(map, opi.slam_ned,
+    DrawLabel(map, opi.slam_W,
               {.lines = {opi.truth, "P " + ProbabilityText(opi.probability)}, .distance = 20.0});
   }
   for (const ReportedOpi& opi : source.score.opis.reported) {
-    DrawLabel(map, opi.ned,
+    DrawLabel(map, opi.p_W,
               {.lines = {fmt::format("id {}", opi.id), "P " + ProbabilityText(opi.probability)},
                .distance = 20.0});
   }
   for (const FalseOpi& opi : source.score.opis.invented) {
-    DrawLabel(map, opi.ned,
+    DrawLabel(map, opi.p_W,
               {.lines = {"nothing is here", "P " + ProbabilityText(opi.probability)},
                .distance = 20.0,
                .fill = palette::kVermillion});
@@ -71,7 +71,7 @@ OpiBelief BeliefAt(const SessionRecord& record, const OpiBelief& opi) {
 }
 
 std::string HeightError(const OpiScore& opi) {
-  const double error = std::round(100.0 * (opi.slam_ned.z() - opi.truth_ned.z())) / 100.0;
+  const double error = std::round(100.0 * (opi.slam_W.z() - opi.truth_W.z())) / 100.0;
   if (error == 0.0) return "depth right to the centimetre";
   return fmt::format("{:.2f} m too {}", std::abs(error), error > 0.0 ? "deep" : "shallow");
 }
@@ -83,8 +83,8 @@ void DrawCloseUp(SvgCanvas& canvas, const Point& corner, const FigureSource& sou
   const double scale = kCloseUp / kMetres;
   const Point middle = corner + Point(0.5 * kCloseUp, 0.5 * kCloseUp);
   const Drawing drawing{canvas, scale, [&](double north, double east) {
-                          return Point(middle.x() + (east - opi.truth_ned.y()) * scale,
-                                       middle.y() - (north - opi.truth_ned.x()) * scale);
+                          return Point(middle.x() + (east - opi.truth_W.y()) * scale,
+                                       middle.y() - (north - opi.truth_W.x()) * scale);
                         }};
   canvas.Rect(corner, {kCloseUp, kCloseUp}, {.fill = palette::kUnseen});
   canvas.BeginClip(corner, {kCloseUp, kCloseUp});

@@ -126,9 +126,9 @@ void GroundView::FillCaustics(const SceneLight& light) {
 }
 
 void GroundView::DropShadow(const SceneLight& light, const Solid& solid,
-                            const Eigen::Vector3d& towards_sun) {
+                            const Eigen::Vector3d& towards_sun_W) {
   const double above = std::max(light.SeabedDepthAt(solid.p_W) - solid.p_W.z(), 0.0);
-  const Eigen::Vector3d fallen = solid.p_W - towards_sun * (above / towards_sun.z());
+  const Eigen::Vector3d fallen = solid.p_W - towards_sun_W * (above / towards_sun_W.z());
   const Eigen::Vector2f middle(static_cast<float>(fallen.y() - origin_.x()),
                                static_cast<float>(fallen.x() - origin_.y()));
   // The sky fills the shadow of what floats high; water scatters the sun's edge.
@@ -254,7 +254,7 @@ void GroundView::ShadeRow(int row, LinearImage& image) const {
 }
 
 void GroundView::Paint(const CameraModel& camera, const Pose& X_WB, SeabedRelief& relief,
-                       std::span<const Growth> growth, const Eigen::Vector3d& towards_sun,
+                       std::span<const Growth> growth, const Eigen::Vector3d& towards_sun_W,
                        LinearImage& image) {
   spots_.clear();
   for (const Growth& one : growth) {
@@ -269,9 +269,9 @@ void GroundView::Paint(const CameraModel& camera, const Pose& X_WB, SeabedRelief
                       inside(seen->outline.top, camera.height_px),
                       inside(seen->outline.bottom + 1.0, camera.height_px)});
   }
-  const Eigen::Vector3f sun(static_cast<float>(towards_sun.y()),
-                            static_cast<float>(towards_sun.x()),
-                            static_cast<float>(-towards_sun.z()));
+  const Eigen::Vector3f sun(static_cast<float>(towards_sun_W.y()),
+                            static_cast<float>(towards_sun_W.x()),
+                            static_cast<float>(-towards_sun_W.z()));
   for (int row = 0; row < camera.height_px; ++row) {
     InterpolateRow(row);
     SampleRow();

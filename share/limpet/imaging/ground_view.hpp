@@ -29,10 +29,11 @@ class GroundView {
   [[nodiscard]] Clutter::Area area() const { return area_; }       ///< that is in view
   [[nodiscard]] double mean_range() const { return mean_range_; }  ///< [m]
   /// Darkens the seabed where `solid` takes its light.
-  void DropShadow(const SceneLight& light, const Solid& solid, const Eigen::Vector3d& towards_sun);
+  void DropShadow(const SceneLight& light, const Solid& solid,
+                  const Eigen::Vector3d& towards_sun_W);
   /// Paints the seabed with what grows on it.
   void Paint(const CameraModel& camera, const Pose& X_WB, SeabedRelief& relief,
-             std::span<const Growth> growth, const Eigen::Vector3d& towards_sun,
+             std::span<const Growth> growth, const Eigen::Vector3d& towards_sun_W,
              LinearImage& image);
 
  private:

@@ -92,7 +92,7 @@ GrowthSample Shell(const Growth& growth, float a, float b) {
 }  // namespace
 
 GrowthSample GrowthAt(const Growth& growth, float east, float north,
-                      const Eigen::Vector3f& towards_sun) {
+                      const Eigen::Vector3f& towards_sun_W) {
   constexpr float kLeafTips = 1.05F;  // nothing but a stone's shadow is farther out
   if (growth.kind != GrowthKind::kStone && east * east + north * north > kLeafTips * kLeafTips) {
     return {};
@@ -103,7 +103,7 @@ GrowthSample GrowthAt(const Growth& growth, float east, float north,
   const float b = cosine * north - sine * east;
   switch (growth.kind) {
     case GrowthKind::kStone:
-      return Stone(growth, east, north, a, b, towards_sun);
+      return Stone(growth, east, north, a, b, towards_sun_W);
     case GrowthKind::kStarfish:
       return Starfish(growth, a, b);
     case GrowthKind::kPlant:

@@ -13,9 +13,9 @@ struct GrowthSample {
   Eigen::Array3f albedo = Eigen::Array3f::Zero();
 };
 
-/// At (east, north) of its middle over its radius, seen from above under a sun at `towards_sun`
+/// At (east, north) of its middle over its radius, seen from above under a sun at `towards_sun_W`
 /// (east, north, up; unit vector). Shadows are part of it: it reaches up to 1.5 radii.
 [[nodiscard]] GrowthSample GrowthAt(const Growth& growth, float east, float north,
-                                    const Eigen::Vector3f& towards_sun);
+                                    const Eigen::Vector3f& towards_sun_W);
 
 }  // namespace limpet

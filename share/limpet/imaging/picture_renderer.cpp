@@ -41,10 +41,10 @@ PictureRenderer::PictureRenderer(const PictureSettings& settings)
       lamp_(settings.image.light, water_),
       caustics_(settings.image.light.caustics, settings.noise_seed),
       relief_(settings.seabed_depth),
-      towards_sun_(TowardsSun(settings.image.light)),
+      towards_sun_W_(TowardsSun(settings.image.light)),
       ground_(settings.camera,
               MakeSeabed(settings.image.seabed.kind, settings.seabed_seed)
-                  .Lit(EastNorthUp(towards_sun_), settings.image.seabed.shading),
+                  .Lit(EastNorthUp(towards_sun_W_), settings.image.seabed.shading),
               settings.seabed_seed),
       clutter_(DensityOf(settings), settings.seabed_seed),
       lens_(settings.image.lens),
@@ -157,10 +157,10 @@ Image PictureRenderer::Render(const Pose& X_WB, std::span<const Solid> solids, s
   ground_.Look(light, relief_);
   clutter_.Collect(ground_.area(), relief_, growth_, litter_);
   for (const Solid& solid : solids)
-    ground_.DropShadow(light, solid, towards_sun_);
+    ground_.DropShadow(light, solid, towards_sun_W_);
   for (const Solid& lost : litter_)
-    ground_.DropShadow(light, lost, towards_sun_);
-  ground_.Paint(camera, X_WB, relief_, growth_, towards_sun_, linear_);
+    ground_.DropShadow(light, lost, towards_sun_W_);
+  ground_.Paint(camera, X_WB, relief_, growth_, towards_sun_W_, linear_);
   PaintSolids(X_WB, solids, light);
   AddFlakes(light, frame);
 

@@ -68,7 +68,7 @@ class PictureRenderer {
   Lamp lamp_;
   Caustics caustics_;
   SeabedRelief relief_;
-  Eigen::Vector3d towards_sun_;
+  Eigen::Vector3d towards_sun_W_;
   GroundView ground_;
   Clutter clutter_;
   Lens lens_;

@@ -39,11 +39,11 @@ std::vector<float> SeabedGround::SmoothHeight(int radius) const {
   return both;
 }
 
-SeabedTile SeabedGround::Lit(const Eigen::Vector3d& towards_sun, double steepness) const {
+SeabedTile SeabedGround::Lit(const Eigen::Vector3d& towards_sun_W, double steepness) const {
   constexpr float kSky = 0.42F;          // share of light that comes from everywhere
   constexpr float kHollow_per_m = 8.0F;  // light that a hollow lacks, per metre below its rim
   const std::vector<float> rim = SmoothHeight(12);
-  const Eigen::Vector3f sun = towards_sun.cast<float>();
+  const Eigen::Vector3f sun = towards_sun_W.cast<float>();
   const auto scale = static_cast<float>(steepness * 0.5 / kTexel);
   std::vector<std::array<float, 3>> albedo(color_.size());
   for (int row = 0; row < kSize; ++row) {

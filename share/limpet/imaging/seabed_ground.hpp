@@ -32,9 +32,9 @@ class SeabedGround {
     color_[Index(column, row)] = {color(0), color(1), color(2)};
   }
 
-  /// What the tile returns under a sun at `towards_sun` (east, north, up; unit vector): slopes
+  /// What the tile returns under a sun at `towards_sun_W` (east, north, up; unit vector): slopes
   /// that face it are brighter, hollows get less of the sky. `steepness` scales slopes.
-  [[nodiscard]] SeabedTile Lit(const Eigen::Vector3d& towards_sun, double steepness) const;
+  [[nodiscard]] SeabedTile Lit(const Eigen::Vector3d& towards_sun_W, double steepness) const;
 
  private:
   [[nodiscard]] std::vector<float> SmoothHeight(int radius) const;

@@ -97,7 +97,7 @@ std::string ObjectsTable(const SessionScore& session) {
     out += fmt::format(
         "<tr><td>{}</td>{}{}<td>{:.2f}</td><td>{:.2f}</td><td>{}</td><td>{}</td><td "
         "class=\"left\">{}</td></tr>\n",
-        EscapedMarkup(opi.truth), Place(opi.slam_ned), Place(opi.slam_sd), opi.error_m,
+        EscapedMarkup(opi.truth), Place(opi.slam_W), Place(opi.slam_sd), opi.error_m,
         opi.aligned_error_m, opi.looks, EscapedMarkup(ProbabilityText(opi.probability)),
         Judged(opi.error_m <= kGoodError,
                opi.error_m <= kGoodError ? "found" : "found, misplaced"));
@@ -110,7 +110,7 @@ std::string ObjectsTable(const SessionScore& session) {
     out += fmt::format(
         "<tr><td>nothing</td>{}<td colspan=\"6\"></td><td>{}</td><td "
         "class=\"left\">{}</td></tr>\n",
-        Place(opi.ned), EscapedMarkup(ProbabilityText(opi.probability)), Judged(false, "invented"));
+        Place(opi.p_W), EscapedMarkup(ProbabilityText(opi.probability)), Judged(false, "invented"));
   }
   return out + "</table></div>\n";
 }
@@ -123,7 +123,7 @@ std::string ReportedObjectsTable(const SessionScore& session) {
       "[m]<th>east [m]<th>down [m]<th>sd north<th>sd east<th>sd down<th>looks<th>P</tr>\n";
   for (const ReportedOpi& opi : session.opis.reported) {
     out += fmt::format("<tr><td>{}</td>{}{}<td>{}</td><td>{}</td></tr>\n",
-                       EscapedMarkup(fmt::format("id {}, {}", opi.id, opi.color)), Place(opi.ned),
+                       EscapedMarkup(fmt::format("id {}, {}", opi.id, opi.color)), Place(opi.p_W),
                        Place(opi.sd), opi.looks, EscapedMarkup(ProbabilityText(opi.probability)));
   }
   return out + "</table></div>\n";
@@ -140,7 +140,7 @@ std::string DecisionsTable(const SessionScore& session) {
       "class=\"left\">decided<th>P</tr>\n";
   for (const ChangeScore& change : session.opis.changes) {
     out += fmt::format("<tr>{}<td class=\"left\">{}</td><td>{}</td></tr>\n",
-                       change.ned ? Place(*change.ned) : "<td colspan=\"3\"></td>",
+                       change.p_W ? Place(*change.p_W) : "<td colspan=\"3\"></td>",
                        EscapedMarkup(change.decided),
                        EscapedMarkup(ProbabilityText(change.probability)));
   }
@@ -157,7 +157,7 @@ std::string ChangesTable(const SessionScore& session) {
         "<tr><td>{}</td>{}<td class=\"left\">{}</td><td class=\"left\">{}</td><td>{}</td><td "
         "class=\"left\">{}</td></tr>\n",
         EscapedMarkup(change.truth.value_or("nothing")),
-        change.ned ? Place(*change.ned) : "<td colspan=\"3\">not known to the vehicle</td>",
+        change.p_W ? Place(*change.p_W) : "<td colspan=\"3\">not known to the vehicle</td>",
         EscapedMarkup(change.expected.value_or("nothing there")), EscapedMarkup(change.decided),
         EscapedMarkup(ProbabilityText(change.probability)),
         Judged(change.is_right(), change.is_right() ? "right" : "wrong"));

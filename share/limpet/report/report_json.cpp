@@ -47,10 +47,10 @@ OrderedJson Opis(const std::vector<OpiScore>& opis) {
   OrderedJson list = OrderedJson::array();
   for (const OpiScore& opi : opis) {
     list.push_back({{"truth", opi.truth},
-                    {"truth_ned_m", PointJson(opi.truth_ned)},
-                    {"slam_ned_m", PointJson(opi.slam_ned)},
+                    {"truth_ned_m", PointJson(opi.truth_W)},
+                    {"slam_ned_m", PointJson(opi.slam_W)},
                     {"slam_sd_m", PointJson(opi.slam_sd)},
-                    {"map_centroid_ned_m", PointJson(opi.map_centroid)},
+                    {"map_centroid_ned_m", PointJson(opi.map_centroid_W)},
                     {"map_sd_m", PointJson(opi.map_sd)},
                     {"error_m", Length(opi.error_m)},
                     {"aligned_error_m", Length(opi.aligned_error_m)},
@@ -64,9 +64,9 @@ OrderedJson Opis(const std::vector<ReportedOpi>& opis) {
   for (const ReportedOpi& opi : opis) {
     list.push_back({{"truth", nullptr},
                     {"truth_ned_m", nullptr},
-                    {"slam_ned_m", PointJson(opi.ned)},
+                    {"slam_ned_m", PointJson(opi.p_W)},
                     {"slam_sd_m", PointJson(opi.sd)},
-                    {"map_centroid_ned_m", PointJson(opi.map_centroid)},
+                    {"map_centroid_ned_m", PointJson(opi.map_centroid_W)},
                     {"map_sd_m", PointJson(opi.map_sd)},
                     {"error_m", nullptr},
                     {"aligned_error_m", nullptr},
@@ -80,7 +80,7 @@ OrderedJson Opis(const std::vector<ReportedOpi>& opis) {
 OrderedJson FalseOpis(const std::vector<FalseOpi>& opis) {
   OrderedJson list = OrderedJson::array();
   for (const FalseOpi& opi : opis) {
-    list.push_back({{"ned_m", PointJson(opi.ned)},
+    list.push_back({{"ned_m", PointJson(opi.p_W)},
                     {"class", opi.color},
                     {"probability", Share(opi.probability)}});
   }
@@ -102,7 +102,7 @@ OrderedJson Changes(const std::vector<ChangeScore>& changes) {
          {"expected", change.expected ? OrderedJson(*change.expected) : OrderedJson(nullptr)},
          {"decided", change.decided},
          {"probability", Share(change.probability)},
-         {"ned_m", change.ned ? PointJson(*change.ned) : OrderedJson(nullptr)},
+         {"ned_m", change.p_W ? PointJson(*change.p_W) : OrderedJson(nullptr)},
          {"posterior",
           change.posterior ? PosteriorJson(*change.posterior) : OrderedJson(nullptr)}});
   }

@@ -46,9 +46,9 @@ std::string Metres(const std::optional<double>& metres) {
   return metres ? fmt::format("{:.0f} m", *metres) : "never";
 }
 
-std::string Place(const std::optional<Eigen::Vector3d>& ned) {
-  if (!ned) return fmt::format("{:>7} {:>7} {:>7}", "-", "-", "-");
-  return fmt::format("{:7.2f} {:7.2f} {:7.2f}", ned->x(), ned->y(), ned->z());
+std::string Place(const std::optional<Eigen::Vector3d>& p_W) {
+  if (!p_W) return fmt::format("{:>7} {:>7} {:>7}", "-", "-", "-");
+  return fmt::format("{:7.2f} {:7.2f} {:7.2f}", p_W->x(), p_W->y(), p_W->z());
 }
 
 std::string Heading(const SessionScore& session, const Painter& paint) {
@@ -75,7 +75,7 @@ std::string DiscoveryTable(const SessionScore& session, const Painter& paint) {
                             "north   east    down [m]", "sd [m]", "error", "looks", "sure"));
   for (const OpiScore& opi : session.opis.found) {
     out += fmt::format("  {} {}   {:5.2f} {:5.2f} {:5.2f}  {:5.2f} m  {:>5} {:>6}  {}\n",
-                       Name(opi.truth), Place(opi.slam_ned), opi.slam_sd.x(), opi.slam_sd.y(),
+                       Name(opi.truth), Place(opi.slam_W), opi.slam_sd.x(), opi.slam_sd.y(),
                        opi.slam_sd.z(), opi.error_m, opi.looks, ProbabilityText(opi.probability),
                        paint.Verdict(opi.error_m <= kGoodError, "found"));
   }
@@ -88,12 +88,12 @@ std::string ReportedTable(const SessionScore& session, const Painter& paint) {
                                           "north   east    down [m]", "sd [m]", "looks", "sure"));
   for (const ReportedOpi& opi : session.opis.reported) {
     out += fmt::format("  {} {}   {:5.2f} {:5.2f} {:5.2f}  {:>5} {:>6}  {}\n",
-                       Name(fmt::format("id {}", opi.id)), Place(opi.ned), opi.sd.x(), opi.sd.y(),
+                       Name(fmt::format("id {}", opi.id)), Place(opi.p_W), opi.sd.x(), opi.sd.y(),
                        opi.sd.z(), opi.looks, ProbabilityText(opi.probability),
                        OneLine(opi.color, 20));
   }
   for (const ChangeScore& change : session.opis.changes) {
-    out += fmt::format("  {:<10} {}   {} {:>6}\n", "decided", Place(change.ned),
+    out += fmt::format("  {:<10} {}   {} {:>6}\n", "decided", Place(change.p_W),
                        Name(change.decided), ProbabilityText(change.probability));
   }
   return out +
@@ -128,7 +128,7 @@ std::string ChangeTable(const SessionScore& session, const Painter& paint) {
     });
     out +=
         fmt::format("  {} {}   {:<10} {} {:>6} {:>7}  {}\n", Name(change.truth.value_or("nothing")),
-                    Place(change.ned), change.expected.value_or("-"), Name(change.decided),
+                    Place(change.p_W), change.expected.value_or("-"), Name(change.decided),
                     ProbabilityText(change.probability),
                     opi != found.end() ? fmt::format("{:.2f} m", opi->error_m) : "-",
                     OutcomeText(change, paint));
@@ -143,7 +143,7 @@ std::string Mistakes(const SessionScore& session, const Painter& paint) {
   }
   for (const FalseOpi& opi : session.opis.invented) {
     out +=
-        fmt::format("  {:<10} {}   {} {}  {}\n", "nothing", Place(opi.ned), OneLine(opi.color, 20),
+        fmt::format("  {:<10} {}   {} {}  {}\n", "nothing", Place(opi.p_W), OneLine(opi.color, 20),
                     ProbabilityText(opi.probability), paint.Verdict(false, "INVENTED"));
   }
   return out;

@@ -18,15 +18,15 @@ CommonOffset Align(const std::vector<PosePair>& pairs) {
   CommonOffset offset;
   if (pairs.empty()) return offset;
   for (const PosePair& pair : pairs) {
-    offset.pivot += pair.estimate;
-    offset.target += pair.truth;
+    offset.pivot_W += pair.estimate;
+    offset.target_W += pair.truth;
   }
-  offset.pivot /= static_cast<double>(pairs.size());
-  offset.target /= static_cast<double>(pairs.size());
+  offset.pivot_W /= static_cast<double>(pairs.size());
+  offset.target_W /= static_cast<double>(pairs.size());
   double sine = 0.0, cosine = 0.0;
   for (const PosePair& pair : pairs) {
-    const Eigen::Vector3d a = pair.estimate - offset.pivot;
-    const Eigen::Vector3d b = pair.truth - offset.target;
+    const Eigen::Vector3d a = pair.estimate - offset.pivot_W;
+    const Eigen::Vector3d b = pair.truth - offset.target_W;
     cosine += a.x() * b.x() + a.y() * b.y();
     sine += a.x() * b.y() - a.y() * b.x();
   }
@@ -74,9 +74,9 @@ void AppendTo(NavErrorCurve& curve, const Eigen::Vector3d& error, const std::arr
 }  // namespace
 
 Eigen::Vector3d CommonOffset::Apply(const Eigen::Vector3d& estimate) const {
-  const Eigen::Vector3d a = estimate - pivot;
+  const Eigen::Vector3d a = estimate - pivot_W;
   const double c = std::cos(yaw), s = std::sin(yaw);
-  return target + Eigen::Vector3d(c * a.x() - s * a.y(), s * a.x() + c * a.y(), a.z());
+  return target_W + Eigen::Vector3d(c * a.x() - s * a.y(), s * a.x() + c * a.y(), a.z());
 }
 
 NavScore ScoreNavigation(const SessionRecord& record, double start_s) {

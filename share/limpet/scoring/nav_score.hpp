@@ -8,11 +8,12 @@
 
 namespace limpet {
 
-/// Takes estimates to the true frame: turn by `yaw` about the vertical through `pivot`, then shift.
+/// Takes estimates to the true frame: turn by `yaw` about the vertical through `pivot_W`, then
+/// shift.
 struct CommonOffset {
-  double yaw = 0.0;                                  ///< [rad]
-  Eigen::Vector3d pivot = Eigen::Vector3d::Zero();   ///< of the estimates [m]
-  Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< where the pivot truly is [m]
+  double yaw = 0.0;                                    ///< [rad]
+  Eigen::Vector3d pivot_W = Eigen::Vector3d::Zero();   ///< of the estimates [m]
+  Eigen::Vector3d target_W = Eigen::Vector3d::Zero();  ///< where the pivot truly is [m]
   [[nodiscard]] Eigen::Vector3d Apply(const Eigen::Vector3d& estimate) const;
 };
 

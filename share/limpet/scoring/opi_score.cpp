@@ -16,13 +16,13 @@ constexpr double kOtherColor = 1.0;
 
 struct Belief {
   const OpiBelief* opi = nullptr;
-  Eigen::Vector3d ned = Eigen::Vector3d::Zero();
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
   Eigen::Vector3d sd = Eigen::Vector3d::Zero();
 };
 
 struct Place {
   const ScenarioOpi* opi = nullptr;
-  Eigen::Vector3d ned = Eigen::Vector3d::Zero();
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
 };
 
 /// The smoother's last word on the object, else what the map has.
@@ -58,7 +58,7 @@ std::vector<const Belief*> Match(const std::vector<Place>& places,
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < places.size(); ++i) {
     for (std::size_t j = 0; j < beliefs.size(); ++j) {
-      const double distance = (places[i].ned - beliefs[j].ned).norm();
+      const double distance = (places[i].p_W - beliefs[j].p_W).norm();
       const bool is_same_color = places[i].opi->color == beliefs[j].opi->object.color;
       if (distance <= kMatchRadius) {
         pairs.push_back({distance + (is_same_color ? 0.0 : kOtherColor), i, j});
@@ -100,21 +100,21 @@ void ScorePresence(const SessionRecord& record, const Scenario& scenario,
     }
     const Belief& belief = *matched[i];
     OpiScore score{.truth = truth.name, .color = truth.color, .radius_m = truth.radius_m};
-    score.truth_ned = places[i].ned;
-    score.slam_ned = belief.ned;
+    score.truth_W = places[i].p_W;
+    score.slam_W = belief.p_W;
     score.slam_sd = belief.sd;
-    score.map_centroid = belief.opi->centroid_W;
+    score.map_centroid_W = belief.opi->centroid_W;
     score.map_sd = belief.opi->centroid_sd;
     score.probability = belief.opi->posterior.present();
-    score.error_m = (belief.ned - places[i].ned).norm();
-    score.aligned_error_m = (offset.Apply(belief.ned) - places[i].ned).norm();
+    score.error_m = (belief.p_W - places[i].p_W).norm();
+    score.aligned_error_m = (offset.Apply(belief.p_W) - places[i].p_W).norm();
     score.looks = belief.opi->looks;
     score.id = belief.opi->id;
     scores.found.push_back(std::move(score));
   }
   for (const Belief& belief : beliefs) {
     if (Contains(matched, belief)) continue;
-    scores.invented.push_back({.ned = belief.ned,
+    scores.invented.push_back({.p_W = belief.p_W,
                                .color = belief.opi->object.color,
                                .probability = belief.opi->posterior.present(),
                                .id = belief.opi->id});
@@ -140,7 +140,7 @@ bool IsTraceOfAMove(const Belief& belief, const Scenario& scenario, const Sessio
   return std::any_of(scenario.opis.begin(), scenario.opis.end(), [&](const ScenarioOpi& opi) {
     const auto before = opi.Place(sessions.former);
     return ExpectedStatus(opi, sessions) == "moved" && belief.opi->decided == Status::kRemoved &&
-           (*before - belief.ned).norm() <= kMatchRadius;
+           (*before - belief.p_W).norm() <= kMatchRadius;
   });
 }
 
@@ -161,7 +161,7 @@ void ScoreChanges(const SessionRecord& record, const std::string& former, const 
   const auto matched = Match(places, beliefs);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Status unknown =
-        record.grid.HasInspected(places[i].ned) ? Status::kUncertain : Status::kNotInspected;
+        record.grid.HasInspected(places[i].p_W) ? Status::kUncertain : Status::kNotInspected;
     ChangeScore score{places[i].opi->name,
                       ExpectedStatus(*places[i].opi, sessions),
                       std::string(NameOf(unknown)),
@@ -171,7 +171,7 @@ void ScoreChanges(const SessionRecord& record, const std::string& former, const 
       const OpiBelief& opi = *matched[i]->opi;
       score.decided = NameOf(opi.decided);
       score.probability = ProbabilityOf(opi);
-      score.ned = matched[i]->ned;
+      score.p_W = matched[i]->p_W;
       score.posterior = opi.posterior;
     }
     scores.changes.push_back(std::move(score));
@@ -180,7 +180,7 @@ void ScoreChanges(const SessionRecord& record, const std::string& former, const 
     const bool is_known = Contains(matched, belief) || IsTraceOfAMove(belief, scenario, sessions);
     if (is_known || !IsDecided(*belief.opi)) continue;
     scores.changes.push_back({std::nullopt, std::nullopt, std::string(NameOf(belief.opi->decided)),
-                              ProbabilityOf(*belief.opi), belief.ned, belief.opi->posterior});
+                              ProbabilityOf(*belief.opi), belief.p_W, belief.opi->posterior});
   }
 }
 
@@ -203,12 +203,12 @@ OpiScores ReportedOpis(const SessionRecord& record, bool has_former) {
   for (const OpiBelief& opi : record.opis) {
     const Belief belief = BeliefOf(opi, record.landmarks);
     if (SaysPresent(opi)) {
-      scores.reported.push_back({opi.id, opi.object.color, belief.ned, belief.sd, opi.centroid_W,
+      scores.reported.push_back({opi.id, opi.object.color, belief.p_W, belief.sd, opi.centroid_W,
                                  opi.centroid_sd, opi.posterior.present(), opi.looks});
     }
     if (has_former) {
       scores.changes.push_back({std::nullopt, std::nullopt, std::string(NameOf(opi.decided)),
-                                ProbabilityOf(opi), belief.ned, opi.posterior});
+                                ProbabilityOf(opi), belief.p_W, opi.posterior});
     }
   }
   return scores;

@@ -17,10 +17,10 @@ struct OpiScore {
   std::string truth;
   std::string color;  ///< the true one
   double radius_m = 0.5;
-  Eigen::Vector3d truth_ned = Eigen::Vector3d::Zero();
-  Eigen::Vector3d slam_ned = Eigen::Vector3d::Zero();
+  Eigen::Vector3d truth_W = Eigen::Vector3d::Zero();
+  Eigen::Vector3d slam_W = Eigen::Vector3d::Zero();
   Eigen::Vector3d slam_sd = Eigen::Vector3d::Zero();
-  Eigen::Vector3d map_centroid = Eigen::Vector3d::Zero();
+  Eigen::Vector3d map_centroid_W = Eigen::Vector3d::Zero();
   Eigen::Vector3d map_sd = Eigen::Vector3d::Zero();
   double probability = 0.0;
   double error_m = 0.0;
@@ -31,7 +31,7 @@ struct OpiScore {
 
 /// A reported object that is not there.
 struct FalseOpi {
-  Eigen::Vector3d ned = Eigen::Vector3d::Zero();
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
   std::string color;
   double probability = 0.0;
   int id = 0;  ///< of the OpiBelief
@@ -43,7 +43,7 @@ struct ChangeScore {
   std::optional<std::string> expected;  ///< confirmed, removed, new, moved
   std::string decided;                  ///< one of these, uncertain or not_inspected
   double probability = 0.0;             ///< of what was decided
-  std::optional<Eigen::Vector3d> ned;   ///< where the vehicle says; nothing: it knows of no object
+  std::optional<Eigen::Vector3d> p_W;   ///< where the vehicle says; nothing: it knows of no object
   std::optional<StatusPosterior> posterior = std::nullopt;  ///< of that object
   [[nodiscard]] bool is_right() const { return expected && *expected == decided; }
   /// True if nothing was decided.
@@ -54,9 +54,9 @@ struct ChangeScore {
 struct ReportedOpi {
   int id = 0;
   std::string color;
-  Eigen::Vector3d ned = Eigen::Vector3d::Zero();
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
   Eigen::Vector3d sd = Eigen::Vector3d::Zero();
-  Eigen::Vector3d map_centroid = Eigen::Vector3d::Zero();
+  Eigen::Vector3d map_centroid_W = Eigen::Vector3d::Zero();
   Eigen::Vector3d map_sd = Eigen::Vector3d::Zero();
   double probability = 0.0;
   int looks = 0;

@@ -160,7 +160,7 @@ TEST(ObjectsFigure, PutsEachClusterWhereTheMapHasItAndNamesItsObject) {
   const auto texts = TextsIn(elements);
   for (const OpiScore& opi : drawn.score.opis.found) {
     EXPECT_THAT(texts, Contains(opi.truth));
-    EXPECT_EQ(CirclesAt(elements, map.At(opi.map_centroid.x(), opi.map_centroid.y()), 2.6), 1U);
+    EXPECT_EQ(CirclesAt(elements, map.At(opi.map_centroid_W.x(), opi.map_centroid_W.y()), 2.6), 1U);
   }
   EXPECT_EQ(drawn.score.opis.found.size(), 3U);
   EXPECT_THAT(texts, Contains("Objects found: 3 of 3, 0 invented"));
@@ -185,7 +185,7 @@ TEST(ChangeFigure, RingsADecisionThatIsWrong) {
   const MapAxes map(AreaOf(drawn.record), "t", "s");
   const auto elements =
       ReadSvg(ChangeFigure({drawn.record, wrong, drawn.settings, drawn.scenario}).svg);
-  const Eigen::Vector3d place = *wrong.opis.changes[0].ned;
+  const Eigen::Vector3d place = *wrong.opis.changes[0].p_W;
   EXPECT_EQ(CirclesAt(elements, map.At(place.x(), place.y()), 14.0), 1U);
   EXPECT_THAT(TextsIn(elements), Contains(HasSubstr("wrong: confirmed")));
   EXPECT_THAT(TextsIn(elements), Contains("What changed: 4 of 5 statuses right"));

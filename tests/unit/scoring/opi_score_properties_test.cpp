@@ -75,7 +75,7 @@ TEST_P(ScoredField, EveryObjectIsFoundOrMissedAndEveryReportFoundOrInvented) {
 
 TEST_P(ScoredField, AFoundObjectIsNearItsReportAndItsErrorIsTheirDistance) {
   for (const OpiScore& found : Score().found) {
-    EXPECT_NEAR(found.error_m, (found.slam_ned - found.truth_ned).norm(), 1e-12);
+    EXPECT_NEAR(found.error_m, (found.slam_W - found.truth_W).norm(), 1e-12);
     EXPECT_LE(found.error_m, kReach);
     EXPECT_NEAR(found.aligned_error_m, found.error_m, 1e-9) << "without an offset";
   }
@@ -86,7 +86,7 @@ TEST_P(ScoredField, NoObjectIsMissedBesideAnInventedReportOfIt) {
   for (const std::string& name : scores.missed) {
     const auto truth = std::ranges::find(scenario_.opis, name, &ScenarioOpi::name);
     for (const FalseOpi& invented : scores.invented) {
-      EXPECT_GT((*truth->Place("change") - invented.ned).norm(), kReach) << name;
+      EXPECT_GT((*truth->Place("change") - invented.p_W).norm(), kReach) << name;
     }
   }
 }
@@ -125,7 +125,7 @@ TEST_P(ScoredField, WhatIsExpectedFollowsFromWhereAnObjectWasAndIs) {
                                      : (before ? "removed" : "new");
     EXPECT_EQ(change.expected, expected) << *change.truth;
     EXPECT_EQ(change.is_right(), change.decided == expected);
-    EXPECT_TRUE(change.ned || change.is_open()) << "a status is of something";
+    EXPECT_TRUE(change.p_W || change.is_open()) << "a status is of something";
   }
   EXPECT_EQ(judged, static_cast<std::size_t>(
                         std::ranges::count_if(scenario_.opis, [](const ScenarioOpi& opi) {
