@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "limpet/vision/sphere_box.hpp"
+
 namespace limpet {
 namespace {
 
