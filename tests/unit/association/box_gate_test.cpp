@@ -77,6 +77,25 @@ TEST_F(BoxGateTest, TheCostIsTheGaussianOfTheInnovation) {
               1e-9);
 }
 
+TEST_F(BoxGateTest, ABoxThatOverlapsTheExpectedOneIsNeverFartherThanSixTenthsOfTheGate) {
+  const double size = 2.0 * camera_.fx * std::tan(std::asin(kRadius / 3.0));
+  const auto shown = [&](double off, double larger) {
+    Box box = BoxOf({0.0, 0.0, 3.0}).box;
+    box.u += off * size;
+    box.w *= larger, box.h *= larger;
+    return Match(Read(box), ObjectAt({0.0, 0.0, 3.0}));
+  };
+  const double most = 0.6 * params_.chi2_per_gate;
+  ASSERT_TRUE(shown(0.39, 1.0));
+  EXPECT_NEAR(shown(0.39, 1.0)->distance2, most, 1e-9);
+  EXPECT_LT(shown(0.3, 1.0)->distance2, most);
+  // Size tells range to a fifth: two and a half of those still overlap, three and a half do not.
+  ASSERT_TRUE(shown(0.3, std::exp(-0.5)));
+  EXPECT_NEAR(shown(0.3, std::exp(-0.5))->distance2, most, 1e-9);
+  ASSERT_TRUE(shown(0.0, std::exp(-0.7)));
+  EXPECT_GT(shown(0.0, std::exp(-0.7))->distance2, most);
+}
+
 TEST_F(BoxGateTest, AnotherClassCostsTheOddsOfConfusion) {
   ReadDetection seen = BoxOf({0.2, 0.1, 3.0});
   const double of_class = Match(seen, ObjectAt({0.2, 0.1, 3.0}))->cost;

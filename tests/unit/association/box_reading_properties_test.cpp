@@ -33,7 +33,7 @@ class BoxReadingProperties : public ::testing::TestWithParam<int> {
   Random random_{static_cast<std::uint64_t>(GetParam()), "box reading"};
   const CameraModel camera_ = DrawLens(random_);
   const double radius_ = random_.Uniform(0.2, 0.6);
-  const BoxNoise noise_;
+  const BoxNoise noise_{};
 };
 
 TEST_P(BoxReadingProperties, AWholeBoxLeadsToTheCentreAndTheDistance) {

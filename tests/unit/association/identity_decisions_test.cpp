@@ -66,6 +66,47 @@ TEST_F(IdentityDecisionsTest, WhatMayBeOneOrAnotherIsLeftInDoubt) {
   EXPECT_LT(tracks_.objects[2].verdict.share, 0.98);
 }
 
+TEST_F(IdentityDecisionsTest, WhatIsOutOfViewForTwoSecondsIsDecidedAndNotBefore) {
+  SeeTwice(kKnown, kKnown, 0.1);
+  Wait(kOutOfViewSeconds - 0.01);
+  EXPECT_FALSE(Decide());
+  Wait(0.02);
+  EXPECT_TRUE(Decide());
+}
+
+TEST_F(IdentityDecisionsTest, WhatStaysInViewIsDecidedAfterEightSeconds) {
+  SeeTwice(kKnown, kKnown, 0.1);
+  TrackedObject& object = tracks_.objects[1];
+  for (const double in_view : {7.99, 8.01}) {
+    tracks_.now = object.observations.front().t + in_view;
+    object.observations.back().t = tracks_.now;  // and a box has just come
+    EXPECT_EQ(Decide(), in_view > 8.0);
+  }
+}
+
+TEST_F(IdentityDecisionsTest, ADoubtIsLookedAtAgainThreeSecondsAfterNewsAndElseEveryMinute) {
+  Mapped(kKnown, FlyOver(kKnown), Confirmed{});
+  const Eigen::Vector3d other = kKnown + Eigen::Vector3d(0.0, 1.6, 0.0);
+  Mapped(other, FlyOver(other), Confirmed{});
+  FlyTo(24.0, 0.0, 1.0);
+  const Eigen::Vector3d between = kKnown + Eigen::Vector3d(0.0, 0.8, 0.0);
+  Mapped(between, FlyOver(between, 1.0), InDoubt{}).drift_sd = 1.0;
+  Wait(kOutOfViewSeconds + 0.01);
+  Decide();
+  ASSERT_TRUE(tracks_.objects[2].Is<InDoubt>());
+  const auto is_decided = [&](int news, double after) {
+    tracks_.objects[2].verdict.share = -1.0;  // so that a decision shows
+    tracks_.identity_news = news;
+    Wait(after);
+    Decide();
+    return tracks_.objects[2].verdict.share >= 0.0;
+  };
+  EXPECT_FALSE(is_decided(1, 2.99));
+  EXPECT_TRUE(is_decided(1, 0.02));
+  EXPECT_FALSE(is_decided(0, 59.9));
+  EXPECT_TRUE(is_decided(0, 0.2));
+}
+
 TEST_F(IdentityDecisionsTest, WithoutNewsNothingIsDecidedAgainWithinAMinute) {
   SeeTwice(kKnown, kKnown, 0.1);
   Wait(kOutOfViewSeconds + 0.01);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/association/landmark_review.hpp"
 
+#include <cmath>
+#include <tuple>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "tests/unit/association/tracks_fixture.hpp"
@@ -60,6 +64,7 @@ TEST_F(LandmarkReviewTest, OutliersThatAgreeAreAnotherObjectAfterAll) {
   ASSERT_EQ(tracks_.objects.size(), 2U);
   EXPECT_TRUE(tracks_.objects[1].Is<InDoubt>()) << "what it is, is to be decided";
   EXPECT_LT((tracks_.objects[1].p_W - other).norm(), 0.3);
+  EXPECT_EQ(tracks_.objects[1].drift_sd, 0.5) << "so much was it mistaken by at most";
   EXPECT_EQ(CountBoxes(), 9U);
 }
 
@@ -71,6 +76,44 @@ TEST_F(LandmarkReviewTest, WhatWasReviewedIsNotReviewedAgainBeforeItIsSeenAgain)
   EXPECT_FALSE(review_.RemoveOutliers());
   object.needs_review = true;
   EXPECT_TRUE(review_.RemoveOutliers());
+}
+
+struct OldBox {
+  double last_seen;  ///< of the landmark, whose wrong box came at 2 s
+  double moved;      ///< since it was reviewed [m]
+  bool is_found;
+};
+class OldBoxes : public LandmarkReviewTest, public ::testing::WithParamInterface<OldBox> {};
+
+TEST_P(OldBoxes, AreReviewedAgainOnceTheLandmarkHasMovedTenCentimetres) {
+  const auto& [last_seen, moved, is_found] = GetParam();
+  TrackedObject& object = LandmarkAt(kOne);
+  Mistake(object, kOne + Eigen::Vector3d(0.0, 1.2, 0.0), 2);
+  Observation late = See(kOne, 5);
+  late.t = last_seen;
+  terms_.AddTerms(object, late, false);
+  object.Add(std::move(late));
+  Solve();
+  object.reviewed_p_W = object.p_W + Eigen::Vector3d(moved, 0.0, 0.0);
+  object.needs_review = true;
+  EXPECT_EQ(review_.RemoveOutliers(), is_found);
+}
+
+INSTANTIATE_TEST_SUITE_P(Borders, OldBoxes,
+                         ::testing::Values(OldBox{40.0, 0.09, false}, OldBox{40.0, 0.11, true},
+                                           OldBox{32.1, 0.0, false}, OldBox{31.9, 0.0, true}));
+
+TEST_F(LandmarkReviewTest, TwoThatAreLikelyOneAreInDoubtByWhatTheirDifferenceIsUnsure) {
+  LandmarkAt(kOne);
+  LandmarkAt(kOne);
+  const Eigen::MatrixXd joint =
+      smoother_.Covariance({tracks_.objects[0].slot(), tracks_.objects[1].slot()});
+  const Eigen::Matrix3d S = joint.block<3, 3>(6, 6) + joint.block<3, 3>(9, 9) -
+                            joint.block<3, 3>(6, 9) - joint.block<3, 3>(9, 6);
+  review_.DoubtDuplicates();
+  // Five centimetres between two places of one object are nobody's.
+  const double expected = std::sqrt(S.diagonal().head<2>().maxCoeff() + 0.05 * 0.05);
+  EXPECT_NEAR(tracks_.objects[1].drift_sd, expected, 1e-9);
 }
 
 TEST_F(LandmarkReviewTest, ALandmarkThatFortyFramesHardlyShowIsGivenUp) {

@@ -115,6 +115,12 @@ TEST_P(PlaceWatchGate, HoweverFewFalseBoxesThereAreOneIsNotProof) {
   EXPECT_NEAR(LogFalseAlarm(scene), std::log(2e-5), 1e-9);
 }
 
+TEST_P(PlaceWatchGate, HoweverManyThereAreABoxSaysALittle) {
+  GateScene scene = Draw(0.0);
+  scene.model.detection.false_per_image = 1e4;  // as a broken detector teaches
+  EXPECT_NEAR(LogFalseAlarm(scene), std::log(0.2), 1e-9);
+}
+
 INSTANTIATE_TEST_SUITE_P(Drawn, PlaceWatchGate, ::testing::Range(1, 11));
 
 }  // namespace

@@ -38,7 +38,7 @@ class MatchEvidenceProperties : public ::testing::TestWithParam<int> {
   }
   Random random_{static_cast<std::uint64_t>(GetParam()), "evidence"};
   std::vector<ObjectEstimate> former_, now_;
-  const MatchingParams params_;
+  const MatchingParams params_{};
 };
 
 TEST_P(MatchEvidenceProperties, NoMatchIsNoEvidence) {
