@@ -43,6 +43,7 @@ MapApp::MapApp(const AppContext& context, const Params& params)
   Subscribe(topics::kNavTrackShift, &MapApp::OnTrackShift);
   Subscribe(topics::kNavLandmarks, &MapApp::OnLandmarks);
   Subscribe(topics::kSessionPrior, &MapApp::OnPrior);
+  Subscribe(topics::kSessionPriorMap, &MapApp::OnPriorMap);
   Subscribe(topics::kMapSnapshotRequest, &MapApp::OnSnapshotRequest);
   Subscribe(topics::kMapGridRequest, &MapApp::OnGridRequest);
 }
@@ -178,6 +179,18 @@ void MapApp::OnPrior(const Stamped<SessionPrior>& prior) {
   statuses_.SetFormer(prior.value.opis);
 }
 
+void MapApp::OnPriorMap(const Stamped<Binary>& prior) {
+  const Expected<SemanticOctree> former = SemanticOctree::Parse(
+      {reinterpret_cast<const char*>(prior.value.data()), prior.value.size()});
+  if (!former) {
+    Warn(warnings::kFormerMap,
+         "the former session's voxels are not taken over: it kept " + former.error().text);
+    return;
+  }
+  ClearWarning(warnings::kFormerMap);
+  map_.SetFormer(*former);
+}
+
 DetectionModel MapApp::PlannedDetection() const {
   DetectionModel detection = params_.status.detection;
   detection.visibility = planned_visibility_;
@@ -311,6 +324,7 @@ void MapApp::OnSnapshotRequest(const Stamped<std::string>&) {
           WaterRecord{.visibility = planned_visibility_.value(),
                       .estimate = {.visibility = water.visibility.value(), .sd = water.sd.value()},
                       .contrasts = statuses_.contrasts().bins()});
+  map_.SetFormerOffset(statuses_.offset());
   const SemanticOctree& octree = map_.Octree();
   Publish(topics::kMapDepths, BinaryOf(map_.beams().depths().Serialize()));
   Publish(topics::kMapSnapshot, BinaryOf(octree.Serialize()));

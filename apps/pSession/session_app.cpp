@@ -34,6 +34,11 @@ std::string TextOf(const Binary& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+Binary BinaryOf(const std::string& text) {
+  const auto* first = reinterpret_cast<const std::byte*>(text.data());
+  return {first, first + text.size()};
+}
+
 /// A behavior file as the helm reads it; as it is if its plugs are wrong, which the helm says.
 std::string WithPlugs(const std::string& text, const std::filesystem::path& file) {
   try {
@@ -117,6 +122,7 @@ bool SessionApp::MaySave() {
 void SessionApp::LoadFormer() {
   const SavedSession former = LoadSavedSession(context().prior_folder, "former session");
   prior_ = PriorWithParameters(former);
+  prior_map_ = former.memory.map;
   memory_.former = FormerFactsOf(former.facts);
   former_ = Former{prior_->session, prior_->opis.size(), prior_->views.size()};
 }
@@ -188,6 +194,10 @@ void SessionApp::Tick(Seconds now) {
   if (prior_) {
     Publish(topics::kSessionPrior, *prior_);
     prior_.reset();
+    if (!prior_map_.empty()) {
+      Publish(topics::kSessionPriorMap, BinaryOf(prior_map_));
+      prior_map_.clear();
+    }
   }
   if (!last_save_) {
     Commit("start", now);  // self-describing from its first second

@@ -69,6 +69,7 @@ class SessionApp final : public App {
   BestChips chips_;      ///< of all landmarks; those of the objects go into memory_
   std::optional<SessionWriter> writer_;
   std::optional<SessionPrior> prior_;
+  std::string prior_map_;           ///< the former session's octree; empty if it kept none
   std::optional<Pending> pending_;  ///< waits for the map
   std::optional<Seconds> last_save_;
   struct Former {

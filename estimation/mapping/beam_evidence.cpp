@@ -52,10 +52,11 @@ class BeamWalk {
 
 }  // namespace
 
-float OccupiedLogOdds(const VoxelCounts& counts) {
+float OccupiedLogOdds(const VoxelCounts& counts, float before) {
   constexpr double kHit = 0.8472978603872034, kMiss = -0.4054651081081643;  // ln p / (1 - p)
   constexpr double kLeast = -2.0, kMost = 3.5;
-  return static_cast<float>(std::clamp(kHit * counts.hits + kMiss * counts.misses, kLeast, kMost));
+  return static_cast<float>(std::clamp(
+      static_cast<double>(before) + kHit * counts.hits + kMiss * counts.misses, kLeast, kMost));
 }
 
 bool BeamEvidence::Holds(const Eigen::Vector3d& p_W) const {

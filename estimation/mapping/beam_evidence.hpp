@@ -25,7 +25,8 @@ struct VoxelCounts {
 /// Log-odds of being occupied: OctoMap's sensor model (0.7 for a hit, 0.4 for a miss) and its
 /// bounds, [0.12, 0.97] in probability, applied to the sums. [Hornung 2013] clamps after each beam
 /// instead, so that there the last beams weigh most.
-[[nodiscard]] float OccupiedLogOdds(const VoxelCounts& counts);
+/// `before` is what was known of the voxel without these beams.
+[[nodiscard]] float OccupiedLogOdds(const VoxelCounts& counts, float before = 0.0F);
 
 /// What sonar beams say of space, as counts in bricks of 8 x 8 x 8 voxels. Counts are sums, so a
 /// beam can be taken back exactly, in any order, and laid elsewhere.

@@ -4,15 +4,18 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <vector>
 
 #include "estimation/mapping/beam_map.hpp"
 #include "estimation/mapping/semantic_octree.hpp"
 #include "estimation/mapping/voxel_cluster.hpp"
+#include "estimation/matching/frame_offset.hpp"
 
 namespace limpet {
 
-/// The map of record while a session goes on: what beams say of space, and on top of it the objects
-/// as they are painted. The octree is made of it when somebody reads or saves.
+/// The map of record while a session goes on: what beams say of space, what is left of what a
+/// former session knew, and on top of it the objects as they are painted. The octree is made of it
+/// when somebody reads or saves.
 class SemanticMap {
  public:
   explicit SemanticMap(Meters resolution = Meters(0.2), const DvlBeams& dvl = {});
@@ -23,6 +26,12 @@ class SemanticMap {
   void Paint(const VoxelKey& key, const VoxelBelief& belief);
   /// What beams say is to stand there again.
   void Unpaint(const VoxelKey& key);
+  /// What a former session knew of the ground and the water above it. Of its log-odds half is
+  /// taken, so that five beams that say otherwise overrule it; its objects are not: they come as
+  /// objects.
+  void SetFormer(const SemanticOctree& former);
+  /// The former session's frame in this one, as far as it is known: its voxels are laid there.
+  void SetFormerOffset(const FrameOffset& offset);
   /// Nothing where the map knows nothing.
   [[nodiscard]] std::optional<VoxelBelief> At(const VoxelKey& key) const;
   [[nodiscard]] double resolution() const { return beams_.evidence().resolution(); }
@@ -35,10 +44,18 @@ class SemanticMap {
   /// False if the octree has a voxel there of which nothing is known any more.
   [[nodiscard]] bool Refresh(const VoxelKey& key);
   void Rebuild();
+  void LayFormer();
+  /// Of what beams and a former session say; nothing if neither says anything.
+  [[nodiscard]] std::optional<VoxelBelief> GroundAt(const VoxelKey& key,
+                                                    const VoxelCounts& counts) const;
 
   BeamMap beams_;
   std::map<VoxelKey, VoxelBelief> painted_;
   std::set<VoxelKey> repainted_;  ///< since the octree was last made
+  std::vector<Voxel> former_;     ///< in its own frame, of the ground only
+  FrameOffset former_offset_;
+  std::optional<SemanticOctree> laid_former_;  ///< in this session's frame, halved
+  bool is_former_laid_ = true;                 ///< as the offset now is
   SemanticOctree octree_;
 };
 

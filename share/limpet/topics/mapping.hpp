@@ -165,6 +165,9 @@ inline const auto kMapSnapshotRequest =
 inline const auto kSessionPrior = Declare<SessionPrior>(
     "SESSION_PRIOR", "objects of the loaded former session, and where it looked from",
     {.unit = "m, rad, s", .frame = "NED", .rate = "once", .writers = {"pSession"}});
+inline const auto kSessionPriorMap = Declare<Binary>(
+    "SESSION_PRIOR_MAP", "semantic octree of the loaded former session, in its frame",
+    {.unit = "m", .frame = "NED", .rate = "once", .writers = {"pSession"}});
 inline const auto kSessionSave =
     Declare<std::string>("SESSION_SAVE", "asks pSession to save; value says why",
                          {.rate = "on event", .writers = {"pSurvey"}, .is_command = true});

@@ -390,6 +390,26 @@ TEST_F(MapAppTest, TakesBackCoverageOfGroundThatTheTrackTurnsOutNotToHaveShown) 
   EXPECT_NEAR(mirror.coverage().seabed, known.seabed, 1e-9);
 }
 
+TEST_F(MapAppTest, SavesWhatAFormerSessionKnewWithWhatItSeesItself) {
+  SemanticOctree former;
+  former.Set({3.1, 3.1, 7.5}, {.occupied = 2.0F});
+  const std::string bytes = former.Serialize();
+  const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
+  link_.Send(app_, topics::kSessionPriorMap, Binary{std::byte{'x'}});
+  EXPECT_TRUE(app_.warnings().contains("FORMER_MAP"));
+  link_.Send(app_, topics::kSessionPriorMap, Binary(first, first + bytes.size()));
+  EXPECT_FALSE(app_.warnings().contains("FORMER_MAP"));
+  link_.Send(app_, topics::kNavBeams,
+             PosedBeams{.down = 3.5, .b1 = 4.4, .b2 = 4.4, .b3 = 4.4, .b4 = 4.4, .sd_down = {}});
+  link_.Send(app_, topics::kMapSnapshotRequest, std::string("test"));
+  const Binary saved = *link_.Last(topics::kMapSnapshot);
+  const Expected<SemanticOctree> map =
+      SemanticOctree::Parse({reinterpret_cast<const char*>(saved.data()), saved.size()});
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->At({3.1, 3.1, 7.5})->occupied, 1.0F);
+  EXPECT_TRUE(map->At({0.1, 0.1, 3.7})) << "its own beams, too";
+}
+
 TEST_F(MapAppTest, SavesBeamsAndDepthsWhereTheTrackIsNow) {
   const PosedBeams ping{.down = 3.5, .b1 = 4.4, .b2 = 4.4, .b3 = 4.4, .b4 = 4.4, .sd_down = 0.07};
   link_.Send(app_, topics::kNavBeams, ping);

@@ -217,6 +217,19 @@ TEST_F(SessionAppTest, ExportsTheMapForOtherPrograms) {
   EXPECT_THAT(files.at("export/map.csv"), ::testing::HasSubstr(",new\n"));
 }
 
+TEST_F(SessionAppTest, HandsOverTheFormerSessionsMapOnce) {
+  Discover();  // its map is two bytes
+  SessionApp app(Context("change", folder_.path() / "discovery"), {});
+  app.Tick(link_.time);
+  EXPECT_EQ(link_.Last(topics::kSessionPriorMap), (Binary{std::byte{1}, std::byte{2}}));
+  const auto told = [this] {
+    return std::ranges::count(link_.published, topics::kSessionPriorMap.name,
+                              [](const MessagePtr& message) { return message->name; });
+  };
+  app.Tick(link_.time + Seconds(1.0));
+  EXPECT_EQ(told(), 1);
+}
+
 TEST_F(SessionAppTest, KeepsTheDepthsThatCameWithTheMap) {
   SessionApp app(Context("discovery"), {});
   app.Tick(link_.time);

@@ -76,6 +76,81 @@ TEST(SemanticMap, TheOctreeDoesNotDependOnWhenItWasReadNorOnHowTheTrackMoved) {
   EXPECT_EQ(watched.Octree().Serialize(), unwatched.Octree().Serialize());
 }
 
+/// A seabed of one lane, as a former session left it.
+SemanticOctree FormerGround() {
+  SemanticMap map;
+  for (int i = 0; i < 40; ++i) {
+    LayPing(map, i, 0.1 * i);
+  }
+  map.Paint({3, 3, 3}, kPaintedBelief);
+  Expected<SemanticOctree> octree = SemanticOctree::Parse(map.Octree().Serialize());
+  return *std::move(octree);
+}
+
+TEST(SemanticMap, KeepsHalfOfWhatAFormerSessionKnewOfTheGroundAndNotItsObjects) {
+  const SemanticOctree former = FormerGround();
+  const Eigen::Vector3d seabed = CentreOf(EndOfFirstBeam(), 0.2);
+  SemanticMap map;
+  map.SetFormer(former);
+  EXPECT_EQ(map.Octree().At(seabed)->occupied, 0.5F * former.At(seabed)->occupied);
+  EXPECT_LT(map.Octree().At({0.1, 0.1, 4.9})->occupied, 0.0F);
+  EXPECT_FALSE(map.Octree().At(CentreOf({3, 3, 3}, 0.2)));
+}
+
+TEST(SemanticMap, NewBeamsConfirmWhatIsThereAndOverruleWhatIsNot) {
+  SemanticMap same, deeper, alone;
+  for (SemanticMap* map : {&same, &deeper}) {
+    map->SetFormer(FormerGround());
+  }
+  const Eigen::Vector3d seabed = CentreOf(EndOfFirstBeam(), 0.2);
+  for (int i = 0; i < 6; ++i) {
+    LayPing(same, i, 0.0);
+    LayPing(alone, i, 0.0);
+    PosedBeams ping = kLevelPing;
+    ping.b1 = *ping.b1 + 0.6;
+    deeper.beams().Add(i, ping, {{.p_W = seabed, .is_seabed = true, .beam = 0}});
+  }
+  EXPECT_GE(same.Octree().At(seabed)->occupied, alone.Octree().At(seabed)->occupied);
+  EXPECT_LT(deeper.Octree().At(seabed)->occupied, 0.0F);
+}
+
+TEST(SemanticMap, LaysAFormerSessionWhereItsFrameTurnsOutToLie) {
+  SemanticMap map;
+  map.SetFormer(FormerGround());
+  static_cast<void>(map.Octree().Serialize());
+  map.SetFormerOffset({.shift = {2.0, -1.0}, .turn = 0.0, .pivot = {1.0, 1.0}, .down = 0.2});
+  const Eigen::Vector3d seabed = CentreOf(EndOfFirstBeam(), 0.2);
+  const Eigen::Vector3d there = seabed + Eigen::Vector3d(2.0, -1.0, 0.2);
+  EXPECT_GT(map.Octree().At(there)->occupied, 0.0F);
+  map.SetFormerOffset({});
+  EXPECT_GT(map.Octree().At(seabed)->occupied, 0.0F);
+  const std::string back = map.Octree().Serialize();
+  SemanticMap untouched;
+  untouched.SetFormer(FormerGround());
+  EXPECT_EQ(back, untouched.Octree().Serialize());
+}
+
+TEST(SemanticMap, ASessionThatIsLoadedTwiceIsSavedAlike) {
+  const auto saved = [] {
+    SemanticMap map;
+    map.SetFormer(FormerGround());
+    map.SetFormerOffset({.shift = {0.3, 0.1}, .turn = 0.02, .pivot = {0.0, 0.0}, .down = 0.0});
+    for (int i = 0; i < 20; ++i) {
+      LayPing(map, i, 0.15 * i);
+    }
+    return map.Octree().Serialize();
+  };
+  EXPECT_EQ(saved(), saved());
+}
+
+TEST(SemanticMap, LeavesOutFormerLeavesThatNoBeamsCanHaveFilled) {
+  SemanticOctree former(Meters(100.0));
+  former.Set({50.0, 50.0, 50.0}, {.occupied = 2.0F});
+  SemanticMap map;
+  map.SetFormer(former);
+  EXPECT_EQ(map.Octree().nodes(), 0U);
+}
+
 TEST(SemanticMap, EqualMapsGiveEqualBytesAndComeBackFromThem) {
   SemanticMap map;
   Random random(8);
