@@ -94,7 +94,7 @@ Confirmation::PairLikelihood Confirmation::LikelihoodOf(const TrackedObject& ten
   Eigen::Matrix3d S = joint.block<3, 3>(6, 6) + J * joint.topLeftCorner<6, 6>() * J.transpose() -
                       across - across.transpose();
   PairLikelihood pair{.drift_sd = std::sqrt(S.topLeftCorner<2, 2>().diagonal().maxCoeff())};
-  S += tentative.tentative().covariance_W;
+  S += tentative.tentative().covariance_W + landmark.MotionCovariance();
   S.diagonal().array() += kPlaceError * kPlaceError;
   pair.distance2 = d.dot(S.llt().solve(d));
   pair.cost = pair.distance2 + std::log(S.determinant()) + 3.0 * std::log(2.0 * std::numbers::pi) +

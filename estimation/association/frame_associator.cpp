@@ -150,7 +150,7 @@ PoseObjectCovariance FrameAssociator::CovarianceWith(const TrackedObject& object
   PoseObjectCovariance covariance = PoseObjectCovariance::Zero();
   if (object.is_mapped()) {
     covariance.topLeftCorner<6, 6>() = joint.topLeftCorner<6, 6>();
-    covariance.bottomRightCorner<3, 3>() = joint.block<3, 3>(row, row);
+    covariance.bottomRightCorner<3, 3>() = joint.block<3, 3>(row, row) + object.MotionCovariance();
     covariance.topRightCorner<6, 3>() = joint.block<6, 3>(0, row);
     covariance.bottomLeftCorner<3, 6>() = joint.block<3, 6>(row, 0);
     return covariance;

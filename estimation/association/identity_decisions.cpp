@@ -168,6 +168,10 @@ bool IdentityDecisions::FillPlaces(Joint& joint, int claimants) const {
                    {.a = i, .b = static_cast<int>(target - joint.tracks.begin())}, kTieSigma);
     if (!is_out) return false;
   }
+  for (std::size_t i = 0; i < joint.tracks.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(3 * i);
+    problem.covariance.block<3, 3>(row, row) += joint.tracks[i]->MotionCovariance();
+  }
   return true;
 }
 

@@ -10,6 +10,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include "estimation/association/object_motion.hpp"
 #include "estimation/association/pair_evidence.hpp"
 #include "estimation/association/track_placement.hpp"
 #include "estimation/smoothing/factors/reprojection_factor.hpp"
@@ -21,6 +22,9 @@ constexpr double kMoved = 0.1;  // [m] after which all observations of a landmar
 constexpr double kRecent = 30.0;       // [s] of observations that always are
 constexpr double kSplitDriftSd = 0.5;  // [m] of what was taken for another landmark by mistake
 constexpr double kModelError = 0.05;   // [m] between two landmarks of one object
+constexpr double kWidestMotion = 0.9;  // [m] level, between the places of one that moves
+constexpr int kAbsences = 5;           // that make it more than a detector's misses
+constexpr double kMoreMotion = 1.3;    // share beyond which a motion is noted anew
 constexpr double kLongAgo = -1e18;     // [s]
 constexpr double kOldPlace = 0.5;      // [m] that copies of places may be off one another
 
@@ -37,7 +41,9 @@ std::vector<Observation> LandmarkReview::TakeOutliers(TrackedObject& object) {
       return true;
     }
     const CameraModel camera = mount_.At(one.motion);
-    const ReprojectionFactor factor(camera, one.reading.centre_px, one.reading.sigma_px);
+    const BoxReading reading =
+        OfMeanPlace(one.reading, object.motion_sd, camera, params_.model.radius_m);
+    const ReprojectionFactor factor(camera, reading.centre_px, reading.sigma_px);
     return !(factor.Evaluate(smoother_.PoseAt(one.node), p_W).norm() > params_.outlier_sigma);
   };
   const auto bad =
@@ -48,11 +54,23 @@ std::vector<Observation> LandmarkReview::TakeOutliers(TrackedObject& object) {
   return outliers;
 }
 
+bool LandmarkReview::NoteMotion(TrackedObject& object) {
+  const double variance = MotionVariance(object, params_.confirm_within_s, smoother_, mount_);
+  return NoteMotion(object, std::sqrt(variance));
+}
+
+bool LandmarkReview::NoteMotion(TrackedObject& object, double motion_sd) {
+  if (motion_sd <= kMoreMotion * object.motion_sd) return false;
+  terms_.NoteMotion(object, motion_sd);
+  return true;
+}
+
 bool LandmarkReview::RemoveOutliers() {
   bool has_changed = false;
   std::vector<TrackedObject> split;
   for (TrackedObject& object : tracks_.objects) {
     if (!object.is_mapped() || !std::exchange(object.needs_review, false)) continue;
+    has_changed = NoteMotion(object) || has_changed;
     std::vector<Observation> outliers = TakeOutliers(object);
     if (outliers.empty()) continue;
     object.RecountColor();
@@ -100,7 +118,14 @@ bool LandmarkReview::AreLikelyOne(const TrackedObject& a, const TrackedObject& b
   return one < NewObjectCost(tracks_, params_) + OverlapCost(d, difference, params_.model.radius_m);
 }
 
-void LandmarkReview::DoubtDuplicates() {
+bool LandmarkReview::AreOneThatMoves(const TrackedObject& a, const TrackedObject& b) const {
+  return a.Color() == b.Color() && (a.p_W - b.p_W).head<2>().norm() < kWidestMotion &&
+         CountAbsences(a, b, smoother_, mount_) + CountAbsences(b, a, smoother_, mount_) >=
+             kAbsences;
+}
+
+bool LandmarkReview::DoubtDuplicates() {
+  bool has_changed = false;
   for (TrackedObject& a : tracks_.objects) {
     for (TrackedObject& b : tracks_.objects) {
       if (!a.is_landmark() || !b.is_landmark() || a.id() >= b.id()) continue;
@@ -111,12 +136,20 @@ void LandmarkReview::DoubtDuplicates() {
       Eigen::Matrix3d S = joint.block<3, 3>(6, 6) + joint.block<3, 3>(9, 9) -
                           joint.block<3, 3>(6, 9) - joint.block<3, 3>(9, 6);
       S.diagonal().array() += kModelError * kModelError;
-      if (!AreLikelyOne(a, b, S)) continue;
+      S += a.MotionCovariance() + b.MotionCovariance();
+      if (!AreLikelyOne(a, b, S)) {
+        if (!AreOneThatMoves(a, b)) continue;
+        const double motion_sd = std::max(0.5 * d.head<2>().norm(), 0.25 * std::abs(d.z()));
+        has_changed = NoteMotion(a, motion_sd) || has_changed;
+        has_changed = NoteMotion(b, motion_sd) || has_changed;
+        S += a.MotionCovariance() + b.MotionCovariance();
+      }
       b.drift_sd = std::sqrt(S.diagonal().head<2>().maxCoeff());
       b.state = InDoubt{};
       ++tracks_.identity_news;
     }
   }
+  return has_changed;
 }
 
 bool LandmarkReview::DropFalseLandmarks() {

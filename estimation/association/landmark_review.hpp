@@ -18,13 +18,19 @@ class LandmarkReview {
   /// Takes out observations that do not fit; those that agree among themselves are another object
   /// after all. True if the graph changed.
   bool RemoveOutliers();
-  /// Puts in doubt which of two landmarks is likely the other one.
-  void DoubtDuplicates();
+  /// Puts in doubt which of two landmarks is likely the other one. True if the graph changed.
+  bool DoubtDuplicates();
   /// Gives up landmarks that too few frames show. True if the graph changed.
   bool DropFalseLandmarks();
   [[nodiscard]] int rejected() const { return rejected_; }
 
  private:
+  /// True if the two show one object that moves: each is gone where the other is seen.
+  [[nodiscard]] bool AreOneThatMoves(const TrackedObject& a, const TrackedObject& b) const;
+  /// Notes it unless as much was known before; true if not.
+  bool NoteMotion(TrackedObject& object, double motion_sd);
+  /// True if the object is found to move, or to move more than was known.
+  bool NoteMotion(TrackedObject& object);
   /// Takes the observations out of the track that do not fit its place.
   [[nodiscard]] std::vector<Observation> TakeOutliers(TrackedObject& object);
   void SplitOff(std::vector<Observation> outliers, const TrackedObject& from,

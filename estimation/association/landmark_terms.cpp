@@ -5,10 +5,17 @@
 #include <array>
 #include <utility>
 
+#include "estimation/association/object_motion.hpp"
 #include "estimation/smoothing/factors/birthplace_factor.hpp"
 #include "estimation/smoothing/factors/same_place_factor.hpp"
 
 namespace limpet {
+namespace {
+
+// Root of how many looks see about the same of an object's motion: together they are worth one.
+constexpr double kLooksPerSwing = 3.0;
+
+}  // namespace
 
 void LandmarkTerms::Map(TrackedObject& object, const TrackState& as) {
   mount_.Begin(params_.model.size_spread > 0.0);
@@ -25,8 +32,24 @@ void LandmarkTerms::Map(TrackedObject& object, const TrackState& as) {
 void LandmarkTerms::AddTerms(const TrackedObject& object, Observation& observation,
                              bool with_seabed) {
   const LookSlots slots{.landmark = object.slot(), .mount = mount_.slots(), .size = object.size()};
-  for (Term& term : TermsOf(observation, slots, mount_.camera(), params_.model, with_seabed))
+  const BoxReading reading = observation.reading;
+  if (object.motion_sd > 0.0) {
+    observation.reading = OfMeanPlace(reading, kLooksPerSwing * object.motion_sd, mount_.camera(),
+                                      params_.model.radius_m);
+  }
+  std::vector<Term> terms =
+      TermsOf(observation, slots, mount_.camera(), params_.model, with_seabed);
+  observation.reading = reading;
+  for (Term& term : terms)
     observation.terms.push_back(smoother_.AddTerm(observation.node, std::move(term)));
+}
+
+void LandmarkTerms::NoteMotion(TrackedObject& object, double motion_sd) {
+  object.motion_sd = motion_sd;
+  for (std::size_t i = 0; i < object.observations.size(); ++i) {
+    RemoveTerms(object.observations[i]);
+    AddTerms(object, object.observations[i], i == 0);
+  }
 }
 
 void LandmarkTerms::RemoveTerms(Observation& observation) {

@@ -30,6 +30,9 @@ class LandmarkTerms {
   /// The terms of a mapped track's observation; the seabed's once per pass.
   void AddTerms(const TrackedObject& object, Observation& observation, bool with_seabed);
   void RemoveTerms(Observation& observation);
+  /// The object is known to move by so much (1-sigma per axis [m]) from now on: its looks say
+  /// little of where the vehicle is.
+  void NoteMotion(TrackedObject& object, double motion_sd);
   /// Gives the observations of a tentative track to a mapped one.
   void MergeTentative(TrackedObject& tentative, TrackedObject& into);
   /// Gives up a mapped track, and releases what is tied to it.

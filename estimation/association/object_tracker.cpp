@@ -126,7 +126,7 @@ std::optional<ObjectTracker::Radius> ObjectTracker::RadiusOf(const TrackedObject
 
 bool ObjectTracker::Review() {
   bool has_changed = review_.RemoveOutliers();
-  review_.DoubtDuplicates();
+  has_changed = review_.DoubtDuplicates() || has_changed;
   has_changed = identities_.DecideWhatIsDue() || has_changed;
   has_changed = terms_.RemoveAbsorbed(false) || has_changed;
   LearnSizes();

@@ -65,15 +65,22 @@ class TrackedObject {
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< [m], as of the last solution
   double log_size = 0.0;  ///< natural logarithm of its share of the believed radius, as of then
   TrackState state = Tentative{};
-  double last_path = 0.0;           ///< way travelled when last seen [m]
-  double max_distance = 0.0;        ///< from the camera that it was seen at [m]
-  int expected = 0;                 ///< frames that should have shown it
-  int hits = 0;                     ///< of these, how many did
+  double last_path = 0.0;     ///< way travelled when last seen [m]
+  double max_distance = 0.0;  ///< from the camera that it was seen at [m]
+  int expected = 0;           ///< frames that should have shown it
+  int hits = 0;               ///< of these, how many did
+  double motion_sd = 0.0;  ///< that it moves about its place, north and east [m]; 0: stands still
   std::optional<int> former_id;     ///< object of the former session it was matched with
   double former_probability = 1.0;  ///< that it stands where that one stood
   std::vector<FormerCandidate> former_candidates;  ///< while that is undecided
   double drift_sd = 0.0;  ///< of its distance to landmarks when it came in doubt [m]
   IdentityVerdict verdict;
+  /// What its own motion adds to the covariance of where it is found [m^2].
+  [[nodiscard]] Eigen::Matrix3d MotionCovariance() const {
+    // One pass takes a motion along its way for height.
+    const Eigen::Vector3d sd(motion_sd, motion_sd, 2.0 * motion_sd);
+    return sd.cwiseAbs2().asDiagonal();
+  }
   bool needs_review = true;  ///< seen since the last review
   /// Where it was when all its observations were last reviewed; nothing before that.
   std::optional<Eigen::Vector3d> reviewed_p_W;

@@ -12,6 +12,8 @@ constexpr double kSlack = 0.5;         // [m] beyond the distance it was seen at
 constexpr double kNearest = 0.5;       // [m] in front of the camera
 constexpr double kMarginShare = 0.12;  // of the image, inside which an object should be seen
 
+}  // namespace
+
 bool ShouldBeSeen(const TrackedObject& object, const NavVector& x, const CameraModel& camera) {
   const double reach = object.max_distance + kSlack + camera.p_BC.norm();
   if ((object.p_W - x.head<3>()).squaredNorm() > reach * reach) {
@@ -25,8 +27,6 @@ bool ShouldBeSeen(const TrackedObject& object, const NavVector& x, const CameraM
   const double v = (camera.cy + camera.fy * p.y() / p.z()) / camera.height_px;
   return std::min({u, 1.0 - u, v, 1.0 - v}) > kMarginShare;
 }
-
-}  // namespace
 
 void CountVisibility(const Viewpoint& from, const std::vector<std::size_t>& seen,
                      const CameraMount& mount, const ObjectTrackerParams& params,

@@ -276,15 +276,16 @@ std::vector<Landmark> Navigator::Landmarks() const {
   const std::vector<const TrackedObject*> objects = LandmarksById();
   const std::vector<Eigen::Matrix3d> covariances = smoother_.BorderCovariances(SlotsOf(objects));
   for (const TrackedObject* object : objects) {
-    landmarks.push_back({.id = object->id(),
-                         .object = {.p_W = smoother_.BorderAt(object->slot()),
-                                    .cov_W = covariances[landmarks.size()],
-                                    .color = object->Color()},
-                         .looks = static_cast<int>(object->observations.size()),
-                         .is_confirmed = true,
-                         .former_id = object->former_id,
-                         .former_probability = object->former_probability,
-                         .former_candidates = object->former_candidates});
+    landmarks.push_back(
+        {.id = object->id(),
+         .object = {.p_W = smoother_.BorderAt(object->slot()),
+                    .cov_W = covariances[landmarks.size()] + object->MotionCovariance(),
+                    .color = object->Color()},
+         .looks = static_cast<int>(object->observations.size()),
+         .is_confirmed = true,
+         .former_id = object->former_id,
+         .former_probability = object->former_probability,
+         .former_candidates = object->former_candidates});
   }
   return landmarks;
 }

@@ -59,6 +59,8 @@ std::vector<NamedState> Navigator::Sizes() const {
     if (!object.is_landmark()) continue;
     if (const auto radius = tracker_.RadiusOf(object))
       sizes.push_back({fmt::format("radius_{}", object.id()), radius->value, radius->sd});
+    if (object.motion_sd > 0.0)
+      sizes.push_back({fmt::format("motion_{}", object.id()), object.motion_sd, 0.0});
   }
   return sizes;
 }

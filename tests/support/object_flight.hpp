@@ -49,6 +49,7 @@ class ObjectFlight {
   /// none of a false box.
   std::vector<std::optional<int>> shown_;
   std::vector<std::optional<std::size_t>> truth_of_box_;
+  Eigen::Vector3d sway_W_ = Eigen::Vector3d::Zero();  ///< of all objects, every eight seconds [m]
   /// Puts the boxes of a frame into another order, if set.
   std::function<void(std::vector<std::size_t>&)> reorder_;
   double hit_share_ = 1.0, confidence_ = 0.85, noise_px_ = 2.0;
@@ -107,7 +108,8 @@ class ObjectFlight {
     std::vector<Box> boxes;
     std::vector<std::optional<std::size_t>> of_box;
     for (std::size_t i = 0; i < objects_.size(); ++i) {
-      const auto box = BoxOfSphere(CameraPointOf(camera_, truth_, objects_[i]).p_C, 0.5, camera_);
+      const Eigen::Vector3d p_W = objects_[i] + std::sin(2.0 * M_PI * time_ / 8.0) * sway_W_;
+      const auto box = BoxOfSphere(CameraPointOf(camera_, truth_, p_W).p_C, 0.5, camera_);
       if (!box || box->w < 20.0 || box->h < 20.0) continue;
       Box seen = *box;
       if (!random_.Chance(hit_share_)) continue;

@@ -59,9 +59,9 @@ class JumpTest : public ::testing::Test {
   void Fly(const Eigen::Vector3d& felt_B, const Eigen::Vector3d& said_B, double seconds) {
     for (; t_ < seconds; t_ += kPeriod) {
       buffer_.AddAttitude({.t = t_});
-      const bool jumps = t_ > 10.0 && t_ <= 10.1;
-      buffer_.AddSpecificForce(t_, kRest + (jumps ? felt_B / 0.1 : Eigen::Vector3d::Zero()));
-      if (++samples_ % 10 == 0) buffer_.AddVelocity(t_, kCruise + (t_ > 10.0 ? said_B : kNothing));
+      const double jumping = t_ > 10.0 && t_ <= 10.1 ? 1.0 : 0.0, later = t_ > 10.0 ? 1.0 : 0.0;
+      buffer_.AddSpecificForce(t_, kRest + jumping * felt_B / 0.1);
+      if (++samples_ % 10 == 0) buffer_.AddVelocity(t_, Eigen::Vector3d(kCruise + later * said_B));
     }
   }
   const Eigen::Vector3d kNothing = Eigen::Vector3d::Zero();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "estimation/smoothing/arrow_chain.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -15,7 +17,7 @@ constexpr int kLane = 100;  // poses, half a metre apart
 
 /// A vehicle goes up and down a lane with an object every five metres, of which it sees those
 /// within three.
-class RestingLandmarksTest : public ::testing::Test {
+class ArrowChainTest : public ::testing::Test {
  protected:
   void Drive(int poses) {
     for (int i = 0; i < poses; ++i) {
@@ -81,14 +83,14 @@ class RestingLandmarksTest : public ::testing::Test {
   ArrowSmoother smoother_{{.most_at_hand = 3}};
 };
 
-TEST_F(RestingLandmarksTest, ObjectsThatAreFarBehindAreNotSolvedWithTheNewestPose) {
+TEST_F(ArrowChainTest, ObjectsFarBehindAreNotSolvedWithTheNewestPose) {
   Drive(kLane);
   EXPECT_GE(CountResting(), 5);
   EXPECT_LE(smoother_.border_size(), 5);
   EXPECT_LT(WorstDifferenceToBatch(), 5e-3);
 }
 
-TEST_F(RestingLandmarksTest, ThoseSeenAgainCorrectTheTrackAsIfTheyHadNeverRested) {
+TEST_F(ArrowChainTest, RestingObjectsSeenAgainCorrectTheTrackAsIfTheyHadNeverRested) {
   for (int lane = 0; lane < 4; ++lane) {
     Drive(kLane - 7);
     EXPECT_GT(CountResting(), 0);
@@ -98,7 +100,7 @@ TEST_F(RestingLandmarksTest, ThoseSeenAgainCorrectTheTrackAsIfTheyHadNeverRested
   EXPECT_LT(WorstDifferenceToBatch(), 1e-4);
 }
 
-TEST_F(RestingLandmarksTest, CovariancesOfObjectsFarAwayAreThoseOfTheWholeGraph) {
+TEST_F(ArrowChainTest, CovariancesOfObjectsFarAwayAreThoseOfTheWholeGraph) {
   Drive(kLane + 20);
   smoother_.Converge();
   ASSERT_GT(CountResting(), 3);
@@ -121,7 +123,7 @@ TEST_F(RestingLandmarksTest, CovariancesOfObjectsFarAwayAreThoseOfTheWholeGraph)
   }
 }
 
-TEST_F(RestingLandmarksTest, AreAtHandWithTheNextLeafWhenTheyAreNeeded) {
+TEST_F(ArrowChainTest, RestingObjectsAreAtHandWithTheNextLeafWhenTheyAreNeeded) {
   Drive(kLane);
   ASSERT_FALSE(smoother_.IsAtHand(slots_[0]));
   for (int i = 0; i < ArrowLeaf::kNodes; ++i) {
@@ -133,7 +135,7 @@ TEST_F(RestingLandmarksTest, AreAtHandWithTheNextLeafWhenTheyAreNeeded) {
   EXPECT_LT(WorstDifferenceToBatch(), 5e-3);
 }
 
-TEST_F(RestingLandmarksTest, CanBeRemovedOrTiedToOthersWhileTheyRest) {
+TEST_F(ArrowChainTest, RestingObjectsCanBeRemovedOrHeldElsewhere) {
   Drive(kLane + 50);
   ASSERT_FALSE(smoother_.IsAtHand(slots_[1]));
   ASSERT_FALSE(smoother_.IsAtHand(slots_[2]));
@@ -151,7 +153,7 @@ TEST_F(RestingLandmarksTest, CanBeRemovedOrTiedToOthersWhileTheyRest) {
   EXPECT_LT(WorstDifferenceToBatch(), 1e-4);
 }
 
-TEST_F(RestingLandmarksTest, AWrongLookTakenOutFarBackIsForgottenWhereItRests) {
+TEST_F(ArrowChainTest, AWrongLookTakenOutFarBackIsForgottenWhereItRests) {
   Drive(20);
   const TermId wrong = smoother_.AddTerm(
       6, Term::OnObservation(BirthplaceFactor(Eigen::Vector3d(3, 3, 3), Meters(0.3)), slots_[0]));
