@@ -70,9 +70,10 @@ std::vector<WitnessedProposal> CombinedDetector::Propose(const ImageView& image)
     }
     proposals.push_back(std::move(proposal));
   }
-  for (Box& shape : shapes)
+  for (const Box& shape : shapes) {
     proposals.push_back(
         {.network = network_.Weigh(image, shape), .shape = shape, .is_of_network = false});
+  }
   return proposals;
 }
 
