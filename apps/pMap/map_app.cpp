@@ -31,6 +31,10 @@ MapApp::MapApp(const AppContext& context, const Params& params)
       statuses_(params.status, camera_),
       map_(params.voxel, params.beams),
       layer_({.threshold = params.object_threshold}, params.status, camera_),
+      ground_looks_({.camera = camera_,
+                     .detection = params.status.detection,
+                     .object_radius = params.status.object_radius.value()},
+                    params.status.looks),
       planned_visibility_(params.status.detection.visibility),
       drawing_(context.Global("Community"), [this](std::string variable, std::string text) {
         PublishRaw(std::move(variable), std::move(text));
@@ -156,6 +160,7 @@ void MapApp::OnBeams(const Stamped<PosedBeams>& beams) {
 void MapApp::OnTrackShift(const Stamped<TrackShift>& shift) {
   statuses_.MoveFrames([&shift](double t, const Pose& X_WB) { return shift.value.Apply(t, X_WB); });
   map_.beams().Shift(shift.value);
+  ground_looks_.BeginAnew();
   if (ground_) {
     ground_->Shift(shift.value);
   }
@@ -197,12 +202,16 @@ DetectionModel MapApp::PlannedDetection() const {
   return detection;
 }
 
+LookModel MapApp::PlannedLook() const {
+  return {.camera = camera_,
+          .detection = PlannedDetection(),
+          .object_radius = params_.status.object_radius.value()};
+}
+
 void MapApp::TellHowItLooks() {
   if (!has_told_looks_) {
     has_told_looks_ = true;
-    Publish(topics::kMapLook, ToMapLook({.camera = camera_,
-                                         .detection = PlannedDetection(),
-                                         .object_radius = params_.status.object_radius.value()}));
+    Publish(topics::kMapLook, ToMapLook(PlannedLook()));
   }
 }
 
@@ -214,6 +223,7 @@ void MapApp::FollowWater(const VisibilityBelief& water) {
   }
   planned_visibility_ = visibility;
   has_told_looks_ = false;
+  ground_looks_.SetModel(PlannedLook());
   if (ground_) {
     ground_->SetReach(PlannedDetection().HalfRange());
   }
@@ -258,6 +268,7 @@ void MapApp::WarnOfMurk(const VisibilityBelief& water) {
 void MapApp::Tick(Seconds now) {
   TellHowItLooks();
   static_cast<void>(map_.beams().Settle());
+  static_cast<void>(ground_looks_.Settle(statuses_.frames(), map_));
   if (ground_) {
     static_cast<void>(ground_->Settle());
   }
@@ -325,7 +336,8 @@ void MapApp::OnSnapshotRequest(const Stamped<std::string>&) {
                       .estimate = {.visibility = water.visibility.value(), .sd = water.sd.value()},
                       .contrasts = statuses_.contrasts().bins()});
   map_.SetFormerOffset(statuses_.offset());
-  const SemanticOctree& octree = map_.Octree();
+  const SemanticOctree& octree =
+      map_.Octree([this](const VoxelKey& key) { return ground_looks_.LogOdds(key); });
   Publish(topics::kMapDepths, BinaryOf(map_.beams().depths().Serialize()));
   Publish(topics::kMapSnapshot, BinaryOf(octree.Serialize()));
 }

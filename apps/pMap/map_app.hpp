@@ -9,6 +9,7 @@
 #include "estimation/change/frame_gate.hpp"
 #include "estimation/change/object_statuses.hpp"
 #include "estimation/mapping/anchored_grid.hpp"
+#include "estimation/mapping/ground_looks.hpp"
 #include "estimation/mapping/map_params.hpp"
 #include "estimation/mapping/object_layer.hpp"
 #include "estimation/mapping/semantic_map.hpp"
@@ -52,6 +53,7 @@ class MapApp final : public App {
   /// By what looks are planned: the camera, and the water as it was last told.
   void TellHowItLooks();
   [[nodiscard]] DetectionModel PlannedDetection() const;
+  [[nodiscard]] LookModel PlannedLook() const;
   /// Takes another water for what has been seen and for plans if the estimate has left it.
   void FollowWater(const VisibilityBelief& water);
   /// The water as now estimated, now and then, and whether the seabed is in sight.
@@ -68,6 +70,7 @@ class MapApp final : public App {
   ObjectStatuses statuses_;
   SemanticMap map_;
   ObjectLayer layer_;
+  GroundLooks ground_looks_;
   std::vector<OpiBelief> objects_;
   std::optional<SurveyArea> area_;
   std::optional<AnchoredGrid> ground_;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <optional>
 
 #include <fmt/format.h>
 
@@ -92,6 +91,16 @@ void DepthMap::Sum(const Eigen::Vector3d& p_W, std::int64_t sign) {
   sums.down_mm += sign * down;
   sums.square_mm2 += static_cast<std::uint64_t>(sign) * static_cast<std::uint64_t>(down * down);
   if (sums.beams == 0) columns_.erase(key);
+}
+
+std::optional<double> DepthMap::DownAt(double north, double east) const {
+  const auto index = [this](double x) {
+    return static_cast<std::int32_t>(std::floor(x / cell_m_));
+  };
+  const auto found = columns_.find({index(north), index(east)});
+  if (found == columns_.end()) return std::nullopt;
+  const Sums& sums = found->second;
+  return 1e-3 * static_cast<double>(sums.down_mm) / static_cast<double>(sums.beams);
 }
 
 std::vector<std::pair<DepthMap::Key, DepthMap::Sums>> DepthMap::Sorted() const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -45,6 +46,8 @@ class DepthMap {
   /// How well the vehicle knew its depth meanwhile, 1-sigma [m]: all columns may be off by it.
   void SetZeroSigma(double sigma) { zero_sigma_ = sigma; }
 
+  /// Mean depth of the column that holds a place [m]; nothing where no beam ended.
+  [[nodiscard]] std::optional<double> DownAt(double north, double east) const;
   /// By north, then east.
   [[nodiscard]] std::vector<DepthColumn> Columns() const;
   [[nodiscard]] double cell_m() const { return cell_m_; }

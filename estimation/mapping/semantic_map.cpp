@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimation/mapping/map_export.hpp"
+
 namespace limpet {
 
 SemanticMap::SemanticMap(Meters resolution, const DvlBeams& dvl)
@@ -24,6 +26,12 @@ std::optional<VoxelBelief> SemanticMap::At(const VoxelKey& key) const {
     return painted->second;
   }
   return GroundAt(key, beams_.evidence().At(key));
+}
+
+bool SemanticMap::IsClear(const VoxelKey& key) const {
+  const auto painted = painted_.find(key);
+  return (painted == painted_.end() || painted->second.occupied <= 0.0F) &&
+         OccupiedLogOdds(beams_.evidence().At(key)) <= 0.0F;
 }
 
 std::optional<VoxelBelief> SemanticMap::GroundAt(const VoxelKey& key,
@@ -99,9 +107,18 @@ void SemanticMap::Rebuild() {
   }
 }
 
+void SemanticMap::SetGroundOdds(const GroundOdds& object) {
+  for (const Voxel& voxel : OccupiedVoxels(octree_)) {
+    if (voxel.belief.label != VoxelLabel::kGround) continue;
+    VoxelBelief belief = voxel.belief;
+    belief.object = object(KeyOf(voxel.p_W, resolution()));
+    if (belief != voxel.belief) octree_.Set(voxel.p_W, belief);
+  }
+}
+
 // OctoMap 1.9.7 cannot take a voxel out again (its deleteNode aborts when it takes a node's last
 // child), so a map that has lost one is built anew.
-const SemanticOctree& SemanticMap::Octree() {
+const SemanticOctree& SemanticMap::Octree(const GroundOdds& object) {
   beams_.SettleAll();
   bool is_complete = is_former_laid_;
   if (!is_former_laid_) LayFormer();
@@ -117,6 +134,7 @@ const SemanticOctree& SemanticMap::Octree() {
   }
   repainted_.clear();
   if (!is_complete) Rebuild();
+  if (object) SetGroundOdds(object);
   return octree_;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -34,17 +35,22 @@ class SemanticMap {
   void SetFormerOffset(const FrameOffset& offset);
   /// Nothing where the map knows nothing.
   [[nodiscard]] std::optional<VoxelBelief> At(const VoxelKey& key) const;
+  /// False where something is that one cannot look through, an object or the seabed.
+  [[nodiscard]] bool IsClear(const VoxelKey& key) const;
   [[nodiscard]] double resolution() const { return beams_.evidence().resolution(); }
 
+  /// ln P_a / (1 - P_a) of ground in a voxel.
+  using GroundOdds = std::function<float(const VoxelKey&)>;
   /// The whole map, with shifts of the track that still wait. Depends on what the map holds, not on
-  /// how it came to hold it.
-  [[nodiscard]] const SemanticOctree& Octree();
+  /// how it came to hold it. `object` is what is said of voxels that are occupied and no object's.
+  [[nodiscard]] const SemanticOctree& Octree(const GroundOdds& object = {});
 
  private:
   /// False if the octree has a voxel there of which nothing is known any more.
   [[nodiscard]] bool Refresh(const VoxelKey& key);
   void Rebuild();
   void LayFormer();
+  void SetGroundOdds(const GroundOdds& object);
   /// Of what beams and a former session say; nothing if neither says anything.
   [[nodiscard]] std::optional<VoxelBelief> GroundAt(const VoxelKey& key,
                                                     const VoxelCounts& counts) const;

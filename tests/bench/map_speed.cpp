@@ -9,6 +9,7 @@
 #include <octomap/OcTree.h>
 
 #include "estimation/mapping/anchored_grid.hpp"
+#include "estimation/mapping/ground_looks.hpp"
 #include "estimation/mapping/semantic_map.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/core/random.hpp"
@@ -121,6 +122,8 @@ void MeasureUpdates(double duration_s, double shift_every_s) {
   const std::vector<TimedPing> pings = Survey(duration_s);
   SemanticMap map{Meters(kVoxel)};
   AnchoredGrid ground(kArea, Meters(0.25), CameraModel{}, map.beams());
+  GroundLooks looks(LookModel{}, LookParams{});
+  std::vector<ObservedFrame> frames;
   std::vector<double> updates_ms;
   double next_tick = kTick, next_shift = shift_every_s;
   int unsettled = 0, shifts = 0;
@@ -131,12 +134,16 @@ void MeasureUpdates(double duration_s, double shift_every_s) {
     if (ping.t >= next_shift) {
       map.beams().Shift(LoopClosed(ping.t));
       ground.Shift(LoopClosed(ping.t));
+      looks.BeginAnew();
       next_shift += shift_every_s;
       ++shifts;
     }
     if (ping.t >= next_tick) {
       ground.Observe(ping.t, ping.beams.pose(), kAltitude);  // a frame a tick
+      frames.push_back(
+          {.exposure = Seconds(ping.t), .X_WB = ping.beams.pose(), .altitude = kAltitude});
       const bool is_settled = map.beams().Settle();
+      static_cast<void>(looks.Settle(frames, map));
       unsettled += ground.Settle() && is_settled ? 0 : 1;
       next_tick += kTick;
     }

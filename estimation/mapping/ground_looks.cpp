@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/mapping/ground_looks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "estimation/mapping/beam_walk.hpp"
+
+namespace limpet {
+
+void GroundLooks::SetModel(const LookModel& model) {
+  model_ = model;
+  BeginAnew();
+}
+
+bool GroundLooks::IsNewLook(const ObservedFrame& frame, const Passage& passage) const {
+  if (!passage.last_look) return true;
+  const double turned = std::abs(WrapAngle(frame.X_WB.yaw - passage.last_look->yaw));
+  const double gone = (frame.X_WB.p_WB - passage.last_look->p_WB).norm();
+  return gone >= looks_.new_look_distance.value() || turned >= looks_.new_look_angle.value();
+}
+
+int GroundLooks::GoOn(Passage& passage, const std::vector<ObservedFrame>& frames,
+                      const SemanticMap& map, int work) const {
+  for (; passage.next_frame < frames.size(); ++passage.next_frame) {
+    const ObservedFrame& frame = frames[passage.next_frame];
+    if (!frame.altitude || !IsNewLook(frame, passage)) continue;
+    if (work <= 0) return 0;
+    work -= Look(frame, map, passage);
+    passage.last_look = frame.X_WB;
+  }
+  return std::max(work, 1);
+}
+
+bool GroundLooks::Settle(const std::vector<ObservedFrame>& frames, const SemanticMap& map,
+                         int work) {
+  if (!map.beams().is_settled()) return false;
+  work = GoOn(known_, frames, map, work);
+  if (is_stale_ && !anew_) {
+    anew_.emplace(Passage{});  // Clang 14 finds no default constructor from in here
+    is_stale_ = false;
+  }
+  if (work == 0 || !anew_) return work > 0;
+  if (GoOn(*anew_, frames, map, work) == 0) return false;
+  known_ = *std::move(anew_);
+  anew_.reset();
+  return !is_stale_;
+}
+
+int GroundLooks::Look(const ObservedFrame& frame, const SemanticMap& map, Passage& passage) const {
+  const double edge = map.resolution();
+  const double corner =
+      *frame.altitude * std::hypot(model_.camera.half_along(), model_.camera.half_across());
+  const auto index = [edge](double x) { return static_cast<std::int64_t>(std::floor(x / edge)); };
+  const Eigen::Vector3d& p_WB = frame.X_WB.p_WB;
+  constexpr double kColumnsPerWork = 8.0;  // of those of which no depth is known
+  int work = static_cast<int>(4.0 * corner * corner / (edge * edge) / kColumnsPerWork) + 1;
+  for (std::int64_t row = index(p_WB.x() - corner); row <= index(p_WB.x() + corner); ++row) {
+    for (std::int64_t column = index(p_WB.y() - corner); column <= index(p_WB.y() + corner);
+         ++column) {
+      const double north = (static_cast<double>(row) + 0.5) * edge;
+      const double east = (static_cast<double>(column) + 0.5) * edge;
+      const std::optional<double> down = map.beams().depths().DownAt(north, east);
+      if (!down) continue;
+      ++work;
+      const std::optional<double> miss = MissAt(frame, map, {north, east, *down});
+      if (!miss) continue;
+      Column& known = passage.columns[{row, column}];
+      if (frame.exposure.value() - known.last > looks_.new_pass_gap.value()) {
+        known.passes += known.pass;
+        known.pass = 0.0;
+      }
+      known.pass = std::min(known.pass, *miss);
+      known.last = frame.exposure.value();
+    }
+  }
+  return work;
+}
+
+std::optional<double> GroundLooks::MissAt(const ObservedFrame& frame, const SemanticMap& map,
+                                          const Eigen::Vector3d& ground_W) const {
+  const Eigen::Vector3d centre_W = ground_W - Eigen::Vector3d(0.0, 0.0, model_.object_radius);
+  const double chance = ChanceToDetect(model_, frame.X_WB, centre_W);
+  if (chance < kLookChance) return std::nullopt;
+  for (const Eigen::Vector3d& p_W : {centre_W, ground_W}) {
+    const auto pixel = model_.camera.Project(model_.camera.InCamera(frame.X_WB, p_W));
+    const bool has_box = pixel && std::ranges::any_of(frame.boxes, [&pixel](const Box& box) {
+                           return std::abs(pixel->x() - box.u) <= 0.5 * box.w &&
+                                  std::abs(pixel->y() - box.v) <= 0.5 * box.h;
+                         });
+    if (has_box) return std::nullopt;
+  }
+  if (!IsInSight(frame, map, ground_W)) return std::nullopt;
+  const double missed = looks_.pass_failure + (1.0 - looks_.pass_failure) * (1.0 - chance);
+  return std::min(0.0, std::log(missed / (1.0 - model_.detection.false_per_image)));
+}
+
+bool GroundLooks::IsInSight(const ObservedFrame& frame, const SemanticMap& map,
+                            const Eigen::Vector3d& ground_W) const {
+  constexpr double kShort = 2.0;  // voxels: the seabed is as thick as beams scatter
+  const Eigen::Vector3d from = frame.X_WB.p_WB / map.resolution();
+  const Eigen::Vector3d way = ground_W / map.resolution() - from;
+  const double length = way.norm();
+  if (length <= kShort) return true;
+  BeamWalk walk(from, from + (1.0 - kShort / length) * way);
+  while (true) {
+    const VoxelIndex& at = walk.at();
+    if (!map.IsClear({at[0], at[1], at[2]})) return false;
+    if (walk.HasArrived()) return true;
+    walk.Step();
+  }
+}
+
+float GroundLooks::LogOdds(const VoxelKey& key) const {
+  constexpr double kMost = 3.5;  // as SemanticOctree clamps
+  const auto found = known_.columns.find({key[0], key[1]});
+  if (found == known_.columns.end()) return 0.0F;
+  return static_cast<float>(std::max(-kMost, found->second.passes + found->second.pass));
+}
+
+}  // namespace limpet
