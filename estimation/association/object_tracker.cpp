@@ -12,7 +12,7 @@
 namespace limpet {
 namespace {
 
-constexpr std::size_t kFarPerRefresh = 1;
+constexpr int kRefreshesPerFar = 4;   // one that is far costs a way down the tree
 constexpr double kSoonInReach = 6.0;  // [m] beyond what may be seen now: about a leaf's way
 
 Observation ObservationOf(const Candidate& candidate, const Detections& frame,
@@ -155,10 +155,11 @@ void ObjectTracker::RefreshAll() {
 void ObjectTracker::Refresh() {
   for (std::size_t i = 0; i < tracks_.objects.size(); ++i) {
     TrackedObject& object = tracks_.objects[i];
-    const bool is_due = i >= next_far_ && i < next_far_ + kFarPerRefresh;
+    const bool is_due = i == next_far_ && refreshes_ == 0;
     if (object.is_mapped() && (is_due || smoother_.IsAtHand(object.slot()))) Refresh(object);
   }
-  next_far_ = next_far_ < tracks_.objects.size() ? next_far_ + kFarPerRefresh : 0;
+  if (refreshes_ == 0) next_far_ = next_far_ < tracks_.objects.size() ? next_far_ + 1 : 0;
+  refreshes_ = (refreshes_ + 1) % kRefreshesPerFar;
   KeepNearAtHand();
 }
 

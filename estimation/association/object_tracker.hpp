@@ -79,6 +79,7 @@ class ObjectTracker {
   LandmarkReview review_;
   IdentityDecisions identities_;
   std::size_t next_far_ = 0;  ///< whose turn it is to be refreshed
+  int refreshes_ = 0;         ///< since the last one that was far
 };
 
 }  // namespace limpet

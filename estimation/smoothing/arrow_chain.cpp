@@ -127,7 +127,10 @@ void ArrowChain::RestWhatIsIdle(const std::vector<double>& border) {
   const auto is_at_hand = [](const BorderStatus& status) {
     return CanRest(status.kind) && status.phase == BorderPhase::kOpen && status.leaves.has_value();
   };
-  if (std::ranges::count_if(status_, is_at_hand) <= most_at_hand_) return;
+  int count = 0;
+  for (int slot = 0; slot < graph_.slot_count(); ++slot)
+    count += graph_.border(slot).is_used && CanRest(status(slot).kind) ? 1 : 0;
+  if (count <= most_at_hand_) return;
   const std::vector<bool> is_tied = IsTiedInBorder();
   for (int slot = 0; slot < graph_.slot_count(); ++slot) {
     BorderStatus& status = status_[AsIndex(slot)];

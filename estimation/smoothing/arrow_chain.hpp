@@ -17,7 +17,7 @@ namespace limpet {
 /// `border`, throughout: estimates of all border variables, three per slot.
 class ArrowChain {
  public:
-  /// `most_at_hand`: landmarks and sizes beyond which those that are not needed rest.
+  /// `most_at_hand`: landmarks and sizes; where there are more, those that are not needed rest.
   explicit ArrowChain(int most_at_hand) : most_at_hand_(most_at_hand) {}
 
   int AddNode(const NavVector& x, std::optional<Term> step);

@@ -19,8 +19,8 @@ struct ArrowParams {
   int rounds_per_update = 2;     ///< relinearisations of the newest leaf in one Update
   int rounds_to_converge = 40;
   double converged_decrease = 1e-8;  ///< share of the cost
-  /// Landmarks and sizes (border variables) that stay in the root, needed or not.
-  int most_at_hand = 32;
+  /// Landmarks and sizes (border variables) up to which all stay in the root, needed or not.
+  int most_at_hand = 72;
 };
 
 /// Incremental smoother for a chain of poses with a border of landmarks and slow sensor errors: a
