@@ -22,12 +22,14 @@ std::string Entry(double t, const char* name, const std::string& value) {
   return fmt::format("{:<15.5f} {:<20} {:<15} {} \n", t, name, "uSimSensors", value);
 }
 
-/// Half a minute at rest and level, heading north, then half a minute ahead.
+/// Half a minute at rest and level, heading north, in its last five seconds gathering speed, then
+/// half a minute ahead.
 std::string LogOfARun() {
   std::string log = kMadeBanner;
   for (int i = 0; i < 3000; ++i) {
-    const double t = 0.02 * i, u = t < 30.0 ? 0.0 : 0.5;
-    log += Entry(t, "IMU_DATA", "fx=0,fy=0,fz=-9.81,p=0,q=0,r=0,heading=0");
+    const double t = 0.02 * i, u = 0.1 * std::clamp(t - 25.0, 0.0, 5.0);
+    const double fx = t >= 25.0 && t < 30.0 ? 0.1 : 0.0;
+    log += Entry(t, "IMU_DATA", fmt::format("fx={},fy=0,fz=-9.81,p=0,q=0,r=0,heading=0", fx));
     log += Entry(t, "FOG_YAW_RATE", "0.00000");
     if (i % 10 == 0) {
       log += Entry(
@@ -89,7 +91,7 @@ TEST_F(LogRawlog, IsReplayedByTheEstimator) {
       Replay(stream, ParamsForVehicle(vehicle.sensors, vehicle.camera.geometry(), stream.meta),
              [] { return 0.0; });
   ASSERT_FALSE(result.smoothed.empty());
-  EXPECT_NEAR(result.smoothed.back().X_WB.p_WB.x(), 7.0 + 0.5 * 31.0, 0.3);
+  EXPECT_NEAR(result.smoothed.back().X_WB.p_WB.x(), 7.0 + 1.25 + 0.5 * 29.0, 0.3);
   EXPECT_NEAR(result.smoothed.back().X_WB.p_WB.y(), -3.0, 0.3);
   EXPECT_NEAR(result.smoothed.back().X_WB.p_WB.z(), 3.0, 0.05);
 }

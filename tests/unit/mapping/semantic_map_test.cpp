@@ -93,7 +93,10 @@ TEST(SemanticMap, KeepsHalfOfWhatAFormerSessionKnewOfTheGroundAndNotItsObjects) 
   SemanticMap map;
   map.SetFormer(former);
   EXPECT_EQ(map.Octree().At(seabed)->occupied, 0.5F * former.At(seabed)->occupied);
-  EXPECT_LT(map.Octree().At({0.1, 0.1, 4.9})->occupied, 0.0F);
+  const Eigen::Vector3d end = BeamEnds(kLevelPing.pose(), {4.4, {}, {}, {}})[0].p_W;
+  const auto water = map.Octree().At(0.5 * (kLevelPing.pose().p_WB + end));
+  ASSERT_TRUE(water);
+  EXPECT_LT(water->occupied, 0.0F);
   EXPECT_FALSE(map.Octree().At(CentreOf({3, 3, 3}, 0.2)));
 }
 
