@@ -136,7 +136,8 @@ void ArrowTree::AddElimination(const ClosedBlock& block, Rejoins& rejoins) const
 }
 
 void ArrowTree::RejoinNow(Rejoins rejoins) {
-  auto& [waiting, spine_from] = rejoins;
+  auto waiting = std::move(rejoins.places);
+  int spine_from = rejoins.spine_from;
   while (!waiting.empty()) {
     const Place place = *waiting.begin();
     waiting.erase(waiting.begin());
