@@ -125,13 +125,11 @@ std::string WithValue(const std::string& text, const std::string& key, double va
   return changed;
 }
 
-/// Nothing is less likely to be a ball for looking more like one.
-constexpr double kNoWeight = 0.0;
-
 void WriteInto(const std::string& file, const Features& alone, const Features& together) {
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
-  const auto weight = [](double fitted) { return std::max(kNoWeight, fitted); };
+  // Nothing is less likely to be a ball for looking more like one.
+  const auto weight = [](double fitted) { return std::max(0.0, fitted); };
   std::string changed = WithValue(text.str(), "confidence_offset", alone[0]);
   changed = WithValue(changed, "confidence_per_score", weight(alone[1]));
   changed = WithValue(changed, "confidence_per_color", weight(alone[2]));

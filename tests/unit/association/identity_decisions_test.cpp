@@ -31,6 +31,17 @@ class IdentityDecisionsTest : public TracksFixture {
     FlyTo(then.x() + 20.0, then.y(), drift);
     Mapped(now, FlyOver(now, drift), InDoubt{}).drift_sd = drift;
   }
+  /// Two landmarks, and a track that may be either: half way between them, after a drift as large.
+  void SeeBetweenTwo() {
+    Mapped(kKnown, FlyOver(kKnown), Confirmed{});
+    const Eigen::Vector3d other = kKnown + Eigen::Vector3d(0.0, 1.6, 0.0);
+    Mapped(other, FlyOver(other), Confirmed{});
+    FlyTo(24.0, 0.0, 1.0);
+    const Eigen::Vector3d between = kKnown + Eigen::Vector3d(0.0, 0.8, 0.0);
+    Mapped(between, FlyOver(between, 1.0), InDoubt{}).drift_sd = 1.0;
+    Wait(kOutOfViewSeconds + 0.01);
+    Decide();
+  }
   IdentityDecisions identities_{smoother_, params_, tracks_, terms_};
 };
 
@@ -53,15 +64,7 @@ TEST_F(IdentityDecisionsTest, WhatIsFarFromAllThatIsKnownIsNew) {
 }
 
 TEST_F(IdentityDecisionsTest, WhatMayBeOneOrAnotherIsLeftInDoubt) {
-  // Half way to where it would be clear, after a drift as large.
-  Mapped(kKnown, FlyOver(kKnown), Confirmed{});
-  const Eigen::Vector3d other = kKnown + Eigen::Vector3d(0.0, 1.6, 0.0);
-  Mapped(other, FlyOver(other), Confirmed{});
-  FlyTo(24.0, 0.0, 1.0);
-  const Eigen::Vector3d between = kKnown + Eigen::Vector3d(0.0, 0.8, 0.0);
-  Mapped(between, FlyOver(between, 1.0), InDoubt{}).drift_sd = 1.0;
-  Wait(kOutOfViewSeconds + 0.01);
-  Decide();
+  SeeBetweenTwo();
   EXPECT_TRUE(tracks_.objects[2].Is<InDoubt>());
   EXPECT_LT(tracks_.objects[2].verdict.share, 0.98);
 }
@@ -85,14 +88,7 @@ TEST_F(IdentityDecisionsTest, WhatStaysInViewIsDecidedAfterEightSeconds) {
 }
 
 TEST_F(IdentityDecisionsTest, ADoubtIsLookedAtAgainThreeSecondsAfterNewsAndElseEveryMinute) {
-  Mapped(kKnown, FlyOver(kKnown), Confirmed{});
-  const Eigen::Vector3d other = kKnown + Eigen::Vector3d(0.0, 1.6, 0.0);
-  Mapped(other, FlyOver(other), Confirmed{});
-  FlyTo(24.0, 0.0, 1.0);
-  const Eigen::Vector3d between = kKnown + Eigen::Vector3d(0.0, 0.8, 0.0);
-  Mapped(between, FlyOver(between, 1.0), InDoubt{}).drift_sd = 1.0;
-  Wait(kOutOfViewSeconds + 0.01);
-  Decide();
+  SeeBetweenTwo();
   ASSERT_TRUE(tracks_.objects[2].Is<InDoubt>());
   const auto is_decided = [&](int news, double after) {
     tracks_.objects[2].verdict.share = -1.0;  // so that a decision shows

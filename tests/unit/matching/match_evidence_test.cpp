@@ -2,6 +2,7 @@
 // How much likelier a match makes what is seen, over random fields.
 #include "estimation/matching/match_evidence.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -57,8 +58,13 @@ TEST_P(MatchEvidenceProperties, EveryTrueMatchAddsSome) {
 TEST_P(MatchEvidenceProperties, AWrongPairCostsMoreThanItBrings) {
   SessionMatch match = Matched(6);
   const double without = EvidenceOf(match);
-  match.now_of_former[6] = 7;  // far away
-  if ((former_[6].p_W - now_[7].p_W).norm() < 2.0) GTEST_SKIP() << "drawn side by side";
+  // Of those that are left the one farthest from where it should be.
+  const auto farther = [this](const ObjectEstimate& a, const ObjectEstimate& b) {
+    return (former_[6].p_W - a.p_W).norm() < (former_[6].p_W - b.p_W).norm();
+  };
+  const auto wrong = std::max_element(now_.begin() + 7, now_.end(), farther);
+  ASSERT_GT((former_[6].p_W - wrong->p_W).norm(), 2.0);
+  match.now_of_former[6] = static_cast<int>(wrong - now_.begin());
   EXPECT_LT(EvidenceOf(match), without);
 }
 

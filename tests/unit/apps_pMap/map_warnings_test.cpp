@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// What pMap tells an operator that it leaves out or cannot see.
+#include "apps/pMap/map_warnings.hpp"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/unit/apps_pMap/map_app_fixture.hpp"
+
+namespace limpet {
+namespace {
+
+class MapWarningsTest : public MapAppTest {};
+
+/// What the report says of frames that were left out.
+std::string LeftOutIn(const MapApp& app) {
+  ReportLines lines;
+  app.Report(lines);
+  const std::string text = lines.Text();
+  const std::size_t begin = text.find("Left out:");
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+TEST_F(MapWarningsTest, SaysThatItFliesTooHighToSee) {
+  link_.Send(app_, topics::kSurveyPhase, std::string("DIVE"));
+  Survey({.north = -10, .length = 1, .altitude = 8.0}, {});
+  EXPECT_FALSE(app_.warnings().contains("VIEW_TOO_HIGH")) << "on the way down that is no trouble";
+  link_.Send(app_, topics::kSurveyPhase, std::string("SURVEY"));
+  Survey({.north = -10, .length = 1, .altitude = 8.0}, {});
+  EXPECT_TRUE(app_.warnings().contains("VIEW_TOO_HIGH"));
+  EXPECT_THAT(LeftOutIn(app_), ::testing::HasSubstr("18 too high above the seabed"));
+  Survey({.north = -10, .length = 1, .altitude = 4.0}, {});
+  EXPECT_FALSE(app_.warnings().contains("VIEW_TOO_HIGH"));
+}
+
+TEST_F(MapWarningsTest, SaysThatFramesWithoutAnAltitudeAreLeftOut) {
+  ObservedFrame frame;
+  frame.exposure = link_.time;
+  link_.Send(app_, topics::kNavSight, frame);
+  EXPECT_TRUE(app_.warnings().contains("VIEW_WITHOUT_ALTITUDE"));
+  frame.exposure = link_.time - Seconds(1.0);
+  link_.Send(app_, topics::kNavSight, frame);
+  EXPECT_TRUE(app_.warnings().contains("SIGHT_OUT_OF_ORDER"));
+  EXPECT_THAT(LeftOutIn(app_), ::testing::HasSubstr("1 out of order, 1 without an altitude"));
+  frame.exposure = link_.time + Seconds(1.0);
+  frame.altitude = 4.0;
+  link_.Send(app_, topics::kNavSight, frame);
+  EXPECT_TRUE(app_.warnings().empty());
+}
+
+TEST_F(MapWarningsTest, TellsHowFarItSeesAndWarnsWhereTheSeabedIsOutOfSight) {
+  std::vector<trial::Sphere> high;
+  for (int i = 0; i < 6; ++i) {
+    high.push_back({.ned = {3.0 * i, 0.0, 5.2}, .color = "yellow", .landmark = 10 + i});
+  }
+  // They are 1.7 m below the camera, and seen from 1.85 m at most.
+  std::vector<ObservedFrame> frames =
+      trial::Fly({.north = -3, .length = 22}, link_.time, high, {.detects = 1.0}, random_);
+  for (ObservedFrame& frame : frames) {
+    std::erase_if(frame.boxes, [&](const Box& box) {
+      return (high[static_cast<std::size_t>(box.landmark - 10)].ned - frame.X_WB.p_WB).norm() >
+             1.85;
+    });
+    link_.time = frame.exposure;
+    link_.Send(app_, topics::kNavSight, frame);
+    app_.Tick(link_.time);
+  }
+  EXPECT_NEAR(link_.Last(topics::kWaterState)->visibility, 8.0, 2.5);
+  EXPECT_FALSE(app_.warnings().contains("WATER_MURKY")) << "nothing is known of the water";
+  link_.time += Seconds(20.0);
+  Confirm(high);
+  link_.time += Seconds(6.0);
+  app_.Tick(link_.time);
+  EXPECT_LT(link_.Last(topics::kWaterState)->visibility, 3.0);
+  EXPECT_LT(link_.Last(topics::kWaterState)->sd, 1.2);
+  EXPECT_TRUE(app_.warnings().contains("WATER_MURKY"));
+  ReportLines lines;
+  app_.Report(lines);
+  EXPECT_THAT(lines.Text(), ::testing::ContainsRegex("Seabed: +[0-9] % of frames"));
+  link_.Send(app_, topics::kSurveyPhase, std::string("HOME"));
+  link_.time += Seconds(6.0);
+  app_.Tick(link_.time);
+  EXPECT_FALSE(app_.warnings().contains("WATER_MURKY"));
+}
+
+TEST_F(MapWarningsTest, SaysThatItDoesNotFollowUpEveryHint) {
+  std::vector<trial::Sphere> ghosts;
+  for (int i = 0; i < 11; ++i) {
+    // At the image's edge: what was seen whole would need no second look.
+    ghosts.push_back({.ned = {3.0 * i, 3.0, 6.0}, .color = "yellow", .landmark = -1});
+  }
+  Survey({.north = -4, .east = 1, .length = 16}, ghosts);
+  link_.time += Seconds(1.0);
+  app_.Tick(link_.time);
+  EXPECT_FALSE(app_.warnings().contains("TENTATIVE_OBJECTS_LEFT_OUT"));
+  Survey({.north = 12, .east = 1, .length = 26}, ghosts);
+  link_.time += Seconds(1.0);
+  app_.Tick(link_.time);
+  EXPECT_TRUE(app_.warnings().contains("TENTATIVE_OBJECTS_LEFT_OUT"));
+}
+
+TEST_F(MapWarningsTest, SaysThatBeamsEndWhereNothingCanBe) {
+  const auto ping = [this](double first) {
+    for (int i = 0; i < 60; ++i) {
+      link_.Send(
+          app_, topics::kNavBeams,
+          PosedBeams{.down = 0.0, .b1 = first, .b2 = 12.0, .b3 = 12.0, .b4 = first, .sd_down = {}});
+    }
+  };
+  ping(2.0);
+  EXPECT_TRUE(app_.warnings().contains("BEAMS_LEFT_OUT"));
+  ReportLines lines;
+  app_.Report(lines);
+  EXPECT_THAT(lines.Text(), ::testing::HasSubstr("120 used, 120 left out as outliers"));
+  // Where the mission lets objects float that high, they are no outliers.
+  SurveyArea area = kArea;
+  area.object_height_max = 9.0;
+  link_.Send(app_, topics::kSurveyArea, area);
+  ping(2.0);
+  EXPECT_FALSE(app_.warnings().contains("BEAMS_LEFT_OUT"));
+}
+
+}  // namespace
+}  // namespace limpet
