@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/helm/motion_decision.hpp"
 
+#include <utility>
+
 namespace limpet {
 
 std::string MotionDecision::Missing() const {
@@ -24,10 +26,11 @@ MotionDecision DecideMotion(std::span<const WeightedBehavior> behaviors, const V
   std::vector<WeightedPeak> depth;
   double heaviest = 0.0;
   for (const WeightedBehavior& running : behaviors) {
+    MotionBid bid = running.behavior->Move(state);
+    decision.turns.push_back({running.name, std::move(bid.acts)});
     if (running.weight <= 0.0) {
-      continue;
+      continue;  // it acts, and has no say
     }
-    const MotionBid bid = running.behavior->Move(state);
     const auto add = [&running](std::vector<WeightedPeak>& peaks, const std::optional<Peak>& peak) {
       if (peak) {
         peaks.push_back({*peak, running.weight});

@@ -25,6 +25,7 @@ struct MotionDecision {
   std::optional<double> depth;      ///< [m]
   std::optional<double> turn_rate;  ///< feed-forward of the heaviest bidder on course [rad/s]
   std::vector<OwnedWarning> warnings;
+  std::vector<BehaviorTurn> turns;  ///< of all running behaviors
   std::vector<std::string> active;  ///< names of behaviors that had an opinion
 
   /// Names of decision variables that nobody bid on, e.g. "course,depth"; "" if complete.

@@ -13,6 +13,7 @@
 #include "limpet/core/described_params.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/helm/behavior.hpp"
+#include "limpet/helm/common_settings.hpp"
 
 namespace limpet {
 
@@ -22,9 +23,6 @@ struct BehaviorEntry {
 };
 
 [[nodiscard]] std::map<std::string, BehaviorEntry>& BehaviorRegistry();
-
-/// Keys of every behavior; the host reads them.
-[[nodiscard]] const std::vector<std::string>& CommonBehaviorKeys();
 
 /// True; for a class that cannot be a behavior the compiler says what it lacks.
 template <class B>
