@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "limpet/helm/behavior_act.hpp"
@@ -52,6 +53,10 @@ struct Bid {
 class Behavior {
  public:
   virtual ~Behavior() = default;
+
+  /// As its block calls it; set by who makes it from a block.
+  [[nodiscard]] const std::string& name() const { return name_; }
+  void SetName(std::string name) { name_ = std::move(name); }
 
   /// Variables that it reads by `VehicleState::Heard`, besides those of the state.
   [[nodiscard]] virtual std::vector<std::string> Variables() const { return {}; }
@@ -118,6 +123,9 @@ class Behavior {
     static_cast<void>(prospect), static_cast<void>(now);
     return std::nullopt;
   }
+
+ private:
+  std::string name_;
 };
 
 }  // namespace limpet

@@ -14,6 +14,7 @@
 #include "limpet/core/params.hpp"
 #include "limpet/helm/behavior.hpp"
 #include "limpet/helm/common_settings.hpp"
+#include "limpet/mission/behavior_file.hpp"
 
 namespace limpet {
 
@@ -53,7 +54,10 @@ template <class B>
                 return DescribeParams(defaults);
               },
           .create = [](const ConfigBlock& block) -> std::unique_ptr<Behavior> {
-            return std::make_unique<B>(ReadParams<typename B::Params>(block, CommonBehaviorKeys()));
+            auto behavior =
+                std::make_unique<B>(ReadParams<typename B::Params>(block, CommonBehaviorKeys()));
+            behavior->SetName(BehaviorNameOf(block));
+            return behavior;
           }};
 }
 
