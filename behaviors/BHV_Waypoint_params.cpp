@@ -117,7 +117,6 @@ void DescribeCapture(ParamCollector& visit, Params& params) {
   visit("lead_to_start", params.leads_to_start, "Lead on the way to the first point, too");
   visit.ParsedLines("lead_condition", "a condition", "Lead only while all of them hold",
                     [&params](std::string_view text) {
-                      if (text.empty()) return true;
                       std::string written(text);
                       std::ranges::replace(written, ',', '=');
                       auto condition = Condition::Parse(written);
@@ -146,9 +145,8 @@ void DescribeSpeed(ParamCollector& visit, Params& params) {
 
 void DescribePosts(ParamCollector& visit, Params& params) {
   const auto flags = [&visit](const char* name, std::vector<Flag>& list, const char* help) {
-    visit.ParsedLines(name, "VARIABLE = value", help, [&list](std::string_view text) {
-      return text.empty() || AddFlag(text, list);
-    });
+    visit.ParsedLines(name, "VARIABLE = value", help,
+                      [&list](std::string_view text) { return AddFlag(text, list); });
   };
   flags("wptflag", params.waypoint_flags, "Posted at each point");
   flags("cycleflag", params.cycle_flags, "Posted at the end of each round");

@@ -258,7 +258,9 @@ void ParamCollector::Parsed(const char* name, const char* form, const char* help
 
 void ParamCollector::ParsedLines(const char* name, const char* form, const char* help,
                                  std::function<bool(std::string_view)> store) {
-  Parsed(name, form, help, "", std::move(store));
+  // Without a line there is nothing to read, and so it is of one that is empty.
+  Parsed(name, form, help, "",
+         [store = std::move(store)](std::string_view text) { return text.empty() || store(text); });
   specs_.back().is_repeatable = true;
 }
 
