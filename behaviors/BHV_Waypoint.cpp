@@ -12,6 +12,7 @@
 #include "limpet/helm/flag_macros.hpp"
 #include "limpet/helm/heard_conditions.hpp"
 #include "limpet/helm/registry.hpp"
+#include "limpet/helm/updated_keys.hpp"
 #include "limpet/waypoints/map_geometry.hpp"
 #include "limpet/waypoints/point_list.hpp"
 
@@ -19,15 +20,6 @@ namespace limpet {
 namespace {
 
 using Step = WaypointProgress::Step;
-
-MapPoint PlaceOf(const VehicleState& state) { return MapPointOf(state.nav.north, state.nav.east); }
-
-bool Has(const std::vector<std::string>& keys, std::initializer_list<std::string_view> names) {
-  return std::ranges::any_of(keys, [&names](const std::string& key) {
-    return std::ranges::any_of(
-        names, [&key](std::string_view name) { return EqualsIgnoringCase(key, name); });
-  });
-}
 
 std::string Whole(double value) { return fmt::format("{:.0f}", value); }
 
@@ -56,25 +48,25 @@ std::vector<std::string> BHV_Waypoint::Variables() const {
 
 bool BHV_Waypoint::TakeOver(const Behavior& former, const std::vector<std::string>& keys) {
   const auto& old = dynamic_cast<const BHV_Waypoint&>(former);
-  const bool has_new_points = Has(keys, {"points", "polygon", "point"});
+  const bool has_new_points = HasKey(keys, {"points", "polygon", "point"});
   if (!has_new_points) {
     const Travel fresh = std::exchange(travel_, old.travel_);
     WaypointProgress& progress = travel_.progress;
     const auto& points = params_.points;
-    if (Has(keys, {"xpoints"}) && points.size() == progress.points().size()) {
+    if (HasKey(keys, {"xpoints"}) && points.size() == progress.points().size()) {
       progress.MovePoints(fresh.progress.points());
     }
-    if (Has(keys, {"newpt"}) && params_.added) progress.Append(*params_.added);
-    if (Has(keys, {"greedy_tour", "shortest_tour"})) travel_.is_greedy_due = params_.is_greedy;
+    if (HasKey(keys, {"newpt"}) && params_.added) progress.Append(*params_.added);
+    if (HasKey(keys, {"greedy_tour", "shortest_tour"})) travel_.is_greedy_due = params_.is_greedy;
     const bool reverses =
         params_.order == "toggle" ? !travel_.is_reversed : params_.order == "reverse";
-    if (Has(keys, {"order"}) && reverses != travel_.is_reversed) {
+    if (HasKey(keys, {"order"}) && reverses != travel_.is_reversed) {
       travel_.is_reversed = reverses;
       progress.Reverse();
     }
   }
   travel_.progress.SetRepeats(params_.repeats);
-  if (Has(keys, {"currix"}) && params_.index) {
+  if (HasKey(keys, {"currix"}) && params_.index) {
     travel_.progress.SetIndex(static_cast<std::size_t>(*params_.index));
   }
   return true;
@@ -82,7 +74,7 @@ bool BHV_Waypoint::TakeOver(const Behavior& former, const std::vector<std::strin
 
 void BHV_Waypoint::TakeStart(const VehicleState& state) {
   if (params_.points_from == "start" && travel_.progress.points().empty()) {
-    travel_.progress.SetPoints({PlaceOf(state)});
+    travel_.progress.SetPoints({state.place()});
   }
 }
 
@@ -115,10 +107,10 @@ MapPoint BHV_Waypoint::SteeringPoint(const VehicleState& state) {
   } else if (progress.cycles() > 0) {
     from = progress.points().back();
   } else if (params_.leads_to_start) {
-    travel_.begin = travel_.begin.value_or(PlaceOf(state));
+    travel_.begin = travel_.begin.value_or(state.place());
     from = travel_.begin;
   }
-  return from ? LeadPoint({*from, progress.next()}, PlaceOf(state), params_.lead) : progress.next();
+  return from ? LeadPoint({*from, progress.next()}, state.place(), params_.lead) : progress.next();
 }
 
 double BHV_Waypoint::Speed(const MapPoint& at) const {
@@ -138,7 +130,7 @@ MotionBid BHV_Waypoint::Move(const VehicleState& state) {
   if (progress.points().empty()) {
     return {};
   }
-  const MapPoint at = PlaceOf(state);
+  const MapPoint at = state.place();
   if (std::exchange(travel_.is_greedy_due, false)) {
     progress.SetPoints(GreedyTour(progress.points(), at));
   }
@@ -188,7 +180,7 @@ void BHV_Waypoint::PostProgress(Step step, const VehicleState& state, ActList& a
 
 void BHV_Waypoint::PostStatus(const VehicleState& state, ActList& acts) {
   const WaypointProgress& progress = travel_.progress;
-  const MapPoint at = PlaceOf(state);
+  const MapPoint at = state.place();
   const double distance = DistanceBetween(at, progress.next());
   acts.Post(
       With(params_.status_variable),
@@ -235,7 +227,7 @@ std::optional<std::string> BHV_Waypoint::Macro(std::string_view name,
   if (progress.points().empty()) return std::nullopt;
   if (name == "NX") return MacroNumber(progress.next().x);
   if (name == "NY") return MacroNumber(progress.next().y);
-  const MapPoint at = PlaceOf(state);
+  const MapPoint at = state.place();
   const MapPoint previous = progress.previous().value_or(at);
   if (name == "PX" || name == "X") return MacroNumber(previous.x);
   if (name == "PY" || name == "Y") return MacroNumber(previous.y);

@@ -17,6 +17,7 @@
 #include "limpet/planning/option.hpp"
 #include "limpet/planning/region.hpp"
 #include "limpet/planning/seen_along.hpp"
+#include "limpet/shapes/shape.hpp"
 #include "limpet/survey/look.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
@@ -53,6 +54,8 @@ struct VehicleState {
     const auto found = heard->find(name);
     return found == heard->end() ? nullptr : &found->second;
   }
+  /// On the viewer's map.
+  [[nodiscard]] MapPoint place() const { return MapPointOf(nav.north, nav.east); }
   /// Speed over ground [m/s].
   [[nodiscard]] double speed() const { return std::hypot(nav.u, nav.v); }
 };

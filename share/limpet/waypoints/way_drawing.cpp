@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/waypoints/way_drawing.hpp"
 
+#include <numbers>
 #include <utility>
 
 #include "limpet/waypoints/map_geometry.hpp"
@@ -50,6 +51,43 @@ std::vector<DrawnText> WayDrawing::Erase(const std::vector<MapPoint>& points,
       .label = vehicle + "_" + behavior, .form = SeglistShape{points}, .is_active = false};
   return {DrawnTextOf(point("'s trackpt"), "trk"), DrawnTextOf(point("'s nextpt"), "wpt"),
           DrawnTextOf(way)};
+}
+
+std::vector<DrawnText> RingDrawing::Draw(const std::vector<MapPoint>& corners, const MapPoint& next,
+                                         bool is_active) const {
+  const Shape ring{.label = hints.Text("label", vehicle + "_" + behavior),
+                   .form = PolygonShape{corners},
+                   .style = {.label_color = hints.Text("label_color", ""),
+                             .edge_color = hints.Text("edge_color", "white"),
+                             .vertex_color = hints.Text("vertex_color", "dodger_blue"),
+                             .vertex_size = hints.Number("vertex_size", 1.0),
+                             .edge_size = hints.Number("edge_size", 1.0)},
+                   .is_active = is_active};
+  const Shape target{.label = vehicle + "_waypoint",
+                     .form = PointShape{next},
+                     .style = {.label_color = hints.Text("nextpt_label_color", "aqua"),
+                               .vertex_color = hints.Text("nextpt_color", "yellow"),
+                               .vertex_size = hints.Number("nextpt_vertex_size", 5.0)},
+                     .is_active = is_active};
+  return {DrawnTextOf(ring), DrawnTextOf(target)};
+}
+
+std::vector<DrawnText> CircleDrawing::Draw(const std::string& label, double radius,
+                                           bool is_active) const {
+  constexpr int kCorners = 32;
+  PolygonShape circle;
+  for (int i = 0; i < kCorners; ++i) {
+    circle.corners.push_back(Project(center, 2.0 * std::numbers::pi * i / kCorners, radius));
+  }
+  const Shape shape{.label = label,
+                    .form = std::move(circle),
+                    .style = {.label_color = hints.Text("label_color", "white"),
+                              .edge_color = hints.Text("edge_color", "light_blue"),
+                              .vertex_color = hints.Text("vertex_color", "red"),
+                              .vertex_size = hints.Number("vertex_size", 1.0),
+                              .edge_size = hints.Number("edge_size", 1.0)},
+                    .is_active = is_active};
+  return {DrawnTextOf(shape, label)};
 }
 
 }  // namespace limpet

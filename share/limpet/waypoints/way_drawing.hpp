@@ -26,6 +26,24 @@ struct WayDrawing {
                                              const MapPoint& next) const;
 };
 
+/// The same of a polygon that is gone round.
+struct RingDrawing {
+  std::string vehicle, behavior;
+  const VisualHints& hints;
+
+  [[nodiscard]] std::vector<DrawnText> Draw(const std::vector<MapPoint>& corners,
+                                            const MapPoint& next, bool is_active) const;
+};
+
+/// Circles round one point, as polygons of 32 corners.
+struct CircleDrawing {
+  MapPoint center;
+  const VisualHints& hints;
+
+  [[nodiscard]] std::vector<DrawnText> Draw(const std::string& label, double radius,
+                                            bool is_active) const;
+};
+
 /// The text of a shape that is drawn.
 [[nodiscard]] DrawnText DrawnTextOf(const Shape& shape, std::string key = "");
 

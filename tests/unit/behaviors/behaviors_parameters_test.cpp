@@ -14,11 +14,13 @@
 #include "behaviors/BHV_FollowPath.hpp"
 #include "behaviors/BHV_HoldAltitude.hpp"
 #include "behaviors/BHV_HoldStation.hpp"
+#include "behaviors/BHV_Loiter.hpp"
 #include "behaviors/BHV_OpRegion.hpp"
 #include "behaviors/BHV_ReduceMapEntropy.hpp"
 #include "behaviors/BHV_ReduceObjectEntropy.hpp"
 #include "behaviors/BHV_ReturnHome.hpp"
 #include "behaviors/BHV_RevisitOpi.hpp"
+#include "behaviors/BHV_StationKeep.hpp"
 #include "behaviors/BHV_Timer.hpp"
 #include "behaviors/BHV_Waypoint.hpp"
 #include "limpet/helm/registry.hpp"
@@ -55,10 +57,10 @@ class EveryBehavior : public ::testing::Test {
 };
 
 using Behaviors =
-    ::testing::Types<BHV_ConstantDepth, BHV_ConstantHeading, BHV_ConstantSpeed, BHV_Timer,
-                     BHV_Waypoint, BHV_CoverArea, BHV_FollowPath, BHV_HoldAltitude, BHV_HoldStation,
-                     BHV_OpRegion, BHV_ReduceMapEntropy, BHV_ReduceObjectEntropy, BHV_ReturnHome,
-                     BHV_RevisitOpi>;
+    ::testing::Types<BHV_ConstantDepth, BHV_ConstantHeading, BHV_ConstantSpeed, BHV_Loiter,
+                     BHV_StationKeep, BHV_Timer, BHV_Waypoint, BHV_CoverArea, BHV_FollowPath,
+                     BHV_HoldAltitude, BHV_HoldStation, BHV_OpRegion, BHV_ReduceMapEntropy,
+                     BHV_ReduceObjectEntropy, BHV_ReturnHome, BHV_RevisitOpi>;
 TYPED_TEST_SUITE(EveryBehavior, Behaviors);
 
 TYPED_TEST(EveryBehavior, IsBuiltFromItsExamples) {
