@@ -58,15 +58,23 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
       }) {
   Subscribe(topics::kNavState, &HelmApp::OnNav);
   Subscribe(topics::kManualOverride, &HelmApp::OnOverride);
-  Subscribe(topics::kSurveyArea, &HelmApp::OnArea);
-  Subscribe(topics::kSurveyHome, &HelmApp::OnHome);
-  Subscribe(topics::kMapDelta, &HelmApp::OnDelta);
-  Subscribe(topics::kMapCoverage, &HelmApp::OnCoverage);
-  Subscribe(topics::kMapOpis, &HelmApp::OnOpis);
-  Subscribe(topics::kMapLook, &HelmApp::OnLook);
+  HearSurvey();
   Subscribe(topics::kHelmRejournal, &HelmApp::OnRejournal);
   SubscribeRaw(topics::kHelmMapClear.name, [this](const MessagePtr&) { host_.ForgetPosts(); });
   SubscribeForBehaviors();
+}
+
+void HelmApp::HearSurvey() {
+  // Behaviors that steer without a path need neither area nor map.
+  const auto hear = [this, needs_it = host_.WantsView()](const auto& topic, auto handler) {
+    needs_it ? Subscribe(topic, handler) : SubscribeIfWritten(topic, handler);
+  };
+  hear(topics::kSurveyArea, &HelmApp::OnArea);
+  hear(topics::kSurveyHome, &HelmApp::OnHome);
+  hear(topics::kMapDelta, &HelmApp::OnDelta);
+  hear(topics::kMapCoverage, &HelmApp::OnCoverage);
+  hear(topics::kMapOpis, &HelmApp::OnOpis);
+  hear(topics::kMapLook, &HelmApp::OnLook);
 }
 
 void HelmApp::SubscribeForBehaviors() {

@@ -42,6 +42,7 @@ class HelmApp final : public App {
   void OnLook(const Stamped<MapLook>& look) { planner_.survey().SetLookModel(look.value); }
   void OnRejournal(const Stamped<std::string>&) { journal_.Rejournal(); }
 
+  void HearSurvey();
   /// To every variable that the behaviors want by now.
   void SubscribeForBehaviors();
   void PostInitialValues();

@@ -2,6 +2,7 @@
 #include "limpet/helm/behavior_host.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include <fmt/format.h>
@@ -72,6 +73,19 @@ std::vector<std::string> BehaviorHost::Variables() const {
     add(hosted->Variables());
   }
   return {names.begin(), names.end()};
+}
+
+std::vector<ConfigProblem> BehaviorHost::IgnoredLines() const {
+  std::vector<ConfigProblem> lines;
+  for (const auto& hosted : hosted_) {
+    std::ranges::move(hosted->IgnoredLines(), std::back_inserter(lines));
+  }
+  return lines;
+}
+
+bool BehaviorHost::WantsView() const {
+  return std::ranges::any_of(hosted_,
+                             [](const auto& hosted) { return hosted->behavior().WantsView(); });
 }
 
 std::vector<HelmPost> BehaviorHost::InitialPosts() const {

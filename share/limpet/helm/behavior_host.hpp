@@ -40,6 +40,10 @@ class BehaviorHost {
   /// Variables whose mail the host wants: all that conditions, modes, updates and behaviors name.
   /// May grow while behaviors are spawned and updated.
   [[nodiscard]] std::vector<std::string> Variables() const;
+  /// Lines of the behaviors' blocks that are known from existing missions and have no effect.
+  [[nodiscard]] std::vector<ConfigProblem> IgnoredLines() const;
+  /// True if a behavior asks for view decisions when it runs.
+  [[nodiscard]] bool WantsView() const;
   /// Posts of `initialize` lines.
   [[nodiscard]] std::vector<HelmPost> InitialPosts() const;
   /// Takes mail: a value for the conditions, an update of behaviors, what they ask for.
