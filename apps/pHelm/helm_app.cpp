@@ -201,6 +201,10 @@ void HelmApp::Steer(const VehicleState& state) {
   const std::vector<WeightedBehavior> bidders = Bidders();
   motion_ = DecideMotion(bidders, state, domain_);
   const MotionDecision& decision = motion_;
+  if (std::ranges::any_of(decision.turns, &BehaviorTurn::IsEmergency)) {
+    AllStop("BehaviorError");
+    return;
+  }
   if (decision.active.empty()) {
     AllStop("NothingToDo");
     return;

@@ -27,6 +27,8 @@ class ActList {
   /// Flags of the behavior's own, e.g. `wptflag`; its macros have the values that they have now.
   void Raise(std::span<const Flag> flags, const Behavior& behavior, const VehicleState& state);
   void Complete(std::string reason = "") { acts_.emplace_back(Completion{std::move(reason)}); }
+  /// The vehicle is to stop.
+  void Halt(std::string reason) { acts_.emplace_back(Emergency{std::move(reason)}); }
   [[nodiscard]] std::vector<BehaviorAct> Take() { return std::move(acts_); }
 
  private:

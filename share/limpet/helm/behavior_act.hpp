@@ -2,6 +2,7 @@
 // What a behavior does beside bidding, as values: the helm carries it out.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <variant>
 #include <vector>
@@ -26,13 +27,25 @@ struct Completion {
   std::string reason{};
 };
 
-/// A post, a flag of its own whose macros the helm expands, or its completion.
-using BehaviorAct = std::variant<BehaviorPost, Flag, Completion>;
+/// Something is so wrong that the vehicle is to stop: all of the helm stops it as long as a
+/// behavior says so, and BHV_ERROR has the reason.
+struct Emergency {
+  std::string reason;
+};
+
+/// A post, a flag of its own whose macros the helm expands, its completion, or an emergency.
+using BehaviorAct = std::variant<BehaviorPost, Flag, Completion, Emergency>;
 
 /// What a running behavior did in an iteration beside bidding.
 struct BehaviorTurn {
   std::string name;
   std::vector<BehaviorAct> acts;
+
+  /// True if it says that the vehicle is to stop.
+  [[nodiscard]] bool IsEmergency() const {
+    return std::ranges::any_of(
+        acts, [](const BehaviorAct& act) { return std::holds_alternative<Emergency>(act); });
+  }
 };
 
 }  // namespace limpet

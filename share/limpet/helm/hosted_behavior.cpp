@@ -206,6 +206,8 @@ void HostedBehavior::Perform(std::span<const BehaviorAct> acts, HelmTurn& turn) 
       Post(*post, turn);
     } else if (const auto* flag = std::get_if<Flag>(&act)) {
       PostFlag(*flag, turn);
+    } else if (const auto* emergency = std::get_if<Emergency>(&act)) {
+      Post({.variable = "BHV_ERROR", .value = name() + ": " + emergency->reason}, turn);
     } else if (!is_complete()) {
       Complete(std::get<Completion>(act).reason, turn);
     }

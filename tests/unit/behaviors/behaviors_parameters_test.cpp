@@ -12,10 +12,14 @@
 #include "behaviors/BHV_ConstantSpeed.hpp"
 #include "behaviors/BHV_CoverArea.hpp"
 #include "behaviors/BHV_FollowPath.hpp"
+#include "behaviors/BHV_GoToDepth.hpp"
 #include "behaviors/BHV_HoldAltitude.hpp"
 #include "behaviors/BHV_HoldStation.hpp"
 #include "behaviors/BHV_Loiter.hpp"
+#include "behaviors/BHV_MaxDepth.hpp"
+#include "behaviors/BHV_MinAltitudeX.hpp"
 #include "behaviors/BHV_OpRegion.hpp"
+#include "behaviors/BHV_PeriodicSurface.hpp"
 #include "behaviors/BHV_ReduceMapEntropy.hpp"
 #include "behaviors/BHV_ReduceObjectEntropy.hpp"
 #include "behaviors/BHV_ReturnHome.hpp"
@@ -60,7 +64,8 @@ using Behaviors =
     ::testing::Types<BHV_ConstantDepth, BHV_ConstantHeading, BHV_ConstantSpeed, BHV_Loiter,
                      BHV_StationKeep, BHV_Timer, BHV_Waypoint, BHV_CoverArea, BHV_FollowPath,
                      BHV_HoldAltitude, BHV_HoldStation, BHV_OpRegion, BHV_ReduceMapEntropy,
-                     BHV_ReduceObjectEntropy, BHV_ReturnHome, BHV_RevisitOpi>;
+                     BHV_ReduceObjectEntropy, BHV_ReturnHome, BHV_RevisitOpi, BHV_GoToDepth,
+                     BHV_MaxDepth, BHV_MinAltitudeX, BHV_PeriodicSurface>;
 TYPED_TEST_SUITE(EveryBehavior, Behaviors);
 
 TYPED_TEST(EveryBehavior, IsBuiltFromItsExamples) {
