@@ -8,6 +8,7 @@
 #include "apps/pHelm/helm_warnings.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/frames.hpp"
+#include "limpet/helm/behavior_modules.hpp"
 #include "limpet/helm/motion_domain.hpp"
 #include "limpet/mission/shared_settings.hpp"
 #include "limpet/survey/survey_area_warnings.hpp"
@@ -16,7 +17,16 @@
 namespace limpet {
 namespace {
 
+void LoadForeignBehaviors(const AppContext& context, const HelmParams& params) {
+  std::vector<ConfigEntry> lines;
+  for (const std::string& folders : params.behavior_path) {
+    lines.push_back({.key = "behavior_path", .value = folders, .where = {.file = context.name}});
+  }
+  LoadBehaviorModules(lines, context.mission_folder);
+}
+
 std::vector<BehaviorFile> LoadBehaviorFiles(const AppContext& context, const HelmParams& params) {
+  LoadForeignBehaviors(context, params);
   std::vector<BehaviorFile> files;
   for (const std::string& name : params.behaviors) {
     files.push_back(LoadBehaviors(context.mission_folder / name));
