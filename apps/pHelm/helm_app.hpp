@@ -57,6 +57,8 @@ class HelmApp final : public App {
   void Steer(const VehicleState& state);
   /// Carries out what behaviors did beside bidding.
   void SettleBehaviors(const VehicleState& state);
+  /// BHV_ERROR, whenever others fail than before, or for other reasons.
+  void TellFailures();
   /// Raises what behaviors raise now, and clears what none raises any more.
   void TellBehaviorWarnings();
   void AllStop(const std::string& why);
@@ -72,7 +74,7 @@ class HelmApp final : public App {
   BehaviorHost host_;
   std::set<std::string> heard_variables_;  ///< that behaviors want
   ViewPlanner planner_;
-  MotionDomain domain_;
+  MotionArbiter arbiter_;
   std::optional<NavState> nav_;
   bool is_parked_ = false;
   bool has_posted_initial_ = false;
@@ -80,6 +82,7 @@ class HelmApp final : public App {
   std::string published_allstop_;  ///< as last posted
   std::int64_t helm_iteration_ = 0;
   WarningBook warning_book_;
+  std::string told_failures_;              ///< as last posted in BHV_ERROR
   MotionDecision motion_;                  ///< of this iteration
   std::optional<Stamped<HelmBids>> bids_;  ///< of the last view decision
   HelmRevisits revisits_;                  ///< as last told

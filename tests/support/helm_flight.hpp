@@ -28,7 +28,8 @@ class HelmFlight {
  public:
   explicit HelmFlight(const std::string& behaviors)
       : host_({ParseBehaviors(behaviors, "flight.bhv")}) {
-    domain_.speed_high = 5.0;
+    domain_.speed->high = 5.0;
+    state_.domain = domain_;
     state_.now = Seconds(1000.0);
     state_.ownship = "alpha";
     state_.heard = &host_.heard();

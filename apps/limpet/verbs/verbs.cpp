@@ -11,10 +11,12 @@
 #include "apps/limpet/verbs/log.hpp"
 #include "apps/limpet/verbs/map.hpp"
 #include "apps/limpet/verbs/nav.hpp"
+#include "apps/limpet/verbs/new.hpp"
 #include "apps/limpet/verbs/plug.hpp"
 #include "apps/limpet/verbs/report.hpp"
 #include "apps/limpet/verbs/survey.hpp"
 #include "apps/limpet/verbs/tables.hpp"
+#include "apps/limpet/verbs/why.hpp"
 
 namespace limpet {
 
@@ -35,7 +37,9 @@ const std::vector<Verb>& Verbs() {
       {"poke", "write variables of a community and read them back", RunPokeVerb},
       {"play", "play a log into a community", RunPlayVerb},
       {"log", "look into a log: scan, stat, grep, clip, csv, recover, rawlog", RunLog},
+      {"why", "why the helm did what it did, from a log or live", RunWhy},
       {"map", "a saved session's map: info, export, diff", RunMap},
+      {"new", "a repository of your own with a behavior or an app", RunNew},
       {"plug", "expand a mission template, as nsplug does", RunPlug},
   };
   return verbs;

@@ -12,6 +12,7 @@
 
 #include "limpet/core/message.hpp"
 #include "limpet/core/units.hpp"
+#include "limpet/helm/motion_domain.hpp"
 #include "limpet/planning/ground.hpp"
 #include "limpet/planning/objective.hpp"
 #include "limpet/planning/option.hpp"
@@ -44,6 +45,7 @@ struct VehicleState {
   std::optional<Guidance> guidance;  ///< absent without a path
   std::optional<SurveyArea> area;
   std::optional<HomePoint> home{};  ///< once it is known
+  MotionDomain domain{};            ///< what the helm decides on
   std::string_view ownship{};       ///< the vehicle's name
   /// What conditions, updates and behaviors asked for; null: nothing heard.
   const HeardValues* heard = nullptr;

@@ -62,14 +62,21 @@ struct BiddenOption {
   std::string source;  ///< generator: beam, view_tree, home, ...
   double length = 0.0;
   double total = 0.0;           ///< weighted sum of the bids
-  double rate = 0.0;            ///< total per metre of its length: what decides
+  double rate = 0.0;            ///< total per metre of its length
   std::array<double, 2> end{};  ///< north, east of its end [m]
   std::vector<OptionBid> bids;
+};
+/// How options of different length are compared.
+enum class OptionOrder {
+  kPerMetre,  ///< by the sum of bids per metre of option: what follows a short one counts too
+  kBySum      ///< by the sum alone
 };
 struct HelmBids {
   int path_id = 0;
   std::string cause;   ///< why the helm decided now
-  int considered = 0;  ///< options valued; only the best few are listed
+  int considered = 0;  ///< options valued
+  OptionOrder order = OptionOrder::kPerMetre;
+  /// All of them, best first, vetoed ones last; among equals in the order of their offers.
   std::vector<BiddenOption> options;
 };
 template <>
@@ -127,6 +134,9 @@ inline const auto kHelmState =
     Declare<std::string>("IVPHELM_STATE", "DRIVE or PARK", {.rate = "10 Hz", .writers = {"pHelm"}});
 inline const auto kHelmAllStop = Declare<std::string>(
     "IVPHELM_ALLSTOP", "clear, or why all is stopped", {.rate = "on change", .writers = {"pHelm"}});
+inline const auto kBehaviorError = Declare<std::string>(
+    "BHV_ERROR", "behaviors whose bid could not be heard, and why: `name: text`",
+    {.rate = "on change", .writers = {"pHelm"}});
 inline const auto kHelmPath = Declare<HelmPath>(
     "HELM_PATH", "path being followed: Dubins arcs and lines",
     {.unit = "m, rad, 1/m", .frame = "NED", .rate = "on decision", .writers = {"pHelm"}});
