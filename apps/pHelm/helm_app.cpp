@@ -8,6 +8,7 @@
 #include "apps/pHelm/helm_warnings.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/frames.hpp"
+#include "limpet/helm/behavior_failure_warnings.hpp"
 #include "limpet/helm/behavior_modules.hpp"
 #include "limpet/helm/motion_domain.hpp"
 #include "limpet/mission/shared_settings.hpp"
@@ -55,6 +56,7 @@ MotionDomain DomainOf(const HelmParams& params) {
 HelmApp::HelmApp(const AppContext& context, const Params& params)
     : App(context),
       params_(params),
+      ownship_(context.Global("Community")),
       host_(LoadBehaviorFiles(context, params)),
       planner_(params.views, MakeRandom("views")),
       arbiter_(DomainOf(params)),
@@ -62,26 +64,37 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
                [this](std::string variable, Value value) {
                  PublishRaw(std::move(variable), std::move(value));
                }),
-      drawing_(context.Global("Community"), [this](std::string variable, std::string text) {
+      drawing_(ownship_, [this](std::string variable, std::string text) {
         PublishRaw(std::move(variable), std::move(text));
       }) {
   Subscribe(topics::kNavState, &HelmApp::OnNav);
   Subscribe(topics::kManualOverride, &HelmApp::OnOverride);
-  Subscribe(topics::kSurveyArea, &HelmApp::OnArea);
-  Subscribe(topics::kSurveyHome, &HelmApp::OnHome);
-  Subscribe(topics::kMapDelta, &HelmApp::OnDelta);
-  Subscribe(topics::kMapCoverage, &HelmApp::OnCoverage);
-  Subscribe(topics::kMapOpis, &HelmApp::OnOpis);
-  Subscribe(topics::kMapLook, &HelmApp::OnLook);
+  HearSurvey();
   Subscribe(topics::kHelmRejournal, &HelmApp::OnRejournal);
-  SubscribeToConditions();
+  SubscribeRaw(topics::kHelmMapClear.name, [this](const MessagePtr&) { host_.ForgetPosts(); });
+  SubscribeForBehaviors();
 }
 
-void HelmApp::SubscribeToConditions() {
+void HelmApp::HearSurvey() {
+  // Behaviors that steer without a path need neither area nor map.
+  const auto hear = [this, needs_it = host_.WantsView()](const auto& topic, auto handler) {
+    needs_it ? Subscribe(topic, handler) : SubscribeIfWritten(topic, handler);
+  };
+  hear(topics::kSurveyArea, &HelmApp::OnArea);
+  hear(topics::kSurveyHome, &HelmApp::OnHome);
+  hear(topics::kMapDelta, &HelmApp::OnDelta);
+  hear(topics::kMapCoverage, &HelmApp::OnCoverage);
+  hear(topics::kMapOpis, &HelmApp::OnOpis);
+  hear(topics::kMapLook, &HelmApp::OnLook);
+}
+
+void HelmApp::SubscribeForBehaviors() {
   for (const std::string& variable : host_.Variables()) {
-    SubscribeRaw(variable, [this](const MessagePtr& message) {
-      host_.SetVariable(message->name, message->value);
-    });
+    if (heard_variables_.insert(variable).second) {
+      SubscribeRaw(variable, [this](const MessagePtr& message) {
+        host_.SetVariable(message->name, message->value, message->time);
+      });
+    }
   }
 }
 
@@ -123,6 +136,7 @@ void HelmApp::PostInitialValues() {
   if (!has_posted_initial_) {
     has_posted_initial_ = true;
     journal_.PostStart(host_, now());
+    journal_.PostLifeEvents(host_.TakeLifeEvents(), 1, now());
     if (!context().is_restarted) {  // else DEPLOY = false would end a mission under way
       Post(host_.InitialPosts());
     }
@@ -153,7 +167,9 @@ void HelmApp::Tick(Seconds now) {
                      .guidance = planner_.Guide(*nav_),
                      .area = planner_.survey().area(),
                      .home = planner_.survey().home(),
-                     .domain = arbiter_.domain()};
+                     .domain = arbiter_.domain(),
+                     .ownship = ownship_,
+                     .heard = &host_.heard()};
   Post(host_.Update(state));
   if (is_parked_) {
     planner_.DropPath();
@@ -164,6 +180,7 @@ void HelmApp::Tick(Seconds now) {
     state.guidance = planner_.Guide(*nav_);
     Steer(state);
   }
+  SettleBehaviors(state);
   TellBehaviorWarnings();
   if (planner_.path().segments().empty()) {
     drawing_.ErasePath();
@@ -177,6 +194,7 @@ void HelmApp::DecideView(Seconds now) {
   if (!decision) {
     return;
   }
+  view_failures_ = planner_.TakeFailures();
   Publish(topics::kHelmBids, decision->bids);
   bids_ = Stamped<HelmBids>{now, decision->bids};
   if (decision->chosen) {
@@ -196,6 +214,12 @@ void HelmApp::Steer(const VehicleState& state) {
   const std::vector<WeightedBehavior> bidders = Bidders();
   motion_ = arbiter_.Decide(bidders, state);
   const MotionDecision& decision = motion_;
+  for (const BehaviorFailure& failure : view_failures_) {
+    motion_.failures.push_back(failure);
+    motion_.warnings.push_back(
+        {.owner = failure.owner,
+         .warning = {warnings::kBehaviorFailed.Of(failure.owner), failure.text}});
+  }
   TellFailures();
   if (decision.active.empty()) {
     AllStop("NothingToDo");
@@ -219,6 +243,17 @@ void HelmApp::TellFailures() {
   }
   if (!text.empty() && text != told_failures_) Publish(topics::kBehaviorError, text);
   told_failures_ = std::move(text);
+}
+
+void HelmApp::SettleBehaviors(const VehicleState& state) {
+  const std::vector<std::string_view> active =
+      is_parked_ ? std::vector<std::string_view>() : ActiveBehaviors();
+  Post(host_.Settle({.turns = motion_.turns, .active = active}, state));
+  const std::vector<LifeEvent> events = host_.TakeLifeEvents();
+  journal_.PostLifeEvents(events, helm_iteration_, state.now);
+  if (!events.empty()) {
+    SubscribeForBehaviors();
+  }
 }
 
 void HelmApp::TellBehaviorWarnings() {

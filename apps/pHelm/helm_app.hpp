@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,9 @@ class HelmApp final : public App {
   void OnLook(const Stamped<MapLook>& look) { planner_.survey().SetLookModel(look.value); }
   void OnRejournal(const Stamped<std::string>&) { journal_.Rejournal(); }
 
-  void SubscribeToConditions();
+  void HearSurvey();
+  /// To every variable that the behaviors want by now.
+  void SubscribeForBehaviors();
   void PostInitialValues();
   void Post(const std::vector<HelmPost>& posts);
   void DecideView(Seconds now);
@@ -54,6 +57,8 @@ class HelmApp final : public App {
   void Steer(const VehicleState& state);
   /// BHV_ERROR, whenever others fail than before, or for other reasons.
   void TellFailures();
+  /// Carries out what behaviors did beside bidding.
+  void SettleBehaviors(const VehicleState& state);
   /// Raises what behaviors raise now, and clears what none raises any more.
   void TellBehaviorWarnings();
   void AllStop(const std::string& why);
@@ -65,7 +70,9 @@ class HelmApp final : public App {
   [[nodiscard]] std::vector<WeightedBehavior> Bidders() const;
 
   Params params_;
+  std::string ownship_;  ///< the vehicle's name
   BehaviorHost host_;
+  std::set<std::string> heard_variables_;  ///< that behaviors want
   ViewPlanner planner_;
   MotionArbiter arbiter_;
   std::optional<NavState> nav_;
@@ -75,10 +82,11 @@ class HelmApp final : public App {
   std::string published_allstop_;  ///< as last posted
   std::int64_t helm_iteration_ = 0;
   WarningBook warning_book_;
-  std::string told_failures_;              ///< as last posted in BHV_ERROR
-  MotionDecision motion_;                  ///< of this iteration
-  std::optional<Stamped<HelmBids>> bids_;  ///< of the last view decision
-  HelmRevisits revisits_;                  ///< as last told
+  std::string told_failures_;                   ///< as last posted in BHV_ERROR
+  MotionDecision motion_;                       ///< of this iteration
+  std::optional<Stamped<HelmBids>> bids_;       ///< of the last view decision
+  std::vector<BehaviorFailure> view_failures_;  ///< of the last view decision
+  HelmRevisits revisits_;                       ///< as last told
   HelmJournal journal_;
   HelmDrawing drawing_;
 };

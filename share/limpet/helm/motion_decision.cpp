@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 
 #include <fmt/format.h>
 
@@ -82,8 +81,9 @@ const MotionDecision& MotionArbiter::Decide(std::span<const WeightedBehavior> be
   decision_.warnings.clear();
   decision_.failures.clear();
   heard_ = 0;
-  for (const WeightedBehavior& running : behaviors) {
-    if (running.weight > 0.0) Ask(running, state);
+  decision_.turns.resize(behaviors.size());
+  for (std::size_t i = 0; i < behaviors.size(); ++i) {
+    Ask(behaviors[i], state, decision_.turns[i]);
   }
   for (std::vector<WeightedPeak>& peaks : peaks_) {
     peaks.clear();
@@ -101,16 +101,16 @@ const MotionDecision& MotionArbiter::Decide(std::span<const WeightedBehavior> be
   return decision_;
 }
 
-void MotionArbiter::Ask(const WeightedBehavior& running, const VehicleState& state) {
+void MotionArbiter::Ask(const WeightedBehavior& running, const VehicleState& state,
+                        BehaviorTurn& turn) {
+  turn.name = running.name;
+  turn.acts.clear();
   if (bids_.size() == heard_) bids_.emplace_back();
   OwnedMotionBid& owned = bids_[heard_];
-  try {
-    owned.bid = running.behavior->Move(state);
-  } catch (const std::exception& error) {
-    return Fail(running.name, fmt::format("it has thrown: {}", error.what()));
-  } catch (...) {
-    return Fail(running.name, "it has thrown what is no exception of C++");
-  }
+  const auto failure = FailureOf(running.name, [&] { owned.bid = running.behavior->Move(state); });
+  if (failure) return Fail(failure->owner, failure->text);
+  turn.acts.swap(owned.bid.acts);
+  if (running.weight <= 0.0) return;  // it acts, and has no say
   if (const auto problem = ProblemOf(owned.bid, domain_)) return Fail(running.name, *problem);
   if (owned.bid.warning) {
     decision_.warnings.push_back({.owner = running.name, .warning = *owned.bid.warning});

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "limpet/helm/behavior.hpp"
+#include "limpet/helm/behavior_failure.hpp"
 #include "limpet/helm/motion_domain.hpp"
 #include "limpet/helm/motion_grid_search.hpp"
 #include "limpet/helm/view_decision.hpp"
@@ -22,12 +23,6 @@ struct OwnedMotionBid {
   MotionBid bid;
 };
 
-/// A behavior whose bid could not be heard, and why.
-struct BehaviorFailure {
-  std::string owner;
-  std::string text;
-};
-
 /// What the helm asks of the vehicle now.
 struct MotionDecision {
   std::optional<double> course;     ///< [rad]
@@ -36,6 +31,7 @@ struct MotionDecision {
   std::optional<double> turn_rate;  ///< feed-forward of the heaviest bidder on course [rad/s]
   std::vector<OwnedWarning> warnings;
   std::vector<BehaviorFailure> failures;  ///< these are in `warnings`, too
+  std::vector<BehaviorTurn> turns;        ///< of all running behaviors
   std::vector<std::string> active;        ///< names of behaviors that had an opinion
 
   [[nodiscard]] const std::optional<double>& value(MotionVariable variable) const;
@@ -63,7 +59,7 @@ class MotionArbiter {
   [[nodiscard]] std::span<const OwnedMotionBid> bids() const { return {bids_.data(), heard_}; }
 
  private:
-  void Ask(const WeightedBehavior& running, const VehicleState& state);
+  void Ask(const WeightedBehavior& running, const VehicleState& state, BehaviorTurn& turn);
   void Fail(const std::string& owner, const std::string& text);
   void Add(const OwnedMotionBid& owned);
   void Choose(const VehicleState& state);

@@ -83,6 +83,7 @@ void CheckBehaviors(const MissionReading& reading, MissionProblems& found) {
   }
   try {
     const BehaviorHost host(reading.behavior_files());
+    Append(host.IgnoredLines(), found.notes);
   } catch (const ConfigError& error) {
     Append(error.problems(), found.syntax);
   }

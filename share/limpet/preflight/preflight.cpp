@@ -180,6 +180,7 @@ MissionProblems CheckBehaviorFile(const fs::path& file) {
     }
     SetStrangersAside(behaviors, found);
     const BehaviorHost host({behaviors});
+    Join(host.IgnoredLines(), found.notes);
   } catch (const ConfigError& error) {
     Join(error.problems(), found.syntax);
   }

@@ -48,11 +48,22 @@ TEST(CheckVerbOfFiles, NotesWhatBelongsToOtherPeoplesApps) {
   EXPECT_EQ(mission.exit_code, kOk) << mission.text;
   EXPECT_THAT(mission.text, HasSubstr("note: pHelmIvP: is no app of Limpet's"));
   const fs::path bhv = folder.path() / "a.bhv";
-  std::ofstream(bhv) << "initialize DEPLOY = false\nBehavior = BHV_Waypoint\n{\n  name = w\n  "
+  std::ofstream(bhv) << "initialize DEPLOY = false\nBehavior = BHV_CutRange\n{\n  name = w\n  "
                         "points = 1,2\n}\n";
   const Checked behaviors = Check({bhv.string()});
   EXPECT_EQ(behaviors.exit_code, kOk) << behaviors.text;
-  EXPECT_THAT(behaviors.text, HasSubstr("a.bhv:2: note: BHV_Waypoint"));
+  EXPECT_THAT(behaviors.text, HasSubstr("a.bhv:2: note: BHV_CutRange"));
+}
+
+TEST(CheckVerbOfFiles, NotesKeysOfExistingMissionsThatHaveNoEffect) {
+  const TemporaryFolder folder;
+  const fs::path bhv = folder.path() / "a.bhv";
+  std::ofstream(bhv) << "Behavior = BHV_Waypoint\n{\n  points = 1,2\n  patience = 40\n"
+                        "  build_info = uniform_piece=discrete\n}\n";
+  const Checked behaviors = Check({bhv.string()});
+  EXPECT_EQ(behaviors.exit_code, kOk) << behaviors.text;
+  EXPECT_THAT(behaviors.text, HasSubstr("a.bhv:4: note: patience: has no effect in BHV_Waypoint"));
+  EXPECT_THAT(behaviors.text, HasSubstr("a.bhv:5: note: build_info: has no effect"));
 }
 
 TEST(CheckVerbOfFiles, NestedTextOfAnAcousticModemIsANoteAndInABlockOfOursAnError) {
