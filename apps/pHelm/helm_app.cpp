@@ -221,6 +221,9 @@ void HelmApp::Steer(const VehicleState& state) {
          .warning = {warnings::kBehaviorFailed.Of(failure.owner), failure.text}});
   }
   TellFailures();
+  if (motion_rate_.IsDue(decision, state.now)) {
+    Publish(topics::kHelmMotion, RecordOf(arbiter_, decision));
+  }
   if (decision.active.empty()) {
     AllStop("NothingToDo");
     return;

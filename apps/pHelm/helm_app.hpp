@@ -12,6 +12,7 @@
 #include "limpet/helm/behavior_host.hpp"
 #include "limpet/helm/helm_params.hpp"
 #include "limpet/helm/motion_decision.hpp"
+#include "limpet/helm/motion_record.hpp"
 #include "limpet/helm/view_planner.hpp"
 #include "limpet/helm/warning_book.hpp"
 
@@ -75,6 +76,7 @@ class HelmApp final : public App {
   std::set<std::string> heard_variables_;  ///< that behaviors want
   ViewPlanner planner_;
   MotionArbiter arbiter_;
+  MotionRecordRate motion_rate_;
   std::optional<NavState> nav_;
   bool is_parked_ = false;
   bool has_posted_initial_ = false;

@@ -82,6 +82,24 @@ struct HelmBids {
 template <>
 struct TopicCodec<HelmBids> : JsonCodec<HelmBids> {};
 
+/// What one behavior would like of how to move now, as the helm weighs it.
+struct MotionOpinion {
+  std::string behavior;
+  std::string variables;  ///< course, speed or depth; several, joined by +, are judged together
+  double weight = 1.0;
+  double value = 0.0;  ///< of what was chosen, 0 to 1
+  /// Of a peak over one variable [deg, m/s, m]: what it likes best, how far around it anything is
+  /// as good, and from where on it is worth nothing.
+  std::optional<double> summit, flat_half_width, base_half_width;
+};
+/// How the helm moves now, and whose opinions that rests on.
+struct HelmMotion {
+  std::optional<double> course_deg, speed_mps, depth_m;
+  std::vector<MotionOpinion> opinions;
+};
+template <>
+struct TopicCodec<HelmMotion> : JsonCodec<HelmMotion> {};
+
 /// What the helm still wants of one object, and why.
 struct RevisitInterest {
   int id = 0;           ///< as OpiBelief::id
@@ -143,6 +161,9 @@ inline const auto kHelmPath = Declare<HelmPath>(
 inline const auto kHelmBids = Declare<HelmBids>(
     "HELM_BIDS", "last decision: options, bids, reasons",
     {.unit = "m of path", .frame = "NED", .rate = "on decision", .writers = {"pHelm"}});
+inline const auto kHelmMotion = Declare<HelmMotion>(
+    "HELM_MOTION", "how to move now: what was chosen, and what each behavior would like",
+    {.unit = "deg, m/s, m", .rate = "1 Hz, and when others have a say", .writers = {"pHelm"}});
 inline const auto kHelmRevisits = Declare<HelmRevisits>(
     "HELM_REVISITS", "which objects the helm still wants to look at, and why not the others",
     {.unit = "m of path", .rate = "on change", .writers = {"pHelm"}});
