@@ -56,16 +56,16 @@ std::vector<ProcessSample> SamplesOf(const ParameterSpace& space,
   return samples;
 }
 
-bool IsTried(const std::vector<Contender>& flown, const std::vector<Setting>& chosen,
-             const Setting& setting) {
+bool IsTried(const std::vector<Contender>& flown, const std::vector<SettingValues>& chosen,
+             const SettingValues& setting) {
   return std::ranges::find(flown, setting, &Contender::setting) != flown.end() ||
          std::ranges::find(chosen, setting) != chosen.end();
 }
 
 /// Places all over the space and around the best.
-std::vector<Setting> Places(const ParameterSpace& space, const Eigen::VectorXd& best,
-                            std::uint64_t seed) {
-  std::vector<Setting> places = space.Spread(kPlacesTried, seed);
+std::vector<SettingValues> Places(const ParameterSpace& space, const Eigen::VectorXd& best,
+                                  std::uint64_t seed) {
+  std::vector<SettingValues> places = space.Spread(kPlacesTried, seed);
   Random random(seed, "near the best");
   for (int i = 0; i < kPlacesNearBest; ++i) {
     Eigen::VectorXd near = best;
@@ -82,10 +82,11 @@ const ProcessSample& LeastOf(const std::vector<ProcessSample>& samples) {
 
 }  // namespace
 
-std::vector<Setting> MostPromising(const ParameterSpace& space, const std::vector<Contender>& flown,
-                                   int count, std::uint64_t seed) {
+std::vector<SettingValues> MostPromising(const ParameterSpace& space,
+                                         const std::vector<Contender>& flown, int count,
+                                         std::uint64_t seed) {
   std::vector<ProcessSample> samples = SamplesOf(space, flown);
-  std::vector<Setting> chosen;
+  std::vector<SettingValues> chosen;
   const ProcessShape shape = GaussianProcess::Fitted(samples).shape();
   for (int i = 0; i < count; ++i) {
     const GaussianProcess process(samples, shape);
@@ -93,11 +94,11 @@ std::vector<Setting> MostPromising(const ParameterSpace& space, const std::vecto
     double least = std::numeric_limits<double>::infinity();
     for (const ProcessSample& sample : samples)
       least = std::min(least, process.At(sample.x).mean);
-    const Setting* next = nullptr;
+    const SettingValues* next = nullptr;
     double greatest = -1.0;
-    const std::vector<Setting> places =
+    const std::vector<SettingValues> places =
         Places(space, LeastOf(samples).x, MixSeed(seed, "places " + std::to_string(i)));
-    for (const Setting& place : places) {
+    for (const SettingValues& place : places) {
       if (IsTried(flown, chosen, place)) continue;
       const double gain = ExpectedImprovement(process.At(space.SharesOf(place)), least);
       if (gain > greatest) {

@@ -13,8 +13,8 @@ namespace limpet {
 /// they spread. The process stands for the mean paired difference from the default, its errors
 /// from the runs' own scatter. Settings that broke the constraints count as the worst seen. Fewer
 /// than `count` when all levels are tried.
-[[nodiscard]] std::vector<Setting> MostPromising(const ParameterSpace& space,
-                                                 const std::vector<Contender>& flown, int count,
-                                                 std::uint64_t seed);
+[[nodiscard]] std::vector<SettingValues> MostPromising(const ParameterSpace& space,
+                                                       const std::vector<Contender>& flown,
+                                                       int count, std::uint64_t seed);
 
 }  // namespace limpet

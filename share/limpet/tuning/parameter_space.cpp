@@ -57,37 +57,37 @@ std::string VariedParameter::Text() const {
                      levels > 0 ? fmt::format(":{}", levels) : "");
 }
 
-std::vector<std::string> ParameterSpace::TextsOf(const Setting& setting) const {
+std::vector<std::string> ParameterSpace::TextsOf(const SettingValues& setting) const {
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < parameters_.size(); ++i)
     texts.push_back(parameters_[i].name + "=" + TextOf(setting[i]));
   return texts;
 }
 
-Setting ParameterSpace::At(const Eigen::VectorXd& shares) const {
-  Setting setting;
+SettingValues ParameterSpace::At(const Eigen::VectorXd& shares) const {
+  SettingValues setting;
   for (std::size_t i = 0; i < parameters_.size(); ++i)
     setting.push_back(parameters_[i].ValueAt(shares(static_cast<Eigen::Index>(i))));
   return setting;
 }
 
-Eigen::VectorXd ParameterSpace::SharesOf(const Setting& setting) const {
+Eigen::VectorXd ParameterSpace::SharesOf(const SettingValues& setting) const {
   Eigen::VectorXd shares(static_cast<Eigen::Index>(parameters_.size()));
   for (std::size_t i = 0; i < parameters_.size(); ++i)
     shares(static_cast<Eigen::Index>(i)) = parameters_[i].ShareOf(setting[i]);
   return shares;
 }
 
-Expected<std::vector<Setting>> ParameterSpace::Grid() const {
-  std::vector<Setting> settings{{}};
+Expected<std::vector<SettingValues>> ParameterSpace::Grid() const {
+  std::vector<SettingValues> settings{{}};
   for (const VariedParameter& parameter : parameters_) {
     const int levels = parameter.levels > 0 ? parameter.levels : kGridLevels;
     if (settings.size() * static_cast<std::size_t>(levels) > kMostSettings) {
       return Error{fmt::format("a grid of more than {} settings; fewer levels, or --method random",
                                kMostSettings)};
     }
-    std::vector<Setting> more;
-    for (const Setting& setting : settings) {
+    std::vector<SettingValues> more;
+    for (const SettingValues& setting : settings) {
       for (int level = 0; level < levels; ++level) {
         more.push_back(setting);
         more.back().push_back(parameter.ValueAt(static_cast<double>(level) / (levels - 1)));
@@ -98,8 +98,8 @@ Expected<std::vector<Setting>> ParameterSpace::Grid() const {
   return settings;
 }
 
-std::vector<Setting> ParameterSpace::Spread(int count, std::uint64_t seed) const {
-  std::vector<Setting> settings(static_cast<std::size_t>(count));
+std::vector<SettingValues> ParameterSpace::Spread(int count, std::uint64_t seed) const {
+  std::vector<SettingValues> settings(static_cast<std::size_t>(count));
   for (const VariedParameter& parameter : parameters_) {
     Random random(seed, "spread of " + parameter.name);
     std::vector<int> parts(static_cast<std::size_t>(count));
@@ -111,8 +111,8 @@ std::vector<Setting> ParameterSpace::Spread(int count, std::uint64_t seed) const
       settings[i].push_back(parameter.ValueAt(share));
     }
   }
-  std::vector<Setting> unique;
-  for (const Setting& setting : settings) {
+  std::vector<SettingValues> unique;
+  for (const SettingValues& setting : settings) {
     if (std::ranges::find(unique, setting) == unique.end()) unique.push_back(setting);
   }
   return unique;

@@ -30,7 +30,7 @@ struct VariedParameter {
 };
 
 /// One value per varied parameter, in their order.
-using Setting = std::vector<double>;
+using SettingValues = std::vector<double>;
 
 /// All settings that may be tried.
 class ParameterSpace {
@@ -40,17 +40,17 @@ class ParameterSpace {
 
   [[nodiscard]] const std::vector<VariedParameter>& parameters() const { return parameters_; }
   /// As options of a survey: `owner.key=value`.
-  [[nodiscard]] std::vector<std::string> TextsOf(const Setting& setting) const;
-  [[nodiscard]] Setting At(const Eigen::VectorXd& shares) const;
+  [[nodiscard]] std::vector<std::string> TextsOf(const SettingValues& setting) const;
+  [[nodiscard]] SettingValues At(const Eigen::VectorXd& shares) const;
   /// Each coordinate in shares of its range, outside of 0 to 1 where the value is out of range.
-  [[nodiscard]] Eigen::VectorXd SharesOf(const Setting& setting) const;
+  [[nodiscard]] Eigen::VectorXd SharesOf(const SettingValues& setting) const;
 
   /// Every combination of levels, the last parameter's running fastest; a parameter without levels
   /// has kGridLevels. Complains beyond kMostSettings.
-  [[nodiscard]] Expected<std::vector<Setting>> Grid() const;
+  [[nodiscard]] Expected<std::vector<SettingValues>> Grid() const;
   /// A Latin hypercube: each parameter's range in `count` equal parts, one setting in each. Equal
   /// settings, which levels can make, are told once.
-  [[nodiscard]] std::vector<Setting> Spread(int count, std::uint64_t seed) const;
+  [[nodiscard]] std::vector<SettingValues> Spread(int count, std::uint64_t seed) const;
 
   static constexpr int kGridLevels = 5;
   static constexpr std::size_t kMostSettings = 10000;

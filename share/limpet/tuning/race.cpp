@@ -55,8 +55,8 @@ Race::Race(const RaceRules& rules, Contender by_default, Fly fly)
   contenders_.push_back(std::move(by_default));
 }
 
-void Race::Enter(const std::vector<Setting>& settings) {
-  for (const Setting& setting : settings)
+void Race::Enter(const std::vector<SettingValues>& settings) {
+  for (const SettingValues& setting : settings)
     contenders_.push_back({.setting = setting});
 }
 

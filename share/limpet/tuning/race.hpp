@@ -23,7 +23,7 @@ struct RunOutcome {
 /// A setting in the race, with what its runs gave: one per seed, all settings in the same order of
 /// seeds. The mission as it stands (the default) is the first contender and is never eliminated.
 struct Contender {
-  Setting setting;  ///< of the default: what the mission says
+  SettingValues setting;  ///< of the default: what the mission says
   bool is_default = false;
   std::vector<RunOutcome> outcomes{};
   std::string eliminated{};  ///< why; empty: still in the race
@@ -59,7 +59,7 @@ class Race {
                                                     const std::vector<Flight>&)>;
   Race(const RaceRules& rules, Contender by_default, Fly fly);
 
-  void Enter(const std::vector<Setting>& settings);
+  void Enter(const std::vector<SettingValues>& settings);
   /// Until every contender is eliminated or has all its runs. False if interrupted.
   [[nodiscard]] bool Run();
 
