@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/limpet/verbs/tune_live.hpp"
 
+#include <cctype>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -48,6 +49,12 @@ fs::path MissionFileOf(const std::string& word) {
   return fs::is_directory(word) ? fs::path(word) / "mission.moos" : fs::path(word);
 }
 
+std::string UpperCase(std::string text) {
+  for (char& c : text)
+    c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
 /// A behavior's parameter that can be changed while it runs.
 TunedPlace LivePlace(const MissionReading& reading, const std::string& name) {
   TunedPlace place = FindTunedPlace(reading, name);
@@ -57,9 +64,9 @@ TunedPlace LivePlace(const MissionReading& reading, const std::string& name) {
   }
   if (place.updates.empty()) {
     throw ConfigError({place.block, place.owner,
-                       fmt::format("takes no updates: put `updates = {}_UPDATES` into its block "
-                                   "and start the mission again",
-                                   place.owner)});
+                       fmt::format("takes no updates: put e.g. `updates = {}_UPDATES` into its "
+                                   "block and start the mission again",
+                                   UpperCase(place.owner))});
   }
   return place;
 }

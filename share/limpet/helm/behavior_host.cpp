@@ -193,11 +193,15 @@ std::vector<HelmPost> BehaviorHost::InitialPosts() const {
 void BehaviorHost::SetVariable(const std::string& name, const Value& value) {
   variables_.insert_or_assign(name, value);
   const auto* text = std::get_if<std::string>(&value);
-  for (const auto& hosted : hosted_) {
-    if (text != nullptr && !hosted->updates_variable.empty() && hosted->updates_variable == name &&
-        hosted->last_update != *text) {
-      hosted->last_update = *text;
-      ApplyUpdate(*hosted, *text);
+  for (std::size_t i = 0; i < hosted_.size(); ++i) {
+    Hosted& hosted = *hosted_[i];
+    if (text != nullptr && !hosted.updates_variable.empty() && hosted.updates_variable == name &&
+        hosted.last_update != *text) {
+      hosted.last_update = *text;
+      ApplyUpdate(hosted, *text);
+      // Told also by a helm that stands still, for want of navigation.
+      statuses_[i].good_updates = hosted.good_updates;
+      statuses_[i].updates = hosted.updates;
     }
   }
 }

@@ -169,6 +169,9 @@ void Sweep::Take(const SweepTask& task, int exit_code) {
   if (plan_.keeps_runs) return;
   fs::remove_all(WorkFolder(task));
   fs::remove(log);
+  std::error_code not_empty;  // other seeds run there
+  for (fs::path empty = log.parent_path(); empty != plan_.out; empty = empty.parent_path())
+    fs::remove(empty, not_empty);
 }
 
 }  // namespace limpet

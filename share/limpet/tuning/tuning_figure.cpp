@@ -130,7 +130,7 @@ void DrawCoordinate(SvgCanvas& canvas, const Coordinate& coordinate, double top)
     const double y = bottom - coordinate.Share(tick) * kCoordinatesHeight;
     canvas.Line({x - 4.0, y}, {x + 4.0, y}, {.stroke = palette::kMuted, .width = 1.0});
     canvas.Text({x - 8.0, y + 4.0}, TickText(tick),
-                {.size = 11.0, .anchor = Anchor::kEnd, .fill = palette::kMuted});
+                {.size = 11.0, .anchor = Anchor::kEnd, .fill = palette::kMuted, .has_halo = true});
   }
 }
 
