@@ -93,7 +93,8 @@ void HelmDrawing::DrawDecision(const ViewDecision& decision) {
                          .vertex_color = "invisible",
                          .edge_size = 2.0}});
   std::vector<Shape> others;
-  for (std::size_t i = 1; i < decision.bids.options.size(); ++i) {
+  constexpr std::size_t kShown = 5;
+  for (std::size_t i = 1; i < std::min(decision.bids.options.size(), kShown); ++i) {
     others.push_back(OptionEnd(Label(fmt::format("option_{}", i)), decision.bids.options[i]));
   }
   board_.Replace(Label("option_"), others);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What an operator sees of the helm.
 #include <algorithm>
+#include <ranges>
 
 #include <fmt/format.h>
 
@@ -15,8 +16,9 @@ std::string TextOr(const std::optional<double>& value, int decimals, const char*
 }
 
 void AddOptions(const HelmBids& bids, ReportLines& report) {
+  constexpr std::ptrdiff_t kShown = 5;
   ReportTable options({"option", ">length", ">worth", ">per metre", ">north", ">east"});
-  for (const BiddenOption& option : bids.options) {
+  for (const BiddenOption& option : bids.options | std::views::take(kShown)) {
     const bool is_vetoed =
         std::ranges::any_of(option.bids, [](const OptionBid& bid) { return bid.has_veto; });
     options.AddRow({option.source, fmt::format("{:.1f}", option.length),

@@ -14,15 +14,6 @@
 #include "limpet/survey/survey_area_warnings.hpp"
 
 namespace limpet {
-namespace {
-
-Binary BinaryOf(const std::string& bytes) {
-  const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
-  return {first, first + bytes.size()};
-}
-
-}  // namespace
-
 MapApp::MapApp(const AppContext& context, const Params& params)
     : App(context),
       params_(params),
@@ -184,9 +175,8 @@ void MapApp::OnPrior(const Stamped<SessionPrior>& prior) {
   statuses_.SetFormer(prior.value.opis);
 }
 
-void MapApp::OnPriorMap(const Stamped<Binary>& prior) {
-  const Expected<SemanticOctree> former = SemanticOctree::Parse(
-      {reinterpret_cast<const char*>(prior.value.data()), prior.value.size()});
+void MapApp::OnPriorMap(const Stamped<PackedBytes>& prior) {
+  const Expected<SemanticOctree> former = SemanticOctree::Parse(prior.value.bytes);
   if (!former) {
     Warn(warnings::kFormerMap,
          "the former session's voxels are not taken over: it kept " + former.error().text);
@@ -338,8 +328,8 @@ void MapApp::OnSnapshotRequest(const Stamped<std::string>&) {
   map_.SetFormerOffset(statuses_.offset());
   const SemanticOctree& octree =
       map_.Octree([this](const VoxelKey& key) { return ground_looks_.LogOdds(key); });
-  Publish(topics::kMapDepths, BinaryOf(map_.beams().depths().Serialize()));
-  Publish(topics::kMapSnapshot, BinaryOf(octree.Serialize()));
+  Publish(topics::kMapDepths, PackedBytes{map_.beams().depths().Serialize()});
+  Publish(topics::kMapSnapshot, PackedBytes{octree.Serialize()});
 }
 
 LIMPET_REGISTER_APP(MapApp, "pMap", 4.0);

@@ -41,7 +41,7 @@ class MapApp final : public App {
   void OnTrackShift(const Stamped<TrackShift>& shift);
   void OnLandmarks(const Stamped<Landmarks>& landmarks);
   void OnPrior(const Stamped<SessionPrior>& prior);
-  void OnPriorMap(const Stamped<Binary>& prior);
+  void OnPriorMap(const Stamped<PackedBytes>& prior);
   void OnGridRequest(const Stamped<std::string>& cause);
   /// Tells the operator of frames that are left out where frames should count.
   void WarnOfDrop(const std::optional<FrameDrop>& drop);

@@ -30,15 +30,6 @@ void AddExports(const std::string& map, SessionFiles& files) {
   files["export/map.csv"] = ToCsv(*octree);
 }
 
-std::string TextOf(const Binary& bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-Binary BinaryOf(const std::string& text) {
-  const auto* first = reinterpret_cast<const std::byte*>(text.data());
-  return {first, first + text.size()};
-}
-
 /// A behavior file as the helm reads it; as it is if its plugs are wrong, which the helm says.
 std::string WithPlugs(const std::string& text, const std::filesystem::path& file) {
   try {
@@ -180,11 +171,13 @@ void SessionApp::StartSaving(const std::string& cause, Seconds now) {
   Publish(topics::kMapSnapshotRequest, cause);
 }
 
-void SessionApp::OnDepths(const Stamped<Binary>& depths) { memory_.depths = TextOf(depths.value); }
+void SessionApp::OnDepths(const Stamped<PackedBytes>& depths) {
+  memory_.depths = depths.value.bytes;
+}
 
-void SessionApp::OnSnapshot(const Stamped<Binary>& map) {
+void SessionApp::OnSnapshot(const Stamped<PackedBytes>& map) {
   ClearWarning(warnings::kMapSilent);
-  memory_.map = TextOf(map.value);
+  memory_.map = map.value.bytes;
   if (pending_) {
     Commit(pending_->cause, map.time);
   }
@@ -195,7 +188,7 @@ void SessionApp::Tick(Seconds now) {
     Publish(topics::kSessionPrior, *prior_);
     prior_.reset();
     if (!prior_map_.empty()) {
-      Publish(topics::kSessionPriorMap, BinaryOf(prior_map_));
+      Publish(topics::kSessionPriorMap, PackedBytes{prior_map_});
       prior_map_.clear();
     }
   }

@@ -45,8 +45,8 @@ class SessionApp final : public App {
   void OnChips(const Stamped<ImageChips>& chips) { chips_.Add(chips.value); }
   void OnTrackShift(const Stamped<TrackShift>& shift);
   void OnWater(const Stamped<WaterRecord>& water) { memory_.water = water.value; }
-  void OnDepths(const Stamped<Binary>& depths);
-  void OnSnapshot(const Stamped<Binary>& map);
+  void OnDepths(const Stamped<PackedBytes>& depths);
+  void OnSnapshot(const Stamped<PackedBytes>& map);
   void OnSave(const Stamped<std::string>& cause);
   void LoadFormer();
   void CopyMission();

@@ -25,7 +25,7 @@
 
 #include "estimation/replay/bounded_input.hpp"
 #include "estimation/replay/csv_fields.hpp"
-#include "estimation/replay/gzip_bytes.hpp"
+#include "limpet/packing/gzip_bytes.hpp"
 #include "estimation/replay/rawlog.hpp"
 #include "estimation/replay/rawlog_form.hpp"
 #include "estimation/replay/rawlog_scan.hpp"

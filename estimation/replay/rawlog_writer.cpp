@@ -12,7 +12,7 @@
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/serialization/CArchive.h>
 
-#include "estimation/replay/gzip_bytes.hpp"
+#include "limpet/packing/gzip_bytes.hpp"
 #include "estimation/replay/rawlog.hpp"
 #include "estimation/replay/rawlog_form.hpp"
 

@@ -5,6 +5,7 @@
 
 #include "limpet/topics/chips.hpp"
 #include "limpet/topics/mapping.hpp"
+#include "limpet/topics/packed_bytes.hpp"
 #include "limpet/topics/sensors.hpp"
 
 namespace {
@@ -24,5 +25,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   RoundTrip<limpet::CameraFrame>(bytes);
   RoundTrip<limpet::GridDelta>(bytes);
   RoundTrip<limpet::ImageChips>(bytes);
+  RoundTrip<limpet::PackedBytes>(bytes);
   return 0;
 }

@@ -86,7 +86,7 @@ HelmPath PathAhead(const Point& p, int id, const std::string& purpose) {
 
 /// Every fifth path is for an object; what offered it is the same beam.
 HelmBids BidsFor(const HelmPath& path, bool is_look) {
-  HelmBids bids{path.id, "path end", 120, {}};
+  HelmBids bids{.path_id = path.id, .cause = "path end", .considered = 120, .options = {}};
   for (int i = 0; i < 4; ++i) {
     const double turn = path.yaw + 0.35 * (i - 1);
     BiddenOption option;

@@ -11,7 +11,7 @@
 #include "apps/limpet/cli.hpp"
 #include "estimation/mapping/map_export.hpp"
 #include "estimation/mapping/semantic_octree.hpp"
-#include "estimation/replay/gzip_bytes.hpp"
+#include "limpet/packing/gzip_bytes.hpp"
 #include "estimation/scene/map_scene.hpp"
 #include "limpet/console/command_output.hpp"
 #include "limpet/core/config.hpp"

@@ -16,6 +16,7 @@
 #include "apps/limpet/verbs/survey.hpp"
 #include "apps/limpet/verbs/tables.hpp"
 #include "apps/limpet/verbs/tune.hpp"
+#include "apps/limpet/verbs/why.hpp"
 #include "apps/limpet/verbs/work.hpp"
 
 namespace limpet {
@@ -39,6 +40,7 @@ const std::vector<Verb>& Verbs() {
       {"poke", "write variables of a community and read them back", RunPokeVerb},
       {"play", "play a log into a community", RunPlayVerb},
       {"log", "look into a log: scan, stat, grep, clip, csv, recover, rawlog", RunLog},
+      {"why", "why the helm did what it did, from a log or live", RunWhy},
       {"map", "a saved session's map: info, export, diff", RunMap},
       {"plug", "expand a mission template, as nsplug does", RunPlug},
   };

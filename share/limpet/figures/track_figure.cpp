@@ -2,14 +2,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "limpet/decision/deciding_bid.hpp"
 #include "limpet/figures/figures.hpp"
 #include "limpet/figures/map_axes.hpp"
 #include "limpet/figures/map_symbols.hpp"
-#include "limpet/scoring/deciding_bid.hpp"
 
 namespace limpet {
 namespace {
@@ -54,13 +55,10 @@ std::string_view PurposeColor(BidPurpose purpose) {
   return palette::kHalo;
 }
 
-/// The few options with the highest totals: more lines would hide the track.
-std::vector<BiddenOption> BestOf(std::vector<BiddenOption> options) {
+/// The best few options: more lines would hide the track.
+std::span<const BiddenOption> BestOf(const std::vector<BiddenOption>& options) {
   constexpr std::size_t kDrawn = 3;
-  std::stable_sort(options.begin(), options.end(),
-                   [](const auto& a, const auto& b) { return a.total > b.total; });
-  if (options.size() > kDrawn) options.resize(kDrawn);
-  return options;
+  return std::span(options).first(std::min(options.size(), kDrawn));
 }
 
 void DrawDecisions(MapAxes& map, const std::vector<DecisionRecord>& decisions) {

@@ -5,14 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "limpet/decision/merit.hpp"
+
 namespace limpet {
 namespace {
 
-constexpr double kShortestUnit = 1.0;  // [m]: an option of no length must not divide by zero
-
 struct ValuedOption {
-  std::size_t index = 0;
-  bool has_veto = false;
+  std::size_t index = 0;  ///< among those offered
   BiddenOption bidden;
 };
 
@@ -31,48 +30,45 @@ ValuedOption ValueOption(std::span<const WeightedBehavior> behaviors, const Situ
                          const Option& option, std::size_t index, SeenAlong& seen) {
   const Prospect prospect{.option = &option, .seen = seen(option.path)};
   const Pose2 end = option.path.end();
-  ValuedOption valued{.index = index, .has_veto = false, .bidden = {}};
-  valued.bidden.source = option.source;
-  valued.bidden.length = option.path.length();
-  valued.bidden.end = {end.north, end.east};
+  BiddenOption bidden;
+  bidden.source = option.source;
+  bidden.length = option.path.length();
+  bidden.end = {end.north, end.east};
   for (const WeightedBehavior& running : behaviors) {
     const std::optional<Bid> bid = running.behavior->Value(prospect, now);
     if (!bid) {
       continue;
     }
-    valued.has_veto = valued.has_veto || bid->veto.has_value();
-    valued.bidden.total += running.weight * bid->value;
-    valued.bidden.bids.push_back({.behavior = running.name,
-                                  .value = bid->value,
-                                  .weight = running.weight,
-                                  .has_veto = bid->veto.has_value(),
-                                  .why = WhyText(*bid)});
+    bidden.bids.push_back({.behavior = running.name,
+                           .value = bid->value,
+                           .weight = running.weight,
+                           .has_veto = bid->veto.has_value(),
+                           .why = WhyText(*bid)});
   }
-  valued.bidden.rate = valued.bidden.total / std::max(valued.bidden.length, kShortestUnit);
-  return valued;
+  bidden.total = TotalOf(bidden.bids);
+  bidden.rate = RateOf(bidden.total, bidden.length);
+  return {.index = index, .bidden = std::move(bidden)};
 }
 
 }  // namespace
 
 ViewDecision DecideView(std::span<const WeightedBehavior> behaviors, const Situation& now,
-                        std::vector<Option> options, SeenAlong& seen, const DecisionRule& rule) {
+                        std::vector<Option> options, SeenAlong& seen, OptionOrder order) {
   std::vector<ValuedOption> valued;
   for (std::size_t i = 0; i < options.size(); ++i) {
     valued.push_back(ValueOption(behaviors, now, options[i], i, seen));
   }
-  const auto merit = [&rule](const ValuedOption& option) {
-    return rule.order == OptionOrder::kPerMetre ? option.bidden.rate : option.bidden.total;
-  };
-  std::ranges::stable_sort(valued, [&merit](const ValuedOption& a, const ValuedOption& b) {
-    return a.has_veto != b.has_veto ? b.has_veto : merit(a) > merit(b);
+  std::ranges::stable_sort(valued, [order](const ValuedOption& a, const ValuedOption& b) {
+    return IsBetter(a.bidden, b.bidden, order);
   });
   ViewDecision decision;
   decision.bids.considered = static_cast<int>(options.size());
-  if (!valued.empty() && !valued.front().has_veto) {
-    decision.chosen = std::move(options[valued.front().index]);
+  decision.bids.order = order;
+  for (ValuedOption& option : valued) {
+    decision.bids.options.push_back(std::move(option.bidden));
   }
-  for (std::size_t i = 0; i < std::min(valued.size(), static_cast<std::size_t>(rule.listed)); ++i) {
-    decision.bids.options.push_back(std::move(valued[i].bidden));
+  if (const std::optional<std::size_t> chosen = ChoiceOf(decision.bids)) {
+    decision.chosen = std::move(options[valued[*chosen].index]);
   }
   return decision;
 }

@@ -24,21 +24,10 @@ struct ViewDecision {
   HelmBids bids;
 };
 
-/// How options of different length are compared.
-enum class OptionOrder {
-  kPerMetre,  ///< by the sum of bids per metre of option: what follows a short one counts too
-  kBySum      ///< by the sum alone
-};
-struct DecisionRule {
-  OptionOrder order = OptionOrder::kPerMetre;
-  int listed = 5;  ///< options that go into the bids, at most
-};
-
 /// "Where next": every running behavior values every option; values times weights are added, vetoed
-/// options dropped, the best taken; among equals the first offered. HELM_BIDS lists the best few
-/// and says how many were valued.
+/// options dropped, the best taken; among equals the first offered. HELM_BIDS lists all of them.
 [[nodiscard]] ViewDecision DecideView(std::span<const WeightedBehavior> behaviors,
                                       const Situation& now, std::vector<Option> options,
-                                      SeenAlong& seen, const DecisionRule& rule = {});
+                                      SeenAlong& seen, OptionOrder order = OptionOrder::kPerMetre);
 
 }  // namespace limpet

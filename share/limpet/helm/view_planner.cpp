@@ -132,7 +132,7 @@ std::optional<ViewDecision> ViewPlanner::DecideIfDue(std::span<const WeightedBeh
   survey_.UpdateGround();
   const Situation situation = SituationOf(nav, now);
   ViewDecision decision = DecideView(running, situation, search_.Gather(running, situation),
-                                     survey_.seen(), {.order = preset_.order});
+                                     survey_.seen(), preset_.order);
   are_interests_due_ = true;
   objects_changed_ = false;
   decided_by_.clear();

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "estimation/replay/gzip_bytes.hpp"
+#include "limpet/packing/gzip_bytes.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/recordings/ros_table.hpp"
 

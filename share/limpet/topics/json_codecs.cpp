@@ -231,7 +231,28 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OptionBid, behavior, value, weight, has_veto,
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BiddenOption, source, length, total, rate, end, bids)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RevisitInterest, id, state, worth, fruitless)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmRevisits, objects)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmBids, path_id, cause, considered, options)
+
+constexpr const char* kByRate = "rate";
+constexpr const char* kByTotal = "total";
+
+void to_json(nlohmann::json& out, const HelmBids& bids) {
+  out = {{"path_id", bids.path_id},
+         {"cause", bids.cause},
+         {"considered", bids.considered},
+         {"ranked_by", bids.order == OptionOrder::kBySum ? kByTotal : kByRate},
+         {"options", bids.options}};
+}
+
+/// A log that does not say by what options were ranked is an old one: it was by rate.
+void from_json(const nlohmann::json& in, HelmBids& bids) {
+  static const nlohmann::json kOrders = {{kByRate, false}, {kByTotal, true}};
+  const bool is_by_sum = kOrders.at(in.value("ranked_by", std::string(kByRate)));
+  bids = {.path_id = in.at("path_id"),
+          .cause = in.at("cause"),
+          .considered = in.at("considered"),
+          .order = is_by_sum ? OptionOrder::kBySum : OptionOrder::kPerMetre,
+          .options = in.at("options")};
+}
 
 template <class T>
 Value JsonCodec<T>::Encode(const T& value) {

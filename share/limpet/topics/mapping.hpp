@@ -10,6 +10,7 @@
 #include "limpet/core/message.hpp"
 #include "limpet/objects/frame.hpp"
 #include "limpet/objects/object_estimate.hpp"
+#include "limpet/topics/packed_bytes.hpp"
 #include "limpet/topics/topic.hpp"
 
 namespace limpet {
@@ -153,10 +154,10 @@ inline const auto kWaterState = Declare<WaterVisibility>(
 inline const auto kWaterRecord =
     Declare<WaterRecord>("WATER_RECORD", "what a session keeps of its water",
                          {.unit = "m", .rate = "on MAP_SNAPSHOT_REQUEST", .writers = {"pMap"}});
-inline const auto kMapDepths = Declare<Binary>(
+inline const auto kMapDepths = Declare<PackedBytes>(
     "MAP_DEPTHS", "depth of the seabed by columns, as text of depths.csv (docs/map-files.md)",
     {.unit = "m", .frame = "NED", .rate = "before each MAP_SNAPSHOT", .writers = {"pMap"}});
-inline const auto kMapSnapshot = Declare<Binary>(
+inline const auto kMapSnapshot = Declare<PackedBytes>(
     "MAP_SNAPSHOT", "whole semantic octree",
     {.unit = "m", .frame = "NED", .rate = "on MAP_SNAPSHOT_REQUEST", .writers = {"pMap"}});
 inline const auto kMapSnapshotRequest =
@@ -165,7 +166,7 @@ inline const auto kMapSnapshotRequest =
 inline const auto kSessionPrior = Declare<SessionPrior>(
     "SESSION_PRIOR", "objects of the loaded former session, and where it looked from",
     {.unit = "m, rad, s", .frame = "NED", .rate = "once", .writers = {"pSession"}});
-inline const auto kSessionPriorMap = Declare<Binary>(
+inline const auto kSessionPriorMap = Declare<PackedBytes>(
     "SESSION_PRIOR_MAP", "semantic octree of the loaded former session, in its frame",
     {.unit = "m", .frame = "NED", .rate = "once", .writers = {"pSession"}});
 inline const auto kSessionSave =

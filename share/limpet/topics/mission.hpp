@@ -62,14 +62,21 @@ struct BiddenOption {
   std::string source;  ///< generator: beam, view_tree, home, ...
   double length = 0.0;
   double total = 0.0;           ///< weighted sum of the bids
-  double rate = 0.0;            ///< total per metre of its length: what decides
+  double rate = 0.0;            ///< total per metre of its length
   std::array<double, 2> end{};  ///< north, east of its end [m]
   std::vector<OptionBid> bids;
+};
+/// How options of different length are compared.
+enum class OptionOrder {
+  kPerMetre,  ///< by the sum of bids per metre of option: what follows a short one counts too
+  kBySum      ///< by the sum alone
 };
 struct HelmBids {
   int path_id = 0;
   std::string cause;   ///< why the helm decided now
-  int considered = 0;  ///< options valued; only the best few are listed
+  int considered = 0;  ///< options valued
+  OptionOrder order = OptionOrder::kPerMetre;
+  /// All of them, best first, vetoed ones last; among equals in the order of their offers.
   std::vector<BiddenOption> options;
 };
 template <>

@@ -101,6 +101,8 @@ template <class T>
     return "string, key=value";
   } else if constexpr (std::derived_from<TopicCodec<T>, JsonCodec<T>>) {
     return "string, JSON";
+  } else if constexpr (requires { TopicCodec<T>::kWireType; }) {
+    return TopicCodec<T>::kWireType;
   } else {
     return "binary";
   }

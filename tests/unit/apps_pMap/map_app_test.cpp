@@ -162,10 +162,9 @@ TEST_F(MapAppTest, SendsItsMapOnRequest) {
   Survey({.north = -1, .east = 0, .length = 10}, {kYellow});
   Confirm({kYellow});
   link_.Send(app_, topics::kMapSnapshotRequest, std::string("test"));
-  const std::optional<Binary> bytes = link_.Last(topics::kMapSnapshot);
-  ASSERT_TRUE(bytes);
-  const Expected<SemanticOctree> map =
-      SemanticOctree::Parse({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+  const std::optional<PackedBytes> sent = link_.Last(topics::kMapSnapshot);
+  ASSERT_TRUE(sent);
+  const Expected<SemanticOctree> map = SemanticOctree::Parse(sent->bytes);
   ASSERT_TRUE(map);
   const std::optional<VoxelBelief> top = map->At(kYellow.ned - Eigen::Vector3d(0, 0, 0.45));
   ASSERT_TRUE(top);
@@ -199,18 +198,15 @@ TEST_F(MapAppTest, TakesBackCoverageOfGroundThatTheTrackTurnsOutNotToHaveShown) 
 TEST_F(MapAppTest, SavesWhatAFormerSessionKnewWithWhatItSeesItself) {
   SemanticOctree former;
   former.Set({3.1, 3.1, 7.5}, {.occupied = 2.0F});
-  const std::string bytes = former.Serialize();
-  const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
-  link_.Send(app_, topics::kSessionPriorMap, Binary{std::byte{'x'}});
+  link_.Send(app_, topics::kSessionPriorMap, PackedBytes{"x"});
   EXPECT_TRUE(app_.warnings().contains("FORMER_MAP"));
-  link_.Send(app_, topics::kSessionPriorMap, Binary(first, first + bytes.size()));
+  link_.Send(app_, topics::kSessionPriorMap, PackedBytes{former.Serialize()});
   EXPECT_FALSE(app_.warnings().contains("FORMER_MAP"));
   link_.Send(app_, topics::kNavBeams,
              PosedBeams{.down = 3.5, .b1 = 4.4, .b2 = 4.4, .b3 = 4.4, .b4 = 4.4, .sd_down = {}});
   link_.Send(app_, topics::kMapSnapshotRequest, std::string("test"));
-  const Binary saved = *link_.Last(topics::kMapSnapshot);
-  const Expected<SemanticOctree> map =
-      SemanticOctree::Parse({reinterpret_cast<const char*>(saved.data()), saved.size()});
+  const PackedBytes saved = *link_.Last(topics::kMapSnapshot);
+  const Expected<SemanticOctree> map = SemanticOctree::Parse(saved.bytes);
   ASSERT_TRUE(map);
   EXPECT_EQ(map->At({3.1, 3.1, 7.5})->occupied, 1.0F);
   EXPECT_TRUE(map->At({0.1, 0.1, 3.7})) << "its own beams, too";
@@ -221,8 +217,7 @@ TEST_F(MapAppTest, SavesBeamsAndDepthsWhereTheTrackIsNow) {
   link_.Send(app_, topics::kNavBeams, ping);
   const auto depths = [this] {
     link_.Send(app_, topics::kMapSnapshotRequest, std::string("test"));
-    const Binary bytes = *link_.Last(topics::kMapDepths);
-    return *DepthMap::Parse({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    return *DepthMap::Parse(link_.Last(topics::kMapDepths)->bytes);
   };
   const DepthMap before = depths();
   ASSERT_EQ(before.Columns().size(), 4U);

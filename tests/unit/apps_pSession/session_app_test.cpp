@@ -45,7 +45,7 @@ class SessionAppTest : public ::testing::Test {
     app.Tick(link_.time);
     link_.Send(app, topics::kMapOpis, OneObject());
     link_.Send(app, topics::kSessionSave, std::string("home"));
-    link_.Send(app, topics::kMapSnapshot, Binary{std::byte{1}, std::byte{2}});
+    link_.Send(app, topics::kMapSnapshot, PackedBytes{"12"});
   }
   TemporaryFolder folder_;
   TestLink link_;
@@ -66,7 +66,7 @@ TEST_F(SessionAppTest, KeepsPicturesOfItsObjectsAndOfNothingElse) {
   link_.Send(app, topics::kNavSight, frame);
   link_.Send(app, topics::kMapOpis, OneObject());
   link_.Send(app, topics::kSessionSave, std::string("home"));
-  link_.Send(app, topics::kMapSnapshot, Binary{std::byte{1}});
+  link_.Send(app, topics::kMapSnapshot, PackedBytes{"1"});
   const auto saved = LoadSavedSession(folder_.path() / "discovery", "session");
   ASSERT_EQ(saved.memory.chips.size(), 1U);
   EXPECT_EQ(saved.memory.chips[0].object, 1);
@@ -199,18 +199,17 @@ TEST_F(SessionAppTest, SavesTheMapItAskedFor) {
   Discover();
   EXPECT_EQ(link_.Last(topics::kMapSnapshotRequest), "home");
   EXPECT_EQ(link_.Last(topics::kSessionSaved), "generation=2,cause=home");
-  EXPECT_EQ(LoadSession(folder_.path() / "discovery")->files.at("map.ot"), "\1\2");
+  EXPECT_EQ(LoadSession(folder_.path() / "discovery")->files.at("map.ot"), "12");
 }
 
 TEST_F(SessionAppTest, ExportsTheMapForOtherPrograms) {
   SemanticOctree octree;
   octree.Set({1.1, 2.1, 3.1}, {.occupied = 0.85F, .object = 1.0F, .label = VoxelLabel::kNew});
   const std::string bytes = octree.Serialize();
-  const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
   SessionApp app(Context("discovery"), {});
   app.Tick(link_.time);
   link_.Send(app, topics::kSessionSave, std::string("home"));
-  link_.Send(app, topics::kMapSnapshot, Binary(first, first + bytes.size()));
+  link_.Send(app, topics::kMapSnapshot, PackedBytes{bytes});
   const SessionFiles files = LoadSession(folder_.path() / "discovery")->files;
   EXPECT_THAT(files.at("export/map_color.ot"), ::testing::HasSubstr("id ColorOcTree"));
   EXPECT_THAT(files.at("export/map.ply"), ::testing::HasSubstr("element vertex 1\n"));
@@ -221,7 +220,7 @@ TEST_F(SessionAppTest, HandsOverTheFormerSessionsMapOnce) {
   Discover();  // its map is two bytes
   SessionApp app(Context("change", folder_.path() / "discovery"), {});
   app.Tick(link_.time);
-  EXPECT_EQ(link_.Last(topics::kSessionPriorMap), (Binary{std::byte{1}, std::byte{2}}));
+  EXPECT_EQ(link_.Last(topics::kSessionPriorMap), PackedBytes{"12"});
   const auto told = [this] {
     return std::ranges::count(link_.published, topics::kSessionPriorMap.name,
                               [](const MessagePtr& message) { return message->name; });
@@ -234,8 +233,8 @@ TEST_F(SessionAppTest, KeepsTheDepthsThatCameWithTheMap) {
   SessionApp app(Context("discovery"), {});
   app.Tick(link_.time);
   link_.Send(app, topics::kSessionSave, std::string("home"));
-  link_.Send(app, topics::kMapDepths, Binary{std::byte{'d'}});
-  link_.Send(app, topics::kMapSnapshot, Binary{std::byte{'m'}});
+  link_.Send(app, topics::kMapDepths, PackedBytes{"d"});
+  link_.Send(app, topics::kMapSnapshot, PackedBytes{"m"});
   const SavedSession saved = LoadSavedSession(folder_.path() / "discovery", "session");
   EXPECT_EQ(saved.memory.depths, "d");
   EXPECT_EQ(FilesOf(saved.memory).at("depths.csv"), "d");
@@ -244,11 +243,10 @@ TEST_F(SessionAppTest, KeepsTheDepthsThatCameWithTheMap) {
 /// Over water too deep for the DVL the map stays empty.
 TEST_F(SessionAppTest, ExportsAnEmptyMap) {
   const std::string bytes = SemanticOctree().Serialize();
-  const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
   SessionApp app(Context("discovery"), {});
   app.Tick(link_.time);
   link_.Send(app, topics::kSessionSave, std::string("home"));
-  link_.Send(app, topics::kMapSnapshot, Binary(first, first + bytes.size()));
+  link_.Send(app, topics::kMapSnapshot, PackedBytes{bytes});
   const SessionFiles files = LoadSession(folder_.path() / "discovery")->files;
   EXPECT_THAT(files.at("export/map_color.ot"), ::testing::HasSubstr("id ColorOcTree"));
   EXPECT_THAT(files.at("export/map.ply"), ::testing::HasSubstr("element vertex 0\n"));
@@ -308,7 +306,7 @@ TEST_F(SessionAppTest, SavesWithoutAMapThatDoesNotCome) {
   app.Tick(link_.time + Seconds(3.0));
   EXPECT_EQ(link_.Last(topics::kSessionSaved), "generation=2,cause=home");
   EXPECT_TRUE(app.warnings().contains("MAP_SILENT"));
-  link_.Send(app, topics::kMapSnapshot, Binary{});
+  link_.Send(app, topics::kMapSnapshot, PackedBytes{});
   EXPECT_FALSE(app.warnings().contains("MAP_SILENT"));
 }
 
@@ -319,7 +317,7 @@ TEST_F(SessionAppTest, WarnsWhileItCannotSave) {
   EXPECT_TRUE(app.warnings().contains("SESSION_NOT_SAVED"));
   fs::remove(folder_.path() / "discovery");
   link_.Send(app, topics::kSessionSave, std::string("home"));
-  link_.Send(app, topics::kMapSnapshot, Binary{});
+  link_.Send(app, topics::kMapSnapshot, PackedBytes{});
   EXPECT_FALSE(app.warnings().contains("SESSION_NOT_SAVED"));
   EXPECT_TRUE(LoadSession(folder_.path() / "discovery"));
 }

@@ -10,7 +10,7 @@
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/command_line.hpp"
 #include "estimation/mapping/semantic_octree.hpp"
-#include "estimation/replay/gzip_bytes.hpp"
+#include "limpet/packing/gzip_bytes.hpp"
 #include "limpet/session/durable_file.hpp"
 #include "limpet/session/session_memory.hpp"
 #include "tests/support/temporary_folder.hpp"

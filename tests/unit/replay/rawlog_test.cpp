@@ -17,7 +17,7 @@
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/serialization/CArchive.h>
 
-#include "estimation/replay/gzip_bytes.hpp"
+#include "limpet/packing/gzip_bytes.hpp"
 #include "tests/support/simulated_stream.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -52,7 +52,7 @@ TEST(SessionRecord, KeepsEveryWarningWithItsTimes) {
 
 TEST(SessionRecord, TakesAPathAndItsBidsForOneDecisionInEitherOrder) {
   const HelmPath path{7, 0.0, 0.0, 0.0, {{0.0, 5.0}}, "cover"};
-  const HelmBids bids{7, "arrival", 10, {}};
+  const HelmBids bids{.path_id = 7, .cause = "arrival", .considered = 10, .options = {}};
   for (const bool is_path_first : {true, false}) {
     SessionRecord record("discovery");
     if (is_path_first) record.Collect(MessageOf(topics::kHelmPath, 1.0, path));

@@ -113,7 +113,11 @@ class Maker {
       out.segments.push_back({Real(), Real()});
   }
   void Fill(HelmBids& out) {
-    out = {.path_id = Whole(), .cause = Word(), .considered = Whole(), .options = {}};
+    out = {.path_id = Whole(),
+           .cause = Word(),
+           .considered = Whole(),
+           .order = random_.Chance(0.5) ? OptionOrder::kBySum : OptionOrder::kPerMetre,
+           .options = {}};
     for (std::size_t i = Few(); i > 0; --i) {
       out.options.push_back({.source = Word(),
                              .length = Real(),
@@ -173,7 +177,7 @@ TYPED_TEST(JsonProperty, ComesBackTheSame) {
 TYPED_TEST(JsonProperty, IsNoneWithoutAFieldThatNothingElseSays) {
   // Who reads only these finds them; what is read back follows from the posterior.
   const std::vector<std::string> may_lack{"prior_candidates", "probability", "entropy",
-                                          "visibility_m"};
+                                          "visibility_m", "ranked_by"};
   const Json whole = Json::parse(this->Next());
   Json walked = whole;
   this->EachField(walked, "", [&](const std::string& path) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limpet/scoring/deciding_bid.hpp"
+#include "limpet/decision/deciding_bid.hpp"
 
 #include <gtest/gtest.h>
 

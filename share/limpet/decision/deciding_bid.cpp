@@ -1,43 +1,38 @@
 // SPDX-License-Identifier: MIT
-#include "limpet/scoring/deciding_bid.hpp"
+#include "limpet/decision/deciding_bid.hpp"
 
 #include <algorithm>
 #include <utility>
 
+#include "limpet/decision/merit.hpp"
+
 namespace limpet {
 namespace {
 
-/// What a behavior adds to the rate by which the helm ranks an option.
-double ContributionTo(const BiddenOption& option, const std::string& behavior) {
-  constexpr double kShortest = 1.0;  // as the helm divides [m]
-  for (const OptionBid& bid : option.bids) {
-    if (bid.behavior == behavior)
-      return bid.weight * bid.value / std::max(option.length, kShortest);
-  }
-  return 0.0;
-}
-
-bool HasVeto(const BiddenOption& option) {
-  return std::ranges::any_of(option.bids, [](const OptionBid& bid) { return bid.has_veto; });
+/// What a behavior adds to that by which the helm ranks an option.
+double ContributionTo(const BiddenOption& option, const std::string& behavior, OptionOrder order) {
+  const OptionBid* bid = BidOf(option, behavior);
+  return bid == nullptr ? 0.0 : ShareOf(*bid, option, order);
 }
 
 /// The option that would have won without `behavior`.
 const BiddenOption& WinnerWithout(const HelmBids& bids, const std::string& behavior) {
   const BiddenOption* best = &bids.options.front();
-  const auto rate = [&](const BiddenOption& option) {
-    return option.rate - ContributionTo(option, behavior);
+  const auto merit = [&](const BiddenOption& option) {
+    return MeritOf(option, bids.order) - ContributionTo(option, behavior, bids.order);
   };
   for (const BiddenOption& option : bids.options) {
-    if (!HasVeto(option) && rate(option) > rate(*best) + 1e-9) best = &option;
+    if (VetoOn(option) == nullptr && merit(option) > merit(*best) + 1e-9) best = &option;
   }
   return *best;
 }
 
 double WeightOf(const HelmBids& bids, const std::string& behavior) {
   const BiddenOption& chosen = bids.options.front();
-  const double given = ContributionTo(chosen, behavior);
+  const double given = ContributionTo(chosen, behavior, bids.order);
   const BiddenOption& other = WinnerWithout(bids, behavior);
-  return &other == &chosen ? given : std::max(given, given - ContributionTo(other, behavior));
+  return &other == &chosen ? given
+                           : std::max(given, given - ContributionTo(other, behavior, bids.order));
 }
 
 BidPurpose PurposeOf(const OptionBid& bid) {
@@ -50,14 +45,14 @@ BidPurpose PurposeOf(const OptionBid& bid) {
 
 bool BidsAnything(const HelmBids& bids, const std::string& behavior) {
   return std::ranges::any_of(bids.options, [&](const BiddenOption& option) {
-    return ContributionTo(option, behavior) != 0.0;
+    return ContributionTo(option, behavior, bids.order) != 0.0;
   });
 }
 
 }  // namespace
 
 std::optional<DecidingBid> DecidingBidOf(const HelmBids& bids) {
-  if (bids.options.empty() || HasVeto(bids.options.front())) return std::nullopt;
+  if (!ChoiceOf(bids)) return std::nullopt;
   std::optional<DecidingBid> deciding;
   double most = 0.0;
   for (const OptionBid& bid : bids.options.front().bids) {

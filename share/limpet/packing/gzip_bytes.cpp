@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "estimation/replay/gzip_bytes.hpp"
+#include "limpet/packing/gzip_bytes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,20 +12,30 @@
 
 namespace limpet {
 
-std::string Gzip(std::string_view bytes) {
-  constexpr int kGzipWindow = 15 + 16;        // 16: zlib's sign for a gzip header
-  constexpr std::size_t kAtOnce = 1U << 30U;  // zlib counts in 32 bits
+namespace {
+
+constexpr int kGzipWindow = 15 + 16;        // 16: zlib's sign for a gzip header
+constexpr std::size_t kAtOnce = 1U << 30U;  // zlib counts in 32 bits
+
+/// zlib's interface is older than const.
+Bytef* BytesOf(std::string_view part) {
+  return reinterpret_cast<Bytef*>(const_cast<char*>(part.data()));
+}
+
+}  // namespace
+
+std::string Gzip(std::string_view bytes, Packing packing) {
   z_stream deflater{};
-  const int begun = deflateInit2(&deflater, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kGzipWindow, 8,
-                                 Z_DEFAULT_STRATEGY);
+  const int level = packing == Packing::kFast ? 1 : Z_DEFAULT_COMPRESSION;
+  const int begun =
+      deflateInit2(&deflater, level, Z_DEFLATED, kGzipWindow, 8, Z_DEFAULT_STRATEGY);
   LIMPET_REQUIRE(begun == Z_OK, "zlib has no memory");
   std::string packed;
   std::array<char, 65536> buffer{};
   do {
     const std::string_view part = bytes.substr(0, kAtOnce);
     bytes.remove_prefix(part.size());
-    // zlib's interface is older than const.
-    deflater.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(part.data()));
+    deflater.next_in = BytesOf(part);
     deflater.avail_in = static_cast<uInt>(part.size());
     do {
       deflater.next_out = reinterpret_cast<Bytef*>(buffer.data());
@@ -36,6 +46,36 @@ std::string Gzip(std::string_view bytes) {
   } while (!bytes.empty());
   deflateEnd(&deflater);
   return packed;
+}
+
+bool IsGzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
+
+Expected<std::string> Gunzip(std::string_view packed, std::size_t most) {
+  z_stream inflater{};
+  LIMPET_REQUIRE(inflateInit2(&inflater, kGzipWindow) == Z_OK, "zlib has no memory");
+  std::string bytes;
+  std::array<char, 65536> buffer{};
+  int code = Z_OK;
+  while (code == Z_OK && bytes.size() <= most) {
+    if (inflater.avail_in == 0) {
+      const std::string_view part = packed.substr(0, kAtOnce);
+      packed.remove_prefix(part.size());
+      inflater.next_in = BytesOf(part);
+      inflater.avail_in = static_cast<uInt>(part.size());
+    }
+    inflater.next_out = reinterpret_cast<Bytef*>(buffer.data());
+    inflater.avail_out = static_cast<uInt>(buffer.size());
+    code = inflate(&inflater, Z_NO_FLUSH);
+    bytes.append(buffer.data(), buffer.size() - inflater.avail_out);
+  }
+  inflateEnd(&inflater);
+  if (bytes.size() > most) {
+    return Error{fmt::format("is longer than {} bytes", most)};
+  }
+  if (code != Z_STREAM_END) {
+    return Error{"is damaged or cut short"};
+  }
+  return bytes;
 }
 
 Expected<UnpackedFile> ReadUnpacked(const std::filesystem::path& file, std::size_t most) {

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include "apps/limpet/verbs/why.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/limpet/cli.hpp"
+#include "limpet/console/community.hpp"
+#include "limpet/console/shown_text.hpp"
+#include "limpet/console/tool_frame.hpp"
+#include "limpet/explain/decision_log.hpp"
+#include "limpet/explain/explanation_json.hpp"
+#include "limpet/explain/explanation_text.hpp"
+#include "limpet/log_tools/log_input.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+
+Command WhyForm() {
+  const ValueRule kTime = AnyNumber("seconds since the start of the log");
+  return {
+      .name = "limpet why",
+      .words = "<run | log.alog | mission.moos>",
+      .about = R"(Why the helm goes where it goes: the decision in force, with every option
+that was offered, what each behavior bid on it, why it lost, and for each behavior the smallest
+change of its weight that would have led elsewhere.
+
+  limpet why runs/table1-1 --changes    every decision of the last session, in a line
+  limpet why runs/table1-1 --at 545     what was in force then
+  limpet why missions/table1            of the community that flies it now)",
+      .options = WithAddressOptions(
+          {{.names = "--at", .value = "T", .meaning = "the decision in force then", .rule = kTime},
+           {.names = "--last", .meaning = "the last decision (the default)"},
+           {.names = "--from",
+            .value = "A",
+            .meaning = "every decision from then on",
+            .rule = kTime},
+           {.names = "--to", .value = "B", .meaning = "every decision until then", .rule = kTime},
+           {.names = "--changes", .meaning = "a line for each decision"},
+           {.names = "--session",
+            .value = "NAME",
+            .meaning = "of a run of several sessions (default: the last)",
+            .rule = NotEmpty("a session's name")},
+           {.names = "--json", .meaning = "as JSON; a list with --from, --to or --changes"}}),
+      .more = R"(Times are seconds since the start of the log; of a live community, MOOS time. The
+worth of an option is the sum of bids times weights, in metres of path (nats with the paper's
+planner); the best per metre wins. Exit code 1 if there is no such decision.)",
+      .takes = "one run folder, one log, or one mission",
+      .least_words = 1,
+      .most_words = 1};
+}
+
+/// Decisions, and whose they are.
+struct Source {
+  DecisionLog log;
+  std::string session{};  ///< empty: there is only one
+  std::string place{};    ///< for complaints
+};
+
+bool IsLog(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return name.ends_with(".alog") || name.ends_with(".alog.gz");
+}
+
+/// The session of a log in a run folder: the first folder on the way.
+std::string SessionOf(const fs::path& log, const fs::path& run) {
+  const fs::path way = log.lexically_relative(run);
+  return way.has_parent_path() ? way.begin()->string() : "";
+}
+
+double StartOf(const fs::path& log) {
+  auto reader = AlogReader::Open(log);
+  AlogEntry entry;
+  return reader && reader->Next(entry) ? reader->start().value_or(Seconds(0.0)).value() : 0.0;
+}
+
+struct RunLog {
+  fs::path file;
+  std::string session{};
+};
+
+/// The log of the session asked for, else of the one that began last. Throws UsageError.
+RunLog LogIn(const fs::path& run, const std::optional<std::string>& session) {
+  std::vector<RunLog> logs;
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(run)) {
+    if (entry.is_regular_file() && IsLog(entry.path())) {
+      names.push_back(SessionOf(entry.path(), run));
+      if (!session || names.back() == *session) {
+        logs.push_back({.file = entry.path(), .session = names.back()});
+      }
+    }
+  }
+  if (names.empty()) {
+    throw UsageError(fmt::format("{}: holds no .alog file", run.string()));
+  }
+  if (logs.empty()) {
+    throw UsageError(fmt::format("{}: no session `{}`; nearest: `{}`", run.string(), *session,
+                                 NearestWord(*session, names)));
+  }
+  std::ranges::sort(logs, {}, &RunLog::file);
+  return *std::ranges::max_element(logs, {}, [](const RunLog& log) { return StartOf(log.file); });
+}
+
+Source FromLog(const std::string& word, const std::optional<std::string>& session) {
+  const bool is_run = fs::is_directory(word);
+  if (session && !is_run) {
+    throw UsageError("--session is for run folders; this is a log");
+  }
+  const RunLog log = is_run ? LogIn(word, session) : RunLog{.file = word};
+  LogInput input(log.file.string());
+  Source source{.log = {}, .session = log.session, .place = log.file.string()};
+  AlogLine line;
+  AlogEntry entry;
+  while (input.Next(line, entry)) {
+    if (line.kind == AlogLine::Kind::kEntry) {
+      source.log.Take(entry.name, entry.value, entry.time);
+    }
+  }
+  input.PrintDoubts();
+  return source;
+}
+
+Source FromCommunity(const Arguments& given, const std::string& mission) {
+  const CommunityAddress address = AddressOf(given, mission);
+  Community community(address, OwnName("uWhy"));
+  community.Watch(topics::kHelmBids.name);
+  const auto mail = community.Settle();
+  if (!mail) {
+    throw std::runtime_error(
+        fmt::format("{} did not answer within {:g} s", address.Text(), address.patience.value()));
+  }
+  Source source{.log = {}, .session = {}, .place = address.Text()};
+  for (const auto& [message, heard] : *mail) {
+    if (const auto* text = std::get_if<std::string>(&message.value)) {
+      source.log.Take(message.name, *text, message.time.value());
+    }
+  }
+  return source;
+}
+
+/// What a community cannot say is not asked of it. Throws UsageError.
+Source SourceOf(const Arguments& given) {
+  const std::string& word = given.positionals()[0];
+  if (!IsMissionName(word)) {
+    return FromLog(word, given.Find("session"));
+  }
+  for (const char* option : {"at", "from", "to", "changes", "session"}) {
+    if (given.Has(option)) {
+      throw UsageError(
+          fmt::format("--{} needs a log: a live community knows its last decision only", option));
+    }
+  }
+  return FromCommunity(given, word);
+}
+
+std::vector<LoggedDecision> Between(const DecisionLog& log, const Arguments& given) {
+  std::vector<LoggedDecision> chosen;
+  std::ranges::copy_if(log.decisions(), std::back_inserter(chosen), [&](const auto& decision) {
+    return decision.time >= given.Number("from").value_or(decision.time) &&
+           decision.time <= given.Number("to").value_or(decision.time);
+  });
+  return chosen;
+}
+
+std::vector<Explanation> ExplainAll(const std::vector<LoggedDecision>& decisions) {
+  std::vector<Explanation> explanations;
+  std::ranges::transform(decisions, std::back_inserter(explanations), Explain);
+  return explanations;
+}
+
+int Complain(const std::string& text) {
+  fmt::print(stderr, "limpet why: {}\n", OneLine(text));
+  return kFailed;
+}
+
+int PrintMany(const Source& source, const Arguments& given) {
+  const std::vector<LoggedDecision> decisions = Between(source.log, given);
+  if (decisions.empty()) {
+    return Complain(source.place + ": no decision in that time");
+  }
+  if (given.Has("json")) {
+    fmt::print("{}", JsonOf(ExplainAll(decisions), source.session));
+  } else if (given.Has("changes")) {
+    PrintFrame(ChangesOf(decisions));
+  } else {
+    for (const Explanation& explanation : ExplainAll(decisions)) {
+      PrintFrame(FrameOf(explanation));
+      fmt::print("\n");
+    }
+  }
+  return kOk;
+}
+
+int PrintOne(const Source& source, const Arguments& given) {
+  const auto& decisions = source.log.decisions();
+  const std::optional<double> time = given.Number("at");
+  const LoggedDecision* decision = time ? source.log.InForceAt(*time) : &decisions.back();
+  if (decision == nullptr) {
+    return Complain(fmt::format("{}: no decision yet at {:g} s; the first was at {:.1f} s",
+                                source.place, *time, decisions.front().time));
+  }
+  const Explanation explanation = Explain(*decision);
+  if (given.Has("json")) {
+    fmt::print("{}", JsonOf(explanation, source.session));
+  } else {
+    PrintFrame(FrameOf(explanation));
+  }
+  return kOk;
+}
+
+void CheckTimes(const Arguments& given) {
+  const bool has_range = given.Has("from") || given.Has("to") || given.Has("changes");
+  if (given.Has("at") && (has_range || given.Has("last"))) {
+    throw UsageError("--at is one decision: it goes with none of --last, --from, --to, --changes");
+  }
+  if (given.Has("last") && has_range) {
+    throw UsageError("--last is one decision: it goes with none of --from, --to, --changes");
+  }
+}
+
+int PrintWhy(const Arguments& given) {
+  CheckTimes(given);
+  const Source source = SourceOf(given);
+  if (source.log.unreadable() > 0) {
+    fmt::print(stderr, "limpet why: {}: {} HELM_BIDS cannot be read and are left out\n",
+               OneLine(source.place), source.log.unreadable());
+  }
+  if (source.log.decisions().empty()) {
+    return Complain(source.place + ": no decision of the helm: no HELM_BIDS");
+  }
+  if (!source.session.empty() && !given.Has("json")) {
+    fmt::print("session {}\n\n", OneLine(source.session));
+  }
+  const bool wants_many = given.Has("from") || given.Has("to") || given.Has("changes");
+  return wants_many ? PrintMany(source, given) : PrintOne(source, given);
+}
+
+}  // namespace
+
+int RunWhy(std::span<const std::string> args) { return RunCommand(WhyForm(), args, PrintWhy); }
+
+}  // namespace limpet

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/decision/merit.hpp"
+
+#include <algorithm>
+
+namespace limpet {
+namespace {
+
+constexpr double kShortestUnit = 1.0;  // [m]: an option of no length must not divide by zero
+
+template <class Predicate>
+const OptionBid* FindBid(const BiddenOption& option, Predicate is_it) {
+  const auto found = std::ranges::find_if(option.bids, is_it);
+  return found == option.bids.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+double TotalOf(std::span<const OptionBid> bids) {
+  double total = 0.0;
+  for (const OptionBid& bid : bids) {
+    total += bid.weight * bid.value;
+  }
+  return total;
+}
+
+double RateOf(double total, double length) { return total / std::max(length, kShortestUnit); }
+
+double MeritOf(const BiddenOption& option, OptionOrder order) {
+  return order == OptionOrder::kPerMetre ? option.rate : option.total;
+}
+
+double ShareOf(const OptionBid& bid, const BiddenOption& option, OptionOrder order) {
+  const double part = bid.weight * bid.value;
+  return order == OptionOrder::kPerMetre ? RateOf(part, option.length) : part;
+}
+
+const OptionBid* VetoOn(const BiddenOption& option) {
+  return FindBid(option, [](const OptionBid& bid) { return bid.has_veto; });
+}
+
+const OptionBid* BidOf(const BiddenOption& option, std::string_view behavior) {
+  return FindBid(option, [behavior](const OptionBid& bid) { return bid.behavior == behavior; });
+}
+
+bool IsBetter(const BiddenOption& a, const BiddenOption& b, OptionOrder order) {
+  const bool is_a_vetoed = VetoOn(a) != nullptr;
+  const bool is_b_vetoed = VetoOn(b) != nullptr;
+  return is_a_vetoed != is_b_vetoed ? is_b_vetoed : MeritOf(a, order) > MeritOf(b, order);
+}
+
+std::optional<std::size_t> ChoiceOf(const HelmBids& bids) {
+  std::optional<std::size_t> choice;
+  for (std::size_t i = 0; i < bids.options.size(); ++i) {
+    const BiddenOption& option = bids.options[i];
+    if (VetoOn(option) == nullptr &&
+        (!choice || IsBetter(option, bids.options[*choice], bids.order))) {
+      choice = i;
+    }
+  }
+  return choice;
+}
+
+}  // namespace limpet

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The arithmetic by which an option wins. The helm decides with it, and whoever explains or scores
+// a decision computes it again from the bids: the same operations in the same order, so that the
+// result is the same to the last bit.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "limpet/topics/mission.hpp"
+
+namespace limpet {
+
+/// Sum of values times weights, in the order of the bids [m of path, or nats].
+[[nodiscard]] double TotalOf(std::span<const OptionBid> bids);
+/// `total` per metre of an option; one of less than a metre counts as a metre.
+[[nodiscard]] double RateOf(double total, double length);
+/// What options are ranked by.
+[[nodiscard]] double MeritOf(const BiddenOption& option, OptionOrder order);
+/// A bid's part of its option's merit.
+[[nodiscard]] double ShareOf(const OptionBid& bid, const BiddenOption& option, OptionOrder order);
+
+/// The first veto; null if nobody forbids the option.
+[[nodiscard]] const OptionBid* VetoOn(const BiddenOption& option);
+/// What `behavior` bid; null if it had no opinion.
+[[nodiscard]] const OptionBid* BidOf(const BiddenOption& option, std::string_view behavior);
+/// True if `a` ranks before `b`: vetoed ones last, then by merit.
+[[nodiscard]] bool IsBetter(const BiddenOption& a, const BiddenOption& b, OptionOrder order);
+/// The best option that nobody forbids, among equals the first; nothing if there is none.
+[[nodiscard]] std::optional<std::size_t> ChoiceOf(const HelmBids& bids);
+
+}  // namespace limpet

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/explain/explanation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limpet/core/config.hpp"
+#include "limpet/core/number_text.hpp"
+#include "limpet/decision/merit.hpp"
+
+namespace limpet {
+namespace {
+
+/// `useful=12.30 length=4.00`, as the helm writes reasons. What is no such pair is left out.
+std::vector<NamedPart> PartsOf(const std::string& why) {
+  std::vector<NamedPart> parts;
+  for (const std::string& word : Split(why, ' ')) {
+    const std::size_t equals = word.find('=');
+    if (equals == std::string::npos) {
+      continue;
+    }
+    if (const auto value = ParseNumber(std::string_view(word).substr(equals + 1))) {
+      parts.push_back({.name = word.substr(0, equals), .value = *value});
+    }
+  }
+  return parts;
+}
+
+ExplainedBid Explained(const OptionBid& bid) {
+  return {.behavior = bid.behavior,
+          .value = bid.value,
+          .weight = bid.weight,
+          .veto = bid.has_veto ? std::optional(bid.why) : std::nullopt,
+          .why = bid.has_veto ? std::vector<NamedPart>() : PartsOf(bid.why)};
+}
+
+const char* UnitOf(OptionOrder order) {
+  return order == OptionOrder::kPerMetre ? " per metre" : " in total";
+}
+
+/// What each behavior gives the winner and not this option, the most first.
+std::vector<NamedPart> DeficitsOf(const BiddenOption& option, const BiddenOption& winner,
+                                  const std::vector<std::string>& bidders, OptionOrder order) {
+  const auto share = [order](const BiddenOption& of, const std::string& behavior) {
+    const OptionBid* bid = BidOf(of, behavior);
+    return bid == nullptr ? 0.0 : ShareOf(*bid, of, order);
+  };
+  std::vector<NamedPart> deficits;
+  for (const std::string& behavior : bidders) {
+    deficits.push_back({behavior, share(winner, behavior) - share(option, behavior)});
+  }
+  std::ranges::stable_sort(deficits, std::ranges::greater{}, &NamedPart::value);
+  return deficits;
+}
+
+std::string WhyLost(const BiddenOption& option, const HelmBids& bids, std::size_t chosen,
+                    const std::vector<std::string>& bidders) {
+  const BiddenOption& winner = bids.options[chosen];
+  const double behind = MeritOf(winner, bids.order) - MeritOf(option, bids.order);
+  if (behind <= 0.0) {
+    return "worth the same, and offered later";
+  }
+  const NamedPart most = DeficitsOf(option, winner, bidders, bids.order).front();
+  const bool is_all_of_it = std::abs(most.value - behind) < 0.005 * behind;
+  return fmt::format("{:.3g} less{}, {} {}", behind, UnitOf(bids.order),
+                     is_all_of_it ? "by" : "most by", most.name);
+}
+
+ExplainedOption Explained(const BiddenOption& option) {
+  const OptionBid* veto = VetoOn(option);
+  ExplainedOption explained{
+      .source = option.source,
+      .length = option.length,
+      .end = option.end,
+      .total = option.total,
+      .rate = option.rate,
+      .vetoed_by = veto == nullptr ? std::nullopt : std::optional(veto->behavior),
+      .lost_because = {},
+      .bids = {}};
+  for (const OptionBid& bid : option.bids) {
+    explained.bids.push_back(Explained(bid));
+  }
+  return explained;
+}
+
+}  // namespace
+
+Explanation Explain(const LoggedDecision& decision) {
+  const HelmBids& bids = decision.bids;
+  Explanation explanation{.time = decision.time,
+                          .path_id = bids.path_id,
+                          .cause = bids.cause,
+                          .order = bids.order,
+                          .chosen = ChoiceOf(bids),
+                          .options = {},
+                          .bidders = BiddersOf(bids),
+                          .flips = FlipsOf(bids)};
+  for (std::size_t i = 0; i < bids.options.size(); ++i) {
+    ExplainedOption option = Explained(bids.options[i]);
+    if (const OptionBid* veto = VetoOn(bids.options[i])) {
+      option.lost_because = fmt::format("vetoed by {}: {}", veto->behavior, veto->why);
+    } else if (explanation.chosen && i != *explanation.chosen) {
+      option.lost_because =
+          WhyLost(bids.options[i], bids, *explanation.chosen, explanation.bidders);
+    }
+    explanation.options.push_back(std::move(option));
+  }
+  return explanation;
+}
+
+std::string SummaryOf(const Explanation& explanation) {
+  if (!explanation.chosen) {
+    return fmt::format("nothing, of {} options", explanation.options.size());
+  }
+  const ExplainedOption& chosen = explanation.options[*explanation.chosen];
+  return fmt::format("{}, {:.1f} m, {:.3g} per metre, of {} options", chosen.source, chosen.length,
+                     chosen.rate, explanation.options.size());
+}
+
+}  // namespace limpet

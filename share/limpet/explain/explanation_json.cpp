@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/explain/explanation_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace limpet {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json OrNull(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json Built(const ExplainedBid& bid) {
+  Json why = Json::object();
+  for (const NamedPart& part : bid.why) {
+    why[part.name] = part.value;
+  }
+  return {{"behavior", bid.behavior},
+          {"value", bid.value},
+          {"weight", bid.weight},
+          {"veto", OrNull(bid.veto)},
+          {"why", why}};
+}
+
+Json Built(const ExplainedOption& option) {
+  Json bids = Json::array();
+  for (const ExplainedBid& bid : option.bids) {
+    bids.push_back(Built(bid));
+  }
+  return {{"source", option.source},
+          {"length_m", option.length},
+          {"end_ned_m", option.end},
+          {"total", option.total},
+          {"rate", option.rate},
+          {"vetoed_by", OrNull(option.vetoed_by)},
+          {"lost_because", option.lost_because},
+          {"bids", bids}};
+}
+
+Json Built(const Explanation& explanation, const std::string& session) {
+  Json out;
+  if (!session.empty()) {
+    out["session"] = session;
+  }
+  out["t"] = explanation.time;
+  out["path_id"] = explanation.path_id;
+  out["cause"] = explanation.cause;
+  out["ranked_by"] = explanation.order == OptionOrder::kPerMetre ? "rate" : "total";
+  out["chosen"] = OrNull(explanation.chosen);
+  out["options"] = Json::array();
+  for (const ExplainedOption& option : explanation.options) {
+    out["options"].push_back(Built(option));
+  }
+  out["flips"] = Json::array();
+  for (const Flip& flip : explanation.flips) {
+    out["flips"].push_back(
+        {{"behavior", flip.behavior}, {"weight", flip.new_weight}, {"to", flip.to}});
+  }
+  return out;
+}
+
+/// Names come from other people's files: broken UTF-8 must not throw here.
+std::string Text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string JsonOf(const Explanation& explanation, const std::string& session) {
+  return Text(Built(explanation, session));
+}
+
+std::string JsonOf(std::span<const Explanation> explanations, const std::string& session) {
+  Json list = Json::array();
+  for (const Explanation& explanation : explanations) {
+    list.push_back(Built(explanation, session));
+  }
+  return Text(list);
+}
+
+}  // namespace limpet

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/explain/explanation_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limpet/console/shown_text.hpp"
+#include "limpet/core/decimal_text.hpp"
+#include "limpet/decision/deciding_bid.hpp"
+
+namespace limpet {
+namespace {
+
+using Cell = TextTable::Cell;
+
+/// Names come from other people's files.
+std::string Shown(const std::string& name) { return OneLine(name, 24); }
+
+void Add(const Frame& more, Frame& frame) { frame.insert(frame.end(), more.begin(), more.end()); }
+
+FrameLine Line(const std::string& text, Ink ink = Ink::kPlain) {
+  FrameLine line;
+  line.Add(text, ink);
+  return line;
+}
+
+/// Numbers of a column under its head, at the right.
+class NumberColumn {
+ public:
+  explicit NumberColumn(const std::string& head)
+      : width_(std::max<std::size_t>(8, ColumnsOf(head))) {
+    head_ = std::string(width_ - ColumnsOf(head), ' ') + head;
+  }
+  [[nodiscard]] const std::string& head() const { return head_; }
+  [[nodiscard]] std::string Of(double value, int decimals) const {
+    return fmt::format("{:>{}.{}f}", value + 0.0, width_, decimals);  // no -0.00
+  }
+  [[nodiscard]] std::string None() const { return fmt::format("{:>{}}", "-", width_); }
+
+ private:
+  std::size_t width_;
+  std::string head_;
+};
+
+const ExplainedBid* BidBy(const ExplainedOption& option, const std::string& behavior) {
+  const auto found = std::ranges::find(option.bids, behavior, &ExplainedBid::behavior);
+  return found == option.bids.end() ? nullptr : &*found;
+}
+
+/// `cover x 1`, by the first option on which it bid.
+std::string HeadOf(const std::string& behavior, const Explanation& explanation) {
+  for (const ExplainedOption& option : explanation.options) {
+    if (const ExplainedBid* bid = BidBy(option, behavior)) {
+      return fmt::format("{} x {}", Shown(behavior), DecimalText(bid->weight, 3));
+    }
+  }
+  return Shown(behavior);
+}
+
+Frame OptionTable(const Explanation& explanation) {
+  const NumberColumn length("length"), total("worth"), rate("per metre");
+  std::vector<NumberColumn> columns;
+  for (const std::string& behavior : explanation.bidders) {
+    columns.emplace_back(HeadOf(behavior, explanation));
+  }
+  std::vector<std::string> heads{"", " # option", length.head(), total.head(), rate.head()};
+  for (const NumberColumn& column : columns) {
+    heads.push_back(column.head());
+  }
+  heads.emplace_back("lost because");
+  TextTable table(heads);
+  for (std::size_t i = 0; i < explanation.options.size(); ++i) {
+    const ExplainedOption& option = explanation.options[i];
+    const bool is_chosen = explanation.chosen == i;
+    const Ink ink = is_chosen ? Ink::kGood : option.vetoed_by ? Ink::kFaint : Ink::kPlain;
+    std::vector<Cell> row{{is_chosen ? "->" : "  ", ink},
+                          {fmt::format("{:>2} {}", i, Shown(option.source)), ink},
+                          {length.Of(option.length, 1), ink},
+                          {total.Of(option.total, 2), ink},
+                          {rate.Of(option.rate, 3), ink}};
+    for (std::size_t column = 0; column < columns.size(); ++column) {
+      const ExplainedBid* bid = BidBy(option, explanation.bidders[column]);
+      row.push_back({bid == nullptr ? columns[column].None()
+                                    : columns[column].Of(bid->weight * bid->value, 2),
+                     ink});
+    }
+    row.push_back({OneLine(option.lost_because, 90), ink});
+    table.Add(std::move(row));
+  }
+  return table.Lines();
+}
+
+Frame Reasons(const ExplainedOption& chosen) {
+  TextTable table({"  what bids on it say", "", ""});
+  for (const ExplainedBid& bid : chosen.bids) {
+    std::string parts;
+    for (const NamedPart& part : bid.why) {
+      parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", OneLine(part.name, 40),
+                           DecimalText(part.value, 2));
+    }
+    table.Add({{"  " + Shown(bid.behavior)},
+               {fmt::format("{:>8.2f} x {}", bid.value + 0.0, DecimalText(bid.weight, 3))},
+               {parts}});
+  }
+  return table.Lines();
+}
+
+/// Weights to four digits, away from the one in force: what is shown does change the choice.
+std::string ShownWeight(const Flip& flip) {
+  if (flip.new_weight <= 0.0) {
+    return "0";
+  }
+  const double unit = std::pow(10.0, std::floor(std::log10(flip.new_weight)) - 3.0);
+  const double shown = flip.new_weight > flip.weight ? std::ceil(flip.new_weight / unit) * unit
+                                                     : std::floor(flip.new_weight / unit) * unit;
+  return fmt::format("{:.4g}", shown);
+}
+
+Frame FlipTable(const Explanation& explanation) {
+  TextTable table({"  what would have changed it, all else as it was", "", ""});
+  for (const std::string& behavior : explanation.bidders) {
+    const auto flip = std::ranges::find(explanation.flips, behavior, &Flip::behavior);
+    if (flip == explanation.flips.end()) {
+      table.Add({{"  " + Shown(behavior)}, {"no weight would"}, {""}});
+      continue;
+    }
+    const bool is_more = flip->new_weight > flip->weight;
+    table.Add({{"  " + Shown(behavior)},
+               {fmt::format("pwt {} or {}", ShownWeight(*flip), is_more ? "more" : "less")},
+               {fmt::format("(is {}): then {} {}", DecimalText(flip->weight, 3), flip->to,
+                            Shown(explanation.options[flip->to].source))}});
+  }
+  return table.Lines();
+}
+
+}  // namespace
+
+Frame FrameOf(const Explanation& explanation) {
+  const char* ranking =
+      explanation.order == OptionOrder::kPerMetre ? "worth per metre" : "worth in total";
+  Frame frame{
+      Line(fmt::format("{:.1f} s: path {}, decided because: {}; ranked by {}", explanation.time,
+                       explanation.path_id, OneLine(explanation.cause, 60), ranking),
+           Ink::kTitle)};
+  Add(OptionTable(explanation), frame);
+  if (!explanation.chosen) {
+    frame.push_back(Line(explanation.options.empty()
+                             ? "  Nothing was chosen: nobody offered anything."
+                             : "  Nothing was chosen: every option is vetoed."));
+    return frame;
+  }
+  frame.emplace_back();
+  Add(Reasons(explanation.options[*explanation.chosen]), frame);
+  frame.emplace_back();
+  Add(FlipTable(explanation), frame);
+  return frame;
+}
+
+Frame ChangesOf(std::span<const LoggedDecision> decisions) {
+  TextTable table({"     time", "path", "cause", "chosen", "decided by"});
+  for (const LoggedDecision& decision : decisions) {
+    const Explanation explanation = Explain(decision);
+    const std::optional<DecidingBid> deciding = DecidingBidOf(decision.bids);
+    table.Add({{fmt::format("{:>9.1f}", explanation.time)},
+               {fmt::format("{:>4}", explanation.path_id)},
+               {OneLine(explanation.cause, 40)},
+               {OneLine(SummaryOf(explanation), 60)},
+               {deciding ? Shown(deciding->behavior) : "-"}});
+  }
+  return table.Lines();
+}
+
+}  // namespace limpet

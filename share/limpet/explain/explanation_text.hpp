@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "limpet/console/frame.hpp"
+#include "limpet/explain/explanation.hpp"
+
+namespace limpet {
+
+/// The decision for a terminal: a line per option with what each behavior added to it, the reasons
+/// of those who bid on the one that was chosen, and what would have changed the choice.
+[[nodiscard]] Frame FrameOf(const Explanation& explanation);
+/// A line per decision: when, why then, what was chosen, and whose bid decided.
+[[nodiscard]] Frame ChangesOf(std::span<const LoggedDecision> decisions);
+
+}  // namespace limpet

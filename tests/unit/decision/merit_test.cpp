@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/decision/merit.hpp"
+
+#include <gtest/gtest.h>
+
+namespace limpet {
+namespace {
+
+BiddenOption Option(double length, std::vector<OptionBid> bids) {
+  BiddenOption option;
+  option.length = length;
+  option.bids = std::move(bids);
+  option.total = TotalOf(option.bids);
+  option.rate = RateOf(option.total, length);
+  return option;
+}
+
+OptionBid GroundBid(double value) { return {"cover", value, 2.0, false, ""}; }
+OptionBid Forbids() { return {"region", 0.0, 1.0, true, "leaves the operating region"}; }
+
+TEST(Merit, IsTheWeightedSumPerMetreOrTheSumAlone) {
+  HelmBids bids;
+  bids.options = {Option(10.0, {GroundBid(6.0)}), Option(2.0, {GroundBid(3.0)})};
+  EXPECT_EQ(ChoiceOf(bids), 1U) << "6 for 2 m beat 12 for 10 m";
+  bids.order = OptionOrder::kBySum;
+  EXPECT_EQ(ChoiceOf(bids), 0U);
+}
+
+TEST(Merit, NeverGoesToWhatSomebodyForbids) {
+  HelmBids bids;
+  bids.options = {Option(5.0, {GroundBid(50.0), Forbids()}), Option(5.0, {GroundBid(-3.0)})};
+  EXPECT_EQ(ChoiceOf(bids), 1U);
+  EXPECT_EQ(VetoOn(bids.options[0])->behavior, "region");
+  bids.options.pop_back();
+  EXPECT_EQ(ChoiceOf(bids), std::nullopt);
+}
+
+TEST(Merit, OfEqualsGoesToTheFirst) {
+  HelmBids bids;
+  bids.options = {Option(5.0, {GroundBid(1.0)}), Option(5.0, {GroundBid(1.0)})};
+  EXPECT_EQ(ChoiceOf(bids), 0U);
+}
+
+TEST(Merit, OfAnOptionIsTheSumOfItsBidsShares) {
+  const BiddenOption option = Option(4.0, {GroundBid(6.0), {"home", -3.0, 0.5, false, ""}});
+  double sum = 0.0;
+  for (const OptionBid& bid : option.bids) {
+    sum += ShareOf(bid, option, OptionOrder::kPerMetre);
+  }
+  EXPECT_NEAR(sum, option.rate, 1e-12);
+  EXPECT_EQ(ShareOf(option.bids[0], option, OptionOrder::kBySum), 12.0);
+}
+
+}  // namespace
+}  // namespace limpet

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/explain/explanation.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "limpet/explain/explanation_json.hpp"
+#include "limpet/explain/explanation_text.hpp"
+
+namespace limpet {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+BiddenOption Option(const std::string& source, std::vector<OptionBid> bids) {
+  BiddenOption option;
+  option.source = source;
+  option.length = 10.0;
+  option.bids = std::move(bids);
+  return option;
+}
+
+/// A beam that wins, gaps that would with a little more for looks, and a way out of the region.
+LoggedDecision SurveyDecision() {
+  HelmBids bids;
+  bids.path_id = 4;
+  bids.cause = "objects changed";
+  bids.options = {Option("beam", {{"cover", 8.0, 1.0, false, "useful=18.00 length=10.00"},
+                                  {"revisit", 1.0, 0.5, false, "looks_worth=1.00"}}),
+                  Option("gaps", {{"cover", 5.0, 1.0, false, "useful=15.00 length=10.00"},
+                                  {"revisit", 3.0, 0.5, false, "looks_worth=3.00"}}),
+                  Option("tour", {{"cover", 9.0, 1.0, false, "useful=19.00 length=10.00"},
+                                  {"region", 0.0, 1.0, true, "leaves the operating region"}})};
+  return {.time = 545.25, .bids = Reweighted(bids, "", 0.0)};
+}
+
+TEST(Explanation, SaysWhyEachOptionLost) {
+  const Explanation explanation = Explain(SurveyDecision());
+  ASSERT_EQ(explanation.chosen, 0U);
+  EXPECT_EQ(explanation.options[0].lost_because, "");
+  EXPECT_EQ(explanation.options[1].lost_because, "0.2 less per metre, most by cover");
+  EXPECT_EQ(explanation.options[2].lost_because, "vetoed by region: leaves the operating region");
+  EXPECT_EQ(explanation.options[2].vetoed_by, "region");
+}
+
+TEST(Explanation, SaysThatOfEqualsTheFirstOfferWon) {
+  LoggedDecision decision = SurveyDecision();
+  decision.bids.options[1] = decision.bids.options[0];
+  EXPECT_EQ(Explain(decision).options[1].lost_because, "worth the same, and offered later");
+}
+
+TEST(Explanation, TakesReasonsApart) {
+  const ExplainedBid bid = Explain(SurveyDecision()).options[0].bids[0];
+  ASSERT_EQ(bid.why.size(), 2U);
+  EXPECT_EQ(bid.why[0].name, "useful");
+  EXPECT_EQ(bid.why[0].value, 18.0);
+}
+
+TEST(Explanation, AsJsonIsAllThatOneNeedsToDecideAgain) {
+  const auto json = nlohmann::json::parse(JsonOf(Explain(SurveyDecision()), "discovery"));
+  EXPECT_EQ(json.at("session"), "discovery");
+  EXPECT_EQ(json.at("t"), 545.25);
+  EXPECT_EQ(json.at("cause"), "objects changed");
+  EXPECT_EQ(json.at("chosen"), 0);
+  for (const auto& option : json.at("options")) {
+    double total = 0.0;
+    for (const auto& bid : option.at("bids")) {
+      total += bid.at("weight").get<double>() * bid.at("value").get<double>();
+    }
+    EXPECT_EQ(option.at("total"), total);
+    EXPECT_EQ(option.at("rate"), total / option.at("length_m").get<double>());
+  }
+  EXPECT_EQ(json.at("options").at(2).at("bids").at(1).at("veto"), "leaves the operating region");
+  EXPECT_TRUE(json.at("options").at(0).at("bids").at(0).at("veto").is_null());
+  EXPECT_EQ(json.at("options").at(0).at("bids").at(0).at("why").at("useful"), 18.0);
+  const auto& flips = json.at("flips");
+  ASSERT_EQ(flips.size(), 2U);
+  EXPECT_EQ(flips.at(1).at("behavior"), "revisit");
+  EXPECT_NEAR(flips.at(1).at("weight"), 1.5, 1e-6);
+  EXPECT_EQ(flips.at(1).at("to"), 1);
+}
+
+TEST(Explanation, AsTextShowsTheTableAndWhatWouldHaveChangedIt) {
+  const std::string text = PlainText(FrameOf(Explain(SurveyDecision())));
+  EXPECT_THAT(text, HasSubstr("545.2 s: path 4, decided because: objects changed"));
+  EXPECT_THAT(text, HasSubstr("->   0 beam"));
+  EXPECT_THAT(text, HasSubstr("cover x 1"));
+  EXPECT_THAT(text, HasSubstr("revisit x 0.5"));
+  EXPECT_THAT(text, HasSubstr("pwt 1.501 or more"));
+  EXPECT_THAT(text, HasSubstr("(is 0.5): then 1 gaps"));
+  EXPECT_THAT(text, HasSubstr("useful 18, length 10"));
+}
+
+TEST(Explanation, NeedsNoOptionThatWon) {
+  LoggedDecision decision = SurveyDecision();
+  decision.bids.options.erase(decision.bids.options.begin(), decision.bids.options.begin() + 2);
+  const Explanation explanation = Explain(decision);
+  EXPECT_EQ(explanation.chosen, std::nullopt);
+  EXPECT_TRUE(explanation.flips.empty());
+  EXPECT_THAT(PlainText(FrameOf(explanation)), HasSubstr("every option is vetoed"));
+  EXPECT_TRUE(nlohmann::json::parse(JsonOf(explanation, "")).at("chosen").is_null());
+  decision.bids.options.clear();
+  EXPECT_THAT(PlainText(FrameOf(Explain(decision))), HasSubstr("nobody offered anything"));
+}
+
+TEST(Explanation, ObeysNoNameFromSomebodysFile) {
+  LoggedDecision decision = SurveyDecision();
+  decision.bids.options[0].bids[0].behavior = "cover\x1b[2J\xff";
+  decision.bids.options[0].source = "beam\n";
+  const Explanation explanation = Explain(decision);
+  EXPECT_THAT(PlainText(FrameOf(explanation)), Not(HasSubstr("\x1b")));
+  EXPECT_TRUE(nlohmann::json::accept(JsonOf(explanation, "")));
+}
+
+TEST(Changes, AreALineADecision) {
+  const std::vector<LoggedDecision> decisions{SurveyDecision()};
+  const std::string text = PlainText(ChangesOf(decisions));
+  EXPECT_THAT(text, HasSubstr("545.2     4  objects changed"));
+  EXPECT_THAT(text, HasSubstr("beam, 10.0 m, 0.85 per metre, of 3 options"));
+}
+
+}  // namespace
+}  // namespace limpet
