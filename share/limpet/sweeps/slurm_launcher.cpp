@@ -76,7 +76,8 @@ void SlurmLauncher::Start(const std::filesystem::path& batch_folder, int workers
                                  fmt::format("--output={}/element-%a.txt", folder_.string()),
                                  fmt::format("--chdir={}", folder_.string())};
   words.insert(words.end(), words_.begin(), words_.end());
-  words.push_back(fmt::format("--wrap=exec {} work {}", Quoted(OwnProgram().string()),
+  words.push_back(fmt::format("--wrap=exec {} work {}",
+                              Quoted((OwnProgram().parent_path() / "limpet").string()),
                               Quoted((folder_ / "tasks.json").string())));
   const Answer answer = Ask("sbatch", words, folder_ / "sbatch.txt");
   job_ = answer.exit_code == 0 ? JobNumberIn(answer.text) : "";

@@ -84,7 +84,8 @@ fs::path Sweep::WorkFolder(const SweepTask& task) const {
 ChildRun Sweep::RunOf(const SweepTask& task) const {
   ChildRun run{.args = {"survey", plan_.mission_folder.string(), "--seed",
                         std::to_string(task.seed), "--out", WorkFolder(task).string()},
-               .log = WorkFolder(task).string() + ".txt"};
+               .log = WorkFolder(task).string() + ".txt",
+               .program = plan_.program};
   run.args.insert(run.args.end(), plan_.survey_options.begin(), plan_.survey_options.end());
   for (const std::string& setting : task.settings)
     run.args.push_back("--set=" + setting);

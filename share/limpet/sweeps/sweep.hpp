@@ -26,6 +26,7 @@ struct SweepPlan {
   std::filesystem::path mission_folder, out;
   std::vector<std::string> survey_options{};  ///< of every task
   RunnerOptions runner{};
+  std::string program{};    ///< that knows `survey`; empty: this one
   bool keeps_runs = false;  ///< logs and maps of every run, not only what it was worth
   /// Called before the first run of a list and after each: how many are done, and how many there
   /// are to do.
