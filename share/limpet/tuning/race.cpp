@@ -102,7 +102,7 @@ void Race::EliminateBreakers() {
 std::optional<std::size_t> Race::Leader() const {
   std::optional<std::size_t> leader;
   const std::size_t allowed = AllowedFailures(rules_);
-  const auto is_ahead = [this](const Contender& a, const Contender& b) {
+  const auto is_ahead = [](const Contender& a, const Contender& b) {
     if (a.outcomes.size() != b.outcomes.size()) return a.outcomes.size() > b.outcomes.size();
     return MeanOf(a.Costs()) < MeanOf(b.Costs());
   };
