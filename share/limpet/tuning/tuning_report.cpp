@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "limpet/core/number_text.hpp"
-
 namespace limpet {
 namespace {
 
@@ -35,7 +33,10 @@ std::optional<MeanInterval> ObjectiveDifference(const TuningTask& task,
 }
 
 std::string ValuesText(const ParameterSpace& space, const SettingValues& values) {
-  return fmt::format("{}", fmt::join(space.TextsOf(values), ", "));
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    texts.push_back(fmt::format("{}={:.4g}", space.parameters()[i].name, values[i]));
+  return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 std::string IntervalText(const std::optional<MeanInterval>& interval) {

@@ -34,7 +34,7 @@ struct TuningTask {
 /// The judgement in one sentence, with the interval and how it was made.
 [[nodiscard]] std::string VerdictText(const TuningTask& task, const ParameterSpace& space,
                                       const TuningOutcome& outcome);
-/// `x=1, y=2`.
+/// `x=1, y=2`, in four digits.
 [[nodiscard]] std::string ValuesText(const ParameterSpace& space, const SettingValues& values);
 /// `410.2 [402.1, 418.3]`.
 [[nodiscard]] std::string IntervalText(const std::optional<MeanInterval>& interval);
