@@ -23,6 +23,7 @@ bool Work(const std::filesystem::path& tasks_file) {
     fmt::print(stderr, "limpet_mpi: {} lists no tasks that can be read\n", tasks_file.string());
     return false;
   }
+  const limpet::WorkerMark mark(folder.path());
   std::filesystem::current_path(batch->folder);
   int rank = 0, ranks = 1;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);

@@ -10,6 +10,7 @@
 #include "limpet/console/command_output.hpp"
 #include "limpet/sweeps/child_process.hpp"
 #include "limpet/sweeps/program_path.hpp"
+#include "limpet/sweeps/task_batch.hpp"
 
 namespace limpet {
 namespace {
@@ -44,6 +45,7 @@ MpiLauncher::~MpiLauncher() { MpiLauncher::Cancel(); }
 
 void MpiLauncher::Start(const std::filesystem::path& batch_folder, int workers) {
   SetUpOpenMpi();
+  earlier_.clear();
   ChildRun run{.args = words_, .log = batch_folder / "mpirun.txt", .program = "mpirun"};
   for (const std::string& word : {std::string("-n"), std::to_string(workers + 1),
                                   RankProgram().string(), (batch_folder / "tasks.json").string()}) {
@@ -54,11 +56,11 @@ void MpiLauncher::Start(const std::filesystem::path& batch_folder, int workers) 
 
 bool MpiLauncher::IsAlive() {
   if (mpirun_ && ReapChild(*mpirun_)) mpirun_.reset();
-  return mpirun_.has_value();
+  return mpirun_ || (!earlier_.empty() && WorkerMark::IsAnyIn(earlier_));
 }
 
 void MpiLauncher::Cancel() {
-  if (!IsAlive()) return;
+  if (!mpirun_) return;
   ::kill(*mpirun_, SIGTERM);
   WaitForChild(*mpirun_);
   mpirun_.reset();

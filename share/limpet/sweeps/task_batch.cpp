@@ -21,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kBatchFormat = "limpet-tasks-1";
+constexpr const char* kWorkersFile = "workers";
 
 /// Holds a task's claim while it lives, if it could be had.
 class Claim {
@@ -110,6 +111,23 @@ std::optional<int> BatchFolder::RunTask(const TaskBatch& batch, std::size_t task
   if (!has_ended) return std::nullopt;
   WriteOrThrow(EndFile(task), fmt::format("{}\n", exit_code));
   return exit_code;
+}
+
+WorkerMark::WorkerMark(const fs::path& batch_folder)
+    : file_(::open((batch_folder / kWorkersFile).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+  if (file_ < 0 || ::flock(file_, LOCK_SH) != 0) {
+    throw std::runtime_error(fmt::format("cannot lock {}", OneLine(batch_folder.string())));
+  }
+}
+
+WorkerMark::~WorkerMark() { ::close(file_); }
+
+bool WorkerMark::IsAnyIn(const fs::path& batch_folder) {
+  const int file = ::open((batch_folder / kWorkersFile).c_str(), O_RDWR | O_CLOEXEC);
+  if (file < 0) return false;
+  const bool is_free = ::flock(file, LOCK_EX | LOCK_NB) == 0;
+  ::close(file);
+  return !is_free;
 }
 
 bool WorkOn(const fs::path& tasks_file) {

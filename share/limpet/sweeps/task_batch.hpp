@@ -47,6 +47,21 @@ class BatchFolder {
   std::filesystem::path folder_;
 };
 
+/// Says that this process works on a batch, while it lives: also when its driver is gone.
+class WorkerMark {
+ public:
+  explicit WorkerMark(const std::filesystem::path& batch_folder);
+  WorkerMark(const WorkerMark&) = delete;
+  WorkerMark& operator=(const WorkerMark&) = delete;
+  ~WorkerMark();
+
+  /// Whether any process of this machine says so.
+  [[nodiscard]] static bool IsAnyIn(const std::filesystem::path& batch_folder);
+
+ private:
+  int file_ = -1;
+};
+
 /// Runs every task of `tasks_file` that nobody else has taken, one after the other. False if
 /// interrupted. Throws std::runtime_error if the file cannot be read.
 [[nodiscard]] bool WorkOn(const std::filesystem::path& tasks_file);

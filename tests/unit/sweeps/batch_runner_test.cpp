@@ -115,6 +115,15 @@ TEST_F(BatchRunnerTest, RunsNoTaskThatIsClaimedOrHasEnded) {
   EXPECT_EQ(folder.EndOf(0), 4);
 }
 
+TEST_F(BatchRunnerTest, KnowsWhetherAWorkerOfAnotherDriverIsStillThere) {
+  EXPECT_FALSE(WorkerMark::IsAnyIn(At("")));
+  {
+    const WorkerMark one(At("")), other(At(""));
+    EXPECT_TRUE(WorkerMark::IsAnyIn(At("")));
+  }
+  EXPECT_FALSE(WorkerMark::IsAnyIn(At("")));
+}
+
 TEST(TaskBatch, ComesBackFromItsTextAndFromNoOther) {
   const TaskBatch batch{.folder = "/work",
                         .tasks = {{.args = {"survey", "a b"}, .log = "x.txt", .program = "p"}}};
