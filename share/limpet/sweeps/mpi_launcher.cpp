@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/sweeps/mpi_launcher.hpp"
 
-#include <cstdlib>
-
 #include <fmt/format.h>
 #include <signal.h>
 #include <unistd.h>
@@ -17,15 +15,18 @@ namespace {
 
 std::filesystem::path RankProgram() { return OwnProgram().parent_path() / "limpet_mpi"; }
 
-/// Words that other makes of mpirun do not know: Open MPI takes them from the environment, too.
-void SetUpOpenMpi() {
+/// What Open MPI takes from the environment, and other makes of mpirun do not mind.
+std::vector<std::string> OpenMpiEnvironment() {
   // Rank 0 sleeps nearly always: it needs no core of its own.
-  ::setenv("OMPI_MCA_rmaps_base_oversubscribe", "1", 0);
-  ::setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
-  if (::geteuid() != 0) return;
+  std::vector<std::string> words{"OMPI_MCA_rmaps_base_oversubscribe=1",
+                                 "OMPI_MCA_mpi_yield_when_idle=1"};
   // Who runs this as root has decided so already.
-  ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 0);
-  ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 0);
+  if (::geteuid() == 0) {
+    words.emplace_back("OMPI_ALLOW_RUN_AS_ROOT=1");
+    words.emplace_back("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1");
+  }
+  words.emplace_back("mpirun");
+  return words;
 }
 
 }  // namespace
@@ -44,9 +45,10 @@ MpiLauncher::MpiLauncher(std::vector<std::string> words) : words_(std::move(word
 MpiLauncher::~MpiLauncher() { MpiLauncher::Cancel(); }
 
 void MpiLauncher::Start(const std::filesystem::path& batch_folder, int workers) {
-  SetUpOpenMpi();
   earlier_.clear();
-  ChildRun run{.args = words_, .log = batch_folder / "mpirun.txt", .program = "mpirun"};
+  ChildRun run{
+      .args = OpenMpiEnvironment(), .log = batch_folder / "mpirun.txt", .program = "env"};
+  run.args.insert(run.args.end(), words_.begin(), words_.end());
   for (const std::string& word : {std::string("-n"), std::to_string(workers + 1),
                                   RankProgram().string(), (batch_folder / "tasks.json").string()}) {
     run.args.push_back(word);

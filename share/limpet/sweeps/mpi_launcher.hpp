@@ -18,6 +18,8 @@ class MpiLauncher final : public BatchLauncher {
  public:
   /// Throws Refusal without limpet_mpi beside this program, or without mpirun in PATH.
   explicit MpiLauncher(std::vector<std::string> words);
+  MpiLauncher(const MpiLauncher&) = delete;
+  MpiLauncher& operator=(const MpiLauncher&) = delete;
   ~MpiLauncher() override;
 
   void TakeUp(const std::filesystem::path& batch_folder) override { earlier_ = batch_folder; }

@@ -10,7 +10,7 @@
 namespace limpet {
 
 std::optional<std::filesystem::path> FindInPath(const std::string& name) {
-  const char* path = std::getenv("PATH");
+  const char* path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe): read only
   for (const std::string& folder : Split(path != nullptr ? path : "", ':')) {
     const std::filesystem::path file = std::filesystem::path(folder) / name;
     if (!folder.empty() && ::access(file.c_str(), X_OK) == 0) return file;

@@ -103,7 +103,10 @@ Expected<LiveEvent> LiveEvent::FromText(const std::string& text) {
 }
 
 std::string UserName() {
-  const passwd* user = ::getpwuid(::geteuid());
+  passwd entry{};
+  passwd* user = nullptr;
+  std::array<char, 4096> texts{};
+  ::getpwuid_r(::geteuid(), &entry, texts.data(), texts.size(), &user);
   return user != nullptr ? user->pw_name : std::to_string(::geteuid());
 }
 

@@ -90,7 +90,6 @@ constexpr std::array<Function, 4> kFunctions{{{"min", Operation::kMin, 1, 64},
                                               {"abs", Operation::kAbs},
                                               {"sqrt", Operation::kSqrt}}};
 
-// NOLINTBEGIN(misc-no-recursion): as deep as kMaxDepth allows.
 class ExpressionReader {
  public:
   explicit ExpressionReader(std::string_view text) : words_(text) {}
@@ -264,7 +263,6 @@ std::optional<double> ValueOf(const Node& node, const ReportValues& report) {
   }();
   return std::isfinite(result) ? std::optional(result) : std::nullopt;
 }
-// NOLINTEND(misc-no-recursion)
 
 }  // namespace
 

@@ -18,7 +18,6 @@ std::string EntryName(const nlohmann::json& entry, std::size_t index) {
   return std::to_string(index);
 }
 
-// NOLINTNEXTLINE(misc-no-recursion): as deep as the report.
 void Collect(const std::string& key, const nlohmann::json& value, Numbers& numbers) {
   const auto below = [&key](const std::string& name) {
     return key.empty() ? name : key + "." + name;
