@@ -8,6 +8,7 @@
 #include "apps/pHelm/helm_warnings.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/frames.hpp"
+#include "limpet/helm/behavior_modules.hpp"
 #include "limpet/helm/motion_domain.hpp"
 #include "limpet/mission/shared_settings.hpp"
 #include "limpet/survey/survey_area_warnings.hpp"
@@ -16,7 +17,16 @@
 namespace limpet {
 namespace {
 
+void LoadForeignBehaviors(const AppContext& context, const HelmParams& params) {
+  std::vector<ConfigEntry> lines;
+  for (const std::string& folders : params.behavior_path) {
+    lines.push_back({.key = "behavior_path", .value = folders, .where = {.file = context.name}});
+  }
+  LoadBehaviorModules(lines, context.mission_folder);
+}
+
 std::vector<BehaviorFile> LoadBehaviorFiles(const AppContext& context, const HelmParams& params) {
+  LoadForeignBehaviors(context, params);
   std::vector<BehaviorFile> files;
   for (const std::string& name : params.behaviors) {
     files.push_back(LoadBehaviors(context.mission_folder / name));
@@ -47,7 +57,7 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
       params_(params),
       host_(LoadBehaviorFiles(context, params)),
       planner_(params.views, MakeRandom("views")),
-      domain_(DomainOf(params)),
+      arbiter_(DomainOf(params)),
       journal_(params.domain,
                [this](std::string variable, Value value) {
                  PublishRaw(std::move(variable), std::move(value));
@@ -142,7 +152,8 @@ void HelmApp::Tick(Seconds now) {
                      .nav = *nav_,
                      .guidance = planner_.Guide(*nav_),
                      .area = planner_.survey().area(),
-                     .home = planner_.survey().home()};
+                     .home = planner_.survey().home(),
+                     .domain = arbiter_.domain()};
   Post(host_.Update(state));
   if (is_parked_) {
     planner_.DropPath();
@@ -183,21 +194,31 @@ void HelmApp::DecideView(Seconds now) {
 
 void HelmApp::Steer(const VehicleState& state) {
   const std::vector<WeightedBehavior> bidders = Bidders();
-  motion_ = DecideMotion(bidders, state, domain_);
+  motion_ = arbiter_.Decide(bidders, state);
   const MotionDecision& decision = motion_;
+  TellFailures();
   if (decision.active.empty()) {
     AllStop("NothingToDo");
     return;
   }
-  if (const std::string missing = decision.Missing(); !missing.empty()) {
+  if (const std::string missing = decision.Missing(arbiter_.domain()); !missing.empty()) {
     AllStop("MissingDecVars:" + missing);
     return;
   }
   allstop_text_ = "clear";
-  Publish(topics::kDesiredHeading, MoosHeadingFromYaw(*decision.course));
-  Publish(topics::kDesiredSpeed, *decision.speed);
-  Publish(topics::kDesiredDepth, *decision.depth);
+  if (decision.course) Publish(topics::kDesiredHeading, MoosHeadingFromYaw(*decision.course));
+  if (decision.speed) Publish(topics::kDesiredSpeed, *decision.speed);
+  if (decision.depth) Publish(topics::kDesiredDepth, *decision.depth);
   Publish(topics::kDesiredTurnRate, decision.turn_rate.value_or(0.0));
+}
+
+void HelmApp::TellFailures() {
+  std::string text;
+  for (const BehaviorFailure& failure : motion_.failures) {
+    text += (text.empty() ? "" : "; ") + failure.owner + ": " + failure.text;
+  }
+  if (!text.empty() && text != told_failures_) Publish(topics::kBehaviorError, text);
+  told_failures_ = std::move(text);
 }
 
 void HelmApp::TellBehaviorWarnings() {
@@ -216,7 +237,7 @@ void HelmApp::AllStop(const std::string& why) {
   if (allstop_text_ != why) {  // once: a pilot that hears nothing more goes to zero by itself
     Publish(topics::kDesiredSpeed, 0.0);
     Publish(topics::kDesiredTurnRate, 0.0);
-    Publish(topics::kDesiredDepth, 0.0);
+    if (arbiter_.domain().depth) Publish(topics::kDesiredDepth, 0.0);
   }
   allstop_text_ = why;
 }

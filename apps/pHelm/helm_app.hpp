@@ -52,6 +52,8 @@ class HelmApp final : public App {
   /// Raised while `ids` are not empty; says which.
   void WarnOfObjects(const WarningId& id, const std::string& ids, const std::string& what);
   void Steer(const VehicleState& state);
+  /// BHV_ERROR, whenever others fail than before, or for other reasons.
+  void TellFailures();
   /// Raises what behaviors raise now, and clears what none raises any more.
   void TellBehaviorWarnings();
   void AllStop(const std::string& why);
@@ -65,7 +67,7 @@ class HelmApp final : public App {
   Params params_;
   BehaviorHost host_;
   ViewPlanner planner_;
-  MotionDomain domain_;
+  MotionArbiter arbiter_;
   std::optional<NavState> nav_;
   bool is_parked_ = false;
   bool has_posted_initial_ = false;
@@ -73,6 +75,7 @@ class HelmApp final : public App {
   std::string published_allstop_;  ///< as last posted
   std::int64_t helm_iteration_ = 0;
   WarningBook warning_book_;
+  std::string told_failures_;              ///< as last posted in BHV_ERROR
   MotionDecision motion_;                  ///< of this iteration
   std::optional<Stamped<HelmBids>> bids_;  ///< of the last view decision
   HelmRevisits revisits_;                  ///< as last told

@@ -6,20 +6,11 @@
 #include <fmt/format.h>
 
 #include "limpet/core/decimal_text.hpp"
+#include "limpet/helm/motion_domain.hpp"
 #include "limpet/topics/viewer.hpp"
 
 namespace limpet {
 namespace {
-
-std::string DomainText(const std::vector<std::string>& lines) {
-  std::string text;
-  for (std::string line : lines) {
-    std::ranges::replace(line, ':', ',');
-    std::erase(line, ' ');
-    text += (text.empty() ? "" : ":") + line;
-  }
-  return text;
-}
 
 /// `var=course:92.1,var=speed:0.5,var=depth:varbalk`
 std::string DecisionText(const HelmIteration& iteration) {
@@ -48,7 +39,7 @@ const char* HelmJournal::NameOf(State state) {
 }
 
 HelmJournal::HelmJournal(const std::vector<std::string>& domain, Post post)
-    : domain_(DomainText(domain)), post_(std::move(post)) {}
+    : domain_(MotionDomainText(domain)), post_(std::move(post)) {}
 
 void HelmJournal::PostStart(const BehaviorHost& host, Seconds now) {
   const std::vector<BehaviorStatus>& behaviors = host.statuses();

@@ -25,11 +25,11 @@
 
 #include "estimation/replay/bounded_input.hpp"
 #include "estimation/replay/csv_fields.hpp"
-#include "limpet/packing/gzip_bytes.hpp"
 #include "estimation/replay/rawlog.hpp"
 #include "estimation/replay/rawlog_form.hpp"
 #include "estimation/replay/rawlog_scan.hpp"
 #include "limpet/core/config.hpp"
+#include "limpet/packing/gzip_bytes.hpp"
 
 namespace limpet {
 namespace {

@@ -12,9 +12,9 @@
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/serialization/CArchive.h>
 
-#include "limpet/packing/gzip_bytes.hpp"
 #include "estimation/replay/rawlog.hpp"
 #include "estimation/replay/rawlog_form.hpp"
+#include "limpet/packing/gzip_bytes.hpp"
 
 namespace limpet {
 namespace {

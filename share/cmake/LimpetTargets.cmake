@@ -14,7 +14,10 @@ function(limpet_library name)
     set(scope INTERFACE)
   endif()
   list(TRANSFORM ARG_DEPENDS PREPEND limpet::)
-  target_link_libraries(limpet_${name} ${scope} limpet_options thirdparty::eigen thirdparty::fmt ${ARG_DEPENDS})
+  target_link_libraries(limpet_${name} ${scope} $<BUILD_INTERFACE:limpet_options> thirdparty::eigen thirdparty::fmt
+                                                ${ARG_DEPENDS})
+  target_compile_features(limpet_${name} ${scope} cxx_std_20)
+  set_target_properties(limpet_${name} PROPERTIES EXPORT_NAME ${name})
   add_library(limpet::${name} ALIAS limpet_${name})
 endfunction()
 

@@ -13,6 +13,7 @@
 #include "limpet/describe/variable_list.hpp"
 #include "limpet/describe/vehicle_list.hpp"
 #include "limpet/describe/warning_list.hpp"
+#include "limpet/helm/behavior_modules.hpp"
 
 namespace limpet {
 namespace {
@@ -173,6 +174,7 @@ std::string ShowNamed(std::span<const std::string> names, Form form) {
 
 int DescribeNamed(const Arguments& given) {
   const Form form = FormOf(given);
+  LoadBehaviorModules({}, {});  // those of the environment
   const std::span<const std::string> words = given.positionals();
   if (words.empty()) {
     fmt::print("{}", ShowNames(form));

@@ -11,7 +11,6 @@
 #include "apps/limpet/cli.hpp"
 #include "estimation/mapping/map_export.hpp"
 #include "estimation/mapping/semantic_octree.hpp"
-#include "limpet/packing/gzip_bytes.hpp"
 #include "estimation/scene/map_scene.hpp"
 #include "limpet/console/command_output.hpp"
 #include "limpet/core/config.hpp"
@@ -20,6 +19,7 @@
 #include "limpet/map_files/map_diff_report.hpp"
 #include "limpet/map_files/map_info.hpp"
 #include "limpet/map_files/object_files.hpp"
+#include "limpet/packing/gzip_bytes.hpp"
 #include "limpet/session/saved_session.hpp"
 
 namespace limpet {

@@ -11,6 +11,7 @@
 #include "apps/limpet/verbs/log.hpp"
 #include "apps/limpet/verbs/map.hpp"
 #include "apps/limpet/verbs/nav.hpp"
+#include "apps/limpet/verbs/new.hpp"
 #include "apps/limpet/verbs/plug.hpp"
 #include "apps/limpet/verbs/report.hpp"
 #include "apps/limpet/verbs/survey.hpp"
@@ -42,6 +43,7 @@ const std::vector<Verb>& Verbs() {
       {"log", "look into a log: scan, stat, grep, clip, csv, recover, rawlog", RunLog},
       {"why", "why the helm did what it did, from a log or live", RunWhy},
       {"map", "a saved session's map: info, export, diff", RunMap},
+      {"new", "a repository of your own with a behavior or an app", RunNew},
       {"plug", "expand a mission template, as nsplug does", RunPlug},
   };
   return verbs;

@@ -24,4 +24,12 @@ fs::path RunningProgramFolder() {
   return fs::read_symlink("/proc/self/exe", ignored).parent_path();
 }
 
+void AddFoldersOfProgram(const fs::path& wanted, std::vector<fs::path>& found) {
+  const fs::path program = RunningProgramFolder();
+  AddFoldersAbove(program, wanted, found);
+  std::error_code ignored;
+  const fs::path installed = program.parent_path() / "share" / "limpet" / wanted;
+  if (fs::is_directory(installed, ignored)) found.push_back(installed);
+}
+
 }  // namespace limpet

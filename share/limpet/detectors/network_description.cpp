@@ -135,7 +135,7 @@ fs::path FindNetwork(const std::string& named) {
   std::error_code ignored;
   if (fs::is_regular_file(named, ignored)) return named;
   std::vector<fs::path> folders;
-  AddFoldersAbove(RunningProgramFolder(), fs::path("share") / "networks", folders);
+  AddFoldersOfProgram(fs::path("share") / "networks", folders);
   for (const fs::path& folder : folders) {
     if (fs::is_regular_file(folder / named, ignored)) return folder / named;
   }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "limpet/helm/motion_table.hpp"
 #include "limpet/helm/peak.hpp"
 #include "limpet/helm/situation.hpp"
 #include "limpet/planning/option.hpp"
@@ -20,11 +21,15 @@ struct BehaviorWarning {
   std::string text;
 };
 
-/// How now: preferences over course [rad], speed [m/s] and depth [m]; absent means no opinion.
+/// How now: preferences over course [rad], speed [m/s] and depth [m]; absent means no opinion. They
+/// add up: each peak, and the table, is worth up to the behavior's weight.
 struct MotionBid {
   std::optional<Peak> course;
   std::optional<Peak> speed;
   std::optional<Peak> depth;
+  /// For what no peak can say, e.g. courses that are bad at one speed and good at another. The
+  /// behavior's own, made in `Start` over `state.domain`; unchanged until its next `Move`.
+  const MotionTable* table = nullptr;
   std::optional<double> turn_rate;  ///< feed-forward of the course [rad/s], starboard positive
   std::optional<BehaviorWarning> warning;
 };

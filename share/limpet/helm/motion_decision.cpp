@@ -1,62 +1,194 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/helm/motion_decision.hpp"
 
-namespace limpet {
+#include <algorithm>
+#include <cmath>
+#include <exception>
 
-std::string MotionDecision::Missing() const {
-  std::string names;
-  const auto add = [&names](bool is_missing, const char* name) {
-    if (is_missing) {
-      names += (names.empty() ? "" : ",") + std::string(name);
+#include <fmt/format.h>
+
+#include "limpet/core/frames.hpp"
+#include "limpet/helm/behavior_failure_warnings.hpp"
+
+namespace limpet {
+namespace {
+
+const std::optional<Peak>& PeakOf(const MotionBid& bid, MotionVariable variable) {
+  return variable == MotionVariable::kCourse  ? bid.course
+         : variable == MotionVariable::kSpeed ? bid.speed
+                                              : bid.depth;
+}
+
+/// Why a peak is none, or nothing.
+std::optional<std::string> ProblemOf(const Peak& peak, MotionVariable variable) {
+  const bool is_finite = std::isfinite(peak.summit) && std::isfinite(peak.flat_half_width) &&
+                         std::isfinite(peak.base_half_width);
+  if (!is_finite) return fmt::format("NaN or infinity in its bid on {}", NameOf(variable));
+  if (!(peak.flat_half_width >= 0.0 && peak.base_half_width > peak.flat_half_width)) {
+    return fmt::format("a base of {:g} under a flat top of {:g} in its bid on {}",
+                       peak.base_half_width, peak.flat_half_width, NameOf(variable));
+  }
+  return std::nullopt;
+}
+
+/// Why a bid cannot be heard, or nothing.
+std::optional<std::string> ProblemOf(const MotionBid& bid, const MotionDomain& domain) {
+  for (const MotionVariable variable : kMotionVariables) {
+    if (const std::optional<Peak>& peak = PeakOf(bid, variable)) {
+      if (auto problem = ProblemOf(*peak, variable)) return problem;
     }
-  };
-  add(!course.has_value(), "course");
-  add(!speed.has_value(), "speed");
-  add(!depth.has_value(), "depth");
+  }
+  if (bid.turn_rate && !std::isfinite(*bid.turn_rate)) return "NaN or infinity in its turn rate";
+  if (bid.table == nullptr) return std::nullopt;
+  if (bid.table->domain() != domain) return "its function was made for another domain";
+  return bid.table->Problem();
+}
+
+/// Its opinion on what the domain has.
+bool HasOpinion(const MotionBid& bid, const MotionDomain& domain) {
+  return std::ranges::any_of(kMotionVariables, [&](MotionVariable variable) {
+    return domain.axis(variable) &&
+           (PeakOf(bid, variable) || (bid.table != nullptr && bid.table->Covers(variable)));
+  });
+}
+
+double PresentValue(const VehicleState& state, MotionVariable variable) {
+  return variable == MotionVariable::kCourse  ? WrapAngle(state.nav.yaw)
+         : variable == MotionVariable::kSpeed ? std::hypot(state.nav.u, state.nav.v)
+                                              : state.nav.down;
+}
+
+}  // namespace
+
+const std::optional<double>& MotionDecision::value(MotionVariable variable) const {
+  return variable == MotionVariable::kCourse  ? course
+         : variable == MotionVariable::kSpeed ? speed
+                                              : depth;
+}
+
+std::string MotionDecision::Missing(const MotionDomain& domain) const {
+  std::string names;
+  for (const MotionVariable variable : kMotionVariables) {
+    const std::optional<MotionAxis>& axis = domain.axis(variable);
+    if (axis && !axis->is_optional && !value(variable)) {
+      names += (names.empty() ? "" : ",") + std::string(NameOf(variable));
+    }
+  }
   return names;
+}
+
+const MotionDecision& MotionArbiter::Decide(std::span<const WeightedBehavior> behaviors,
+                                            const VehicleState& state) {
+  decision_.warnings.clear();
+  decision_.failures.clear();
+  heard_ = 0;
+  for (const WeightedBehavior& running : behaviors) {
+    if (running.weight > 0.0) Ask(running, state);
+  }
+  for (std::vector<WeightedPeak>& peaks : peaks_) {
+    peaks.clear();
+  }
+  tables_.clear();
+  std::size_t active = 0;
+  for (const OwnedMotionBid& owned : bids()) {
+    Add(owned);
+    if (!HasOpinion(owned.bid, domain_)) continue;
+    if (decision_.active.size() == active) decision_.active.emplace_back();
+    decision_.active[active++] = owned.owner;
+  }
+  decision_.active.resize(active);
+  Choose(state);
+  return decision_;
+}
+
+void MotionArbiter::Ask(const WeightedBehavior& running, const VehicleState& state) {
+  if (bids_.size() == heard_) bids_.emplace_back();
+  OwnedMotionBid& owned = bids_[heard_];
+  try {
+    owned.bid = running.behavior->Move(state);
+  } catch (const std::exception& error) {
+    return Fail(running.name, fmt::format("it has thrown: {}", error.what()));
+  } catch (...) {
+    return Fail(running.name, "it has thrown what is no exception of C++");
+  }
+  if (const auto problem = ProblemOf(owned.bid, domain_)) return Fail(running.name, *problem);
+  if (owned.bid.warning) {
+    decision_.warnings.push_back({.owner = running.name, .warning = *owned.bid.warning});
+  }
+  owned.owner = running.name;
+  owned.weight = running.weight;
+  ++heard_;
+}
+
+void MotionArbiter::Fail(const std::string& owner, const std::string& text) {
+  decision_.failures.push_back({.owner = owner, .text = text});
+  decision_.warnings.push_back(
+      {.owner = owner, .warning = {warnings::kBehaviorFailed.Of(owner), text}});
+}
+
+void MotionArbiter::Add(const OwnedMotionBid& owned) {
+  for (const MotionVariable variable : kMotionVariables) {
+    const std::optional<Peak>& peak = PeakOf(owned.bid, variable);
+    if (peak && domain_.axis(variable)) {
+      peaks_.at(IndexOf(variable)).push_back({*peak, owned.weight});
+    }
+  }
+  if (owned.bid.table != nullptr) tables_.push_back({owned.bid.table, owned.weight});
+}
+
+/// The heaviest peak's summit: what the decision would be if the others did not mind.
+double MotionArbiter::Reference(MotionVariable variable, double present) const {
+  const std::vector<WeightedPeak>& peaks = peaks_.at(IndexOf(variable));
+  const auto heaviest = std::ranges::max_element(peaks, {}, &WeightedPeak::weight);
+  if (heaviest == peaks.end()) return present;
+  const double summit = heaviest->peak.summit;
+  return variable == MotionVariable::kCourse ? WrapAngle(summit) : summit;
+}
+
+void MotionArbiter::Choose(const VehicleState& state) {
+  std::array<double, 3> reference{};
+  for (const MotionVariable variable : kMotionVariables) {
+    reference.at(IndexOf(variable)) = Reference(variable, PresentValue(state, variable));
+  }
+  std::array<std::optional<double>, 3> chosen =
+      search_.Maximise({.tables = tables_, .peaks = {peaks_[0], peaks_[1], peaks_[2]}}, reference);
+  const bool is_course_joined = chosen[0].has_value();
+  for (const MotionVariable variable : kMotionVariables) {
+    std::optional<double>& value = chosen.at(IndexOf(variable));
+    const std::vector<WeightedPeak>& peaks = peaks_.at(IndexOf(variable));
+    const std::optional<MotionAxis>& axis = domain_.axis(variable);
+    if (value || peaks.empty()) continue;
+    value = variable == MotionVariable::kCourse
+                ? MaximizeOverCircle(peaks)
+                : MaximizeOverInterval(peaks, axis->low, axis->high);
+  }
+  decision_.course = chosen[0];
+  decision_.speed = chosen[1];
+  decision_.depth = chosen[2];
+  ChooseTurnRate(is_course_joined);
+}
+
+/// Feed-forward of another course than the one that was chosen would lead away from it.
+void MotionArbiter::ChooseTurnRate(bool is_course_joined) {
+  decision_.turn_rate.reset();
+  double heaviest = 0.0;
+  double summit = 0.0;
+  for (const OwnedMotionBid& owned : bids()) {
+    if (owned.bid.course && owned.weight > heaviest) {
+      heaviest = owned.weight;
+      summit = owned.bid.course->summit;
+      decision_.turn_rate = owned.bid.turn_rate;
+    }
+  }
+  if (is_course_joined &&
+      std::abs(WrapAngle(*decision_.course - summit)) > domain_.course->step()) {
+    decision_.turn_rate.reset();
+  }
 }
 
 MotionDecision DecideMotion(std::span<const WeightedBehavior> behaviors, const VehicleState& state,
                             const MotionDomain& domain) {
-  MotionDecision decision;
-  std::vector<WeightedPeak> course;
-  std::vector<WeightedPeak> speed;
-  std::vector<WeightedPeak> depth;
-  double heaviest = 0.0;
-  for (const WeightedBehavior& running : behaviors) {
-    if (running.weight <= 0.0) {
-      continue;
-    }
-    const MotionBid bid = running.behavior->Move(state);
-    const auto add = [&running](std::vector<WeightedPeak>& peaks, const std::optional<Peak>& peak) {
-      if (peak) {
-        peaks.push_back({*peak, running.weight});
-      }
-    };
-    add(course, bid.course);
-    add(speed, bid.speed);
-    add(depth, bid.depth);
-    if (bid.course && running.weight > heaviest) {
-      heaviest = running.weight;
-      decision.turn_rate = bid.turn_rate;
-    }
-    if (bid.warning) {
-      decision.warnings.push_back({.owner = running.name, .warning = *bid.warning});
-    }
-    if (bid.course || bid.speed || bid.depth) {
-      decision.active.push_back(running.name);
-    }
-  }
-  if (!course.empty()) {
-    decision.course = MaximizeOverCircle(course);
-  }
-  if (!speed.empty()) {
-    decision.speed = MaximizeOverInterval(speed, domain.speed_low, domain.speed_high);
-  }
-  if (!depth.empty()) {
-    decision.depth = MaximizeOverInterval(depth, domain.depth_low, domain.depth_high);
-  }
-  return decision;
+  return MotionArbiter(domain).Decide(behaviors, state);
 }
 
 }  // namespace limpet

@@ -1,21 +1,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "limpet/helm/behavior.hpp"
+#include "limpet/helm/motion_domain.hpp"
+#include "limpet/helm/motion_grid_search.hpp"
 #include "limpet/helm/view_decision.hpp"
 #include "limpet/helm/warning_book.hpp"
 
 namespace limpet {
 
-/// One decision variable's domain as the mission file gives it; course is a circle and has none.
-struct MotionDomain {
-  double speed_low = 0.0, speed_high = 1.0;    ///< [m/s]
-  double depth_low = 0.0, depth_high = 100.0;  ///< [m]
+/// What one behavior bid on the motion, and its weight.
+struct OwnedMotionBid {
+  std::string owner;
+  double weight = 1.0;
+  MotionBid bid;
+};
+
+/// A behavior whose bid could not be heard, and why.
+struct BehaviorFailure {
+  std::string owner;
+  std::string text;
 };
 
 /// What the helm asks of the vehicle now.
@@ -25,13 +35,51 @@ struct MotionDecision {
   std::optional<double> depth;      ///< [m]
   std::optional<double> turn_rate;  ///< feed-forward of the heaviest bidder on course [rad/s]
   std::vector<OwnedWarning> warnings;
-  std::vector<std::string> active;  ///< names of behaviors that had an opinion
+  std::vector<BehaviorFailure> failures;  ///< these are in `warnings`, too
+  std::vector<std::string> active;        ///< names of behaviors that had an opinion
 
-  /// Names of decision variables that nobody bid on, e.g. "course,depth"; "" if complete.
-  [[nodiscard]] std::string Missing() const;
+  [[nodiscard]] const std::optional<double>& value(MotionVariable variable) const;
+  /// Names of the domain's variables that nobody bid on and that are not optional, e.g.
+  /// "course,depth"; "" if complete.
+  [[nodiscard]] std::string Missing(const MotionDomain& domain) const;
 };
 
-/// "How now": preferences over each variable, weighted, summed, maximised exactly.
+/// "How now": preferences over course, speed and depth, weighted, summed, maximised exactly. Peaks
+/// alone decide their variable over the continuum (peak.hpp). Variables that a table joins are
+/// decided together over the domain's points, peaks among them (motion_grid_search.hpp); of points
+/// as good, the nearest to the summit of the heaviest peak on the variable, or to the present value
+/// where there is no peak. A behavior that throws, or bids a number that is none, is not heard in
+/// this decision; the others are. While the same behaviors run and none of them warns, deciding
+/// allocates nothing.
+class MotionArbiter {
+ public:
+  explicit MotionArbiter(const MotionDomain& domain) : domain_(domain), search_(domain) {}
+
+  /// Valid until the next call.
+  const MotionDecision& Decide(std::span<const WeightedBehavior> behaviors,
+                               const VehicleState& state);
+  [[nodiscard]] const MotionDomain& domain() const { return domain_; }
+  /// The bids that the last decision rests on, in the order of the behaviors.
+  [[nodiscard]] std::span<const OwnedMotionBid> bids() const { return {bids_.data(), heard_}; }
+
+ private:
+  void Ask(const WeightedBehavior& running, const VehicleState& state);
+  void Fail(const std::string& owner, const std::string& text);
+  void Add(const OwnedMotionBid& owned);
+  void Choose(const VehicleState& state);
+  void ChooseTurnRate(bool is_course_joined);
+  [[nodiscard]] double Reference(MotionVariable variable, double present) const;
+
+  MotionDomain domain_;
+  MotionGridSearch search_;
+  MotionDecision decision_;
+  std::vector<OwnedMotionBid> bids_;  ///< the first `heard_` are of now; the rest keeps its memory
+  std::size_t heard_ = 0;
+  std::array<std::vector<WeightedPeak>, 3> peaks_;
+  std::vector<WeightedTable> tables_;
+};
+
+/// One decision, without an arbiter to keep.
 [[nodiscard]] MotionDecision DecideMotion(std::span<const WeightedBehavior> behaviors,
                                           const VehicleState& state, const MotionDomain& domain);
 

@@ -2,71 +2,166 @@
 #include "limpet/helm/motion_domain.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
-#include <optional>
-#include <string>
 
 #include <fmt/format.h>
 
 #include "limpet/core/number_text.hpp"
+#include "limpet/core/units.hpp"
 
 namespace limpet {
 namespace {
 
-const std::vector<std::string>& DecisionVariables() {
-  static const std::vector<std::string> names{"course", "speed", "depth"};
+constexpr std::int64_t kFewestPoints = 2;
+constexpr std::int64_t kMostPoints = 100000;
+
+std::vector<std::string> VariableNames() {
+  std::vector<std::string> names;
+  for (const MotionVariable variable : kMotionVariables) {
+    names.emplace_back(NameOf(variable));
+  }
   return names;
 }
 
-/// The complaint about one line, or nothing; its name goes to `seen`.
-std::optional<std::string> ReadLine(const std::string& line, MotionDomain& domain,
-                                    std::vector<std::string>& seen) {
-  constexpr std::int64_t kFewestPoints = 2;
-  const std::vector<std::string> parts = Split(line, ':');
-  const std::string name(Trim(parts[0]));
-  if (std::ranges::find(DecisionVariables(), name) == DecisionVariables().end()) {
-    const std::string nearest = NearestWord(name, DecisionVariables());
-    return fmt::format("no decision variable `{}`; known: course, speed, depth{}", name,
-                       nearest.empty() ? "" : "; did you mean `" + nearest + "`?");
+/// Of one line, the blanks gone; `depth:0:100:101:optional` or `depth,0,100,101`.
+std::vector<std::string> PartsOf(std::string line) {
+  std::ranges::replace(line, ',', ':');
+  std::vector<std::string> parts;
+  for (const std::string& part : Split(line, ':')) {
+    parts.emplace_back(Trim(part));
   }
-  if (std::ranges::find(seen, name) != seen.end()) return "`" + name + "` is given twice";
-  seen.push_back(name);
+  return parts;
+}
+
+/// The step of `delta=0.1`.
+std::optional<double> DeltaOf(std::string text) {
+  constexpr std::string_view kDelta = "delta=";
+  std::erase(text, ' ');
+  if (!EqualsIgnoringCase(std::string_view(text).substr(0, kDelta.size()), kDelta)) {
+    return std::nullopt;
+  }
+  return ParseNumber(std::string_view(text).substr(kDelta.size()));
+}
+
+/// As many points as fit; nothing if the text is neither a number of them nor a step.
+std::optional<std::int64_t> PointsOf(const std::string& text, double low, double high) {
+  if (text.find('=') == std::string::npos) return ParseInteger(text);
+  constexpr double kRounding = 1e-9;
+  const std::optional<double> delta = DeltaOf(text);
+  if (!delta || !(*delta > 0.0)) return std::nullopt;
+  const double steps = (high - low) / *delta;
+  if (steps > static_cast<double>(kMostPoints)) return std::nullopt;
+  return static_cast<std::int64_t>(std::floor(steps + kRounding)) + 1;
+}
+
+/// The range of a line as it is written: courses in degrees.
+Expected<MotionAxis> AxisOf(const std::string& line, const std::vector<std::string>& parts) {
   const auto number = [&parts](std::size_t i) {
     return parts.size() > i ? ParseNumber(parts[i]) : std::nullopt;
   };
   const std::optional<double> low = number(1), high = number(2);
-  if (!low || !high || !number(3) || *low >= *high) {
-    return fmt::format("`{}` is not allowed; allowed: name:low:high:points, low below high", line);
+  const bool has_form = parts.size() == 4 || parts.size() == 5;
+  const bool has_points = has_form && (number(3) || DeltaOf(parts[3]));
+  if (!low || !high || !has_points || *low >= *high) {
+    return Error{fmt::format(
+        "`{}` is not allowed; allowed: name:low:high:points[:optional], low below high", line)};
   }
-  const std::optional<std::int64_t> points = ParseInteger(parts[3]);
-  if (!points || *points < kFewestPoints) {
-    return fmt::format("`{}` has {} points; allowed: a whole number, at least {}", line,
-                       Trim(parts[3]), kFewestPoints);
+  const bool is_optional = parts.size() == 5 && EqualsIgnoringCase(parts[4], "optional");
+  if (parts.size() == 5 && !is_optional) {
+    return Error{fmt::format("`{}` is not allowed at the end; allowed: optional", parts[4])};
   }
-  if (name == "speed") domain.speed_low = *low, domain.speed_high = *high;
-  if (name == "depth") domain.depth_low = *low, domain.depth_high = *high;
+  const std::optional<std::int64_t> points = PointsOf(parts[3], *low, *high);
+  if (!points || *points < kFewestPoints || *points > kMostPoints) {
+    return Error{fmt::format("`{}` has {} points; allowed: a whole number, at least {}", line,
+                             parts[3], kFewestPoints)};
+  }
+  MotionAxis axis{
+      .low = *low, .high = *high, .points = static_cast<int>(*points), .is_optional = is_optional};
+  if (const std::optional<double> delta = DeltaOf(parts[3])) {
+    axis.high = axis.low + (axis.points - 1) * *delta;  // the last point that fits
+  }
+  return axis;
+}
+
+MotionAxis InRadians(MotionAxis axis) {
+  axis.low = RadiansFromDegrees(axis.low);
+  axis.high = RadiansFromDegrees(axis.high);
+  return axis;
+}
+
+/// The complaint about one line, or nothing.
+std::optional<std::string> ReadLine(const std::string& line, MotionDomain& domain) {
+  const std::vector<std::string> names = VariableNames();
+  const std::vector<std::string> parts = PartsOf(line);
+  const std::string& name = parts[0];
+  const auto known = std::ranges::find_if(
+      names, [&name](const std::string& other) { return EqualsIgnoringCase(other, name); });
+  if (known == names.end()) {
+    const std::string nearest = NearestWord(name, names);
+    return fmt::format("no decision variable `{}`; known: course, speed, depth{}", name,
+                       nearest.empty() ? "" : "; did you mean `" + nearest + "`?");
+  }
+  const std::array axes{&domain.course, &domain.speed, &domain.depth};
+  const auto index = static_cast<std::size_t>(known - names.begin());
+  std::optional<MotionAxis>& own = *axes.at(index);
+  if (own) return "`" + *known + "` is given twice";
+  const Expected<MotionAxis> axis = AxisOf(line, parts);
+  if (!axis) return axis.error().text;
+  own = index == IndexOf(MotionVariable::kCourse) ? InRadians(*axis) : *axis;
   return std::nullopt;
 }
 
 }  // namespace
 
+const char* NameOf(MotionVariable variable) {
+  static constexpr std::array kNames{"course", "speed", "depth"};
+  return kNames.at(IndexOf(variable));
+}
+
+const std::optional<MotionAxis>& MotionDomain::axis(MotionVariable variable) const {
+  return variable == MotionVariable::kCourse  ? course
+         : variable == MotionVariable::kSpeed ? speed
+                                              : depth;
+}
+
+int MotionDomain::points(MotionVariable variable) const {
+  const std::optional<MotionAxis>& of = axis(variable);
+  return of ? of->points : 1;
+}
+
 std::vector<ConfigProblem> ReadMotionDomain(std::span<const ConfigEntry> lines,
                                             const SourceLine& block, MotionDomain& domain) {
   std::vector<ConfigProblem> problems;
-  std::vector<std::string> seen;
+  MotionDomain read{.course = {}, .speed = {}, .depth = {}};
   for (const ConfigEntry& line : lines) {
-    if (const auto complaint = ReadLine(line.value, domain, seen)) {
+    if (const auto complaint = ReadLine(line.value, read)) {
       problems.push_back({line.where, "domain", *complaint});
     }
   }
   const bool is_readable = problems.empty();  // else a name that is misspelt would be missed, too
-  for (const std::string& name : DecisionVariables()) {
-    if (is_readable && std::ranges::find(seen, name) == seen.end()) {
-      problems.push_back(
-          {block, "domain", fmt::format("`{}` is missing; the helm decides on all three", name)});
+  for (const MotionVariable variable : {MotionVariable::kCourse, MotionVariable::kSpeed}) {
+    if (is_readable && !read.axis(variable)) {
+      problems.push_back({block, "domain",
+                          fmt::format("`{}` is missing; the helm decides on course and speed, and "
+                                      "on depth if there is a line for it",
+                                      NameOf(variable))});
     }
   }
+  if (problems.empty()) domain = read;
   return problems;
+}
+
+std::string MotionDomainText(std::span<const std::string> lines) {
+  std::string text;
+  for (const std::string& line : lines) {
+    std::vector<std::string> parts = PartsOf(line);
+    const Expected<MotionAxis> axis = AxisOf(line, parts);
+    if (!axis) continue;  // refused where the domain is read
+    text += fmt::format("{}{},{:g},{:g},{}", text.empty() ? "" : ":", parts[0], axis->low,
+                        axis->high, axis->points);
+  }
+  return text;
 }
 
 }  // namespace limpet

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
+#include <optional>
 
 #include "limpet/core/frames.hpp"
 #include "limpet/core/require.hpp"
@@ -11,21 +13,36 @@
 namespace limpet {
 namespace {
 
-/// Summits of the heaviest peaks first, then the knees: the first best candidate wins ties.
-std::vector<double> Candidates(std::span<const WeightedPeak> peaks) {
-  std::vector<WeightedPeak> by_weight(peaks.begin(), peaks.end());
-  std::ranges::stable_sort(by_weight, std::ranges::greater{}, &WeightedPeak::weight);
-  std::vector<double> candidates;
-  for (const WeightedPeak& peak : by_weight) {
-    candidates.push_back(peak.peak.summit);
-  }
-  for (const auto& [peak, weight] : by_weight) {
-    for (const double offset : {peak.flat_half_width, peak.base_half_width}) {
-      candidates.push_back(peak.summit - offset);
-      candidates.push_back(peak.summit + offset);
+/// True if `a` comes before `b`: heavier, or as heavy and given earlier.
+bool ComesBefore(std::span<const WeightedPeak> peaks, std::size_t a, std::size_t b) {
+  return peaks[a].weight > peaks[b].weight || (peaks[a].weight == peaks[b].weight && a < b);
+}
+
+/// The heaviest peaks first. Sorting would allocate, and there are few.
+template <class Visit>
+void VisitByWeight(std::span<const WeightedPeak> peaks, const Visit& visit) {
+  std::optional<std::size_t> last;
+  for (std::size_t count = 0; count < peaks.size(); ++count) {
+    std::optional<std::size_t> next;
+    for (std::size_t i = 0; i < peaks.size(); ++i) {
+      const bool is_left = !last || ComesBefore(peaks, *last, i);
+      if (is_left && (!next || ComesBefore(peaks, i, *next))) next = i;
     }
+    visit(peaks[*next].peak);
+    last = next;
   }
-  return candidates;
+}
+
+/// Summits of the heaviest peaks first, then the knees: the first best candidate wins ties.
+template <class Visit>
+void VisitCandidates(std::span<const WeightedPeak> peaks, const Visit& visit) {
+  VisitByWeight(peaks, [&visit](const Peak& peak) { visit(peak.summit); });
+  VisitByWeight(peaks, [&visit](const Peak& peak) {
+    for (const double offset : {peak.flat_half_width, peak.base_half_width}) {
+      visit(peak.summit - offset);
+      visit(peak.summit + offset);
+    }
+  });
 }
 
 template <class Distance>
@@ -36,21 +53,30 @@ double SumAt(std::span<const WeightedPeak> peaks, double x, Distance distance) {
       });
 }
 
+/// Keeps the best of the candidates it is shown.
 template <class Distance>
-double BestOf(std::span<const WeightedPeak> peaks, const std::vector<double>& candidates,
-              Distance distance) {
-  constexpr double kTie = 1e-9;  // rounding must not let a knee beat an equal summit
-  double best = candidates.front();
-  double best_value = SumAt(peaks, best, distance);
-  for (const double candidate : candidates) {
-    const double value = SumAt(peaks, candidate, distance);
-    if (value > best_value + kTie) {
-      best = candidate;
-      best_value = value;
+class BestOf {
+ public:
+  BestOf(std::span<const WeightedPeak> peaks, Distance distance)
+      : peaks_(peaks), distance_(distance) {}
+
+  void Consider(double candidate) {
+    constexpr double kTie = 1e-9;  // rounding must not let a knee beat an equal summit
+    const double value = SumAt(peaks_, candidate, distance_);
+    if (!has_any_ || value > best_value_ + kTie) {
+      best_ = candidate;
+      best_value_ = value;
     }
+    has_any_ = true;
   }
-  return best;
-}
+  [[nodiscard]] double best() const { return best_; }
+
+ private:
+  std::span<const WeightedPeak> peaks_;
+  Distance distance_;
+  double best_ = 0.0, best_value_ = 0.0;
+  bool has_any_ = false;
+};
 
 }  // namespace
 
@@ -62,19 +88,18 @@ double PeakValue(const Peak& peak, double distance) {
 
 double MaximizeOverInterval(std::span<const WeightedPeak> peaks, double low, double high) {
   LIMPET_REQUIRE(!peaks.empty() && low <= high, "a decision needs a preference and a domain");
-  std::vector<double> candidates = Candidates(peaks);
-  candidates.push_back(low);
-  candidates.push_back(high);
-  for (double& candidate : candidates) {
-    candidate = std::clamp(candidate, low, high);
-  }
-  return BestOf(peaks, candidates, [](double x, double summit) { return x - summit; });
+  BestOf best(peaks, [](double x, double summit) { return x - summit; });
+  VisitCandidates(peaks, [&](double x) { best.Consider(std::clamp(x, low, high)); });
+  best.Consider(low);
+  best.Consider(high);
+  return best.best();
 }
 
 double MaximizeOverCircle(std::span<const WeightedPeak> peaks) {
   LIMPET_REQUIRE(!peaks.empty(), "a decision needs a preference");
-  return WrapAngle(BestOf(peaks, Candidates(peaks),
-                          [](double x, double summit) { return WrapAngle(x - summit); }));
+  BestOf best(peaks, [](double x, double summit) { return WrapAngle(x - summit); });
+  VisitCandidates(peaks, [&best](double x) { best.Consider(x); });
+  return WrapAngle(best.best());
 }
 
 }  // namespace limpet

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "limpet/core/units.hpp"
+#include "limpet/helm/motion_domain.hpp"
 #include "limpet/planning/ground.hpp"
 #include "limpet/planning/objective.hpp"
 #include "limpet/planning/option.hpp"
@@ -35,6 +36,7 @@ struct VehicleState {
   std::optional<Guidance> guidance;  ///< absent without a path
   std::optional<SurveyArea> area;
   std::optional<HomePoint> home{};  ///< once it is known
+  MotionDomain domain{};            ///< what the helm decides on
 };
 
 /// An object as the helm weighs it.

@@ -194,7 +194,7 @@ std::vector<fs::path> FactFolders(const FactFile& kind, const fs::path& mission_
   std::vector<fs::path> folders{mission_folder};
   const fs::path shared = fs::path("share") / kind.folder;
   AddFoldersAbove(fs::absolute(mission_folder, ignored).lexically_normal(), shared, folders);
-  AddFoldersAbove(RunningProgramFolder(), shared, folders);
+  AddFoldersOfProgram(shared, folders);
   return folders;
 }
 

@@ -325,7 +325,7 @@ std::vector<fs::path> PlugFoldersAround(const fs::path& file) {
   std::vector<fs::path> absolute;
   std::error_code ignored;
   AddFoldersAbove(fs::absolute(file, ignored).lexically_normal().parent_path(), "plugs", absolute);
-  AddFoldersAbove(RunningProgramFolder(), "plugs", absolute);
+  AddFoldersOfProgram("plugs", absolute);
   std::vector<fs::path> folders;
   folders.reserve(absolute.size());
   for (const fs::path& folder : absolute) {

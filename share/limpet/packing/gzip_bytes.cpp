@@ -27,8 +27,7 @@ Bytef* BytesOf(std::string_view part) {
 std::string Gzip(std::string_view bytes, Packing packing) {
   z_stream deflater{};
   const int level = packing == Packing::kFast ? 1 : Z_DEFAULT_COMPRESSION;
-  const int begun =
-      deflateInit2(&deflater, level, Z_DEFLATED, kGzipWindow, 8, Z_DEFAULT_STRATEGY);
+  const int begun = deflateInit2(&deflater, level, Z_DEFLATED, kGzipWindow, 8, Z_DEFAULT_STRATEGY);
   LIMPET_REQUIRE(begun == Z_OK, "zlib has no memory");
   std::string packed;
   std::array<char, 65536> buffer{};

@@ -71,7 +71,7 @@ void CheckDeep(const MissionReading& reading, const SurveyFacts& survey, const S
   const MotionDomain domain = DomainOf(reading);
   const double deepest = seabeds.deepest - survey.altitude.number();
   const Setting line = DomainLine(reading, "depth");
-  if (deepest > domain.depth_high) {
+  if (domain.depth && deepest > domain.depth->high) {
     found.geometry.push_back(line.Refuse(fmt::format(
         "`{}`: the seabed is as deep as {:.1f} m, so that {} is {:.1f} m deep; allowed: a "
         "domain to {:.0f} m or more",
@@ -127,17 +127,21 @@ void CheckDive(const MissionReading& reading, const SurveyFacts& survey, const S
 /// One variable of the helm's domain.
 struct DomainRange {
   const char* variable;
-  double low, high;
+  const std::optional<MotionAxis>& axis;
 };
 
 /// What behaviors ask for must be in the domain, or the helm asks for something else.
 void CheckDomainOf(const MissionReading& reading, const char* type, const char* key,
                    const DomainRange& range, MissionProblems& found) {
   for (const Setting& wanted : reading.OfBehaviors(type, key)) {
-    if (wanted.number() < range.low || wanted.number() > range.high) {
-      found.geometry.push_back(wanted.Refuse(fmt::format(
-          "`{}` is outside of the helm's {}; allowed: {:g} to {:g} {}", wanted.text,
-          DomainLine(reading, range.variable).Named(), range.low, range.high, wanted.unit)));
+    if (!range.axis) {
+      found.geometry.push_back(wanted.Refuse(
+          fmt::format("the helm's domain has no {}: nobody would hear of it", range.variable)));
+    } else if (wanted.number() < range.axis->low || wanted.number() > range.axis->high) {
+      found.geometry.push_back(
+          wanted.Refuse(fmt::format("`{}` is outside of the helm's {}; allowed: {:g} to {:g} {}",
+                                    wanted.text, DomainLine(reading, range.variable).Named(),
+                                    range.axis->low, range.axis->high, wanted.unit)));
     }
   }
 }
@@ -148,16 +152,14 @@ void CheckMotion(const MissionReading& reading, MissionProblems& found) {
   if (!reading.Launches("pHelm")) return;
   const MotionDomain domain = DomainOf(reading);
   const auto speed = [&](const char* type) {
-    CheckDomainOf(reading, type, "speed_mps", {"speed", domain.speed_low, domain.speed_high},
-                  found);
+    CheckDomainOf(reading, type, "speed_mps", {"speed", domain.speed}, found);
   };
   speed("BHV_FollowPath");
   speed("BHV_HoldStation");
-  CheckDomainOf(reading, "BHV_ConstantDepth", "depth",
-                {"depth", domain.depth_low, domain.depth_high}, found);
+  CheckDomainOf(reading, "BHV_ConstantDepth", "depth", {"depth", domain.depth}, found);
   const std::vector<Setting> stations = reading.OfBehaviors("BHV_HoldStation", "speed_mps");
   const Setting line = DomainLine(reading, "speed");
-  if (!stations.empty() && domain.speed_low > 0.0) {
+  if (!stations.empty() && domain.speed->low > 0.0) {
     found.geometry.push_back(
         line.Refuse(fmt::format("`{}` has no 0 m/s, and {} (BHV_HoldStation) stops the vehicle",
                                 line.text, stations.front().owner)));
@@ -187,7 +189,11 @@ void CheckDvlReach(const MissionReading& reading, const SurveyFacts& survey,
 void CheckDepths(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found) {
   CheckDvlReach(reading, survey, found);
   const MotionDomain domain = DomainOf(reading);
-  if (domain.depth_low > 0.0) {
+  if (!domain.depth) {
+    found.geometry.push_back(
+        DomainLine(reading, "course")
+            .Refuse("there is no line for depth: the vehicle would not dive to be surveyed from"));
+  } else if (domain.depth->low > 0.0) {
     const Setting line = DomainLine(reading, "depth");
     found.geometry.push_back(line.Refuse(
         fmt::format("`{}` has no 0 m: the vehicle could not come up to the surface", line.text)));

@@ -9,6 +9,7 @@
 
 #include "limpet/core/number_text.hpp"
 #include "limpet/helm/behavior_host.hpp"
+#include "limpet/helm/behavior_modules.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/mission/expectations.hpp"
 #include "limpet/mission/shared_settings.hpp"
@@ -111,6 +112,13 @@ void MissionReading::SortLaunches() {
 }
 
 void MissionReading::LoadBehaviorFiles() {
+  if (Launches("pHelm")) {
+    std::vector<ConfigEntry> foreign;
+    for (const Setting& path : FindAll("pHelm", "behavior_path")) {
+      foreign.push_back({.key = path.key, .value = path.text, .where = path.where});
+    }
+    Keep(problems_, [&] { LoadBehaviorModules(foreign, folder_); });
+  }
   std::vector<std::string> overrides;
   for (const Setting& setting : FindAll("pHelm", "behavior_setting")) {
     if (!setting.text.empty()) overrides.push_back(setting.text);

@@ -8,6 +8,7 @@
 
 #include "limpet/app/registry.hpp"
 #include "limpet/helm/behavior_host.hpp"
+#include "limpet/helm/behavior_modules.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/mission/shared_settings.hpp"
 #include "limpet/mission/vehicle_settings.hpp"
@@ -170,6 +171,7 @@ MissionProblems CheckMissionFile(const fs::path& file) {
 MissionProblems CheckBehaviorFile(const fs::path& file) {
   MissionProblems found;
   try {
+    LoadBehaviorModules({}, file.parent_path());
     BehaviorFile behaviors = LoadBehaviors(file);
     TakeGlobals(GlobalsBeside(file), behaviors.behaviors);
     Join(behaviors.warnings, found.notes);

@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "limpet/packing/gzip_bytes.hpp"
 #include "limpet/core/number_text.hpp"
+#include "limpet/packing/gzip_bytes.hpp"
 #include "limpet/recordings/ros_table.hpp"
 
 namespace limpet {

@@ -134,6 +134,9 @@ inline const auto kHelmState =
     Declare<std::string>("IVPHELM_STATE", "DRIVE or PARK", {.rate = "10 Hz", .writers = {"pHelm"}});
 inline const auto kHelmAllStop = Declare<std::string>(
     "IVPHELM_ALLSTOP", "clear, or why all is stopped", {.rate = "on change", .writers = {"pHelm"}});
+inline const auto kBehaviorError = Declare<std::string>(
+    "BHV_ERROR", "behaviors whose bid could not be heard, and why: `name: text`",
+    {.rate = "on change", .writers = {"pHelm"}});
 inline const auto kHelmPath = Declare<HelmPath>(
     "HELM_PATH", "path being followed: Dubins arcs and lines",
     {.unit = "m, rad, 1/m", .frame = "NED", .rate = "on decision", .writers = {"pHelm"}});

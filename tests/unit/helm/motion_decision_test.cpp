@@ -11,14 +11,11 @@
 
 #include "limpet/core/frames.hpp"
 #include "limpet/core/random.hpp"
-#include "limpet/helm/motion_domain.hpp"
 
 namespace limpet {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 class MovingBehavior final : public Behavior {
  public:
@@ -54,8 +51,8 @@ MotionBid Depth(double depth) {
 TEST(MotionDecision, NamesWhatNobodyBidOn) {
   MovingBehavior course(Course(1.0)), depth(Depth(3.0));
   const std::vector<WeightedBehavior> running{{"course", 100.0, &course}, {"depth", 1.0, &depth}};
-  EXPECT_EQ(DecideMotion(running, {}, {}).Missing(), "speed");
-  EXPECT_EQ(DecideMotion({}, {}, {}).Missing(), "course,speed,depth");
+  EXPECT_EQ(DecideMotion(running, {}, {}).Missing({}), "speed");
+  EXPECT_EQ(DecideMotion({}, {}, {}).Missing({}), "course,speed,depth");
   EXPECT_THAT(DecideMotion(running, {}, {}).active, ElementsAre("course", "depth"));
 }
 
@@ -80,8 +77,9 @@ TEST(MotionDecision, TurnsAsTheHeaviestBidderOnCourseSays) {
 TEST(MotionDecision, KeepsSpeedAndDepthInsideTheMissionsDomain) {
   Random random(1, "domain");
   for (int run = 0; run < 300; ++run) {
-    const MotionDomain domain{
-        .speed_low = 0.2, .speed_high = 1.5, .depth_low = 1.0, .depth_high = 20.0};
+    MotionDomain domain;
+    domain.speed = MotionAxis{.low = 0.2, .high = 1.5, .points = 14};
+    domain.depth = MotionAxis{.low = 1.0, .high = 20.0, .points = 20};
     const double speed = random.Uniform(-2.0, 4.0), depth = random.Uniform(-10.0, 40.0);
     MovingBehavior fast(Speed(speed)), deep(Depth(depth));
     const std::vector<WeightedBehavior> running{{"fast", 1.0, &fast}, {"deep", 1.0, &deep}};
@@ -138,57 +136,6 @@ TEST(CourseArbitration, TurnsWithTheWorld) {
     for (double x = -3.14; x < 3.15; x += 0.02)
       EXPECT_LE(value(peaks, x), value(peaks, best) + 1e-9);
   }
-}
-
-std::vector<std::string> DomainProblems(const std::vector<std::string>& lines,
-                                        MotionDomain& domain) {
-  std::vector<ConfigEntry> entries;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    entries.push_back({"domain", lines[i], {"m.moos", 10 + static_cast<int>(i)}});
-  }
-  std::vector<std::string> texts;
-  for (const auto& problem : ReadMotionDomain(entries, {"m.moos", 5}, domain)) {
-    texts.push_back(problem.Format());
-  }
-  return texts;
-}
-
-TEST(MotionDomain, IsReadInAnyOrder) {
-  MotionDomain domain;
-  EXPECT_THAT(
-      DomainProblems({"depth:1:50:100", "course:0:359:360", " speed : 0.1 : 2 : 21 "}, domain),
-      IsEmpty());
-  EXPECT_EQ(domain.speed_low, 0.1);
-  EXPECT_EQ(domain.speed_high, 2.0);
-  EXPECT_EQ(domain.depth_low, 1.0);
-  EXPECT_EQ(domain.depth_high, 50.0);
-}
-
-TEST(MotionDomain, NamesFileLineAndWhatIsWrong) {
-  const std::vector<std::string> good{"course:0:359:360", "speed:0:1:21", "depth:0:10:11"};
-  const auto with = [&good](std::size_t i, const std::string& line) {
-    std::vector<std::string> lines = good;
-    lines[i] = line;
-    MotionDomain domain;
-    const auto problems = DomainProblems(lines, domain);
-    return problems.empty() ? std::string() : problems[0];
-  };
-  EXPECT_THAT(with(1, "sped:0:1:21"), HasSubstr("m.moos:11: domain: no decision variable `sped`"));
-  EXPECT_THAT(with(1, "sped:0:1:21"), HasSubstr("did you mean `speed`?"));
-  EXPECT_THAT(with(2, "depth:10:0:11"), HasSubstr("m.moos:12: domain: `depth:10:0:11`"));
-  EXPECT_THAT(with(2, "depth:10:10:11"), HasSubstr("low below high"));
-  EXPECT_THAT(with(2, "depth:0:10"), HasSubstr("name:low:high:points"));
-  EXPECT_THAT(with(2, "depth:0:ten:11"), HasSubstr("name:low:high:points"));
-  EXPECT_THAT(with(1, "speed:0:1:1"), HasSubstr("at least 2"));
-  EXPECT_THAT(with(1, "speed:0:1:2.5"), HasSubstr("a whole number"));
-  EXPECT_THAT(with(1, "course:0:359:360"), HasSubstr("`course` is given twice"));
-}
-
-TEST(MotionDomain, NeedsAllThreeVariables) {
-  MotionDomain domain;
-  EXPECT_THAT(DomainProblems({"course:0:359:360", "speed:0:1:21"}, domain),
-              ElementsAre(HasSubstr("m.moos:5: domain: `depth` is missing")));
-  EXPECT_THAT(DomainProblems({}, domain), ::testing::SizeIs(3));
 }
 
 }  // namespace

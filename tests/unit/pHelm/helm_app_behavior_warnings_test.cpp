@@ -2,6 +2,7 @@
 // Warnings of behaviors, whatever their ids: raised by the helm and cleared by it.
 #include <fstream>
 #include <memory>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ const WarningId kTooDeep = DeclareWarning("TOO_DEEP", {.severity = Severity::kWa
                                                        .action = "Rise.",
                                                        .clears = "When it is shallow."});
 
-/// Worries while it is deep.
+/// Worries while it is deep; fails while it is very deep.
 class BHV_TestWorry final : public Behavior {
  public:
   struct Params {
@@ -29,6 +30,7 @@ class BHV_TestWorry final : public Behavior {
   explicit BHV_TestWorry(const Params&) {}
   [[nodiscard]] MotionBid Move(const VehicleState& state) override {
     MotionBid bid;
+    if (state.nav.down > 50.0) throw std::runtime_error("beyond its tables");
     if (state.nav.down > 5.0) {
       bid.warning = BehaviorWarning{kTooDeep, "deeper than 5 m"};
     }
@@ -84,6 +86,17 @@ TEST_F(BehaviorWarningsTest, ClearsTheWarningOfABehaviorThatStopsRunning) {
   Hear("CALM", "true");
   Tick();
   EXPECT_FALSE(app_->warnings().contains("TOO_DEEP"));
+}
+
+TEST_F(BehaviorWarningsTest, SaysThatABehaviorFailsUntilItWorksAgain) {
+  link_.Send(*app_, topics::kNavState, NavState{.down = 60.0, .altitude = {}});
+  Tick();
+  EXPECT_EQ(app_->warnings().at("BHV_FAILED_worry").text,
+            "worry: it has thrown: beyond its tables");
+  EXPECT_EQ(link_.Last(topics::kBehaviorError), "worry: it has thrown: beyond its tables");
+  link_.Send(*app_, topics::kNavState, NavState{.down = 4.0, .altitude = {}});
+  Tick();
+  EXPECT_FALSE(app_->warnings().contains("BHV_FAILED_worry"));
 }
 
 TEST_F(BehaviorWarningsTest, ClearsTheWarningOfABadUpdateWithTheNextGoodOne) {

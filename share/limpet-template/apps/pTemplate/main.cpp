@@ -1,0 +1,3 @@
+#include "limpet/app/run_app.hpp"
+
+int main(int argc, char** argv) { return limpet::RunApp("pTemplate", argc, argv); }

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// What a stranger does who has Limpet installed and wants a behavior and an app of her own. This
+// build is installed into a folder, and nothing else of it is used from there on.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <string>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/limpet_command.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+struct ShellResult {
+  int exit_code = -1;
+  std::string text;
+};
+
+ShellResult Shell(const std::string& command) {
+  ShellResult result;
+  FILE* const pipe = ::popen(("LC_ALL=C " + command + " 2>&1").c_str(), "r");
+  char piece[4096];
+  while (pipe != nullptr && std::fgets(piece, sizeof piece, pipe) != nullptr) {
+    result.text += piece;
+  }
+  const int status = pipe == nullptr ? -1 : ::pclose(pipe);
+  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return result;
+}
+
+/// What docs/tutorial.md tells a shell, in one script that ends at the first failure.
+std::string TutorialScript() {
+  std::istringstream page(TextOfFile(fs::path(LIMPET_SOURCE_DIR) / "docs" / "tutorial.md"));
+  std::string script = "set -eu\n";
+  bool is_inside = false;
+  for (std::string line; std::getline(page, line);) {
+    const bool is_fence = line.starts_with("```");
+    script += is_inside && !is_fence ? line + "\n" : "";
+    is_inside = is_fence ? line == "```sh" : is_inside;
+  }
+  return script;
+}
+
+/// The tutorial, followed once.
+class OwnRepository : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<TemporaryFolder>();
+    fs::create_directory_symlink(LIMPET_BUILD, At("build"));
+    std::ofstream(At("tutorial.sh")) << TutorialScript();
+    tutorial_ = Shell(
+        fmt::format("cd {0} && HOME={0} CMAKE_GENERATOR=Ninja PATH={1}:$PATH bash tutorial.sh",
+                    folder_->path().string(), fs::path(LIMPET_CMAKE).parent_path().string()));
+    ASSERT_EQ(tutorial_.exit_code, 0) << tutorial_.text;
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+  static std::string At(const std::string& name) { return (folder_->path() / name).string(); }
+  /// The installed one, with the behaviors of the repository.
+  static ShellResult Limpet(const std::string& words) {
+    return Shell(fmt::format("LIMPET_BEHAVIOR_PATH={} {} {}", At("own/build"),
+                             At("limpet/bin/limpet"), words));
+  }
+  static ShellResult tutorial_;
+
+ private:
+  static std::unique_ptr<TemporaryFolder> folder_;
+};
+std::unique_ptr<TemporaryFolder> OwnRepository::folder_;
+ShellResult OwnRepository::tutorial_;
+
+TEST_F(OwnRepository, IsWhatTheTutorialEndsWith) {
+  EXPECT_THAT(tutorial_.text, HasSubstr("100% tests passed, 0 tests failed out of 4"));
+  EXPECT_THAT(tutorial_.text, HasSubstr("keep_off x 1"));
+  EXPECT_THAT(tutorial_.text, HasSubstr("How far around it"));
+}
+
+TEST_F(OwnRepository, HasABehaviorThatBidsInASurveyAndCanBeTunedThere) {
+  const auto charged = [](const std::string& run) {
+    double sum = 0.0;
+    const ShellResult why = Limpet("why " + At(run) + " --from 0 --json");
+    for (const auto& decision : nlohmann::json::parse(why.text)) {
+      for (const auto& option : decision.at("options")) {
+        for (const auto& bid : option.at("bids")) {
+          const double metres = bid.at("why").value("metres_near", 0.0);
+          sum += bid.at("behavior") == "keep_off" && metres > 0.0
+                     ? bid.at("value").get<double>() / metres
+                     : 0.0;
+        }
+      }
+    }
+    return sum;
+  };
+  EXPECT_LT(charged("first"), -1.0);
+  EXPECT_LT(charged("second"), -4.0);
+}
+
+TEST_F(OwnRepository, HasAnAppThatSaysItsParameters) {
+  const ShellResult example = Shell(At("own/build/pDeep") + " --example");
+  EXPECT_EQ(example.exit_code, 0) << example.text;
+  EXPECT_THAT(example.text, HasSubstr("max_depth_m"));
+}
+
+TEST_F(OwnRepository, IsNeededByTheMissionThatNamesItsBehavior) {
+  const ShellResult check = Shell(fmt::format("env -u LIMPET_BEHAVIOR_PATH {} check {}",
+                                              At("limpet/bin/limpet"), At("own/missions/trial")));
+  EXPECT_NE(check.exit_code, 0);
+  EXPECT_THAT(check.text, HasSubstr("BHV_KeepOff"));
+}
+
+TEST_F(OwnRepository, IsNeverWrittenOver) {
+  const ShellResult again = Limpet("new app pDeep --out " + At("own"));
+  EXPECT_EQ(again.exit_code, 3);
+  EXPECT_THAT(again.text, HasSubstr("is there already: nothing was written"));
+}
+
+}  // namespace
+}  // namespace limpet
