@@ -1,20 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include "behaviors/BHV_ConstantDepth.hpp"
 
+#include <cmath>
+
+#include "limpet/helm/act_list.hpp"
 #include "limpet/helm/registry.hpp"
+#include "limpet/waypoints/map_params.hpp"
 
 namespace limpet {
 
+void BHV_ConstantDepth::Params::Describe(ParamCollector& visit) {
+  visit("depth", depth, "Depth to keep", InRange(Meters(0.0), Meters(6000.0)));
+  visit("peakwidth", peakwidth, "Depths this near are as good", AtLeast(Meters(0.0)));
+  visit("basewidth", basewidth, "Preference falls to nothing over this depth",
+        AtLeast(Meters(0.01)));
+  DescribeVariable(visit, "depth_mismatch_var", mismatch_variable,
+                   "Where the difference from this depth goes [m]");
+  visit.WithoutEffect({"summitdelta"});
+}
+
 MotionBid BHV_ConstantDepth::Move(const VehicleState& state) {
-  static_cast<void>(state);
   const double flat = params_.peakwidth.value();
-  return {.course = {},
-          .speed = {},
-          .depth = Peak{.summit = params_.depth.value(),
-                        .flat_half_width = flat,
-                        .base_half_width = flat + params_.basewidth.value()},
-          .turn_rate = {},
-          .warning = {}};
+  ActList acts;
+  acts.Post(params_.mismatch_variable, std::abs(state.nav.down - params_.depth.value()));
+  MotionBid bid;
+  bid.depth = Peak{.summit = params_.depth.value(),
+                   .flat_half_width = flat,
+                   .base_half_width = flat + params_.basewidth.value()};
+  bid.acts = acts.Take();
+  return bid;
 }
 
 LIMPET_REGISTER_BEHAVIOR(BHV_ConstantDepth);

@@ -45,6 +45,7 @@ MotionDomain DomainOf(const HelmParams& params) {
 HelmApp::HelmApp(const AppContext& context, const Params& params)
     : App(context),
       params_(params),
+      ownship_(context.Global("Community")),
       host_(LoadBehaviorFiles(context, params)),
       planner_(params.views, MakeRandom("views")),
       arbiter_(DomainOf(params)),
@@ -52,7 +53,7 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
                [this](std::string variable, Value value) {
                  PublishRaw(std::move(variable), std::move(value));
                }),
-      drawing_(context.Global("Community"), [this](std::string variable, std::string text) {
+      drawing_(ownship_, [this](std::string variable, std::string text) {
         PublishRaw(std::move(variable), std::move(text));
       }) {
   Subscribe(topics::kNavState, &HelmApp::OnNav);
@@ -64,14 +65,17 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
   Subscribe(topics::kMapOpis, &HelmApp::OnOpis);
   Subscribe(topics::kMapLook, &HelmApp::OnLook);
   Subscribe(topics::kHelmRejournal, &HelmApp::OnRejournal);
-  SubscribeToConditions();
+  SubscribeRaw(topics::kHelmMapClear.name, [this](const MessagePtr&) { host_.ForgetPosts(); });
+  SubscribeForBehaviors();
 }
 
-void HelmApp::SubscribeToConditions() {
+void HelmApp::SubscribeForBehaviors() {
   for (const std::string& variable : host_.Variables()) {
-    SubscribeRaw(variable, [this](const MessagePtr& message) {
-      host_.SetVariable(message->name, message->value);
-    });
+    if (heard_variables_.insert(variable).second) {
+      SubscribeRaw(variable, [this](const MessagePtr& message) {
+        host_.SetVariable(message->name, message->value, message->time);
+      });
+    }
   }
 }
 
@@ -113,6 +117,7 @@ void HelmApp::PostInitialValues() {
   if (!has_posted_initial_) {
     has_posted_initial_ = true;
     journal_.PostStart(host_, now());
+    journal_.PostLifeEvents(host_.TakeLifeEvents(), 1, now());
     if (!context().is_restarted) {  // else DEPLOY = false would end a mission under way
       Post(host_.InitialPosts());
     }
@@ -143,7 +148,9 @@ void HelmApp::Tick(Seconds now) {
                      .guidance = planner_.Guide(*nav_),
                      .area = planner_.survey().area(),
                      .home = planner_.survey().home(),
-                     .domain = arbiter_.domain()};
+                     .domain = arbiter_.domain(),
+                     .ownship = ownship_,
+                     .heard = &host_.heard()};
   Post(host_.Update(state));
   if (is_parked_) {
     planner_.DropPath();
@@ -154,6 +161,7 @@ void HelmApp::Tick(Seconds now) {
     state.guidance = planner_.Guide(*nav_);
     Steer(state);
   }
+  SettleBehaviors(state);
   TellBehaviorWarnings();
   if (planner_.path().segments().empty()) {
     drawing_.ErasePath();
@@ -211,9 +219,21 @@ void HelmApp::TellFailures() {
   told_failures_ = std::move(text);
 }
 
+void HelmApp::SettleBehaviors(const VehicleState& state) {
+  const std::vector<std::string_view> active =
+      is_parked_ ? std::vector<std::string_view>() : ActiveBehaviors();
+  Post(host_.Settle({.turns = motion_.turns, .active = active}, state));
+  const std::vector<LifeEvent> events = host_.TakeLifeEvents();
+  journal_.PostLifeEvents(events, helm_iteration_, state.now);
+  if (!events.empty()) {
+    SubscribeForBehaviors();
+  }
+}
+
 void HelmApp::TellBehaviorWarnings() {
   std::vector<OwnedWarning> raised = motion_.warnings;
-  raised.insert(raised.end(), host_.warnings().begin(), host_.warnings().end());
+  const std::vector<OwnedWarning> of_host = host_.warnings();
+  raised.insert(raised.end(), of_host.begin(), of_host.end());
   const WarningBook::Change change = warning_book_.Update(raised);
   for (const WarningId& id : change.cleared) {
     ClearWarning(id);

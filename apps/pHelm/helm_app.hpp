@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,8 @@ class HelmApp final : public App {
   void OnLook(const Stamped<MapLook>& look) { planner_.survey().SetLookModel(look.value); }
   void OnRejournal(const Stamped<std::string>&) { journal_.Rejournal(); }
 
-  void SubscribeToConditions();
+  /// To every variable that the behaviors want by now.
+  void SubscribeForBehaviors();
   void PostInitialValues();
   void Post(const std::vector<HelmPost>& posts);
   void DecideView(Seconds now);
@@ -54,6 +56,8 @@ class HelmApp final : public App {
   void Steer(const VehicleState& state);
   /// BHV_ERROR, whenever others fail than before, or for other reasons.
   void TellFailures();
+  /// Carries out what behaviors did beside bidding.
+  void SettleBehaviors(const VehicleState& state);
   /// Raises what behaviors raise now, and clears what none raises any more.
   void TellBehaviorWarnings();
   void AllStop(const std::string& why);
@@ -65,7 +69,9 @@ class HelmApp final : public App {
   [[nodiscard]] std::vector<WeightedBehavior> Bidders() const;
 
   Params params_;
+  std::string ownship_;  ///< the vehicle's name
   BehaviorHost host_;
+  std::set<std::string> heard_variables_;  ///< that behaviors want
   ViewPlanner planner_;
   MotionArbiter arbiter_;
   std::optional<NavState> nav_;

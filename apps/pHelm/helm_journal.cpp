@@ -34,7 +34,7 @@ std::string EntryText(const BehaviorStatus& behavior, Seconds since, bool is_act
 }  // namespace
 
 const char* HelmJournal::NameOf(State state) {
-  static constexpr const char* kNames[] = {"active", "running", "idle"};
+  static constexpr const char* kNames[] = {"active", "running", "idle", "completed"};
   return kNames[static_cast<int>(state)];
 }
 
@@ -47,15 +47,12 @@ void HelmJournal::PostStart(const BehaviorHost& host, Seconds now) {
   if (const std::string tree = host.ModeTree(); !tree.empty()) {
     post_(topics::kHelmModeSet.name, tree);
   }
-  post_(topics::kHelmBehaviorCount.name, static_cast<double>(behaviors.size()));
   post_(topics::kHelmDisabled.name, std::string());
   post_(topics::kHelmDisabledCount.name, 0.0);
   post_(topics::kHelmCompletedCount.name, 0.0);
+  started_ = now;
   for (const BehaviorStatus& behavior : behaviors) {
     entries_.push_back({.behavior = behavior, .state = State::kIdle, .since = now});
-    post_(topics::kHelmLifeEvent.name,
-          fmt::format("iter=0,time=0.00, bname={}, btype={}, event=spawn, seed=helm_startup,iter=1",
-                      behavior.name, behavior.type));
   }
   std::string heard;
   for (const std::string& variable : host.Variables()) {
@@ -65,27 +62,34 @@ void HelmJournal::PostStart(const BehaviorHost& host, Seconds now) {
   post_(topics::kHelmStateVars.name, heard);
 }
 
+namespace {
+
+HelmJournal::State StateOf(const BehaviorStatus& behavior, const HelmIteration& iteration) {
+  if (behavior.is_complete) return HelmJournal::State::kComplete;
+  if (!behavior.is_running) return HelmJournal::State::kIdle;
+  const bool is_active =
+      std::ranges::find(iteration.active, behavior.name) != iteration.active.end();
+  return is_active ? HelmJournal::State::kActive : HelmJournal::State::kRunning;
+}
+
+}  // namespace
+
 bool HelmJournal::UpdateEntries(const HelmIteration& iteration) {
-  bool is_new = entries_.size() != iteration.behaviors.size();
-  entries_.resize(iteration.behaviors.size());
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    const BehaviorStatus& behavior = iteration.behaviors[i];
-    const bool is_active =
-        std::ranges::find(iteration.active, behavior.name) != iteration.active.end();
-    const State state = !behavior.is_running ? State::kIdle
-                        : is_active          ? State::kActive
-                                             : State::kRunning;
-    Entry& entry = entries_[i];
-    if (entry.state != state) {
-      entry.state = state;
-      entry.since = iteration.now;
-      is_new = true;
-    }
-    if (entry.behavior != behavior) {
-      entry.behavior = behavior;
-      is_new = true;
-    }
+  std::vector<Entry> entries;
+  for (const BehaviorStatus& behavior : iteration.behaviors) {
+    const State state = StateOf(behavior, iteration);
+    const auto old = std::ranges::find_if(
+        entries_, [&behavior](const Entry& entry) { return entry.behavior.name == behavior.name; });
+    const bool stays = old != entries_.end() && old->state == state;
+    const bool is_first_idle = old == entries_.end() && state == State::kIdle && entries_.empty();
+    entries.push_back({.behavior = behavior,
+                       .state = state,
+                       .since = stays           ? old->since
+                                : is_first_idle ? Seconds(0.0)
+                                                : iteration.now});
   }
+  const bool is_new = entries_ != entries;
+  entries_ = std::move(entries);
   return is_new;
 }
 
@@ -133,7 +137,7 @@ void HelmJournal::PostIteration(const HelmIteration& iteration) {
     AddField("active", "active_bhvs=" + Described(State::kActive), summary);
     AddField("disabled", "disabled_bhvs=none", summary);
     AddField("idle", "idle_bhvs=" + Described(State::kIdle), summary);
-    AddField("completed", "completed_bhvs=none", summary);
+    AddField("completed", "completed_bhvs=" + Described(State::kComplete), summary);
     AddField("domain", fmt::format("ivpdomain=\"{}\"", domain_), summary);
   }
   post_(topics::kHelmIteration.name, static_cast<double>(iteration.number));
@@ -142,6 +146,28 @@ void HelmJournal::PostIteration(const HelmIteration& iteration) {
     PostNames(topics::kHelmActive.name, topics::kHelmActiveCount.name, State::kActive);
     PostNames(topics::kHelmRunning.name, topics::kHelmRunningCount.name, State::kRunning);
     PostNames(topics::kHelmIdle.name, topics::kHelmIdleCount.name, State::kIdle);
+  }
+}
+
+void HelmJournal::PostLifeEvents(std::span<const LifeEvent> events, std::int64_t iteration,
+                                 Seconds now) {
+  constexpr const char* kKinds[] = {"spawn", "abort", "death"};
+  const int alive = alive_, completed = completed_;
+  for (const LifeEvent& event : events) {
+    alive_ += event.kind == LifeEvent::Kind::kSpawn   ? 1
+              : event.kind == LifeEvent::Kind::kDeath ? -1
+                                                      : 0;
+    completed_ += event.kind == LifeEvent::Kind::kDeath ? 1 : 0;
+    const std::string seed = event.seed.empty() ? "" : ", seed=" + event.seed;
+    const std::string reason = event.reason.empty() ? "" : ", post_mortem=" + event.reason;
+    post_(topics::kHelmLifeEvent.name,
+          fmt::format("iter=0,time={:.2f}, bname={}, btype={}, event={}{}{},iter={}",
+                      (now - started_).value(), event.name, event.type,
+                      kKinds[static_cast<int>(event.kind)], seed, reason, iteration));
+  }
+  if (alive_ != alive) post_(topics::kHelmBehaviorCount.name, static_cast<double>(alive_));
+  if (completed_ != completed) {
+    post_(topics::kHelmCompletedCount.name, static_cast<double>(completed_));
   }
 }
 

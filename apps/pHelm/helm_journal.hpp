@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -12,6 +13,7 @@
 
 #include "limpet/core/message.hpp"
 #include "limpet/helm/behavior_host.hpp"
+#include "limpet/helm/life_event.hpp"
 
 namespace limpet {
 
@@ -24,7 +26,7 @@ struct HelmIteration {
   int functions = 0;  ///< opinions that went into the decision
   int warnings = 0;
   std::string_view modes;
-  std::span<const BehaviorStatus> behaviors;  ///< always all of them, in the same order
+  std::span<const BehaviorStatus> behaviors;  ///< all of them, those that have just completed too
   std::vector<std::string_view> active;       ///< names of those that bid
 };
 
@@ -33,13 +35,15 @@ struct HelmIteration {
 class HelmJournal {
  public:
   using Post = std::function<void(std::string variable, Value value)>;
-  enum class State { kActive, kRunning, kIdle };
+  enum class State { kActive, kRunning, kIdle, kComplete };
 
   HelmJournal(const std::vector<std::string>& domain, Post post);
 
   /// Once, before the first iteration.
   void PostStart(const BehaviorHost& host, Seconds now);
   void PostIteration(const HelmIteration& iteration);
+  /// Who was made or has ended in an iteration.
+  void PostLifeEvents(std::span<const LifeEvent> events, std::int64_t iteration, Seconds now);
   /// The next summary is a whole one.
   void Rejournal() { summary_.clear(); }
 
@@ -47,6 +51,7 @@ class HelmJournal {
     BehaviorStatus behavior;
     State state = State::kIdle;
     Seconds since;
+    bool operator==(const Entry&) const = default;
   };
   /// What each behavior does, and since when; in file order.
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
@@ -65,6 +70,9 @@ class HelmJournal {
   std::string domain_;  ///< `course,0,359,360:speed,0,1,21`
   Post post_;
   std::vector<Entry> entries_;
+  Seconds started_{0.0};
+  int completed_ = 0;  ///< behaviors that have ended
+  int alive_ = 0;
   std::map<std::string, std::string> summary_;  ///< fields as last posted
   std::map<State, std::string> names_;          ///< as last posted
 };

@@ -53,6 +53,14 @@ bool IsInside(double value, const Range<double>& range) {
          (!range.high || value <= *range.high + kSlack);
 }
 
+/// True if `key` is the parameter's name or one of its aliases.
+bool Names(const ParamSpec& spec, std::string_view key) {
+  return EqualsIgnoringCase(spec.name, key) ||
+         std::ranges::any_of(spec.aliases, [key](const std::string& alias) {
+           return EqualsIgnoringCase(alias, key);
+         });
+}
+
 }  // namespace
 
 void ParamCollector::Add(ParamSpec spec) {
@@ -229,17 +237,73 @@ void ParamCollector::Choice(const char* name, std::string& field, const char* he
   Add(std::move(spec));
 }
 
+void ParamCollector::Parsed(const char* name, const char* form, const char* help,
+                            const char* default_text, std::function<bool(std::string_view)> store) {
+  ParamSpec spec{.name = name,
+                 .unit = "",
+                 .default_text = default_text,
+                 .allowed = form,
+                 .help = help,
+                 .is_repeatable = false,
+                 .set = nullptr};
+  spec.set = [store = std::move(store),
+              allowed = spec.allowed](std::string_view text) -> std::optional<std::string> {
+    if (!store(text)) {
+      return fmt::format("`{}` is not allowed; allowed: {}", text, allowed);
+    }
+    return std::nullopt;
+  };
+  Add(std::move(spec));
+}
+
+void ParamCollector::ParsedLines(const char* name, const char* form, const char* help,
+                                 std::function<bool(std::string_view)> store) {
+  // Without a line there is nothing to read, and so it is of one that is empty.
+  Parsed(name, form, help, "",
+         [store = std::move(store)](std::string_view text) { return text.empty() || store(text); });
+  specs_.back().is_repeatable = true;
+}
+
+void ParamCollector::Also(std::initializer_list<const char*> aliases) {
+  specs_.back().aliases.assign(aliases.begin(), aliases.end());
+}
+
+void ParamCollector::WithoutEffect(std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    Parsed(name, "text", "Of existing missions; has no effect here", "",
+           [](std::string_view) { return true; });
+    specs_.back().is_without_effect = true;
+  }
+}
+
+std::vector<ConfigProblem> IgnoredKeys(const ConfigBlock& block,
+                                       const std::vector<ParamSpec>& specs) {
+  std::vector<ConfigProblem> notes;
+  for (const ConfigEntry& entry : block.entries) {
+    const auto spec = std::ranges::find_if(
+        specs, [&entry](const ParamSpec& known) { return Names(known, entry.key); });
+    if (spec != specs.end() && spec->is_without_effect) {
+      notes.push_back({entry.where, entry.key, "has no effect in " + block.name});
+    }
+  }
+  return notes;
+}
+
 std::vector<ConfigProblem> ApplyBlock(const ConfigBlock& block, const std::vector<ParamSpec>& specs,
                                       const std::vector<std::string>& also_known) {
   std::vector<std::string> known = also_known;
-  std::ranges::transform(specs, std::back_inserter(known), &ParamSpec::name);
+  for (const ParamSpec& spec : specs) {
+    known.push_back(spec.name);
+    known.insert(known.end(), spec.aliases.begin(), spec.aliases.end());
+  }
   std::vector<ConfigProblem> problems = block.problems;
   std::vector<std::string> given;  // also what was meant: one slip is one problem
   for (const ConfigEntry& entry : block.entries) {
     const auto matches = [&entry](const std::string& name) {
       return EqualsIgnoringCase(name, entry.key);
     };
-    const auto spec = std::ranges::find_if(specs, matches, &ParamSpec::name);
+    const auto spec = std::ranges::find_if(
+        specs, [&entry](const ParamSpec& known_spec) { return Names(known_spec, entry.key); });
     if (spec != specs.end()) {
       given.push_back(spec->name);
       if (const auto complaint = spec->set(entry.value)) {

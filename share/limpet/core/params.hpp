@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,6 +49,8 @@ struct ParamSpec {
   /// Values as a block may give them, one per line: the default, or of a required parameter what
   /// the struct is initialised with.
   std::vector<std::string> example{};
+  std::vector<std::string> aliases{};  ///< other names of it that blocks may use
+  bool is_without_effect = false;      ///< a key of existing missions that is read and not heeded
   /// Parses and stores; the complaint if the text is no allowed value.
   std::function<std::optional<std::string>(std::string_view)> set;
 };
@@ -71,6 +74,18 @@ class ParamCollector {
   /// A string that must be one of `choices`.
   void Choice(const char* name, std::string& field, const char* help,
               std::vector<std::string> choices);
+
+  /// A text of a form of its own, e.g. `x,y:x,y` as `form`: `store` says whether it could be read.
+  void Parsed(const char* name, const char* form, const char* help, const char* default_text,
+              std::function<bool(std::string_view)> store);
+  /// As Parsed, one per line of the block.
+  void ParsedLines(const char* name, const char* form, const char* help,
+                   std::function<bool(std::string_view)> store);
+  /// Other names of the parameter declared last, as existing missions spell it.
+  void Also(std::initializer_list<const char*> aliases);
+  /// Keys that existing missions may hold and nothing here heeds: they are known, and who reads
+  /// the block says so (`IgnoredKeys`).
+  void WithoutEffect(std::initializer_list<const char*> names);
 
   template <class D>
   void operator()(const char* name, Quantity<D>& field, const char* help,
@@ -113,6 +128,10 @@ template <class P>
 [[nodiscard]] std::vector<ConfigProblem> ApplyBlock(
     const ConfigBlock& block, const std::vector<ParamSpec>& specs,
     const std::vector<std::string>& also_known = {});
+
+/// A note for each line of `block` whose key `specs` declare to be without effect.
+[[nodiscard]] std::vector<ConfigProblem> IgnoredKeys(const ConfigBlock& block,
+                                                     const std::vector<ParamSpec>& specs);
 
 /// Reads a params struct. Throws ConfigError with every problem of the block.
 template <class P>

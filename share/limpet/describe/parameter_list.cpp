@@ -87,6 +87,8 @@ OrderedJson JsonOf(const ParameterOwner& owner) {
                           {"example", parameter.example},
                           {"allowed", parameter.allowed},
                           {"repeatable", parameter.is_repeatable},
+                          {"aliases", parameter.aliases},
+                          {"without_effect", parameter.is_without_effect},
                           {"global", GlobalOf(owner, parameter)},
                           {"vehicle_key", KeyIn(VehicleFacts(), owner, parameter)},
                           {"detector_key", KeyIn(DetectorFacts(), owner, parameter)},
@@ -98,20 +100,37 @@ OrderedJson JsonOf(const ParameterOwner& owner) {
   return out;
 }
 
+/// What follows the meaning: other names, and where else a mission may say it.
+std::string RemarksOn(const ParameterOwner& owner, const ParamSpec& parameter) {
+  std::string text;
+  for (const std::string& alias : parameter.aliases) {
+    text += fmt::format("{} `{}`", text.empty() ? "; also" : ",", alias);
+  }
+  const std::string global = GlobalOf(owner, parameter);
+  if (!global.empty()) text += fmt::format("; global `{}`", global);
+  const FactSource other = FactFor(owner.name, parameter.name);
+  if (!other.fact.empty()) text += fmt::format("; {}'s file `{}`", other.kind->of, other.fact);
+  return text;
+}
+
 std::string MarkdownTable(const ParameterOwner& owner) {
   std::string page = fmt::format("\n### {}\n\n", owner.name);
   if (owner.tick_hz)
     page += fmt::format("Ticks at {} Hz unless AppTick says otherwise.\n\n", *owner.tick_hz);
   if (owner.parameters.empty()) return page + "No parameters of its own.\n";
   page += "| parameter | default | allowed | meaning |\n| --- | --- | --- | --- |\n";
+  std::string ignored;
   for (const ParamSpec& parameter : owner.parameters) {
-    const std::string global = GlobalOf(owner, parameter);
-    const FactSource other = FactFor(owner.name, parameter.name);
-    page += fmt::format(
-        "| `{}` | {} | {} | {}{}{} |\n", parameter.name, MarkdownCell(DefaultOf(parameter)),
-        MarkdownCell(AllowedOf(parameter)), MarkdownCell(parameter.help),
-        global.empty() ? "" : fmt::format("; global `{}`", global),
-        other.fact.empty() ? "" : fmt::format("; {}'s file `{}`", other.kind->of, other.fact));
+    if (parameter.is_without_effect) {
+      ignored += fmt::format("{}`{}`", ignored.empty() ? "" : ", ", parameter.name);
+      continue;
+    }
+    page += fmt::format("| `{}` | {} | {} | {}{} |\n", parameter.name,
+                        MarkdownCell(DefaultOf(parameter)), MarkdownCell(AllowedOf(parameter)),
+                        MarkdownCell(parameter.help), RemarksOn(owner, parameter));
+  }
+  if (!ignored.empty()) {
+    page += fmt::format("\nOf existing missions, known and without effect: {}.\n", ignored);
   }
   return page;
 }

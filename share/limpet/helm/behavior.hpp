@@ -5,8 +5,11 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
+#include "limpet/helm/behavior_act.hpp"
 #include "limpet/helm/motion_table.hpp"
 #include "limpet/helm/peak.hpp"
 #include "limpet/helm/situation.hpp"
@@ -32,6 +35,7 @@ struct MotionBid {
   const MotionTable* table = nullptr;
   std::optional<double> turn_rate;  ///< feed-forward of the course [rad/s], starboard positive
   std::optional<BehaviorWarning> warning;
+  std::vector<BehaviorAct> acts{};  ///< what it posts, and that it is done; in this order
 };
 
 /// What one reason contributes to a bid.
@@ -55,8 +59,43 @@ class Behavior {
  public:
   virtual ~Behavior() = default;
 
+  /// As its block calls it; set by who makes it from a block.
+  [[nodiscard]] const std::string& name() const { return name_; }
+  void SetName(std::string name) { name_ = std::move(name); }
+
+  /// Variables that it reads by `VehicleState::Heard`, besides those of the state.
+  [[nodiscard]] virtual std::vector<std::string> Variables() const { return {}; }
+  /// The text of a macro of its own in flags, e.g. NX of `$[NX]`; nothing if it has none such.
+  [[nodiscard]] virtual std::optional<std::string> Macro(std::string_view name,
+                                                         const VehicleState& state) const {
+    static_cast<void>(name), static_cast<void>(state);
+    return std::nullopt;
+  }
+  /// Called on one that an update has made of `former`, of the same class: takes over how far that
+  /// had come, as far as the keys that the update names allow. False: it starts anew.
+  [[nodiscard]] virtual bool TakeOver(const Behavior& former,
+                                      const std::vector<std::string>& keys) {
+    static_cast<void>(former), static_cast<void>(keys);
+    return false;
+  }
+
+  /// True if its own parameters say that it lives on after it has completed.
+  [[nodiscard]] virtual bool IsPerpetual() const { return false; }
+  /// Called when mail has wound its `duration` up.
+  virtual void Restart() {}
+
   /// Called when the behavior begins to run, at first and after each idle spell.
   virtual void Start(const VehicleState& state) { static_cast<void>(state); }
+  /// Called when it ceases to run, also for good: e.g. erases what it has drawn.
+  [[nodiscard]] virtual std::vector<BehaviorAct> Stop(const VehicleState& state) {
+    static_cast<void>(state);
+    return {};
+  }
+  /// Called every helm tick while it does not run.
+  [[nodiscard]] virtual std::vector<BehaviorAct> Idle(const VehicleState& state) {
+    static_cast<void>(state);
+    return {};
+  }
 
   /// How now; called every helm tick while running.
   [[nodiscard]] virtual MotionBid Move(const VehicleState& state) {
@@ -89,6 +128,9 @@ class Behavior {
     static_cast<void>(prospect), static_cast<void>(now);
     return std::nullopt;
   }
+
+ private:
+  std::string name_;
 };
 
 }  // namespace limpet

@@ -1,90 +1,94 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "limpet/core/message.hpp"
 #include "limpet/helm/behavior.hpp"
+#include "limpet/helm/behavior_overrides.hpp"
+#include "limpet/helm/behavior_status.hpp"
+#include "limpet/helm/behavior_templates.hpp"
+#include "limpet/helm/hosted_behavior.hpp"
+#include "limpet/helm/life_event.hpp"
+#include "limpet/helm/post_filter.hpp"
 #include "limpet/helm/view_decision.hpp"
 #include "limpet/helm/warning_book.hpp"
 #include "limpet/mission/behavior_file.hpp"
-#include "limpet/mission/flag.hpp"
 #include "limpet/mission/mode_set.hpp"
 
 namespace limpet {
 
-/// A variable that the helm is to write: a flag, a mode, an initial value.
-struct HelmPost {
-  std::string variable;
-  Value value;
-  std::string aux;  ///< which behavior or rule
+/// What running behaviors did in an iteration, and who of them had a say.
+struct IterationOutcome {
+  std::span<const BehaviorTurn> turns;
+  std::span<const std::string_view> active;
 };
 
-/// What one behavior is doing, for whoever watches the helm.
-struct BehaviorStatus {
-  std::string name, type;
-  double weight = 0.0;
-  bool is_running = false;
-  int good_updates = 0, updates = 0;  ///< parts of `updates` mail: applied, and all
-  bool operator==(const BehaviorStatus&) const = default;
-};
-
-/// `name.key=value` becomes an entry of the behavior called name. Throws ConfigError if no behavior
-/// has that name.
-void ApplyBehaviorSettings(std::vector<BehaviorFile>& files,
-                           const std::vector<std::string>& settings);
-
-/// Builds the behaviors of .bhv files and keeps their run states: modes, conditions, flags and
-/// updates, as MOOS-IvP defines them.
+/// Builds the behaviors of .bhv files and keeps their lives: modes, conditions, flags, updates,
+/// durations, templates and completion, as MOOS-IvP defines them. An iteration is `Update`, the
+/// bids of those that run, `Settle`.
 class BehaviorHost {
  public:
   /// Throws ConfigError with every problem of every behavior; an unknown parameter is one.
   explicit BehaviorHost(const std::vector<BehaviorFile>& files);
-  ~BehaviorHost();
-  BehaviorHost(const BehaviorHost&) = delete;
-  BehaviorHost& operator=(const BehaviorHost&) = delete;
 
-  /// Variables whose mail the host wants: all that conditions, modes and updates name.
+  /// Variables whose mail the host wants: all that conditions, modes, updates and behaviors name.
+  /// May grow while behaviors are spawned and updated.
   [[nodiscard]] std::vector<std::string> Variables() const;
   /// Posts of `initialize` lines.
   [[nodiscard]] std::vector<HelmPost> InitialPosts() const;
-  /// Takes mail: a value for the conditions, or an update of behaviors.
-  void SetVariable(const std::string& name, const Value& value);
+  /// Takes mail: a value for the conditions, an update of behaviors, what they ask for.
+  void SetVariable(const std::string& name, const Value& value, Seconds time = Seconds(0.0));
+  /// What it has heard; for `VehicleState::heard`.
+  [[nodiscard]] const HeardValues& heard() const { return heard_; }
 
-  /// Evaluates modes and conditions; starts what begins to run; returns flags and changed modes.
+  /// Evaluates modes, conditions and durations; starts what begins to run; returns what is to be
+  /// posted.
   [[nodiscard]] std::vector<HelmPost> Update(const VehicleState& state);
+  /// Carries out what behaviors did; lets go of those that have completed.
+  [[nodiscard]] std::vector<HelmPost> Settle(const IterationOutcome& outcome,
+                                             const VehicleState& state);
+  /// Everything that behaviors post goes out once more, also what has not changed.
+  void ForgetPosts() { filter_.Clear(); }
+
   /// Behaviors now running, in file order.
   [[nodiscard]] const std::vector<WeightedBehavior>& running() const { return running_; }
-  /// All behaviors, in file order.
+  /// All behaviors, in file order and then in order of birth; those that completed in this
+  /// iteration are still there.
   [[nodiscard]] const std::vector<BehaviorStatus>& statuses() const { return statuses_; }
+  /// Who was made or has ended since the last call.
+  [[nodiscard]] std::vector<LifeEvent> TakeLifeEvents() { return std::exchange(events_, {}); }
   /// `MODE@ACTIVE:SURVEYING`, several joined by `#`; "" without modes.
   [[nodiscard]] const std::string& modes() const { return mode_text_; }
   /// As IVPHELM_MODESET has it.
   [[nodiscard]] std::string ModeTree() const { return modes_->Summary(); }
-  /// Behaviors whose last update could not be applied.
-  [[nodiscard]] const std::vector<OwnedWarning>& warnings() const { return warnings_; }
+  /// Behaviors whose last update could not be applied, or whose block says what nobody heeds.
+  [[nodiscard]] std::vector<OwnedWarning> warnings() const;
 
  private:
-  struct Hosted;
   [[nodiscard]] const Value* Find(std::string_view name) const;
-  void AddBehavior(ConfigBlock block, std::vector<ConfigProblem>& problems);
-  void UpdateRunState(Hosted& hosted, const VehicleState& state, std::vector<HelmPost>& posts);
-  void PostFlags(const Hosted& hosted, const std::vector<Flag>& flags, const VehicleState& state,
-                 std::vector<HelmPost>& posts);
-  void ApplyUpdate(Hosted& hosted, const std::string& text);
+  void AddBehavior(const ConfigBlock& block, std::vector<ConfigProblem>& problems);
+  void Adopt(std::unique_ptr<HostedBehavior> hosted, std::string seed);
+  void Spawn(const std::string& variable, const std::string& text);
+  void RemoveComplete();
+  void RefreshStatuses();
 
   std::vector<InitialPost> initializes_;
   std::unique_ptr<ModeSet> modes_;
-  std::map<std::string, Value, std::less<>> variables_;
-  std::vector<std::unique_ptr<Hosted>> hosted_;
+  HeardValues heard_;
+  std::vector<std::unique_ptr<HostedBehavior>> hosted_;
+  BehaviorTemplates templates_;
+  PostFilter filter_;
   std::vector<WeightedBehavior> running_;
   std::string mode_text_;
-  std::vector<BehaviorStatus> statuses_;  ///< parallel to hosted_
-  std::vector<OwnedWarning> warnings_;
+  std::vector<BehaviorStatus> statuses_;
+  std::vector<LifeEvent> events_;
+  std::vector<OwnedWarning> update_warnings_, ignored_warnings_;
 };
 
 }  // namespace limpet

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -82,9 +83,11 @@ const MotionDecision& MotionArbiter::Decide(std::span<const WeightedBehavior> be
   decision_.warnings.clear();
   decision_.failures.clear();
   heard_ = 0;
+  acted_ = 0;
   for (const WeightedBehavior& running : behaviors) {
-    if (running.weight > 0.0) Ask(running, state);
+    Ask(running, state);
   }
+  decision_.turns.resize(acted_);
   for (std::vector<WeightedPeak>& peaks : peaks_) {
     peaks.clear();
   }
@@ -111,6 +114,8 @@ void MotionArbiter::Ask(const WeightedBehavior& running, const VehicleState& sta
   } catch (...) {
     return Fail(running.name, "it has thrown what is no exception of C++");
   }
+  NoteTurn(running.name, owned.bid.acts);
+  if (running.weight <= 0.0) return;  // it acts, and has no say
   if (const auto problem = ProblemOf(owned.bid, domain_)) return Fail(running.name, *problem);
   if (owned.bid.warning) {
     decision_.warnings.push_back({.owner = running.name, .warning = *owned.bid.warning});
@@ -118,6 +123,14 @@ void MotionArbiter::Ask(const WeightedBehavior& running, const VehicleState& sta
   owned.owner = running.name;
   owned.weight = running.weight;
   ++heard_;
+}
+
+void MotionArbiter::NoteTurn(const std::string& name, std::vector<BehaviorAct>& acts) {
+  if (decision_.turns.size() == acted_) decision_.turns.emplace_back();
+  BehaviorTurn& turn = decision_.turns[acted_++];
+  turn.name = name;
+  turn.acts = std::move(acts);
+  acts.clear();
 }
 
 void MotionArbiter::Fail(const std::string& owner, const std::string& text) {

@@ -8,11 +8,4 @@ std::map<std::string, BehaviorEntry>& BehaviorRegistry() {
   return registry;
 }
 
-const std::vector<std::string>& CommonBehaviorKeys() {
-  static const std::vector<std::string> keys{"name",     "pwt",      "priority",   "condition",
-                                             "runflag",  "runxflag", "activeflag", "inactiveflag",
-                                             "idleflag", "updates"};
-  return keys;
-}
-
 }  // namespace limpet

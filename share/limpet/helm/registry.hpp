@@ -13,6 +13,8 @@
 #include "limpet/core/described_params.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/helm/behavior.hpp"
+#include "limpet/helm/common_settings.hpp"
+#include "limpet/mission/behavior_file.hpp"
 
 namespace limpet {
 
@@ -22,9 +24,6 @@ struct BehaviorEntry {
 };
 
 [[nodiscard]] std::map<std::string, BehaviorEntry>& BehaviorRegistry();
-
-/// Keys of every behavior; the host reads them.
-[[nodiscard]] const std::vector<std::string>& CommonBehaviorKeys();
 
 /// True; for a class that cannot be a behavior the compiler says what it lacks.
 template <class B>
@@ -55,7 +54,10 @@ template <class B>
                 return DescribeParams(defaults);
               },
           .create = [](const ConfigBlock& block) -> std::unique_ptr<Behavior> {
-            return std::make_unique<B>(ReadParams<typename B::Params>(block, CommonBehaviorKeys()));
+            auto behavior =
+                std::make_unique<B>(ReadParams<typename B::Params>(block, CommonBehaviorKeys()));
+            behavior->SetName(BehaviorNameOf(block));
+            return behavior;
           }};
 }
 

@@ -2,10 +2,15 @@
 // Snapshots that behaviors judge: one for how to move now, one for where to go next.
 #pragma once
 
+#include <cmath>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "limpet/core/message.hpp"
 #include "limpet/core/units.hpp"
 #include "limpet/helm/motion_domain.hpp"
 #include "limpet/planning/ground.hpp"
@@ -29,6 +34,9 @@ struct Guidance {
   std::string purpose{};     ///< source of the option that the path was, e.g. home
 };
 
+/// Variables by name with their last value and its time.
+using HeardValues = std::map<std::string, Stamped<Value>, std::less<>>;
+
 /// For "how now".
 struct VehicleState {
   Seconds now;
@@ -37,6 +45,18 @@ struct VehicleState {
   std::optional<SurveyArea> area;
   std::optional<HomePoint> home{};  ///< once it is known
   MotionDomain domain{};            ///< what the helm decides on
+  std::string_view ownship{};       ///< the vehicle's name
+  /// What conditions, updates and behaviors asked for; null: nothing heard.
+  const HeardValues* heard = nullptr;
+
+  /// The last value of a variable that somebody asked for, or null.
+  [[nodiscard]] const Stamped<Value>* Heard(std::string_view name) const {
+    if (heard == nullptr) return nullptr;
+    const auto found = heard->find(name);
+    return found == heard->end() ? nullptr : &found->second;
+  }
+  /// Speed over ground [m/s].
+  [[nodiscard]] double speed() const { return std::hypot(nav.u, nav.v); }
 };
 
 /// An object as the helm weighs it.

@@ -81,6 +81,9 @@ inline const auto kHelmSummary = Declare<std::string>(
 inline const auto kHelmRejournal = Declare<std::string>(
     "IVPHELM_REJOURNAL", "asks for a whole IVPHELM_SUMMARY",
     {.rate = "on event", .writers = {"pNodeReporter", "uHelmScope"}, .is_command = true});
+inline const auto kHelmMapClear = Declare<std::string>(
+    "HELM_MAP_CLEAR", "asks behaviors to post once more what has not changed, e.g. shapes",
+    {.rate = "on event", .writers = {"viewers"}, .is_command = true});
 inline const auto kHelmIteration = Declare<double>("IVPHELM_ITER", "iterations of the helm",
                                                    {.rate = "10 Hz", .writers = {"pHelm"}});
 inline const auto kHelmDomain =
@@ -90,9 +93,10 @@ inline const auto kHelmModeSet =
     Declare<std::string>("IVPHELM_MODESET", "mode variables and their parent,child pairs",
                          {.rate = "once", .writers = {"pHelm"}});
 inline const auto kHelmBehaviorCount = Declare<double>("IVPHELM_BHV_CNT", "behaviors that exist",
-                                                       {.rate = "once", .writers = {"pHelm"}});
-inline const auto kHelmLifeEvent = Declare<std::string>("IVPHELM_LIFE_EVENT", "a behavior was made",
-                                                        {.rate = "on event", .writers = {"pHelm"}});
+                                                       {.rate = "on change", .writers = {"pHelm"}});
+inline const auto kHelmLifeEvent =
+    Declare<std::string>("IVPHELM_LIFE_EVENT", "a behavior was made, or ended",
+                         {.rate = "on event", .writers = {"pHelm"}});
 inline const auto kHelmRegister = Declare<std::string>(
     "IVPHELM_REGISTER", "a variable that the behavior files make the helm hear",
     {.rate = "once each", .writers = {"pHelm"}});
@@ -120,8 +124,8 @@ inline const auto kHelmIdleCount = Declare<double>("IVPHELM_BHV_IDLE_CNT", "name
 inline const auto kHelmDisabledCount = Declare<double>("IVPHELM_BHV_DISABLED_CNT", "names in it",
                                                        {.rate = "once", .writers = {"pHelm"}});
 inline const auto kHelmCompletedCount =
-    Declare<double>("IVPHELM_COMPLETED_COUNT", "behaviors that have completed: none ever does",
-                    {.rate = "once", .writers = {"pHelm"}});
+    Declare<double>("IVPHELM_COMPLETED_COUNT", "behaviors that have completed",
+                    {.rate = "on change", .writers = {"pHelm"}});
 }  // namespace topics
 
 }  // namespace limpet

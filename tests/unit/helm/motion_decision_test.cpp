@@ -16,6 +16,7 @@ namespace limpet {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::SizeIs;
 
 class MovingBehavior final : public Behavior {
  public:
@@ -56,11 +57,12 @@ TEST(MotionDecision, NamesWhatNobodyBidOn) {
   EXPECT_THAT(DecideMotion(running, {}, {}).active, ElementsAre("course", "depth"));
 }
 
-TEST(MotionDecision, DoesNotEvenAskABehaviorWithoutWeight) {
+TEST(MotionDecision, LetsABehaviorWithoutWeightActAndHaveNoSay) {
   MovingBehavior silent(Course(1.0)), loud(Course(-1.0));
   const std::vector<WeightedBehavior> running{{"silent", 0.0, &silent}, {"loud", 1.0, &loud}};
   const MotionDecision decision = DecideMotion(running, {}, {});
-  EXPECT_EQ(silent.asked, 0);
+  EXPECT_EQ(silent.asked, 1) << "it may post, and complete";
+  EXPECT_THAT(decision.turns, SizeIs(2));
   EXPECT_NEAR(*decision.course, -1.0, 1e-12);
   EXPECT_THAT(decision.active, ElementsAre("loud"));
 }

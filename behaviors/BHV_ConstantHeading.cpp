@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "behaviors/BHV_ConstantHeading.hpp"
+
+#include <cmath>
+
+#include "limpet/core/frames.hpp"
+#include "limpet/helm/act_list.hpp"
+#include "limpet/helm/registry.hpp"
+#include "limpet/waypoints/map_params.hpp"
+
+namespace limpet {
+
+void BHV_ConstantHeading::Params::Describe(ParamCollector& visit) {
+  visit("heading", heading, "Heading to keep, clockwise from north",
+        InRange(Radians::FromTextUnit(-360.0), Radians::FromTextUnit(360.0)));
+  visit("peakwidth", peakwidth, "Headings this near are as good",
+        InRange(Radians(0.0), Radians::FromTextUnit(180.0)));
+  visit("basewidth", basewidth, "Preference falls to nothing over this angle",
+        InRange(Radians::FromTextUnit(0.1), Radians::FromTextUnit(180.0)));
+  visit("complete_thresh", complete_threshold, "Complete when this near; below 0: never",
+        InRange(Radians::FromTextUnit(-1.0), Radians::FromTextUnit(180.0)));
+  DescribeVariable(visit, "heading_mismatch_var", mismatch_variable,
+                   "Where the angle off this heading goes [deg]");
+  visit.WithoutEffect({"summitdelta"});
+}
+
+MotionBid BHV_ConstantHeading::Move(const VehicleState& state) {
+  const double off = std::abs(WrapAngle(state.nav.yaw - params_.heading.value()));
+  ActList acts;
+  acts.Post(params_.mismatch_variable, DegreesFromRadians(off));
+  MotionBid bid;
+  if (off < params_.complete_threshold.value()) {
+    acts.Complete();
+  } else {
+    const double flat = params_.peakwidth.value();
+    bid.course = Peak{.summit = WrapAngle(params_.heading.value()),
+                      .flat_half_width = flat,
+                      .base_half_width = flat + params_.basewidth.value()};
+  }
+  bid.acts = acts.Take();
+  return bid;
+}
+
+LIMPET_REGISTER_BEHAVIOR(BHV_ConstantHeading);
+
+}  // namespace limpet

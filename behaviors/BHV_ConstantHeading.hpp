@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "limpet/core/params.hpp"
+#include "limpet/helm/behavior.hpp"
+
+namespace limpet {
+
+/// Prefers one heading; completes once the vehicle has it, if asked to. Parameters are spelled as
+/// existing MOOS-IvP missions spell them.
+class BHV_ConstantHeading final : public Behavior {
+ public:
+  struct Params {
+    Radians heading{0.0};
+    Radians peakwidth = Radians::FromTextUnit(10.0);
+    Radians basewidth = Radians::FromTextUnit(170.0);
+    Radians complete_threshold = Radians::FromTextUnit(-1.0);
+    std::string mismatch_variable{};
+    void Describe(ParamCollector& visit);
+  };
+  explicit BHV_ConstantHeading(const Params& params) : params_(params) {}
+  [[nodiscard]] MotionBid Move(const VehicleState& state) override;
+
+ private:
+  Params params_;
+};
+
+}  // namespace limpet

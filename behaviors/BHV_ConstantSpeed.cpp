@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "behaviors/BHV_ConstantSpeed.hpp"
+
+#include <cmath>
+
+#include "limpet/helm/act_list.hpp"
+#include "limpet/helm/registry.hpp"
+#include "limpet/waypoints/map_params.hpp"
+
+namespace limpet {
+
+void BHV_ConstantSpeed::Params::Describe(ParamCollector& visit) {
+  visit("speed", speed, "Speed to keep", InRange(MetersPerSecond(0.0), MetersPerSecond(100.0)));
+  visit("peakwidth", peakwidth, "Speeds this near are as good", AtLeast(MetersPerSecond(0.0)));
+  visit("basewidth", basewidth, "Preference falls to nothing over this speed",
+        AtLeast(MetersPerSecond(0.001)));
+  DescribeVariable(visit, "speed_mismatch_var", mismatch_variable,
+                   "Where the difference from this speed goes [m/s]");
+  visit.WithoutEffect({"summitdelta"});
+}
+
+MotionBid BHV_ConstantSpeed::Move(const VehicleState& state) {
+  const double flat = params_.peakwidth.value();
+  ActList acts;
+  acts.Post(params_.mismatch_variable, std::abs(state.speed() - params_.speed.value()));
+  MotionBid bid;
+  bid.speed = Peak{.summit = params_.speed.value(),
+                   .flat_half_width = flat,
+                   .base_half_width = flat + params_.basewidth.value()};
+  bid.acts = acts.Take();
+  return bid;
+}
+
+LIMPET_REGISTER_BEHAVIOR(BHV_ConstantSpeed);
+
+}  // namespace limpet

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "limpet/core/params.hpp"
+#include "limpet/helm/behavior.hpp"
+
+namespace limpet {
+
+/// Prefers one speed. Parameters are spelled as existing MOOS-IvP missions spell them.
+class BHV_ConstantSpeed final : public Behavior {
+ public:
+  struct Params {
+    MetersPerSecond speed{0.0};
+    MetersPerSecond peakwidth{0.0};
+    MetersPerSecond basewidth{0.2};
+    std::string mismatch_variable{};
+    void Describe(ParamCollector& visit);
+  };
+  explicit BHV_ConstantSpeed(const Params& params) : params_(params) {}
+  [[nodiscard]] MotionBid Move(const VehicleState& state) override;
+
+ private:
+  Params params_;
+};
+
+}  // namespace limpet

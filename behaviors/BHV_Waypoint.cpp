@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include "behaviors/BHV_Waypoint.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "limpet/core/decimal_text.hpp"
+#include "limpet/helm/flag_macros.hpp"
+#include "limpet/helm/heard_conditions.hpp"
+#include "limpet/helm/registry.hpp"
+#include "limpet/waypoints/map_geometry.hpp"
+#include "limpet/waypoints/point_list.hpp"
+
+namespace limpet {
+namespace {
+
+using Step = WaypointProgress::Step;
+
+MapPoint PlaceOf(const VehicleState& state) { return MapPointOf(state.nav.north, state.nav.east); }
+
+bool Has(const std::vector<std::string>& keys, std::initializer_list<std::string_view> names) {
+  return std::ranges::any_of(keys, [&names](const std::string& key) {
+    return std::ranges::any_of(
+        names, [&key](std::string_view name) { return EqualsIgnoringCase(key, name); });
+  });
+}
+
+std::string Whole(double value) { return fmt::format("{:.0f}", value); }
+
+}  // namespace
+
+BHV_Waypoint::BHV_Waypoint(Params params) : params_(std::move(params)) { SetPoints(params_); }
+
+void BHV_Waypoint::SetPoints(const Params& params) {
+  travel_ = {};
+  travel_.progress.SetPoints(params.points);
+  travel_.progress.SetRepeats(params.repeats);
+  if (params.added) travel_.progress.Append(*params.added);
+  travel_.is_reversed = params.order != "normal";
+  if (travel_.is_reversed) travel_.progress.Reverse();
+  travel_.is_greedy_due = params.is_greedy;
+  if (params.index) travel_.progress.SetIndex(static_cast<std::size_t>(*params.index));
+}
+
+std::vector<std::string> BHV_Waypoint::Variables() const {
+  std::vector<std::string> names;
+  for (const Condition& condition : params_.lead_conditions) {
+    std::ranges::move(condition.Variables(), std::back_inserter(names));
+  }
+  return names;
+}
+
+bool BHV_Waypoint::TakeOver(const Behavior& former, const std::vector<std::string>& keys) {
+  const auto& old = dynamic_cast<const BHV_Waypoint&>(former);
+  const bool has_new_points = Has(keys, {"points", "polygon", "point"});
+  if (!has_new_points) {
+    const Travel fresh = std::exchange(travel_, old.travel_);
+    WaypointProgress& progress = travel_.progress;
+    const auto& points = params_.points;
+    if (Has(keys, {"xpoints"}) && points.size() == progress.points().size()) {
+      progress.MovePoints(fresh.progress.points());
+    }
+    if (Has(keys, {"newpt"}) && params_.added) progress.Append(*params_.added);
+    if (Has(keys, {"greedy_tour", "shortest_tour"})) travel_.is_greedy_due = params_.is_greedy;
+    const bool reverses =
+        params_.order == "toggle" ? !travel_.is_reversed : params_.order == "reverse";
+    if (Has(keys, {"order"}) && reverses != travel_.is_reversed) {
+      travel_.is_reversed = reverses;
+      progress.Reverse();
+    }
+  }
+  travel_.progress.SetRepeats(params_.repeats);
+  if (Has(keys, {"currix"}) && params_.index) {
+    travel_.progress.SetIndex(static_cast<std::size_t>(*params_.index));
+  }
+  return true;
+}
+
+void BHV_Waypoint::TakeStart(const VehicleState& state) {
+  if (params_.points_from == "start" && travel_.progress.points().empty()) {
+    travel_.progress.SetPoints({PlaceOf(state)});
+  }
+}
+
+void BHV_Waypoint::Start(const VehicleState&) { travel_.progress.ForgetApproach(); }
+
+std::vector<BehaviorAct> BHV_Waypoint::Idle(const VehicleState& state) {
+  TakeStart(state);
+  return {};
+}
+
+std::vector<BehaviorAct> BHV_Waypoint::Stop(const VehicleState& state) {
+  ActList acts;
+  if (!travel_.progress.points().empty()) {
+    acts.Draw(Drawing(state).Erase(travel_.progress.points(), travel_.progress.next()));
+    if (params_.is_reset_on_idle) travel_.progress.Restart();
+  }
+  acts.Post(params_.previous_distance_variable, -1.0);
+  acts.Post(params_.next_distance_variable, -1.0);
+  return acts.Take();
+}
+
+MapPoint BHV_Waypoint::SteeringPoint(const VehicleState& state) {
+  const WaypointProgress& progress = travel_.progress;
+  if (params_.lead.lead <= 0.0 || !HoldAll(params_.lead_conditions, state)) {
+    return progress.next();
+  }
+  std::optional<MapPoint> from;
+  if (progress.index() > 0) {
+    from = progress.points()[progress.index() - 1];
+  } else if (progress.cycles() > 0) {
+    from = progress.points().back();
+  } else if (params_.leads_to_start) {
+    travel_.begin = travel_.begin.value_or(PlaceOf(state));
+    from = travel_.begin;
+  }
+  return from ? LeadPoint({*from, progress.next()}, PlaceOf(state), params_.lead) : progress.next();
+}
+
+double BHV_Waypoint::Speed(const MapPoint& at) const {
+  const double cruise = params_.uses_alt_speed && params_.speed_alt ? params_.speed_alt->value()
+                                                                    : params_.speed.value();
+  const std::optional<double> left = travel_.progress.ToEnd(at);
+  if (params_.slow_distance <= 0.0 || !left || *left >= params_.slow_distance) {
+    return cruise;
+  }
+  const double range = params_.slow_distance - params_.stop_distance;
+  return *left <= params_.stop_distance ? 0.0 : cruise * (*left - params_.stop_distance) / range;
+}
+
+MotionBid BHV_Waypoint::Move(const VehicleState& state) {
+  TakeStart(state);
+  WaypointProgress& progress = travel_.progress;
+  if (progress.points().empty()) {
+    return {};
+  }
+  const MapPoint at = PlaceOf(state);
+  if (std::exchange(travel_.is_greedy_due, false)) {
+    progress.SetPoints(GreedyTour(progress.points(), at));
+  }
+  ActList acts;
+  const Step step = progress.Advance(at, params_.capture);
+  PostProgress(step, state, acts);
+  MotionBid bid;
+  if (step == Step::kCompleted) {
+    acts.Draw(Drawing(state).Erase(progress.points(), progress.next()));
+    progress.Restart();
+  } else {
+    PostStatus(state, acts);
+    const MapPoint steering = SteeringPoint(state);
+    acts.Draw(Drawing(state).Draw(progress.points(), progress.next(), steering));
+    const double speed = Speed(at);
+    constexpr double kSpeedSkirt = 1.6;  // [m/s] besides half the speed
+    bid.course = Peak{.summit = BearingTo(at, steering),
+                      .flat_half_width = 0.0,
+                      .base_half_width = std::numbers::pi};
+    bid.speed =
+        Peak{.summit = speed, .flat_half_width = 0.0, .base_half_width = 0.5 * speed + kSpeedSkirt};
+  }
+  bid.acts = acts.Take();
+  return bid;
+}
+
+void BHV_Waypoint::PostProgress(Step step, const VehicleState& state, ActList& acts) {
+  const bool is_round = step == Step::kCycled || step == Step::kCompleted;
+  if (is_round) {
+    acts.Post(With(params_.status_variable),
+              fmt::format("behavior-name={},{}", name(),
+                          step == Step::kCompleted ? "completed" : "cycled"));
+    acts.Raise(params_.cycle_flags, *this, state);
+  }
+  if (step == Step::kCompleted) acts.Complete();
+  const bool begins = params_.has_flags_on_start && !travel_.has_raised_flags;
+  if (step != Step::kUnderway || begins) {
+    acts.Raise(params_.waypoint_flags, *this, state);
+    travel_.has_raised_flags = true;
+  }
+  const int cycles = travel_.progress.cycles();
+  if (travel_.posted_cycles.value_or(0) != cycles) {
+    acts.Post(With(params_.cycle_variable), static_cast<double>(cycles));
+    travel_.posted_cycles = cycles;
+  }
+}
+
+void BHV_Waypoint::PostStatus(const VehicleState& state, ActList& acts) {
+  const WaypointProgress& progress = travel_.progress;
+  const MapPoint at = PlaceOf(state);
+  const double distance = DistanceBetween(at, progress.next());
+  acts.Post(
+      With(params_.status_variable),
+      fmt::format("vname={},behavior-name={},index={},hits={}/{},cycles={},dist={},eta={}",
+                  state.ownship, name(), progress.index(), progress.captures(), progress.hits(),
+                  progress.cycles(), Whole(distance), Whole(distance / state.speed())));
+  if (travel_.posted_index != progress.index()) {
+    acts.Post(With(params_.index_variable), static_cast<double>(progress.index()));
+    travel_.posted_index = progress.index();
+  }
+  const auto& previous = progress.previous();
+  acts.Post(params_.previous_distance_variable, previous ? DistanceBetween(at, *previous) : -1.0);
+  acts.Post(params_.next_distance_variable, distance);
+}
+
+WayDrawing BHV_Waypoint::Drawing(const VehicleState& state) const {
+  return {.vehicle = std::string(state.ownship), .behavior = name(), .hints = params_.hints};
+}
+
+std::string BHV_Waypoint::With(const std::string& variable) const {
+  const bool is_silent = variable.empty() || EqualsIgnoringCase(variable, "silent");
+  return is_silent ? "" : variable + params_.suffix;
+}
+
+std::optional<std::string> BHV_Waypoint::Macro(std::string_view name,
+                                               const VehicleState& state) const {
+  const WaypointProgress& progress = travel_.progress;
+  const auto count = [](auto number) { return fmt::format("{}", number); };
+  if (name == "POINTS") return PointsText(progress.points());
+  if (name == "SPEED") return MacroNumber(params_.speed.value());
+  if (name == "SPEED_ALT")
+    return MacroNumber(params_.speed_alt.value_or(MetersPerSecond(-1.0)).value());
+  if (name == "USE_SPEED_ALT") return params_.uses_alt_speed ? "true" : "false";
+  if (name == "WPT_FLAG_ON_START") return params_.has_flags_on_start ? "true" : "false";
+  if (name == "LEAD_TO_START") return params_.leads_to_start ? "true" : "false";
+  if (name == "LEAD_DAMPER") return MacroNumber(params_.lead.damper);
+  if (name == "ORDER") return travel_.is_reversed ? "reverse" : "normal";
+  if (name == "CYCLES") return count(progress.cycles());
+  if (name == "CYCREM") return count(progress.repeats_left().value_or(0));
+  if (name == "WPTS_HIT") return count(progress.hits());
+  if (name == "WPTS") return count(progress.points().size());
+  if (name == "WPTS_REM") return count(progress.points().size() - progress.index());
+  if (name == "NI" || name == "IX") return count(progress.index());
+  if (progress.points().empty()) return std::nullopt;
+  if (name == "NX") return MacroNumber(progress.next().x);
+  if (name == "NY") return MacroNumber(progress.next().y);
+  const MapPoint at = PlaceOf(state);
+  const MapPoint previous = progress.previous().value_or(at);
+  if (name == "PX" || name == "X") return MacroNumber(previous.x);
+  if (name == "PY" || name == "Y") return MacroNumber(previous.y);
+  if (name == "PI") return progress.previous_index() ? count(*progress.previous_index()) : "-1";
+  if (name == "CYC_DIST_TOGO") return MacroNumber(progress.ToEndOfCycle(at));
+  if (name == "ALL_DIST_TOGO") return MacroNumber(progress.ToEnd(at).value_or(-1.0));
+  return std::nullopt;
+}
+
+LIMPET_REGISTER_BEHAVIOR(BHV_Waypoint);
+
+}  // namespace limpet

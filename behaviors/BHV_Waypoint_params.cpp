@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cctype>
+
+#include "behaviors/BHV_Waypoint.hpp"
+#include "limpet/core/number_text.hpp"
+#include "limpet/waypoints/map_params.hpp"
+#include "limpet/waypoints/point_list.hpp"
+
+namespace limpet {
+namespace {
+
+using Params = BHV_Waypoint::Params;
+
+std::string Lower(std::string_view text) {
+  std::string lower(text);
+  std::ranges::transform(lower, lower.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
+bool ReadPoints(std::string_view text, Params& params) {
+  const std::string word = Lower(Trim(text));
+  if (word == "start" || word == "empty") {
+    params.points_from = word;
+    params.points.clear();
+    return true;
+  }
+  const auto points = ParsePoints(text);
+  if (!points) return false;
+  params.points = *points;
+  params.points_from = "list";
+  return true;
+}
+
+bool ReadRepeats(std::string_view text, Params& params) {
+  if (EqualsIgnoringCase(text, "forever")) {
+    params.repeats.reset();
+    return true;
+  }
+  const auto repeats = ParseInteger(text);
+  constexpr int kMost = 1'000'000;
+  if (!repeats || *repeats < 0 || *repeats > kMost) return false;
+  params.repeats = static_cast<int>(*repeats);
+  return true;
+}
+
+/// `absolute` is the line and nothing else.
+bool ReadCaptureLine(std::string_view text, Params& params) {
+  const bool is_absolute = EqualsIgnoringCase(text, "absolute");
+  const auto flag = ParseFlag(text);
+  if (!is_absolute && !flag) return false;
+  if (is_absolute) params.capture.capture_radius = params.capture.slip_radius = 0.0;
+  params.capture.captures_at_line = is_absolute || *flag;
+  return true;
+}
+
+/// `slow_dist=20, stop_dist=5`.
+bool ReadEndSpeed(std::string_view text, Params& params) {
+  std::optional<double> slow, stop;
+  for (const std::string& part : Split(text, ',')) {
+    const std::size_t equals = part.find('=');
+    if (equals == std::string::npos) return false;
+    const std::string_view key = Trim(std::string_view(part).substr(0, equals));
+    const auto value = ParseNumber(Trim(std::string_view(part).substr(equals + 1)));
+    (key == "slow_dist" ? slow : stop) = value;
+    if (key != "slow_dist" && key != "stop_dist") return false;
+  }
+  if (!slow || !stop || *stop < 0.0 || *slow < *stop || *slow <= 0.0) return false;
+  params.slow_distance = *slow;
+  params.stop_distance = *stop;
+  return true;
+}
+
+void DescribeWay(ParamCollector& visit, Params& params) {
+  constexpr const char* kPoints = "x,y : x,y ..., pts={...}, format=..., start or empty";
+  visit.Parsed("points", kPoints, "Where to go: x east, y north of the datum [m]", "empty",
+               [&params](std::string_view text) { return ReadPoints(text, params); });
+  visit.Also({"polygon", "point", "xpoints"});
+  visit.Parsed("newpt", "x,y", "One more point, at the end", "", [&params](std::string_view text) {
+    params.added = text.empty() ? std::nullopt : ParsePoint(text);
+    return text.empty() || params.added.has_value();
+  });
+  visit.Parsed("order", "normal, reverse, toggle", "Which point comes first", "normal",
+               [&params](std::string_view text) {
+                 params.order = text == "reversed" ? "reverse" : std::string(text);
+                 return params.order == "normal" || params.order == "reverse" ||
+                        params.order == "toggle";
+               });
+  visit.Parsed("repeat", "a whole number or forever", "How often again", "0",
+               [&params](std::string_view text) { return ReadRepeats(text, params); });
+  visit.Parsed("currix", "a whole number", "Index of the next point, from 0", "",
+               [&params](std::string_view text) {
+                 const auto index = ParseInteger(text);
+                 if (index && *index >= 0) params.index = static_cast<int>(*index);
+                 return text.empty() || (index && *index >= 0);
+               });
+  visit("greedy_tour", params.is_greedy, "Order the points: always to the nearest one left");
+  visit.Also({"shortest_tour"});
+  visit("reset_on_idle", params.is_reset_on_idle, "Begin at the first point after each idle spell");
+}
+
+void DescribeCapture(ParamCollector& visit, Params& params) {
+  visit("capture_radius", params.capture.capture_radius, "A point this near is reached [m]",
+        InRange(0.0, 10000.0));
+  visit.Also({"radius"});
+  visit("slip_radius", params.capture.slip_radius,
+        "Reached, too, when the distance grows again within this [m]", InRange(0.0, 10000.0));
+  visit.Also({"nm_radius"});
+  visit.Parsed("capture_line", "true, false or absolute",
+               "Reached, too, beyond the line across the leg's end; absolute: only so", "false",
+               [&params](std::string_view text) { return ReadCaptureLine(text, params); });
+  visit("lead", params.lead.lead, "Steer for a point on the leg this far ahead [m]; 0: off",
+        AtLeast(-1.0));
+  visit("lead_damper", params.lead.damper, "Nearer to the leg than this, further ahead [m]; 0: off",
+        AtLeast(-1.0));
+  visit("lead_to_start", params.leads_to_start, "Lead on the way to the first point, too");
+  visit.ParsedLines("lead_condition", "a condition", "Lead only while all of them hold",
+                    [&params](std::string_view text) {
+                      std::string written(text);
+                      std::ranges::replace(written, ',', '=');
+                      auto condition = Condition::Parse(written);
+                      if (condition) params.lead_conditions.push_back(*std::move(condition));
+                      return static_cast<bool>(condition);
+                    });
+}
+
+void DescribeSpeed(ParamCollector& visit, Params& params) {
+  visit("speed", params.speed, "Speed on the way",
+        InRange(MetersPerSecond(0.0), MetersPerSecond(100.0)));
+  visit.Parsed("speed_alt", "a number in mps; below 0: none", "Another speed", "-1",
+               [&params](std::string_view text) {
+                 const auto speed = ParseNumber(text);
+                 if (!speed) return false;
+                 params.speed_alt =
+                     *speed < 0.0 ? std::nullopt : std::optional(MetersPerSecond(*speed));
+                 return true;
+               });
+  visit("use_alt_speed", params.uses_alt_speed, "Go at speed_alt, if there is one");
+  visit.Parsed(
+      "end_spd", "slow_dist=..., stop_dist=...",
+      "Slow down before the end of the way, and stop [m]", "",
+      [&params](std::string_view text) { return text.empty() || ReadEndSpeed(text, params); });
+}
+
+void DescribePosts(ParamCollector& visit, Params& params) {
+  const auto flags = [&visit](const char* name, std::vector<Flag>& list, const char* help) {
+    visit.ParsedLines(name, "VARIABLE = value", help,
+                      [&list](std::string_view text) { return AddFlag(text, list); });
+  };
+  flags("wptflag", params.waypoint_flags, "Posted at each point");
+  flags("cycleflag", params.cycle_flags, "Posted at the end of each round");
+  visit("wptflag_on_start", params.has_flags_on_start, "Post wptflag as the way begins, too");
+  DescribeVariable(visit, "wpt_status_var", params.status_variable,
+                   "Where the status goes; silent: nowhere");
+  visit.Also({"wpt_status"});
+  DescribeVariable(visit, "wpt_index_var", params.index_variable,
+                   "Where the next point's index goes");
+  visit.Also({"wpt_index"});
+  DescribeVariable(visit, "cycle_index_var", params.cycle_variable,
+                   "Where the rounds' number goes");
+  DescribeVariable(visit, "wpt_dist_to_prev", params.previous_distance_variable,
+                   "Where the distance from the last point goes");
+  DescribeVariable(visit, "wpt_dist_to_next", params.next_distance_variable,
+                   "Where the distance to the next point goes");
+  DescribeSuffix(visit, "post_suffix", params.suffix);
+  DescribeHints(visit, params.hints);
+}
+
+}  // namespace
+
+void BHV_Waypoint::Params::Describe(ParamCollector& visit) {
+  DescribeWay(visit, *this);
+  DescribeCapture(visit, *this);
+  DescribeSpeed(visit, *this);
+  DescribePosts(visit, *this);
+  visit.WithoutEffect({"efficiency_measure", "ipf_type", "ipf-type", "patience",
+                       "crs_spd_zaic_ratio", "eager_prev_index_flag", "draw_path_loop"});
+}
+
+}  // namespace limpet

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/helm/hosted_behavior.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "limpet/core/decimal_text.hpp"
+#include "limpet/helm/registry.hpp"
+
+namespace limpet {
+namespace {
+
+/// The behavior of a block; throws ConfigError.
+std::unique_ptr<Behavior> MakeBehavior(const ConfigBlock& block) {
+  const auto entry = BehaviorRegistry().find(block.name);
+  if (entry == BehaviorRegistry().end()) {
+    std::vector<std::string> known;
+    std::ranges::transform(BehaviorRegistry(), std::back_inserter(known),
+                           [](const auto& registered) { return registered.first; });
+    throw ConfigError(ConfigProblem{block.where, "Behavior",
+                                    fmt::format("no behavior `{}`; nearest known: `{}`", block.name,
+                                                NearestWord(block.name, known))});
+  }
+  return entry->second.create(block);
+}
+
+/// To other vehicles: MOOS-IvP's envelope for a post that leaves the vehicle.
+std::string NodeMessage(std::string_view ownship, const std::string& owner, const HelmPost& post) {
+  std::string text = fmt::format("src_node={},dest_node=all,src_app=pHelm,src_bhv={},var_name={}",
+                                 ownship, owner, post.variable);
+  if (const auto* number = std::get_if<double>(&post.value)) {
+    return text + ",double_val=" + DecimalText(*number, 8);
+  }
+  return text + ",string_val=\"" + std::get<std::string>(post.value) + "\"";
+}
+
+}  // namespace
+
+HostedBehavior::HostedBehavior(ConfigBlock block) : block_(std::move(block)) {
+  std::vector<ConfigProblem> problems;
+  settings_ = ReadCommonSettings(block_, problems);
+  try {
+    behavior_ = MakeBehavior(block_);
+  } catch (const ConfigError& error) {
+    problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+  }
+  if (!problems.empty()) {
+    throw ConfigError(problems);
+  }
+  clock_.SetSettings(settings_.duration);
+}
+
+BehaviorStatus HostedBehavior::Status() const {
+  return {.name = name(),
+          .type = type(),
+          .weight = settings_.weight,
+          .is_running = is_running(),
+          .is_complete = is_complete(),
+          .good_updates = good_updates_,
+          .updates = good_updates_ + bad_updates_};
+}
+
+std::vector<std::string> HostedBehavior::Variables() const {
+  std::vector<std::string> names = behavior_->Variables();
+  const auto add = [&names](const std::vector<std::string>& more) {
+    names.insert(names.end(), more.begin(), more.end());
+  };
+  for (const Condition& condition : settings_.conditions) {
+    add(condition.Variables());
+  }
+  const FlagLists& lists = settings_.flags;
+  for (const auto* flags : {&lists.spawn, &lists.spawnx, &lists.config, &lists.run, &lists.runx,
+                            &lists.active, &lists.inactive, &lists.idle, &lists.end}) {
+    for (const Flag& flag : *flags) {
+      if (flag.condition) add(flag.condition->Variables());
+    }
+  }
+  for (const StarveLimit& limit : settings_.starve_limits) {
+    names.push_back(limit.variable);
+  }
+  for (const std::string* variable :
+       {&settings_.updates_variable, &settings_.duration.reset_variable}) {
+    if (!variable->empty()) names.push_back(*variable);
+  }
+  return names;
+}
+
+std::vector<ConfigProblem> HostedBehavior::IgnoredLines() const {
+  std::vector<ConfigProblem> lines =
+      IgnoredKeys(block_, BehaviorRegistry().at(block_.name).describe());
+  for (const ConfigEntry& entry : block_.entries) {
+    if (IsIgnoredCommonKey(entry.key)) {
+      lines.push_back({entry.where, entry.key, "has no effect in " + block_.name});
+    }
+  }
+  return lines;
+}
+
+bool HostedBehavior::HoldsConditions(const HelmTurn& turn) {
+  return std::ranges::all_of(settings_.conditions, [&turn](Condition& condition) {
+    return condition.Holds(turn.lookup, turn.state.now);
+  });
+}
+
+bool HostedBehavior::IsStarved(const HelmTurn& turn) const {
+  return std::ranges::any_of(settings_.starve_limits, [&turn](const StarveLimit& limit) {
+    const Stamped<Value>* heard = turn.state.Heard(limit.variable);
+    return heard == nullptr || turn.state.now - heard->time > limit.oldest;
+  });
+}
+
+bool HostedBehavior::IsOver(HelmTurn& turn) {
+  if (std::exchange(is_reset_due_, false)) {
+    clock_.Reset();
+  }
+  clock_.Begin(turn.state.now);
+  PostTimeLeft(turn);
+  const std::optional<Seconds> left = clock_.Remaining(turn.state.now);
+  if (!left || *left > Seconds(0.0)) {
+    return false;
+  }
+  Complete("completed-byduration", turn);
+  is_reset_due_ = !is_complete();
+  return is_complete();
+}
+
+void HostedBehavior::Begin(HelmTurn& turn) {
+  if (std::exchange(are_spawn_flags_due_, false)) PostFlags(settings_.flags.spawn, turn);
+  if (!complaint_.empty()) {
+    const std::string text = std::exchange(complaint_, "");
+    Post({.variable = "BHV_WARNING", .value = text, .is_repeated = true}, turn);
+    Post({.variable = "BHV_CONFIG_WARNING", .value = text, .is_repeated = true}, turn);
+  }
+  const bool may_run = HoldsConditions(turn);
+  if (may_run && IsOver(turn)) {
+    if (std::exchange(are_config_flags_due_, false)) PostFlags(settings_.flags.config, turn);
+    End(turn);
+    return;
+  }
+  if (std::exchange(are_config_flags_due_, false)) PostFlags(settings_.flags.config, turn);
+  if (may_run && !IsStarved(turn)) {
+    BeginRunning(turn);
+  } else {
+    BeginIdle(turn);
+  }
+}
+
+void HostedBehavior::BeginRunning(HelmTurn& turn) {
+  begins_to_run_ = state_ != State::kRunning;
+  const bool is_new = std::exchange(needs_start_, false);
+  if (begins_to_run_ || is_new) {
+    behavior_->Start(turn.state);
+  }
+  state_ = State::kRunning;
+}
+
+void HostedBehavior::BeginIdle(HelmTurn& turn) {
+  const State before = std::exchange(state_, State::kIdle);
+  if (before != State::kIdle) {
+    PostFlags(settings_.flags.idle, turn);
+    PostFlags(settings_.flags.inactive, turn);
+  }
+  is_active_ = false;
+  if (before == State::kRunning) {
+    Perform(behavior_->Stop(turn.state), turn);
+  }
+  Perform(behavior_->Idle(turn.state), turn);
+  clock_.Spend(turn.state.now, false);
+  if (std::exchange(are_spawnx_flags_due_, false)) PostFlags(settings_.flags.spawnx, turn);
+}
+
+void HostedBehavior::Settle(std::span<const BehaviorAct> acts, bool is_active, HelmTurn& turn) {
+  if (!is_running()) {
+    return;
+  }
+  Perform(acts, turn);
+  if (std::exchange(begins_to_run_, false)) PostFlags(settings_.flags.run, turn);
+  PostFlags(settings_.flags.runx, turn);
+  if (is_active != is_active_) {
+    PostFlags(is_active ? settings_.flags.active : settings_.flags.inactive, turn);
+  }
+  is_active_ = is_active;
+  clock_.Spend(turn.state.now, true);
+  if (is_complete()) {
+    End(turn);
+  }
+  if (std::exchange(are_spawnx_flags_due_, false)) PostFlags(settings_.flags.spawnx, turn);
+}
+
+void HostedBehavior::Complete(const std::string& reason, HelmTurn& turn) {
+  PostFlags(settings_.flags.end, turn);
+  if (!settings_.is_perpetual && !behavior_->IsPerpetual()) {
+    reason_ = reason;
+    state_ = State::kComplete;
+  }
+}
+
+void HostedBehavior::End(HelmTurn& turn) { Perform(behavior_->Stop(turn.state), turn); }
+
+void HostedBehavior::Perform(std::span<const BehaviorAct> acts, HelmTurn& turn) {
+  for (const BehaviorAct& act : acts) {
+    if (const auto* post = std::get_if<BehaviorPost>(&act)) {
+      Post(*post, turn);
+    } else if (const auto* flag = std::get_if<Flag>(&act)) {
+      PostFlag(*flag, turn);
+    } else if (!is_complete()) {
+      Complete(std::get<Completion>(act).reason, turn);
+    }
+  }
+}
+
+void HostedBehavior::PostFlags(std::span<const Flag> flags, HelmTurn& turn) {
+  for (const Flag& flag : flags) {
+    PostFlag(flag, turn);
+  }
+}
+
+void HostedBehavior::PostFlag(const Flag& flag, HelmTurn& turn) {
+  std::optional<Condition> condition = flag.condition;
+  if (condition && !condition->Holds(turn.lookup, turn.state.now)) {
+    return;
+  }
+  const FlagOwner owner{.name = name(),
+                        .type = type(),
+                        .weight = settings_.weight,
+                        .clock = clock_,
+                        .behavior = *behavior_};
+  const Value value = flag.Resolve(
+      [&](std::string_view macro) { return macros_.Expand(macro, owner, turn.state); });
+  if (flag.is_also_local) {
+    Post({.variable = flag.variable, .value = value, .is_repeated = true}, turn);
+  }
+  if (!flag.group.empty()) {
+    turn.posts.push_back({"NODE_MESSAGE_LOCAL",
+                          NodeMessage(turn.state.ownship, name(), {flag.variable, value, name()}),
+                          name()});
+  }
+}
+
+void HostedBehavior::Post(const BehaviorPost& post, HelmTurn& turn) const {
+  const auto mapped = settings_.post_mapping.find(post.variable);
+  const std::string& variable =
+      mapped == settings_.post_mapping.end() ? post.variable : mapped->second;
+  if (!EqualsIgnoringCase(variable, "silent") && turn.filter.Passes(name(), post)) {
+    turn.posts.push_back({variable, post.value, name()});
+  }
+}
+
+void HostedBehavior::PostTimeLeft(HelmTurn& turn) {
+  const std::string& variable = settings_.duration.status_variable;
+  const std::optional<Seconds> left = clock_.Remaining(turn.state.now);
+  if (variable.empty() || !left) {
+    return;
+  }
+  constexpr Seconds kInFull(10.0);  // before that whole seconds do, and are posted more seldom
+  const double seconds = *left > kInFull ? std::round(left->value()) : left->value();
+  Post({.variable = variable, .value = seconds}, turn);
+}
+
+}  // namespace limpet

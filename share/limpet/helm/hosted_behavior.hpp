@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "limpet/core/config.hpp"
+#include "limpet/helm/behavior.hpp"
+#include "limpet/helm/behavior_status.hpp"
+#include "limpet/helm/behavior_update.hpp"
+#include "limpet/helm/common_settings.hpp"
+#include "limpet/helm/flag_macros.hpp"
+#include "limpet/helm/post_filter.hpp"
+
+namespace limpet {
+
+/// One iteration as hosted behaviors see it: what they know, and where their posts go.
+struct HelmTurn {
+  const VehicleState& state;
+  const ValueLookup& lookup;
+  PostFilter& filter;
+  std::vector<HelmPost>& posts;
+};
+
+/// A behavior with its life: when it runs, what it posts then, what mail changes of it, when it
+/// ends.
+class HostedBehavior {
+ public:
+  /// Throws ConfigError with every problem of the block.
+  explicit HostedBehavior(ConfigBlock block);
+
+  [[nodiscard]] const std::string& name() const { return settings_.name; }
+  [[nodiscard]] const std::string& type() const { return block_.name; }
+  [[nodiscard]] const CommonSettings& settings() const { return settings_; }
+  [[nodiscard]] Behavior& behavior() const { return *behavior_; }
+  [[nodiscard]] bool is_running() const { return state_ == State::kRunning; }
+  [[nodiscard]] bool is_complete() const { return state_ == State::kComplete; }
+  /// Why it has completed, if it said so.
+  [[nodiscard]] const std::string& reason() const { return reason_; }
+  [[nodiscard]] BehaviorStatus Status() const;
+  /// Every variable whose mail it wants.
+  [[nodiscard]] std::vector<std::string> Variables() const;
+  /// Keys of its block that nothing heeds.
+  [[nodiscard]] std::vector<ConfigProblem> IgnoredLines() const;
+
+  /// It was made by an update, while the helm ran.
+  void MarkSpawned(std::string base_name) { spawn_base_ = std::move(base_name); }
+  /// Mail of a variable, e.g. one that winds its duration up.
+  void Hear(const std::string& variable, const Value& value);
+  /// An update for it, unless that names another one. Parts that cannot be applied are left out;
+  /// the complaint about them, or nothing.
+  [[nodiscard]] std::optional<std::string> ApplyUpdate(const std::string& text);
+
+  /// Before the bids: conditions, duration and starvation decide whether it runs.
+  void Begin(HelmTurn& turn);
+  /// After them: what it did, and whether it had a say.
+  void Settle(std::span<const BehaviorAct> acts, bool is_active, HelmTurn& turn);
+
+ private:
+  enum class State { kNew, kIdle, kRunning, kComplete };
+
+  [[nodiscard]] bool IsMeant(const BehaviorUpdate& update) const;
+  /// The complaint if the part is not allowed; else `block` has it.
+  [[nodiscard]] std::optional<std::string> TryPart(const ConfigEntry& part,
+                                                   ConfigBlock& block) const;
+  void Rebuild(const ConfigBlock& block, const BehaviorUpdate& update);
+  [[nodiscard]] bool HoldsConditions(const HelmTurn& turn);
+  [[nodiscard]] bool IsStarved(const HelmTurn& turn) const;
+  /// True if its time is up, which ends a behavior that is not perpetual.
+  [[nodiscard]] bool IsOver(HelmTurn& turn);
+  void BeginIdle(HelmTurn& turn);
+  void BeginRunning(HelmTurn& turn);
+  void Complete(const std::string& reason, HelmTurn& turn);
+  void End(HelmTurn& turn);
+  void Perform(std::span<const BehaviorAct> acts, HelmTurn& turn);
+  void PostFlags(std::span<const Flag> flags, HelmTurn& turn);
+  void PostFlag(const Flag& flag, HelmTurn& turn);
+  void Post(const BehaviorPost& post, HelmTurn& turn) const;
+  void PostTimeLeft(HelmTurn& turn);
+
+  ConfigBlock block_;
+  CommonSettings settings_;
+  std::unique_ptr<Behavior> behavior_;
+  DurationClock clock_;
+  FlagMacros macros_;
+  State state_ = State::kNew;
+  bool begins_to_run_ = false;  ///< in this iteration
+  bool needs_start_ = false;    ///< an update has made it anew
+  bool is_active_ = false;      ///< had a say in the last iteration
+  bool is_reset_due_ = false;   ///< its duration was used up, and it lives on
+  bool are_spawn_flags_due_ = true, are_config_flags_due_ = true, are_spawnx_flags_due_ = true;
+  std::optional<std::string> spawn_base_;
+  std::string last_update_, complaint_, reason_;
+  int good_updates_ = 0, bad_updates_ = 0;
+};
+
+}  // namespace limpet

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Lists of points as behavior files write them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "limpet/shapes/shape.hpp"
+
+namespace limpet {
+
+/// Reads `60,-40 : 60,-160`, `pts={60,-40:60,-160},label=a`, `x=60,y=-40`, and what generators
+/// write:
+///   format=lawnmower, x=, y=, height=, width=, lane_width= (or swath=), degs=, rows=north-south
+///     or east-west, startx=, starty=;
+///   format=radial (or `radial::`), x=, y=, radius=, pts=, snap=;
+///   format=ellipse, x=, y=, major=, minor=, degs=, pts=.
+/// A third coordinate of a point is left out. Nothing if the text is none of these.
+[[nodiscard]] std::optional<std::vector<MapPoint>> ParsePoints(std::string_view text);
+
+/// One point: `60,-40` or `x=60,y=-40`.
+[[nodiscard]] std::optional<MapPoint> ParsePoint(std::string_view text);
+
+/// `60,-40:60,-160`, to 0.01 m.
+[[nodiscard]] std::string PointsText(const std::vector<MapPoint>& points);
+
+/// The points in the order in which a vehicle at `start` comes past them that always goes to the
+/// nearest one left.
+[[nodiscard]] std::vector<MapPoint> GreedyTour(std::vector<MapPoint> points, MapPoint start);
+
+}  // namespace limpet

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Behaviors that want one heading, speed or depth, and the one that only waits.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/helm_flight.hpp"
+
+namespace limpet {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+std::string Block(const std::string& type, const std::string& lines) {
+  return "Behavior = " + type + "\n{\n  name = " + type + "\n" + lines + "}\n";
+}
+
+TEST(BhvConstantHeading, TurnsTheVehicleToItsHeadingAndSaysHowFarOffItIs) {
+  HelmFlight flight(Block("BHV_ConstantHeading",
+                          "  heading = 225\n  peakwidth = 0\n  heading_mismatch_var = OFF\n"));
+  flight.PlaceAt(0.0, 0.0, 135.0);
+  flight.Tick();
+  EXPECT_EQ(flight.Last("OFF"), "90");
+  flight.Fly(10.0);
+  EXPECT_NEAR(flight.heading_deg(), 225.0, 0.1);
+}
+
+TEST(BhvConstantHeading, CompletesOnceItIsNearEnoughIfAskedTo) {
+  HelmFlight flight(Block("BHV_ConstantHeading",
+                          "  heading = 90\n  complete_thresh = 5\n  endflag = DONE = $[OSH]\n"));
+  flight.PlaceAt(0.0, 0.0, 0.0);
+  flight.Fly(20.0);
+  ASSERT_THAT(flight.Posts("DONE"), SizeIs(1));
+  EXPECT_NEAR(flight.heading_deg(), 90.0, 5.0);
+  EXPECT_THAT(flight.host().statuses(), IsEmpty());
+}
+
+TEST(BhvConstantHeading, IsAsContentWithHeadingsWithinItsPeak) {
+  HelmFlight flight(Block("BHV_ConstantHeading", "  heading = 90\n  peakwidth = 10\n") +
+                    "Behavior = BHV_ConstantHeading\n{\n  name = other\n  heading = 200\n"
+                    "  pwt = 10\n}\n");
+  flight.Tick();
+  EXPECT_NEAR(MoosHeadingFromYaw(*flight.decision().course), 100.0, 1e-6)
+      << "as far as the lighter one likes";
+}
+
+TEST(BhvConstantSpeed, OverridesALighterBidOnSpeedForItsDuration) {
+  HelmFlight flight("Behavior = BHV_Waypoint\n{\n  points = 0,1000\n  speed = 2\n  pwt = 100\n}\n" +
+                    Block("BHV_ConstantSpeed",
+                          "  speed = 0.5\n  pwt = 200\n  duration = 10\n  endflag = OVER = true\n"
+                          "  speed_mismatch_var = OFF\n"));
+  flight.PlaceAt(0.0, 0.0, 0.0);
+  flight.Fly(9.0);
+  EXPECT_NEAR(flight.speed(), 0.5, 0.01);
+  EXPECT_NEAR(std::stod(flight.Last("OFF")), 0.0, 0.01);
+  flight.Fly(9.0);
+  EXPECT_THAT(flight.Posts("OVER"), SizeIs(1));
+  EXPECT_NEAR(flight.speed(), 2.0, 0.01);
+}
+
+TEST(BhvConstantDepth, DivesToItsDepthAndSaysHowFarOffItIs) {
+  HelmFlight flight(Block("BHV_ConstantDepth", "  depth = 12\n  depth_mismatch_var = OFF\n"));
+  flight.Tick();
+  EXPECT_EQ(flight.Last("OFF"), "12");
+  flight.Fly(45.0);
+  EXPECT_NEAR(flight.depth(), 12.0, 1e-6);
+}
+
+TEST(BhvTimer, CountsHowLongItHasRunAndBeenIdleAndBidsOnNothing) {
+  HelmFlight flight(Block("BHV_Timer",
+                          "  condition = GO = true\n  duration = 5\n  status_suffix = a\n"
+                          "  endflag = RING = true\n"));
+  flight.Fly(3.05);
+  EXPECT_NEAR(std::stod(flight.Last("TIMER_IDLE_a")), 3.0, 0.15);
+  flight.Say("GO", std::string("true"));
+  flight.Fly(4.0);
+  EXPECT_THAT(flight.decision().active, IsEmpty());
+  EXPECT_NEAR(std::stod(flight.Last("TIMER_RUNNING_a")), 4.0, 0.25);
+  EXPECT_THAT(flight.Posts("RING"), IsEmpty());
+  flight.Fly(2.0);
+  EXPECT_THAT(flight.Posts("RING"), ElementsAre("true"));
+}
+
+TEST(BhvTimer, BeginsAnewWhenItsDurationIsWoundUp) {
+  HelmFlight flight(Block("BHV_Timer", "  duration = 5\n  duration_reset = AGAIN\n"));
+  flight.Fly(4.0);
+  flight.Say("AGAIN", 1.0);
+  flight.Fly(4.0);
+  EXPECT_LT(std::stod(flight.Last("TIMER_RUNNING")), 4.2);
+  EXPECT_THAT(flight.host().statuses(), SizeIs(1));
+}
+
+}  // namespace
+}  // namespace limpet
