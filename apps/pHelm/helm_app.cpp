@@ -67,8 +67,10 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
       drawing_(ownship_, [this](std::string variable, std::string text) {
         PublishRaw(std::move(variable), std::move(text));
       }) {
-  Subscribe(topics::kNavState, &HelmApp::OnNav);
+  is_parked_ = !params_.start_in_drive;
+  SubscribeToNavigation();
   Subscribe(topics::kManualOverride, &HelmApp::OnOverride);
+  Subscribe(topics::kManualOverrideMisspelt, &HelmApp::OnOverride);
   HearSurvey();
   Subscribe(topics::kHelmRejournal, &HelmApp::OnRejournal);
   SubscribeRaw(topics::kHelmMapClear.name, [this](const MessagePtr&) { host_.ForgetPosts(); });
@@ -86,6 +88,24 @@ void HelmApp::HearSurvey() {
   hear(topics::kMapCoverage, &HelmApp::OnCoverage);
   hear(topics::kMapOpis, &HelmApp::OnOpis);
   hear(topics::kMapLook, &HelmApp::OnLook);
+}
+
+void HelmApp::SubscribeToNavigation() {
+  using Quantity = StockNav::Quantity;
+  Subscribe(topics::kNavState, &HelmApp::OnNav);
+  SubscribeIfWritten(topics::kNavX, &HelmApp::OnStockNav<Quantity::kX>);
+  SubscribeIfWritten(topics::kNavY, &HelmApp::OnStockNav<Quantity::kY>);
+  SubscribeIfWritten(topics::kNavHeading, &HelmApp::OnStockNav<Quantity::kHeading>);
+  SubscribeIfWritten(topics::kNavSpeed, &HelmApp::OnStockNav<Quantity::kSpeed>);
+  SubscribeIfWritten(topics::kNavDepth, &HelmApp::OnStockNav<Quantity::kDepth>);
+  SubscribeIfWritten(topics::kNavAltitude, &HelmApp::OnStockNav<Quantity::kAltitude>);
+}
+
+void HelmApp::TakeStockNav(Seconds now) {
+  if (hears_nav_state_) return;
+  // Under a time warp mail comes in bursts of real time.
+  const Seconds grace = std::max(params_.nav_grace, Seconds(context().warp));
+  nav_ = stock_nav_.At(now, grace, arbiter_.domain().depth.has_value());
 }
 
 void HelmApp::SubscribeForBehaviors() {
@@ -157,8 +177,11 @@ void HelmApp::Tick(Seconds now) {
   PostInitialValues();
   ++helm_iteration_;
   motion_ = {};
+  TakeStockNav(now);
   if (!nav_) {
-    AllStop("MissingNav");
+    const bool is_old =
+        !hears_nav_state_ && stock_nav_.IsComplete(arbiter_.domain().depth.has_value());
+    AllStop(is_old ? "StaleNav" : "MissingNav");
     PublishState(now);
     return;
   }
@@ -261,7 +284,8 @@ void HelmApp::SettleBehaviors(const VehicleState& state) {
 
 void HelmApp::TellBehaviorWarnings() {
   std::vector<OwnedWarning> raised = motion_.warnings;
-  raised.insert(raised.end(), host_.warnings().begin(), host_.warnings().end());
+  const std::vector<OwnedWarning> of_host = host_.warnings();
+  raised.insert(raised.end(), of_host.begin(), of_host.end());
   const WarningBook::Change change = warning_book_.Update(raised);
   for (const WarningId& id : change.cleared) {
     ClearWarning(id);

@@ -8,6 +8,7 @@
 
 #include "apps/pHelm/helm_drawing.hpp"
 #include "apps/pHelm/helm_journal.hpp"
+#include "apps/pHelm/stock_nav.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/helm/behavior_host.hpp"
 #include "limpet/helm/helm_params.hpp"
@@ -31,8 +32,18 @@ class HelmApp final : public App {
  private:
   void OnNav(const Stamped<NavState>& nav) {
     nav_ = nav.value.is_usable() ? std::optional<NavState>(nav.value) : std::nullopt;
+    hears_nav_state_ = true;
   }
-  void OnOverride(const Stamped<bool>& parked) { is_parked_ = parked.value; }
+  template <StockNav::Quantity kQuantity>
+  void OnStockNav(const Stamped<double>& value) {
+    stock_nav_.Hear(kQuantity, value.value, now());
+  }
+  /// What there is to steer by where nobody writes NAV_STATE.
+  void TakeStockNav(Seconds now);
+  void SubscribeToNavigation();
+  void OnOverride(const Stamped<bool>& parked) {
+    if (!parked.value || params_.allow_park) is_parked_ = parked.value;
+  }
   void OnArea(const Stamped<SurveyArea>& area);
   void OnHome(const Stamped<HomePoint>& home);
   void OnDelta(const Stamped<GridDelta>& delta) { planner_.survey().Apply(delta.value); }
@@ -78,6 +89,8 @@ class HelmApp final : public App {
   MotionArbiter arbiter_;
   MotionRecordRate motion_rate_;
   std::optional<NavState> nav_;
+  bool hears_nav_state_ = false;  ///< it counts alone, once heard
+  StockNav stock_nav_;
   bool is_parked_ = false;
   bool has_posted_initial_ = false;
   std::string allstop_text_;       ///< clear, or why all is stopped

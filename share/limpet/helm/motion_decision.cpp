@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -81,10 +82,11 @@ const MotionDecision& MotionArbiter::Decide(std::span<const WeightedBehavior> be
   decision_.warnings.clear();
   decision_.failures.clear();
   heard_ = 0;
-  decision_.turns.resize(behaviors.size());
-  for (std::size_t i = 0; i < behaviors.size(); ++i) {
-    Ask(behaviors[i], state, decision_.turns[i]);
+  acted_ = 0;
+  for (const WeightedBehavior& running : behaviors) {
+    Ask(running, state);
   }
+  decision_.turns.resize(acted_);
   for (std::vector<WeightedPeak>& peaks : peaks_) {
     peaks.clear();
   }
@@ -101,15 +103,12 @@ const MotionDecision& MotionArbiter::Decide(std::span<const WeightedBehavior> be
   return decision_;
 }
 
-void MotionArbiter::Ask(const WeightedBehavior& running, const VehicleState& state,
-                        BehaviorTurn& turn) {
-  turn.name = running.name;
-  turn.acts.clear();
+void MotionArbiter::Ask(const WeightedBehavior& running, const VehicleState& state) {
   if (bids_.size() == heard_) bids_.emplace_back();
   OwnedMotionBid& owned = bids_[heard_];
   const auto failure = FailureOf(running.name, [&] { owned.bid = running.behavior->Move(state); });
   if (failure) return Fail(failure->owner, failure->text);
-  turn.acts.swap(owned.bid.acts);
+  NoteTurn(running.name, owned.bid.acts);
   if (running.weight <= 0.0) return;  // it acts, and has no say
   if (const auto problem = ProblemOf(owned.bid, domain_)) return Fail(running.name, *problem);
   if (owned.bid.warning) {
@@ -118,6 +117,14 @@ void MotionArbiter::Ask(const WeightedBehavior& running, const VehicleState& sta
   owned.owner = running.name;
   owned.weight = running.weight;
   ++heard_;
+}
+
+void MotionArbiter::NoteTurn(const std::string& name, std::vector<BehaviorAct>& acts) {
+  if (decision_.turns.size() == acted_) decision_.turns.emplace_back();
+  BehaviorTurn& turn = decision_.turns[acted_++];
+  turn.name = name;
+  turn.acts = std::move(acts);
+  acts.clear();
 }
 
 void MotionArbiter::Fail(const std::string& owner, const std::string& text) {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "limpet/helm/behavior.hpp"
+#include "limpet/helm/behavior_act.hpp"
 #include "limpet/helm/behavior_failure.hpp"
 #include "limpet/helm/motion_domain.hpp"
 #include "limpet/helm/motion_grid_search.hpp"
@@ -30,8 +32,8 @@ struct MotionDecision {
   std::optional<double> depth;      ///< [m]
   std::optional<double> turn_rate;  ///< feed-forward of the heaviest bidder on course [rad/s]
   std::vector<OwnedWarning> warnings;
+  std::vector<BehaviorTurn> turns;        ///< of all running behaviors that did not fail
   std::vector<BehaviorFailure> failures;  ///< these are in `warnings`, too
-  std::vector<BehaviorTurn> turns;        ///< of all running behaviors
   std::vector<std::string> active;        ///< names of behaviors that had an opinion
 
   [[nodiscard]] const std::optional<double>& value(MotionVariable variable) const;
@@ -59,7 +61,8 @@ class MotionArbiter {
   [[nodiscard]] std::span<const OwnedMotionBid> bids() const { return {bids_.data(), heard_}; }
 
  private:
-  void Ask(const WeightedBehavior& running, const VehicleState& state, BehaviorTurn& turn);
+  void Ask(const WeightedBehavior& running, const VehicleState& state);
+  void NoteTurn(const std::string& name, std::vector<BehaviorAct>& acts);
   void Fail(const std::string& owner, const std::string& text);
   void Add(const OwnedMotionBid& owned);
   void Choose(const VehicleState& state);
@@ -71,6 +74,7 @@ class MotionArbiter {
   MotionDecision decision_;
   std::vector<OwnedMotionBid> bids_;  ///< the first `heard_` are of now; the rest keeps its memory
   std::size_t heard_ = 0;
+  std::size_t acted_ = 0;  ///< turns of this decision so far
   std::array<std::vector<WeightedPeak>, 3> peaks_;
   std::vector<WeightedTable> tables_;
 };

@@ -148,6 +148,9 @@ inline const auto kReturn =
 inline const auto kManualOverride = Declare<bool>(
     "MOOS_MANUAL_OVERRIDE", "true parks the helm",
     {.rate = "on event", .writers = {"operator", "pHelm", "pLaunch"}, .is_command = true});
+inline const auto kManualOverrideMisspelt =
+    Declare<bool>("MOOS_MANUAL_OVERIDE", "the same, as older MOOS programs spell it",
+                  {.rate = "on event", .writers = {"operator"}, .is_command = true});
 inline const auto kHelmState =
     Declare<std::string>("IVPHELM_STATE", "DRIVE or PARK", {.rate = "10 Hz", .writers = {"pHelm"}});
 inline const auto kHelmAllStop = Declare<std::string>(
