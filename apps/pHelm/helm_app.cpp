@@ -9,6 +9,7 @@
 #include "apps/pHelm/helm_warnings.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/frames.hpp"
+#include "limpet/helm/behavior_failure_warnings.hpp"
 #include "limpet/helm/behavior_modules.hpp"
 #include "limpet/helm/motion_domain.hpp"
 #include "limpet/mission/shared_settings.hpp"
@@ -67,8 +68,10 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
       drawing_(ownship_, [this](std::string variable, std::string text) {
         PublishRaw(std::move(variable), std::move(text));
       }) {
-  Subscribe(topics::kNavState, &HelmApp::OnNav);
+  is_parked_ = !params_.start_in_drive;
+  SubscribeToNavigation();
   Subscribe(topics::kManualOverride, &HelmApp::OnOverride);
+  Subscribe(topics::kManualOverrideMisspelt, &HelmApp::OnOverride);
   HearSurvey();
   Subscribe(topics::kHelmRejournal, &HelmApp::OnRejournal);
   SubscribeRaw(topics::kHelmMapClear.name, [this](const MessagePtr&) { host_.ForgetPosts(); });
@@ -86,6 +89,24 @@ void HelmApp::HearSurvey() {
   hear(topics::kMapCoverage, &HelmApp::OnCoverage);
   hear(topics::kMapOpis, &HelmApp::OnOpis);
   hear(topics::kMapLook, &HelmApp::OnLook);
+}
+
+void HelmApp::SubscribeToNavigation() {
+  using Quantity = StockNav::Quantity;
+  Subscribe(topics::kNavState, &HelmApp::OnNav);
+  SubscribeIfWritten(topics::kNavX, &HelmApp::OnStockNav<Quantity::kX>);
+  SubscribeIfWritten(topics::kNavY, &HelmApp::OnStockNav<Quantity::kY>);
+  SubscribeIfWritten(topics::kNavHeading, &HelmApp::OnStockNav<Quantity::kHeading>);
+  SubscribeIfWritten(topics::kNavSpeed, &HelmApp::OnStockNav<Quantity::kSpeed>);
+  SubscribeIfWritten(topics::kNavDepth, &HelmApp::OnStockNav<Quantity::kDepth>);
+  SubscribeIfWritten(topics::kNavAltitude, &HelmApp::OnStockNav<Quantity::kAltitude>);
+}
+
+void HelmApp::TakeStockNav(Seconds now) {
+  if (hears_nav_state_) return;
+  // Under a time warp mail comes in bursts of real time.
+  const Seconds grace = std::max(params_.nav_grace, Seconds(context().warp));
+  nav_ = stock_nav_.At(now, grace, arbiter_.domain().depth.has_value());
 }
 
 void HelmApp::SubscribeForBehaviors() {
@@ -157,8 +178,11 @@ void HelmApp::Tick(Seconds now) {
   PostInitialValues();
   ++helm_iteration_;
   motion_ = {};
+  TakeStockNav(now);
   if (!nav_) {
-    AllStop("MissingNav");
+    const bool is_old =
+        !hears_nav_state_ && stock_nav_.IsComplete(arbiter_.domain().depth.has_value());
+    AllStop(is_old ? "StaleNav" : "MissingNav");
     PublishState(now);
     return;
   }
@@ -194,6 +218,7 @@ void HelmApp::DecideView(Seconds now) {
   if (!decision) {
     return;
   }
+  view_failures_ = planner_.TakeFailures();
   Publish(topics::kHelmBids, decision->bids);
   bids_ = Stamped<HelmBids>{now, decision->bids};
   if (decision->chosen) {
@@ -213,7 +238,16 @@ void HelmApp::Steer(const VehicleState& state) {
   const std::vector<WeightedBehavior> bidders = Bidders();
   motion_ = arbiter_.Decide(bidders, state);
   const MotionDecision& decision = motion_;
+  for (const BehaviorFailure& failure : view_failures_) {
+    motion_.failures.push_back(failure);
+    motion_.warnings.push_back(
+        {.owner = failure.owner,
+         .warning = {warnings::kBehaviorFailed.Of(failure.owner), failure.text}});
+  }
   TellFailures();
+  if (motion_rate_.IsDue(decision, state.now)) {
+    Publish(topics::kHelmMotion, RecordOf(arbiter_, decision));
+  }
   if (std::ranges::any_of(decision.turns, &BehaviorTurn::IsEmergency)) {
     AllStop("BehaviorError");
     return;
@@ -233,6 +267,15 @@ void HelmApp::Steer(const VehicleState& state) {
   Publish(topics::kDesiredTurnRate, decision.turn_rate.value_or(0.0));
 }
 
+void HelmApp::TellFailures() {
+  std::string text;
+  for (const BehaviorFailure& failure : motion_.failures) {
+    text += (text.empty() ? "" : "; ") + failure.owner + ": " + failure.text;
+  }
+  if (!text.empty() && text != told_failures_) Publish(topics::kBehaviorError, text);
+  told_failures_ = std::move(text);
+}
+
 void HelmApp::SettleBehaviors(const VehicleState& state) {
   const std::vector<std::string_view> active =
       is_parked_ ? std::vector<std::string_view>() : ActiveBehaviors();
@@ -244,18 +287,10 @@ void HelmApp::SettleBehaviors(const VehicleState& state) {
   }
 }
 
-void HelmApp::TellFailures() {
-  std::string text;
-  for (const BehaviorFailure& failure : motion_.failures) {
-    text += (text.empty() ? "" : "; ") + failure.owner + ": " + failure.text;
-  }
-  if (!text.empty() && text != told_failures_) Publish(topics::kBehaviorError, text);
-  told_failures_ = std::move(text);
-}
-
 void HelmApp::TellBehaviorWarnings() {
   std::vector<OwnedWarning> raised = motion_.warnings;
-  std::ranges::move(host_.warnings(), std::back_inserter(raised));
+  const std::vector<OwnedWarning> of_host = host_.warnings();
+  raised.insert(raised.end(), of_host.begin(), of_host.end());
   const WarningBook::Change change = warning_book_.Update(raised);
   for (const WarningId& id : change.cleared) {
     ClearWarning(id);

@@ -8,10 +8,12 @@
 
 #include "apps/pHelm/helm_drawing.hpp"
 #include "apps/pHelm/helm_journal.hpp"
+#include "apps/pHelm/stock_nav.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/helm/behavior_host.hpp"
 #include "limpet/helm/helm_params.hpp"
 #include "limpet/helm/motion_decision.hpp"
+#include "limpet/helm/motion_record.hpp"
 #include "limpet/helm/view_planner.hpp"
 #include "limpet/helm/warning_book.hpp"
 
@@ -30,8 +32,18 @@ class HelmApp final : public App {
  private:
   void OnNav(const Stamped<NavState>& nav) {
     nav_ = nav.value.is_usable() ? std::optional<NavState>(nav.value) : std::nullopt;
+    hears_nav_state_ = true;
   }
-  void OnOverride(const Stamped<bool>& parked) { is_parked_ = parked.value; }
+  template <StockNav::Quantity kQuantity>
+  void OnStockNav(const Stamped<double>& value) {
+    stock_nav_.Hear(kQuantity, value.value, now());
+  }
+  /// What there is to steer by where nobody writes NAV_STATE.
+  void TakeStockNav(Seconds now);
+  void SubscribeToNavigation();
+  void OnOverride(const Stamped<bool>& parked) {
+    if (!parked.value || params_.allow_park) is_parked_ = parked.value;
+  }
   void OnArea(const Stamped<SurveyArea>& area);
   void OnHome(const Stamped<HomePoint>& home);
   void OnDelta(const Stamped<GridDelta>& delta) { planner_.survey().Apply(delta.value); }
@@ -55,10 +67,10 @@ class HelmApp final : public App {
   /// Raised while `ids` are not empty; says which.
   void WarnOfObjects(const WarningId& id, const std::string& ids, const std::string& what);
   void Steer(const VehicleState& state);
-  /// Carries out what behaviors did beside bidding.
-  void SettleBehaviors(const VehicleState& state);
   /// BHV_ERROR, whenever others fail than before, or for other reasons.
   void TellFailures();
+  /// Carries out what behaviors did beside bidding.
+  void SettleBehaviors(const VehicleState& state);
   /// Raises what behaviors raise now, and clears what none raises any more.
   void TellBehaviorWarnings();
   void AllStop(const std::string& why);
@@ -75,17 +87,21 @@ class HelmApp final : public App {
   std::set<std::string> heard_variables_;  ///< that behaviors want
   ViewPlanner planner_;
   MotionArbiter arbiter_;
+  MotionRecordRate motion_rate_;
   std::optional<NavState> nav_;
+  bool hears_nav_state_ = false;  ///< it counts alone, once heard
+  StockNav stock_nav_;
   bool is_parked_ = false;
   bool has_posted_initial_ = false;
   std::string allstop_text_;       ///< clear, or why all is stopped
   std::string published_allstop_;  ///< as last posted
   std::int64_t helm_iteration_ = 0;
   WarningBook warning_book_;
-  std::string told_failures_;              ///< as last posted in BHV_ERROR
-  MotionDecision motion_;                  ///< of this iteration
-  std::optional<Stamped<HelmBids>> bids_;  ///< of the last view decision
-  HelmRevisits revisits_;                  ///< as last told
+  std::string told_failures_;                   ///< as last posted in BHV_ERROR
+  MotionDecision motion_;                       ///< of this iteration
+  std::optional<Stamped<HelmBids>> bids_;       ///< of the last view decision
+  std::vector<BehaviorFailure> view_failures_;  ///< of the last view decision
+  HelmRevisits revisits_;                       ///< as last told
   HelmJournal journal_;
   HelmDrawing drawing_;
 };

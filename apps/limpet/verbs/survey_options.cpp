@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "apps/limpet/verbs/survey_options.hpp"
 
+#include <fmt/format.h>
+
 namespace limpet {
 
 std::vector<CommandOption> SurveyMethodOptions() {
@@ -23,6 +25,19 @@ std::vector<CommandOption> SurveyMethodOptions() {
            .meaning = "full, or coverage: objects have no say (default: the mission's)"},
           {.names = "--without-truth",
            .meaning = "withhold SIM_* from every app on board (the result must not change)"}};
+}
+
+std::vector<std::string> SurveyOptionsGiven(const Arguments& given) {
+  std::vector<std::string> options;
+  for (const CommandOption& option : SurveyMethodOptions()) {
+    const bool is_flag = option.value.empty();
+    if (is_flag && given.Has(option.names.substr(2))) options.push_back(option.names);
+    if (is_flag) continue;
+    for (const std::string& value : given.All(option.names.substr(2))) {
+      options.push_back(fmt::format("{}={}", option.names, value));
+    }
+  }
+  return options;
 }
 
 }  // namespace limpet

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <sstream>
 #include <string_view>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -22,7 +21,7 @@
 #include "limpet/report/paper_tables.hpp"
 #include "limpet/runs/run_settings.hpp"
 #include "limpet/runs/session_runner.hpp"
-#include "limpet/runs/tables_runs.hpp"
+#include "limpet/sweeps/tables_runs.hpp"
 
 namespace limpet {
 namespace {
@@ -34,7 +33,7 @@ Command TablesForm() {
       .name = "limpet tables",
       .words = "<mission folder>",
       .about =
-          "Surveys with one seed after the other, several at a time, and prints the paper's "
+          "Surveys with many seeds, several at a time, and prints the paper's "
           "tables beside ours. Each run keeps <out>/<seed>/report.json. Seeds already done "
           "are not run again, so that after an interruption or a full disk the same command "
           "goes on. Once a seed is done, the mission, its plugs, the options and the program "
@@ -51,10 +50,6 @@ Command TablesForm() {
                    .meaning = "first seed",
                    .fallback = "1",
                    .rule = WholeNumber(0)},
-                  {.names = "--jobs",
-                   .value = "J",
-                   .meaning = "runs at a time (default: one per core)",
-                   .rule = WholeNumber(1)},
                   {.names = "--out",
                    .value = "DIR",
                    .meaning = "folder of the runs (default runs/tables-<mission>)",
@@ -63,33 +58,19 @@ Command TablesForm() {
       .takes = "one mission folder, e.g. missions/table1",
       .least_words = 1,
       .most_words = 1};
+  std::ranges::move(RunnerCommandOptions(), std::back_inserter(form.options));
   std::ranges::move(SurveyMethodOptions(), std::back_inserter(form.options));
   return form;
-}
-
-/// The options of each run, as they were given.
-std::vector<std::string> HandedOn(const Arguments& given) {
-  std::vector<std::string> options;
-  for (const CommandOption& option : SurveyMethodOptions()) {
-    const bool is_flag = option.value.empty();
-    if (is_flag && given.Has(option.names.substr(2))) options.push_back(option.names);
-    if (is_flag) continue;
-    for (const std::string& value : given.All(option.names.substr(2))) {
-      options.push_back(fmt::format("{}={}", option.names, value));
-    }
-  }
-  return options;
 }
 
 TablesCommand ReadTablesCommand(const Arguments& given) {
   TablesCommand command;
   command.mission_folder = MissionFolder(given.positionals()[0]);
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   command.runs = given.Integer("runs");
   command.first_seed = given.Integer("seed");
-  command.jobs = given.Has("jobs") ? given.Integer("jobs") : cores;
   command.out = given.Find("out").value_or("runs/tables-" + command.MissionName());
-  command.survey_options = HandedOn(given);
+  command.runner = RunnerOptionsOf(given, command.out);
+  command.survey_options = SurveyOptionsGiven(given);
   return command;
 }
 

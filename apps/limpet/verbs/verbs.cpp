@@ -16,7 +16,9 @@
 #include "apps/limpet/verbs/report.hpp"
 #include "apps/limpet/verbs/survey.hpp"
 #include "apps/limpet/verbs/tables.hpp"
+#include "apps/limpet/verbs/tune.hpp"
 #include "apps/limpet/verbs/why.hpp"
+#include "apps/limpet/verbs/work.hpp"
 
 namespace limpet {
 
@@ -30,6 +32,8 @@ const std::vector<Verb>& Verbs() {
       {"describe", "every parameter and every variable, from the code", RunDescribe},
       {"report", "figures and page again from a run's logs", RunReport},
       {"tables", "many seeds: the paper's tables beside ours", RunTables},
+      {"tune", "which setting of a mission is best, over many seeds", RunTune},
+      {"work", "run the tasks of a sweep, as jobs of a cluster do", RunWork},
       {"key", "make a key for sealed routes of pShare", RunKey},
       {"launch", "run a mission as separate processes and watch over them", RunLaunchVerb},
       {"status", "who is up in a community, and who is missing", RunStatusVerb},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -132,6 +133,7 @@ Source FromCommunity(const Arguments& given, const std::string& mission) {
   const CommunityAddress address = AddressOf(given, mission);
   Community community(address, OwnName("uWhy"));
   community.Watch(topics::kHelmBids.name);
+  community.Watch(topics::kHelmMotion.name);
   const auto mail = community.Settle();
   if (!mail) {
     throw std::runtime_error(
@@ -170,9 +172,12 @@ std::vector<LoggedDecision> Between(const DecisionLog& log, const Arguments& giv
   return chosen;
 }
 
-std::vector<Explanation> ExplainAll(const std::vector<LoggedDecision>& decisions) {
+std::vector<Explanation> ExplainAll(const std::vector<LoggedDecision>& decisions,
+                                    const DecisionLog& log) {
   std::vector<Explanation> explanations;
-  std::ranges::transform(decisions, std::back_inserter(explanations), Explain);
+  std::ranges::transform(decisions, std::back_inserter(explanations), [&log](const auto& decision) {
+    return Explain(decision, log.MotionAt(decision.time));
+  });
   return explanations;
 }
 
@@ -187,11 +192,11 @@ int PrintMany(const Source& source, const Arguments& given) {
     return Complain(source.place + ": no decision in that time");
   }
   if (given.Has("json")) {
-    fmt::print("{}", JsonOf(ExplainAll(decisions), source.session));
+    fmt::print("{}", JsonOf(ExplainAll(decisions, source.log), source.session));
   } else if (given.Has("changes")) {
     PrintFrame(ChangesOf(decisions));
   } else {
-    for (const Explanation& explanation : ExplainAll(decisions)) {
+    for (const Explanation& explanation : ExplainAll(decisions, source.log)) {
       PrintFrame(FrameOf(explanation));
       fmt::print("\n");
     }
@@ -207,7 +212,8 @@ int PrintOne(const Source& source, const Arguments& given) {
     return Complain(fmt::format("{}: no decision yet at {:g} s; the first was at {:.1f} s",
                                 source.place, *time, decisions.front().time));
   }
-  const Explanation explanation = Explain(*decision);
+  const double asked = time.value_or(std::numeric_limits<double>::infinity());
+  const Explanation explanation = Explain(*decision, source.log.MotionAt(asked));
   if (given.Has("json")) {
     fmt::print("{}", JsonOf(explanation, source.session));
   } else {
@@ -230,7 +236,8 @@ int PrintWhy(const Arguments& given) {
   CheckTimes(given);
   const Source source = SourceOf(given);
   if (source.log.unreadable() > 0) {
-    fmt::print(stderr, "limpet why: {}: {} HELM_BIDS cannot be read and are left out\n",
+    fmt::print(stderr,
+               "limpet why: {}: {} HELM_BIDS or HELM_MOTION cannot be read and are left out\n",
                OneLine(source.place), source.log.unreadable());
   }
   if (source.log.decisions().empty()) {

@@ -18,6 +18,12 @@ struct LoggedDecision {
   HelmBids bids;
 };
 
+/// How the helm moved, and when.
+struct LoggedMotion {
+  double time = 0.0;  ///< as LoggedDecision has it [s]
+  HelmMotion motion;
+};
+
 /// The decisions of one vehicle, gathered from its mail in the order in which it was written.
 class DecisionLog {
  public:
@@ -30,9 +36,13 @@ class DecisionLog {
   [[nodiscard]] std::size_t unreadable() const { return unreadable_; }
   /// The one in force at a time: the last made until then. Null before the first.
   [[nodiscard]] const LoggedDecision* InForceAt(double time) const;
+  /// How it moved at a time, by the last word until then. Null before the first; older logs say
+  /// nothing of it.
+  [[nodiscard]] const LoggedMotion* MotionAt(double time) const;
 
  private:
   std::vector<LoggedDecision> decisions_;
+  std::vector<LoggedMotion> motions_;
   std::size_t unreadable_ = 0;
 };
 

@@ -87,7 +87,7 @@ ExplainedOption Explained(const BiddenOption& option) {
 
 }  // namespace
 
-Explanation Explain(const LoggedDecision& decision) {
+Explanation Explain(const LoggedDecision& decision, const LoggedMotion* motion) {
   const HelmBids& bids = decision.bids;
   Explanation explanation{.time = decision.time,
                           .path_id = bids.path_id,
@@ -96,7 +96,11 @@ Explanation Explain(const LoggedDecision& decision) {
                           .chosen = ChoiceOf(bids),
                           .options = {},
                           .bidders = BiddersOf(bids),
-                          .flips = FlipsOf(bids)};
+                          .flips = FlipsOf(bids),
+                          .motion = {}};
+  if (motion != nullptr) {
+    explanation.motion = *motion;
+  }
   for (std::size_t i = 0; i < bids.options.size(); ++i) {
     ExplainedOption option = Explained(bids.options[i]);
     if (const OptionBid* veto = VetoOn(bids.options[i])) {

@@ -44,9 +44,12 @@ struct Explanation {
   std::vector<ExplainedOption> options;
   std::vector<std::string> bidders;  ///< every behavior with an opinion
   std::vector<Flip> flips;
+  std::optional<LoggedMotion> motion;  ///< how it moved; nothing: nobody said
 };
 
-[[nodiscard]] Explanation Explain(const LoggedDecision& decision);
+/// `motion`: how the vehicle moved when that is asked for; may be null.
+[[nodiscard]] Explanation Explain(const LoggedDecision& decision,
+                                  const LoggedMotion* motion = nullptr);
 
 /// A decision in a line: what was chosen, of how many, because of what.
 [[nodiscard]] std::string SummaryOf(const Explanation& explanation);

@@ -40,6 +40,24 @@ Json Built(const ExplainedOption& option) {
           {"bids", bids}};
 }
 
+Json Built(const LoggedMotion& logged) {
+  Json bids = Json::array();
+  for (const MotionOpinion& opinion : logged.motion.opinions) {
+    bids.push_back({{"behavior", opinion.behavior},
+                    {"variables", opinion.variables},
+                    {"weight", opinion.weight},
+                    {"value", opinion.value},
+                    {"summit", OrNull(opinion.summit)},
+                    {"flat_half_width", OrNull(opinion.flat_half_width)},
+                    {"base_half_width", OrNull(opinion.base_half_width)}});
+  }
+  return {{"t", logged.time},
+          {"course_deg", OrNull(logged.motion.course_deg)},
+          {"speed_mps", OrNull(logged.motion.speed_mps)},
+          {"depth_m", OrNull(logged.motion.depth_m)},
+          {"bids", bids}};
+}
+
 Json Built(const Explanation& explanation, const std::string& session) {
   Json out;
   if (!session.empty()) {
@@ -59,6 +77,7 @@ Json Built(const Explanation& explanation, const std::string& session) {
     out["flips"].push_back(
         {{"behavior", flip.behavior}, {"weight", flip.new_weight}, {"to", flip.to}});
   }
+  out["motion"] = explanation.motion ? Built(*explanation.motion) : Json(nullptr);
   return out;
 }
 

@@ -135,6 +135,32 @@ Frame FlipTable(const Explanation& explanation) {
   return table.Lines();
 }
 
+std::string Shown(const std::optional<double>& value, const char* unit) {
+  return value ? DecimalText(*value, 2) + unit : "nobody's";
+}
+
+const char* UnitOf(const std::string& variable) {
+  return variable == "course" ? " deg" : variable == "speed" ? " m/s" : " m";
+}
+
+Frame MotionTable(const LoggedMotion& logged) {
+  const HelmMotion& motion = logged.motion;
+  TextTable table({"  how it moved", "wants", "gets"});
+  for (const MotionOpinion& opinion : motion.opinions) {
+    const std::string wants = opinion.summit ? fmt::format("{}{}", DecimalText(*opinion.summit, 2),
+                                                           UnitOf(opinion.variables))
+                                             : "a function of all of these";
+    table.Add({{fmt::format("  {}", Shown(opinion.behavior))},
+               {fmt::format("{} {}", OneLine(opinion.variables, 24), wants)},
+               {fmt::format("{:.2f} x {}", opinion.value, DecimalText(opinion.weight, 3))}});
+  }
+  Frame frame{Line(fmt::format("  moving now ({:.1f} s): course {}, speed {}, depth {}",
+                               logged.time, Shown(motion.course_deg, " deg"),
+                               Shown(motion.speed_mps, " m/s"), Shown(motion.depth_m, " m")))};
+  Add(table.Lines(), frame);
+  return frame;
+}
+
 }  // namespace
 
 Frame FrameOf(const Explanation& explanation) {
@@ -145,16 +171,20 @@ Frame FrameOf(const Explanation& explanation) {
                        explanation.path_id, OneLine(explanation.cause, 60), ranking),
            Ink::kTitle)};
   Add(OptionTable(explanation), frame);
-  if (!explanation.chosen) {
+  if (explanation.chosen) {
+    frame.emplace_back();
+    Add(Reasons(explanation.options[*explanation.chosen]), frame);
+    frame.emplace_back();
+    Add(FlipTable(explanation), frame);
+  } else {
     frame.push_back(Line(explanation.options.empty()
                              ? "  Nothing was chosen: nobody offered anything."
                              : "  Nothing was chosen: every option is vetoed."));
-    return frame;
   }
-  frame.emplace_back();
-  Add(Reasons(explanation.options[*explanation.chosen]), frame);
-  frame.emplace_back();
-  Add(FlipTable(explanation), frame);
+  if (explanation.motion) {
+    frame.emplace_back();
+    Add(MotionTable(*explanation.motion), frame);
+  }
   return frame;
 }
 

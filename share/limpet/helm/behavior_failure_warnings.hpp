@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Warnings of the arbitration of motion.
+// Warnings of the arbitration.
 #pragma once
 
 #include "limpet/topics/warning.hpp"
@@ -10,8 +10,8 @@ inline const WarningFamily kBehaviorFailed = DeclareWarningFamily(
     "BHV_FAILED_<BEHAVIOR>",
     {.severity = Severity::kAlarm,
      .raised_by = {"pHelm"},
-     .meaning = "A behavior has thrown an exception, or bid a number that is none: its bid on the "
-                "motion is not heard, the others are. BHV_ERROR says the same.",
+     .meaning = "A behavior has thrown an exception, or bid a number that is none: its bid, on the "
+                "motion or on where next, is not heard, the others are. BHV_ERROR says the same.",
      .action = "Bring the vehicle home if it cannot do without that behavior; then look at its "
                "parameters and code.",
      .clears = "With its next bid that can be heard, or when it runs no more."});

@@ -104,6 +104,7 @@ void BehaviorHost::SetVariable(const std::string& name, const Value& value, Seco
   if (text != nullptr && !text->empty()) {
     Spawn(name, *text);
   }
+  bool is_updated = false;
   for (const auto& hosted : hosted_) {
     hosted->Hear(name, value);
     if (text == nullptr || text->empty() || hosted->settings().updates_variable != name) {
@@ -115,6 +116,10 @@ void BehaviorHost::SetVariable(const std::string& name, const Value& value, Seco
       update_warnings_.push_back(
           {hosted->name(), {warnings::kBehaviorUpdate.Of(hosted->name()), *complaint}});
     }
+    is_updated = true;
+  }
+  if (is_updated) {  // told also by a helm that stands still, for want of navigation
+    RefreshStatuses();
   }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "limpet/core/params.hpp"
+#include "limpet/core/units.hpp"
 #include "limpet/helm/view_params.hpp"
 
 namespace limpet {
@@ -15,6 +16,9 @@ struct HelmParams {
   std::vector<std::string> behavior_setting;
   std::vector<std::string> behavior_path;
   std::vector<std::string> domain{"course:0:359:360", "speed:0:1:21", "depth:0:100:1001"};
+  bool start_in_drive = true;
+  bool allow_park = true;
+  Seconds nav_grace{5.0};
   ViewParams views;
 
   template <class Visitor>
@@ -25,7 +29,23 @@ struct HelmParams {
         "behavior_path", behavior_path,
         "Folders with behaviors of your own, libBHV_Name.so, several separated by `:`; relative to "
         "the mission folder. Those of the environment's LIMPET_BEHAVIOR_PATH come on top");
-    visit.Required("domain", domain, "Decision variables, name:low:high:points");
+    visit.Required("domain", domain,
+                   "Decision variables, name:low:high:points[:optional]; without depth none is "
+                   "decided");
+    visit("start_in_drive", start_in_drive,
+          "false: parked until MOOS_MANUAL_OVERRIDE = false; so is a block of pHelmIvP that says "
+          "nothing");
+    visit.Also({"start_indrive", "start_engaged", "active_start"});
+    visit("allow_park", allow_park, "false: MOOS_MANUAL_OVERRIDE = true does not park it");
+    visit("nav_grace", nav_grace,
+          "Without NAV_STATE: NAV_X and its kin may be so old; with a time warp a second of real "
+          "time at least",
+          InRange(Seconds(0.1), Seconds(3600.0)));
+    visit.WithoutEffect({"ok_skew", "node_skew", "verbose", "hold_on_app", "hold_on_apps",
+                         "goals_mandatory", "park_on_allstop", "standby", "helm_prefix",
+                         "helm_alias", "contact_max_age", "other_override_var", "pmgen",
+                         "seed_random", "ivp_behavior_dir", "ivp_behavior_dirs",
+                         "bhv_dir_not_found_ok", "bhv_dirs_not_found_ok"});
     views.Describe(visit);
   }
 };

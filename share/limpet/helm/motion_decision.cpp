@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <utility>
 
 #include <fmt/format.h>
@@ -82,11 +81,12 @@ const MotionDecision& MotionArbiter::Decide(std::span<const WeightedBehavior> be
                                             const VehicleState& state) {
   decision_.warnings.clear();
   decision_.failures.clear();
-  heard_ = turned_ = 0;
+  heard_ = 0;
+  acted_ = 0;
   for (const WeightedBehavior& running : behaviors) {
     Ask(running, state);
   }
-  decision_.turns.resize(turned_);
+  decision_.turns.resize(acted_);
   for (std::vector<WeightedPeak>& peaks : peaks_) {
     peaks.clear();
   }
@@ -106,25 +106,25 @@ const MotionDecision& MotionArbiter::Decide(std::span<const WeightedBehavior> be
 void MotionArbiter::Ask(const WeightedBehavior& running, const VehicleState& state) {
   if (bids_.size() == heard_) bids_.emplace_back();
   OwnedMotionBid& owned = bids_[heard_];
-  try {
-    owned.bid = running.behavior->Move(state);
-  } catch (const std::exception& error) {
-    return Fail(running.name, fmt::format("it has thrown: {}", error.what()));
-  } catch (...) {
-    return Fail(running.name, "it has thrown what is no exception of C++");
-  }
-  if (const auto problem = ProblemOf(owned.bid, domain_)) return Fail(running.name, *problem);
-  if (decision_.turns.size() == turned_) decision_.turns.emplace_back();
-  BehaviorTurn& turn = decision_.turns[turned_++];
-  turn.name = running.name;
-  turn.acts = std::move(owned.bid.acts);
+  const auto failure = FailureOf(running.name, [&] { owned.bid = running.behavior->Move(state); });
+  if (failure) return Fail(failure->owner, failure->text);
+  NoteTurn(running.name, owned.bid.acts);
   if (running.weight <= 0.0) return;  // it acts, and has no say
+  if (const auto problem = ProblemOf(owned.bid, domain_)) return Fail(running.name, *problem);
   if (owned.bid.warning) {
     decision_.warnings.push_back({.owner = running.name, .warning = *owned.bid.warning});
   }
   owned.owner = running.name;
   owned.weight = running.weight;
   ++heard_;
+}
+
+void MotionArbiter::NoteTurn(const std::string& name, std::vector<BehaviorAct>& acts) {
+  if (decision_.turns.size() == acted_) decision_.turns.emplace_back();
+  BehaviorTurn& turn = decision_.turns[acted_++];
+  turn.name = name;
+  turn.acts = std::move(acts);
+  acts.clear();
 }
 
 void MotionArbiter::Fail(const std::string& owner, const std::string& text) {

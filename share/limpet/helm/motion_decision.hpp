@@ -2,12 +2,15 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "limpet/helm/behavior.hpp"
+#include "limpet/helm/behavior_act.hpp"
+#include "limpet/helm/behavior_failure.hpp"
 #include "limpet/helm/motion_domain.hpp"
 #include "limpet/helm/motion_grid_search.hpp"
 #include "limpet/helm/view_decision.hpp"
@@ -22,12 +25,6 @@ struct OwnedMotionBid {
   MotionBid bid;
 };
 
-/// A behavior whose bid could not be heard, and why.
-struct BehaviorFailure {
-  std::string owner;
-  std::string text;
-};
-
 /// What the helm asks of the vehicle now.
 struct MotionDecision {
   std::optional<double> course;     ///< [rad]
@@ -35,8 +32,8 @@ struct MotionDecision {
   std::optional<double> depth;      ///< [m]
   std::optional<double> turn_rate;  ///< feed-forward of the heaviest bidder on course [rad/s]
   std::vector<OwnedWarning> warnings;
-  std::vector<BehaviorFailure> failures;  ///< these are in `warnings`, too
   std::vector<BehaviorTurn> turns;        ///< of all running behaviors that did not fail
+  std::vector<BehaviorFailure> failures;  ///< these are in `warnings`, too
   std::vector<std::string> active;        ///< names of behaviors that had an opinion
 
   [[nodiscard]] const std::optional<double>& value(MotionVariable variable) const;
@@ -65,6 +62,7 @@ class MotionArbiter {
 
  private:
   void Ask(const WeightedBehavior& running, const VehicleState& state);
+  void NoteTurn(const std::string& name, std::vector<BehaviorAct>& acts);
   void Fail(const std::string& owner, const std::string& text);
   void Add(const OwnedMotionBid& owned);
   void Choose(const VehicleState& state);
@@ -75,8 +73,8 @@ class MotionArbiter {
   MotionGridSearch search_;
   MotionDecision decision_;
   std::vector<OwnedMotionBid> bids_;  ///< the first `heard_` are of now; the rest keeps its memory
-  std::size_t heard_ = 0;             ///< bids of this decision
-  std::size_t turned_ = 0;            ///< turns of this decision
+  std::size_t heard_ = 0;
+  std::size_t acted_ = 0;  ///< turns of this decision so far
   std::array<std::vector<WeightedPeak>, 3> peaks_;
   std::vector<WeightedTable> tables_;
 };

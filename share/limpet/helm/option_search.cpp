@@ -1,25 +1,39 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/helm/option_search.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 namespace limpet {
 
-SearchGoals GoalsOf(std::span<const WeightedBehavior> running, const Situation& now) {
+SearchGoals GoalsOf(std::span<const WeightedBehavior> running, const Situation& now,
+                    std::vector<BehaviorFailure>& failures) {
   SearchGoals goals;
   for (const WeightedBehavior& behavior : running) {
-    behavior.behavior->Shape(now, behavior.weight, goals);
+    SearchGoals shaped = goals;
+    const bool is_heard = Heard(behavior.name, failures,
+                                [&] { behavior.behavior->Shape(now, behavior.weight, shaped); });
+    if (is_heard) {
+      goals = std::move(shaped);
+    }
   }
   return goals;
 }
 
 std::vector<Option> OptionSearch::Gather(std::span<const WeightedBehavior> running,
-                                         const Situation& now) {
-  const SearchGoals goals = GoalsOf(running, now);
+                                         const Situation& now,
+                                         std::vector<BehaviorFailure>& failures) {
+  const SearchGoals goals = GoalsOf(running, now, failures);
   std::vector<Option> options;
   for (const auto& generator : generators_) {
     generator->Offer(now, goals, options);
   }
   for (const WeightedBehavior& behavior : running) {
-    behavior.behavior->Offer(now, options);
+    std::vector<Option> offered;
+    if (Heard(behavior.name, failures, [&] { behavior.behavior->Offer(now, offered); })) {
+      std::ranges::move(offered, std::back_inserter(options));
+    }
   }
   return options;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "limpet/core/random.hpp"
+#include "limpet/helm/behavior_failure.hpp"
 #include "limpet/helm/generator_registry.hpp"
 #include "limpet/helm/option_generator.hpp"
 #include "limpet/helm/view_decision.hpp"
@@ -21,8 +22,10 @@ class OptionSearch {
   OptionSearch(const GeneratorParams& params, std::string_view names, const Random& random)
       : generators_(params.Build(names, random)) {}
 
+  /// Behaviors that throw are left out, and noted in `failures`.
   [[nodiscard]] std::vector<Option> Gather(std::span<const WeightedBehavior> running,
-                                           const Situation& now);
+                                           const Situation& now,
+                                           std::vector<BehaviorFailure>& failures);
   /// The helm flies `option`.
   void TellChoice(const Option& option);
 
@@ -30,7 +33,8 @@ class OptionSearch {
   std::vector<std::unique_ptr<OptionGenerator>> generators_;
 };
 
-/// What `running` seek together.
-[[nodiscard]] SearchGoals GoalsOf(std::span<const WeightedBehavior> running, const Situation& now);
+/// What `running` seek together, but for those that throw: they are noted in `failures`.
+[[nodiscard]] SearchGoals GoalsOf(std::span<const WeightedBehavior> running, const Situation& now,
+                                  std::vector<BehaviorFailure>& failures);
 
 }  // namespace limpet

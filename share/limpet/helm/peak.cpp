@@ -61,9 +61,9 @@ class BestOf {
       : peaks_(peaks), distance_(distance) {}
 
   void Consider(double candidate) {
-    constexpr double kRounding = 1e-9;  // a knee must not beat an equal summit by that
+    constexpr double kLevel = 1e-9;  // rounding must not let a knee beat an equal summit
     const double value = SumAt(peaks_, candidate, distance_);
-    if (!has_any_ || value > best_value_ + kRounding) {
+    if (!has_any_ || value > best_value_ + kLevel) {
       best_ = candidate;
       best_value_ = value;
     }

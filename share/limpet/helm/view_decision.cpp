@@ -2,6 +2,8 @@
 #include "limpet/helm/view_decision.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -26,28 +28,43 @@ std::string WhyText(const Bid& bid) {
   return text;
 }
 
-ValuedOption ValueOption(std::span<const WeightedBehavior> behaviors, const Situation& now,
-                         const Option& option, std::size_t index, SeenAlong& seen) {
-  const Prospect prospect{.option = &option, .seen = seen(option.path)};
-  const Pose2 end = option.path.end();
-  BiddenOption bidden;
-  bidden.source = option.source;
-  bidden.length = option.path.length();
-  bidden.end = {end.north, end.east};
-  for (const WeightedBehavior& running : behaviors) {
-    const std::optional<Bid> bid = running.behavior->Value(prospect, now);
-    if (!bid) {
-      continue;
+/// What a behavior bids on every option; or why it is not heard.
+struct Valuation {
+  std::vector<std::optional<Bid>> bids;
+  std::optional<BehaviorFailure> failure;
+};
+
+Valuation ValuationBy(const WeightedBehavior& running, const Situation& now,
+                      std::span<const Prospect> prospects) {
+  Valuation valuation;
+  valuation.failure = FailureOf(running.name, [&] {
+    for (const Prospect& prospect : prospects) {
+      valuation.bids.push_back(running.behavior->Value(prospect, now));
+      if (const auto& bid = valuation.bids.back(); bid && !std::isfinite(bid->value)) {
+        throw std::domain_error("NaN or infinity as the worth of an option");
+      }
     }
+  });
+  return valuation;
+}
+
+void AddBid(const WeightedBehavior& running, const std::optional<Bid>& bid, BiddenOption& bidden) {
+  if (bid) {
     bidden.bids.push_back({.behavior = running.name,
                            .value = bid->value,
                            .weight = running.weight,
                            .has_veto = bid->veto.has_value(),
                            .why = WhyText(*bid)});
   }
-  bidden.total = TotalOf(bidden.bids);
-  bidden.rate = RateOf(bidden.total, bidden.length);
-  return {.index = index, .bidden = std::move(bidden)};
+}
+
+ValuedOption Unvalued(const Option& option, std::size_t index) {
+  const Pose2 end = option.path.end();
+  ValuedOption valued{.index = index, .bidden = {}};
+  valued.bidden.source = option.source;
+  valued.bidden.length = option.path.length();
+  valued.bidden.end = {end.north, end.east};
+  return valued;
 }
 
 }  // namespace
@@ -55,13 +72,29 @@ ValuedOption ValueOption(std::span<const WeightedBehavior> behaviors, const Situ
 ViewDecision DecideView(std::span<const WeightedBehavior> behaviors, const Situation& now,
                         std::vector<Option> options, SeenAlong& seen, OptionOrder order) {
   std::vector<ValuedOption> valued;
-  for (std::size_t i = 0; i < options.size(); ++i) {
-    valued.push_back(ValueOption(behaviors, now, options[i], i, seen));
+  std::vector<Prospect> prospects;
+  for (const Option& option : options) {
+    prospects.push_back({.option = &option, .seen = seen(option.path)});
+    valued.push_back(Unvalued(option, valued.size()));
+  }
+  ViewDecision decision;
+  for (const WeightedBehavior& running : behaviors) {
+    const Valuation valuation = ValuationBy(running, now, prospects);
+    if (valuation.failure) {
+      decision.failures.push_back(*valuation.failure);
+      continue;
+    }
+    for (std::size_t i = 0; i < options.size(); ++i) {
+      AddBid(running, valuation.bids[i], valued[i].bidden);
+    }
+  }
+  for (ValuedOption& option : valued) {
+    option.bidden.total = TotalOf(option.bidden.bids);
+    option.bidden.rate = RateOf(option.bidden.total, option.bidden.length);
   }
   std::ranges::stable_sort(valued, [order](const ValuedOption& a, const ValuedOption& b) {
     return IsBetter(a.bidden, b.bidden, order);
   });
-  ViewDecision decision;
   decision.bids.considered = static_cast<int>(options.size());
   decision.bids.order = order;
   for (ValuedOption& option : valued) {

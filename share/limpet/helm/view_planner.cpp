@@ -9,12 +9,22 @@
 namespace limpet {
 namespace {
 
+/// What a behavior wants of each object; nothing if it throws.
+std::vector<RevisitInterest> InterestsBy(const WeightedBehavior& behavior, const Situation& now,
+                                         std::vector<BehaviorFailure>& failures) {
+  std::vector<RevisitInterest> interests;
+  static_cast<void>(
+      Heard(behavior.name, failures, [&] { interests = behavior.behavior->Interests(now); }));
+  return interests;
+}
+
 /// What `running` want of each object, the most eager where they differ.
 std::vector<RevisitInterest> InterestsOf(std::span<const WeightedBehavior> running,
-                                         const Situation& now) {
+                                         const Situation& now,
+                                         std::vector<BehaviorFailure>& failures) {
   std::vector<RevisitInterest> interests;
   for (const WeightedBehavior& behavior : running) {
-    for (RevisitInterest& interest : behavior.behavior->Interests(now)) {
+    for (RevisitInterest& interest : InterestsBy(behavior, now, failures)) {
       const auto known = std::ranges::find(interests, interest.id, &RevisitInterest::id);
       if (known == interests.end()) {
         interests.push_back(std::move(interest));
@@ -28,10 +38,11 @@ std::vector<RevisitInterest> InterestsOf(std::span<const WeightedBehavior> runni
 
 /// The objects that some running behavior wants to look at.
 std::vector<WatchedObject> OpenObjects(std::span<const WeightedBehavior> running,
-                                       const Situation& now) {
+                                       const Situation& now,
+                                       std::vector<BehaviorFailure>& failures) {
   std::vector<WatchedObject> open;
   for (const WeightedBehavior& behavior : running) {
-    for (const RevisitInterest& interest : behavior.behavior->Interests(now)) {
+    for (const RevisitInterest& interest : InterestsBy(behavior, now, failures)) {
       const auto object =
           std::ranges::find(now.objects, interest.id, [](const auto& o) { return o.belief.id; });
       if (interest.state == "open" && object != now.objects.end()) {
@@ -105,14 +116,15 @@ std::optional<std::vector<RevisitInterest>> ViewPlanner::InterestsIfDue(
     return std::nullopt;
   }
   are_interests_due_ = false;
-  return InterestsOf(running, SituationOf(nav, now));
+  return InterestsOf(running, SituationOf(nav, now), failures_);
 }
 
 void ViewPlanner::Follow(const Option& option, std::span<const WeightedBehavior> running,
                          const Situation& now) {
   search_.TellChoice(option);
   tracker_.Follow(option);
-  survey_.ledger().Promise(tracker_.path(), OpenObjects(running, now), tracker_.Travelled());
+  survey_.ledger().Promise(tracker_.path(), OpenObjects(running, now, failures_),
+                           tracker_.Travelled());
 }
 
 std::optional<ViewDecision> ViewPlanner::DecideIfDue(std::span<const WeightedBehavior> running,
@@ -131,8 +143,10 @@ std::optional<ViewDecision> ViewPlanner::DecideIfDue(std::span<const WeightedBeh
   }
   survey_.UpdateGround();
   const Situation situation = SituationOf(nav, now);
-  ViewDecision decision = DecideView(running, situation, search_.Gather(running, situation),
-                                     survey_.seen(), preset_.order);
+  ViewDecision decision =
+      DecideView(running, situation, search_.Gather(running, situation, failures_), survey_.seen(),
+                 preset_.order);
+  std::ranges::move(decision.failures, std::back_inserter(failures_));
   are_interests_due_ = true;
   objects_changed_ = false;
   decided_by_.clear();

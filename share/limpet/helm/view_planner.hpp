@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "limpet/core/random.hpp"
@@ -38,6 +39,8 @@ class ViewPlanner {
   /// have changed since the last call.
   [[nodiscard]] std::optional<std::vector<RevisitInterest>> InterestsIfDue(
       std::span<const WeightedBehavior> running, const NavState& nav, Seconds now);
+  /// Behaviors that failed since the last call: they had no say, or not all of it.
+  [[nodiscard]] std::vector<BehaviorFailure> TakeFailures() { return std::exchange(failures_, {}); }
   /// Forgets the path, e.g. when nobody wants a view any more.
   void DropPath();
   [[nodiscard]] const DubinsPath& path() const { return tracker_.path(); }
@@ -57,6 +60,7 @@ class ViewPlanner {
   bool are_interests_due_ = false;
   /// Names of behaviors that were running at the last decision.
   std::vector<std::string> decided_by_;
+  std::vector<BehaviorFailure> failures_;
 };
 
 }  // namespace limpet

@@ -13,6 +13,7 @@
 #include "limpet/launch/launch_rules.hpp"
 #include "limpet/mission/expanded_text.hpp"
 #include "limpet/mission/outside.hpp"
+#include "limpet/mission/stand_ins.hpp"
 #include "limpet/session/session_name.hpp"
 
 namespace limpet {
@@ -131,8 +132,11 @@ void PlanEntry(const LaunchEntry& entry, const LaunchCommand& command, const fs:
     return;
   }
   const std::string binary = is_database ? "LimpetDB" : entry.binary;
-  const std::optional<fs::path> program =
-      FindProgram(binary, command.allows_outside ? named : std::nullopt, own_folder);
+  const std::optional<fs::path> folder = command.allows_outside ? named : std::nullopt;
+  std::optional<fs::path> program = FindProgram(binary, folder, own_folder);
+  if (const ProgramStandIn* stand_in = StandInFor(binary); !program && stand_in != nullptr) {
+    program = FindProgram(stand_in->own, folder, own_folder);
+  }
   if (!program) {
     plan.missing.push_back({.name = entry.moos_name,
                             .binary = binary,

@@ -4,34 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdlib>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include "limpet/core/program_search.hpp"
 #include "limpet/mission/outside.hpp"
 
 namespace limpet {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool IsExecutable(const fs::path& file) {
-  std::error_code ignored;
-  return ::access(file.c_str(), X_OK) == 0 && !fs::is_directory(file, ignored);
-}
-
-/// Absolute folders alone: a `.` on PATH would search wherever one stands.
-std::vector<fs::path> FoldersOnPath() {
-  std::vector<fs::path> folders;
-  const char* path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe): before any thread
-  for (const std::string& folder : Split(path != nullptr ? path : "", ':')) {
-    if (fs::path(folder).is_absolute()) {
-      folders.emplace_back(folder);
-    }
-  }
-  return folders;
-}
 
 bool IsNameOfMoosProcess(std::string_view name) {
   const auto is_upper = [](char letter) {

@@ -63,7 +63,15 @@ class BehaviorParser {
   }
 
  private:
-  enum class Place { kTop, kBeforeBehavior, kInBehavior, kBeforeMode, kInMode, kAfterMode };
+  enum class Place {
+    kTop,
+    kBeforeBehavior,
+    kInBehavior,
+    kBeforeMode,
+    kInMode,
+    kAfterMode,
+    kIgnored  ///< in a block of nothing
+  };
 
   void Complain(const SourceLine& where, std::string key, std::string text) {
     problems_.push_back({where, std::move(key), std::move(text)});
@@ -85,6 +93,9 @@ class BehaviorParser {
         return ParseParameter(line);
       case Place::kInMode:
         return ParseModeCondition(line);
+      case Place::kIgnored:
+        place_ = line.text == "}" ? Place::kTop : Place::kIgnored;
+        return;
       default:
         return ParseTop(line);
     }
@@ -111,6 +122,11 @@ class BehaviorParser {
       OpenBehavior(rest, line.where);
     } else if (TakesKeyword(line.text, "set", rest)) {
       OpenMode(rest, line.where);
+    } else if (line.text == "{") {  // most likely its `Behavior = ...` is commented out
+      block_ = {.name = "{", .where = line.where, .entries = {}};
+      place_ = Place::kIgnored;
+      result_.warnings.push_back(
+          {line.where, "{", "a block without `Behavior = ...` before it; ignored to its `}`"});
     } else {
       const std::string word(Trim(line.text.substr(0, line.text.find_first_of(" \t="))));
       const std::string nearest = NearestWord(word, {"initialize", "behavior", "set"});

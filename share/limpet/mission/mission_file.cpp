@@ -10,6 +10,7 @@
 #include "limpet/mission/fact_files.hpp"
 #include "limpet/mission/mission_lines.hpp"
 #include "limpet/mission/shared_settings.hpp"
+#include "limpet/mission/stand_ins.hpp"
 
 namespace limpet {
 namespace {
@@ -247,7 +248,7 @@ class MissionParser {
       const std::string owner = launch == mission_.launches.end()
                                     ? block.name
                                     : std::filesystem::path(launch->binary).filename().string();
-      TakeGlobals(mission_.globals, owner, block);
+      TakeGlobals(mission_.globals, OwnNameOf(owner), block);
     }
   }
 
@@ -327,6 +328,7 @@ MissionFile ReadMission(std::string_view text, const std::string& file,
   const std::vector<TextLine> lines = ConfigLines(text, file, options, warnings);
   MissionFile mission = MissionParser(file).Run(lines, std::move(warnings));
   TakeFacts(mission);
+  TakeStandInLines(mission);
   return mission;
 }
 

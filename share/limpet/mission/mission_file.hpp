@@ -48,11 +48,12 @@ struct MissionFile {
                                                 std::vector<ConfigProblem>& warnings);
 
 /// Reads a mission as MOOS does, gives each block what it takes from the globals and does not say
-/// itself (shared_settings.hpp) and from the vehicle's file (vehicle_settings.hpp), and says what
-/// MOOS ignores: what stands outside of blocks in `warnings`, and what stands in a block (nested
-/// braces, a line that is neither a comment nor `key = value`, a `${NAME}` that nothing defines) in
-/// the block's `problems`: only the app whose block it is knows if that matters. Throws ConfigError
-/// with every problem of the rest and of the ANTLER block.
+/// itself (shared_settings.hpp), from the vehicle's file (vehicle_settings.hpp) and for a stock
+/// program that ours stands in for (stand_ins.hpp), and says what MOOS ignores: what stands outside
+/// of blocks in `warnings`, and what stands in a block (nested braces, a line that is neither a
+/// comment nor `key = value`, a `${NAME}` that nothing defines) in the block's `problems`: only the
+/// app whose block it is knows if that matters. Throws ConfigError with every problem of the rest
+/// and of the ANTLER block.
 [[nodiscard]] MissionFile ReadMission(std::string_view text, const std::string& file,
                                       const PlugOptions& options);
 [[nodiscard]] MissionFile LoadMission(const std::filesystem::path& file);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -18,13 +20,29 @@ void Append(const std::vector<ConfigProblem>& more, std::vector<ConfigProblem>& 
   problems.insert(problems.end(), more.begin(), more.end());
 }
 
+/// Apps of Limpet's that are named as MOOS's are: in other people's missions a block is written for
+/// those.
+bool IsNamesake(std::string_view process) {
+  return process == "pShare" || process == "pNodeReporter";
+}
+
+/// Where to say what is wrong with an app's block: of a block that was written for a stock program
+/// it is a note.
+std::vector<ConfigProblem>& ListFor(const MissionReading& reading, std::string_view process,
+                                    MissionProblems& found) {
+  const bool is_for_stock =
+      reading.StandsIn(process) || (reading.is_foreign() && IsNamesake(process));
+  return is_for_stock ? found.notes : found.syntax;
+}
+
 void CheckDomain(const MissionReading& reading, const LaunchedApp& helm, MissionProblems& found) {
   std::vector<ConfigEntry> lines;
   for (const Setting& line : reading.FindAll("pHelm", "domain")) {
     if (!line.is_default) lines.push_back({line.key, line.text, line.where});
   }
   MotionDomain domain;
-  if (!lines.empty()) Append(ReadMotionDomain(lines, helm.block.where, domain), found.syntax);
+  if (lines.empty()) return;
+  Append(ReadMotionDomain(lines, helm.block.where, domain), ListFor(reading, "pHelm", found));
 }
 
 void CheckGenerators(const MissionReading& reading, MissionProblems& found) {
@@ -58,7 +76,8 @@ void NoteRepeats(const LaunchedApp& app, MissionProblems& found) {
 
 void CheckBlocks(const MissionReading& reading, MissionProblems& found) {
   for (const LaunchedApp& app : reading.apps()) {
-    Append(app.entry->check(app.block), found.syntax);
+    Append(app.entry->check(app.block), ListFor(reading, app.process, found));
+    Append(IgnoredKeys(app.block, app.entry->describe()), found.notes);
     NoteRepeats(app, found);
     if (app.process == "pHelm") {
       CheckDomain(reading, app, found);
@@ -67,17 +86,20 @@ void CheckBlocks(const MissionReading& reading, MissionProblems& found) {
   }
   for (const auto& [name, entry] : AppRegistry()) {
     const ConfigBlock* block = reading.mission().Block(name);
-    if (block != nullptr && !reading.Launches(name)) Append(entry.check(*block), found.syntax);
+    if (block != nullptr && !reading.Launches(name)) {
+      Append(entry.check(*block), ListFor(reading, name, found));
+    }
   }
 }
 
 void CheckBehaviors(const MissionReading& reading, MissionProblems& found) {
-  Append(reading.problems(), found.syntax);
+  std::vector<ConfigProblem>& list = ListFor(reading, "pHelm", found);
+  Append(reading.problems(), list);
   Append(reading.warnings(), found.notes);
   if (!reading.problems().empty()) return;
   for (const BehaviorFile& file : reading.behavior_files()) {
     if (file.behaviors.empty() && reading.behavior_files().size() == 1) {
-      found.syntax.push_back(
+      list.push_back(
           {{.file = file.file, .line = 0}, "", "has no behavior: the vehicle would do nothing"});
     }
   }
@@ -85,7 +107,7 @@ void CheckBehaviors(const MissionReading& reading, MissionProblems& found) {
     const BehaviorHost host(reading.behavior_files());
     Append(host.IgnoredLines(), found.notes);
   } catch (const ConfigError& error) {
-    Append(error.problems(), found.syntax);
+    Append(error.problems(), list);
   }
 }
 

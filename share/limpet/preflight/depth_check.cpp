@@ -149,7 +149,7 @@ void CheckDomainOf(const MissionReading& reading, const char* type, const char* 
 }  // namespace
 
 void CheckMotion(const MissionReading& reading, MissionProblems& found) {
-  if (!reading.Launches("pHelm")) return;
+  if (!reading.Launches("pHelm") || reading.StandsIn("pHelm")) return;
   const MotionDomain domain = DomainOf(reading);
   const auto speed = [&](const char* type) {
     CheckDomainOf(reading, type, "speed_mps", {"speed", domain.speed}, found);

@@ -14,6 +14,7 @@
 #include "limpet/mission/expectations.hpp"
 #include "limpet/mission/shared_settings.hpp"
 #include "limpet/mission/source_text.hpp"
+#include "limpet/mission/stand_ins.hpp"
 
 namespace limpet {
 namespace {
@@ -95,19 +96,22 @@ MissionReading::MissionReading(const MissionFile& mission, fs::path folder)
 
 void MissionReading::SortLaunches() {
   for (const LaunchEntry& launch : mission_.launches) {
-    const std::string process = fs::path(launch.binary).filename().string();
+    const std::string named = fs::path(launch.binary).filename().string();
+    const bool stands_in = IsStoodInFor(named);
+    const std::string process = stands_in ? OwnNameOf(named) : named;
     const auto entry = AppRegistry().find(process);
     if (entry == AppRegistry().end()) {
       if (std::ranges::find(kOnlookers, process) == kOnlookers.end()) strangers_.push_back(launch);
       continue;
     }
     const ConfigBlock* own = mission_.Block(launch.moos_name);
-    const ConfigBlock* block = own != nullptr ? own : mission_.Block(process);
+    const ConfigBlock* block = own != nullptr ? own : mission_.Block(named);
     const ConfigBlock nothing{.name = process, .where = launch.where, .entries = {}};
     apps_.push_back({.process = process,
                      .entry = &entry->second,
                      .block = block != nullptr ? *block : nothing,
-                     .where = launch.where});
+                     .where = launch.where,
+                     .stands_for = stands_in ? named : ""});
   }
 }
 
@@ -178,6 +182,17 @@ SourceLine MissionReading::InVehicle(std::string_view key) const {
 
 bool MissionReading::Launches(std::string_view process) const {
   return std::ranges::any_of(apps_, [&](const LaunchedApp& a) { return a.process == process; });
+}
+
+bool MissionReading::StandsIn(std::string_view process) const {
+  return std::ranges::any_of(apps_, [&](const LaunchedApp& app) {
+    return app.process == process && !app.stands_for.empty();
+  });
+}
+
+bool MissionReading::is_foreign() const {
+  return !strangers_.empty() || mission_.launches.empty() ||
+         std::ranges::any_of(apps_, [](const LaunchedApp& a) { return !a.stands_for.empty(); });
 }
 
 std::vector<Setting> MissionReading::FindAll(std::string_view process, std::string_view key) const {

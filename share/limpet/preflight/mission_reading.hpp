@@ -40,7 +40,8 @@ struct LaunchedApp {
   std::string process;
   const AppEntry* entry = nullptr;
   ConfigBlock block;
-  SourceLine where;  ///< of its `Run` line
+  SourceLine where;          ///< of its `Run` line
+  std::string stands_for{};  ///< the stock program that the line names; empty: it names ours
 };
 
 /// What a mission says, ready to be asked. Files that cannot be read are problems; what they would
@@ -56,6 +57,11 @@ class MissionReading {
   /// anything.
   [[nodiscard]] const std::vector<LaunchEntry>& strangers() const { return strangers_; }
   [[nodiscard]] bool Launches(std::string_view process) const;
+  /// True if ours runs in place of a stock program that the mission launches.
+  [[nodiscard]] bool StandsIn(std::string_view process) const;
+  /// A mission of other people's, or a piece of one: it launches programs that are not Limpet's, or
+  /// nothing.
+  [[nodiscard]] bool is_foreign() const;
 
   /// Parameter of an app that is launched; nothing if it is not, or has no such parameter.
   [[nodiscard]] std::optional<Setting> Find(std::string_view process, std::string_view key) const;

@@ -87,7 +87,7 @@ void CheckGlobalValue(const ConfigEntry& global, const GlobalRule& rule, Mission
 bool IsFragment(const MissionFile& mission) {
   const bool has_own = std::ranges::any_of(
       mission.blocks, [](const ConfigBlock& block) { return IsAmong(block.name, OwnApps()); });
-  const bool is_plug = std::filesystem::path(mission.file).filename().string().starts_with("plug_");
+  const bool is_plug = std::filesystem::path(mission.file).filename().string().starts_with("plug");
   const bool is_empty = mission.blocks.empty() && mission.globals.empty();
   return !is_empty && (is_plug || (!has_own && !mission.blocks.empty()));
 }
@@ -197,6 +197,15 @@ void CheckLaunches(const MissionReading& reading, MissionProblems& found) {
           {launch.where, "Run", fmt::format("`{}` is launched twice", launch.moos_name)});
     }
     names.push_back(launch.moos_name);
+  }
+  for (const LaunchedApp& app : reading.apps()) {
+    if (!app.stands_for.empty()) {
+      found.notes.push_back(
+          {app.where, app.stands_for,
+           fmt::format("is no app of Limpet's, and is not installed here: Limpet's "
+                       "{} runs in its place, as far as it can",
+                       app.process)});
+    }
   }
   for (const LaunchEntry& stranger : reading.strangers()) {
     const std::string meant =

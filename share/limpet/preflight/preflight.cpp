@@ -2,6 +2,7 @@
 #include "limpet/preflight/preflight.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -77,6 +78,16 @@ bool IsOurs(const MissionFile& mission, const std::string& block) {
          });
 }
 
+/// A template is expanded before it is launched: what is wrong with a value that is a macro still
+/// is no more than a note.
+void SetMacrosAside(MissionProblems& found) {
+  const auto is_of_macro = [](const ConfigProblem& problem) {
+    return problem.text.find("$(") != std::string::npos;
+  };
+  std::ranges::copy_if(found.syntax, std::back_inserter(found.notes), is_of_macro);
+  std::erase_if(found.syntax, is_of_macro);
+}
+
 void CheckSyntax(const MissionReading& reading, MissionProblems& found) {
   const MissionFile& mission = reading.mission();
   Join(NotesOf(mission, [&](const std::string& block) { return IsOurs(mission, block); }),
@@ -87,6 +98,7 @@ void CheckSyntax(const MissionReading& reading, MissionProblems& found) {
   internal::CheckVehicle(reading, found);
   internal::CheckBlocks(reading, found);
   internal::CheckBehaviors(reading, found);
+  if (reading.is_foreign()) SetMacrosAside(found);
 }
 
 void CheckGeometryOf(const MissionReading& reading, MissionProblems& found) {
@@ -136,7 +148,11 @@ void SetStrangersAside(BehaviorFile& file, MissionProblems& found) {
     if (BehaviorRegistry().contains(block.name)) return false;
     const std::string meant = internal::SlipOf(block.name, known);
     if (meant.empty()) {
-      found.notes.push_back({block.where, block.name, "is no behavior of Limpet's: not checked"});
+      const std::string nearest = NearestWord(block.name, known);
+      found.notes.push_back(
+          {block.where, block.name,
+           fmt::format("is no behavior of Limpet's: not checked{}",
+                       nearest.empty() ? "" : fmt::format("; nearest known: `{}`", nearest))});
     } else {
       found.syntax.push_back(
           {block.where, "Behavior",
@@ -184,6 +200,7 @@ MissionProblems CheckBehaviorFile(const fs::path& file) {
   } catch (const ConfigError& error) {
     Join(error.problems(), found.syntax);
   }
+  SetMacrosAside(found);
   return Sorted(std::move(found));
 }
 

@@ -156,6 +156,7 @@ std::vector<ConfigProblem> CheckRoles(const MissionReading& reading, MissionProb
   bool has_image_reader = false;
   for (const LaunchedApp& app : reading.apps()) {
     if (app.process == "pShare") continue;  // hears what its routes say; building it needs keys
+    if (!app.stands_for.empty()) continue;  // its mission has other writers, or no use for it
     const Names heard = HeardBy(app, reading, problems);
     has_image_reader = has_image_reader || heard.contains("CAMERA_FRAME");
     const Names conditions = app.process == "pHelm" ? ReadByConditions(reading) : Names{};

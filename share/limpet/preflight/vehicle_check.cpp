@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -10,8 +12,8 @@ namespace limpet::internal {
 namespace {
 
 /// Those whose work depends on which vehicle it is.
-constexpr std::array kNeedVehicle{"pPilot",      "pNav",        "pHelm",     "pMap",
-                                  "uSimVehicle", "uSimSensors", "uSimCamera"};
+constexpr std::array<std::string_view, 7> kNeedVehicle{
+    "pPilot", "pNav", "pHelm", "pMap", "uSimVehicle", "uSimSensors", "uSimCamera"};
 
 SourceLine LineOfGlobal(const MissionFile& mission) {
   for (const ConfigEntry& global : mission.globals) {
@@ -44,8 +46,9 @@ void CheckSensorsFor(const MissionReading& reading, MissionProblems& found) {
 void CheckVehicle(const MissionReading& reading, MissionProblems& found) {
   const std::string named = reading.mission().Global(kVehicleFileGlobal);
   std::string needed_by;
-  for (const char* app : kNeedVehicle) {
-    if (needed_by.empty() && reading.Launches(app)) needed_by = app;
+  for (const LaunchedApp& app : reading.apps()) {
+    const bool needs = std::ranges::find(kNeedVehicle, app.process) != kNeedVehicle.end();
+    if (needed_by.empty() && needs && app.stands_for.empty()) needed_by = app.process;
   }
   if (named.empty() && needed_by.empty()) return;
   CheckSensorsFor(reading, found);

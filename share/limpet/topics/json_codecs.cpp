@@ -229,6 +229,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PathSegment, curvature, length)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmPath, id, north, east, yaw, segments, purpose)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OptionBid, behavior, value, weight, has_veto, why)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BiddenOption, source, length, total, rate, end, bids)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionOpinion, behavior, variables, weight, value, summit,
+                                   flat_half_width, base_half_width)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmMotion, course_deg, speed_mps, depth_m, opinions)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RevisitInterest, id, state, worth, fruitless)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmRevisits, objects)
 
@@ -283,6 +286,7 @@ template struct JsonCodec<WaterRecord>;
 template struct JsonCodec<SessionPrior>;
 template struct JsonCodec<HelmPath>;
 template struct JsonCodec<HelmBids>;
+template struct JsonCodec<HelmMotion>;
 template struct JsonCodec<HelmRevisits>;
 
 }  // namespace limpet

@@ -82,6 +82,24 @@ struct HelmBids {
 template <>
 struct TopicCodec<HelmBids> : JsonCodec<HelmBids> {};
 
+/// What one behavior would like of how to move now, as the helm weighs it.
+struct MotionOpinion {
+  std::string behavior;
+  std::string variables;  ///< course, speed or depth; several, joined by +, are judged together
+  double weight = 1.0;
+  double value = 0.0;  ///< of what was chosen, 0 to 1
+  /// Of a peak over one variable [deg, m/s, m]: what it likes best, how far around it anything is
+  /// as good, and from where on it is worth nothing.
+  std::optional<double> summit, flat_half_width, base_half_width;
+};
+/// How the helm moves now, and whose opinions that rests on.
+struct HelmMotion {
+  std::optional<double> course_deg, speed_mps, depth_m;
+  std::vector<MotionOpinion> opinions;
+};
+template <>
+struct TopicCodec<HelmMotion> : JsonCodec<HelmMotion> {};
+
 /// What the helm still wants of one object, and why.
 struct RevisitInterest {
   int id = 0;           ///< as OpiBelief::id
@@ -130,6 +148,9 @@ inline const auto kReturn =
 inline const auto kManualOverride = Declare<bool>(
     "MOOS_MANUAL_OVERRIDE", "true parks the helm",
     {.rate = "on event", .writers = {"operator", "pHelm", "pLaunch"}, .is_command = true});
+inline const auto kManualOverrideMisspelt =
+    Declare<bool>("MOOS_MANUAL_OVERIDE", "the same, as older MOOS programs spell it",
+                  {.rate = "on event", .writers = {"operator"}, .is_command = true});
 inline const auto kHelmState =
     Declare<std::string>("IVPHELM_STATE", "DRIVE or PARK", {.rate = "10 Hz", .writers = {"pHelm"}});
 inline const auto kHelmAllStop = Declare<std::string>(
@@ -143,6 +164,9 @@ inline const auto kHelmPath = Declare<HelmPath>(
 inline const auto kHelmBids = Declare<HelmBids>(
     "HELM_BIDS", "last decision: options, bids, reasons",
     {.unit = "m of path", .frame = "NED", .rate = "on decision", .writers = {"pHelm"}});
+inline const auto kHelmMotion = Declare<HelmMotion>(
+    "HELM_MOTION", "how to move now: what was chosen, and what each behavior would like",
+    {.unit = "deg, m/s, m", .rate = "1 Hz, and when others have a say", .writers = {"pHelm"}});
 inline const auto kHelmRevisits = Declare<HelmRevisits>(
     "HELM_REVISITS", "which objects the helm still wants to look at, and why not the others",
     {.unit = "m of path", .rate = "on change", .writers = {"pHelm"}});

@@ -66,6 +66,37 @@ TEST(CheckVerbOfFiles, NotesKeysOfExistingMissionsThatHaveNoEffect) {
   EXPECT_THAT(behaviors.text, HasSubstr("a.bhv:5: note: build_info: has no effect"));
 }
 
+TEST(CheckVerbOfFiles, NotesWhatOurHelmCouldNotRunInPlaceOfTheStockOne) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "a.bhv") << "Behavior = BHV_AvdColregsV99\n{\n  name = avoid\n}\n";
+  const auto check = [&](const std::string& helm) {
+    const fs::path moos = folder.path() / "a.moos";
+    std::ofstream(moos) << "Community = alpha\nProcessConfig = ANTLER\n{\n  Run = MOOSDB\n  Run = "
+                        << helm << "\n  Run = uSimMarineV22\n}\nProcessConfig = " << helm
+                        << "\n{\n  Behaviors = a.bhv\n  Domain = course:0:359:360\n  Domain = "
+                           "speed:0:4:41\n  ok_skew = any\n  start_in_drive = true\n}\n";
+    return Check({moos.string()});
+  };
+  const Checked stock = check("pHelmIvP");
+  EXPECT_EQ(stock.exit_code, kOk) << stock.text;
+  EXPECT_THAT(stock.text, HasSubstr("no behavior `BHV_AvdColregsV99`"));
+  EXPECT_THAT(stock.text, HasSubstr("ok_skew"));
+  const Checked ours = check("pHelm");
+  EXPECT_EQ(ours.exit_code, kUsage) << ours.text;
+}
+
+TEST(CheckVerbOfFiles, NotesThatATemplateIsNotYetExpanded) {
+  const TemporaryFolder folder;
+  const fs::path moos = folder.path() / "meta_vehicle.moos";
+  std::ofstream(moos) << "ServerPort = $(VPORT)\nCommunity = $(VNAME)\nMOOSTimeWarp = $(WARP)\n"
+                         "ProcessConfig = ANTLER\n{\n  Run = MOOSDB\n  Run = pShare\n  Run = "
+                         "uFldNodeBroker\n}\nProcessConfig = pShare\n{\n  input = route = "
+                         "$(IP_ADDR):$(PSHARE_PORT)\n}\n";
+  const Checked checked = Check({moos.string()});
+  EXPECT_EQ(checked.exit_code, kOk) << checked.text;
+  EXPECT_THAT(checked.text, HasSubstr("note: ServerPort: `$(VPORT)`"));
+}
+
 TEST(CheckVerbOfFiles, NestedTextOfAnAcousticModemIsANoteAndInABlockOfOursAnError) {
   const MissionCopy mission;
   mission.Apply({PlugOf("pDetect"), "ProcessConfig = pDetect\n{\n",

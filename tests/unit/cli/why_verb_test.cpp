@@ -107,7 +107,7 @@ TEST_F(WhyVerbTest, LeavesOutWhatCannotBeReadAndSaysSo) {
   WriteLog("a.alog", 1000.0, {{10.0, 1}});
   std::ofstream(folder_.path() / "a.alog", std::ios::app) << "12.0  HELM_BIDS  pHelm  {broken\n";
   EXPECT_EQ(Run({At("a.alog")}), kOk);
-  EXPECT_THAT(err_, HasSubstr("1 HELM_BIDS cannot be read"));
+  EXPECT_THAT(err_, HasSubstr("1 HELM_BIDS or HELM_MOTION cannot be read"));
 }
 
 }  // namespace

@@ -93,6 +93,28 @@ TEST(Explanation, AsTextShowsTheTableAndWhatWouldHaveChangedIt) {
   EXPECT_THAT(text, HasSubstr("useful 18, length 10"));
 }
 
+TEST(Explanation, SaysHowTheVehicleMoved) {
+  const LoggedMotion moved{
+      .time = 545.0,
+      .motion = {.course_deg = 92.5,
+                 .speed_mps = 0.5,
+                 .depth_m = {},
+                 .opinions = {{"follow", "course", 100.0, 0.97, 93.0, 0.0, 90.0},
+                              {"avoid", "course+speed", 50.0, 0.4, {}, {}, {}}}}};
+  const Explanation explanation = Explain(SurveyDecision(), &moved);
+  const auto json = nlohmann::json::parse(JsonOf(explanation, "")).at("motion");
+  EXPECT_EQ(json.at("course_deg"), 92.5);
+  EXPECT_TRUE(json.at("depth_m").is_null());
+  EXPECT_EQ(json.at("bids").at(1).at("variables"), "course+speed");
+  EXPECT_TRUE(json.at("bids").at(1).at("summit").is_null());
+  const std::string text = PlainText(FrameOf(explanation));
+  EXPECT_THAT(text,
+              HasSubstr("moving now (545.0 s): course 92.5 deg, speed 0.5 m/s, depth nobody's"));
+  EXPECT_THAT(text, HasSubstr("course 93 deg"));
+  EXPECT_THAT(text, HasSubstr("0.97 x 100"));
+  EXPECT_TRUE(nlohmann::json::parse(JsonOf(Explain(SurveyDecision()), "")).at("motion").is_null());
+}
+
 TEST(Explanation, NeedsNoOptionThatWon) {
   LoggedDecision decision = SurveyDecision();
   decision.bids.options.erase(decision.bids.options.begin(), decision.bids.options.begin() + 2);

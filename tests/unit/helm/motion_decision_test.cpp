@@ -16,8 +16,6 @@ namespace limpet {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 class MovingBehavior final : public Behavior {

@@ -2,6 +2,8 @@
 #include "limpet/helm/view_decision.hpp"
 
 #include <functional>
+#include <limits>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -72,6 +74,31 @@ TEST_F(ViewDecisionTest, ChoosesNothingWhenAllIsVetoed) {
   JudgingBehavior forbids(
       [](const Prospect&) { return Bid{.value = 0.0, .why = {}, .veto = "no"}; });
   EXPECT_FALSE(Decide({{"a", 1.0, &forbids}}).chosen.has_value());
+}
+
+TEST_F(ViewDecisionTest, HearsTheOthersWhenOneThrowsOrBidsNoNumber) {
+  JudgingBehavior likes_long([](const Prospect& p) {
+    return Bid{.value = p.length() * p.length(), .why = {}, .veto = {}};
+  });
+  JudgingBehavior throws([](const Prospect& p) -> std::optional<Bid> {
+    if (p.length() > 5.0) {
+      throw std::runtime_error("no chart");
+    }
+    return Bid{.value = 1e9, .why = {}, .veto = {}};
+  });
+  JudgingBehavior bids_nan([](const Prospect&) {
+    return Bid{.value = std::numeric_limits<double>::quiet_NaN(), .why = {}, .veto = {}};
+  });
+  const ViewDecision decision =
+      Decide({{"a", 1.0, &likes_long}, {"broken", 1.0, &throws}, {"nan", 1.0, &bids_nan}});
+  EXPECT_EQ(decision.chosen->source, "long");
+  ASSERT_EQ(decision.failures.size(), 2U);
+  EXPECT_EQ(decision.failures[0].owner, "broken");
+  EXPECT_EQ(decision.failures[0].text, "it has thrown: no chart");
+  EXPECT_EQ(decision.failures[1].owner, "nan");
+  for (const BiddenOption& option : decision.bids.options) {
+    ASSERT_EQ(option.bids.size(), 1U) << "what it bid before it threw does not count either";
+  }
 }
 
 TEST_F(ViewDecisionTest, ExplainsEachBidWithItsReasons) {

@@ -164,5 +164,17 @@ TEST(ModeSet, SaysNothingOfAVariableThatNothingSets) {
   EXPECT_TRUE(modes.Evaluate([](std::string_view) { return nullptr; }, Seconds(0.0)).empty());
 }
 
+TEST(BehaviorFile, PassesOverABlockWhoseFirstLineIsCommentedOut) {
+  const BehaviorFile file = ParseBehaviors(
+      "//Behavior = BHV_AvoidCollision\n{\n  name = avoid_\n  pwt  = 500\n}\n"
+      "Behavior = BHV_Waypoint\n{\n  name = survey\n}\n",
+      "a.bhv");
+  ASSERT_EQ(file.behaviors.size(), 1U);
+  EXPECT_EQ(BehaviorNameOf(file.behaviors[0]), "survey");
+  ASSERT_EQ(file.warnings.size(), 1U);
+  EXPECT_EQ(file.warnings[0].where.line, 2);
+  EXPECT_THROW(static_cast<void>(ParseBehaviors("{\n  name = avoid_\n", "a.bhv")), ConfigError);
+}
+
 }  // namespace
 }  // namespace limpet

@@ -127,6 +127,11 @@ class Maker {
                              .bids = {{Word(), Real(), Real(), random_.Chance(0.5), Word()}}});
     }
   }
+  void Fill(HelmMotion& out) {
+    out = {.course_deg = Real(), .speed_mps = Real(), .depth_m = {}, .opinions = {}};
+    for (std::size_t i = Few(); i > 0; --i)
+      out.opinions.push_back({Word(), "course", Real(), Real(), Real(), Real(), {}});
+  }
   void Fill(HelmRevisits& out) {
     for (std::size_t i = Few(); i > 0; --i)
       out.objects.push_back({Whole(), "open", Real(), 2});
@@ -162,7 +167,7 @@ class JsonProperty : public ::testing::Test {
 
 using JsonTopics =
     ::testing::Types<Detections, Landmarks, LandmarkJoint, ObservedFrame, TrackShift, OpiBeliefs,
-                     SessionPrior, WaterRecord, HelmPath, HelmBids, HelmRevisits>;
+                     SessionPrior, WaterRecord, HelmPath, HelmBids, HelmMotion, HelmRevisits>;
 TYPED_TEST_SUITE(JsonProperty, JsonTopics);
 
 TYPED_TEST(JsonProperty, ComesBackTheSame) {

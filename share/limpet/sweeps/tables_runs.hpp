@@ -12,12 +12,14 @@
 #include "limpet/runs/run_configuration.hpp"
 #include "limpet/runs/run_folder.hpp"
 #include "limpet/runs/run_settings.hpp"
+#include "limpet/sweeps/task_runner.hpp"
 
 namespace limpet {
 
 struct TablesCommand {
   std::filesystem::path mission_folder, out;
-  int first_seed = 1, runs = 10, jobs = 1;
+  int first_seed = 1, runs = 10;
+  RunnerOptions runner{};
   std::vector<std::string> survey_options;
   [[nodiscard]] std::string MissionName() const { return limpet::MissionName(mission_folder); }
   [[nodiscard]] std::string OptionsText() const {
@@ -44,7 +46,7 @@ struct TablesFolder {
 
 /// Why no more seeds were run.
 enum class Reached { kAll, kInterrupted, kDiskFull, kRefused, kChanged };
-/// Runs every seed that is not done, several at a time.
+/// Runs every seed that is not done. Throws Refusal if the runner cannot work here.
 [[nodiscard]] Reached RunSeeds(const TablesCommand& command, TablesFolder& tables);
 
 [[nodiscard]] std::size_t SeedsDone(const TablesCommand& command);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limpet/runs/child_runs.hpp"
+#include "limpet/sweeps/child_runs.hpp"
 
 #include <filesystem>
 #include <set>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limpet/runs/tables_runs.hpp"
+#include "limpet/sweeps/tables_runs.hpp"
 
 #include <set>
 #include <stdexcept>
@@ -8,8 +8,8 @@
 #include "limpet/console/exit_code.hpp"
 #include "limpet/console/progress_line.hpp"
 #include "limpet/console/shown_text.hpp"
-#include "limpet/runs/child_runs.hpp"
 #include "limpet/session/durable_file.hpp"
+#include "limpet/sweeps/child_runs.hpp"
 
 namespace limpet {
 namespace {
@@ -74,7 +74,7 @@ class SeedRuns {
     ClaimLogs();
     progress_.Update(static_cast<double>(ended_) / command_.runs, "started");
     const bool is_complete =
-        RunChildren(missing_.runs, command_.jobs, [&](const ChildEnd& end) { return Take(end); });
+        runner_->Run(missing_.runs, [&](const ChildEnd& end) { return Take(end); });
     if (reached_ != Reached::kAll) return reached_;
     return is_complete ? Reached::kAll : Reached::kInterrupted;
   }
@@ -147,6 +147,7 @@ class SeedRuns {
   TablesFolder& tables_;
   MissingRuns missing_;
   std::set<int> was_missing_ = WithoutFolder(command_, missing_);  ///< no folder when we began
+  std::unique_ptr<TaskRunner> runner_ = MakeTaskRunner(command_.runner);
   ProgressLine progress_{"tables"};
   std::size_t ended_ = 0;
   Reached reached_ = Reached::kAll;

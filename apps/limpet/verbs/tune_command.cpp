@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "apps/limpet/verbs/tune_command.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "apps/limpet/verbs/survey_options.hpp"
+#include "apps/limpet/verbs/tune_form.hpp"
+#include "limpet/core/number_text.hpp"
+#include "limpet/preflight/mission_reading.hpp"
+#include "limpet/runs/run_settings.hpp"
+#include "limpet/runs/session_runner.hpp"
+#include "limpet/tuning/tuned_place.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+
+ReportExpression ExpressionOf(const std::string& option, const std::string& text) {
+  Expected<ReportExpression> expression = ReportExpression::Parse(text);
+  if (!expression) throw UsageError(fmt::format("{} {}", option, expression.error().text));
+  return *std::move(expression);
+}
+
+ParameterSpace SpaceOf(const Arguments& given) {
+  std::vector<VariedParameter> parameters;
+  for (const std::string& text : given.All("vary")) {
+    Expected<VariedParameter> parameter = VariedParameter::Parse(text);
+    if (!parameter) throw UsageError("--vary " + parameter.error().text);
+    const bool is_double = std::ranges::any_of(
+        parameters, [&](const VariedParameter& p) { return p.name == parameter->name; });
+    if (is_double) throw UsageError(fmt::format("--vary {} is given twice", parameter->name));
+    parameters.push_back(*std::move(parameter));
+  }
+  if (parameters.empty())
+    throw UsageError("nothing to vary: --vary owner.key=low:high is expected");
+  return ParameterSpace(std::move(parameters));
+}
+
+}  // namespace
+
+TuneCommand ReadTuneCommand(const Arguments& given) {
+  if (given.positionals().size() != 1) throw UsageError(TuneForm().takes + " is expected");
+  if (!given.Has("objective")) throw UsageError("--objective is missing");
+  const fs::path mission = MissionFolder(given.positionals()[0]);
+  if (!fs::exists(mission / "mission.moos")) {
+    throw UsageError(fmt::format("no mission in {}", mission.string()));
+  }
+  TuneCommand command{.space = SpaceOf(given),
+                      .objective = ExpressionOf("--objective", *given.Find("objective")),
+                      .constraints = {},
+                      .plan = {},
+                      .settings = given.All("set")};
+  for (const std::string& text : given.All("constraint")) {
+    command.constraints.push_back(ExpressionOf("--constraint", text));
+    if (!command.constraints.back().is_condition()) {
+      throw UsageError(fmt::format("--constraint `{}` compares nothing", text));
+    }
+  }
+  command.task = {.mission = MissionName(mission),
+                  .objective = command.objective.text(),
+                  .constraints = given.All("constraint"),
+                  .maximises = given.Has("maximise"),
+                  .first_seed = static_cast<std::uint64_t>(given.Integer("seed")),
+                  .rules = {.method = *given.Find("method"),
+                            .settings = given.Integer("settings"),
+                            .runs = static_cast<std::size_t>(given.Integer("runs")),
+                            .share = given.Number("share").value_or(1.0),
+                            .seed = static_cast<std::uint64_t>(given.Integer("seed"))}};
+  for (const char* option : {"planner", "gain"}) {
+    if (given.Has(option))
+      command.settings.push_back(fmt::format("pHelm.{}={}", option, *given.Find(option)));
+  }
+  const fs::path out = given.Find("out").value_or("runs/tune-" + command.task.mission);
+  command.plan = {.mission_folder = mission,
+                  .out = out,
+                  .survey_options = SurveyOptionsGiven(given),
+                  .runner = RunnerOptionsOf(given, out),
+                  .keeps_runs = given.Has("keep-runs")};
+  if (const auto first = FirstSettings(command.space, command.task.rules); !first) {
+    throw UsageError("--vary: " + first.error().text);
+  }
+  return command;
+}
+
+MissionFile MissionWith(const TuneCommand& command, const std::vector<std::string>& more) {
+  MissionFile mission = LoadMission(command.plan.mission_folder / "mission.moos");
+  for (const std::string& setting : command.settings)
+    ApplySetting(mission, setting);
+  for (const std::string& setting : more)
+    ApplySetting(mission, setting);
+  return mission;
+}
+
+SettingValues DefaultOf(const TuneCommand& command) {
+  const MissionReading reading(MissionWith(command, {}), command.plan.mission_folder);
+  SettingValues values;
+  for (const VariedParameter& parameter : command.space.parameters()) {
+    const TunedPlace place = FindTunedPlace(reading, parameter.name);
+    const std::optional<double> number = ParseNumber(place.value);
+    if (!number) {
+      throw ConfigError(
+          {place.entry, parameter.name,
+           fmt::format("is `{}`, which is no number: it cannot be varied over a range",
+                       place.value)});
+    }
+    values.push_back(*number);
+  }
+  return values;
+}
+
+}  // namespace limpet

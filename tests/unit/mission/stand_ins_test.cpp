@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Missions that name a stock program, read for ours.
+#include "limpet/mission/stand_ins.hpp"
+
+#include <gtest/gtest.h>
+
+#include "limpet/mission/mission_file.hpp"
+
+namespace limpet {
+namespace {
+
+TEST(StandIns, StartAStockHelmsMissionParkedUnlessItSaysOtherwise) {
+  const MissionFile silent =
+      ParseMission("ProcessConfig = pHelmIvP\n{\n  behaviors = a.bhv\n}\n", "a.moos");
+  EXPECT_EQ(silent.Block("pHelmIvP")->Find("start_in_drive")->value, "false");
+  for (const char* key : {"Start_In_Drive", "start_indrive", "start_engaged", "ACTIVE_START"}) {
+    const MissionFile driving = ParseMission(
+        std::string("ProcessConfig = pHelmIvP\n{\n  ") + key + " = true\n}\n", "a.moos");
+    const ConfigEntry* said = driving.Block("pHelmIvP")->Find(key);
+    ASSERT_NE(said, nullptr);
+    EXPECT_EQ(said->value, "true");
+    EXPECT_EQ(driving.Block("pHelmIvP")->entries.front().value, "true");
+    EXPECT_TRUE(driving.Block("pHelmIvP")->Find("start_in_drive") == nullptr ||
+                driving.Block("pHelmIvP")->Find("start_in_drive")->value == "true");
+  }
+}
+
+TEST(StandIns, LeaveTheBlockOfOurHelmAsItIs) {
+  const MissionFile mission =
+      ParseMission("ProcessConfig = pHelm\n{\n  behaviors = a.bhv\n}\n", "a.moos");
+  EXPECT_EQ(mission.Block("pHelm")->entries.size(), 1U);
+}
+
+TEST(StandIns, AreKnownByTheProgramThatABlocksNameIsLaunchedFrom) {
+  const MissionFile mission = ParseMission(
+      "ProcessConfig = ANTLER\n{\n  Run = pHelmIvP @ NewConsole = false ~ helm_two\n}\n"
+      "ProcessConfig = helm_two\n{\n  behaviors = a.bhv\n}\n",
+      "a.moos");
+  EXPECT_EQ(mission.Block("helm_two")->Find("start_in_drive")->value, "false");
+}
+
+TEST(StandIns, AreOneForEachStockProgram) {
+  EXPECT_EQ(OwnNameOf("pHelmIvP"), "pHelm");
+  EXPECT_EQ(OwnNameOf("uSimMarine"), "uSimMarine");
+  EXPECT_EQ(StandInFor("pLogger"), nullptr);
+  EXPECT_FALSE(IsStoodInFor("pHelm"));
+}
+
+}  // namespace
+}  // namespace limpet
