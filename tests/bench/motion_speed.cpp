@@ -15,6 +15,7 @@
 #include "limpet/core/clock.hpp"
 #include "limpet/core/frames.hpp"
 #include "limpet/core/random.hpp"
+#include "limpet/core/units.hpp"
 #include "limpet/helm/motion_decision.hpp"
 #include "tests/support/quantile.hpp"
 

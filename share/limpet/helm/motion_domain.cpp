@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string_view>
 
 #include <fmt/format.h>
 
+#include "limpet/core/expected.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/core/units.hpp"
 

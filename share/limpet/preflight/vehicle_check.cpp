@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -46,9 +45,8 @@ void CheckSensorsFor(const MissionReading& reading, MissionProblems& found) {
 void CheckVehicle(const MissionReading& reading, MissionProblems& found) {
   const std::string named = reading.mission().Global(kVehicleFileGlobal);
   std::string needed_by;
-  for (const LaunchedApp& app : reading.apps()) {
-    const bool needs = std::ranges::find(kNeedVehicle, app.process) != kNeedVehicle.end();
-    if (needed_by.empty() && needs && app.stands_for.empty()) needed_by = app.process;
+  for (const std::string_view app : kNeedVehicle) {
+    if (needed_by.empty() && reading.Launches(app) && !reading.StandsIn(app)) needed_by = app;
   }
   if (named.empty() && needed_by.empty()) return;
   CheckSensorsFor(reading, found);

@@ -48,11 +48,11 @@ TEST(CheckVerbOfFiles, NotesWhatBelongsToOtherPeoplesApps) {
   EXPECT_EQ(mission.exit_code, kOk) << mission.text;
   EXPECT_THAT(mission.text, HasSubstr("note: pHelmIvP: is no app of Limpet's"));
   const fs::path bhv = folder.path() / "a.bhv";
-  std::ofstream(bhv) << "initialize DEPLOY = false\nBehavior = BHV_CutRange\n{\n  name = w\n  "
-                        "points = 1,2\n}\n";
+  std::ofstream(bhv) << "initialize DEPLOY = false\nBehavior = BHV_ConvoyV21\n{\n  name = c\n  "
+                        "radius = 2\n}\n";
   const Checked behaviors = Check({bhv.string()});
   EXPECT_EQ(behaviors.exit_code, kOk) << behaviors.text;
-  EXPECT_THAT(behaviors.text, HasSubstr("a.bhv:2: note: BHV_CutRange"));
+  EXPECT_THAT(behaviors.text, HasSubstr("a.bhv:2: note: BHV_ConvoyV21"));
 }
 
 TEST(CheckVerbOfFiles, NotesKeysOfExistingMissionsThatHaveNoEffect) {

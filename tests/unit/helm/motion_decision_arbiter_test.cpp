@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "limpet/core/frames.hpp"
+#include "limpet/core/units.hpp"
 #include "limpet/helm/motion_decision.hpp"
 #include "tests/support/allocation_count.hpp"
 

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "apps/pHelm/helm_app.hpp"
+#include "limpet/core/frames.hpp"
+#include "limpet/core/units.hpp"
 #include "limpet/helm/registry.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_link.hpp"
