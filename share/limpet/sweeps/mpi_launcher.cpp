@@ -46,8 +46,7 @@ MpiLauncher::~MpiLauncher() { MpiLauncher::Cancel(); }
 
 void MpiLauncher::Start(const std::filesystem::path& batch_folder, int workers) {
   earlier_.clear();
-  ChildRun run{
-      .args = OpenMpiEnvironment(), .log = batch_folder / "mpirun.txt", .program = "env"};
+  ChildRun run{.args = OpenMpiEnvironment(), .log = batch_folder / "mpirun.txt", .program = "env"};
   run.args.insert(run.args.end(), words_.begin(), words_.end());
   for (const std::string& word : {std::string("-n"), std::to_string(workers + 1),
                                   RankProgram().string(), (batch_folder / "tasks.json").string()}) {
