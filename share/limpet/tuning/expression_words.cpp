@@ -60,7 +60,7 @@ std::string ExpressionWords::TakeName() {
   std::size_t length = 0;
   while (length < rest.size() && IsOfName(rest[length]))
     ++length;
-  const std::string name(rest.substr(0, length));
+  std::string name(rest.substr(0, length));
   Advance(length);
   return name;
 }

@@ -95,7 +95,7 @@ class ExpressionReader {
   explicit ExpressionReader(std::string_view text) : words_(text) {}
 
   NodePtr ReadAll() {
-    const NodePtr root = ReadLevel(0);
+    NodePtr root = ReadLevel(0);
     if (!words_.IsAtEnd()) Complain("an operator or the end is expected");
     return root;
   }
@@ -137,14 +137,14 @@ class ExpressionReader {
     const Depth deeper(*this);
     if (words_.Take("-")) return Make(Operation::kNegate, {ReadSigned()});
     if (words_.Take("+")) return ReadSigned();
-    const NodePtr base = ReadOperand();
+    NodePtr base = ReadOperand();
     if (words_.Take("^")) return Make(Operation::kPower, {base, ReadSigned()});
     return base;
   }
 
   NodePtr ReadOperand() {
     if (words_.Take("(")) {
-      const NodePtr inner = ReadLevel(0);
+      NodePtr inner = ReadLevel(0);
       if (!words_.Take(")")) Complain("`)` is expected");
       return inner;
     }

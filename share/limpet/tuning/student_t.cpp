@@ -38,8 +38,7 @@ double BetaFraction(double a, double b, double x) {
 double BetaShare(double a, double b, double x) {
   if (x <= 0.0) return 0.0;
   if (x >= 1.0) return 1.0;
-  const double front = std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) +
-                                a * std::log(x) + b * std::log1p(-x));
+  const double front = std::exp(a * std::log(x) + b * std::log1p(-x)) / std::beta(a, b);
   // The fraction converges fast on one side of the mean only; the other is its mirror.
   return x < (a + 1.0) / (a + b + 2.0) ? front * BetaFraction(a, b, x) / a
                                        : 1.0 - front * BetaFraction(b, a, 1.0 - x) / b;
