@@ -20,9 +20,11 @@ std::unique_ptr<Behavior> MakeBehavior(const ConfigBlock& block) {
     std::vector<std::string> known;
     std::ranges::transform(BehaviorRegistry(), std::back_inserter(known),
                            [](const auto& registered) { return registered.first; });
+    const std::string nearest = NearestWord(block.name, known);
+    const std::string hint = nearest.empty() ? "`limpet describe` lists those there are"
+                                             : fmt::format("nearest known: `{}`", nearest);
     throw ConfigError(ConfigProblem{block.where, "Behavior",
-                                    fmt::format("no behavior `{}`; nearest known: `{}`", block.name,
-                                                NearestWord(block.name, known))});
+                                    fmt::format("no behavior `{}`; {}", block.name, hint)});
   }
   return entry->second.create(block);
 }
