@@ -33,7 +33,7 @@ Command WhyForm() {
 that was offered, what each behavior bid on it, why it lost, and for each behavior the smallest
 change of its weight that would have led elsewhere.
 
-  limpet why runs/table1-1 --changes    every decision of the last session, in a line
+  limpet why runs/table1-1 --changes    every decision, in a line
   limpet why runs/table1-1 --at 545     what was in force then
   limpet why missions/table1            of the community that flies it now)",
       .options = WithAddressOptions(
