@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What an operator sees of the helm.
 #include <algorithm>
-#include <ranges>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -16,9 +16,10 @@ std::string TextOr(const std::optional<double>& value, int decimals, const char*
 }
 
 void AddOptions(const HelmBids& bids, ReportLines& report) {
-  constexpr std::ptrdiff_t kShown = 5;
+  constexpr std::size_t kShown = 5;
   ReportTable options({"option", ">length", ">worth", ">per metre", ">north", ">east"});
-  for (const BiddenOption& option : bids.options | std::views::take(kShown)) {
+  for (const BiddenOption& option :
+       std::span(bids.options).first(std::min(bids.options.size(), kShown))) {
     const bool is_vetoed =
         std::ranges::any_of(option.bids, [](const OptionBid& bid) { return bid.has_veto; });
     options.AddRow({option.source, fmt::format("{:.1f}", option.length),

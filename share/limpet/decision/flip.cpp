@@ -106,7 +106,7 @@ std::optional<Flip> FlipOf(const HelmBids& bids, std::string_view behavior) {
   }
   const Flip in_force{.behavior = std::string(behavior), .weight = *weight};
   for (const Crossing& crossing : CrossingsFrom(*weight, behavior, bids, *chosen)) {
-    if (const std::optional<Flip> flip = FlipBehind(crossing, in_force, bids, *chosen)) {
+    if (std::optional<Flip> flip = FlipBehind(crossing, in_force, bids, *chosen)) {
       return flip;
     }
   }

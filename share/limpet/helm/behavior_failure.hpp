@@ -33,8 +33,9 @@ template <class Work>
 template <class Work>
 bool Heard(const std::string& owner, std::vector<BehaviorFailure>& failures, const Work& work) {
   std::optional<BehaviorFailure> failure = FailureOf(owner, work);
-  if (failure) failures.push_back(*std::move(failure));
-  return !failure;
+  if (!failure) return true;
+  failures.push_back(*std::move(failure));
+  return false;
 }
 
 }  // namespace limpet
