@@ -108,14 +108,14 @@ bool BHV_StationKeep::MayRest(double distance, Seconds now) {
   const double far = params_.hibernation_radius->value();
   const Rest before = watch_.rest;
   const std::optional<double> drift = Drift();
+  const bool comes_no_nearer =
+      before == Rest::kClosing && distance <= far && drift && *drift >= kNoNearer;
   if (before == Rest::kHibernating) {
     if (distance > far) watch_.rest = Rest::kSeeking;
-  } else if (distance <= params_.inner_radius.value()) {
+  } else if (distance <= params_.inner_radius.value() || comes_no_nearer) {
     watch_.rest = Rest::kHibernating;
   } else if (before == Rest::kSeeking && distance <= far && drift && *drift <= 0.0) {
     watch_.rest = Rest::kClosing;
-  } else if (before == Rest::kClosing && distance <= far && drift && *drift >= kNoNearer) {
-    watch_.rest = Rest::kHibernating;  // it comes no nearer
   }
   if (watch_.rest != before) watch_.distances.clear();
   return watch_.rest == Rest::kHibernating;

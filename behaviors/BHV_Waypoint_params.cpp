@@ -120,8 +120,9 @@ void DescribeCapture(ParamCollector& visit, Params& params) {
                       std::string written(text);
                       std::ranges::replace(written, ',', '=');
                       auto condition = Condition::Parse(written);
-                      if (condition) params.lead_conditions.push_back(*std::move(condition));
-                      return static_cast<bool>(condition);
+                      if (!condition) return false;
+                      params.lead_conditions.push_back(*std::move(condition));
+                      return true;
                     });
 }
 

@@ -18,12 +18,13 @@ const Logged* LastUntil(double time, const std::vector<Logged>& logged) {
 template <class Topic, class Logged>
 bool Add(std::string_view value, double time, std::vector<Logged>& logged) {
   auto decoded = TopicCodec<Topic>::Decode(std::string(value));
-  if (decoded) {
-    // A log's entries may be a little out of order: what was written before counts as before.
-    const double last = logged.empty() ? time : logged.back().time;
-    logged.push_back({std::max(time, last), *std::move(decoded)});
+  if (!decoded) {
+    return false;
   }
-  return decoded.has_value();
+  // A log's entries may be a little out of order: what was written before counts as before.
+  const double last = logged.empty() ? time : logged.back().time;
+  logged.push_back({std::max(time, last), *std::move(decoded)});
+  return true;
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ std::string Load(const fs::path& file) {
     return fmt::format("there is a behavior `{}` already: call yours something else", behavior);
   }
   if (::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr) {
-    const char* why = ::dlerror();
+    const char* why = ::dlerror();  // NOLINT(concurrency-mt-unsafe): no thread loads beside it
     return why == nullptr ? "cannot be loaded" : why;
   }
   return BehaviorRegistry().contains(behavior)
@@ -108,6 +108,7 @@ void LoadBehaviorModules(std::span<const ConfigEntry> lines, const fs::path& mis
   for (const ConfigEntry& line : lines) {
     LoadAll(line, mission_folder);
   }
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody sets it
   if (const char* folders = std::getenv(kBehaviorPathVariable)) {
     LoadAll({.key = kBehaviorPathVariable, .value = folders, .where = {.file = "environment"}},
             fs::current_path());

@@ -6,8 +6,8 @@
 #include <unistd.h>
 
 #include "limpet/console/command_output.hpp"
+#include "limpet/core/program_search.hpp"
 #include "limpet/sweeps/child_process.hpp"
-#include "limpet/sweeps/program_path.hpp"
 #include "limpet/sweeps/task_batch.hpp"
 
 namespace limpet {
@@ -37,7 +37,7 @@ MpiLauncher::MpiLauncher(std::vector<std::string> words) : words_(std::move(word
         fmt::format("--runner mpi needs limpet_mpi beside limpet: it is built where MPI "
                     "is found (`ninja limpet_mpi`)"));
   }
-  if (!FindInPath("mpirun")) {
+  if (!FindOnPath("mpirun")) {
     throw Refusal("--runner mpi needs mpirun: ./limpet cluster installs it");
   }
 }

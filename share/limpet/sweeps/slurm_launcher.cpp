@@ -12,9 +12,9 @@
 #include "limpet/console/shown_text.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/core/number_text.hpp"
+#include "limpet/core/program_search.hpp"
 #include "limpet/session/durable_file.hpp"
 #include "limpet/sweeps/child_process.hpp"
-#include "limpet/sweeps/program_path.hpp"
 
 namespace limpet {
 namespace {
@@ -56,7 +56,7 @@ std::string JobNumberIn(const std::string& text) {
 }  // namespace
 
 SlurmLauncher::SlurmLauncher(std::vector<std::string> words) : words_(std::move(words)) {
-  if (!FindInPath("sbatch")) {
+  if (!FindOnPath("sbatch")) {
     throw Refusal(
         "--runner slurm needs sbatch: run it where Slurm is (./limpet cluster installs "
         "it)");

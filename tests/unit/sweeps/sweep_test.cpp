@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "limpet/console/command_output.hpp"
+#include "limpet/core/program_search.hpp"
 #include "limpet/sweeps/child_process.hpp"
-#include "limpet/sweeps/program_path.hpp"
 #include "tests/support/limpet_command.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -120,7 +120,7 @@ TEST_F(SweepTest, RefusesAFolderOfAnotherMissionOrInUse) {
 }
 
 TEST_F(SweepTest, GivesTheSameBytesByMpi) {
-  if (!FindInPath("mpirun") || !fs::exists(OwnProgram().parent_path() / "limpet_mpi")) {
+  if (!FindOnPath("mpirun") || !fs::exists(OwnProgram().parent_path() / "limpet_mpi")) {
     GTEST_SKIP() << "no mpirun or no limpet_mpi: ./limpet cluster installs the former";
   }
   ExpectSameBytes("mpi", 12);
