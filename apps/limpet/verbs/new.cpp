@@ -48,7 +48,7 @@ written over.)",
 /// What can be made, and how the template calls it.
 struct Kind {
   const char* word;
-  const char* placeholder;
+  const char* template_name;       ///< what the template has in its place
   const char* pattern;             ///< of names, for complaints
   std::array<const char*, 2> own;  ///< folders that only this kind takes
 };
@@ -105,7 +105,7 @@ std::string Upper(std::string text) {
 
 /// The template's names replaced by the user's, in a path or in a text.
 std::string Renamed(const std::string& text, const Kind& kind, const std::string& name) {
-  return Replaced(Replaced(text, kind.placeholder, name), Upper(kind.placeholder), Upper(name));
+  return Replaced(Replaced(text, kind.template_name, name), Upper(kind.template_name), Upper(name));
 }
 
 struct NewFile {

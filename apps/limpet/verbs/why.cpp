@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -11,18 +10,16 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
+#include "apps/limpet/verbs/why_source.hpp"
 #include "limpet/console/community.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/console/tool_frame.hpp"
 #include "limpet/explain/decision_log.hpp"
 #include "limpet/explain/explanation_json.hpp"
 #include "limpet/explain/explanation_text.hpp"
-#include "limpet/log_tools/log_input.hpp"
 
 namespace limpet {
 namespace {
-
-namespace fs = std::filesystem;
 
 Command WhyForm() {
   const ValueRule kTime = AnyNumber("seconds since the start of the log");
@@ -58,111 +55,6 @@ planner); the best per metre wins. Exit code 1 if there is no such decision.)",
       .most_words = 1};
 }
 
-/// Decisions, and whose they are.
-struct Source {
-  DecisionLog log;
-  std::string session{};  ///< empty: there is only one
-  std::string place{};    ///< for complaints
-};
-
-bool IsLog(const fs::path& file) {
-  const std::string name = file.filename().string();
-  return name.ends_with(".alog") || name.ends_with(".alog.gz");
-}
-
-/// The session of a log in a run folder: the first folder on the way.
-std::string SessionOf(const fs::path& log, const fs::path& run) {
-  const fs::path way = log.lexically_relative(run);
-  return way.has_parent_path() ? way.begin()->string() : "";
-}
-
-double StartOf(const fs::path& log) {
-  auto reader = AlogReader::Open(log);
-  AlogEntry entry;
-  return reader && reader->Next(entry) ? reader->start().value_or(Seconds(0.0)).value() : 0.0;
-}
-
-struct RunLog {
-  fs::path file;
-  std::string session{};
-};
-
-/// The log of the session asked for, else of the one that began last. Throws UsageError.
-RunLog LogIn(const fs::path& run, const std::optional<std::string>& session) {
-  std::vector<RunLog> logs;
-  std::vector<std::string> names;
-  for (const auto& entry : fs::recursive_directory_iterator(run)) {
-    if (entry.is_regular_file() && IsLog(entry.path())) {
-      names.push_back(SessionOf(entry.path(), run));
-      if (!session || names.back() == *session) {
-        logs.push_back({.file = entry.path(), .session = names.back()});
-      }
-    }
-  }
-  if (names.empty()) {
-    throw UsageError(fmt::format("{}: holds no .alog file", run.string()));
-  }
-  if (logs.empty()) {
-    throw UsageError(fmt::format("{}: no session `{}`; nearest: `{}`", run.string(), *session,
-                                 NearestWord(*session, names)));
-  }
-  std::ranges::sort(logs, {}, &RunLog::file);
-  return *std::ranges::max_element(logs, {}, [](const RunLog& log) { return StartOf(log.file); });
-}
-
-Source FromLog(const std::string& word, const std::optional<std::string>& session) {
-  const bool is_run = fs::is_directory(word);
-  if (session && !is_run) {
-    throw UsageError("--session is for run folders; this is a log");
-  }
-  const RunLog log = is_run ? LogIn(word, session) : RunLog{.file = word};
-  LogInput input(log.file.string());
-  Source source{.log = {}, .session = log.session, .place = log.file.string()};
-  AlogLine line;
-  AlogEntry entry;
-  while (input.Next(line, entry)) {
-    if (line.kind == AlogLine::Kind::kEntry) {
-      source.log.Take(entry.name, entry.value, entry.time);
-    }
-  }
-  input.PrintDoubts();
-  return source;
-}
-
-Source FromCommunity(const Arguments& given, const std::string& mission) {
-  const CommunityAddress address = AddressOf(given, mission);
-  Community community(address, OwnName("uWhy"));
-  community.Watch(topics::kHelmBids.name);
-  community.Watch(topics::kHelmMotion.name);
-  const auto mail = community.Settle();
-  if (!mail) {
-    throw std::runtime_error(
-        fmt::format("{} did not answer within {:g} s", address.Text(), address.patience.value()));
-  }
-  Source source{.log = {}, .session = {}, .place = address.Text()};
-  for (const auto& [message, heard] : *mail) {
-    if (const auto* text = std::get_if<std::string>(&message.value)) {
-      source.log.Take(message.name, *text, message.time.value());
-    }
-  }
-  return source;
-}
-
-/// What a community cannot say is not asked of it. Throws UsageError.
-Source SourceOf(const Arguments& given) {
-  const std::string& word = given.positionals()[0];
-  if (!IsMissionName(word)) {
-    return FromLog(word, given.Find("session"));
-  }
-  for (const char* option : {"at", "from", "to", "changes", "session"}) {
-    if (given.Has(option)) {
-      throw UsageError(
-          fmt::format("--{} needs a log: a live community knows its last decision only", option));
-    }
-  }
-  return FromCommunity(given, word);
-}
-
 std::vector<LoggedDecision> Between(const DecisionLog& log, const Arguments& given) {
   std::vector<LoggedDecision> chosen;
   std::ranges::copy_if(log.decisions(), std::back_inserter(chosen), [&](const auto& decision) {
@@ -186,7 +78,7 @@ int Complain(const std::string& text) {
   return kFailed;
 }
 
-int PrintMany(const Source& source, const Arguments& given) {
+int PrintMany(const WhySource& source, const Arguments& given) {
   const std::vector<LoggedDecision> decisions = Between(source.log, given);
   if (decisions.empty()) {
     return Complain(source.place + ": no decision in that time");
@@ -204,7 +96,7 @@ int PrintMany(const Source& source, const Arguments& given) {
   return kOk;
 }
 
-int PrintOne(const Source& source, const Arguments& given) {
+int PrintOne(const WhySource& source, const Arguments& given) {
   const auto& decisions = source.log.decisions();
   const std::optional<double> time = given.Number("at");
   const LoggedDecision* decision = time ? source.log.InForceAt(*time) : &decisions.back();
@@ -234,7 +126,7 @@ void CheckTimes(const Arguments& given) {
 
 int PrintWhy(const Arguments& given) {
   CheckTimes(given);
-  const Source source = SourceOf(given);
+  const WhySource source = WhySourceOf(given);
   if (source.log.unreadable() > 0) {
     fmt::print(stderr,
                "limpet why: {}: {} HELM_BIDS or HELM_MOTION cannot be read and are left out\n",

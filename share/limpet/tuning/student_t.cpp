@@ -2,8 +2,9 @@
 #include "limpet/tuning/student_t.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numeric>
+
+#include <unsupported/Eigen/SpecialFunctions>
 
 #include "limpet/core/require.hpp"
 
@@ -12,43 +13,11 @@ namespace {
 
 constexpr double kConfidence = 0.95;
 
-/// The continued fraction of the incomplete beta function, by Lentz's method (Abramowitz and
-/// Stegun 26.5.8).
-double BetaFraction(double a, double b, double x) {
-  constexpr int kMostTerms = 500;
-  constexpr double kTiny = 1e-300;
-  const auto guarded = [](double value) { return std::abs(value) < kTiny ? kTiny : value; };
-  double c = 1.0, d = 1.0 / guarded(1.0 - (a + b) * x / (a + 1.0));
-  double fraction = d;
-  for (int m = 1; m < kMostTerms; ++m) {
-    const double even = m * (b - m) * x / ((a + 2 * m - 1.0) * (a + 2 * m));
-    d = 1.0 / guarded(1.0 + even * d);
-    c = guarded(1.0 + even / c);
-    fraction *= d * c;
-    const double odd = -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1.0));
-    d = 1.0 / guarded(1.0 + odd * d);
-    c = guarded(1.0 + odd / c);
-    fraction *= d * c;
-    if (std::abs(d * c - 1.0) < std::numeric_limits<double>::epsilon()) break;
-  }
-  return fraction;
-}
-
-/// Regularised incomplete beta function I_x(a, b).
-double BetaShare(double a, double b, double x) {
-  if (x <= 0.0) return 0.0;
-  if (x >= 1.0) return 1.0;
-  const double front = std::exp(a * std::log(x) + b * std::log1p(-x)) / std::beta(a, b);
-  // The fraction converges fast on one side of the mean only; the other is its mirror.
-  return x < (a + 1.0) / (a + b + 2.0) ? front * BetaFraction(a, b, x) / a
-                                       : 1.0 - front * BetaFraction(b, a, 1.0 - x) / b;
-}
-
 }  // namespace
 
 double StudentProbability(double t, double degrees) {
   LIMPET_REQUIRE(degrees > 0.0, "no degrees of freedom");
-  const double tail = 0.5 * BetaShare(0.5 * degrees, 0.5, degrees / (degrees + t * t));
+  const double tail = 0.5 * Eigen::numext::betainc(0.5 * degrees, 0.5, degrees / (degrees + t * t));
   return t > 0.0 ? 1.0 - tail : tail;
 }
 

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "apps/limpet/verbs/why_source.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "limpet/console/community.hpp"
+#include "limpet/core/config.hpp"
+#include "limpet/log_tools/log_input.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool IsLog(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return name.ends_with(".alog") || name.ends_with(".alog.gz");
+}
+
+/// The session of a log in a run folder: the first folder on the way.
+std::string SessionOf(const fs::path& log, const fs::path& run) {
+  const fs::path way = log.lexically_relative(run);
+  return way.has_parent_path() ? way.begin()->string() : "";
+}
+
+double StartOf(const fs::path& log) {
+  auto reader = AlogReader::Open(log);
+  AlogEntry entry;
+  return reader && reader->Next(entry) ? reader->start().value_or(Seconds(0.0)).value() : 0.0;
+}
+
+struct RunLog {
+  fs::path file;
+  std::string session{};
+};
+
+/// The log of the session asked for, else of the one that began last. Throws UsageError.
+RunLog LogIn(const fs::path& run, const std::optional<std::string>& session) {
+  std::vector<RunLog> logs;
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(run)) {
+    if (entry.is_regular_file() && IsLog(entry.path())) {
+      names.push_back(SessionOf(entry.path(), run));
+      if (!session || names.back() == *session) {
+        logs.push_back({.file = entry.path(), .session = names.back()});
+      }
+    }
+  }
+  if (names.empty()) {
+    throw UsageError(fmt::format("{}: holds no .alog file", run.string()));
+  }
+  if (logs.empty()) {
+    throw UsageError(fmt::format("{}: no session `{}`; nearest: `{}`", run.string(), *session,
+                                 NearestWord(*session, names)));
+  }
+  std::ranges::sort(logs, {}, &RunLog::file);
+  return *std::ranges::max_element(logs, {}, [](const RunLog& log) { return StartOf(log.file); });
+}
+
+WhySource FromLog(const std::string& word, const std::optional<std::string>& session) {
+  const bool is_run = fs::is_directory(word);
+  if (session && !is_run) {
+    throw UsageError("--session is for run folders; this is a log");
+  }
+  const RunLog log = is_run ? LogIn(word, session) : RunLog{.file = word};
+  LogInput input(log.file.string());
+  WhySource source{.log = {}, .session = log.session, .place = log.file.string()};
+  AlogLine line;
+  AlogEntry entry;
+  while (input.Next(line, entry)) {
+    if (line.kind == AlogLine::Kind::kEntry) {
+      source.log.Take(entry.name, entry.value, entry.time);
+    }
+  }
+  input.PrintDoubts();
+  return source;
+}
+
+WhySource FromCommunity(const Arguments& given, const std::string& mission) {
+  const CommunityAddress address = AddressOf(given, mission);
+  Community community(address, OwnName("uWhy"));
+  community.Watch(topics::kHelmBids.name);
+  community.Watch(topics::kHelmMotion.name);
+  const auto mail = community.Settle();
+  if (!mail) {
+    throw std::runtime_error(
+        fmt::format("{} did not answer within {:g} s", address.Text(), address.patience.value()));
+  }
+  WhySource source{.log = {}, .session = {}, .place = address.Text()};
+  for (const auto& [message, heard] : *mail) {
+    if (const auto* text = std::get_if<std::string>(&message.value)) {
+      source.log.Take(message.name, *text, message.time.value());
+    }
+  }
+  return source;
+}
+
+}  // namespace
+
+WhySource WhySourceOf(const Arguments& given) {
+  const std::string& word = given.positionals()[0];
+  if (!IsMissionName(word)) {
+    return FromLog(word, given.Find("session"));
+  }
+  for (const char* option : {"at", "from", "to", "changes", "session"}) {
+    if (given.Has(option)) {
+      throw UsageError(
+          fmt::format("--{} needs a log: a live community knows its last decision only", option));
+    }
+  }
+  return FromCommunity(given, word);
+}
+
+}  // namespace limpet
