@@ -6,6 +6,7 @@
 
 #include "limpet/helm/registry.hpp"
 #include "limpet/planning/home_path.hpp"
+#include "limpet/planning/room.hpp"
 #include "limpet/planning/transit_path.hpp"
 #include "limpet/topics/warning.hpp"
 
@@ -16,11 +17,22 @@ const WarningId kOutsideRegion = DeclareWarning(
     "OUTSIDE_REGION",
     {.severity = Severity::kAlarm,
      .raised_by = {"BHV_OpRegion"},
-     .meaning = "The vehicle has left its operating region by more than tolerance_m.",
+     .meaning = "The vehicle has left its operating region, or is in a keep-out zone, by more than "
+                "tolerance_m.",
      .action =
          "Watch it come back; if it does not, stop it with MOOS_MANUAL_OVERRIDE and it floats "
          "up.",
      .clears = "Once it is inside again, or on its way home."});
+
+/// Where a vehicle outside is led without a path: the middle of a rectangle, else the nearest place
+/// with room around it.
+PlanePoint PlaceInside(const Region& region, const Pose2& from) {
+  constexpr double kRoom = 2.0;  // [m]
+  const PlanePoint middle(0.5 * (region.north_min() + region.north_max()),
+                          0.5 * (region.east_min() + region.east_max()));
+  if (region.free_space() == nullptr) return middle;
+  return NearestRoom(*region.free_space(), {from.north, from.east}, kRoom).value_or(middle);
+}
 
 }  // namespace
 
@@ -33,9 +45,12 @@ MotionBid BHV_OpRegion::Move(const VehicleState& state) {
   if (!state.area) {
     return {};
   }
-  const SurveyArea& area = *state.area;
+  if (area_ != state.area) {
+    area_ = state.area;
+    region_.emplace(*area_);
+  }
   const Pose2 here{.north = state.nav.north, .east = state.nav.east, .yaw = state.nav.yaw};
-  const double outside = Region(area).Outside(here);
+  const double outside = region_->Outside(here);
   has_entered_ = has_entered_ || outside <= 0.0;
   const bool is_going_home = state.guidance && state.guidance->purpose == kHomeSource;
   if (!has_entered_ || is_going_home || outside <= params_.tolerance.value()) {
@@ -45,8 +60,9 @@ MotionBid BHV_OpRegion::Move(const VehicleState& state) {
   MotionBid bid;
   bid.warning = BehaviorWarning{kOutsideRegion, "the vehicle is outside its operating region"};
   if (!state.guidance) {
-    const double to_north = 0.5 * (area.north_min + area.north_max) - here.north;
-    const double to_east = 0.5 * (area.east_min + area.east_max) - here.east;
+    const PlanePoint inside = PlaceInside(*region_, here);
+    const double to_north = inside.x() - here.north;
+    const double to_east = inside.y() - here.east;
     bid.course = Peak{.summit = std::atan2(to_east, to_north),
                       .flat_half_width = 0.0,
                       .base_half_width = std::numbers::pi};
@@ -61,6 +77,10 @@ void BHV_OpRegion::Shape(const Situation&, double, SearchGoals& goals) const {
 std::optional<Bid> BHV_OpRegion::Value(const Prospect& prospect, const Situation& now) const {
   Bid bid;
   const bool starts_inside = now.region->Outside(now.pose) <= 0.0;
+  if (starts_inside && now.region->EntersZone(prospect.path())) {
+    bid.veto = "enters a keep-out zone";
+    return bid;
+  }
   if (MayEndAnywhere(*prospect.option)) {
     return bid;
   }

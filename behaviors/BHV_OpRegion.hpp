@@ -8,10 +8,10 @@
 
 namespace limpet {
 
-/// Vetoes options that leave the operating region (area and margin), and steers back inside should
-/// the vehicle have left it. For a vehicle that is outside, e.g. at its start, it asks for a way
-/// in. The region is in force once it has been entered, and no more on the way home, which may end
-/// anywhere.
+/// Vetoes options that leave the operating region or enter a keep-out zone, and steers back inside
+/// should the vehicle have left it. For a vehicle that is outside, e.g. at its start, it asks for a
+/// way in. The region is in force once it has been entered, and no more on the way home, which may
+/// end anywhere; zones always are.
 class BHV_OpRegion final : public Behavior {
  public:
   struct Params {
@@ -31,7 +31,9 @@ class BHV_OpRegion final : public Behavior {
 
  private:
   Params params_;
-  bool has_entered_ = false;  ///< has been inside since it began to run
+  std::optional<SurveyArea> area_;
+  std::optional<Region> region_;  ///< of that area
+  bool has_entered_ = false;      ///< has been inside since it began to run
 };
 
 }  // namespace limpet

@@ -59,7 +59,36 @@ std::string HelmDrawing::Label(const std::string& what) const {
   return vehicle_.empty() ? what : vehicle_ + "_" + what;
 }
 
+void HelmDrawing::DrawShape(const SurveyShape& shape) {
+  DrawRing("area", shape.outline(), "yellow");
+  if (shape.region()) DrawRing("region", *shape.region(), "gray50");
+  int zone = 0;
+  for (const SimplePolygon& polygon : shape.zones()) {
+    DrawRing(fmt::format("keep_out_{}", ++zone), polygon, "red");
+  }
+}
+
+/// As a closed line: viewers refuse polygons that are not convex.
+void HelmDrawing::DrawRing(const std::string& what, const SimplePolygon& polygon,
+                           const std::string& color) {
+  SeglistShape ring;
+  for (const PlanePoint& corner : polygon.corners()) {
+    ring.points.push_back(MapPointOf(corner.x(), corner.y()));
+  }
+  ring.points.push_back(ring.points.front());
+  board_.Draw({.label = Label(what),
+               .form = ring,
+               .style = {.label_color = color,
+                         .edge_color = color,
+                         .vertex_color = "invisible",
+                         .edge_size = 1.0}});
+}
+
 void HelmDrawing::DrawArea(const SurveyArea& area) {
+  if (const auto shape = SurveyShape::Of(area); shape && !shape->is_plain()) {
+    DrawShape(*shape);
+    return;
+  }
   board_.Draw({.label = Label("area"),
                .form = Rectangle(area, 0.0),
                .style = {.label_color = "yellow",

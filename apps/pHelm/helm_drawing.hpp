@@ -5,6 +5,7 @@
 
 #include "limpet/helm/view_decision.hpp"
 #include "limpet/shapes/shape_board.hpp"
+#include "limpet/survey/survey_shape.hpp"
 #include "limpet/topics/mission.hpp"
 
 namespace limpet {
@@ -23,6 +24,8 @@ class HelmDrawing {
   void ErasePath();
 
  private:
+  void DrawShape(const SurveyShape& shape);
+  void DrawRing(const std::string& what, const SimplePolygon& polygon, const std::string& color);
   [[nodiscard]] std::string Label(const std::string& what) const;
 
   std::string vehicle_;

@@ -49,7 +49,7 @@ void MapApp::OnArea(const Stamped<SurveyArea>& area) {
     return;
   }
   ClearWarning(warnings::kAreaRefused);
-  if (!area_ || EncodeRecord(*area_) != EncodeRecord(area.value)) {
+  if (area_ != area.value) {
     area_ = area.value;
     ground_.emplace(area.value, params_.cell, camera_, map_.beams());
     ground_->SetReach(PlannedDetection().HalfRange());

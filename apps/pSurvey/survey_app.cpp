@@ -11,6 +11,8 @@
 #include "apps/pSurvey/survey_warnings.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/survey/look.hpp"
+#include "limpet/survey/mission_area.hpp"
+#include "limpet/survey/survey_grid.hpp"
 
 namespace limpet {
 namespace {
@@ -21,15 +23,19 @@ constexpr double kProgressStep = 0.002;  // coverage must grow by this much to c
 constexpr std::array kPhaseNames{"IDLE",   "ALIGN",  "DIVE", "SURVEY",
                                  "RETURN", "ASCEND", "FIX",  "DONE"};
 
+SurveyArea AreaOrThrow(const SurveyParams& params) {
+  Expected<SurveyArea, AreaProblem> area = AreaOf(params);
+  if (!area) throw ConfigError({{}, area.error().key, area.error().text});
+  if (const auto problem = ProblemOf(*area)) {
+    throw ConfigError({{}, "area", "the area " + *problem});
+  }
+  return *std::move(area);
+}
+
 }  // namespace
 
 SurveyApp::SurveyApp(const AppContext& context, const Params& params)
-    : App(context), params_(params) {
-  if (params.north_max <= params.north_min || params.east_max <= params.east_min) {
-    throw ConfigError({{},
-                       context.name,
-                       "the area is empty: its north_max_m and east_max_m must exceed its minima"});
-  }
+    : App(context), params_(params), area_(AreaOrThrow(params)), region_(area_) {
   if (context.is_restarted) {
     Recall();  // first: a DEPLOY that is known already must not start the mission anew
   }
@@ -52,16 +58,7 @@ void SurveyApp::OnDeploy(const Stamped<bool>& deploy) {
   }
 }
 
-SurveyArea SurveyApp::Area() const {
-  return {.north_min = params_.north_min.value(),
-          .north_max = params_.north_max.value(),
-          .east_min = params_.east_min.value(),
-          .east_max = params_.east_max.value(),
-          .margin = params_.margin.value(),
-          .object_height_max = params_.object_height_max.value()};
-}
-
-void SurveyApp::PublishArea() { Publish(topics::kSurveyArea, Area()); }
+void SurveyApp::PublishArea() { Publish(topics::kSurveyArea, area_); }
 
 void SurveyApp::Remember() {
   if (!context().runs_live) {
@@ -222,7 +219,7 @@ void SurveyApp::TrackTransit(Seconds now) {
     return;
   }
   const bool was_outside = transit_.is_under_way();
-  if (transit_.Track(nav_->value, Area())) {
+  if (transit_.Track(nav_->value, region_)) {
     last_progress_ = now;
   }
   if (was_outside && transit_.is_over()) {

@@ -8,6 +8,7 @@
 #include "apps/pSurvey/transit.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/planning/ground.hpp"
+#include "limpet/planning/region.hpp"
 #include "limpet/survey/survey_params.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
@@ -50,7 +51,6 @@ class SurveyApp final : public App {
   void TrackTransit(Seconds now);
   /// Warns while nobody steers.
   void WatchHelm(Seconds now);
-  [[nodiscard]] SurveyArea Area() const;
   void EndMission(Seconds now);
   void WalkOn(Seconds now);
   [[nodiscard]] bool IsUnderWay() const;
@@ -71,6 +71,8 @@ class SurveyApp final : public App {
   [[nodiscard]] double AttainableShare() const;
 
   Params params_;
+  SurveyArea area_;
+  Region region_;
   Phase phase_ = Phase::kIdle;
   Seconds phase_since_;
   Seconds told_;

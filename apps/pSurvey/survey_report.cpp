@@ -21,10 +21,9 @@ std::optional<Seconds> SurveyApp::TimeToTarget() const {
 void SurveyApp::Report(ReportLines& report) const {
   report.Pair("Phase",
               fmt::format("{} for {:.0f} s", NameOf(phase_), (now() - phase_since_).value()));
-  report.Pair("Area", fmt::format("north {:g} to {:g}, east {:g} to {:g} m, margin {:g} m",
-                                  params_.north_min.value(), params_.north_max.value(),
-                                  params_.east_min.value(), params_.east_max.value(),
-                                  params_.margin.value()));
+  report.Pair("Area", fmt::format("{}north {:g} to {:g}, east {:g} to {:g} m, margin {:g} m",
+                                  area_.outline ? "a polygon within " : "", area_.north_min,
+                                  area_.north_max, area_.east_min, area_.east_max, area_.margin));
   if (deployed_) {
     report.Pair("Under way", fmt::format("{:.0f} s of at most {:.0f} s",
                                          (now() - *deployed_).value(), params_.max_time.value()));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/pSurvey/transit.hpp"
 
-#include "limpet/planning/region.hpp"
-
 namespace limpet {
 namespace {
 
@@ -11,9 +9,8 @@ constexpr double kProgressStepM = 1.0;
 
 }  // namespace
 
-bool Transit::Track(const NavState& nav, const SurveyArea& area) {
-  const double outside =
-      Region(area).Outside({.north = nav.north, .east = nav.east, .yaw = nav.yaw});
+bool Transit::Track(const NavState& nav, const Region& region) {
+  const double outside = region.Outside({.north = nav.north, .east = nav.east, .yaw = nav.yaw});
   if (outside > 0.0 && outside > to_go_m_ - kProgressStepM) {
     return false;
   }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "limpet/topics/mission.hpp"
+#include "limpet/planning/region.hpp"
 #include "limpet/topics/navigation.hpp"
 
 namespace limpet {
@@ -14,7 +14,7 @@ namespace limpet {
 class Transit {
  public:
   /// True if the vehicle has come nearer to the area since the last time, or reached it.
-  bool Track(const NavState& nav, const SurveyArea& area);
+  bool Track(const NavState& nav, const Region& region);
   [[nodiscard]] bool is_over() const { return to_go_m_ <= 0.0; }
   [[nodiscard]] bool is_under_way() const { return !is_over() && std::isfinite(to_go_m_); }
   /// The least distance to the area and its margin so far [m]; infinite before the first Track.

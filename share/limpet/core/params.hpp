@@ -97,6 +97,16 @@ class ParamCollector {
                   [&field](double text) { field = Quantity<D>::FromTextUnit(text); });
   }
 
+  /// What a mission may leave unsaid, as something else can stand for it. `example` never reaches a
+  /// mission.
+  template <class D>
+  void Optional(const char* name, std::optional<Quantity<D>>& field, const char* help,
+                Quantity<D> example) {
+    DeclareNumber(name, D::kSymbol, example.in_text_unit(), help, {},
+                  [&field](double text) { field = Quantity<D>::FromTextUnit(text); });
+    specs_.back().default_text.clear();
+  }
+
   /// Declares what a mission must say, as the call without `Required` declares what it may say.
   /// What the field is initialised with is an example and never reaches a mission.
   template <class Field, class... More>

@@ -4,6 +4,23 @@
 #include "limpet/core/config.hpp"
 
 namespace limpet {
+namespace {
+
+/// The first comma that no brace holds.
+std::size_t EndOfPart(std::string_view text) {
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    depth += text[i] == '{' ? 1 : 0;
+    depth -= text[i] == '}' && depth > 0 ? 1 : 0;
+    if (text[i] == ',' && depth == 0) {
+      return i;
+    }
+  }
+  // A brace that nothing closes holds nothing.
+  return depth == 0 ? std::string_view::npos : text.find(',');
+}
+
+}  // namespace
 
 void RecordWriter::Append(const char* name, std::string_view value) {
   if (!text_.empty()) {
@@ -16,7 +33,7 @@ void RecordWriter::Append(const char* name, std::string_view value) {
 
 RecordReader::RecordReader(std::string_view text) {
   while (!text.empty()) {
-    const std::size_t comma = text.find(',');
+    const std::size_t comma = EndOfPart(text);
     const std::string_view part = text.substr(0, comma);
     const std::size_t equals = part.find('=');
     if (equals != std::string_view::npos) {
@@ -81,6 +98,13 @@ void RecordReader::operator()(const char* name, std::optional<bool>& field) {
   if (text) {
     field = ParseFlag(*text);
     is_good_ = is_good_ && field.has_value();
+  }
+}
+
+void RecordReader::operator()(const char* name, std::optional<std::string>& field) {
+  field.reset();
+  if (const auto text = Find(name)) {
+    field = std::string(*text);
   }
 }
 

@@ -2,8 +2,8 @@
 // Flat records as `key=value,key=value` text. A record declares its fields once:
 //   template <class V> void Describe(V& visit) { visit("north", north); visit("altitude",
 //   altitude); }
-// Fields: double, int, bool, std::string (no comma, no '='), and std::optional<double> and <bool>
-// (absent when unknown).
+// Fields: double, int, bool, std::string (commas only within braces; no '=' before the first
+// brace), and std::optional of double, bool and std::string (absent when unknown).
 #pragma once
 
 #include <optional>
@@ -27,6 +27,9 @@ class RecordWriter {
   void operator()(const char* name, const std::optional<bool>& field) {
     if (field) (*this)(name, *field);
   }
+  void operator()(const char* name, const std::optional<std::string>& field) {
+    if (field) Append(name, *field);
+  }
   [[nodiscard]] std::string& text() { return text_; }
 
  private:
@@ -45,6 +48,7 @@ class RecordReader {
   void operator()(const char* name, std::string& field);
   void operator()(const char* name, std::optional<double>& field);
   void operator()(const char* name, std::optional<bool>& field);
+  void operator()(const char* name, std::optional<std::string>& field);
   [[nodiscard]] bool is_good() const { return is_good_; }
 
  private:

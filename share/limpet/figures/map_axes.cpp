@@ -8,6 +8,7 @@
 
 #include "limpet/figures/rgba_png.hpp"
 #include "limpet/figures/tick_marks.hpp"
+#include "limpet/survey/survey_shape.hpp"
 
 namespace limpet {
 namespace {
@@ -85,9 +86,26 @@ void MapAxes::Raster(const GridRecord& grid, const std::function<palette::Rgb(st
 }
 
 void MapAxes::Outline(const SurveyArea& area) {
-  canvas_.Rect(At(area.north_max, area.east_min),
-               Point(area.east_max - area.east_min, area.north_max - area.north_min) * scale_,
-               {.stroke = palette::kMapMuted, .width = 1.0, .dash = "5 4"});
+  const Paint dashed{.stroke = palette::kMapMuted, .width = 1.0, .dash = "5 4"};
+  const auto shape = SurveyShape::Of(area);
+  if (!shape || shape->is_plain()) {
+    canvas_.Rect(At(area.north_max, area.east_min),
+                 Point(area.east_max - area.east_min, area.north_max - area.north_min) * scale_,
+                 dashed);
+    return;
+  }
+  const auto draw = [this](const SimplePolygon& polygon, const Paint& paint) {
+    std::vector<Point> corners;
+    for (const PlanePoint& corner : polygon.corners()) {
+      corners.push_back(At(corner.x(), corner.y()));
+    }
+    canvas_.Polygon(corners, paint);
+  };
+  draw(shape->outline(), dashed);
+  for (const SimplePolygon& zone : shape->zones()) {
+    draw(zone, {.fill = palette::kMapMuted, .stroke = palette::kMapMuted, .opacity = 0.5});
+  }
+  if (shape->region()) draw(*shape->region(), {.stroke = palette::kMapMuted, .width = 0.7});
 }
 
 void MapAxes::BeginMap() {

@@ -19,14 +19,13 @@ SurveyMirror::SurveyMirror(const ViewParams& params)
     : params_(params), watch_(params.survey_altitude, params.tracking_allowance) {}
 
 bool SurveyMirror::SetArea(const SurveyArea& area) {
-  if (area_ && EncodeRecord(*area_) == EncodeRecord(area)) {
+  if (area_ == area) {
     return false;
   }
   area_ = area;
   grid_ = std::make_unique<SurveyGrid>(area);
   MirrorGround();
-  region_ = std::make_unique<Region>(
-      area, std::max(0.0, area.margin - params_.tracking_allowance.value()));
+  region_ = std::make_unique<Region>(area, params_.tracking_allowance);
   return true;
 }
 

@@ -9,6 +9,7 @@
 
 #include "limpet/core/number_text.hpp"
 #include "limpet/map_files/geo_place.hpp"
+#include "limpet/survey/survey_shape.hpp"
 
 namespace limpet {
 namespace {
@@ -43,11 +44,16 @@ OrderedJson FeatureOf(const OpiBelief& opi, const LocalGrid& grid) {
 }
 
 OrderedJson FeatureOf(const SurveyArea& area, const LocalGrid& grid) {
-  const OrderedJson corner = GeoPosition(grid, area.north_min, area.east_min);
+  const PlanePoint low(area.north_min, area.east_min), high(area.north_max, area.east_max);
+  // A saved session may hold anything: an area that is none is written as its box.
+  const Expected<SurveyShape> shape = SurveyShape::Of(area);
+  const SimplePolygon outline = shape ? shape->outline() : SimplePolygon::Box(low, high);
   // Counterclockwise, and closed.
-  OrderedJson ring = {corner, GeoPosition(grid, area.north_min, area.east_max),
-                      GeoPosition(grid, area.north_max, area.east_max),
-                      GeoPosition(grid, area.north_max, area.east_min), corner};
+  OrderedJson ring = OrderedJson::array();
+  for (const PlanePoint& corner : outline.corners()) {
+    ring.push_back(GeoPosition(grid, corner.x(), corner.y()));
+  }
+  ring.push_back(ring.front());
   return {
       {"type", "Feature"},
       {"geometry", {{"type", "Polygon"}, {"coordinates", OrderedJson::array({std::move(ring)})}}},

@@ -48,7 +48,10 @@ int Footprint::widest_layer() const {
 }
 
 Ground::Ground(const SurveyGrid& grid, const Footprint& footprint, const LayerWeights& weights)
-    : frame_(grid.frame()), footprint_(footprint), weights_(weights) {
+    : frame_(grid.frame()),
+      footprint_(footprint),
+      weights_(weights),
+      wanted_cells_(std::max<std::size_t>(1, grid.wanted_cells())) {
   levels_.resize(grid.heights().size());
   Update(grid);
 }
@@ -63,7 +66,7 @@ void Ground::Update(const SurveyGrid& grid) {
   const std::span<const float> seen = grid.heights();
   for (std::size_t i = 0; i < levels_.size(); ++i) {
     const float floor = grid.Floor(i);
-    int level = 0;
+    int level = grid.IsWanted(i) ? 0 : Footprint::kLayers;
     while (level < Footprint::kLayers) {
       const auto height = static_cast<float>(footprint_.height(level));
       const bool is_seen =
@@ -88,13 +91,16 @@ double Ground::SeenShare() const {
   for (const std::uint8_t level : levels_) {
     sum += level;
   }
-  return sum / (Footprint::kLayers * static_cast<double>(levels_.size()));
+  const auto unwanted = static_cast<double>(levels_.size() - wanted_cells_);
+  return (sum - Footprint::kLayers * unwanted) /
+         (Footprint::kLayers * static_cast<double>(wanted_cells_));
 }
 
 double Ground::SeenShare(int layer) const {
   const auto seen = std::count_if(levels_.begin(), levels_.end(),
                                   [layer](std::uint8_t level) { return level > layer; });
-  return static_cast<double>(seen) / static_cast<double>(levels_.size());
+  const auto unwanted = static_cast<double>(levels_.size() - wanted_cells_);
+  return (static_cast<double>(seen) - unwanted) / static_cast<double>(wanted_cells_);
 }
 
 }  // namespace limpet

@@ -52,8 +52,8 @@ inline constexpr LayerWeights kBottomTwice = {0.4, 0.2, 0.2, 0.2};
 
 /// The planner's copy of a survey grid: per cell the number of layers seen, 0 to
 /// Footprint::kLayers, from the bottom up; layers out of reach count as done, as nothing can be
-/// done about them. Because layers nest, area and border of all layers are sums over these numbers
-/// alone.
+/// done about them, and so do cells that are not to be seen. Because layers nest, area and border
+/// of all layers are sums over these numbers alone.
 class Ground {
  public:
   Ground(const SurveyGrid& grid, const Footprint& footprint,
@@ -78,6 +78,7 @@ class Ground {
   GridFrame frame_;
   Footprint footprint_;
   LayerWeights weights_;
+  std::size_t wanted_cells_;
   std::vector<std::uint8_t> levels_;
   std::uint64_t version_ = ~std::uint64_t{0};
 };

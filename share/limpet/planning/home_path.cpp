@@ -4,20 +4,23 @@
 #include <numbers>
 #include <optional>
 #include <utility>
+#include <vector>
+
+#include "limpet/planning/leg_path.hpp"
+#include "limpet/planning/room.hpp"
 
 namespace limpet {
 namespace {
 
 constexpr int kHomeHeadings = 72;
 
-}  // namespace
-
-Option HomePath(const Pose2& start, double north, double east, const Region& region,
-                Meters turn_radius) {
+/// The shortest way there of all headings at its end, one inside before all others.
+DubinsPath DirectPath(const Pose2& start, const PlanePoint& home, const Region& region,
+                      Meters turn_radius) {
   std::optional<DubinsPath> best;
   bool is_best_inside = false;
   for (int i = 0; i < kHomeHeadings; ++i) {
-    const Pose2 end{north, east, 2.0 * std::numbers::pi * i / kHomeHeadings};
+    const Pose2 end{home.x(), home.y(), 2.0 * std::numbers::pi * i / kHomeHeadings};
     DubinsPath path = region.ShortestInside(start, end, turn_radius);
     const bool is_inside = region.Contains(path);
     if (!best || (is_inside && !is_best_inside) ||
@@ -26,7 +29,56 @@ Option HomePath(const Pose2& start, double north, double east, const Region& reg
       is_best_inside = is_inside;
     }
   }
-  return {.source = kHomeSource, .path = *best, .estimate = -best->length()};
+  return *std::move(best);
+}
+
+/// Through the region, out of it where that is nearest to home or to the way that the mission
+/// gives, and on by that.
+std::optional<DubinsPath> PathAround(const Pose2& start, const PlanePoint& home,
+                                     const Region& region, Meters turn_radius) {
+  const FreeSpace& space = *region.free_space();
+  const PlanePoint here(start.north, start.east);
+  const std::vector<PlanePoint>& transit = region.transit();
+  std::vector<PlanePoint> outside;
+  if (!space.Contains(home)) {
+    const auto gate =
+        NearestRoom(space, transit.empty() ? home : transit.back(), turn_radius.value());
+    if (!gate) return std::nullopt;
+    outside.push_back(*gate);
+    outside.insert(outside.end(), transit.rbegin(), transit.rend());
+  }
+  outside.push_back(home);
+  std::vector<LegEnd> legs;
+  if (space.Contains(here)) {
+    const auto inside = LegsThrough(space, here, outside.front());
+    if (!inside) return std::nullopt;
+    for (const PlanePoint& at : *inside) {
+      legs.push_back({.at = at,
+                      .allows = [&region](const DubinsPath& path) { return region.Contains(path); },
+                      .must_be_passed = false});
+    }
+    legs.back().must_be_passed = true;
+    outside.erase(outside.begin());
+  } else {
+    outside = RestOfWay(outside, here);
+  }
+  for (const PlanePoint& at : outside) {
+    legs.push_back({at, [&region](const DubinsPath& path) { return !region.EntersZone(path); }});
+  }
+  return PathAlong(start, legs, turn_radius);
+}
+
+}  // namespace
+
+Option HomePath(const Pose2& start, double north, double east, const Region& region,
+                Meters turn_radius) {
+  const PlanePoint home(north, east);
+  DubinsPath path = DirectPath(start, home, region, turn_radius);
+  if (region.free_space() != nullptr && !region.Contains(path)) {
+    if (auto around = PathAround(start, home, region, turn_radius)) path = *std::move(around);
+  }
+  const double length = path.length();
+  return {.source = kHomeSource, .path = std::move(path), .estimate = -length};
 }
 
 }  // namespace limpet

@@ -14,7 +14,9 @@ inline constexpr const char* kHomeSource = "home";
 }
 
 /// The shortest way from `start` that ends at the point (north, east), whatever the heading there,
-/// inside the region where that is possible. A point outside the region is approached as it is.
+/// inside the region where that is possible. A point outside a rectangle without zones is
+/// approached as it is; otherwise the way leads through the region to where that is nearest to the
+/// point or to the transit's last way point, and from there by the transit in reverse.
 [[nodiscard]] Option HomePath(const Pose2& start, double north, double east, const Region& region,
                               Meters turn_radius);
 

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <utility>
+
+#include "limpet/core/require.hpp"
 
 namespace limpet {
 namespace {
@@ -19,22 +22,50 @@ bool Passes(double from, double turned, double angle) {
   return ahead <= std::abs(turned);
 }
 
+/// The border that the vehicle stays within.
+Fence HoldingFence(const SurveyShape& shape, double margin, Meters allowance) {
+  if (shape.region()) {
+    return {.polygon = *shape.region(), .distance = allowance.value(), .holds_in = true};
+  }
+  return {.polygon = shape.outline(), .distance = margin, .holds_in = true, .reaches_over = true};
+}
+
 }  // namespace
 
-Region::Region(const SurveyArea& area) : Region(area, area.margin) {}
-
-Region::Region(const SurveyArea& area, double margin)
-    : north_min_(area.north_min - margin),
-      north_max_(area.north_max + margin),
-      east_min_(area.east_min - margin),
-      east_max_(area.east_max + margin) {}
+Region::Region(const SurveyArea& area, Meters allowance) {
+  const double margin = std::max(0.0, area.margin - allowance.value());
+  north_min_ = area.north_min - margin;
+  north_max_ = area.north_max + margin;
+  east_min_ = area.east_min - margin;
+  east_max_ = area.east_max + margin;
+  const Expected<SurveyShape> shape = SurveyShape::Of(area);
+  LIMPET_REQUIRE(shape.has_value(), "a region is made of an area that has been looked at");
+  if (shape->is_plain()) return;
+  transit_ = shape->transit();
+  std::vector<Fence> fences;
+  for (const SimplePolygon& zone : shape->zones()) {
+    fences.push_back({.polygon = zone, .distance = allowance.value()});
+  }
+  if (!fences.empty()) zones_ = std::make_shared<const FreeSpace>(fences);
+  fences.insert(fences.begin(), HoldingFence(*shape, margin, allowance));
+  free_ = std::make_shared<const FreeSpace>(std::move(fences));
+  north_min_ = free_->low().x();
+  north_max_ = free_->high().x();
+  east_min_ = free_->low().y();
+  east_max_ = free_->high().y();
+}
 
 bool Region::Contains(double north, double east) const {
+  if (free_) return free_->Contains({north, east});
   return north >= north_min_ - kTouch && north <= north_max_ + kTouch &&
          east >= east_min_ - kTouch && east <= east_max_ + kTouch;
 }
 
 bool Region::Contains(const Pose2& from, const PathSegment& segment) const {
+  return free_ ? free_->Contains(from, segment) : IsInRectangle(from, segment);
+}
+
+bool Region::IsInRectangle(const Pose2& from, const PathSegment& segment) const {
   if (!Contains(from) || !Contains(Advance(from, segment.curvature, segment.length))) {
     return false;
   }
@@ -78,6 +109,10 @@ double Region::Deficit(const Pose2& pose, Meters radius) const {
   for (const double side : {-1.0, 1.0}) {
     const double north = pose.north - side * r * std::sin(pose.yaw);
     const double east = pose.east + side * r * std::cos(pose.yaw);
+    if (free_) {
+      least = std::min(least, std::max(0.0, r - free_->ClearanceUpTo({north, east}, r)));
+      continue;
+    }
     least = std::min(least, std::max({0.0, north_min_ - north + r, north + r - north_max_,
                                       east_min_ - east + r, east + r - east_max_}));
   }
@@ -98,9 +133,23 @@ bool Region::Allows(const Pose2& from, const PathSegment& segment, Meters radius
 }
 
 double Region::Outside(const Pose2& pose) const {
+  if (free_) {
+    const double clearance = free_->ClearanceUpTo({pose.north, pose.east}, 0.0);
+    return clearance < -FreeSpace::kTouch ? -clearance : 0.0;
+  }
   const double north = std::max({0.0, north_min_ - pose.north, pose.north - north_max_});
   const double east = std::max({0.0, east_min_ - pose.east, pose.east - east_max_});
   return std::hypot(north, east);
+}
+
+bool Region::EntersZone(const DubinsPath& path) const {
+  if (!zones_) return false;
+  Pose2 pose = path.start();
+  for (const PathSegment& segment : path.segments()) {
+    if (!zones_->Contains(pose, segment)) return true;
+    pose = Advance(pose, segment.curvature, segment.length);
+  }
+  return false;
 }
 
 DubinsPath Region::ShortestInside(const Pose2& from, const Pose2& to, Meters radius) const {

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+
 #include "limpet/planning/dubins_path.hpp"
+#include "limpet/planning/free_space.hpp"
 #include "limpet/topics/mission.hpp"
 
 namespace limpet {
 
-/// The operating region: the survey area and the margin around it, which the vehicle never leaves.
+/// The operating region: the survey area and the margin around it, or the region that the area
+/// names, less its keep-out zones. The vehicle never leaves it.
 class Region {
  public:
-  explicit Region(const SurveyArea& area);
-  Region(const SurveyArea& area, double margin);
+  explicit Region(const SurveyArea& area) : Region(area, Meters(0.0)) {}
+  /// Smaller all around by `allowance`, as far as there is a margin. REQUIRES: no ProblemOf(area).
+  Region(const SurveyArea& area, Meters allowance);
 
   [[nodiscard]] bool Contains(double north, double east) const;
   [[nodiscard]] bool Contains(const Pose2& pose) const { return Contains(pose.north, pose.east); }
@@ -27,18 +32,31 @@ class Region {
   [[nodiscard]] bool Allows(const Pose2& from, const PathSegment& segment, Meters radius) const;
   /// How far `pose` is outside [m], 0 inside.
   [[nodiscard]] double Outside(const Pose2& pose) const;
+  /// Whether `path` enters a keep-out zone; the region's own border is not asked for.
+  [[nodiscard]] bool EntersZone(const DubinsPath& path) const;
 
   /// The path joined to a shortest word to `to` that stays inside, or the shortest word of all if
   /// none does.
   [[nodiscard]] DubinsPath ShortestInside(const Pose2& from, const Pose2& to, Meters radius) const;
 
+  /// What is inside; null for a rectangle without zones.
+  [[nodiscard]] const FreeSpace* free_space() const { return free_.get(); }
+  /// Way points from a start outside to the area, as the mission gives them.
+  [[nodiscard]] const std::vector<PlanePoint>& transit() const { return transit_; }
+
+  /// The box around it.
   [[nodiscard]] double north_min() const { return north_min_; }
   [[nodiscard]] double north_max() const { return north_max_; }
   [[nodiscard]] double east_min() const { return east_min_; }
   [[nodiscard]] double east_max() const { return east_max_; }
 
  private:
+  [[nodiscard]] bool IsInRectangle(const Pose2& from, const PathSegment& segment) const;
+
   double north_min_, north_max_, east_min_, east_max_;
+  std::shared_ptr<const FreeSpace> free_;   ///< null: the rectangle is all
+  std::shared_ptr<const FreeSpace> zones_;  ///< what is in no zone; null without zones
+  std::vector<PlanePoint> transit_;
 };
 
 }  // namespace limpet

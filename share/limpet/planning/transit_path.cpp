@@ -3,18 +3,22 @@
 
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "limpet/core/interval.hpp"
 #include "limpet/planning/home_path.hpp"
+#include "limpet/planning/leg_path.hpp"
+#include "limpet/planning/room.hpp"
 
 namespace limpet {
 namespace {
 
 constexpr int kEntryHeadings = 72;
+/// Farther outside than this a vehicle has not drifted, but is on its way in [m].
+constexpr double kDrift = 3.0;
 
-}  // namespace
-
-std::optional<Option> TransitPath(const Pose2& start, const Region& region, Meters turn_radius) {
+std::optional<DubinsPath> IntoRectangle(const Pose2& start, const Region& region,
+                                        Meters turn_radius) {
   // A full turn of this radius fits around the entry, so that some heading is recoverable there.
   const double inset = turn_radius.value();
   const Interval north{region.north_min(), region.north_max()};
@@ -32,6 +36,32 @@ std::optional<Option> TransitPath(const Pose2& start, const Region& region, Mete
       best = std::move(path);
     }
   }
+  return best;
+}
+
+std::optional<DubinsPath> IntoShape(const Pose2& start, const Region& region, Meters turn_radius) {
+  const PlanePoint here(start.north, start.east);
+  std::vector<PlanePoint> way =
+      region.Outside(start) > kDrift ? region.transit() : std::vector<PlanePoint>{};
+  const auto entry =
+      NearestRoom(*region.free_space(), way.empty() ? here : way.back(), turn_radius.value());
+  if (!entry) return std::nullopt;
+  way.push_back(*entry);
+  std::vector<LegEnd> legs;
+  for (const PlanePoint& at : RestOfWay(way, here)) {
+    legs.push_back({at, [&region](const DubinsPath& path) { return !region.EntersZone(path); }});
+  }
+  return PathAlong(start, legs, turn_radius, [&region, turn_radius](const Pose2& end) {
+    return region.IsRecoverable(end, turn_radius);
+  });
+}
+
+}  // namespace
+
+std::optional<Option> TransitPath(const Pose2& start, const Region& region, Meters turn_radius) {
+  std::optional<DubinsPath> best = region.free_space() != nullptr
+                                       ? IntoShape(start, region, turn_radius)
+                                       : IntoRectangle(start, region, turn_radius);
   if (!best) {
     return std::nullopt;
   }

@@ -9,18 +9,26 @@
 #include "limpet/mission/seabed.hpp"
 #include "limpet/preflight/checks.hpp"
 #include "limpet/survey/survey_grid.hpp"
+#include "limpet/survey/survey_shape.hpp"
 
 namespace limpet::internal {
 namespace {
 
 bool CheckExtent(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found) {
+  if (survey.problem) {
+    const auto& [key, text, is_unreadable] = *survey.problem;
+    auto& list = is_unreadable ? found.syntax : found.geometry;
+    list.push_back(reading.Find("pSurvey", key)->Refuse(text));
+    return false;
+  }
   const auto is_empty = [&](const Setting& low, const Setting& high) {
     if (low.number() < high.number()) return false;
     found.geometry.push_back(
         high.Refuse(fmt::format("`{}` leaves no area; allowed: above {}", high.text, low.Named())));
     return true;
   };
-  if (is_empty(survey.north_min, survey.north_max) || is_empty(survey.east_min, survey.east_max)) {
+  if (survey.outline.is_default && (is_empty(survey.north_min, survey.north_max) ||
+                                    is_empty(survey.east_min, survey.east_max))) {
     return false;
   }
   const auto cell = reading.Find("pMap", "cell_m");
@@ -28,7 +36,7 @@ bool CheckExtent(const MissionReading& reading, const SurveyFacts& survey, Missi
   const double cells = survey.north_extent() * survey.east_extent() / (cell_m * cell_m);
   if (cells > SurveyGrid::kMostCells) {
     const double side_m = std::sqrt(SurveyGrid::kMostCells) * cell_m;
-    found.geometry.push_back(survey.north_max.Refuse(
+    found.geometry.push_back(survey.area_line().Refuse(
         fmt::format("an area of {:.0f} x {:.0f} m has {:.3g} cells of {:g} m; allowed: {:g} cells, "
                     "e.g. {:.0f} x "
                     "{:.0f} m",
@@ -44,7 +52,8 @@ void CheckTurns(const MissionReading& reading, const SurveyFacts& survey, Missio
   const Setting allowance = reading.Find("pHelm", "tracking_allowance_m").value();
   const double rim = std::max(0.0, survey.area.margin - allowance.number());
   const double narrow = std::min(survey.north_extent(), survey.east_extent()) + 2.0 * rim;
-  if (narrow < 2.0 * radius.number()) {
+  const auto shape = SurveyShape::Of(survey.area);
+  if (shape && shape->is_plain() && narrow < 2.0 * radius.number()) {
     found.geometry.push_back(radius.Refuse(
         fmt::format("area and margin leave {:.1f} m, a turn of {:g} m radius needs {:.1f} m; "
                     "allowed: up to {:.2f} m",
@@ -110,9 +119,14 @@ void CheckPlace(const MissionReading& reading, const SurveyFacts& survey, const 
   };
   const SurveyArea& area = survey.area;
   if (survey.Outside(place.x(), place.y()) > 0.0) {
-    refuse(fmt::format("[{:g}, {:g}] is outside the area: north {:g} to {:g}, east {:g} to {:g}",
-                       place.x(), place.y(), area.north_min, area.north_max, area.east_min,
-                       area.east_max));
+    refuse(fmt::format("[{:g}, {:g}] is outside the area: {}north {:g} to {:g}, east {:g} to {:g}",
+                       place.x(), place.y(), area.outline ? "a polygon within " : "",
+                       area.north_min, area.north_max, area.east_min, area.east_max));
+    return;
+  }
+  if (const auto shape = SurveyShape::Of(area); shape && !shape->Wants(place.head<2>())) {
+    refuse(fmt::format("[{:g}, {:g}] is in a keep-out zone, where nobody looks", place.x(),
+                       place.y()));
     return;
   }
   const double down = seabed.Depth(place.x(), place.y());
@@ -134,6 +148,7 @@ void CheckPlace(const MissionReading& reading, const SurveyFacts& survey, const 
 bool CheckArea(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found) {
   if (!CheckExtent(reading, survey, found)) return false;
   CheckTurns(reading, survey, found);
+  CheckShape(reading, survey, found);
   CheckCells(reading, survey, found);
   return true;
 }

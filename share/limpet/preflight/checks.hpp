@@ -29,6 +29,8 @@ void CheckDepths(const MissionReading& reading, const SurveyFacts& survey, Missi
 /// False if the area has no extent or is beyond all bounds: nothing else can then be said.
 [[nodiscard]] bool CheckArea(const MissionReading& reading, const SurveyFacts& survey,
                              MissionProblems& found);
+/// Of an area that is no plain rectangle.
+void CheckShape(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found);
 void CheckObjects(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found);
 void CheckEndurance(const MissionReading& reading, const SurveyFacts& survey,
                     MissionProblems& found);

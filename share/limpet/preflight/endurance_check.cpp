@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "limpet/preflight/checks.hpp"
+#include "limpet/survey/survey_shape.hpp"
 #include "limpet/vehicle/hydrodynamics.hpp"
 #include "limpet/vehicle_file/vehicle_file.hpp"
 
@@ -24,6 +25,18 @@ struct Ways {
   [[nodiscard]] double round() const { return there() + transit; }
 };
 
+/// By the transit's way points, if there are any [m].
+double WayIn(const SurveyFacts& survey, PlanePoint at) {
+  double length = 0.0;
+  if (const auto shape = SurveyShape::Of(survey.area)) {
+    for (const PlanePoint& next : shape->transit()) {
+      length += (next - at).norm();
+      at = next;
+    }
+  }
+  return length + survey.Outside(at.x(), at.y());
+}
+
 Ways WaysOf(const MissionReading& reading, const SurveyFacts& survey) {
   Ways ways{.transit = 0.0,
             .survey = EstimatePath(survey, reading.Find("pSurvey", "coverage_kind")->text,
@@ -31,7 +44,7 @@ Ways WaysOf(const MissionReading& reading, const SurveyFacts& survey) {
   if (reading.scenario()) {
     const Scenario::Start& start = reading.scenario()->start;
     const SurveyArea& area = survey.area;
-    ways.transit = survey.Outside(start.north_m, start.east_m);
+    ways.transit = WayIn(survey, {start.north_m, start.east_m});
     ways.farthest_home = std::hypot(
         std::max(std::abs(start.north_m - area.north_min),
                  std::abs(start.north_m - area.north_max)),

@@ -171,7 +171,7 @@ MissionProblems CheckLoadedMission(const MissionFile& mission, const fs::path& f
   if (found.syntax.empty()) {  // apps are built from blocks that are right
     const std::vector<ConfigProblem> unbuildable = internal::CheckRoles(reading, found);
     CheckGeometryOf(reading, found);
-    if (found.geometry.empty()) Join(unbuildable, found.syntax);
+    if (found.geometry.empty() && found.syntax.empty()) Join(unbuildable, found.syntax);
   }
   return Sorted(std::move(found));
 }

@@ -7,6 +7,7 @@
 
 #include "limpet/core/camera_params.hpp"
 #include "limpet/core/params.hpp"
+#include "limpet/survey/survey_shape.hpp"
 
 namespace limpet {
 namespace {
@@ -28,12 +29,39 @@ double HalfWidth(const Footprint& footprint, const std::string& coverage_kind) {
   return footprint.half_across(Footprint::kLayers - 1);
 }
 
+/// pSurvey's parameters as the mission gives them.
+SurveyParams ParamsOf(const MissionReading& reading) {
+  SurveyParams params;
+  for (const ParamSpec& spec : DescribeParams(params)) {
+    for (const Setting& setting : reading.FindAll("pSurvey", spec.name)) {
+      if (!setting.is_default) static_cast<void>(spec.set(setting.text));  // problems are syntax
+    }
+  }
+  return params;
+}
+
+void TakeArea(const SurveyParams& params, SurveyFacts& facts) {
+  auto area = AreaOf(params);
+  if (!area) {
+    facts.problem = area.error();
+    return;
+  }
+  facts.area = *std::move(area);
+  if (facts.area.north_max <= facts.area.north_min || facts.area.east_max <= facts.area.east_min) {
+    return;  // there are words for it
+  }
+  const auto shape = SurveyShape::Of(facts.area);
+  if (!shape) {
+    facts.problem = {.key = facts.area.keep_out ? "keep_out" : "area", .text = shape.error().text};
+    return;
+  }
+  facts.wanted_m2 = shape->WantedArea();
+}
+
 }  // namespace
 
 double SurveyFacts::Outside(double north, double east) const {
-  const double dn = std::max({area.north_min - north, north - area.north_max, 0.0});
-  const double de = std::max({area.east_min - east, east - area.east_max, 0.0});
-  return std::hypot(dn, de);
+  return SurveyShape::Of(area)->OutsideArea({north, east});
 }
 
 std::optional<SurveyFacts> ReadSurveyFacts(const MissionReading& reading) {
@@ -44,17 +72,13 @@ std::optional<SurveyFacts> ReadSurveyFacts(const MissionReading& reading) {
                     .north_max = survey("area_north_max_m"),
                     .east_min = survey("area_east_min_m"),
                     .east_max = survey("area_east_max_m"),
+                    .outline = survey("area"),
                     .altitude = survey("altitude_m"),
                     .band = survey("object_height_max_m"),
                     .camera = CameraOf(reading, "pHelm"),
                     .speed = {},
                     .turning_radius = reading.Find("pHelm", "turning_radius_m").value().number()};
-  facts.area = {.north_min = facts.north_min.number(),
-                .north_max = facts.north_max.number(),
-                .east_min = facts.east_min.number(),
-                .east_max = facts.east_max.number(),
-                .margin = survey("margin_m").number(),
-                .object_height_max = facts.band.number()};
+  TakeArea(ParamsOf(reading), facts);
   const std::vector<Setting> speeds = reading.OfBehaviors("BHV_FollowPath", "speed_mps");
   if (!speeds.empty()) facts.speed = speeds.front();
   return facts;
@@ -64,7 +88,7 @@ PathEstimate EstimatePath(const SurveyFacts& survey, const std::string& coverage
                           double coverage_target) {
   const double width = 2.0 * HalfWidth(survey.footprint(), coverage_kind);
   if (width <= 0.0) return {};
-  const double lanes_m = coverage_target * survey.north_extent() * survey.east_extent() / width;
+  const double lanes_m = coverage_target * survey.wanted_m2 / width;
   // Lanes run along the longer side: fewer turns. A half circle is the least that a turn takes.
   const double lanes = lanes_m / std::max(survey.north_extent(), survey.east_extent());
   const double turns_m =

@@ -6,14 +6,18 @@
 #include "limpet/core/camera_model.hpp"
 #include "limpet/planning/ground.hpp"
 #include "limpet/preflight/mission_reading.hpp"
+#include "limpet/survey/mission_area.hpp"
 #include "limpet/topics/mission.hpp"
 
 namespace limpet {
 
 /// What a survey is made of, from the blocks of pSurvey and pHelm and the behaviors. Metres, m/s.
 struct SurveyFacts {
-  SurveyArea area;
+  SurveyArea area;                       ///< of its box alone if there is a problem
+  std::optional<AreaProblem> problem{};  ///< why there is no area
+  double wanted_m2 = 0.0;                ///< ground that is to be seen
   Setting north_min, north_max, east_min, east_max;
+  Setting outline;
   Setting altitude, band;
   CameraModel camera;
   Setting speed;  ///< of the first BHV_FollowPath; 0 if there is none
@@ -22,7 +26,11 @@ struct SurveyFacts {
   [[nodiscard]] double north_extent() const { return area.north_max - area.north_min; }
   [[nodiscard]] double east_extent() const { return area.east_max - area.east_min; }
   [[nodiscard]] Footprint footprint() const { return {altitude.number(), band.number(), camera}; }
-  /// How far a point is outside the area [m]; 0 inside.
+  /// Where the area is said: its line, or that of its northern edge.
+  [[nodiscard]] const Setting& area_line() const {
+    return outline.is_default ? north_max : outline;
+  }
+  /// How far a point is outside the area [m]; 0 inside. REQUIRES: no problem.
   [[nodiscard]] double Outside(double north, double east) const;
 };
 

@@ -8,6 +8,7 @@
 #include "limpet/core/random.hpp"
 #include "limpet/mission/seabed.hpp"
 #include "limpet/scoring/disc_in_rectangle.hpp"
+#include "limpet/survey/survey_shape.hpp"
 
 namespace limpet {
 namespace {
@@ -28,19 +29,22 @@ class SampleGrid {
  public:
   SampleGrid(const SurveyArea& area, const Scenario& scenario, const ReportSettings& settings);
   void See(const Pose& X_WB, const CameraModel& camera, double radius);
-  [[nodiscard]] double covered() const { return covered_ / static_cast<double>(samples_.size()); }
-  [[nodiscard]] double detected() const { return detected_ / static_cast<double>(samples_.size()); }
+  /// Shares of the ground, and of the places of objects, that are in the area and in no zone.
+  [[nodiscard]] double covered() const { return covered_ / std::max(1.0, seabed_wanted_); }
+  [[nodiscard]] double detected() const { return detected_ / std::max(1.0, objects_wanted_); }
 
  private:
   struct Window {
     int row_begin, row_end, column_begin, column_end;
   };
+  void LeaveOutUnwanted(const SurveyShape& shape);
   [[nodiscard]] Window WindowOf(const Pose& X_WB, const CameraModel& camera, double margin) const;
   SurveyArea area_;
   int rows_, columns_;
   double deepest_ = 0.0;
   std::vector<Sample> samples_;
   double covered_ = 0.0, detected_ = 0.0;
+  double seabed_wanted_ = 0.0, objects_wanted_ = 0.0;
 };
 
 SampleGrid::SampleGrid(const SurveyArea& area, const Scenario& scenario,
@@ -69,6 +73,24 @@ SampleGrid::SampleGrid(const SurveyArea& area, const Scenario& scenario,
       const Eigen::Vector3d seabed = draw(row, column, 0.0);
       const double height = random.Uniform(settings.object_radius_m, top);
       samples_.push_back({seabed, draw(row, column, height)});
+    }
+  }
+  seabed_wanted_ = objects_wanted_ = static_cast<double>(samples_.size());
+  // A log may hold anything: an area that is none is scored as its box.
+  if (const auto shape = SurveyShape::Of(area); shape && !shape->is_plain()) {
+    LeaveOutUnwanted(*shape);
+  }
+}
+
+void SampleGrid::LeaveOutUnwanted(const SurveyShape& shape) {
+  for (Sample& sample : samples_) {
+    if (!shape.Wants(sample.seabed.head<2>())) {
+      sample.is_covered = true;  // once and for all: it is not counted
+      seabed_wanted_ -= 1.0;
+    }
+    if (!shape.Wants(sample.object.head<2>())) {
+      sample.frames = kFramesToDetect;
+      objects_wanted_ -= 1.0;
     }
   }
 }

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "limpet/core/require.hpp"
+#include "limpet/survey/survey_shape.hpp"
 #include "limpet/survey/view_cone.hpp"
 
 namespace limpet {
@@ -64,14 +65,26 @@ std::optional<std::string> ProblemOf(const SurveyArea& area, double cell_m) {
   }
   const bool is_sane = area.margin >= 0.0 && area.margin <= kWidestMargin &&
                        area.object_height_max >= 0.0 && area.object_height_max <= kHighestObject;
-  return is_sane ? std::nullopt
-                 : std::optional(fmt::format(
-                       "makes no sense: {}; allowed: margin 0 to {:g}, objects 0 to {:g}", given,
-                       kWidestMargin, kHighestObject));
+  if (!is_sane) {
+    return fmt::format("makes no sense: {}; allowed: margin 0 to {:g}, objects 0 to {:g}", given,
+                       kWidestMargin, kHighestObject);
+  }
+  const Expected<SurveyShape> shape = SurveyShape::Of(area);
+  return shape ? std::nullopt : std::optional(shape.error().text);
 }
 
 SurveyGrid::SurveyGrid(const SurveyArea& area, double cell_m)
-    : SurveyGrid(FrameOf(area, cell_m), area.object_height_max) {}
+    : SurveyGrid(FrameOf(area, cell_m), area.object_height_max) {
+  const Expected<SurveyShape> shape = SurveyShape::Of(area);
+  LIMPET_REQUIRE(shape.has_value(), "the survey area is no area");
+  if (shape->is_plain()) return;
+  is_wanted_.resize(seen_.size());
+  wanted_cells_ = 0;
+  for (std::size_t cell = 0; cell < seen_.size(); ++cell) {
+    is_wanted_[cell] = shape->Wants(SamplePoint(cell)) ? 1 : 0;
+    wanted_cells_ += is_wanted_[cell];
+  }
+}
 
 SurveyGrid::SurveyGrid(const GridFrame& frame, double object_height_max)
     : frame_(frame), height_max_(std::max(0.0, object_height_max)), reach_(kUnlimited) {
@@ -93,6 +106,15 @@ SurveyGrid::SurveyGrid(const GridFrame& frame, double object_height_max)
     jitter_north_[i] = cell_m * HashToUnit(static_cast<std::uint32_t>(i), 0);
     jitter_east_[i] = cell_m * HashToUnit(static_cast<std::uint32_t>(i), 1);
   }
+  wanted_cells_ = count;
+}
+
+PlanePoint SurveyGrid::SamplePoint(std::size_t cell) const {
+  const auto columns = static_cast<std::size_t>(frame_.columns);
+  return {frame_.north_min + static_cast<double>(cell / columns) * frame_.cell_m +
+              static_cast<double>(jitter_north_[cell]),
+          frame_.east_min + static_cast<double>(cell % columns) * frame_.cell_m +
+              static_cast<double>(jitter_east_[cell])};
 }
 
 std::size_t SurveyGrid::Index(int row, int column) const {
@@ -286,6 +308,7 @@ Coverage SurveyGrid::coverage() const {
   const double low = std::min(kObjectRadius, height_max_);
   double bottom = 0.0, band = 0.0, top = 0.0;
   for (std::size_t cell = 0; cell < seen_.size(); ++cell) {
+    if (!IsWanted(cell)) continue;
     const auto h = static_cast<double>(seen_[cell]), floor = static_cast<double>(Floor(cell));
     bottom += h >= 0.0 && floor <= 0.0 ? 1.0 : 0.0;
     const bool is_top_seen = h >= height_max_ - kTopTolerance && floor <= height_max_;
@@ -296,7 +319,7 @@ Coverage SurveyGrid::coverage() const {
       band += is_top_seen ? 1.0 : 0.0;
     }
   }
-  const auto count = static_cast<double>(seen_.size());
+  const double count = std::max(1.0, static_cast<double>(wanted_cells_));
   return {.seabed = bottom / count, .band = band / count, .band_top = top / count};
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "limpet/core/camera_model.hpp"
+#include "limpet/survey/simple_polygon.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
 
@@ -51,7 +52,8 @@ class SurveyGrid {
   /// Cell of planners' mirrors [m]: they take the changes of grids with no other.
   static constexpr double kCell_m = 0.25;
 
-  /// A grid over `area`; cells at the north and east edge may reach beyond it by less than a cell.
+  /// A grid over `area` or the box around it; cells at the north and east edge may reach beyond it
+  /// by less than a cell.
   /// REQUIRES: no ProblemOf(area, cell_m).
   explicit SurveyGrid(const SurveyArea& area, double cell_m = kCell_m);
   /// The mirror of a grid that is known by its deltas.
@@ -78,7 +80,14 @@ class SurveyGrid {
   /// Takes over another grid's changes; false, with nothing changed, if its frame is another one.
   [[nodiscard]] bool Apply(const GridDelta& delta);
 
+  /// Shares of the ground that is wanted.
   [[nodiscard]] Coverage coverage() const;
+  /// Whether the cell with this index in heights() is to be seen: its sample point lies in the area
+  /// and in no keep-out zone.
+  [[nodiscard]] bool IsWanted(std::size_t cell) const {
+    return is_wanted_.empty() || is_wanted_[cell] != 0;
+  }
+  [[nodiscard]] std::size_t wanted_cells() const { return wanted_cells_; }
   [[nodiscard]] const GridFrame& frame() const { return frame_; }
   [[nodiscard]] double object_height_max() const { return height_max_; }
   /// Greatest height seen [m], or nothing if not even the bottom has been inside the image.
@@ -101,6 +110,7 @@ class SurveyGrid {
  private:
   enum class SeabedSource : std::uint8_t { kNone, kAltitude, kBeam };
   [[nodiscard]] std::size_t Index(int row, int column) const;
+  [[nodiscard]] PlanePoint SamplePoint(std::size_t cell) const;
   void Raise(std::size_t cell, float height, float seabed_down);
   void SetHeight(std::size_t cell, float height);
   void Approach(std::size_t cell, float range);
@@ -118,6 +128,8 @@ class SurveyGrid {
   std::vector<SeabedSource> seabed_source_;
   std::vector<std::uint8_t> beam_count_;
   std::vector<float> jitter_north_, jitter_east_;  ///< offset of the sample point in its cell [m]
+  std::vector<std::uint8_t> is_wanted_;            ///< empty: all are
+  std::size_t wanted_cells_;
   std::vector<std::uint8_t> is_changed_;
   std::vector<std::uint32_t> changed_;
   std::uint64_t version_ = 0;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "limpet/core/params.hpp"
 #include "limpet/core/units.hpp"
@@ -11,7 +13,11 @@ namespace limpet {
 
 /// What a survey is to cover and when it ends: the mission manager's block (pSurvey).
 struct SurveyParams {
-  Meters north_min{-15.0}, north_max{15.0}, east_min{-18.0}, east_max{18.0};
+  /// A rectangle, or the corners of `area`: AreaOf (mission_area.hpp) makes the area of them.
+  std::optional<Meters> north_min, north_max, east_min, east_max;
+  std::string area;
+  std::vector<std::string> keep_out;
+  std::string operating_region, transit;
   Meters margin{2.0};
   Meters object_height_max{2.0};
   Meters altitude{4.0};
@@ -28,11 +34,25 @@ struct SurveyParams {
   Seconds give_up{1800.0};
   template <class Visitor>
   void Describe(Visitor& visit) {
-    visit.Required("area_north_min_m", north_min, "South edge of the area");
-    visit.Required("area_north_max_m", north_max, "North edge of the area");
-    visit.Required("area_east_min_m", east_min, "West edge of the area");
-    visit.Required("area_east_max_m", east_max, "East edge of the area");
-    visit("margin_m", margin, "Strip around the area that the vehicle may use",
+    visit.Optional("area_north_min_m", north_min, "South edge of a rectangular area",
+                   Meters(-15.0));
+    visit.Optional("area_north_max_m", north_max, "North edge of a rectangular area", Meters(15.0));
+    visit.Optional("area_east_min_m", east_min, "West edge of a rectangular area", Meters(-18.0));
+    visit.Optional("area_east_max_m", east_max, "East edge of a rectangular area", Meters(18.0));
+    visit("area", area,
+          "In place of the four edges the corners of any polygon that does not cross itself, "
+          "pts={x,y:x,y:x,y}, x east and y north [m]");
+    visit(
+        "keep_out", keep_out,
+        "A polygon that the vehicle does not enter and whose ground is not to be seen, as `area`");
+    visit("operating_region", operating_region,
+          "A polygon that the vehicle does not leave, as `area`; empty: the area and margin_m");
+    visit(
+        "transit", transit,
+        "Way points from the start to the area where the straight way is blocked, as `area`; home "
+        "goes back by them");
+    visit("margin_m", margin,
+          "Strip around the area that the vehicle may use, if no operating_region is given",
           InRange(Meters(0.0), Meters(100.0)));
     visit.Required("object_height_max_m", object_height_max,
                    "Objects float up to this height above the seabed; 0 covers the bottom alone",

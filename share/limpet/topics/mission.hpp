@@ -12,18 +12,27 @@
 
 namespace limpet {
 
-/// The rectangle to survey, NED [m], the margin around it that the vehicle may use, and the band of
-/// heights above the seabed in which objects may float.
+/// The area to survey, NED [m], the margin around it that the vehicle may use, and the band of
+/// heights above the seabed in which objects may float. A rectangle, unless `outline` is there:
+/// then the rectangle is the box around that. Lists of points are text of MOOS's coordinates, x
+/// east and y north [m], as `{x,y:x,y:x,y}`.
 struct SurveyArea {
   double north_min = 0.0, north_max = 0.0, east_min = 0.0, east_max = 0.0;
   double margin = 2.0;
   double object_height_max = 2.0;
+  std::optional<std::string> outline{};
+  std::optional<std::string> keep_out{};          ///< zones, one after the other: `{...}{...}`
+  std::optional<std::string> operating_region{};  ///< absent: the area and its margin
+  std::optional<std::string> transit{};           ///< way points from the start to the area
   template <class V>
   void Describe(V& visit) {
     visit("north_min", north_min), visit("north_max", north_max);
     visit("east_min", east_min), visit("east_max", east_max);
     visit("margin", margin), visit("object_height_max", object_height_max);
+    visit("area", outline), visit("keep_out", keep_out);
+    visit("operating_region", operating_region), visit("transit", transit);
   }
+  bool operator==(const SurveyArea&) const = default;
 };
 
 struct HomePoint {

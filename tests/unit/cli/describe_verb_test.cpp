@@ -82,14 +82,16 @@ TEST(Describe, EveryGlobalReachesParametersThatThereAre) {
 
 TEST(Describe, SaysWhatAMissionMustSay) {
   const std::string text = Describe({"pSurvey"}).text;
-  EXPECT_THAT(text, HasSubstr("area_north_min_m: required"));
+  EXPECT_THAT(text, HasSubstr("altitude_m: required"));
   EXPECT_THAT(text, HasSubstr("margin_m = 2 m"));
   const auto list = nlohmann::json::parse(Describe({"pSurvey", "--json"}).text);
-  const nlohmann::json& area = list.at(0).at("parameters").at(0);
-  EXPECT_TRUE(area.at("required").get<bool>());
-  EXPECT_TRUE(area.at("default").is_null());
-  EXPECT_THAT(Describe({"pSurvey", "--markdown"}).text,
-              HasSubstr("| `area_north_min_m` | required |"));
+  for (const nlohmann::json& parameter : list.at(0).at("parameters")) {
+    if (parameter.at("name") == "altitude_m") {
+      EXPECT_TRUE(parameter.at("required").get<bool>());
+      EXPECT_TRUE(parameter.at("default").is_null());
+    }
+  }
+  EXPECT_THAT(Describe({"pSurvey", "--markdown"}).text, HasSubstr("| `altitude_m` | required |"));
 }
 
 TEST(Describe, EveryExampleIsTakenByItsApp) {

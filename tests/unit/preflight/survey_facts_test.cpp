@@ -24,6 +24,7 @@ SurveyFacts Survey(double north_extent, double east_extent, double altitude, dou
   facts.area.north_max = 0.5 * north_extent;
   facts.area.east_min = -0.5 * east_extent;
   facts.area.east_max = 0.5 * east_extent;
+  facts.wanted_m2 = north_extent * east_extent;
   facts.altitude = Says(altitude);
   facts.band = Says(band);
   facts.turning_radius = 1.5;

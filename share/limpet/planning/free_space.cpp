@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/planning/free_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "limpet/core/require.hpp"
+#include "limpet/planning/border_meetings.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kFinestCell = 0.25;  // [m]
+constexpr double kMostRasterCells = 2.5e5;
+constexpr double kShortestPiece = 1.0;  // below it dividing costs more than an exact test [m]
+
+}  // namespace
+
+double Fence::Clearance(const PlanePoint& at) const {
+  const double depth = polygon.Depth(at);
+  if (!holds_in) return -depth - distance;
+  return reaches_over ? depth + distance : depth - distance;
+}
+
+PlanePoint FreeSpace::Raster::Center(std::size_t cell) const {
+  const auto width = static_cast<std::size_t>(columns);
+  return origin +
+         cell_m * PlanePoint(static_cast<double>(cell / width), static_cast<double>(cell % width));
+}
+
+std::optional<std::size_t> FreeSpace::Raster::At(const PlanePoint& place) const {
+  const PlanePoint index = (place - origin) / cell_m;
+  const double row = std::floor(index.x() + 0.5), column = std::floor(index.y() + 0.5);
+  // Written so that what is no number is outside.
+  if (!(row >= 0.0 && row < rows && column >= 0.0 && column < columns)) return std::nullopt;
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+         static_cast<std::size_t>(column);
+}
+
+FreeSpace::FreeSpace(std::vector<Fence> fences) : fences_(std::move(fences)) {
+  LIMPET_REQUIRE(!fences_.empty(), "free space has a border");
+  low_ = PlanePoint::Constant(std::numeric_limits<double>::infinity());
+  high_ = -low_;
+  for (const Fence& fence : fences_) {
+    const double over = fence.holds_in && !fence.reaches_over ? 0.0 : fence.distance;
+    low_ = low_.cwiseMin(fence.polygon.low() - PlanePoint::Constant(over));
+    high_ = high_.cwiseMax(fence.polygon.high() + PlanePoint::Constant(over));
+  }
+  FillRaster();
+}
+
+void FreeSpace::FillRaster() {
+  const PlanePoint extent = high_ - low_;
+  raster_.cell_m = std::max(kFinestCell, std::sqrt(extent.x() * extent.y() / kMostRasterCells));
+  raster_.rows = static_cast<int>(std::ceil(extent.x() / raster_.cell_m)) + 1;
+  raster_.columns = static_cast<int>(std::ceil(extent.y() / raster_.cell_m)) + 1;
+  raster_.origin = low_;
+  const std::size_t count =
+      static_cast<std::size_t>(raster_.rows) * static_cast<std::size_t>(raster_.columns);
+  raster_.clearance.resize(count);
+  for (std::size_t cell = 0; cell < count; ++cell) {
+    raster_.clearance[cell] = static_cast<float>(Clearance(raster_.Center(cell)));
+  }
+}
+
+double FreeSpace::Clearance(const PlanePoint& at) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Fence& fence : fences_)
+    least = std::min(least, fence.Clearance(at));
+  return least;
+}
+
+double FreeSpace::ClearanceUpTo(const PlanePoint& at, double enough) const {
+  if (const auto cell = raster_.At(at)) {
+    // Clearances of two places differ by no more than their distance.
+    const double surely = static_cast<double>(raster_.clearance[*cell]) - raster_.slack() - 1e-4;
+    if (surely >= enough) return surely;
+  }
+  return Clearance(at);
+}
+
+bool FreeSpace::IsPieceInside(const Pose2& from, const PathSegment& piece) const {
+  const double half = 0.5 * piece.length;
+  const Pose2 middle = Advance(from, piece.curvature, half);
+  if (ClearanceUpTo({middle.north, middle.east}, half) >= half) return true;
+  if (piece.length > kShortestPiece) {
+    return IsPieceInside(from, {piece.curvature, half}) &&
+           IsPieceInside(middle, {piece.curvature, half});
+  }
+  // Between two meetings with a border it is on one side of all of them.
+  std::vector<double> cuts{0.0, piece.length};
+  for (const Fence& fence : fences_) {
+    AddMeetings({.from = from, .segment = piece}, fence.polygon, fence.distance, cuts);
+  }
+  std::ranges::sort(cuts);
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const Pose2 between = Advance(from, piece.curvature, 0.5 * (cuts[i] + cuts[i + 1]));
+    if (cuts[i + 1] - cuts[i] > kTouch && !Contains({between.north, between.east})) return false;
+  }
+  return true;
+}
+
+bool FreeSpace::Contains(const Pose2& from, const PathSegment& segment) const {
+  const Pose2 end = Advance(from, segment.curvature, segment.length);
+  return Contains({from.north, from.east}) && Contains({end.north, end.east}) &&
+         IsPieceInside(from, segment);
+}
+
+}  // namespace limpet

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "limpet/planning/pose2.hpp"
+#include "limpet/survey/survey_shape.hpp"
+#include "limpet/topics/mission.hpp"
+
+namespace limpet {
+
+/// A polygon that the vehicle stays in or out of, and how far from its border [m].
+struct Fence {
+  SimplePolygon polygon;
+  double distance = 0.0;
+  bool holds_in = false;      ///< the vehicle stays inside; false: outside
+  bool reaches_over = false;  ///< of one that holds in: inside or up to `distance` beyond
+
+  /// How far a place is on the allowed side [m]; negative on the other one.
+  [[nodiscard]] double Clearance(const PlanePoint& at) const;
+};
+
+/// Where the vehicle may be: on the allowed side of every fence. Places are tested exactly, and so
+/// are arcs and lines; a raster of clearances answers where the nearest fence is far.
+class FreeSpace {
+ public:
+  /// A border touched exactly, or by a rounding error, is still inside [m].
+  static constexpr double kTouch = 1e-6;
+
+  /// REQUIRES: one fence or more.
+  explicit FreeSpace(std::vector<Fence> fences);
+
+  /// The least of the fences' clearances [m]: no nearer is any border.
+  [[nodiscard]] double Clearance(const PlanePoint& at) const;
+  /// The same where it is below `enough`, which answers for all above.
+  [[nodiscard]] double ClearanceUpTo(const PlanePoint& at, double enough) const;
+  [[nodiscard]] bool Contains(const PlanePoint& at) const {
+    return ClearanceUpTo(at, 0.0) >= -kTouch;
+  }
+  /// Exact, not sampled.
+  [[nodiscard]] bool Contains(const Pose2& from, const PathSegment& segment) const;
+
+  /// The box around all fences and what they reach over.
+  [[nodiscard]] const PlanePoint& low() const { return low_; }
+  [[nodiscard]] const PlanePoint& high() const { return high_; }
+
+  /// Clearances on a raster that covers the box, row by row from the south-west.
+  struct Raster {
+    PlanePoint origin;  ///< centre of the first cell
+    double cell_m = 0.25;
+    int rows = 0, columns = 0;
+    std::vector<float> clearance;
+
+    [[nodiscard]] PlanePoint Center(std::size_t cell) const;
+    /// The cell that holds a place; nothing outside the raster.
+    [[nodiscard]] std::optional<std::size_t> At(const PlanePoint& place) const;
+    /// Centres and places of a cell are no farther apart than this [m].
+    [[nodiscard]] double slack() const { return 0.7072 * cell_m; }
+  };
+  [[nodiscard]] const Raster& raster() const { return raster_; }
+
+ private:
+  [[nodiscard]] bool IsPieceInside(const Pose2& from, const PathSegment& piece) const;
+  void FillRaster();
+
+  std::vector<Fence> fences_;
+  PlanePoint low_, high_;
+  Raster raster_;
+};
+
+}  // namespace limpet

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// An area of its own shape: room to turn, what cannot be seen, zones in the way.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "limpet/planning/region.hpp"
+#include "limpet/planning/room.hpp"
+#include "limpet/preflight/checks.hpp"
+#include "limpet/preflight/unseen_ground.hpp"
+
+namespace limpet::internal {
+namespace {
+
+std::string PlaceText(const PlanePoint& at) {
+  return fmt::format("x {:.1f}, y {:.1f}", at.y(), at.x());
+}
+
+void CheckUnseen(const MissionReading& reading, const SurveyFacts& survey, const Region& region,
+                 MissionProblems& found) {
+  const Setting radius = reading.Find("pHelm", "turning_radius_m").value();
+  const Setting target = reading.Find("pSurvey", "coverage_target").value();
+  const auto unseen = UnseenGround(survey, region);
+  if (!unseen) {
+    found.geometry.push_back(survey.area_line().Refuse(
+        fmt::format("a full turn of {} fits nowhere into the operating region", radius.Named())));
+    return;
+  }
+  constexpr double kWorthSaying = 0.002;
+  if (unseen->share < kWorthSaying) return;
+  const std::string text = fmt::format(
+      "about {:.1f} % of the area cannot be seen from where the vehicle may be and turn, first of "
+      "all around {}",
+      100.0 * unseen->share, PlaceText(unseen->farthest));
+  if (unseen->share > 1.0 - target.number()) {
+    found.geometry.push_back(survey.area_line().Refuse(
+        fmt::format("{}; with {} the survey never ends", text, target.Named())));
+  } else {
+    found.notes.push_back(survey.area_line().Refuse(text));
+  }
+}
+
+/// The start, and the way from there.
+void CheckWayIn(const MissionReading& reading, const SurveyFacts& survey, const Region& region,
+                const SurveyShape& shape, MissionProblems& found) {
+  if (!reading.scenario()) return;
+  const Scenario::Start& start = reading.scenario()->start;
+  const PlanePoint from(start.north_m, start.east_m);
+  for (const SimplePolygon& zone : shape.zones()) {
+    if (zone.Contains(from)) {
+      found.geometry.push_back(
+          {reading.InScenario("start:"), "start", "lies in a keep-out zone of the mission"});
+      return;
+    }
+  }
+  std::vector<PlanePoint> way = shape.transit();
+  const PlanePoint last = way.empty() ? from : way.back();
+  if (const auto entry = NearestRoom(*region.free_space(), last, survey.turning_radius)) {
+    way.push_back(*entry);
+  }
+  if (region.Contains({from.x(), from.y(), 0.0})) return;
+  PlanePoint at = from;
+  for (const PlanePoint& next : way) {
+    const PlanePoint leg = next - at;
+    const DubinsPath line(Pose2{at.x(), at.y(), std::atan2(leg.y(), leg.x())},
+                          {{.curvature = 0.0, .length = leg.norm()}});
+    if (region.EntersZone(line)) {
+      found.geometry.push_back(
+          reading.Find("pSurvey", "transit")
+              ->Refuse(fmt::format(
+                  "a keep-out zone bars the way from the start to the area, between {} and {}",
+                  PlaceText(at), PlaceText(next))));
+      return;
+    }
+    at = next;
+  }
+}
+
+}  // namespace
+
+void CheckShape(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found) {
+  const auto shape = SurveyShape::Of(survey.area);
+  if (!shape || shape->is_plain()) return;
+  const Region region(survey.area, Meters(reading.Find("pHelm", "tracking_allowance_m")->number()));
+  CheckUnseen(reading, survey, region, found);
+  CheckWayIn(reading, survey, region, *shape, found);
+}
+
+}  // namespace limpet::internal

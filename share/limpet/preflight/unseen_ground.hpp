@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "limpet/planning/region.hpp"
+#include "limpet/preflight/survey_facts.hpp"
+
+namespace limpet {
+
+/// Ground that is to be seen and cannot be: a share of it, and the place of it that is farthest
+/// from where the vehicle may be.
+struct UnseenShare {
+  double share = 0.0;
+  PlanePoint farthest = PlanePoint::Zero();
+};
+
+/// About how much of the area's ground no image shows to the top of the band that a vehicle takes
+/// which keeps to where full turns hang together. Nothing if a turn fits nowhere.
+/// REQUIRES: a region with a free space.
+[[nodiscard]] std::optional<UnseenShare> UnseenGround(const SurveyFacts& survey,
+                                                      const Region& region);
+
+}  // namespace limpet
