@@ -23,8 +23,11 @@ constexpr double kProgressStep = 0.002;  // coverage must grow by this much to c
 constexpr std::array kPhaseNames{"IDLE",   "ALIGN",  "DIVE", "SURVEY",
                                  "RETURN", "ASCEND", "FIX",  "DONE"};
 
-SurveyArea AreaOrThrow(const SurveyParams& params) {
-  Expected<SurveyArea, AreaProblem> area = AreaOf(params);
+SurveyArea AreaOrThrow(const SurveyParams& params, const AppContext& context) {
+  Expected<SurveyArea, AreaProblem> area =
+      AreaOf(params, {.folder = context.mission_folder,
+                      .latitude = context.Global("LatOrigin"),
+                      .longitude = context.Global("LongOrigin")});
   if (!area) throw ConfigError({{}, area.error().key, area.error().text});
   if (const auto problem = ProblemOf(*area)) {
     throw ConfigError({{}, "area", "the area " + *problem});
@@ -35,7 +38,7 @@ SurveyArea AreaOrThrow(const SurveyParams& params) {
 }  // namespace
 
 SurveyApp::SurveyApp(const AppContext& context, const Params& params)
-    : App(context), params_(params), area_(AreaOrThrow(params)), region_(area_) {
+    : App(context), params_(params), area_(AreaOrThrow(params, context)), region_(area_) {
   if (context.is_restarted) {
     Recall();  // first: a DEPLOY that is known already must not start the mission anew
   }

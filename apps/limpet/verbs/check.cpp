@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <optional>
 #include <tuple>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "apps/limpet/cli.hpp"
+#include "apps/limpet/verbs/site_drawing.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/preflight/preflight.hpp"
 
@@ -23,7 +27,12 @@ Command CheckForm() {
               "nothing: what cannot be read, what cannot work (with its scenario.yaml: water, "
               "currents, places), and, as notes, what belongs to other people's apps or is "
               "near a limit.",
-          .options = {{.names = "--json", .meaning = "as JSON"}},
+          .options = {{.names = "--json", .meaning = "as JSON"},
+                      {.names = "--draw",
+                       .meaning = "draws the area as text, too; a terminal gets it unasked"},
+                      {.names = "--figure",
+                       .value = "FILE",
+                       .meaning = "writes a picture of the area (SVG)"}},
           .more =
               "Exit code 0: it may be run (notes or not); 2: it cannot be read; 3: it cannot "
               "work.",
@@ -78,6 +87,24 @@ void PrintLines(const MissionProblems& found) {
              found.notes.empty() ? "" : ", " + Counted(found.notes.size(), "note"));
 }
 
+/// The area as text on a terminal, or if it is asked for; as a picture if a file is named.
+void DrawSite(const Arguments& given, const std::string& path) {
+  const bool is_drawn = given.Has("draw") || (isatty(STDOUT_FILENO) != 0 && !given.Has("json"));
+  if (!is_drawn && !given.Has("figure")) return;
+  const std::optional<Site> site = SiteOf(path);
+  constexpr int kColumns = 78;
+  if (site && is_drawn) fmt::print("{}", SiteText(*site, kColumns));
+  const std::optional<std::string> figure = given.Find("figure");
+  if (!figure) return;
+  if (!site) {
+    throw UsageError(
+        fmt::format("{} is not written: the mission has no area that can be drawn", *figure));
+  }
+  std::ofstream out(*figure);
+  out << SiteSvg(*site) << std::flush;
+  if (!out) throw UsageError(fmt::format("{}: cannot be written", OneLine(*figure)));
+}
+
 int CheckMission(const Arguments& given) {
   const std::string& path = given.positionals()[0];
   if (!std::filesystem::exists(path)) {
@@ -92,6 +119,7 @@ int CheckMission(const Arguments& given) {
   } else {
     PrintLines(found);
   }
+  DrawSite(given, path);
   if (!found.syntax.empty()) {
     return kUsage;
   }

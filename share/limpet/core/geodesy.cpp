@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Geometry>
+
 namespace limpet {
 namespace {
 
@@ -27,6 +29,20 @@ GeoPoint GeoPointOf(const Eigen::Vector3d& p) {
           .longitude_deg = std::atan2(p.y(), p.x()) / kRadiansPerDegree};
 }
 
+/// The vertical of a place, upwards, and where it stands on the ellipsoid.
+struct Vertical {
+  Eigen::Vector3d foot, up;
+};
+Vertical VerticalAt(const GeoPoint& place) {
+  const double latitude = place.latitude_deg * kRadiansPerDegree;
+  const double longitude = place.longitude_deg * kRadiansPerDegree;
+  const Eigen::Vector3d up(std::cos(latitude) * std::cos(longitude),
+                           std::cos(latitude) * std::sin(longitude), std::sin(latitude));
+  const double radius = kEquatorialRadius / std::sqrt(1.0 - kEccentricity2 * up.z() * up.z());
+  return {.foot = radius * Eigen::Vector3d(up.x(), up.y(), (1.0 - kEccentricity2) * up.z()),
+          .up = up};
+}
+
 }  // namespace
 
 LocalGrid::LocalGrid(const GeoPoint& datum) {
@@ -44,6 +60,17 @@ LocalGrid::LocalGrid(const GeoPoint& datum) {
 
 GeoPoint LocalGrid::At(double north, double east) const {
   return GeoPointOf(origin_ + north * north_ + east * east_);
+}
+
+std::optional<Eigen::Vector2d> LocalGrid::Above(const GeoPoint& place) const {
+  const auto [foot, up] = VerticalAt(place);
+  const Eigen::Vector3d out = east_.cross(north_);  // of the plane
+  const double slope = out.dot(up);
+  if (!(slope > 0.0)) {
+    return std::nullopt;
+  }
+  const Eigen::Vector3d above = foot - out.dot(foot - origin_) / slope * up - origin_;
+  return Eigen::Vector2d(above.dot(north_), above.dot(east_));
 }
 
 }  // namespace limpet

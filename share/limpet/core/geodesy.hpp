@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include <Eigen/Core>
 
 namespace limpet {
@@ -20,6 +22,9 @@ class LocalGrid {
 
   /// The place below a point of the plane.
   [[nodiscard]] GeoPoint At(double north, double east) const;
+  /// The inverse: the point of the plane (north, east) [m] straight above a place; nothing where
+  /// the plane is not above it, on the other side of the earth.
+  [[nodiscard]] std::optional<Eigen::Vector2d> Above(const GeoPoint& place) const;
 
  private:
   Eigen::Vector3d origin_, north_, east_;  ///< earth-centred, earth-fixed

@@ -40,8 +40,10 @@ SurveyParams ParamsOf(const MissionReading& reading) {
   return params;
 }
 
-void TakeArea(const SurveyParams& params, SurveyFacts& facts) {
-  auto area = AreaOf(params);
+void TakeArea(const MissionReading& reading, SurveyFacts& facts) {
+  auto area = AreaOf(ParamsOf(reading), {.folder = reading.folder(),
+                                         .latitude = reading.mission().Global("LatOrigin"),
+                                         .longitude = reading.mission().Global("LongOrigin")});
   if (!area) {
     facts.problem = area.error();
     return;
@@ -78,7 +80,9 @@ std::optional<SurveyFacts> ReadSurveyFacts(const MissionReading& reading) {
                     .camera = CameraOf(reading, "pHelm"),
                     .speed = {},
                     .turning_radius = reading.Find("pHelm", "turning_radius_m").value().number()};
-  TakeArea(ParamsOf(reading), facts);
+  const Setting file = survey("area_geojson");
+  if (!file.is_default) facts.outline = file;
+  TakeArea(reading, facts);
   const std::vector<Setting> speeds = reading.OfBehaviors("BHV_FollowPath", "speed_mps");
   if (!speeds.empty()) facts.speed = speeds.front();
   return facts;

@@ -17,7 +17,7 @@ struct SurveyFacts {
   std::optional<AreaProblem> problem{};  ///< why there is no area
   double wanted_m2 = 0.0;                ///< ground that is to be seen
   Setting north_min, north_max, east_min, east_max;
-  Setting outline;
+  Setting outline;  ///< or the file that holds it; the default for a rectangle
   Setting altitude, band;
   CameraModel camera;
   Setting speed;  ///< of the first BHV_FollowPath; 0 if there is none

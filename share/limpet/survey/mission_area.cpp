@@ -2,12 +2,17 @@
 #include "limpet/survey/mission_area.hpp"
 
 #include <array>
+#include <fstream>
+#include <ios>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "limpet/core/number_text.hpp"
+#include "limpet/survey/geo_area.hpp"
 #include "limpet/survey/survey_shape.hpp"
 
 namespace limpet {
@@ -76,10 +81,63 @@ Expected<SurveyArea, AreaProblem> Outlined(const SurveyParams& params) {
   return AreaWithin(*places);
 }
 
+AreaProblem GeoProblem(const SurveyParams& params, const std::string& text) {
+  return {.key = "area_geojson", .text = params.area_geojson + " " + text};
+}
+
+/// A ring of the file as a polygon's corners on the mission's grid.
+Expected<std::vector<PlanePoint>, AreaProblem> CornersOf(const SurveyParams& params,
+                                                         const std::vector<GeoPoint>& ring,
+                                                         const GeoPoint& datum) {
+  auto places = PlacesOnGrid(ring, datum);
+  if (!places) return GeoProblem(params, places.error().text);
+  const auto polygon = SimplePolygon::Of(*places);
+  if (!polygon) return GeoProblem(params, polygon.error().text);
+  return *std::move(places);
+}
+
+Expected<SurveyArea, AreaProblem> FromFile(const SurveyParams& params, const SiteGlobals& site) {
+  const auto latitude = ParseNumber(site.latitude), longitude = ParseNumber(site.longitude);
+  if (!latitude || !longitude) {
+    return GeoProblem(params, "needs a datum: the mission says no LatOrigin and LongOrigin");
+  }
+  std::ifstream in(site.folder / params.area_geojson, std::ios::binary);
+  const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  if (!in.good() && text.empty()) return GeoProblem(params, "cannot be read");
+  const auto geo = ParseGeoArea(text);
+  if (!geo) return GeoProblem(params, geo.error().text);
+  const GeoPoint datum{.latitude_deg = *latitude, .longitude_deg = *longitude};
+  const auto outline = CornersOf(params, geo->outline, datum);
+  if (!outline) return outline.error();
+  SurveyArea area = AreaWithin(*outline);
+  for (const std::vector<GeoPoint>& ring : geo->holes) {
+    const auto hole = CornersOf(params, ring, datum);
+    if (!hole) return hole.error();
+    area.keep_out = area.keep_out.value_or("") + PlacesText(*hole);
+  }
+  return area;
+}
+
+/// By the one of the three ways that the mission takes.
+Expected<SurveyArea, AreaProblem> GroundOf(const SurveyParams& params, const SiteGlobals& site) {
+  if (params.area_geojson.empty()) {
+    return params.area.empty() ? Rectangle(params) : Outlined(params);
+  }
+  bool is_said_twice = !params.area.empty();
+  for (const auto& [key, bound] : BoundsOf(params))
+    is_said_twice = is_said_twice || *bound;
+  if (is_said_twice) {
+    return AreaProblem{.key = "area_geojson",
+                       .text = "is given beside `area` or its edges; allowed: one of them",
+                       .is_unreadable = true};
+  }
+  return FromFile(params, site);
+}
+
 }  // namespace
 
-Expected<SurveyArea, AreaProblem> AreaOf(const SurveyParams& params) {
-  auto area = params.area.empty() ? Rectangle(params) : Outlined(params);
+Expected<SurveyArea, AreaProblem> AreaOf(const SurveyParams& params, const SiteGlobals& site) {
+  auto area = GroundOf(params, site);
   if (!area) return area;
   area->margin = params.margin.value();
   area->object_height_max = params.object_height_max.value();

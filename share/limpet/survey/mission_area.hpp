@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "limpet/core/expected.hpp"
@@ -16,7 +17,15 @@ struct AreaProblem {
   bool is_unreadable = false;  ///< not said, or no list of points; else it reads well and cannot be
 };
 
-/// The area that pSurvey's block describes: four bounds, or `area`, and what goes with it.
-[[nodiscard]] Expected<SurveyArea, AreaProblem> AreaOf(const SurveyParams& params);
+/// What the rest of a mission says that an area may need.
+struct SiteGlobals {
+  std::filesystem::path folder;     ///< of the mission: where files are looked for
+  std::string latitude, longitude;  ///< LatOrigin and LongOrigin, as they are written
+};
+
+/// The area that pSurvey's block describes: four bounds, `area` or `area_geojson`, and what goes
+/// with it. Reads that file.
+[[nodiscard]] Expected<SurveyArea, AreaProblem> AreaOf(const SurveyParams& params,
+                                                       const SiteGlobals& site);
 
 }  // namespace limpet

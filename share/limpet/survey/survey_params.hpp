@@ -15,7 +15,7 @@ namespace limpet {
 struct SurveyParams {
   /// A rectangle, or the corners of `area`: AreaOf (mission_area.hpp) makes the area of them.
   std::optional<Meters> north_min, north_max, east_min, east_max;
-  std::string area;
+  std::string area, area_geojson;
   std::vector<std::string> keep_out;
   std::string operating_region, transit;
   Meters margin{2.0};
@@ -42,6 +42,9 @@ struct SurveyParams {
     visit("area", area,
           "In place of the four edges the corners of any polygon that does not cross itself, "
           "pts={x,y:x,y:x,y}, x east and y north [m]");
+    visit("area_geojson", area_geojson,
+          "In place of those a file beside the mission with one polygon, GeoJSON or KML: its holes "
+          "are zones to keep out of");
     visit(
         "keep_out", keep_out,
         "A polygon that the vehicle does not enter and whose ground is not to be seen, as `area`");

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/survey/geo_area.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace limpet {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kJson = R"({"type": "FeatureCollection", "features": [
+  {"type": "Feature", "properties": {"name": "buoy"}, "geometry": {"type": "Point", "coordinates": [10.28, 43.72]}},
+  {"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [
+    [[10.283, 43.721], [10.284, 43.721], [10.284, 43.722], [10.283, 43.721]],
+    [[10.2836, 43.7212, 5], [10.2838, 43.7212], [10.2838, 43.7214], [10.2836, 43.7212]]]}}]})";
+
+constexpr const char* kKml = R"(<?xml version="1.0"?><kml><Document><Placemark><Polygon id="a">
+  <outerBoundaryIs><LinearRing><coordinates>
+    10.283,43.721,0 10.284,43.721,0
+    10.284,43.722,0 10.283,43.721,0 </coordinates></LinearRing></outerBoundaryIs>
+  <innerBoundaryIs><LinearRing><coordinates>10.2836,43.7212 10.2838,43.7212 10.2838,43.7214</coordinates></LinearRing></innerBoundaryIs>
+</Polygon></Placemark></Document></kml>)";
+
+std::string GeoProblemOf(std::string_view text) {
+  const auto area = ParseGeoArea(text);
+  return area ? "" : area.error().text;
+}
+
+TEST(GeoArea, IsTheSameFromGeoJsonAndFromKml) {
+  for (const char* text : {kJson, kKml}) {
+    const auto area = ParseGeoArea(text);
+    ASSERT_TRUE(area) << area.error().text;
+    ASSERT_EQ(area->outline.size(), 3U);
+    EXPECT_DOUBLE_EQ(area->outline[1].longitude_deg, 10.284);
+    EXPECT_DOUBLE_EQ(area->outline[2].latitude_deg, 43.722);
+    ASSERT_EQ(area->holes.size(), 1U);
+    EXPECT_EQ(area->holes[0].size(), 3U);
+  }
+}
+
+TEST(GeoArea, ComesOutOnTheGridWhereTheGridSaysItIs) {
+  const GeoPoint datum{.latitude_deg = 43.721, .longitude_deg = 10.283};
+  const LocalGrid grid(datum);
+  for (const PlanePoint& place : {PlanePoint(0.0, 0.0), PlanePoint(1234.0, -876.0)}) {
+    const auto again = PlacesOnGrid({grid.At(place.x(), place.y())}, datum);
+    ASSERT_TRUE(again);
+    EXPECT_LT((again->front() - place).norm(), 1e-3);
+  }
+}
+
+TEST(GeoArea, OfAnotherHemisphereOrWithItsCoordinatesExchangedIsRefused) {
+  const GeoPoint datum{.latitude_deg = 43.721, .longitude_deg = 10.283};
+  const auto problem = [&datum](const GeoPoint& at) {
+    return PlacesOnGrid({at}, datum).error().text;
+  };
+  EXPECT_THAT(problem({-43.721, 10.283}), HasSubstr("latitude -43.721"));
+  EXPECT_THAT(problem({-43.721, -169.717}), HasSubstr("on the other side of the earth"));
+  EXPECT_THAT(problem({10.283, 43.721}), HasSubstr("is longitude first in the file?"));
+  EXPECT_THAT(problem({44.221, 10.283}), HasSubstr("56 km from the mission's LatOrigin 43.721"));
+}
+
+TEST(GeoArea, SaysWhatIsWrongWithAFile) {
+  EXPECT_THAT(GeoProblemOf("{"), HasSubstr("is no JSON"));
+  EXPECT_THAT(GeoProblemOf(""), HasSubstr("is no JSON"));
+  EXPECT_THAT(GeoProblemOf("[1, 2]"), HasSubstr("has 0 polygons"));
+  EXPECT_THAT(GeoProblemOf("<kml></kml>"), HasSubstr("has 0 polygons"));
+  EXPECT_THAT(GeoProblemOf(R"({"type":"Polygon","coordinates":[[[10,91]]]})"),
+              HasSubstr("no place on earth"));
+  EXPECT_THAT(GeoProblemOf(R"({"type":"Polygon","coordinates":[["a"]]})"),
+              HasSubstr("[longitude, latitude]"));
+  EXPECT_THAT(GeoProblemOf(R"({"type":"MultiPolygon","coordinates":[[[[1,1]]],[[[2,2]]]]})"),
+              HasSubstr("has 2 polygons; allowed: one"));
+  EXPECT_THAT(GeoProblemOf("<Polygon><outerBoundaryIs><coordinates>1;2</coordinates>"
+                           "</outerBoundaryIs></Polygon>"),
+              HasSubstr("longitude,latitude"));
+}
+
+}  // namespace
+}  // namespace limpet
