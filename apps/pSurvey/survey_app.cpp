@@ -13,6 +13,7 @@
 #include "limpet/survey/look.hpp"
 #include "limpet/survey/mission_area.hpp"
 #include "limpet/survey/survey_grid.hpp"
+#include "limpet/topics/area_request.hpp"
 
 namespace limpet {
 namespace {
@@ -45,6 +46,7 @@ SurveyApp::SurveyApp(const AppContext& context, const Params& params)
   Subscribe(topics::kNavState, &SurveyApp::OnNav);
   Subscribe(topics::kDeploy, &SurveyApp::OnDeploy);
   Subscribe(topics::kReturn, &SurveyApp::OnReturn);
+  Subscribe(topics::kSurveyAreaRequest, &SurveyApp::OnAreaRequest);
   Subscribe(topics::kMapCoverage, &SurveyApp::OnCoverage);
   Subscribe(topics::kMapLook, &SurveyApp::OnLook);
   Subscribe(topics::kMissionEnd, &SurveyApp::OnMissionEnd);
@@ -72,7 +74,8 @@ void SurveyApp::Remember() {
                       .deployed = deployed_.value_or(Seconds(0.0)).value(),
                       .home_north = {},
                       .home_east = {},
-                      .ended = ended_};
+                      .ended = ended_,
+                      .area = "{" + EncodeRecord(area_) + "}"};
   if (home_) {
     memory.home_north = home_->north;
     memory.home_east = home_->east;
@@ -86,6 +89,7 @@ void SurveyApp::Remember() {
 
 void SurveyApp::Recall() {
   const std::optional<SurveyMemory> memory = RecallSurvey(context().run_folder);
+  if (memory && memory->area) RecallArea(*memory->area);
   const auto name = std::ranges::find(kPhaseNames, memory ? memory->phase : "IDLE");
   if (!memory || name == kPhaseNames.end() || name == kPhaseNames.begin()) {
     return;  // never deployed

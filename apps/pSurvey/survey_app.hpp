@@ -35,6 +35,7 @@ class SurveyApp final : public App {
   void OnNav(const Stamped<NavState>& nav) { nav_ = nav.value.is_usable() ? nav : nav_; }
   void OnDeploy(const Stamped<bool>& deploy);
   void OnReturn(const Stamped<bool>& request);
+  void OnAreaRequest(const Stamped<std::string>& request);
   /// Somebody else has ended the mission: the launcher, for want of an app.
   void OnMissionEnd(const Stamped<std::string>& end);
   void OnCoverage(const Stamped<Coverage>& coverage);
@@ -56,6 +57,10 @@ class SurveyApp final : public App {
   [[nodiscard]] bool IsUnderWay() const;
   /// Ends what can no longer end well. True if it did.
   [[nodiscard]] bool EndsHopeless(Seconds now);
+  [[nodiscard]] bool IsAtSurface() const;
+  void SetArea(SurveyArea area);
+  /// The area of the former life, as a record in braces.
+  void RecallArea(const std::string& kept);
   void PublishArea();
   void Remember();
   void Recall();

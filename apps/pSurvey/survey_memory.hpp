@@ -15,10 +15,12 @@ struct SurveyMemory {
   double phase_since = 0.0, deployed = 0.0;     ///< MOOS time [s]
   std::optional<double> home_north, home_east;  ///< NED [m]
   std::string ended = "home";                   ///< how the mission is to end
+  std::optional<std::string> area{};            ///< SURVEY_AREA, in braces
   template <class V>
   void Describe(V& visit) {
     visit("phase", phase), visit("phase_since", phase_since), visit("deployed", deployed);
     visit("home_north", home_north), visit("home_east", home_east), visit("ended", ended);
+    visit("area", area);
   }
 };
 

@@ -85,6 +85,11 @@ inline const EventId kReturnRequest = DeclareEvent(
                        .reported_by = {"pSurvey"},
                        .meaning = "An operator asked for the return; with what comes of it."});
 
+inline const EventId kAreaRequest = DeclareEvent(
+    "AREA_REQUEST", {.severity = Severity::kNote,
+                     .reported_by = {"pSurvey"},
+                     .meaning = "An operator asked for another area; with what comes of it."});
+
 inline const EventId kAreaReached =
     DeclareEvent("AREA_REACHED", {.severity = Severity::kNote,
                                   .reported_by = {"pSurvey"},

@@ -77,7 +77,8 @@ class WaysTo {
     next_[goal] = goal;
     open.emplace(0.0, goal);
     while (!open.empty()) {
-      const auto [so_far, cell] = open.top();
+      const double so_far = open.top().first;
+      const std::size_t cell = open.top().second;
       open.pop();
       if (so_far > cost[cell]) continue;
       EachNeighbour(raster_, cell, [&](std::size_t near, double cells) {

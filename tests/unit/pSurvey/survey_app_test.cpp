@@ -18,6 +18,16 @@ AppContext ContextOn(TestLink& link) {
   return context;
 }
 
+/// table1's rectangle.
+SurveyApp::Params OfTable() {
+  SurveyApp::Params params;
+  params.north_min = Meters(-15.0);
+  params.north_max = Meters(15.0);
+  params.east_min = Meters(-18.0);
+  params.east_max = Meters(18.0);
+  return params;
+}
+
 class SurveyAppTest : public ::testing::Test {
  protected:
   /// Navigation goes on meanwhile.
@@ -55,7 +65,7 @@ class SurveyAppTest : public ::testing::Test {
 
   TestLink link_;
   AppContext context_ = ContextOn(link_);
-  SurveyApp app_{context_, {}};
+  SurveyApp app_{context_, OfTable()};
   std::optional<NavState> nav_;
 };
 
@@ -219,7 +229,7 @@ TEST_F(SurveyAppTest, WarnsWhileItCannotNoteTheMissionsState) {
   const TemporaryFolder folder;
   context_.runs_live = true;
   context_.run_folder = folder.path() / "run";
-  SurveyApp app(context_, {});
+  SurveyApp app(context_, OfTable());
   link_.Send(app, topics::kDeploy, true);
   EXPECT_TRUE(app.warnings().contains("STATE_NOT_KEPT"));
   std::filesystem::create_directory(context_.run_folder);
@@ -253,7 +263,7 @@ TEST(SurveyAppRestart, GoesOnWhereItsFormerLifeWas) {
   context.run_folder = folder.path();
   const NavState nav{.north = 3.0, .east = 4.0, .altitude = 7.5};
   {
-    SurveyApp former(context, {});
+    SurveyApp former(context, OfTable());
     link.Send(former, topics::kNavState, nav);
     link.Send(former, topics::kDeploy, true);
     link.time += SurveyApp::Params{}.align;
@@ -263,7 +273,7 @@ TEST(SurveyAppRestart, GoesOnWhereItsFormerLifeWas) {
   }
   link.published.clear();
   context.is_restarted = true;
-  SurveyApp next(context, {});
+  SurveyApp next(context, OfTable());
   link.Send(next, topics::kDeploy, true);
   EXPECT_EQ(link.Last(topics::kSurveyPhase), "DIVE");
   EXPECT_DOUBLE_EQ(link.Last(topics::kSurveyHome)->east, 4.0);
@@ -276,7 +286,7 @@ TEST(SurveyAppRestart, TellsPhaseAndAreaAgainForThoseWhoCameBack) {
   AppContext context = ContextOn(link);
   context.runs_live = true;
   context.run_folder = folder.path();
-  SurveyApp app(context, {});
+  SurveyApp app(context, OfTable());
   link.Send(app, topics::kDeploy, true);
   link.published.clear();
   link.time += Seconds(11.0);
@@ -291,7 +301,7 @@ TEST(SurveyAppRestart, WaitsForDeployIfItsFormerLifeDid) {
   AppContext context = ContextOn(link);
   context.runs_live = context.is_restarted = true;
   context.run_folder = folder.path();
-  SurveyApp next(context, {});
+  SurveyApp next(context, OfTable());
   EXPECT_FALSE(link.Last(topics::kSurveyPhase).has_value());
   link.Send(next, topics::kDeploy, true);
   EXPECT_EQ(link.Last(topics::kSurveyPhase), "ALIGN");
@@ -318,7 +328,7 @@ TEST_F(SurveyAppTest, TellsTheOperatorPhaseProgressAndTimeToGo) {
 TEST_F(SurveyAppTest, AShoreWhoseClockIsWrongNeitherEndsNorHurriesTheMission) {
   for (const double off : {-2000.0, 2000.0}) {
     TestLink link;
-    SurveyApp app(ContextOn(link), {});
+    SurveyApp app(ContextOn(link), OfTable());
     const NavState nav{.north = -12.0, .east = -15.0, .altitude = 7.5};
     const auto tick = [&](double seconds) {
       link.time += Seconds(seconds);

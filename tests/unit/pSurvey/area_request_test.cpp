@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pSurvey/area_request.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "apps/pSurvey/survey_app.hpp"
+#include "limpet/topics/area_request.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/support/test_link.hpp"
+
+namespace limpet {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string kEllRequest = "area={0,0:20,0:20,10:10,10:10,20:0,20},keep_out={2,2:4,2:4,4}";
+
+/// pSurvey in a mission of its own, and an operator.
+class AreaRequest : public ::testing::Test {
+ protected:
+  static SurveyApp::Params Mission() {
+    SurveyApp::Params params;
+    params.area = "pts={-5,-5:5,-5:5,5:-5,5}";
+    return params;
+  }
+  AppContext Context() {
+    AppContext context;
+    context.name = "pSurvey";
+    context.link = &link_;
+    context.runs_live = true;
+    context.run_folder = folder_.path();
+    return context;
+  }
+  SurveyAreaAnswer AnswerTo(SurveyApp& app, const std::string& request) {
+    link_.Send(app, topics::kSurveyAreaRequest, request);
+    return link_.Last(topics::kSurveyAreaAnswer).value_or(SurveyAreaAnswer());
+  }
+  void DiveUnder(SurveyApp& app) {
+    NavState nav{.altitude = 7.5};
+    link_.Send(app, topics::kNavState, nav);
+    link_.Send(app, topics::kDeploy, true);
+    link_.time += SurveyApp::Params{}.align;
+    link_.Send(app, topics::kNavState, nav);
+    app.Tick(link_.time);
+    ASSERT_EQ(link_.Last(topics::kSurveyPhase), "DIVE");
+  }
+
+  TemporaryFolder folder_;
+  TestLink link_;
+};
+
+TEST_F(AreaRequest, IsTakenBeforeTheDiveAndToldToAll) {
+  SurveyApp app(Context(), Mission());
+  const std::string sealed = "hash=" + HashOfRequest(kEllRequest) + "," + kEllRequest;
+  const SurveyAreaAnswer answer = AnswerTo(app, sealed);
+  EXPECT_TRUE(answer.is_accepted) << answer.why;
+  EXPECT_EQ(answer.hash, HashOfRequest(kEllRequest));
+  const auto area = link_.Last(topics::kSurveyArea);
+  ASSERT_TRUE(area);
+  EXPECT_DOUBLE_EQ(area->north_max, 20.0);
+  EXPECT_EQ(area->keep_out, "{2,2:4,2:4,4}");
+  EXPECT_DOUBLE_EQ(area->margin, 2.0) << "as the mission has it";
+}
+
+TEST_F(AreaRequest, IsRefusedWithTheReasonAndChangesNothing) {
+  SurveyApp app(Context(), Mission());
+  EXPECT_THAT(AnswerTo(app, "hash=0123456789abcdef," + kEllRequest).why, HasSubstr("damaged"));
+  EXPECT_THAT(AnswerTo(app, "go north").why, HasSubstr("cannot be read"));
+  EXPECT_THAT(AnswerTo(app, "area={0,0:9,9:9,0:0,9}").why, HasSubstr("crosses or touches itself"));
+  EXPECT_THAT(AnswerTo(app, kEllRequest + ",operating_region={1,2}").why,
+              HasSubstr("`operating_region` has 1 corners"));
+  EXPECT_FALSE(link_.Last(topics::kSurveyArea));
+}
+
+TEST_F(AreaRequest, IsRefusedUnderWater) {
+  SurveyApp app(Context(), Mission());
+  DiveUnder(app);
+  const SurveyAreaAnswer answer = AnswerTo(app, kEllRequest);
+  EXPECT_FALSE(answer.is_accepted);
+  EXPECT_THAT(answer.why, HasSubstr("at the surface before the dive alone; phase DIVE"));
+  EXPECT_DOUBLE_EQ(link_.Last(topics::kSurveyArea)->north_max, 5.0);
+}
+
+TEST_F(AreaRequest, LastsThroughARestart) {
+  {
+    SurveyApp app(Context(), Mission());
+    ASSERT_TRUE(AnswerTo(app, kEllRequest).is_accepted);
+    DiveUnder(app);
+  }
+  link_.published.clear();
+  AppContext context = Context();
+  context.is_restarted = true;
+  const SurveyApp next(context, Mission());
+  EXPECT_DOUBLE_EQ(link_.Last(topics::kSurveyArea)->north_max, 20.0);
+}
+
+}  // namespace
+}  // namespace limpet
