@@ -11,7 +11,7 @@ namespace limpet {
 /// Vetoes options that leave the operating region or enter a keep-out zone, and steers back inside
 /// should the vehicle have left it. For a vehicle that is outside, e.g. at its start, it asks for a
 /// way in. The region is in force once it has been entered, and no more on the way home, which may
-/// end anywhere; zones always are.
+/// end anywhere, but leads through no zone either.
 class BHV_OpRegion final : public Behavior {
  public:
   struct Params {

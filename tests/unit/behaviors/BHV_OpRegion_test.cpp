@@ -42,6 +42,37 @@ TEST(BhvOpRegion, VetoesWhatDoesNotLeadAVehicleOutsideIn) {
   EXPECT_FALSE(has_veto(3.0, "home"));
 }
 
+TEST(BhvOpRegion, VetoesEveryWayThroughAZoneAlsoTheOneHome) {
+  SurveyArea area = kRegionArea;
+  area.keep_out = "{2,-2:4,-2:4,2:2,2}";  // x 2 to 4, east of the middle
+  const Region region(area);
+  const BHV_OpRegion behavior({});
+  Situation now;
+  now.pose = {0.0, -5.0, std::numbers::pi / 2.0};
+  now.region = &region;
+  const auto veto_of = [&](double length, const std::string& source) {
+    const Option option{.source = source, .path = DubinsPath(now.pose, {{0.0, length}})};
+    return behavior.Value({.option = &option, .seen = {}}, now)->veto.value_or("");
+  };
+  EXPECT_EQ(veto_of(6.0, "beam"), "");
+  EXPECT_EQ(veto_of(8.0, "beam"), "enters a keep-out zone");
+  EXPECT_EQ(veto_of(30.0, "home"), "enters a keep-out zone");
+}
+
+TEST(BhvOpRegion, LeadsAVehicleThatDriftedIntoAZoneBackOut) {
+  SurveyArea area = kRegionArea;
+  area.keep_out = "{2,-2:4,-2:4,2:2,2}";
+  BHV_OpRegion behavior({});
+  VehicleState state = StateAt(0.0);
+  state.area = area;
+  behavior.Start(state);
+  static_cast<void>(behavior.Move(state));
+  state.nav.east = 3.0;
+  const MotionBid bid = behavior.Move(state);
+  EXPECT_EQ(bid.warning->id.name(), "OUTSIDE_REGION");
+  EXPECT_TRUE(bid.course);
+}
+
 TEST(BhvOpRegion, IsInForceOnlyOnceEntered) {
   BHV_OpRegion behavior({});
   behavior.Start(StateAt(60.0));
