@@ -12,6 +12,7 @@
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
+#include "limpet/topics/safety.hpp"
 
 namespace limpet {
 
@@ -34,6 +35,8 @@ class SurveyApp final : public App {
   void OnNav(const Stamped<NavState>& nav) { nav_ = nav.value.is_usable() ? nav : nav_; }
   void OnDeploy(const Stamped<bool>& deploy);
   void OnReturn(const Stamped<bool>& request);
+  /// The way up is all that is left: the mission ends at the surface.
+  void OnSafety(const Stamped<std::string>& action);
   /// Somebody else has ended the mission: the launcher, for want of an app.
   void OnMissionEnd(const Stamped<std::string>& end);
   void OnCoverage(const Stamped<Coverage>& coverage);
