@@ -20,11 +20,11 @@ namespace limpet {
 namespace {
 
 Command DescribeForm() {
-  return {
-      .name = "limpet describe",
-      .words =
-          "[parameters | variables [mission] | warnings | vehicle | scenario | safety | NAME ...]",
-      .about = R"(What the code itself says of its apps, behaviors and detectors:
+  return {.name = "limpet describe",
+          .words =
+              "[parameters | variables [mission] | warnings | vehicle | scenario | faults | safety "
+              "| NAME ...]",
+          .about = R"(What the code itself says of its apps, behaviors and detectors:
 
   (nothing)                   their names, and those of variables and warnings
   parameters                  every parameter of them all
@@ -32,12 +32,13 @@ Command DescribeForm() {
   warnings                    every warning and event of apps and behaviors
   vehicle                     every key of a vehicle's file
   scenario                    what a scenario can add to the data sheets
+  faults                      what a scenario can let fail
   safety                      the rules of pSafety
   NAME ...                    any of these, by name)",
-      .options = {{.names = "--json", .meaning = "as JSON"},
-                  {.names = "--markdown",
-                   .meaning = "as the pages of docs/ (parameters, variables, warnings, "
-                              "vehicle-file, scenario-file, safety)"}}};
+          .options = {{.names = "--json", .meaning = "as JSON"},
+                      {.names = "--markdown",
+                       .meaning = "as the pages of docs/ (parameters, variables, warnings, "
+                                  "vehicle-file, scenario-file, safety)"}}};
 }
 
 enum class Form { kText, kJson, kMarkdown };
@@ -99,8 +100,8 @@ std::string ShowSafetyRules(Form form) {
 std::string ShowNames(Form form) {
   if (form != Form::kText) {
     throw UsageError(
-        "say what to describe: parameters, variables, warnings, vehicle, scenario, safety, or "
-        "names");
+        "say what to describe: parameters, variables, warnings, vehicle, scenario, faults, safety, "
+        "or names");
   }
   std::string text = "apps, behaviors, detectors:\n";
   for (const ParameterOwner& owner : AllParameterOwners()) {
@@ -156,8 +157,8 @@ struct Described {
 };
 
 [[noreturn]] void RefuseName(const std::string& name) {
-  std::vector<std::string> known{"parameters", "variables", "warnings",
-                                 "vehicle",    "scenario",  "safety"};
+  std::vector<std::string> known{"parameters", "variables", "warnings", "vehicle",
+                                 "scenario",   "faults",    "safety"};
   std::ranges::transform(AllParameterOwners(), std::back_inserter(known), &ParameterOwner::name);
   for (const auto& [variable, facts] : VariableCatalog())
     known.push_back(variable);
@@ -203,6 +204,12 @@ int DescribeNamed(const Arguments& given) {
   } else if (words[0] == "scenario") {
     if (words.size() > 1) throw UsageError("describe scenario takes nothing else");
     fmt::print("{}", ShowScenarioKeys(form));
+  } else if (words[0] == "faults") {
+    if (words.size() > 1 || form != Form::kText) {
+      throw UsageError(
+          "describe faults takes nothing else; --markdown: they are in scenario's page");
+    }
+    fmt::print("{}", FaultsText());
   } else if (words[0] == "safety") {
     if (words.size() > 1) throw UsageError("describe safety takes nothing else");
     fmt::print("{}", ShowSafetyRules(form));
