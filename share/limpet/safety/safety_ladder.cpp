@@ -20,10 +20,18 @@ void SafetyLadder::Raise(Row& row, SafetyAction action, Seconds now) {
   }
 }
 
+void SafetyLadder::Lift(Row& row) {
+  row.stands = SafetyAction::kNone;
+  row.stands_since.reset();
+}
+
 void SafetyLadder::UpdateRow(std::size_t index, std::optional<double> measure, SafetyPhase phase,
                              Seconds now) {
   const SafetyRule& rule = SafetyRules()[index];
   Row& row = rows_[index];
+  if (row.stands == SafetyAction::kHold && rule.ActionIn(phase) < SafetyAction::kHold) {
+    Lift(row);  // who is held on the way home never gets there
+  }
   const bool is_known = measure && std::isfinite(*measure) && !settings_.is_off[index];
   row.margin =
       is_known ? std::optional(rule.Margin(*measure, settings_.limits[index])) : std::nullopt;
@@ -45,8 +53,7 @@ void SafetyLadder::UpdateRow(std::size_t index, std::optional<double> measure, S
   }
   row.inside_since = row.inside_since.value_or(now);
   if (now - *row.inside_since >= *rule.clears_after) {
-    row.stands = SafetyAction::kNone;
-    row.stands_since.reset();
+    Lift(row);
   }
 }
 

@@ -22,7 +22,8 @@ using SafetyMeasures = std::array<std::optional<double>, kSafetyRules>;
 
 /// Which action is in force. A rule trips when what it watches has been beyond its limit for its
 /// hold time; the highest action of all that stand is done. What stands goes only as the table
-/// says, and return, surface and abort only by Reset. Pure, and allocates nothing.
+/// says (a hold also in a phase whose column asks for less), and return, surface and abort only by
+/// Reset. Pure, and allocates nothing.
 class SafetyLadder {
  public:
   explicit SafetyLadder(const SafetySettings& settings) : settings_(settings) {}
@@ -51,6 +52,7 @@ class SafetyLadder {
   };
   void UpdateRow(std::size_t index, std::optional<double> measure, SafetyPhase phase, Seconds now);
   static void Raise(Row& row, SafetyAction action, Seconds now);
+  static void Lift(Row& row);
   /// Finds the highest of what stands.
   void Settle(Seconds now);
 

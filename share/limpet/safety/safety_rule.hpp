@@ -40,6 +40,7 @@ enum class SafetyRuleId : std::size_t {
   kDvlLost,
   kDvlStuck,
   kAltitudeStuck,
+  kDepthSilent,
   kDepthStuck,
   kImuStuck,
   kDepthAgainstAltitude,
@@ -59,7 +60,7 @@ enum class SafetyRuleId : std::size_t {
   kDiskFull,
   kLinkLost
 };
-inline constexpr std::size_t kSafetyRules = 33;
+inline constexpr std::size_t kSafetyRules = 34;
 
 /// One row. What it watches is a number that must not go beyond a limit.
 struct SafetyRule {

@@ -68,6 +68,7 @@ void SafetySigns::Hear(const ImuSample& imu, Seconds now) {
 
 void SafetySigns::HearDepth(double depth_m, Seconds now) {
   depth_m_ = depth_m;
+  pressure_heard_ = now;
   pressure_.Hear({depth_m}, now);
 }
 
@@ -76,6 +77,13 @@ void SafetySigns::Hear(const GpsFix& fix, Seconds now) {
     const double way = std::hypot(fix.north - fix_->value.north, fix.east - fix_->value.east);
     const double noise = 3.0 * std::hypot(fix.sd, fix_->value.sd);
     jump_m_ = std::max(0.0, way - noise - kFastest_mps * (now - fix_->time).value());
+  }
+  if (submerged_since_ && IsNavigationFresh(now)) {
+    // After a dive: against what navigation has come to expect of it.
+    const NavState& nav = nav_->value;
+    const double off = std::hypot(fix.north - nav.north, fix.east - nav.east);
+    const double noise = 3.0 * std::hypot(fix.sd, std::max(nav.sd_north, nav.sd_east));
+    jump_m_ = std::max(jump_m_, off - noise);
   }
   fix_ = {now, fix};
 }
@@ -111,6 +119,16 @@ std::optional<double> SafetySigns::Silence(std::optional<Seconds> heard, Seconds
 
 bool SafetySigns::IsNavigationFresh(Seconds now) const {
   return nav_ && now - nav_->time <= kFreshNavigation;
+}
+
+std::optional<double> SafetySigns::VelocitySilence(Seconds now) const {
+  std::optional<double> silence = Silence(std::max(velocity_heard_, submerged_since_), now);
+  if (silence && IsNavigationFresh(now)) {
+    const double refused = nav_->value.velocity_age.value_or(0.0);
+    const double submerged = Silence(submerged_since_, now).value_or(0.0);
+    silence = std::max(*silence, std::min(refused, submerged));
+  }
+  return silence;
 }
 
 std::optional<double> SafetySigns::ProgressLack(Seconds now) const {
@@ -150,9 +168,12 @@ void SafetySigns::MeasureSensors(SafetyMeasures& measures, Seconds now) const {
   }
   // In the water alone: there the DVL has something to see.
   if (submerged_since_ || !phase_) {
-    const std::optional<double> silence = Silence(std::max(velocity_heard_, submerged_since_), now);
+    const std::optional<double> silence = VelocitySilence(now);
     MeasureOf(measures, SafetyId::kDvlSilent) = silence;
     MeasureOf(measures, SafetyId::kDvlLost) = silence;
+  }
+  if (pressure_heard_) {
+    MeasureOf(measures, SafetyId::kDepthSilent) = (now - *pressure_heard_).value() / warp_;
   }
   MeasureOf(measures, SafetyId::kDvlStuck) = velocity_.duration();
   MeasureOf(measures, SafetyId::kAltitudeStuck) = altitude_.duration();

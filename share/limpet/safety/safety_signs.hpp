@@ -60,6 +60,8 @@ class SafetySigns {
   void MeasureVehicle(SafetyMeasures& measures, Seconds now) const;
   /// Since `heard`, or since the mission got under way; absent while it is not.
   [[nodiscard]] std::optional<double> Silence(std::optional<Seconds> heard, Seconds now) const;
+  /// Of the DVL, or of what navigation has taken of it.
+  [[nodiscard]] std::optional<double> VelocitySilence(Seconds now) const;
   [[nodiscard]] std::optional<double> ProgressLack(Seconds now) const;
   [[nodiscard]] bool IsNavigationFresh(Seconds now) const;
 
@@ -68,7 +70,8 @@ class SafetySigns {
   std::optional<Seconds> under_way_since_, submerged_since_;
   std::optional<Stamped<NavState>> nav_;
   std::optional<double> depth_m_;
-  std::optional<Seconds> velocity_heard_, detections_heard_, command_heard_, shore_heard_;
+  std::optional<Seconds> velocity_heard_, pressure_heard_, detections_heard_, command_heard_,
+      shore_heard_;
   std::optional<Seconds> behavior_failed_, clock_stepped_, down_since_, saturated_since_;
   StuckWatch<3> velocity_;
   StuckWatch<1> altitude_, pressure_;

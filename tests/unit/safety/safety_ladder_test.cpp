@@ -123,6 +123,14 @@ TEST_F(SafetyLadderTest, LetsGoOfAHoldOnceAllHasBeenWellForAWhile) {
   EXPECT_EQ(ladder_.action(), SafetyAction::kNone);
 }
 
+TEST_F(SafetyLadderTest, HoldsNobodyOnTheWayHome) {
+  See(Id::kDetectorSilent, 25.0);
+  Run(0.2);
+  ASSERT_EQ(ladder_.action(), SafetyAction::kHold);
+  Run(0.1, SafetyPhase::kReturn);
+  EXPECT_EQ(ladder_.action(), SafetyAction::kNone);
+}
+
 TEST_F(SafetyLadderTest, IsNotWellAgainWithinTheHysteresisOrWhileNothingIsKnown) {
   See(Id::kSigmaHigh, 5.5);
   Run(6.0);

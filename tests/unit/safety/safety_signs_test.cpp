@@ -134,6 +134,26 @@ TEST_F(SafetySignsTest, MissTheDvlFromTheDiveOn) {
   EXPECT_DOUBLE_EQ(Measure(Id::kDvlLost).value(), 2.0);
 }
 
+TEST_F(SafetySignsTest, MissAVelocityThatNavigationDoesNotTake) {
+  Enter("DIVE");
+  Wait(40.0);
+  signs_.Hear(Velocity(0.5), now_);
+  NavState nav = At(0.0, 3.0, 4.0);
+  nav.velocity_age = 31.0;
+  signs_.Hear(nav, now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDvlSilent).value(), 31.0);
+  nav.velocity_age = 300.0;  // from before the dive
+  signs_.Hear(nav, now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDvlSilent).value(), 40.0);
+}
+
+TEST_F(SafetySignsTest, MissADepthSensorThatHasSpoken) {
+  EXPECT_FALSE(Measure(Id::kDepthSilent));
+  signs_.HearDepth(3.0, now_);
+  Wait(7.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDepthSilent).value(), 7.0);
+}
+
 TEST_F(SafetySignsTest, NoticeAnAltimeterThatSticksWhileTheVehicleDives) {
   for (int i = 0; i < 100; ++i) {
     signs_.Hear(At(0.0, 0.03 * i, 20.0), now_);
@@ -166,6 +186,20 @@ TEST_F(SafetySignsTest, NoticeAJumpOfGpsButNoDrift) {
   Wait(1.0);
   fix(52.5);
   EXPECT_NEAR(Measure(Id::kGpsJump).value(), 50.0 - 2.0 - 3.0 * std::hypot(0.5, 0.5), 1e-9);
+}
+
+TEST_F(SafetySignsTest, NoticeAFixAfterADiveFarFromTheEstimate) {
+  Enter("DIVE");
+  Wait(300.0);
+  NavState nav = At(10.0, 0.0, 4.0);
+  nav.sd_north = nav.sd_east = 0.4;
+  signs_.Hear(nav, now_);
+  signs_.Hear(GpsFix{.north = 10.5, .east = 0.0, .sd = 0.3}, now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kGpsJump).value(), 0.0);
+  Wait(300.0);  // two fixes tell nothing any more
+  signs_.Hear(nav, now_);
+  signs_.Hear(GpsFix{.north = 60.0, .east = 0.0, .sd = 0.3}, now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kGpsJump).value(), 48.5);
 }
 
 TEST_F(SafetySignsTest, MeasureWhatIsMadeGoodOnTheWantedCourse) {
