@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "limpet/mission/fault_schedule.hpp"
 #include "limpet/topics/sensors.hpp"
@@ -15,7 +14,8 @@ namespace limpet {
 template <class T>
 class FaultySensor {
  public:
-  explicit FaultySensor(std::string name) : silent_(name + "_silent"), stuck_(name + "_stuck") {}
+  explicit FaultySensor(const std::string& name)
+      : silent_(name + "_silent"), stuck_(name + "_stuck") {}
 
   /// What comes of `sample`; nothing while it is silent.
   [[nodiscard]] std::optional<T> Pass(const T& sample, const FaultSchedule& faults) {

@@ -161,11 +161,9 @@ void SafetySigns::MeasurePlace(SafetyMeasures& measures, Seconds now) {
 }
 
 void SafetySigns::MeasureSensors(SafetyMeasures& measures, Seconds now) const {
-  const bool knows_depth = depth_m_ || IsNavigationFresh(now);
-  if (knows_depth) {
-    MeasureOf(measures, SafetyId::kDepthOverLimit) = std::max(
-        depth_m_.value_or(-HUGE_VAL), IsNavigationFresh(now) ? nav_->value.down : -HUGE_VAL);
-  }
+  std::optional<double>& depth = MeasureOf(measures, SafetyId::kDepthOverLimit);
+  depth = depth_m_;
+  if (IsNavigationFresh(now)) depth = std::max(nav_->value.down, depth.value_or(nav_->value.down));
   // In the water alone: there the DVL has something to see.
   if (submerged_since_ || !phase_) {
     const std::optional<double> silence = VelocitySilence(now);
