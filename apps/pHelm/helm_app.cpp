@@ -72,6 +72,7 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
   SubscribeToNavigation();
   Subscribe(topics::kManualOverride, &HelmApp::OnOverride);
   Subscribe(topics::kManualOverrideMisspelt, &HelmApp::OnOverride);
+  SubscribeIfWritten(topics::kSafetyAction, &HelmApp::OnSafety);
   HearSurvey();
   Subscribe(topics::kHelmRejournal, &HelmApp::OnRejournal);
   SubscribeRaw(topics::kHelmMapClear.name, [this](const MessagePtr&) { host_.ForgetPosts(); });
@@ -139,6 +140,14 @@ void HelmApp::OnArea(const Stamped<SurveyArea>& area) {
   drawing_.DrawArea(area.value);
 }
 
+void HelmApp::OnSafety(const Stamped<std::string>& action) {
+  safety_ = SafetyActionNamed(action.value).value_or(safety_);
+}
+
+bool HelmApp::IsOverruled() const {
+  return safety_ == SafetyAction::kHold || safety_ >= SafetyAction::kSurface;
+}
+
 void HelmApp::OnHome(const Stamped<HomePoint>& home) {
   planner_.survey().SetHome(home.value);
   drawing_.DrawHome(home.value);
@@ -198,6 +207,9 @@ void HelmApp::Tick(Seconds now) {
   if (is_parked_) {
     planner_.DropPath();
     AllStop("ManualOverride");
+  } else if (IsOverruled()) {
+    planner_.DropPath();
+    AllStop("Safety:" + std::string(NameOf(safety_)));
   } else {
     DecideView(now);
     TellRevisits(now);

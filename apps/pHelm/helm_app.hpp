@@ -16,6 +16,7 @@
 #include "limpet/helm/motion_record.hpp"
 #include "limpet/helm/view_planner.hpp"
 #include "limpet/helm/warning_book.hpp"
+#include "limpet/topics/safety.hpp"
 
 namespace limpet {
 
@@ -44,6 +45,9 @@ class HelmApp final : public App {
   void OnOverride(const Stamped<bool>& parked) {
     if (!parked.value || params_.allow_park) is_parked_ = parked.value;
   }
+  void OnSafety(const Stamped<std::string>& action);
+  /// Safety has taken the decision away: hold, surface, abort.
+  [[nodiscard]] bool IsOverruled() const;
   void OnArea(const Stamped<SurveyArea>& area);
   void OnHome(const Stamped<HomePoint>& home);
   void OnDelta(const Stamped<GridDelta>& delta) { planner_.survey().Apply(delta.value); }
@@ -92,6 +96,7 @@ class HelmApp final : public App {
   bool hears_nav_state_ = false;  ///< it counts alone, once heard
   StockNav stock_nav_;
   bool is_parked_ = false;
+  SafetyAction safety_ = SafetyAction::kNone;
   bool has_posted_initial_ = false;
   std::string allstop_text_;       ///< clear, or why all is stopped
   std::string published_allstop_;  ///< as last posted

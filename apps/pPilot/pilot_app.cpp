@@ -43,6 +43,18 @@ PilotApp::PilotApp(const AppContext& context, const Params& params)
   Subscribe(topics::kDesiredTurnRate, &PilotApp::OnTurnRate);
   Subscribe(topics::kManualOverride, &PilotApp::OnOverride);
   Subscribe(topics::kHelmAllStop, &PilotApp::OnAllStop);
+  SubscribeIfWritten(topics::kSafetyAction, &PilotApp::OnSafety);
+}
+
+void PilotApp::OnSafety(const Stamped<std::string>& action) {
+  const std::optional<SafetyAction> named = SafetyActionNamed(action.value);
+  if (!named) {
+    Refuse(topics::kSafetyAction.name, fmt::format("`{}` is no action", action.value));
+    return;
+  }
+  ClearWarning(warnings::kRefusedInput, topics::kSafetyAction.name);
+  safety_ = *named;
+  if (safety_ != SafetyAction::kHold) held_.reset();
 }
 
 void PilotApp::OnNav(const Stamped<NavState>& nav) {
@@ -98,6 +110,12 @@ PilotApp::Mode PilotApp::Judge(Seconds now) const {
   if (is_manual_) {
     return Mode::kManual;
   }
+  if (safety_ >= SafetyAction::kSurface) {
+    return Mode::kSurfacing;
+  }
+  if (safety_ == SafetyAction::kHold && nav_) {
+    return IsFresh(nav_, now) ? Mode::kHolding : Mode::kNoNavigation;
+  }
   if (!heading_ || !speed_ || !depth_) {
     return Mode::kWaiting;
   }
@@ -121,10 +139,26 @@ void PilotApp::WarnOf(Mode mode) {
 }
 
 DesiredMotion PilotApp::Desired(Seconds now) const {
+  const bool is_degraded = safety_ == SafetyAction::kDegrade;
   return {.yaw = YawFromMoosHeading(heading_->value),
-          .speed = speed_->value,
+          .speed =
+              is_degraded ? std::min(speed_->value, params_.degraded_speed.value()) : speed_->value,
           .depth = depth_->value,
           .turn_rate = IsFresh(turn_rate_, now) ? turn_rate_->value : 0.0};
+}
+
+ThrusterCommand PilotApp::Control(Seconds now, double dt) {
+  const NavState& nav = nav_->value;
+  if (mode_ == Mode::kSurfacing) return pilot_.Rise(nav, dt);
+  if (mode_ != Mode::kHolding) return pilot_.Update(nav, Desired(now), dt);
+  if (!held_) held_ = {.yaw = nav.yaw, .depth = nav.down};
+  return pilot_.Update(
+      nav, {.yaw = held_->yaw, .speed = 0.0, .depth = held_->depth, .turn_rate = 0.0}, dt);
+}
+
+bool PilotApp::IsControlled(Seconds now) const {
+  return mode_ == Mode::kFlying || mode_ == Mode::kHolding ||
+         (mode_ == Mode::kSurfacing && IsFresh(nav_, now));
 }
 
 void PilotApp::Fly(Seconds now) {
@@ -134,7 +168,7 @@ void PilotApp::Fly(Seconds now) {
   }
   const Seconds dt = now - *last_step_;
   last_step_ = now;
-  command_ = pilot_.Update(nav_->value, Desired(now), dt.value());
+  command_ = Control(now, dt.value());
   const ThrusterCommand& c = command_;
   if (!std::isfinite(c.t1 + c.t2 + c.t3 + c.t4 + c.t5 + c.t6)) {
     Warn(warnings::kCommandNotFinite,
@@ -157,7 +191,7 @@ void PilotApp::Tick(Seconds now) {
   const Mode former = mode_;
   mode_ = Judge(now);
   WarnOf(mode_);
-  if (mode_ == Mode::kFlying) {
+  if (IsControlled(now)) {
     Fly(now);
   } else if (mode_ != Mode::kManual || (former != Mode::kManual && last_step_)) {
     Rest();  // under manual override once: somebody else may write the variable

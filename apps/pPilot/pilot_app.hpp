@@ -9,12 +9,14 @@
 #include "limpet/app/app.hpp"
 #include "limpet/control/pilot.hpp"
 #include "limpet/core/params.hpp"
+#include "limpet/topics/safety.hpp"
 
 namespace limpet {
 
 /// Flies what the helm wants: DESIRED_* and NAV_STATE in, THRUSTER_COMMAND out. Without a fresh
 /// estimate or without fresh wishes it stops all thrusters, and the vehicle floats up. It says its
 /// command, zero too, at every tick, for the driver's watchdog; under manual override only once.
+/// SAFETY_ACTION it obeys by itself, whatever the helm wants or if that is silent.
 class PilotApp final : public App {
  public:
   struct Params {
@@ -28,6 +30,7 @@ class PilotApp final : public App {
     MetersPerSecond max_dive_speed{DepthController::Gains{}.max_rate};
     Meters surface_depth{DepthController::Gains{}.surface_depth};
     Newtons max_sway{SwayController::Gains{}.max_force};
+    MetersPerSecond degraded_speed{0.25};
 
     template <class Visitor>
     void Describe(Visitor& visit) {
@@ -48,6 +51,8 @@ class PilotApp final : public App {
       visit("surface_depth_m", surface_depth, "Shallower than this, buoyancy holds the vehicle",
             InRange(0.0_m, 2.0_m));
       visit("max_sway_n", max_sway, "Greatest side force", InRange(0.0_n, 100.0_n));
+      visit("degraded_speed_mps", degraded_speed, "Greatest speed while SAFETY_ACTION is degrade",
+            InRange(0.0_mps, 5.0_mps));
     }
   };
 
@@ -61,7 +66,20 @@ class PilotApp final : public App {
   template <class T>
   using Latest = std::optional<Stamped<T>>;
   /// Why the thrusters do what they do.
-  enum class Mode { kFlying, kWaiting, kManual, kHalted, kNoWishes, kNoNavigation };
+  enum class Mode {
+    kFlying,
+    kWaiting,
+    kManual,
+    kHalted,
+    kNoWishes,
+    kNoNavigation,
+    kHolding,   ///< SAFETY_ACTION hold
+    kSurfacing  ///< SAFETY_ACTION surface or abort
+  };
+  /// Where hold began.
+  struct HeldPlace {
+    double yaw = 0.0, depth = 0.0;
+  };
 
   void OnNav(const Stamped<NavState>& nav);
   void OnHeading(const Stamped<double>& degrees);
@@ -70,6 +88,7 @@ class PilotApp final : public App {
   void OnTurnRate(const Stamped<double>& rate);
   void OnOverride(const Stamped<bool>& is_manual) { is_manual_ = is_manual.value; }
   void OnAllStop(const Stamped<std::string>& why) { is_halted_ = why.value != "clear"; }
+  void OnSafety(const Stamped<std::string>& action);
   void HearWish(const std::string& name, double value, const PlausibleRange& range,
                 Latest<double>& wish);
   void Refuse(const std::string& name, const std::string& what);
@@ -83,7 +102,10 @@ class PilotApp final : public App {
   [[nodiscard]] Mode Judge(Seconds now) const;
   void WarnOf(Mode mode);
   [[nodiscard]] DesiredMotion Desired(Seconds now) const;
+  /// By the control laws, in the mode that there is.
   void Fly(Seconds now);
+  [[nodiscard]] ThrusterCommand Control(Seconds now, double dt);
+  [[nodiscard]] bool IsControlled(Seconds now) const;
   void Rest();
   [[nodiscard]] const char* ModeText() const;
 
@@ -93,6 +115,8 @@ class PilotApp final : public App {
   Latest<double> heading_, speed_, depth_, turn_rate_;
   bool is_manual_ = false;
   bool is_halted_ = false;  ///< the helm has said why it wants nothing
+  SafetyAction safety_ = SafetyAction::kNone;
+  std::optional<HeldPlace> held_;
   Mode mode_ = Mode::kWaiting;
   ThrusterCommand command_;             ///< last one given
   std::optional<Seconds> last_step_;    ///< absent while thrusters rest

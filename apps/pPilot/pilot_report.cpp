@@ -23,6 +23,10 @@ const char* PilotApp::ModeText() const {
       return "at rest: the helm is silent";
     case Mode::kNoNavigation:
       return "at rest: navigation is silent";
+    case Mode::kHolding:
+      return "held at this depth: safety";
+    case Mode::kSurfacing:
+      return "only upwards: safety";
   }
   return "";
 }

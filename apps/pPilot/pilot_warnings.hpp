@@ -10,7 +10,9 @@ inline const WarningFamily kRefusedInput = DeclareWarningFamily(
     "REFUSED_<VARIABLE>",
     {.severity = Severity::kWarning,
      .raised_by = {"pPilot"},
-     .meaning = "A wish or NAV_STATE is not finite or not of this world; it counts as not heard.",
+     .meaning =
+         "A wish or NAV_STATE is not finite or not of this world, or SAFETY_ACTION is no action; "
+         "it counts as not heard.",
      .action = "See who writes the variable.",
      .clears = "With its next plausible value."});
 

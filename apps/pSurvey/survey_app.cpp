@@ -47,6 +47,7 @@ SurveyApp::SurveyApp(const AppContext& context, const Params& params)
   Subscribe(topics::kDeploy, &SurveyApp::OnDeploy);
   Subscribe(topics::kReturn, &SurveyApp::OnReturn);
   Subscribe(topics::kSurveyAreaRequest, &SurveyApp::OnAreaRequest);
+  SubscribeIfWritten(topics::kSafetyAction, &SurveyApp::OnSafety);
   Subscribe(topics::kMapCoverage, &SurveyApp::OnCoverage);
   Subscribe(topics::kMapLook, &SurveyApp::OnLook);
   Subscribe(topics::kMissionEnd, &SurveyApp::OnMissionEnd);
@@ -125,18 +126,33 @@ void SurveyApp::OnReturn(const Stamped<bool>& request) {
       break;
     case Phase::kAlign:  // still at the surface: there it is to stay
       ended_ = "aborted";
-      ReportEvent(events::kReturnRequest, "operator asked to return before the dive");
+      ReportEvent(events::kReturnRequest, "asked to return before the dive");
       EndMission(request.time);
       break;
     case Phase::kDive:
     case Phase::kSurvey:
-      GoHome("operator asked", "aborted", request.time);
+      GoHome("asked to return", "aborted", request.time);
       break;
     case Phase::kReturn:
     case Phase::kAscend:
     case Phase::kFix:
       ReportEvent(events::kReturnRequest, "RETURN: on the way home already");
       break;
+  }
+}
+
+void SurveyApp::OnSafety(const Stamped<std::string>& action) {
+  const SafetyAction asked = SafetyActionNamed(action.value).value_or(SafetyAction::kNone);
+  if (asked < SafetyAction::kSurface || !IsUnderWay()) {
+    return;
+  }
+  ended_ = "aborted";
+  if (phase_ == Phase::kAlign) {
+    EndMission(action.time);
+  } else if (phase_ != Phase::kAscend && phase_ != Phase::kFix) {
+    ReportEvent(events::kSurfacing, "SAFETY_ACTION is " + action.value);
+    Publish(topics::kSessionSave, "safety: " + action.value);
+    Enter(Phase::kAscend, action.time);
   }
 }
 

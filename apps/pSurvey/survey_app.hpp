@@ -13,6 +13,7 @@
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
+#include "limpet/topics/safety.hpp"
 
 namespace limpet {
 
@@ -36,6 +37,8 @@ class SurveyApp final : public App {
   void OnDeploy(const Stamped<bool>& deploy);
   void OnReturn(const Stamped<bool>& request);
   void OnAreaRequest(const Stamped<std::string>& request);
+  /// The way up is all that is left: the mission ends at the surface.
+  void OnSafety(const Stamped<std::string>& action);
   /// Somebody else has ended the mission: the launcher, for want of an app.
   void OnMissionEnd(const Stamped<std::string>& end);
   void OnCoverage(const Stamped<Coverage>& coverage);

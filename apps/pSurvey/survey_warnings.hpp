@@ -80,10 +80,17 @@ inline const EventId kGoingHome = DeclareEvent(
                    .reported_by = {"pSurvey"},
                    .meaning = "The survey is over and the vehicle goes home; with the reason."});
 
+inline const EventId kSurfacing =
+    DeclareEvent("SURFACING_FOR_SAFETY",
+                 {.severity = Severity::kAlarm,
+                  .reported_by = {"pSurvey"},
+                  .meaning = "Safety asks for the surface: the mission ends there, as aborted."});
+
 inline const EventId kReturnRequest = DeclareEvent(
-    "RETURN_REQUEST", {.severity = Severity::kNote,
-                       .reported_by = {"pSurvey"},
-                       .meaning = "An operator asked for the return; with what comes of it."});
+    "RETURN_REQUEST",
+    {.severity = Severity::kNote,
+     .reported_by = {"pSurvey"},
+     .meaning = "An operator, or safety, asked for the return; with what comes of it."});
 
 inline const EventId kAreaRequest = DeclareEvent(
     "AREA_REQUEST", {.severity = Severity::kNote,

@@ -50,6 +50,12 @@ SimCameraApp::SimCameraApp(const AppContext& context, const Params& params)
   }
   seabed_ = Seabed(scenario.seabed);
   errors_ = scenario.errors.camera;
+  faults_ = FaultSchedule(scenario.faults);
+  for (const std::string& variable : faults_.Variables()) {
+    SubscribeRaw(variable, [this](const MessagePtr& message) {
+      faults_.Hear(message->name, message->value);
+    });
+  }
   stamp_ = StampError(errors_.stamps, MakeRandom("stamps camera"));
   camera_ = errors_.mounting.Applied(lens_.enclosing());
   MakeCamera(context, scenario);
@@ -103,7 +109,10 @@ void SimCameraApp::OnTruth(const Stamped<SimTruth>& truth) {
   // The millionth absorbs what a time that is no exact multiple loses in the product.
   const double slot = std::floor(truth.time.value() * params_.timing.rate.value() + 1e-6);
   if (!start_) start_ = truth.time;
-  if (slot != last_slot_ && truth.value.down >= params_.least_depth.value()) {
+  faults_.Update(truth.time);
+  const bool makes_frames =
+      truth.value.down >= params_.least_depth.value() && faults_.Active("camera_silent") == nullptr;
+  if (slot != last_slot_ && makes_frames) {
     last_slot_ = slot;
     const std::vector<Sphere> shown = Shown(truth);
     const Seconds stamp = stamp_.StampOf(truth.time);

@@ -15,6 +15,7 @@
 #include "limpet/core/lens_model.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/imaging/picture_renderer.hpp"
+#include "limpet/mission/fault_schedule.hpp"
 #include "limpet/mission/scenario.hpp"
 #include "limpet/mission/seabed.hpp"
 #include "limpet/simulation/stamp_error.hpp"
@@ -77,6 +78,7 @@ class SimCameraApp final : public App {
   LensModel lens_;
   CameraModel camera_;                   ///< the lens' enclosing pinhole, as it truly stands
   std::optional<LensImage> lens_image_;  ///< if images are rendered and the lens distorts
+  FaultSchedule faults_;
   StampError stamp_;
   std::vector<Sphere> spheres_;              ///< in their places
   std::vector<ObjectMotionParams> motions_;  ///< of each

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/uSimSensors/faulty_sensor.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/mission/seabed.hpp"
@@ -61,33 +62,61 @@ SimSensorsApp::SimSensorsApp(const AppContext& context, const Params& params)
 
 SimSensorsApp::SimSensorsApp(const AppContext& context, const Scenario& scenario)
     : App(context),
+      faults_(scenario.faults),
       longest_delay_(kLongestDelay * ParseNumber(context.Global("MOOSTimeWarp")).value_or(1.0)) {
   const VehicleFile vehicle =
       LoadMissionVehicle(context.Global(kVehicleFileGlobal), context.mission_folder);
   const SensorSheets& sheets = vehicle.sensors;
   const Scenario::Sensors& truth = scenario.sensors;
   const SimulatedErrors& errors = scenario.errors;
-  if (sheets.imu.is_present) {
-    Add(topics::kImuData, sheets.imu.rate, errors.imu.stamps,
-        ImuModel(ImuOf(sheets.imu, truth, errors.imu), MakeRandom("imu"),
-                 MakeRandom("imu errors")));
-  }
-  if (sheets.fog.is_present) {
-    Add(topics::kFogYawRate, sheets.fog.rate, errors.fog.stamps,
-        FogModel(FogOf(sheets.fog, truth), MakeRandom("fog"), errors.fog.gyro));
-  }
+  AddAttitudeSensors(scenario, sheets);
   Add(topics::kDepthSensor, sheets.depth.rate, errors.depth.stamps,
-      DepthModel(sheets.depth, MakeRandom("depth"), errors.depth.pressure));
+      DepthModel(sheets.depth, MakeRandom("depth"), errors.depth.pressure),
+      [sensor = FaultySensor<double>("depth")](double depth, const FaultSchedule& faults) mutable {
+        return sensor.Pass(WithDepthFault(depth, faults), faults);
+      });
   Add(topics::kDvlData, sheets.dvl.rate, errors.dvl.stamps,
       DvlModel(DvlOf(sheets.dvl, truth, errors.dvl), SceneOf(scenario, context.session),
-               MakeRandom("dvl"), MakeRandom("dvl errors")));
+               MakeRandom("dvl"), MakeRandom("dvl errors")),
+      [sensor = FaultyDvl()](const DvlSample& sample, const FaultSchedule& faults) mutable {
+        return sensor.Pass(sample, faults);
+      });
   Add(topics::kGpsData, sheets.gps.rate, errors.gps.stamps,
       GpsModel({.sheet = sheets.gps,
                 .true_sigma_m = truth.gps_sigma_m,
                 .antenna_B = vehicle.params.antenna_B,
                 .error = errors.gps.multipath},
-               MakeRandom("gps"), MakeRandom("gps errors")));
+               MakeRandom("gps"), MakeRandom("gps errors")),
+      [sensor = FaultySensor<GpsFix>("gps")](const GpsFix& fix,
+                                             const FaultSchedule& faults) mutable {
+        return sensor.Pass(WithGpsFault(fix, faults), faults);
+      });
+  for (const std::string& variable : faults_.Variables()) {
+    SubscribeRaw(variable, [this](const MessagePtr& message) {
+      faults_.Hear(message->name, message->value);
+    });
+  }
   Subscribe(topics::kSimTruth, &SimSensorsApp::OnTruth);
+}
+
+void SimSensorsApp::AddAttitudeSensors(const Scenario& scenario, const SensorSheets& sheets) {
+  const Scenario::Sensors& truth = scenario.sensors;
+  const SimulatedErrors& errors = scenario.errors;
+  if (sheets.imu.is_present) {
+    Add(topics::kImuData, sheets.imu.rate, errors.imu.stamps,
+        ImuModel(ImuOf(sheets.imu, truth, errors.imu), MakeRandom("imu"), MakeRandom("imu errors")),
+        [sensor = FaultySensor<ImuSample>("imu")](const ImuSample& sample,
+                                                  const FaultSchedule& faults) mutable {
+          return sensor.Pass(sample, faults);
+        });
+  }
+  if (sheets.fog.is_present) {
+    Add(topics::kFogYawRate, sheets.fog.rate, errors.fog.stamps,
+        FogModel(FogOf(sheets.fog, truth), MakeRandom("fog"), errors.fog.gyro),
+        [sensor = FaultySensor<double>("fog")](double rate, const FaultSchedule& faults) mutable {
+          return sensor.Pass(rate, faults);
+        });
+  }
 }
 
 void SimSensorsApp::OnTruth(const Stamped<SimTruth>& truth) {
@@ -95,6 +124,7 @@ void SimSensorsApp::OnTruth(const Stamped<SimTruth>& truth) {
   if (context().runs_live && now() - truth.time > longest_delay_) {
     return;
   }
+  faults_.Update(truth.time);
   for (const auto& sensor : sensors_)
     sensor(truth);
 }

@@ -3,16 +3,19 @@
 
 #include <deque>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "limpet/app/app.hpp"
 #include "limpet/core/params.hpp"
+#include "limpet/mission/fault_schedule.hpp"
 #include "limpet/mission/scenario.hpp"
 #include "limpet/sensors/sample_clock.hpp"
 #include "limpet/simulation/stamp_error.hpp"
 #include "limpet/topics/simulation.hpp"
+#include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
 
@@ -35,18 +38,20 @@ class SimSensorsApp final : public App {
   void Report(ReportLines& report) const override;
 
  private:
-  template <class T, class Model>
-  void Add(const Topic<T>& topic, Hertz rate, const StampErrorParams& stamps, Model model) {
+  /// `fault` makes of a sample what comes of it, or nothing.
+  template <class T, class Model, class Fault>
+  void Add(const Topic<T>& topic, Hertz rate, const StampErrorParams& stamps, Model model,
+           Fault fault) {
     const std::size_t index = counts_.size();
     counts_.push_back({.variable = topic.name, .rate = rate});
     sensors_.push_back([this, &topic, index, clock = SampleClock(rate),
                         stamp = StampError(stamps, MakeRandom("stamps " + counts_[index].variable)),
-                        held = std::deque<std::pair<Seconds, T>>(),
-                        model = std::move(model)](const Stamped<SimTruth>& truth) mutable {
+                        held = std::deque<std::pair<Seconds, T>>(), model = std::move(model),
+                        fault = std::move(fault)](const Stamped<SimTruth>& truth) mutable {
       if (clock.IsDue(truth.time)) {
-        if (const auto sample = model.Sample(truth.value, truth.time)) {
-          held.emplace_back(stamp.StampOf(truth.time), *sample);
-        }
+        std::optional<T> sample = model.Sample(truth.value, truth.time);
+        if (sample) sample = fault(*sample, faults_);
+        if (sample) held.emplace_back(stamp.StampOf(truth.time), *sample);
       }
       // A driver stamps what it hands on: nothing comes before its stamp.
       while (!held.empty() && held.front().first <= truth.time) {
@@ -57,12 +62,14 @@ class SimSensorsApp final : public App {
     });
   }
   void OnTruth(const Stamped<SimTruth>& truth);
+  void AddAttitudeSensors(const Scenario& scenario, const SensorSheets& sheets);
 
   struct Count {
     std::string variable;
     Hertz rate;
     int samples = 0;
   };
+  FaultSchedule faults_;
   Seconds longest_delay_;      ///< of the truth, in a community (MOOS time)
   std::vector<Count> counts_;  ///< for the report, by sensor
   std::vector<std::function<void(const Stamped<SimTruth>&)>> sensors_;

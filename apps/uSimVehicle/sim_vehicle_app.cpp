@@ -10,6 +10,7 @@
 #include "apps/uSimVehicle/sim_vehicle_warnings.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/mission/seabed.hpp"
+#include "limpet/topics/safety.hpp"
 #include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
@@ -84,7 +85,13 @@ SimVehicleApp::SimVehicleApp(const AppContext& context, const Params& params,
                {scenario.water.current_north_mps, scenario.water.current_east_mps},
                MakeRandom("current")),
       simulation_(MakeSimulation(vehicle_, scenario, params.integrator, StartOf(scenario))),
-      has_place_(!context.is_restarted) {
+      has_place_(!context.is_restarted),
+      faults_(scenario.faults) {
+  for (const std::string& variable : faults_.Variables()) {
+    SubscribeRaw(variable, [this](const MessagePtr& message) {
+      faults_.Hear(message->name, message->value);
+    });
+  }
   Subscribe(topics::kThrusterCommand, &SimVehicleApp::OnCommand);
   if (context.is_restarted) {
     Subscribe(topics::kSimTruth, &SimVehicleApp::OnFormerTruth);
@@ -124,6 +131,7 @@ void SimVehicleApp::Tick(Seconds now) {
   if (AwaitsFormerTruth(now)) {
     return;
   }
+  faults_.Update(now);
   const Seconds since = last_tick_.value_or(now);
   last_tick_ = now;
   const double most = context().runs_live ? kMostSteps : 1.0;  // embedded, no tick is late
@@ -172,6 +180,16 @@ void SimVehicleApp::TellThrust(Seconds now) {
   thrust_told_ = now;
   thrust_.refused = watchdog_.refused();
   Publish(topics::kSimThrust, thrust_);
+  TellFaults();
+}
+
+void SimVehicleApp::TellFaults() {
+  if (faults_.Has("leak")) Publish(topics::kLeak, faults_.Active("leak") != nullptr);
+  if (faults_.Has("battery")) {
+    const ScenarioFault* low = faults_.Active("battery");
+    Publish(topics::kBattery,
+            BatteryState{.charge = low != nullptr ? low->size : 1.0, .volts = {}, .amperes = {}});
+  }
 }
 
 void SimVehicleApp::Move(Seconds duration, Seconds end) {
@@ -183,7 +201,8 @@ void SimVehicleApp::Move(Seconds duration, Seconds end) {
   const Eigen::Vector2d current = current_.At(end, simulation_.state()(state_index::kPosition + 2));
   simulation_.SetCurrent({current.x(), current.y(), 0.0});
   const double most = scenario_.errors.thrusters.saturates_at;
-  const ThrusterVector given = thrust.cwiseMax(-most).cwiseMin(most);
+  ThrusterVector given = thrust.cwiseMax(-most).cwiseMin(most);
+  if (const ScenarioFault* weak = faults_.Active("thrusters_weak")) given *= weak->size;
   for (const TimedEvent& event : simulation_.Advance(given, duration)) {
     ReportEvent(events::kSimulatedEvent, EventName(event.event));
     Publish(topics::kSimEvent, std::string(EventName(event.event)));

@@ -6,6 +6,7 @@
 
 #include "limpet/app/app.hpp"
 #include "limpet/core/params.hpp"
+#include "limpet/mission/fault_schedule.hpp"
 #include "limpet/mission/scenario.hpp"
 #include "limpet/simulation/tidal_current.hpp"
 #include "limpet/topics/mission.hpp"
@@ -48,6 +49,8 @@ class SimVehicleApp final : public App {
   [[nodiscard]] ThrusterVector ThrustAt(Seconds time);
   void NoteZero(bool is_zero, Seconds time);
   void TellThrust(Seconds now);
+  /// LEAK and BATTERY, where the scenario has faults of them.
+  void TellFaults();
 
   VehicleParams vehicle_;
   Scenario scenario_;
@@ -57,6 +60,7 @@ class SimVehicleApp final : public App {
   bool has_place_ = true;  ///< false after a restart, until the place of the former life is known
   std::optional<Seconds> waits_since_;
   ThrusterWatchdog watchdog_;
+  FaultSchedule faults_;
   SimThrust thrust_;
   bool is_zero_ = true, is_stale_ = false;
   std::optional<Seconds> thrust_told_;

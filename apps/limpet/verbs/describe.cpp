@@ -9,6 +9,7 @@
 #include "apps/limpet/cli.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/describe/parameter_list.hpp"
+#include "limpet/describe/safety_list.hpp"
 #include "limpet/describe/scenario_list.hpp"
 #include "limpet/describe/variable_list.hpp"
 #include "limpet/describe/vehicle_list.hpp"
@@ -20,7 +21,9 @@ namespace {
 
 Command DescribeForm() {
   return {.name = "limpet describe",
-          .words = "[parameters | variables [mission] | warnings | vehicle | scenario | NAME ...]",
+          .words =
+              "[parameters | variables [mission] | warnings | vehicle | scenario | faults | safety "
+              "| NAME ...]",
           .about = R"(What the code itself says of its apps, behaviors and detectors:
 
   (nothing)                   their names, and those of variables and warnings
@@ -29,11 +32,13 @@ Command DescribeForm() {
   warnings                    every warning and event of apps and behaviors
   vehicle                     every key of a vehicle's file
   scenario                    what a scenario can add to the data sheets
+  faults                      what a scenario can let fail
+  safety                      the rules of pSafety
   NAME ...                    any of these, by name)",
           .options = {{.names = "--json", .meaning = "as JSON"},
                       {.names = "--markdown",
                        .meaning = "as the pages of docs/ (parameters, variables, warnings, "
-                                  "vehicle-file, scenario-file)"}}};
+                                  "vehicle-file, scenario-file, safety)"}}};
 }
 
 enum class Form { kText, kJson, kMarkdown };
@@ -87,10 +92,16 @@ std::string ShowScenarioKeys(Form form) {
   return form == Form::kText ? ScenarioKeysText() : ScenarioKeysMarkdown();
 }
 
+std::string ShowSafetyRules(Form form) {
+  if (form == Form::kJson) throw UsageError("safety has no --json; SAFETY_STATE is JSON");
+  return form == Form::kText ? SafetyRulesText(SafetySettings()) : SafetyRulesMarkdown();
+}
+
 std::string ShowNames(Form form) {
   if (form != Form::kText) {
     throw UsageError(
-        "say what to describe: parameters, variables, warnings, vehicle, scenario, or names");
+        "say what to describe: parameters, variables, warnings, vehicle, scenario, faults, safety, "
+        "or names");
   }
   std::string text = "apps, behaviors, detectors:\n";
   for (const ParameterOwner& owner : AllParameterOwners()) {
@@ -146,7 +157,8 @@ struct Described {
 };
 
 [[noreturn]] void RefuseName(const std::string& name) {
-  std::vector<std::string> known{"parameters", "variables", "warnings", "vehicle", "scenario"};
+  std::vector<std::string> known{"parameters", "variables", "warnings", "vehicle",
+                                 "scenario",   "faults",    "safety"};
   std::ranges::transform(AllParameterOwners(), std::back_inserter(known), &ParameterOwner::name);
   for (const auto& [variable, facts] : VariableCatalog())
     known.push_back(variable);
@@ -192,6 +204,15 @@ int DescribeNamed(const Arguments& given) {
   } else if (words[0] == "scenario") {
     if (words.size() > 1) throw UsageError("describe scenario takes nothing else");
     fmt::print("{}", ShowScenarioKeys(form));
+  } else if (words[0] == "faults") {
+    if (words.size() > 1 || form != Form::kText) {
+      throw UsageError(
+          "describe faults takes nothing else; --markdown: they are in scenario's page");
+    }
+    fmt::print("{}", FaultsText());
+  } else if (words[0] == "safety") {
+    if (words.size() > 1) throw UsageError("describe safety takes nothing else");
+    fmt::print("{}", ShowSafetyRules(form));
   } else {
     fmt::print("{}", ShowNamed(words, form));
   }

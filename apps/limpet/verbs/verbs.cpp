@@ -14,6 +14,7 @@
 #include "apps/limpet/verbs/new.hpp"
 #include "apps/limpet/verbs/plug.hpp"
 #include "apps/limpet/verbs/report.hpp"
+#include "apps/limpet/verbs/safety.hpp"
 #include "apps/limpet/verbs/survey.hpp"
 #include "apps/limpet/verbs/tables.hpp"
 #include "apps/limpet/verbs/tune.hpp"
@@ -29,6 +30,7 @@ const std::vector<Verb>& Verbs() {
       {"nav", "run the estimator alone on a recorded sensor stream", RunNav},
       {"detect", "run the detector alone on images", RunDetect},
       {"check", "report every problem of a mission", RunCheck},
+      {"safety", "the safety rules, with a mission's limits", RunSafety},
       {"describe", "every parameter and every variable, from the code", RunDescribe},
       {"report", "figures and page again from a run's logs", RunReport},
       {"tables", "many seeds: the paper's tables beside ours", RunTables},

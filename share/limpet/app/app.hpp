@@ -142,9 +142,10 @@ class App {
   }
   /// Likewise what it is better off with, and does without where nobody writes it.
   template <class A, class T>
-  void SubscribeIfWritten(const Topic<T>& topic, void (A::*handler)(const Stamped<T>&)) {
+  void SubscribeIfWritten(const Topic<T>& topic, void (A::*handler)(const Stamped<T>&),
+                          Seconds interval = Seconds(0.0)) {
     dispensable_.insert(topic.name);
-    Subscribe(topic, handler);
+    Subscribe(topic, handler, interval);
   }
   /// False for a time that a variable's content names (an exposure) and that lies in the future:
   /// refused, counted and warned of like a message's own stamp.

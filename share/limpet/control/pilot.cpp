@@ -42,10 +42,9 @@ Eigen::Vector2d Pilot::HorizontalForce(const NavState& nav, const DesiredMotion&
 }
 
 Wrench Pilot::WantedWrench(const NavState& nav, const DesiredMotion& desired, double dt) {
-  const Eigen::Vector3d v_W = RotationOf(nav.pose()) * Eigen::Vector3d(nav.u, nav.v, nav.w);
   Wrench wanted = Wrench::Zero();
   wanted.head<2>() = HorizontalForce(nav, desired, dt);
-  wanted(2) = depth_.Update({nav.down, v_W.z(), desired.depth}, dt, is_saturated_);
+  wanted(2) = HeaveForce(nav, desired.depth, dt);
   wanted(5) = heading_.Update({.yaw = nav.yaw,
                                .yaw_rate = nav.yaw_rate,
                                .desired_yaw = desired.yaw,
@@ -56,8 +55,23 @@ Wrench Pilot::WantedWrench(const NavState& nav, const DesiredMotion& desired, do
   return wanted;
 }
 
+double Pilot::HeaveForce(const NavState& nav, double depth, double dt) {
+  const Eigen::Vector3d v_W = RotationOf(nav.pose()) * Eigen::Vector3d(nav.u, nav.v, nav.w);
+  return depth_.Update({nav.down, v_W.z(), depth}, dt, is_saturated_);
+}
+
 ThrusterCommand Pilot::Update(const NavState& nav, const DesiredMotion& desired, double dt) {
-  const ThrustAllocation::Result result = allocation_.Allocate(WantedWrench(nav, desired, dt));
+  return Allocate(WantedWrench(nav, desired, dt));
+}
+
+ThrusterCommand Pilot::Rise(const NavState& nav, double dt) {
+  Wrench wanted = Wrench::Zero();
+  wanted(2) = std::min(0.0, HeaveForce(nav, 0.0, dt));
+  return Allocate(wanted);
+}
+
+ThrusterCommand Pilot::Allocate(const Wrench& wanted) {
+  const ThrustAllocation::Result result = allocation_.Allocate(wanted);
   is_saturated_ = result.is_saturated;
   const ThrusterVector& c = result.command;
   return {.t1 = c(0), .t2 = c(1), .t3 = c(2), .t4 = c(3), .t5 = c(4), .t6 = c(5)};

@@ -39,6 +39,8 @@ class Pilot {
   /// One control step, `dt` [s] after the last.
   [[nodiscard]] ThrusterCommand Update(const NavState& nav, const DesiredMotion& desired,
                                        double dt);
+  /// The same when only the way up is left: heave upwards alone, no thrust ahead, aside or about.
+  [[nodiscard]] ThrusterCommand Rise(const NavState& nav, double dt);
   /// Forgets what integrals and references hold; for after an interruption.
   void Reset(const NavState& nav);
   [[nodiscard]] bool is_saturated() const { return is_saturated_; }
@@ -48,6 +50,9 @@ class Pilot {
   [[nodiscard]] Eigen::Vector2d HorizontalForce(const NavState& nav, const DesiredMotion& desired,
                                                 double dt);
   [[nodiscard]] Wrench WantedWrench(const NavState& nav, const DesiredMotion& desired, double dt);
+  /// Heave force [N], down positive.
+  [[nodiscard]] double HeaveForce(const NavState& nav, double depth, double dt);
+  [[nodiscard]] ThrusterCommand Allocate(const Wrench& wanted);
 
   HeadingController heading_;
   SpeedController speed_;

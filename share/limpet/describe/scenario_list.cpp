@@ -4,7 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "limpet/describe/key_sections.hpp"
+#include "limpet/mission/fault_kinds.hpp"
 #include "limpet/mission/scenario.hpp"
 
 namespace limpet {
@@ -28,6 +31,34 @@ A stamp that is too late comes with its message: nothing arrives before its stam
 The models are one file each in `share/limpet/simulation` and `share/limpet/imaging`, those of the former used by the simulated vehicle and by the streams of `tests/support/simulated_stream` alike. Generated: `limpet describe scenario --markdown > docs/scenario-file.md`.
 )";
 
+constexpr const char* kFaultsHead = R"(
+## faults
+
+What fails on demand, to see what the vehicle makes of it ([safety](safety.md)): a list, each line with `what`, and if wanted `when` (a condition as in `.bhv` files on any variable; the fault's time begins to count when it first holds, else with the session), `at_s` (so long after that; 0), `for_s` (to the end), `size`. A fault is a function of time and mail: the same seed fails alike.
+```yaml
+faults:
+  - {what: dvl_stuck, when: SURVEY_PHASE = SURVEY, at_s: 20, for_s: 60}
+  - {what: app_hangs, app: pHelm, at_s: 400}
+```
+
+| what | meaning | size | made by |
+| --- | --- | --- | --- |
+)";
+
+std::string SizeText(const FaultKind& kind) {
+  if (kind.size_meaning.empty()) return "";
+  return fmt::format("{}: {:g}; {:g} to {:g}", kind.size_meaning, kind.size, kind.least, kind.most);
+}
+
+std::string FaultsMarkdown() {
+  std::string page = kFaultsHead;
+  for (const FaultKind& kind : FaultKinds()) {
+    page += fmt::format("| `{}` | {} | {} | {} |\n", kind.what, kind.meaning, SizeText(kind),
+                        kind.made_by);
+  }
+  return page;
+}
+
 std::vector<KeySection> ScenarioSections() {
   std::vector<KeySection> sections;
   for (ScenarioSection& section : DeclaredScenarioSections()) {
@@ -40,6 +71,19 @@ std::vector<KeySection> ScenarioSections() {
 
 std::string ScenarioKeysText() { return KeysText(ScenarioSections()); }
 std::string ScenarioKeysJson() { return KeysJson(ScenarioSections()); }
-std::string ScenarioKeysMarkdown() { return kScenarioPageHead + KeysMarkdown(ScenarioSections()); }
+std::string ScenarioKeysMarkdown() {
+  return kScenarioPageHead + KeysMarkdown(ScenarioSections()) + FaultsMarkdown();
+}
+
+std::string FaultsText() {
+  std::string text;
+  for (const FaultKind& kind : FaultKinds()) {
+    text += fmt::format("{:<16}{} ({})\n", kind.what, kind.meaning, kind.made_by);
+    if (const std::string size = SizeText(kind); !size.empty()) {
+      text += fmt::format("{:<16}  size: {}\n", "", size);
+    }
+  }
+  return text;
+}
 
 }  // namespace limpet

@@ -74,8 +74,8 @@ Seconds HungAfterOf(const LaunchEntry& entry, std::vector<ConfigProblem>& proble
 
 /// Without these nothing flies, or nothing knows where it is or when to come home.
 bool IsVital(const LaunchEntry& entry, bool is_database, std::vector<ConfigProblem>& problems) {
-  static constexpr std::array kVital{"pHelm",   "pHelmIvP",    "pNav",       "pPilot",
-                                     "pSurvey", "uSimSensors", "uSimVehicle"};
+  static constexpr std::array kVital{"pHelm",   "pHelmIvP", "pNav",        "pPilot",
+                                     "pSafety", "pSurvey",  "uSimSensors", "uSimVehicle"};
   const ConfigEntry* option = OptionOf(entry, "Vital");
   if (option == nullptr) {
     return is_database || std::ranges::find(kVital, entry.binary) != kVital.end();

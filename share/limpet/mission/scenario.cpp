@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include "limpet/mission/fault_reading.hpp"
 #include "limpet/mission/source_text.hpp"
 #include "limpet/mission/yaml_reader.hpp"
 
@@ -204,19 +205,21 @@ void CheckShapes(YamlReader& in, const YAML::Node& opis, const Scenario& scenari
 Scenario ReadScenario(YamlReader& in, const YAML::Node& root, bool checks_places) {
   Scenario scenario;
   YAML::Node opis;
-  in.ReadMap(root, "",
-             {{"seabed", [&](const YAML::Node& n) { ReadSeabed(in, n, scenario.seabed); }},
-              {"water", [&](const YAML::Node& n) { ReadWater(in, n, scenario.water); }},
-              {"start", [&](const YAML::Node& n) { ReadStart(in, n, scenario.start); }},
-              {"opis",
-               [&](const YAML::Node& n) {
-                 opis = n;
-                 ReadOpis(in, n, scenario.opis);
-               }},
-              in.Choice("", "camera", scenario.camera, {"rendered", "boxes"}),
-              {"sensors", [&](const YAML::Node& n) { ReadSensors(in, n, scenario.sensors); }},
-              {"errors", [&](const YAML::Node& n) { ReadErrors(in, n, scenario.errors); }},
-              {"image", [&](const YAML::Node& n) { ReadImageLook(in, n, scenario.image); }}});
+  in.ReadMap(
+      root, "",
+      {{"seabed", [&](const YAML::Node& n) { ReadSeabed(in, n, scenario.seabed); }},
+       {"water", [&](const YAML::Node& n) { ReadWater(in, n, scenario.water); }},
+       {"start", [&](const YAML::Node& n) { ReadStart(in, n, scenario.start); }},
+       {"opis",
+        [&](const YAML::Node& n) {
+          opis = n;
+          ReadOpis(in, n, scenario.opis);
+        }},
+       in.Choice("", "camera", scenario.camera, {"rendered", "boxes"}),
+       {"sensors", [&](const YAML::Node& n) { ReadSensors(in, n, scenario.sensors); }},
+       {"errors", [&](const YAML::Node& n) { ReadErrors(in, n, scenario.errors); }},
+       {"image", [&](const YAML::Node& n) { ReadImageLook(in, n, scenario.image); }},
+       {"faults", [&](const YAML::Node& n) { internal::ReadFaults(in, n, scenario.faults); }}});
   CheckShapes(in, opis, scenario);
   if (checks_places && in.problems().empty()) {
     CheckPlaces(in, opis, scenario);

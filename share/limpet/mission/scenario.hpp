@@ -12,6 +12,7 @@
 
 #include "limpet/core/config.hpp"
 #include "limpet/core/params.hpp"
+#include "limpet/mission/fault_kinds.hpp"
 #include "limpet/simulation/image_params.hpp"
 #include "limpet/simulation/object_motion.hpp"
 #include "limpet/simulation/object_shape.hpp"
@@ -62,6 +63,7 @@ struct Scenario {
   } sensors;
   SimulatedErrors errors{};
   ImageParams image{};
+  std::vector<ScenarioFault> faults{};
 };
 
 /// A section of scenario.yaml whose keys declare themselves, e.g. `errors.camera`.

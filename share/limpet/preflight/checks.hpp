@@ -34,6 +34,9 @@ void CheckShape(const MissionReading& reading, const SurveyFacts& survey, Missio
 void CheckObjects(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found);
 void CheckEndurance(const MissionReading& reading, const SurveyFacts& survey,
                     MissionProblems& found);
+/// `deepest`: where the survey is flown [m].
+void CheckDepthLimit(const MissionReading& reading, double deepest, MissionProblems& found);
+void CheckSafety(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found);
 void CheckMotion(const MissionReading& reading, MissionProblems& found);
 
 /// The known word that a slip of the pen (one letter in four, or two that changed places) would

@@ -77,6 +77,7 @@ void CheckDeep(const MissionReading& reading, const SurveyFacts& survey, const S
         "domain to {:.0f} m or more",
         line.text, seabeds.deepest, survey.altitude.Named(), deepest, std::ceil(deepest))));
   }
+  CheckDepthLimit(reading, deepest, found);
   if (!reading.vehicle()) return;
   const double reach = reading.vehicle()->sensors.dvl.greatest_altitude.value();
   if (seabeds.at_start > reach) {

@@ -110,6 +110,7 @@ void CheckGeometryOf(const MissionReading& reading, MissionProblems& found) {
     internal::CheckDepths(reading, *survey, found);
     internal::CheckObjects(reading, *survey, found);
     internal::CheckEndurance(reading, *survey, found);
+    internal::CheckSafety(reading, *survey, found);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
+#include "limpet/topics/safety.hpp"
 #include "limpet/topics/sensors.hpp"
 
 namespace nlohmann {
@@ -234,6 +235,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionOpinion, behavior, variables, weight, v
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmMotion, course_deg, speed_mps, depth_m, opinions)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RevisitInterest, id, state, worth, fruitless)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmRevisits, objects)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SafetyRuleState, rule, margin, stands)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SafetyState, action, rule, since, rules)
 
 constexpr const char* kByRate = "rate";
 constexpr const char* kByTotal = "total";
@@ -288,5 +291,6 @@ template struct JsonCodec<HelmPath>;
 template struct JsonCodec<HelmBids>;
 template struct JsonCodec<HelmMotion>;
 template struct JsonCodec<HelmRevisits>;
+template struct JsonCodec<SafetyState>;
 
 }  // namespace limpet

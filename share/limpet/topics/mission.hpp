@@ -151,9 +151,9 @@ inline const auto kSurveyPhase =
 inline const auto kDeploy =
     Declare<bool>("DEPLOY", "start the mission",
                   {.rate = "on event", .writers = {"operator", "pHelm"}, .is_command = true});
-inline const auto kReturn =
-    Declare<bool>("RETURN", "end the survey and go home",
-                  {.rate = "on event", .writers = {"operator", "pHelm"}, .is_command = true});
+inline const auto kReturn = Declare<bool>(
+    "RETURN", "end the survey and go home",
+    {.rate = "on event", .writers = {"operator", "pHelm", "pSafety"}, .is_command = true});
 inline const auto kManualOverride = Declare<bool>(
     "MOOS_MANUAL_OVERRIDE", "true parks the helm",
     {.rate = "on event", .writers = {"operator", "pHelm", "pLaunch"}, .is_command = true});

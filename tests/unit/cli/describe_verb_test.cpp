@@ -224,6 +224,12 @@ TEST(Documentation, ListsWhatAScenarioCanSayBeyondTheDataSheets) {
          "  ./limpet describe scenario --markdown > docs/scenario-file.md";
 }
 
+TEST(Documentation, ListsTheRulesOfPSafety) {
+  EXPECT_TRUE(TextOf(kSource / "docs/safety.md") == Describe({"safety", "--markdown"}).text)
+      << "docs/safety.md is behind the code; in the repository root run\n"
+         "  ./limpet describe safety --markdown > docs/safety.md";
+}
+
 TEST(DescribeVerb, TellsTheKeysOfAVehiclesFileInEveryForm) {
   EXPECT_THAT(Describe({"vehicle"}).text, testing::HasSubstr("mass_kg = 35"));
   EXPECT_THAT(Describe({"vehicle", "--json"}).text, testing::HasSubstr("\"max_thrust_n\""));

@@ -270,7 +270,7 @@ TEST(MissionFile, OfAVehicleWithItsOwnDriversLaunchesWhatSurveysAlone) {
     EXPECT_EQ(launch.binary.front(), 'p') << launch.binary;
     EXPECT_NE(launch.binary, "pLog");
   }
-  EXPECT_EQ(mission.launches.size(), 7U);
+  EXPECT_EQ(mission.launches.size(), 8U);
 }
 
 }  // namespace

@@ -108,6 +108,19 @@ TEST_F(HelmAppTest, SaysItsStateEachIterationAndItsAllStopOnChange) {
   EXPECT_EQ(Posts("IVPHELM_ALLSTOP").back(), "ManualOverride");
 }
 
+TEST_F(HelmAppTest, SteersNoMoreWhileSafetyHoldsTheVehicleOrBringsItUp) {
+  Tick();
+  Deploy();
+  for (const char* action : {"hold", "surface", "abort"}) {
+    link_.Send(*app_, topics::kSafetyAction, std::string(action));
+    Tick();
+    EXPECT_EQ(Posts("IVPHELM_ALLSTOP").back(), std::string("Safety:") + action);
+    link_.Send(*app_, topics::kSafetyAction, std::string("return"));
+    Tick();
+    EXPECT_EQ(Posts("IVPHELM_ALLSTOP").back(), "clear");
+  }
+}
+
 TEST_F(HelmAppTest, ABehaviorIsIdleThenActive) {
   link_.Send(*app_, topics::kNavState, NavState{});
   Tick();

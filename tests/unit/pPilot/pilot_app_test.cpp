@@ -72,6 +72,90 @@ class PilotAppTest : public testing::Test {
   PilotApp app_{ContextFor(link_), {}};
 };
 
+TEST_F(PilotAppTest, GoesOnlyUpwardsWhenSafetyAsksForTheSurfaceWhateverTheHelmWants) {
+  for (const char* action : {"surface", "abort"}) {
+    link_.Send(app_, topics::kSafetyAction, std::string(action));
+    for (int i = 0; i < 30; ++i) {
+      SendNav();
+      SendWishes();
+      Tick();
+    }
+    const ThrusterCommand c = *link_.Last(topics::kThrusterCommand);
+    EXPECT_LT(c.t5 + c.t6, -0.01) << action;
+    EXPECT_NEAR(Surge(), 0.0, 1e-9) << action;
+  }
+}
+
+TEST_F(PilotAppTest, GoesUpWithoutAHelmAndRestsWithoutNavigation) {
+  link_.Send(app_, topics::kSafetyAction, std::string("surface"));
+  for (int i = 0; i < 10; ++i) {
+    SendNav();
+    Tick();
+  }
+  EXPECT_FALSE(IsAtRest());
+  Tick(12);
+  EXPECT_TRUE(IsAtRest());
+}
+
+TEST_F(PilotAppTest, IsAtRestOnceItIsUp) {
+  link_.Send(app_, topics::kSafetyAction, std::string("abort"));
+  link_.Send(app_, topics::kNavState, NavState{});
+  Tick();
+  EXPECT_TRUE(IsAtRest());
+}
+
+TEST_F(PilotAppTest, HoldsItsDepthWithoutWayOnUntilSafetyLetsGo) {
+  SendNav();
+  SendWishes();
+  Tick(3);
+  ASSERT_GT(Surge(), 0.1);
+  link_.Send(app_, topics::kSafetyAction, std::string("hold"));
+  for (int i = 0; i < 20; ++i) {
+    SendNav();  // and no word of the helm
+    Tick();
+  }
+  EXPECT_NEAR(Surge(), 0.0, 0.05);
+  const ThrusterCommand c = *link_.Last(topics::kThrusterCommand);
+  EXPECT_GT(c.t5 + c.t6, 0.0);  // against its buoyancy
+  EXPECT_FALSE(HasWarning("DESIRED_STALE"));
+  link_.Send(app_, topics::kSafetyAction, std::string("none"));
+  SendWishes();
+  Tick(5);
+  EXPECT_GT(Surge(), 0.1);
+}
+
+TEST_F(PilotAppTest, GoesSlowlyWhenSafetyAsksForIt) {
+  link_.Send(app_, topics::kSafetyAction, std::string("degrade"));
+  NavState nav;
+  nav.down = 3.0;
+  nav.u = 0.4;  // wanted are 0.5 m/s
+  for (int i = 0; i < 10; ++i) {
+    link_.Send(app_, topics::kNavState, nav);
+    SendWishes();
+    Tick();
+  }
+  EXPECT_LT(Surge(), 0.0);
+  link_.Send(app_, topics::kSafetyAction, std::string("warn"));
+  for (int i = 0; i < 30; ++i) {
+    link_.Send(app_, topics::kNavState, nav);
+    SendWishes();
+    Tick();
+  }
+  EXPECT_GT(Surge(), 0.0);
+}
+
+TEST_F(PilotAppTest, RefusesASafetyActionThatIsNone) {
+  link_.Send(app_, topics::kSafetyAction, std::string("abort"));
+  link_.Send(app_, topics::kSafetyAction, std::string("relax"));
+  SendNav();
+  SendWishes();
+  Tick(20);
+  EXPECT_NEAR(Surge(), 0.0, 1e-9);
+  EXPECT_TRUE(HasWarning("REFUSED_SAFETY_ACTION"));
+  link_.Send(app_, topics::kSafetyAction, std::string("none"));
+  EXPECT_FALSE(HasWarning("REFUSED_SAFETY_ACTION"));
+}
+
 TEST_F(PilotAppTest, SaysZeroAtEveryTickBeforeTheHelmHasWishes) {
   SendNav();
   Tick(20);

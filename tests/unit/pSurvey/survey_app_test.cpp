@@ -179,6 +179,34 @@ TEST_F(SurveyAppTest, ObeysReturnAndSaysAborted) {
   EXPECT_EQ(link_.Last(topics::kMissionEnd), "aborted");
 }
 
+TEST_F(SurveyAppTest, EndsTheMissionAtTheSurfaceWhenSafetyAsksForThat) {
+  ReachSurvey();
+  link_.Send(app_, topics::kSafetyAction, std::string("warn"));
+  link_.Send(app_, topics::kSafetyAction, std::string("hold"));
+  Tick(1.0);
+  EXPECT_EQ(Phase(), "SURVEY");
+  link_.Send(app_, topics::kSafetyAction, std::string("surface"));
+  EXPECT_EQ(Phase(), "ASCEND");
+  EXPECT_EQ(link_.Last(topics::kSessionSave), "safety: surface");
+  link_.Send(app_, topics::kSafetyAction, std::string("abort"));
+  Nav(-12.0, -15.0, 0.1, 7.5);
+  Tick(1.0);
+  EXPECT_EQ(Phase(), "FIX");
+  Tick(SurveyApp::Params{}.last_fix.value() + 1.0);
+  EXPECT_EQ(link_.Last(topics::kMissionEnd), "aborted");
+}
+
+TEST_F(SurveyAppTest, EndsTheMissionWhereItIsWhenSafetyAsksForTheSurfaceThere) {
+  link_.Send(app_, topics::kSafetyAction, std::string("abort"));  // not deployed yet
+  Nav(0.0, 0.0, 0.0, 7.5);
+  link_.Send(app_, topics::kDeploy, true);
+  Tick(1.0);
+  EXPECT_EQ(Phase(), "ALIGN");
+  link_.Send(app_, topics::kSafetyAction, std::string("abort"));
+  EXPECT_EQ(Phase(), "DONE");
+  EXPECT_EQ(link_.Last(topics::kMissionEnd), "aborted");
+}
+
 TEST_F(SurveyAppTest, IsDoneWhenTheLauncherEndsTheMission) {
   ReachSurvey();
   link_.Send(app_, topics::kMissionEnd, std::string("aborted"));

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "apps/limpet/verbs/safety.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <iterator>
+#include <vector>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "apps/limpet/cli.hpp"
+#include "limpet/core/app_keys.hpp"
+#include "limpet/describe/safety_list.hpp"
+#include "limpet/mission/mission_file.hpp"
+#include "limpet/safety/safety_params.hpp"
+#include "limpet/safety_trials/safety_trial.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+
+Command SafetyForm() {
+  return {
+      .name = "limpet safety",
+      .words = "list [mission] | test <mission>",
+      .about = R"(The safety rules of pSafety (what each one watches: docs/safety.md).
+
+  list [mission]  limits, waiting times, what each rule asks for in each phase
+                  and when it lets go; with a mission: with its limits
+  test <mission>  flies the mission, shortened and with boxes for a camera,
+                  once for each fault and phase that it may begin in, and
+                  prints what its rule asked for, after how long)",
+      .options = {{.names = "--seed",
+                   .value = "N",
+                   .meaning = "of the flights",
+                   .fallback = "1",
+                   .rule = WholeNumber(0)},
+                  {.names = "--only", .value = "WORD", .meaning = "faults with it in their name"}},
+      .more =
+          "A mission is its folder, or a .moos file. Exit code 1 if `test` finds an answer "
+          "that is not the table's, comes late, or leaves the vehicle below.",
+      .takes = "`list` and perhaps a mission, or `test` and a mission",
+      .least_words = 1,
+      .most_words = 2};
+}
+
+fs::path MissionFileOf(const std::string& path) {
+  if (!fs::exists(path)) {
+    throw UsageError(fmt::format("{}: there is no such file or folder", path));
+  }
+  return fs::is_directory(path) ? fs::path(path) / "mission.moos" : fs::path(path);
+}
+
+SafetySettings SettingsOf(const std::string& path) {
+  const MissionFile mission = LoadMission(MissionFileOf(path));
+  const ConfigBlock* block = mission.Block("pSafety");
+  if (block == nullptr) {
+    throw UsageError(fmt::format("{}: the mission has no block of pSafety", path));
+  }
+  return ReadParams<SafetyParams>(*block, CommonAppKeys()).Applied("pSafety");
+}
+
+int ListRules(std::span<const std::string> missions) {
+  fmt::print("{}",
+             SafetyRulesText(missions.empty() ? SafetySettings() : SettingsOf(missions.front())));
+  return kOk;
+}
+
+std::string TextOf(const SafetyTrialResult& result) {
+  const std::string answer =
+      result.action == SafetyAction::kNone
+          ? "-"
+          : fmt::format("{} {:.1f} s", NameOf(result.action), result.after_s);
+  return result.complaint.empty() ? answer : "! " + answer;
+}
+
+/// Flies one fault in every phase; what was wrong, line by line.
+std::vector<std::string> FlyRow(const MissionFile& mission, const TrialPlaces& places,
+                                const SafetyCase& tested, std::uint64_t seed) {
+  std::vector<std::string> complaints;
+  fmt::print("{:<18}{:<24}", tested.name, SafetyRuleOf(tested.rule).name);
+  for (const SafetyPhase phase : kTriedPhases) {
+    if (!tested.ShowsFrom(phase)) {
+      fmt::print("{:<15}", "");
+      continue;
+    }
+    const SafetyTrialResult result = FlySafetyTrial(mission, places, tested, phase, seed);
+    fmt::print("{:<15}", TextOf(result));
+    std::fflush(stdout);
+    if (!result.complaint.empty()) {
+      complaints.push_back(
+          fmt::format("{} in {}: {}", tested.name, NameOf(phase), result.complaint));
+    }
+  }
+  fmt::print("\n");
+  return complaints;
+}
+
+int TestRules(const Arguments& given, const std::string& path) {
+  const fs::path file = MissionFileOf(path);
+  const MissionFile mission = ShortenedForTrials(LoadMission(file));
+  const fs::path scratch = fs::temp_directory_path() / fmt::format("limpet_safety_{}", ::getpid());
+  const TrialPlaces places{.mission_folder = file.has_parent_path() ? file.parent_path() : ".",
+                           .scratch = scratch};
+  const std::string only = given.Find("only").value_or("");
+  fmt::print("{:<18}{:<24}", "fault", "rule");
+  for (const SafetyPhase phase : kTriedPhases) {
+    fmt::print("{:<15}", NameOf(phase));
+  }
+  fmt::print("\n");
+  std::vector<std::string> complaints;
+  for (const SafetyCase& tested : SafetyCases()) {
+    if (tested.name.find(only) == std::string_view::npos) continue;
+    std::ranges::move(
+        FlyRow(mission, places, tested, static_cast<std::uint64_t>(given.Integer("seed"))),
+        std::back_inserter(complaints));
+  }
+  fs::remove_all(scratch);
+  for (const std::string& complaint : complaints) {
+    fmt::print("{}\n", complaint);
+  }
+  fmt::print("{}\n", complaints.empty()
+                         ? "every answer is the table's"
+                         : fmt::format("{} answers are not the table's", complaints.size()));
+  return complaints.empty() ? kOk : kFailed;
+}
+
+int DoSafety(const Arguments& given) {
+  const std::span<const std::string> words(given.positionals());
+  if (words[0] == "list") return ListRules(words.subspan(1));
+  if (words[0] != "test" || words.size() != 2) {
+    throw UsageError("limpet safety does `list [mission]` and `test <mission>`");
+  }
+  return TestRules(given, words[1]);
+}
+
+}  // namespace
+
+int RunSafety(std::span<const std::string> args) {
+  return RunCommand(SafetyForm(), args, DoSafety);
+}
+
+}  // namespace limpet

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/mission/fault_kinds.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace limpet {
+namespace {
+
+// clang-format off
+constexpr std::array<FaultKind, 20> kFaultKinds{{
+    {"dvl_silent", "The DVL says nothing", "uSimSensors"},
+    {"dvl_stuck", "The DVL repeats its last sample", "uSimSensors"},
+    {"dvl_flipped", "The DVL's velocity has the opposite sign ahead and aside", "uSimSensors"},
+    {"dvl_biased", "The DVL's velocity ahead is off", "uSimSensors", "so much too fast [m/s]", 0.3, -10.0, 10.0},
+    {"dvl_no_lock", "The DVL answers without bottom lock", "uSimSensors"},
+    {"altitude_stuck", "The DVL's altitude stays what it was", "uSimSensors"},
+    {"altitude_biased", "The DVL's altitude is off", "uSimSensors", "so much too high [m]", 3.0, -100.0, 100.0},
+    {"depth_silent", "The depth sensor says nothing", "uSimSensors"},
+    {"depth_stuck", "The depth sensor repeats its last value", "uSimSensors"},
+    {"depth_biased", "The depth sensor is off", "uSimSensors", "so much too deep [m]", 2.0, -1000.0, 1000.0},
+    {"imu_silent", "The IMU says nothing", "uSimSensors"},
+    {"imu_stuck", "The IMU repeats its last sample", "uSimSensors"},
+    {"fog_silent", "The fibre-optic gyro says nothing", "uSimSensors"},
+    {"gps_silent", "The GPS receiver says nothing", "uSimSensors"},
+    {"gps_jump", "GPS fixes lie elsewhere", "uSimSensors", "so far north [m]", 50.0, -10000.0, 10000.0},
+    {"camera_silent", "The camera makes no frames", "uSimCamera"},
+    {"thrusters_weak", "Every thruster makes a share of its thrust", "uSimVehicle", "that share", 0.1, 0.0, 1.0},
+    {"leak", "LEAK is true; it is false else", "uSimVehicle"},
+    {"battery", "BATTERY says this charge; it is full else", "uSimVehicle", "share of a full one", 0.2, 0.0, 1.0},
+    {"app_hangs", "An app does nothing: no tick, no mail; embedded alone", "session"},
+}};
+// clang-format on
+
+}  // namespace
+
+std::span<const FaultKind> FaultKinds() { return kFaultKinds; }
+
+const FaultKind* FindFaultKind(std::string_view what) {
+  const auto* const found = std::ranges::find(kFaultKinds, what, &FaultKind::what);
+  return found == kFaultKinds.end() ? nullptr : found;
+}
+
+}  // namespace limpet

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What may fail on demand: `faults:` of scenario.yaml, read and listed by this table.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "limpet/core/units.hpp"
+
+namespace limpet {
+
+/// One kind of fault.
+struct FaultKind {
+  std::string_view what;
+  std::string_view meaning;
+  std::string_view made_by;  ///< app; `session`: who hosts an embedded session
+  /// What `size` says and its unit; empty: the fault has none.
+  std::string_view size_meaning{};
+  double size = 0.0, least = 0.0, most = 0.0;  ///< default and bounds of it
+};
+
+[[nodiscard]] std::span<const FaultKind> FaultKinds();
+/// Null if there is none of that name.
+[[nodiscard]] const FaultKind* FindFaultKind(std::string_view what);
+
+/// One line of `faults:`.
+struct ScenarioFault {
+  std::string what;
+  std::string when;              ///< condition that it waits for; empty: the start of the session
+  Seconds at;                    ///< from then
+  std::optional<Seconds> lasts;  ///< absent: to the end
+  double size = 0.0;
+  std::string app;  ///< of app_hangs: which one
+};
+
+}  // namespace limpet

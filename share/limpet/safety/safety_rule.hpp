@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// The table of what endangers the vehicle: each rule is declared once, in safety_rules.cpp. The
+// parameters of pSafety's block, `limpet safety list` and docs/safety.md come from it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "limpet/core/units.hpp"
+#include "limpet/topics/safety.hpp"
+
+namespace limpet {
+
+/// Parts of a mission that ask for different answers.
+enum class SafetyPhase { kIdle, kAlign, kDive, kSurvey, kReturn, kAscend };
+inline constexpr std::size_t kSafetyPhases = 6;
+
+/// `idle`, `align`, ...
+[[nodiscard]] std::string_view NameOf(SafetyPhase phase);
+/// Of a value of SURVEY_PHASE: FIX counts as ascent, IDLE, DONE and other words as idle.
+[[nodiscard]] SafetyPhase SafetyPhaseOf(std::string_view survey_phase);
+
+/// In the order of the table.
+enum class SafetyRuleId : std::size_t {
+  kLeak,
+  kBatteryLow,
+  kBatteryCritical,
+  kDepthOverLimit,
+  kAltitudeLow,
+  kOutsideRegion,
+  kFarFromHome,
+  kMissionTime,
+  kNavigationSilent,
+  kSigmaHigh,
+  kSigmaOverLimit,
+  kDvlSilent,
+  kDvlLost,
+  kDvlStuck,
+  kAltitudeStuck,
+  kDepthSilent,
+  kDepthStuck,
+  kImuStuck,
+  kDepthAgainstAltitude,
+  kGpsJump,
+  kNoProgress,
+  kThrustersSaturated,
+  kHelmSilent,
+  kHelmIdle,
+  kBehaviorFailed,
+  kPilotSilent,
+  kAppDown,
+  kDetectorSilent,
+  kDetectorLost,
+  kDetectorStorm,
+  kClockStepped,
+  kDiskLow,
+  kDiskFull,
+  kLinkLost
+};
+inline constexpr std::size_t kSafetyRules = 34;
+
+/// One row. What it watches is a number that must not go beyond a limit.
+struct SafetyRule {
+  enum class Side { kAbove, kBelow };
+  struct Limit {
+    std::string_view key;  ///< of the block; empty: nothing to set, it is so or not
+    std::string_view unit;
+    double value = 0.5;
+    double least = 0.0, most = 1.0;  ///< of what a block may say
+  };
+
+  SafetyRuleId id = SafetyRuleId::kLeak;
+  std::string_view name;
+  std::string_view meaning;  ///< "Shallower than ... above the seabed": what the operator reads
+  Side side = Side::kAbove;  ///< of the limit where it trips
+  Limit limit;
+  Seconds hold;             ///< so long beyond the limit before it trips
+  double hysteresis = 0.0;  ///< this far inside the limit it is over
+  /// Then, after so long, a rule that asks for no more than to hold lets go by itself. Absent: as
+  /// return, surface and abort always do, it asks until SAFETY_RESET.
+  std::optional<Seconds> clears_after;
+  std::array<SafetyAction, kSafetyPhases> actions{};
+
+  [[nodiscard]] SafetyAction ActionIn(SafetyPhase phase) const {
+    return actions[static_cast<std::size_t>(phase)];
+  }
+  /// From the limit inwards: below 0 beyond it.
+  [[nodiscard]] double Margin(double measure, double at) const {
+    return side == Side::kAbove ? at - measure : measure - at;
+  }
+};
+
+[[nodiscard]] std::span<const SafetyRule, kSafetyRules> SafetyRules();
+[[nodiscard]] const SafetyRule& SafetyRuleOf(SafetyRuleId id);
+
+}  // namespace limpet

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "limpet/objects/frame.hpp"
+#include "limpet/safety/helm_signs.hpp"
+#include "limpet/safety/safety_ladder.hpp"
+#include "limpet/safety/seabed_watch.hpp"
+#include "limpet/safety/stuck_watch.hpp"
+#include "limpet/topics/mission.hpp"
+#include "limpet/topics/navigation.hpp"
+#include "limpet/topics/safety.hpp"
+#include "limpet/topics/sensors.hpp"
+
+namespace limpet {
+
+/// What is known of the vehicle, from its mail: turns it into what the rules watch. Pure, and
+/// allocates nothing. Times are the listener's own, those of reception.
+class SafetySigns {
+ public:
+  /// `warp`: vehicle time per real time, of a community: how long a process may be silent is
+  /// counted in real time, as pLaunch counts it.
+  explicit SafetySigns(double warp) : warp_(warp) {}
+
+  void HearPhase(std::string_view survey_phase, Seconds now);
+  void Hear(const NavState& nav, Seconds now);
+  void Hear(const DvlSample& dvl, Seconds now);
+  void Hear(const ImuSample& imu, Seconds now);
+  void Hear(const GpsFix& fix, Seconds now);
+  void Hear(const ThrusterCommand& command, Seconds now);
+  void HearDepth(double depth_m, Seconds now);
+  void HearWantedSpeed(double speed_mps, Seconds now) { wanted_speed_ = {now, speed_mps}; }
+  void HearWantedCourse(double degrees) { wanted_course_deg_ = degrees; }
+  void HearDetections(const Detections& frame, Seconds now);
+  void HearHelmState(std::string_view state, Seconds now) { helm_.HearState(state, now); }
+  void HearAllStop(std::string_view why, Seconds now) { helm_.HearAllStop(why, now); }
+  void HearBehaviorError(Seconds now) { behavior_failed_ = now; }
+  /// PLAUNCH_STATUS.
+  void HearProcesses(std::string_view status, Seconds now);
+  /// WALL_CLOCK's count.
+  void HearClockSteps(int steps, Seconds now);
+  void HearLeak(bool leaks) { leaks_ = leaks; }
+  void HearCharge(double share) { charge_ = share; }
+  void HearShore(Seconds now) { shore_heard_ = now; }
+  void HearRoom(double mib) { room_mib_ = mib; }
+  void Hear(const SurveyArea& area) { area_ = area; }
+  void Hear(const HomePoint& home) { home_ = home; }
+
+  /// A mission without a manager is under way, as in a survey, once its helm has steered.
+  [[nodiscard]] SafetyPhase phase() const;
+  [[nodiscard]] SafetyMeasures At(Seconds now);
+
+ private:
+  void MeasurePlace(SafetyMeasures& measures, Seconds now);
+  void MeasureSensors(SafetyMeasures& measures, Seconds now) const;
+  void MeasureProcesses(SafetyMeasures& measures, Seconds now) const;
+  void MeasureVehicle(SafetyMeasures& measures, Seconds now) const;
+  /// Since `heard`, or since the mission got under way; absent while it is not.
+  [[nodiscard]] std::optional<double> Silence(std::optional<Seconds> heard, Seconds now) const;
+  /// Of the DVL, or of what navigation has taken of it.
+  [[nodiscard]] std::optional<double> VelocitySilence(Seconds now) const;
+  [[nodiscard]] std::optional<double> ProgressLack(Seconds now) const;
+  [[nodiscard]] bool IsNavigationFresh(Seconds now) const;
+
+  double warp_;
+  std::optional<SafetyPhase> phase_;  ///< as the mission manager says; absent: there is none yet
+  std::optional<Seconds> under_way_since_, submerged_since_;
+  std::optional<Stamped<NavState>> nav_;
+  std::optional<double> depth_m_;
+  std::optional<Seconds> velocity_heard_, pressure_heard_, detections_heard_, command_heard_,
+      shore_heard_;
+  std::optional<Seconds> behavior_failed_, clock_stepped_, down_since_, saturated_since_;
+  StuckWatch<3> velocity_;
+  StuckWatch<1> altitude_, pressure_;
+  StuckWatch<6> imu_;
+  SeabedWatch seabed_;
+  std::optional<Stamped<GpsFix>> fix_;
+  double jump_m_ = 0.0;
+  std::optional<Stamped<double>> wanted_speed_;
+  std::optional<double> wanted_course_deg_;
+  HelmSigns helm_;
+  double boxes_ = 0.0;  ///< mean of the last frames
+  std::optional<int> clock_steps_;
+  std::optional<bool> leaks_;
+  std::optional<double> charge_, room_mib_;
+  std::optional<SurveyArea> area_;
+  std::optional<HomePoint> home_;
+  bool was_inside_ = false;
+};
+
+}  // namespace limpet

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// One fault in one phase of a mission, flown: whether its rule answers as the table says.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "limpet/mission/mission_file.hpp"
+#include "limpet/safety/safety_rule.hpp"
+
+namespace limpet {
+
+/// A fault, and which rule is to answer it within which time of its beginning.
+struct SafetyCase {
+  std::string_view name;   ///< of the row
+  std::string_view fault;  ///< as a scenario says it, without `when`: `what: dvl_stuck`
+  SafetyRuleId rule = SafetyRuleId::kLeak;
+  Seconds answer;
+  /// False where what begins before the dive cannot be told from what has always been so.
+  bool shows_from_align = true;
+
+  [[nodiscard]] bool ShowsFrom(SafetyPhase phase) const {
+    return shows_from_align || phase != SafetyPhase::kAlign;
+  }
+};
+[[nodiscard]] std::span<const SafetyCase> SafetyCases();
+
+/// Phases that a fault may begin in.
+inline constexpr std::array kTriedPhases{SafetyPhase::kAlign, SafetyPhase::kDive,
+                                         SafetyPhase::kSurvey, SafetyPhase::kReturn,
+                                         SafetyPhase::kAscend};
+
+/// What came of a flight.
+struct SafetyTrialResult {
+  SafetyAction action = SafetyAction::kNone;  ///< that the rule asked for first
+  double after_s = 0.0;                       ///< since the fault began
+  std::string ended;                          ///< home, aborted, ...
+  /// What is wrong; empty: the rule did what the table says, in time, and the vehicle is up.
+  std::string complaint;
+};
+
+/// A mission that is over in a few minutes, with every phase long enough for most rules.
+[[nodiscard]] MissionFile ShortenedForTrials(MissionFile mission);
+
+/// Where a trial is flown: the mission's folder, and one that it may write to and that is its own.
+struct TrialPlaces {
+  std::filesystem::path mission_folder, scratch;
+};
+
+/// `mission` as shortened, with boxes for a camera. Throws ConfigError if it cannot be flown.
+[[nodiscard]] SafetyTrialResult FlySafetyTrial(const MissionFile& mission,
+                                               const TrialPlaces& places, const SafetyCase& tested,
+                                               SafetyPhase phase, std::uint64_t seed);
+
+}  // namespace limpet

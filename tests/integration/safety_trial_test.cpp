@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Faults, flown: what the safety rules do about them, and where that leaves the vehicle. All of
+// them in every phase: `limpet safety test missions/basin`.
+#include "limpet/safety_trials/safety_trial.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.hpp"
+
+namespace limpet {
+namespace {
+
+struct Flight {
+  const char* name;  ///< of the case
+  SafetyPhase phase;
+  SafetyAction action;
+  const char* ended;
+};
+
+class FlownFault : public testing::TestWithParam<Flight> {};
+
+TEST_P(FlownFault, IsAnsweredInTimeAndTheVehicleComesUp) {
+  const std::filesystem::path folder =
+      std::filesystem::path(LIMPET_SOURCE_DIR) / "missions" / "basin";
+  const TemporaryFolder scratch;
+  const auto tested =
+      std::ranges::find(SafetyCases(), std::string_view(GetParam().name), &SafetyCase::name);
+  ASSERT_NE(tested, SafetyCases().end());
+  const SafetyTrialResult result = FlySafetyTrial(
+      ShortenedForTrials(LoadMission(folder / "mission.moos")),
+      {.mission_folder = folder, .scratch = scratch.path()}, *tested, GetParam().phase, 7);
+  EXPECT_EQ(result.complaint, "");
+  EXPECT_EQ(NameOf(result.action), NameOf(GetParam().action));
+  EXPECT_EQ(result.ended, GetParam().ended);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfTheBasin, FlownFault,
+    testing::Values(Flight{"leak", SafetyPhase::kDive, SafetyAction::kAbort, "aborted"},
+                    Flight{"battery low", SafetyPhase::kSurvey, SafetyAction::kReturn, "aborted"},
+                    Flight{"helm hangs", SafetyPhase::kReturn, SafetyAction::kSurface, "aborted"},
+                    Flight{"camera silent", SafetyPhase::kSurvey, SafetyAction::kHold, "timeout"}));
+
+}  // namespace
+}  // namespace limpet

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// `limpet check` where safety rules would end the very mission that they guard, and `limpet
+// safety`.
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "apps/limpet/cli.hpp"
+#include "apps/limpet/verbs/safety.hpp"
+#include "tests/unit/cli/mission_copy.hpp"
+
+namespace limpet {
+namespace {
+
+using testing::HasSubstr;
+
+class CheckSafetyRules : public ::testing::TestWithParam<Slip> {};
+
+TEST_P(CheckSafetyRules, SaysWhatIsWrong) { ExpectSaid(GetParam()); }
+
+/// A line of the mission's own in the block of pSafety.
+std::vector<Edit> Limit(const std::string& line) {
+  return {{PlugOf("pSafety"), "  AppTick = 5\n", "  AppTick = 5\n  " + line + "\n"}};
+}
+
+std::vector<Edit> WithoutDepthRule() {
+  return {{PlugOf("pSafety"), "  AppTick = 5\n",
+           "  AppTick = 5\n  depth_limit_m = 3\n  off = depth_over_limit\n"}};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Limits, CheckSafetyRules,
+    ::testing::Values(
+        Slip{"ADepthLimitAboveTheSurvey",
+             Limit("depth_limit_m = 3"),
+             3,
+             {"plug_pSafety.moos:5: depth_limit_m: `3`: rule depth_over_limit would bring the "
+              "vehicle "
+              "up from its survey, which goes as deep as 3.7 m; allowed: more than that"}},
+        Slip{"ADepthLimitThatIsOff",
+             WithoutDepthRule(),
+             0,
+             {"note: off: this mission does without rule depth_over_limit"}},
+        Slip{"AnAltitudeLimitAboveTheSurvey",
+             Limit("altitude_limit_m = 3.8"),
+             3,
+             {"`3.8`: rule altitude_low would bring the vehicle up from its survey, flown down to "
+              "3.7 m (pSurvey altitude_m = 4"}},
+        Slip{
+            "ATimeLimitBelowTheSurveys",
+            Limit("mission_limit_s = 600"),
+            3,
+            {"`600`: rule mission_time would bring the vehicle up before it may go home by pSurvey "
+             "max_time_s = 5400"}},
+        Slip{"AHomeLimitInsideTheArea",
+             Limit("home_limit_m = 20"),
+             3,
+             {"`20`: rule far_from_home would end the survey: the area reaches as far as 43 m"}},
+        Slip{"LimitsTheWrongWayRound",
+             Limit("battery_critical_percent = 40"),
+             3,
+             {"battery_critical_percent = 40", "would trip before pSafety battery_low_percent"}},
+        Slip{"ALimitOutOfRange",
+             Limit("depth_limit_m = -1"),
+             2,
+             {"depth_limit_m: `-1` is not allowed; allowed: 0.5 to 11000"}},
+        Slip{"ARuleThatDoesNotExist",
+             Limit("off = leek"),
+             2,
+             {"no safety rule `leek`; nearest known: `leak`"}}),
+    [](const auto& slip) { return slip.param.name; });
+
+std::string Printed(std::vector<std::string> args, int expected) {
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(RunSafety(args), expected);
+  return testing::internal::GetCapturedStdout();
+}
+
+TEST(SafetyVerb, PrintsTheRulesWithAMissionsLimits) {
+  const std::string mission = std::string(LIMPET_SOURCE_DIR) + "/missions/table1";
+  EXPECT_THAT(Printed({"list"}, 0), HasSubstr("depth_over_limit       above 100 m"));
+  EXPECT_THAT(Printed({"list", mission}, 0), HasSubstr("leak"));
+}
+
+TEST(SafetyVerb, RefusesWhatItCannotDo) {
+  for (const std::vector<std::string>& args :
+       {std::vector<std::string>{"lift"}, {"list", "no/such/mission"}}) {
+    EXPECT_THROW(static_cast<void>(RunSafety(args)), UsageError);
+  }
+}
+
+}  // namespace
+}  // namespace limpet

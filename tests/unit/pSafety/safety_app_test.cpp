@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "apps/pSafety/safety_app.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/test_link.hpp"
+
+namespace limpet {
+namespace {
+
+using testing::HasSubstr;
+
+AppContext SafetyContext(TestLink& link) {
+  AppContext context;
+  context.name = "pSafety";
+  context.link = &link;
+  return context;
+}
+
+class SafetyAppTest : public testing::Test {
+ protected:
+  void Run(double seconds) {
+    for (int i = 0; i < static_cast<int>(5.0 * seconds + 0.5); ++i) {
+      link_.time += Seconds(0.2);
+      link_.Send(app_, topics::kNavState, NavState{});
+      link_.Send(app_, topics::kHelmState, std::string("DRIVE"));
+      link_.Send(app_, topics::kThrusterCommand, ThrusterCommand{});
+      link_.Send(app_, topics::kDvlData, dvl_);
+      *dvl_.u += 0.001;
+      app_.Iterate(link_.time);
+    }
+  }
+  [[nodiscard]] std::string Action() const { return link_.Last(topics::kSafetyAction).value(); }
+
+  TestLink link_;
+  SafetyApp app_{SafetyContext(link_), {}};
+  DvlSample dvl_ = [] {
+    DvlSample sample;
+    sample.u = sample.v = sample.w = 0.0;
+    return sample;
+  }();
+};
+
+TEST_F(SafetyAppTest, SaysNoneEverySecondSoThatWhoeverComesKnows) {
+  Run(10.0);
+  EXPECT_EQ(Action(), "none");
+  EXPECT_THAT(link_.Count(topics::kSafetyAction), testing::AllOf(testing::Ge(9), testing::Le(12)));
+  EXPECT_TRUE(app_.warnings().empty());
+}
+
+TEST_F(SafetyAppTest, SaysWhatTheTableSaysWarnsAndTellsEveryMargin) {
+  link_.Send(app_, topics::kSurveyPhase, std::string("SURVEY"));
+  link_.Send(app_, topics::kLeak, true);
+  Run(1.6);
+  EXPECT_EQ(Action(), "abort");
+  EXPECT_TRUE(app_.warnings().contains("TRIPPED_leak"));
+  const SafetyState state = link_.Last(topics::kSafetyState).value();
+  EXPECT_EQ(state.action, "abort");
+  EXPECT_EQ(state.rule, "leak");
+  EXPECT_GT(state.since, 0.0);
+  ASSERT_EQ(state.rules.size(), kSafetyRules);
+  EXPECT_EQ(state.rules[0].rule, "leak");
+  EXPECT_DOUBLE_EQ(state.rules[0].margin.value(), -0.5);
+  EXPECT_EQ(state.rules[0].stands, "abort");
+}
+
+TEST_F(SafetyAppTest, AsksTheMissionManagerForTheWayHomeOnce) {
+  link_.Send(app_, topics::kSurveyPhase, std::string("SURVEY"));
+  link_.Send(app_, topics::kBattery, BatteryState{.charge = 0.2, .volts = {}, .amperes = {}});
+  Run(20.0);
+  EXPECT_EQ(Action(), "return");
+  EXPECT_EQ(link_.Count(topics::kReturn), 1);
+}
+
+TEST_F(SafetyAppTest, AnOperatorLiftsWhatStands) {
+  link_.Send(app_, topics::kSurveyPhase, std::string("SURVEY"));
+  link_.Send(app_, topics::kLeak, true);
+  Run(2.0);
+  link_.Send(app_, topics::kLeak, false);
+  Run(60.0);
+  ASSERT_EQ(Action(), "abort");
+  link_.Send(app_, topics::kSafetyReset, false);
+  Run(1.0);
+  ASSERT_EQ(Action(), "abort");
+  link_.Send(app_, topics::kSafetyReset, true);
+  Run(0.2);
+  EXPECT_EQ(Action(), "none");
+  EXPECT_TRUE(app_.warnings().empty());
+}
+
+TEST_F(SafetyAppTest, StartedAgainItStandsByWhatItHadSaid) {
+  AppContext context = SafetyContext(link_);
+  context.is_restarted = true;
+  SafetyApp again(context, {});
+  SafetyState former;
+  former.rules.push_back({.rule = "leak", .margin = {}, .stands = "abort"});
+  former.rules.push_back({.rule = "of a newer version", .margin = {}, .stands = "abort"});
+  link_.time += Seconds(0.2);
+  again.Iterate(link_.time);
+  EXPECT_EQ(link_.Count(topics::kSafetyAction), 0);  // `none` would lift it
+  link_.SendStamped(again, topics::kSafetyState, former, link_.time - Seconds(5.0));
+  link_.time += Seconds(0.2);
+  again.Iterate(link_.time);
+  EXPECT_EQ(Action(), "abort");
+}
+
+TEST_F(SafetyAppTest, StartedAgainWithoutAFormerWordItBeginsAfterAWhile) {
+  AppContext context = SafetyContext(link_);
+  context.is_restarted = true;
+  SafetyApp again(context, {});
+  for (int i = 0; i < 15; ++i) {
+    link_.time += Seconds(0.2);
+    again.Iterate(link_.time);
+  }
+  EXPECT_EQ(Action(), "none");
+}
+
+TEST_F(SafetyAppTest, AMissionMaySetLimitsAndDoWithoutRules) {
+  SafetyParams params;
+  params.off = {"leak"};
+  params.settings.limits[static_cast<std::size_t>(SafetyRuleId::kDepthOverLimit)] = 2.0;
+  SafetyApp app(SafetyContext(link_), params);
+  link_.Send(app, topics::kSurveyPhase, std::string("SURVEY"));
+  link_.Send(app, topics::kLeak, true);
+  link_.Send(app, topics::kDepthSensor, 2.5);
+  for (int i = 0; i < 15; ++i) {
+    link_.time += Seconds(0.2);
+    app.Iterate(link_.time);
+  }
+  EXPECT_EQ(Action(), "surface");
+}
+
+TEST_F(SafetyAppTest, RefusesToSwitchOffARuleThatDoesNotExist) {
+  SafetyParams params;
+  params.off = {"leek"};
+  try {
+    SafetyApp app(SafetyContext(link_), params);
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no safety rule `leek`; nearest known: `leak`"));
+  }
+}
+
+TEST_F(SafetyAppTest, ShowsAnOperatorEveryRule) {
+  link_.Send(app_, topics::kSurveyPhase, std::string("DIVE"));
+  link_.Send(app_, topics::kLeak, true);
+  Run(2.0);
+  ReportLines report;
+  app_.Report(report);
+  std::string text;
+  for (const std::string& line : report.lines()) {
+    text += line + "\n";
+  }
+  EXPECT_THAT(text, HasSubstr("leak: abort"));
+  EXPECT_THAT(text, HasSubstr("depth_over_limit"));
+}
+
+}  // namespace
+}  // namespace limpet

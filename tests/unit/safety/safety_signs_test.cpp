@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/safety/safety_signs.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace limpet {
+namespace {
+
+using Id = SafetyRuleId;
+
+class SafetySignsTest : public testing::Test {
+ protected:
+  [[nodiscard]] std::optional<double> Measure(Id id) {
+    return signs_.At(now_)[static_cast<std::size_t>(id)];
+  }
+  void Wait(double seconds) { now_ += Seconds(seconds); }
+  void Enter(const char* phase) {
+    signs_.HearPhase(phase, now_);
+    static_cast<void>(signs_.At(now_));
+  }
+  static NavState At(double north, double down, double altitude) {
+    NavState nav;
+    nav.north = north;
+    nav.down = down;
+    nav.altitude = altitude;
+    return nav;
+  }
+  static DvlSample Velocity(double u) {
+    DvlSample dvl;
+    dvl.has_lock = true;
+    dvl.u = u;
+    dvl.v = dvl.w = 0.0;
+    dvl.altitude = 4.0;
+    return dvl;
+  }
+
+  SafetySigns signs_{1.0};
+  Seconds now_{1000.0};
+};
+
+TEST_F(SafetySignsTest, CountNoSilenceBeforeTheMissionIsUnderWay) {
+  Wait(100.0);
+  EXPECT_FALSE(Measure(Id::kNavigationSilent));
+  EXPECT_FALSE(Measure(Id::kHelmSilent));
+  Enter("ALIGN");
+  Wait(3.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kNavigationSilent).value(), 3.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kPilotSilent).value(), 3.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kMissionTime).value(), 3.0);
+  Enter("DONE");
+  EXPECT_FALSE(Measure(Id::kNavigationSilent));
+}
+
+TEST_F(SafetySignsTest, CountTheSilenceOfProcessesInRealTime) {
+  SafetySigns fast(10.0);
+  fast.HearPhase("SURVEY", now_);
+  static_cast<void>(fast.At(now_));
+  Wait(20.0);
+  EXPECT_DOUBLE_EQ(fast.At(now_)[static_cast<std::size_t>(Id::kHelmSilent)].value(), 2.0);
+}
+
+TEST_F(SafetySignsTest, TakeANavigationThatIsNotVouchedForAsSilent) {
+  Enter("SURVEY");
+  NavState nav = At(0.0, 3.0, 4.0);
+  nav.is_valid = false;
+  Wait(5.0);
+  signs_.Hear(nav, now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kNavigationSilent).value(), 5.0);
+  EXPECT_FALSE(Measure(Id::kAltitudeLow));
+}
+
+TEST_F(SafetySignsTest, TakeTheDeeperOfEstimateAndPressure) {
+  signs_.Hear(At(0.0, 3.0, 4.0), now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDepthOverLimit).value(), 3.0);
+  signs_.HearDepth(9.0, now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDepthOverLimit).value(), 9.0);
+  signs_.HearDepth(1.0, now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDepthOverLimit).value(), 3.0);
+  Wait(10.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDepthOverLimit).value(), 1.0);
+}
+
+TEST_F(SafetySignsTest, MeasureTheRegionOnlyOnceTheSurveyIsInsideIt) {
+  signs_.Hear(SurveyArea{.north_min = 0.0, .north_max = 10.0, .east_min = -5.0, .east_max = 5.0});
+  Enter("SURVEY");
+  signs_.Hear(At(100.0, 3.0, 4.0), now_);
+  EXPECT_FALSE(Measure(Id::kOutsideRegion));
+  signs_.Hear(At(5.0, 3.0, 4.0), now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kOutsideRegion).value(), 0.0);
+  signs_.Hear(At(17.0, 3.0, 4.0), now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kOutsideRegion).value(), 5.0);
+}
+
+TEST_F(SafetySignsTest, MeasureTheWayHome) {
+  signs_.Hear(HomePoint{.north = 3.0, .east = 4.0});
+  signs_.Hear(At(0.0, 3.0, 4.0), now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kFarFromHome).value(), 5.0);
+}
+
+TEST_F(SafetySignsTest, NoticeASensorThatSaysTheVerySame) {
+  for (int i = 0; i < 50; ++i) {
+    signs_.Hear(Velocity(0.5), now_);
+    signs_.HearDepth(3.0, now_);
+    signs_.Hear(ImuSample{}, now_);
+    Wait(0.2);
+  }
+  for (const Id id : {Id::kDvlStuck, Id::kAltitudeStuck, Id::kDepthStuck, Id::kImuStuck}) {
+    EXPECT_NEAR(Measure(id).value(), 9.8, 1e-6);
+  }
+  signs_.Hear(Velocity(0.501), now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDvlStuck).value(), 0.0);
+  EXPECT_GT(Measure(Id::kAltitudeStuck).value(), 9.0);
+}
+
+TEST_F(SafetySignsTest, TakeNoSensorThatIsSilentForStuck) {
+  signs_.Hear(Velocity(0.5), now_);
+  Wait(100.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDvlStuck).value(), 0.0);
+}
+
+TEST_F(SafetySignsTest, MissTheDvlFromTheDiveOn) {
+  Enter("ALIGN");
+  Wait(200.0);
+  EXPECT_FALSE(Measure(Id::kDvlSilent));
+  Enter("DIVE");
+  Wait(5.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDvlSilent).value(), 5.0);
+  signs_.Hear(Velocity(0.5), now_);
+  signs_.Hear(DvlSample{}, now_);  // no lock: no velocity
+  Wait(2.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDvlLost).value(), 2.0);
+}
+
+TEST_F(SafetySignsTest, MissAVelocityThatNavigationDoesNotTake) {
+  Enter("DIVE");
+  Wait(40.0);
+  signs_.Hear(Velocity(0.5), now_);
+  NavState nav = At(0.0, 3.0, 4.0);
+  nav.velocity_age = 31.0;
+  signs_.Hear(nav, now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDvlSilent).value(), 31.0);
+  nav.velocity_age = 300.0;  // from before the dive
+  signs_.Hear(nav, now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDvlSilent).value(), 40.0);
+}
+
+TEST_F(SafetySignsTest, MissADepthSensorThatHasSpoken) {
+  EXPECT_FALSE(Measure(Id::kDepthSilent));
+  signs_.HearDepth(3.0, now_);
+  Wait(7.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDepthSilent).value(), 7.0);
+}
+
+TEST_F(SafetySignsTest, NoticeAnAltimeterThatSticksWhileTheVehicleDives) {
+  for (int i = 0; i < 100; ++i) {
+    signs_.Hear(At(0.0, 0.03 * i, 20.0), now_);
+    Wait(0.1);
+  }
+  EXPECT_GT(Measure(Id::kDepthAgainstAltitude).value(), 2.5);
+}
+
+TEST_F(SafetySignsTest, AllowTheGroundASlope) {
+  for (int i = 0; i < 200; ++i) {
+    signs_.Hear(At(0.05 * i, 3.0, 4.0 + 0.025 * i), now_);
+    Wait(0.1);
+  }
+  EXPECT_DOUBLE_EQ(Measure(Id::kDepthAgainstAltitude).value(), 0.0);
+  NavState nav = At(10.0, 3.0, 4.0);
+  nav.altitude.reset();
+  signs_.Hear(nav, now_);
+  EXPECT_FALSE(Measure(Id::kDepthAgainstAltitude));
+}
+
+TEST_F(SafetySignsTest, NoticeAJumpOfGpsButNoDrift) {
+  const auto fix = [&](double north) {
+    signs_.Hear(GpsFix{.north = north, .east = 0.0, .sd = 0.5}, now_);
+  };
+  EXPECT_FALSE(Measure(Id::kGpsJump));
+  fix(0.0);
+  Wait(1.0);
+  fix(2.5);
+  EXPECT_DOUBLE_EQ(Measure(Id::kGpsJump).value(), 0.0);
+  Wait(1.0);
+  fix(52.5);
+  EXPECT_NEAR(Measure(Id::kGpsJump).value(), 50.0 - 2.0 - 3.0 * std::hypot(0.5, 0.5), 1e-9);
+}
+
+TEST_F(SafetySignsTest, NoticeAFixAfterADiveFarFromTheEstimate) {
+  Enter("DIVE");
+  Wait(300.0);
+  NavState nav = At(10.0, 0.0, 4.0);
+  nav.sd_north = nav.sd_east = 0.4;
+  signs_.Hear(nav, now_);
+  signs_.Hear(GpsFix{.north = 10.5, .east = 0.0, .sd = 0.3}, now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kGpsJump).value(), 0.0);
+  Wait(300.0);  // two fixes tell nothing any more
+  signs_.Hear(nav, now_);
+  signs_.Hear(GpsFix{.north = 60.0, .east = 0.0, .sd = 0.3}, now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kGpsJump).value(), 48.5);
+}
+
+TEST_F(SafetySignsTest, MeasureWhatIsMadeGoodOnTheWantedCourse) {
+  NavState nav = At(0.0, 3.0, 4.0);
+  nav.u = -0.4;
+  signs_.Hear(nav, now_);
+  EXPECT_FALSE(Measure(Id::kNoProgress));
+  signs_.HearWantedSpeed(0.5, now_);
+  EXPECT_FALSE(Measure(Id::kNoProgress));
+  signs_.HearWantedCourse(0.0);
+  EXPECT_NEAR(Measure(Id::kNoProgress).value(), 0.9, 1e-9);
+  nav.velocity_age = 3.0;  // held, not measured
+  signs_.Hear(nav, now_);
+  EXPECT_FALSE(Measure(Id::kNoProgress));
+  nav.velocity_age.reset();
+  signs_.Hear(nav, now_);
+  Wait(10.0);
+  EXPECT_FALSE(Measure(Id::kNoProgress));
+}
+
+TEST_F(SafetySignsTest, NoticeThrustersThatGiveAllTheyHave) {
+  signs_.Hear(ThrusterCommand{.t1 = -1.0}, now_);
+  Wait(5.0);
+  signs_.Hear(ThrusterCommand{.t6 = 1.0}, now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kThrustersSaturated).value(), 5.0);
+  signs_.Hear(ThrusterCommand{.t6 = 0.9}, now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kThrustersSaturated).value(), 0.0);
+}
+
+TEST_F(SafetySignsTest, NoticeAHelmThatDecidesNothingButNotAnOperatorsOverride) {
+  Enter("SURVEY");
+  signs_.HearHelmState("DRIVE", now_);
+  signs_.HearAllStop("NothingToDo", now_);
+  Wait(4.0);
+  signs_.HearAllStop("MissingNav", now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kHelmIdle).value(), 4.0);
+  signs_.HearAllStop("ManualOverride", now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kHelmIdle).value(), 0.0);
+  signs_.HearAllStop("NothingToDo", now_);
+  signs_.HearAllStop("Safety:hold", now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kHelmIdle).value(), 0.0);
+}
+
+TEST_F(SafetySignsTest, TakeAMissionWithoutAManagerForUnderWayOnceItsHelmSteers) {
+  EXPECT_EQ(signs_.phase(), SafetyPhase::kIdle);
+  signs_.HearHelmState("PARK", now_);
+  signs_.HearAllStop("clear", now_);
+  EXPECT_EQ(signs_.phase(), SafetyPhase::kIdle);
+  signs_.HearHelmState("DRIVE", now_);
+  signs_.HearAllStop("clear", now_);
+  EXPECT_EQ(signs_.phase(), SafetyPhase::kSurvey);
+  signs_.HearPhase("ALIGN", now_);
+  EXPECT_EQ(signs_.phase(), SafetyPhase::kAlign);
+}
+
+TEST_F(SafetySignsTest, NoticeAnAppThatIsDown) {
+  signs_.HearProcesses("app=pNav,state=running # app=pMap,state=waiting", now_);
+  Wait(7.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kAppDown).value(), 7.0);
+  signs_.HearProcesses("app=pNav,state=given_up", now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kAppDown).value(), 7.0);
+  signs_.HearProcesses("app=pNav,state=running", now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kAppDown).value(), 0.0);
+}
+
+TEST_F(SafetySignsTest, CountEventsForAWhile) {
+  signs_.HearClockSteps(0, now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kClockStepped).value(), 0.0);
+  signs_.HearClockSteps(1, now_);
+  signs_.HearBehaviorError(now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kClockStepped).value(), 1.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kBehaviorFailed).value(), 1.0);
+  Wait(11.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kClockStepped).value(), 0.0);
+}
+
+TEST_F(SafetySignsTest, MissADetectorThatHasSpoken) {
+  EXPECT_FALSE(Measure(Id::kDetectorSilent));
+  Detections frame;
+  frame.boxes.resize(100);
+  for (int i = 0; i < 40; ++i) {
+    signs_.HearDetections(frame, now_);
+  }
+  EXPECT_GT(Measure(Id::kDetectorStorm).value(), 80.0);
+  Wait(9.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDetectorLost).value(), 9.0);
+}
+
+TEST_F(SafetySignsTest, PassOnWhatTheVehicleSaysOfItself) {
+  EXPECT_FALSE(Measure(Id::kLeak));
+  EXPECT_FALSE(Measure(Id::kBatteryLow));
+  EXPECT_FALSE(Measure(Id::kLinkLost));
+  EXPECT_FALSE(Measure(Id::kDiskLow));
+  signs_.HearLeak(true);
+  signs_.HearCharge(0.3);
+  signs_.HearShore(now_);
+  signs_.HearRoom(120.0);
+  Wait(2.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kLeak).value(), 1.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kBatteryCritical).value(), 30.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kLinkLost).value(), 2.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDiskFull).value(), 120.0);
+}
+
+}  // namespace
+}  // namespace limpet
