@@ -132,7 +132,7 @@ TEST(Survey, LeavesInItsLogWhatMoosDisplaysShow) {
         "VIEW_CIRCLE", "IVPHELM_STATE", "IVPHELM_SUMMARY", "IVPHELM_MODESET"}) {
     EXPECT_TRUE(writes.contains(name)) << name;
   }
-  EXPECT_EQ(writes.at("APPCAST"), 12);  // each app once, at the end
+  EXPECT_EQ(writes.at("APPCAST"), 13);  // each app once, at the end
   EXPECT_NE(log.find("MODE=MODE@ACTIVE:SURVEYING"), std::string::npos);
   // The path and the objects are drawn when they change, not with every tick.
   EXPECT_LT(writes.at("VIEW_SEGLIST"), 200);
