@@ -7,26 +7,10 @@
 #include "limpet/survey/look.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_link.hpp"
+#include "tests/unit/pSurvey/survey_app_parts.hpp"
 
 namespace limpet {
 namespace {
-
-AppContext ContextOn(TestLink& link) {
-  AppContext context;
-  context.name = "pSurvey";
-  context.link = &link;
-  return context;
-}
-
-/// table1's rectangle.
-SurveyApp::Params OfTable() {
-  SurveyApp::Params params;
-  params.north_min = Meters(-15.0);
-  params.north_max = Meters(15.0);
-  params.east_min = Meters(-18.0);
-  params.east_max = Meters(18.0);
-  return params;
-}
 
 class SurveyAppTest : public ::testing::Test {
  protected:
@@ -281,58 +265,6 @@ TEST_F(SurveyAppTest, GivesUpAWayHomeThatNeverEnds) {
   Tick(SurveyApp::Params{}.give_up.value() + 1.0);
   EXPECT_EQ(link_.Last(topics::kMissionEnd), "timeout");
   EXPECT_TRUE(app_.warnings().contains("GAVE_UP"));
-}
-
-TEST(SurveyAppRestart, GoesOnWhereItsFormerLifeWas) {
-  const TemporaryFolder folder;
-  TestLink link;
-  AppContext context = ContextOn(link);
-  context.runs_live = true;
-  context.run_folder = folder.path();
-  const NavState nav{.north = 3.0, .east = 4.0, .altitude = 7.5};
-  {
-    SurveyApp former(context, OfTable());
-    link.Send(former, topics::kNavState, nav);
-    link.Send(former, topics::kDeploy, true);
-    link.time += SurveyApp::Params{}.align;
-    link.Send(former, topics::kNavState, nav);
-    former.Tick(link.time);
-    ASSERT_EQ(link.Last(topics::kSurveyPhase), "DIVE");
-  }
-  link.published.clear();
-  context.is_restarted = true;
-  SurveyApp next(context, OfTable());
-  link.Send(next, topics::kDeploy, true);
-  EXPECT_EQ(link.Last(topics::kSurveyPhase), "DIVE");
-  EXPECT_DOUBLE_EQ(link.Last(topics::kSurveyHome)->east, 4.0);
-  EXPECT_TRUE(link.Last(topics::kSurveyArea).has_value());
-}
-
-TEST(SurveyAppRestart, TellsPhaseAndAreaAgainForThoseWhoCameBack) {
-  const TemporaryFolder folder;
-  TestLink link;
-  AppContext context = ContextOn(link);
-  context.runs_live = true;
-  context.run_folder = folder.path();
-  SurveyApp app(context, OfTable());
-  link.Send(app, topics::kDeploy, true);
-  link.published.clear();
-  link.time += Seconds(11.0);
-  app.Tick(link.time);
-  EXPECT_EQ(link.Last(topics::kSurveyPhase), "ALIGN");
-  EXPECT_TRUE(link.Last(topics::kSurveyArea).has_value());
-}
-
-TEST(SurveyAppRestart, WaitsForDeployIfItsFormerLifeDid) {
-  const TemporaryFolder folder;
-  TestLink link;
-  AppContext context = ContextOn(link);
-  context.runs_live = context.is_restarted = true;
-  context.run_folder = folder.path();
-  SurveyApp next(context, OfTable());
-  EXPECT_FALSE(link.Last(topics::kSurveyPhase).has_value());
-  link.Send(next, topics::kDeploy, true);
-  EXPECT_EQ(link.Last(topics::kSurveyPhase), "ALIGN");
 }
 
 TEST(SurveyAppConfiguration, RefusesAnEmptyArea) {
