@@ -74,7 +74,7 @@ struct SafetyRule {
 
   SafetyRuleId id = SafetyRuleId::kLeak;
   std::string_view name;
-  std::string_view meaning;  ///< "Shallower than ... above the seabed": what the operator reads
+  std::string_view meaning;  ///< what it watches, as the operator reads it
   Side side = Side::kAbove;  ///< of the limit where it trips
   Limit limit;
   Seconds hold;             ///< so long beyond the limit before it trips

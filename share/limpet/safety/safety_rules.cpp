@@ -45,7 +45,7 @@ constexpr std::array<SafetyRule, kSafetyRules> kTable{{
      .side = kBelow, .limit = {"altitude_limit_m", "m", 0.8, 0.0, 50.0}, .hold = Seconds(3.0),
      .clears_after = {}, .actions = kUpNearGround},
     {.id = Id::kOutsideRegion, .name = "outside_region",
-     .meaning = "Way outside the operating region (SURVEY_AREA with its margin), once it was inside.",
+     .meaning = "Way outside the operating region or into a keep-out zone (SURVEY_AREA), once it was inside.",
      .limit = {"region_limit_m", "m", 10.0, 0.0, 10000.0}, .hold = Seconds(5.0), .clears_after = {},
      .actions = {kNone, kNone, kNone, kReturn, kNone, kNone}},
     {.id = Id::kFarFromHome, .name = "far_from_home", .meaning = "Distance from SURVEY_HOME.",

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "limpet/core/frames.hpp"
+#include "limpet/survey/survey_grid.hpp"
 
 namespace limpet {
 namespace {
@@ -28,14 +29,6 @@ std::optional<double> SinceOrZero(std::optional<Seconds> since, Seconds now) {
   return since ? (now - *since).value() : 0.0;
 }
 
-double OutsideOf(const SurveyArea& area, const NavState& nav) {
-  const double north = std::max(
-      {area.north_min - area.margin - nav.north, nav.north - area.north_max - area.margin, 0.0});
-  const double east = std::max(
-      {area.east_min - area.margin - nav.east, nav.east - area.east_max - area.margin, 0.0});
-  return std::hypot(north, east);
-}
-
 }  // namespace
 
 void SafetySigns::HearPhase(std::string_view survey_phase, Seconds now) {
@@ -46,6 +39,13 @@ void SafetySigns::HearPhase(std::string_view survey_phase, Seconds now) {
 
 SafetyPhase SafetySigns::phase() const {
   return phase_.value_or(helm_.has_steered() ? SafetyPhase::kSurvey : SafetyPhase::kIdle);
+}
+
+void SafetySigns::Hear(const SurveyArea& area) {
+  const bool is_news = !area_ || *area_ != area;
+  if (!is_news || ProblemOf(area)) return;  // who flies it refuses such an area, and says so
+  area_ = area;
+  region_.emplace(area);
 }
 
 void SafetySigns::Hear(const NavState& nav, Seconds now) {
@@ -144,8 +144,8 @@ std::optional<double> SafetySigns::ProgressLack(Seconds now) const {
 void SafetySigns::MeasurePlace(SafetyMeasures& measures, Seconds now) {
   if (!IsNavigationFresh(now)) return;
   const NavState& nav = nav_->value;
-  if (area_) {
-    const double outside = OutsideOf(*area_, nav);
+  if (region_) {
+    const double outside = region_->Outside({.north = nav.north, .east = nav.east, .yaw = nav.yaw});
     was_inside_ = was_inside_ || (outside == 0.0 && phase() == SafetyPhase::kSurvey);
     if (was_inside_) MeasureOf(measures, SafetyId::kOutsideRegion) = outside;
   }

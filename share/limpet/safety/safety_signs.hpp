@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "limpet/objects/frame.hpp"
+#include "limpet/planning/region.hpp"
 #include "limpet/safety/helm_signs.hpp"
 #include "limpet/safety/safety_ladder.hpp"
 #include "limpet/safety/seabed_watch.hpp"
@@ -18,7 +19,7 @@
 namespace limpet {
 
 /// What is known of the vehicle, from its mail: turns it into what the rules watch. Pure, and
-/// allocates nothing. Times are the listener's own, those of reception.
+/// allocates nothing but when the area changes. Times are the listener's own, those of reception.
 class SafetySigns {
  public:
   /// `warp`: vehicle time per real time, of a community: how long a process may be silent is
@@ -46,7 +47,8 @@ class SafetySigns {
   void HearCharge(double share) { charge_ = share; }
   void HearShore(Seconds now) { shore_heard_ = now; }
   void HearRoom(double mib) { room_mib_ = mib; }
-  void Hear(const SurveyArea& area) { area_ = area; }
+  /// An area that cannot be is left out.
+  void Hear(const SurveyArea& area);
   void Hear(const HomePoint& home) { home_ = home; }
 
   /// A mission without a manager is under way, as in a survey, once its helm has steered.
@@ -87,6 +89,7 @@ class SafetySigns {
   std::optional<bool> leaks_;
   std::optional<double> charge_, room_mib_;
   std::optional<SurveyArea> area_;
+  std::optional<Region> region_;  ///< of `area_`
   std::optional<HomePoint> home_;
   bool was_inside_ = false;
 };

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "limpet/survey/survey_shape.hpp"
+
 namespace limpet {
 namespace {
 
@@ -26,6 +28,11 @@ class SafetySignsTest : public testing::Test {
     nav.north = north;
     nav.down = down;
     nav.altitude = altitude;
+    return nav;
+  }
+  static NavState AtPlace(double north, double east) {
+    NavState nav = At(north, 3.0, 4.0);
+    nav.east = east;
     return nav;
   }
   static DvlSample Velocity(double u) {
@@ -92,6 +99,39 @@ TEST_F(SafetySignsTest, MeasureTheRegionOnlyOnceTheSurveyIsInsideIt) {
   EXPECT_DOUBLE_EQ(Measure(Id::kOutsideRegion).value(), 0.0);
   signs_.Hear(At(17.0, 3.0, 4.0), now_);
   EXPECT_DOUBLE_EQ(Measure(Id::kOutsideRegion).value(), 5.0);
+}
+
+TEST_F(SafetySignsTest, MeasureTheRealShapeOfTheRegion) {
+  SurveyArea notched =
+      AreaWithin({{0.0, 0.0}, {40.0, 0.0}, {40.0, 10.0}, {10.0, 10.0}, {10.0, 40.0}, {0.0, 40.0}});
+  signs_.Hear(notched);
+  Enter("SURVEY");
+  signs_.Hear(AtPlace(5.0, 5.0), now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kOutsideRegion).value(), 0.0);
+  signs_.Hear(AtPlace(30.0, 22.0), now_);  // within the box around it
+  EXPECT_NEAR(Measure(Id::kOutsideRegion).value(), 12.0 - notched.margin, 0.01);
+}
+
+TEST_F(SafetySignsTest, MeasureHowFarItIsIntoAZone) {
+  SurveyArea area{.north_min = 0.0, .north_max = 40.0, .east_min = 0.0, .east_max = 40.0};
+  area.keep_out = "{10,10:30,10:30,30:10,30}";
+  signs_.Hear(area);
+  Enter("SURVEY");
+  signs_.Hear(AtPlace(5.0, 5.0), now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kOutsideRegion).value(), 0.0);
+  signs_.Hear(AtPlace(14.0, 20.0), now_);
+  EXPECT_NEAR(Measure(Id::kOutsideRegion).value(), 4.0, 0.01);
+}
+
+TEST_F(SafetySignsTest, KeepTheAreaTheyHaveWhenOneComesThatCannotBe) {
+  SurveyArea area{.north_min = 0.0, .north_max = 10.0, .east_min = 0.0, .east_max = 10.0};
+  signs_.Hear(area);
+  Enter("SURVEY");
+  signs_.Hear(AtPlace(5.0, 5.0), now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kOutsideRegion).value(), 0.0);
+  area.north_max = -100.0;
+  signs_.Hear(area);
+  EXPECT_DOUBLE_EQ(Measure(Id::kOutsideRegion).value(), 0.0);
 }
 
 TEST_F(SafetySignsTest, MeasureTheWayHome) {
