@@ -21,7 +21,7 @@ foreach(library ${LIMPET_INSTALLED})
           FILES_MATCHING PATTERN "*.hpp")
 endforeach()
 list(TRANSFORM LIMPET_INSTALLED PREPEND limpet_ OUTPUT_VARIABLE archives)
-install(TARGETS ${archives} thirdparty_asio thirdparty_uring thirdparty_yaml EXPORT LimpetTargets
+install(TARGETS ${archives} thirdparty_asio thirdparty_uring thirdparty_xml thirdparty_yaml EXPORT LimpetTargets
         ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}/limpet" COMPONENT limpet-dev)
 install(EXPORT LimpetTargets NAMESPACE Limpet:: DESTINATION "${LIMPET_CONFIG}" COMPONENT limpet-dev)
 configure_package_config_file(share/cmake/LimpetConfig.cmake.in LimpetConfig.cmake INSTALL_DESTINATION "${LIMPET_CONFIG}"

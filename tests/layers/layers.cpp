@@ -19,6 +19,7 @@ const std::vector<std::pair<std::string, std::vector<std::string>>>& ThirdParty(
       {"MRPT", {"mrpt/"}},
       {"nlohmann-json", {"nlohmann/"}},
       {"yaml-cpp", {"yaml-cpp/"}},
+      {"pugixml", {"pugixml.hpp"}},
       {"xxHash", {"xxhash.h"}},
       {"libsodium", {"sodium.h"}},
       {"CLI11", {"CLI/"}}};

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <pugixml.hpp>
 
 #include "limpet/core/config.hpp"
 #include "limpet/core/number_text.hpp"
@@ -18,7 +19,6 @@ namespace {
 using Json = nlohmann::json;
 using Ring = std::vector<GeoPoint>;
 
-constexpr std::size_t kMostPolygons = 100;
 constexpr double kFarthest = 20e3;  ///< from the datum [m]
 
 bool IsOnEarth(const GeoPoint& at) {
@@ -118,32 +118,20 @@ Expected<std::vector<GeoPolygon>> PolygonsOfJson(std::string_view text) {
   return polygons;
 }
 
-/// What stands between `<name>` and `</name>`, from `at` on, which goes behind it; nothing if there
-/// is no such element. Attributes are passed over.
-std::optional<std::string_view> ElementIn(std::string_view text, std::string_view name,
-                                          std::size_t& at) {
-  const std::string opening = "<" + std::string(name), closing = "</" + std::string(name) + ">";
-  for (std::size_t begin = text.find(opening, at); begin != std::string_view::npos;
-       begin = text.find(opening, begin + 1)) {
-    const std::size_t after = begin + opening.size();
-    if (after >= text.size() || (text[after] != '>' && text[after] != ' ')) continue;
-    const std::size_t inside = text.find('>', after);
-    const std::size_t end = inside == std::string_view::npos ? inside : text.find(closing, inside);
-    if (end == std::string_view::npos) return std::nullopt;
-    at = end + closing.size();
-    return text.substr(inside + 1, end - inside - 1);
-  }
-  return std::nullopt;
+/// All elements of a name below `node`, whatever the prefix of its namespace.
+pugi::xpath_node_set ElementsIn(const pugi::xml_node& node, const std::string& name) {
+  return node.select_nodes((".//*[local-name()='" + name + "']").c_str());
 }
 
 /// `longitude,latitude[,altitude]`, apart by blanks and line ends.
-Expected<Ring> RingOfKml(std::string_view boundary) {
-  std::size_t at = 0;
-  const auto coordinates = ElementIn(boundary, "coordinates", at);
-  if (!coordinates) return Error{"has a boundary without coordinates"};
+Expected<Ring> RingOfKml(const pugi::xml_node& boundary) {
+  const pugi::xpath_node_set found = ElementsIn(boundary, "coordinates");
+  if (found.size() != 1) {
+    return Error{fmt::format("has a boundary with {} lists of coordinates", found.size())};
+  }
   Ring ring;
   constexpr std::string_view kBlanks = " \t\r\n";
-  std::string_view rest = *coordinates;
+  std::string_view rest = found[0].node().child_value();
   for (;;) {
     rest.remove_prefix(std::min(rest.find_first_not_of(kBlanks), rest.size()));
     if (rest.empty()) break;
@@ -161,24 +149,33 @@ Expected<Ring> RingOfKml(std::string_view boundary) {
   return ring;
 }
 
+Expected<GeoPolygon> PolygonOfKml(const pugi::xml_node& element) {
+  const pugi::xpath_node_set outer = ElementsIn(element, "outerBoundaryIs");
+  if (outer.size() != 1) {
+    return Error{fmt::format("has a polygon with {} outer boundaries", outer.size())};
+  }
+  Expected<Ring> outline = RingOfKml(outer[0].node());
+  if (!outline) return outline.error();
+  GeoPolygon polygon{.outline = *std::move(outline), .holes = {}};
+  for (const pugi::xpath_node& inner : ElementsIn(element, "innerBoundaryIs")) {
+    Expected<Ring> hole = RingOfKml(inner.node());
+    if (!hole) return hole.error();
+    polygon.holes.push_back(*std::move(hole));
+  }
+  return polygon;
+}
+
 Expected<std::vector<GeoPolygon>> PolygonsOfKml(std::string_view text) {
+  pugi::xml_document document;
+  const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size());
+  if (!parsed) {
+    return Error{fmt::format("is no XML: {}, after {} bytes", parsed.description(), parsed.offset)};
+  }
   std::vector<GeoPolygon> polygons;
-  std::size_t at = 0;
-  while (const auto element = ElementIn(text, "Polygon", at)) {
-    if (polygons.size() >= kMostPolygons) break;  // too many in any case
-    std::size_t inside = 0;
-    const auto outer = ElementIn(*element, "outerBoundaryIs", inside);
-    if (!outer) return Error{"has a polygon without an outer boundary"};
-    Expected<Ring> outline = RingOfKml(*outer);
-    if (!outline) return outline.error();
-    GeoPolygon polygon{.outline = *std::move(outline), .holes = {}};
-    inside = 0;
-    while (const auto inner = ElementIn(*element, "innerBoundaryIs", inside)) {
-      Expected<Ring> hole = RingOfKml(*inner);
-      if (!hole) return hole.error();
-      polygon.holes.push_back(*std::move(hole));
-    }
-    polygons.push_back(std::move(polygon));
+  for (const pugi::xpath_node& element : ElementsIn(document, "Polygon")) {
+    Expected<GeoPolygon> polygon = PolygonOfKml(element.node());
+    if (!polygon) return polygon.error();
+    polygons.push_back(*std::move(polygon));
   }
   return polygons;
 }

@@ -39,6 +39,17 @@ TEST(GeoArea, IsTheSameFromGeoJsonAndFromKml) {
   }
 }
 
+TEST(GeoArea, OfKmlIsReadAsXmlIs) {
+  const auto area = ParseGeoArea(R"(<k:kml xmlns:k='http://www.opengis.net/kml/2.2'>
+    <!-- <Polygon><outerBoundaryIs><coordinates>1,1 2,2 3,1</coordinates></outerBoundaryIs></Polygon> -->
+    <k:Polygon
+      id='b'><k:outerBoundaryIs><k:LinearRing><k:coordinates><![CDATA[10,43 11,43 11,44]]></k:coordinates>
+    </k:LinearRing></k:outerBoundaryIs></k:Polygon></k:kml>)");
+  ASSERT_TRUE(area) << area.error().text;
+  ASSERT_EQ(area->outline.size(), 3U);
+  EXPECT_DOUBLE_EQ(area->outline[2].latitude_deg, 44.0);
+}
+
 TEST(GeoArea, ComesOutOnTheGridWhereTheGridSaysItIs) {
   const GeoPoint datum{.latitude_deg = 43.721, .longitude_deg = 10.283};
   const LocalGrid grid(datum);
@@ -65,6 +76,8 @@ TEST(GeoArea, SaysWhatIsWrongWithAFile) {
   EXPECT_THAT(GeoProblemOf(""), HasSubstr("is no JSON"));
   EXPECT_THAT(GeoProblemOf("[1, 2]"), HasSubstr("has 0 polygons"));
   EXPECT_THAT(GeoProblemOf("<kml></kml>"), HasSubstr("has 0 polygons"));
+  EXPECT_THAT(GeoProblemOf("<kml><Polygon></kml>"), HasSubstr("is no XML: "));
+  EXPECT_THAT(GeoProblemOf("<Polygon></Polygon>"), HasSubstr("0 outer boundaries"));
   EXPECT_THAT(GeoProblemOf(R"({"type":"Polygon","coordinates":[[[10,91]]]})"),
               HasSubstr("no place on earth"));
   EXPECT_THAT(GeoProblemOf(R"({"type":"Polygon","coordinates":[["a"]]})"),
