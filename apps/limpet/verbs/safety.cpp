@@ -15,6 +15,7 @@
 #include "limpet/core/app_keys.hpp"
 #include "limpet/describe/safety_list.hpp"
 #include "limpet/mission/mission_file.hpp"
+#include "limpet/mission/scenario.hpp"
 #include "limpet/safety/safety_params.hpp"
 #include "limpet/safety_trials/safety_trial.hpp"
 
@@ -33,7 +34,8 @@ Command SafetyForm() {
                   and when it lets go; with a mission: with its limits
   test <mission>  flies the mission, shortened and with boxes for a camera,
                   once for each fault and phase that it may begin in, and
-                  prints what its rule asked for, after how long)",
+                  prints what its rule asked for, after how long ("-": nothing,
+                  as the table says, or it was over before))",
       .options = {{.names = "--seed",
                    .value = "N",
                    .meaning = "of the flights",
@@ -71,17 +73,21 @@ int ListRules(std::span<const std::string> missions) {
 }
 
 std::string TextOf(const SafetyTrialResult& result) {
-  const std::string answer =
-      result.action == SafetyAction::kNone
-          ? "-"
-          : fmt::format("{} {:.1f} s", NameOf(result.action), result.after_s);
+  std::string answer = result.instead.empty() ? "-" : "other rule";
+  if (result.action != SafetyAction::kNone) {
+    answer = fmt::format("{} {:.1f} s", NameOf(result.action), result.after_s);
+  }
   return result.complaint.empty() ? answer : "! " + answer;
 }
 
-/// Flies one fault in every phase; what was wrong, line by line.
-std::vector<std::string> FlyRow(const MissionFile& mission, const TrialPlaces& places,
-                                const SafetyCase& tested, std::uint64_t seed) {
-  std::vector<std::string> complaints;
+/// What the table of flights has no room for, line by line.
+struct TrialRemarks {
+  std::vector<std::string> complaints, notes;
+};
+
+/// Flies one fault in every phase.
+void FlyRow(const MissionFile& mission, const TrialPlaces& places, const SafetyCase& tested,
+            std::uint64_t seed, TrialRemarks& remarks) {
   fmt::print("{:<18}{:<24}", tested.name, SafetyRuleOf(tested.rule).name);
   for (const SafetyPhase phase : kTriedPhases) {
     if (!tested.ShowsFrom(phase)) {
@@ -91,13 +97,15 @@ std::vector<std::string> FlyRow(const MissionFile& mission, const TrialPlaces& p
     const SafetyTrialResult result = FlySafetyTrial(mission, places, tested, phase, seed);
     fmt::print("{:<15}", TextOf(result));
     std::fflush(stdout);
-    if (!result.complaint.empty()) {
-      complaints.push_back(
-          fmt::format("{} in {}: {}", tested.name, NameOf(phase), result.complaint));
-    }
+    const auto remark = [&](std::vector<std::string>& lines, const std::string& text) {
+      if (!text.empty()) {
+        lines.push_back(fmt::format("{} in {}: {}", tested.name, NameOf(phase), text));
+      }
+    };
+    remark(remarks.complaints, result.complaint);
+    remark(remarks.notes, result.instead);
   }
   fmt::print("\n");
-  return complaints;
 }
 
 int TestRules(const Arguments& given, const std::string& path) {
@@ -106,20 +114,28 @@ int TestRules(const Arguments& given, const std::string& path) {
   const fs::path scratch = fs::temp_directory_path() / fmt::format("limpet_safety_{}", ::getpid());
   const TrialPlaces places{.mission_folder = file.has_parent_path() ? file.parent_path() : ".",
                            .scratch = scratch};
+  if (!LoadScenario(places.mission_folder / "scenario.yaml").faults.empty()) {
+    throw UsageError(
+        fmt::format("{}: its scenario.yaml has `faults` of its own; take them out to "
+                    "try the rules",
+                    path));
+  }
   const std::string only = given.Find("only").value_or("");
   fmt::print("{:<18}{:<24}", "fault", "rule");
   for (const SafetyPhase phase : kTriedPhases) {
     fmt::print("{:<15}", NameOf(phase));
   }
   fmt::print("\n");
-  std::vector<std::string> complaints;
+  TrialRemarks remarks;
   for (const SafetyCase& tested : SafetyCases()) {
     if (tested.name.find(only) == std::string_view::npos) continue;
-    std::ranges::move(
-        FlyRow(mission, places, tested, static_cast<std::uint64_t>(given.Integer("seed"))),
-        std::back_inserter(complaints));
+    FlyRow(mission, places, tested, static_cast<std::uint64_t>(given.Integer("seed")), remarks);
   }
   fs::remove_all(scratch);
+  for (const std::string& note : remarks.notes) {
+    fmt::print("other rule: {}\n", note);
+  }
+  const std::vector<std::string>& complaints = remarks.complaints;
   for (const std::string& complaint : complaints) {
     fmt::print("{}\n", complaint);
   }

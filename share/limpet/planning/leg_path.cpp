@@ -41,8 +41,9 @@ std::vector<Pose2> PosesAt(const std::vector<LegEnd>& legs, std::size_t i, const
   const PlanePoint before = i > 0 ? legs[i - 1].at : PlanePoint(start.north, start.east);
   const PlanePoint way = (at - before).normalized() + (legs[i + 1].at - at).normalized();
   const double bisector = std::atan2(way.y(), way.x());
-  for (const double off : kOffBisector)
+  for (const double off : kOffBisector) {
     poses.push_back({at.x(), at.y(), bisector + off});
+  }
   return poses;
 }
 
@@ -64,11 +65,13 @@ void GoOn(const Stage& stage, const LegEnd& leg, Meters radius, Arrival& arrival
 
 DubinsPath WayTo(const Arrival& end) {
   std::vector<const Arrival*> way;
-  for (const Arrival* at = &end; at != nullptr; at = at->before)
+  for (const Arrival* at = &end; at != nullptr; at = at->before) {
     way.push_back(at);
+  }
   DubinsPath path(way.back()->pose);
-  for (auto at = way.rbegin() + 1; at != way.rend(); ++at)
+  for (auto at = way.rbegin() + 1; at != way.rend(); ++at) {
     path.Append((*at)->last_leg);
+  }
   return path;
 }
 

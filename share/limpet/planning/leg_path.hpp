@@ -15,8 +15,8 @@ namespace limpet {
 struct LegEnd {
   PlanePoint at;
   std::function<bool(const DubinsPath&)> allows;
-  bool must_be_passed =
-      true;  ///< false: a hint; what goes on without it and is allowed may be shorter
+  /// False: a hint; what goes on without it and is allowed may be shorter.
+  bool must_be_passed = true;
 };
 
 /// How the last of them may be reached; always true if empty.

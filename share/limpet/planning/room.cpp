@@ -124,8 +124,9 @@ std::vector<std::uint8_t> RoomToTurn(const FreeSpace& space, double radius) {
     }
   }
   std::ranges::fill(mark, std::uint8_t{0});
-  for (const std::size_t cell : largest)
+  for (const std::size_t cell : largest) {
     mark[cell] = 1;
+  }
   return mark;
 }
 

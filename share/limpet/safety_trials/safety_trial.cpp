@@ -79,14 +79,26 @@ class TrialWatch {
   void HearState(const SafetyState& state, Seconds time) {
     const std::string_view name = SafetyRuleOf(tested_.rule).name;
     const auto rule = std::ranges::find(state.rules, name, &SafetyRuleState::rule);
-    if (rule == state.rules.end() || rule->stands.empty()) return;
+    if (rule == state.rules.end() || rule->stands.empty()) {
+      HearOthers(state, time);
+      return;
+    }
     answer_ = {time, SafetyActionNamed(rule->stands).value_or(SafetyAction::kNone)};
     answered_in_ = phase_;
+  }
+  /// Another rule may do as much before the one that is tried; the vehicle is as safe.
+  void HearOthers(const SafetyState& state, Seconds time) {
+    const SafetyAction asked = SafetyRuleOf(tested_.rule).ActionIn(phase_);
+    const SafetyAction done = SafetyActionNamed(state.action).value_or(SafetyAction::kNone);
+    if (fault_ && instead_.empty() && asked != SafetyAction::kNone && done >= asked) {
+      instead_ =
+          fmt::format("{}: {} after {:.1f} s", state.rule, state.action, (time - *fault_).value());
+    }
   }
   /// For how long the fault has been so in a phase that asks for something, without an answer.
   void CountMissing(Seconds now) {
     const bool asks = SafetyRuleOf(tested_.rule).ActionIn(phase_) != SafetyAction::kNone;
-    if (now < *fault_ || !asks) return;
+    if (now < *fault_ || !asks || !instead_.empty()) return;
     asked_since_ = asked_since_.value_or(now);
     longest_unanswered_ = std::max(longest_unanswered_, (now - *asked_since_).value());
   }
@@ -95,6 +107,7 @@ class TrialWatch {
   SafetyPhase begins_in_, phase_ = SafetyPhase::kIdle, answered_in_ = SafetyPhase::kIdle;
   std::optional<Seconds> fault_, asked_since_;
   std::optional<Stamped<SafetyAction>> answer_;
+  std::string instead_;
   double longest_unanswered_ = 0.0;
   double down_ = 0.0;
 };
@@ -107,6 +120,7 @@ SafetyTrialResult TrialWatch::Result(const SessionOutcome& outcome) const {
     return result;
   }
   const SafetyRule& rule = SafetyRuleOf(tested_.rule);
+  result.instead = answer_ ? "" : instead_;
   if (answer_) {
     result.action = answer_->value;
     result.after_s = (answer_->time - *fault_).value();

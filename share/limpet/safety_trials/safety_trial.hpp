@@ -40,8 +40,12 @@ inline constexpr std::array kTriedPhases{SafetyPhase::kAlign, SafetyPhase::kDive
 struct SafetyTrialResult {
   SafetyAction action = SafetyAction::kNone;  ///< that the rule asked for first
   double after_s = 0.0;                       ///< since the fault began
-  std::string ended;                          ///< home, aborted, ...
-  /// What is wrong; empty: the rule did what the table says, in time, and the vehicle is up.
+  /// Another rule that answered before it, in a phase where the table asks for something, by as
+  /// strong an action; `no_progress: surface after 33.7 s`. Empty if there was none.
+  std::string instead;
+  std::string ended;  ///< home, aborted, ...
+  /// What is wrong; empty: the rule did what the table says, in time, or another one did
+  /// as much, and the vehicle is up.
   std::string complaint;
 };
 

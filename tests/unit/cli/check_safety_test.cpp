@@ -91,5 +91,13 @@ TEST(SafetyVerb, RefusesWhatItCannotDo) {
   }
 }
 
+TEST(SafetyVerb, TriesNoMissionWhoseScenarioHasFaultsOfItsOwn) {
+  const MissionCopy mission;
+  mission.Apply({"scenario.yaml", "seabed:", "faults: [{what: leak, at_s: 3}]\nseabed:"});
+  EXPECT_THROW(
+      static_cast<void>(RunSafety(std::vector{std::string("test"), mission.path().string()})),
+      UsageError);
+}
+
 }  // namespace
 }  // namespace limpet
