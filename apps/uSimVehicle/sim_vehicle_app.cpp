@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,7 +12,6 @@
 #include "limpet/app/registry.hpp"
 #include "limpet/mission/seabed.hpp"
 #include "limpet/topics/safety.hpp"
-#include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
 namespace {
@@ -76,9 +76,8 @@ SimVehicleApp::SimVehicleApp(const AppContext& context, const Params& params)
 SimVehicleApp::SimVehicleApp(const AppContext& context, const Params& params,
                              const Scenario& scenario)
     : App(context),
-      vehicle_(WithErrors(
-          LoadMissionVehicle(context.Global(kVehicleFileGlobal), context.mission_folder).params,
-          scenario.errors.thrusters)),
+      file_(LoadMissionVehicle(context.Global(kVehicleFileGlobal), context.mission_folder)),
+      vehicle_(WithErrors(file_.params, scenario.errors.thrusters)),
       scenario_(scenario),
       integrator_(params.integrator),
       current_(scenario.water.current,
@@ -93,8 +92,12 @@ SimVehicleApp::SimVehicleApp(const AppContext& context, const Params& params,
     });
   }
   Subscribe(topics::kThrusterCommand, &SimVehicleApp::OnCommand);
+  if (file_.battery.is_present) {
+    battery_.emplace(file_.battery, scenario.errors.battery, MakeRandom("battery"));
+  }
   if (context.is_restarted) {
     Subscribe(topics::kSimTruth, &SimVehicleApp::OnFormerTruth);
+    Subscribe(topics::kSimBattery, &SimVehicleApp::OnFormerBattery);
   }
 }
 
@@ -106,6 +109,12 @@ void SimVehicleApp::OnFormerTruth(const Stamped<SimTruth>& truth) {
         vehicle_, scenario_, integrator_,
         {.north = last.north, .east = last.east, .yaw = last.yaw, .down = last.down});
   }
+}
+
+void SimVehicleApp::OnFormerBattery(const Stamped<SimBattery>& battery) {
+  if (!battery_ || std::exchange(has_battery_recalled_, true)) return;
+  battery_.emplace(file_.battery, scenario_.errors.battery, MakeRandom("battery"),
+                   battery.value.charge);
 }
 
 bool SimVehicleApp::AwaitsFormerTruth(Seconds now) {
@@ -180,12 +189,15 @@ void SimVehicleApp::TellThrust(Seconds now) {
   thrust_told_ = now;
   thrust_.refused = watchdog_.refused();
   Publish(topics::kSimThrust, thrust_);
-  TellFaults();
+  if (faults_.Has("leak")) Publish(topics::kLeak, faults_.Active("leak") != nullptr);
+  TellBattery();
 }
 
-void SimVehicleApp::TellFaults() {
-  if (faults_.Has("leak")) Publish(topics::kLeak, faults_.Active("leak") != nullptr);
-  if (faults_.Has("battery")) {
+void SimVehicleApp::TellBattery() {
+  if (battery_) {
+    Publish(topics::kBattery, battery_->Gauge(faults_));
+    Publish(topics::kSimBattery, battery_->Truth());
+  } else if (faults_.Has("battery")) {
     const ScenarioFault* low = faults_.Active("battery");
     Publish(topics::kBattery,
             BatteryState{.charge = low != nullptr ? low->size : 1.0, .volts = {}, .amperes = {}});
@@ -203,6 +215,13 @@ void SimVehicleApp::Move(Seconds duration, Seconds end) {
   const double most = scenario_.errors.thrusters.saturates_at;
   ThrusterVector given = thrust.cwiseMax(-most).cwiseMin(most);
   if (const ScenarioFault* weak = faults_.Active("thrusters_weak")) given *= weak->size;
+  if (battery_) {
+    battery_->Draw(given, duration, faults_);
+    if (battery_->is_off()) {
+      given.setZero();
+      Warn(warnings::kBatteryOff, "the battery has switched off: nothing turns any more");
+    }
+  }
   for (const TimedEvent& event : simulation_.Advance(given, duration)) {
     ReportEvent(events::kSimulatedEvent, EventName(event.event));
     Publish(topics::kSimEvent, std::string(EventName(event.event)));
@@ -224,6 +243,12 @@ void SimVehicleApp::Report(ReportLines& report) const {
   report.Pair("Thrust", fmt::format("{:.2f} at most; stopped {} times for want of a command, {} "
                                     "commands refused",
                                     thrust_.greatest, thrust_.stops, watchdog_.refused()));
+  if (battery_) {
+    const SimBattery battery = battery_->Truth();
+    report.Pair("Battery",
+                fmt::format("{:.0f} % of {:.0f} Wh, {:.1f} Wh used{}", 100.0 * battery.charge,
+                            battery.capacity_wh, battery.used_wh, battery.is_off ? ", off" : ""));
+  }
   report.Pair("Integrator", fmt::format("{} steps given up", simulation_.failures()));
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "apps/uSimVehicle/simulated_battery.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/mission/fault_schedule.hpp"
@@ -14,12 +15,13 @@
 #include "limpet/vehicle/thruster_watchdog.hpp"
 #include "limpet/vehicle/vehicle_params.hpp"
 #include "limpet/vehicle/vehicle_simulation.hpp"
+#include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
 
 /// The vehicle in its water: THRUSTER_COMMAND in, the truth out. A command holds until the next,
 /// but for a second at most: as any driver must, it stops its thrusters when the pilot falls
-/// silent.
+/// silent. What it draws, its battery gives, until that switches off and nothing turns any more.
 class SimVehicleApp final : public App {
  public:
   struct Params {
@@ -42,6 +44,7 @@ class SimVehicleApp final : public App {
  private:
   void OnCommand(const Stamped<ThrusterCommand>& command);
   void OnFormerTruth(const Stamped<SimTruth>& truth);
+  void OnFormerBattery(const Stamped<SimBattery>& battery);
   [[nodiscard]] bool AwaitsFormerTruth(Seconds now);
   /// Moves on to `end`, `duration` after the last step.
   void Move(Seconds duration, Seconds end);
@@ -49,9 +52,10 @@ class SimVehicleApp final : public App {
   [[nodiscard]] ThrusterVector ThrustAt(Seconds time);
   void NoteZero(bool is_zero, Seconds time);
   void TellThrust(Seconds now);
-  /// LEAK and BATTERY, where the scenario has faults of them.
-  void TellFaults();
+  /// BATTERY, of a vehicle that has one or of a scenario's fault, and the truth of it.
+  void TellBattery();
 
+  VehicleFile file_;
   VehicleParams vehicle_;
   Scenario scenario_;
   std::string integrator_;
@@ -59,6 +63,8 @@ class SimVehicleApp final : public App {
   VehicleSimulation simulation_;
   bool has_place_ = true;  ///< false after a restart, until the place of the former life is known
   std::optional<Seconds> waits_since_;
+  std::optional<SimulatedBattery> battery_;
+  bool has_battery_recalled_ = false;
   ThrusterWatchdog watchdog_;
   FaultSchedule faults_;
   SimThrust thrust_;

@@ -7,6 +7,16 @@
 
 namespace limpet::warnings {
 
+inline const WarningId kBatteryOff = DeclareWarning(
+    "BATTERY_OFF",
+    {.severity = Severity::kAlarm,
+     .raised_by = {"uSimVehicle"},
+     .meaning = "The simulated battery is empty, or was asked for more than it gives: its "
+                "protection has switched it off, and no thruster turns any more.",
+     .action = "Nothing helps this dive; what would have: `limpet check --dry-run`, the rules of "
+               "the battery in docs/safety.md.",
+     .clears = "It stands to the end of the run."});
+
 inline const WarningId kCommandRefused = DeclareWarning(
     "COMMAND_REFUSED",
     {.severity = Severity::kWarning,

@@ -20,6 +20,8 @@ A new vehicle: copy the file that is nearer to it beside your mission, weigh and
 
 Sensors are described as their data sheets do. The simulator builds such sensors; where `scenario.yaml` says under `sensors` how large an error truly is (`heading_sigma_deg`, `yaw_bias_deg_per_h`, `gps_sigma_m`), it is that. pNav never hears of the scenario: it believes the sheets, with margins of its own (velocity 1.2, gyro bias 2, depth 1.4 times). A vehicle without a fibre-optic gyro (`fog: {present: false}`) turns by its IMU's yaw rate, which is believed less.
 
+A file with a section `battery` has a battery: uSimVehicle drains it (hotel load, and what each thruster draws), its voltage sags, and `BATTERY` says what its gauge shows; capacity and gauge differ from the sheet by their sigmas, drawn from the seed, and by `errors.battery` of the scenario. On board the sheet is believed with a margin (0.85 of the capacity, 1.25 of what is drawn) until use has told (`ENERGY_STATE`). A file without it flies without: no `BATTERY`, and no rule of energy.
+
 `based_on: feelhippo.yaml` gives everything that the file leaves out as another file has it.
 
 What blocks of a mission used to say of the sensors is the file's to say: `camera_...` of pHelm, pMap, pNav and uSimCamera, `rate_hz` of uSimCamera, `heading_sigma_deg`, `dvl_x_m`, `dvl_y_m`, `dvl_z_m` and `top_speed_mps` of pNav, `platform_length` of pNodeReporter. The rule for all: a block that says what the file says flies as before, one that says something else is refused, with the file's key and line. `--set` overrides a parameter that a block still has.

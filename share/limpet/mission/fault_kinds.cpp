@@ -8,7 +8,7 @@ namespace limpet {
 namespace {
 
 // clang-format off
-constexpr std::array<FaultKind, 20> kFaultKinds{{
+constexpr std::array<FaultKind, 23> kFaultKinds{{
     {"dvl_silent", "The DVL says nothing", "uSimSensors"},
     {"dvl_stuck", "The DVL repeats its last sample", "uSimSensors"},
     {"dvl_flipped", "The DVL's velocity has the opposite sign ahead and aside", "uSimSensors"},
@@ -27,7 +27,10 @@ constexpr std::array<FaultKind, 20> kFaultKinds{{
     {"camera_silent", "The camera makes no frames", "uSimCamera"},
     {"thrusters_weak", "Every thruster makes a share of its thrust", "uSimVehicle", "that share", 0.1, 0.0, 1.0},
     {"leak", "LEAK is true; it is false else", "uSimVehicle"},
-    {"battery", "BATTERY says this charge; it is full else", "uSimVehicle", "share of a full one", 0.2, 0.0, 1.0},
+    {"battery", "BATTERY says this charge; a vehicle without a battery says that it is full else", "uSimVehicle", "share of a full one", 0.2, 0.0, 1.0},
+    {"gauge_stuck", "The battery's gauge repeats the charge that it said last", "uSimVehicle"},
+    {"cells_lost", "Some cells of the battery are shorted; the gauge does not know", "uSimVehicle", "share of its voltage and energy that is gone", 0.15, 0.0, 0.95},
+    {"battery_load", "Something more draws on the battery", "uSimVehicle", "so much [W]", 300.0, 0.0, 10000.0},
     {"app_hangs", "An app does nothing: no tick, no mail; embedded alone", "session"},
 }};
 // clang-format on

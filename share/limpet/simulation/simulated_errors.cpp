@@ -16,14 +16,15 @@ ErrorSection Section(std::string name, Params&... params) {
 }  // namespace
 
 std::vector<ErrorSection> ErrorSections(SimulatedErrors& errors) {
-  auto& [camera, imu, fog, dvl, depth, gps, thrusters] = errors;
+  auto& [camera, imu, fog, dvl, depth, gps, thrusters, battery] = errors;
   return {Section("camera", camera.mounting, camera.shutter, camera.stamps),
           Section("imu", imu.gyro, imu.compass, imu.stamps),
           Section("fog", fog.gyro, fog.stamps),
           Section("dvl", dvl.mounting, dvl.beams, dvl.bursts, dvl.stamps),
           Section("depth", depth.pressure, depth.stamps),
           Section("gps", gps.multipath, gps.stamps),
-          Section("thrusters", thrusters)};
+          Section("thrusters", thrusters),
+          Section("battery", battery)};
 }
 
 }  // namespace limpet

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "limpet/core/params.hpp"
+#include "limpet/simulation/battery_error.hpp"
 #include "limpet/simulation/beam_error.hpp"
 #include "limpet/simulation/compass_error.hpp"
 #include "limpet/simulation/depth_error.hpp"
@@ -50,6 +51,7 @@ struct SimulatedErrors {
     StampErrorParams stamps;
   } gps;
   ThrusterErrorParams thrusters;
+  BatteryErrorParams battery;
 };
 
 /// A section of `errors:` in scenario.yaml with its keys as declared.

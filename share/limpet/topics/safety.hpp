@@ -65,11 +65,14 @@ inline const auto kSafetyState = Declare<SafetyState>(
 inline const auto kSafetyReset = Declare<bool>(
     "SAFETY_RESET", "true lifts what pSafety's rules ask for; what is still so asks again",
     {.rate = "on event", .writers = {"operator"}, .is_command = true});
-inline const auto kLeak = Declare<bool>("LEAK", "water in the hull",
-                                        {.rate = "1 Hz", .writers = {"a driver of the vehicle's"}});
-inline const auto kBattery = Declare<BatteryState>(
-    "BATTERY", "charge, voltage and current of the battery",
-    {.unit = "share, V, A", .rate = "1 Hz", .writers = {"a driver of the vehicle's"}});
+inline const auto kLeak =
+    Declare<bool>("LEAK", "water in the hull",
+                  {.rate = "1 Hz", .writers = {"uSimVehicle", "a driver of the vehicle's"}});
+inline const auto kBattery =
+    Declare<BatteryState>("BATTERY", "charge, voltage and current of the battery",
+                          {.unit = "share, V, A",
+                           .rate = "1 Hz",
+                           .writers = {"uSimVehicle", "a driver of the vehicle's"}});
 inline const auto kShoreBeat =
     Declare<double>("SHORE_BEAT", "any number, again and again: the link to the shore is up",
                     {.rate = "1 Hz", .writers = {"another community, over pShare"}});

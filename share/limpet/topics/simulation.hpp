@@ -44,6 +44,20 @@ struct SimThrust {
   }
 };
 
+/// The battery as it truly is, faults of its gauge aside.
+struct SimBattery {
+  double charge = 1.0;       ///< share of a full one
+  double capacity_wh = 0.0;  ///< of a full one
+  double used_wh = 0.0;      ///< since the simulator started
+  bool is_off = false;       ///< its protection has switched it off
+
+  template <class V>
+  void Describe(V& visit) {
+    visit("charge", charge), visit("capacity_wh", capacity_wh), visit("used_wh", used_wh);
+    visit("is_off", is_off);
+  }
+};
+
 namespace topics {
 inline const auto kSimThrust = Declare<SimThrust>(
     "SIM_THRUST", "thrust in force, and what the thrusters' watchdog did",
@@ -51,6 +65,9 @@ inline const auto kSimThrust = Declare<SimThrust>(
 inline const auto kSimTruth = Declare<SimTruth>(
     "SIM_TRUTH", "true state of the vehicle",
     {.unit = "m, rad, s", .frame = "NED, body FRD", .rate = "50 Hz", .writers = {"uSimVehicle"}});
+inline const auto kSimBattery = Declare<SimBattery>(
+    "SIM_BATTERY", "the battery as it truly is",
+    {.unit = "share, Wh", .rate = "1 Hz, where the vehicle has one", .writers = {"uSimVehicle"}});
 inline const auto kSimEvent =
     Declare<std::string>("SIM_EVENT", "surfaced, submerged, touched_bottom, left_bottom",
                          {.rate = "on event", .writers = {"uSimVehicle"}});

@@ -87,6 +87,12 @@ void CheckSensors(YamlReader& in, const YAML::Node& root, const SensorSheets& se
   }
 }
 
+void CheckBattery(YamlReader& in, const YAML::Node& root, const BatterySheet& battery) {
+  if (battery.is_present && battery.empty_v >= battery.full_v) {
+    in.Complain(root["battery"], "battery.empty_v", "lies below battery.full_v");
+  }
+}
+
 void CheckCamera(YamlReader& in, const YAML::Node& root, const CameraParams& camera) {
   const double highest = std::abs(camera.tilt.value()) + 0.5 * camera.fov_along.value();
   if (highest >= RadiansFromDegrees(85.0)) {
@@ -115,6 +121,7 @@ void ReadSections(YamlReader& in, const YAML::Node& root, Reading& reading) {
   sections.push_back({"name", [&](const YAML::Node& node) { file.name = ValueText(node); }});
   for (VehicleFileSection& section : VehicleFileSections(file)) {
     sections.push_back({section.name, [&, section](const YAML::Node& node) {
+                          if (section.name == "battery") file.battery.is_present = true;
                           std::vector<YamlReader::Field> fields =
                               in.Declared(section.name, section.keys);
                           if (section.name == "thrusters") {
@@ -164,6 +171,7 @@ VehicleFile ReadVehicle(YamlReader& in, const YAML::Node& root, const fs::path& 
   }
   CheckBody(in, root, reading.vehicle.params);
   CheckSensors(in, root, reading.vehicle.sensors);
+  CheckBattery(in, root, reading.vehicle.battery);
   CheckCamera(in, root, reading.vehicle.camera);
   return std::move(reading.vehicle);
 }
@@ -191,7 +199,8 @@ std::vector<VehicleFileSection> VehicleFileSections(VehicleFile& vehicle) {
           {"dvl", DescribeParams(sensors.dvl)},
           {"depth", DescribeParams(sensors.depth)},
           {"gps", DescribeParams(sensors.gps)},
-          {"camera", CameraKeys(vehicle)}};
+          {"camera", CameraKeys(vehicle)},
+          {"battery", DescribeParams(vehicle.battery)}};
 }
 
 VehicleFile ParseVehicleFile(const std::string& text, const std::string& file) {

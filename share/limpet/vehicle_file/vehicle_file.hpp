@@ -11,6 +11,7 @@
 #include "limpet/core/config.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/mission/vehicle_settings.hpp"
+#include "limpet/vehicle/battery_sheet.hpp"
 #include "limpet/vehicle/sensor_sheets.hpp"
 #include "limpet/vehicle/vehicle_params.hpp"
 
@@ -22,6 +23,7 @@ struct VehicleFile {
   std::string name;
   VehicleParams params;
   SensorSheets sensors;
+  BatterySheet battery;
   CameraParams camera;
   CameraTiming camera_timing;
 };

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "limpet/topics/safety.hpp"
 #include "tests/support/test_link.hpp"
 
 namespace limpet {
@@ -68,6 +70,7 @@ class SimVehicle {
     }
     return times;
   }
+  [[nodiscard]] std::optional<BatteryState> Battery() const { return link_.Last(topics::kBattery); }
   [[nodiscard]] SimTruth Truth() const { return *link_.Last(topics::kSimTruth); }
   [[nodiscard]] std::vector<std::string> Events() const {
     std::vector<std::string> events;
@@ -260,6 +263,39 @@ TEST(SimVehicleRestart, ResumesWhereItsFormerLifeLeftTheVehicle) {
   EXPECT_NEAR(truth->east, 4.0, 0.01);
   EXPECT_NEAR(truth->down, 2.5, 0.05);
   EXPECT_NEAR(truth->yaw, 1.0, 0.01);
+}
+
+TEST(SimVehicleRestart, GoesOnWithTheChargeOfItsFormerLife) {
+  TestLink link;
+  AppContext context = ContextFor(link);
+  context.is_restarted = true;
+  SimVehicleApp app(context, {}, Table());
+  link.Send(app, topics::kSimBattery, SimBattery{.charge = 0.4});
+  link.Send(app, topics::kSimTruth, SimTruth{.down = 2.5});
+  app.Tick(link.time);
+  EXPECT_NEAR(link.Last(topics::kSimBattery)->charge, 0.4, 1e-6);
+}
+
+TEST(SimVehicleApp, TellsWhatItsBatterySaysOnceASecond) {
+  SimVehicle vehicle(Table());
+  vehicle.Run(kDown, 5.0);
+  ASSERT_TRUE(vehicle.Battery().has_value());
+  EXPECT_GT(*vehicle.Battery()->amperes, 2.0);
+  EXPECT_NEAR(vehicle.Battery()->charge, 1.0, 0.1);
+}
+
+TEST(SimVehicleApp, RisesWithoutThrustWhenItsBatteryHasSwitchedOff) {
+  Scenario scenario = Table();
+  scenario.errors.battery.charge = 0.1;
+  scenario.errors.battery.capacity_factor = 0.01;
+  SimVehicle vehicle(scenario, "rk4");
+  vehicle.Run(kDown, 6.0);
+  const double down = vehicle.Truth().down;
+  EXPECT_GT(down, 0.5);
+  vehicle.Run(kDown, 60.0);
+  EXPECT_LT(vehicle.Truth().down, down);
+  EXPECT_EQ(vehicle.Battery()->amperes, 0.0);
+  EXPECT_TRUE(vehicle.app().warnings().contains("BATTERY_OFF"));
 }
 
 TEST(SimVehicleRestart, StartsAnewWhenNobodyKnowsItsPlace) {

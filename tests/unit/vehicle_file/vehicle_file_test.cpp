@@ -67,6 +67,7 @@ TEST(VehicleFile, OfBlueRov2LeavesPitchToBuoyancy) {
 TEST(VehicleFile, OfFeelHippoHasTheSensorsThatTheSheetsHaveByDefault) {
   VehicleFile shipped = LoadVehicleFile(kShipped / "feelhippo.yaml");
   VehicleFile usual;
+  usual.battery.is_present = true;
   const std::vector<VehicleFileSection> is = VehicleFileSections(shipped);
   const std::vector<VehicleFileSection> should = VehicleFileSections(usual);
   for (std::size_t i = 2; i < is.size(); ++i) {
@@ -95,6 +96,19 @@ TEST(VehicleFile, LeavesToTheOneItIsBasedOnWhatItDoesNotSay) {
   EXPECT_EQ(file.params.mass, 20.0);
   EXPECT_EQ(file.sensors.dvl.rate, Hertz(3.0));
   EXPECT_EQ(file.sensors.imu.heading_sigma, Radians::FromTextUnit(3.0));
+}
+
+TEST(VehicleFile, HasABatteryIfItSaysAnythingOfOne) {
+  EXPECT_FALSE(ParseVehicleFile(FileWith("mass_kg: 20"), "v.yaml").battery.is_present);
+  const VehicleFile file =
+      ParseVehicleFile(FileWith("mass_kg: 20") + "battery: {capacity_wh: 100}\n", "v.yaml");
+  EXPECT_TRUE(file.battery.is_present);
+  EXPECT_EQ(file.battery.capacity_wh, 100.0);
+}
+
+TEST(VehicleFile, RefusesABatteryThatIsEmptyAboveItsFullVoltage) {
+  EXPECT_THAT(ProblemsOf(FileWith("mass_kg: 20") + "battery: {empty_v: 30}\n"),
+              ElementsAre(HasSubstr("battery.empty_v: lies below battery.full_v")));
 }
 
 TEST(VehicleFile, RefusesACameraThatSeesTheHorizon) {
