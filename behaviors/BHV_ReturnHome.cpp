@@ -3,21 +3,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "limpet/helm/registry.hpp"
+#include "limpet/planning/home_path.hpp"
 
 namespace limpet {
 namespace {
+
+/// No option is longer. Nearer to the end of the battery's reach than this and the way home, a way
+/// home has to be among the options, since all others may be refused.
+constexpr double kLongestOption_m = 200.0;
 
 double DistanceHome(const Pose2& from, const Situation& now) {
   return std::hypot(from.north - now.home.north, from.east - now.home.east);
 }
 
+/// Path that the battery allows [m].
+double ReachOf(const Situation& now) {
+  return now.reach ? now.reach->value() : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 void BHV_ReturnHome::Shape(const Situation& now, double, SearchGoals& goals) const {
-  const bool is_near_the_limit =
-      now.travelled + 1.2 * DistanceHome(now.pose, now) > 0.9 * params_.range.value();
+  const double way_home = 1.2 * DistanceHome(now.pose, now);
+  const bool is_near_the_limit = now.travelled + way_home > 0.9 * params_.range.value() ||
+                                 way_home + kLongestOption_m > ReachOf(now);
   if (params_.when == "now" || is_near_the_limit) {
     goals.destinations.push_back({.north = now.home.north, .east = now.home.east});
   }
@@ -28,9 +40,15 @@ std::optional<Bid> BHV_ReturnHome::Value(const Prospect& prospect, const Situati
   if (params_.when == "now") {
     return Bid{.value = -to_go, .why = {{"to_go", to_go}}, .veto = {}};
   }
-  const double overrun = std::max(0.0, now.travelled + to_go - params_.range.value());
-  return Bid{
-      .value = -params_.lateness_weight * overrun, .why = {{"overrun", overrun}}, .veto = {}};
+  const double beyond_battery = to_go - ReachOf(now);
+  const double overrun =
+      std::max({0.0, now.travelled + to_go - params_.range.value(), beyond_battery});
+  Bid bid{.value = -params_.lateness_weight * overrun, .why = {{"overrun", overrun}}, .veto = {}};
+  // The way home is never refused: there is none cheaper.
+  if (beyond_battery > 0.0 && !MayEndAnywhere(*prospect.option)) {
+    bid.veto = "the battery does not reach home after it";
+  }
+  return bid;
 }
 
 LIMPET_REGISTER_BEHAVIOR(BHV_ReturnHome);

@@ -10,7 +10,8 @@ namespace limpet {
 
 /// Asks for the way home. With `when = now` it values every option by how far from home it would
 /// leave the vehicle; with `when = late` it charges options that would make the vehicle overrun its
-/// range on the way back.
+/// range on the way back, and refuses those after which the battery (ENERGY_STATE) does not reach
+/// home with its reserve.
 class BHV_ReturnHome final : public Behavior {
  public:
   struct Params {

@@ -16,6 +16,7 @@
 #include "limpet/helm/motion_record.hpp"
 #include "limpet/helm/view_planner.hpp"
 #include "limpet/helm/warning_book.hpp"
+#include "limpet/topics/energy.hpp"
 #include "limpet/topics/safety.hpp"
 
 namespace limpet {
@@ -50,6 +51,9 @@ class HelmApp final : public App {
   [[nodiscard]] bool IsOverruled() const;
   void OnArea(const Stamped<SurveyArea>& area);
   void OnHome(const Stamped<HomePoint>& home);
+  void OnEnergy(const Stamped<EnergyState>& energy) {
+    planner_.survey().SetReach(Meters(energy.value.reach_m));
+  }
   void OnDelta(const Stamped<GridDelta>& delta) { planner_.survey().Apply(delta.value); }
   void OnCoverage(const Stamped<Coverage>& coverage) {
     planner_.survey().SetCoverage(coverage.value);

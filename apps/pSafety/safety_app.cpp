@@ -60,6 +60,7 @@ void SafetyApp::SubscribeToProcesses() {
 void SafetyApp::SubscribeToVehicle() {
   SubscribeIfWritten(topics::kLeak, &SafetyApp::OnLeak);
   SubscribeIfWritten(topics::kBattery, &SafetyApp::OnBattery);
+  SubscribeIfWritten(topics::kEnergyState, &SafetyApp::OnEnergy);
   SubscribeIfWritten(topics::kShoreBeat, &SafetyApp::OnShoreBeat);
   SubscribeIfWritten(topics::kWallClock, &SafetyApp::OnWallClock);
 }

@@ -52,6 +52,7 @@ class SafetyApp final : public App {
   }
   void OnLeak(const Stamped<bool>& leak) { signs_.HearLeak(leak.value); }
   void OnBattery(const Stamped<BatteryState>& battery) { signs_.HearCharge(battery.value.charge); }
+  void OnEnergy(const Stamped<EnergyState>& energy) { signs_.Hear(energy.value); }
   void OnShoreBeat(const Stamped<double>&) { signs_.HearShore(now()); }
 
   /// Room on the disk of the run folder; embedded a run must not depend on it.

@@ -10,6 +10,7 @@
 #include "apps/pSurvey/survey_memory.hpp"
 #include "apps/pSurvey/survey_warnings.hpp"
 #include "limpet/app/registry.hpp"
+#include "limpet/planning/home_path.hpp"
 #include "limpet/survey/look.hpp"
 #include "limpet/survey/mission_area.hpp"
 #include "limpet/survey/survey_grid.hpp"
@@ -43,6 +44,7 @@ SurveyApp::SurveyApp(const AppContext& context, const Params& params)
   if (context.is_restarted) {
     Recall();  // first: a DEPLOY that is known already must not start the mission anew
   }
+  MakeEnergyEstimate();
   Subscribe(topics::kNavState, &SurveyApp::OnNav);
   Subscribe(topics::kDeploy, &SurveyApp::OnDeploy);
   Subscribe(topics::kReturn, &SurveyApp::OnReturn);
@@ -52,6 +54,7 @@ SurveyApp::SurveyApp(const AppContext& context, const Params& params)
   Subscribe(topics::kMapLook, &SurveyApp::OnLook);
   Subscribe(topics::kMissionEnd, &SurveyApp::OnMissionEnd);
   Subscribe(topics::kHelmRevisits, &SurveyApp::OnRevisits);
+  SubscribeIfWritten(topics::kHelmPath, &SurveyApp::OnPath);
   Subscribe(topics::kHelmState, &SurveyApp::OnHelmState);
   Subscribe(topics::kHelmAllStop, &SurveyApp::OnAllStop);
 }
@@ -169,6 +172,12 @@ double SurveyApp::CoveredShare(const Coverage& coverage) const {
     return coverage.seabed;
   }
   return params_.coverage_kind == "band" ? coverage.band : coverage.band_top;
+}
+
+void SurveyApp::OnPath(const Stamped<HelmPath>& path) {
+  if (phase_ == Phase::kSurvey && path.value.purpose == kHomeSource) {
+    GoHome("no more than the way home is in reach", "timeout", now());
+  }
 }
 
 void SurveyApp::OnCoverage(const Stamped<Coverage>& coverage) {

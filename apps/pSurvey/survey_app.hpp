@@ -7,9 +7,11 @@
 #include "apps/pSurvey/helm_watch.hpp"
 #include "apps/pSurvey/transit.hpp"
 #include "limpet/app/app.hpp"
+#include "limpet/energy/energy_estimate.hpp"
 #include "limpet/planning/ground.hpp"
 #include "limpet/planning/region.hpp"
 #include "limpet/survey/survey_params.hpp"
+#include "limpet/topics/energy.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
@@ -33,7 +35,9 @@ class SurveyApp final : public App {
   enum class Phase { kIdle, kAlign, kDive, kSurvey, kReturn, kAscend, kFix, kDone };
 
   /// Of what pNav does not vouch for only the silence counts.
-  void OnNav(const Stamped<NavState>& nav) { nav_ = nav.value.is_usable() ? nav : nav_; }
+  void OnNav(const Stamped<NavState>& nav);
+  /// Learns from it what the way home takes, and says so.
+  void OnBattery(const Stamped<BatteryState>& battery);
   void OnDeploy(const Stamped<bool>& deploy);
   void OnReturn(const Stamped<bool>& request);
   void OnAreaRequest(const Stamped<std::string>& request);
@@ -45,6 +49,8 @@ class SurveyApp final : public App {
   void OnHelmState(const Stamped<std::string>& state) { helm_.HearState(state.value, now()); }
   void OnAllStop(const Stamped<std::string>& why) { helm_.HearAllStop(why.value, now()); }
   void OnLook(const Stamped<MapLook>& look);
+  /// Where the helm finds nothing worth flying to but home, the survey is over.
+  void OnPath(const Stamped<HelmPath>& path);
   void OnRevisits(const Stamped<HelmRevisits>& revisits) { revisits_ = revisits.value; }
 
   void Enter(Phase phase, Seconds now);
@@ -64,6 +70,8 @@ class SurveyApp final : public App {
   void SetArea(SurveyArea area);
   /// The area of the former life, as a record in braces.
   void RecallArea(const std::string& kept);
+  /// Only of a vehicle whose file has a battery.
+  void MakeEnergyEstimate();
   void PublishArea();
   void Remember();
   void Recall();
@@ -95,6 +103,8 @@ class SurveyApp final : public App {
   std::optional<Footprint> footprint_;  ///< in this water
   HelmRevisits revisits_;
   std::string ended_ = "home";
+  std::optional<EnergyEstimate> energy_;  ///< of a vehicle that has a battery
+  std::optional<EnergyState> energy_state_;
 };
 
 }  // namespace limpet

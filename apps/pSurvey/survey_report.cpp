@@ -42,6 +42,12 @@ void SurveyApp::Report(ReportLines& report) const {
     report.Pair("Home", fmt::format("north {:.1f}, east {:.1f} m, {:.1f} m away", home_->north,
                                     home_->east, DistanceHome()));
   }
+  if (energy_state_) {
+    const EnergyState& energy = *energy_state_;
+    report.Pair("Energy",
+                fmt::format("{:.0f} Wh left, {:.0f} to go home and {:.0f} in reserve; {:.0f} used",
+                            energy.left_wh, energy.home_wh, energy.reserve_wh, energy.used_wh));
+  }
   if (phase_ == Phase::kDone) {
     report.Pair("Ended", ended_);
   }

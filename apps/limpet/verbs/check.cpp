@@ -52,6 +52,15 @@ nlohmann::ordered_json JsonOf(const std::vector<ConfigProblem>& problems) {
   return list;
 }
 
+/// Null without a battery.
+nlohmann::ordered_json EnergyJson(const std::optional<EnergyOutlook>& energy) {
+  if (!energy) return nullptr;
+  return {{"needed_wh", energy->needed_wh},
+          {"home_wh", energy->home_wh},
+          {"charged_wh", energy->charged_wh},
+          {"reserve_wh", energy->reserve_wh}};
+}
+
 struct CheckLine {
   ConfigProblem problem;
   bool is_note = false;
@@ -81,6 +90,13 @@ void PrintLines(const MissionProblems& found) {
   });
   for (const CheckLine& line : lines) {
     fmt::print("{}\n", TextOf(line));
+  }
+  if (found.energy) {
+    fmt::print(
+        "energy: the survey takes about {:.0f} Wh, {:.0f} Wh of them for the way home; {:.0f} Wh "
+        "in the battery, {:.0f} Wh in reserve\n",
+        found.energy->needed_wh, found.energy->home_wh, found.energy->charged_wh,
+        found.energy->reserve_wh);
   }
   const std::size_t problems = found.syntax.size() + found.geometry.size();
   fmt::print("{}{}\n", problems == 0 ? "no problems" : Counted(problems, "problem"),
@@ -114,7 +130,8 @@ int CheckMission(const Arguments& given) {
   if (given.Has("json")) {
     const nlohmann::ordered_json out{{"syntax", JsonOf(found.syntax)},
                                      {"geometry", JsonOf(found.geometry)},
-                                     {"notes", JsonOf(found.notes)}};
+                                     {"notes", JsonOf(found.notes)},
+                                     {"energy", EnergyJson(found.energy)}};
     fmt::print("{}\n", out.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   } else {
     PrintLines(found);

@@ -35,7 +35,9 @@ std::optional<Guidance> PathTracker::Guide(const NavState& nav) {
 }
 
 Pose2 PathTracker::JoiningPose(const NavState& nav, double near) const {
-  if (has_path_ && std::abs(steering_.cross_track) < near) {
+  // Beyond its end a path says nothing of where the vehicle is.
+  const bool is_on_path = has_path_ && steering_.progress < path_.length();
+  if (is_on_path && std::abs(steering_.cross_track) < near) {
     return path_.At(steering_.progress);
   }
   return {.north = nav.north, .east = nav.east, .yaw = nav.yaw};

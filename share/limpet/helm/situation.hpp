@@ -81,6 +81,8 @@ struct Situation {
   std::vector<WatchedObject> objects;
   Coverage coverage;
   double travelled = 0.0;  ///< path since the helm first decided [m]
+  /// Path that the battery allows from now on, way home and reserve kept; absent: nobody says.
+  std::optional<Meters> reach{};
 };
 
 /// An option with what its whole motion would newly show.

@@ -83,7 +83,8 @@ Situation SurveyMirror::Snapshot(Seconds now, const Pose2& pose, double travelle
           .home = home_.value_or(HomePoint{}),
           .objects = watch_.Objects(grid_.get(), seabed_down_),
           .coverage = coverage_,
-          .travelled = travelled};
+          .travelled = travelled,
+          .reach = reach_of_battery_};
 }
 
 }  // namespace limpet

@@ -22,6 +22,7 @@ class SurveyMirror {
   /// False if that is the area already: what is known of it stays.
   bool SetArea(const SurveyArea& area);
   void SetHome(const HomePoint& home) { home_ = home; }
+  void SetReach(Meters reach) { reach_of_battery_ = reach; }
   [[nodiscard]] const std::optional<HomePoint>& home() const { return home_; }
   void SetCoverage(const Coverage& coverage) { coverage_ = coverage; }
   /// By what the map judges looks, and how far one sees: what is left to see follows from it.
@@ -57,6 +58,7 @@ class SurveyMirror {
   std::unique_ptr<SeenAlong> sight_;
   std::unique_ptr<Region> region_;
   std::optional<HomePoint> home_;
+  std::optional<Meters> reach_of_battery_;
   ObjectWatch watch_;
   Coverage coverage_;
   std::optional<double> seabed_down_;  ///< NED depth of the seabed last measured [m]

@@ -34,6 +34,16 @@ void CheckShape(const MissionReading& reading, const SurveyFacts& survey, Missio
 void CheckObjects(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found);
 void CheckEndurance(const MissionReading& reading, const SurveyFacts& survey,
                     MissionProblems& found);
+/// What of a session costs energy: the way out, which is transit and survey, the way home from the
+/// farthest place, and the current that it may be against.
+struct SessionWay {
+  double out_m = 0.0;
+  double home_m = 0.0;
+  double current_mps = 0.0;
+};
+/// REQUIRES: a speed above 0.
+void CheckEnergy(const MissionReading& reading, const SurveyFacts& survey, const SessionWay& way,
+                 MissionProblems& found);
 /// `deepest`: where the survey is flown [m].
 void CheckDepthLimit(const MissionReading& reading, double deepest, MissionProblems& found);
 void CheckSafety(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found);

@@ -119,6 +119,13 @@ double TopSpeed(const VehicleParams& vehicle) {
   return low;
 }
 
+/// The strongest that the scenario lets it become [m/s].
+double StrongestCurrent(const Scenario::Water& water) {
+  const double strongest =
+      water.current.tide_period > Seconds(0.0) ? 1.0 + water.current.tide_share : 1.0;
+  return strongest * std::hypot(water.current_north_mps, water.current_east_mps);
+}
+
 void CheckCurrent(const MissionReading& reading, const SurveyFacts& survey,
                   MissionProblems& found) {
   if (!reading.Launches("uSimVehicle")) return;  // another vehicle has another top speed
@@ -131,9 +138,7 @@ void CheckCurrent(const MissionReading& reading, const SurveyFacts& survey,
   }
   if (!reading.scenario()) return;
   const Scenario::Water& water = reading.scenario()->water;
-  const double strongest =
-      water.current.tide_period > Seconds(0.0) ? 1.0 + water.current.tide_share : 1.0;
-  const double current = strongest * std::hypot(water.current_north_mps, water.current_east_mps);
+  const double current = StrongestCurrent(water);
   const bool is_north = std::abs(water.current_north_mps) >= std::abs(water.current_east_mps);
   const SourceLine where =
       reading.InScenario(is_north ? "current_north_mps:" : "current_east_mps:");
@@ -163,6 +168,12 @@ void CheckEndurance(const MissionReading& reading, const SurveyFacts& survey,
   CheckRange(reading, ways, found);
   CheckWayHome(reading, survey, ways, found);
   CheckCurrent(reading, survey, found);
+  CheckEnergy(
+      reading, survey,
+      {.out_m = ways.there(),
+       .home_m = ways.farthest_home,
+       .current_mps = reading.scenario() ? StrongestCurrent(reading.scenario()->water) : 0.0},
+      found);
   const double margin = reading.Find("pSurvey", "margin_m")->number();
   if (ways.transit > margin) {
     found.notes.push_back(

@@ -181,7 +181,7 @@ MissionProblems CheckMissionFile(const fs::path& file) {
   try {
     return CheckLoadedMission(LoadMission(file), file.parent_path());
   } catch (const ConfigError& error) {
-    return Sorted({.syntax = error.problems(), .geometry = {}, .notes = {}});
+    return Sorted({.syntax = error.problems(), .geometry = {}, .notes = {}, .energy = {}});
   }
 }
 
@@ -219,6 +219,7 @@ MissionProblems CheckPath(const fs::path& path) {
     Join(more.syntax, found.syntax);
     Join(more.geometry, found.geometry);
     Join(more.notes, found.notes);
+    if (!found.energy) found.energy = more.energy;
   }
   if (!has_mission) {
     found.syntax.push_back({{.file = path.string(), .line = 0}, "", "has no .moos file"});

@@ -13,13 +13,23 @@
 
 namespace limpet {
 
+/// Energy that a survey is expected to take, by its lanes and the vehicle's sheets [Wh].
+struct EnergyOutlook {
+  double needed_wh = 0.0;   ///< from the start to home
+  double home_wh = 0.0;     ///< of these for the way home from the farthest place
+  double charged_wh = 0.0;  ///< held by the battery at the start
+  double reserve_wh = 0.0;  ///< to be left at home
+};
+
 /// What is to be said of a mission. `syntax`: what cannot be read or is not allowed (exit code 2).
 /// `geometry`: what reads well and cannot work, e.g. water deeper than the helm's domain (exit code
 /// 3). `notes`: what may be meant so: what belongs to other people's apps, what is near a limit.
+/// `energy`: what the mission is expected to take, if its vehicle has a battery.
 struct MissionProblems {
   std::vector<ConfigProblem> syntax;
   std::vector<ConfigProblem> geometry;
   std::vector<ConfigProblem> notes;
+  std::optional<EnergyOutlook> energy{};
 };
 
 /// The mission file, the behavior files, scenario.yaml and expect.yaml beside it. Every problem,

@@ -8,6 +8,7 @@
 
 #include "limpet/figures/probability_text.hpp"
 #include "limpet/figures/svg_canvas.hpp"
+#include "limpet/report/energy_sentence.hpp"
 #include "limpet/report/html_explanations.hpp"
 #include "limpet/report/html_pictures.hpp"
 #include "limpet/report/html_style.hpp"
@@ -74,6 +75,10 @@ std::string Cards(const SessionScore& session) {
   } else {
     out += Card(std::to_string(session.opis.reported.size()), "objects reported; not judged");
     out += Card(EscapedMarkup(session.ended), "how it ended");
+  }
+  if (session.energy) {
+    out += Card(fmt::format("{:.0f} Wh", session.energy->last.used_wh),
+                "energy, by its own account: " + EnergySentence(*session.energy));
   }
   if (session.water) {
     out += Card(fmt::format("{:.1f} m", session.water->visibility.visibility),

@@ -144,6 +144,17 @@ OrderedJson Water(const SessionScore& session) {
             {"band_top", Share(water.believed.band_top)}}}};
 }
 
+/// What the vehicle itself says; null without a battery.
+OrderedJson Energy(const SessionScore& session) {
+  if (!session.energy) return nullptr;
+  const EnergyRecord& energy = *session.energy;
+  return {{"used_wh", Length(energy.last.used_wh)},
+          {"home_wh", Length(energy.home_wh)},
+          {"left_wh", Length(energy.last.left_wh)},
+          {"reserve_wh", Length(energy.last.reserve_wh)},
+          {"least_spare_wh", Length(energy.least_spare_wh)}};
+}
+
 OrderedJson Session(const SessionScore& session) {
   OrderedJson out = {
       {"coverage", IfJudged(session, Levels(session.coverage.seabed, 0.90))},
@@ -161,6 +172,7 @@ OrderedJson Session(const SessionScore& session) {
       {"missed", IfJudged(session, session.opis.missed)},
       {"false", IfJudged(session, FalseOpis(session.opis.invented))}};
   out["water"] = Water(session);
+  out["energy"] = Energy(session);
   out["warnings"] = Warnings(session);
   if (!session.former.empty()) {
     out["prior_opis_seen_path_m"] = Optional(session.coverage.prior_opis_seen_path_m, Length);

@@ -12,6 +12,7 @@
 #include "limpet/console/frame.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/figures/probability_text.hpp"
+#include "limpet/report/energy_sentence.hpp"
 #include "limpet/report/water_sentence.hpp"
 #include "limpet/scoring/verdict.hpp"
 
@@ -185,6 +186,11 @@ std::string WaterLine(const SessionScore& session) {
   return fmt::format("  {}\n", WaterSentence(*session.water));
 }
 
+std::string EnergyLine(const SessionScore& session) {
+  if (!session.energy) return "";
+  return fmt::format("  energy: {}\n", EnergySentence(*session.energy));
+}
+
 std::string SessionText(const SessionScore& session, const ReportSettings& settings,
                         const Painter& paint) {
   std::string out = "\n" + Heading(session, paint);
@@ -192,6 +198,7 @@ std::string SessionText(const SessionScore& session, const ReportSettings& setti
     out += paint.Dim(fmt::format("  compared with {}\n", OneLine(session.former, 64)));
   }
   out += WaterLine(session);
+  out += EnergyLine(session);
   if (!session.has_truth) return out + ReportedTable(session, paint);
   out += session.former.empty() ? DiscoveryTable(session, paint) : ChangeTable(session, paint);
   out += Mistakes(session, paint);

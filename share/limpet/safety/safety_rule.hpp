@@ -28,6 +28,8 @@ enum class SafetyRuleId : std::size_t {
   kLeak,
   kBatteryLow,
   kBatteryCritical,
+  kGaugeOff,
+  kEnergyHome,
   kDepthOverLimit,
   kAltitudeLow,
   kOutsideRegion,
@@ -60,7 +62,7 @@ enum class SafetyRuleId : std::size_t {
   kDiskFull,
   kLinkLost
 };
-inline constexpr std::size_t kSafetyRules = 34;
+inline constexpr std::size_t kSafetyRules = 36;
 
 /// One row. What it watches is a number that must not go beyond a limit.
 struct SafetyRule {

@@ -210,6 +210,12 @@ void SafetySigns::MeasureVehicle(SafetyMeasures& measures, Seconds now) const {
     MeasureOf(measures, SafetyId::kBatteryLow) = 100.0 * *charge_;
     MeasureOf(measures, SafetyId::kBatteryCritical) = 100.0 * *charge_;
   }
+  if (energy_) {
+    MeasureOf(measures, SafetyId::kEnergyHome) = energy_->spare_wh();
+    if (energy_->gauge_excess) {
+      MeasureOf(measures, SafetyId::kGaugeOff) = 100.0 * *energy_->gauge_excess;
+    }
+  }
   MeasureOf(measures, SafetyId::kMissionTime) = SinceOrZero(under_way_since_, now);
   MeasureOf(measures, SafetyId::kNoProgress) = ProgressLack(now);
   MeasureOf(measures, SafetyId::kThrustersSaturated) = SinceOrZero(saturated_since_, now);

@@ -11,6 +11,7 @@
 #include "limpet/safety/safety_ladder.hpp"
 #include "limpet/safety/seabed_watch.hpp"
 #include "limpet/safety/stuck_watch.hpp"
+#include "limpet/topics/energy.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
 #include "limpet/topics/safety.hpp"
@@ -45,6 +46,7 @@ class SafetySigns {
   void HearClockSteps(int steps, Seconds now);
   void HearLeak(bool leaks) { leaks_ = leaks; }
   void HearCharge(double share) { charge_ = share; }
+  void Hear(const EnergyState& energy) { energy_ = energy; }
   void HearShore(Seconds now) { shore_heard_ = now; }
   void HearRoom(double mib) { room_mib_ = mib; }
   /// An area that cannot be is left out.
@@ -88,6 +90,7 @@ class SafetySigns {
   std::optional<int> clock_steps_;
   std::optional<bool> leaks_;
   std::optional<double> charge_, room_mib_;
+  std::optional<EnergyState> energy_;
   std::optional<SurveyArea> area_;
   std::optional<Region> region_;  ///< of `area_`
   std::optional<HomePoint> home_;

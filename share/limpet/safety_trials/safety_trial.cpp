@@ -22,10 +22,12 @@ constexpr double kFaultAfter_s = 3.0;  ///< the phase began
 constexpr double kUp_m = 0.5;          ///< a vehicle that is shallower has come up
 
 // clang-format off
-constexpr std::array<SafetyCase, 19> kCases{{
+constexpr std::array<SafetyCase, 21> kCases{{
     {"leak", "what: leak", Id::kLeak, Seconds(3.0)},
     {"battery low", "what: battery", Id::kBatteryLow, Seconds(12.0)},
     {"battery critical", "what: battery, size: 0.05", Id::kBatteryCritical, Seconds(12.0)},
+    {"energy short", "what: battery, size: 0.14", Id::kEnergyHome, Seconds(8.0)},
+    {"cells lost", "what: cells_lost", Id::kGaugeOff, Seconds(50.0)},
     {"DVL silent", "what: dvl_silent", Id::kDvlSilent, Seconds(31.0)},
     {"DVL without lock", "what: dvl_no_lock", Id::kDvlSilent, Seconds(31.0)},
     {"DVL flipped", "what: dvl_flipped", Id::kDvlSilent, Seconds(50.0)},

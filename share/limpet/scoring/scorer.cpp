@@ -53,6 +53,7 @@ SessionScore ScoreSession(const SessionRecord& record, const Scenario& scenario,
   score.has_truth = settings.has_scenario && !record.truth.empty();
   score.ended = record.ended.empty() ? "aborted" : record.ended;
   score.warnings = record.warnings;
+  score.energy = record.energy;
   if (record.water && !record.believed_coverage.empty()) {
     score.water = WaterScore{.visibility = *record.water,
                              .believed = record.believed_coverage.back().value,

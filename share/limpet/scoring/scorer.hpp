@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "limpet/scoring/coverage_score.hpp"
+#include "limpet/scoring/energy_record.hpp"
 #include "limpet/scoring/nav_score.hpp"
 #include "limpet/scoring/opi_score.hpp"
 #include "limpet/scoring/pictured_object.hpp"
@@ -29,7 +30,8 @@ struct SessionScore {
   /// nothing, and of `opis` only what was reported and decided does.
   bool has_truth = true;
   CoverageScore coverage;
-  std::optional<WaterScore> water;  ///< nothing if nobody said
+  std::optional<WaterScore> water;     ///< nothing if nobody said
+  std::optional<EnergyRecord> energy;  ///< nothing of a vehicle without a battery
   NavScore nav;
   OpiScores opis;
   std::vector<PicturedObject> pictured;  ///< none without images

@@ -98,6 +98,14 @@ void CollectWater(SessionRecord& record, const Message& message) {
   if (const auto state = Read(topics::kWaterState, message)) record.water = *state;
 }
 
+void CollectEnergy(SessionRecord& record, const Message& message) {
+  const auto state = Read(topics::kEnergyState, message);
+  if (!state) return;
+  const bool is_going_home = record.PhaseStart("RETURN") || record.PhaseStart("ASCEND");
+  if (!record.energy) record.energy.emplace();
+  record.energy->Add(*state, is_going_home);
+}
+
 void CollectGrid(SessionRecord& record, const Message& message) {
   if (const auto delta = Read(topics::kMapDelta, message)) record.grid.Apply(*delta);
 }
@@ -159,6 +167,7 @@ const std::map<std::string, Collector, std::less<>>& Collectors() {
       {topics::kNavSight.name, CollectFrame},
       {topics::kMapCoverage.name, CollectCoverage},
       {topics::kWaterState.name, CollectWater},
+      {topics::kEnergyState.name, CollectEnergy},
       {topics::kMapDelta.name, CollectGrid},
       {topics::kHelmPath.name, CollectPath},
       {topics::kHelmBids.name, CollectBids},

@@ -8,6 +8,7 @@
 
 #include "limpet/core/message.hpp"
 #include "limpet/objects/best_chips.hpp"
+#include "limpet/scoring/energy_record.hpp"
 #include "limpet/scoring/pose_track.hpp"
 #include "limpet/scoring/warning_record.hpp"
 #include "limpet/topics/mapping.hpp"
@@ -74,6 +75,7 @@ struct SessionRecord {
   BestChips chips;                    ///< pictures of the landmarks; none without images
   std::vector<Stamped<Coverage>> believed_coverage;
   std::optional<WaterVisibility> water;  ///< as last published
+  std::optional<EnergyRecord> energy;    ///< nothing of a vehicle without a battery
   GridRecord grid;
   std::vector<DecisionRecord> decisions;
   std::vector<Stamped<std::string>> phases;

@@ -32,6 +32,7 @@ struct SurveyParams {
   Seconds max_time{5400.0};
   Seconds lost{300.0};
   Seconds give_up{1800.0};
+  double energy_reserve_percent = 15.0;
   template <class Visitor>
   void Describe(Visitor& visit) {
     visit.Optional("area_north_min_m", north_min, "South edge of a rectangular area",
@@ -88,6 +89,8 @@ struct SurveyParams {
           InRange(Seconds(10.0), Seconds(864000.0)));
     visit("lost_s", lost, "End the mission, lost, after this time under way without NAV_STATE",
           InRange(Seconds(10.0), Seconds(86400.0)));
+    visit("energy_reserve_percent", energy_reserve_percent,
+          "What of a full battery is to be left at home (ENERGY_STATE)", InRange(0.0, 90.0));
     visit("give_up_s", give_up,
           "End the mission where it is if diving, returning or ascending takes longer",
           InRange(Seconds(10.0), Seconds(86400.0)));

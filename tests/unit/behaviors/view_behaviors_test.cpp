@@ -156,6 +156,24 @@ TEST_F(ViewBehaviorTest, ReturnHomeLateCostsNothingUntilTheRangeRunsOut) {
   EXPECT_TRUE(BHV_ReturnHome({}).WantsView());
 }
 
+TEST_F(ViewBehaviorTest, ReturnHomeLateRefusesWhatTheBatteryDoesNotReachHomeAfter) {
+  BHV_ReturnHome::Params params;
+  params.when = "late";
+  const BHV_ReturnHome behavior(params);
+  now_.home = {.north = 20.0, .east = 0.0};
+  const auto is_refused = [&](double reach) {
+    now_.reach = Meters(reach);
+    return behavior.Value(Seen(Straight(10.0)), now_)->veto.has_value();
+  };
+  EXPECT_FALSE(is_refused(21.0)) << "10 m along, 10 m on to home";
+  EXPECT_TRUE(is_refused(19.0));
+  Straight(20.0).source = "home";
+  EXPECT_FALSE(behavior.Value(Seen(option_), now_)->veto) << "nothing is nearer than the way home";
+  SearchGoals goals;
+  behavior.Shape(now_, 1.0, goals);
+  EXPECT_EQ(goals.destinations.size(), 1U) << "where all else is refused the way home is offered";
+}
+
 TEST_F(ViewBehaviorTest, ReturnHomeLateAsksForAWayHomeInTime) {
   BHV_ReturnHome::Params params;
   params.when = "late";

@@ -72,6 +72,41 @@ INSTANTIATE_TEST_SUITE_P(
              {"no safety rule `leek`; nearest known: `leak`"}}),
     [](const auto& slip) { return slip.param.name; });
 
+class CheckEnergy : public ::testing::TestWithParam<Slip> {};
+
+TEST_P(CheckEnergy, SaysWhatIsWrong) { ExpectSaid(GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(
+    Batteries, CheckEnergy,
+    ::testing::Values(
+        Slip{"ABatteryThatLasts", {}, 0, {"energy: the survey takes about 37 Wh, ", "no problems"}},
+        Slip{"ABatteryThatDoesNotLast",
+             Vehicle("battery: {capacity_wh: 30}"),
+             3,
+             {"vehicle.yaml:3: battery: the survey takes about 37 Wh, ", "the battery holds 30 Wh",
+              "allowed: 42 Wh or more"}},
+        Slip{"ABatteryThatIsTight",
+             Vehicle("battery: {capacity_wh: 50}"),
+             0,
+             {"note: battery: is tight: the survey takes about 37 Wh"}},
+        Slip{
+            "ABatteryThatIsNotCharged",
+            {{"scenario.yaml", "seabed:", "errors: {battery: {charge: 0.2}}\nseabed:"}},
+            3,
+            {"scenario.yaml:", "battery: the survey takes about 37 Wh", "the battery holds 96 Wh"}},
+        Slip{"AReserveThatIsAllOfIt",
+             {{PlugOf("pSurvey"), "ProcessConfig = pSurvey\n{\n",
+               "ProcessConfig = pSurvey\n{\n  energy_reserve_percent = 95\n"}},
+             2,
+             {"energy_reserve_percent: `95` is not allowed; allowed: 0 to 90"}}),
+    [](const auto& slip) { return slip.param.name; });
+
+TEST(CheckVerbOfEnergy, HasItInJson) {
+  const MissionCopy mission;
+  const Checked checked = Check({mission.path().string(), "--json"});
+  EXPECT_THAT(checked.text, HasSubstr("\"needed_wh\": 3"));
+}
+
 std::string Printed(std::vector<std::string> args, int expected) {
   testing::internal::CaptureStdout();
   EXPECT_EQ(RunSafety(args), expected);

@@ -55,6 +55,14 @@ TEST(PathTracker, AddsUpThePartsOfPathsThatWereFlown) {
   EXPECT_EQ(tracker.path_id(), 2);
 }
 
+TEST(PathTracker, JoinsTheNextPathWhereTheVehicleIsOnceThePresentOneIsFlown) {
+  PathTracker tracker;
+  tracker.Follow({.source = "home", .path = DubinsPath({}, {})});
+  static_cast<void>(tracker.Guide(NavAt({.north = 20.0})));
+  EXPECT_EQ(tracker.JoiningPose(NavAt({.north = 20.0}), 1.0).north, 20.0)
+      << "it has gone on beyond its end";
+}
+
 TEST(PathTracker, JoinsTheNextPathOnThePresentOneWhileNearIt) {
   PathTracker tracker;
   const DubinsPath north({}, {{0.0, 10.0}});

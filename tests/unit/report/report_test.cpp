@@ -76,7 +76,7 @@ TEST_F(Report, HasTheContractsKeysOfADiscoverySession) {
       KeysOf(Json()["sessions"]["discovery"]),
       testing::ElementsAre("coverage", "detectable", "covered", "detected_band", "path_m",
                            "duration_s", "wall_s", "realtime_factor", "ended", "home_error_m",
-                           "nav", "opis", "missed", "false", "water", "warnings"));
+                           "nav", "opis", "missed", "false", "water", "energy", "warnings"));
 }
 
 TEST_F(Report, AddsTheKeysOfAChangeSession) {

@@ -61,6 +61,15 @@ TEST_F(SafetySignsTest, CountNoSilenceBeforeTheMissionIsUnderWay) {
   EXPECT_FALSE(Measure(Id::kNavigationSilent));
 }
 
+TEST_F(SafetySignsTest, KnowTheEnergyBeyondTheWayHomeAndTheReserve) {
+  EXPECT_FALSE(Measure(Id::kEnergyHome));
+  signs_.Hear(EnergyState{.left_wh = 100.0, .home_wh = 60.0, .reserve_wh = 50.0});
+  EXPECT_DOUBLE_EQ(Measure(Id::kEnergyHome).value(), -10.0);
+  EXPECT_FALSE(Measure(Id::kGaugeOff)) << "nobody says a voltage";
+  signs_.Hear(EnergyState{.gauge_excess = 0.3});
+  EXPECT_DOUBLE_EQ(Measure(Id::kGaugeOff).value(), 30.0);
+}
+
 TEST_F(SafetySignsTest, CountTheSilenceOfProcessesInRealTime) {
   SafetySigns fast(10.0);
   fast.HearPhase("SURVEY", now_);

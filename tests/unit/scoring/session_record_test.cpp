@@ -102,6 +102,20 @@ TEST(SessionRecord, RemembersOnlyChangesOfBelief) {
   EXPECT_EQ(record.beliefs.size(), beliefs.opis.size());
 }
 
+TEST(SessionRecord, KeepsTheEnergyAndWhatTheWayHomeTookAsItBegan) {
+  SessionRecord record("discovery");
+  EXPECT_FALSE(record.energy.has_value());
+  const auto say = [&record](double time, const EnergyState& state) {
+    record.Collect(MessageOf(topics::kEnergyState, time, state));
+  };
+  say(1.0, {.used_wh = 1.0, .left_wh = 90.0, .home_wh = 20.0, .reserve_wh = 50.0});
+  record.Collect(MessageOf(topics::kSurveyPhase, 2.0, std::string("RETURN")));
+  say(3.0, {.used_wh = 9.0, .left_wh = 82.0, .home_wh = 2.0, .reserve_wh = 50.0});
+  EXPECT_EQ(record.energy->last.used_wh, 9.0);
+  EXPECT_EQ(record.energy->home_wh, 20.0);
+  EXPECT_EQ(record.energy->least_spare_wh, 20.0);
+}
+
 TEST(PoseTrack, TurnsTheShortWayThroughSouth) {
   PoseTrack track;
   track.Add(Seconds(0.0), {{0.0, 0.0, 0.0}, 0.0, 0.0, 3.0});

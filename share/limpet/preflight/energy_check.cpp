@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Whether the battery lasts: there, around and back, with the reserve that is to be left at home.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limpet/energy/energy_prior.hpp"
+#include "limpet/preflight/checks.hpp"
+
+namespace limpet::internal {
+namespace {
+
+constexpr double kTightEnergy = 1.3;  // lanes overlap, and objects want second looks
+
+/// Drawn on the way [W]: on lanes to and fro, and against what current there is.
+struct CruisePowers {
+  double to_and_fro_w = 0.0;
+  double against_w = 0.0;
+};
+
+CruisePowers PowersOf(const VehicleFile& vehicle, double speed_mps, double current_mps) {
+  const auto at = [&vehicle](double through_water_mps) {
+    return CruisePower(vehicle.params, vehicle.battery,
+                       MetersPerSecond(std::abs(through_water_mps)));
+  };
+  const double against_w = at(speed_mps + current_mps);
+  return {.to_and_fro_w = 0.5 * (against_w + at(speed_mps - current_mps)), .against_w = against_w};
+}
+
+/// A full battery of this vehicle as it goes to sea [Wh].
+double ChargedEnergy(const MissionReading& reading, const BatterySheet& battery) {
+  if (!reading.scenario()) return battery.capacity_wh;
+  const BatteryErrorParams& errors = reading.scenario()->errors.battery;
+  return battery.capacity_wh * errors.capacity_factor * errors.charge;
+}
+
+SourceLine WhereOf(const MissionReading& reading) {
+  const SourceLine charge = reading.InScenario("battery:");
+  return charge.line > 0 ? charge : reading.InVehicle("battery.capacity_wh");
+}
+
+}  // namespace
+
+void CheckEnergy(const MissionReading& reading, const SurveyFacts& survey, const SessionWay& way,
+                 MissionProblems& found) {
+  if (!reading.vehicle() || !reading.vehicle()->battery.is_present) return;
+  const VehicleFile& vehicle = *reading.vehicle();
+  const double speed = survey.speed.number();
+  const CruisePowers powers = PowersOf(vehicle, speed, way.current_mps);
+  if (!std::isfinite(powers.against_w)) return;  // it makes no way: that is said of the current
+  const double seconds_at_rest = reading.Find("pSurvey", "align_s")->number() +
+                                 reading.Find("pSurvey", "last_fix_s")->number();
+  const double home_wh = powers.against_w * way.home_m / speed / kJoulesPerWh;
+  const double needed_wh =
+      (powers.to_and_fro_w * way.out_m / speed + vehicle.battery.hotel_w * seconds_at_rest) /
+          kJoulesPerWh +
+      home_wh;
+  const Setting reserve = reading.Find("pSurvey", "energy_reserve_percent").value();
+  const double charged_wh = ChargedEnergy(reading, vehicle.battery);
+  const double usable_wh = charged_wh - 0.01 * reserve.number() * vehicle.battery.capacity_wh;
+  found.energy = EnergyOutlook{.needed_wh = needed_wh,
+                               .home_wh = home_wh,
+                               .charged_wh = charged_wh,
+                               .reserve_wh = charged_wh - usable_wh};
+  const std::string text = fmt::format(
+      "the survey takes about {:.0f} Wh, {:.0f} Wh of them for the way home, at {}; "
+      "the battery holds {:.0f} Wh, of which {} keeps {:.0f} Wh",
+      needed_wh, home_wh, survey.speed.Named(), charged_wh, reserve.Named(),
+      charged_wh - usable_wh);
+  if (needed_wh > usable_wh) {
+    found.geometry.push_back({WhereOf(reading), "battery",
+                              text + fmt::format("; allowed: {:.0f} Wh or more",
+                                                 std::ceil(needed_wh + charged_wh - usable_wh))});
+  } else if (kTightEnergy * needed_wh > usable_wh) {
+    found.notes.push_back({WhereOf(reading), "battery", "is tight: " + text});
+  }
+}
+
+}  // namespace limpet::internal
