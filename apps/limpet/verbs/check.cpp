@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "apps/limpet/cli.hpp"
+#include "apps/limpet/verbs/dry_run_check.hpp"
 #include "apps/limpet/verbs/site_drawing.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/preflight/preflight.hpp"
@@ -26,16 +27,30 @@ Command CheckForm() {
               "Says everything that is wrong with a mission, with file and line, and runs "
               "nothing: what cannot be read, what cannot work (with its scenario.yaml: water, "
               "currents, places), and, as notes, what belongs to other people's apps or is "
-              "near a limit.",
+              "near a limit. With --dry-run it then flies the mission's first session in "
+              "simulation, with boxes for a camera and all safety rules armed, in the scenario's "
+              "water and with its battery, and refuses it if a rule trips, if the energy does not "
+              "reach home with its reserve, or if it does not come home.",
           .options = {{.names = "--json", .meaning = "as JSON"},
                       {.names = "--draw",
                        .meaning = "draws the area as text, too; a terminal gets it unasked"},
+                      {.names = "--dry-run", .meaning = "flies the mission, too"},
+                      {.names = "--seeds",
+                       .value = "N",
+                       .meaning = "so many flights",
+                       .fallback = "3",
+                       .rule = WholeNumber(1)},
+                      {.names = "--seed",
+                       .value = "N",
+                       .meaning = "of the first flight",
+                       .fallback = "1",
+                       .rule = WholeNumber(0)},
                       {.names = "--figure",
                        .value = "FILE",
                        .meaning = "writes a picture of the area (SVG)"}},
           .more =
               "Exit code 0: it may be run (notes or not); 2: it cannot be read; 3: it cannot "
-              "work.",
+              "work, or a flight of the dry run was refused.",
           .takes = "one mission folder, .moos or .bhv file",
           .least_words = 1,
           .most_words = 1};
@@ -126,6 +141,9 @@ int CheckMission(const Arguments& given) {
   if (!std::filesystem::exists(path)) {
     throw UsageError(fmt::format("{}: there is no such file or folder", OneLine(path)));
   }
+  if (given.Has("dry-run") && given.Has("json")) {
+    throw UsageError("--dry-run prints no JSON");
+  }
   const MissionProblems found = CheckPath(path);
   if (given.Has("json")) {
     const nlohmann::ordered_json out{{"syntax", JsonOf(found.syntax)},
@@ -140,7 +158,10 @@ int CheckMission(const Arguments& given) {
   if (!found.syntax.empty()) {
     return kUsage;
   }
-  return found.geometry.empty() ? kOk : kRefused;
+  if (!found.geometry.empty()) return kRefused;
+  if (!given.Has("dry-run")) return kOk;
+  return CheckByDryRun(path, {.first = static_cast<std::uint64_t>(given.Integer("seed")),
+                              .count = static_cast<int>(given.Integer("seeds"))});
 }
 
 }  // namespace

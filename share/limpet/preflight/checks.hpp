@@ -2,6 +2,8 @@
 // The parts of a preflight, for this library only. Each adds what it finds.
 #pragma once
 
+#include <string_view>
+
 #include "limpet/preflight/mission_reading.hpp"
 #include "limpet/preflight/preflight.hpp"
 #include "limpet/preflight/survey_facts.hpp"
@@ -44,6 +46,8 @@ struct SessionWay {
 /// REQUIRES: a speed above 0.
 void CheckEnergy(const MissionReading& reading, const SurveyFacts& survey, const SessionWay& way,
                  MissionProblems& found);
+/// Or pSafety is not launched.
+[[nodiscard]] bool IsRuleOff(const MissionReading& reading, std::string_view rule);
 /// `deepest`: where the survey is flown [m].
 void CheckDepthLimit(const MissionReading& reading, double deepest, MissionProblems& found);
 void CheckSafety(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found);

@@ -19,20 +19,38 @@ struct CruisePowers {
   double against_w = 0.0;
 };
 
-CruisePowers PowersOf(const VehicleFile& vehicle, double speed_mps, double current_mps) {
-  const auto at = [&vehicle](double through_water_mps) {
-    return CruisePower(vehicle.params, vehicle.battery,
-                       MetersPerSecond(std::abs(through_water_mps)));
+CruisePowers PowersOf(const VehicleParams& vehicle, const BatterySheet& battery, double speed_mps,
+                      double current_mps) {
+  const auto at = [&](double through_water_mps) {
+    return CruisePower(vehicle, battery, MetersPerSecond(std::abs(through_water_mps)));
   };
   const double against_w = at(speed_mps + current_mps);
   return {.to_and_fro_w = 0.5 * (against_w + at(speed_mps - current_mps)), .against_w = against_w};
 }
 
-/// A full battery of this vehicle as it goes to sea [Wh].
-double ChargedEnergy(const MissionReading& reading, const BatterySheet& battery) {
-  if (!reading.scenario()) return battery.capacity_wh;
+/// As the scenario has it.
+BatterySheet BatteryOf(const MissionReading& reading) {
+  BatterySheet battery = reading.vehicle()->battery;
+  if (!reading.scenario()) return battery;
   const BatteryErrorParams& errors = reading.scenario()->errors.battery;
-  return battery.capacity_wh * errors.capacity_factor * errors.charge;
+  battery.capacity_wh *= errors.capacity_factor;
+  battery.hotel_w *= errors.hotel_factor;
+  battery.full_thrust_w *= errors.thrust_power_factor;
+  return battery;
+}
+
+/// Rule battery_low must not end a survey that the battery lasts for.
+void CheckLowLimit(const MissionReading& reading, const EnergyOutlook& energy, double full_wh,
+                   MissionProblems& found) {
+  if (IsRuleOff(reading, "battery_low")) return;
+  const Setting limit = *reading.Find("pSafety", "battery_low_percent");
+  const double left_percent =
+      100.0 * (energy.charged_wh - energy.needed_wh + energy.home_wh) / full_wh;
+  if (limit.number() < left_percent) return;
+  found.geometry.push_back(limit.Refuse(fmt::format(
+      "`{}`: rule battery_low would end the survey: {:.0f} % are left when the way home "
+      "begins; allowed: less than that",
+      limit.text, std::max(0.0, left_percent))));
 }
 
 SourceLine WhereOf(const MissionReading& reading) {
@@ -45,20 +63,19 @@ SourceLine WhereOf(const MissionReading& reading) {
 void CheckEnergy(const MissionReading& reading, const SurveyFacts& survey, const SessionWay& way,
                  MissionProblems& found) {
   if (!reading.vehicle() || !reading.vehicle()->battery.is_present) return;
-  const VehicleFile& vehicle = *reading.vehicle();
+  const BatterySheet battery = BatteryOf(reading);
   const double speed = survey.speed.number();
-  const CruisePowers powers = PowersOf(vehicle, speed, way.current_mps);
+  const CruisePowers powers = PowersOf(reading.vehicle()->params, battery, speed, way.current_mps);
   if (!std::isfinite(powers.against_w)) return;  // it makes no way: that is said of the current
   const double seconds_at_rest = reading.Find("pSurvey", "align_s")->number() +
                                  reading.Find("pSurvey", "last_fix_s")->number();
   const double home_wh = powers.against_w * way.home_m / speed / kJoulesPerWh;
-  const double needed_wh =
-      (powers.to_and_fro_w * way.out_m / speed + vehicle.battery.hotel_w * seconds_at_rest) /
-          kJoulesPerWh +
-      home_wh;
+  const double out_j = powers.to_and_fro_w * way.out_m / speed + battery.hotel_w * seconds_at_rest;
+  const double needed_wh = out_j / kJoulesPerWh + home_wh;
   const Setting reserve = reading.Find("pSurvey", "energy_reserve_percent").value();
-  const double charged_wh = ChargedEnergy(reading, vehicle.battery);
-  const double usable_wh = charged_wh - 0.01 * reserve.number() * vehicle.battery.capacity_wh;
+  const double charge = reading.scenario() ? reading.scenario()->errors.battery.charge : 1.0;
+  const double charged_wh = charge * battery.capacity_wh;
+  const double usable_wh = charged_wh - 0.01 * reserve.number() * battery.capacity_wh;
   found.energy = EnergyOutlook{.needed_wh = needed_wh,
                                .home_wh = home_wh,
                                .charged_wh = charged_wh,
@@ -75,6 +92,7 @@ void CheckEnergy(const MissionReading& reading, const SurveyFacts& survey, const
   } else if (kTightEnergy * needed_wh > usable_wh) {
     found.notes.push_back({WhereOf(reading), "battery", "is tight: " + text});
   }
+  if (needed_wh <= usable_wh) CheckLowLimit(reading, *found.energy, battery.capacity_wh, found);
 }
 
 }  // namespace limpet::internal

@@ -13,11 +13,6 @@ namespace {
 
 constexpr const char* kSafetyApp = "pSafety";
 
-bool IsOff(const MissionReading& reading, const char* rule) {
-  return std::ranges::any_of(reading.FindAll(kSafetyApp, "off"),
-                             [rule](const Setting& line) { return line.text == rule; });
-}
-
 /// The earlier of two rules about one thing must not ask for more than the later one lets happen.
 void CheckOrder(const MissionReading& reading, const char* gentle, const char* stern, bool is_above,
                 MissionProblems& found) {
@@ -38,7 +33,7 @@ void CheckAltitudeLimit(const MissionReading& reading, const SurveyFacts& survey
   const Setting limit = *reading.Find(kSafetyApp, "altitude_limit_m");
   const double lowest =
       survey.altitude.number() - reading.Find("pSurvey", "altitude_tolerance_m")->number();
-  if (limit.number() < lowest || IsOff(reading, "altitude_low")) return;
+  if (limit.number() < lowest || IsRuleOff(reading, "altitude_low")) return;
   found.geometry.push_back(limit.Refuse(
       fmt::format("`{}`: rule altitude_low would bring the vehicle up from its survey, "
                   "flown down to {:g} m ({}); allowed: less than that",
@@ -48,7 +43,7 @@ void CheckAltitudeLimit(const MissionReading& reading, const SurveyFacts& survey
 void CheckTimeLimit(const MissionReading& reading, MissionProblems& found) {
   const Setting limit = *reading.Find(kSafetyApp, "mission_limit_s");
   const Setting longest = *reading.Find("pSurvey", "max_time_s");
-  if (limit.number() > longest.number() || IsOff(reading, "mission_time")) return;
+  if (limit.number() > longest.number() || IsRuleOff(reading, "mission_time")) return;
   found.geometry.push_back(limit.Refuse(
       fmt::format("`{}`: rule mission_time would bring the vehicle up before it may go "
                   "home by {}; allowed: more than that",
@@ -57,7 +52,7 @@ void CheckTimeLimit(const MissionReading& reading, MissionProblems& found) {
 
 void CheckHomeLimit(const MissionReading& reading, const SurveyFacts& survey,
                     MissionProblems& found) {
-  if (!reading.scenario() || IsOff(reading, "far_from_home")) return;
+  if (!reading.scenario() || IsRuleOff(reading, "far_from_home")) return;
   const Scenario::Start& start = reading.scenario()->start;
   const double north = std::max(std::abs(survey.area.north_min - start.north_m),
                                 std::abs(survey.area.north_max - start.north_m));
@@ -74,8 +69,14 @@ void CheckHomeLimit(const MissionReading& reading, const SurveyFacts& survey,
 
 }  // namespace
 
+bool IsRuleOff(const MissionReading& reading, std::string_view rule) {
+  return !reading.Launches(kSafetyApp) ||
+         std::ranges::any_of(reading.FindAll(kSafetyApp, "off"),
+                             [rule](const Setting& line) { return line.text == rule; });
+}
+
 void CheckDepthLimit(const MissionReading& reading, double deepest, MissionProblems& found) {
-  if (!reading.Launches(kSafetyApp) || IsOff(reading, "depth_over_limit")) return;
+  if (IsRuleOff(reading, "depth_over_limit")) return;
   const Setting limit = *reading.Find(kSafetyApp, "depth_limit_m");
   if (limit.number() > deepest) return;
   found.geometry.push_back(limit.Refuse(

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// A mission flown in simulation before it is flown at sea: whether a safety rule trips, whether the
+// energy reaches, whether it comes home.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limpet/mission/mission_file.hpp"
+#include "limpet/safety_trials/safety_trial.hpp"
+
+namespace limpet {
+
+/// A rule that tripped, where and when.
+struct TrippedRule {
+  std::string rule;
+  std::string action;  ///< that it asked for
+  std::string phase;
+  double after_s = 0.0;                              ///< since the session's start
+  double north_m = 0.0, east_m = 0.0, down_m = 0.0;  ///< where the vehicle truly was
+};
+
+/// What came of a flight.
+struct DryFlight {
+  std::string ended;  ///< home, aborted, timeout, lost
+  double duration_s = 0.0;
+  double way_m = 0.0;         ///< true
+  double home_error_m = 0.0;  ///< from the start, horizontally
+  double down_m = 0.0;        ///< at the end
+  /// Of a vehicle with a battery; true, but for the reserve.
+  struct Energy {
+    double used_wh = 0.0, left_wh = 0.0, reserve_wh = 0.0;
+    bool is_off = false;
+  };
+  std::optional<Energy> energy;
+  std::vector<TrippedRule> tripped;  ///< each once, in order
+  /// Why such a mission must not be launched, in words; empty: it may be.
+  [[nodiscard]] std::vector<std::string> Objections() const;
+};
+
+/// A mission that is flown as it is, but with boxes for a camera and without files.
+[[nodiscard]] MissionFile PreparedForDryRun(MissionFile mission);
+
+/// `mission` as prepared; its first session. Throws ConfigError if it cannot be flown.
+[[nodiscard]] DryFlight FlyDry(const MissionFile& mission, const TrialPlaces& places,
+                               std::uint64_t seed);
+
+}  // namespace limpet

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// Missions flown before their launch: what is refused, and why; and that a vehicle comes home on
+// what its battery holds.
+#include "limpet/safety_trials/dry_run.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "apps/limpet/cli.hpp"
+#include "apps/limpet/verbs/check.hpp"
+#include "limpet/runs/session_runner.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+DryFlight SoundFlight() {
+  DryFlight flight;
+  flight.ended = "home";
+  flight.duration_s = 900.0;
+  flight.energy = DryFlight::Energy{.used_wh = 20.0, .left_wh = 400.0, .reserve_wh = 60.0};
+  return flight;
+}
+
+TEST(DryFlight, ThatComesHomeWithItsReserveHasNoObjections) {
+  EXPECT_THAT(SoundFlight().Objections(), IsEmpty());
+}
+
+TEST(DryFlight, SaysWhichRuleTrippedWhenAndWhere) {
+  DryFlight flight = SoundFlight();
+  flight.tripped.push_back({.rule = "depth_over_limit",
+                            .action = "surface",
+                            .phase = "DIVE",
+                            .after_s = 61.0,
+                            .north_m = -12.5,
+                            .east_m = 3.0,
+                            .down_m = 2.6});
+  EXPECT_THAT(flight.Objections(),
+              ElementsAre("rule depth_over_limit asks for surface after 61 s in DIVE, north -12.5, "
+                          "east 3.0 m, 2.6 m deep"));
+}
+
+TEST(DryFlight, IsRefusedForAnEmptyBatteryAReserveNotKeptAndAnEndElsewhere) {
+  DryFlight flight = SoundFlight();
+  flight.energy->left_wh = 50.0;
+  EXPECT_THAT(flight.Objections(),
+              ElementsAre("50 Wh left at the end, of which 60 Wh were to be in reserve"));
+  flight.energy->is_off = true;
+  EXPECT_THAT(flight.Objections(), ElementsAre("the battery is empty after 20 Wh"));
+  flight = SoundFlight();
+  flight.ended = "timeout";
+  flight.home_error_m = 40.0;
+  flight.down_m = 3.0;
+  EXPECT_THAT(flight.Objections(),
+              ElementsAre("it ended `timeout` after 900 s",
+                          "it did not come home: 40 m from the start, 3.0 m deep at the end"));
+}
+
+TEST(DryRun, IsRefusedForAMissionWithoutAVehicleToSimulate) {
+  EXPECT_THROW(
+      static_cast<void>(RunCheck(std::vector<std::string>{
+          std::string(LIMPET_SOURCE_DIR) + "/missions/two_communities/shore.moos", "--dry-run"})),
+      UsageError);
+}
+
+/// The basin with a small area in its middle and a battery of 12 Wh, most of it a reserve.
+MissionFile SmallSurvey(const fs::path& folder) {
+  std::ofstream(folder / "vehicle.yaml")
+      << "based_on: feelhippo.yaml\nname: Small\nbattery: {capacity_wh: 12}\n";
+  MissionFile mission =
+      PreparedForDryRun(LoadMission(fs::path(LIMPET_SOURCE_DIR) / "missions/basin/mission.moos"));
+  const std::vector<std::string> usual{"VehicleFile=" + (folder / "vehicle.yaml").string(),
+                                       "pSurvey.area_north_min_m=-4",
+                                       "pSurvey.area_north_max_m=4",
+                                       "pSurvey.area_east_min_m=-4",
+                                       "pSurvey.area_east_max_m=4",
+                                       "pSurvey.align_s=20",
+                                       "pSurvey.last_fix_s=5",
+                                       "pSurvey.coverage_kind=seabed",
+                                       "pSurvey.coverage_target=1",
+                                       "pSurvey.energy_reserve_percent=60"};
+  for (const std::string& setting : usual) {
+    ApplySetting(mission, setting);
+  }
+  return mission;
+}
+
+TEST(DryRun, ComesHomeWithItsReserveOnABatteryThatIsTooSmall) {
+  const TemporaryFolder folder;
+  const MissionFile mission = SmallSurvey(folder.path());
+  const DryFlight flight = FlyDry(
+      mission,
+      {.mission_folder = fs::path(LIMPET_SOURCE_DIR) / "missions/basin", .scratch = folder.path()},
+      3);
+  EXPECT_THAT(flight.Objections(), ElementsAre(HasSubstr("it ended `timeout`")))
+      << "no rule trips: the helm itself turns home in time";
+  EXPECT_LT(flight.home_error_m, 3.0);
+  EXPECT_LT(flight.down_m, 0.5);
+  EXPECT_GT(flight.energy->left_wh, 0.55 * 12.0);
+}
+
+}  // namespace
+}  // namespace limpet
