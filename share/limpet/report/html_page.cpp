@@ -12,6 +12,7 @@
 #include "limpet/report/html_pictures.hpp"
 #include "limpet/report/html_style.hpp"
 #include "limpet/report/html_warnings.hpp"
+#include "limpet/report/phase_sentence.hpp"
 #include "limpet/report/water_sentence.hpp"
 #include "limpet/scoring/verdict.hpp"
 
@@ -74,6 +75,10 @@ std::string Cards(const SessionScore& session) {
   } else {
     out += Card(std::to_string(session.opis.reported.size()), "objects reported; not judged");
     out += Card(EscapedMarkup(session.ended), "how it ended");
+  }
+  if (!session.phases.empty()) {
+    out += Card(fmt::format("{:.0f} s", session.duration_s),
+                "of time [s]: " + EscapedMarkup(PhaseSentence(session)));
   }
   if (session.water) {
     out += Card(fmt::format("{:.1f} m", session.water->visibility.visibility),

@@ -144,6 +144,13 @@ OrderedJson Water(const SessionScore& session) {
             {"band_top", Share(water.believed.band_top)}}}};
 }
 
+OrderedJson Phases(const std::vector<PhaseTime>& phases) {
+  OrderedJson out = OrderedJson::object();
+  for (const PhaseTime& phase : phases)
+    out[phase.phase] = Time(phase.seconds);
+  return out;
+}
+
 OrderedJson Session(const SessionScore& session) {
   OrderedJson out = {
       {"coverage", IfJudged(session, Levels(session.coverage.seabed, 0.90))},
@@ -152,6 +159,7 @@ OrderedJson Session(const SessionScore& session) {
       {"detected_band", IfJudged(session, Share(session.coverage.detected_band))},
       {"path_m", IfJudged(session, Length(session.path_m))},
       {"duration_s", Time(session.duration_s)},
+      {"phase_s", Phases(session.phases)},
       {"wall_s", Optional(session.wall_s, Length)},
       {"realtime_factor", Optional(session.realtime_factor(), Time)},
       {"ended", session.ended},

@@ -12,6 +12,7 @@
 #include "limpet/console/frame.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/figures/probability_text.hpp"
+#include "limpet/report/phase_sentence.hpp"
 #include "limpet/report/water_sentence.hpp"
 #include "limpet/scoring/verdict.hpp"
 
@@ -180,6 +181,11 @@ std::string NavigationLine(const NavScore& nav) {
       NumberText(nav.nees_mean));
 }
 
+std::string PhaseLine(const SessionScore& session) {
+  const std::string times = PhaseSentence(session);
+  return times.empty() ? "" : fmt::format("  time [s]: {}\n", times);
+}
+
 std::string WaterLine(const SessionScore& session) {
   if (!session.water) return "";
   return fmt::format("  {}\n", WaterSentence(*session.water));
@@ -191,7 +197,7 @@ std::string SessionText(const SessionScore& session, const ReportSettings& setti
   if (!session.former.empty()) {
     out += paint.Dim(fmt::format("  compared with {}\n", OneLine(session.former, 64)));
   }
-  out += WaterLine(session);
+  out += PhaseLine(session) + WaterLine(session);
   if (!session.has_truth) return out + ReportedTable(session, paint);
   out += session.former.empty() ? DiscoveryTable(session, paint) : ChangeTable(session, paint);
   out += Mistakes(session, paint);

@@ -8,6 +8,7 @@
 #include "limpet/scoring/coverage_score.hpp"
 #include "limpet/scoring/nav_score.hpp"
 #include "limpet/scoring/opi_score.hpp"
+#include "limpet/scoring/phase_times.hpp"
 #include "limpet/scoring/pictured_object.hpp"
 #include "limpet/scoring/report_settings.hpp"
 #include "limpet/scoring/warning_record.hpp"
@@ -35,6 +36,7 @@ struct SessionScore {
   std::vector<PicturedObject> pictured;  ///< none without images
   double path_m = 0.0;                   ///< way of the whole session: true, or else as estimated
   double duration_s = 0.0;               ///< first to last true, or else estimated, pose
+  std::vector<PhaseTime> phases;         ///< where that time went
   double survey_start_s = 0.0;           ///< after the session's start
   std::optional<double> wall_s;
   std::vector<WarningRecord> warnings;

@@ -75,8 +75,8 @@ TEST_F(Report, HasTheContractsKeysOfADiscoverySession) {
   EXPECT_THAT(
       KeysOf(Json()["sessions"]["discovery"]),
       testing::ElementsAre("coverage", "detectable", "covered", "detected_band", "path_m",
-                           "duration_s", "wall_s", "realtime_factor", "ended", "home_error_m",
-                           "nav", "opis", "missed", "false", "water", "warnings"));
+                           "duration_s", "phase_s", "wall_s", "realtime_factor", "ended",
+                           "home_error_m", "nav", "opis", "missed", "false", "water", "warnings"));
 }
 
 TEST_F(Report, AddsTheKeysOfAChangeSession) {

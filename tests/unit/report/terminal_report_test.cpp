@@ -54,6 +54,11 @@ TEST(TerminalReport, FitsA100ColumnTerminalInItsTables) {
   }
 }
 
+TEST(TerminalReport, SaysWhereTheTimeWent) {
+  EXPECT_THAT(TerminalReport(BriefRun(false), false),
+              HasSubstr("  time [s]: DIVE 20, SURVEY 20, ASCEND "));
+}
+
 TEST(TerminalReport, SaysNeverForALevelNotReached) {
   EXPECT_THAT(TerminalReport(BriefRun(false), false), HasSubstr("never"));
 }
