@@ -8,6 +8,7 @@
 
 #include "limpet/figures/probability_text.hpp"
 #include "limpet/figures/svg_canvas.hpp"
+#include "limpet/report/bound_sentence.hpp"
 #include "limpet/report/html_explanations.hpp"
 #include "limpet/report/html_pictures.hpp"
 #include "limpet/report/html_style.hpp"
@@ -170,6 +171,11 @@ std::string ChangesTable(const SessionScore& session) {
   return out + "</table></div>\n";
 }
 
+std::string Paragraph(const std::string& sentence) {
+  return sentence.empty() ? ""
+                          : fmt::format("<p class=\"muted\">{}</p>\n", EscapedMarkup(sentence));
+}
+
 std::string CoverageTable(const SessionScore& session, const ReportSettings& settings) {
   const auto row = [](const std::string& what, const std::vector<CoverageLevel>& levels,
                       double at_end) {
@@ -185,7 +191,8 @@ std::string CoverageTable(const SessionScore& session, const ReportSettings& set
          row(fmt::format("objects {:g} to {:g} m above the bottom, seen well",
                          settings.object_radius_m, settings.object_height_max_m),
              session.coverage.band, session.coverage.detected_band) +
-         "</table></div>\n";
+         "</table></div>\n" + Paragraph(BoundSentence(session)) +
+         Paragraph(UnseenSentence(session.coverage.unseen));
 }
 
 /// What the reader came for, before anything else: the statuses, in a table and on the map.

@@ -12,6 +12,7 @@
 #include "limpet/console/frame.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/figures/probability_text.hpp"
+#include "limpet/report/bound_sentence.hpp"
 #include "limpet/report/phase_sentence.hpp"
 #include "limpet/report/water_sentence.hpp"
 #include "limpet/scoring/verdict.hpp"
@@ -173,6 +174,15 @@ std::string CoverageTable(const SessionScore& session, const ReportSettings& set
   return out;
 }
 
+std::string BoundLines(const SessionScore& session) {
+  std::string out;
+  for (const std::string& line :
+       {BoundSentence(session), UnseenSentence(session.coverage.unseen)}) {
+    if (!line.empty()) out += "  " + line + "\n";
+  }
+  return out;
+}
+
 std::string NavigationLine(const NavScore& nav) {
   return fmt::format(
       "  position {} rms ({} aligned), at the end {}; dead reckoning {}; NEES {} (ideal 3)\n",
@@ -201,7 +211,7 @@ std::string SessionText(const SessionScore& session, const ReportSettings& setti
   if (!session.has_truth) return out + ReportedTable(session, paint);
   out += session.former.empty() ? DiscoveryTable(session, paint) : ChangeTable(session, paint);
   out += Mistakes(session, paint);
-  out += CoverageTable(session, settings, paint);
+  out += CoverageTable(session, settings, paint) + BoundLines(session);
   return out + NavigationLine(session.nav);
 }
 

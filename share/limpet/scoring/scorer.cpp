@@ -59,6 +59,7 @@ SessionScore ScoreSession(const SessionRecord& record, const Scenario& scenario,
                              .believed = record.believed_coverage.back().value,
                              .seen_from_m = record.grid.SightFloor()};
   }
+  if (record.area) score.bound = LowerBoundOf(*record.area, settings);
   score.begun = record.begun;
   if (const auto wall = settings.wall_s.find(record.name); wall != settings.wall_s.end()) {
     score.wall_s = wall->second;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "limpet/scoring/coverage_score.hpp"
+#include "limpet/scoring/lower_bound.hpp"
 #include "limpet/scoring/nav_score.hpp"
 #include "limpet/scoring/opi_score.hpp"
 #include "limpet/scoring/phase_times.hpp"
@@ -30,6 +31,7 @@ struct SessionScore {
   /// nothing, and of `opis` only what was reported and decided does.
   bool has_truth = true;
   CoverageScore coverage;
+  std::optional<LowerBound> bound;  ///< nothing if no area was told
   std::optional<WaterScore> water;  ///< nothing if nobody said
   NavScore nav;
   OpiScores opis;
