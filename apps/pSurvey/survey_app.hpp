@@ -45,6 +45,8 @@ class SurveyApp final : public App {
   void OnHelmState(const Stamped<std::string>& state) { helm_.HearState(state.value, now()); }
   void OnAllStop(const Stamped<std::string>& why) { helm_.HearAllStop(why.value, now()); }
   void OnLook(const Stamped<MapLook>& look);
+  /// Two objects tie two sessions' frames; one alone could be a mistake.
+  void OnPrior(const Stamped<SessionPrior>& prior) { has_former_ = prior.value.opis.size() >= 2; }
   void OnRevisits(const Stamped<HelmRevisits>& revisits) { revisits_ = revisits.value; }
 
   void Enter(Phase phase, Seconds now);
@@ -94,6 +96,7 @@ class SurveyApp final : public App {
   Coverage coverage_;
   std::optional<Footprint> footprint_;  ///< in this water
   HelmRevisits revisits_;
+  bool has_former_ = false;  ///< session, with objects that tie this one to it
   std::string ended_ = "home";
 };
 
