@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/pSurvey/fix_wait.hpp"
 #include "apps/pSurvey/survey_memory.hpp"
 #include "apps/pSurvey/survey_warnings.hpp"
 #include "limpet/app/registry.hpp"
@@ -57,6 +58,7 @@ SurveyApp::SurveyApp(const AppContext& context, const Params& params)
   SubscribeIfWritten(topics::kHelmPath, &SurveyApp::OnPath);
   Subscribe(topics::kHelmState, &SurveyApp::OnHelmState);
   Subscribe(topics::kHelmAllStop, &SurveyApp::OnAllStop);
+  SubscribeIfWritten(topics::kSessionPrior, &SurveyApp::OnPrior);
 }
 
 void SurveyApp::OnDeploy(const Stamped<bool>& deploy) {
@@ -238,7 +240,7 @@ void SurveyApp::GoHome(const std::string& reason, const std::string& ended, Seco
 }
 
 void SurveyApp::AlignAtSurface(Seconds now) {
-  if (now - phase_since_ < params_.align) {
+  if (!FixWait::BeforeDive(params_, has_former_).IsOver(now - phase_since_, nav_->value)) {
     return;
   }
   home_ = HomePoint{.north = nav_->value.north, .east = nav_->value.east};
@@ -362,7 +364,7 @@ void SurveyApp::WalkOn(Seconds now) {
       }
       break;
     case Phase::kFix:
-      if (now - phase_since_ >= params_.last_fix) {
+      if (FixWait::AtTheEnd(params_).IsOver(now - phase_since_, nav_->value)) {
         EndMission(now);
       }
       break;

@@ -51,6 +51,8 @@ class SurveyApp final : public App {
   void OnLook(const Stamped<MapLook>& look);
   /// Where the helm finds nothing worth flying to but home, the survey is over.
   void OnPath(const Stamped<HelmPath>& path);
+  /// Two objects tie two sessions' frames; one alone could be a mistake.
+  void OnPrior(const Stamped<SessionPrior>& prior) { has_former_ = prior.value.opis.size() >= 2; }
   void OnRevisits(const Stamped<HelmRevisits>& revisits) { revisits_ = revisits.value; }
 
   void Enter(Phase phase, Seconds now);
@@ -102,6 +104,7 @@ class SurveyApp final : public App {
   Coverage coverage_;
   std::optional<Footprint> footprint_;  ///< in this water
   HelmRevisits revisits_;
+  bool has_former_ = false;  ///< session, with objects that tie this one to it
   std::string ended_ = "home";
   std::optional<EnergyEstimate> energy_;  ///< of a vehicle that has a battery
   std::optional<EnergyState> energy_state_;

@@ -22,6 +22,7 @@ constexpr double kLongestStep = 2.0;       // [s] from one fix to the next that 
 constexpr double kMostSupport = 120.0;     // [s]: so old a group can be refuted, too
 constexpr std::size_t kFewest = 5;         // fixes that make a group worth believing against others
 constexpr std::size_t kEnoughForSpread = 15;
+constexpr double kMostNoise = 0.5;  // of a fix's stated variance, that differs from fix to fix
 constexpr double kPriorWeight = 2.0, kSpreadWeight = 2.0;  // of what is stated, of what is seen
 
 }  // namespace
@@ -121,8 +122,9 @@ double SpreadScale(const std::vector<Eigen::Vector2d>& residuals_W, double sd, d
   const double shown = 1.0 - 2.0 / x * (1.0 - (1.0 - std::exp(-x)) / x);
   const double variance = std::max(spread - white, 0.0) / shown + white;
   const double seen = variance / (sd * sd);
-  return std::sqrt(
-      std::max((kPriorWeight + kSpreadWeight * seen) / (kPriorWeight + kSpreadWeight), 1.0));
+  const double all =
+      std::max((kPriorWeight + kSpreadWeight * seen) / (kPriorWeight + kSpreadWeight), 1.0);
+  return std::sqrt(all - std::min(white / (sd * sd), kMostNoise));
 }
 
 }  // namespace limpet

@@ -69,10 +69,11 @@ class FixConsensus {
   double last_t_ = -1e18;
 };
 
-/// What the spread of a stay's fixes says of their error, over what they state: at least 1. An
-/// error that wanders shows less of itself in a stay shorter than `correlation` [s] than in a long
-/// one; that share is made up for. `residuals_W`: of fixes in order, against the smoothed track
-/// [m].
+/// What the spread of a stay's fixes says of the part of their error that wanders, over what they
+/// state of all of it. What differs from one fix to the next is no part of that: a stay's mean has
+/// next to nothing of it. An error that wanders shows less of itself in a stay shorter than
+/// `correlation` [s] than in a long one; that share is made up for. `residuals_W`: of fixes in
+/// order, against the smoothed track [m].
 [[nodiscard]] double SpreadScale(const std::vector<Eigen::Vector2d>& residuals_W, double sd,
                                  double span, double correlation);
 

@@ -30,7 +30,7 @@ struct NavigatorParams {
   Meters start_sigma{5.0};          ///< of the first position, before any fix
   Seconds errors_period{1800.0};    ///< slow errors of the odometry are estimated anew after this
   Seconds yaw_bias_memory{7200.0};  ///< after which the bias of the yaw rate is another
-  Seconds gps_correlation{240.0};   ///< fixes this far apart are worth two: twice the error's own
+  Seconds gps_correlation{120.0};   ///< of the fixes' error, a Gauss-Markov process
   Seconds fix_wait{0.0};            ///< start at the origin when no fix comes in time; 0: never
   MatchingParams session;
 };

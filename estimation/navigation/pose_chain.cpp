@@ -16,7 +16,7 @@ namespace {
 constexpr double kSameTime = 1e-3;  // [s] within which two measurements share a node
 constexpr int kBelieveDepths = 20;  // refused in a row, then taken after all
 constexpr double kLevelSpan = 3.0, kLevelRate = 0.03;  // [s], [m/s] of a vehicle that floats
-constexpr double kScaleStep = 1.1;  // of the fixes' sigma, from which on they are weighed anew
+constexpr double kScaleStep = 1.05;  // of the fixes' sigma, from which on they are weighed anew
 constexpr std::size_t kSpreadEvery = 5, kMostForSpread = 180;  // fixes of a stay
 constexpr double kDepthGate = 0.7;        // [m] off the predicted depth that is always believed
 constexpr double kDepthGateSigmas = 5.0;  // or so many of its own
@@ -161,7 +161,8 @@ bool PoseChain::IsLevel(double t) const {
 void PoseChain::BeginStay(const Eigen::Vector2d& reckoned_D) {
   refused_before_ = measurements_.counts().fixes;
   before_stay_t_ = last_fix_t_;
-  fix_terms_.clear();
+  row_ = {.correlation = params_.gps_correlation.value(), .gap_before = {}, .times = {}};
+  taken_.clear();
   fix_scale_ = spread_scale_ = 1.0;
   std::optional<FixPrediction> prediction;
   if (has_fix_) {
@@ -180,26 +181,45 @@ double PoseChain::StayScale() {
     for (const HeldFix& held : fixes)
       residuals_W.emplace_back(held.fix.p_W - smoother_.PoseAt(held.node).head<2>());
     spread_scale_ = SpreadScale(residuals_W, sd, fixes.back().fix.t - fixes.front().fix.t,
-                                0.5 * params_.gps_correlation.value());
+                                params_.gps_correlation.value());
   }
   return std::hypot(spread_scale_, std::sqrt(consensus_.DoubtVariance()) / sd);
 }
 
 void PoseChain::RetakeFixes() {
-  for (const TermId& term : fix_terms_)
-    smoother_.RemoveTerm(term);
-  fix_terms_.clear();
-  last_fix_t_ = before_stay_t_;
-  for (const HeldFix& held : consensus_.believed())
-    TakeFix(held);
+  for (const TakenFix& fix : taken_)
+    smoother_.RemoveTerm(fix.term);
+  taken_.clear();
+  row_.times.clear();
+  for (const HeldFix& held : consensus_.believed()) {
+    taken_.push_back({.held = held});
+    row_.times.push_back(held.fix.t);
+  }
+  NoteFixes();
+  for (std::size_t i = 0; i < taken_.size(); ++i)
+    taken_[i].term = AddFixTerm(i);
 }
 
 void PoseChain::TakeFix(const HeldFix& held) {
-  const Meters sigma = GpsFactor::WhiteSigma(
-      Meters(fix_scale_ * held.fix.sd), Seconds(held.fix.t - last_fix_t_), params_.gps_correlation);
-  last_fix_t_ = held.fix.t;
+  taken_.push_back({.held = held});
+  row_.times.push_back(held.fix.t);
+  NoteFixes();
+  for (std::size_t i = row_.FirstChangedByTheLast(); i < taken_.size(); ++i) {
+    if (i + 1 < taken_.size()) smoother_.RemoveTerm(taken_[i].term);
+    taken_[i].term = AddFixTerm(i);
+  }
+}
+
+void PoseChain::NoteFixes() {
   has_fix_ = true;
-  fix_terms_.push_back(smoother_.AddTerm(held.node, Term::OnPose(GpsFactor(held.fix.p_W, sigma))));
+  last_fix_t_ = row_.times.back();
+  if (before_stay_t_) row_.gap_before = row_.times.front() - *before_stay_t_;
+}
+
+TermId PoseChain::AddFixTerm(std::size_t number) {
+  const HeldFix& held = taken_[number].held;
+  const Meters sigma(fix_scale_ * held.fix.sd / std::sqrt(row_.WorthOf(number)));
+  return smoother_.AddTerm(held.node, Term::OnPose(GpsFactor(held.fix.p_W, sigma)));
 }
 
 OdometryStep PoseChain::StepTo(double t) const {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "estimation/navigation/depth_errors.hpp"
 #include "estimation/navigation/fix_consensus.hpp"
+#include "estimation/navigation/fix_worth.hpp"
 #include "estimation/navigation/measurement_buffer.hpp"
 #include "estimation/navigation/navigator_params.hpp"
 #include "estimation/navigation/odometry_errors.hpp"
@@ -51,6 +53,11 @@ class PoseChain {
   [[nodiscard]] const DepthErrors& depth_errors() const { return depth_errors_; }
 
  private:
+  /// A fix that is in the smoother.
+  struct TakenFix {
+    HeldFix held;
+    TermId term{};
+  };
   void AddTilt(int node, double t);
   /// The mean of the depths since `since`, carried to `t`.
   void AddDepth(int node, double since, double t);
@@ -64,7 +71,10 @@ class PoseChain {
   [[nodiscard]] double StayScale();
   /// All that are believed in place of those that were.
   void RetakeFixes();
+  /// What fixes before it are worth changes with that.
   void TakeFix(const HeldFix& held);
+  void NoteFixes();
+  [[nodiscard]] TermId AddFixTerm(std::size_t number);
 
   const NavigatorParams& params_;
   Smoother& smoother_;
@@ -74,8 +84,9 @@ class PoseChain {
   std::vector<double> times_;  ///< of the nodes
   PersistenceGate depth_gate_;
   FixConsensus consensus_;
-  std::vector<TermId> fix_terms_;  ///< of the fixes of this stay
-  double last_fix_t_ = -1e18, before_stay_t_ = -1e18;
+  FixRow row_;                   ///< fixes of this stay
+  std::vector<TakenFix> taken_;  ///< the same
+  std::optional<double> last_fix_t_, before_stay_t_;
   double fix_scale_ = 1.0, spread_scale_ = 1.0;  ///< of their sigma; by their spread alone
   bool has_fix_ = false;
   int refused_before_ = 0;                          ///< fixes, before this stay

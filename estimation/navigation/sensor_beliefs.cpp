@@ -107,7 +107,7 @@ void BelieveSheets(const SensorSheets& sheets, NavigatorParams& params) {
   params.depth_sigma = Meters(TwoDigits(kDepthMargin * std::hypot(sheets.depth.bias_m, second)));
   params.depth_bias_sigma = sheets.depth.bias_sigma;
   params.depth_bias_drift = sheets.depth.drift_m_per_sqrt_h;
-  params.gps_correlation = Seconds(2.0 * sheets.gps.correlation.value());
+  params.gps_correlation = sheets.gps.correlation;
   BelieveMounting(sheets, params);
 }
 

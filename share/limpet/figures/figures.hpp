@@ -36,7 +36,7 @@ struct FigureSource {
 [[nodiscard]] Figure ChangeFigure(const FigureSource& source);
 /// Error of the estimate with its own 3-sigma bounds, and of dead reckoning.
 [[nodiscard]] Figure NavigationFigure(const FigureSource& source);
-/// Share of bottom and band seen against the way travelled.
+/// Share of bottom and band seen against the way travelled, and against time.
 [[nodiscard]] Figure CoverageFigure(const FigureSource& source);
 /// How sure the vehicle was about each object over the way travelled.
 [[nodiscard]] Figure BeliefFigure(const FigureSource& source);

@@ -8,11 +8,13 @@
 
 #include "limpet/figures/probability_text.hpp"
 #include "limpet/figures/svg_canvas.hpp"
+#include "limpet/report/bound_sentence.hpp"
 #include "limpet/report/energy_sentence.hpp"
 #include "limpet/report/html_explanations.hpp"
 #include "limpet/report/html_pictures.hpp"
 #include "limpet/report/html_style.hpp"
 #include "limpet/report/html_warnings.hpp"
+#include "limpet/report/phase_sentence.hpp"
 #include "limpet/report/water_sentence.hpp"
 #include "limpet/scoring/verdict.hpp"
 
@@ -79,6 +81,10 @@ std::string Cards(const SessionScore& session) {
   if (session.energy) {
     out += Card(fmt::format("{:.0f} Wh", session.energy->last.used_wh),
                 "energy, by its own account: " + EnergySentence(*session.energy));
+  }
+  if (!session.phases.empty()) {
+    out += Card(fmt::format("{:.0f} s", session.duration_s),
+                "of time [s]: " + EscapedMarkup(PhaseSentence(session)));
   }
   if (session.water) {
     out += Card(fmt::format("{:.1f} m", session.water->visibility.visibility),
@@ -170,6 +176,11 @@ std::string ChangesTable(const SessionScore& session) {
   return out + "</table></div>\n";
 }
 
+std::string Paragraph(const std::string& sentence) {
+  return sentence.empty() ? ""
+                          : fmt::format("<p class=\"muted\">{}</p>\n", EscapedMarkup(sentence));
+}
+
 std::string CoverageTable(const SessionScore& session, const ReportSettings& settings) {
   const auto row = [](const std::string& what, const std::vector<CoverageLevel>& levels,
                       double at_end) {
@@ -185,7 +196,8 @@ std::string CoverageTable(const SessionScore& session, const ReportSettings& set
          row(fmt::format("objects {:g} to {:g} m above the bottom, seen well",
                          settings.object_radius_m, settings.object_height_max_m),
              session.coverage.band, session.coverage.detected_band) +
-         "</table></div>\n";
+         "</table></div>\n" + Paragraph(BoundSentence(session)) +
+         Paragraph(UnseenSentence(session.coverage.unseen));
 }
 
 /// What the reader came for, before anything else: the statuses, in a table and on the map.

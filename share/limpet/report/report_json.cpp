@@ -155,14 +155,44 @@ OrderedJson Energy(const SessionScore& session) {
           {"least_spare_wh", Length(energy.least_spare_wh)}};
 }
 
+OrderedJson Phases(const std::vector<PhaseTime>& phases) {
+  OrderedJson out = OrderedJson::object();
+  for (const PhaseTime& phase : phases)
+    out[phase.phase] = Time(phase.seconds);
+  return out;
+}
+
+/// Of the seabed, and of the band with why.
+OrderedJson UnseenShare(const UnseenScore& unseen) {
+  OrderedJson reasons = OrderedJson::object();
+  for (std::size_t i = 0; i < kWaysUnseen; ++i)
+    reasons[NameOf(static_cast<WhyUnseen>(i))] = Share(unseen.band_by_reason[i]);
+  return {{"bottom", Share(unseen.bottom)},
+          {"band", Share(unseen.band)},
+          {"reason",
+           unseen.band > 0.0 ? OrderedJson(NameOf(unseen.main_reason())) : OrderedJson(nullptr)},
+          {"band_by_reason", reasons}};
+}
+
+/// Null where no area was told.
+OrderedJson Bound(const SessionScore& session) {
+  if (!session.bound) return nullptr;
+  return {{"area_m2", Length(session.bound->area_m2)},
+          {"swath_m", Length(session.bound->swath_m)},
+          {"path_m", Optional(session.bound->path_m(), Length)}};
+}
+
 OrderedJson Session(const SessionScore& session) {
   OrderedJson out = {
       {"coverage", IfJudged(session, Levels(session.coverage.seabed, 0.90))},
       {"detectable", IfJudged(session, Levels(session.coverage.band, 0.95))},
       {"covered", IfJudged(session, Share(session.coverage.covered))},
       {"detected_band", IfJudged(session, Share(session.coverage.detected_band))},
+      {"bound", Bound(session)},
+      {"unseen_share", IfJudged(session, UnseenShare(session.coverage.unseen))},
       {"path_m", IfJudged(session, Length(session.path_m))},
       {"duration_s", Time(session.duration_s)},
+      {"phase_s", Phases(session.phases)},
       {"wall_s", Optional(session.wall_s, Length)},
       {"realtime_factor", Optional(session.realtime_factor(), Time)},
       {"ended", session.ended},

@@ -87,6 +87,7 @@ OrderedJson SettingsJson(const ReportSettings& settings) {
           {"frame_rate_hz", settings.frame_rate_hz},
           {"object_radius_m", settings.object_radius_m},
           {"object_height_max_m", settings.object_height_max_m},
+          {"turning_radius_m", settings.turning_radius_m},
           {"sessions", settings.sessions},
           {"command", settings.command}};
 }
@@ -121,6 +122,8 @@ ReportSettings SettingsFrom(const OrderedJson& in) {
   settings.frame_rate_hz = in.at("frame_rate_hz");
   settings.object_radius_m = in.at("object_radius_m");
   settings.object_height_max_m = in.at("object_height_max_m");
+  // None in a run of an older version.
+  settings.turning_radius_m = in.value("turning_radius_m", settings.turning_radius_m);
   settings.command = in.at("command");
   settings.sessions = SessionsFrom(in);
   return settings;

@@ -12,7 +12,9 @@
 #include "limpet/console/frame.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/figures/probability_text.hpp"
+#include "limpet/report/bound_sentence.hpp"
 #include "limpet/report/energy_sentence.hpp"
+#include "limpet/report/phase_sentence.hpp"
 #include "limpet/report/water_sentence.hpp"
 #include "limpet/scoring/verdict.hpp"
 
@@ -173,12 +175,26 @@ std::string CoverageTable(const SessionScore& session, const ReportSettings& set
   return out;
 }
 
+std::string BoundLines(const SessionScore& session) {
+  std::string out;
+  for (const std::string& line :
+       {BoundSentence(session), UnseenSentence(session.coverage.unseen)}) {
+    if (!line.empty()) out += "  " + line + "\n";
+  }
+  return out;
+}
+
 std::string NavigationLine(const NavScore& nav) {
   return fmt::format(
       "  position {} rms ({} aligned), at the end {}; dead reckoning {}; NEES {} (ideal 3)\n",
       MetresText(nav.position_rmse_m), MetresText(nav.aligned_rmse_m),
       MetresText(nav.final_error_m), MetresText(nav.dead_reckoning_final_error_m),
       NumberText(nav.nees_mean));
+}
+
+std::string PhaseLine(const SessionScore& session) {
+  const std::string times = PhaseSentence(session);
+  return times.empty() ? "" : fmt::format("  time [s]: {}\n", times);
 }
 
 std::string WaterLine(const SessionScore& session) {
@@ -197,12 +213,11 @@ std::string SessionText(const SessionScore& session, const ReportSettings& setti
   if (!session.former.empty()) {
     out += paint.Dim(fmt::format("  compared with {}\n", OneLine(session.former, 64)));
   }
-  out += WaterLine(session);
-  out += EnergyLine(session);
+  out += PhaseLine(session) + WaterLine(session) + EnergyLine(session);
   if (!session.has_truth) return out + ReportedTable(session, paint);
   out += session.former.empty() ? DiscoveryTable(session, paint) : ChangeTable(session, paint);
   out += Mistakes(session, paint);
-  out += CoverageTable(session, settings, paint);
+  out += CoverageTable(session, settings, paint) + BoundLines(session);
   return out + NavigationLine(session.nav);
 }
 

@@ -34,6 +34,7 @@ ReportSettings SettingsOf(const MissionFile& mission, const Scenario& scenario) 
   settings.frame_rate_hz =
       ParseNumber(rate != nullptr ? rate->value : "").value_or(CameraTiming{}.rate.value());
   settings.altitude_m = survey.altitude.value();
+  settings.turning_radius_m = helm.views.turning_radius.value();
   settings.object_height_max_m = survey.object_height_max.value();
   settings.object_radius_m = scenario.opis.empty() ? 0.5 : scenario.opis.front().radius_m;
   return settings;

@@ -164,9 +164,9 @@ MissionFile ShortenedForTrials(MissionFile mission) {
     return launch.binary == "pLog" || launch.binary == "pSession";
   });
   for (const char* setting :
-       {"pSurvey.align_s=40", "pSurvey.last_fix_s=40", "pSurvey.max_time_s=130",
-        "pSurvey.lost_s=60", "pSurvey.give_up_s=240", "uSimCamera.camera=boxes",
-        "uSimVehicle.integrator=rk4"}) {
+       {"pSurvey.align_s=40", "pSurvey.last_fix_s=40", "pSurvey.fix_wait_min_s=40",
+        "pSurvey.max_time_s=130", "pSurvey.lost_s=60", "pSurvey.give_up_s=240",
+        "uSimCamera.camera=boxes", "uSimVehicle.integrator=rk4"}) {
     ApplySetting(mission, setting);
   }
   return mission;

@@ -21,6 +21,7 @@ constexpr double kLevels[] = {0.90, 0.95, 0.99};
 /// One jittered point on the seabed, and one object centre at a random height above another.
 struct Sample {
   Eigen::Vector3d seabed, object;
+  double height_m;  ///< of the object above the seabed
   bool is_covered = false;
   std::uint8_t frames = 0;  ///< in which the object was seen well
 };
@@ -32,6 +33,9 @@ class SampleGrid {
   /// Shares of the ground, and of the places of objects, that are in the area and in no zone.
   [[nodiscard]] double covered() const { return covered_ / std::max(1.0, seabed_wanted_); }
   [[nodiscard]] double detected() const { return detected_ / std::max(1.0, objects_wanted_); }
+  /// Where an object has not been seen well.
+  [[nodiscard]] std::vector<UnseenPlace> Unseen() const;
+  [[nodiscard]] double objects_wanted() const { return objects_wanted_; }
 
  private:
   struct Window {
@@ -72,7 +76,7 @@ SampleGrid::SampleGrid(const SurveyArea& area, const Scenario& scenario,
     for (int column = 0; column < columns_; ++column) {
       const Eigen::Vector3d seabed = draw(row, column, 0.0);
       const double height = random.Uniform(settings.object_radius_m, top);
-      samples_.push_back({seabed, draw(row, column, height)});
+      samples_.push_back({seabed, draw(row, column, height), height});
     }
   }
   seabed_wanted_ = objects_wanted_ = static_cast<double>(samples_.size());
@@ -145,6 +149,27 @@ void SampleGrid::See(const Pose& X_WB, const CameraModel& camera, double radius)
       }
     }
   }
+}
+
+std::vector<UnseenPlace> SampleGrid::Unseen() const {
+  std::vector<UnseenPlace> places;
+  for (const Sample& sample : samples_) {
+    if (sample.frames >= kFramesToDetect) continue;
+    places.push_back({.at_W = sample.object.head<2>(),
+                      .height_m = sample.height_m,
+                      .was_seen = sample.frames > 0});
+  }
+  return places;
+}
+
+UnseenScore UnseenOf(const SampleGrid& grid, const SurveyArea& area,
+                     const ReportSettings& settings) {
+  UnseenScore score{.bottom = 1.0 - grid.covered(), .band = 1.0 - grid.detected()};
+  const auto counts = CountReasons(grid.Unseen(), area, settings);
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    score.band_by_reason[i] = static_cast<double>(counts[i]) / std::max(1.0, grid.objects_wanted());
+  }
+  return score;
 }
 
 /// True once the place has been in the image within visibility, or nearly under the vehicle.
@@ -230,6 +255,7 @@ CoverageScore ScoreCoverage(const SurveyFrames& frames, const SurveyArea& area,
   }
   score.covered = grid.covered();
   score.detected_band = grid.detected();
+  score.unseen = UnseenOf(grid, area, settings);
   score.seabed = LevelsOf(score.curve, score.curve.seabed);
   score.band = LevelsOf(score.curve, score.curve.band);
   score.prior_opis_seen_path_m =

@@ -7,6 +7,7 @@
 #include "limpet/mission/scenario.hpp"
 #include "limpet/scoring/report_settings.hpp"
 #include "limpet/scoring/session_record.hpp"
+#include "limpet/scoring/unseen_places.hpp"
 
 namespace limpet {
 
@@ -28,6 +29,7 @@ struct CoverageScore {
   double covered = 0.0;               ///< share of the seabed at the end
   double detected_band = 0.0;         ///< share of the (point, height) samples at the end
   CoverageCurve curve;
+  UnseenScore unseen;
   /// Way until every place of `former` has been in the image within visibility or within 1.5 m;
   /// what the dive has shown counts, at no way.
   std::optional<double> prior_opis_seen_path_m;

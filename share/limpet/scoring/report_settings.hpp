@@ -25,6 +25,7 @@ struct ReportSettings {
   double frame_rate_hz = 4.0;
   double object_radius_m = 0.5;
   double object_height_max_m = 2.0;
+  double turning_radius_m = 3.0;  ///< least radius of planned turns
   /// Sessions of the run in order; each is compared with the one before it. Empty: not known.
   std::vector<std::string> sessions;
   bool has_scenario = true;              ///< false for a real dive: nobody knows the truth

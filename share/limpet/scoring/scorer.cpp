@@ -15,11 +15,12 @@ std::vector<Eigen::Vector3d> FormerPlaces(const std::string& former, const Scena
   return places;
 }
 
-void ScoreWay(const PoseTrack& track, SessionScore& score) {
+void ScoreWay(const SessionRecord& record, const PoseTrack& track, SessionScore& score) {
   if (track.empty()) return;
   const std::size_t last = track.size() - 1;
   score.path_m = track.path(last);
   score.duration_s = track.time(last) - track.time(0);
+  score.phases = TimesOfPhases(record, Seconds(track.time(last)));
 }
 
 void ScoreAgainstTruth(const SessionRecord& record, const Scenario& scenario,
@@ -59,11 +60,12 @@ SessionScore ScoreSession(const SessionRecord& record, const Scenario& scenario,
                              .believed = record.believed_coverage.back().value,
                              .seen_from_m = record.grid.SightFloor()};
   }
+  if (record.area) score.bound = LowerBoundOf(*record.area, settings);
   score.begun = record.begun;
   if (const auto wall = settings.wall_s.find(record.name); wall != settings.wall_s.end()) {
     score.wall_s = wall->second;
   }
-  ScoreWay(score.has_truth ? record.truth : record.nav, score);
+  ScoreWay(record, score.has_truth ? record.truth : record.nav, score);
   if (score.has_truth) {
     ScoreAgainstTruth(record, scenario, settings, score);
   } else {

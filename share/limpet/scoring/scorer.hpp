@@ -7,8 +7,10 @@
 
 #include "limpet/scoring/coverage_score.hpp"
 #include "limpet/scoring/energy_record.hpp"
+#include "limpet/scoring/lower_bound.hpp"
 #include "limpet/scoring/nav_score.hpp"
 #include "limpet/scoring/opi_score.hpp"
+#include "limpet/scoring/phase_times.hpp"
 #include "limpet/scoring/pictured_object.hpp"
 #include "limpet/scoring/report_settings.hpp"
 #include "limpet/scoring/warning_record.hpp"
@@ -30,6 +32,7 @@ struct SessionScore {
   /// nothing, and of `opis` only what was reported and decided does.
   bool has_truth = true;
   CoverageScore coverage;
+  std::optional<LowerBound> bound;     ///< nothing if no area was told
   std::optional<WaterScore> water;     ///< nothing if nobody said
   std::optional<EnergyRecord> energy;  ///< nothing of a vehicle without a battery
   NavScore nav;
@@ -37,6 +40,7 @@ struct SessionScore {
   std::vector<PicturedObject> pictured;  ///< none without images
   double path_m = 0.0;                   ///< way of the whole session: true, or else as estimated
   double duration_s = 0.0;               ///< first to last true, or else estimated, pose
+  std::vector<PhaseTime> phases;         ///< where that time went
   double survey_start_s = 0.0;           ///< after the session's start
   std::optional<double> wall_s;
   std::vector<WarningRecord> warnings;

@@ -24,6 +24,8 @@ struct SurveyParams {
   Meters altitude_tolerance{0.3};
   Seconds align{300.0};
   Seconds last_fix{300.0};
+  Seconds fix_wait_min{20.0};
+  Meters fix_target{0.36}, former_fix_target{0.45}, last_fix_target{0.3};
   double coverage_target = 0.975;
   std::string coverage_kind = "band_top";
   Meters home_radius{1.0};
@@ -66,11 +68,7 @@ struct SurveyParams {
                    InRange(Meters(0.5), Meters(50.0)));
     visit("altitude_tolerance_m", altitude_tolerance, "How near the altitude must be",
           InRange(Meters(0.05), Meters(5.0)));
-    visit("align_s", align, "Time at the surface to collect GPS fixes before the dive",
-          InRange(Seconds(0.0), Seconds(3600.0)));
-    visit("last_fix_s", last_fix,
-          "Time at the surface at the end: later GPS fixes are independent of the first ones",
-          InRange(Seconds(0.0), Seconds(3600.0)));
+    DescribeFixes(visit);
     visit("coverage_target", coverage_target, "Share of the area to see before going home",
           InRange(0.0, 1.0));
     visit.Choice(
@@ -94,6 +92,29 @@ struct SurveyParams {
     visit("give_up_s", give_up,
           "End the mission where it is if diving, returning or ascending takes longer",
           InRange(Seconds(10.0), Seconds(86400.0)));
+  }
+  /// The waits at the surface.
+  template <class Visitor>
+  void DescribeFixes(Visitor& visit) {
+    visit("align_s", align, "Longest time at the surface to collect GPS fixes before the dive",
+          InRange(Seconds(0.0), Seconds(3600.0)));
+    visit("last_fix_s", last_fix,
+          "Longest time at the surface at the end: later GPS fixes are independent of the first "
+          "ones",
+          InRange(Seconds(0.0), Seconds(3600.0)));
+    visit("fix_wait_min_s", fix_wait_min,
+          "Shortest time of both, unless they are shorter: reflections put fixes off for seconds",
+          InRange(Seconds(0.0), Seconds(3600.0)));
+    visit("fix_target_m", fix_target,
+          "The dive begins when the 1-sigma of north and of east (NAV_STATE) is down to this",
+          InRange(Meters(0.01), Meters(100.0)));
+    visit("former_fix_target_m", former_fix_target,
+          "The same, if larger, where a former session has two objects or more: seen again, they "
+          "tie this session to that one's fixes",
+          InRange(Meters(0.01), Meters(100.0)));
+    visit("last_fix_target_m", last_fix_target,
+          "The mission ends when the fixes at home have brought that 1-sigma down to this",
+          InRange(Meters(0.01), Meters(100.0)));
   }
   /// No mission takes longer, whatever happens: each phase ends by itself, and after `max_time`
   /// the vehicle goes home. From DEPLOY to MISSION_END.

@@ -114,6 +114,15 @@ TEST(SpreadScale, GrowsWhereFixesWanderMoreThanTheyState) {
   EXPECT_GT(worse, 1.8);
 }
 
+TEST(SpreadScale, LeavesOutWhatDiffersFromFixToFix) {
+  Random random(4, "fixes");
+  double scale = 0.0;  // of 0.4 m that wander and 0.3 m that do not: 0.5 m in all
+  for (int i = 0; i < 200; ++i)
+    scale += SpreadScale(Errors(0.3, 0.4, random), kSd, 44.0, 120.0) / 200.0;
+  EXPECT_LT(scale, 1.0);
+  EXPECT_GT(scale, 0.75);
+}
+
 TEST(SpreadScale, FewFixesSayNothing) {
   EXPECT_EQ(SpreadScale({{0.0, 0.0}, {9.0, 9.0}}, kSd, 1.0, 120.0), 1.0);
 }

@@ -11,13 +11,13 @@ namespace {
 
 using Verdict = VelocityGate::Verdict;
 
-const Eigen::Vector3d kCruise(0.5, 0.0, 0.0), kFalse(0.1, 0.6, 0.0);
+const Eigen::Vector3d kSteady(0.5, 0.0, 0.0), kFalse(0.1, 0.6, 0.0);
 constexpr double kPing = 0.2;  // [s] from one velocity to the next
 
 /// A gate that has seen ten seconds of cruise.
 class VelocityGateTest : public ::testing::Test {
  protected:
-  VelocityGateTest() { EXPECT_EQ(Say(kCruise, 10.0), Verdict::kGood); }
+  VelocityGateTest() { EXPECT_EQ(Say(kSteady, 10.0), Verdict::kGood); }
   /// The last verdict about `seconds` of one velocity.
   Verdict Say(const Eigen::Vector3d& v_B, double seconds = kPing) {
     Verdict verdict = Verdict::kRefused;
@@ -31,19 +31,19 @@ class VelocityGateTest : public ::testing::Test {
 };
 
 TEST_F(VelocityGateTest, RefusesAJumpThatNoVehicleMakes) {
-  EXPECT_EQ(Say(kCruise + Eigen::Vector3d(0.0, 1.0, 0.0)), Verdict::kRefused);
-  EXPECT_EQ(Say(kCruise), Verdict::kGood);
+  EXPECT_EQ(Say(kSteady + Eigen::Vector3d(0.0, 1.0, 0.0)), Verdict::kRefused);
+  EXPECT_EQ(Say(kSteady), Verdict::kGood);
 }
 
 TEST_F(VelocityGateTest, OneFalseVelocityForSecondsIsNotBelieved) {
   EXPECT_EQ(Say(kFalse, 4.0), Verdict::kContested);
-  EXPECT_EQ(Say(kCruise), Verdict::kGood);
+  EXPECT_EQ(Say(kSteady), Verdict::kGood);
 }
 
 TEST_F(VelocityGateTest, AFalseVelocityWithinTheAllowanceOfAnOldOneIsStillFalse) {
-  const Eigen::Vector3d near = kCruise + Eigen::Vector3d(0.22, 0.0, 0.0);
+  const Eigen::Vector3d near = kSteady + Eigen::Vector3d(0.22, 0.0, 0.0);
   EXPECT_EQ(Say(near, 3.0), Verdict::kContested);  // a second later 0.3 m/s would pass
-  EXPECT_EQ(Say(kCruise), Verdict::kGood);
+  EXPECT_EQ(Say(kSteady), Verdict::kGood);
 }
 
 TEST_F(VelocityGateTest, AnOutlierAmongFalseVelocitiesDoesNotMakeThemTrue) {
@@ -65,40 +65,40 @@ TEST_F(VelocityGateTest, AJumpThatTheAccelerometerFeltIsBelievedAtOnce) {
 }
 
 TEST_F(VelocityGateTest, AFalseVelocityOfWhichNothingWasFeltIsNotBelievedInHalfAMinute) {
-  evidence_.felt_B = kCruise + Eigen::Vector3d(0.05, 0.03, 0.0);
+  evidence_.felt_B = kSteady + Eigen::Vector3d(0.05, 0.03, 0.0);
   EXPECT_EQ(Say(kFalse), Verdict::kRefused);
   evidence_.felt_B.reset();  // what was felt is no longer good for anything
   EXPECT_EQ(Say(kFalse, 30.0), Verdict::kContested);
-  EXPECT_EQ(Say(kCruise), Verdict::kGood);
+  EXPECT_EQ(Say(kSteady), Verdict::kGood);
 }
 
 TEST_F(VelocityGateTest, AnAccelerometerThatFeelsNothingDoesNotLockTheGateForEver) {
-  evidence_.felt_B = kCruise;
+  evidence_.felt_B = kSteady;
   EXPECT_EQ(Say(kFalse, 50.0), Verdict::kContested);
   EXPECT_EQ(Say(kFalse, 11.0), Verdict::kGood);
 }
 
 TEST_F(VelocityGateTest, APartOfAJumpThatWasFeltLeavesItOpen) {
-  evidence_.felt_B = kCruise + 0.5 * (kFalse - kCruise);
+  evidence_.felt_B = kSteady + 0.5 * (kFalse - kSteady);
   EXPECT_EQ(Say(kFalse, 12.0), Verdict::kContested);
   EXPECT_EQ(Say(kFalse, 0.6), Verdict::kGood);
 }
 
 TEST_F(VelocityGateTest, AVehicleThatBeginsToDiveIsBelievedAtTheSecondSample) {
-  const Eigen::Vector3d dive = kCruise + Eigen::Vector3d(0.02, 0.0, 0.25);
+  const Eigen::Vector3d dive = kSteady + Eigen::Vector3d(0.02, 0.0, 0.25);
   EXPECT_EQ(Say(dive), Verdict::kRefused);
   EXPECT_EQ(Say(dive), Verdict::kGood);
 }
 
 TEST_F(VelocityGateTest, AfterADropoutWhatIsPredictedIsTakenAtOnce) {
   t_ += 60.0;
-  evidence_.predicted_B = -kCruise;
-  EXPECT_EQ(Say(-kCruise), Verdict::kGood);
+  evidence_.predicted_B = -kSteady;
+  EXPECT_EQ(Say(-kSteady), Verdict::kGood);
 }
 
 TEST_F(VelocityGateTest, AfterADropoutAVehicleMayGoAnotherWay) {
   t_ += 20.0;
-  evidence_.predicted_B = kCruise;
+  evidence_.predicted_B = kSteady;
   EXPECT_EQ(Say(kFalse, 1.2), Verdict::kContested);
   EXPECT_EQ(Say(kFalse), Verdict::kBelieved);
   EXPECT_TRUE(gate_.alternative_B());
@@ -110,27 +110,27 @@ TEST_F(VelocityGateTest, WhatWasFalseAfterADropoutIsTakenBackWhenTheOldTruthRetu
   t_ += 20.0;
   EXPECT_EQ(Say(kFalse, 1.4), Verdict::kBelieved);
   EXPECT_EQ(Say(kFalse, 2.0), Verdict::kGood);
-  EXPECT_EQ(Say(kCruise), Verdict::kBelieved);
-  EXPECT_EQ(Say(kCruise), Verdict::kGood);
+  EXPECT_EQ(Say(kSteady), Verdict::kBelieved);
+  EXPECT_EQ(Say(kSteady), Verdict::kGood);
 }
 
 TEST_F(VelocityGateTest, AnOutlierThatPassedDoesNotMakeTheTruthFalse) {
   const Eigen::Vector3d off(0.1, 0.12, 0.0);
-  EXPECT_EQ(Say(kCruise + off), Verdict::kGood);
-  EXPECT_EQ(Say(kCruise - Eigen::Vector3d(0.03, 0.05, 0.0)), Verdict::kGood);
+  EXPECT_EQ(Say(kSteady + off), Verdict::kGood);
+  EXPECT_EQ(Say(kSteady - Eigen::Vector3d(0.03, 0.05, 0.0)), Verdict::kGood);
 }
 
 TEST_F(VelocityGateTest, TakesNoOutlierForTheTruthAtADropoutsEnd) {
   t_ += 60.0;
-  EXPECT_EQ(Say(kCruise + Eigen::Vector3d(1.8, 0.0, 0.0)), Verdict::kRefused);
-  EXPECT_EQ(Say(kCruise), Verdict::kGood);
+  EXPECT_EQ(Say(kSteady + Eigen::Vector3d(1.8, 0.0, 0.0)), Verdict::kRefused);
+  EXPECT_EQ(Say(kSteady), Verdict::kGood);
 }
 
 TEST(VelocityGate, AWrongFirstSampleDoesNotLockIt) {
   VelocityGate gate{VelocityGateParams{}};
   EXPECT_EQ(gate.Judge(0.0, Eigen::Vector3d(3.0, 0.0, 0.0)), Verdict::kGood);
-  EXPECT_EQ(gate.Judge(0.2, kCruise), Verdict::kRefused);
-  EXPECT_EQ(gate.Judge(0.4, kCruise), Verdict::kGood);
+  EXPECT_EQ(gate.Judge(0.2, kSteady), Verdict::kRefused);
+  EXPECT_EQ(gate.Judge(0.4, kSteady), Verdict::kGood);
 }
 
 TEST(VelocityGate, RefusesWhatIsNoNumberAndWhatNothingUnderWaterReaches) {

@@ -14,19 +14,19 @@
 namespace limpet {
 namespace {
 
-constexpr double kPeriod = 0.2;  // [s] of the DVL
-constexpr double kArm = -0.2;    // [m]
-constexpr double kSway = -0.35;  // [m/s per rad/s] arm and slip
+constexpr double kPingPeriod = 0.2;  // [s] of the DVL
+constexpr double kArm = -0.2;        // [m]
+constexpr double kSway = -0.35;      // [m/s per rad/s] arm and slip
 
 /// A survey in water that moves: legs of a minute, then half a turn in 15 s, to and fro.
 class WaterModelTest : public ::testing::Test {
  protected:
   void Survey(double seconds, bool has_velocity = true) {
-    for (const double end = t_ + seconds; t_ < end; t_ += kPeriod) {
-      if (std::fmod(t_, kLeg + kTurn) < kPeriod) way_ = -way_;
+    for (const double end = t_ + seconds; t_ < end; t_ += kPingPeriod) {
+      if (std::fmod(t_, kLeg + kTurn) < kPingPeriod) way_ = -way_;
       const bool turns = std::fmod(t_, kLeg + kTurn) > kLeg;
       conduct_.rate = turns ? way_ * M_PI / kTurn : 0.0;
-      conduct_.yaw += kPeriod * conduct_.rate;
+      conduct_.yaw += kPingPeriod * conduct_.rate;
       current_W_ += Eigen::Vector2d(random_.Normal(walk_), random_.Normal(walk_));
       const Eigen::Vector2d noise(random_.Normal(0.01), random_.Normal(0.01));
       if (has_velocity) model_.Add(t_, HeadingFrame(Velocity()) + noise, conduct_);
@@ -81,14 +81,14 @@ TEST_F(WaterModelTest, CarriesTheVehicleThroughATurnWithoutVelocity) {
   Survey(410.0);
   Eigen::Vector2d off = Eigen::Vector2d::Zero();
   for (int i = 0; i < 200; ++i) {
-    Survey(kPeriod, false);
-    off += kPeriod * (model_.VelocityAt(t_, conduct_) - Velocity());
+    Survey(kPingPeriod, false);
+    off += kPingPeriod * (model_.VelocityAt(t_, conduct_) - Velocity());
   }
   EXPECT_LT(off.norm(), 0.3) << "of 20 m, in a current that would have added 5";
 }
 
 TEST_F(WaterModelTest, ItsBridgesAreAsFarOffAsItSays) {
-  walk_ = 0.0007 * std::sqrt(kPeriod);
+  walk_ = 0.0007 * std::sqrt(kPingPeriod);
   Survey(300.0);
   double nees = 0.0;
   constexpr int kWindows = 60;
@@ -101,12 +101,12 @@ TEST_F(WaterModelTest, ItsBridgesAreAsFarOffAsItSays) {
     current_W_ += eddy;
     Eigen::Vector2d off = Eigen::Vector2d::Zero();
     Eigen::Matrix<double, 2, 3> per_error = Eigen::Matrix<double, 2, 3>::Zero();
-    for (double gone = 0.0; gone < length; gone += kPeriod) {
-      Survey(kPeriod, false);
-      off += kPeriod * (model_.VelocityAt(t_, conduct_) - Velocity());
-      per_error.leftCols<2>() += kPeriod * Eigen::Matrix2d::Identity();
-      per_error(0, 2) += kPeriod * std::cos(conduct_.yaw);
-      per_error(1, 2) += kPeriod * std::sin(conduct_.yaw);
+    for (double gone = 0.0; gone < length; gone += kPingPeriod) {
+      Survey(kPingPeriod, false);
+      off += kPingPeriod * (model_.VelocityAt(t_, conduct_) - Velocity());
+      per_error.leftCols<2>() += kPingPeriod * Eigen::Matrix2d::Identity();
+      per_error(0, 2) += kPingPeriod * std::cos(conduct_.yaw);
+      per_error(1, 2) += kPingPeriod * std::sin(conduct_.yaw);
     }
     current_W_ -= eddy;
     const Eigen::Matrix2d covariance = per_error * error * per_error.transpose();
@@ -152,11 +152,11 @@ TEST_F(WaterModelTest, ItsCovarianceGrowsInADropout) {
 class DrivenWaterModelTest : public ::testing::Test {
  protected:
   void Survey(double seconds, double speed, bool has_velocity = true) {
-    for (const double end = t_ + seconds; t_ < end; t_ += kPeriod) {
-      ground_ += std::clamp(speed - ground_, -0.05 * kPeriod, 0.05 * kPeriod);
+    for (const double end = t_ + seconds; t_ < end; t_ += kPingPeriod) {
+      ground_ += std::clamp(speed - ground_, -0.05 * kPingPeriod, 0.05 * kPingPeriod);
       const bool turns = std::fmod(t_, 75.0) > 60.0;
       conduct_.rate = turns ? M_PI / 15.0 : 0.0;
-      conduct_.yaw += kPeriod * conduct_.rate;
+      conduct_.yaw += kPingPeriod * conduct_.rate;
       const Eigen::Vector2d over_ground(ground_, kArm * conduct_.rate);
       const Eigen::Vector2d water =
           Eigen::Vector2d(ground_, 0.0) - Eigen::Rotation2Dd(-conduct_.yaw) * current_W_;

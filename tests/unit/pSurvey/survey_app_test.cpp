@@ -65,6 +65,30 @@ TEST_F(SurveyAppTest, TakesTheDivePointAsHome) {
   EXPECT_DOUBLE_EQ(link_.Last(topics::kSurveyHome)->north, -12.0);
 }
 
+TEST_F(SurveyAppTest, DivesAsSoonAsItsPlaceIsKnownWellEnough) {
+  Nav(-12.0, -15.0, 0.0, 7.5);
+  nav_->gps.is_valid = true;
+  nav_->sd_north = nav_->sd_east = 0.42;
+  link_.Send(app_, topics::kDeploy, true);
+  Tick(60.0);
+  EXPECT_EQ(Phase(), "ALIGN");
+  nav_->sd_north = nav_->sd_east = 0.3;
+  Tick(1.0);
+  EXPECT_EQ(Phase(), "DIVE");
+}
+
+TEST_F(SurveyAppTest, DivesSoonerWhereAFormerSessionsObjectsWillTellThePlace) {
+  Nav(-12.0, -15.0, 0.0, 7.5);
+  nav_->gps.is_valid = true;
+  nav_->sd_north = nav_->sd_east = 0.42;
+  SessionPrior prior;
+  prior.opis.resize(2);
+  link_.Send(app_, topics::kSessionPrior, prior);
+  link_.Send(app_, topics::kDeploy, true);
+  Tick(60.0);
+  EXPECT_EQ(Phase(), "DIVE");
+}
+
 TEST_F(SurveyAppTest, GoesHomeWhenTheTargetIsReachedAndNothingIsOpen) {
   ReachSurvey();
   ReachTarget();

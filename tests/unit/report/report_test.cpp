@@ -72,11 +72,11 @@ TEST_F(Report, HasTheContractsKeysInItsOrder) {
 }
 
 TEST_F(Report, HasTheContractsKeysOfADiscoverySession) {
-  EXPECT_THAT(
-      KeysOf(Json()["sessions"]["discovery"]),
-      testing::ElementsAre("coverage", "detectable", "covered", "detected_band", "path_m",
-                           "duration_s", "wall_s", "realtime_factor", "ended", "home_error_m",
-                           "nav", "opis", "missed", "false", "water", "energy", "warnings"));
+  EXPECT_THAT(KeysOf(Json()["sessions"]["discovery"]),
+              testing::ElementsAre("coverage", "detectable", "covered", "detected_band", "bound",
+                                   "unseen_share", "path_m", "duration_s", "phase_s", "wall_s",
+                                   "realtime_factor", "ended", "home_error_m", "nav", "opis",
+                                   "missed", "false", "water", "energy", "warnings"));
 }
 
 TEST_F(Report, AddsTheKeysOfAChangeSession) {
@@ -166,6 +166,24 @@ TEST(ReportJson, SaysNullForALevelNeverReached) {
   const RunScore run = ScoreRun({RecordOf(session)}, Table1Scenario(), Table1Settings());
   const auto json = nlohmann::json::parse(ReportJson(run));
   EXPECT_TRUE(json["sessions"]["discovery"]["coverage"][0]["path_m"].is_null());
+}
+
+TEST(ReportJson, SaysTheLowerBoundAndWhyTheRestWasNotSeen) {
+  SyntheticSession brief;
+  brief.seconds_of_survey = 20.0;
+  const RunScore run = ScoreRun({RecordOf(brief)}, Table1Scenario(), Table1Settings());
+  const auto session = nlohmann::json::parse(ReportJson(run))["sessions"]["discovery"];
+  EXPECT_EQ(session["bound"]["area_m2"], 1080.0);
+  EXPECT_NEAR(session["bound"]["path_m"].get<double>(), 321.8, 0.1);
+  const auto unseen = session["unseen_share"];
+  EXPECT_NEAR(unseen["band"].get<double>(), 1.0 - session["detected_band"].get<double>(), 1e-9);
+  EXPECT_NEAR(unseen["bottom"].get<double>(), 1.0 - session["covered"].get<double>(), 1e-9);
+  EXPECT_EQ(unseen["reason"], "not_reached");
+  double sum = 0.0;
+  for (const auto& share : unseen["band_by_reason"])
+    sum += share.get<double>();
+  EXPECT_NEAR(sum, unseen["band"].get<double>(), 1e-3);
+  EXPECT_EQ(session["phase_s"]["SURVEY"], 20.0);
 }
 
 TEST(ReportJson, SaysNullForAWallTimeNobodyTook) {

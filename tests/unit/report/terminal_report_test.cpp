@@ -54,6 +54,17 @@ TEST(TerminalReport, FitsA100ColumnTerminalInItsTables) {
   }
 }
 
+TEST(TerminalReport, SaysWhereTheTimeWent) {
+  EXPECT_THAT(TerminalReport(BriefRun(false), false),
+              HasSubstr("  time [s]: DIVE 20, SURVEY 20, ASCEND "));
+}
+
+TEST(TerminalReport, SaysTheLeastWayAndWhatWasNotSeen) {
+  const std::string text = TerminalReport(BriefRun(false), false);
+  EXPECT_THAT(text, HasSubstr("  least way 322 m, 1080 m2 over a swath of 3.36 m\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("  not seen of the band: .*not reached 9[0-9]"));
+}
+
 TEST(TerminalReport, SaysNeverForALevelNotReached) {
   EXPECT_THAT(TerminalReport(BriefRun(false), false), HasSubstr("never"));
 }

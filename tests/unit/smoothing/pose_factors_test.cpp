@@ -60,10 +60,6 @@ TEST(GpsFactor, IsZeroAtTheTruth) {
 TEST(GpsFactor, JacobianMatchesCentralDifferences) {
   ExpectJacobianMatches(GpsFactor({1.0, 1.0}, 0.5_m), SomePose());
 }
-TEST(GpsFactor, SixtyFixesInARowAreWorthOne) {
-  EXPECT_NEAR(GpsFactor::WhiteSigma(0.4_m, 1.0_s, 60.0_s).value(), 0.4 * std::sqrt(60.0), 1e-12);
-  EXPECT_NEAR(GpsFactor::WhiteSigma(0.4_m, 120.0_s, 60.0_s).value(), 0.4, 1e-12);
-}
 
 TEST(RollPitchFactor, IsZeroAtTheTruth) {
   const RollPitchFactor factor(Radians(-0.2), Radians(0.1), 1.0_deg);

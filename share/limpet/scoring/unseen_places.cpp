@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/scoring/unseen_places.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "limpet/planning/room.hpp"
+#include "limpet/survey/survey_shape.hpp"
+
+namespace limpet {
+namespace {
+
+/// Cells where something is so, and whether one of them is near a place.
+class Places {
+ public:
+  Places(const FreeSpace& space, std::vector<std::uint8_t> is_one)
+      : raster_(space.raster()), is_one_(std::move(is_one)) {}
+
+  [[nodiscard]] bool HasWithin(double distance, const PlanePoint& at) const {
+    const double reach = distance + raster_.slack();
+    const PlanePoint middle = (at - raster_.origin) / raster_.cell_m;
+    const int span = static_cast<int>(std::ceil(reach / raster_.cell_m));
+    const auto range = [span](double coordinate, int count) {
+      const int cell = static_cast<int>(std::lround(coordinate));
+      return std::pair{std::clamp(cell - span, 0, count), std::clamp(cell + span + 1, 0, count)};
+    };
+    const auto [row_begin, row_end] = range(middle.x(), raster_.rows);
+    const auto [column_begin, column_end] = range(middle.y(), raster_.columns);
+    for (int row = row_begin; row < row_end; ++row) {
+      for (int column = column_begin; column < column_end; ++column) {
+        const auto cell =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(raster_.columns) +
+            static_cast<std::size_t>(column);
+        if (is_one_[cell] != 0 && (raster_.Center(cell) - at).norm() <= reach) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  FreeSpace::Raster raster_;
+  std::vector<std::uint8_t> is_one_;
+};
+
+FreeSpace SpaceOf(const SurveyShape& shape, bool heeds_zones) {
+  std::vector<Fence> fences;
+  if (shape.region()) {
+    fences.push_back({.polygon = *shape.region(), .holds_in = true});
+  } else {
+    fences.push_back({.polygon = shape.outline(),
+                      .distance = shape.margin(),
+                      .holds_in = true,
+                      .reaches_over = true});
+  }
+  if (heeds_zones) {
+    for (const SimplePolygon& zone : shape.zones())
+      fences.push_back({.polygon = zone});
+  }
+  return FreeSpace(std::move(fences));
+}
+
+/// Where the vehicle may be at all, and the centres of its turns.
+struct Reachable {
+  Reachable(const FreeSpace& space, double turning_radius)
+      : free(space, FreeCells(space)), turns(space, RoomToTurn(space, turning_radius)) {}
+
+  static std::vector<std::uint8_t> FreeCells(const FreeSpace& space) {
+    std::vector<std::uint8_t> cells;
+    for (const float clearance : space.raster().clearance)
+      cells.push_back(clearance >= 0.0F ? 1 : 0);
+    return cells;
+  }
+  Places free, turns;
+};
+
+}  // namespace
+
+const char* NameOf(WhyUnseen why) {
+  constexpr std::array kNames{"zone", "clearance", "turn", "too_few_looks", "not_reached"};
+  return kNames[static_cast<std::size_t>(why)];
+}
+
+WhyUnseen UnseenScore::main_reason() const {
+  return static_cast<WhyUnseen>(std::ranges::max_element(band_by_reason) - band_by_reason.begin());
+}
+
+std::array<std::size_t, kWaysUnseen> CountReasons(const std::vector<UnseenPlace>& places,
+                                                  const SurveyArea& area,
+                                                  const ReportSettings& settings) {
+  std::array<std::size_t, kWaysUnseen> counts{};
+  const auto count = [&](WhyUnseen why) { ++counts[static_cast<std::size_t>(why)]; };
+  const auto shape = SurveyShape::Of(area);
+  if (!shape || places.empty()) {
+    counts[static_cast<std::size_t>(WhyUnseen::kNotReached)] = places.size();
+    return counts;
+  }
+  const double radius = settings.turning_radius_m;
+  const Reachable with_zones(SpaceOf(*shape, true), radius);
+  std::optional<Reachable> without_zones;
+  if (!shape->zones().empty()) without_zones.emplace(SpaceOf(*shape, false), radius);
+  for (const UnseenPlace& place : places) {
+    const double sight = std::max(settings.altitude_m - place.height_m, 0.0) *
+                         settings.camera_geometry.half_across();
+    if (with_zones.turns.HasWithin(radius + sight, place.at_W)) {
+      count(place.was_seen ? WhyUnseen::kTooFewLooks : WhyUnseen::kNotReached);
+    } else if (without_zones && without_zones->turns.HasWithin(radius + sight, place.at_W)) {
+      count(WhyUnseen::kZone);
+    } else {
+      count(with_zones.free.HasWithin(sight, place.at_W) ? WhyUnseen::kTurn
+                                                         : WhyUnseen::kClearance);
+    }
+  }
+  return counts;
+}
+
+}  // namespace limpet

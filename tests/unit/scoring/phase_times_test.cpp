@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/scoring/phase_times.hpp"
+
+#include <gtest/gtest.h>
+
+namespace limpet {
+namespace {
+
+SessionRecord Through(const std::vector<std::pair<double, std::string>>& phases) {
+  SessionRecord record("discovery");
+  for (const auto& [time, phase] : phases)
+    record.phases.push_back({Seconds(time), phase});
+  return record;
+}
+
+TEST(PhaseTimes, CountEachPhaseUntilTheNextOne) {
+  const auto times = TimesOfPhases(
+      Through({{0.0, "IDLE"}, {10.0, "ALIGN"}, {70.0, "DIVE"}, {95.0, "DONE"}}), Seconds(500.0));
+  ASSERT_EQ(times.size(), 2U) << "neither the wait for DEPLOY nor what comes after the end";
+  EXPECT_EQ(times[0].phase, "ALIGN");
+  EXPECT_DOUBLE_EQ(times[0].seconds, 60.0);
+  EXPECT_DOUBLE_EQ(times[1].seconds, 25.0);
+}
+
+TEST(PhaseTimes, CountAPhaseThatIsEnteredAgainOnce) {
+  const auto times =
+      TimesOfPhases(Through({{0.0, "SURVEY"}, {10.0, "RETURN"}, {30.0, "SURVEY"}, {35.0, "DONE"}}),
+                    Seconds(40.0));
+  ASSERT_EQ(times.size(), 2U);
+  EXPECT_DOUBLE_EQ(times[0].seconds, 15.0);
+  EXPECT_DOUBLE_EQ(times[1].seconds, 20.0);
+}
+
+TEST(PhaseTimes, EndWithTheLastPoseOfASessionThatWasCutShort) {
+  const auto times = TimesOfPhases(Through({{0.0, "SURVEY"}}), Seconds(12.5));
+  ASSERT_EQ(times.size(), 1U);
+  EXPECT_DOUBLE_EQ(times[0].seconds, 12.5);
+}
+
+TEST(PhaseTimes, AreNoneWhereNoPhaseIsKnown) {
+  EXPECT_TRUE(TimesOfPhases(Through({}), Seconds(10.0)).empty());
+}
+
+}  // namespace
+}  // namespace limpet
