@@ -51,8 +51,10 @@ class TuneCommandLine : public testing::Test {
   TemporaryFolder folder_;
 };
 
-const std::vector<std::string> kSlowOrFast{"--vary=follow.speed_mps=0.5:0.8:2",
-                                           "--objective=sessions.discovery.duration_s"};
+/// At the surface both wait as long.
+const std::vector<std::string> kSlowOrFast{
+    "--vary=follow.speed_mps=0.5:0.8:2", "--objective=sessions.discovery.duration_s",
+    "--set=pSurvey.fix_target_m=10", "--set=pSurvey.last_fix_target_m=10"};
 
 TEST_F(TuneCommandLine, FindsTheBetterSettingAndWritesADiffThatApplies) {
   const CommandResult result = Tune("out", kSlowOrFast);
