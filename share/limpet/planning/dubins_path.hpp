@@ -33,6 +33,8 @@ class DubinsPath {
   void Append(const DubinsPath& next);
   /// The first `length` metres.
   [[nodiscard]] DubinsPath Prefix(double length) const;
+  /// What is left of it after `s` metres.
+  [[nodiscard]] DubinsPath Rest(double s) const;
 
   /// Calls visit(pose, s) every `step` metres from `first_s` on, and at the end.
   template <class Visit>

@@ -152,19 +152,32 @@ bool Region::EntersZone(const DubinsPath& path) const {
   return false;
 }
 
-DubinsPath Region::ShortestInside(const Pose2& from, const Pose2& to, Meters radius) const {
-  DubinsPath shortest = ShortestDubins(from, to, radius);
-  if (Contains(shortest)) {
-    return shortest;
+bool Region::Contains(const Pose2& from, const DubinsWord& word) const {
+  if (!Contains(from)) return false;
+  Pose2 pose = from;
+  for (const PathSegment& segment : word.segments) {
+    if (segment.length > 0.0 && !Contains(pose, segment)) return false;
+    pose = Advance(pose, segment.curvature, segment.length);
   }
-  const DubinsPath* best = nullptr;
-  const std::vector<DubinsPath> paths = AllDubins(from, to, radius);
-  for (const DubinsPath& path : paths) {
-    if (Contains(path) && (best == nullptr || path.length() < best->length())) {
-      best = &path;
+  return true;
+}
+
+std::optional<DubinsWord> Region::ShortestWordInside(const Pose2& from, const Pose2& to,
+                                                     Meters radius) const {
+  const DubinsWords words(from, to, radius);
+  const DubinsWord* best = nullptr;
+  for (const DubinsWord& word : words.all()) {
+    if ((best == nullptr || word.length < best->length) && Contains(from, word)) {
+      best = &word;
     }
   }
-  return best != nullptr ? *best : shortest;
+  return best != nullptr ? std::optional(*best) : std::nullopt;
+}
+
+DubinsPath Region::ShortestInside(const Pose2& from, const Pose2& to, Meters radius) const {
+  const std::optional<DubinsWord> inside = ShortestWordInside(from, to, radius);
+  if (!inside) return ShortestDubins(from, to, radius);
+  return DubinsPath(from, {inside->segments.begin(), inside->segments.end()});
 }
 
 }  // namespace limpet

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "limpet/planning/dubins_path.hpp"
+#include "limpet/planning/dubins_word.hpp"
 #include "limpet/planning/free_space.hpp"
 #include "limpet/topics/mission.hpp"
 
@@ -22,6 +25,7 @@ class Region {
   /// Exact for arcs and lines, not sampled.
   [[nodiscard]] bool Contains(const DubinsPath& path) const;
   [[nodiscard]] bool Contains(const Pose2& from, const PathSegment& segment) const;
+  [[nodiscard]] bool Contains(const Pose2& from, const DubinsWord& word) const;
   /// A full turn of `radius` to port or to starboard stays inside: the vehicle, which cannot stop
   /// or back up, can always go on from here.
   [[nodiscard]] bool IsRecoverable(const Pose2& pose, Meters radius) const;
@@ -35,6 +39,9 @@ class Region {
   /// Whether `path` enters a keep-out zone; the region's own border is not asked for.
   [[nodiscard]] bool EntersZone(const DubinsPath& path) const;
 
+  /// The shortest word to `to` that stays inside; nothing if none does. Allocates nothing.
+  [[nodiscard]] std::optional<DubinsWord> ShortestWordInside(const Pose2& from, const Pose2& to,
+                                                             Meters radius) const;
   /// The path joined to a shortest word to `to` that stays inside, or the shortest word of all if
   /// none does.
   [[nodiscard]] DubinsPath ShortestInside(const Pose2& from, const Pose2& to, Meters radius) const;
