@@ -73,6 +73,11 @@ class Ground {
   [[nodiscard]] std::uint64_t version() const { return version_; }
   /// Share of cells seen up to `layer`.
   [[nodiscard]] double SeenShare(int layer) const;
+  /// Cells that are to be seen; 1 if there is none.
+  [[nodiscard]] std::size_t wanted_cells() const { return wanted_cells_; }
+  [[nodiscard]] double wanted_m2() const {
+    return static_cast<double>(wanted_cells_) * frame_.cell_m * frame_.cell_m;
+  }
 
  private:
   GridFrame frame_;

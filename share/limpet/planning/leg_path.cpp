@@ -31,6 +31,7 @@ std::vector<Pose2> PosesAt(const std::vector<LegEnd>& legs, std::size_t i, const
                            const AllowsEnd& allows_end) {
   const PlanePoint& at = legs[i].at;
   std::vector<Pose2> poses;
+  if (legs[i].heading) return {{at.x(), at.y(), *legs[i].heading}};
   if (i + 1 == legs.size()) {
     for (int k = 0; k < kEndHeadings; ++k) {
       const Pose2 pose{at.x(), at.y(), 2.0 * std::numbers::pi * k / kEndHeadings};

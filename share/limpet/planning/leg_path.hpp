@@ -17,6 +17,8 @@ struct LegEnd {
   std::function<bool(const DubinsPath&)> allows;
   /// False: a hint; what goes on without it and is allowed may be shorter.
   bool must_be_passed = true;
+  /// How it must be passed [rad]; any way if absent.
+  std::optional<double> heading{};
 };
 
 /// How the last of them may be reached; always true if empty.

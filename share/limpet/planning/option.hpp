@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,14 @@ struct Option {
   /// taken, NED. The first is the end of `path`; the others are of what would follow. Empty: the
   /// whole motion counts.
   std::vector<Pose2> views{};
+  /// Set where the option was completed to all that is left of the survey: so much of its path it
+  /// stands for itself [m]; what follows is the plan's.
+  std::optional<double> own_m{};
+
+  /// Whether its path ends where the survey does.
+  [[nodiscard]] bool is_whole() const { return own_m.has_value(); }
+  /// How much of its path is flown for its own sake [m].
+  [[nodiscard]] double own_length() const { return own_m.value_or(path.length()); }
 };
 
 }  // namespace limpet

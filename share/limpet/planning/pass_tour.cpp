@@ -174,7 +174,7 @@ class Salesman {
       chosen[i] = pass;
       pass = came_from[i][pass];
     }
-    PassTour tour{.path = DubinsPath(start_), .order = order, .reached = {}};
+    PassTour tour{.path = DubinsPath(start_), .order = order, .passes = chosen, .reached = {}};
     for (std::size_t i = 0; i < order.size(); ++i) {
       const Pass& next = stops_[order[i]][chosen[i]];
       tour.path.Append(region_.ShortestInside(tour.path.end(), next.in, turn_radius_));
@@ -200,7 +200,7 @@ class Salesman {
 PassTour PlanPassTour(const Pose2& start, const std::vector<Stop>& stops, const Region& region,
                       Meters turn_radius) {
   if (stops.empty()) {
-    return {.path = DubinsPath(start), .order = {}, .reached = {}};
+    return {.path = DubinsPath(start), .order = {}, .passes = {}, .reached = {}};
   }
   return Salesman(start, stops, region, turn_radius).Solve();
 }

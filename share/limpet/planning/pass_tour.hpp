@@ -24,8 +24,9 @@ using Stop = std::vector<Pass>;
 /// grows with the square of the number of passes.
 struct PassTour {
   DubinsPath path;
-  std::vector<std::size_t> order;  ///< of the stops
-  std::vector<double> reached;     ///< path length at the end of each stop's pass, in order
+  std::vector<std::size_t> order;   ///< of the stops
+  std::vector<std::size_t> passes;  ///< of each of these the one flown
+  std::vector<double> reached;      ///< path length at the end of each stop's pass, in order
 };
 [[nodiscard]] PassTour PlanPassTour(const Pose2& start, const std::vector<Stop>& stops,
                                     const Region& region, Meters turn_radius);

@@ -186,9 +186,11 @@ void SeenAlong::Follow() {
 
 NewlySeen SeenAlong::operator()(const DubinsPath& path) {
   NewlySeen gain;
-  EachStep(path, [&gain](const Pose2&, const PathSegment&, double, const NewlySeen& seen) {
-    gain += seen;
-  });
+  EachStep(path,
+           [&gain](const Pose2&, const PathSegment& motion, double before, const NewlySeen& seen) {
+             gain += seen;
+             gain.delay += seen.new_area * (before + 0.5 * motion.length);
+           });
   return gain;
 }
 

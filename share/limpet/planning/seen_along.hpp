@@ -16,10 +16,12 @@ struct NewlySeen {
   double new_area = 0.0;         ///< [m^2]
   double frontier_growth = 0.0;  ///< of the border between seen and unseen [m]; the area's edge
                                  ///< counts as seen
+  double delay = 0.0;            ///< of each m^2 the path before it is seen, summed [m^3]
 
   NewlySeen& operator+=(const NewlySeen& other) {
     new_area += other.new_area;
     frontier_growth += other.frontier_growth;
+    delay += other.delay;
     return *this;
   }
 };

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // planner_study [key=value ...]: the two-dimensional study of planners (docs/references.md),
 // perfect pose.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -59,6 +62,12 @@ bool Apply(Settings& settings, const std::string& key, const std::string& text) 
       {"tile", [&] { study.gap.tile = Meters(number); }},
       {"nodes", [&] { study.paper.nodes = static_cast<int>(number); }},
       {"edge", [&] { study.paper.max_edge = Meters(number); }},
+      {"edits", [&] { study.plan.edits = static_cast<int>(number); }},
+      {"first_edits", [&] { study.plan.first_edits = static_cast<int>(number); }},
+      {"seeds", [&] { study.plan.seeds = static_cast<int>(number); }},
+      {"warmth", [&] { study.plan.warmth = Meters(number); }},
+      {"early", [&] { study.tour.early_weight = number; }},
+      {"tour_finish", [&] { study.tour.finish_share = number; }},
       {"counts_band", [&] { study.paper_counts_band = number != 0.0; }},
   };
   const auto entry = keys.find(key);
@@ -90,14 +99,14 @@ struct Column {
 };
 
 int Run(const Settings& settings) {
-  Column seabed90, seabed95, band95, band99, top975, targets, ms_mean;
+  Column seabed90, seabed95, band95, band99, top975, whole, targets, ms_mean;
   double ms_max = 0.0;
   for (int run = 0; run < settings.runs; ++run) {
     const StudyResult result =
         RunStudy(settings.study, static_cast<std::uint64_t>(settings.first_seed + run));
     seabed90.Add(result.seabed90), seabed95.Add(result.seabed95);
     band95.Add(result.band95), band99.Add(result.band99);
-    top975.Add(result.top975), targets.Add(result.targets_seen);
+    top975.Add(result.top975), whole.Add(result.whole), targets.Add(result.targets_seen);
     ms_mean.Add(result.plan_ms_mean);
     ms_max = std::max(ms_max, result.plan_ms_max);
     if (!settings.svg.empty() && run == 0) {
@@ -106,10 +115,11 @@ int Run(const Settings& settings) {
   }
   const int n = settings.runs;
   fmt::print(
-      "seabed 90 {} | 95 {} | band 95 {} | 99 {} | top 97.5 {} | former {} | {:.1f} ms, max "
+      "seabed 90 {} | 95 {} | band 95 {} | 99 {} | top 97.5 {} | home {} | former {} | {:.1f} ms, "
+      "max "
       "{:.1f}\n",
       seabed90.Text(n), seabed95.Text(n), band95.Text(n), band99.Text(n), top975.Text(n),
-      targets.Text(n), ms_mean.sum / std::max(1, ms_mean.count), ms_max);
+      whole.Text(n), targets.Text(n), ms_mean.sum / std::max(1, ms_mean.count), ms_max);
   return 0;
 }
 
@@ -126,6 +136,11 @@ int main(int argc, char** argv) {
       fmt::print(stderr, "planner_study: unknown setting {}\n", argument);
       return 2;
     }
+  }
+  constexpr std::array<std::string_view, 4> kPlanners{"beam", "plan", "lanes", "paper"};
+  if (std::ranges::find(kPlanners, std::string_view(settings.study.planner)) == kPlanners.end()) {
+    fmt::print(stderr, "planner_study: no planner {}\n", settings.study.planner);
+    return 2;
   }
   return limpet::Run(settings);
 }

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "limpet/planning/home_path.hpp"
 #include "limpet/planning/target_tour.hpp"
 #include "limpet/planning/view_entropy.hpp"
 #include "tests/bench/planner_study/study_scorer.hpp"
@@ -33,6 +34,16 @@ LayerWeights Weights(double bottom) {
   return {bottom / sum, 1.0 / sum, 1.0 / sum, 1.0 / sum};
 }
 
+/// Lanes are a plan that is never edited.
+MissionPlanParams PlanOf(const StudyCase& study) {
+  MissionPlanParams params = study.plan;
+  if (study.planner == "lanes") {
+    params.first_edits = 0;
+    params.lanes.with_bottom_first = false;
+  }
+  return params;
+}
+
 class Flight {
  public:
   Flight(const StudyCase& study, std::uint64_t seed)
@@ -46,12 +57,14 @@ class Flight {
         sight_(ground_),
         scorer_(study.area, study.altitude, camera_, random_),
         tree_random_(seed, "paper"),
-        objective_(study.objective) {
+        objective_(study.objective),
+        plan_(PlanOf(study), Random(seed, "plan")) {
     pose_ = study.has_fixed_start ? Pose2{-12.5, -15.5, 0.5 * std::numbers::pi}
                                   : RandomStart(region_, study.beam.turn_radius, random_);
     if (study.is_change) {
       objective_.targets = FormerObjects(study.target_value);
     }
+    home_ = pose_;
     Arrive(pose_, 0.0);
   }
 
@@ -74,6 +87,11 @@ class Flight {
     result_.band95 = scorer_.band().PathAt(0.95);
     result_.band99 = scorer_.band().PathAt(0.99);
     result_.top975 = top_.PathAt(0.975);
+    if (grid_.coverage().band_top >= study_.band_top_stop) {
+      result_.whole =
+          path_ +
+          HomePath(pose_, home_.north, home_.east, region_, study_.beam.turn_radius).path.length();
+    }
     result_.frame = grid_.frame();
     result_.heights.assign(grid_.heights().begin(), grid_.heights().end());
     result_.plan_ms_mean = total_ms_ / std::max(1, decisions_);
@@ -84,6 +102,9 @@ class Flight {
   std::optional<Option> Decide() {
     if (study_.planner == "paper") {
       return DecideLikeThePaper();
+    }
+    if (study_.planner == "plan" || study_.planner == "lanes") {
+      return DecideByPlan();
     }
     if (ground_.SeenShare(0) > study_.late_share) {
       objective_.ground.frontier = study_.late_frontier;
@@ -106,6 +127,25 @@ class Flight {
       }
     }
     return best;
+  }
+
+  /// The plan of the whole mission, as it is.
+  std::optional<Option> DecideByPlan() {
+    TourGoal goal = study_.tour;
+    goal.home = {home_.north, home_.east};
+    goal.targets = objective_.targets;
+    goal.target_decay_m = objective_.target_decay_m;
+    std::vector<Option> options;
+    plan_.Offer({.pose = pose_,
+                 .ground = &ground_,
+                 .region = &region_,
+                 .turn_radius = study_.beam.turn_radius,
+                 .goal = goal,
+                 .travelled = path_},
+                "plan", options);
+    if (options.empty()) return std::nullopt;
+    plan_.OnChoice(options.front());
+    return options.front();
   }
 
   /// The branch with the most entropy (eq. 17); its other views are kept for the next tree.
@@ -168,7 +208,8 @@ class Flight {
   Random tree_random_;
   std::vector<Pose2> kept_;
   Objective objective_;
-  Pose2 pose_;
+  Pose2 pose_, home_;
+  MissionPlan plan_;
   double path_ = 0.0, total_ms_ = 0.0;
   int decisions_ = 0;
   LevelLog top_;

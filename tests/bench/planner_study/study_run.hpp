@@ -8,13 +8,14 @@
 
 #include "limpet/planning/beam_search.hpp"
 #include "limpet/planning/gap_paths.hpp"
+#include "limpet/planning/mission_plan.hpp"
 #include "limpet/planning/paper_tree.hpp"
 
 namespace limpet {
 
 /// One planner on one area, with perfect knowledge of the pose.
 struct StudyCase {
-  std::string planner = "beam";  ///< beam or paper
+  std::string planner = "beam";  ///< beam, plan, lanes or paper
   std::string camera = "80x60";  ///< or 60x45
   SurveyArea area{-15.0, 15.0, -18.0, 18.0, 2.0, 2.0};
   double altitude = 4.0;
@@ -33,11 +34,13 @@ struct StudyCase {
   BeamParams beam;
   GapParams gap;
   PaperTreeParams paper;
+  TourGoal tour;
+  MissionPlanParams plan;
   bool paper_counts_band = false;  ///< entropy of the band, not of the bottom alone
 };
 
 struct StudyResult {
-  std::optional<double> seabed90, seabed95, band95, band99, top975, targets_seen;
+  std::optional<double> seabed90, seabed95, band95, band99, top975, targets_seen, whole;
   double plan_ms_mean = 0.0, plan_ms_max = 0.0;
   std::vector<Pose2> track;
   GridFrame frame;

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "limpet/core/random.hpp"
+#include "limpet/planning/lane_tours.hpp"
+#include "limpet/planning/option.hpp"
+#include "limpet/planning/tour_path.hpp"
+#include "limpet/planning/tour_search.hpp"
+
+namespace limpet {
+
+struct MissionPlanParams {
+  LaneParams lanes{};
+  int seeds = 6;           ///< lane tours that a new plan is sought from
+  int first_edits = 4000;  ///< tried for a new plan; 0: the best lanes are the plan
+  int edits = 400;         ///< tried at each later decision
+  Meters warmth{4.0};      ///< of the search
+};
+
+/// The plan of all that is left of a survey, kept from decision to decision: sought from lanes,
+/// improved by random edits of the whole, and followed, or left for another option and taken up
+/// again behind it.
+class MissionPlan {
+ public:
+  MissionPlan(const MissionPlanParams& params, const Random& random)
+      : params_(params), search_(params.warmth, random) {}
+
+  /// Where the vehicle stands.
+  struct Situation {
+    Pose2 pose;
+    const Ground* ground = nullptr;  ///< not null; outlives the decision, and so does `region`
+    const Region* region = nullptr;
+    Meters turn_radius{3.0};
+    TourGoal goal;
+    double travelled = 0.0;  ///< path flown since some fixed moment [m]
+  };
+
+  /// Brings the plan up to date and appends it as an option, if there is anything left to do; and
+  /// the rest of the path in force, if it is one of those completed.
+  void Offer(const Situation& now, const char* source, std::vector<Option>& options);
+  /// Lengthens those of `options` that are not whole by what is left of the plan behind them.
+  /// REQUIRES: Offer in the same situation.
+  void Complete(std::vector<Option>& options);
+  /// `option` is flown from now on.
+  void OnChoice(const Option& option);
+
+ private:
+  [[nodiscard]] bool IsTheSameSurvey() const;
+  [[nodiscard]] SurveyTour Rest() const;
+  void Renew(TourJudge& judge);
+  void Replan(TourJudge& judge);
+  void OfferRest(std::vector<Option>& options);
+  void Complete(TourJudge& judge, Option& option);
+  [[nodiscard]] double SinceChoice() const { return now_.travelled - chosen_at_; }
+
+  MissionPlanParams params_;
+  TourSearch search_;
+  Situation now_;
+  std::string source_;
+  bool has_left_plan_ =
+      false;                 ///< another option is flown, with what was left of the plan behind it
+  bool is_planned_ = false;  ///< there is a plan in this situation
+  SurveyTour plan_;
+  GridFrame frame_;  ///< of the ground that the plan is for
+  std::size_t wanted_cells_ = 0;
+  std::vector<FlownTour> completed_;  ///< the options of this decision
+  FlownTour chosen_;                  ///< what is flown, with its path
+  double chosen_at_ = 0.0;            ///< [m travelled]
+};
+
+}  // namespace limpet

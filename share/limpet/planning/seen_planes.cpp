@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/planning/seen_planes.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "limpet/core/interval.hpp"
+
+namespace limpet {
+namespace {
+
+/// Spacing of the images that stand for a motion that turns [m].
+constexpr double kStep = 1.0;
+constexpr double kParallel = 1e-9;
+constexpr double kStraight = 1e-9;  ///< [1/m]
+
+constexpr std::array kLayerOf{0, Footprint::kLayers - 1};
+
+/// The least integer that is no less than `x` or 0: faster than std::ceil on plain x86-64.
+int CeilFromZero(double x) {
+  if (x <= 0.0) return 0;
+  const int whole = static_cast<int>(x);
+  return whole + (x > whole ? 1 : 0);
+}
+
+/// The greatest integer that is no greater than `x`, or -1.
+int FloorFromZero(double x) { return x < 0.0 ? -1 : static_cast<int>(x); }
+
+/// A band of the plane, |offset + slope x| <= half, whose offset grows from row to row.
+struct Strip {
+  double slope, half;
+  double inverse;  ///< 1 / slope; 0 if there is none
+  Strip(double slope_of, double half_of)
+      : slope(slope_of),
+        half(half_of),
+        inverse(std::abs(slope_of) > kParallel ? 1.0 / slope_of : 0.0) {}
+
+  /// Keeps of `x` what is inside where the offset is this.
+  void Cut(double offset, Interval& x) const {
+    if (inverse == 0.0) {
+      if (std::abs(offset) > half) x = {1.0, -1.0};
+      return;
+    }
+    const double middle = -offset * inverse, reach = half * std::abs(inverse);
+    x.low = std::max(x.low, middle - reach);
+    x.high = std::min(x.high, middle + reach);
+  }
+};
+
+}  // namespace
+
+SeenPlanes::SeenPlanes(const Ground& ground)
+    : frame_(ground.frame()),
+      words_per_row_((static_cast<std::size_t>(ground.frame().columns) + 63) / 64) {
+  const Footprint& footprint = ground.footprint();
+  for (std::size_t plane = 0; plane < kPlanes; ++plane) {
+    images_[plane] = {.half_along = footprint.half_along(kLayerOf[plane]) / frame_.cell_m,
+                      .half_across = footprint.half_across(kLayerOf[plane]) / frame_.cell_m};
+    planes_[plane].resize(words_per_row_ * static_cast<std::size_t>(frame_.rows));
+  }
+  log_.reserve(1024);
+  Reset(ground);
+}
+
+void SeenPlanes::Reset(const Ground& ground) {
+  log_.clear();
+  const auto columns = static_cast<std::size_t>(frame_.columns);
+  for (std::size_t plane = 0; plane < kPlanes; ++plane) {
+    std::ranges::fill(planes_[plane], ~std::uint64_t{0});
+    unseen_[plane] = 0;
+    for (std::size_t cell = 0; cell < ground.levels().size(); ++cell) {
+      if (static_cast<int>(ground.levels()[cell]) > kLayerOf[plane]) continue;
+      const std::size_t column = cell % columns;
+      planes_[plane][cell / columns * words_per_row_ + column / 64] &=
+          ~(std::uint64_t{1} << (column % 64));
+      ++unseen_[plane];
+    }
+  }
+}
+
+void SeenPlanes::Sweep(const Pose2& from, const PathSegment& segment) {
+  if (std::abs(segment.curvature) < kStraight) {
+    Look(Advance(from, 0.0, 0.5 * segment.length), 0.5 * segment.length / frame_.cell_m);
+    return;
+  }
+  const int steps = std::max(1, static_cast<int>(std::ceil(segment.length / kStep)));
+  for (int i = 1; i <= steps; ++i) {
+    Look(Advance(from, segment.curvature, segment.length * i / steps), 0.0);
+  }
+}
+
+void SeenPlanes::Look(const Pose2& at, double longer) {
+  for (std::size_t plane = 0; plane < kPlanes; ++plane) {
+    const Image& image = images_[plane];
+    if (image.half_across <= 0.0 || unseen_[plane] == 0) continue;
+    LookOn(plane, at, {.half_along = image.half_along + longer, .half_across = image.half_across});
+  }
+}
+
+void SeenPlanes::LookOn(std::size_t plane, const Pose2& at, const Image& image) {
+  const double c = std::cos(at.yaw), s = std::sin(at.yaw);
+  // In cells, from the centre of cell (0, 0).
+  const double north = (at.north - frame_.north_min) / frame_.cell_m - 0.5;
+  const double east = (at.east - frame_.east_min) / frame_.cell_m - 0.5;
+  const double reach_n = std::abs(c) * image.half_along + std::abs(s) * image.half_across;
+  const double reach_e = std::abs(s) * image.half_along + std::abs(c) * image.half_across;
+  const int row_begin = std::max(0, static_cast<int>(std::ceil(north - reach_n)));
+  const int row_end = std::min(frame_.rows, static_cast<int>(std::floor(north + reach_n)) + 1);
+  // Forward: dn c + de s; starboard: -dn s + de c.
+  const Strip along(s, image.half_along), across(c, image.half_across);
+  for (int row = row_begin; row < row_end; ++row) {
+    const double dn = row - north;
+    Interval de{-reach_e, reach_e};
+    along.Cut(dn * c, de);
+    across.Cut(-dn * s, de);
+    const int begin = CeilFromZero(east + de.low);
+    const int end = std::min(frame_.columns, FloorFromZero(east + de.high) + 1);
+    if (begin < end) SetRun(plane, row, begin, end);
+  }
+}
+
+void SeenPlanes::SetRun(std::size_t plane, int row, int begin, int end) {
+  constexpr std::uint64_t kAll = ~std::uint64_t{0};
+  const std::size_t first = Word(row, begin), last = Word(row, end - 1);
+  const std::uint64_t from = kAll << (static_cast<unsigned>(begin) % 64U);
+  const std::uint64_t until = kAll >> (63U - static_cast<unsigned>(end - 1) % 64U);
+  if (first == last) {
+    SetBits(plane, first, from & until);
+    return;
+  }
+  SetBits(plane, first, from);
+  for (std::size_t word = first + 1; word < last; ++word) {
+    SetBits(plane, word, kAll);
+  }
+  SetBits(plane, last, until);
+}
+
+void SeenPlanes::SetBits(std::size_t plane, std::size_t word, std::uint64_t bits) {
+  std::uint64_t& seen = planes_[plane][word];
+  const std::uint64_t added = bits & ~seen;
+  if (added == 0) return;
+  log_.push_back({.word = static_cast<std::uint32_t>(word),
+                  .plane = static_cast<std::uint32_t>(plane),
+                  .before = seen});
+  seen |= added;
+  unseen_[plane] -= std::popcount(added);
+}
+
+PlanePoint SeenPlanes::NthUnseen(std::size_t plane, int n) const {
+  const std::vector<std::uint64_t>& words = planes_[plane];
+  std::size_t word = 0;
+  for (; std::popcount(~words[word]) <= n; ++word) {
+    n -= std::popcount(~words[word]);
+  }
+  std::uint64_t unseen = ~words[word];
+  for (; n > 0; --n) {
+    unseen &= unseen - 1;  // without its lowest bit
+  }
+  const auto row = static_cast<double>(word / words_per_row_);
+  const auto column = static_cast<double>(word % words_per_row_ * 64) + std::countr_zero(unseen);
+  return {frame_.north_min + (row + 0.5) * frame_.cell_m,
+          frame_.east_min + (column + 0.5) * frame_.cell_m};
+}
+
+void SeenPlanes::Rewind(std::size_t mark) {
+  while (log_.size() > mark) {
+    const Change& change = log_.back();
+    std::uint64_t& seen = planes_[change.plane][change.word];
+    unseen_[change.plane] += std::popcount(seen & ~change.before);
+    seen = change.before;
+    log_.pop_back();
+  }
+}
+
+}  // namespace limpet

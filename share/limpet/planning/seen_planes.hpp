@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "limpet/planning/ground.hpp"
+#include "limpet/planning/pose2.hpp"
+#include "limpet/survey/simple_polygon.hpp"
+#include "limpet/topics/mission.hpp"
+
+namespace limpet {
+
+/// What of the seabed and of the band's top a sequence of motions has seen: one bit per cell and
+/// plane, with undo. Made for searches over whole missions, which sweep the area thousands of
+/// times: a straight motion is one rectangle, cells are counted 64 at a time, and nothing is
+/// allocated after construction but for the undo log's growth.
+class SeenPlanes {
+ public:
+  static constexpr std::size_t kBottom = 0, kTop = 1, kPlanes = 2;
+  using Counts = std::array<int, kPlanes>;
+
+  explicit SeenPlanes(const Ground& ground);
+  /// Takes over the ground's present state and forgets all motions. REQUIRES: the same ground.
+  void Reset(const Ground& ground);
+
+  /// Cells not yet seen, of each plane.
+  [[nodiscard]] const Counts& unseen() const { return unseen_; }
+  /// Sees everything that the images of `segment` show, from its start to its end.
+  void Sweep(const Pose2& from, const PathSegment& segment);
+
+  [[nodiscard]] std::size_t Mark() const { return log_.size(); }
+  /// Takes back everything since `mark`.
+  void Rewind(std::size_t mark);
+
+  /// Centre of the cell of `plane` that is the `n`-th that is not seen, row by row.
+  /// REQUIRES: n < unseen()[plane].
+  [[nodiscard]] PlanePoint NthUnseen(std::size_t plane, int n) const;
+  /// Calls visit(north, east) at the centre of each cell of `plane` that is not seen.
+  template <class Visit>
+  void EachUnseen(std::size_t plane, Visit visit) const {
+    for (int row = 0; row < frame_.rows; ++row) {
+      for (int column = 0; column < frame_.columns; ++column) {
+        const std::uint64_t word = planes_[plane][Word(row, column)];
+        if ((word >> (static_cast<unsigned>(column) % 64U) & 1U) == 0) {
+          visit(frame_.north_min + (row + 0.5) * frame_.cell_m,
+                frame_.east_min + (column + 0.5) * frame_.cell_m);
+        }
+      }
+    }
+  }
+
+ private:
+  struct Change {
+    std::uint32_t word = 0;
+    std::uint32_t plane = 0;
+    std::uint64_t before = 0;
+  };
+  struct Image {
+    double half_along = 0.0, half_across = 0.0;  ///< [cells]
+  };
+  [[nodiscard]] std::size_t Word(int row, int column) const {
+    return static_cast<std::size_t>(row) * words_per_row_ + static_cast<std::size_t>(column) / 64;
+  }
+  /// Marks the rectangle around `at` as seen, `longer` [m] longer than the image.
+  void Look(const Pose2& at, double longer);
+  void LookOn(std::size_t plane, const Pose2& at, const Image& image);
+  void SetRun(std::size_t plane, int row, int begin, int end);
+  void SetBits(std::size_t plane, std::size_t word, std::uint64_t bits);
+
+  GridFrame frame_;
+  std::array<Image, kPlanes> images_;
+  std::size_t words_per_row_;
+  std::array<std::vector<std::uint64_t>, kPlanes> planes_;  ///< 1: seen, or not wanted
+  Counts unseen_{};
+  std::vector<Change> log_;
+};
+
+}  // namespace limpet

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/planning/survey_tour.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limpet {
+namespace {
+
+constexpr double kPiece = 4.0;      ///< passes are counted in pieces of this length [m]
+constexpr double kTurnPiece = 2.0;  ///< turns in these [m]
+/// A motion with no word inside the region may be flown only if nothing else is left [m].
+constexpr double kDetourPrice = 200.0;
+/// Way for a metre of useful track that a tour lacks, and for lacking any: more than it takes to
+/// fetch it, so that tours finish where they can.
+constexpr double kFetchPrice = 12.0;
+constexpr double kUnfinishedPrice = 20.0;
+constexpr double kLookStep = 0.5;  ///< [m]
+
+}  // namespace
+
+TourJudge::TourJudge(const Ground& ground, const Region& region, Meters turn_radius)
+    : ground_(ground),
+      region_(region),
+      turn_radius_(turn_radius),
+      planes_(ground),
+      cell_m2_(ground.frame().cell_m * ground.frame().cell_m),
+      wanted_cells_(static_cast<double>(ground.wanted_cells())) {}
+
+void TourJudge::Reset(const DubinsPath& way, const TourGoal& goal) {
+  goal_ = goal;
+  planes_.Reset(ground_);
+  may_stay_ = static_cast<int>((1.0 - goal.finish_share) * wanted_cells_);
+  looks_ = PathEvents(goal.targets.size());
+  stages_.clear();
+  base_ = Stage{};
+  base_.end = way.start();
+  base_.is_finished = planes_.unseen()[SeenPlanes::kTop] <= may_stay_;
+  for (const PathSegment& segment : way.segments()) {
+    if (!base_.is_finished) base_.is_finished = Fly(base_.end, segment, base_.cost);
+    base_.end = Advance(base_.end, segment.curvature, segment.length);
+  }
+  base_.seen_mark = planes_.Mark();
+  base_.look_mark = looks_.Mark();
+}
+
+TourCost TourJudge::Cost(const SurveyTour& tour) {
+  Stage stage = Rejoin(tour);
+  while (!stage.is_finished && stages_.size() < tour.size()) {
+    FlyPass(tour[stages_.size()], stage);
+    stage.seen_mark = planes_.Mark();
+    stage.look_mark = looks_.Mark();
+    stages_.push_back(stage);
+  }
+  TourCost cost = stage.cost;
+  cost.home = std::hypot(stage.end.north - goal_.home.x(), stage.end.east - goal_.home.y());
+  const Footprint& footprint = ground_.footprint();
+  const double top_swath = 2.0 * footprint.half_across(Footprint::kLayers - 1);
+  cost.missing = std::max(0, planes_.unseen()[SeenPlanes::kTop] - may_stay_) * cell_m2_ /
+                 std::max(0.1, top_swath);
+  cost.total = cost.length + cost.home + goal_.early_weight * cost.lateness - cost.looks +
+               kFetchPrice * cost.missing + (cost.missing > 0.0 ? kUnfinishedPrice : 0.0) +
+               kDetourPrice * cost.detours;
+  return cost;
+}
+
+TourJudge::Stage TourJudge::Rejoin(const SurveyTour& tour) {
+  const auto is_same = [](const Pass& a, const Pass& b) {
+    return a.in.north == b.in.north && a.in.east == b.in.east && a.in.yaw == b.in.yaw &&
+           a.length == b.length;
+  };
+  std::size_t shared = 0;
+  while (shared < std::min(tour.size(), stages_.size()) &&
+         is_same(tour[shared], stages_[shared].pass)) {
+    ++shared;
+  }
+  stages_.resize(shared);
+  const Stage& stage = shared > 0 ? stages_.back() : base_;
+  planes_.Rewind(stage.seen_mark);
+  looks_.Rewind(stage.look_mark);
+  return stage;
+}
+
+void TourJudge::FlyPass(const Pass& pass, Stage& stage) {
+  stage.pass = pass;
+  auto word = region_.ShortestWordInside(stage.end, pass.in, turn_radius_);
+  if (!word) {
+    ++stage.cost.detours;
+    word = DubinsWords(stage.end, pass.in, turn_radius_).shortest();
+  }
+  for (const PathSegment& segment : word->segments) {
+    if (segment.length <= 0.0 || stage.is_finished) continue;
+    stage.is_finished = Fly(stage.end, segment, stage.cost);
+    stage.end = Advance(stage.end, segment.curvature, segment.length);
+  }
+  if (stage.is_finished) return;
+  stage.end = pass.in;
+  stage.is_finished = Fly(stage.end, {.curvature = 0.0, .length = pass.length}, stage.cost);
+  stage.end = pass.out();
+}
+
+bool TourJudge::Fly(const Pose2& from, const PathSegment& segment, TourCost& cost) {
+  const double longest = segment.curvature == 0.0 ? kPiece : kTurnPiece;
+  const int pieces = std::max(1, static_cast<int>(std::ceil(segment.length / longest)));
+  const PathSegment piece{.curvature = segment.curvature, .length = segment.length / pieces};
+  for (int i = 0; i < pieces; ++i) {
+    if (FlyPiece(Advance(from, segment.curvature, piece.length * i), piece, cost)) return true;
+  }
+  return false;
+}
+
+bool TourJudge::FlyPiece(const Pose2& from, const PathSegment& piece, TourCost& cost) {
+  const SeenPlanes::Counts before = planes_.unseen();
+  planes_.Sweep(from, piece);
+  const SeenPlanes::Counts& after = planes_.unseen();
+  const double middle = cost.length + 0.5 * piece.length;
+  const double bottom_weight = ground_.weights()[0];
+  const double newly_seen =
+      bottom_weight * (before[SeenPlanes::kBottom] - after[SeenPlanes::kBottom]) +
+      (1.0 - bottom_weight) * (before[SeenPlanes::kTop] - after[SeenPlanes::kTop]);
+  cost.lateness += newly_seen * middle / wanted_cells_;
+  if (!goal_.targets.empty() && cost.length < goal_.target_decay_m) {
+    LookAtTargets(from, piece, cost);
+  }
+  const std::size_t top = SeenPlanes::kTop;
+  if (after[top] > may_stay_) {
+    cost.length += piece.length;
+    return false;
+  }
+  const double share =
+      static_cast<double>(before[top] - may_stay_) / std::max(1, before[top] - after[top]);
+  cost.length += share * piece.length;
+  return true;
+}
+
+void TourJudge::LookAtTargets(const Pose2& from, const PathSegment& piece, TourCost& cost) {
+  const int steps = std::max(1, static_cast<int>(std::ceil(piece.length / kLookStep)));
+  for (std::size_t i = 0; i < goal_.targets.size(); ++i) {
+    const Target& target = goal_.targets[i];
+    for (int step = 1; step <= steps && !looks_.Has(i); ++step) {
+      const double s = piece.length * step / steps;
+      if (target.IsSeenFrom(Advance(from, piece.curvature, s))) {
+        looks_.Add(i);
+        cost.looks += target.WorthAt(cost.length + s, goal_.target_decay_m);
+      }
+    }
+  }
+}
+
+}  // namespace limpet

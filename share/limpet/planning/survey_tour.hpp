@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// A plan of everything that is left of a survey: passes in their order, and what it costs.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "limpet/core/units.hpp"
+#include "limpet/planning/ground.hpp"
+#include "limpet/planning/objective.hpp"
+#include "limpet/planning/pass_tour.hpp"
+#include "limpet/planning/region.hpp"
+#include "limpet/planning/seen_planes.hpp"
+
+namespace limpet {
+
+/// Passes in the order in which they are flown; the shortest motions inside the region join them.
+using SurveyTour = std::vector<Pass>;
+
+/// What a tour is to achieve, and what that is worth.
+struct TourGoal {
+  /// The survey is over when this share of the band's top has been seen.
+  double finish_share = 0.98;
+  /// Metres that the way may be longer for ground to be seen a metre sooner, mean over the area.
+  double early_weight = 1.2;
+  /// Where the vehicle goes when it is over, NED [m].
+  PlanePoint home{0.0, 0.0};
+  std::vector<Target> targets{};
+  double target_decay_m = 100.0;
+};
+
+/// What a tour costs, all in metres of path.
+struct TourCost {
+  double length = 0.0;    ///< from the start to the finish, or to the end of the tour
+  double lateness = 0.0;  ///< mean over the area of the path at which ground is first seen
+  double home = 0.0;      ///< straight way home from there
+  double missing = 0.0;   ///< useful track that the finish still lacks
+  double looks = 0.0;     ///< worth of the first looks at targets
+  int detours = 0;        ///< motions for which no word stays inside the region
+  double total = 0.0;     ///< what tours are compared by
+};
+
+/// Judges tours from one pose over one ground.
+class TourJudge {
+ public:
+  /// `ground` and `region` must outlive this.
+  TourJudge(const Ground& ground, const Region& region, Meters turn_radius);
+
+  /// Tours start at the end of `way` from now on, which is flown before them and counts with them.
+  void Reset(const DubinsPath& way, const TourGoal& goal);
+
+  /// Of two tours that begin with the same passes, one judged after the other, these are flown
+  /// once.
+  [[nodiscard]] TourCost Cost(const SurveyTour& tour);
+
+  /// Where tours start.
+  [[nodiscard]] const Pose2& start() const { return base_.end; }
+  [[nodiscard]] const Region& region() const { return region_; }
+  [[nodiscard]] Meters turn_radius() const { return turn_radius_; }
+  [[nodiscard]] const Ground& ground() const { return ground_; }
+  [[nodiscard]] const TourGoal& goal() const { return goal_; }
+  /// Whether nothing is left to do at the start.
+  [[nodiscard]] bool is_finished() const { return base_.is_finished; }
+  /// After Cost: what its tour leaves unseen.
+  [[nodiscard]] const SeenPlanes& planes() const { return planes_; }
+  /// After Cost: how many of the tour's passes come before the finish.
+  [[nodiscard]] std::size_t passes_needed() const { return stages_.size(); }
+
+ private:
+  /// How things stand after a pass.
+  struct Stage {
+    Pass pass;
+    Pose2 end;
+    TourCost cost;
+    bool is_finished = false;
+    std::size_t seen_mark = 0, look_mark = 0;
+  };
+  /// Goes back to where `tour` parts from the tour flown last.
+  [[nodiscard]] Stage Rejoin(const SurveyTour& tour);
+  void FlyPass(const Pass& pass, Stage& stage);
+  [[nodiscard]] bool Fly(const Pose2& from, const PathSegment& segment, TourCost& cost);
+  [[nodiscard]] bool FlyPiece(const Pose2& from, const PathSegment& piece, TourCost& cost);
+  void LookAtTargets(const Pose2& from, const PathSegment& piece, TourCost& cost);
+
+  const Ground& ground_;
+  const Region& region_;
+  Meters turn_radius_;
+  SeenPlanes planes_;
+  TourGoal goal_;
+  int may_stay_ = 0;  ///< cells of the top that may be left
+  double cell_m2_;
+  double wanted_cells_;
+  PathEvents looks_{0};        ///< at targets
+  Stage base_;                 ///< before the first pass
+  std::vector<Stage> stages_;  ///< of the tour flown last
+};
+
+}  // namespace limpet

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/planning/tour_path.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+
+#include "limpet/planning/leg_path.hpp"
+#include "limpet/planning/room.hpp"
+
+namespace limpet {
+namespace {
+
+/// By legs, where no word stays inside.
+std::optional<DubinsPath> WayAround(const Pose2& from, const Pose2& to, const Region& region,
+                                    Meters turn_radius) {
+  if (region.free_space() == nullptr) return std::nullopt;
+  const auto places =
+      LegsThrough(*region.free_space(), {from.north, from.east}, {to.north, to.east});
+  if (!places) return std::nullopt;
+  std::vector<LegEnd> legs;
+  for (const PlanePoint& at : *places) {
+    legs.push_back({.at = at,
+                    .allows = [&region](const DubinsPath& path) { return region.Contains(path); },
+                    .must_be_passed = false});
+  }
+  legs.back().must_be_passed = true;
+  legs.back().heading = to.yaw;
+  auto path = PathAlong(from, legs, turn_radius);
+  return path && region.Contains(*path) ? std::move(path) : std::nullopt;
+}
+
+std::optional<DubinsPath> WayInside(const Pose2& from, const Pose2& to, const Region& region,
+                                    Meters turn_radius) {
+  if (const auto word = region.ShortestWordInside(from, to, turn_radius)) {
+    return DubinsPath(from, {word->segments.begin(), word->segments.end()});
+  }
+  return WayAround(from, to, region, turn_radius);
+}
+
+}  // namespace
+
+FlownTour Fly(const DubinsPath& way, const SurveyTour& tour, const Region& region,
+              Meters turn_radius) {
+  FlownTour flown{.path = way, .passes = {}, .spans = {}};
+  for (const Pass& pass : tour) {
+    const auto there = WayInside(flown.path.end(), pass.in, region, turn_radius);
+    if (!there || !region.Contains(pass.in, PathSegment{.curvature = 0.0, .length = pass.length})) {
+      flown.is_complete = false;
+      continue;
+    }
+    flown.path.Append(*there);
+    const double begin = flown.path.length();
+    flown.path.Append({.curvature = 0.0, .length = pass.length});
+    flown.passes.push_back(pass);
+    flown.spans.push_back({begin, flown.path.length()});
+  }
+  return flown;
+}
+
+SurveyTour RestAfter(const FlownTour& tour, double flown) {
+  SurveyTour rest;
+  for (std::size_t i = 0; i < tour.passes.size(); ++i) {
+    if (tour.spans[i].high <= flown) continue;
+    const double done = std::max(0.0, flown - tour.spans[i].low);
+    const Pass& pass = tour.passes[i];
+    rest.push_back({.in = Advance(pass.in, 0.0, done), .length = pass.length - done});
+  }
+  return rest;
+}
+
+}  // namespace limpet

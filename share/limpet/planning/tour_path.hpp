@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "limpet/core/interval.hpp"
+#include "limpet/planning/survey_tour.hpp"
+
+namespace limpet {
+
+/// A tour as it is flown.
+struct FlownTour {
+  DubinsPath path;              ///< what leads to the first pass included
+  SurveyTour passes;            ///< those that can be reached without leaving the region
+  std::vector<Interval> spans;  ///< of path length on which each is flown [m]
+  bool is_complete = true;      ///< no pass was left out
+};
+
+/// Flies `way` and then the tour: the shortest words between passes where one stays inside the
+/// region, else a way through the region by legs.
+[[nodiscard]] FlownTour Fly(const DubinsPath& way, const SurveyTour& tour, const Region& region,
+                            Meters turn_radius);
+
+/// What is left of a tour once `flown` metres of its path are.
+[[nodiscard]] SurveyTour RestAfter(const FlownTour& tour, double flown);
+
+}  // namespace limpet

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/planning/mission_plan.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/planning/search_scene.hpp"
+
+namespace limpet {
+namespace {
+
+/// A survey of `area` that has just begun.
+struct BegunSurvey {
+  explicit BegunSurvey(const SurveyArea& of = scene::kArea) : area(of) {}
+
+  [[nodiscard]] MissionPlan::Situation At(const Pose2& pose, double travelled = 0.0) const {
+    return {.pose = pose,
+            .ground = &ground,
+            .region = &region,
+            .turn_radius = scene::kRadius,
+            .goal = {.home = {pose.north, pose.east}},
+            .travelled = travelled};
+  }
+  /// Share of the top that is seen once `path` has been flown, too.
+  [[nodiscard]] double TopAfter(const DubinsPath& path) const {
+    SurveyGrid flown(area);
+    scene::Fly(flown, path);
+    return flown.coverage().band_top;
+  }
+
+  SurveyArea area;
+  SurveyGrid grid{area};
+  Ground ground{grid, scene::TableFootprint()};
+  Region region{area};
+};
+
+MissionPlan PlanOf(int first_edits) {
+  MissionPlanParams params;
+  params.first_edits = first_edits;
+  params.edits = first_edits / 4;
+  return {params, Random(7)};
+}
+
+std::vector<Option> OffersAt(MissionPlan& plan, const MissionPlan::Situation& now) {
+  std::vector<Option> options;
+  plan.Offer(now, "plan", options);
+  return options;
+}
+
+TEST(MissionPlan, LeadsToTheEndOfTheSurveyInsideTheRegion) {
+  const BegunSurvey survey;
+  MissionPlan plan = PlanOf(400);
+  const std::vector<Option> options = OffersAt(plan, survey.At(scene::kStart));
+  ASSERT_EQ(options.size(), 1U);
+  EXPECT_TRUE(options[0].is_whole());
+  EXPECT_TRUE(survey.region.Contains(options[0].path));
+  EXPECT_TRUE(survey.region.IsRecoverable(options[0].path.end(), scene::kRadius));
+  EXPECT_GT(survey.TopAfter(options[0].path), 0.97);
+}
+
+TEST(MissionPlan, OfEditsIsShorterThanTheBestLanes) {
+  const BegunSurvey survey;
+  MissionPlan lanes = PlanOf(0), edited = PlanOf(2000);
+  const auto begun = survey.At(scene::kStart);
+  EXPECT_LT(OffersAt(edited, begun)[0].path.length(), OffersAt(lanes, begun)[0].path.length());
+}
+
+TEST(MissionPlan, IsTheSameForTheSameSeed) {
+  const BegunSurvey survey;
+  MissionPlan a = PlanOf(200), b = PlanOf(200);
+  scene::ExpectSame(OffersAt(a, survey.At(scene::kStart)), OffersAt(b, survey.At(scene::kStart)));
+}
+
+TEST(MissionPlan, OffersTheRestOfWhatIsFlown) {
+  const BegunSurvey survey;
+  MissionPlan plan = PlanOf(200);
+  const Option chosen = OffersAt(plan, survey.At(scene::kStart))[0];
+  plan.OnChoice(chosen);
+  const std::vector<Option> options = OffersAt(plan, survey.At(chosen.path.At(8.0), 8.0));
+  const auto rest = std::ranges::find(options, "previous", &Option::source);
+  ASSERT_NE(rest, options.end());
+  EXPECT_NEAR(rest->path.length(), chosen.path.length() - 8.0, 1e-6);
+  EXPECT_NEAR(Distance(rest->path.end(), chosen.path.end()), 0.0, 1e-6);
+}
+
+TEST(MissionPlan, CompletesWhatOthersOffer) {
+  const BegunSurvey survey;
+  MissionPlan plan = PlanOf(400);
+  std::vector<Option> options = OffersAt(plan, survey.At(scene::kStart));
+  const DubinsPath own(scene::kStart, {{0.0, 10.0}, {-1.0 / 3.0, 4.0}});
+  options.push_back({.source = "other", .path = own});
+  plan.Complete(options);
+  const Option& other = options.back();
+  ASSERT_TRUE(other.is_whole());
+  EXPECT_NEAR(other.own_length(), own.length(), 1e-9);
+  EXPECT_NEAR(Distance(other.path.At(own.length()), own.end()), 0.0, 1e-9);
+  EXPECT_TRUE(survey.region.Contains(other.path));
+  EXPECT_GT(survey.TopAfter(other.path), 0.97);
+}
+
+TEST(MissionPlan, GoesOnBehindAnotherOptionThatWasChosen) {
+  const BegunSurvey survey;
+  MissionPlan plan = PlanOf(200);
+  std::vector<Option> options = OffersAt(plan, survey.At(scene::kStart));
+  options.push_back({.source = "other", .path = DubinsPath(scene::kStart, {{0.0, 10.0}})});
+  plan.Complete(options);
+  const Option chosen = options.back();
+  plan.OnChoice(chosen);
+  const auto next = OffersAt(plan, survey.At(chosen.path.At(8.0), 8.0));
+  EXPECT_NE(std::ranges::find(next, "previous", &Option::source), next.end());
+}
+
+TEST(MissionPlan, OffersNothingOnceAllIsSeen) {
+  BegunSurvey survey;
+  MissionPlan plan = PlanOf(0);
+  const std::vector<Option> options = OffersAt(plan, survey.At(scene::kStart));
+  scene::Fly(survey.grid, options[0].path);
+  survey.ground.Update(survey.grid);
+  MissionPlan::Situation now = survey.At(options[0].path.end());
+  now.goal.finish_share = 0.9;
+  EXPECT_TRUE(OffersAt(plan, now).empty());
+}
+
+TEST(MissionPlan, ForgetsItselfWhenTheAreaIsAnotherOne) {
+  const BegunSurvey here;
+  SurveyArea far = scene::kArea;
+  far.north_min += 100.0, far.north_max += 100.0;
+  const BegunSurvey there(far);
+  MissionPlan plan = PlanOf(200);
+  plan.OnChoice(OffersAt(plan, here.At(scene::kStart))[0]);
+  const auto options = OffersAt(plan, there.At({100.0, 0.0, 0.0}));
+  ASSERT_EQ(options.size(), 1U);
+  EXPECT_TRUE(there.region.Contains(options[0].path));
+}
+
+TEST(MissionPlan, GoesRoundAZone) {
+  SurveyArea area = scene::kArea;
+  area.keep_out = "{-4,-4:4,-4:4,4:-4,4}";
+  const BegunSurvey survey(area);
+  MissionPlan plan = PlanOf(400);
+  const auto options = OffersAt(plan, survey.At(scene::kStart));
+  ASSERT_EQ(options.size(), 1U);
+  EXPECT_TRUE(survey.region.Contains(options[0].path));
+  EXPECT_GT(survey.TopAfter(options[0].path), 0.85);
+}
+
+}  // namespace
+}  // namespace limpet
