@@ -18,6 +18,10 @@ class BHV_CoverArea final : public Behavior {
             InRange(0.0, 100.0));
       visit("frontier_weight", rates.frontier,
             "Cost of one metre more border between seen and unseen", InRange(0.0, 100.0));
+      visit("early_weight", rates.early,
+            "Cost of each metre of path before ground is first seen, mean over the area; where "
+            "options are compared to the end of the survey",
+            InRange(0.0, 100.0));
     }
   };
   explicit BHV_CoverArea(const Params& params) : params_(params) {}

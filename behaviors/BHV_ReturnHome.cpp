@@ -11,12 +11,18 @@
 namespace limpet {
 namespace {
 
-/// No option is longer. Nearer to the end of the battery's reach than this and the way home, a way
-/// home has to be among the options, since all others may be refused.
+/// No option is longer. Nearer to the end of the battery's reach than this and the
+/// way home, a way home has to be among the options, since all others may be refused.
 constexpr double kLongestOption_m = 200.0;
 
 double DistanceHome(const Pose2& from, const Situation& now) {
   return std::hypot(from.north - now.home.north, from.east - now.home.east);
+}
+
+/// How much longer than its own part an option is. Options are ranked by what a metre brings: so
+/// much more is charged for what is due to that part.
+double WholeByOwn(const Prospect& prospect) {
+  return prospect.whole().length() / std::max(1e-3, prospect.length());
 }
 
 /// Path that the battery allows [m].
@@ -43,7 +49,14 @@ std::optional<Bid> BHV_ReturnHome::Value(const Prospect& prospect, const Situati
   const double beyond_battery = to_go - ReachOf(now);
   const double overrun =
       std::max({0.0, now.travelled + to_go - params_.range.value(), beyond_battery});
-  Bid bid{.value = -params_.lateness_weight * overrun, .why = {{"overrun", overrun}}, .veto = {}};
+  Bid bid{.value = -params_.lateness_weight * overrun * WholeByOwn(prospect),
+          .why = {{"overrun", overrun}},
+          .veto = {}};
+  if (prospect.option->is_whole()) {
+    const double from_end = DistanceHome(prospect.whole().end(), now);
+    bid.value -= from_end;
+    bid.why.push_back({"from_end", from_end});
+  }
   // The way home is never refused: there is none cheaper.
   if (beyond_battery > 0.0 && !MayEndAnywhere(*prospect.option)) {
     bid.veto = "the battery does not reach home after it";

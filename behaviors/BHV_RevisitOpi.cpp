@@ -20,7 +20,7 @@ std::optional<Bid> BHV_RevisitOpi::Value(const Prospect& prospect, const Situati
   if (targets.targets.empty()) {
     return std::nullopt;
   }
-  const double worth = TargetValueOf(prospect.path(), targets);
+  const double worth = TargetValueOf(prospect.whole(), targets);
   Bid bid{.value = worth,
           .why = {{"looks_worth", worth},
                   {"open_objects", static_cast<double>(targets.targets.size())}},

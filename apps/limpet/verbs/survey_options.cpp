@@ -19,7 +19,8 @@ std::vector<CommandOption> SurveyMethodOptions() {
            .is_repeatable = true},
           {.names = "--planner",
            .value = "P",
-           .meaning = "limpet, or paper: the 2025 paper's planner (default: the mission's)"},
+           .meaning = "limpet, whole, lawnmower, or paper: the 2025 paper's planner (default: the "
+                      "mission's)"},
           {.names = "--gain",
            .value = "G",
            .meaning = "full, or coverage: objects have no say (default: the mission's)"},

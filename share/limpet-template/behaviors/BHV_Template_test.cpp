@@ -10,7 +10,7 @@ double BidOnALineAt(double east) {
   const limpet::Option line{.source = "test",
                             .path = limpet::DubinsPath({.north = 0.0, .east = east},
                                                        {{.curvature = 0.0, .length = 10.0}})};
-  return behavior.Value({.option = &line, .seen = {}}, {})->value;
+  return behavior.Value({line, {}}, {})->value;
 }
 
 TEST(BHV_Template, ChargesForMetresNearThePlace) {

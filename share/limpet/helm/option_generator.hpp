@@ -20,6 +20,9 @@ class OptionGenerator {
   /// generators named before this one have offered, in their order.
   virtual void Offer(const Situation& now, const SearchGoals& goals,
                      std::vector<Option>& options) = 0;
+  /// Lengthens options of whomever, so that all of them end where the survey does and can be
+  /// compared as wholes; own_m of those says what is theirs. Called after all offers.
+  virtual void Complete(std::vector<Option>& options) { static_cast<void>(options); }
   /// The helm flies `option`, of this generator or of another.
   virtual void OnChoice(const Option& option) { static_cast<void>(option); }
 };

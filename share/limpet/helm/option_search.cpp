@@ -35,6 +35,9 @@ std::vector<Option> OptionSearch::Gather(std::span<const WeightedBehavior> runni
       std::ranges::move(offered, std::back_inserter(options));
     }
   }
+  for (const auto& generator : generators_) {
+    generator->Complete(options);
+  }
   return options;
 }
 

@@ -17,6 +17,20 @@ PlannerPreset LimpetPreset() {
           .decides_at_views_only = false};
 }
 
+/// Every option is completed to the end of the survey by the plan of the whole.
+PlannerPreset WholePreset() {
+  PlannerPreset preset = LimpetPreset();
+  preset.generators = "beam, gaps, tour, plan, home, transit";
+  return preset;
+}
+
+/// Conventional lanes, with looks at objects on the way: the baseline.
+PlannerPreset LawnmowerPreset() {
+  PlannerPreset preset = LimpetPreset();
+  preset.generators = "lanes, gaps, tour, home, transit";
+  return preset;
+}
+
 /// P0 of docs/references.md: the branch with the greatest sum of nats, flown view by view.
 PlannerPreset PaperPreset(double lambda) {
   const ConfigEntry lambda_entry{
@@ -28,6 +42,13 @@ PlannerPreset PaperPreset(double lambda) {
                          .settings = {lambda_entry}}},
           .order = OptionOrder::kBySum,
           .decides_at_views_only = true};
+}
+
+PlannerPreset PresetCalled(const ViewParams& params) {
+  if (params.planner == "paper") return PaperPreset(params.paper_lambda);
+  if (params.planner == "lawnmower") return LawnmowerPreset();
+  if (params.planner == "whole") return WholePreset();
+  return LimpetPreset();
 }
 
 bool IsWeight(const std::string& key) {
@@ -59,8 +80,7 @@ void Replace(ConfigBlock& block, const StandIn& stand_in) {
 }  // namespace
 
 PlannerPreset PresetOf(const ViewParams& params) {
-  PlannerPreset preset =
-      params.planner == "paper" ? PaperPreset(params.paper_lambda) : LimpetPreset();
+  PlannerPreset preset = PresetCalled(params);
   if (!params.generators.empty()) {
     preset.generators = params.generators;
   }

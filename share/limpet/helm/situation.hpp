@@ -85,13 +85,20 @@ struct Situation {
   std::optional<Meters> reach{};
 };
 
-/// An option with what its whole motion would newly show.
+/// An option with what it would newly show.
 struct Prospect {
   const Option* option = nullptr;
-  NewlySeen seen;
+  NewlySeen seen;  ///< by its whole motion, the plan's part included
+  DubinsPath own{};
 
-  [[nodiscard]] const DubinsPath& path() const { return option->path; }
-  [[nodiscard]] double length() const { return option->path.length(); }
+  Prospect(const Option& of, const NewlySeen& shown)
+      : option(&of), seen(shown), own(of.path.Prefix(of.own_length())) {}
+
+  /// What the option itself offers to fly next.
+  [[nodiscard]] const DubinsPath& path() const { return own; }
+  [[nodiscard]] double length() const { return own.length(); }
+  /// With all that would follow to the end of the survey, if the option was completed; else path().
+  [[nodiscard]] const DubinsPath& whole() const { return option->path; }
 };
 
 /// A place where paths may end for good.

@@ -74,7 +74,7 @@ ViewDecision DecideView(std::span<const WeightedBehavior> behaviors, const Situa
   std::vector<ValuedOption> valued;
   std::vector<Prospect> prospects;
   for (const Option& option : options) {
-    prospects.push_back({.option = &option, .seen = seen(option.path)});
+    prospects.emplace_back(option, seen(option.path));
     valued.push_back(Unvalued(option, valued.size()));
   }
   ViewDecision decision;

@@ -123,8 +123,9 @@ void ViewPlanner::Follow(const Option& option, std::span<const WeightedBehavior>
                          const Situation& now) {
   search_.TellChoice(option);
   tracker_.Follow(option);
-  survey_.ledger().Promise(tracker_.path(), OpenObjects(running, now, failures_),
-                           tracker_.Travelled());
+  // What lies further ahead will be decided again before it is flown.
+  survey_.ledger().Promise(tracker_.path().Prefix(option.own_length()),
+                           OpenObjects(running, now, failures_), tracker_.Travelled());
 }
 
 std::optional<ViewDecision> ViewPlanner::DecideIfDue(std::span<const WeightedBehavior> running,

@@ -35,7 +35,7 @@ TEST(BhvOpRegion, VetoesWhatDoesNotLeadAVehicleOutsideIn) {
   now.region = &region;
   const auto has_veto = [&](double length, const std::string& source) {
     const Option option{.source = source, .path = DubinsPath(now.pose, {{0.0, length}})};
-    return behavior.Value({.option = &option, .seen = {}}, now)->veto.has_value();
+    return behavior.Value(Prospect(option, {}), now)->veto.has_value();
   };
   EXPECT_FALSE(has_veto(20.0, "transit"));
   EXPECT_TRUE(has_veto(3.0, "transit"));
@@ -52,7 +52,7 @@ TEST(BhvOpRegion, VetoesEveryWayThroughAZoneAlsoTheOneHome) {
   now.region = &region;
   const auto veto_of = [&](double length, const std::string& source) {
     const Option option{.source = source, .path = DubinsPath(now.pose, {{0.0, length}})};
-    return behavior.Value({.option = &option, .seen = {}}, now)->veto.value_or("");
+    return behavior.Value(Prospect(option, {}), now)->veto.value_or("");
   };
   EXPECT_EQ(veto_of(6.0, "beam"), "");
   EXPECT_EQ(veto_of(8.0, "beam"), "enters a keep-out zone");

@@ -36,7 +36,7 @@ class ViewBehaviorTest : public ::testing::Test {
     return option_;
   }
   [[nodiscard]] Prospect Seen(const Option& option, double area = 0.0, double border = 0.0) const {
-    return {.option = &option, .seen = {.new_area = area, .frontier_growth = border}};
+    return {option, {.new_area = area, .frontier_growth = border}};
   }
   static double Reason(const Bid& bid, const std::string& name) {
     for (const auto& reason : bid.why) {
@@ -61,6 +61,42 @@ class ViewBehaviorTest : public ::testing::Test {
   Situation now_;
   Option option_;
 };
+
+TEST_F(ViewBehaviorTest, CoverAreaPrefersTheWholeThatShowsGroundSooner) {
+  Option& whole = Straight(100.0);
+  whole.own_m = 25.0;
+  const BHV_CoverArea cover({.rates = {.cover = 1.0, .frontier = 0.0, .early = 1.0}});
+  const double area = ground_.wanted_m2();
+  const Prospect soon(whole, {.new_area = 50.0, .delay = 10.0 * area});
+  const Prospect late(whole, {.new_area = 50.0, .delay = 30.0 * area});
+  EXPECT_NEAR(cover.Value(soon, now_)->value - cover.Value(late, now_)->value, 20.0, 1e-9);
+  EXPECT_NEAR(Reason(*cover.Value(late, now_), "length"), 100.0, 1e-9);
+}
+
+TEST_F(ViewBehaviorTest, CoverAreaDoesNotAskWhenAnOptionThatIsNoWholeShowsIt) {
+  const BHV_CoverArea cover({.rates = {.cover = 1.0, .frontier = 0.0, .early = 1.0}});
+  const Prospect part(Straight(20.0), {.new_area = 50.0, .delay = 500.0});
+  EXPECT_EQ(cover.Value(part, now_)->why.size(), 3U);
+}
+
+TEST_F(ViewBehaviorTest, ReturnHomeChargesAWholeForTheWayFromItsEnd) {
+  Option& whole = Straight(100.0);
+  whole.own_m = 25.0;
+  now_.home = {.north = 100.0, .east = 30.0};
+  const BHV_ReturnHome in_time({.when = "late"});
+  EXPECT_NEAR(in_time.Value(Seen(whole), now_)->value, -30.0, 1e-9);
+}
+
+TEST_F(ViewBehaviorTest, ReturnHomeLooksAtAWholesOwnPartForTheRange) {
+  Option& whole = Straight(1000.0);
+  now_.home = {.north = 0.0, .east = 0.0};
+  BHV_ReturnHome::Params params;
+  params.when = "late", params.range = Meters(60.0);
+  whole.own_m = 25.0;
+  EXPECT_EQ(Reason(*BHV_ReturnHome(params).Value(Seen(whole), now_), "overrun"), 0.0);
+  whole.own_m = 35.0;
+  EXPECT_NEAR(Reason(*BHV_ReturnHome(params).Value(Seen(whole), now_), "overrun"), 10.0, 1e-9);
+}
 
 TEST_F(ViewBehaviorTest, CoverAreaPricesNewGroundBorderAndWayInMetres) {
   BHV_CoverArea::Params params;
@@ -93,7 +129,7 @@ TEST_F(ViewBehaviorTest, CoverAreaAsksItsSearchForWhatItWillPay) {
   SeenAlong seen(ground_);
   const Option& option = Straight(12.0);
   const double searched = ValueOf(option.path, goals.objective, ground_, seen);
-  const Bid bid = *behavior.Value({.option = &option, .seen = seen(option.path)}, now_);
+  const Bid bid = *behavior.Value(Prospect(option, seen(option.path)), now_);
   EXPECT_NEAR(searched, 3.0 * (Reason(bid, "useful") - Reason(bid, "ragged")) - 12.0, 1e-9);
 }
 

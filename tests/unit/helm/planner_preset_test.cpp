@@ -57,6 +57,14 @@ TEST(PlannerPreset, OfThePaperKeepsNameAndConditionAndDropsWhatIsInMetres) {
   EXPECT_NO_THROW(BehaviorHost{files});
 }
 
+TEST(PlannerPreset, OfTheLawnmowerFliesLanesAndNoSearch) {
+  ViewParams params;
+  params.planner = "lawnmower";
+  const std::string generators = PresetOf(params).generators;
+  EXPECT_NE(generators.find("lanes"), std::string::npos);
+  EXPECT_EQ(generators.find("beam"), std::string::npos);
+}
+
 TEST(PlannerPreset, GivesWayToGeneratorsThatAMissionNames) {
   ViewParams params;
   EXPECT_NE(PresetOf(params).generators, "");
