@@ -25,7 +25,7 @@ struct SurveyParams {
   Seconds align{300.0};
   Seconds last_fix{300.0};
   Seconds fix_wait_min{20.0};
-  Meters fix_target{0.36}, former_fix_target{0.45}, last_fix_target{0.3};
+  Meters fix_target{0.36}, former_fix_target{0.36}, last_fix_target{0.3};
   double coverage_target = 0.975;
   std::string coverage_kind = "band_top";
   Meters home_radius{1.0};

@@ -78,15 +78,25 @@ TEST_F(SurveyAppTest, DivesAsSoonAsItsPlaceIsKnownWellEnough) {
 }
 
 TEST_F(SurveyAppTest, DivesSoonerWhereAFormerSessionsObjectsWillTellThePlace) {
-  Nav(-12.0, -15.0, 0.0, 7.5);
-  nav_->gps.is_valid = true;
-  nav_->sd_north = nav_->sd_east = 0.42;
-  SessionPrior prior;
-  prior.opis.resize(2);
-  link_.Send(app_, topics::kSessionPrior, prior);
-  link_.Send(app_, topics::kDeploy, true);
-  Tick(60.0);
-  EXPECT_EQ(Phase(), "DIVE");
+  SurveyApp::Params params = OfTable();
+  params.former_fix_target = Meters(0.45);
+  for (const std::size_t former : {std::size_t{0}, std::size_t{2}}) {
+    TestLink link;
+    SurveyApp app(ContextOn(link), params);
+    NavState nav{.north = -12.0, .east = -15.0, .altitude = 7.5};
+    nav.gps.is_valid = true;
+    nav.sd_north = nav.sd_east = 0.42;
+    SessionPrior prior;
+    prior.opis.resize(former);
+    link.Send(app, topics::kSessionPrior, prior);
+    link.Send(app, topics::kNavState, nav);
+    link.Send(app, topics::kDeploy, true);
+    app.Tick(link.time);
+    link.time += Seconds(60.0);
+    link.Send(app, topics::kNavState, nav);
+    app.Tick(link.time);
+    EXPECT_EQ(link.Last(topics::kSurveyPhase), former == 0 ? "ALIGN" : "DIVE");
+  }
 }
 
 TEST_F(SurveyAppTest, GoesHomeWhenTheTargetIsReachedAndNothingIsOpen) {
