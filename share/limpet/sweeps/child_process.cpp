@@ -28,6 +28,7 @@ int ExitCodeOf(int status) {
   if (::getppid() != parent) ::_exit(kNotStarted);
   const int nothing = ::open("/dev/null", O_RDONLY);
   const int output = ::open(log, O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  if (nothing < 0 || output < 0) ::_exit(kNotStarted);
   ::dup2(nothing, STDIN_FILENO);
   ::dup2(output, STDOUT_FILENO);
   ::dup2(output, STDERR_FILENO);

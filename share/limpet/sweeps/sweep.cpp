@@ -129,6 +129,7 @@ std::optional<std::vector<std::string>> Sweep::Results(const std::vector<SweepTa
     return true;
   });
   if (!is_complete) return std::nullopt;
+  RemoveEmptyFolders(tasks);
   std::vector<std::string> results;
   for (const SweepTask& task : tasks) {
     const Expected<std::string> text = ReadWhole(plan_.out / ResultFile(task));
@@ -170,9 +171,16 @@ void Sweep::Take(const SweepTask& task, int exit_code) {
   if (plan_.keeps_runs) return;
   fs::remove_all(WorkFolder(task));
   fs::remove(log);
-  std::error_code not_empty;  // other seeds run there
-  for (fs::path empty = log.parent_path(); empty != plan_.out; empty = empty.parent_path())
-    fs::remove(empty, not_empty);
+}
+
+void Sweep::RemoveEmptyFolders(const std::vector<SweepTask>& tasks) const {
+  std::error_code not_empty;  // what failed is kept
+  for (const SweepTask& task : tasks) {
+    for (fs::path empty = WorkFolder(task).parent_path(); empty != plan_.out;
+         empty = empty.parent_path()) {
+      fs::remove(empty, not_empty);
+    }
+  }
 }
 
 }  // namespace limpet

@@ -62,6 +62,8 @@ class Sweep {
   /// Tasks without a result; what a driver left that was killed before it took it is taken now.
   [[nodiscard]] std::vector<SweepTask> Missing(const std::vector<SweepTask>& tasks);
   void Take(const SweepTask& task, int exit_code);
+  /// Once all of `tasks` are done: another run may be about to write into one of them.
+  void RemoveEmptyFolders(const std::vector<SweepTask>& tasks) const;
   void RefuseIfChanged() const;
 
   SweepPlan plan_;

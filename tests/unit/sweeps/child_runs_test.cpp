@@ -30,6 +30,13 @@ TEST_F(ChildRunsTest, EachRunIsReportedOnce) {
   EXPECT_EQ(std::set<std::size_t>(ended.begin(), ended.end()), (std::set<std::size_t>{0, 1, 2}));
 }
 
+TEST_F(ChildRunsTest, OneWhoseLogCannotBeMadeIsNotRunIntoTheCallersOutput) {
+  EXPECT_TRUE(RunChildren({Child("no folder/a")}, 1, [](const ChildEnd& end) {
+    EXPECT_EQ(end.exit_code, 127);
+    return true;
+  }));
+}
+
 TEST_F(ChildRunsTest, NoneIsStartedOnceTheCallerHasSeenEnough) {
   int ended = 0;
   EXPECT_FALSE(RunChildren({Child("a"), Child("b")}, 1, [&](const ChildEnd&) {

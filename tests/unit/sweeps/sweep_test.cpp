@@ -29,13 +29,14 @@ class SweepTest : public testing::Test {
     fs::create_directories(At("m"));
     std::ofstream(At("m/mission.moos")) << "Community = a\n";
     // Called as `survey <mission> --seed N --out DIR ...`. Seed 13 leaves no report; seed 3 is
-    // refused while there is a file `refuses`.
+    // refused while there is a file `refuses`. Who finds no folder to put DIR into notes `gone`.
     std::ofstream(At("survey.sh")) << fmt::format(
-        "#!/bin/sh\necho \"$4\" >>{}\n[ \"$4\" = 13 ] && exit 1\n[ \"$4\" = 3 ] && [ -e {} ] && "
+        "#!/bin/sh\n[ -d \"${{6%/*}}\" ] || echo >{}\necho \"$4\" >>{}\n[ \"$4\" = 13 ] && exit "
+        "1\n[ \"$4\" = 3 ] && [ -e {} ] && "
         "exit 3\nseed=$4\nout=$6\nshift 6\nmkdir -p \"$out\"\nprintf "
         "'{{\"seed\": %s, \"options\": \"%s\", \"sessions\": {{\"discovery\": {{\"path_m\": %s.5, "
         "\"wall_s\": %s}}}}}}' \"$seed\" \"$*\" \"$seed\" \"$$\" >\"$out/report.json\"\n",
-        At("runs.txt").string(), At("refuses").string());
+        At("gone").string(), At("runs.txt").string(), At("refuses").string());
     fs::permissions(At("survey.sh"), fs::perms::owner_all);
   }
   [[nodiscard]] fs::path At(const std::string& name) const { return folder_.path() / name; }
@@ -82,6 +83,13 @@ TEST_F(SweepTest, FliesEachTaskOnceAndGoesOnWithMore) {
   EXPECT_EQ(again.found(), 4U);
   EXPECT_EQ(more->at(2), first->at(2));
   EXPECT_FALSE(fs::exists(At("out/work"))) << "of a run only its result is kept";
+}
+
+TEST_F(SweepTest, KeepsARunsFolderThoughAllOthersOfItsSettingHaveEnded) {
+  SweepPlan one_by_one = Plan("out");
+  one_by_one.runner.jobs = 1;
+  ASSERT_TRUE(Sweep(one_by_one).Results(Tasks(5)));
+  EXPECT_FALSE(fs::exists(At("gone")));
 }
 
 TEST_F(SweepTest, TakesWhatAKilledDriverHadNotTakenYet) {
