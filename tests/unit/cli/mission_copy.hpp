@@ -92,4 +92,20 @@ inline void ExpectSaid(const Slip& slip) {
   }
 }
 
+/// Files of missions/table1 and of its plugs, for edits.
+inline const std::string kMoos = "mission.moos";
+inline const std::string kBhv = "../plugs/plug_survey.bhv";
+inline const std::string kAntler = PlugOf("ANTLER");
+inline const std::string kMap = PlugOf("pMap");
+inline const std::string kSurvey = PlugOf("pSurvey");
+inline const std::string kHelm = PlugOf("pHelm");
+inline const std::string kTruth = "scenario.yaml";
+
+inline Edit Altitude(const std::string& meters) {
+  return {kMoos, "survey_altitude_m = 4", "survey_altitude_m = " + meters};
+}
+inline Edit Without(const std::string& line, const std::string& file = kMoos) {
+  return {file, line + "\n", ""};
+}
+
 }  // namespace limpet
