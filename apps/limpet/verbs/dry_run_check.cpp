@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include "apps/limpet/cli.hpp"
+#include "apps/limpet/verbs/scratch_folder.hpp"
 #include "limpet/core/interrupt.hpp"
 #include "limpet/runs/session_runner.hpp"
 #include "limpet/safety_trials/dry_run.hpp"
@@ -21,24 +21,6 @@ namespace limpet {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder of its own, gone in the end.
-class ScratchFolder {
- public:
-  ScratchFolder() : path_(fs::temp_directory_path() / fmt::format("limpet_dry_{}", ::getpid())) {}
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ScratchFolder(ScratchFolder&&) = delete;
-  ScratchFolder& operator=(ScratchFolder&&) = delete;
-  ~ScratchFolder() {
-    std::error_code trouble;  // what is left there does no harm
-    fs::remove_all(path_, trouble);
-  }
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// Without these a flight says nothing of the mission.
 void RequireApps(const MissionFile& mission) {
@@ -73,7 +55,7 @@ int CheckByDryRun(const fs::path& path, const DryRunSeeds& seeds) {
   const MissionFile read = LoadMission(file);
   RequireApps(read);
   const MissionFile mission = PreparedForDryRun(read);
-  const ScratchFolder scratch;
+  const ScratchFolder scratch("limpet_dry");
   const TrialPlaces places{.mission_folder = file.has_parent_path() ? file.parent_path() : ".",
                            .scratch = scratch.path()};
   int refused = 0;

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "apps/limpet/cli.hpp"
+#include "apps/limpet/verbs/scratch_folder.hpp"
 #include "limpet/core/app_keys.hpp"
 #include "limpet/describe/safety_list.hpp"
 #include "limpet/mission/mission_file.hpp"
@@ -111,9 +111,9 @@ void FlyRow(const MissionFile& mission, const TrialPlaces& places, const SafetyC
 int TestRules(const Arguments& given, const std::string& path) {
   const fs::path file = MissionFileOf(path);
   const MissionFile mission = ShortenedForTrials(LoadMission(file));
-  const fs::path scratch = fs::temp_directory_path() / fmt::format("limpet_safety_{}", ::getpid());
+  const ScratchFolder scratch("limpet_safety");
   const TrialPlaces places{.mission_folder = file.has_parent_path() ? file.parent_path() : ".",
-                           .scratch = scratch};
+                           .scratch = scratch.path()};
   if (!LoadScenario(places.mission_folder / "scenario.yaml").faults.empty()) {
     throw UsageError(
         fmt::format("{}: its scenario.yaml has `faults` of its own; take them out to "
@@ -131,7 +131,6 @@ int TestRules(const Arguments& given, const std::string& path) {
     if (tested.name.find(only) == std::string_view::npos) continue;
     FlyRow(mission, places, tested, static_cast<std::uint64_t>(given.Integer("seed")), remarks);
   }
-  fs::remove_all(scratch);
   for (const std::string& note : remarks.notes) {
     fmt::print("other rule: {}\n", note);
   }
