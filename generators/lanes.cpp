@@ -14,7 +14,7 @@ namespace {
 class LaneGenerator final : public OptionGenerator {
  public:
   struct Params {
-    double finish_share = 0.98;
+    double finish_share = TourGoal{}.finish_share;
     template <class Visitor>
     void Describe(Visitor& visit) {
       visit("lanes_finish_share", finish_share,

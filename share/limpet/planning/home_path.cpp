@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "limpet/planning/leg_path.hpp"
+#include "limpet/planning/region_legs.hpp"
 #include "limpet/planning/room.hpp"
 
 namespace limpet {
@@ -50,14 +51,9 @@ std::optional<DubinsPath> PathAround(const Pose2& start, const PlanePoint& home,
   outside.push_back(home);
   std::vector<LegEnd> legs;
   if (space.Contains(here)) {
-    const auto inside = LegsThrough(space, here, outside.front());
+    auto inside = LegsInside(region, here, outside.front());
     if (!inside) return std::nullopt;
-    for (const PlanePoint& at : *inside) {
-      legs.push_back({.at = at,
-                      .allows = [&region](const DubinsPath& path) { return region.Contains(path); },
-                      .must_be_passed = false});
-    }
-    legs.back().must_be_passed = true;
+    legs = *std::move(inside);
     outside.erase(outside.begin());
   } else {
     outside = RestOfWay(outside, here);

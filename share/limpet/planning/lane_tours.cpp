@@ -16,6 +16,7 @@ namespace {
 
 /// A gap in a lane is flown around if it is longer than this many turn radii.
 constexpr double kGapInRadii = 4.0;
+constexpr double kCut = 0.25;  ///< in which lanes are cut at borders [m]
 
 struct UnseenCell {
   double north, east;
@@ -94,21 +95,35 @@ class LaneCutter {
     }
   }
 
+  /// What of a lane lies inside the region, piece by piece.
   void AddPass(double across, double from, double to, std::vector<Pass>& passes) const {
-    const int top = Footprint::kLayers - 1;
-    const double inset = judge_.ground().footprint().half_along(top);
+    const double inset = judge_.ground().footprint().half_along(Footprint::kLayers - 1);
     double begin = from + inset, end = to - inset;
     if (begin > end) begin = end = 0.5 * (from + to);
-    // At a border there must be room for the turn.
-    constexpr double kStep = 0.25;
-    while (begin + kStep < end && !IsFlyable(begin, across, yaw_ + std::numbers::pi))
-      begin += kStep;
-    while (begin + kStep < end && !IsFlyable(end, across, yaw_))
-      end -= kStep;
-    const Pose2 in = PoseAt(begin, across, yaw_);
-    if (IsFlyable(end, across, yaw_)) passes.push_back({.in = in, .length = end - begin});
+    for (double at = begin; at <= end;) {
+      double piece_end = at;
+      while (piece_end < end && IsOpen(piece_end, std::min(end, piece_end + kCut), across)) {
+        piece_end = std::min(end, piece_end + kCut);
+      }
+      AddPiece(across, at, piece_end, passes);
+      at = piece_end + kCut;
+    }
   }
 
+  /// Shorter at its ends, until there is room for the turns.
+  void AddPiece(double across, double begin, double end, std::vector<Pass>& passes) const {
+    while (begin + kCut < end && !IsFlyable(begin, across, yaw_ + std::numbers::pi))
+      begin += kCut;
+    while (begin + kCut < end && !IsFlyable(end, across, yaw_))
+      end -= kCut;
+    if (!IsFlyable(end, across, yaw_)) return;
+    passes.push_back({.in = PoseAt(begin, across, yaw_), .length = end - begin});
+  }
+
+  [[nodiscard]] bool IsOpen(double begin, double end, double across) const {
+    return IsInside(Pass{.in = PoseAt(begin, across, yaw_), .length = end - begin},
+                    judge_.region());
+  }
   [[nodiscard]] Pose2 PoseAt(double along, double across, double yaw) const {
     return {along * cos_ - across * sin_, along * sin_ + across * cos_, yaw};
   }

@@ -16,8 +16,9 @@ namespace {
 constexpr double kStaleTrack = 3.0;
 /// So much of a plan stands against what others offer [m].
 constexpr double kOwnPart = 25.0;
-constexpr double kSamePlace = 0.05;  ///< [m]
-constexpr double kSameYaw = 0.02;    ///< [rad]
+/// The vehicle is where the path has it.
+constexpr double kOnPath_m = 0.05;
+constexpr double kOnPath_rad = 0.02;
 
 constexpr const char* kPrevious = "previous";  ///< source of the rest of the path in force
 
@@ -114,9 +115,9 @@ void MissionPlan::OfferRest(std::vector<Option>& options) {
   if (chosen_.passes.empty()) return;
   const double flown = SinceChoice();
   DubinsPath path = chosen_.path.Rest(flown);
-  const bool is_on_it =
-      Distance(path.start(), now_.pose) < kSamePlace &&
-      std::abs(std::remainder(path.start().yaw - now_.pose.yaw, 2.0 * std::numbers::pi)) < kSameYaw;
+  const bool is_on_it = Distance(path.start(), now_.pose) < kOnPath_m &&
+                        std::abs(std::remainder(path.start().yaw - now_.pose.yaw,
+                                                2.0 * std::numbers::pi)) < kOnPath_rad;
   if (!is_on_it || path.length() <= 0.0) return;
   FlownTour rest{.path = path, .passes = RestAfter(chosen_, flown), .spans = {}};
   for (std::size_t i = chosen_.spans.size() - rest.passes.size(); i < chosen_.spans.size(); ++i) {

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
+
+#include "limpet/planning/pass_tour.hpp"
 
 namespace limpet {
 namespace {
 
 constexpr std::size_t kMostExact = 12;
-constexpr double kDetour = 200.0;  ///< price of a motion with no word inside [m]
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Of pass i: node 2 i as it is, node 2 i + 1 the other way.
@@ -21,7 +21,7 @@ class ExactOrder {
       : judge_(judge), start_(start) {
     for (const Pass& pass : passes) {
       nodes_.push_back(pass);
-      nodes_.push_back(Reversed(pass));
+      nodes_.push_back(pass.Reversed());
     }
     sets_ = std::size_t{1} << passes.size();
     leg_.assign(nodes_.size() * nodes_.size(), kInfinite);
@@ -52,10 +52,7 @@ class ExactOrder {
   double& Best(std::size_t set, std::size_t last) { return best_[set * nodes_.size() + last]; }
 
   [[nodiscard]] double Way(const Pose2& from, const Pass& to) const {
-    const auto word = judge_.region().ShortestWordInside(from, to.in, judge_.turn_radius());
-    return to.length +
-           (word ? word->length
-                 : kDetour + DubinsWords(from, to.in, judge_.turn_radius()).shortest().length);
+    return LinkBetween(from, to.in, judge_.region(), judge_.turn_radius()).Price() + to.length;
   }
 
   void GoOn(std::size_t set, std::size_t last) {
@@ -101,18 +98,13 @@ class ExactOrder {
 
 }  // namespace
 
-Pass Reversed(const Pass& pass) {
-  const Pose2 out = pass.out();
-  return {.in = {out.north, out.east, out.yaw + std::numbers::pi}, .length = pass.length};
-}
-
 SurveyTour InBestOrder(const TourJudge& judge, const Pose2& start,
                        const std::vector<Pass>& passes) {
   if (passes.empty()) return {};
   if (passes.size() <= kMostExact) return ExactOrder(judge, start, passes).Solve();
   std::vector<Stop> stops;
   for (const Pass& pass : passes)
-    stops.push_back({pass, Reversed(pass)});
+    stops.push_back({pass, pass.Reversed()});
   const PassTour found = PlanPassTour(start, stops, judge.region(), judge.turn_radius());
   SurveyTour tour;
   for (std::size_t i = 0; i < found.order.size(); ++i) {

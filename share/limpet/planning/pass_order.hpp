@@ -7,9 +7,6 @@
 
 namespace limpet {
 
-/// The same pass, flown the other way.
-[[nodiscard]] Pass Reversed(const Pass& pass);
-
 /// The passes in the order, each in the direction, that makes the shortest way from `start`
 /// through all of them and home: exact for up to a dozen (Held and Karp's dynamic program over
 /// subsets), else by PlanPassTour.

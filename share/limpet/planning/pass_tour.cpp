@@ -11,8 +11,6 @@ namespace {
 
 constexpr int kRounds = 6;
 constexpr std::size_t kLongestMove = 3;
-/// A motion with no word inside the region may be flown only if nothing else is left.
-constexpr double kOutsidePrice = 200.0;
 
 class Salesman {
  public:
@@ -56,8 +54,7 @@ class Salesman {
   }
 
   [[nodiscard]] double Leg(const Pose2& from, const Pass& to) const {
-    const DubinsPath path = region_.ShortestInside(from, to.in, turn_radius_);
-    return path.length() + to.length + (region_.Contains(path) ? 0.0 : kOutsidePrice);
+    return LinkBetween(from, to.in, region_, turn_radius_).Price() + to.length;
   }
 
   std::vector<std::size_t> NearestNeighbour() {

@@ -5,18 +5,10 @@
 
 #include "limpet/core/units.hpp"
 #include "limpet/planning/dubins_path.hpp"
+#include "limpet/planning/pass.hpp"
 #include "limpet/planning/region.hpp"
 
 namespace limpet {
-
-/// One way to pass a stop: in at `in`, straight on for `length`.
-struct Pass {
-  Pose2 in;
-  double length = 0.0;
-  [[nodiscard]] Pose2 out() const { return Advance(in, 0.0, length); }
-};
-/// Something to visit, by any one of its passes. REQUIRES: at least one.
-using Stop = std::vector<Pass>;
 
 /// A short way through all stops from `start`: nearest neighbour, improved by moving stops and
 /// turning runs around, each time with the best passes (a travelling salesman of Dubins motions).

@@ -13,7 +13,7 @@ namespace {
 /// Spacing of the images that stand for a motion that turns [m].
 constexpr double kStep = 1.0;
 constexpr double kParallel = 1e-9;
-constexpr double kStraight = 1e-9;  ///< [1/m]
+constexpr double kStraightest = 1e-9;  ///< [1/m]
 
 constexpr std::array kLayerOf{0, Footprint::kLayers - 1};
 
@@ -80,7 +80,7 @@ void SeenPlanes::Reset(const Ground& ground) {
 }
 
 void SeenPlanes::Sweep(const Pose2& from, const PathSegment& segment) {
-  if (std::abs(segment.curvature) < kStraight) {
+  if (std::abs(segment.curvature) < kStraightest) {
     Look(Advance(from, 0.0, 0.5 * segment.length), 0.5 * segment.length / frame_.cell_m);
     return;
   }
@@ -90,11 +90,12 @@ void SeenPlanes::Sweep(const Pose2& from, const PathSegment& segment) {
   }
 }
 
-void SeenPlanes::Look(const Pose2& at, double longer) {
+void SeenPlanes::Look(const Pose2& at, double longer_by) {
   for (std::size_t plane = 0; plane < kPlanes; ++plane) {
     const Image& image = images_[plane];
     if (image.half_across <= 0.0 || unseen_[plane] == 0) continue;
-    LookOn(plane, at, {.half_along = image.half_along + longer, .half_across = image.half_across});
+    LookOn(plane, at,
+           {.half_along = image.half_along + longer_by, .half_across = image.half_across});
   }
 }
 

@@ -64,8 +64,8 @@ class SeenPlanes {
   [[nodiscard]] std::size_t Word(int row, int column) const {
     return static_cast<std::size_t>(row) * words_per_row_ + static_cast<std::size_t>(column) / 64;
   }
-  /// Marks the rectangle around `at` as seen, `longer` [m] longer than the image.
-  void Look(const Pose2& at, double longer);
+  /// Marks what the image at `at` shows, or one that is so much longer ahead and astern [cells].
+  void Look(const Pose2& at, double longer_by);
   void LookOn(std::size_t plane, const Pose2& at, const Image& image);
   void SetRun(std::size_t plane, int row, int begin, int end);
   void SetBits(std::size_t plane, std::size_t word, std::uint64_t bits);

@@ -9,8 +9,6 @@ namespace {
 
 constexpr double kPiece = 4.0;      ///< passes are counted in pieces of this length [m]
 constexpr double kTurnPiece = 2.0;  ///< turns in these [m]
-/// A motion with no word inside the region may be flown only if nothing else is left [m].
-constexpr double kDetourPrice = 200.0;
 /// Way for a metre of useful track that a tour lacks, and for lacking any: more than it takes to
 /// fetch it, so that tours finish where they can.
 constexpr double kFetchPrice = 12.0;
@@ -60,18 +58,13 @@ TourCost TourJudge::Cost(const SurveyTour& tour) {
                  std::max(0.1, top_swath);
   cost.total = cost.length + cost.home + goal_.early_weight * cost.lateness - cost.looks +
                kFetchPrice * cost.missing + (cost.missing > 0.0 ? kUnfinishedPrice : 0.0) +
-               kDetourPrice * cost.detours;
+               cost.detours;
   return cost;
 }
 
 TourJudge::Stage TourJudge::Rejoin(const SurveyTour& tour) {
-  const auto is_same = [](const Pass& a, const Pass& b) {
-    return a.in.north == b.in.north && a.in.east == b.in.east && a.in.yaw == b.in.yaw &&
-           a.length == b.length;
-  };
   std::size_t shared = 0;
-  while (shared < std::min(tour.size(), stages_.size()) &&
-         is_same(tour[shared], stages_[shared].pass)) {
+  while (shared < std::min(tour.size(), stages_.size()) && tour[shared] == stages_[shared].pass) {
     ++shared;
   }
   stages_.resize(shared);
@@ -83,12 +76,9 @@ TourJudge::Stage TourJudge::Rejoin(const SurveyTour& tour) {
 
 void TourJudge::FlyPass(const Pass& pass, Stage& stage) {
   stage.pass = pass;
-  auto word = region_.ShortestWordInside(stage.end, pass.in, turn_radius_);
-  if (!word) {
-    ++stage.cost.detours;
-    word = DubinsWords(stage.end, pass.in, turn_radius_).shortest();
-  }
-  for (const PathSegment& segment : word->segments) {
+  const PassLink link = LinkBetween(stage.end, pass.in, region_, turn_radius_);
+  stage.cost.detours += link.Price() - link.word.length;
+  for (const PathSegment& segment : link.word.segments) {
     if (segment.length <= 0.0 || stage.is_finished) continue;
     stage.is_finished = Fly(stage.end, segment, stage.cost);
     stage.end = Advance(stage.end, segment.curvature, segment.length);

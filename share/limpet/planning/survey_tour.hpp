@@ -3,13 +3,12 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "limpet/core/units.hpp"
 #include "limpet/planning/ground.hpp"
 #include "limpet/planning/objective.hpp"
-#include "limpet/planning/pass_tour.hpp"
+#include "limpet/planning/pass.hpp"
 #include "limpet/planning/region.hpp"
 #include "limpet/planning/seen_planes.hpp"
 
@@ -37,7 +36,7 @@ struct TourCost {
   double home = 0.0;      ///< straight way home from there
   double missing = 0.0;   ///< useful track that the finish still lacks
   double looks = 0.0;     ///< worth of the first looks at targets
-  int detours = 0;        ///< motions for which no word stays inside the region
+  double detours = 0.0;   ///< price of the links that leave the region
   double total = 0.0;     ///< what tours are compared by
 };
 

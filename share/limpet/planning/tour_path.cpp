@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "limpet/planning/leg_path.hpp"
-#include "limpet/planning/room.hpp"
+#include "limpet/planning/region_legs.hpp"
 
 namespace limpet {
 namespace {
@@ -14,19 +14,10 @@ namespace {
 /// By legs, where no word stays inside.
 std::optional<DubinsPath> WayAround(const Pose2& from, const Pose2& to, const Region& region,
                                     Meters turn_radius) {
-  if (region.free_space() == nullptr) return std::nullopt;
-  const auto places =
-      LegsThrough(*region.free_space(), {from.north, from.east}, {to.north, to.east});
-  if (!places) return std::nullopt;
-  std::vector<LegEnd> legs;
-  for (const PlanePoint& at : *places) {
-    legs.push_back({.at = at,
-                    .allows = [&region](const DubinsPath& path) { return region.Contains(path); },
-                    .must_be_passed = false});
-  }
-  legs.back().must_be_passed = true;
-  legs.back().heading = to.yaw;
-  auto path = PathAlong(from, legs, turn_radius);
+  auto legs = LegsInside(region, {from.north, from.east}, {to.north, to.east});
+  if (!legs) return std::nullopt;
+  legs->back().heading = to.yaw;
+  auto path = PathAlong(from, *legs, turn_radius);
   return path && region.Contains(*path) ? std::move(path) : std::nullopt;
 }
 
@@ -45,7 +36,7 @@ FlownTour Fly(const DubinsPath& way, const SurveyTour& tour, const Region& regio
   FlownTour flown{.path = way, .passes = {}, .spans = {}};
   for (const Pass& pass : tour) {
     const auto there = WayInside(flown.path.end(), pass.in, region, turn_radius);
-    if (!there || !region.Contains(pass.in, PathSegment{.curvature = 0.0, .length = pass.length})) {
+    if (!there || !IsInside(pass, region)) {
       flown.is_complete = false;
       continue;
     }

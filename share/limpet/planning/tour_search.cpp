@@ -7,8 +7,6 @@
 #include <numbers>
 #include <utility>
 
-#include "limpet/planning/pass_order.hpp"
-
 namespace limpet {
 namespace {
 
@@ -33,11 +31,8 @@ Pass TurnedBy(const Pass& pass, double angle) {
 
 /// No pass leaves the region, and from the last one the vehicle can go on.
 bool IsFlyable(const SurveyTour& tour, const TourJudge& judge) {
-  return std::ranges::all_of(tour,
-                             [&judge](const Pass& pass) {
-                               return judge.region().Contains(
-                                   pass.in, PathSegment{.curvature = 0.0, .length = pass.length});
-                             }) &&
+  const auto is_inside = [&judge](const Pass& pass) { return IsInside(pass, judge.region()); };
+  return std::ranges::all_of(tour, is_inside) &&
          judge.region().IsRecoverable(tour.back().out(), judge.turn_radius());
 }
 
@@ -102,12 +97,12 @@ void TourSearch::TurnOne(SurveyTour& tour) {
 
 void TourSearch::FlipOne(SurveyTour& tour) {
   Pass& pass = tour[Any(tour)];
-  pass = Reversed(pass);
+  pass = pass.Reversed();
 }
 
 void TourSearch::MoveOne(SurveyTour& tour) {
   const std::size_t from = Any(tour);
-  const Pass pass = random_.Chance(0.5) ? tour[from] : Reversed(tour[from]);
+  const Pass pass = random_.Chance(0.5) ? tour[from] : tour[from].Reversed();
   tour.erase(tour.begin() + static_cast<std::ptrdiff_t>(from));
   const auto to = static_cast<std::ptrdiff_t>(random_.Index(tour.size() + 1));
   tour.insert(tour.begin() + to, pass);
@@ -119,7 +114,7 @@ void TourSearch::ReverseRun(SurveyTour& tour) {
   std::reverse(tour.begin() + static_cast<std::ptrdiff_t>(first),
                tour.begin() + static_cast<std::ptrdiff_t>(last) + 1);
   for (std::size_t i = first; i <= last; ++i)
-    tour[i] = Reversed(tour[i]);
+    tour[i] = tour[i].Reversed();
 }
 
 void TourSearch::DropOne(SurveyTour& tour) {

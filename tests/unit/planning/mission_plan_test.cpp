@@ -142,7 +142,7 @@ TEST(MissionPlan, GoesRoundAZone) {
   const auto options = OffersAt(plan, survey.At(scene::kStart));
   ASSERT_EQ(options.size(), 1U);
   EXPECT_TRUE(survey.region.Contains(options[0].path));
-  EXPECT_GT(survey.TopAfter(options[0].path), 0.85);
+  EXPECT_GT(survey.TopAfter(options[0].path), 0.97);
 }
 
 }  // namespace

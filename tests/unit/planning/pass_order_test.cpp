@@ -43,7 +43,7 @@ TEST(PassOrder, IsAsShortAsTheBestOfAllOrdersAndDirections) {
     for (unsigned directions = 0; directions < 16; ++directions) {
       SurveyTour tour;
       for (const std::size_t i : order) {
-        tour.push_back((directions >> i & 1U) != 0 ? Reversed(lanes[i]) : lanes[i]);
+        tour.push_back((directions >> i & 1U) != 0 ? lanes[i].Reversed() : lanes[i]);
       }
       least = std::min(least, WayThrough(tour, problem.judge));
     }

@@ -35,7 +35,8 @@ SeenPlanes::Counts ShownByImages(const Ground& ground, const DubinsPath& path) {
   return shown;
 }
 
-TEST(SeenPlanes, CountWhatTheImagesAlongAPathWouldShow) {
+/// They look only every metre of a turn: what they lack are slivers at its outer side.
+TEST(SeenPlanes, CountWhatTheImagesAlongAPathWouldShowOrALittleLess) {
   const scene::HalfSeen half;
   Random random(4);
   for (int i = 0; i < 20; ++i) {
@@ -54,7 +55,8 @@ TEST(SeenPlanes, CountWhatTheImagesAlongAPathWouldShow) {
     }
     for (const std::size_t plane : {kPlaneBottom, kPlaneTop}) {
       const int shown = before[plane] - planes.unseen()[plane];
-      EXPECT_NEAR(shown, images[plane], 10 + 0.08 * images[plane]) << "plane " << plane;
+      EXPECT_LE(shown, images[plane] + 2) << "plane " << plane;
+      EXPECT_GE(shown, 0.95 * images[plane] - 2) << "plane " << plane;
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "limpet/planning/lane_tours.hpp"
+#include "limpet/planning/tour_path.hpp"
 #include "tests/unit/planning/search_scene.hpp"
 
 namespace limpet {
@@ -29,15 +30,22 @@ TEST(TourSearch, NeverMakesATourWorse) {
   }
 }
 
-TEST(TourSearch, LooksAtATargetSoonIfThatIsWorthIt) {
-  SearchProblem problem;
-  const PlanePoint at(10.0, 10.0);
+/// Path to the first look at a target of `value`, by a tour sought for it.
+double WayToATargetWorth(double value) {
+  const Target target{.north = 10.0, .east = 10.0, .window = {1.5, 1.5}, .value = value};
   TourGoal goal;
-  goal.targets = {{.north = at.x(), .east = at.y(), .window = {1.5, 1.5}, .value = 200.0}};
+  goal.targets = {target};
+  SearchProblem problem;
   problem.judge.Reset(DubinsPath(scene::kStart), goal);
   SurveyTour tour = LaneTours(problem.judge, {}).front();
-  TourSearch search(Meters(4.0), Random(2));
-  EXPECT_GT(search.Improve(problem.judge, tour, 2000).looks, 90.0);
+  TourSearch(Meters(4.0), Random(2)).Improve(problem.judge, tour, 1000);
+  const DubinsPath path =
+      Fly(DubinsPath(scene::kStart), tour, scene::kSceneRegion, scene::kRadius).path;
+  return FirstLook(path, target).value();
+}
+
+TEST(TourSearch, LooksAtATargetSoonerIfThatIsWorthMore) {
+  EXPECT_LT(WayToATargetWorth(200.0) + 50.0, WayToATargetWorth(0.0));
 }
 
 TEST(TourSearch, MakesATourOfNothing) {
