@@ -51,7 +51,7 @@ std::string LineOf(std::uint64_t seed, const DryFlight& flight) {
 }  // namespace
 
 int CheckByDryRun(const fs::path& path, const DryRunSeeds& seeds) {
-  const fs::path file = fs::is_directory(path) ? path / "mission.moos" : path;
+  const fs::path file = MissionFileAt(path);
   const MissionFile read = LoadMission(file);
   RequireApps(read);
   const MissionFile mission = PreparedForDryRun(read);

@@ -54,7 +54,7 @@ fs::path MissionFileOf(const std::string& path) {
   if (!fs::exists(path)) {
     throw UsageError(fmt::format("{}: there is no such file or folder", path));
   }
-  return fs::is_directory(path) ? fs::path(path) / "mission.moos" : fs::path(path);
+  return MissionFileAt(path);
 }
 
 SafetySettings SettingsOf(const std::string& path) {

@@ -52,7 +52,7 @@ std::string FiguresText(const Site& site) {
 }  // namespace
 
 std::optional<Site> SiteOf(const fs::path& path) {
-  const fs::path file = fs::is_directory(path) ? path / "mission.moos" : path;
+  const fs::path file = MissionFileAt(path);
   if (file.extension() != ".moos" || !fs::exists(file)) return std::nullopt;
   try {
     const MissionFile mission = LoadMission(file);

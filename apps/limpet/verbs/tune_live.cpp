@@ -45,10 +45,6 @@ Wish WishIn(const std::string& word) {
           .value = std::string(Trim(word.substr(equals + 1)))};
 }
 
-fs::path MissionFileOf(const std::string& word) {
-  return fs::is_directory(word) ? fs::path(word) / "mission.moos" : fs::path(word);
-}
-
 std::string UpperCase(std::string text) {
   for (char& c : text)
     c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -257,7 +253,7 @@ int TuneLive(const Arguments& given) {
     throw UsageError(given.Has("undo") ? "--live --undo takes a mission and nothing else"
                                        : "--live takes a mission and one behavior.key=value");
   }
-  const fs::path file = MissionFileOf(words[0]);
+  const fs::path file = MissionFileAt(words[0]);
   try {
     return given.Has("undo") ? Undo(given, file) : Set(given, file, words[1]);
   } catch (const NoCommunity& error) {

@@ -75,9 +75,7 @@ bool IsMissionName(const std::string& word) {
 CommunityAddress AddressOf(const Arguments& given, const std::optional<std::string>& mission) {
   CommunityAddress address;
   if (mission) {
-    const fs::path file =
-        fs::is_directory(*mission) ? fs::path(*mission) / "mission.moos" : fs::path(*mission);
-    address.mission = LoadMission(file);
+    address.mission = LoadMission(MissionFileAt(*mission));
     ReadGlobals(address);
   }
   address.host = given.Find("host").value_or(address.host);

@@ -364,4 +364,8 @@ std::vector<ConfigProblem> NotesOf(const MissionFile& mission,
   return notes;
 }
 
+std::filesystem::path MissionFileAt(const std::filesystem::path& named) {
+  return std::filesystem::is_directory(named) ? named / "mission.moos" : named;
+}
+
 }  // namespace limpet

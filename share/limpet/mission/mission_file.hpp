@@ -57,6 +57,8 @@ struct MissionFile {
 [[nodiscard]] MissionFile ReadMission(std::string_view text, const std::string& file,
                                       const PlugOptions& options);
 [[nodiscard]] MissionFile LoadMission(const std::filesystem::path& file);
+/// The file of the mission that `named` is: a mission's folder, or the file itself.
+[[nodiscard]] std::filesystem::path MissionFileAt(const std::filesystem::path& named);
 
 /// Like ReadMission for a text that is wholly ours: problems in any block are thrown too.
 [[nodiscard]] MissionFile ParseMission(std::string_view text, const std::string& file);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "limpet/core/require.hpp"
+#include "limpet/planning/region_fences.hpp"
 
 namespace limpet {
 namespace {
@@ -22,14 +23,6 @@ bool Passes(double from, double turned, double angle) {
   return ahead <= std::abs(turned);
 }
 
-/// The border that the vehicle stays within.
-Fence HoldingFence(const SurveyShape& shape, double margin, Meters allowance) {
-  if (shape.region()) {
-    return {.polygon = *shape.region(), .distance = allowance.value(), .holds_in = true};
-  }
-  return {.polygon = shape.outline(), .distance = margin, .holds_in = true, .reaches_over = true};
-}
-
 }  // namespace
 
 Region::Region(const SurveyArea& area, Meters allowance) {
@@ -42,12 +35,9 @@ Region::Region(const SurveyArea& area, Meters allowance) {
   LIMPET_REQUIRE(shape.has_value(), "a region is made of an area that has been looked at");
   if (shape->is_plain()) return;
   transit_ = shape->transit();
-  std::vector<Fence> fences;
-  for (const SimplePolygon& zone : shape->zones()) {
-    fences.push_back({.polygon = zone, .distance = allowance.value()});
-  }
+  std::vector<Fence> fences = ZoneFences(*shape, allowance);
   if (!fences.empty()) zones_ = std::make_shared<const FreeSpace>(fences);
-  fences.insert(fences.begin(), HoldingFence(*shape, margin, allowance));
+  fences.insert(fences.begin(), HoldingFence(*shape, Meters(margin), allowance));
   free_ = std::make_shared<const FreeSpace>(std::move(fences));
   north_min_ = free_->low().x();
   north_max_ = free_->high().x();

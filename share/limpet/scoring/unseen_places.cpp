@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <utility>
 
+#include "limpet/planning/region_fences.hpp"
 #include "limpet/planning/room.hpp"
 #include "limpet/survey/survey_shape.hpp"
 
@@ -46,19 +48,8 @@ class Places {
 };
 
 FreeSpace SpaceOf(const SurveyShape& shape, bool heeds_zones) {
-  std::vector<Fence> fences;
-  if (shape.region()) {
-    fences.push_back({.polygon = *shape.region(), .holds_in = true});
-  } else {
-    fences.push_back({.polygon = shape.outline(),
-                      .distance = shape.margin(),
-                      .holds_in = true,
-                      .reaches_over = true});
-  }
-  if (heeds_zones) {
-    for (const SimplePolygon& zone : shape.zones())
-      fences.push_back({.polygon = zone});
-  }
+  std::vector<Fence> fences{HoldingFence(shape, Meters(shape.margin()), Meters(0.0))};
+  if (heeds_zones) std::ranges::move(ZoneFences(shape, Meters(0.0)), std::back_inserter(fences));
   return FreeSpace(std::move(fences));
 }
 
