@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "limpet/helm/generator_registry.hpp"
-#include "limpet/helm/plan_situation.hpp"
+#include "limpet/helm/plan_task.hpp"
 #include "limpet/planning/mission_plan.hpp"
 
 namespace limpet {
@@ -29,9 +29,9 @@ class LaneGenerator final : public OptionGenerator {
 
   void Offer(const Situation& now, const SearchGoals& goals,
              std::vector<Option>& options) override {
-    MissionPlan::Situation situation = PlanSituationOf(now, goals, finish_share_);
-    situation.goal.early_weight = 0.0;
-    plan_.Offer(situation, "lanes", options);
+    MissionPlan::Task task = PlanTaskOf(now, goals, finish_share_);
+    task.goal.early_weight = 0.0;
+    plan_.Offer(task, "lanes", options);
   }
   void Complete(std::vector<Option>& options) override { plan_.Complete(options); }
   void OnChoice(const Option& option) override { plan_.OnChoice(option); }

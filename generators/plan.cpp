@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "limpet/helm/generator_registry.hpp"
-#include "limpet/helm/plan_situation.hpp"
+#include "limpet/helm/plan_task.hpp"
 #include "limpet/planning/mission_plan.hpp"
 
 namespace limpet {
@@ -34,7 +34,7 @@ class PlanGenerator final : public OptionGenerator {
 
   void Offer(const Situation& now, const SearchGoals& goals,
              std::vector<Option>& options) override {
-    plan_.Offer(PlanSituationOf(now, goals, finish_share_), "plan", options);
+    plan_.Offer(PlanTaskOf(now, goals, finish_share_), "plan", options);
   }
   void Complete(std::vector<Option>& options) override { plan_.Complete(options); }
   void OnChoice(const Option& option) override { plan_.OnChoice(option); }

@@ -55,7 +55,7 @@ SurveyTour MissionPlan::Rest() const {
   return chosen_.passes.empty() ? plan_ : RestAfter(chosen_, SinceChoice());
 }
 
-void MissionPlan::Offer(const Situation& now, const char* source, std::vector<Option>& options) {
+void MissionPlan::Offer(const Task& now, const char* source, std::vector<Option>& options) {
   now_ = now;
   source_ = source;
   completed_.clear();

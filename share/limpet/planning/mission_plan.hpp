@@ -28,8 +28,8 @@ class MissionPlan {
   MissionPlan(const MissionPlanParams& params, const Random& random)
       : params_(params), search_(params.warmth, random) {}
 
-  /// Where the vehicle stands.
-  struct Situation {
+  /// What is to be planned, from where.
+  struct Task {
     Pose2 pose;
     const Ground* ground = nullptr;  ///< not null; outlives the decision, and so does `region`
     const Region* region = nullptr;
@@ -40,9 +40,9 @@ class MissionPlan {
 
   /// Brings the plan up to date and appends it as an option, if there is anything left to do; and
   /// the rest of the path in force, if it is one of those completed.
-  void Offer(const Situation& now, const char* source, std::vector<Option>& options);
+  void Offer(const Task& now, const char* source, std::vector<Option>& options);
   /// Lengthens those of `options` that are not whole by what is left of the plan behind them.
-  /// REQUIRES: Offer in the same situation.
+  /// REQUIRES: Offer of the same decision.
   void Complete(std::vector<Option>& options);
   /// `option` is flown from now on.
   void OnChoice(const Option& option);
@@ -58,11 +58,10 @@ class MissionPlan {
 
   MissionPlanParams params_;
   TourSearch search_;
-  Situation now_;
+  Task now_;
   std::string source_;
-  bool has_left_plan_ =
-      false;                 ///< another option is flown, with what was left of the plan behind it
-  bool is_planned_ = false;  ///< there is a plan in this situation
+  bool has_left_plan_ = false;  ///< for another option, with the rest of it behind
+  bool is_planned_ = false;     ///< there is a plan now
   SurveyTour plan_;
   GridFrame frame_;  ///< of the ground that the plan is for
   std::size_t wanted_cells_ = 0;

@@ -14,7 +14,7 @@ namespace {
 struct BegunSurvey {
   explicit BegunSurvey(const SurveyArea& of = scene::kArea) : area(of) {}
 
-  [[nodiscard]] MissionPlan::Situation At(const Pose2& pose, double travelled = 0.0) const {
+  [[nodiscard]] MissionPlan::Task At(const Pose2& pose, double travelled = 0.0) const {
     return {.pose = pose,
             .ground = &ground,
             .region = &region,
@@ -42,7 +42,7 @@ MissionPlan PlanOf(int first_edits) {
   return {params, Random(7)};
 }
 
-std::vector<Option> OffersAt(MissionPlan& plan, const MissionPlan::Situation& now) {
+std::vector<Option> OffersAt(MissionPlan& plan, const MissionPlan::Task& now) {
   std::vector<Option> options;
   plan.Offer(now, "plan", options);
   return options;
@@ -117,7 +117,7 @@ TEST(MissionPlan, OffersNothingOnceAllIsSeen) {
   const std::vector<Option> options = OffersAt(plan, survey.At(scene::kStart));
   scene::Fly(survey.grid, options[0].path);
   survey.ground.Update(survey.grid);
-  MissionPlan::Situation now = survey.At(options[0].path.end());
+  MissionPlan::Task now = survey.At(options[0].path.end());
   now.goal.finish_share = 0.9;
   EXPECT_TRUE(OffersAt(plan, now).empty());
 }

@@ -8,7 +8,7 @@ namespace limpet {
 
 /// What a plan of the whole mission is made for: where the vehicle stands, and what the behaviors
 /// seek, in metres of path. Without a ground to cover nothing is left to plan.
-[[nodiscard]] MissionPlan::Situation PlanSituationOf(const Situation& now, const SearchGoals& goals,
-                                                     double finish_share);
+[[nodiscard]] MissionPlan::Task PlanTaskOf(const Situation& now, const SearchGoals& goals,
+                                           double finish_share);
 
 }  // namespace limpet

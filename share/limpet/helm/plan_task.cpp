@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/helm/plan_task.hpp"
+
+namespace limpet {
+
+MissionPlan::Task PlanTaskOf(const Situation& now, const SearchGoals& goals, double finish_share) {
+  const GroundRates& rates = goals.objective.ground;
+  const bool is_covering = rates.cover > 0.0;
+  MissionPlan::Task task{.pose = now.pose,
+                         .ground = now.ground,
+                         .region = now.region,
+                         .turn_radius = now.turn_radius,
+                         .goal = {.finish_share = is_covering ? finish_share : 0.0,
+                                  .home = {now.home.north, now.home.east},
+                                  .target_decay_m = goals.objective.target_decay_m},
+                         .travelled = now.travelled};
+  if (!is_covering) return task;
+  task.goal.early_weight = rates.early / rates.cover;
+  task.goal.targets = goals.objective.targets;
+  for (Target& target : task.goal.targets) {
+    target.value /= rates.cover;
+  }
+  return task;
+}
+
+}  // namespace limpet
