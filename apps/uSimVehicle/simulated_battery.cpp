@@ -2,7 +2,6 @@
 #include "apps/uSimVehicle/simulated_battery.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace limpet {
 namespace {
@@ -27,7 +26,7 @@ SimulatedBattery::SimulatedBattery(const BatterySheet& sheet, const BatteryError
                                    Random random, std::optional<double> charge)
     : sheet_(TrueSheet(sheet, errors, random)),
       errors_(errors),
-      noise_(std::move(random)),
+      noise_(random),
       gauge_off_(errors.gauge_off + noise_.Normal(sheet.gauge_sigma)),
       battery_(sheet_, charge.value_or(errors.charge)) {}
 

@@ -28,7 +28,7 @@ DryFlight SoundFlight() {
   DryFlight flight;
   flight.ended = "home";
   flight.duration_s = 900.0;
-  flight.energy = DryFlight::Energy{.used_wh = 20.0, .left_wh = 400.0, .reserve_wh = 60.0};
+  flight.energy = FlightEnergy{.used_wh = 20.0, .left_wh = 400.0, .reserve_wh = 60.0};
   return flight;
 }
 

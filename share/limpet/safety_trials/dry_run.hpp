@@ -22,20 +22,21 @@ struct TrippedRule {
   double north_m = 0.0, east_m = 0.0, down_m = 0.0;  ///< where the vehicle truly was
 };
 
+/// The battery of a flight, truly, but for the reserve that the vehicle reckons [Wh].
+struct FlightEnergy {
+  double used_wh = 0.0, left_wh = 0.0, reserve_wh = 0.0;
+  bool is_off = false;
+};
+
 /// What came of a flight.
 struct DryFlight {
   std::string ended;  ///< home, aborted, timeout, lost
   double duration_s = 0.0;
-  double way_m = 0.0;         ///< true
-  double home_error_m = 0.0;  ///< from the start, horizontally
-  double down_m = 0.0;        ///< at the end
-  /// Of a vehicle with a battery; true, but for the reserve.
-  struct Energy {
-    double used_wh = 0.0, left_wh = 0.0, reserve_wh = 0.0;
-    bool is_off = false;
-  };
-  std::optional<Energy> energy;
-  std::vector<TrippedRule> tripped;  ///< each once, in order
+  double way_m = 0.0;                  ///< true
+  double home_error_m = 0.0;           ///< from the start, horizontally
+  double down_m = 0.0;                 ///< at the end
+  std::optional<FlightEnergy> energy;  ///< of a vehicle with a battery
+  std::vector<TrippedRule> tripped;    ///< each once, in order
   /// Why such a mission must not be launched, in words; empty: it may be.
   [[nodiscard]] std::vector<std::string> Objections() const;
 };

@@ -175,7 +175,7 @@ TEST(ReportJson, SaysTheLowerBoundAndWhyTheRestWasNotSeen) {
   const auto session = nlohmann::json::parse(ReportJson(run))["sessions"]["discovery"];
   EXPECT_EQ(session["bound"]["area_m2"], 1080.0);
   EXPECT_NEAR(session["bound"]["path_m"].get<double>(), 321.8, 0.1);
-  const auto unseen = session["unseen_share"];
+  const auto& unseen = session["unseen_share"];
   EXPECT_NEAR(unseen["band"].get<double>(), 1.0 - session["detected_band"].get<double>(), 1e-9);
   EXPECT_NEAR(unseen["bottom"].get<double>(), 1.0 - session["covered"].get<double>(), 1e-9);
   EXPECT_EQ(unseen["reason"], "not_reached");
