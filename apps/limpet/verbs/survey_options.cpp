@@ -19,7 +19,7 @@ std::vector<CommandOption> SurveyMethodOptions() {
            .is_repeatable = true},
           {.names = "--planner",
            .value = "P",
-           .meaning = "limpet, whole, lawnmower, or paper: the 2025 paper's planner (default: the "
+           .meaning = "limpet, lawnmower, or paper: the 2025 paper's planner (default: the "
                       "mission's)"},
           {.names = "--gain",
            .value = "G",

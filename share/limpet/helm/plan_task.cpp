@@ -11,15 +11,12 @@ MissionPlan::Task PlanTaskOf(const Situation& now, const SearchGoals& goals, dou
                          .region = now.region,
                          .turn_radius = now.turn_radius,
                          .goal = {.finish_share = is_covering ? finish_share : 0.0,
-                                  .home = {now.home.north, now.home.east},
-                                  .target_decay_m = goals.objective.target_decay_m},
+                                  .home = {now.home.north, now.home.east}},
                          .travelled = now.travelled};
   if (!is_covering) return task;
   task.goal.early_weight = rates.early / rates.cover;
-  task.goal.targets = goals.objective.targets;
-  for (Target& target : task.goal.targets) {
-    target.value /= rates.cover;
-  }
+  task.goal.others = goals.objective;
+  task.goal.others_weight = 1.0 / rates.cover;
   return task;
 }
 

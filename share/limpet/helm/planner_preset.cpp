@@ -10,18 +10,12 @@
 namespace limpet {
 namespace {
 
+/// Every option is completed to the end of the survey by the plan of the whole.
 PlannerPreset LimpetPreset() {
-  return {.generators = "beam, gaps, tour, home, transit",
+  return {.generators = "beam, gaps, tour, plan, home, transit",
           .stand_ins = {},
           .order = OptionOrder::kPerMetre,
           .decides_at_views_only = false};
-}
-
-/// Every option is completed to the end of the survey by the plan of the whole.
-PlannerPreset WholePreset() {
-  PlannerPreset preset = LimpetPreset();
-  preset.generators = "beam, gaps, tour, plan, home, transit";
-  return preset;
 }
 
 /// Conventional lanes, with looks at objects on the way: the baseline.
@@ -47,7 +41,6 @@ PlannerPreset PaperPreset(double lambda) {
 PlannerPreset PresetCalled(const ViewParams& params) {
   if (params.planner == "paper") return PaperPreset(params.paper_lambda);
   if (params.planner == "lawnmower") return LawnmowerPreset();
-  if (params.planner == "whole") return WholePreset();
   return LimpetPreset();
 }
 

@@ -28,9 +28,9 @@ struct ViewParams {
   template <class Visitor>
   void Describe(Visitor& visit) {
     visit.Choice("planner", planner,
-                 "Limpet's way of deciding; whole: with every option completed to the end of the "
-                 "survey; lawnmower: along lanes; the paper's (P0): other bids, too",
-                 {"limpet", "whole", "lawnmower", "paper"});
+                 "limpet: by a plan of the whole survey, to whose end every option is completed; "
+                 "lawnmower: along lanes; the paper's (P0): other bids, too",
+                 {"limpet", "lawnmower", "paper"});
     visit.Choice("gain", gain, "full, or coverage alone (no bids on objects; paper: eq 17)",
                  {"full", "coverage"});
     visit("generators", generators,

@@ -143,8 +143,9 @@ class LaneCutter {
 /// Makes lane tours and judges them.
 class LanePlanner {
  public:
-  LanePlanner(TourJudge& judge, const LaneParams& params) : judge_(judge), params_(params) {
-    static_cast<void>(judge.Cost({}));
+  LanePlanner(TourJudge& judge, const LaneParams& params, const SurveyTour& first)
+      : judge_(judge), params_(params), first_(first) {
+    static_cast<void>(judge.Cost(first));
     tops_ = Unseen(judge.planes(), SeenPlanes::kTop);
     bottoms_ = Unseen(judge.planes(), SeenPlanes::kBottom);
   }
@@ -177,6 +178,15 @@ class LanePlanner {
     return {fewest, fewest + 1};
   }
 
+  [[nodiscard]] Pose2 Start() const {
+    return first_.empty() ? judge_.start() : first_.back().out();
+  }
+  /// The lanes behind what is flown before them.
+  [[nodiscard]] SurveyTour Behind(const SurveyTour& lanes) const {
+    SurveyTour tour = first_;
+    std::ranges::copy(lanes, std::back_inserter(tour));
+    return tour;
+  }
   void Add(SurveyTour tour) {
     const double cost = judge_.Cost(tour).total;
     tours_.push_back({std::move(tour), cost});
@@ -185,7 +195,7 @@ class LanePlanner {
   void AddLanes(double yaw) {
     const LaneCutter cutter(tops_, yaw, judge_);
     for (const int count : Counts(cutter.width(), Width(Footprint::kLayers - 1))) {
-      Add(InBestOrder(judge_, judge_.start(), cutter.Passes(count)));
+      Add(Behind(InBestOrder(judge_, Start(), cutter.Passes(count))));
     }
   }
 
@@ -193,7 +203,7 @@ class LanePlanner {
   void AddBottomFirst(double yaw) {
     const LaneCutter cutter(bottoms_, yaw, judge_);
     for (const int count : Counts(cutter.width(), Width(0))) {
-      SurveyTour tour = InBestOrder(judge_, judge_.start(), cutter.Passes(count));
+      SurveyTour tour = Behind(InBestOrder(judge_, Start(), cutter.Passes(count)));
       if (tour.empty()) continue;
       static_cast<void>(judge_.Cost(tour));
       const std::vector<UnseenCell> left = Unseen(judge_.planes(), SeenPlanes::kTop);
@@ -206,14 +216,16 @@ class LanePlanner {
 
   TourJudge& judge_;
   const LaneParams& params_;
+  const SurveyTour& first_;
   std::vector<UnseenCell> tops_, bottoms_;
   std::vector<Costed> tours_;
 };
 
 }  // namespace
 
-std::vector<SurveyTour> LaneTours(TourJudge& judge, const LaneParams& params) {
-  return LanePlanner(judge, params).Plan();
+std::vector<SurveyTour> LaneTours(TourJudge& judge, const LaneParams& params,
+                                  const SurveyTour& first) {
+  return LanePlanner(judge, params, first).Plan();
 }
 
 }  // namespace limpet

@@ -12,8 +12,9 @@ struct LaneParams {
   bool with_bottom_first = true;  ///< also lanes for the seabed, then the strips between them
 };
 
-/// Parallel passes over everything whose top `judge` has not seen, for several directions and
-/// numbers of lanes, each in about the best order, cheapest first.
-[[nodiscard]] std::vector<SurveyTour> LaneTours(TourJudge& judge, const LaneParams& params);
+/// `first`, and then parallel passes over everything whose top has not been seen by then, for
+/// several directions and numbers of lanes, each in about the best order, cheapest first.
+[[nodiscard]] std::vector<SurveyTour> LaneTours(TourJudge& judge, const LaneParams& params,
+                                                const SurveyTour& first = {});
 
 }  // namespace limpet

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <utility>
 
 #include "limpet/planning/home_path.hpp"
+#include "limpet/planning/target_tour.hpp"
 
 namespace limpet {
 namespace {
@@ -16,6 +18,12 @@ namespace {
 constexpr double kStaleTrack = 3.0;
 /// So much of a plan stands against what others offer [m].
 constexpr double kOwnPart = 25.0;
+/// Plans begin otherwise if they lead so far apart over that.
+constexpr double kApart = 6.0;  // [m]
+/// So many plans that begin otherwise are offered.
+constexpr std::size_t kOthers = 4;
+/// So many of the others' options are completed with care.
+constexpr std::size_t kBest = 4;
 /// The vehicle is where the path has it.
 constexpr double kOnPath_m = 0.05;
 constexpr double kOnPath_rad = 0.02;
@@ -25,6 +33,26 @@ constexpr const char* kPrevious = "previous";  ///< source of the rest of the pa
 bool IsSamePath(const DubinsPath& a, const DubinsPath& b) {
   return a.length() == b.length() && a.segments().size() == b.segments().size() &&
          Distance(a.end(), b.end()) == 0.0;
+}
+
+struct CostedTour {
+  SurveyTour tour;
+  double cost = 0.0;
+};
+
+/// The tour with each of its passes first, either way round.
+std::vector<SurveyTour> BegunWithEachPass(const SurveyTour& tour) {
+  std::vector<SurveyTour> begun;
+  for (std::size_t i = 0; i < tour.size(); ++i) {
+    for (const Pass& first : {tour[i], tour[i].Reversed()}) {
+      SurveyTour other{first};
+      std::ranges::copy_n(tour.begin(), static_cast<std::ptrdiff_t>(i), std::back_inserter(other));
+      std::copy(tour.begin() + static_cast<std::ptrdiff_t>(i) + 1, tour.end(),
+                std::back_inserter(other));
+      begun.push_back(std::move(other));
+    }
+  }
+  return begun;
 }
 
 /// Leaves out, one after the other, the passes without which the tour costs less.
@@ -70,16 +98,54 @@ void MissionPlan::Offer(const Task& now, const char* source, std::vector<Option>
   is_planned_ = !judge.is_finished();
   if (!is_planned_) return;
   Renew(judge);
-  FlownTour flown = Fly(DubinsPath(now.pose), plan_, *now.region, now.turn_radius);
-  is_planned_ = !flown.passes.empty();
+  OfferPlan(plan_, options);
+  is_planned_ = !completed_.empty();
   if (!is_planned_) return;
+  OfferRest(options);
+  if (params_.first_edits > 0) OfferOtherBeginnings(judge, options);
+}
+
+void MissionPlan::OfferPlan(const SurveyTour& plan, std::vector<Option>& options) {
+  FlownTour flown = Fly(DubinsPath(now_.pose), plan, *now_.region, now_.turn_radius);
+  if (flown.passes.empty()) return;
   const double length = flown.path.length();
-  options.push_back({.source = source,
+  options.push_back({.source = source_,
                      .path = flown.path,
                      .estimate = -length,
                      .own_m = std::min(kOwnPart, length)});
   completed_.push_back(std::move(flown));
-  OfferRest(options);
+}
+
+/// Another pass first, and the rest of the plan behind it: what it costs to go elsewhere now.
+void MissionPlan::OfferOtherBeginnings(TourJudge& judge, std::vector<Option>& options) {
+  judge.Reset(DubinsPath(now_.pose), now_.goal);
+  std::vector<CostedTour> begun;
+  for (const SurveyTour& tour : BegunWithEachPass(plan_)) {
+    begun.push_back({.tour = tour, .cost = judge.Cost(tour).total});
+  }
+  std::ranges::stable_sort(begun, {}, &CostedTour::cost);
+  std::size_t offered = 0;
+  for (const CostedTour& other : begun) {
+    const SurveyTour first{other.tour.front()};
+    const FlownTour way = Fly(DubinsPath(now_.pose), first, *now_.region, now_.turn_radius);
+    if (!way.is_complete || !BeginsOtherwise(way)) continue;
+    SurveyTour rest(other.tour.begin() + 1, other.tour.end());
+    judge.Reset(way.path, now_.goal);
+    if (!rest.empty()) search_.Improve(judge, rest, params_.rest_edits);
+    rest.insert(rest.begin(), first.front());
+    OfferPlan(rest, options);
+    if (++offered == kOthers) return;
+  }
+}
+
+/// Than those offered so far.
+bool MissionPlan::BeginsOtherwise(const FlownTour& tour) const {
+  const auto place = [](const FlownTour& of) {
+    return of.path.At(std::min(kOwnPart, of.path.length()));
+  };
+  return std::ranges::none_of(completed_, [&](const FlownTour& offered) {
+    return Distance(place(offered), place(tour)) < kApart;
+  });
 }
 
 void MissionPlan::Renew(TourJudge& judge) {
@@ -94,20 +160,31 @@ void MissionPlan::Renew(TourJudge& judge) {
   plan_.resize(std::min(plan_.size(), judge.passes_needed()));
 }
 
-void MissionPlan::Replan(TourJudge& judge) {
+std::vector<SurveyTour> MissionPlan::Seeds(TourJudge& judge) const {
   std::vector<SurveyTour> seeds = LaneTours(judge, params_.lanes);
-  seeds.resize(std::min<std::size_t>(seeds.size(), static_cast<std::size_t>(params_.seeds)));
+  const SurveyTour looks =
+      TargetPasses(judge.start(), judge.region(), judge.goal().others, judge.turn_radius());
+  const auto count = static_cast<std::size_t>(params_.seeds);
+  if (!looks.empty()) {
+    seeds.resize(std::min(seeds.size(), count / 2));
+    std::ranges::move(LaneTours(judge, params_.lanes, looks), std::back_inserter(seeds));
+  }
+  seeds.resize(std::min(seeds.size(), count));
+  return seeds;
+}
+
+void MissionPlan::Replan(TourJudge& judge) {
+  std::vector<SurveyTour> seeds = Seeds(judge);
   if (!plan_.empty()) seeds.push_back(plan_);
   const int edits = params_.first_edits / 2;
-  double least = std::numeric_limits<double>::infinity();
+  std::vector<double> costs;
   for (SurveyTour& seed : seeds) {
     const int share = edits / static_cast<int>(seeds.size());
-    const double cost = search_.Improve(judge, seed, share).total;
-    if (cost < least) {
-      least = cost;
-      plan_ = seed;
-    }
+    costs.push_back(search_.Improve(judge, seed, share).total);
   }
+  if (seeds.empty()) return;
+  const auto best = std::ranges::min_element(costs) - costs.begin();
+  plan_ = seeds[static_cast<std::size_t>(best)];
   search_.Improve(judge, plan_, edits);
 }
 
@@ -132,25 +209,47 @@ void MissionPlan::OfferRest(std::vector<Option>& options) {
   completed_.push_back(std::move(rest));
 }
 
+/// An option with what would follow it.
+struct MissionPlan::Completion {
+  Option* option = nullptr;
+  SurveyTour tour;
+  double cost = 0.0;
+};
+
 void MissionPlan::Complete(std::vector<Option>& options) {
   if (!is_planned_) return;
   TourJudge judge(*now_.ground, *now_.region, now_.turn_radius);
+  std::vector<Completion> completions;
   for (Option& option : options) {
     if (!option.is_whole() && option.views.empty() && !MayEndAnywhere(option) &&
         now_.region->Contains(option.path)) {
-      Complete(judge, option);
+      completions.push_back(CompletionOf(judge, option));
     }
+  }
+  std::ranges::stable_sort(completions, {}, &Completion::cost);
+  for (std::size_t i = 0; i < completions.size(); ++i) {
+    Complete(judge, completions[i], i < kBest);
   }
 }
 
-void MissionPlan::Complete(TourJudge& judge, Option& option) {
+MissionPlan::Completion MissionPlan::CompletionOf(TourJudge& judge, Option& option) const {
   judge.Reset(option.path, now_.goal);
-  SurveyTour tour;
+  Completion completion{.option = &option, .tour = {}, .cost = 0.0};
   if (!judge.is_finished()) {
-    tour = plan_;
-    DropIdlePasses(judge, tour);
+    completion.tour = plan_;
+    DropIdlePasses(judge, completion.tour);
   }
-  FlownTour flown = Fly(option.path, tour, *now_.region, now_.turn_radius);
+  completion.cost = judge.Cost(completion.tour).total;
+  return completion;
+}
+
+void MissionPlan::Complete(TourJudge& judge, Completion& completion, bool is_among_the_best) {
+  Option& option = *completion.option;
+  if (is_among_the_best && params_.first_edits > 0 && !completion.tour.empty()) {
+    judge.Reset(option.path, now_.goal);
+    search_.Improve(judge, completion.tour, params_.rest_edits);
+  }
+  FlownTour flown = Fly(option.path, completion.tour, *now_.region, now_.turn_radius);
   option.own_m = option.path.length();
   option.path = flown.path;
   completed_.push_back(std::move(flown));

@@ -17,7 +17,8 @@ struct MissionPlanParams {
   int seeds = 6;           ///< lane tours that a new plan is sought from
   int first_edits = 4000;  ///< tried for a new plan; 0: the best lanes are the plan
   int edits = 400;         ///< tried at each later decision
-  Meters warmth{4.0};      ///< of the search
+  int rest_edits = 50;     ///< tried for what follows an option, if it is among the best
+  Meters warmth{8.0};      ///< of the search
 };
 
 /// The plan of all that is left of a survey, kept from decision to decision: sought from lanes,
@@ -39,7 +40,8 @@ class MissionPlan {
   };
 
   /// Brings the plan up to date and appends it as an option, if there is anything left to do; and
-  /// the rest of the path in force, if it is one of those completed.
+  /// the rest of the path in force, if it is one of those completed; and plans about as good
+  /// that begin otherwise.
   void Offer(const Task& now, const char* source, std::vector<Option>& options);
   /// Lengthens those of `options` that are not whole by what is left of the plan behind them.
   /// REQUIRES: Offer of the same decision.
@@ -51,9 +53,16 @@ class MissionPlan {
   [[nodiscard]] bool IsTheSameSurvey() const;
   [[nodiscard]] SurveyTour Rest() const;
   void Renew(TourJudge& judge);
+  /// What a new plan is sought from.
+  [[nodiscard]] std::vector<SurveyTour> Seeds(TourJudge& judge) const;
   void Replan(TourJudge& judge);
+  void OfferPlan(const SurveyTour& plan, std::vector<Option>& options);
+  void OfferOtherBeginnings(TourJudge& judge, std::vector<Option>& options);
+  [[nodiscard]] bool BeginsOtherwise(const FlownTour& tour) const;
   void OfferRest(std::vector<Option>& options);
-  void Complete(TourJudge& judge, Option& option);
+  struct Completion;
+  [[nodiscard]] Completion CompletionOf(TourJudge& judge, Option& option) const;
+  void Complete(TourJudge& judge, Completion& completion, bool is_among_the_best);
   [[nodiscard]] double SinceChoice() const { return now_.travelled - chosen_at_; }
 
   MissionPlanParams params_;

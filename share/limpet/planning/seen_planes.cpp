@@ -12,6 +12,7 @@ namespace {
 
 /// Spacing of the images that stand for a motion that turns [m].
 constexpr double kStep = 1.0;
+constexpr double kOverlap = 1.0;  ///< of what a motion shows with what it starts from [cells]
 constexpr double kParallel = 1e-9;
 constexpr double kStraightest = 1e-9;  ///< [1/m]
 
@@ -26,6 +27,15 @@ int CeilFromZero(double x) {
 
 /// The greatest integer that is no greater than `x`, or -1.
 int FloorFromZero(double x) { return x < 0.0 ? -1 : static_cast<int>(x); }
+
+/// The number of bits that are set. Inline: without the instruction, which plain x86-64 lacks,
+/// std::popcount is a call.
+int CountOf(std::uint64_t bits) {
+  bits -= bits >> 1U & 0x5555555555555555U;
+  bits = (bits & 0x3333333333333333U) + (bits >> 2U & 0x3333333333333333U);
+  bits = (bits + (bits >> 4U)) & 0x0F0F0F0F0F0F0F0FU;
+  return static_cast<int>(bits * 0x0101010101010101U >> 56U);
+}
 
 /// A band of the plane, |offset + slope x| <= half, whose offset grows from row to row.
 struct Strip {
@@ -79,31 +89,70 @@ void SeenPlanes::Reset(const Ground& ground) {
   }
 }
 
+SeenPlanes::Place SeenPlanes::PlaceOf(const Pose2& pose) const {
+  return {.row = (pose.north - frame_.north_min) / frame_.cell_m - 0.5,
+          .column = (pose.east - frame_.east_min) / frame_.cell_m - 0.5,
+          .cos = std::cos(pose.yaw),
+          .sin = std::sin(pose.yaw)};
+}
+
+void SeenPlanes::Look(const Pose2& at) {
+  const Place place = PlaceOf(at);
+  for (std::size_t plane = 0; plane < kPlanes; ++plane) {
+    LookAhead(plane, place, 2.0 * images_[plane].half_along, 0.0);
+  }
+}
+
 void SeenPlanes::Sweep(const Pose2& from, const PathSegment& segment) {
   if (std::abs(segment.curvature) < kStraightest) {
-    Look(Advance(from, 0.0, 0.5 * segment.length), 0.5 * segment.length / frame_.cell_m);
-    return;
-  }
-  const int steps = std::max(1, static_cast<int>(std::ceil(segment.length / kStep)));
-  for (int i = 1; i <= steps; ++i) {
-    Look(Advance(from, segment.curvature, segment.length * i / steps), 0.0);
+    SweepStraight(PlaceOf(from), segment.length / frame_.cell_m);
+  } else {
+    SweepTurn(from, segment);
   }
 }
 
-void SeenPlanes::Look(const Pose2& at, double longer_by) {
+void SeenPlanes::SweepStraight(const Place& from, double length) {
   for (std::size_t plane = 0; plane < kPlanes; ++plane) {
-    const Image& image = images_[plane];
-    if (image.half_across <= 0.0 || unseen_[plane] == 0) continue;
-    LookOn(plane, at,
-           {.half_along = image.half_along + longer_by, .half_across = image.half_across});
+    LookAhead(plane, from, kOverlap, length);
   }
 }
 
-void SeenPlanes::LookOn(std::size_t plane, const Pose2& at, const Image& image) {
-  const double c = std::cos(at.yaw), s = std::sin(at.yaw);
-  // In cells, from the centre of cell (0, 0).
-  const double north = (at.north - frame_.north_min) / frame_.cell_m - 0.5;
-  const double east = (at.east - frame_.east_min) / frame_.cell_m - 0.5;
+/// The sine and cosine of the heading by recurrence: they are half the cost otherwise.
+void SeenPlanes::SweepTurn(const Pose2& from, const PathSegment& segment) {
+  const int steps = std::max(1, static_cast<int>(std::ceil(segment.length / kStep)));
+  const double step = segment.length / steps / frame_.cell_m;
+  const double curvature = segment.curvature * frame_.cell_m;
+  const double c = std::cos(curvature * step), s = std::sin(curvature * step);
+  const Place begin = PlaceOf(from);
+  Place at = begin;
+  for (int i = 1; i <= steps; ++i) {
+    const double cos = at.cos * c - at.sin * s;
+    at.sin = at.sin * c + at.cos * s;
+    at.cos = cos;
+    at.row = begin.row + (at.sin - begin.sin) / curvature;
+    at.column = begin.column - (at.cos - begin.cos) / curvature;
+    for (std::size_t plane = 0; plane < kPlanes; ++plane) {
+      LookAhead(plane, at, 2.0 * images_[plane].half_along, 0.0);  // its rear swings out, too
+    }
+  }
+}
+
+void SeenPlanes::LookAhead(std::size_t plane, const Place& at, double lead, double length) {
+  const Image& image = images_[plane];
+  if (image.half_across <= 0.0 || unseen_[plane] == 0) return;
+  const double front = image.half_along + length;
+  const double back = image.half_along - std::min(lead, 2.0 * image.half_along);
+  const double middle = 0.5 * (front + back);
+  Show(plane,
+       {.row = at.row + middle * at.cos,
+        .column = at.column + middle * at.sin,
+        .cos = at.cos,
+        .sin = at.sin},
+       {.half_along = 0.5 * (front - back), .half_across = image.half_across});
+}
+
+void SeenPlanes::Show(std::size_t plane, const Place& middle, const Image& image) {
+  const double c = middle.cos, s = middle.sin, north = middle.row, east = middle.column;
   const double reach_n = std::abs(c) * image.half_along + std::abs(s) * image.half_across;
   const double reach_e = std::abs(s) * image.half_along + std::abs(c) * image.half_across;
   const int row_begin = std::max(0, static_cast<int>(std::ceil(north - reach_n)));
@@ -145,14 +194,14 @@ void SeenPlanes::SetBits(std::size_t plane, std::size_t word, std::uint64_t bits
                   .plane = static_cast<std::uint32_t>(plane),
                   .before = seen});
   seen |= added;
-  unseen_[plane] -= std::popcount(added);
+  unseen_[plane] -= CountOf(added);
 }
 
 PlanePoint SeenPlanes::NthUnseen(std::size_t plane, int n) const {
   const std::vector<std::uint64_t>& words = planes_[plane];
   std::size_t word = 0;
-  for (; std::popcount(~words[word]) <= n; ++word) {
-    n -= std::popcount(~words[word]);
+  for (; CountOf(~words[word]) <= n; ++word) {
+    n -= CountOf(~words[word]);
   }
   std::uint64_t unseen = ~words[word];
   for (; n > 0; --n) {
@@ -168,7 +217,7 @@ void SeenPlanes::Rewind(std::size_t mark) {
   while (log_.size() > mark) {
     const Change& change = log_.back();
     std::uint64_t& seen = planes_[change.plane][change.word];
-    unseen_[change.plane] += std::popcount(seen & ~change.before);
+    unseen_[change.plane] += CountOf(seen & ~change.before);
     seen = change.before;
     log_.pop_back();
   }

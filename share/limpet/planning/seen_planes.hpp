@@ -28,7 +28,10 @@ class SeenPlanes {
 
   /// Cells not yet seen, of each plane.
   [[nodiscard]] const Counts& unseen() const { return unseen_; }
-  /// Sees everything that the images of `segment` show, from its start to its end.
+  /// Sees what the image at `at` shows.
+  void Look(const Pose2& at);
+  /// Sees what the images of `segment` show, from its start to its end, beside what the one at
+  /// `from` does: that has been looked at before.
   void Sweep(const Pose2& from, const PathSegment& segment);
 
   [[nodiscard]] std::size_t Mark() const { return log_.size(); }
@@ -61,12 +64,21 @@ class SeenPlanes {
   struct Image {
     double half_along = 0.0, half_across = 0.0;  ///< [cells]
   };
+  /// A place in the grid and the direction of flight there.
+  struct Place {
+    double row = 0.0, column = 0.0;  ///< [cells], from the centre of cell (0, 0)
+    double cos = 1.0, sin = 0.0;
+  };
   [[nodiscard]] std::size_t Word(int row, int column) const {
     return static_cast<std::size_t>(row) * words_per_row_ + static_cast<std::size_t>(column) / 64;
   }
-  /// Marks what the image at `at` shows, or one that is so much longer ahead and astern [cells].
-  void Look(const Pose2& at, double longer_by);
-  void LookOn(std::size_t plane, const Pose2& at, const Image& image);
+  [[nodiscard]] Place PlaceOf(const Pose2& pose) const;
+  void SweepStraight(const Place& from, double length);
+  void SweepTurn(const Pose2& from, const PathSegment& segment);
+  /// Marks what the images at `at` show ahead of `lead` [cells] behind their front, and on for
+  /// `length` [cells].
+  void LookAhead(std::size_t plane, const Place& at, double lead, double length);
+  void Show(std::size_t plane, const Place& middle, const Image& image);
   void SetRun(std::size_t plane, int row, int begin, int end);
   void SetBits(std::size_t plane, std::size_t word, std::uint64_t bits);
 

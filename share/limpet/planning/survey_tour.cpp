@@ -13,7 +13,13 @@ constexpr double kTurnPiece = 2.0;  ///< turns in these [m]
 /// fetch it, so that tours finish where they can.
 constexpr double kFetchPrice = 12.0;
 constexpr double kUnfinishedPrice = 20.0;
-constexpr double kLookStep = 0.5;  ///< [m]
+
+/// Without ground, which the judge counts itself.
+Objective WithoutGround(const Objective& objective) {
+  Objective others = objective;
+  others.ground = {.cover = 0.0, .frontier = 0.0, .early = 0.0};
+  return others;
+}
 
 }  // namespace
 
@@ -29,17 +35,21 @@ void TourJudge::Reset(const DubinsPath& way, const TourGoal& goal) {
   goal_ = goal;
   planes_.Reset(ground_);
   may_stay_ = static_cast<int>((1.0 - goal.finish_share) * wanted_cells_);
-  looks_ = PathEvents(goal.targets.size());
+  others_.reset();
+  if (!goal.others.targets.empty() || !goal.others.terms.empty()) {
+    others_.emplace(WithoutGround(goal.others), ground_, way.start(), goal.others.target_decay_m);
+  }
   stages_.clear();
   base_ = Stage{};
   base_.end = way.start();
+  planes_.Look(way.start());
   base_.is_finished = planes_.unseen()[SeenPlanes::kTop] <= may_stay_;
   for (const PathSegment& segment : way.segments()) {
     if (!base_.is_finished) base_.is_finished = Fly(base_.end, segment, base_.cost);
     base_.end = Advance(base_.end, segment.curvature, segment.length);
   }
   base_.seen_mark = planes_.Mark();
-  base_.look_mark = looks_.Mark();
+  base_.others_mark = others_ ? others_->Mark() : 0;
 }
 
 TourCost TourJudge::Cost(const SurveyTour& tour) {
@@ -47,7 +57,7 @@ TourCost TourJudge::Cost(const SurveyTour& tour) {
   while (!stage.is_finished && stages_.size() < tour.size()) {
     FlyPass(tour[stages_.size()], stage);
     stage.seen_mark = planes_.Mark();
-    stage.look_mark = looks_.Mark();
+    stage.others_mark = others_ ? others_->Mark() : 0;
     stages_.push_back(stage);
   }
   TourCost cost = stage.cost;
@@ -56,7 +66,7 @@ TourCost TourJudge::Cost(const SurveyTour& tour) {
   const double top_swath = 2.0 * footprint.half_across(Footprint::kLayers - 1);
   cost.missing = std::max(0, planes_.unseen()[SeenPlanes::kTop] - may_stay_) * cell_m2_ /
                  std::max(0.1, top_swath);
-  cost.total = cost.length + cost.home + goal_.early_weight * cost.lateness - cost.looks +
+  cost.total = cost.length + cost.home + goal_.early_weight * cost.lateness - cost.others +
                kFetchPrice * cost.missing + (cost.missing > 0.0 ? kUnfinishedPrice : 0.0) +
                cost.detours;
   return cost;
@@ -70,7 +80,7 @@ TourJudge::Stage TourJudge::Rejoin(const SurveyTour& tour) {
   stages_.resize(shared);
   const Stage& stage = shared > 0 ? stages_.back() : base_;
   planes_.Rewind(stage.seen_mark);
-  looks_.Rewind(stage.look_mark);
+  if (others_) others_->Rewind(stage.others_mark);
   return stage;
 }
 
@@ -109,8 +119,9 @@ bool TourJudge::FlyPiece(const Pose2& from, const PathSegment& piece, TourCost& 
       bottom_weight * (before[SeenPlanes::kBottom] - after[SeenPlanes::kBottom]) +
       (1.0 - bottom_weight) * (before[SeenPlanes::kTop] - after[SeenPlanes::kTop]);
   cost.lateness += newly_seen * middle / wanted_cells_;
-  if (!goal_.targets.empty() && cost.length < goal_.target_decay_m) {
-    LookAtTargets(from, piece, cost);
+  if (others_ && cost.length < goal_.others.target_decay_m) {
+    cost.others += goal_.others_weight *
+                   others_->Worth({.from = from, .motion = piece, .before = cost.length});
   }
   const std::size_t top = SeenPlanes::kTop;
   if (after[top] > may_stay_) {
@@ -121,20 +132,6 @@ bool TourJudge::FlyPiece(const Pose2& from, const PathSegment& piece, TourCost& 
       static_cast<double>(before[top] - may_stay_) / std::max(1, before[top] - after[top]);
   cost.length += share * piece.length;
   return true;
-}
-
-void TourJudge::LookAtTargets(const Pose2& from, const PathSegment& piece, TourCost& cost) {
-  const int steps = std::max(1, static_cast<int>(std::ceil(piece.length / kLookStep)));
-  for (std::size_t i = 0; i < goal_.targets.size(); ++i) {
-    const Target& target = goal_.targets[i];
-    for (int step = 1; step <= steps && !looks_.Has(i); ++step) {
-      const double s = piece.length * step / steps;
-      if (target.IsSeenFrom(Advance(from, piece.curvature, s))) {
-        looks_.Add(i);
-        cost.looks += target.WorthAt(cost.length + s, goal_.target_decay_m);
-      }
-    }
-  }
 }
 
 }  // namespace limpet

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "limpet/core/units.hpp"
 #include "limpet/planning/ground.hpp"
 #include "limpet/planning/objective.hpp"
 #include "limpet/planning/pass.hpp"
+#include "limpet/planning/path_valuer.hpp"
 #include "limpet/planning/region.hpp"
 #include "limpet/planning/seen_planes.hpp"
 
@@ -22,11 +24,13 @@ struct TourGoal {
   /// The survey is over when this share of the band's top has been seen.
   double finish_share = 0.98;
   /// Metres that the way may be longer for ground to be seen a metre sooner, mean over the area.
-  double early_weight = 1.2;
+  double early_weight = 4.0;
   /// Where the vehicle goes when it is over, NED [m].
   PlanePoint home{0.0, 0.0};
-  std::vector<Target> targets{};
-  double target_decay_m = 100.0;
+  /// What is sought besides ground, over the first `target_decay_m` of the way; its rates for
+  /// ground do not count.
+  Objective others{};
+  double others_weight = 1.0;  ///< metres of way that a unit of it is worth
 };
 
 /// What a tour costs, all in metres of path.
@@ -35,7 +39,7 @@ struct TourCost {
   double lateness = 0.0;  ///< mean over the area of the path at which ground is first seen
   double home = 0.0;      ///< straight way home from there
   double missing = 0.0;   ///< useful track that the finish still lacks
-  double looks = 0.0;     ///< worth of the first looks at targets
+  double others = 0.0;    ///< worth of what is sought besides ground
   double detours = 0.0;   ///< price of the links that leave the region
   double total = 0.0;     ///< what tours are compared by
 };
@@ -73,14 +77,13 @@ class TourJudge {
     Pose2 end;
     TourCost cost;
     bool is_finished = false;
-    std::size_t seen_mark = 0, look_mark = 0;
+    std::size_t seen_mark = 0, others_mark = 0;
   };
   /// Goes back to where `tour` parts from the tour flown last.
   [[nodiscard]] Stage Rejoin(const SurveyTour& tour);
   void FlyPass(const Pass& pass, Stage& stage);
   [[nodiscard]] bool Fly(const Pose2& from, const PathSegment& segment, TourCost& cost);
   [[nodiscard]] bool FlyPiece(const Pose2& from, const PathSegment& piece, TourCost& cost);
-  void LookAtTargets(const Pose2& from, const PathSegment& piece, TourCost& cost);
 
   const Ground& ground_;
   const Region& region_;
@@ -90,7 +93,7 @@ class TourJudge {
   int may_stay_ = 0;  ///< cells of the top that may be left
   double cell_m2_;
   double wanted_cells_;
-  PathEvents looks_{0};        ///< at targets
+  std::optional<PathValuer> others_;
   Stage base_;                 ///< before the first pass
   std::vector<Stage> stages_;  ///< of the tour flown last
 };

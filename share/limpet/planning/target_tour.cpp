@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
+#include <iterator>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -66,14 +67,56 @@ std::vector<Stop> TakeNearest(const Pose2& from, std::vector<TargetStop>& stops)
   return nearest;
 }
 
+/// A way over targets.
+struct LookTour {
+  DubinsPath path;
+  std::vector<Pass> passes;
+};
+
 /// A tour of `stops` that stays inside: cut before the first motion that does not.
-DubinsPath TourInside(const Pose2& start, const std::vector<Stop>& stops, const Region& region,
-                      Meters turn_radius) {
+LookTour TourInside(const Pose2& start, const std::vector<Stop>& stops, const Region& region,
+                    Meters turn_radius) {
   PassTour tour = PlanPassTour(start, stops, region, turn_radius);
-  for (std::size_t i = tour.reached.size(); i-- > 0 && !region.Contains(tour.path);) {
-    tour.path = tour.path.Prefix(i > 0 ? tour.reached[i - 1] : 0.0);
+  std::size_t count = tour.reached.size();
+  for (; count > 0 && !region.Contains(tour.path); --count) {
+    tour.path = tour.path.Prefix(count > 1 ? tour.reached[count - 2] : 0.0);
   }
-  return tour.path;
+  LookTour inside{.path = std::move(tour.path), .passes = {}};
+  for (std::size_t i = 0; i < count; ++i) {
+    inside.passes.push_back(stops[tour.order[i]][tour.passes[i]]);
+  }
+  return inside;
+}
+
+std::vector<TargetStop> StopsOf(const std::vector<Target>& targets, const Region& region,
+                                Meters turn_radius) {
+  std::vector<TargetStop> stops;
+  for (const Target& target : targets) {
+    Stop passes = PassesOf(target, region, turn_radius);
+    if (!passes.empty()) {
+      stops.push_back({target.north, target.east, std::move(passes)});
+    }
+  }
+  return stops;
+}
+
+/// Longer and longer tours, each with what the one before it looks at first.
+std::vector<LookTour> LookTours(const Pose2& start, const Region& region,
+                                const Objective& objective, Meters turn_radius) {
+  std::vector<TargetStop> stops = StopsOf(objective.targets, region, turn_radius);
+  std::vector<LookTour> tours;
+  LookTour tour{.path = DubinsPath(start), .passes = {}};
+  while (!stops.empty() && tour.path.length() < objective.target_decay_m) {
+    const std::vector<Stop> next = TakeNearest(tour.path.end(), stops);
+    const LookTour more = TourInside(tour.path.end(), next, region, turn_radius);
+    if (more.path.length() == 0.0) {
+      break;
+    }
+    tour.path.Append(more.path);
+    std::ranges::copy(more.passes, std::back_inserter(tour.passes));
+    tours.push_back(tour);
+  }
+  return tours;
 }
 
 Option TourOption(const DubinsPath& path, const Objective& objective) {
@@ -89,25 +132,17 @@ bool CanBeLookedAt(const Target& target, const Region& region, Meters turn_radiu
 
 std::vector<Option> TargetTours(const Pose2& start, const Region& region,
                                 const Objective& objective, Meters turn_radius) {
-  std::vector<TargetStop> stops;
-  for (const Target& target : objective.targets) {
-    Stop passes = PassesOf(target, region, turn_radius);
-    if (!passes.empty()) {
-      stops.push_back({target.north, target.east, std::move(passes)});
-    }
+  std::vector<Option> options;
+  for (const LookTour& tour : LookTours(start, region, objective, turn_radius)) {
+    options.push_back(TourOption(tour.path, objective));
   }
-  std::vector<Option> tours;
-  DubinsPath path(start);
-  while (!stops.empty() && path.length() < objective.target_decay_m) {
-    const std::vector<Stop> next = TakeNearest(path.end(), stops);
-    const DubinsPath more = TourInside(path.end(), next, region, turn_radius);
-    if (more.length() == 0.0) {
-      break;
-    }
-    path.Append(more);
-    tours.push_back(TourOption(path, objective));
-  }
-  return tours;
+  return options;
+}
+
+std::vector<Pass> TargetPasses(const Pose2& start, const Region& region, const Objective& objective,
+                               Meters turn_radius) {
+  std::vector<LookTour> tours = LookTours(start, region, objective, turn_radius);
+  return tours.empty() ? std::vector<Pass>() : std::move(tours.back().passes);
 }
 
 }  // namespace limpet

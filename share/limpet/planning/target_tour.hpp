@@ -6,6 +6,7 @@
 #include "limpet/core/units.hpp"
 #include "limpet/planning/objective.hpp"
 #include "limpet/planning/option.hpp"
+#include "limpet/planning/pass.hpp"
 #include "limpet/planning/region.hpp"
 
 namespace limpet {
@@ -16,6 +17,10 @@ namespace limpet {
 /// objects first.
 [[nodiscard]] std::vector<Option> TargetTours(const Pose2& start, const Region& region,
                                               const Objective& objective, Meters turn_radius);
+
+/// The passes of the longest of these tours, each over or beside a target.
+[[nodiscard]] std::vector<Pass> TargetPasses(const Pose2& start, const Region& region,
+                                             const Objective& objective, Meters turn_radius);
 
 /// Whether some pass over or beside the target stays inside the region and can be left again.
 [[nodiscard]] bool CanBeLookedAt(const Target& target, const Region& region, Meters turn_radius);

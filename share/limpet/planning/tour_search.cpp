@@ -14,6 +14,7 @@ constexpr double kShift = 0.7;     ///< sigma of a shift to the side [m]
 constexpr double kStretch = 2.0;   ///< sigma of what an end is moved by [m]
 constexpr double kTurned = 0.15;   ///< sigma of what a pass is turned by [rad]
 constexpr double kNewPass = 6.0;   ///< longest pass that is added [m]
+constexpr double kBeside = 0.2;    ///< sine of the angle up to which passes are parallel
 constexpr double kCoolest = 0.03;  ///< share of the warmth that is left at the end
 
 /// Moves the begin of a pass along it by `by` [m], its end by `end_by`.
@@ -63,10 +64,11 @@ TourCost TourSearch::Improve(TourJudge& judge, SurveyTour& tour, int edits) {
 SurveyTour TourSearch::Edited(const TourJudge& judge, const SurveyTour& tour) {
   SurveyTour edited = tour;
   using Edit = void (TourSearch::*)(SurveyTour&);
-  static constexpr std::array<Edit, 9> kEdits{
-      &TourSearch::ShiftOne,   &TourSearch::ShiftOne,   &TourSearch::StretchOne,
-      &TourSearch::StretchOne, &TourSearch::TurnOne,    &TourSearch::FlipOne,
-      &TourSearch::MoveOne,    &TourSearch::ReverseRun, &TourSearch::DropOne};
+  static constexpr std::array<Edit, 10> kEdits{&TourSearch::ShiftOne,    &TourSearch::ShiftOne,
+                                               &TourSearch::ShiftBeside, &TourSearch::StretchOne,
+                                               &TourSearch::StretchOne,  &TourSearch::TurnOne,
+                                               &TourSearch::FlipOne,     &TourSearch::MoveOne,
+                                               &TourSearch::ReverseRun,  &TourSearch::DropOne};
   const auto kind = static_cast<std::size_t>(random_.Index(kEdits.size() + 1));
   if (edited.empty() || kind == kEdits.size()) {
     AddOne(judge, edited);
@@ -81,6 +83,21 @@ void TourSearch::ShiftOne(SurveyTour& tour) {
   const double by = random_.Normal(kShift);
   in.north -= by * std::sin(in.yaw);
   in.east += by * std::cos(in.yaw);
+}
+
+/// One pass and all that are about parallel to it on one side: closes a gap, or opens one.
+void TourSearch::ShiftBeside(SurveyTour& tour) {
+  const Pose2 at = tour[Any(tour)].in;
+  const double side = random_.Chance(0.5) ? 1.0 : -1.0;
+  const double by = random_.Normal(kShift);
+  const double sin = std::sin(at.yaw), cos = std::cos(at.yaw);
+  for (Pass& pass : tour) {
+    Pose2& in = pass.in;
+    const double across = -(in.north - at.north) * sin + (in.east - at.east) * cos;
+    if (side * across < 0.0 || std::abs(std::sin(in.yaw - at.yaw)) > kBeside) continue;
+    in.north -= by * sin;
+    in.east += by * cos;
+  }
 }
 
 void TourSearch::StretchOne(SurveyTour& tour) {

@@ -8,9 +8,10 @@
 
 namespace limpet {
 
-/// Random edits of a tour, each judged over the whole tour: passes are shifted, turned, lengthened,
-/// shortened, reversed, moved, left out, or added where something is unseen; runs of them are flown
-/// the other way round. Worse tours are gone on from while it is warm (simulated annealing).
+/// Random edits of a tour, each judged over the whole tour: passes are shifted, alone or with all
+/// beside them, turned, lengthened, shortened, reversed, moved, left out, or added where something
+/// is unseen; runs of them are flown the other way round. Worse tours are gone on from while it is
+/// warm (simulated annealing).
 class TourSearch {
  public:
   /// `warmth`: at first, tours that are about this much longer are gone on from.
@@ -22,6 +23,7 @@ class TourSearch {
  private:
   [[nodiscard]] SurveyTour Edited(const TourJudge& judge, const SurveyTour& tour);
   void ShiftOne(SurveyTour& tour);
+  void ShiftBeside(SurveyTour& tour);
   void StretchOne(SurveyTour& tour);
   void TurnOne(SurveyTour& tour);
   void FlipOne(SurveyTour& tour);

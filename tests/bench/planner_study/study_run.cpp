@@ -133,8 +133,7 @@ class Flight {
   std::optional<Option> DecideByPlan() {
     TourGoal goal = study_.tour;
     goal.home = {home_.north, home_.east};
-    goal.targets = objective_.targets;
-    goal.target_decay_m = objective_.target_decay_m;
+    goal.others = objective_;
     std::vector<Option> options;
     plan_.Offer({.pose = pose_,
                  .ground = &ground_,

@@ -49,6 +49,7 @@ TEST(SeenPlanes, CountWhatTheImagesAlongAPathWouldShowOrALittleLess) {
     SeenPlanes planes(half.ground);
     const SeenPlanes::Counts before = planes.unseen();
     Pose2 pose = path.start();
+    planes.Look(pose);
     for (const PathSegment& segment : path.segments()) {
       planes.Sweep(pose, segment);
       pose = Advance(pose, segment.curvature, segment.length);

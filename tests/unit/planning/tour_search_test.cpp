@@ -34,7 +34,7 @@ TEST(TourSearch, NeverMakesATourWorse) {
 double WayToATargetWorth(double value) {
   const Target target{.north = 10.0, .east = 10.0, .window = {1.5, 1.5}, .value = value};
   TourGoal goal;
-  goal.targets = {target};
+  goal.others.targets = {target};
   SearchProblem problem;
   problem.judge.Reset(DubinsPath(scene::kStart), goal);
   SurveyTour tour = LaneTours(problem.judge, {}).front();
