@@ -51,7 +51,7 @@ TEST_P(WhyOfAFlight, GivesTheHelmsChoiceInEveryDecision) {
     EXPECT_EQ(bids.considered, static_cast<int>(bids.options.size()));
     for (const BiddenOption& option : bids.options) {
       EXPECT_EQ(option.total, TotalOf(option.bids));
-      EXPECT_EQ(option.rate, RateOf(option.total, option.length));
+      EXPECT_EQ(option.rate, RateOf(option.total, option));
     }
     const Explanation explanation = Explain({.time = 0.0, .bids = bids});
     ASSERT_EQ(explanation.chosen.has_value(), path.has_value());

@@ -93,7 +93,7 @@ HelmBids Reweighted(const HelmBids& bids, std::string_view behavior, double weig
       bid.weight = bid.behavior == behavior ? weight : bid.weight;
     }
     option.total = TotalOf(option.bids);
-    option.rate = RateOf(option.total, option.length);
+    option.rate = RateOf(option.total, option);
   }
   return changed;
 }

@@ -24,7 +24,9 @@ double TotalOf(std::span<const OptionBid> bids) {
   return total;
 }
 
-double RateOf(double total, double length) { return total / std::max(length, kShortestUnit); }
+double RateOf(double total, const BiddenOption& option) {
+  return total / std::max(option.rate_length.value_or(option.length), kShortestUnit);
+}
 
 double MeritOf(const BiddenOption& option, OptionOrder order) {
   return order == OptionOrder::kPerMetre ? option.rate : option.total;
@@ -32,7 +34,7 @@ double MeritOf(const BiddenOption& option, OptionOrder order) {
 
 double ShareOf(const OptionBid& bid, const BiddenOption& option, OptionOrder order) {
   const double part = bid.weight * bid.value;
-  return order == OptionOrder::kPerMetre ? RateOf(part, option.length) : part;
+  return order == OptionOrder::kPerMetre ? RateOf(part, option) : part;
 }
 
 const OptionBid* VetoOn(const BiddenOption& option) {

@@ -14,8 +14,9 @@ namespace limpet {
 
 /// Sum of values times weights, in the order of the bids [m of path, or nats].
 [[nodiscard]] double TotalOf(std::span<const OptionBid> bids);
-/// `total` per metre of an option; one of less than a metre counts as a metre.
-[[nodiscard]] double RateOf(double total, double length);
+/// `total` per metre of an option, or of the length that it shares with others; less than a metre
+/// counts as a metre.
+[[nodiscard]] double RateOf(double total, const BiddenOption& option);
 /// What options are ranked by.
 [[nodiscard]] double MeritOf(const BiddenOption& option, OptionOrder order);
 /// A bid's part of its option's merit.

@@ -67,6 +67,17 @@ ValuedOption Unvalued(const Option& option, std::size_t index) {
   return valued;
 }
 
+/// All wholes lead to the end of the survey: per metre of its own, a long way to it would seem the
+/// less bad.
+std::optional<double> ShortestWhole(const std::vector<Option>& options) {
+  std::optional<double> shortest;
+  for (const Option& option : options) {
+    if (!option.is_whole()) continue;
+    shortest = std::min(shortest.value_or(option.path.length()), option.path.length());
+  }
+  return shortest;
+}
+
 }  // namespace
 
 ViewDecision DecideView(std::span<const WeightedBehavior> behaviors, const Situation& now,
@@ -78,6 +89,7 @@ ViewDecision DecideView(std::span<const WeightedBehavior> behaviors, const Situa
     valued.push_back(Unvalued(option, valued.size()));
   }
   ViewDecision decision;
+  const std::optional<double> shortest_whole = ShortestWhole(options);
   for (const WeightedBehavior& running : behaviors) {
     const Valuation valuation = ValuationBy(running, now, prospects);
     if (valuation.failure) {
@@ -89,8 +101,9 @@ ViewDecision DecideView(std::span<const WeightedBehavior> behaviors, const Situa
     }
   }
   for (ValuedOption& option : valued) {
+    if (options[option.index].is_whole()) option.bidden.rate_length = shortest_whole;
     option.bidden.total = TotalOf(option.bidden.bids);
-    option.bidden.rate = RateOf(option.bidden.total, option.bidden.length);
+    option.bidden.rate = RateOf(option.bidden.total, option.bidden);
   }
   std::ranges::stable_sort(valued, [order](const ValuedOption& a, const ValuedOption& b) {
     return IsBetter(a.bidden, b.bidden, order);

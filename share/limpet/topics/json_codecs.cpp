@@ -229,7 +229,24 @@ void from_json(const nlohmann::json& in, SessionPrior& prior) {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PathSegment, curvature, length)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmPath, id, north, east, yaw, segments, purpose)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OptionBid, behavior, value, weight, has_veto, why)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BiddenOption, source, length, total, rate, end, bids)
+
+void to_json(nlohmann::json& out, const BiddenOption& option) {
+  out = {{"source", option.source}, {"length", option.length}, {"total", option.total},
+         {"rate", option.rate},     {"end", option.end},       {"bids", option.bids}};
+  if (option.rate_length) out["rate_length"] = *option.rate_length;
+}
+
+void from_json(const nlohmann::json& in, BiddenOption& option) {
+  option = {.source = in.at("source"),
+            .length = in.at("length"),
+            .total = in.at("total"),
+            .rate = in.at("rate"),
+            .rate_length = std::nullopt,
+            .end = in.at("end"),
+            .bids = in.at("bids")};
+  if (const auto shared = in.find("rate_length"); shared != in.end()) option.rate_length = *shared;
+}
+
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionOpinion, behavior, variables, weight, value, summit,
                                    flat_half_width, base_half_width)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmMotion, course_deg, speed_mps, depth_m, opinions)

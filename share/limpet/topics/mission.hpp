@@ -70,8 +70,10 @@ struct OptionBid {
 struct BiddenOption {
   std::string source;  ///< generator: beam, view_tree, home, ...
   double length = 0.0;
-  double total = 0.0;           ///< weighted sum of the bids
-  double rate = 0.0;            ///< total per metre of its length
+  double total = 0.0;  ///< weighted sum of the bids
+  double rate = 0.0;   ///< total per metre of its length, or of `rate_length`
+  /// Options that lead to the same end are compared by their totals: they share one length [m].
+  std::optional<double> rate_length{};
   std::array<double, 2> end{};  ///< north, east of its end [m]
   std::vector<OptionBid> bids;
 };

@@ -11,7 +11,7 @@ BiddenOption Option(double length, std::vector<OptionBid> bids) {
   option.length = length;
   option.bids = std::move(bids);
   option.total = TotalOf(option.bids);
-  option.rate = RateOf(option.total, length);
+  option.rate = RateOf(option.total, option);
   return option;
 }
 
