@@ -4,6 +4,16 @@
 #include "limpet/helm/registry.hpp"
 
 namespace limpet {
+namespace {
+
+/// Metres of path before ground is first seen, mean over the area, beyond what they are on the best
+/// of ways, which shows a swath's width all the time.
+double Lateness(const NewlySeen& seen, const Ground& ground) {
+  const double least = 0.5 * seen.new_area * seen.new_area / ground.swath();
+  return (seen.delay - least) / ground.wanted_m2();
+}
+
+}  // namespace
 
 void BHV_CoverArea::Shape(const Situation&, double weight, SearchGoals& goals) const {
   goals.objective.ground.cover += weight * params_.rates.cover;
@@ -19,9 +29,11 @@ std::optional<Bid> BHV_CoverArea::Value(const Prospect& prospect, const Situatio
           .veto = {}};
   // Only wholes show the same ground: of others the one that shows less would be the less late.
   if (prospect.option->is_whole()) {
-    const double late = params_.rates.early * prospect.seen.delay / now.ground->wanted_m2();
-    bid.value -= late;
+    const double late = params_.rates.early * Lateness(prospect.seen, *now.ground);
+    const double lacking = params_.rates.cover * prospect.option->lacking_m;
+    bid.value -= late + lacking;
     bid.why.push_back({"late", late});
+    bid.why.push_back({"lacking", lacking});
   }
   return bid;
 }

@@ -16,12 +16,16 @@ namespace {
 
 /// A plan that lacks more useful track than this is sought anew.
 constexpr double kStaleTrack = 3.0;
+/// Share by which the swath may change before a plan is sought anew.
+constexpr double kOtherSwath = 0.03;
 /// So much of a plan stands against what others offer [m].
 constexpr double kOwnPart = 25.0;
 /// Plans begin otherwise if they lead so far apart over that.
 constexpr double kApart = 6.0;  // [m]
 /// So many plans that begin otherwise are offered.
 constexpr std::size_t kOthers = 4;
+/// So many of those that were sought beside a new plan.
+constexpr std::size_t kRivals = 2;
 /// So many of the others' options are completed with care.
 constexpr std::size_t kBest = 4;
 /// The vehicle is where the path has it.
@@ -97,23 +101,42 @@ void MissionPlan::Offer(const Task& now, const char* source, std::vector<Option>
   judge.Reset(DubinsPath(now.pose), now.goal);
   is_planned_ = !judge.is_finished();
   if (!is_planned_) return;
-  Renew(judge);
-  OfferPlan(plan_, options);
+  const TourCost cost = Renew(judge);
+  OfferPlan(plan_, cost, options);
   is_planned_ = !completed_.empty();
   if (!is_planned_) return;
-  OfferRest(options);
+  OfferRest(judge, options);
+  OfferRivals(judge, options);
   if (params_.first_edits > 0) OfferOtherBeginnings(judge, options);
 }
 
-void MissionPlan::OfferPlan(const SurveyTour& plan, std::vector<Option>& options) {
+void MissionPlan::OfferPlan(const SurveyTour& plan, const TourCost& cost,
+                            std::vector<Option>& options) {
   FlownTour flown = Fly(DubinsPath(now_.pose), plan, *now_.region, now_.turn_radius);
   if (flown.passes.empty()) return;
   const double length = flown.path.length();
   options.push_back({.source = source_,
                      .path = flown.path,
                      .estimate = -length,
-                     .own_m = std::min(kOwnPart, length)});
+                     .own_m = std::min(kOwnPart, length),
+                     .lacking_m = cost.lacking});
   completed_.push_back(std::move(flown));
+}
+
+/// Of a new plan, those that lead elsewhere and were sought with as much care.
+void MissionPlan::OfferRivals(TourJudge& judge, std::vector<Option>& options) {
+  judge.Reset(DubinsPath(now_.pose), now_.goal);
+  std::size_t offered = 0;
+  for (SurveyTour& rival : rivals_) {
+    if (offered == kRivals) break;
+    if (!BeginsOtherwise(Fly(DubinsPath(now_.pose), rival, *now_.region, now_.turn_radius))) {
+      continue;
+    }
+    const TourCost cost = Improved(judge, rival, params_.first_edits / 4);
+    OfferPlan(rival, cost, options);
+    ++offered;
+  }
+  rivals_.clear();
 }
 
 /// Another pass first, and the rest of the plan behind it: what it costs to go elsewhere now.
@@ -131,11 +154,15 @@ void MissionPlan::OfferOtherBeginnings(TourJudge& judge, std::vector<Option>& op
     if (!way.is_complete || !BeginsOtherwise(way)) continue;
     SurveyTour rest(other.tour.begin() + 1, other.tour.end());
     judge.Reset(way.path, now_.goal);
-    if (!rest.empty()) search_.Improve(judge, rest, params_.rest_edits);
+    const TourCost cost = Improved(judge, rest, params_.rest_edits);
     rest.insert(rest.begin(), first.front());
-    OfferPlan(rest, options);
+    OfferPlan(rest, cost, options);
     if (++offered == kOthers) return;
   }
+}
+
+TourCost MissionPlan::Improved(TourJudge& judge, SurveyTour& tour, int edits) {
+  return tour.empty() ? judge.Cost(tour) : search_.Improve(judge, tour, edits);
 }
 
 /// Than those offered so far.
@@ -148,16 +175,17 @@ bool MissionPlan::BeginsOtherwise(const FlownTour& tour) const {
   });
 }
 
-void MissionPlan::Renew(TourJudge& judge) {
+TourCost MissionPlan::Renew(TourJudge& judge) {
   plan_ = Rest();
   const TourCost cost = judge.Cost(plan_);
-  if (plan_.empty() || has_left_plan_ || cost.missing > kStaleTrack) {
+  if (plan_.empty() || cost.missing > kStaleTrack || SeesOtherwise()) {
     Replan(judge);
   } else if (params_.first_edits > 0) {
     search_.Improve(judge, plan_, params_.edits);
   }
-  static_cast<void>(judge.Cost(plan_));
+  const TourCost renewed = judge.Cost(plan_);
   plan_.resize(std::min(plan_.size(), judge.passes_needed()));
+  return renewed;
 }
 
 std::vector<SurveyTour> MissionPlan::Seeds(TourJudge& judge) const {
@@ -173,22 +201,32 @@ std::vector<SurveyTour> MissionPlan::Seeds(TourJudge& judge) const {
   return seeds;
 }
 
+/// Whether the water shows so much more or less than it was planned for: lanes would lie otherwise.
+bool MissionPlan::SeesOtherwise() const {
+  return std::abs(now_.ground->swath() / planned_swath_ - 1.0) > kOtherSwath;
+}
+
 void MissionPlan::Replan(TourJudge& judge) {
+  planned_swath_ = now_.ground->swath();
   std::vector<SurveyTour> seeds = Seeds(judge);
   if (!plan_.empty()) seeds.push_back(plan_);
   const int edits = params_.first_edits / 2;
-  std::vector<double> costs;
+  std::vector<CostedTour> found;
   for (SurveyTour& seed : seeds) {
     const int share = edits / static_cast<int>(seeds.size());
-    costs.push_back(search_.Improve(judge, seed, share).total);
+    const double cost = search_.Improve(judge, seed, share).total;
+    found.push_back({.tour = std::move(seed), .cost = cost});
   }
-  if (seeds.empty()) return;
-  const auto best = std::ranges::min_element(costs) - costs.begin();
-  plan_ = seeds[static_cast<std::size_t>(best)];
+  if (found.empty()) return;
+  std::ranges::stable_sort(found, {}, &CostedTour::cost);
+  plan_ = found.front().tour;
   search_.Improve(judge, plan_, edits);
+  for (auto rival = found.begin() + 1; params_.first_edits > 0 && rival != found.end(); ++rival) {
+    rivals_.push_back(std::move(rival->tour));
+  }
 }
 
-void MissionPlan::OfferRest(std::vector<Option>& options) {
+void MissionPlan::OfferRest(TourJudge& judge, std::vector<Option>& options) {
   if (chosen_.passes.empty()) return;
   const double flown = SinceChoice();
   DubinsPath path = chosen_.path.Rest(flown);
@@ -205,7 +243,8 @@ void MissionPlan::OfferRest(std::vector<Option>& options) {
   options.push_back({.source = kPrevious,
                      .path = path,
                      .estimate = -length,
-                     .own_m = std::min(kOwnPart, length)});
+                     .own_m = std::min(kOwnPart, length),
+                     .lacking_m = judge.Cost(rest.passes).lacking});
   completed_.push_back(std::move(rest));
 }
 
@@ -213,7 +252,7 @@ void MissionPlan::OfferRest(std::vector<Option>& options) {
 struct MissionPlan::Completion {
   Option* option = nullptr;
   SurveyTour tour;
-  double cost = 0.0;
+  TourCost cost{};
 };
 
 void MissionPlan::Complete(std::vector<Option>& options) {
@@ -226,7 +265,8 @@ void MissionPlan::Complete(std::vector<Option>& options) {
       completions.push_back(CompletionOf(judge, option));
     }
   }
-  std::ranges::stable_sort(completions, {}, &Completion::cost);
+  std::ranges::stable_sort(completions, {},
+                           [](const Completion& completion) { return completion.cost.total; });
   for (std::size_t i = 0; i < completions.size(); ++i) {
     Complete(judge, completions[i], i < kBest);
   }
@@ -234,24 +274,25 @@ void MissionPlan::Complete(std::vector<Option>& options) {
 
 MissionPlan::Completion MissionPlan::CompletionOf(TourJudge& judge, Option& option) const {
   judge.Reset(option.path, now_.goal);
-  Completion completion{.option = &option, .tour = {}, .cost = 0.0};
+  Completion completion{.option = &option, .tour = {}, .cost = {}};
   if (!judge.is_finished()) {
     completion.tour = plan_;
     DropIdlePasses(judge, completion.tour);
   }
-  completion.cost = judge.Cost(completion.tour).total;
+  completion.cost = judge.Cost(completion.tour);
   return completion;
 }
 
 void MissionPlan::Complete(TourJudge& judge, Completion& completion, bool is_among_the_best) {
   Option& option = *completion.option;
-  if (is_among_the_best && params_.first_edits > 0 && !completion.tour.empty()) {
+  if (is_among_the_best && params_.first_edits > 0) {
     judge.Reset(option.path, now_.goal);
-    search_.Improve(judge, completion.tour, params_.rest_edits);
+    completion.cost = Improved(judge, completion.tour, params_.rest_edits);
   }
   FlownTour flown = Fly(option.path, completion.tour, *now_.region, now_.turn_radius);
   option.own_m = option.path.length();
   option.path = flown.path;
+  option.lacking_m = completion.cost.lacking;
   completed_.push_back(std::move(flown));
 }
 
@@ -261,7 +302,6 @@ void MissionPlan::OnChoice(const Option& option) {
   });
   chosen_ = found != completed_.end() ? *found : FlownTour{};
   chosen_at_ = now_.travelled;
-  has_left_plan_ = option.source != source_ && option.source != kPrevious;
   completed_.clear();
 }
 

@@ -15,8 +15,8 @@ namespace limpet {
 struct MissionPlanParams {
   LaneParams lanes{};
   int seeds = 6;           ///< lane tours that a new plan is sought from
-  int first_edits = 4000;  ///< tried for a new plan; 0: the best lanes are the plan
-  int edits = 400;         ///< tried at each later decision
+  int first_edits = 8000;  ///< tried for a new plan; 0: the best lanes are the plan
+  int edits = 600;         ///< tried at each later decision
   int rest_edits = 50;     ///< tried for what follows an option, if it is among the best
   Meters warmth{8.0};      ///< of the search
 };
@@ -52,14 +52,17 @@ class MissionPlan {
  private:
   [[nodiscard]] bool IsTheSameSurvey() const;
   [[nodiscard]] SurveyTour Rest() const;
-  void Renew(TourJudge& judge);
+  [[nodiscard]] TourCost Renew(TourJudge& judge);
   /// What a new plan is sought from.
   [[nodiscard]] std::vector<SurveyTour> Seeds(TourJudge& judge) const;
+  [[nodiscard]] bool SeesOtherwise() const;
   void Replan(TourJudge& judge);
-  void OfferPlan(const SurveyTour& plan, std::vector<Option>& options);
+  void OfferPlan(const SurveyTour& plan, const TourCost& cost, std::vector<Option>& options);
+  void OfferRivals(TourJudge& judge, std::vector<Option>& options);
   void OfferOtherBeginnings(TourJudge& judge, std::vector<Option>& options);
+  [[nodiscard]] TourCost Improved(TourJudge& judge, SurveyTour& tour, int edits);
   [[nodiscard]] bool BeginsOtherwise(const FlownTour& tour) const;
-  void OfferRest(std::vector<Option>& options);
+  void OfferRest(TourJudge& judge, std::vector<Option>& options);
   struct Completion;
   [[nodiscard]] Completion CompletionOf(TourJudge& judge, Option& option) const;
   void Complete(TourJudge& judge, Completion& completion, bool is_among_the_best);
@@ -69,11 +72,12 @@ class MissionPlan {
   TourSearch search_;
   Task now_;
   std::string source_;
-  bool has_left_plan_ = false;  ///< for another option, with the rest of it behind
-  bool is_planned_ = false;     ///< there is a plan now
+  bool is_planned_ = false;  ///< there is a plan now
   SurveyTour plan_;
-  GridFrame frame_;  ///< of the ground that the plan is for
+  std::vector<SurveyTour> rivals_;  ///< of a new plan: others that begin otherwise
+  GridFrame frame_;                 ///< of the ground that the plan is for
   std::size_t wanted_cells_ = 0;
+  double planned_swath_ = 0.0;        ///< of the ground when the plan was last sought anew [m]
   std::vector<FlownTour> completed_;  ///< the options of this decision
   FlownTour chosen_;                  ///< what is flown, with its path
   double chosen_at_ = 0.0;            ///< [m travelled]

@@ -22,6 +22,9 @@ struct Option {
   /// Set where the option was completed to all that is left of the survey: so much of its path it
   /// stands for itself [m]; what follows is the plan's.
   std::optional<double> own_m{};
+  /// Of one that was completed: what it would take about to see what its end lacks of the finish
+  /// [m of path]; 0 if the survey is over then.
+  double lacking_m = 0.0;
 
   /// Whether its path ends where the survey does.
   [[nodiscard]] bool is_whole() const { return own_m.has_value(); }

@@ -66,9 +66,9 @@ TourCost TourJudge::Cost(const SurveyTour& tour) {
   const double top_swath = 2.0 * footprint.half_across(Footprint::kLayers - 1);
   cost.missing = std::max(0, planes_.unseen()[SeenPlanes::kTop] - may_stay_) * cell_m2_ /
                  std::max(0.1, top_swath);
+  cost.lacking = kFetchPrice * cost.missing + (cost.missing > 0.0 ? kUnfinishedPrice : 0.0);
   cost.total = cost.length + cost.home + goal_.early_weight * cost.lateness - cost.others +
-               kFetchPrice * cost.missing + (cost.missing > 0.0 ? kUnfinishedPrice : 0.0) +
-               cost.detours;
+               cost.lacking + cost.detours;
   return cost;
 }
 

@@ -24,7 +24,7 @@ struct TourGoal {
   /// The survey is over when this share of the band's top has been seen.
   double finish_share = 0.98;
   /// Metres that the way may be longer for ground to be seen a metre sooner, mean over the area.
-  double early_weight = 4.0;
+  double early_weight = 2.0;
   /// Where the vehicle goes when it is over, NED [m].
   PlanePoint home{0.0, 0.0};
   /// What is sought besides ground, over the first `target_decay_m` of the way; its rates for
@@ -39,6 +39,7 @@ struct TourCost {
   double lateness = 0.0;  ///< mean over the area of the path at which ground is first seen
   double home = 0.0;      ///< straight way home from there
   double missing = 0.0;   ///< useful track that the finish still lacks
+  double lacking = 0.0;   ///< price of that: about what it takes to fetch it
   double others = 0.0;    ///< worth of what is sought besides ground
   double detours = 0.0;   ///< price of the links that leave the region
   double total = 0.0;     ///< what tours are compared by

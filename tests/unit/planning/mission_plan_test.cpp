@@ -52,11 +52,40 @@ TEST(MissionPlan, LeadsToTheEndOfTheSurveyInsideTheRegion) {
   const BegunSurvey survey;
   MissionPlan plan = PlanOf(400);
   const std::vector<Option> options = OffersAt(plan, survey.At(scene::kStart));
-  ASSERT_EQ(options.size(), 1U);
+  ASSERT_FALSE(options.empty());
   EXPECT_TRUE(options[0].is_whole());
+  EXPECT_EQ(options[0].lacking_m, 0.0);
   EXPECT_TRUE(survey.region.Contains(options[0].path));
   EXPECT_TRUE(survey.region.IsRecoverable(options[0].path.end(), scene::kRadius));
   EXPECT_GT(survey.TopAfter(options[0].path), 0.97);
+}
+
+/// What behaviors choose from: plans that lead elsewhere at first, each to the end.
+TEST(MissionPlan, OffersOthersThatBeginOtherwise) {
+  const BegunSurvey survey;
+  MissionPlan plan = PlanOf(400);
+  const std::vector<Option> options = OffersAt(plan, survey.At(scene::kStart));
+  ASSERT_GE(options.size(), 3U);
+  for (std::size_t i = 1; i < options.size(); ++i) {
+    EXPECT_TRUE(survey.region.Contains(options[i].path));
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_GT(Distance(options[i].path.At(options[i].own_length()),
+                         options[j].path.At(options[j].own_length())),
+                4.0);
+    }
+  }
+}
+
+TEST(MissionPlan, SaysWhatItsRestLacksIfLessWasSeenThanMeant) {
+  const BegunSurvey survey;
+  MissionPlan plan = PlanOf(200);
+  const Option chosen = OffersAt(plan, survey.At(scene::kStart))[0];
+  plan.OnChoice(chosen);
+  // 60 m on, and nothing of it has been seen.
+  const std::vector<Option> options = OffersAt(plan, survey.At(chosen.path.At(60.0), 60.0));
+  const auto rest = std::ranges::find(options, "previous", &Option::source);
+  ASSERT_NE(rest, options.end());
+  EXPECT_GT(rest->lacking_m, options[0].lacking_m + 100.0);
 }
 
 TEST(MissionPlan, OfEditsIsShorterThanTheBestLanes) {
@@ -130,7 +159,7 @@ TEST(MissionPlan, ForgetsItselfWhenTheAreaIsAnotherOne) {
   MissionPlan plan = PlanOf(200);
   plan.OnChoice(OffersAt(plan, here.At(scene::kStart))[0]);
   const auto options = OffersAt(plan, there.At({100.0, 0.0, 0.0}));
-  ASSERT_EQ(options.size(), 1U);
+  ASSERT_FALSE(options.empty());
   EXPECT_TRUE(there.region.Contains(options[0].path));
 }
 
@@ -140,7 +169,7 @@ TEST(MissionPlan, GoesRoundAZone) {
   const BegunSurvey survey(area);
   MissionPlan plan = PlanOf(400);
   const auto options = OffersAt(plan, survey.At(scene::kStart));
-  ASSERT_EQ(options.size(), 1U);
+  ASSERT_FALSE(options.empty());
   EXPECT_TRUE(survey.region.Contains(options[0].path));
   EXPECT_GT(survey.TopAfter(options[0].path), 0.97);
 }
