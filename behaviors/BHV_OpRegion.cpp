@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "behaviors/BHV_OpRegion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -24,6 +25,15 @@ const WarningId kOutsideRegion = DeclareWarning(
          "up.",
      .clears = "Once it is inside again, or on its way home."});
 
+const WarningId kRegionInDoubt = DeclareWarning(
+    "REGION_IN_DOUBT",
+    {.severity = Severity::kWarning,
+     .raised_by = {"BHV_OpRegion"},
+     .meaning = "The vehicle is nearer to the border of its operating region, or to a keep-out "
+                "zone, than three sigmas of its place: it may be on the other side.",
+     .action = "Give the region a wider margin, or let it come up for a fix (BHV_SurfaceFix).",
+     .clears = "Half a metre farther from the border, or once its place is known better."});
+
 /// Where a vehicle outside is led without a path: the middle of a rectangle, else the nearest place
 /// with room around it.
 PlanePoint PlaceInside(const Region& region, const Pose2& from) {
@@ -41,6 +51,15 @@ void BHV_OpRegion::Start(const VehicleState& state) {
   has_entered_ = false;
 }
 
+bool BHV_OpRegion::IsInDoubt(const VehicleState& state) {
+  constexpr double kSigmas = 3.0, kClear = 0.5;  // [m] beyond them it is sure again
+  const double sigmas = kSigmas * std::max(state.nav.sd_north, state.nav.sd_east);
+  const double clearance = region_->Clearance({state.nav.north, state.nav.east});
+  // Nobody may have said how sure the place is.
+  is_in_doubt_ = sigmas > 0.0 && clearance < sigmas + (is_in_doubt_ ? kClear : 0.0);
+  return is_in_doubt_;
+}
+
 MotionBid BHV_OpRegion::Move(const VehicleState& state) {
   if (!state.area) {
     return {};
@@ -53,11 +72,18 @@ MotionBid BHV_OpRegion::Move(const VehicleState& state) {
   const double outside = region_->Outside(here);
   has_entered_ = has_entered_ || outside <= 0.0;
   const bool is_going_home = state.guidance && state.guidance->purpose == kHomeSource;
-  if (!has_entered_ || is_going_home || outside <= params_.tolerance.value()) {
+  if (!has_entered_ || is_going_home) {
     return {};
   }
-  // The path in force leads back if it can; this only warns, and pulls when there is no path.
   MotionBid bid;
+  if (outside <= params_.tolerance.value()) {
+    if (IsInDoubt(state)) {
+      bid.warning = BehaviorWarning{
+          kRegionInDoubt, "three sigmas of the vehicle's place reach over a border of its region"};
+    }
+    return bid;
+  }
+  // The path in force leads back if it can; this only warns, and pulls when there is no path.
   bid.warning = BehaviorWarning{kOutsideRegion, "the vehicle is outside its operating region"};
   if (!state.guidance) {
     const PlanePoint inside = PlaceInside(*region_, here);

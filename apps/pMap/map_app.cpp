@@ -51,7 +51,7 @@ void MapApp::OnArea(const Stamped<SurveyArea>& area) {
   ClearWarning(warnings::kAreaRefused);
   if (area_ != area.value) {
     area_ = area.value;
-    ground_.emplace(area.value, params_.cell, camera_, map_.beams());
+    ground_.emplace(area.value, params_.cell, camera_, map_.beams(), params_.seam_loss);
     ground_->SetReach(PlannedDetection().HalfRange());
   }
 }
@@ -99,7 +99,11 @@ void MapApp::OnFrame(const Stamped<ObservedFrame>& frame) {
   statuses_.AddFrame(frame.value);
   layer_.AddFrame(statuses_.frames().back(), statuses_);
   if (ground_) {
-    ground_->Observe(frame.value.exposure.value(), frame.value.X_WB, *verdict.altitude);
+    ground_->Observe({.t = frame.value.exposure.value(),
+                      .X_WB = frame.value.X_WB,
+                      .altitude = *verdict.altitude,
+                      .sigma = frame.value.sigma.value_or(PlaceSigma{})});
+    FollowSeams(ground_->recent_allowance());
   }
 }
 
@@ -201,8 +205,17 @@ LookModel MapApp::PlannedLook() const {
 void MapApp::TellHowItLooks() {
   if (!has_told_looks_) {
     has_told_looks_ = true;
-    Publish(topics::kMapLook, ToMapLook(PlannedLook()));
+    MapLook look = ToMapLook(PlannedLook());
+    if (planned_seams_ > 0.0) look.seam_allowance = planned_seams_;
+    Publish(topics::kMapLook, look);
   }
+}
+
+void MapApp::FollowSeams(double allowance) {
+  constexpr double kStep = 0.1;  // [m]; below it plans would change for nothing
+  if (std::abs(allowance - planned_seams_) <= kStep) return;
+  planned_seams_ = kStep * std::round(allowance / kStep);
+  has_told_looks_ = false;
 }
 
 void MapApp::FollowWater(const VisibilityBelief& water) {
@@ -270,7 +283,7 @@ void MapApp::Tick(Seconds now) {
     if (const GridDelta delta = ground_->grid().TakeDelta(); !delta.cells.empty()) {
       Publish(topics::kMapDelta, delta);
     }
-    Publish(topics::kMapCoverage, ground_->grid().coverage());
+    Publish(topics::kMapCoverage, ground_->coverage());
   }
   PublishObjects();
   TellWater(now);

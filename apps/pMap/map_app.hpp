@@ -56,6 +56,8 @@ class MapApp final : public App {
   [[nodiscard]] LookModel PlannedLook() const;
   /// Takes another water for what has been seen and for plans if the estimate has left it.
   void FollowWater(const VisibilityBelief& water);
+  /// Has views planned with images drawn in as those of late.
+  void FollowSeams(double allowance);
   /// The water as now estimated, now and then, and whether the seabed is in sight.
   void TellWater(Seconds now);
   void WarnOfMurk(const VisibilityBelief& water);
@@ -80,7 +82,8 @@ class MapApp final : public App {
   bool landmarks_changed_ = false;  ///< since places were last judged exactly where they are
   std::optional<Value> last_objects_;
   bool has_told_looks_ = false;
-  Meters planned_visibility_;  ///< by which coverage is counted and views are planned
+  Meters planned_visibility_;   ///< by which coverage is counted and views are planned
+  double planned_seams_ = 0.0;  ///< by what images are drawn in where views are planned [m]
   int beams_ = 0, beams_left_out_ = 0, beams_in_window_ = 0, left_out_in_window_ = 0;
   MapDrawing drawing_;
 };

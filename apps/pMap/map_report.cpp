@@ -45,7 +45,7 @@ void MapApp::Report(ReportLines& report) const {
   if (!ground_) {
     report.Pair("Coverage", "no SURVEY_AREA yet");
   } else {
-    const Coverage seen = ground_->grid().coverage();
+    const Coverage seen = ground_->coverage();
     report.Pair("Coverage",
                 fmt::format("seabed {:.1f} %, band {:.1f} %, its top {:.1f} %", 100.0 * seen.seabed,
                             100.0 * seen.band, 100.0 * seen.band_top));

@@ -197,8 +197,8 @@ void NavApp::Tick(Seconds now) {
   WatchSensors(now.value());
   if (navigator_.has_started()) {
     PublishState(now.value());
+    NoteTrack();
     PublishFrames();
-    track_watch_.Note(navigator_.Smoothed(track_watch_.noted()));
     PublishLandmarks(now.value());
   }
 }
@@ -263,8 +263,37 @@ void NavApp::PublishCurrent(double now) {
                                             .sd = water->sd_current.norm() / std::sqrt(2.0)});
 }
 
+void NavApp::NoteTrack() {
+  const std::vector<SmoothedPose> newer = navigator_.Smoothed(track_watch_.noted());
+  for (const SmoothedPose& pose : newer) {
+    place_sigmas_.Note(pose.t, pose.X_WB.p_WB.head<2>());
+  }
+  track_watch_.Note(newer);
+}
+
+PlaceSigma NavApp::NewestSigma() {
+  const int newest = place_sigmas_.noted() - 1;
+  if (newest != sigma_node_) {
+    sigma_node_ = newest;
+    newest_sigma_ = place_sigmas_.Of(newest, navigator_.smoother());
+  }
+  return newest_sigma_;
+}
+
+std::vector<std::array<double, 3>> NavApp::TrackSigmas() const {
+  constexpr int kMost = 60;  // a covariance takes a tenth of a millisecond or two
+  const int last = place_sigmas_.noted() - 1, step = 1 + last / kMost;
+  std::vector<std::array<double, 3>> sigmas;
+  for (int node = last % step; node <= last; node += step) {
+    const PlaceSigma sigma = place_sigmas_.Of(node, navigator_.smoother());
+    sigmas.push_back({place_sigmas_.TimeOf(node), sigma.absolute, sigma.beside});
+  }
+  return sigmas;
+}
+
 void NavApp::PublishFrames() {
-  for (const ObservedFrame& frame : navigator_.TakeFrames()) {
+  for (ObservedFrame& frame : navigator_.TakeFrames()) {
+    frame.sigma = NewestSigma();
     Publish(topics::kNavSight, frame);
   }
 }
@@ -276,7 +305,8 @@ void NavApp::PublishLandmarks(double now) {
   }
   landmark_version_ = navigator_.landmark_version();
   landmarks_t_ = now;
-  if (const auto shift = track_watch_.Compare(navigator_.Smoothed())) {
+  if (auto shift = track_watch_.Compare(navigator_.Smoothed())) {
+    shift->sigmas = TrackSigmas();
     Publish(topics::kNavTrackShift, *shift);
   }
   Publish(topics::kNavLandmarks, Landmarks{navigator_.Landmarks()});

@@ -10,6 +10,7 @@
 #include "estimation/attitude/attitude_filter.hpp"
 #include "estimation/matching/default_matching.hpp"
 #include "estimation/navigation/navigator.hpp"
+#include "estimation/navigation/place_sigmas.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/core/camera_params.hpp"
 #include "limpet/core/lens_model.hpp"
@@ -115,6 +116,12 @@ class NavApp final : public App {
   void PublishDeadReckoning(double now);
   void PublishCurrent(double now);
   void PublishFrames();
+  /// Poses of the chain that are new.
+  void NoteTrack();
+  /// How sure the newest pose's place is.
+  [[nodiscard]] PlaceSigma NewestSigma();
+  /// How sure the whole track is now, in steps.
+  [[nodiscard]] std::vector<std::array<double, 3>> TrackSigmas() const;
   void PublishLandmarks(double now);
   void PublishBeams(const Stamped<DvlSample>& dvl);
   void WatchSensors(double now);
@@ -140,6 +147,9 @@ class NavApp final : public App {
   Navigator navigator_;
   std::vector<std::string> aiding_;  ///< names of the further sensors
   TrackWatch track_watch_;
+  PlaceSigmas place_sigmas_;
+  int sigma_node_ = -1;      ///< of which newest_sigma_ is
+  PlaceSigma newest_sigma_;  ///< as of the last frame
   double last_attitude_t_ = -1e18;
   SourceWatch imu_, fog_, dvl_, lock_, depth_, gps_, camera_, refused_fix_;
   int refused_fixes_ = 0;                                           ///< as of the last tick

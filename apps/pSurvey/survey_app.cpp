@@ -170,10 +170,12 @@ void SurveyApp::OnMissionEnd(const Stamped<std::string>& end) {
 }
 
 double SurveyApp::CoveredShare(const Coverage& coverage) const {
+  // What plans take for done, since no path is planned to the rest.
   if (params_.coverage_kind == "seabed") {
-    return coverage.seabed;
+    return coverage.done_seabed.value_or(coverage.seabed);
   }
-  return params_.coverage_kind == "band" ? coverage.band : coverage.band_top;
+  return params_.coverage_kind == "band" ? coverage.done_band.value_or(coverage.band)
+                                         : coverage.done_band_top.value_or(coverage.band_top);
 }
 
 void SurveyApp::OnPath(const Stamped<HelmPath>& path) {

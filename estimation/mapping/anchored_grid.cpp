@@ -5,22 +5,46 @@
 #include <cmath>
 #include <utility>
 
+#include "limpet/survey/seam_allowance.hpp"
+
 namespace limpet {
 
 AnchoredGrid::AnchoredGrid(const SurveyArea& area, Meters cell, const CameraModel& camera,
-                           const BeamMap& beams)
+                           const BeamMap& beams, Meters seam_loss)
     : area_(area),
       camera_(camera),
       beams_(&beams),
+      seam_loss_(seam_loss),
       grid_(area, cell.value()),
+      belief_(area, grid_),
       first_ping_(beams.pings()),
       next_ping_(first_ping_) {}
 
-void AnchoredGrid::Observe(double t, const Pose& X_WB, double altitude) {
+int AnchoredGrid::Lay(const PlacedView& view, SurveyGrid& grid, CoverageBelief& belief) const {
+  const double allowance = SeamAllowance(Meters(view.sigma.beside), seam_loss_);
+  const int cells = grid.Observe(view.X_WB, view.altitude, camera_, allowance);
+  return cells + belief.Observe(view, camera_, grid);
+}
+
+void AnchoredGrid::Observe(const PlacedView& view) {
+  constexpr double kFrames = 240.0;  // a minute of a camera
   TakePings();
-  frames_.push_back(
-      {.t = t, .X_WB = X_WB, .altitude = altitude, .pings_before = next_ping_, .moved = {}});
-  grid_.Observe(X_WB, altitude, camera_);
+  frames_.push_back({.view = view,
+                     .pings_before = next_ping_,
+                     .beside_as_laid = static_cast<float>(view.sigma.beside),
+                     .moved = {}});
+  Lay(view, grid_, belief_);
+  const double allowance = SeamAllowance(Meters(view.sigma.beside), seam_loss_);
+  recent_allowance_ += (allowance - recent_allowance_) / kFrames;
+}
+
+Coverage AnchoredGrid::coverage() const {
+  Coverage coverage = belief_.Expected(grid_);
+  const Coverage done = grid_.coverage();
+  coverage.done_seabed = done.seabed;
+  coverage.done_band = done.band;
+  coverage.done_band_top = done.band_top;
+  return coverage;
 }
 
 void AnchoredGrid::TakePings() { LayPings(grid_, next_ping_, beams_->pings()); }
@@ -43,17 +67,22 @@ void AnchoredGrid::SetReach(double reach) {
 
 bool AnchoredGrid::ShowsOtherGround(const Frame& frame) const {
   constexpr double kCells = 0.5;
+  constexpr double kSurer = 0.1;  // [m]
   const auto [north, east, down, yaw] = frame.moved;
-  const double corner = frame.altitude * std::hypot(camera_.half_along(), camera_.half_across());
+  const double corner =
+      frame.view.altitude * std::hypot(camera_.half_along(), camera_.half_across());
   const double off = std::sqrt(static_cast<double>(north * north + east * east + down * down)) +
                      std::abs(static_cast<double>(yaw)) * corner;
-  return !(off <= kCells * grid_.frame().cell_m);
+  const double known_better = static_cast<double>(frame.beside_as_laid) - frame.view.sigma.beside;
+  return !(off <= kCells * grid_.frame().cell_m) || std::abs(known_better) > kSurer;
 }
 
 void AnchoredGrid::Shift(const TrackShift& shift) {
   for (Frame& frame : frames_) {
-    const Pose moved = shift.Apply(frame.t, Pose{});
-    frame.X_WB = shift.Apply(frame.t, frame.X_WB);
+    const double t = frame.view.t;
+    const Pose moved = shift.Apply(t, Pose{});
+    frame.view.X_WB = shift.Apply(t, frame.view.X_WB);
+    frame.view.sigma = shift.SigmaAt(t).value_or(frame.view.sigma);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       frame.moved[axis] += static_cast<float>(moved.p_WB[static_cast<Eigen::Index>(axis)]);
     }
@@ -66,9 +95,14 @@ void AnchoredGrid::StartRemake() {
   is_stale_ = false;
   for (Frame& frame : frames_) {
     frame.moved = {};
+    frame.beside_as_laid = static_cast<float>(frame.view.sigma.beside);
   }
-  remake_.emplace(Remake{
-      .grid = SurveyGrid(area_, grid_.frame().cell_m), .next_frame = 0, .next_ping = first_ping_});
+  SurveyGrid grid(area_, grid_.frame().cell_m);
+  CoverageBelief belief(area_, grid);
+  remake_.emplace(Remake{.grid = std::move(grid),
+                         .belief = std::move(belief),
+                         .next_frame = 0,
+                         .next_ping = first_ping_});
   if (reach_) remake_->grid.SetReach(*reach_);
 }
 
@@ -83,11 +117,12 @@ bool AnchoredGrid::Settle(int work) {
     if (work <= 0) return false;
     const Frame& frame = frames_[remake_->next_frame];
     work -= LayPings(remake_->grid, remake_->next_ping, frame.pings_before);
-    work -= remake_->grid.Observe(frame.X_WB, frame.altitude, camera_);
+    work -= Lay(frame.view, remake_->grid, remake_->belief);
   }
   TakePings();
   LayPings(remake_->grid, remake_->next_ping, next_ping_);
   grid_.Become(std::move(remake_->grid));
+  belief_ = std::move(remake_->belief);
   remake_.reset();
   return !is_stale_;
 }

@@ -7,27 +7,31 @@
 #include <optional>
 
 #include "estimation/mapping/beam_map.hpp"
+#include "limpet/survey/coverage_belief.hpp"
 #include "limpet/survey/survey_grid.hpp"
+#include "limpet/topics/mapping.hpp"
 #include "limpet/topics/navigation.hpp"
 
 namespace limpet {
 
-/// The survey grid, and what it is made of: the frames' poses, and the seabed that the pings of a
-/// BeamMap show. When the smoother has moved the way behind so far that other ground was seen than
-/// was thought, the grid is made anew beside the one in use, a bounded part per tick, and then
-/// takes its place: it is then, cell for cell, what the corrected track would have made. What was
-/// not really seen is unseen again.
+/// The survey grid with the belief in what it shows, and what they are made of: the frames' poses
+/// with their sigmas, and the seabed that the pings of a BeamMap show. When the smoother has moved
+/// the way behind so far that other ground was seen than was thought, or when it knows better how
+/// surely, the grid is made anew beside the one in use, a bounded part per tick, and then takes its
+/// place: it is then, cell for cell, what the corrected track would have made. What was not really
+/// seen is unseen again.
 class AnchoredGrid {
  public:
   /// Cells looked at in one tick, about two milliseconds.
   static constexpr int kWorkPerTick = 150'000;
 
   /// Ground seen, and pings laid, from now on. `beams` outlives this.
-  AnchoredGrid(const SurveyArea& area, Meters cell, const CameraModel& camera,
-               const BeamMap& beams);
+  /// `seam_loss`: as SeamAllowance has it.
+  AnchoredGrid(const SurveyArea& area, Meters cell, const CameraModel& camera, const BeamMap& beams,
+               Meters seam_loss = Meters(0.05));
 
-  /// A frame of time `t` [s] that counts; `altitude` [m] as for SurveyGrid::Observe.
-  void Observe(double t, const Pose& X_WB, double altitude);
+  /// A frame that counts.
+  void Observe(const PlacedView& view);
   /// The pings that the beams have had since the last call.
   void TakePings();
   void SetReach(double reach);
@@ -39,23 +43,29 @@ class AnchoredGrid {
 
   [[nodiscard]] SurveyGrid& grid() { return grid_; }
   [[nodiscard]] const SurveyGrid& grid() const { return grid_; }
+  /// Expected, and done as the grid counts it.
+  [[nodiscard]] Coverage coverage() const;
+  /// By what images are drawn in on average over the latest minute of frames [m].
+  [[nodiscard]] double recent_allowance() const { return recent_allowance_; }
 
  private:
   struct Frame {
-    double t = 0.0;
-    Pose X_WB;
-    double altitude = 0.0;
+    PlacedView view;
     std::size_t pings_before = 0;
+    float beside_as_laid = 0.0F;  ///< sigma by which the grid was last made of it [m]
     /// What it has moved since the grid was last made of it: north, east, down [m], yaw [rad].
     std::array<float, 4> moved{};
   };
   /// A grid in the making.
   struct Remake {
     SurveyGrid grid;
+    CoverageBelief belief;
     std::size_t next_frame = 0, next_ping = 0;
   };
 
   [[nodiscard]] bool ShowsOtherGround(const Frame& frame) const;
+  /// Shows a frame to a grid and the belief; returns the cells they looked at.
+  int Lay(const PlacedView& view, SurveyGrid& grid, CoverageBelief& belief) const;
   void StartRemake();
   /// Lays pings into the grid from `next` up to `end`; returns the cells it looked at.
   int LayPings(SurveyGrid& grid, std::size_t& next, std::size_t end) const;
@@ -63,8 +73,11 @@ class AnchoredGrid {
   SurveyArea area_;
   CameraModel camera_;
   const BeamMap* beams_;
+  Meters seam_loss_;
   std::optional<double> reach_;
   SurveyGrid grid_;
+  CoverageBelief belief_;
+  double recent_allowance_ = 0.0;
   std::deque<Frame> frames_;
   std::size_t first_ping_, next_ping_;
   bool is_stale_ = false;  ///< frames have moved since the grid, or its remake, was begun

@@ -20,6 +20,7 @@ struct MapParams {
   Meters voxel{0.2};
   double object_threshold = 0.7;
   Meters highest_view{6.5};
+  Meters seam_loss{0.05};
   Seconds publish_every{0.5};
   Seconds altitude_lasts{5.0};
   template <class V>
@@ -34,6 +35,11 @@ struct MapParams {
           InRange(0.51, 0.95));
     visit("highest_view_m", highest_view, "Frames from higher above the seabed show nothing",
           InRange(0.5_m, 100.0_m));
+    visit(
+        "seam_loss_m", seam_loss,
+        "Strip between two passes that may stay unseen on average: images are drawn in by as much "
+        "as that takes, where the vehicle knew its place badly",
+        InRange(0.001_m, 1.0_m));
     visit("publish_every_s", publish_every, "Shortest time between two reports of the map",
           InRange(0.1_s, 60.0_s));
     visit("altitude_lasts_s", altitude_lasts, "How long an altitude stands in for a lost one",

@@ -139,7 +139,8 @@ void MeasureUpdates(double duration_s, double shift_every_s) {
       ++shifts;
     }
     if (ping.t >= next_tick) {
-      ground.Observe(ping.t, ping.beams.pose(), kAltitude);  // a frame a tick
+      ground.Observe(
+          {.t = ping.t, .X_WB = ping.beams.pose(), .altitude = kAltitude});  // a frame a tick
       frames.push_back(
           {.exposure = Seconds(ping.t), .X_WB = ping.beams.pose(), .altitude = kAltitude});
       const bool is_settled = map.beams().Settle();

@@ -25,13 +25,28 @@ bool SurveyMirror::SetArea(const SurveyArea& area) {
   area_ = area;
   grid_ = std::make_unique<SurveyGrid>(area);
   MirrorGround();
-  region_ = std::make_unique<Region>(area, params_.tracking_allowance);
+  fences_.emplace(area, params_.tracking_allowance, params_.turning_radius);
+  KeepOffFences(params_.tracking_allowance);
   return true;
 }
 
+void SurveyMirror::KeepOffFences(Meters allowance) {
+  allowance_ = allowance;
+  region_ = std::make_unique<Region>(*area_, allowance);
+}
+
+void SurveyMirror::UpdateGround() {
+  ground_->Update(*grid_);
+  const Meters allowance = fences_->For(place_, place_sigma_, allowance_);
+  if (allowance != allowance_) {
+    KeepOffFences(allowance);
+  }
+}
+
 void SurveyMirror::MirrorGround() {
-  const Footprint footprint(params_.survey_altitude.value(), area_->object_height_max,
-                            params_.camera.geometry(), reach_);
+  Footprint footprint(params_.survey_altitude.value(), area_->object_height_max,
+                      params_.camera.geometry(), reach_);
+  footprint.DrawIn(seam_allowance_);
   ground_ = std::make_unique<Ground>(*grid_, footprint, WeightsOfLayers(params_.bottom_weight));
   sight_ = std::make_unique<SeenAlong>(*ground_);
 }
@@ -39,6 +54,7 @@ void SurveyMirror::MirrorGround() {
 void SurveyMirror::SetLookModel(const MapLook& look) {
   watch_.SetModel(look);
   reach_ = ToLookModel(look).detection.HalfRange();
+  seam_allowance_ = look.seam_allowance.value_or(0.0);
   if (area_) {
     MirrorGround();
   }
@@ -69,6 +85,8 @@ void SurveyMirror::Apply(const GridDelta& delta) {
 }
 
 void SurveyMirror::NoteAltitude(const NavState& nav) {
+  place_ = {.north = nav.north, .east = nav.east, .yaw = nav.yaw};
+  place_sigma_ = Meters(std::max(nav.sd_north, nav.sd_east));
   if (nav.altitude) {
     seabed_down_ = nav.down + *nav.altitude;
   }

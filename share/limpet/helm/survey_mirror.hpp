@@ -9,6 +9,7 @@
 #include "limpet/helm/object_watch.hpp"
 #include "limpet/helm/situation.hpp"
 #include "limpet/helm/view_params.hpp"
+#include "limpet/planning/fence_allowance.hpp"
 #include "limpet/survey/survey_grid.hpp"
 
 namespace limpet {
@@ -30,10 +31,12 @@ class SurveyMirror {
   /// True if an object is new, gone, or decided otherwise than before.
   bool SetObjects(const std::vector<OpiBelief>& objects);
   void Apply(const GridDelta& delta);
-  /// Where the vehicle is, for the depth of the seabed where none has been seen.
+  /// Where the vehicle is, for the depth of the seabed where none has been seen, and how sure it is
+  /// of that, for what paths keep off the region's border.
   void NoteAltitude(const NavState& nav);
-  /// Takes the grid's present state. REQUIRES: has_area().
-  void UpdateGround() { ground_->Update(*grid_); }
+  /// Takes the grid's present state, and the region as the place is known now. REQUIRES:
+  /// has_area().
+  void UpdateGround();
 
   [[nodiscard]] bool has_area() const { return area_.has_value(); }
   [[nodiscard]] const std::optional<SurveyArea>& area() const { return area_; }
@@ -49,14 +52,20 @@ class SurveyMirror {
 
  private:
   void MirrorGround();
+  void KeepOffFences(Meters allowance);
 
   ViewParams params_;
+  double seam_allowance_ = 0.0;  ///< by which images count as smaller on every side [m]
   double reach_ = std::numeric_limits<double>::infinity();  ///< [m]
   std::optional<SurveyArea> area_;
   std::unique_ptr<SurveyGrid> grid_;
   std::unique_ptr<Ground> ground_;
   std::unique_ptr<SeenAlong> sight_;
   std::unique_ptr<Region> region_;
+  std::optional<FenceAllowance> fences_;  ///< of the area
+  Meters allowance_{0.0};                 ///< of region_
+  Pose2 place_{};                         ///< of the vehicle
+  Meters place_sigma_{0.0};
   std::optional<HomePoint> home_;
   std::optional<Meters> reach_of_battery_;
   ObjectWatch watch_;

@@ -17,6 +17,14 @@ struct Detections {
   std::vector<Box> boxes;
 };
 
+/// How sure the vehicle is of where it was, horizontally: 1-sigma, mean of the two axes [m].
+struct PlaceSigma {
+  double absolute = 0.0;  ///< in W: how far the whole map may be off there
+  /// Against where it was when it passed nearest by before: how far two passes may have come
+  /// closer together, or apart. 0 where it never was near.
+  double beside = 0.0;
+};
+
 /// One image as the vehicle understands it: where it was taken from, and which landmark each box
 /// shows. All that the map needs of it.
 struct ObservedFrame {
@@ -25,6 +33,7 @@ struct ObservedFrame {
   Pose X_WB;         ///< at the exposure
   std::optional<double> altitude = std::nullopt;  ///< of the body origin above the seabed [m]
   std::vector<Box> boxes = {};
+  std::optional<PlaceSigma> sigma = std::nullopt;  ///< absent: taken for exact
 };
 
 /// A frame that a former session mapped by.

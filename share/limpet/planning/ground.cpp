@@ -34,6 +34,13 @@ Footprint::Footprint(double altitude, double object_height_max, const CameraMode
   }
 }
 
+void Footprint::DrawIn(double by) {
+  for (std::size_t k = 0; k < kLayers; ++k) {
+    across_[k] = std::max(0.0, across_[k] - by);
+    along_[k] = std::max(0.0, along_[k] - by);
+  }
+}
+
 double Footprint::swath() const {
   double sum = 0.0;
   for (const double half : across_) {

@@ -25,6 +25,8 @@ class Footprint {
   Footprint(double altitude, double object_height_max, const CameraModel& camera,
             double reach = std::numeric_limits<double>::infinity());
 
+  /// Images count as this much smaller on every side [m].
+  void DrawIn(double by);
   [[nodiscard]] double half_across(int layer) const { return across_[Slot(layer)]; }
   [[nodiscard]] double half_along(int layer) const { return along_[Slot(layer)]; }
   /// Width of the image, mean over the layers [m]; never quite 0, so that it can be divided by.

@@ -122,6 +122,13 @@ bool Region::Allows(const Pose2& from, const PathSegment& segment, Meters radius
   return Deficit(end, radius) <= before + kTouch;
 }
 
+double Region::Clearance(const PlanePoint& at) const {
+  if (free_) return free_->Clearance(at);
+  const double inside =
+      std::min({at.x() - north_min_, north_max_ - at.x(), at.y() - east_min_, east_max_ - at.y()});
+  return inside >= 0.0 ? inside : -Outside({.north = at.x(), .east = at.y(), .yaw = 0.0});
+}
+
 double Region::Outside(const Pose2& pose) const {
   if (free_) {
     const double clearance = free_->ClearanceUpTo({pose.north, pose.east}, 0.0);

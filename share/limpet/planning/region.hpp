@@ -34,6 +34,8 @@ class Region {
   /// Whether a vehicle at `from` may do `segment`: inside and recoverable at its end or, for one
   /// that drifted out, at least no worse off than before.
   [[nodiscard]] bool Allows(const Pose2& from, const PathSegment& segment, Meters radius) const;
+  /// How far a place is from the nearest border of region or zone [m]; negative outside.
+  [[nodiscard]] double Clearance(const PlanePoint& at) const;
   /// How far `pose` is outside [m], 0 inside.
   [[nodiscard]] double Outside(const Pose2& pose) const;
   /// Whether `path` enters a keep-out zone; the region's own border is not asked for.

@@ -124,11 +124,13 @@ std::size_t SurveyGrid::Index(int row, int column) const {
          static_cast<std::size_t>(column);
 }
 
-int SurveyGrid::Observe(const Pose& X_WB, double altitude, const CameraModel& camera) {
+int SurveyGrid::Observe(const Pose& X_WB, double altitude, const CameraModel& camera,
+                        double allowance) {
   if (!(altitude > 0.0)) {
     return 0;
   }
-  const ViewCone cone(X_WB, camera, kDiscInset);
+  ViewCone cone(X_WB, camera, kDiscInset);
+  cone.DrawIn(allowance);
   const double guessed_down = X_WB.p_WB.z() + altitude;
   const CellBox box = cone.CellsBelow(frame_, guessed_down);
   for (int row = box.row_min; row <= box.row_max; ++row) {
@@ -329,9 +331,7 @@ std::optional<double> SurveyGrid::SeenHeight(int row, int column) const {
 }
 
 std::optional<double> SurveyGrid::Seabed(int row, int column) const {
-  const std::size_t cell = Index(row, column);
-  return seabed_source_[cell] == SeabedSource::kNone ? std::nullopt
-                                                     : std::optional<double>(seabed_[cell]);
+  return SeabedAt(Index(row, column));
 }
 
 }  // namespace limpet

@@ -60,9 +60,9 @@ class SurveyGrid {
   SurveyGrid(const GridFrame& frame, double object_height_max);
 
   /// Marks what the camera sees from `X_WB`. `altitude` [m] is the height of the body origin above
-  /// the seabed; it stands in where the seabed's depth is not known. Returns how many cells it
-  /// looked at.
-  int Observe(const Pose& X_WB, double altitude, const CameraModel& camera);
+  /// the seabed; it stands in where the seabed's depth is not known. The image is drawn in by
+  /// `allowance` [m] on every side (SeamAllowance). Returns how many cells it looked at.
+  int Observe(const Pose& X_WB, double altitude, const CameraModel& camera, double allowance = 0.0);
   /// A point of the seabed (a DVL beam's end): moves the depth of the cells within
   /// `kSeabedReach` towards `down` [m]. Returns how many those are.
   int SetSeabed(double north, double east, double down);
@@ -87,6 +87,13 @@ class SurveyGrid {
   [[nodiscard]] bool IsWanted(std::size_t cell) const {
     return is_wanted_.empty() || is_wanted_[cell] != 0;
   }
+  /// The place that stands for the cell with this index in heights().
+  [[nodiscard]] PlanePoint SamplePoint(std::size_t cell) const;
+  /// Seabed of the cell with this index in heights(): NED depth [m], or nothing.
+  [[nodiscard]] std::optional<double> SeabedAt(std::size_t cell) const {
+    return seabed_source_[cell] == SeabedSource::kNone ? std::nullopt
+                                                       : std::optional<double>(seabed_[cell]);
+  }
   [[nodiscard]] std::size_t wanted_cells() const { return wanted_cells_; }
   [[nodiscard]] const GridFrame& frame() const { return frame_; }
   [[nodiscard]] double object_height_max() const { return height_max_; }
@@ -110,7 +117,6 @@ class SurveyGrid {
  private:
   enum class SeabedSource : std::uint8_t { kNone, kAltitude, kBeam };
   [[nodiscard]] std::size_t Index(int row, int column) const;
-  [[nodiscard]] PlanePoint SamplePoint(std::size_t cell) const;
   void Raise(std::size_t cell, float height, float seabed_down);
   void SetHeight(std::size_t cell, float height);
   void Approach(std::size_t cell, float range);

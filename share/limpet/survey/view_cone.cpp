@@ -38,7 +38,7 @@ std::optional<double> ViewCone::SeenHeight(const Eigen::Vector3d& p_W) const {
   const Eigen::Vector3d from_apex = p_W - apex_;
   double height = std::numeric_limits<double>::infinity();
   for (const Eigen::Vector3d& normal : normals_) {
-    const double depth_inside = normal.dot(from_apex);
+    const double depth_inside = normal.dot(from_apex) - drawn_in_;
     if (depth_inside < 0.0) {
       return std::nullopt;
     }
@@ -46,6 +46,18 @@ std::optional<double> ViewCone::SeenHeight(const Eigen::Vector3d& p_W) const {
     height = std::min(height, (depth_inside - inset_) / normal.z());
   }
   return std::max(0.0, height);
+}
+
+double ViewCone::Inside(const Eigen::Vector3d& p_W, double height, bool as_object) const {
+  if (!looks_down_) {
+    return -std::numeric_limits<double>::infinity();
+  }
+  const Eigen::Vector3d from_apex = p_W - apex_;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& normal : normals_) {
+    least = std::min(least, normal.dot(from_apex) - height * normal.z());
+  }
+  return least - drawn_in_ - (as_object ? inset_ : 0.0);
 }
 
 CellBox ViewCone::CellsBelow(const GridFrame& frame, double seabed_down) const {

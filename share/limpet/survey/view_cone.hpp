@@ -28,6 +28,13 @@ class ViewCone {
   /// camera is tilted so far that seeing high does not imply seeing low.
   [[nodiscard]] std::optional<double> SeenHeight(const Eigen::Vector3d& p_W) const;
 
+  /// How far an object's centre at `height` above the seabed point `p_W` is inside the nearest side
+  /// of the image, horizontally for a level camera [m]; negative outside. `as_object`: it must be
+  /// `disc_inset` inside, as an object must, a point of the seabed need not.
+  [[nodiscard]] double Inside(const Eigen::Vector3d& p_W, double height, bool as_object) const;
+  /// The image is drawn in by so much on every side [m]: what lies there no longer counts as seen.
+  void DrawIn(double by) { drawn_in_ = by; }
+
   /// Cells that can be inside the image of a seabed at NED depth `seabed_down` [m], with slack for
   /// relief of a tenth of the altitude.
   [[nodiscard]] CellBox CellsBelow(const GridFrame& frame, double seabed_down) const;
@@ -37,6 +44,7 @@ class ViewCone {
   std::array<Eigen::Vector3d, 4> normals_;  ///< scaled so that a level camera's are (.., tan)
   std::array<Eigen::Vector3d, 4> corners_;  ///< directions of the image's corners
   double inset_;
+  double drawn_in_ = 0.0;
   bool looks_down_ = true;
 };
 

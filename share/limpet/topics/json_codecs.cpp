@@ -37,7 +37,17 @@ namespace limpet {
 /// Which landmark it shows is said beside a box, where it is known.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Box, u, v, w, h, confidence, color)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Detections, frame, exposure, boxes)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TrackShift, steps)
+
+void to_json(nlohmann::json& out, const TrackShift& shift) {
+  out = {{"steps", shift.steps}};
+  if (!shift.sigmas.empty()) out["sigmas"] = shift.sigmas;
+}
+
+void from_json(const nlohmann::json& in, TrackShift& shift) {
+  in.at("steps").get_to(shift.steps);
+  if (in.contains("sigmas")) in.at("sigmas").get_to(shift.sigmas);
+}
+
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StatusPosterior, confirmed, removed, appeared, nothing)
 
 nlohmann::json TripleOf(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
@@ -166,6 +176,10 @@ void to_json(nlohmann::json& out, const ObservedFrame& frame) {
   out = {{"frame", frame.frame},       {"exposure", frame.exposure}, {"ned", TripleOf(X_WB.p_WB)},
          {"roll", X_WB.roll},          {"pitch", X_WB.pitch},        {"yaw", X_WB.yaw},
          {"altitude", frame.altitude}, {"boxes", std::move(boxes)}};
+  if (frame.sigma) {
+    out["sd_absolute"] = frame.sigma->absolute;
+    out["sd_beside"] = frame.sigma->beside;
+  }
 }
 
 void from_json(const nlohmann::json& in, ObservedFrame& frame) {
@@ -176,6 +190,9 @@ void from_json(const nlohmann::json& in, ObservedFrame& frame) {
   for (const nlohmann::json& sighted : in.at("boxes")) {
     frame.boxes.push_back(sighted.at("box").get<Box>());
     sighted.at("landmark").get_to(frame.boxes.back().landmark);
+  }
+  if (in.contains("sd_absolute") && in.contains("sd_beside")) {
+    frame.sigma = PlaceSigma{.absolute = in.at("sd_absolute"), .beside = in.at("sd_beside")};
   }
 }
 

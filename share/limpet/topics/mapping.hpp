@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,14 +48,21 @@ struct TopicCodec<GridDelta> {
   [[nodiscard]] static std::optional<GridDelta> Decode(const Value& value);
 };
 
-/// Shares of the area that the vehicle believes it has seen, 0 to 1.
+/// Shares of the area that the vehicle has seen, 0 to 1: expected ones, since it does not know
+/// exactly where its images lie.
 struct Coverage {
   double seabed = 0.0;    ///< bottom inside the image
   double band = 0.0;      ///< mean over the heights of the band
   double band_top = 0.0;  ///< at the greatest height
+  /// The same, of what counts as done where paths are planned: images as they are believed to lie,
+  /// drawn in by what two passes may have come apart. Absent: the writer keeps no such count.
+  std::optional<double> done_seabed = std::nullopt, done_band = std::nullopt,
+                        done_band_top = std::nullopt;
   template <class V>
   void Describe(V& visit) {
     visit("seabed", seabed), visit("band", band), visit("band_top", band_top);
+    visit("done_seabed", done_seabed), visit("done_band", done_band);
+    visit("done_band_top", done_band_top);
   }
 };
 
@@ -77,8 +85,11 @@ struct MapLook {
   double share_none = 0.0;     ///< share of an object inside the image below which it is missed
   double share_full = 0.0;     ///< and above which the border does not matter
   double object_radius = 0.0;  ///< [m]
+  /// Images count as drawn in by so much on every side: passes may have come apart [m].
+  std::optional<double> seam_allowance = std::nullopt;
   template <class V>
   void Describe(V& visit) {
+    visit("seam_allowance", seam_allowance);
     visit("fov_across", fov_across), visit("fov_along", fov_along);
     visit("width_px", width_px), visit("height_px", height_px), visit("best", best);
     visit("visibility", visibility), visit("half_range", half_range);
@@ -139,9 +150,9 @@ inline const auto kMapDelta =
 inline const auto kMapGridRequest =
     Declare<std::string>("MAP_GRID_REQUEST", "asks for all cells as one MAP_DELTA; value says why",
                          {.rate = "on restart", .writers = {"pHelm"}, .is_command = true});
-inline const auto kMapCoverage =
-    Declare<Coverage>("MAP_COVERAGE", "shares of the area that the vehicle believes it has seen",
-                      {.unit = "0 to 1", .rate = "2 Hz", .writers = {"pMap"}});
+inline const auto kMapCoverage = Declare<Coverage>(
+    "MAP_COVERAGE", "expected shares of the area seen; and of it done, as plans count it",
+    {.unit = "0 to 1", .rate = "2 Hz", .writers = {"pMap"}});
 inline const auto kMapOpis = Declare<OpiBeliefs>(
     "MAP_OPIS", "objects and their status",
     {.unit = "m", .frame = "NED", .rate = "on change, at most 2 Hz", .writers = {"pMap"}});

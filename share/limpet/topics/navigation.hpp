@@ -107,6 +107,11 @@ struct TopicCodec<ObservedFrame> : JsonCodec<ObservedFrame> {};
 struct TrackShift {
   /// MOOS time, and the shift of north, east, down [m] and yaw [rad] then; linear in between.
   std::vector<std::array<double, 5>> steps;
+  /// MOOS time, and how sure the place is known since, as PlaceSigma has it: absolute, beside [m];
+  /// linear in between. Empty: nobody says.
+  std::vector<std::array<double, 3>> sigmas = {};
+  /// How sure the place of time `t` is now; nothing where that is not said.
+  [[nodiscard]] std::optional<PlaceSigma> SigmaAt(double t) const;
   /// A pose kept from time `t`, moved along; later ones than the last step stay as they are.
   [[nodiscard]] Pose Apply(double t, const Pose& X_WB) const;
 };
@@ -177,7 +182,8 @@ inline const auto kNavSight = Declare<ObservedFrame>(
     "NAV_SIGHT", "each camera frame, posed and associated",
     {.unit = "m, rad, px", .frame = "NED, body FRD, image", .rate = "4 Hz", .writers = {"pNav"}});
 inline const auto kNavTrackShift = Declare<TrackShift>(
-    "NAV_TRACK_SHIFT", "how the way behind moved; just before NAV_LANDMARKS that moved along",
+    "NAV_TRACK_SHIFT",
+    "how the way behind moved, and how sure it is now; just before NAV_LANDMARKS that moved along",
     {.unit = "m, rad, s", .frame = "NED", .rate = "on change, at most 2 Hz", .writers = {"pNav"}});
 inline const auto kNavBeams = Declare<PosedBeams>(
     "NAV_BEAMS", "each DVL ping with the pose of the DVL",

@@ -88,5 +88,28 @@ TEST(BhvOpRegion, LetsTheWayHomeLeave) {
   EXPECT_FALSE(behavior.Move(StateAt(30.0, "home")).warning);
 }
 
+TEST(BhvOpRegion, SaysWhereItCannotBeSureToBeInside) {
+  BHV_OpRegion behavior({});
+  VehicleState state = StateAt(9.0);  // 3 m from the border
+  state.nav.sd_north = state.nav.sd_east = 0.9;
+  behavior.Start(state);
+  EXPECT_FALSE(behavior.Move(state).warning);
+  state.nav.sd_east = 1.1;
+  ASSERT_TRUE(behavior.Move(state).warning);
+  EXPECT_EQ(behavior.Move(state).warning->id.name(), "REGION_IN_DOUBT");
+  state.nav.sd_east = 0.9;
+  EXPECT_TRUE(behavior.Move(state).warning) << "not before it is surely over";
+  state.nav.north = 8.0;
+  EXPECT_FALSE(behavior.Move(state).warning);
+}
+
+TEST(BhvOpRegion, IsInNoDoubtOnTheWayHome) {
+  BHV_OpRegion behavior({});
+  VehicleState state = StateAt(9.0, "home");
+  state.nav.sd_north = 2.0;
+  behavior.Start(state);
+  EXPECT_FALSE(behavior.Move(state).warning);
+}
+
 }  // namespace
 }  // namespace limpet

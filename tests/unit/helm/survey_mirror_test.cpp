@@ -134,5 +134,30 @@ TEST(SurveyMirrorBand, IsSeenWholeUnlessTheVehicleFliesTooLowForIt) {
   EXPECT_FALSE(low.SeesWholeBand());
 }
 
+TEST_F(SurveyMirrorTest, KeepsPathsFartherOffTheBorderWhereThePlaceIsLessSure) {
+  NavState nav;
+  nav.sd_north = nav.sd_east = 0.1;
+  const auto border = [&] {
+    mirror_.NoteAltitude(nav);
+    mirror_.UpdateGround();
+    return mirror_.Snapshot(Seconds(0.0), Pose2{}, 0.0).region->north_max();
+  };
+  const double sure = border();
+  nav.sd_north = 0.4;
+  EXPECT_NEAR(border(), sure - 0.75, 1e-9);
+  nav.sd_north = 50.0;
+  EXPECT_GE(border(), 8.0) << "the area itself stays inside";
+}
+
+TEST_F(SurveyMirrorTest, PlansWithSmallerImagesWherePassesMayHaveComeApart) {
+  const auto swath = [&] { return mirror_.Snapshot(Seconds(0.0), Pose2{}, 0.0).ground->swath(); };
+  MapLook look = ToMapLook(LookModel{});
+  mirror_.SetLookModel(look);
+  const double sure = swath();
+  look.seam_allowance = 0.2;
+  mirror_.SetLookModel(look);
+  EXPECT_NEAR(swath(), sure - 0.4, 0.01);
+}
+
 }  // namespace
 }  // namespace limpet

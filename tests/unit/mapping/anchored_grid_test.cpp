@@ -53,8 +53,8 @@ void FlySecond(GroundSession& session, double t, const TrackShift& shift = {}) {
                         .sd_down = {}};
   session.beams.Add(t, ping, BeamEnds(X_WD, {slant, slant, slant, slant}));
   session.ground.TakePings();
-  session.ground.Observe(t + 0.1, PoseAt(t + 0.1, shift), 3.9);
-  session.ground.Observe(t + 0.6, PoseAt(t + 0.6, shift), 3.9);
+  session.ground.Observe({.t = t + 0.1, .X_WB = PoseAt(t + 0.1, shift), .altitude = 3.9});
+  session.ground.Observe({.t = t + 0.6, .X_WB = PoseAt(t + 0.6, shift), .altitude = 3.9});
 }
 
 void Fly(GroundSession& session, const TrackShift& shift = {}) {
@@ -79,7 +79,7 @@ void ExpectSameGround(const SurveyGrid& a, const SurveyGrid& b) {
 }
 
 /// Drift that a closed loop took off: more of it the later; in steps that add exactly.
-const TrackShift kLoopClosed{{{0.0, 0.0, 0.0, 0.0, 0.0}, {64.0, 1.0, -2.0, 0.0, 0.0}}};
+const TrackShift kLoopClosed{.steps = {{0.0, 0.0, 0.0, 0.0, 0.0}, {64.0, 1.0, -2.0, 0.0, 0.0}}};
 
 TEST(AnchoredGrid, WithoutShiftsIsThePlainGrid) {
   GroundSession session;
@@ -167,6 +167,44 @@ TEST(AnchoredGrid, KeepsToTheWaterWhenItIsMadeAnew) {
   corrected.ground.SetReach(4.0);
   Fly(corrected, kLoopClosed);
   ExpectSameGround(session.ground.grid(), corrected.ground.grid());
+}
+
+/// Two lanes whose images just meet at the band's top, the second at a place that is known so well.
+void FlyTwoLanes(AnchoredGrid& ground, const PlaceSigma& second) {
+  const double half = 2.0 * CameraModel{}.half_across() - SurveyGrid::kDiscInset;
+  for (const double side : {-1.0, 1.0}) {
+    for (double t = 0.0; t < 60.0; t += 0.25) {
+      ground.Observe({.t = t + (side > 0.0 ? 100.0 : 0.0),
+                      .X_WB = {{-12.0 + 0.4 * t, side * half, 3.5}, 0.0, 0.0, 0.0},
+                      .altitude = 4.0,
+                      .sigma = side > 0.0 ? second : PlaceSigma{}});
+    }
+  }
+}
+
+TEST(AnchoredGrid, DoesNotTakeASeamForDoneThatMayHaveComeApart) {
+  BeamMap beams{Meters(0.2)};
+  AnchoredGrid sure{kSurveyedArea, kGridCell, CameraModel{}, beams};
+  AnchoredGrid unsure{kSurveyedArea, kGridCell, CameraModel{}, beams};
+  FlyTwoLanes(sure, {});
+  FlyTwoLanes(unsure, {.absolute = 0.5, .beside = 0.5});
+  EXPECT_LT(unsure.coverage().done_band_top, sure.coverage().done_band_top);
+  EXPECT_LT(unsure.coverage().band_top, sure.coverage().band_top);
+  EXPECT_GT(unsure.recent_allowance(), 0.05);
+}
+
+TEST(AnchoredGrid, EarnsGroundAnewOnceAClosedLoopMakesThePlacesSure) {
+  BeamMap beams{Meters(0.2)};
+  AnchoredGrid sure{kSurveyedArea, kGridCell, CameraModel{}, beams};
+  AnchoredGrid ground{kSurveyedArea, kGridCell, CameraModel{}, beams};
+  FlyTwoLanes(sure, {});
+  FlyTwoLanes(ground, {.absolute = 0.0, .beside = 0.5});
+  ground.Shift({.steps = {{0.0, 0.0, 0.0, 0.0, 0.0}, {200.0, 0.0, 0.0, 0.0, 0.0}},
+                .sigmas = {{0.0, 0.0, 0.0}, {200.0, 0.0, 0.0}}});
+  while (!ground.Settle()) {
+  }
+  ExpectSameGround(ground.grid(), sure.grid());
+  EXPECT_EQ(ground.coverage().band_top, sure.coverage().band_top);
 }
 
 }  // namespace

@@ -123,6 +123,18 @@ TEST_F(SurveyAppTest, DoesNotWaitForAnObjectThatTheHelmHasGivenUp) {
   EXPECT_EQ(Phase(), "RETURN");
 }
 
+TEST_F(SurveyAppTest, GoesHomeOnceAllCountsAsDoneThoughItClaimsLess) {
+  ReachSurvey();
+  link_.Send(app_, topics::kMapCoverage,
+             Coverage{.seabed = 0.99, .band = 0.97, .band_top = 0.95, .done_band_top = 0.96});
+  Tick(1.0);
+  EXPECT_EQ(Phase(), "SURVEY");
+  link_.Send(app_, topics::kMapCoverage,
+             Coverage{.seabed = 0.99, .band = 0.97, .band_top = 0.95, .done_band_top = 0.98});
+  Tick(1.0);
+  EXPECT_EQ(Phase(), "RETURN");
+}
+
 TEST_F(SurveyAppTest, GoesHomeShortOfTheTargetWhenCoverageStalls) {
   ReachSurvey();
   Tick(241.0);

@@ -136,5 +136,25 @@ TEST(VisibleShareProperties, ShrinksAsTheObjectLeavesTheImage) {
   }
 }
 
+TEST(ViewCone, SaysHowFarInsideItsNearestEdgeAPlaceLies) {
+  const CameraModel camera;
+  const ViewCone cone({{0.0, 0.0, 3.5}, 0.0, 0.0, 0.0}, camera, 0.1);
+  const double across = 4.0 * camera.half_across(), along = 4.0 * camera.half_along();
+  EXPECT_NEAR(cone.Inside({0.0, across - 0.3, 7.5}, 0.0, false), 0.3, 1e-9);
+  EXPECT_NEAR(cone.Inside({along + 0.2, 0.0, 7.5}, 0.0, false), -0.2, 1e-9);
+  EXPECT_NEAR(cone.Inside({0.0, 0.5 * across - 0.3, 7.5}, 2.0, true), 0.2, 1e-9);
+}
+
+TEST(ViewCone, DrawnInShowsLessOnEverySide) {
+  const CameraModel camera;
+  ViewCone cone({{0.0, 0.0, 3.5}, 0.0, 0.0, 0.0}, camera, 0.0);
+  cone.DrawIn(0.4);
+  const double across = 4.0 * camera.half_across(), along = 4.0 * camera.half_along();
+  EXPECT_TRUE(cone.SeenHeight({0.0, across - 0.41, 7.5}));
+  EXPECT_FALSE(cone.SeenHeight({0.0, across - 0.39, 7.5}));
+  EXPECT_TRUE(cone.SeenHeight({0.41 - along, 0.0, 7.5}));
+  EXPECT_FALSE(cone.SeenHeight({0.39 - along, 0.0, 7.5}));
+}
+
 }  // namespace
 }  // namespace limpet

@@ -49,6 +49,23 @@ TEST(WireForm, OfAnObservedFrameStays) {
                                  R"("ned":[1.0,2.0,3.0],"pitch":0.0,"roll":0.0,"yaw":0.5})");
 }
 
+TEST(WireForm, OfAnObservedFrameSaysHowSureItsPlaceIsIfTheWriterDoes) {
+  EXPECT_FALSE(TopicCodec<ObservedFrame>::Decode(kSight)->sigma.has_value());
+  const std::string sure = R"({"altitude":null,"boxes":[],"exposure":1.5,"frame":0,)"
+                           R"("ned":[1.0,2.0,3.0],"pitch":0.0,"roll":0.0,"sd_absolute":0.5,)"
+                           R"("sd_beside":0.125,"yaw":0.5})";
+  ExpectSameBytes<ObservedFrame>(sure);
+  const auto frame = TopicCodec<ObservedFrame>::Decode(sure);
+  ASSERT_TRUE(frame && frame->sigma);
+  EXPECT_EQ(frame->sigma->absolute, 0.5);
+  EXPECT_EQ(frame->sigma->beside, 0.125);
+}
+
+TEST(WireForm, OfATrackShiftStaysWithAndWithoutSigmas) {
+  ExpectSameBytes<TrackShift>(R"({"steps":[[1.0,0.5,0.0,0.0,0.0]]})");
+  ExpectSameBytes<TrackShift>(R"({"sigmas":[[1.0,0.5,0.25]],"steps":[[1.0,0.5,0.0,0.0,0.0]]})");
+}
+
 TEST(WireForm, OfAnObservedFrameSaysWhereItWasAndWhatItShows) {
   const auto frame = TopicCodec<ObservedFrame>::Decode(kSight);
   ASSERT_TRUE(frame.has_value());

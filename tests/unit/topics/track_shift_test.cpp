@@ -63,7 +63,7 @@ TEST(TrackShift, MovesWhatIsOlderAsItsFirstStepAndLeavesWhatIsNewer) {
 }
 
 TEST(TrackShift, KeepsRollPitchAndAYawThatIsWrapped) {
-  const TrackShift shift{{{0.0, 0.0, 0.0, 0.0, 0.2}}};
+  const TrackShift shift{.steps = {{0.0, 0.0, 0.0, 0.0, 0.2}}};
   const Pose moved = shift.Apply(0.0, kKept);
   EXPECT_EQ(moved.roll, kKept.roll);
   EXPECT_EQ(moved.pitch, kKept.pitch);
@@ -72,6 +72,15 @@ TEST(TrackShift, KeepsRollPitchAndAYawThatIsWrapped) {
 
 TEST(TrackShift, WithoutStepsMovesNothing) {
   EXPECT_EQ(TrackShift{}.Apply(5.0, kKept).p_WB, kKept.p_WB);
+}
+
+TEST(TrackShift, SaysHowSureAPlaceIsBetweenTheTimesThatItNames) {
+  const TrackShift shift{.steps = {}, .sigmas = {{10.0, 0.4, 0.0}, {20.0, 0.6, 0.2}}};
+  EXPECT_NEAR(shift.SigmaAt(15.0)->absolute, 0.5, 1e-12);
+  EXPECT_NEAR(shift.SigmaAt(15.0)->beside, 0.1, 1e-12);
+  EXPECT_EQ(shift.SigmaAt(0.0)->absolute, 0.4) << "older: as the first";
+  EXPECT_FALSE(shift.SigmaAt(20.5).has_value()) << "newer: not said";
+  EXPECT_FALSE(TrackShift{}.SigmaAt(5.0).has_value());
 }
 
 TEST(MappingPhase, IsEveryPhaseInWhichTheGroundIsBelowTheCamera) {
