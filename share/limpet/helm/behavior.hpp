@@ -118,7 +118,7 @@ class Behavior {
   virtual void Shape(const Situation& now, double weight, SearchGoals& goals) const {
     static_cast<void>(now), static_cast<void>(weight), static_cast<void>(goals);
   }
-  /// Paths of its own, beside those of the generators.
+  /// Appends paths of its own; `options` holds those of the generators and of behaviors before it.
   virtual void Offer(const Situation& now, std::vector<Option>& options) const {
     static_cast<void>(now), static_cast<void>(options);
   }

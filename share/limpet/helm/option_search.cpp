@@ -2,6 +2,7 @@
 #include "limpet/helm/option_search.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <utility>
 
@@ -30,9 +31,11 @@ std::vector<Option> OptionSearch::Gather(std::span<const WeightedBehavior> runni
     generator->Offer(now, goals, options);
   }
   for (const WeightedBehavior& behavior : running) {
-    std::vector<Option> offered;
+    std::vector<Option> offered = options;
     if (Heard(behavior.name, failures, [&] { behavior.behavior->Offer(now, offered); })) {
-      std::ranges::move(offered, std::back_inserter(options));
+      std::move(
+          offered.begin() + static_cast<std::ptrdiff_t>(std::min(options.size(), offered.size())),
+          offered.end(), std::back_inserter(options));
     }
   }
   for (const auto& generator : generators_) {

@@ -14,7 +14,8 @@ namespace {
 using SafetyId = SafetyRuleId;
 
 constexpr Seconds kFreshNavigation(2.0);
-constexpr Seconds kPulse(10.0);  ///< an event counts as so for this long
+constexpr Seconds kPulse(10.0);         ///< an event counts as so for this long
+constexpr double kCameraIdles_m = 1.0;  ///< up here a camera may make no images
 constexpr double kFullThrust = 0.99;
 constexpr double kFrameShare = 0.05;  ///< of the newest frame in the mean of boxes
 constexpr double kFastest_mps = 2.0;  ///< a vehicle at the surface drifts and swims no faster
@@ -51,6 +52,7 @@ void SafetySigns::Hear(const SurveyArea& area) {
 void SafetySigns::Hear(const NavState& nav, Seconds now) {
   if (!nav.is_usable()) return;
   nav_ = {now, nav};
+  if (nav.down < kCameraIdles_m) surfaced_ = now;
   seabed_.Hear(nav, now);
 }
 
@@ -179,7 +181,8 @@ void SafetySigns::MeasureSensors(SafetyMeasures& measures, Seconds now) const {
   MeasureOf(measures, SafetyId::kImuStuck) = imu_.duration();
   if (fix_) MeasureOf(measures, SafetyId::kGpsJump) = jump_m_;
   if (detections_heard_) {
-    const double silence = (now - *detections_heard_).value() / warp_;
+    const Seconds since = std::max(*detections_heard_, surfaced_.value_or(*detections_heard_));
+    const double silence = (now - since).value() / warp_;
     MeasureOf(measures, SafetyId::kDetectorSilent) = silence;
     MeasureOf(measures, SafetyId::kDetectorLost) = silence;
     MeasureOf(measures, SafetyId::kDetectorStorm) = boxes_;

@@ -72,6 +72,7 @@ class SafetySigns {
   double warp_;
   std::optional<SafetyPhase> phase_;  ///< as the mission manager says; absent: there is none yet
   std::optional<Seconds> under_way_since_, submerged_since_;
+  std::optional<Seconds> surfaced_;  ///< when it was last so near the surface that a camera idles
   std::optional<Stamped<NavState>> nav_;
   std::optional<double> depth_m_;
   std::optional<Seconds> velocity_heard_, pressure_heard_, detections_heard_, command_heard_,

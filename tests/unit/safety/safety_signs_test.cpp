@@ -325,6 +325,19 @@ TEST_F(SafetySignsTest, CountEventsForAWhile) {
   EXPECT_DOUBLE_EQ(Measure(Id::kClockStepped).value(), 0.0);
 }
 
+TEST_F(SafetySignsTest, MissNoDetectorAtTheSurface) {
+  signs_.HearDetections(Detections{}, now_);
+  NavState nav;
+  nav.down = 0.2;
+  now_ += Seconds(60.0);
+  signs_.Hear(nav, now_);
+  EXPECT_EQ(Measure(Id::kDetectorLost), 0.0);
+  nav.down = 3.5;
+  now_ += Seconds(5.0);
+  signs_.Hear(nav, now_);
+  EXPECT_EQ(Measure(Id::kDetectorLost), 5.0) << "it counts again from there";
+}
+
 TEST_F(SafetySignsTest, MissADetectorThatHasSpoken) {
   EXPECT_FALSE(Measure(Id::kDetectorSilent));
   Detections frame;
