@@ -17,6 +17,23 @@ TEST_F(MapAppTest, ReportsCoverageOfTheGroundItFlewOver) {
   EXPECT_NEAR(coverage->seabed, (20.0 + 4.62) * 6.71 / (30.0 * 36.0), 0.02);
 }
 
+TEST_F(MapAppTest, TellsPlannersToCountOnSmallerImagesWherePassesMayHaveComeApart) {
+  link_.Send(app_, topics::kSurveyArea, kArea);
+  for (ObservedFrame frame :
+       trial::Fly({.north = -14, .length = 28}, link_.time, {}, {}, random_)) {
+    frame.sigma = PlaceSigma{.absolute = 0.6, .beside = 0.6};
+    link_.time = frame.exposure;
+    link_.Send(app_, topics::kNavSight, frame);
+    app_.Tick(link_.time);
+  }
+  const auto look = link_.Last(topics::kMapLook);
+  ASSERT_TRUE(look && look->seam_allowance);
+  EXPECT_GT(*look->seam_allowance, 0.05);
+  const auto coverage = link_.Last(topics::kMapCoverage);
+  ASSERT_TRUE(coverage && coverage->done_seabed);
+  EXPECT_LT(*coverage->done_seabed, coverage->seabed) << "one pass shows its mean all the same";
+}
+
 TEST_F(MapAppTest, SendsEachChangedCellOnce) {
   link_.Send(app_, topics::kSurveyArea, kArea);
   Survey({.north = -10, .length = 20}, {});

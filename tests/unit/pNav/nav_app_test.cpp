@@ -86,6 +86,8 @@ TEST_F(NavAppTest, TellsHowAFixAfterADiveMovesTheWayBehind) {
   const double end = shift->steps.back()[0];
   EXPECT_GT(shift->Apply(end - 10.0, Pose{}).p_WB.y(), 0.05);
   EXPECT_DOUBLE_EQ(shift->Apply(end + 1.0, Pose{}).p_WB.y(), 0.0);
+  ASSERT_TRUE(shift->SigmaAt(end - 10.0));
+  EXPECT_GT(shift->SigmaAt(end - 10.0)->absolute, 0.0) << "and how sure it is now";
 }
 
 TEST_F(NavAppTest, PosesAFrameAtItsExposureAlsoWhenItShowsNothing) {
@@ -99,6 +101,9 @@ TEST_F(NavAppTest, PosesAFrameAtItsExposureAlsoWhenItShowsNothing) {
   ASSERT_TRUE(frame.has_value());
   EXPECT_EQ(frame->frame, 7);
   EXPECT_NEAR(frame->X_WB.p_WB.y(), east, 0.05);
+  ASSERT_TRUE(frame->sigma);
+  EXPECT_GT(frame->sigma->absolute, 0.0);
+  EXPECT_EQ(frame->sigma->beside, 0.0) << "it never was here before";
 }
 
 TEST_F(NavAppTest, WarnsOfAFormerSessionWhoseFrameLiesElsewhere) {
