@@ -283,6 +283,7 @@ void MapApp::Tick(Seconds now) {
     if (const GridDelta delta = ground_->grid().TakeDelta(); !delta.cells.empty()) {
       Publish(topics::kMapDelta, delta);
     }
+    ground_->Judge();
     Publish(topics::kMapCoverage, ground_->coverage());
   }
   PublishObjects();

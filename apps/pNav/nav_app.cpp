@@ -272,8 +272,10 @@ void NavApp::NoteTrack() {
 }
 
 PlaceSigma NavApp::NewestSigma() {
+  constexpr double kEvery = 2.0;  // [s] it changes slowly
   const int newest = place_sigmas_.noted() - 1;
-  if (newest != sigma_node_) {
+  if (sigma_node_ < 0 ||
+      place_sigmas_.TimeOf(newest) - place_sigmas_.TimeOf(sigma_node_) >= kEvery) {
     sigma_node_ = newest;
     newest_sigma_ = place_sigmas_.Of(newest, navigator_.smoother());
   }
@@ -281,7 +283,7 @@ PlaceSigma NavApp::NewestSigma() {
 }
 
 std::vector<std::array<double, 3>> NavApp::TrackSigmas() const {
-  constexpr int kMost = 60;  // a covariance takes a tenth of a millisecond or two
+  constexpr int kMost = 25;  // a covariance takes up to a millisecond
   const int last = place_sigmas_.noted() - 1, step = 1 + last / kMost;
   std::vector<std::array<double, 3>> sigmas;
   for (int node = last % step; node <= last; node += step) {

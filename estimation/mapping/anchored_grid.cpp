@@ -34,12 +34,23 @@ void AnchoredGrid::Observe(const PlacedView& view) {
                      .beside_as_laid = static_cast<float>(view.sigma.beside),
                      .moved = {}});
   Lay(view, grid_, belief_);
+  ++frames_since_judged_;
   const double allowance = SeamAllowance(Meters(view.sigma.beside), seam_loss_);
   recent_allowance_ += (allowance - recent_allowance_) / kFrames;
 }
 
+void AnchoredGrid::Judge() {
+  constexpr int kFrames = 8;  // two seconds
+  const bool have_ceased = frames_since_judged_ == frames_at_last_call_;
+  if (frames_since_judged_ >= kFrames || (frames_since_judged_ > 0 && have_ceased)) {
+    expected_ = belief_.Expected(grid_);
+    frames_since_judged_ = 0;
+  }
+  frames_at_last_call_ = frames_since_judged_;
+}
+
 Coverage AnchoredGrid::coverage() const {
-  Coverage coverage = belief_.Expected(grid_);
+  Coverage coverage = expected_;
   const Coverage done = grid_.coverage();
   coverage.done_seabed = done.seabed;
   coverage.done_band = done.band;
@@ -123,6 +134,8 @@ bool AnchoredGrid::Settle(int work) {
   LayPings(remake_->grid, remake_->next_ping, next_ping_);
   grid_.Become(std::move(remake_->grid));
   belief_ = std::move(remake_->belief);
+  frames_since_judged_ = std::max(1, frames_since_judged_);
+  frames_at_last_call_ = frames_since_judged_;
   remake_.reset();
   return !is_stale_;
 }

@@ -43,8 +43,11 @@ class AnchoredGrid {
 
   [[nodiscard]] SurveyGrid& grid() { return grid_; }
   [[nodiscard]] const SurveyGrid& grid() const { return grid_; }
-  /// Expected, and done as the grid counts it.
+  /// Expected as of the last Judge, and done as the grid counts it now.
   [[nodiscard]] Coverage coverage() const;
+  /// Counts what is expected anew, now and then: with every eighth frame, when frames have ceased,
+  /// and when the grid has been made anew.
+  void Judge();
   /// By what images are drawn in on average over the latest minute of frames [m].
   [[nodiscard]] double recent_allowance() const { return recent_allowance_; }
 
@@ -77,6 +80,8 @@ class AnchoredGrid {
   std::optional<double> reach_;
   SurveyGrid grid_;
   CoverageBelief belief_;
+  Coverage expected_;
+  int frames_since_judged_ = 0, frames_at_last_call_ = 0;
   double recent_allowance_ = 0.0;
   std::deque<Frame> frames_;
   std::size_t first_ping_, next_ping_;

@@ -245,7 +245,7 @@ Coverage CoverageBelief::Expected(const SurveyGrid& grid) const {
     }
   };
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-    if (is_wanted_[cell] != 0) add(cell, 1.0);
+    if (is_wanted_[cell] != 0 && cells_[cell].last >= 0.0F) add(cell, 1.0);
   }
   for (const std::uint32_t cell : rim_) {
     if (cells_[cell].last < 0.0F) continue;

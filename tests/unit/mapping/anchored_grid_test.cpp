@@ -188,6 +188,8 @@ TEST(AnchoredGrid, DoesNotTakeASeamForDoneThatMayHaveComeApart) {
   AnchoredGrid unsure{kSurveyedArea, kGridCell, CameraModel{}, beams};
   FlyTwoLanes(sure, {});
   FlyTwoLanes(unsure, {.absolute = 0.5, .beside = 0.5});
+  sure.Judge();
+  unsure.Judge();
   EXPECT_LT(unsure.coverage().done_band_top, sure.coverage().done_band_top);
   EXPECT_LT(unsure.coverage().band_top, sure.coverage().band_top);
   EXPECT_GT(unsure.recent_allowance(), 0.05);
@@ -204,6 +206,9 @@ TEST(AnchoredGrid, EarnsGroundAnewOnceAClosedLoopMakesThePlacesSure) {
   while (!ground.Settle()) {
   }
   ExpectSameGround(ground.grid(), sure.grid());
+  ground.Judge();
+  sure.Judge();
+  EXPECT_GT(sure.coverage().band_top, 0.3);
   EXPECT_EQ(ground.coverage().band_top, sure.coverage().band_top);
 }
 
