@@ -49,6 +49,13 @@ class FruitlessLooksTest : public ::testing::Test {
     link_.Send(*app_, topics::kManualOverride, false);
     link_.Send(*app_, topics::kDeploy, true);
     link_.Send(*app_, topics::kSurveyPhase, std::string("SURVEY"));
+    // As the helm itself says at the start.
+    app_->Deliver(std::make_shared<const Message>(Message{.name = "SURFACE_FIX",
+                                                          .value = std::string("false"),
+                                                          .time = link_.time,
+                                                          .source = "pHelm",
+                                                          .source_aux = "",
+                                                          .community = ""}));
     link_.Send(*app_, topics::kMapOpis, OpiBeliefs{{object_}});
   }
 
