@@ -60,6 +60,11 @@ std::vector<BehaviorAct> BHV_SurfaceFix::Stop(const VehicleState& state) {
   return acts.Take();
 }
 
+bool BHV_SurfaceFix::IsFixWorthwhile() const {
+  constexpr double kTimes = 1.5;  // as sure: for less it neither charges nor offers
+  return sigma_ > kTimes * params_.fix_sigma.value();
+}
+
 double BHV_SurfaceFix::Cost() const {
   const Seconds time = 2.0 * Seconds(depth_ / params_.ascent_speed.value()) +
                        0.5 * (params_.shortest_stay + params_.longest_stay);
@@ -79,7 +84,7 @@ double BHV_SurfaceFix::DoubtSaved(const DubinsPath& path) const {
 
 void BHV_SurfaceFix::Offer(const Situation& now, std::vector<Option>& options) const {
   const bool is_pausing = not_before_ && now.now < *not_before_;
-  if (!region_ || is_pausing || sigma_ <= params_.fix_sigma.value()) return;
+  if (!region_ || is_pausing || !IsFixWorthwhile()) return;
   const std::size_t others = std::min(options.size(), kMostOptions);
   for (std::size_t i = 0; i < others; ++i) {
     Option after_fix = options[i];
@@ -90,7 +95,7 @@ void BHV_SurfaceFix::Offer(const Situation& now, std::vector<Option>& options) c
 
 std::optional<Bid> BHV_SurfaceFix::Value(const Prospect& prospect, const Situation& now) const {
   static_cast<void>(now);
-  if (!region_ || sigma_ <= params_.fix_sigma.value()) return std::nullopt;
+  if (!region_ || !IsFixWorthwhile()) return std::nullopt;
   if (prospect.option->source == kFixSource) {
     // An option that ends where the survey does pays for the fix at once.
     const double share =

@@ -55,6 +55,8 @@ class BHV_SurfaceFix final : public Behavior {
                                          const Situation& now) const override;
 
  private:
+  /// The place is known so much worse than after a fix that it has a say.
+  [[nodiscard]] bool IsFixWorthwhile() const;
   /// What coming up costs from the present depth [m of path].
   [[nodiscard]] double Cost() const;
   /// How much less far three sigmas would reach over a border after a fix, along `path` [m^2].

@@ -20,7 +20,7 @@ struct MapParams {
   Meters voxel{0.2};
   double object_threshold = 0.7;
   Meters highest_view{6.5};
-  Meters seam_loss{0.05};
+  Meters seam_loss{0.1};
   Seconds publish_every{0.5};
   Seconds altitude_lasts{5.0};
   template <class V>
