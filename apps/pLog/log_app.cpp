@@ -2,13 +2,13 @@
 #include "apps/pLog/log_app.hpp"
 
 #include <algorithm>
-#include <fstream>
 
 #include <fmt/format.h>
 
 #include "apps/pLog/log_warnings.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/number_text.hpp"
+#include "limpet/durable/durable_file.hpp"
 #include "limpet/logbook/log_folder.hpp"
 
 namespace limpet {
@@ -20,6 +20,7 @@ constexpr Seconds kMonitorTime{10.0};       ///< longest silence of a monitored 
 constexpr int kMostCopies = 64;             ///< at request, in one session of logging
 constexpr Seconds kRefusalTime{60.0};       ///< that a refused copy is warned of
 constexpr Seconds kAnnouncementTime{10.0};  ///< between repeats of LOGGER_DIRECTORY
+constexpr Seconds kRetryTime{10.0};         ///< after a log could not be opened
 
 /// MOOS time is UNIX time times warp; virtual time knows no warp.
 double WarpOf(const AppContext& context) {
@@ -235,7 +236,8 @@ void LogApp::OnLogRequest(std::string_view line) {
 void LogApp::Restart() {
   session_.Close();
   ClearWarning(warnings::kLogDropped);
-  has_failed_ = false;
+  failed_at_.reset();
+  unlogged_ = 0;
   copies_ = 0;
   start_ = now();
   if (sync_period_) {
@@ -255,7 +257,8 @@ LogFilesOptions LogApp::FileOptions() const {
                           .has_excluded = params_.has_exclusion_log,
                           .has_system = context().runs_live,
                           .sync = std::nullopt,
-                          .compresses = params_.compresses && context().runs_live};
+                          .compresses = params_.compresses && context().runs_live,
+                          .disk = context().disk};
   if (sync_period_) {
     options.sync = {.names = sync_names_, .spare = spare_columns_};
   }
@@ -264,8 +267,9 @@ LogFilesOptions LogApp::FileOptions() const {
 
 Expected<fs::path> LogApp::CreateFolder() {
   if (!context().runs_live) {
-    std::error_code ignored;  // a missing folder shows when the file cannot be created
-    fs::create_directories(context().run_folder, ignored);
+    if (const auto failure = CreateFolders(context().run_folder, *context().disk)) {
+      return *failure;
+    }
     return context().run_folder;
   }
   const Seconds utc(start_.value() / WarpOf(context()));
@@ -276,23 +280,28 @@ Expected<fs::path> LogApp::CreateFolder() {
   const fs::path parent = !global.empty()         ? fs::path(global)
                           : !params_.path.empty() ? fs::path(params_.path)
                                                   : context().run_folder;
-  Expected<fs::path> folder = CreateLogFolder(parent.empty() ? "." : parent, stem);
+  Expected<fs::path> folder = CreateLogFolder(parent.empty() ? "." : parent, stem, *context().disk);
   if (folder) {
     ClearWarning(warnings::kLogFolder);
     return folder;
   }
   // As MOOS's logger does: a log in the wrong place is better than none.
   Warn(warnings::kLogFolder, folder.error().text + "; logging to the working directory");
-  return CreateLogFolder(".", stem);
+  return CreateLogFolder(".", stem, *context().disk);
 }
 
 void LogApp::OpenIfNeeded() {
-  if (session_.is_open() || has_failed_ || is_over_) {
+  const bool is_early = failed_at_ && now() - *failed_at_ < kRetryTime;
+  if (session_.is_open() || is_early || is_over_) {
     return;
   }
+  failed_at_.reset();
   if (const auto failure = Open()) {
-    has_failed_ = true;
-    Warn(warnings::kLogFailed, failure->text);
+    failed_at_ = now();
+    failure_ = failure->text;
+    TellState(failure_);
+  } else if (unlogged_ > 0) {
+    session_.Put(LogComment{fmt::format("{} messages before this could not be logged", unlogged_)});
   }
 }
 
@@ -307,12 +316,15 @@ std::optional<Error> LogApp::Open() {
   const std::string stem = former_               ? former_->stem
                            : context().runs_live ? folder->filename().string()
                                                  : session;
-  former_.reset();
   if (auto failure = session_.Open(*folder, stem, start_, options)) {
+    if (context().runs_live && !former_) {
+      RemoveFolder(*folder, *context().disk);  // it is tried again, in another one
+    }
     return failure;
   }
+  former_.reset();
   if (const fs::path memory = MemoryFile(); !memory.empty()) {
-    KeepLog({.folder = *folder, .stem = stem, .start = start_}, memory);
+    KeepLog({.folder = *folder, .stem = stem, .start = start_}, memory, *context().disk);
   }
   if (context().runs_live) {
     AnnounceFolder(*folder);
@@ -325,7 +337,9 @@ void LogApp::AnnounceFolder(const fs::path& folder) {
   folder_ = folder.string();
   PublishRaw("LOGGER_DIRECTORY", folder_);
   if (!params_.summary_file.empty()) {
-    std::ofstream(params_.summary_file) << "LastOpenedLoggingDirectory=" << folder_ << '\n';
+    // A convenience: without it the folder is still announced.
+    static_cast<void>(WriteDurably(
+        params_.summary_file, "LastOpenedLoggingDirectory=" + folder_ + "\n", *context().disk));
   }
   if (!context().mission_file.empty()) {
     Put(FileCopy{.source = context().mission_file, .stem = folder.filename().string()});
@@ -334,8 +348,10 @@ void LogApp::AnnounceFolder(const fs::path& folder) {
 
 void LogApp::Put(LogRecord record) {
   OpenIfNeeded();
-  if (session_.is_open() && !session_.Put(std::move(record))) {
-    Warn(warnings::kLogDropped, "the disk is too slow: messages are missing in the log");
+  if (session_.is_open()) {
+    session_.Put(std::move(record));  // it counts what it drops
+  } else if (std::holds_alternative<LogLine>(record)) {
+    ++unlogged_;
   }
 }
 
@@ -352,14 +368,6 @@ void LogApp::WatchMonitored(Seconds now) {
     if (now - heard > kMonitorTime) {
       Warn(warnings::kSilent.Of(name), name + " is to be logged but does not appear");
     }
-  }
-}
-
-void LogApp::Save() {
-  if (!session_.Save()) {
-    Warn(warnings::kLogFailed, "the log cannot be written; is the disk full?");
-  } else if (session_.is_open()) {
-    ClearWarning(warnings::kLogFailed);
   }
 }
 

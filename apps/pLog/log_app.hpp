@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "apps/pLog/log_session.hpp"
 #include "apps/pLog/sync_table.hpp"
 #include "limpet/app/app.hpp"
+#include "limpet/topics/safety.hpp"
 
 namespace limpet {
 
@@ -54,6 +56,8 @@ class LogApp final : public App {
   void Put(LogRecord record);
   void PutDueRow();
   void Save();
+  /// What became of the log; `why` it is not written, empty if it is.
+  void TellState(const std::string& why);
   void WatchMonitored(Seconds now);
   [[nodiscard]] static std::string Joined(const std::vector<std::string>& patterns);
 
@@ -71,7 +75,11 @@ class LogApp final : public App {
   std::optional<SyncTable> table_;
 
   LogSession session_;
-  bool has_failed_ = false;
+  std::optional<Seconds> failed_at_;  ///< when a log could not be opened
+  std::string failure_;               ///< why
+  std::uint64_t unlogged_ = 0;        ///< messages that came while none was open
+  LogState told_;                     ///< as LOG_STATE
+  std::optional<Seconds> told_at_;
   bool is_over_ = false;  ///< a community's last message was written
   std::string folder_;    ///< as announced
   Seconds last_announcement_;

@@ -7,16 +7,19 @@
 #include <fmt/format.h>
 
 #include "limpet/core/number_text.hpp"
+#include "limpet/durable/durable_file.hpp"
 #include "limpet/logbook/alog_reader.hpp"
 
 namespace limpet {
 
 namespace fs = std::filesystem;
 
-void KeepLog(const LogMemory& memory, const fs::path& file) {
-  std::ofstream(file) << fs::absolute(memory.folder).string() << '\n'
-                      << memory.stem << '\n'
-                      << fmt::format("{:.17g}", memory.start.value()) << '\n';
+void KeepLog(const LogMemory& memory, const fs::path& file, FileSystem& disk) {
+  static_cast<void>(
+      WriteDurably(file,
+                   fmt::format("{}\n{}\n{:.17g}\n", fs::absolute(memory.folder).string(),
+                               memory.stem, memory.start.value()),
+                   disk));
 }
 
 std::optional<LogMemory> RecallLog(const fs::path& file) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "limpet/core/units.hpp"
+#include "limpet/durable/file_system.hpp"
 
 namespace limpet {
 
@@ -17,8 +18,8 @@ struct LogMemory {
   [[nodiscard]] std::filesystem::path log() const { return folder / (stem + ".alog"); }
 };
 
-/// Writes `file`; a failure shows when nothing is recalled.
-void KeepLog(const LogMemory& memory, const std::filesystem::path& file);
+/// Writes `file`, durably; a failure shows when nothing is recalled.
+void KeepLog(const LogMemory& memory, const std::filesystem::path& file, FileSystem& disk);
 /// Nothing if there is none, or its log is gone.
 [[nodiscard]] std::optional<LogMemory> RecallLog(const std::filesystem::path& file);
 

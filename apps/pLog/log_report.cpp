@@ -7,7 +7,7 @@
 namespace limpet {
 
 void LogApp::Report(ReportLines& report) const {
-  report.Pair("Log", has_failed_          ? "cannot be written"
+  report.Pair("Log", failed_at_           ? "cannot be written"
                      : session_.is_open() ? "open"
                      : is_over_           ? "closed"
                                           : "not opened yet");
@@ -26,6 +26,7 @@ void LogApp::Report(ReportLines& report) const {
   report.Pair("Folder", folder_.empty() ? "none yet" : folder_);
   report.Pair("Copies", fmt::format("{} at request, {} refused", copies_, refused_copies_));
   report.Pair("Messages", fmt::format("{}, {} of them binary", messages_, binaries_));
+  report.Pair("Missing", fmt::format("{}, {} more in doubt", told_.missing, told_.in_doubt));
 }
 
 std::string LogApp::Joined(const std::vector<std::string>& patterns) {

@@ -15,7 +15,6 @@ std::optional<Error> LogSession::Open(const std::filesystem::path& folder, const
     return files.error();
   }
   if (has_thread_) {
-    SyncFileNames(folder);
     thread_ = std::make_unique<LogThread>(*std::move(files));
   } else {
     files_ = *std::move(files);
@@ -32,7 +31,27 @@ bool LogSession::Put(LogRecord record) {
   return true;
 }
 
-bool LogSession::Save() { return thread_ ? thread_->is_good() : !files_ || files_->Flush(); }
+std::error_code LogSession::Save() {
+  if (thread_) {
+    return thread_->trouble();
+  }
+  return !files_ || files_->Flush() ? std::error_code() : files_->trouble();
+}
+
+LogLosses LogSession::losses() const {
+  LogLosses losses;
+  if (files_) {
+    losses += files_->losses();
+  }
+  const auto add = [&losses](const LogThread& thread) {
+    losses += thread.losses();
+    losses.dropped += thread.dropped();
+  };
+  if (thread_) {
+    add(*thread_);
+  }
+  return losses;
+}
 
 void LogSession::Close() {
   std::erase_if(closing_, [](const auto& thread) { return thread->is_finished(); });

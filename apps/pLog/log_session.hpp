@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "limpet/core/expected.hpp"
@@ -25,9 +26,11 @@ class LogSession {
   [[nodiscard]] bool is_open() const { return files_ || thread_; }
   /// REQUIRES: is_open(). False if the record was dropped.
   bool Put(LogRecord record);
-  /// Hands what was put to the system; with a thread that happens by itself. False once anything
-  /// could not be written.
-  [[nodiscard]] bool Save();
+  /// Hands what was put to the system; with a thread that happens by itself. Why something cannot
+  /// be written now; nothing if all can.
+  [[nodiscard]] std::error_code Save();
+  /// What is missing in the files that are open.
+  [[nodiscard]] LogLosses losses() const;
   /// What was put is still written; nobody waits for it before this object's end.
   void Close();
 

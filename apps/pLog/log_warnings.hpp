@@ -7,17 +7,20 @@
 namespace limpet::warnings {
 
 inline const WarningId kLogFailed = DeclareWarning(
-    "LOG_FAILED", {.severity = Severity::kAlarm,
-                   .raised_by = {"pLog"},
-                   .meaning = "The log cannot be created or written: nothing is recorded.",
-                   .action = "Make room on the disk or mend its rights, then write LOGGER_RESTART.",
-                   .clears = "Once a log is open and can be written."});
+    "LOG_FAILED",
+    {.severity = Severity::kAlarm,
+     .raised_by = {"pLog"},
+     .meaning = "The log cannot be created or written: up to 4 MiB wait for the disk, "
+                "then messages are dropped and counted.",
+     .action = "Make room on the disk or mend its rights; it is tried again by itself.",
+     .clears = "Once a log is open and can be written."});
 
 inline const WarningId kLogDropped = DeclareWarning(
     "LOG_DROPPED", {.severity = Severity::kWarning,
                     .raised_by = {"pLog"},
-                    .meaning = "The disk was too slow: messages are missing in the log.",
-                    .action = "Log less (WildcardOmitPattern), or to a faster disk.",
+                    .meaning = "The disk was too slow, full or failing: as many messages as the "
+                               "text says are missing in the log, or may be.",
+                    .action = "Log less (WildcardOmitPattern), or to a larger or faster disk.",
                     .clears = "With the next log, after LOGGER_RESTART."});
 
 inline const WarningId kLogFolder = DeclareWarning(

@@ -2,15 +2,16 @@
 #include "apps/pSession/session_app.hpp"
 
 #include <filesystem>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "apps/pSession/session_warnings.hpp"
 #include "estimation/mapping/map_export.hpp"
 #include "limpet/app/registry.hpp"
+#include "limpet/durable/durable_file.hpp"
 #include "limpet/mission/expanded_text.hpp"
 #include "limpet/mission/vehicle_settings.hpp"
-#include "limpet/session/durable_file.hpp"
 #include "limpet/session/saved_session.hpp"
 
 namespace limpet {
@@ -42,7 +43,7 @@ std::string WithPlugs(const std::string& text, const std::filesystem::path& file
 }  // namespace
 
 SessionApp::SessionApp(const AppContext& context, const Params& params)
-    : App(context), params_(params) {
+    : App(context), params_(params), jobs_(context.runs_live) {
   if (!context.prior_folder.empty()) {
     LoadFormer();
   }
@@ -60,7 +61,7 @@ SessionApp::SessionApp(const AppContext& context, const Params& params)
   Subscribe(topics::kSessionSave, &SessionApp::OnSave);
   CopyMission();
   if (!context.run_folder.empty()) {
-    writer_.emplace(context.run_folder / kSessionFolder);
+    writer_.emplace(context.run_folder / kSessionFolder, *context.disk);
     GoOnFromSaved();
   }
 }
@@ -98,7 +99,8 @@ bool SessionApp::MaySave() {
   if (!memory_.area || memory_.frames.empty()) {
     return false;
   }
-  const Expected<fs::path> aside = SetSessionAside(context().run_folder / kSessionFolder);
+  const Expected<fs::path> aside =
+      SetSessionAside(context().run_folder / kSessionFolder, *context().disk);
   if (!aside) {
     Warn(warnings::kSessionNotSaved, aside.error().text);
     return false;
@@ -192,7 +194,13 @@ void SessionApp::Tick(Seconds now) {
       prior_map_.clear();
     }
   }
-  if (!last_save_) {
+  if (!DiskIsIdle(now)) {
+    return;
+  }
+  TellSaved();
+  if (put_off_) {
+    StartSaving(*std::exchange(put_off_, std::nullopt), now);
+  } else if (!last_save_) {
     Commit("start", now);  // self-describing from its first second
   } else if (pending_ && now - pending_->since > params_.map_within) {
     Warn(warnings::kMapSilent, "no MAP_SNAPSHOT: saved with the last map known");
@@ -202,42 +210,73 @@ void SessionApp::Tick(Seconds now) {
   }
 }
 
+bool SessionApp::DiskIsIdle(Seconds now) {
+  constexpr Seconds kLong(30.0);
+  const bool is_idle = jobs_.is_idle();
+  if (!is_idle && last_save_ && now - *last_save_ > kLong) {
+    Warn(warnings::kSessionNotSaved, "the disk has not taken the last generation yet");
+  }
+  return is_idle;
+}
+
 void SessionApp::Finish(Seconds now) {
+  jobs_.Wait();
+  TellSaved();
   if (!last_save_ || pending_ || now > *last_save_) {
     Commit(pending_ ? pending_->cause : "end", now);
   }
+  jobs_.Wait();
+  TellSaved();
 }
 
 void SessionApp::Commit(std::string cause, Seconds now) {
   pending_.reset();
+  if (!jobs_.is_idle()) {
+    put_off_ = std::move(cause);
+    return;
+  }
+  TellSaved();
   last_save_ = now;
   if (!writer_ || context().link->is_replaying() || !MaySave()) {
     return;
   }
-  const SessionFacts facts{.limpet = "",
-                           .mission = context().mission_folder.filename().string(),
-                           .session = context().session,
-                           .community = context().Global("Community"),
-                           .seed = context().seed,
-                           .lat_origin = context().Global("LatOrigin"),
-                           .long_origin = context().Global("LongOrigin"),
-                           .saved_at = now.value(),
-                           .cause = cause};
+  SessionFacts facts{.limpet = "",
+                     .mission = context().mission_folder.filename().string(),
+                     .session = context().session,
+                     .community = context().Global("Community"),
+                     .seed = context().seed,
+                     .lat_origin = context().Global("LatOrigin"),
+                     .long_origin = context().Global("LongOrigin"),
+                     .saved_at = now.value(),
+                     .cause = cause};
   memory_.chips = ChipsOf(memory_.objects, chips_, memory_.chips);
   SessionFiles files = FilesOf(memory_);
   if (cause != kPeriodic) {
     AddExports(memory_.map, files);
   }
-  const Expected<int> generation = writer_->Commit(facts, files);
-  if (!generation) {
-    Warn(warnings::kSessionNotSaved, generation.error().text);
+  jobs_.Put([this, facts = std::move(facts), files = std::move(files)] {
+    saved_ = Saved{facts.cause, writer_->Commit(facts, files)};
+  });
+  if (jobs_.is_idle()) {
+    TellSaved();
+  }
+}
+
+void SessionApp::TellSaved() {
+  if (!saved_) {
+    return;
+  }
+  const Saved saved = *std::exchange(saved_, std::nullopt);
+  if (!saved.generation) {
+    Warn(warnings::kSessionNotSaved, saved.generation.error().text);
     return;
   }
   ClearWarning(warnings::kSessionNotSaved);
-  generation_ = *generation;
-  last_cause_ = cause;
-  ReportEvent(events::kSessionSaved, fmt::format("saved generation {}: {}", *generation, cause));
-  Publish(topics::kSessionSaved, fmt::format("generation={},cause={}", *generation, cause));
+  generation_ = *saved.generation;
+  last_cause_ = saved.cause;
+  ReportEvent(events::kSessionSaved,
+              fmt::format("saved generation {}: {}", generation_, saved.cause));
+  Publish(topics::kSessionSaved, fmt::format("generation={},cause={}", generation_, saved.cause));
 }
 
 LIMPET_REGISTER_APP(SessionApp, "pSession", 2.0);

@@ -6,6 +6,7 @@
 
 #include "limpet/app/app.hpp"
 #include "limpet/core/params.hpp"
+#include "limpet/durable/disk_jobs.hpp"
 #include "limpet/objects/best_chips.hpp"
 #include "limpet/session/session_memory.hpp"
 #include "limpet/topics/chips.hpp"
@@ -56,8 +57,12 @@ class SessionApp final : public App {
   /// Once it is, the former one is set aside.
   [[nodiscard]] bool MaySave();
   void StartSaving(const std::string& cause, Seconds now);
-  /// By value: the pending cause dies with the saving that this ends.
+  /// By value: the pending cause dies with the saving that this ends. Put off while the disk is
+  /// still at the one before.
   void Commit(std::string cause, Seconds now);
+  void TellSaved();
+  /// False while the disk is at work; warns if that takes long.
+  [[nodiscard]] bool DiskIsIdle(Seconds now);
 
   struct Pending {
     std::string cause;
@@ -80,6 +85,13 @@ class SessionApp final : public App {
   bool is_folder_ours_ = true;    ///< nothing of another life is in it
   int generation_ = 0;            ///< last one on disk
   std::string last_cause_;
+  struct Saved {
+    std::string cause;
+    Expected<int> generation;
+  };
+  std::optional<Saved> saved_;          ///< not told yet; the job's while it runs
+  std::optional<std::string> put_off_;  ///< cause
+  DiskJobs jobs_;
 };
 
 }  // namespace limpet

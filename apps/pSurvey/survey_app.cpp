@@ -41,7 +41,11 @@ SurveyArea AreaOrThrow(const SurveyParams& params, const AppContext& context) {
 }  // namespace
 
 SurveyApp::SurveyApp(const AppContext& context, const Params& params)
-    : App(context), params_(params), area_(AreaOrThrow(params, context)), region_(area_) {
+    : App(context),
+      params_(params),
+      area_(AreaOrThrow(params, context)),
+      region_(area_),
+      keeper_(context.run_folder, *context.disk, context.runs_live) {
   if (context.is_restarted) {
     Recall();  // first: a DEPLOY that is known already must not start the mission anew
   }
@@ -86,9 +90,14 @@ void SurveyApp::Remember() {
     memory.home_north = home_->north;
     memory.home_east = home_->east;
   }
-  if (const auto trouble = KeepSurvey(memory, context().run_folder)) {
-    Warn(warnings::kStateNotKept, trouble->text);
-  } else {
+  keeper_.Keep(memory);
+}
+
+void SurveyApp::TellWhatIsKept() {
+  const std::optional<SurveyKeeper::Outcome> outcome = keeper_.TakeOutcome();
+  if (outcome && outcome->trouble) {
+    Warn(warnings::kStateNotKept, outcome->trouble->text);
+  } else if (outcome) {
     ClearWarning(warnings::kStateNotKept);
   }
 }
@@ -332,6 +341,7 @@ void SurveyApp::Tick(Seconds now) {
   if (context().runs_live && IsUnderWay() && now - told_ > kTellPeriod) {
     TellAgain(now);
   }
+  TellWhatIsKept();
 }
 
 void SurveyApp::WalkOn(Seconds now) {

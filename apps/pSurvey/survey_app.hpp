@@ -5,6 +5,7 @@
 #include <string>
 
 #include "apps/pSurvey/helm_watch.hpp"
+#include "apps/pSurvey/survey_memory.hpp"
 #include "apps/pSurvey/transit.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/energy/energy_estimate.hpp"
@@ -76,6 +77,7 @@ class SurveyApp final : public App {
   void MakeEnergyEstimate();
   void PublishArea();
   void Remember();
+  void TellWhatIsKept();
   void Recall();
   /// Area, home and phase, for those who have come or come back.
   void TellAgain(Seconds now);
@@ -108,6 +110,7 @@ class SurveyApp final : public App {
   std::string ended_ = "home";
   std::optional<EnergyEstimate> energy_;  ///< of a vehicle that has a battery
   std::optional<EnergyState> energy_state_;
+  SurveyKeeper keeper_;
 };
 
 }  // namespace limpet

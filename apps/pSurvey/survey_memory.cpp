@@ -2,7 +2,7 @@
 #include "apps/pSurvey/survey_memory.hpp"
 
 #include "limpet/core/record.hpp"
-#include "limpet/session/durable_file.hpp"
+#include "limpet/durable/durable_file.hpp"
 
 namespace limpet {
 namespace {
@@ -11,9 +11,14 @@ constexpr const char* kFile = "survey_state.txt";
 
 }  // namespace
 
-std::optional<Error> KeepSurvey(const SurveyMemory& memory,
-                                const std::filesystem::path& run_folder) {
-  return WriteDurably(run_folder / kFile, EncodeRecord(memory));
+void SurveyKeeper::Keep(const SurveyMemory& memory) {
+  jobs_.Put([this, text = EncodeRecord(memory)] {
+    outcome_ = Outcome{WriteDurably(run_folder_ / kFile, text, disk_)};
+  });
+}
+
+std::optional<SurveyKeeper::Outcome> SurveyKeeper::TakeOutcome() {
+  return jobs_.is_idle() ? std::exchange(outcome_, std::nullopt) : std::nullopt;
 }
 
 std::optional<SurveyMemory> RecallSurvey(const std::filesystem::path& run_folder) {

@@ -4,8 +4,11 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "limpet/core/expected.hpp"
+#include "limpet/durable/disk_jobs.hpp"
+#include "limpet/durable/file_system.hpp"
 
 namespace limpet {
 
@@ -24,9 +27,27 @@ struct SurveyMemory {
   }
 };
 
-/// Writes survey_state.txt of the run folder, durably; the complaint if that failed.
-[[nodiscard]] std::optional<Error> KeepSurvey(const SurveyMemory& memory,
-                                              const std::filesystem::path& run_folder);
+/// Writes survey_state.txt of the run folder, durably, on a thread of its own: the mission does not
+/// wait for a disk.
+class SurveyKeeper {
+ public:
+  struct Outcome {
+    std::optional<Error> trouble;  ///< nothing: it is on the disk
+  };
+  SurveyKeeper(std::filesystem::path run_folder, FileSystem& disk, bool has_thread)
+      : run_folder_(std::move(run_folder)), disk_(disk), jobs_(has_thread) {}
+
+  void Keep(const SurveyMemory& memory);
+  /// What came of what was kept last, once; nothing while that is not known.
+  [[nodiscard]] std::optional<Outcome> TakeOutcome();
+
+ private:
+  std::filesystem::path run_folder_;
+  FileSystem& disk_;
+  std::optional<Outcome> outcome_;  ///< a job's while it runs
+  DiskJobs jobs_;
+};
+
 /// Nothing if there is none, or none that can be read.
 [[nodiscard]] std::optional<SurveyMemory> RecallSurvey(const std::filesystem::path& run_folder);
 

@@ -13,7 +13,7 @@ install(DIRECTORY share/vehicles share/networks share/detectors DESTINATION "${L
 install(DIRECTORY share/limpet-template DESTINATION "${LIMPET_DATA}/share" COMPONENT limpet)
 
 # What Limpet::app and Limpet::helm stand on.
-set(LIMPET_INSTALLED core simulation wire shapes waypoints objects packing topics decision mission pubsub app survey planning
+set(LIMPET_INSTALLED core durable simulation wire shapes waypoints objects packing topics decision mission pubsub app survey planning
                      helm)
 foreach(library ${LIMPET_INSTALLED})
   target_include_directories(limpet_${library} PUBLIC "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")

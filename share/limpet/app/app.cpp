@@ -45,6 +45,10 @@ void App::Iterate(Seconds now) {
   }
 }
 
+void App::NoteJournalLost(const std::string& why) {
+  Warn(warnings::kJournalLost, "a successor would begin anew: " + why);
+}
+
 void App::End(Seconds now) {
   Finish(now);
   if (!context_.runs_live) {

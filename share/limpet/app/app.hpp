@@ -23,6 +23,7 @@
 #include "limpet/core/message.hpp"
 #include "limpet/core/random.hpp"
 #include "limpet/core/units.hpp"
+#include "limpet/durable/file_system.hpp"
 #include "limpet/pubsub/database.hpp"
 #include "limpet/topics/event.hpp"
 #include "limpet/topics/topic.hpp"
@@ -73,6 +74,8 @@ struct AppContext {
   /// life is done, and others count on it.
   bool is_restarted = false;
   double warp = 1.0;  ///< MOOS time per real time
+  /// What files are written through; embedded it fails when the scenario says so.
+  FileSystem* disk = &RealFileSystem();
   /// Every block of the mission as this run reads it: plugs expanded, settings of the command line
   /// in place.
   std::vector<ConfigBlock> blocks{};
@@ -106,6 +109,8 @@ class App {
   void Iterate(Seconds now);
   /// Finish, and embedded the last report: it stays in the log. For the runner.
   void End(Seconds now);
+  /// The journal that a successor would go through is lost, and why. For the runner.
+  void NoteJournalLost(const std::string& why);
   [[nodiscard]] std::int64_t iteration() const { return iteration_; }
   [[nodiscard]] const std::string& name() const { return context_.name; }
   /// Variables that it hears and can do without.

@@ -32,6 +32,15 @@ inline const WarningId kClockDiffers = DeclareWarning(
      .action = "Find out who sets the clock of the database's machine; the mission goes on.",
      .clears = "Once the two agree within 0.5 s."});
 
+inline const WarningId kJournalLost = DeclareWarning(
+    "JOURNAL_LOST",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pMap", "pNav", "pSession"},
+     .meaning = "What the app has heard can no longer be written: if it fails, the one that is "
+                "started in its place knows nothing of this life.",
+     .action = "Make room on the disk or mend it before the next dive.",
+     .clears = "It stands to the end of the run."});
+
 inline const WarningId kBadCommand = DeclareWarning(
     "BAD_COMMAND",
     {.severity = Severity::kWarning,

@@ -126,6 +126,7 @@ class EmbeddedCommunity::Impl {
   [[nodiscard]] Seconds now() const { return setup_.start + Seconds(elapsed_); }
 
   EmbeddedSetup setup_;
+  FailingFileSystem disk_{RealFileSystem()};
   Database database_;
   double elapsed_ = 0.0;
   std::vector<std::function<void(const Message&)>> observers_;
@@ -186,7 +187,7 @@ class EmbeddedCommunity::Impl {
     hosted_.push_back(std::move(hosted));
   }
 
-  AppContext ContextFor(const std::string& name, AppLink* link) const {
+  AppContext ContextFor(const std::string& name, AppLink* link) {
     return {.name = name,
             .link = link,
             .globals = setup_.globals,
@@ -195,6 +196,7 @@ class EmbeddedCommunity::Impl {
             .prior_folder = setup_.prior_folder,
             .session = setup_.session,
             .seed = setup_.seed,
+            .disk = &disk_,
             .blocks = setup_.blocks};
   }
 
@@ -211,6 +213,7 @@ void EmbeddedCommunity::Poke(const std::string& name, Value value) {
 }
 void EmbeddedCommunity::Stall(const std::string& app, bool hangs) { impl_->Stall(app, hangs); }
 void EmbeddedCommunity::StallDatabase(bool hangs) { impl_->StallDatabase(hangs); }
+void EmbeddedCommunity::FailDisk(FailingFileSystem::Fault fault) { impl_->disk_.Set(fault); }
 void EmbeddedCommunity::Observe(std::function<void(const Message&)> observer) {
   impl_->observers_.push_back(std::move(observer));
 }

@@ -10,6 +10,7 @@
 
 #include "limpet/app/app.hpp"
 #include "limpet/core/config.hpp"
+#include "limpet/durable/failing_file_system.hpp"
 #include "limpet/pubsub/database.hpp"
 
 namespace limpet {
@@ -51,6 +52,8 @@ class EmbeddedCommunity {
   /// From now on nothing that is written reaches anybody, as when the database's process hangs; or
   /// it goes on: what was written meanwhile is delivered, in order, stamped when it was written.
   void StallDatabase(bool hangs = true);
+  /// From now on the disk that apps write to fails like this, or works again.
+  void FailDisk(FailingFileSystem::Fault fault);
   /// Calls `observer` for every write, in order.
   void Observe(std::function<void(const Message&)> observer);
   /// Ends every app in launch order; the last call.

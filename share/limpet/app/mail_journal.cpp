@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/app/mail_journal.hpp"
 
-#include <array>
 #include <fstream>
+#include <optional>
+#include <utility>
 
-#include <fcntl.h>
-#include <unistd.h>
-
+#include "limpet/durable/journal_format.hpp"
 #include "limpet/wire/little_endian.hpp"
 #include "limpet/wire/message_codec.hpp"
 #include "limpet/wire/message_conversion.hpp"
@@ -14,157 +13,160 @@
 namespace limpet {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x314c4d4a;  // "JML1"
-constexpr std::uint32_t kMostAttempts = 2;
-constexpr std::size_t kEntryHead = 13;  // size of the payload, kind, time
+constexpr int kMostAttempts = 2;
+constexpr std::size_t kEntryHead = 9;  // kind, time
 constexpr std::size_t kPendingLimit = std::size_t{256} << 10;
 constexpr char kMail = 'M', kTick = 'T';
-
-bool ReadExactly(std::istream& in, std::span<std::byte> bytes) {
-  return static_cast<bool>(
-      in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())));
-}
+constexpr char kAttempt = 'A';  // a new life begins to go through what is before
+constexpr char kVouched = 'V';  // it has, and lives
 
 struct Entry {
   char kind = kTick;
   Seconds now;
-  ByteBuffer payload;
+  ByteView mail;  ///< in the payload
 };
 
-/// The next entry, if it ends within the `left` bytes, which shrink by it.
-bool ReadEntry(std::istream& in, std::uint64_t& left, Entry& entry) {
-  std::array<std::byte, kEntryHead> head{};
-  if (left < kEntryHead || !ReadExactly(in, head)) {
-    return false;
+/// Nothing if it is none.
+std::optional<Entry> EntryIn(const std::string& payload) {
+  if (payload.size() < kEntryHead) {
+    return std::nullopt;
   }
-  const auto size = Get<std::uint32_t>(head.data());
-  entry.kind = Get<char>(head.data() + 4);
-  entry.now = Seconds(Get<double>(head.data() + 5));
-  if (left - kEntryHead < size) {
-    return false;
-  }
-  entry.payload.resize(size);
-  left -= kEntryHead + size;
-  return ReadExactly(in, entry.payload) &&
-         (entry.kind == kTick || (entry.kind == kMail && DecodeMessage(entry.payload).has_value()));
+  const auto* bytes = reinterpret_cast<const std::byte*>(payload.data());
+  const Entry entry{.kind = payload.front(),
+                    .now = Seconds(Get<double>(bytes + 1)),
+                    .mail = {bytes + kEntryHead, payload.size() - kEntryHead}};
+  const bool is_known = entry.kind == kTick || entry.kind == kAttempt || entry.kind == kVouched ||
+                        (entry.kind == kMail && DecodeMessage(entry.mail).has_value());
+  return is_known ? std::optional(entry) : std::nullopt;
+}
+
+std::uint64_t FileSizeOf(const std::filesystem::path& file) {
+  std::error_code missing;
+  const std::uintmax_t size = std::filesystem::file_size(file, missing);
+  return missing ? 0 : size;
 }
 
 }  // namespace
 
-MailJournal::MailJournal(std::filesystem::path file, bool continues)
-    : file_(std::move(file)),
-      descriptor_(::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
-  std::array<std::byte, kHeaderSize> header{};
-  std::uint32_t attempts = 0;
-  std::ifstream former(file_, std::ios::binary);
-  if (continues && is_good() && ReadExactly(former, header) &&
-      Get<std::uint32_t>(header.data()) == kMagic) {
-    attempts = Get<std::uint32_t>(header.data() + 4);
-    end_ = attempts < kMostAttempts ? SoundEnd() : 0;
+MailJournal::MailJournal(std::filesystem::path file, bool continues, FileSystem& disk)
+    : file_(std::move(file)), disk_(disk) {
+  Former former = continues ? ReadFormer() : Former{};
+  if (former.attempts >= kMostAttempts) {
+    former = {};
   }
-  const bool begins = end_ <= kHeaderSize;
-  if (begins) {
-    end_ = kHeaderSize;
-  }
-  if (!is_good() || ::ftruncate(descriptor_, static_cast<off_t>(end_)) != 0 ||
-      !WriteHeader(begins ? 0 : attempts + 1)) {
-    GiveUp();
+  former_end_ = former.end;
+  Expected<AppendFile> opened = Open(former);
+  if (opened) {
+    thread_ = std::make_unique<AppendThread>(*std::move(opened));
+  } else {
+    trouble_ = opened.error().text;
   }
 }
 
-MailJournal::~MailJournal() {
-  Flush();
-  GiveUp();
-}
+MailJournal::~MailJournal() { Flush(); }
 
-void MailJournal::GiveUp() {
-  if (is_good()) {
-    ::close(descriptor_);
-  }
-  descriptor_ = -1;
-}
-
-bool MailJournal::WriteHeader(std::uint32_t attempts) {
-  std::array<std::byte, kHeaderSize> header{};
-  Put(Put(header.data(), kMagic), attempts);
-  return ::pwrite(descriptor_, header.data(), header.size(), 0) == kHeaderSize;
-}
-
-std::uint64_t MailJournal::SoundEnd() const {
-  std::error_code error;
-  const std::uint64_t size = std::filesystem::file_size(file_, error);
+MailJournal::Former MailJournal::ReadFormer() const {
+  Former former;
   std::ifstream in(file_, std::ios::binary);
-  in.seekg(static_cast<std::streamoff>(kHeaderSize));
-  std::uint64_t left = error || size < kHeaderSize ? 0 : size - kHeaderSize;
-  std::uint64_t sound = kHeaderSize;
-  for (Entry entry; ReadEntry(in, left, entry);) {
-    sound = size - left;
+  JournalReader reader(in, FileSizeOf(file_));
+  former.end = reader.end();
+  for (std::string payload; reader.Next(payload);) {
+    const std::optional<Entry> entry = EntryIn(payload);
+    if (!entry) {
+      break;
+    }
+    former.attempts = entry->kind == kVouched   ? 0
+                      : entry->kind == kAttempt ? former.attempts + 1
+                                                : former.attempts;
+    former.end = reader.end();
+    former.chain = reader.chain();
   }
-  return sound;
+  return former;
+}
+
+/// What must be with the system before the app goes through its former life is written at once.
+Expected<AppendFile> MailJournal::Open(const Former& former) {
+  Expected<AppendFile> file = former.end == 0 ? AppendFile::Create(file_, disk_)
+                                              : AppendFile::ContinueAt(file_, former.end, disk_);
+  end_ = former.end;
+  chain_ = former.chain;
+  if (former.end == 0) {
+    pending_ = kJournalHeader;
+  } else {
+    Append(kAttempt, Seconds(0.0), {});
+  }
+  if (file && !file->Append(pending_)) {
+    return Error{file->trouble().message()};
+  }
+  end_ += std::exchange(pending_, {}).size();
+  return file;
 }
 
 void MailJournal::Replay(
     const std::function<void(Seconds now, const MessagePtr& mail)>& take) const {
-  if (!is_good()) {
+  if (!is_good() || former_end_ == 0) {
     return;
   }
   std::ifstream in(file_, std::ios::binary);
-  in.seekg(static_cast<std::streamoff>(kHeaderSize));
-  std::uint64_t left = end_ - kHeaderSize;
-  for (Entry entry; ReadEntry(in, left, entry);) {
-    MessagePtr mail;
-    if (entry.kind == kMail) {
-      mail = std::make_shared<const Message>(MessageFrom(DecodeMessage(entry.payload)->message));
+  JournalReader reader(in, former_end_);
+  for (std::string payload; reader.Next(payload);) {
+    const std::optional<Entry> entry = EntryIn(payload);
+    if (!entry || entry->kind == kAttempt || entry->kind == kVouched) {
+      continue;
     }
-    take(entry.now, mail);
+    MessagePtr mail;
+    if (entry->kind == kMail) {
+      mail = std::make_shared<const Message>(MessageFrom(DecodeMessage(entry->mail)->message));
+    }
+    take(entry->now, mail);
   }
 }
 
 void MailJournal::Vouch() {
-  if (is_good() && !WriteHeader(0)) {
-    GiveUp();
+  if (former_end_ == 0) {
+    return;
   }
+  Append(kVouched, Seconds(0.0), {});
+  Flush();
 }
 
-void MailJournal::Begin(char kind, Seconds now, std::size_t payload) {
-  const std::size_t at = pending_.size();
-  pending_.resize(at + kEntryHead + payload);
-  Put(Put(Put(pending_.data() + at, static_cast<std::uint32_t>(payload)), kind), now.value());
-}
-
-void MailJournal::NoteMail(const Message& message, Seconds now) {
-  const WireMessage view = ViewOf(message);
-  const std::size_t size = EncodedSize(view);
-  Begin(kMail, now, size);
-  EncodeMessage(view, pending_.data() + pending_.size() - size);
+void MailJournal::Append(char kind, Seconds now, std::string_view bytes) {
+  std::string payload(kEntryHead, kind);
+  Put(reinterpret_cast<std::byte*>(payload.data()) + 1, now.value());
+  payload += bytes;
+  AppendJournalRecord(pending_, chain_, payload);
   if (pending_.size() >= kPendingLimit) {
     Flush();
   }
 }
 
-void MailJournal::NoteTick(Seconds now) { Begin(kTick, now, 0); }
+void MailJournal::NoteMail(const Message& message, Seconds now) {
+  const WireMessage view = ViewOf(message);
+  std::string bytes(EncodedSize(view), '\0');
+  EncodeMessage(view, reinterpret_cast<std::byte*>(bytes.data()));
+  Append(kMail, now, bytes);
+}
+
+void MailJournal::NoteTick(Seconds now) { Append(kTick, now, {}); }
 
 void MailJournal::Flush() {
-  std::size_t written = 0;
-  while (is_good() && written < pending_.size()) {
-    const ssize_t count = ::pwrite(descriptor_, pending_.data() + written,
-                                   pending_.size() - written, static_cast<off_t>(end_));
-    if (count <= 0 || end_ > kLargest) {
-      // Half a journal would be believed: better none.
-      static_cast<void>(::ftruncate(descriptor_, 0));
-      GiveUp();
-      break;
+  if (thread_ && is_good() && !pending_.empty()) {
+    end_ += pending_.size();
+    if (end_ > kLargest) {
+      thread_->GiveUp(std::make_error_code(std::errc::file_too_large));
+    } else {
+      thread_->Put(pending_);
     }
-    written += static_cast<std::size_t>(count);
-    end_ += static_cast<std::uint64_t>(count);
+    if (const std::error_code trouble = thread_->trouble()) {
+      trouble_ = trouble.message();
+    }
   }
   pending_.clear();
 }
 
 void MailJournal::Remove() {
-  GiveUp();
-  std::error_code ignored;
-  std::filesystem::remove(file_, ignored);
+  thread_.reset();
+  static_cast<void>(disk_.Remove(file_));
 }
 
 }  // namespace limpet

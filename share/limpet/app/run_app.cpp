@@ -67,6 +67,9 @@ void Loop(App& app, LiveLink& link, Seconds period, MailJournal* journal, Heartb
       if (journal != nullptr) {
         journal->NoteTick(moos_now);
         journal->Flush();
+        if (!journal->is_good()) {
+          app.NoteJournalLost(journal->trouble());
+        }
       }
       app.Iterate(moos_now);
       next = std::max(next + period, now);

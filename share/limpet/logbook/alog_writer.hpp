@@ -5,12 +5,14 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "limpet/core/expected.hpp"
 #include "limpet/core/message.hpp"
+#include "limpet/durable/append_file.hpp"
 #include "limpet/logbook/alog_format.hpp"
-#include "limpet/logbook/append_file.hpp"
 #include "limpet/logbook/blog.hpp"
+#include "limpet/logbook/log_buffer.hpp"
 
 namespace limpet {
 
@@ -28,11 +30,13 @@ class AlogWriter {
   /// default the file of the same stem.
   [[nodiscard]] static Expected<AlogWriter> Open(const std::filesystem::path& file, Seconds start,
                                                  const AlogOptions& options,
-                                                 std::shared_ptr<BlogWriter> blog = nullptr);
+                                                 std::shared_ptr<BlogWriter> blog = nullptr,
+                                                 FileSystem& disk = RealFileSystem());
   /// Goes on at the end of `file` with a comment that says so; half a line there goes.
   [[nodiscard]] static Expected<AlogWriter> Continue(const std::filesystem::path& file,
                                                      Seconds start, const AlogOptions& options,
-                                                     std::shared_ptr<BlogWriter> blog = nullptr);
+                                                     std::shared_ptr<BlogWriter> blog = nullptr,
+                                                     FileSystem& disk = RealFileSystem());
   AlogWriter(AlogWriter&&) noexcept = default;
   AlogWriter& operator=(AlogWriter&&) noexcept = default;
   AlogWriter(const AlogWriter&) = delete;
@@ -43,21 +47,22 @@ class AlogWriter {
   void Write(const Message& message);
   /// A line for people, which readers skip.
   void WriteComment(std::string_view text);
-  /// False once anything could not be written, e.g. on a full disk.
+  /// False while something cannot be written, e.g. on a full disk.
   bool Flush();
   /// The bytes of binary values first: a line on the disk never points at what is not there.
   bool Sync();
+  /// Why the last of these said false.
+  [[nodiscard]] std::error_code trouble() const;
+  [[nodiscard]] LogLosses losses() const;
 
  private:
   AlogWriter(AppendFile file, std::shared_ptr<BlogWriter> blog, AlogFormat format)
-      : file_(std::move(file)), blog_(std::move(blog)), format_(std::move(format)) {}
-  void HandOver();
+      : lines_(std::move(file)), blog_(std::move(blog)), format_(std::move(format)) {}
 
-  AppendFile file_;
+  LogBuffer lines_;
   std::shared_ptr<BlogWriter> blog_;  ///< null: moved from
   AlogFormat format_;
-  std::string buffer_;
-  bool is_good_ = true;
+  std::uint64_t unsynced_binaries_ = 0, binaries_in_doubt_ = 0;
 };
 
 }  // namespace limpet

@@ -10,14 +10,30 @@
 
 namespace limpet {
 
-std::optional<std::string> BlogWriter::Write(const Binary& bytes) {
-  if (!file_) {
-    Expected<AppendFile> file =
-        continues_ ? AppendFile::Continue(path_) : AppendFile::Create(path_);
-    if (!file) {
-      return std::nullopt;
-    }
+bool BlogWriter::Open() {
+  Expected<AppendFile> file =
+      continues_ ? AppendFile::Continue(path_, disk_) : AppendFile::Create(path_, disk_);
+  if (file) {
     file_ = *std::move(file);
+    trouble_.clear();
+  } else {
+    trouble_ = std::make_error_code(std::errc::io_error);
+  }
+  return file_.has_value();
+}
+
+bool BlogWriter::Sync() {
+  // A former life's bytes may have been with the system alone.
+  const bool has_former = continues_ && !file_ && std::filesystem::exists(path_);
+  if (has_former && !Open()) {
+    return false;
+  }
+  return !file_ || file_->Sync();
+}
+
+std::optional<std::string> BlogWriter::Write(const Binary& bytes) {
+  if (!file_ && !Open()) {
+    return std::nullopt;
   }
   const std::uint64_t offset = file_->size();
   if (!file_->Append({reinterpret_cast<const char*>(bytes.data()), bytes.size()})) {

@@ -7,27 +7,35 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "limpet/core/expected.hpp"
 #include "limpet/core/message.hpp"
-#include "limpet/logbook/append_file.hpp"
+#include "limpet/durable/append_file.hpp"
 
 namespace limpet {
 
 /// Collects bytes in one file, created by the first value, or continued.
 class BlogWriter {
  public:
-  explicit BlogWriter(std::filesystem::path path, bool continues = false)
-      : path_(std::move(path)), continues_(continues) {}
+  explicit BlogWriter(std::filesystem::path path, bool continues = false,
+                      FileSystem& disk = RealFileSystem())
+      : path_(std::move(path)), continues_(continues), disk_(disk) {}
 
   /// Appends a value and returns its marker; nothing if it cannot be written.
   [[nodiscard]] std::optional<std::string> Write(const Binary& bytes);
-  [[nodiscard]] bool Sync() { return !file_ || file_->Sync(); }
+  [[nodiscard]] bool Sync();
+  /// Why the last call failed; nothing after one that did not.
+  [[nodiscard]] std::error_code trouble() const { return file_ ? file_->trouble() : trouble_; }
 
  private:
+  [[nodiscard]] bool Open();
+
   std::filesystem::path path_;
   bool continues_;
+  FileSystem& disk_;
   std::optional<AppendFile> file_;
+  std::error_code trouble_;  ///< of creating it
 };
 
 /// A binary value's place in the .blog file.

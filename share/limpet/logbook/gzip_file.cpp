@@ -5,12 +5,10 @@
 #include <array>
 #include <vector>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 #include <zlib.h>
 
-#include "limpet/logbook/append_file.hpp"
+#include "limpet/durable/append_file.hpp"
 
 namespace limpet {
 namespace {
@@ -29,26 +27,46 @@ bool IsGzip(std::FILE* file) {
   return is_gzip;
 }
 
-bool PackInto(const std::filesystem::path& packed, SequentialFile& source) {
-  gzFile out = ::gzopen(packed.c_str(), "wb6");
-  if (out == nullptr) {
-    return false;
+/// The packer of zlib, as gzip.
+class GzipStream {
+ public:
+  explicit GzipStream(AppendFile& out) : out_(out) {
+    constexpr int kLevel = 6, kGzipWindow = 15 + 16, kMemory = 8;
+    is_good_ = ::deflateInit2(&stream_, kLevel, Z_DEFLATED, kGzipWindow, kMemory,
+                              Z_DEFAULT_STRATEGY) == Z_OK;
   }
+  GzipStream(const GzipStream&) = delete;
+  GzipStream& operator=(const GzipStream&) = delete;
+  ~GzipStream() { ::deflateEnd(&stream_); }
+
+  /// `flush`: Z_NO_FLUSH, or Z_FINISH with the last bytes.
+  [[nodiscard]] bool Put(std::vector<char>& bytes, std::size_t count, int flush) {
+    stream_.next_in = reinterpret_cast<Bytef*>(bytes.data());
+    stream_.avail_in = static_cast<uInt>(count);
+    do {
+      stream_.next_out = reinterpret_cast<Bytef*>(packed_.data());
+      stream_.avail_out = static_cast<uInt>(packed_.size());
+      is_good_ = is_good_ && ::deflate(&stream_, flush) != Z_STREAM_ERROR &&
+                 out_.Append({packed_.data(), packed_.size() - stream_.avail_out});
+    } while (is_good_ && stream_.avail_out == 0);
+    return is_good_;
+  }
+
+ private:
+  AppendFile& out_;
+  z_stream stream_{};
+  std::vector<char> packed_ = std::vector<char>(kChunkBytes);
+  bool is_good_ = false;
+};
+
+bool PackInto(AppendFile& packed, SequentialFile& source) {
+  GzipStream stream(packed);
   std::vector<char> chunk(kChunkBytes);
   bool is_good = true;
   for (std::size_t count = 0; is_good && (count = source.Read(chunk.data(), chunk.size())) > 0;) {
-    is_good = ::gzwrite(out, chunk.data(), static_cast<unsigned>(count)) > 0;
+    is_good = stream.Put(chunk, count, Z_NO_FLUSH);
   }
-  return ::gzclose(out) == Z_OK && is_good && !source.has_failed();
-}
-
-bool SyncFile(const std::filesystem::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool is_good = descriptor >= 0 && ::fsync(descriptor) == 0;
-  if (descriptor >= 0) {
-    ::close(descriptor);
-  }
-  return is_good;
+  return is_good && stream.Put(chunk, 0, Z_FINISH) && !source.has_failed() && packed.Sync();
 }
 
 }  // namespace
@@ -94,27 +112,22 @@ std::uint64_t SequentialFile::position() const {
                  : count_;
 }
 
-bool CompressFile(const std::filesystem::path& path) {
+bool CompressFile(const std::filesystem::path& path, FileSystem& disk) {
   Expected<SequentialFile> source = SequentialFile::Open(path);
-  if (!source) {
-    return false;
-  }
-  SequentialFile file = *std::move(source);
   std::filesystem::path part = path;
   part += ".gz.part";
   std::filesystem::path packed = path;
   packed += ".gz";
-  std::error_code failure;
-  if (!PackInto(part, file) || !SyncFile(part)) {
-    std::filesystem::remove(part, failure);
+  Expected<AppendFile> out = AppendFile::Create(part, disk);
+  if (!source || !out) {
     return false;
   }
-  std::filesystem::rename(part, packed, failure);
-  if (!failure) {
-    SyncFileNames(path.parent_path());
-    std::filesystem::remove(path, failure);
+  const bool is_done = PackInto(*out, *source) && !disk.Rename(part, packed);
+  if (!is_done) {
+    static_cast<void>(disk.Remove(part));
+    return false;
   }
-  return !failure;
+  return !disk.SyncFolder(path.parent_path()) && !disk.Remove(path);
 }
 
 }  // namespace limpet

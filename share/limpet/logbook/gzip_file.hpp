@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "limpet/core/expected.hpp"
+#include "limpet/durable/file_system.hpp"
 
 struct gzFile_s;  // zlib's own name
 
@@ -39,6 +40,7 @@ class SequentialFile {
 };
 
 /// Replaces `path` by `path`.gz; the original goes only once the copy is on the disk.
-[[nodiscard]] bool CompressFile(const std::filesystem::path& path);
+[[nodiscard]] bool CompressFile(const std::filesystem::path& path,
+                                FileSystem& disk = RealFileSystem());
 
 }  // namespace limpet

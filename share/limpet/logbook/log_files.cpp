@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "limpet/durable/durable_file.hpp"
 #include "limpet/logbook/gzip_file.hpp"
 
 namespace limpet {
@@ -52,13 +53,16 @@ Expected<LogFiles> LogFiles::Open(const fs::path& folder, const std::string& ste
   files.folder_ = folder;
   files.stem_ = stem;
   files.compresses_ = options.compresses;
-  const auto blog = std::make_shared<BlogWriter>(files.PathOf(".blog"), options.continues);
+  files.disk_ = options.disk;
+  const auto blog =
+      std::make_shared<BlogWriter>(files.PathOf(".blog"), options.continues, *options.disk);
   const auto open_one = options.continues ? &AlogWriter::Continue : &AlogWriter::Open;
   const auto open = [&](bool is_wanted, const char* extension, std::optional<AlogWriter>& writer) {
     if (!is_wanted) {
       return std::optional<Error>();
     }
-    Expected<AlogWriter> opened = open_one(files.PathOf(extension), start, options.lines, blog);
+    Expected<AlogWriter> opened =
+        open_one(files.PathOf(extension), start, options.lines, blog, *options.disk);
     if (!opened) {
       return std::optional<Error>(opened.error());
     }
@@ -70,7 +74,7 @@ Expected<LogFiles> LogFiles::Open(const fs::path& folder, const std::string& ste
   if (const auto failure = open(options.has_system, ".ylog", files.system_)) return *failure;
   if (options.sync) {
     const fs::path file = options.continues ? files.NewSyncPath() : files.PathOf(".slog");
-    auto opened = SlogWriter::Open(file, start, *options.sync, options.lines);
+    auto opened = SlogWriter::Open(file, start, *options.sync, options.lines, *options.disk);
     if (!opened) {
       return opened.error();
     }
@@ -84,6 +88,10 @@ fs::path LogFiles::PathOf(const char* extension) const { return folder_ / (stem_
 fs::path LogFiles::NewSyncPath() const {
   fs::path file = PathOf(".slog");
   for (int number = 2; fs::exists(file); ++number) {
+    // The former life may have left it with the system alone; nobody else brings it to the disk.
+    if (Expected<AppendFile> former = AppendFile::Continue(file, *disk_)) {
+      static_cast<void>(former->Sync());
+    }
     file = folder_ / fmt::format("{}_{}.slog", stem_, number);
   }
   return file;
@@ -120,8 +128,10 @@ void LogFiles::Keep(const FileCopy& copy) {
   const auto size = is_file ? fs::file_size(copy.source, failure) : 0;
   std::string problem = !is_file ? "no such file" : size > kMostBytesCopied ? "too big" : "";
   if (problem.empty()) {
-    fs::copy_file(copy.source, folder_ / name, fs::copy_options::overwrite_existing, failure);
-    problem = failure ? failure.message() : "";
+    const Expected<std::string> bytes = ReadWhole(copy.source);
+    const std::optional<Error> error =
+        bytes ? WriteDurably(folder_ / name, *bytes, *disk_) : bytes.error();
+    problem = error ? error->text : "";
   }
   if (!problem.empty() && async_) {
     async_->WriteComment(
@@ -130,32 +140,54 @@ void LogFiles::Keep(const FileCopy& copy) {
 }
 
 bool LogFiles::Flush() {
+  bool is_good = true;  // every file has its chance, whatever became of the one before
   for (auto* writer : {&async_, &excluded_, &system_}) {
-    is_good_ = (!*writer || (*writer)->Flush()) && is_good_;
+    is_good = (!*writer || (*writer)->Flush()) && is_good;
   }
-  is_good_ = (!sync_ || sync_->Flush()) && is_good_;
-  return is_good_;
+  return (!sync_ || sync_->Flush()) && is_good;
 }
 
 bool LogFiles::Sync() {
+  bool is_good = true;
   for (auto* writer : {&async_, &excluded_, &system_}) {
-    is_good_ = (!*writer || (*writer)->Sync()) && is_good_;
+    is_good = (!*writer || (*writer)->Sync()) && is_good;
   }
-  is_good_ = (!sync_ || sync_->Sync()) && is_good_;
-  return is_good_;
+  return (!sync_ || sync_->Sync()) && is_good;
 }
 
 bool LogFiles::Close() {
-  Sync();
-  const bool may_compress = compresses_ && is_good_;
+  bool is_good = Sync();
+  const bool may_compress = compresses_ && is_good;
   for (const auto& [writer, extension] :
        {std::pair{&async_, ".alog"}, std::pair{&excluded_, ".xlog"}}) {
     if (may_compress && *writer) {
       writer->reset();
-      is_good_ = CompressFile(PathOf(extension)) && is_good_;
+      is_good = CompressFile(PathOf(extension), *disk_) && is_good;
     }
   }
-  return is_good_;
+  return is_good;
+}
+
+std::error_code LogFiles::trouble() const {
+  for (const auto* writer : {&async_, &excluded_, &system_}) {
+    if (*writer && (*writer)->trouble()) {
+      return (*writer)->trouble();
+    }
+  }
+  return sync_ ? sync_->trouble() : std::error_code();
+}
+
+LogLosses LogFiles::losses() const {
+  LogLosses losses;
+  for (const auto* writer : {&async_, &excluded_, &system_}) {
+    if (*writer) {
+      losses += (*writer)->losses();
+    }
+  }
+  if (sync_) {
+    losses += sync_->losses();
+  }
+  return losses;
 }
 
 }  // namespace limpet

@@ -5,9 +5,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 
 #include "limpet/core/expected.hpp"
+#include "limpet/durable/file_system.hpp"
 #include "limpet/logbook/alog_writer.hpp"
+#include "limpet/logbook/log_losses.hpp"
 #include "limpet/logbook/log_record.hpp"
 #include "limpet/logbook/slog_writer.hpp"
 
@@ -15,12 +18,13 @@ namespace limpet {
 
 struct LogFilesOptions {
   AlogOptions lines;
-  bool has_async = true;                    ///< .alog
-  bool has_excluded = false;                ///< .xlog
-  bool has_system = false;                  ///< .ylog
-  std::optional<SlogWriter::Columns> sync;  ///< .slog
+  bool has_async = true;                      ///< .alog
+  bool has_excluded = false;                  ///< .xlog
+  bool has_system = false;                    ///< .ylog
+  std::optional<SlogWriter::Columns> sync{};  ///< .slog
   bool compresses = false;  ///< at the end .alog and .xlog become .alog.gz and .xlog.gz
   bool continues = false;   ///< goes on in the files that are there; only the .slog is a new one
+  FileSystem* disk = &RealFileSystem();  ///< outlives the files
 };
 
 /// The files of one logging session: <folder>/<stem>.alog, .slog, .xlog, .ylog and .blog. What is
@@ -32,13 +36,15 @@ class LogFiles {
                                                const LogFilesOptions& options);
 
   void Put(const LogRecord& record);
-  /// To the system, so that it outlives the process. False once anything could not be written.
+  /// To the system, so that it outlives the process. False while something cannot be written.
   bool Flush();
   /// To the disk, so that it outlives a power cut.
   bool Sync();
   /// The last call: syncs, and compresses if asked to.
   bool Close();
-  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  /// Why the last of these said false.
+  [[nodiscard]] std::error_code trouble() const;
+  [[nodiscard]] LogLosses losses() const;
 
  private:
   LogFiles() = default;
@@ -55,7 +61,7 @@ class LogFiles {
   std::optional<AlogWriter> system_;
   std::optional<SlogWriter> sync_;
   bool compresses_ = false;
-  bool is_good_ = true;
+  FileSystem* disk_ = nullptr;
 };
 
 }  // namespace limpet

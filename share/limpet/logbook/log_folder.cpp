@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "limpet/logbook/append_file.hpp"
+#include "limpet/durable/durable_file.hpp"
 
 namespace limpet {
 
@@ -20,19 +20,25 @@ std::string LogFolderStamp(Seconds utc, bool is_local) {
 }
 
 Expected<std::filesystem::path> CreateLogFolder(const std::filesystem::path& parent,
-                                                const std::string& stem) {
+                                                const std::string& stem, FileSystem& disk) {
   constexpr int kMostTries = 100'000;
-  std::error_code failure;
-  std::filesystem::create_directories(parent.empty() ? "." : parent, failure);
-  for (int i = 1; i < kMostTries && !failure; ++i) {
+  if (const std::optional<Error> error = CreateFolders(parent, disk)) {
+    return *error;
+  }
+  std::error_code failure = std::make_error_code(std::errc::file_exists);
+  for (int i = 1; i < kMostTries && failure == std::errc::file_exists; ++i) {
     std::filesystem::path folder = parent / (i == 1 ? stem : fmt::format("{}_{}", stem, i));
-    if (std::filesystem::create_directory(folder, failure)) {
-      SyncFileNames(parent);
+    failure = disk.CreateFolder(folder);
+    if (!failure) {
+      failure = disk.SyncFolder(parent);
+    }
+    if (!failure) {
       return folder;
     }
   }
-  return Error{fmt::format("`{}` cannot be created: {}", (parent / stem).string(),
-                           failure ? failure.message() : "too many of that name")};
+  return Error{
+      fmt::format("`{}` cannot be created: {}", (parent / stem).string(),
+                  failure == std::errc::file_exists ? "too many of that name" : failure.message())};
 }
 
 }  // namespace limpet

@@ -7,6 +7,7 @@
 
 #include "limpet/core/expected.hpp"
 #include "limpet/core/units.hpp"
+#include "limpet/durable/file_system.hpp"
 
 namespace limpet {
 
@@ -14,8 +15,9 @@ namespace limpet {
 [[nodiscard]] std::string LogFolderStamp(Seconds utc, bool is_local);
 
 /// Creates <parent>/<stem>, or, where a former log has that name, <stem>_2, <stem>_3, ...: a log is
-/// never overwritten. Returns the folder; its name is the stem of the files.
+/// never overwritten. Durably. Returns the folder; its name is the stem of the files.
 [[nodiscard]] Expected<std::filesystem::path> CreateLogFolder(const std::filesystem::path& parent,
-                                                              const std::string& stem);
+                                                              const std::string& stem,
+                                                              FileSystem& disk = RealFileSystem());
 
 }  // namespace limpet

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/logbook/log_thread.hpp"
 
-#include <csignal>
-
 #include <fmt/format.h>
+
+#include "limpet/durable/background_thread.hpp"
 
 namespace limpet {
 
 LogThread::LogThread(LogFiles files, Limits limits)
-    : files_(std::move(files)), limits_(limits), last_sync_(Clock::now()) {
-  // Signals belong to the program's own thread, which ends its apps in order.
-  sigset_t all;
-  sigset_t before;
-  ::sigfillset(&all);
-  ::pthread_sigmask(SIG_SETMASK, &all, &before);
-  thread_ = std::thread([this] { Run(); });
-  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    : files_(std::move(files)), limits_(limits), timer_(limits.sync, SyncTimer::Clock::now()) {
+  thread_ = BackgroundThread([this] { Run(); });
 }
 
 LogThread::~LogThread() {
@@ -59,7 +53,9 @@ void LogThread::Run() {
     batch.clear();
     SyncIfDue();
   }
-  is_good_ = files_.Close();
+  files_.Close();
+  settled_ = taken_;
+  TellState();
   is_finished_ = true;
 }
 
@@ -67,8 +63,8 @@ bool LogThread::TakeBatch(std::deque<LogRecord>& batch) {
   std::unique_lock lock(mutex_);
   const auto has_work = [this] { return !queue_.empty() || is_stopped_; };
   is_waiting_ = queue_.empty();
-  if (has_unsynced_) {
-    wake_.wait_until(lock, last_sync_ + limits_.sync, has_work);
+  if (const auto due = timer_.due()) {
+    wake_.wait_until(lock, *due, has_work);
   } else {
     wake_.wait(lock, has_work);
   }
@@ -92,18 +88,36 @@ void LogThread::WriteBatch(const std::deque<LogRecord>& batch) {
     dropped_noted_ = dropped;
   }
   if (!batch.empty()) {
-    is_good_ = files_.Flush();
-    has_unsynced_ = true;
+    taken_ += batch.size();
+    files_.Flush();
+    TellState();
+    timer_.NoteWrite();
   }
 }
 
 void LogThread::SyncIfDue() {
-  const Clock::time_point now = Clock::now();
-  if (has_unsynced_ && now - last_sync_ >= limits_.sync) {
-    is_good_ = files_.Sync();
-    last_sync_ = now;
-    has_unsynced_ = false;
+  if (!timer_.IsDue(SyncTimer::Clock::now())) {
+    return;
   }
+  const bool is_good = files_.Sync();
+  timer_.NoteSync(SyncTimer::Clock::now());
+  if (is_good) {
+    settled_ = taken_;
+  } else {
+    timer_.NoteWrite();  // again in a while
+  }
+  TellState();
+}
+
+void LogThread::TellState() {
+  trouble_ = files_.trouble().value();
+  const std::lock_guard lock(mutex_);
+  losses_ = files_.losses();
+}
+
+LogLosses LogThread::losses() const {
+  const std::lock_guard lock(mutex_);
+  return losses_;
 }
 
 }  // namespace limpet

@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <deque>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
+#include "limpet/durable/sync_timer.hpp"
 #include "limpet/logbook/log_files.hpp"
 
 namespace limpet {
@@ -23,8 +25,7 @@ class LogThread {
   struct Limits {
     std::size_t queue_bytes = std::size_t{64} << 20U;  ///< what waits beyond this is dropped
     std::chrono::milliseconds batch{50};               ///< longest wait for more to write at once
-    /// Half of the second that a power cut may cost: the other half is for the disk.
-    std::chrono::milliseconds sync{500};
+    std::chrono::milliseconds sync = SyncTimer::kInterval;
   };
 
   explicit LogThread(LogFiles files) : LogThread(std::move(files), Limits{}) {}
@@ -40,36 +41,42 @@ class LogThread {
   /// Asks for the end: what is queued is still written. Does not wait.
   void Stop();
 
-  /// Records dropped so far.
+  /// Records dropped so far because the disk was too slow.
   [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
-  /// False once anything could not be written.
-  [[nodiscard]] bool is_good() const { return is_good_; }
+  /// What is missing in the files.
+  [[nodiscard]] LogLosses losses() const;
+  /// Why something cannot be written now; nothing if all can.
+  [[nodiscard]] std::error_code trouble() const { return {trouble_, std::generic_category()}; }
+  /// Records that are on the disk, or are counted as missing.
+  [[nodiscard]] std::uint64_t settled() const { return settled_; }
   /// True once Stop was called and everything is on the disk.
   [[nodiscard]] bool is_finished() const { return is_finished_; }
 
  private:
-  using Clock = std::chrono::steady_clock;
   void Run();
   /// Waits for records; false when stopped and none are left.
   [[nodiscard]] bool TakeBatch(std::deque<LogRecord>& batch);
   void WriteBatch(const std::deque<LogRecord>& batch);
   void SyncIfDue();
+  void TellState();
 
   LogFiles files_;  ///< the thread's alone
   Limits limits_;
   std::uint64_t dropped_noted_ = 0;  ///< the thread's alone
-  Clock::time_point last_sync_;      ///< the thread's alone
-  bool has_unsynced_ = false;        ///< the thread's alone
+  std::uint64_t taken_ = 0;          ///< records; the thread's alone
+  SyncTimer timer_;                  ///< the thread's alone
 
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable wake_;
   std::deque<LogRecord> queue_;   ///< guarded by mutex_; grows without moving what is in it
   std::size_t queued_bytes_ = 0;  ///< guarded by mutex_
   bool is_waiting_ = false;       ///< guarded by mutex_: the thread sleeps until something comes
   bool is_stopped_ = false;       ///< guarded by mutex_
+  LogLosses losses_;              ///< guarded by mutex_
 
   std::atomic<std::uint64_t> dropped_{0};
-  std::atomic<bool> is_good_{true};
+  std::atomic<std::uint64_t> settled_{0};
+  std::atomic<int> trouble_{0};
   std::atomic<bool> is_finished_{false};
   std::thread thread_;  ///< last: it uses all of the above
 };

@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "limpet/core/expected.hpp"
+#include "limpet/durable/append_file.hpp"
 #include "limpet/logbook/alog_format.hpp"
-#include "limpet/logbook/append_file.hpp"
+#include "limpet/logbook/log_buffer.hpp"
 
 namespace limpet {
 
@@ -22,29 +24,29 @@ class SlogWriter {
     int spare = 0;
   };
   [[nodiscard]] static Expected<SlogWriter> Open(const std::filesystem::path& file, Seconds start,
-                                                 const Columns& columns,
-                                                 const AlogOptions& options);
+                                                 const Columns& columns, const AlogOptions& options,
+                                                 FileSystem& disk = RealFileSystem());
 
   /// `time` in seconds since the start. Missing values are NaN; those beyond the columns are
   /// dropped.
   void WriteRow(double time, const std::vector<double>& values);
   /// Names the next spare column; false if there is none.
   bool Claim(const std::string& name);
-  bool Flush();
-  bool Sync();
+  bool Flush() { return lines_.Flush(); }
+  bool Sync() { return lines_.Sync(); }
+  [[nodiscard]] std::error_code trouble() const { return lines_.trouble(); }
+  [[nodiscard]] const LogLosses& losses() const { return lines_.losses(); }
 
  private:
-  SlogWriter(AppendFile file, int decimals) : file_(std::move(file)), decimals_(decimals) {}
+  SlogWriter(AppendFile file, int decimals) : lines_(std::move(file)), decimals_(decimals) {}
   void WriteHeader(const std::string& banner, const Columns& columns);
   void WriteLabels();
 
-  AppendFile file_;
+  LogBuffer lines_;
   int decimals_;
   std::vector<std::string> names_;
   std::vector<std::uint64_t> spare_places_;  ///< in the file, of names not yet given
-  std::string buffer_;
   int rows_ = 0;
-  bool is_good_ = true;
 };
 
 }  // namespace limpet

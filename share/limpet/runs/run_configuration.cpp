@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limpet/durable/durable_file.hpp"
 #include "limpet/mission/expectations.hpp"
 #include "limpet/mission/mission_file.hpp"
 #include "limpet/mission/mission_lines.hpp"
@@ -17,7 +18,6 @@
 #include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/runs/written_files.hpp"
 #include "limpet/session/checksum.hpp"
-#include "limpet/session/durable_file.hpp"
 
 namespace limpet {
 namespace {

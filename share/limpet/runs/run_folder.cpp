@@ -2,13 +2,13 @@
 #include "limpet/runs/run_folder.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "limpet/console/command_output.hpp"
 #include "limpet/console/shown_text.hpp"
+#include "limpet/durable/durable_file.hpp"
 
 namespace limpet {
 namespace {
@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 constexpr const char* kFigures = "figures";
 constexpr const char* kReportFiles[] = {"run.json", "report.json", "report.html"};
 
-fs::path AsideOf(const fs::path& file) { return file.string() + ".part"; }
+/// As WriteDurably names it.
+fs::path AsideOf(const fs::path& file) { return file.string() + ".new"; }
 
 /// What is in a folder that never held a run.
 std::vector<fs::path> ForeignContent(const fs::path& folder) {
@@ -91,12 +92,9 @@ void RunFolder::Write(const std::map<std::string, std::string>& files) {
   written_->Claim(names);
   for (const auto& [name, text] : files) {
     const fs::path file = path_ / name;
-    fs::create_directories(file.parent_path());
-    std::ofstream aside(AsideOf(file), std::ios::binary);
-    aside << text;
-    aside.close();
-    if (!aside) throw std::runtime_error("cannot write " + file.string());
-    fs::rename(AsideOf(file), file);
+    std::optional<Error> error = CreateFolders(file.parent_path());
+    if (!error) error = WriteDurably(file, text);
+    if (error) throw std::runtime_error(file.parent_path().string() + "/" + error->text);
   }
   written_->Forget(asides);
 }

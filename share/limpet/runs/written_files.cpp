@@ -10,7 +10,7 @@
 
 #include "limpet/console/command_output.hpp"
 #include "limpet/console/shown_text.hpp"
-#include "limpet/session/durable_file.hpp"
+#include "limpet/durable/durable_file.hpp"
 
 namespace limpet {
 namespace {

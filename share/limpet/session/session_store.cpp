@@ -3,14 +3,15 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "limpet/core/number_text.hpp"
+#include "limpet/durable/durable_file.hpp"
 #include "limpet/session/checksum.hpp"
-#include "limpet/session/durable_file.hpp"
 
 namespace limpet {
 
@@ -52,21 +53,23 @@ json BodyOf(const SessionFacts& facts, int generation, const SessionFiles& files
           {"files", listed}};
 }
 
-std::optional<Error> WriteGeneration(const fs::path& folder, const SessionFiles& files) {
-  std::error_code failure;
-  fs::remove_all(folder, failure);  // what an interrupted save left
-  fs::create_directories(folder, failure);
+std::optional<Error> WriteGeneration(const fs::path& folder, const SessionFiles& files,
+                                     FileSystem& disk) {
+  if (fs::exists(folder)) RemoveFolder(folder, disk);  // what an interrupted save left
+  if (auto error = CreateFolders(folder, disk)) return error;
+  std::set<fs::path> folders{folder};
   for (const auto& [name, bytes] : files) {
     const fs::path file = folder / name;
-    fs::create_directories(file.parent_path(), failure);
-    if (failure) {
-      return Error{name + ": cannot create its folder: " + failure.message()};
+    if (folders.insert(file.parent_path()).second) {
+      if (auto error = CreateFolders(file.parent_path(), disk)) return error;
     }
-    if (std::optional<Error> error = WriteDurably(file, bytes)) {
-      return error;
-    }
+    if (auto error = WriteContent(file, bytes, disk)) return error;
   }
-  return SyncFolder(folder);
+  // Names and content are on the disk before the manifest tells of them.
+  for (const fs::path& filled : folders) {
+    if (auto error = SyncFolder(filled, disk)) return error;
+  }
+  return std::nullopt;
 }
 
 /// As GenerationName makes them: somebody's own `gopro` beside them is none.
@@ -75,12 +78,12 @@ bool IsGenerationName(const std::string& name) {
          name.find_first_not_of("0123456789", 1) == std::string::npos;
 }
 
-void RemoveOtherGenerations(const fs::path& folder, const std::string& kept) {
+void RemoveOtherGenerations(const fs::path& folder, const std::string& kept, FileSystem& disk) {
   std::error_code ignored;  // a leftover costs space only
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
     const std::string name = entry.path().filename().string();
     if (entry.is_directory() && IsGenerationName(name) && name != kept) {
-      fs::remove_all(entry.path(), ignored);
+      RemoveFolder(entry.path(), disk);
     }
   }
 }
@@ -150,30 +153,29 @@ Expected<int> SessionWriter::Commit(SessionFacts facts, const SessionFiles& file
   // Never into the folder of a generation that is there: the manifest may name it.
   const int generation = std::max(generation_, GreatestGeneration(folder_)) + 1;
   const std::string name = GenerationName(generation);
-  if (std::optional<Error> error = WriteGeneration(folder_ / name, files)) {
+  if (std::optional<Error> error = WriteGeneration(folder_ / name, files, disk_)) {
+    RemoveFolder(folder_ / name, disk_);  // half of it would only fill the disk
     return *error;
   }
   const std::string manifest = SealedText(BodyOf(facts, generation, files));
-  if (std::optional<Error> error = WriteDurably(folder_ / kManifest, manifest)) {
+  if (std::optional<Error> error = WriteDurably(folder_ / kManifest, manifest, disk_)) {
     return *error;
   }
   generation_ = generation;
-  RemoveOtherGenerations(folder_, name);
+  RemoveOtherGenerations(folder_, name, disk_);
   return generation;
 }
 
-Expected<fs::path> SetSessionAside(const fs::path& folder) {
+Expected<fs::path> SetSessionAside(const fs::path& folder, FileSystem& disk) {
   for (int number = 1; number < kMostAside; ++number) {
     const fs::path aside = fs::path(fmt::format("{}-former-{}", folder.string(), number));
     if (fs::exists(aside)) {
       continue;
     }
-    std::error_code failure;
-    fs::rename(folder, aside, failure);
-    if (failure) {
+    if (const std::error_code failure = disk.Rename(folder, aside)) {
       return Error{fmt::format("{} cannot be set aside: {}", folder.string(), failure.message())};
     }
-    if (std::optional<Error> error = SyncFolder(folder.parent_path())) {
+    if (std::optional<Error> error = SyncFolder(folder.parent_path(), disk)) {
       return *error;
     }
     return aside;

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "limpet/core/expected.hpp"
+#include "limpet/durable/file_system.hpp"
 
 namespace limpet {
 
@@ -41,18 +42,21 @@ struct StoredSession {
 class SessionWriter {
  public:
   /// `folder` is created on the first commit.
-  explicit SessionWriter(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  explicit SessionWriter(std::filesystem::path folder, FileSystem& disk = RealFileSystem())
+      : folder_(std::move(folder)), disk_(disk) {}
   /// Writes one generation and then forgets the one before; its number, or why it failed.
   [[nodiscard]] Expected<int> Commit(SessionFacts facts, const SessionFiles& files);
 
  private:
   std::filesystem::path folder_;
+  FileSystem& disk_;
   int generation_ = 0;
 };
 
 /// Renames a session's folder to `<folder>-former-1`, or the next number that is free, so that
 /// another can be saved there; what it is called now, or why that failed.
-[[nodiscard]] Expected<std::filesystem::path> SetSessionAside(const std::filesystem::path& folder);
+[[nodiscard]] Expected<std::filesystem::path> SetSessionAside(const std::filesystem::path& folder,
+                                                              FileSystem& disk = RealFileSystem());
 
 /// Loads the last complete generation. `folder` is a session folder or one that contains
 /// `session/`. Any missing, damaged or altered file is an error that names it; nothing is loaded by

@@ -13,7 +13,7 @@
 #include "limpet/core/config.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/core/program_search.hpp"
-#include "limpet/session/durable_file.hpp"
+#include "limpet/durable/durable_file.hpp"
 #include "limpet/sweeps/child_process.hpp"
 
 namespace limpet {

@@ -9,9 +9,9 @@
 #include "limpet/console/command_output.hpp"
 #include "limpet/console/exit_code.hpp"
 #include "limpet/console/shown_text.hpp"
+#include "limpet/durable/durable_file.hpp"
 #include "limpet/runs/run_settings.hpp"
 #include "limpet/session/checksum.hpp"
-#include "limpet/session/durable_file.hpp"
 
 namespace limpet {
 namespace {

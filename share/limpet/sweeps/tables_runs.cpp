@@ -8,7 +8,7 @@
 #include "limpet/console/exit_code.hpp"
 #include "limpet/console/progress_line.hpp"
 #include "limpet/console/shown_text.hpp"
-#include "limpet/session/durable_file.hpp"
+#include "limpet/durable/durable_file.hpp"
 #include "limpet/sweeps/child_runs.hpp"
 
 namespace limpet {

@@ -12,7 +12,7 @@
 #include "limpet/console/shown_text.hpp"
 #include "limpet/core/interrupt.hpp"
 #include "limpet/core/number_text.hpp"
-#include "limpet/session/durable_file.hpp"
+#include "limpet/durable/durable_file.hpp"
 #include "limpet/sweeps/child_runs.hpp"
 
 namespace limpet {

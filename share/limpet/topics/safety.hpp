@@ -55,6 +55,17 @@ struct BatteryState {
   }
 };
 
+/// Whether the log takes what is to be in it.
+struct LogState {
+  bool is_written = true;
+  int missing = 0;   ///< messages that it lacks
+  int in_doubt = 0;  ///< and such as the disk may have lost
+  template <class V>
+  void Describe(V& visit) {
+    visit("is_written", is_written), visit("missing", missing), visit("in_doubt", in_doubt);
+  }
+};
+
 namespace topics {
 inline const auto kSafetyAction = Declare<std::string>(
     "SAFETY_ACTION", "none, warn, degrade, hold, return, surface or abort: what is to be done now",
@@ -76,6 +87,9 @@ inline const auto kBattery =
 inline const auto kShoreBeat =
     Declare<double>("SHORE_BEAT", "any number, again and again: the link to the shore is up",
                     {.rate = "1 Hz", .writers = {"another community, over pShare"}});
+inline const auto kLogState = Declare<LogState>(
+    "LOG_STATE", "whether the log is written, and how many messages are missing in it",
+    {.rate = "once it has been in trouble: on change", .writers = {"pLog"}});
 inline const auto kLaunchStatus = Declare<std::string>(
     "PLAUNCH_STATUS", "what became of each process: `app=pNav,state=running,restarts=1,... # ...`",
     {.rate = "on change, and every 5 s", .writers = {"pLaunch"}});

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/app/mail_journal.hpp"
 
+#include <algorithm>
 #include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "limpet/core/random.hpp"
+#include "limpet/durable/failing_file_system.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/torn_disk.hpp"
 
 namespace limpet {
 namespace {
@@ -45,7 +48,7 @@ class MailJournalTest : public testing::Test {
     return NamesIn(MailJournal(File(), true));
   }
 
-  TemporaryFolder folder_;
+  TemporaryFolder folder_{PlaceInMemory()};
 };
 
 TEST_F(MailJournalTest, TellsMailAndTicksInOrder) {
@@ -125,6 +128,59 @@ TEST_F(MailJournalTest, IsTrustedAgainOnceTheAppHasLived) {
     EXPECT_FALSE(NamesIn(journal).empty());
     journal.Vouch();
   }
+}
+
+TEST_F(MailJournalTest, IsWithoutAGapWhereverThePowerIsCut) {
+  const auto root = folder_.path() / "disk", left = folder_.path() / "left";
+  std::filesystem::create_directory(root);
+  TornDisk disk(root);
+  constexpr int kTicks = 60;
+  for (const bool continues : {false, true}) {
+    MailJournal journal(root / "pNav.mail", continues, disk);
+    journal.Vouch();
+    for (int i = continues ? kTicks / 2 : 0; i < (continues ? kTicks : kTicks / 2); ++i) {
+      journal.NoteTick(Seconds(i));
+      journal.NoteMail(Mail("N", std::string(static_cast<std::size_t>(i), 'x')), Seconds(i));
+      journal.Flush();
+    }
+  }
+  Random random(1, "cuts");
+  std::size_t longest = 0;
+  for (int cut = 0; cut < 100; ++cut) {
+    disk.Cut(random.Index(disk.calls() + 1), random, left);
+    const MailJournal journal(left / "pNav.mail", true);
+    std::size_t found = 0;
+    journal.Replay([&found](Seconds now, const MessagePtr& mail) {
+      EXPECT_EQ(now, Seconds(static_cast<double>(found / 2)));
+      EXPECT_EQ(mail != nullptr, found % 2 == 1);
+      ++found;
+    });
+    longest = std::max(longest, found);
+  }
+  EXPECT_GT(longest, 0U);
+  disk.Cut(disk.calls(), random, left);
+  std::size_t entries = 0;
+  MailJournal(left / "pNav.mail", true).Replay([&entries](Seconds, const MessagePtr&) {
+    ++entries;
+  });
+  EXPECT_EQ(entries, 2U * kTicks) << "all of it is on the disk at the end";
+}
+
+TEST_F(MailJournalTest, SaysSoAndLeavesNoHalfOfItselfOnADiskThatFails) {
+  FailingFileSystem disk(RealFileSystem());
+  {
+    MailJournal journal(File(), false, disk);
+    journal.NoteTick(Seconds(1.0));
+    journal.Flush();
+    EXPECT_TRUE(journal.is_good());
+    disk.Set(FailingFileSystem::Fault::kFull);
+    while (journal.is_good()) {
+      journal.NoteTick(Seconds(2.0));
+      journal.Flush();
+    }
+    EXPECT_EQ(journal.trouble(), "No space left on device");
+  }
+  EXPECT_THAT(NamesOfFormerLife(), IsEmpty());
 }
 
 TEST_F(MailJournalTest, LeavesNoFileAfterAnOrderlyEnd) {

@@ -10,8 +10,8 @@
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/command_line.hpp"
 #include "estimation/mapping/semantic_octree.hpp"
+#include "limpet/durable/durable_file.hpp"
 #include "limpet/packing/gzip_bytes.hpp"
-#include "limpet/session/durable_file.hpp"
 #include "limpet/session/session_memory.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -16,10 +16,10 @@
 #include <gtest/gtest.h>
 
 #include "limpet/core/random.hpp"
+#include "limpet/durable/append_file.hpp"
 #include "limpet/logbook/alog_escape.hpp"
 #include "limpet/logbook/alog_format.hpp"
 #include "limpet/logbook/alog_reader.hpp"
-#include "limpet/logbook/append_file.hpp"
 #include "limpet/logbook/blog.hpp"
 #include "tests/support/temporary_folder.hpp"
 

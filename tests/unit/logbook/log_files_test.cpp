@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "limpet/logbook/alog_reader.hpp"
-#include "limpet/logbook/append_file.hpp"
 #include "limpet/logbook/gzip_file.hpp"
 #include "limpet/logbook/log_folder.hpp"
 #include "limpet/logbook/slog_writer.hpp"
@@ -31,22 +30,6 @@ std::size_t EntriesIn(const std::filesystem::path& file) {
     ++count;
   }
   return count;
-}
-
-TEST(AppendFile, TakesNothingOfWhatAFullDiskRefuses) {
-  AppendFile full = *AppendFile::Create("/dev/full");
-  EXPECT_FALSE(full.Append("a line\n"));
-  EXPECT_EQ(full.size(), 0U);
-}
-
-TEST(AppendFile, WritesOverWhatIsThereAndGoesOnAtTheEnd) {
-  const TemporaryFolder folder;
-  AppendFile file = *AppendFile::Create(folder.path() / "x");
-  EXPECT_TRUE(file.Append("abcdef"));
-  EXPECT_TRUE(file.Overwrite(1, "XY"));
-  EXPECT_TRUE(file.Append("g"));
-  EXPECT_TRUE(file.Sync());
-  EXPECT_EQ(TextOfFile(folder.path() / "x"), "aXYdefg");
 }
 
 TEST(SlogWriter, RepeatsItsColumnNamesEveryThirtyRows) {

@@ -11,6 +11,7 @@
 
 #include "limpet/logbook/alog_reader.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/torn_disk.hpp"
 
 namespace limpet {
 namespace {
@@ -98,6 +99,29 @@ TEST_F(LogThreadTest, DropsRatherThanWaitAndSaysSoInTheLog) {
   EXPECT_GT(refused, 0) << "16 MB do not wait in 64 kB";
   EXPECT_EQ(Entries(), 2001 - refused);
   EXPECT_THAT(Text(), HasSubstr("messages are missing here: the disk was too slow\n"));
+}
+
+TEST_F(LogThreadTest, HasWhatItCallsSettledAfterAPowerCut) {
+  const TemporaryFolder place(PlaceInMemory());
+  const auto root = place.path() / "disk", left = place.path() / "left";
+  std::filesystem::create_directory(root);
+  TornDisk disk(root);
+  Random random(1, "cuts");
+  LogThread thread(*LogFiles::Open(root, "run", kThreadStart, {.lines = {}, .disk = &disk}),
+                   {.queue_bytes = 1U << 20U, .batch = 1ms, .sync = 1ms});
+  for (std::uint64_t put = 1; put <= 20; ++put) {
+    thread.Put(LineOf(static_cast<double>(put)));
+    while (thread.settled() < put) {
+      std::this_thread::yield();
+    }
+    disk.Cut(disk.calls(), random, left);
+    AlogReader reader = *AlogReader::Open(left / "run.alog");
+    std::uint64_t found = 0;
+    for (AlogEntry entry; reader.Next(entry);) {
+      ++found;
+    }
+    EXPECT_EQ(found, put);
+  }
 }
 
 TEST_F(LogThreadTest, StopsWithoutWaiting) {

@@ -115,19 +115,19 @@ TEST_F(RunFolderTest, RefusesAFolderThatNeverHeldARun) {
 TEST_F(RunFolderTest, LeavesNoHalfWrittenFile) {
   MakeRun();
   for (const auto& entry : fs::recursive_directory_iterator(folder_.path())) {
-    EXPECT_NE(entry.path().extension(), ".part");
+    EXPECT_NE(entry.path().extension(), ".new");
   }
   EXPECT_THAT(WrittenFiles(folder_.path()).FilesIn("report.json"),
               ElementsAre(fs::path("report.json")));
-  EXPECT_THAT(WrittenFiles(folder_.path()).FilesIn("report.json.part"), IsEmpty());
+  EXPECT_THAT(WrittenFiles(folder_.path()).FilesIn("report.json.new"), IsEmpty());
 }
 
 TEST_F(RunFolderTest, WritesOverNoFileOfSomebodyElse) {
   Put("report.html");
-  Put("report.json.part");
+  Put("report.json.new");
   RunFolder run(folder_.path(), RunFolder::Use::kReport);
   EXPECT_THAT(RefusalOf([&] { run.Write({{"report.html", "x"}}); }), HasSubstr("report.html"));
-  EXPECT_THAT(RefusalOf([&] { run.Write({{"report.json", "x"}}); }), HasSubstr("report.json.part"));
+  EXPECT_THAT(RefusalOf([&] { run.Write({{"report.json", "x"}}); }), HasSubstr("report.json.new"));
 }
 
 TEST_F(RunFolderTest, TakesNoListThatNamesFilesOutside) {

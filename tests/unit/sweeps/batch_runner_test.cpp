@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "limpet/session/durable_file.hpp"
+#include "limpet/durable/durable_file.hpp"
 #include "tests/support/limpet_command.hpp"
 #include "tests/support/temporary_folder.hpp"
 

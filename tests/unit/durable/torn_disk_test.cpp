@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// The disk that the other tests cut: that it forgets what a disk may, and nothing else.
+#include "tests/support/torn_disk.hpp"
+
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limpet/durable/durable_file.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::Contains;
+using ::testing::Each;
+using ::testing::SizeIs;
+
+class TornDiskTest : public ::testing::Test {
+ protected:
+  TornDiskTest() { fs::create_directory(root_); }
+  [[nodiscard]] static FileSystem::Opened Open(TornDisk& disk, const fs::path& file) {
+    FileSystem::Opened opened = disk.Open(file, FileSystem::Opening::kAsItIs);
+    EXPECT_NE(opened.file, nullptr);
+    return opened;
+  }
+  /// What a hundred cuts leave of a file; "none" where it is gone.
+  [[nodiscard]] std::multiset<std::string> Left(const TornDisk& disk, const char* name) {
+    std::multiset<std::string> found;
+    for (int cut = 0; cut < 100; ++cut) {
+      disk.Cut(disk.calls(), random_, folder_.path() / "left");
+      const Expected<std::string> text = ReadWhole(folder_.path() / "left" / name);
+      found.insert(text ? *text : "none");
+    }
+    return found;
+  }
+
+  TemporaryFolder folder_{PlaceInMemory()};
+  fs::path root_ = folder_.path() / "disk";
+  Random random_{1, "cuts"};
+};
+
+TEST_F(TornDiskTest, KeepsWhatIsSyncedWithItsName) {
+  TornDisk disk(root_);
+  const FileSystem::Opened file = Open(disk, root_ / "x");
+  ASSERT_FALSE(file.file->WriteAt(0, "synced"));
+  ASSERT_FALSE(file.file->Sync());
+  ASSERT_FALSE(disk.SyncFolder(root_));
+  EXPECT_THAT(Left(disk, "x"), Each("synced"));
+}
+
+TEST_F(TornDiskTest, MayForgetANameWhoseFolderIsNotSynced) {
+  TornDisk disk(root_);
+  const FileSystem::Opened file = Open(disk, root_ / "x");
+  ASSERT_FALSE(file.file->WriteAt(0, "synced"));
+  ASSERT_FALSE(file.file->Sync());
+  EXPECT_THAT(Left(disk, "x"), Contains("none"));
+}
+
+TEST_F(TornDiskTest, DropsTearsAndReordersWhatIsNotSynced) {
+  TornDisk disk(root_);
+  const FileSystem::Opened file = Open(disk, root_ / "x");
+  ASSERT_FALSE(disk.SyncFolder(root_));
+  ASSERT_FALSE(file.file->WriteAt(0, "ab"));
+  ASSERT_FALSE(file.file->WriteAt(2, "cd"));
+  const std::multiset<std::string> left = Left(disk, "x");
+  EXPECT_THAT(left, Contains(""));
+  EXPECT_THAT(left, Contains("ab"));
+  EXPECT_THAT(left, Contains("abcd"));
+  EXPECT_THAT(left, Contains("a")) << "torn";
+  EXPECT_THAT(left, Contains(std::string("\0\0cd", 4))) << "the later write alone";
+}
+
+TEST_F(TornDiskTest, HasAMovedFileUnderOneOfItsNames) {
+  ASSERT_FALSE(WriteDurably(root_ / "old", "content"));
+  TornDisk disk(root_);
+  ASSERT_FALSE(disk.Rename(root_ / "old", root_ / "new"));
+  const std::multiset<std::string> old = Left(disk, "old");
+  EXPECT_THAT(old, Contains("none"));
+  EXPECT_THAT(old, Contains("content"));
+  ASSERT_FALSE(disk.SyncFolder(root_));
+  EXPECT_THAT(Left(disk, "old"), Each("none"));
+  EXPECT_THAT(Left(disk, "new"), Each("content"));
+}
+
+TEST_F(TornDiskTest, IsReadBackAsItWasWritten) {
+  TornDisk disk(root_);
+  ASSERT_FALSE(WriteDurably(root_ / "x", "now", disk));
+  EXPECT_EQ(*ReadWhole(root_ / "x"), "now");
+  EXPECT_THAT(Left(disk, "x"), SizeIs(100));
+}
+
+}  // namespace
+}  // namespace limpet
