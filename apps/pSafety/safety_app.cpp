@@ -2,8 +2,6 @@
 #include "apps/pSafety/safety_app.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -62,6 +60,7 @@ void SafetyApp::SubscribeToVehicle() {
   SubscribeIfWritten(topics::kBattery, &SafetyApp::OnBattery);
   SubscribeIfWritten(topics::kEnergyState, &SafetyApp::OnEnergy);
   SubscribeIfWritten(topics::kShoreBeat, &SafetyApp::OnShoreBeat);
+  SubscribeIfWritten(topics::kLogState, &SafetyApp::OnLog);
   SubscribeIfWritten(topics::kWallClock, &SafetyApp::OnWallClock);
 }
 
@@ -82,11 +81,10 @@ void SafetyApp::OnFormerState(const Stamped<SafetyState>& state) {
 }
 
 void SafetyApp::LookAtDisk(Seconds now) {
-  if (!context().runs_live || (disk_seen_ && now - *disk_seen_ < kDiskPeriod)) return;
+  if (disk_seen_ && now - *disk_seen_ < kDiskPeriod) return;
   disk_seen_ = now;
-  std::error_code trouble;
-  const auto space = std::filesystem::space(context().run_folder, trouble);
-  if (!trouble) signs_.HearRoom(static_cast<double>(space.available) / kBytesPerMib);
+  const std::optional<std::uint64_t> room = context().disk->Room(context().run_folder);
+  if (room) signs_.HearRoom(static_cast<double>(*room) / kBytesPerMib);
 }
 
 void SafetyApp::Tick(Seconds now) {

@@ -50,12 +50,13 @@ class SafetyApp final : public App {
   void OnWallClock(const Stamped<WallClock>& clock) {
     signs_.HearClockSteps(clock.value.steps, now());
   }
+  void OnLog(const Stamped<LogState>& log) { signs_.HearLog(log.value.is_written, now()); }
   void OnLeak(const Stamped<bool>& leak) { signs_.HearLeak(leak.value); }
   void OnBattery(const Stamped<BatteryState>& battery) { signs_.HearCharge(battery.value.charge); }
   void OnEnergy(const Stamped<EnergyState>& energy) { signs_.Hear(energy.value); }
   void OnShoreBeat(const Stamped<double>&) { signs_.HearShore(now()); }
 
-  /// Room on the disk of the run folder; embedded a run must not depend on it.
+  /// Room on the disk of the run folder; embedded only what the scenario makes of it.
   void LookAtDisk(Seconds now);
   void TellChange(SafetyAction former);
   void TellWarnings();

@@ -14,14 +14,14 @@
 namespace limpet {
 namespace {
 
-struct Flight {
+struct FlownCase {
   const char* name;  ///< of the case
   SafetyPhase phase;
   SafetyAction action;
   const char* ended;
 };
 
-class FlownFault : public testing::TestWithParam<Flight> {};
+class FlownFault : public testing::TestWithParam<FlownCase> {};
 
 TEST_P(FlownFault, IsAnsweredInTimeAndTheVehicleComesUp) {
   const std::filesystem::path folder =
@@ -40,10 +40,12 @@ TEST_P(FlownFault, IsAnsweredInTimeAndTheVehicleComesUp) {
 
 INSTANTIATE_TEST_SUITE_P(
     OfTheBasin, FlownFault,
-    testing::Values(Flight{"leak", SafetyPhase::kDive, SafetyAction::kAbort, "aborted"},
-                    Flight{"battery low", SafetyPhase::kSurvey, SafetyAction::kReturn, "aborted"},
-                    Flight{"helm hangs", SafetyPhase::kReturn, SafetyAction::kSurface, "aborted"},
-                    Flight{"camera silent", SafetyPhase::kSurvey, SafetyAction::kHold, "timeout"}));
+    testing::Values(
+        FlownCase{"leak", SafetyPhase::kDive, SafetyAction::kAbort, "aborted"},
+        FlownCase{"battery low", SafetyPhase::kSurvey, SafetyAction::kReturn, "aborted"},
+        FlownCase{"disk failing", SafetyPhase::kSurvey, SafetyAction::kReturn, "aborted"},
+        FlownCase{"helm hangs", SafetyPhase::kReturn, SafetyAction::kSurface, "aborted"},
+        FlownCase{"camera silent", SafetyPhase::kSurvey, SafetyAction::kHold, "timeout"}));
 
 }  // namespace
 }  // namespace limpet

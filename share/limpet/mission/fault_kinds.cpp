@@ -8,7 +8,7 @@ namespace limpet {
 namespace {
 
 // clang-format off
-constexpr std::array<FaultKind, 23> kFaultKinds{{
+constexpr std::array<FaultKind, 26> kFaultKinds{{
     {"dvl_silent", "The DVL says nothing", "uSimSensors"},
     {"dvl_stuck", "The DVL repeats its last sample", "uSimSensors"},
     {"dvl_flipped", "The DVL's velocity has the opposite sign ahead and aside", "uSimSensors"},
@@ -32,6 +32,9 @@ constexpr std::array<FaultKind, 23> kFaultKinds{{
     {"cells_lost", "Some cells of the battery are shorted; the gauge does not know", "uSimVehicle", "share of its voltage and energy that is gone", 0.15, 0.0, 0.95},
     {"battery_load", "Something more draws on the battery", "uSimVehicle", "so much [W]", 300.0, 0.0, 10000.0},
     {"app_hangs", "An app does nothing: no tick, no mail; embedded alone", "session"},
+    {"disk_full", "The disk takes half of a piece, then says that it is full; embedded alone", "session"},
+    {"disk_failing", "The disk takes and syncs nothing, with an error of input and output; embedded alone", "session"},
+    {"disk_read_only", "The disk takes and syncs nothing, as one that the system has made read-only; embedded alone", "session"},
 }};
 // clang-format on
 

@@ -10,10 +10,9 @@
 #include "limpet/app/embedded.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/interrupt.hpp"
-#include "limpet/mission/fault_schedule.hpp"
-#include "limpet/mission/scenario.hpp"
 #include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/runs/mission_check.hpp"
+#include "limpet/runs/session_faults.hpp"
 #include "limpet/survey/survey_params.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
@@ -123,44 +122,6 @@ void ApplyGlobal(MissionFile& mission, const std::string& setting, std::size_t e
   TakeFacts(mission);
 }
 
-/// Apps that hang because the scenario says so.
-class HangingApps {
- public:
-  HangingApps(const MissionFile& mission, const std::filesystem::path& folder) {
-    const ConfigBlock* block = mission.Block("uSimVehicle");
-    const ConfigEntry* line = block != nullptr ? block->Find("scenario") : nullptr;
-    const std::filesystem::path file = folder / (line != nullptr ? line->value : "scenario.yaml");
-    if (!std::filesystem::exists(file)) return;
-    std::vector<ScenarioFault> faults = LoadScenario(file).faults;
-    std::erase_if(faults, [](const ScenarioFault& fault) { return fault.what != "app_hangs"; });
-    const std::vector<std::string> apps = EmbeddedApps(mission);
-    for (const ScenarioFault& fault : faults) {
-      if (std::ranges::find(apps, fault.app) == apps.end()) {
-        throw ConfigError({{.file = file.string(), .line = 0},
-                           "faults",
-                           fmt::format("the mission launches no `{}`; nearest: `{}`", fault.app,
-                                       NearestWord(fault.app, apps))});
-      }
-    }
-    schedule_ = FaultSchedule(faults);
-    hang_.resize(faults.size(), false);
-  }
-  void Hear(const Message& message) { schedule_.Hear(message.name, message.value); }
-  [[nodiscard]] bool AreNone() const { return hang_.empty(); }
-  void Apply(EmbeddedCommunity& community) {
-    schedule_.Update(community.now());
-    for (std::size_t i = 0; i < hang_.size(); ++i) {
-      if (schedule_.IsActive(i) == hang_[i]) continue;
-      hang_[i] = schedule_.IsActive(i);
-      community.Stall(schedule_.faults()[i].app, hang_[i]);
-    }
-  }
-
- private:
-  FaultSchedule schedule_;
-  std::vector<bool> hang_;
-};
-
 }  // namespace
 
 void ApplySetting(MissionFile& mission, const std::string& setting) {
@@ -201,7 +162,7 @@ SessionOutcome RunSession(const MissionFile& mission, const SessionPlan& plan,
                           const MessageObserver& observer) {
   const auto begin = std::chrono::steady_clock::now();
   std::filesystem::create_directories(plan.run_folder);
-  HangingApps hanging(mission, plan.mission_folder);
+  SessionFaults faults(mission, plan.mission_folder);
   EmbeddedCommunity community(SetupFor(mission, plan));
   SessionOutcome outcome{.ended = "timeout", .duration = Seconds(0.0)};
   std::optional<Seconds> ended_at;
@@ -210,7 +171,7 @@ SessionOutcome RunSession(const MissionFile& mission, const SessionPlan& plan,
       outcome.ended = std::get<std::string>(message.value);
       ended_at = message.time;
     }
-    if (!hanging.AreNone()) hanging.Hear(message);
+    if (!faults.AreNone()) faults.Hear(message);
     observer(message);
   });
   while (community.elapsed() < kDeployAfter && !interrupt_requested) {
@@ -222,7 +183,7 @@ SessionOutcome RunSession(const MissionFile& mission, const SessionPlan& plan,
   };
   const Seconds longest = plan.longest.value_or(LongestSession(mission));
   while (!is_over() && !interrupt_requested && community.elapsed() < longest) {
-    if (!hanging.AreNone()) hanging.Apply(community);
+    if (!faults.AreNone()) faults.Apply(community);
     community.Step();
   }
   if (!ended_at) {

@@ -60,9 +60,10 @@ enum class SafetyRuleId : std::size_t {
   kClockStepped,
   kDiskLow,
   kDiskFull,
+  kLogFailed,
   kLinkLost
 };
-inline constexpr std::size_t kSafetyRules = 36;
+inline constexpr std::size_t kSafetyRules = 37;
 
 /// One row. What it watches is a number that must not go beyond a limit.
 struct SafetyRule {

@@ -207,6 +207,11 @@ void SafetySigns::MeasureProcesses(SafetyMeasures& measures, Seconds now) const 
   MeasureOf(measures, SafetyId::kClockStepped) = is_recent(clock_stepped_);
 }
 
+void SafetySigns::HearLog(bool is_written, Seconds now) {
+  has_log_ = true;
+  log_failed_since_ = is_written ? std::nullopt : std::optional(log_failed_since_.value_or(now));
+}
+
 void SafetySigns::MeasureVehicle(SafetyMeasures& measures, Seconds now) const {
   if (leaks_) MeasureOf(measures, SafetyId::kLeak) = FlagOf(*leaks_);
   if (charge_) {
@@ -224,6 +229,7 @@ void SafetySigns::MeasureVehicle(SafetyMeasures& measures, Seconds now) const {
   MeasureOf(measures, SafetyId::kThrustersSaturated) = SinceOrZero(saturated_since_, now);
   MeasureOf(measures, SafetyId::kDiskLow) = room_mib_;
   MeasureOf(measures, SafetyId::kDiskFull) = room_mib_;
+  if (has_log_) MeasureOf(measures, SafetyId::kLogFailed) = SinceOrZero(log_failed_since_, now);
   if (shore_heard_) MeasureOf(measures, SafetyId::kLinkLost) = (now - *shore_heard_).value();
 }
 

@@ -49,6 +49,8 @@ class SafetySigns {
   void Hear(const EnergyState& energy) { energy_ = energy; }
   void HearShore(Seconds now) { shore_heard_ = now; }
   void HearRoom(double mib) { room_mib_ = mib; }
+  /// LOG_STATE.
+  void HearLog(bool is_written, Seconds now);
   /// An area that cannot be is left out.
   void Hear(const SurveyArea& area);
   void Hear(const HomePoint& home) { home_ = home; }
@@ -91,6 +93,8 @@ class SafetySigns {
   std::optional<int> clock_steps_;
   std::optional<bool> leaks_;
   std::optional<double> charge_, room_mib_;
+  bool has_log_ = false;  ///< of which something is known
+  std::optional<Seconds> log_failed_since_;
   std::optional<EnergyState> energy_;
   std::optional<SurveyArea> area_;
   std::optional<Region> region_;  ///< of `area_`

@@ -22,7 +22,7 @@ constexpr double kFaultAfter_s = 3.0;  ///< the phase began
 constexpr double kUp_m = 0.5;          ///< a vehicle that is shallower has come up
 
 // clang-format off
-constexpr std::array<SafetyCase, 21> kCases{{
+constexpr std::array<SafetyCase, 23> kCases{{
     {"leak", "what: leak", Id::kLeak, Seconds(3.0)},
     {"battery low", "what: battery", Id::kBatteryLow, Seconds(12.0)},
     {"battery critical", "what: battery, size: 0.05", Id::kBatteryCritical, Seconds(12.0)},
@@ -44,6 +44,8 @@ constexpr std::array<SafetyCase, 21> kCases{{
     {"helm hangs", "what: app_hangs, app: pHelm", Id::kHelmSilent, Seconds(16.0)},
     {"pilot hangs", "what: app_hangs, app: pPilot", Id::kPilotSilent, Seconds(16.0)},
     {"navigation hangs", "what: app_hangs, app: pNav", Id::kNavigationSilent, Seconds(21.0)},
+    {"disk full", "what: disk_full", Id::kDiskFull, Seconds(11.0)},
+    {"disk failing", "what: disk_failing", Id::kLogFailed, Seconds(33.0)},
 }};
 // clang-format on
 
@@ -160,9 +162,8 @@ std::filesystem::path FaultyScenario(const TrialPlaces& places, const SafetyCase
 std::span<const SafetyCase> SafetyCases() { return kCases; }
 
 MissionFile ShortenedForTrials(MissionFile mission) {
-  std::erase_if(mission.launches, [](const LaunchEntry& launch) {
-    return launch.binary == "pLog" || launch.binary == "pSession";
-  });
+  std::erase_if(mission.launches,
+                [](const LaunchEntry& launch) { return launch.binary == "pSession"; });
   for (const char* setting :
        {"pSurvey.align_s=40", "pSurvey.last_fix_s=40", "pSurvey.fix_wait_min_s=40",
         "pSurvey.max_time_s=130", "pSurvey.lost_s=60", "pSurvey.give_up_s=240",
@@ -177,6 +178,10 @@ SafetyTrialResult FlySafetyTrial(const MissionFile& mission, const TrialPlaces& 
   std::filesystem::create_directories(places.scratch);
   const std::string scenario = FaultyScenario(places, tested, phase).string();
   MissionFile faulty = mission;
+  if (!tested.fault.starts_with("what: disk")) {  // else a log would only cost time
+    std::erase_if(faulty.launches,
+                  [](const LaunchEntry& launch) { return launch.binary == "pLog"; });
+  }
   for (const char* app : {"uSimVehicle", "uSimSensors", "uSimCamera"}) {
     ApplySetting(faulty, fmt::format("{}.scenario={}", app, scenario));
   }

@@ -350,6 +350,18 @@ TEST_F(SafetySignsTest, MissADetectorThatHasSpoken) {
   EXPECT_DOUBLE_EQ(Measure(Id::kDetectorLost).value(), 9.0);
 }
 
+TEST_F(SafetySignsTest, CountForHowLongTheLogHasNotBeenWritten) {
+  EXPECT_FALSE(Measure(Id::kLogFailed)) << "a mission without a log";
+  signs_.HearLog(false, now_);
+  Wait(2.0);
+  signs_.HearLog(false, now_);
+  Wait(2.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kLogFailed).value(), 4.0);
+  signs_.HearLog(true, now_);
+  Wait(2.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kLogFailed).value(), 0.0);
+}
+
 TEST_F(SafetySignsTest, PassOnWhatTheVehicleSaysOfItself) {
   EXPECT_FALSE(Measure(Id::kLeak));
   EXPECT_FALSE(Measure(Id::kBatteryLow));

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/runs/session_faults.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "limpet/mission/scenario.hpp"
+#include "limpet/runs/session_runner.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr std::string_view kAppHangs = "app_hangs";
+
+bool IsMadeHere(const ScenarioFault& fault) {
+  const FaultKind* kind = FindFaultKind(fault.what);
+  return kind != nullptr && kind->made_by == "session";
+}
+
+}  // namespace
+
+SessionFaults::SessionFaults(const MissionFile& mission, const std::filesystem::path& folder) {
+  const ConfigBlock* block = mission.Block("uSimVehicle");
+  const ConfigEntry* line = block != nullptr ? block->Find("scenario") : nullptr;
+  const std::filesystem::path file = folder / (line != nullptr ? line->value : "scenario.yaml");
+  if (!std::filesystem::exists(file)) {
+    return;
+  }
+  std::vector<ScenarioFault> faults = LoadScenario(file).faults;
+  std::erase_if(faults, [](const ScenarioFault& fault) { return !IsMadeHere(fault); });
+  const std::vector<std::string> apps = EmbeddedApps(mission);
+  for (const ScenarioFault& fault : faults) {
+    if (fault.what == kAppHangs && std::ranges::find(apps, fault.app) == apps.end()) {
+      throw ConfigError({{.file = file.string(), .line = 0},
+                         "faults",
+                         fmt::format("the mission launches no `{}`; nearest: `{}`", fault.app,
+                                     NearestWord(fault.app, apps))});
+    }
+  }
+  schedule_ = FaultSchedule(faults);
+  is_active_.resize(faults.size(), false);
+}
+
+void SessionFaults::Apply(EmbeddedCommunity& community) {
+  schedule_.Update(community.now());
+  for (std::size_t i = 0; i < is_active_.size(); ++i) {
+    if (schedule_.IsActive(i) == is_active_[i]) {
+      continue;
+    }
+    is_active_[i] = schedule_.IsActive(i);
+    if (const ScenarioFault& fault = schedule_.faults()[i]; fault.what == kAppHangs) {
+      community.Stall(fault.app, is_active_[i]);
+    } else {
+      community.FailDisk(DiskFault());
+    }
+  }
+}
+
+FailingFileSystem::Fault SessionFaults::DiskFault() const {
+  using Fault = FailingFileSystem::Fault;
+  return schedule_.Active("disk_failing") != nullptr     ? Fault::kFailing
+         : schedule_.Active("disk_read_only") != nullptr ? Fault::kReadOnly
+         : schedule_.Active("disk_full") != nullptr      ? Fault::kFull
+                                                         : Fault::kNone;
+}
+
+}  // namespace limpet
