@@ -214,5 +214,12 @@ TEST_F(AppTest, RefusesAnUnknownKeyWithItsPlace) {
   }
 }
 
+TEST_F(AppTest, SaysThatASuccessorWouldKnowNothingOfThisLife) {
+  EchoApp app(Context(), {});
+  app.NoteJournalLost("No space left on device");
+  EXPECT_THAT(app.warnings().at("JOURNAL_LOST").text,
+              testing::HasSubstr("No space left on device"));
+}
+
 }  // namespace
 }  // namespace limpet
