@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "estimation/mapping/semantic_octree.hpp"
-#include "limpet/durable/failing_file_system.hpp"
 #include "limpet/session/saved_session.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_link.hpp"
@@ -125,45 +124,6 @@ TEST_F(SessionAppTest, SavesNothingTwiceWhenItGoesThroughItsFormerLife) {
   link_.replays = true;
   Discover();
   EXPECT_EQ(LoadSession(folder_.path() / "discovery")->generation, 2);
-}
-
-TEST_F(SessionAppTest, KeepsTheLastGenerationAndSaysSoWhileTheDiskFails) {
-  FailingFileSystem disk(RealFileSystem());
-  AppContext context = Context("discovery");
-  context.disk = &disk;
-  SessionApp app(context, {});
-  app.Tick(link_.time);
-  for (const auto fault : {FailingFileSystem::Fault::kFull, FailingFileSystem::Fault::kFailing,
-                           FailingFileSystem::Fault::kReadOnly}) {
-    disk.Set(fault);
-    link_.Send(app, topics::kSessionSave, std::string("home"));
-    link_.Send(app, topics::kMapSnapshot, PackedBytes{"1"});
-    EXPECT_TRUE(app.warnings().contains("SESSION_NOT_SAVED"));
-    EXPECT_EQ(LoadSession(folder_.path() / "discovery")->facts.cause, "start");
-  }
-  disk.Set(FailingFileSystem::Fault::kNone);
-  link_.Send(app, topics::kSessionSave, std::string("home"));
-  link_.Send(app, topics::kMapSnapshot, PackedBytes{"1"});
-  EXPECT_FALSE(app.warnings().contains("SESSION_NOT_SAVED"));
-  EXPECT_EQ(LoadSession(folder_.path() / "discovery")->facts.cause, "home");
-}
-
-TEST_F(SessionAppTest, HasSavedAllThatWasAskedForAtItsEndInACommunity) {
-  AppContext context = Context("discovery");
-  context.runs_live = true;
-  SessionApp app(context, {});
-  app.Tick(link_.time);
-  link_.Send(app, topics::kMapOpis, OneObject());
-  for (int i = 0; i < 5; ++i) {  // faster than a disk
-    link_.Send(app, topics::kSessionSave, std::string("home"));
-    link_.Send(app, topics::kMapSnapshot, PackedBytes{"1"});
-  }
-  link_.time += Seconds(1.0);
-  app.Finish(link_.time);
-  const Expected<StoredSession> stored = LoadSession(folder_.path() / "discovery");
-  ASSERT_TRUE(stored);
-  EXPECT_EQ(stored->facts.cause, "end");
-  EXPECT_EQ(MemoryOf(stored->files)->objects.opis.size(), 1U);
 }
 
 class SessionAppAgain : public SessionAppTest {

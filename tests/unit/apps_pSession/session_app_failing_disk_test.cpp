@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// pSession on a disk that fails, and on one that is slower than it.
+#include <gtest/gtest.h>
+
+#include "apps/pSession/session_app.hpp"
+#include "limpet/durable/failing_file_system.hpp"
+#include "limpet/session/saved_session.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/support/test_link.hpp"
+
+namespace limpet {
+namespace {
+
+class SessionAppOnADisk : public ::testing::Test {
+ protected:
+  SessionAppOnADisk() {
+    context_.name = "pSession";
+    context_.link = &link_;
+    context_.run_folder = folder_.path() / "discovery";
+    context_.session = "discovery";
+  }
+  TemporaryFolder folder_;
+  TestLink link_;
+  AppContext context_;
+};
+
+TEST_F(SessionAppOnADisk, KeepsTheLastGenerationAndSaysSoWhileTheDiskFails) {
+  FailingFileSystem disk(RealFileSystem());
+  context_.disk = &disk;
+  SessionApp app(context_, {});
+  app.Tick(link_.time);
+  for (const auto fault : {FailingFileSystem::Fault::kFull, FailingFileSystem::Fault::kFailing,
+                           FailingFileSystem::Fault::kReadOnly}) {
+    disk.Set(fault);
+    link_.Send(app, topics::kSessionSave, std::string("home"));
+    link_.Send(app, topics::kMapSnapshot, PackedBytes{"1"});
+    EXPECT_TRUE(app.warnings().contains("SESSION_NOT_SAVED"));
+    EXPECT_EQ(LoadSession(folder_.path() / "discovery")->facts.cause, "start");
+  }
+  disk.Set(FailingFileSystem::Fault::kNone);
+  link_.Send(app, topics::kSessionSave, std::string("home"));
+  link_.Send(app, topics::kMapSnapshot, PackedBytes{"1"});
+  EXPECT_FALSE(app.warnings().contains("SESSION_NOT_SAVED"));
+  EXPECT_EQ(LoadSession(folder_.path() / "discovery")->facts.cause, "home");
+}
+
+TEST_F(SessionAppOnADisk, HasSavedAllThatWasAskedForAtItsEndInACommunity) {
+  context_.runs_live = true;
+  SessionApp app(context_, {});
+  app.Tick(link_.time);
+  link_.Send(app, topics::kMapOpis, OpiBeliefs{.opis = {OpiBelief{}}});
+  for (int i = 0; i < 5; ++i) {  // faster than a disk
+    link_.Send(app, topics::kSessionSave, std::string("home"));
+    link_.Send(app, topics::kMapSnapshot, PackedBytes{"1"});
+  }
+  link_.time += Seconds(1.0);
+  app.Finish(link_.time);
+  const Expected<StoredSession> stored = LoadSession(folder_.path() / "discovery");
+  ASSERT_TRUE(stored);
+  EXPECT_EQ(stored->facts.cause, "end");
+  EXPECT_EQ(MemoryOf(stored->files)->objects.opis.size(), 1U);
+}
+
+}  // namespace
+}  // namespace limpet
