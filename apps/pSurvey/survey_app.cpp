@@ -93,12 +93,17 @@ void SurveyApp::Remember() {
   keeper_.Keep(memory);
 }
 
-void SurveyApp::TellWhatIsKept() {
+void SurveyApp::TellWhatIsKept(Seconds now) {
   const std::optional<SurveyKeeper::Outcome> outcome = keeper_.TakeOutcome();
   if (outcome && outcome->trouble) {
     Warn(warnings::kStateNotKept, outcome->trouble->text);
+    not_kept_ = now;
   } else if (outcome) {
     ClearWarning(warnings::kStateNotKept);
+    not_kept_.reset();
+  } else if (not_kept_ && now - *not_kept_ > kTellPeriod) {
+    not_kept_ = now;
+    Remember();
   }
 }
 
@@ -341,7 +346,7 @@ void SurveyApp::Tick(Seconds now) {
   if (context().runs_live && IsUnderWay() && now - told_ > kTellPeriod) {
     TellAgain(now);
   }
-  TellWhatIsKept();
+  TellWhatIsKept(now);
 }
 
 void SurveyApp::WalkOn(Seconds now) {

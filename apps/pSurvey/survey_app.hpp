@@ -77,7 +77,8 @@ class SurveyApp final : public App {
   void MakeEnergyEstimate();
   void PublishArea();
   void Remember();
-  void TellWhatIsKept();
+  /// What could not be kept is tried again in a while.
+  void TellWhatIsKept(Seconds now);
   void Recall();
   /// Area, home and phase, for those who have come or come back.
   void TellAgain(Seconds now);
@@ -111,6 +112,7 @@ class SurveyApp final : public App {
   std::optional<EnergyEstimate> energy_;  ///< of a vehicle that has a battery
   std::optional<EnergyState> energy_state_;
   SurveyKeeper keeper_;
+  std::optional<Seconds> not_kept_;  ///< since when
 };
 
 }  // namespace limpet

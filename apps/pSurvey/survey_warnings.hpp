@@ -12,8 +12,9 @@ inline const WarningId kStateNotKept = DeclareWarning(
                        .raised_by = {"pSurvey"},
                        .meaning = "The phase of the mission cannot be written to the run folder: a "
                                   "pSurvey that is started again would not know it.",
-                       .action = "Make room on the disk or mend its rights.",
-                       .clears = "With the next change of phase that can be written."});
+                       .action = "Make room on the disk or mend its rights; it is tried again "
+                                 "each 10 s.",
+                       .clears = "Once it has been written."});
 
 inline const WarningId kTransitStalled = DeclareWarning(
     "TRANSIT_STALLED",
