@@ -10,6 +10,7 @@
 
 #include "limpet/console/command.hpp"
 #include "limpet/core/number_text.hpp"
+#include "limpet/durable/durable_file.hpp"
 #include "limpet/launch/launch_rules.hpp"
 #include "limpet/mission/expanded_text.hpp"
 #include "limpet/mission/outside.hpp"
@@ -328,7 +329,11 @@ LaunchPlan PlanLaunch(const LaunchCommand& command, const fs::path& own_folder) 
   if (!command.replacements.empty()) {
     const std::string text = ExpandedText(TextOfFile(command.mission_file), command.mission_file);
     plan.mission_file += "++";
-    std::ofstream(plan.mission_file) << WithReplacements(text, command.replacements);
+    // Half a mission must not be launched.
+    if (const std::optional<Error> error =
+            WriteDurably(plan.mission_file, WithReplacements(text, command.replacements))) {
+      throw Refusal("--Name=value", error->text);
+    }
   }
   plan.mission = LoadMission(plan.mission_file);
   std::vector<ConfigProblem> problems;

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // pSession on a disk that fails, and on one that is slower than it.
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "apps/pSession/session_app.hpp"
@@ -7,6 +11,7 @@
 #include "limpet/session/saved_session.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_link.hpp"
+#include "tests/support/torn_disk.hpp"
 
 namespace limpet {
 namespace {
@@ -42,6 +47,33 @@ TEST_F(SessionAppOnADisk, KeepsTheLastGenerationAndSaysSoWhileTheDiskFails) {
   link_.Send(app, topics::kMapSnapshot, PackedBytes{"1"});
   EXPECT_FALSE(app.warnings().contains("SESSION_NOT_SAVED"));
   EXPECT_EQ(LoadSession(folder_.path() / "discovery")->facts.cause, "home");
+}
+
+TEST_F(SessionAppOnADisk, HasOnTheDiskWhatItSaysIsSavedWheneverThePowerIsCut) {
+  const TemporaryFolder place(PlaceInMemory());
+  std::filesystem::create_directory(place.path() / "disk");
+  TornDisk disk(place.path() / "disk");
+  context_.disk = &disk;
+  context_.run_folder = place.path() / "disk" / "discovery";
+  SessionApp app(context_, {});
+  std::vector<std::size_t> calls;  // when each generation was said to be saved
+  app.Tick(link_.time);
+  calls.push_back(disk.calls());
+  for (int i = 0; i < 4; ++i) {
+    link_.Send(app, topics::kSessionSave, std::string("home"));
+    link_.Send(app, topics::kMapSnapshot, PackedBytes{std::to_string(i)});
+    calls.push_back(disk.calls());
+  }
+  ASSERT_EQ(link_.Count(topics::kSessionSaved), 5);
+  Random random(1, "cuts");
+  for (int cut = 0; cut < 60; ++cut) {
+    const std::size_t at = calls.front() + random.Index(disk.calls() - calls.front() + 1);
+    disk.Cut(at, random, place.path() / "left");
+    const Expected<StoredSession> stored = LoadSession(place.path() / "left" / "discovery");
+    ASSERT_TRUE(stored) << stored.error().text;
+    EXPECT_GE(stored->generation,
+              std::ranges::count_if(calls, [at](std::size_t saved) { return saved <= at; }));
+  }
 }
 
 TEST_F(SessionAppOnADisk, HasSavedAllThatWasAskedForAtItsEndInACommunity) {

@@ -35,9 +35,9 @@ class LaunchPlanTest : public testing::Test {
     options.insert(options.begin(), Mission(antler).string());
     return PlanLaunch(ReadLaunchCommand(options), programs());
   }
-  std::string Complaint(const std::string& antler) const {
+  std::string Complaint(const std::string& antler, std::vector<std::string> options = {}) const {
     try {
-      static_cast<void>(Plan(antler));
+      static_cast<void>(Plan(antler, std::move(options)));
     } catch (const ConfigError& error) {
       return error.what();
     }
@@ -66,6 +66,12 @@ TEST_F(LaunchPlanTest, ReplacesLinesInACopyOfTheMission) {
   const LaunchPlan plan = Plan("  Run = pEcho\n", {"--MOOSTimeWarp=10"});
   EXPECT_TRUE(plan.mission_file.string().ends_with("m.moos++"));
   EXPECT_EQ(plan.warp, 10.0);
+}
+
+TEST_F(LaunchPlanTest, RefusesToLaunchACopyThatCannotBeWritten) {
+  fs::create_directory(programs() / "m.moos++");
+  EXPECT_THAT(Complaint("  Run = pEcho\n", {"--MOOSTimeWarp=10"}),
+              HasSubstr("m.moos++: cannot rename"));
 }
 
 TEST_F(LaunchPlanTest, LaunchesOnlyWhatItIsAskedFor) {

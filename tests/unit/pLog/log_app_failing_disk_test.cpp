@@ -11,8 +11,10 @@
 #include "apps/pLog/log_app.hpp"
 #include "limpet/durable/failing_file_system.hpp"
 #include "limpet/logbook/alog_reader.hpp"
+#include "limpet/logbook/blog.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_link.hpp"
+#include "tests/support/torn_disk.hpp"
 
 namespace limpet {
 namespace {
@@ -157,6 +159,48 @@ std::string NameOfFault(const ::testing::TestParamInfo<Fault>& tested) {
   return tested.param == Fault::kFull      ? "Full"
          : tested.param == Fault::kFailing ? "Failing"
                                            : "ReadOnly";
+}
+
+TEST(LogAppPowerCut, FindsALogThatWasClosedAndWhereItIs) {
+  const TemporaryFolder place(PlaceInMemory());
+  const auto root = place.path() / "disk", left = place.path() / "left";
+  std::filesystem::create_directory(root);
+  TornDisk disk(root);
+  TestLink link;
+  AppContext context;
+  context.name = "pLog";
+  context.link = &link;
+  context.runs_live = true;
+  context.run_folder = root;
+  context.disk = &disk;
+  LogApp::Params params;
+  params.file = "L";
+  params.has_time_stamp = false;
+  params.summary_file = (root / "last").string();
+  {
+    LogApp app(context, params);
+    for (int i = 0; i < 20; ++i) {
+      app.Deliver(std::make_shared<const Message>(Message{.name = "FRAME",
+                                                          .value = Binary(100),
+                                                          .time = link.time,
+                                                          .source = "test",
+                                                          .source_aux = "",
+                                                          .community = ""}));
+    }
+    app.Finish(link.time);
+  }
+  Random random(1, "cuts");
+  for (int cut = 0; cut < 20; ++cut) {
+    disk.Cut(disk.calls(), random, left);
+    AlogReader reader = *AlogReader::Open(left / "L" / "L.alog");
+    int frames = 0;
+    for (AlogEntry entry; reader.Next(entry);) {
+      frames += ReadBlog(left / "L", *ParseBlogMarker(entry.value)) ? 1 : 0;
+    }
+    EXPECT_EQ(frames, 20);
+    EXPECT_TRUE(std::filesystem::exists(left / "pLog.session"));
+    EXPECT_TRUE(std::filesystem::exists(left / "last"));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Faults, LogOnAFailingDisk,
