@@ -45,7 +45,9 @@ void LogApp::TellState(const std::string& why) {
   }
   const bool has_counted = state.missing != told_.missing || state.in_doubt != told_.in_doubt;
   const bool is_counted_anew = has_counted && (!told_at_ || now() - *told_at_ >= kCountTime);
-  if (state.is_written != told_.is_written || is_counted_anew) {
+  // A former life may have left word that it is not written. Embedded there is none.
+  const bool is_first = !told_at_ && context().runs_live;
+  if (state.is_written != told_.is_written || is_counted_anew || is_first) {
     told_ = state;
     told_at_ = now();
     Publish(topics::kLogState, state);

@@ -89,7 +89,7 @@ inline const auto kShoreBeat =
                     {.rate = "1 Hz", .writers = {"another community, over pShare"}});
 inline const auto kLogState = Declare<LogState>(
     "LOG_STATE", "whether the log is written, and how many messages are missing in it",
-    {.rate = "once it has been in trouble: on change", .writers = {"pLog"}});
+    {.rate = "on change; in a community at the start, too", .writers = {"pLog"}});
 inline const auto kLaunchStatus = Declare<std::string>(
     "PLAUNCH_STATUS", "what became of each process: `app=pNav,state=running,restarts=1,... # ...`",
     {.rate = "on change, and every 5 s", .writers = {"pLaunch"}});

@@ -135,6 +135,8 @@ TEST_P(LogOnAFailingDisk, SaysSoFromItsThreadInACommunityToo) {
   params.summary_file = "";
   app_.emplace(context_, params);
   Send(1, 50);
+  app_->Tick(link_.time);
+  EXPECT_TRUE(link_.Last(topics::kLogState)->is_written) << "whatever a former life had said";
   disk_.Set(GetParam());
   const auto warns_within_ticks = [this](bool is_wanted) {
     for (int tick = 0; tick < 10'000'000; ++tick) {
