@@ -35,8 +35,16 @@ class WhyVerbTest : public ::testing::Test {
       HelmBids bids;
       bids.path_id = decision.path_id;
       bids.cause = "periodic";
-      bids.options = {{"beam", 10.0, 5.0, 0.5, {}, {{"cover", 5.0, 1.0, false, "useful=9.00"}}},
-                      {"home", 10.0, -3.0, -0.3, {}, {{"cover", -3.0, 1.0, false, ""}}}};
+      bids.options = {{.source = "beam",
+                       .length = 10.0,
+                       .total = 5.0,
+                       .rate = 0.5,
+                       .bids = {{"cover", 5.0, 1.0, false, "useful=9.00"}}},
+                      {.source = "home",
+                       .length = 10.0,
+                       .total = -3.0,
+                       .rate = -0.3,
+                       .bids = {{"cover", -3.0, 1.0, false, ""}}}};
       log << decision.time << "  HELM_BIDS  pHelm  "
           << std::get<std::string>(TopicCodec<HelmBids>::Encode(bids)) << "\n";
     }
