@@ -24,7 +24,7 @@ struct TourGoal {
   /// The survey is over when this share of the band's top has been seen.
   double finish_share = 0.98;
   /// Metres that the way may be longer for ground to be seen a metre sooner, mean over the area.
-  double early_weight = 2.0;
+  double early_weight = 3.0;
   /// Where the vehicle goes when it is over, NED [m].
   PlanePoint home{0.0, 0.0};
   /// What is sought besides ground, over the first `target_decay_m` of the way; its rates for

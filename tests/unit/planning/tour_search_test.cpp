@@ -34,6 +34,7 @@ TEST(TourSearch, NeverMakesATourWorse) {
 double WayToATargetWorth(double value) {
   const Target target{.north = 10.0, .east = 10.0, .window = {1.5, 1.5}, .value = value};
   TourGoal goal;
+  goal.early_weight = 1.0;
   goal.others.targets = {target};
   SearchProblem problem;
   problem.judge.Reset(DubinsPath(scene::kStart), goal);
