@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,21 +26,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Metres flown in the northern half of the area.
+/// Metres flown in the northern half of the area, times a weight.
 class NorthernHalf final : public SearchTerm {
  public:
+  explicit NorthernHalf(double weight = 1.0) : weight_(weight) {}
   [[nodiscard]] double Worth(const PathStep& step, TermEvents&) const override {
     double metres = 0.0, last = step.before;
     step.Sample([&](const Pose2& pose, double s) {
       metres += pose.north > 0.0 ? s - last : 0.0;
       last = s;
     });
-    return metres;
+    return weight_ * metres;
   }
+
+ private:
+  double weight_;
 };
 
-/// Bids for the north; asks no search for anything.
-class BHV_TestPreferNorth final : public Behavior {
+/// Bids for the north.
+class BHV_TestPreferNorth : public Behavior {
  public:
   struct Params {
     template <class V>
@@ -53,14 +59,23 @@ class BHV_TestPreferNorth final : public Behavior {
 };
 LIMPET_REGISTER_BEHAVIOR(BHV_TestPreferNorth);
 
-constexpr const char* kPreferNorth = R"(
-Behavior = BHV_TestPreferNorth
-{
-  name      = prefer_north
-  pwt       = 0.5
-  condition = MODE = ACTIVE:SURVEYING
+/// Bids for the north, and makes searches seek it.
+class BHV_TestSeekNorth final : public BHV_TestPreferNorth {
+ public:
+  using BHV_TestPreferNorth::BHV_TestPreferNorth;
+  void Shape(const Situation&, double weight, SearchGoals& goals) const override {
+    goals.objective.terms.push_back(std::make_shared<NorthernHalf>(weight));
+  }
+};
+LIMPET_REGISTER_BEHAVIOR(BHV_TestSeekNorth);
+
+/// A block for the behavior, at half weight.
+std::string BlockOf(const std::string& type) {
+  return fmt::format(
+      "\nBehavior = {}\n{{\n  name = north\n  pwt = 0.5\n"
+      "  condition = MODE = ACTIVE:SURVEYING\n}}\n",
+      type);
 }
-)";
 
 /// The first two minutes of a survey of the basin: some 60 m of way, less than half of what it
 /// takes.
@@ -104,18 +119,31 @@ Beginning FlyBasin(const std::string& more_behaviors, std::uint64_t seed) {
   return beginning;
 }
 
-/// Whether one flight is turned hangs on hairs at its start: a third of them are, from then on.
-TEST(NewBehavior, OfHalfTheWeightDrawsTheVehicleWhereItWantsIt) {
-  constexpr std::uint64_t kFlights = 8;
-  double drawn = 0.0;
+constexpr std::uint64_t kFlights = 6;
+
+/// How much more of each flight's track lies in the north with a behavior than without.
+std::vector<double> DrawnBy(const std::string& type) {
+  std::vector<double> drawn;
   for (std::uint64_t seed = 1; seed <= kFlights; ++seed) {
     const double without = FlyBasin("", seed).north_share;
-    const double with = FlyBasin(kPreferNorth, seed).north_share;
-    ::testing::Test::RecordProperty(fmt::format("seed_{}", seed),
+    const double with = FlyBasin(BlockOf(type), seed).north_share;
+    ::testing::Test::RecordProperty(fmt::format("{}_{}", type, seed),
                                     fmt::format("{:.3f} {:.3f}", without, with));
-    drawn += (with - without) / static_cast<double>(kFlights);
+    drawn.push_back(with - without);
   }
-  EXPECT_GT(drawn, 0.05);
+  return drawn;
+}
+
+TEST(NewBehavior, OfHalfTheWeightDrawsTheVehicleWhereItWantsIt) {
+  const std::vector<double> drawn = DrawnBy("BHV_TestSeekNorth");
+  EXPECT_GT(std::accumulate(drawn.begin(), drawn.end(), 0.0) / kFlights, 0.05);
+}
+
+/// Bids alone choose among plans that are about as good, which they are where a survey begins.
+TEST(NewBehavior, ThatOnlyBidsHasASayWhereOtherPlansAreAboutAsGood) {
+  const std::vector<double> drawn = DrawnBy("BHV_TestPreferNorth");
+  EXPECT_GT(std::ranges::count_if(drawn, [](double share) { return share != 0.0; }), 1);
+  EXPECT_GT(std::accumulate(drawn.begin(), drawn.end(), 0.0), 0.0);
 }
 
 TEST(NewBehavior, HasAtLeastADozenOptionsToChooseFrom) {

@@ -16,7 +16,7 @@ struct MissionPlanParams {
   LaneParams lanes{};
   int seeds = 6;           ///< lane tours that a new plan is sought from
   int first_edits = 8000;  ///< tried for a new plan; 0: the best lanes are the plan
-  int edits = 600;         ///< tried at each later decision
+  int edits = 1200;        ///< tried at each later decision
   int rest_edits = 50;     ///< tried for what follows an option, if it is among the best
   Meters warmth{8.0};      ///< of the search
 };
