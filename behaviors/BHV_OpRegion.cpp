@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "limpet/helm/registry.hpp"
+#include "limpet/planning/fence_allowance.hpp"
 #include "limpet/planning/home_path.hpp"
 #include "limpet/planning/room.hpp"
 #include "limpet/planning/transit_path.hpp"
@@ -52,8 +53,8 @@ void BHV_OpRegion::Start(const VehicleState& state) {
 }
 
 bool BHV_OpRegion::IsInDoubt(const VehicleState& state) {
-  constexpr double kSigmas = 3.0, kClear = 0.5;  // [m] beyond them it is sure again
-  const double sigmas = kSigmas * std::max(state.nav.sd_north, state.nav.sd_east);
+  constexpr double kClear = 0.5;  // [m] beyond them it is sure again
+  const double sigmas = FenceAllowance::kSigmas * std::max(state.nav.sd_north, state.nav.sd_east);
   const double clearance = region_->Clearance({state.nav.north, state.nav.east});
   // Nobody may have said how sure the place is.
   is_in_doubt_ = sigmas > 0.0 && clearance < sigmas + (is_in_doubt_ ? kClear : 0.0);

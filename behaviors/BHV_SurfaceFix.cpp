@@ -8,13 +8,13 @@
 
 #include "limpet/helm/act_list.hpp"
 #include "limpet/helm/registry.hpp"
+#include "limpet/planning/fence_allowance.hpp"
 
 namespace limpet {
 namespace {
 
 constexpr const char* kSurfaceFix = "SURFACE_FIX";
 constexpr const char* kFixSource = "surface_fix";
-constexpr double kSigmas = 3.0;
 constexpr double kSurfaceDepth = 0.35;   // [m]
 constexpr std::size_t kMostOptions = 6;  // that it offers once more, after a fix
 
@@ -73,7 +73,8 @@ double BHV_SurfaceFix::Cost() const {
 
 double BHV_SurfaceFix::DoubtSaved(const DubinsPath& path) const {
   constexpr double kStep = 2.0;  // [m]
-  const double now = kSigmas * sigma_, with_fix = kSigmas * params_.fix_sigma.value();
+  const double now = FenceAllowance::kSigmas * sigma_,
+               with_fix = FenceAllowance::kSigmas * params_.fix_sigma.value();
   double saved = 0.0;
   path.Sample(kStep, [&](const Pose2& at, double) {
     const double clearance = std::max(0.0, region_->Clearance({at.north, at.east}));

@@ -28,7 +28,7 @@ class AnchoredGrid {
   /// Ground seen, and pings laid, from now on. `beams` outlives this.
   /// `seam_loss`: as SeamAllowance has it.
   AnchoredGrid(const SurveyArea& area, Meters cell, const CameraModel& camera, const BeamMap& beams,
-               Meters seam_loss = Meters(0.05));
+               Meters seam_loss);
 
   /// A frame that counts.
   void Observe(const PlacedView& view);

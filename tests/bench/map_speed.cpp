@@ -10,6 +10,7 @@
 
 #include "estimation/mapping/anchored_grid.hpp"
 #include "estimation/mapping/ground_looks.hpp"
+#include "estimation/mapping/map_params.hpp"
 #include "estimation/mapping/semantic_map.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/core/random.hpp"
@@ -121,7 +122,7 @@ TrackShift LoopClosed(double now) {
 void MeasureUpdates(double duration_s, double shift_every_s) {
   const std::vector<TimedPing> pings = Survey(duration_s);
   SemanticMap map{Meters(kVoxel)};
-  AnchoredGrid ground(kArea, Meters(0.25), CameraModel{}, map.beams());
+  AnchoredGrid ground(kArea, Meters(0.25), CameraModel{}, map.beams(), MapParams{}.seam_loss);
   GroundLooks looks(LookModel{}, LookParams{});
   std::vector<ObservedFrame> frames;
   std::vector<double> updates_ms;

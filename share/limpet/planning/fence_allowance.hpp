@@ -17,6 +17,7 @@ class FenceAllowance {
  public:
   /// An allowance is a multiple of this more than `tracking` [m], so that it changes seldom.
   static constexpr double kStep = 0.25;
+  /// Of the vehicle's place; whoever judges whether borders are kept takes as many.
   static constexpr double kSigmas = 3.0;
 
   /// REQUIRES: no ProblemOf(area).

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "estimation/mapping/map_params.hpp"
+
 namespace limpet {
 namespace {
 
@@ -22,7 +24,7 @@ constexpr double kFlown = 40.0;  ///< [s]
 /// pMap's part of a session: beams and ground, fed alike.
 struct GroundSession {
   BeamMap beams{Meters(0.2)};
-  AnchoredGrid ground{kSurveyedArea, kGridCell, CameraModel{}, beams};
+  AnchoredGrid ground{kSurveyedArea, kGridCell, CameraModel{}, beams, MapParams{}.seam_loss};
 
   void SettleAll() {
     beams.SettleAll();
@@ -184,8 +186,8 @@ void FlyTwoLanes(AnchoredGrid& ground, const PlaceSigma& second) {
 
 TEST(AnchoredGrid, DoesNotTakeASeamForDoneThatMayHaveComeApart) {
   BeamMap beams{Meters(0.2)};
-  AnchoredGrid sure{kSurveyedArea, kGridCell, CameraModel{}, beams};
-  AnchoredGrid unsure{kSurveyedArea, kGridCell, CameraModel{}, beams};
+  AnchoredGrid sure{kSurveyedArea, kGridCell, CameraModel{}, beams, MapParams{}.seam_loss};
+  AnchoredGrid unsure{kSurveyedArea, kGridCell, CameraModel{}, beams, MapParams{}.seam_loss};
   FlyTwoLanes(sure, {});
   FlyTwoLanes(unsure, {.absolute = 0.5, .beside = 0.5});
   sure.Judge();
@@ -197,8 +199,8 @@ TEST(AnchoredGrid, DoesNotTakeASeamForDoneThatMayHaveComeApart) {
 
 TEST(AnchoredGrid, EarnsGroundAnewOnceAClosedLoopMakesThePlacesSure) {
   BeamMap beams{Meters(0.2)};
-  AnchoredGrid sure{kSurveyedArea, kGridCell, CameraModel{}, beams};
-  AnchoredGrid ground{kSurveyedArea, kGridCell, CameraModel{}, beams};
+  AnchoredGrid sure{kSurveyedArea, kGridCell, CameraModel{}, beams, MapParams{}.seam_loss};
+  AnchoredGrid ground{kSurveyedArea, kGridCell, CameraModel{}, beams, MapParams{}.seam_loss};
   FlyTwoLanes(sure, {});
   FlyTwoLanes(ground, {.absolute = 0.0, .beside = 0.5});
   ground.Shift({.steps = {{0.0, 0.0, 0.0, 0.0, 0.0}, {200.0, 0.0, 0.0, 0.0, 0.0}},

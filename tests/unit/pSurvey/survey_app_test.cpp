@@ -4,54 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "limpet/survey/look.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_link.hpp"
-#include "tests/unit/pSurvey/survey_app_parts.hpp"
+#include "tests/unit/pSurvey/survey_app_fixture.hpp"
 
 namespace limpet {
 namespace {
-
-class SurveyAppTest : public ::testing::Test {
- protected:
-  /// Navigation goes on meanwhile.
-  void Tick(double seconds) {
-    link_.time += Seconds(seconds);
-    if (nav_) {
-      link_.Send(app_, topics::kNavState, *nav_);
-    }
-    app_.Tick(link_.time);
-  }
-  void TickWithoutNavigation(double seconds) {
-    link_.time += Seconds(seconds);
-    app_.Tick(link_.time);
-  }
-  void Nav(double north, double east, double down, std::optional<double> altitude) {
-    nav_ = NavState{.north = north, .east = east, .down = down, .altitude = altitude};
-    link_.Send(app_, topics::kNavState, *nav_);
-  }
-  std::string Phase() { return link_.Last(topics::kSurveyPhase).value_or("IDLE"); }
-  void ReachSurvey(double north = -12.0) {
-    Nav(north, -15.0, 0.0, 7.5);
-    link_.Send(app_, topics::kDeploy, true);
-    Tick(SurveyApp::Params{}.align.value() + 1.0);
-    Nav(north, -15.0, 3.5, 4.0);
-    Tick(1.0);
-  }
-  /// The map says that one sees so far.
-  void Murk(double reach) {
-    LookModel look;
-    look.detection.visibility =
-        Meters(reach / DetectionModel{.visibility = Meters(1.0)}.HalfRange());
-    link_.Send(app_, topics::kMapLook, ToMapLook(look));
-  }
-  void ReachTarget() { link_.Send(app_, topics::kMapCoverage, Coverage{0.99, 0.99, 0.99}); }
-
-  TestLink link_;
-  AppContext context_ = ContextOn(link_);
-  SurveyApp app_{context_, OfTable()};
-  std::optional<NavState> nav_;
-};
 
 TEST_F(SurveyAppTest, WaitsForDeploy) {
   Nav(0.0, 0.0, 0.0, 7.5);
@@ -97,104 +55,6 @@ TEST_F(SurveyAppTest, DivesSoonerWhereAFormerSessionsObjectsWillTellThePlace) {
     app.Tick(link.time);
     EXPECT_EQ(link.Last(topics::kSurveyPhase), former == 0 ? "ALIGN" : "DIVE");
   }
-}
-
-TEST_F(SurveyAppTest, GoesHomeWhenTheTargetIsReachedAndNothingIsOpen) {
-  ReachSurvey();
-  ReachTarget();
-  Tick(1.0);
-  EXPECT_EQ(Phase(), "RETURN");
-}
-
-TEST_F(SurveyAppTest, StaysWhileAnObjectStillWantsALook) {
-  ReachSurvey();
-  ReachTarget();
-  link_.Send(app_, topics::kHelmRevisits, HelmRevisits{{{.id = 1, .state = "open"}}});
-  Tick(1.0);
-  EXPECT_EQ(Phase(), "SURVEY");
-}
-
-TEST_F(SurveyAppTest, DoesNotWaitForAnObjectThatTheHelmHasGivenUp) {
-  ReachSurvey();
-  ReachTarget();
-  link_.Send(app_, topics::kHelmRevisits,
-             HelmRevisits{{{.id = 1, .state = "given_up"}, {.id = 2, .state = "out_of_reach"}}});
-  Tick(1.0);
-  EXPECT_EQ(Phase(), "RETURN");
-}
-
-TEST_F(SurveyAppTest, GoesHomeOnceAllCountsAsDoneThoughItClaimsLess) {
-  ReachSurvey();
-  link_.Send(app_, topics::kMapCoverage,
-             Coverage{.seabed = 0.99, .band = 0.97, .band_top = 0.95, .done_band_top = 0.96});
-  Tick(1.0);
-  EXPECT_EQ(Phase(), "SURVEY");
-  link_.Send(app_, topics::kMapCoverage,
-             Coverage{.seabed = 0.99, .band = 0.97, .band_top = 0.95, .done_band_top = 0.98});
-  Tick(1.0);
-  EXPECT_EQ(Phase(), "RETURN");
-}
-
-TEST_F(SurveyAppTest, GoesHomeShortOfTheTargetWhenCoverageStalls) {
-  ReachSurvey();
-  Tick(241.0);
-  EXPECT_EQ(Phase(), "RETURN");
-  EXPECT_TRUE(app_.warnings().contains("COVERAGE_STALLED"));
-}
-
-TEST_F(SurveyAppTest, GoesHomeByItsOwnJudgementWhenTheWaterHidesTheRest) {
-  ReachSurvey();
-  Murk(3.3);  // the band's top is in sight, and seen; the bottom is not
-  link_.Send(app_, topics::kMapCoverage, Coverage{0.0, 0.6, 0.99});
-  Tick(1.0);
-  EXPECT_EQ(Phase(), "RETURN");
-}
-
-TEST_F(SurveyAppTest, DoesNotStayWhereNothingIsInSight) {
-  ReachSurvey();
-  Murk(1.0);
-  Tick(100.0);
-  EXPECT_EQ(Phase(), "SURVEY");
-  Tick(141.0);
-  EXPECT_EQ(Phase(), "RETURN");
-  EXPECT_TRUE(app_.warnings().contains("OUT_OF_SIGHT"));
-  EXPECT_FALSE(app_.warnings().contains("COVERAGE_STALLED"));
-  Nav(-12.0, -15.0, 3.5, 4.0);
-  Tick(1.0);
-  Nav(-12.0, -15.0, 0.2, std::nullopt);
-  Tick(1.0);
-  Tick(1.0);
-  Tick(SurveyApp::Params{}.last_fix.value() + 1.0);
-  EXPECT_EQ(link_.Last(topics::kMissionEnd), "home");
-}
-
-TEST_F(SurveyAppTest, DoesNotTakeTheWayToTheAreaForAStall) {
-  ReachSurvey(-140.0);
-  for (double north = -140.0; north < -17.0; north += 10.0) {  // at half a metre per second
-    Nav(north, 0.0, 3.5, 4.0);
-    Tick(20.0);
-    ASSERT_EQ(Phase(), "SURVEY") << "at north " << north;
-  }
-  EXPECT_FALSE(app_.warnings().contains("TRANSIT_STALLED"));
-  Nav(-10.0, 0.0, 3.5, 4.0);
-  Tick(1.0);
-  Tick(241.0);  // inside, the stall clock runs as ever
-  EXPECT_TRUE(app_.warnings().contains("COVERAGE_STALLED"));
-}
-
-TEST_F(SurveyAppTest, GoesHomeWhenTheAreaComesNoNearer) {
-  ReachSurvey(-140.0);
-  Tick(241.0);
-  EXPECT_EQ(Phase(), "RETURN");
-  EXPECT_TRUE(app_.warnings().contains("TRANSIT_STALLED"));
-}
-
-TEST_F(SurveyAppTest, SaysHowFarItIsToTheArea) {
-  ReachSurvey(-57.0);
-  Tick(1.0);
-  ReportLines lines;
-  app_.Report(lines);
-  EXPECT_THAT(lines.Text(), testing::HasSubstr("Transit:      40 m to the area"));
 }
 
 TEST_F(SurveyAppTest, ObeysReturnAndSaysAborted) {
