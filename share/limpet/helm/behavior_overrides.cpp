@@ -4,6 +4,17 @@
 #include <fmt/format.h>
 
 namespace limpet {
+namespace {
+
+/// Which behaviors there are, for one who named none of them: behaviors go by their names, and a
+/// type is near to none of those.
+std::string Suggestion(const std::string& name, const std::vector<std::string>& known) {
+  const std::string nearest = NearestWord(name, known);
+  return nearest.empty() ? fmt::format("behaviors: `{}`", fmt::join(known, "`, `"))
+                         : fmt::format("nearest behavior: `{}`", nearest);
+}
+
+}  // namespace
 
 void ApplyBehaviorSettings(std::vector<BehaviorFile>& files,
                            const std::vector<std::string>& settings) {
@@ -27,9 +38,9 @@ void ApplyBehaviorSettings(std::vector<BehaviorFile>& files,
       }
     }
     if (!is_found) {
-      throw ConfigError({where, name,
-                         fmt::format("no app or behavior of this name; nearest behavior: `{}`",
-                                     NearestWord(name, known))});
+      throw ConfigError(
+          {where, name,
+           fmt::format("no app or behavior of this name; {}", Suggestion(name, known))});
     }
   }
 }

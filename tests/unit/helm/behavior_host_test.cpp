@@ -261,6 +261,12 @@ TEST(BehaviorSettings, NameTheNearestBehaviorAndTheSettingThatIsWrong) {
   } catch (const ConfigError& error) {
     EXPECT_THAT(error.what(), HasSubstr("nearest behavior: `probe`"));
   }
+  try {
+    ApplyBehaviorSettings(files, {"BHV_HostProbe.size_m=4"});
+    FAIL() << "a type is no name";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("behaviors: `probe`"));
+  }
   ApplyBehaviorSettings(files, {"probe.size_m=40"});
   try {
     const BehaviorHost host(files);

@@ -60,7 +60,8 @@ TEST(MissionPlan, LeadsToTheEndOfTheSurveyInsideTheRegion) {
   EXPECT_GT(survey.TopAfter(options[0].path), 0.97);
 }
 
-/// What behaviors choose from: plans that lead elsewhere at first, each to the end.
+/// What behaviors choose from: plans that lead elsewhere at first, each to the end. They begin with
+/// another pass; what is sought behind a short one may come a little nearer again.
 TEST(MissionPlan, OffersOthersThatBeginOtherwise) {
   const BegunSurvey survey;
   MissionPlan plan = PlanOf(400);
