@@ -43,4 +43,10 @@ bool AddFlag(std::string_view text, std::vector<Flag>& flags) {
   return true;
 }
 
+void DescribeFlags(ParamCollector& visit, const char* name, std::vector<Flag>& flags,
+                   const char* help) {
+  visit.ParsedLines(name, "VARIABLE = value", help,
+                    [&flags](std::string_view text) { return AddFlag(text, flags); });
+}
+
 }  // namespace limpet

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "limpet/core/params.hpp"
 #include "limpet/helm/behavior.hpp"
 
 namespace limpet {
@@ -37,5 +38,8 @@ class ActList {
 
 /// Adds the flag of one line of a block, `clearall` empties the list; false if it is none.
 [[nodiscard]] bool AddFlag(std::string_view text, std::vector<Flag>& flags);
+/// Declares flags of the behavior's own, one per line of its block.
+void DescribeFlags(ParamCollector& visit, const char* name, std::vector<Flag>& flags,
+                   const char* help);
 
 }  // namespace limpet
