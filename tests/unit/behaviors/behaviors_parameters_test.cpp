@@ -29,6 +29,7 @@
 #include "behaviors/BHV_StationKeep.hpp"
 #include "behaviors/BHV_Timer.hpp"
 #include "behaviors/BHV_Waypoint.hpp"
+#include "behaviors/BHV_ZigZag.hpp"
 #include "limpet/helm/registry.hpp"
 
 namespace limpet {
@@ -64,8 +65,8 @@ class EveryBehavior : public ::testing::Test {
 
 using Behaviors =
     ::testing::Types<BHV_ConstantDepth, BHV_ConstantHeading, BHV_ConstantSpeed, BHV_Loiter,
-                     BHV_StationKeep, BHV_Timer, BHV_Waypoint, BHV_FullStop, BHV_CoverArea,
-                     BHV_FollowPath, BHV_HoldAltitude, BHV_HoldStation, BHV_OpRegion,
+                     BHV_StationKeep, BHV_Timer, BHV_Waypoint, BHV_ZigZag, BHV_FullStop,
+                     BHV_CoverArea, BHV_FollowPath, BHV_HoldAltitude, BHV_HoldStation, BHV_OpRegion,
                      BHV_ReduceMapEntropy, BHV_ReduceObjectEntropy, BHV_ReturnHome, BHV_RevisitOpi,
                      BHV_GoToDepth, BHV_MaxDepth, BHV_MinAltitudeX, BHV_PeriodicSurface>;
 TYPED_TEST_SUITE(EveryBehavior, Behaviors);
@@ -83,7 +84,7 @@ TYPED_TEST(EveryBehavior, IsBuiltFromItsExamples) {
 
 TYPED_TEST(EveryBehavior, RefusesAKeyThatItDoesNotHaveAndNamesTheNearest) {
   for (const ParamSpec& spec : this->entry_.describe()) {
-    const std::string misspelt = spec.name + "x";
+    const std::string misspelt = spec.name + "q";
     const std::string complaint = this->ComplaintAbout(misspelt, spec.example[0]);
     EXPECT_THAT(complaint, HasSubstr("mission.bhv:17: " + misspelt + ": "));
     EXPECT_THAT(complaint, HasSubstr("`" + spec.name + "`"));
