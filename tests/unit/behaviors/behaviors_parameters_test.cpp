@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "behaviors/BHV_AbortToPoint.hpp"
+#include "behaviors/BHV_AvoidObstacle.hpp"
 #include "behaviors/BHV_ConstantDepth.hpp"
 #include "behaviors/BHV_ConstantHeading.hpp"
 #include "behaviors/BHV_ConstantSpeed.hpp"
@@ -65,10 +66,11 @@ class EveryBehavior : public ::testing::Test {
 
 using Behaviors =
     ::testing::Types<BHV_ConstantDepth, BHV_ConstantHeading, BHV_ConstantSpeed, BHV_Loiter,
-                     BHV_StationKeep, BHV_Timer, BHV_Waypoint, BHV_ZigZag, BHV_FullStop,
-                     BHV_CoverArea, BHV_FollowPath, BHV_HoldAltitude, BHV_HoldStation, BHV_OpRegion,
-                     BHV_ReduceMapEntropy, BHV_ReduceObjectEntropy, BHV_ReturnHome, BHV_RevisitOpi,
-                     BHV_GoToDepth, BHV_MaxDepth, BHV_MinAltitudeX, BHV_PeriodicSurface>;
+                     BHV_StationKeep, BHV_Timer, BHV_Waypoint, BHV_AvoidObstacle, BHV_ZigZag,
+                     BHV_FullStop, BHV_CoverArea, BHV_FollowPath, BHV_HoldAltitude, BHV_HoldStation,
+                     BHV_OpRegion, BHV_ReduceMapEntropy, BHV_ReduceObjectEntropy, BHV_ReturnHome,
+                     BHV_RevisitOpi, BHV_GoToDepth, BHV_MaxDepth, BHV_MinAltitudeX,
+                     BHV_PeriodicSurface>;
 TYPED_TEST_SUITE(EveryBehavior, Behaviors);
 
 TYPED_TEST(EveryBehavior, IsBuiltFromItsExamples) {

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "behaviors/BHV_AvoidObstacle.hpp"
+#include "limpet/core/number_text.hpp"
+#include "limpet/waypoints/map_params.hpp"
+#include "limpet/waypoints/point_list.hpp"
+
+namespace limpet {
+namespace {
+
+using ObstacleParams = BHV_AvoidObstacle::Params;
+
+/// `pts={...},label=rock`: the label, or nothing.
+std::string LabelOf(std::string_view text) {
+  constexpr std::string_view kKey = "label=";
+  const std::size_t at = text.find(kKey);
+  if (at == std::string_view::npos) return "";
+  const std::string_view rest = text.substr(at + kKey.size());
+  return std::string(Trim(rest.substr(0, rest.find(','))));
+}
+
+bool ReadObstacle(std::string_view text, ObstacleParams& params) {
+  auto corners = ParsePoints(text);
+  if (!corners) return false;
+  params.polygon = ConvexPolygon::Of(*std::move(corners));
+  params.label = LabelOf(text);
+  return params.polygon.has_value();
+}
+
+/// A distance that is not to be below `low` nor above `high`, as far as those are given before it.
+void DescribeDistance(ParamCollector& visit, const char* name, std::optional<double>& field,
+                      const char* form, const char* help,
+                      std::vector<const std::optional<double>*> low,
+                      std::vector<const std::optional<double>*> high) {
+  visit.Parsed(name, form, help, "",
+               [&field, low = std::move(low), high = std::move(high)](std::string_view text) {
+                 if (text.empty()) return true;
+                 const auto value = ParseNumber(text);
+                 if (!value || *value < 0.0) return false;
+                 field = value;
+                 return std::ranges::none_of(low, [&](const auto* at) { return *at > *value; }) &&
+                        std::ranges::none_of(high,
+                                             [&](const auto* at) { return *at && **at < *value; });
+               });
+}
+
+}  // namespace
+
+void BHV_AvoidObstacle::Params::Describe(ParamCollector& visit) {
+  visit.Parsed("poly", "x,y : x,y ..., pts={...} or format=radial, ...; convex",
+               "The obstacle: x east, y north of the datum [m]", "",
+               [this](std::string_view text) { return text.empty() || ReadObstacle(text, *this); });
+  visit.Also({"polygon"});
+  visit("id", id, "Of the obstacle, as OBM_RESOLVED names it");
+  visit("allowable_ttc", allowable_time, "What comes later than this counts half, at each speed",
+        InRange(Seconds(0.0), Seconds(1e5)));
+  DescribeDistance(visit, "min_util_cpa_dist", least_approach, "m, at most max_util_cpa_dist",
+                   "A way that comes this near is worth nothing; else 8 m", {}, {&free_approach});
+  DescribeDistance(visit, "max_util_cpa_dist", free_approach, "m, at least min_util_cpa_dist",
+                   "One that stays this far off is as good as any; else 16 m", {&least_approach},
+                   {});
+  DescribeDistance(
+      visit, "pwt_inner_dist", inner_distance, "m, at most pwt_outer_dist and completed_dist",
+      "From here on it has its full weight; else 10 m", {}, {&outer_distance, &end_distance});
+  DescribeDistance(visit, "pwt_outer_dist", outer_distance,
+                   "m, from pwt_inner_dist to completed_dist",
+                   "Further off it has no say; else 50 m", {&inner_distance}, {&end_distance});
+  DescribeDistance(visit, "completed_dist", end_distance,
+                   "m, at least pwt_inner_dist and pwt_outer_dist",
+                   "Once further off than this again it completes; else 50 m",
+                   {&inner_distance, &outer_distance}, {});
+  visit("draw_buff_min_poly", draws_least, "Draw where ways are worth nothing");
+  visit("draw_buff_max_poly", draws_free, "Draw where ways are worth less");
+  visit.ParsedLines("rng_flag", "[<m] VARIABLE = value", "Posted while nearer than so many metres",
+                    [this](std::string_view text) { return AddFlag(text, range_flags); });
+  DescribeFlags(visit, "cpa_flag", approach_flags, "Posted when it gets farther again");
+  DescribeHints(visit, hints);
+  visit.WithoutEffect({"use_refinery"});
+}
+
+double BHV_AvoidObstacle::Params::least() const {
+  constexpr double kUsual = 8.0;
+  return least_approach.value_or(std::min(kUsual, free_approach.value_or(kUsual)));
+}
+
+double BHV_AvoidObstacle::Params::free() const {
+  constexpr double kUsual = 16.0;
+  return free_approach.value_or(std::max(kUsual, least()));
+}
+
+double BHV_AvoidObstacle::Params::inner() const {
+  constexpr double kUsual = 10.0;
+  return inner_distance.value_or(
+      std::min({kUsual, outer_distance.value_or(kUsual), end_distance.value_or(kUsual)}));
+}
+
+double BHV_AvoidObstacle::Params::outer() const {
+  constexpr double kUsual = 50.0;
+  return outer_distance.value_or(
+      std::max(inner(), std::min(kUsual, end_distance.value_or(kUsual))));
+}
+
+double BHV_AvoidObstacle::Params::end() const {
+  constexpr double kUsual = 50.0;
+  return end_distance.value_or(std::max(kUsual, outer()));
+}
+
+}  // namespace limpet

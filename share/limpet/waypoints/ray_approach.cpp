@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/waypoints/ray_approach.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "limpet/waypoints/map_geometry.hpp"
+
+namespace limpet {
+
+RayApproach::RayApproach(const ConvexPolygon& polygon, const MapPoint& from, double bearing)
+    : polygon_(&polygon), from_(from), bearing_(bearing) {
+  if (const std::optional<double> entry = Entry()) {
+    along_ = *entry;
+    return;
+  }
+  // A way that misses is nearest at a corner, or where it begins.
+  distance_ = std::max(0.0, polygon.Outside(from));
+  const MapLeg way{from, Project(from, bearing, 1.0)};
+  for (const MapPoint& corner : polygon.corners()) {
+    const double along = way.Along(corner);
+    if (along <= 0.0) continue;
+    const double distance = DistanceBetween(Project(from, bearing, along), corner);
+    if (distance < distance_) {
+      distance_ = distance;
+      along_ = along;
+    }
+  }
+}
+
+/// Where the way meets the polygon [m], by clipping it at one edge after the other.
+std::optional<double> RayApproach::Entry() const {
+  const double step_x = std::sin(bearing_), step_y = std::cos(bearing_);
+  double first = 0.0, last = std::numeric_limits<double>::infinity();
+  const std::vector<MapPoint>& corners = polygon_->corners();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const MapPoint& a = corners[i];
+    const MapPoint& b = corners[(i + 1) % corners.size()];
+    // Corners are clockwise: what is inside lies to the right of each edge.
+    const double beyond = (b.x - a.x) * (from_.y - a.y) - (b.y - a.y) * (from_.x - a.x);
+    const double rate = (b.x - a.x) * step_y - (b.y - a.y) * step_x;
+    if (rate == 0.0) {
+      if (beyond > 0.0) return std::nullopt;
+    } else if (rate < 0.0) {
+      first = std::max(first, -beyond / rate);
+    } else {
+      last = std::min(last, -beyond / rate);
+    }
+  }
+  return first <= last ? std::optional(first) : std::nullopt;
+}
+
+double RayApproach::Within(double length) const {
+  // The distance falls until there and grows from there on: the polygon is convex.
+  if (length >= along_) return distance_;
+  return std::max(0.0, polygon_->Outside(Project(from_, bearing_, length)));
+}
+
+std::vector<MapPoint> BufferedCorners(const ConvexPolygon& polygon, double distance) {
+  constexpr double kFinest = std::numbers::pi / 6.0;
+  const std::vector<MapPoint>& corners = polygon.corners();
+  const std::size_t count = corners.size();
+  std::vector<MapPoint> ring;
+  for (std::size_t i = 0; i < count; ++i) {
+    // Away from the edges to either side of the corner, which go round clockwise.
+    const double before =
+        BearingTo(corners[(i + count - 1) % count], corners[i]) - 0.5 * std::numbers::pi;
+    const double after = BearingTo(corners[i], corners[(i + 1) % count]) - 0.5 * std::numbers::pi;
+    const double turn = std::fmod(after - before + 4.0 * std::numbers::pi, 2.0 * std::numbers::pi);
+    const int steps = std::max(1, static_cast<int>(std::ceil(turn / kFinest)));
+    for (int k = 0; k <= steps; ++k) {
+      ring.push_back(Project(corners[i], before + turn * k / steps, distance));
+    }
+  }
+  return ring;
+}
+
+}  // namespace limpet
