@@ -26,6 +26,13 @@ constexpr Explanation kExplanations[] = {
      "heights between one "
      "object radius and the greatest height; one counts once 60 % of its disc was inside the image "
      "in three frames."},
+    {"Lanes, reckoned",
+     "What parallel lanes in the best direction, number and order would take over the same area, "
+     "from the same start and home again, with the same turns, flown exactly and without a look at "
+     "any object. Less than 1.00 of that: this survey beat them."},
+    {"Whose options were flown",
+     "Generators of options (plan, beam, tour, home ...), how far the vehicle flew on what each "
+     "had offered, and in how many decisions it was chosen."},
     {"Error, aligned",
      "Distance in three dimensions between where the smoother places an object and where it is. "
      "Aligned: after removing "

@@ -14,6 +14,7 @@
 #include "limpet/report/html_pictures.hpp"
 #include "limpet/report/html_style.hpp"
 #include "limpet/report/html_warnings.hpp"
+#include "limpet/report/lanes_sentence.hpp"
 #include "limpet/report/phase_sentence.hpp"
 #include "limpet/report/water_sentence.hpp"
 #include "limpet/scoring/verdict.hpp"
@@ -197,6 +198,7 @@ std::string CoverageTable(const SessionScore& session, const ReportSettings& set
                          settings.object_radius_m, settings.object_height_max_m),
              session.coverage.band, session.coverage.detected_band) +
          "</table></div>\n" + Paragraph(BoundSentence(session)) +
+         Paragraph(LanesSentence(session)) + Paragraph(WinsSentence(session)) +
          Paragraph(UnseenSentence(session.coverage.unseen));
 }
 

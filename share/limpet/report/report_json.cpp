@@ -182,6 +182,26 @@ OrderedJson Bound(const SessionScore& session) {
           {"path_m", Optional(session.bound->path_m(), Length)}};
 }
 
+/// Null where no lanes were reckoned.
+OrderedJson Lanes(const SessionScore& session) {
+  if (!session.lanes) return nullptr;
+  const LanesScore& lanes = *session.lanes;
+  return {{"passes", lanes.passes},
+          {"direction_deg", Time(lanes.direction_deg)},
+          {"path_m", Length(lanes.path_m)},
+          {"time_s", Time(lanes.time_s)},
+          {"coverage", Levels(lanes.seabed, 0.90)},
+          {"detectable", Levels(lanes.band, 0.95)}};
+}
+
+/// By generator of options, what it won.
+OrderedJson Wins(const std::vector<OptionWins>& wins) {
+  OrderedJson out = OrderedJson::object();
+  for (const OptionWins& of : wins)
+    out[of.source] = {{"decisions", of.decisions}, {"path_m", Length(of.path_m)}};
+  return out;
+}
+
 OrderedJson Session(const SessionScore& session) {
   OrderedJson out = {
       {"coverage", IfJudged(session, Levels(session.coverage.seabed, 0.90))},
@@ -189,8 +209,11 @@ OrderedJson Session(const SessionScore& session) {
       {"covered", IfJudged(session, Share(session.coverage.covered))},
       {"detected_band", IfJudged(session, Share(session.coverage.detected_band))},
       {"bound", Bound(session)},
+      {"lanes", Lanes(session)},
       {"unseen_share", IfJudged(session, UnseenShare(session.coverage.unseen))},
       {"path_m", IfJudged(session, Length(session.path_m))},
+      {"survey_path_m", Optional(session.survey_path_m, Length)},
+      {"options_won", Wins(session.wins)},
       {"duration_s", Time(session.duration_s)},
       {"phase_s", Phases(session.phases)},
       {"wall_s", Optional(session.wall_s, Length)},

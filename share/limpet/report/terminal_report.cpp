@@ -14,6 +14,7 @@
 #include "limpet/figures/probability_text.hpp"
 #include "limpet/report/bound_sentence.hpp"
 #include "limpet/report/energy_sentence.hpp"
+#include "limpet/report/lanes_sentence.hpp"
 #include "limpet/report/phase_sentence.hpp"
 #include "limpet/report/water_sentence.hpp"
 #include "limpet/scoring/verdict.hpp"
@@ -177,8 +178,8 @@ std::string CoverageTable(const SessionScore& session, const ReportSettings& set
 
 std::string BoundLines(const SessionScore& session) {
   std::string out;
-  for (const std::string& line :
-       {BoundSentence(session), UnseenSentence(session.coverage.unseen)}) {
+  for (const std::string& line : {BoundSentence(session), LanesSentence(session),
+                                  WinsSentence(session), UnseenSentence(session.coverage.unseen)}) {
     if (!line.empty()) out += "  " + line + "\n";
   }
   return out;

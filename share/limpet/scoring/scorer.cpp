@@ -21,6 +21,19 @@ void ScoreWay(const SessionRecord& record, const PoseTrack& track, SessionScore&
   score.path_m = track.path(last);
   score.duration_s = track.time(last) - track.time(0);
   score.phases = TimesOfPhases(record, Seconds(track.time(last)));
+  score.wins = OptionWinsOf(record, track);
+}
+
+/// The lanes that this survey is to beat: from where it began, at its own mean speed.
+std::optional<LanesScore> LanesBeside(const SessionRecord& record, const SurveyFrames& frames,
+                                      const Scenario& scenario, const ReportSettings& settings) {
+  if (!record.area || frames.X_WB.empty() || frames.time_s.back() <= 0.0) return std::nullopt;
+  const Pose& X_WB = frames.X_WB.front();
+  const Pose2 start{.north = X_WB.p_WB.x(), .east = X_WB.p_WB.y(), .yaw = X_WB.yaw};
+  const HomePoint home = record.home.value_or(
+      HomePoint{.north = scenario.start.north_m, .east = scenario.start.east_m});
+  const double speed = frames.path_m.back() / frames.time_s.back();
+  return ScoreLanes(*record.area, start, home, speed, scenario, settings);
 }
 
 void ScoreAgainstTruth(const SessionRecord& record, const Scenario& scenario,
@@ -28,6 +41,8 @@ void ScoreAgainstTruth(const SessionRecord& record, const Scenario& scenario,
   const SurveyFrames frames = FramesOfSurvey(record, settings);
   score.coverage = ScoreCoverage(frames, record.area.value_or(SurveyArea{}), scenario, settings,
                                  FormerPlaces(score.former, scenario));
+  score.lanes = LanesBeside(record, frames, scenario, settings);
+  if (!frames.path_m.empty()) score.survey_path_m = frames.path_m.back();
   const std::size_t last = record.truth.size() - 1;
   score.home_error_m = std::hypot(record.truth.north(last) - scenario.start.north_m,
                                   record.truth.east(last) - scenario.start.east_m);

@@ -7,9 +7,11 @@
 
 #include "limpet/scoring/coverage_score.hpp"
 #include "limpet/scoring/energy_record.hpp"
+#include "limpet/scoring/lanes_score.hpp"
 #include "limpet/scoring/lower_bound.hpp"
 #include "limpet/scoring/nav_score.hpp"
 #include "limpet/scoring/opi_score.hpp"
+#include "limpet/scoring/option_wins.hpp"
 #include "limpet/scoring/phase_times.hpp"
 #include "limpet/scoring/pictured_object.hpp"
 #include "limpet/scoring/report_settings.hpp"
@@ -33,6 +35,8 @@ struct SessionScore {
   bool has_truth = true;
   CoverageScore coverage;
   std::optional<LowerBound> bound;     ///< nothing if no area was told
+  std::optional<LanesScore> lanes;     ///< nothing without truth, area or survey
+  std::vector<OptionWins> wins;        ///< whose options were flown
   std::optional<WaterScore> water;     ///< nothing if nobody said
   std::optional<EnergyRecord> energy;  ///< nothing of a vehicle without a battery
   NavScore nav;
@@ -42,6 +46,7 @@ struct SessionScore {
   double duration_s = 0.0;               ///< first to last true, or else estimated, pose
   std::vector<PhaseTime> phases;         ///< where that time went
   double survey_start_s = 0.0;           ///< after the session's start
+  std::optional<double> survey_path_m;   ///< way from there to the ascent; nothing without truth
   std::optional<double> wall_s;
   std::vector<WarningRecord> warnings;
   std::optional<Seconds> begun;  ///< MOOS time of the first message

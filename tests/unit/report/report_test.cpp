@@ -72,11 +72,12 @@ TEST_F(Report, HasTheContractsKeysInItsOrder) {
 }
 
 TEST_F(Report, HasTheContractsKeysOfADiscoverySession) {
-  EXPECT_THAT(KeysOf(Json()["sessions"]["discovery"]),
-              testing::ElementsAre("coverage", "detectable", "covered", "detected_band", "bound",
-                                   "unseen_share", "path_m", "duration_s", "phase_s", "wall_s",
-                                   "realtime_factor", "ended", "home_error_m", "nav", "opis",
-                                   "missed", "false", "water", "energy", "warnings"));
+  EXPECT_THAT(
+      KeysOf(Json()["sessions"]["discovery"]),
+      testing::ElementsAre("coverage", "detectable", "covered", "detected_band", "bound", "lanes",
+                           "unseen_share", "path_m", "survey_path_m", "options_won", "duration_s",
+                           "phase_s", "wall_s", "realtime_factor", "ended", "home_error_m", "nav",
+                           "opis", "missed", "false", "water", "energy", "warnings"));
 }
 
 TEST_F(Report, AddsTheKeysOfAChangeSession) {
@@ -166,6 +167,19 @@ TEST(ReportJson, SaysNullForALevelNeverReached) {
   const RunScore run = ScoreRun({RecordOf(session)}, Table1Scenario(), Table1Settings());
   const auto json = nlohmann::json::parse(ReportJson(run));
   EXPECT_TRUE(json["sessions"]["discovery"]["coverage"][0]["path_m"].is_null());
+}
+
+TEST(ReportJson, SaysWhatLanesTakeAndWhoseOptionsWereFlown) {
+  SyntheticSession brief;
+  brief.seconds_of_survey = 20.0;
+  RunScore run = ScoreRun({RecordOf(brief)}, Table1Scenario(), Table1Settings());
+  run.sessions[0].wins = {{.source = "plan", .decisions = 3, .path_m = 9.5}};
+  const auto session = nlohmann::json::parse(ReportJson(run))["sessions"]["discovery"];
+  EXPECT_GT(session["lanes"]["path_m"].get<double>(), session["bound"]["path_m"].get<double>());
+  EXPECT_EQ(session["lanes"]["detectable"][0]["level"], 0.95);
+  EXPECT_NEAR(session["survey_path_m"].get<double>(), 10.0, 0.5);
+  EXPECT_EQ(session["options_won"]["plan"]["decisions"], 3);
+  EXPECT_EQ(session["options_won"]["plan"]["path_m"], 9.5);
 }
 
 TEST(ReportJson, SaysTheLowerBoundAndWhyTheRestWasNotSeen) {

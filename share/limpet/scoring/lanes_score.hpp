@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "limpet/planning/pose2.hpp"
+#include "limpet/scoring/coverage_score.hpp"
+
+namespace limpet {
+
+/// What conventional lanes over the same area would take: parallel and evenly spaced, in the
+/// direction, the number and the order that bring the vehicle home soonest with `kLaneShare` of the
+/// band seen (or, where none sees that much, that see most), with the same turns inside the same
+/// region. Reckoned, not flown: no doubt of the vehicle's place, no look at an object, no fix on
+/// the way; a survey that beats them beats the best of them.
+struct LanesScore {
+  int passes = 0;              ///< straight pieces
+  double direction_deg = 0.0;  ///< of the first of them, clockwise from north
+  double path_m = 0.0;         ///< start of the survey to home, the last of it straight
+  double time_s = 0.0;         ///< for that, as fast as the survey was on average
+  std::vector<CoverageLevel> seabed, band;  ///< as CoverageScore's
+};
+inline constexpr double kLaneShare = 0.975;
+
+/// From `start` and back to `home` at `speed` [m/s]. Nothing if no lane can be flown, or if the
+/// area is none or too large to be reckoned with in seconds (`kMostLaneCells` cells).
+[[nodiscard]] std::optional<LanesScore> ScoreLanes(const SurveyArea& area, const Pose2& start,
+                                                   const HomePoint& home, double speed,
+                                                   const Scenario& scenario,
+                                                   const ReportSettings& settings);
+inline constexpr double kMostLaneCells = 4e5;
+
+}  // namespace limpet

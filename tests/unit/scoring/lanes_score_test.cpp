@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/scoring/lanes_score.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "limpet/scoring/scorer.hpp"
+#include "tests/support/synthetic_session.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kSpeed = 0.5;
+
+SurveyArea Table1Area() {
+  SurveyArea area;
+  area.north_min = -15.0, area.north_max = 15.0;
+  area.east_min = -18.0, area.east_max = 18.0;
+  return area;
+}
+
+std::optional<LanesScore> LanesOver(const SurveyArea& area) {
+  const Pose2 start{.north = -12.5, .east = -15.5, .yaw = 0.5 * std::numbers::pi};
+  return ScoreLanes(area, start, {.north = -12.5, .east = -15.5}, kSpeed, Table1Scenario(),
+                    Table1Settings());
+}
+
+double WayTo(const std::vector<CoverageLevel>& levels, double share) {
+  for (const CoverageLevel& level : levels) {
+    if (level.level == share) return level.path_m.value_or(-1.0);
+  }
+  return -1.0;
+}
+
+TEST(LanesScore, TakesWhatLanesOverTable1AreKnownToTake) {
+  const auto lanes = LanesOver(Table1Area());
+  ASSERT_TRUE(lanes);
+  EXPECT_NEAR(WayTo(lanes->band, 0.95), 365.0, 15.0);
+  EXPECT_NEAR(WayTo(lanes->band, 0.99), 385.0, 25.0);
+  EXPECT_NEAR(lanes->path_m, 415.0, 15.0);
+  EXPECT_NEAR(lanes->time_s, lanes->path_m / kSpeed, 1e-9);
+  EXPECT_GE(lanes->passes, 9);
+}
+
+TEST(LanesScore, IsNoLessThanAreaOverSwath) {
+  const auto lanes = LanesOver(Table1Area());
+  ASSERT_TRUE(lanes);
+  const double least = *LowerBoundOf(Table1Area(), Table1Settings()).path_m();
+  EXPECT_GT(lanes->path_m, least);
+  EXPECT_GT(WayTo(lanes->band, 0.95), 0.95 * least);
+}
+
+TEST(LanesScore, GoesAroundAKeepOutZone) {
+  SurveyArea area = Table1Area();
+  area.keep_out = "{-4,-4:4,-4:4,4:-4,4}";
+  const auto lanes = LanesOver(area);
+  ASSERT_TRUE(lanes);
+  EXPECT_GT(WayTo(lanes->band, 0.95), 0.0) << "what is left of the area is seen";
+}
+
+TEST(LanesScore, IsNoneForAnAreaThatIsNoneOrTooLarge) {
+  SurveyArea upside_down = Table1Area();
+  upside_down.north_max = -20.0;
+  EXPECT_FALSE(LanesOver(upside_down));
+  SurveyArea vast = Table1Area();
+  vast.north_max = 400.0, vast.east_max = 400.0;
+  EXPECT_FALSE(LanesOver(vast));
+}
+
+TEST(LanesScore, BeginsWhereTheSurveyDidAndAsFastAsThatWas) {
+  const SyntheticSession survey;
+  const SessionScore score = ScoreSession(RecordOf(survey), Table1Scenario(), Table1Settings());
+  ASSERT_TRUE(score.lanes && score.survey_path_m);
+  EXPECT_NEAR(score.lanes->path_m / score.lanes->time_s, 0.5, 0.01);
+  EXPECT_NEAR(score.lanes->path_m, LanesOver(Table1Area())->path_m, 40.0)
+      << "it begins elsewhere over the same area";
+}
+
+TEST(LanesScore, IsNoneWithoutASurvey) {
+  SyntheticSession brief;
+  brief.seconds_of_survey = 0.0;
+  const SessionScore score = ScoreSession(RecordOf(brief), Table1Scenario(), Table1Settings());
+  EXPECT_FALSE(score.lanes);
+}
+
+}  // namespace
+}  // namespace limpet
