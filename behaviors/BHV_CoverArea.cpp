@@ -19,6 +19,7 @@ void BHV_CoverArea::Shape(const Situation&, double weight, SearchGoals& goals) c
   goals.objective.ground.cover += weight * params_.rates.cover;
   goals.objective.ground.frontier += weight * params_.rates.frontier;
   goals.objective.ground.early += weight * params_.rates.early;
+  goals.objective.ground.most += weight * params_.rates.most;
 }
 
 std::optional<Bid> BHV_CoverArea::Value(const Prospect& prospect, const Situation& now) const {
@@ -31,8 +32,10 @@ std::optional<Bid> BHV_CoverArea::Value(const Prospect& prospect, const Situatio
   if (prospect.option->is_whole()) {
     const double late = params_.rates.early * Lateness(prospect.seen, *now.ground);
     const double lacking = params_.rates.cover * prospect.option->lacking_m;
-    bid.value -= late + lacking;
+    const double most = params_.rates.most * prospect.option->most_m;
+    bid.value -= late + most + lacking;
     bid.why.push_back({"late", late});
+    bid.why.push_back({"most", most});
     bid.why.push_back({"lacking", lacking});
   }
   return bid;

@@ -11,7 +11,7 @@ namespace limpet {
 class BHV_CoverArea final : public Behavior {
  public:
   struct Params {
-    GroundRates rates{.cover = 1.0, .frontier = 0.5, .early = 3.0};
+    GroundRates rates{.cover = 1.0, .frontier = 0.5, .early = 3.0, .most = 3.0};
     template <class Visitor>
     void Describe(Visitor& visit) {
       visit("cover_weight", rates.cover, "Worth of one metre of fully useful track",
@@ -20,6 +20,10 @@ class BHV_CoverArea final : public Behavior {
             "Cost of one metre more border between seen and unseen", InRange(0.0, 100.0));
       visit("early_weight", rates.early,
             "Cost of each metre of path before ground is first seen, mean over the area; where "
+            "options are compared to the end of the survey",
+            InRange(0.0, 100.0));
+      visit("most_weight", rates.most,
+            "Cost of each metre of path before most (0.92) of the band's top has been seen; where "
             "options are compared to the end of the survey",
             InRange(0.0, 100.0));
     }

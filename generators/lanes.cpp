@@ -30,7 +30,7 @@ class LaneGenerator final : public OptionGenerator {
   void Offer(const Situation& now, const SearchGoals& goals,
              std::vector<Option>& options) override {
     MissionPlan::Task task = PlanTaskOf(now, goals, finish_share_);
-    task.goal.early_weight = 0.0;
+    task.goal.early_weight = task.goal.most_weight = 0.0;
     plan_.Offer(task, "lanes", options);
   }
   void Complete(std::vector<Option>& options) override { plan_.Complete(options); }

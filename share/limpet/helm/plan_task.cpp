@@ -15,6 +15,7 @@ MissionPlan::Task PlanTaskOf(const Situation& now, const SearchGoals& goals, dou
                          .travelled = now.travelled};
   if (!is_covering) return task;
   task.goal.early_weight = rates.early / rates.cover;
+  task.goal.most_weight = rates.most / rates.cover;
   task.goal.others = goals.objective;
   task.goal.others_weight = 1.0 / rates.cover;
   return task;

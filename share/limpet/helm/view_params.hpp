@@ -20,7 +20,7 @@ struct ViewParams {
   Meters replan_every{8.0};
   Meters off_track{1.5};
   Meters arrival{0.5};
-  double bottom_weight = 8.0;
+  double bottom_weight = 3.0;
   double paper_lambda = 1.0;
   GeneratorParams of_generators;
   CameraParams camera;

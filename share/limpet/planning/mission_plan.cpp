@@ -119,7 +119,8 @@ void MissionPlan::OfferPlan(const SurveyTour& plan, const TourCost& cost,
                      .path = flown.path,
                      .estimate = -length,
                      .own_m = std::min(kOwnPart, length),
-                     .lacking_m = cost.lacking});
+                     .lacking_m = cost.lacking,
+                     .most_m = cost.most});
   completed_.push_back(std::move(flown));
 }
 
@@ -240,11 +241,13 @@ void MissionPlan::OfferRest(TourJudge& judge, std::vector<Option>& options) {
         {std::max(0.0, chosen_.spans[i].low - flown), chosen_.spans[i].high - flown});
   }
   const double length = path.length();
+  const TourCost cost = judge.Cost(rest.passes);
   options.push_back({.source = kPrevious,
                      .path = path,
                      .estimate = -length,
                      .own_m = std::min(kOwnPart, length),
-                     .lacking_m = judge.Cost(rest.passes).lacking});
+                     .lacking_m = cost.lacking,
+                     .most_m = cost.most});
   completed_.push_back(std::move(rest));
 }
 
@@ -293,6 +296,7 @@ void MissionPlan::Complete(TourJudge& judge, Completion& completion, bool is_amo
   option.own_m = option.path.length();
   option.path = flown.path;
   option.lacking_m = completion.cost.lacking;
+  option.most_m = completion.cost.most;
   completed_.push_back(std::move(flown));
 }
 

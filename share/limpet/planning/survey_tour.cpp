@@ -14,6 +14,13 @@ constexpr double kTurnPiece = 2.0;  ///< turns in these [m]
 constexpr double kFetchPrice = 12.0;
 constexpr double kUnfinishedPrice = 20.0;
 
+/// Share of a piece after which only `left` cells are unseen, of which there are `before` at its
+/// start and `after` at its end; all of it where more are.
+double ShareUntil(int left, int before, int after) {
+  if (after > left) return 1.0;
+  return static_cast<double>(before - left) / std::max(1, before - after);
+}
+
 /// Without ground, which the judge counts itself.
 Objective WithoutGround(const Objective& objective) {
   Objective others = objective;
@@ -35,6 +42,7 @@ void TourJudge::Reset(const DubinsPath& way, const TourGoal& goal) {
   goal_ = goal;
   planes_.Reset(ground_);
   may_stay_ = static_cast<int>((1.0 - goal.finish_share) * wanted_cells_);
+  most_may_stay_ = static_cast<int>((1.0 - kMostOfTop) * wanted_cells_);
   others_.reset();
   if (!goal.others.targets.empty() || !goal.others.terms.empty()) {
     others_.emplace(WithoutGround(goal.others), ground_, way.start(), goal.others.target_decay_m);
@@ -67,8 +75,8 @@ TourCost TourJudge::Cost(const SurveyTour& tour) {
   cost.missing = std::max(0, planes_.unseen()[SeenPlanes::kTop] - may_stay_) * cell_m2_ /
                  std::max(0.1, top_swath);
   cost.lacking = kFetchPrice * cost.missing + (cost.missing > 0.0 ? kUnfinishedPrice : 0.0);
-  cost.total = cost.length + cost.home + goal_.early_weight * cost.lateness - cost.others +
-               cost.lacking + cost.detours;
+  cost.total = cost.length + cost.home + goal_.early_weight * cost.lateness +
+               goal_.most_weight * cost.most - cost.others + cost.lacking + cost.detours;
   return cost;
 }
 
@@ -124,14 +132,19 @@ bool TourJudge::FlyPiece(const Pose2& from, const PathSegment& piece, TourCost& 
                    others_->Worth({.from = from, .motion = piece, .before = cost.length});
   }
   const std::size_t top = SeenPlanes::kTop;
+  NoteMost(before[top], piece.length, cost);
   if (after[top] > may_stay_) {
     cost.length += piece.length;
     return false;
   }
-  const double share =
-      static_cast<double>(before[top] - may_stay_) / std::max(1, before[top] - after[top]);
-  cost.length += share * piece.length;
+  cost.length += ShareUntil(may_stay_, before[top], after[top]) * piece.length;
   return true;
+}
+
+void TourJudge::NoteMost(int top_before, double piece, TourCost& cost) const {
+  if (top_before <= most_may_stay_) return;
+  const int top_after = planes_.unseen()[SeenPlanes::kTop];
+  cost.most = cost.length + ShareUntil(most_may_stay_, top_before, top_after) * piece;
 }
 
 }  // namespace limpet

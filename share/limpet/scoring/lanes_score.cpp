@@ -34,8 +34,10 @@ std::vector<FlownTour> BestLanes(const LaneSurvey& survey, const ReportSettings&
   const Region region(survey.area);
   const Meters radius(settings.turning_radius_m);
   TourJudge judge(ground, region, radius);
-  judge.Reset(DubinsPath(survey.start),
-              {.finish_share = kPlannedShare, .early_weight = 0.0, .home = survey.home});
+  judge.Reset(DubinsPath(survey.start), {.finish_share = kPlannedShare,
+                                         .early_weight = 0.0,
+                                         .most_weight = 0.0,
+                                         .home = survey.home});
   std::vector<SurveyTour> tours = LaneTours(judge, {.with_bottom_first = false});
   tours.resize(std::min(tours.size(), kScored));
   std::vector<FlownTour> flown;

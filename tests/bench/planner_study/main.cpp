@@ -67,6 +67,7 @@ bool Apply(Settings& settings, const std::string& key, const std::string& text) 
       {"seeds", [&] { study.plan.seeds = static_cast<int>(number); }},
       {"warmth", [&] { study.plan.warmth = Meters(number); }},
       {"early", [&] { study.tour.early_weight = number; }},
+      {"most", [&] { study.tour.most_weight = number; }},
       {"tour_finish", [&] { study.tour.finish_share = number; }},
       {"counts_band", [&] { study.paper_counts_band = number != 0.0; }},
   };

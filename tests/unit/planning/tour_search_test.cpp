@@ -35,6 +35,7 @@ double WayToATargetWorth(double value) {
   const Target target{.north = 10.0, .east = 10.0, .window = {1.5, 1.5}, .value = value};
   TourGoal goal;
   goal.early_weight = 1.0;
+  goal.most_weight = 0.0;
   goal.others.targets = {target};
   SearchProblem problem;
   problem.judge.Reset(DubinsPath(scene::kStart), goal);
@@ -47,6 +48,28 @@ double WayToATargetWorth(double value) {
 
 TEST(TourSearch, LooksAtATargetSoonerIfThatIsWorthMore) {
   EXPECT_LT(WayToATargetWorth(200.0) + 50.0, WayToATargetWorth(0.0));
+}
+
+/// Path until most of the band's top has been seen, mean over tours sought for that.
+double WayToMost(double weight) {
+  constexpr int kSearches = 5;
+  TourGoal goal;
+  goal.early_weight = 1.0;
+  goal.most_weight = weight;
+  double sum = 0.0;
+  for (int i = 0; i < kSearches; ++i) {
+    SearchProblem problem;
+    problem.judge.Reset(DubinsPath(scene::kStart), goal);
+    SurveyTour tour = LaneTours(problem.judge, {}).front();
+    TourSearch search(Meters(4.0), Random(static_cast<std::uint64_t>(i)));
+    sum += search.Improve(problem.judge, tour, 1500).most;
+  }
+  return sum / kSearches;
+}
+
+TEST(TourSearch, LeavesSliversForTheEndIfMostIsToBeSeenSoon) {
+  const double soon = WayToMost(3.0), whenever = WayToMost(0.0);
+  EXPECT_LT(soon + 10.0, whenever);
 }
 
 TEST(TourSearch, MakesATourOfNothing) {
