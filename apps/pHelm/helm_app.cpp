@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -174,11 +175,14 @@ void HelmApp::PostInitialValues() {
   }
 }
 
-std::vector<WeightedBehavior> HelmApp::Bidders() const {
+std::vector<WeightedBehavior> HelmApp::Bidders() {
   std::vector<WeightedBehavior> bidders = host_.running();
   if (params_.views.gain == "coverage") {  // [Bucci 2025] eq. (17): objects have no say
-    std::erase_if(bidders, [](const WeightedBehavior& running) {
-      return running.behavior->IsAboutObjects();
+    std::erase_if(bidders, [this](const WeightedBehavior& running) {
+      bool is_about_objects = false;
+      return !Heard(running.name, call_failures_, [&] {
+        is_about_objects = running.behavior->IsAboutObjects();
+      }) || is_about_objects;
     });
   }
   return bidders;
@@ -205,12 +209,10 @@ void HelmApp::Tick(Seconds now) {
                      .ownship = ownship_,
                      .heard = &host_.heard()};
   Post(host_.Update(state));
-  if (is_parked_) {
+  if (is_parked_ || IsOverruled()) {
     planner_.DropPath();
-    AllStop("ManualOverride");
-  } else if (IsOverruled()) {
-    planner_.DropPath();
-    AllStop("Safety:" + std::string(NameOf(safety_)));
+    view_failures_.clear();
+    AllStop(is_parked_ ? "ManualOverride" : "Safety:" + std::string(NameOf(safety_)));
   } else {
     DecideView(now);
     TellRevisits(now);
@@ -218,6 +220,8 @@ void HelmApp::Tick(Seconds now) {
     Steer(state);
   }
   SettleBehaviors(state);
+  GatherFailures();
+  TellFailures();
   TellBehaviorWarnings();
   if (planner_.path().segments().empty()) {
     drawing_.ErasePath();
@@ -228,10 +232,13 @@ void HelmApp::Tick(Seconds now) {
 void HelmApp::DecideView(Seconds now) {
   const std::vector<WeightedBehavior> bidders = Bidders();
   const std::optional<ViewDecision> decision = planner_.DecideIfDue(bidders, *nav_, now);
+  std::vector<BehaviorFailure> failures = planner_.TakeFailures();
   if (!decision) {
+    if (planner_.path().segments().empty()) view_failures_.clear();  // nobody wants a view
+    std::ranges::move(failures, std::back_inserter(call_failures_));
     return;
   }
-  view_failures_ = planner_.TakeFailures();
+  view_failures_ = std::move(failures);
   Publish(topics::kHelmBids, decision->bids);
   bids_ = Stamped<HelmBids>{now, decision->bids};
   if (decision->chosen) {
@@ -251,13 +258,6 @@ void HelmApp::Steer(const VehicleState& state) {
   const std::vector<WeightedBehavior> bidders = Bidders();
   motion_ = arbiter_.Decide(bidders, state);
   const MotionDecision& decision = motion_;
-  for (const BehaviorFailure& failure : view_failures_) {
-    motion_.failures.push_back(failure);
-    motion_.warnings.push_back(
-        {.owner = failure.owner,
-         .warning = {warnings::kBehaviorFailed.Of(failure.owner), failure.text}});
-  }
-  TellFailures();
   if (motion_rate_.IsDue(decision, state.now)) {
     Publish(topics::kHelmMotion, RecordOf(arbiter_, decision));
   }
@@ -278,6 +278,20 @@ void HelmApp::Steer(const VehicleState& state) {
   if (decision.speed) Publish(topics::kDesiredSpeed, *decision.speed);
   if (decision.depth) Publish(topics::kDesiredDepth, *decision.depth);
   Publish(topics::kDesiredTurnRate, decision.turn_rate.value_or(0.0));
+}
+
+void HelmApp::GatherFailures() {
+  std::vector<BehaviorFailure> failures = view_failures_;
+  std::ranges::move(std::exchange(call_failures_, {}), std::back_inserter(failures));
+  std::ranges::move(host_.TakeFailures(), std::back_inserter(failures));
+  for (BehaviorFailure& failure : failures) {
+    const bool is_known = std::ranges::find(motion_.failures, failure) != motion_.failures.end();
+    if (is_known) continue;
+    motion_.warnings.push_back(
+        {.owner = failure.owner,
+         .warning = {warnings::kBehaviorFailed.Of(failure.owner), failure.text}});
+    motion_.failures.push_back(std::move(failure));
+  }
 }
 
 void HelmApp::TellFailures() {

@@ -75,6 +75,8 @@ class HelmApp final : public App {
   /// Raised while `ids` are not empty; says which.
   void WarnOfObjects(const WarningId& id, const std::string& ids, const std::string& what);
   void Steer(const VehicleState& state);
+  /// Who failed in this iteration, wherever, with the warnings of it.
+  void GatherFailures();
   /// BHV_ERROR, whenever others fail than before, or for other reasons.
   void TellFailures();
   /// Carries out what behaviors did beside bidding.
@@ -87,7 +89,7 @@ class HelmApp final : public App {
   [[nodiscard]] std::optional<double> last_course_deg() const;
   /// Running behaviors that had an opinion on the motion or on the path in force.
   [[nodiscard]] std::vector<std::string_view> ActiveBehaviors() const;
-  [[nodiscard]] std::vector<WeightedBehavior> Bidders() const;
+  [[nodiscard]] std::vector<WeightedBehavior> Bidders();
 
   Params params_;
   std::string ownship_;  ///< the vehicle's name
@@ -110,6 +112,7 @@ class HelmApp final : public App {
   MotionDecision motion_;                       ///< of this iteration
   std::optional<Stamped<HelmBids>> bids_;       ///< of the last view decision
   std::vector<BehaviorFailure> view_failures_;  ///< of the last view decision
+  std::vector<BehaviorFailure> call_failures_;  ///< of this iteration, where nothing is decided
   HelmRevisits revisits_;                       ///< as last told
   HelmJournal journal_;
   HelmDrawing drawing_;

@@ -83,6 +83,8 @@ class Behavior {
   [[nodiscard]] virtual bool IsPerpetual() const { return false; }
   /// Called when mail has wound its `duration` up.
   virtual void Restart() {}
+  /// Called each time that it completes, after its end flags.
+  virtual void Complete(const VehicleState& state) { static_cast<void>(state); }
 
   /// Called when the behavior begins to run, at first and after each idle spell.
   virtual void Start(const VehicleState& state) { static_cast<void>(state); }

@@ -14,6 +14,7 @@ namespace limpet {
 struct BehaviorFailure {
   std::string owner;
   std::string text;
+  bool operator==(const BehaviorFailure&) const = default;
 };
 
 /// Runs `work`, which calls the behavior `owner`. Nothing, or what it threw.

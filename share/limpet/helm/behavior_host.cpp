@@ -84,8 +84,7 @@ std::vector<ConfigProblem> BehaviorHost::IgnoredLines() const {
 }
 
 bool BehaviorHost::WantsView() const {
-  return std::ranges::any_of(hosted_,
-                             [](const auto& hosted) { return hosted->behavior().WantsView(); });
+  return std::ranges::any_of(hosted_, [](const auto& hosted) { return hosted->WantsView(); });
 }
 
 std::vector<HelmPost> BehaviorHost::InitialPosts() const {
@@ -171,7 +170,7 @@ std::vector<HelmPost> BehaviorHost::Update(const VehicleState& state) {
   running_.clear();
   for (const auto& hosted : hosted_) {
     hosted->Begin(turn);
-    if (hosted->is_running()) {
+    if (hosted->may_bid()) {
       running_.push_back({hosted->name(), hosted->settings().weight, &hosted->behavior()});
     }
   }
@@ -190,6 +189,7 @@ std::vector<HelmPost> BehaviorHost::Settle(const IterationOutcome& outcome,
         std::ranges::find(outcome.active, hosted->name()) != outcome.active.end();
     hosted->Settle(done == outcome.turns.end() ? std::span<const BehaviorAct>() : done->acts,
                    is_active, turn);
+    std::ranges::move(hosted->TakeFailures(), std::back_inserter(failures_));
   }
   RefreshStatuses();
   RemoveComplete();

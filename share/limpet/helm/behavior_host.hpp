@@ -10,6 +10,7 @@
 
 #include "limpet/core/message.hpp"
 #include "limpet/helm/behavior.hpp"
+#include "limpet/helm/behavior_failure.hpp"
 #include "limpet/helm/behavior_overrides.hpp"
 #include "limpet/helm/behavior_status.hpp"
 #include "limpet/helm/behavior_templates.hpp"
@@ -57,10 +58,12 @@ class BehaviorHost {
   /// Carries out what behaviors did; lets go of those that have completed.
   [[nodiscard]] std::vector<HelmPost> Settle(const IterationOutcome& outcome,
                                              const VehicleState& state);
+  /// What behaviors have thrown since the last call, where they do not bid.
+  [[nodiscard]] std::vector<BehaviorFailure> TakeFailures() { return std::exchange(failures_, {}); }
   /// Everything that behaviors post goes out once more, also what has not changed.
   void ForgetPosts() { filter_.Clear(); }
 
-  /// Behaviors now running, in file order.
+  /// Behaviors now running, in file order, but for those that could not be started.
   [[nodiscard]] const std::vector<WeightedBehavior>& running() const { return running_; }
   /// All behaviors, in file order and then in order of birth; those that completed in this
   /// iteration are still there.
@@ -92,6 +95,7 @@ class BehaviorHost {
   std::string mode_text_;
   std::vector<BehaviorStatus> statuses_;
   std::vector<LifeEvent> events_;
+  std::vector<BehaviorFailure> failures_;
   std::vector<OwnedWarning> update_warnings_, ignored_warnings_;
 };
 

@@ -13,20 +13,15 @@
 namespace limpet {
 namespace {
 
-/// The behavior of a block; throws ConfigError.
-std::unique_ptr<Behavior> MakeBehavior(const ConfigBlock& block) {
-  const auto entry = BehaviorRegistry().find(block.name);
-  if (entry == BehaviorRegistry().end()) {
-    std::vector<std::string> known;
-    std::ranges::transform(BehaviorRegistry(), std::back_inserter(known),
-                           [](const auto& registered) { return registered.first; });
-    const std::string nearest = NearestWord(block.name, known);
-    const std::string hint = nearest.empty() ? "`limpet describe` lists those there are"
-                                             : fmt::format("nearest known: `{}`", nearest);
-    throw ConfigError(ConfigProblem{block.where, "Behavior",
-                                    fmt::format("no behavior `{}`; {}", block.name, hint)});
-  }
-  return entry->second.create(block);
+/// That there is no behavior of the block's name, and which is meant.
+ConfigProblem UnknownBehavior(const ConfigBlock& block) {
+  std::vector<std::string> known;
+  std::ranges::transform(BehaviorRegistry(), std::back_inserter(known),
+                         [](const auto& registered) { return registered.first; });
+  const std::string nearest = NearestWord(block.name, known);
+  const std::string hint = nearest.empty() ? "`limpet describe` lists those there are"
+                                           : fmt::format("nearest known: `{}`", nearest);
+  return {block.where, "Behavior", fmt::format("no behavior `{}`; {}", block.name, hint)};
 }
 
 /// To other vehicles: MOOS-IvP's envelope for a post that leaves the vehicle.
@@ -41,11 +36,27 @@ std::string NodeMessage(std::string_view ownship, const std::string& owner, cons
 
 }  // namespace
 
+std::unique_ptr<Behavior> HostedBehavior::Make(const ConfigBlock& block) {
+  const auto entry = BehaviorRegistry().find(block.name);
+  if (entry == BehaviorRegistry().end()) throw ConfigError(UnknownBehavior(block));
+  try {
+    return entry->second.create(block);
+  } catch (const ConfigError&) {
+    throw;
+  } catch (...) {
+    const auto failure = FailureOf(block.name, [] { throw; });
+    throw ConfigError(ConfigProblem{block.where, "Behavior", failure->text});
+  }
+}
+
 HostedBehavior::HostedBehavior(ConfigBlock block) : block_(std::move(block)) {
   std::vector<ConfigProblem> problems;
   settings_ = ReadCommonSettings(block_, problems);
   try {
-    behavior_ = MakeBehavior(block_);
+    behavior_ = Make(block_);
+    if (!Call([this] { own_variables_ = behavior_->Variables(); })) {
+      problems.push_back({block_.where, "Behavior", TakeFailures().front().text});
+    }
   } catch (const ConfigError& error) {
     problems.insert(problems.end(), error.problems().begin(), error.problems().end());
   }
@@ -65,8 +76,15 @@ BehaviorStatus HostedBehavior::Status() const {
           .updates = good_updates_ + bad_updates_};
 }
 
+bool HostedBehavior::WantsView() const {
+  bool wants_view = false;
+  // What it throws is told when it runs: it is asked again then.
+  static_cast<void>(FailureOf(name(), [&] { wants_view = behavior_->WantsView(); }));
+  return wants_view;
+}
+
 std::vector<std::string> HostedBehavior::Variables() const {
-  std::vector<std::string> names = behavior_->Variables();
+  std::vector<std::string> names = own_variables_;
   const auto add = [&names](const std::vector<std::string>& more) {
     names.insert(names.end(), more.begin(), more.end());
   };
@@ -152,11 +170,10 @@ void HostedBehavior::Begin(HelmTurn& turn) {
 
 void HostedBehavior::BeginRunning(HelmTurn& turn) {
   begins_to_run_ = state_ != State::kRunning;
-  const bool is_new = std::exchange(needs_start_, false);
-  if (begins_to_run_ || is_new) {
-    behavior_->Start(turn.state);
-  }
   state_ = State::kRunning;
+  if (begins_to_run_ || needs_start_) {
+    needs_start_ = !Call([&] { behavior_->Start(turn.state); });  // or again next time
+  }
 }
 
 void HostedBehavior::BeginIdle(HelmTurn& turn) {
@@ -166,10 +183,10 @@ void HostedBehavior::BeginIdle(HelmTurn& turn) {
     PostFlags(settings_.flags.inactive, turn);
   }
   is_active_ = false;
-  if (before == State::kRunning) {
-    Perform(behavior_->Stop(turn.state), turn);
-  }
-  Perform(behavior_->Idle(turn.state), turn);
+  if (before == State::kRunning) End(turn);
+  std::vector<BehaviorAct> acts;
+  Call([&] { acts = behavior_->Idle(turn.state); });
+  Perform(acts, turn);
   clock_.Spend(turn.state.now, false);
   if (std::exchange(are_spawnx_flags_due_, false)) PostFlags(settings_.flags.spawnx, turn);
 }
@@ -194,13 +211,20 @@ void HostedBehavior::Settle(std::span<const BehaviorAct> acts, bool is_active, H
 
 void HostedBehavior::Complete(const std::string& reason, HelmTurn& turn) {
   PostFlags(settings_.flags.end, turn);
-  if (!settings_.is_perpetual && !behavior_->IsPerpetual()) {
+  Call([&] { behavior_->Complete(turn.state); });
+  bool is_perpetual = settings_.is_perpetual;
+  Call([&] { is_perpetual = is_perpetual || behavior_->IsPerpetual(); });
+  if (!is_perpetual) {
     reason_ = reason;
     state_ = State::kComplete;
   }
 }
 
-void HostedBehavior::End(HelmTurn& turn) { Perform(behavior_->Stop(turn.state), turn); }
+void HostedBehavior::End(HelmTurn& turn) {
+  std::vector<BehaviorAct> acts;
+  Call([&] { acts = behavior_->Stop(turn.state); });
+  Perform(acts, turn);
+}
 
 void HostedBehavior::Perform(std::span<const BehaviorAct> acts, HelmTurn& turn) {
   for (const BehaviorAct& act : acts) {
@@ -232,8 +256,11 @@ void HostedBehavior::PostFlag(const Flag& flag, HelmTurn& turn) {
                         .weight = settings_.weight,
                         .clock = clock_,
                         .behavior = *behavior_};
-  const Value value = flag.Resolve(
-      [&](std::string_view macro) { return macros_.Expand(macro, owner, turn.state); });
+  const Value value = flag.Resolve([&](std::string_view macro) {
+    std::optional<std::string> text;
+    Call([&] { text = macros_.Expand(macro, owner, turn.state); });
+    return text;
+  });
   if (flag.is_also_local) {
     Post({.variable = flag.variable, .value = value, .is_repeated = true}, turn);
   }

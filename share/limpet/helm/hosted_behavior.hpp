@@ -5,10 +5,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "limpet/core/config.hpp"
 #include "limpet/helm/behavior.hpp"
+#include "limpet/helm/behavior_failure.hpp"
 #include "limpet/helm/behavior_status.hpp"
 #include "limpet/helm/behavior_update.hpp"
 #include "limpet/helm/common_settings.hpp"
@@ -37,6 +39,10 @@ class HostedBehavior {
   [[nodiscard]] const CommonSettings& settings() const { return settings_; }
   [[nodiscard]] Behavior& behavior() const { return *behavior_; }
   [[nodiscard]] bool is_running() const { return state_ == State::kRunning; }
+  /// It runs and could be started: its bids are to be heard.
+  [[nodiscard]] bool may_bid() const { return is_running() && !needs_start_; }
+  /// False also if it throws when asked.
+  [[nodiscard]] bool WantsView() const;
   [[nodiscard]] bool is_complete() const { return state_ == State::kComplete; }
   /// Why it has completed, if it said so.
   [[nodiscard]] const std::string& reason() const { return reason_; }
@@ -58,10 +64,19 @@ class HostedBehavior {
   void Begin(HelmTurn& turn);
   /// After them: what it did, and whether it had a say.
   void Settle(std::span<const BehaviorAct> acts, bool is_active, HelmTurn& turn);
+  /// What it has thrown since the last call, where it does not bid.
+  [[nodiscard]] std::vector<BehaviorFailure> TakeFailures() { return std::exchange(failures_, {}); }
 
  private:
   enum class State { kNew, kIdle, kRunning, kComplete };
 
+  /// The behavior of a block; throws ConfigError, and nothing else.
+  [[nodiscard]] static std::unique_ptr<Behavior> Make(const ConfigBlock& block);
+  /// Runs `work`, which calls the behavior; false if that has thrown, which is noted.
+  template <class Work>
+  bool Call(const Work& work) {
+    return Heard(name(), failures_, work);
+  }
   [[nodiscard]] bool IsMeant(const BehaviorUpdate& update) const;
   /// The complaint if the part is not allowed; else `block` has it.
   [[nodiscard]] std::optional<std::string> TryPart(const ConfigEntry& part,
@@ -84,11 +99,13 @@ class HostedBehavior {
   ConfigBlock block_;
   CommonSettings settings_;
   std::unique_ptr<Behavior> behavior_;
+  std::vector<std::string> own_variables_;  ///< that the behavior reads
+  std::vector<BehaviorFailure> failures_;
   DurationClock clock_;
   FlagMacros macros_;
   State state_ = State::kNew;
   bool begins_to_run_ = false;  ///< in this iteration
-  bool needs_start_ = false;    ///< an update has made it anew
+  bool needs_start_ = false;    ///< an update has made it anew, or its start has failed
   bool is_active_ = false;      ///< had a say in the last iteration
   bool is_reset_due_ = false;   ///< its duration was used up, and it lives on
   bool are_spawn_flags_due_ = true, are_config_flags_due_ = true, are_spawnx_flags_due_ = true;

@@ -24,7 +24,7 @@ bool Adds(const ConfigBlock& block, const ConfigEntry& part) {
 void HostedBehavior::Hear(const std::string& variable, const Value& value) {
   if (clock_.IsResetBy(variable, value)) {
     clock_.Reset();
-    behavior_->Restart();
+    Call([this] { behavior_->Restart(); });
   }
 }
 
@@ -40,7 +40,7 @@ std::optional<std::string> HostedBehavior::TryPart(const ConfigEntry& part,
   std::vector<ConfigProblem> problems;
   static_cast<void>(ReadCommonSettings(changed, problems));
   try {
-    static_cast<void>(BehaviorRegistry().at(block.name).create(changed));
+    static_cast<void>(Make(changed));
   } catch (const ConfigError& error) {
     problems.insert(problems.end(), error.problems().begin(), error.problems().end());
   }
@@ -97,9 +97,14 @@ void HostedBehavior::Rebuild(const ConfigBlock& block, const BehaviorUpdate& upd
     });
   });
   if (are_own_keys_new) {
-    std::unique_ptr<Behavior> fresh = BehaviorRegistry().at(block.name).create(block);
-    needs_start_ = !fresh->TakeOver(*behavior_, keys);
+    std::unique_ptr<Behavior> fresh;
+    std::vector<std::string> variables;
+    bool has_taken_over = false;
+    if (!Call([&] { fresh = Make(block), variables = fresh->Variables(); })) return;
+    Call([&] { has_taken_over = fresh->TakeOver(*behavior_, keys); });
+    needs_start_ = !has_taken_over;
     behavior_ = std::move(fresh);
+    own_variables_ = std::move(variables);
   }
   settings_ = std::move(settings);
   clock_.SetSettings(settings_.duration);

@@ -132,8 +132,10 @@ std::optional<ViewDecision> ViewPlanner::DecideIfDue(std::span<const WeightedBeh
                                                      const NavState& nav, Seconds now) {
   survey_.NoteAltitude(nav);
   are_interests_due_ = survey_.ledger().Judge(tracker_.Travelled()) || are_interests_due_;
-  const bool is_wanted = std::ranges::any_of(
-      running, [](const WeightedBehavior& b) { return b.behavior->WantsView(); });
+  const bool is_wanted = std::ranges::any_of(running, [this](const WeightedBehavior& b) {
+    bool wants_view = false;
+    return Heard(b.name, failures_, [&] { wants_view = b.behavior->WantsView(); }) && wants_view;
+  });
   if (!is_wanted || !survey_.has_area()) {
     DropPath();
     return std::nullopt;

@@ -28,6 +28,7 @@
 #include "behaviors/BHV_ReturnHome.hpp"
 #include "behaviors/BHV_RevisitOpi.hpp"
 #include "behaviors/BHV_StationKeep.hpp"
+#include "behaviors/BHV_TestFailure.hpp"
 #include "behaviors/BHV_Timer.hpp"
 #include "behaviors/BHV_Waypoint.hpp"
 #include "behaviors/BHV_ZigZag.hpp"
@@ -66,10 +67,10 @@ class EveryBehavior : public ::testing::Test {
 
 using Behaviors =
     ::testing::Types<BHV_ConstantDepth, BHV_ConstantHeading, BHV_ConstantSpeed, BHV_Loiter,
-                     BHV_StationKeep, BHV_Timer, BHV_Waypoint, BHV_AvoidObstacle, BHV_ZigZag,
-                     BHV_FullStop, BHV_CoverArea, BHV_FollowPath, BHV_HoldAltitude, BHV_HoldStation,
-                     BHV_OpRegion, BHV_ReduceMapEntropy, BHV_ReduceObjectEntropy, BHV_ReturnHome,
-                     BHV_RevisitOpi, BHV_GoToDepth, BHV_MaxDepth, BHV_MinAltitudeX,
+                     BHV_StationKeep, BHV_TestFailure, BHV_Timer, BHV_Waypoint, BHV_AvoidObstacle,
+                     BHV_ZigZag, BHV_FullStop, BHV_CoverArea, BHV_FollowPath, BHV_HoldAltitude,
+                     BHV_HoldStation, BHV_OpRegion, BHV_ReduceMapEntropy, BHV_ReduceObjectEntropy,
+                     BHV_ReturnHome, BHV_RevisitOpi, BHV_GoToDepth, BHV_MaxDepth, BHV_MinAltitudeX,
                      BHV_PeriodicSurface>;
 TYPED_TEST_SUITE(EveryBehavior, Behaviors);
 

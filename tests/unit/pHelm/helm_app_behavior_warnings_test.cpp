@@ -28,9 +28,17 @@ class BHV_TestWorry final : public Behavior {
     void Describe(V&) {}
   };
   explicit BHV_TestWorry(const Params&) {}
+  void Start(const VehicleState& state) override {
+    if (state.nav.east > 50.0) throw std::runtime_error("off its chart");
+  }
+  [[nodiscard]] std::vector<BehaviorAct> Idle(const VehicleState& state) override {
+    if (state.nav.east > 50.0) throw std::runtime_error("off its chart, idle");
+    return {};
+  }
   [[nodiscard]] MotionBid Move(const VehicleState& state) override {
     MotionBid bid;
     if (state.nav.down > 50.0) throw std::runtime_error("beyond its tables");
+    bid.speed = Peak{.summit = 1.0};
     if (state.nav.down > 5.0) {
       bid.warning = BehaviorWarning{kTooDeep, "deeper than 5 m"};
     }
@@ -97,6 +105,28 @@ TEST_F(BehaviorWarningsTest, SaysThatABehaviorFailsUntilItWorksAgain) {
   link_.Send(*app_, topics::kNavState, NavState{.down = 4.0, .altitude = {}});
   Tick();
   EXPECT_FALSE(app_->warnings().contains("BHV_FAILED_worry"));
+}
+
+TEST_F(BehaviorWarningsTest, HearsNoBidOfABehaviorThatCannotBeStartedAndSaysWhy) {
+  link_.Send(*app_, topics::kNavState, NavState{.east = 60.0, .altitude = {}});
+  Tick();
+  EXPECT_EQ(app_->warnings().at("BHV_FAILED_worry").text, "worry: it has thrown: off its chart");
+  EXPECT_EQ(link_.Last(topics::kBehaviorError), "worry: it has thrown: off its chart");
+  EXPECT_EQ(link_.Last(topics::kHelmAllStop), "NothingToDo");
+  link_.Send(*app_, topics::kNavState, NavState{.east = 40.0, .altitude = {}});
+  Tick();
+  EXPECT_FALSE(app_->warnings().contains("BHV_FAILED_worry"));
+  EXPECT_EQ(link_.Last(topics::kHelmAllStop), "MissingDecVars:course,depth") << "it bids on speed";
+}
+
+TEST_F(BehaviorWarningsTest, SaysThatABehaviorFailsWhileIdleAlsoWhenParked) {
+  Hear("CALM", "true");
+  link_.Send(*app_, topics::kManualOverride, true);
+  link_.Send(*app_, topics::kNavState, NavState{.east = 60.0, .altitude = {}});
+  Tick();
+  EXPECT_EQ(app_->warnings().at("BHV_FAILED_worry").text,
+            "worry: it has thrown: off its chart, idle");
+  EXPECT_EQ(link_.Last(topics::kBehaviorError), "worry: it has thrown: off its chart, idle");
 }
 
 TEST_F(BehaviorWarningsTest, ClearsTheWarningOfABadUpdateWithTheNextGoodOne) {
