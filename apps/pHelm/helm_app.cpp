@@ -9,6 +9,7 @@
 
 #include "apps/pHelm/helm_warnings.hpp"
 #include "limpet/app/registry.hpp"
+#include "limpet/core/clock.hpp"
 #include "limpet/core/frames.hpp"
 #include "limpet/helm/behavior_failure_warnings.hpp"
 #include "limpet/helm/behavior_modules.hpp"
@@ -40,6 +41,11 @@ std::vector<BehaviorFile> LoadBehaviorFiles(const AppContext& context, const Hel
   return files;
 }
 
+/// None embedded: nobody is late there, so that runs repeat.
+RealClock ClockOf(const AppContext& context) {
+  return context.runs_live ? RealClock(SteadyTime) : RealClock();
+}
+
 MotionDomain DomainOf(const HelmParams& params) {
   std::vector<ConfigEntry> lines;
   for (const std::string& line : params.domain) {
@@ -59,9 +65,9 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
     : App(context),
       params_(params),
       ownship_(context.Global("Community")),
-      host_(LoadBehaviorFiles(context, params)),
+      host_(LoadBehaviorFiles(context, params), ClockOf(context)),
       planner_(params.views, MakeRandom("views")),
-      arbiter_(DomainOf(params)),
+      arbiter_(DomainOf(params), ClockOf(context)),
       journal_(params.domain,
                [this](std::string variable, Value value) {
                  PublishRaw(std::move(variable), std::move(value));
@@ -292,6 +298,7 @@ void HelmApp::GatherFailures() {
          .warning = {warnings::kBehaviorFailed.Of(failure.owner), failure.text}});
     motion_.failures.push_back(std::move(failure));
   }
+  std::ranges::move(host_.TakeLateCalls(), std::back_inserter(motion_.warnings));
 }
 
 void HelmApp::TellFailures() {

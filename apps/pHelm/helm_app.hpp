@@ -75,7 +75,7 @@ class HelmApp final : public App {
   /// Raised while `ids` are not empty; says which.
   void WarnOfObjects(const WarningId& id, const std::string& ids, const std::string& what);
   void Steer(const VehicleState& state);
-  /// Who failed in this iteration, wherever, with the warnings of it.
+  /// Who failed or took long in this iteration, wherever, with the warnings of it.
   void GatherFailures();
   /// BHV_ERROR, whenever others fail than before, or for other reasons.
   void TellFailures();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Warnings of the arbitration.
+// Warnings of behaviors that fail, or that take long.
 #pragma once
 
 #include "limpet/topics/warning.hpp"
@@ -17,5 +17,17 @@ inline const WarningFamily kBehaviorFailed = DeclareWarningFamily(
      .action = "Bring the vehicle home if it cannot do without that behavior; then look at its "
                "parameters and code.",
      .clears = "With its next bid that can be heard, or when it runs no more."});
+
+inline const WarningFamily kBehaviorLate = DeclareWarningFamily(
+    "BHV_LATE_<BEHAVIOR>",
+    {.severity = Severity::kAlarm,
+     .raised_by = {"pHelm"},
+     .meaning =
+         "A behavior has kept the helm for more than half a second of real time. A bid on the "
+         "motion that comes so late is not heard; after two in a row the behavior is not "
+         "asked for a hundred times as long as it took.",
+     .action = "Bring the vehicle home if it cannot do without that behavior; then look at its "
+               "code, or at what else the machine does.",
+     .clears = "With its next bid in time, or when it runs no more."});
 
 }  // namespace limpet::warnings

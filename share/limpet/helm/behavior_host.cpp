@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,7 +12,8 @@
 
 namespace limpet {
 
-BehaviorHost::BehaviorHost(const std::vector<BehaviorFile>& files) {
+BehaviorHost::BehaviorHost(const std::vector<BehaviorFile>& files, RealClock clock)
+    : clock_(std::move(clock)) {
   std::vector<ConfigProblem> problems;
   std::vector<ModeDeclaration> modes;
   for (const BehaviorFile& file : files) {
@@ -30,7 +32,7 @@ BehaviorHost::BehaviorHost(const std::vector<BehaviorFile>& files) {
 
 void BehaviorHost::AddBehavior(const ConfigBlock& block, std::vector<ConfigProblem>& problems) {
   try {
-    auto hosted = std::make_unique<HostedBehavior>(block);
+    auto hosted = std::make_unique<HostedBehavior>(block, clock_);
     const CommonSettings& settings = hosted->settings();
     if (settings.templating != Templating::kDisallow) {
       if (settings.updates_variable.empty()) {
@@ -130,7 +132,7 @@ void BehaviorHost::Spawn(const std::string& variable, const std::string& text) {
   for (SpawnRequest& request : templates_.RequestsOf(variable, text, is_taken)) {
     const std::string name = BehaviorNameOf(request.block), type = request.block.name;
     try {
-      auto hosted = std::make_unique<HostedBehavior>(std::move(request.block));
+      auto hosted = std::make_unique<HostedBehavior>(std::move(request.block), clock_);
       hosted->MarkSpawned(request.base_name);
       Adopt(std::move(hosted), text);
     } catch (const ConfigError& error) {
@@ -190,6 +192,7 @@ std::vector<HelmPost> BehaviorHost::Settle(const IterationOutcome& outcome,
     hosted->Settle(done == outcome.turns.end() ? std::span<const BehaviorAct>() : done->acts,
                    is_active, turn);
     std::ranges::move(hosted->TakeFailures(), std::back_inserter(failures_));
+    std::ranges::move(hosted->TakeLateCalls(), std::back_inserter(late_calls_));
   }
   RefreshStatuses();
   RemoveComplete();

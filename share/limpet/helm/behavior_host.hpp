@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "limpet/core/message.hpp"
+#include "limpet/helm/answer_watch.hpp"
 #include "limpet/helm/behavior.hpp"
 #include "limpet/helm/behavior_failure.hpp"
 #include "limpet/helm/behavior_overrides.hpp"
@@ -36,7 +37,8 @@ struct IterationOutcome {
 class BehaviorHost {
  public:
   /// Throws ConfigError with every problem of every behavior; an unknown parameter is one.
-  explicit BehaviorHost(const std::vector<BehaviorFile>& files);
+  /// With a `clock`, what behaviors do beside bidding is told if it takes long.
+  explicit BehaviorHost(const std::vector<BehaviorFile>& files, RealClock clock = {});
 
   /// Variables whose mail the host wants: all that conditions, modes, updates and behaviors name.
   /// May grow while behaviors are spawned and updated.
@@ -60,6 +62,8 @@ class BehaviorHost {
                                              const VehicleState& state);
   /// What behaviors have thrown since the last call, where they do not bid.
   [[nodiscard]] std::vector<BehaviorFailure> TakeFailures() { return std::exchange(failures_, {}); }
+  /// What of behaviors has taken long since the last call, where they do not bid.
+  [[nodiscard]] std::vector<OwnedWarning> TakeLateCalls() { return std::exchange(late_calls_, {}); }
   /// Everything that behaviors post goes out once more, also what has not changed.
   void ForgetPosts() { filter_.Clear(); }
 
@@ -85,6 +89,7 @@ class BehaviorHost {
   void RemoveComplete();
   void RefreshStatuses();
 
+  RealClock clock_;
   std::vector<InitialPost> initializes_;
   std::unique_ptr<ModeSet> modes_;
   HeardValues heard_;
@@ -96,6 +101,7 @@ class BehaviorHost {
   std::vector<BehaviorStatus> statuses_;
   std::vector<LifeEvent> events_;
   std::vector<BehaviorFailure> failures_;
+  std::vector<OwnedWarning> late_calls_;
   std::vector<OwnedWarning> update_warnings_, ignored_warnings_;
 };
 

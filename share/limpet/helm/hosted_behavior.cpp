@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "limpet/core/decimal_text.hpp"
+#include "limpet/helm/behavior_failure_warnings.hpp"
 #include "limpet/helm/registry.hpp"
 
 namespace limpet {
@@ -49,7 +50,8 @@ std::unique_ptr<Behavior> HostedBehavior::Make(const ConfigBlock& block) {
   }
 }
 
-HostedBehavior::HostedBehavior(ConfigBlock block) : block_(std::move(block)) {
+HostedBehavior::HostedBehavior(ConfigBlock block, RealClock clock)
+    : block_(std::move(block)), watch_(std::move(clock)) {
   std::vector<ConfigProblem> problems;
   settings_ = ReadCommonSettings(block_, problems);
   try {
@@ -184,11 +186,23 @@ void HostedBehavior::BeginIdle(HelmTurn& turn) {
   }
   is_active_ = false;
   if (before == State::kRunning) End(turn);
-  std::vector<BehaviorAct> acts;
-  Call([&] { acts = behavior_->Idle(turn.state); });
-  Perform(acts, turn);
+  PerformIdle(turn);
   clock_.Spend(turn.state.now, false);
   if (std::exchange(are_spawnx_flags_due_, false)) PostFlags(settings_.flags.spawnx, turn);
+}
+
+void HostedBehavior::PerformIdle(HelmTurn& turn) {
+  std::vector<BehaviorAct> acts;
+  NoteLate(watch_.Ask(name(), [&] {
+    static_cast<void>(Heard(name(), failures_, [&] { acts = behavior_->Idle(turn.state); }));
+  }));
+  Perform(acts, turn);
+}
+
+void HostedBehavior::NoteLate(const std::optional<std::string>& complaint) {
+  if (!complaint) return;
+  late_calls_.push_back(
+      {.owner = name(), .warning = {warnings::kBehaviorLate.Of(name()), *complaint}});
 }
 
 void HostedBehavior::Settle(std::span<const BehaviorAct> acts, bool is_active, HelmTurn& turn) {

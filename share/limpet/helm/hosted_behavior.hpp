@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "limpet/core/config.hpp"
+#include "limpet/helm/answer_watch.hpp"
 #include "limpet/helm/behavior.hpp"
 #include "limpet/helm/behavior_failure.hpp"
 #include "limpet/helm/behavior_status.hpp"
@@ -16,6 +17,7 @@
 #include "limpet/helm/common_settings.hpp"
 #include "limpet/helm/flag_macros.hpp"
 #include "limpet/helm/post_filter.hpp"
+#include "limpet/helm/warning_book.hpp"
 
 namespace limpet {
 
@@ -32,7 +34,8 @@ struct HelmTurn {
 class HostedBehavior {
  public:
   /// Throws ConfigError with every problem of the block.
-  explicit HostedBehavior(ConfigBlock block);
+  /// With a `clock`, what takes long is told, and an idle behavior that does rests.
+  explicit HostedBehavior(ConfigBlock block, RealClock clock = {});
 
   [[nodiscard]] const std::string& name() const { return settings_.name; }
   [[nodiscard]] const std::string& type() const { return block_.name; }
@@ -64,6 +67,8 @@ class HostedBehavior {
   void Begin(HelmTurn& turn);
   /// After them: what it did, and whether it had a say.
   void Settle(std::span<const BehaviorAct> acts, bool is_active, HelmTurn& turn);
+  /// What of it has taken long since the last call, where it does not bid.
+  [[nodiscard]] std::vector<OwnedWarning> TakeLateCalls() { return std::exchange(late_calls_, {}); }
   /// What it has thrown since the last call, where it does not bid.
   [[nodiscard]] std::vector<BehaviorFailure> TakeFailures() { return std::exchange(failures_, {}); }
 
@@ -72,11 +77,16 @@ class HostedBehavior {
 
   /// The behavior of a block; throws ConfigError, and nothing else.
   [[nodiscard]] static std::unique_ptr<Behavior> Make(const ConfigBlock& block);
-  /// Runs `work`, which calls the behavior; false if that has thrown, which is noted.
+  /// Runs `work`, which calls the behavior; false if that has thrown, which is noted, like a call
+  /// that takes long.
   template <class Work>
   bool Call(const Work& work) {
-    return Heard(name(), failures_, work);
+    bool is_good = false;
+    NoteLate(watch_.Time([&] { is_good = Heard(name(), failures_, work); }));
+    return is_good;
   }
+  void NoteLate(const std::optional<std::string>& complaint);
+  void PerformIdle(HelmTurn& turn);
   [[nodiscard]] bool IsMeant(const BehaviorUpdate& update) const;
   /// The complaint if the part is not allowed; else `block` has it.
   [[nodiscard]] std::optional<std::string> TryPart(const ConfigEntry& part,
@@ -101,6 +111,8 @@ class HostedBehavior {
   std::unique_ptr<Behavior> behavior_;
   std::vector<std::string> own_variables_;  ///< that the behavior reads
   std::vector<BehaviorFailure> failures_;
+  std::vector<OwnedWarning> late_calls_;
+  AnswerWatch watch_;  ///< over what it does while idle
   DurationClock clock_;
   FlagMacros macros_;
   State state_ = State::kNew;

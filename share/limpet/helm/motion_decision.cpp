@@ -106,10 +106,7 @@ const MotionDecision& MotionArbiter::Decide(std::span<const WeightedBehavior> be
 void MotionArbiter::Ask(const WeightedBehavior& running, const VehicleState& state) {
   if (bids_.size() == heard_) bids_.emplace_back();
   OwnedMotionBid& owned = bids_[heard_];
-  const auto failure = FailureOf(running.name, [&] { owned.bid = running.behavior->Move(state); });
-  if (failure) return Fail(failure->owner, failure->text);
-  NoteTurn(running.name, owned.bid.acts);
-  if (running.weight <= 0.0) return;  // it acts, and has no say
+  if (!Hear(running, state, owned)) return;
   if (const auto problem = ProblemOf(owned.bid, domain_)) return Fail(running.name, *problem);
   if (owned.bid.warning) {
     decision_.warnings.push_back({.owner = running.name, .warning = *owned.bid.warning});
@@ -117,6 +114,24 @@ void MotionArbiter::Ask(const WeightedBehavior& running, const VehicleState& sta
   owned.owner = running.name;
   owned.weight = running.weight;
   ++heard_;
+}
+
+bool MotionArbiter::Hear(const WeightedBehavior& running, const VehicleState& state,
+                         OwnedMotionBid& owned) {
+  std::optional<BehaviorFailure> failure;
+  bool is_asked = false;
+  const auto late = watch_.Ask(running.name, [&] {
+    is_asked = true;
+    failure = FailureOf(running.name, [&] { owned.bid = running.behavior->Move(state); });
+  });
+  if (late) {
+    decision_.warnings.push_back(
+        {.owner = running.name, .warning = {warnings::kBehaviorLate.Of(running.name), *late}});
+  }
+  if (failure) Fail(failure->owner, failure->text);
+  if (failure || !is_asked) return false;
+  NoteTurn(running.name, owned.bid.acts);  // what it did counts, also if it was late
+  return !late && running.weight > 0.0;    // without a weight it acts, and has no say
 }
 
 void MotionArbiter::NoteTurn(const std::string& name, std::vector<BehaviorAct>& acts) {

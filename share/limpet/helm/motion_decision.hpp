@@ -6,8 +6,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "limpet/helm/answer_watch.hpp"
 #include "limpet/helm/behavior.hpp"
 #include "limpet/helm/behavior_act.hpp"
 #include "limpet/helm/behavior_failure.hpp"
@@ -51,7 +53,9 @@ struct MotionDecision {
 /// allocates nothing.
 class MotionArbiter {
  public:
-  explicit MotionArbiter(const MotionDomain& domain) : domain_(domain), search_(domain) {}
+  /// With a `clock`, behaviors that answer late are not heard.
+  explicit MotionArbiter(const MotionDomain& domain, RealClock clock = {})
+      : domain_(domain), search_(domain), watch_(std::move(clock)) {}
 
   /// Valid until the next call.
   const MotionDecision& Decide(std::span<const WeightedBehavior> behaviors,
@@ -63,6 +67,9 @@ class MotionArbiter {
  private:
   void Ask(const WeightedBehavior& running, const VehicleState& state);
   void NoteTurn(const std::string& name, std::vector<BehaviorAct>& acts);
+  /// What `running` bids goes to `owned`; false if there is nothing to be heard.
+  [[nodiscard]] bool Hear(const WeightedBehavior& running, const VehicleState& state,
+                          OwnedMotionBid& owned);
   void Fail(const std::string& owner, const std::string& text);
   void Add(const OwnedMotionBid& owned);
   void Choose(const VehicleState& state);
@@ -71,6 +78,7 @@ class MotionArbiter {
 
   MotionDomain domain_;
   MotionGridSearch search_;
+  AnswerWatch watch_;
   MotionDecision decision_;
   std::vector<OwnedMotionBid> bids_;  ///< the first `heard_` are of now; the rest keeps its memory
   std::size_t heard_ = 0;

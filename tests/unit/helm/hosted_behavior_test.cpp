@@ -69,23 +69,32 @@ class BHV_ThrowProbe final : public Behavior {
 
   static void Enter(const std::string& function) {
     ++entered[function];
+    time += takes[function];
     if (throws_in.contains(function)) throw std::runtime_error("in " + function);
   }
   static inline std::set<std::string> throws_in;
   static inline std::map<std::string, int> entered;
+  static inline Seconds time{0.0};                     ///< real, of the test
+  static inline std::map<std::string, Seconds> takes;  ///< how long a call lasts
 };
 LIMPET_REGISTER_BEHAVIOR(BHV_ThrowProbe);
 
 class ThrowingBehavior : public ::testing::Test {
  protected:
-  ThrowingBehavior() { BHV_ThrowProbe::throws_in.clear(), BHV_ThrowProbe::entered.clear(); }
-  ~ThrowingBehavior() override { BHV_ThrowProbe::throws_in.clear(); }
+  ThrowingBehavior() { Reset(); }
+  ~ThrowingBehavior() override { Reset(); }
+  static void Reset() {
+    BHV_ThrowProbe::throws_in.clear(), BHV_ThrowProbe::entered.clear();
+    BHV_ThrowProbe::takes.clear();
+  }
 
   void Make(const std::string& lines = "") {
     const std::string block = "Behavior = BHV_ThrowProbe\n{\n  updates = UP\n  name = ";
-    host_ = std::make_unique<BehaviorHost>(std::vector<BehaviorFile>{ParseBehaviors(
-        block + "first\n  condition = GO = true\n" + lines + "}\n" + block + "second\n}\n",
-        "m.bhv")});
+    host_ = std::make_unique<BehaviorHost>(
+        std::vector<BehaviorFile>{ParseBehaviors(
+            block + "first\n  condition = GO = true\n" + lines + "}\n" + block + "second\n}\n",
+            "m.bhv")},
+        [] { return BHV_ThrowProbe::time; });
     Say("GO", "true");
   }
   void Say(const std::string& variable, const std::string& value) {
@@ -101,6 +110,12 @@ class ThrowingBehavior : public ::testing::Test {
     const std::vector<BehaviorTurn> turns{{"first", std::move(acts_of_first)}};
     static_cast<void>(host_->Settle({.turns = turns, .active = {}}, state_));
     return names;
+  }
+  std::vector<std::string> LateCalls() {
+    std::vector<std::string> texts;
+    for (const OwnedWarning& late : host_->TakeLateCalls())
+      texts.push_back(late.warning.id.name() + ": " + late.warning.text);
+    return texts;
   }
   std::vector<std::string> Failures() {
     std::vector<std::string> texts;
@@ -195,6 +210,32 @@ TEST_F(ThrowingBehavior, ThatThrowsWhenAskedForAViewWantsNone) {
   EXPECT_TRUE(host_->WantsView());
   BHV_ThrowProbe::throws_in = {"WantsView"};
   EXPECT_FALSE(host_->WantsView());
+}
+
+using SlowBehavior = ThrowingBehavior;
+
+TEST_F(SlowBehavior, IsNamedIfItsEndKeepsTheHelm) {
+  Make();
+  BHV_ThrowProbe::takes["Complete"] = Seconds(3.0);
+  EXPECT_THAT(Iterate({Completion{}}), ElementsAre("first", "second"));
+  EXPECT_THAT(LateCalls(),
+              ElementsAre("BHV_LATE_first: it has kept the helm for 3.00 s, more than 0.5 s"));
+  EXPECT_THAT(Iterate(), ElementsAre("second"));
+  EXPECT_THAT(LateCalls(), IsEmpty());
+}
+
+TEST_F(SlowBehavior, IsNotCalledForLongWhenItTakesLongIdle) {
+  Make();
+  Say("GO", "false");
+  BHV_ThrowProbe::takes["Idle"] = Seconds(1.0);
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_THAT(Iterate(), ElementsAre("second"));
+    EXPECT_THAT(LateCalls(), SizeIs(1));
+  }
+  EXPECT_EQ(BHV_ThrowProbe::entered["Idle"], 2);
+  BHV_ThrowProbe::time += Seconds(100.0);
+  static_cast<void>(Iterate());
+  EXPECT_EQ(BHV_ThrowProbe::entered["Idle"], 3);
 }
 
 }  // namespace

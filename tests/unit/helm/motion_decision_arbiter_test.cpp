@@ -157,6 +157,72 @@ INSTANTIATE_TEST_SUITE_P(
                       std::pair{Failing::Way::kInfinite, "NaN or infinity in its bid on speed"},
                       std::pair{Failing::Way::kNoBase, "a base of 0 under a flat top of 0"}));
 
+/// Answers after a second; then in no time.
+class Sluggish final : public Behavior {
+ public:
+  explicit Sluggish(Seconds& time) : time_(time) {}
+  [[nodiscard]] MotionBid Move(const VehicleState&) override {
+    time_ += takes;
+    MotionBid bid;
+    bid.speed = Peak{.summit = 1.0, .flat_half_width = 0.0, .base_half_width = 0.5};
+    bid.acts.emplace_back(BehaviorPost{.variable = "SLUGGISH", .value = 1.0});
+    return bid;
+  }
+  Seconds takes{1.0};
+
+ private:
+  Seconds& time_;
+};
+
+TEST(MotionArbiter, DoesNotHearABidThatComesLateAndNamesItsBehavior) {
+  Fleet fleet;
+  Seconds time(0.0);
+  Sluggish sluggish(time);
+  MotionArbiter arbiter(fleet.domain, [&time] { return time; });
+  const std::vector<WeightedBehavior> running{{"sluggish", 1000.0, &sluggish},
+                                              {"transit", 100.0, &fleet.transit}};
+  const MotionDecision& decision = arbiter.Decide(running, fleet.state);
+  EXPECT_EQ(*decision.speed, 2.0);
+  EXPECT_THAT(decision.active, ElementsAre("transit"));
+  EXPECT_THAT(decision.failures, IsEmpty());
+  ASSERT_EQ(decision.warnings.size(), 1U);
+  EXPECT_EQ(decision.warnings[0].warning.id.name(), "BHV_LATE_sluggish");
+  ASSERT_EQ(decision.turns.size(), 2U);
+  EXPECT_EQ(decision.turns[0].acts.size(), 1U) << "what it did is done";
+  sluggish.takes = Seconds(0.4);
+  static_cast<void>(arbiter.Decide(running, fleet.state));
+  EXPECT_EQ(*decision.speed, 1.0);
+  EXPECT_THAT(decision.warnings, IsEmpty());
+}
+
+TEST(MotionArbiter, DoesNotAskOneForLongThatIsLateTwiceInARow) {
+  Fleet fleet;
+  Seconds time(0.0);
+  Sluggish sluggish(time);
+  MotionArbiter arbiter(fleet.domain, [&time] { return time; });
+  const std::vector<WeightedBehavior> running{{"sluggish", 1000.0, &sluggish},
+                                              {"transit", 100.0, &fleet.transit}};
+  for (int i = 0; i < 500; ++i) {
+    const MotionDecision& decision = arbiter.Decide(running, fleet.state);
+    EXPECT_EQ(*decision.speed, 2.0);
+    EXPECT_EQ(decision.warnings.size(), 1U) << "while it rests, too";
+    time += Seconds(0.1);
+  }
+  EXPECT_NEAR(time.value(), 50.0 + 2.0, 1e-6) << "held up twice in 50 s";
+}
+
+TEST(MotionArbiter, WaitsForEveryAnswerWithoutAClock) {
+  Fleet fleet;
+  Seconds time(0.0);
+  Sluggish sluggish(time);
+  MotionArbiter arbiter(fleet.domain);
+  const std::vector<WeightedBehavior> running{{"sluggish", 1000.0, &sluggish},
+                                              {"transit", 100.0, &fleet.transit}};
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(*arbiter.Decide(running, fleet.state).speed, 1.0);
+  }
+}
+
 TEST(MotionArbiter, DoesNotHearATableWithNumbersThatAreNone) {
   Fleet fleet;
   class BadTable final : public Behavior {

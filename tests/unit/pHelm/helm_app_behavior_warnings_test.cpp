@@ -4,9 +4,11 @@
 #include <memory>
 #include <stdexcept>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "apps/pHelm/helm_app.hpp"
+#include "limpet/core/clock.hpp"
 #include "limpet/helm/registry.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_link.hpp"
@@ -47,6 +49,29 @@ class BHV_TestWorry final : public Behavior {
 };
 LIMPET_REGISTER_BEHAVIOR(BHV_TestWorry);
 
+/// Takes more than half a second for its first bid.
+class BHV_TestSloth final : public Behavior {
+ public:
+  struct Params {
+    template <class V>
+    void Describe(V&) {}
+  };
+  explicit BHV_TestSloth(const Params&) {}
+  [[nodiscard]] MotionBid Move(const VehicleState&) override {
+    const Seconds begin = SteadyTime();
+    while (is_slow_ && SteadyTime() - begin < Seconds(0.52)) {
+    }
+    is_slow_ = false;
+    MotionBid bid;
+    bid.speed = Peak{.summit = 1.0};
+    return bid;
+  }
+
+ private:
+  bool is_slow_ = true;
+};
+LIMPET_REGISTER_BEHAVIOR(BHV_TestSloth);
+
 class BehaviorWarningsTest : public ::testing::Test {
  protected:
   BehaviorWarningsTest() {
@@ -58,13 +83,17 @@ Behavior = BHV_TestWorry
   updates   = WORRY_UPDATES
 }
 )";
+    MakeApp(false);
+    Hear("CALM", "false");
+  }
+  void MakeApp(bool runs_live) {
     AppContext context;
     context.name = "pHelm";
     context.link = &link_;
     context.mission_folder = folder_.path();
+    context.runs_live = runs_live;
     app_ = std::make_unique<HelmApp>(context, HelmApp::Params{});
     link_.Send(*app_, topics::kNavState, NavState{});
-    Hear("CALM", "false");
   }
   void Hear(const std::string& variable, const std::string& value) {
     link_.Send(*app_, Topic<std::string>{variable, ""}, value);
@@ -127,6 +156,23 @@ TEST_F(BehaviorWarningsTest, SaysThatABehaviorFailsWhileIdleAlsoWhenParked) {
   EXPECT_EQ(app_->warnings().at("BHV_FAILED_worry").text,
             "worry: it has thrown: off its chart, idle");
   EXPECT_EQ(link_.Last(topics::kBehaviorError), "worry: it has thrown: off its chart, idle");
+}
+
+TEST_F(BehaviorWarningsTest, ALateBidIsNotHeardLiveAndIsLikeAnyOtherEmbedded) {
+  std::ofstream(folder_.path() / "mission.bhv")
+      << "Behavior = BHV_TestSloth\n{\n name = sloth\n}\n";
+  MakeApp(true);
+  Tick();
+  EXPECT_THAT(app_->warnings().at("BHV_LATE_sloth").text,
+              ::testing::StartsWith("sloth: it has kept the helm for "));
+  EXPECT_EQ(link_.Last(topics::kHelmAllStop), "NothingToDo");
+  Tick();
+  EXPECT_FALSE(app_->warnings().contains("BHV_LATE_sloth"));
+  EXPECT_EQ(link_.Last(topics::kHelmAllStop), "MissingDecVars:course,depth") << "it bids on speed";
+  MakeApp(false);
+  Tick();
+  EXPECT_FALSE(app_->warnings().contains("BHV_LATE_sloth"));
+  EXPECT_EQ(link_.Last(topics::kHelmAllStop), "MissingDecVars:course,depth");
 }
 
 TEST_F(BehaviorWarningsTest, ClearsTheWarningOfABadUpdateWithTheNextGoodOne) {
