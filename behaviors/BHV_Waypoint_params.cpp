@@ -33,28 +33,6 @@ bool ReadPoints(std::string_view text, Params& params) {
   return true;
 }
 
-bool ReadRepeats(std::string_view text, Params& params) {
-  if (EqualsIgnoringCase(text, "forever")) {
-    params.repeats.reset();
-    return true;
-  }
-  const auto repeats = ParseInteger(text);
-  constexpr int kMost = 1'000'000;
-  if (!repeats || *repeats < 0 || *repeats > kMost) return false;
-  params.repeats = static_cast<int>(*repeats);
-  return true;
-}
-
-/// `absolute` is the line and nothing else.
-bool ReadCaptureLine(std::string_view text, Params& params) {
-  const bool is_absolute = EqualsIgnoringCase(text, "absolute");
-  const auto flag = ParseFlag(text);
-  if (!is_absolute && !flag) return false;
-  if (is_absolute) params.capture.capture_radius = params.capture.slip_radius = 0.0;
-  params.capture.captures_at_line = is_absolute || *flag;
-  return true;
-}
-
 /// `slow_dist=20, stop_dist=5`.
 bool ReadEndSpeed(std::string_view text, Params& params) {
   std::optional<double> slow, stop;
@@ -87,8 +65,7 @@ void DescribeWay(ParamCollector& visit, Params& params) {
                  return params.order == "normal" || params.order == "reverse" ||
                         params.order == "toggle";
                });
-  visit.Parsed("repeat", "a whole number or forever", "How often again", "0",
-               [&params](std::string_view text) { return ReadRepeats(text, params); });
+  DescribeRepeats(visit, params.repeats);
   visit.Parsed("currix", "a whole number", "Index of the next point, from 0", "",
                [&params](std::string_view text) {
                  const auto index = ParseInteger(text);
@@ -100,20 +77,9 @@ void DescribeWay(ParamCollector& visit, Params& params) {
   visit("reset_on_idle", params.is_reset_on_idle, "Begin at the first point after each idle spell");
 }
 
-void DescribeCapture(ParamCollector& visit, Params& params) {
-  visit("capture_radius", params.capture.capture_radius, "A point this near is reached [m]",
-        InRange(0.0, 10000.0));
-  visit.Also({"radius"});
-  visit("slip_radius", params.capture.slip_radius,
-        "Reached, too, when the distance grows again within this [m]", InRange(0.0, 10000.0));
-  visit.Also({"nm_radius"});
-  visit.Parsed("capture_line", "true, false or absolute",
-               "Reached, too, beyond the line across the leg's end; absolute: only so", "false",
-               [&params](std::string_view text) { return ReadCaptureLine(text, params); });
-  visit("lead", params.lead.lead, "Steer for a point on the leg this far ahead [m]; 0: off",
-        AtLeast(-1.0));
-  visit("lead_damper", params.lead.damper, "Nearer to the leg than this, further ahead [m]; 0: off",
-        AtLeast(-1.0));
+void DescribeLegs(ParamCollector& visit, Params& params) {
+  DescribeCapture(visit, params.capture);
+  DescribeLead(visit, params.lead);
   visit("lead_to_start", params.leads_to_start, "Lead on the way to the first point, too");
   visit.ParsedLines("lead_condition", "a condition", "Lead only while all of them hold",
                     [&params](std::string_view text) {
@@ -172,7 +138,7 @@ void DescribePosts(ParamCollector& visit, Params& params) {
 
 void BHV_Waypoint::Params::Describe(ParamCollector& visit) {
   DescribeWay(visit, *this);
-  DescribeCapture(visit, *this);
+  DescribeLegs(visit, *this);
   DescribeSpeed(visit, *this);
   DescribePosts(visit, *this);
   visit.WithoutEffect({"efficiency_measure", "ipf_type", "ipf-type", "patience",

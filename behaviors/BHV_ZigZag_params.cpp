@@ -8,15 +8,6 @@ namespace {
 
 using ZigZagParams = BHV_ZigZag::Params;
 
-bool ReadSide(std::string_view text, ZigZagParams& params) {
-  const bool is_port = EqualsIgnoringCase(text, "port") || EqualsIgnoringCase(text, "left");
-  const bool is_starboard = EqualsIgnoringCase(text, "star") ||
-                            EqualsIgnoringCase(text, "starboard") ||
-                            EqualsIgnoringCase(text, "right");
-  params.begins_to_port = is_port;
-  return is_port || is_starboard;
-}
-
 /// Turns of a zig and a zag; the same as twice as many legs.
 bool ReadPairs(std::string_view text, ZigZagParams& params) {
   constexpr int kMost = 1'000'000;
@@ -33,7 +24,11 @@ void DescribeTurns(ParamCollector& visit, ZigZagParams& params) {
   visit("hdg_thresh", params.threshold, "A turn is finished this near to its heading",
         InRange(Radians::FromTextUnit(0.0), Radians::FromTextUnit(90.0)));
   visit.Parsed("zig_first", "port, star, left, right or starboard", "Side of the first leg", "port",
-               [&params](std::string_view text) { return ReadSide(text, params); });
+               [&params](std::string_view text) {
+                 const auto is_port = ParseIsPort(text);
+                 params.begins_to_port = is_port.value_or(true);
+                 return is_port.has_value();
+               });
   visit("fierce_zigging", params.is_fierce,
         "Steer always as far off the present heading, until the turn is finished");
   visit.Parsed("zig_angle_fierce", "1 to 75 deg", "How far off then; else as zig_angle", "",

@@ -1,10 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/waypoints/map_params.hpp"
 
+#include "limpet/core/number_text.hpp"
+
 namespace limpet {
 namespace {
 
 bool HasBlank(std::string_view text) { return text.find_first_of(" \t") != std::string_view::npos; }
+
+bool ReadRepeats(std::string_view text, std::optional<int>& repeats) {
+  if (EqualsIgnoringCase(text, "forever")) {
+    repeats.reset();
+    return true;
+  }
+  const auto number = ParseInteger(text);
+  constexpr int kMost = 1'000'000;
+  if (!number || *number < 0 || *number > kMost) return false;
+  repeats = static_cast<int>(*number);
+  return true;
+}
+
+/// `absolute` is the line and nothing else.
+bool ReadCaptureLine(std::string_view text, CaptureRule& rule) {
+  const bool is_absolute = EqualsIgnoringCase(text, "absolute");
+  const auto flag = ParseFlag(text);
+  if (!is_absolute && !flag) return false;
+  if (is_absolute) rule.capture_radius = rule.slip_radius = 0.0;
+  rule.captures_at_line = is_absolute || *flag;
+  return true;
+}
 
 }  // namespace
 
@@ -31,6 +55,38 @@ void DescribeSuffix(ParamCollector& visit, const char* name, std::string& suffix
                                                               : "_" + std::string(text);
                  return true;
                });
+}
+
+void DescribeCapture(ParamCollector& visit, CaptureRule& rule) {
+  visit("capture_radius", rule.capture_radius, "A point this near is reached [m]",
+        InRange(0.0, 10000.0));
+  visit.Also({"radius"});
+  visit("slip_radius", rule.slip_radius,
+        "Reached, too, when the distance grows again within this [m]", InRange(0.0, 10000.0));
+  visit.Also({"nm_radius"});
+  visit.Parsed("capture_line", "true, false or absolute",
+               "Reached, too, beyond the line across the leg's end; absolute: only so", "false",
+               [&rule](std::string_view text) { return ReadCaptureLine(text, rule); });
+}
+
+void DescribeLead(ParamCollector& visit, LeadRule& rule) {
+  visit("lead", rule.lead, "Steer for a point on the leg this far ahead [m]; 0: off",
+        AtLeast(-1.0));
+  visit("lead_damper", rule.damper, "Nearer to the leg than this, further ahead [m]; 0: off",
+        AtLeast(-1.0));
+}
+
+void DescribeRepeats(ParamCollector& visit, std::optional<int>& repeats) {
+  visit.Parsed("repeat", "a whole number or forever", "How often again", "0",
+               [&repeats](std::string_view text) { return ReadRepeats(text, repeats); });
+}
+
+std::optional<bool> ParseIsPort(std::string_view text) {
+  if (EqualsIgnoringCase(text, "port") || EqualsIgnoringCase(text, "left")) return true;
+  const bool is_starboard = EqualsIgnoringCase(text, "star") ||
+                            EqualsIgnoringCase(text, "starboard") ||
+                            EqualsIgnoringCase(text, "right");
+  return is_starboard ? std::optional(false) : std::nullopt;
 }
 
 }  // namespace limpet

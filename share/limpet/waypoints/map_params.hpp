@@ -2,12 +2,16 @@
 // Parameters of existing missions that are no plain numbers, declared alike by all behaviors.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "limpet/core/params.hpp"
 #include "limpet/shapes/shape.hpp"
 #include "limpet/shapes/visual_hints.hpp"
+#include "limpet/waypoints/lead_point.hpp"
+#include "limpet/waypoints/waypoint_progress.hpp"
 
 namespace limpet {
 
@@ -18,5 +22,14 @@ void DescribeVariable(ParamCollector& visit, const char* name, std::string& fiel
 void DescribeHints(ParamCollector& visit, VisualHints& hints);
 /// `post_suffix`: appended to status variables, after an underscore.
 void DescribeSuffix(ParamCollector& visit, const char* name, std::string& suffix);
+
+/// `capture_radius`, `slip_radius`, `capture_line`.
+void DescribeCapture(ParamCollector& visit, CaptureRule& rule);
+/// `lead`, `lead_damper`.
+void DescribeLead(ParamCollector& visit, LeadRule& rule);
+/// `repeat`: a number, or `forever`, which is nothing.
+void DescribeRepeats(ParamCollector& visit, std::optional<int>& repeats);
+/// A side: true for `port` or `left`, false for `star`, `starboard` or `right`.
+[[nodiscard]] std::optional<bool> ParseIsPort(std::string_view text);
 
 }  // namespace limpet

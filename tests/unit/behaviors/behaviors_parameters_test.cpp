@@ -18,6 +18,7 @@
 #include "behaviors/BHV_GoToDepth.hpp"
 #include "behaviors/BHV_HoldAltitude.hpp"
 #include "behaviors/BHV_HoldStation.hpp"
+#include "behaviors/BHV_LegRun.hpp"
 #include "behaviors/BHV_Loiter.hpp"
 #include "behaviors/BHV_MaxDepth.hpp"
 #include "behaviors/BHV_MinAltitudeX.hpp"
@@ -67,11 +68,11 @@ class EveryBehavior : public ::testing::Test {
 
 using Behaviors =
     ::testing::Types<BHV_ConstantDepth, BHV_ConstantHeading, BHV_ConstantSpeed, BHV_Loiter,
-                     BHV_StationKeep, BHV_TestFailure, BHV_Timer, BHV_Waypoint, BHV_AvoidObstacle,
-                     BHV_ZigZag, BHV_FullStop, BHV_CoverArea, BHV_FollowPath, BHV_HoldAltitude,
-                     BHV_HoldStation, BHV_OpRegion, BHV_ReduceMapEntropy, BHV_ReduceObjectEntropy,
-                     BHV_ReturnHome, BHV_RevisitOpi, BHV_GoToDepth, BHV_MaxDepth, BHV_MinAltitudeX,
-                     BHV_PeriodicSurface>;
+                     BHV_StationKeep, BHV_TestFailure, BHV_Timer, BHV_LegRun, BHV_OpRegionV24,
+                     BHV_Waypoint, BHV_AvoidObstacle, BHV_ZigZag, BHV_FullStop, BHV_CoverArea,
+                     BHV_FollowPath, BHV_HoldAltitude, BHV_HoldStation, BHV_OpRegion,
+                     BHV_ReduceMapEntropy, BHV_ReduceObjectEntropy, BHV_ReturnHome, BHV_RevisitOpi,
+                     BHV_GoToDepth, BHV_MaxDepth, BHV_MinAltitudeX, BHV_PeriodicSurface>;
 TYPED_TEST_SUITE(EveryBehavior, Behaviors);
 
 TYPED_TEST(EveryBehavior, IsBuiltFromItsExamples) {
