@@ -3,24 +3,13 @@
 
 #include <algorithm>
 #include <optional>
-#include <variant>
 
 #include "limpet/core/decimal_text.hpp"
 #include "limpet/helm/act_list.hpp"
+#include "limpet/helm/heard_altitude.hpp"
 #include "limpet/helm/registry.hpp"
 
 namespace limpet {
-namespace {
-
-std::optional<double> AltitudeOf(const VehicleState& state) {
-  if (state.nav.altitude) return state.nav.altitude;
-  const Stamped<Value>* heard = state.Heard("NAV_ALTITUDE");
-  const auto* number = heard == nullptr ? nullptr : std::get_if<double>(&heard->value);
-  return number == nullptr || *number <= 0.0 ? std::nullopt : std::optional(*number);
-}
-
-}  // namespace
-
 void BHV_MinAltitudeX::Params::Describe(ParamCollector& visit) {
   visit("min_altitude", min_altitude, "Height to leave above the seabed",
         InRange(Meters(0.0), Meters(6000.0)));

@@ -25,6 +25,16 @@ ConfigProblem UnknownBehavior(const ConfigBlock& block) {
   return {block.where, "Behavior", fmt::format("no behavior `{}`; {}", block.name, hint)};
 }
 
+/// Problems that a behavior itself has found: at the line of their key, else of the block.
+std::vector<ConfigProblem> Located(std::vector<ConfigProblem> problems, const ConfigBlock& block) {
+  for (ConfigProblem& problem : problems) {
+    if (!problem.where.file.empty()) continue;
+    const ConfigEntry* entry = block.Find(problem.key);
+    problem.where = entry == nullptr ? block.where : entry->where;
+  }
+  return problems;
+}
+
 /// To other vehicles: MOOS-IvP's envelope for a post that leaves the vehicle.
 std::string NodeMessage(std::string_view ownship, const std::string& owner, const HelmPost& post) {
   std::string text = fmt::format("src_node={},dest_node=all,src_app=pHelm,src_bhv={},var_name={}",
@@ -42,8 +52,8 @@ std::unique_ptr<Behavior> HostedBehavior::Make(const ConfigBlock& block) {
   if (entry == BehaviorRegistry().end()) throw ConfigError(UnknownBehavior(block));
   try {
     return entry->second.create(block);
-  } catch (const ConfigError&) {
-    throw;
+  } catch (const ConfigError& error) {
+    throw ConfigError(Located(error.problems(), block));
   } catch (...) {
     const auto failure = FailureOf(block.name, [] { throw; });
     throw ConfigError(ConfigProblem{block.where, "Behavior", failure->text});

@@ -23,6 +23,7 @@
 #include "behaviors/BHV_MaxDepth.hpp"
 #include "behaviors/BHV_MinAltitudeX.hpp"
 #include "behaviors/BHV_OpRegion.hpp"
+#include "behaviors/BHV_OpRegionV24.hpp"
 #include "behaviors/BHV_PeriodicSurface.hpp"
 #include "behaviors/BHV_ReduceMapEntropy.hpp"
 #include "behaviors/BHV_ReduceObjectEntropy.hpp"
