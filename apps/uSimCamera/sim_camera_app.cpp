@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/uSimCamera/sim_camera_warnings.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/objects/lens_box.hpp"
 #include "limpet/simulation/object_shape.hpp"
@@ -39,7 +40,8 @@ SimCameraApp::SimCameraApp(const AppContext& context, const Params& params)
       seabed_({}),
       contrast_random_(MakeRandom("ground contrast")),
       box_model_(BoxModel::Settings{}),
-      box_random_(MakeRandom("boxes")) {
+      box_random_(MakeRandom("boxes")),
+      storm_random_(MakeRandom("false boxes")) {
   const Scenario scenario = LoadScenario(context.mission_folder / params.scenario);
   for (const ScenarioOpi& opi : scenario.opis) {
     if (const auto place = opi.Place(context.session)) {
@@ -72,6 +74,11 @@ void SimCameraApp::MakeCamera(const AppContext& context, const Scenario& scenari
                            .false_boxes_per_image = scenario.sensors.false_detections_per_image,
                            .constants = params_.boxes});
     return;
+  }
+  if (faults_.Has("false_boxes")) {
+    Warn(warnings::kNoFalseBoxes,
+         "the scenario's fault `false_boxes` is not made: this camera renders pictures; "
+         "camera = boxes makes it");
   }
   const auto depth = [seabed = seabed_](double north, double east) {
     return seabed.Depth(north, east);
@@ -158,7 +165,17 @@ Detections SimCameraApp::MakeBoxes(const SimTruth& truth, std::span<const Sphere
   for (const Box& box : box_model_.Detect(truth.pose(), shown, box_random_)) {
     if (const auto distorted = Distorted(lens_, box)) seen.boxes.push_back(*distorted);
   }
+  AddFalseBoxes(seen.boxes);
   return seen;
+}
+
+void SimCameraApp::AddFalseBoxes(std::vector<Box>& boxes) {
+  const ScenarioFault* storm = faults_.Active("false_boxes");
+  if (storm == nullptr) return;
+  for (int i = 0; i < static_cast<int>(storm->size); ++i) {
+    boxes.push_back(box_model_.DrawFalse(storm_random_));
+  }
+  std::ranges::stable_sort(boxes, std::ranges::greater(), &Box::confidence);
 }
 
 void SimCameraApp::PublishContrast(const SimTruth& truth, Seconds stamp) {

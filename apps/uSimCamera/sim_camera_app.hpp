@@ -68,6 +68,8 @@ class SimCameraApp final : public App {
                                       Seconds stamp);
   [[nodiscard]] Detections MakeBoxes(const SimTruth& truth, std::span<const Sphere> shown,
                                      Seconds stamp);
+  /// Boxes that the scenario's fault adds to a frame.
+  void AddFalseBoxes(std::vector<Box>& boxes);
   /// How the ground stands out in an image that is not made.
   void PublishContrast(const SimTruth& truth, Seconds stamp);
   /// What was exposed at least the latency ago.
@@ -91,7 +93,7 @@ class SimCameraApp final : public App {
   Random contrast_random_;
   std::optional<Seconds> last_contrast_;
   BoxModel box_model_;
-  Random box_random_;
+  Random box_random_, storm_random_;
   double last_slot_ = -1.0;  ///< exposures are the first truth in each 1/rate of MOOS time
   std::uint32_t frame_ = 0;
   std::deque<std::pair<Seconds, std::variant<CameraFrame, Detections>>> exposed_;

@@ -190,6 +190,9 @@ void SimVehicleApp::TellThrust(Seconds now) {
   thrust_.refused = watchdog_.refused();
   Publish(topics::kSimThrust, thrust_);
   if (faults_.Has("leak")) Publish(topics::kLeak, faults_.Active("leak") != nullptr);
+  if (faults_.Has("link_lost") && faults_.Active("link_lost") == nullptr) {
+    Publish(topics::kShoreBeat, now.value());
+  }
   TellBattery();
 }
 

@@ -45,6 +45,9 @@ INSTANTIATE_TEST_SUITE_P(
         FlownCase{"battery low", SafetyPhase::kSurvey, SafetyAction::kReturn, "aborted"},
         FlownCase{"disk failing", SafetyPhase::kSurvey, SafetyAction::kReturn, "aborted"},
         FlownCase{"helm hangs", SafetyPhase::kReturn, SafetyAction::kSurface, "aborted"},
+        FlownCase{"false boxes", SafetyPhase::kSurvey, SafetyAction::kWarn, "timeout"},
+        FlownCase{"link lost", SafetyPhase::kDive, SafetyAction::kReturn, "aborted"},
+        FlownCase{"clock stepped", SafetyPhase::kReturn, SafetyAction::kWarn, "timeout"},
         FlownCase{"camera silent", SafetyPhase::kSurvey, SafetyAction::kHold, "timeout"}));
 
 }  // namespace

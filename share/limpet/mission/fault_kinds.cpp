@@ -8,7 +8,7 @@ namespace limpet {
 namespace {
 
 // clang-format off
-constexpr std::array<FaultKind, 26> kFaultKinds{{
+constexpr std::array<FaultKind, 29> kFaultKinds{{
     {"dvl_silent", "The DVL says nothing", "uSimSensors"},
     {"dvl_stuck", "The DVL repeats its last sample", "uSimSensors"},
     {"dvl_flipped", "The DVL's velocity has the opposite sign ahead and aside", "uSimSensors"},
@@ -25,12 +25,15 @@ constexpr std::array<FaultKind, 26> kFaultKinds{{
     {"gps_silent", "The GPS receiver says nothing", "uSimSensors"},
     {"gps_jump", "GPS fixes lie elsewhere", "uSimSensors", "so far north [m]", 50.0, -10000.0, 10000.0},
     {"camera_silent", "The camera makes no frames", "uSimCamera"},
+    {"false_boxes", "The boxes camera adds false detections to each frame; one of rendered pictures makes none, and warns of it", "uSimCamera", "so many a frame", 100.0, 1.0, 10000.0},
     {"thrusters_weak", "Every thruster makes a share of its thrust", "uSimVehicle", "that share", 0.1, 0.0, 1.0},
     {"leak", "LEAK is true; it is false else", "uSimVehicle"},
     {"battery", "BATTERY says this charge; a vehicle without a battery says that it is full else", "uSimVehicle", "share of a full one", 0.2, 0.0, 1.0},
     {"gauge_stuck", "The battery's gauge repeats the charge that it said last", "uSimVehicle"},
     {"cells_lost", "Some cells of the battery are shorted; the gauge does not know", "uSimVehicle", "share of its voltage and energy that is gone", 0.15, 0.0, 0.95},
     {"battery_load", "Something more draws on the battery", "uSimVehicle", "so much [W]", 300.0, 0.0, 10000.0},
+    {"link_lost", "SHORE_BEAT stops; it comes each second else, from here", "uSimVehicle"},
+    {"clock_stepped", "The wall clock is set, and set back when this is over: WALL_CLOCK says so; embedded alone", "session", "so far ahead [s]", 3600.0, -1e9, 1e9},
     {"app_hangs", "An app does nothing: no tick, no mail; embedded alone", "session"},
     {"disk_full", "The disk takes half of a piece, then says that it is full; embedded alone", "session"},
     {"disk_failing", "The disk takes and syncs nothing, with an error of input and output; embedded alone", "session"},

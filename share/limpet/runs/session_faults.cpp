@@ -2,16 +2,18 @@
 #include "limpet/runs/session_faults.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "limpet/mission/scenario.hpp"
 #include "limpet/runs/session_runner.hpp"
+#include "limpet/topics/wall_clock.hpp"
 
 namespace limpet {
 namespace {
 
-constexpr std::string_view kAppHangs = "app_hangs";
+constexpr std::string_view kAppHangs = "app_hangs", kClockStepped = "clock_stepped";
 
 bool IsMadeHere(const ScenarioFault& fault) {
   const FaultKind* kind = FindFaultKind(fault.what);
@@ -44,17 +46,36 @@ SessionFaults::SessionFaults(const MissionFile& mission, const std::filesystem::
 
 void SessionFaults::Apply(EmbeddedCommunity& community) {
   schedule_.Update(community.now());
+  if (schedule_.Has(kClockStepped) && !std::exchange(is_clock_told_, true)) TellClock(community);
   for (std::size_t i = 0; i < is_active_.size(); ++i) {
     if (schedule_.IsActive(i) == is_active_[i]) {
       continue;
     }
     is_active_[i] = schedule_.IsActive(i);
-    if (const ScenarioFault& fault = schedule_.faults()[i]; fault.what == kAppHangs) {
-      community.Stall(fault.app, is_active_[i]);
-    } else {
-      community.FailDisk(DiskFault());
-    }
+    Switch(i, community);
   }
+}
+
+void SessionFaults::Switch(std::size_t index, EmbeddedCommunity& community) {
+  const ScenarioFault& fault = schedule_.faults()[index];
+  if (fault.what == kAppHangs) {
+    community.Stall(fault.app, is_active_[index]);
+  } else if (fault.what == kClockStepped) {
+    ++clock_steps_;
+    TellClock(community);
+  } else {
+    community.FailDisk(DiskFault());
+  }
+}
+
+void SessionFaults::TellClock(EmbeddedCommunity& community) const {
+  const ScenarioFault* step = schedule_.Active(kClockStepped);
+  const double ahead = step != nullptr ? step->size : 0.0;
+  const double vehicle = community.now().value();
+  community.Poke(
+      topics::kWallClock.name,
+      TopicCodec<WallClock>::Encode(
+          {.vehicle = vehicle, .wall = vehicle + ahead, .ahead = ahead, .steps = clock_steps_}));
 }
 
 FailingFileSystem::Fault SessionFaults::DiskFault() const {

@@ -11,7 +11,7 @@
 
 namespace limpet {
 
-/// The faults of a scenario that no app of it makes: apps that hang, and the disk.
+/// The faults of a scenario that no app of it makes: apps that hang, the wall clock, and the disk.
 class SessionFaults {
  public:
   /// Of the scenario that the mission's vehicle is simulated by; none without one. Throws
@@ -24,11 +24,17 @@ class SessionFaults {
   void Apply(EmbeddedCommunity& community);
 
  private:
+  /// The fault of that number has begun or is over.
+  void Switch(std::size_t index, EmbeddedCommunity& community);
+  /// WALL_CLOCK as it is now, that stands for LimpetDB's.
+  void TellClock(EmbeddedCommunity& community) const;
   /// Of several the one that lets least through.
   [[nodiscard]] FailingFileSystem::Fault DiskFault() const;
 
   FaultSchedule schedule_;
   std::vector<bool> is_active_;  ///< as applied
+  bool is_clock_told_ = false;
+  int clock_steps_ = 0;
 };
 
 }  // namespace limpet

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -21,8 +22,10 @@ using Id = SafetyRuleId;
 constexpr double kFaultAfter_s = 3.0;  ///< the phase began
 constexpr double kUp_m = 0.5;          ///< a vehicle that is shallower has come up
 
+constexpr SafetyPhase kFromDive = SafetyPhase::kDive, kToTheEnd = SafetyPhase::kAscend;
+
 // clang-format off
-constexpr std::array<SafetyCase, 23> kCases{{
+constexpr std::array<SafetyCase, 26> kCases{{
     {"leak", "what: leak", Id::kLeak, Seconds(3.0)},
     {"battery low", "what: battery", Id::kBatteryLow, Seconds(12.0)},
     {"battery critical", "what: battery, size: 0.05", Id::kBatteryCritical, Seconds(12.0)},
@@ -33,19 +36,22 @@ constexpr std::array<SafetyCase, 23> kCases{{
     {"DVL flipped", "what: dvl_flipped", Id::kDvlSilent, Seconds(50.0)},
     {"DVL stuck", "what: dvl_stuck", Id::kDvlStuck, Seconds(6.0)},
     {"altitude stuck", "what: altitude_stuck", Id::kAltitudeStuck, Seconds(6.0)},
-    {"altitude off", "what: altitude_biased", Id::kDepthAgainstAltitude, Seconds(6.0), false},
+    {"altitude off", "what: altitude_biased", Id::kDepthAgainstAltitude, Seconds(6.0), kFromDive},
     {"depth silent", "what: depth_silent", Id::kDepthSilent, Seconds(16.0)},
     {"depth stuck", "what: depth_stuck", Id::kDepthStuck, Seconds(11.0)},
     {"IMU stuck", "what: imu_stuck", Id::kImuStuck, Seconds(4.0)},
     {"IMU silent", "what: imu_silent", Id::kNavigationSilent, Seconds(27.0)},
     {"GPS jump", "what: gps_jump", Id::kGpsJump, Seconds(15.0)},
     {"thrusters dead", "what: thrusters_weak, size: 0", Id::kNoProgress, Seconds(60.0)},
-    {"camera silent", "what: camera_silent", Id::kDetectorSilent, Seconds(21.0), false},
+    {"camera silent", "what: camera_silent", Id::kDetectorSilent, Seconds(21.0), kFromDive},
     {"helm hangs", "what: app_hangs, app: pHelm", Id::kHelmSilent, Seconds(16.0)},
     {"pilot hangs", "what: app_hangs, app: pPilot", Id::kPilotSilent, Seconds(16.0)},
     {"navigation hangs", "what: app_hangs, app: pNav", Id::kNavigationSilent, Seconds(21.0)},
     {"disk full", "what: disk_full", Id::kDiskFull, Seconds(11.0)},
     {"disk failing", "what: disk_failing", Id::kLogFailed, Seconds(33.0)},
+    {"false boxes", "what: false_boxes", Id::kDetectorStorm, Seconds(8.0), kFromDive},
+    {"link lost", "what: link_lost", Id::kLinkLost, Seconds(21.0), SafetyPhase::kAlign, kToTheEnd, "pSafety.link_lost_s=20"},
+    {"clock stepped", "what: clock_stepped", Id::kClockStepped, Seconds(1.0)},
 }};
 // clang-format on
 
@@ -157,6 +163,14 @@ std::filesystem::path FaultyScenario(const TrialPlaces& places, const SafetyCase
   return std::filesystem::absolute(file);
 }
 
+/// Words of `settings`, one after the other.
+void ApplySettings(MissionFile& mission, std::string_view settings) {
+  std::istringstream words{std::string(settings)};
+  for (std::string setting; words >> setting;) {
+    ApplySetting(mission, setting);
+  }
+}
+
 }  // namespace
 
 std::span<const SafetyCase> SafetyCases() { return kCases; }
@@ -185,6 +199,7 @@ SafetyTrialResult FlySafetyTrial(const MissionFile& mission, const TrialPlaces& 
   for (const char* app : {"uSimVehicle", "uSimSensors", "uSimCamera"}) {
     ApplySetting(faulty, fmt::format("{}.scenario={}", app, scenario));
   }
+  ApplySettings(faulty, tested.settings);
   SessionPlan plan;
   plan.session = "discovery";
   plan.mission_folder = places.mission_folder;

@@ -22,12 +22,13 @@ struct SafetyCase {
   std::string_view fault;  ///< as a scenario says it, without `when`: `what: dvl_stuck`
   SafetyRuleId rule = SafetyRuleId::kLeak;
   Seconds answer;
-  /// False where what begins before the dive cannot be told from what has always been so.
-  bool shows_from_align = true;
+  /// The first and the last phase that it may begin in to be told from what has always been so.
+  SafetyPhase from = SafetyPhase::kAlign, to = SafetyPhase::kAscend;
+  /// What the trial tightens to see the answer within minutes: `pSafety.link_lost_s=20`; of
+  /// several, blanks between them.
+  std::string_view settings{};
 
-  [[nodiscard]] bool ShowsFrom(SafetyPhase phase) const {
-    return shows_from_align || phase != SafetyPhase::kAlign;
-  }
+  [[nodiscard]] bool ShowsFrom(SafetyPhase phase) const { return phase >= from && phase <= to; }
 };
 [[nodiscard]] std::span<const SafetyCase> SafetyCases();
 

@@ -86,7 +86,7 @@ inline const auto kBattery =
                            .writers = {"uSimVehicle", "a driver of the vehicle's"}});
 inline const auto kShoreBeat =
     Declare<double>("SHORE_BEAT", "any number, again and again: the link to the shore is up",
-                    {.rate = "1 Hz", .writers = {"another community, over pShare"}});
+                    {.rate = "1 Hz", .writers = {"another community, over pShare", "uSimVehicle"}});
 inline const auto kLogState = Declare<LogState>(
     "LOG_STATE", "whether the log is written, and how many messages are missing in it",
     {.rate = "on change; in a community at the start, too", .writers = {"pLog"}});

@@ -20,7 +20,8 @@ struct WallClock {
 
 namespace topics {
 inline const auto kWallClock = Declare<WallClock>(
-    "WALL_CLOCK", "the wall clock beside vehicle time, which does not step with it; not embedded",
+    "WALL_CLOCK",
+    "the wall clock beside vehicle time, which does not step with it; embedded only as a fault",
     {.unit = "s", .rate = "every minute and on a step", .writers = {"LimpetDB"}});
 }  // namespace topics
 

@@ -90,9 +90,11 @@ class BoxModel {
   /// Probability that a sphere with this image is found.
   [[nodiscard]] double DetectionProbability(const SphereImage& image) const;
 
+  /// A box where nothing is, of an object's colour, anywhere in the image.
+  [[nodiscard]] Box DrawFalse(Random& random) const;
+
  private:
   [[nodiscard]] Box Draw(const SphereImage& image, const std::string& color, Random& random) const;
-  [[nodiscard]] Box DrawFalse(Random& random) const;
 
   Settings settings_;
 };

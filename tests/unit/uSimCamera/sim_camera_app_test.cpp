@@ -303,5 +303,55 @@ TEST_F(SimCamera, TellsHowTheGroundStandsOutOnlyWhereNobodyElseCan) {
   EXPECT_EQ(CountOf("GROUND_CONTRAST"), 0) << "pDetect measures it";
 }
 
+TEST_F(SimCamera, AStormOfFalseBoxesComesAndGoesAndLeavesTheOtherBoxesAsTheyAre) {
+  const auto boxes = [this](const std::string& lines) {
+    WriteWith(lines);
+    link_.published.clear();
+    link_.time = Seconds(0.0);
+    SimCameraApp app = Make("discovery");
+    Fly(app, 3.0, 3.5);
+    std::vector<std::vector<Box>> frames;
+    for (const MessagePtr& message : link_.published) {
+      if (message->name != topics::kDetections.name) continue;
+      frames.push_back(TopicCodec<Detections>::Decode(message->value)->boxes);
+    }
+    return frames;
+  };
+  const auto calm = boxes("");
+  const auto stormy = boxes("faults: [{what: false_boxes, size: 40, at_s: 1, for_s: 1}]\n");
+  ASSERT_EQ(stormy.size(), calm.size());
+  std::size_t stormy_frames = 0;
+  for (std::size_t i = 0; i < calm.size(); ++i) {
+    if (stormy[i].size() == calm[i].size()) continue;
+    ++stormy_frames;
+    EXPECT_EQ(stormy[i].size(), calm[i].size() + 40);
+    EXPECT_TRUE(std::ranges::is_sorted(stormy[i], std::ranges::greater(), &Box::confidence));
+    for (const Box& box : calm[i]) {
+      EXPECT_EQ(std::ranges::count(stormy[i], box.u, &Box::u), 1);
+    }
+  }
+  EXPECT_EQ(stormy_frames, 4U);
+  const auto again = boxes("faults: [{what: false_boxes, size: 40, at_s: 1, for_s: 1}]\n");
+  for (std::size_t i = 0; i < stormy.size(); ++i) {
+    EXPECT_TRUE(std::ranges::equal(stormy[i], again[i], {}, &Box::u, &Box::u)) << "frame " << i;
+  }
+}
+
+TEST_F(SimCamera, ARenderingCameraSaysThatItMakesNoFalseBoxes) {
+  const auto warnings = [this](const std::string& lines) {
+    link_.published.clear();
+    std::ofstream(folder_.path() / "scenario.yaml", std::ios::app) << lines;
+    SimCameraApp app = Make("discovery");
+    app.Iterate(link_.time);
+    std::string text;
+    for (const MessagePtr& message : link_.published) {
+      if (message->name == "USIMCAMERA_WARNINGS") text = std::get<std::string>(message->value);
+    }
+    return text;
+  };
+  EXPECT_EQ(warnings("").find("NO_FALSE_BOXES"), std::string::npos);
+  EXPECT_NE(warnings("faults: [{what: false_boxes}]\n").find("NO_FALSE_BOXES"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace limpet

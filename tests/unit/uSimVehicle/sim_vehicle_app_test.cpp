@@ -81,6 +81,13 @@ class SimVehicle {
     }
     return events;
   }
+  [[nodiscard]] std::vector<double> TimesOfBeats() const {
+    std::vector<double> times;
+    for (const MessagePtr& message : link_.published) {
+      if (message->name == topics::kShoreBeat.name) times.push_back(message->time.value());
+    }
+    return times;
+  }
   [[nodiscard]] std::size_t CountOfTruths() const {
     return static_cast<std::size_t>(std::ranges::count_if(
         link_.published, [](const auto& m) { return m->name == topics::kSimTruth.name; }));
@@ -309,6 +316,32 @@ TEST(SimVehicleRestart, StartsAnewWhenNobodyKnowsItsPlace) {
   }
   ASSERT_TRUE(link.Last(topics::kSimTruth).has_value());
   EXPECT_NEAR(link.Last(topics::kSimTruth)->north, -12.5, 0.01);
+}
+
+TEST(SimVehicleApp, TheLinkToTheShoreIsLostAndComesBack) {
+  Scenario scenario = Table();
+  scenario.faults = {
+      {.what = "link_lost", .when = "", .at = Seconds(5.0), .lasts = Seconds(10.0), .app = ""}};
+  SimVehicle vehicle(scenario);
+  const double start = vehicle.now().value();
+  vehicle.Run({}, 20.0);
+  const std::vector<double> beats = vehicle.TimesOfBeats();
+  ASSERT_GE(beats.size(), 8U);
+  double longest = 0.0;
+  for (std::size_t i = 1; i < beats.size(); ++i) {
+    const double gap = beats[i] - beats[i - 1];
+    if (gap > 1.05) {
+      EXPECT_NEAR(beats[i - 1] - start, 5.0, 1.05);
+    }
+    longest = std::max(longest, gap);
+  }
+  EXPECT_NEAR(longest, 11.0, 1.0);
+}
+
+TEST(SimVehicleApp, WithoutSuchAFaultNoShoreIsMadeUp) {
+  SimVehicle vehicle(Table());
+  vehicle.Run({}, 5.0);
+  EXPECT_TRUE(vehicle.TimesOfBeats().empty());
 }
 
 }  // namespace
