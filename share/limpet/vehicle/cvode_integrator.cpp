@@ -31,6 +31,8 @@ struct CvodeDeleter {
 template <class Handle, class Deleter>
 using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Deleter>;
 
+constexpr double kNewCurrent = 0.01;  ///< so much another current is another motion [m/s]
+
 SUNContext MakeContext() {
   SUNContext context = nullptr;
   if (SUNContext_Create(nullptr, &context) != 0) throw std::bad_alloc();
@@ -74,6 +76,7 @@ class CvodeIntegrator::Solver {
   EventMonitor monitor_;
   ThrusterVector wanted_thrust_ = ThrusterVector::Zero();
   bool with_seabed_ = true;
+  Eigen::Vector3d current_W_ = Eigen::Vector3d::Zero();  ///< at the last restart [m/s]
   Owned<SUNContext, ContextDeleter> context_;
   Owned<N_Vector, VectorDeleter> y_;
   Owned<SUNNonlinearSolver, NonlinearSolverDeleter> iteration_;
@@ -121,6 +124,7 @@ int CvodeIntegrator::Solver::Roots(realtype, N_Vector y, realtype* guards, void*
 
 void CvodeIntegrator::Solver::Restart() {
   Check(CVodeReInit(cvode_.get(), time, y_.get()), "a restart");
+  current_W_ = model_->current_W();
 }
 
 void CvodeIntegrator::Solver::CrossGuards(std::vector<TimedEvent>& events) {
@@ -151,7 +155,10 @@ void CvodeIntegrator::Solver::Advance(const ThrusterVector& wanted_thrust, doubl
                                       std::vector<TimedEvent>& events) {
   const double until = time + duration;
   const bool with_seabed = model_->IsNearSeabed(x, duration);
-  if (wanted_thrust != wanted_thrust_ || with_seabed != with_seabed_ || time == 0.0) {
+  // A vehicle adrift is integrated seconds ahead: with the current that was.
+  const bool is_carried_elsewhere = (model_->current_W() - current_W_).norm() > kNewCurrent;
+  if (wanted_thrust != wanted_thrust_ || with_seabed != with_seabed_ || time == 0.0 ||
+      is_carried_elsewhere) {
     wanted_thrust_ = wanted_thrust;
     with_seabed_ = with_seabed;
     Restart();

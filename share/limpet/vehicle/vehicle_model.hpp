@@ -46,6 +46,7 @@ class VehicleModel {
 
   /// North, east, down [m/s]. The velocity through the water stays: that over ground steps.
   void SetCurrent(const Eigen::Vector3d& current_W) { current_W_ = current_W; }
+  [[nodiscard]] const Eigen::Vector3d& current_W() const { return current_W_; }
 
   /// Time derivative. `with_seabed` false leaves out contact, for when IsNearSeabed says so.
   [[nodiscard]] StateVector Derivative(const StateVector& x, const ThrusterVector& wanted_thrust,

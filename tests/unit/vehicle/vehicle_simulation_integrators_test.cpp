@@ -50,6 +50,22 @@ std::vector<TimedEvent> EventsOfADive(IntegratorKind kind) {
   return events;
 }
 
+/// Adrift for 20 s while the current grows by 0.1 m/s each second; how far north it has come.
+double DriftInAGrowingCurrent(IntegratorKind kind) {
+  VehicleSimulation simulation = Simulation(kind);
+  for (int i = 0; i < 1000; ++i) {
+    simulation.SetCurrent({0.1 * 0.02 * i, 0.0, 0.0});
+    (void)simulation.Advance(ThrusterVector::Zero(), Seconds(0.02));
+  }
+  return simulation.state()(0);
+}
+
+TEST(Integrators, NoticeThatTheCurrentGrowsWhileNothingElseChanges) {
+  const double rk4 = DriftInAGrowingCurrent(IntegratorKind::kRk4);
+  EXPECT_NEAR(rk4, 20.0, 0.5);
+  EXPECT_NEAR(DriftInAGrowingCurrent(IntegratorKind::kCvode), rk4, 0.2);
+}
+
 TEST(Integrators, AgreeWithinAMillimetreAfterTenMinutes) {
   VehicleSimulation cvode = Simulation(IntegratorKind::kCvode);
   VehicleSimulation rk4 = Simulation(IntegratorKind::kRk4);
