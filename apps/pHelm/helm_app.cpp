@@ -2,6 +2,7 @@
 #include "apps/pHelm/helm_app.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 #include <utility>
 
@@ -237,12 +238,17 @@ void HelmApp::Tick(Seconds now) {
 
 void HelmApp::DecideView(Seconds now) {
   const std::vector<WeightedBehavior> bidders = Bidders();
+  const auto begin = std::chrono::steady_clock::now();
   const std::optional<ViewDecision> decision = planner_.DecideIfDue(bidders, *nav_, now);
   std::vector<BehaviorFailure> failures = planner_.TakeFailures();
   if (!decision) {
     if (planner_.path().segments().empty()) view_failures_.clear();  // nobody wants a view
     std::ranges::move(failures, std::back_inserter(call_failures_));
     return;
+  }
+  if (context().runs_live) {  // embedded, equal runs say the same
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    Publish(topics::kPlanTime, took.count());
   }
   view_failures_ = std::move(failures);
   Publish(topics::kHelmBids, decision->bids);

@@ -53,6 +53,8 @@ void SafetyApp::SubscribeToProcesses() {
   SubscribeIfWritten(topics::kHelmAllStop, &SafetyApp::OnAllStop);
   SubscribeIfWritten(topics::kBehaviorError, &SafetyApp::OnBehaviorError);
   SubscribeIfWritten(topics::kLaunchStatus, &SafetyApp::OnProcesses);
+  SubscribeIfWritten(topics::kLaunchMemory, &SafetyApp::OnMemory);
+  SubscribeIfWritten(topics::kPlanTime, &SafetyApp::OnPlanTime);
 }
 
 void SafetyApp::SubscribeToVehicle() {

@@ -50,6 +50,8 @@ class SafetyApp final : public App {
   void OnWallClock(const Stamped<WallClock>& clock) {
     signs_.HearClockSteps(clock.value.steps, now());
   }
+  void OnPlanTime(const Stamped<double>& seconds) { signs_.HearPlanTime(seconds.value); }
+  void OnMemory(const Stamped<double>& mib) { signs_.HearMemory(mib.value); }
   void OnLog(const Stamped<LogState>& log) { signs_.HearLog(log.value.is_written, now()); }
   void OnLeak(const Stamped<bool>& leak) { signs_.HearLeak(leak.value); }
   void OnBattery(const Stamped<BatteryState>& battery) { signs_.HearCharge(battery.value.charge); }

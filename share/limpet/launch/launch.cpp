@@ -21,6 +21,7 @@
 #include "limpet/launch/surfacing.hpp"
 #include "limpet/mission/outside.hpp"
 #include "limpet/topics/mission.hpp"
+#include "limpet/topics/safety.hpp"
 
 namespace limpet {
 namespace {
@@ -232,6 +233,9 @@ class Launch {
     std::string status = supervisor_.Status() + StatusOfMissing(plan_.missing);
     if (status != told_status_ || now - told_at_ >= kStatusPeriod) {
       watch.client().Publish("PLAUNCH_STATUS", status);
+      if (const auto mib = supervisor_.ResidentMib()) {
+        watch.client().Publish(topics::kLaunchMemory.name, *mib);
+      }
       told_status_ = std::move(status);
       told_at_ = now;
     }

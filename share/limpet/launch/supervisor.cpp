@@ -18,6 +18,7 @@
 #include <unistd.h>
 
 #include "limpet/core/clock.hpp"
+#include "limpet/launch/process_memory.hpp"
 
 namespace limpet {
 namespace {
@@ -242,6 +243,16 @@ std::string Supervisor::Status() const {
                         report.last_end, report.is_database);
   }
   return text;
+}
+
+std::optional<double> Supervisor::ResidentMib() const {
+  std::optional<double> sum;
+  for (const Child& child : children_) {
+    const std::optional<double> resident =
+        child.pid > 0 ? limpet::ResidentMib(child.pid) : std::nullopt;
+    if (resident) sum = sum.value_or(0.0) + *resident;
+  }
+  return sum;
 }
 
 void Supervisor::EndThose(const std::function<bool(const Child&)>& which, Seconds patience) {

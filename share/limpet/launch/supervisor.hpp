@@ -58,6 +58,8 @@ class Supervisor {
   };
   /// The same, one by one in order of start.
   [[nodiscard]] std::vector<Report> Reports() const;
+  /// Of all processes that run [MiB]; nothing where the system does not say.
+  [[nodiscard]] std::optional<double> ResidentMib() const;
   /// True if a process was given up.
   [[nodiscard]] bool has_given_up() const { return has_given_up_; }
   /// Name of a process given up without which the mission cannot go on.

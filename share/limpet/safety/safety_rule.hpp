@@ -61,9 +61,11 @@ enum class SafetyRuleId : std::size_t {
   kDiskLow,
   kDiskFull,
   kLogFailed,
-  kLinkLost
+  kLinkLost,
+  kPlannerSlow,
+  kMemoryHigh
 };
-inline constexpr std::size_t kSafetyRules = 37;
+inline constexpr std::size_t kSafetyRules = 39;
 
 /// One row. What it watches is a number that must not go beyond a limit.
 struct SafetyRule {

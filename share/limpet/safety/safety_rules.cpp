@@ -150,6 +150,14 @@ constexpr std::array<SafetyRule, kSafetyRules> kTable{{
     {.id = Id::kLinkLost, .name = "link_lost", .meaning = "Time without SHORE_BEAT, once there was one.",
      .limit = {"link_lost_s", "s", 600.0, 1.0, 1e6}, .hold = Seconds(0.0), .clears_after = Seconds(10.0),
      .actions = {kWarn, kReturn, kReturn, kReturn, kWarn, kWarn}},
+    {.id = Id::kPlannerSlow, .name = "planner_slow",
+     .meaning = "Real time that the helm's last decision on where next took (HELM_PLAN_TIME); embedded only as a fault.",
+     .limit = {"planner_slow_s", "s", 1.0, 0.01, 3600.0}, .hold = Seconds(0.0), .clears_after = Seconds(30.0),
+     .actions = kWarnAlways},
+    {.id = Id::kMemoryHigh, .name = "memory_high",
+     .meaning = "Resident memory of all processes (PLAUNCH_MEMORY); embedded only as a fault.",
+     .limit = {"memory_limit_mib", "MiB", 4096.0, 1.0, 1e7}, .hold = Seconds(15.0), .hysteresis = 100.0,
+     .clears_after = Seconds(60.0), .actions = kHomeBeforeIt},
 }};
 // clang-format on
 

@@ -229,6 +229,8 @@ void SafetySigns::MeasureVehicle(SafetyMeasures& measures, Seconds now) const {
   MeasureOf(measures, SafetyId::kThrustersSaturated) = SinceOrZero(saturated_since_, now);
   MeasureOf(measures, SafetyId::kDiskLow) = room_mib_;
   MeasureOf(measures, SafetyId::kDiskFull) = room_mib_;
+  MeasureOf(measures, SafetyId::kPlannerSlow) = plan_s_;
+  MeasureOf(measures, SafetyId::kMemoryHigh) = memory_mib_;
   if (has_log_) MeasureOf(measures, SafetyId::kLogFailed) = SinceOrZero(log_failed_since_, now);
   if (shore_heard_) MeasureOf(measures, SafetyId::kLinkLost) = (now - *shore_heard_).value();
 }

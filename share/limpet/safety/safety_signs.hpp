@@ -48,6 +48,8 @@ class SafetySigns {
   void HearCharge(double share) { charge_ = share; }
   void Hear(const EnergyState& energy) { energy_ = energy; }
   void HearShore(Seconds now) { shore_heard_ = now; }
+  void HearPlanTime(double seconds) { plan_s_ = seconds; }
+  void HearMemory(double mib) { memory_mib_ = mib; }
   void HearRoom(double mib) { room_mib_ = mib; }
   /// LOG_STATE.
   void HearLog(bool is_written, Seconds now);
@@ -92,7 +94,7 @@ class SafetySigns {
   double boxes_ = 0.0;  ///< mean of the last frames
   std::optional<int> clock_steps_;
   std::optional<bool> leaks_;
-  std::optional<double> charge_, room_mib_;
+  std::optional<double> charge_, room_mib_, plan_s_, memory_mib_;
   bool has_log_ = false;  ///< of which something is known
   std::optional<Seconds> log_failed_since_;
   std::optional<EnergyState> energy_;

@@ -93,6 +93,14 @@ inline const auto kLogState = Declare<LogState>(
 inline const auto kLaunchStatus = Declare<std::string>(
     "PLAUNCH_STATUS", "what became of each process: `app=pNav,state=running,restarts=1,... # ...`",
     {.rate = "on change, and every 5 s", .writers = {"pLaunch"}});
+inline const auto kLaunchMemory =
+    Declare<double>("PLAUNCH_MEMORY",
+                    "resident memory of all processes that pLaunch runs; embedded only as a fault",
+                    {.unit = "MiB", .rate = "every 5 s", .writers = {"pLaunch"}});
+inline const auto kPlanTime = Declare<double>(
+    "HELM_PLAN_TIME",
+    "how long the last decision on where next took, in real time; embedded only as a fault",
+    {.unit = "s", .rate = "each decision", .writers = {"pHelm"}});
 }  // namespace topics
 
 }  // namespace limpet

@@ -86,6 +86,8 @@ TEST(LaunchEnd, LeavesZeroThrustAsTheLastWord) {
   LiveMission mission;
   mission.Launch();
   ASSERT_TRUE(mission.AwaitDive()) << mission.Said();
+  ASSERT_TRUE(mission.Await([&mission] { return !mission.Latest("PLAUNCH_MEMORY").empty(); }));
+  EXPECT_GT(std::stod(mission.Latest("PLAUNCH_MEMORY")), 20.0) << "MiB of seven processes";
   ASSERT_EQ(::kill(mission.launcher(), SIGINT), 0);
   EXPECT_EQ(mission.AwaitEnd(), 0);
   EXPECT_EQ(mission.SourceOf("THRUSTER_COMMAND"), "pLaunch");

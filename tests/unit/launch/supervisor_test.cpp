@@ -96,6 +96,17 @@ TEST_F(SupervisorTest, SaysWhatBecameOfEachProcess) {
   }));
 }
 
+TEST_F(SupervisorTest, KnowsTheMemoryOfWhatRuns) {
+  EXPECT_FALSE(supervisor_.ResidentMib());
+  supervisor_.Start(Shell("pApp", "echo up; while :; do sleep 0.01; done"));
+  EXPECT_TRUE(PollUntil([this] { return !LogOf("pApp").empty(); }));
+  const double one = supervisor_.ResidentMib().value();
+  EXPECT_GT(one, 0.1);
+  supervisor_.Start(Shell("pOther", "echo up; while :; do sleep 0.01; done"));
+  EXPECT_TRUE(PollUntil([this] { return !LogOf("pOther").empty(); }));
+  EXPECT_NEAR(supervisor_.ResidentMib().value(), 2.0 * one, 0.5 * one);
+}
+
 TEST_F(SupervisorTest, EndsTheDatabaseLast) {
   LaunchItem database{.name = "LimpetDB", .program = "/bin/sh", .args = {}, .is_database = true};
   const std::string order = (folder_.path() / "order").string();

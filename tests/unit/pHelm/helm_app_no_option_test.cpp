@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A helm that is left without any way to go says so, and that it has found one.
+// What a helm says of its decisions: that it has no way to go left, and how long one took.
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -39,30 +39,56 @@ class BHV_TestForbid final : public Behavior {
 };
 LIMPET_REGISTER_BEHAVIOR(BHV_TestForbid);
 
-TEST(HelmWithoutOptions, WarnsUntilItFindsOne) {
-  const TemporaryFolder folder;
-  std::ofstream(folder.path() / "mission.bhv") << "Behavior = BHV_TestForbid\n{\n  name = no\n}\n";
-  TestLink link;
-  AppContext context;
-  context.name = "pHelm";
-  context.link = &link;
-  context.mission_folder = folder.path();
-  HelmApp app(context, HelmApp::Params{});
-  link.Send(app, topics::kSurveyArea,
-            SurveyArea{.north_min = -10, .north_max = 10, .east_min = -10, .east_max = 10});
-  link.Send(app, topics::kMapLook, ToMapLook(LookModel{}));
-  const auto stay_at = [&](double north) {
+/// A helm that decides where next over an area.
+class DecidingHelm {
+ public:
+  explicit DecidingHelm(bool runs_live) {
+    std::ofstream(folder_.path() / "mission.bhv")
+        << "Behavior = BHV_TestForbid\n{\n  name = no\n}\n";
+    AppContext context;
+    context.name = "pHelm";
+    context.link = &link_;
+    context.mission_folder = folder_.path();
+    context.runs_live = runs_live;
+    app_ = std::make_unique<HelmApp>(context, HelmApp::Params{});
+    link_.Send(*app_, topics::kSurveyArea,
+               SurveyArea{.north_min = -10, .north_max = 10, .east_min = -10, .east_max = 10});
+    link_.Send(*app_, topics::kMapLook, ToMapLook(LookModel{}));
+  }
+  void StayAt(double north) {
     for (int tick = 0; tick < 100; ++tick) {
-      link.time += Seconds(0.1);
-      link.Send(app, topics::kNavState,
-                NavState{.north = north, .east = 0.0, .down = 3.0, .u = 0.5, .altitude = 4.0});
-      app.Tick(link.time);
+      link_.time += Seconds(0.1);
+      link_.Send(*app_, topics::kNavState,
+                 NavState{.north = north, .east = 0.0, .down = 3.0, .u = 0.5, .altitude = 4.0});
+      app_->Tick(link_.time);
     }
-  };
-  stay_at(-5.0);
-  EXPECT_TRUE(app.warnings().contains("NO_OPTION"));
-  stay_at(5.0);
-  EXPECT_FALSE(app.warnings().contains("NO_OPTION"));
+  }
+  [[nodiscard]] bool Warns() const { return app_->warnings().contains("NO_OPTION"); }
+  [[nodiscard]] const TestLink& link() const { return link_; }
+
+ private:
+  TemporaryFolder folder_;
+  TestLink link_;
+  std::unique_ptr<HelmApp> app_;
+};
+
+TEST(HelmWithoutOptions, WarnsUntilItFindsOne) {
+  DecidingHelm helm(false);
+  helm.StayAt(-5.0);
+  EXPECT_TRUE(helm.Warns());
+  helm.StayAt(5.0);
+  EXPECT_FALSE(helm.Warns());
+}
+
+TEST(HelmThatDecides, SaysInACommunityHowLongThatTook) {
+  DecidingHelm live(true), embedded(false);
+  live.StayAt(5.0);
+  embedded.StayAt(5.0);
+  EXPECT_GT(live.link().Count(topics::kHelmBids), 0);
+  EXPECT_EQ(live.link().Count(topics::kPlanTime), live.link().Count(topics::kHelmBids));
+  EXPECT_GT(live.link().Last(topics::kPlanTime).value(), 0.0);
+  EXPECT_LT(live.link().Last(topics::kPlanTime).value(), 10.0);
+  EXPECT_EQ(embedded.link().Count(topics::kPlanTime), 0) << "equal runs say the same";
 }
 
 }  // namespace

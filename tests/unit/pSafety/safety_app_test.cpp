@@ -156,5 +156,28 @@ TEST_F(SafetyAppTest, ShowsAnOperatorEveryRule) {
   EXPECT_THAT(text, HasSubstr("depth_over_limit"));
 }
 
+TEST_F(SafetyAppTest, WarnsOfAPlannerThatTakesTooLongAndLetsGoOnceItIsQuick) {
+  link_.Send(app_, topics::kSurveyPhase, std::string("SURVEY"));
+  link_.Send(app_, topics::kPlanTime, 0.9);
+  Run(1.0);
+  EXPECT_EQ(Action(), "none");
+  link_.Send(app_, topics::kPlanTime, 1.5);
+  Run(1.0);
+  EXPECT_EQ(Action(), "warn");
+  EXPECT_TRUE(app_.warnings().contains("TRIPPED_planner_slow"));
+  link_.Send(app_, topics::kPlanTime, 0.1);
+  Run(32.0);
+  EXPECT_EQ(Action(), "none");
+}
+
+TEST_F(SafetyAppTest, GoesHomeBeforeMemoryIsUsedUp) {
+  link_.Send(app_, topics::kSurveyPhase, std::string("SURVEY"));
+  link_.Send(app_, topics::kLaunchMemory, 5000.0);
+  Run(14.0);
+  EXPECT_EQ(Action(), "none");
+  Run(2.0);
+  EXPECT_EQ(Action(), "return");
+}
+
 }  // namespace
 }  // namespace limpet

@@ -378,5 +378,14 @@ TEST_F(SafetySignsTest, PassOnWhatTheVehicleSaysOfItself) {
   EXPECT_DOUBLE_EQ(Measure(Id::kDiskFull).value(), 120.0);
 }
 
+TEST_F(SafetySignsTest, TakeThePlannersTimeAndTheMemoryAsTheyAreSaid) {
+  EXPECT_FALSE(Measure(Id::kPlannerSlow)) << "embedded, nobody says it";
+  EXPECT_FALSE(Measure(Id::kMemoryHigh));
+  signs_.HearPlanTime(0.3);
+  signs_.HearMemory(800.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kPlannerSlow).value(), 0.3);
+  EXPECT_DOUBLE_EQ(Measure(Id::kMemoryHigh).value(), 800.0);
+}
+
 }  // namespace
 }  // namespace limpet
