@@ -20,8 +20,9 @@ namespace {
 constexpr Seconds kLongestWait(2.0);
 /// In a community, a tick that comes later makes up for what the sensors have missed (MOOS time).
 constexpr Seconds kLongestStep(0.03);
-constexpr double kMostSteps = 50.0;    ///< after a long halt they are longer
-constexpr Seconds kThrustPeriod(1.0);  ///< of SIM_THRUST while nothing changes
+constexpr double kMostSteps = 50.0;     ///< after a long halt they are longer
+constexpr double kCurrentGrowth = 0.2;  ///< of a current that sets in [m/s^2]
+constexpr Seconds kThrustPeriod(1.0);   ///< of SIM_THRUST while nothing changes
 
 VehicleSimulation::Place StartOf(const Scenario& scenario) {
   return {.north = scenario.start.north_m,
@@ -207,13 +208,22 @@ void SimVehicleApp::TellBattery() {
   }
 }
 
+Eigen::Vector2d SimVehicleApp::CurrentAt(Seconds end, Seconds duration) {
+  const ScenarioFault* more = faults_.Active("current");
+  const double most = kCurrentGrowth * duration.value();
+  const double wanted = more != nullptr ? more->size : 0.0;
+  current_more_ += std::clamp(wanted - current_more_, -most, most);
+  return current_.At(end, simulation_.state()(state_index::kPosition + 2)) +
+         Eigen::Vector2d(current_more_, 0.0);
+}
+
 void SimVehicleApp::Move(Seconds duration, Seconds end) {
   const ThrusterVector thrust = ThrustAt(end);
   NoteZero(thrust_.greatest == 0.0, end);
   if (duration <= Seconds(0.0)) {
     return;
   }
-  const Eigen::Vector2d current = current_.At(end, simulation_.state()(state_index::kPosition + 2));
+  const Eigen::Vector2d current = CurrentAt(end, duration);
   simulation_.SetCurrent({current.x(), current.y(), 0.0});
   const double most = scenario_.errors.thrusters.saturates_at;
   ThrusterVector given = thrust.cwiseMax(-most).cwiseMin(most);

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include <Eigen/Core>
+
 #include "apps/uSimVehicle/simulated_battery.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/core/params.hpp"
@@ -48,6 +50,8 @@ class SimVehicleApp final : public App {
   [[nodiscard]] bool AwaitsFormerTruth(Seconds now);
   /// Moves on to `end`, `duration` after the last step.
   void Move(Seconds duration, Seconds end);
+  /// The water's current, and what a fault of the scenario adds.
+  [[nodiscard]] Eigen::Vector2d CurrentAt(Seconds end, Seconds duration);
   /// The command in force at `time`; keeps the account of it.
   [[nodiscard]] ThrusterVector ThrustAt(Seconds time);
   void NoteZero(bool is_zero, Seconds time);
@@ -67,6 +71,7 @@ class SimVehicleApp final : public App {
   bool has_battery_recalled_ = false;
   ThrusterWatchdog watchdog_;
   FaultSchedule faults_;
+  double current_more_ = 0.0;  ///< northwards [m/s]
   SimThrust thrust_;
   bool is_zero_ = true, is_stale_ = false;
   std::optional<Seconds> thrust_told_;

@@ -48,7 +48,35 @@ INSTANTIATE_TEST_SUITE_P(
         FlownCase{"false boxes", SafetyPhase::kSurvey, SafetyAction::kWarn, "timeout"},
         FlownCase{"link lost", SafetyPhase::kDive, SafetyAction::kReturn, "aborted"},
         FlownCase{"clock stepped", SafetyPhase::kReturn, SafetyAction::kWarn, "timeout"},
+        FlownCase{"app down", SafetyPhase::kSurvey, SafetyAction::kReturn, "aborted"},
+        FlownCase{"planner slow", SafetyPhase::kSurvey, SafetyAction::kWarn, "timeout"},
+        FlownCase{"memory high", SafetyPhase::kDive, SafetyAction::kReturn, "aborted"},
+        FlownCase{"disk low", SafetyPhase::kReturn, SafetyAction::kWarn, "timeout"},
+        FlownCase{"behavior fails", SafetyPhase::kDive, SafetyAction::kWarn, "aborted"},
+        FlownCase{"time over", SafetyPhase::kSurvey, SafetyAction::kSurface, "aborted"},
         FlownCase{"camera silent", SafetyPhase::kSurvey, SafetyAction::kHold, "timeout"}));
+
+TEST(FlownFaults, ARuleThatTripsBeforeTheFaultBeginsIsComplainedOf) {
+  const std::filesystem::path folder =
+      std::filesystem::path(LIMPET_SOURCE_DIR) / "missions" / "basin";
+  const TemporaryFolder scratch;
+  const SafetyCase hasty{.name = "hasty",
+                         .fault = "what: gps_silent",
+                         .rule = SafetyRuleId::kDepthOverLimit,
+                         .answer = Seconds(5.0),
+                         .settings = "pSafety.depth_limit_m=1"};
+  const SafetyTrialResult result = FlySafetyTrial(
+      ShortenedForTrials(LoadMission(folder / "mission.moos")),
+      {.mission_folder = folder, .scratch = scratch.path()}, hasty, SafetyPhase::kSurvey, 7);
+  EXPECT_EQ(result.complaint, "surface before the fault began");
+}
+
+TEST(SafetyCasesTest, ProvokeEveryRuleOfTheTable) {
+  for (const SafetyRule& rule : SafetyRules()) {
+    EXPECT_NE(std::ranges::find(SafetyCases(), rule.id, &SafetyCase::rule), SafetyCases().end())
+        << rule.name;
+  }
+}
 
 }  // namespace
 }  // namespace limpet

@@ -214,6 +214,9 @@ void EmbeddedCommunity::Poke(const std::string& name, Value value) {
 void EmbeddedCommunity::Stall(const std::string& app, bool hangs) { impl_->Stall(app, hangs); }
 void EmbeddedCommunity::StallDatabase(bool hangs) { impl_->StallDatabase(hangs); }
 void EmbeddedCommunity::FailDisk(FailingFileSystem::Fault fault) { impl_->disk_.Set(fault); }
+void EmbeddedCommunity::LimitDisk(std::optional<std::uint64_t> bytes) {
+  impl_->disk_.SetRoom(bytes);
+}
 void EmbeddedCommunity::Observe(std::function<void(const Message&)> observer) {
   impl_->observers_.push_back(std::move(observer));
 }

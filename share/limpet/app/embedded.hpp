@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,8 @@ class EmbeddedCommunity {
   void StallDatabase(bool hangs = true);
   /// From now on the disk that apps write to fails like this, or works again.
   void FailDisk(FailingFileSystem::Fault fault);
+  /// From now on that disk has so much room left [bytes], or enough again.
+  void LimitDisk(std::optional<std::uint64_t> bytes);
   /// Calls `observer` for every write, in order.
   void Observe(std::function<void(const Message&)> observer);
   /// Ends every app in launch order; the last call.

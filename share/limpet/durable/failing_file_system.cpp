@@ -87,11 +87,10 @@ std::error_code FailingFileSystem::SyncFolder(const std::filesystem::path& path)
 }
 
 std::optional<std::uint64_t> FailingFileSystem::Room(const std::filesystem::path&) const {
-  constexpr std::uint64_t kRoomMade = std::uint64_t{10} << 30U;
   if (!was_full_) {
     return std::nullopt;
   }
-  return fault_ == Fault::kFull ? 0 : kRoomMade;
+  return fault_ == Fault::kFull ? 0 : room_.load();
 }
 
 }  // namespace limpet

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
+#include <optional>
 
 #include "limpet/durable/file_system.hpp"
 
@@ -21,6 +23,11 @@ class FailingFileSystem final : public FileSystem {
       was_full_ = true;
     }
   }
+  /// From now on it has so much room left [bytes], or enough again.
+  void SetRoom(std::optional<std::uint64_t> bytes) {
+    if (bytes) was_full_ = true;
+    room_ = bytes.value_or(kRoomMade);
+  }
   [[nodiscard]] Fault fault() const { return fault_; }
   /// What one says who writes; nothing while it works.
   [[nodiscard]] std::error_code TroubleOfWriting() const;
@@ -33,14 +40,17 @@ class FailingFileSystem final : public FileSystem {
   [[nodiscard]] std::error_code Remove(const std::filesystem::path& path) override;
   [[nodiscard]] std::error_code CreateFolder(const std::filesystem::path& path) override;
   [[nodiscard]] std::error_code SyncFolder(const std::filesystem::path& path) override;
-  /// 0 while it is full, 10 GiB once room has been made; nothing before, so that a run does not
-  /// depend on the machine's disk.
+  /// 0 while it is full, what SetRoom says, 10 GiB once room has been made; nothing before, so that
+  /// a run does not depend on the machine's disk.
   [[nodiscard]] std::optional<std::uint64_t> Room(const std::filesystem::path& path) const override;
 
  private:
+  static constexpr std::uint64_t kRoomMade = std::uint64_t{10} << 30U;
+
   FileSystem& disk_;
   std::atomic<Fault> fault_{Fault::kNone};
   std::atomic<bool> was_full_{false};
+  std::atomic<std::uint64_t> room_{kRoomMade};
 };
 
 }  // namespace limpet

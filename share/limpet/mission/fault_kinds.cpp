@@ -8,7 +8,7 @@ namespace limpet {
 namespace {
 
 // clang-format off
-constexpr std::array<FaultKind, 29> kFaultKinds{{
+constexpr std::array<FaultKind, 34> kFaultKinds{{
     {"dvl_silent", "The DVL says nothing", "uSimSensors"},
     {"dvl_stuck", "The DVL repeats its last sample", "uSimSensors"},
     {"dvl_flipped", "The DVL's velocity has the opposite sign ahead and aside", "uSimSensors"},
@@ -27,6 +27,7 @@ constexpr std::array<FaultKind, 29> kFaultKinds{{
     {"camera_silent", "The camera makes no frames", "uSimCamera"},
     {"false_boxes", "The boxes camera adds false detections to each frame; one of rendered pictures makes none, and warns of it", "uSimCamera", "so many a frame", 100.0, 1.0, 10000.0},
     {"thrusters_weak", "Every thruster makes a share of its thrust", "uSimVehicle", "that share", 0.1, 0.0, 1.0},
+    {"current", "A current sets in northwards, on top of the water's, by 0.2 m/s each second", "uSimVehicle", "so fast [m/s]", 2.0, -10.0, 10.0},
     {"leak", "LEAK is true; it is false else", "uSimVehicle"},
     {"battery", "BATTERY says this charge; a vehicle without a battery says that it is full else", "uSimVehicle", "share of a full one", 0.2, 0.0, 1.0},
     {"gauge_stuck", "The battery's gauge repeats the charge that it said last", "uSimVehicle"},
@@ -34,7 +35,11 @@ constexpr std::array<FaultKind, 29> kFaultKinds{{
     {"battery_load", "Something more draws on the battery", "uSimVehicle", "so much [W]", 300.0, 0.0, 10000.0},
     {"link_lost", "SHORE_BEAT stops; it comes each second else, from here", "uSimVehicle"},
     {"clock_stepped", "The wall clock is set, and set back when this is over: WALL_CLOCK says so; embedded alone", "session", "so far ahead [s]", 3600.0, -1e9, 1e9},
-    {"app_hangs", "An app does nothing: no tick, no mail; embedded alone", "session"},
+    {.what = "app_hangs", .meaning = "An app does nothing: no tick, no mail; embedded alone", .made_by = "session", .is_about_app = true},
+    {.what = "app_down", .meaning = "An app has died and is not started again, says PLAUNCH_STATUS; embedded alone", .made_by = "session", .is_about_app = true},
+    {"slow_planner", "Each decision of the helm on where next holds it up, says HELM_PLAN_TIME; embedded alone", "session", "so long [s]", 3.0, 0.1, 600.0},
+    {"memory", "The processes take so much memory together, says PLAUNCH_MEMORY; embedded alone", "session", "so much [MiB]", 8000.0, 1.0, 1e7},
+    {"disk_low", "The disk has so much room left; embedded alone", "session", "so much [MiB]", 200.0, 0.0, 1e6},
     {"disk_full", "The disk takes half of a piece, then says that it is full; embedded alone", "session"},
     {"disk_failing", "The disk takes and syncs nothing, with an error of input and output; embedded alone", "session"},
     {"disk_read_only", "The disk takes and syncs nothing, as one that the system has made read-only; embedded alone", "session"},

@@ -19,6 +19,7 @@ struct FaultKind {
   /// What `size` says and its unit; empty: the fault has none.
   std::string_view size_meaning{};
   double size = 0.0, least = 0.0, most = 0.0;  ///< default and bounds of it
+  bool is_about_app = false;                   ///< and says which one
 };
 
 [[nodiscard]] std::span<const FaultKind> FaultKinds();
@@ -32,7 +33,7 @@ struct ScenarioFault {
   Seconds at;                    ///< from then
   std::optional<Seconds> lasts;  ///< absent: to the end
   double size = 0.0;
-  std::string app;  ///< of app_hangs: which one
+  std::string app;  ///< of a kind that is about one: which
 };
 
 }  // namespace limpet

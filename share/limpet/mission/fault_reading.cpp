@@ -45,11 +45,10 @@ void CheckFault(YamlReader& in, const YAML::Node& node, const std::string& path,
                 fmt::format("`{:g}` is not allowed; allowed for `{}`: {:g} to {:g}, {}", *size,
                             fault.what, kind.least, kind.most, kind.size_meaning));
   }
-  const bool is_about_app = kind.what == "app_hangs";
-  if (is_about_app == fault.app.empty()) {
+  if (kind.is_about_app == fault.app.empty()) {
     in.Complain(node, path + ".app",
-                is_about_app ? "is missing: which app hangs"
-                             : fmt::format("`{}` is about no app", fault.what));
+                kind.is_about_app ? "is missing: which app"
+                                  : fmt::format("`{}` is about no app", fault.what));
   }
   if (fault.when.empty()) return;
   const auto condition = Condition::Parse(fault.when);

@@ -2,18 +2,26 @@
 #include "limpet/runs/session_faults.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "limpet/mission/scenario.hpp"
 #include "limpet/runs/session_runner.hpp"
+#include "limpet/topics/mission.hpp"
+#include "limpet/topics/safety.hpp"
 #include "limpet/topics/wall_clock.hpp"
 
 namespace limpet {
 namespace {
 
-constexpr std::string_view kAppHangs = "app_hangs", kClockStepped = "clock_stepped";
+constexpr std::string_view kAppDown = "app_down", kClockStepped = "clock_stepped",
+                           kDiskLow = "disk_low", kMemory = "memory", kSlowPlanner = "slow_planner";
+constexpr const char* kHelm = "pHelm";
+constexpr double kBytesOfMib = 1024.0 * 1024.0;
 
 bool IsMadeHere(const ScenarioFault& fault) {
   const FaultKind* kind = FindFaultKind(fault.what);
@@ -33,7 +41,7 @@ SessionFaults::SessionFaults(const MissionFile& mission, const std::filesystem::
   std::erase_if(faults, [](const ScenarioFault& fault) { return !IsMadeHere(fault); });
   const std::vector<std::string> apps = EmbeddedApps(mission);
   for (const ScenarioFault& fault : faults) {
-    if (fault.what == kAppHangs && std::ranges::find(apps, fault.app) == apps.end()) {
+    if (!fault.app.empty() && std::ranges::find(apps, fault.app) == apps.end()) {
       throw ConfigError({{.file = file.string(), .line = 0},
                          "faults",
                          fmt::format("the mission launches no `{}`; nearest: `{}`", fault.app,
@@ -44,8 +52,28 @@ SessionFaults::SessionFaults(const MissionFile& mission, const std::filesystem::
   is_active_.resize(faults.size(), false);
 }
 
+void SessionFaults::Hear(const Message& message) {
+  schedule_.Hear(message.name, message.value);
+  if (message.name == topics::kHelmBids.name) decided_ = message.time;
+}
+
+void SessionFaults::SlowPlanner(EmbeddedCommunity& community) {
+  const ScenarioFault* slow = schedule_.Active(kSlowPlanner);
+  const bool has_decided = std::exchange(decided_, std::nullopt).has_value();
+  if (slow != nullptr && has_decided && !plans_until_) {
+    plan_s_ = slow->size;
+    plans_until_ = community.now() + Seconds(plan_s_);
+    community.Stall(kHelm);
+  } else if (plans_until_ && community.now() >= *plans_until_) {
+    plans_until_.reset();
+    community.Stall(kHelm, false);
+    community.Poke(topics::kPlanTime.name, plan_s_);
+  }
+}
+
 void SessionFaults::Apply(EmbeddedCommunity& community) {
   schedule_.Update(community.now());
+  if (schedule_.Has(kSlowPlanner)) SlowPlanner(community);
   if (schedule_.Has(kClockStepped) && !std::exchange(is_clock_told_, true)) TellClock(community);
   for (std::size_t i = 0; i < is_active_.size(); ++i) {
     if (schedule_.IsActive(i) == is_active_[i]) {
@@ -58,14 +86,32 @@ void SessionFaults::Apply(EmbeddedCommunity& community) {
 
 void SessionFaults::Switch(std::size_t index, EmbeddedCommunity& community) {
   const ScenarioFault& fault = schedule_.faults()[index];
-  if (fault.what == kAppHangs) {
+  if (!fault.app.empty()) {
     community.Stall(fault.app, is_active_[index]);
+    if (fault.what == kAppDown) TellApps(community);
+  } else if (fault.what == kMemory) {
+    community.Poke(topics::kLaunchMemory.name, is_active_[index] ? fault.size : 0.0);
+  } else if (fault.what == kDiskLow) {
+    community.LimitDisk(is_active_[index]
+                            ? std::optional(static_cast<std::uint64_t>(fault.size * kBytesOfMib))
+                            : std::nullopt);
   } else if (fault.what == kClockStepped) {
     ++clock_steps_;
     TellClock(community);
-  } else {
+  } else if (fault.what != kSlowPlanner) {
     community.FailDisk(DiskFault());
   }
+}
+
+void SessionFaults::TellApps(EmbeddedCommunity& community) const {
+  std::string status;
+  for (std::size_t i = 0; i < is_active_.size(); ++i) {
+    const ScenarioFault& fault = schedule_.faults()[i];
+    if (fault.what != kAppDown) continue;
+    status += fmt::format("{}app={},state={},restarts=0", status.empty() ? "" : " # ", fault.app,
+                          is_active_[i] ? "given_up" : "running");
+  }
+  community.Poke(topics::kLaunchStatus.name, TopicCodec<std::string>::Encode(status));
 }
 
 void SessionFaults::TellClock(EmbeddedCommunity& community) const {

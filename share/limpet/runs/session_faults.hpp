@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "limpet/app/embedded.hpp"
@@ -11,7 +12,8 @@
 
 namespace limpet {
 
-/// The faults of a scenario that no app of it makes: apps that hang, the wall clock, and the disk.
+/// The faults of a scenario that no app of it makes: apps that hang or die, the wall clock, and the
+/// disk.
 class SessionFaults {
  public:
   /// Of the scenario that the mission's vehicle is simulated by; none without one. Throws
@@ -19,20 +21,26 @@ class SessionFaults {
   SessionFaults(const MissionFile& mission, const std::filesystem::path& folder);
 
   [[nodiscard]] bool AreNone() const { return is_active_.empty(); }
-  void Hear(const Message& message) { schedule_.Hear(message.name, message.value); }
+  void Hear(const Message& message);
   /// What is so now; to be called before each step.
   void Apply(EmbeddedCommunity& community);
 
  private:
   /// The fault of that number has begun or is over.
   void Switch(std::size_t index, EmbeddedCommunity& community);
+  /// Keeps the helm from going on after a decision, and lets it go on when that has taken its time.
+  void SlowPlanner(EmbeddedCommunity& community);
+  /// PLAUNCH_STATUS of those that are down, that stands for pLaunch's.
+  void TellApps(EmbeddedCommunity& community) const;
   /// WALL_CLOCK as it is now, that stands for LimpetDB's.
   void TellClock(EmbeddedCommunity& community) const;
   /// Of several the one that lets least through.
   [[nodiscard]] FailingFileSystem::Fault DiskFault() const;
 
   FaultSchedule schedule_;
-  std::vector<bool> is_active_;  ///< as applied
+  std::vector<bool> is_active_;                   ///< as applied
+  std::optional<Seconds> decided_, plans_until_;  ///< of a planner that is slow
+  double plan_s_ = 0.0;
   bool is_clock_told_ = false;
   int clock_steps_ = 0;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <sstream>
 
@@ -17,43 +18,9 @@
 namespace limpet {
 namespace {
 
-using Id = SafetyRuleId;
-
-constexpr double kFaultAfter_s = 3.0;  ///< the phase began
-constexpr double kUp_m = 0.5;          ///< a vehicle that is shallower has come up
-
-constexpr SafetyPhase kFromDive = SafetyPhase::kDive, kToTheEnd = SafetyPhase::kAscend;
-
-// clang-format off
-constexpr std::array<SafetyCase, 26> kCases{{
-    {"leak", "what: leak", Id::kLeak, Seconds(3.0)},
-    {"battery low", "what: battery", Id::kBatteryLow, Seconds(12.0)},
-    {"battery critical", "what: battery, size: 0.05", Id::kBatteryCritical, Seconds(12.0)},
-    {"energy short", "what: battery, size: 0.14", Id::kEnergyHome, Seconds(8.0)},
-    {"cells lost", "what: cells_lost", Id::kGaugeOff, Seconds(50.0)},
-    {"DVL silent", "what: dvl_silent", Id::kDvlSilent, Seconds(31.0)},
-    {"DVL without lock", "what: dvl_no_lock", Id::kDvlSilent, Seconds(31.0)},
-    {"DVL flipped", "what: dvl_flipped", Id::kDvlSilent, Seconds(50.0)},
-    {"DVL stuck", "what: dvl_stuck", Id::kDvlStuck, Seconds(6.0)},
-    {"altitude stuck", "what: altitude_stuck", Id::kAltitudeStuck, Seconds(6.0)},
-    {"altitude off", "what: altitude_biased", Id::kDepthAgainstAltitude, Seconds(6.0), kFromDive},
-    {"depth silent", "what: depth_silent", Id::kDepthSilent, Seconds(16.0)},
-    {"depth stuck", "what: depth_stuck", Id::kDepthStuck, Seconds(11.0)},
-    {"IMU stuck", "what: imu_stuck", Id::kImuStuck, Seconds(4.0)},
-    {"IMU silent", "what: imu_silent", Id::kNavigationSilent, Seconds(27.0)},
-    {"GPS jump", "what: gps_jump", Id::kGpsJump, Seconds(15.0)},
-    {"thrusters dead", "what: thrusters_weak, size: 0", Id::kNoProgress, Seconds(60.0)},
-    {"camera silent", "what: camera_silent", Id::kDetectorSilent, Seconds(21.0), kFromDive},
-    {"helm hangs", "what: app_hangs, app: pHelm", Id::kHelmSilent, Seconds(16.0)},
-    {"pilot hangs", "what: app_hangs, app: pPilot", Id::kPilotSilent, Seconds(16.0)},
-    {"navigation hangs", "what: app_hangs, app: pNav", Id::kNavigationSilent, Seconds(21.0)},
-    {"disk full", "what: disk_full", Id::kDiskFull, Seconds(11.0)},
-    {"disk failing", "what: disk_failing", Id::kLogFailed, Seconds(33.0)},
-    {"false boxes", "what: false_boxes", Id::kDetectorStorm, Seconds(8.0), kFromDive},
-    {"link lost", "what: link_lost", Id::kLinkLost, Seconds(21.0), SafetyPhase::kAlign, kToTheEnd, "pSafety.link_lost_s=20"},
-    {"clock stepped", "what: clock_stepped", Id::kClockStepped, Seconds(1.0)},
-}};
-// clang-format on
+constexpr Seconds kFaultAfter(3.0);   ///< the phase began
+constexpr Seconds kLeastLimit(10.0);  ///< that mission_time may have
+constexpr double kUp_m = 0.5;         ///< a vehicle that is shallower has come up
 
 /// What SURVEY_PHASE says in a phase.
 std::string WordOf(SafetyPhase phase) {
@@ -83,7 +50,8 @@ class TrialWatch {
  private:
   void HearPhase(SafetyPhase phase, Seconds time) {
     phase_ = phase;
-    if (phase == begins_in_ && !fault_) fault_ = time + Seconds(kFaultAfter_s);
+    if (phase == begins_in_ && !fault_)
+      fault_ = time + (tested_.fault.empty() ? Seconds(0.0) : kFaultAfter);
     asked_since_.reset();
   }
   void HearState(const SafetyState& state, Seconds time) {
@@ -94,6 +62,7 @@ class TrialWatch {
       return;
     }
     answer_ = {time, SafetyActionNamed(rule->stands).value_or(SafetyAction::kNone)};
+    is_false_alarm_ = !fault_ || time < *fault_;
     answered_in_ = phase_;
   }
   /// Another rule may do as much before the one that is tried; the vehicle is as safe.
@@ -118,6 +87,7 @@ class TrialWatch {
   std::optional<Seconds> fault_, asked_since_;
   std::optional<Stamped<SafetyAction>> answer_;
   std::string instead_;
+  bool is_false_alarm_ = false;
   double longest_unanswered_ = 0.0;
   double down_ = 0.0;
 };
@@ -125,6 +95,10 @@ class TrialWatch {
 SafetyTrialResult TrialWatch::Result(const SessionOutcome& outcome) const {
   SafetyTrialResult result;
   result.ended = outcome.ended;
+  if (is_false_alarm_) {
+    result.complaint = fmt::format("{} before the fault began", NameOf(answer_->value));
+    return result;
+  }
   if (!fault_) {
     result.complaint = fmt::format("{} was never reached", NameOf(begins_in_));
     return result;
@@ -157,23 +131,70 @@ std::filesystem::path FaultyScenario(const TrialPlaces& places, const SafetyCase
   std::ifstream in(source);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   const std::filesystem::path file = places.scratch / "scenario.yaml";
-  std::ofstream(file) << text
-                      << fmt::format("\nfaults:\n  - {{{}, when: SURVEY_PHASE = {}, at_s: {:g}}}\n",
-                                     tested.fault, WordOf(phase), kFaultAfter_s);
+  std::ofstream out(file);
+  out << text << "\n";
+  if (!tested.fault.empty()) {
+    out << fmt::format("faults:\n  - {{{}, when: SURVEY_PHASE = {}, at_s: {:g}}}\n", tested.fault,
+                       WordOf(phase), kFaultAfter.value());
+  }
   return std::filesystem::absolute(file);
 }
 
+/// A behavior that stops the vehicle throughout the phase: one without a point to go to.
+void AddFailingBehavior(MissionFile& mission, const TrialPlaces& places, SafetyPhase phase) {
+  const auto helm = std::ranges::find_if(mission.blocks, [](const ConfigBlock& block) {
+    return EqualsIgnoringCase(block.name, "pHelm");
+  });
+  if (helm == mission.blocks.end()) {
+    throw ConfigError(
+        {{.file = mission.file, .line = 0}, "pHelm", "the mission has no such block"});
+  }
+  const std::filesystem::path file = std::filesystem::absolute(places.scratch / "failing.bhv");
+  std::ofstream(file) << fmt::format(
+      "Behavior = BHV_AbortToPoint\n{{\n  name = failing\n  speed = 0.1\n"
+      "  condition = SURVEY_PHASE = {}\n}}\n",
+      WordOf(phase));
+  helm->entries.push_back(
+      {.key = "behaviors", .value = file.string(), .where = {.file = file.string(), .line = 1}});
+}
+
+SessionPlan PlanOf(const TrialPlaces& places, std::uint64_t seed) {
+  SessionPlan plan;
+  plan.session = "discovery";
+  plan.mission_folder = places.mission_folder;
+  plan.run_folder = places.scratch / "run";
+  plan.seed = seed;
+  return plan;
+}
+
+/// Time under way when the phase begins, of the mission without a fault; found by flying it.
+Seconds BeginOf(SafetyPhase phase, const MissionFile& mission, const TrialPlaces& places,
+                std::uint64_t seed) {
+  std::optional<Seconds> under_way, begin;
+  static_cast<void>(RunSession(mission, PlanOf(places, seed), [&](const Message& message) {
+    if (message.name != topics::kSurveyPhase.name) return;
+    const SafetyPhase now = SafetyPhaseOf(std::get<std::string>(message.value));
+    if (now != SafetyPhase::kIdle && !under_way) under_way = message.time;
+    if (now == phase && !begin) begin = message.time;
+  }));
+  return begin ? *begin - *under_way : Seconds(0.0);
+}
+
 /// Words of `settings`, one after the other.
-void ApplySettings(MissionFile& mission, std::string_view settings) {
-  std::istringstream words{std::string(settings)};
+void ApplySettings(MissionFile& mission, std::string settings,
+                   const std::function<Seconds()>& begin) {
+  constexpr std::string_view kBegin = "BEGIN_S";
+  if (const std::size_t at = settings.find(kBegin); at != std::string::npos) {
+    const Seconds limit = std::max(begin() + Seconds(1.0), kLeastLimit);
+    settings.replace(at, kBegin.size(), fmt::format("{:.1f}", limit.value()));
+  }
+  std::istringstream words(settings);
   for (std::string setting; words >> setting;) {
     ApplySetting(mission, setting);
   }
 }
 
 }  // namespace
-
-std::span<const SafetyCase> SafetyCases() { return kCases; }
 
 MissionFile ShortenedForTrials(MissionFile mission) {
   std::erase_if(mission.launches,
@@ -199,15 +220,12 @@ SafetyTrialResult FlySafetyTrial(const MissionFile& mission, const TrialPlaces& 
   for (const char* app : {"uSimVehicle", "uSimSensors", "uSimCamera"}) {
     ApplySetting(faulty, fmt::format("{}.scenario={}", app, scenario));
   }
-  ApplySettings(faulty, tested.settings);
-  SessionPlan plan;
-  plan.session = "discovery";
-  plan.mission_folder = places.mission_folder;
-  plan.run_folder = places.scratch / "run";
-  plan.seed = seed;
+  const auto begin = [&, calm = faulty] { return BeginOf(phase, calm, places, seed); };
+  ApplySettings(faulty, std::string(tested.settings), begin);
+  if (tested.is_behavior) AddFailingBehavior(faulty, places, phase);
   TrialWatch watch(tested, phase);
-  const SessionOutcome outcome =
-      RunSession(faulty, plan, [&watch](const Message& message) { watch.Hear(message); });
+  const SessionOutcome outcome = RunSession(
+      faulty, PlanOf(places, seed), [&watch](const Message& message) { watch.Hear(message); });
   return watch.Result(outcome);
 }
 

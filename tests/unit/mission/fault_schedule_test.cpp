@@ -48,7 +48,7 @@ TEST(ScenarioFaults, AreRefusedWithLineKeyAndWhatIsAllowed) {
   EXPECT_THAT(Complaint("  - {what: battery, size: 3}\n"),
               HasSubstr("`3` is not allowed; allowed for `battery`: 0 to 1, share of a full one"));
   EXPECT_THAT(Complaint("  - {what: leak, app: pNav}\n"), HasSubstr("`leak` is about no app"));
-  EXPECT_THAT(Complaint("  - {what: app_hangs}\n"), HasSubstr("is missing: which app hangs"));
+  EXPECT_THAT(Complaint("  - {what: app_hangs}\n"), HasSubstr("is missing: which app"));
   EXPECT_THAT(Complaint("  - {what: leak, when: 'DEPTH >'}\n"), HasSubstr("faults[0].when"));
   EXPECT_THAT(Complaint("  - {what: leak, at_s: -1}\n"), HasSubstr("faults[0].at_s"));
   EXPECT_THAT(Complaint("  - {what: leak, whenn: x}\n"), HasSubstr("did you mean `when`"));

@@ -344,5 +344,25 @@ TEST(SimVehicleApp, WithoutSuchAFaultNoShoreIsMadeUp) {
   EXPECT_TRUE(vehicle.TimesOfBeats().empty());
 }
 
+TEST(SimVehicleApp, ACurrentSetsInGraduallyAndCarriesTheVehicleAway) {
+  Scenario scenario = Table();
+  scenario.faults = {{.what = "current",
+                      .when = "",
+                      .at = Seconds(1.0),
+                      .lasts = Seconds(20.0),
+                      .size = 1.0,
+                      .app = ""}};
+  SimVehicle vehicle(scenario), calm(Table());
+  vehicle.Run({}, 20.0);
+  calm.Run({}, 20.0);
+  // 0.2 m/s more each second up to 1 m/s: 2.5 m in five seconds, then 14 m in as many more.
+  EXPECT_NEAR(vehicle.Truth().north - calm.Truth().north, 16.5, 0.5);
+  EXPECT_NEAR(vehicle.Truth().east, calm.Truth().east, 0.1);
+  const double swept = vehicle.Truth().north - calm.Truth().north;
+  vehicle.Run({}, 20.0);
+  calm.Run({}, 20.0);
+  EXPECT_NEAR(vehicle.Truth().north - calm.Truth().north - swept, 3.5, 0.5) << "it ceases likewise";
+}
+
 }  // namespace
 }  // namespace limpet
