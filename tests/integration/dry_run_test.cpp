@@ -5,14 +5,17 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/verbs/check.hpp"
+#include "apps/limpet/verbs/dry_run_check.hpp"
 #include "limpet/runs/session_runner.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -64,6 +67,78 @@ TEST(DryFlight, IsRefusedForAnEmptyBatteryAReserveNotKeptAndAnEndElsewhere) {
   EXPECT_THAT(flight.Objections(),
               ElementsAre("it ended `timeout` after 900 s",
                           "it did not come home: 40 m from the start, 3.0 m deep at the end"));
+}
+
+TEST(DryFlight, IsNotRefusedForAWarningButSaysIt) {
+  DryFlight flight = SoundFlight();
+  flight.tripped.push_back({.rule = "clock_stepped", .action = "warn", .phase = "SURVEY"});
+  EXPECT_THAT(flight.Objections(), IsEmpty());
+  EXPECT_THAT(flight.Remarks(), ElementsAre(HasSubstr("rule clock_stepped asks for warn after")));
+  for (const char* action : {"degrade", "hold", "return", "surface", "abort"}) {
+    flight.tripped.front().action = action;
+    EXPECT_THAT(flight.Objections(), ElementsAre(HasSubstr(action)));
+    EXPECT_THAT(flight.Remarks(), IsEmpty());
+  }
+}
+
+TEST(DryRun, SaysInJsonWhatItSaysInWords) {
+  DryFlight flight = SoundFlight();
+  flight.tripped.push_back({.rule = "leak", .action = "abort", .phase = "DIVE", .after_s = 61.0});
+  flight.tripped.push_back({.rule = "disk_low", .action = "warn", .phase = "DIVE"});
+  DryRun run{.flights = {{.seed = 7, .flight = flight}, {.seed = 8, .flight = SoundFlight()}}};
+  const nlohmann::ordered_json out = JsonOf(run);
+  EXPECT_TRUE(out["is_refused"].get<bool>());
+  EXPECT_EQ(run.ExitCode(), 3);
+  const nlohmann::ordered_json& first = out["flights"][0];
+  EXPECT_EQ(first["seed"], 7);
+  EXPECT_EQ(first["rules"][0]["rule"], "leak");
+  EXPECT_EQ(first["rules"][0]["after_s"], 61.0);
+  EXPECT_EQ(first["objections"].size(), 1U);
+  EXPECT_EQ(first["notes"].size(), 1U);
+  EXPECT_EQ(first["energy"]["reserve_wh"], 60.0);
+  EXPECT_TRUE(out["flights"][1]["objections"].empty());
+  run.flights.erase(run.flights.begin());
+  EXPECT_EQ(run.ExitCode(), 0);
+}
+
+std::string Replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+/// What `limpet check --dry-run --json` prints of the basin's mission with an area of twice
+/// `half_width` metres each way.
+nlohmann::ordered_json CheckedBasin(const std::string& half_width, int expected_code) {
+  const TemporaryFolder folder;
+  const fs::path basin = fs::path(LIMPET_SOURCE_DIR) / "missions/basin";
+  for (const char* name : {"mission.moos", "mission.bhv", "scenario.yaml"}) {
+    std::ifstream in(basin / name);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    std::ofstream(folder.path() / name) << Replaced(
+        Replaced(text, "_MIN -10", "_MIN -" + half_width), "_MAX 10", "_MAX " + half_width);
+  }
+  testing::internal::CaptureStdout();
+  const int code = RunCheck(
+      std::vector<std::string>{folder.path().string(), "--dry-run", "--json", "--seeds", "1"});
+  const std::string printed = testing::internal::GetCapturedStdout();
+  EXPECT_EQ(code, expected_code) << printed;
+  return nlohmann::ordered_json::parse(printed);
+}
+
+TEST(DryRun, PrintsTheCheckAndItsFlightsAsOneObjectOfJson) {
+  const auto out = CheckedBasin("7", 0);
+  EXPECT_TRUE(out["syntax"].empty());
+  EXPECT_EQ(out["dry_run"]["is_refused"], false);
+  ASSERT_EQ(out["dry_run"]["flights"].size(), 1U);
+  EXPECT_EQ(out["dry_run"]["flights"][0]["ended"], "home");
+}
+
+TEST(DryRun, FliesNothingWhereTheMissionCannotWork) {
+  const auto out = CheckedBasin("4", 3);
+  EXPECT_FALSE(out["geometry"].empty()) << "buoys lie outside";
+  EXPECT_TRUE(out["dry_run"].is_null());
 }
 
 TEST(DryRun, IsRefusedForAMissionWithoutAVehicleToSimulate) {

@@ -21,39 +21,41 @@ namespace limpet {
 namespace {
 
 Command CheckForm() {
-  return {.name = "limpet check",
-          .words = "<mission folder | file.moos | file.bhv>",
-          .about =
-              "Says everything that is wrong with a mission, with file and line, and runs "
-              "nothing: what cannot be read, what cannot work (with its scenario.yaml: water, "
-              "currents, places), and, as notes, what belongs to other people's apps or is "
-              "near a limit. With --dry-run it then flies the mission's first session in "
-              "simulation, with boxes for a camera and all safety rules armed, in the scenario's "
-              "water and with its battery, and refuses it if a rule trips, if the energy does not "
-              "reach home with its reserve, or if it does not come home.",
-          .options = {{.names = "--json", .meaning = "as JSON"},
-                      {.names = "--draw",
-                       .meaning = "draws the area as text, too; a terminal gets it unasked"},
-                      {.names = "--dry-run", .meaning = "flies the mission, too"},
-                      {.names = "--seeds",
-                       .value = "N",
-                       .meaning = "so many flights",
-                       .fallback = "3",
-                       .rule = WholeNumber(1)},
-                      {.names = "--seed",
-                       .value = "N",
-                       .meaning = "of the first flight",
-                       .fallback = "1",
-                       .rule = WholeNumber(0)},
-                      {.names = "--figure",
-                       .value = "FILE",
-                       .meaning = "writes a picture of the area (SVG)"}},
-          .more =
-              "Exit code 0: it may be run (notes or not); 2: it cannot be read; 3: it cannot "
-              "work, or a flight of the dry run was refused.",
-          .takes = "one mission folder, .moos or .bhv file",
-          .least_words = 1,
-          .most_words = 1};
+  return {
+      .name = "limpet check",
+      .words = "<mission folder | file.moos | file.bhv>",
+      .about =
+          "Says everything that is wrong with a mission, with file and line, and runs "
+          "nothing: what cannot be read, what cannot work (with its scenario.yaml: water, "
+          "currents, places), and, as notes, what belongs to other people's apps or is "
+          "near a limit. With --dry-run it then flies the mission's first session in "
+          "simulation, with boxes for a camera and all safety rules armed, in the scenario's "
+          "water and with its battery, and refuses it if a rule trips that asks for more than a "
+          "warning, if the energy does not reach home with its reserve, or if it does not "
+          "come home.",
+      .options = {{.names = "--json", .meaning = "as JSON"},
+                  {.names = "--draw",
+                   .meaning = "draws the area as text, too; a terminal gets it unasked"},
+                  {.names = "--dry-run", .meaning = "flies the mission, too"},
+                  {.names = "--seeds",
+                   .value = "N",
+                   .meaning = "so many flights",
+                   .fallback = "3",
+                   .rule = WholeNumber(1)},
+                  {.names = "--seed",
+                   .value = "N",
+                   .meaning = "of the first flight",
+                   .fallback = "1",
+                   .rule = WholeNumber(0)},
+                  {.names = "--figure",
+                   .value = "FILE",
+                   .meaning = "writes a picture of the area (SVG)"}},
+      .more =
+          "Exit code 0: it may be run (notes or not); 2: it cannot be read; 3: it cannot "
+          "work, or a flight of the dry run was refused.",
+      .takes = "one mission folder, .moos or .bhv file",
+      .least_words = 1,
+      .most_words = 1};
 }
 
 nlohmann::ordered_json JsonOf(const std::vector<ConfigProblem>& problems) {
@@ -136,32 +138,52 @@ void DrawSite(const Arguments& given, const std::string& path) {
   if (!out) throw UsageError(fmt::format("{}: cannot be written", OneLine(*figure)));
 }
 
+int CodeOf(const MissionProblems& found) {
+  return !found.syntax.empty() ? kUsage : !found.geometry.empty() ? kRefused : kOk;
+}
+
+DryRunSeeds SeedsOf(const Arguments& given) {
+  return {.first = static_cast<std::uint64_t>(given.Integer("seed")),
+          .count = static_cast<int>(given.Integer("seeds"))};
+}
+
+int CheckInText(const Arguments& given, const std::string& path, const MissionProblems& found) {
+  PrintLines(found);
+  DrawSite(given, path);
+  const int code = CodeOf(found);
+  if (code != kOk || !given.Has("dry-run")) return code;
+  const DryRun run = FlyDryRun(path, SeedsOf(given), PrintFlight);
+  PrintVerdict(run);
+  return run.ExitCode();
+}
+
+/// One object, with `dry_run` if that is asked for: null if the mission is not fit to be flown.
+int CheckInJson(const Arguments& given, const std::string& path, const MissionProblems& found) {
+  nlohmann::ordered_json out{{"syntax", JsonOf(found.syntax)},
+                             {"geometry", JsonOf(found.geometry)},
+                             {"notes", JsonOf(found.notes)},
+                             {"energy", EnergyJson(found.energy)}};
+  int code = CodeOf(found);
+  if (given.Has("dry-run")) {
+    out["dry_run"] = nullptr;
+    if (code == kOk) {
+      const DryRun run = FlyDryRun(path, SeedsOf(given), [](const SeedFlight&) {});
+      out["dry_run"] = JsonOf(run);
+      code = run.ExitCode();
+    }
+  }
+  fmt::print("{}\n", out.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  DrawSite(given, path);
+  return code;
+}
+
 int CheckMission(const Arguments& given) {
   const std::string& path = given.positionals()[0];
   if (!std::filesystem::exists(path)) {
     throw UsageError(fmt::format("{}: there is no such file or folder", OneLine(path)));
   }
-  if (given.Has("dry-run") && given.Has("json")) {
-    throw UsageError("--dry-run prints no JSON");
-  }
   const MissionProblems found = CheckPath(path);
-  if (given.Has("json")) {
-    const nlohmann::ordered_json out{{"syntax", JsonOf(found.syntax)},
-                                     {"geometry", JsonOf(found.geometry)},
-                                     {"notes", JsonOf(found.notes)},
-                                     {"energy", EnergyJson(found.energy)}};
-    fmt::print("{}\n", out.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-  } else {
-    PrintLines(found);
-  }
-  DrawSite(given, path);
-  if (!found.syntax.empty()) {
-    return kUsage;
-  }
-  if (!found.geometry.empty()) return kRefused;
-  if (!given.Has("dry-run")) return kOk;
-  return CheckByDryRun(path, {.first = static_cast<std::uint64_t>(given.Integer("seed")),
-                              .count = static_cast<int>(given.Integer("seeds"))});
+  return given.Has("json") ? CheckInJson(given, path, found) : CheckInText(given, path, found);
 }
 
 }  // namespace

@@ -3,6 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "limpet/safety_trials/dry_run.hpp"
 
 namespace limpet {
 
@@ -12,9 +18,28 @@ struct DryRunSeeds {
   int count = 3;
 };
 
-/// Flies a mission embedded, once for each seed, and prints a line for each and a verdict. Exit
-/// code 0 or 3. `path`: a mission folder or .moos file. Throws UsageError for a mission that such a
-/// flight says nothing of.
-[[nodiscard]] int CheckByDryRun(const std::filesystem::path& path, const DryRunSeeds& seeds);
+struct SeedFlight {
+  std::uint64_t seed = 0;
+  DryFlight flight;
+};
+
+/// The flights of a dry run.
+struct DryRun {
+  std::vector<SeedFlight> flights;
+  bool is_interrupted = false;
+
+  [[nodiscard]] int refused() const;
+  /// 0 or 3; 1 if it was interrupted.
+  [[nodiscard]] int ExitCode() const;
+};
+
+/// Flies a mission embedded, once for each seed; `told` hears of each flight at its end. `path`: a
+/// mission folder or .moos file. Throws UsageError for a mission that such a flight says nothing
+/// of.
+[[nodiscard]] DryRun FlyDryRun(const std::filesystem::path& path, const DryRunSeeds& seeds,
+                               const std::function<void(const SeedFlight&)>& told);
+void PrintFlight(const SeedFlight& flown);
+void PrintVerdict(const DryRun& run);
+[[nodiscard]] nlohmann::ordered_json JsonOf(const DryRun& run);
 
 }  // namespace limpet

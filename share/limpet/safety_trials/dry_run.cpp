@@ -60,8 +60,9 @@ class DryWatch {
   }
   void HearState(const SafetyState& state, Seconds time) {
     for (const SafetyRuleState& rule : state.rules) {
-      const bool is_known = std::ranges::find(flight_.tripped, rule.rule, &TrippedRule::rule) !=
-                            flight_.tripped.end();
+      const bool is_known = std::ranges::any_of(flight_.tripped, [&rule](const TrippedRule& known) {
+        return known.rule == rule.rule && known.action == rule.stands;
+      });
       if (rule.stands.empty() || is_known) continue;
       flight_.tripped.push_back({.rule = rule.rule,
                                  .action = rule.stands,
@@ -92,7 +93,7 @@ std::string TextOf(const TrippedRule& tripped) {
 std::vector<std::string> DryFlight::Objections() const {
   std::vector<std::string> objections;
   for (const TrippedRule& rule : tripped) {
-    objections.push_back(TextOf(rule));
+    if (!rule.IsWarning()) objections.push_back(TextOf(rule));
   }
   if (energy && energy->is_off) {
     objections.push_back(fmt::format("the battery is empty after {:.0f} Wh", energy->used_wh));
@@ -111,6 +112,16 @@ std::vector<std::string> DryFlight::Objections() const {
   }
   return objections;
 }
+
+std::vector<std::string> DryFlight::Remarks() const {
+  std::vector<std::string> remarks;
+  for (const TrippedRule& rule : tripped) {
+    if (rule.IsWarning()) remarks.push_back(TextOf(rule));
+  }
+  return remarks;
+}
+
+bool TrippedRule::IsWarning() const { return action == NameOf(SafetyAction::kWarn); }
 
 MissionFile PreparedForDryRun(MissionFile mission) {
   std::erase_if(mission.launches, [](const LaunchEntry& launch) {

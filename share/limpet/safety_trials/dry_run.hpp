@@ -13,13 +13,14 @@
 
 namespace limpet {
 
-/// A rule that tripped, where and when.
+/// A rule that tripped, where and when; again where it asks for more.
 struct TrippedRule {
   std::string rule;
   std::string action;  ///< that it asked for
   std::string phase;
   double after_s = 0.0;                              ///< since the session's start
   double north_m = 0.0, east_m = 0.0, down_m = 0.0;  ///< where the vehicle truly was
+  [[nodiscard]] bool IsWarning() const;
 };
 
 /// The battery of a flight, truly, but for the reserve that the vehicle reckons [Wh].
@@ -36,9 +37,12 @@ struct DryFlight {
   double home_error_m = 0.0;           ///< from the start, horizontally
   double down_m = 0.0;                 ///< at the end
   std::optional<FlightEnergy> energy;  ///< of a vehicle with a battery
-  std::vector<TrippedRule> tripped;    ///< each once, in order
-  /// Why such a mission must not be launched, in words; empty: it may be.
+  std::vector<TrippedRule> tripped;    ///< in order, each once for each action
+  /// Why such a mission must not be launched, in words; empty: it may be. Rules count that end or
+  /// bend the mission.
   [[nodiscard]] std::vector<std::string> Objections() const;
+  /// What the rules only warn of, in words.
+  [[nodiscard]] std::vector<std::string> Remarks() const;
 };
 
 /// A mission that is flown as it is, but with boxes for a camera and without files.
