@@ -64,7 +64,7 @@ TEST(FlownFaults, ARuleThatTripsBeforeTheFaultBeginsIsComplainedOf) {
                          .fault = "what: gps_silent",
                          .rule = SafetyRuleId::kDepthOverLimit,
                          .answer = Seconds(5.0),
-                         .settings = "pSafety.depth_limit_m=1"};
+                         .limit = {.kind = TrialLimit::Kind::kGiven, .value = 1.0}};
   const SafetyTrialResult result = FlySafetyTrial(
       ShortenedForTrials(LoadMission(folder / "mission.moos")),
       {.mission_folder = folder, .scratch = scratch.path()}, hasty, SafetyPhase::kSurvey, 7);

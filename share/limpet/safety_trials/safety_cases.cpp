@@ -14,6 +14,14 @@ constexpr SafetyPhase kFromAlign = SafetyPhase::kAlign, kFromDive = SafetyPhase:
                       kToSurvey = SafetyPhase::kSurvey, kToReturn = SafetyPhase::kReturn,
                       kToAscend = SafetyPhase::kAscend;
 
+constexpr TrialLimit Given(double limit) {
+  return {.kind = TrialLimit::Kind::kGiven, .value = limit};
+}
+constexpr TrialLimit BeyondCalm(double by) {
+  return {.kind = TrialLimit::Kind::kBeyondCalm, .value = by};
+}
+constexpr TrialLimit AtBegin() { return {.kind = TrialLimit::Kind::kAtBegin}; }
+
 // clang-format off
 constexpr std::array<SafetyCase, 43> kCases{{
     {"leak", "what: leak", Id::kLeak, Seconds(3.0)},
@@ -40,21 +48,21 @@ constexpr std::array<SafetyCase, 43> kCases{{
     {"disk full", "what: disk_full", Id::kDiskFull, Seconds(11.0)},
     {"disk failing", "what: disk_failing", Id::kLogFailed, Seconds(33.0)},
     {"false boxes", "what: false_boxes, for_s: 15", Id::kDetectorStorm, Seconds(8.0), kFromDive},
-    {"link lost", "what: link_lost", Id::kLinkLost, Seconds(21.0), kFromAlign, kToAscend, "pSafety.link_lost_s=20"},
+    {"link lost", "what: link_lost", Id::kLinkLost, Seconds(21.0), kFromAlign, kToAscend, Given(20.0)},
     {"depth over limit", "what: depth_biased, size: 200", Id::kDepthOverLimit, Seconds(4.0)},
-    {"altitude low", "what: altitude_biased, size: -2.4", Id::kAltitudeLow, Seconds(6.0), kFromSurvey, kToReturn, "pSafety.altitude_limit_m=2.5"},
-    {"ground near", "", Id::kAltitudeLow, Seconds(30.0), kFromDive, kToDive, "pSafety.altitude_limit_m=4.5"},
-    {"swept out", "what: current", Id::kOutsideRegion, Seconds(40.0), kFromSurvey, kToSurvey, "pSafety.region_limit_m=3"},
-    {"swept away", "what: current", Id::kFarFromHome, Seconds(45.0), kFromDive, kToAscend, "pSafety.home_limit_m=32 pSafety.off=outside_region"},
-    {"time over", "", Id::kMissionTime, Seconds(11.0), kFromAlign, kToAscend, "pSafety.mission_limit_s=BEGIN_S"},
-    {"sigma high", "what: dvl_silent", Id::kSigmaHigh, Seconds(45.0), kFromAlign, kToAscend, "pSafety.sigma_high_m=0.65 pSafety.off=dvl_silent"},
-    {"sigma over limit", "what: dvl_silent", Id::kSigmaOverLimit, Seconds(45.0), kFromAlign, kToAscend, "pSafety.sigma_limit_m=0.65"},
-    {"DVL lost", "what: dvl_silent", Id::kDvlLost, Seconds(33.0), kFromAlign, kToAscend, "pSafety.dvl_lost_s=32"},
-    {"thrusters weak", "what: thrusters_weak", Id::kThrustersSaturated, Seconds(20.0), kFromDive, kToReturn, "pSafety.saturated_s=10"},
-    {"behavior fails", "", Id::kBehaviorFailed, Seconds(5.0), kFromAlign, kToAscend, "", true},
-    {"helm idle", "", Id::kHelmIdle, Seconds(21.0), kFromAlign, kToAscend, "", true},
-    {"app down", "what: app_down, app: pMap", Id::kAppDown, Seconds(31.0), kFromAlign, kToAscend, "pSafety.app_down_s=30"},
-    {"camera lost", "what: camera_silent", Id::kDetectorLost, Seconds(31.0), kFromDive, kToAscend, "pSafety.detector_lost_s=30"},
+    {"altitude low", "what: altitude_biased, size: -2.4", Id::kAltitudeLow, Seconds(6.0), kFromSurvey, kToReturn, BeyondCalm(0.3)},
+    {"ground near", "", Id::kAltitudeLow, Seconds(30.0), kFromDive, kToDive, BeyondCalm(-1.0)},
+    {"swept out", "what: current", Id::kOutsideRegion, Seconds(40.0), kFromSurvey, kToSurvey, BeyondCalm(2.0)},
+    {"swept away", "what: current", Id::kFarFromHome, Seconds(45.0), kFromDive, kToAscend, BeyondCalm(5.0), "outside_region"},
+    {"time over", "", Id::kMissionTime, Seconds(11.0), kFromAlign, kToAscend, AtBegin()},
+    {"sigma high", "what: dvl_silent", Id::kSigmaHigh, Seconds(45.0), kFromAlign, kToAscend, BeyondCalm(0.1), "dvl_silent"},
+    {"sigma over limit", "what: dvl_silent", Id::kSigmaOverLimit, Seconds(45.0), kFromAlign, kToAscend, BeyondCalm(0.1)},
+    {"DVL lost", "what: dvl_silent", Id::kDvlLost, Seconds(33.0), kFromAlign, kToAscend, Given(32.0)},
+    {"thrusters weak", "what: thrusters_weak", Id::kThrustersSaturated, Seconds(20.0), kFromDive, kToReturn, Given(10.0)},
+    {"behavior fails", "", Id::kBehaviorFailed, Seconds(5.0), kFromAlign, kToAscend, {}, "", true},
+    {"helm idle", "", Id::kHelmIdle, Seconds(21.0), kFromAlign, kToAscend, {}, "", true},
+    {"app down", "what: app_down, app: pMap", Id::kAppDown, Seconds(31.0), kFromAlign, kToAscend, Given(30.0)},
+    {"camera lost", "what: camera_silent", Id::kDetectorLost, Seconds(31.0), kFromDive, kToAscend, Given(30.0)},
     {"disk low", "what: disk_low", Id::kDiskLow, Seconds(11.0)},
     {"planner slow", "what: slow_planner", Id::kPlannerSlow, Seconds(30.0), kFromSurvey, kToReturn},
     {"memory high", "what: memory", Id::kMemoryHigh, Seconds(16.0)},

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
-#include <functional>
 #include <iterator>
-#include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "limpet/runs/session_runner.hpp"
+#include "limpet/safety_trials/trial_limit.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
 #include "limpet/topics/simulation.hpp"
@@ -18,9 +18,8 @@
 namespace limpet {
 namespace {
 
-constexpr Seconds kFaultAfter(3.0);   ///< the phase began
-constexpr Seconds kLeastLimit(10.0);  ///< that mission_time may have
-constexpr double kUp_m = 0.5;         ///< a vehicle that is shallower has come up
+constexpr Seconds kFaultAfter(3.0);  ///< the phase began
+constexpr double kUp_m = 0.5;        ///< a vehicle that is shallower has come up
 
 /// What SURVEY_PHASE says in a phase.
 std::string WordOf(SafetyPhase phase) {
@@ -140,57 +139,36 @@ std::filesystem::path FaultyScenario(const TrialPlaces& places, const SafetyCase
   return std::filesystem::absolute(file);
 }
 
+/// One more line of an app's block; those with its key stay.
+void AddLine(MissionFile& mission, std::string_view app, ConfigEntry line) {
+  const auto block = std::ranges::find_if(mission.blocks, [app](const ConfigBlock& candidate) {
+    return EqualsIgnoringCase(candidate.name, app);
+  });
+  if (block == mission.blocks.end()) {
+    throw ConfigError(
+        {{.file = mission.file, .line = 0}, std::string(app), "the mission has no such block"});
+  }
+  block->entries.push_back(std::move(line));
+}
+
 /// A behavior that stops the vehicle throughout the phase: one without a point to go to.
 void AddFailingBehavior(MissionFile& mission, const TrialPlaces& places, SafetyPhase phase) {
-  const auto helm = std::ranges::find_if(mission.blocks, [](const ConfigBlock& block) {
-    return EqualsIgnoringCase(block.name, "pHelm");
-  });
-  if (helm == mission.blocks.end()) {
-    throw ConfigError(
-        {{.file = mission.file, .line = 0}, "pHelm", "the mission has no such block"});
-  }
   const std::filesystem::path file = std::filesystem::absolute(places.scratch / "failing.bhv");
   std::ofstream(file) << fmt::format(
       "Behavior = BHV_AbortToPoint\n{{\n  name = failing\n  speed = 0.1\n"
       "  condition = SURVEY_PHASE = {}\n}}\n",
       WordOf(phase));
-  helm->entries.push_back(
-      {.key = "behaviors", .value = file.string(), .where = {.file = file.string(), .line = 1}});
+  AddLine(mission, "pHelm", {.key = "behaviors", .value = file.string(), .where = {}});
 }
 
-SessionPlan PlanOf(const TrialPlaces& places, std::uint64_t seed) {
-  SessionPlan plan;
-  plan.session = "discovery";
-  plan.mission_folder = places.mission_folder;
-  plan.run_folder = places.scratch / "run";
-  plan.seed = seed;
-  return plan;
-}
-
-/// Time under way when the phase begins, of the mission without a fault; found by flying it.
-Seconds BeginOf(SafetyPhase phase, const MissionFile& mission, const TrialPlaces& places,
-                std::uint64_t seed) {
-  std::optional<Seconds> under_way, begin;
-  static_cast<void>(RunSession(mission, PlanOf(places, seed), [&](const Message& message) {
-    if (message.name != topics::kSurveyPhase.name) return;
-    const SafetyPhase now = SafetyPhaseOf(std::get<std::string>(message.value));
-    if (now != SafetyPhase::kIdle && !under_way) under_way = message.time;
-    if (now == phase && !begin) begin = message.time;
-  }));
-  return begin ? *begin - *under_way : Seconds(0.0);
-}
-
-/// Words of `settings`, one after the other.
-void ApplySettings(MissionFile& mission, std::string settings,
-                   const std::function<Seconds()>& begin) {
-  constexpr std::string_view kBegin = "BEGIN_S";
-  if (const std::size_t at = settings.find(kBegin); at != std::string::npos) {
-    const Seconds limit = std::max(begin() + Seconds(1.0), kLeastLimit);
-    settings.replace(at, kBegin.size(), fmt::format("{:.1f}", limit.value()));
+/// Limit and rules as the trial has them.
+void TightenRules(MissionFile& faulty, const SafetyCase& tested, std::optional<double> limit) {
+  if (limit) {
+    ApplySetting(faulty,
+                 fmt::format("pSafety.{}={:.3f}", SafetyRuleOf(tested.rule).limit.key, *limit));
   }
-  std::istringstream words(settings);
-  for (std::string setting; words >> setting;) {
-    ApplySetting(mission, setting);
+  if (!tested.off.empty()) {
+    AddLine(faulty, "pSafety", {.key = "off", .value = std::string(tested.off), .where = {}});
   }
 }
 
@@ -217,15 +195,14 @@ SafetyTrialResult FlySafetyTrial(const MissionFile& mission, const TrialPlaces& 
     std::erase_if(faulty.launches,
                   [](const LaunchEntry& launch) { return launch.binary == "pLog"; });
   }
+  TightenRules(faulty, tested, LimitFor(tested, phase, faulty, places, seed));
   for (const char* app : {"uSimVehicle", "uSimSensors", "uSimCamera"}) {
     ApplySetting(faulty, fmt::format("{}.scenario={}", app, scenario));
   }
-  const auto begin = [&, calm = faulty] { return BeginOf(phase, calm, places, seed); };
-  ApplySettings(faulty, std::string(tested.settings), begin);
   if (tested.is_behavior) AddFailingBehavior(faulty, places, phase);
   TrialWatch watch(tested, phase);
   const SessionOutcome outcome = RunSession(
-      faulty, PlanOf(places, seed), [&watch](const Message& message) { watch.Hear(message); });
+      faulty, TrialPlan(places, seed), [&watch](const Message& message) { watch.Hear(message); });
   return watch.Result(outcome);
 }
 

@@ -16,20 +16,31 @@
 
 namespace limpet {
 
+/// Where a trial sets the limit of the rule, so that the answer comes within minutes, in a mission
+/// of any size.
+struct TrialLimit {
+  enum class Kind {
+    kAsItIs,
+    kGiven,       ///< `value`
+    kBeyondCalm,  ///< so far beyond what a flight without the fault ever reaches
+    kAtBegin      ///< a time under way: when the phase begins in such a flight
+  };
+  Kind kind = Kind::kAsItIs;
+  double value = 0.0;  ///< in the rule's unit
+};
+
 /// A fault, and which rule is to answer it within which time of its beginning.
 struct SafetyCase {
   std::string_view name;  ///< of the row
   /// As a scenario says it, without `when`: `what: dvl_stuck`. Empty: nothing fails, the limit
-  /// alone
-  /// (`settings`) is reached.
+  /// alone is reached.
   std::string_view fault;
   SafetyRuleId rule = SafetyRuleId::kLeak;
   Seconds answer;
   /// The first and the last phase that it may begin in to be told from what has always been so.
   SafetyPhase from = SafetyPhase::kAlign, to = SafetyPhase::kAscend;
-  /// What the trial tightens to see the answer within minutes: `pSafety.link_lost_s=20`; of
-  /// several, blanks between them. `BEGIN_S` stands for the time under way when the phase begins.
-  std::string_view settings{};
+  TrialLimit limit{};
+  std::string_view off{};    ///< a rule that would answer before it
   bool is_behavior = false;  ///< what fails is a behavior of the helm's, one that the trial adds
 
   [[nodiscard]] bool ShowsFrom(SafetyPhase phase) const { return phase >= from && phase <= to; }
