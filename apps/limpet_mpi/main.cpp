@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <mpi.h>
@@ -36,10 +37,19 @@ bool Work(const std::filesystem::path& tasks_file) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  constexpr const char* kUsage = "usage: mpirun -n N limpet_mpi <tasks.json>\n";
+  if (argc == 2 && std::string_view(argv[1]) == "--help") {
+    fmt::print(
+        "{}\nStarted by `limpet tables` and `limpet tune` with --runner mpi: rank 0 hands the "
+        "tasks out,\n"
+        "the others run them.\n",
+        kUsage);
+    return 0;
+  }
   MPI_Init(&argc, &argv);
   std::signal(SIGTERM, OnSignal);
   std::signal(SIGINT, OnSignal);
-  if (argc != 2) fmt::print(stderr, "usage: mpirun -n N limpet_mpi <tasks.json>\n");
+  if (argc != 2) fmt::print(stderr, kUsage);
   if (argc != 2 || !Work(argv[1])) MPI_Abort(MPI_COMM_WORLD, 1);
   MPI_Finalize();
   return 0;

@@ -165,8 +165,10 @@ void RequireInside(const AppCommand& command) {
   if (command.process != "pLog" || command.allows_outside) {
     return;
   }
-  std::vector<std::filesystem::path> folders{
-      ".", std::filesystem::absolute(command.mission_file).parent_path()};
+  std::vector<std::filesystem::path> folders{"."};
+  if (!command.mission_file.empty()) {
+    folders.push_back(std::filesystem::absolute(command.mission_file).parent_path());
+  }
   if (!command.run_folder.empty()) {
     folders.push_back(command.run_folder);
   }

@@ -42,6 +42,14 @@ TEST_F(AppCommandTest, ALoggerStartedByHandLogsInsideUnlessThatIsAllowed) {
   EXPECT_EQ(Refusal("pNav", mission), "");
 }
 
+TEST_F(AppCommandTest, EveryProcessHelpsWhoHasNoMission) {
+  for (const char* process : {"pLog", "pNav", "LimpetDB"}) {
+    EXPECT_TRUE(ReadAppCommand(process, std::vector<const char*>{"--help"}).wants_help) << process;
+    EXPECT_TRUE(ReadAppCommand(process, std::vector<const char*>{"--example"}).wants_example);
+    EXPECT_TRUE(ReadAppCommand(process, {}).mission_file.empty());
+  }
+}
+
 TEST_F(AppCommandTest, AnAliasIsNoPath) {
   EXPECT_THAT(Refusal("pNav", "", {"--alias=../x"}),
               testing::HasSubstr("is no name for a process"));
