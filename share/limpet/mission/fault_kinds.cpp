@@ -37,7 +37,7 @@ constexpr std::array<FaultKind, 34> kFaultKinds{{
     {"clock_stepped", "The wall clock is set, and set back when this is over: WALL_CLOCK says so; embedded alone", "session", "so far ahead [s]", 3600.0, -1e9, 1e9},
     {.what = "app_hangs", .meaning = "An app does nothing: no tick, no mail; embedded alone", .made_by = "session", .is_about_app = true},
     {.what = "app_down", .meaning = "An app has died and is not started again, says PLAUNCH_STATUS; embedded alone", .made_by = "session", .is_about_app = true},
-    {"slow_planner", "Each decision of the helm on where next holds it up, says HELM_PLAN_TIME; embedded alone", "session", "so long [s]", 3.0, 0.1, 600.0},
+    {"slow_planner", "Each decision of the helm on where next holds it up, says HELM_PLAN_TIME; embedded alone", "session", "so long [s]", 8.0, 0.1, 600.0},
     {"memory", "The processes take so much memory together, says PLAUNCH_MEMORY; embedded alone", "session", "so much [MiB]", 8000.0, 1.0, 1e7},
     {"disk_low", "The disk has so much room left; embedded alone", "session", "so much [MiB]", 200.0, 0.0, 1e6},
     {"disk_full", "The disk takes half of a piece, then says that it is full; embedded alone", "session"},

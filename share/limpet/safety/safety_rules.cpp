@@ -152,7 +152,7 @@ constexpr std::array<SafetyRule, kSafetyRules> kTable{{
      .actions = {kWarn, kReturn, kReturn, kReturn, kWarn, kWarn}},
     {.id = Id::kPlannerSlow, .name = "planner_slow",
      .meaning = "Real time that the helm's last decision on where next took (HELM_PLAN_TIME); embedded only as a fault.",
-     .limit = {"planner_slow_s", "s", 1.0, 0.01, 3600.0}, .hold = Seconds(0.0), .clears_after = Seconds(30.0),
+     .limit = {"planner_slow_s", "s", 5.0, 0.01, 3600.0}, .hold = Seconds(0.0), .clears_after = Seconds(30.0),
      .actions = kWarnAlways},
     {.id = Id::kMemoryHigh, .name = "memory_high",
      .meaning = "Resident memory of all processes (PLAUNCH_MEMORY); embedded only as a fault.",

@@ -158,10 +158,10 @@ TEST_F(SafetyAppTest, ShowsAnOperatorEveryRule) {
 
 TEST_F(SafetyAppTest, WarnsOfAPlannerThatTakesTooLongAndLetsGoOnceItIsQuick) {
   link_.Send(app_, topics::kSurveyPhase, std::string("SURVEY"));
-  link_.Send(app_, topics::kPlanTime, 0.9);
+  link_.Send(app_, topics::kPlanTime, 4.0);
   Run(1.0);
   EXPECT_EQ(Action(), "none");
-  link_.Send(app_, topics::kPlanTime, 1.5);
+  link_.Send(app_, topics::kPlanTime, 6.0);
   Run(1.0);
   EXPECT_EQ(Action(), "warn");
   EXPECT_TRUE(app_.warnings().contains("TRIPPED_planner_slow"));
