@@ -92,6 +92,7 @@ SimVehicleApp::SimVehicleApp(const AppContext& context, const Params& params,
       faults_.Hear(message->name, message->value);
     });
   }
+  if (context.runs_live) WarnOfFaultsNotMade();
   Subscribe(topics::kThrusterCommand, &SimVehicleApp::OnCommand);
   if (file_.battery.is_present) {
     battery_.emplace(file_.battery, scenario.errors.battery, MakeRandom("battery"));
@@ -99,6 +100,18 @@ SimVehicleApp::SimVehicleApp(const AppContext& context, const Params& params,
   if (context.is_restarted) {
     Subscribe(topics::kSimTruth, &SimVehicleApp::OnFormerTruth);
     Subscribe(topics::kSimBattery, &SimVehicleApp::OnFormerBattery);
+  }
+}
+
+void SimVehicleApp::WarnOfFaultsNotMade() {
+  std::string names;
+  for (const ScenarioFault& fault : faults_.faults()) {
+    const FaultKind* kind = FindFaultKind(fault.what);
+    if (kind == nullptr || kind->made_by != "session") continue;
+    names += (names.empty() ? "" : ", ") + fault.what;
+  }
+  if (!names.empty()) {
+    Warn(warnings::kFaultNotMade, "only embedded sessions make these of the scenario: " + names);
   }
 }
 

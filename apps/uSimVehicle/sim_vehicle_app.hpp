@@ -45,6 +45,8 @@ class SimVehicleApp final : public App {
 
  private:
   void OnCommand(const Stamped<ThrusterCommand>& command);
+  /// Of a community: faults of the scenario that nobody makes there.
+  void WarnOfFaultsNotMade();
   void OnFormerTruth(const Stamped<SimTruth>& truth);
   void OnFormerBattery(const Stamped<SimBattery>& battery);
   [[nodiscard]] bool AwaitsFormerTruth(Seconds now);

@@ -33,6 +33,16 @@ inline const WarningId kCommandStale = DeclareWarning(
      .action = "See whether pPilot runs; under MOOS_MANUAL_OVERRIDE this is as it should be.",
      .clears = "With the next command."});
 
+inline const WarningId kFaultNotMade = DeclareWarning(
+    "FAULT_NOT_MADE",
+    {.severity = Severity::kWarning,
+     .raised_by = {"uSimVehicle"},
+     .meaning = "The scenario has faults that embedded sessions alone make: apps that hang, the "
+                "disk, the wall clock. This community is sound in that.",
+     .action =
+         "Run the mission embedded (`limpet survey`, `limpet safety test`), or take them out.",
+     .clears = "It stands to the end of the run."});
+
 inline const WarningId kIntegratorFailed = DeclareWarning(
     "INTEGRATOR_FAILED",
     {.severity = Severity::kWarning,

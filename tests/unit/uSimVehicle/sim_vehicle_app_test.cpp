@@ -364,5 +364,15 @@ TEST(SimVehicleApp, ACurrentSetsInGraduallyAndCarriesTheVehicleAway) {
   EXPECT_NEAR(vehicle.Truth().north - calm.Truth().north - swept, 3.5, 0.5) << "it ceases likewise";
 }
 
+TEST(SimVehicleApp, SaysInACommunityWhichFaultsNobodyMakesThere) {
+  Scenario scenario = Table();
+  scenario.faults = {{.what = "leak", .when = "", .at = {}, .lasts = {}, .app = ""}};
+  EXPECT_FALSE(SimVehicle(scenario, "rk4", true).app().warnings().contains("FAULT_NOT_MADE"));
+  scenario.faults.push_back(
+      {.what = "app_hangs", .when = "", .at = {}, .lasts = {}, .app = "pNav"});
+  EXPECT_TRUE(SimVehicle(scenario, "rk4", true).app().warnings().contains("FAULT_NOT_MADE"));
+  EXPECT_FALSE(SimVehicle(scenario, "rk4", false).app().warnings().contains("FAULT_NOT_MADE"));
+}
+
 }  // namespace
 }  // namespace limpet
