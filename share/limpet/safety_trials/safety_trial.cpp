@@ -18,8 +18,7 @@
 namespace limpet {
 namespace {
 
-constexpr Seconds kFaultAfter(3.0);  ///< the phase began
-constexpr double kUp_m = 0.5;        ///< a vehicle that is shallower has come up
+constexpr double kUp_m = 0.5;  ///< a vehicle that is shallower has come up
 
 /// What SURVEY_PHASE says in a phase.
 std::string WordOf(SafetyPhase phase) {
@@ -50,7 +49,7 @@ class TrialWatch {
   void HearPhase(SafetyPhase phase, Seconds time) {
     phase_ = phase;
     if (phase == begins_in_ && !fault_)
-      fault_ = time + (tested_.fault.empty() ? Seconds(0.0) : kFaultAfter);
+      fault_ = time + (tested_.fault.empty() ? Seconds(0.0) : tested_.after);
     asked_since_.reset();
   }
   void HearState(const SafetyState& state, Seconds time) {
@@ -134,7 +133,7 @@ std::filesystem::path FaultyScenario(const TrialPlaces& places, const SafetyCase
   out << text << "\n";
   if (!tested.fault.empty()) {
     out << fmt::format("faults:\n  - {{{}, when: SURVEY_PHASE = {}, at_s: {:g}}}\n", tested.fault,
-                       WordOf(phase), kFaultAfter.value());
+                       WordOf(phase), tested.after.value());
   }
   return std::filesystem::absolute(file);
 }

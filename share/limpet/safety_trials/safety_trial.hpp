@@ -42,6 +42,7 @@ struct SafetyCase {
   TrialLimit limit{};
   std::string_view off{};    ///< a rule that would answer before it
   bool is_behavior = false;  ///< what fails is a behavior of the helm's, one that the trial adds
+  Seconds after{3.0};        ///< the phase began, the fault begins
 
   [[nodiscard]] bool ShowsFrom(SafetyPhase phase) const { return phase >= from && phase <= to; }
 };
