@@ -8,8 +8,10 @@
 
 #include "limpet/core/frames.hpp"
 #include "limpet/mission/seabed.hpp"
+#include "limpet/planning/home_path.hpp"
 #include "limpet/planning/lane_tours.hpp"
 #include "limpet/planning/tour_path.hpp"
+#include "limpet/planning/transit_path.hpp"
 
 namespace limpet {
 namespace {
@@ -22,27 +24,35 @@ constexpr double kPlannedShare = 0.93;
 /// A survey along lanes: where it starts, how fast it is, where it goes home.
 struct LaneSurvey {
   const SurveyArea& area;
+  const Region& region;
+  Meters turn_radius;
   Pose2 start;
   PlanePoint home;
   double speed;
 };
 
+/// What leads into the region, for a survey that begins outside it.
+DubinsPath WayIn(const LaneSurvey& survey) {
+  if (survey.region.Outside(survey.start) <= 0.0) return DubinsPath(survey.start);
+  const auto transit = TransitPath(survey.start, survey.region, survey.turn_radius);
+  return transit ? transit->path : DubinsPath(survey.start);
+}
+
 std::vector<FlownTour> BestLanes(const LaneSurvey& survey, const ReportSettings& settings) {
   const Ground ground(
       SurveyGrid(survey.area),
       Footprint(settings.altitude_m, survey.area.object_height_max, settings.camera_geometry));
-  const Region region(survey.area);
-  const Meters radius(settings.turning_radius_m);
-  TourJudge judge(ground, region, radius);
-  judge.Reset(DubinsPath(survey.start), {.finish_share = kPlannedShare,
-                                         .early_weight = 0.0,
-                                         .most_weight = 0.0,
-                                         .home = survey.home});
+  const DubinsPath way_in = WayIn(survey);
+  TourJudge judge(ground, survey.region, survey.turn_radius);
+  judge.Reset(way_in, {.finish_share = kPlannedShare,
+                       .early_weight = 0.0,
+                       .most_weight = 0.0,
+                       .home = survey.home});
   std::vector<SurveyTour> tours = LaneTours(judge, {.with_bottom_first = false});
   tours.resize(std::min(tours.size(), kScored));
   std::vector<FlownTour> flown;
   for (const SurveyTour& tour : tours) {
-    flown.push_back(Fly(DubinsPath(survey.start), tour, region, radius));
+    flown.push_back(Fly(way_in, tour, survey.region, survey.turn_radius));
     if (flown.back().passes.empty()) flown.pop_back();
   }
   return flown;
@@ -63,16 +73,20 @@ SurveyFrames FramesAlong(const DubinsPath& path, double speed, const Scenario& s
 }
 
 /// Least way there and home over all places to stop at where enough has been seen; from the path's
-/// end if that never is.
-double WayHome(const SurveyFrames& frames, const CoverageScore& coverage, const PlanePoint& home) {
+/// end if that never is. Which place that is goes by the straight way home.
+double WayThereAndHome(const DubinsPath& path, const SurveyFrames& frames,
+                       const CoverageScore& coverage, const LaneSurvey& survey) {
   double least = std::numeric_limits<double>::infinity();
-  const std::size_t last = frames.X_WB.size() - 1;
-  for (std::size_t i = 0; i <= last; ++i) {
-    if (coverage.curve.band[i] < kLaneShare && i < last) continue;
-    const double back = (frames.X_WB[i].p_WB.head<2>() - home).norm();
-    least = std::min(least, frames.path_m[i] + back);
+  std::size_t stop = frames.X_WB.size() - 1;
+  for (std::size_t i = frames.X_WB.size(); i-- > 0;) {
+    if (coverage.curve.band[i] < kLaneShare && i + 1 < frames.X_WB.size()) break;
+    const double back = (frames.X_WB[i].p_WB.head<2>() - survey.home).norm();
+    if (frames.path_m[i] + back < least) least = frames.path_m[i] + back, stop = i;
   }
-  return least;
+  const double there = frames.path_m[stop];
+  const Option back =
+      HomePath(path.At(there), survey.home.x(), survey.home.y(), survey.region, survey.turn_radius);
+  return there + back.path.length();
 }
 
 struct ScoredLanes {
@@ -84,7 +98,7 @@ ScoredLanes ScoreOf(const FlownTour& lanes, const LaneSurvey& survey, const Scen
                     const ReportSettings& settings) {
   const SurveyFrames frames = FramesAlong(lanes.path, survey.speed, scenario, settings);
   const CoverageScore coverage = ScoreCoverage(frames, survey.area, scenario, settings, {});
-  const double way = WayHome(frames, coverage, survey.home);
+  const double way = WayThereAndHome(lanes.path, frames, coverage, survey);
   return {.score = {.passes = static_cast<int>(lanes.passes.size()),
                     .direction_deg = MoosHeadingFromYaw(lanes.passes.front().in.yaw),
                     .path_m = way,
@@ -107,8 +121,13 @@ std::optional<LanesScore> ScoreLanes(const SurveyArea& area, const Pose2& start,
   const bool is_reckoned = !ProblemOf(area) && speed > 0.0 &&
                            box_m2 <= kMostLaneCells * SurveyGrid::kCell_m * SurveyGrid::kCell_m;
   if (!is_reckoned) return std::nullopt;
-  const LaneSurvey survey{
-      .area = area, .start = start, .home = {home.north, home.east}, .speed = speed};
+  const Region region(area);
+  const LaneSurvey survey{.area = area,
+                          .region = region,
+                          .turn_radius = Meters(settings.turning_radius_m),
+                          .start = start,
+                          .home = {home.north, home.east},
+                          .speed = speed};
   std::optional<ScoredLanes> best;
   for (const FlownTour& tour : BestLanes(survey, settings)) {
     ScoredLanes lanes = ScoreOf(tour, survey, scenario, settings);

@@ -14,10 +14,10 @@ namespace limpet {
 /// region. Reckoned, not flown: no doubt of the vehicle's place, no look at an object, no fix on
 /// the way; a survey that beats them beats the best of them.
 struct LanesScore {
-  int passes = 0;              ///< straight pieces
-  double direction_deg = 0.0;  ///< of the first of them, clockwise from north
-  double path_m = 0.0;         ///< start of the survey to home, the last of it straight
-  double time_s = 0.0;         ///< for that, as fast as the survey was on average
+  int passes = 0;                           ///< straight pieces
+  double direction_deg = 0.0;               ///< of the first of them, clockwise from north
+  double path_m = 0.0;                      ///< start of the survey to home, inside the region
+  double time_s = 0.0;                      ///< for that, as fast as the survey was on average
   std::vector<CoverageLevel> seabed, band;  ///< as CoverageScore's
 };
 inline constexpr double kLaneShare = 0.975;

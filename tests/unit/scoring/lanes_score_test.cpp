@@ -61,6 +61,18 @@ TEST(LanesScore, GoesAroundAKeepOutZone) {
   EXPECT_GT(WayTo(lanes->band, 0.95), 0.0) << "what is left of the area is seen";
 }
 
+TEST(LanesScore, LeadsInFromAStartOutsideByTheTransit) {
+  SurveyArea area = Table1Area();
+  area.operating_region = "{-20,-17:20,-17:20,17:-20,17}";
+  area.transit = "{30,0:19,0}";
+  const Pose2 slip{.north = 20.0, .east = 40.0, .yaw = std::numbers::pi};
+  const auto lanes = ScoreLanes(area, slip, {.north = slip.north, .east = slip.east}, kSpeed,
+                                Table1Scenario(), Table1Settings());
+  ASSERT_TRUE(lanes);
+  EXPECT_GT(lanes->path_m, LanesOver(Table1Area())->path_m + 30.0) << "in and out again";
+  EXPECT_GT(WayTo(lanes->band, 0.95), 0.0);
+}
+
 TEST(LanesScore, IsNoneForAnAreaThatIsNoneOrTooLarge) {
   SurveyArea upside_down = Table1Area();
   upside_down.north_max = -20.0;
