@@ -11,7 +11,7 @@ namespace limpet {
 class BHV_CoverArea final : public Behavior {
  public:
   struct Params {
-    GroundRates rates{.cover = 1.0, .frontier = 0.5, .early = 3.0, .most = 3.0};
+    GroundRates rates{.cover = 1.0, .frontier = 0.5, .early = 1.5, .most = 2.5};
     template <class Visitor>
     void Describe(Visitor& visit) {
       visit("cover_weight", rates.cover, "Worth of one metre of fully useful track",
@@ -23,7 +23,8 @@ class BHV_CoverArea final : public Behavior {
             "options are compared to the end of the survey",
             InRange(0.0, 100.0));
       visit("most_weight", rates.most,
-            "Cost of each metre of path before most (0.92) of the band's top has been seen; where "
+            "Cost of each metre of path before most of the bottom (0.95) and of the band's top "
+            "(0.92) has been seen, by their weights; where "
             "options are compared to the end of the survey",
             InRange(0.0, 100.0));
     }

@@ -69,12 +69,11 @@ class BHV_TestSeekNorth final : public BHV_TestPreferNorth {
 };
 LIMPET_REGISTER_BEHAVIOR(BHV_TestSeekNorth);
 
-/// A block for the behavior, at half weight.
-std::string BlockOf(const std::string& type) {
+std::string BlockOf(const std::string& type, double weight) {
   return fmt::format(
-      "\nBehavior = {}\n{{\n  name = north\n  pwt = 0.5\n"
+      "\nBehavior = {}\n{{\n  name = north\n  pwt = {}\n"
       "  condition = MODE = ACTIVE:SURVEYING\n}}\n",
-      type);
+      type, weight);
 }
 
 /// The first two minutes of a survey of the basin: some 60 m of way, less than half of what it
@@ -122,11 +121,11 @@ Beginning FlyBasin(const std::string& more_behaviors, std::uint64_t seed) {
 constexpr std::uint64_t kFlights = 6;
 
 /// How much more of each flight's track lies in the north with a behavior than without.
-std::vector<double> DrawnBy(const std::string& type) {
+std::vector<double> DrawnBy(const std::string& type, double weight) {
   std::vector<double> drawn;
   for (std::uint64_t seed = 1; seed <= kFlights; ++seed) {
     const double without = FlyBasin("", seed).north_share;
-    const double with = FlyBasin(BlockOf(type), seed).north_share;
+    const double with = FlyBasin(BlockOf(type, weight), seed).north_share;
     ::testing::Test::RecordProperty(fmt::format("{}_{}", type, seed),
                                     fmt::format("{:.3f} {:.3f}", without, with));
     drawn.push_back(with - without);
@@ -135,13 +134,14 @@ std::vector<double> DrawnBy(const std::string& type) {
 }
 
 TEST(NewBehavior, OfHalfTheWeightDrawsTheVehicleWhereItWantsIt) {
-  const std::vector<double> drawn = DrawnBy("BHV_TestSeekNorth");
+  const std::vector<double> drawn = DrawnBy("BHV_TestSeekNorth", 0.5);
   EXPECT_GT(std::accumulate(drawn.begin(), drawn.end(), 0.0) / kFlights, 0.05);
 }
 
-/// Bids alone choose among plans that are about as good, which they are where a survey begins.
-TEST(NewBehavior, ThatOnlyBidsHasASayWhereOtherPlansAreAboutAsGood) {
-  const std::vector<double> drawn = DrawnBy("BHV_TestPreferNorth");
+/// Bids alone choose among plans: no search seeks what they like, so they must outweigh what the
+/// other plans are worse.
+TEST(NewBehavior, ThatOnlyBidsTurnsTheVehicleWhereItOutbidsTheDifferenceOfPlans) {
+  const std::vector<double> drawn = DrawnBy("BHV_TestPreferNorth", 4.0);
   EXPECT_GT(std::ranges::count_if(drawn, [](double share) { return share != 0.0; }), 1);
   EXPECT_GT(std::accumulate(drawn.begin(), drawn.end(), 0.0), 0.0);
 }

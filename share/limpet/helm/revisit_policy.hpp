@@ -15,7 +15,7 @@ namespace limpet {
 class RevisitPolicy {
  public:
   struct Params {
-    double metres_per_nat = 400.0;
+    double metres_per_nat = 270.0;
     double detection_probability = 0.95;
     double false_alarm_probability = 0.01;
     double settled_entropy = 0.25;

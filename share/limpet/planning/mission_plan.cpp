@@ -44,6 +44,12 @@ struct CostedTour {
   double cost = 0.0;
 };
 
+/// As many of its passes as are flown, at most, before plans are compared by where they lead.
+SurveyTour Beginning(const SurveyTour& tour) {
+  constexpr std::size_t kPasses = 4;
+  return {tour.begin(), tour.begin() + static_cast<std::ptrdiff_t>(std::min(kPasses, tour.size()))};
+}
+
 /// The tour with each of its passes first, either way round.
 std::vector<SurveyTour> BegunWithEachPass(const SurveyTour& tour) {
   std::vector<SurveyTour> begun;
@@ -110,9 +116,13 @@ void MissionPlan::Offer(const Task& now, const char* source, std::vector<Option>
   if (params_.first_edits > 0) OfferOtherBeginnings(judge, options);
 }
 
+FlownTour MissionPlan::FromHere(const SurveyTour& tour) const {
+  return Fly(DubinsPath(now_.pose), tour, *now_.region, now_.turn_radius);
+}
+
 void MissionPlan::OfferPlan(const SurveyTour& plan, const TourCost& cost,
                             std::vector<Option>& options) {
-  FlownTour flown = Fly(DubinsPath(now_.pose), plan, *now_.region, now_.turn_radius);
+  FlownTour flown = FromHere(plan);
   if (flown.passes.empty()) return;
   const double length = flown.path.length();
   options.push_back({.source = source_,
@@ -130,9 +140,7 @@ void MissionPlan::OfferRivals(TourJudge& judge, std::vector<Option>& options) {
   std::size_t offered = 0;
   for (SurveyTour& rival : rivals_) {
     if (offered == kRivals) break;
-    if (!BeginsOtherwise(Fly(DubinsPath(now_.pose), rival, *now_.region, now_.turn_radius))) {
-      continue;
-    }
+    if (!BeginsOtherwise(FromHere(rival))) continue;
     const TourCost cost = Improved(judge, rival, params_.first_edits / 4);
     OfferPlan(rival, cost, options);
     ++offered;
@@ -151,8 +159,8 @@ void MissionPlan::OfferOtherBeginnings(TourJudge& judge, std::vector<Option>& op
   std::size_t offered = 0;
   for (const CostedTour& other : begun) {
     const SurveyTour first{other.tour.front()};
-    const FlownTour way = Fly(DubinsPath(now_.pose), first, *now_.region, now_.turn_radius);
-    if (!way.is_complete || !BeginsOtherwise(way)) continue;
+    const FlownTour way = FromHere(first);
+    if (!way.is_complete || !BeginsOtherwise(FromHere(Beginning(other.tour)))) continue;
     SurveyTour rest(other.tour.begin() + 1, other.tour.end());
     judge.Reset(way.path, now_.goal);
     const TourCost cost = Improved(judge, rest, params_.rest_edits);

@@ -57,6 +57,7 @@ class MissionPlan {
   [[nodiscard]] std::vector<SurveyTour> Seeds(TourJudge& judge) const;
   [[nodiscard]] bool SeesOtherwise() const;
   void Replan(TourJudge& judge);
+  [[nodiscard]] FlownTour FromHere(const SurveyTour& tour) const;
   void OfferPlan(const SurveyTour& plan, const TourCost& cost, std::vector<Option>& options);
   void OfferRivals(TourJudge& judge, std::vector<Option>& options);
   void OfferOtherBeginnings(TourJudge& judge, std::vector<Option>& options);

@@ -33,7 +33,7 @@ struct GroundRates {
   double cover = 1.0;       ///< metres of path per metre of fully useful track
   double frontier = 0.325;  ///< ... per metre of new border; best in the study with kBottomTwice
   double early = 0.0;       ///< ... per metre of path before new ground is seen, mean over the area
-  double most = 0.0;        ///< ... per metre of path before most of the band's top has been seen
+  double most = 0.0;        ///< ... per metre of path before most of bottom and band has been seen
   /// `swath` is the ground's [m].
   [[nodiscard]] GroundWorth Of(const NewlySeen& seen, double swath) const {
     return {.useful = cover * seen.new_area / swath, .ragged = frontier * seen.frontier_growth};

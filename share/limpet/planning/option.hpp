@@ -25,7 +25,7 @@ struct Option {
   /// Of one that was completed: what it would take about to see what its end lacks of the finish
   /// [m of path]; 0 if the survey is over then.
   double lacking_m = 0.0;
-  /// Of one that was completed: path until most of the band's top has been seen (TourCost::most).
+  /// Of one that was completed: path until most of bottom and band has been seen (TourCost::most).
   double most_m = 0.0;
 
   /// Whether its path ends where the survey does.

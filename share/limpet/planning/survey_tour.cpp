@@ -42,7 +42,8 @@ void TourJudge::Reset(const DubinsPath& way, const TourGoal& goal) {
   goal_ = goal;
   planes_.Reset(ground_);
   may_stay_ = static_cast<int>((1.0 - goal.finish_share) * wanted_cells_);
-  most_may_stay_ = static_cast<int>((1.0 - kMostOfTop) * wanted_cells_);
+  most_may_stay_[SeenPlanes::kTop] = static_cast<int>((1.0 - kMostOfTop) * wanted_cells_);
+  most_may_stay_[SeenPlanes::kBottom] = static_cast<int>((1.0 - kMostOfBottom) * wanted_cells_);
   others_.reset();
   if (!goal.others.targets.empty() || !goal.others.terms.empty()) {
     others_.emplace(WithoutGround(goal.others), ground_, way.start(), goal.others.target_decay_m);
@@ -132,7 +133,7 @@ bool TourJudge::FlyPiece(const Pose2& from, const PathSegment& piece, TourCost& 
                    others_->Worth({.from = from, .motion = piece, .before = cost.length});
   }
   const std::size_t top = SeenPlanes::kTop;
-  NoteMost(before[top], piece.length, cost);
+  NoteMost(before, piece.length, cost);
   if (after[top] > may_stay_) {
     cost.length += piece.length;
     return false;
@@ -141,10 +142,15 @@ bool TourJudge::FlyPiece(const Pose2& from, const PathSegment& piece, TourCost& 
   return true;
 }
 
-void TourJudge::NoteMost(int top_before, double piece, TourCost& cost) const {
-  if (top_before <= most_may_stay_) return;
-  const int top_after = planes_.unseen()[SeenPlanes::kTop];
-  cost.most = cost.length + ShareUntil(most_may_stay_, top_before, top_after) * piece;
+void TourJudge::NoteMost(const SeenPlanes::Counts& before, double piece, TourCost& cost) const {
+  const double bottom_weight = ground_.weights()[0];
+  const auto note = [&](std::size_t plane, double weight) {
+    if (before[plane] <= most_may_stay_[plane]) return;
+    cost.most +=
+        weight * piece * ShareUntil(most_may_stay_[plane], before[plane], planes_.unseen()[plane]);
+  };
+  note(SeenPlanes::kBottom, bottom_weight);
+  note(SeenPlanes::kTop, 1.0 - bottom_weight);
 }
 
 }  // namespace limpet

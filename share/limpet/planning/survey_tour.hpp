@@ -19,18 +19,20 @@ namespace limpet {
 /// Passes in the order in which they are flown; the shortest motions inside the region join them.
 using SurveyTour = std::vector<Pass>;
 
-/// Of the band's top: 95 % of all the band has about been seen by then.
+/// Shares of the band's top and of the bottom that are most of it. By that of the top 95 % of all
+/// the band has about been seen.
 inline constexpr double kMostOfTop = 0.92;
+inline constexpr double kMostOfBottom = 0.95;
 
 /// What a tour is to achieve, and what that is worth.
 struct TourGoal {
   /// The survey is over when this share of the band's top has been seen.
   double finish_share = 0.98;
   /// Metres that the way may be longer for ground to be seen a metre sooner, mean over the area.
-  double early_weight = 3.0;
+  double early_weight = 1.5;
   /// ... and for most of the band's top (`kMostOfTop`) to have been seen a metre sooner: what is
   /// left then are slivers, which may come last.
-  double most_weight = 3.0;
+  double most_weight = 2.5;
   /// Where the vehicle goes when it is over, NED [m].
   PlanePoint home{0.0, 0.0};
   /// What is sought besides ground, over the first `target_decay_m` of the way; its rates for
@@ -41,8 +43,10 @@ struct TourGoal {
 
 /// What a tour costs, all in metres of path.
 struct TourCost {
-  double length = 0.0;    ///< from the start to the finish, or to the end of the tour
-  double most = 0.0;      ///< from the start until most of the top has been seen, or to the end
+  double length = 0.0;  ///< from the start to the finish, or to the end of the tour
+  /// From the start until most of bottom and top has been seen, or to the end: mean of the two by
+  /// the weights of their layers.
+  double most = 0.0;
   double lateness = 0.0;  ///< mean over the area of the path at which ground is first seen
   double home = 0.0;      ///< straight way home from there
   double missing = 0.0;   ///< useful track that the finish still lacks
@@ -92,7 +96,7 @@ class TourJudge {
   void FlyPass(const Pass& pass, Stage& stage);
   [[nodiscard]] bool Fly(const Pose2& from, const PathSegment& segment, TourCost& cost);
   /// Notes the path to where most has been seen, before the piece's length counts.
-  void NoteMost(int top_before, double piece, TourCost& cost) const;
+  void NoteMost(const SeenPlanes::Counts& before, double piece, TourCost& cost) const;
   [[nodiscard]] bool FlyPiece(const Pose2& from, const PathSegment& piece, TourCost& cost);
 
   const Ground& ground_;
@@ -100,8 +104,8 @@ class TourJudge {
   Meters turn_radius_;
   SeenPlanes planes_;
   TourGoal goal_;
-  int may_stay_ = 0;       ///< cells of the top that may be left
-  int most_may_stay_ = 0;  ///< ... when most of them have been seen
+  int may_stay_ = 0;                    ///< cells of the top that may be left
+  SeenPlanes::Counts most_may_stay_{};  ///< cells unseen when most of them have been seen
   double cell_m2_;
   double wanted_cells_;
   std::optional<PathValuer> others_;

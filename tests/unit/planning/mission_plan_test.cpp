@@ -19,7 +19,8 @@ struct BegunSurvey {
             .ground = &ground,
             .region = &region,
             .turn_radius = scene::kRadius,
-            .goal = {.home = {pose.north, pose.east}},
+            // Where most is to be seen soon, slivers may be left to a later decision.
+            .goal = {.most_weight = 0.0, .home = {pose.north, pose.east}},
             .travelled = travelled};
   }
   /// Share of the top that is seen once `path` has been flown, too.
