@@ -166,7 +166,8 @@ class SurveyRun {
     if (!expectations_) return true;
     const ExpectationCheck check = CheckReport(*expectations_, ReportJson(score));
     if (check.is_other_method) {
-      fmt::print("{} is for planner limpet with gain full: not compared\n", expectations_->file);
+      fmt::print("{} is for planner {} with gain full: not compared\n", expectations_->file,
+                 expectations_->planner);
     } else if (check.is_kept()) {
       fmt::print("{}: all {} bounds are kept\n", expectations_->file, check.compared);
     }

@@ -64,7 +64,8 @@ Expectations ReadExpectations(YamlReader& in, const YAML::Node& root, const std:
                               const std::vector<std::string>& sessions) {
   Expectations expected;
   std::vector<YamlReader::Field> fields{
-      in.Number("", "share_of_runs", expected.share_of_runs, InRange(0.0, 1.0))};
+      in.Number("", "share_of_runs", expected.share_of_runs, InRange(0.0, 1.0)),
+      in.Choice("", "planner", expected.planner, {"limpet", "lawnmower", "paper"})};
   const auto add = [&](const std::string& session) {
     fields.push_back({session, [&in, &expected, &file, session](const YAML::Node& node) {
                         expected.sessions.push_back(ReadSession(in, node, session, file));

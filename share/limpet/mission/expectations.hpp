@@ -32,6 +32,8 @@ struct Expectations {
   std::vector<SessionExpectation> sessions;
   /// Of many runs, at least this share must keep every bound.
   double share_of_runs = 1.0;
+  /// Planner that they are for: runs with another are not compared.
+  std::string planner = "limpet";
   std::string file;  ///< its name
 };
 

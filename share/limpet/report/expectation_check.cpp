@@ -117,7 +117,8 @@ ExpectationCheck CheckReport(const Expectations& expected, const std::string& re
   try {
     const Json report = Json::parse(report_json);
     const Json& settings = report.at("settings");
-    check.is_other_method = settings.at("planner") != "limpet" || settings.at("gain") != "full";
+    check.is_other_method =
+        settings.at("planner") != expected.planner || settings.at("gain") != "full";
     if (check.is_other_method) return check;
     for (const auto& [name, session] : report.at("sessions").items()) {
       for (const SessionExpectation& expectation : expected.sessions) {

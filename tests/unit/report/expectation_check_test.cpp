@@ -62,6 +62,16 @@ TEST(ExpectationCheck, AWayToALevelNeverReachedKeepsNoBound) {
   EXPECT_THAT(check.breaches, ElementsAre(HasSubstr("never reached")));
 }
 
+TEST(ExpectationCheck, HoldsThePlannerThatTheyAreForToItsBounds) {
+  RunScore run = ChangeRun(false);
+  run.settings.planner = "lawnmower";
+  const std::string bound = "change:\n  coverage_95_path_m: {max: 9999}\n";
+  EXPECT_TRUE(Check(run, bound).is_other_method);
+  const ExpectationCheck check = Check(run, "planner: lawnmower\n" + bound);
+  EXPECT_FALSE(check.is_other_method);
+  EXPECT_FALSE(check.is_kept());
+}
+
 TEST(ExpectationCheck, HoldsThePapersPlannerToNothing) {
   RunScore run = ChangeRun(true);
   run.settings.planner = "paper";
