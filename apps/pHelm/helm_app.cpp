@@ -2,7 +2,6 @@
 #include "apps/pHelm/helm_app.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 #include <utility>
 
@@ -238,7 +237,7 @@ void HelmApp::Tick(Seconds now) {
 
 void HelmApp::DecideView(Seconds now) {
   const std::vector<WeightedBehavior> bidders = Bidders();
-  const auto begin = std::chrono::steady_clock::now();
+  const Seconds began = SteadyTime();
   const std::optional<ViewDecision> decision = planner_.DecideIfDue(bidders, *nav_, now);
   std::vector<BehaviorFailure> failures = planner_.TakeFailures();
   if (!decision) {
@@ -247,8 +246,7 @@ void HelmApp::DecideView(Seconds now) {
     return;
   }
   if (context().runs_live) {  // embedded, equal runs say the same
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    Publish(topics::kPlanTime, took.count());
+    Publish(topics::kPlanTime, (SteadyTime() - began).value());
   }
   view_failures_ = std::move(failures);
   Publish(topics::kHelmBids, decision->bids);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a stranger does who has Limpet installed and wants a behavior and an app of her own. This
 // build is installed into a folder, and nothing else of it is used from there on.
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -14,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/limpet_command.hpp"
+#include "tests/support/shell.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace limpet {
@@ -21,23 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-
-struct ShellResult {
-  int exit_code = -1;
-  std::string text;
-};
-
-ShellResult Shell(const std::string& command) {
-  ShellResult result;
-  FILE* const pipe = ::popen(("LC_ALL=C " + command + " 2>&1").c_str(), "r");
-  char piece[4096];
-  while (pipe != nullptr && std::fgets(piece, sizeof piece, pipe) != nullptr) {
-    result.text += piece;
-  }
-  const int status = pipe == nullptr ? -1 : ::pclose(pipe);
-  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return result;
-}
 
 /// What docs/tutorial.md tells a shell, in one script that ends at the first failure.
 std::string TutorialScript() {

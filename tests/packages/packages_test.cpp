@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The Debian packages, looked at as dpkg does, and unpacked and run without being installed.
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -11,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/shell.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace limpet {
@@ -19,23 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-struct ShellResult {
-  int exit_code = -1;
-  std::string text;
-};
-
-ShellResult Shell(const std::string& command) {
-  ShellResult result;
-  FILE* const pipe = ::popen(("LC_ALL=C " + command + " 2>&1").c_str(), "r");
-  std::array<char, 4096> piece{};
-  while (pipe != nullptr && std::fgets(piece.data(), piece.size(), pipe) != nullptr) {
-    result.text += piece.data();
-  }
-  const int status = pipe == nullptr ? -1 : ::pclose(pipe);
-  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return result;
-}
 
 /// Both packages, made once of this build.
 class DebianPackages : public ::testing::Test {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What the compiler says to somebody who registers a class that lacks something.
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -10,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/shell.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace limpet {
@@ -23,17 +23,11 @@ std::string Complaints(std::string_view text) {
   const TemporaryFolder folder;
   const std::filesystem::path source = folder.path() / "mine.cpp";
   std::ofstream(source) << text;
-  const std::string command = fmt::format(
-      "LC_ALL=C {} -std=c++20 -fsyntax-only -I{root} -I{root}/share {} {} 2>&1", LIMPET_COMPILER,
-      LIMPET_COMPILER_INCLUDES, source.string(), fmt::arg("root", LIMPET_SOURCE_DIR));
-  FILE* const pipe = ::popen(command.c_str(), "r");
-  std::string said;
-  char piece[4096];
-  while (pipe != nullptr && std::fgets(piece, sizeof piece, pipe) != nullptr) {
-    said += piece;
-  }
-  EXPECT_NE(pipe == nullptr ? 0 : ::pclose(pipe), 0) << "it compiles: " << text;
-  return said;
+  const ShellResult said = Shell(
+      fmt::format("{} -std=c++20 -fsyntax-only -I{root} -I{root}/share {} {}", LIMPET_COMPILER,
+                  LIMPET_COMPILER_INCLUDES, source.string(), fmt::arg("root", LIMPET_SOURCE_DIR)));
+  EXPECT_NE(said.exit_code, 0) << "it compiles: " << text;
+  return said.text;
 }
 
 constexpr std::string_view kApps = R"(

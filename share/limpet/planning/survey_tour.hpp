@@ -30,8 +30,8 @@ struct TourGoal {
   double finish_share = 0.98;
   /// Metres that the way may be longer for ground to be seen a metre sooner, mean over the area.
   double early_weight = 1.5;
-  /// ... and for most of the band's top (`kMostOfTop`) to have been seen a metre sooner: what is
-  /// left then are slivers, which may come last.
+  /// ... and for most of bottom and band's top to have been seen a metre sooner (TourCost::most):
+  /// what is left then are slivers, which may come last.
   double most_weight = 2.5;
   /// Where the vehicle goes when it is over, NED [m].
   PlanePoint home{0.0, 0.0};
@@ -95,7 +95,7 @@ class TourJudge {
   [[nodiscard]] Stage Rejoin(const SurveyTour& tour);
   void FlyPass(const Pass& pass, Stage& stage);
   [[nodiscard]] bool Fly(const Pose2& from, const PathSegment& segment, TourCost& cost);
-  /// Notes the path to where most has been seen, before the piece's length counts.
+  /// Counts as much of the piece as is flown before most has been seen.
   void NoteMost(const SeenPlanes::Counts& before, double piece, TourCost& cost) const;
   [[nodiscard]] bool FlyPiece(const Pose2& from, const PathSegment& piece, TourCost& cost);
 
