@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+#include <numbers>
+#include <optional>
+
 #include "limpet/helm/generator_registry.hpp"
 #include "limpet/planning/home_path.hpp"
 
 namespace limpet {
 namespace {
 
-/// The shortest way to each destination that a behavior asks for.
+/// The shortest way to each destination that a behavior asks for: one sought anew, or the rest of
+/// the one in force. Sought anew in the middle of a turn, a way often leads round in a circle.
 class HomeGenerator final : public OptionGenerator {
  public:
   struct Params {
@@ -16,10 +21,40 @@ class HomeGenerator final : public OptionGenerator {
 
   void Offer(const Situation& now, const SearchGoals& goals,
              std::vector<Option>& options) override {
+    travelled_ = now.travelled;
     for (const Destination& to : goals.destinations) {
-      options.push_back(HomePath(now.pose, to.north, to.east, *now.region, now.turn_radius));
+      Option home = HomePath(now.pose, to.north, to.east, *now.region, now.turn_radius);
+      const std::optional<DubinsPath> rest = RestInForce(now, to);
+      if (rest && rest->length() < home.path.length()) {
+        home.path = *rest;
+        home.estimate = -home.path.length();
+      }
+      options.push_back(std::move(home));
     }
   }
+  void OnChoice(const Option& option) override {
+    in_force_ = option.source == kHomeSource ? option.path : DubinsPath();
+    chosen_at_ = travelled_;
+  }
+
+ private:
+  /// What is left of the path in force, if the vehicle is on it and it still leads there.
+  [[nodiscard]] std::optional<DubinsPath> RestInForce(const Situation& now,
+                                                      const Destination& to) const {
+    constexpr double kOnPath_m = 0.05, kOnPath_rad = 0.02, kThere_m = 0.1;
+    if (in_force_.segments().empty()) return std::nullopt;
+    DubinsPath rest = in_force_.Rest(now.travelled - chosen_at_);
+    const double turned = rest.start().yaw - now.pose.yaw;
+    const bool is_on_it = Distance(rest.start(), now.pose) < kOnPath_m &&
+                          std::abs(std::remainder(turned, 2.0 * std::numbers::pi)) < kOnPath_rad;
+    const bool leads_there =
+        Distance(rest.end(), {.north = to.north, .east = to.east, .yaw = 0.0}) < kThere_m;
+    if (!is_on_it || !leads_there || now.region->EntersZone(rest)) return std::nullopt;
+    return rest;
+  }
+
+  double travelled_ = 0.0, chosen_at_ = 0.0;  ///< path flown since some fixed moment [m]
+  DubinsPath in_force_;
 };
 
 }  // namespace

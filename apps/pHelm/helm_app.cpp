@@ -97,6 +97,7 @@ void HelmApp::HearSurvey() {
   hear(topics::kMapDelta, &HelmApp::OnDelta);
   hear(topics::kMapCoverage, &HelmApp::OnCoverage);
   hear(topics::kMapOpis, &HelmApp::OnOpis);
+  SubscribeIfWritten(topics::kMapObstacles, &HelmApp::OnObstacles);
   hear(topics::kMapLook, &HelmApp::OnLook);
 }
 

@@ -26,6 +26,7 @@ MapApp::MapApp(const AppContext& context, const Params& params)
                      .detection = params.status.detection,
                      .object_radius = params.status.object_radius.value()},
                     params.status.looks),
+      obstacle_finder_(params.beams),
       planned_visibility_(params.status.detection.visibility),
       drawing_(context.Global("Community"), [this](std::string variable, std::string text) {
         PublishRaw(std::move(variable), std::move(text));
@@ -35,6 +36,7 @@ MapApp::MapApp(const AppContext& context, const Params& params)
   Subscribe(topics::kNavSight, &MapApp::OnFrame);
   Subscribe(topics::kGroundContrast, &MapApp::OnContrast);
   Subscribe(topics::kNavBeams, &MapApp::OnBeams);
+  SubscribeIfWritten(topics::kNavSonar, &MapApp::OnSonar);
   Subscribe(topics::kNavTrackShift, &MapApp::OnTrackShift);
   Subscribe(topics::kNavLandmarks, &MapApp::OnLandmarks);
   Subscribe(topics::kSessionPrior, &MapApp::OnPrior);
@@ -143,6 +145,7 @@ void MapApp::CountBeams(int given, int used) {
 
 void MapApp::OnBeams(const Stamped<PosedBeams>& beams) {
   const PosedBeams& ping = beams.value;
+  obstacle_finder_.AddBeams(beams.time.value(), ping);
   const std::array<std::optional<double>, 4> ranges{ping.b1, ping.b2, ping.b3, ping.b4};
   const std::vector<BeamEnd> ends = BeamEnds(ping.pose(), ranges, TallestObject(), params_.beams);
   CountBeams(static_cast<int>(std::ranges::count_if(ranges, [](const auto& r) { return !!r; })),
@@ -152,9 +155,46 @@ void MapApp::OnBeams(const Stamped<PosedBeams>& beams) {
   }
 }
 
+void MapApp::OnSonar(const Stamped<PosedSonar>& sonar) {
+  obstacle_finder_.AddSonar(sonar.time.value(), sonar.value);
+}
+
+void MapApp::PaintObstacles() {
+  constexpr float kOccupied = 3.5F;  // log-odds: 0.97, as sure as beams make anything
+  for (const VoxelKey& key : obstacle_voxels_) {
+    map_.Unpaint(key);
+  }
+  obstacle_voxels_.clear();
+  for (const EchoCells::Cell& cell : obstacle_finder_.cells().Believed()) {
+    Eigen::Vector3d at_W = cell.p_W;
+    for (at_W.z() = cell.shallowest; at_W.z() <= cell.deepest; at_W.z() += map_.resolution()) {
+      obstacle_voxels_.push_back(KeyOf(at_W, map_.resolution()));
+      map_.Paint(obstacle_voxels_.back(), {.occupied = kOccupied});
+    }
+  }
+}
+
+void MapApp::TellObstacles() {
+  if (!obstacle_finder_.Update()) return;
+  PaintObstacles();
+  const std::vector<Obstacle>& obstacles = obstacle_finder_.obstacles();
+  Publish(topics::kMapObstacles, Obstacles{obstacles});
+  const ObstacleNotices::News news = obstacle_notices_.Of(obstacles);
+  for (const std::string& alert : news.alerts) {
+    Publish(topics::kObstacleAlert, alert);
+  }
+  for (const std::string& id : news.resolved) {
+    Publish(topics::kObstacleResolved, id);
+  }
+  for (const std::string& found : news.found) {
+    ReportEvent(events::kObstacleFound, found);
+  }
+}
+
 void MapApp::OnTrackShift(const Stamped<TrackShift>& shift) {
   statuses_.MoveFrames([&shift](double t, const Pose& X_WB) { return shift.value.Apply(t, X_WB); });
   map_.beams().Shift(shift.value);
+  obstacle_finder_.Shift(shift.value);
   ground_looks_.BeginAnew();
   if (ground_) {
     ground_->Shift(shift.value);
@@ -287,6 +327,7 @@ void MapApp::Tick(Seconds now) {
     Publish(topics::kMapCoverage, ground_->coverage());
   }
   PublishObjects();
+  TellObstacles();
   TellWater(now);
 }
 
@@ -333,6 +374,7 @@ void MapApp::WarnOfTentativeObjects() {
 
 void MapApp::OnSnapshotRequest(const Stamped<std::string>&) {
   statuses_.Rejudge();
+  PaintObstacles();
   PublishObjects();
   const VisibilityEstimate water = statuses_.Water().estimate();
   Publish(topics::kWaterRecord,

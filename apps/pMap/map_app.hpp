@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "apps/pMap/map_drawing.hpp"
+#include "apps/pMap/obstacle_notices.hpp"
 #include "estimation/change/frame_gate.hpp"
 #include "estimation/change/object_statuses.hpp"
 #include "estimation/mapping/anchored_grid.hpp"
 #include "estimation/mapping/ground_looks.hpp"
 #include "estimation/mapping/map_params.hpp"
 #include "estimation/mapping/object_layer.hpp"
+#include "estimation/mapping/obstacle_finder.hpp"
 #include "estimation/mapping/semantic_map.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/topics/mapping.hpp"
@@ -38,6 +40,11 @@ class MapApp final : public App {
   void OnFrame(const Stamped<ObservedFrame>& frame);
   void OnContrast(const Stamped<GroundContrast>& image);
   void OnBeams(const Stamped<PosedBeams>& beams);
+  void OnSonar(const Stamped<PosedSonar>& sonar);
+  /// Tells of obstacles if others are known than before.
+  void TellObstacles();
+  /// Has the echoes that obstacles are made of stand in the map.
+  void PaintObstacles();
   void OnTrackShift(const Stamped<TrackShift>& shift);
   void OnLandmarks(const Stamped<Landmarks>& landmarks);
   void OnPrior(const Stamped<SessionPrior>& prior);
@@ -73,6 +80,9 @@ class MapApp final : public App {
   SemanticMap map_;
   ObjectLayer layer_;
   GroundLooks ground_looks_;
+  ObstacleFinder obstacle_finder_;
+  ObstacleNotices obstacle_notices_;
+  std::vector<VoxelKey> obstacle_voxels_;  ///< as painted
   std::vector<OpiBelief> objects_;
   std::optional<SurveyArea> area_;
   std::optional<AnchoredGrid> ground_;

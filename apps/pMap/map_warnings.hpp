@@ -2,6 +2,7 @@
 // What pMap warns of.
 #pragma once
 
+#include "limpet/topics/event.hpp"
 #include "limpet/topics/warning.hpp"
 
 namespace limpet::warnings {
@@ -81,3 +82,13 @@ inline const WarningId kTentativeObjectsLeftOut = DeclareWarning(
      .clears = "Once all such places are kept again."});
 
 }  // namespace limpet::warnings
+
+namespace limpet::events {
+
+inline const EventId kObstacleFound = DeclareEvent(
+    "OBSTACLE_FOUND", {.severity = Severity::kNote,
+                       .reported_by = {"pMap"},
+                       .meaning = "Sonar or DVL found something that stands in the vehicle's way; "
+                                  "paths keep off it from now on."});
+
+}  // namespace limpet::events

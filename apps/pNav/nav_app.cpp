@@ -60,6 +60,7 @@ NavApp::NavApp(const AppContext& context, const Params& params)
 NavApp::NavApp(const AppContext& context, const Params& params, const VehicleFile& vehicle)
     : App(context),
       dvl_sheet_(vehicle.sensors.dvl),
+      p_BS_(vehicle.sensors.sonar.p_BS),
       R_BD_(RotationFromRollPitchYaw(0.0, 0.0, vehicle.sensors.dvl.yaw.value())),
       full_force_B_(vehicle.params.thrusters.max_thrust_n *
                     vehicle.params.thrusters.WrenchPerThrust().topRows<2>()),
@@ -72,6 +73,7 @@ NavApp::NavApp(const AppContext& context, const Params& params, const VehicleFil
   Subscribe(topics::kDvlData, &NavApp::OnDvl);
   Subscribe(topics::kDepthSensor, &NavApp::OnDepth);
   SubscribeIfWritten(topics::kThrusterCommand, &NavApp::OnThrusters);
+  SubscribeIfWritten(topics::kObstacleSonar, &NavApp::OnSonar);
   Subscribe(topics::kGpsData, &NavApp::OnGps);
   Subscribe(topics::kDetections, &NavApp::OnDetections);
   Subscribe(topics::kSessionPrior, &NavApp::OnPrior);
@@ -330,6 +332,19 @@ void NavApp::PublishBeams(const Stamped<DvlSample>& dvl) {
                                         .b3 = sample.b3,
                                         .b4 = sample.b4,
                                         .sd_down = estimate.sd_p_W.z()});
+}
+
+void NavApp::OnSonar(const Stamped<SonarPing>& ping) {
+  if (!navigator_.has_started() || !IsValid(now().value())) return;
+  const Pose X_WB = navigator_.Estimate(ping.time.value()).X_WB;
+  const Eigen::Vector3d p_sonar_W = X_WB.p_WB + RotationOf(X_WB) * p_BS_;
+  Publish(topics::kNavSonar, PosedSonar{.north = p_sonar_W.x(),
+                                        .east = p_sonar_W.y(),
+                                        .down = p_sonar_W.z(),
+                                        .roll = X_WB.roll,
+                                        .pitch = X_WB.pitch,
+                                        .yaw = X_WB.yaw,
+                                        .ping = ping.value});
 }
 
 namespace {

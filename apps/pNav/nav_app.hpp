@@ -106,6 +106,7 @@ class NavApp final : public App {
   void OnDvl(const Stamped<DvlSample>& dvl);
   void OnDepth(const Stamped<double>& depth);
   void OnThrusters(const Stamped<ThrusterCommand>& command);
+  void OnSonar(const Stamped<SonarPing>& ping);
   void OnGps(const Stamped<GpsFix>& fix);
   void OnDetections(const Stamped<Detections>& detections);
   void OnPrior(const Stamped<SessionPrior>& prior);
@@ -138,6 +139,7 @@ class NavApp final : public App {
   NavApp(const AppContext& context, const Params& params, const VehicleFile& vehicle);
 
   DvlSheet dvl_sheet_;
+  Eigen::Vector3d p_BS_;  ///< of the sonar that looks ahead
   Eigen::Matrix3d R_BD_;  ///< body from the DVL's own frame
   /// Force ahead and abeam of each thruster at full command [N].
   Eigen::Matrix<double, 2, kThrusters> full_force_B_;

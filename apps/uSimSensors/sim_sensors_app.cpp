@@ -12,6 +12,7 @@
 #include "limpet/sensors/fog_model.hpp"
 #include "limpet/sensors/gps_model.hpp"
 #include "limpet/sensors/imu_model.hpp"
+#include "limpet/sensors/sonar_model.hpp"
 #include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
@@ -27,7 +28,7 @@ SoundScene SceneOf(const Scenario& scenario, const std::string& session) {
   return {[seabed = Seabed(scenario.seabed)](double north, double east) {
             return seabed.Depth(north, east);
           },
-          std::move(spheres)};
+          std::move(spheres), BodiesOf(scenario)};
 }
 
 ImuModel::Params ImuOf(const ImuSheet& sheet, const Scenario::Sensors& truth,
@@ -91,6 +92,14 @@ SimSensorsApp::SimSensorsApp(const AppContext& context, const Scenario& scenario
                                              const FaultSchedule& faults) mutable {
         return sensor.Pass(WithGpsFault(fix, faults), faults);
       });
+  if (sheets.sonar.is_present) {
+    Add(topics::kObstacleSonar, sheets.sonar.rate, {},
+        SonarModel(sheets.sonar, SceneOf(scenario, context.session), MakeRandom("sonar")),
+        [sensor = FaultySensor<SonarPing>("sonar")](const SonarPing& ping,
+                                                    const FaultSchedule& faults) mutable {
+          return sensor.Pass(ping, faults);
+        });
+  }
   for (const std::string& variable : faults_.Variables()) {
     SubscribeRaw(variable, [this](const MessagePtr& message) {
       faults_.Hear(message->name, message->value);

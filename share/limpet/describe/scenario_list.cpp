@@ -26,6 +26,12 @@ errors:
 ```
 A stamp that is too late comes with its message: nothing arrives before its stamp. Objects seen through a rolling shutter are where its rows see them; the texture of the seabed in rendered images is not. An object that moves is judged by its place in the scenario, and sound meets it there. A current that changes is one for the whole area.
 
+`obstacles:` stand up from the seabed, the same in every session, and must not be touched: `{name, shape: column, north_m, east_m, radius_m, height_m}` or `{name, shape: box, north_m, east_m, size_m: [northwards, eastwards], height_m}`, the height above the seabed below the middle. Sonar and DVL beams meet them; a camera does not see them, nor do they hide anything from it; a vehicle that is steered into one goes through, and the report says so (`obstacle_distance_m` is 0).
+```yaml
+obstacles:
+  - {name: pile, shape: column, north_m: -10, east_m: -2, radius_m: 0.4, height_m: 9}
+```
+
 `image:` says how rendered pictures look. `image: {look: real}` alone switches every stage on, at the defaults below; a stage is switched off by its zero. What each does: [image formation](image-formation.md). Objects may have other shapes than spheres then; navigation, sonar and the boxes camera go on taking them for spheres of `radius_m`. `sensors.false_detections_per_image` is no false box but litter that lies there, so many pieces in a picture from 4 m.
 
 The models are one file each in `share/limpet/simulation` and `share/limpet/imaging`, those of the former used by the simulated vehicle and by the streams of `tests/support/simulated_stream` alike. Generated: `limpet describe scenario --markdown > docs/scenario-file.md`.

@@ -2,6 +2,7 @@
 #include "limpet/helm/survey_mirror.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace limpet {
 namespace {
@@ -11,6 +12,21 @@ LayerWeights WeightsOfLayers(double bottom) {
   weights.fill(1.0 / (bottom + Footprint::kLayers - 1));
   weights.front() *= bottom;
   return weights;
+}
+
+/// What paths keep off; outlines that are none were found by nobody.
+std::vector<Fence> FencesAround(const std::vector<Obstacle>& obstacles, Meters clearance) {
+  std::vector<Fence> fences;
+  for (const Obstacle& obstacle : obstacles) {
+    std::vector<PlanePoint> corners;
+    for (const auto& [north, east] : obstacle.outline) {
+      corners.emplace_back(north, east);
+    }
+    if (auto polygon = SimplePolygon::Of(std::move(corners))) {
+      fences.push_back({.polygon = *std::move(polygon), .distance = clearance.value()});
+    }
+  }
+  return fences;
 }
 
 }  // namespace
@@ -32,7 +48,15 @@ bool SurveyMirror::SetArea(const SurveyArea& area) {
 
 void SurveyMirror::KeepOffFences(Meters allowance) {
   allowance_ = allowance;
-  region_ = std::make_unique<Region>(*area_, allowance);
+  region_ = std::make_unique<Region>(*area_, allowance,
+                                     FencesAround(obstacles_, params_.obstacle_clearance));
+}
+
+bool SurveyMirror::SetObstacles(const std::vector<Obstacle>& obstacles) {
+  if (obstacles_ == obstacles) return false;
+  obstacles_ = obstacles;
+  if (area_) KeepOffFences(allowance_);
+  return true;
 }
 
 void SurveyMirror::UpdateGround() {

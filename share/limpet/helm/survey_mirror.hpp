@@ -30,6 +30,8 @@ class SurveyMirror {
   void SetLookModel(const MapLook& look);
   /// True if an object is new, gone, or decided otherwise than before.
   bool SetObjects(const std::vector<OpiBelief>& objects);
+  /// What stands in the way, all of it; false if that is known already.
+  bool SetObstacles(const std::vector<Obstacle>& obstacles);
   void Apply(const GridDelta& delta);
   /// Where the vehicle is, for the depth of the seabed where none has been seen, and how sure it is
   /// of that, for what paths keep off the region's border.
@@ -62,6 +64,7 @@ class SurveyMirror {
   std::unique_ptr<Ground> ground_;
   std::unique_ptr<SeenAlong> sight_;
   std::unique_ptr<Region> region_;
+  std::vector<Obstacle> obstacles_;
   std::optional<FenceAllowance> fences_;  ///< of the area
   Meters allowance_{0.0};                 ///< of region_
   Pose2 place_{};                         ///< of the vehicle

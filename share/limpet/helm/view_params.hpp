@@ -17,6 +17,7 @@ struct ViewParams {
   Meters survey_altitude{4.0};
   Meters turning_radius{3.0};
   Meters tracking_allowance{0.4};
+  Meters obstacle_clearance{1.5};
   Meters replan_every{8.0};
   Meters off_track{1.5};
   Meters arrival{0.5};
@@ -43,6 +44,9 @@ struct ViewParams {
     visit("tracking_allowance_m", tracking_allowance,
           "Paths keep this far inside the operating region, for the pilot's error",
           InRange(Meters(0.0), Meters(10.0)));
+    visit("obstacle_clearance_m", obstacle_clearance,
+          "Paths keep this far off what sonar and DVL found standing in the way (MAP_OBSTACLES)",
+          InRange(Meters(0.1), Meters(100.0)));
     visit("replan_every_m", replan_every, "Path after which a new decision is taken",
           InRange(Meters(1.0), Meters(1000.0)));
     visit("off_track_m", off_track, "Cross-track error that calls for a new decision",

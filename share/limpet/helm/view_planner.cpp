@@ -74,6 +74,10 @@ void ViewPlanner::SetObjects(const std::vector<OpiBelief>& objects) {
   are_interests_due_ = true;
 }
 
+void ViewPlanner::SetObstacles(const std::vector<Obstacle>& obstacles) {
+  obstacles_changed_ = survey_.SetObstacles(obstacles) || obstacles_changed_;
+}
+
 void ViewPlanner::DropPath() {
   tracker_.Drop();
   decided_by_.clear();
@@ -95,6 +99,9 @@ std::string ViewPlanner::CauseToDecide(std::span<const WeightedBehavior> running
   }
   if (std::abs(steering.cross_track) > params_.off_track.value()) {
     return "off track";
+  }
+  if (obstacles_changed_) {
+    return "obstacles changed";
   }
   if (preset_.decides_at_views_only) {
     return "";
@@ -151,7 +158,7 @@ std::optional<ViewDecision> ViewPlanner::DecideIfDue(std::span<const WeightedBeh
                  preset_.order);
   std::ranges::move(decision.failures, std::back_inserter(failures_));
   are_interests_due_ = true;
-  objects_changed_ = false;
+  objects_changed_ = obstacles_changed_ = false;
   decided_by_.clear();
   std::ranges::transform(running, std::back_inserter(decided_by_), &WeightedBehavior::name);
   if (decision.chosen) {

@@ -29,6 +29,7 @@ class ViewPlanner {
   /// False if that is the area already: what is known of it stays.
   bool SetArea(const SurveyArea& area);
   void SetObjects(const std::vector<OpiBelief>& objects);
+  void SetObstacles(const std::vector<Obstacle>& obstacles);
 
   /// Where to steer for the path in force; nothing without one.
   [[nodiscard]] std::optional<Guidance> Guide(const NavState& nav) { return tracker_.Guide(nav); }
@@ -56,7 +57,7 @@ class ViewPlanner {
   SurveyMirror survey_;
   OptionSearch search_;
   PathTracker tracker_;
-  bool objects_changed_ = false;
+  bool objects_changed_ = false, obstacles_changed_ = false;
   bool are_interests_due_ = false;
   /// Names of behaviors that were running at the last decision.
   std::vector<std::string> decided_by_;

@@ -91,6 +91,7 @@ const std::vector<std::string>& ExpectableNumbers() {
                                              "duration_s",
                                              "realtime_factor",
                                              "home_error_m",
+                                             "obstacle_distance_m",
                                              "missed",
                                              "invented",
                                              "wrong_statuses",

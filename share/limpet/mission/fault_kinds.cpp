@@ -8,7 +8,7 @@ namespace limpet {
 namespace {
 
 // clang-format off
-constexpr std::array<FaultKind, 34> kFaultKinds{{
+constexpr std::array<FaultKind, 36> kFaultKinds{{
     {"dvl_silent", "The DVL says nothing", "uSimSensors"},
     {"dvl_stuck", "The DVL repeats its last sample", "uSimSensors"},
     {"dvl_flipped", "The DVL's velocity has the opposite sign ahead and aside", "uSimSensors"},
@@ -22,6 +22,8 @@ constexpr std::array<FaultKind, 34> kFaultKinds{{
     {"imu_silent", "The IMU says nothing", "uSimSensors"},
     {"imu_stuck", "The IMU repeats its last sample", "uSimSensors"},
     {"fog_silent", "The fibre-optic gyro says nothing", "uSimSensors"},
+    {"sonar_silent", "The obstacle sonar says nothing", "uSimSensors"},
+    {"sonar_stuck", "The obstacle sonar repeats its last ping", "uSimSensors"},
     {"gps_silent", "The GPS receiver says nothing", "uSimSensors"},
     {"gps_jump", "GPS fixes lie elsewhere", "uSimSensors", "so far north [m]", 50.0, -10000.0, 10000.0},
     {"camera_silent", "The camera makes no frames", "uSimCamera"},

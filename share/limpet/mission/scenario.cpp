@@ -11,6 +11,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "limpet/mission/fault_reading.hpp"
+#include "limpet/mission/obstacle_reading.hpp"
 #include "limpet/mission/source_text.hpp"
 #include "limpet/mission/yaml_reader.hpp"
 
@@ -204,7 +205,7 @@ void CheckShapes(YamlReader& in, const YAML::Node& opis, const Scenario& scenari
 
 Scenario ReadScenario(YamlReader& in, const YAML::Node& root, bool checks_places) {
   Scenario scenario;
-  YAML::Node opis;
+  YAML::Node opis, obstacles;
   in.ReadMap(
       root, "",
       {{"seabed", [&](const YAML::Node& n) { ReadSeabed(in, n, scenario.seabed); }},
@@ -215,6 +216,11 @@ Scenario ReadScenario(YamlReader& in, const YAML::Node& root, bool checks_places
           opis = n;
           ReadOpis(in, n, scenario.opis);
         }},
+       {"obstacles",
+        [&](const YAML::Node& n) {
+          obstacles = n;
+          internal::ReadObstacles(in, n, scenario.obstacles);
+        }},
        in.Choice("", "camera", scenario.camera, {"rendered", "boxes"}),
        {"sensors", [&](const YAML::Node& n) { ReadSensors(in, n, scenario.sensors); }},
        {"errors", [&](const YAML::Node& n) { ReadErrors(in, n, scenario.errors); }},
@@ -223,6 +229,7 @@ Scenario ReadScenario(YamlReader& in, const YAML::Node& root, bool checks_places
   CheckShapes(in, opis, scenario);
   if (checks_places && in.problems().empty()) {
     CheckPlaces(in, opis, scenario);
+    internal::CheckObstacles(in, obstacles, scenario);
   }
   return scenario;
 }
@@ -248,6 +255,21 @@ std::vector<ScenarioSection> DeclaredScenarioSections() {
 std::optional<Eigen::Vector3d> ScenarioOpi::Place(const std::string& session) const {
   const auto found = places.find(session);
   return found == places.end() ? std::nullopt : found->second;
+}
+
+UprightBody ScenarioObstacle::Body(const ScenarioSeabed& seabed) const {
+  const double top = SeabedDepth(seabed, north_m, east_m) - height_m;
+  if (shape == "column") return UprightBody::Column({north_m, east_m}, radius_m, top);
+  return UprightBody::Box({north_m, east_m}, 0.5 * size_m, top);
+}
+
+std::vector<UprightBody> BodiesOf(const Scenario& scenario) {
+  std::vector<UprightBody> bodies;
+  bodies.reserve(scenario.obstacles.size());
+  for (const ScenarioObstacle& obstacle : scenario.obstacles) {
+    bodies.push_back(obstacle.Body(scenario.seabed));
+  }
+  return bodies;
 }
 
 std::vector<std::string> SessionsOf(const Scenario& scenario) {

@@ -18,6 +18,7 @@
 #include "limpet/simulation/object_shape.hpp"
 #include "limpet/simulation/simulated_errors.hpp"
 #include "limpet/simulation/tidal_current.hpp"
+#include "limpet/simulation/upright_body.hpp"
 
 namespace limpet {
 
@@ -33,14 +34,28 @@ struct ScenarioOpi {
   [[nodiscard]] std::optional<Eigen::Vector3d> Place(const std::string& session) const;
 };
 
+struct ScenarioSeabed {
+  double depth_m = 7.5;    ///< at the datum
+  double slope_deg = 0.0;  ///< going down towards slope_toward_deg (clockwise from north)
+  double slope_toward_deg = 0.0;
+  double roughness_m = 0.05;  ///< standard deviation of the relief
+  int seed = 1;
+};
+
+/// Something that stands on the seabed and that the vehicle must not touch, in every session.
+struct ScenarioObstacle {
+  std::string name;
+  std::string shape = "column";  ///< or box
+  double north_m = 0.0, east_m = 0.0;
+  double radius_m = 0.5;                                    ///< of a column
+  Eigen::Vector2d size_m = Eigen::Vector2d::Constant(1.0);  ///< of a box, northwards and eastwards
+  double height_m = 1.0;                                    ///< above the seabed below its centre
+  [[nodiscard]] UprightBody Body(const ScenarioSeabed& seabed) const;
+};
+
 struct Scenario {
-  struct Seabed {
-    double depth_m = 7.5;    ///< at the datum
-    double slope_deg = 0.0;  ///< going down towards slope_toward_deg (clockwise from north)
-    double slope_toward_deg = 0.0;
-    double roughness_m = 0.05;  ///< standard deviation of the relief
-    int seed = 1;
-  } seabed;
+  using Seabed = ScenarioSeabed;
+  Seabed seabed;
   struct Water {
     double visibility_m = 8.0;
     double current_north_mps = 0.0;
@@ -53,6 +68,7 @@ struct Scenario {
     double heading_deg = 0.0;
   } start;
   std::vector<ScenarioOpi> opis;
+  std::vector<ScenarioObstacle> obstacles{};
   std::string camera = "rendered";  ///< or boxes
   struct Sensors {
     double dvl_dropout_per_min = 0.0;
@@ -85,6 +101,9 @@ struct ScenarioSection {
 /// without `checks_places`.
 [[nodiscard]] Scenario ParseScenario(const std::string& text, const std::string& file,
                                      bool checks_places = true);
+
+/// Its obstacles as bodies.
+[[nodiscard]] std::vector<UprightBody> BodiesOf(const Scenario& scenario);
 
 /// NED depth of the true seabed at (north, east) [m]: slope plus a smooth random relief of standard
 /// deviation roughness_m.

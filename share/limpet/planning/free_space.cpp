@@ -30,6 +30,14 @@ PlanePoint FreeSpace::Raster::Center(std::size_t cell) const {
          cell_m * PlanePoint(static_cast<double>(cell / width), static_cast<double>(cell % width));
 }
 
+double Fence::ClearanceAtLeast(const PlanePoint& at) const {
+  if (holds_in) return -std::numeric_limits<double>::infinity();
+  const PlanePoint outside =
+      (polygon.low() - at).cwiseMax(at - polygon.high()).cwiseMax(PlanePoint::Zero());
+  const double to_box = outside.norm();
+  return to_box > 0.0 ? to_box - distance : -std::numeric_limits<double>::infinity();
+}
+
 std::optional<std::size_t> FreeSpace::Raster::At(const PlanePoint& place) const {
   const PlanePoint index = (place - origin) / cell_m;
   const double row = std::floor(index.x() + 0.5), column = std::floor(index.y() + 0.5);
@@ -67,8 +75,9 @@ void FreeSpace::FillRaster() {
 
 double FreeSpace::Clearance(const PlanePoint& at) const {
   double least = std::numeric_limits<double>::infinity();
-  for (const Fence& fence : fences_)
-    least = std::min(least, fence.Clearance(at));
+  for (const Fence& fence : fences_) {
+    if (fence.ClearanceAtLeast(at) < least) least = std::min(least, fence.Clearance(at));
+  }
   return least;
 }
 
@@ -92,6 +101,7 @@ bool FreeSpace::IsPieceInside(const Pose2& from, const PathSegment& piece) const
   // Between two meetings with a border it is on one side of all of them.
   std::vector<double> cuts{0.0, piece.length};
   for (const Fence& fence : fences_) {
+    if (fence.ClearanceAtLeast({middle.north, middle.east}) > half) continue;
     AddMeetings({.from = from, .segment = piece}, fence.polygon, fence.distance, cuts);
   }
   std::ranges::sort(cuts);

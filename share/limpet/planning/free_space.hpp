@@ -20,6 +20,8 @@ struct Fence {
 
   /// How far a place is on the allowed side [m]; negative on the other one.
   [[nodiscard]] double Clearance(const PlanePoint& at) const;
+  /// No more than that, and found at once: by the box around a zone.
+  [[nodiscard]] double ClearanceAtLeast(const PlanePoint& at) const;
 };
 
 /// Where the vehicle may be: on the allowed side of every fence. Places are tested exactly, and so

@@ -33,6 +33,16 @@ DubinsPath DirectPath(const Pose2& start, const PlanePoint& home, const Region& 
   return *std::move(best);
 }
 
+/// At the way's first place, the gate, or near it and nearer to the second than the gate is: it
+/// would be turned back for, at each decision anew.
+bool IsPastGate(const std::vector<PlanePoint>& way, const PlanePoint& here, Meters turn_radius) {
+  constexpr double kNear = 3.0;  // turning radii
+  if (way.size() < 2) return false;
+  const double to_gate = (here - way[0]).norm() / turn_radius.value();
+  const bool is_nearer = (here - way[1]).norm() <= (way[0] - way[1]).norm();
+  return to_gate <= 1.0 || (to_gate <= kNear && is_nearer);
+}
+
 /// Through the region, out of it where that is nearest to home or to the way that the mission
 /// gives, and on by that.
 std::optional<DubinsPath> PathAround(const Pose2& start, const PlanePoint& home,
@@ -50,13 +60,15 @@ std::optional<DubinsPath> PathAround(const Pose2& start, const PlanePoint& home,
   }
   outside.push_back(home);
   std::vector<LegEnd> legs;
-  if (space.Contains(here)) {
+  if (!space.Contains(here)) {
+    outside = RestOfWay(outside, here, turn_radius);
+  } else if (IsPastGate(outside, here, turn_radius)) {
+    outside.erase(outside.begin());
+  } else {
     auto inside = LegsInside(region, here, outside.front());
     if (!inside) return std::nullopt;
     legs = *std::move(inside);
     outside.erase(outside.begin());
-  } else {
-    outside = RestOfWay(outside, here);
   }
   for (const PlanePoint& at : outside) {
     legs.push_back({at, [&region](const DubinsPath& path) { return !region.EntersZone(path); }});

@@ -99,7 +99,21 @@ std::optional<DubinsPath> PathAlong(const Pose2& start, const std::vector<LegEnd
   return WayTo(*best);
 }
 
-std::vector<PlanePoint> RestOfWay(const std::vector<PlanePoint>& places, const PlanePoint& at) {
+namespace {
+
+/// Across the line that halves the angle at `corner`, not far from it: a way that is planned anew
+/// leads on, not back to it.
+bool IsRound(const PlaneEdge& in, const PlaneEdge& out, const PlanePoint& at, Meters turn_radius) {
+  constexpr double kNear = 3.0;  // turning radii
+  const PlanePoint& corner = in.to;
+  const PlanePoint onwards = (in.to - in.from).normalized() + (out.to - out.from).normalized();
+  return (at - corner).norm() <= kNear * turn_radius.value() && (at - corner).dot(onwards) > 0.0;
+}
+
+}  // namespace
+
+std::vector<PlanePoint> RestOfWay(const std::vector<PlanePoint>& places, const PlanePoint& at,
+                                  Meters turn_radius) {
   constexpr double kUnderWay = 0.7;  // beside a leg, not before its begin
   std::size_t next = 0;
   double least = (places.front() - at).norm();
@@ -109,6 +123,11 @@ std::vector<PlanePoint> RestOfWay(const std::vector<PlanePoint>& places, const P
       least = distance;
       next = i + 1;
     }
+  }
+  while (next > 0 && next + 1 < places.size() &&
+         IsRound({places[next - 1], places[next]}, {places[next], places[next + 1]}, at,
+                 turn_radius)) {
+    ++next;
   }
   return {places.begin() + static_cast<std::ptrdiff_t>(next), places.end()};
 }

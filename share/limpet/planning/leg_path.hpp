@@ -32,8 +32,9 @@ using AllowsEnd = std::function<bool(const Pose2&)>;
                                                   const AllowsEnd& allows_end = {});
 
 /// What is left of a way by these places for one who is at `at`: from the end of the leg beside it
-/// on, or all of it if that is still ahead. REQUIRES: one place or more.
+/// on, or all of it if that is still ahead; without a corner that it has just gone round. REQUIRES:
+/// one place or more.
 [[nodiscard]] std::vector<PlanePoint> RestOfWay(const std::vector<PlanePoint>& places,
-                                                const PlanePoint& at);
+                                                const PlanePoint& at, Meters turn_radius);
 
 }  // namespace limpet

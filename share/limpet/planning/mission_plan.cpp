@@ -89,6 +89,12 @@ bool MissionPlan::IsTheSameSurvey() const {
          now_.ground->wanted_cells() == wanted_cells_;
 }
 
+bool MissionPlan::IsInTheWay() const {
+  if (now_.region->obstacle_mark() == obstacle_mark_) return false;
+  const auto is_inside = [this](const Pass& pass) { return IsInside(pass, *now_.region); };
+  return !std::ranges::all_of(plan_, is_inside) || !std::ranges::all_of(chosen_.passes, is_inside);
+}
+
 SurveyTour MissionPlan::Rest() const {
   return chosen_.passes.empty() ? plan_ : RestAfter(chosen_, SinceChoice());
 }
@@ -97,12 +103,13 @@ void MissionPlan::Offer(const Task& now, const char* source, std::vector<Option>
   now_ = now;
   source_ = source;
   completed_.clear();
-  if (!IsTheSameSurvey()) {
+  if (!IsTheSameSurvey() || IsInTheWay()) {
     plan_.clear();
     chosen_ = {};
     frame_ = now.ground->frame();
     wanted_cells_ = now.ground->wanted_cells();
   }
+  obstacle_mark_ = now.region->obstacle_mark();
   TourJudge judge(*now.ground, *now.region, now.turn_radius);
   judge.Reset(DubinsPath(now.pose), now.goal);
   is_planned_ = !judge.is_finished();

@@ -51,6 +51,8 @@ class MissionPlan {
 
  private:
   [[nodiscard]] bool IsTheSameSurvey() const;
+  /// An obstacle that has been found since stands where the plan leads.
+  [[nodiscard]] bool IsInTheWay() const;
   [[nodiscard]] SurveyTour Rest() const;
   [[nodiscard]] TourCost Renew(TourJudge& judge);
   /// What a new plan is sought from.
@@ -78,6 +80,7 @@ class MissionPlan {
   std::vector<SurveyTour> rivals_;  ///< of a new plan: others that begin otherwise
   GridFrame frame_;                 ///< of the ground that the plan is for
   std::size_t wanted_cells_ = 0;
+  std::size_t obstacle_mark_ = 0;     ///< of the region that the plan keeps to
   double planned_swath_ = 0.0;        ///< of the ground when the plan was last sought anew [m]
   std::vector<FlownTour> completed_;  ///< the options of this decision
   FlownTour chosen_;                  ///< what is flown, with its path

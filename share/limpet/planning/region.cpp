@@ -2,6 +2,9 @@
 #include "limpet/planning/region.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -23,9 +26,23 @@ bool Passes(double from, double turned, double angle) {
   return ahead <= std::abs(turned);
 }
 
+std::size_t MarkOf(const std::vector<Fence>& obstacles) {
+  constexpr std::size_t kPrime = 1'000'003;
+  std::size_t mark = 0;
+  for (const Fence& fence : obstacles) {
+    for (const PlanePoint& corner : fence.polygon.corners()) {
+      for (const double part : {corner.x(), corner.y(), fence.distance}) {
+        mark = mark * kPrime + std::hash<double>{}(part) + 1;
+      }
+    }
+  }
+  return mark;
+}
+
 }  // namespace
 
-Region::Region(const SurveyArea& area, Meters allowance) {
+Region::Region(const SurveyArea& area, Meters allowance, std::vector<Fence> obstacles)
+    : obstacle_mark_(MarkOf(obstacles)) {
   const double margin = std::max(0.0, area.margin - allowance.value());
   north_min_ = area.north_min - margin;
   north_max_ = area.north_max + margin;
@@ -33,9 +50,10 @@ Region::Region(const SurveyArea& area, Meters allowance) {
   east_max_ = area.east_max + margin;
   const Expected<SurveyShape> shape = SurveyShape::Of(area);
   LIMPET_REQUIRE(shape.has_value(), "a region is made of an area that has been looked at");
-  if (shape->is_plain()) return;
+  if (shape->is_plain() && obstacles.empty()) return;
   transit_ = shape->transit();
   std::vector<Fence> fences = ZoneFences(*shape, allowance);
+  std::ranges::move(obstacles, std::back_inserter(fences));
   if (!fences.empty()) zones_ = std::make_shared<const FreeSpace>(fences);
   fences.insert(fences.begin(), HoldingFence(*shape, Meters(margin), allowance));
   free_ = std::make_shared<const FreeSpace>(std::move(fences));

@@ -13,12 +13,13 @@
 namespace limpet {
 
 /// The operating region: the survey area and the margin around it, or the region that the area
-/// names, less its keep-out zones. The vehicle never leaves it.
+/// names, less its keep-out zones and the obstacles found. The vehicle never leaves it.
 class Region {
  public:
   explicit Region(const SurveyArea& area) : Region(area, Meters(0.0)) {}
   /// Smaller all around by `allowance`, as far as there is a margin. REQUIRES: no ProblemOf(area).
-  Region(const SurveyArea& area, Meters allowance);
+  /// `obstacles` are fences to keep out of, as far off as they say.
+  Region(const SurveyArea& area, Meters allowance, std::vector<Fence> obstacles = {});
 
   [[nodiscard]] bool Contains(double north, double east) const;
   [[nodiscard]] bool Contains(const Pose2& pose) const { return Contains(pose.north, pose.east); }
@@ -38,7 +39,8 @@ class Region {
   [[nodiscard]] double Clearance(const PlanePoint& at) const;
   /// How far `pose` is outside [m], 0 inside.
   [[nodiscard]] double Outside(const Pose2& pose) const;
-  /// Whether `path` enters a keep-out zone; the region's own border is not asked for.
+  /// Whether `path` enters a keep-out zone or an obstacle; the region's own border is not asked
+  /// for.
   [[nodiscard]] bool EntersZone(const DubinsPath& path) const;
 
   /// The shortest word to `to` that stays inside; nothing if none does. Allocates nothing.
@@ -50,6 +52,8 @@ class Region {
 
   /// What is inside; null for a rectangle without zones.
   [[nodiscard]] const FreeSpace* free_space() const { return free_.get(); }
+  /// Differs between regions with other obstacles; 0 without any.
+  [[nodiscard]] std::size_t obstacle_mark() const { return obstacle_mark_; }
   /// Way points from a start outside to the area, as the mission gives them.
   [[nodiscard]] const std::vector<PlanePoint>& transit() const { return transit_; }
 
@@ -66,6 +70,7 @@ class Region {
   std::shared_ptr<const FreeSpace> free_;   ///< null: the rectangle is all
   std::shared_ptr<const FreeSpace> zones_;  ///< what is in no zone; null without zones
   std::vector<PlanePoint> transit_;
+  std::size_t obstacle_mark_ = 0;
 };
 
 }  // namespace limpet

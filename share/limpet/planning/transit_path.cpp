@@ -48,7 +48,7 @@ std::optional<DubinsPath> IntoShape(const Pose2& start, const Region& region, Me
   if (!entry) return std::nullopt;
   way.push_back(*entry);
   std::vector<LegEnd> legs;
-  for (const PlanePoint& at : RestOfWay(way, here)) {
+  for (const PlanePoint& at : RestOfWay(way, here, turn_radius)) {
     legs.push_back({at, [&region](const DubinsPath& path) { return !region.EntersZone(path); }});
   }
   return PathAlong(start, legs, turn_radius, [&region, turn_radius](const Pose2& end) {

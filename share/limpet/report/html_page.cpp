@@ -15,6 +15,7 @@
 #include "limpet/report/html_style.hpp"
 #include "limpet/report/html_warnings.hpp"
 #include "limpet/report/lanes_sentence.hpp"
+#include "limpet/report/obstacles_sentence.hpp"
 #include "limpet/report/phase_sentence.hpp"
 #include "limpet/report/water_sentence.hpp"
 #include "limpet/scoring/verdict.hpp"
@@ -199,7 +200,7 @@ std::string CoverageTable(const SessionScore& session, const ReportSettings& set
              session.coverage.band, session.coverage.detected_band) +
          "</table></div>\n" + Paragraph(BoundSentence(session)) +
          Paragraph(LanesSentence(session)) + Paragraph(WinsSentence(session)) +
-         Paragraph(UnseenSentence(session.coverage.unseen));
+         Paragraph(UnseenSentence(session.coverage.unseen)) + Paragraph(ObstaclesSentence(session));
 }
 
 /// What the reader came for, before anything else: the statuses, in a table and on the map.

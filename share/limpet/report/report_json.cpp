@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/report/report_json.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -194,6 +195,21 @@ OrderedJson Lanes(const SessionScore& session) {
           {"detectable", Levels(lanes.band, 0.95)}};
 }
 
+/// How near the vehicle came to each.
+OrderedJson ObstaclesPassed(const SessionScore& session) {
+  OrderedJson out = OrderedJson::array();
+  for (const ObstacleScore& passed : session.obstacles) {
+    out.push_back({{"name", passed.name}, {"distance_m", Length(passed.distance_m)}});
+  }
+  return out;
+}
+
+/// The least of those; null without obstacles.
+OrderedJson NearestObstacle(const SessionScore& session) {
+  if (session.obstacles.empty()) return nullptr;
+  return Length(std::ranges::min(session.obstacles, {}, &ObstacleScore::distance_m).distance_m);
+}
+
 /// By generator of options, what it won.
 OrderedJson Wins(const std::vector<OptionWins>& wins) {
   OrderedJson out = OrderedJson::object();
@@ -220,6 +236,8 @@ OrderedJson Session(const SessionScore& session) {
       {"realtime_factor", Optional(session.realtime_factor(), Time)},
       {"ended", session.ended},
       {"home_error_m", Optional(session.home_error_m, Length)},
+      {"obstacle_distance_m", NearestObstacle(session)},
+      {"obstacles", IfJudged(session, ObstaclesPassed(session))},
       {"nav", Navigation(session.nav)},
       {"opis", session.has_truth ? Opis(session.opis.found) : Opis(session.opis.reported)},
       {"missed", IfJudged(session, session.opis.missed)},

@@ -22,6 +22,35 @@ OrderedJson PlaceJson(const std::optional<Eigen::Vector3d>& place) {
   return place ? OrderedJson{place->x(), place->y(), place->z()} : OrderedJson(nullptr);
 }
 
+OrderedJson ObstaclesJson(const Scenario& scenario) {
+  OrderedJson obstacles = OrderedJson::array();
+  for (const ScenarioObstacle& obstacle : scenario.obstacles) {
+    obstacles.push_back({{"name", obstacle.name},
+                         {"shape", obstacle.shape},
+                         {"north_m", obstacle.north_m},
+                         {"east_m", obstacle.east_m},
+                         {"radius_m", obstacle.radius_m},
+                         {"size_m", {obstacle.size_m.x(), obstacle.size_m.y()}},
+                         {"height_m", obstacle.height_m}});
+  }
+  return obstacles;
+}
+
+std::vector<ScenarioObstacle> ObstaclesFrom(const OrderedJson& in) {
+  std::vector<ScenarioObstacle> obstacles;
+  for (const OrderedJson& item : in) {
+    const OrderedJson& size = item.at("size_m");
+    obstacles.push_back({item.at("name"),
+                         item.at("shape"),
+                         item.at("north_m"),
+                         item.at("east_m"),
+                         item.at("radius_m"),
+                         {size.at(0).get<double>(), size.at(1).get<double>()},
+                         item.at("height_m")});
+  }
+  return obstacles;
+}
+
 OrderedJson ScenarioJson(const Scenario& scenario) {
   OrderedJson opis = OrderedJson::array();
   for (const ScenarioOpi& opi : scenario.opis) {
@@ -46,7 +75,8 @@ OrderedJson ScenarioJson(const Scenario& scenario) {
             {"east_m", scenario.start.east_m},
             {"heading_deg", scenario.start.heading_deg}}},
           {"camera", scenario.camera},
-          {"opis", opis}};
+          {"opis", opis},
+          {"obstacles", ObstaclesJson(scenario)}};
 }
 
 Scenario ScenarioFrom(const OrderedJson& in) {
@@ -58,6 +88,8 @@ Scenario ScenarioFrom(const OrderedJson& in) {
   const OrderedJson& start = in.at("start");
   scenario.start = {start.at("north_m"), start.at("east_m"), start.at("heading_deg")};
   scenario.camera = in.at("camera");
+  // None in a run of an older version.
+  if (in.contains("obstacles")) scenario.obstacles = ObstaclesFrom(in.at("obstacles"));
   for (const OrderedJson& item : in.at("opis")) {
     ScenarioOpi opi{item.at("name"), item.at("color"), item.at("radius_m"), {}};
     for (const auto& [session, place] : item.at("places").items()) {

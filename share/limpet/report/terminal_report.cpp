@@ -15,6 +15,7 @@
 #include "limpet/report/bound_sentence.hpp"
 #include "limpet/report/energy_sentence.hpp"
 #include "limpet/report/lanes_sentence.hpp"
+#include "limpet/report/obstacles_sentence.hpp"
 #include "limpet/report/phase_sentence.hpp"
 #include "limpet/report/water_sentence.hpp"
 #include "limpet/scoring/verdict.hpp"
@@ -178,8 +179,9 @@ std::string CoverageTable(const SessionScore& session, const ReportSettings& set
 
 std::string BoundLines(const SessionScore& session) {
   std::string out;
-  for (const std::string& line : {BoundSentence(session), LanesSentence(session),
-                                  WinsSentence(session), UnseenSentence(session.coverage.unseen)}) {
+  for (const std::string& line :
+       {BoundSentence(session), LanesSentence(session), WinsSentence(session),
+        UnseenSentence(session.coverage.unseen), ObstaclesSentence(session)}) {
     if (!line.empty()) out += "  " + line + "\n";
   }
   return out;

@@ -48,6 +48,7 @@ void ScoreAgainstTruth(const SessionRecord& record, const Scenario& scenario,
                                   record.truth.east(last) - scenario.start.east_m);
   const double start = record.PhaseStart("SURVEY").value_or(Seconds(record.truth.time(0))).value();
   score.survey_start_s = start - record.truth.time(0);
+  score.obstacles = ScoreObstacles(record.truth, scenario);
   score.nav = ScoreNavigation(record, start);
   score.opis = ScoreOpis(record, score.former, scenario, score.nav.offset);
 }

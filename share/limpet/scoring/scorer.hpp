@@ -10,6 +10,7 @@
 #include "limpet/scoring/lanes_score.hpp"
 #include "limpet/scoring/lower_bound.hpp"
 #include "limpet/scoring/nav_score.hpp"
+#include "limpet/scoring/obstacle_score.hpp"
 #include "limpet/scoring/opi_score.hpp"
 #include "limpet/scoring/option_wins.hpp"
 #include "limpet/scoring/phase_times.hpp"
@@ -34,11 +35,12 @@ struct SessionScore {
   /// nothing, and of `opis` only what was reported and decided does.
   bool has_truth = true;
   CoverageScore coverage;
-  std::optional<LowerBound> bound;     ///< nothing if no area was told
-  std::optional<LanesScore> lanes;     ///< nothing without truth, area or survey
-  std::vector<OptionWins> wins;        ///< whose options were flown
-  std::optional<WaterScore> water;     ///< nothing if nobody said
-  std::optional<EnergyRecord> energy;  ///< nothing of a vehicle without a battery
+  std::optional<LowerBound> bound;       ///< nothing if no area was told
+  std::optional<LanesScore> lanes;       ///< nothing without truth, area or survey
+  std::vector<OptionWins> wins;          ///< whose options were flown
+  std::optional<WaterScore> water;       ///< nothing if nobody said
+  std::optional<EnergyRecord> energy;    ///< nothing of a vehicle without a battery
+  std::vector<ObstacleScore> obstacles;  ///< none without truth
   NavScore nav;
   OpiScores opis;
   std::vector<PicturedObject> pictured;  ///< none without images

@@ -38,6 +38,9 @@ namespace limpet {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Box, u, v, w, h, confidence, color)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Detections, frame, exposure, boxes)
 
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SonarPing, first, step, reach, ranges)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PosedSonar, north, east, down, roll, pitch, yaw, ping)
+
 void to_json(nlohmann::json& out, const TrackShift& shift) {
   out = {{"steps", shift.steps}};
   if (!shift.sigmas.empty()) out["sigmas"] = shift.sigmas;
@@ -166,6 +169,8 @@ void from_json(const nlohmann::json& in, FormerObject& former) {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Landmarks, landmarks)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OpiBeliefs, opis)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Obstacle, id, outline, top)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Obstacles, obstacles)
 
 void to_json(nlohmann::json& out, const ObservedFrame& frame) {
   const Pose& X_WB = frame.X_WB;
@@ -318,7 +323,10 @@ template struct JsonCodec<Landmarks>;
 template struct JsonCodec<LandmarkJoint>;
 template struct JsonCodec<ObservedFrame>;
 template struct JsonCodec<TrackShift>;
+template struct JsonCodec<SonarPing>;
+template struct JsonCodec<PosedSonar>;
 template struct JsonCodec<OpiBeliefs>;
+template struct JsonCodec<Obstacles>;
 template struct JsonCodec<WaterRecord>;
 template struct JsonCodec<SessionPrior>;
 template struct JsonCodec<HelmPath>;

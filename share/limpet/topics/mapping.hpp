@@ -72,6 +72,19 @@ struct OpiBeliefs {
 template <>
 struct TopicCodec<OpiBeliefs> : JsonCodec<OpiBeliefs> {};
 
+/// Something in the vehicle's way that stands up from the seabed.
+struct Obstacle {
+  int id = 0;                                    ///< stays its own as long as it is known
+  std::vector<std::array<double, 2>> outline{};  ///< convex: north, east [m]
+  double top = 0.0;                              ///< NED depth of the shallowest echo [m]
+  bool operator==(const Obstacle&) const = default;
+};
+struct Obstacles {
+  std::vector<Obstacle> obstacles;
+};
+template <>
+struct TopicCodec<Obstacles> : JsonCodec<Obstacles> {};
+
 /// By what the map judges whether a frame looks at a place: camera and detector as it believes them
 /// (`survey/look.hpp`). Who plans looks plans them by this.
 struct MapLook {
@@ -156,6 +169,16 @@ inline const auto kMapCoverage = Declare<Coverage>(
 inline const auto kMapOpis = Declare<OpiBeliefs>(
     "MAP_OPIS", "objects and their status",
     {.unit = "m", .frame = "NED", .rate = "on change, at most 2 Hz", .writers = {"pMap"}});
+inline const auto kMapObstacles = Declare<Obstacles>(
+    "MAP_OBSTACLES", "what stands in the way, as sonar and DVL found it: all of it, each time",
+    {.unit = "m", .frame = "NED", .rate = "on change", .writers = {"pMap"}});
+inline const auto kObstacleAlert = Declare<std::string>(
+    "OBSTACLE_ALERT",
+    "one obstacle, new or with another outline: `name=ob_3#poly=pts={x,y:...}#id=ob_3`",
+    {.unit = "m", .frame = "x east, y north", .rate = "on change", .writers = {"pMap"}});
+inline const auto kObstacleResolved =
+    Declare<std::string>("OBM_RESOLVED", "an obstacle that is none after all: its id",
+                         {.rate = "on event", .writers = {"pMap"}});
 inline const auto kMapLook =
     Declare<MapLook>("MAP_LOOK", "by what the map judges whether a frame looks at a place",
                      {.unit = "m, rad", .rate = "once, and in other water", .writers = {"pMap"}});

@@ -10,6 +10,7 @@
 #include "limpet/core/frames.hpp"
 #include "limpet/objects/frame.hpp"
 #include "limpet/objects/object_estimate.hpp"
+#include "limpet/topics/sensors.hpp"
 #include "limpet/topics/topic.hpp"
 
 namespace limpet {
@@ -134,6 +135,16 @@ struct PosedBeams {
   [[nodiscard]] Pose pose() const { return {{north, east, down}, roll, pitch, yaw}; }
 };
 
+/// A sonar's ping with the pose of the sonar at its time: NED, attitude of the body.
+struct PosedSonar {
+  double north = 0.0, east = 0.0, down = 0.0;
+  double roll = 0.0, pitch = 0.0, yaw = 0.0;
+  SonarPing ping;
+  [[nodiscard]] Pose pose() const { return {{north, east, down}, roll, pitch, yaw}; }
+};
+template <>
+struct TopicCodec<PosedSonar> : JsonCodec<PosedSonar> {};
+
 namespace topics {
 inline const auto kNavX = Declare<double>(
     "NAV_X", "position; silent, like all of NAV_ but NAV_STATE, while that is not valid",
@@ -188,6 +199,9 @@ inline const auto kNavTrackShift = Declare<TrackShift>(
 inline const auto kNavBeams = Declare<PosedBeams>(
     "NAV_BEAMS", "each DVL ping with the pose of the DVL",
     {.unit = "m, rad", .frame = "NED, body FRD", .rate = "5 Hz", .writers = {"pNav"}});
+inline const auto kNavSonar = Declare<PosedSonar>(
+    "NAV_SONAR", "each ping of the sonar that looks ahead, with its pose",
+    {.unit = "m, rad", .frame = "NED, body FRD", .rate = "4 Hz", .writers = {"pNav"}});
 }  // namespace topics
 
 }  // namespace limpet

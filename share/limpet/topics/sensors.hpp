@@ -49,6 +49,17 @@ struct DvlSample {
   [[nodiscard]] std::array<std::optional<double>, 4> beams() const { return {b1, b2, b3, b4}; }
 };
 
+/// One ping of a sonar that looks ahead: how far the first echo of each beam comes from. Beams lie
+/// level with the vehicle, from port to starboard.
+struct SonarPing {
+  double first = 0.0;          ///< bearing of the first beam, clockwise from ahead [rad]
+  double step = 0.0;           ///< from beam to beam [rad]
+  double reach = 0.0;          ///< echoes are heard up to here [m]
+  std::vector<double> ranges;  ///< [m]; 0: no echo within reach
+};
+template <>
+struct TopicCodec<SonarPing> : JsonCodec<SonarPing> {};
+
 /// A fix at the surface in the mission's local frame [m]; the error is mostly correlated over
 /// minutes.
 struct GpsFix {
@@ -125,6 +136,9 @@ inline const auto kDvlData = Declare<DvlSample>(
 inline const auto kGpsData = Declare<GpsFix>(
     "GPS_DATA", "GPS fix in the mission's local frame",
     {.unit = "m", .frame = "NED", .rate = "1 Hz at the surface", .writers = {"uSimSensors"}});
+inline const auto kObstacleSonar = Declare<SonarPing>(
+    "OBSTACLE_SONAR", "echoes of the sonar that looks ahead for obstacles, by beam",
+    {.unit = "m, rad", .frame = "body FRD", .rate = "4 Hz", .writers = {"uSimSensors"}});
 inline const auto kUsblFix = Declare<UsblFix>(
     "USBL_FIX",
     "fix by an acoustic positioning system; heard if pNav's `sources` "

@@ -179,12 +179,42 @@ struct CameraMountSheet {
   }
 };
 
+/// Fan of narrow beams, level with the vehicle, that look ahead for what stands up.
+struct SonarSheet {
+  bool is_present = false;
+  Eigen::Vector3d p_BS{0.3, 0.0, 0.0};
+  Hertz rate{4.0};
+  int beams = 61;
+  Radians fan = Radians::FromTextUnit(130.0);
+  Meters least_range{0.3};
+  Meters greatest_range{15.0};
+  double range_noise_m = 0.05;
+
+  /// Of the outermost beam to port, clockwise from ahead, and between two beams [rad].
+  [[nodiscard]] double first_bearing() const { return -0.5 * fan.value(); }
+  [[nodiscard]] double bearing_step() const { return fan.value() / (beams - 1); }
+
+  template <class V>
+  void Describe(V& visit) {
+    using namespace literals;
+    visit("present", is_present, "Whether there is one; without, obstacles show to DVL beams only");
+    visit("at_m", p_BS, "m", "Where it is, from the body origin", InRange(-10.0, 10.0));
+    visit("rate_hz", rate, "Pings per second", SensorRates());
+    visit("beams", beams, "Beams of the fan, from port to starboard", InRange(2, 512));
+    visit("fan_deg", fan, "Angle between the outermost two", InRange(1.0_deg, 180.0_deg));
+    visit("least_range_m", least_range, "Nothing nearer gives an echo", InRange(0.0_m, 10.0_m));
+    visit("greatest_range_m", greatest_range, "Nothing farther does", InRange(1.0_m, 200.0_m));
+    visit("range_noise_m", range_noise_m, "Noise of an echo's range [m]", InRange(0.0, 5.0));
+  }
+};
+
 struct SensorSheets {
   ImuSheet imu;
   FogSheet fog;
   DvlSheet dvl;
   DepthSheet depth;
   GpsSheet gps;
+  SonarSheet sonar;
   CameraMountSheet camera_mount;
 };
 

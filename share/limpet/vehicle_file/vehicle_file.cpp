@@ -82,6 +82,10 @@ void CheckBody(YamlReader& in, const YAML::Node& root, const VehicleParams& para
 }
 
 void CheckSensors(YamlReader& in, const YAML::Node& root, const SensorSheets& sensors) {
+  if (sensors.sonar.least_range >= sensors.sonar.greatest_range) {
+    in.Complain(root["obstacle_sonar"], "obstacle_sonar.least_range_m",
+                "lies below obstacle_sonar.greatest_range_m");
+  }
   if (sensors.dvl.least_altitude >= sensors.dvl.greatest_altitude) {
     in.Complain(root["dvl"], "dvl.least_altitude_m", "lies below dvl.greatest_altitude_m");
   }
@@ -199,6 +203,7 @@ std::vector<VehicleFileSection> VehicleFileSections(VehicleFile& vehicle) {
           {"dvl", DescribeParams(sensors.dvl)},
           {"depth", DescribeParams(sensors.depth)},
           {"gps", DescribeParams(sensors.gps)},
+          {"obstacle_sonar", DescribeParams(sensors.sonar)},
           {"camera", CameraKeys(vehicle)},
           {"battery", DescribeParams(vehicle.battery)}};
 }

@@ -56,6 +56,31 @@ TEST_F(SurveyMirrorTest, ADeltaOfAnotherAreaIsLateMailAndChangesNothing) {
   EXPECT_LT(mirror_.seen()(DubinsPath({0.0, -3.0, 1.57}, {{0.0, 6.0}})).new_area, before);
 }
 
+TEST_F(SurveyMirrorTest, PathsKeepOffObstaclesUntilTheyAreNone) {
+  const std::vector<Obstacle> pile{
+      {.id = 1, .outline = {{0.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}, {1.0, 0.0}}, .top = 0.0}};
+  const auto is_free = [this](double north, double east) {
+    return mirror_.Snapshot(Seconds(0.0), {}, 0.0).region->Contains(north, east);
+  };
+  mirror_.UpdateGround();
+  EXPECT_TRUE(is_free(0.5, -1.0));
+  EXPECT_TRUE(mirror_.SetObstacles(pile));
+  EXPECT_FALSE(mirror_.SetObstacles(pile));
+  EXPECT_FALSE(is_free(0.5, -1.0));
+  EXPECT_TRUE(is_free(0.5, -1.6));
+  EXPECT_TRUE(mirror_.SetObstacles({}));
+  EXPECT_TRUE(is_free(0.5, -1.0));
+}
+
+TEST_F(SurveyMirrorTest, ObstaclesKnownBeforeTheAreaCountOnceItIs) {
+  SurveyMirror mirror{ViewParams{}};
+  EXPECT_TRUE(mirror.SetObstacles(
+      {{.id = 1, .outline = {{0.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}}, .top = 0.0}}));
+  mirror.SetArea(MirroredArea());
+  mirror.UpdateGround();
+  EXPECT_FALSE(mirror.Snapshot(Seconds(0.0), {}, 0.0).region->Contains(0.5, 0.8));
+}
+
 TEST_F(SurveyMirrorTest, NoticesObjectsThatCameWentOrWereDecided) {
   EXPECT_TRUE(mirror_.SetObjects({BeliefAt(1, 0.0, 0.0), BeliefAt(2, 3.0, 0.0)}));
   EXPECT_FALSE(mirror_.SetObjects({BeliefAt(1, 0.1, 0.0), BeliefAt(2, 3.0, 0.1)}))

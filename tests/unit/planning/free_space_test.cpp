@@ -143,8 +143,8 @@ TEST(TransitPath, FollowsTheMissionsWayInAndTheWayHomeGoesBackByIt) {
 
 TEST(RestOfWay, BeginsWithTheFirstPlaceForOneWhoIsNotThereYet) {
   const std::vector<PlanePoint> way{{-3.0, 19.0}, {-3.0, 12.0}};
-  EXPECT_EQ(RestOfWay(way, {8.0, 18.0}).size(), 2U);  // the leg is nearer, by a hair
-  EXPECT_EQ(RestOfWay(way, {-3.0, 16.0}).size(), 1U);
+  EXPECT_EQ(RestOfWay(way, {8.0, 18.0}, Meters(3.0)).size(), 2U);  // the leg is nearer, by a hair
+  EXPECT_EQ(RestOfWay(way, {-3.0, 16.0}, Meters(3.0)).size(), 1U);
 }
 
 TEST(RoomToTurn, IsTheLargestPieceWhereAFullTurnFits) {

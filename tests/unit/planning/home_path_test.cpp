@@ -24,6 +24,19 @@ TEST(HomePath, EndsAtHomeAndStaysInside) {
   }
 }
 
+TEST(HomePath, OnItsWayOutItDoesNotTurnBackForThePlaceWhereItLeaves) {
+  SurveyArea basin{.north_min = -20, .north_max = 0, .east_min = -25, .east_max = 25};
+  basin.outline = "{-25,-20:25,-20:25,0:-25,0}";
+  basin.operating_region = "{-26.5,-21.5:27,-21.5:27,1.5:-26.5,1.5}";
+  basin.transit = "{38,2:36,-10}";
+  const Region region(basin, Meters(0.4));
+  const double eastwards = 0.5 * std::numbers::pi;
+  for (const double east : {20.0, 23.0, 25.0, 26.3, 28.0, 30.0}) {
+    const Option home = HomePath({-10.2, east, eastwards}, 12.0, 36.0, region, kRadius);
+    EXPECT_LT(home.path.length(), (36.0 - east) + 12.2 + 10.3 + 3.0) << east;
+  }
+}
+
 TEST(HomePath, IsNotMuchLongerThanTheStraightLine) {
   const Option home = HomePath({10.0, 10.0, 0.0}, -12.5, -15.5, kSceneRegion, kRadius);
   EXPECT_LT(home.path.length(), std::hypot(22.5, 25.5) + 12.0);

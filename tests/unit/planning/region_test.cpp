@@ -18,6 +18,21 @@ TEST(Region, IsTheAreaAndItsMargin) {
   EXPECT_FALSE(kRegion.Contains(17.1, 0.0));
 }
 
+TEST(Region, PathsKeepOffAnObstacleThatWasFound) {
+  const SurveyArea area{-15.0, 15.0, -18.0, 18.0, 2.0, 2.0};
+  const SimplePolygon pile = SimplePolygon::Box({-0.5, -0.5}, {0.5, 0.5});
+  const Region region(area, Meters(0.4), {{.polygon = pile, .distance = 1.5}});
+  EXPECT_FALSE(region.Contains(1.9, 0.0));
+  EXPECT_TRUE(region.Contains(2.1, 0.0));
+  EXPECT_TRUE(region.Contains(16.5, 0.0));
+  EXPECT_FALSE(region.Contains(16.7, 0.0));
+  const DubinsPath through({-6.0, 1.0, 0.0}, {{0.0, 12.0}});
+  const DubinsPath beside({-6.0, 2.5, 0.0}, {{0.0, 12.0}});
+  EXPECT_TRUE(region.EntersZone(through));
+  EXPECT_FALSE(region.EntersZone(beside));
+  EXPECT_NE(region.obstacle_mark(), Region(area, Meters(0.4)).obstacle_mark());
+}
+
 TEST(Region, NoticesAnArcThatLeavesAndComesBack) {
   // Heading north-east 1 m from the northern border: the bulge of the arc is outside, its end not.
   const Pose2 from{16.5, 0.0, 0.25 * std::numbers::pi};

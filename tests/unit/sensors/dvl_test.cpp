@@ -58,6 +58,15 @@ TEST(DvlModel, BeamMeetsAFloatingObjectAndAltitudeStaysThatOfTheSeabed) {
   EXPECT_NEAR(*sample.altitude, kSeabed - 3.68, 1e-6);
 }
 
+TEST(DvlModel, BeamMeetsAColumnThatStandsThere) {
+  const double reach = 2.0 * std::tan(RadiansFromDegrees(25.0)) * std::sqrt(0.5);
+  const UprightBody column = UprightBody::Column({-0.2 + reach + 0.3, reach}, 0.3, 0.0);
+  DvlModel dvl(Perfect(), {[](double, double) { return kSeabed; }, {}, {column}}, Random(1));
+  const DvlSample sample = *dvl.Sample(Cruising(), Seconds(0.0));
+  EXPECT_NEAR(*sample.b1, 2.0 / std::cos(RadiansFromDegrees(25.0)), 1e-6);
+  EXPECT_NEAR(*sample.altitude, kSeabed - 3.68, 1e-6);
+}
+
 TEST(DvlModel, HasTheNoiseItStates) {
   DvlModel dvl({}, FlatScene(), Random(2));
   Statistics u, w, range;

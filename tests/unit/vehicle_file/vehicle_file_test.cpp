@@ -67,7 +67,7 @@ TEST(VehicleFile, OfBlueRov2LeavesPitchToBuoyancy) {
 TEST(VehicleFile, OfFeelHippoHasTheSensorsThatTheSheetsHaveByDefault) {
   VehicleFile shipped = LoadVehicleFile(kShipped / "feelhippo.yaml");
   VehicleFile usual;
-  usual.battery.is_present = true;
+  usual.battery.is_present = usual.sensors.sonar.is_present = true;
   const std::vector<VehicleFileSection> is = VehicleFileSections(shipped);
   const std::vector<VehicleFileSection> should = VehicleFileSections(usual);
   for (std::size_t i = 2; i < is.size(); ++i) {
