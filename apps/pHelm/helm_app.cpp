@@ -70,11 +70,20 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
       arbiter_(DomainOf(params), ClockOf(context)),
       journal_(params.domain,
                [this](std::string variable, Value value) {
-                 PublishRaw(std::move(variable), std::move(value));
+                 // Those of a helm that is led are read as the vehicle's.
+                 if (!lead_.leads()) PublishRaw(std::move(variable), std::move(value));
                }),
-      drawing_(ownship_, [this](std::string variable, std::string text) {
-        PublishRaw(std::move(variable), std::move(text));
-      }) {
+      drawing_(ownship_,
+               [this](std::string variable, std::string text) {
+                 PublishRaw(std::move(variable), std::move(text));
+               }),
+      lead_({.waypoints = params.lead,
+             .depth = params.lead_depth,
+             .course = params.lead_course,
+             .speed = params.lead_speed},
+            [this](std::string variable, Value value) {
+              PublishRaw(std::move(variable), std::move(value));
+            }) {
   is_parked_ = !params_.start_in_drive;
   SubscribeToNavigation();
   Subscribe(topics::kManualOverride, &HelmApp::OnOverride);
@@ -166,6 +175,7 @@ void HelmApp::Post(const std::vector<HelmPost>& posts) {
   for (const HelmPost& post : posts) {
     if (post.aux == "HELM_MODE" && std::holds_alternative<std::string>(post.value)) {
       ReportEvent(events::kMode, post.variable + " = " + std::get<std::string>(post.value));
+      if (lead_.leads()) continue;  // the other helm has modes of that name
     }
     PublishRaw(post.variable, post.value, post.aux);
   }
@@ -257,38 +267,13 @@ void HelmApp::DecideView(Seconds now) {
     Publish(topics::kHelmPath,
             ToHelmPath(decision->chosen->path, decision->bids.path_id, decision->chosen->source));
     drawing_.DrawDecision(*decision);
+    lead_.Follow(decision->chosen->path);
     ReportEvent(events::kPath, fmt::format("path {}: {}, {:.0f} m, because: {}",
                                            decision->bids.path_id, decision->chosen->source,
                                            decision->chosen->path.length(), decision->bids.cause));
   } else {
     Warn(warnings::kNoOption, "no option is left: all vetoed or none offered");
   }
-}
-
-void HelmApp::Steer(const VehicleState& state) {
-  const std::vector<WeightedBehavior> bidders = Bidders();
-  motion_ = arbiter_.Decide(bidders, state);
-  const MotionDecision& decision = motion_;
-  if (motion_rate_.IsDue(decision, state.now)) {
-    Publish(topics::kHelmMotion, RecordOf(arbiter_, decision));
-  }
-  if (std::ranges::any_of(decision.turns, &BehaviorTurn::IsEmergency)) {
-    AllStop("BehaviorError");
-    return;
-  }
-  if (decision.active.empty()) {
-    AllStop("NothingToDo");
-    return;
-  }
-  if (const std::string missing = decision.Missing(arbiter_.domain()); !missing.empty()) {
-    AllStop("MissingDecVars:" + missing);
-    return;
-  }
-  allstop_text_ = "clear";
-  if (decision.course) Publish(topics::kDesiredHeading, MoosHeadingFromYaw(*decision.course));
-  if (decision.speed) Publish(topics::kDesiredSpeed, *decision.speed);
-  if (decision.depth) Publish(topics::kDesiredDepth, *decision.depth);
-  Publish(topics::kDesiredTurnRate, decision.turn_rate.value_or(0.0));
 }
 
 void HelmApp::GatherFailures() {
@@ -339,19 +324,6 @@ void HelmApp::TellBehaviorWarnings() {
   }
 }
 
-void HelmApp::AllStop(const std::string& why) {
-  if (allstop_text_ != why) {  // once: a pilot that hears nothing more goes to zero by itself
-    Publish(topics::kDesiredSpeed, 0.0);
-    Publish(topics::kDesiredTurnRate, 0.0);
-    if (arbiter_.domain().depth) Publish(topics::kDesiredDepth, 0.0);
-  }
-  allstop_text_ = why;
-}
-
-std::optional<double> HelmApp::last_course_deg() const {
-  return motion_.course ? std::optional<double>(MoosHeadingFromYaw(*motion_.course)) : std::nullopt;
-}
-
 std::vector<std::string_view> HelmApp::ActiveBehaviors() const {
   std::vector<std::string_view> active(motion_.active.begin(), motion_.active.end());
   if (bids_ && !planner_.path().segments().empty() && !bids_->value.options.empty()) {
@@ -363,10 +335,12 @@ std::vector<std::string_view> HelmApp::ActiveBehaviors() const {
 }
 
 void HelmApp::PublishState(Seconds now) {
-  Publish(topics::kHelmState, std::string(StateText()));
-  if (published_allstop_ != allstop_text_) {
-    published_allstop_ = allstop_text_;
-    Publish(topics::kHelmAllStop, allstop_text_);
+  if (!lead_.leads()) {
+    Publish(topics::kHelmState, std::string(StateText()));
+    if (published_allstop_ != allstop_text_) {
+      published_allstop_ = allstop_text_;
+      Publish(topics::kHelmAllStop, allstop_text_);
+    }
   }
   journal_.PostIteration({.number = helm_iteration_,
                           .now = now,

@@ -8,6 +8,7 @@
 
 #include "apps/pHelm/helm_drawing.hpp"
 #include "apps/pHelm/helm_journal.hpp"
+#include "apps/pHelm/helm_lead.hpp"
 #include "apps/pHelm/stock_nav.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/helm/behavior_host.hpp"
@@ -23,7 +24,7 @@ namespace limpet {
 
 /// Hosts behaviors and arbitrates their bids: which view next (HELM_PATH, explained in HELM_BIDS),
 /// and how to move now (DESIRED_HEADING, DESIRED_SPEED, DESIRED_DEPTH). Parks on
-/// MOOS_MANUAL_OVERRIDE.
+/// MOOS_MANUAL_OVERRIDE. With `lead` it says neither, but tells another helm's behaviors.
 class HelmApp final : public App {
  public:
   using Params = HelmParams;
@@ -78,6 +79,9 @@ class HelmApp final : public App {
   /// Raised while `ids` are not empty; says which.
   void WarnOfObjects(const WarningId& id, const std::string& ids, const std::string& what);
   void Steer(const VehicleState& state);
+  /// What was decided of the motion goes to the pilot, or to the helm that is led.
+  void Drive();
+  void Lead();
   /// Who failed or took long in this iteration, wherever, with the warnings of it.
   void GatherFailures();
   /// BHV_ERROR, whenever others fail than before, or for other reasons.
@@ -119,6 +123,7 @@ class HelmApp final : public App {
   HelmRevisits revisits_;                       ///< as last told
   HelmJournal journal_;
   HelmDrawing drawing_;
+  HelmLead lead_;
 };
 
 }  // namespace limpet

@@ -9,7 +9,7 @@
 namespace limpet {
 namespace {
 
-constexpr double kSagitta = 0.02;  ///< [m] of a chord
+constexpr double kSagitta = 0.02;  ///< [m] of a drawn chord
 
 PolygonShape Rectangle(const SurveyArea& area, double margin) {
   const double north = area.north_max + margin, south = area.north_min - margin;
@@ -19,12 +19,12 @@ PolygonShape Rectangle(const SurveyArea& area, double margin) {
 }
 
 /// Chords for an arc: the sagitta of a chord of angle a on radius r is r (1 - cos(a/2)).
-int ChordsOf(const PathSegment& segment) {
+int ChordsOf(const PathSegment& segment, double sagitta) {
   const double curvature = std::abs(segment.curvature);
   if (curvature < 1e-6) {
     return 1;
   }
-  const double angle = 2.0 * std::acos(std::max(0.0, 1.0 - kSagitta * curvature));
+  const double angle = 2.0 * std::acos(std::max(0.0, 1.0 - sagitta * curvature));
   return std::max(1, static_cast<int>(std::ceil(curvature * segment.length / angle)));
 }
 
@@ -39,11 +39,11 @@ Shape OptionEnd(std::string label, const BiddenOption& option) {
 
 }  // namespace
 
-std::vector<MapPoint> MapPointsOf(const DubinsPath& path) {
+std::vector<MapPoint> MapPointsOf(const DubinsPath& path, double sagitta) {
   Pose2 pose = path.start();
   std::vector<MapPoint> points{MapPointOf(pose.north, pose.east)};
   for (const PathSegment& segment : path.segments()) {
-    const int chords = ChordsOf(segment);
+    const int chords = ChordsOf(segment, sagitta);
     for (int i = 0; i < chords; ++i) {
       pose = Advance(pose, segment.curvature, segment.length / chords);
       points.push_back(MapPointOf(pose.north, pose.east));
@@ -115,7 +115,7 @@ void HelmDrawing::DrawDecision(const ViewDecision& decision) {
   has_path_ = true;
   const Option& chosen = *decision.chosen;
   board_.Draw({.label = Label("path"),
-               .form = SeglistShape{MapPointsOf(chosen.path)},
+               .form = SeglistShape{MapPointsOf(chosen.path, kSagitta)},
                .style = {.msg = fmt::format("{} {:.0f} m", chosen.source, chosen.path.length()),
                          .label_color = "white",
                          .edge_color = "white",

@@ -9,6 +9,7 @@
 #include "limpet/app/app_tick.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/require.hpp"
+#include "limpet/mission/stand_ins.hpp"
 
 namespace limpet {
 namespace {
@@ -158,7 +159,7 @@ class EmbeddedCommunity::Impl {
   };
 
   void AddApp(const std::string& name) {
-    const auto entry = AppRegistry().find(name);
+    const auto entry = AppRegistry().find(OwnNameOf(name));
     if (entry == AppRegistry().end()) {
       std::vector<std::string> known;
       std::ranges::transform(AppRegistry(), std::back_inserter(known),

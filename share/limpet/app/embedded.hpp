@@ -19,7 +19,8 @@ namespace limpet {
 /// What an embedded community is made of.
 struct EmbeddedSetup {
   std::string community;
-  std::vector<std::string> apps;    ///< process names in launch order; each must be registered
+  /// Process names in launch order; each must be registered, or ours must stand in for it.
+  std::vector<std::string> apps;
   std::vector<ConfigBlock> blocks;  ///< ProcessConfig blocks; an app without one takes its defaults
   std::vector<ConfigEntry> globals;
   std::filesystem::path mission_folder;

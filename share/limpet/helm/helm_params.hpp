@@ -19,6 +19,8 @@ struct HelmParams {
   bool start_in_drive = true;
   bool allow_park = true;
   Seconds nav_grace{5.0};
+  std::string lead{};
+  std::string lead_depth{}, lead_course{}, lead_speed{};
   ViewParams views;
 
   template <class Visitor>
@@ -41,6 +43,14 @@ struct HelmParams {
           "Without NAV_STATE: NAV_X and its kin may be so old; with a time warp a second of real "
           "time at least",
           InRange(Seconds(0.1), Seconds(3600.0)));
+    visit("lead", lead,
+          "Steer by way of another helm: the variable in which its BHV_Waypoint takes updates. "
+          "This helm then writes no DESIRED_*, IVPHELM_* and modes");
+    visit("lead_depth", lead_depth,
+          "With lead: the variable in which the other helm's BHV_ConstantDepth takes updates");
+    visit("lead_course", lead_course,
+          "Of its BHV_ConstantHeading, told a course while there is no way; with lead_speed");
+    visit("lead_speed", lead_speed, "Of its BHV_ConstantSpeed; with lead_course");
     visit.WithoutEffect({"ok_skew", "node_skew", "verbose", "hold_on_app", "hold_on_apps",
                          "goals_mandatory", "park_on_allstop", "standby", "helm_prefix",
                          "helm_alias", "contact_max_age", "other_override_var", "pmgen",

@@ -2,6 +2,7 @@
 // The blocks of Limpet's apps and behaviors, each for itself.
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -35,14 +36,13 @@ std::vector<ConfigProblem>& ListFor(const MissionReading& reading, std::string_v
   return is_for_stock ? found.notes : found.syntax;
 }
 
-void CheckDomain(const MissionReading& reading, const LaunchedApp& helm, MissionProblems& found) {
+void CheckDomain(const LaunchedApp& helm, std::vector<ConfigProblem>& list) {
   std::vector<ConfigEntry> lines;
-  for (const Setting& line : reading.FindAll("pHelm", "domain")) {
-    if (!line.is_default) lines.push_back({line.key, line.text, line.where});
-  }
+  std::ranges::copy_if(helm.block.entries, std::back_inserter(lines), [](const ConfigEntry& entry) {
+    return EqualsIgnoringCase(entry.key, "domain");
+  });
   MotionDomain domain;
-  if (lines.empty()) return;
-  Append(ReadMotionDomain(lines, helm.block.where, domain), ListFor(reading, "pHelm", found));
+  if (!lines.empty()) Append(ReadMotionDomain(lines, helm.block.where, domain), list);
 }
 
 void CheckGenerators(const MissionReading& reading, MissionProblems& found) {
@@ -76,11 +76,13 @@ void NoteRepeats(const LaunchedApp& app, MissionProblems& found) {
 
 void CheckBlocks(const MissionReading& reading, MissionProblems& found) {
   for (const LaunchedApp& app : reading.apps()) {
-    Append(app.entry->check(app.block), ListFor(reading, app.process, found));
+    std::vector<ConfigProblem>& list =
+        app.stands_for.empty() ? ListFor(reading, app.process, found) : found.notes;
+    Append(app.entry->check(app.block), list);
     Append(IgnoredKeys(app.block, app.entry->describe()), found.notes);
     NoteRepeats(app, found);
     if (app.process == "pHelm") {
-      CheckDomain(reading, app, found);
+      CheckDomain(app, list);
       CheckGenerators(reading, found);
     }
   }

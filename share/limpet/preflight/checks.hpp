@@ -18,6 +18,9 @@ void CheckVehicle(const MissionReading& reading, MissionProblems& found);
 void CheckLaunches(const MissionReading& reading, MissionProblems& found);
 void CheckBlocks(const MissionReading& reading, MissionProblems& found);
 void CheckBehaviors(const MissionReading& reading, MissionProblems& found);
+/// Of a helm that leads another one: that there is one, and that its behaviors take what it is
+/// told.
+void CheckLead(const MissionReading& reading, MissionProblems& found);
 /// Parameters that are one fact and are said in several places.
 void CheckAgreement(const MissionReading& reading, MissionProblems& found);
 /// Apps that others need to hear. Returns what the apps cannot be built with; where it is known

@@ -113,6 +113,9 @@ void MissionReading::SortLaunches() {
                      .where = launch.where,
                      .stands_for = stands_in ? named : ""});
   }
+  // Of two helms ours is the one that is asked about: it may lead the other (lead_check.cpp).
+  std::stable_partition(apps_.begin(), apps_.end(),
+                        [](const LaunchedApp& a) { return a.stands_for.empty(); });
 }
 
 void MissionReading::LoadBehaviorFiles() {
@@ -185,14 +188,13 @@ bool MissionReading::Launches(std::string_view process) const {
 }
 
 bool MissionReading::StandsIn(std::string_view process) const {
-  return std::ranges::any_of(apps_, [&](const LaunchedApp& app) {
-    return app.process == process && !app.stands_for.empty();
-  });
+  const auto app = std::ranges::find(apps_, process, &LaunchedApp::process);
+  return app != apps_.end() && !app->stands_for.empty();
 }
 
 bool MissionReading::is_foreign() const {
   return !strangers_.empty() || mission_.launches.empty() ||
-         std::ranges::any_of(apps_, [](const LaunchedApp& a) { return !a.stands_for.empty(); });
+         std::ranges::any_of(apps_, [this](const LaunchedApp& a) { return StandsIn(a.process); });
 }
 
 std::vector<Setting> MissionReading::FindAll(std::string_view process, std::string_view key) const {

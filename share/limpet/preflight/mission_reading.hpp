@@ -57,7 +57,7 @@ class MissionReading {
   /// anything.
   [[nodiscard]] const std::vector<LaunchEntry>& strangers() const { return strangers_; }
   [[nodiscard]] bool Launches(std::string_view process) const;
-  /// True if ours runs in place of a stock program that the mission launches.
+  /// True if ours runs in place of a stock program, and not under its own name, too.
   [[nodiscard]] bool StandsIn(std::string_view process) const;
   /// A mission of other people's, or a piece of one: it launches programs that are not Limpet's, or
   /// nothing.

@@ -98,6 +98,7 @@ void CheckSyntax(const MissionReading& reading, MissionProblems& found) {
   internal::CheckVehicle(reading, found);
   internal::CheckBlocks(reading, found);
   internal::CheckBehaviors(reading, found);
+  internal::CheckLead(reading, found);
   if (reading.is_foreign()) SetMacrosAside(found);
 }
 

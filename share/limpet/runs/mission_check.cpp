@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "limpet/mission/stand_ins.hpp"
 #include "limpet/runs/session_runner.hpp"
 
 namespace limpet {
@@ -16,7 +17,7 @@ std::vector<ConfigProblem> CheckConfiguration(const MissionFile& mission,
   std::ranges::transform(AppRegistry(), std::back_inserter(known),
                          [](const auto& registered) { return registered.first; });
   for (const std::string& name : EmbeddedApps(mission)) {
-    if (!AppRegistry().contains(name)) {
+    if (!AppRegistry().contains(OwnNameOf(name))) {
       problems.push_back({{.file = mission.file, .line = 0},
                           "Run",
                           fmt::format("no app `{}` to run embedded; nearest known: `{}`", name,

@@ -181,6 +181,11 @@ inline const auto kHelmMotion = Declare<HelmMotion>(
 inline const auto kHelmRevisits = Declare<HelmRevisits>(
     "HELM_REVISITS", "which objects the helm still wants to look at, and why not the others",
     {.unit = "m of path", .rate = "on change", .writers = {"pHelm"}});
+inline const auto kHelmLead = Declare<std::string>(
+    "HELM_LEAD",
+    "of a helm that leads another one: way (it told way points), course (no way, but course and "
+    "speed), hold (the vehicle is to stay) or none",
+    {.rate = "on change", .writers = {"pHelm"}});
 inline const auto kDesiredHeading = Declare<double>(
     "DESIRED_HEADING", "course to steer",
     {.unit = "deg", .frame = "clockwise from north", .rate = "10 Hz", .writers = {"pHelm"}});

@@ -2,6 +2,7 @@
 // What `limpet check` takes, and how it says what it found.
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -84,6 +85,40 @@ TEST(CheckVerbOfFiles, NotesWhatOurHelmCouldNotRunInPlaceOfTheStockOne) {
   EXPECT_THAT(stock.text, HasSubstr("ok_skew"));
   const Checked ours = check("pHelm");
   EXPECT_EQ(ours.exit_code, kUsage) << ours.text;
+}
+
+TEST(CheckVerbOfFiles, RefusesToLeadAHelmThatDoesNotHearOrIsNotThere) {
+  const TemporaryFolder folder;
+  fs::copy(kMissions / "led_helm", folder.path() / "m");
+  fs::copy(kMissions.parent_path() / "plugs", folder.path() / "plugs");
+  const auto check_with = [&](const fs::path& file, const std::string& from,
+                              const std::string& to) {
+    std::ifstream in(file);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    std::string changed = text;
+    const std::size_t at = changed.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    std::ofstream(file) << changed.replace(at, from.size(), to);
+    const Checked checked = Check({(folder.path() / "m").string()});
+    std::ofstream(file) << text;
+    return checked;
+  };
+  const fs::path led = folder.path() / "m/vehicle.bhv";
+  const Checked deaf = check_with(led, "= SURVEY_WAY\n", "= SURVEY_WYA\n");
+  EXPECT_EQ(deaf.exit_code, kUsage) << deaf.text;
+  EXPECT_THAT(deaf.text, HasSubstr("plug_pHelm.moos:"));
+  EXPECT_THAT(deaf.text, HasSubstr("lead: no BHV_Waypoint of pHelmIvP takes updates in "
+                                   "`SURVEY_WAY`; the nearest that one takes them in: "
+                                   "`SURVEY_WYA`"));
+  const fs::path antler = folder.path() / "plugs/plug_ANTLER.moos";
+  const Checked alone = check_with(antler, "  Run = pHelmIvP ", "  // Run = pHelmIvP ");
+  EXPECT_EQ(alone.exit_code, kUsage) << alone.text;
+  EXPECT_THAT(alone.text, HasSubstr("pHelmIvP is not launched: nobody would steer"));
+  const fs::path helm = folder.path() / "plugs/plug_pHelm.moos";
+  const Checked mute = check_with(helm, "  lead        = SURVEY_WAY\n", "");
+  EXPECT_THAT(mute.text, HasSubstr("lead_depth: says nothing without `lead`"));
+  const Checked slip = check_with(helm, "turning_radius_m", "turning_radius_n");
+  EXPECT_EQ(slip.exit_code, kUsage) << "our own block stays checked strictly\n" << slip.text;
 }
 
 TEST(CheckVerbOfFiles, NotesThatATemplateIsNotYetExpanded) {

@@ -76,7 +76,7 @@ TEST_F(HelmDrawingTest, APathThatNobodyFollowsIsErasedOnce) {
 TEST(MapPointsOf, FollowsAnArcToTwoCentimetres) {
   const double radius = 3.0;
   const DubinsPath turn({}, {{.curvature = 1.0 / radius, .length = std::numbers::pi * radius}});
-  const std::vector<MapPoint> points = MapPointsOf(turn);
+  const std::vector<MapPoint> points = MapPointsOf(turn, 0.02);
   EXPECT_LT(points.size(), 20U);
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double x = 0.5 * (points[i].x + points[i - 1].x) - radius;

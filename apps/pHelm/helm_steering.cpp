@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// How now: what is decided of the motion, and who is told.
+#include <algorithm>
+
+#include "apps/pHelm/helm_app.hpp"
+#include "limpet/core/frames.hpp"
+
+namespace limpet {
+
+void HelmApp::Steer(const VehicleState& state) {
+  const std::vector<WeightedBehavior> bidders = Bidders();
+  motion_ = arbiter_.Decide(bidders, state);
+  const MotionDecision& decision = motion_;
+  if (!lead_.leads() && motion_rate_.IsDue(decision, state.now)) {
+    Publish(topics::kHelmMotion, RecordOf(arbiter_, decision));
+  }
+  if (std::ranges::any_of(decision.turns, &BehaviorTurn::IsEmergency)) {
+    AllStop("BehaviorError");
+  } else if (lead_.leads()) {
+    Lead();
+  } else {
+    Drive();
+  }
+}
+
+void HelmApp::Lead() {
+  const bool has_path = !planner_.path().segments().empty();
+  if (motion_.active.empty() && !has_path) {
+    AllStop("NothingToDo");
+    return;
+  }
+  allstop_text_ = "clear";
+  lead_.Steer(has_path, motion_);
+}
+
+void HelmApp::Drive() {
+  const MotionDecision& decision = motion_;
+  if (decision.active.empty()) {
+    AllStop("NothingToDo");
+    return;
+  }
+  if (const std::string missing = decision.Missing(arbiter_.domain()); !missing.empty()) {
+    AllStop("MissingDecVars:" + missing);
+    return;
+  }
+  allstop_text_ = "clear";
+  if (decision.course) Publish(topics::kDesiredHeading, MoosHeadingFromYaw(*decision.course));
+  if (decision.speed) Publish(topics::kDesiredSpeed, *decision.speed);
+  if (decision.depth) Publish(topics::kDesiredDepth, *decision.depth);
+  Publish(topics::kDesiredTurnRate, decision.turn_rate.value_or(0.0));
+}
+
+void HelmApp::AllStop(const std::string& why) {
+  if (lead_.leads()) {
+    lead_.Stop();
+  } else if (allstop_text_ != why) {
+    // Once: a pilot that hears nothing more goes to zero by itself.
+    Publish(topics::kDesiredSpeed, 0.0);
+    Publish(topics::kDesiredTurnRate, 0.0);
+    if (arbiter_.domain().depth) Publish(topics::kDesiredDepth, 0.0);
+  }
+  allstop_text_ = why;
+}
+
+std::optional<double> HelmApp::last_course_deg() const {
+  return motion_.course ? std::optional<double>(MoosHeadingFromYaw(*motion_.course)) : std::nullopt;
+}
+
+}  // namespace limpet
