@@ -82,6 +82,8 @@ class HelmApp final : public App {
   /// What was decided of the motion goes to the pilot, or to the helm that is led.
   void Drive();
   void Lead();
+  /// BHV_IPF: the bids of this iteration.
+  void PublishFunctions();
   /// Who failed or took long in this iteration, wherever, with the warnings of it.
   void GatherFailures();
   /// BHV_ERROR, whenever others fail than before, or for other reasons.

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // How now: what is decided of the motion, and who is told.
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include "apps/pHelm/helm_app.hpp"
 #include "limpet/core/frames.hpp"
+#include "limpet/helm/ipf_text.hpp"
+#include "limpet/topics/viewer.hpp"
 
 namespace limpet {
 
@@ -14,12 +18,22 @@ void HelmApp::Steer(const VehicleState& state) {
   if (!lead_.leads() && motion_rate_.IsDue(decision, state.now)) {
     Publish(topics::kHelmMotion, RecordOf(arbiter_, decision));
   }
+  if (params_.post_ipf) PublishFunctions();
   if (std::ranges::any_of(decision.turns, &BehaviorTurn::IsEmergency)) {
     AllStop("BehaviorError");
   } else if (lead_.leads()) {
     Lead();
   } else {
     Drive();
+  }
+}
+
+void HelmApp::PublishFunctions() {
+  for (const OwnedMotionBid& owned : arbiter_.bids()) {
+    const std::string text = IpfText(owned, arbiter_.domain(), helm_iteration_);
+    for (std::string& packet : IpfPackets(text, owned.owner, helm_iteration_)) {
+      PublishRaw(topics::kBehaviorFunction.name, std::move(packet), owned.owner);
+    }
   }
 }
 

@@ -19,6 +19,7 @@ struct HelmParams {
   bool start_in_drive = true;
   bool allow_park = true;
   Seconds nav_grace{5.0};
+  bool post_ipf = false;
   std::string lead{};
   std::string lead_depth{}, lead_course{}, lead_speed{};
   ViewParams views;
@@ -43,6 +44,9 @@ struct HelmParams {
           "Without NAV_STATE: NAV_X and its kin may be so old; with a time warp a second of real "
           "time at least",
           InRange(Seconds(0.1), Seconds(3600.0)));
+    visit("post_ipf", post_ipf,
+          "BHV_IPF: each bid on the motion as pieces, for uFunctionVis and alogview; a third and "
+          "more of a log's bytes");
     visit("lead", lead,
           "Steer by way of another helm: the variable in which its BHV_Waypoint takes updates. "
           "This helm then writes no DESIRED_*, IVPHELM_* and modes");

@@ -78,6 +78,10 @@ inline const auto kViewMarker = Declare<std::string>(
 inline const auto kHelmSummary = Declare<std::string>(
     "IVPHELM_SUMMARY", "the helm's decision and its behaviors; after the first what changed",
     {.rate = "10 Hz", .writers = {"pHelm"}});
+inline const auto kBehaviorFunction = Declare<std::string>(
+    "BHV_IPF",
+    "with post_ipf: a behavior's bid on the motion, as uFunctionVis and alogview read it",
+    {.rate = "each iteration and behavior", .writers = {"pHelm"}});
 inline const auto kHelmRejournal = Declare<std::string>(
     "IVPHELM_REJOURNAL", "asks for a whole IVPHELM_SUMMARY",
     {.rate = "on event", .writers = {"pNodeReporter", "uHelmScope"}, .is_command = true});

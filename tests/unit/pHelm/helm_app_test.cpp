@@ -58,8 +58,10 @@ class HelmAppTest : public ::testing::Test {
     context.link = &link_;
     context.mission_folder = folder_.path();
     context.globals = {{"Community", "alpha", {}}};
-    app_ = std::make_unique<HelmApp>(context, HelmApp::Params{});
+    context_ = context;
+    Make({});
   }
+  void Make(const HelmApp::Params& params) { app_ = std::make_unique<HelmApp>(context_, params); }
   void Tick() {
     link_.time += Seconds(0.1);
     app_->Tick(link_.time);
@@ -80,8 +82,26 @@ class HelmAppTest : public ::testing::Test {
 
   TemporaryFolder folder_;
   TestLink link_;
+  AppContext context_;
   std::unique_ptr<HelmApp> app_;
 };
+
+TEST_F(HelmAppTest, SaysBidsAsPiecesForDisplaysIfAsked) {
+  Deploy();
+  Tick();
+  EXPECT_THAT(Posts("BHV_IPF"), ::testing::IsEmpty()) << "off, unless a block says so";
+  HelmApp::Params params;
+  params.post_ipf = true;
+  Make(params);
+  Deploy();
+  Tick();
+  const std::vector<std::string> posts = Posts("BHV_IPF");
+  ASSERT_FALSE(posts.empty());
+  EXPECT_THAT(posts.front(), HasSubstr("P,north^1,"));
+  EXPECT_THAT(posts.front(), HasSubstr(",1,H,7,1:north,3,"));
+  EXPECT_THAT(posts.front(), HasSubstr("D,course;0;359;360:speed;0;1;21:depth;0;100;1001,G,359,20,"
+                                       "1000,F,0,"));
+}
 
 TEST_F(HelmAppTest, IntroducesItselfOnce) {
   Tick();
