@@ -45,8 +45,8 @@ struct HelmParams {
           "time at least",
           InRange(Seconds(0.1), Seconds(3600.0)));
     visit("post_ipf", post_ipf,
-          "BHV_IPF: each bid on the motion as pieces, for uFunctionVis and alogview; a third and "
-          "more of a log's bytes");
+          "BHV_IPF: each bid on the motion as pieces, for uFunctionVis and alogview; some 5 kB of "
+          "log a second in a survey");
     visit("lead", lead,
           "Steer by way of another helm: the variable in which its BHV_Waypoint takes updates. "
           "This helm then writes no DESIRED_*, IVPHELM_* and modes");
