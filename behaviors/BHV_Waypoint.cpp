@@ -65,6 +65,7 @@ bool BHV_Waypoint::TakeOver(const Behavior& former, const std::vector<std::strin
       progress.Reverse();
     }
   }
+  if (CruiseSpeed() != old.CruiseSpeed()) travel_.odometer.Spoil();
   travel_.progress.SetRepeats(params_.repeats);
   if (HasKey(keys, {"currix"}) && params_.index) {
     travel_.progress.SetIndex(static_cast<std::size_t>(*params_.index));
@@ -78,7 +79,10 @@ void BHV_Waypoint::TakeStart(const VehicleState& state) {
   }
 }
 
-void BHV_Waypoint::Start(const VehicleState&) { travel_.progress.ForgetApproach(); }
+void BHV_Waypoint::Start(const VehicleState&) {
+  travel_.progress.ForgetApproach();
+  travel_.odometer.Pause();
+}
 
 std::vector<BehaviorAct> BHV_Waypoint::Idle(const VehicleState& state) {
   TakeStart(state);
@@ -113,9 +117,13 @@ MapPoint BHV_Waypoint::SteeringPoint(const VehicleState& state) {
   return from ? LeadPoint({*from, progress.next()}, state.place(), params_.lead) : progress.next();
 }
 
+double BHV_Waypoint::CruiseSpeed() const {
+  return params_.uses_alt_speed && params_.speed_alt ? params_.speed_alt->value()
+                                                     : params_.speed.value();
+}
+
 double BHV_Waypoint::Speed(const MapPoint& at) const {
-  const double cruise = params_.uses_alt_speed && params_.speed_alt ? params_.speed_alt->value()
-                                                                    : params_.speed.value();
+  const double cruise = CruiseSpeed();
   const std::optional<double> left = travel_.progress.ToEnd(at);
   if (params_.slow_distance <= 0.0 || !left || *left >= params_.slow_distance) {
     return cruise;
@@ -136,6 +144,9 @@ MotionBid BHV_Waypoint::Move(const VehicleState& state) {
   }
   ActList acts;
   const Step step = progress.Advance(at, params_.capture);
+  travel_.odometer.Move(at);
+  if (params_.measures_efficiency && step != Step::kUnderway) PostEfficiency(state, acts);
+  acts.Post(With("WPT_ODO"), travel_.odometer.travelled_m());
   PostProgress(step, state, acts);
   MotionBid bid;
   if (step == Step::kCompleted) {
@@ -176,6 +187,25 @@ void BHV_Waypoint::PostProgress(Step step, const VehicleState& state, ActList& a
     acts.Post(With(params_.cycle_variable), static_cast<double>(cycles));
     travel_.posted_cycles = cycles;
   }
+}
+
+void BHV_Waypoint::PostEfficiency(const VehicleState& state, ActList& acts) {
+  LegOdometer& odometer = travel_.odometer;
+  if (!odometer.Reach(state.place(), state.now, CruiseSpeed())) return;
+  const auto post = [&](const std::string& which, const LegSums& sums) {
+    acts.Post(With("WPT_EFF_DIST_" + which), sums.DistanceEfficiency());
+    acts.Post(With("WPT_EFF_TIME_" + which), sums.TimeEfficiency());
+    acts.Post(
+        With("WPT_EFF_SUMM_" + which),
+        fmt::format("vname={}, bhv_name={}, linear_dist={}, odo_dist={}, efficiency_dist={}, "
+                    "linear_time={}, odo_time={}, efficiency_time={}",
+                    state.ownship, name(), DecimalText(sums.straight_m, 1),
+                    DecimalText(sums.travelled_m, 1), DecimalText(sums.DistanceEfficiency(), 3),
+                    DecimalText(sums.straight_s, 1), DecimalText(sums.travelled_s, 1),
+                    DecimalText(sums.TimeEfficiency(), 3)));
+  };
+  post("LEG", odometer.leg());
+  post("ALL", odometer.all());
 }
 
 void BHV_Waypoint::PostStatus(const VehicleState& state, ActList& acts) {

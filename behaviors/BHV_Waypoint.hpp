@@ -10,6 +10,7 @@
 #include "limpet/helm/behavior.hpp"
 #include "limpet/shapes/visual_hints.hpp"
 #include "limpet/waypoints/lead_point.hpp"
+#include "limpet/waypoints/leg_odometer.hpp"
 #include "limpet/waypoints/way_drawing.hpp"
 #include "limpet/waypoints/waypoint_progress.hpp"
 
@@ -41,6 +42,7 @@ class BHV_Waypoint final : public Behavior {
     std::string suffix{};
     double slow_distance = 0.0, stop_distance = 0.0;  ///< of `end_spd` [m]; 0: off
     bool is_greedy = false, is_reset_on_idle = false;
+    bool measures_efficiency = false;
     VisualHints hints{};
     void Describe(ParamCollector& visit);
   };
@@ -63,6 +65,7 @@ class BHV_Waypoint final : public Behavior {
   /// What has been travelled; an update leaves it alone unless it gives other points.
   struct Travel {
     WaypointProgress progress;
+    LegOdometer odometer;
     std::optional<MapPoint> begin;  ///< where the first leg is led from
     bool is_reversed = false;
     bool is_greedy_due = false;
@@ -77,6 +80,9 @@ class BHV_Waypoint final : public Behavior {
   [[nodiscard]] double Speed(const MapPoint& at) const;
   void PostProgress(WaypointProgress::Step step, const VehicleState& state, ActList& acts);
   void PostStatus(const VehicleState& state, ActList& acts);
+  /// Of the leg that has just ended, if it counts.
+  void PostEfficiency(const VehicleState& state, ActList& acts);
+  [[nodiscard]] double CruiseSpeed() const;
   [[nodiscard]] WayDrawing Drawing(const VehicleState& state) const;
   [[nodiscard]] std::string With(const std::string& variable) const;
 

@@ -130,6 +130,13 @@ void DescribePosts(ParamCollector& visit, Params& params) {
                    "Where the distance from the last point goes");
   DescribeVariable(visit, "wpt_dist_to_next", params.next_distance_variable,
                    "Where the distance to the next point goes");
+  visit.Parsed("efficiency_measure", "off, all",
+               "all: WPT_EFF_*, how directly and how fast legs are travelled", "off",
+               [&params](std::string_view text) {
+                 const std::string word = Lower(text);
+                 params.measures_efficiency = word == "all";
+                 return word == "all" || word == "off";
+               });
   DescribeSuffix(visit, "post_suffix", params.suffix);
   DescribeHints(visit, params.hints);
 }
@@ -141,8 +148,8 @@ void BHV_Waypoint::Params::Describe(ParamCollector& visit) {
   DescribeLegs(visit, *this);
   DescribeSpeed(visit, *this);
   DescribePosts(visit, *this);
-  visit.WithoutEffect({"efficiency_measure", "ipf_type", "ipf-type", "patience",
-                       "crs_spd_zaic_ratio", "eager_prev_index_flag", "draw_path_loop"});
+  visit.WithoutEffect({"ipf_type", "ipf-type", "patience", "crs_spd_zaic_ratio",
+                       "eager_prev_index_flag", "draw_path_loop"});
 }
 
 }  // namespace limpet

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // helm_cost: what pHelm costs with twelve everyday behaviors that all run, ten times a second: its
 // iterations without the network, as a share of a core. Times are of this thread's processor.
-#include <unistd.h>
-
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "apps/pHelm/helm_app.hpp"
 #include "limpet/core/clock.hpp"
@@ -156,9 +155,9 @@ void Measure(const std::string& name, bool posts_ipf) {
     sum += times.back();
     Move(link, nav);
     stopped += link.Last(topics::kDesiredSpeed).value_or(0.0) > 0.0 ? 0 : 1;
-    link.published.erase(link.published.begin(),
-                         link.published.begin() +
-                             static_cast<std::ptrdiff_t>(link.published.size() / 2));
+    link.published.erase(
+        link.published.begin(),
+        link.published.begin() + static_cast<std::ptrdiff_t>(link.published.size() / 2));
   }
   fmt::print("{:<24} {:8.3f} {:8.3f} {:8.3f} {:9.2f}   {}\n", name, 1e3 * sum / kTicks,
              1e3 * Quantile(times, 0.5), 1e3 * Quantile(times, 0.99), 100.0 * sum / kTicks / kTick,

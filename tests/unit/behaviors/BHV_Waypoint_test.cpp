@@ -47,6 +47,44 @@ TEST(BhvWaypoint, TravelsTheLapOfTheAlphaMission) {
   EXPECT_TRUE(flight.host().statuses().at(0).is_complete);
 }
 
+TEST(BhvWaypoint, SaysHowDirectlyItTravelsItsLegs) {
+  HelmFlight flight =
+      AtTheFirstPoint("  efficiency_measure = all\n  lead = 8\n  endflag = DONE = true\n");
+  ASSERT_TRUE(flight.FlyUntil([&] { return !flight.Posts("DONE").empty(); }, 400.0));
+  EXPECT_THAT(flight.Posts("WPT_EFF_DIST_LEG"), SizeIs(4)) << "from the first point to the last";
+  EXPECT_GT(std::stod(flight.Last("WPT_EFF_DIST_ALL")), 0.9);
+  EXPECT_LE(std::stod(flight.Last("WPT_EFF_DIST_ALL")), 1.0);
+  EXPECT_NEAR(std::stod(flight.Last("WPT_EFF_TIME_ALL")),
+              std::stod(flight.Last("WPT_EFF_DIST_ALL")), 0.03)
+      << "it travels as fast as it is told";
+  EXPECT_THAT(flight.Last("WPT_EFF_SUMM_ALL"),
+              HasSubstr("vname=alpha, bhv_name=survey, linear_dist=33"));
+  EXPECT_LT(std::stod(flight.Last("WPT_ODO")), 1.0) << "of the leg that has just begun";
+}
+
+TEST(BhvWaypoint, CountsNoLegThatWasInterruptedOrTravelledAtTwoSpeeds) {
+  HelmFlight flight = AtTheFirstPoint("  efficiency_measure = all\n  updates = UP\n");
+  flight.Fly(20.0);  // on the first leg
+  flight.Say("UP", std::string("speed = 1"));
+  ASSERT_TRUE(flight.FlyUntil([&] { return flight.Last("WPT_INDEX") == "2"; }, 200.0));
+  EXPECT_THAT(flight.Posts("WPT_EFF_DIST_LEG"), IsEmpty());
+  flight.Fly(10.0);
+  flight.Say("DEPLOY", std::string("false"));
+  flight.Fly(5.0);
+  flight.Say("DEPLOY", std::string("true"));
+  ASSERT_TRUE(flight.FlyUntil([&] { return flight.Last("WPT_INDEX") == "3"; }, 200.0));
+  EXPECT_THAT(flight.Posts("WPT_EFF_DIST_LEG"), IsEmpty());
+  ASSERT_TRUE(flight.FlyUntil([&] { return flight.Last("WPT_INDEX") == "4"; }, 200.0));
+  EXPECT_THAT(flight.Posts("WPT_EFF_DIST_LEG"), SizeIs(1));
+}
+
+TEST(BhvWaypoint, WithoutAMeasureSaysItsWayAlone) {
+  HelmFlight flight = AtTheFirstPoint("");
+  flight.Fly(30.0);
+  EXPECT_THAT(flight.Posts("WPT_EFF_DIST_LEG"), IsEmpty());
+  EXPECT_NEAR(std::stod(flight.Last("WPT_ODO")), flight.travelled(), 0.5);
+}
+
 TEST(BhvWaypoint, KeepsToItsLegsWhereItIsLed) {
   for (const bool leads : {true, false}) {
     HelmFlight flight("Behavior = BHV_Waypoint\n{\n  points = 0,0 : 200,0\n  speed = 2\n" +
