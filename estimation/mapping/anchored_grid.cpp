@@ -73,7 +73,10 @@ int AnchoredGrid::LayPings(SurveyGrid& grid, std::size_t& next, std::size_t end)
 void AnchoredGrid::SetReach(double reach) {
   reach_ = reach;
   grid_.SetReach(reach);
-  if (remake_) remake_->grid.SetReach(reach);
+  belief_.NoteOtherReach();
+  if (!remake_) return;
+  remake_->grid.SetReach(reach);
+  remake_->belief.NoteOtherReach();
 }
 
 bool AnchoredGrid::ShowsOtherGround(const Frame& frame) const {
@@ -108,7 +111,7 @@ void AnchoredGrid::StartRemake() {
     frame.moved = {};
     frame.beside_as_laid = static_cast<float>(frame.view.sigma.beside);
   }
-  SurveyGrid grid(area_, grid_.frame().cell_m);
+  SurveyGrid grid = grid_.Blank();
   CoverageBelief belief(area_, grid);
   remake_.emplace(Remake{.grid = std::move(grid),
                          .belief = std::move(belief),

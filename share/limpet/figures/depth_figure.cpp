@@ -21,9 +21,9 @@ struct DepthRange {
 /// The middle 99 % of the depths, widened to half a metre at least: a flat bottom must look flat.
 DepthRange RangeOf(const GridRecord& grid) {
   std::vector<double> depths;
-  for (std::size_t i = 0; i < grid.seen_height.size(); ++i) {
-    if (grid.seen_height[i] >= 0.0F) depths.push_back(static_cast<double>(grid.seabed_down[i]));
-  }
+  grid.EachSeen([&depths](int, int, const GridRecord::Cell& cell) {
+    depths.push_back(static_cast<double>(cell.seabed_down));
+  });
   if (depths.empty()) return {};
   std::sort(depths.begin(), depths.end());
   const std::size_t tail = depths.size() / 200;
@@ -39,17 +39,13 @@ struct DepthError {
 };
 
 DepthError ErrorOf(const GridRecord& grid, const Seabed& seabed) {
-  const auto columns = static_cast<std::size_t>(grid.frame.columns);
   double sum = 0.0, squares = 0.0, count = 0.0;
-  for (std::size_t i = 0; i < grid.seen_height.size(); ++i) {
-    if (grid.seen_height[i] < 0.0F) continue;
-    const double row = static_cast<double>(i / columns) + 0.5;
-    const double column = static_cast<double>(i % columns) + 0.5;
-    const double truth = seabed.Depth(grid.frame.north_min + row * grid.frame.cell_m,
-                                      grid.frame.east_min + column * grid.frame.cell_m);
-    const double error = static_cast<double>(grid.seabed_down[i]) - truth;
+  grid.EachSeen([&](int row, int column, const GridRecord::Cell& cell) {
+    const double truth = seabed.Depth(grid.frame.north_min + (row + 0.5) * grid.frame.cell_m,
+                                      grid.frame.east_min + (column + 0.5) * grid.frame.cell_m);
+    const double error = static_cast<double>(cell.seabed_down) - truth;
     sum += error, squares += error * error, count += 1.0;
-  }
+  });
   if (count == 0.0) return {};
   const double mean = sum / count;
   return {mean, std::sqrt(std::max(squares / count - mean * mean, 0.0))};
@@ -71,8 +67,8 @@ Figure DepthFigure(const FigureSource& source) {
   MapAxes map(area, TitleOfDepths(source),
               RunName(source) + " \u00b7 from the DVL\u2019s four beams");
   map.BeginMap();
-  map.Raster(grid, [&](std::size_t cell) {
-    const double share = range.ShareOf(static_cast<double>(grid.seabed_down[cell]));
+  map.Raster(grid, [&](const GridRecord::Cell& cell) {
+    const double share = range.ShareOf(static_cast<double>(cell.seabed_down));
     return palette::Viridis(std::round((1.0 - share) * 200.0) / 200.0);  // shallow is bright
   });
   map.Outline(area);

@@ -66,22 +66,25 @@ void MapAxes::DrawFrame(const std::string& title, const std::string& subtitle) {
                {.anchor = Anchor::kMiddle, .fill = palette::kMuted, .turn_deg = -90.0});
 }
 
-void MapAxes::Raster(const GridRecord& grid, const std::function<palette::Rgb(std::size_t)>& color,
+void MapAxes::Raster(const GridRecord& grid,
+                     const std::function<palette::Rgb(const GridRecord::Cell&)>& color,
                      double opacity) {
   const GridFrame& frame = grid.frame;
   if (frame.rows <= 0 || frame.columns <= 0) return;
-  RgbaImage raster{frame.columns, frame.rows, {}};
-  for (int row = frame.rows - 1; row >= 0; --row) {  // rows of a picture start in the north
-    for (int column = 0; column < frame.columns; ++column) {
-      const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.columns) +
-                        static_cast<std::size_t>(column);
-      const bool is_seen = grid.HasSeen(cell);
-      raster.pixels.push_back(is_seen ? Opaque(color(cell)) : RgbaImage::Pixel{});
+  // Of an area too large for a pixel per cell, one cell of each square stands for it.
+  constexpr int kMostPixels = 1600;
+  const int step = 1 + (std::max(frame.rows, frame.columns) - 1) / kMostPixels;
+  RgbaImage raster{(frame.columns + step - 1) / step, (frame.rows + step - 1) / step, {}};
+  for (int line = raster.height - 1; line >= 0; --line) {  // a picture's lines start in the north
+    for (int pixel = 0; pixel < raster.width; ++pixel) {
+      const GridRecord::Cell& cell = grid.cells.At(line * step, pixel * step);
+      raster.pixels.push_back(cell.is_in_sight() ? Opaque(color(cell)) : RgbaImage::Pixel{});
     }
   }
-  const double north_max = frame.north_min + frame.rows * frame.cell_m;
+  const double pixel_m = step * frame.cell_m;
+  const double north_max = frame.north_min + raster.height * pixel_m;
   canvas_.Image(At(north_max, frame.east_min),
-                Point(frame.columns, frame.rows) * frame.cell_m * scale_, Base64(EncodePng(raster)),
+                Point(raster.width, raster.height) * pixel_m * scale_, Base64(EncodePng(raster)),
                 opacity);
 }
 

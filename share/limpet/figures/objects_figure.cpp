@@ -145,10 +145,9 @@ Figure ObjectsFigure(const FigureSource& source) {
   map.BeginMap();
   map.Raster(
       record.grid,
-      [&](std::size_t cell) {
+      [&](const GridRecord::Cell& cell) {
         const double top = std::max(area.object_height_max, 0.1);
-        const double share =
-            std::clamp(static_cast<double>(record.grid.seen_height[cell]) / top, 0.0, 1.0);
+        const double share = std::clamp(static_cast<double>(cell.seen_height) / top, 0.0, 1.0);
         return palette::Coverage(std::round(share * 8.0) / 8.0);
       },
       0.45);

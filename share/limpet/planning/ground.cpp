@@ -12,6 +12,35 @@ namespace {
 
 constexpr double kLeastSwath = 1e-3;  // [m]
 
+CellBox Whole(const GridFrame& frame) {
+  return {
+      .row_min = 0, .row_max = frame.rows - 1, .column_min = 0, .column_max = frame.columns - 1};
+}
+
+GridFrame FrameOf(GridFrame frame, const CellBox& window) {
+  const CellBox whole = Whole(frame);
+  LIMPET_REQUIRE(window.row_min >= 0 && window.row_min <= window.row_max &&
+                     window.row_max <= whole.row_max && window.column_min >= 0 &&
+                     window.column_min <= window.column_max &&
+                     window.column_max <= whole.column_max,
+                 "a window of the grid");
+  frame.north_min += window.row_min * frame.cell_m;
+  frame.east_min += window.column_min * frame.cell_m;
+  frame.rows = window.row_max - window.row_min + 1;
+  frame.columns = window.column_max - window.column_min + 1;
+  return frame;
+}
+
+std::size_t WantedIn(const SurveyGrid& grid, const CellBox& window) {
+  std::size_t wanted = 0;
+  for (int row = window.row_min; row <= window.row_max; ++row) {
+    for (int column = window.column_min; column <= window.column_max; ++column) {
+      wanted += grid.IsWanted(row, column) ? 1 : 0;
+    }
+  }
+  return wanted;
+}
+
 }  // namespace
 
 Footprint::Footprint(double altitude, double object_height_max, const CameraModel& camera,
@@ -55,33 +84,47 @@ int Footprint::widest_layer() const {
 }
 
 Ground::Ground(const SurveyGrid& grid, const Footprint& footprint, const LayerWeights& weights)
-    : frame_(grid.frame()),
+    : Ground(grid, footprint, weights, Whole(grid.frame())) {}
+
+Ground::Ground(const SurveyGrid& grid, const Footprint& footprint, const LayerWeights& weights,
+               const CellBox& window)
+    : frame_(FrameOf(grid.frame(), window)),
+      window_(window),
+      is_part_(frame_.rows != grid.frame().rows || frame_.columns != grid.frame().columns),
       footprint_(footprint),
       weights_(weights),
-      wanted_cells_(std::max<std::size_t>(1, grid.wanted_cells())) {
-  levels_.resize(grid.heights().size());
+      wanted_cells_(std::max<std::size_t>(1, WantedIn(grid, window))) {
+  levels_.resize(static_cast<std::size_t>(frame_.rows) * static_cast<std::size_t>(frame_.columns));
   Update(grid);
 }
 
+std::uint8_t Ground::LevelOf(const SurveyGrid& grid, int row, int column) const {
+  constexpr float kTolerance = 1e-3F;
+  if (!grid.IsWanted(row, column)) return Footprint::kLayers;
+  const SurveyGrid::Look look = grid.LookAt(row, column);
+  int level = 0;
+  while (level < Footprint::kLayers) {
+    const auto height = static_cast<float>(footprint_.height(level));
+    const bool is_seen =
+        look.height >= std::max(0.0F, height - kTolerance) && look.floor <= height + kTolerance;
+    if (!is_seen && footprint_.is_in_reach(level)) break;
+    ++level;
+  }
+  return static_cast<std::uint8_t>(level);
+}
+
 void Ground::Update(const SurveyGrid& grid) {
-  LIMPET_REQUIRE(grid.heights().size() == levels_.size(), "a ground mirrors one grid");
+  LIMPET_REQUIRE(window_.row_max < grid.frame().rows && window_.column_max < grid.frame().columns,
+                 "a ground mirrors one grid");
   if (version_ == grid.version()) {
     return;
   }
   version_ = grid.version();
-  constexpr float kTolerance = 1e-3F;
-  const std::span<const float> seen = grid.heights();
-  for (std::size_t i = 0; i < levels_.size(); ++i) {
-    const float floor = grid.Floor(i);
-    int level = grid.IsWanted(i) ? 0 : Footprint::kLayers;
-    while (level < Footprint::kLayers) {
-      const auto height = static_cast<float>(footprint_.height(level));
-      const bool is_seen =
-          seen[i] >= std::max(0.0F, height - kTolerance) && floor <= height + kTolerance;
-      if (!is_seen && footprint_.is_in_reach(level)) break;
-      ++level;
+  std::size_t cell = 0;
+  for (int row = window_.row_min; row <= window_.row_max; ++row) {
+    for (int column = window_.column_min; column <= window_.column_max; ++column) {
+      levels_[cell++] = LevelOf(grid, row, column);
     }
-    levels_[i] = static_cast<std::uint8_t>(level);
   }
 }
 

@@ -4,12 +4,14 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "limpet/core/camera_model.hpp"
 #include "limpet/planning/pose2.hpp"
 #include "limpet/survey/survey_grid.hpp"
+#include "limpet/survey/view_cone.hpp"
 
 namespace limpet {
 
@@ -55,15 +57,22 @@ inline constexpr LayerWeights kBottomTwice = {0.4, 0.2, 0.2, 0.2};
 /// The planner's copy of a survey grid: per cell the number of layers seen, 0 to
 /// Footprint::kLayers, from the bottom up; layers out of reach count as done, as nothing can be
 /// done about them, and so do cells that are not to be seen. Because layers nest, area and border
-/// of all layers are sums over these numbers alone.
+/// of all layers are sums over these numbers alone. Of a grid that is too large to be planned at
+/// once it copies a window, and is a ground of that size.
 class Ground {
  public:
   Ground(const SurveyGrid& grid, const Footprint& footprint,
          const LayerWeights& weights = kBottomTwice);
+  /// REQUIRES: a window of cells of the grid, not empty.
+  Ground(const SurveyGrid& grid, const Footprint& footprint, const LayerWeights& weights,
+         const CellBox& window);
   /// Takes the grid's present state; cheap if it has not changed since.
   void Update(const SurveyGrid& grid);
 
+  /// Of the window.
   [[nodiscard]] const GridFrame& frame() const { return frame_; }
+  /// Whether it is only a part of its grid.
+  [[nodiscard]] bool is_part() const { return is_part_; }
   [[nodiscard]] const Footprint& footprint() const { return footprint_; }
   [[nodiscard]] const LayerWeights& weights() const { return weights_; }
   /// Width of the image, weighted mean over the layers [m]: new area over this is useful track.
@@ -82,7 +91,11 @@ class Ground {
   }
 
  private:
+  [[nodiscard]] std::uint8_t LevelOf(const SurveyGrid& grid, int row, int column) const;
+
   GridFrame frame_;
+  CellBox window_;
+  bool is_part_;
   Footprint footprint_;
   LayerWeights weights_;
   std::size_t wanted_cells_;

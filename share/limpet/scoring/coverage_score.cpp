@@ -18,6 +18,9 @@ constexpr double kShareOfDisc = 0.6;
 constexpr int kFramesToDetect = 3;
 constexpr double kLevels[] = {0.90, 0.95, 0.99};
 
+/// Rows that are drawn and judged at a time: a square kilometre would need a gigabyte at once.
+constexpr int kBandRows = 64;
+
 /// One jittered point on the seabed, and one object centre at a random height above another.
 struct Sample {
   Eigen::Vector3d seabed, object;
@@ -26,81 +29,100 @@ struct Sample {
   std::uint8_t frames = 0;  ///< in which the object was seen well
 };
 
-class SampleGrid {
+/// What one frame has shown first: points on the seabed, and objects.
+struct NewlySeenSamples {
+  int covered = 0, detected = 0;
+};
+
+/// Samples of all the area, of which a band of rows at a time is there.
+class SampleBands {
  public:
-  SampleGrid(const SurveyArea& area, const Scenario& scenario, const ReportSettings& settings);
-  void See(const Pose& X_WB, const CameraModel& camera, double radius);
-  /// Shares of the ground, and of the places of objects, that are in the area and in no zone.
-  [[nodiscard]] double covered() const { return covered_ / std::max(1.0, seabed_wanted_); }
-  [[nodiscard]] double detected() const { return detected_ / std::max(1.0, objects_wanted_); }
-  /// Where an object has not been seen well.
-  [[nodiscard]] std::vector<UnseenPlace> Unseen() const;
+  SampleBands(const SurveyArea& area, const Scenario& scenario, const ReportSettings& settings);
+  /// Draws the next band; false if there is none.
+  bool Next();
+  /// Shows the band what the camera sees.
+  NewlySeenSamples See(const Pose& X_WB, const CameraModel& camera, double radius);
+  /// Adds where an object has not been seen well.
+  void CountUnseen(UnseenCounter& counter) const;
+  /// How many of those drawn so far are in the area and in no zone.
+  [[nodiscard]] double seabed_wanted() const { return seabed_wanted_; }
   [[nodiscard]] double objects_wanted() const { return objects_wanted_; }
 
  private:
   struct Window {
     int row_begin, row_end, column_begin, column_end;
   };
-  void LeaveOutUnwanted(const SurveyShape& shape);
+  [[nodiscard]] Eigen::Vector3d Draw(int row, int column, double height);
+  void LeaveOutUnwanted(Sample& sample);
   [[nodiscard]] Window WindowOf(const Pose& X_WB, const CameraModel& camera, double margin) const;
   SurveyArea area_;
+  std::optional<SurveyShape> shape_;  ///< nothing if all of the box is wanted
   int rows_, columns_;
-  double deepest_ = 0.0;
+  Seabed bottom_;
+  double lowest_, top_;  ///< heights of objects' centres [m]
+  /// The same points in every run: a score must not depend on the seed of what it judges.
+  Random random_{20250101, "coverage samples"};
+  int first_row_ = -kBandRows;
+  double deepest_ = 0.0;  ///< of the band
   std::vector<Sample> samples_;
-  double covered_ = 0.0, detected_ = 0.0;
   double seabed_wanted_ = 0.0, objects_wanted_ = 0.0;
 };
 
-SampleGrid::SampleGrid(const SurveyArea& area, const Scenario& scenario,
-                       const ReportSettings& settings)
+SampleBands::SampleBands(const SurveyArea& area, const Scenario& scenario,
+                         const ReportSettings& settings)
     : area_(area),
       rows_(std::max(
           1, static_cast<int>(std::ceil((area.north_max - area.north_min) / kCell - 1e-9)))),
-      columns_(std::max(
-          1, static_cast<int>(std::ceil((area.east_max - area.east_min) / kCell - 1e-9)))) {
-  // The same points in every run: a score must not depend on the seed of what it judges.
-  Random random(20250101, "coverage samples");
-  const double top = std::max(settings.object_radius_m, settings.object_height_max_m);
-  const double row_m = (area.north_max - area.north_min) / rows_;
-  const double column_m = (area.east_max - area.east_min) / columns_;
-  const Seabed bottom(scenario.seabed);
-  samples_.reserve(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_));
-  const auto draw = [&](int row, int column, double height) {
-    const double north = area.north_min + (row + random.Uniform(0.0, 1.0)) * row_m;
-    const double east = area.east_min + (column + random.Uniform(0.0, 1.0)) * column_m;
-    const double seabed = bottom.Depth(north, east);
-    deepest_ = std::max(deepest_, seabed);
-    return Eigen::Vector3d(north, east, seabed - height);
-  };
-  for (int row = 0; row < rows_; ++row) {
-    for (int column = 0; column < columns_; ++column) {
-      const Eigen::Vector3d seabed = draw(row, column, 0.0);
-      const double height = random.Uniform(settings.object_radius_m, top);
-      samples_.push_back({seabed, draw(row, column, height), height});
-    }
-  }
-  seabed_wanted_ = objects_wanted_ = static_cast<double>(samples_.size());
+      columns_(
+          std::max(1, static_cast<int>(std::ceil((area.east_max - area.east_min) / kCell - 1e-9)))),
+      bottom_(scenario.seabed),
+      lowest_(settings.object_radius_m),
+      top_(std::max(settings.object_radius_m, settings.object_height_max_m)) {
   // A log may hold anything: an area that is none is scored as its box.
-  if (const auto shape = SurveyShape::Of(area); shape && !shape->is_plain()) {
-    LeaveOutUnwanted(*shape);
+  if (const auto shape = SurveyShape::Of(area); shape && !shape->is_plain()) shape_ = *shape;
+}
+
+Eigen::Vector3d SampleBands::Draw(int row, int column, double height) {
+  const double row_m = (area_.north_max - area_.north_min) / rows_;
+  const double column_m = (area_.east_max - area_.east_min) / columns_;
+  const double north = area_.north_min + (row + random_.Uniform(0.0, 1.0)) * row_m;
+  const double east = area_.east_min + (column + random_.Uniform(0.0, 1.0)) * column_m;
+  const double seabed = bottom_.Depth(north, east);
+  deepest_ = std::max(deepest_, seabed);
+  return {north, east, seabed - height};
+}
+
+bool SampleBands::Next() {
+  first_row_ += kBandRows;
+  samples_.clear();
+  deepest_ = 0.0;
+  const int end = std::min(first_row_ + kBandRows, rows_);
+  for (int row = first_row_; row < end; ++row) {
+    for (int column = 0; column < columns_; ++column) {
+      const Eigen::Vector3d seabed = Draw(row, column, 0.0);
+      const double height = random_.Uniform(lowest_, top_);
+      samples_.push_back({seabed, Draw(row, column, height), height});
+      LeaveOutUnwanted(samples_.back());
+    }
+  }
+  return !samples_.empty();
+}
+
+void SampleBands::LeaveOutUnwanted(Sample& sample) {
+  if (!shape_ || shape_->Wants(sample.seabed.head<2>())) {
+    seabed_wanted_ += 1.0;
+  } else {
+    sample.is_covered = true;  // once and for all: it is not counted
+  }
+  if (!shape_ || shape_->Wants(sample.object.head<2>())) {
+    objects_wanted_ += 1.0;
+  } else {
+    sample.frames = kFramesToDetect;
   }
 }
 
-void SampleGrid::LeaveOutUnwanted(const SurveyShape& shape) {
-  for (Sample& sample : samples_) {
-    if (!shape.Wants(sample.seabed.head<2>())) {
-      sample.is_covered = true;  // once and for all: it is not counted
-      seabed_wanted_ -= 1.0;
-    }
-    if (!shape.Wants(sample.object.head<2>())) {
-      sample.frames = kFramesToDetect;
-      objects_wanted_ -= 1.0;
-    }
-  }
-}
-
-SampleGrid::Window SampleGrid::WindowOf(const Pose& X_WB, const CameraModel& camera,
-                                        double margin) const {
+SampleBands::Window SampleBands::WindowOf(const Pose& X_WB, const CameraModel& camera,
+                                          double margin) const {
   const Eigen::Matrix3d R_WC = RotationOf(X_WB) * camera.R_BC;
   const Eigen::Vector3d eye = X_WB.p_WB + RotationOf(X_WB) * camera.p_BC;
   Eigen::Vector2d low = eye.head<2>(), high = low;
@@ -114,29 +136,32 @@ SampleGrid::Window SampleGrid::WindowOf(const Pose& X_WB, const CameraModel& cam
       low = low.cwiseMin(corner), high = high.cwiseMax(corner);
     }
   }
-  const auto index = [](double offset, int count) {
-    return std::clamp(static_cast<int>(std::floor(offset / kCell)), 0, count);
+  const auto index = [](double offset, int begin, int end) {
+    return std::clamp(static_cast<int>(std::floor(offset / kCell)), begin, end);
   };
-  return {index(low.x() - margin - area_.north_min - kCell, rows_),
-          index(high.x() + margin - area_.north_min + 2.0 * kCell, rows_),
-          index(low.y() - margin - area_.east_min - kCell, columns_),
-          index(high.y() + margin - area_.east_min + 2.0 * kCell, columns_)};
+  const int end_row = std::min(first_row_ + kBandRows, rows_);
+  return {index(low.x() - margin - area_.north_min - kCell, first_row_, end_row),
+          index(high.x() + margin - area_.north_min + 2.0 * kCell, first_row_, end_row),
+          index(low.y() - margin - area_.east_min - kCell, 0, columns_),
+          index(high.y() + margin - area_.east_min + 2.0 * kCell, 0, columns_)};
 }
 
-void SampleGrid::See(const Pose& X_WB, const CameraModel& camera, double radius) {
+NewlySeenSamples SampleBands::See(const Pose& X_WB, const CameraModel& camera, double radius) {
+  NewlySeenSamples seen;
+  const Window window = WindowOf(X_WB, camera, radius);
+  if (window.row_begin >= window.row_end) return seen;
   const Eigen::Matrix3d R_CW = (RotationOf(X_WB) * camera.R_BC).transpose();
   const Eigen::Vector3d offset = -R_CW * X_WB.p_WB - camera.R_BC.transpose() * camera.p_BC;
   const double across = camera.half_across();
   const double along = camera.half_along();
-  const Window window = WindowOf(X_WB, camera, radius);
   for (int row = window.row_begin; row < window.row_end; ++row) {
     for (int column = window.column_begin; column < window.column_end; ++column) {
-      Sample& sample = samples_[static_cast<std::size_t>(row * columns_ + column)];
+      Sample& sample = samples_[static_cast<std::size_t>((row - first_row_) * columns_ + column)];
       if (!sample.is_covered) {
         const Eigen::Vector3d p = R_CW * sample.seabed + offset;
         if (p.z() > 0.0 && std::abs(p.x()) <= across * p.z() && std::abs(p.y()) <= along * p.z()) {
           sample.is_covered = true;
-          covered_ += 1.0;
+          ++seen.covered;
         }
       }
       if (sample.frames < kFramesToDetect) {
@@ -144,32 +169,53 @@ void SampleGrid::See(const Pose& X_WB, const CameraModel& camera, double radius)
         if (p.z() > radius &&
             ShareOfDiscInRectangle(p.head<2>(), radius, {across * p.z(), along * p.z()}) >=
                 kShareOfDisc) {
-          if (++sample.frames == kFramesToDetect) detected_ += 1.0;
+          if (++sample.frames == kFramesToDetect) ++seen.detected;
         }
       }
     }
   }
+  return seen;
 }
 
-std::vector<UnseenPlace> SampleGrid::Unseen() const {
-  std::vector<UnseenPlace> places;
+void SampleBands::CountUnseen(UnseenCounter& counter) const {
   for (const Sample& sample : samples_) {
     if (sample.frames >= kFramesToDetect) continue;
-    places.push_back({.at_W = sample.object.head<2>(),
-                      .height_m = sample.height_m,
-                      .was_seen = sample.frames > 0});
+    counter.Add({.at_W = sample.object.head<2>(),
+                 .height_m = sample.height_m,
+                 .was_seen = sample.frames > 0});
   }
-  return places;
 }
 
-UnseenScore UnseenOf(const SampleGrid& grid, const SurveyArea& area,
-                     const ReportSettings& settings) {
-  UnseenScore score{.bottom = 1.0 - grid.covered(), .band = 1.0 - grid.detected()};
-  const auto counts = CountReasons(grid.Unseen(), area, settings);
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    score.band_by_reason[i] = static_cast<double>(counts[i]) / std::max(1.0, grid.objects_wanted());
+/// The curve and what it ends with.
+void ScoreSamples(const SurveyFrames& frames, const SurveyArea& area, const Scenario& scenario,
+                  const ReportSettings& settings, CoverageScore& score) {
+  SampleBands bands(area, scenario, settings);
+  UnseenCounter counter(area, settings);
+  std::vector<NewlySeenSamples> seen(frames.X_WB.size());
+  while (bands.Next()) {
+    for (std::size_t i = 0; i < frames.X_WB.size(); ++i) {
+      const NewlySeenSamples by_frame =
+          bands.See(frames.X_WB[i], settings.camera_geometry, settings.object_radius_m);
+      seen[i].covered += by_frame.covered;
+      seen[i].detected += by_frame.detected;
+    }
+    bands.CountUnseen(counter);
   }
-  return score;
+  const double points = std::max(1.0, bands.seabed_wanted());
+  const double objects = std::max(1.0, bands.objects_wanted());
+  double covered = 0.0, detected = 0.0;
+  for (const NewlySeenSamples& by_frame : seen) {
+    covered += by_frame.covered, detected += by_frame.detected;
+    score.curve.seabed.push_back(covered / points);
+    score.curve.band.push_back(detected / objects);
+  }
+  score.covered = covered / points;
+  score.detected_band = detected / objects;
+  score.unseen = {.bottom = 1.0 - score.covered, .band = 1.0 - score.detected_band};
+  for (std::size_t i = 0; i < kWaysUnseen; ++i) {
+    score.unseen.band_by_reason[i] =
+        static_cast<double>(counter.Of(static_cast<WhyUnseen>(i))) / objects;
+  }
 }
 
 /// True once the place has been in the image within visibility, or nearly under the vehicle.
@@ -245,17 +291,9 @@ CoverageScore ScoreCoverage(const SurveyFrames& frames, const SurveyArea& area,
                             const Scenario& scenario, const ReportSettings& settings,
                             const std::vector<Eigen::Vector3d>& former) {
   CoverageScore score;
-  SampleGrid grid(area, scenario, settings);
   score.curve.path_m = frames.path_m;
   score.curve.time_s = frames.time_s;
-  for (const Pose& X_WB : frames.X_WB) {
-    grid.See(X_WB, settings.camera_geometry, settings.object_radius_m);
-    score.curve.seabed.push_back(grid.covered());
-    score.curve.band.push_back(grid.detected());
-  }
-  score.covered = grid.covered();
-  score.detected_band = grid.detected();
-  score.unseen = UnseenOf(grid, area, settings);
+  ScoreSamples(frames, area, scenario, settings, score);
   score.seabed = LevelsOf(score.curve, score.curve.seabed);
   score.band = LevelsOf(score.curve, score.curve.band);
   score.prior_opis_seen_path_m =

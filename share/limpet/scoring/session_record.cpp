@@ -185,25 +185,21 @@ void GridRecord::Apply(const GridDelta& delta) {
   if (delta.frame.rows <= 0 || delta.frame.columns <= 0) return;
   if (!IsSame(frame, delta.frame)) {
     frame = delta.frame;
-    const auto cells =
-        static_cast<std::size_t>(frame.rows) * static_cast<std::size_t>(frame.columns);
-    seen_height.assign(cells, -1.0F);
-    seabed_down.assign(cells, 0.0F);
-    seen_floor.assign(cells, 0.0F);
+    cells = TileGrid<Cell>(frame.rows, frame.columns);
   }
+  const auto columns = static_cast<std::uint32_t>(frame.columns);
   for (const GridDelta::Cell& cell : delta.cells) {
-    if (cell.index >= seen_height.size()) continue;
-    seen_height[cell.index] = cell.seen_height;
-    seabed_down[cell.index] = cell.seabed_down;
-    seen_floor[cell.index] = cell.seen_floor;
+    const std::uint32_t row = cell.index / columns, column = cell.index % columns;
+    if (row >= static_cast<std::uint32_t>(frame.rows)) continue;
+    cells.Write(static_cast<int>(row), static_cast<int>(column)) = {.seen_height = cell.seen_height,
+                                                                    .seabed_down = cell.seabed_down,
+                                                                    .seen_floor = cell.seen_floor};
   }
 }
 
 double GridRecord::SightFloor() const {
   std::vector<float> floors;
-  for (std::size_t cell = 0; cell < seen_floor.size(); ++cell) {
-    if (seen_height[cell] >= 0.0F) floors.push_back(seen_floor[cell]);
-  }
+  EachSeen([&floors](int, int, const Cell& cell) { floors.push_back(cell.seen_floor); });
   if (floors.empty()) return 0.0;
   const auto middle = floors.begin() + static_cast<std::ptrdiff_t>(floors.size() / 2);
   std::ranges::nth_element(floors, middle);
@@ -213,15 +209,13 @@ double GridRecord::SightFloor() const {
 bool GridRecord::HasInspected(const Eigen::Vector3d& p_W) const {
   const double row = std::floor((p_W.x() - frame.north_min) / frame.cell_m);
   const double column = std::floor((p_W.y() - frame.east_min) / frame.cell_m);
-  if (seen_height.empty() || !(row >= 0.0 && row < frame.rows) ||
-      !(column >= 0.0 && column < frame.columns)) {
+  if (!(row >= 0.0 && row < frame.rows) || !(column >= 0.0 && column < frame.columns)) {
     return false;
   }
-  const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.columns) +
-                    static_cast<std::size_t>(column);
-  const double height = static_cast<double>(seabed_down[cell]) - p_W.z();
-  return HasSeen(cell) && height >= static_cast<double>(seen_floor[cell]) &&
-         height <= static_cast<double>(seen_height[cell]);
+  const Cell& cell = cells.At(static_cast<int>(row), static_cast<int>(column));
+  const double height = static_cast<double>(cell.seabed_down) - p_W.z();
+  return cell.is_in_sight() && height >= static_cast<double>(cell.seen_floor) &&
+         height <= static_cast<double>(cell.seen_height);
 }
 
 std::optional<Seconds> SessionRecord::PhaseStart(const std::string& phase) const {

@@ -11,22 +11,34 @@
 #include "limpet/scoring/energy_record.hpp"
 #include "limpet/scoring/pose_track.hpp"
 #include "limpet/scoring/warning_record.hpp"
+#include "limpet/survey/tile_grid.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
 
 namespace limpet {
 
-/// The survey grid as it was at the end of the session, and when each cell was first seen.
+/// The survey grid as it was at the end of the session; what was never seen takes no room.
 struct GridRecord {
+  struct Cell {
+    float seen_height = -1.0F;  ///< greatest height seen [m]; -1 where never seen
+    float seabed_down = 0.0F;   ///< [m]; meaningful where seen
+    float seen_floor = 0.0F;    ///< lowest height in sight [m]; meaningful where seen
+    /// True if anything of the cell was inside an image and in sight.
+    [[nodiscard]] bool is_in_sight() const {
+      return seen_height >= 0.0F && seen_floor <= seen_height;
+    }
+  };
   GridFrame frame;
-  std::vector<float> seen_height;  ///< greatest height seen [m]; -1 where never seen
-  std::vector<float> seabed_down;  ///< [m]; meaningful where seen
-  std::vector<float> seen_floor;   ///< lowest height in sight [m]; meaningful where seen
+  TileGrid<Cell> cells{1, 1};  ///< as many as the frame says, once it is known
+
   void Apply(const GridDelta& delta);
-  /// True if anything of the cell was inside an image and in sight.
-  [[nodiscard]] bool HasSeen(std::size_t cell) const {
-    return seen_height[cell] >= 0.0F && seen_floor[cell] <= seen_height[cell];
+  /// Calls visit(row, column, cell) for each cell that was inside an image.
+  template <class Visit>
+  void EachSeen(Visit visit) const {
+    cells.EachCell([&visit](int row, int column, const Cell& cell) {
+      if (cell.seen_height >= 0.0F) visit(row, column, cell);
+    });
   }
   /// Whether the vehicle believes to have seen this place (NED).
   [[nodiscard]] bool HasInspected(const Eigen::Vector3d& p_W) const;

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <optional>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "limpet/planning/region_fences.hpp"
 #include "limpet/planning/room.hpp"
@@ -53,8 +54,10 @@ FreeSpace SpaceOf(const SurveyShape& shape, bool heeds_zones) {
   return FreeSpace(std::move(fences));
 }
 
+}  // namespace
+
 /// Where the vehicle may be at all, and the centres of its turns.
-struct Reachable {
+struct UnseenCounter::Reachable {
   Reachable(const FreeSpace& space, double turning_radius)
       : free(space, FreeCells(space)), turns(space, RoomToTurn(space, turning_radius)) {}
 
@@ -67,8 +70,6 @@ struct Reachable {
   Places free, turns;
 };
 
-}  // namespace
-
 const char* NameOf(WhyUnseen why) {
   constexpr std::array kNames{"zone", "clearance", "turn", "too_few_looks", "not_reached"};
   return kNames[static_cast<std::size_t>(why)];
@@ -78,33 +79,35 @@ WhyUnseen UnseenScore::main_reason() const {
   return static_cast<WhyUnseen>(std::ranges::max_element(band_by_reason) - band_by_reason.begin());
 }
 
-std::array<std::size_t, kWaysUnseen> CountReasons(const std::vector<UnseenPlace>& places,
-                                                  const SurveyArea& area,
-                                                  const ReportSettings& settings) {
-  std::array<std::size_t, kWaysUnseen> counts{};
-  const auto count = [&](WhyUnseen why) { ++counts[static_cast<std::size_t>(why)]; };
+UnseenCounter::UnseenCounter(const SurveyArea& area, const ReportSettings& settings)
+    : altitude_(settings.altitude_m),
+      half_across_(settings.camera_geometry.half_across()),
+      turning_radius_(settings.turning_radius_m) {
   const auto shape = SurveyShape::Of(area);
-  if (!shape || places.empty()) {
-    counts[static_cast<std::size_t>(WhyUnseen::kNotReached)] = places.size();
-    return counts;
+  if (!shape) return;
+  with_zones_ = std::make_unique<const Reachable>(SpaceOf(*shape, true), turning_radius_);
+  if (!shape->zones().empty()) {
+    without_zones_ = std::make_unique<const Reachable>(SpaceOf(*shape, false), turning_radius_);
   }
-  const double radius = settings.turning_radius_m;
-  const Reachable with_zones(SpaceOf(*shape, true), radius);
-  std::optional<Reachable> without_zones;
-  if (!shape->zones().empty()) without_zones.emplace(SpaceOf(*shape, false), radius);
-  for (const UnseenPlace& place : places) {
-    const double sight = std::max(settings.altitude_m - place.height_m, 0.0) *
-                         settings.camera_geometry.half_across();
-    if (with_zones.turns.HasWithin(radius + sight, place.at_W)) {
-      count(place.was_seen ? WhyUnseen::kTooFewLooks : WhyUnseen::kNotReached);
-    } else if (without_zones && without_zones->turns.HasWithin(radius + sight, place.at_W)) {
-      count(WhyUnseen::kZone);
-    } else {
-      count(with_zones.free.HasWithin(sight, place.at_W) ? WhyUnseen::kTurn
-                                                         : WhyUnseen::kClearance);
-    }
+}
+
+UnseenCounter::~UnseenCounter() = default;
+
+WhyUnseen UnseenCounter::WhyOf(const UnseenPlace& place) const {
+  if (!with_zones_) return WhyUnseen::kNotReached;
+  const double sight = std::max(altitude_ - place.height_m, 0.0) * half_across_;
+  const double reach = turning_radius_ + sight;
+  if (with_zones_->turns.HasWithin(reach, place.at_W)) {
+    return place.was_seen ? WhyUnseen::kTooFewLooks : WhyUnseen::kNotReached;
   }
-  return counts;
+  if (without_zones_ && without_zones_->turns.HasWithin(reach, place.at_W)) {
+    return WhyUnseen::kZone;
+  }
+  return with_zones_->free.HasWithin(sight, place.at_W) ? WhyUnseen::kTurn : WhyUnseen::kClearance;
+}
+
+void UnseenCounter::Add(const UnseenPlace& place) {
+  ++counts_[static_cast<std::size_t>(WhyOf(place))];
 }
 
 }  // namespace limpet

@@ -3,7 +3,8 @@
 #pragma once
 
 #include <array>
-#include <vector>
+#include <cstddef>
+#include <memory>
 
 #include <Eigen/Core>
 
@@ -41,9 +42,28 @@ struct UnseenScore {
   [[nodiscard]] WhyUnseen main_reason() const;
 };
 
-/// What kept each of the places from being seen, counted. Where the vehicle may be is told by the
-/// area's shape and the turning radius, as `limpet check` reckons it.
-[[nodiscard]] std::array<std::size_t, kWaysUnseen> CountReasons(
-    const std::vector<UnseenPlace>& places, const SurveyArea& area, const ReportSettings& settings);
+/// Counts what kept places from being seen. Where the vehicle may be is told by the area's shape
+/// and the turning radius, as `limpet check` reckons it.
+class UnseenCounter {
+ public:
+  UnseenCounter(const SurveyArea& area, const ReportSettings& settings);
+  ~UnseenCounter();
+  UnseenCounter(const UnseenCounter&) = delete;
+  UnseenCounter& operator=(const UnseenCounter&) = delete;
+
+  void Add(const UnseenPlace& place);
+  [[nodiscard]] std::size_t Of(WhyUnseen why) const {
+    return counts_[static_cast<std::size_t>(why)];
+  }
+
+ private:
+  struct Reachable;
+  [[nodiscard]] WhyUnseen WhyOf(const UnseenPlace& place) const;
+
+  double altitude_, half_across_, turning_radius_;
+  /// Null: the area is none, or has no zones.
+  std::unique_ptr<const Reachable> with_zones_, without_zones_;
+  std::array<std::size_t, kWaysUnseen> counts_{};
+};
 
 }  // namespace limpet

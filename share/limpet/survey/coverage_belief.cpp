@@ -79,77 +79,70 @@ CellBox Wider(const CellBox& box, int cells, const GridFrame& frame) {
           .column_max = std::min(frame.columns - 1, box.column_max + cells)};
 }
 
-/// Cells of a row-major grid within `reach` cells, rows and columns, of one that is marked.
-std::vector<std::uint8_t> Grown(const std::vector<std::uint8_t>& mark, const GridFrame& frame,
-                                int reach) {
-  std::vector<std::uint8_t> grown(mark.size(), 0), rows(mark.size(), 0);
-  const auto spread = [reach](const auto& from, auto& to, int lines, int count, int line_step,
-                              int step) {
-    for (int line = 0; line < lines; ++line) {
-      int left = 0;
-      for (int i = 0; i < count + reach; ++i) {
-        const auto at = [&](int k) {
-          return static_cast<std::size_t>(line * line_step + k * step);
-        };
-        left = i < count && from[at(i)] != 0 ? 2 * reach + 1 : std::max(0, left - 1);
-        if (i >= reach && left > 0) to[at(i - reach)] = 1;
+/// How many cells of a box are marked, of any box within one that is given.
+class MarkSums {
+ public:
+  template <class IsMarked>
+  MarkSums(const CellBox& box, IsMarked is_marked)
+      : box_(box), stride_(static_cast<std::size_t>(box.column_max - box.column_min) + 2) {
+    sums_.assign(stride_ * (static_cast<std::size_t>(box.row_max - box.row_min) + 2), 0);
+    for (int row = box.row_min; row <= box.row_max; ++row) {
+      for (int column = box.column_min; column <= box.column_max; ++column) {
+        At(row + 1, column + 1) = At(row, column + 1) + At(row + 1, column) - At(row, column) +
+                                  (is_marked(row, column) ? 1 : 0);
       }
     }
-  };
-  spread(mark, rows, frame.rows, frame.columns, frame.columns, 1);
-  spread(rows, grown, frame.columns, frame.rows, 1, frame.columns);
-  return grown;
+  }
+  [[nodiscard]] int In(const CellBox& box) {
+    return At(box.row_max + 1, box.column_max + 1) - At(box.row_min, box.column_max + 1) -
+           At(box.row_max + 1, box.column_min) + At(box.row_min, box.column_min);
+  }
+
+ private:
+  [[nodiscard]] int& At(int row, int column) {
+    return sums_[static_cast<std::size_t>(row - box_.row_min) * stride_ +
+                 static_cast<std::size_t>(column - box_.column_min)];
+  }
+  CellBox box_;
+  std::size_t stride_;
+  std::vector<int> sums_;  ///< over all cells south-west of one
+};
+
+int CellsOf(const CellBox& box) {
+  return (box.row_max - box.row_min + 1) * (box.column_max - box.column_min + 1);
 }
 
 }  // namespace
 
 CoverageBelief::CoverageBelief(const SurveyArea& area, const SurveyGrid& grid)
-    : frame_(grid.frame()),
-      skirt_(static_cast<int>(std::ceil(kSkirt / grid.frame().cell_m))),
+    : skirt_(static_cast<int>(std::ceil(kSkirt / grid.frame().cell_m))),
+      frame_(WithSkirt(grid.frame(), skirt_)),
+      cells_(frame_.rows, frame_.columns),
       wanted_(std::max(1.0, static_cast<double>(grid.wanted_cells()))) {
-  frame_ = WithSkirt(frame_, skirt_);
   const double top = std::max(0.0, area.object_height_max);
   const double low = std::min(SurveyGrid::kObjectRadius, top);
   heights_ = {0.0, low, 0.5 * (low + top), top};
-  const auto count =
-      static_cast<std::size_t>(frame_.rows) * static_cast<std::size_t>(frame_.columns);
-  cells_.resize(count);
-  is_wanted_.assign(count, 0);
-  std::vector<std::uint8_t> unwanted(count, 1);
-  for (int row = skirt_; row < frame_.rows - skirt_; ++row) {
-    for (int column = skirt_; column < frame_.columns - skirt_; ++column) {
-      if (!grid.IsWanted(InsideCell(row, column))) continue;
-      const auto cell = static_cast<std::size_t>(row * frame_.columns + column);
-      is_wanted_[cell] = 1;
-      unwanted[cell] = 0;
-    }
-  }
-  const auto near_wanted = Grown(is_wanted_, frame_, kRim);
-  const auto near_unwanted = Grown(unwanted, frame_, kRim);
-  for (std::size_t cell = 0; cell < count; ++cell) {
-    if (near_wanted[cell] != 0 && near_unwanted[cell] != 0) {
-      rim_.push_back(static_cast<std::uint32_t>(cell));
-    }
-  }
 }
 
-std::size_t CoverageBelief::InsideCell(int row, int column) const {
-  const int inside_row = std::clamp(row - skirt_, 0, frame_.rows - 2 * skirt_ - 1);
-  const int inside_column = std::clamp(column - skirt_, 0, frame_.columns - 2 * skirt_ - 1);
-  return static_cast<std::size_t>(inside_row * (frame_.columns - 2 * skirt_) + inside_column);
+bool CoverageBelief::IsInside(int row, int column) const {
+  return row >= skirt_ && row < frame_.rows - skirt_ && column >= skirt_ &&
+         column < frame_.columns - skirt_;
 }
 
-bool CoverageBelief::IsWanted(int row, int column) const {
-  return row >= 0 && row < frame_.rows && column >= 0 && column < frame_.columns &&
-         is_wanted_[static_cast<std::size_t>(row * frame_.columns + column)] != 0;
+bool CoverageBelief::IsWanted(int row, int column, const SurveyGrid& grid) const {
+  return IsInside(row, column) && grid.IsWanted(row - skirt_, column - skirt_);
 }
 
 PlanePoint CoverageBelief::SamplePoint(int row, int column, const SurveyGrid& grid) const {
-  const bool is_inside = row >= skirt_ && row < frame_.rows - skirt_ && column >= skirt_ &&
-                         column < frame_.columns - skirt_;
-  if (is_inside) return grid.SamplePoint(InsideCell(row, column));
+  if (IsInside(row, column)) return grid.SamplePoint(row - skirt_, column - skirt_);
   return {frame_.north_min + (row + 0.5) * frame_.cell_m,
           frame_.east_min + (column + 0.5) * frame_.cell_m};
+}
+
+/// Beyond the area as at its edge.
+std::optional<double> CoverageBelief::Seabed(int row, int column, const SurveyGrid& grid) const {
+  return grid.Seabed(std::clamp(row - skirt_, 0, grid.frame().rows - 1),
+                     std::clamp(column - skirt_, 0, grid.frame().columns - 1));
 }
 
 int CoverageBelief::Observe(const PlacedView& view, const CameraModel& camera,
@@ -164,9 +157,8 @@ int CoverageBelief::Observe(const PlacedView& view, const CameraModel& camera,
   for (int row = box.row_min; row <= box.row_max; ++row) {
     for (int column = box.column_min; column <= box.column_max; ++column) {
       const PlanePoint sample = SamplePoint(row, column, grid);
-      const double down = grid.SeabedAt(InsideCell(row, column)).value_or(guessed_down);
-      Add(cone, {sample.x(), sample.y(), down}, view,
-          cells_[static_cast<std::size_t>(row * frame_.columns + column)]);
+      const double down = Seabed(row, column, grid).value_or(guessed_down);
+      Add(cone, {sample.x(), sample.y(), down}, view, {row, column});
     }
   }
   return std::max(0, box.row_max - box.row_min + 1) *
@@ -174,7 +166,7 @@ int CoverageBelief::Observe(const PlacedView& view, const CameraModel& camera,
 }
 
 void CoverageBelief::Add(const ViewCone& cone, const Eigen::Vector3d& sample_W,
-                         const PlacedView& view, Cell& cell) const {
+                         const PlacedView& view, const std::array<int, 2>& at) {
   const double sigma = view.sigma.beside / std::numbers::sqrt2;
   std::array<std::uint8_t, kLevels> evidence{};
   bool is_any = false;
@@ -185,6 +177,9 @@ void CoverageBelief::Add(const ViewCone& cone, const Eigen::Vector3d& sample_W,
     is_any = is_any || evidence[level] > 0;
   }
   if (!is_any) return;
+  Tiles::Tile& tile = cells_.TileAt(at[0], at[1]);
+  tile.note.is_due = true;
+  Cell& cell = Tiles::CellOf(tile, at[0], at[1]);
   const double since = view.t - *first_t_;
   const bool is_new_pass = since - static_cast<double>(cell.last) > kPassGap;
   for (std::size_t level = 0; level < kLevels; ++level) {
@@ -200,27 +195,31 @@ void CoverageBelief::Add(const ViewCone& cone, const Eigen::Vector3d& sample_W,
       static_cast<std::uint8_t>(std::clamp(view.sigma.absolute / kSigmaStep, 0.0, 255.0));
 }
 
-CoverageBelief::Shares CoverageBelief::SeenAt(std::size_t cell, const SurveyGrid& grid) const {
-  const int row = static_cast<int>(cell) / frame_.columns;
-  const int column = static_cast<int>(cell) % frame_.columns;
-  const auto floor = static_cast<double>(grid.Floor(InsideCell(row, column)));
+void CoverageBelief::NoteOtherReach() {
+  cells_.EachTile([](Tiles::Tile& tile) { tile.note.is_due = true; });
+}
+
+CoverageBelief::Shares CoverageBelief::SeenAt(int row, int column, const Cell& cell,
+                                              const SurveyGrid& grid) const {
+  const double floor = grid.SeenFloor(std::clamp(row - skirt_, 0, grid.frame().rows - 1),
+                                      std::clamp(column - skirt_, 0, grid.frame().columns - 1));
   Shares seen{};
   for (std::size_t level = 0; level < kLevels; ++level) {
-    const int evidence = cells_[cell].passes[level] + cells_[cell].pass[level];
+    const int evidence = cell.passes[level] + cell.pass[level];
     seen[level] = floor <= heights_[level] ? 1.0 - kUnseen(evidence) : 0.0;
   }
   return seen;
 }
 
-double CoverageBelief::EdgeChange(std::uint32_t cell) const {
+double CoverageBelief::EdgeChange(int row, int column, const Cell& cell,
+                                  const SurveyGrid& grid) const {
   // Three places of the map on either axis, alike to a normal error in its variance and in its mean
   // distance: off by sqrt(pi/2) sigmas to either side with a chance of 1/pi each.
   constexpr double kOff = std::numbers::inv_pi, kOn = 1.0 - 2.0 * kOff;
-  const double sigma = kSigmaStep * cells_[cell].map_sigma;
+  const double sigma = kSigmaStep * cell.map_sigma;
   const double steps =
       std::min(std::sqrt(0.5 * std::numbers::pi) * sigma / frame_.cell_m, double{kRim});
-  const int whole = static_cast<int>(steps), row = static_cast<int>(cell) / frame_.columns;
-  const int column = static_cast<int>(cell) % frame_.columns;
+  const int whole = static_cast<int>(steps);
   std::array<double, 2> wanted{};  // off by whole cells, and by one more
   for (int more = 0; more < 2; ++more) {
     for (int north = -1; north <= 1; ++north) {
@@ -228,29 +227,57 @@ double CoverageBelief::EdgeChange(std::uint32_t cell) const {
         const int off = whole + more;
         const double chance = (north == 0 ? kOn : kOff) * (east == 0 ? kOn : kOff);
         wanted[static_cast<std::size_t>(more)] +=
-            IsWanted(row + north * off, column + east * off) ? chance : 0.0;
+            IsWanted(row + north * off, column + east * off, grid) ? chance : 0.0;
       }
     }
   }
-  return wanted[0] + (steps - whole) * (wanted[1] - wanted[0]) -
-         (is_wanted_[cell] != 0 ? 1.0 : 0.0);
+  return wanted[0] + (steps - whole) * (wanted[1] - wanted[0]) - (cell.is_wanted ? 1.0 : 0.0);
+}
+
+/// Finds out which of a tile's cells are wanted, and which are so near to one that is and to one
+/// that is not that the map's place may make a difference.
+void CoverageBelief::Prepare(Tiles::Tile& tile, const SurveyGrid& grid) const {
+  const CellBox own{.row_min = tile.row,
+                    .row_max = std::min(tile.row + Tiles::kEdge, frame_.rows) - 1,
+                    .column_min = tile.column,
+                    .column_max = std::min(tile.column + Tiles::kEdge, frame_.columns) - 1};
+  MarkSums wanted(Wider(own, kRim, frame_),
+                  [&](int row, int column) { return IsWanted(row, column, grid); });
+  cells_.EachCell(tile, [&](int row, int column, Cell& cell) {
+    const CellBox around = Wider(
+        {.row_min = row, .row_max = row, .column_min = column, .column_max = column}, kRim, frame_);
+    const int near = wanted.In(around);
+    cell.is_wanted = IsWanted(row, column, grid);
+    cell.is_rim = near > 0 && near < CellsOf(around);
+  });
+  tile.note.is_prepared = true;
+}
+
+void CoverageBelief::Count(Tiles::Tile& tile, const SurveyGrid& grid) const {
+  if (!tile.note.is_prepared) Prepare(tile, grid);
+  Shares sum{};
+  cells_.EachCell(tile, [&](int row, int column, const Cell& cell) {
+    if (cell.last < 0.0F) return;
+    const double weight =
+        (cell.is_wanted ? 1.0 : 0.0) + (cell.is_rim ? EdgeChange(row, column, cell, grid) : 0.0);
+    if (weight == 0.0) return;
+    const Shares seen = SeenAt(row, column, cell, grid);
+    for (std::size_t level = 0; level < kLevels; ++level) {
+      sum[level] += weight * seen[level];
+    }
+  });
+  tile.note.sum = sum;
+  tile.note.is_due = false;
 }
 
 Coverage CoverageBelief::Expected(const SurveyGrid& grid) const {
   Shares sum{};
-  const auto add = [&](std::size_t cell, double weight) {
-    const Shares seen = SeenAt(cell, grid);
+  cells_.EachTile([&](Tiles::Tile& tile) {
+    if (tile.note.is_due) Count(tile, grid);
     for (std::size_t level = 0; level < kLevels; ++level) {
-      sum[level] += weight * seen[level];
+      sum[level] += tile.note.sum[level];
     }
-  };
-  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-    if (is_wanted_[cell] != 0 && cells_[cell].last >= 0.0F) add(cell, 1.0);
-  }
-  for (const std::uint32_t cell : rim_) {
-    if (cells_[cell].last < 0.0F) continue;
-    if (const double change = EdgeChange(cell); change != 0.0) add(cell, change);
-  }
+  });
   for (double& level : sum) {
     level = std::clamp(level / wanted_, 0.0, 1.0);  // cells of an edge may differ in their sigmas
   }

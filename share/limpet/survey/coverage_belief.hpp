@@ -10,6 +10,7 @@
 #include "limpet/core/camera_model.hpp"
 #include "limpet/objects/frame.hpp"
 #include "limpet/survey/survey_grid.hpp"
+#include "limpet/survey/tile_grid.hpp"
 #include "limpet/survey/view_cone.hpp"
 
 namespace limpet {
@@ -43,9 +44,12 @@ class CoverageBelief {
   CoverageBelief(const SurveyArea& area, const SurveyGrid& grid);
 
   /// Takes an image in; `grid`, of the same area, knows the seabed. Images come in order of time.
-  /// Returns how many cells it looked at. Allocates nothing.
+  /// Returns how many cells it looked at. Allocates only where nothing had been seen before.
   int Observe(const PlacedView& view, const CameraModel& camera, const SurveyGrid& grid);
+  /// What was out of reach in the water has changed in all of `grid`.
+  void NoteOtherReach();
   /// Expected shares of the ground that is wanted. `grid` knows what was out of reach in the water.
+  /// Its time goes with what has been seen since the last call.
   [[nodiscard]] Coverage Expected(const SurveyGrid& grid) const;
 
  private:
@@ -56,24 +60,36 @@ class CoverageBelief {
     std::array<std::uint8_t, kLevels> passes{}, pass{};  ///< former ones; the latest
     float last = -1.0F;          ///< when that one last saw it, since the first image [s]
     std::uint8_t map_sigma = 0;  ///< absolute, of the latest image [steps of 5 cm]
+    bool is_wanted = false;      ///< this and the next one are known once the tile is prepared
+    bool is_rim = false;         ///< near enough to an edge to be on its other side
   };
+  /// What a tile's cells add to the expectation, as last counted.
+  struct Counted {
+    Shares sum{};
+    bool is_prepared = false;
+    bool is_due = true;  ///< it has been seen since
+  };
+  using Tiles = TileGrid<Cell, Counted>;
 
   [[nodiscard]] PlanePoint SamplePoint(int row, int column, const SurveyGrid& grid) const;
   void Add(const ViewCone& cone, const Eigen::Vector3d& sample_W, const PlacedView& view,
-           Cell& cell) const;
+           const std::array<int, 2>& at);
+  [[nodiscard]] std::optional<double> Seabed(int row, int column, const SurveyGrid& grid) const;
   /// Chance that the cell was seen at each level, in sight in this water.
-  [[nodiscard]] Shares SeenAt(std::size_t cell, const SurveyGrid& grid) const;
-  [[nodiscard]] std::size_t InsideCell(int row, int column) const;
-  [[nodiscard]] bool IsWanted(int row, int column) const;
+  [[nodiscard]] Shares SeenAt(int row, int column, const Cell& cell, const SurveyGrid& grid) const;
+  [[nodiscard]] bool IsInside(int row, int column) const;
+  [[nodiscard]] bool IsWanted(int row, int column, const SurveyGrid& grid) const;
   /// How much more of the cell counts because the map may lie elsewhere; below 0: less.
-  [[nodiscard]] double EdgeChange(std::uint32_t cell) const;
+  [[nodiscard]] double EdgeChange(int row, int column, const Cell& cell,
+                                  const SurveyGrid& grid) const;
+  void Prepare(Tiles::Tile& tile, const SurveyGrid& grid) const;
+  void Count(Tiles::Tile& tile, const SurveyGrid& grid) const;
 
+  int skirt_;        ///< [cells]
   GridFrame frame_;  ///< with the skirt
-  int skirt_;        ///< its width [cells]
   std::array<double, kLevels> heights_{};
-  std::vector<Cell> cells_;
-  std::vector<std::uint8_t> is_wanted_;
-  std::vector<std::uint32_t> rim_;  ///< cells near enough to an edge to be on its other side
+  /// What is expected is noted down in each tile when it is counted.
+  mutable Tiles cells_;
   double wanted_ = 1.0;
   std::optional<double> first_t_;  ///< of the images [s]
 };

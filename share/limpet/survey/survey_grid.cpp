@@ -78,50 +78,56 @@ SurveyGrid::SurveyGrid(const SurveyArea& area, double cell_m)
   const Expected<SurveyShape> shape = SurveyShape::Of(area);
   LIMPET_REQUIRE(shape.has_value(), "the survey area is no area");
   if (shape->is_plain()) return;
-  is_wanted_.resize(seen_.size());
-  wanted_cells_ = 0;
-  for (std::size_t cell = 0; cell < seen_.size(); ++cell) {
-    is_wanted_[cell] = shape->Wants(SamplePoint(cell)) ? 1 : 0;
-    wanted_cells_ += is_wanted_[cell];
-  }
+  wanted_ = std::make_shared<const WantedCells>(
+      *shape, frame_, [this](int row, int column) { return SamplePoint(row, column); });
 }
 
 SurveyGrid::SurveyGrid(const GridFrame& frame, double object_height_max)
-    : frame_(frame), height_max_(std::max(0.0, object_height_max)), reach_(kUnlimited) {
-  LIMPET_REQUIRE(frame.rows > 0 && frame.columns > 0 && frame.cell_m > 0.0, "empty grid frame");
-  const std::size_t count =
-      static_cast<std::size_t>(frame.rows) * static_cast<std::size_t>(frame.columns);
-  seen_.assign(count, kNeverSeen);
-  floor_.assign(count, 0);
-  closest_.assign(count, kUnlimited);
-  seabed_.assign(count, 0.0F);
-  seabed_source_.assign(count, SeabedSource::kNone);
-  beam_count_.assign(count, 0);
-  is_changed_.assign(count, 0);
-  changed_.reserve(count);
-  jitter_north_.resize(count);
-  jitter_east_.resize(count);
-  const auto cell_m = static_cast<float>(frame.cell_m);
-  for (std::size_t i = 0; i < count; ++i) {
-    jitter_north_[i] = cell_m * HashToUnit(static_cast<std::uint32_t>(i), 0);
-    jitter_east_[i] = cell_m * HashToUnit(static_cast<std::uint32_t>(i), 1);
-  }
-  wanted_cells_ = count;
+    : frame_(frame),
+      height_max_(std::max(0.0, object_height_max)),
+      reach_(kUnlimited),
+      cells_(frame.rows, frame.columns) {
+  LIMPET_REQUIRE(frame.cell_m > 0.0, "cells need a size");
 }
 
-PlanePoint SurveyGrid::SamplePoint(std::size_t cell) const {
-  const auto columns = static_cast<std::size_t>(frame_.columns);
-  return {frame_.north_min + static_cast<double>(cell / columns) * frame_.cell_m +
-              static_cast<double>(jitter_north_[cell]),
-          frame_.east_min + static_cast<double>(cell % columns) * frame_.cell_m +
-              static_cast<double>(jitter_east_[cell])};
+SurveyGrid SurveyGrid::Blank() const {
+  SurveyGrid blank(frame_, height_max_);
+  blank.wanted_ = wanted_;
+  return blank;
 }
 
-std::size_t SurveyGrid::Index(int row, int column) const {
-  LIMPET_REQUIRE(row >= 0 && row < frame_.rows && column >= 0 && column < frame_.columns,
-                 "cell outside the survey grid");
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(frame_.columns) +
-         static_cast<std::size_t>(column);
+std::size_t SurveyGrid::wanted_cells() const {
+  return wanted_ ? wanted_->count()
+                 : static_cast<std::size_t>(frame_.rows) * static_cast<std::size_t>(frame_.columns);
+}
+
+PlanePoint SurveyGrid::SamplePoint(int row, int column) const {
+  const auto cell = static_cast<std::uint32_t>(row * frame_.columns + column);
+  const auto cell_m = static_cast<float>(frame_.cell_m);
+  return {
+      frame_.north_min + row * frame_.cell_m + static_cast<double>(cell_m * HashToUnit(cell, 0)),
+      frame_.east_min + column * frame_.cell_m + static_cast<double>(cell_m * HashToUnit(cell, 1))};
+}
+
+bool SurveyGrid::Holds(int row, int column) const {
+  return row >= 0 && row < frame_.rows && column >= 0 && column < frame_.columns;
+}
+
+std::uint32_t SurveyGrid::Index(int row, int column) const {
+  LIMPET_REQUIRE(Holds(row, column), "cell outside the survey grid");
+  return static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(frame_.columns) +
+         static_cast<std::uint32_t>(column);
+}
+
+SurveyGrid::Place SurveyGrid::PlaceOf(int row, int column) {
+  const std::uint32_t index = Index(row, column);
+  Tiles::Tile& tile = cells_.TileAt(row, column);
+  return {.tile = tile, .cell = Tiles::CellOf(tile, row, column), .index = index};
+}
+
+SurveyGrid::Place SurveyGrid::PlaceOf(std::uint32_t index) {
+  const auto columns = static_cast<std::uint32_t>(frame_.columns);
+  return PlaceOf(static_cast<int>(index / columns), static_cast<int>(index % columns));
 }
 
 int SurveyGrid::Observe(const Pose& X_WB, double altitude, const CameraModel& camera,
@@ -134,16 +140,14 @@ int SurveyGrid::Observe(const Pose& X_WB, double altitude, const CameraModel& ca
   const double guessed_down = X_WB.p_WB.z() + altitude;
   const CellBox box = cone.CellsBelow(frame_, guessed_down);
   for (int row = box.row_min; row <= box.row_max; ++row) {
-    const double north_edge = frame_.north_min + row * frame_.cell_m;
     for (int column = box.column_min; column <= box.column_max; ++column) {
-      const std::size_t cell = Index(row, column);
-      const double down =
-          seabed_source_[cell] == SeabedSource::kNone ? guessed_down : seabed_[cell];
-      const double east = frame_.east_min + column * frame_.cell_m + jitter_east_[cell];
-      const Eigen::Vector3d sample{north_edge + jitter_north_[cell], east, down};
+      const PlanePoint place = SamplePoint(row, column);
+      const Eigen::Vector3d sample{place.x(), place.y(),
+                                   Seabed(row, column).value_or(guessed_down)};
       if (const auto height = cone.SeenHeight(sample)) {
-        Approach(cell, static_cast<float>((sample - X_WB.p_WB).norm()));
-        Raise(cell, static_cast<float>(std::min(*height, height_max_)),
+        const Place at = PlaceOf(row, column);
+        Approach(at, static_cast<float>((sample - X_WB.p_WB).norm()));
+        Raise(at, static_cast<float>(std::min(*height, height_max_)),
               static_cast<float>(guessed_down));
       }
     }
@@ -152,56 +156,60 @@ int SurveyGrid::Observe(const Pose& X_WB, double altitude, const CameraModel& ca
          std::max(0, box.column_max - box.column_min + 1);
 }
 
-void SurveyGrid::Raise(std::size_t cell, float height, float seabed_down) {
-  if (seabed_source_[cell] == SeabedSource::kNone) {
-    seabed_[cell] = seabed_down;
-    seabed_source_[cell] = SeabedSource::kAltitude;
+void SurveyGrid::Raise(const Place& at, float height, float seabed_down) {
+  if (at.cell.seabed_source == SeabedSource::kNone) {
+    at.cell.seabed = seabed_down;
+    at.cell.seabed_source = SeabedSource::kAltitude;
   }
-  if (height > seen_[cell]) {
-    SetHeight(cell, height);
-  }
-}
-
-void SurveyGrid::SetHeight(std::size_t cell, float height) {
-  if (height != seen_[cell]) {
-    seen_[cell] = height;
-    MarkChanged(cell);
+  if (height > at.cell.seen) {
+    SetHeight(at, height);
   }
 }
 
-void SurveyGrid::Approach(std::size_t cell, float range) {
-  if (range < closest_[cell]) {
-    closest_[cell] = range;
-    SetFloor(cell, range - reach_);
+void SurveyGrid::SetHeight(const Place& at, float height) {
+  if (height != at.cell.seen) {
+    at.cell.seen = height;
+    MarkChanged(at);
   }
 }
 
-void SurveyGrid::SetFloor(std::size_t cell, float floor) {
+void SurveyGrid::Approach(const Place& at, float range) {
+  if (range < at.cell.closest) {
+    at.cell.closest = range;
+    SetFloor(at, range - reach_);
+  }
+}
+
+void SurveyGrid::SetFloor(const Place& at, float floor) {
   constexpr float kMostSteps = 65535.0F, kRounding = 1e-3F;
   const float steps = std::ceil(floor / kFloorStep - kRounding);
   // Written so that what is no number is 0.
   const auto floor_steps =
       static_cast<std::uint16_t>(steps > 0.0F ? std::min(steps, kMostSteps) : 0.0F);
-  if (floor_steps != floor_[cell]) {
-    floor_[cell] = floor_steps;
-    MarkChanged(cell);
+  if (floor_steps != at.cell.floor) {
+    at.cell.floor = floor_steps;
+    MarkChanged(at);
   }
 }
 
 void SurveyGrid::SetReach(double reach) {
   reach_ = static_cast<float>(reach);
-  for (std::size_t cell = 0; cell < seen_.size(); ++cell) {
-    if (seen_[cell] >= 0.0F) {
-      SetFloor(cell, closest_[cell] - reach_);
-    }
-  }
+  const std::size_t before = changed_.size();
+  cells_.EachTile([this](Tiles::Tile& tile) {
+    cells_.EachCell(tile, [&](int row, int column, Cell& cell) {
+      if (cell.seen < 0.0F) return;
+      SetFloor({.tile = tile, .cell = cell, .index = Index(row, column)}, cell.closest - reach_);
+    });
+  });
+  SortChanges(before);
 }
 
-void SurveyGrid::MarkChanged(std::size_t cell) {
+void SurveyGrid::MarkChanged(const Place& at) {
   ++version_;
-  if (is_changed_[cell] == 0) {
-    is_changed_[cell] = 1;
-    changed_.push_back(static_cast<std::uint32_t>(cell));
+  at.tile.note.is_due = true;
+  if (at.cell.is_changed == 0) {
+    at.cell.is_changed = 1;
+    changed_.push_back(at.index);
   }
 }
 
@@ -223,15 +231,16 @@ int SurveyGrid::SetSeabed(double north, double east, double down) {
         continue;
       }
       ++cells;
-      const std::size_t cell = Index(row, column);
-      const bool had_beam = seabed_source_[cell] == SeabedSource::kBeam;
-      const int weight = had_beam ? std::min<int>(beam_count_[cell], kMostBeamWeight) : 0;
-      const double before = had_beam ? static_cast<double>(seabed_[cell]) : down;
-      seabed_[cell] = static_cast<float>(before + (down - before) / (weight + 1));
-      seabed_source_[cell] = SeabedSource::kBeam;
-      beam_count_[cell] = static_cast<std::uint8_t>(weight + 1);
-      if (seen_[cell] >= 0.0F) {
-        MarkChanged(cell);
+      const Place at = PlaceOf(row, column);
+      Cell& cell = at.cell;
+      const bool had_beam = cell.seabed_source == SeabedSource::kBeam;
+      const int weight = had_beam ? std::min<int>(cell.beam_count, kMostBeamWeight) : 0;
+      const double before = had_beam ? static_cast<double>(cell.seabed) : down;
+      cell.seabed = static_cast<float>(before + (down - before) / (weight + 1));
+      cell.seabed_source = SeabedSource::kBeam;
+      cell.beam_count = static_cast<std::uint8_t>(weight + 1) & 0x7FU;
+      if (cell.seen >= 0.0F) {
+        MarkChanged(at);
       }
     }
   }
@@ -239,31 +248,45 @@ int SurveyGrid::SetSeabed(double north, double east, double down) {
 }
 
 void SurveyGrid::Become(SurveyGrid&& other) {
-  LIMPET_REQUIRE(other.seen_.size() == seen_.size(), "another area's grid");
-  for (std::size_t cell = 0; cell < seen_.size(); ++cell) {
-    const bool has_moved = other.seen_[cell] >= 0.0F && other.seabed_[cell] != seabed_[cell];
-    if (has_moved || other.seen_[cell] != seen_[cell] || other.floor_[cell] != floor_[cell]) {
-      MarkChanged(cell);
-    }
-  }
-  seen_ = std::move(other.seen_);
-  floor_ = std::move(other.floor_);
-  closest_ = std::move(other.closest_);
-  seabed_ = std::move(other.seabed_);
-  seabed_source_ = std::move(other.seabed_source_);
-  beam_count_ = std::move(other.beam_count_);
+  LIMPET_REQUIRE(other.frame_.rows == frame_.rows && other.frame_.columns == frame_.columns,
+                 "another area's grid");
+  const std::size_t before = changed_.size();
+  other.cells_.EachTile(
+      [this](const Tiles::Tile& tile) { static_cast<void>(cells_.TileAt(tile.row, tile.column)); });
+  cells_.EachTile([&](Tiles::Tile& tile) {
+    tile.note.is_due = true;
+    cells_.EachCell(tile, [&](int row, int column, Cell& cell) {
+      Cell next = other.cells_.At(row, column);
+      const bool has_moved = next.seen >= 0.0F && next.seabed != cell.seabed;
+      if (has_moved || next.seen != cell.seen || next.floor != cell.floor) {
+        MarkChanged({.tile = tile, .cell = cell, .index = Index(row, column)});
+      }
+      next.is_changed = cell.is_changed;
+      cell = next;
+    });
+  });
+  SortChanges(before);
+}
+
+void SurveyGrid::SortChanges(std::size_t from) {
+  std::sort(changed_.begin() + static_cast<std::ptrdiff_t>(from), changed_.end());
+}
+
+GridDelta::Cell SurveyGrid::ChangeOf(std::uint32_t index, const Cell& cell) {
+  return {.index = index,
+          .seen_height = cell.seen,
+          .seabed_down = cell.seabed,
+          .seen_floor = FloorOf(cell)};
 }
 
 GridDelta SurveyGrid::TakeDelta() {
   GridDelta delta;
   delta.frame = frame_;
   delta.cells.reserve(changed_.size());
-  for (const std::uint32_t cell : changed_) {
-    delta.cells.push_back({.index = cell,
-                           .seen_height = seen_[cell],
-                           .seabed_down = seabed_[cell],
-                           .seen_floor = Floor(cell)});
-    is_changed_[cell] = 0;
+  for (const std::uint32_t index : changed_) {
+    Cell& cell = PlaceOf(index).cell;
+    delta.cells.push_back(ChangeOf(index, cell));
+    cell.is_changed = 0;
   }
   changed_.clear();
   return delta;
@@ -272,14 +295,10 @@ GridDelta SurveyGrid::TakeDelta() {
 GridDelta SurveyGrid::Everything() const {
   GridDelta delta;
   delta.frame = frame_;
-  for (std::size_t cell = 0; cell < seen_.size(); ++cell) {
-    if (seen_[cell] >= 0.0F) {
-      delta.cells.push_back({.index = static_cast<std::uint32_t>(cell),
-                             .seen_height = seen_[cell],
-                             .seabed_down = seabed_[cell],
-                             .seen_floor = Floor(cell)});
-    }
-  }
+  cells_.EachCell([&](int row, int column, const Cell& cell) {
+    if (cell.seen >= 0.0F) delta.cells.push_back(ChangeOf(Index(row, column), cell));
+  });
+  std::ranges::sort(delta.cells, {}, &GridDelta::Cell::index);
   return delta;
 }
 
@@ -290,48 +309,79 @@ bool SurveyGrid::Apply(const GridDelta& delta) {
       other.east_min != frame_.east_min) {
     return false;
   }
+  const std::size_t cells =
+      static_cast<std::size_t>(frame_.rows) * static_cast<std::size_t>(frame_.columns);
   for (const GridDelta::Cell& change : delta.cells) {
-    if (change.index >= seen_.size()) {
+    if (change.index >= cells) {
       return false;
     }
   }
   for (const GridDelta::Cell& change : delta.cells) {
-    seabed_[change.index] = change.seabed_down;
-    seabed_source_[change.index] = SeabedSource::kBeam;
-    beam_count_[change.index] = kMostBeamWeight;
-    SetHeight(change.index, change.seen_height >= 0.0F ? change.seen_height : kNeverSeen);
-    SetFloor(change.index, change.seen_floor);
+    const Place at = PlaceOf(change.index);
+    at.cell.seabed = change.seabed_down;
+    at.cell.seabed_source = SeabedSource::kBeam;
+    at.cell.beam_count = kMostBeamWeight;
+    SetHeight(at, change.seen_height >= 0.0F ? change.seen_height : kNeverSeen);
+    SetFloor(at, change.seen_floor);
   }
   return true;
 }
 
-Coverage SurveyGrid::coverage() const {
+void SurveyGrid::Count(Tiles::Tile& tile) const {
   constexpr double kTopTolerance = 1e-3;
   const double low = std::min(kObjectRadius, height_max_);
-  double bottom = 0.0, band = 0.0, top = 0.0;
-  for (std::size_t cell = 0; cell < seen_.size(); ++cell) {
-    if (!IsWanted(cell)) continue;
-    const auto h = static_cast<double>(seen_[cell]), floor = static_cast<double>(Floor(cell));
-    bottom += h >= 0.0 && floor <= 0.0 ? 1.0 : 0.0;
+  Counted counted{.is_due = false};
+  cells_.EachCell(tile, [&](int row, int column, const Cell& cell) {
+    if (!IsWanted(row, column)) return;
+    const auto h = static_cast<double>(cell.seen), floor = static_cast<double>(FloorOf(cell));
+    counted.bottom += h >= 0.0 && floor <= 0.0 ? 1.0 : 0.0;
     const bool is_top_seen = h >= height_max_ - kTopTolerance && floor <= height_max_;
-    top += is_top_seen ? 1.0 : 0.0;
+    counted.top += is_top_seen ? 1.0 : 0.0;
     if (height_max_ > low) {
-      band += std::clamp((h - std::max(low, floor)) / (height_max_ - low), 0.0, 1.0);
+      counted.band += std::clamp((h - std::max(low, floor)) / (height_max_ - low), 0.0, 1.0);
     } else {
-      band += is_top_seen ? 1.0 : 0.0;
+      counted.band += is_top_seen ? 1.0 : 0.0;
     }
-  }
-  const double count = std::max(1.0, static_cast<double>(wanted_cells_));
-  return {.seabed = bottom / count, .band = band / count, .band_top = top / count};
+  });
+  tile.note = counted;
+}
+
+Coverage SurveyGrid::coverage() const {
+  Counted sum;
+  cells_.EachTile([&](Tiles::Tile& tile) {
+    if (tile.note.is_due) Count(tile);
+    sum.bottom += tile.note.bottom;
+    sum.band += tile.note.band;
+    sum.top += tile.note.top;
+  });
+  const double count = std::max(1.0, static_cast<double>(wanted_cells()));
+  return {.seabed = sum.bottom / count, .band = sum.band / count, .band_top = sum.top / count};
+}
+
+std::vector<float> SurveyGrid::Heights() const {
+  std::vector<float> heights(
+      static_cast<std::size_t>(frame_.rows) * static_cast<std::size_t>(frame_.columns), kNeverSeen);
+  cells_.EachCell(
+      [&](int row, int column, const Cell& cell) { heights[Index(row, column)] = cell.seen; });
+  return heights;
 }
 
 std::optional<double> SurveyGrid::SeenHeight(int row, int column) const {
-  const float height = seen_[Index(row, column)];
+  LIMPET_REQUIRE(Holds(row, column), "cell outside the survey grid");
+  const float height = cells_.At(row, column).seen;
   return height >= 0.0F ? std::optional<double>(height) : std::nullopt;
 }
 
+double SurveyGrid::SeenFloor(int row, int column) const {
+  LIMPET_REQUIRE(Holds(row, column), "cell outside the survey grid");
+  return static_cast<double>(FloorOf(cells_.At(row, column)));
+}
+
 std::optional<double> SurveyGrid::Seabed(int row, int column) const {
-  return SeabedAt(Index(row, column));
+  LIMPET_REQUIRE(Holds(row, column), "cell outside the survey grid");
+  const Cell& cell = cells_.At(row, column);
+  return cell.seabed_source == SeabedSource::kNone ? std::nullopt
+                                                   : std::optional<double>(cell.seabed);
 }
 
 }  // namespace limpet

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "limpet/core/camera_model.hpp"
 #include "limpet/survey/simple_polygon.hpp"
+#include "limpet/survey/tile_grid.hpp"
+#include "limpet/survey/wanted_cells.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
 
@@ -40,10 +43,13 @@ namespace limpet {
 ///
 /// Sample points are jittered inside their cells by a fixed hash, because a planner that sees
 /// regular cell centres learns to leave gaps between them.
+///
+/// Cells are kept in tiles that come into being when something of them has been seen: memory and
+/// time go with the ground seen, not with the area.
 class SurveyGrid {
  public:
-  /// Cells that a grid may have: 500 m by 500 m at 0.25 m, about 120 MB in each app that keeps one.
-  static constexpr double kMostCells = 4e6;
+  /// Cells that a grid may have: 1250 m by 1250 m at 0.25 m. One that has been seen takes 16 bytes.
+  static constexpr double kMostCells = 25e6;
   /// Inset of an object's centre from the image's edge [m], for discs of 0.5 m radius.
   static constexpr double kDiscInset = 0.08;
   /// Objects' centres float no lower than their radius [m]; the band of Coverage starts here.
@@ -58,6 +64,8 @@ class SurveyGrid {
   explicit SurveyGrid(const SurveyArea& area, double cell_m = kCell_m);
   /// The mirror of a grid that is known by its deltas.
   SurveyGrid(const GridFrame& frame, double object_height_max);
+  /// One of the same ground that has seen nothing.
+  [[nodiscard]] SurveyGrid Blank() const;
 
   /// Marks what the camera sees from `X_WB`. `altitude` [m] is the height of the body origin above
   /// the seabed; it stands in where the seabed's depth is not known. The image is drawn in by
@@ -82,61 +90,88 @@ class SurveyGrid {
 
   /// Shares of the ground that is wanted.
   [[nodiscard]] Coverage coverage() const;
-  /// Whether the cell with this index in heights() is to be seen: its sample point lies in the area
-  /// and in no keep-out zone.
-  [[nodiscard]] bool IsWanted(std::size_t cell) const {
-    return is_wanted_.empty() || is_wanted_[cell] != 0;
+  /// Whether the cell is to be seen: its sample point lies in the area and in no keep-out zone.
+  [[nodiscard]] bool IsWanted(int row, int column) const {
+    return !wanted_ || wanted_->Has(row, column);
   }
-  /// The place that stands for the cell with this index in heights().
-  [[nodiscard]] PlanePoint SamplePoint(std::size_t cell) const;
-  /// Seabed of the cell with this index in heights(): NED depth [m], or nothing.
-  [[nodiscard]] std::optional<double> SeabedAt(std::size_t cell) const {
-    return seabed_source_[cell] == SeabedSource::kNone ? std::nullopt
-                                                       : std::optional<double>(seabed_[cell]);
-  }
-  [[nodiscard]] std::size_t wanted_cells() const { return wanted_cells_; }
+  /// The place that stands for the cell.
+  [[nodiscard]] PlanePoint SamplePoint(int row, int column) const;
+  [[nodiscard]] std::size_t wanted_cells() const;
   [[nodiscard]] const GridFrame& frame() const { return frame_; }
   [[nodiscard]] double object_height_max() const { return height_max_; }
   /// Greatest height seen [m], or nothing if not even the bottom has been inside the image.
   [[nodiscard]] std::optional<double> SeenHeight(int row, int column) const;
   /// Heights above the seabed below this were out of reach of every image of the cell [m]; 0 if its
   /// bottom was in sight. In steps of 0.1 m, upwards.
-  [[nodiscard]] double SeenFloor(int row, int column) const { return Floor(Index(row, column)); }
+  [[nodiscard]] double SeenFloor(int row, int column) const;
   /// NED depth of the seabed [m], or nothing.
   [[nodiscard]] std::optional<double> Seabed(int row, int column) const;
-  /// Raw heights, row-major, `kNeverSeen` where never seen: for planners' inner loops.
-  [[nodiscard]] std::span<const float> heights() const { return seen_; }
+
+  /// A cell as planners' inner loops read it.
+  struct Look {
+    float height = kNeverSeen;  ///< as SeenHeight
+    float floor = 0.0F;         ///< as SeenFloor
+  };
   static constexpr float kNeverSeen = -1.0F;
-  /// SeenFloor of the cell with this index in heights().
-  [[nodiscard]] float Floor(std::size_t cell) const {
-    return kFloorStep * static_cast<float>(floor_[cell]);
+  [[nodiscard]] Look LookAt(int row, int column) const {
+    const Cell& cell = cells_.At(row, column);
+    return {.height = cell.seen, .floor = FloorOf(cell)};
   }
+  /// Raw heights row by row, `kNeverSeen` where never seen: as many as the area has cells.
+  [[nodiscard]] std::vector<float> Heights() const;
   /// Increases with every change; mirrors compare it to know whether they are stale.
   [[nodiscard]] std::uint64_t version() const { return version_; }
 
  private:
   enum class SeabedSource : std::uint8_t { kNone, kAltitude, kBeam };
-  [[nodiscard]] std::size_t Index(int row, int column) const;
-  void Raise(std::size_t cell, float height, float seabed_down);
-  void SetHeight(std::size_t cell, float height);
-  void Approach(std::size_t cell, float range);
-  void SetFloor(std::size_t cell, float floor);
-  void MarkChanged(std::size_t cell);
+  static constexpr float kFloorStep = 0.1F;  ///< [m]
+  struct Cell {
+    float seen = kNeverSeen;  ///< greatest height [m]
+    float closest =
+        std::numeric_limits<float>::infinity();  ///< range of its bottom [m]; not of a mirror
+    float seabed = 0.0F;                         ///< NED depth [m]
+    std::uint16_t floor = 0;                     ///< in steps
+    SeabedSource seabed_source = SeabedSource::kNone;
+    std::uint8_t beam_count : 7 = 0;
+    std::uint8_t is_changed : 1 = 0;
+  };
+  /// What a tile's cells that are wanted add to the coverage, as last counted.
+  struct Counted {
+    double bottom = 0.0, band = 0.0, top = 0.0;
+    bool is_due = true;  ///< cells have changed since
+  };
+  using Tiles = TileGrid<Cell, Counted>;
+  /// A cell to be written to, and where it is.
+  struct Place {
+    Tiles::Tile& tile;
+    Cell& cell;
+    std::uint32_t index;  ///< as deltas have it
+  };
+
+  [[nodiscard]] static float FloorOf(const Cell& cell) {
+    return kFloorStep * static_cast<float>(cell.floor);
+  }
+  [[nodiscard]] bool Holds(int row, int column) const;
+  /// REQUIRES: Holds(row, column).
+  [[nodiscard]] std::uint32_t Index(int row, int column) const;
+  [[nodiscard]] Place PlaceOf(int row, int column);
+  [[nodiscard]] Place PlaceOf(std::uint32_t index);
+  void Raise(const Place& at, float height, float seabed_down);
+  void SetHeight(const Place& at, float height);
+  void Approach(const Place& at, float range);
+  void SetFloor(const Place& at, float floor);
+  void MarkChanged(const Place& at);
+  /// Cells changed by going through tiles are told row by row all the same.
+  void SortChanges(std::size_t from);
+  [[nodiscard]] static GridDelta::Cell ChangeOf(std::uint32_t index, const Cell& cell);
+  void Count(Tiles::Tile& tile) const;
 
   GridFrame frame_;
   double height_max_;
-  std::vector<float> seen_;
-  static constexpr float kFloorStep = 0.1F;  ///< [m]
-  std::vector<std::uint16_t> floor_;         ///< in steps
-  std::vector<float> closest_;               ///< range of the cell's bottom [m]; not of a mirror
   float reach_;
-  std::vector<float> seabed_;
-  std::vector<SeabedSource> seabed_source_;
-  std::vector<std::uint8_t> beam_count_;
-  std::vector<float> jitter_north_, jitter_east_;  ///< offset of the sample point in its cell [m]
-  std::vector<std::uint8_t> is_wanted_;            ///< empty: all are
-  std::size_t wanted_cells_;
-  std::vector<std::uint8_t> is_changed_;
+  /// Counting what has been seen notes down in each tile what came of it.
+  mutable Tiles cells_;
+  std::shared_ptr<const WantedCells> wanted_;  ///< null: all are
   std::vector<std::uint32_t> changed_;
   std::uint64_t version_ = 0;
 };

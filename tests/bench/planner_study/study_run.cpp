@@ -93,7 +93,7 @@ class Flight {
           HomePath(pose_, home_.north, home_.east, region_, study_.beam.turn_radius).path.length();
     }
     result_.frame = grid_.frame();
-    result_.heights.assign(grid_.heights().begin(), grid_.heights().end());
+    result_.heights = grid_.Heights();
     result_.plan_ms_mean = total_ms_ / std::max(1, decisions_);
     return result_;
   }

@@ -71,7 +71,7 @@ void Tell(GroundSession& session, const TrackShift& shift) {
 }
 
 void ExpectSameGround(const SurveyGrid& a, const SurveyGrid& b) {
-  EXPECT_TRUE(std::ranges::equal(a.heights(), b.heights()));
+  EXPECT_EQ(a.Heights(), b.Heights());
   for (int row = 0; row < a.frame().rows; ++row) {
     for (int column = 0; column < a.frame().columns; ++column) {
       ASSERT_EQ(a.Seabed(row, column), b.Seabed(row, column));

@@ -24,10 +24,12 @@ SurveyArea Rectangle() {
 }
 
 std::string WhyOf(const UnseenPlace& place, const SurveyArea& area) {
-  const auto counts = CountReasons({place}, area, Table1Settings());
+  UnseenCounter counter(area, Table1Settings());
+  counter.Add(place);
   std::string why;
   for (std::size_t i = 0; i < kWaysUnseen; ++i) {
-    if (counts[i] > 0) why += NameOf(static_cast<WhyUnseen>(i));
+    const auto reason = static_cast<WhyUnseen>(i);
+    if (counter.Of(reason) > 0) why += NameOf(reason);
   }
   return why;
 }

@@ -50,9 +50,7 @@ SurveyGrid Flown(const std::vector<SeenFrom>& flight, double reach = 1e6) {
   return grid;
 }
 
-std::vector<float> HeightsOf(const SurveyGrid& grid) {
-  return {grid.heights().begin(), grid.heights().end()};
-}
+std::vector<float> HeightsOf(const SurveyGrid& grid) { return grid.Heights(); }
 
 class SurveyGridProperties : public ::testing::TestWithParam<int> {
  protected:
@@ -92,7 +90,7 @@ TEST_P(SurveyGridProperties, TheTopIsSeenNoSoonerThanTheBandAndThatNoSoonerThanT
 
 TEST_P(SurveyGridProperties, NoHeightIsBeyondTheHighestObject) {
   const SurveyGrid grid = Flown(flight_);
-  for (const float height : grid.heights()) {
+  for (const float height : grid.Heights()) {
     EXPECT_TRUE(height == SurveyGrid::kNeverSeen ||
                 (height >= 0.0F && height <= static_cast<float>(grid.object_height_max())));
   }

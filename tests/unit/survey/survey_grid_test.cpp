@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "limpet/survey/survey_shape.hpp"
+
 namespace limpet {
 namespace {
 
@@ -33,7 +35,7 @@ int ColumnOf(const SurveyGrid& grid, double east) {
 
 double SeenArea(const SurveyGrid& grid, double height) {
   double cells = 0.0;
-  for (const float h : grid.heights()) {
+  for (const float h : grid.Heights()) {
     cells += static_cast<double>(h) >= height ? 1.0 : 0.0;
   }
   return cells * grid.frame().cell_m * grid.frame().cell_m;
@@ -115,7 +117,7 @@ TEST(SurveyGrid, AMirrorFedWithDeltasIsTheSameGrid) {
     grid.Observe(At(i, 2.0 * i, 0.3 * i), 4.0, CameraModel{});
     ASSERT_TRUE(mirror.Apply(grid.TakeDelta()));
   }
-  EXPECT_TRUE(std::equal(grid.heights().begin(), grid.heights().end(), mirror.heights().begin()));
+  EXPECT_EQ(grid.Heights(), mirror.Heights());
 }
 
 TEST(SurveyGrid, ALateMirrorLearnsEverythingAtOnce) {
@@ -125,7 +127,7 @@ TEST(SurveyGrid, ALateMirrorLearnsEverythingAtOnce) {
     static_cast<void>(grid.TakeDelta());
   }
   ASSERT_TRUE(mirror.Apply(grid.Everything()));
-  EXPECT_TRUE(std::equal(grid.heights().begin(), grid.heights().end(), mirror.heights().begin()));
+  EXPECT_EQ(grid.Heights(), mirror.Heights());
   EXPECT_TRUE(grid.TakeDelta().cells.empty()) << "others' deltas are not delayed";
 }
 
@@ -140,12 +142,12 @@ TEST(SurveyGrid, AMirrorFollowsAlsoToWhatWasNotSeenAfterAll) {
   const SurveyGrid expected = corrected;
   const std::uint64_t before = grid.version();
   grid.Become(std::move(corrected));
-  EXPECT_TRUE(std::ranges::equal(grid.heights(), expected.heights()));
+  EXPECT_EQ(grid.Heights(), expected.Heights());
   EXPECT_GT(grid.version(), before);
   const GridDelta delta = grid.TakeDelta();
   EXPECT_LT(delta.cells.size(), 700U) << "of the image that stayed, nothing is told";
   ASSERT_TRUE(mirror.Apply(delta));
-  EXPECT_TRUE(std::ranges::equal(mirror.heights(), expected.heights()));
+  EXPECT_EQ(mirror.Heights(), expected.Heights());
   EXPECT_EQ(mirror.coverage().band, expected.coverage().band);
   EXPECT_EQ(mirror.Seabed(RowOf(mirror, 5.5), ColumnOf(mirror, 0.5)), 7.6F);
 }
@@ -268,6 +270,41 @@ TEST(SurveyGridInMurk, AMirrorKnowsWhatWasOutOfSight) {
   grid.SetReach(8.0);
   ASSERT_TRUE(mirror.Apply(grid.TakeDelta()));
   EXPECT_EQ(mirror.coverage().seabed, grid.coverage().seabed);
+}
+
+SurveyArea SquareKilometre() {
+  SurveyArea area = kArea;
+  area.north_max = area.north_min + 1000.0;
+  area.east_max = area.east_min + 1000.0;
+  return area;
+}
+
+TEST(SurveyGrid, ASquareKilometreIsAnAreaAndMuchMoreIsNot) {
+  SurveyArea area = SquareKilometre();
+  EXPECT_FALSE(ProblemOf(area).has_value());
+  area.north_max += 2000.0;
+  EXPECT_TRUE(ProblemOf(area).has_value());
+}
+
+TEST(SurveyGrid, ASquareKilometreShowsWhatItsPartWould) {
+  SurveyGrid large(SquareKilometre());
+  large.Observe(At(900.0, 300.0, 0.4), 4.0, CameraModel{});
+  const Coverage seen = large.coverage();
+  const double cells = 16.0e6;
+  EXPECT_NEAR(seen.seabed * cells * 0.0625, 6.713 * 4.619, 1.0);
+  EXPECT_EQ(large.wanted_cells(), 16'000'000U);
+  EXPECT_EQ(static_cast<double>(large.TakeDelta().cells.size()), std::round(seen.seabed * cells));
+}
+
+TEST(SurveyGrid, ABlankOfItWantsTheSameGroundAndHasSeenNothing) {
+  SurveyArea area = AreaWithin({{-15.0, -18.0}, {15.0, -18.0}, {15.0, 18.0}});
+  area.object_height_max = 2.0;
+  SurveyGrid grid(area);
+  grid.Observe(At(0.0, 0.0), 4.0, CameraModel{});
+  const SurveyGrid blank = grid.Blank();
+  EXPECT_EQ(blank.coverage().seabed, 0.0);
+  EXPECT_EQ(blank.wanted_cells(), grid.wanted_cells());
+  EXPECT_EQ(blank.IsWanted(100, 10), grid.IsWanted(100, 10));
 }
 
 }  // namespace
