@@ -53,7 +53,8 @@ std::optional<Bid> BHV_ReturnHome::Value(const Prospect& prospect, const Situati
           .why = {{"overrun", overrun}},
           .veto = {}};
   if (prospect.option->is_whole()) {
-    const double from_end = DistanceHome(prospect.whole().end(), now);
+    const Pose2& end = prospect.whole().end();
+    const double from_end = (PlanePoint(end.north, end.east) - now.next()).norm();
     bid.value -= from_end;
     bid.why.push_back({"from_end", from_end});
   }

@@ -22,7 +22,8 @@ namespace {
 
 /// Live, the database and whoever listens may have been started again meanwhile.
 constexpr Seconds kTellPeriod(10.0);
-constexpr double kProgressStep = 0.002;  // coverage must grow by this much to count as progress
+/// Coverage must grow by this share to count as progress, or by so much of a large area.
+constexpr double kProgressShare = 0.002, kProgress_m2 = 200.0;
 constexpr std::array kPhaseNames{"IDLE",   "ALIGN",  "DIVE", "SURVEY",
                                  "RETURN", "ASCEND", "FIX",  "DONE"};
 
@@ -198,9 +199,14 @@ void SurveyApp::OnPath(const Stamped<HelmPath>& path) {
   }
 }
 
+double SurveyApp::ProgressStep() const {
+  const double extent = (area_.north_max - area_.north_min) * (area_.east_max - area_.east_min);
+  return std::min(kProgressShare, kProgress_m2 / extent);
+}
+
 void SurveyApp::OnCoverage(const Stamped<Coverage>& coverage) {
   coverage_ = coverage.value;
-  if (CoveredShare(coverage_) > best_share_ + kProgressStep) {
+  if (CoveredShare(coverage_) > best_share_ + ProgressStep()) {
     best_share_ = CoveredShare(coverage_);
     last_progress_ = now();
   }

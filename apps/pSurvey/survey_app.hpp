@@ -86,6 +86,8 @@ class SurveyApp final : public App {
   /// Objects that the helm still wants to look at.
   [[nodiscard]] std::ptrdiff_t OpenRevisits() const;
   [[nodiscard]] std::optional<Seconds> TimeToTarget() const;
+  /// Growth of coverage that counts as progress.
+  [[nodiscard]] double ProgressStep() const;
   [[nodiscard]] double CoveredShare(const Coverage& coverage) const;
   [[nodiscard]] double DistanceHome() const;
   /// What coverage comes to when all that this water shows from survey altitude has been seen.

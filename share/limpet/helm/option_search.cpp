@@ -6,7 +6,27 @@
 #include <iterator>
 #include <utility>
 
+#include "limpet/planning/survey_blocks.hpp"
+
 namespace limpet {
+namespace {
+
+/// Of an area that is surveyed block by block, objects far from this one wait for theirs; once all
+/// that is left is slivers they do not.
+void LeaveFarTargetsOut(const Ground& ground, std::vector<Target>& targets) {
+  constexpr double kFar = 50.0;  // [m]
+  const bool is_done = ground.SeenShare(Footprint::kLayers - 1) >= SurveyBlocks::kDoneShare;
+  if (!ground.is_part() || is_done) return;
+  const GridFrame& frame = ground.frame();
+  const PlanePoint low(frame.north_min, frame.east_min);
+  const PlanePoint high = low + PlanePoint(frame.rows * frame.cell_m, frame.columns * frame.cell_m);
+  std::erase_if(targets, [&](const Target& target) {
+    const PlanePoint at(target.north, target.east);
+    return (at - at.cwiseMax(low).cwiseMin(high)).norm() > kFar;
+  });
+}
+
+}  // namespace
 
 SearchGoals GoalsOf(std::span<const WeightedBehavior> running, const Situation& now,
                     std::vector<BehaviorFailure>& failures) {
@@ -19,6 +39,7 @@ SearchGoals GoalsOf(std::span<const WeightedBehavior> running, const Situation& 
       goals = std::move(shaped);
     }
   }
+  LeaveFarTargetsOut(*now.ground, goals.objective.targets);
   return goals;
 }
 

@@ -73,8 +73,8 @@ struct WatchedObject {
 /// For "where next". Pointers are never null and outlive the decision.
 struct Situation {
   Seconds now;
-  Pose2 pose;  ///< where options start
-  const Ground* ground = nullptr;
+  Pose2 pose;                      ///< where options start
+  const Ground* ground = nullptr;  ///< of a large area the block that is due
   const Region* region = nullptr;
   Meters turn_radius{3.0};
   HomePoint home;
@@ -83,6 +83,13 @@ struct Situation {
   double travelled = 0.0;  ///< path since the helm first decided [m]
   /// Path that the battery allows from now on, way home and reserve kept; absent: nobody says.
   std::optional<Meters> reach{};
+  /// Where the survey goes on when this ground is done, NED [m]; absent: it is over then.
+  std::optional<PlanePoint> onward{};
+
+  /// Where the way leads when this ground is done: on, or home.
+  [[nodiscard]] PlanePoint next() const {
+    return onward.value_or(PlanePoint(home.north, home.east));
+  }
 };
 
 /// An option with what it would newly show.

@@ -40,6 +40,7 @@ bool SurveyMirror::SetArea(const SurveyArea& area) {
   }
   area_ = area;
   grid_ = std::make_unique<SurveyGrid>(area);
+  blocks_.emplace(*grid_, FootprintNow());
   MirrorGround();
   fences_.emplace(area, params_.tracking_allowance, params_.turning_radius);
   KeepOffFences(params_.tracking_allowance);
@@ -59,19 +60,27 @@ bool SurveyMirror::SetObstacles(const std::vector<Obstacle>& obstacles) {
   return true;
 }
 
-void SurveyMirror::UpdateGround() {
+void SurveyMirror::UpdateGround(double travelled) {
   ground_->Update(*grid_);
+  while (blocks_->GoOn(*ground_, {place_.north, place_.east}, travelled)) {
+    MirrorGround();
+  }
   const Meters allowance = fences_->For(place_, place_sigma_, allowance_);
   if (allowance != allowance_) {
     KeepOffFences(allowance);
   }
 }
 
-void SurveyMirror::MirrorGround() {
+Footprint SurveyMirror::FootprintNow() const {
   Footprint footprint(params_.survey_altitude.value(), area_->object_height_max,
                       params_.camera.geometry(), reach_);
   footprint.DrawIn(seam_allowance_);
-  ground_ = std::make_unique<Ground>(*grid_, footprint, WeightsOfLayers(params_.bottom_weight));
+  return footprint;
+}
+
+void SurveyMirror::MirrorGround() {
+  ground_ = std::make_unique<Ground>(*grid_, FootprintNow(), WeightsOfLayers(params_.bottom_weight),
+                                     blocks_->now(), blocks_->cells_per_side());
   sight_ = std::make_unique<SeenAlong>(*ground_);
 }
 
@@ -126,7 +135,8 @@ Situation SurveyMirror::Snapshot(Seconds now, const Pose2& pose, double travelle
           .objects = watch_.Objects(grid_.get(), seabed_down_),
           .coverage = coverage_,
           .travelled = travelled,
-          .reach = reach_of_battery_};
+          .reach = reach_of_battery_,
+          .onward = blocks_->Onward()};
 }
 
 }  // namespace limpet

@@ -10,6 +10,7 @@
 #include "limpet/helm/situation.hpp"
 #include "limpet/helm/view_params.hpp"
 #include "limpet/planning/fence_allowance.hpp"
+#include "limpet/planning/survey_blocks.hpp"
 #include "limpet/survey/survey_grid.hpp"
 
 namespace limpet {
@@ -36,12 +37,14 @@ class SurveyMirror {
   /// Where the vehicle is, for the depth of the seabed where none has been seen, and how sure it is
   /// of that, for what paths keep off the region's border.
   void NoteAltitude(const NavState& nav);
-  /// Takes the grid's present state, and the region as the place is known now. REQUIRES:
-  /// has_area().
-  void UpdateGround();
+  /// Takes the grid's present state, and the region as the place is known now; of a large area the
+  /// block that is due after `travelled` metres of way. REQUIRES: has_area().
+  void UpdateGround(double travelled = 0.0);
 
   [[nodiscard]] bool has_area() const { return area_.has_value(); }
   [[nodiscard]] const std::optional<SurveyArea>& area() const { return area_; }
+  /// How the area is cut for planning. REQUIRES: has_area().
+  [[nodiscard]] const SurveyBlocks& blocks() const { return *blocks_; }
   /// False if objects at the top of the area's band are never inside the image, in any water.
   [[nodiscard]] bool SeesWholeBand() const;
   /// Of the present ground. REQUIRES: has_area().
@@ -53,6 +56,7 @@ class SurveyMirror {
   [[nodiscard]] Situation Snapshot(Seconds now, const Pose2& pose, double travelled) const;
 
  private:
+  [[nodiscard]] Footprint FootprintNow() const;
   void MirrorGround();
   void KeepOffFences(Meters allowance);
 
@@ -61,7 +65,8 @@ class SurveyMirror {
   double reach_ = std::numeric_limits<double>::infinity();  ///< [m]
   std::optional<SurveyArea> area_;
   std::unique_ptr<SurveyGrid> grid_;
-  std::unique_ptr<Ground> ground_;
+  std::optional<SurveyBlocks> blocks_;
+  std::unique_ptr<Ground> ground_;  ///< of the block that is due
   std::unique_ptr<SeenAlong> sight_;
   std::unique_ptr<Region> region_;
   std::vector<Obstacle> obstacles_;

@@ -151,7 +151,7 @@ std::optional<ViewDecision> ViewPlanner::DecideIfDue(std::span<const WeightedBeh
   if (cause.empty()) {
     return std::nullopt;
   }
-  survey_.UpdateGround();
+  survey_.UpdateGround(tracker_.Travelled());
   const Situation situation = SituationOf(nav, now);
   ViewDecision decision =
       DecideView(running, situation, search_.Gather(running, situation, failures_), survey_.seen(),

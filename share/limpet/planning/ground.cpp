@@ -17,7 +17,7 @@ CellBox Whole(const GridFrame& frame) {
       .row_min = 0, .row_max = frame.rows - 1, .column_min = 0, .column_max = frame.columns - 1};
 }
 
-GridFrame FrameOf(GridFrame frame, const CellBox& window) {
+GridFrame FrameOf(GridFrame frame, const CellBox& window, int cells_per_side) {
   const CellBox whole = Whole(frame);
   LIMPET_REQUIRE(window.row_min >= 0 && window.row_min <= window.row_max &&
                      window.row_max <= whole.row_max && window.column_min >= 0 &&
@@ -26,16 +26,29 @@ GridFrame FrameOf(GridFrame frame, const CellBox& window) {
                  "a window of the grid");
   frame.north_min += window.row_min * frame.cell_m;
   frame.east_min += window.column_min * frame.cell_m;
-  frame.rows = window.row_max - window.row_min + 1;
-  frame.columns = window.column_max - window.column_min + 1;
+  const auto squares = [cells_per_side](int cells) {
+    return (cells + cells_per_side - 1) / cells_per_side;
+  };
+  frame.rows = squares(window.row_max - window.row_min + 1);
+  frame.columns = squares(window.column_max - window.column_min + 1);
+  frame.cell_m *= cells_per_side;
   return frame;
 }
 
-std::size_t WantedIn(const SurveyGrid& grid, const CellBox& window) {
+/// How many squares hold a cell that is wanted.
+std::size_t WantedIn(const SurveyGrid& grid, const CellBox& window, int cells_per_side) {
+  const auto is_wanted = [&](int row, int column) {
+    for (int r = row; r < row + cells_per_side && r <= window.row_max; ++r) {
+      for (int c = column; c < column + cells_per_side && c <= window.column_max; ++c) {
+        if (grid.IsWanted(r, c)) return true;
+      }
+    }
+    return false;
+  };
   std::size_t wanted = 0;
-  for (int row = window.row_min; row <= window.row_max; ++row) {
-    for (int column = window.column_min; column <= window.column_max; ++column) {
-      wanted += grid.IsWanted(row, column) ? 1 : 0;
+  for (int row = window.row_min; row <= window.row_max; row += cells_per_side) {
+    for (int column = window.column_min; column <= window.column_max; column += cells_per_side) {
+      wanted += is_wanted(row, column) ? 1 : 0;
     }
   }
   return wanted;
@@ -87,13 +100,14 @@ Ground::Ground(const SurveyGrid& grid, const Footprint& footprint, const LayerWe
     : Ground(grid, footprint, weights, Whole(grid.frame())) {}
 
 Ground::Ground(const SurveyGrid& grid, const Footprint& footprint, const LayerWeights& weights,
-               const CellBox& window)
-    : frame_(FrameOf(grid.frame(), window)),
+               const CellBox& window, int cells_per_side)
+    : frame_(FrameOf(grid.frame(), window, cells_per_side)),
       window_(window),
+      cells_per_side_(cells_per_side),
       is_part_(frame_.rows != grid.frame().rows || frame_.columns != grid.frame().columns),
       footprint_(footprint),
       weights_(weights),
-      wanted_cells_(std::max<std::size_t>(1, WantedIn(grid, window))) {
+      wanted_cells_(std::max<std::size_t>(1, WantedIn(grid, window, cells_per_side))) {
   levels_.resize(static_cast<std::size_t>(frame_.rows) * static_cast<std::size_t>(frame_.columns));
   Update(grid);
 }
@@ -113,6 +127,16 @@ std::uint8_t Ground::LevelOf(const SurveyGrid& grid, int row, int column) const 
   return static_cast<std::uint8_t>(level);
 }
 
+std::uint8_t Ground::LeastLevelOf(const SurveyGrid& grid, int row, int column) const {
+  std::uint8_t least = Footprint::kLayers;
+  for (int r = row; r < row + cells_per_side_ && r <= window_.row_max; ++r) {
+    for (int c = column; c < column + cells_per_side_ && c <= window_.column_max; ++c) {
+      least = std::min(least, LevelOf(grid, r, c));
+    }
+  }
+  return least;
+}
+
 void Ground::Update(const SurveyGrid& grid) {
   LIMPET_REQUIRE(window_.row_max < grid.frame().rows && window_.column_max < grid.frame().columns,
                  "a ground mirrors one grid");
@@ -121,9 +145,9 @@ void Ground::Update(const SurveyGrid& grid) {
   }
   version_ = grid.version();
   std::size_t cell = 0;
-  for (int row = window_.row_min; row <= window_.row_max; ++row) {
-    for (int column = window_.column_min; column <= window_.column_max; ++column) {
-      levels_[cell++] = LevelOf(grid, row, column);
+  for (int row = window_.row_min; row <= window_.row_max; row += cells_per_side_) {
+    for (int column = window_.column_min; column <= window_.column_max; column += cells_per_side_) {
+      levels_[cell++] = LeastLevelOf(grid, row, column);
     }
   }
 }

@@ -58,18 +58,20 @@ inline constexpr LayerWeights kBottomTwice = {0.4, 0.2, 0.2, 0.2};
 /// Footprint::kLayers, from the bottom up; layers out of reach count as done, as nothing can be
 /// done about them, and so do cells that are not to be seen. Because layers nest, area and border
 /// of all layers are sums over these numbers alone. Of a grid that is too large to be planned at
-/// once it copies a window, and is a ground of that size.
+/// once it copies a window, and is a ground of that size; where images are wide, by squares of
+/// cells, which count as seen as the least of their cells: plans for wide images need no finer
+/// ones.
 class Ground {
  public:
   Ground(const SurveyGrid& grid, const Footprint& footprint,
          const LayerWeights& weights = kBottomTwice);
-  /// REQUIRES: a window of cells of the grid, not empty.
+  /// REQUIRES: a window of cells of the grid, not empty; cells_per_side > 0.
   Ground(const SurveyGrid& grid, const Footprint& footprint, const LayerWeights& weights,
-         const CellBox& window);
+         const CellBox& window, int cells_per_side = 1);
   /// Takes the grid's present state; cheap if it has not changed since.
   void Update(const SurveyGrid& grid);
 
-  /// Of the window.
+  /// Of the window; its cells are those squares.
   [[nodiscard]] const GridFrame& frame() const { return frame_; }
   /// Whether it is only a part of its grid.
   [[nodiscard]] bool is_part() const { return is_part_; }
@@ -92,9 +94,12 @@ class Ground {
 
  private:
   [[nodiscard]] std::uint8_t LevelOf(const SurveyGrid& grid, int row, int column) const;
+  /// Of the square whose first cell this is.
+  [[nodiscard]] std::uint8_t LeastLevelOf(const SurveyGrid& grid, int row, int column) const;
 
   GridFrame frame_;
   CellBox window_;
+  int cells_per_side_;
   bool is_part_;
   Footprint footprint_;
   LayerWeights weights_;

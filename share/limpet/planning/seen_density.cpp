@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "limpet/core/interval.hpp"
+
 namespace limpet {
 namespace {
 
@@ -42,7 +44,8 @@ std::vector<double> Blur(const std::vector<double>& from, int lines, int length,
 }  // namespace
 
 SeenDensity::SeenDensity(const Ground& ground)
-    : north_min_(ground.frame().north_min),
+    : is_part_(ground.is_part()),
+      north_min_(ground.frame().north_min),
       east_min_(ground.frame().east_min),
       cell_m_(kCoarseCell),
       rows_(static_cast<int>(std::ceil(ground.frame().rows * ground.frame().cell_m / kCoarseCell))),
@@ -77,10 +80,18 @@ double SeenDensity::At(double north, double east) const {
 }
 
 Pose2 SeenDensity::Sample(const Region& region, Random& random, int tries) const {
+  constexpr double kAround = 5.0;  // [m] images reach into the ground from there
+  const auto within = [this](double begin, int cells, double low, double high) {
+    if (!is_part_) return Interval{low, high};
+    return Interval{std::max(low, begin - kAround),
+                    std::min(high, begin + cells * cell_m_ + kAround)};
+  };
+  const Interval north = within(north_min_, rows_, region.north_min(), region.north_max());
+  const Interval east = within(east_min_, columns_, region.east_min(), region.east_max());
   Pose2 pose;
   for (int i = 0; i < tries; ++i) {
-    pose = {.north = random.Uniform(region.north_min(), region.north_max()),
-            .east = random.Uniform(region.east_min(), region.east_max()),
+    pose = {.north = random.Uniform(north.low, north.high),
+            .east = random.Uniform(east.low, east.high),
             .yaw = random.Uniform(-std::numbers::pi, std::numbers::pi)};
     if (random.Chance(1.0 - At(pose.north, pose.east))) {
       break;

@@ -21,6 +21,7 @@ class SeenDensity {
   [[nodiscard]] Pose2 Sample(const Region& region, Random& random, int tries = 32) const;
 
  private:
+  bool is_part_;  ///< views are sampled about this part of the ground
   double north_min_, east_min_, cell_m_;
   int rows_, columns_;
   std::vector<double> density_;

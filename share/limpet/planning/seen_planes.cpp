@@ -75,16 +75,25 @@ SeenPlanes::SeenPlanes(const Ground& ground)
 
 void SeenPlanes::Reset(const Ground& ground) {
   log_.clear();
+  if (version_ != ground.version()) Copy(ground);
+  for (std::size_t plane = 0; plane < kPlanes; ++plane) {
+    std::ranges::copy(copied_[plane], planes_[plane].begin());
+  }
+  unseen_ = unseen_as_copied_;
+}
+
+void SeenPlanes::Copy(const Ground& ground) {
+  version_ = ground.version();
   const auto columns = static_cast<std::size_t>(frame_.columns);
   for (std::size_t plane = 0; plane < kPlanes; ++plane) {
-    std::ranges::fill(planes_[plane], ~std::uint64_t{0});
-    unseen_[plane] = 0;
+    copied_[plane].assign(planes_[plane].size(), ~std::uint64_t{0});
+    unseen_as_copied_[plane] = 0;
     for (std::size_t cell = 0; cell < ground.levels().size(); ++cell) {
       if (static_cast<int>(ground.levels()[cell]) > kLayerOf[plane]) continue;
       const std::size_t column = cell % columns;
-      planes_[plane][cell / columns * words_per_row_ + column / 64] &=
+      copied_[plane][cell / columns * words_per_row_ + column / 64] &=
           ~(std::uint64_t{1} << (column % 64));
-      ++unseen_[plane];
+      ++unseen_as_copied_[plane];
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "limpet/planning/ground.hpp"
@@ -81,12 +82,17 @@ class SeenPlanes {
   void Show(std::size_t plane, const Place& middle, const Image& image);
   void SetRun(std::size_t plane, int row, int begin, int end);
   void SetBits(std::size_t plane, std::size_t word, std::uint64_t bits);
+  void Copy(const Ground& ground);
 
   GridFrame frame_;
   std::array<Image, kPlanes> images_;
   std::size_t words_per_row_;
   std::array<std::vector<std::uint64_t>, kPlanes> planes_;  ///< 1: seen, or not wanted
   Counts unseen_{};
+  /// The ground's state, as it was copied last, and its version then.
+  std::array<std::vector<std::uint64_t>, kPlanes> copied_;
+  Counts unseen_as_copied_{};
+  std::optional<std::uint64_t> version_;
   std::vector<Change> log_;
 };
 

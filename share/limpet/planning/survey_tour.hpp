@@ -33,7 +33,7 @@ struct TourGoal {
   /// ... and for most of bottom and band's top to have been seen a metre sooner (TourCost::most):
   /// what is left then are slivers, which may come last.
   double most_weight = 2.5;
-  /// Where the vehicle goes when it is over, NED [m].
+  /// Where the vehicle goes when it is over, or on when this block of it is, NED [m].
   PlanePoint home{0.0, 0.0};
   /// What is sought besides ground, over the first `target_decay_m` of the way; its rates for
   /// ground do not count.

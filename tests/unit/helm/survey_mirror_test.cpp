@@ -184,5 +184,31 @@ TEST_F(SurveyMirrorTest, PlansWithSmallerImagesWherePassesMayHaveComeApart) {
   EXPECT_NEAR(swath(), sure - 0.4, 0.01);
 }
 
+TEST(SurveyMirrorOfASquareKilometre, PlansABlockAndKnowsWhereItGoesOn) {
+  SurveyMirror mirror{ViewParams{}};
+  SurveyArea area = MirroredArea();
+  area.north_max = area.north_min + 1000.0;
+  area.east_max = area.east_min + 1000.0;
+  ASSERT_TRUE(mirror.SetArea(area));
+  NavState nav;
+  nav.north = nav.east = -8.0;
+  mirror.NoteAltitude(nav);
+  mirror.UpdateGround();
+  const Situation now = mirror.Snapshot(Seconds(0.0), Pose2{-8.0, -8.0, 0.0}, 0.0);
+  EXPECT_TRUE(now.ground->is_part());
+  EXPECT_LT(now.ground->levels().size(), 250'000U);
+  EXPECT_GT(mirror.blocks().count(), 60U);
+  ASSERT_TRUE(now.onward.has_value());
+  EXPECT_LT((*now.onward - PlanePoint(-8.0, -8.0)).norm(), 250.0);
+}
+
+TEST_F(SurveyMirrorTest, ASmallAreaIsPlannedAsAWholeAndLeadsHome) {
+  mirror_.SetHome({.north = 3.0, .east = 4.0});
+  mirror_.UpdateGround();
+  const Situation now = mirror_.Snapshot(Seconds(0.0), Pose2{0.0, 0.0, 0.0}, 0.0);
+  EXPECT_FALSE(now.ground->is_part());
+  EXPECT_EQ(now.next(), PlanePoint(3.0, 4.0));
+}
+
 }  // namespace
 }  // namespace limpet
