@@ -335,6 +335,7 @@ void NavApp::PublishBeams(const Stamped<DvlSample>& dvl) {
 }
 
 void NavApp::OnSonar(const Stamped<SonarPing>& ping) {
+  sonar_.Note(ping.time.value(), now().value());
   if (!navigator_.has_started() || !IsValid(now().value())) return;
   const Pose X_WB = navigator_.Estimate(ping.time.value()).X_WB;
   const Eigen::Vector3d p_sonar_W = X_WB.p_WB + RotationOf(X_WB) * p_BS_;

@@ -153,7 +153,7 @@ class NavApp final : public App {
   int sigma_node_ = -1;      ///< of which newest_sigma_ is
   PlaceSigma newest_sigma_;  ///< as of the last frame
   double last_attitude_t_ = -1e18;
-  SourceWatch imu_, fog_, dvl_, lock_, depth_, gps_, camera_, refused_fix_;
+  SourceWatch imu_, fog_, dvl_, lock_, depth_, gps_, camera_, sonar_, refused_fix_;
   int refused_fixes_ = 0;                                           ///< as of the last tick
   int gps_fixes_ = 0, dvl_pings_ = 0, dvl_pings_without_lock_ = 0;  ///< for the report
   int landmark_version_ = 0;

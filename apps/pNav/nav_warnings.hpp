@@ -50,6 +50,16 @@ inline const WarningId kDepthStale = DeclareWarning(
      .action = "See to the depth sensor and its driver; if it lasts, call the vehicle home.",
      .clears = "With the next DEPTH_SENSOR."});
 
+inline const WarningId kSonarStale = DeclareWarning(
+    "SONAR_STALE",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pNav"},
+     .meaning = "No OBSTACLE_SONAR has been heard within stale_after_s, though it was before: what "
+                "stands in the way shows to the DVL's beams only.",
+     .action =
+         "Where there may be obstacles call the vehicle home; see to the sonar and its driver.",
+     .clears = "With the next OBSTACLE_SONAR."});
+
 inline const WarningId kGpsRefused = DeclareWarning(
     "GPS_REFUSED",
     {.severity = Severity::kWarning,

@@ -189,6 +189,30 @@ TEST_F(MapAppTest, SendsItsMapOnRequest) {
   EXPECT_EQ(top->label, VoxelLabel::kNew);
 }
 
+TEST_F(MapAppTest, TellsOfWhatStandsInTheWayAndKeepsItInItsMap) {
+  PosedSonar sonar{.down = 3.5, .ping = {.first = -0.1, .step = 0.1, .reach = 15.0, .ranges = {}}};
+  sonar.ping.ranges = {0.0, 8.0, 0.0};
+  for (int i = 0; i < 6; ++i) {
+    link_.time += Seconds(0.25);
+    link_.Send(app_, topics::kNavSonar, sonar);
+  }
+  link_.time += Seconds(1.0);
+  app_.Tick(link_.time);
+  const std::optional<Obstacles> told = link_.Last(topics::kMapObstacles);
+  ASSERT_TRUE(told);
+  ASSERT_EQ(told->obstacles.size(), 1U);
+  EXPECT_NEAR(told->obstacles[0].outline[0][0], 8.0, 0.2);
+  const auto alert = link_.Last(topics::kObstacleAlert);
+  ASSERT_TRUE(alert);
+  EXPECT_THAT(*alert, ::testing::StartsWith("name=ob_1#poly=pts={"));
+  link_.Send(app_, topics::kMapSnapshotRequest, std::string("test"));
+  const auto map = SemanticOctree::Parse(link_.Last(topics::kMapSnapshot)->bytes);
+  ASSERT_TRUE(map);
+  const std::optional<VoxelBelief> voxel = map->At({8.0, 0.0, 3.5});
+  ASSERT_TRUE(voxel);
+  EXPECT_GT(voxel->occupied, 0.0F);
+}
+
 TEST_F(MapAppTest, TakesBackCoverageOfGroundThatTheTrackTurnsOutNotToHaveShown) {
   link_.Send(app_, topics::kSurveyArea, kArea);
   SurveyGrid mirror(kArea);

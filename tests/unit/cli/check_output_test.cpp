@@ -188,14 +188,14 @@ TEST(CheckVerbOfFiles, SaysThatThereIsNoSuchFile) {
 TEST(CheckOutput, IsOneLineEachByFileAndLineWithACount) {
   const MissionCopy mission;
   mission.Apply({"mission.moos", "MOOSTimeWarp = 1", "MOOSTimeWarp = 9000"});
-  mission.Apply({PlugOf("pSurvey"), "coverage_target     = 0.975", "coverage_target     = 1.5"});
+  mission.Apply({PlugOf("pSurvey"), "COVERAGE_TARGET=0.975", "COVERAGE_TARGET=1.5"});
   mission.Apply({"../plugs/plug_survey.bhv", "radius_m  = 1", "radius_m  = -1"});
   const Checked checked = mission.Run();
   EXPECT_EQ(checked.exit_code, kUsage);
   const std::vector<std::string> lines = Split(checked.text, '\n');
   ASSERT_EQ(lines.size(), 5U) << checked.text;
   EXPECT_THAT(lines[0], HasSubstr("plug_pSurvey.moos:34: coverage_target"));
-  EXPECT_THAT(lines[1], HasSubstr("plug_survey.bhv:128: radius_m"));
+  EXPECT_THAT(lines[1], HasSubstr("plug_survey.bhv:144: radius_m"));
   EXPECT_THAT(lines[2], HasSubstr("mission.moos:7: MOOSTimeWarp"));
   EXPECT_EQ(lines[3], "3 problems");
 }

@@ -73,6 +73,28 @@ TEST_F(NavAppTest, SendsBeamsFromWhereTheDvlSits) {
   EXPECT_NEAR(beams->east - state->east, -0.2, 0.11);  // aft; pings come at 5 Hz
 }
 
+TEST_F(NavAppTest, SendsEchoesOfTheSonarFromWhereItSits) {
+  RunFor(20.0);
+  const SonarPing ping{.first = -0.5, .step = 0.5, .reach = 15.0, .ranges = {0.0, 7.5, 0.0}};
+  link_.Send(*app_, topics::kObstacleSonar, ping);
+  const auto state = link_.Last(topics::kNavState);
+  const auto sonar = link_.Last(topics::kNavSonar);
+  ASSERT_TRUE(state && sonar);
+  EXPECT_EQ(sonar->ping.ranges, ping.ranges);
+  EXPECT_NEAR(sonar->yaw, state->yaw, 0.01);
+  EXPECT_NEAR(sonar->east - state->east, 0.3, 0.11);  // it heads east
+}
+
+TEST_F(NavAppTest, MissesASonarThatFallsSilent) {
+  RunFor(10.0);
+  EXPECT_FALSE(app_->warnings().contains("SONAR_STALE"));
+  link_.Send(*app_, topics::kObstacleSonar, SonarPing{.step = 0.1, .reach = 15.0, .ranges = {0.0}});
+  RunFor(1.0);
+  EXPECT_FALSE(app_->warnings().contains("SONAR_STALE"));
+  RunFor(5.0);
+  EXPECT_TRUE(app_->warnings().contains("SONAR_STALE"));
+}
+
 TEST_F(NavAppTest, TellsHowAFixAfterADiveMovesTheWayBehind) {
   RunFor(20.0);
   has_gps_ = false;

@@ -114,6 +114,7 @@ TEST(ExpectationCheck, FindsEveryNumberThatMayBeBounded) {
   run.sessions[0].wall_s = 1.0;
   run.sessions[0].coverage.prior_opis_seen_path_m = 1.0;
   run.sessions[0].home_error_m = 1.0;
+  run.sessions[0].obstacles = {{.name = "pile", .distance_m = 1.0}};
   for (CoverageLevel& level : run.sessions[0].coverage.seabed)
     level.path_m = 1.0;
   for (CoverageLevel& level : run.sessions[0].coverage.band)

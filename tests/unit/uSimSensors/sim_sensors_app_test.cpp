@@ -107,7 +107,8 @@ TEST(SimSensorsApp, TellsTheOperatorWhatItSent) {
   link.Send(app, topics::kSimTruth, SimTruth{});
   ReportLines lines;
   app.Report(lines);
-  EXPECT_NE(lines.Text().find("  IMU_DATA             50        1"), std::string::npos);
+  EXPECT_NE(lines.Text().find("  IMU_DATA               50        1"), std::string::npos)
+      << lines.Text();
 }
 
 }  // namespace
