@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <span>
 #include <utility>
 
@@ -138,6 +139,11 @@ void DrawTrackLegend(MapAxes& map, const FigureSource& source, double top) {
           canvas.Circle(at, 7.0, {.stroke = palette::kMapInk, .width = 1.4});
         },
         "true place and size");
+    if (!source.scenario.obstacles.empty()) {
+      map.Legend([](SvgCanvas& canvas,
+                    const Point& at) { canvas.Circle(at, 5.0, {.fill = palette::kMapInk}); },
+                 "obstacle");
+    }
   }
   map.ColorBar([top](double share) { return HeightColor(share * top, top); }, "bottom only",
                fmt::format("up to {:g} m", top), "Seen, by height above bottom");
@@ -150,6 +156,29 @@ void DrawTrueObjects(MapAxes& map, const FigureSource& source) {
     DrawTruth(map, *place, opi.radius_m);
     map.canvas().Text(map.At(place->x(), place->y()) + Point(11.0, -9.0), opi.name,
                       {.fill = palette::kMapInk, .is_bold = true, .has_halo = true});
+  }
+}
+
+/// A column as a polygon of many sides, north and east of its middle in units of its half size.
+std::vector<Eigen::Vector2d> OutlineOf(const UprightBody& body) {
+  if (!body.is_column()) return {{-1.0, -1.0}, {-1.0, 1.0}, {1.0, 1.0}, {1.0, -1.0}};
+  constexpr int kSides = 24;
+  std::vector<Eigen::Vector2d> corners;
+  for (int i = 0; i < kSides; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kSides;
+    corners.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  return corners;
+}
+
+void DrawObstacles(MapAxes& map, const Scenario& scenario) {
+  for (const UprightBody& body : BodiesOf(scenario)) {
+    std::vector<Point> corners;
+    for (const Eigen::Vector2d& corner : OutlineOf(body)) {
+      const Eigen::Vector2d at = body.center_W() + corner.cwiseProduct(body.half_size());
+      corners.push_back(map.At(at.x(), at.y()));
+    }
+    map.canvas().Polygon(corners, {.fill = palette::kMapInk, .stroke = palette::kMapInk});
   }
 }
 
@@ -192,7 +221,10 @@ Figure TrackFigure(const FigureSource& source) {
   DrawDecisions(map, record.decisions);
   DrawTracks(map, source);
   DrawDecisionPoints(map, record.decisions);
-  if (source.score.has_truth) DrawTrueObjects(map, source);
+  if (source.score.has_truth) {
+    DrawObstacles(map, source.scenario);
+    DrawTrueObjects(map, source);
+  }
   DrawStart(map, source);
   map.EndMap();
   DrawTrackLegend(map, source, area.object_height_max);
