@@ -15,7 +15,8 @@ inline constexpr double kLongestGroup = 4.0;
 [[nodiscard]] std::vector<std::vector<EchoCells::Cell>> GroupsOf(
     const std::vector<EchoCells::Cell>& cells, double cell_m);
 
-/// The convex outline of a group's echoes and `around` [m] beyond: corners north, east.
+/// The convex outline of a group's echoes and `around` [m] beyond: corners north, east. Those that
+/// stick out by less than a tenth of a metre are left out.
 [[nodiscard]] std::vector<std::array<double, 2>> OutlineOf(
     const std::vector<EchoCells::Cell>& group, double around);
 /// How far a place is outside a convex outline [m]; 0 inside.

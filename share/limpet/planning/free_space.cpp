@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "limpet/core/require.hpp"
 #include "limpet/planning/border_meetings.hpp"
 
@@ -32,9 +34,7 @@ PlanePoint FreeSpace::Raster::Center(std::size_t cell) const {
 
 double Fence::ClearanceAtLeast(const PlanePoint& at) const {
   if (holds_in) return -std::numeric_limits<double>::infinity();
-  const PlanePoint outside =
-      (polygon.low() - at).cwiseMax(at - polygon.high()).cwiseMax(PlanePoint::Zero());
-  const double to_box = outside.norm();
+  const double to_box = Eigen::AlignedBox2d(polygon.low(), polygon.high()).exteriorDistance(at);
   return to_box > 0.0 ? to_box - distance : -std::numeric_limits<double>::infinity();
 }
 
