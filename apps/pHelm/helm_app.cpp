@@ -158,6 +158,17 @@ void HelmApp::OnArea(const Stamped<SurveyArea>& area) {
   drawing_.DrawArea(area.value);
 }
 
+void HelmApp::OnObstacles(const Stamped<Obstacles>& obstacles) {
+  planner_.SetObstacles(obstacles.value.obstacles);
+  if (const int shapeless = planner_.survey().shapeless_obstacles(); shapeless > 0) {
+    Warn(warnings::kObstacleRefused,
+         fmt::format("{} of {} obstacles have no outline: nothing keeps off them", shapeless,
+                     obstacles.value.obstacles.size()));
+  } else {
+    ClearWarning(warnings::kObstacleRefused);
+  }
+}
+
 void HelmApp::OnSafety(const Stamped<std::string>& action) {
   safety_ = SafetyActionNamed(action.value).value_or(safety_);
 }
@@ -258,6 +269,12 @@ void HelmApp::DecideView(Seconds now) {
   }
   if (context().runs_live) {  // embedded, equal runs say the same
     Publish(topics::kPlanTime, (SteadyTime() - began).value());
+  }
+  if (const std::size_t blocks = planner_.survey().blocks_passed_over(); blocks > 0) {
+    Warn(warnings::kBlocksPassedOver,
+         fmt::format("{} blocks of the area took far too long and were left with more than slivers "
+                     "unseen",
+                     blocks));
   }
   view_failures_ = std::move(failures);
   Publish(topics::kHelmBids, decision->bids);

@@ -60,9 +60,7 @@ class HelmApp final : public App {
     planner_.survey().SetCoverage(coverage.value);
   }
   void OnOpis(const Stamped<OpiBeliefs>& opis) { planner_.SetObjects(opis.value.opis); }
-  void OnObstacles(const Stamped<Obstacles>& obstacles) {
-    planner_.SetObstacles(obstacles.value.obstacles);
-  }
+  void OnObstacles(const Stamped<Obstacles>& obstacles);
   void OnLook(const Stamped<MapLook>& look) { planner_.survey().SetLookModel(look.value); }
   void OnRejournal(const Stamped<std::string>&) { journal_.Rejournal(); }
 

@@ -7,6 +7,25 @@
 
 namespace limpet::warnings {
 
+inline const WarningId kObstacleRefused = DeclareWarning(
+    "OBSTACLE_REFUSED",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pHelm"},
+     .meaning =
+         "MAP_OBSTACLES holds an obstacle whose outline is no polygon: nothing keeps off it.",
+     .action = "See who publishes MAP_OBSTACLES beside pMap.",
+     .clears = "With the next MAP_OBSTACLES whose outlines are all polygons."});
+
+inline const WarningId kBlocksPassedOver = DeclareWarning(
+    "BLOCKS_PASSED_OVER",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pHelm"},
+     .meaning = "Blocks of a large area took several times the way that they should, and were left "
+                "with more than slivers unseen.",
+     .action = "See in the report where that is, and why (murk, obstacles, a current); survey it "
+               "again as an area of its own.",
+     .clears = "Not in this session."});
+
 inline const WarningId kBandAboveView = DeclareWarning(
     "BAND_ABOVE_VIEW",
     {.severity = Severity::kWarning,

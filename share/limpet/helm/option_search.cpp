@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "limpet/planning/survey_blocks.hpp"
 
 namespace limpet {
@@ -20,9 +22,9 @@ void LeaveFarTargetsOut(const Ground& ground, std::vector<Target>& targets) {
   const GridFrame& frame = ground.frame();
   const PlanePoint low(frame.north_min, frame.east_min);
   const PlanePoint high = low + PlanePoint(frame.rows * frame.cell_m, frame.columns * frame.cell_m);
+  const Eigen::AlignedBox2d block(low, high);
   std::erase_if(targets, [&](const Target& target) {
-    const PlanePoint at(target.north, target.east);
-    return (at - at.cwiseMax(low).cwiseMin(high)).norm() > kFar;
+    return block.exteriorDistance(PlanePoint(target.north, target.east)) > kFar;
   });
 }
 

@@ -14,15 +14,19 @@ LayerWeights WeightsOfLayers(double bottom) {
   return weights;
 }
 
-/// What paths keep off; outlines that are none were found by nobody.
+Expected<SimplePolygon> PolygonOf(const Obstacle& obstacle) {
+  std::vector<PlanePoint> corners;
+  for (const auto& [north, east] : obstacle.outline) {
+    corners.emplace_back(north, east);
+  }
+  return SimplePolygon::Of(std::move(corners));
+}
+
+/// What paths keep off.
 std::vector<Fence> FencesAround(const std::vector<Obstacle>& obstacles, Meters clearance) {
   std::vector<Fence> fences;
   for (const Obstacle& obstacle : obstacles) {
-    std::vector<PlanePoint> corners;
-    for (const auto& [north, east] : obstacle.outline) {
-      corners.emplace_back(north, east);
-    }
-    if (auto polygon = SimplePolygon::Of(std::move(corners))) {
+    if (auto polygon = PolygonOf(obstacle)) {
       fences.push_back({.polygon = *std::move(polygon), .distance = clearance.value()});
     }
   }
@@ -58,6 +62,11 @@ bool SurveyMirror::SetObstacles(const std::vector<Obstacle>& obstacles) {
   obstacles_ = obstacles;
   if (area_) KeepOffFences(allowance_);
   return true;
+}
+
+int SurveyMirror::shapeless_obstacles() const {
+  return static_cast<int>(std::ranges::count_if(
+      obstacles_, [](const Obstacle& obstacle) { return !PolygonOf(obstacle); }));
 }
 
 void SurveyMirror::UpdateGround(double travelled) {

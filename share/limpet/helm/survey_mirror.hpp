@@ -31,8 +31,15 @@ class SurveyMirror {
   void SetLookModel(const MapLook& look);
   /// True if an object is new, gone, or decided otherwise than before.
   bool SetObjects(const std::vector<OpiBelief>& objects);
-  /// What stands in the way, all of it; false if that is known already.
+  /// What stands in the way, all of it; false if that is known already. Outlines that are none are
+  /// not kept off.
   bool SetObstacles(const std::vector<Obstacle>& obstacles);
+  /// How many of those have no outline that paths could keep off.
+  [[nodiscard]] int shapeless_obstacles() const;
+  /// Blocks of a large area that were left with more than slivers unseen.
+  [[nodiscard]] std::size_t blocks_passed_over() const {
+    return blocks_ ? blocks_->passed_over() : 0;
+  }
   void Apply(const GridDelta& delta);
   /// Where the vehicle is, for the depth of the seabed where none has been seen, and how sure it is
   /// of that, for what paths keep off the region's border.

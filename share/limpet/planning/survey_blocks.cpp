@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include <Eigen/Geometry>
+
 namespace limpet {
 namespace {
 
@@ -117,7 +119,7 @@ bool SurveyBlocks::IsNear(const PlanePoint& at) const {
                        frame_.east_min + now().column_min * frame_.cell_m};
   const PlanePoint high{frame_.north_min + (now().row_max + 1) * frame_.cell_m,
                         frame_.east_min + (now().column_max + 1) * frame_.cell_m};
-  return (at - at.cwiseMax(low).cwiseMin(high)).norm() <= kNear;
+  return Eigen::AlignedBox2d(low, high).exteriorDistance(at) <= kNear;
 }
 
 bool SurveyBlocks::GoOn(const Ground& ground, const PlanePoint& at, double travelled) {

@@ -181,6 +181,16 @@ TEST_F(HelmAppTest, DrawsAreaAndHomeForTheOperator) {
   EXPECT_THAT(Posts("VIEW_POINT").at(0), HasSubstr("x=4,y=3,label=alpha_home"));
 }
 
+TEST_F(HelmAppTest, SaysThatNothingKeepsOffAnObstacleWithoutAnOutline) {
+  Obstacles obstacles{{{.id = 1, .outline = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}}, .top = 0.0},
+                       {.id = 2, .outline = {{4.0, 4.0}}, .top = 0.0}}};
+  link_.Send(*app_, topics::kMapObstacles, obstacles);
+  EXPECT_TRUE(app_->warnings().contains("OBSTACLE_REFUSED"));
+  obstacles.obstacles.pop_back();
+  link_.Send(*app_, topics::kMapObstacles, obstacles);
+  EXPECT_FALSE(app_->warnings().contains("OBSTACLE_REFUSED"));
+}
+
 TEST_F(HelmAppTest, RefusesAnAreaThatNoVehicleCanSurveyAndGoesOn) {
   const SurveyArea good{.north_min = -10, .north_max = 10, .east_min = -10, .east_max = 10};
   SurveyArea vast = good, inverted = good, thick = good;
