@@ -185,11 +185,7 @@ TEST(PaperGenerator, GoesOnWithTheBranchThatWasChosen) {
 /// Decided anew at each step on its way out of a basin, round two corners: it goes on with what it
 /// flies rather than begin another way in the middle of a turn.
 TEST(HomeGenerator, ArrivesByTheWayThatItBeganHoweverOftenItIsDecided) {
-  SurveyArea basin{.north_min = -20, .north_max = 0, .east_min = -25, .east_max = 25};
-  basin.outline = "{-25,-20:25,-20:25,0:-25,0}";
-  basin.operating_region = "{-26.5,-21.5:27,-21.5:27,1.5:-26.5,1.5}";
-  basin.transit = "{38,2:36,-10}";
-  const Region region(basin, Meters(0.4));
+  const Region region(scene::Basin(), Meters(0.4));
   Random random(4);
   for (int run = 0; run < 40; ++run) {
     HalfSurveyed survey({random.Uniform(-18.0, -3.0), random.Uniform(0.0, 20.0),

@@ -3,20 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "limpet/mission/scenario.hpp"
+#include "tests/unit/mission/scenario_errors.hpp"
 
 namespace limpet {
 namespace {
 
 using ::testing::HasSubstr;
-
-std::string ObstacleErrorsOf(const std::string& text) {
-  try {
-    static_cast<void>(ParseScenario(text, "s.yaml"));
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 TEST(ScenarioObstacles, AreColumnsAndBoxesThatStandOnTheSeabed) {
   const Scenario scenario = ParseScenario(
@@ -36,29 +28,29 @@ TEST(ScenarioObstacles, AreColumnsAndBoxesThatStandOnTheSeabed) {
 }
 
 TEST(ScenarioObstacles, WhatIsWrongOfThemIsNamedWithItsLine) {
-  EXPECT_THAT(ObstacleErrorsOf("obstacles:\n  - {name: a, shape: colum, north_m: 0}\n"),
+  EXPECT_THAT(ScenarioErrorsOf("obstacles:\n  - {name: a, shape: colum, north_m: 0}\n"),
               HasSubstr("s.yaml:2: obstacles[0].shape: `colum` is not allowed"));
-  EXPECT_THAT(ObstacleErrorsOf("obstacles:\n  - {name: a, shape: column, north_m: 0, east_m: 0, "
+  EXPECT_THAT(ScenarioErrorsOf("obstacles:\n  - {name: a, shape: column, north_m: 0, east_m: 0, "
                                "radius_m: 1, hight_m: 2}\n"),
               HasSubstr("obstacles[0].hight_m: unknown key; did you mean `height_m`?"));
-  EXPECT_THAT(ObstacleErrorsOf("obstacles:\n  - {name: a, shape: box, north_m: 0, east_m: 0, "
+  EXPECT_THAT(ScenarioErrorsOf("obstacles:\n  - {name: a, shape: box, north_m: 0, east_m: 0, "
                                "radius_m: 1, height_m: 2}\n"),
               AllOf(HasSubstr("a box needs a size_m"),
                     HasSubstr("obstacles[0].radius_m: a box has none; it has size_m")));
-  EXPECT_THAT(ObstacleErrorsOf("obstacles:\n  - {name: a, shape: box, north_m: 0, east_m: 0, "
+  EXPECT_THAT(ScenarioErrorsOf("obstacles:\n  - {name: a, shape: box, north_m: 0, east_m: 0, "
                                "size_m: [1], height_m: 2}\n"),
               HasSubstr("obstacles[0].size_m: a list of 1 is not allowed"));
-  EXPECT_THAT(ObstacleErrorsOf("obstacles: {}\n"), HasSubstr("s.yaml:1: obstacles:"));
-  EXPECT_THAT(ObstacleErrorsOf("obstacles:\n  - {shape: column}\n"),
+  EXPECT_THAT(ScenarioErrorsOf("obstacles: {}\n"), HasSubstr("s.yaml:1: obstacles:"));
+  EXPECT_THAT(ScenarioErrorsOf("obstacles:\n  - {shape: column}\n"),
               AllOf(HasSubstr("needs a name"), HasSubstr("needs a north_m")));
 }
 
 TEST(ScenarioObstacles, NeitherVehicleNorObjectsMayBeInsideOne) {
   const std::string pile =
       "obstacles:\n  - {name: pile, shape: column, north_m: 0, east_m: 0, radius_m: 1, height_m: ";
-  EXPECT_THAT(ObstacleErrorsOf(pile + "9}\n"), HasSubstr("the vehicle starts inside `pile`"));
-  EXPECT_EQ(ObstacleErrorsOf(pile + "3}\n"), "");  // it starts above it
-  EXPECT_THAT(ObstacleErrorsOf("start: {north_m: 20}\nopis:\n  - {name: A, color: yellow, "
+  EXPECT_THAT(ScenarioErrorsOf(pile + "9}\n"), HasSubstr("the vehicle starts inside `pile`"));
+  EXPECT_EQ(ScenarioErrorsOf(pile + "3}\n"), "");  // it starts above it
+  EXPECT_THAT(ScenarioErrorsOf("start: {north_m: 20}\nopis:\n  - {name: A, color: yellow, "
                                "discovery: [0.5, 0, 6]}\n" +
                                pile + "3}\n"),
               HasSubstr("`A` is inside `pile` in discovery"));

@@ -5,20 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "limpet/mission/seabed.hpp"
+#include "tests/unit/mission/scenario_errors.hpp"
 
 namespace limpet {
 namespace {
 
 using ::testing::HasSubstr;
-
-std::string ScenarioErrorsOf(const std::string& text) {
-  try {
-    static_cast<void>(ParseScenario(text, "s.yaml"));
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 TEST(Scenario, LoadsTheTruthOfTable1) {
   const Scenario scenario =

@@ -25,11 +25,7 @@ TEST(HomePath, EndsAtHomeAndStaysInside) {
 }
 
 TEST(HomePath, OnItsWayOutItDoesNotTurnBackForThePlaceWhereItLeaves) {
-  SurveyArea basin{.north_min = -20, .north_max = 0, .east_min = -25, .east_max = 25};
-  basin.outline = "{-25,-20:25,-20:25,0:-25,0}";
-  basin.operating_region = "{-26.5,-21.5:27,-21.5:27,1.5:-26.5,1.5}";
-  basin.transit = "{38,2:36,-10}";
-  const Region region(basin, Meters(0.4));
+  const Region region(Basin(), Meters(0.4));
   const double eastwards = 0.5 * std::numbers::pi;
   for (const double east : {20.0, 23.0, 25.0, 26.3, 28.0, 30.0}) {
     const Option home = HomePath({-10.2, east, eastwards}, 12.0, 36.0, region, kRadius);

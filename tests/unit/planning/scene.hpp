@@ -13,6 +13,15 @@ inline constexpr double kAltitude = 4.0;
 inline constexpr double kSeabedDown = 7.5;
 inline constexpr Meters kRadius{3.0};
 
+/// A basin with its region around it, and the way out round a quay's head by two places.
+inline SurveyArea Basin() {
+  SurveyArea basin{.north_min = -20, .north_max = 0, .east_min = -25, .east_max = 25};
+  basin.outline = "{-25,-20:25,-20:25,0:-25,0}";
+  basin.operating_region = "{-26.5,-21.5:27,-21.5:27,1.5:-26.5,1.5}";
+  basin.transit = "{38,2:36,-10}";
+  return basin;
+}
+
 inline Footprint TableFootprint() { return {kAltitude, kArea.object_height_max, CameraModel{}}; }
 
 inline Pose At(const Pose2& pose) {
