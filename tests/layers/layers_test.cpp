@@ -2,6 +2,8 @@
 #include "tests/layers/layers.hpp"
 
 #include <filesystem>
+#include <regex>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -47,6 +49,21 @@ TEST(Layers, OneFileAloneReadsTheHeavyHeadersOfTheCommandLine) {
       readers.push_back(file.path);
   }
   EXPECT_THAT(readers, ElementsAre("share/limpet/console/command_reader.cpp"));
+}
+
+TEST(Presets, NameTestsThatThereAre) {
+  const std::filesystem::path root(LIMPET_SOURCE_DIR);
+  const std::string presets = ReadAll(root / "CMakePresets.json");
+  static const std::regex kTest("\"unit_(\\w+)\"");
+  int named = 0;
+  for (std::sregex_iterator test(presets.begin(), presets.end(), kTest), end; test != end; ++test) {
+    const std::string folder = (*test)[1];
+    EXPECT_TRUE(std::filesystem::is_directory(root / "tests/unit" / folder)) << folder;
+    const std::regex filter("[(|]" + folder + "[|)]");
+    EXPECT_TRUE(std::regex_search(presets, filter)) << folder << " is built and not run";
+    ++named;
+  }
+  EXPECT_GT(named, 5);
 }
 
 TEST(TypeNames, AreEachOfOneType) { EXPECT_THAT(TypesDefinedTwice(TreeFiles()), IsEmpty()); }

@@ -102,13 +102,13 @@ SimplePolygon::SimplePolygon(std::vector<PlanePoint> corners)
 }
 
 Expected<SimplePolygon> SimplePolygon::Of(std::vector<PlanePoint> corners) {
-  constexpr double kFarthest = 1e6, kLeastArea = 1e-2;  // [m], [m^2]
+  constexpr double kFarthestCorner = 1e6, kLeastArea = 1e-2;  // [m], [m^2]
   // Written so that what is no number is refused, too.
   const auto is_near = [](const PlanePoint& p) {
-    return std::abs(p.x()) <= kFarthest && std::abs(p.y()) <= kFarthest;
+    return std::abs(p.x()) <= kFarthestCorner && std::abs(p.y()) <= kFarthestCorner;
   };
   if (!std::ranges::all_of(corners, is_near)) {
-    return Error{fmt::format("has a corner that is no place within {:g} m", kFarthest)};
+    return Error{fmt::format("has a corner that is no place within {:g} m", kFarthestCorner)};
   }
   DropRepeated(corners);
   if (corners.size() < 3) {

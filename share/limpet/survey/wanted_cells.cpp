@@ -29,8 +29,8 @@ Side SideOf(const SurveyShape& shape, const PlanePoint& centre, double radius) {
 WantedCells::WantedCells(const SurveyShape& shape, const GridFrame& frame,
                          const SamplePoint& sample)
     : tile_columns_((frame.columns + kEdge - 1) / kEdge) {
-  constexpr double kRounding = 0.01;  // [m]
-  const double edge = kEdge * frame.cell_m, radius = edge / std::numbers::sqrt2 + kRounding;
+  constexpr double kSlack = 0.01;  // of rounding [m]
+  const double edge = kEdge * frame.cell_m, radius = edge / std::numbers::sqrt2 + kSlack;
   for (int first_row = 0; first_row < frame.rows; first_row += kEdge) {
     for (int first_column = 0; first_column < frame.columns; first_column += kEdge) {
       const int rows = std::min(kEdge, frame.rows - first_row);
