@@ -8,11 +8,11 @@
 #include <Eigen/Geometry>
 
 #include "limpet/core/frames.hpp"
+#include "limpet/core/gravity.hpp"
 
 namespace limpet {
 namespace {
 
-constexpr double kGravity = 9.81;
 constexpr double kFogMaxAge = 0.2;    // [s] beyond it the IMU's own z rate serves
 constexpr double kLongestStep = 0.5;  // [s] a longer gap is integrated as this much
 constexpr double kLeap = 30.0;        // [s] that one sample alone does not prove

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <iterator>
 
+#include "limpet/core/gravity.hpp"
+
 namespace limpet {
 namespace {
 
-constexpr double kGravity = 9.81;     // [m/s^2]
 constexpr double kGood = 1.5;         // [s] in which a bias of 0.05 m/s^2 makes half a jump
 constexpr double kLongestGap = 0.15;  // [s] between forces: what happened in one is not known
 constexpr double kKept = 4.0;         // [s] of forces: velocities come late

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limpet/core/gravity.hpp"
 #include "limpet/vehicle/hydrodynamics.hpp"
 
 namespace limpet {
 namespace {
-
-constexpr double kGravity = 9.81;
 
 // Data sheets are made in a laboratory, and a vehicle shakes, warms up and was mounted by hand.
 constexpr double kNoiseMargin = 1.2;    // of a DVL's velocity

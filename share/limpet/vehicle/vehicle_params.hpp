@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "limpet/core/gravity.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/core/units.hpp"
 #include "limpet/vehicle/thruster_layout.hpp"
@@ -44,7 +45,7 @@ struct ContactParams {
 
 /// Body origin is the centre of buoyancy; axes forward-right-down; SI units.
 struct VehicleParams {
-  double gravity = 9.81;
+  double gravity = kGravity;  ///< [m/s^2]
   double water_density = 1025.0;
   double mass = 35.0;
   double net_buoyancy_n = 3.0;     ///< 0.9 % of the weight: a dead vehicle surfaces

@@ -10,6 +10,7 @@
 
 #include "estimation/attitude/attitude_filter.hpp"
 #include "limpet/core/frames.hpp"
+#include "limpet/core/gravity.hpp"
 
 namespace limpet {
 
@@ -86,7 +87,6 @@ class KalmanCapableAttitude final : public mrpt::bayes::CKalmanFilterCapable<4, 
                                            const KFMatrix& /*S*/,
                                            const std::vector<size_t>& /*landmarks*/,
                                            const KFMatrix_OxO& /*R*/) override {
-    constexpr double kGravity = 9.81;
     association.clear();
     z.clear();
     const Eigen::Vector3d rate(rate_.x() - m_xkk[2], rate_.y() - m_xkk[3], rate_.z());
