@@ -23,7 +23,7 @@ class HomeGenerator final : public OptionGenerator {
              std::vector<Option>& options) override {
     travelled_ = now.travelled;
     for (const Destination& to : goals.destinations) {
-      Option home = HomePath(now.pose, to.north, to.east, *now.region, now.turn_radius);
+      Option home = HomePath(now.pose, {to.north, to.east}, *now.region, now.turn_radius);
       const std::optional<DubinsPath> rest = RestInForce(now, to);
       if (rest && rest->length() < home.path.length()) {
         home.path = *rest;

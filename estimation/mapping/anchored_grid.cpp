@@ -64,7 +64,7 @@ int AnchoredGrid::LayPings(SurveyGrid& grid, std::size_t& next, std::size_t end)
   int cells = 0;
   for (; next < end; ++next) {
     for (const Eigen::Vector3d& end_W : beams_->SeabedEnds(next)) {
-      cells += grid.SetSeabed(end_W.x(), end_W.y(), end_W.z());
+      cells += grid.SetSeabed(end_W);
     }
   }
   return cells;

@@ -65,7 +65,8 @@ Box WholeBox(const Box& box, const Eigen::Vector2d& half_px, const CameraModel& 
   return whole;
 }
 
-double ObjectProbability(double r_px, double s_px, double confidence) {
+double ObjectProbability(const BoxPixel& pixel, double confidence) {
+  const auto& [r_px, s_px] = pixel;
   const double p_c = std::clamp(confidence, kLeastConfidence, kMostConfidence);
   return 0.5 + (p_c - 0.5) * std::exp(-0.5 * (r_px * r_px) / (s_px * s_px));
 }
@@ -96,7 +97,7 @@ std::vector<VoxelEvidence> NearSurface(const ObjectLook& look, const CameraModel
     if (!IsInImage(camera, box.u + du, box.v + dv)) continue;
     const Eigen::Vector3d ray = R_WC * camera.RayOf(box.u + du, box.v + dv);
     if (const std::optional<double> distance = FirstMeeting(origin, ray, centre, radius)) {
-      const double p = ObjectProbability(std::hypot(du, dv), half_px, box.confidence);
+      const double p = ObjectProbability({std::hypot(du, dv), half_px}, box.confidence);
       evidence.push_back({origin + *distance * ray, std::log(p / (1.0 - p))});
     }
   }

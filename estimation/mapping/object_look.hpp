@@ -17,10 +17,16 @@ struct VoxelEvidence {
   double log_odds = 0.0;
 };
 
-/// P = 0.5 + (p_c - 0.5) exp(-r^2 / 2 s^2): how much a pixel at distance `r_px` from the centre of
-/// a box of half size `s_px` and confidence `p_c` belongs to the object ([Bucci 2025] eq. (8) with
+/// A pixel's place in a box.
+struct BoxPixel {
+  double r_px = 0.0;  ///< from the box's centre
+  double s_px = 0.0;  ///< half the box's size
+};
+
+/// P = 0.5 + (p_c - 0.5) exp(-r^2 / 2 s^2): how much a pixel at distance r from the centre of a box
+/// of half size s and confidence `p_c` belongs to the object ([Bucci 2025] eq. (8) with
 /// its floor at one half, so that the box's border is no evidence against).
-[[nodiscard]] double ObjectProbability(double r_px, double s_px, double confidence);
+[[nodiscard]] double ObjectProbability(const BoxPixel& pixel, double confidence);
 
 /// The box that a cut one would be in a larger image: from the edges that show, and from its free
 /// side; in a corner, from the object's half size `half_px` alone. Whole boxes stay as they are.

@@ -103,9 +103,9 @@ double FixConsensus::DoubtVariance() const {
   return variance / sum;
 }
 
-double SpreadScale(const std::vector<Eigen::Vector2d>& residuals_W, double sd, double span,
-                   double correlation) {
-  if (residuals_W.size() < kEnoughForSpread || span <= 0.0) return 1.0;
+double SpreadScale(const std::vector<Eigen::Vector2d>& residuals_W, Seconds span,
+                   const FixError& stated) {
+  if (residuals_W.size() < kEnoughForSpread || span.value() <= 0.0) return 1.0;
   const auto n = static_cast<double>(residuals_W.size());
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   double from_fix_to_fix = 0.0, spread = 0.0;
@@ -118,13 +118,13 @@ double SpreadScale(const std::vector<Eigen::Vector2d>& residuals_W, double sd, d
   const double white = from_fix_to_fix / (4.0 * (n - 1.0));
   // Of a Gauss-Markov process: the share of its variance that a window of `span` shows about its
   // mean.
-  const double x = span / correlation;
+  const double x = span / stated.correlation;
   const double shown = 1.0 - 2.0 / x * (1.0 - (1.0 - std::exp(-x)) / x);
   const double variance = std::max(spread - white, 0.0) / shown + white;
-  const double seen = variance / (sd * sd);
+  const double seen = variance / (stated.sd * stated.sd);
   const double all =
       std::max((kPriorWeight + kSpreadWeight * seen) / (kPriorWeight + kSpreadWeight), 1.0);
-  return std::sqrt(all - std::min(white / (sd * sd), kMostNoise));
+  return std::sqrt(all - std::min(white / (stated.sd * stated.sd), kMostNoise));
 }
 
 }  // namespace limpet

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "estimation/navigation/measurement_buffer.hpp"
+#include "limpet/core/units.hpp"
 
 namespace limpet {
 
@@ -69,12 +70,18 @@ class FixConsensus {
   double last_t_ = -1e18;
 };
 
+/// What fixes state of their error: its sigma, and for how long it stays about the same.
+struct FixError {
+  double sd = 0.0;  ///< of north as of east [m]
+  Seconds correlation;
+};
+
 /// What the spread of a stay's fixes says of the part of their error that wanders, over what they
 /// state of all of it. What differs from one fix to the next is no part of that: a stay's mean has
 /// next to nothing of it. An error that wanders shows less of itself in a stay shorter than
-/// `correlation` [s] than in a long one; that share is made up for. `residuals_W`: of fixes in
-/// order, against the smoothed track [m].
-[[nodiscard]] double SpreadScale(const std::vector<Eigen::Vector2d>& residuals_W, double sd,
-                                 double span, double correlation);
+/// its correlation than in a long one; that share is made up for. `residuals_W`: of fixes in order,
+/// over `span`, against the smoothed track [m].
+[[nodiscard]] double SpreadScale(const std::vector<Eigen::Vector2d>& residuals_W, Seconds span,
+                                 const FixError& stated);
 
 }  // namespace limpet

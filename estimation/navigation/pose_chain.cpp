@@ -81,7 +81,7 @@ int PoseChain::NodeAt(double t) {
   Term step = errors_.StepTerm(since, t);  // first: the prediction is with the errors that hold now
   const int node = smoother_.AddNode(Predict(t), std::move(step));
   AddTilt(node, t);
-  AddDepth(node, since, t);
+  AddDepth(node, {since, t});
   times_.push_back(t);
   smoother_.Update();
   return node;
@@ -94,7 +94,8 @@ void PoseChain::AddTilt(int node, double t) {
                                                  params_.tilt_sigma)));
 }
 
-void PoseChain::AddDepth(int node, double since, double t) {
+void PoseChain::AddDepth(int node, const Interval& span) {
+  const auto& [since, t] = span;
   const OdometryTrack& track = measurements_.track();
   const double predicted = smoother_.PoseAt(node)(kNavZ);
   const double z_now = track.At(t).X_DB.p_WB.z();
@@ -180,8 +181,8 @@ double PoseChain::StayScale() {
     std::vector<Eigen::Vector2d> residuals_W;
     for (const HeldFix& held : fixes)
       residuals_W.emplace_back(held.fix.p_W - smoother_.PoseAt(held.node).head<2>());
-    spread_scale_ = SpreadScale(residuals_W, sd, fixes.back().fix.t - fixes.front().fix.t,
-                                params_.gps_correlation.value());
+    spread_scale_ = SpreadScale(residuals_W, Seconds(fixes.back().fix.t - fixes.front().fix.t),
+                                {.sd = sd, .correlation = params_.gps_correlation});
   }
   return std::hypot(spread_scale_, std::sqrt(consensus_.DoubtVariance()) / sd);
 }

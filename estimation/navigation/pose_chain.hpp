@@ -14,6 +14,7 @@
 #include "estimation/navigation/odometry_errors.hpp"
 #include "estimation/smoothing/smoother.hpp"
 #include "limpet/core/frames.hpp"
+#include "limpet/core/interval.hpp"
 
 namespace limpet {
 
@@ -59,8 +60,8 @@ class PoseChain {
     TermId term{};
   };
   void AddTilt(int node, double t);
-  /// The mean of the depths since `since`, carried to `t`.
-  void AddDepth(int node, double since, double t);
+  /// The mean of the depths in `span` [s], carried to its end.
+  void AddDepth(int node, const Interval& span);
 
   /// True if it neither climbs nor sinks: one on its way may have its antenna out of the water,
   /// too.

@@ -29,7 +29,7 @@ Eigen::Vector2d Pilot::HorizontalForce(const NavState& nav, const DesiredMotion&
   // Facing away from the wanted course, speed would only carry the vehicle off its path.
   const double facing = std::max(0.0, std::cos(WrapAngle(desired.yaw - nav.yaw)));
   if (!desired.speed) speed_.Reset(nav.u);
-  double lack = desired.speed ? speed_.Lack(nav.u, facing * *desired.speed, dt) : 0.0;
+  double lack = desired.speed ? speed_.Lack({nav.u, facing * *desired.speed}, dt) : 0.0;
   double v = nav.v;
   if (nav.velocity_age) lack = v = 0.0;  // held, not measured: feed forward alone, learn nothing
   current_B_ = drift_.Update(nav.yaw, {lack, -v}, dt, is_saturated_);
@@ -44,7 +44,7 @@ Eigen::Vector2d Pilot::HorizontalForce(const NavState& nav, const DesiredMotion&
 Wrench Pilot::WantedWrench(const NavState& nav, const DesiredMotion& desired, double dt) {
   Wrench wanted = Wrench::Zero();
   wanted.head<2>() = HorizontalForce(nav, desired, dt);
-  wanted(2) = HeaveForce(nav, desired.depth, dt);
+  wanted(2) = HeaveForce(nav, Meters(desired.depth), dt);
   wanted(5) = heading_.Update({.yaw = nav.yaw,
                                .yaw_rate = nav.yaw_rate,
                                .desired_yaw = desired.yaw,
@@ -55,9 +55,9 @@ Wrench Pilot::WantedWrench(const NavState& nav, const DesiredMotion& desired, do
   return wanted;
 }
 
-double Pilot::HeaveForce(const NavState& nav, double depth, double dt) {
+double Pilot::HeaveForce(const NavState& nav, Meters depth, double dt) {
   const Eigen::Vector3d v_W = RotationOf(nav.pose()) * Eigen::Vector3d(nav.u, nav.v, nav.w);
-  return depth_.Update({nav.down, v_W.z(), depth}, dt, is_saturated_);
+  return depth_.Update({nav.down, v_W.z(), depth.value()}, dt, is_saturated_);
 }
 
 ThrusterCommand Pilot::Update(const NavState& nav, const DesiredMotion& desired, double dt) {
@@ -66,7 +66,7 @@ ThrusterCommand Pilot::Update(const NavState& nav, const DesiredMotion& desired,
 
 ThrusterCommand Pilot::Rise(const NavState& nav, double dt) {
   Wrench wanted = Wrench::Zero();
-  wanted(2) = std::min(0.0, HeaveForce(nav, 0.0, dt));
+  wanted(2) = std::min(0.0, HeaveForce(nav, Meters(0.0), dt));
   return Allocate(wanted);
 }
 

@@ -50,8 +50,8 @@ class Pilot {
   [[nodiscard]] Eigen::Vector2d HorizontalForce(const NavState& nav, const DesiredMotion& desired,
                                                 double dt);
   [[nodiscard]] Wrench WantedWrench(const NavState& nav, const DesiredMotion& desired, double dt);
-  /// Heave force [N], down positive.
-  [[nodiscard]] double HeaveForce(const NavState& nav, double depth, double dt);
+  /// Heave force towards `depth` [N], down positive.
+  [[nodiscard]] double HeaveForce(const NavState& nav, Meters depth, double dt);
   [[nodiscard]] ThrusterCommand Allocate(const Wrench& wanted);
 
   HeadingController heading_;

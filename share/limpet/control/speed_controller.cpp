@@ -13,12 +13,12 @@ void SpeedController::Reset(double speed) {
   ramp_ = 0.0;
 }
 
-double SpeedController::Lack(double speed, double desired_speed, double dt) {
+double SpeedController::Lack(const Input& input, double dt) {
   const double step = gains_.max_acceleration * dt;
-  const double change = std::clamp(desired_speed - reference_, -step, step);
+  const double change = std::clamp(input.desired - reference_, -step, step);
   reference_ += change;
   ramp_ = dt > 0.0 ? change / dt : 0.0;
-  return reference_ - speed;
+  return reference_ - input.speed;
 }
 
 double SpeedController::Force(double lack, double current) const {

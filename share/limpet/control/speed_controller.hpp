@@ -16,8 +16,13 @@ class SpeedController {
   };
   SpeedController(const Gains& gains, const Hydrodynamics& hydro);
 
-  /// Moves the ramp on; what the speed over ground lacks of it [m/s].
-  double Lack(double speed, double desired_speed, double dt);
+  /// Over ground [m/s].
+  struct Input {
+    double speed = 0.0;
+    double desired = 0.0;
+  };
+  /// Moves the ramp on by `dt` [s]; what the speed lacks of it [m/s].
+  double Lack(const Input& input, double dt);
   /// Surge force [N] in a current along the nose [m/s].
   [[nodiscard]] double Force(double lack, double current) const;
   /// Starts again from a speed.

@@ -107,19 +107,19 @@ LensModel::LensModel(const CameraModel& image, const LensDistortion& distortion)
     inner[s] = side % 2 == 0 ? std::max(inner[s], at) : std::min(inner[s], at);
     outer[s] = side % 2 == 0 ? std::min(outer[s], at) : std::max(outer[s], at);
   });
-  rectified_ =
-      Framed(std::ceil(inner[0]), std::ceil(inner[2]), std::floor(inner[1]), std::floor(inner[3]));
-  enclosing_ =
-      Framed(std::floor(outer[0]), std::floor(outer[2]), std::ceil(outer[1]), std::ceil(outer[3]));
+  rectified_ = Framed({std::ceil(inner[0]), std::floor(inner[1])},
+                      {std::ceil(inner[2]), std::floor(inner[3])});
+  enclosing_ = Framed({std::floor(outer[0]), std::ceil(outer[1])},
+                      {std::floor(outer[2]), std::ceil(outer[3])});
 }
 
-CameraModel LensModel::Framed(double left, double top, double right, double bottom) const {
+CameraModel LensModel::Framed(const Interval& u_px, const Interval& v_px) const {
   CameraModel camera = image_;
   constexpr double kMostPixels = 1e5;
-  camera.width_px = static_cast<int>(std::clamp(right - left, 1.0, kMostPixels));
-  camera.height_px = static_cast<int>(std::clamp(bottom - top, 1.0, kMostPixels));
-  camera.cx -= left;
-  camera.cy -= top;
+  camera.width_px = static_cast<int>(std::clamp(u_px.high - u_px.low, 1.0, kMostPixels));
+  camera.height_px = static_cast<int>(std::clamp(v_px.high - v_px.low, 1.0, kMostPixels));
+  camera.cx -= u_px.low;
+  camera.cy -= v_px.low;
   return camera;
 }
 

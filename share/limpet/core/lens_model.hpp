@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "limpet/core/camera_model.hpp"
+#include "limpet/core/interval.hpp"
 
 namespace limpet {
 
@@ -52,7 +53,7 @@ class LensModel {
                                             const Eigen::Vector2d& pixel) const;
 
  private:
-  [[nodiscard]] CameraModel Framed(double left, double top, double right, double bottom) const;
+  [[nodiscard]] CameraModel Framed(const Interval& u_px, const Interval& v_px) const;
 
   CameraModel image_;
   LensDistortion distortion_;

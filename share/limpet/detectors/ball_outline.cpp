@@ -49,8 +49,9 @@ double BallOutline::Roundness(const ImageView& image) const {
   const double allowed = std::min(0.10 * radius, 1.3 + 0.4 * factor + 0.01 * radius);
   const double wobble = outline.roughness * radius;
   const double stretch = outline.IsCut() ? 2.0 : MostElongation(outline.ellipse.center, image);
-  return Ramp(outline.support, 0.4, 0.9) * Ramp(stretch - outline.ellipse.Elongation(), 0.0, 0.1) *
-         Ramp(allowed - wobble, 0.0, 0.5 * allowed);
+  return Ramp(outline.support, {0.4, 0.9}) *
+         Ramp(stretch - outline.ellipse.Elongation(), {0.0, 0.1}) *
+         Ramp(allowed - wobble, {0.0, 0.5 * allowed});
 }
 
 void BallOutlines::Take(const ImageView& image) {

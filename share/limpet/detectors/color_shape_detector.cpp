@@ -109,13 +109,13 @@ std::optional<Box> ColorShapeDetector::Verify(const ImageView& image,
       rect.area() <= 0.0) {
     return std::nullopt;
   }
-  const double color = Ramp(contrast.separation, 1.0, 6.0) * Ramp(contrast.support, 0.5, 0.95);
+  const double color = Ramp(contrast.separation, {1.0, 6.0}) * Ramp(contrast.support, {0.5, 0.95});
   return Box{.u = rect.center_u(),
              .v = rect.center_v(),
              .w = rect.width(),
              .h = rect.height(),
              .confidence = std::sqrt(std::sqrt(finding->Roundness(image) * color) *
-                                     Ramp(paint->certainty, -0.5, 1.0)),
+                                     Ramp(paint->certainty, {-0.5, 1.0})),
              .color = paint->color};
 }
 

@@ -64,12 +64,12 @@ PixelRect RectOf(const NetworkFinding& one) {
 }  // namespace
 
 std::vector<NetworkFinding> ReadCells(const cv::Mat& cells, const NetworkDescription& network,
-                                      double least_logit, double most_overlap) {
+                                      const FindingLimits& limits) {
   const Cells grid(cells, network);
   std::vector<NetworkFinding> findings;
   for (int row = 0; row < grid.rows(); ++row) {
     for (int column = 0; column < grid.columns(); ++column) {
-      if (grid.At(kScore, row, column) >= least_logit) {
+      if (grid.At(kScore, row, column) >= limits.least_logit) {
         findings.push_back(grid.FindingAt(row, column));
       }
     }
@@ -78,7 +78,7 @@ std::vector<NetworkFinding> ReadCells(const cv::Mat& cells, const NetworkDescrip
   std::vector<NetworkFinding> kept;
   for (const NetworkFinding& finding : findings) {
     const bool repeats = std::ranges::any_of(kept, [&](const NetworkFinding& other) {
-      return Overlap(RectOf(finding), RectOf(other)) > most_overlap;
+      return Overlap(RectOf(finding), RectOf(other)) > limits.most_overlap;
     });
     if (!repeats) kept.push_back(finding);
   }

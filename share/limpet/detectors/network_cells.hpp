@@ -19,12 +19,17 @@ struct NetworkFinding {
   std::size_t color = 0;     ///< index in the description
 };
 
-/// Reads the findings of a network's output (1 x channels x rows x columns, 32-bit floats) whose
-/// score is at least `least_logit`; of those that overlap by more than `most_overlap` only the
-/// best. Best first.
+/// Which of a network's findings are kept.
+struct FindingLimits {
+  double least_logit = 0.0;   ///< of their score
+  double most_overlap = 1.0;  ///< of those that overlap by more, as a share, only the best is kept
+};
+
+/// Reads the findings of a network's output (1 x channels x rows x columns, 32-bit floats) that the
+/// limits allow. Best first.
 [[nodiscard]] std::vector<NetworkFinding> ReadCells(const cv::Mat& cells,
                                                     const NetworkDescription& network,
-                                                    double least_logit, double most_overlap);
+                                                    const FindingLimits& limits);
 
 /// What the network says of a place where somebody else sees an object: of the cells in the inner
 /// half of the box that `place` has, the one with the greatest score. Its own box is not asked.

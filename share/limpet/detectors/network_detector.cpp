@@ -127,7 +127,7 @@ std::vector<NetworkProposal> NetworkDetector::Propose(const ImageView& image) {
                         static_cast<double>(image.height_px)};
   std::vector<NetworkProposal> proposals;
   for (const NetworkFinding& one :
-       ReadCells(net_->cells, description_, kLeastLogit, kMostOverlap)) {
+       ReadCells(net_->cells, description_, {kLeastLogit, kMostOverlap})) {
     const PixelRect rect =
         Intersection({across * (one.u - 0.5 * one.w), down * (one.v - 0.5 * one.h),
                       across * (one.u + 0.5 * one.w), down * (one.v + 0.5 * one.h)},

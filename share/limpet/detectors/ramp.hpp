@@ -3,11 +3,13 @@
 
 #include <algorithm>
 
+#include "limpet/core/interval.hpp"
+
 namespace limpet {
 
-/// Rises from 0 at `low` to 1 at `high`.
-[[nodiscard]] inline double Ramp(double value, double low, double high) {
-  return std::clamp((value - low) / (high - low), 0.0, 1.0);
+/// Rises from 0 at the low end of `over` to 1 at its high one.
+[[nodiscard]] inline double Ramp(double value, const Interval& over) {
+  return std::clamp((value - over.low) / (over.high - over.low), 0.0, 1.0);
 }
 
 }  // namespace limpet

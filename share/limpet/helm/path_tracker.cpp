@@ -26,7 +26,7 @@ std::optional<Guidance> PathTracker::Guide(const NavState& nav) {
   if (!has_path_) {
     return std::nullopt;
   }
-  steering_ = guidance_.Update(nav.north, nav.east, std::hypot(nav.u, nav.v));
+  steering_ = guidance_.Update({nav.north, nav.east}, std::hypot(nav.u, nav.v));
   return Guidance{.course = steering_.course,
                   .turn_rate = steering_.turn_rate,
                   .cross_track = steering_.cross_track,

@@ -36,8 +36,7 @@ struct Painted {
 
 PictureRenderer::PictureRenderer(const PictureSettings& settings)
     : settings_(settings),
-      water_(settings.visibility_m, settings.image.water.dissolved,
-             settings.image.water.backscatter),
+      water_(Meters(settings.visibility_m), settings.image.water),
       lamp_(settings.image.light, water_),
       caustics_(settings.image.light.caustics, settings.noise_seed),
       relief_(settings.seabed_depth),

@@ -24,16 +24,17 @@ constexpr double kMeanCosine = 0.8;
 
 }  // namespace
 
-WaterColumn::WaterColumn(double visibility_m, double dissolved, double backscatter) {
-  LIMPET_REQUIRE(visibility_m > 0.0, "visibility must be positive");
-  LIMPET_REQUIRE(dissolved >= 0.0 && backscatter >= 0.0, "water takes light, it makes none");
+WaterColumn::WaterColumn(Meters visibility, const ImageParams::Water& water) {
+  LIMPET_REQUIRE(visibility.value() > 0.0, "visibility must be positive");
+  LIMPET_REQUIRE(water.dissolved >= 0.0 && water.backscatter >= 0.0,
+                 "water takes light, it makes none");
   // c = pure water + s (dissolved matter's shape + 1) with the s at which the least c fits.
-  const double wanted = -std::log(kContrastAtVisibility) / visibility_m;
+  const double wanted = -std::log(kContrastAtVisibility) / visibility.value();
   Eigen::Array3d dissolved_shape;
   double scattering = 0.0;
   for (Eigen::Index i = 0; i < 3; ++i) {
     const double beyond = kWavelength_nm[static_cast<std::size_t>(i)] - 440.0;
-    dissolved_shape(i) = dissolved * std::exp(-kDissolvedSlope_per_nm * beyond);
+    dissolved_shape(i) = water.dissolved * std::exp(-kDissolvedSlope_per_nm * beyond);
     scattering = std::max(scattering, (wanted - kPureWater(i)) / (dissolved_shape(i) + 1.0));
   }
   const Eigen::Array3d absorption = kPureWater + scattering * dissolved_shape;
@@ -44,7 +45,7 @@ WaterColumn::WaterColumn(double visibility_m, double dissolved, double backscatt
   scattering_.setConstant(static_cast<float>(scattering));
   beam_ = padded(absorption + scattering);
   diffuse_ = padded((absorption + kUpwardShare * scattering) / kMeanCosine);
-  backscatter_ = static_cast<float>(backscatter * kUpwardShare) * scattering_;
+  backscatter_ = static_cast<float>(water.backscatter * kUpwardShare) * scattering_;
 }
 
 }  // namespace limpet

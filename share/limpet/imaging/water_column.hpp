@@ -3,6 +3,9 @@
 
 #include <Eigen/Core>
 
+#include "limpet/core/units.hpp"
+#include "limpet/simulation/image_params.hpp"
+
 namespace limpet {
 
 /// What water does to light on its way from the surface to things, from things to the lens, and
@@ -14,10 +17,9 @@ namespace limpet {
 /// exp(-K w s) exp(-c s) ds. The sum of both is the image model of [Jaffe 1990] without its glow.
 class WaterColumn {
  public:
-  /// `visibility_m`: where the clearest channel keeps 5 % of a contrast; `dissolved`: absorption by
-  /// dissolved matter at 440 nm over scattering; `backscatter`: over that of coastal particles.
-  /// REQUIRES: visibility_m > 0, dissolved >= 0, backscatter >= 0.
-  WaterColumn(double visibility_m, double dissolved, double backscatter);
+  /// `visibility`: where the clearest channel keeps 5 % of a contrast.
+  /// REQUIRES: visibility > 0, dissolved >= 0, backscatter >= 0.
+  WaterColumn(Meters visibility, const ImageParams::Water& water);
 
   [[nodiscard]] Eigen::Array3f beam_attenuation() const { return beam_.head<3>(); }  ///< c [1/m]
   [[nodiscard]] Eigen::Array3f diffuse_attenuation() const {

@@ -68,7 +68,7 @@ Footprint::Footprint(double altitude, double object_height_max, const CameraMode
     const double distance = std::max(0.0, altitude - height_[k]);
     across_[k] = std::max(0.0, distance * across - inset);
     along_[k] = std::max(0.0, distance * along - inset);
-    const double share = ShareInSight(distance, std::hypot(across_[k], along_[k]), reach);
+    const double share = ShareInSight({distance, std::hypot(across_[k], along_[k])}, reach);
     in_reach_[k] = share > 0.0;
     scale = in_reach_[k] ? std::min(scale, share) : scale;
     across_[k] *= in_reach_[k] ? scale : 0.0;

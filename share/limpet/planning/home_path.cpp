@@ -78,12 +78,11 @@ std::optional<DubinsPath> PathAround(const Pose2& start, const PlanePoint& home,
 
 }  // namespace
 
-Option HomePath(const Pose2& start, double north, double east, const Region& region,
+Option HomePath(const Pose2& start, const PlanePoint& home_W, const Region& region,
                 Meters turn_radius) {
-  const PlanePoint home(north, east);
-  DubinsPath path = DirectPath(start, home, region, turn_radius);
+  DubinsPath path = DirectPath(start, home_W, region, turn_radius);
   if (region.free_space() != nullptr && !region.Contains(path)) {
-    if (auto around = PathAround(start, home, region, turn_radius)) path = *std::move(around);
+    if (auto around = PathAround(start, home_W, region, turn_radius)) path = *std::move(around);
   }
   const double length = path.length();
   return {.source = kHomeSource, .path = std::move(path), .estimate = -length};

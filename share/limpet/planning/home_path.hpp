@@ -13,11 +13,11 @@ inline constexpr const char* kHomeSource = "home";
   return option.source == kHomeSource;
 }
 
-/// The shortest way from `start` that ends at the point (north, east), whatever the heading there,
+/// The shortest way from `start` that ends at `home_W` (north, east), whatever the heading there,
 /// inside the region where that is possible. A point outside a rectangle without zones is
 /// approached as it is; otherwise the way leads through the region to where that is nearest to the
 /// point or to the transit's last way point, and from there by the transit in reverse.
-[[nodiscard]] Option HomePath(const Pose2& start, double north, double east, const Region& region,
+[[nodiscard]] Option HomePath(const Pose2& start, const PlanePoint& home_W, const Region& region,
                               Meters turn_radius);
 
 }  // namespace limpet

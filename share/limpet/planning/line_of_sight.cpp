@@ -32,11 +32,11 @@ void LineOfSight::SetPath(const Pose2& start, const std::vector<PathSegment>& se
   pieces_.push_back({end, 0.0, kRunOut, length_});
 }
 
-double LineOfSight::Nearest(const Piece& piece, double north, double east,
+double LineOfSight::Nearest(const Piece& piece, const Eigen::Vector2d& place_W,
                             const Interval& stretch) {
   const double curvature = piece.curvature;
-  const double dn = north - piece.start.north;
-  const double de = east - piece.start.east;
+  const double dn = place_W.x() - piece.start.north;
+  const double de = place_W.y() - piece.start.east;
   const double c = std::cos(piece.start.yaw);
   const double s = std::sin(piece.start.yaw);
   if (std::abs(curvature) < kFlat) return stretch.Nearest(dn * c + de * s);
@@ -48,7 +48,7 @@ double LineOfSight::Nearest(const Piece& piece, double north, double east,
   return stretch.Nearest(stretch.middle() + turn / curvature);
 }
 
-double LineOfSight::NearestAhead(double north, double east) const {
+double LineOfSight::NearestAhead(const Eigen::Vector2d& place_W) const {
   const double limit = progress_ + params_.search.value();
   double best = progress_;
   double best_distance = std::numeric_limits<double>::infinity();
@@ -57,9 +57,9 @@ double LineOfSight::NearestAhead(double north, double east) const {
     const Interval stretch{std::max(0.0, progress_ - piece.begin),
                            std::min(piece.length, limit - piece.begin)};
     if (stretch.is_empty()) continue;
-    const double along = Nearest(piece, north, east, stretch);
+    const double along = Nearest(piece, place_W, stretch);
     const Pose2 at = Advance(piece.start, piece.curvature, along);
-    const double distance = std::hypot(north - at.north, east - at.east);
+    const double distance = std::hypot(place_W.x() - at.north, place_W.y() - at.east);
     if (distance < best_distance) {
       best = piece.begin + along;
       best_distance = distance;
@@ -88,12 +88,12 @@ double LineOfSight::TurnRate(double cross_track, double speed) const {
   return curvature * speed / stretch + closing;
 }
 
-LineOfSight::Steering LineOfSight::Update(double north, double east, double speed) {
+LineOfSight::Steering LineOfSight::Update(const Eigen::Vector2d& place_W, double speed) {
   LIMPET_REQUIRE(has_path(), "SetPath comes first");
-  progress_ = NearestAhead(north, east);
+  progress_ = NearestAhead(place_W);
   const Pose2 at = At(progress_);
   const double cross_track =
-      -std::sin(at.yaw) * (north - at.north) + std::cos(at.yaw) * (east - at.east);
+      -std::sin(at.yaw) * (place_W.x() - at.north) + std::cos(at.yaw) * (place_W.y() - at.east);
   const double limit = params_.max_intercept.value();
   const double intercept =
       std::clamp(std::atan2(-cross_track, params_.lookahead.value()), -limit, limit);

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "limpet/core/interval.hpp"
 #include "limpet/core/units.hpp"
 #include "limpet/planning/pose2.hpp"
@@ -43,8 +45,8 @@ class LineOfSight {
   void SetPath(const Pose2& start, const std::vector<PathSegment>& segments);
   void SetPath(const HelmPath& path) { SetPath({path.north, path.east, path.yaw}, path.segments); }
 
-  /// For a vehicle at (north, east) with `speed` over ground [m/s]. REQUIRES: has_path().
-  [[nodiscard]] Steering Update(double north, double east, double speed);
+  /// For a vehicle at `place_W` (north, east) with `speed` over ground [m/s]. REQUIRES: has_path().
+  [[nodiscard]] Steering Update(const Eigen::Vector2d& place_W, double speed);
 
   [[nodiscard]] bool has_path() const { return !pieces_.empty(); }
   [[nodiscard]] double length() const { return length_; }
@@ -60,9 +62,9 @@ class LineOfSight {
   };
   /// Where within a stretch of its own length a piece is nearest to a point. Exact for stretches
   /// shorter than a full turn.
-  [[nodiscard]] static double Nearest(const Piece& piece, double north, double east,
+  [[nodiscard]] static double Nearest(const Piece& piece, const Eigen::Vector2d& place_W,
                                       const Interval& stretch);
-  [[nodiscard]] double NearestAhead(double north, double east) const;
+  [[nodiscard]] double NearestAhead(const Eigen::Vector2d& place_W) const;
   [[nodiscard]] double TurnRate(double cross_track, double speed) const;
 
   Params params_;

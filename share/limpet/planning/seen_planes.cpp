@@ -108,7 +108,7 @@ SeenPlanes::Place SeenPlanes::PlaceOf(const Pose2& pose) const {
 void SeenPlanes::Look(const Pose2& at) {
   const Place place = PlaceOf(at);
   for (std::size_t plane = 0; plane < kPlanes; ++plane) {
-    LookAhead(plane, place, 2.0 * images_[plane].half_along, 0.0);
+    LookAhead(plane, place, {2.0 * images_[plane].half_along, 0.0});
   }
 }
 
@@ -122,7 +122,7 @@ void SeenPlanes::Sweep(const Pose2& from, const PathSegment& segment) {
 
 void SeenPlanes::SweepStraight(const Place& from, double length) {
   for (std::size_t plane = 0; plane < kPlanes; ++plane) {
-    LookAhead(plane, from, kOverlap, length);
+    LookAhead(plane, from, {kOverlap, length});
   }
 }
 
@@ -141,16 +141,16 @@ void SeenPlanes::SweepTurn(const Pose2& from, const PathSegment& segment) {
     at.row = begin.row + (at.sin - begin.sin) / curvature;
     at.column = begin.column - (at.cos - begin.cos) / curvature;
     for (std::size_t plane = 0; plane < kPlanes; ++plane) {
-      LookAhead(plane, at, 2.0 * images_[plane].half_along, 0.0);  // its rear swings out, too
+      LookAhead(plane, at, {2.0 * images_[plane].half_along, 0.0});  // its rear swings out, too
     }
   }
 }
 
-void SeenPlanes::LookAhead(std::size_t plane, const Place& at, double lead, double length) {
+void SeenPlanes::LookAhead(std::size_t plane, const Place& at, const Stretch& stretch) {
   const Image& image = images_[plane];
   if (image.half_across <= 0.0 || unseen_[plane] == 0) return;
-  const double front = image.half_along + length;
-  const double back = image.half_along - std::min(lead, 2.0 * image.half_along);
+  const double front = image.half_along + stretch.length;
+  const double back = image.half_along - std::min(stretch.lead, 2.0 * image.half_along);
   const double middle = 0.5 * (front + back);
   Show(plane,
        {.row = at.row + middle * at.cos,

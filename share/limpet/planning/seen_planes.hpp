@@ -76,9 +76,13 @@ class SeenPlanes {
   [[nodiscard]] Place PlaceOf(const Pose2& pose) const;
   void SweepStraight(const Place& from, double length);
   void SweepTurn(const Pose2& from, const PathSegment& segment);
-  /// Marks what the images at `at` show ahead of `lead` [cells] behind their front, and on for
-  /// `length` [cells].
-  void LookAhead(std::size_t plane, const Place& at, double lead, double length);
+  /// Of the images on a stretch of the way [cells].
+  struct Stretch {
+    double lead = 0.0;    ///< from this far behind the first one's front
+    double length = 0.0;  ///< of the stretch
+  };
+  /// Marks what the images on a stretch that begins at `at` show.
+  void LookAhead(std::size_t plane, const Place& at, const Stretch& stretch);
   void Show(std::size_t plane, const Place& middle, const Image& image);
   void SetRun(std::size_t plane, int row, int begin, int end);
   void SetBits(std::size_t plane, std::size_t word, std::uint64_t bits);

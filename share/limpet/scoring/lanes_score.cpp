@@ -84,8 +84,7 @@ double WayThereAndHome(const DubinsPath& path, const SurveyFrames& frames,
     if (frames.path_m[i] + back < least) least = frames.path_m[i] + back, stop = i;
   }
   const double there = frames.path_m[stop];
-  const Option back =
-      HomePath(path.At(there), survey.home.x(), survey.home.y(), survey.region, survey.turn_radius);
+  const Option back = HomePath(path.At(there), survey.home, survey.region, survey.turn_radius);
   return there + back.path.length();
 }
 

@@ -8,11 +8,18 @@ namespace limpet {
 /// Plans leave this share of the reach: altitude is not held to the centimetre.
 inline constexpr double kPlannedReach = 0.97;
 
-/// Share of an image, `distance` metres below the camera and `corner` from its centre to its corner
-/// there [m], that is in sight where one sees `reach` metres far: its sides are cut by as much.
+/// How large an image of the ground is [m].
+struct GroundImage {
+  double distance = 0.0;  ///< below the camera
+  double corner = 0.0;    ///< from its centre to its corner, on the ground
+};
+
+/// Share of an image that is in sight where one sees `reach` metres far: its sides are cut by as
+/// much.
 /// Nothing if less than half of them is left: lanes twice as dense are the most that is worth it.
-[[nodiscard]] inline double ShareInSight(double distance, double corner, double reach) {
+[[nodiscard]] inline double ShareInSight(const GroundImage& image, double reach) {
   constexpr double kLeast = 0.5;
+  const auto& [distance, corner] = image;
   const double planned = kPlannedReach * reach;
   if (!(distance < planned)) {
     return 0.0;

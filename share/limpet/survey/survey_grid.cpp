@@ -213,14 +213,14 @@ void SurveyGrid::MarkChanged(const Place& at) {
   }
 }
 
-int SurveyGrid::SetSeabed(double north, double east, double down) {
+int SurveyGrid::SetSeabed(const Eigen::Vector3d& point_W) {
   const auto first = [this](double offset) {
     return static_cast<int>(std::ceil((offset - kSeabedReach) / frame_.cell_m - 0.5));
   };
   const auto last = [this](double offset) {
     return static_cast<int>(std::floor((offset + kSeabedReach) / frame_.cell_m - 0.5));
   };
-  const double dn = north - frame_.north_min, de = east - frame_.east_min;
+  const double dn = point_W.x() - frame_.north_min, de = point_W.y() - frame_.east_min;
   int cells = 0;
   for (int row = std::max(0, first(dn)); row <= std::min(frame_.rows - 1, last(dn)); ++row) {
     for (int column = std::max(0, first(de)); column <= std::min(frame_.columns - 1, last(de));
@@ -235,8 +235,8 @@ int SurveyGrid::SetSeabed(double north, double east, double down) {
       Cell& cell = at.cell;
       const bool had_beam = cell.seabed_source == SeabedSource::kBeam;
       const int weight = had_beam ? std::min<int>(cell.beam_count, kMostBeamWeight) : 0;
-      const double before = had_beam ? static_cast<double>(cell.seabed) : down;
-      cell.seabed = static_cast<float>(before + (down - before) / (weight + 1));
+      const double before = had_beam ? static_cast<double>(cell.seabed) : point_W.z();
+      cell.seabed = static_cast<float>(before + (point_W.z() - before) / (weight + 1));
       cell.seabed_source = SeabedSource::kBeam;
       cell.beam_count = static_cast<std::uint8_t>(weight + 1) & 0x7FU;
       if (cell.seen >= 0.0F) {

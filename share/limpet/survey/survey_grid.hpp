@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "limpet/core/camera_model.hpp"
 #include "limpet/survey/simple_polygon.hpp"
 #include "limpet/survey/tile_grid.hpp"
@@ -73,7 +75,7 @@ class SurveyGrid {
   int Observe(const Pose& X_WB, double altitude, const CameraModel& camera, double allowance = 0.0);
   /// A point of the seabed (a DVL beam's end): moves the depth of the cells within
   /// `kSeabedReach` towards `down` [m]. Returns how many those are.
-  int SetSeabed(double north, double east, double down);
+  int SetSeabed(const Eigen::Vector3d& point_W);
   static constexpr double kSeabedReach = 0.75;
   /// How far one sees [m]; before the first call without limit. Changes what has been seen.
   void SetReach(double reach);

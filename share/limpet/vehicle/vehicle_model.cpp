@@ -86,9 +86,9 @@ StateVector VehicleModel::Derivative(const StateVector& x, const ThrusterVector&
   return rate;
 }
 
-StateVector VehicleModel::Afloat(double north, double east, double yaw) const {
+StateVector VehicleModel::Afloat(const Eigen::Vector2d& place_W, double yaw) const {
   StateVector x = StateVector::Zero();
-  x.segment<3>(kPosition) << north, east, FloatingDepth(hydro_);
+  x.segment<3>(kPosition) << place_W, FloatingDepth(hydro_);
   x(kQuaternion) = std::cos(0.5 * yaw);
   x(kQuaternion + 3) = std::sin(0.5 * yaw);
   return x;

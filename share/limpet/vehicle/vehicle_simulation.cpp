@@ -12,7 +12,7 @@ VehicleSimulation::VehicleSimulation(VehicleModel model, const Place& start, Int
 VehicleSimulation::Integrator VehicleSimulation::MakeIntegrator(const VehicleModel& model,
                                                                 const Place& start,
                                                                 IntegratorKind kind) {
-  StateVector x = model.Afloat(start.north, start.east, start.yaw);
+  StateVector x = model.Afloat({start.north, start.east}, start.yaw);
   x(2) = start.down.value_or(x(2));
   if (kind == IntegratorKind::kCvode) return CvodeIntegrator(model, x);
   return Rk4Integrator(model, x);

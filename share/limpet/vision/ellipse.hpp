@@ -18,8 +18,9 @@ struct Ellipse {
   /// With the second moments of a region that it fills.
   [[nodiscard]] static Ellipse OfMoments(const Eigen::Vector2d& center,
                                          const Eigen::Matrix2d& covariance);
-  [[nodiscard]] Eigen::Vector2d At(double scale, double cosine, double sine) const {
-    return center + scale * (axes * Eigen::Vector2d(cosine, sine));
+  /// In the direction (cos t, sin t), at `scale` of the outline's distance from the centre.
+  [[nodiscard]] Eigen::Vector2d At(const Eigen::Vector2d& direction, double scale) const {
+    return center + scale * (axes * direction);
   }
   /// Distance of a point from the centre, in radii towards it: 1 on the outline.
   [[nodiscard]] double Scale(const Eigen::Vector2d& point) const;

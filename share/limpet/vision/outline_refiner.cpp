@@ -16,9 +16,7 @@ namespace {
 
 constexpr int kDirections = 48;
 
-struct Direction {
-  double cosine = 1.0, sine = 0.0;
-};
+using Direction = Eigen::Vector2d;  ///< of length one
 const std::array<Direction, kDirections>& Directions() {
   static const std::array<Direction, kDirections> all = [] {
     std::array<Direction, kDirections> directions;
@@ -87,10 +85,10 @@ SampleSet SampleRings(const ImageView& image, const Ellipse& ellipse,
   for (std::size_t i = 0; i < kDirections; i += 2) {
     const Direction& direction = Directions()[i];
     for (const double scale : scales) {
-      const Eigen::Vector2d p = ellipse.At(scale, direction.cosine, direction.sine);
+      const Eigen::Vector2d p = ellipse.At(direction, scale);
       if (IsInside(image, p)) {
         samples.colors[samples.size] = ColorAt(image, p);
-        samples.places[samples.size++] = scale * Eigen::Vector2d(direction.cosine, direction.sine);
+        samples.places[samples.size++] = scale * direction;
       }
     }
   }
@@ -126,14 +124,13 @@ class RayEdge {
   }
 
   [[nodiscard]] bool LeavesImage(const Direction& direction) const {
-    return !IsInside(*image_, guess_->At(1.0, direction.cosine, direction.sine));
+    return !IsInside(*image_, guess_->At(direction, 1.0));
   }
 
   [[nodiscard]] std::optional<double> Find(const Direction& direction) {
     int count = 0;
     for (; count < steps_; ++count) {
-      const Eigen::Vector2d p =
-          guess_->At(kFirst + (count + 0.5) * step_, direction.cosine, direction.sine);
+      const Eigen::Vector2d p = guess_->At(direction, kFirst + (count + 0.5) * step_);
       if (!IsInside(*image_, p)) {
         break;
       }
@@ -224,7 +221,7 @@ Edges FindEdges(const ImageView& image, const Ellipse& guess, const Contrast& co
       ++edges.inside;
     }
     if (const std::optional<double> scale = ray.Find(direction)) {
-      edges.points.push_back(guess.At(*scale, direction.cosine, direction.sine));
+      edges.points.push_back(guess.At(direction, *scale));
     }
   }
   return edges;

@@ -89,8 +89,8 @@ class Flight {
     result_.top975 = top_.PathAt(0.975);
     if (grid_.coverage().band_top >= study_.band_top_stop) {
       result_.whole =
-          path_ +
-          HomePath(pose_, home_.north, home_.east, region_, study_.beam.turn_radius).path.length();
+          path_ + HomePath(pose_, {home_.north, home_.east}, region_, study_.beam.turn_radius)
+                      .path.length();
     }
     result_.frame = grid_.frame();
     result_.heights = grid_.Heights();

@@ -191,7 +191,7 @@ void SampleRays(const ImageView& image, const Ellipse& ellipse, const Eigen::Vec
     const double cosine = std::cos(angle);
     const double sine = std::sin(angle);
     for (int step = 0; step < kSteps; ++step) {
-      const Eigen::Vector2d p = ellipse.At(0.55 + (step + 0.5) / kSteps, cosine, sine);
+      const Eigen::Vector2d p = ellipse.At({cosine, sine}, 0.55 + (step + 0.5) / kSteps);
       const std::uint8_t* pixel = image.pixel(static_cast<int>(p.x()), static_cast<int>(p.y()));
       profiles.push_back(weights.dot(Eigen::Vector3d(pixel[0], pixel[1], pixel[2])));
     }

@@ -59,13 +59,14 @@ TEST(IntegralTerm, StaysWithinItsLimit) {
 TEST(SpeedController, FeedsForwardTheDragOfASteadySpeed) {
   SpeedController speed({}, Hydro());
   speed.Reset(0.5);
-  EXPECT_NEAR(speed.Force(speed.Lack(0.5, 0.5, kLawStep), 0.0), DragForce(Hydro(), 0, 0.5), 1e-12);
+  EXPECT_NEAR(speed.Force(speed.Lack({0.5, 0.5}, kLawStep), 0.0), DragForce(Hydro(), 0, 0.5),
+              1e-12);
 }
 
 TEST(SpeedController, RampsUpInsteadOfJumping) {
   SpeedController speed({}, Hydro());
   speed.Reset(0.0);
-  EXPECT_NEAR(speed.Lack(0.0, 1.0, kLawStep), 0.025, 1e-12);
+  EXPECT_NEAR(speed.Lack({0.0, 1.0}, kLawStep), 0.025, 1e-12);
 }
 
 TEST(SwayController, PushesAgainstSideslipAndIntoATurn) {

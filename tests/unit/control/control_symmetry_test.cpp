@@ -119,7 +119,7 @@ TEST(SpeedProperties, TheRampReachesAnySpeedInJustTheTimeThatItTakes) {
     speed.Reset(from);
     double reference = from;
     for (int step = 1; step <= 120; ++step) {
-      const double next = speed.Lack(0.0, to, 0.1);  // of a vehicle that stands
+      const double next = speed.Lack({0.0, to}, 0.1);  // of a vehicle that stands
       EXPECT_LE(std::abs(next - reference), 0.1 * gains.max_acceleration + 1e-12);
       reference = next;
       const bool is_due = 0.1 * step * gains.max_acceleration >= std::abs(to - from);

@@ -77,7 +77,7 @@ Track Follow(Vessel& vessel, const std::vector<PathSegment>& segments, double de
   int count = 0;
   for (bool has_arrived = false; !has_arrived; ++count) {
     const NavState nav = vessel.Truth();
-    const auto steering = frame.Update(nav.north, nav.east, std::hypot(nav.u, nav.v));
+    const auto steering = frame.Update({nav.north, nav.east}, std::hypot(nav.u, nav.v));
     vessel.Fly({steering.course, 0.5, depth, steering.turn_rate});
     has_arrived = steering.has_arrived || count > 5000;
     track.rms += steering.cross_track * steering.cross_track;

@@ -24,7 +24,7 @@ class NetworkCells : public testing::Test {
     cells_.ptr<float>(0, channel)[row * kColumns + column] = static_cast<float>(value);
   }
   [[nodiscard]] std::vector<NetworkFinding> Read() const {
-    return ReadCells(cells_, network_, -2.0, 0.45);
+    return ReadCells(cells_, network_, {.least_logit = -2.0, .most_overlap = 0.45});
   }
   [[nodiscard]] NetworkFinding Ask(const PixelRect& place) const {
     return StrongestAt(cells_, network_, place);

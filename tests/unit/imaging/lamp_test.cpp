@@ -13,12 +13,12 @@ Lamp LampOf(double power, double beam_deg = 45.0) {
   light.lamp = power;
   light.lamp_off = 0.0;
   light.lamp_beam = Radians::FromTextUnit(beam_deg);
-  return {light, WaterColumn(8.0, 0.5, 1.0)};
+  return {light, WaterColumn(Meters(8.0), {0.5, 1.0})};
 }
 
 TEST(Lamp, FallsWithTheSquareOfTheDistanceAndTheWater) {
   const Lamp lamp = LampOf(2.0);
-  const WaterColumn water(8.0, 0.5, 1.0);
+  const WaterColumn water(Meters(8.0), {0.5, 1.0});
   const Eigen::Array3f near = lamp.LightAt({0.0, 0.0, 1.0});
   const Eigen::Array3f far = lamp.LightAt({0.0, 0.0, 3.0});
   EXPECT_LT((far - near / 9.0F * water.Direct(2.0)).abs().maxCoeff(), 1e-6);

@@ -11,7 +11,7 @@ namespace {
 TEST(WaterColumn, ClearestChannelKeepsFivePercentAtTheVisibility) {
   for (const double visibility : {1.0, 4.0, 8.0, 20.0}) {
     for (const double dissolved : {0.0, 0.5, 2.0}) {
-      const WaterColumn water(visibility, dissolved, 1.0);
+      const WaterColumn water(Meters(visibility), {dissolved, 1.0});
       EXPECT_NEAR(water.Direct(visibility).maxCoeff(), 0.05, 1e-6)
           << visibility << " " << dissolved;
     }
@@ -19,7 +19,7 @@ TEST(WaterColumn, ClearestChannelKeepsFivePercentAtTheVisibility) {
 }
 
 TEST(WaterColumn, DirectLightFallsExponentiallyInEachChannel) {
-  const WaterColumn water(8.0, 0.5, 1.0);
+  const WaterColumn water(Meters(8.0), {0.5, 1.0});
   const Eigen::Array3f squared = water.Direct(2.0).square();
   for (int c = 0; c < 3; ++c) {
     EXPECT_NEAR(water.Direct(4.0)(c), squared(c), 1e-6);
@@ -28,15 +28,15 @@ TEST(WaterColumn, DirectLightFallsExponentiallyInEachChannel) {
 }
 
 TEST(WaterColumn, RedIsLostFirstAndBlueTooWhereMuchIsDissolved) {
-  const Eigen::Array3f clear = WaterColumn(15.0, 0.0, 1.0).Direct(5.0);
+  const Eigen::Array3f clear = WaterColumn(Meters(15.0), {0.0, 1.0}).Direct(5.0);
   EXPECT_GT(clear(0), clear(1));
   EXPECT_GT(clear(1), 2.0 * clear(2));
-  const Eigen::Array3f brown = WaterColumn(4.0, 2.0, 1.0).Direct(4.0);
+  const Eigen::Array3f brown = WaterColumn(Meters(4.0), {2.0, 1.0}).Direct(4.0);
   EXPECT_LT(brown(0), 0.2 * brown(1));
 }
 
 TEST(WaterColumn, VeilGrowsWithRangeAndSaturates) {
-  const WaterColumn water(6.0, 0.5, 1.0);
+  const WaterColumn water(Meters(6.0), {0.5, 1.0});
   EXPECT_EQ(water.Veil(0.0, 1.0).maxCoeff(), 0.0);
   EXPECT_TRUE((water.Veil(4.0, 1.0) > water.Veil(2.0, 1.0)).all());
   const Eigen::Array3f far = water.Veil(200.0, 1.0);
@@ -48,13 +48,13 @@ TEST(WaterColumn, VeilGrowsWithRangeAndSaturates) {
 }
 
 TEST(WaterColumn, VeilOfARayThatGoesDownIsDarkerThanOfALevelOne) {
-  const WaterColumn water(6.0, 0.5, 1.0);
+  const WaterColumn water(Meters(6.0), {0.5, 1.0});
   EXPECT_TRUE((water.Veil(5.0, 1.0) < water.Veil(5.0, 0.0)).all());
   EXPECT_TRUE((water.Veil(5.0, 0.0) < water.Veil(5.0, -1.0)).all());
 }
 
 TEST(WaterColumn, NoBackscatterMeansNoVeil) {
-  EXPECT_EQ(WaterColumn(6.0, 0.5, 0.0).Veil(50.0, 1.0).maxCoeff(), 0.0);
+  EXPECT_EQ(WaterColumn(Meters(6.0), {0.5, 0.0}).Veil(50.0, 1.0).maxCoeff(), 0.0);
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ TEST(AnchoredGrid, WithoutShiftsIsThePlainGrid) {
   BeamMap beams{Meters(0.2)};
   for (std::size_t ping = 0; ping < session.beams.pings(); ++ping) {
     for (const Eigen::Vector3d& end_W : session.beams.SeabedEnds(ping)) {
-      plain.SetSeabed(end_W.x(), end_W.y(), end_W.z());
+      plain.SetSeabed(end_W);
     }
     const auto t = static_cast<double>(ping);
     plain.Observe(PoseAt(t + 0.1, {}), 3.9, CameraModel{});

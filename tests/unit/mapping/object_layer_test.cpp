@@ -60,9 +60,9 @@ struct Flight {
 const Eigen::Vector3d kPlace(4.07, 1.02, 5.53);
 
 TEST(ObjectProbability, IsTheConfidenceAtTheCentreAndNeverEvidenceAgainst) {
-  EXPECT_NEAR(ObjectProbability(0.0, 50.0, 0.9), 0.9, 1e-12);
-  EXPECT_NEAR(ObjectProbability(50.0, 50.0, 0.9), 0.5 + 0.4 * std::exp(-0.5), 1e-12);
-  EXPECT_GE(ObjectProbability(1e4, 50.0, 0.9), 0.5);
+  EXPECT_NEAR(ObjectProbability({0.0, 50.0}, 0.9), 0.9, 1e-12);
+  EXPECT_NEAR(ObjectProbability({50.0, 50.0}, 0.9), 0.5 + 0.4 * std::exp(-0.5), 1e-12);
+  EXPECT_GE(ObjectProbability({1e4, 50.0}, 0.9), 0.5);
 }
 
 TEST(NearSurface, LiesOnTheSphereAndFacesTheCamera) {

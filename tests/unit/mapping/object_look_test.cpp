@@ -16,14 +16,14 @@ namespace limpet {
 namespace {
 
 TEST(ObjectProbability, IsTheConfidenceInTheMiddleAndAHalfFarOutside) {
-  EXPECT_NEAR(ObjectProbability(0.0, 10.0, 0.8), 0.8, 1e-12);
-  EXPECT_NEAR(ObjectProbability(10.0, 10.0, 0.8), 0.5 + 0.3 * std::exp(-0.5), 1e-12);
-  EXPECT_NEAR(ObjectProbability(200.0, 10.0, 0.8), 0.5, 1e-12);
+  EXPECT_NEAR(ObjectProbability({0.0, 10.0}, 0.8), 0.8, 1e-12);
+  EXPECT_NEAR(ObjectProbability({10.0, 10.0}, 0.8), 0.5 + 0.3 * std::exp(-0.5), 1e-12);
+  EXPECT_NEAR(ObjectProbability({200.0, 10.0}, 0.8), 0.5, 1e-12);
 }
 
 TEST(ObjectProbability, OfNoBoxIsProofOrNothing) {
-  EXPECT_NEAR(ObjectProbability(0.0, 10.0, 1.0), 0.97, 1e-12);
-  EXPECT_NEAR(ObjectProbability(0.0, 10.0, 0.0), 0.55, 1e-12);
+  EXPECT_NEAR(ObjectProbability({0.0, 10.0}, 1.0), 0.97, 1e-12);
+  EXPECT_NEAR(ObjectProbability({0.0, 10.0}, 0.0), 0.55, 1e-12);
 }
 
 TEST(ObjectProbability, FallsOutwardsAndNeverSpeaksAgainst) {
@@ -31,8 +31,8 @@ TEST(ObjectProbability, FallsOutwardsAndNeverSpeaksAgainst) {
   for (int i = 0; i < 500; ++i) {
     const double s = random.Uniform(1.0, 80.0), confidence = random.Uniform(0.0, 1.0);
     const double near = random.Uniform(0.0, 3.0 * s), far = near + random.Uniform(0.0, s);
-    EXPECT_GE(ObjectProbability(near, s, confidence), ObjectProbability(far, s, confidence));
-    EXPECT_GE(ObjectProbability(far, s, confidence), 0.5);
+    EXPECT_GE(ObjectProbability({near, s}, confidence), ObjectProbability({far, s}, confidence));
+    EXPECT_GE(ObjectProbability({far, s}, confidence), 0.5);
   }
 }
 

@@ -7,11 +7,15 @@
 #include <gtest/gtest.h>
 
 #include "limpet/core/random.hpp"
+#include "limpet/core/units.hpp"
 
 namespace limpet {
 namespace {
 
+using namespace literals;
+
 constexpr double kSd = 0.5;  // [m]
+const FixError kStated{.sd = kSd, .correlation = 120.0_s};
 const FixPrediction kHere{.off_W = Eigen::Vector2d::Zero(),
                           .covariance = 0.04 * Eigen::Matrix2d::Identity()};
 
@@ -107,8 +111,8 @@ TEST(SpreadScale, GrowsWhereFixesWanderMoreThanTheyState) {
   Random random(3, "fixes");
   double usual = 0.0, worse = 0.0;
   for (int i = 0; i < 200; ++i) {
-    usual += SpreadScale(Errors(0.25, 0.4, random), kSd, 44.0, 120.0) / 200.0;
-    worse += SpreadScale(Errors(0.25, 1.6, random), kSd, 44.0, 120.0) / 200.0;
+    usual += SpreadScale(Errors(0.25, 0.4, random), 44.0_s, kStated) / 200.0;
+    worse += SpreadScale(Errors(0.25, 1.6, random), 44.0_s, kStated) / 200.0;
   }
   EXPECT_LT(usual, 1.2);
   EXPECT_GT(worse, 1.8);
@@ -118,13 +122,13 @@ TEST(SpreadScale, LeavesOutWhatDiffersFromFixToFix) {
   Random random(4, "fixes");
   double scale = 0.0;  // of 0.4 m that wander and 0.3 m that do not: 0.5 m in all
   for (int i = 0; i < 200; ++i)
-    scale += SpreadScale(Errors(0.3, 0.4, random), kSd, 44.0, 120.0) / 200.0;
+    scale += SpreadScale(Errors(0.3, 0.4, random), 44.0_s, kStated) / 200.0;
   EXPECT_LT(scale, 1.0);
   EXPECT_GT(scale, 0.75);
 }
 
 TEST(SpreadScale, FewFixesSayNothing) {
-  EXPECT_EQ(SpreadScale({{0.0, 0.0}, {9.0, 9.0}}, kSd, 1.0, 120.0), 1.0);
+  EXPECT_EQ(SpreadScale({{0.0, 0.0}, {9.0, 9.0}}, 1.0_s, kStated), 1.0);
 }
 
 }  // namespace

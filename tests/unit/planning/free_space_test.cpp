@@ -98,7 +98,7 @@ TEST(HomePath, LeadsAroundTheCornerAndThePierAndStaysInside) {
   for (int i = 0; i < 20; ++i) {
     const Pose2 from{random.Uniform(30.0, 36.0), random.Uniform(4.0, 16.0),
                      random.Uniform(-3.0, 3.0)};
-    const Option home = HomePath(from, random.Uniform(4.0, 16.0), 36.0, region, kShapeRadius);
+    const Option home = HomePath(from, {random.Uniform(4.0, 16.0), 36.0}, region, kShapeRadius);
     EXPECT_TRUE(region.Contains(home.path)) << i;
     EXPECT_LT(home.path.length(), 75.0);
   }
@@ -107,7 +107,7 @@ TEST(HomePath, LeadsAroundTheCornerAndThePierAndStaysInside) {
 TEST(HomePath, LeavesTheRegionOnceAndNearHome) {
   const Region region = ShapeRegion();
   // Straight ahead lies the notch of the L, which may be land.
-  const Option home = HomePath({34.0, 10.0, 0.0}, 8.0, 60.0, region, kShapeRadius);
+  const Option home = HomePath({34.0, 10.0, 0.0}, {8.0, 60.0}, region, kShapeRadius);
   EXPECT_FALSE(region.EntersZone(home.path));
   home.path.Sample(0.5, [&region](const Pose2& pose, double) {
     EXPECT_TRUE(region.Contains(pose) || pose.east > 35.0) << pose.north << " " << pose.east;
@@ -129,7 +129,7 @@ TEST(TransitPath, FollowsTheMissionsWayInAndTheWayHomeGoesBackByIt) {
   ASSERT_TRUE(in);
   EXPECT_TRUE(LeadsInto(region, *in));
   EXPECT_TRUE(region.IsRecoverable(in->path.end(), kShapeRadius));
-  const Option home = HomePath({34.0, 10.0, 0.0}, 80.0, 60.0, region, kShapeRadius);
+  const Option home = HomePath({34.0, 10.0, 0.0}, {80.0, 60.0}, region, kShapeRadius);
   for (const PlanePoint& place : region.transit()) {
     EXPECT_TRUE(passes(in->path, place)) << place;
     EXPECT_TRUE(passes(home.path, place)) << place;

@@ -28,7 +28,7 @@ TEST(LineOfSight, SteersThePathsOwnCourseOnThePath) {
   LineOfSight sight = OnLanes();
   for (double s = 0.0; s < sight.length(); s += 0.1) {
     const Pose2 at = sight.At(s);
-    const LineOfSight::Steering steering = sight.Update(at.north, at.east, kSpeed);
+    const LineOfSight::Steering steering = sight.Update({at.north, at.east}, kSpeed);
     ASSERT_NEAR(steering.progress, s, 1e-9);
     ASSERT_NEAR(steering.cross_track, 0.0, 1e-9);
     ASSERT_NEAR(WrapAngle(steering.course - at.yaw), 0.0, 1e-9);
@@ -45,7 +45,7 @@ TEST(LineOfSight, EndsWhereTheSegmentsEnd) {
 
 TEST(LineOfSight, CallsStarboardOfThePathPositiveAndSteersToPort) {
   LineOfSight sight = OnLanes();
-  const LineOfSight::Steering steering = sight.Update(5.0, 0.7, kSpeed);
+  const LineOfSight::Steering steering = sight.Update({5.0, 0.7}, kSpeed);
   EXPECT_NEAR(steering.cross_track, 0.7, 1e-12);
   EXPECT_NEAR(steering.course, -std::atan(0.7 / 1.5), 1e-12);
 }
@@ -57,7 +57,7 @@ TEST(LineOfSight, MeasuresCrossTrackExactlyOnArcsOfEitherHand) {
     const Pose2 at = sight.At(4.0);
     const double starboard = 0.35;
     const LineOfSight::Steering steering = sight.Update(
-        at.north - starboard * std::sin(at.yaw), at.east + starboard * std::cos(at.yaw), kSpeed);
+        {at.north - starboard * std::sin(at.yaw), at.east + starboard * std::cos(at.yaw)}, kSpeed);
     EXPECT_NEAR(steering.progress, 4.0, 1e-9);
     EXPECT_NEAR(steering.cross_track, starboard, 1e-9);
   }
@@ -67,21 +67,21 @@ TEST(LineOfSight, FeedsForwardTheTurnRateOfAnArc) {
   LineOfSight sight;
   sight.SetPath({0.0, 0.0, 0.0}, {{-1.0 / 3.0, 12.0}});
   const Pose2 at = sight.At(1.5);
-  EXPECT_NEAR(sight.Update(at.north, at.east, kSpeed).turn_rate, -kSpeed / 3.0, 1e-9);
+  EXPECT_NEAR(sight.Update({at.north, at.east}, kSpeed).turn_rate, -kSpeed / 3.0, 1e-9);
 }
 
 TEST(LineOfSight, BeginsToTurnAheadOfAnArc) {
   LineOfSight sight = OnLanes();
-  EXPECT_EQ(sight.Update(1.9, 0.0, kSpeed).turn_rate, 0.0);
+  EXPECT_EQ(sight.Update({1.9, 0.0}, kSpeed).turn_rate, 0.0);
   for (double north = 2.0; north < 9.9; north += 0.5)
-    (void)sight.Update(north, 0.0, kSpeed);
-  EXPECT_GT(sight.Update(9.9, 0.0, kSpeed).turn_rate, 0.05);
+    (void)sight.Update({north, 0.0}, kSpeed);
+  EXPECT_GT(sight.Update({9.9, 0.0}, kSpeed).turn_rate, 0.05);
 }
 
 TEST(LineOfSight, NeverGoesBack) {
   LineOfSight sight = OnLanes();
-  (void)sight.Update(1.5, 0.0, kSpeed);
-  EXPECT_NEAR(sight.Update(0.5, 0.0, kSpeed).progress, 1.5, 1e-12);
+  (void)sight.Update({1.5, 0.0}, kSpeed);
+  EXPECT_NEAR(sight.Update({0.5, 0.0}, kSpeed).progress, 1.5, 1e-12);
 }
 
 TEST(LineOfSight, FollowsAPathThatCrossesItselfInItsOwnOrder) {
@@ -90,7 +90,7 @@ TEST(LineOfSight, FollowsAPathThatCrossesItselfInItsOwnOrder) {
   double last = 0.0;
   for (double s = 0.0; s < sight.length(); s += 0.05) {
     const Pose2 at = sight.At(s);
-    const double progress = sight.Update(at.north, at.east, kSpeed).progress;
+    const double progress = sight.Update({at.north, at.east}, kSpeed).progress;
     ASSERT_NEAR(progress, s, 1e-6);
     ASSERT_GE(progress, last);
     last = progress;
@@ -102,14 +102,14 @@ TEST(LineOfSight, FollowsMoreThanOneFullCircle) {
   sight.SetPath({0.0, 0.0, 0.0}, {{1.0 / 3.0, 15.0 * std::numbers::pi}});
   for (double s = 0.0; s < sight.length(); s += 0.05) {
     const Pose2 at = sight.At(s);
-    ASSERT_NEAR(sight.Update(at.north, at.east, kSpeed).progress, s, 1e-6);
+    ASSERT_NEAR(sight.Update({at.north, at.east}, kSpeed).progress, s, 1e-6);
   }
 }
 
 TEST(LineOfSight, GoesStraightOnBeyondTheEnd) {
   LineOfSight sight({.search = Meters(100.0)});
   sight.SetPath({0.0, 0.0, 0.0}, {{0.0, 5.0}});
-  const LineOfSight::Steering steering = sight.Update(7.0, 0.0, kSpeed);
+  const LineOfSight::Steering steering = sight.Update({7.0, 0.0}, kSpeed);
   EXPECT_TRUE(steering.has_arrived);
   EXPECT_EQ(steering.progress, 5.0);
   EXPECT_EQ(steering.remaining, 0.0);
@@ -124,7 +124,7 @@ TEST(LineOfSight, NearestPointIsNoFartherThanAnySampleAhead) {
                   {{random.Uniform(-0.4, 0.4), 2.0}, {0.0, 1.0}, {random.Uniform(-0.4, 0.4), 3.0}});
     const double north = random.Uniform(-3.0, 3.0);
     const double east = random.Uniform(-3.0, 3.0);
-    const Pose2 found = sight.At(sight.Update(north, east, kSpeed).progress);
+    const Pose2 found = sight.At(sight.Update({north, east}, kSpeed).progress);
     const double distance = std::hypot(north - found.north, east - found.east);
     for (double s = 0.0; s <= 4.0; s += 0.01) {
       const Pose2 at = sight.At(s);

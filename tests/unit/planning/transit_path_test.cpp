@@ -74,7 +74,7 @@ TEST(TransitPath, IsNoneIntoARegionWithoutRoomForATurn) {
 
 TEST(TransitPath, AWayHomeIsNoWayIn) {
   const Region region(kTransitArea);
-  const Option home = HomePath({40.0, 0.0, 0.0}, 0.0, 0.0, region, kTransitRadius);
+  const Option home = HomePath({40.0, 0.0, 0.0}, {0.0, 0.0}, region, kTransitRadius);
   EXPECT_FALSE(LeadsInto(region, home)) << "it may end inside, but the survey is over then";
 }
 
@@ -85,7 +85,7 @@ TEST(HomePathProperties, IsAsLongAsItsEstimateSaysAndNeverShorterThanTheLine) {
     const Pose2 start{random.Uniform(-13.0, 13.0), random.Uniform(-16.0, 16.0),
                       random.Uniform(-3.1, 3.1)};
     const double north = random.Uniform(-13.0, 13.0), east = random.Uniform(-16.0, 16.0);
-    const Option home = HomePath(start, north, east, region, kTransitRadius);
+    const Option home = HomePath(start, {north, east}, region, kTransitRadius);
     EXPECT_NEAR(home.estimate, -home.path.length(), 1e-9);
     EXPECT_GE(home.path.length(), std::hypot(north - start.north, east - start.east) - 1e-6);
     EXPECT_NEAR(home.path.end().north, north, 1e-6);

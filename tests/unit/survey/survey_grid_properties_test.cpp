@@ -103,8 +103,8 @@ TEST_P(SurveyGridProperties, WhatAMirrorWasToldInAnyPiecesIsTheGrid) {
   for (const SeenFrom& frame : flight_) {
     grid.Observe(frame.X_WB, frame.altitude, CameraModel{});
     if (random_.Chance(0.3))
-      grid.SetSeabed(random_.Uniform(-4.0, 5.0), random_.Uniform(-3.0, 6.0),
-                     random_.Uniform(7.0, 8.0));
+      grid.SetSeabed(
+          {random_.Uniform(-4.0, 5.0), random_.Uniform(-3.0, 6.0), random_.Uniform(7.0, 8.0)});
     if (random_.Chance(0.5)) {
       EXPECT_TRUE(mirror.Apply(grid.TakeDelta()));
     }
@@ -151,7 +151,7 @@ TEST_P(SurveyGridProperties, ASeabedIsTheMeanOfItsFirstBeamsAndStaysWithinThem) 
   for (int i = 1; i <= 4; ++i) {
     const double down = random_.Uniform(6.5, 8.5);
     low = std::min(low, down), high = std::max(high, down), sum += down;
-    grid.SetSeabed(0.1, 0.1, down);
+    grid.SetSeabed({0.1, 0.1, down});
     const int row = static_cast<int>(4.1 / 0.25), column = static_cast<int>(3.1 / 0.25);
     ASSERT_TRUE(grid.Seabed(row, column));
     EXPECT_GE(*grid.Seabed(row, column), low - 1e-5);
@@ -163,7 +163,7 @@ TEST_P(SurveyGridProperties, ASeabedIsTheMeanOfItsFirstBeamsAndStaysWithinThem) 
 TEST_P(SurveyGridProperties, ABeamTellsOfTheCellsWithinItsReachAlone) {
   SurveyGrid grid(SmallArea());
   const double north = random_.Uniform(-2.0, 3.0), east = random_.Uniform(-1.0, 4.0);
-  grid.SetSeabed(north, east, 7.0);
+  grid.SetSeabed({north, east, 7.0});
   for (int row = 0; row < grid.frame().rows; ++row) {
     for (int column = 0; column < grid.frame().columns; ++column) {
       const double off = std::hypot(grid.frame().north_min + (row + 0.5) * 0.25 - north,

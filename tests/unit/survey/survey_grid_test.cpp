@@ -94,7 +94,7 @@ TEST(SurveyGrid, ALaterLowerLookNeverForgetsAHigherOne) {
 TEST(SurveyGrid, KnownReliefRaisesTheBottomIntoTheNarrowPartOfTheView) {
   SurveyGrid flat(kArea), ridge(kArea);
   for (double east = -5.0; east < 5.0; east += 0.5) {
-    ridge.SetSeabed(0.0, east, 6.0);  // 1.5 m above the flat bottom at 7.5 m
+    ridge.SetSeabed({0.0, east, 6.0});  // 1.5 m above the flat bottom at 7.5 m
   }
   flat.Observe(At(0.0, 0.0), 4.0, CameraModel{});
   ridge.Observe(At(0.0, 0.0), 4.0, CameraModel{});
@@ -105,15 +105,15 @@ TEST(SurveyGrid, SeabedIsUnknownUntilMeasuredAndThenAveraged) {
   SurveyGrid grid(kArea);
   const int row = RowOf(grid, 1.0), column = ColumnOf(grid, 1.0);
   EXPECT_FALSE(grid.Seabed(row, column).has_value());
-  grid.SetSeabed(1.0, 1.0, 7.0);
-  grid.SetSeabed(1.0, 1.0, 8.0);
+  grid.SetSeabed({1.0, 1.0, 7.0});
+  grid.SetSeabed({1.0, 1.0, 8.0});
   EXPECT_NEAR(grid.Seabed(row, column).value(), 7.5, 1e-6);
 }
 
 TEST(SurveyGrid, AMirrorFedWithDeltasIsTheSameGrid) {
   SurveyGrid grid(kArea), mirror(kArea);
   for (int i = 0; i < 5; ++i) {
-    grid.SetSeabed(i, i, 7.4);
+    grid.SetSeabed(Eigen::Vector3d(i, i, 7.4));
     grid.Observe(At(i, 2.0 * i, 0.3 * i), 4.0, CameraModel{});
     ASSERT_TRUE(mirror.Apply(grid.TakeDelta()));
   }
@@ -138,7 +138,7 @@ TEST(SurveyGrid, AMirrorFollowsAlsoToWhatWasNotSeenAfterAll) {
   ASSERT_TRUE(mirror.Apply(grid.TakeDelta()));
   corrected.Observe(At(0.0, 0.0), 4.0, CameraModel{});
   corrected.Observe(At(5.5, 0.5), 4.0, CameraModel{});
-  corrected.SetSeabed(5.5, 0.5, 7.6);
+  corrected.SetSeabed({5.5, 0.5, 7.6});
   const SurveyGrid expected = corrected;
   const std::uint64_t before = grid.version();
   grid.Become(std::move(corrected));
@@ -156,7 +156,7 @@ TEST(SurveyGrid, BecomingWhatItIsChangesNothing) {
   SurveyGrid grid(kArea), same(kArea);
   for (SurveyGrid* each : {&grid, &same}) {
     each->Observe(At(0.0, 0.0), 4.0, CameraModel{});
-    each->SetSeabed(0.0, 0.0, 7.4);
+    each->SetSeabed({0.0, 0.0, 7.4});
   }
   static_cast<void>(grid.TakeDelta());
   const std::uint64_t before = grid.version();

@@ -16,7 +16,7 @@ class VehicleEvents : public ::testing::TestWithParam<int> {
  protected:
   static constexpr double kDown = 8.0;
   [[nodiscard]] StateVector AtDepth(double depth) const {
-    StateVector x = model_.Afloat(0.0, 0.0, 0.0);
+    StateVector x = model_.Afloat({0.0, 0.0}, 0.0);
     x(state_index::kPosition + 2) = depth;
     return x;
   }

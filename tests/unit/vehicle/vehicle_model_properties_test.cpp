@@ -174,7 +174,7 @@ TEST_P(VehicleModelProperties, AttitudeTurnsAsTheRatesSay) {
 TEST_P(VehicleModelProperties, FloatsWhereWeightAndBuoyancyAreEqualAndStaysThere) {
   const VehicleModel model = In(Eigen::Vector3d::Zero());
   const StateVector x =
-      model.Afloat(random_.Normal(10.0), random_.Normal(10.0), random_.Normal(1.0));
+      model.Afloat({random_.Normal(10.0), random_.Normal(10.0)}, random_.Normal(1.0));
   EXPECT_LT(model.Derivative(x, ThrusterVector::Zero(), true).norm(), 1e-6);
   StateVector deeper = x, higher = x;
   deeper(kPosition + 2) += 0.02, higher(kPosition + 2) -= 0.02;

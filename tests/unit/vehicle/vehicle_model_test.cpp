@@ -17,7 +17,7 @@ VehicleModel StillWater() {
 }
 
 StateVector Submerged(const VehicleModel& model, double depth) {
-  StateVector x = model.Afloat(0.0, 0.0, 0.3);
+  StateVector x = model.Afloat({0.0, 0.0}, 0.3);
   x(state_index::kPosition + 2) = depth;
   return x;
 }
@@ -42,8 +42,8 @@ double Energy(const VehicleModel& model, const StateVector& x) {
 
 TEST(VehicleModel, FloatsStillAtTheSurfaceWithItsAntennaInTheAir) {
   const VehicleModel model = StillWater();
-  const StateVector x = After(model, model.Afloat(1.0, 2.0, 0.5), ThrusterVector::Zero(), 30.0);
-  EXPECT_LT((x - model.Afloat(1.0, 2.0, 0.5)).norm(), 1e-6);
+  const StateVector x = After(model, model.Afloat({1.0, 2.0}, 0.5), ThrusterVector::Zero(), 30.0);
+  EXPECT_LT((x - model.Afloat({1.0, 2.0}, 0.5)).norm(), 1e-6);
   EXPECT_LT(x(2) + model.params().antenna_B.z(), -0.05);
 }
 
@@ -94,7 +94,7 @@ TEST(VehicleModel, KeepsTheQuaternionUnit) {
 TEST(VehicleModel, DriftsWithTheCurrentAtNoRelativeSpeed) {
   const VehicleModel model{VehicleParams{}, Eigen::Vector3d(0.2, -0.1, 0.0),
                            [](double, double) { return kSeabed; }};
-  const StateVector x = After(model, model.Afloat(0.0, 0.0, 1.0), ThrusterVector::Zero(), 100.0);
+  const StateVector x = After(model, model.Afloat({0.0, 0.0}, 1.0), ThrusterVector::Zero(), 100.0);
   EXPECT_NEAR(x(0), 20.0, 1e-6);
   EXPECT_NEAR(x(1), -10.0, 1e-6);
 }
@@ -103,13 +103,13 @@ TEST(VehicleModel, GivesVelocityOverGroundInTheBodyFrame) {
   const VehicleModel model{VehicleParams{}, Eigen::Vector3d(0.2, 0.0, 0.0),
                            [](double, double) { return kSeabed; }};
   const VehicleMotion motion =
-      model.Motion(model.Afloat(0.0, 0.0, M_PI / 2.0), ThrusterVector::Zero());
+      model.Motion(model.Afloat({0.0, 0.0}, M_PI / 2.0), ThrusterVector::Zero());
   EXPECT_TRUE(motion.v_WB_B.isApprox(Eigen::Vector3d(0.0, -0.2, 0.0), 1e-9));
 }
 
 TEST(VehicleModel, FeelsGravityUpwardsAtRest) {
   const VehicleModel model = StillWater();
-  const VehicleMotion motion = model.Motion(model.Afloat(0.0, 0.0, 0.0), ThrusterVector::Zero());
+  const VehicleMotion motion = model.Motion(model.Afloat({0.0, 0.0}, 0.0), ThrusterVector::Zero());
   EXPECT_NEAR(motion.specific_force_B.z(), -9.81, 1e-6);
 }
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Arguments that a caller can exchange without the compiler's noticing.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/layers/layers.hpp"
+
+namespace limpet::layers {
+
+/// One complaint per function of a header of the product that takes three numbers in a row which
+/// all are plain doubles: `path: Name(parameters)`. A struct or a unit says which is which.
+[[nodiscard]] std::vector<std::string> InterchangeableNumbers(const std::vector<SourceFile>& files);
+
+}  // namespace limpet::layers
