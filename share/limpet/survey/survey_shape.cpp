@@ -13,7 +13,7 @@
 namespace limpet {
 namespace {
 
-constexpr double kRounding = 0.02;  // of corners in text [m]
+constexpr double kCornerRounding = 0.02;  // of corners in text [m]
 constexpr double kCountedCell = 0.25;
 
 Expected<SimplePolygon> PolygonIn(std::string_view text, const std::string& what) {
@@ -48,8 +48,8 @@ Expected<SimplePolygon> OutlineOf(const SurveyArea& area) {
   }
   if (!area.outline) return SimplePolygon::Box(low, high);
   Expected<SimplePolygon> outline = PolygonIn(*area.outline, "`area`");
-  if (outline && ((outline->low() - low).cwiseAbs().maxCoeff() > kRounding ||
-                  (outline->high() - high).cwiseAbs().maxCoeff() > kRounding)) {
+  if (outline && ((outline->low() - low).cwiseAbs().maxCoeff() > kCornerRounding ||
+                  (outline->high() - high).cwiseAbs().maxCoeff() > kCornerRounding)) {
     return Error{fmt::format(
         "`area` does not fill north {:g} to {:g}, east {:g} to {:g} m, which are to be its box",
         low.x(), high.x(), low.y(), high.y())};
