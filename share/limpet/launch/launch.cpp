@@ -16,6 +16,7 @@
 #include "limpet/launch/launch_plan.hpp"
 #include "limpet/launch/launch_report.hpp"
 #include "limpet/launch/launch_warnings.hpp"
+#include "limpet/launch/processor_watch.hpp"
 #include "limpet/launch/run_folders.hpp"
 #include "limpet/launch/supervisor.hpp"
 #include "limpet/launch/surfacing.hpp"
@@ -30,6 +31,7 @@ namespace fs = std::filesystem;
 
 constexpr auto kPollPeriod = std::chrono::milliseconds(50);
 constexpr Seconds kStatusPeriod(5.0);  ///< a database that was started again has forgotten (real)
+constexpr Seconds kLoadPeriod(5.0);    ///< (real)
 constexpr Seconds kPatience(8.0);      ///< for an app to finish its files
 constexpr Seconds kLastFiles(1.0);     ///< apps write them on the mail that ends the launch, too
 constexpr Seconds kDepthAge(3.0);      ///< a depth heard longer ago is none (real)
@@ -55,7 +57,8 @@ class Launch {
         report_(plan_.mission.Global("Community"), plan_.warp, MoosTime(plan_.warp)),
         deployment_(command_.deploys),
         supervisor_(folders_.run / command_.session, Environment(),
-                    [this](const std::string& text) { Alert(events::kProcess, text); }) {}
+                    [this](const std::string& text) { Alert(events::kProcess, text); }),
+        processor_(plan_.warp) {}
 
   int Run() {
     Say(fmt::format("{} processes, time warp {:g}, run folder {}", plan_.items.size(), plan_.warp,
@@ -115,6 +118,7 @@ class Launch {
     MindDatabase(watch);
     BringUpIfHopeless(watch);
     TellStatus(watch);
+    TellLoad(watch);
     TellReport(watch);
   }
   [[nodiscard]] bool AllUp(const CommunityWatch& watch) const {
@@ -240,6 +244,15 @@ class Launch {
       told_at_ = now;
     }
   }
+  void TellLoad(CommunityWatch& watch) {
+    const Seconds now = SteadyTime();
+    if (now - load_seen_at_ < kLoadPeriod) return;
+    load_seen_at_ = now;
+    processor_.Hear(supervisor_.ProcessorUse(), now);
+    if (const std::optional<ProcessorLoad> load = processor_.busiest()) {
+      watch.client().Publish(topics::kLaunchProcessor.name, EncodeRecord(*load));
+    }
+  }
   void TellReport(CommunityWatch& watch) {
     const Seconds now = MoosTime(plan_.warp);
     for (const std::string& request : watch.TakeRequests()) {
@@ -279,6 +292,8 @@ class Launch {
   Deployment deployment_;
   Surfacing surfacing_;
   Supervisor supervisor_;
+  ProcessorWatch processor_;
+  Seconds load_seen_at_;
   bool has_lost_database_ = false;
   std::string told_status_;
   Seconds told_at_;

@@ -19,6 +19,7 @@
 
 #include "limpet/core/clock.hpp"
 #include "limpet/launch/process_memory.hpp"
+#include "limpet/launch/process_time.hpp"
 
 namespace limpet {
 namespace {
@@ -253,6 +254,16 @@ std::optional<double> Supervisor::ResidentMib() const {
     if (resident) sum = sum.value_or(0.0) + *resident;
   }
   return sum;
+}
+
+std::vector<ProcessUse> Supervisor::ProcessorUse() const {
+  std::vector<ProcessUse> uses;
+  for (const Child& child : children_) {
+    const std::optional<Seconds> used =
+        child.pid > 0 ? ProcessorTime(child.pid) : std::optional<Seconds>();
+    if (used) uses.push_back({.name = child.item.name, .pid = child.pid, .used = *used});
+  }
+  return uses;
 }
 
 void Supervisor::EndThose(const std::function<bool(const Child&)>& which, Seconds patience) {

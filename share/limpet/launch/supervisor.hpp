@@ -12,6 +12,7 @@
 
 #include "limpet/app/heartbeat.hpp"
 #include "limpet/launch/launch_plan.hpp"
+#include "limpet/launch/processor_watch.hpp"
 
 namespace limpet {
 
@@ -60,6 +61,9 @@ class Supervisor {
   [[nodiscard]] std::vector<Report> Reports() const;
   /// Of all processes that run [MiB]; nothing where the system does not say.
   [[nodiscard]] std::optional<double> ResidentMib() const;
+  /// What each process that runs has had of the processors; those that the system does not know
+  /// are left out.
+  [[nodiscard]] std::vector<ProcessUse> ProcessorUse() const;
   /// True if a process was given up.
   [[nodiscard]] bool has_given_up() const { return has_given_up_; }
   /// Name of a process given up without which the mission cannot go on.

@@ -8,7 +8,7 @@ namespace limpet {
 namespace {
 
 // clang-format off
-constexpr std::array<FaultKind, 36> kFaultKinds{{
+constexpr std::array<FaultKind, 37> kFaultKinds{{
     {"dvl_silent", "The DVL says nothing", "uSimSensors"},
     {"dvl_stuck", "The DVL repeats its last sample", "uSimSensors"},
     {"dvl_flipped", "The DVL's velocity has the opposite sign ahead and aside", "uSimSensors"},
@@ -41,6 +41,7 @@ constexpr std::array<FaultKind, 36> kFaultKinds{{
     {.what = "app_down", .meaning = "An app has died and is not started again, says PLAUNCH_STATUS; embedded alone", .made_by = "session", .is_about_app = true},
     {"slow_planner", "Each decision of the helm on where next holds it up, says HELM_PLAN_TIME; embedded alone", "session", "so long [s]", 8.0, 0.1, 600.0},
     {"memory", "The processes take so much memory together, says PLAUNCH_MEMORY; embedded alone", "session", "so much [MiB]", 8000.0, 1.0, 1e7},
+    {"processor", "The busiest process takes so much of a core, says PLAUNCH_PROCESSOR; embedded alone", "session", "so much [%]", 150.0, 1.0, 10000.0},
     {"disk_low", "The disk has so much room left; embedded alone", "session", "so much [MiB]", 200.0, 0.0, 1e6},
     {"disk_full", "The disk takes half of a piece, then says that it is full; embedded alone", "session"},
     {"disk_failing", "The disk takes and syncs nothing, with an error of input and output; embedded alone", "session"},

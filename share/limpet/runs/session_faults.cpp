@@ -19,7 +19,8 @@ namespace limpet {
 namespace {
 
 constexpr std::string_view kAppDown = "app_down", kClockStepped = "clock_stepped",
-                           kDiskLow = "disk_low", kMemory = "memory", kSlowPlanner = "slow_planner";
+                           kDiskLow = "disk_low", kMemory = "memory", kProcessor = "processor",
+                           kSlowPlanner = "slow_planner";
 constexpr const char* kHelm = "pHelm";
 constexpr double kBytesOfMib = 1024.0 * 1024.0;
 
@@ -91,6 +92,9 @@ void SessionFaults::Switch(std::size_t index, EmbeddedCommunity& community) {
     if (fault.what == kAppDown) TellApps(community);
   } else if (fault.what == kMemory) {
     community.Poke(topics::kLaunchMemory.name, is_active_[index] ? fault.size : 0.0);
+  } else if (fault.what == kProcessor) {
+    const ProcessorLoad load{.percent = is_active_[index] ? fault.size : 0.0, .app = "fault"};
+    community.Poke(topics::kLaunchProcessor.name, TopicCodec<ProcessorLoad>::Encode(load));
   } else if (fault.what == kDiskLow) {
     community.LimitDisk(is_active_[index]
                             ? std::optional(static_cast<std::uint64_t>(fault.size * kBytesOfMib))

@@ -66,6 +66,16 @@ struct LogState {
   }
 };
 
+/// The process that is busiest.
+struct ProcessorLoad {
+  double percent = 0.0;  ///< of a core: 100 fills one, and each thread may fill one
+  std::string app;
+  template <class V>
+  void Describe(V& visit) {
+    visit("percent", percent), visit("app", app);
+  }
+};
+
 namespace topics {
 inline const auto kSafetyAction = Declare<std::string>(
     "SAFETY_ACTION", "none, warn, degrade, hold, return, surface or abort: what is to be done now",
@@ -97,6 +107,12 @@ inline const auto kLaunchMemory =
     Declare<double>("PLAUNCH_MEMORY",
                     "resident memory of all processes that pLaunch runs; embedded only as a fault",
                     {.unit = "MiB", .rate = "every 5 s", .writers = {"pLaunch"}});
+inline const auto kLaunchProcessor =
+    Declare<ProcessorLoad>("PLAUNCH_PROCESSOR",
+                           "the busiest of the processes that pLaunch runs, and the share of a "
+                           "core that it takes, mean of "
+                           "about 20 s, per second of vehicle time; embedded only as a fault",
+                           {.unit = "% of a core", .rate = "every 5 s", .writers = {"pLaunch"}});
 inline const auto kPlanTime = Declare<double>(
     "HELM_PLAN_TIME",
     "how long the last decision on where next took, in real time; embedded only as a fault",

@@ -136,7 +136,7 @@ void LiveMission::Launch(const std::string& option) {
       .on_state = nullptr});
   for (const char* variable :
        {"SIM_THRUST", "SURVEY_PHASE", "PLAUNCH_STATUS", "MISSION_END", "THRUSTER_COMMAND", "DEPLOY",
-        "IVPHELM_ALLSTOP", "SIM_TRUTH", "PPILOT_WARNINGS", "PLAUNCH_MEMORY"}) {
+        "IVPHELM_ALLSTOP", "SIM_TRUTH", "PPILOT_WARNINGS", "PLAUNCH_MEMORY", "PLAUNCH_PROCESSOR"}) {
     client_->Subscribe(variable, Seconds(0.0));
   }
 }

@@ -88,6 +88,12 @@ TEST(LaunchEnd, LeavesZeroThrustAsTheLastWord) {
   ASSERT_TRUE(mission.AwaitDive()) << mission.Said();
   ASSERT_TRUE(mission.Await([&mission] { return !mission.Latest("PLAUNCH_MEMORY").empty(); }));
   EXPECT_GT(std::stod(mission.Latest("PLAUNCH_MEMORY")), 20.0) << "MiB of seven processes";
+  ASSERT_TRUE(mission.Await([&mission] { return !mission.Latest("PLAUNCH_PROCESSOR").empty(); }));
+  const auto load = DecodeRecord<ProcessorLoad>(mission.Latest("PLAUNCH_PROCESSOR"));
+  ASSERT_TRUE(load);
+  EXPECT_GT(load->percent, 0.0);
+  EXPECT_LT(load->percent, 1000.0);
+  EXPECT_THAT(load->app, testing::MatchesRegex("LimpetDB|[pu][A-Z].*"));
   ASSERT_EQ(::kill(mission.launcher(), SIGINT), 0);
   EXPECT_EQ(mission.AwaitEnd(), 0);
   EXPECT_EQ(mission.SourceOf("THRUSTER_COMMAND"), "pLaunch");
