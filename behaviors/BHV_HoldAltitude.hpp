@@ -9,8 +9,8 @@
 namespace limpet {
 
 /// Prefers depths that keep the vehicle `altitude_m` above the seabed. Bottom lock that was lost
-/// holds the last seabed for `memory_s`; after that it is silent, so that other behaviors decide
-/// the depth.
+/// holds the last seabed for `memory_s`, by default longer than pSafety's rule dvl_lost waits;
+/// after that it is silent, so that other behaviors decide the depth.
 class BHV_HoldAltitude final : public Behavior {
  public:
   struct Params {
@@ -18,7 +18,7 @@ class BHV_HoldAltitude final : public Behavior {
     Meters tolerance{0.0};
     Meters skirt{5.0};
     Seconds smoothing{2.0};
-    Seconds memory{15.0};
+    Seconds memory{120.0};
     template <class Visitor>
     void Describe(Visitor& visit) {
       visit.Required("altitude_m", altitude, "Height to keep above the seabed",

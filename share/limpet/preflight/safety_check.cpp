@@ -67,6 +67,21 @@ void CheckHomeLimit(const MissionReading& reading, const SurveyFacts& survey,
                                limit.text, farthest)));
 }
 
+/// A helm that has no depth to keep stops all: then helm_idle answers the loss, not dvl_lost.
+void CheckSeabedMemory(const MissionReading& reading, MissionProblems& found) {
+  if (IsRuleOff(reading, "dvl_lost")) return;
+  const Setting limit = *reading.Find(kSafetyApp, "dvl_lost_s");
+  for (const Setting& memory : reading.OfBehaviors("BHV_HoldAltitude", "memory_s")) {
+    if (memory.number() > limit.number()) continue;
+    const Setting& said = memory.is_default ? limit : memory;
+    found.notes.push_back(said.Refuse(
+        fmt::format("a survey without its DVL has no depth to keep after {}, before rule dvl_lost "
+                    "acts by {}: rule helm_idle may end it first; a memory longer than that leaves "
+                    "it to dvl_lost",
+                    memory.Named(), limit.Named())));
+  }
+}
+
 }  // namespace
 
 bool IsRuleOff(const MissionReading& reading, std::string_view rule) {
@@ -95,6 +110,7 @@ void CheckSafety(const MissionReading& reading, const SurveyFacts& survey, Missi
   CheckAltitudeLimit(reading, survey, found);
   CheckTimeLimit(reading, found);
   CheckHomeLimit(reading, survey, found);
+  CheckSeabedMemory(reading, found);
   for (const Setting& off : reading.FindAll(kSafetyApp, "off")) {
     if (off.is_default) continue;
     found.notes.push_back(off.Refuse(fmt::format("this mission does without rule {}", off.text)));

@@ -75,8 +75,10 @@ constexpr std::array<SafetyRule, kSafetyRules> kTable{{
     {.id = Id::kDvlSilent, .name = "dvl_silent", .meaning = "Time without a velocity of the DVL that pNav takes: go slowly.",
      .limit = {"dvl_silent_s", "s", 30.0, 1.0, 3600.0}, .hold = Seconds(0.0), .clears_after = Seconds(5.0),
      .actions = {kNone, kNone, kDegrade, kDegrade, kDegrade, kNone}},
-    {.id = Id::kDvlLost, .name = "dvl_lost", .meaning = "Time without a velocity of the DVL that pNav takes.",
-     .limit = {"dvl_lost_s", "s", 150.0, 1.0, 36000.0}, .hold = Seconds(0.0), .clears_after = {},
+    {.id = Id::kDvlLost, .name = "dvl_lost",
+     .meaning = "Time without a velocity of the DVL that pNav takes; until then the depth over the seabed last seen is kept "
+                "(`memory_s` of BHV_HoldAltitude).",
+     .limit = {"dvl_lost_s", "s", 90.0, 1.0, 36000.0}, .hold = Seconds(0.0), .clears_after = {},
      .actions = kUpNearGround},
     {.id = Id::kDvlStuck, .name = "dvl_stuck", .meaning = "Time that the DVL has said the very same velocity.",
      .limit = {"dvl_stuck_s", "s", 5.0, 1.0, 3600.0}, .hold = Seconds(0.0), .clears_after = Seconds(30.0),

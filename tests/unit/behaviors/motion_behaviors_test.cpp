@@ -38,8 +38,9 @@ TEST(BhvHoldAltitude, RemembersALostSeabedForAWhileOnly) {
   BHV_HoldAltitude behavior({});
   behavior.Start(At(0.0, 3.0, 4.5));
   static_cast<void>(behavior.Move(At(0.0, 3.0, 4.5)));
-  EXPECT_TRUE(behavior.Move(At(10.0, 3.0, {})).depth.has_value());
-  EXPECT_FALSE(behavior.Move(At(16.0, 3.0, {})).depth.has_value());
+  EXPECT_TRUE(behavior.Move(At(100.0, 3.0, {})).depth.has_value())
+      << "the rule dvl_lost acts first";
+  EXPECT_FALSE(behavior.Move(At(121.0, 3.0, {})).depth.has_value());
 }
 
 TEST(BhvHoldAltitude, NeverAsksToFlyAboveTheSurface) {

@@ -62,6 +62,13 @@ INSTANTIATE_TEST_SUITE_P(
              Limit("battery_critical_percent = 40"),
              3,
              {"battery_critical_percent = 40", "would trip before pSafety battery_low_percent"}},
+        Slip{
+            "ADvlThatIsMissedLongerThanItsSeabedIsRemembered",
+            Limit("dvl_lost_s = 300"),
+            0,
+            {"plug_pSafety.moos:5: note: dvl_lost_s: a survey without its DVL has no depth to keep "
+             "after altitude memory_s = 120",
+             "before rule dvl_lost acts by pSafety dvl_lost_s = 300"}},
         Slip{"ALimitOutOfRange",
              Limit("depth_limit_m = -1"),
              2,
