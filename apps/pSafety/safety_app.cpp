@@ -7,6 +7,7 @@
 
 #include "apps/pSafety/safety_warnings.hpp"
 #include "limpet/app/registry.hpp"
+#include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
 namespace {
@@ -29,6 +30,7 @@ SafetyApp::SafetyApp(const AppContext& context, const Params& params)
   SubscribeToNavigation();
   SubscribeToProcesses();
   SubscribeToVehicle();
+  ExpectSensors();
   Subscribe(topics::kSafetyReset, &SafetyApp::OnReset);
   if (context.is_restarted) Subscribe(topics::kSafetyState, &SafetyApp::OnFormerState);
 }
@@ -39,6 +41,7 @@ void SafetyApp::SubscribeToNavigation() {
   SubscribeIfWritten(topics::kGpsData, &SafetyApp::Hear<GpsFix>);
   SubscribeIfWritten(topics::kImuData, &SafetyApp::Hear<ImuSample>, kImuPeriod);
   SubscribeIfWritten(topics::kDepthSensor, &SafetyApp::OnDepth, kPressurePeriod);
+  SubscribeIfWritten(topics::kObstacleSonar, &SafetyApp::Hear<SonarPing>);
   SubscribeIfWritten(topics::kDetections, &SafetyApp::OnDetections);
 }
 
@@ -54,6 +57,7 @@ void SafetyApp::SubscribeToProcesses() {
   SubscribeIfWritten(topics::kBehaviorError, &SafetyApp::OnBehaviorError);
   SubscribeIfWritten(topics::kLaunchStatus, &SafetyApp::OnProcesses);
   SubscribeIfWritten(topics::kLaunchMemory, &SafetyApp::OnMemory);
+  SubscribeIfWritten(topics::kLaunchProcessor, &SafetyApp::OnProcessor);
   SubscribeIfWritten(topics::kPlanTime, &SafetyApp::OnPlanTime);
 }
 
@@ -64,6 +68,14 @@ void SafetyApp::SubscribeToVehicle() {
   SubscribeIfWritten(topics::kShoreBeat, &SafetyApp::OnShoreBeat);
   SubscribeIfWritten(topics::kLogState, &SafetyApp::OnLog);
   SubscribeIfWritten(topics::kWallClock, &SafetyApp::OnWallClock);
+}
+
+void SafetyApp::ExpectSensors() {
+  const std::string named = context().Global(kVehicleFileGlobal);
+  if (named.empty()) return;  // a mission that says of no vehicle what it is
+  if (LoadMissionVehicle(named, context().mission_folder).sensors.sonar.is_present) {
+    signs_.ExpectSonar();
+  }
 }
 
 void SafetyApp::OnReset(const Stamped<bool>& reset) {
@@ -110,8 +122,9 @@ void SafetyApp::Tick(Seconds now) {
 void SafetyApp::TellChange(SafetyAction former) {
   told_ = ladder_.action();
   action_told_.reset();
-  if (told_ != former) ReportEvent(events::kSafetyAction, ActionText());
-  if (told_ == SafetyAction::kReturn && former < told_) Publish(topics::kReturn, true);
+  if (told_ == former) return;
+  ReportEvent(events::kSafetyAction, ActionText());
+  if (told_ == SafetyAction::kReturn) Publish(topics::kReturn, true);
 }
 
 void SafetyApp::TellWarnings() {

@@ -27,6 +27,8 @@ class SafetyApp final : public App {
   void SubscribeToNavigation();
   void SubscribeToProcesses();
   void SubscribeToVehicle();
+  /// What the vehicle's file says it has.
+  void ExpectSensors();
   void OnReset(const Stamped<bool>& reset);
   /// What a former life of this process had said.
   void OnFormerState(const Stamped<SafetyState>& state);
@@ -34,6 +36,7 @@ class SafetyApp final : public App {
   void Hear(const Stamped<T>& mail) {
     signs_.Hear(mail.value, now());
   }
+  void OnProcessor(const Stamped<ProcessorLoad>& load) { signs_.HearProcessor(load.value.percent); }
   void OnArea(const Stamped<SurveyArea>& area) { signs_.Hear(area.value); }
   void OnHome(const Stamped<HomePoint>& home) { signs_.Hear(home.value); }
   void OnDepth(const Stamped<double>& depth) { signs_.HearDepth(depth.value, now()); }

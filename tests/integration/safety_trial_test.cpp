@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "limpet/runs/session_runner.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace limpet {
@@ -34,6 +35,7 @@ TEST_P(FlownFault, IsAnsweredInTimeAndTheVehicleComesUp) {
       ShortenedForTrials(LoadMission(folder / "mission.moos")),
       {.mission_folder = folder, .scratch = scratch.path()}, *tested, GetParam().phase, 7);
   EXPECT_EQ(result.complaint, "");
+  EXPECT_EQ(result.instead, "") << "its own rule answers";
   EXPECT_EQ(NameOf(result.action), NameOf(GetParam().action));
   EXPECT_EQ(result.ended, GetParam().ended);
 }
@@ -54,7 +56,35 @@ INSTANTIATE_TEST_SUITE_P(
         FlownCase{"disk low", SafetyPhase::kReturn, SafetyAction::kWarn, "timeout"},
         FlownCase{"behavior fails", SafetyPhase::kDive, SafetyAction::kWarn, "aborted"},
         FlownCase{"time over", SafetyPhase::kSurvey, SafetyAction::kSurface, "aborted"},
-        FlownCase{"camera silent", SafetyPhase::kSurvey, SafetyAction::kHold, "timeout"}));
+        FlownCase{"camera silent", SafetyPhase::kSurvey, SafetyAction::kHold, "timeout"},
+        FlownCase{"camera silent", SafetyPhase::kAlign, SafetyAction::kHold, "timeout"},
+        FlownCase{"camera lost", SafetyPhase::kAlign, SafetyAction::kReturn, "aborted"},
+        FlownCase{"sonar silent", SafetyPhase::kAlign, SafetyAction::kWarn, "timeout"},
+        FlownCase{"sonar silent", SafetyPhase::kSurvey, SafetyAction::kDegrade, "timeout"},
+        FlownCase{"sonar stuck", SafetyPhase::kDive, SafetyAction::kWarn, "timeout"},
+        FlownCase{"sonar stuck", SafetyPhase::kSurvey, SafetyAction::kDegrade, "timeout"},
+        FlownCase{"processor high", SafetyPhase::kSurvey, SafetyAction::kDegrade, "timeout"},
+        FlownCase{"swept into zone", SafetyPhase::kSurvey, SafetyAction::kReturn, "aborted"}));
+
+TEST(FlownFaults, ASurveyWithoutItsDvlIsBroughtUpByTheRuleForThatWhenItSays) {
+  const std::filesystem::path folder =
+      std::filesystem::path(LIMPET_SOURCE_DIR) / "missions" / "basin";
+  const TemporaryFolder scratch;
+  MissionFile mission = ShortenedForTrials(LoadMission(folder / "mission.moos"));
+  ApplySetting(mission, "pSurvey.max_time_s=600");
+  const SafetyCase lost{.name = "DVL lost for good",
+                        .fault = "what: dvl_silent",
+                        .rule = SafetyRuleId::kDvlLost,
+                        .answer = Seconds(91.0)};
+  const SafetyTrialResult result =
+      FlySafetyTrial(mission, {.mission_folder = folder, .scratch = scratch.path()}, lost,
+                     SafetyPhase::kSurvey, 7);
+  EXPECT_EQ(result.complaint, "");
+  EXPECT_EQ(result.instead, "") << "helm_idle does not end it before";
+  EXPECT_EQ(NameOf(result.action), "surface");
+  EXPECT_NEAR(result.after_s, 90.0, 1.0) << "dvl_lost_s";
+  EXPECT_EQ(result.ended, "aborted");
+}
 
 TEST(FlownFaults, ARuleThatTripsBeforeTheFaultBeginsIsComplainedOf) {
   const std::filesystem::path folder =

@@ -33,6 +33,7 @@ enum class SafetyRuleId : std::size_t {
   kDepthOverLimit,
   kAltitudeLow,
   kOutsideRegion,
+  kInsideZone,
   kFarFromHome,
   kMissionTime,
   kNavigationSilent,
@@ -45,6 +46,8 @@ enum class SafetyRuleId : std::size_t {
   kDepthSilent,
   kDepthStuck,
   kImuStuck,
+  kSonarSilent,
+  kSonarStuck,
   kDepthAgainstAltitude,
   kGpsJump,
   kNoProgress,
@@ -63,9 +66,10 @@ enum class SafetyRuleId : std::size_t {
   kLogFailed,
   kLinkLost,
   kPlannerSlow,
-  kMemoryHigh
+  kMemoryHigh,
+  kProcessorHigh
 };
-inline constexpr std::size_t kSafetyRules = 39;
+inline constexpr std::size_t kSafetyRules = 43;
 
 /// One row. What it watches is a number that must not go beyond a limit.
 struct SafetyRule {

@@ -21,6 +21,7 @@ constexpr std::array<std::string_view, kSafetyPhases> kSafetyPhaseNames{
 constexpr Actions kWarnAlways{kWarn, kWarn, kWarn, kWarn, kWarn, kWarn};
 constexpr Actions kUpFromBelow{kNone, kWarn, kSurface, kSurface, kSurface, kWarn};
 constexpr Actions kUpNearGround{kNone, kNone, kSurface, kSurface, kSurface, kNone};
+constexpr Actions kSlowWithoutSonar{kNone, kWarn, kWarn, kDegrade, kDegrade, kNone};
 constexpr Actions kHomeBeforeIt{kWarn, kReturn, kReturn, kReturn, kWarn, kWarn};
 
 constexpr SafetyRule::Limit kIsSo{};
@@ -55,6 +56,11 @@ constexpr std::array<SafetyRule, kSafetyRules> kTable{{
     {.id = Id::kOutsideRegion, .name = "outside_region",
      .meaning = "Way outside the operating region or into a keep-out zone (SURVEY_AREA), once it was inside.",
      .limit = {"region_limit_m", "m", 10.0, 0.0, 10000.0}, .hold = Seconds(5.0), .clears_after = {},
+     .actions = {kNone, kNone, kNone, kReturn, kNone, kNone}},
+    {.id = Id::kInsideZone, .name = "inside_zone",
+     .meaning = "Way into a keep-out zone (SURVEY_AREA) as a share of the zone's own half width, that of its inscribed circle: "
+                "what `outside_region` does not see in a narrow zone.",
+     .limit = {"zone_share_percent", "%", 50.0, 1.0, 100.0}, .hold = Seconds(1.0), .clears_after = {},
      .actions = {kNone, kNone, kNone, kReturn, kNone, kNone}},
     {.id = Id::kFarFromHome, .name = "far_from_home", .meaning = "Distance from SURVEY_HOME.",
      .limit = {"home_limit_m", "m", 3000.0, 1.0, 1e6}, .hold = Seconds(5.0), .clears_after = {},
@@ -95,6 +101,14 @@ constexpr std::array<SafetyRule, kSafetyRules> kTable{{
     {.id = Id::kImuStuck, .name = "imu_stuck", .meaning = "Time that IMU_DATA has said the very same rates and forces.",
      .limit = {"imu_stuck_s", "s", 3.0, 0.5, 3600.0}, .hold = Seconds(0.0), .clears_after = Seconds(30.0),
      .actions = {kNone, kWarn, kSurface, kSurface, kSurface, kSurface}},
+    {.id = Id::kSonarSilent, .name = "sonar_silent",
+     .meaning = "Time without OBSTACLE_SONAR under way, also if it never spoke, of a vehicle whose file has one: go slowly.",
+     .limit = {"sonar_silent_s", "s", 15.0, 1.0, 3600.0}, .hold = Seconds(0.0), .clears_after = Seconds(5.0),
+     .actions = kSlowWithoutSonar},
+    {.id = Id::kSonarStuck, .name = "sonar_stuck",
+     .meaning = "Time that OBSTACLE_SONAR has said the very same echoes (pings without any are all alike): go slowly.",
+     .limit = {"sonar_stuck_s", "s", 10.0, 1.0, 3600.0}, .hold = Seconds(0.0), .clears_after = Seconds(10.0),
+     .actions = kSlowWithoutSonar},
     {.id = Id::kDepthAgainstAltitude, .name = "depth_against_altitude",
      .meaning = "Change of the seabed's depth (depth + altitude) within 10 s, beyond 0.6 m per metre of way.",
      .limit = {"seabed_step_m", "m", 1.5, 0.2, 100.0}, .hold = Seconds(4.0), .clears_after = {},
@@ -128,11 +142,11 @@ constexpr std::array<SafetyRule, kSafetyRules> kTable{{
      .limit = {"app_down_s", "s", 60.0, 1.0, 36000.0}, .hold = Seconds(0.0), .clears_after = Seconds(2.0),
      .actions = {kWarn, kReturn, kReturn, kReturn, kWarn, kWarn}},
     {.id = Id::kDetectorSilent, .name = "detector_silent",
-     .meaning = "Time below the surface without DETECTIONS, once there were some: wait for them; real time in a community.",
+     .meaning = "Time below the surface without DETECTIONS, from the survey on or once there were some: wait for them; real time in a community.",
      .limit = {"detector_silent_s", "s", 20.0, 1.0, 3600.0}, .hold = Seconds(0.0), .clears_after = Seconds(2.0),
      .actions = {kNone, kNone, kNone, kHold, kNone, kNone}},
     {.id = Id::kDetectorLost, .name = "detector_lost",
-     .meaning = "Time below the surface without DETECTIONS, once there were some; real time in a community.",
+     .meaning = "Time below the surface without DETECTIONS, from the survey on or once there were some; real time in a community.",
      .limit = {"detector_lost_s", "s", 90.0, 1.0, 36000.0}, .hold = Seconds(0.0), .clears_after = {},
      .actions = {kNone, kNone, kNone, kReturn, kNone, kNone}},
     {.id = Id::kDetectorStorm, .name = "detector_storm", .meaning = "Boxes in a frame, mean of about twenty frames.",
@@ -160,6 +174,11 @@ constexpr std::array<SafetyRule, kSafetyRules> kTable{{
      .meaning = "Resident memory of all processes (PLAUNCH_MEMORY); embedded only as a fault.",
      .limit = {"memory_limit_mib", "MiB", 4096.0, 1.0, 1e7}, .hold = Seconds(15.0), .hysteresis = 100.0,
      .clears_after = Seconds(60.0), .actions = kHomeBeforeIt},
+    {.id = Id::kProcessorHigh, .name = "processor_high",
+     .meaning = "Share of a core that the busiest process takes, mean of 20 s (PLAUNCH_PROCESSOR): go slowly, a metre may take it "
+                "longer; embedded only as a fault.",
+     .limit = {"processor_limit_percent", "%", 90.0, 1.0, 10000.0}, .hold = Seconds(15.0), .hysteresis = 10.0,
+     .clears_after = Seconds(60.0), .actions = {kWarn, kWarn, kWarn, kDegrade, kDegrade, kWarn}},
 }};
 // clang-format on
 

@@ -35,6 +35,8 @@ std::optional<double> SinceOrZero(std::optional<Seconds> since, Seconds now) {
 void SafetySigns::HearPhase(std::string_view survey_phase, Seconds now) {
   const SafetyPhase phase = SafetyPhaseOf(survey_phase);
   if (phase == SafetyPhase::kDive && phase_ != SafetyPhase::kDive) submerged_since_ = now;
+  surveys_since_ =
+      phase == SafetyPhase::kSurvey ? surveys_since_.value_or(now) : std::optional<Seconds>();
   phase_ = phase;
 }
 
@@ -47,6 +49,7 @@ void SafetySigns::Hear(const SurveyArea& area) {
   if (!is_news || ProblemOf(area)) return;  // who flies it refuses such an area, and says so
   area_ = area;
   region_.emplace(area);
+  zones_ = ZoneWatch(area);
 }
 
 void SafetySigns::Hear(const NavState& nav, Seconds now) {
@@ -149,7 +152,11 @@ void SafetySigns::MeasurePlace(SafetyMeasures& measures, Seconds now) {
   if (region_) {
     const double outside = region_->Outside({.north = nav.north, .east = nav.east, .yaw = nav.yaw});
     was_inside_ = was_inside_ || (outside == 0.0 && phase() == SafetyPhase::kSurvey);
-    if (was_inside_) MeasureOf(measures, SafetyId::kOutsideRegion) = outside;
+    if (was_inside_) {
+      MeasureOf(measures, SafetyId::kOutsideRegion) = outside;
+      const std::optional<double> share = zones_.ShareAt({nav.north, nav.east});
+      if (share) MeasureOf(measures, SafetyId::kInsideZone) = 100.0 * *share;
+    }
   }
   if (home_) {
     MeasureOf(measures, SafetyId::kFarFromHome) =
@@ -180,13 +187,20 @@ void SafetySigns::MeasureSensors(SafetyMeasures& measures, Seconds now) const {
   MeasureOf(measures, SafetyId::kDepthStuck) = pressure_.duration();
   MeasureOf(measures, SafetyId::kImuStuck) = imu_.duration();
   if (fix_) MeasureOf(measures, SafetyId::kGpsJump) = jump_m_;
-  if (detections_heard_) {
-    const Seconds since = std::max(*detections_heard_, surfaced_.value_or(*detections_heard_));
-    const double silence = (now - since).value() / warp_;
-    MeasureOf(measures, SafetyId::kDetectorSilent) = silence;
-    MeasureOf(measures, SafetyId::kDetectorLost) = silence;
-    MeasureOf(measures, SafetyId::kDetectorStorm) = boxes_;
+  if (const auto silence = Silence(sonar_.heard(), now); has_sonar_ && silence) {
+    MeasureOf(measures, SafetyId::kSonarSilent) = *silence / warp_;
   }
+  MeasureOf(measures, SafetyId::kSonarStuck) = sonar_.stuck_for();
+}
+
+void SafetySigns::MeasureDetector(SafetyMeasures& measures, Seconds now) const {
+  if (detections_heard_) MeasureOf(measures, SafetyId::kDetectorStorm) = boxes_;
+  // Before the survey nobody needs images, and a camera at the surface makes none.
+  const std::optional<Seconds> since = detections_heard_ ? detections_heard_ : surveys_since_;
+  if (!since) return;
+  const double silence = (now - std::max(*since, surfaced_.value_or(*since))).value() / warp_;
+  MeasureOf(measures, SafetyId::kDetectorSilent) = silence;
+  MeasureOf(measures, SafetyId::kDetectorLost) = silence;
 }
 
 void SafetySigns::MeasureProcesses(SafetyMeasures& measures, Seconds now) const {
@@ -231,6 +245,7 @@ void SafetySigns::MeasureVehicle(SafetyMeasures& measures, Seconds now) const {
   MeasureOf(measures, SafetyId::kDiskFull) = room_mib_;
   MeasureOf(measures, SafetyId::kPlannerSlow) = plan_s_;
   MeasureOf(measures, SafetyId::kMemoryHigh) = memory_mib_;
+  MeasureOf(measures, SafetyId::kProcessorHigh) = processor_percent_;
   if (has_log_) MeasureOf(measures, SafetyId::kLogFailed) = SinceOrZero(log_failed_since_, now);
   if (shore_heard_) MeasureOf(measures, SafetyId::kLinkLost) = (now - *shore_heard_).value();
 }
@@ -246,6 +261,7 @@ SafetyMeasures SafetySigns::At(Seconds now) {
   SafetyMeasures measures{};
   MeasurePlace(measures, now);
   MeasureSensors(measures, now);
+  MeasureDetector(measures, now);
   MeasureProcesses(measures, now);
   MeasureVehicle(measures, now);
   return measures;

@@ -10,7 +10,9 @@
 #include "limpet/safety/helm_signs.hpp"
 #include "limpet/safety/safety_ladder.hpp"
 #include "limpet/safety/seabed_watch.hpp"
+#include "limpet/safety/sonar_watch.hpp"
 #include "limpet/safety/stuck_watch.hpp"
+#include "limpet/safety/zone_watch.hpp"
 #include "limpet/topics/energy.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
@@ -27,12 +29,15 @@ class SafetySigns {
   /// counted in real time, as pLaunch counts it.
   explicit SafetySigns(double warp) : warp_(warp) {}
 
+  /// The vehicle has a sonar that looks ahead: it is missed, also if it never speaks.
+  void ExpectSonar() { has_sonar_ = true; }
   void HearPhase(std::string_view survey_phase, Seconds now);
   void Hear(const NavState& nav, Seconds now);
   void Hear(const DvlSample& dvl, Seconds now);
   void Hear(const ImuSample& imu, Seconds now);
   void Hear(const GpsFix& fix, Seconds now);
   void Hear(const ThrusterCommand& command, Seconds now);
+  void Hear(const SonarPing& ping, Seconds now) { sonar_.Hear(ping, now); }
   void HearDepth(double depth_m, Seconds now);
   void HearWantedSpeed(double speed_mps, Seconds now) { wanted_speed_ = {now, speed_mps}; }
   void HearWantedCourse(double degrees) { wanted_course_deg_ = degrees; }
@@ -50,6 +55,7 @@ class SafetySigns {
   void HearShore(Seconds now) { shore_heard_ = now; }
   void HearPlanTime(double seconds) { plan_s_ = seconds; }
   void HearMemory(double mib) { memory_mib_ = mib; }
+  void HearProcessor(double percent) { processor_percent_ = percent; }
   void HearRoom(double mib) { room_mib_ = mib; }
   /// LOG_STATE.
   void HearLog(bool is_written, Seconds now);
@@ -64,6 +70,7 @@ class SafetySigns {
  private:
   void MeasurePlace(SafetyMeasures& measures, Seconds now);
   void MeasureSensors(SafetyMeasures& measures, Seconds now) const;
+  void MeasureDetector(SafetyMeasures& measures, Seconds now) const;
   void MeasureProcesses(SafetyMeasures& measures, Seconds now) const;
   void MeasureVehicle(SafetyMeasures& measures, Seconds now) const;
   /// Since `heard`, or since the mission got under way; absent while it is not.
@@ -76,6 +83,7 @@ class SafetySigns {
   double warp_;
   std::optional<SafetyPhase> phase_;  ///< as the mission manager says; absent: there is none yet
   std::optional<Seconds> under_way_since_, submerged_since_;
+  std::optional<Seconds> surveys_since_;  ///< by the mission manager's word
   std::optional<Seconds> surfaced_;  ///< when it was last so near the surface that a camera idles
   std::optional<Stamped<NavState>> nav_;
   std::optional<double> depth_m_;
@@ -86,6 +94,8 @@ class SafetySigns {
   StuckWatch<1> altitude_, pressure_;
   StuckWatch<6> imu_;
   SeabedWatch seabed_;
+  SonarWatch sonar_;
+  bool has_sonar_ = false;
   std::optional<Stamped<GpsFix>> fix_;
   double jump_m_ = 0.0;
   std::optional<Stamped<double>> wanted_speed_;
@@ -94,12 +104,13 @@ class SafetySigns {
   double boxes_ = 0.0;  ///< mean of the last frames
   std::optional<int> clock_steps_;
   std::optional<bool> leaks_;
-  std::optional<double> charge_, room_mib_, plan_s_, memory_mib_;
+  std::optional<double> charge_, room_mib_, plan_s_, memory_mib_, processor_percent_;
   bool has_log_ = false;  ///< of which something is known
   std::optional<Seconds> log_failed_since_;
   std::optional<EnergyState> energy_;
   std::optional<SurveyArea> area_;
   std::optional<Region> region_;  ///< of `area_`
+  ZoneWatch zones_;               ///< of `area_`
   std::optional<HomePoint> home_;
   bool was_inside_ = false;
 };

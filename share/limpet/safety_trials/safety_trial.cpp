@@ -2,15 +2,16 @@
 #include "limpet/safety_trials/safety_trial.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "limpet/mission/scenario.hpp"
 #include "limpet/runs/session_runner.hpp"
 #include "limpet/safety_trials/trial_limit.hpp"
+#include "limpet/safety_trials/trial_prop.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
 #include "limpet/topics/simulation.hpp"
@@ -19,14 +20,6 @@ namespace limpet {
 namespace {
 
 constexpr double kUp_m = 0.5;  ///< a vehicle that is shallower has come up
-
-/// What SURVEY_PHASE says in a phase.
-std::string WordOf(SafetyPhase phase) {
-  std::string word(NameOf(phase));
-  std::ranges::transform(word, word.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return word;
-}
 
 /// Keeps the account of a flight.
 class TrialWatch {
@@ -130,34 +123,12 @@ std::filesystem::path FaultyScenario(const TrialPlaces& places, const SafetyCase
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   const std::filesystem::path file = places.scratch / "scenario.yaml";
   std::ofstream out(file);
-  out << text << "\n";
+  out << text << "\n" << PropLines(LoadScenario(source), tested);
   if (!tested.fault.empty()) {
     out << fmt::format("faults:\n  - {{{}, when: SURVEY_PHASE = {}, at_s: {:g}}}\n", tested.fault,
                        WordOf(phase), tested.after.value());
   }
   return std::filesystem::absolute(file);
-}
-
-/// One more line of an app's block; those with its key stay.
-void AddLine(MissionFile& mission, std::string_view app, ConfigEntry line) {
-  const auto block = std::ranges::find_if(mission.blocks, [app](const ConfigBlock& candidate) {
-    return EqualsIgnoringCase(candidate.name, app);
-  });
-  if (block == mission.blocks.end()) {
-    throw ConfigError(
-        {{.file = mission.file, .line = 0}, std::string(app), "the mission has no such block"});
-  }
-  block->entries.push_back(std::move(line));
-}
-
-/// A behavior that stops the vehicle throughout the phase: one without a point to go to.
-void AddFailingBehavior(MissionFile& mission, const TrialPlaces& places, SafetyPhase phase) {
-  const std::filesystem::path file = std::filesystem::absolute(places.scratch / "failing.bhv");
-  std::ofstream(file) << fmt::format(
-      "Behavior = BHV_AbortToPoint\n{{\n  name = failing\n  speed = 0.1\n"
-      "  condition = SURVEY_PHASE = {}\n}}\n",
-      WordOf(phase));
-  AddLine(mission, "pHelm", {.key = "behaviors", .value = file.string(), .where = {}});
 }
 
 /// Limit and rules as the trial has them.
@@ -194,11 +165,11 @@ SafetyTrialResult FlySafetyTrial(const MissionFile& mission, const TrialPlaces& 
     std::erase_if(faulty.launches,
                   [](const LaunchEntry& launch) { return launch.binary == "pLog"; });
   }
+  AddProp(faulty, places, tested, phase);
   TightenRules(faulty, tested, LimitFor(tested, phase, faulty, places, seed));
   for (const char* app : {"uSimVehicle", "uSimSensors", "uSimCamera"}) {
     ApplySetting(faulty, fmt::format("{}.scenario={}", app, scenario));
   }
-  if (tested.is_behavior) AddFailingBehavior(faulty, places, phase);
   TrialWatch watch(tested, phase);
   const SessionOutcome outcome = RunSession(
       faulty, TrialPlan(places, seed), [&watch](const Message& message) { watch.Hear(message); });

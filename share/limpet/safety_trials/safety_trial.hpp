@@ -29,6 +29,14 @@ struct TrialLimit {
   double value = 0.0;  ///< in the rule's unit
 };
 
+/// What a trial adds to the mission, for what no fault alone provokes.
+enum class TrialProp {
+  kNone,
+  kFailingBehavior,  ///< one that stops all while the phase lasts
+  kObstacle,         ///< ahead of the start, so that a sonar has an echo there
+  kZone              ///< a keep-out zone north of the operating region
+};
+
 /// A fault, and which rule is to answer it within which time of its beginning.
 struct SafetyCase {
   std::string_view name;  ///< of the row
@@ -40,9 +48,9 @@ struct SafetyCase {
   /// The first and the last phase that it may begin in to be told from what has always been so.
   SafetyPhase from = SafetyPhase::kAlign, to = SafetyPhase::kAscend;
   TrialLimit limit{};
-  std::string_view off{};    ///< a rule that would answer before it
-  bool is_behavior = false;  ///< what fails is a behavior of the helm's, one that the trial adds
-  Seconds after{3.0};        ///< the phase began, the fault begins
+  std::string_view off{};  ///< a rule that would answer before it
+  TrialProp prop = TrialProp::kNone;
+  Seconds after{3.0};  ///< the phase began, the fault begins
 
   [[nodiscard]] bool ShowsFrom(SafetyPhase phase) const { return phase >= from && phase <= to; }
 };

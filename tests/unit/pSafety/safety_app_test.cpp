@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "apps/pSafety/safety_app.hpp"
 
+#include <cstdint>
+#include <fstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "limpet/durable/failing_file_system.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_link.hpp"
 
 namespace limpet {
@@ -73,6 +78,21 @@ TEST_F(SafetyAppTest, AsksTheMissionManagerForTheWayHomeOnce) {
   EXPECT_EQ(link_.Count(topics::kReturn), 1);
 }
 
+TEST_F(SafetyAppTest, AsksForTheWayHomeAlsoOnceAnAbortIsLifted) {
+  link_.Send(app_, topics::kSurveyPhase, std::string("SURVEY"));
+  link_.Send(app_, topics::kLeak, true);
+  Run(2.0);
+  ASSERT_EQ(Action(), "abort");
+  link_.Send(app_, topics::kShoreBeat, 1.0);
+  Run(601.0);
+  link_.Send(app_, topics::kLeak, false);
+  EXPECT_EQ(link_.Count(topics::kReturn), 0);
+  link_.Send(app_, topics::kSafetyReset, true);
+  Run(0.2);
+  EXPECT_EQ(Action(), "return");  // link_lost
+  EXPECT_EQ(link_.Count(topics::kReturn), 1);
+}
+
 TEST_F(SafetyAppTest, AnOperatorLiftsWhatStands) {
   link_.Send(app_, topics::kSurveyPhase, std::string("SURVEY"));
   link_.Send(app_, topics::kLeak, true);
@@ -99,10 +119,31 @@ TEST_F(SafetyAppTest, StartedAgainItStandsByWhatItHadSaid) {
   link_.time += Seconds(0.2);
   again.Iterate(link_.time);
   EXPECT_EQ(link_.Count(topics::kSafetyAction), 0);  // `none` would lift it
+  former.rules.push_back({.rule = "disk_low", .margin = {}, .stands = "of a newer version"});
+  former.rules.push_back({.rule = "disk_full", .margin = {}, .stands = ""});
   link_.SendStamped(again, topics::kSafetyState, former, link_.time - Seconds(5.0));
   link_.time += Seconds(0.2);
   again.Iterate(link_.time);
   EXPECT_EQ(Action(), "abort");
+  // Its own words are no former ones, and there was one former life.
+  former.rules = {{.rule = "link_lost", .margin = {}, .stands = "return"}};
+  link_.SendStamped(again, topics::kSafetyState, former, link_.time - Seconds(5.0));
+  link_.time += Seconds(0.2);
+  again.Iterate(link_.time);
+  EXPECT_FALSE(again.warnings().contains("TRIPPED_link_lost"));
+}
+
+TEST_F(SafetyAppTest, StartedAgainItDoesNotTakeItsNewWordsForFormerOnes) {
+  AppContext context = SafetyContext(link_);
+  context.is_restarted = true;
+  SafetyApp again(context, {});
+  link_.Send(again, topics::kSafetyState,
+             SafetyState{.rules = {{.rule = "leak", .margin = {}, .stands = "abort"}}});
+  for (int i = 0; i < 15; ++i) {
+    link_.time += Seconds(0.2);
+    again.Iterate(link_.time);
+  }
+  EXPECT_EQ(Action(), "none");
 }
 
 TEST_F(SafetyAppTest, StartedAgainWithoutAFormerWordItBeginsAfterAWhile) {
@@ -177,6 +218,72 @@ TEST_F(SafetyAppTest, GoesHomeBeforeMemoryIsUsedUp) {
   EXPECT_EQ(Action(), "none");
   Run(2.0);
   EXPECT_EQ(Action(), "return");
+}
+
+TEST_F(SafetyAppTest, GoesSlowlyWhileAProcessFillsACore) {
+  link_.Send(app_, topics::kSurveyPhase, std::string("SURVEY"));
+  link_.Send(app_, topics::kLaunchProcessor, ProcessorLoad{.percent = 99.0, .app = "pMap"});
+  Run(14.0);
+  EXPECT_EQ(Action(), "none");
+  Run(2.0);
+  EXPECT_EQ(Action(), "degrade");
+  link_.Send(app_, topics::kLaunchProcessor, ProcessorLoad{.percent = 60.0, .app = "pMap"});
+  Run(62.0);
+  EXPECT_EQ(Action(), "none");
+}
+
+TEST_F(SafetyAppTest, MissesASonarThatTheVehiclesFileHas) {
+  AppContext context = SafetyContext(link_);
+  context.globals = {{.key = "VehicleFile", .value = "feelhippo.yaml", .where = {}}};
+  SafetyApp app(context, {});
+  link_.Send(app, topics::kSurveyPhase, std::string("SURVEY"));
+  for (int i = 0; i < 80; ++i) {
+    link_.time += Seconds(0.2);
+    app.Iterate(link_.time);
+  }
+  EXPECT_TRUE(app.warnings().contains("TRIPPED_sonar_silent"));
+  EXPECT_FALSE(app_.warnings().contains("TRIPPED_sonar_silent")) << "of no vehicle with one";
+}
+
+TEST_F(SafetyAppTest, MissesNoSonarThatTheVehiclesFileHasNot) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "vehicle.yaml")
+      << "based_on: feelhippo.yaml\nname: Deaf\nobstacle_sonar: {present: false}\n";
+  AppContext context = SafetyContext(link_);
+  context.mission_folder = folder.path();
+  context.globals = {{.key = "VehicleFile", .value = "vehicle.yaml", .where = {}}};
+  SafetyApp app(context, {});
+  link_.Send(app, topics::kSurveyPhase, std::string("SURVEY"));
+  for (int i = 0; i < 80; ++i) {
+    link_.time += Seconds(0.2);
+    app.Iterate(link_.time);
+  }
+  EXPECT_FALSE(app.warnings().contains("TRIPPED_sonar_silent"));
+}
+
+TEST_F(SafetyAppTest, WarnsOfADiskThatFillsUp) {
+  FailingFileSystem disk(RealFileSystem());
+  disk.SetRoom(std::uint64_t{200} << 20U);
+  AppContext context = SafetyContext(link_);
+  context.disk = &disk;
+  SafetyApp app(context, {});
+  link_.time += Seconds(0.2);
+  app.Iterate(link_.time);
+  EXPECT_TRUE(app.warnings().contains("TRIPPED_disk_low"));
+  EXPECT_FALSE(app.warnings().contains("TRIPPED_disk_full"));
+}
+
+TEST_F(SafetyAppTest, EndsASurveyInAZoneThatIsNarrowerThanTheRegionsLimit) {
+  SurveyArea area{.north_min = -20.0, .north_max = 20.0, .east_min = -20.0, .east_max = 20.0};
+  link_.Send(app_, topics::kSurveyArea, area);
+  link_.Send(app_, topics::kSurveyPhase, std::string("SURVEY"));
+  Run(2.0);  // at 0, 0
+  EXPECT_EQ(Action(), "none");
+  area.keep_out = "{-1,-10:1,-10:1,10:-1,10}";
+  link_.Send(app_, topics::kSurveyArea, area);
+  Run(2.0);
+  EXPECT_EQ(Action(), "return");
+  EXPECT_TRUE(app_.warnings().contains("TRIPPED_inside_zone"));
 }
 
 }  // namespace

@@ -110,6 +110,17 @@ TEST_F(SafetySignsTest, MeasureTheRegionOnlyOnceTheSurveyIsInsideIt) {
   EXPECT_DOUBLE_EQ(Measure(Id::kOutsideRegion).value(), 5.0);
 }
 
+TEST_F(SafetySignsTest, CountTheRegionFromTheSurveyOnThoughItWasInsideBefore) {
+  const SurveyArea area{.north_min = 0.0, .north_max = 10.0, .east_min = -5.0, .east_max = 5.0};
+  signs_.Hear(area);
+  signs_.Hear(area);  // said again
+  Enter("DIVE");
+  signs_.Hear(At(5.0, 3.0, 4.0), now_);
+  EXPECT_FALSE(Measure(Id::kOutsideRegion));
+  Enter("SURVEY");
+  EXPECT_DOUBLE_EQ(Measure(Id::kOutsideRegion).value(), 0.0);
+}
+
 TEST_F(SafetySignsTest, MeasureTheRealShapeOfTheRegion) {
   SurveyArea notched =
       AreaWithin({{0.0, 0.0}, {40.0, 0.0}, {40.0, 10.0}, {10.0, 10.0}, {10.0, 40.0}, {0.0, 40.0}});
@@ -130,6 +141,29 @@ TEST_F(SafetySignsTest, MeasureHowFarItIsIntoAZone) {
   EXPECT_DOUBLE_EQ(Measure(Id::kOutsideRegion).value(), 0.0);
   signs_.Hear(AtPlace(14.0, 20.0), now_);
   EXPECT_NEAR(Measure(Id::kOutsideRegion).value(), 4.0, 0.01);
+}
+
+TEST_F(SafetySignsTest, MeasureHowFarItIsIntoAZoneByTheZonesOwnWidth) {
+  SurveyArea area{.north_min = 0.0, .north_max = 40.0, .east_min = 0.0, .east_max = 40.0};
+  signs_.Hear(area);
+  Enter("SURVEY");
+  signs_.Hear(AtPlace(5.0, 5.0), now_);
+  EXPECT_FALSE(Measure(Id::kInsideZone)) << "there is none";
+  area.keep_out = "{10,10:12,10:12,30:10,30}";
+  signs_.Hear(area);
+  EXPECT_DOUBLE_EQ(Measure(Id::kInsideZone).value(), 0.0);
+  signs_.Hear(AtPlace(20.0, 10.8), now_);
+  EXPECT_NEAR(Measure(Id::kInsideZone).value(), 80.0, 1.0);
+  EXPECT_NEAR(Measure(Id::kOutsideRegion).value(), 0.8, 0.01);
+}
+
+TEST_F(SafetySignsTest, MeasureNoZoneBeforeTheSurveyIsInsideItsRegion) {
+  SurveyArea area{.north_min = 0.0, .north_max = 40.0, .east_min = 0.0, .east_max = 40.0};
+  area.keep_out = "{10,10:12,10:12,30:10,30}";
+  signs_.Hear(area);
+  Enter("DIVE");
+  signs_.Hear(AtPlace(20.0, 11.0), now_);
+  EXPECT_FALSE(Measure(Id::kInsideZone));
 }
 
 TEST_F(SafetySignsTest, KeepTheAreaTheyHaveWhenOneComesThatCannotBe) {
@@ -162,6 +196,8 @@ TEST_F(SafetySignsTest, NoticeASensorThatSaysTheVerySame) {
   signs_.Hear(Velocity(0.501), now_);
   EXPECT_DOUBLE_EQ(Measure(Id::kDvlStuck).value(), 0.0);
   EXPECT_GT(Measure(Id::kAltitudeStuck).value(), 9.0);
+  signs_.Hear(ImuSample{.r = 0.01}, now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kImuStuck).value(), 0.0);
 }
 
 TEST_F(SafetySignsTest, TakeNoSensorThatIsSilentForStuck) {
@@ -183,6 +219,26 @@ TEST_F(SafetySignsTest, MissTheDvlFromTheDiveOn) {
   EXPECT_DOUBLE_EQ(Measure(Id::kDvlLost).value(), 2.0);
 }
 
+TEST_F(SafetySignsTest, CountTheDvlFromTheBeginOfADiveThatIsAnnouncedTwice) {
+  Enter("DIVE");
+  Wait(20.0);
+  Enter("DIVE");
+  EXPECT_DOUBLE_EQ(Measure(Id::kDvlSilent).value(), 20.0);
+}
+
+TEST_F(SafetySignsTest, TakeAVelocityThatLacksAnAxisForNone) {
+  Enter("DIVE");
+  Wait(9.0);
+  DvlSample dvl = Velocity(0.5);
+  dvl.w.reset();
+  signs_.Hear(dvl, now_);
+  dvl.v.reset();
+  signs_.Hear(dvl, now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDvlSilent).value(), 9.0);
+  signs_.Hear(Velocity(0.5), now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDvlSilent).value(), 0.0);
+}
+
 TEST_F(SafetySignsTest, MissAVelocityThatNavigationDoesNotTake) {
   Enter("DIVE");
   Wait(40.0);
@@ -201,6 +257,27 @@ TEST_F(SafetySignsTest, MissADepthSensorThatHasSpoken) {
   signs_.HearDepth(3.0, now_);
   Wait(7.0);
   EXPECT_DOUBLE_EQ(Measure(Id::kDepthSilent).value(), 7.0);
+}
+
+TEST_F(SafetySignsTest, MissASonarThatNeverSpokeIfTheVehicleHasOne) {
+  Enter("ALIGN");
+  Wait(20.0);
+  EXPECT_FALSE(Measure(Id::kSonarSilent)) << "a vehicle without";
+  signs_.ExpectSonar();
+  EXPECT_DOUBLE_EQ(Measure(Id::kSonarSilent).value(), 20.0);
+  signs_.Hear(SonarPing{.ranges = {4.0}}, now_);
+  Wait(12.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kSonarSilent).value(), 12.0);
+  Enter("DONE");
+  EXPECT_FALSE(Measure(Id::kSonarSilent)) << "not under way";
+}
+
+TEST_F(SafetySignsTest, NoticeASonarThatRepeatsItself) {
+  EXPECT_FALSE(Measure(Id::kSonarStuck));
+  signs_.Hear(SonarPing{.ranges = {4.0}}, now_);
+  Wait(12.0);
+  signs_.Hear(SonarPing{.ranges = {4.0}}, now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kSonarStuck).value(), 12.0);
 }
 
 TEST_F(SafetySignsTest, NoticeAnAltimeterThatSticksWhileTheVehicleDives) {
@@ -251,6 +328,22 @@ TEST_F(SafetySignsTest, NoticeAFixAfterADiveFarFromTheEstimate) {
   EXPECT_DOUBLE_EQ(Measure(Id::kGpsJump).value(), 48.5);
 }
 
+TEST_F(SafetySignsTest, CompareAFixAfterADiveWithNoEstimateThatIsOld) {
+  Enter("DIVE");
+  signs_.Hear(At(10.0, 0.0, 4.0), now_);
+  Wait(300.0);
+  signs_.Hear(GpsFix{.north = 60.0, .east = 0.0, .sd = 0.3}, now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kGpsJump).value(), 0.0);
+}
+
+TEST_F(SafetySignsTest, MeasureNoProgressByAnEstimateThatIsOld) {
+  signs_.Hear(At(0.0, 3.0, 4.0), now_);
+  Wait(10.0);
+  signs_.HearWantedSpeed(0.5, now_);
+  signs_.HearWantedCourse(0.0);
+  EXPECT_FALSE(Measure(Id::kNoProgress));
+}
+
 TEST_F(SafetySignsTest, MeasureWhatIsMadeGoodOnTheWantedCourse) {
   NavState nav = At(0.0, 3.0, 4.0);
   nav.u = -0.4;
@@ -292,6 +385,14 @@ TEST_F(SafetySignsTest, NoticeAHelmThatDecidesNothingButNotAnOperatorsOverride) 
   EXPECT_DOUBLE_EQ(Measure(Id::kHelmIdle).value(), 0.0);
 }
 
+TEST_F(SafetySignsTest, RememberThatTheHelmHasSteeredWhenItParks) {
+  signs_.HearHelmState("DRIVE", now_);
+  signs_.HearAllStop("clear", now_);
+  signs_.HearHelmState("PARK", now_);
+  signs_.HearAllStop("clear", now_);
+  EXPECT_EQ(signs_.phase(), SafetyPhase::kSurvey);
+}
+
 TEST_F(SafetySignsTest, TakeAMissionWithoutAManagerForUnderWayOnceItsHelmSteers) {
   EXPECT_EQ(signs_.phase(), SafetyPhase::kIdle);
   signs_.HearHelmState("PARK", now_);
@@ -316,6 +417,7 @@ TEST_F(SafetySignsTest, NoticeAnAppThatIsDown) {
 
 TEST_F(SafetySignsTest, CountEventsForAWhile) {
   signs_.HearClockSteps(0, now_);
+  signs_.HearClockSteps(0, now_);  // said each minute
   EXPECT_DOUBLE_EQ(Measure(Id::kClockStepped).value(), 0.0);
   signs_.HearClockSteps(1, now_);
   signs_.HearBehaviorError(now_);
@@ -350,6 +452,20 @@ TEST_F(SafetySignsTest, MissADetectorThatHasSpoken) {
   EXPECT_DOUBLE_EQ(Measure(Id::kDetectorLost).value(), 9.0);
 }
 
+TEST_F(SafetySignsTest, MissACameraThatNeverSpokeFromTheSurveyOn) {
+  Enter("DIVE");
+  Wait(60.0);
+  EXPECT_FALSE(Measure(Id::kDetectorSilent));
+  Enter("SURVEY");
+  Wait(25.0);
+  Enter("SURVEY");  // said again
+  EXPECT_DOUBLE_EQ(Measure(Id::kDetectorSilent).value(), 25.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDetectorLost).value(), 25.0);
+  EXPECT_FALSE(Measure(Id::kDetectorStorm));
+  Enter("RETURN");
+  EXPECT_FALSE(Measure(Id::kDetectorSilent));
+}
+
 TEST_F(SafetySignsTest, CountForHowLongTheLogHasNotBeenWritten) {
   EXPECT_FALSE(Measure(Id::kLogFailed)) << "a mission without a log";
   signs_.HearLog(false, now_);
@@ -378,13 +494,16 @@ TEST_F(SafetySignsTest, PassOnWhatTheVehicleSaysOfItself) {
   EXPECT_DOUBLE_EQ(Measure(Id::kDiskFull).value(), 120.0);
 }
 
-TEST_F(SafetySignsTest, TakeThePlannersTimeAndTheMemoryAsTheyAreSaid) {
+TEST_F(SafetySignsTest, TakeThePlannersTimeMemoryAndProcessorAsTheyAreSaid) {
   EXPECT_FALSE(Measure(Id::kPlannerSlow)) << "embedded, nobody says it";
   EXPECT_FALSE(Measure(Id::kMemoryHigh));
+  EXPECT_FALSE(Measure(Id::kProcessorHigh));
   signs_.HearPlanTime(0.3);
   signs_.HearMemory(800.0);
+  signs_.HearProcessor(95.0);
   EXPECT_DOUBLE_EQ(Measure(Id::kPlannerSlow).value(), 0.3);
   EXPECT_DOUBLE_EQ(Measure(Id::kMemoryHigh).value(), 800.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kProcessorHigh).value(), 95.0);
 }
 
 }  // namespace
