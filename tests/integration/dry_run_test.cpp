@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -131,8 +132,34 @@ TEST(DryRun, PrintsTheCheckAndItsFlightsAsOneObjectOfJson) {
   const auto out = CheckedBasin("7", 0);
   EXPECT_TRUE(out["syntax"].empty());
   EXPECT_EQ(out["dry_run"]["is_refused"], false);
-  ASSERT_EQ(out["dry_run"]["flights"].size(), 1U);
-  EXPECT_EQ(out["dry_run"]["flights"][0]["ended"], "home");
+  const auto& flights = out["dry_run"]["flights"];
+  ASSERT_EQ(flights.size(), 2U);
+  for (const auto& [flight, session] :
+       {std::pair{flights[0], "discovery"}, {flights[1], "change"}}) {
+    EXPECT_EQ(flight["session"], session);
+    EXPECT_EQ(flight["seed"], 1);
+    EXPECT_EQ(flight["ended"], "home");
+    EXPECT_GT(flight["way_m"], 20.0);
+  }
+}
+
+TEST(DryRun, FliesNoChangeSessionOfAMissionThatKeepsNothing) {
+  const fs::path basin = fs::path(LIMPET_SOURCE_DIR) / "missions/basin";
+  const TrialPlaces places{.mission_folder = basin, .scratch = {}};
+  MissionFile mission = PreparedForDryRun(LoadMission(basin / "mission.moos"));
+  EXPECT_THAT(DrySessions(mission, places), ElementsAre("discovery", "change"));
+  std::erase_if(mission.launches,
+                [](const LaunchEntry& launch) { return launch.binary == "pSession"; });
+  EXPECT_THAT(DrySessions(mission, places), ElementsAre("discovery"));
+}
+
+TEST(DryRun, TheChangeSessionIsComparedWithWhatTheDiscoveryKept) {
+  const TemporaryFolder folder;
+  const fs::path basin = fs::path(LIMPET_SOURCE_DIR) / "missions/basin";
+  MissionFile mission = PreparedForDryRun(LoadMission(basin / "mission.moos"));
+  const TrialPlaces places{.mission_folder = basin, .scratch = folder.path()};
+  EXPECT_THROW(static_cast<void>(FlyDry(mission, places, 3, "change")), ConfigError)
+      << "there is no former session yet";
 }
 
 TEST(DryRun, FliesNothingWhereTheMissionCannotWork) {

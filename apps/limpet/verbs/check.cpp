@@ -28,9 +28,10 @@ Command CheckForm() {
           "Says everything that is wrong with a mission, with file and line, and runs "
           "nothing: what cannot be read, what cannot work (with its scenario.yaml: water, "
           "currents, places), and, as notes, what belongs to other people's apps or is "
-          "near a limit. With --dry-run it then flies the mission's first session in "
-          "simulation, with boxes for a camera and all safety rules armed, in the scenario's "
-          "water and with its battery, and refuses it if a rule trips that asks for more than a "
+          "near a limit. With --dry-run it then flies the mission in simulation, "
+          "its change session after its discovery, with boxes for a camera and all safety rules "
+          "armed, in the scenario's water and with its battery, and refuses it if a rule trips "
+          "that asks for more than a "
           "warning, if the energy does not reach home with its reserve, or if it does not "
           "come home.",
       .options = {{.names = "--json", .meaning = "as JSON"},
@@ -39,7 +40,7 @@ Command CheckForm() {
                   {.names = "--dry-run", .meaning = "flies the mission, too"},
                   {.names = "--seeds",
                    .value = "N",
-                   .meaning = "so many flights",
+                   .meaning = "so many seeds, each with all sessions",
                    .fallback = "3",
                    .rule = WholeNumber(1)},
                   {.names = "--seed",

@@ -45,8 +45,8 @@ std::string EnergyText(const DryFlight& flight) {
 std::string LineOf(const SeedFlight& flown) {
   const DryFlight& flight = flown.flight;
   const std::vector<std::string> objections = flight.Objections(), remarks = flight.Remarks();
-  return fmt::format("seed {}: {}, {:.0f} s, {:.0f} m{}{}{}", flown.seed, flight.ended,
-                     flight.duration_s, flight.way_m, EnergyText(flight),
+  return fmt::format("seed {}, {}: {}, {:.0f} s, {:.0f} m{}{}{}", flown.seed, flight.session,
+                     flight.ended, flight.duration_s, flight.way_m, EnergyText(flight),
                      objections.empty() ? "" : fmt::format(": {}", fmt::join(objections, "; ")),
                      remarks.empty() ? "" : fmt::format("; note: {}", fmt::join(remarks, "; ")));
 }
@@ -72,15 +72,11 @@ nlohmann::ordered_json JsonOf(const SeedFlight& flown) {
   for (const TrippedRule& tripped : flight.tripped) {
     rules.push_back(JsonOf(tripped));
   }
-  return {{"seed", flown.seed},
-          {"ended", flight.ended},
-          {"duration_s", flight.duration_s},
-          {"way_m", flight.way_m},
-          {"home_error_m", flight.home_error_m},
-          {"down_m", flight.down_m},
-          {"energy", JsonOf(flight.energy)},
-          {"rules", rules},
-          {"objections", flight.Objections()},
+  return {{"seed", flown.seed},       {"session", flight.session},
+          {"ended", flight.ended},    {"duration_s", flight.duration_s},
+          {"way_m", flight.way_m},    {"home_error_m", flight.home_error_m},
+          {"down_m", flight.down_m},  {"energy", JsonOf(flight.energy)},
+          {"rules", rules},           {"objections", flight.Objections()},
           {"notes", flight.Remarks()}};
 }
 
@@ -104,11 +100,14 @@ DryRun FlyDryRun(const fs::path& path, const DryRunSeeds& seeds,
   DryRun run;
   for (int i = 0; i < seeds.count && !run.is_interrupted; ++i) {
     const std::uint64_t seed = seeds.first + static_cast<std::uint64_t>(i);
-    SeedFlight flown{.seed = seed, .flight = FlyDry(mission, places, seed)};
-    run.is_interrupted = interrupt_requested;
-    if (run.is_interrupted) break;
-    told(flown);
-    run.flights.push_back(std::move(flown));
+    for (const std::string& session : DrySessions(mission, places)) {
+      SeedFlight flown{.seed = seed, .flight = FlyDry(mission, places, seed, session)};
+      run.is_interrupted = interrupt_requested;
+      if (run.is_interrupted) break;
+      told(flown);
+      run.flights.push_back(std::move(flown));
+      if (IsRefused(run.flights.back())) break;  // what it saved is no session to come back to
+    }
   }
   return run;
 }

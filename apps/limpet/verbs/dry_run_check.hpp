@@ -33,9 +33,9 @@ struct DryRun {
   [[nodiscard]] int ExitCode() const;
 };
 
-/// Flies a mission embedded, once for each seed; `told` hears of each flight at its end. `path`: a
-/// mission folder or .moos file. Throws UsageError for a mission that such a flight says nothing
-/// of.
+/// Flies a mission embedded, all its sessions once for each seed, up to one that is refused; `told`
+/// hears of each flight at its end. `path`: a mission folder or .moos file. Throws UsageError for a
+/// mission that such a flight says nothing of.
 [[nodiscard]] DryRun FlyDryRun(const std::filesystem::path& path, const DryRunSeeds& seeds,
                                const std::function<void(const SeedFlight&)>& told);
 void PrintFlight(const SeedFlight& flown);

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include <fmt/format.h>
 
+#include "limpet/mission/scenario.hpp"
 #include "limpet/runs/session_runner.hpp"
 #include "limpet/topics/energy.hpp"
 #include "limpet/topics/mission.hpp"
@@ -14,6 +16,10 @@
 namespace limpet {
 namespace {
 
+namespace fs = std::filesystem;
+
+constexpr const char* kFirst = "discovery";
+constexpr const char* kSecond = "change";
 constexpr double kAtHome_m = 5.0;     ///< the last fix shows it nearer or farther by that
 constexpr double kAtSurface_m = 0.5;  ///< a vehicle that is shallower has come up
 
@@ -124,26 +130,40 @@ std::vector<std::string> DryFlight::Remarks() const {
 bool TrippedRule::IsWarning() const { return action == NameOf(SafetyAction::kWarn); }
 
 MissionFile PreparedForDryRun(MissionFile mission) {
-  std::erase_if(mission.launches, [](const LaunchEntry& launch) {
-    return launch.binary == "pLog" || launch.binary == "pSession";
-  });
+  std::erase_if(mission.launches,
+                [](const LaunchEntry& launch) { return launch.binary == "pLog"; });
   for (const char* setting : {"uSimCamera.camera=boxes", "uSimVehicle.integrator=rk4"}) {
     ApplySetting(mission, setting);
   }
   return mission;
 }
 
-DryFlight FlyDry(const MissionFile& mission, const TrialPlaces& places, std::uint64_t seed) {
+std::vector<std::string> DrySessions(const MissionFile& mission, const TrialPlaces& places) {
+  const std::vector<std::string> apps = EmbeddedApps(mission);
+  const fs::path scenario = places.mission_folder / "scenario.yaml";
+  std::vector<std::string> sessions{kFirst};
+  if (std::ranges::find(apps, "pSession") == apps.end() || !fs::exists(scenario)) return sessions;
+  const std::vector<std::string> said = SessionsOf(LoadScenario(scenario));
+  if (std::ranges::find(said, kSecond) != said.end()) sessions.emplace_back(kSecond);
+  return sessions;
+}
+
+DryFlight FlyDry(const MissionFile& mission, const TrialPlaces& places, std::uint64_t seed,
+                 const std::string& session) {
+  const fs::path run = places.scratch / fmt::format("seed-{}", seed);
   SessionPlan plan;
-  plan.session = "discovery";
+  plan.session = session;
   plan.mission_folder = places.mission_folder;
-  plan.run_folder = places.scratch;
+  plan.run_folder = run / session;
+  if (session != kFirst) plan.prior_folder = run / kFirst;
   plan.seed = seed;
   plan.delivers_truth_on_board = false;
   DryWatch watch;
   const SessionOutcome outcome =
       RunSession(mission, plan, [&watch](const Message& message) { watch.Hear(message); });
-  return watch.Flight(outcome);
+  DryFlight flight = watch.Flight(outcome);
+  flight.session = session;
+  return flight;
 }
 
 }  // namespace limpet

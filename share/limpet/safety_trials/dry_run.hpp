@@ -31,6 +31,7 @@ struct FlightEnergy {
 
 /// What came of a flight.
 struct DryFlight {
+  std::string session = "discovery";
   std::string ended;  ///< home, aborted, timeout, lost
   double duration_s = 0.0;
   double way_m = 0.0;                  ///< true
@@ -45,11 +46,17 @@ struct DryFlight {
   [[nodiscard]] std::vector<std::string> Remarks() const;
 };
 
-/// A mission that is flown as it is, but with boxes for a camera and without files.
+/// A mission that is flown as it is, but with boxes for a camera and without a log.
 [[nodiscard]] MissionFile PreparedForDryRun(MissionFile mission);
 
-/// `mission` as prepared; its first session. Throws ConfigError if it cannot be flown.
+/// The sessions of a mission in their order: a discovery and, where it keeps what it found and its
+/// scenario says what is there then, a change session that is compared with it.
+[[nodiscard]] std::vector<std::string> DrySessions(const MissionFile& mission,
+                                                   const TrialPlaces& places);
+
+/// `mission` as prepared; one of its sessions, after those before it were flown with this seed.
+/// Throws ConfigError if it cannot be flown.
 [[nodiscard]] DryFlight FlyDry(const MissionFile& mission, const TrialPlaces& places,
-                               std::uint64_t seed);
+                               std::uint64_t seed, const std::string& session = "discovery");
 
 }  // namespace limpet
