@@ -12,11 +12,13 @@
 namespace limpet {
 
 void BHV_AbortToPoint::Params::Describe(ParamCollector& visit) {
-  visit.Parsed("point", "x,y", "Where: x east, y north of the datum [m]; none: it stops instead",
+  visit.Parsed("point", "x,y",
+               "Where: x east, y north of the datum [m]; until it is known, the vehicle is stopped",
                "", [this](std::string_view text) {
                  point = ParsePoint(text);
                  return text.empty() || point.has_value();
                });
+  visit.NeededUnless("updates");
   visit.Required("speed", speed, "Speed on the way",
                  InRange(MetersPerSecond(0.01), MetersPerSecond(100.0)));
   visit("radius", radius, "This near it has arrived", InRange(Meters(0.1), Meters(1e5)));

@@ -27,6 +27,12 @@ ConfigProblem Missing(const ConfigBlock& block, const ParamSpec& spec) {
                       spec.allowed, spec.is_repeatable ? " (may repeat)" : "")};
 }
 
+ConfigProblem MissingBoth(const ConfigBlock& block, const ParamSpec& spec) {
+  return {block.where, spec.name,
+          fmt::format("is missing in {}, and so is `{}`, which could bring it; allowed: {}",
+                      block.name, spec.needed_unless, spec.allowed)};
+}
+
 /// `[1, 2, 3]`, `1, 2, 3` or `1 2 3`.
 template <int N>
 std::optional<Eigen::Matrix<double, N, 1>> ParseNumbers(std::string_view text) {
@@ -322,8 +328,10 @@ std::vector<ConfigProblem> ApplyBlock(const ConfigBlock& block, const std::vecto
                      nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest))});
   }
   for (const ParamSpec& spec : specs) {
-    if (spec.is_required && std::ranges::find(given, spec.name) == given.end()) {
-      problems.push_back(Missing(block, spec));
+    if (std::ranges::find(given, spec.name) != given.end()) continue;
+    if (spec.is_required) problems.push_back(Missing(block, spec));
+    if (!spec.needed_unless.empty() && block.Find(spec.needed_unless) == nullptr) {
+      problems.push_back(MissingBoth(block, spec));
     }
   }
   return problems;

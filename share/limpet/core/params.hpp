@@ -45,7 +45,8 @@ struct ParamSpec {
   std::string allowed;       ///< e.g. "1 to 6000 m"
   std::string help;
   bool is_repeatable = false;
-  bool is_required = false;  ///< a block must say it
+  bool is_required = false;     ///< a block must say it
+  std::string needed_unless{};  ///< a block must say it, or this key, which may bring it later
   /// Values as a block may give them, one per line: the default, or of a required parameter what
   /// the struct is initialised with.
   std::vector<std::string> example{};
@@ -115,6 +116,9 @@ class ParamCollector {
     specs_.back().is_required = true;
     specs_.back().default_text.clear();
   }
+
+  /// A block must say the parameter declared last, unless it has the key `other`.
+  void NeededUnless(const char* other) { specs_.back().needed_unless = other; }
 
   [[nodiscard]] const std::vector<ParamSpec>& specs() const { return specs_; }
 

@@ -57,6 +57,7 @@ std::vector<std::string> CommonKeysOf(Kind kind) {
 
 std::string DefaultOf(const ParamSpec& parameter) {
   if (parameter.is_required) return "required";
+  if (!parameter.needed_unless.empty()) return "required unless " + parameter.needed_unless;
   const std::string text = parameter.default_text.empty() ? "(empty)" : parameter.default_text;
   return parameter.unit.empty() ? text : text + " " + parameter.unit;
 }

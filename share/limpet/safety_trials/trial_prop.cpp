@@ -20,11 +20,12 @@ namespace {
 constexpr double kObstacleAhead_m = 8.0;  ///< of the start: well within a sonar's reach
 constexpr double kZoneGap_m = 1.0, kZoneWidth_m = 8.0, kZoneOverhang_m = 40.0;
 
-/// A behavior that stops the vehicle throughout the phase: one without a point to go to.
+/// A behavior that stops the vehicle throughout the phase: one that still waits for its point.
 void AddFailingBehavior(MissionFile& mission, const TrialPlaces& places, SafetyPhase phase) {
   const std::filesystem::path file = std::filesystem::absolute(places.scratch / "failing.bhv");
   std::ofstream(file) << fmt::format(
-      "Behavior = BHV_AbortToPoint\n{{\n  name = failing\n  speed = 0.1\n"
+      "Behavior = BHV_AbortToPoint\n{{\n  name = failing\n  speed = 0.1\n  updates = "
+      "FAILING_POINT\n"
       "  condition = SURVEY_PHASE = {}\n}}\n",
       WordOf(phase));
   AddLine(mission, "pHelm", {.key = "behaviors", .value = file.string(), .where = {}});

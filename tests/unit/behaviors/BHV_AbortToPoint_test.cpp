@@ -67,7 +67,17 @@ TEST(BhvAbortToPoint, GoesToAnotherPointByAnUpdate) {
   EXPECT_THAT(flight.Posts("ABORTED"), SizeIs(2));
 }
 
-TEST(BhvAbortToPoint, StopsTheVehicleWhereNobodyHasSaidWhereTo) {
+TEST(BhvAbortToPoint, IsRefusedWhereNobodyWillEverSayWhereTo) {
+  try {
+    const HelmFlight flight("Behavior = BHV_AbortToPoint\n{\n  name = abort\n  speed = 1\n}\n");
+    FAIL() << "it would stop the vehicle where it is to bring it home";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr(":1: point: is missing in BHV_AbortToPoint, and so is "
+                                        "`updates`, which could bring it; allowed: x,y"));
+  }
+}
+
+TEST(BhvAbortToPoint, StopsTheVehicleWhereNobodyHasSaidYetWhereTo) {
   HelmFlight flight(AbortBlock(""));
   flight.Say("ABORT", std::string("true"));
   flight.Tick();

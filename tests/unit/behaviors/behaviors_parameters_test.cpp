@@ -45,6 +45,9 @@ ConfigBlock BlockOf(const std::vector<ParamSpec>& specs) {
   ConfigBlock block{.name = "BHV", .where = {"mission.bhv", 3}, .entries = {}};
   for (const ParamSpec& spec : specs) {
     if (spec.is_required) block.entries.push_back({spec.name, spec.example[0], {"mission.bhv", 4}});
+    if (!spec.needed_unless.empty()) {
+      block.entries.push_back({spec.needed_unless, "ANEW", {"mission.bhv", 5}});
+    }
   }
   return block;
 }
