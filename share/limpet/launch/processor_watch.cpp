@@ -12,11 +12,11 @@ constexpr Seconds kMeanOver(20.0);
 
 }  // namespace
 
-void ProcessorWatch::Hear(const std::vector<ProcessUse>& processes, Seconds now) {
+void ProcessorWatch::Hear(const std::vector<ProcessorUsage>& processes, Seconds now) {
   const double elapsed = (now - std::exchange(heard_, now)).value();
   const double weight = 1.0 - std::exp(-elapsed / kMeanOver.value());
   std::vector<Kept> kept;
-  for (const ProcessUse& use : processes) {
+  for (const ProcessorUsage& use : processes) {
     const auto former = std::ranges::find_if(
         kept_, [&use](const Kept& candidate) { return candidate.use.pid == use.pid; });
     Kept& is = kept.emplace_back(Kept{.use = use, .share = {}});

@@ -13,7 +13,7 @@
 namespace limpet {
 
 /// Time on processors that a process has had since its start.
-struct ProcessUse {
+struct ProcessorUsage {
   std::string name;
   pid_t pid = 0;
   Seconds used;
@@ -28,13 +28,13 @@ class ProcessorWatch {
 
   /// Processes as they are at `now`, real time, which does not go back. One under another pid than
   /// before is a new one.
-  void Hear(const std::vector<ProcessUse>& processes, Seconds now);
+  void Hear(const std::vector<ProcessorUsage>& processes, Seconds now);
   /// Nothing until two looks have shown how much a process used between them.
   [[nodiscard]] std::optional<ProcessorLoad> busiest() const;
 
  private:
   struct Kept {
-    ProcessUse use;
+    ProcessorUsage use;
     std::optional<double> share;  ///< of a core
   };
   double warp_;

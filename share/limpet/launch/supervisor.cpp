@@ -256,8 +256,8 @@ std::optional<double> Supervisor::ResidentMib() const {
   return sum;
 }
 
-std::vector<ProcessUse> Supervisor::ProcessorUse() const {
-  std::vector<ProcessUse> uses;
+std::vector<ProcessorUsage> Supervisor::ProcessorUse() const {
+  std::vector<ProcessorUsage> uses;
   for (const Child& child : children_) {
     const std::optional<Seconds> used =
         child.pid > 0 ? ProcessorTime(child.pid) : std::optional<Seconds>();

@@ -63,7 +63,7 @@ class Supervisor {
   [[nodiscard]] std::optional<double> ResidentMib() const;
   /// What each process that runs has had of the processors; those that the system does not know
   /// are left out.
-  [[nodiscard]] std::vector<ProcessUse> ProcessorUse() const;
+  [[nodiscard]] std::vector<ProcessorUsage> ProcessorUse() const;
   /// True if a process was given up.
   [[nodiscard]] bool has_given_up() const { return has_given_up_; }
   /// Name of a process given up without which the mission cannot go on.
