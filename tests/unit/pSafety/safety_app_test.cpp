@@ -137,8 +137,9 @@ TEST_F(SafetyAppTest, StartedAgainItDoesNotTakeItsNewWordsForFormerOnes) {
   AppContext context = SafetyContext(link_);
   context.is_restarted = true;
   SafetyApp again(context, {});
-  link_.Send(again, topics::kSafetyState,
-             SafetyState{.rules = {{.rule = "leak", .margin = {}, .stands = "abort"}}});
+  SafetyState own;
+  own.rules.push_back({.rule = "leak", .margin = {}, .stands = "abort"});
+  link_.Send(again, topics::kSafetyState, own);
   for (int i = 0; i < 15; ++i) {
     link_.time += Seconds(0.2);
     again.Iterate(link_.time);
