@@ -23,7 +23,7 @@ constexpr TrialLimit BeyondCalm(double by) {
 constexpr TrialLimit AtBegin() { return {.kind = TrialLimit::Kind::kAtBegin}; }
 
 // clang-format off
-constexpr std::array<SafetyCase, 47> kCases{{
+constexpr std::array<SafetyCase, 48> kCases{{
     {"leak", "what: leak", Id::kLeak, Seconds(3.0)},
     {"battery low", "what: battery", Id::kBatteryLow, Seconds(12.0)},
     {"battery critical", "what: battery, size: 0.05", Id::kBatteryCritical, Seconds(12.0)},
@@ -31,7 +31,9 @@ constexpr std::array<SafetyCase, 47> kCases{{
     {"cells lost", "what: cells_lost", Id::kGaugeOff, Seconds(50.0)},
     {"DVL silent", "what: dvl_silent", Id::kDvlSilent, Seconds(31.0)},
     {"DVL without lock", "what: dvl_no_lock", Id::kDvlSilent, Seconds(31.0)},
-    {"DVL flipped", "what: dvl_flipped", Id::kDvlSilent, Seconds(50.0)},
+    {"DVL flipped", "what: dvl_flipped", Id::kDvlSilent, Seconds(50.0), kFromSurvey},
+    // Of a vehicle that has not moved yet nothing tells it apart: it shows where a survey gets nowhere.
+    {"DVL flipped early", "what: dvl_flipped", Id::kNoProgress, Seconds(75.0), kFromAlign, kToDive},
     {"DVL stuck", "what: dvl_stuck", Id::kDvlStuck, Seconds(6.0)},
     {"altitude stuck", "what: altitude_stuck", Id::kAltitudeStuck, Seconds(6.0)},
     {"altitude off", "what: altitude_biased", Id::kDepthAgainstAltitude, Seconds(6.0), kFromDive},
