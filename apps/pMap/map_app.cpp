@@ -55,6 +55,7 @@ void MapApp::OnArea(const Stamped<SurveyArea>& area) {
     area_ = area.value;
     ground_.emplace(area.value, params_.cell, camera_, map_.beams(), params_.seam_loss);
     ground_->SetReach(PlannedDetection().HalfRange());
+    ground_->SetObstacles(obstacle_finder_.obstacles());
   }
 }
 
@@ -178,6 +179,8 @@ void MapApp::TellObstacles() {
   if (!obstacle_finder_.Update()) return;
   PaintObstacles();
   const std::vector<Obstacle>& obstacles = obstacle_finder_.obstacles();
+  statuses_.SetObstacles(obstacles);
+  if (ground_) ground_->SetObstacles(obstacles);
   Publish(topics::kMapObstacles, Obstacles{obstacles});
   const ObstacleNotices::News news = obstacle_notices_.Of(obstacles);
   for (const std::string& alert : news.alerts) {

@@ -50,6 +50,7 @@ SimCameraApp::SimCameraApp(const AppContext& context, const Params& params)
       motions_.push_back(opi.motion);
     }
   }
+  bodies_ = BodiesOf(scenario);
   seabed_ = Seabed(scenario.seabed);
   errors_ = scenario.errors.camera;
   faults_ = FaultSchedule(scenario.faults);
@@ -106,10 +107,29 @@ void SimCameraApp::MakeCamera(const AppContext& context, const Scenario& scenari
 }
 
 Image SimCameraApp::Picture(const Stamped<SimTruth>& truth, std::span<const Sphere> shown) {
-  if (renderer_) return renderer_->Render(truth.value.pose(), shown, frame_);
-  for (std::size_t i = 0; i < solids_.size(); ++i)
-    solids_[i].p_W = shown[i].p_W;
-  return pictures_->Render(truth.value.pose(), solids_, frame_, truth.time - *start_);
+  if (renderer_) return renderer_->Render(truth.value.pose(), InSight(truth.value, shown), frame_);
+  std::vector<Solid> solids;
+  for (std::size_t i = 0; i < solids_.size(); ++i) {
+    if (IsHidden(truth.value, shown[i])) continue;
+    solids.push_back(solids_[i]);
+    solids.back().p_W = shown[i].p_W;
+  }
+  return pictures_->Render(truth.value.pose(), solids, frame_, truth.time - *start_);
+}
+
+bool SimCameraApp::IsHidden(const SimTruth& truth, const Sphere& sphere) const {
+  const Pose X_WB = truth.pose();
+  const Eigen::Vector3d eye_W = X_WB.p_WB + RotationOf(X_WB) * camera_.p_BC;
+  return std::ranges::any_of(
+      bodies_, [&](const UprightBody& body) { return body.IsBetween(eye_W, sphere.p_W); });
+}
+
+std::vector<Sphere> SimCameraApp::InSight(const SimTruth& truth,
+                                          std::span<const Sphere> shown) const {
+  std::vector<Sphere> in_sight(shown.begin(), shown.end());
+  if (bodies_.empty()) return in_sight;
+  std::erase_if(in_sight, [&](const Sphere& sphere) { return IsHidden(truth, sphere); });
+  return in_sight;
 }
 
 void SimCameraApp::OnTruth(const Stamped<SimTruth>& truth) {
@@ -162,7 +182,7 @@ CameraFrame SimCameraApp::MakeImage(const Stamped<SimTruth>& truth, std::span<co
 Detections SimCameraApp::MakeBoxes(const SimTruth& truth, std::span<const Sphere> shown,
                                    Seconds stamp) {
   Detections seen{.frame = static_cast<int>(frame_), .exposure = stamp, .boxes = {}};
-  for (const Box& box : box_model_.Detect(truth.pose(), shown, box_random_)) {
+  for (const Box& box : box_model_.Detect(truth.pose(), InSight(truth, shown), box_random_)) {
     if (const auto distorted = Distorted(lens_, box)) seen.boxes.push_back(*distorted);
   }
   AddFalseBoxes(seen.boxes);

@@ -60,6 +60,11 @@ class SimCameraApp final : public App {
 
  private:
   void OnTruth(const Stamped<SimTruth>& truth);
+  /// Whether one of the scenario's obstacles stands before an object's middle.
+  [[nodiscard]] bool IsHidden(const SimTruth& truth, const Sphere& sphere) const;
+  /// Those that no obstacle hides.
+  [[nodiscard]] std::vector<Sphere> InSight(const SimTruth& truth,
+                                            std::span<const Sphere> shown) const;
   /// Where the objects appear to be in an image taken now.
   [[nodiscard]] std::vector<Sphere> Shown(const Stamped<SimTruth>& truth);
   void MakeCamera(const AppContext& context, const Scenario& scenario);
@@ -84,6 +89,7 @@ class SimCameraApp final : public App {
   StampError stamp_;
   std::vector<Sphere> spheres_;              ///< in their places
   std::vector<ObjectMotionParams> motions_;  ///< of each
+  std::vector<UprightBody> bodies_;          ///< that the camera does not see through
   std::optional<Seconds> start_;             ///< of the session
   std::optional<SceneRenderer> renderer_;    ///< of the plain look, unless boxes are drawn
   std::vector<Solid> solids_;                ///< the spheres' forms, for the real look

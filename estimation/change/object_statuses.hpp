@@ -68,6 +68,11 @@ class ObjectStatuses {
   /// What the former session would have seen at places where it lists nothing. A session whose
   /// views are not known has looked nowhere: it proves nothing about such a place.
   void SetFormerViews(FormerViews views);
+  /// What stands between the camera and a place has it not looked at. Counts for frames that come;
+  /// for former ones with the next Rejudge.
+  void SetObstacles(const std::vector<Obstacle>& obstacles) {
+    model_.obstacles = SightObstacles(obstacles);
+  }
   /// Frames in order of time.
   void AddFrame(ObservedFrame frame);
   /// Takes kept frames along when the track behind the vehicle has moved; `moved` gives the new
@@ -77,8 +82,8 @@ class ObjectStatuses {
   /// former object each of them is, if any, is taken as they say it.
   void SetLandmarks(const std::vector<Landmark>& landmarks);
   /// Judges every place again from all frames, exactly where it now is, with the rate of false
-  /// boxes that these frames show. After this what is believed depends on the frames, the landmarks
-  /// and the former session alone, not on how they came.
+  /// boxes that these frames show. After this what is believed depends on the frames, the
+  /// landmarks, the obstacles and the former session alone, not on how they came.
   void Rejudge();
 
   /// All objects, former ones first, then by id. What is certainly nothing is left out.

@@ -132,6 +132,7 @@ void PlaceWatch::See(const ObservedFrame& frame, const WatchModel& model, const 
   for (Spot& spot : spots_) {
     const PerVisibility detects = ChancesToDetect(look, frame.X_WB, spot.p_W, visibilities);
     if (detects.maxCoeff() < model.least_detection && !has_own) continue;
+    if (!has_own && model.obstacles.Hide(EyeOf(model.camera, frame.X_WB), spot.p_W)) continue;
     spot.log.Add({.time = frame.exposure.value(),
                   .p_OC = frame.X_WB.p_WB - spot.p_W,
                   .detects = has_own ? PerVisibility(detects.max(model.least_detection)) : detects,

@@ -9,6 +9,7 @@
 #include "estimation/matching/session_matching.hpp"
 #include "limpet/objects/frame.hpp"
 #include "limpet/survey/detection_model.hpp"
+#include "limpet/survey/sight_obstacles.hpp"
 
 namespace limpet {
 
@@ -20,6 +21,7 @@ struct WatchModel {
   double least_detection = 0.2;  ///< frames with less chance of a box say nothing
   /// Visibilities that the water may have [m]; nothing: it has the one of `detection`.
   std::optional<PerVisibility> visibilities = std::nullopt;
+  SightObstacles obstacles{};  ///< that the camera does not see through
 };
 
 /// Where an uncertain place lies in a frame.

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "limpet/survey/seam_allowance.hpp"
+#include "limpet/survey/standing_ground.hpp"
 
 namespace limpet {
 
@@ -22,8 +24,22 @@ AnchoredGrid::AnchoredGrid(const SurveyArea& area, Meters cell, const CameraMode
 
 int AnchoredGrid::Lay(const PlacedView& view, SurveyGrid& grid, CoverageBelief& belief) const {
   const double allowance = SeamAllowance(Meters(view.sigma.beside), seam_loss_);
-  const int cells = grid.Observe(view.X_WB, view.altitude, camera_, allowance);
-  return cells + belief.Observe(view, camera_, grid);
+  const Shadows shadows = ShadowsOf(view);
+  const int cells = grid.Observe(view.X_WB, view.altitude, camera_, allowance, shadows);
+  return cells + belief.Observe(view, camera_, grid, shadows);
+}
+
+Shadows AnchoredGrid::ShadowsOf(const PlacedView& view) const {
+  if (sight_obstacles_.empty()) return {};
+  constexpr double kTilted = 1.5;  // an image of a vehicle that rolls reaches farther
+  const double reach =
+      kTilted * view.altitude * std::hypot(camera_.half_along(), camera_.half_across());
+  return sight_obstacles_.From(EyeOf(camera_, view.X_WB), reach);
+}
+
+bool AnchoredGrid::HasShadows() const {
+  return std::ranges::any_of(frames_,
+                             [this](const Frame& frame) { return !ShadowsOf(frame.view).empty(); });
 }
 
 void AnchoredGrid::Observe(const PlacedView& view) {
@@ -35,6 +51,7 @@ void AnchoredGrid::Observe(const PlacedView& view) {
                      .moved = {}});
   Lay(view, grid_, belief_);
   ++frames_since_judged_;
+  if (frames_since_sight_) ++*frames_since_sight_;
   const double allowance = SeamAllowance(Meters(view.sigma.beside), seam_loss_);
   recent_allowance_ += (allowance - recent_allowance_) / kFrames;
 }
@@ -73,10 +90,24 @@ int AnchoredGrid::LayPings(SurveyGrid& grid, std::size_t& next, std::size_t end)
 void AnchoredGrid::SetReach(double reach) {
   reach_ = reach;
   grid_.SetReach(reach);
-  belief_.NoteOtherReach();
+  belief_.CountAnew();
   if (!remake_) return;
   remake_->grid.SetReach(reach);
-  remake_->belief.NoteOtherReach();
+  remake_->belief.CountAnew();
+}
+
+void AnchoredGrid::SetObstacles(const std::vector<Obstacle>& obstacles) {
+  std::optional<PlanePoint> vehicle;
+  if (!frames_.empty()) vehicle = frames_.back().view.X_WB.p_WB.head<2>();
+  std::vector<std::uint32_t> standing = StandingGround(obstacles, grid_.frame(), vehicle);
+  const bool had_shadows = HasShadows();
+  sight_obstacles_ = SightObstacles(obstacles);
+  if (had_shadows || HasShadows()) frames_since_sight_ = 0;
+  if (remake_ && remake_->grid.SetStanding(standing)) remake_->belief.CountAnew();
+  if (!grid_.SetStanding(std::move(standing))) return;
+  belief_.CountAnew();
+  frames_since_judged_ = std::max(1, frames_since_judged_);
+  frames_at_last_call_ = frames_since_judged_;
 }
 
 bool AnchoredGrid::ShowsOtherGround(const Frame& frame) const {
@@ -107,6 +138,7 @@ void AnchoredGrid::Shift(const TrackShift& shift) {
 
 void AnchoredGrid::StartRemake() {
   is_stale_ = false;
+  frames_since_sight_.reset();
   for (Frame& frame : frames_) {
     frame.moved = {};
     frame.beside_as_laid = static_cast<float>(frame.view.sigma.beside);
@@ -123,6 +155,8 @@ void AnchoredGrid::StartRemake() {
 // A shift that comes meanwhile moves frames that were taken already: then it is begun anew once it
 // is done, so that it is done at last however often shifts come.
 bool AnchoredGrid::Settle(int work) {
+  constexpr int kNoNews = 40;  // frames: ten seconds in which no more was found
+  is_stale_ = is_stale_ || frames_since_sight_.value_or(0) >= kNoNews;
   if (!remake_ && is_stale_ && beams_->is_settled()) {
     StartRemake();
   }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <deque>
 #include <optional>
+#include <vector>
 
 #include "estimation/mapping/beam_map.hpp"
 #include "limpet/survey/coverage_belief.hpp"
@@ -35,6 +36,10 @@ class AnchoredGrid {
   /// The pings that the beams have had since the last call.
   void TakePings();
   void SetReach(double reach);
+  /// All that stands in the way, as it is known now: its ground is not to be seen, and what it
+  /// hides is not. What former images showed is counted anew once no more has been found for a
+  /// while.
+  void SetObstacles(const std::vector<Obstacle>& obstacles);
   /// The track behind has moved; the beams are to be told, too.
   void Shift(const TrackShift& shift);
   /// Goes on making the grid anew if it must be; waits for the beams to be where they belong.
@@ -70,6 +75,9 @@ class AnchoredGrid {
   /// Shows a frame to a grid and the belief; returns the cells they looked at.
   int Lay(const PlacedView& view, SurveyGrid& grid, CoverageBelief& belief) const;
   void StartRemake();
+  [[nodiscard]] Shadows ShadowsOf(const PlacedView& view) const;
+  /// Whether there is a frame that obstacles hide something from.
+  [[nodiscard]] bool HasShadows() const;
   /// Lays pings into the grid from `next` up to `end`; returns the cells it looked at.
   int LayPings(SurveyGrid& grid, std::size_t& next, std::size_t end) const;
 
@@ -85,6 +93,8 @@ class AnchoredGrid {
   double recent_allowance_ = 0.0;
   std::deque<Frame> frames_;
   std::size_t first_ping_, next_ping_;
+  SightObstacles sight_obstacles_;
+  std::optional<int> frames_since_sight_;  ///< since other obstacles were known; until a remake
   bool is_stale_ = false;  ///< frames have moved since the grid, or its remake, was begun
   std::optional<Remake> remake_;
 };

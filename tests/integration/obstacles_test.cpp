@@ -49,6 +49,29 @@ TEST(Obstacles, ASurveyKeepsOffAPileThatNoChartShowsAndCoversTheRest) {
   EXPECT_NE(flown.out.find("obstacles passed at: pile"), std::string::npos) << flown.out;
 }
 
+/// A box of 20 m2, 5 % of the area, that nearly reaches the surface.
+constexpr const char* kWreck =
+    "obstacles:\n"
+    "  - {name: wreck, shape: box, north_m: 0.5, east_m: 1, size_m: [4, 5], height_m: 5.5}\n";
+
+TEST(Obstacles, ASurveyAroundAWreckEndsByItsOwnJudgement) {
+  TemporaryFolder folder;
+  const CommandResult flown =
+      RunLimpet(folder.path(), {"survey", BasinWith(folder.path(), kWreck).string(), "--sessions",
+                                "discovery", "--seed", "4", "--set", "uSimCamera.camera=boxes",
+                                "--set", "pHelm.obstacle_clearance_m=1.1", "--out", "run"});
+  const nlohmann::json session =
+      nlohmann::json::parse(TextOfFile(folder.path() / "run" / "report.json"))
+          .at("sessions")
+          .at("discovery");
+  EXPECT_EQ(session.at("ended"), "home") << flown.out;
+  EXPECT_GT(session.at("obstacles")[0].at("distance_m").get<double>(), 0.6) << flown.out;
+  EXPECT_GT(session.at("detected_band").get<double>(), 0.95) << flown.out;
+  const nlohmann::json& unseen = session.at("unseen_share");
+  EXPECT_GE(unseen.at("band_by_reason").at("obstacle").get<double>(), 0.045);
+  EXPECT_NE(flown.out.find("under or behind obstacles"), std::string::npos) << flown.out;
+}
+
 TEST(Obstacles, AWrongOneIsRefusedBeforeTheDiveWithItsLine) {
   TemporaryFolder folder;
   const fs::path mission =

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "limpet/survey/standing_ground.hpp"
+
 namespace limpet {
 namespace {
 
@@ -44,6 +46,7 @@ bool SurveyMirror::SetArea(const SurveyArea& area) {
   }
   area_ = area;
   grid_ = std::make_unique<SurveyGrid>(area);
+  LeaveOutStandingGround();
   blocks_.emplace(*grid_, FootprintNow());
   MirrorGround();
   fences_.emplace(area, params_.tracking_allowance, params_.turning_radius);
@@ -60,9 +63,18 @@ void SurveyMirror::KeepOffFences(Meters allowance) {
 bool SurveyMirror::SetObstacles(const std::vector<Obstacle>& obstacles) {
   if (obstacles_ == obstacles) return false;
   obstacles_ = obstacles;
-  if (area_) KeepOffFences(allowance_);
+  if (!area_) return true;
+  KeepOffFences(allowance_);
+  LeaveOutStandingGround();
   return true;
 }
+
+void SurveyMirror::LeaveOutStandingGround() {
+  grid_->SetStanding(
+      StandingGround(obstacles_, grid_->frame(), PlanePoint(place_.north, place_.east)));
+}
+
+bool SurveyMirror::KeepsOff(const DubinsPath& path) const { return region_->Contains(path); }
 
 int SurveyMirror::shapeless_obstacles() const {
   return static_cast<int>(std::ranges::count_if(

@@ -34,6 +34,8 @@ class SurveyMirror {
   /// What stands in the way, all of it; false if that is known already. Outlines that are none are
   /// not kept off.
   bool SetObstacles(const std::vector<Obstacle>& obstacles);
+  /// Whether a path stays in the region and off all of those. REQUIRES: has_area().
+  [[nodiscard]] bool KeepsOff(const DubinsPath& path) const;
   /// How many of those have no outline that paths could keep off.
   [[nodiscard]] int shapeless_obstacles() const;
   /// Blocks of a large area that were left with more than slivers unseen.
@@ -66,6 +68,8 @@ class SurveyMirror {
   [[nodiscard]] Footprint FootprintNow() const;
   void MirrorGround();
   void KeepOffFences(Meters allowance);
+  /// What obstacles stand on is not to be seen.
+  void LeaveOutStandingGround();
 
   ViewParams params_;
   double seam_allowance_ = 0.0;  ///< by which images count as smaller on every side [m]

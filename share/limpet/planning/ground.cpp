@@ -35,25 +35,6 @@ GridFrame FrameOf(GridFrame frame, const CellBox& window, int cells_per_side) {
   return frame;
 }
 
-/// How many squares hold a cell that is wanted.
-std::size_t WantedIn(const SurveyGrid& grid, const CellBox& window, int cells_per_side) {
-  const auto is_wanted = [&](int row, int column) {
-    for (int r = row; r < row + cells_per_side && r <= window.row_max; ++r) {
-      for (int c = column; c < column + cells_per_side && c <= window.column_max; ++c) {
-        if (grid.IsWanted(r, c)) return true;
-      }
-    }
-    return false;
-  };
-  std::size_t wanted = 0;
-  for (int row = window.row_min; row <= window.row_max; row += cells_per_side) {
-    for (int column = window.column_min; column <= window.column_max; column += cells_per_side) {
-      wanted += is_wanted(row, column) ? 1 : 0;
-    }
-  }
-  return wanted;
-}
-
 }  // namespace
 
 Footprint::Footprint(double altitude, double object_height_max, const CameraModel& camera,
@@ -106,9 +87,9 @@ Ground::Ground(const SurveyGrid& grid, const Footprint& footprint, const LayerWe
       cells_per_side_(cells_per_side),
       is_part_(frame_.rows != grid.frame().rows || frame_.columns != grid.frame().columns),
       footprint_(footprint),
-      weights_(weights),
-      wanted_cells_(std::max<std::size_t>(1, WantedIn(grid, window, cells_per_side))) {
+      weights_(weights) {
   levels_.resize(static_cast<std::size_t>(frame_.rows) * static_cast<std::size_t>(frame_.columns));
+  cells_of_area_ = CellsOfArea(grid);
   Update(grid);
 }
 
@@ -137,6 +118,26 @@ std::uint8_t Ground::LeastLevelOf(const SurveyGrid& grid, int row, int column) c
   return least;
 }
 
+template <class Is>
+bool Ground::HasOne(int row, int column, Is is) const {
+  for (int r = row; r < row + cells_per_side_ && r <= window_.row_max; ++r) {
+    for (int c = column; c < column + cells_per_side_ && c <= window_.column_max; ++c) {
+      if (is(r, c)) return true;
+    }
+  }
+  return false;
+}
+
+std::size_t Ground::CellsOfArea(const SurveyGrid& grid) const {
+  std::size_t cells = 0;
+  for (int row = window_.row_min; row <= window_.row_max; row += cells_per_side_) {
+    for (int column = window_.column_min; column <= window_.column_max; column += cells_per_side_) {
+      cells += HasOne(row, column, [&grid](int r, int c) { return grid.IsOfArea(r, c); }) ? 1 : 0;
+    }
+  }
+  return cells;
+}
+
 void Ground::Update(const SurveyGrid& grid) {
   LIMPET_REQUIRE(window_.row_max < grid.frame().rows && window_.column_max < grid.frame().columns,
                  "a ground mirrors one grid");
@@ -144,12 +145,15 @@ void Ground::Update(const SurveyGrid& grid) {
     return;
   }
   version_ = grid.version();
-  std::size_t cell = 0;
+  const auto is_wanted = [&grid](int row, int column) { return grid.IsWanted(row, column); };
+  std::size_t cell = 0, wanted = 0;
   for (int row = window_.row_min; row <= window_.row_max; row += cells_per_side_) {
     for (int column = window_.column_min; column <= window_.column_max; column += cells_per_side_) {
       levels_[cell++] = LeastLevelOf(grid, row, column);
+      wanted += HasOne(row, column, is_wanted) ? 1 : 0;
     }
   }
+  wanted_cells_ = std::max<std::size_t>(1, wanted);
 }
 
 double Ground::swath() const {

@@ -88,6 +88,8 @@ class Ground {
   [[nodiscard]] double SeenShare(int layer) const;
   /// Cells that are to be seen; 1 if there is none.
   [[nodiscard]] std::size_t wanted_cells() const { return wanted_cells_; }
+  /// Cells of the area, whatever stands there.
+  [[nodiscard]] std::size_t cells_of_area() const { return cells_of_area_; }
   [[nodiscard]] double wanted_m2() const {
     return static_cast<double>(wanted_cells_) * frame_.cell_m * frame_.cell_m;
   }
@@ -96,6 +98,10 @@ class Ground {
   [[nodiscard]] std::uint8_t LevelOf(const SurveyGrid& grid, int row, int column) const;
   /// Of the square whose first cell this is.
   [[nodiscard]] std::uint8_t LeastLevelOf(const SurveyGrid& grid, int row, int column) const;
+  /// Whether one of that square's cells is; so of all squares how many.
+  template <class Is>
+  [[nodiscard]] bool HasOne(int row, int column, Is is) const;
+  [[nodiscard]] std::size_t CellsOfArea(const SurveyGrid& grid) const;
 
   GridFrame frame_;
   CellBox window_;
@@ -103,7 +109,7 @@ class Ground {
   bool is_part_;
   Footprint footprint_;
   LayerWeights weights_;
-  std::size_t wanted_cells_;
+  std::size_t cells_of_area_ = 0, wanted_cells_ = 1;
   std::vector<std::uint8_t> levels_;
   std::uint64_t version_ = ~std::uint64_t{0};
 };

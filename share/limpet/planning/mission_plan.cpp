@@ -86,7 +86,7 @@ bool MissionPlan::IsTheSameSurvey() const {
   const GridFrame& frame = now_.ground->frame();
   return frame.north_min == frame_.north_min && frame.east_min == frame_.east_min &&
          frame.rows == frame_.rows && frame.columns == frame_.columns &&
-         now_.ground->wanted_cells() == wanted_cells_;
+         now_.ground->cells_of_area() == cells_of_area_;
 }
 
 bool MissionPlan::IsInTheWay() const {
@@ -107,7 +107,7 @@ void MissionPlan::Offer(const Task& now, const char* source, std::vector<Option>
     plan_.clear();
     chosen_ = {};
     frame_ = now.ground->frame();
-    wanted_cells_ = now.ground->wanted_cells();
+    cells_of_area_ = now.ground->cells_of_area();
   }
   obstacle_mark_ = now.region->obstacle_mark();
   TourJudge judge(*now.ground, *now.region, now.turn_radius);

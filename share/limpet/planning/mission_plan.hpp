@@ -79,7 +79,7 @@ class MissionPlan {
   SurveyTour plan_;
   std::vector<SurveyTour> rivals_;  ///< of a new plan: others that begin otherwise
   GridFrame frame_;                 ///< of the ground that the plan is for
-  std::size_t wanted_cells_ = 0;
+  std::size_t cells_of_area_ = 0;
   std::size_t obstacle_mark_ = 0;     ///< of the region that the plan keeps to
   double planned_swath_ = 0.0;        ///< of the ground when the plan was last sought anew [m]
   std::vector<FlownTour> completed_;  ///< the options of this decision

@@ -21,6 +21,8 @@ const char* WordsOf(WhyUnseen why) {
       return "narrower than a turn";
     case WhyUnseen::kTooFewLooks:
       return "too few looks";
+    case WhyUnseen::kObstacle:
+      return "under or behind obstacles";
     case WhyUnseen::kNotReached:
       break;
   }

@@ -8,6 +8,7 @@
 #include "limpet/core/random.hpp"
 #include "limpet/mission/seabed.hpp"
 #include "limpet/scoring/disc_in_rectangle.hpp"
+#include "limpet/survey/sight_obstacles.hpp"
 #include "limpet/survey/survey_shape.hpp"
 
 namespace limpet {
@@ -27,6 +28,7 @@ struct Sample {
   double height_m;  ///< of the object above the seabed
   bool is_covered = false;
   std::uint8_t frames = 0;  ///< in which the object was seen well
+  bool was_hidden = false;  ///< the object, by an obstacle
 };
 
 /// What one frame has shown first: points on the seabed, and objects.
@@ -47,6 +49,9 @@ class SampleBands {
   /// How many of those drawn so far are in the area and in no zone.
   [[nodiscard]] double seabed_wanted() const { return seabed_wanted_; }
   [[nodiscard]] double objects_wanted() const { return objects_wanted_; }
+  /// ... and in no zone, where an obstacle stands.
+  [[nodiscard]] double seabed_stood_on() const { return seabed_stood_on_; }
+  [[nodiscard]] double objects_stood_on() const { return objects_stood_on_; }
 
  private:
   struct Window {
@@ -54,6 +59,9 @@ class SampleBands {
   };
   [[nodiscard]] Eigen::Vector3d Draw(int row, int column, double height);
   void LeaveOutUnwanted(Sample& sample);
+  /// Counts a place of a sample; false if it is not to be seen.
+  [[nodiscard]] bool CountPlace(const Eigen::Vector3d& place, double& wanted,
+                                double& stood_on) const;
   [[nodiscard]] Window WindowOf(const Pose& X_WB, const CameraModel& camera, double margin) const;
   SurveyArea area_;
   std::optional<SurveyShape> shape_;  ///< nothing if all of the box is wanted
@@ -66,7 +74,31 @@ class SampleBands {
   double deepest_ = 0.0;  ///< of the band
   std::vector<Sample> samples_;
   double seabed_wanted_ = 0.0, objects_wanted_ = 0.0;
+  std::vector<UprightBody> bodies_;    ///< all that a camera does not see through
+  std::vector<UprightBody> standing_;  ///< the vehicle has to go round them
+  double seabed_stood_on_ = 0.0, objects_stood_on_ = 0.0;
 };
+
+/// Whether one stands between the camera and a place, and not on it: tops are seen.
+bool AreBetween(const std::vector<UprightBody>& bodies, const Eigen::Vector3d& eye_W,
+                const Eigen::Vector3d& place_W) {
+  return std::ranges::any_of(bodies, [&](const UprightBody& body) {
+    return !body.Covers(place_W.x(), place_W.y()) && body.IsBetween(eye_W, place_W);
+  });
+}
+
+/// Obstacles that reach up to where pMap takes an echo for something in the way of a vehicle at
+/// survey altitude. It passes over lower ones and sees their tops.
+std::vector<UprightBody> StandingBodies(const Scenario& scenario, double altitude) {
+  constexpr double kBelowVehicle = 1.0, kRelief = 1.0;  // [m]
+  std::vector<UprightBody> standing;
+  for (const ScenarioObstacle& obstacle : scenario.obstacles) {
+    if (obstacle.height_m >= std::max(kRelief, altitude - kBelowVehicle)) {
+      standing.push_back(obstacle.Body(scenario.seabed));
+    }
+  }
+  return standing;
+}
 
 SampleBands::SampleBands(const SurveyArea& area, const Scenario& scenario,
                          const ReportSettings& settings)
@@ -77,7 +109,9 @@ SampleBands::SampleBands(const SurveyArea& area, const Scenario& scenario,
           std::max(1, static_cast<int>(std::ceil((area.east_max - area.east_min) / kCell - 1e-9)))),
       bottom_(scenario.seabed),
       lowest_(settings.object_radius_m),
-      top_(std::max(settings.object_radius_m, settings.object_height_max_m)) {
+      top_(std::max(settings.object_radius_m, settings.object_height_max_m)),
+      bodies_(BodiesOf(scenario)),
+      standing_(StandingBodies(scenario, settings.altitude_m)) {
   // A log may hold anything: an area that is none is scored as its box.
   if (const auto shape = SurveyShape::Of(area); shape && !shape->is_plain()) shape_ = *shape;
 }
@@ -109,22 +143,25 @@ bool SampleBands::Next() {
 }
 
 void SampleBands::LeaveOutUnwanted(Sample& sample) {
-  if (!shape_ || shape_->Wants(sample.seabed.head<2>())) {
-    seabed_wanted_ += 1.0;
-  } else {
-    sample.is_covered = true;  // once and for all: it is not counted
-  }
-  if (!shape_ || shape_->Wants(sample.object.head<2>())) {
-    objects_wanted_ += 1.0;
-  } else {
+  // What is not to be seen is so once and for all: it is not counted.
+  if (!CountPlace(sample.seabed, seabed_wanted_, seabed_stood_on_)) sample.is_covered = true;
+  if (!CountPlace(sample.object, objects_wanted_, objects_stood_on_)) {
     sample.frames = kFramesToDetect;
   }
+}
+
+bool SampleBands::CountPlace(const Eigen::Vector3d& place, double& wanted, double& stood_on) const {
+  if (shape_ && !shape_->Wants(place.head<2>())) return false;
+  const bool is_stood_on = std::ranges::any_of(
+      standing_, [&place](const UprightBody& body) { return body.Covers(place.x(), place.y()); });
+  (is_stood_on ? stood_on : wanted) += 1.0;
+  return !is_stood_on;
 }
 
 SampleBands::Window SampleBands::WindowOf(const Pose& X_WB, const CameraModel& camera,
                                           double margin) const {
   const Eigen::Matrix3d R_WC = RotationOf(X_WB) * camera.R_BC;
-  const Eigen::Vector3d eye = X_WB.p_WB + RotationOf(X_WB) * camera.p_BC;
+  const Eigen::Vector3d eye = EyeOf(camera, X_WB);
   Eigen::Vector2d low = eye.head<2>(), high = low;
   for (const double across : {-1.0, 1.0}) {
     for (const double along : {-1.0, 1.0}) {
@@ -152,6 +189,7 @@ NewlySeenSamples SampleBands::See(const Pose& X_WB, const CameraModel& camera, d
   if (window.row_begin >= window.row_end) return seen;
   const Eigen::Matrix3d R_CW = (RotationOf(X_WB) * camera.R_BC).transpose();
   const Eigen::Vector3d offset = -R_CW * X_WB.p_WB - camera.R_BC.transpose() * camera.p_BC;
+  const Eigen::Vector3d eye_W = EyeOf(camera, X_WB);
   const double across = camera.half_across();
   const double along = camera.half_along();
   for (int row = window.row_begin; row < window.row_end; ++row) {
@@ -159,7 +197,8 @@ NewlySeenSamples SampleBands::See(const Pose& X_WB, const CameraModel& camera, d
       Sample& sample = samples_[static_cast<std::size_t>((row - first_row_) * columns_ + column)];
       if (!sample.is_covered) {
         const Eigen::Vector3d p = R_CW * sample.seabed + offset;
-        if (p.z() > 0.0 && std::abs(p.x()) <= across * p.z() && std::abs(p.y()) <= along * p.z()) {
+        if (p.z() > 0.0 && std::abs(p.x()) <= across * p.z() && std::abs(p.y()) <= along * p.z() &&
+            !AreBetween(bodies_, eye_W, sample.seabed)) {
           sample.is_covered = true;
           ++seen.covered;
         }
@@ -169,7 +208,10 @@ NewlySeenSamples SampleBands::See(const Pose& X_WB, const CameraModel& camera, d
         if (p.z() > radius &&
             ShareOfDiscInRectangle(p.head<2>(), radius, {across * p.z(), along * p.z()}) >=
                 kShareOfDisc) {
-          if (++sample.frames == kFramesToDetect) ++seen.detected;
+          if (AreBetween(bodies_, eye_W, sample.object)) {
+            sample.was_hidden = true;
+          } else if (++sample.frames == kFramesToDetect)
+            ++seen.detected;
         }
       }
     }
@@ -182,8 +224,23 @@ void SampleBands::CountUnseen(UnseenCounter& counter) const {
     if (sample.frames >= kFramesToDetect) continue;
     counter.Add({.at_W = sample.object.head<2>(),
                  .height_m = sample.height_m,
-                 .was_seen = sample.frames > 0});
+                 .was_seen = sample.frames > 0,
+                 .was_hidden = sample.was_hidden});
   }
+}
+
+/// Shares of all the area, with what obstacles stand on.
+UnseenScore UnseenOf(const SampleBands& bands, double covered, double detected,
+                     const UnseenCounter& counter) {
+  const double points = std::max(1.0, bands.seabed_wanted() + bands.seabed_stood_on());
+  const double objects = std::max(1.0, bands.objects_wanted() + bands.objects_stood_on());
+  UnseenScore unseen{.bottom = 1.0 - covered / points, .band = 1.0 - detected / objects};
+  for (std::size_t i = 0; i < kWaysUnseen; ++i) {
+    unseen.band_by_reason[i] = static_cast<double>(counter.Of(static_cast<WhyUnseen>(i))) / objects;
+  }
+  unseen.band_by_reason[static_cast<std::size_t>(WhyUnseen::kObstacle)] +=
+      bands.objects_stood_on() / objects;
+  return unseen;
 }
 
 /// The curve and what it ends with.
@@ -211,16 +268,13 @@ void ScoreSamples(const SurveyFrames& frames, const SurveyArea& area, const Scen
   }
   score.covered = covered / points;
   score.detected_band = detected / objects;
-  score.unseen = {.bottom = 1.0 - score.covered, .band = 1.0 - score.detected_band};
-  for (std::size_t i = 0; i < kWaysUnseen; ++i) {
-    score.unseen.band_by_reason[i] =
-        static_cast<double>(counter.Of(static_cast<WhyUnseen>(i))) / objects;
-  }
+  score.unseen = UnseenOf(bands, covered, detected, counter);
 }
 
 /// True once the place has been in the image within visibility, or nearly under the vehicle.
 bool HasSeen(const Pose& X_WB, const Eigen::Vector3d& place, const CameraModel& camera,
-             double visibility) {
+             double visibility, const std::vector<UprightBody>& bodies) {
+  if (AreBetween(bodies, EyeOf(camera, X_WB), place)) return false;
   if ((place - X_WB.p_WB).head<2>().norm() <= 1.5) return true;
   const Eigen::Vector3d p = camera.InCamera(X_WB, place);
   return p.z() > 0.0 && p.norm() <= visibility && std::abs(p.x()) <= p.z() * camera.half_across() &&
@@ -243,11 +297,12 @@ std::vector<CoverageLevel> LevelsOf(const CoverageCurve& curve, const std::vecto
 }
 
 std::optional<double> PathToSee(const SurveyFrames& frames, std::vector<Eigen::Vector3d> places,
-                                const CameraModel& camera, double visibility) {
+                                const CameraModel& camera, const Scenario& scenario) {
   if (places.empty()) return std::nullopt;
+  const std::vector<UprightBody> bodies = BodiesOf(scenario);
   const auto look = [&](const Pose& X_WB) {
     std::erase_if(places, [&](const Eigen::Vector3d& place) {
-      return HasSeen(X_WB, place, camera, visibility);
+      return HasSeen(X_WB, place, camera, scenario.water.visibility_m, bodies);
     });
     return places.empty();
   };
@@ -296,8 +351,7 @@ CoverageScore ScoreCoverage(const SurveyFrames& frames, const SurveyArea& area,
   ScoreSamples(frames, area, scenario, settings, score);
   score.seabed = LevelsOf(score.curve, score.curve.seabed);
   score.band = LevelsOf(score.curve, score.curve.band);
-  score.prior_opis_seen_path_m =
-      PathToSee(frames, former, settings.camera_geometry, scenario.water.visibility_m);
+  score.prior_opis_seen_path_m = PathToSee(frames, former, settings.camera_geometry, scenario);
   return score;
 }
 

@@ -71,7 +71,8 @@ struct UnseenCounter::Reachable {
 };
 
 const char* NameOf(WhyUnseen why) {
-  constexpr std::array kNames{"zone", "clearance", "turn", "too_few_looks", "not_reached"};
+  constexpr std::array kNames{"zone",          "clearance",   "turn",
+                              "too_few_looks", "not_reached", "obstacle"};
   return kNames[static_cast<std::size_t>(why)];
 }
 
@@ -94,6 +95,7 @@ UnseenCounter::UnseenCounter(const SurveyArea& area, const ReportSettings& setti
 UnseenCounter::~UnseenCounter() = default;
 
 WhyUnseen UnseenCounter::WhyOf(const UnseenPlace& place) const {
+  if (place.was_hidden && !place.was_seen) return WhyUnseen::kObstacle;
   if (!with_zones_) return WhyUnseen::kNotReached;
   const double sight = std::max(altitude_ - place.height_m, 0.0) * half_across_;
   const double reach = turning_radius_ + sight;

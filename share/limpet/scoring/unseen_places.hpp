@@ -18,6 +18,7 @@ struct UnseenPlace {
   Eigen::Vector2d at_W = Eigen::Vector2d::Zero();  ///< north, east
   double height_m = 0.0;                           ///< of the object's centre above the seabed
   bool was_seen = false;                           ///< well, but in too few frames
+  bool was_hidden = false;                         ///< in an image, behind an obstacle
 };
 
 /// Why such a place was not seen. Of several reasons the first that holds.
@@ -27,12 +28,13 @@ enum class WhyUnseen {
   kTurn,         ///< it is within reach only of where the region is narrower than a turn
   kTooFewLooks,  ///< it was in the image, in one or two frames
   kNotReached,   ///< it could have been seen, and no path went there
+  kObstacle,     ///< an obstacle stands on it, or before it in every image
 };
-inline constexpr std::size_t kWaysUnseen = 5;
-/// "zone", "clearance", "turn", "too_few_looks", "not_reached".
+inline constexpr std::size_t kWaysUnseen = 6;
+/// "zone", "clearance", "turn", "too_few_looks", "not_reached", "obstacle".
 [[nodiscard]] const char* NameOf(WhyUnseen why);
 
-/// Shares of the area, 0 to 1.
+/// Shares of the area, 0 to 1; with the ground that obstacles stand on, which is not to be seen.
 struct UnseenScore {
   double bottom = 0.0;  ///< of the seabed
   double band = 0.0;    ///< of the places of objects

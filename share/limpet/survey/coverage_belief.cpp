@@ -117,8 +117,7 @@ int CellsOf(const CellBox& box) {
 CoverageBelief::CoverageBelief(const SurveyArea& area, const SurveyGrid& grid)
     : skirt_(static_cast<int>(std::ceil(kSkirt / grid.frame().cell_m))),
       frame_(WithSkirt(grid.frame(), skirt_)),
-      cells_(frame_.rows, frame_.columns),
-      wanted_(std::max(1.0, static_cast<double>(grid.wanted_cells()))) {
+      cells_(frame_.rows, frame_.columns) {
   const double top = std::max(0.0, area.object_height_max);
   const double low = std::min(SurveyGrid::kObjectRadius, top);
   heights_ = {0.0, low, 0.5 * (low + top), top};
@@ -129,8 +128,12 @@ bool CoverageBelief::IsInside(int row, int column) const {
          column < frame_.columns - skirt_;
 }
 
-bool CoverageBelief::IsWanted(int row, int column, const SurveyGrid& grid) const {
-  return IsInside(row, column) && grid.IsWanted(row - skirt_, column - skirt_);
+bool CoverageBelief::IsOfArea(int row, int column, const SurveyGrid& grid) const {
+  return IsInside(row, column) && grid.IsOfArea(row - skirt_, column - skirt_);
+}
+
+bool CoverageBelief::IsStoodOn(int row, int column, const SurveyGrid& grid) const {
+  return IsOfArea(row, column, grid) && !grid.IsWanted(row - skirt_, column - skirt_);
 }
 
 PlanePoint CoverageBelief::SamplePoint(int row, int column, const SurveyGrid& grid) const {
@@ -146,7 +149,7 @@ std::optional<double> CoverageBelief::Seabed(int row, int column, const SurveyGr
 }
 
 int CoverageBelief::Observe(const PlacedView& view, const CameraModel& camera,
-                            const SurveyGrid& grid) {
+                            const SurveyGrid& grid, const Shadows& shadows) {
   if (!(view.altitude > 0.0)) return 0;
   if (!first_t_) first_t_ = view.t;
   const ViewCone cone(view.X_WB, camera, SurveyGrid::kDiscInset);
@@ -158,7 +161,8 @@ int CoverageBelief::Observe(const PlacedView& view, const CameraModel& camera,
     for (int column = box.column_min; column <= box.column_max; ++column) {
       const PlanePoint sample = SamplePoint(row, column, grid);
       const double down = Seabed(row, column, grid).value_or(guessed_down);
-      Add(cone, {sample.x(), sample.y(), down}, view, {row, column});
+      const Eigen::Vector3d sample_W{sample.x(), sample.y(), down};
+      if (!shadows.Hide(sample_W)) Add(cone, sample_W, view, {row, column});
     }
   }
   return std::max(0, box.row_max - box.row_min + 1) *
@@ -195,7 +199,7 @@ void CoverageBelief::Add(const ViewCone& cone, const Eigen::Vector3d& sample_W,
       static_cast<std::uint8_t>(std::clamp(view.sigma.absolute / kSigmaStep, 0.0, 255.0));
 }
 
-void CoverageBelief::NoteOtherReach() {
+void CoverageBelief::CountAnew() {
   cells_.EachTile([](Tiles::Tile& tile) { tile.note.is_due = true; });
 }
 
@@ -227,11 +231,11 @@ double CoverageBelief::EdgeChange(int row, int column, const Cell& cell,
         const int off = whole + more;
         const double chance = (north == 0 ? kOn : kOff) * (east == 0 ? kOn : kOff);
         wanted[static_cast<std::size_t>(more)] +=
-            IsWanted(row + north * off, column + east * off, grid) ? chance : 0.0;
+            IsOfArea(row + north * off, column + east * off, grid) ? chance : 0.0;
       }
     }
   }
-  return wanted[0] + (steps - whole) * (wanted[1] - wanted[0]) - (cell.is_wanted ? 1.0 : 0.0);
+  return wanted[0] + (steps - whole) * (wanted[1] - wanted[0]) - (cell.is_of_area ? 1.0 : 0.0);
 }
 
 /// Finds out which of a tile's cells are wanted, and which are so near to one that is and to one
@@ -242,12 +246,12 @@ void CoverageBelief::Prepare(Tiles::Tile& tile, const SurveyGrid& grid) const {
                     .column_min = tile.column,
                     .column_max = std::min(tile.column + Tiles::kEdge, frame_.columns) - 1};
   MarkSums wanted(Wider(own, kRim, frame_),
-                  [&](int row, int column) { return IsWanted(row, column, grid); });
+                  [&](int row, int column) { return IsOfArea(row, column, grid); });
   cells_.EachCell(tile, [&](int row, int column, Cell& cell) {
     const CellBox around = Wider(
         {.row_min = row, .row_max = row, .column_min = column, .column_max = column}, kRim, frame_);
     const int near = wanted.In(around);
-    cell.is_wanted = IsWanted(row, column, grid);
+    cell.is_of_area = IsOfArea(row, column, grid);
     cell.is_rim = near > 0 && near < CellsOf(around);
   });
   tile.note.is_prepared = true;
@@ -257,9 +261,9 @@ void CoverageBelief::Count(Tiles::Tile& tile, const SurveyGrid& grid) const {
   if (!tile.note.is_prepared) Prepare(tile, grid);
   Shares sum{};
   cells_.EachCell(tile, [&](int row, int column, const Cell& cell) {
-    if (cell.last < 0.0F) return;
+    if (cell.last < 0.0F || IsStoodOn(row, column, grid)) return;
     const double weight =
-        (cell.is_wanted ? 1.0 : 0.0) + (cell.is_rim ? EdgeChange(row, column, cell, grid) : 0.0);
+        (cell.is_of_area ? 1.0 : 0.0) + (cell.is_rim ? EdgeChange(row, column, cell, grid) : 0.0);
     if (weight == 0.0) return;
     const Shares seen = SeenAt(row, column, cell, grid);
     for (std::size_t level = 0; level < kLevels; ++level) {
@@ -278,8 +282,9 @@ Coverage CoverageBelief::Expected(const SurveyGrid& grid) const {
       sum[level] += tile.note.sum[level];
     }
   });
+  const double wanted = std::max(1.0, static_cast<double>(grid.wanted_cells()));
   for (double& level : sum) {
-    level = std::clamp(level / wanted_, 0.0, 1.0);  // cells of an edge may differ in their sigmas
+    level = std::clamp(level / wanted, 0.0, 1.0);  // cells of an edge may differ in their sigmas
   }
   // The mean over the band by Simpson's rule.
   return {.seabed = sum[0], .band = (sum[1] + 4.0 * sum[2] + sum[3]) / 6.0, .band_top = sum[3]};

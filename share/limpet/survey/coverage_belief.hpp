@@ -44,10 +44,12 @@ class CoverageBelief {
   CoverageBelief(const SurveyArea& area, const SurveyGrid& grid);
 
   /// Takes an image in; `grid`, of the same area, knows the seabed. Images come in order of time.
-  /// Returns how many cells it looked at. Allocates only where nothing had been seen before.
-  int Observe(const PlacedView& view, const CameraModel& camera, const SurveyGrid& grid);
-  /// What was out of reach in the water has changed in all of `grid`.
-  void NoteOtherReach();
+  /// What `shadows`, of this camera, hide is not seen. Returns how many cells it looked at.
+  /// Allocates only where nothing had been seen before.
+  int Observe(const PlacedView& view, const CameraModel& camera, const SurveyGrid& grid,
+              const Shadows& shadows = {});
+  /// What was out of reach in the water, or what obstacles stand on, has changed in `grid`.
+  void CountAnew();
   /// Expected shares of the ground that is wanted. `grid` knows what was out of reach in the water.
   /// Its time goes with what has been seen since the last call.
   [[nodiscard]] Coverage Expected(const SurveyGrid& grid) const;
@@ -60,7 +62,7 @@ class CoverageBelief {
     std::array<std::uint8_t, kLevels> passes{}, pass{};  ///< former ones; the latest
     float last = -1.0F;          ///< when that one last saw it, since the first image [s]
     std::uint8_t map_sigma = 0;  ///< absolute, of the latest image [steps of 5 cm]
-    bool is_wanted = false;      ///< this and the next one are known once the tile is prepared
+    bool is_of_area = false;     ///< this and the next one are known once the tile is prepared
     bool is_rim = false;         ///< near enough to an edge to be on its other side
   };
   /// What a tile's cells add to the expectation, as last counted.
@@ -78,7 +80,9 @@ class CoverageBelief {
   /// Chance that the cell was seen at each level, in sight in this water.
   [[nodiscard]] Shares SeenAt(int row, int column, const Cell& cell, const SurveyGrid& grid) const;
   [[nodiscard]] bool IsInside(int row, int column) const;
-  [[nodiscard]] bool IsWanted(int row, int column, const SurveyGrid& grid) const;
+  [[nodiscard]] bool IsOfArea(int row, int column, const SurveyGrid& grid) const;
+  /// An obstacle was found in the same map: wherever that lies, its ground is not to be seen.
+  [[nodiscard]] bool IsStoodOn(int row, int column, const SurveyGrid& grid) const;
   /// How much more of the cell counts because the map may lie elsewhere; below 0: less.
   [[nodiscard]] double EdgeChange(int row, int column, const Cell& cell,
                                   const SurveyGrid& grid) const;
@@ -90,7 +94,6 @@ class CoverageBelief {
   std::array<double, kLevels> heights_{};
   /// What is expected is noted down in each tile when it is counted.
   mutable Tiles cells_;
-  double wanted_ = 1.0;
   std::optional<double> first_t_;  ///< of the images [s]
 };
 

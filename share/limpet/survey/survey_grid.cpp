@@ -78,8 +78,9 @@ SurveyGrid::SurveyGrid(const SurveyArea& area, double cell_m)
   const Expected<SurveyShape> shape = SurveyShape::Of(area);
   LIMPET_REQUIRE(shape.has_value(), "the survey area is no area");
   if (shape->is_plain()) return;
-  wanted_ = std::make_shared<const WantedCells>(
+  of_area_ = std::make_shared<const WantedCells>(
       *shape, frame_, [this](int row, int column) { return SamplePoint(row, column); });
+  wanted_ = of_area_;
 }
 
 SurveyGrid::SurveyGrid(const GridFrame& frame, double object_height_max)
@@ -92,6 +93,8 @@ SurveyGrid::SurveyGrid(const GridFrame& frame, double object_height_max)
 
 SurveyGrid SurveyGrid::Blank() const {
   SurveyGrid blank(frame_, height_max_);
+  blank.of_area_ = of_area_;
+  blank.standing_ = standing_;
   blank.wanted_ = wanted_;
   return blank;
 }
@@ -131,7 +134,7 @@ SurveyGrid::Place SurveyGrid::PlaceOf(std::uint32_t index) {
 }
 
 int SurveyGrid::Observe(const Pose& X_WB, double altitude, const CameraModel& camera,
-                        double allowance) {
+                        double allowance, const Shadows& shadows) {
   if (!(altitude > 0.0)) {
     return 0;
   }
@@ -144,7 +147,7 @@ int SurveyGrid::Observe(const Pose& X_WB, double altitude, const CameraModel& ca
       const PlanePoint place = SamplePoint(row, column);
       const Eigen::Vector3d sample{place.x(), place.y(),
                                    Seabed(row, column).value_or(guessed_down)};
-      if (const auto height = cone.SeenHeight(sample)) {
+      if (const auto height = cone.SeenHeight(sample); height && !shadows.Hide(sample)) {
         const Place at = PlaceOf(row, column);
         Approach(at, static_cast<float>((sample - X_WB.p_WB).norm()));
         Raise(at, static_cast<float>(std::min(*height, height_max_)),
@@ -266,6 +269,31 @@ void SurveyGrid::Become(SurveyGrid&& other) {
     });
   });
   SortChanges(before);
+}
+
+bool SurveyGrid::SetStanding(std::vector<std::uint32_t> cells) {
+  if (cells == standing_) return false;
+  const auto at = [this](std::uint32_t index) {
+    const auto columns = static_cast<std::uint32_t>(frame_.columns);
+    return std::pair{static_cast<int>(index / columns), static_cast<int>(index % columns)};
+  };
+  auto wanted =
+      of_area_ ? std::make_shared<WantedCells>(*of_area_) : std::make_shared<WantedCells>(frame_);
+  for (const std::uint32_t index : cells) {
+    const auto [row, column] = at(index);
+    LIMPET_REQUIRE(Holds(row, column), "cell outside the survey grid");
+    wanted->Drop(row, column);
+  }
+  for (const auto& changed : {standing_, cells}) {
+    for (const std::uint32_t index : changed) {
+      const auto [row, column] = at(index);
+      if (Tiles::Tile* tile = cells_.FindTile(row, column)) tile->note.is_due = true;
+    }
+  }
+  standing_ = std::move(cells);
+  wanted_ = standing_.empty() ? of_area_ : std::move(wanted);
+  ++version_;
+  return true;
 }
 
 void SurveyGrid::SortChanges(std::size_t from) {

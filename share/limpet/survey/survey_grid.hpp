@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "limpet/core/camera_model.hpp"
+#include "limpet/survey/sight_obstacles.hpp"
 #include "limpet/survey/simple_polygon.hpp"
 #include "limpet/survey/tile_grid.hpp"
 #include "limpet/survey/wanted_cells.hpp"
@@ -71,8 +72,10 @@ class SurveyGrid {
 
   /// Marks what the camera sees from `X_WB`. `altitude` [m] is the height of the body origin above
   /// the seabed; it stands in where the seabed's depth is not known. The image is drawn in by
-  /// `allowance` [m] on every side (SeamAllowance). Returns how many cells it looked at.
-  int Observe(const Pose& X_WB, double altitude, const CameraModel& camera, double allowance = 0.0);
+  /// `allowance` [m] on every side (SeamAllowance). What `shadows`, of this camera, hide is not
+  /// seen. Returns how many cells it looked at.
+  int Observe(const Pose& X_WB, double altitude, const CameraModel& camera, double allowance = 0.0,
+              const Shadows& shadows = {});
   /// A point of the seabed (a DVL beam's end): moves the depth of the cells within
   /// `kSeabedReach` towards `down` [m]. Returns how many those are.
   int SetSeabed(const Eigen::Vector3d& point_W);
@@ -90,11 +93,18 @@ class SurveyGrid {
   /// Takes over another grid's changes; false, with nothing changed, if its frame is another one.
   [[nodiscard]] bool Apply(const GridDelta& delta);
 
+  /// Takes ground that obstacles stand on, by index and in order (StandingGround), from what is to
+  /// be seen; ground given before and not now is to be seen again. False if nothing has changed.
+  bool SetStanding(std::vector<std::uint32_t> cells);
   /// Shares of the ground that is wanted.
   [[nodiscard]] Coverage coverage() const;
-  /// Whether the cell is to be seen: its sample point lies in the area and in no keep-out zone.
+  /// Whether the cell is to be seen: it is of the area, and nothing stands on it.
   [[nodiscard]] bool IsWanted(int row, int column) const {
     return !wanted_ || wanted_->Has(row, column);
+  }
+  /// Whether its sample point lies in the area and in no keep-out zone.
+  [[nodiscard]] bool IsOfArea(int row, int column) const {
+    return !of_area_ || of_area_->Has(row, column);
   }
   /// The place that stands for the cell.
   [[nodiscard]] PlanePoint SamplePoint(int row, int column) const;
@@ -173,7 +183,9 @@ class SurveyGrid {
   float reach_;
   /// Counting what has been seen notes down in each tile what came of it.
   mutable Tiles cells_;
-  std::shared_ptr<const WantedCells> wanted_;  ///< null: all are
+  std::shared_ptr<const WantedCells> of_area_;  ///< null: all are
+  std::vector<std::uint32_t> standing_;         ///< cells that something stands on
+  std::shared_ptr<const WantedCells> wanted_;   ///< of the area without those; null: all are
   std::vector<std::uint32_t> changed_;
   std::uint64_t version_ = 0;
 };

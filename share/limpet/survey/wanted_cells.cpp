@@ -57,4 +57,21 @@ WantedCells::WantedCells(const SurveyShape& shape, const GridFrame& frame,
   }
 }
 
+WantedCells::WantedCells(const GridFrame& frame)
+    : tile_columns_((frame.columns + kEdge - 1) / kEdge),
+      tiles_(static_cast<std::size_t>((frame.rows + kEdge - 1) / kEdge * tile_columns_), kAll),
+      count_(static_cast<std::size_t>(frame.rows) * static_cast<std::size_t>(frame.columns)) {}
+
+void WantedCells::Drop(int row, int column) {
+  if (!Has(row, column)) return;
+  std::int32_t& tile = tiles_[Tile(row, column)];
+  if (tile == kAll) {
+    tile = static_cast<std::int32_t>(mixed_.size());
+    mixed_.emplace_back().fill(~std::uint32_t{0});
+  }
+  mixed_[static_cast<std::size_t>(tile)][static_cast<std::size_t>(row % kEdge)] &=
+      ~(std::uint32_t{1} << static_cast<unsigned>(column % kEdge));
+  --count_;
+}
+
 }  // namespace limpet

@@ -20,6 +20,10 @@ class WantedCells {
   using SamplePoint = std::function<PlanePoint(int row, int column)>;
 
   WantedCells(const SurveyShape& shape, const GridFrame& frame, const SamplePoint& sample);
+  /// All of them.
+  explicit WantedCells(const GridFrame& frame);
+  /// That cell is not to be seen, after all.
+  void Drop(int row, int column);
 
   [[nodiscard]] bool Has(int row, int column) const {
     const std::int32_t tile = tiles_[Tile(row, column)];

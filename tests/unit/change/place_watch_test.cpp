@@ -289,5 +289,20 @@ TEST(LogSum, IsTheLogarithmOfTheSumAndNeitherOverflowsNorCaresForTheOrder) {
   EXPECT_EQ(LogSum(-2000.0, 3.0), 3.0);
 }
 
+TEST(PlaceWatch, WhatAnObstacleHidesWasNotLookedAt) {
+  const ObjectEstimate place = PlaceAt({2.0, 0.0, 7.0});
+  WatchModel behind = kWatchModel;
+  behind.obstacles = SightObstacles(
+      {{.id = 1, .outline = {{1.0, -0.6}, {1.0, 0.6}, {1.3, 0.6}, {1.3, -0.6}}, .top = 0.0}});
+  PlaceWatch clear_watch(place, {}), hidden_watch(place, {});
+  for (int i = 0; i < 20; ++i) {
+    const ObservedFrame frame = FrameOver(place.p_W, 1.5, 0.1 * i - 1.0, 10.0 * i);
+    clear_watch.See(frame, kWatchModel, Unknown);
+    hidden_watch.See(frame, behind, Unknown);
+  }
+  EXPECT_LT(clear_watch.evidence().present.minCoeff(), -1.0) << "twenty looks that showed nothing";
+  EXPECT_GT(hidden_watch.evidence().present.minCoeff(), -0.3);
+}
+
 }  // namespace
 }  // namespace limpet

@@ -210,5 +210,18 @@ TEST_F(SurveyMirrorTest, ASmallAreaIsPlannedAsAWholeAndLeadsHome) {
   EXPECT_EQ(now.next(), PlanePoint(3.0, 4.0));
 }
 
+TEST_F(SurveyMirrorTest, NothingIsToBeSeenWhereAnObstacleStands) {
+  const auto wanted = [this] {
+    mirror_.UpdateGround();
+    return mirror_.Snapshot(Seconds(0.0), {}, 0.0).ground->wanted_m2();
+  };
+  EXPECT_DOUBLE_EQ(wanted(), 256.0);
+  mirror_.SetObstacles(
+      {{.id = 1, .outline = {{3.0, 2.0}, {3.0, 4.0}, {6.0, 4.0}, {6.0, 2.0}}, .top = 0.0}});
+  EXPECT_DOUBLE_EQ(wanted(), 250.0);
+  mirror_.SetObstacles({});
+  EXPECT_DOUBLE_EQ(wanted(), 256.0);
+}
+
 }  // namespace
 }  // namespace limpet

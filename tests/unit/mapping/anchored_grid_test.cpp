@@ -214,5 +214,42 @@ TEST(AnchoredGrid, EarnsGroundAnewOnceAClosedLoopMakesThePlacesSure) {
   EXPECT_EQ(ground.coverage().band_top, sure.coverage().band_top);
 }
 
+TEST(AnchoredGrid, ClaimAndWhatIsDoneLeaveOutGroundThatAnObstacleStandsOnThroughShifts) {
+  const std::vector<Obstacle> wreck{
+      {.id = 1, .outline = {{-9.0, 4.0}, {-9.0, 9.0}, {9.0, 9.0}, {9.0, 4.0}}, .top = 1.0}};
+  GroundSession session;
+  Fly(session);
+  session.ground.Judge();
+  const Coverage before = session.ground.coverage();
+  session.ground.SetObstacles(wreck);
+  session.ground.Judge();
+  const Coverage after = session.ground.coverage();
+  EXPECT_GT(*after.done_seabed, 1.1 * *before.done_seabed);
+  EXPECT_GT(after.seabed, 1.1 * before.seabed);
+  Tell(session, kLoopClosed);
+  session.SettleAll();
+  session.ground.Judge();
+  EXPECT_EQ(session.ground.grid().wanted_cells(), 80U * 80U - 72U * 20U);
+  EXPECT_GT(session.ground.coverage().seabed, before.seabed);
+}
+
+TEST(AnchoredGrid, WhatAnObstacleHidWasNotSeenOnceNoMoreOfItIsFound) {
+  const std::vector<Obstacle> pile{
+      {.id = 1, .outline = {{0.0, 3.5}, {0.0, 4.0}, {0.5, 4.0}, {0.5, 3.5}}, .top = 1.0}};
+  GroundSession session, knew_before;
+  Fly(session);
+  const double before = session.ground.grid().coverage().seabed;
+  session.ground.SetObstacles(pile);
+  for (double t = kFlown; t < kFlown + 22.0; t += 1.0)
+    FlySecond(session, t);
+  session.SettleAll();
+  knew_before.ground.SetObstacles(pile);
+  for (double t = 0.0; t < kFlown + 22.0; t += 1.0)
+    FlySecond(knew_before, t);
+  knew_before.SettleAll();
+  ExpectSameGround(session.ground.grid(), knew_before.ground.grid());
+  EXPECT_LT(session.ground.grid().coverage().seabed, before);
+}
+
 }  // namespace
 }  // namespace limpet

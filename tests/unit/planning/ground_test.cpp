@@ -83,5 +83,25 @@ TEST(GroundInMurk, NothingIsLeftToDoWhereNothingIsInReach) {
   EXPECT_EQ(ground.SeenShare(), 1.0);
 }
 
+TEST(Ground, NothingIsToBeSeenWhereAnObstacleStands) {
+  SurveyGrid grid(kArea);
+  grid.Observe(Above(), 4.0, CameraModel{});
+  Ground ground(grid, FootprintWith(9.0));
+  const double before = ground.SeenShare(0);
+  std::vector<std::uint32_t> standing;
+  for (std::uint32_t row = 90; row < 110; ++row) {
+    for (std::uint32_t column = 20; column < 60; ++column)
+      standing.push_back(row * 144 + column);
+  }
+  ASSERT_TRUE(grid.SetStanding(standing));
+  ground.Update(grid);
+  EXPECT_EQ(ground.wanted_cells(), 120U * 144U - 800U);
+  EXPECT_NEAR(ground.SeenShare(0), before * 17280.0 / 16480.0, 1e-9);
+  EXPECT_EQ(ground.levels()[100 * 144 + 40], Footprint::kLayers);
+  ASSERT_TRUE(grid.SetStanding({}));
+  ground.Update(grid);
+  EXPECT_EQ(ground.SeenShare(0), before);
+}
+
 }  // namespace
 }  // namespace limpet

@@ -164,5 +164,38 @@ TEST(CoverageBelief, CountsNoGroundOfAZone) {
   EXPECT_NEAR(belief.Expected(grid).seabed, grid.coverage().seabed, 1e-9);
 }
 
+TEST(CoverageBelief, CountsNoGroundThatSomethingStandsOnWhereverTheMapLies) {
+  SurveyOf survey;
+  const PlaceSigma adrift{.absolute = 0.5, .beside = 0.0};
+  survey.FlyLanes(0.0, 3.0, adrift, adrift);
+  const double before = survey.Claim().seabed;
+  std::vector<std::uint32_t> standing;
+  for (std::uint32_t row = 30; row < 50; ++row) {
+    for (std::uint32_t column = 40; column < 60; ++column)
+      standing.push_back(row * 96 + column);
+  }
+  survey.grid.SetStanding(standing);
+  survey.belief.CountAnew();
+  EXPECT_NEAR(survey.Claim().seabed, before, 0.01);
+  EXPECT_GT(before, 0.9);
+}
+
+TEST(CoverageBelief, ClaimsNothingBehindAnObstacle) {
+  const SightObstacles pile(
+      {{.id = 1, .outline = {{11.0, 11.5}, {11.0, 12.5}, {11.5, 12.5}, {11.5, 11.5}}, .top = 0.0}});
+  const PlacedView view{.t = 0.0,
+                        .X_WB = {{10.0, 12.0, kDown_m}, 0.0, 0.0, 0.0},
+                        .altitude = kAltitude_m,
+                        .sigma = {.absolute = 0.0, .beside = 0.3}};
+  SurveyOf hidden, clear;
+  const Shadows shadows = pile.From(view.X_WB.p_WB, 6.0);
+  hidden.grid.Observe(view.X_WB, view.altitude, hidden.camera, 0.0, shadows);
+  hidden.belief.Observe(view, hidden.camera, hidden.grid, shadows);
+  clear.grid.Observe(view.X_WB, view.altitude, clear.camera);
+  clear.belief.Observe(view, clear.camera, clear.grid);
+  EXPECT_LT(hidden.Claim().seabed, 0.96 * clear.Claim().seabed);
+  EXPECT_GT(hidden.Claim().seabed, 0.8 * clear.Claim().seabed);
+}
+
 }  // namespace
 }  // namespace limpet

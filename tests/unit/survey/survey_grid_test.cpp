@@ -307,5 +307,49 @@ TEST(SurveyGrid, ABlankOfItWantsTheSameGroundAndHasSeenNothing) {
   EXPECT_EQ(blank.IsWanted(100, 10), grid.IsWanted(100, 10));
 }
 
+/// Cells of a square of the grid, in order.
+std::vector<std::uint32_t> CellsWithin(const SurveyGrid& grid, double low, double high) {
+  std::vector<std::uint32_t> cells;
+  for (int row = RowOf(grid, low); row < RowOf(grid, high); ++row) {
+    for (int column = ColumnOf(grid, low); column < ColumnOf(grid, high); ++column) {
+      cells.push_back(static_cast<std::uint32_t>(row * grid.frame().columns + column));
+    }
+  }
+  return cells;
+}
+
+TEST(SurveyGrid, GroundThatSomethingStandsOnIsNotToBeSeenAsLongAsItDoes) {
+  SurveyGrid grid(kArea);
+  grid.Observe(At(0.0, 0.0), 4.0, CameraModel{});
+  const Coverage before = grid.coverage();
+  const std::uint64_t version = grid.version();
+  EXPECT_TRUE(grid.SetStanding(CellsWithin(grid, 6.0, 12.0)));
+  EXPECT_FALSE(grid.SetStanding(CellsWithin(grid, 6.0, 12.0)));
+  EXPECT_NE(grid.version(), version) << "whoever mirrors it looks again";
+  const int in = RowOf(grid, 8.0);
+  EXPECT_FALSE(grid.IsWanted(in, ColumnOf(grid, 8.0)));
+  EXPECT_TRUE(grid.IsOfArea(in, ColumnOf(grid, 8.0)));
+  EXPECT_NEAR(grid.coverage().seabed, before.seabed * 1080.0 / (1080.0 - 36.0), 1e-9);
+  EXPECT_EQ(grid.Blank().wanted_cells(), grid.wanted_cells());
+  EXPECT_TRUE(grid.SetStanding(CellsWithin(grid, -0.5, 0.5)));
+  EXPECT_LT(grid.coverage().seabed, before.seabed) << "what had been seen counts no more";
+  EXPECT_TRUE(grid.SetStanding({}));
+  EXPECT_EQ(grid.coverage().seabed, before.seabed);
+}
+
+TEST(SurveyGrid, NothingIsSeenBehindAnObstacle) {
+  const SightObstacles pile(
+      {{.id = 1, .outline = {{1.0, -0.5}, {1.0, 0.5}, {1.5, 0.5}, {1.5, -0.5}}, .top = 0.0}});
+  SurveyGrid grid(kArea), clear(kArea);
+  const Pose X_WB = At(0.0, 0.0);
+  grid.Observe(X_WB, 4.0, CameraModel{}, 0.0, pile.From(X_WB.p_WB, 6.0));
+  clear.Observe(X_WB, 4.0, CameraModel{});
+  const int behind = RowOf(grid, 2.1), before = RowOf(grid, 0.6), beside = ColumnOf(grid, 1.9);
+  EXPECT_TRUE(clear.SeenHeight(behind, ColumnOf(grid, 0.1)).has_value());
+  EXPECT_FALSE(grid.SeenHeight(behind, ColumnOf(grid, 0.1)).has_value());
+  EXPECT_TRUE(grid.SeenHeight(behind, beside).has_value());
+  EXPECT_TRUE(grid.SeenHeight(before, ColumnOf(grid, 0.1)).has_value());
+}
+
 }  // namespace
 }  // namespace limpet

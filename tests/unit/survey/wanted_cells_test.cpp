@@ -33,5 +33,19 @@ TEST(WantedCells, AreThoseWhoseSamplePointIsInTheAreaAndInNoZone) {
   EXPECT_GT(wanted, 0U);
 }
 
+TEST(WantedCells, DroppedOnesAreCountedNoMoreAndLeaveTheRest) {
+  const GridFrame frame{.rows = 40, .columns = 70};
+  WantedCells cells(frame);
+  EXPECT_EQ(cells.count(), 2800U);
+  cells.Drop(39, 69);
+  cells.Drop(39, 69);
+  cells.Drop(0, 31);
+  EXPECT_EQ(cells.count(), 2798U);
+  EXPECT_FALSE(cells.Has(39, 69));
+  EXPECT_FALSE(cells.Has(0, 31));
+  EXPECT_TRUE(cells.Has(39, 68));
+  EXPECT_TRUE(cells.Has(0, 32));
+}
+
 }  // namespace
 }  // namespace limpet

@@ -353,5 +353,31 @@ TEST_F(SimCamera, ARenderingCameraSaysThatItMakesNoFalseBoxes) {
   EXPECT_NE(warnings("faults: [{what: false_boxes}]\n").find("NO_FALSE_BOXES"), std::string::npos);
 }
 
+TEST_F(SimCamera, SeesNoObjectBehindAnObstacle) {
+  const auto boxes = [this](const std::string& east) {
+    WriteWith("obstacles:\n  - {name: wall, shape: box, north_m: 0, east_m: " + east +
+              ", size_m: [6, 0.3], height_m: 6}\n");
+    SimCameraApp app = Make("discovery");
+    SimTruth truth;
+    truth.down = 3.0;
+    truth.east = 2.0;
+    int seen = 0;
+    for (int i = 0; i < 40; ++i) {
+      link_.time += Seconds(0.25);
+      link_.Send(app, topics::kSimTruth, truth);
+    }
+    for (const MessagePtr& message : link_.published) {
+      const auto detections = TopicCodec<Detections>::Decode(message->value);
+      if (message->name == "DETECTIONS" && detections) {
+        seen += static_cast<int>(detections->boxes.size());
+      }
+    }
+    link_.published.clear();
+    return seen;
+  };
+  EXPECT_GT(boxes("-1.5"), 20) << "the wall stands behind it";
+  EXPECT_EQ(boxes("1"), 0);
+}
+
 }  // namespace
 }  // namespace limpet
