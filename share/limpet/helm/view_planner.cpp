@@ -75,7 +75,11 @@ void ViewPlanner::SetObjects(const std::vector<OpiBelief>& objects) {
 }
 
 void ViewPlanner::SetObstacles(const std::vector<Obstacle>& obstacles) {
-  obstacles_changed_ = survey_.SetObstacles(obstacles) || obstacles_changed_;
+  if (!survey_.SetObstacles(obstacles) || obstacles_changed_ || !survey_.has_area()) return;
+  // Outlines grow with every ping where a wall comes into sight; what is flown clear of it goes on.
+  const double flown = tracker_.has_path() ? tracker_.steering().progress : 0.0;
+  const DubinsPath ahead = tracker_.has_path() ? tracker_.path().Rest(flown) : DubinsPath();
+  obstacles_changed_ = !tracker_.has_path() || !survey_.KeepsOff(ahead);
 }
 
 void ViewPlanner::DropPath() {
