@@ -334,7 +334,16 @@ void NavApp::PublishBeams(const Stamped<DvlSample>& dvl) {
                                         .sd_down = estimate.sd_p_W.z()});
 }
 
+bool NavApp::RepeatsEchoes(const SonarPing& ping) {
+  const bool has_echo = std::ranges::any_of(ping.ranges, [](double range) { return range > 0.0; });
+  const bool repeats = has_echo && ping.ranges == former_echoes_;
+  former_echoes_ = ping.ranges;
+  return repeats;
+}
+
 void NavApp::OnSonar(const Stamped<SonarPing>& ping) {
+  // What hangs shows an obstacle that goes along with the vehicle.
+  if (RepeatsEchoes(ping.value)) return;
   sonar_.Note(ping.time.value(), now().value());
   if (!navigator_.has_started() || !IsValid(now().value())) return;
   const Pose X_WB = navigator_.Estimate(ping.time.value()).X_WB;

@@ -107,6 +107,8 @@ class NavApp final : public App {
   void OnDepth(const Stamped<double>& depth);
   void OnThrusters(const Stamped<ThrusterCommand>& command);
   void OnSonar(const Stamped<SonarPing>& ping);
+  /// Each echo of the ping is the former ping's: noise lets a sound sonar say no such.
+  [[nodiscard]] bool RepeatsEchoes(const SonarPing& ping);
   void OnGps(const Stamped<GpsFix>& fix);
   void OnDetections(const Stamped<Detections>& detections);
   void OnPrior(const Stamped<SessionPrior>& prior);
@@ -154,7 +156,8 @@ class NavApp final : public App {
   PlaceSigma newest_sigma_;  ///< as of the last frame
   double last_attitude_t_ = -1e18;
   SourceWatch imu_, fog_, dvl_, lock_, depth_, gps_, camera_, sonar_, refused_fix_;
-  int refused_fixes_ = 0;                                           ///< as of the last tick
+  std::vector<double> former_echoes_;  ///< of the sonar that looks ahead [m]
+  int refused_fixes_ = 0;              ///< as of the last tick
   int gps_fixes_ = 0, dvl_pings_ = 0, dvl_pings_without_lock_ = 0;  ///< for the report
   int landmark_version_ = 0;
   double landmarks_t_ = -1e18, current_t_ = -1e18;

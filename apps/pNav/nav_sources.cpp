@@ -46,7 +46,7 @@ void NavApp::WatchSensors(double now) {
   watch(warnings::kDvlNoLock, !IsFresh(lock_, now), "no bottom lock within stale_after_s");
   watch(warnings::kDepthStale, !IsFresh(depth_, now), "no DEPTH_SENSOR within stale_after_s");
   watch(warnings::kSonarStale, sonar_.was_heard() && !IsFresh(sonar_, now),
-        "no OBSTACLE_SONAR within stale_after_s: obstacles show late, if at all");
+        "no new OBSTACLE_SONAR within stale_after_s: obstacles show late, if at all");
   if (const int refused = navigator_.counts().fixes; refused != refused_fixes_) {
     refused_fixes_ = refused;
     refused_fix_.Note(now, now);

@@ -54,8 +54,9 @@ inline const WarningId kSonarStale = DeclareWarning(
     "SONAR_STALE",
     {.severity = Severity::kWarning,
      .raised_by = {"pNav"},
-     .meaning = "No OBSTACLE_SONAR has been heard within stale_after_s, though it was before: what "
-                "stands in the way shows to the DVL's beams only.",
+     .meaning = "No OBSTACLE_SONAR has been heard within stale_after_s, though it was before, or "
+                "none but the same echoes again: what stands in the way shows to the DVL's beams "
+                "only.",
      .action =
          "Where there may be obstacles call the vehicle home; see to the sonar and its driver.",
      .clears = "With the next OBSTACLE_SONAR."});

@@ -95,6 +95,22 @@ TEST_F(NavAppTest, MissesASonarThatFallsSilent) {
   EXPECT_TRUE(app_->warnings().contains("SONAR_STALE"));
 }
 
+TEST_F(NavAppTest, PassesOnNoEchoesThatASonarRepeats) {
+  RunFor(20.0);
+  const SonarPing ping{.first = -0.5, .step = 0.5, .reach = 15.0, .ranges = {0.0, 7.5, 0.0}};
+  for (int i = 0; i < 30; ++i) {
+    link_.Send(*app_, topics::kObstacleSonar, ping);
+    RunFor(0.2);
+  }
+  EXPECT_EQ(link_.Count(topics::kNavSonar), 1);
+  EXPECT_TRUE(app_->warnings().contains("SONAR_STALE")) << "it is as good as silent";
+  SonarPing open = ping;
+  open.ranges[1] = 0.0;
+  link_.Send(*app_, topics::kObstacleSonar, open);
+  link_.Send(*app_, topics::kObstacleSonar, open);
+  EXPECT_EQ(link_.Count(topics::kNavSonar), 3) << "pings without an echo are all alike";
+}
+
 TEST_F(NavAppTest, TellsHowAFixAfterADiveMovesTheWayBehind) {
   RunFor(20.0);
   has_gps_ = false;
