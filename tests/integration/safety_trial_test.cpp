@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(
         FlownCase{"camera lost", SafetyPhase::kAlign, SafetyAction::kReturn, "aborted"},
         FlownCase{"sonar silent", SafetyPhase::kAlign, SafetyAction::kWarn, "timeout"},
         FlownCase{"sonar silent", SafetyPhase::kSurvey, SafetyAction::kDegrade, "timeout"},
-        FlownCase{"sonar stuck", SafetyPhase::kDive, SafetyAction::kWarn, "timeout"},
+        FlownCase{"sonar stuck", SafetyPhase::kAlign, SafetyAction::kWarn, "timeout"},
         FlownCase{"sonar stuck", SafetyPhase::kSurvey, SafetyAction::kDegrade, "timeout"},
         FlownCase{"processor high", SafetyPhase::kSurvey, SafetyAction::kDegrade, "timeout"},
         FlownCase{"swept into zone", SafetyPhase::kSurvey, SafetyAction::kReturn, "aborted"}));
