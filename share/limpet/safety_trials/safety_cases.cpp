@@ -61,7 +61,7 @@ constexpr std::array<SafetyCase, 48> kCases{{
     {"swept away", "what: current", Id::kFarFromHome, Seconds(45.0), kFromDive, kToAscend, BeyondCalm(5.0), "outside_region"},
     {"time over", "", Id::kMissionTime, Seconds(11.0), kFromAlign, kToAscend, AtBegin()},
     {"sigma high", "what: dvl_silent", Id::kSigmaHigh, Seconds(50.0), kFromAlign, kToAscend, BeyondCalm(0.1), "dvl_silent"},
-    {"sigma over limit", "what: dvl_silent", Id::kSigmaOverLimit, Seconds(45.0), kFromAlign, kToAscend, BeyondCalm(0.1)},
+    {"sigma over limit", "what: dvl_silent", Id::kSigmaOverLimit, Seconds(50.0), kFromAlign, kToAscend, BeyondCalm(0.1)},
     {"DVL lost", "what: dvl_silent", Id::kDvlLost, Seconds(33.0), kFromAlign, kToAscend, Given(32.0)},
     {"thrusters weak", "what: thrusters_weak, size: 0.02", Id::kThrustersSaturated, Seconds(20.0), kFromDive, kToReturn, Given(10.0)},
     {"behavior fails", "", Id::kBehaviorFailed, Seconds(5.0), kFromAlign, kToAscend, {}, "", TrialProp::kFailingBehavior},
