@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// geometries LIMPET MISSIONS OUT [SEEDS]: areas of several shapes, each surveyed by our planner and
+// along conventional lanes (`--planner lawnmower`) with the same seeds, by the command: whole way
+// and time from start to home, and their ratios, as a table in Markdown. Flights that OUT already
+// holds are not flown again.
+//   LIMPET    the program, such as build/bin/limpet
+//   MISSIONS  the folder of this file's missions, tests/bench/geometries; or any with others
+//   SEEDS     how many, from 1 on (3)
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limpet/sweeps/child_process.hpp"
+
+namespace {
+
+using namespace limpet;
+namespace fs = std::filesystem;
+
+/// A survey from start to home.
+struct Flight {
+  double way_m = 0.0, time_s = 0.0;
+  double in_survey_m = 0.0;  ///< from the survey's start to where it comes up
+  double band = 0.0;         ///< share of objects' places that was truly seen
+  bool is_home = false;      ///< ended by its own judgement
+  std::optional<double> reckoned_m =
+      std::nullopt;  ///< best of all lanes, for what `in_survey_m` counts
+};
+
+struct Runs {
+  fs::path limpet, missions, out;
+  int seeds = 3;
+};
+
+/// Flies what has not been flown; false if the command failed.
+bool Fly(const Runs& runs, const std::string& name, const std::string& planner) {
+  const fs::path out = runs.out / name / planner;
+  fs::create_directories(out.parent_path());
+  const ChildRun tables{
+      .args = {"tables", (runs.missions / name).string(), "--sessions", "discovery", "--planner",
+               planner, "--runs", std::to_string(runs.seeds), "--jobs", "1", "--set",
+               "uSimCamera.camera=boxes", "--out", out.string()},
+      .log = out.string() + ".log",
+      .program = runs.limpet.string()};
+  const int code = WaitForChild(StartChild(tables, SIGTERM));
+  if (code == 0) return true;
+  fmt::print(stderr, "{} of {}: exit code {}, see {}\n", planner, name, code, tables.log.string());
+  return false;
+}
+
+Flight FlightOf(const Runs& runs, const std::string& name, const std::string& planner, int seed) {
+  const fs::path file = runs.out / name / planner / std::to_string(seed) / "report.json";
+  const auto session = nlohmann::json::parse(std::ifstream(file)).at("sessions").at("discovery");
+  Flight flight{.way_m = session.at("path_m"),
+                .time_s = session.at("duration_s"),
+                .in_survey_m = session.at("survey_path_m"),
+                .band = session.at("detected_band"),
+                .is_home = session.at("ended") == "home"};
+  if (const auto& lanes = session.at("lanes"); !lanes.is_null()) {
+    flight.reckoned_m = lanes.at("path_m").get<double>();
+  }
+  return flight;
+}
+
+/// Of several flights.
+struct Means {
+  double way_m = 0.0, time_s = 0.0, in_survey_m = 0.0, reckoned_m = 0.0, least_band = 1.0;
+  int home = 0, seeds = 0;
+  void Add(const Flight& flight) {
+    const double before = seeds++;
+    const auto mean = [&](double& value, double add) {
+      value = (before * value + add) / (before + 1.0);
+    };
+    mean(way_m, flight.way_m), mean(time_s, flight.time_s);
+    mean(in_survey_m, flight.in_survey_m);
+    mean(reckoned_m, flight.reckoned_m.value_or(0.0));
+    least_band = std::min(least_band, flight.band);
+    home += flight.is_home ? 1 : 0;
+  }
+};
+
+Means MeansOf(const Runs& runs, const std::string& name, const std::string& planner) {
+  Means means;
+  for (int seed = 1; seed <= runs.seeds; ++seed)
+    means.Add(FlightOf(runs, name, planner, seed));
+  return means;
+}
+
+void PrintRow(const std::string& name, const Means& ours, const Means& lanes) {
+  const double reckoned = ours.reckoned_m > 0.0 ? ours.in_survey_m / ours.reckoned_m : std::nan("");
+  fmt::print("| {} | {:.0f} | {:.0f} | {:.2f} | {:.2f} | {:.2f} | {:.3f} / {:.3f} | {} / {} |\n",
+             name, ours.way_m, lanes.way_m, ours.way_m / lanes.way_m, ours.time_s / lanes.time_s,
+             reckoned, ours.least_band, lanes.least_band, ours.home, lanes.home);
+}
+
+int Run(const Runs& runs) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(runs.missions)) {
+    if (fs::exists(entry.path() / "mission.moos")) names.push_back(entry.path().filename());
+  }
+  std::ranges::sort(names);
+  fmt::print(
+      "Means of {} seeds; ways from start to home.\n\n"
+      "| area | ours [m] | lanes [m] | way | time | way against reckoned lanes | least band "
+      "seen, ours / lanes | ended by own judgement |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- |\n",
+      runs.seeds);
+  bool is_complete = !names.empty();
+  for (const std::string& name : names) {
+    if (!Fly(runs, name, "limpet") || !Fly(runs, name, "lawnmower")) {
+      is_complete = false;
+      continue;
+    }
+    PrintRow(name, MeansOf(runs, name, "limpet"), MeansOf(runs, name, "lawnmower"));
+  }
+  return is_complete ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 4) {
+    fmt::print(stderr, "usage: geometries LIMPET MISSIONS OUT [SEEDS]\n");
+    return 2;
+  }
+  Runs runs{.limpet = fs::absolute(argv[1]), .missions = argv[2], .out = argv[3]};
+  if (argc > 4) runs.seeds = std::max(1, std::atoi(argv[4]));
+  try {
+    return Run(runs);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return EXIT_FAILURE;
+  }
+}
