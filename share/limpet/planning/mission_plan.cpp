@@ -193,7 +193,12 @@ bool MissionPlan::BeginsOtherwise(const FlownTour& tour) const {
 
 TourCost MissionPlan::Renew(TourJudge& judge) {
   plan_ = Rest();
-  const TourCost cost = judge.Cost(plan_);
+  TourCost cost = judge.Cost(plan_);
+  if (cost.detours > 0.0) {  // the region's allowance has grown, and turns no longer fit
+    SurveyTour fitted = FittedInside(plan_, judge.region(), judge.turn_radius());
+    const TourCost cost_fitted = judge.Cost(fitted);
+    if (cost_fitted.total < cost.total) plan_ = std::move(fitted), cost = cost_fitted;
+  }
   if (plan_.empty() || cost.missing > kStaleTrack || SeesOtherwise()) {
     Replan(judge);
   } else if (params_.first_edits > 0) {

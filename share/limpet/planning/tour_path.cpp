@@ -29,6 +29,11 @@ std::optional<DubinsPath> WayInside(const Pose2& from, const Pose2& to, const Re
   return WayAround(from, to, region, turn_radius);
 }
 
+/// A vehicle that is here can go on.
+bool HasRoom(const Pose2& pose, const Region& region, Meters turn_radius) {
+  return region.Contains(pose) && region.IsRecoverable(pose, turn_radius);
+}
+
 }  // namespace
 
 FlownTour Fly(const DubinsPath& way, const SurveyTour& tour, const Region& region,
@@ -47,6 +52,20 @@ FlownTour Fly(const DubinsPath& way, const SurveyTour& tour, const Region& regio
     flown.spans.push_back({begin, flown.path.length()});
   }
   return flown;
+}
+
+SurveyTour FittedInside(const SurveyTour& tour, const Region& region, Meters turn_radius) {
+  constexpr double kCut = 0.25;  // [m]
+  SurveyTour fitted;
+  for (Pass pass : tour) {
+    while (pass.length > kCut && !HasRoom(pass.Reversed().out(), region, turn_radius)) {
+      pass = {.in = Advance(pass.in, 0.0, kCut), .length = pass.length - kCut};
+    }
+    while (pass.length > kCut && !HasRoom(pass.out(), region, turn_radius))
+      pass.length -= kCut;
+    if (HasRoom(pass.out(), region, turn_radius) && IsInside(pass, region)) fitted.push_back(pass);
+  }
+  return fitted;
 }
 
 SurveyTour RestAfter(const FlownTour& tour, double flown) {

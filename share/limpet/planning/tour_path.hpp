@@ -21,6 +21,11 @@ struct FlownTour {
 [[nodiscard]] FlownTour Fly(const DubinsPath& way, const SurveyTour& tour, const Region& region,
                             Meters turn_radius);
 
+/// Its passes cut shorter at their ends, until there is room to turn within the region; those of
+/// which nothing is left are left out.
+[[nodiscard]] SurveyTour FittedInside(const SurveyTour& tour, const Region& region,
+                                      Meters turn_radius);
+
 /// What is left of a tour once `flown` metres of its path are.
 [[nodiscard]] SurveyTour RestAfter(const FlownTour& tour, double flown);
 

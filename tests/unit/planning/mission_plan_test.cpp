@@ -78,6 +78,23 @@ TEST(MissionPlan, OffersOthersThatBeginOtherwise) {
   }
 }
 
+/// The region's allowance grows with the doubt of the place.
+TEST(MissionPlan, LanesAreCutShorterWhereTheRegionHasBecomeNarrower) {
+  BegunSurvey survey;
+  MissionPlan lanes = PlanOf(0);
+  const std::vector<Option> before = OffersAt(lanes, survey.At(scene::kStart));
+  ASSERT_FALSE(before.empty());
+  lanes.OnChoice(before[0]);
+  survey.region = Region(survey.area, Meters(1.25));
+  ASSERT_FALSE(survey.region.Contains(before[0].path));
+  const Pose2 start = before[0].path.At(5.0);
+  ASSERT_TRUE(survey.region.Contains(start));
+  const std::vector<Option> after = OffersAt(lanes, survey.At(start, 5.0));
+  ASSERT_FALSE(after.empty());
+  EXPECT_TRUE(survey.region.Contains(after[0].path));
+  EXPECT_GT(survey.TopAfter(after[0].path), 0.9);
+}
+
 TEST(MissionPlan, SaysWhatItsRestLacksIfLessWasSeenThanMeant) {
   const BegunSurvey survey;
   MissionPlan plan = PlanOf(200);
