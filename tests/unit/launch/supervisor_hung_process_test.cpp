@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "limpet/topics/safety.hpp"
 #include "tests/unit/launch/live_mission.hpp"
 
 namespace limpet {
