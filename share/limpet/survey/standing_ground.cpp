@@ -17,7 +17,7 @@ namespace {
 
 /// Half of the widest gap between outlines that shuts in what is behind them all the same [m].
 constexpr double kHalfGap = 0.5;
-/// Outlines that enclose something are looked at within at most so many cells.
+/// Outlines are looked at together, for what they enclose, within at most so many cells: memory.
 constexpr double kMostWindow = 4e6;
 
 struct Outlined {
@@ -61,19 +61,21 @@ std::vector<std::vector<Outlined>> Clustered(std::vector<Outlined> outlined) {
 /// Ground around a cluster, cell by cell as the grid has them; it may reach beyond the grid.
 class Surroundings {
  public:
+  [[nodiscard]] static double CellsAround(const std::vector<Outlined>& cluster,
+                                          const GridFrame& frame) {
+    const CellBox box = BoxAround(cluster, frame);
+    return (box.row_max - box.row_min + 1.0) * (box.column_max - box.column_min + 1.0);
+  }
+
   Surroundings(const std::vector<Outlined>& cluster, const GridFrame& frame)
       : frame_(frame), box_(BoxAround(cluster, frame)) {
-    const double cells = static_cast<double>(rows()) * columns();
-    is_too_large_ = cells > kMostWindow;
-    if (is_too_large_) return;
-    cells_.resize(static_cast<std::size_t>(cells));
+    cells_.resize(static_cast<std::size_t>(rows()) * static_cast<std::size_t>(columns()));
     for (const Outlined& one : cluster)
       Draw(one);
   }
 
   /// Whatever can be come to from outside, or from where the vehicle is.
   void Flood(const std::optional<PlanePoint>& vehicle) {
-    if (is_too_large_) return;
     FloodFrom({box_.row_min, box_.column_min});  // the border is free all around
     if (const auto at = vehicle ? CellAt(*vehicle) : std::nullopt) FloodFrom(*at);
     for (int row = box_.row_min; row <= box_.row_max; ++row) {
@@ -85,7 +87,6 @@ class Surroundings {
 
   /// Adds the cells of the grid that are stood on.
   void Collect(std::vector<std::uint32_t>& standing) const {
-    if (is_too_large_) return;
     for (int row = std::max(0, box_.row_min); row <= std::min(frame_.rows - 1, box_.row_max);
          ++row) {
       for (int column = std::max(0, box_.column_min);
@@ -208,9 +209,30 @@ class Surroundings {
 
   GridFrame frame_;
   CellBox box_;
-  bool is_too_large_ = false;
   std::vector<Cell> cells_;
 };
+
+/// A coast of outlines encloses no obstacle, but stands all the same: each for itself.
+std::vector<std::vector<Outlined>> Apart(std::vector<Outlined> cluster) {
+  std::vector<std::vector<Outlined>> apart;
+  for (Outlined& one : cluster)
+    apart.push_back({std::move(one)});
+  return apart;
+}
+
+/// Clusters that there is memory to look at.
+std::vector<std::vector<Outlined>> LookedAtTogether(std::vector<std::vector<Outlined>> clusters,
+                                                    const GridFrame& frame) {
+  std::vector<std::vector<Outlined>> together;
+  for (std::vector<Outlined>& cluster : clusters) {
+    if (Surroundings::CellsAround(cluster, frame) <= kMostWindow) {
+      together.push_back(std::move(cluster));
+    } else {
+      std::ranges::move(Apart(std::move(cluster)), std::back_inserter(together));
+    }
+  }
+  return together;
+}
 
 }  // namespace
 
@@ -218,7 +240,8 @@ std::vector<std::uint32_t> StandingGround(const std::vector<Obstacle>& obstacles
                                           const GridFrame& frame,
                                           const std::optional<PlanePoint>& vehicle) {
   std::vector<std::uint32_t> standing;
-  for (const std::vector<Outlined>& cluster : Clustered(PolygonsOf(obstacles))) {
+  for (const std::vector<Outlined>& cluster :
+       LookedAtTogether(Clustered(PolygonsOf(obstacles)), frame)) {
     Surroundings around(cluster, frame);
     around.Flood(vehicle);
     around.Collect(standing);

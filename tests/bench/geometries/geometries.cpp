@@ -20,6 +20,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limpet/core/number_text.hpp"
 #include "limpet/sweeps/child_process.hpp"
 
 namespace {
@@ -129,12 +130,13 @@ int Run(const Runs& runs) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 4) {
-    fmt::print(stderr, "usage: geometries LIMPET MISSIONS OUT [SEEDS]\n");
+  const std::optional<int> seeds = argc > 4 ? ParseInteger(argv[4]) : 3;
+  if (argc < 4 || argc > 5 || seeds.value_or(0) < 1) {
+    fmt::print(stderr, "usage: geometries LIMPET MISSIONS OUT [SEEDS, at least 1]\n");
     return 2;
   }
-  Runs runs{.limpet = fs::absolute(argv[1]), .missions = argv[2], .out = argv[3]};
-  if (argc > 4) runs.seeds = std::max(1, std::atoi(argv[4]));
+  const Runs runs{
+      .limpet = fs::absolute(argv[1]), .missions = argv[2], .out = argv[3], .seeds = *seeds};
   try {
     return Run(runs);
   } catch (const std::exception& error) {

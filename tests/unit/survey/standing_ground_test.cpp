@@ -73,6 +73,18 @@ TEST(StandingGround, LeavesGroundTooLargeForAnObstacle) {
   EXPECT_LT(SquareMetres(StandingGround(WallsOf(10.0, 8.0), kFrame)), 25.0);
 }
 
+/// Quays of a harbour of 700 x 700 m, whose pieces hang together all along.
+TEST(StandingGround, OfALongCoastIsEachOfItsOutlines) {
+  const GridFrame harbour{
+      .north_min = -10.0, .east_min = -10.0, .cell_m = 0.25, .rows = 2900, .columns = 2900};
+  std::vector<Obstacle> quays;
+  for (double at = 0.0; at < 700.0; at += 10.0) {
+    quays.push_back(Piece(at, at + 10.0, 0.0, 1.0));
+    quays.push_back(Piece(0.0, 1.0, at, at + 10.0));
+  }
+  EXPECT_NEAR(SquareMetres(StandingGround(quays, harbour)), 1399.0, 0.5);
+}
+
 TEST(StandingGround, BeyondTheAreaCountsOnlyWhatIsInIt) {
   const auto cells = StandingGround({Piece(14.0, 17.0, 17.0, 21.0)}, kFrame);
   EXPECT_DOUBLE_EQ(SquareMetres(cells), 1.0);
