@@ -108,6 +108,23 @@ void FlyRow(const MissionFile& mission, const TrialPlaces& places, const SafetyC
   fmt::print("\n");
 }
 
+/// Those whose names hold a word. Throws UsageError if none does.
+std::vector<SafetyCase> CasesNamed(const std::string& word) {
+  std::vector<SafetyCase> cases;
+  std::vector<std::string> names;
+  for (const SafetyCase& tested : SafetyCases()) {
+    names.emplace_back(tested.name);
+    if (tested.name.find(word) != std::string_view::npos) cases.push_back(tested);
+  }
+  if (cases.empty()) {
+    const std::string nearest = NearestWord(word, names);
+    throw UsageError(fmt::format("--only {}: no fault has it in its name; {}", word,
+                                 nearest.empty() ? fmt::format("faults: {}", fmt::join(names, ", "))
+                                                 : fmt::format("did you mean `{}`?", nearest)));
+  }
+  return cases;
+}
+
 int TestRules(const Arguments& given, const std::string& path) {
   const fs::path file = MissionFileOf(path);
   const MissionFile mission = ShortenedForTrials(LoadMission(file));
@@ -120,15 +137,14 @@ int TestRules(const Arguments& given, const std::string& path) {
                     "try the rules",
                     path));
   }
-  const std::string only = given.Find("only").value_or("");
+  const std::vector<SafetyCase> cases = CasesNamed(given.Find("only").value_or(""));
   fmt::print("{:<18}{:<24}", "fault", "rule");
   for (const SafetyPhase phase : kTriedPhases) {
     fmt::print("{:<15}", NameOf(phase));
   }
   fmt::print("\n");
   TrialRemarks remarks;
-  for (const SafetyCase& tested : SafetyCases()) {
-    if (tested.name.find(only) == std::string_view::npos) continue;
+  for (const SafetyCase& tested : cases) {
     FlyRow(mission, places, tested, static_cast<std::uint64_t>(given.Integer("seed")), remarks);
   }
   for (const std::string& note : remarks.notes) {

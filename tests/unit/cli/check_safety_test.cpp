@@ -137,6 +137,17 @@ TEST(SafetyVerb, RefusesWhatItCannotDo) {
   }
 }
 
+TEST(SafetyVerb, SaysThatNoFaultHasTheNameThatIsAskedFor) {
+  const std::string mission = std::string(LIMPET_SOURCE_DIR) + "/missions/table1";
+  try {
+    static_cast<void>(RunSafety(std::vector<std::string>{"test", mission, "--only", "leek"}));
+    FAIL() << "all is well with no flight at all";
+  } catch (const UsageError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("--only leek: no fault has it in its name; did you mean "
+                                        "`leak`?"));
+  }
+}
+
 TEST(SafetyVerb, TriesNoMissionWhoseScenarioHasFaultsOfItsOwn) {
   const MissionCopy mission;
   mission.Apply({"scenario.yaml", "seabed:", "faults: [{what: leak, at_s: 3}]\nseabed:"});
