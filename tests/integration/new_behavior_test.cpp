@@ -26,52 +26,62 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Metres flown in the northern half of the area, times a weight.
-class NorthernHalf final : public SearchTerm {
+enum class Half : int { kNorth = 1, kSouth = -1 };
+
+/// Metres flown in one half of the area, times a weight.
+class MetresInHalf final : public SearchTerm {
  public:
-  explicit NorthernHalf(double weight = 1.0) : weight_(weight) {}
+  explicit MetresInHalf(Half half, double weight = 1.0)
+      : side_(static_cast<double>(half)), weight_(weight) {}
   [[nodiscard]] double Worth(const PathStep& step, TermEvents&) const override {
     double metres = 0.0, last = step.before;
     step.Sample([&](const Pose2& pose, double s) {
-      metres += pose.north > 0.0 ? s - last : 0.0;
+      metres += side_ * pose.north > 0.0 ? s - last : 0.0;
       last = s;
     });
     return weight_ * metres;
   }
 
  private:
+  double side_;
   double weight_;
 };
 
-/// Bids for the north.
-class BHV_TestPreferNorth : public Behavior {
+/// Bids for one half.
+template <Half half>
+class BHV_TestPrefer : public Behavior {
  public:
   struct Params {
     template <class V>
     void Describe(V&) {}
   };
-  explicit BHV_TestPreferNorth(const Params&) {}
+  explicit BHV_TestPrefer(const Params&) {}
   [[nodiscard]] std::optional<Bid> Value(const Prospect& prospect,
                                          const Situation&) const override {
-    const double north = WorthAlong(prospect.path(), NorthernHalf());
-    return Bid{.value = north, .why = {{"north", north}}, .veto = {}};
+    const double metres = WorthAlong(prospect.path(), MetresInHalf(half));
+    return Bid{.value = metres, .why = {{"metres", metres}}, .veto = {}};
   }
 };
+using BHV_TestPreferNorth = BHV_TestPrefer<Half::kNorth>;
 LIMPET_REGISTER_BEHAVIOR(BHV_TestPreferNorth);
 
-/// Bids for the north, and makes searches seek it.
-class BHV_TestSeekNorth final : public BHV_TestPreferNorth {
+/// Bids for one half, and makes searches seek it.
+template <Half half>
+class BHV_TestSeek final : public BHV_TestPrefer<half> {
  public:
-  using BHV_TestPreferNorth::BHV_TestPreferNorth;
+  using BHV_TestPrefer<half>::BHV_TestPrefer;
   void Shape(const Situation&, double weight, SearchGoals& goals) const override {
-    goals.objective.terms.push_back(std::make_shared<NorthernHalf>(weight));
+    goals.objective.terms.push_back(std::make_shared<MetresInHalf>(half, weight));
   }
 };
+using BHV_TestSeekNorth = BHV_TestSeek<Half::kNorth>;
+using BHV_TestSeekSouth = BHV_TestSeek<Half::kSouth>;
 LIMPET_REGISTER_BEHAVIOR(BHV_TestSeekNorth);
+LIMPET_REGISTER_BEHAVIOR(BHV_TestSeekSouth);
 
 std::string BlockOf(const std::string& type, double weight) {
   return fmt::format(
-      "\nBehavior = {}\n{{\n  name = north\n  pwt = {}\n"
+      "\nBehavior = {}\n{{\n  name = half\n  pwt = {}\n"
       "  condition = MODE = ACTIVE:SURVEYING\n}}\n",
       type, weight);
 }
@@ -118,30 +128,34 @@ Beginning FlyBasin(const std::string& more_behaviors, std::uint64_t seed) {
   return beginning;
 }
 
-constexpr std::uint64_t kFlights = 6;
-
-/// How much more of each flight's track lies in the north with a behavior than without.
-std::vector<double> DrawnBy(const std::string& type, double weight) {
+/// How much more of each flight's track lies in the north with one behavior than with another, or
+/// none.
+std::vector<double> DrawnBy(const std::string& more_behaviors, const std::string& than,
+                            std::uint64_t flights) {
   std::vector<double> drawn;
-  for (std::uint64_t seed = 1; seed <= kFlights; ++seed) {
-    const double without = FlyBasin("", seed).north_share;
-    const double with = FlyBasin(BlockOf(type, weight), seed).north_share;
-    ::testing::Test::RecordProperty(fmt::format("{}_{}", type, seed),
+  for (std::uint64_t seed = 1; seed <= flights; ++seed) {
+    const double without = FlyBasin(than, seed).north_share;
+    const double with = FlyBasin(more_behaviors, seed).north_share;
+    ::testing::Test::RecordProperty(fmt::format("flight_{}", seed),
                                     fmt::format("{:.3f} {:.3f}", without, with));
     drawn.push_back(with - without);
   }
   return drawn;
 }
 
+/// Against one that wants the other half: what a survey does without either leans to one side now
+/// and then, and a single flight says little.
 TEST(NewBehavior, OfHalfTheWeightDrawsTheVehicleWhereItWantsIt) {
-  const std::vector<double> drawn = DrawnBy("BHV_TestSeekNorth", 0.5);
+  constexpr std::uint64_t kFlights = 12;
+  const std::vector<double> drawn =
+      DrawnBy(BlockOf("BHV_TestSeekNorth", 0.5), BlockOf("BHV_TestSeekSouth", 0.5), kFlights);
   EXPECT_GT(std::accumulate(drawn.begin(), drawn.end(), 0.0) / kFlights, 0.05);
 }
 
 /// Bids alone choose among plans: no search seeks what they like, so they must outweigh what the
 /// other plans are worse.
 TEST(NewBehavior, ThatOnlyBidsTurnsTheVehicleWhereItOutbidsTheDifferenceOfPlans) {
-  const std::vector<double> drawn = DrawnBy("BHV_TestPreferNorth", 4.0);
+  const std::vector<double> drawn = DrawnBy(BlockOf("BHV_TestPreferNorth", 4.0), "", 6);
   EXPECT_GT(std::ranges::count_if(drawn, [](double share) { return share != 0.0; }), 1);
   EXPECT_GT(std::accumulate(drawn.begin(), drawn.end(), 0.0), 0.0);
 }

@@ -57,9 +57,7 @@ int FenceAllowance::StepsFrom(const Pose2& here) const {
                             here.east + side * turn_radius_.value() * std::cos(here.yaw));
     slack = std::max(slack, region_.Clearance(centre) - turn_radius_.value());
   }
-  // A vehicle on a path that fits is off it by no more than this; planners lead it back.
-  constexpr double kOffPath = 0.5;
-  return slack > -kOffPath ? std::min(steps_, static_cast<int>((slack + kOffPath) / kStep)) : 0;
+  return slack > 0.0 ? std::min(steps_, static_cast<int>(slack / kStep)) : 0;
 }
 
 Meters FenceAllowance::For(const Pose2& here, Meters place_sigma, Meters held) const {

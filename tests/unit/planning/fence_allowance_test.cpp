@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "limpet/core/random.hpp"
+#include "limpet/planning/region.hpp"
 #include "limpet/survey/survey_shape.hpp"
 
 namespace limpet {
@@ -59,6 +61,26 @@ TEST(FenceAllowance, LeavesAVehicleNearTheBorderItsTurn) {
   const Pose2 near_corner{.north = 0.2, .east = 0.2, .yaw = 0.0};
   EXPECT_LT(fences.For(near_corner, Meters(1.0), kPilot), Meters(0.7));
   EXPECT_GT(fences.For(kMiddle, Meters(1.0), kPilot), Meters(2.5));
+}
+
+/// Else a pilot's error of centimetres at the end of a lane would leave it nothing to fly.
+TEST(FenceAllowance, NeverLeavesTheVehicleOutsideOrWithoutATurn) {
+  const SurveyArea area = OpenArea(3.0);
+  const FenceAllowance fences(area, kPilot, kRadius);
+  const Region widest(area, kPilot);
+  Random random(2, "fences");
+  int tight = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Pose2 here{random.Uniform(-3.0, 23.0), random.Uniform(-3.0, 23.0),
+                     random.Uniform(-3.1, 3.1)};
+    if (!widest.Contains(here) || !widest.IsRecoverable(here, kRadius)) continue;
+    const Meters allowance = fences.For(here, Meters(random.Uniform(0.0, 1.0)), kPilot);
+    const Region region(area, allowance);
+    EXPECT_TRUE(region.Contains(here));
+    EXPECT_TRUE(region.IsRecoverable(here, kRadius));
+    tight += allowance < fences.most() ? 1 : 0;
+  }
+  EXPECT_GT(tight, 50);
 }
 
 TEST(FenceAllowance, DoesNotFollowEveryChangeOfTheSigma) {
