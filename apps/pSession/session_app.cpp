@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/pSession/session_app.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -205,9 +206,17 @@ void SessionApp::Tick(Seconds now) {
   } else if (pending_ && now - pending_->since > params_.map_within) {
     Warn(warnings::kMapSilent, "no MAP_SNAPSHOT: saved with the last map known");
     Commit(pending_->cause, now);
-  } else if (!pending_ && now - *last_save_ >= params_.save_every) {
+  } else if (!pending_ && now - *last_save_ >= SaveEvery()) {
     StartSaving(kPeriodic, now);
   }
+}
+
+// A map is written as a whole: at a fixed pace, what a long survey writes would grow with the
+// square of its time, and fill disk and log.
+Seconds SessionApp::SaveEvery() const {
+  constexpr double kMapBytesPerSecond = 128e3;
+  return std::max(params_.save_every,
+                  Seconds(static_cast<double>(memory_.map.size()) / kMapBytesPerSecond));
 }
 
 bool SessionApp::DiskIsIdle(Seconds now) {

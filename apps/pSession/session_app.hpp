@@ -24,7 +24,8 @@ class SessionApp final : public App {
     template <class V>
     void Describe(V& visit) {
       using namespace literals;
-      visit("save_every_s", save_every, "Time between two saved generations",
+      visit("save_every_s", save_every,
+            "Time between two saved generations; more where the map is large: 1 s per 128 kB",
             InRange(1.0_s, 3600.0_s));
       visit("map_within_s", map_within, "Wait this long for the map, then save without a new one",
             InRange(0.1_s, 60.0_s));
@@ -61,6 +62,7 @@ class SessionApp final : public App {
   /// still at the one before.
   void Commit(std::string cause, Seconds now);
   void TellSaved();
+  [[nodiscard]] Seconds SaveEvery() const;
   /// False while the disk is at work; warns if that takes long.
   [[nodiscard]] bool DiskIsIdle(Seconds now);
 

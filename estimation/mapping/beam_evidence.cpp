@@ -7,6 +7,21 @@
 #include "estimation/mapping/beam_walk.hpp"
 
 namespace limpet {
+namespace {
+
+constexpr int kLowBits = 16;
+
+/// Counts by `delta`, one or its negative; returns what the two bytes could not hold of it.
+std::uint32_t CountLow(std::uint16_t& low, std::uint32_t delta) {
+  const std::uint16_t before = low;
+  low = static_cast<std::uint16_t>(before + delta);
+  const bool is_up = delta == 1;
+  const bool has_wrapped = is_up ? low < before : low > before;
+  return has_wrapped ? delta : 0;
+}
+
+}  // namespace
+
 float OccupiedLogOdds(const VoxelCounts& counts, float before) {
   constexpr double kHit = 0.8472978603872034, kMiss = -0.4054651081081643;  // ln p / (1 - p)
   constexpr double kLeast = -2.0, kMost = 3.5;
@@ -55,13 +70,37 @@ void BeamEvidence::Count(const Eigen::Vector3d& origin_W, const Eigen::Vector3d&
     }
     const auto voxel = static_cast<std::size_t>((at[0] & kInside) | (at[1] & kInside) << kBits |
                                                 (at[2] & kInside) << (2 * kBits));
-    if (walk.HasArrived()) {
-      brick->voxels[voxel].hits += delta;
-      return;
+    LowCounts& counts = brick->voxels[voxel];
+    const bool is_end = walk.HasArrived();
+    const std::uint32_t carried = CountLow(is_end ? counts.hits : counts.misses, delta);
+    if (carried != 0) {
+      Carry(key, *brick, voxel,
+            is_end ? VoxelCounts{.hits = carried} : VoxelCounts{.misses = carried});
     }
-    brick->voxels[voxel].misses += delta;
+    if (is_end) return;
     walk.Step();
   }
+}
+
+void BeamEvidence::Carry(const BrickKey& key, Brick& brick, std::size_t voxel,
+                         const VoxelCounts& carried) {
+  brick.has_carries = true;
+  VoxelCounts& carry = carries_[key][voxel];
+  carry.hits += carried.hits;
+  carry.misses += carried.misses;
+}
+
+VoxelCounts BeamEvidence::CountsOf(const BrickKey& key, const Brick& brick,
+                                   std::size_t voxel) const {
+  const LowCounts& low = brick.voxels[voxel];
+  VoxelCounts counts{.hits = low.hits, .misses = low.misses};
+  if (!brick.has_carries) return counts;
+  const auto& carries = carries_.at(key);
+  if (const auto carry = carries.find(voxel); carry != carries.end()) {
+    counts.hits += carry->second.hits << kLowBits;
+    counts.misses += carry->second.misses << kLowBits;
+  }
+  return counts;
 }
 
 VoxelCounts BeamEvidence::At(const VoxelKey& key) const {
@@ -69,11 +108,12 @@ VoxelCounts BeamEvidence::At(const VoxelKey& key) const {
   const auto found = bricks_.find({part(0) >> kBits, part(1) >> kBits, part(2) >> kBits});
   if (found == bricks_.end()) return {};
   constexpr std::int32_t kInside = kEdge - 1;
-  return found->second.voxels[static_cast<std::size_t>(
-      (part(0) & kInside) | (part(1) & kInside) << kBits | (part(2) & kInside) << (2 * kBits))];
+  return CountsOf(found->first, found->second,
+                  static_cast<std::size_t>((part(0) & kInside) | (part(1) & kInside) << kBits |
+                                           (part(2) & kInside) << (2 * kBits)));
 }
 
-void BeamEvidence::Visit(const BrickKey& key, const Brick& brick, const VoxelVisitor& visit) {
+void BeamEvidence::Visit(const BrickKey& key, const Brick& brick, const VoxelVisitor& visit) const {
   constexpr std::size_t kEdgeVoxels = kEdge;
   for (std::size_t voxel = 0; voxel < brick.voxels.size(); ++voxel) {
     const std::array<std::size_t, 3> in{voxel % kEdgeVoxels, voxel / kEdgeVoxels % kEdgeVoxels,
@@ -82,7 +122,7 @@ void BeamEvidence::Visit(const BrickKey& key, const Brick& brick, const VoxelVis
     for (std::size_t axis = 0; axis < 3; ++axis) {
       at[axis] = std::int64_t{key[axis]} * kEdge + static_cast<std::int64_t>(in[axis]);
     }
-    visit(at, brick.voxels[voxel]);
+    visit(at, CountsOf(key, brick, voxel));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <unordered_map>
 #include <vector>
 
@@ -28,8 +29,9 @@ struct VoxelCounts {
 /// `before` is what was known of the voxel without these beams.
 [[nodiscard]] float OccupiedLogOdds(const VoxelCounts& counts, float before = 0.0F);
 
-/// What sonar beams say of space, as counts in bricks of 8 x 8 x 8 voxels. Counts are sums, so a
-/// beam can be taken back exactly, in any order, and laid elsewhere.
+/// What sonar beams say of space, as counts in bricks of 4 x 4 x 4 voxels: beams of a vehicle under
+/// way fill sheets, of which large bricks would hold little. Counts are sums, so a beam can be
+/// taken back exactly, in any order, and laid elsewhere.
 class BeamEvidence {
  public:
   using VoxelVisitor = std::function<void(const VoxelKey&, const VoxelCounts&)>;
@@ -56,27 +58,38 @@ class BeamEvidence {
   /// All voxels that beams have been in.
   void ForEachKnown(const VoxelVisitor& visit) const;
   [[nodiscard]] double resolution() const { return resolution_; }
+  /// Of the bricks themselves.
   [[nodiscard]] std::size_t bytes() const { return bricks_.size() * sizeof(Brick); }
 
  private:
-  static constexpr int kBits = 3;  ///< of a voxel's index in its brick, per axis
+  static constexpr int kBits = 2;  ///< of a voxel's index in its brick, per axis
   static constexpr int kEdge = 1 << kBits;
   using BrickKey = std::array<std::int32_t, 3>;
   struct BrickHash {
     std::size_t operator()(const BrickKey& key) const;
   };
+  /// What two bytes hold of a voxel's counts. A voxel beside a vehicle that waits has more.
+  struct LowCounts {
+    std::uint16_t hits = 0, misses = 0;
+  };
   struct Brick {
-    std::array<VoxelCounts, std::size_t{kEdge} * kEdge * kEdge> voxels{};
+    std::array<LowCounts, std::size_t{kEdge} * kEdge * kEdge> voxels{};
     bool is_changed = false;
+    bool has_carries = false;  ///< now or formerly
   };
 
   /// `delta` is one, or its negative modulo 2^32.
   void Count(const Eigen::Vector3d& origin_W, const Eigen::Vector3d& end_W, std::uint32_t delta);
   Brick& ChangedBrick(const BrickKey& key);
-  static void Visit(const BrickKey& key, const Brick& brick, const VoxelVisitor& visit);
+  void Carry(const BrickKey& key, Brick& brick, std::size_t voxel, const VoxelCounts& carried);
+  [[nodiscard]] VoxelCounts CountsOf(const BrickKey& key, const Brick& brick,
+                                     std::size_t voxel) const;
+  void Visit(const BrickKey& key, const Brick& brick, const VoxelVisitor& visit) const;
 
   double resolution_;
   std::unordered_map<BrickKey, Brick, BrickHash> bricks_;
+  /// Of voxels by their number in the brick: times 65 536 to what the brick holds of them.
+  std::unordered_map<BrickKey, std::map<std::size_t, VoxelCounts>, BrickHash> carries_;
   std::vector<BrickKey> changed_;
 };
 

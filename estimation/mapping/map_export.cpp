@@ -23,8 +23,8 @@ double Probability(float log_odds) { return 1.0 / (1.0 + std::exp(-log_odds)); }
 std::vector<Voxel> OccupiedVoxels(const SemanticOctree& octree) {
   const double edge = octree.resolution();
   std::vector<Voxel> voxels;
-  for (const Voxel& leaf : octree.Leaves()) {
-    if (leaf.belief.occupied <= 0.0F) continue;
+  octree.ForEachLeaf([&](const Voxel& leaf) {
+    if (leaf.belief.occupied <= 0.0F) return;
     const int n = std::max(1, static_cast<int>(std::lround(leaf.size / edge)));
     for (int i = 0; i < n * n * n; ++i) {
       const Eigen::Vector3d cell(i % n, i / n % n, i / n / n);
@@ -32,7 +32,7 @@ std::vector<Voxel> OccupiedVoxels(const SemanticOctree& octree) {
                                      Eigen::Vector3d::Constant(0.5 * leaf.size);
       voxels.push_back({.p_W = leaf.p_W + offset, .size = edge, .belief = leaf.belief});
     }
-  }
+  });
   return voxels;
 }
 

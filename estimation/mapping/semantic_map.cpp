@@ -45,10 +45,11 @@ std::optional<VoxelBelief> SemanticMap::GroundAt(const VoxelKey& key,
 void SemanticMap::SetFormer(const SemanticOctree& former) {
   /// Beams do not fill cubes wider than so many voxels with the same.
   constexpr double kWidest = 64.0;
-  former_ = former.Leaves();
-  std::erase_if(former_, [&](const Voxel& voxel) {
-    return voxel.belief.label != VoxelLabel::kGround || voxel.belief.occupied == 0.0F ||
-           voxel.size > kWidest * resolution();
+  former_.clear();
+  former.ForEachLeaf([&](const Voxel& voxel) {
+    const bool is_known_ground =
+        voxel.belief.label == VoxelLabel::kGround && voxel.belief.occupied != 0.0F;
+    if (is_known_ground && voxel.size <= kWidest * resolution()) former_.push_back(voxel);
   });
   is_former_laid_ = former_.empty() && !laid_former_;
 }
@@ -95,9 +96,9 @@ bool SemanticMap::Refresh(const VoxelKey& key) {
 void SemanticMap::Rebuild() {
   octree_ = SemanticOctree(Meters(resolution()));
   if (laid_former_) {
-    for (const Voxel& leaf : laid_former_->Leaves()) {
+    laid_former_->ForEachLeaf([this](const Voxel& leaf) {
       octree_.Set(leaf.p_W, leaf.belief);  // each as wide as a voxel: they were never merged
-    }
+    });
   }
   beams_.evidence().ForEachKnown([this](const VoxelKey& key, const VoxelCounts& counts) {
     octree_.Set(CentreOf(key, resolution()), *GroundAt(key, counts));

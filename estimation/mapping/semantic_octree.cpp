@@ -115,13 +115,16 @@ Eigen::Vector3d SemanticOctree::CentreOf(const Eigen::Vector3d& p_W) const {
 double SemanticOctree::resolution() const { return impl_->tree->getResolution(); }
 std::size_t SemanticOctree::nodes() const { return impl_->tree->size(); }
 
-std::vector<Voxel> SemanticOctree::Leaves() const {
-  std::vector<Voxel> leaves;
-  leaves.reserve(impl_->tree->size());
+void SemanticOctree::ForEachLeaf(const std::function<void(const Voxel&)>& visit) const {
   for (auto leaf = impl_->tree->begin_leafs(); leaf != impl_->tree->end_leafs(); ++leaf) {
-    leaves.push_back(
+    visit(
         {.p_W = VectorOf(leaf.getCoordinate()), .size = leaf.getSize(), .belief = BeliefOf(*leaf)});
   }
+}
+
+std::vector<Voxel> SemanticOctree::Leaves() const {
+  std::vector<Voxel> leaves;
+  ForEachLeaf([&leaves](const Voxel& leaf) { leaves.push_back(leaf); });
   return leaves;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -62,6 +63,7 @@ class SemanticOctree {
   [[nodiscard]] double resolution() const;
   [[nodiscard]] std::size_t nodes() const;
   /// All leaves, in the tree's order.
+  void ForEachLeaf(const std::function<void(const Voxel&)>& visit) const;
   [[nodiscard]] std::vector<Voxel> Leaves() const;
 
   /// Equal voxels side by side are merged first, so that equal maps give equal bytes. OctoMap's

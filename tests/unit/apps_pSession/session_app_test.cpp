@@ -331,6 +331,21 @@ TEST_F(SessionAppTest, SavesEveryMinute) {
   EXPECT_EQ(link_.Last(topics::kMapSnapshotRequest), "periodic");
 }
 
+/// Written as a whole each minute, a long survey's map would fill disk and log.
+TEST_F(SessionAppTest, SavesALargeMapLessOften) {
+  SessionApp app(Context("discovery"), {});
+  app.Tick(link_.time);
+  const auto asked_after = [&](Seconds time) {
+    link_.time += time;
+    app.Tick(link_.time);
+    return link_.Count(topics::kMapSnapshotRequest);
+  };
+  EXPECT_EQ(asked_after(Seconds(60.0)), 1);
+  link_.Send(app, topics::kMapSnapshot, PackedBytes{std::string(25'600'000, 'm')});
+  EXPECT_EQ(asked_after(Seconds(199.0)), 1);
+  EXPECT_EQ(asked_after(Seconds(1.0)), 2);
+}
+
 TEST_F(SessionAppTest, SavesWhatCameLateAtTheEnd) {
   SessionApp app(Context("discovery"), {});
   app.Tick(link_.time);

@@ -82,6 +82,26 @@ TEST(BeamEvidence, WhatIsTakenBackInAnyOrderLeavesNothing) {
   EXPECT_TRUE(KnownOf(evidence).empty());
 }
 
+/// A vehicle that waits at the surface for half a day.
+TEST(BeamEvidence, CountsAndTakesBackMoreBeamsInAPlaceThanTwoBytesHold) {
+  constexpr std::uint32_t kBeams = 150'000;
+  BeamEvidence evidence(kVoxelEdge);
+  const Eigen::Vector3d origin(0.1, 0.1, 0.1), end(0.1, 0.1, 0.3);
+  const auto misses = [&] { return evidence.At(KeyOf(origin, kVoxelEdge)).misses; };
+  const auto hits = [&] { return evidence.At(KeyOf(end, kVoxelEdge)).hits; };
+  for (std::uint32_t i = 0; i < kBeams; ++i)
+    evidence.Add(origin, end);
+  EXPECT_EQ(misses(), kBeams);
+  EXPECT_EQ(hits(), kBeams);
+  EXPECT_EQ(KnownOf(evidence)[KeyOf(end, kVoxelEdge)], (VoxelCounts{.hits = kBeams}));
+  for (std::uint32_t i = 1; i < kBeams; ++i)
+    evidence.TakeBack(origin, end);
+  EXPECT_EQ(misses(), 1U);
+  EXPECT_EQ(hits(), 1U);
+  evidence.TakeBack(origin, end);
+  EXPECT_TRUE(KnownOf(evidence).empty());
+}
+
 TEST(BeamEvidence, TellsWhatChangedOnceAndWithItWhatHasGone) {
   BeamEvidence evidence(kVoxelEdge);
   const auto hits_at_end = [&] {
