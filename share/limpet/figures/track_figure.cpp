@@ -74,10 +74,23 @@ void DrawDecisions(MapAxes& map, const std::vector<DecisionRecord>& decisions) {
   }
 }
 
+/// A decision's radius on a map of this scale: those of a path, some 8 m apart, may not hide it.
+double DecisionRadius(const MapAxes& map) {
+  constexpr double kMetres = 1.8, kLeast_px = 1.3, kMost_px = 3.6;
+  return std::clamp(kMetres * map.pixels_per_metre(), kLeast_px, kMost_px);
+}
+
+void DrawDecision(SvgCanvas& canvas, const Point& at, double radius, BidPurpose purpose) {
+  canvas.Circle(
+      at, radius,
+      {.fill = PurposeColor(purpose), .stroke = palette::kMapInk, .width = 0.36 * radius});
+}
+
 void DrawDecisionPoints(MapAxes& map, const std::vector<DecisionRecord>& decisions) {
+  const double radius = DecisionRadius(map);
   for (const auto& [i, purpose] : PurposesOf(decisions)) {
-    map.canvas().Circle(map.At(decisions[i].path.north, decisions[i].path.east), 3.6,
-                        {.fill = PurposeColor(purpose), .stroke = palette::kMapInk, .width = 1.3});
+    DrawDecision(map.canvas(), map.At(decisions[i].path.north, decisions[i].path.east), radius,
+                 purpose);
   }
 }
 
@@ -91,24 +104,22 @@ void DrawDecisionLegend(MapAxes& map, const std::vector<DecisionRecord>& decisio
     const auto count = std::ranges::count_if(
         purposes, [wanted = purpose](const auto& entry) { return entry.second == wanted; });
     if (purpose == BidPurpose::kOther && count == 0) continue;
-    const std::string_view fill = PurposeColor(purpose);
-    map.Legend(
-        [fill](SvgCanvas& canvas, const Point& at) {
-          canvas.Circle(at, 3.6, {.fill = fill, .stroke = palette::kMapInk, .width = 1.3});
-        },
-        fmt::format("{}: {}", text, count));
+    map.Legend([shown = purpose, radius = DecisionRadius(map)](
+                   SvgCanvas& canvas, const Point& at) { DrawDecision(canvas, at, radius, shown); },
+               fmt::format("{}: {}", text, count));
   }
 }
 
-/// An arrowhead about every 15 m of way, so that the track can be read in its order.
+/// An arrowhead about every 15 m of way, or 60 px, so that the track can be read in its order.
 void DrawDirection(MapAxes& map, const PoseTrack& truth) {
-  double next = 7.5;
+  const double apart = std::max(15.0, 60.0 / map.pixels_per_metre());
+  double next = 0.5 * apart;
   for (std::size_t i = 1; i < truth.size(); ++i) {
     if (truth.path(i) < next) continue;
     const Point step =
         map.At(truth.north(i), truth.east(i)) - map.At(truth.north(i - 1), truth.east(i - 1));
     if (step.norm() < 1e-6) continue;  // on the spot, e.g. while diving
-    next = truth.path(i) + 15.0;
+    next = truth.path(i) + apart;
     DrawTriangle(map.canvas(), map.At(truth.north(i), truth.east(i)), 5.5,
                  std::atan2(step.x(), -step.y()), {.fill = palette::kMapInk});
   }
