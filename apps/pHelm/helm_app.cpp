@@ -271,10 +271,11 @@ void HelmApp::DecideView(Seconds now) {
     Publish(topics::kPlanTime, (SteadyTime() - began).value());
   }
   if (const std::size_t blocks = planner_.survey().blocks_passed_over(); blocks > 0) {
-    Warn(warnings::kBlocksPassedOver,
-         fmt::format("{} blocks of the area took far too long and were left with more than slivers "
-                     "unseen",
-                     blocks));
+    Warn(
+        warnings::kBlocksPassedOver,
+        fmt::format("{} blocks of the area took far too long, or had no way that was worth it, and "
+                    "were left with more than slivers unseen",
+                    blocks));
   }
   view_failures_ = std::move(failures);
   Publish(topics::kHelmBids, decision->bids);

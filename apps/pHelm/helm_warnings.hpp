@@ -20,8 +20,8 @@ inline const WarningId kBlocksPassedOver = DeclareWarning(
     "BLOCKS_PASSED_OVER",
     {.severity = Severity::kWarning,
      .raised_by = {"pHelm"},
-     .meaning = "Blocks of a large area took several times the way that they should, and were left "
-                "with more than slivers unseen.",
+     .meaning = "Blocks of a large area took several times the way that they should, or had no way "
+                "left that was worth it, and were left with more than slivers unseen.",
      .action = "See in the report where that is, and why (murk, obstacles, a current); survey it "
                "again as an area of its own.",
      .clears = "Not in this session."});

@@ -92,6 +92,13 @@ void SurveyMirror::UpdateGround(double travelled) {
   }
 }
 
+// Such a plan waits at the way on to the next block: it would, for ever.
+void SurveyMirror::NoteChoice(const Option& option) {
+  constexpr double kWorthSeeing = 1.0;  // [m] of a lane
+  if (!option.is_whole()) return;
+  if (seen()(option.path).new_area < kWorthSeeing * ground_->swath()) blocks_->GiveUp();
+}
+
 Footprint SurveyMirror::FootprintNow() const {
   Footprint footprint(params_.survey_altitude.value(), area_->object_height_max,
                       params_.camera.geometry(), reach_);

@@ -50,6 +50,10 @@ class SurveyMirror {
   /// block that is due after `travelled` metres of way. REQUIRES: has_area().
   void UpdateGround(double travelled = 0.0);
 
+  /// What is flown next. A plan that shows nothing more gives its block of a large area up.
+  /// REQUIRES: has_area().
+  void NoteChoice(const Option& option);
+
   [[nodiscard]] bool has_area() const { return area_.has_value(); }
   [[nodiscard]] const std::optional<SurveyArea>& area() const { return area_; }
   /// How the area is cut for planning. REQUIRES: has_area().

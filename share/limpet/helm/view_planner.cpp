@@ -133,6 +133,7 @@ std::optional<std::vector<RevisitInterest>> ViewPlanner::InterestsIfDue(
 void ViewPlanner::Follow(const Option& option, std::span<const WeightedBehavior> running,
                          const Situation& now) {
   search_.TellChoice(option);
+  survey_.NoteChoice(option);
   tracker_.Follow(option);
   // What lies further ahead will be decided again before it is flown.
   survey_.ledger().Promise(tracker_.path().Prefix(option.own_length()),

@@ -22,6 +22,8 @@ constexpr double kSwathOfACell = 5.0;
 constexpr double kSlack = 1.25;
 /// A block is passed over after so many times the way that it needs at least, and so much more [m].
 constexpr double kPatience = 3.0, kPatienceMore = 200.0;
+/// Of a block that is left, so much unseen is no more than slivers.
+constexpr double kMostSlivers = 0.05;
 /// Within so much of a block its way begins [m].
 constexpr double kNear = 20.0;
 
@@ -136,8 +138,10 @@ bool SurveyBlocks::GoOn(const Ground& ground, const PlanePoint& at, double trave
   }
   const bool is_done = unseen <= 1.0 - kDoneShare;
   const bool takes_too_long = leave_at_ && travelled > *leave_at_;
-  if (!is_done && !takes_too_long) return false;
-  passed_over_ += is_done ? 0 : 1;
+  if (!is_done && !takes_too_long && !is_given_up_) return false;
+  const bool is_mostly_seen = unseen <= kMostSlivers;
+  passed_over_ += is_mostly_seen ? 0 : 1;
+  is_given_up_ = false;
   ++now_;
   leave_at_.reset();
   return true;

@@ -35,14 +35,16 @@ class SurveyBlocks {
   [[nodiscard]] int cells_per_side() const { return cells_per_side_; }
   /// Counted from 0, in the order in which they are flown.
   [[nodiscard]] std::size_t index() const { return now_; }
-  /// Blocks left with more than slivers unseen, because they took far too long.
+  /// Blocks left with more than slivers unseen: they took far too long, or the plan gave them up.
   [[nodiscard]] std::size_t passed_over() const { return passed_over_; }
   /// Middle of the next block, NED [m]; nothing at the last one.
   [[nodiscard]] std::optional<PlanePoint> Onward() const;
 
-  /// Goes on to the next block if this one, of which `ground` is a copy, is done, or has taken
-  /// several times the way that it should; true if so. `at` is the vehicle, `travelled` its way
-  /// since some fixed moment [m].
+  /// What of this block is unseen is not worth its way, by the plan of it.
+  void GiveUp() { is_given_up_ = true; }
+  /// Goes on to the next block if this one, of which `ground` is a copy, is done, given up, or has
+  /// taken several times the way that it should; true if so. `at` is the vehicle, `travelled` its
+  /// way since some fixed moment [m].
   bool GoOn(const Ground& ground, const PlanePoint& at, double travelled);
 
  private:
@@ -52,7 +54,7 @@ class SurveyBlocks {
 
   GridFrame frame_;
   int cells_per_side_ = 1;
-  bool is_whole_ = true, is_ordered_ = false;
+  bool is_whole_ = true, is_ordered_ = false, is_given_up_ = false;
   std::vector<CellBox> blocks_;  ///< row by row from the south-west, then in order
   std::size_t now_ = 0, passed_over_ = 0;
   std::optional<double> leave_at_;  ///< travelled; known once the block is reached [m]

@@ -202,6 +202,25 @@ TEST(SurveyMirrorOfASquareKilometre, PlansABlockAndKnowsWhereItGoesOn) {
   EXPECT_LT((*now.onward - PlanePoint(-8.0, -8.0)).norm(), 250.0);
 }
 
+TEST(SurveyMirrorOfASquareKilometre, LeavesABlockOfWhichThePlanShowsNothingMore) {
+  SurveyMirror mirror{ViewParams{}};
+  SurveyArea area = MirroredArea();
+  area.north_max = area.north_min + 1000.0;
+  area.east_max = area.east_min + 1000.0;
+  ASSERT_TRUE(mirror.SetArea(area));
+  mirror.UpdateGround();
+  const PlanePoint there = *mirror.Snapshot(Seconds(0.0), {}, 0.0).onward;
+  Option option{.source = "plan", .path = DubinsPath({there.x(), there.y(), 0.0})};
+  option.path.Append({.curvature = 0.0, .length = 5.0});
+  mirror.NoteChoice(option);
+  mirror.UpdateGround();
+  EXPECT_EQ(mirror.blocks().index(), 0U) << "what follows it is not known";
+  option.own_m = 5.0;
+  mirror.NoteChoice(option);
+  mirror.UpdateGround();
+  EXPECT_EQ(mirror.blocks().index(), 1U);
+}
+
 TEST_F(SurveyMirrorTest, ASmallAreaIsPlannedAsAWholeAndLeadsHome) {
   mirror_.SetHome({.north = 3.0, .east = 4.0});
   mirror_.UpdateGround();

@@ -90,6 +90,25 @@ TEST(SurveyBlocks, ABlockThatTakesSeveralTimesItsWayIsPassedOver) {
   EXPECT_EQ(blocks.passed_over(), 1U);
 }
 
+/// Else a vehicle that has seen all but slivers of a block waits between it and the next.
+TEST(SurveyBlocks, ABlockThatItsPlanGivesUpIsLeftAndTheNextOneBegun) {
+  SurveyGrid grid(Square(1000.0));
+  SurveyBlocks blocks(grid, kFrom9m);
+  static_cast<void>(blocks.GoOn(GroundOf(grid, blocks), {0.0, 0.0}, 0.0));
+  CellBox nearly = blocks.now();
+  nearly.row_max -= (nearly.row_max - nearly.row_min) / 30;  // a margin of three per cent
+  ShowAll(grid, nearly);
+  EXPECT_FALSE(blocks.GoOn(GroundOf(grid, blocks), {10.0, 10.0}, 10.0));
+  blocks.GiveUp();
+  EXPECT_TRUE(blocks.GoOn(GroundOf(grid, blocks), {10.0, 10.0}, 10.0));
+  EXPECT_EQ(blocks.index(), 1U);
+  EXPECT_EQ(blocks.passed_over(), 0U) << "slivers";
+  EXPECT_FALSE(blocks.GoOn(GroundOf(grid, blocks), {10.0, 10.0}, 10.0));
+  blocks.GiveUp();
+  EXPECT_TRUE(blocks.GoOn(GroundOf(grid, blocks), {10.0, 10.0}, 10.0));
+  EXPECT_EQ(blocks.passed_over(), 1U) << "all of it";
+}
+
 TEST(SurveyBlocks, LeavesOutBlocksThatHoldNothingOfTheArea) {
   SurveyArea area = AreaWithin({{0.0, 0.0}, {1000.0, 980.0}, {1000.0, 1000.0}, {0.0, 20.0}});
   area.object_height_max = 1.0;
