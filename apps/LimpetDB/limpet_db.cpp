@@ -93,6 +93,7 @@ void AllowManyConnections() {
 
 int Serve(const AppCommand& command) {
   Heartbeat heart;
+  heart.Beat();
   KeepMemoryWarm();
   AllowManyConnections();
   TcpBrokerOptions options = OptionsOf(command);

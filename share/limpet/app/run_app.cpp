@@ -97,10 +97,11 @@ void NoteFormerLife(const MailJournal& journal, LiveLink& link, std::optional<Se
 }
 
 /// Leads the app through its former life. What it says meanwhile was said then.
-void ReplayFormerLife(MailJournal& journal, LiveLink& link, App& app) {
+void ReplayFormerLife(MailJournal& journal, LiveLink& link, App& app, Heartbeat& heart) {
   const Seconds begin = SteadyTime();
   std::int64_t count = 0;
   journal.Replay([&](Seconds now, const MessagePtr& mail) {
+    heart.Beat();
     link.Replay(now);
     if (mail) {
       ++count;
@@ -116,9 +117,10 @@ void ReplayFormerLife(MailJournal& journal, LiveLink& link, App& app) {
 }
 
 /// True once connected; false if asked to end before.
-bool WaitForCommunity(const AppCommand& command, LiveLink& link) {
+bool WaitForCommunity(const AppCommand& command, LiveLink& link, Heartbeat& heart) {
   std::string told;
   while (link.client().state() != TcpClient::State::kConnected) {
+    heart.Beat();
     if (EndIsRequested()) {
       return false;
     }
@@ -146,9 +148,11 @@ int Run(const AppCommand& command, const AppEntry& entry) {
                  .warp = command.warp,
                  .on_mail = nullptr,
                  .on_state = nullptr});
-  if (!WaitForCommunity(command, link)) {
+  heart.Beat();
+  if (!WaitForCommunity(command, link, heart)) {
     return 0;
   }
+  heart.Pause();  // what it reads at its start may be much
   const AppContext context{.name = command.name,
                            .link = &link,
                            .globals = command.mission.globals,
@@ -174,7 +178,7 @@ int Run(const AppCommand& command, const AppEntry& entry) {
   const std::unique_ptr<App> app = entry.create(context, block);
   app->StartReporting(std::move(casts));
   if (began) {
-    ReplayFormerLife(*journal, link, *app);
+    ReplayFormerLife(*journal, link, *app, heart);
   }
   Loop(*app, link, Seconds(1.0 / (tick_hz * command.warp)), journal ? &*journal : nullptr, heart);
   return 0;

@@ -158,12 +158,15 @@ bool Supervisor::Poll() {
                              [](const Child& child) { return child.pid > 0 || child.is_due; });
 }
 
+// One that hangs as it starts, or before it goes on, would else never be noticed.
 void Supervisor::WatchBeat(Child& child, Seconds passed) {
   const std::uint64_t beat = child.heart.count();
-  child.silent = beat == 0 || beat != child.last_beat ? Seconds(0.0) : child.silent + passed;
+  child.silent = beat != child.last_beat ? Seconds(0.0) : child.silent + passed;
   child.last_beat = beat;
-  const Seconds patience = child.item.hung_after;
-  if (child.is_hung || patience <= Seconds(0.0) || child.silent <= patience) {
+  child.has_beaten = child.has_beaten || beat != 0;
+  const Seconds patience = child.item.hung_after * (beat == 0 ? kPatienceUnwatched : 1.0);
+  const bool is_watched = child.has_beaten && patience > Seconds(0.0);
+  if (child.is_hung || !is_watched || child.silent <= patience) {
     return;
   }
   child.is_hung = true;

@@ -22,12 +22,14 @@ namespace limpet {
 /// For a database it holds a file in memory open (LIMPET_KEPT_FD), in which it finds its latest
 /// values when it is started again; after `kForgetAfter` early ends in a row the file is emptied:
 /// what it holds may be what it dies of. A process that has given signs of life (heartbeat.hpp) and
-/// gives none for `LaunchItem::hung_after` hangs: it is killed and counts as failed. Those that
-/// never gave one, which are not ours, are left alone.
+/// gives none for `LaunchItem::hung_after` hangs: it is killed and counts as failed; one that is
+/// not to be watched for a while (it starts, reads, ends) gets `kPatienceUnwatched` times as long.
+/// Those that never gave one, in no life of theirs, which are not ours, are left alone.
 class Supervisor {
  public:
   static constexpr int kMostFailures = 8;
   static constexpr int kForgetAfter = 3;
+  static constexpr double kPatienceUnwatched = 10.0;
   using Say = std::function<void(const std::string&)>;
 
   /// `environment` is added to each process's own.
@@ -85,7 +87,8 @@ class Supervisor {
     Seconds started, next_start;
     HeartbeatMonitor heart{};
     std::uint64_t last_beat = 0;
-    Seconds silent{};  ///< since the last beat, as far as we were awake ourselves
+    Seconds silent{};         ///< since the last beat, as far as we were awake ourselves
+    bool has_beaten = false;  ///< in this life or a former one
     bool is_hung = false;
   };
   void Launch(Child& child);

@@ -34,8 +34,7 @@ struct Flight {
   double in_survey_m = 0.0;  ///< from the survey's start to where it comes up
   double band = 0.0;         ///< share of objects' places that was truly seen
   bool is_home = false;      ///< ended by its own judgement
-  std::optional<double> reckoned_m =
-      std::nullopt;  ///< best of all lanes, for what `in_survey_m` counts
+  double reckoned_m = 0.0;   ///< best of all lanes, for what `in_survey_m` counts; 0: none
 };
 
 struct Runs {
@@ -68,40 +67,69 @@ Flight FlightOf(const Runs& runs, const std::string& name, const std::string& pl
                 .band = session.at("detected_band"),
                 .is_home = session.at("ended") == "home"};
   if (const auto& lanes = session.at("lanes"); !lanes.is_null()) {
-    flight.reckoned_m = lanes.at("path_m").get<double>();
+    flight.reckoned_m = lanes.at("path_m");
   }
   return flight;
 }
 
-/// Of several flights.
-struct Means {
-  double way_m = 0.0, time_s = 0.0, in_survey_m = 0.0, reckoned_m = 0.0, least_band = 1.0;
-  int home = 0, seeds = 0;
-  void Add(const Flight& flight) {
-    const double before = seeds++;
-    const auto mean = [&](double& value, double add) {
-      value = (before * value + add) / (before + 1.0);
-    };
-    mean(way_m, flight.way_m), mean(time_s, flight.time_s);
-    mean(in_survey_m, flight.in_survey_m);
-    mean(reckoned_m, flight.reckoned_m.value_or(0.0));
-    least_band = std::min(least_band, flight.band);
-    home += flight.is_home ? 1 : 0;
-  }
+/// Of the same seeds, the same number of them.
+struct Pairs {
+  std::vector<Flight> ours, lanes;
 };
 
-Means MeansOf(const Runs& runs, const std::string& name, const std::string& planner) {
-  Means means;
-  for (int seed = 1; seed <= runs.seeds; ++seed)
-    means.Add(FlightOf(runs, name, planner, seed));
-  return means;
+Pairs PairsOf(const Runs& runs, const std::string& name) {
+  Pairs pairs;
+  for (int seed = 1; seed <= runs.seeds; ++seed) {
+    pairs.ours.push_back(FlightOf(runs, name, "limpet", seed));
+    pairs.lanes.push_back(FlightOf(runs, name, "lawnmower", seed));
+  }
+  return pairs;
 }
 
-void PrintRow(const std::string& name, const Means& ours, const Means& lanes) {
-  const double reckoned = ours.reckoned_m > 0.0 ? ours.in_survey_m / ours.reckoned_m : std::nan("");
-  fmt::print("| {} | {:.0f} | {:.0f} | {:.2f} | {:.2f} | {:.2f} | {:.3f} / {:.3f} | {} / {} |\n",
-             name, ours.way_m, lanes.way_m, ours.way_m / lanes.way_m, ours.time_s / lanes.time_s,
-             reckoned, ours.least_band, lanes.least_band, ours.home, lanes.home);
+double MeanOf(const std::vector<Flight>& flights, double Flight::*what) {
+  double sum = 0.0;
+  for (const Flight& flight : flights)
+    sum += flight.*what;
+  return sum / static_cast<double>(flights.size());
+}
+
+double LeastBandOf(const std::vector<Flight>& flights) {
+  return std::ranges::min(flights, {}, &Flight::band).band;
+}
+
+auto HomeOf(const std::vector<Flight>& flights) {
+  return std::ranges::count_if(flights, &Flight::is_home);
+}
+
+/// "0.91 (0.95)": ratio of the means, and the worst of a seed.
+std::string RatioText(const std::vector<double>& of, const std::vector<double>& to) {
+  double sum_of = 0.0, sum_to = 0.0, worst = 0.0;
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    sum_of += of[i], sum_to += to[i];
+    worst = std::max(worst, of[i] / to[i]);
+  }
+  return fmt::format("{:.2f} ({:.2f})", sum_of / sum_to, worst);
+}
+
+std::vector<double> Each(const std::vector<Flight>& flights, double Flight::*what) {
+  std::vector<double> values;
+  for (const Flight& flight : flights)
+    values.push_back(flight.*what);
+  return values;
+}
+
+void PrintRow(const std::string& name, const Pairs& pairs) {
+  const auto& [ours, lanes] = pairs;
+  const bool are_reckoned =
+      std::ranges::all_of(ours, [](const Flight& flight) { return flight.reckoned_m > 0.0; });
+  fmt::print("| {} | {:.0f} | {:.0f} | {} | {:.2f} | {} | {:.3f} / {:.3f} | {} / {} |\n", name,
+             MeanOf(ours, &Flight::way_m), MeanOf(lanes, &Flight::way_m),
+             RatioText(Each(ours, &Flight::way_m), Each(lanes, &Flight::way_m)),
+             MeanOf(ours, &Flight::time_s) / MeanOf(lanes, &Flight::time_s),
+             are_reckoned
+                 ? RatioText(Each(ours, &Flight::in_survey_m), Each(ours, &Flight::reckoned_m))
+                 : "-",
+             LeastBandOf(ours), LeastBandOf(lanes), HomeOf(ours), HomeOf(lanes));
 }
 
 int Run(const Runs& runs) {
@@ -112,7 +140,8 @@ int Run(const Runs& runs) {
   std::ranges::sort(names);
   fmt::print(
       "Means of {} seeds; ways from start to home.\n\n"
-      "| area | ours [m] | lanes [m] | way | time | way against reckoned lanes | least band "
+      "| area | ours [m] | lanes [m] | way (worst seed) | time | way against reckoned lanes (worst "
+      "seed) | least band "
       "seen, ours / lanes | ended by own judgement |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- |\n",
       runs.seeds);
@@ -122,7 +151,7 @@ int Run(const Runs& runs) {
       is_complete = false;
       continue;
     }
-    PrintRow(name, MeansOf(runs, name, "limpet"), MeansOf(runs, name, "lawnmower"));
+    PrintRow(name, PairsOf(runs, name));
   }
   return is_complete ? EXIT_SUCCESS : EXIT_FAILURE;
 }

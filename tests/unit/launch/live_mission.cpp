@@ -125,6 +125,7 @@ void LiveMission::Launch(const std::string& option) {
   client_ = std::make_unique<TcpClient>(TcpClientOptions{
       .port = port_,
       .name = "uTest",
+      .learns_warp = true,
       .on_mail =
           [this](const WireMessage& message) {
             const std::lock_guard lock(mutex_);

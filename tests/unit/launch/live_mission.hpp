@@ -39,6 +39,7 @@ class LiveMission {
   bool Await(const std::function<bool()>& holds);
   /// Worst so far in Await: how much later than asked for this process was woken (real time).
   [[nodiscard]] Seconds lateness() const { return lateness_; }
+  void ForgetLateness() { lateness_ = Seconds(0.0); }
   /// Waits until the vehicle dives with thrust.
   bool AwaitDive();
   void Poke(const std::string& variable, const std::string& value) {

@@ -161,6 +161,19 @@ TEST_F(SupervisorTest, KillsAndStartsAgainWhatHangs) {
   supervisor_.End(Seconds(0.1));
 }
 
+/// Its first life showed that it is one of ours.
+TEST_F(SupervisorTest, KillsWhatHangsBeforeTheFirstSignOfItsSecondLife) {
+  LaunchItem item = HangsAfterABeat();
+  item.args.back() = "test -n \"$LIMPET_RESTARTED\" && echo mute && sleep 60; " +
+                     item.args.back().substr(0, item.args.back().find("echo")) +
+                     "sleep 0.3; exit 1";
+  item.hung_after = Seconds(0.1);
+  supervisor_.Start(item);
+  EXPECT_TRUE(PollUntil([this] { return LogOf("pHang") == "mute\nmute\n"; })) << said_;
+  EXPECT_THAT(said_, HasSubstr("pHang hangs: no sign of life for 1.0 s"));
+  supervisor_.End(Seconds(0.1));
+}
+
 TEST_F(SupervisorTest, LeavesAloneWhatNeverGaveASignOfLife) {
   LaunchItem item = Shell("pForeign", "echo try; sleep 60");
   item.hung_after = Seconds(0.1);
