@@ -19,6 +19,7 @@ using Cells = std::vector<EchoCells::Cell>;
 
 /// Cells that gaps as beams leave them between echoes do not part.
 std::vector<Cells> Connected(const Cells& cells, double reach) {
+  if (cells.empty()) return {};  // OpenCV 4.6 refers to the first
   std::vector<int> labels;
   const int count =
       cv::partition(cells, labels, [reach](const EchoCells::Cell& a, const EchoCells::Cell& b) {
