@@ -184,12 +184,16 @@ TEST_F(SurveyMirrorTest, PlansWithSmallerImagesWherePassesMayHaveComeApart) {
   EXPECT_NEAR(swath(), sure - 0.4, 0.01);
 }
 
-TEST(SurveyMirrorOfASquareKilometre, PlansABlockAndKnowsWhereItGoesOn) {
-  SurveyMirror mirror{ViewParams{}};
+SurveyArea SquareKilometre() {
   SurveyArea area = MirroredArea();
   area.north_max = area.north_min + 1000.0;
   area.east_max = area.east_min + 1000.0;
-  ASSERT_TRUE(mirror.SetArea(area));
+  return area;
+}
+
+TEST(SurveyMirrorOfASquareKilometre, PlansABlockAndKnowsWhereItGoesOn) {
+  SurveyMirror mirror{ViewParams{}};
+  ASSERT_TRUE(mirror.SetArea(SquareKilometre()));
   NavState nav;
   nav.north = nav.east = -8.0;
   mirror.NoteAltitude(nav);
@@ -204,10 +208,7 @@ TEST(SurveyMirrorOfASquareKilometre, PlansABlockAndKnowsWhereItGoesOn) {
 
 TEST(SurveyMirrorOfASquareKilometre, LeavesABlockOfWhichThePlanShowsNothingMore) {
   SurveyMirror mirror{ViewParams{}};
-  SurveyArea area = MirroredArea();
-  area.north_max = area.north_min + 1000.0;
-  area.east_max = area.east_min + 1000.0;
-  ASSERT_TRUE(mirror.SetArea(area));
+  ASSERT_TRUE(mirror.SetArea(SquareKilometre()));
   mirror.UpdateGround();
   const PlanePoint there = *mirror.Snapshot(Seconds(0.0), {}, 0.0).onward;
   Option option{.source = "plan", .path = DubinsPath({there.x(), there.y(), 0.0})};
