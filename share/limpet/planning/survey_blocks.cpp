@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -138,10 +139,10 @@ bool SurveyBlocks::GoOn(const Ground& ground, const PlanePoint& at, double trave
   }
   const bool is_done = unseen <= 1.0 - kDoneShare;
   const bool takes_too_long = leave_at_ && travelled > *leave_at_;
-  if (!is_done && !takes_too_long && !is_given_up_) return false;
+  const bool is_given_up = std::exchange(is_given_up_, false) && leave_at_;
+  if (!is_done && !takes_too_long && !is_given_up) return false;
   const bool is_mostly_seen = unseen <= kMostSlivers;
   passed_over_ += is_mostly_seen ? 0 : 1;
-  is_given_up_ = false;
   ++now_;
   leave_at_.reset();
   return true;

@@ -40,7 +40,8 @@ class SurveyBlocks {
   /// Middle of the next block, NED [m]; nothing at the last one.
   [[nodiscard]] std::optional<PlanePoint> Onward() const;
 
-  /// What of this block is unseen is not worth its way, by the plan of it.
+  /// What of this block is unseen is not worth its way, by the plan of it. Counts once the vehicle
+  /// has been there: else one that finds no way at all would give up all of them.
   void GiveUp() { is_given_up_ = true; }
   /// Goes on to the next block if this one, of which `ground` is a copy, is done, given up, or has
   /// taken several times the way that it should; true if so. `at` is the vehicle, `travelled` its

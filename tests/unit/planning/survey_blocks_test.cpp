@@ -103,9 +103,12 @@ TEST(SurveyBlocks, ABlockThatItsPlanGivesUpIsLeftAndTheNextOneBegun) {
   EXPECT_TRUE(blocks.GoOn(GroundOf(grid, blocks), {10.0, 10.0}, 10.0));
   EXPECT_EQ(blocks.index(), 1U);
   EXPECT_EQ(blocks.passed_over(), 0U) << "slivers";
-  EXPECT_FALSE(blocks.GoOn(GroundOf(grid, blocks), {10.0, 10.0}, 10.0));
   blocks.GiveUp();
-  EXPECT_TRUE(blocks.GoOn(GroundOf(grid, blocks), {10.0, 10.0}, 10.0));
+  EXPECT_FALSE(blocks.GoOn(GroundOf(grid, blocks), {10.0, 10.0}, 10.0)) << "not reached yet";
+  const PlanePoint there{10.0, 0.25 * blocks.now().column_min + 10.0};
+  EXPECT_FALSE(blocks.GoOn(GroundOf(grid, blocks), there, 100.0)) << "what was said before";
+  blocks.GiveUp();
+  EXPECT_TRUE(blocks.GoOn(GroundOf(grid, blocks), there, 100.0));
   EXPECT_EQ(blocks.passed_over(), 1U) << "all of it";
 }
 
