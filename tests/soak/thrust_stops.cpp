@@ -26,6 +26,8 @@ namespace {
 
 /// Vehicle time from a hit to zero thrust.
 constexpr double kZeroAfter = 1.2;
+/// Age of a command that is obeyed [s of vehicle time], and what rounding adds.
+constexpr double kOldestObeyed = 1.0 + 1e-6;
 constexpr std::array kVictims{"pHelm", "pPilot", "pNav", "LimpetDB"};
 
 enum class Outcome {
@@ -41,10 +43,10 @@ struct Tally {
   double late_by_machine = 0.0;
 };
 
-/// A vehicle under way at one warp, launched anew when a mission is over.
-class Fleet {
+/// Missions one after the other at one warp: there is always one whose vehicle is under way.
+class Missions {
  public:
-  explicit Fleet(double warp) : warp_(warp) {}
+  explicit Missions(double warp) : warp_(warp) {}
 
   /// Under way, with thrust; nothing if that takes longer than it may.
   LiveMission* UnderWay() {
@@ -96,7 +98,10 @@ Outcome Hit(LiveMission& mission, const std::string& victim, int signal, double 
       mission.Await([&] { return zero_at() || (is_replaced && mission.Now().value() > told_at); });
   const std::optional<double> zero = zero_at();
   if (!is_replaced || !is_told) return Outcome::kLate;
-  if (!zero) return Outcome::kReplaced;
+  if (!zero) {
+    const bool none_too_old = mission.Thrust() && mission.Thrust()->oldest_obeyed <= kOldestObeyed;
+    return none_too_old ? Outcome::kReplaced : Outcome::kLate;
+  }
   const double late = 2.0 * warp * mission.lateness().value();
   tally.worst = std::max(tally.worst, *zero - hit);
   tally.late_by_machine = std::max(tally.late_by_machine, late);
@@ -114,13 +119,13 @@ int Run(int hits, const std::vector<double>& warps) {
              "zero", "replaced", "late", "worst [s]", "machine late [s]");
   int late = 0;
   for (const double warp : warps) {
-    Fleet fleet(warp);
+    Missions missions(warp);
     for (const char* victim : kVictims) {
       for (const auto& [signal, name] : {std::pair{SIGSTOP, "SIGSTOP"}, {SIGKILL, "SIGKILL"}}) {
         Tally tally;
         const int wanted = std::max(1, hits / static_cast<int>(warps.size()));
         for (int i = 0; i < wanted;) {
-          LiveMission* mission = fleet.UnderWay();
+          LiveMission* mission = missions.UnderWay();
           if (mission == nullptr) return EXIT_FAILURE;
           const Outcome outcome = Hit(*mission, victim, signal, warp, tally);
           Count(outcome, tally);
