@@ -2,6 +2,7 @@
 #include "behaviors/BHV_CoverArea.hpp"
 
 #include "limpet/helm/registry.hpp"
+#include "limpet/planning/current_toll.hpp"
 
 namespace limpet {
 namespace {
@@ -28,6 +29,11 @@ std::optional<Bid> BHV_CoverArea::Value(const Prospect& prospect, const Situatio
   Bid bid{.value = worth.useful - worth.ragged - length,
           .why = {{"useful", worth.useful}, {"ragged", worth.ragged}, {"length", length}},
           .veto = {}};
+  if (!now.course_cost.metres.empty()) {
+    const double toll = CurrentToll(now.course_cost, prospect.whole());
+    bid.value -= toll;
+    bid.why.push_back({"current", toll});
+  }
   // Only wholes show the same ground: of others the one that shows less would be the less late.
   if (prospect.option->is_whole()) {
     const double late = params_.rates.early * Lateness(prospect.seen, *now.ground);

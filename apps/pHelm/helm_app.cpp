@@ -103,6 +103,7 @@ void HelmApp::HearSurvey() {
   hear(topics::kSurveyArea, &HelmApp::OnArea);
   hear(topics::kSurveyHome, &HelmApp::OnHome);
   SubscribeIfWritten(topics::kEnergyState, &HelmApp::OnEnergy);
+  SubscribeIfWritten(topics::kCourseCost, &HelmApp::OnCourseCost);
   hear(topics::kMapDelta, &HelmApp::OnDelta);
   hear(topics::kMapCoverage, &HelmApp::OnCoverage);
   hear(topics::kMapOpis, &HelmApp::OnOpis);

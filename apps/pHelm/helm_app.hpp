@@ -55,6 +55,9 @@ class HelmApp final : public App {
   void OnEnergy(const Stamped<EnergyState>& energy) {
     planner_.survey().SetReach(Meters(energy.value.reach_m));
   }
+  void OnCourseCost(const Stamped<CourseCost>& cost) {
+    planner_.survey().SetCourseCost(cost.value);
+  }
   void OnDelta(const Stamped<GridDelta>& delta) { planner_.survey().Apply(delta.value); }
   void OnCoverage(const Stamped<Coverage>& coverage) {
     planner_.survey().SetCoverage(coverage.value);

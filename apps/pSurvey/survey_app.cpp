@@ -243,6 +243,10 @@ double SurveyApp::DistanceHome() const {
   return std::hypot(nav_->value.north - home_->north, nav_->value.east - home_->east);
 }
 
+double SurveyApp::CourseHome() const {
+  return std::atan2(home_->east - nav_->value.east, home_->north - nav_->value.north);
+}
+
 const char* SurveyApp::NameOf(Phase phase) { return kPhaseNames[static_cast<std::size_t>(phase)]; }
 
 void SurveyApp::Enter(Phase phase, Seconds now) {

@@ -39,6 +39,8 @@ class SurveyApp final : public App {
   void OnNav(const Stamped<NavState>& nav);
   /// Learns from it what the way home takes, and says so.
   void OnBattery(const Stamped<BatteryState>& battery);
+  /// Learns from it what a metre takes by course, and says so.
+  void OnCurrent(const Stamped<WaterCurrent>& current);
   void OnDeploy(const Stamped<bool>& deploy);
   void OnReturn(const Stamped<bool>& request);
   void OnAreaRequest(const Stamped<std::string>& request);
@@ -90,6 +92,7 @@ class SurveyApp final : public App {
   [[nodiscard]] double ProgressStep() const;
   [[nodiscard]] double CoveredShare(const Coverage& coverage) const;
   [[nodiscard]] double DistanceHome() const;
+  [[nodiscard]] double CourseHome() const;
   /// What coverage comes to when all that this water shows from survey altitude has been seen.
   [[nodiscard]] double AttainableShare() const;
 
@@ -113,6 +116,7 @@ class SurveyApp final : public App {
   std::string ended_ = "home";
   std::optional<EnergyEstimate> energy_;  ///< of a vehicle that has a battery
   std::optional<EnergyState> energy_state_;
+  CourseCost course_cost_;  ///< as last said
   SurveyKeeper keeper_;
   std::optional<Seconds> not_kept_;  ///< since when
 };

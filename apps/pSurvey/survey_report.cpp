@@ -48,6 +48,12 @@ void SurveyApp::Report(ReportLines& report) const {
                 fmt::format("{:.0f} Wh left, {:.0f} to go home and {:.0f} in reserve; {:.0f} used",
                             energy.left_wh, energy.home_wh, energy.reserve_wh, energy.used_wh));
   }
+  if (!course_cost_.metres.empty()) {
+    const auto [least, most] = std::ranges::minmax(course_cost_.metres);
+    report.Pair("Current", fmt::format("a metre takes {:.2f} to {:.2f} of one in still water, by "
+                                       "course",
+                                       least, most));
+  }
   if (phase_ == Phase::kDone) {
     report.Pair("Ended", ended_);
   }

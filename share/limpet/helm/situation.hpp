@@ -20,6 +20,7 @@
 #include "limpet/planning/seen_along.hpp"
 #include "limpet/shapes/shape.hpp"
 #include "limpet/survey/look.hpp"
+#include "limpet/topics/energy.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
@@ -85,6 +86,7 @@ struct Situation {
   std::optional<Meters> reach{};
   /// Where the survey goes on when this ground is done, NED [m]; absent: it is over then.
   std::optional<PlanePoint> onward{};
+  CourseCost course_cost{};  ///< in the current there is
 
   /// Where the way leads when this ground is done: on, or home.
   [[nodiscard]] PlanePoint next() const {

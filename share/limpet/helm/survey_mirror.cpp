@@ -164,7 +164,8 @@ Situation SurveyMirror::Snapshot(Seconds now, const Pose2& pose, double travelle
           .coverage = coverage_,
           .travelled = travelled,
           .reach = reach_of_battery_,
-          .onward = blocks_->Onward()};
+          .onward = blocks_->Onward(),
+          .course_cost = course_cost_};
 }
 
 }  // namespace limpet

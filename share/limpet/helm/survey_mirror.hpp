@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "limpet/helm/object_watch.hpp"
@@ -25,6 +26,7 @@ class SurveyMirror {
   bool SetArea(const SurveyArea& area);
   void SetHome(const HomePoint& home) { home_ = home; }
   void SetReach(Meters reach) { reach_of_battery_ = reach; }
+  void SetCourseCost(CourseCost cost) { course_cost_ = std::move(cost); }
   [[nodiscard]] const std::optional<HomePoint>& home() const { return home_; }
   void SetCoverage(const Coverage& coverage) { coverage_ = coverage; }
   /// By what the map judges looks, and how far one sees: what is left to see follows from it.
@@ -91,6 +93,7 @@ class SurveyMirror {
   Meters place_sigma_{0.0};
   std::optional<HomePoint> home_;
   std::optional<Meters> reach_of_battery_;
+  CourseCost course_cost_;
   ObjectWatch watch_;
   Coverage coverage_;
   std::optional<double> seabed_down_;  ///< NED depth of the seabed last measured [m]

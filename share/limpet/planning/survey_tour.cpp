@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limpet/planning/current_toll.hpp"
+
 namespace limpet {
 namespace {
 
@@ -70,13 +72,16 @@ TourCost TourJudge::Cost(const SurveyTour& tour) {
     stages_.push_back(stage);
   }
   TourCost cost = stage.cost;
-  cost.home = std::hypot(stage.end.north - goal_.home.x(), stage.end.east - goal_.home.y());
+  const PlanePoint homeward(goal_.home.x() - stage.end.north, goal_.home.y() - stage.end.east);
+  cost.home = std::hypot(homeward.x(), homeward.y());
+  cost.toll += CurrentToll(goal_.course_cost, {.yaw = std::atan2(homeward.y(), homeward.x())},
+                           {.curvature = 0.0, .length = cost.home});
   const Footprint& footprint = ground_.footprint();
   const double top_swath = 2.0 * footprint.half_across(Footprint::kLayers - 1);
   cost.missing = std::max(0, planes_.unseen()[SeenPlanes::kTop] - may_stay_) * cell_m2_ /
                  std::max(0.1, top_swath);
   cost.lacking = kFetchPrice * cost.missing + (cost.missing > 0.0 ? kUnfinishedPrice : 0.0);
-  cost.total = cost.length + cost.home + goal_.early_weight * cost.lateness +
+  cost.total = cost.length + cost.home + cost.toll + goal_.early_weight * cost.lateness +
                goal_.most_weight * cost.most - cost.others + cost.lacking + cost.detours;
   return cost;
 }
@@ -134,12 +139,11 @@ bool TourJudge::FlyPiece(const Pose2& from, const PathSegment& piece, TourCost& 
   }
   const std::size_t top = SeenPlanes::kTop;
   NoteMost(before, piece.length, cost);
-  if (after[top] > may_stay_) {
-    cost.length += piece.length;
-    return false;
-  }
-  cost.length += ShareUntil(may_stay_, before[top], after[top]) * piece.length;
-  return true;
+  const bool is_finished = after[top] <= may_stay_;
+  const double flown = is_finished ? ShareUntil(may_stay_, before[top], after[top]) : 1.0;
+  cost.length += flown * piece.length;
+  cost.toll += flown * CurrentToll(goal_.course_cost, from, piece);
+  return is_finished;
 }
 
 void TourJudge::NoteMost(const SeenPlanes::Counts& before, double piece, TourCost& cost) const {

@@ -13,6 +13,7 @@
 #include "limpet/planning/path_valuer.hpp"
 #include "limpet/planning/region.hpp"
 #include "limpet/planning/seen_planes.hpp"
+#include "limpet/topics/energy.hpp"
 
 namespace limpet {
 
@@ -39,6 +40,7 @@ struct TourGoal {
   /// ground do not count.
   Objective others{};
   double others_weight = 1.0;  ///< metres of way that a unit of it is worth
+  CourseCost course_cost{};    ///< in the current there is
 };
 
 /// What a tour costs, all in metres of path.
@@ -49,6 +51,7 @@ struct TourCost {
   double most = 0.0;
   double lateness = 0.0;  ///< mean over the area of the path at which ground is first seen
   double home = 0.0;      ///< straight way home from there
+  double toll = 0.0;      ///< what the current adds to all of that: CurrentToll
   double missing = 0.0;   ///< useful track that the finish still lacks
   double lacking = 0.0;   ///< price of that: about what it takes to fetch it
   double others = 0.0;    ///< worth of what is sought besides ground

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "limpet/energy/energy_prior.hpp"
+#include "limpet/energy/way_power.hpp"
 #include "limpet/preflight/checks.hpp"
 
 namespace limpet::internal {
@@ -21,8 +21,9 @@ struct CruisePowers {
 
 CruisePowers PowersOf(const VehicleParams& vehicle, const BatterySheet& battery, double speed_mps,
                       double current_mps) {
-  const auto at = [&](double through_water_mps) {
-    return CruisePower(vehicle, battery, MetersPerSecond(std::abs(through_water_mps)));
+  const WayPower power(vehicle, battery);
+  const auto at = [&power](double through_water_mps) {
+    return power.Cruising(MetersPerSecond(std::abs(through_water_mps)));
   };
   const double against_w = at(speed_mps + current_mps);
   return {.to_and_fro_w = 0.5 * (against_w + at(speed_mps - current_mps)), .against_w = against_w};

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "limpet/figures/probability_text.hpp"
 #include "limpet/figures/svg_canvas.hpp"
 #include "limpet/report/bound_sentence.hpp"
+#include "limpet/report/current_sentence.hpp"
 #include "limpet/report/energy_sentence.hpp"
 #include "limpet/report/html_explanations.hpp"
 #include "limpet/report/html_pictures.hpp"
@@ -91,6 +93,10 @@ std::string Cards(const SessionScore& session) {
   if (session.water) {
     out += Card(fmt::format("{:.1f} m", session.water->visibility.visibility),
                 "how far it could see, by its own account: " + WaterSentence(*session.water));
+  }
+  if (session.current) {
+    out += Card(fmt::format("{:.2f} m/s", std::hypot(session.current->north, session.current->east)),
+                "current, by its own account: " + CurrentSentence(*session.current));
   }
   if (session.realtime_factor()) {
     out +=

@@ -145,6 +145,14 @@ OrderedJson Water(const SessionScore& session) {
             {"band_top", Share(water.believed.band_top)}}}};
 }
 
+/// What the vehicle itself says, where it sets to; null if it said nothing.
+OrderedJson Current(const SessionScore& session) {
+  if (!session.current) return nullptr;
+  return {{"north_mps", Length(session.current->north)},
+          {"east_mps", Length(session.current->east)},
+          {"sd_mps", Length(session.current->sd)}};
+}
+
 /// What the vehicle itself says; null without a battery.
 OrderedJson Energy(const SessionScore& session) {
   if (!session.energy) return nullptr;
@@ -243,6 +251,7 @@ OrderedJson Session(const SessionScore& session) {
       {"missed", IfJudged(session, session.opis.missed)},
       {"false", IfJudged(session, FalseOpis(session.opis.invented))}};
   out["water"] = Water(session);
+  out["current"] = Current(session);
   out["energy"] = Energy(session);
   out["warnings"] = Warnings(session);
   if (!session.former.empty()) {

@@ -13,6 +13,7 @@
 #include "limpet/console/shown_text.hpp"
 #include "limpet/figures/probability_text.hpp"
 #include "limpet/report/bound_sentence.hpp"
+#include "limpet/report/current_sentence.hpp"
 #include "limpet/report/energy_sentence.hpp"
 #include "limpet/report/lanes_sentence.hpp"
 #include "limpet/report/obstacles_sentence.hpp"
@@ -205,6 +206,11 @@ std::string WaterLine(const SessionScore& session) {
   return fmt::format("  {}\n", WaterSentence(*session.water));
 }
 
+std::string CurrentLine(const SessionScore& session) {
+  if (!session.current) return "";
+  return fmt::format("  current: {}\n", CurrentSentence(*session.current));
+}
+
 std::string EnergyLine(const SessionScore& session) {
   if (!session.energy) return "";
   return fmt::format("  energy: {}\n", EnergySentence(*session.energy));
@@ -216,7 +222,7 @@ std::string SessionText(const SessionScore& session, const ReportSettings& setti
   if (!session.former.empty()) {
     out += paint.Dim(fmt::format("  compared with {}\n", OneLine(session.former, 64)));
   }
-  out += PhaseLine(session) + WaterLine(session) + EnergyLine(session);
+  out += PhaseLine(session) + WaterLine(session) + CurrentLine(session) + EnergyLine(session);
   if (!session.has_truth) return out + ReportedTable(session, paint);
   out += session.former.empty() ? DiscoveryTable(session, paint) : ChangeTable(session, paint);
   out += Mistakes(session, paint);

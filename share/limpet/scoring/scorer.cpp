@@ -71,6 +71,7 @@ SessionScore ScoreSession(const SessionRecord& record, const Scenario& scenario,
   score.ended = record.ended.empty() ? "aborted" : record.ended;
   score.warnings = record.warnings;
   score.energy = record.energy;
+  score.current = record.current;
   if (record.water && !record.believed_coverage.empty()) {
     score.water = WaterScore{.visibility = *record.water,
                              .believed = record.believed_coverage.back().value,

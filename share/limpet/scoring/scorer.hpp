@@ -39,6 +39,7 @@ struct SessionScore {
   std::optional<LanesScore> lanes;       ///< nothing without truth, area or survey
   std::vector<OptionWins> wins;          ///< whose options were flown
   std::optional<WaterScore> water;       ///< nothing if nobody said
+  std::optional<WaterCurrent> current;   ///< by the vehicle's own account
   std::optional<EnergyRecord> energy;    ///< nothing of a vehicle without a battery
   std::vector<ObstacleScore> obstacles;  ///< none without truth
   NavScore nav;

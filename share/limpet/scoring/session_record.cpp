@@ -98,6 +98,11 @@ void CollectWater(SessionRecord& record, const Message& message) {
   if (const auto state = Read(topics::kWaterState, message)) record.water = *state;
 }
 
+void CollectCurrent(SessionRecord& record, const Message& message) {
+  if (record.PhaseStart("ASCEND")) return;
+  if (const auto current = Read(topics::kNavCurrent, message)) record.current = *current;
+}
+
 void CollectEnergy(SessionRecord& record, const Message& message) {
   const auto state = Read(topics::kEnergyState, message);
   if (!state) return;
@@ -167,6 +172,7 @@ const std::map<std::string, Collector, std::less<>>& Collectors() {
       {topics::kNavSight.name, CollectFrame},
       {topics::kMapCoverage.name, CollectCoverage},
       {topics::kWaterState.name, CollectWater},
+      {topics::kNavCurrent.name, CollectCurrent},
       {topics::kEnergyState.name, CollectEnergy},
       {topics::kMapDelta.name, CollectGrid},
       {topics::kHelmPath.name, CollectPath},

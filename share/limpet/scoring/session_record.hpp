@@ -87,6 +87,7 @@ struct SessionRecord {
   BestChips chips;                    ///< pictures of the landmarks; none without images
   std::vector<Stamped<Coverage>> believed_coverage;
   std::optional<WaterVisibility> water;  ///< as last published
+  std::optional<WaterCurrent> current;   ///< as last published before the ascent
   std::optional<EnergyRecord> energy;    ///< nothing of a vehicle without a battery
   GridRecord grid;
   std::vector<DecisionRecord> decisions;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What is left in the battery, and what the way home takes.
+// What is left in the battery, and what the way home and each course take.
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "limpet/topics/topic.hpp"
 
@@ -32,10 +33,29 @@ struct EnergyState {
   }
 };
 
+/// What a metre over ground takes by course in the current there is: as many metres of still water
+/// draw as much. At equal steps of course from north on, clockwise; empty: all courses cost alike.
+struct CourseCost {
+  std::vector<double> metres;
+
+  /// By the two steps beside `course` [rad].
+  [[nodiscard]] double At(double course) const;
+};
+template <>
+struct TopicCodec<CourseCost> : JsonCodec<CourseCost> {};
+
 namespace topics {
 inline const auto kEnergyState = Declare<EnergyState>(
     "ENERGY_STATE", "energy used, left, and needed for the way home, learnt from what was used",
     {.unit = "Wh, m, W", .rate = "1 Hz, of a vehicle with a battery", .writers = {"pSurvey"}});
+inline const auto kCourseCost = Declare<CourseCost>(
+    "COURSE_COST",
+    "what a metre over ground takes by course, in metres of still water that draw as much: at equal "
+    "steps from north on; empty while no current makes a difference",
+    {.unit = "m",
+     .frame = "clockwise from north",
+     .rate = "on change, of a vehicle with a battery",
+     .writers = {"pSurvey"}});
 }  // namespace topics
 
 }  // namespace limpet

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limpet/core/lower_triangle.hpp"
+#include "limpet/topics/energy.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
@@ -274,6 +275,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionOpinion, behavior, variables, weight, v
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmMotion, course_deg, speed_mps, depth_m, opinions)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RevisitInterest, id, state, worth, fruitless)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmRevisits, objects)
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CourseCost, metres)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SafetyRuleState, rule, margin, stands)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SafetyState, action, rule, since, rules)
 
@@ -333,6 +336,7 @@ template struct JsonCodec<HelmPath>;
 template struct JsonCodec<HelmBids>;
 template struct JsonCodec<HelmMotion>;
 template struct JsonCodec<HelmRevisits>;
+template struct JsonCodec<CourseCost>;
 template struct JsonCodec<SafetyState>;
 
 }  // namespace limpet

@@ -79,6 +79,16 @@ TEST_F(ViewBehaviorTest, CoverAreaDoesNotAskWhenAnOptionThatIsNoWholeShowsIt) {
   EXPECT_EQ(cover.Value(part, now_)->why.size(), 3U);
 }
 
+TEST_F(ViewBehaviorTest, CoverAreaChargesForTheCurrentAndSaysSo) {
+  const BHV_CoverArea cover({});
+  const double still = cover.Value(Seen(Straight(40.0)), now_)->value;
+  now_.course_cost.metres = {1.5, 1.1, 0.7, 1.1};
+  const Bid against = *cover.Value(Seen(Straight(40.0)), now_);
+  EXPECT_NEAR(still - against.value, 20.0, 1e-9);
+  EXPECT_NEAR(Reason(against, "current"), 20.0, 1e-9);
+  EXPECT_NEAR(cover.Value(Seen(Straight(40.0, kPi)), now_)->value - still, 12.0, 1e-9);
+}
+
 TEST_F(ViewBehaviorTest, ReturnHomeChargesAWholeForTheWayFromItsEnd) {
   Option& whole = Straight(100.0);
   whole.own_m = 25.0;

@@ -2,6 +2,7 @@
 #include "limpet/energy/energy_estimate.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -63,7 +64,8 @@ TEST(EnergyEstimate, BeginsWithTheSheetsAndAMargin) {
   flight.Fly(1.0, 80.0, 0.0);
   const EnergyState state = flight.At(100.0);
   EXPECT_LT(state.capacity_wh, 0.9 * flight.sheet().capacity_wh);
-  const double by_sheet_w = CruisePower(VehicleParams{}, flight.sheet(), MetersPerSecond(0.5));
+  const double by_sheet_w =
+      WayPower(VehicleParams{}, flight.sheet()).Cruising(MetersPerSecond(0.5));
   EXPECT_GT(state.metre_wh, 1.2 * by_sheet_w / 0.5 / 3600.0);
   EXPECT_GT(state.idle_w, flight.sheet().hotel_w);
 }
@@ -120,14 +122,64 @@ TEST(EnergyEstimate, TakesTheChargeAloneWhereNobodySaysVoltageAndCurrent) {
   EXPECT_FALSE(state.gauge_excess);
 }
 
-TEST(CruisePower, IsMoreThanTheHotelAndGrowsWithSpeed) {
-  const BatterySheet sheet;
-  const VehicleParams vehicle;
-  const double slow = CruisePower(vehicle, sheet, MetersPerSecond(0.3));
-  const double fast = CruisePower(vehicle, sheet, MetersPerSecond(0.6));
-  EXPECT_GT(slow, sheet.hotel_w);
-  EXPECT_GT(fast, slow);
-  EXPECT_TRUE(std::isinf(CruisePower(vehicle, sheet, MetersPerSecond(5.0))));
+/// Draws what the sheets say, in a current that sets to the north.
+class FlightInACurrent {
+ public:
+  void Fly(double seconds, double course) {
+    for (int i = 0; i < static_cast<int>(std::lround(seconds)); ++i) {
+      now_ += Seconds(1.0);
+      NavState nav;
+      nav.yaw = course, nav.u = kSpeed.value();
+      estimate.Hear(nav, now_);
+      const double power_w = power.In(kCurrent, {.course = course, .speed = kSpeed});
+      charge_ -= power_w / 3600.0 / sheet.capacity_wh;
+      const double volts = sheet.OpenCircuitVolts(charge_);
+      estimate.Hear({.charge = charge_, .volts = volts, .amperes = power_w / volts}, now_);
+    }
+  }
+  [[nodiscard]] double Home(double course) const {
+    return estimate.At({.distance = Meters(100.0), .course = course})->home_wh -
+           estimate.At({.distance = Meters(0.0)})->home_wh;
+  }
+
+  static constexpr WaterCurrent kCurrent{.north = 0.2, .east = 0.0, .sd = 0.01};
+  static constexpr MetersPerSecond kSpeed{0.5};
+  BatterySheet sheet;
+  WayPower power{VehicleParams{}, sheet};
+  EnergyEstimate estimate{VehicleParams{}, sheet};
+
+ private:
+  double charge_ = 0.9;
+  Seconds now_{100.0};
+};
+
+TEST(EnergyEstimate, ForeseesAWayHomeAgainstACurrentThatNoWayMetHeadOn) {
+  constexpr double kEast = 0.5 * std::numbers::pi, kSouth = std::numbers::pi;
+  FlightInACurrent flight;
+  flight.estimate.Hear(FlightInACurrent::kCurrent);
+  flight.Fly(3000.0, kEast);
+  const double against_w =
+      flight.power.In(FlightInACurrent::kCurrent, {.course = kSouth, .speed = flight.kSpeed});
+  EXPECT_NEAR(flight.Home(kSouth), against_w * 100.0 / 0.5 / 3600.0, 0.05 * flight.Home(kSouth));
+  EXPECT_GT(flight.Home(kSouth), 1.2 * flight.Home(kEast));
+}
+
+TEST(EnergyEstimate, DoesNotCountOnBeingCarriedHome) {
+  FlightInACurrent flight;
+  flight.estimate.Hear(FlightInACurrent::kCurrent);
+  flight.Fly(3000.0, std::numbers::pi);
+  EXPECT_NEAR(flight.Home(0.0), flight.Home(std::numbers::pi), 1e-9);
+}
+
+TEST(EnergyEstimate, LeavesOutACurrentThatIsNotToldApartFromNone) {
+  FlightInACurrent flight;
+  EXPECT_TRUE(flight.estimate.CostsByCourse().metres.empty());
+  flight.estimate.Hear(WaterCurrent{.north = 0.2, .east = 0.0, .sd = 0.1});
+  EXPECT_TRUE(flight.estimate.CostsByCourse().metres.empty());
+  flight.estimate.Hear(WaterCurrent{.north = 0.03, .east = 0.0, .sd = 0.001});
+  EXPECT_TRUE(flight.estimate.CostsByCourse().metres.empty());
+  flight.estimate.Hear(FlightInACurrent::kCurrent);
+  EXPECT_FALSE(flight.estimate.CostsByCourse().metres.empty());
 }
 
 }  // namespace

@@ -59,8 +59,27 @@ TEST_F(SurveyEnergyTest, SaysWhatIsLeftAndWhatTheWayHomeTakes) {
   EXPECT_THAT(lines.Text(), testing::HasSubstr("Energy:"));
 }
 
+TEST_F(SurveyEnergyTest, SaysWhatAMetreTakesByCourseOnceACurrentMakesADifference) {
+  ReachSurvey();
+  const auto say = [this](double north) {
+    link_.Send(*app_, topics::kNavCurrent, WaterCurrent{.north = north, .east = 0.0, .sd = 0.01});
+  };
+  say(0.01);
+  EXPECT_FALSE(link_.Last(topics::kCourseCost).has_value());
+  say(-0.2);
+  const auto dear = link_.Last(topics::kCourseCost);
+  ASSERT_TRUE(dear.has_value());
+  EXPECT_GT(dear->At(0.0), 1.2);
+  say(-0.202);
+  EXPECT_EQ(link_.Last(topics::kCourseCost)->metres, dear->metres) << "for next to nothing";
+  say(0.01);
+  EXPECT_TRUE(link_.Last(topics::kCourseCost)->metres.empty());
+}
+
 TEST_F(WithoutBattery, SaysNothingOfEnergy) {
   ReachSurvey();
+  link_.Send(*app_, topics::kNavCurrent, WaterCurrent{.north = 0.2, .east = 0.0, .sd = 0.01});
+  EXPECT_FALSE(link_.Last(topics::kCourseCost).has_value());
   SayBattery(0.5);
   EXPECT_FALSE(link_.Last(topics::kEnergyState).has_value());
 }

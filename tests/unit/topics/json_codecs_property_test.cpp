@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limpet/core/random.hpp"
+#include "limpet/topics/energy.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
@@ -136,6 +137,10 @@ class Maker {
     for (std::size_t i = Few(); i > 0; --i)
       out.objects.push_back({Whole(), "open", Real(), 2});
   }
+  void Fill(CourseCost& out) {
+    for (std::size_t i = Few(); i > 0; --i)
+      out.metres.push_back(Real());
+  }
 
  private:
   Random& random_;
@@ -167,7 +172,8 @@ class JsonProperty : public ::testing::Test {
 
 using JsonTopics =
     ::testing::Types<Detections, Landmarks, LandmarkJoint, ObservedFrame, TrackShift, OpiBeliefs,
-                     SessionPrior, WaterRecord, HelmPath, HelmBids, HelmMotion, HelmRevisits>;
+                     SessionPrior, WaterRecord, HelmPath, HelmBids, HelmMotion, HelmRevisits,
+                     CourseCost>;
 TYPED_TEST_SUITE(JsonProperty, JsonTopics);
 
 TYPED_TEST(JsonProperty, ComesBackTheSame) {
