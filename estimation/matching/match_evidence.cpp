@@ -63,7 +63,8 @@ double MatchEvidence(const std::vector<ObjectEstimate>& former,
     const Eigen::Matrix2d S =
         (former[i].cov_W + there.cov_W).topLeftCorner<2, 2>() + floor * Eigen::Matrix2d::Identity();
     evidence += std::log(kFormerStays / DensityOf(there.color, now)) - LogOf2Pi() -
-                0.5 * std::log(S.determinant()) - 0.5 * off.dot(S.inverse() * off);
+                0.5 * std::log(S.determinant()) - 0.5 * off.dot(S.inverse() * off) -
+                0.5 * params.ColorCost(former[i], there);
   }
   return evidence;
 }

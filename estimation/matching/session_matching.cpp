@@ -16,6 +16,8 @@ namespace {
 constexpr int kRefinements = 6;  // of who is who and of the offset, in turns
 constexpr int kTurns = 3;        // of the offset alone: it is not linear in the turn
 constexpr std::size_t kStarts = 12, kNeighbours = 3;
+/// Where another colour costs more, pairs of one colour alone propose offsets: there are enough.
+constexpr double kTellingColor = 2.0;
 
 class SessionMatcher {
  public:
@@ -77,7 +79,7 @@ class SessionMatcher {
     for (const ObjectEstimate& a : former_) {
       const std::vector<const ObjectEstimate*> neighbours = NeighboursOf(a);
       for (const ObjectEstimate& b : now_) {
-        if (ColorCost(a, b) > gate_) continue;
+        if (ColorCost(a, b) > kTellingColor) continue;
         FrameOffset shifted{.pivot = pivot_};
         shifted.shift = b.p_W.head<2>() - a.p_W.head<2>();
         shifted.down = DownFrom(a, b);
@@ -112,7 +114,7 @@ class SessionMatcher {
     for (const ObjectEstimate& c : now_) {
       const Eigen::Vector2d after = (c.p_W - b.p_W).head<2>();
       const double misfit = after.norm() - before.norm();
-      if (&c == &b || ColorCost(neighbour, c) > gate_ ||
+      if (&c == &b || ColorCost(neighbour, c) > kTellingColor ||
           misfit * misfit > gate_ * PairCovariance(neighbour, c).trace()) {
         continue;
       }
@@ -160,7 +162,7 @@ class SessionMatcher {
   }
 
   [[nodiscard]] double ColorCost(const ObjectEstimate& a, const ObjectEstimate& b) const {
-    return a.color == b.color ? 0.0 : params_.color_penalty;
+    return params_.ColorCost(a, b);
   }
 
   /// Squared sigmas of a pair under an offset; far beyond the gate only that it is.

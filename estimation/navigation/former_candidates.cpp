@@ -21,8 +21,7 @@ double DensityThere(const ObjectEstimate& former, const ObjectEstimate& landmark
   Eigen::Matrix3d S = former.cov_W + landmark.cov_W + J * match.offset_cov * J.transpose();
   S.diagonal().array() += 2.0 * std::pow(params.position_floor.value(), 2);
   const Eigen::Vector3d off = landmark.p_W - match.offset.Apply(former.p_W);
-  const double color = former.color == landmark.color ? 0.0 : params.color_penalty;
-  const double distance = off.dot(S.inverse() * off) + color;
+  const double distance = off.dot(S.inverse() * off) + params.ColorCost(former, landmark);
   if (!(distance <= std::pow(params.gate_sigmas, 2))) {
     return 0.0;
   }

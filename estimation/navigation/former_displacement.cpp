@@ -78,8 +78,10 @@ double ChanceOfSamePlace(const Pair& pair, const SessionMatch& match,
   const Eigen::Vector2d off = (pair.now.p_W - match.offset.Apply(pair.former.p_W)).head<2>();
   const Displacement displacement =
       pair.is_fitted ? Without(off, own, of_offset) : Displacement{off, own + of_offset};
-  const double same = (1.0 - kMoves) * displacement.DensityAt(Eigen::Vector2d::Zero());
-  const double other = kMoves * DensityOfMoves(displacement) + kOtherCame;
+  // Of an object of another colour that is the same, the colour was wrong in one of the sessions.
+  const double one_object = std::exp(-0.5 * params.ColorCost(pair.former, pair.now));
+  const double same = one_object * (1.0 - kMoves) * displacement.DensityAt(Eigen::Vector2d::Zero());
+  const double other = one_object * kMoves * DensityOfMoves(displacement) + kOtherCame;
   return same / (same + other);
 }
 

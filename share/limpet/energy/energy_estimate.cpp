@@ -40,10 +40,11 @@ void EnergyEstimate::Hear(const NavState& nav, Seconds now) {
   if (nav_ && now > nav_->time && now - nav_->time < kLongestGap) {
     const double speed_mps = std::hypot(nav.u, nav.v);
     const double way_m = speed_mps * (now - nav_->time).value();
-    const Way way{.course = nav.yaw + std::atan2(nav.v, nav.u), .speed = MetersPerSecond(speed_mps)};
+    const Way way{.course = nav.yaw + std::atan2(nav.v, nav.u),
+                  .speed = MetersPerSecond(speed_mps)};
     way_m_ += way_m;
-    still_m_ += HasCurrent() && speed_mps >= kSlowest_mps ? way_m * power_.CostOf(*current_, way)
-                                                          : way_m;
+    still_m_ +=
+        HasCurrent() && speed_mps >= kSlowest_mps ? way_m * power_.CostOf(*current_, way) : way_m;
   }
   nav_ = {now, nav};
 }

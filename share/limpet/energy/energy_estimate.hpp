@@ -14,19 +14,19 @@ namespace limpet {
 
 /// Where the vehicle is on its way home, and what has to be left there.
 struct HomeLeg {
-  Meters distance;
-  Meters depth;
-  Seconds at_surface;          ///< there, before the mission ends
+  Meters distance{0.0};
+  Meters depth{0.0};
+  Seconds at_surface{0.0};     ///< there, before the mission ends
   double reserve_share = 0.0;  ///< of a full battery
   double course = 0.0;         ///< [rad]
 };
 
 /// What is left in the battery and what the way home takes. It begins with the sheets and a margin,
 /// and learns from what is used: energy per metre of way, power without way on, and how much a
-/// share of the gauge's charge is worth. A current that is known counts by course: what a way took is
-/// held against what the sheets say of it. Where the voltage says less than the gauge, the voltage is
-/// believed: a gauge that sticks, or cells that are lost, show in it. Pure; times are the
-/// listener's own.
+/// share of the gauge's charge is worth. A current that is known counts by course: what a way took
+/// is held against what the sheets say of it. Where the voltage says less than the gauge, the
+/// voltage is believed: a gauge that sticks, or cells that are lost, show in it. Pure; times are
+/// the listener's own.
 class EnergyEstimate {
  public:
   EnergyEstimate(const VehicleParams& vehicle, const BatterySheet& battery);

@@ -17,9 +17,9 @@ struct Way {
   MetersPerSecond speed;
 };
 
-/// What is drawn from the battery on the way, by the data sheets: hotel load, drag and buoyancy, each
-/// force shared evenly by the thrusters that can push that way [W]. Infinite where they cannot push
-/// so hard.
+/// What is drawn from the battery on the way, by the data sheets: hotel load, drag and buoyancy,
+/// each force shared evenly by the thrusters that can push that way [W]. Infinite where they cannot
+/// push so hard.
 class WayPower {
  public:
   WayPower(const VehicleParams& vehicle, const BatterySheet& battery);

@@ -7,9 +7,10 @@
 
 namespace limpet {
 
-/// Metres of still water that draw as much as `piece` does in the current, less its length [m]. Below
-/// 0 where it carries the vehicle along. An arc counts by its middle.
-[[nodiscard]] double CurrentToll(const CourseCost& cost, const Pose2& from, const PathSegment& piece);
+/// Metres of still water that draw as much as `piece` does in the current, less its length [m].
+/// Below 0 where it carries the vehicle along. An arc counts by its middle.
+[[nodiscard]] double CurrentToll(const CourseCost& cost, const Pose2& from,
+                                 const PathSegment& piece);
 /// Of a whole path, arcs by pieces.
 [[nodiscard]] double CurrentToll(const CourseCost& cost, const DubinsPath& path);
 

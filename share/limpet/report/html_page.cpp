@@ -95,8 +95,9 @@ std::string Cards(const SessionScore& session) {
                 "how far it could see, by its own account: " + WaterSentence(*session.water));
   }
   if (session.current) {
-    out += Card(fmt::format("{:.2f} m/s", std::hypot(session.current->north, session.current->east)),
-                "current, by its own account: " + CurrentSentence(*session.current));
+    out +=
+        Card(fmt::format("{:.2f} m/s", std::hypot(session.current->north, session.current->east)),
+             "current, by its own account: " + CurrentSentence(*session.current));
   }
   if (session.realtime_factor()) {
     out +=

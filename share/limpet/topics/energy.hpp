@@ -48,14 +48,15 @@ namespace topics {
 inline const auto kEnergyState = Declare<EnergyState>(
     "ENERGY_STATE", "energy used, left, and needed for the way home, learnt from what was used",
     {.unit = "Wh, m, W", .rate = "1 Hz, of a vehicle with a battery", .writers = {"pSurvey"}});
-inline const auto kCourseCost = Declare<CourseCost>(
-    "COURSE_COST",
-    "what a metre over ground takes by course, in metres of still water that draw as much: at equal "
-    "steps from north on; empty while no current makes a difference",
-    {.unit = "m",
-     .frame = "clockwise from north",
-     .rate = "on change, of a vehicle with a battery",
-     .writers = {"pSurvey"}});
+inline const auto kCourseCost =
+    Declare<CourseCost>("COURSE_COST",
+                        "what a metre over ground takes by course, in metres of still water that "
+                        "draw as much: at equal "
+                        "steps from north on; empty while no current makes a difference",
+                        {.unit = "m",
+                         .frame = "clockwise from north",
+                         .rate = "on change, of a vehicle with a battery",
+                         .writers = {"pSurvey"}});
 }  // namespace topics
 
 }  // namespace limpet

@@ -59,11 +59,22 @@ TEST(MatchSessions, IsNotLedAstrayByANewNeighbour) {
   EXPECT_THAT(match.now_of_former, ElementsAre(-1, 1, 2));
 }
 
-TEST(MatchSessions, TakesAnotherColourForAnotherObject) {
+TEST(MatchSessions, TakesAnotherColourForAnotherObjectUnlessItStandsWhereTheFormerDid) {
+  const auto match_at = [](double east, const MatchingParams& params) {
+    return MatchSessions({FormerAt(0, 0), FormerAt(8, 0), FormerAt(0, 8)},
+                         {FormerAt(0, 0), FormerAt(8, 0), FormerAt(0, 8 + east, "orange")}, params);
+  };
+  EXPECT_THAT(match_at(0.1, {}).now_of_former, ElementsAre(0, 1, 2));
+  EXPECT_THAT(match_at(1.0, {}).now_of_former, ElementsAre(0, 1, -1));
+  // Of a detector that is never wrong about it.
+  EXPECT_THAT(match_at(0.1, {.color_penalty = 30.0}).now_of_former, ElementsAre(0, 1, -1));
+}
+
+TEST(MatchSessions, PrefersTheColourThatFits) {
   const SessionMatch match =
-      MatchSessions({FormerAt(0, 0), FormerAt(8, 0), FormerAt(0, 8)},
-                    {FormerAt(0, 0), FormerAt(8, 0), FormerAt(0, 8, "orange")}, {});
-  EXPECT_THAT(match.now_of_former, ElementsAre(0, 1, -1));
+      MatchSessions({FormerAt(0, 0), FormerAt(8, 0), FormerAt(0, 8), FormerAt(0, 8.6, "orange")},
+                    {FormerAt(0, 0), FormerAt(8, 0), FormerAt(0, 8.2, "orange")}, {});
+  EXPECT_THAT(match.now_of_former, ElementsAre(0, 1, -1, 2));
 }
 
 TEST(MatchSessions, LeavesAnObjectThatMovedUnmatched) {

@@ -54,6 +54,22 @@ TEST(FormerDisplacement, WhatStandsWhereItStoodIsTheSame) {
     EXPECT_GT(chance, 0.99);
 }
 
+TEST(FormerDisplacement, AnotherColourMakesItLessSureAndFarOffAnotherObject) {
+  const auto chance_at = [](double north, bool is_of_another_color) {
+    TwoSessions two{.former = ObjectsOf(kFivePlaces, 0.2), .now = {}, .chances = {}};
+    two.now = two.former;
+    two.now.front().p_W.x() += north;
+    if (is_of_another_color) two.now.front().color = "red";
+    const Eigen::Matrix4d prior = OffsetPrior(two.params);
+    two.match = FitSessions(two.former, two.now, {0, 1, 2, 3, 4}, two.params, prior);
+    return ChancesOfSamePlace(two.former, two.now, two.params, prior, two.match).front();
+  };
+  EXPECT_GT(chance_at(0.05, false), 0.98);
+  EXPECT_LT(chance_at(0.05, true), chance_at(0.05, false));
+  EXPECT_GT(chance_at(0.05, true), 0.9);
+  EXPECT_LT(chance_at(0.9, true), chance_at(0.9, false));
+}
+
 TEST(FormerDisplacement, AMoveShowsWherePlacesAreKnown) {
   const TwoSessions two = CompareTwo({1.3, 0.0}, 0.1);
   EXPECT_LT(two.chances.front(), 0.1);

@@ -170,10 +170,9 @@ class JsonProperty : public ::testing::Test {
   Random random_{23, "json"};
 };
 
-using JsonTopics =
-    ::testing::Types<Detections, Landmarks, LandmarkJoint, ObservedFrame, TrackShift, OpiBeliefs,
-                     SessionPrior, WaterRecord, HelmPath, HelmBids, HelmMotion, HelmRevisits,
-                     CourseCost>;
+using JsonTopics = ::testing::Types<Detections, Landmarks, LandmarkJoint, ObservedFrame, TrackShift,
+                                    OpiBeliefs, SessionPrior, WaterRecord, HelmPath, HelmBids,
+                                    HelmMotion, HelmRevisits, CourseCost>;
 TYPED_TEST_SUITE(JsonProperty, JsonTopics);
 
 TYPED_TEST(JsonProperty, ComesBackTheSame) {
