@@ -92,7 +92,7 @@ void OdometryErrors::ConcludeBridge(double t) {
   if (!bridge_) return;
   const auto& end = track_.bridge_end();
   const bool is_of_it = end && end->t >= bridge_->since;
-  if (is_of_it && t < end->t + kEndWait) return;
+  if (is_of_it && (end->is_open || t < end->t + kEndWait)) return;
   if (is_of_it && end->count >= kEnoughAtEnd) {
     const BridgeEndFactor factor(end->off_H, end->variance_H, end->yaw);
     smoother_.AddBorderTerm(bridge_->slot, Term::OnBorder(factor, bridge_->slot));

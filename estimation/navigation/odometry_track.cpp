@@ -14,11 +14,12 @@ namespace {
 constexpr double kLongestExtrapolation = 0.3;  // [s]
 constexpr double kDropoutAge = 0.5;            // [s] without velocity before it counts as a dropout
 constexpr double kDropoutPeriods = 2.4;        // and so many of the DVL's periods
-constexpr double kBridgeEnd = 2.0;             // [s] of velocities that a bridge is held against
-constexpr double kTurnMemory = 0.2;            // [s] over which a rate of turning is averaged
-constexpr double kAttitudeGap = 2.0;           // [s] in which the vehicle does not turn away
-constexpr double kUnknownTurnRate = 0.3;       // [rad/s] 1-sigma of a turn that nobody measures
-constexpr double kContestedShare = 0.3;  // 1-sigma of what the track catches up with, as its share
+constexpr double kOpenEnd = 15.0;         // [s] after a dropout in which its end may be another one
+constexpr double kBridgeEnd = 2.0;        // [s] of velocities that a bridge is held against
+constexpr double kTurnMemory = 0.2;       // [s] over which a rate of turning is averaged
+constexpr double kAttitudeGap = 2.0;      // [s] in which the vehicle does not turn away
+constexpr double kUnknownTurnRate = 0.3;  // [rad/s] 1-sigma of a turn that nobody measures
+constexpr double kContestedShare = 0.3;   // 1-sigma of what the track catches up with, as its share
 constexpr double kAnyYawVariance = M_PI * M_PI / 3.0;  // [rad^2] of a heading that can be any
 
 Eigen::Matrix3d RotationOf(const AttitudeEstimate& a) {
@@ -109,13 +110,31 @@ void OdometryTrack::BelieveContested() {
   now.p_dvl.head<2>() += contested_way_;
   now.bridge_variance += kContestedShare * kContestedShare * contested_way_.squaredNorm();
   contested_way_.setZero();
+  ReopenBridgeEnd();
+}
+
+void OdometryTrack::ForgetContested() {
+  contested_way_.setZero();
+  if (bridge_end_) bridge_end_->is_open = false;
+}
+
+// What the first velocities after a dropout taught was false.
+void OdometryTrack::ReopenBridgeEnd() {
+  if (!bridge_end_ || velocity_t_ - bridge_end_->t > kOpenEnd) return;
+  water_ = *bridging_;
+  bridge_end_ = BridgeEnd{.t = velocity_t_,
+                          .length = bridge_end_->length + velocity_t_ - bridge_end_->t,
+                          .yaw = samples_.back().attitude.yaw,
+                          .is_open = true};
 }
 
 void OdometryTrack::HoldAgainstBridge(double t, const Eigen::Vector3d& v_dvl_B) {
   if (is_empty() || !has_velocity_) return;
   const Sample sample = SampleAt(t);
   const double yaw = sample.attitude.yaw;
-  if (const auto age = DropoutAge(t)) {
+  // While the last one's end is open, what was refused for a moment is no dropout.
+  const bool is_open = bridge_end_ && bridge_end_->is_open && t - bridge_end_->t <= kOpenEnd;
+  if (const auto age = DropoutAge(t); age && !is_open) {
     bridging_ = water_;
     bridge_end_ = BridgeEnd{.t = t, .length = *age, .yaw = yaw};
   }

@@ -68,6 +68,7 @@ struct BridgeEnd {
   Eigen::Vector2d variance_H = Eigen::Vector2d::Zero();
   double yaw = 0.0;  ///< of the vehicle at the first [rad]
   int count = 0;
+  bool is_open = false;  ///< they may yet turn out to be false
 };
 
 /// Body pose in the track's own drifting frame, oriented by the attitude filter's yaw.
@@ -98,7 +99,7 @@ class OdometryTrack {
   /// would have gone besides, if it is not, is kept until it is known to be false or believed after
   /// all. Then the track catches up, and says how far it was off.
   void NoteContested(double t, const Eigen::Vector3d& v_dvl_B);
-  void ForgetContested() { contested_way_.setZero(); }
+  void ForgetContested();
   void BelieveContested();
 
   /// A fix at `t` [s] has shown where the vehicle is: silence begins anew.
@@ -174,6 +175,7 @@ class OdometryTrack {
   [[nodiscard]] Conduct ConductOf(const Sample& sample) const;
   /// Before the water model learns from a velocity.
   void HoldAgainstBridge(double t, const Eigen::Vector3d& v_dvl_B);
+  void ReopenBridgeEnd();
   void TeachWater(double t, const Eigen::Vector3d& v_dvl_B);
   /// In a dropout: in the track's frame.
   [[nodiscard]] Eigen::Vector3d BridgedVelocity(double t, const Conduct& conduct) const;

@@ -35,11 +35,11 @@ struct VelocityEvidence {
 /// from one of the last two accepted ones by no more than an allowance that grows with its age, or
 /// from what is predicted or felt by as much. Any other is false, however many samples in a row say
 /// so, until they have lasted too long for that: much longer where the accelerometer felt nothing
-/// when they began; sooner after a dropout, in which the vehicle may have changed its way, but then
-/// what was before stays an alternative for as long. Samples that tell of
-/// another sink rate only are believed at the second: a vehicle begins to dive at once. Before
-/// anything is proven a second sample that agrees is enough: a wrong first one must not lock the
-/// gate.
+/// when they began; sooner after a dropout, in which the vehicle may have changed its way, and as
+/// soon again while that is new: but then what was believed before stays an alternative. Samples
+/// that tell of another sink rate only are believed at the second: a vehicle begins to dive at
+/// once. Before anything is proven a second sample that agrees is enough: a wrong first one must
+/// not lock the gate.
 class VelocityGate {
  public:
   enum class Verdict : std::uint8_t {
@@ -89,14 +89,24 @@ class VelocityGate {
   Verdict JudgeContest(const Sample& sample) {
     const bool is_proven =
         last_->t - good_since_ >= params_.proven.value() && !AgreesLevel(sample, *last_);
-    const bool had_dropout = refused_since_ - last_->t > params_.dropout.value();
-    const Seconds longest = had_dropout  ? params_.proven
+    const bool is_open = IsOpen();
+    const Seconds longest = is_open      ? params_.proven
                             : is_denied_ ? params_.longest_denied
                                          : params_.longest_burst;
     if (is_proven && sample.t - refused_since_ < longest.value()) return Verdict::kContested;
-    alternative_ = is_proven && had_dropout ? last_ : std::nullopt;
+    if (HadDropout()) open_since_ = refused_since_;
+    alternative_ = is_proven && is_open ? last_ : std::nullopt;
     good_since_ = refused_since_;
     return Accept(sample, is_proven ? Verdict::kBelieved : Verdict::kGood);
+  }
+  [[nodiscard]] bool HadDropout() const {
+    return refused_since_ - last_->t > params_.dropout.value();
+  }
+  /// Nothing tells yet which of two velocities is the vehicle's: a dropout has ended, and what is
+  /// believed since, nobody felt begin. Then the accelerometer denies a change back as well.
+  [[nodiscard]] bool IsOpen() const {
+    return HadDropout() ||
+           (open_since_ && refused_since_ - *open_since_ < params_.longest_burst.value());
   }
   Verdict Accept(const Sample& sample, Verdict verdict) {
     if (!last_) good_since_ = sample.t;
@@ -142,7 +152,9 @@ class VelocityGate {
   VelocityGateParams params_;
   std::optional<Sample> last_, before_last_, refused_, alternative_;
   double good_since_ = 0.0, refused_since_ = 0.0;  ///< [s]
-  bool is_denied_ = false;                         ///< what is refused, by the accelerometer
+  /// Since when what a dropout ended with has been believed without being as before or predicted.
+  std::optional<double> open_since_;
+  bool is_denied_ = false;  ///< what is refused, by the accelerometer
 };
 
 }  // namespace limpet

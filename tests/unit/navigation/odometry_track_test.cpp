@@ -74,6 +74,34 @@ TEST_F(OdometryTrackTest, ADropoutsEndShowsWhatItsBridgeWasOff) {
   EXPECT_GT(end.variance_H.minCoeff(), 0.0);
 }
 
+/// As the gate judges it: a velocity that a dropout ends with is believed after a second, and
+/// proves false when another one comes that is as before.
+TEST_F(OdometryTrackTest, WhatADropoutEndedWithAndWasFalseSaysNothingOfItsBridge) {
+  const Eigen::Vector3d false_B(0.7, -0.9, 0.0), true_B(kSpeed, 0.0, 0.0);
+  const auto velocity_at = [&](double t) -> std::optional<Eigen::Vector3d> {
+    if (t < 60.0) return true_B;
+    if (t < 91.0) return std::nullopt;  // of the last second all were refused
+    if (t < 93.0) return false_B;
+    if (t < 93.6) return std::nullopt;  // the truth, not believed yet
+    return true_B;
+  };
+  for (int i = 0; i <= 2200; ++i) {
+    const double t = 0.05 * i;
+    track_.AddAttitude({.t = t, .yaw = 0.3});
+    if (i % 4 != 0) continue;
+    const auto v_B = velocity_at(t);
+    const auto before = velocity_at(t - 0.2);
+    track_.AddVelocity(t, v_B);
+    if (v_B && !before) track_.BelieveContested();
+    if (v_B && before && t > 93.6) track_.ForgetContested();
+  }
+  ASSERT_TRUE(track_.bridge_end());
+  EXPECT_FALSE(track_.bridge_end()->is_open);
+  EXPECT_GE(track_.bridge_end()->count, 9);
+  EXPECT_GT(track_.bridge_end()->length, 30.0);
+  EXPECT_NEAR(track_.bridge_end()->off_H.norm(), 0.0, 0.02);
+}
+
 TEST_F(OdometryTrackTest, CatchesUpWithWhatItDidNotBelieveAtFirst) {
   Drive(0.0, 20.0);
   Drive(20.0, 26.0, false);

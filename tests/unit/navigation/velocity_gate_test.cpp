@@ -114,6 +114,20 @@ TEST_F(VelocityGateTest, WhatWasFalseAfterADropoutIsTakenBackWhenTheOldTruthRetu
   EXPECT_EQ(Say(kSteady), Verdict::kGood);
 }
 
+/// In a cross current a turn makes another velocity of the same speed: it is like nothing before.
+TEST_F(VelocityGateTest, WhatWasFalseAfterADropoutGivesWayToATruthThatIsNew) {
+  const Eigen::Vector3d turned(0.5, 0.4, 0.0);
+  t_ += 20.0;
+  EXPECT_EQ(Say(kFalse, 3.0), Verdict::kGood);
+  evidence_.felt_B = kFalse;  // the accelerometer feels that nothing changed: it tells neither
+  EXPECT_EQ(Say(turned, 0.8), Verdict::kContested);
+  EXPECT_EQ(Say(turned, 0.6), Verdict::kGood);
+  evidence_.felt_B = turned;
+  EXPECT_EQ(Say(turned, 20.0), Verdict::kGood);
+  // From then on a change of which nothing was felt is a false velocity again.
+  EXPECT_EQ(Say(kFalse, 4.0), Verdict::kContested);
+}
+
 TEST_F(VelocityGateTest, AnOutlierThatPassedDoesNotMakeTheTruthFalse) {
   const Eigen::Vector3d off(0.1, 0.12, 0.0);
   EXPECT_EQ(Say(kSteady + off), Verdict::kGood);
