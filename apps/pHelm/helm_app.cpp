@@ -278,6 +278,10 @@ void HelmApp::DecideView(Seconds now) {
                     "were left with more than slivers unseen",
                     blocks));
   }
+  if (const bool gives_up = planner_.survey().gives_up(); gives_up != gives_up_) {
+    gives_up_ = gives_up;
+    Publish(topics::kHelmGivesUp, gives_up);
+  }
   view_failures_ = std::move(failures);
   Publish(topics::kHelmBids, decision->bids);
   bids_ = Stamped<HelmBids>{now, decision->bids};

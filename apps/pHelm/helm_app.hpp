@@ -124,6 +124,7 @@ class HelmApp final : public App {
   std::vector<BehaviorFailure> view_failures_;  ///< of the last view decision
   std::vector<BehaviorFailure> call_failures_;  ///< of this iteration, where nothing is decided
   HelmRevisits revisits_;                       ///< as last told
+  bool gives_up_ = false;                       ///< likewise
   HelmJournal journal_;
   HelmDrawing drawing_;
   HelmLead lead_;

@@ -24,6 +24,9 @@ namespace {
 constexpr Seconds kTellPeriod(10.0);
 /// Coverage must grow by this share to count as progress, or by so much of a large area.
 constexpr double kProgressShare = 0.002, kProgress_m2 = 200.0;
+/// A survey that the helm has given up for so long, short of its target by slivers, is over.
+constexpr Seconds kGivenUpFor(10.0);
+constexpr double kNearTarget = 0.98;
 constexpr std::array kPhaseNames{"IDLE",   "ALIGN",  "DIVE", "SURVEY",
                                  "RETURN", "ASCEND", "FIX",  "DONE"};
 
@@ -61,6 +64,7 @@ SurveyApp::SurveyApp(const AppContext& context, const Params& params)
   Subscribe(topics::kMissionEnd, &SurveyApp::OnMissionEnd);
   Subscribe(topics::kHelmRevisits, &SurveyApp::OnRevisits);
   SubscribeIfWritten(topics::kHelmPath, &SurveyApp::OnPath);
+  SubscribeIfWritten(topics::kHelmGivesUp, &SurveyApp::OnGivesUp);
   Subscribe(topics::kHelmState, &SurveyApp::OnHelmState);
   Subscribe(topics::kHelmAllStop, &SurveyApp::OnAllStop);
   SubscribeIfWritten(topics::kSessionPrior, &SurveyApp::OnPrior);
@@ -287,6 +291,11 @@ void SurveyApp::TrackTransit(Seconds now) {
   }
 }
 
+bool SurveyApp::IsGivenUp(Seconds now) const {
+  return given_up_since_ && now - *given_up_since_ > kGivenUpFor && OpenRevisits() == 0 &&
+         CoveredShare(coverage_) >= kNearTarget * AttainableShare() * params_.coverage_target;
+}
+
 void SurveyApp::Survey(Seconds now) {
   TrackTransit(now);
   const double attainable = AttainableShare();
@@ -294,6 +303,8 @@ void SurveyApp::Survey(Seconds now) {
       OpenRevisits() == 0) {
     GoHome(attainable < 1.0 ? "what this water shows has been seen" : "coverage target reached",
            "home", now);
+  } else if (IsGivenUp(now)) {
+    GoHome("what is left is not worth its way", "home", now);
   } else if (now - *deployed_ > params_.max_time) {
     GoHome("out of time", "timeout", now);
   } else if (now - last_progress_ > params_.stall && !transit_.is_over()) {

@@ -57,6 +57,9 @@ class SurveyApp final : public App {
   /// Two objects tie two sessions' frames; one alone could be a mistake.
   void OnPrior(const Stamped<SessionPrior>& prior) { has_former_ = prior.value.opis.size() >= 2; }
   void OnRevisits(const Stamped<HelmRevisits>& revisits) { revisits_ = revisits.value; }
+  void OnGivesUp(const Stamped<bool>& gives_up) {
+    given_up_since_ = gives_up.value ? std::optional(now()) : std::nullopt;
+  }
 
   void Enter(Phase phase, Seconds now);
   void GoHome(const std::string& reason, const std::string& ended, Seconds now);
@@ -88,6 +91,8 @@ class SurveyApp final : public App {
   /// Objects that the helm still wants to look at.
   [[nodiscard]] std::ptrdiff_t OpenRevisits() const;
   [[nodiscard]] std::optional<Seconds> TimeToTarget() const;
+  /// The helm finds nothing more that is worth its way, and next to nothing is lacking.
+  [[nodiscard]] bool IsGivenUp(Seconds now) const;
   /// Growth of coverage that counts as progress.
   [[nodiscard]] double ProgressStep() const;
   [[nodiscard]] double CoveredShare(const Coverage& coverage) const;
@@ -112,7 +117,8 @@ class SurveyApp final : public App {
   Coverage coverage_;
   std::optional<Footprint> footprint_;  ///< in this water
   HelmRevisits revisits_;
-  bool has_former_ = false;  ///< session, with objects that tie this one to it
+  std::optional<Seconds> given_up_since_;  ///< by the helm
+  bool has_former_ = false;                ///< session, with objects that tie this one to it
   std::string ended_ = "home";
   std::optional<EnergyEstimate> energy_;  ///< of a vehicle that has a battery
   std::optional<EnergyState> energy_state_;

@@ -95,8 +95,10 @@ void SurveyMirror::UpdateGround(double travelled) {
 // Such a plan waits at the way on to the next block: it would, for ever.
 void SurveyMirror::NoteChoice(const Option& option) {
   constexpr double kWorthSeeing = 1.0;  // [m] of a lane
-  if (!option.is_whole()) return;
-  if (seen()(option.path).new_area < kWorthSeeing * ground_->swath()) blocks_->GiveUp();
+  gives_up_ = false;
+  if (!option.is_whole() || seen()(option.path).new_area >= kWorthSeeing * ground_->swath()) return;
+  gives_up_ = option.lacking_m > 0.0 && !blocks_->Onward();
+  blocks_->GiveUp();
 }
 
 Footprint SurveyMirror::FootprintNow() const {

@@ -55,6 +55,8 @@ class SurveyMirror {
   /// What is flown next. A plan that shows nothing more gives its block of a large area up.
   /// REQUIRES: has_area().
   void NoteChoice(const Option& option);
+  /// That one is of all there is left, shows nothing more either, and lacks the survey's end.
+  [[nodiscard]] bool gives_up() const { return gives_up_; }
 
   [[nodiscard]] bool has_area() const { return area_.has_value(); }
   [[nodiscard]] const std::optional<SurveyArea>& area() const { return area_; }
@@ -83,6 +85,7 @@ class SurveyMirror {
   std::optional<SurveyArea> area_;
   std::unique_ptr<SurveyGrid> grid_;
   std::optional<SurveyBlocks> blocks_;
+  bool gives_up_ = false;
   std::unique_ptr<Ground> ground_;  ///< of the block that is due
   std::unique_ptr<SeenAlong> sight_;
   std::unique_ptr<Region> region_;

@@ -178,6 +178,11 @@ inline const auto kHelmBids = Declare<HelmBids>(
 inline const auto kHelmMotion = Declare<HelmMotion>(
     "HELM_MOTION", "how to move now: what was chosen, and what each behavior would like",
     {.unit = "deg, m/s, m", .rate = "1 Hz, and when others have a say", .writers = {"pHelm"}});
+inline const auto kHelmGivesUp = Declare<bool>("HELM_GIVES_UP",
+                                               "the plan of all that is left of the area shows "
+                                               "next to nothing more and lacks its end: what is "
+                                               "unseen is not worth its way",
+                                               {.rate = "on change", .writers = {"pHelm"}});
 inline const auto kHelmRevisits = Declare<HelmRevisits>(
     "HELM_REVISITS", "which objects the helm still wants to look at, and why not the others",
     {.unit = "m of path", .rate = "on change", .writers = {"pHelm"}});

@@ -222,6 +222,22 @@ TEST(SurveyMirrorOfASquareKilometre, LeavesABlockOfWhichThePlanShowsNothingMore)
   EXPECT_EQ(mirror.blocks().index(), 1U);
 }
 
+TEST_F(SurveyMirrorTest, GivesUpWhereThePlanShowsNothingMoreAndLacksItsEnd) {
+  mirror_.UpdateGround();
+  Option outside{.source = "plan", .path = DubinsPath({-300.0, -300.0, 0.0}), .own_m = 5.0};
+  outside.path.Append({.curvature = 0.0, .length = 5.0});
+  mirror_.NoteChoice(outside);
+  EXPECT_FALSE(mirror_.gives_up()) << "its end is the survey's";
+  outside.lacking_m = 40.0;
+  mirror_.NoteChoice(outside);
+  EXPECT_TRUE(mirror_.gives_up());
+  Option across{
+      .source = "plan", .path = DubinsPath({0.0, -5.0, 1.5}), .own_m = 9.0, .lacking_m = 40.0};
+  across.path.Append({.curvature = 0.0, .length = 9.0});
+  mirror_.NoteChoice(across);
+  EXPECT_FALSE(mirror_.gives_up());
+}
+
 TEST_F(SurveyMirrorTest, ASmallAreaIsPlannedAsAWholeAndLeadsHome) {
   mirror_.SetHome({.north = 3.0, .east = 4.0});
   mirror_.UpdateGround();

@@ -48,6 +48,26 @@ TEST_F(SurveyEndTest, GoesHomeOnceAllCountsAsDoneThoughItClaimsLess) {
   EXPECT_EQ(Phase(), "RETURN");
 }
 
+TEST_F(SurveyEndTest, GoesHomeByItsOwnJudgementWhenTheHelmFindsNothingMoreThatIsWorthItsWay) {
+  ReachSurvey();
+  const auto cover = [this](double share) {
+    link_.Send(app_, topics::kMapCoverage,
+               Coverage{.seabed = 0.99, .band = 0.97, .band_top = share});
+  };
+  link_.Send(app_, topics::kHelmGivesUp, true);
+  cover(0.9);
+  Tick(11.0);
+  EXPECT_EQ(Phase(), "SURVEY") << "too much is lacking";
+  cover(0.97);
+  link_.Send(app_, topics::kHelmGivesUp, false);
+  link_.Send(app_, topics::kHelmGivesUp, true);
+  Tick(9.0);
+  EXPECT_EQ(Phase(), "SURVEY") << "it may find something yet";
+  Tick(2.0);
+  EXPECT_EQ(Phase(), "RETURN");
+  EXPECT_FALSE(app_.warnings().contains("COVERAGE_STALLED"));
+}
+
 TEST_F(SurveyEndTest, GoesHomeShortOfTheTargetWhenCoverageStalls) {
   ReachSurvey();
   Tick(241.0);
