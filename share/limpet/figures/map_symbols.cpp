@@ -8,8 +8,11 @@
 #include "limpet/core/units.hpp"
 
 namespace limpet {
+namespace {
 
 using Point = SvgCanvas::Point;
+
+}  // namespace
 
 std::string_view StatusColor(const std::string& status) {
   if (status == "confirmed") return palette::kGreen;

@@ -8,8 +8,11 @@
 #include "limpet/figures/tick_marks.hpp"
 
 namespace limpet {
+namespace {
 
 using Point = SvgCanvas::Point;
+
+}  // namespace
 
 PlotAxes::PlotAxes(SvgCanvas& canvas, const Layout& layout) : canvas_(canvas), layout_(layout) {
   const Point& corner = layout.corner;
