@@ -2,147 +2,52 @@
 #include "limpet/waypoints/point_list.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
-#include <numbers>
+#include <array>
 
 #include "limpet/core/config.hpp"
 #include "limpet/core/decimal_text.hpp"
 #include "limpet/core/number_text.hpp"
-#include "limpet/core/units.hpp"
+#include "limpet/waypoints/figure_points.hpp"
 #include "limpet/waypoints/map_geometry.hpp"
 
 namespace limpet {
 namespace {
 
-constexpr std::size_t kMostPoints = 10'000;  ///< a generator is not to fill the memory
-
-using Fields = std::map<std::string, std::string, std::less<>>;
+/// `x=` and the like in front of a coordinate.
+std::string_view WithoutAxis(std::string_view text, char axis) {
+  text = Trim(text);
+  const bool is_named = text.size() >= 2 && text[0] == axis && text[1] == '=';
+  return is_named ? text.substr(2) : text;
+}
 
 std::optional<MapPoint> Pair(std::string_view text) {
+  constexpr std::size_t kMost = 4;  // with a height and a property, which are left out
   const std::vector<std::string> parts = Split(text, ',');
-  if (parts.size() != 2 && parts.size() != 3) return std::nullopt;
-  const auto x = ParseNumber(Trim(parts[0])), y = ParseNumber(Trim(parts[1]));
+  if (parts.size() < 2 || parts.size() > kMost) return std::nullopt;
+  const auto x = ParseNumber(WithoutAxis(parts[0], 'x')),
+             y = ParseNumber(WithoutAxis(parts[1], 'y'));
   return x && y ? std::optional<MapPoint>({*x, *y}) : std::nullopt;
+}
+
+/// `label,transit` and the like between points: how they are drawn.
+bool IsOfDrawing(std::string_view text) {
+  constexpr std::array kWords{"label", "source", "type", "msg", "active", "time", "duration"};
+  const std::string_view word = Trim(text.substr(0, text.find(',')));
+  return text.find(',') != std::string_view::npos &&
+         (std::ranges::any_of(kWords, [&](const char* w) { return EqualsIgnoringCase(word, w); }) ||
+          word.ends_with("_color") || word.ends_with("_size"));
 }
 
 std::optional<std::vector<MapPoint>> Pairs(std::string_view text) {
   std::vector<MapPoint> points;
   for (const std::string& part : Split(text, ':')) {
+    if (IsOfDrawing(part)) continue;
     const auto point = Pair(part);
     if (!point) return std::nullopt;
     points.push_back(*point);
   }
+  if (points.empty()) return std::nullopt;
   return points;
-}
-
-/// `a=1, b=2` with keys in lower case; nothing if a part has no `=`.
-std::optional<Fields> FieldsOf(std::string_view text) {
-  Fields fields;
-  for (const std::string& part : Split(text, ',')) {
-    const std::size_t equals = part.find('=');
-    if (equals == std::string::npos) return std::nullopt;
-    std::string key(Trim(std::string_view(part).substr(0, equals)));
-    std::ranges::transform(key, key.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    fields[key] = Trim(std::string_view(part).substr(equals + 1));
-  }
-  return fields;
-}
-
-std::string TextIn(const Fields& fields, std::string_view key) {
-  const auto found = fields.find(key);
-  return found == fields.end() ? "" : found->second;
-}
-
-std::optional<double> NumberIn(const Fields& fields, std::string_view key) {
-  return ParseNumber(TextIn(fields, key));
-}
-
-/// A place of a figure's own frame, `ahead` along its first axis, turned clockwise by `turn` [rad].
-MapPoint Placed(const MapPoint& center, double right, double ahead, double turn) {
-  return {.x = center.x + right * std::cos(turn) + ahead * std::sin(turn),
-          .y = center.y - right * std::sin(turn) + ahead * std::cos(turn)};
-}
-
-std::optional<std::vector<MapPoint>> Ring(const Fields& fields, bool is_ellipse) {
-  constexpr double kFewest = 3.0;
-  const auto x = NumberIn(fields, "x"), y = NumberIn(fields, "y"), count = NumberIn(fields, "pts");
-  const auto major = NumberIn(fields, is_ellipse ? "major" : "radius");
-  const auto minor = is_ellipse ? NumberIn(fields, "minor") : major;
-  if (!x || !y || !count || !major || !minor || *major <= 0.0 || *minor <= 0.0 ||
-      *count < kFewest || *count > static_cast<double>(kMostPoints)) {
-    return std::nullopt;
-  }
-  // The long axis of an ellipse lies along `degs`; a radial figure has an edge, not a corner,
-  // north.
-  const double turn = is_ellipse ? RadiansFromDegrees(NumberIn(fields, "degs").value_or(0.0)) : 0.0;
-  const double snap = NumberIn(fields, "snap").value_or(0.0);
-  const int corners = static_cast<int>(*count);
-  const double step = 2.0 * std::numbers::pi / corners;
-  std::vector<MapPoint> points;
-  for (int i = 0; i < corners; ++i) {
-    const double angle = (i + (is_ellipse ? 0.0 : 0.5)) * step;
-    const double half_scale = is_ellipse ? 0.5 : 1.0;
-    MapPoint point = Placed({*x, *y}, half_scale * *minor * std::sin(angle),
-                            half_scale * *major * std::cos(angle), turn);
-    if (snap > 0.0) {
-      point = {snap * std::round(point.x / snap), snap * std::round(point.y / snap)};
-    }
-    points.push_back(point);
-  }
-  return points;
-}
-
-std::optional<std::vector<MapPoint>> Lawnmower(const Fields& fields) {
-  const auto x = NumberIn(fields, "x"), y = NumberIn(fields, "y");
-  const auto height = NumberIn(fields, "height"), width = NumberIn(fields, "width");
-  const auto lane_key = fields.contains("lane_width") ? "lane_width" : "swath";
-  const auto lane = NumberIn(fields, lane_key);
-  if (!x || !y || !height || !width || !lane || *height <= 0.0 || *width <= 0.0 || *lane <= 0.0) {
-    return std::nullopt;
-  }
-  std::string rows = TextIn(fields, "rows");
-  const bool is_east_west = rows == "east-west" || rows == "ew";
-  const double length = is_east_west ? *width : *height;
-  const double breadth = is_east_west ? *height : *width;
-  const double lanes = std::floor(breadth / *lane) + 1.0;
-  if (lanes > static_cast<double>(kMostPoints) / 2.0) return std::nullopt;
-  const double turn = RadiansFromDegrees(NumberIn(fields, "degs").value_or(0.0));
-  std::vector<MapPoint> points;
-  for (int i = 0; i < static_cast<int>(lanes); ++i) {
-    const double across = (i - 0.5 * (lanes - 1.0)) * *lane;
-    for (const double along : {-0.5 * length, 0.5 * length}) {
-      const double ahead = i % 2 == 0 ? along : -along;
-      points.push_back(is_east_west ? Placed({*x, *y}, ahead, across, turn)
-                                    : Placed({*x, *y}, across, ahead, turn));
-    }
-  }
-  const auto start_x = NumberIn(fields, "startx"), start_y = NumberIn(fields, "starty");
-  if (start_x && start_y) {  // begin at the end that is nearer
-    const MapPoint start{*start_x, *start_y};
-    if (DistanceBetween(start, points.back()) < DistanceBetween(start, points.front())) {
-      std::ranges::reverse(points);
-    }
-  }
-  return points;
-}
-
-std::optional<std::vector<MapPoint>> Generated(std::string_view text) {
-  std::string format;
-  if (const std::size_t colons = text.find("::"); colons != std::string_view::npos) {
-    format = Trim(text.substr(0, colons));
-    text = text.substr(colons + 2);
-  }
-  const std::optional<Fields> fields = FieldsOf(text);
-  if (!fields) return std::nullopt;
-  if (format.empty()) format = TextIn(*fields, "format");
-  if (format == "lawnmower") return Lawnmower(*fields);
-  if (format == "radial") return Ring(*fields, false);
-  if (format == "ellipse") return Ring(*fields, true);
-  const auto x = NumberIn(*fields, "x"), y = NumberIn(*fields, "y");
-  if (format.empty() && x && y) return std::vector<MapPoint>{{*x, *y}};
-  return std::nullopt;
 }
 
 }  // namespace
@@ -158,8 +63,12 @@ std::optional<std::vector<MapPoint>> ParsePoints(std::string_view text) {
     if (end == std::string_view::npos) return std::nullopt;
     return Pairs(text.substr(begin + kOpening, end - begin - kOpening));
   }
-  if (text.find('=') != std::string_view::npos) return Generated(text);
-  return Pairs(text);
+  for (const std::string_view word : {"pts:", "points:"}) {
+    if (text.starts_with(word)) text.remove_prefix(word.size());
+  }
+  // A figure is named by a word, points begin with a number, or say how they are drawn.
+  if (auto points = Pairs(text)) return points;
+  return FigurePoints(text);
 }
 
 std::optional<MapPoint> ParsePoint(std::string_view text) {

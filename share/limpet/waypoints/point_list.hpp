@@ -11,13 +11,9 @@
 
 namespace limpet {
 
-/// Reads `60,-40 : 60,-160`, `pts={60,-40:60,-160},label=a`, `x=60,y=-40`, and what generators
-/// write:
-///   format=lawnmower, x=, y=, height=, width=, lane_width= (or swath=), degs=, rows=north-south
-///     or east-west, startx=, starty=;
-///   format=radial (or `radial::`), x=, y=, radius=, pts=, snap=;
-///   format=ellipse, x=, y=, major=, minor=, degs=, pts=.
-/// A third coordinate of a point is left out. Nothing if the text is none of these.
+/// Reads `60,-40 : 60,-160`, also with `label,a` and the like between them, `pts={60,-40:60,-160}`,
+/// `x=60,y=-40`, and the figures of figure_points.hpp. A third coordinate of a point is left out.
+/// Nothing if the text is none of these.
 [[nodiscard]] std::optional<std::vector<MapPoint>> ParsePoints(std::string_view text);
 
 /// One point: `60,-40` or `x=60,y=-40`.
