@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "limpet/core/frames.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/helm/flag_macros.hpp"
@@ -70,6 +72,12 @@ void BHV_AvoidObstacle::Start(const VehicleState& state) {
   table_.emplace(state.domain, std::array{MotionVariable::kCourse, MotionVariable::kSpeed});
 }
 
+std::optional<BehaviorPost> BHV_AvoidObstacle::Request(const std::string& updates) const {
+  return BehaviorPost{.variable = "OBM_ALERT_REQUEST",
+                      .value = fmt::format("name={},update_var={},alert_range={:g}", name(),
+                                           updates, params_.outer())};
+}
+
 double BHV_AvoidObstacle::Range(const VehicleState& state) const {
   return std::max(0.0, params_.polygon->Outside(state.place()));
 }
@@ -114,11 +122,40 @@ bool BHV_AvoidObstacle::Watch(const VehicleState& state, ActList& acts) {
   return IsResolved(state) || (passage_.was_near && !is_near);
 }
 
-double BHV_AvoidObstacle::Relevance(const VehicleState& state) const {
-  const double range = Range(state), inner = params_.inner(), outer = params_.outer();
-  if (range <= 0.0) return 1.0;
+double BHV_AvoidObstacle::Nearness(double range) const {
+  const double inner = params_.inner(), outer = params_.outer();
   if (range >= outer) return 0.0;
-  const double nearness = range <= inner ? 1.0 : (outer - range) / (outer - inner);
+  return range <= inner ? 1.0 : (outer - range) / (outer - inner);
+}
+
+double BHV_AvoidObstacle::Off(const VehicleState& state, double course) const {
+  return WrapAngle(BearingTo(state.place(), params_.polygon->Center()) - course);
+}
+
+/// Two sides that are worth the same must not take turns: it is settled when near, and open again
+/// once well off.
+void BHV_AvoidObstacle::KeepSide(const VehicleState& state) {
+  using Side = Passage::Side;
+  constexpr double kSettled = 0.6, kOff = 0.1;  // of nearness, as MOOS-IvP has it
+  const double nearness = Nearness(Range(state));
+  if (nearness < kOff) passage_.side = Side::kOpen;
+  if (nearness <= kSettled || passage_.side != Side::kOpen) return;
+  passage_.side = Off(state, state.nav.yaw) > 0.0 ? Side::kStarboard : Side::kPort;
+}
+
+/// True for a course past the obstacle on its other side.
+bool BHV_AvoidObstacle::ChangesSide(const VehicleState& state, double course) const {
+  constexpr double kAhead = 0.5 * std::numbers::pi;
+  const double off = Off(state, course);
+  if (passage_.side == Passage::Side::kOpen || std::abs(off) > kAhead) return false;
+  return (off > 0.0) != (passage_.side == Passage::Side::kStarboard);
+}
+
+double BHV_AvoidObstacle::Relevance(const VehicleState& state) const {
+  const double range = Range(state);
+  if (range <= 0.0) return 1.0;
+  const double nearness = Nearness(range);
+  if (nearness <= 0.0) return 0.0;
   constexpr double kAbaft = 110.0 / 180.0 * std::numbers::pi;
   const double off = AngleOff(*params_.polygon, state.place(), state.nav.yaw);
   constexpr double kLeast = 0.01;  // abeam
@@ -137,16 +174,18 @@ void BHV_AvoidObstacle::FillTable(const VehicleState& state, double relevance) {
   const Worth worth(params_.least(), params_.free(), Range(state));
   const bool has_speed = table_->Covers(MotionVariable::kSpeed);
   std::optional<RayApproach> way;
-  double course = 0.0, whole = 0.0;
+  constexpr double kOtherSide = 0.5;
+  double course = 0.0, whole = 0.0, share = 1.0;
   table_->Fill([&](const MotionPoint& point) {
     if (!way || point.course != course) {  // speeds run faster than courses
       course = point.course;
       way.emplace(polygon, at, course);
       whole = worth.Of(way->distance());
+      share = ChangesSide(state, course) ? kOtherSide : 1.0;
     }
     const double speed = has_speed ? point.speed : state.speed();
     const double soon = worth.Of(way->Within(speed * params_.allowable_time.value()));
-    return 1.0 - relevance * (1.0 - 0.5 * (whole + soon));
+    return 1.0 - relevance * (1.0 - share * 0.5 * (whole + soon));
   });
 }
 
@@ -157,8 +196,11 @@ MotionBid BHV_AvoidObstacle::Move(const VehicleState& state) {
     return bid;
   }
   ActList acts;
+  KeepSide(state);
   if (Watch(state, acts)) {
     acts.Complete();
+  } else if (params_.stops_inside && params_.polygon->Contains(state.place())) {
+    acts.Halt("it is inside the obstacle");
   } else if (const double relevance = Relevance(state); relevance > 0.0 && table_) {
     FillTable(state, relevance);
     bid.table = &*table_;
@@ -222,13 +264,21 @@ std::optional<std::string> BHV_AvoidObstacle::Macro(std::string_view name,
   if (name == "BNG") return MacroNumber(MoosHeadingFromYaw(bearing));
   if (name == "RBNG") return MacroNumber(MoosHeadingFromYaw(relative));
   if (name == "SIDE") return relative > 0.0 ? "star" : "port";
+  if (name == "SLOCK") {  // the vehicle's side of the obstacle
+    using Side = Passage::Side;
+    return passage_.side == Side::kOpen ? "" : passage_.side == Side::kStarboard ? "port" : "star";
+  }
   return std::nullopt;
 }
 
 LIMPET_REGISTER_BEHAVIOR(BHV_AvoidObstacle);
 
-/// As missions since MOOS-IvP 24.8 call it.
+/// As missions of MOOS-IvP call it, by their age.
 using BHV_AvoidObstacleV24 = BHV_AvoidObstacle;
 LIMPET_REGISTER_BEHAVIOR(BHV_AvoidObstacleV24);
+using BHV_AvoidObstacleV21 = BHV_AvoidObstacle;
+LIMPET_REGISTER_BEHAVIOR(BHV_AvoidObstacleV21);
+using BHV_AvoidObstacleX = BHV_AvoidObstacle;
+LIMPET_REGISTER_BEHAVIOR(BHV_AvoidObstacleX);
 
 }  // namespace limpet

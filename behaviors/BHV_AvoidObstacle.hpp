@@ -14,7 +14,8 @@
 namespace limpet {
 
 /// Keeps clear of an obstacle that it is told: bids on courses and speeds together, by how near a
-/// straight way would come. Also called BHV_AvoidObstacleV24. Parameters, flags, macros and hints
+/// straight way would come. Once near, it keeps to the side on which it passes. Also called
+/// BHV_AvoidObstacleV24, V21 and X. Parameters, flags, macros and hints
 /// are spelled as existing MOOS-IvP missions spell them; docs/everyday.md.
 class BHV_AvoidObstacle final : public Behavior {
  public:
@@ -25,6 +26,7 @@ class BHV_AvoidObstacle final : public Behavior {
     std::optional<double> least_approach{}, free_approach{};                   ///< [m]
     std::optional<double> inner_distance{}, outer_distance{}, end_distance{};  ///< [m]
     bool draws_least = true, draws_free = true;
+    bool stops_inside = false;  ///< in place of leading out
     std::vector<Flag> range_flags{}, approach_flags{};
     VisualHints hints{};
     void Describe(ParamCollector& visit);
@@ -39,6 +41,8 @@ class BHV_AvoidObstacle final : public Behavior {
   explicit BHV_AvoidObstacle(const Params& params) : params_(params) {}
 
   [[nodiscard]] std::vector<std::string> Variables() const override { return {"OBM_RESOLVED"}; }
+  /// Asks MOOS-IvP's pObstacleMgr for obstacles from `pwt_outer_dist` on.
+  [[nodiscard]] std::optional<BehaviorPost> Request(const std::string& updates) const override;
   [[nodiscard]] std::optional<std::string> Macro(std::string_view name,
                                                  const VehicleState& state) const override;
   [[nodiscard]] bool TakeOver(const Behavior& former,
@@ -57,9 +61,17 @@ class BHV_AvoidObstacle final : public Behavior {
     bool is_closing = false;
     bool was_near = false;  ///< within the distance at which it ends
     double reported = 0.0;  ///< of the last approach, for its flags [m]
+    /// Where the obstacle lies while the vehicle passes it, which is to stay so.
+    enum class Side { kOpen, kPort, kStarboard } side = Side::kOpen;
   };
 
   [[nodiscard]] double Range(const VehicleState& state) const;
+  /// From 0 at the outer distance to 1 at the inner one.
+  [[nodiscard]] double Nearness(double range) const;
+  /// Bearing of the obstacle's middle from the bow, to starboard [rad].
+  [[nodiscard]] double Off(const VehicleState& state, double course) const;
+  void KeepSide(const VehicleState& state);
+  [[nodiscard]] bool ChangesSide(const VehicleState& state, double course) const;
   /// Flags of range and approach; true if the obstacle is of no more concern.
   [[nodiscard]] bool Watch(const VehicleState& state, ActList& acts);
   [[nodiscard]] bool HasPassed(double range);

@@ -53,6 +53,7 @@ void BHV_AvoidObstacle::Params::Describe(ParamCollector& visit) {
                [this](std::string_view text) { return text.empty() || ReadObstacle(text, *this); });
   visit.Also({"polygon"});
   visit("id", id, "Of the obstacle, as OBM_RESOLVED names it");
+  visit.Also({"obid"});
   visit("allowable_ttc", allowable_time, "What comes later than this counts half, at each speed",
         InRange(Seconds(0.0), Seconds(1e5)));
   DescribeDistance(visit, "min_util_cpa_dist", least_approach, "m, at most max_util_cpa_dist",
@@ -60,6 +61,14 @@ void BHV_AvoidObstacle::Params::Describe(ParamCollector& visit) {
   DescribeDistance(visit, "max_util_cpa_dist", free_approach, "m, at least min_util_cpa_dist",
                    "One that stays this far off is as good as any; else 16 m", {&least_approach},
                    {});
+  visit.Parsed("buffer_dist", "m, from 0", "In old missions: both of them", "",
+               [this](std::string_view text) {
+                 if (text.empty()) return true;
+                 const auto value = ParseNumber(text);
+                 if (!value || *value < 0.0) return false;
+                 least_approach = free_approach = value;
+                 return true;
+               });
   DescribeDistance(
       visit, "pwt_inner_dist", inner_distance, "m, at most pwt_outer_dist and completed_dist",
       "From here on it has its full weight; else 10 m", {}, {&outer_distance, &end_distance});
@@ -76,7 +85,10 @@ void BHV_AvoidObstacle::Params::Describe(ParamCollector& visit) {
                     [this](std::string_view text) { return AddFlag(text, range_flags); });
   DescribeFlags(visit, "cpa_flag", approach_flags, "Posted when it gets farther again");
   DescribeHints(visit, hints);
-  visit.WithoutEffect({"use_refinery"});
+  visit("allstop_on_breach", stops_inside,
+        "Stop inside the obstacle, instead of leading out of it");
+  visit.WithoutEffect({"use_refinery", "holonomic_ok", "can_disable", "no_alert_request",
+                       "obstacle_key", "resolved", "i_understand_this_behavior_is_deprecated"});
 }
 
 double BHV_AvoidObstacle::Params::least() const {

@@ -13,7 +13,7 @@ void BHV_ConstantDepth::Params::Describe(ParamCollector& visit) {
   visit("depth", depth, "Depth to keep", InRange(Meters(0.0), Meters(6000.0)));
   visit("peakwidth", peakwidth, "Depths this near are as good", AtLeast(Meters(0.0)));
   visit("basewidth", basewidth, "Preference falls to nothing over this depth",
-        AtLeast(Meters(0.01)));
+        AtLeast(Meters(0.0)));
   DescribeVariable(visit, "depth_mismatch_var", mismatch_variable,
                    "Where the difference from this depth goes [m]");
   visit.WithoutEffect({"summitdelta"});
@@ -26,7 +26,7 @@ MotionBid BHV_ConstantDepth::Move(const VehicleState& state) {
   MotionBid bid;
   bid.depth = Peak{.summit = params_.depth.value(),
                    .flat_half_width = flat,
-                   .base_half_width = flat + params_.basewidth.value()};
+                   .base_half_width = BaseBeyond(flat, params_.basewidth.value())};
   bid.acts = acts.Take();
   return bid;
 }

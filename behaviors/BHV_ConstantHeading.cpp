@@ -16,7 +16,7 @@ void BHV_ConstantHeading::Params::Describe(ParamCollector& visit) {
   visit("peakwidth", peakwidth, "Headings this near are as good",
         InRange(Radians(0.0), Radians::FromTextUnit(180.0)));
   visit("basewidth", basewidth, "Preference falls to nothing over this angle",
-        InRange(Radians::FromTextUnit(0.1), Radians::FromTextUnit(180.0)));
+        InRange(Radians(0.0), Radians::FromTextUnit(180.0)));
   visit("complete_thresh", complete_threshold, "Complete when this near; below 0: never",
         InRange(Radians::FromTextUnit(-1.0), Radians::FromTextUnit(180.0)));
   DescribeVariable(visit, "heading_mismatch_var", mismatch_variable,
@@ -35,7 +35,7 @@ MotionBid BHV_ConstantHeading::Move(const VehicleState& state) {
     const double flat = params_.peakwidth.value();
     bid.course = Peak{.summit = WrapAngle(params_.heading.value()),
                       .flat_half_width = flat,
-                      .base_half_width = flat + params_.basewidth.value()};
+                      .base_half_width = BaseBeyond(flat, params_.basewidth.value())};
   }
   bid.acts = acts.Take();
   return bid;

@@ -13,7 +13,7 @@ void BHV_ConstantSpeed::Params::Describe(ParamCollector& visit) {
   visit("speed", speed, "Speed to keep", InRange(MetersPerSecond(0.0), MetersPerSecond(100.0)));
   visit("peakwidth", peakwidth, "Speeds this near are as good", AtLeast(MetersPerSecond(0.0)));
   visit("basewidth", basewidth, "Preference falls to nothing over this speed",
-        AtLeast(MetersPerSecond(0.001)));
+        AtLeast(MetersPerSecond(0.0)));
   DescribeVariable(visit, "speed_mismatch_var", mismatch_variable,
                    "Where the difference from this speed goes [m/s]");
   visit.WithoutEffect({"summitdelta"});
@@ -26,7 +26,7 @@ MotionBid BHV_ConstantSpeed::Move(const VehicleState& state) {
   MotionBid bid;
   bid.speed = Peak{.summit = params_.speed.value(),
                    .flat_half_width = flat,
-                   .base_half_width = flat + params_.basewidth.value()};
+                   .base_half_width = BaseBeyond(flat, params_.basewidth.value())};
   bid.acts = acts.Take();
   return bid;
 }

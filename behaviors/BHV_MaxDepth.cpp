@@ -11,7 +11,7 @@ void BHV_MaxDepth::Params::Describe(ParamCollector& visit) {
   visit("max_depth", max_depth, "Depths down to this are as good",
         InRange(Meters(0.0), Meters(6000.0)));
   visit("basewidth", basewidth, "Preference falls to nothing over this depth below it",
-        AtLeast(Meters(0.01)));
+        AtLeast(Meters(0.0)));
   visit.Also({"tolerance"});
   DescribeVariable(visit, "depth_slack_var", slack_variable,
                    "Where the depth left below the vehicle goes [m]");
@@ -24,7 +24,7 @@ MotionBid BHV_MaxDepth::Move(const VehicleState& state) {
   MotionBid bid;
   bid.depth = Peak{.summit = 0.5 * deepest,
                    .flat_half_width = 0.5 * deepest,
-                   .base_half_width = 0.5 * deepest + params_.basewidth.value()};
+                   .base_half_width = BaseBeyond(0.5 * deepest, params_.basewidth.value())};
   bid.acts = acts.Take();
   return bid;
 }

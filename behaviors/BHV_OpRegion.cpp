@@ -11,6 +11,7 @@
 #include "limpet/planning/room.hpp"
 #include "limpet/planning/transit_path.hpp"
 #include "limpet/topics/warning.hpp"
+#include "limpet/waypoints/map_params.hpp"
 
 namespace limpet {
 namespace {
@@ -47,6 +48,30 @@ PlanePoint PlaceInside(const Region& region, const Pose2& from) {
 
 }  // namespace
 
+void BHV_OpRegion::Params::Describe(ParamCollector& visit) {
+  visit("tolerance_m", tolerance, "Further outside than this raises the alarm and turns back",
+        InRange(Meters(0.0), Meters(20.0)));
+  limits.DescribeLimits(visit, "polygon");
+  visit("soft_poly_breach", limits.is_soft,
+        "Outside the polygon the vehicle is the operator's (MOOS_MANUAL_OVERRIDE), not stopped");
+  DescribeVariable(visit, "time_remaining_var", limits.time_variable,
+                   "Seconds left of max_time; -1 without");
+  DescribeVariable(visit, "opregion_poly_var", limits.polygon_variable, "Gets the polygon");
+}
+
+bool BHV_OpRegion::TakeOver(const Behavior& former, const std::vector<std::string>& keys) {
+  const auto& old = dynamic_cast<const BHV_OpRegion&>(former);
+  area_ = old.area_;
+  region_ = old.region_;
+  has_entered_ = old.has_entered_;
+  is_in_doubt_ = old.is_in_doubt_;
+  return limits_.TakeOver(old.limits_, keys);
+}
+
+std::vector<BehaviorAct> BHV_OpRegion::Stop(const VehicleState& state) {
+  return limits_.Stop(state);
+}
+
 void BHV_OpRegion::Start(const VehicleState& state) {
   static_cast<void>(state);
   has_entered_ = false;
@@ -62,9 +87,12 @@ bool BHV_OpRegion::IsInDoubt(const VehicleState& state) {
 }
 
 MotionBid BHV_OpRegion::Move(const VehicleState& state) {
-  if (!state.area) {
-    return {};
-  }
+  MotionBid bid = limits_.Move(state);
+  if (state.area) MoveInArea(state, bid);
+  return bid;
+}
+
+void BHV_OpRegion::MoveInArea(const VehicleState& state, MotionBid& bid) {
   if (area_ != state.area) {
     area_ = state.area;
     region_.emplace(*area_);
@@ -73,16 +101,13 @@ MotionBid BHV_OpRegion::Move(const VehicleState& state) {
   const double outside = region_->Outside(here);
   has_entered_ = has_entered_ || outside <= 0.0;
   const bool is_going_home = state.guidance && state.guidance->purpose == kHomeSource;
-  if (!has_entered_ || is_going_home) {
-    return {};
-  }
-  MotionBid bid;
+  if (!has_entered_ || is_going_home) return;
   if (outside <= params_.tolerance.value()) {
     if (IsInDoubt(state)) {
       bid.warning = BehaviorWarning{
           kRegionInDoubt, "three sigmas of the vehicle's place reach over a border of its region"};
     }
-    return bid;
+    return;
   }
   // The path in force leads back if it can; this only warns, and pulls when there is no path.
   bid.warning = BehaviorWarning{kOutsideRegion, "the vehicle is outside its operating region"};
@@ -94,7 +119,6 @@ MotionBid BHV_OpRegion::Move(const VehicleState& state) {
                       .flat_half_width = 0.0,
                       .base_half_width = std::numbers::pi};
   }
-  return bid;
 }
 
 void BHV_OpRegion::Shape(const Situation&, double, SearchGoals& goals) const {

@@ -2,7 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "behaviors/BHV_OpRegionV24.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/helm/behavior.hpp"
 
@@ -12,18 +16,28 @@ namespace limpet {
 /// should the vehicle have left it. For a vehicle that is outside, e.g. at its start, it asks for a
 /// way in. The region is in force once it has been entered, and no more on the way home, which may
 /// end anywhere, but leads through no zone either. Where the vehicle does not know its place well
-/// enough to be sure that it is inside, it says so.
+/// enough to be sure that it is inside, it says so. As missions of MOOS-IvP write it, with a
+/// polygon or limits of depth, altitude and time, it stops the vehicle beyond them
+/// (BHV_OpRegionV24), with or without a survey.
 class BHV_OpRegion final : public Behavior {
  public:
   struct Params {
     Meters tolerance{0.5};
-    template <class Visitor>
-    void Describe(Visitor& visit) {
-      visit("tolerance_m", tolerance, "Further outside than this raises the alarm and turns back",
-            InRange(Meters(0.0), Meters(20.0)));
-    }
+    BHV_OpRegionV24::Params limits{};
+    void Describe(ParamCollector& visit);
   };
-  explicit BHV_OpRegion(const Params& params) : params_(params) {}
+  explicit BHV_OpRegion(const Params& params) : params_(params), limits_(params.limits) {}
+  [[nodiscard]] std::vector<std::string> Variables() const override { return limits_.Variables(); }
+  [[nodiscard]] std::optional<std::string> Macro(std::string_view name,
+                                                 const VehicleState& state) const override {
+    return limits_.Macro(name, state);
+  }
+  [[nodiscard]] bool TakeOver(const Behavior& former,
+                              const std::vector<std::string>& keys) override;
+  [[nodiscard]] std::vector<BehaviorAct> Idle(const VehicleState& state) override {
+    return limits_.Idle(state);
+  }
+  [[nodiscard]] std::vector<BehaviorAct> Stop(const VehicleState& state) override;
   void Start(const VehicleState& state) override;
   [[nodiscard]] MotionBid Move(const VehicleState& state) override;
   void Shape(const Situation& now, double weight, SearchGoals& goals) const override;
@@ -34,7 +48,11 @@ class BHV_OpRegion final : public Behavior {
   /// Whether three sigmas of the vehicle's place reach over a border.
   [[nodiscard]] bool IsInDoubt(const VehicleState& state);
 
+  /// What it says of a survey's area; leaves the limits out.
+  void MoveInArea(const VehicleState& state, MotionBid& bid);
+
   Params params_;
+  BHV_OpRegionV24 limits_;
   std::optional<SurveyArea> area_;
   std::optional<Region> region_;  ///< of that area
   bool has_entered_ = false;      ///< has been inside since it began to run

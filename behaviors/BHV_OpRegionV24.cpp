@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <variant>
 
 #include <fmt/format.h>
@@ -51,14 +52,18 @@ BHV_OpRegionV24::BHV_OpRegionV24(const Params& params)
       halt_(About(params.core, params.halt_distance, "halt_dist", params.halt)) {}
 
 std::vector<std::string> BHV_OpRegionV24::Variables() const {
-  std::vector<std::string> names{"NAV_ALTITUDE"};
-  if (!params_.reset_variable.empty()) names.push_back(params_.reset_variable);
+  std::vector<std::string> names;
+  if (params_.least_altitude) names.emplace_back("NAV_ALTITUDE");
+  for (const std::string* variable : {&params_.reset_variable, &params_.core_variable}) {
+    if (!variable->empty()) names.push_back(*variable);
+  }
   return names;
 }
 
 bool BHV_OpRegionV24::TakeOver(const Behavior& former, const std::vector<std::string>& keys) {
   const auto& old = dynamic_cast<const BHV_OpRegionV24&>(former);
   reset_at_ = old.reset_at_;
+  core_at_ = old.core_at_;
   if (!HasKey(keys, {"reset"}) || !params_.is_reset) watch_ = old.watch_;
   return true;
 }
@@ -72,6 +77,41 @@ void BHV_OpRegionV24::Begin(const VehicleState& state) {
     if (text != nullptr && EqualsIgnoringCase(*text, "true")) watch_ = {};
   }
   watch_.began = watch_.began.value_or(state.now);
+  HearCore(state);
+}
+
+void BHV_OpRegionV24::HearCore(const VehicleState& state) {
+  const Stamped<limpet::Value>* heard =
+      params_.core_variable.empty() ? nullptr : state.Heard(params_.core_variable);
+  const auto* text = heard == nullptr ? nullptr : std::get_if<std::string>(&heard->value);
+  if (text == nullptr || core_at_ == heard->time) return;
+  core_at_ = heard->time;
+  auto corners = ParsePoints(*text);
+  auto core = corners ? ConvexPolygon::Of(*std::move(corners)) : std::nullopt;
+  if (!core) return;  // the former one goes on
+  params_.core = std::move(core);
+  save_ = About(params_.core, params_.save_distance, "save_dist", params_.save);
+  halt_ = About(params_.core, params_.halt_distance, "halt_dist", params_.halt);
+}
+
+void BHV_OpRegionV24::TellTimeLeft(const VehicleState& state, ActList& acts) const {
+  if (params_.time_variable.empty()) return;
+  if (!params_.longest) {
+    acts.Post(params_.time_variable, -1.0);
+    return;
+  }
+  constexpr double kInFull = 10.0;  // [s] before that whole seconds do
+  const Seconds left = *params_.longest - (state.now - *watch_.began);
+  const double seconds = std::max(0.0, left.value());
+  acts.Post(params_.time_variable, seconds > kInFull ? std::floor(seconds) : seconds);
+}
+
+void BHV_OpRegionV24::GiveUp(const VehicleState& state, ActList& acts) {
+  acts.Raise(params_.poly_flags, *this, state);
+  acts.Repeat("MOOS_MANUAL_OVERRIDE", std::string("true"));
+  watch_.entered_halt.reset();
+  watch_.left_halt.reset();
+  watch_.was_in_halt = false;
 }
 
 std::vector<BehaviorAct> BHV_OpRegionV24::Idle(const VehicleState& state) {
@@ -118,8 +158,12 @@ void BHV_OpRegionV24::GuardHalt(const VehicleState& state, ActList& acts) {
   if (is_inside && passed >= params_.entry_time) watch_.was_in_halt = true;
   const bool counts = watch_.was_in_halt || !params_.waits_for_entry;
   const bool is_breached = !is_inside && counts && passed >= params_.exit_time;
-  Guard(is_breached, "it has left halt_poly", params_.poly_flags, watch_.breaches_poly, state,
-        acts);
+  if (is_breached && params_.is_soft) {
+    GiveUp(state, acts);
+    return;
+  }
+  Guard(is_breached, "it has left " + params_.halt_key, params_.poly_flags, watch_.breaches_poly,
+        state, acts);
   if (params_.draws_halt && is_breached) {
     DrawStatus(state, "halt_status_edge_color", "red", true, acts);
   }
@@ -159,13 +203,17 @@ MotionBid BHV_OpRegionV24::Move(const VehicleState& state) {
   MotionBid bid;
   ActList acts;
   Begin(state);
+  if (!std::exchange(is_polygon_told_, true) && halt_) {
+    acts.Post(params_.polygon_variable, "pts={" + PointsText(halt_->corners()) + "}");
+  }
+  TellTimeLeft(state, acts);
   Draw(state, true, acts);
   GuardLimits(state, acts);
   GuardHalt(state, acts);
   if (MustReturn(state, acts)) {
     SteerBack(state, bid);
   } else if (!watch_.breaches_poly) {
-    DrawStatus(state, "", "off", false, acts);
+    EraseStatus(state, acts);
   }
   bid.acts = acts.Take();
   return bid;
@@ -174,7 +222,7 @@ MotionBid BHV_OpRegionV24::Move(const VehicleState& state) {
 std::vector<BehaviorAct> BHV_OpRegionV24::Stop(const VehicleState& state) {
   ActList acts;
   Draw(state, false, acts);
-  DrawStatus(state, "", "off", false, acts);
+  EraseStatus(state, acts);
   return acts.Take();
 }
 
@@ -197,6 +245,10 @@ void BHV_OpRegionV24::Draw(const VehicleState& state, bool is_active, ActList& a
   draw("core", params_.core, "gray30");
   draw("save", save_, "gray50");
   draw("halt", halt_, "pink");
+}
+
+void BHV_OpRegionV24::EraseStatus(const VehicleState& state, ActList& acts) const {
+  if (save_ || halt_) DrawStatus(state, "", "off", false, acts);
 }
 
 void BHV_OpRegionV24::DrawStatus(const VehicleState& state, const std::string& hint,

@@ -33,7 +33,15 @@ class BHV_OpRegionV24 final : public Behavior {
     std::vector<Flag> save_flags{}, savex_flags{};
     bool draws_save = true, draws_halt = true;
     VisualHints hints{};
+    std::string halt_key = "halt_poly";  ///< as its block calls the halt polygon
+    std::string core_variable{};         ///< whose mail is another core
+    /// Of BHV_OpRegion alone: outside the halt polygon it gives the vehicle to the operator, in
+    /// place of stopping it; variables for the time left, and for the halt polygon.
+    bool is_soft = false;
+    std::string time_variable{}, polygon_variable{};
     void Describe(ParamCollector& visit);
+    /// Keys that BHV_OpRegion has, too: limits, their flags, and a polygon that may not be left.
+    void DescribeLimits(ParamCollector& visit, const char* key);
   };
   /// Throws ConfigError for distances about a core that is not given.
   explicit BHV_OpRegionV24(const Params& params);
@@ -60,6 +68,11 @@ class BHV_OpRegionV24 final : public Behavior {
   };
 
   void Begin(const VehicleState& state);
+  /// Mail with another core moves the polygons about it.
+  void HearCore(const VehicleState& state);
+  void TellTimeLeft(const VehicleState& state, ActList& acts) const;
+  /// The vehicle is the operator's, and the halt polygon counts once it has been entered again.
+  void GiveUp(const VehicleState& state, ActList& acts);
   void Guard(bool is_breached, const std::string& reason, const std::vector<Flag>& flags,
              bool& was_breached, const VehicleState& state, ActList& acts);
   void GuardLimits(const VehicleState& state, ActList& acts);
@@ -68,6 +81,7 @@ class BHV_OpRegionV24 final : public Behavior {
   [[nodiscard]] bool MustReturn(const VehicleState& state, ActList& acts);
   void SteerBack(const VehicleState& state, MotionBid& bid) const;
   void Draw(const VehicleState& state, bool is_active, ActList& acts) const;
+  void EraseStatus(const VehicleState& state, ActList& acts) const;
   void DrawStatus(const VehicleState& state, const std::string& hint, const char* color,
                   bool is_active, ActList& acts) const;
   [[nodiscard]] std::optional<std::string> DistanceMacro(std::string_view name,
@@ -77,6 +91,8 @@ class BHV_OpRegionV24 final : public Behavior {
   std::optional<ConvexPolygon> save_, halt_;
   Watch watch_;
   std::optional<Seconds> reset_at_;  ///< time of the mail that reset it last
+  std::optional<Seconds> core_at_;   ///< of the last that moved its core
+  bool is_polygon_told_ = false;     ///< in `polygon_variable`
 };
 
 }  // namespace limpet

@@ -66,7 +66,7 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
       params_(params),
       ownship_(context.Global("Community")),
       host_(LoadBehaviorFiles(context, params), ClockOf(context)),
-      planner_(params.views, MakeRandom("views")),
+      planner_(params.views, MakeRandom("views"), ClockOf(context)),
       arbiter_(DomainOf(params), ClockOf(context)),
       journal_(params.domain,
                [this](std::string variable, Value value) {
@@ -241,6 +241,7 @@ void HelmApp::Tick(Seconds now) {
   if (is_parked_ || IsOverruled()) {
     planner_.DropPath();
     view_failures_.clear();
+    view_late_.clear();
     AllStop(is_parked_ ? "ManualOverride" : "Safety:" + std::string(NameOf(safety_)));
   } else {
     DecideView(now);
@@ -263,8 +264,13 @@ void HelmApp::DecideView(Seconds now) {
   const Seconds began = SteadyTime();
   const std::optional<ViewDecision> decision = planner_.DecideIfDue(bidders, *nav_, now);
   std::vector<BehaviorFailure> failures = planner_.TakeFailures();
+  std::vector<OwnedWarning> late = planner_.TakeLate();
   if (!decision) {
-    if (planner_.path().segments().empty()) view_failures_.clear();  // nobody wants a view
+    if (planner_.path().segments().empty()) {  // nobody wants a view
+      view_failures_.clear();
+      view_late_.clear();
+    }
+    call_late_ = std::move(late);
     std::ranges::move(failures, std::back_inserter(call_failures_));
     return;
   }
@@ -283,6 +289,7 @@ void HelmApp::DecideView(Seconds now) {
     Publish(topics::kHelmGivesUp, gives_up);
   }
   view_failures_ = std::move(failures);
+  view_late_ = std::move(late);
   Publish(topics::kHelmBids, decision->bids);
   bids_ = Stamped<HelmBids>{now, decision->bids};
   if (decision->chosen) {
@@ -311,6 +318,8 @@ void HelmApp::GatherFailures() {
          .warning = {warnings::kBehaviorFailed.Of(failure.owner), failure.text}});
     motion_.failures.push_back(std::move(failure));
   }
+  std::ranges::copy(view_late_, std::back_inserter(motion_.warnings));
+  std::ranges::move(std::exchange(call_late_, {}), std::back_inserter(motion_.warnings));
   std::ranges::move(host_.TakeLateCalls(), std::back_inserter(motion_.warnings));
 }
 

@@ -122,6 +122,8 @@ class HelmApp final : public App {
   MotionDecision motion_;                       ///< of this iteration
   std::optional<Stamped<HelmBids>> bids_;       ///< of the last view decision
   std::vector<BehaviorFailure> view_failures_;  ///< of the last view decision
+  std::vector<OwnedWarning> view_late_;         ///< of the last view decision
+  std::vector<OwnedWarning> call_late_;         ///< of this iteration, where nothing is decided
   std::vector<BehaviorFailure> call_failures_;  ///< of this iteration, where nothing is decided
   HelmRevisits revisits_;                       ///< as last told
   bool gives_up_ = false;                       ///< likewise

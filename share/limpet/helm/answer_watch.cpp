@@ -24,8 +24,9 @@ std::optional<std::string> AnswerWatch::RestOf(const std::string& owner) const {
   return RestText(late.took);
 }
 
-std::optional<std::string> AnswerWatch::Judge(const std::string& owner, Seconds took) {
-  if (took <= kLate) {
+std::optional<std::string> AnswerWatch::Judge(const std::string& owner, Seconds took,
+                                              bool is_late) {
+  if (!is_late) {
     late_.erase(owner);
     return std::nullopt;
   }

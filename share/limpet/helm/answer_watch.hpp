@@ -2,6 +2,8 @@
 // A behavior may be anybody's code: how long it takes to answer must not hold the helm up for good.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <optional>
@@ -22,6 +24,8 @@ class AnswerWatch {
  public:
   /// Longer than this is late.
   static constexpr Seconds kLate{0.5};
+  /// So long may many calls take together that are one question, none of them late.
+  static constexpr Seconds kLateInAll{3.0};
 
   explicit AnswerWatch(RealClock clock) : clock_(std::move(clock)) {}
 
@@ -32,7 +36,25 @@ class AnswerWatch {
     if (std::optional<std::string> rest = RestOf(owner)) return rest;
     const Seconds began = Now();
     work();
-    return Judge(owner, Now() - began);
+    const Seconds took = Now() - began;
+    return Judge(owner, took, took > kLate);
+  }
+  /// A question of many calls, `next(i)` for each i below `count`: once one of them is late, or all
+  /// together, the rest is not asked.
+  template <class Next>
+  std::optional<std::string> AskEach(const std::string& owner, std::size_t count,
+                                     const Next& next) {
+    if (std::optional<std::string> rest = RestOf(owner)) return rest;
+    const Seconds began = Now();
+    Seconds last = began, longest(0.0);
+    for (std::size_t i = 0; i < count && longest <= kLate && last - began <= kLateInAll; ++i) {
+      next(i);
+      const Seconds now = Now();
+      longest = std::max(longest, now - last);
+      last = now;
+    }
+    const Seconds all = last - began;
+    return Judge(owner, all, longest > kLate || all > kLateInAll);
   }
   /// A call that has to be made, of anybody's: what is to be said if it takes long.
   template <class Work>
@@ -50,7 +72,8 @@ class AnswerWatch {
   };
   [[nodiscard]] Seconds Now() const { return clock_ ? clock_() : Seconds(0.0); }
   [[nodiscard]] std::optional<std::string> RestOf(const std::string& owner) const;
-  [[nodiscard]] std::optional<std::string> Judge(const std::string& owner, Seconds took);
+  [[nodiscard]] std::optional<std::string> Judge(const std::string& owner, Seconds took,
+                                                 bool is_late);
   [[nodiscard]] static std::optional<std::string> ComplaintOf(Seconds took);
 
   RealClock clock_;

@@ -65,6 +65,12 @@ class Behavior {
 
   /// Variables that it reads by `VehicleState::Heard`, besides those of the state.
   [[nodiscard]] virtual std::vector<std::string> Variables() const { return {}; }
+  /// Called once on the behavior of a template (`templating = spawn` or `clone`): what it posts as
+  /// the helm begins, to whom it is that sends the `updates` by which behaviors are made of it.
+  [[nodiscard]] virtual std::optional<BehaviorPost> Request(const std::string& updates) const {
+    static_cast<void>(updates);
+    return std::nullopt;
+  }
   /// The text of a macro of its own in flags, e.g. NX of `$[NX]`; nothing if it has none such.
   [[nodiscard]] virtual std::optional<std::string> Macro(std::string_view name,
                                                          const VehicleState& state) const {

@@ -2,6 +2,10 @@
 // Warnings of behaviors that fail, or that take long.
 #pragma once
 
+#include <string>
+#include <utility>
+
+#include "limpet/helm/warning_book.hpp"
 #include "limpet/topics/warning.hpp"
 
 namespace limpet::warnings {
@@ -23,11 +27,21 @@ inline const WarningFamily kBehaviorLate = DeclareWarningFamily(
     {.severity = Severity::kAlarm,
      .raised_by = {"pHelm"},
      .meaning =
-         "A behavior has kept the helm for more than half a second of real time. A bid on the "
-         "motion that comes so late is not heard; after two in a row the behavior is not "
-         "asked for a hundred times as long as it took.",
+         "A behavior has kept the helm for more than half a second of real time, or for three "
+         "seconds with all its bids on where next. Bids that come so late are not heard, on the "
+         "motion or on where next; after two in a row the behavior is not asked for a hundred "
+         "times as long as it took.",
      .action = "Bring the vehicle home if it cannot do without that behavior; then look at its "
                "code, or at what else the machine does.",
      .clears = "With its next bid in time, or when it runs no more."});
 
 }  // namespace limpet::warnings
+
+namespace limpet {
+
+/// The warning that `owner` is late, with what is to be said of it.
+[[nodiscard]] inline OwnedWarning LatenessOf(const std::string& owner, std::string complaint) {
+  return {.owner = owner, .warning = {warnings::kBehaviorLate.Of(owner), std::move(complaint)}};
+}
+
+}  // namespace limpet

@@ -39,6 +39,7 @@ void BehaviorHost::AddBehavior(const ConfigBlock& block, std::vector<ConfigProbl
         problems.push_back({block.where, "templating", "needs `updates`, whose mail makes them"});
       }
       templates_.Add(block, settings);
+      NoteRequest(*hosted);
     }
     if (settings.templating != Templating::kSpawn) {
       Adopt(std::move(hosted), "helm_startup");
@@ -46,6 +47,13 @@ void BehaviorHost::AddBehavior(const ConfigBlock& block, std::vector<ConfigProbl
   } catch (const ConfigError& error) {
     problems.insert(problems.end(), error.problems().begin(), error.problems().end());
   }
+}
+
+void BehaviorHost::NoteRequest(const HostedBehavior& hosted) {
+  std::optional<BehaviorPost> request;
+  Heard(hosted.name(), failures_,
+        [&] { request = hosted.behavior().Request(hosted.settings().updates_variable); });
+  if (request) requests_.push_back({request->variable, request->value, hosted.name()});
 }
 
 void BehaviorHost::Adopt(std::unique_ptr<HostedBehavior> hosted, std::string seed) {
@@ -96,6 +104,7 @@ std::vector<HelmPost> BehaviorHost::InitialPosts() const {
       posts.push_back({initial.variable, initial.value, "HELM_VAR_INIT"});
     }
   }
+  posts.insert(posts.end(), requests_.begin(), requests_.end());
   return posts;
 }
 

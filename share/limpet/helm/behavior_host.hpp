@@ -47,7 +47,7 @@ class BehaviorHost {
   [[nodiscard]] std::vector<ConfigProblem> IgnoredLines() const;
   /// True if a behavior asks for view decisions when it runs.
   [[nodiscard]] bool WantsView() const;
-  /// Posts of `initialize` lines.
+  /// Posts of `initialize` lines, and what templates ask for.
   [[nodiscard]] std::vector<HelmPost> InitialPosts() const;
   /// Takes mail: a value for the conditions, an update of behaviors, what they ask for.
   void SetVariable(const std::string& name, const Value& value, Seconds time = Seconds(0.0));
@@ -85,12 +85,14 @@ class BehaviorHost {
   [[nodiscard]] const Value* Find(std::string_view name) const;
   void AddBehavior(const ConfigBlock& block, std::vector<ConfigProblem>& problems);
   void Adopt(std::unique_ptr<HostedBehavior> hosted, std::string seed);
+  void NoteRequest(const HostedBehavior& hosted);
   void Spawn(const std::string& variable, const std::string& text);
   void RemoveComplete();
   void RefreshStatuses();
 
   RealClock clock_;
   std::vector<InitialPost> initializes_;
+  std::vector<HelmPost> requests_;  ///< of templates
   std::unique_ptr<ModeSet> modes_;
   HeardValues heard_;
   std::vector<std::unique_ptr<HostedBehavior>> hosted_;

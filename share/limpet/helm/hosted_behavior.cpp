@@ -10,6 +10,7 @@
 #include "limpet/core/decimal_text.hpp"
 #include "limpet/helm/behavior_failure_warnings.hpp"
 #include "limpet/helm/registry.hpp"
+#include "limpet/helm/settings_text.hpp"
 
 namespace limpet {
 namespace {
@@ -168,11 +169,11 @@ void HostedBehavior::Begin(HelmTurn& turn) {
   }
   const bool may_run = HoldsConditions(turn);
   if (may_run && IsOver(turn)) {
-    if (std::exchange(are_config_flags_due_, false)) PostFlags(settings_.flags.config, turn);
+    TellSettings(turn);
     End(turn);
     return;
   }
-  if (std::exchange(are_config_flags_due_, false)) PostFlags(settings_.flags.config, turn);
+  TellSettings(turn);
   if (may_run && !IsStarved(turn)) {
     BeginRunning(turn);
   } else {
@@ -211,8 +212,7 @@ void HostedBehavior::PerformIdle(HelmTurn& turn) {
 
 void HostedBehavior::NoteLate(const std::optional<std::string>& complaint) {
   if (!complaint) return;
-  late_calls_.push_back(
-      {.owner = name(), .warning = {warnings::kBehaviorLate.Of(name()), *complaint}});
+  late_calls_.push_back(LatenessOf(name(), *complaint));
 }
 
 void HostedBehavior::Settle(std::span<const BehaviorAct> acts, bool is_active, HelmTurn& turn) {
@@ -262,6 +262,16 @@ void HostedBehavior::Perform(std::span<const BehaviorAct> acts, HelmTurn& turn) 
       Complete(std::get<Completion>(act).reason, turn);
     }
   }
+}
+
+void HostedBehavior::TellSettings(HelmTurn& turn) {
+  if (!std::exchange(are_config_flags_due_, false)) return;
+  const std::vector<ParamSpec> specs = BehaviorRegistry().at(block_.name).describe();
+  Post({.variable = "BHV_SETTINGS",
+        .value = SettingsText(block_, name(), specs),
+        .is_repeated = true},
+       turn);
+  PostFlags(settings_.flags.config, turn);
 }
 
 void HostedBehavior::PostFlags(std::span<const Flag> flags, HelmTurn& turn) {

@@ -101,6 +101,8 @@ class HostedBehavior {
   void Complete(const std::string& reason, HelmTurn& turn);
   void End(HelmTurn& turn);
   void Perform(std::span<const BehaviorAct> acts, HelmTurn& turn);
+  /// Once it is made, and when an update has changed it.
+  void TellSettings(HelmTurn& turn);
   void PostFlags(std::span<const Flag> flags, HelmTurn& turn);
   void PostFlag(const Flag& flag, HelmTurn& turn);
   void Post(const BehaviorPost& post, HelmTurn& turn) const;

@@ -124,10 +124,7 @@ bool MotionArbiter::Hear(const WeightedBehavior& running, const VehicleState& st
     is_asked = true;
     failure = FailureOf(running.name, [&] { owned.bid = running.behavior->Move(state); });
   });
-  if (late) {
-    decision_.warnings.push_back(
-        {.owner = running.name, .warning = {warnings::kBehaviorLate.Of(running.name), *late}});
-  }
+  if (late) decision_.warnings.push_back(LatenessOf(running.name, *late));
   if (failure) Fail(failure->owner, failure->text);
   if (failure || !is_asked) return false;
   NoteTurn(running.name, owned.bid.acts);  // what it did counts, also if it was late

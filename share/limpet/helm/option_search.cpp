@@ -30,14 +30,13 @@ void LeaveFarTargetsOut(const Ground& ground, std::vector<Target>& targets) {
 
 }  // namespace
 
-SearchGoals GoalsOf(std::span<const WeightedBehavior> running, const Situation& now,
-                    std::vector<BehaviorFailure>& failures) {
+SearchGoals OptionSearch::Goals(std::span<const WeightedBehavior> running, const Situation& now,
+                                std::vector<BehaviorFailure>& failures) {
   SearchGoals goals;
   for (const WeightedBehavior& behavior : running) {
     SearchGoals shaped = goals;
-    const bool is_heard = Heard(behavior.name, failures,
-                                [&] { behavior.behavior->Shape(now, behavior.weight, shaped); });
-    if (is_heard) {
+    if (Hears(behavior, shapes_, failures,
+              [&] { behavior.behavior->Shape(now, behavior.weight, shaped); })) {
       goals = std::move(shaped);
     }
   }
@@ -48,14 +47,14 @@ SearchGoals GoalsOf(std::span<const WeightedBehavior> running, const Situation& 
 std::vector<Option> OptionSearch::Gather(std::span<const WeightedBehavior> running,
                                          const Situation& now,
                                          std::vector<BehaviorFailure>& failures) {
-  const SearchGoals goals = GoalsOf(running, now, failures);
+  const SearchGoals goals = Goals(running, now, failures);
   std::vector<Option> options;
   for (const auto& generator : generators_) {
     generator->Offer(now, goals, options);
   }
   for (const WeightedBehavior& behavior : running) {
     std::vector<Option> offered = options;
-    if (Heard(behavior.name, failures, [&] { behavior.behavior->Offer(now, offered); })) {
+    if (Hears(behavior, offers_, failures, [&] { behavior.behavior->Offer(now, offered); })) {
       std::move(
           offered.begin() + static_cast<std::ptrdiff_t>(std::min(options.size(), offered.size())),
           offered.end(), std::back_inserter(options));

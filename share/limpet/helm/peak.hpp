@@ -14,6 +14,13 @@ struct Peak {
   double base_half_width = 1.0;  ///< REQUIRES: > flat_half_width
 };
 
+/// Where a peak ends that is flat to `flat_half_width` and falls over `skirt`; one without a skirt
+/// gets a thin one.
+[[nodiscard]] constexpr double BaseBeyond(double flat_half_width, double skirt) {
+  constexpr double kLeastSkirt = 1e-3;
+  return flat_half_width + (skirt > kLeastSkirt ? skirt : kLeastSkirt);
+}
+
 struct WeightedPeak {
   Peak peak;
   double weight = 1.0;

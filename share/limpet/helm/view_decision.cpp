@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "limpet/decision/merit.hpp"
+#include "limpet/helm/behavior_failure_warnings.hpp"
 
 namespace limpet {
 namespace {
@@ -32,18 +33,19 @@ std::string WhyText(const Bid& bid) {
 struct Valuation {
   std::vector<std::optional<Bid>> bids;
   std::optional<BehaviorFailure> failure;
+  std::optional<std::string> late;
 };
 
 Valuation ValuationBy(const WeightedBehavior& running, const Situation& now,
-                      std::span<const Prospect> prospects) {
+                      std::span<const Prospect> prospects, AnswerWatch& watch) {
   Valuation valuation;
   valuation.failure = FailureOf(running.name, [&] {
-    for (const Prospect& prospect : prospects) {
-      valuation.bids.push_back(running.behavior->Value(prospect, now));
+    valuation.late = watch.AskEach(running.name, prospects.size(), [&](std::size_t i) {
+      valuation.bids.push_back(running.behavior->Value(prospects[i], now));
       if (const auto& bid = valuation.bids.back(); bid && !std::isfinite(bid->value)) {
         throw std::domain_error("NaN or infinity as the worth of an option");
       }
-    }
+    });
   });
   return valuation;
 }
@@ -81,7 +83,8 @@ std::optional<double> ShortestWhole(const std::vector<Option>& options) {
 }  // namespace
 
 ViewDecision DecideView(std::span<const WeightedBehavior> behaviors, const Situation& now,
-                        std::vector<Option> options, SeenAlong& seen, OptionOrder order) {
+                        std::vector<Option> options, SeenAlong& seen, OptionOrder order,
+                        AnswerWatch* watch) {
   std::vector<ValuedOption> valued;
   std::vector<Prospect> prospects;
   for (const Option& option : options) {
@@ -89,9 +92,13 @@ ViewDecision DecideView(std::span<const WeightedBehavior> behaviors, const Situa
     valued.push_back(Unvalued(option, valued.size()));
   }
   ViewDecision decision;
+  AnswerWatch nobody_is_late{{}};
   const std::optional<double> shortest_whole = ShortestWhole(options);
   for (const WeightedBehavior& running : behaviors) {
-    const Valuation valuation = ValuationBy(running, now, prospects);
+    const Valuation valuation =
+        ValuationBy(running, now, prospects, watch != nullptr ? *watch : nobody_is_late);
+    if (valuation.late) decision.late.push_back(LatenessOf(running.name, *valuation.late));
+    if (valuation.late) continue;
     if (valuation.failure) {
       decision.failures.push_back(*valuation.failure);
       continue;

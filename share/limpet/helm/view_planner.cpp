@@ -6,25 +6,35 @@
 #include <iterator>
 #include <utility>
 
-namespace limpet {
-namespace {
+#include "limpet/helm/behavior_failure_warnings.hpp"
 
-/// What a behavior wants of each object; nothing if it throws.
-std::vector<RevisitInterest> InterestsBy(const WeightedBehavior& behavior, const Situation& now,
-                                         std::vector<BehaviorFailure>& failures) {
+namespace limpet {
+ViewPlanner::ViewPlanner(const ViewParams& params, const Random& random, const RealClock& clock)
+    : params_(params),
+      preset_(PresetOf(params)),
+      survey_(params),
+      search_(params.of_generators, preset_.generators, random, clock),
+      values_(clock),
+      interests_(clock) {}
+
+std::vector<RevisitInterest> ViewPlanner::InterestsBy(const WeightedBehavior& behavior,
+                                                      const Situation& now) {
   std::vector<RevisitInterest> interests;
-  static_cast<void>(
-      Heard(behavior.name, failures, [&] { interests = behavior.behavior->Interests(now); }));
-  return interests;
+  const auto late = interests_.Ask(behavior.name, [&] {
+    static_cast<void>(
+        Heard(behavior.name, failures_, [&] { interests = behavior.behavior->Interests(now); }));
+  });
+  if (!late) return interests;
+  late_.push_back(LatenessOf(behavior.name, *late));
+  return {};
 }
 
-/// What `running` want of each object, the most eager where they differ.
-std::vector<RevisitInterest> InterestsOf(std::span<const WeightedBehavior> running,
-                                         const Situation& now,
-                                         std::vector<BehaviorFailure>& failures) {
+/// Of wishes for one object the most eager counts.
+std::vector<RevisitInterest> ViewPlanner::InterestsOf(std::span<const WeightedBehavior> running,
+                                                      const Situation& now) {
   std::vector<RevisitInterest> interests;
   for (const WeightedBehavior& behavior : running) {
-    for (RevisitInterest& interest : InterestsBy(behavior, now, failures)) {
+    for (RevisitInterest& interest : InterestsBy(behavior, now)) {
       const auto known = std::ranges::find(interests, interest.id, &RevisitInterest::id);
       if (known == interests.end()) {
         interests.push_back(std::move(interest));
@@ -36,13 +46,11 @@ std::vector<RevisitInterest> InterestsOf(std::span<const WeightedBehavior> runni
   return interests;
 }
 
-/// The objects that some running behavior wants to look at.
-std::vector<WatchedObject> OpenObjects(std::span<const WeightedBehavior> running,
-                                       const Situation& now,
-                                       std::vector<BehaviorFailure>& failures) {
+std::vector<WatchedObject> ViewPlanner::OpenObjects(std::span<const WeightedBehavior> running,
+                                                    const Situation& now) {
   std::vector<WatchedObject> open;
   for (const WeightedBehavior& behavior : running) {
-    for (const RevisitInterest& interest : InterestsBy(behavior, now, failures)) {
+    for (const RevisitInterest& interest : InterestsBy(behavior, now)) {
       const auto object =
           std::ranges::find(now.objects, interest.id, [](const auto& o) { return o.belief.id; });
       if (interest.state == "open" && object != now.objects.end()) {
@@ -53,13 +61,11 @@ std::vector<WatchedObject> OpenObjects(std::span<const WeightedBehavior> running
   return open;
 }
 
-}  // namespace
-
-ViewPlanner::ViewPlanner(const ViewParams& params, const Random& random)
-    : params_(params),
-      preset_(PresetOf(params)),
-      survey_(params),
-      search_(params.of_generators, preset_.generators, random) {}
+std::vector<OwnedWarning> ViewPlanner::TakeLate() {
+  std::vector<OwnedWarning> late = search_.TakeLate();
+  std::ranges::move(std::exchange(late_, {}), std::back_inserter(late));
+  return late;
+}
 
 bool ViewPlanner::SetArea(const SurveyArea& area) {
   const bool is_new = survey_.SetArea(area);
@@ -127,7 +133,7 @@ std::optional<std::vector<RevisitInterest>> ViewPlanner::InterestsIfDue(
     return std::nullopt;
   }
   are_interests_due_ = false;
-  return InterestsOf(running, SituationOf(nav, now), failures_);
+  return InterestsOf(running, SituationOf(nav, now));
 }
 
 void ViewPlanner::Follow(const Option& option, std::span<const WeightedBehavior> running,
@@ -136,8 +142,8 @@ void ViewPlanner::Follow(const Option& option, std::span<const WeightedBehavior>
   survey_.NoteChoice(option);
   tracker_.Follow(option);
   // What lies further ahead will be decided again before it is flown.
-  survey_.ledger().Promise(tracker_.path().Prefix(option.own_length()),
-                           OpenObjects(running, now, failures_), tracker_.Travelled());
+  survey_.ledger().Promise(tracker_.path().Prefix(option.own_length()), OpenObjects(running, now),
+                           tracker_.Travelled());
 }
 
 std::optional<ViewDecision> ViewPlanner::DecideIfDue(std::span<const WeightedBehavior> running,
@@ -160,8 +166,9 @@ std::optional<ViewDecision> ViewPlanner::DecideIfDue(std::span<const WeightedBeh
   const Situation situation = SituationOf(nav, now);
   ViewDecision decision =
       DecideView(running, situation, search_.Gather(running, situation, failures_), survey_.seen(),
-                 preset_.order);
+                 preset_.order, &values_);
   std::ranges::move(decision.failures, std::back_inserter(failures_));
+  std::ranges::move(decision.late, std::back_inserter(late_));
   are_interests_due_ = true;
   objects_changed_ = obstacles_changed_ = false;
   decided_by_.clear();

@@ -21,7 +21,8 @@ namespace limpet {
 /// the best becomes the path in force.
 class ViewPlanner {
  public:
-  ViewPlanner(const ViewParams& params, const Random& random);
+  /// With a `clock`, behaviors that take too long are not heard.
+  ViewPlanner(const ViewParams& params, const Random& random, const RealClock& clock = {});
 
   /// What the helm knows of the survey; mail goes there.
   [[nodiscard]] SurveyMirror& survey() { return survey_; }
@@ -42,11 +43,21 @@ class ViewPlanner {
       std::span<const WeightedBehavior> running, const NavState& nav, Seconds now);
   /// Behaviors that failed since the last call: they had no say, or not all of it.
   [[nodiscard]] std::vector<BehaviorFailure> TakeFailures() { return std::exchange(failures_, {}); }
+  /// Who was late since the last call.
+  [[nodiscard]] std::vector<OwnedWarning> TakeLate();
   /// Forgets the path, e.g. when nobody wants a view any more.
   void DropPath();
   [[nodiscard]] const DubinsPath& path() const { return tracker_.path(); }
 
  private:
+  /// What a behavior wants of each object; nothing if it throws or is late.
+  [[nodiscard]] std::vector<RevisitInterest> InterestsBy(const WeightedBehavior& behavior,
+                                                         const Situation& now);
+  [[nodiscard]] std::vector<RevisitInterest> InterestsOf(std::span<const WeightedBehavior> running,
+                                                         const Situation& now);
+  /// The objects that some running behavior wants to look at.
+  [[nodiscard]] std::vector<WatchedObject> OpenObjects(std::span<const WeightedBehavior> running,
+                                                       const Situation& now);
   [[nodiscard]] Situation SituationOf(const NavState& nav, Seconds now) const;
   [[nodiscard]] std::string CauseToDecide(std::span<const WeightedBehavior> running) const;
   void Follow(const Option& option, std::span<const WeightedBehavior> running,
@@ -62,6 +73,8 @@ class ViewPlanner {
   /// Names of behaviors that were running at the last decision.
   std::vector<std::string> decided_by_;
   std::vector<BehaviorFailure> failures_;
+  AnswerWatch values_, interests_;  ///< over bids on options, and over what is wanted of objects
+  std::vector<OwnedWarning> late_;
 };
 
 }  // namespace limpet

@@ -15,7 +15,7 @@
 namespace limpet {
 namespace {
 
-constexpr std::string_view kMarks = "_-[]()#@+";  // besides letters and digits, in names
+constexpr std::string_view kMarks = "_-[]()#@+?";  // besides letters and digits, in names
 
 /// First word without case, and the rest.
 bool TakesKeyword(std::string_view text, std::string_view keyword, std::string_view& rest) {
@@ -186,6 +186,9 @@ class BehaviorParser {
     } else if (line.text == "{" || EqualsIgnoringCase(pair.key, "behavior")) {
       Complain(line.where, block_.name,
                fmt::format("`{}` inside a block; is a `}}` missing above?", line.text));
+    } else if (line.text.starts_with("# ")) {
+      result_.warnings.push_back(
+          {line.where, "#", "is no comment in behavior files (`//` is); ignored"});
     } else if (!pair.has_equals || pair.key.empty()) {
       Complain(line.where, block_.name,
                fmt::format("`{}` is neither a comment (//) nor `parameter = value`", line.text));

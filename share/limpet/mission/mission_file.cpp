@@ -200,6 +200,8 @@ class MissionParser {
       ComplainInBlock(line.where, "the block has no closing `}` before the next one");
       CloseBlock();
       OpenBlock(pair.value, line.where);
+    } else if (line.text.starts_with("# ")) {  // without the blank it may be a misspelt directive
+      WarnOf(line.where, "#", "is no comment in mission files (`//` is); ignored");
     } else if (!pair.has_equals || pair.key.empty()) {
       ComplainInBlock(line.where,
                       fmt::format("`{}` is neither a comment (//) nor `key = value`", line.text));
@@ -357,9 +359,13 @@ std::vector<ConfigProblem> NotesOf(const MissionFile& mission,
                                    const std::function<bool(const std::string&)>& is_ours) {
   std::vector<ConfigProblem> notes = mission.warnings;
   for (const ConfigBlock& block : mission.blocks) {
-    if (!is_ours(block.name)) {
-      std::ranges::copy(block.problems, std::back_inserter(notes));
+    if (is_ours(block.name) || block.problems.empty()) continue;
+    // Of a text that is no list of settings the first line says enough.
+    ConfigProblem first = block.problems.front();
+    if (const std::size_t more = block.problems.size() - 1; more > 0) {
+      first.text += fmt::format(" (and {} more of its lines)", more);
     }
+    notes.push_back(std::move(first));
   }
   return notes;
 }

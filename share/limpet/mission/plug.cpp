@@ -299,6 +299,16 @@ class Expander {
   int files_read_ = 0, undefined_ = 0;
 };
 
+/// `$(SPEED:=1.4)` or `$(SPEED=1.4)`.
+bool HasDefaultedMacro(std::string_view line) {
+  for (std::size_t at = line.find("$("); at != std::string_view::npos;
+       at = line.find("$(", at + 1)) {
+    const std::size_t end = line.find_first_of(")=", at);
+    if (end != std::string_view::npos && line[end] == '=') return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool HasPlugDirective(std::string_view text) {
@@ -309,7 +319,7 @@ bool HasPlugDirective(std::string_view text) {
     const std::string_view line = text.substr(0, end);
     const bool is_directive =
         std::ranges::find(kDirectives, FirstWord(line).first) != kDirectives.end();
-    if (is_directive || SectionAt(line)) {
+    if (is_directive || SectionAt(line) || HasDefaultedMacro(line)) {
       return true;
     }
     text.remove_prefix(std::min(end + 1, text.size()));

@@ -38,7 +38,8 @@ struct PlugResult {
   std::vector<ConfigProblem> warnings;
 };
 
-/// True if any line begins with a directive (#include, #define, #ifdef, ...).
+/// True if any line begins with a directive (#include, #define, #ifdef, ...), or has a macro with a
+/// default, `$(SPEED:=1.4)`, which nobody but nsplug reads.
 [[nodiscard]] bool HasPlugDirective(std::string_view text);
 
 /// Expands `text` as if it were the content of `file`. Every line of the result names the file and

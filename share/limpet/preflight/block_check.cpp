@@ -21,12 +21,6 @@ void Append(const std::vector<ConfigProblem>& more, std::vector<ConfigProblem>& 
   problems.insert(problems.end(), more.begin(), more.end());
 }
 
-/// Apps of Limpet's that are named as MOOS's are: in other people's missions a block is written for
-/// those.
-bool IsNamesake(std::string_view process) {
-  return process == "pShare" || process == "pNodeReporter";
-}
-
 /// Where to say what is wrong with an app's block: of a block that was written for a stock program
 /// it is a note.
 std::vector<ConfigProblem>& ListFor(const MissionReading& reading, std::string_view process,

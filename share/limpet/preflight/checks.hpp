@@ -60,4 +60,7 @@ void CheckMotion(const MissionReading& reading, MissionProblems& found);
 /// make of `word`; "" if there is none or the word is known.
 [[nodiscard]] std::string SlipOf(std::string_view word, const std::vector<std::string>& known);
 
+/// Behaviors of MOOS-IvP that Limpet does not have: none of them is a slip.
+[[nodiscard]] const std::vector<std::string>& StockBehaviors();
+
 }  // namespace limpet::internal

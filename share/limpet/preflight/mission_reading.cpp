@@ -192,8 +192,15 @@ bool MissionReading::StandsIn(std::string_view process) const {
   return app != apps_.end() && !app->stands_for.empty();
 }
 
+bool IsNamesake(std::string_view process) {
+  return process == "pShare" || process == "pNodeReporter";
+}
+
 bool MissionReading::is_foreign() const {
   return !strangers_.empty() || mission_.launches.empty() ||
+         (std::ranges::all_of(apps_, [](const LaunchedApp& a) { return IsNamesake(a.process); }) &&
+          std::ranges::find(mission_.launches, "LimpetDB", &LaunchEntry::binary) ==
+              mission_.launches.end()) ||
          std::ranges::any_of(apps_, [this](const LaunchedApp& a) { return StandsIn(a.process); });
 }
 

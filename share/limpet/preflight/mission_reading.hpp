@@ -44,6 +44,10 @@ struct LaunchedApp {
   std::string stands_for{};  ///< the stock program that the line names; empty: it names ours
 };
 
+/// Apps of Limpet's that are named as MOOS's are: in other people's missions a block is written for
+/// those.
+[[nodiscard]] bool IsNamesake(std::string_view process);
+
 /// What a mission says, ready to be asked. Files that cannot be read are problems; what they would
 /// say is then missing.
 class MissionReading {
@@ -60,7 +64,7 @@ class MissionReading {
   /// True if ours runs in place of a stock program, and not under its own name, too.
   [[nodiscard]] bool StandsIn(std::string_view process) const;
   /// A mission of other people's, or a piece of one: it launches programs that are not Limpet's, or
-  /// nothing.
+  /// none that is Limpet's by its name.
   [[nodiscard]] bool is_foreign() const;
 
   /// Parameter of an app that is launched; nothing if it is not, or has no such parameter.

@@ -28,7 +28,8 @@ bool IsAmong(std::string_view word, const std::vector<std::string>& words) {
 /// Stock programs whose names are near one of ours.
 const std::vector<std::string>& StockNames() {
   static const std::vector<std::string> names{"uPokeDB", "pHelmIvP",   "pLogger",
-                                              "pAntler", "uSimMarine", "uTermCommand"};
+                                              "pAntler", "uSimMarine", "uTermCommand",
+                                              "pRealm",  "pXRelay",    "pHostInfo"};
   return names;
 }
 
@@ -49,7 +50,7 @@ std::string OrphanNear(const MissionReading& reading, const std::string& name) {
   for (const LaunchedApp& app : reading.apps()) {
     if (reading.mission().Block(app.process) == nullptr) orphans.push_back(app.process);
   }
-  return NearestWord(name, orphans);
+  return SlipOf(name, orphans);
 }
 
 /// Apps that turn metres into latitude and longitude, or keep the datum with what they save.
@@ -83,13 +84,18 @@ void CheckGlobalValue(const ConfigEntry& global, const GlobalRule& rule, Mission
   }
 }
 
-/// Plugs of a mission, and files of other people's apps alone, are not launched by themselves.
+/// Plugs of a mission, files of other people's apps alone, and those that neither name a vehicle
+/// nor have a block, e.g. a datum, are not launched by themselves.
 bool IsFragment(const MissionFile& mission) {
   const bool has_own = std::ranges::any_of(
       mission.blocks, [](const ConfigBlock& block) { return IsAmong(block.name, OwnApps()); });
   const bool is_plug = std::filesystem::path(mission.file).filename().string().starts_with("plug");
-  const bool is_empty = mission.blocks.empty() && mission.globals.empty();
-  return !is_empty && (is_plug || (!has_own && !mission.blocks.empty()));
+  if (mission.blocks.empty()) {
+    const bool is_vehicle =
+        !mission.Global("Community").empty() || !mission.Global("ServerPort").empty();
+    return !mission.globals.empty() && (is_plug || !is_vehicle);
+  }
+  return is_plug || !has_own;
 }
 
 void CheckThatSomethingRuns(const MissionFile& mission, MissionProblems& found) {
@@ -124,6 +130,20 @@ void CheckMissingGlobals(const MissionReading& reading, MissionProblems& found) 
 }
 
 }  // namespace
+
+const std::vector<std::string>& StockBehaviors() {
+  static const std::vector<std::string> names{
+      "BHV_Attractor",     "BHV_AvoidCollision",  "BHV_AvoidObstacles",
+      "BHV_AvoidWalls",    "BHV_BearingLine",     "BHV_Convoy",
+      "BHV_CutRange",      "BHV_FixedTurn",       "BHV_HSLine",
+      "BHV_HeadingBias",   "BHV_HeadingChange",   "BHV_Hysteresis",
+      "BHV_MaxSpeed",      "BHV_MemoryTurnLimit", "BHV_OpRegionRecover",
+      "BHV_PModelView",    "BHV_RStationKeep",    "BHV_HeadingHysteresis",
+      "BHV_PeriodicSpeed", "BHV_MaintainHeading", "BHV_RangePulse",
+      "BHV_Shadow",        "BHV_SimpleWaypoint",  "BHV_TimeOut",
+      "BHV_Trail",         "BHV_ZigLeg"};
+  return names;
+}
 
 std::string SlipOf(std::string_view word, const std::vector<std::string>& known) {
   if (IsAmong(word, known)) return "";

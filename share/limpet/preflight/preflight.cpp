@@ -78,14 +78,38 @@ bool IsOurs(const MissionFile& mission, const std::string& block) {
          });
 }
 
-/// A template is expanded before it is launched: what is wrong with a value that is a macro still
-/// is no more than a note.
+/// Each `$(NAME)` of a text.
+std::vector<std::string> MacrosIn(std::string_view text) {
+  std::vector<std::string> macros;
+  for (std::size_t at = text.find("$("); at != std::string_view::npos; at = text.find("$(", at)) {
+    const std::size_t end = text.find(')', at);
+    if (end == std::string_view::npos) break;
+    macros.emplace_back(text.substr(at, end + 1 - at));
+    at = end;
+  }
+  return macros;
+}
+
+/// A template is expanded before it is launched: of a value that is a macro still it is said that
+/// the macro is undefined, and not what is wrong with it as a value.
 void SetMacrosAside(MissionProblems& found) {
-  const auto is_of_macro = [](const ConfigProblem& problem) {
-    return problem.text.find("$(") != std::string::npos;
+  std::vector<ConfigProblem> undefined;
+  const auto set_aside = [&undefined](const ConfigProblem& problem) {
+    if (problem.key.starts_with("$(")) return false;  // says so already
+    const std::vector<std::string> macros = MacrosIn(problem.text);
+    for (const std::string& macro : macros)
+      undefined.push_back({problem.where, macro, "undefined macro"});
+    return !macros.empty();
   };
-  std::ranges::copy_if(found.syntax, std::back_inserter(found.notes), is_of_macro);
-  std::erase_if(found.syntax, is_of_macro);
+  std::erase_if(found.syntax, set_aside);
+  std::erase_if(found.notes, set_aside);
+  std::erase_if(undefined, [&found](const ConfigProblem& macro) {
+    return std::ranges::any_of(found.notes, [&macro](const ConfigProblem& note) {
+      return note.key == macro.key && note.where.file == macro.where.file &&
+             note.where.line == macro.where.line;
+    });
+  });
+  Join(undefined, found.notes);
 }
 
 void CheckSyntax(const MissionReading& reading, MissionProblems& found) {
@@ -148,7 +172,9 @@ void SetStrangersAside(BehaviorFile& file, MissionProblems& found) {
                          [](const auto& registered) { return registered.first; });
   std::erase_if(file.behaviors, [&](const ConfigBlock& block) {
     if (BehaviorRegistry().contains(block.name)) return false;
-    const std::string meant = internal::SlipOf(block.name, known);
+    const bool is_stock = std::ranges::find(internal::StockBehaviors(), block.name) !=
+                          internal::StockBehaviors().end();
+    const std::string meant = is_stock ? "" : internal::SlipOf(block.name, known);
     if (meant.empty()) {
       const std::string nearest = NearestWord(block.name, known);
       found.notes.push_back(

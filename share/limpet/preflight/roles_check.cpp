@@ -103,8 +103,11 @@ class Roles {
     // A stranger, or another community over pShare, may write what our app would.
     const bool may_come = !reading_.strangers().empty() || reading_.Launches("pShare");
     for (const auto& [writers, lack] : vital_) {
-      auto& list = may_come ? found.notes : found.syntax;
-      list.push_back({where, "Run", Text(writers, lack, "needed by")});
+      if (may_come) {
+        found.notes.push_back({where, "Run", TextOfOthers(lack)});
+      } else {
+        found.syntax.push_back({where, "Run", Text(writers, lack, "needed by")});
+      }
     }
     for (const auto& [writers, lack] : other_) {
       if (!vital_.contains(writers)) {
@@ -117,6 +120,20 @@ class Roles {
   static std::string Text(const Names& writers, const Lack& lack, const char* relation) {
     return fmt::format("{} is not launched: nobody writes {}, {} {}", fmt::join(writers, " or "),
                        fmt::join(lack.variables, ", "), relation, fmt::join(lack.readers, ", "));
+  }
+
+  /// Who has to write what none of our apps does here.
+  [[nodiscard]] std::string TextOfOthers(const Lack& lack) const {
+    constexpr std::size_t kMost = 3;  // more names say less
+    std::vector<std::string> others;
+    for (const LaunchEntry& stranger : reading_.strangers()) {
+      if (others.size() == kMost) break;
+      others.push_back(stranger.binary);
+    }
+    if (reading_.strangers().size() > kMost) others.emplace_back("another app");
+    if (reading_.Launches("pShare")) others.emplace_back("another community");
+    return fmt::format("{} must come from {}: {} needs it", fmt::join(lack.variables, ", "),
+                       fmt::join(others, " or "), fmt::join(lack.readers, ", "));
   }
 
   const MissionReading& reading_;

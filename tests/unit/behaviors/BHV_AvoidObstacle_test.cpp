@@ -137,6 +137,47 @@ TEST(BhvAvoidObstacle, IsMadeByMailForEachObstacle) {
   EXPECT_THAT(flight.decision().active, SizeIs(2));
 }
 
+TEST(BhvAvoidObstacle, AsksForObstaclesAsTheHelmBeginsIfMailMakesIt) {
+  HelmFlight flight(AvoidBlock("  templating = spawn\n  pwt_outer_dist = 40\n"));
+  const std::vector<HelmPost> posts = flight.host().InitialPosts();
+  ASSERT_THAT(posts, SizeIs(1));
+  EXPECT_EQ(posts[0].variable, "OBM_ALERT_REQUEST");
+  EXPECT_EQ(std::get<std::string>(posts[0].value), "name=avoid,update_var=OBSTACLE,alert_range=40");
+  HelmFlight alone(AvoidBlock("  poly = 30,-5 : 40,-5 : 40,5 : 30,5\n"));
+  EXPECT_THAT(alone.host().InitialPosts(), IsEmpty()) << "it has its obstacle";
+}
+
+TEST(BhvAvoidObstacle, KeepsToTheSideOnWhichItHasBegunToPass) {
+  constexpr const char* kEast =
+      "Behavior = BHV_ConstantHeading\n{\n  name = east\n  heading = 90\n  pwt = 10\n"
+      "  basewidth = 180\n}\n";
+  const std::string rock = "  poly = 30,-20 : 40,-20 : 40,20 : 30,20\n";
+  HelmFlight flight(kEast + AvoidBlock(rock + "  runxflag = LOCK = $[SLOCK]\n"));
+  const auto course_at = [](HelmFlight& vehicle, double x, double y) {
+    vehicle.PlaceAt(x, y, 90.0);
+    vehicle.Tick();
+    return MoosHeadingFromYaw(*vehicle.decision().course);
+  };
+  EXPECT_LT(course_at(flight, 0.0, 1.0), 90.0) << "a little north of the middle";
+  EXPECT_EQ(flight.Last("LOCK"), "") << "not near yet";
+  EXPECT_LT(course_at(flight, 13.0, 1.0), 90.0);
+  EXPECT_EQ(flight.Last("LOCK"), "port");
+  EXPECT_LT(course_at(flight, 13.0, -1.0), 90.0) << "a gust: now the south is nearer";
+  EXPECT_EQ(flight.Last("LOCK"), "port");
+  HelmFlight other(kEast + AvoidBlock(rock));
+  EXPECT_GT(course_at(other, 13.0, -1.0), 90.0) << "who comes from there goes there";
+  static_cast<void>(course_at(flight, -20.0, -1.0));
+  EXPECT_EQ(flight.Last("LOCK"), "") << "well off it is open again";
+}
+
+TEST(BhvAvoidObstacle, StopsInsideAnObstacleWhereSaid) {
+  HelmFlight flight(
+      AvoidBlock("  poly = -50,-50 : 50,-50 : 50,10 : -50,10\n  allstop_on_breach = true\n"));
+  flight.PlaceAt(0.0, 0.0, 90.0);
+  flight.Tick();
+  EXPECT_THAT(flight.Last("BHV_ERROR"), HasSubstr("it is inside the obstacle"));
+}
+
 TEST(BhvAvoidObstacle, DrawsTheObstacleAndItsBuffersAndErasesThem) {
   HelmFlight flight(
       AvoidBlock("  condition = GO = true\n  poly = pts={30,-5:40,-5:40,5:30,5},label=rock\n"

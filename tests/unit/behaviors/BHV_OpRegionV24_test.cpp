@@ -203,5 +203,16 @@ TEST(BhvOpRegionV24, RefusesADistanceAboutNothingAndAPolygonThatIsNotConvex) {
   EXPECT_THAT(complaint("  halt_dst = 10\n"), HasSubstr("`halt_dist`"));
 }
 
+TEST(BhvOpRegionV24, TakesAnotherCoreFromTheVariableThatTellsIt) {
+  HelmFlight flight = AtTheOrigin(std::string(kCore) +
+                                  "  save_dist = 10\n  dynamic_region_var = CORE\n"
+                                  "  save_flag = SAVED = true\n");
+  flight.Fly(1.0);
+  flight.Say("CORE", "no polygon");
+  flight.Say("CORE", "format=radial, x=0, y=0, radius=150, pts=12");
+  ASSERT_TRUE(flight.FlyUntil([&] { return !flight.Last("SAVED").empty(); }, 200.0));
+  EXPECT_GT(flight.x(), 150.0);
+}
+
 }  // namespace
 }  // namespace limpet

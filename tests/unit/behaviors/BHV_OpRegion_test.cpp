@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/helm_flight.hpp"
+
 namespace limpet {
 namespace {
 
@@ -109,6 +111,42 @@ TEST(BhvOpRegion, IsInNoDoubtOnTheWayHome) {
   state.nav.sd_north = 2.0;
   behavior.Start(state);
   EXPECT_FALSE(behavior.Move(state).warning);
+}
+
+/// Goes east at 2 m/s for ever, from the origin.
+HelmFlight Eastward(const std::string& lines) {
+  HelmFlight flight(
+      "Behavior = BHV_ConstantHeading\n{\n  name = east\n  pwt = 50\n  heading = 90\n}\n"
+      "Behavior = BHV_ConstantSpeed\n{\n  name = fast\n  pwt = 50\n  speed = 2\n}\n"
+      "Behavior = BHV_OpRegion\n{\n  name = region\n  pwt = 300\n  polygon = "
+      "-50,-50 : -50,50 : 50,50 : 50,-50\n" +
+      lines + "}\n");
+  flight.PlaceAt(0.0, 0.0, 90.0);
+  return flight;
+}
+
+TEST(BhvOpRegion, StopsWhoLeavesAPolygonOrALimitAsMissionsOfMoosIvpSay) {
+  HelmFlight flight = Eastward("  trigger_exit_time = 2\n  breached_poly_flag = OUT = true\n");
+  ASSERT_TRUE(flight.FlyUntil([&] { return !flight.Last("BHV_ERROR").empty(); }, 60.0));
+  EXPECT_GT(flight.x(), 50.0);
+  EXPECT_EQ(flight.Last("BHV_ERROR"), "region: it has left polygon");
+  EXPECT_EQ(flight.Posts("OUT").size(), 1U);
+  HelmFlight timed = Eastward("  max_time = 15\n  time_remaining_var = LEFT\n");
+  timed.Fly(1.0);
+  EXPECT_EQ(timed.Last("LEFT"), "14");
+  ASSERT_TRUE(timed.FlyUntil([&] { return !timed.Last("BHV_ERROR").empty(); }, 60.0));
+  EXPECT_NEAR(timed.time(), 15.0, 0.3);
+  EXPECT_EQ(timed.Last("LEFT"), "0");
+}
+
+TEST(BhvOpRegion, GivesTheVehicleToTheOperatorWhereTheBreachIsSoft) {
+  HelmFlight flight = Eastward(
+      "  soft_poly_breach = true\n  breached_poly_flag = OUT = true\n  opregion_poly_var = "
+      "REGION\n");
+  ASSERT_TRUE(flight.FlyUntil([&] { return !flight.Last("OUT").empty(); }, 60.0));
+  EXPECT_EQ(flight.Last("MOOS_MANUAL_OVERRIDE"), "true");
+  EXPECT_EQ(flight.Last("BHV_ERROR"), "");
+  EXPECT_EQ(flight.Last("REGION"), "pts={-50,-50:-50,50:50,50:50,-50}");
 }
 
 }  // namespace

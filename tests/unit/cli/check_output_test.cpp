@@ -130,7 +130,80 @@ TEST(CheckVerbOfFiles, NotesThatATemplateIsNotYetExpanded) {
                          "$(IP_ADDR):$(PSHARE_PORT)\n}\n";
   const Checked checked = Check({moos.string()});
   EXPECT_EQ(checked.exit_code, kOk) << checked.text;
-  EXPECT_THAT(checked.text, HasSubstr("note: ServerPort: `$(VPORT)`"));
+  EXPECT_THAT(checked.text, HasSubstr("note: $(VPORT): undefined macro"));
+  EXPECT_THAT(checked.text, Not(HasSubstr("is not allowed")))
+      << "what follows from that is no news";
+}
+
+TEST(CheckVerbOfFiles, TakesMacrosWithADefaultAsNsplugDoes) {
+  const TemporaryFolder folder;
+  const fs::path bhv = folder.path() / "meta_vehicle.bhv";
+  std::ofstream(bhv) << "Behavior = BHV_Waypoint\n{\n  name = go\n  points = $(START)\n"
+                        "  speed = $(SPEED:=1.4)\n}\n";
+  const Checked good = Check({bhv.string()});
+  EXPECT_EQ(good.exit_code, kOk) << good.text;
+  EXPECT_THAT(good.text, HasSubstr("meta_vehicle.bhv:4: note: $(START): undefined macro"));
+  std::ofstream(bhv) << "Behavior = BHV_Waypoint\n{\n  name = go\n  points = 1,2\n"
+                        "  speed = $(SPEED:=fast)\n}\n";
+  EXPECT_EQ(Check({bhv.string()}).exit_code, kUsage) << "the default is what counts";
+}
+
+TEST(CheckVerbOfFiles, NotesStockBehaviorsAndRefusesSlips) {
+  const TemporaryFolder folder;
+  const fs::path bhv = folder.path() / "a.bhv";
+  const auto check = [&bhv](const std::string& behavior) {
+    std::ofstream(bhv) << "Behavior = " << behavior << "\n{\n  name = a\n}\n";
+    return Check({bhv.string()});
+  };
+  for (const char* stock : {"BHV_RStationKeep", "BHV_ZigLeg", "BHV_AvoidObstacles", "BHV_Agent"}) {
+    EXPECT_EQ(check(stock).exit_code, kOk) << stock;
+  }
+  const Checked slip = check("BHV_StationKep");
+  EXPECT_EQ(slip.exit_code, kUsage);
+  EXPECT_THAT(slip.text, HasSubstr("did you mean `BHV_StationKeep`?"));
+}
+
+TEST(CheckVerbOfFiles, NotesWhatAStockPShareWouldHaveToSayToBeOurs) {
+  const TemporaryFolder folder;
+  const fs::path moos = folder.path() / "shoreside.moos";
+  const auto check = [&moos](const std::string& database) {
+    std::ofstream(moos) << "ServerPort = 9000\nCommunity = shoreside\nProcessConfig = ANTLER\n{\n"
+                        << "  Run = " << database << "\n  Run = pShare\n  Run = pMarineViewer\n}\n"
+                        << "ProcessConfig = pShare\n{\n  input = route=localhost:9200\n}\n";
+    return Check({moos.string()});
+  };
+  const Checked stock = check("MOOSDB");
+  EXPECT_EQ(stock.exit_code, kOk) << stock.text;
+  EXPECT_THAT(stock.text, HasSubstr("allow_plain_routes = true"));
+  EXPECT_EQ(check("LimpetDB").exit_code, kUsage) << "a mission of ours needs a key";
+}
+
+TEST(CheckVerbOfFiles, SaysOnceOfABlockThatItIsNoListOfSettings) {
+  const TemporaryFolder folder;
+  const fs::path moos = folder.path() / "plug_modem.moos";
+  std::ofstream(moos) << "ProcessConfig = pAcommsHandler\n{\n  modem_id: 3\n  rate: 0\n"
+                         "  mac: slotted\n}\n";
+  const Checked modem = Check({moos.string()});
+  EXPECT_EQ(modem.exit_code, kOk);
+  EXPECT_THAT(modem.text, HasSubstr("(and 2 more of its lines)"));
+  EXPECT_THAT(modem.text, Not(HasSubstr("slotted")));
+}
+
+TEST(CheckVerbOfFiles, TakesFilesOfADatumAndLinesBehindAHash) {
+  const TemporaryFolder folder;
+  const fs::path datum = folder.path() / "spezia.moos";
+  std::ofstream(datum) << "LatOrigin = 44.09\nLongOrigin = 9.86\n";
+  EXPECT_EQ(Check({datum.string()}).exit_code, kOk) << "it is for others to include";
+  const fs::path moos = folder.path() / "a.moos";
+  std::ofstream(moos) << "ServerPort = 9000\nCommunity = alpha\nProcessConfig = ANTLER\n{\n"
+                         "  # consoles: none\n  Run = MOOSDB\n  Run = pNodeReporter\n"
+                         "  Run = uSimMarine\n}\nLatOrigin = 44.09\nLongOrigin = 9.86\n";
+  const Checked hash = Check({moos.string()});
+  EXPECT_EQ(hash.exit_code, kOk) << hash.text;
+  EXPECT_THAT(hash.text, HasSubstr("a.moos:5: note: #: is no comment in mission files"));
+  EXPECT_THAT(hash.text, HasSubstr("must come from uSimMarine: pNodeReporter needs it"));
+  std::ofstream(datum) << "ServerPort = 9000\nCommunity = alpha\n";
+  EXPECT_EQ(Check({datum.string()}).exit_code, kUsage) << "a vehicle, but nothing to launch";
 }
 
 TEST(CheckVerbOfFiles, NestedTextOfAnAcousticModemIsANoteAndInABlockOfOursAnError) {

@@ -46,6 +46,23 @@ TEST_F(AnswerWatchTest, LeavesOneThatIsLateTwiceInARowAloneForAHundredTimesAsLon
   EXPECT_THAT(Answer(0.6), Optional(HasSubstr("for 0.60 s, more"))) << "it begins anew";
 }
 
+TEST_F(AnswerWatchTest, AsksAQuestionOfManyCallsNoFurtherOnceItIsLate) {
+  const auto ask = [this](double each) {
+    asked_ = 0;
+    return watch_.AskEach("slow", 100, [&](std::size_t) { ++asked_, time_ += Seconds(each); });
+  };
+  EXPECT_THAT(ask(0.02), Eq(std::nullopt)) << "two seconds of a hundred calls";
+  EXPECT_EQ(asked_, 100);
+  EXPECT_THAT(ask(1.0), Optional(HasSubstr("it has kept the helm for 1.00 s")));
+  EXPECT_EQ(asked_, 1) << "one call that is late is enough";
+  EXPECT_THAT(ask(0.0), Eq(std::nullopt));
+  EXPECT_THAT(ask(0.1), Optional(HasSubstr("for 3.")));
+  EXPECT_NEAR(asked_, 31, 1);
+  EXPECT_THAT(ask(0.1), Optional(HasSubstr("not asked for 3")));
+  EXPECT_THAT(ask(0.0), Optional(HasSubstr("not asked for 3")));
+  EXPECT_EQ(asked_, 0) << "it rests";
+}
+
 TEST_F(AnswerWatchTest, HoldsTheHelmUpForAHundredthOfTheTimeAtMost) {
   const Seconds begin = time_;
   double held = 0.0;

@@ -58,11 +58,13 @@ class BehaviorHostTest : public ::testing::Test {
   }
   static std::vector<std::string> Variables(const std::vector<HelmPost>& posts) {
     std::vector<std::string> names;
-    for (const HelmPost& post : posts)
-      names.push_back(post.variable);
+    for (const HelmPost& post : posts) {
+      if (post.variable != "BHV_SETTINGS") names.push_back(post.variable);
+    }
     return names;
   }
-  /// One iteration: what is posted before and after the bids; whoever runs has a say.
+  /// One iteration: what is posted before and after the bids, but for BHV_SETTINGS; whoever runs
+  /// has a say.
   static std::vector<HelmPost> Iterate(BehaviorHost& host, const VehicleState& state = {}) {
     std::vector<HelmPost> posts = host.Update(state);
     std::vector<std::string> names;
@@ -72,6 +74,7 @@ class BehaviorHostTest : public ::testing::Test {
     const std::vector<std::string_view> active(names.begin(), names.end());
     std::ranges::move(host.Settle({.turns = {}, .active = active}, state),
                       std::back_inserter(posts));
+    std::erase_if(posts, [](const HelmPost& post) { return post.variable == "BHV_SETTINGS"; });
     return posts;
   }
   static double Summit(BehaviorHost& host) {

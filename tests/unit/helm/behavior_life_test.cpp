@@ -59,7 +59,8 @@ class BehaviorLife : public ::testing::Test {
         ParseBehaviors("Behavior = BHV_LifeProbe\n{\n  name = probe\n" + lines + "}\n", "m.bhv")});
     static_cast<void>(host_->TakeLifeEvents());
   }
-  /// One second later: every running behavior does `acts`.
+  /// One second later: every running behavior does `acts`. What is posted but for BHV_SETTINGS,
+  /// which is in `settings_`.
   std::vector<std::string> Iterate(std::vector<BehaviorAct> acts = {}, bool is_active = false) {
     state_.now += Seconds(1.0);
     state_.ownship = "alpha";
@@ -76,7 +77,10 @@ class BehaviorLife : public ::testing::Test {
         host_->Settle({.turns = turns, .active = is_active ? active : decltype(active){}}, state_),
         std::back_inserter(posts));
     std::vector<std::string> texts;
-    std::ranges::transform(posts, std::back_inserter(texts), TextOfPost);
+    settings_.clear();
+    for (const HelmPost& post : posts) {
+      (post.variable == "BHV_SETTINGS" ? settings_ : texts).push_back(TextOfPost(post));
+    }
     return texts;
   }
   void Say(const std::string& variable, const Value& value) {
@@ -91,6 +95,7 @@ class BehaviorLife : public ::testing::Test {
 
   std::unique_ptr<BehaviorHost> host_;
   VehicleState state_;
+  std::vector<std::string> settings_;
 };
 
 TEST_F(BehaviorLife, EndsWithItsEndFlagsOnceItHasCompleted) {
@@ -194,9 +199,12 @@ TEST_F(BehaviorLife, SaysOnceThatItWasMadeAndHowItIsConfigured) {
       "  spawnflag = S = 1\n  spawnxflag = SX = 1\n  configflag = C = $[SIZE]\n"
       "  runflag = R = 1\n  updates = UP\n  size = 2\n");
   EXPECT_THAT(Iterate(), ElementsAre("S=1", "C=2", "R=1", "SX=1"));
+  EXPECT_THAT(settings_, ElementsAre("BHV_SETTINGS=type=BHV_LifeProbe,name=probe,size=2"));
   EXPECT_THAT(Iterate(), IsEmpty());
+  EXPECT_THAT(settings_, IsEmpty());
   Say("UP", std::string("size = 4"));
   EXPECT_THAT(Iterate(), ElementsAre("C=4")) << "an update does not make it run anew";
+  EXPECT_THAT(settings_, ElementsAre("BHV_SETTINGS=type=BHV_LifeProbe,name=probe,size=4"));
 }
 
 TEST_F(BehaviorLife, AnUpdateMayAddFlagsAndConditions) {

@@ -29,11 +29,12 @@ class ViewDecisionTest : public ::testing::Test {
   static Option Straight(const std::string& source, double length) {
     return {.source = source, .path = DubinsPath({}, {{.curvature = 0.0, .length = length}})};
   }
-  ViewDecision Decide(std::vector<WeightedBehavior> behaviors) {
+  ViewDecision Decide(std::vector<WeightedBehavior> behaviors, AnswerWatch* watch = nullptr) {
     Situation now;
     now.ground = &ground_;
     now.region = &region_;
-    return DecideView(behaviors, now, {Straight("short", 3.0), Straight("long", 9.0)}, sight_);
+    return DecideView(behaviors, now, {Straight("short", 3.0), Straight("long", 9.0)}, sight_,
+                      OptionOrder::kPerMetre, watch);
   }
 
   SurveyArea area_{.north_min = -10, .north_max = 10, .east_min = -10, .east_max = 10};
@@ -74,6 +75,33 @@ TEST_F(ViewDecisionTest, ChoosesNothingWhenAllIsVetoed) {
   JudgingBehavior forbids(
       [](const Prospect&) { return Bid{.value = 0.0, .why = {}, .veto = "no"}; });
   EXPECT_FALSE(Decide({{"a", 1.0, &forbids}}).chosen.has_value());
+}
+
+TEST_F(ViewDecisionTest, HearsTheOthersWhenOneTakesTooLong) {
+  Seconds time(0.0);
+  AnswerWatch watch([&time] { return time; });
+  int asked = 0;
+  JudgingBehavior sleeper([&](const Prospect& p) {
+    ++asked, time += Seconds(1.0);
+    return Bid{.value = 100.0 * p.length() * p.length(), .why = {}, .veto = {}};
+  });
+  JudgingBehavior likes_short([](const Prospect& p) {
+    return Bid{.value = -p.length() * p.length(), .why = {}, .veto = {}};
+  });
+  const std::vector<WeightedBehavior> both{{"sleeper", 1.0, &sleeper},
+                                           {"other", 1.0, &likes_short}};
+  EXPECT_EQ(Decide(both).chosen->source, "long") << "without a clock, as embedded, nobody is late";
+  asked = 0;
+  const ViewDecision decision = Decide(both, &watch);
+  EXPECT_EQ(decision.chosen->source, "short");
+  EXPECT_EQ(asked, 1) << "not asked about the other option";
+  ASSERT_EQ(decision.late.size(), 1U);
+  EXPECT_EQ(decision.late[0].owner, "sleeper");
+  EXPECT_EQ(decision.late[0].warning.id.name(), "BHV_LATE_sleeper");
+  static_cast<void>(Decide(both, &watch));
+  asked = 0;
+  EXPECT_EQ(Decide(both, &watch).chosen->source, "short");
+  EXPECT_EQ(asked, 0) << "after two in a row it rests";
 }
 
 TEST_F(ViewDecisionTest, HearsTheOthersWhenOneThrowsOrBidsNoNumber) {

@@ -3,11 +3,13 @@
 #include <fstream>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "apps/pHelm/helm_app.hpp"
+#include "limpet/core/clock.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/survey/look.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -39,12 +41,32 @@ class BHV_TestForbid final : public Behavior {
 };
 LIMPET_REGISTER_BEHAVIOR(BHV_TestForbid);
 
+/// Forbids everything, but thinks half a second too long about it.
+class BHV_TestBrooder final : public Behavior {
+ public:
+  struct Params {
+    template <class V>
+    void Describe(V&) {}
+  };
+  explicit BHV_TestBrooder(const Params&) {}
+  [[nodiscard]] std::optional<Bid> Value(const Prospect&, const Situation&) const override {
+    const Seconds begin = SteadyTime();
+    while (SteadyTime() - begin < Seconds(0.52)) {
+    }
+    Bid bid;
+    bid.veto = "on the other hand";
+    return bid;
+  }
+};
+LIMPET_REGISTER_BEHAVIOR(BHV_TestBrooder);
+
 /// A helm that decides where next over an area.
 class DecidingHelm {
  public:
-  explicit DecidingHelm(bool runs_live) {
+  explicit DecidingHelm(bool runs_live, const std::string& more = "") {
     std::ofstream(folder_.path() / "mission.bhv")
-        << "Behavior = BHV_TestForbid\n{\n  name = no\n}\n";
+        << "Behavior = BHV_TestForbid\n{\n  name = no\n}\n"
+        << more;
     AppContext context;
     context.name = "pHelm";
     context.link = &link_;
@@ -63,7 +85,9 @@ class DecidingHelm {
       app_->Tick(link_.time);
     }
   }
-  [[nodiscard]] bool Warns() const { return app_->warnings().contains("NO_OPTION"); }
+  [[nodiscard]] bool Warns(const std::string& id = "NO_OPTION") const {
+    return app_->warnings().contains(id);
+  }
   [[nodiscard]] const TestLink& link() const { return link_; }
 
  private:
@@ -89,6 +113,17 @@ TEST(HelmThatDecides, SaysInACommunityHowLongThatTook) {
   EXPECT_GT(live.link().Last(topics::kPlanTime).value(), 0.0);
   EXPECT_LT(live.link().Last(topics::kPlanTime).value(), 10.0);
   EXPECT_EQ(embedded.link().Count(topics::kPlanTime), 0) << "equal runs say the same";
+}
+
+TEST(HelmThatDecides, DoesNotHearInACommunityWhoTakesTooLongOverWhereNextAndSaysSo) {
+  const std::string brooder = "Behavior = BHV_TestBrooder\n{\n  name = brooder\n}\n";
+  DecidingHelm live(true, brooder), embedded(false, brooder);
+  live.StayAt(5.0);
+  EXPECT_TRUE(live.Warns("BHV_LATE_brooder"));
+  EXPECT_FALSE(live.Warns()) << "its veto is not heard";
+  embedded.StayAt(5.0);
+  EXPECT_FALSE(embedded.Warns("BHV_LATE_brooder"));
+  EXPECT_TRUE(embedded.Warns()) << "runs repeat, however fast the machine is";
 }
 
 }  // namespace

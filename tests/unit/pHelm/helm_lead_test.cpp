@@ -136,7 +136,8 @@ TEST(HelmThatLeads, LeavesDesiredsModesAndTheHelmsOwnWordsToTheOther) {
     if (message->name.ends_with("_WARNINGS")) continue;
     posts.push_back(message->name);
   }
-  EXPECT_THAT(posts, ElementsAre("DEPTH", "COURSE", "SPEED", "HELM_LEAD"));
+  EXPECT_THAT(posts, ElementsAre("BHV_SETTINGS", "DEPTH", "COURSE", "SPEED", "HELM_LEAD"))
+      << "and what its own behavior is set to";
   link.Send(app, topics::kManualOverride, true);
   link.time += Seconds(0.1);
   app.Tick(link.time);
