@@ -90,7 +90,7 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
   Subscribe(topics::kManualOverrideMisspelt, &HelmApp::OnOverride);
   SubscribeIfWritten(topics::kSafetyAction, &HelmApp::OnSafety);
   HearSurvey();
-  Subscribe(topics::kHelmRejournal, &HelmApp::OnRejournal);
+  SubscribeRaw(topics::kHelmRejournal.name, [this](const MessagePtr&) { journal_.Rejournal(); });
   SubscribeRaw(topics::kHelmMapClear.name, [this](const MessagePtr&) { host_.ForgetPosts(); });
   SubscribeForBehaviors();
 }
