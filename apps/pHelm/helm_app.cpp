@@ -67,7 +67,7 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
       ownship_(context.Global("Community")),
       host_(LoadBehaviorFiles(context, params), ClockOf(context)),
       planner_(params.views, MakeRandom("views")),
-      arbiter_(DomainOf(params), ClockOf(context)),
+      arbiter_(DomainOf(params), ClockOf(context), params.at_points),
       journal_(params.domain,
                [this](std::string variable, Value value) {
                  // Those of a helm that is led are read as the vehicle's.
