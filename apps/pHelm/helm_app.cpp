@@ -67,7 +67,7 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
       ownship_(context.Global("Community")),
       host_(LoadBehaviorFiles(context, params), ClockOf(context)),
       planner_(params.views, MakeRandom("views"), ClockOf(context)),
-      arbiter_(DomainOf(params), ClockOf(context)),
+      arbiter_(DomainOf(params), ClockOf(context), params.at_points),
       journal_(params.domain,
                [this](std::string variable, Value value) {
                  // Those of a helm that is led are read as the vehicle's.
@@ -90,7 +90,7 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
   Subscribe(topics::kManualOverrideMisspelt, &HelmApp::OnOverride);
   SubscribeIfWritten(topics::kSafetyAction, &HelmApp::OnSafety);
   HearSurvey();
-  Subscribe(topics::kHelmRejournal, &HelmApp::OnRejournal);
+  SubscribeRaw(topics::kHelmRejournal.name, [this](const MessagePtr&) { journal_.Rejournal(); });
   SubscribeRaw(topics::kHelmMapClear.name, [this](const MessagePtr&) { host_.ForgetPosts(); });
   SubscribeForBehaviors();
 }

@@ -65,7 +65,6 @@ class HelmApp final : public App {
   void OnOpis(const Stamped<OpiBeliefs>& opis) { planner_.SetObjects(opis.value.opis); }
   void OnObstacles(const Stamped<Obstacles>& obstacles);
   void OnLook(const Stamped<MapLook>& look) { planner_.survey().SetLookModel(look.value); }
-  void OnRejournal(const Stamped<std::string>&) { journal_.Rejournal(); }
 
   void HearSurvey();
   /// To every variable that the behaviors want by now.

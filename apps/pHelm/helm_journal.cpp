@@ -12,13 +12,13 @@
 namespace limpet {
 namespace {
 
-/// `var=course:92.1,var=speed:0.5,var=depth:varbalk`
-std::string DecisionText(const HelmIteration& iteration) {
+/// `var=course:92.1,var=speed:0.5,var=depth:varbalk`: no depth that is left to others.
+std::string DecisionText(const HelmIteration& iteration, bool has_depth) {
   const auto text = [](const char* name, const std::optional<double>& value, int decimals) {
     return fmt::format("var={}:{}", name, value ? DecimalText(*value, decimals) : "varbalk");
   };
-  return text("course", iteration.course_deg, 1) + "," + text("speed", iteration.speed, 2) + "," +
-         text("depth", iteration.depth, 2);
+  return text("course", iteration.course_deg, 1) + "," + text("speed", iteration.speed, 2) +
+         (has_depth ? "," + text("depth", iteration.depth, 2) : "");
 }
 
 /// `name$since[$pwt$pieces$cpu]$good/total[$functions]`, the brackets for those that bid.
@@ -39,7 +39,9 @@ const char* HelmJournal::NameOf(State state) {
 }
 
 HelmJournal::HelmJournal(const std::vector<std::string>& domain, Post post)
-    : domain_(MotionDomainText(domain)), post_(std::move(post)) {}
+    : domain_(MotionDomainText(domain)),
+      has_depth_(domain.size() > 2),  // course and speed are always there
+      post_(std::move(post)) {}
 
 void HelmJournal::PostStart(const BehaviorHost& host, Seconds now) {
   const std::vector<BehaviorStatus>& behaviors = host.statuses();
@@ -128,7 +130,7 @@ void HelmJournal::PostIteration(const HelmIteration& iteration) {
       fmt::format("iter={},utc_time={:.2f}", iteration.number, iteration.now.value());
   AddField("ofnum", fmt::format("ofnum={}", iteration.functions), summary);
   AddField("warnings", fmt::format("warnings={}", iteration.warnings), summary);
-  AddField("decision", DecisionText(iteration), summary);
+  AddField("decision", DecisionText(iteration, has_depth_), summary);
   AddField("halted", iteration.is_halted ? "halted=true" : "halted=false", summary);
   AddField("modes", fmt::format("modes={}", iteration.modes.empty() ? "none" : iteration.modes),
            summary);

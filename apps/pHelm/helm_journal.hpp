@@ -68,6 +68,7 @@ class HelmJournal {
   void PostNames(const std::string& variable, const std::string& count, State state);
 
   std::string domain_;  ///< `course,0,359,360:speed,0,1,21`
+  bool has_depth_;      ///< it decides on the depth, too
   Post post_;
   std::vector<Entry> entries_;
   Seconds started_{0.0};

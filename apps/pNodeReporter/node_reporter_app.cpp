@@ -74,7 +74,7 @@ void NodeReporterApp::OnSummary(const Stamped<std::string>& summary) {
     mode_ = summary.value.substr(begin, summary.value.find(',', begin) - begin);
   } else if (mode_.empty() && !has_asked_for_mode_) {
     has_asked_for_mode_ = true;
-    Publish(topics::kHelmRejournal, std::string("true"));
+    Publish(topics::kHelmRejournal, 1.0);  // as uHelmScope: a variable keeps its type
   }
 }
 

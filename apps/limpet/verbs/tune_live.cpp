@@ -102,7 +102,7 @@ class LiveCommunity {
     auto asked = std::chrono::steady_clock::time_point{};
     while (std::chrono::steady_clock::now() < until) {
       if (std::chrono::steady_clock::now() - asked > kBetweenQuestions) {
-        Write(topics::kHelmRejournal.name, "uTune");
+        community_.client().Publish(topics::kHelmRejournal.name, 1.0);
         asked = std::chrono::steady_clock::now();
       }
       for (const Mail& mail : community_.TakeMail(Seconds(0.1))) {

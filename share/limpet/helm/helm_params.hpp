@@ -17,6 +17,7 @@ struct HelmParams {
   std::vector<std::string> behavior_path;
   std::vector<std::string> domain{"course:0:359:360", "speed:0:1:21", "depth:0:100:1001"};
   bool start_in_drive = true;
+  bool at_points = false;
   bool allow_park = true;
   Seconds nav_grace{5.0};
   bool post_ipf = false;
@@ -35,6 +36,9 @@ struct HelmParams {
     visit.Required("domain", domain,
                    "Decision variables, name:low:high:points[:optional]; without depth none is "
                    "decided");
+    visit("at_points", at_points,
+          "true: nothing between the domain's points is decided, as pHelmIvP does it; so in a "
+          "block of pHelmIvP that says nothing");
     visit("start_in_drive", start_in_drive,
           "false: parked until MOOS_MANUAL_OVERRIDE = false; so is a block of pHelmIvP that says "
           "nothing");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -42,6 +43,19 @@ std::optional<std::string> ProblemOf(const MotionBid& bid, const MotionDomain& d
   if (bid.table == nullptr) return std::nullopt;
   if (bid.table->domain() != domain) return "its function was made for another domain";
   return bid.table->Problem();
+}
+
+double NearestPoint(const MotionAxis& axis, double value) {
+  constexpr double kRounding = 1e-9;  // 1.3 lies between 1.2 and 1.4 for a computer, too
+  const double point = std::ceil((value - axis.low) / axis.step() - 0.5 - kRounding);
+  return axis.At(static_cast<int>(std::clamp(point, 0.0, axis.points - 1.0)));
+}
+
+double NearestPointAround(const MotionAxis& axis, double course) {
+  const double above = WrapAngle(course - axis.low - std::numbers::pi) + std::numbers::pi;
+  if (above <= axis.high - axis.low) return WrapAngle(NearestPoint(axis, axis.low + above));
+  const auto distance = [course](double end) { return std::abs(WrapAngle(course - end)); };
+  return WrapAngle(distance(axis.low) < distance(axis.high) ? axis.low : axis.high);
 }
 
 /// Its opinion on what the domain has.
@@ -180,6 +194,10 @@ void MotionArbiter::Choose(const VehicleState& state) {
     value = variable == MotionVariable::kCourse
                 ? MaximizeOverCircle(peaks)
                 : MaximizeOverInterval(peaks, axis->low, axis->high);
+    if (is_at_points_ && axis) {
+      value = variable == MotionVariable::kCourse ? NearestPointAround(*axis, *value)
+                                                  : NearestPoint(*axis, *value);
+    }
   }
   decision_.course = chosen[0];
   decision_.speed = chosen[1];

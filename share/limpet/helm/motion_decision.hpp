@@ -53,9 +53,11 @@ struct MotionDecision {
 /// allocates nothing.
 class MotionArbiter {
  public:
-  /// With a `clock`, behaviors that answer late are not heard.
-  explicit MotionArbiter(const MotionDomain& domain, RealClock clock = {})
-      : domain_(domain), search_(domain), watch_(std::move(clock)) {}
+  /// With a `clock`, behaviors that answer late are not heard. `is_at_points`: what peaks alone
+  /// decide is rounded to the domain's nearest point, the lower of two, as in MOOS-IvP.
+  explicit MotionArbiter(const MotionDomain& domain, RealClock clock = {},
+                         bool is_at_points = false)
+      : domain_(domain), search_(domain), watch_(std::move(clock)), is_at_points_(is_at_points) {}
 
   /// Valid until the next call.
   const MotionDecision& Decide(std::span<const WeightedBehavior> behaviors,
@@ -79,6 +81,7 @@ class MotionArbiter {
   MotionDomain domain_;
   MotionGridSearch search_;
   AnswerWatch watch_;
+  bool is_at_points_;
   MotionDecision decision_;
   std::vector<OwnedMotionBid> bids_;  ///< the first `heard_` are of now; the rest keeps its memory
   std::size_t heard_ = 0;

@@ -53,19 +53,31 @@ double SumAt(std::span<const WeightedPeak> peaks, double x, Distance distance) {
       });
 }
 
-/// Keeps the best of the candidates it is shown.
+/// How far from what was wished, where it makes no difference any more: weighted metres beyond the
+/// flat tops.
+double DissentAt(std::span<const WeightedPeak> peaks, double x) {
+  return std::transform_reduce(
+      peaks.begin(), peaks.end(), 0.0, std::plus<>(), [x](const WeightedPeak& weighted) {
+        const Peak& peak = weighted.peak;
+        return weighted.weight * std::max(0.0, std::abs(x - peak.summit) - peak.flat_half_width);
+      });
+}
+
+/// Keeps the best of the candidates it is shown; of equals that of least dissent, then the first.
 template <class Distance>
 class BestOf {
  public:
   BestOf(std::span<const WeightedPeak> peaks, Distance distance)
       : peaks_(peaks), distance_(distance) {}
 
-  void Consider(double candidate) {
+  void Consider(double candidate, double dissent = 0.0) {
     constexpr double kLevel = 1e-9;  // rounding must not let a knee beat an equal summit
     const double value = SumAt(peaks_, candidate, distance_);
-    if (!has_any_ || value > best_value_ + kLevel) {
+    const bool is_as_good = value > best_value_ - kLevel && dissent < best_dissent_ - kLevel;
+    if (!has_any_ || value > best_value_ + kLevel || is_as_good) {
       best_ = candidate;
       best_value_ = value;
+      best_dissent_ = dissent;
     }
     has_any_ = true;
   }
@@ -74,7 +86,7 @@ class BestOf {
  private:
   std::span<const WeightedPeak> peaks_;
   Distance distance_;
-  double best_ = 0.0, best_value_ = 0.0;
+  double best_ = 0.0, best_value_ = 0.0, best_dissent_ = 0.0;
   bool has_any_ = false;
 };
 
@@ -89,9 +101,10 @@ double PeakValue(const Peak& peak, double distance) {
 double MaximizeOverInterval(std::span<const WeightedPeak> peaks, double low, double high) {
   LIMPET_REQUIRE(!peaks.empty() && low <= high, "a decision needs a preference and a domain");
   BestOf best(peaks, [](double x, double summit) { return x - summit; });
-  VisitCandidates(peaks, [&](double x) { best.Consider(std::clamp(x, low, high)); });
-  best.Consider(low);
-  best.Consider(high);
+  const auto consider = [&](double x) { best.Consider(x, DissentAt(peaks, x)); };
+  VisitCandidates(peaks, [&](double x) { consider(std::clamp(x, low, high)); });
+  consider(low);
+  consider(high);
   return best.best();
 }
 

@@ -30,8 +30,9 @@ struct WeightedPeak {
 [[nodiscard]] double PeakValue(const Peak& peak, double distance);
 
 /// The exact maximiser of the weighted sum over [low, high]. The sum is piecewise linear, so its
-/// maximum is at a summit, a knee or an end of the domain; among equals the summit of the heaviest
-/// peak wins. REQUIRES: !peaks.empty().
+/// maximum is at a summit, a knee or an end of the domain; among equals the nearest to what those
+/// want who get nothing wins (7 m at most, and 50 m wanted: 7 m), then the summit of the heaviest
+/// peak. REQUIRES: !peaks.empty().
 [[nodiscard]] double MaximizeOverInterval(std::span<const WeightedPeak> peaks, double low,
                                           double high);
 

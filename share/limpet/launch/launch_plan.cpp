@@ -116,6 +116,11 @@ std::vector<fs::path> WritableFolders(const LaunchCommand& command) {
   return folders;
 }
 
+/// Whether it finds the mission's files wherever it runs.
+bool IsOurs(const fs::path& program, const fs::path& own_folder) {
+  return program.parent_path() == own_folder && StandInFor(program.filename().string()) == nullptr;
+}
+
 /// One `Run` line: an item, a missing program, or a problem.
 void PlanEntry(const LaunchEntry& entry, const LaunchCommand& command, const fs::path& own_folder,
                LaunchPlan& plan, std::vector<ConfigProblem>& problems) {
@@ -149,12 +154,19 @@ void PlanEntry(const LaunchEntry& entry, const LaunchCommand& command, const fs:
   LaunchItem item{.name = entry.moos_name,
                   .program = *program,
                   .args = {},
+                  .working_folder = {},
                   .restart = PolicyOf(entry, problems),
                   .is_database = is_database,
                   .hung_after = HungAfterOf(entry, problems),
                   .is_vital = IsVital(entry, is_database, problems)};
+  fs::path mission_file = plan.mission_file;
+  if (!IsOurs(item.program, own_folder)) {
+    mission_file = fs::absolute(mission_file);
+    item.working_folder = mission_file.parent_path();
+    item.program = fs::absolute(item.program);
+  }
   if (OptionOf(entry, "InhibitMOOSParams") == nullptr) {
-    item.args = {plan.mission_file.string(), entry.moos_name};
+    item.args = {mission_file.string(), entry.moos_name};
   }
   const std::vector<std::string> extra = ExtraArgs(entry, plan.mission);
   if (const auto complaint = command.allows_outside ? std::nullopt : ArgumentProblem(extra)) {

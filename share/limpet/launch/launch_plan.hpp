@@ -18,6 +18,9 @@ struct LaunchItem {
   std::string name;  ///< MOOS name
   std::filesystem::path program;
   std::vector<std::string> args;
+  /// Where it runs; empty: where the launcher does. Programs that are not ours look for the files
+  /// that they are told beside the mission.
+  std::filesystem::path working_folder{};
   RestartPolicy restart = RestartPolicy::kOnFailure;
   bool is_database = false;
   /// Without a sign of life for this long (real time) it hangs, and is killed; 0: never.

@@ -131,6 +131,9 @@ void Supervisor::Become(const Child& child, pid_t parent, const char* log,
   if (child.starts > 1) {
     ::setenv("LIMPET_RESTARTED", "1", 1);  // NOLINT(concurrency-mt-unsafe)
   }
+  if (!child.item.working_folder.empty() && ::chdir(child.item.working_folder.c_str()) != 0) {
+    ::_exit(kExecFailed);
+  }
   Inherit("LIMPET_KEPT_FD", child.kept);
   Inherit("LIMPET_BEAT_FD", child.heart.descriptor());
   ::execv(argv[0], argv);

@@ -38,6 +38,7 @@ std::span<const ProgramStandIn> StandIns() {
        .lines = {{.key = "start_in_drive",
                   .value = "false",
                   .other_names = {"start_indrive", "start_engaged", "active_start"}},
+                 {.key = "at_points", .value = "true"},
                  {.key = "survey_altitude_m", .value = "4"},
                  {.key = "turning_radius_m", .value = "3"},
                  {.key = "camera_fov_across_deg", .value = "80"},

@@ -82,7 +82,7 @@ inline const auto kBehaviorFunction = Declare<std::string>(
     "BHV_IPF",
     "with post_ipf: a behavior's bid on the motion, as uFunctionVis and alogview read it",
     {.rate = "each iteration and behavior", .writers = {"pHelm"}});
-inline const auto kHelmRejournal = Declare<std::string>(
+inline const auto kHelmRejournal = Declare<double>(
     "IVPHELM_REJOURNAL", "asks for a whole IVPHELM_SUMMARY",
     {.rate = "on event", .writers = {"pNodeReporter", "uHelmScope"}, .is_command = true});
 inline const auto kHelmMapClear = Declare<std::string>(

@@ -91,6 +91,21 @@ TEST(MotionDecision, KeepsSpeedAndDepthInsideTheMissionsDomain) {
   }
 }
 
+TEST(MotionDecision, IsAtAPointOfTheDomainIfAsked) {
+  MotionDomain domain;
+  domain.speed = MotionAxis{.low = 0.0, .high = 4.0, .points = 21};
+  MotionArbiter arbiter(domain, {}, true);
+  for (const auto& [speed, point] : {std::pair{1.3, 1.2}, {1.31, 1.4}, {0.05, 0.0}, {9.0, 4.0}}) {
+    MovingBehavior fast(Speed(speed));
+    EXPECT_NEAR(*arbiter.Decide({{{"fast", 1.0, &fast}}}, {}).speed, point, 1e-12) << speed;
+  }
+  for (const auto& [course, point] : {std::pair{10.4, 10.0}, {-0.4, 0.0}, {-1.2, 359.0}}) {
+    MovingBehavior turning(Course(RadiansFromDegrees(course)));
+    const double decided = *arbiter.Decide({{{"turning", 1.0, &turning}}}, {}).course;
+    EXPECT_NEAR(WrapAngle(decided - RadiansFromDegrees(point)), 0.0, 1e-12) << course;
+  }
+}
+
 TEST(MotionDecision, DependsOnWeightsInProportionAndOnNoOrder) {
   Random random(2, "weights");
   for (int run = 0; run < 200; ++run) {

@@ -46,6 +46,14 @@ TEST(MotionArbitration, GivesWayToTheHeavierOfTwoThatExcludeEachOther) {
   EXPECT_DOUBLE_EQ(MaximizeOverInterval(peaks, 0.0, 10.0), 8.0);
 }
 
+TEST(MotionArbitration, GoesAsFarAsItMayForWhoWantsMore) {
+  const WeightedPeak at_most_7{{.summit = 3.5, .flat_half_width = 3.5, .base_half_width = 4.5},
+                               2.0};
+  const WeightedPeak deep{{.summit = 50.0, .flat_half_width = 8.0, .base_half_width = 20.0}, 1.0};
+  EXPECT_EQ(MaximizeOverInterval(std::vector{at_most_7, deep}, 0.0, 199.0), 7.0);
+  EXPECT_EQ(MaximizeOverInterval(std::vector{at_most_7}, 0.0, 199.0), 3.5);
+}
+
 TEST(MotionArbitration, NeverDoesWorseThanAFineGrid) {
   Random random(7);
   for (int trial = 0; trial < 200; ++trial) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/launch/launch_plan.hpp"
 
+#include <cstdlib>
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -54,6 +55,24 @@ TEST_F(LaunchPlanTest, GivesEachProcessTheMissionAndItsName) {
   EXPECT_EQ(plan.items[0].name, "pEchoTwo");
   EXPECT_THAT(plan.items[0].args, ElementsAre(plan.mission_file.string(), "pEchoTwo"));
   EXPECT_EQ(plan.items[0].restart, RestartPolicy::kOnFailure);
+}
+
+TEST_F(LaunchPlanTest, RunsAProgramThatIsNotOursWhereTheMissionIs) {
+  const std::string before = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe): one thread
+  const TemporaryFolder stock;
+  for (const fs::path& program : {stock.path() / "iStock", programs() / "pHelmIvP"}) {
+    std::ofstream(program) << "#!/bin/sh\n";
+    fs::permissions(program, fs::perms::owner_all);
+  }
+  ::setenv("PATH", (stock.path().string() + ":" + before).c_str(), 1);  // NOLINT
+  const LaunchPlan plan = Plan("  Run = pEcho\n  Run = iStock\n  Run = pHelmIvP\n");
+  ::setenv("PATH", before.c_str(), 1);  // NOLINT
+  ASSERT_EQ(plan.items.size(), 3U);
+  EXPECT_EQ(plan.items[0].working_folder, "");
+  for (const std::size_t i : {1U, 2U}) {
+    EXPECT_EQ(plan.items[i].working_folder, plan.mission_file.parent_path());
+    EXPECT_TRUE(fs::path(plan.items[i].args.at(0)).is_absolute());
+  }
 }
 
 TEST_F(LaunchPlanTest, StartsLimpetDbWhereAMissionNamesMoosdb) {

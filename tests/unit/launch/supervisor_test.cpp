@@ -51,6 +51,14 @@ TEST_F(SupervisorTest, KeepsWhatAProcessPrints) {
   EXPECT_FALSE(supervisor_.has_given_up());
 }
 
+TEST_F(SupervisorTest, RunsAProcessInItsFolder) {
+  LaunchItem item = Shell("pWhere", "pwd");
+  item.working_folder = "/usr";
+  supervisor_.Start(item);
+  EXPECT_TRUE(PollUntil([] { return false; }));
+  EXPECT_EQ(LogOf("pWhere"), "/usr\n");
+}
+
 TEST_F(SupervisorTest, StartsAgainWhatFailed) {
   supervisor_.Start(Shell("pFail", "echo try; exit 1"));
   EXPECT_TRUE(PollUntil([this] { return LogOf("pFail").size() >= 8; }));

@@ -115,6 +115,24 @@ TEST_F(HelmAppTest, IntroducesItselfOnce) {
   EXPECT_THAT(Posts("IVPHELM_REGISTER"), ElementsAre("DEPLOY", "MODE"));
 }
 
+TEST_F(HelmAppTest, SaysAllOfItselfToWhoAsksWithANumberOrAWord) {
+  Tick();
+  Tick();
+  const auto is_whole = [this] {
+    return Posts("IVPHELM_SUMMARY").back().find("ivpdomain=") != std::string::npos;
+  };
+  EXPECT_FALSE(is_whole());
+  link_.Send(*app_, topics::kHelmRejournal, 1.0);
+  Tick();
+  EXPECT_TRUE(is_whole());
+  Tick();
+  Topic<std::string> as_word;
+  as_word.name = topics::kHelmRejournal.name;
+  link_.Send(*app_, as_word, std::string("true"));
+  Tick();
+  EXPECT_TRUE(is_whole());
+}
+
 TEST_F(HelmAppTest, SaysItsStateEachIterationAndItsAllStopOnChange) {
   Tick();
   Deploy();

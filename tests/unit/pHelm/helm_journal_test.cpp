@@ -63,8 +63,8 @@ class HelmJournalTest : public ::testing::Test {
 
 TEST_F(HelmJournalTest, TheFirstSummaryIsWhole) {
   EXPECT_EQ(SummaryOf(Iteration(1)),
-            "iter=1,utc_time=1000.10,ofnum=2,warnings=0,var=course:92.1,var=speed:0.5,"
-            "var=depth:varbalk,halted=false,modes=MODE@ACTIVE:SURVEYING,"
+            "iter=1,utc_time=1000.10,ofnum=2,warnings=0,var=course:92.1,var=speed:0.5,halted=false,"
+            "modes=MODE@ACTIVE:SURVEYING,"
             "running_bhvs=cover$1000.10$0/0,active_bhvs=follow$1000.10$100$0$0$3/4$1,"
             "disabled_bhvs=none,idle_bhvs=home$0.00$0/0,completed_bhvs=none,"
             "ivpdomain=\"course,0,359,360:speed,0,1,21\"");
@@ -75,8 +75,17 @@ TEST_F(HelmJournalTest, LaterSummariesSayWhatChanged) {
   EXPECT_EQ(SummaryOf(Iteration(2)), "iter=2,utc_time=1000.20");
   HelmIteration turned = Iteration(3);
   turned.course_deg = 100.0;
-  EXPECT_EQ(SummaryOf(turned),
-            "iter=3,utc_time=1000.30,var=course:100,var=speed:0.5,var=depth:varbalk");
+  EXPECT_EQ(SummaryOf(turned), "iter=3,utc_time=1000.30,var=course:100,var=speed:0.5");
+}
+
+TEST_F(HelmJournalTest, ADepthThatNobodyBidOnIsSaidWhereItIsDecided) {
+  std::string summary;
+  HelmJournal journal({"course:0:359:360", "speed:0:1:21", "depth:0:20:201"},
+                      [&summary](const std::string& variable, const Value& value) {
+                        if (variable == "IVPHELM_SUMMARY") summary = std::get<std::string>(value);
+                      });
+  journal.PostIteration(Iteration(1));
+  EXPECT_THAT(summary, HasSubstr("var=speed:0.5,var=depth:varbalk"));
 }
 
 TEST_F(HelmJournalTest, ASummaryIsWholeAgainForWhoAsks) {

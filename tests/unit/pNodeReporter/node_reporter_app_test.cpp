@@ -83,6 +83,7 @@ TEST_F(NodeReporterTest, AsksForTheModesItHasMissed) {
   link_.Send(app, topics::kHelmSummary, std::string("iter=901,utc_time=1.10"));
   ASSERT_EQ(link_.published.size(), 1U);
   EXPECT_EQ(link_.published[0]->name, "IVPHELM_REJOURNAL");
+  EXPECT_EQ(link_.published[0]->value, Value(1.0)) << "the type that uHelmScope writes";
 }
 
 TEST_F(NodeReporterTest, KeepsToItsBlackoutInterval) {
