@@ -82,6 +82,7 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
              .course = params.lead_course,
              .speed = params.lead_speed},
             [this](std::string variable, Value value) {
+              if (variable != topics::kHelmLead.name) led_answers_.Sent(variable, now());
               PublishRaw(std::move(variable), std::move(value));
             }) {
   is_parked_ = !params_.start_in_drive;
@@ -92,6 +93,11 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
   HearSurvey();
   SubscribeRaw(topics::kHelmRejournal.name, [this](const MessagePtr&) { journal_.Rejournal(); });
   SubscribeRaw(topics::kHelmMapClear.name, [this](const MessagePtr&) { host_.ForgetPosts(); });
+  if (lead_.leads()) {
+    SubscribeRaw(topics::kHelmUpdateResult.name, [this](const MessagePtr& message) {
+      if (const auto* text = std::get_if<std::string>(&message->value)) led_answers_.Hear(*text);
+    });
+  }
   SubscribeForBehaviors();
 }
 
@@ -134,6 +140,7 @@ void HelmApp::SubscribeForBehaviors() {
     if (heard_variables_.insert(variable).second) {
       SubscribeRaw(variable, [this](const MessagePtr& message) {
         host_.SetVariable(message->name, message->value, message->time);
+        journal_.PostUpdateResults(host_.TakeUpdateResults());
       });
     }
   }
@@ -250,6 +257,7 @@ void HelmApp::Tick(Seconds now) {
     Steer(state);
   }
   SettleBehaviors(state);
+  if (lead_.leads()) JudgeLedHelm(now);
   GatherFailures();
   TellFailures();
   TellBehaviorWarnings();
@@ -340,6 +348,15 @@ void HelmApp::SettleBehaviors(const VehicleState& state) {
   journal_.PostLifeEvents(events, helm_iteration_, state.now);
   if (!events.empty()) {
     SubscribeForBehaviors();
+    journal_.PostUpdateVariables(host_.UpdateVariables());
+  }
+}
+
+void HelmApp::JudgeLedHelm(Seconds now) {
+  if (const std::optional<std::string> complaint = led_answers_.Complaint(now)) {
+    Warn(warnings::kLedHelmDeaf, *complaint);
+  } else {
+    ClearWarning(warnings::kLedHelmDeaf);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "apps/pHelm/helm_drawing.hpp"
 #include "apps/pHelm/helm_journal.hpp"
 #include "apps/pHelm/helm_lead.hpp"
+#include "apps/pHelm/led_answers.hpp"
 #include "apps/pHelm/stock_nav.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/helm/behavior_host.hpp"
@@ -72,6 +73,7 @@ class HelmApp final : public App {
   void PostInitialValues();
   void Post(const std::vector<HelmPost>& posts);
   void DecideView(Seconds now);
+  void JudgeLedHelm(Seconds now);
   /// Says which objects still want a look, and which will get none.
   void TellRevisits(Seconds now);
   [[nodiscard]] std::string RevisitText() const;
@@ -129,6 +131,7 @@ class HelmApp final : public App {
   HelmJournal journal_;
   HelmDrawing drawing_;
   HelmLead lead_;
+  LedAnswers led_answers_;
 };
 
 }  // namespace limpet

@@ -2,6 +2,7 @@
 #include "apps/pHelm/helm_journal.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -61,7 +62,11 @@ void HelmJournal::PostStart(const BehaviorHost& host, Seconds now) {
     post_(topics::kHelmRegister.name, variable);
     heard += (heard.empty() ? "" : ",") + variable;
   }
+  for (const std::string& variable : host.PostedVariables()) {
+    heard += (heard.empty() ? "" : ",") + variable;
+  }
   post_(topics::kHelmStateVars.name, heard);
+  PostUpdateVariables(host.UpdateVariables());
 }
 
 namespace {
@@ -144,6 +149,9 @@ void HelmJournal::PostIteration(const HelmIteration& iteration) {
   }
   post_(topics::kHelmIteration.name, static_cast<double>(iteration.number));
   post_(topics::kHelmSummary.name, std::move(summary));
+  if (std::exchange(functions_, iteration.functions) != iteration.functions) {
+    post_(topics::kHelmFunctionCount.name, static_cast<double>(iteration.functions));
+  }
   if (are_behaviors_new) {
     PostNames(topics::kHelmActive.name, topics::kHelmActiveCount.name, State::kActive);
     PostNames(topics::kHelmRunning.name, topics::kHelmRunningCount.name, State::kRunning);
@@ -154,12 +162,13 @@ void HelmJournal::PostIteration(const HelmIteration& iteration) {
 void HelmJournal::PostLifeEvents(std::span<const LifeEvent> events, std::int64_t iteration,
                                  Seconds now) {
   constexpr const char* kKinds[] = {"spawn", "abort", "death"};
-  const int alive = alive_, completed = completed_;
+  const int alive = alive_, completed = completed_, made = made_;
   for (const LifeEvent& event : events) {
     alive_ += event.kind == LifeEvent::Kind::kSpawn   ? 1
               : event.kind == LifeEvent::Kind::kDeath ? -1
                                                       : 0;
     completed_ += event.kind == LifeEvent::Kind::kDeath ? 1 : 0;
+    made_ += event.kind == LifeEvent::Kind::kSpawn ? 1 : 0;
     const std::string seed = event.seed.empty() ? "" : ", seed=" + event.seed;
     const std::string reason = event.reason.empty() ? "" : ", post_mortem=" + event.reason;
     post_(topics::kHelmLifeEvent.name,
@@ -168,8 +177,21 @@ void HelmJournal::PostLifeEvents(std::span<const LifeEvent> events, std::int64_t
                       kKinds[static_cast<int>(event.kind)], seed, reason, iteration));
   }
   if (alive_ != alive) post_(topics::kHelmBehaviorCount.name, static_cast<double>(alive_));
+  if (made_ != made) post_(topics::kHelmBehaviorCountEver.name, static_cast<double>(made_));
   if (completed_ != completed) {
     post_(topics::kHelmCompletedCount.name, static_cast<double>(completed_));
+  }
+}
+
+void HelmJournal::PostUpdateResults(std::span<const std::string> results) {
+  for (const std::string& result : results)
+    post_(topics::kHelmUpdateResult.name, result);
+}
+
+void HelmJournal::PostUpdateVariables(const std::string& variables) {
+  if (update_variables_ != variables) {
+    update_variables_ = variables;
+    post_(topics::kHelmUpdateVars.name, variables);
   }
 }
 

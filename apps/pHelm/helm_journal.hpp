@@ -44,6 +44,10 @@ class HelmJournal {
   void PostIteration(const HelmIteration& iteration);
   /// Who was made or has ended in an iteration.
   void PostLifeEvents(std::span<const LifeEvent> events, std::int64_t iteration, Seconds now);
+  /// What became of updates.
+  void PostUpdateResults(std::span<const std::string> results);
+  /// Where behaviors take them, if that is new.
+  void PostUpdateVariables(const std::string& variables);
   /// The next summary is a whole one.
   void Rejournal() { summary_.clear(); }
 
@@ -74,6 +78,9 @@ class HelmJournal {
   Seconds started_{0.0};
   int completed_ = 0;  ///< behaviors that have ended
   int alive_ = 0;
+  int made_ = 0;                                ///< behaviors, ever
+  int functions_ = -1;                          ///< as last posted
+  std::string update_variables_;                ///< likewise
   std::map<std::string, std::string> summary_;  ///< fields as last posted
   std::map<State, std::string> names_;          ///< as last posted
 };

@@ -46,6 +46,17 @@ inline const WarningId kNoOption = DeclareWarning(
          "See in `limpet why` who vetoes what; if it lasts, call the vehicle home with RETURN.",
      .clears = "With the next decision that finds an option."});
 
+inline const WarningId kLedHelmDeaf = DeclareWarning(
+    "LED_HELM_DEAF",
+    {.severity = Severity::kAlarm,
+     .raised_by = {"pHelm"},
+     .meaning =
+         "The helm that this one leads has refused an update, or said nothing of one for ten "
+         "seconds (IVPHELM_UPDATE_RESULT): the vehicle may not go where it is told.",
+     .action = "See that the other helm runs, that its behaviors have the lines `updates = ...` of "
+               "`lead`, `lead_depth`, `lead_course` and `lead_speed`, and what BHV_WARNING says.",
+     .clears = "Once each of its behaviors has taken an update again."});
+
 inline const WarningId kObjectsGivenUp = DeclareWarning(
     "OBJECTS_GIVEN_UP",
     {.severity = Severity::kNote,

@@ -93,6 +93,29 @@ std::vector<ConfigProblem> BehaviorHost::IgnoredLines() const {
   return lines;
 }
 
+std::vector<std::string> BehaviorHost::PostedVariables() const {
+  std::set<std::string> names;
+  for (const auto& hosted : hosted_) {
+    const FlagLists& lists = hosted->settings().flags;
+    for (const auto* flags : {&lists.spawn, &lists.spawnx, &lists.config, &lists.run, &lists.runx,
+                              &lists.active, &lists.inactive, &lists.idle, &lists.end}) {
+      for (const Flag& flag : *flags)
+        names.insert(flag.variable);
+    }
+  }
+  return {names.begin(), names.end()};
+}
+
+std::string BehaviorHost::UpdateVariables() const {
+  std::string text;
+  for (const auto& hosted : hosted_) {
+    const std::string& variable = hosted->settings().updates_variable;
+    if (variable.empty()) continue;
+    text += fmt::format("{}{}={}", text.empty() ? "" : ",", hosted->name(), variable);
+  }
+  return text;
+}
+
 bool BehaviorHost::WantsView() const {
   return std::ranges::any_of(hosted_, [](const auto& hosted) { return hosted->WantsView(); });
 }
@@ -122,10 +145,14 @@ void BehaviorHost::SetVariable(const std::string& name, const Value& value, Seco
     }
     std::erase_if(update_warnings_,
                   [&hosted](const OwnedWarning& old) { return old.owner == hosted->name(); });
-    if (const auto complaint = hosted->ApplyUpdate(*text)) {
+    const UpdateOutcome outcome = hosted->ApplyUpdate(*text);
+    if (outcome.complaint) {
       update_warnings_.push_back(
-          {hosted->name(), {warnings::kBehaviorUpdate.Of(hosted->name()), *complaint}});
+          {hosted->name(), {warnings::kBehaviorUpdate.Of(hosted->name()), *outcome.complaint}});
     }
+    update_results_.push_back(fmt::format("bhv={},var={},time={:.2f},result={},val={}",
+                                          hosted->name(), name, time.value(), outcome.result,
+                                          *text));
     is_updated = true;
   }
   if (is_updated) {  // told also by a helm that stands still, for want of navigation

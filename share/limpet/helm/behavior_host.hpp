@@ -43,6 +43,14 @@ class BehaviorHost {
   /// Variables whose mail the host wants: all that conditions, modes, updates and behaviors name.
   /// May grow while behaviors are spawned and updated.
   [[nodiscard]] std::vector<std::string> Variables() const;
+  /// Variables that flags of its behaviors post.
+  [[nodiscard]] std::vector<std::string> PostedVariables() const;
+  /// `survey=SURVEY_UPDATES,...`: in which variable each behavior takes updates.
+  [[nodiscard]] std::string UpdateVariables() const;
+  /// What became of each update since the last call, as IVPHELM_UPDATE_RESULT has it.
+  [[nodiscard]] std::vector<std::string> TakeUpdateResults() {
+    return std::exchange(update_results_, {});
+  }
   /// Lines of the behaviors' blocks that are known from existing missions and have no effect.
   [[nodiscard]] std::vector<ConfigProblem> IgnoredLines() const;
   /// True if a behavior asks for view decisions when it runs.
@@ -102,6 +110,7 @@ class BehaviorHost {
   std::string mode_text_;
   std::vector<BehaviorStatus> statuses_;
   std::vector<LifeEvent> events_;
+  std::vector<std::string> update_results_;
   std::vector<BehaviorFailure> failures_;
   std::vector<OwnedWarning> late_calls_;
   std::vector<OwnedWarning> update_warnings_, ignored_warnings_;

@@ -27,4 +27,10 @@ struct BehaviorUpdate {
 /// what else `is_repeatable` add one.
 void PutInto(ConfigBlock& block, const ConfigEntry& part, bool is_repeatable);
 
+/// What became of an update, in MOOS-IvP's words.
+struct UpdateOutcome {
+  std::string_view result;  ///< success, param_error, name_mismatch or duplicate
+  std::optional<std::string> complaint{};
+};
+
 }  // namespace limpet

@@ -59,9 +59,9 @@ class HostedBehavior {
   void MarkSpawned(std::string base_name) { spawn_base_ = std::move(base_name); }
   /// Mail of a variable, e.g. one that winds its duration up.
   void Hear(const std::string& variable, const Value& value);
-  /// An update for it, unless that names another one. Parts that cannot be applied are left out;
-  /// the complaint about them, or nothing.
-  [[nodiscard]] std::optional<std::string> ApplyUpdate(const std::string& text);
+  /// An update for it, unless that names another one. Parts that cannot be applied are left out,
+  /// and complained about.
+  [[nodiscard]] UpdateOutcome ApplyUpdate(const std::string& text);
 
   /// Before the bids: conditions, duration and starvation decide whether it runs.
   void Begin(HelmTurn& turn);

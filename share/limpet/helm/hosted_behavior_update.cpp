@@ -51,11 +51,10 @@ std::optional<std::string> HostedBehavior::TryPart(const ConfigEntry& part,
   return std::nullopt;
 }
 
-std::optional<std::string> HostedBehavior::ApplyUpdate(const std::string& text) {
+UpdateOutcome HostedBehavior::ApplyUpdate(const std::string& text) {
   const BehaviorUpdate update = ParseUpdate(text, settings_.updates_variable);
-  if (!IsMeant(update) || (text == last_update_ && !MayRepeat(text))) {
-    return std::nullopt;
-  }
+  if (!IsMeant(update)) return {.result = "name_mismatch"};
+  if (text == last_update_ && !MayRepeat(text)) return {.result = "duplicate"};
   ConfigBlock block = block_;
   std::string names, reasons;
   BehaviorUpdate good{.name = update.name, .parts = {}};
@@ -73,11 +72,11 @@ std::optional<std::string> HostedBehavior::ApplyUpdate(const std::string& text) 
   if (names.empty()) {
     ++good_updates_;
     last_update_ = text;
-    return std::nullopt;
+    return {.result = "success"};
   }
   ++bad_updates_;
   complaint_ = fmt::format("Faulty update for behavior: {}. Bad parameter(s): {}", name(), names);
-  return reasons;
+  return {.result = "param_error", .complaint = reasons};
 }
 
 void HostedBehavior::Rebuild(const ConfigBlock& block, const BehaviorUpdate& update) {

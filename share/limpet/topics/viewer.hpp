@@ -98,6 +98,19 @@ inline const auto kHelmModeSet =
                          {.rate = "once", .writers = {"pHelm"}});
 inline const auto kHelmBehaviorCount = Declare<double>("IVPHELM_BHV_CNT", "behaviors that exist",
                                                        {.rate = "on change", .writers = {"pHelm"}});
+inline const auto kHelmBehaviorCountEver =
+    Declare<double>("IVPHELM_BHV_CNT_EVER", "behaviors that have been made",
+                    {.rate = "on change", .writers = {"pHelm"}});
+inline const auto kHelmFunctionCount =
+    Declare<double>("IVPHELM_IPF_CNT", "bids on the motion that went into the decision",
+                    {.rate = "on change", .writers = {"pHelm"}});
+inline const auto kHelmUpdateVars = Declare<std::string>(
+    "IVPHELM_UPDATEVARS", "behavior=variable, ...: where behaviors take updates",
+    {.rate = "on change", .writers = {"pHelm"}});
+inline const auto kHelmUpdateResult = Declare<std::string>(
+    "IVPHELM_UPDATE_RESULT",
+    "bhv=, var=, time=, result=success, param_error, name_mismatch or duplicate, val=",
+    {.rate = "on event", .writers = {"pHelm"}});
 inline const auto kHelmLifeEvent =
     Declare<std::string>("IVPHELM_LIFE_EVENT", "a behavior was made, or ended",
                          {.rate = "on event", .writers = {"pHelm"}});
@@ -105,7 +118,7 @@ inline const auto kHelmRegister = Declare<std::string>(
     "IVPHELM_REGISTER", "a variable that the behavior files make the helm hear",
     {.rate = "once each", .writers = {"pHelm"}});
 inline const auto kHelmStateVars =
-    Declare<std::string>("IVPHELM_STATEVARS", "variables of conditions, modes and updates",
+    Declare<std::string>("IVPHELM_STATEVARS", "variables of conditions, modes, updates and flags",
                          {.rate = "once", .writers = {"pHelm"}});
 inline const auto kHelmActive =
     Declare<std::string>("IVPHELM_BHV_ACTIVE", "behaviors that run and bid",

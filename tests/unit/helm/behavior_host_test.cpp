@@ -158,6 +158,22 @@ TEST_F(BehaviorHostTest, AnUpdateChangesItsParametersFromThenOn) {
   EXPECT_EQ(host->statuses().at(0).updates, 1);
 }
 
+TEST_F(BehaviorHostTest, SaysWhatBecameOfEachUpdateAsStockHelmsDo) {
+  const auto host = HostOf("  updates = UP\n  endflag = DONE = true\n");
+  for (const char* text : {"pwt = 3", "pwt = 3", "pwt = fast", "name = other # pwt = 4"}) {
+    host->SetVariable("UP", Value(std::string(text)), Seconds(1.5));
+  }
+  EXPECT_THAT(host->TakeUpdateResults(),
+              ElementsAre("bhv=probe,var=UP,time=1.50,result=success,val=pwt = 3",
+                          "bhv=probe,var=UP,time=1.50,result=duplicate,val=pwt = 3",
+                          "bhv=probe,var=UP,time=1.50,result=param_error,val=pwt = fast",
+                          "bhv=probe,var=UP,time=1.50,result=name_mismatch,val=name = other # "
+                          "pwt = 4"));
+  EXPECT_THAT(host->TakeUpdateResults(), IsEmpty());
+  EXPECT_EQ(host->UpdateVariables(), "probe=UP");
+  EXPECT_THAT(host->PostedVariables(), ElementsAre("DONE"));
+}
+
 TEST_F(BehaviorHostTest, AnUpdateThatNamesAnotherBehaviorIsNotForThisOne) {
   const auto host = HostOf("  updates = UP\n  size_m = 2\n");
   host->SetVariable("UP", std::string("name = other # size_m = 3"));

@@ -138,9 +138,19 @@ TEST(HelmThatLeads, LeavesDesiredsModesAndTheHelmsOwnWordsToTheOther) {
   }
   EXPECT_THAT(posts, ElementsAre("BHV_SETTINGS", "DEPTH", "COURSE", "SPEED", "HELM_LEAD"))
       << "and what its own behavior is set to";
+  link.time += Seconds(11.0);
+  link.Send(app, topics::kNavState, NavState{});
+  app.Tick(link.time);
+  EXPECT_EQ(app.warnings().at("LED_HELM_DEAF").text,
+            "nobody answers to COURSE; nobody answers to DEPTH; nobody answers to SPEED");
+  for (const char* variable : {"COURSE", "DEPTH", "SPEED"}) {
+    link.Send(app, topics::kHelmUpdateResult,
+              std::string("bhv=any,var=") + variable + ",time=1.00,result=success,val=x");
+  }
   link.Send(app, topics::kManualOverride, true);
   link.time += Seconds(0.1);
   app.Tick(link.time);
+  EXPECT_FALSE(app.warnings().contains("LED_HELM_DEAF"));
   EXPECT_EQ(link.Last(topics::kHelmLead), "none");
 }
 
