@@ -10,6 +10,7 @@
 
 #include "apps/pHelm/helm_app.hpp"
 #include "limpet/helm/registry.hpp"
+#include "limpet/topics/viewer.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_link.hpp"
 
