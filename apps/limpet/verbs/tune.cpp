@@ -241,6 +241,10 @@ int Search(std::vector<std::string> words, const Arguments& given) {
     return run.Run(given.Has("json"));
   }
   const std::string out = *given.Find("resume");
+  if (!given.positionals().empty()) {
+    throw UsageError(fmt::format("--resume knows the mission from {}: leave out `{}`", OneLine(out),
+                                 OneLine(given.positionals().front())));
+  }
   std::vector<std::string> all = Remembered(out);
   std::ranges::move(Without("--out", Without("--resume", words)), std::back_inserter(all));
   all.push_back("--out=" + out);
