@@ -122,16 +122,23 @@ class Roles {
                        fmt::join(lack.variables, ", "), relation, fmt::join(lack.readers, ", "));
   }
 
-  /// Who has to write what none of our apps does here.
-  [[nodiscard]] std::string TextOfOthers(const Lack& lack) const {
-    constexpr std::size_t kMost = 3;  // more names say less
+  /// Who may write what none of our apps does here; a logger only listens.
+  [[nodiscard]] std::vector<std::string> Others() const {
     std::vector<std::string> others;
     for (const LaunchEntry& stranger : reading_.strangers()) {
-      if (others.size() == kMost) break;
-      others.push_back(stranger.binary);
+      if (stranger.binary != "pLogger") others.push_back(stranger.binary);
     }
-    if (reading_.strangers().size() > kMost) others.emplace_back("another app");
     if (reading_.Launches("pShare")) others.emplace_back("another community");
+    return others;
+  }
+  [[nodiscard]] std::string TextOfOthers(const Lack& lack) const {
+    constexpr std::size_t kMost = 3;  // more names say less
+    std::vector<std::string> others = Others();
+    if (others.empty()) others.emplace_back("a program that is not launched here");
+    if (others.size() > kMost) {
+      others.resize(kMost);
+      others.emplace_back("another app");
+    }
     return fmt::format("{} must come from {}: {} needs it", fmt::join(lack.variables, ", "),
                        fmt::join(others, " or "), fmt::join(lack.readers, ", "));
   }

@@ -163,6 +163,24 @@ TEST(CheckVerbOfFiles, NotesStockBehaviorsAndRefusesSlips) {
   EXPECT_THAT(slip.text, HasSubstr("did you mean `BHV_StationKeep`?"));
 }
 
+TEST(CheckVerbOfFiles, ExpectsNothingOfALoggerThatOnlyListens) {
+  const TemporaryFolder folder;
+  const fs::path moos = folder.path() / "a.moos";
+  const auto check = [&moos](const std::string& others) {
+    std::ofstream(moos) << "ServerPort = 9000\nCommunity = alpha\nLatOrigin = 44\nLongOrigin = 9\n"
+                        << "ProcessConfig = ANTLER\n{\n  Run = LimpetDB\n  Run = pNodeReporter\n"
+                        << others << "}\n";
+    return Check({moos.string()});
+  };
+  const Checked alone = check("  Run = pLogger\n");
+  EXPECT_EQ(alone.exit_code, kOk) << alone.text;
+  EXPECT_THAT(alone.text, HasSubstr("must come from a program that is not launched here: "
+                                    "pNodeReporter needs it"));
+  const Checked simulated = check("  Run = pLogger\n  Run = uSimMarine\n");
+  EXPECT_EQ(simulated.exit_code, kOk) << simulated.text;
+  EXPECT_THAT(simulated.text, HasSubstr("must come from uSimMarine: pNodeReporter needs it"));
+}
+
 TEST(CheckVerbOfFiles, NotesWhatAStockPShareWouldHaveToSayToBeOurs) {
   const TemporaryFolder folder;
   const fs::path moos = folder.path() / "shoreside.moos";
