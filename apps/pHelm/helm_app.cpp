@@ -11,7 +11,6 @@
 #include "limpet/app/registry.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/core/frames.hpp"
-#include "limpet/helm/behavior_failure_warnings.hpp"
 #include "limpet/helm/behavior_modules.hpp"
 #include "limpet/helm/motion_domain.hpp"
 #include "limpet/mission/shared_settings.hpp"
@@ -314,32 +313,6 @@ void HelmApp::DecideView(Seconds now) {
   }
 }
 
-void HelmApp::GatherFailures() {
-  std::vector<BehaviorFailure> failures = view_failures_;
-  std::ranges::move(std::exchange(call_failures_, {}), std::back_inserter(failures));
-  std::ranges::move(host_.TakeFailures(), std::back_inserter(failures));
-  for (BehaviorFailure& failure : failures) {
-    const bool is_known = std::ranges::find(motion_.failures, failure) != motion_.failures.end();
-    if (is_known) continue;
-    motion_.warnings.push_back(
-        {.owner = failure.owner,
-         .warning = {warnings::kBehaviorFailed.Of(failure.owner), failure.text}});
-    motion_.failures.push_back(std::move(failure));
-  }
-  std::ranges::copy(view_late_, std::back_inserter(motion_.warnings));
-  std::ranges::move(std::exchange(call_late_, {}), std::back_inserter(motion_.warnings));
-  std::ranges::move(host_.TakeLateCalls(), std::back_inserter(motion_.warnings));
-}
-
-void HelmApp::TellFailures() {
-  std::string text;
-  for (const BehaviorFailure& failure : motion_.failures) {
-    text += (text.empty() ? "" : "; ") + failure.owner + ": " + failure.text;
-  }
-  if (!text.empty() && text != told_failures_) Publish(topics::kBehaviorError, text);
-  told_failures_ = std::move(text);
-}
-
 void HelmApp::SettleBehaviors(const VehicleState& state) {
   const std::vector<std::string_view> active =
       is_parked_ ? std::vector<std::string_view>() : ActiveBehaviors();
@@ -349,27 +322,6 @@ void HelmApp::SettleBehaviors(const VehicleState& state) {
   if (!events.empty()) {
     SubscribeForBehaviors();
     journal_.PostUpdateVariables(host_.UpdateVariables());
-  }
-}
-
-void HelmApp::JudgeLedHelm(Seconds now) {
-  if (const std::optional<std::string> complaint = led_answers_.Complaint(now)) {
-    Warn(warnings::kLedHelmDeaf, *complaint);
-  } else {
-    ClearWarning(warnings::kLedHelmDeaf);
-  }
-}
-
-void HelmApp::TellBehaviorWarnings() {
-  std::vector<OwnedWarning> raised = motion_.warnings;
-  const std::vector<OwnedWarning> of_host = host_.warnings();
-  raised.insert(raised.end(), of_host.begin(), of_host.end());
-  const WarningBook::Change change = warning_book_.Update(raised);
-  for (const WarningId& id : change.cleared) {
-    ClearWarning(id);
-  }
-  for (const BehaviorWarning& warning : change.standing) {
-    Warn(warning.id, warning.text);
   }
 }
 
