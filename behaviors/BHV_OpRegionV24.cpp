@@ -13,6 +13,7 @@
 #include "limpet/helm/heard_altitude.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/helm/updated_keys.hpp"
+#include "limpet/topics/warning.hpp"
 #include "limpet/waypoints/map_geometry.hpp"
 #include "limpet/waypoints/point_list.hpp"
 #include "limpet/waypoints/ray_approach.hpp"
@@ -20,6 +21,14 @@
 
 namespace limpet {
 namespace {
+
+const WarningId kCoreRefused = DeclareWarning(
+    "REGION_REFUSED",
+    {.severity = Severity::kWarning,
+     .raised_by = {"BHV_OpRegionV24"},
+     .meaning = "Mail of dynamic_region_var is no convex polygon: the region is where it was.",
+     .action = "Look at what writes that variable.",
+     .clears = "With mail that is one, or when the behavior runs no more."});
 
 /// The polygon so far about `core`, or `otherwise`; throws ConfigError if there is no core.
 std::optional<ConvexPolygon> About(const std::optional<ConvexPolygon>& core,
@@ -63,7 +72,8 @@ std::vector<std::string> BHV_OpRegionV24::Variables() const {
 bool BHV_OpRegionV24::TakeOver(const Behavior& former, const std::vector<std::string>& keys) {
   const auto& old = dynamic_cast<const BHV_OpRegionV24&>(former);
   reset_at_ = old.reset_at_;
-  core_at_ = old.core_at_;
+  // Mail that moved the core is heard once more, unless the update has another.
+  if (HasKey(keys, {"core_poly"})) core_at_ = old.core_at_;
   if (!HasKey(keys, {"reset"}) || !params_.is_reset) watch_ = old.watch_;
   return true;
 }
@@ -88,7 +98,8 @@ void BHV_OpRegionV24::HearCore(const VehicleState& state) {
   core_at_ = heard->time;
   auto corners = ParsePoints(*text);
   auto core = corners ? ConvexPolygon::Of(*std::move(corners)) : std::nullopt;
-  if (!core) return;  // the former one goes on
+  is_core_refused_ = !core;
+  if (!core) return;  // the former one goes on, and that is said
   params_.core = std::move(core);
   save_ = About(params_.core, params_.save_distance, "save_dist", params_.save);
   halt_ = About(params_.core, params_.halt_distance, "halt_dist", params_.halt);
@@ -203,6 +214,10 @@ MotionBid BHV_OpRegionV24::Move(const VehicleState& state) {
   MotionBid bid;
   ActList acts;
   Begin(state);
+  if (is_core_refused_) {
+    bid.warning = BehaviorWarning{
+        kCoreRefused, params_.core_variable + " is no convex polygon: the former one counts"};
+  }
   if (!std::exchange(is_polygon_told_, true) && halt_) {
     acts.Post(params_.polygon_variable, "pts={" + PointsText(halt_->corners()) + "}");
   }

@@ -92,6 +92,7 @@ class BHV_OpRegionV24 final : public Behavior {
   Watch watch_;
   std::optional<Seconds> reset_at_;  ///< time of the mail that reset it last
   std::optional<Seconds> core_at_;   ///< of the last that moved its core
+  bool is_core_refused_ = false;     ///< the last mail of it was no polygon
   bool is_polygon_told_ = false;     ///< in `polygon_variable`
 };
 

@@ -209,7 +209,12 @@ TEST(BhvOpRegionV24, TakesAnotherCoreFromTheVariableThatTellsIt) {
                                   "  save_flag = SAVED = true\n");
   flight.Fly(1.0);
   flight.Say("CORE", "no polygon");
+  flight.Tick();
+  EXPECT_EQ(flight.decision().warnings.at(0).warning.id.name(), "REGION_REFUSED");
   flight.Say("CORE", "format=radial, x=0, y=0, radius=150, pts=12");
+  flight.Tick();
+  EXPECT_TRUE(flight.decision().warnings.empty());
+  flight.Say("REGION_UPDATE", "recover_speed = 2");  // leaves the core where mail has put it
   ASSERT_TRUE(flight.FlyUntil([&] { return !flight.Last("SAVED").empty(); }, 200.0));
   EXPECT_GT(flight.x(), 150.0);
 }
