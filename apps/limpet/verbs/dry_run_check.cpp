@@ -16,6 +16,7 @@
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/verbs/scratch_folder.hpp"
 #include "limpet/core/interrupt.hpp"
+#include "limpet/runs/flown_mission.hpp"
 #include "limpet/runs/session_runner.hpp"
 
 namespace limpet {
@@ -23,12 +24,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool Launches(const MissionFile& mission, std::string_view app) {
+  const std::vector<std::string> apps = EmbeddedApps(mission);
+  return std::ranges::find(apps, app) != apps.end();
+}
+
 /// Without these a flight says nothing of the mission.
 void RequireApps(const MissionFile& mission) {
-  const std::vector<std::string> apps = EmbeddedApps(mission);
   for (const std::string_view needed :
        {"uSimVehicle", "uSimSensors", "uSimCamera", "pSurvey", "pHelm", "pSafety"}) {
-    if (std::ranges::find(apps, needed) == apps.end()) {
+    if (!Launches(mission, needed)) {
       throw UsageError(
           fmt::format("{}: launches no {}, which a dry run needs", mission.file, needed));
     }
@@ -90,7 +95,7 @@ int DryRun::ExitCode() const { return is_interrupted ? kFailed : refused() == 0 
 
 DryRun FlyDryRun(const fs::path& path, const DryRunSeeds& seeds,
                  const std::function<void(const SeedFlight&)>& told) {
-  const fs::path file = MissionFileAt(path);
+  const fs::path file = FlownMissionAt(path);
   const MissionFile read = LoadMission(file);
   RequireApps(read);
   const MissionFile mission = PreparedForDryRun(read);

@@ -16,6 +16,7 @@
 #include "limpet/describe/safety_list.hpp"
 #include "limpet/mission/mission_file.hpp"
 #include "limpet/mission/scenario.hpp"
+#include "limpet/runs/flown_mission.hpp"
 #include "limpet/safety/safety_params.hpp"
 #include "limpet/safety_trials/safety_trial.hpp"
 
@@ -54,7 +55,7 @@ fs::path MissionFileOf(const std::string& path) {
   if (!fs::exists(path)) {
     throw UsageError(fmt::format("{}: there is no such file or folder", path));
   }
-  return MissionFileAt(path);
+  return FlownMissionAt(path);
 }
 
 SafetySettings SettingsOf(const std::string& path) {
