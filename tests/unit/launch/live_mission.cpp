@@ -26,9 +26,11 @@ const fs::path kLiveSource = fs::path(LIMPET_SOURCE_DIR);
 constexpr Seconds kMinute(60.0);
 constexpr Seconds kNap(0.005);
 
+/// As far as it can be read: a process ends while one reads of it.
 std::string WholeText(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
 }
 
 /// What is launched of the mission: without camera and map there is nothing to see, and less to do.
