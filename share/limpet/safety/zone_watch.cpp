@@ -2,23 +2,67 @@
 #include "limpet/safety/zone_watch.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "limpet/survey/inscribed_circle.hpp"
 #include "limpet/survey/survey_shape.hpp"
 
 namespace limpet {
+namespace {
+
+constexpr double kMostCircles = 16384.0;
+constexpr double kFinest_m = 0.2;
+constexpr double kSharpCorner_m = 1.0;
+
+/// Between centres of a grid over the polygon's box.
+double SpacingOver(const SimplePolygon& outline) {
+  const PlanePoint extent = outline.high() - outline.low();
+  return std::max(kFinest_m, std::sqrt(extent.x() * extent.y() / kMostCircles));
+}
+
+}  // namespace
+
+ZoneWatch::Zone ZoneWatch::ZoneOf(const SimplePolygon& outline) {
+  Zone zone{.outline = outline,
+            .narrowest = std::min(kSharpCorner_m, InscribedRadius(outline)),
+            .spacing = SpacingOver(outline),
+            .circles = {}};
+  const double half = 0.5 * zone.spacing;
+  for (double north = outline.low().x() + half; north < outline.high().x(); north += zone.spacing) {
+    for (double east = outline.low().y() + half; east < outline.high().y(); east += zone.spacing) {
+      const PlanePoint centre(north, east);
+      if (const double radius = outline.Depth(centre); radius > 0.0) {
+        zone.circles.push_back({centre, radius});
+      }
+    }
+  }
+  std::ranges::stable_sort(zone.circles, std::ranges::greater(), &Circle::radius);
+  return zone;
+}
 
 ZoneWatch::ZoneWatch(const SurveyArea& area) {
   const Expected<SurveyShape> shape = SurveyShape::Of(area);
   for (const SimplePolygon& zone : shape->zones()) {
-    zones_.push_back({.outline = zone, .radius = InscribedRadius(zone)});
+    zones_.push_back(ZoneOf(zone));
   }
+}
+
+double ZoneWatch::Zone::HalfWidthAt(const PlanePoint& at) const {
+  // The greatest circle may have its centre between those that are known.
+  const double between = spacing / std::numbers::sqrt2;
+  const auto holder = std::ranges::find_if(circles, [&](const Circle& circle) {
+    return (circle.centre - at).norm() <= circle.radius + between;
+  });
+  return std::max(narrowest, holder == circles.end() ? 0.0 : holder->radius);
 }
 
 std::optional<double> ZoneWatch::ShareAt(const PlanePoint& at) const {
   std::optional<double> greatest;
   for (const Zone& zone : zones_) {
-    greatest = std::max(greatest.value_or(0.0), zone.outline.Depth(at) / zone.radius);
+    const double depth = std::max(0.0, zone.outline.Depth(at));
+    const double share = depth > 0.0 ? std::min(1.0, depth / zone.HalfWidthAt(at)) : 0.0;
+    greatest = std::max(greatest.value_or(0.0), share);
   }
   return greatest;
 }

@@ -9,23 +9,33 @@
 
 namespace limpet {
 
-/// How deep in a keep-out zone the vehicle is, by the zone's own size: in one of 3 m it is never
-/// more than 1.5 m inside.
+/// How deep in a keep-out zone the vehicle is, by the zone's own width there: in one of 3 m, and in
+/// an arm of 3 m of a wide one, it is never more than 1.5 m inside.
 class ZoneWatch {
  public:
   ZoneWatch() = default;
   /// REQUIRES: no ProblemOf(area).
   explicit ZoneWatch(const SurveyArea& area);
 
-  /// Distance to the zone's border as a share of the radius of its inscribed circle, the greatest
-  /// of all zones; 0 outside, absent where there is no zone.
+  /// Distance to the zone's border as a share of half the zone's width there: the radius of the
+  /// greatest circle inside it that holds the place. The greatest share of all zones; 0 outside,
+  /// absent where there is no zone.
   [[nodiscard]] std::optional<double> ShareAt(const PlanePoint& at) const;
 
  private:
+  struct Circle {
+    PlanePoint centre;
+    double radius = 0.0;
+  };
   struct Zone {
     SimplePolygon outline;
-    double radius = 0.0;  ///< of its inscribed circle [m]
+    double narrowest = 0.0;       ///< a radius of less counts as this [m]: in sharp corners
+    double spacing = 0.0;         ///< of the circles' centres [m]
+    std::vector<Circle> circles;  ///< inside, the greatest first
+
+    [[nodiscard]] double HalfWidthAt(const PlanePoint& at) const;
   };
+  [[nodiscard]] static Zone ZoneOf(const SimplePolygon& outline);
   std::vector<Zone> zones_;
 };
 
