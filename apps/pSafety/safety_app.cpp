@@ -50,6 +50,7 @@ void SafetyApp::SubscribeToProcesses() {
   SubscribeIfWritten(topics::kSurveyArea, &SafetyApp::OnArea);
   SubscribeIfWritten(topics::kSurveyHome, &SafetyApp::OnHome);
   SubscribeIfWritten(topics::kDesiredSpeed, &SafetyApp::OnSpeed);
+  SubscribeIfWritten(topics::kDesiredDepth, &SafetyApp::OnWantedDepth);
   SubscribeIfWritten(topics::kDesiredHeading, &SafetyApp::OnCourse);
   SubscribeIfWritten(topics::kThrusterCommand, &SafetyApp::Hear<ThrusterCommand>);
   SubscribeIfWritten(topics::kHelmState, &SafetyApp::OnHelmState);

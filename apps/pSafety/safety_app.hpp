@@ -41,6 +41,7 @@ class SafetyApp final : public App {
   void OnHome(const Stamped<HomePoint>& home) { signs_.Hear(home.value); }
   void OnDepth(const Stamped<double>& depth) { signs_.HearDepth(depth.value, now()); }
   void OnSpeed(const Stamped<double>& speed) { signs_.HearWantedSpeed(speed.value, now()); }
+  void OnWantedDepth(const Stamped<double>& depth) { signs_.HearWantedDepth(depth.value, now()); }
   void OnCourse(const Stamped<double>& degrees) { signs_.HearWantedCourse(degrees.value); }
   void OnDetections(const Stamped<Detections>& frame) { signs_.HearDetections(frame.value, now()); }
   void OnPhase(const Stamped<std::string>& phase) { signs_.HearPhase(phase.value, now()); }

@@ -51,6 +51,7 @@ enum class SafetyRuleId : std::size_t {
   kDepthAgainstAltitude,
   kGpsJump,
   kNoProgress,
+  kNoDepthProgress,
   kThrustersSaturated,
   kHelmSilent,
   kHelmIdle,
@@ -69,7 +70,7 @@ enum class SafetyRuleId : std::size_t {
   kMemoryHigh,
   kProcessorHigh
 };
-inline constexpr std::size_t kSafetyRules = 43;
+inline constexpr std::size_t kSafetyRules = 44;
 
 /// One row. What it watches is a number that must not go beyond a limit.
 struct SafetyRule {

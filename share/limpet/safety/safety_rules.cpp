@@ -58,8 +58,8 @@ constexpr std::array<SafetyRule, kSafetyRules> kTable{{
      .limit = {"region_limit_m", "m", 10.0, 0.0, 10000.0}, .hold = Seconds(5.0), .clears_after = {},
      .actions = {kNone, kNone, kNone, kReturn, kNone, kNone}},
     {.id = Id::kInsideZone, .name = "inside_zone",
-     .meaning = "Way into a keep-out zone (SURVEY_AREA) as a share of the zone's own half width, that of its inscribed circle: "
-                "what `outside_region` does not see in a narrow zone.",
+     .meaning = "Way into a keep-out zone (SURVEY_AREA) as a share of half the zone's width there, which is that of the greatest "
+                "circle inside it that holds the place: what `outside_region` does not see in a narrow zone.",
      .limit = {"zone_share_percent", "%", 50.0, 1.0, 100.0}, .hold = Seconds(1.0), .clears_after = {},
      .actions = {kNone, kNone, kNone, kReturn, kNone, kNone}},
     {.id = Id::kFarFromHome, .name = "far_from_home", .meaning = "Distance from SURVEY_HOME.",
@@ -121,6 +121,10 @@ constexpr std::array<SafetyRule, kSafetyRules> kTable{{
      .meaning = "What is wanted of speed less what is made good on the wanted course.",
      .limit = {"progress_lack_mps", "m/s", 0.3, 0.01, 10.0}, .hold = Seconds(30.0), .clears_after = {},
      .actions = {kNone, kNone, kNone, kSurface, kSurface, kNone}},
+    {.id = Id::kNoDepthProgress, .name = "no_depth_progress",
+     .meaning = "Time that another depth (DESIRED_DEPTH, off by more than 1 m) has been wanted and the vehicle has come no nearer.",
+     .limit = {"depth_lack_s", "s", 60.0, 1.0, 3600.0}, .hold = Seconds(0.0), .clears_after = Seconds(10.0),
+     .actions = {kNone, kNone, kSurface, kSurface, kSurface, kWarn}},
     {.id = Id::kThrustersSaturated, .name = "thrusters_saturated",
      .meaning = "Time that a thruster has been asked for all it gives.",
      .limit = {"saturated_s", "s", 60.0, 1.0, 3600.0}, .hold = Seconds(0.0), .clears_after = Seconds(10.0),

@@ -74,6 +74,7 @@ void SafetySigns::Hear(const ImuSample& imu, Seconds now) {
 void SafetySigns::HearDepth(double depth_m, Seconds now) {
   depth_m_ = depth_m;
   pressure_heard_ = now;
+  descent_.Hear(depth_m, now);
   pressure_.Hear({depth_m}, now);
 }
 
@@ -240,6 +241,7 @@ void SafetySigns::MeasureVehicle(SafetyMeasures& measures, Seconds now) const {
   }
   MeasureOf(measures, SafetyId::kMissionTime) = SinceOrZero(under_way_since_, now);
   MeasureOf(measures, SafetyId::kNoProgress) = ProgressLack(now);
+  MeasureOf(measures, SafetyId::kNoDepthProgress) = descent_.lacking_for();
   MeasureOf(measures, SafetyId::kThrustersSaturated) = SinceOrZero(saturated_since_, now);
   MeasureOf(measures, SafetyId::kDiskLow) = room_mib_;
   MeasureOf(measures, SafetyId::kDiskFull) = room_mib_;

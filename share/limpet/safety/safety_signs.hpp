@@ -7,6 +7,7 @@
 
 #include "limpet/objects/frame.hpp"
 #include "limpet/planning/region.hpp"
+#include "limpet/safety/depth_watch.hpp"
 #include "limpet/safety/helm_signs.hpp"
 #include "limpet/safety/safety_ladder.hpp"
 #include "limpet/safety/seabed_watch.hpp"
@@ -40,6 +41,7 @@ class SafetySigns {
   void Hear(const SonarPing& ping, Seconds now) { sonar_.Hear(ping, now); }
   void HearDepth(double depth_m, Seconds now);
   void HearWantedSpeed(double speed_mps, Seconds now) { wanted_speed_ = {now, speed_mps}; }
+  void HearWantedDepth(double depth_m, Seconds now) { descent_.Want(depth_m, now); }
   void HearWantedCourse(double degrees) { wanted_course_deg_ = degrees; }
   void HearDetections(const Detections& frame, Seconds now);
   void HearHelmState(std::string_view state, Seconds now) { helm_.HearState(state, now); }
@@ -94,6 +96,7 @@ class SafetySigns {
   StuckWatch<1> altitude_, pressure_;
   StuckWatch<6> imu_;
   SeabedWatch seabed_;
+  DepthWatch descent_;
   SonarWatch sonar_;
   bool has_sonar_ = false;
   std::optional<Stamped<GpsFix>> fix_;

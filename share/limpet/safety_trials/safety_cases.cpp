@@ -23,7 +23,7 @@ constexpr TrialLimit BeyondCalm(double by) {
 constexpr TrialLimit AtBegin() { return {.kind = TrialLimit::Kind::kAtBegin}; }
 
 // clang-format off
-constexpr std::array<SafetyCase, 48> kCases{{
+constexpr std::array<SafetyCase, 49> kCases{{
     {"leak", "what: leak", Id::kLeak, Seconds(3.0)},
     {"battery low", "what: battery", Id::kBatteryLow, Seconds(12.0)},
     {"battery critical", "what: battery, size: 0.05", Id::kBatteryCritical, Seconds(12.0)},
@@ -44,7 +44,8 @@ constexpr std::array<SafetyCase, 48> kCases{{
     {"sonar stuck", "what: sonar_stuck", Id::kSonarStuck, Seconds(11.0), kFromAlign, kToSurvey, {}, "", TrialProp::kObstacle},
     {"IMU silent", "what: imu_silent", Id::kNavigationSilent, Seconds(27.0)},
     {"GPS jump", "what: gps_jump", Id::kGpsJump, Seconds(15.0)},
-    {"thrusters dead", "what: thrusters_weak, size: 0", Id::kNoProgress, Seconds(60.0)},
+    {"thrusters dead", "what: thrusters_weak, size: 0", Id::kNoProgress, Seconds(60.0), kFromSurvey, kToReturn},
+    {"never dives", "what: thrusters_weak, size: 0", Id::kNoDepthProgress, Seconds(75.0), kFromAlign, kToDive},
     {"camera silent", "what: camera_silent", Id::kDetectorSilent, Seconds(21.0)},
     {"helm hangs", "what: app_hangs, app: pHelm", Id::kHelmSilent, Seconds(16.0)},
     {"pilot hangs", "what: app_hangs, app: pPilot", Id::kPilotSilent, Seconds(16.0)},

@@ -113,6 +113,17 @@ TEST_F(SafetySignsTest, MeasureNoProgressByAnEstimateThatIsOld) {
   EXPECT_FALSE(Measure(Id::kNoProgress));
 }
 
+TEST_F(SafetySignsTest, MeasureForHowLongAWantedDepthComesNoNearer) {
+  signs_.HearDepth(0.2, now_);
+  EXPECT_FALSE(Measure(Id::kNoDepthProgress));
+  for (int i = 0; i <= 10; ++i) {
+    Wait(1.0);
+    signs_.HearWantedDepth(6.0, now_);
+    signs_.HearDepth(0.2, now_);
+  }
+  EXPECT_DOUBLE_EQ(Measure(Id::kNoDepthProgress).value(), 10.0);
+}
+
 TEST_F(SafetySignsTest, MeasureWhatIsMadeGoodOnTheWantedCourse) {
   NavState nav = At(0.0, 3.0, 4.0);
   nav.u = -0.4;
