@@ -13,6 +13,7 @@
 #include "limpet/durable/durable_file.hpp"
 #include "limpet/mission/expanded_text.hpp"
 #include "limpet/mission/vehicle_settings.hpp"
+#include "limpet/session/cut_session.hpp"
 #include "limpet/session/saved_session.hpp"
 
 namespace limpet {
@@ -60,7 +61,7 @@ SessionApp::SessionApp(const AppContext& context, const Params& params)
   Subscribe(topics::kMapDepths, &SessionApp::OnDepths);
   Subscribe(topics::kMapSnapshot, &SessionApp::OnSnapshot);
   Subscribe(topics::kSessionSave, &SessionApp::OnSave);
-  CopyMission();
+  if (!context.ends_cut_life) CopyMission();
   if (!context.run_folder.empty()) {
     writer_.emplace(context.run_folder / kSessionFolder, *context.disk);
     GoOnFromSaved();
@@ -69,10 +70,12 @@ SessionApp::SessionApp(const AppContext& context, const Params& params)
 
 void SessionApp::GoOnFromSaved() {
   const fs::path folder = context().run_folder / kSessionFolder;
-  if (!fs::exists(folder) || context().link->is_replaying()) {
-    return;  // a former life that is gone through saved what is there
-  }
+  if (!fs::exists(folder)) return;
   is_folder_ours_ = false;
+  if (context().link->is_replaying()) {
+    FindOwnGeneration();
+    return;
+  }
   if (!context().is_restarted) {
     Warn(warnings::kFormerSession, folder.string() +
                                        " holds a former session: nothing is saved until this one "
@@ -91,6 +94,18 @@ void SessionApp::GoOnFromSaved() {
   is_folder_ours_ = true;
   ReportEvent(events::kSessionResumed,
               fmt::format("goes on from saved generation {}", stored->generation));
+}
+
+// The former life may have ended before it set aside what it had found in the folder.
+void SessionApp::FindOwnGeneration() {
+  const Expected<StoredSession> stored = LoadSession(context().run_folder / kSessionFolder);
+  is_folder_ours_ = stored && stored->facts.saved_at >= context().link->Now().value();
+  if (!is_folder_ours_ || !context().ends_cut_life) return;
+  if (Expected<SessionMemory> saved = MemoryOf(stored->files)) {
+    cut_facts_ = stored->facts;
+    memory_.mission = std::move(saved->mission);
+    memory_.former = std::move(saved->former);
+  }
 }
 
 bool SessionApp::MaySave() {
@@ -115,6 +130,7 @@ bool SessionApp::MaySave() {
 
 void SessionApp::LoadFormer() {
   const SavedSession former = LoadSavedSession(context().prior_folder, "former session");
+  if (const auto note = CutNote(context().prior_folder)) Warn(warnings::kFormerSessionCut, *note);
   prior_ = PriorWithParameters(former);
   prior_map_ = former.memory.map;
   memory_.former = FormerFactsOf(former.facts);
@@ -231,11 +247,26 @@ bool SessionApp::DiskIsIdle(Seconds now) {
 void SessionApp::Finish(Seconds now) {
   jobs_.Wait();
   TellSaved();
-  if (!last_save_ || pending_ || now > *last_save_) {
+  if (context().ends_cut_life) {
+    Commit("recovered", now);
+  } else if (!last_save_ || pending_ || now > *last_save_) {
     Commit(pending_ ? pending_->cause : "end", now);
   }
   jobs_.Wait();
   TellSaved();
+}
+
+SessionFacts SessionApp::FactsNow() const {
+  if (cut_facts_) return *cut_facts_;
+  return {.limpet = "",
+          .mission = context().mission_folder.filename().string(),
+          .session = context().session,
+          .community = context().Global("Community"),
+          .seed = context().seed,
+          .lat_origin = context().Global("LatOrigin"),
+          .long_origin = context().Global("LongOrigin"),
+          .saved_at = 0.0,
+          .cause = ""};
 }
 
 void SessionApp::Commit(std::string cause, Seconds now) {
@@ -249,15 +280,9 @@ void SessionApp::Commit(std::string cause, Seconds now) {
   if (!writer_ || context().link->is_replaying() || !MaySave()) {
     return;
   }
-  SessionFacts facts{.limpet = "",
-                     .mission = context().mission_folder.filename().string(),
-                     .session = context().session,
-                     .community = context().Global("Community"),
-                     .seed = context().seed,
-                     .lat_origin = context().Global("LatOrigin"),
-                     .long_origin = context().Global("LongOrigin"),
-                     .saved_at = now.value(),
-                     .cause = cause};
+  SessionFacts facts = FactsNow();
+  facts.saved_at = now.value();
+  facts.cause = cause;
   memory_.chips = ChipsOf(memory_.objects, chips_, memory_.chips);
   SessionFiles files = FilesOf(memory_);
   if (cause != kPeriodic) {

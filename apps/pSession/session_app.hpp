@@ -54,6 +54,9 @@ class SessionApp final : public App {
   void CopyMission();
   /// Started again without the mail of its former life: goes on from what that saved.
   void GoOnFromSaved();
+  /// Before it goes through its former life: whether that is what the folder holds.
+  void FindOwnGeneration();
+  [[nodiscard]] SessionFacts FactsNow() const;
   /// False while a former session is in its folder that this one is not worth: nothing flown yet.
   /// Once it is, the former one is set aside.
   [[nodiscard]] bool MaySave();
@@ -85,7 +88,9 @@ class SessionApp final : public App {
   };
   std::optional<Former> former_;  ///< for the report
   bool is_folder_ours_ = true;    ///< nothing of another life is in it
-  int generation_ = 0;            ///< last one on disk
+  /// Of the cut life that it brings to its end, as that saved them last.
+  std::optional<SessionFacts> cut_facts_;
+  int generation_ = 0;  ///< last one on disk
   std::string last_cause_;
   struct Saved {
     std::string cause;

@@ -17,6 +17,16 @@ inline const WarningId kFormerSession = DeclareWarning(
                "give another --run_folder.",
      .clears = "Once the former session has been set aside."});
 
+inline const WarningId kFormerSessionCut = DeclareWarning(
+    "FORMER_SESSION_CUT",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pSession"},
+     .meaning =
+         "The session that this one compares with was cut short, or is still under way: what "
+         "it saw after it was last saved is not known here.",
+     .action = "Before a dive: end this run, and bring it in by `limpet session recover`.",
+     .clears = "It stands to the end of the run."});
+
 inline const WarningId kFormerSessionAside = DeclareWarning(
     "FORMER_SESSION_ASIDE", {.severity = Severity::kNote,
                              .raised_by = {"pSession"},

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
+#include "apps/limpet/verbs/session_input.hpp"
 #include "limpet/comparison/object_histories.hpp"
 #include "limpet/console/arguments.hpp"
 #include "limpet/console/command_output.hpp"
@@ -73,7 +74,7 @@ std::vector<SavedSession> SessionsOf(const Arguments& given) {
       throw UsageError(fmt::format("--session-{} without --session-{}", letter, *missing));
     }
     const auto name = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
-    sessions.push_back(LoadSavedSession(*folder, fmt::format("session {}", name)));
+    sessions.push_back(OpenSession(*folder, fmt::format("session {}", name)));
   }
   return sessions;
 }

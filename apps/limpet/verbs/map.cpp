@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "apps/limpet/cli.hpp"
+#include "apps/limpet/verbs/session_input.hpp"
 #include "estimation/mapping/map_export.hpp"
 #include "estimation/mapping/semantic_octree.hpp"
 #include "estimation/scene/map_scene.hpp"
@@ -188,7 +189,7 @@ int Export(const Arguments& given) {
     throw UsageError("map export takes --format FORMAT and --out FILE, or --3dscene FILE");
   }
   if (wants_file) static_cast<void>(FormatNamed(*given.Find("format")));
-  const SavedSession session = LoadSavedSession(given.positionals().front(), "the session");
+  const SavedSession session = OpenSession(given.positionals().front(), "the session");
   const SemanticOctree octree = OctreeOf(session);
   if (wants_file) {
     WriteFormat(given, session, octree);
@@ -235,14 +236,14 @@ int Print(const Expected<std::string>& text, const std::string& session) {
 }
 
 int Info(const Arguments& given) {
-  const SavedSession session = LoadSavedSession(given.positionals()[0], "the session");
+  const SavedSession session = OpenSession(given.positionals()[0], "the session");
   return Print(given.Has("json") ? MapInfoJson(session) : MapInfoText(session),
                given.positionals()[0]);
 }
 
 int Diff(const Arguments& given) {
-  const SavedSession a = LoadSavedSession(given.positionals()[0], "session A");
-  const SavedSession b = LoadSavedSession(given.positionals()[1], "session B");
+  const SavedSession a = OpenSession(given.positionals()[0], "session A");
+  const SavedSession b = OpenSession(given.positionals()[1], "session B");
   return Print(given.Has("json") ? MapDiffJson(a, b) : MapDiffText(a, b), "map diff");
 }
 

@@ -15,6 +15,7 @@
 #include "apps/limpet/verbs/plug.hpp"
 #include "apps/limpet/verbs/report.hpp"
 #include "apps/limpet/verbs/safety.hpp"
+#include "apps/limpet/verbs/session.hpp"
 #include "apps/limpet/verbs/survey.hpp"
 #include "apps/limpet/verbs/tables.hpp"
 #include "apps/limpet/verbs/tune.hpp"
@@ -44,6 +45,7 @@ const std::vector<Verb>& Verbs() {
       {"play", "play a log into a community", RunPlayVerb},
       {"log", "look into a log: scan, stat, grep, clip, csv, recover, rawlog", RunLog},
       {"why", "why the helm did what it did, from a log or live", RunWhy},
+      {"session", "a saved session that was cut short: recover", RunSession},
       {"map", "a saved session's map: info, export, diff", RunMap},
       {"new", "a repository of your own with a behavior or an app", RunNew},
       {"plug", "expand a mission template, as nsplug does", RunPlug},

@@ -31,8 +31,8 @@
 
 namespace limpet {
 
-/// The transport seam: what an app needs from whatever carries its mail (embedded database, later
-/// TCP).
+/// The transport seam: what an app needs from whatever carries its mail (embedded database, TCP, a
+/// journal).
 class AppLink {
  public:
   virtual ~AppLink() = default;
@@ -73,6 +73,8 @@ struct AppContext {
   /// True if the launcher started this process again after it had failed: what it did in its former
   /// life is done, and others count on it.
   bool is_restarted = false;
+  /// True if it lives only to bring to an end what a cut left undone (cut_life.hpp).
+  bool ends_cut_life = false;
   double warp = 1.0;  ///< MOOS time per real time
   /// What files are written through; embedded it fails when the scenario says so.
   FileSystem* disk = &RealFileSystem();

@@ -161,6 +161,27 @@ TEST_F(SessionAppAgain, NeverSavesOverAFormerSessionBeforeItIsDeployed) {
   EXPECT_TRUE(app.warnings().contains("FORMER_SESSION"));
 }
 
+TEST_F(SessionAppAgain, KilledBeforeItWasDeployedItSavesOverNoFormerSessionEither) {
+  FlyOnce();
+  link_.time += Seconds(100.0);
+  link_.replays = true;
+  AppContext context = Context("discovery");
+  context.is_restarted = true;
+  SessionApp app(context, {});
+  app.Tick(link_.time);
+  link_.replays = false;
+  app.Tick(link_.time + Seconds(90.0));
+  app.Finish(link_.time + Seconds(100.0));
+  EXPECT_EQ(SavedNorth(Run()), 1.0);
+}
+
+TEST_F(SessionAppAgain, WarnsThatTheSessionItComparesWithWasCutShort) {
+  FlyOnce();
+  std::ofstream(Run() / "pSession.mail") << "heard";
+  const SessionApp app(Context("change", Run()), {});
+  EXPECT_TRUE(app.warnings().contains("FORMER_SESSION_CUT"));
+}
+
 TEST_F(SessionAppAgain, SetsAFormerSessionAsideOnceItHasFlownItself) {
   FlyOnce();
   SessionApp app(Context("discovery"), {});

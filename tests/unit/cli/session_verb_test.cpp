@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "apps/limpet/cli.hpp"
+#include "apps/limpet/command_line.hpp"
+#include "apps/pSession/session_app.hpp"
+#include "limpet/app/mail_journal.hpp"
+#include "limpet/session/saved_session.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/support/test_link.hpp"
+
+namespace limpet {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+/// A pSession that lives, notes what it hears, and is there no more: nothing ends it.
+class CutSession {
+ public:
+  CutSession(const fs::path& run, Seconds begin) : journal_(Folder(run) / "pSession.mail", false) {
+    link_.time = begin;
+    AppContext context;
+    context.name = "pSession";
+    context.link = &link_;
+    context.mission_folder = run.parent_path() / "table1";
+    context.run_folder = run;
+    context.session = "discovery";
+    context.seed = 7;
+    context.globals = {{"LatOrigin", "42.5", {}}};
+    app_ = std::make_unique<SessionApp>(context, SessionApp::Params{});
+  }
+  void Tick() {
+    journal_.NoteTick(link_.time);
+    journal_.Flush();
+    app_->Tick(link_.time);
+  }
+  template <class T>
+  void Hear(const Topic<T>& topic, const T& value) {
+    const auto message =
+        std::make_shared<const Message>(Message{.name = topic.name,
+                                                .value = TopicCodec<T>::Encode(value),
+                                                .time = link_.time,
+                                                .source = "test",
+                                                .source_aux = "",
+                                                .community = ""});
+    journal_.NoteMail(*message, link_.time);
+    journal_.Flush();
+    app_->Deliver(message);
+  }
+  void SeeAt(double north) {
+    link_.time += Seconds(1.0);
+    ObservedFrame frame;
+    frame.exposure = link_.time, frame.X_WB.p_WB = {north, 0, 3};
+    Hear(topics::kNavSight, frame);
+  }
+  [[nodiscard]] Seconds now() const { return link_.time; }
+
+ private:
+  static fs::path Folder(const fs::path& run) {
+    fs::create_directories(run);
+    return run;
+  }
+  TestLink link_;
+  MailJournal journal_;
+  std::unique_ptr<SessionApp> app_;
+};
+
+class SessionVerbTest : public ::testing::Test {
+ protected:
+  /// Saved after its first frame; of the second there is the journal alone.
+  Seconds DiveAndLosePower() {
+    CutSession session(run_, Seconds(1000.0));
+    session.Hear(topics::kSurveyArea, SurveyArea{});
+    session.SeeAt(1.0);
+    session.Tick();
+    session.SeeAt(2.0);
+    return session.now();
+  }
+  int Run(std::vector<std::string> words) {
+    ::testing::internal::CaptureStdout();
+    ::testing::internal::CaptureStderr();
+    words.insert(words.begin(), "session");
+    const int code = RunCommandLine(words);
+    out_ = ::testing::internal::GetCapturedStdout();
+    err_ = ::testing::internal::GetCapturedStderr();
+    return code;
+  }
+  [[nodiscard]] SavedSession Saved() const { return LoadSavedSession(run_, "session"); }
+
+  TemporaryFolder folder_;
+  fs::path run_ = folder_.path() / "discovery";
+  std::string out_, err_;
+};
+
+TEST_F(SessionVerbTest, RecoversASessionToTheLastSecondBeforeThePowerWasCut) {
+  const Seconds end = DiveAndLosePower();
+  ASSERT_EQ(Saved().memory.frames.size(), 1U);
+  ASSERT_EQ(Run({"recover", run_.string()}), kOk) << err_;
+  EXPECT_THAT(out_, HasSubstr("3 messages gone through, 1.0 s more than it had saved; 2 frames"));
+  const SavedSession saved = Saved();
+  ASSERT_EQ(saved.memory.frames.size(), 2U);
+  EXPECT_EQ(saved.memory.frames[1].X_WB.p_WB.x(), 2.0);
+  EXPECT_EQ(saved.facts.saved_at, end.value());
+  EXPECT_EQ(saved.facts.cause, "recovered");
+}
+
+TEST_F(SessionVerbTest, KeepsWhatTheSessionWasOf) {
+  DiveAndLosePower();
+  const SavedSession before = Saved();
+  ASSERT_EQ(Run({"recover", (run_ / "session").string()}), kOk) << err_;
+  const SavedSession after = Saved();
+  EXPECT_EQ(after.facts.mission, "table1");
+  EXPECT_EQ(after.facts.session, "discovery");
+  EXPECT_EQ(after.facts.seed, 7U);
+  EXPECT_EQ(after.facts.lat_origin, "42.5");
+  EXPECT_EQ(after.memory.mission, before.memory.mission);
+}
+
+TEST_F(SessionVerbTest, HasNothingToDoTwice) {
+  DiveAndLosePower();
+  ASSERT_EQ(Run({"recover", run_.string()}), kOk);
+  EXPECT_EQ(Run({"recover", run_.string()}), kOk);
+  EXPECT_THAT(out_, HasSubstr("ended orderly, nothing to recover"));
+}
+
+TEST_F(SessionVerbTest, RecoversWhatIsWholeOfATornJournal) {
+  DiveAndLosePower();
+  const fs::path journal = run_ / "pSession.mail";
+  fs::resize_file(journal, fs::file_size(journal) - 5);
+  ASSERT_EQ(Run({"recover", run_.string()}), kOk) << err_;
+  EXPECT_EQ(Saved().memory.frames.size(), 1U);
+}
+
+TEST_F(SessionVerbTest, SetsAsideAFormerSessionThatTheCutOneHadNotYet) {
+  {
+    CutSession former(run_, Seconds(500.0));
+    former.Hear(topics::kSurveyArea, SurveyArea{});
+    former.SeeAt(5.0);
+    former.Tick();
+  }
+  {
+    CutSession session(run_, Seconds(1000.0));
+    session.Tick();
+    session.Hear(topics::kSurveyArea, SurveyArea{});
+    session.SeeAt(1.0);
+  }
+  ASSERT_EQ(Run({"recover", run_.string()}), kOk) << err_;
+  EXPECT_EQ(Saved().memory.frames.at(0).X_WB.p_WB.x(), 1.0);
+  const SavedSession aside = LoadSavedSession(run_ / "session-former-1", "former");
+  EXPECT_EQ(aside.memory.frames.at(0).X_WB.p_WB.x(), 5.0);
+}
+
+TEST_F(SessionVerbTest, RefusesOneThatIsStillUnderWay) {
+  DiveAndLosePower();
+  std::jthread writer([this](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      std::ofstream(run_ / "pSession.mail", std::ios::app) << "tick";
+      std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    }
+  });
+  EXPECT_EQ(Run({"recover", run_.string()}), kRefused);
+  EXPECT_THAT(err_, HasSubstr("end the mission first"));
+}
+
+TEST_F(SessionVerbTest, SaysThatAJournalHoldsNothing) {
+  DiveAndLosePower();
+  std::ofstream(run_ / "pSession.mail") << "no journal";
+  EXPECT_EQ(Run({"recover", run_.string()}), kFailed);
+  EXPECT_THAT(err_, HasSubstr("pSession.mail: holds nothing that is whole"));
+  EXPECT_TRUE(fs::exists(run_ / "pSession.mail"));
+}
+
+TEST_F(SessionVerbTest, NamesWhatIsNoSession) {
+  EXPECT_EQ(Run({"recover", folder_.path().string()}), kUsage);
+  EXPECT_THAT(err_, HasSubstr(folder_.path().string()));
+  EXPECT_EQ(Run({"mend", "x"}), kUsage);
+  EXPECT_EQ(Run({}), kUsage);
+  EXPECT_THAT(out_, HasSubstr("usage: limpet session recover"));
+}
+
+}  // namespace
+}  // namespace limpet
