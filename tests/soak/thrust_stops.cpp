@@ -51,7 +51,11 @@ class Missions {
   /// Under way, with thrust; nothing if that takes longer than it may.
   LiveMission* UnderWay() {
     for (int attempt = 0; attempt < 3; ++attempt) {
-      if (mission_ && IsUnderWay()) return mission_.get();
+      if (mission_ && uses_ < kMostUses && IsUnderWay()) {
+        ++uses_;
+        return mission_.get();
+      }
+      uses_ = 1;
       mission_ = std::make_unique<LiveMission>();
       mission_->Launch(fmt::format("--MOOSTimeWarp={:g}", warp_));
       if (mission_->AwaitDive()) return mission_.get();
@@ -61,6 +65,9 @@ class Missions {
   }
 
  private:
+  /// Each new life is waited for twice as long as the one before, and after some there is none.
+  static constexpr int kMostUses = 4;
+
   bool IsUnderWay() {
     return mission_->Await([this] {
       if (IsOver()) return true;
@@ -70,10 +77,11 @@ class Missions {
   }
   [[nodiscard]] bool IsOver() const {
     const std::string phase = mission_->Latest("SURVEY_PHASE");
-    return phase != "DIVE" && phase != "SURVEY";
+    return (phase != "DIVE" && phase != "SURVEY") || !mission_->Latest("MISSION_END").empty();
   }
 
   double warp_;
+  int uses_ = 0;  ///< of the mission that there is
   std::unique_ptr<LiveMission> mission_;
 };
 
