@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// A sign of life from a process to its launcher that needs no database: a counter in a page of
-// memory that both have mapped. The launcher makes it (LIMPET_BEAT_FD), the process counts it up.
+// A sign of life from a process to its launcher that needs no database: a counter in memory that
+// both have mapped. The launcher makes it (LIMPET_BEAT_FD), the process counts it up.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
 
+#include "limpet/app/shared_memory.hpp"
+
 namespace limpet {
 
-/// The page as both sides see it. 0: the process does not want to be watched (not started up yet,
-/// ending, or not one of ours).
+/// The counter as both sides see it. 0: the process does not want to be watched (not started up
+/// yet, ending, or not one of ours).
 struct HeartbeatPage {
   std::atomic<std::uint64_t> count{0};
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free, "shared between processes");
@@ -18,9 +20,11 @@ struct HeartbeatPage {
 /// The process's side. Without a launcher it does nothing.
 class Heartbeat {
  public:
-  /// Takes the page that the environment names. To be made before any thread.
+  static constexpr const char* kVariable = "LIMPET_BEAT_FD";
+
+  /// Takes what the environment names. To be made before any thread.
   Heartbeat();
-  ~Heartbeat();
+  ~Heartbeat() { Pause(); }
   Heartbeat(const Heartbeat&) = delete;
   Heartbeat& operator=(const Heartbeat&) = delete;
 
@@ -30,29 +34,25 @@ class Heartbeat {
   void Pause();
 
  private:
+  SharedMemory memory_;
   HeartbeatPage* page_ = nullptr;
   std::uint64_t count_ = 0;
 };
 
-/// The launcher's side: one page for one process and its successors. Descriptor -1 and count 0 if
-/// the system gives none.
+/// The launcher's side: one counter for one process and its successors. Descriptor -1 and count 0
+/// if the system gives none.
 class HeartbeatMonitor {
  public:
   HeartbeatMonitor();
-  ~HeartbeatMonitor();
-  HeartbeatMonitor(HeartbeatMonitor&& other) noexcept;
-  HeartbeatMonitor& operator=(HeartbeatMonitor&&) = delete;
-  HeartbeatMonitor(const HeartbeatMonitor&) = delete;
-  HeartbeatMonitor& operator=(const HeartbeatMonitor&) = delete;
 
-  /// To be inherited by the process; closed in all others.
-  [[nodiscard]] int descriptor() const { return descriptor_; }
+  /// To be inherited by the process.
+  [[nodiscard]] int descriptor() const { return memory_.descriptor(); }
   [[nodiscard]] std::uint64_t count() const;
   /// For a new process.
   void Reset();
 
  private:
-  int descriptor_ = -1;
+  SharedMemory memory_;
   HeartbeatPage* page_ = nullptr;
 };
 
