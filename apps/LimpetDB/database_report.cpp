@@ -35,11 +35,11 @@ DatabaseReport::DatabaseReport(const std::string& community, double warp, std::s
   caster_.Configure({.process = kName, .node = community, .warp = warp});
 }
 
-TcpBrokerOptions::Words DatabaseReport::Take(const Broker& broker, Seconds now) {
+TcpBrokerOptions::Words DatabaseReport::Take(const Broker& broker, Seconds now, Seconds wall) {
   TcpBrokerOptions::Words words;
   ++looks_;
   Watch(broker, now);
-  WatchClock(words, now);
+  WatchClock(words, now, wall);
   if (std::optional<std::string> news = warnings_.TakeNews(now)) {
     words.emplace_back(WarningsVariable(kName), *std::move(news));
   }
@@ -65,8 +65,8 @@ void DatabaseReport::Clear(const WarningId& id) {
   }
 }
 
-void DatabaseReport::WatchClock(TcpBrokerOptions::Words& words, Seconds now) {
-  const auto news = clock_.Look(VehicleTime(), UnixTime());
+void DatabaseReport::WatchClock(TcpBrokerOptions::Words& words, Seconds now, Seconds wall) {
+  const auto news = clock_.Look(VehicleTime(), wall);
   if (!news) {
     return;
   }

@@ -23,15 +23,15 @@ class DatabaseReport {
 
   /// Mail of APPCAST_REQ.
   void OnRequest(std::string_view text, Seconds now) { caster_.OnRequest(text, now); }
-  /// Variables to be written now.
-  [[nodiscard]] TcpBrokerOptions::Words Take(const Broker& broker, Seconds now);
+  /// Variables to be written now. `wall`: the wall clock [s since 1970].
+  [[nodiscard]] TcpBrokerOptions::Words Take(const Broker& broker, Seconds now, Seconds wall);
 
  private:
   void Watch(const Broker& broker, Seconds now);
   /// Raises the warning while `count` grows, and for a while after.
   void WatchCount(const WarningId& id, std::uint64_t count, const std::string& text, Seconds now);
   void ClearSettledCounts(Seconds now);
-  void WatchClock(TcpBrokerOptions::Words& words, Seconds now);
+  void WatchClock(TcpBrokerOptions::Words& words, Seconds now, Seconds wall);
   void Raise(const WarningId& id, const std::string& text, Seconds now);
   void Clear(const WarningId& id);
   [[nodiscard]] std::vector<std::string> Body(const Broker& broker, Seconds now);

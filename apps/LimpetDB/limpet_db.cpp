@@ -14,6 +14,7 @@
 #include "apps/LimpetDB/database_report.hpp"
 #include "limpet/app/app_command.hpp"
 #include "limpet/app/heartbeat.hpp"
+#include "limpet/app/host_faults.hpp"
 #include "limpet/app/run_app.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/core/number_text.hpp"
@@ -93,6 +94,7 @@ void AllowManyConnections() {
 
 int Serve(const AppCommand& command) {
   Heartbeat heart;
+  const HostFaults host;
   heart.Beat();
   KeepMemoryWarm();
   AllowManyConnections();
@@ -106,7 +108,7 @@ int Serve(const AppCommand& command) {
   };
   options.report = [&](const Broker& broker, Seconds now) {
     heart.Beat();  // the thread that serves lives
-    return report.Take(broker, now);
+    return report.Take(broker, now, UnixTime() + host.wall_ahead());
   };
   TcpBroker broker(options);
   CatchEndSignals();

@@ -92,7 +92,7 @@ SimVehicleApp::SimVehicleApp(const AppContext& context, const Params& params,
       faults_.Hear(message->name, message->value);
     });
   }
-  if (context.runs_live) WarnOfFaultsNotMade();
+  if (context.runs_live && !context.makes_host_faults) WarnOfFaultsNotMade();
   Subscribe(topics::kThrusterCommand, &SimVehicleApp::OnCommand);
   if (file_.battery.is_present) {
     battery_.emplace(file_.battery, scenario.errors.battery, MakeRandom("battery"));
@@ -107,11 +107,12 @@ void SimVehicleApp::WarnOfFaultsNotMade() {
   std::string names;
   for (const ScenarioFault& fault : faults_.faults()) {
     const FaultKind* kind = FindFaultKind(fault.what);
-    if (kind == nullptr || kind->made_by != "session") continue;
+    if (kind == nullptr || kind->made_by != kMadeByHost) continue;
     names += (names.empty() ? "" : ", ") + fault.what;
   }
   if (!names.empty()) {
-    Warn(warnings::kFaultNotMade, "only embedded sessions make these of the scenario: " + names);
+    Warn(warnings::kFaultNotMade,
+         "only pLaunch, and embedded sessions, make these of the scenario: " + names);
   }
 }
 

@@ -37,10 +37,10 @@ inline const WarningId kFaultNotMade = DeclareWarning(
     "FAULT_NOT_MADE",
     {.severity = Severity::kWarning,
      .raised_by = {"uSimVehicle"},
-     .meaning = "The scenario has faults that embedded sessions alone make: apps that hang, the "
-                "disk, the wall clock. This community is sound in that.",
-     .action =
-         "Run the mission embedded (`limpet survey`, `limpet safety test`), or take them out.",
+     .meaning = "The scenario has faults that pLaunch and embedded sessions alone make: apps that "
+                "hang, the disk, the wall clock. This community is sound in that.",
+     .action = "Start the mission by `limpet launch` or pLaunch, run it embedded (`limpet survey`, "
+               "`limpet safety test`), or take them out.",
      .clears = "It stands to the end of the run."});
 
 inline const WarningId kIntegratorFailed = DeclareWarning(

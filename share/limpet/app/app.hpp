@@ -75,6 +75,8 @@ struct AppContext {
   bool is_restarted = false;
   /// True if it lives only to bring to an end what a cut left undone (cut_life.hpp).
   bool ends_cut_life = false;
+  /// True if who hosts the app makes the faults of a scenario that no app of it makes.
+  bool makes_host_faults = false;
   double warp = 1.0;  ///< MOOS time per real time
   /// What files are written through; embedded it fails when the scenario says so.
   FileSystem* disk = &RealFileSystem();

@@ -12,6 +12,7 @@
 #include "limpet/app/app_status.hpp"
 #include "limpet/app/app_tick.hpp"
 #include "limpet/app/heartbeat.hpp"
+#include "limpet/app/host_faults.hpp"
 #include "limpet/app/live_link.hpp"
 #include "limpet/app/mail_journal.hpp"
 #include "limpet/app/registry.hpp"
@@ -136,6 +137,7 @@ bool WaitForCommunity(const AppCommand& command, LiveLink& link, Heartbeat& hear
 
 int Run(const AppCommand& command, const AppEntry& entry) {
   Heartbeat heart;
+  const HostFaults host;
   const ConfigBlock block = BlockFor(command);
   const double tick_hz = AppTickRate(block, entry.default_tick_hz);
   if (const auto problems = entry.check(block); !problems.empty()) {
@@ -164,14 +166,17 @@ int Run(const AppCommand& command, const AppEntry& entry) {
                            .seed = command.seed,
                            .runs_live = true,
                            .is_restarted = command.is_restarted,
+                           .makes_host_faults = host.are_made(),
                            .warp = command.warp,
+                           .disk = &host.disk(),
                            .blocks = command.mission.blocks};
   CastSettings casts = ReadCastSettings(block);
   casts.warp = command.warp;
   std::optional<MailJournal> journal;
   std::optional<Seconds> began;
   if (entry.replays_mail && !command.run_folder.empty()) {
-    journal.emplace(command.run_folder / (command.name + ".mail"), command.is_restarted);
+    journal.emplace(command.run_folder / (command.name + ".mail"), command.is_restarted,
+                    host.disk());
     NoteFormerLife(*journal, link, began);
   }
   link.Replay(began);  // an app of a former life was made then

@@ -40,7 +40,7 @@ The models are one file each in `share/limpet/simulation` and `share/limpet/imag
 constexpr const char* kFaultsHead = R"(
 ## faults
 
-What fails on demand, to see what the vehicle makes of it ([safety](safety.md)): a list, each line with `what`, and if wanted `when` (a condition as in `.bhv` files on any variable; the fault's time begins to count when it first holds, else with the session), `at_s` (so long after that; 0), `for_s` (to the end), `size`. A fault is a function of time and mail: the same seed fails alike.
+What fails on demand, to see what the vehicle makes of it ([safety](safety.md)): a list, each line with `what`, and if wanted `when` (a condition as in `.bhv` files on any variable; the fault's time begins to count when it first holds, else with the session), `at_s` (so long after that; 0), `for_s` (to the end), `size`. A fault is a function of time and mail: the same seed fails alike. Those that the host makes are made by pLaunch in a live mission, of its own processes, and by the session in an embedded one.
 ```yaml
 faults:
   - {what: dvl_stuck, when: SURVEY_PHASE = SURVEY, at_s: 20, for_s: 60}

@@ -36,8 +36,8 @@ class FailingFile final : public WritableFile {
 }  // namespace
 
 std::error_code FailingFileSystem::TroubleOfWriting() const {
-  return fault_ == Fault::kFull ? std::make_error_code(std::errc::no_space_on_device)
-                                : TroubleOfChanging();
+  return fault() == Fault::kFull ? std::make_error_code(std::errc::no_space_on_device)
+                                 : TroubleOfChanging();
 }
 
 std::error_code FailingFileSystem::TroubleOfChanging() const {
@@ -86,11 +86,13 @@ std::error_code FailingFileSystem::SyncFolder(const std::filesystem::path& path)
   return trouble ? trouble : disk_.SyncFolder(path);
 }
 
-std::optional<std::uint64_t> FailingFileSystem::Room(const std::filesystem::path&) const {
-  if (!was_full_) {
-    return std::nullopt;
-  }
-  return fault_ == Fault::kFull ? 0 : room_.load();
+std::optional<std::uint64_t> FailingFileSystem::Room(const std::filesystem::path& path) const {
+  constexpr std::uint64_t kRoomMade = std::uint64_t{10} << 30U;
+  const std::uint64_t limit = state_.room;
+  if (fault() == Fault::kFull) return 0;
+  if (limit != kRoomOfDisk) return limit;
+  if (&state_ != &own_) return disk_.Room(path);
+  return was_full_ ? std::optional(kRoomMade) : std::nullopt;
 }
 
 }  // namespace limpet

@@ -15,20 +15,30 @@ namespace limpet {
 class FailingFileSystem final : public FileSystem {
  public:
   enum class Fault { kNone, kFull, kFailing, kReadOnly };
+  /// Room as much as the disk has, in State::room.
+  static constexpr std::uint64_t kRoomOfDisk = UINT64_MAX;
+  /// What fails now; any thread or process may say.
+  struct State {
+    std::atomic<Fault> fault{Fault::kNone};
+    std::atomic<std::uint64_t> room{kRoomOfDisk};  ///< [bytes]
+  };
+
+  /// Its own: fails as Set and SetRoom say. How much room the machine's disk has is no matter of
+  /// such a run: nothing until it was full once, then 10 GiB.
   explicit FailingFileSystem(FileSystem& disk) : disk_(disk) {}
+  /// Fails as `state` says, which outlives it. The room is the disk's own.
+  FailingFileSystem(FileSystem& disk, const State& state) : disk_(disk), state_(state) {}
 
   void Set(Fault fault) {
-    fault_ = fault;
-    if (fault == Fault::kFull) {
-      was_full_ = true;
-    }
+    own_.fault = fault;
+    if (fault == Fault::kFull) was_full_ = true;
   }
   /// From now on it has so much room left [bytes], or enough again.
   void SetRoom(std::optional<std::uint64_t> bytes) {
     if (bytes) was_full_ = true;
-    room_ = bytes.value_or(kRoomMade);
+    own_.room = bytes.value_or(kRoomOfDisk);
   }
-  [[nodiscard]] Fault fault() const { return fault_; }
+  [[nodiscard]] Fault fault() const { return state_.fault; }
   /// What one says who writes; nothing while it works.
   [[nodiscard]] std::error_code TroubleOfWriting() const;
   /// Likewise who changes or syncs what is there: a full disk has room for that.
@@ -40,17 +50,14 @@ class FailingFileSystem final : public FileSystem {
   [[nodiscard]] std::error_code Remove(const std::filesystem::path& path) override;
   [[nodiscard]] std::error_code CreateFolder(const std::filesystem::path& path) override;
   [[nodiscard]] std::error_code SyncFolder(const std::filesystem::path& path) override;
-  /// 0 while it is full, what SetRoom says, 10 GiB once room has been made; nothing before, so that
-  /// a run does not depend on the machine's disk.
+  /// 0 while it is full, what it is limited to while it is.
   [[nodiscard]] std::optional<std::uint64_t> Room(const std::filesystem::path& path) const override;
 
  private:
-  static constexpr std::uint64_t kRoomMade = std::uint64_t{10} << 30U;
-
   FileSystem& disk_;
-  std::atomic<Fault> fault_{Fault::kNone};
+  State own_;
+  const State& state_ = own_;
   std::atomic<bool> was_full_{false};
-  std::atomic<std::uint64_t> room_{kRoomMade};
 };
 
 }  // namespace limpet

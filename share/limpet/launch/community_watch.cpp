@@ -129,6 +129,7 @@ void CommunityWatch::Hear(const WireMessage& message) {
   Heard& heard = latest_[std::string(message.key)];
   heard.text = message.text;
   heard.number = message.number;
+  heard.is_number = message.data_type == wire_data::kDouble;
   heard.source = message.source;
   heard.at = SteadyTime();
   ++heard.times;

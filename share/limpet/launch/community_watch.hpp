@@ -29,10 +29,13 @@ class CommunityWatch {
   struct Heard {
     std::string text{};
     double number = 0.0;
+    bool is_number = false;
     std::string source{};
     Seconds at{};
     int times = 0;
   };
+  /// Listens for one more.
+  void Listen(const std::string& variable) { client_.Subscribe(variable, Seconds(0.0)); }
   [[nodiscard]] std::optional<Heard> Latest(const std::string& variable) const;
   /// Its text; empty if it was not heard.
   [[nodiscard]] std::string TextOf(const std::string& variable) const;

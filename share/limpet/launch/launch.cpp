@@ -13,6 +13,7 @@
 #include "limpet/launch/community_watch.hpp"
 #include "limpet/launch/deployment.hpp"
 #include "limpet/launch/launch_check.hpp"
+#include "limpet/launch/launch_faults.hpp"
 #include "limpet/launch/launch_plan.hpp"
 #include "limpet/launch/launch_report.hpp"
 #include "limpet/launch/launch_warnings.hpp"
@@ -58,7 +59,8 @@ class Launch {
         deployment_(command_.deploys),
         supervisor_(folders_.run / command_.session, Environment(),
                     [this](const std::string& text) { Alert(events::kProcess, text); }),
-        processor_(plan_.warp) {}
+        processor_(plan_.warp),
+        faults_(plan_) {}
 
   int Run() {
     Say(fmt::format("{} processes, time warp {:g}, run folder {}", plan_.items.size(), plan_.warp,
@@ -69,11 +71,13 @@ class Launch {
     if (!folders_.prior.empty()) {
       Say("compares with " + folders_.prior.string());
     }
+    faults_.Prepare(supervisor_);
     for (const LaunchItem& item : plan_.items) {
       supervisor_.Start(item);
       Sleep(plan_.between);
     }
     CommunityWatch watch(WatchSettings(plan_, command_.until));
+    faults_.Listen(watch);
     while (!EndIsRequested() && !watch.has_heard_the_end() && supervisor_.Poll() &&
            !IsOverForGood()) {
       Mind(watch);
@@ -114,6 +118,7 @@ class Launch {
     for (const std::string& name : watch.TakeArrivals()) {
       Say(name + " is up");
     }
+    faults_.Apply(watch, supervisor_, MoosTime(plan_.warp));
     Deploy(watch);
     MindDatabase(watch);
     BringUpIfHopeless(watch);
@@ -237,7 +242,8 @@ class Launch {
     std::string status = supervisor_.Status() + StatusOfMissing(plan_.missing);
     if (status != told_status_ || now - told_at_ >= kStatusPeriod) {
       watch.client().Publish("PLAUNCH_STATUS", status);
-      if (const auto mib = supervisor_.ResidentMib()) {
+      const std::optional<double> made_up = faults_.memory_mib();
+      if (const auto mib = made_up ? made_up : supervisor_.ResidentMib()) {
         watch.client().Publish(topics::kLaunchMemory.name, *mib);
       }
       told_status_ = std::move(status);
@@ -249,7 +255,8 @@ class Launch {
     if (now - load_seen_at_ < kLoadPeriod) return;
     load_seen_at_ = now;
     processor_.Hear(supervisor_.ProcessorUse(), now);
-    if (const std::optional<ProcessorLoad> load = processor_.busiest()) {
+    const std::optional<ProcessorLoad> made_up = faults_.processor();
+    if (const auto load = made_up ? made_up : processor_.busiest()) {
       watch.client().Publish(topics::kLaunchProcessor.name, EncodeRecord(*load));
     }
   }
@@ -293,6 +300,7 @@ class Launch {
   Surfacing surfacing_;
   Supervisor supervisor_;
   ProcessorWatch processor_;
+  LaunchFaults faults_;
   Seconds load_seen_at_;
   bool has_lost_database_ = false;
   std::string told_status_;

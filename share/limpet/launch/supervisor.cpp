@@ -135,7 +135,8 @@ void Supervisor::Become(const Child& child, pid_t parent, const char* log,
     ::_exit(kExecFailed);
   }
   Inherit("LIMPET_KEPT_FD", child.kept);
-  Inherit("LIMPET_BEAT_FD", child.heart.descriptor());
+  Inherit(Heartbeat::kVariable, child.heart.descriptor());
+  if (shared_.variable != nullptr) Inherit(shared_.variable, shared_.descriptor);
   ::execv(argv[0], argv);
   ::_exit(kExecFailed);
 }
@@ -151,14 +152,40 @@ bool Supervisor::Poll() {
       child.pid = 0;
       NoteEnd(child, status);
     } else if (child.pid > 0) {
+      HaltIfWanted(child);
       WatchBeat(child, passed);
     }
-    if (child.is_due && now >= child.next_start) {
+    if (child.is_due && !child.is_kept_down && now >= child.next_start) {
       Launch(child);
     }
   }
   return std::ranges::any_of(children_,
                              [](const Child& child) { return child.pid > 0 || child.is_due; });
+}
+
+Supervisor::Child* Supervisor::Find(const std::string& name) {
+  const auto found =
+      std::ranges::find(children_, name, [](const Child& child) { return child.item.name; });
+  return found == children_.end() ? nullptr : &*found;
+}
+
+void Supervisor::Halt(const std::string& name, bool is_halted) {
+  Child* child = Find(name);
+  if (child == nullptr || child->is_halted == is_halted) return;
+  child->is_halted = is_halted;
+  if (!is_halted && child->pid > 0) ::kill(child->pid, SIGCONT);
+}
+
+// Before its first beat it would not be missed.
+void Supervisor::HaltIfWanted(const Child& child) {
+  if (child.is_halted && child.heart.count() != 0) ::kill(child.pid, SIGSTOP);
+}
+
+void Supervisor::KeepDown(const std::string& name, bool is_down) {
+  Child* child = Find(name);
+  if (child == nullptr || child->is_kept_down == is_down) return;
+  child->is_kept_down = is_down;
+  if (is_down && child->pid > 0) ::kill(child->pid, SIGKILL);
 }
 
 // One that hangs as it starts, or before it goes on, would else never be noticed.

@@ -39,7 +39,13 @@ class Supervisor {
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
 
+  /// Each process started from now on inherits the descriptor, its number in `variable`.
+  void Share(const char* variable, int descriptor) { shared_ = {variable, descriptor}; }
   void Start(const LaunchItem& item);
+  /// From now on each life of the process is halted (SIGSTOP) once it has begun, or goes on.
+  void Halt(const std::string& name, bool is_halted);
+  /// From now on the process is dead, and not started again; or it is.
+  void KeepDown(const std::string& name, bool is_down);
   /// Notices ends and starts again what is due. False once nothing runs or is to run.
   [[nodiscard]] bool Poll();
   /// SIGTERM in reverse order of start, the database last; SIGKILL after `patience` (real time).
@@ -90,7 +96,12 @@ class Supervisor {
     Seconds silent{};         ///< since the last beat, as far as we were awake ourselves
     bool has_beaten = false;  ///< in this life or a former one
     bool is_hung = false;
+    bool is_halted = false;     ///< on demand, each life of it
+    bool is_kept_down = false;  ///< on demand
   };
+  [[nodiscard]] Child* Find(const std::string& name);
+  /// Halts a life that has begun, if it is to be.
+  static void HaltIfWanted(const Child& child);
   void Launch(Child& child);
   [[noreturn]] void Become(const Child& child, pid_t parent, const char* log,
                            char* const* argv) const;
@@ -102,6 +113,10 @@ class Supervisor {
 
   std::filesystem::path log_folder_;
   std::vector<std::pair<std::string, std::string>> environment_;
+  struct Shared {
+    const char* variable = nullptr;
+    int descriptor = -1;
+  } shared_;
   Say say_;
   std::vector<Child> children_;
   bool has_given_up_ = false;

@@ -11,11 +11,14 @@
 
 namespace limpet {
 
+/// FaultKind::made_by of what no app makes, but who hosts them: pLaunch, or an embedded session.
+inline constexpr std::string_view kMadeByHost = "host";
+
 /// One kind of fault.
 struct FaultKind {
   std::string_view what;
   std::string_view meaning;
-  std::string_view made_by;  ///< app; `session`: who hosts an embedded session
+  std::string_view made_by;  ///< app, or kMadeByHost
   /// What `size` says and its unit; empty: the fault has none.
   std::string_view size_meaning{};
   double size = 0.0, least = 0.0, most = 0.0;  ///< default and bounds of it

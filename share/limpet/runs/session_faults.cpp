@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/runs/session_faults.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "limpet/mission/scenario.hpp"
+#include "limpet/mission/host_faults_of.hpp"
 #include "limpet/runs/session_runner.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/safety.hpp"
@@ -24,34 +23,11 @@ constexpr std::string_view kAppDown = "app_down", kClockStepped = "clock_stepped
 constexpr const char* kHelm = "pHelm";
 constexpr double kBytesOfMib = 1024.0 * 1024.0;
 
-bool IsMadeHere(const ScenarioFault& fault) {
-  const FaultKind* kind = FindFaultKind(fault.what);
-  return kind != nullptr && kind->made_by == "session";
-}
-
 }  // namespace
 
-SessionFaults::SessionFaults(const MissionFile& mission, const std::filesystem::path& folder) {
-  const ConfigBlock* block = mission.Block("uSimVehicle");
-  const ConfigEntry* line = block != nullptr ? block->Find("scenario") : nullptr;
-  const std::filesystem::path file = folder / (line != nullptr ? line->value : "scenario.yaml");
-  if (!std::filesystem::exists(file)) {
-    return;
-  }
-  std::vector<ScenarioFault> faults = LoadScenario(file).faults;
-  std::erase_if(faults, [](const ScenarioFault& fault) { return !IsMadeHere(fault); });
-  const std::vector<std::string> apps = EmbeddedApps(mission);
-  for (const ScenarioFault& fault : faults) {
-    if (!fault.app.empty() && std::ranges::find(apps, fault.app) == apps.end()) {
-      throw ConfigError({{.file = file.string(), .line = 0},
-                         "faults",
-                         fmt::format("the mission launches no `{}`; nearest: `{}`", fault.app,
-                                     NearestWord(fault.app, apps))});
-    }
-  }
-  schedule_ = FaultSchedule(faults);
-  is_active_.resize(faults.size(), false);
-}
+SessionFaults::SessionFaults(const MissionFile& mission, const std::filesystem::path& folder)
+    : schedule_(HostFaultsOf(mission, folder, EmbeddedApps(mission))),
+      is_active_(schedule_.faults().size(), false) {}
 
 void SessionFaults::Hear(const Message& message) {
   schedule_.Hear(message.name, message.value);

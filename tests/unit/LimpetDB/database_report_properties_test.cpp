@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/LimpetDB/database_report.hpp"
+#include "limpet/core/clock.hpp"
 #include "limpet/core/random.hpp"
 #include "limpet/core/record.hpp"
 #include "limpet/topics/wall_clock.hpp"
@@ -26,7 +27,7 @@ struct WarpedDatabase {
     std::vector<double> times;
     for (int tick = 0; tick <= 10.0 * real_seconds; ++tick) {
       const double real = 0.1 * tick;
-      const auto words = report.Take(broker, kReportStart + Seconds(real * warp));
+      const auto words = report.Take(broker, kReportStart + Seconds(real * warp), UnixTime());
       if (std::ranges::count(words, variable, [](const auto& word) { return word.first; }) > 0)
         times.push_back(real);
     }

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "limpet/core/clock.hpp"
+
 namespace limpet {
 namespace {
 
@@ -14,7 +16,7 @@ const Seconds kStart(1000.0);
 struct Database {
   /// What LIMPETDB_WARNINGS is written as at that time; nothing: not written.
   std::optional<std::string> SaidAt(double elapsed) {
-    const auto words = report.Take(broker, kStart + Seconds(elapsed));
+    const auto words = report.Take(broker, kStart + Seconds(elapsed), UnixTime());
     const auto said =
         std::ranges::find(words, "LIMPETDB_WARNINGS", [](const auto& word) { return word.first; });
     return said == words.end() ? std::nullopt : std::optional(std::string(said->second));

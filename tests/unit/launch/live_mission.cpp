@@ -110,6 +110,10 @@ LiveMission::~LiveMission() {
   }
 }
 
+void LiveMission::AppendToScenario(const std::string& lines) const {
+  std::ofstream(folder_.path() / "scenario.yaml", std::ios::app) << lines;
+}
+
 void LiveMission::Launch(const std::string& option) {
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "pLaunch";
   const std::string mission = (folder_.path() / "mission.moos").string();
@@ -139,7 +143,8 @@ void LiveMission::Launch(const std::string& option) {
       .on_state = nullptr});
   for (const char* variable :
        {"SIM_THRUST", "SURVEY_PHASE", "PLAUNCH_STATUS", "MISSION_END", "THRUSTER_COMMAND", "DEPLOY",
-        "IVPHELM_ALLSTOP", "SIM_TRUTH", "PPILOT_WARNINGS", "PLAUNCH_MEMORY", "PLAUNCH_PROCESSOR"}) {
+        "IVPHELM_ALLSTOP", "SIM_TRUTH", "PPILOT_WARNINGS", "PLAUNCH_MEMORY", "PLAUNCH_PROCESSOR",
+        "WALL_CLOCK", "PSURVEY_WARNINGS"}) {
     client_->Subscribe(variable, Seconds(0.0));
   }
 }

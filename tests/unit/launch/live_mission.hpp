@@ -29,6 +29,8 @@ class LiveMission {
   LiveMission(const LiveMission&) = delete;
   LiveMission& operator=(const LiveMission&) = delete;
 
+  /// More lines of its scenario; before the launch.
+  void AppendToScenario(const std::string& lines) const;
   /// Starts pLaunch with --deploy and these options.
   void Launch(const std::string& option = "--until=MISSION_END");
   /// Text of a variable as last heard; numbers as text. Empty: not heard.

@@ -65,6 +65,26 @@ TEST_F(SupervisorTest, StartsAgainWhatFailed) {
   EXPECT_THAT(said_, HasSubstr("pFail ended with code 1; again in 0.5 s"));
 }
 
+TEST_F(SupervisorTest, KeepsAProcessDownForAsLongAsItIsTold) {
+  supervisor_.Start(Shell("pNap", "echo nap; exec sleep 60"));
+  EXPECT_TRUE(PollUntil([this] { return LogOf("pNap") == "nap\n"; }));
+  supervisor_.KeepDown("pNap", true);
+  EXPECT_TRUE(
+      PollUntil([this] { return supervisor_.Status().find("waiting") != std::string::npos; }));
+  const Seconds later = SteadyTime() + Seconds(1.0);  // beyond its first pause
+  EXPECT_TRUE(PollUntil([later] { return SteadyTime() > later; }));
+  EXPECT_EQ(LogOf("pNap"), "nap\n");
+  supervisor_.KeepDown("pNap", false);
+  EXPECT_TRUE(PollUntil([this] { return LogOf("pNap") == "nap\nnap\n"; }));
+}
+
+TEST_F(SupervisorTest, HaltsNobodyWhoNeverBegan) {
+  supervisor_.Start(Shell("pSay", "sleep 0.2; echo out"));
+  supervisor_.Halt("pSay", true);
+  EXPECT_TRUE(PollUntil([] { return false; }));
+  EXPECT_EQ(LogOf("pSay"), "out\n") << "it gives no sign of life that could be missed";
+}
+
 TEST_F(SupervisorTest, TellsAProcessThatItWasStartedAgain) {
   supervisor_.Start(Shell("pFail", "echo \"again=$LIMPET_RESTARTED\"; exit 1"));
   EXPECT_TRUE(PollUntil([this] { return LogOf("pFail").size() >= 15; }));
