@@ -56,6 +56,7 @@ SessionApp::SessionApp(const AppContext& context, const Params& params)
   Subscribe(topics::kNavLandmarkJoint, &SessionApp::OnLandmarkJoint);
   Subscribe(topics::kNavSight, &SessionApp::OnFrame);
   SubscribeIfWritten(topics::kDetectionChips, &SessionApp::OnChips);
+  SubscribeIfWritten(topics::kMapObstacles, &SessionApp::OnObstacles);
   Subscribe(topics::kNavTrackShift, &SessionApp::OnTrackShift);
   Subscribe(topics::kWaterRecord, &SessionApp::OnWater);
   Subscribe(topics::kMapDepths, &SessionApp::OnDepths);

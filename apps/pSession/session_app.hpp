@@ -45,6 +45,7 @@ class SessionApp final : public App {
   void OnLandmarkJoint(const Stamped<LandmarkJoint>& joint) { memory_.landmarks = joint.value; }
   void OnFrame(const Stamped<ObservedFrame>& frame);
   void OnChips(const Stamped<ImageChips>& chips) { chips_.Add(chips.value); }
+  void OnObstacles(const Stamped<Obstacles>& obstacles) { memory_.obstacles = obstacles.value; }
   void OnTrackShift(const Stamped<TrackShift>& shift);
   void OnWater(const Stamped<WaterRecord>& water) { memory_.water = water.value; }
   void OnDepths(const Stamped<PackedBytes>& depths);

@@ -28,7 +28,8 @@ FormerViews FormerViewsOf(const SessionPrior& prior, const MapParams& own) {
   FormerViews views{.frames = {},
                     .model = {.camera = params.camera.geometry(),
                               .detection = params.status.detection,
-                              .object_radius = params.status.object_radius.value()},
+                              .object_radius = params.status.object_radius.value(),
+                              .obstacles = SightObstacles(prior.obstacles)},
                     .looks = params.status.looks};
   if (prior.visibility > 0.0) {
     views.model.detection.visibility = Meters(prior.visibility);

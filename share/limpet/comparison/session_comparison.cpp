@@ -55,6 +55,7 @@ ObjectStatuses Compare(const SavedSession& a, const SavedSession& b,
   const SessionPrior prior = PriorFrom(a, block_a);
   book.SetFormerViews(FormerViewsOf(prior, params));
   book.SetFormer(prior.opis);
+  book.SetObstacles(b.memory.obstacles.obstacles);
   FrameGate gate(params.frame_gate());
   const std::vector<std::string> phase_of = PhaseOfFrames(b.memory);
   for (std::size_t i = 0; i < phase_of.size(); ++i) {

@@ -37,7 +37,6 @@ ZoneWatch::Zone ZoneWatch::ZoneOf(const SimplePolygon& outline) {
       }
     }
   }
-  std::ranges::stable_sort(zone.circles, std::ranges::greater(), &Circle::radius);
   return zone;
 }
 
@@ -51,10 +50,12 @@ ZoneWatch::ZoneWatch(const SurveyArea& area) {
 double ZoneWatch::Zone::HalfWidthAt(const PlanePoint& at) const {
   // The greatest circle may have its centre between those that are known.
   const double between = spacing / std::numbers::sqrt2;
-  const auto holder = std::ranges::find_if(circles, [&](const Circle& circle) {
-    return (circle.centre - at).norm() <= circle.radius + between;
-  });
-  return std::max(narrowest, holder == circles.end() ? 0.0 : holder->radius);
+  double half_width = narrowest;
+  for (const Circle& circle : circles) {
+    const bool holds = (circle.centre - at).norm() <= circle.radius + between;
+    if (holds) half_width = std::max(half_width, circle.radius);
+  }
+  return half_width;
 }
 
 std::optional<double> ZoneWatch::ShareAt(const PlanePoint& at) const {

@@ -31,7 +31,7 @@ class ZoneWatch {
     SimplePolygon outline;
     double narrowest = 0.0;       ///< a radius of less counts as this [m]: in sharp corners
     double spacing = 0.0;         ///< of the circles' centres [m]
-    std::vector<Circle> circles;  ///< inside, the greatest first
+    std::vector<Circle> circles;  ///< inside, from a grid over it
 
     [[nodiscard]] double HalfWidthAt(const PlanePoint& at) const;
   };

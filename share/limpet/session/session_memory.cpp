@@ -15,6 +15,7 @@ namespace {
 constexpr const char* kArea = "area.txt";
 constexpr const char* kFormer = "former.txt";
 constexpr const char* kObjects = "objects.json";
+constexpr const char* kObstacles = "obstacles.json";
 constexpr const char* kLandmarks = "landmarks.json";
 constexpr const char* kKnownLandmarks = "known_landmarks.json";
 constexpr const char* kFrames = "sights.csv";
@@ -59,6 +60,10 @@ SessionFiles FilesOf(const SessionMemory& memory) {
     files[kFormer] = EncodeRecord(*memory.former) + "\n";
   }
   files[kObjects] = std::get<std::string>(TopicCodec<OpiBeliefs>::Encode(memory.objects)) + "\n";
+  if (!memory.obstacles.obstacles.empty()) {
+    files[kObstacles] =
+        std::get<std::string>(TopicCodec<Obstacles>::Encode(memory.obstacles)) + "\n";
+  }
   if (!memory.landmarks.ids.empty()) {
     files[kLandmarks] =
         std::get<std::string>(TopicCodec<LandmarkJoint>::Encode(memory.landmarks)) + "\n";
@@ -102,6 +107,11 @@ Expected<SessionMemory> MemoryOf(const SessionFiles& files) {
     return Error{std::string(kObjects) + ": missing, or not a list of objects"};
   }
   memory.objects = *beliefs;
+  if (const std::string* text = Find(files, kObstacles)) {
+    const std::optional<Obstacles> obstacles = TopicCodec<Obstacles>::Decode(*text);
+    if (!obstacles) return Error{std::string(kObstacles) + ": not a list of obstacles"};
+    memory.obstacles = *obstacles;
+  }
   if (const std::string* text = Find(files, kLandmarks)) {
     const std::optional<LandmarkJoint> joint = TopicCodec<LandmarkJoint>::Decode(*text);
     if (!joint || joint->cov_W.rows() != static_cast<Eigen::Index>(3 * joint->ids.size())) {
@@ -166,6 +176,7 @@ SessionPrior PriorOf(const SessionFacts& facts, const SessionMemory& memory) {
                           .looks = opi.looks});
   }
   prior.visibility = memory.water ? memory.water->visibility : 0.0;
+  prior.obstacles = memory.obstacles.obstacles;
   prior.joint_cov_W = JointOf(landmarks, memory.landmarks);
   AddFormerViews(memory, landmarks, prior);
   return prior;

@@ -33,8 +33,8 @@ struct FormerFacts {
 };
 [[nodiscard]] FormerFacts FormerFactsOf(const SessionFacts& facts);
 
-/// Files: area.txt, former.txt, objects.json, known_landmarks.json, landmarks.json, sights.csv,
-/// phases.csv, water.json, map.ot, depths.csv, chips.csv, chips/*, mission/*.
+/// Files: area.txt, former.txt, objects.json, obstacles.json, known_landmarks.json, landmarks.json,
+/// sights.csv, phases.csv, water.json, map.ot, depths.csv, chips.csv, chips/*, mission/*.
 struct SessionMemory {
   std::optional<SurveyArea> area;
   std::optional<FormerFacts> former;  ///< nothing in a discovery session, or an older one
@@ -47,6 +47,7 @@ struct SessionMemory {
   std::vector<PhaseStart> phases;     ///< in order; before the first one none was announced
   std::string map;                    ///< the semantic octree as MAP_SNAPSHOT; empty if none
   std::vector<SavedChip> chips;       ///< pictures of the objects; none without images
+  Obstacles obstacles;                ///< that stood in the way; none in an older session
   std::string depths;                 ///< as MAP_DEPTHS; empty in an older session
   std::map<std::string, std::string> mission;  ///< the mission's own files
 };

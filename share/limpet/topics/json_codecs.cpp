@@ -226,6 +226,7 @@ void to_json(nlohmann::json& out, const SessionPrior& prior) {
          {"map_parameters", prior.map_parameters},
          {"joint", LowerTriangleOf(prior.joint_cov_W)}};
   if (prior.visibility > 0.0) out["visibility_m"] = prior.visibility;
+  if (!prior.obstacles.empty()) out["obstacles"] = prior.obstacles;
 }
 
 void from_json(const nlohmann::json& in, SessionPrior& prior) {
@@ -246,6 +247,7 @@ void from_json(const nlohmann::json& in, SessionPrior& prior) {
   }
   in.at("map_parameters").get_to(prior.map_parameters);
   prior.visibility = in.value("visibility_m", 0.0);
+  prior.obstacles = in.value("obstacles", std::vector<Obstacle>());
   prior.joint_cov_W = SymmetricFrom(in.at("joint"));
 }
 
