@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// thrust_stops [HITS] [WARP...]: how long after the death or the hang of helm, pilot, navigation or
-// database the thrusters are off. Real processes under pLaunch, of a vehicle under way; each is hit
-// HITS times (20) by SIGSTOP and as often by SIGKILL, in turn at the warps (1 2 5 10). Prints a
-// table; fails if a thrust was in force longer than it may be.
+// thrust_stops [HITS] [WARP...] [PROCESS...]: how long after the death or the hang of helm, pilot,
+// navigation or database, or those named, the thrusters are off. Real processes under pLaunch, of a
+// vehicle under way; each is hit HITS times (20) by SIGSTOP and as often by SIGKILL, in turn at the
+// warps (1 2 5 10). Prints a table; fails if a thrust was in force longer than it may be.
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include "limpet/core/number_text.hpp"
@@ -28,7 +28,7 @@ namespace {
 constexpr double kZeroAfter = 1.2;
 /// Age of a command that is obeyed [s of vehicle time], and what rounding adds.
 constexpr double kOldestObeyed = 1.0 + 1e-6;
-constexpr std::array kVictims{"pHelm", "pPilot", "pNav", "LimpetDB"};
+const std::vector<std::string> kVictims{"pHelm", "pPilot", "pNav", "LimpetDB"};
 
 enum class Outcome {
   kZero,      ///< within kZeroAfter, and what the machine was late
@@ -122,13 +122,13 @@ void Count(Outcome outcome, Tally& tally) {
   tally.late += outcome == Outcome::kLate ? 1 : 0;
 }
 
-int Run(int hits, const std::vector<double>& warps) {
+int Run(int hits, const std::vector<double>& warps, const std::vector<std::string>& victims) {
   fmt::print("{:<12}{:<10}{:>6}{:>12}{:>12}{:>8}{:>12}{:>18}\n", "process", "signal", "warp",
              "zero", "replaced", "late", "worst [s]", "machine late [s]");
   int late = 0;
   for (const double warp : warps) {
     Missions missions(warp);
-    for (const char* victim : kVictims) {
+    for (const std::string& victim : victims) {
       for (const auto& [signal, name] : {std::pair{SIGSTOP, "SIGSTOP"}, {SIGKILL, "SIGKILL"}}) {
         Tally tally;
         const int wanted = std::max(1, hits / static_cast<int>(warps.size()));
@@ -155,13 +155,20 @@ int Run(int hits, const std::vector<double>& warps) {
 int main(int argc, char** argv) {
   const std::optional<int> hits = argc > 1 ? limpet::ParseInteger(argv[1]) : 20;
   std::vector<double> warps;
+  std::vector<std::string> victims;
+  bool is_known = hits.value_or(0) >= 1;
   for (int i = 2; i < argc; ++i) {
-    warps.push_back(limpet::ParseNumber(argv[i]).value_or(0.0));
+    const std::optional<double> warp = limpet::ParseNumber(argv[i]);
+    if (warp) warps.push_back(*warp);
+    if (!warp) victims.emplace_back(argv[i]);
+    is_known =
+        is_known && (warp ? *warp > 0.0 : std::ranges::count(limpet::kVictims, victims.back()) > 0);
   }
-  if (warps.empty()) warps = {1.0, 2.0, 5.0, 10.0};
-  if (hits.value_or(0) < 1 || std::ranges::any_of(warps, [](double warp) { return warp <= 0.0; })) {
-    fmt::print(stderr, "usage: thrust_stops [HITS, at least 1] [WARP...]\n");
+  if (!is_known) {
+    fmt::print(stderr, "usage: thrust_stops [HITS, at least 1] [WARP...] [PROCESS...]; of {}\n",
+               fmt::join(limpet::kVictims, ", "));
     return 2;
   }
-  return limpet::Run(*hits, warps);
+  if (warps.empty()) warps = {1.0, 2.0, 5.0, 10.0};
+  return limpet::Run(*hits, warps, victims.empty() ? limpet::kVictims : victims);
 }
