@@ -6,7 +6,8 @@
 namespace limpet {
 namespace {
 
-constexpr double kShortestPause = 1.0;             ///< between two values of one variable [s]
+constexpr double kShortestPause = 1.0;             ///< between values of one variable, mean [s]
+constexpr double kAtOnce = 4.0;                    ///< values of one that has paused
 constexpr double kBytesPerSecond = 64.0 * 1024.0;  ///< of one variable
 constexpr std::size_t kLeastLimit = std::size_t{64} << 10;
 
@@ -39,15 +40,18 @@ void ValueKeeper::KeepWaiting(Seconds now) {
 /// False if it is to be kept later.
 bool ValueKeeper::KeepOne(Router::Variable variable, Seconds now) {
   next_.resize(std::max<std::size_t>(next_.size(), variable + 1));
-  if (now < next_[variable]) {
+  const Seconds due = next_[variable];
+  if (now < due) {
     return false;
   }
   const ByteView message = broker_.TakeNewsOf(variable);
   if (message.empty() || message.size() > kLargestValue) {
     return true;
   }
-  const double pause = static_cast<double>(message.size()) / kBytesPerSecond;
-  next_[variable] = now + Seconds(std::max(kShortestPause, pause));
+  const double pause =
+      std::max(kShortestPause, static_cast<double>(message.size()) / kBytesPerSecond);
+  // A pause for each value, those of a burst on credit.
+  next_[variable] = std::max(due, now - Seconds((kAtOnce - 1.0) * pause)) + Seconds(pause);
   if (!file_.Append(message)) {
     RewriteAll();
   }

@@ -10,9 +10,10 @@
 namespace limpet {
 
 /// Keeps the latest values of a broker's variables for the broker that takes its place: what was
-/// poked, and what is published once, outlives a crash. A variable that is written now and then is
-/// kept at once; one that is written all the time, once a second, and a large one more rarely: its
-/// writer will say more soon. The broker's own variables are not kept.
+/// poked, and what is published once, outlives a crash. A variable that is written now and then,
+/// four times in a row at most, is kept at once; one that is written all the time, once a second,
+/// and a large one more rarely: its writer will say more soon. The broker's own variables are not
+/// kept.
 class ValueKeeper {
  public:
   static constexpr std::size_t kLargestValue = std::size_t{1} << 20;  ///< larger ones are not kept

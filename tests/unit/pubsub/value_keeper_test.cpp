@@ -84,12 +84,23 @@ TEST_F(KeptValues, OutliveManyBrokers) {
   }
 }
 
+/// A helm says that it is not deployed, and within the second it is: a database that dies then must
+/// not bring the former back.
+TEST_F(KeptValues, AreKeptAtOnceThoughSomethingElseWasSaidJustBefore) {
+  {
+    const auto life = Begin();
+    life->Write("DEPLOY", "false", Seconds(100.0));
+    life->Write("DEPLOY", "true", Seconds(100.1));
+  }
+  EXPECT_EQ(Begin()->TextOf("DEPLOY"), "true");
+}
+
 TEST_F(KeptValues, OfABusyVariableAreKeptOnceASecond) {
   const auto life = Begin();
-  life->Write("NAV_X", "1", Seconds(1.0));
-  life->Write("NAV_X", "2", Seconds(1.1));
+  for (int i = 1; i <= 9; ++i)
+    life->Write("NAV_X", std::to_string(i), Seconds(100.0 + 0.1 * i));
   EXPECT_TRUE(life->keeper.has_waiting());
-  EXPECT_EQ(Begin()->TextOf("NAV_X"), "1");
+  EXPECT_EQ(Begin()->TextOf("NAV_X"), "4") << "four at once, and no more within the second";
 }
 
 TEST_F(KeptValues, OfABusyVariableAreTheLastOnceItIsQuiet) {
