@@ -9,7 +9,7 @@
 namespace limpet {
 
 SemanticMap::SemanticMap(Meters resolution, const DvlBeams& dvl)
-    : beams_(resolution, dvl), octree_(resolution) {}
+    : beams_(resolution, dvl), former_(resolution.value()), octree_(resolution) {}
 
 void SemanticMap::Paint(const VoxelKey& key, const VoxelBelief& belief) {
   painted_[key] = belief;
@@ -36,54 +36,9 @@ bool SemanticMap::IsClear(const VoxelKey& key) const {
 
 std::optional<VoxelBelief> SemanticMap::GroundAt(const VoxelKey& key,
                                                  const VoxelCounts& counts) const {
-  const std::optional<VoxelBelief> former =
-      laid_former_ ? laid_former_->At(CentreOf(key, resolution())) : std::nullopt;
+  const std::optional<float> former = former_.At(key);
   if (!former && !counts.is_known()) return std::nullopt;
-  return VoxelBelief{.occupied = OccupiedLogOdds(counts, former ? former->occupied : 0.0F)};
-}
-
-void SemanticMap::SetFormer(const SemanticOctree& former) {
-  /// Beams do not fill cubes wider than so many voxels with the same.
-  constexpr double kWidest = 64.0;
-  former_.clear();
-  former.ForEachLeaf([&](const Voxel& voxel) {
-    const bool is_known_ground =
-        voxel.belief.label == VoxelLabel::kGround && voxel.belief.occupied != 0.0F;
-    if (is_known_ground && voxel.size <= kWidest * resolution()) former_.push_back(voxel);
-  });
-  is_former_laid_ = former_.empty() && !laid_former_;
-}
-
-void SemanticMap::SetFormerOffset(const FrameOffset& offset) {
-  /// Steps that are not worth laying it again: voxels are no finer.
-  const double least = 0.25 * resolution();
-  double farthest = 0.0;
-  for (const Voxel& voxel : former_) {
-    const Eigen::Vector3d step = offset.Apply(voxel.p_W) - former_offset_.Apply(voxel.p_W);
-    farthest = std::max(farthest, step.norm());
-  }
-  if (farthest > least) {
-    former_offset_ = offset;
-    is_former_laid_ = false;
-  }
-}
-
-void SemanticMap::LayFormer() {
-  constexpr float kKept = 0.5F;
-  laid_former_.emplace(Meters(resolution()));
-  for (const Voxel& leaf : former_) {
-    const int n = std::max(1, static_cast<int>(std::lround(leaf.size / resolution())));
-    const float occupied = kKept * leaf.belief.occupied;
-    for (int i = 0; i < n * n * n; ++i) {
-      const Eigen::Vector3d cell(i % n + 0.5, i / n % n + 0.5, i / n / n + 0.5);
-      const Eigen::Vector3d corner = leaf.p_W - Eigen::Vector3d::Constant(0.5 * leaf.size);
-      const Eigen::Vector3d p_W = former_offset_.Apply(corner + cell * (leaf.size / n));
-      // Where two come to lie in one voxel, what is occupied stays so.
-      const std::optional<VoxelBelief> other = laid_former_->At(p_W);
-      if (!other || other->occupied < occupied) laid_former_->Set(p_W, {.occupied = occupied});
-    }
-  }
-  is_former_laid_ = true;
+  return VoxelBelief{.occupied = OccupiedLogOdds(counts, former.value_or(0.0F))};
 }
 
 bool SemanticMap::Refresh(const VoxelKey& key) {
@@ -95,11 +50,9 @@ bool SemanticMap::Refresh(const VoxelKey& key) {
 
 void SemanticMap::Rebuild() {
   octree_ = SemanticOctree(Meters(resolution()));
-  if (laid_former_) {
-    laid_former_->ForEachLeaf([this](const Voxel& leaf) {
-      octree_.Set(leaf.p_W, leaf.belief);  // each as wide as a voxel: they were never merged
-    });
-  }
+  former_.ForEach([this](const VoxelKey& key, float occupied) {
+    octree_.Set(CentreOf(key, resolution()), {.occupied = occupied});
+  });
   beams_.evidence().ForEachKnown([this](const VoxelKey& key, const VoxelCounts& counts) {
     octree_.Set(CentreOf(key, resolution()), *GroundAt(key, counts));
   });
@@ -121,8 +74,8 @@ void SemanticMap::SetGroundOdds(const GroundOdds& object) {
 // child), so a map that has lost one is built anew.
 const SemanticOctree& SemanticMap::Octree(const GroundOdds& object) {
   beams_.SettleAll();
-  bool is_complete = is_former_laid_;
-  if (!is_former_laid_) LayFormer();
+  bool is_complete = former_.is_laid();
+  if (!is_complete) former_.Lay();
   beams_.evidence().TakeChanged([&](const VoxelKey& key, const VoxelCounts& counts) {
     if (counts.is_known() && !painted_.contains(key)) {
       octree_.Set(CentreOf(key, resolution()), *GroundAt(key, counts));

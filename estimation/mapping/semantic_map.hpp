@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "estimation/mapping/beam_map.hpp"
+#include "estimation/mapping/former_ground.hpp"
 #include "estimation/mapping/semantic_octree.hpp"
 #include "estimation/mapping/voxel_cluster.hpp"
 #include "estimation/matching/frame_offset.hpp"
@@ -27,12 +28,11 @@ class SemanticMap {
   void Paint(const VoxelKey& key, const VoxelBelief& belief);
   /// What beams say is to stand there again.
   void Unpaint(const VoxelKey& key);
-  /// What a former session knew of the ground and the water above it. Of its log-odds half is
-  /// taken, so that five beams that say otherwise overrule it; its objects are not: they come as
-  /// objects.
-  void SetFormer(const SemanticOctree& former);
+  /// What a former session knew of the ground (former_ground.hpp); its objects are left out: they
+  /// come as objects.
+  void SetFormer(const SemanticOctree& former) { former_.Set(former); }
   /// The former session's frame in this one, as far as it is known: its voxels are laid there.
-  void SetFormerOffset(const FrameOffset& offset);
+  void SetFormerOffset(const FrameOffset& offset) { former_.SetOffset(offset); }
   /// Nothing where the map knows nothing.
   [[nodiscard]] std::optional<VoxelBelief> At(const VoxelKey& key) const;
   /// False where something is that one cannot look through, an object or the seabed.
@@ -49,7 +49,6 @@ class SemanticMap {
   /// False if the octree has a voxel there of which nothing is known any more.
   [[nodiscard]] bool Refresh(const VoxelKey& key);
   void Rebuild();
-  void LayFormer();
   void SetGroundOdds(const GroundOdds& object);
   /// Of what beams and a former session say; nothing if neither says anything.
   [[nodiscard]] std::optional<VoxelBelief> GroundAt(const VoxelKey& key,
@@ -58,10 +57,7 @@ class SemanticMap {
   BeamMap beams_;
   std::map<VoxelKey, VoxelBelief> painted_;
   std::set<VoxelKey> repainted_;  ///< since the octree was last made
-  std::vector<Voxel> former_;     ///< in its own frame, of the ground only
-  FrameOffset former_offset_;
-  std::optional<SemanticOctree> laid_former_;  ///< in this session's frame, halved
-  bool is_former_laid_ = true;                 ///< as the offset now is
+  FormerGround former_;
   SemanticOctree octree_;
 };
 

@@ -74,6 +74,7 @@ Expected<std::string> Gunzip(std::string_view packed, std::size_t most) {
   if (code != Z_STREAM_END) {
     return Error{"is damaged or cut short"};
   }
+  bytes.shrink_to_fit();  // it may be kept, and grew by doubling
   return bytes;
 }
 

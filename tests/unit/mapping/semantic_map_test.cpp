@@ -77,7 +77,7 @@ TEST(SemanticMap, TheOctreeDoesNotDependOnWhenItWasReadNorOnHowTheTrackMoved) {
 }
 
 /// A seabed of one lane, as a former session left it.
-SemanticOctree FormerGround() {
+SemanticOctree KnownGround() {
   SemanticMap map;
   for (int i = 0; i < 40; ++i) {
     LayPing(map, i, 0.1 * i);
@@ -88,7 +88,7 @@ SemanticOctree FormerGround() {
 }
 
 TEST(SemanticMap, KeepsHalfOfWhatAFormerSessionKnewOfTheGroundAndNotItsObjects) {
-  const SemanticOctree former = FormerGround();
+  const SemanticOctree former = KnownGround();
   const Eigen::Vector3d seabed = CentreOf(EndOfFirstBeam(), 0.2);
   SemanticMap map;
   map.SetFormer(former);
@@ -103,7 +103,7 @@ TEST(SemanticMap, KeepsHalfOfWhatAFormerSessionKnewOfTheGroundAndNotItsObjects) 
 TEST(SemanticMap, NewBeamsConfirmWhatIsThereAndOverruleWhatIsNot) {
   SemanticMap same, deeper, alone;
   for (SemanticMap* map : {&same, &deeper}) {
-    map->SetFormer(FormerGround());
+    map->SetFormer(KnownGround());
   }
   const Eigen::Vector3d seabed = CentreOf(EndOfFirstBeam(), 0.2);
   for (int i = 0; i < 6; ++i) {
@@ -119,7 +119,7 @@ TEST(SemanticMap, NewBeamsConfirmWhatIsThereAndOverruleWhatIsNot) {
 
 TEST(SemanticMap, LaysAFormerSessionWhereItsFrameTurnsOutToLie) {
   SemanticMap map;
-  map.SetFormer(FormerGround());
+  map.SetFormer(KnownGround());
   static_cast<void>(map.Octree().Serialize());
   map.SetFormerOffset({.shift = {2.0, -1.0}, .turn = 0.0, .pivot = {1.0, 1.0}, .down = 0.2});
   const Eigen::Vector3d seabed = CentreOf(EndOfFirstBeam(), 0.2);
@@ -129,14 +129,14 @@ TEST(SemanticMap, LaysAFormerSessionWhereItsFrameTurnsOutToLie) {
   EXPECT_GT(map.Octree().At(seabed)->occupied, 0.0F);
   const std::string back = map.Octree().Serialize();
   SemanticMap untouched;
-  untouched.SetFormer(FormerGround());
+  untouched.SetFormer(KnownGround());
   EXPECT_EQ(back, untouched.Octree().Serialize());
 }
 
 TEST(SemanticMap, ASessionThatIsLoadedTwiceIsSavedAlike) {
   const auto saved = [] {
     SemanticMap map;
-    map.SetFormer(FormerGround());
+    map.SetFormer(KnownGround());
     map.SetFormerOffset({.shift = {0.3, 0.1}, .turn = 0.02, .pivot = {0.0, 0.0}, .down = 0.0});
     for (int i = 0; i < 20; ++i) {
       LayPing(map, i, 0.15 * i);
