@@ -16,6 +16,8 @@ class DepthWatch {
   void Want(double depth, Seconds now) { wanted_ = {now, depth}; }
   /// Measured [m], positive down.
   void Hear(double depth, Seconds now);
+  /// The vehicle cannot do what is wanted, for another reason: counts anew.
+  void Excuse() { begin_.reset(); }
   /// [s]; 0 while it is near, absent while no depth is wanted.
   [[nodiscard]] std::optional<double> lacking_for() const { return lacking_; }
 

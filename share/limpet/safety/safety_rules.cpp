@@ -122,7 +122,8 @@ constexpr std::array<SafetyRule, kSafetyRules> kTable{{
      .limit = {"progress_lack_mps", "m/s", 0.3, 0.01, 10.0}, .hold = Seconds(30.0), .clears_after = {},
      .actions = {kNone, kNone, kNone, kSurface, kSurface, kNone}},
     {.id = Id::kNoDepthProgress, .name = "no_depth_progress",
-     .meaning = "Time that another depth (DESIRED_DEPTH, off by more than 1 m) has been wanted and the vehicle has come no nearer.",
+     .meaning = "Time that another depth (DESIRED_DEPTH, off by more than 1 m) has been wanted of a vehicle that knows where it is "
+                "and has come no nearer.",
      .limit = {"depth_lack_s", "s", 60.0, 1.0, 3600.0}, .hold = Seconds(0.0), .clears_after = Seconds(10.0),
      .actions = {kNone, kNone, kSurface, kSurface, kSurface, kWarn}},
     {.id = Id::kThrustersSaturated, .name = "thrusters_saturated",

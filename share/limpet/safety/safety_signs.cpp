@@ -74,6 +74,7 @@ void SafetySigns::Hear(const ImuSample& imu, Seconds now) {
 void SafetySigns::HearDepth(double depth_m, Seconds now) {
   depth_m_ = depth_m;
   pressure_heard_ = now;
+  if (!IsNavigationFresh(now)) descent_.Excuse();  // the pilot stops without
   descent_.Hear(depth_m, now);
   pressure_.Hear({depth_m}, now);
 }

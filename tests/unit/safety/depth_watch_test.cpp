@@ -52,6 +52,14 @@ TEST_F(DepthWatchTest, BeginsAnewWhereAnotherDepthIsWanted) {
   EXPECT_DOUBLE_EQ(watch_.lacking_for().value(), 0.0);
 }
 
+TEST_F(DepthWatchTest, BeginsAnewAfterAnExcuse) {
+  for (int i = 0; i <= 30; ++i)
+    Second(6.0, 3.0);
+  watch_.Excuse();
+  Second(6.0, 3.0);
+  EXPECT_DOUBLE_EQ(watch_.lacking_for().value(), 0.0);
+}
+
 TEST_F(DepthWatchTest, KnowsNothingWhereNoDepthIsWanted) {
   watch_.Hear(3.0, now_);
   EXPECT_FALSE(watch_.lacking_for());

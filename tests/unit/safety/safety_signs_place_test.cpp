@@ -116,12 +116,19 @@ TEST_F(SafetySignsTest, MeasureNoProgressByAnEstimateThatIsOld) {
 TEST_F(SafetySignsTest, MeasureForHowLongAWantedDepthComesNoNearer) {
   signs_.HearDepth(0.2, now_);
   EXPECT_FALSE(Measure(Id::kNoDepthProgress));
-  for (int i = 0; i <= 10; ++i) {
-    Wait(1.0);
-    signs_.HearWantedDepth(6.0, now_);
-    signs_.HearDepth(0.2, now_);
-  }
+  const auto lie_for = [this](int seconds, bool knows_where) {
+    for (int i = 0; i < seconds; ++i) {
+      Wait(1.0);
+      if (knows_where) signs_.Hear(At(0.0, 0.2, 6.0), now_);
+      signs_.HearWantedDepth(6.0, now_);
+      signs_.HearDepth(0.2, now_);
+    }
+  };
+  lie_for(11, true);
   EXPECT_DOUBLE_EQ(Measure(Id::kNoDepthProgress).value(), 10.0);
+  lie_for(20, false);
+  EXPECT_DOUBLE_EQ(Measure(Id::kNoDepthProgress).value(), 0.0)
+      << "without navigation nobody steers";
 }
 
 TEST_F(SafetySignsTest, MeasureWhatIsMadeGoodOnTheWantedCourse) {
