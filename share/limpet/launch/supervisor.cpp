@@ -25,7 +25,7 @@ namespace limpet {
 namespace {
 
 constexpr double kFirstPause = 0.5;  // [s]
-constexpr double kLongestPause = 30.0;
+constexpr double kLongestPause = 8.0;
 constexpr double kHealthy = 60.0;
 constexpr double kEarly = 5.0;
 constexpr int kExecFailed = 127;

@@ -17,7 +17,7 @@
 namespace limpet {
 
 /// Keeps processes alive: starts them with their output in a file each, starts again what fails,
-/// with pauses that grow from 0.5 s to 30 s and shrink after a minute of health, and ends them in
+/// with pauses that grow from 0.5 s to 8 s and shrink after a minute of health, and ends them in
 /// order. After `kMostFailures` failures without a minute of health it gives a process up.
 /// For a database it holds a file in memory open (LIMPET_KEPT_FD), in which it finds its latest
 /// values when it is started again; after `kForgetAfter` early ends in a row the file is emptied:
