@@ -3,7 +3,11 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -13,6 +17,7 @@
 #include "limpet/console/command_output.hpp"
 #include "limpet/session/cut_session.hpp"
 #include "limpet/session/saved_session.hpp"
+#include "limpet/topics/mapping.hpp"
 
 namespace limpet {
 namespace {
@@ -20,16 +25,17 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kApp = "pSession";
+constexpr const char* kMapApp = "pMap";
 
 Command RecoverForm() {
   return {.name = "limpet session recover",
           .words = "<session>",
           .about =
               "Brings a session that a power cut ended to its last second. It was saved a "
-              "minute before, perhaps; what pSession heard since is in its journal "
-              "(pSession.mail), which this goes through, saves one more generation and "
-              "removes. Its map stays as it was last saved. <session> is a session's run "
-              "folder or the session folder in it. Exit code 3 if it is still under way.",
+              "minute before, perhaps; what pSession and pMap heard since is in their journals "
+              "(pSession.mail, pMap.mail), which this goes through, saves one more generation "
+              "and removes. <session> is a session's run folder or the session folder in it. "
+              "Exit code 3 if it is still under way.",
           .takes = "one session",
           .least_words = 1,
           .most_words = 1};
@@ -43,6 +49,8 @@ bool IsUnderWay(const fs::path& journal) {
   return !fs::exists(journal) || fs::file_size(journal) != size;
 }
 
+fs::path MapJournalBeside(const fs::path& journal) { return journal.parent_path() / "pMap.mail"; }
+
 /// As far as a session's own folders say; what was launched is in the session that it saved.
 AppContext ContextOf(const fs::path& journal) {
   return {.name = kApp,
@@ -53,16 +61,49 @@ AppContext ContextOf(const fs::path& journal) {
           .session = fs::absolute(journal).parent_path().filename().string()};
 }
 
-/// From a copy: however this ends, the journal is as it was.
-CutLife Recover(const fs::path& journal) {
-  const ScratchFolder scratch("limpet-recover");
+/// Of a copy in `scratch`: however this ends, the journal is as it was.
+CutLife EndLife(const AppContext& context, const ConfigBlock& block, const fs::path& journal,
+                const ScratchFolder& scratch, std::span<const Message> last_mail = {}) {
   const fs::path copy = scratch.path() / journal.filename();
   fs::copy_file(journal, copy);
   constexpr bool kGoesOn = true;
   const MailJournal mail(copy, kGoesOn);
   if (!mail.is_good()) throw std::runtime_error(copy.string() + ": " + mail.trouble());
-  return EndCutLife(AppRegistry().at(kApp), ContextOf(journal),
-                    {.name = kApp, .where = {}, .entries = {}}, mail);
+  return EndCutLife(AppRegistry().at(context.name), context, block, mail, last_mail);
+}
+
+/// What pMap, brought to its own last second, says when it is asked for the map. Nothing where it
+/// has no journal, or flew with what is not known: the map stays as it was last saved then.
+std::vector<Message> MapAtTheEnd(const fs::path& journal, const ScratchFolder& scratch) {
+  if (!fs::exists(journal)) return {};
+  try {
+    const SavedSession saved = LoadSavedSession(journal.parent_path(), "the session");
+    const std::optional<ConfigBlock> block = BlockOf(saved, kMapApp);
+    if (!block) return {};
+    const AppContext context{.name = kMapApp,
+                             .globals = {},
+                             .mission_folder = {},
+                             .run_folder = {},
+                             .prior_folder = {},
+                             .session = saved.facts.session};
+    const Message question{.name = topics::kMapSnapshotRequest.name,
+                           .value = std::string("recovered"),
+                           .time = {},
+                           .source = kApp,
+                           .source_aux = "",
+                           .community = ""};
+    return EndLife(context, *block, journal, scratch, {&question, 1}).last_words;
+  } catch (const ConfigError& error) {
+    fmt::print(stderr, "note: the map stays as it was last saved: {}\n", error.what());
+    return {};
+  }
+}
+
+CutLife Recover(const fs::path& journal) {
+  const ScratchFolder scratch("limpet-recover");
+  const std::vector<Message> map = MapAtTheEnd(MapJournalBeside(journal), scratch);
+  return EndLife(ContextOf(journal), {.name = kApp, .where = {}, .entries = {}}, journal, scratch,
+                 map);
 }
 
 std::optional<double> SavedUntil(const fs::path& folder) {
@@ -99,6 +140,7 @@ int RecoverSession(const Arguments& given) {
   }
   if (!is_saved) return kFailed;
   fs::remove(*journal);
+  fs::remove(MapJournalBeside(*journal));
   Tell(folder, life, before);
   return kOk;
 }

@@ -10,7 +10,17 @@ namespace {
 /// Nobody is there to hear, and the time is the one that was.
 class JournalLink final : public AppLink {
  public:
-  void Publish(std::string, Value, std::string) override {}
+  explicit JournalLink(std::string source) : source_(std::move(source)) {}
+
+  void Publish(std::string name, Value value, std::string source_aux) override {
+    if (!has_ended_) return;
+    last_words_.push_back({.name = std::move(name),
+                           .value = std::move(value),
+                           .time = now_,
+                           .source = source_,
+                           .source_aux = std::move(source_aux),
+                           .community = ""});
+  }
   void Subscribe(const std::string&, Seconds) override {}
   void SubscribeWildcard(const WildcardFilter&) override {}
   [[nodiscard]] Seconds Now() const override { return now_; }
@@ -18,8 +28,11 @@ class JournalLink final : public AppLink {
 
   void Advance(Seconds now) { now_ = now; }
   void EndReplay() { has_ended_ = true; }
+  [[nodiscard]] std::vector<Message>& last_words() { return last_words_; }
 
  private:
+  std::string source_;
+  std::vector<Message> last_words_;
   Seconds now_;
   bool has_ended_ = false;
 };
@@ -34,10 +47,10 @@ std::optional<Seconds> BeginOf(const MailJournal& journal) {
 }  // namespace
 
 CutLife EndCutLife(const AppEntry& entry, AppContext context, const ConfigBlock& block,
-                   const MailJournal& journal) {
+                   const MailJournal& journal, std::span<const Message> last_mail) {
   const std::optional<Seconds> begin = BeginOf(journal);
   if (!begin) return {};
-  JournalLink link;
+  JournalLink link(context.name);
   link.Advance(*begin);
   context.link = &link;
   context.is_restarted = true;
@@ -55,8 +68,13 @@ CutLife EndCutLife(const AppEntry& entry, AppContext context, const ConfigBlock&
   });
   link.EndReplay();
   life.end = link.Now();
+  for (Message mail : last_mail) {
+    mail.time = life.end;
+    app->Deliver(std::make_shared<const Message>(std::move(mail)));
+  }
   app->End(life.end);
   life.warnings = app->warnings();
+  life.last_words = std::move(link.last_words());
   return life;
 }
 

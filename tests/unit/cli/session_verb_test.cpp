@@ -22,6 +22,7 @@ namespace limpet {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 /// A pSession that lives, notes what it hears, and is there no more: nothing ends it.
@@ -37,6 +38,13 @@ class CutSession {
     context.session = "discovery";
     context.seed = 7;
     context.globals = {{"LatOrigin", "42.5", {}}};
+    context.blocks = {{.name = "pMap",
+                       .where = {},
+                       .entries = {{"camera_fov_across_deg", "80", {}},
+                                   {"camera_fov_along_deg", "60", {}},
+                                   {"camera_width_px", "640", {}},
+                                   {"camera_height_px", "480", {}},
+                                   {"object_radius_m", "0.5", {}}}}};
     app_ = std::make_unique<SessionApp>(context, SessionApp::Params{});
   }
   void Tick() {
@@ -124,6 +132,38 @@ TEST_F(SessionVerbTest, KeepsWhatTheSessionWasOf) {
   EXPECT_EQ(after.facts.seed, 7U);
   EXPECT_EQ(after.facts.lat_origin, "42.5");
   EXPECT_EQ(after.memory.mission, before.memory.mission);
+}
+
+TEST_F(SessionVerbTest, TakesTheMapThatPMapMakesOfItsOwnJournal) {
+  DiveAndLosePower();
+  EXPECT_TRUE(Saved().memory.map.empty());
+  {
+    MailJournal journal(run_ / "pMap.mail", false);
+    const Message area{.name = topics::kSurveyArea.name,
+                       .value = TopicCodec<SurveyArea>::Encode({.north_max = 5.0, .east_max = 5.0}),
+                       .time = Seconds(1000.0),
+                       .source = "pSurvey",
+                       .source_aux = "",
+                       .community = ""};
+    journal.NoteMail(area, Seconds(1000.0));
+    journal.NoteTick(Seconds(1002.5));
+  }
+  ASSERT_EQ(Run({"recover", run_.string()}), kOk) << err_;
+  EXPECT_THAT(Saved().memory.map, HasSubstr("SemanticOcTree"));
+  EXPECT_EQ(Saved().memory.frames.size(), 2U);
+  EXPECT_FALSE(fs::exists(run_ / "pMap.mail"));
+}
+
+TEST_F(SessionVerbTest, SaysWhyTheMapStaysAsItWas) {
+  DiveAndLosePower();
+  MailJournal(run_ / "pMap.mail", false).NoteTick(Seconds(1002.5));
+  StoredSession stored = *LoadSession(run_);
+  stored.files["mission/as_run.moos"] = "ProcessConfig = pMap\n{\n  no_such_key = 1\n}\n";
+  ASSERT_TRUE(SessionWriter(run_ / "session").Commit(stored.facts, stored.files));
+  ASSERT_EQ(Run({"recover", run_.string()}), kOk) << err_;
+  EXPECT_THAT(err_,
+              AllOf(HasSubstr("the map stays as it was last saved"), HasSubstr("no_such_key")));
+  EXPECT_EQ(Saved().memory.frames.size(), 2U);
 }
 
 TEST_F(SessionVerbTest, HasNothingToDoTwice) {
