@@ -12,18 +12,18 @@
 namespace limpet {
 namespace {
 
-/// Faults of a live run are made by apps.
+/// Those that say which app are none: a soak hits processes itself.
 std::vector<ConfigProblem> ProblemsOf(const SoakPlan& plan, const ConfigBlock& block) {
   std::vector<std::string> known;
   for (const FaultKind& kind : FaultKinds()) {
-    if (kind.made_by != "session") known.emplace_back(kind.what);
+    if (!kind.is_about_app) known.emplace_back(kind.what);
   }
   std::vector<ConfigProblem> problems;
   for (const std::string& what : plan.fault) {
     if (std::ranges::find(known, what) == known.end()) {
       problems.push_back({block.where, "soak fault",
-                          fmt::format("no fault of a live run is called `{}`; nearest: `{}`", what,
-                                      NearestWord(what, known))});
+                          fmt::format("no fault that a soak draws is called `{}`; nearest: `{}`",
+                                      what, NearestWord(what, known))});
     }
   }
   if (plan.fault.empty() && plan.faults_per_run > 0) {

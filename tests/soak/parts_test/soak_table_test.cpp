@@ -114,9 +114,10 @@ TEST(SoakPlans, NameFileLineAndNearestKeyOfWhatCannotBe) {
   EXPECT_THAT(complaint("  warpp = 3\n"), HasSubstr("plan.moos:3"));
   EXPECT_THAT(complaint("  warpp = 3\n"), HasSubstr("`warp`"));
   EXPECT_THAT(complaint("  fault = dvl_silnt\n"), HasSubstr("nearest: `dvl_silent`"));
-  EXPECT_THAT(complaint("  fault = app_hangs\n"), HasSubstr("no fault of a live run"));
+  EXPECT_THAT(complaint("  fault = app_hangs\n"), HasSubstr("no fault that a soak draws"));
   EXPECT_THAT(complaint("  warp = 3\n"), HasSubstr("faults_per_run draws from it"));
   EXPECT_EQ(complaint("  fault = leak\n"), "");
+  EXPECT_EQ(complaint("  fault = disk_full\n"), "") << "a live mission's disk fails, too";
 }
 
 TEST(SoakSamples, SeeTheChildrenOfAProcessAndTheirFiles) {
