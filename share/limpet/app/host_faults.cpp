@@ -5,6 +5,14 @@
 
 namespace limpet {
 
+FailingFileSystem::Fault DiskFaultOf(const FaultSchedule& schedule) {
+  using Fault = FailingFileSystem::Fault;
+  return schedule.Active("disk_failing") != nullptr     ? Fault::kFailing
+         : schedule.Active("disk_read_only") != nullptr ? Fault::kReadOnly
+         : schedule.Active("disk_full") != nullptr      ? Fault::kFull
+                                                        : Fault::kNone;
+}
+
 HostFaults::HostFaults()
     : memory_(SharedMemory::Inherit(kVariable, sizeof(HostFaultPage))),
       page_(static_cast<HostFaultPage*>(memory_.data())) {

@@ -11,8 +11,12 @@
 #include "limpet/app/shared_memory.hpp"
 #include "limpet/core/units.hpp"
 #include "limpet/durable/failing_file_system.hpp"
+#include "limpet/mission/fault_schedule.hpp"
 
 namespace limpet {
+
+/// What fails of the disk now; of several the fault that lets least through.
+[[nodiscard]] FailingFileSystem::Fault DiskFaultOf(const FaultSchedule& schedule);
 
 /// As both sides see it.
 struct HostFaultPage {

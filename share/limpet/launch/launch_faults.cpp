@@ -29,15 +29,6 @@ std::vector<ScenarioFault> FaultsIn(const LaunchPlan& plan) {
   return HostFaultsOf(plan.mission, plan.mission_file.parent_path(), apps);
 }
 
-/// Of several the one that lets least through.
-FailingFileSystem::Fault DiskFaultOf(const FaultSchedule& schedule) {
-  using Fault = FailingFileSystem::Fault;
-  return schedule.Active("disk_failing") != nullptr     ? Fault::kFailing
-         : schedule.Active("disk_read_only") != nullptr ? Fault::kReadOnly
-         : schedule.Active("disk_full") != nullptr      ? Fault::kFull
-                                                        : Fault::kNone;
-}
-
 }  // namespace
 
 LaunchFaults::LaunchFaults(const LaunchPlan& plan)

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "limpet/app/host_faults.hpp"
 #include "limpet/mission/host_faults_of.hpp"
 #include "limpet/runs/session_runner.hpp"
 #include "limpet/topics/mission.hpp"
@@ -79,7 +80,7 @@ void SessionFaults::Switch(std::size_t index, EmbeddedCommunity& community) {
     ++clock_steps_;
     TellClock(community);
   } else if (fault.what != kSlowPlanner) {
-    community.FailDisk(DiskFault());
+    community.FailDisk(DiskFaultOf(schedule_));
   }
 }
 
@@ -102,14 +103,6 @@ void SessionFaults::TellClock(EmbeddedCommunity& community) const {
       topics::kWallClock.name,
       TopicCodec<WallClock>::Encode(
           {.vehicle = vehicle, .wall = vehicle + ahead, .ahead = ahead, .steps = clock_steps_}));
-}
-
-FailingFileSystem::Fault SessionFaults::DiskFault() const {
-  using Fault = FailingFileSystem::Fault;
-  return schedule_.Active("disk_failing") != nullptr     ? Fault::kFailing
-         : schedule_.Active("disk_read_only") != nullptr ? Fault::kReadOnly
-         : schedule_.Active("disk_full") != nullptr      ? Fault::kFull
-                                                         : Fault::kNone;
 }
 
 }  // namespace limpet

@@ -34,8 +34,6 @@ class SessionFaults {
   void TellApps(EmbeddedCommunity& community) const;
   /// WALL_CLOCK as it is now, that stands for LimpetDB's.
   void TellClock(EmbeddedCommunity& community) const;
-  /// Of several the one that lets least through.
-  [[nodiscard]] FailingFileSystem::Fault DiskFault() const;
 
   FaultSchedule schedule_;
   std::vector<bool> is_active_;                   ///< as applied
