@@ -102,11 +102,12 @@ void SessionApp::FindOwnGeneration() {
   const Expected<StoredSession> stored = LoadSession(context().run_folder / kSessionFolder);
   is_folder_ours_ = stored && stored->facts.saved_at >= context().link->Now().value();
   if (!is_folder_ours_ || !context().ends_cut_life) return;
-  if (Expected<SessionMemory> saved = MemoryOf(stored->files)) {
-    cut_facts_ = stored->facts;
-    memory_.mission = std::move(saved->mission);
-    memory_.former = std::move(saved->former);
-  }
+  Expected<SessionMemory> saved = MemoryOf(stored->files);
+  is_folder_ours_ = saved.has_value();  // what cannot be read is set aside, not saved over
+  if (!saved) return;
+  cut_facts_ = stored->facts;
+  memory_.mission = std::move(saved->mission);
+  memory_.former = std::move(saved->former);
 }
 
 bool SessionApp::MaySave() {
