@@ -54,6 +54,13 @@ void Inherit(const char* variable, int descriptor) {
   }
 }
 
+/// Halted (SIGSTOP). What is learned of its state here is left for others to be learned again.
+bool IsStopped(pid_t child) {
+  siginfo_t state{};
+  return ::waitid(P_PID, static_cast<id_t>(child), &state, WSTOPPED | WNOHANG | WNOWAIT) == 0 &&
+         state.si_pid == child;
+}
+
 }  // namespace
 
 Supervisor::Supervisor(std::filesystem::path log_folder,
@@ -95,7 +102,7 @@ void Supervisor::Launch(Child& child) {
   const pid_t parent = ::getpid();
   child.heart.Reset();
   child.last_beat = 0;
-  child.silent = Seconds(0.0);
+  child.silent = child.stopped = Seconds(0.0);
   child.is_hung = false;
   child.pid = ::fork();
   if (child.pid == 0) {
@@ -188,20 +195,23 @@ void Supervisor::KeepDown(const std::string& name, bool is_down) {
   if (is_down && child->pid > 0) ::kill(child->pid, SIGKILL);
 }
 
-// One that hangs as it starts, or before it goes on, would else never be noticed.
+// One that hangs as it starts, or before it goes on, would else never be noticed. One that reads a
+// large session then may be silent for long, one that is halted does nothing any more.
 void Supervisor::WatchBeat(Child& child, Seconds passed) {
   const std::uint64_t beat = child.heart.count();
   child.silent = beat != child.last_beat ? Seconds(0.0) : child.silent + passed;
   child.last_beat = beat;
   child.has_beaten = child.has_beaten || beat != 0;
-  const Seconds patience = child.item.hung_after * (beat == 0 ? kPatienceUnwatched : 1.0);
-  const bool is_watched = child.has_beaten && patience > Seconds(0.0);
-  if (child.is_hung || !is_watched || child.silent <= patience) {
+  child.stopped = beat == 0 && IsStopped(child.pid) ? child.stopped + passed : Seconds(0.0);
+  const Seconds hung_after = child.item.hung_after;
+  const Seconds patience = hung_after * (beat == 0 ? kPatienceUnwatched : 1.0);
+  const bool hangs = (child.has_beaten && child.silent > patience) || child.stopped > hung_after;
+  if (child.is_hung || hung_after <= Seconds(0.0) || !hangs) {
     return;
   }
   child.is_hung = true;
   say_(fmt::format("{} hangs: no sign of life for {:.1f} s; it is killed", child.item.name,
-                   child.silent.value()));
+                   std::max(child.silent, child.stopped).value()));
   ::kill(child.pid, SIGKILL);  // a stopped process hears nothing else
 }
 

@@ -23,8 +23,9 @@ namespace limpet {
 /// values when it is started again; after `kForgetAfter` early ends in a row the file is emptied:
 /// what it holds may be what it dies of. A process that has given signs of life (heartbeat.hpp) and
 /// gives none for `LaunchItem::hung_after` hangs: it is killed and counts as failed; one that is
-/// not to be watched for a while (it starts, reads, ends) gets `kPatienceUnwatched` times as long.
-/// Those that never gave one, in no life of theirs, which are not ours, are left alone.
+/// not to be watched for a while (it starts, reads, ends) gets `kPatienceUnwatched` times as long
+/// unless it is halted (SIGSTOP). Those that never gave one, in no life of theirs, which are not
+/// ours, are left alone but for that.
 class Supervisor {
  public:
   static constexpr int kMostFailures = 8;
@@ -94,6 +95,7 @@ class Supervisor {
     HeartbeatMonitor heart{};
     std::uint64_t last_beat = 0;
     Seconds silent{};         ///< since the last beat, as far as we were awake ourselves
+    Seconds stopped{};        ///< how long it has been halted without a beat in this life
     bool has_beaten = false;  ///< in this life or a former one
     bool is_hung = false;
     bool is_halted = false;     ///< on demand, each life of it

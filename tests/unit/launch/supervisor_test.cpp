@@ -14,6 +14,7 @@ namespace limpet {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class SupervisorTest : public testing::Test {
  protected:
@@ -199,6 +200,24 @@ TEST_F(SupervisorTest, KillsWhatHangsBeforeTheFirstSignOfItsSecondLife) {
   supervisor_.Start(item);
   EXPECT_TRUE(PollUntil([this] { return LogOf("pHang") == "mute\nmute\n"; })) << said_;
   EXPECT_THAT(said_, HasSubstr("pHang hangs: no sign of life for 1.0 s"));
+  supervisor_.End(Seconds(0.1));
+}
+
+TEST_F(SupervisorTest, KillsWhatIsHaltedAsItStarts) {
+  LaunchItem item = Shell("pHalted", "echo try; kill -STOP $$; echo went on");
+  item.hung_after = Seconds(0.3);
+  supervisor_.Start(item);
+  EXPECT_TRUE(PollUntil([this] { return LogOf("pHalted") == "try\ntry\n"; })) << said_;
+  EXPECT_THAT(said_, HasSubstr("pHalted hangs: no sign of life for 0.3 s"));
+  supervisor_.End(Seconds(0.1));
+}
+
+TEST_F(SupervisorTest, LeavesAloneWhatIsHaltedForAMomentAsItStarts) {
+  LaunchItem item = Shell("pHalted", "(sleep 0.4; kill -CONT $$) & kill -STOP $$; echo went on");
+  item.hung_after = Seconds(2.0);
+  supervisor_.Start(item);
+  EXPECT_TRUE(PollUntil([this] { return LogOf("pHalted") == "went on\n"; })) << said_;
+  EXPECT_THAT(said_, Not(HasSubstr("hangs")));
   supervisor_.End(Seconds(0.1));
 }
 
