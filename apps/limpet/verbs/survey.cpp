@@ -22,6 +22,7 @@
 #include "limpet/report/report_json.hpp"
 #include "limpet/report/survey_progress.hpp"
 #include "limpet/report/terminal_report.hpp"
+#include "limpet/runs/flown_mission.hpp"
 #include "limpet/runs/mission_check.hpp"
 #include "limpet/runs/run_folder.hpp"
 #include "limpet/runs/run_settings.hpp"
@@ -125,7 +126,7 @@ class SurveyRun {
  public:
   explicit SurveyRun(SurveyCommand command)
       : command_(std::move(command)),
-        mission_(LoadMission(command_.mission_folder / "mission.moos")),
+        mission_(LoadMission(FlownMissionAt(command_.mission_folder))),
         scenario_(LoadScenario(command_.mission_folder / "scenario.yaml")) {
     for (const std::string& setting : command_.settings) {
       ApplySetting(mission_, setting);
