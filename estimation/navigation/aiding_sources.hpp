@@ -40,6 +40,8 @@ class AidingSources {
   /// The smoother has its first pose: slow errors become variables of its.
   void Begin();
 
+  /// Of one that says nothing of the pose.
+  void NoteTaken(int source) { ++At(source).counts.taken; }
   void Keep(int source, std::shared_ptr<mrpt::obs::CObservation> seen);
   /// Of the oldest that waits [s]; nothing if none does.
   [[nodiscard]] std::optional<double> NextTime() const;

@@ -79,6 +79,14 @@ void MeasurementBuffer::AddAltitude(double t, double dvl_altitude) {
     return;
   }
   altitudes_.Add({t, dvl_altitude + (LevelRotationAt(t) * p_dvl_B_).z()});
+  dvl_altitude_t_ = t;
+}
+
+void MeasurementBuffer::AddSounding(double t, const Eigen::Vector3d& p_BS, double range) {
+  if (track_.is_empty() || !IsPlausible(t) || !altitudes_.IsNewest(t)) return;
+  if (t - dvl_altitude_t_ < kAltitudeMaxAge) return;
+  const Eigen::Vector3d p_BE = p_BS + Eigen::Vector3d(0.0, 0.0, range);  // of the echo
+  altitudes_.Add({t, (LevelRotationAt(t) * p_BE).z()});
 }
 
 void MeasurementBuffer::AddDepth(double t, double depth) {

@@ -42,6 +42,9 @@ class MeasurementBuffer {
   void AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B);
   /// Of the DVL above the seabed [m]; kept as that of the body origin. Comes after an attitude.
   void AddAltitude(double t, double dvl_altitude);
+  /// Of an echo sounder in body axes. It counts while the DVL gives no altitude. Comes after an
+  /// attitude.
+  void AddSounding(double t, const Eigen::Vector3d& p_BS, double range);
   void AddDepth(double t, double depth);
   /// Of a compass against the attitude's yaw [rad].
   void AddCompass(double t, double off);
@@ -79,6 +82,7 @@ class MeasurementBuffer {
   TimeGate attitude_gate_;
   OdometryTrack track_;
   ScalarHistory depths_, altitudes_;  ///< altitudes: of the body origin
+  double dvl_altitude_t_ = -1e18;     ///< of the last one that the DVL gave
   ScalarHistory compass_;             ///< off the attitude's yaw
   std::deque<PositionFix> fixes_;
   std::vector<Detections> frames_;

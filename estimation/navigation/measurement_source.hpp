@@ -26,6 +26,12 @@ struct SourceErrors {
   Eigen::Vector3d sigma = Eigen::Vector3d::Ones();
 };
 
+/// An echo of the seabed straight below the vehicle, along the body's z axis.
+struct Sounding {
+  Eigen::Vector3d p_BS = Eigen::Vector3d::Zero();  ///< of the transducer [m]
+  double range = 0.0;                              ///< from there [m]
+};
+
 /// A sensor that says something of the pose: mail becomes an observation, which can be recorded and
 /// replayed, and an observation a term of the smoother. When it comes into the chain, whether it
 /// can be true, and what became of it is the chain's business (AidingSources).
@@ -45,6 +51,12 @@ class MeasurementSource {
   /// out of range).
   [[nodiscard]] virtual std::optional<Term> Measure(const mrpt::obs::CObservation& seen,
                                                     int errors) = 0;
+  /// What it says of the seabed, which is where the altitude comes from while the DVL gives none.
+  /// Nothing, of most.
+  [[nodiscard]] virtual std::optional<Sounding> SeabedOf(
+      const mrpt::obs::CObservation& /*seen*/) const {
+    return std::nullopt;
+  }
   /// True for one that says where the vehicle is: dead reckoning begins anew.
   [[nodiscard]] virtual bool is_fix() const { return false; }
 };

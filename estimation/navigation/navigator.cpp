@@ -5,6 +5,8 @@
 #include <utility>
 
 #include <Eigen/Geometry>
+#include <mrpt/core/Clock.h>
+#include <mrpt/obs/CObservation.h>
 
 #include "estimation/navigation/aiding_sources.hpp"
 
@@ -43,6 +45,11 @@ int Navigator::AddSource(std::unique_ptr<MeasurementSource> source) {
 }
 
 void Navigator::AddObservation(int source, std::shared_ptr<mrpt::obs::CObservation> seen) {
+  if (const auto seabed = aiding_->source(source).SeabedOf(*seen)) {
+    measurements_.AddSounding(mrpt::Clock::toDouble(seen->timestamp), seabed->p_BS, seabed->range);
+    aiding_->NoteTaken(source);
+    return;
+  }
   aiding_->Keep(source, std::move(seen));
 }
 

@@ -54,7 +54,8 @@ class SourcesTest : public ::testing::Test {
       const double yaw = std::fmod(t_, 120.0) < 60.0 ? 0.0 : std::numbers::pi;
       p_W_ += kStep * kSpeed * Eigen::Vector3d(std::cos(yaw), 0.0, 0.0);
       yaw_ = yaw;
-      navigator_->AddAttitude({.t = t_, .yaw = yaw + yaw_drift_ * t_, .sd_yaw = 0.01});
+      navigator_->AddAttitude(
+          {.t = t_, .roll = roll_, .yaw = yaw + yaw_drift_ * t_, .sd_yaw = 0.01});
       navigator_->AddDepth(t_, p_W_.z());
       if (steps_ == 0) navigator_->AddGps(t_, p_W_.head<2>(), 0.5);
       if (steps_ % 4 == 0)
@@ -78,7 +79,7 @@ class SourcesTest : public ::testing::Test {
   std::vector<const MeasurementSource*> heard_;
   Random noise_{7, "sources"};
   Eigen::Vector3d p_W_{0.0, 0.0, 10.0}, velocity_error_B_ = Eigen::Vector3d::Zero();
-  double t_ = 0.0, yaw_ = 0.0, yaw_drift_ = 0.0;
+  double t_ = 0.0, yaw_ = 0.0, yaw_drift_ = 0.0, roll_ = 0.0;
   int steps_ = 0;
 };
 
@@ -89,6 +90,27 @@ TEST_F(SourcesTest, RangesToABeaconHoldAVehicleThatDriftsOff) {
   Go(900.0, [&] { Say(0, (p_W_ + transducer - beacon).norm() + noise_.Normal(0.3)); });
   EXPECT_LT(Error(), 1.0);
   EXPECT_GT(navigator_->aiding().counts(0).taken, 800);
+}
+
+TEST_F(SourcesTest, AnEchoSounderTellsTheAltitudeWhileTheDvlTellsNone) {
+  Hear(Made("echo_sounder", {{"transducer_m", "0.3 0 0.2"}, {"greatest_m", "30"}}));
+  Go(20.0, [] {});
+  EXPECT_FALSE(navigator_->Estimate(t_).altitude);
+  Go(20.0, [&] { Say(0, 6.0); });
+  EXPECT_NEAR(navigator_->Estimate(t_).altitude.value(), 6.2, 1e-5);
+  roll_ = 0.2;
+  Go(20.0, [&] { Say(0, 6.0); });
+  EXPECT_NEAR(navigator_->Estimate(t_).altitude.value(), 6.2 * std::cos(0.2), 1e-5);
+  roll_ = 0.0;
+  Go(20.0, [&] {
+    navigator_->AddAltitude(t_, 5.0);
+    Say(0, 6.0);
+  });
+  const double dvl = 5.0 + Params().odometry.dvl_B.z();
+  EXPECT_NEAR(navigator_->Estimate(t_).altitude.value(), dvl, 1e-5);
+  Go(20.0, [&] { Say(0, 100.0); });  // no echo
+  EXPECT_FALSE(navigator_->Estimate(t_).altitude);
+  EXPECT_EQ(navigator_->aiding().counts(0).taken, 60);
 }
 
 TEST_F(SourcesTest, AnEchoIsRefusedAndCounted) {
