@@ -116,6 +116,7 @@ void NavApp::OnImu(const Stamped<ImuSample>& imu) {
                                               .force = {sample.fx, sample.fy, sample.fz},
                                               .rate = {sample.p, sample.q, sample.r},
                                               .heading = sample.heading});
+  imu_refusals_.Note(t, !is_good || !attitude_.has_heading());
   if (!is_good) {
     return;
   }
@@ -123,7 +124,9 @@ void NavApp::OnImu(const Stamped<ImuSample>& imu) {
   navigator_.AddSpecificForce(t, {sample.fx, sample.fy, sample.fz});
   if (attitude_.is_aligned() && t - last_attitude_t_ >= Navigator::kAttitudePeriod) {
     navigator_.AddAttitude(*attitude_.estimate());
-    navigator_.AddCompass(t, WrapAngle(sample.heading - attitude_.estimate()->yaw));
+    if (attitude_.has_heading()) {
+      navigator_.AddCompass(t, WrapAngle(sample.heading - attitude_.estimate()->yaw));
+    }
     last_attitude_t_ = t;
   }
 }
@@ -144,7 +147,9 @@ void NavApp::OnDvl(const Stamped<DvlSample>& dvl) {
   if (sample.altitude) {
     navigator_.AddAltitude(t, *sample.altitude);
   }
+  const int refused = navigator_.counts().velocities;
   navigator_.AddVelocity(t, velocity);
+  if (velocity) velocity_refusals_.Note(t, navigator_.counts().velocities != refused);
   if (navigator_.has_started() && IsFresh(imu_, now().value())) {
     attitude_.SetBodyVelocity(navigator_.Estimate(t).v_B);
     PublishBeams(dvl);

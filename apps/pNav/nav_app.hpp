@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/pNav/refusal_watch.hpp"
 #include "apps/pNav/source_watch.hpp"
 #include "apps/pNav/track_watch.hpp"
 #include "estimation/attitude/attitude_filter.hpp"
@@ -156,6 +157,7 @@ class NavApp final : public App {
   PlaceSigma newest_sigma_;  ///< as of the last frame
   double last_attitude_t_ = -1e18;
   SourceWatch imu_, fog_, dvl_, lock_, depth_, gps_, camera_, sonar_, refused_fix_;
+  RefusalWatch imu_refusals_, velocity_refusals_;
   std::vector<double> former_echoes_;  ///< of the sonar that looks ahead [m]
   int refused_fixes_ = 0;              ///< as of the last tick
   int gps_fixes_ = 0, dvl_pings_ = 0, dvl_pings_without_lock_ = 0;  ///< for the report

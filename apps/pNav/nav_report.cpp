@@ -87,6 +87,7 @@ void NavApp::Report(ReportLines& report) const {
   report.Pair("GPS fixes", fmt::format("{}, {} refused", gps_fixes_, refused.fixes));
   report.Pair("DVL pings", fmt::format("{}, {} without bottom lock, {} refused", dvl_pings_,
                                        dvl_pings_without_lock_, refused.velocities));
+  report.Pair("IMU", fmt::format("{} outliers", attitude_.outliers()));
   report.Pair("Depths", fmt::format("{} refused", refused.depths));
   report.Pair("Frames", fmt::format("{} came too late", refused.late_frames));
   report.Pair("Out of order", fmt::format("{} of the IMU, {} of others", attitude_.refused(),

@@ -29,6 +29,8 @@ void NavApp::AddSources(double now, NavState& state) const {
   state.depth = depth_.At(now, stale_after_);
   state.gps = gps_.At(now, std::max(stale_after_, kGpsPause));
   state.camera = camera_.At(now, stale_after_);
+  if (imu_.was_heard()) state.imu.refused = imu_refusals_.share();
+  if (lock_.was_heard()) state.dvl.refused = velocity_refusals_.share();
 }
 
 void NavApp::WatchSensors(double now) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "limpet/core/random.hpp"
 #include "limpet/mission/fault_schedule.hpp"
 #include "limpet/topics/sensors.hpp"
 
@@ -33,13 +34,26 @@ class FaultySensor {
   std::optional<T> last_;  ///< that it said while it was sound
 };
 
-/// Of the DVL's altitude, which may stick while its velocity is sound.
+/// An IMU, which may glitch, too.
+class FaultyImu {
+ public:
+  explicit FaultyImu(Random random) : random_(random) {}
+  [[nodiscard]] std::optional<ImuSample> Pass(ImuSample sample, const FaultSchedule& faults);
+
+ private:
+  FaultySensor<ImuSample> any_{"imu"};
+  Random random_;
+};
+
+/// A DVL, whose altitude may stick while its velocity is sound, and which may glitch.
 class FaultyDvl {
  public:
+  explicit FaultyDvl(Random random) : random_(random) {}
   [[nodiscard]] std::optional<DvlSample> Pass(DvlSample sample, const FaultSchedule& faults);
 
  private:
   FaultySensor<DvlSample> any_{"dvl"};
+  Random random_;
   std::optional<double> altitude_;
 };
 

@@ -79,7 +79,8 @@ SimSensorsApp::SimSensorsApp(const AppContext& context, const Scenario& scenario
   Add(topics::kDvlData, sheets.dvl.rate, errors.dvl.stamps,
       DvlModel(DvlOf(sheets.dvl, truth, errors.dvl), SceneOf(scenario, context.session),
                MakeRandom("dvl"), MakeRandom("dvl errors")),
-      [sensor = FaultyDvl()](const DvlSample& sample, const FaultSchedule& faults) mutable {
+      [sensor = FaultyDvl(MakeRandom("dvl faults"))](const DvlSample& sample,
+                                                     const FaultSchedule& faults) mutable {
         return sensor.Pass(sample, faults);
       });
   Add(topics::kGpsData, sheets.gps.rate, errors.gps.stamps,
@@ -114,8 +115,8 @@ void SimSensorsApp::AddAttitudeSensors(const Scenario& scenario, const SensorShe
   if (sheets.imu.is_present) {
     Add(topics::kImuData, sheets.imu.rate, errors.imu.stamps,
         ImuModel(ImuOf(sheets.imu, truth, errors.imu), MakeRandom("imu"), MakeRandom("imu errors")),
-        [sensor = FaultySensor<ImuSample>("imu")](const ImuSample& sample,
-                                                  const FaultSchedule& faults) mutable {
+        [sensor = FaultyImu(MakeRandom("imu faults"))](const ImuSample& sample,
+                                                       const FaultSchedule& faults) mutable {
           return sensor.Pass(sample, faults);
         });
   }

@@ -64,6 +64,17 @@ bool AttitudeFilter::IsInOrder(const InertialInput& input) {
   return dt > 0.0;
 }
 
+InertialGate::Verdict AttitudeFilter::Judge(const InertialInput& input) {
+  // How a vehicle moved while there were no samples nobody knows.
+  if (input.t - last_t_ > kLongestStep || set_back_ >= kBelieve) gate_.Forget();
+  last_t_ = input.t;
+  using Verdict = InertialGate::Verdict;
+  const Verdict verdict = gate_.JudgeMotion(input);
+  has_heading_ = verdict != Verdict::kRefused && gate_.JudgeHeading(input) != Verdict::kRefused;
+  outliers_ += has_heading_ ? 0 : 1;
+  return verdict;
+}
+
 bool AttitudeFilter::AddInertial(const InertialInput& input) {
   const bool is_finite = std::isfinite(input.t) && input.force.allFinite() &&
                          input.rate.allFinite() && std::isfinite(input.heading);
@@ -71,12 +82,17 @@ bool AttitudeFilter::AddInertial(const InertialInput& input) {
     ++refused_;
     return false;
   }
+  using Verdict = InertialGate::Verdict;
+  const Verdict verdict = Judge(input);
+  if (verdict == Verdict::kRefused) return false;
   leaps_ = 0;
   const bool was_set_back = std::exchange(set_back_, 0) >= kBelieve;
   const bool has_fog = std::abs(input.t - fog_t_) < kFogMaxAge;
   Eigen::Vector3d rate = input.rate;
   rate.z() = has_fog ? fog_rate_ : rate.z();
-  if (!estimate_) {
+  const bool was_first_false =
+      verdict == Verdict::kBelieved && estimate_ && estimate_->t <= start_t_;
+  if (!estimate_ || was_first_false) {
     Start(input);
   } else {
     const double gap = input.t - estimate_->t;
@@ -150,6 +166,7 @@ void AttitudeFilter::AlignHeading(const InertialInput& input, double gap) {
   if (is_aligned() && (is_first || input.t - aligned_from_ > params_.alignment.value())) {
     return;
   }
+  if (!has_heading_) return;
   // What was held up during a gap comes in one go, its times no longer its own: it counts little.
   const double share = gap > kLongestStep ? 0.0 : gap;
   const double weight = is_first ? 1.0 : std::max(share, 1e-6);

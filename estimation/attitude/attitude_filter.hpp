@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "estimation/attitude/inertial_gate.hpp"
+#include "estimation/attitude/inertial_input.hpp"
 #include "limpet/core/units.hpp"
 
 namespace limpet {
@@ -16,14 +18,6 @@ struct AttitudeEstimate {
   double roll = 0.0, pitch = 0.0, yaw = 0.0;
   double yaw_rate = 0.0;  ///< [rad/s]
   double sd_roll = 0.0, sd_pitch = 0.0, sd_yaw = 0.0;
-};
-
-/// One inertial sample, body FRD: specific force [m/s^2], rates [rad/s], heading [rad, true north].
-struct InertialInput {
-  double t = 0.0;
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();
-  Eigen::Vector3d rate = Eigen::Vector3d::Zero();
-  double heading = 0.0;
 };
 
 struct AttitudeParams {
@@ -52,8 +46,8 @@ class AttitudeFilter {
   /// Body z rate of the fibre-optic gyro [rad/s]; used for samples of the IMU up to 0.2 s off.
   void AddFogRate(double t, double rate);
   /// Advances the filter; false for a sample that is refused: not newer than the last one, not
-  /// finite, or leaping far ahead, which takes a few in a row to be believed. Nothing is ever
-  /// integrated backwards. A clock that was set back has hidden how far the vehicle turned
+  /// finite, leaping far ahead, which takes a few in a row to be believed, or an outlier. Nothing
+  /// is ever integrated backwards. A clock that was set back has hidden how far the vehicle turned
   /// meanwhile: that is a gap.
   bool AddInertial(const InertialInput& input);
   /// Body velocity over ground [m/s], for the centripetal part of the specific force.
@@ -61,12 +55,19 @@ class AttitudeFilter {
 
   [[nodiscard]] bool is_aligned() const;
   [[nodiscard]] const std::optional<AttitudeEstimate>& estimate() const { return estimate_; }
-  /// Samples, since the start.
+  /// Samples, since the start: out of order or not finite.
   [[nodiscard]] int refused() const { return refused_; }
+  /// Likewise: outliers.
+  [[nodiscard]] int outliers() const { return outliers_; }
+  /// The last sample's heading may be used: it is no outlier, which its rates and forces need not
+  /// share.
+  [[nodiscard]] bool has_heading() const { return has_heading_; }
   [[nodiscard]] Eigen::Vector2d gyro_bias() const { return x_.tail<2>(); }
 
  private:
   [[nodiscard]] bool IsInOrder(const InertialInput& input);
+  /// Of a sample in order: whether it is an outlier, and whether its heading is.
+  [[nodiscard]] InertialGate::Verdict Judge(const InertialInput& input);
   void Start(const InertialInput& input);
   void Predict(const Eigen::Vector3d& rate, double dt);
   void CorrectTilt(const InertialInput& input, double yaw_body_rate);
@@ -74,16 +75,19 @@ class AttitudeFilter {
   void AlignHeading(const InertialInput& input, double gap);
 
   AttitudeParams params_;
+  InertialGate gate_;
   Eigen::Vector4d x_ = Eigen::Vector4d::Zero();  ///< roll, pitch, bias of p, bias of q
   Eigen::Matrix4d P_ = Eigen::Matrix4d::Identity();
   Eigen::Vector3d v_WB_B_ = Eigen::Vector3d::Zero();
   double fog_t_ = -1e9, fog_rate_ = 0.0;
   double start_t_ = 0.0, aligned_from_ = 0.0;
+  double last_t_ = -1e18;                       ///< of the last sample in order
   double yaw_integral_ = 0.0, yaw_rate_ = 0.0;  ///< since the start
   double heading_offset_ = 0.0;                 ///< yaw less its integral, averaged
   double heading_weight_ = 0.0;                 ///< of the average so far
   std::optional<AttitudeEstimate> estimate_;
-  int refused_ = 0;
+  int refused_ = 0, outliers_ = 0;
+  bool has_heading_ = false;
   int set_back_ = 0;       ///< older than the last good one, in a row
   int leaps_ = 0;          ///< far ahead of it, in a row
   double leapt_to_ = 0.0;  ///< time of the last of those

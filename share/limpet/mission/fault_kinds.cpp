@@ -8,12 +8,13 @@ namespace limpet {
 namespace {
 
 // clang-format off
-constexpr std::array<FaultKind, 37> kFaultKinds{{
+constexpr std::array<FaultKind, 39> kFaultKinds{{
     {"dvl_silent", "The DVL says nothing", "uSimSensors"},
     {"dvl_stuck", "The DVL repeats its last sample", "uSimSensors"},
     {"dvl_flipped", "The DVL's velocity has the opposite sign ahead and aside", "uSimSensors"},
     {"dvl_biased", "The DVL's velocity ahead is off", "uSimSensors", "so much too fast [m/s]", 0.3, -10.0, 10.0},
     {"dvl_no_lock", "The DVL answers without bottom lock", "uSimSensors"},
+    {"dvl_outliers", "Some of the DVL's velocities are anything up to 5 m/s off", "uSimSensors", "share of them", 0.4, 0.0, 1.0},
     {"altitude_stuck", "The DVL's altitude stays what it was", "uSimSensors"},
     {"altitude_biased", "The DVL's altitude is off", "uSimSensors", "so much too high [m]", 3.0, -100.0, 100.0},
     {"depth_silent", "The depth sensor says nothing", "uSimSensors"},
@@ -21,6 +22,7 @@ constexpr std::array<FaultKind, 37> kFaultKinds{{
     {"depth_biased", "The depth sensor is off", "uSimSensors", "so much too deep [m]", 2.0, -1000.0, 1000.0},
     {"imu_silent", "The IMU says nothing", "uSimSensors"},
     {"imu_stuck", "The IMU repeats its last sample", "uSimSensors"},
+    {"imu_outliers", "Some of the IMU's samples are glitches: rates, forces and heading of anything its line makes of them", "uSimSensors", "share of them", 0.2, 0.0, 1.0},
     {"fog_silent", "The fibre-optic gyro says nothing", "uSimSensors"},
     {"sonar_silent", "The obstacle sonar says nothing", "uSimSensors"},
     {"sonar_stuck", "The obstacle sonar repeats its last ping", "uSimSensors"},

@@ -41,10 +41,12 @@ enum class SafetyRuleId : std::size_t {
   kSigmaOverLimit,
   kDvlSilent,
   kDvlLost,
+  kDvlOutliers,
   kDvlStuck,
   kAltitudeStuck,
   kDepthSilent,
   kDepthStuck,
+  kImuOutliers,
   kImuStuck,
   kSonarSilent,
   kSonarStuck,
@@ -70,7 +72,7 @@ enum class SafetyRuleId : std::size_t {
   kMemoryHigh,
   kProcessorHigh
 };
-inline constexpr std::size_t kSafetyRules = 44;
+inline constexpr std::size_t kSafetyRules = 46;
 
 /// One row. What it watches is a number that must not go beyond a limit.
 struct SafetyRule {

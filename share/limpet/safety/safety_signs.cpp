@@ -184,6 +184,13 @@ void SafetySigns::MeasureSensors(SafetyMeasures& measures, Seconds now) const {
   if (pressure_heard_) {
     MeasureOf(measures, SafetyId::kDepthSilent) = (now - *pressure_heard_).value() / warp_;
   }
+  if (IsNavigationFresh(now)) {
+    const auto percent = [](std::optional<double> share) {
+      return share ? std::optional(100.0 * *share) : std::nullopt;
+    };
+    MeasureOf(measures, SafetyId::kDvlOutliers) = percent(nav_->value.dvl.refused);
+    MeasureOf(measures, SafetyId::kImuOutliers) = percent(nav_->value.imu.refused);
+  }
   MeasureOf(measures, SafetyId::kDvlStuck) = velocity_.duration();
   MeasureOf(measures, SafetyId::kAltitudeStuck) = altitude_.duration();
   MeasureOf(measures, SafetyId::kDepthStuck) = pressure_.duration();

@@ -23,7 +23,7 @@ constexpr TrialLimit BeyondCalm(double by) {
 constexpr TrialLimit AtBegin() { return {.kind = TrialLimit::Kind::kAtBegin}; }
 
 // clang-format off
-constexpr std::array<SafetyCase, 49> kCases{{
+constexpr std::array<SafetyCase, 51> kCases{{
     {"leak", "what: leak", Id::kLeak, Seconds(3.0)},
     {"battery low", "what: battery", Id::kBatteryLow, Seconds(12.0)},
     {"battery critical", "what: battery, size: 0.05", Id::kBatteryCritical, Seconds(12.0)},
@@ -34,12 +34,14 @@ constexpr std::array<SafetyCase, 49> kCases{{
     {"DVL flipped", "what: dvl_flipped", Id::kDvlSilent, Seconds(50.0), kFromSurvey},
     // Of a vehicle that has not moved yet nothing tells it apart: it shows where a survey gets nowhere.
     {"DVL flipped early", "what: dvl_flipped", Id::kNoProgress, Seconds(75.0), kFromAlign, kToDive},
+    {"DVL outliers", "what: dvl_outliers", Id::kDvlOutliers, Seconds(12.0), kFromDive},
     {"DVL stuck", "what: dvl_stuck", Id::kDvlStuck, Seconds(6.0)},
     {"altitude stuck", "what: altitude_stuck", Id::kAltitudeStuck, Seconds(6.0)},
     {"altitude off", "what: altitude_biased", Id::kDepthAgainstAltitude, Seconds(6.0), kFromDive},
     {"depth silent", "what: depth_silent", Id::kDepthSilent, Seconds(16.0)},
     {"depth stuck", "what: depth_stuck", Id::kDepthStuck, Seconds(11.0)},
     {"IMU stuck", "what: imu_stuck", Id::kImuStuck, Seconds(4.0)},
+    {"IMU outliers", "what: imu_outliers", Id::kImuOutliers, Seconds(8.0)},
     {"sonar silent", "what: sonar_silent", Id::kSonarSilent, Seconds(16.0), kFromAlign, kToReturn},
     {"sonar stuck", "what: sonar_stuck", Id::kSonarStuck, Seconds(11.0), kFromAlign, kToSurvey, {}, "", TrialProp::kObstacle},
     {"IMU silent", "what: imu_silent", Id::kNavigationSilent, Seconds(27.0)},

@@ -21,6 +21,9 @@ struct NavSource {
   std::optional<double> age = std::nullopt;
   /// That is no longer than pNav waits for one. Absent: the writer does not say.
   std::optional<bool> is_valid = std::nullopt;
+  /// Share of its samples of the last ten seconds or so that were refused as outliers. Absent: the
+  /// writer does not say.
+  std::optional<double> refused = std::nullopt;
 };
 
 /// The estimate as known now. NED, body FRD; 1-sigma of each. While sensors are silent the sigmas
@@ -35,7 +38,7 @@ struct NavState {
   std::optional<double> velocity_age = std::nullopt;
   double yaw_rate = 0.0;  ///< [rad/s]
   /// Of the body origin above the seabed [m], as `down` is its depth: their sum is the seabed's
-  /// depth. Absent without bottom lock.
+  /// depth. Absent without bottom lock, but for a vehicle with an echo sounder.
   std::optional<double> altitude;
   double sd_north = 0.0, sd_east = 0.0, sd_down = 0.0, sd_yaw = 0.0;
   /// False: nothing has told pNav lately how the vehicle moves (no attitude, or neither bottom
@@ -43,7 +46,8 @@ struct NavState {
   /// NAV_X and its kin are silent. Absent, from another writer, counts as true.
   std::optional<bool> is_valid = std::nullopt;
   /// `dvl`: velocity over ground; `fog`: without it the IMU's own yaw rate serves; under water
-  /// there is no GPS, and `camera` counts frames, also of nothing.
+  /// there is no GPS, and `camera` counts frames, also of nothing. IMU and DVL say what they
+  /// refuse.
   NavSource imu = {}, fog = {}, dvl = {}, depth = {}, gps = {}, camera = {};
 
   template <class V>
@@ -56,8 +60,10 @@ struct NavState {
         visit("sd_yaw", sd_yaw);
     visit("is_valid", is_valid);
     visit("imu_age", imu.age), visit("imu_valid", imu.is_valid);
+    visit("imu_refused", imu.refused);
     visit("fog_age", fog.age), visit("fog_valid", fog.is_valid);
     visit("dvl_age", dvl.age), visit("dvl_valid", dvl.is_valid);
+    visit("dvl_refused", dvl.refused);
     visit("depth_age", depth.age), visit("depth_valid", depth.is_valid);
     visit("gps_age", gps.age), visit("gps_valid", gps.is_valid);
     visit("camera_age", camera.age), visit("camera_valid", camera.is_valid);

@@ -169,6 +169,65 @@ TEST(AttitudeFilter, FindsItsHeadingAgainAfterItsClockWasSetBackWhileTheVehicleT
   EXPECT_EQ(filter.refused(), 50);
 }
 
+/// A sample of which the line has made anything.
+InertialInput Garbled(double t, Random& random) {
+  InertialInput input{.t = t};
+  for (int axis = 0; axis < 3; ++axis) {
+    input.rate(axis) = random.Uniform(-4.0, 4.0);
+    input.force(axis) = random.Uniform(-40.0, 40.0);
+  }
+  input.heading = random.Uniform(-3.0, 3.0);
+  return input;
+}
+
+TEST(AttitudeFilter, KeepsItsAttitudeWhileEveryThirdSampleIsAnOutlier) {
+  Random random(7);
+  AttitudeFilter filter{AttitudeParams{}};
+  int garbled = 0, mistaken = 0;
+  for (double t = 0.0; t < 60.0; t += kPeriod) {
+    const bool is_garbled = t > 0.1 && random.Uniform(0.0, 1.0) < 0.33;
+    garbled += is_garbled ? 1 : 0;
+    const bool is_taken =
+        filter.AddInertial(is_garbled ? Garbled(t, random) : Steady(t, 0.1, -0.05, 1.0));
+    mistaken += is_taken == is_garbled ? 1 : 0;
+  }
+  EXPECT_GT(garbled, 900);
+  EXPECT_LE(mistaken, 2);  // one in some thousands is near enough by chance
+  EXPECT_NEAR(filter.outliers(), garbled, 2.0);
+  EXPECT_NEAR(filter.estimate()->roll, 0.1, 0.02);
+  EXPECT_NEAR(filter.estimate()->pitch, -0.05, 0.02);
+  EXPECT_NEAR(filter.estimate()->yaw, 1.0, 0.02);
+}
+
+TEST(AttitudeFilter, StartsAnewIfItsFirstSampleWasAnOutlier) {
+  Random random(8);
+  AttitudeFilter filter{AttitudeParams{}};
+  filter.AddInertial(Garbled(0.0, random));
+  Feed(filter, 1.0, 0.1, -0.05, 1.0);
+  EXPECT_NEAR(filter.estimate()->roll, 0.1, 1e-3);
+  EXPECT_NEAR(filter.estimate()->pitch, -0.05, 1e-3);
+  EXPECT_NEAR(filter.estimate()->yaw, 1.0, 1e-3);
+}
+
+TEST(AttitudeFilter, BelievesABlowThatLasts) {
+  AttitudeFilter filter{AttitudeParams{}};
+  Feed(filter, 10.0, 0.0, 0.0, 0.0);
+  for (double t = 10.0; t < 11.0; t += kPeriod) {
+    filter.AddInertial(Steady(t, 0.0, 0.0, 0.0, 1.0));
+  }
+  EXPECT_NEAR(filter.estimate()->yaw_rate, 1.0, 1e-6);
+}
+
+TEST(AttitudeFilter, SaysWhichHeadingIsAnOutlierThoughTheMotionIsNone) {
+  AttitudeFilter filter{AttitudeParams{}};
+  Feed(filter, 10.0, 0.0, 0.0, 0.0);
+  EXPECT_TRUE(filter.has_heading());
+  EXPECT_TRUE(filter.AddInertial(Steady(10.0, 0.0, 0.0, 2.0)));
+  EXPECT_FALSE(filter.has_heading());
+  EXPECT_TRUE(filter.AddInertial(Steady(10.02, 0.0, 0.0, 0.0)));
+  EXPECT_TRUE(filter.has_heading());
+}
+
 TEST(AttitudeFilter, TakesNoGyroRateOfAnotherTime) {
   AttitudeFilter filter{AttitudeParams{}};
   Feed(filter, 10.0, 0.0, 0.0, 0.5);

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kDigestOfNumber7 = 10191744066104994652U;
+constexpr std::uint64_t kDigestOfNumber8 = 7206488527495775949ULL;
 
 /// A header without comments and blanks.
 std::string CodeOf(const fs::path& file) {
@@ -52,8 +52,8 @@ TEST(BehaviorAbi, HasANewNumberWheneverWhatBehaviorsSeeChanges) {
   for (const std::string& header : headers) {
     code += header + "\n" + CodeOf(fs::path(LIMPET_SOURCE_DIR) / "share" / header);
   }
-  EXPECT_EQ(LIMPET_BEHAVIOR_ABI, 7);
-  EXPECT_EQ(XXH3_64bits(code.data(), code.size()), kDigestOfNumber7)
+  EXPECT_EQ(LIMPET_BEHAVIOR_ABI, 8);
+  EXPECT_EQ(XXH3_64bits(code.data(), code.size()), kDigestOfNumber8)
       << "headers that behaviors include have changed: if objects of old behaviors no longer fit, "
          "raise LIMPET_BEHAVIOR_ABI, and in any case write the new digest here";
 }

@@ -49,6 +49,34 @@ TEST_F(NavAppTest, SaysTheAgeOfEachSourceAndThatAllAreValid) {
   EXPECT_EQ(state->camera.is_valid, false);
 }
 
+TEST_F(NavAppTest, SaysWhatShareOfImuAndDvlItRefusesAndStaysWhereItIs) {
+  RunFor(20.0);
+  EXPECT_EQ(link_.Last(topics::kNavState)->imu.refused, 0.0);
+  EXPECT_EQ(link_.Last(topics::kNavState)->dvl.refused, 0.0);
+  for (int i = 0; i < 300; ++i) {  // every sixth inertial sample, every other velocity
+    RunFor(0.1);
+    const double way = i % 2 == 0 ? 1.0 : -1.0;
+    link_.SendStamped(*app_, topics::kImuData,
+                      ImuSample{.fy = 30.0 * way, .fz = 9.0, .p = 3.0 * way, .heading = -way},
+                      link_.time + Seconds(0.01));
+    if (i % 2 == 0) continue;
+    DvlSample jump;
+    jump.has_lock = true;
+    jump.u = 3.0 * std::sin(i), jump.v = 2.0, jump.w = 1.0;
+    link_.SendStamped(*app_, topics::kDvlData, jump, link_.time + Seconds(0.01));
+  }
+  RunFor(0.1);
+  const auto state = link_.Last(topics::kNavState);
+  EXPECT_NEAR(state->imu.refused.value(), 1.0 / 6.0, 0.05);
+  EXPECT_NEAR(state->dvl.refused.value(), 0.5, 0.1);
+  EXPECT_NEAR(state->east, east_, 0.05);
+  EXPECT_NEAR(state->yaw, 0.5 * M_PI, 0.01);
+  EXPECT_NEAR(state->roll, 0.0, 0.005);
+  RunFor(40.0);
+  EXPECT_LT(link_.Last(topics::kNavState)->imu.refused.value(), 0.001);
+  EXPECT_LT(link_.Last(topics::kNavState)->dvl.refused.value(), 0.001);
+}
+
 TEST_F(NavAppTest, PublishesNoFrozenEstimateAsFreshWhenAllSensorsFallSilent) {
   RunFor(20.0);
   StayDeaf(3.0);

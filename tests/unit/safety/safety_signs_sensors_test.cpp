@@ -28,6 +28,20 @@ TEST_F(SafetySignsTest, NoticeASensorThatSaysTheVerySame) {
   EXPECT_DOUBLE_EQ(Measure(Id::kImuStuck).value(), 0.0);
 }
 
+TEST_F(SafetySignsTest, TellWhatShareOfASensorNavigationRefuses) {
+  NavState nav = At(0.0, 3.0, 4.0);
+  signs_.Hear(nav, now_);
+  EXPECT_FALSE(Measure(Id::kImuOutliers));  // nobody says
+  EXPECT_FALSE(Measure(Id::kDvlOutliers));
+  nav.imu.refused = 0.07;
+  nav.dvl.refused = 0.3;
+  signs_.Hear(nav, now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kImuOutliers).value(), 7.0);
+  EXPECT_DOUBLE_EQ(Measure(Id::kDvlOutliers).value(), 30.0);
+  Wait(5.0);
+  EXPECT_FALSE(Measure(Id::kImuOutliers));  // of navigation that is silent
+}
+
 TEST_F(SafetySignsTest, TakeNoSensorThatIsSilentForStuck) {
   signs_.Hear(Velocity(0.5), now_);
   Wait(100.0);

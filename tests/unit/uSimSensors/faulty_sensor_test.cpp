@@ -30,14 +30,14 @@ DvlSample Ping(double u) {
 
 TEST(FaultySensorTest, SaysWhatItMeasuresWhileAllIsSound) {
   FaultSchedule schedule = With("dvl_stuck");
-  FaultyDvl dvl;
+  FaultyDvl dvl(Random(1));
   EXPECT_EQ(dvl.Pass(Ping(0.5), schedule)->u, 0.5);
   EXPECT_EQ(dvl.Pass(Ping(0.6), schedule)->altitude, 4.6);
 }
 
 TEST(FaultySensorTest, RepeatsItselfWhileItSticksAndGoesOnAfterwards) {
   FaultSchedule schedule = With("dvl_stuck");
-  FaultyDvl dvl;
+  FaultyDvl dvl(Random(1));
   static_cast<void>(dvl.Pass(Ping(0.5), schedule));
   schedule.Update(Seconds(12.0));
   EXPECT_EQ(dvl.Pass(Ping(0.6), schedule)->u, 0.5);
@@ -62,7 +62,7 @@ TEST(FaultySensorTest, IsSilent) {
 }
 
 TEST(FaultySensorTest, ADvlMayFlipBeOffOrLoseItsLock) {
-  FaultyDvl dvl;
+  FaultyDvl dvl(Random(1));
   FaultSchedule flipped = With("dvl_flipped");
   flipped.Update(Seconds(12.0));
   const DvlSample sample = *dvl.Pass(Ping(0.5), flipped);
@@ -79,7 +79,7 @@ TEST(FaultySensorTest, ADvlMayFlipBeOffOrLoseItsLock) {
 }
 
 TEST(FaultySensorTest, AnAltitudeMayStickOrBeOffByItself) {
-  FaultyDvl dvl;
+  FaultyDvl dvl(Random(1));
   FaultSchedule stuck = With("altitude_stuck");
   static_cast<void>(dvl.Pass(Ping(0.5), stuck));
   stuck.Update(Seconds(12.0));
@@ -91,6 +91,24 @@ TEST(FaultySensorTest, AnAltitudeMayStickOrBeOffByItself) {
   EXPECT_DOUBLE_EQ(*dvl.Pass(Ping(0.5), biased)->altitude, 7.5);
   DvlSample blind;
   EXPECT_FALSE(dvl.Pass(blind, biased)->altitude);
+}
+
+TEST(FaultySensorTest, SomeOfTheImusAndTheDvlsSamplesMayBeOutliers) {
+  FaultyImu imu(Random(1));
+  FaultyDvl dvl(Random(2));
+  FaultSchedule glitches = With("imu_outliers", 0.25), jumps = With("dvl_outliers", 0.25);
+  const ImuSample sound{.fz = -9.81, .heading = 1.0};
+  int odd_inertial = 0, odd_velocities = 0;
+  for (int i = 0; i < 2000; ++i) {
+    if (i == 1000) glitches.Update(Seconds(12.0)), jumps.Update(Seconds(12.0));
+    odd_inertial += imu.Pass(sound, glitches)->fz != sound.fz ? 1 : 0;
+    odd_velocities += dvl.Pass(Ping(0.5), jumps)->u != 0.5 ? 1 : 0;
+    if (i == 999) {
+      EXPECT_EQ(odd_inertial + odd_velocities, 0);
+    }
+  }
+  EXPECT_NEAR(odd_inertial, 250, 50);
+  EXPECT_NEAR(odd_velocities, 250, 50);
 }
 
 TEST(FaultySensorTest, DepthAndGpsMayBeOff) {
