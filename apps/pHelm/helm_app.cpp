@@ -224,6 +224,15 @@ std::vector<WeightedBehavior> HelmApp::Bidders() {
 }
 
 void HelmApp::Tick(Seconds now) {
+  const Seconds began = SteadyTime();
+  Iterate(now);
+  if (context().runs_live && !lead_.leads()) {  // embedded, equal runs say the same
+    Publish(topics::kHelmCreateTime, arbiter_.asked_for().value());
+    Publish(topics::kHelmLoopTime, (SteadyTime() - began).value());
+  }
+}
+
+void HelmApp::Iterate(Seconds now) {
   PostInitialValues();
   ++helm_iteration_;
   motion_ = {};

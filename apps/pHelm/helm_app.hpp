@@ -72,6 +72,7 @@ class HelmApp final : public App {
   void SubscribeForBehaviors();
   void PostInitialValues();
   void Post(const std::vector<HelmPost>& posts);
+  void Iterate(Seconds now);
   void DecideView(Seconds now);
   void JudgeLedHelm(Seconds now);
   /// Says which objects still want a look, and which will get none.

@@ -63,6 +63,8 @@ class AnswerWatch {
     work();
     return ComplaintOf(Now() - began);
   }
+  /// Real time, from any origin; 0 without a clock.
+  [[nodiscard]] Seconds Now() const { return clock_ ? clock_() : Seconds(0.0); }
 
  private:
   struct Lateness {
@@ -70,7 +72,6 @@ class AnswerWatch {
     Seconds took{0.0};   ///< the last
     Seconds since{0.0};  ///< when it ended
   };
-  [[nodiscard]] Seconds Now() const { return clock_ ? clock_() : Seconds(0.0); }
   [[nodiscard]] std::optional<std::string> RestOf(const std::string& owner) const;
   [[nodiscard]] std::optional<std::string> Judge(const std::string& owner, Seconds took,
                                                  bool is_late);

@@ -97,9 +97,11 @@ const MotionDecision& MotionArbiter::Decide(std::span<const WeightedBehavior> be
   decision_.failures.clear();
   heard_ = 0;
   acted_ = 0;
+  const Seconds began = watch_.Now();
   for (const WeightedBehavior& running : behaviors) {
     Ask(running, state);
   }
+  asked_for_ = watch_.Now() - began;
   decision_.turns.resize(acted_);
   for (std::vector<WeightedPeak>& peaks : peaks_) {
     peaks.clear();

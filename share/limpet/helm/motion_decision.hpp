@@ -63,6 +63,8 @@ class MotionArbiter {
   const MotionDecision& Decide(std::span<const WeightedBehavior> behaviors,
                                const VehicleState& state);
   [[nodiscard]] const MotionDomain& domain() const { return domain_; }
+  /// That the behaviors took to bid in the last decision, in real time; 0 without a clock.
+  [[nodiscard]] Seconds asked_for() const { return asked_for_; }
   /// The bids that the last decision rests on, in the order of the behaviors.
   [[nodiscard]] std::span<const OwnedMotionBid> bids() const { return {bids_.data(), heard_}; }
 
@@ -86,6 +88,7 @@ class MotionArbiter {
   std::vector<OwnedMotionBid> bids_;  ///< the first `heard_` are of now; the rest keeps its memory
   std::size_t heard_ = 0;
   std::size_t acted_ = 0;  ///< turns of this decision so far
+  Seconds asked_for_;
   std::array<std::vector<WeightedPeak>, 3> peaks_;
   std::vector<WeightedTable> tables_;
 };

@@ -104,6 +104,12 @@ inline const auto kHelmBehaviorCountEver =
 inline const auto kHelmFunctionCount =
     Declare<double>("IVPHELM_IPF_CNT", "bids on the motion that went into the decision",
                     {.rate = "on change", .writers = {"pHelm"}});
+inline const auto kHelmCreateTime = Declare<double>(
+    "IVPHELM_CREATE_CPU", "real time that the behaviors took to bid on the motion; not embedded",
+    {.unit = "s", .rate = "10 Hz", .writers = {"pHelm"}});
+inline const auto kHelmLoopTime =
+    Declare<double>("IVPHELM_LOOP_CPU", "real time that the iteration took; not embedded",
+                    {.unit = "s", .rate = "10 Hz", .writers = {"pHelm"}});
 inline const auto kHelmUpdateVars = Declare<std::string>(
     "IVPHELM_UPDATEVARS", "behavior=variable, ...: where behaviors take updates",
     {.rate = "on change", .writers = {"pHelm"}});

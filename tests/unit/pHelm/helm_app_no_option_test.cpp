@@ -12,6 +12,7 @@
 #include "limpet/core/clock.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/survey/look.hpp"
+#include "limpet/topics/viewer.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_link.hpp"
 
@@ -113,6 +114,11 @@ TEST(HelmThatDecides, SaysInACommunityHowLongThatTook) {
   EXPECT_GT(live.link().Last(topics::kPlanTime).value(), 0.0);
   EXPECT_LT(live.link().Last(topics::kPlanTime).value(), 10.0);
   EXPECT_EQ(embedded.link().Count(topics::kPlanTime), 0) << "equal runs say the same";
+  const double create = live.link().Last(topics::kHelmCreateTime).value();
+  EXPECT_GT(create, 0.0);
+  EXPECT_GT(live.link().Last(topics::kHelmLoopTime).value(), create);
+  EXPECT_EQ(embedded.link().Count(topics::kHelmCreateTime), 0);
+  EXPECT_EQ(embedded.link().Count(topics::kHelmLoopTime), 0);
 }
 
 TEST(HelmThatDecides, DoesNotHearInACommunityWhoTakesTooLongOverWhereNextAndSaysSo) {
