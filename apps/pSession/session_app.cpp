@@ -60,7 +60,7 @@ SessionApp::SessionApp(const AppContext& context, const Params& params)
   Subscribe(topics::kNavTrackShift, &SessionApp::OnTrackShift);
   Subscribe(topics::kWaterRecord, &SessionApp::OnWater);
   Subscribe(topics::kMapDepths, &SessionApp::OnDepths);
-  Subscribe(topics::kMapSnapshot, &SessionApp::OnSnapshot);
+  SubscribeRaw(topics::kMapSnapshot.name, [this](const MessagePtr& map) { OnSnapshot(map); });
   Subscribe(topics::kSessionSave, &SessionApp::OnSave);
   if (!context.ends_cut_life) CopyMission();
   if (!context.run_folder.empty()) {
@@ -92,6 +92,7 @@ void SessionApp::GoOnFromSaved() {
   const std::optional<FormerFacts> former = memory_.former;
   memory_ = *saved;
   memory_.former = former;
+  map_size_ = memory_.map.size();
   is_folder_ours_ = true;
   ReportEvent(events::kSessionResumed,
               fmt::format("goes on from saved generation {}", stored->generation));
@@ -196,12 +197,29 @@ void SessionApp::OnDepths(const Stamped<PackedBytes>& depths) {
   memory_.depths = depths.value.bytes;
 }
 
-void SessionApp::OnSnapshot(const Stamped<PackedBytes>& map) {
-  ClearWarning(warnings::kMapSilent);
-  memory_.map = map.value.bytes;
-  if (pending_) {
-    Commit(pending_->cause, map.time);
+// A large survey's map is tens of megabytes: it is kept as it was sent, an eighth of that, and
+// unpacked once, into the file.
+void SessionApp::OnSnapshot(const MessagePtr& map) {
+  if (!HasUsableStamp(map->name, map->time, map->source)) return;
+  std::optional<PackedBytes> bytes = TopicCodec<PackedBytes>::Decode(map->value);
+  if (!bytes) {
+    Warn(warnings::kBadMail.Of(map->name), "does not decode; sent by " + map->source);
+    return;
   }
+  ClearWarning(warnings::kBadMail, map->name);
+  ClearWarning(warnings::kMapSilent);
+  memory_.map.clear();
+  map_ = map;
+  map_size_ = bytes->bytes.size();
+  if (pending_) {
+    Commit(pending_->cause, map->time, std::move(bytes->bytes));
+  }
+}
+
+std::string SessionApp::LastMap() const {
+  if (map_ == nullptr) return memory_.map;
+  std::optional<PackedBytes> bytes = TopicCodec<PackedBytes>::Decode(map_->value);
+  return bytes ? std::move(bytes->bytes) : std::string();
 }
 
 void SessionApp::Tick(Seconds now) {
@@ -220,10 +238,10 @@ void SessionApp::Tick(Seconds now) {
   if (put_off_) {
     StartSaving(*std::exchange(put_off_, std::nullopt), now);
   } else if (!last_save_) {
-    Commit("start", now);  // self-describing from its first second
+    Commit("start", now, LastMap());  // self-describing from its first second
   } else if (pending_ && now - pending_->since > params_.map_within) {
     Warn(warnings::kMapSilent, "no MAP_SNAPSHOT: saved with the last map known");
-    Commit(pending_->cause, now);
+    Commit(pending_->cause, now, LastMap());
   } else if (!pending_ && now - *last_save_ >= SaveEvery()) {
     StartSaving(kPeriodic, now);
   }
@@ -233,8 +251,7 @@ void SessionApp::Tick(Seconds now) {
 // square of its time, and fill disk and log.
 Seconds SessionApp::SaveEvery() const {
   constexpr double kMapBytesPerSecond = 128e3;
-  return std::max(params_.save_every,
-                  Seconds(static_cast<double>(memory_.map.size()) / kMapBytesPerSecond));
+  return std::max(params_.save_every, Seconds(static_cast<double>(map_size_) / kMapBytesPerSecond));
 }
 
 bool SessionApp::DiskIsIdle(Seconds now) {
@@ -250,9 +267,9 @@ void SessionApp::Finish(Seconds now) {
   jobs_.Wait();
   TellSaved();
   if (context().ends_cut_life) {
-    Commit("recovered", now);
+    Commit("recovered", now, LastMap());
   } else if (!last_save_ || pending_ || now > *last_save_) {
-    Commit(pending_ ? pending_->cause : "end", now);
+    Commit(pending_ ? pending_->cause : "end", now, LastMap());
   }
   jobs_.Wait();
   TellSaved();
@@ -271,7 +288,7 @@ SessionFacts SessionApp::FactsNow() const {
           .cause = ""};
 }
 
-void SessionApp::Commit(std::string cause, Seconds now) {
+void SessionApp::Commit(std::string cause, Seconds now, std::string map) {
   pending_.reset();
   if (!jobs_.is_idle()) {
     put_off_ = std::move(cause);
@@ -286,10 +303,11 @@ void SessionApp::Commit(std::string cause, Seconds now) {
   facts.saved_at = now.value();
   facts.cause = cause;
   memory_.chips = ChipsOf(memory_.objects, chips_, memory_.chips);
-  SessionFiles files = FilesOf(memory_);
+  SessionFiles files;
   if (cause != kPeriodic) {
-    AddExports(memory_.map, files);
+    AddExports(map, files);
   }
+  files.merge(FilesOf(memory_, std::move(map)));
   jobs_.Put([this, facts = std::move(facts), files = std::move(files)] {
     saved_ = Saved{facts.cause, writer_->Commit(facts, files)};
   });

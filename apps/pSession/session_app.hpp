@@ -49,7 +49,7 @@ class SessionApp final : public App {
   void OnTrackShift(const Stamped<TrackShift>& shift);
   void OnWater(const Stamped<WaterRecord>& water) { memory_.water = water.value; }
   void OnDepths(const Stamped<PackedBytes>& depths);
-  void OnSnapshot(const Stamped<PackedBytes>& map);
+  void OnSnapshot(const MessagePtr& map);
   void OnSave(const Stamped<std::string>& cause);
   void LoadFormer();
   void CopyMission();
@@ -64,7 +64,9 @@ class SessionApp final : public App {
   void StartSaving(const std::string& cause, Seconds now);
   /// By value: the pending cause dies with the saving that this ends. Put off while the disk is
   /// still at the one before.
-  void Commit(std::string cause, Seconds now);
+  void Commit(std::string cause, Seconds now, std::string map);
+  /// As pMap said it last, or as a former life left it.
+  [[nodiscard]] std::string LastMap() const;
   void TellSaved();
   [[nodiscard]] Seconds SaveEvery() const;
   /// False while the disk is at work; warns if that takes long.
@@ -80,6 +82,8 @@ class SessionApp final : public App {
   BestChips chips_;      ///< of all landmarks; those of the objects go into memory_
   std::optional<SessionWriter> writer_;
   std::optional<SessionPrior> prior_;
+  MessagePtr map_;                  ///< newest MAP_SNAPSHOT, packed; until then memory_ has one
+  std::size_t map_size_ = 0;        ///< of it, unpacked [bytes]
   std::string prior_map_;           ///< the former session's octree; empty if it kept none
   std::optional<Pending> pending_;  ///< waits for the map
   std::optional<Seconds> last_save_;

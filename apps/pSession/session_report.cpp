@@ -21,7 +21,7 @@ void SessionApp::Report(ReportLines& report) const {
   }
   report.Pair("Holds",
               fmt::format("{} objects, {} frames, map of {:.0f} KiB", memory_.objects.opis.size(),
-                          memory_.frames.size(), static_cast<double>(memory_.map.size()) / 1024.0));
+                          memory_.frames.size(), static_cast<double>(map_size_) / 1024.0));
   if (pending_) {
     report.Pair("Waiting", "for the map, to save: " + pending_->cause);
   }

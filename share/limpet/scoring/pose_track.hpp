@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <optional>
-#include <vector>
 
 #include "limpet/core/frames.hpp"
 #include "limpet/core/units.hpp"
@@ -36,7 +36,8 @@ class PoseTrack {
  private:
   /// Index of the last pose at or before `time`. REQUIRES: time(0) <= time.
   [[nodiscard]] std::size_t IndexBefore(double time) const;
-  std::vector<double> time_, north_, east_, down_, roll_, pitch_, yaw_, path_;
+  // Hours of them: a vector that grows holds twice as much for nothing.
+  std::deque<double> time_, north_, east_, down_, roll_, pitch_, yaw_, path_;
 };
 
 }  // namespace limpet

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "limpet/core/config.hpp"
 #include "limpet/core/record.hpp"
@@ -51,7 +52,9 @@ FormerFacts FormerFactsOf(const SessionFacts& facts) {
           .saved_at = facts.saved_at};
 }
 
-SessionFiles FilesOf(const SessionMemory& memory) {
+SessionFiles FilesOf(const SessionMemory& memory) { return FilesOf(memory, memory.map); }
+
+SessionFiles FilesOf(const SessionMemory& memory, std::string map) {
   SessionFiles files;
   if (memory.area) {
     files[kArea] = EncodeRecord(*memory.area) + "\n";
@@ -77,8 +80,8 @@ SessionFiles FilesOf(const SessionMemory& memory) {
   if (memory.water) {
     files[kWater] = std::get<std::string>(TopicCodec<WaterRecord>::Encode(*memory.water)) + "\n";
   }
-  if (!memory.map.empty()) {
-    files[kMap] = memory.map;
+  if (!map.empty()) {
+    files[kMap] = std::move(map);
   }
   AddChips(memory.chips, files);
   if (!memory.depths.empty()) {
