@@ -5,6 +5,7 @@ Input: 3 x 240 x 320, blue, green, red, level / 128 - 1; any height and width th
 Output: 13 x 30 x 40, per cell of 8 pixels: logit of an object, offset of its box's middle from the
 cell's in cells (u, v), logarithm of its size over 32 pixels (w, h), one logit per colour.
 """
+import inspect
 import os
 
 import torch
@@ -41,7 +42,7 @@ class Block(nn.Module):
 class Network(nn.Module):
     """Plain convolutions to a sixteenth of the size, merged back with what an eighth still shows."""
 
-    def __init__(self, widths=(16, 32, 48, 72)):
+    def __init__(self, widths=(16, 32, 64, 96)):
         super().__init__()
         a, b, c, d = widths
         self.fine = nn.Sequential(Block(3, a, 2), Block(a, b, 2), Block(b, b), Block(b, c, 2),
@@ -68,8 +69,11 @@ def export(network, path):
         if isinstance(module, Block):
             module.fold()
     # Equal weights would be shared through a node that OpenCV 4.6 does not know; trained ones differ.
+    # Newer torch has a second exporter, which knows no opset as old as OpenCV 4.6 reads.
+    options = inspect.signature(torch.onnx.export).parameters
     torch.onnx.export(network, torch.zeros(1, 3, 240, 320), path, opset_version=11,
-                      input_names=["image"], output_names=["cells"])
+                      input_names=["image"], output_names=["cells"],
+                      **({"dynamo": False} if "dynamo" in options else {}))
     description = os.path.splitext(path)[0] + ".yaml"
     with open(description, "w", encoding="ascii") as out:
         out.write(f"""# A detector network: docs/detectors.md. Made by training/detector.
@@ -83,4 +87,11 @@ confidence_offset: 0
 confidence_per_score: 1
 confidence_per_color: 0
 confidence_per_roundness: 0
+# The same where color_shape was asked, too (detector = combined): also whether it has a box there, and its confidence's logit.
+witnesses_offset: 0
+witnesses_per_score: 1
+witnesses_per_color: 0
+witnesses_per_roundness: 0
+witnesses_shape_found: 0
+witnesses_per_shape: 0
 """)
