@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Fits how far a network's boxes are to be believed, on pictures of ordinary seas as those that
-// `limpet detect --characterise` renders (what it learned from is harder than any sea):
-//   calibrate_network NETWORK.yaml WORLDS SEED
-// A box is right if its overlap (IoU) with a ball is at least 0.5, whatever colour it names. Writes
-// its lines `confidence_...` and `witnesses_...` of NETWORK.yaml anew: logistic curves in the
-// logits of score and colour and in the roundness of the outline; the second also in what
-// color_shape says.
+// Fits how far a network's boxes are to be believed:
+//   calibrate_network NETWORK.yaml WORLDS STUDIO SEED
+// on WORLDS seas as those that `limpet detect --characterise` renders, 20 pictures each, and on
+// STUDIO composed pictures: either alone has its own share of what looks like a ball and is none,
+// which a logistic curve learns with the rest. A box is right if its overlap (IoU) with a ball is
+// at least 0.5, whatever colour it names and however faint the ball. Writes the lines
+// `confidence_...` and `witnesses_...` of NETWORK.yaml anew: logistic curves in the logits of score
+// and colour and in the roundness of the outline; the second also in what color_shape says.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <exception>
 #include <fstream>
 #include <initializer_list>
@@ -21,10 +23,10 @@
 
 #include "limpet/characterisation/detector_trial.hpp"
 #include "limpet/detectors/combined_detector.hpp"
-#include "limpet/detectors/image_mat.hpp"
 #include "limpet/objects/pixel_rect.hpp"
 
 #include "training/detector/labelled_picture.hpp"
+#include "training/detector/picture_series.hpp"
 
 namespace limpet {
 namespace {
@@ -38,28 +40,25 @@ struct Example {
 
 std::vector<BallLabel> BallsOf(const TrialPicture& picture) {
   constexpr double kLeastVisible = 0.5;
-  const Image& image = picture.image;
-  LabelledPicture labelled;
+  std::vector<BallLabel> balls;
   for (const TrialLook& look : picture.looks) {
     if (look.kind != SolidKind::kSphere) continue;
-    BallLabel label;
-    label.box = {.u = look.visible.center_u(),
-                 .v = look.visible.center_v(),
-                 .w = look.visible.width(),
-                 .h = look.visible.height(),
-                 .confidence = 1.0,
-                 .color = look.color};
-    label.is_unclear = look.visible_fraction < kLeastVisible;
-    labelled.labels.push_back(std::move(label));
+    BallLabel ball;
+    ball.box = {.u = look.visible.center_u(),
+                .v = look.visible.center_v(),
+                .w = look.visible.width(),
+                .h = look.visible.height(),
+                .confidence = 1.0,
+                .color = look.color};
+    ball.is_hidden = look.visible_fraction < kLeastVisible;
+    balls.push_back(std::move(ball));
   }
-  labelled.pixels = MatOf(image.view());
-  MarkUnclear(labelled);
-  return labelled.labels;
+  return balls;
 }
 
 enum class Verdict { kRight, kWrong, kUnclear };
 
-/// Whether a box lies on a ball; one at an unclear ball teaches nothing.
+/// Whether a box lies on a ball; one at a ball that is hardly in sight teaches nothing.
 Verdict Judge(const std::vector<BallLabel>& labels, const Box& box) {
   const BallLabel* nearest = nullptr;
   double most = 0.0;
@@ -67,7 +66,7 @@ Verdict Judge(const std::vector<BallLabel>& labels, const Box& box) {
     const double overlap = Overlap(RectOf(label.box), RectOf(box));
     if (overlap > most) most = overlap, nearest = &label;
   }
-  if (nearest != nullptr && nearest->is_unclear && most > 0.2) return Verdict::kUnclear;
+  if (nearest != nullptr && nearest->is_hidden && most > 0.2) return Verdict::kUnclear;
   return most >= 0.5 ? Verdict::kRight : Verdict::kWrong;
 }
 
@@ -125,55 +124,73 @@ std::string WithValue(const std::string& text, const std::string& key, double va
   return changed;
 }
 
-void WriteInto(const std::string& file, const Features& alone, const Features& together) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  // Nothing is less likely to be a ball for looking more like one.
-  const auto weight = [](double fitted) { return std::max(0.0, fitted); };
-  std::string changed = WithValue(text.str(), "confidence_offset", alone[0]);
-  changed = WithValue(changed, "confidence_per_score", weight(alone[1]));
-  changed = WithValue(changed, "confidence_per_color", weight(alone[2]));
-  changed = WithValue(changed, "confidence_per_roundness", weight(alone[3]));
-  changed = WithValue(changed, "witnesses_offset", together[0]);
-  changed = WithValue(changed, "witnesses_per_score", weight(together[1]));
-  changed = WithValue(changed, "witnesses_per_color", weight(together[2]));
-  changed = WithValue(changed, "witnesses_per_roundness", weight(together[3]));
-  changed = WithValue(changed, "witnesses_shape_found", together[4]);
-  changed = WithValue(changed, "witnesses_per_shape", weight(together[5]));
-  std::ofstream out(file);
-  out << changed;
-  if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
-}
+/// Examples of a network alone, and of one that color_shape stands beside.
+class Lessons {
+ public:
+  explicit Lessons(const std::string& network) : detector_({.network = network}) {}
 
-int Run(int argc, char** argv) {
-  if (argc != 4) {
-    fmt::print(stderr, "usage: calibrate_network NETWORK.yaml WORLDS SEED\n");
-    return 2;
-  }
-  CombinedDetector detector({.network = argv[1]});
-  Examples alone;
-  Examples together;
-  TrialPlan plan;
-  plan.worlds = std::stoi(argv[2]);
-  plan.seed = std::stoull(argv[3]);
-  const auto learn = [&](const TrialPicture& picture) {
-    const std::vector<BallLabel> balls = BallsOf(picture);
-    for (const WitnessedProposal& proposal : detector.Propose(picture.image.view())) {
+  void Learn(const ImageView& picture, const std::vector<BallLabel>& balls) {
+    for (const WitnessedProposal& proposal : detector_.Propose(picture)) {
       const NetworkProposal& network = proposal.network;
       const Verdict verdict = Judge(balls, network.box);
       const WitnessFeatures f = FeaturesOf(proposal);
-      together.Add(verdict, {1.0, f.score, f.color, f.roundness, f.shape_found, f.shape});
+      fprintf(stderr, "%p %d %d %f %f %f %f %f\n", (const void*)0, (int)verdict,
+              (int)proposal.is_of_network, f.score, f.color, f.roundness, f.shape_found, f.shape);
+      together_.Add(verdict, {1.0, f.score, f.color, f.roundness, f.shape_found, f.shape});
       if (proposal.is_of_network) {
-        alone.Add(verdict, {1.0, network.score_logit, network.color_logit, network.roundness});
+        alone_.Add(verdict, {1.0, network.score_logit, network.color_logit, network.roundness});
       }
     }
-  };
-  MakeTrialPictures(plan, learn, {});
-  const Features of_network = alone.Fit();
-  const Features of_both = together.Fit();
-  alone.Print("network", of_network);
-  together.Print("combined", of_both);
-  WriteInto(argv[1], of_network, of_both);
+  }
+  void WriteInto(const std::string& file) const {
+    const Features alone = alone_.Fit();
+    const Features together = together_.Fit();
+    alone_.Print("network", alone);
+    together_.Print("combined", together);
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    // Nothing is less likely to be a ball for looking more like one.
+    const auto weight = [](double fitted) { return std::max(0.0, fitted); };
+    std::string changed = WithValue(text.str(), "confidence_offset", alone[0]);
+    changed = WithValue(changed, "confidence_per_score", weight(alone[1]));
+    changed = WithValue(changed, "confidence_per_color", weight(alone[2]));
+    changed = WithValue(changed, "confidence_per_roundness", weight(alone[3]));
+    changed = WithValue(changed, "witnesses_offset", together[0]);
+    changed = WithValue(changed, "witnesses_per_score", weight(together[1]));
+    changed = WithValue(changed, "witnesses_per_color", weight(together[2]));
+    changed = WithValue(changed, "witnesses_per_roundness", weight(together[3]));
+    changed = WithValue(changed, "witnesses_shape_found", together[4]);
+    changed = WithValue(changed, "witnesses_per_shape", weight(together[5]));
+    std::ofstream out(file);
+    out << changed;
+    if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
+  }
+
+ private:
+  CombinedDetector detector_;
+  Examples alone_, together_;
+};
+
+int Run(int argc, char** argv) {
+  if (argc != 5) {
+    fmt::print(stderr, "usage: calibrate_network NETWORK.yaml WORLDS STUDIO SEED\n");
+    return 2;
+  }
+  const int worlds = std::stoi(argv[2]);
+  const int studio = std::stoi(argv[3]);
+  const std::uint64_t seed = std::stoull(argv[4]);
+  Lessons lessons(argv[1]);
+  TrialPlan plan;
+  plan.worlds = worlds;
+  plan.seed = seed;
+  MakeTrialPictures(
+      plan,
+      [&](const TrialPicture& picture) { lessons.Learn(picture.image.view(), BallsOf(picture)); },
+      {});
+  MakePictures({.studio = studio, .rendered = 0, .seed = seed}, [&](const LabelledPicture& one) {
+    lessons.Learn({one.pixels.ptr(), one.pixels.cols, one.pixels.rows}, one.labels);
+  });
+  lessons.WriteInto(argv[1]);
   return 0;
 }
 

@@ -11,12 +11,12 @@ namespace {
 // What the network is not asked for.
 constexpr double kLeastSide = 14.0;      // [px]
 constexpr double kMostShare = 0.5;       // of the picture
-constexpr double kLeastContrast = 16.0;  // [levels]
+constexpr double kLeastContrast = 10.0;  // [levels]
 
 bool IsUnclear(const BallLabel& label) {
   constexpr double kPicture = double{LabelledPicture::kWidth} * LabelledPicture::kHeight;
   const Box& box = label.box;
-  return label.is_unclear || std::min(box.w, box.h) < kLeastSide ||
+  return label.is_hidden || std::min(box.w, box.h) < kLeastSide ||
          box.w * box.h > kMostShare * kPicture || label.contrast < kLeastContrast;
 }
 

@@ -13,7 +13,8 @@ namespace limpet {
 struct BallLabel {
   Box box;                  ///< of what is visible; [px] of the picture that it belongs to
   double contrast = 0.0;    ///< mean colour inside less that of a ring around [levels]
-  bool is_unclear = false;  ///< too little, too faint or too hidden to ask for
+  bool is_hidden = false;   ///< less than about half of it is in sight
+  bool is_unclear = false;  ///< hidden, too small or too faint to ask for
 };
 
 /// A camera's picture with what is in it.

@@ -131,7 +131,7 @@ BallLabel LabelOf(const SolidLabel& label, const Solid& ball) {
               .confidence = 1.0,
               .color = ball.color};
   const double shown = seen.area() / std::max(label.outline.area(), 1.0);
-  made.is_unclear = label.visible_fraction < 0.5 || shown < 0.3;
+  made.is_hidden = label.visible_fraction < 0.5 || shown < 0.3;
   return made;
 }
 

@@ -70,7 +70,10 @@ void Blur(cv::Mat3f& light, Random& random) {
 void Develop(cv::Mat3f& light, Random& random) {
   const cv::Scalar mean = cv::mean(light);
   const double level = std::max({mean[0], mean[1], mean[2], 1e-3});
-  const double exposure = DrawLog(0.08, 0.75, random) / level;
+  // Some cameras meter the dark ground and burn out the rest.
+  const double metered =
+      random.Chance(0.12) ? DrawLog(0.75, 2.5, random) : DrawLog(0.08, 0.75, random);
+  const double exposure = metered / level;
   const double balance = random.Chance(0.5) ? random.Uniform(0.0, 1.0) : 0.0;
   cv::Vec3f gain;
   for (int c = 0; c < 3; ++c) {

@@ -42,14 +42,14 @@ BallLabel LabelOf(const StudioBall& ball, double share_kept) {
                .h = seen.height,
                .confidence = 1.0,
                .color = ball.color};
-  label.is_unclear = share_kept < 0.5 || seen.area() < 0.35 * outline.area();
+  label.is_hidden = share_kept < 0.5 || seen.area() < 0.35 * outline.area();
   return label;
 }
 
 /// Balls that do not hide each other.
 std::vector<StudioBall> DrawBalls(Random& random) {
   std::vector<StudioBall> balls;
-  const std::uint64_t wanted = random.Chance(0.2) ? 0 : 1 + random.Index(5);
+  const std::uint64_t wanted = random.Chance(0.3) ? 0 : 1 + random.Index(5);
   for (std::uint64_t i = 0; i < wanted; ++i) {
     const StudioBall ball = DrawBall(random);
     const bool meets = std::ranges::any_of(balls, [&ball](const StudioBall& other) {
@@ -65,7 +65,8 @@ std::vector<StudioBall> DrawBalls(Random& random) {
 LabelledPicture StudioFrame(std::uint64_t seed) {
   Random random(seed, "studio frame");
   StudioCanvas canvas = DrawBackdrop(random);
-  for (std::uint64_t i = random.Index(12); i > 0; --i)
+  const std::uint64_t most_things = random.Chance(0.25) ? 36 : 12;
+  for (std::uint64_t i = random.Index(most_things); i > 0; --i)
     PaintThing(canvas, random);
   const std::vector<StudioBall> balls = DrawBalls(random);
   for (const StudioBall& ball : balls)

@@ -145,6 +145,21 @@ void PaintCapsule(StudioCanvas& canvas, Random& random) {
   }
 }
 
+/// Half as long again as wide or more: a fish, a buoy of another make, a bowl from the side.
+void PaintOval(StudioCanvas& canvas, Random& random) {
+  const cv::Point2f middle = DrawPlace(random);
+  const double along = DrawLog(10.0, 120.0, random);
+  const double across = along / random.Uniform(1.5, 3.0);
+  const double tilt = random.Uniform(0.0, kTurn);
+  std::vector<cv::Point2f> corners;
+  for (int i = 0; i < 48; ++i) {
+    const double angle = kTurn * i / 48;
+    const cv::Point2f long_way = Step(middle, along * std::cos(angle), tilt);
+    corners.push_back(Step(long_way, across * std::sin(angle), tilt + 0.25 * kTurn));
+  }
+  PaintPolygon(canvas, corners, DrawSurface(random), random);
+}
+
 /// A tyre, a ring, or a part of one.
 void PaintRing(StudioCanvas& canvas, Random& random) {
   const cv::Point2f middle = DrawPlace(random);
@@ -200,9 +215,9 @@ void PaintFlakes(StudioCanvas& canvas, Random& random) {
 
 void PaintThing(StudioCanvas& canvas, Random& random) {
   using Painter = void (*)(StudioCanvas&, Random&);
-  constexpr std::array<Painter, 12> kPainters{PaintBeam,  PaintBeam, PaintFrame,    PaintRope,
-                                              PaintPlate, PaintLump, PaintStarfish, PaintCapsule,
-                                              PaintRing,  PaintGlow, PaintFlakes,   PaintLump};
+  constexpr std::array<Painter, 13> kPainters{
+      PaintBeam,    PaintBeam, PaintFrame, PaintRope,   PaintPlate, PaintLump, PaintStarfish,
+      PaintCapsule, PaintRing, PaintGlow,  PaintFlakes, PaintLump,  PaintOval};
   kPainters.at(random.Index(kPainters.size()))(canvas, random);
 }
 
