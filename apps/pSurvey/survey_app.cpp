@@ -123,6 +123,8 @@ void SurveyApp::Recall() {
     home_ = HomePoint{.north = *memory->home_north, .east = *memory->home_east};
   }
   TellAgain(now());
+  // The former life may have ended with the mission, before anybody heard of it.
+  if (phase_ == Phase::kDone) Publish(topics::kMissionEnd, ended_);
 }
 
 void SurveyApp::TellAgain(Seconds now) {

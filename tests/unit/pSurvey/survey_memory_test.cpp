@@ -36,6 +36,26 @@ TEST(SurveyAppRestart, GoesOnWhereItsFormerLifeWas) {
   EXPECT_TRUE(link.Last(topics::kSurveyArea).has_value());
 }
 
+/// Killed as it ended the mission it may have kept that, and told nobody.
+TEST(SurveyAppRestart, SaysAgainHowTheMissionEnded) {
+  const TemporaryFolder folder;
+  TestLink link;
+  AppContext context = ContextOn(link);
+  context.runs_live = true;
+  context.run_folder = folder.path();
+  {
+    SurveyApp former(context, OfTable());
+    link.Send(former, topics::kDeploy, true);
+    link.Send(former, topics::kSafetyAction, std::string("surface"));
+    ASSERT_EQ(link.Last(topics::kMissionEnd), "aborted");
+  }
+  link.published.clear();
+  context.is_restarted = true;
+  const SurveyApp next(context, OfTable());
+  EXPECT_EQ(link.Last(topics::kSurveyPhase), "DONE");
+  EXPECT_EQ(link.Last(topics::kMissionEnd), "aborted");
+}
+
 TEST(SurveyAppRestart, TellsPhaseAndAreaAgainForThoseWhoCameBack) {
   const TemporaryFolder folder;
   TestLink link;
