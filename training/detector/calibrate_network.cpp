@@ -134,8 +134,6 @@ class Lessons {
       const NetworkProposal& network = proposal.network;
       const Verdict verdict = Judge(balls, network.box);
       const WitnessFeatures f = FeaturesOf(proposal);
-      fprintf(stderr, "%p %d %d %f %f %f %f %f\n", (const void*)0, (int)verdict,
-              (int)proposal.is_of_network, f.score, f.color, f.roundness, f.shape_found, f.shape);
       together_.Add(verdict, {1.0, f.score, f.color, f.roundness, f.shape_found, f.shape});
       if (proposal.is_of_network) {
         alone_.Add(verdict, {1.0, network.score_logit, network.color_logit, network.roundness});
