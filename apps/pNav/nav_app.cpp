@@ -112,11 +112,12 @@ void NavApp::OnThrusters(const Stamped<ThrusterCommand>& command) {
 void NavApp::OnImu(const Stamped<ImuSample>& imu) {
   const ImuSample& sample = imu.value;
   const double t = imu.time.value();
+  const int outliers = attitude_.outliers();
   const bool is_good = attitude_.AddInertial({.t = t,
                                               .force = {sample.fx, sample.fy, sample.fz},
                                               .rate = {sample.p, sample.q, sample.r},
                                               .heading = sample.heading});
-  imu_refusals_.Note(t, !is_good || !attitude_.has_heading());
+  imu_refusals_.Note(t, attitude_.outliers() != outliers);
   if (!is_good) {
     return;
   }
