@@ -11,12 +11,17 @@
 namespace limpet {
 namespace {
 
-TEST(SurveyAppRestart, GoesOnWhereItsFormerLifeWas) {
-  const TemporaryFolder folder;
-  TestLink link;
+AppContext LiveContextOn(TestLink& link, const TemporaryFolder& folder) {
   AppContext context = ContextOn(link);
   context.runs_live = true;
   context.run_folder = folder.path();
+  return context;
+}
+
+TEST(SurveyAppRestart, GoesOnWhereItsFormerLifeWas) {
+  const TemporaryFolder folder;
+  TestLink link;
+  AppContext context = LiveContextOn(link, folder);
   const NavState nav{.north = 3.0, .east = 4.0, .altitude = 7.5};
   {
     SurveyApp former(context, OfTable());
@@ -40,9 +45,7 @@ TEST(SurveyAppRestart, GoesOnWhereItsFormerLifeWas) {
 TEST(SurveyAppRestart, SaysAgainHowTheMissionEnded) {
   const TemporaryFolder folder;
   TestLink link;
-  AppContext context = ContextOn(link);
-  context.runs_live = true;
-  context.run_folder = folder.path();
+  AppContext context = LiveContextOn(link, folder);
   {
     SurveyApp former(context, OfTable());
     link.Send(former, topics::kDeploy, true);
@@ -59,9 +62,7 @@ TEST(SurveyAppRestart, SaysAgainHowTheMissionEnded) {
 TEST(SurveyAppRestart, TellsPhaseAndAreaAgainForThoseWhoCameBack) {
   const TemporaryFolder folder;
   TestLink link;
-  AppContext context = ContextOn(link);
-  context.runs_live = true;
-  context.run_folder = folder.path();
+  const AppContext context = LiveContextOn(link, folder);
   SurveyApp app(context, OfTable());
   link.Send(app, topics::kDeploy, true);
   link.published.clear();
@@ -74,9 +75,8 @@ TEST(SurveyAppRestart, TellsPhaseAndAreaAgainForThoseWhoCameBack) {
 TEST(SurveyAppRestart, WaitsForDeployIfItsFormerLifeDid) {
   const TemporaryFolder folder;
   TestLink link;
-  AppContext context = ContextOn(link);
-  context.runs_live = context.is_restarted = true;
-  context.run_folder = folder.path();
+  AppContext context = LiveContextOn(link, folder);
+  context.is_restarted = true;
   SurveyApp next(context, OfTable());
   EXPECT_FALSE(link.Last(topics::kSurveyPhase).has_value());
   link.Send(next, topics::kDeploy, true);
