@@ -14,6 +14,7 @@
 #include "limpet/helm/behavior_modules.hpp"
 #include "limpet/helm/motion_domain.hpp"
 #include "limpet/mission/shared_settings.hpp"
+#include "limpet/survey/grid_frame.hpp"
 #include "limpet/survey/survey_area_warnings.hpp"
 #include "limpet/topics/viewer.hpp"
 

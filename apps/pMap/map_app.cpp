@@ -10,6 +10,7 @@
 #include "estimation/mapping/dvl_beams.hpp"
 #include "estimation/mapping/former_map.hpp"
 #include "limpet/app/registry.hpp"
+#include "limpet/survey/grid_frame.hpp"
 #include "limpet/survey/look.hpp"
 #include "limpet/survey/survey_area_warnings.hpp"
 

@@ -9,7 +9,7 @@
 #include "limpet/core/config.hpp"
 #include "limpet/core/record.hpp"
 #include "limpet/session/checksum.hpp"
-#include "limpet/survey/survey_grid.hpp"
+#include "limpet/survey/grid_frame.hpp"
 #include "limpet/survey/survey_shape.hpp"
 #include "limpet/topics/area_request.hpp"
 

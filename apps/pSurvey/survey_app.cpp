@@ -10,6 +10,7 @@
 #include "apps/pSurvey/survey_warnings.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/planning/home_path.hpp"
+#include "limpet/survey/grid_frame.hpp"
 #include "limpet/survey/look.hpp"
 #include "limpet/survey/mission_area.hpp"
 #include "limpet/survey/survey_grid.hpp"

@@ -7,7 +7,7 @@
 #include "apps/pSurvey/area_request.hpp"
 #include "apps/pSurvey/survey_app.hpp"
 #include "apps/pSurvey/survey_warnings.hpp"
-#include "limpet/survey/survey_grid.hpp"
+#include "limpet/survey/grid_frame.hpp"
 #include "limpet/topics/area_request.hpp"
 
 namespace limpet {

@@ -8,7 +8,7 @@
 
 #include "limpet/mission/seabed.hpp"
 #include "limpet/preflight/checks.hpp"
-#include "limpet/survey/survey_grid.hpp"
+#include "limpet/survey/grid_frame.hpp"
 #include "limpet/survey/survey_shape.hpp"
 
 namespace limpet::internal {
@@ -32,16 +32,16 @@ bool CheckExtent(const MissionReading& reading, const SurveyFacts& survey, Missi
     return false;
   }
   const auto cell = reading.Find("pMap", "cell_m");
-  const double cell_m = cell ? cell->number() : SurveyGrid::kCell_m;
+  const double cell_m = cell ? cell->number() : kGridCell_m;
   const double cells = survey.north_extent() * survey.east_extent() / (cell_m * cell_m);
-  if (cells > SurveyGrid::kMostCells) {
-    const double side_m = std::sqrt(SurveyGrid::kMostCells) * cell_m;
+  if (cells > kMostGridCells) {
+    const double side_m = std::sqrt(kMostGridCells) * cell_m;
     found.geometry.push_back(survey.area_line().Refuse(
         fmt::format("an area of {:.0f} x {:.0f} m has {:.3g} cells of {:g} m; allowed: {:g} cells, "
                     "e.g. {:.0f} x "
                     "{:.0f} m",
-                    survey.north_extent(), survey.east_extent(), cells, cell_m,
-                    SurveyGrid::kMostCells, side_m, side_m)));
+                    survey.north_extent(), survey.east_extent(), cells, cell_m, kMostGridCells,
+                    side_m, side_m)));
     return false;
   }
   return true;
@@ -80,11 +80,11 @@ void CheckCells(const MissionReading& reading, const SurveyFacts& survey, Missio
   const auto voxel = reading.Find("pMap", "voxel_m");
   const auto radius = reading.Find("pMap", "object_radius_m");
   if (!cell || !voxel || !radius) return;
-  if (cell->number() != SurveyGrid::kCell_m) {
+  if (cell->number() != kGridCell_m) {
     found.geometry.push_back(
         cell->Refuse(fmt::format("pHelm mirrors the map with cells of {:g} m and would see nothing "
                                  "of it; allowed: {:g} m",
-                                 SurveyGrid::kCell_m, SurveyGrid::kCell_m)));
+                                 kGridCell_m, kGridCell_m)));
   }
   const Footprint footprint = survey.footprint();
   constexpr int kTop = Footprint::kLayers - 1;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "limpet/core/frames.hpp"
-#include "limpet/survey/survey_grid.hpp"
+#include "limpet/survey/grid_frame.hpp"
 
 namespace limpet {
 namespace {

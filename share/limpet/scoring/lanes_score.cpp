@@ -117,8 +117,8 @@ std::optional<LanesScore> ScoreLanes(const SurveyArea& area, const Pose2& start,
                                      const HomePoint& home, double speed, const Scenario& scenario,
                                      const ReportSettings& settings) {
   const double box_m2 = (area.north_max - area.north_min) * (area.east_max - area.east_min);
-  const bool is_reckoned = !ProblemOf(area) && speed > 0.0 &&
-                           box_m2 <= kMostLaneCells * SurveyGrid::kCell_m * SurveyGrid::kCell_m;
+  const bool is_reckoned =
+      !ProblemOf(area) && speed > 0.0 && box_m2 <= kMostLaneCells * kGridCell_m * kGridCell_m;
   if (!is_reckoned) return std::nullopt;
   const Region region(area);
   const LaneSurvey survey{.area = area,

@@ -5,12 +5,12 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "limpet/core/camera_model.hpp"
+#include "limpet/survey/grid_frame.hpp"
 #include "limpet/survey/sight_obstacles.hpp"
 #include "limpet/survey/simple_polygon.hpp"
 #include "limpet/survey/tile_grid.hpp"
@@ -19,10 +19,6 @@
 #include "limpet/topics/mission.hpp"
 
 namespace limpet {
-
-/// Why no grid of `cell_m` can be made of what SURVEY_AREA says, with the values; nothing if one
-/// can. Whoever takes an area from outside asks first.
-[[nodiscard]] std::optional<std::string> ProblemOf(const SurveyArea& area, double cell_m = 0.25);
 
 /// What of the survey area has been seen: per cell the greatest height above the seabed up to which
 /// an object would have been seen there. One number is enough because the image narrows upwards:
@@ -44,27 +40,18 @@ namespace limpet {
 /// sight. (Along the ray to the bottom this is exact; straight above the cell it is up to 0.1 m too
 /// low inside an image of 60 x 45 degrees.)
 ///
-/// Sample points are jittered inside their cells by a fixed hash, because a planner that sees
-/// regular cell centres learns to leave gaps between them.
-///
 /// Cells are kept in tiles that come into being when something of them has been seen: memory and
 /// time go with the ground seen, not with the area.
 class SurveyGrid {
  public:
-  /// Cells that a grid may have: 1250 m by 1250 m at 0.25 m. One that has been seen takes 16 bytes.
-  static constexpr double kMostCells = 25e6;
   /// Inset of an object's centre from the image's edge [m], for discs of 0.5 m radius.
   static constexpr double kDiscInset = 0.08;
   /// Objects' centres float no lower than their radius [m]; the band of Coverage starts here.
   static constexpr double kObjectRadius = 0.5;
 
-  /// Cell of planners' mirrors [m]: they take the changes of grids with no other.
-  static constexpr double kCell_m = 0.25;
-
-  /// A grid over `area` or the box around it; cells at the north and east edge may reach beyond it
-  /// by less than a cell.
+  /// A grid over `area` or the box around it (FrameOf). A cell that has been seen takes 16 bytes.
   /// REQUIRES: no ProblemOf(area, cell_m).
-  explicit SurveyGrid(const SurveyArea& area, double cell_m = kCell_m);
+  explicit SurveyGrid(const SurveyArea& area, double cell_m = kGridCell_m);
   /// The mirror of a grid that is known by its deltas.
   SurveyGrid(const GridFrame& frame, double object_height_max);
   /// One of the same ground that has seen nothing.
@@ -106,8 +93,9 @@ class SurveyGrid {
   [[nodiscard]] bool IsOfArea(int row, int column) const {
     return !of_area_ || of_area_->Has(row, column);
   }
-  /// The place that stands for the cell.
-  [[nodiscard]] PlanePoint SamplePoint(int row, int column) const;
+  [[nodiscard]] PlanePoint SamplePoint(int row, int column) const {
+    return limpet::SamplePoint(frame_, row, column);
+  }
   [[nodiscard]] std::size_t wanted_cells() const;
   [[nodiscard]] const GridFrame& frame() const { return frame_; }
   [[nodiscard]] double object_height_max() const { return height_max_; }

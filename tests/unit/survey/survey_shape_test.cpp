@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "limpet/core/camera_model.hpp"
+#include "limpet/survey/grid_frame.hpp"
 #include "limpet/survey/survey_grid.hpp"
 
 namespace limpet {
