@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "limpet/core/frames.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/planning/fence_allowance.hpp"
 #include "limpet/planning/home_path.hpp"
@@ -36,14 +37,16 @@ const WarningId kRegionInDoubt = DeclareWarning(
      .action = "Give the region a wider margin, or let it come up for a fix (BHV_SurfaceFix).",
      .clears = "Half a metre farther from the border, or once its place is known better."});
 
-/// Where a vehicle outside is led without a path: the middle of a rectangle, else the nearest place
-/// with room around it.
-PlanePoint PlaceInside(const Region& region, const Pose2& from) {
-  constexpr double kRoom = 2.0;  // [m]
+/// Where a vehicle is led without a path: the middle of a rectangle, else the nearest place with
+/// much room around it.
+PlanePoint PlaceInside(const Region& region, const PlanePoint& here) {
   const PlanePoint middle(0.5 * (region.north_min() + region.north_max()),
                           0.5 * (region.east_min() + region.east_max()));
   if (region.free_space() == nullptr) return middle;
-  return NearestRoom(*region.free_space(), {from.north, from.east}, kRoom).value_or(middle);
+  for (const double room : {6.0, 4.0, 2.0}) {  // [m]
+    if (const auto place = NearestRoom(*region.free_space(), here, room)) return *place;
+  }
+  return middle;
 }
 
 }  // namespace
@@ -51,6 +54,10 @@ PlanePoint PlaceInside(const Region& region, const Pose2& from) {
 void BHV_OpRegion::Params::Describe(ParamCollector& visit) {
   visit("tolerance_m", tolerance, "Further outside than this raises the alarm and turns back",
         InRange(Meters(0.0), Meters(20.0)));
+  visit("lead_speed_mps", lead_speed,
+        "Where no path is left, it turns the vehicle on the spot and leads it farther inside as "
+        "fast as this",
+        InRange(MetersPerSecond(0.01), MetersPerSecond(2.0)));
   limits.DescribeLimits(visit, "polygon");
   visit("soft_poly_breach", limits.is_soft,
         "Outside the polygon the vehicle is the operator's (MOOS_MANUAL_OVERRIDE), not stopped");
@@ -75,6 +82,7 @@ std::vector<BehaviorAct> BHV_OpRegion::Stop(const VehicleState& state) {
 void BHV_OpRegion::Start(const VehicleState& state) {
   static_cast<void>(state);
   has_entered_ = false;
+  without_path_since_.reset();
 }
 
 bool BHV_OpRegion::IsInDoubt(const VehicleState& state) {
@@ -102,23 +110,32 @@ void BHV_OpRegion::MoveInArea(const VehicleState& state, MotionBid& bid) {
   has_entered_ = has_entered_ || outside <= 0.0;
   const bool is_going_home = state.guidance && state.guidance->purpose == kHomeSource;
   if (!has_entered_ || is_going_home) return;
-  if (outside <= params_.tolerance.value()) {
-    if (IsInDoubt(state)) {
-      bid.warning = BehaviorWarning{
-          kRegionInDoubt, "three sigmas of the vehicle's place reach over a border of its region"};
-    }
+  if (outside > params_.tolerance.value()) {
+    bid.warning = BehaviorWarning{kOutsideRegion, "the vehicle is outside its operating region"};
+  } else if (IsInDoubt(state)) {
+    bid.warning = BehaviorWarning{
+        kRegionInDoubt, "three sigmas of the vehicle's place reach over a border of its region"};
+  }
+  LeadInside(state, outside, bid);
+}
+
+void BHV_OpRegion::LeadInside(const VehicleState& state, double outside, MotionBid& bid) {
+  constexpr Seconds kPatience(2.0);  // a decision may take as long
+  constexpr double kThere = 1.0;     // [m]
+  if (state.guidance) {
+    without_path_since_.reset();
     return;
   }
-  // The path in force leads back if it can; this only warns, and pulls when there is no path.
-  bid.warning = BehaviorWarning{kOutsideRegion, "the vehicle is outside its operating region"};
-  if (!state.guidance) {
-    const PlanePoint inside = PlaceInside(*region_, here);
-    const double to_north = inside.x() - here.north;
-    const double to_east = inside.y() - here.east;
-    bid.course = Peak{.summit = std::atan2(to_east, to_north),
-                      .flat_half_width = 0.0,
-                      .base_half_width = std::numbers::pi};
-  }
+  if (!without_path_since_) without_path_since_ = state.now;
+  if (outside <= params_.tolerance.value() && state.now - *without_path_since_ < kPatience) return;
+  const PlanePoint here(state.nav.north, state.nav.east);
+  const PlanePoint way = PlaceInside(*region_, here) - here;
+  if (way.norm() < kThere) return;
+  const double course = std::atan2(way.y(), way.x()), speed = params_.lead_speed.value();
+  bid.course = Peak{.summit = course, .flat_half_width = 0.0, .base_half_width = std::numbers::pi};
+  bid.speed = Peak{.summit = speed * std::max(0.0, std::cos(WrapAngle(course - state.nav.yaw))),
+                   .flat_half_width = 0.0,
+                   .base_half_width = speed};
 }
 
 void BHV_OpRegion::Shape(const Situation&, double, SearchGoals& goals) const {

@@ -13,16 +13,17 @@
 namespace limpet {
 
 /// Vetoes options that leave the operating region or enter a keep-out zone, and steers back inside
-/// should the vehicle have left it. For a vehicle that is outside, e.g. at its start, it asks for a
-/// way in. The region is in force once it has been entered, and no more on the way home, which may
-/// end anywhere, but leads through no zone either. Where the vehicle does not know its place well
-/// enough to be sure that it is inside, it says so. As missions of MOOS-IvP write it, with a
-/// polygon or limits of depth, altitude and time, it stops the vehicle beyond them
-/// (BHV_OpRegionV24), with or without a survey.
+/// should the vehicle have left it, or stand before a border with no room to turn as paths do. For
+/// a vehicle that is outside, e.g. at its start, it asks for a way in. The region is in force once
+/// it has been entered, and no more on the way home, which may end anywhere, but leads through no
+/// zone either. Where the vehicle does not know its place well enough to be sure that it is inside,
+/// it says so. As missions of MOOS-IvP write it, with a polygon or limits of depth, altitude and
+/// time, it stops the vehicle beyond them (BHV_OpRegionV24), with or without a survey.
 class BHV_OpRegion final : public Behavior {
  public:
   struct Params {
     Meters tolerance{0.5};
+    MetersPerSecond lead_speed{0.25};
     BHV_OpRegionV24::Params limits{};
     void Describe(ParamCollector& visit);
   };
@@ -50,6 +51,8 @@ class BHV_OpRegion final : public Behavior {
 
   /// What it says of a survey's area; leaves the limits out.
   void MoveInArea(const VehicleState& state, MotionBid& bid);
+  /// A course farther inside for a vehicle without a path, `outside` [m] of the region.
+  void LeadInside(const VehicleState& state, double outside, MotionBid& bid);
 
   Params params_;
   BHV_OpRegionV24 limits_;
@@ -57,6 +60,7 @@ class BHV_OpRegion final : public Behavior {
   std::optional<Region> region_;  ///< of that area
   bool has_entered_ = false;      ///< has been inside since it began to run
   bool is_in_doubt_ = false;      ///< of being inside
+  std::optional<Seconds> without_path_since_;
 };
 
 }  // namespace limpet

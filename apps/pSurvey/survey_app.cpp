@@ -23,6 +23,11 @@ namespace {
 constexpr Seconds kTellPeriod(10.0);
 /// Coverage must grow by this share to count as progress, or by so much of a large area.
 constexpr double kProgressShare = 0.002, kProgress_m2 = 200.0;
+/// Where this water shows so little that nothing is planned for, what is seen is by chance: so much
+/// is to come of it in `stall_s`.
+constexpr double kChanceShare = 0.1;
+/// Coverage falls by so much when the water turns out murkier: what comes then is new.
+constexpr double kTakenBack = 0.05;
 constexpr std::array kPhaseNames{"IDLE",   "ALIGN",  "DIVE", "SURVEY",
                                  "RETURN", "ASCEND", "FIX",  "DONE"};
 
@@ -202,12 +207,14 @@ void SurveyApp::OnPath(const Stamped<HelmPath>& path) {
 }
 
 double SurveyApp::ProgressStep() const {
+  if (!(AttainableShare() > 0.0)) return kChanceShare;
   const double extent = (area_.north_max - area_.north_min) * (area_.east_max - area_.east_min);
   return std::min(kProgressShare, kProgress_m2 / extent);
 }
 
 void SurveyApp::OnCoverage(const Stamped<Coverage>& coverage) {
   coverage_ = coverage.value;
+  if (CoveredShare(coverage_) < best_share_ - kTakenBack) best_share_ = CoveredShare(coverage_);
   if (CoveredShare(coverage_) > best_share_ + ProgressStep()) {
     best_share_ = CoveredShare(coverage_);
     last_progress_ = now();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "behaviors/BHV_OpRegion.hpp"
 
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -88,6 +89,30 @@ TEST(BhvOpRegion, LetsTheWayHomeLeave) {
   behavior.Start(StateAt(5.0));
   static_cast<void>(behavior.Move(StateAt(5.0, "home")));
   EXPECT_FALSE(behavior.Move(StateAt(30.0, "home")).warning);
+}
+
+TEST(BhvOpRegion, TurnsAVehicleThatStandsBeforeABorderWithoutAPathOnTheSpotAndLeadsItInside) {
+  BHV_OpRegion behavior({});
+  VehicleState state = StateAt(10.5);  // heads north
+  const auto wish_after = [&](double seconds) {
+    state.now += Seconds(seconds);
+    return behavior.Move(state);
+  };
+  behavior.Start(state);
+  EXPECT_FALSE(wish_after(0.0).course);
+  EXPECT_FALSE(wish_after(1.0).course) << "a decision may take a while";
+  const MotionBid turn = wish_after(1.5);
+  ASSERT_TRUE(turn.course && turn.speed);
+  EXPECT_NEAR(std::abs(turn.course->summit), std::numbers::pi, 1e-9);
+  EXPECT_EQ(turn.speed->summit, 0.0);
+  state.nav.yaw = std::numbers::pi;
+  EXPECT_GT(wish_after(10.0).speed->summit, 0.1);
+  state.guidance = Guidance{.purpose = "plan"};
+  EXPECT_FALSE(wish_after(1.0).course) << "it has found a path";
+  state.guidance.reset();
+  EXPECT_FALSE(wish_after(1.0).course);
+  state.nav.north = 0.2;
+  EXPECT_FALSE(wish_after(10.0).course) << "it is as far inside as can be: that is no trap";
 }
 
 TEST(BhvOpRegion, SaysWhereItCannotBeSureToBeInside) {

@@ -101,6 +101,31 @@ TEST_F(SurveyEndTest, DoesNotStayWhereNothingIsInSight) {
   EXPECT_EQ(link_.Last(topics::kMissionEnd), "home");
 }
 
+TEST_F(SurveyEndTest, DoesNotStayForTheLittleThatComesIntoSightByChance) {
+  ReachSurvey();
+  const auto flies = [this](double from, double step) {
+    for (int part = 1; part <= 5; ++part) {
+      link_.Send(app_, topics::kMapCoverage, Coverage{0.0, 0.0, from + step * part});
+      Tick(50.0);
+    }
+    return Phase();
+  };
+  EXPECT_EQ(flies(0.0, 0.01), "SURVEY") << "what is planned for may come slowly";
+  Murk(1.0);
+  EXPECT_EQ(flies(0.05, 0.04), "SURVEY");
+  EXPECT_NE(flies(0.25, 0.003), "SURVEY");
+  EXPECT_TRUE(app_.warnings().contains("OUT_OF_SIGHT"));
+}
+
+TEST_F(SurveyEndTest, CountsWhatComesAfterTheWaterHasTakenCoverageBack) {
+  ReachSurvey();
+  for (const double share : {0.5, 0.1, 0.2, 0.3, 0.4}) {
+    link_.Send(app_, topics::kMapCoverage, Coverage{0.0, 0.0, share});
+    Tick(100.0);
+    EXPECT_EQ(Phase(), "SURVEY") << share;
+  }
+}
+
 TEST_F(SurveyEndTest, DoesNotTakeTheWayToTheAreaForAStall) {
   ReachSurvey(-140.0);
   for (double north = -140.0; north < -17.0; north += 10.0) {  // at half a metre per second
