@@ -23,6 +23,10 @@ namespace {
 // both sessions hold possible is believed the less, the farther.
 constexpr double kFrameGate = 13.3;
 
+// A receiver is worse than its sheet says now and then, under a bad sky, say: then by this factor.
+constexpr double kWorseFixes = 3.0;
+constexpr double kOddsOfWorseFixes = 2.3;  // ln 10: one session of ten
+
 constexpr double kCertain = 12.0;  // of a match, natural logarithm: nothing else is looked for
 constexpr double kElsewhere =
     3.0;  // ln 20: by so much a frame must be likelier that lies elsewhere
@@ -117,6 +121,7 @@ void FormerSessionTie::SetFormer(FormerSession former) {
   candidates_.clear();
   prior_.reset();
   is_elsewhere_ = false;
+  frame_spread_ = 1.0;
   searched_with_ = matches_since_search_ = 0;
   if (!has_former()) {
     return;
@@ -147,16 +152,36 @@ void FormerSessionTie::Place(const FrameOffset& placed) {
   SetOwn(former_.objects, former_own_);
 }
 
-SessionMatch FormerSessionTie::MatchOrSearch(const std::vector<ObjectEstimate>& candidates,
+double FormerSessionTie::EvidenceOf(const SessionMatch& match,
+                                    const std::vector<ObjectEstimate>& candidates,
+                                    const Eigen::Matrix4d& now_frame) const {
+  const FrameSearchParams search;
+  const FramePrior prior = is_elsewhere_ ? FramePrior::Unknown(search.radius_m, search.turn)
+                                         : FramePrior::Known(OffsetInformation(now_frame));
+  return MatchEvidence(former_.objects, candidates, match, params_, prior);
+}
+
+SessionMatch FormerSessionTie::MatchAsPlaced(const std::vector<ObjectEstimate>& candidates,
                                              const Eigen::Matrix4d& now_frame) {
-  const auto match = [&] {
+  const auto match = [&](double spread) {
+    frame_spread_ = spread;
     return MatchSessions(former_.objects, candidates, params_, OffsetInformation(now_frame));
   };
+  SessionMatch near = match(1.0);
+  if (is_elsewhere_) return near;
+  const double evidence = EvidenceOf(near, candidates, now_frame);
+  if (evidence > kCertain) return near;
+  SessionMatch far = match(kWorseFixes);
+  if (EvidenceOf(far, candidates, now_frame) > evidence + kOddsOfWorseFixes) return far;
+  frame_spread_ = 1.0;
+  return near;
+}
+
+SessionMatch FormerSessionTie::MatchOrSearch(const std::vector<ObjectEstimate>& candidates,
+                                             const Eigen::Matrix4d& now_frame) {
+  const auto match = [&] { return MatchAsPlaced(candidates, now_frame); };
   const auto evidence_of = [&](const SessionMatch& found) {
-    const FrameSearchParams search;
-    const FramePrior prior = is_elsewhere_ ? FramePrior::Unknown(search.radius_m, search.turn)
-                                           : FramePrior::Known(OffsetInformation(now_frame));
-    return MatchEvidence(former_.objects, candidates, found, params_, prior);
+    return EvidenceOf(found, candidates, now_frame);
   };
   SessionMatch here = match();
   double evidence = evidence_of(here);
@@ -267,7 +292,8 @@ Eigen::Matrix4d FormerSessionTie::OffsetInformation(const Eigen::Matrix4d& now_f
   const Eigen::Vector4d least = OffsetPrior(params_).diagonal().cwiseInverse();
   Eigen::Matrix4d covariance = former_frame_ + now_frame + DatumCovariance();
   covariance.diagonal() = covariance.diagonal().cwiseMax(least);
-  return covariance.inverse();
+  const Eigen::Vector4d spread(frame_spread_, frame_spread_, 1.0, 1.0);
+  return (spread.asDiagonal() * covariance * spread.asDiagonal()).inverse();
 }
 
 JointPrior FormerSessionTie::PriorFrom(const std::vector<Pair>& pairs,

@@ -79,6 +79,13 @@ class FormerSessionTie {
   /// The match under the frame as it is placed, or under one that is found elsewhere.
   [[nodiscard]] SessionMatch MatchOrSearch(const std::vector<ObjectEstimate>& candidates,
                                            const Eigen::Matrix4d& now_frame);
+  /// The match under the frame as it is placed, by fixes that are as good as they say or, if that
+  /// explains much more, worse; sets `frame_spread_`.
+  [[nodiscard]] SessionMatch MatchAsPlaced(const std::vector<ObjectEstimate>& candidates,
+                                           const Eigen::Matrix4d& now_frame);
+  [[nodiscard]] double EvidenceOf(const SessionMatch& match,
+                                  const std::vector<ObjectEstimate>& candidates,
+                                  const Eigen::Matrix4d& now_frame) const;
   /// A search that found nothing is worth another with a tenth more of landmarks, or after a while.
   [[nodiscard]] bool IsTimeToSearch(std::size_t candidates);
   /// Of what neither session's fixes know of.
@@ -94,6 +101,7 @@ class FormerSessionTie {
   FormerSession given_;  ///< places and covariance in its own frame
   FrameOffset placed_;   ///< of its frame
   bool is_elsewhere_ = false;
+  double frame_spread_ = 1.0;      ///< how much wider fixes are believed to lie than they say
   std::size_t searched_with_ = 0;  ///< candidates of the last search
   std::size_t matches_since_search_ = 0;
   FormerSession former_;  ///< as placed, each object's covariance its own

@@ -121,8 +121,8 @@ TEST(FormerSessionTie, AFrameThatWasFoundElsewhereStaysThere) {
   former.covariance = JointOf(former.objects, 0.3, 0.01, 0.15);
   FormerSessionTie tie({});
   tie.SetFormer(former);
-  // GPS was off by metres; two of the objects are gone and one has come.
-  const FrameOffset truth{.shift = {-4.0, 1.5}, .turn = 0.0, .pivot = {}};
+  // Another datum; two of the objects are gone and one has come.
+  const FrameOffset truth{.shift = {-8.0, 3.0}, .turn = 0.0, .pivot = {}};
   Random random(4);
   int elsewhere = 0;
   bool was_elsewhere = false;
@@ -139,6 +139,28 @@ TEST(FormerSessionTie, AFrameThatWasFoundElsewhereStaysThere) {
     elsewhere += tie.is_elsewhere() ? 1 : 0;
   }
   EXPECT_GT(elsewhere, 30);
+}
+
+TEST(FormerSessionTie, KnowsFourObjectsThatAgreeWhereFixesWereWorseThanTheySay) {
+  FormerSession former{
+      .ids = {1, 2, 3, 4, 5, 6},
+      .objects =
+          Objects({{4.0, 1.0}, {2.0, 10.0}, {6.0, -3.0}, {-6.0, -5.0}, {-9.0, 4.0}, {11.0, 8.0}}),
+      .covariance = {}};
+  former.covariance = JointOf(former.objects, 0.3, 0.01, 0.1);
+  FormerSessionTie tie({});
+  tie.SetFormer(former);
+  const FrameOffset off{.shift = {2.8, -1.8}, .turn = 0.0, .pivot = {}};
+  const auto known = [&](const std::vector<Eigen::Vector2d>& places) {
+    PresentLandmarks present = Present(places, off, 0.3);
+    present.covariance = JointOf(present.objects, 0.3, 0.01, 0.1);
+    EXPECT_TRUE(tie.Match(present, std::nullopt));
+    return std::ranges::count_if(tie.former_ids(), [](const auto& id) { return id.has_value(); });
+  };
+  EXPECT_EQ(known({{4.0, 1.0}, {2.0, 10.0}, {6.0, -3.0}, {-6.0, -5.0}, {-3.0, 8.0}}), 4);
+  EXPECT_FALSE(tie.is_elsewhere());
+  // None of which stood there.
+  EXPECT_EQ(known({{8.3, 4.0}, {-2.0, 6.0}, {-11.0, -2.0}, {0.0, -9.0}, {-3.0, 8.0}}), 0);
 }
 
 TEST(FormerSessionTie, WeighsBothSessionsFixesWhereTheirFramesAgreeAsTheyShould) {
