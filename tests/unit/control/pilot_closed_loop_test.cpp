@@ -19,10 +19,11 @@ constexpr double kPi = std::numbers::pi;
 /// A vehicle whose navigation is perfect but one control period old, as on board.
 class Vessel {
  public:
-  explicit Vessel(const Eigen::Vector3d& current_W, const VehicleParams& built = {})
+  explicit Vessel(const Eigen::Vector3d& current_W, const VehicleParams& built = {},
+                  const VehicleParams& believed = {})
       : simulation_(VehicleModel(built, current_W, [](double, double) { return 7.5; }), {},
                     IntegratorKind::kRk4),
-        pilot_(Pilot::Gains{}, VehicleParams{}),
+        pilot_(Pilot::Gains{}, believed),
         nav_(Truth()) {
     pilot_.Reset(nav_);
   }
@@ -156,6 +157,27 @@ TEST(ClosedLoop, DivesVerticallyWithoutOvershoot) {
   EXPECT_NEAR(nav.down, 3.5, 0.05);
   EXPECT_NEAR(nav.yaw, 0.8, 0.02);
   EXPECT_LT(std::hypot(nav.north, nav.east), 0.3);
+}
+
+/// Of BlueROV2's class: little rights it, and its two vertical thrusters stand side by side.
+VehicleParams LightVehicle() {
+  VehicleParams light;
+  light.mass = 11.5, light.net_buoyancy_n = 2.0;
+  light.length_m = 0.457, light.width_m = 0.338;
+  light.cg_below_cb_m = 0.02, light.frame_added_mass = 0.2;
+  light.drag_coefficient = {0.9, 1.2, 1.2};
+  light.thrusters.thrusters[4].p_B = {0.0, 0.111, 0.0};
+  light.thrusters.thrusters[5].p_B = {0.0, -0.111, 0.0};
+  light.thrusters.max_thrust_n = 22.0;
+  return light;
+}
+
+TEST(ClosedLoop, ALightVehicleComesDownThoughItIsToGoAheadMeanwhile) {
+  Vessel vessel(Eigen::Vector3d::Zero(), LightVehicle(), LightVehicle());
+  vessel.Hold({0.0, 0.5, 3.5, 0.0}, 60.0);
+  EXPECT_NEAR(vessel.Truth().down, 3.5, 0.2);
+  EXPECT_NEAR(vessel.Truth().u, 0.5, 0.1);
+  EXPECT_NEAR(vessel.Truth().pitch, 0.0, 0.1);
 }
 
 TEST(ClosedLoop, ComesUpAndFloats) {
