@@ -12,7 +12,7 @@ namespace {
 /// Share of the wanted speed for a vehicle with its bow so far up or down. Ahead and down together
 /// pitch a light one up (Munk's moment), until what is meant to drive it ahead lifts it: then it
 /// goes on once it has righted itself.
-double ShareAt(double pitch) {
+double ShareOfSpeedAt(double pitch) {
   constexpr double kLevel = 0.25, kSteep = 0.5;  // [rad]
   return std::clamp((kSteep - std::abs(pitch)) / (kSteep - kLevel), 0.0, 1.0);
 }
@@ -40,7 +40,7 @@ Eigen::Vector2d Pilot::HorizontalForce(const NavState& nav, const DesiredMotion&
   // Facing away from the wanted course, speed would only carry the vehicle off its path.
   const double facing = std::max(0.0, std::cos(WrapAngle(desired.yaw - nav.yaw)));
   if (!desired.speed) speed_.Reset(nav.u);
-  const double share = facing * ShareAt(nav.pitch);
+  const double share = facing * ShareOfSpeedAt(nav.pitch);
   double lack = desired.speed ? speed_.Lack({nav.u, share * *desired.speed}, dt) : 0.0;
   double v = nav.v;
   if (nav.velocity_age) lack = v = 0.0;  // held, not measured: feed forward alone, learn nothing
