@@ -9,7 +9,7 @@
 #include "limpet/helm/registry.hpp"
 #include "limpet/planning/fence_allowance.hpp"
 #include "limpet/planning/home_path.hpp"
-#include "limpet/planning/room.hpp"
+#include "limpet/planning/place_inside.hpp"
 #include "limpet/planning/transit_path.hpp"
 #include "limpet/topics/warning.hpp"
 #include "limpet/waypoints/map_params.hpp"
@@ -36,18 +36,6 @@ const WarningId kRegionInDoubt = DeclareWarning(
                 "zone, than three sigmas of its place: it may be on the other side.",
      .action = "Give the region a wider margin, or let it come up for a fix (BHV_SurfaceFix).",
      .clears = "Half a metre farther from the border, or once its place is known better."});
-
-/// Where a vehicle is led without a path: the middle of a rectangle, else the nearest place with
-/// much room around it.
-PlanePoint PlaceInside(const Region& region, const PlanePoint& here) {
-  const PlanePoint middle(0.5 * (region.north_min() + region.north_max()),
-                          0.5 * (region.east_min() + region.east_max()));
-  if (region.free_space() == nullptr) return middle;
-  for (const double room : {6.0, 4.0, 2.0}) {  // [m]
-    if (const auto place = NearestRoom(*region.free_space(), here, room)) return *place;
-  }
-  return middle;
-}
 
 }  // namespace
 
@@ -83,6 +71,7 @@ void BHV_OpRegion::Start(const VehicleState& state) {
   static_cast<void>(state);
   has_entered_ = false;
   without_path_since_.reset();
+  lead_to_.reset();
 }
 
 bool BHV_OpRegion::IsInDoubt(const VehicleState& state) {
@@ -104,6 +93,7 @@ void BHV_OpRegion::MoveInArea(const VehicleState& state, MotionBid& bid) {
   if (area_ != state.area) {
     area_ = state.area;
     region_.emplace(*area_);
+    lead_to_.reset();
   }
   const Pose2 here{.north = state.nav.north, .east = state.nav.east, .yaw = state.nav.yaw};
   const double outside = region_->Outside(here);
@@ -124,12 +114,14 @@ void BHV_OpRegion::LeadInside(const VehicleState& state, double outside, MotionB
   constexpr double kThere = 1.0;     // [m]
   if (state.guidance) {
     without_path_since_.reset();
+    lead_to_.reset();
     return;
   }
   if (!without_path_since_) without_path_since_ = state.now;
   if (outside <= params_.tolerance.value() && state.now - *without_path_since_ < kPatience) return;
   const PlanePoint here(state.nav.north, state.nav.east);
-  const PlanePoint way = PlaceInside(*region_, here) - here;
+  if (!lead_to_) lead_to_ = PlaceInside(*region_, here).value_or(here);
+  const PlanePoint way = *lead_to_ - here;
   if (way.norm() < kThere) return;
   const double course = std::atan2(way.y(), way.x()), speed = params_.lead_speed.value();
   bid.course = Peak{.summit = course, .flat_half_width = 0.0, .base_half_width = std::numbers::pi};

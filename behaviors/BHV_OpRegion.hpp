@@ -61,6 +61,7 @@ class BHV_OpRegion final : public Behavior {
   bool has_entered_ = false;      ///< has been inside since it began to run
   bool is_in_doubt_ = false;      ///< of being inside
   std::optional<Seconds> without_path_since_;
+  std::optional<PlanePoint> lead_to_;  ///< where it is led meanwhile
 };
 
 }  // namespace limpet
