@@ -26,11 +26,11 @@ constexpr const char* kSessionFolder = "session";
 
 /// The map for other programs; not worth its time on every periodic save.
 void AddExports(const std::string& map, SessionFiles& files) {
-  const Expected<SemanticOctree> octree = SemanticOctree::Parse(map);
-  if (!octree) return;  // no map yet
-  files["export/map_color.ot"] = ToColorOctree(*octree);
-  files["export/map.ply"] = ToPly(*octree);
-  files["export/map.csv"] = ToCsv(*octree);
+  const Expected<OccupiedMap> occupied = OccupiedOfStream(map);
+  if (!occupied) return;  // no map yet
+  files["export/map_color.ot"] = ToColorOctree(*occupied);
+  files["export/map.ply"] = ToPly(*occupied);
+  files["export/map.csv"] = ToCsv(*occupied);
 }
 
 /// A behavior file as the helm reads it; as it is if its plugs are wrong, which the helm says.

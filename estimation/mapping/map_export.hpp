@@ -2,10 +2,13 @@
 // The semantic map for other programs. Viewers take east, north, up; tables keep NED.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "estimation/mapping/semantic_octree.hpp"
+#include "limpet/core/expected.hpp"
 
 namespace limpet {
 
@@ -15,14 +18,20 @@ struct VoxelColor {
 };
 [[nodiscard]] VoxelColor ColorOf(const VoxelBelief& belief);
 
-/// Occupied leaves cut to the tree's resolution, so that every voxel stands for itself.
-[[nodiscard]] std::vector<Voxel> OccupiedVoxels(const SemanticOctree& octree);
+/// What of a map is occupied.
+struct OccupiedMap {
+  double resolution = 0.0;    ///< edge of every voxel [m]
+  std::vector<Voxel> voxels;  ///< leaves cut to that, so that every voxel stands for itself
+};
+[[nodiscard]] OccupiedMap OccupiedOf(const SemanticOctree& octree);
+/// Of a map as it is saved (SemanticOctree::Serialize), which is not built for it.
+[[nodiscard]] Expected<OccupiedMap> OccupiedOfStream(std::string_view bytes);
 
-/// Occupied voxels, one per line: north_m,east_m,down_m,size_m,p_occupied,p_object,p_exists,label.
-[[nodiscard]] std::string ToCsv(const SemanticOctree& octree);
-/// Occupied voxels as coloured points, ASCII PLY; x east, y north, z up.
-[[nodiscard]] std::string ToPly(const SemanticOctree& octree);
-/// Occupied voxels as a ColorOcTree `.ot`, which octovis opens; x east, y north, z up.
-[[nodiscard]] std::string ToColorOctree(const SemanticOctree& octree);
+/// One voxel per line: north_m,east_m,down_m,size_m,p_occupied,p_object,p_exists,label.
+[[nodiscard]] std::string ToCsv(const OccupiedMap& map);
+/// Coloured points, ASCII PLY; x east, y north, z up.
+[[nodiscard]] std::string ToPly(const OccupiedMap& map);
+/// A ColorOcTree `.ot`, which octovis opens; x east, y north, z up.
+[[nodiscard]] std::string ToColorOctree(const OccupiedMap& map);
 
 }  // namespace limpet

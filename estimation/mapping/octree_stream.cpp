@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr std::string_view kMagic = "# Octomap OcTree file";
 constexpr std::size_t kPayload = 13;  ///< three f32 and the label
+constexpr auto kLastLabel = static_cast<unsigned char>(VoxelLabel::kMoved);
 constexpr int kDeepest = 16;
 
 /// The rest of the line that starts with `key`, or nothing.
@@ -43,7 +45,9 @@ std::optional<std::size_t> CountNodes(std::string_view data) {
     if (position + kPayload + 1 > data.size()) {
       return std::nullopt;
     }
+    const auto label = static_cast<unsigned char>(data[position + kPayload - 1]);
     const auto children = static_cast<unsigned char>(data[position + kPayload]);
+    if (label > kLastLabel) return std::nullopt;
     position += kPayload + 1;
     ++nodes;
     if (children == 0) continue;
@@ -54,6 +58,49 @@ std::optional<std::size_t> CountNodes(std::string_view data) {
   }
   return position == data.size() ? std::optional<std::size_t>(nodes) : std::nullopt;
 }
+
+/// Goes through the nodes of a stream that has been checked.
+class LeafReader {
+ public:
+  LeafReader(std::string_view data, double resolution,
+             const std::function<void(const Voxel&)>& visit)
+      : data_(data), resolution_(resolution), visit_(visit) {}
+
+  /// The next node and what is below it: `size` voxels wide, from the corner `low` on.
+  void Read(const Eigen::Vector3i& low, int size) {
+    const VoxelBelief belief{Take<float>(), Take<float>(), Take<float>(), Take<VoxelLabel>()};
+    const auto children = Take<unsigned char>();
+    if (children == 0) return Visit(low, size, belief);
+    const int half = size / 2;
+    for (int i = 0; i < 8; ++i) {
+      if ((children >> i & 1) == 0) continue;
+      Read(low + half * Eigen::Vector3i(i & 1, i >> 1 & 1, i >> 2 & 1), half);
+    }
+  }
+
+ private:
+  template <class T>
+  T Take() {
+    T value;
+    std::memcpy(&value, data_.data() + position_, sizeof value);
+    position_ += sizeof value;
+    return value;
+  }
+  void Visit(const Eigen::Vector3i& low, int size, const VoxelBelief& belief) const {
+    // In OctoMap's steps, which are of single precision.
+    const auto middle = [&](int voxels) {
+      return static_cast<double>(static_cast<float>((voxels / size + 0.5) * (resolution_ * size)));
+    };
+    visit_({.p_W = {middle(low.x()), middle(low.y()), middle(low.z())},
+            .size = resolution_ * size,
+            .belief = belief});
+  }
+
+  std::string_view data_;
+  double resolution_;
+  const std::function<void(const Voxel&)>& visit_;
+  std::size_t position_ = 0;
+};
 
 }  // namespace
 
@@ -81,6 +128,14 @@ Expected<OctreeHeader> CheckOctreeStream(std::string_view bytes) {
     return Error{"an octree that is cut short or damaged"};
   }
   return result;
+}
+
+void ForEachLeafOf(std::string_view bytes, const OctreeHeader& header,
+                   const std::function<void(const Voxel&)>& visit) {
+  if (header.nodes == 0) return;
+  constexpr int kHalf = 1 << (kDeepest - 1);
+  LeafReader(bytes.substr(header.data_begin), header.resolution, visit)
+      .Read(Eigen::Vector3i::Constant(-kHalf), 2 * kHalf);
 }
 
 }  // namespace limpet

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
+#include <functional>
 #include <string_view>
 
+#include "estimation/mapping/semantic_octree.hpp"
 #include "limpet/core/expected.hpp"
 
 namespace limpet {
@@ -20,5 +21,10 @@ struct OctreeHeader {
 /// Reads the header of a serialised semantic octree and walks its nodes, so that a reader may then
 /// trust their number, their depth and the length of the stream.
 [[nodiscard]] Expected<OctreeHeader> CheckOctreeStream(std::string_view bytes);
+
+/// The leaves of a stream whose header that is, as and in the order in which its tree has them. No
+/// tree is built, which takes four times the stream's size.
+void ForEachLeafOf(std::string_view bytes, const OctreeHeader& header,
+                   const std::function<void(const Voxel&)>& visit);
 
 }  // namespace limpet

@@ -62,7 +62,8 @@ void SemanticMap::Rebuild() {
 }
 
 void SemanticMap::SetGroundOdds(const GroundOdds& object) {
-  for (const Voxel& voxel : OccupiedVoxels(octree_)) {
+  const OccupiedMap occupied = OccupiedOf(octree_);
+  for (const Voxel& voxel : occupied.voxels) {
     if (voxel.belief.label != VoxelLabel::kGround) continue;
     VoxelBelief belief = voxel.belief;
     belief.object = object(KeyOf(voxel.p_W, resolution()));

@@ -76,11 +76,11 @@ MapFile MakeDepths(const SavedSession& session, const SemanticOctree&) {
 constexpr std::array<Format, 5> kFormats{
     Format{"ot", "occupied voxels as a ColorOcTree, which octovis opens",
            [](const SavedSession&, const SemanticOctree& octree) {
-             return MapFile{.main = ToColorOctree(octree)};
+             return MapFile{.main = ToColorOctree(OccupiedOf(octree))};
            }},
     Format{"ply", "occupied voxels as coloured points",
            [](const SavedSession&, const SemanticOctree& octree) {
-             return MapFile{.main = ToPly(octree)};
+             return MapFile{.main = ToPly(OccupiedOf(octree))};
            }},
     Format{"geojson", "objects and the survey area on WGS84", MakeGeoJson},
     Format{"csv", "objects as a table",

@@ -13,7 +13,7 @@ namespace {
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 std::vector<Voxel> GroundVoxels(const SemanticOctree& octree) {
-  std::vector<Voxel> voxels = OccupiedVoxels(octree);
+  std::vector<Voxel> voxels = OccupiedOf(octree).voxels;
   std::erase_if(voxels,
                 [](const Voxel& voxel) { return voxel.belief.label != VoxelLabel::kGround; });
   return voxels;

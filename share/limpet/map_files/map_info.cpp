@@ -44,7 +44,8 @@ struct MapInfo {
 
 OctreeInfo InfoOf(const SemanticOctree& octree) {
   OctreeInfo info{.resolution = octree.resolution(), .nodes = octree.nodes(), .extent_W = {}};
-  for (const Voxel& voxel : OccupiedVoxels(octree)) {
+  const OccupiedMap occupied = OccupiedOf(octree);
+  for (const Voxel& voxel : occupied.voxels) {
     ++info.occupied;
     info.of_objects += voxel.belief.object > kObjectLogOdds ? 1 : 0;
     info.extent_W.extend(voxel.p_W);

@@ -120,14 +120,17 @@ void SurveyGrid::Approach(const Place& at, float range) {
   }
 }
 
-void SurveyGrid::SetFloor(const Place& at, float floor) {
+std::uint16_t SurveyGrid::FloorSteps(float floor) {
   constexpr float kMostSteps = 65535.0F, kRounding = 1e-3F;
   const float steps = std::ceil(floor / kFloorStep - kRounding);
   // Written so that what is no number is 0.
-  const auto floor_steps =
-      static_cast<std::uint16_t>(steps > 0.0F ? std::min(steps, kMostSteps) : 0.0F);
-  if (floor_steps != at.cell.floor) {
-    at.cell.floor = floor_steps;
+  return static_cast<std::uint16_t>(steps > 0.0F ? std::min(steps, kMostSteps) : 0.0F);
+}
+
+void SurveyGrid::SetFloor(const Place& at, float floor) {
+  const std::uint16_t steps = FloorSteps(floor);
+  if (steps != at.cell.floor) {
+    at.cell.floor = steps;
     MarkChanged(at);
   }
 }
@@ -144,9 +147,13 @@ void SurveyGrid::SetReach(double reach) {
   SortChanges(before);
 }
 
-void SurveyGrid::MarkChanged(const Place& at) {
+void SurveyGrid::MarkStale(const Place& at) {
   ++version_;
   at.tile.note.is_due = true;
+}
+
+void SurveyGrid::MarkChanged(const Place& at) {
+  MarkStale(at);
   if (at.cell.is_changed == 0) {
     at.cell.is_changed = 1;
     changed_.push_back(at.index);
@@ -248,12 +255,12 @@ GridDelta SurveyGrid::TakeDelta() {
   GridDelta delta;
   delta.frame = frame_;
   delta.cells.reserve(changed_.size());
-  for (const std::uint32_t index : changed_) {
+  // What a loop closure changes is not kept room for until the next one.
+  for (const std::uint32_t index : std::exchange(changed_, {})) {
     Cell& cell = PlaceOf(index).cell;
     delta.cells.push_back(ChangeOf(index, cell));
     cell.is_changed = 0;
   }
-  changed_.clear();
   return delta;
 }
 
@@ -286,8 +293,9 @@ bool SurveyGrid::Apply(const GridDelta& delta) {
     at.cell.seabed = change.seabed_down;
     at.cell.seabed_source = SeabedSource::kBeam;
     at.cell.beam_count = kMostBeamWeight;
-    SetHeight(at, change.seen_height >= 0.0F ? change.seen_height : kNeverSeen);
-    SetFloor(at, change.seen_floor);
+    at.cell.seen = change.seen_height >= 0.0F ? change.seen_height : kNeverSeen;
+    at.cell.floor = FloorSteps(change.seen_floor);
+    MarkStale(at);
   }
   return true;
 }

@@ -73,7 +73,8 @@ class SurveyGrid {
   /// Takes another grid's state, which may have seen less. REQUIRES: a grid of the same area.
   void Become(SurveyGrid&& other);
 
-  /// Cells seen higher or lower, or with a new seabed depth, since the last call; each once.
+  /// Cells seen higher or lower, or with a new seabed depth, since the last call; each once. What
+  /// Apply took over is another grid's to tell.
   [[nodiscard]] GridDelta TakeDelta();
   /// All cells ever seen, as one delta.
   [[nodiscard]] GridDelta Everything() const;
@@ -159,7 +160,9 @@ class SurveyGrid {
   void Raise(const Place& at, float height, float seabed_down);
   void SetHeight(const Place& at, float height);
   void Approach(const Place& at, float range);
+  [[nodiscard]] static std::uint16_t FloorSteps(float floor);
   void SetFloor(const Place& at, float floor);
+  void MarkStale(const Place& at);
   void MarkChanged(const Place& at);
   /// Cells changed by going through tiles are told row by row all the same.
   void SortChanges(std::size_t from);

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "limpet/core/random.hpp"
+
 namespace limpet {
 namespace {
 
@@ -19,19 +21,19 @@ SemanticOctree OneVoxel() {
 }
 
 TEST(MapExport, CsvListsOccupiedVoxelsInNed) {
-  const std::string csv = ToCsv(OneVoxel());
+  const std::string csv = ToCsv(OccupiedOf(OneVoxel()));
   EXPECT_EQ(std::ranges::count(csv, '\n'), 2);
   EXPECT_THAT(csv, HasSubstr("\n1.100,2.100,3.100,0.200,0.7006,0.7311,0.5000,new\n"));
 }
 
 TEST(MapExport, PlyIsEastNorthUp) {
-  const std::string ply = ToPly(OneVoxel());
+  const std::string ply = ToPly(OccupiedOf(OneVoxel()));
   EXPECT_THAT(ply, HasSubstr("element vertex 1\n"));
   EXPECT_THAT(ply, HasSubstr("end_header\n2.100 1.100 -3.100 0 158 115\n"));
 }
 
 TEST(MapExport, ColorOctreeIsOneThatOctovisOpens) {
-  const std::string bytes = ToColorOctree(OneVoxel());
+  const std::string bytes = ToColorOctree(OccupiedOf(OneVoxel()));
   EXPECT_THAT(bytes, ::testing::StartsWith("# Octomap OcTree file"));
   EXPECT_THAT(bytes, HasSubstr("id ColorOcTree\n"));
 }
@@ -47,10 +49,41 @@ TEST(MapExport, EveryStatusHasItsOwnColour) {
 }
 
 TEST(MapExport, OfAnEmptyMapHoldsNothing) {
-  const SemanticOctree empty;
+  const OccupiedMap empty{.resolution = 0.2, .voxels = {}};
   EXPECT_NE(ToColorOctree(empty).find("id ColorOcTree"), std::string::npos);
   EXPECT_NE(ToPly(empty).find("element vertex 0\n"), std::string::npos);
   EXPECT_EQ(ToCsv(empty).find('\n'), ToCsv(empty).size() - 1) << "the header alone";
+}
+
+TEST(MapExport, OfASavedMapIsWhatItWouldBeOfItsTree) {
+  Random random(4, "voxels");
+  SemanticOctree octree(Meters(0.25));
+  for (int i = 0; i < 3000; ++i) {
+    const Eigen::Vector3d p_W(random.Uniform(-9.0, 9.0), random.Uniform(-40.0, -31.0),
+                              random.Uniform(6.0, 7.5));
+    octree.Set(p_W, {.occupied = static_cast<float>(random.Uniform(-2.0, 3.4)),
+                     .label = static_cast<VoxelLabel>(i % 6)});
+  }
+  for (int i = 0; i < 8; ++i) {  // these become one leaf
+    octree.Set({0.1 + 0.25 * (i & 1), 0.1 + 0.25 * (i >> 1 & 1), 0.1 + 0.25 * (i >> 2)},
+               {.occupied = 1.0F});
+  }
+  const Expected<OccupiedMap> saved = OccupiedOfStream(octree.Serialize());
+  ASSERT_TRUE(saved);
+  EXPECT_GT(saved->voxels.size(), 1000U);
+  const OccupiedMap occupied = OccupiedOf(octree);
+  EXPECT_EQ(ToCsv(*saved), ToCsv(occupied));
+  EXPECT_EQ(ToPly(*saved), ToPly(occupied));
+  EXPECT_EQ(ToColorOctree(*saved), ToColorOctree(occupied));
+}
+
+TEST(MapExport, OfASavedMapThatIsCutOrHasALabelOfNoMeaningIsRefused) {
+  std::string bytes = OneVoxel().Serialize();
+  EXPECT_FALSE(OccupiedOfStream(bytes.substr(0, bytes.size() - 1)));
+  EXPECT_FALSE(OccupiedOfStream("no map"));
+  bytes[bytes.size() - 2] = 6;
+  EXPECT_FALSE(OccupiedOfStream(bytes));
+  EXPECT_FALSE(SemanticOctree::Parse(bytes));
 }
 
 }  // namespace

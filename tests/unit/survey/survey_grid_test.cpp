@@ -118,6 +118,7 @@ TEST(SurveyGrid, AMirrorFedWithDeltasIsTheSameGrid) {
     ASSERT_TRUE(mirror.Apply(grid.TakeDelta()));
   }
   EXPECT_EQ(grid.Heights(), mirror.Heights());
+  EXPECT_TRUE(mirror.TakeDelta().cells.empty()) << "it has nothing to tell of its own";
 }
 
 TEST(SurveyGrid, ALateMirrorLearnsEverythingAtOnce) {
