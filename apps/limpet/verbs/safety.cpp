@@ -16,6 +16,7 @@
 #include "limpet/describe/safety_list.hpp"
 #include "limpet/mission/mission_file.hpp"
 #include "limpet/mission/scenario.hpp"
+#include "limpet/mission/scenario_place.hpp"
 #include "limpet/runs/flown_mission.hpp"
 #include "limpet/safety/safety_params.hpp"
 #include "limpet/safety_trials/safety_trial.hpp"
@@ -132,11 +133,9 @@ int TestRules(const Arguments& given, const std::string& path) {
   const ScratchFolder scratch("limpet_safety");
   const TrialPlaces places{.mission_folder = file.has_parent_path() ? file.parent_path() : ".",
                            .scratch = scratch.path()};
-  if (!LoadScenario(places.mission_folder / "scenario.yaml").faults.empty()) {
-    throw UsageError(
-        fmt::format("{}: its scenario.yaml has `faults` of its own; take them out to "
-                    "try the rules",
-                    path));
+  if (!LoadScenario(ScenarioFileOf(mission, places.mission_folder)).faults.empty()) {
+    throw UsageError(fmt::format(
+        "{}: its scenario has `faults` of its own; take them out to try the rules", path));
   }
   const std::vector<SafetyCase> cases = CasesNamed(given.Find("only").value_or(""));
   fmt::print("{:<18}{:<24}", "fault", "rule");

@@ -17,6 +17,7 @@
 #include "limpet/core/interrupt.hpp"
 #include "limpet/mission/mission_file.hpp"
 #include "limpet/mission/scenario.hpp"
+#include "limpet/mission/scenario_place.hpp"
 #include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/report/expectation_check.hpp"
 #include "limpet/report/report.hpp"
@@ -123,15 +124,20 @@ std::vector<std::string> KeptSessions(RunFolder& folder, const SurveyCommand& co
   return kept;
 }
 
+MissionFile MissionWith(const SurveyCommand& command) {
+  MissionFile mission = LoadMission(FlownMissionAt(command.mission_folder));
+  for (const std::string& setting : command.settings) {
+    ApplySetting(mission, setting);
+  }
+  return mission;
+}
+
 class SurveyRun {
  public:
   explicit SurveyRun(SurveyCommand command)
       : command_(std::move(command)),
-        mission_(LoadMission(FlownMissionAt(command_.mission_folder))),
-        scenario_(LoadScenario(command_.mission_folder / "scenario.yaml")) {
-    for (const std::string& setting : command_.settings) {
-      ApplySetting(mission_, setting);
-    }
+        mission_(MissionWith(command_)),
+        scenario_(LoadScenario(ScenarioFileOf(mission_, command_.mission_folder))) {
     expectations_ =
         LoadExpectations(command_.mission_folder, scenario_, mission_.Global(kVehicleFileGlobal));
     // Everything is checked before the run folder is touched: a slip must not cost an earlier run.

@@ -16,6 +16,7 @@
 #include "limpet/mission/expectations.hpp"
 #include "limpet/mission/mission_file.hpp"
 #include "limpet/mission/scenario.hpp"
+#include "limpet/mission/scenario_place.hpp"
 #include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/report/expectation_check.hpp"
 #include "limpet/report/paper_tables.hpp"
@@ -128,23 +129,24 @@ bool KeepBounds(const TablesCommand& command, const Expectations& expected) {
   return is_enough;
 }
 
-/// As the mission names its file, or an option of the runs.
-std::string VehicleOf(const TablesCommand& command) {
+/// With the options of the runs.
+MissionFile MissionOf(const TablesCommand& command) {
   MissionFile mission = LoadMission(command.mission_folder / "mission.moos");
   constexpr std::string_view kSet = "--set=";
   for (const std::string& option : command.survey_options) {
     if (option.starts_with(kSet)) ApplySetting(mission, option.substr(kSet.size()));
   }
-  return mission.Global(kVehicleFileGlobal);
+  return mission;
 }
 
 int MakeTables(const TablesCommand& command, bool prints_json) {
   if (!fs::exists(command.mission_folder / "mission.moos")) {
     throw UsageError(fmt::format("no mission in {}", command.mission_folder.string()));
   }
-  const auto expected =
-      LoadExpectations(command.mission_folder,
-                       LoadScenario(command.mission_folder / "scenario.yaml"), VehicleOf(command));
+  const MissionFile mission = MissionOf(command);
+  const auto expected = LoadExpectations(
+      command.mission_folder, LoadScenario(ScenarioFileOf(mission, command.mission_folder)),
+      mission.Global(kVehicleFileGlobal));
   TablesFolder tables = OpenTablesFolder(command);
   const Reached reached = RunSeeds(command, tables);
   const RunStatistics statistics = Gather(command);

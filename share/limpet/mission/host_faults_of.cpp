@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "limpet/mission/scenario.hpp"
+#include "limpet/mission/scenario_place.hpp"
 
 namespace limpet {
 namespace {
@@ -20,9 +21,7 @@ bool IsMadeByHost(const ScenarioFault& fault) {
 std::vector<ScenarioFault> HostFaultsOf(const MissionFile& mission,
                                         const std::filesystem::path& folder,
                                         const std::vector<std::string>& apps) {
-  const ConfigBlock* block = mission.Block("uSimVehicle");
-  const ConfigEntry* line = block != nullptr ? block->Find("scenario") : nullptr;
-  const std::filesystem::path file = folder / (line != nullptr ? line->value : "scenario.yaml");
+  const std::filesystem::path file = ScenarioFileOf(mission, folder);
   if (!std::filesystem::exists(file)) return {};
   std::vector<ScenarioFault> faults = LoadScenario(file).faults;
   std::erase_if(faults, [](const ScenarioFault& fault) { return !IsMadeByHost(fault); });

@@ -12,6 +12,7 @@
 #include "limpet/helm/behavior_modules.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/mission/expectations.hpp"
+#include "limpet/mission/scenario_place.hpp"
 #include "limpet/mission/shared_settings.hpp"
 #include "limpet/mission/source_text.hpp"
 #include "limpet/mission/stand_ins.hpp"
@@ -151,7 +152,7 @@ void MissionReading::LoadBehaviorFiles() {
 
 void MissionReading::LoadTruth() {
   const auto named = Find("uSimVehicle", "scenario");
-  const fs::path file = folder_ / (named ? named->text : "scenario.yaml");
+  const fs::path file = ScenarioFileOf(mission_, folder_);
   scenario_file_ = file.string();
   if (fs::exists(file)) {
     Keep(problems_, [&] {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "limpet/mission/scenario.hpp"
+#include "limpet/mission/scenario_place.hpp"
 #include "limpet/runs/session_runner.hpp"
 #include "limpet/topics/energy.hpp"
 #include "limpet/topics/mission.hpp"
@@ -140,7 +141,7 @@ MissionFile PreparedForDryRun(MissionFile mission) {
 
 std::vector<std::string> DrySessions(const MissionFile& mission, const TrialPlaces& places) {
   const std::vector<std::string> apps = EmbeddedApps(mission);
-  const fs::path scenario = places.mission_folder / "scenario.yaml";
+  const fs::path scenario = ScenarioFileOf(mission, places.mission_folder);
   std::vector<std::string> sessions{kFirst};
   if (std::ranges::find(apps, "pSession") == apps.end() || !fs::exists(scenario)) return sessions;
   const std::vector<std::string> said = SessionsOf(LoadScenario(scenario));

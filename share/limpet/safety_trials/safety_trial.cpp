@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "limpet/mission/scenario.hpp"
+#include "limpet/mission/scenario_place.hpp"
 #include "limpet/runs/session_runner.hpp"
 #include "limpet/safety_trials/trial_limit.hpp"
 #include "limpet/safety_trials/trial_prop.hpp"
@@ -116,9 +117,8 @@ SafetyTrialResult TrialWatch::Result(const SessionOutcome& outcome) const {
 }
 
 /// The scenario with the fault, as a file of the scratch folder.
-std::filesystem::path FaultyScenario(const TrialPlaces& places, const SafetyCase& tested,
-                                     SafetyPhase phase) {
-  const std::filesystem::path source = places.mission_folder / "scenario.yaml";
+std::filesystem::path FaultyScenario(const std::filesystem::path& source, const TrialPlaces& places,
+                                     const SafetyCase& tested, SafetyPhase phase) {
   std::ifstream in(source);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   const std::filesystem::path file = places.scratch / "scenario.yaml";
@@ -159,7 +159,9 @@ MissionFile ShortenedForTrials(MissionFile mission) {
 SafetyTrialResult FlySafetyTrial(const MissionFile& mission, const TrialPlaces& places,
                                  const SafetyCase& tested, SafetyPhase phase, std::uint64_t seed) {
   std::filesystem::create_directories(places.scratch);
-  const std::string scenario = FaultyScenario(places, tested, phase).string();
+  const std::string scenario =
+      FaultyScenario(ScenarioFileOf(mission, places.mission_folder), places, tested, phase)
+          .string();
   MissionFile faulty = mission;
   if (!tested.fault.starts_with("what: disk")) {  // else a log would only cost time
     std::erase_if(faulty.launches,

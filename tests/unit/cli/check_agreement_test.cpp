@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
              2,
              {"nothing reads this global; did you mean `survey_altitude_m`?"}},
         Slip{"ScenariosDiffer",
-             {{PlugOf("uSimSensors"), "scenario = scenario.yaml", "scenario = other.yaml"}},
+             {{PlugOf("uSimSensors"), "$(SCENARIO=scenario.yaml)", "other.yaml"}},
              3,
              {"scenario: the scenario is other.yaml for uSimSensors and scenario.yaml for "
               "uSimVehicle"}},

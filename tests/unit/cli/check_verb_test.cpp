@@ -229,7 +229,7 @@ INSTANTIATE_TEST_SUITE_P(
              2,
              {"mission.bhv: has no behavior"}},
         Slip{"AScenarioThatIsNotThere",
-             {{PlugOf("uSimVehicle"), "scenario = scenario.yaml", "scenario = other.yaml"}},
+             {{PlugOf("uSimVehicle"), "$(SCENARIO=scenario.yaml)", "other.yaml"}},
              2,
              {"scenario: `other.yaml` cannot be read"}}),
     [](const auto& slip) { return slip.param.name; });
