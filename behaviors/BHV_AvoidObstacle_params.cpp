@@ -28,21 +28,27 @@ bool ReadObstacle(std::string_view text, ObstacleParams& params) {
   return params.polygon.has_value();
 }
 
-/// A distance that is not to be below `low` nor above `high`, as far as those are given before it.
-void DescribeDistance(ParamCollector& visit, const char* name, std::optional<double>& field,
-                      const char* form, const char* help,
-                      std::vector<const std::optional<double>*> low,
-                      std::vector<const std::optional<double>*> high) {
-  visit.Parsed(name, form, help, "",
-               [&field, low = std::move(low), high = std::move(high)](std::string_view text) {
-                 if (text.empty()) return true;
-                 const auto value = ParseNumber(text);
-                 if (!value || *value < 0.0) return false;
-                 field = value;
-                 return std::ranges::none_of(low, [&](const auto* at) { return *at > *value; }) &&
-                        std::ranges::none_of(high,
-                                             [&](const auto* at) { return *at && **at < *value; });
-               });
+/// A distance [m] that is not to be below `low` nor above `high`, as far as those are given before
+/// it.
+struct Distance {
+  std::optional<double>* value;
+  std::vector<const std::optional<double>*> low{}, high{};
+
+  [[nodiscard]] bool Allows(double distance) const {
+    return std::ranges::none_of(low, [&](const auto* at) { return *at > distance; }) &&
+           std::ranges::none_of(high, [&](const auto* at) { return *at && **at < distance; });
+  }
+};
+
+void DescribeDistance(ParamCollector& visit, const char* name, const char* form, const char* help,
+                      Distance distance) {
+  visit.Parsed(name, form, help, "", [distance = std::move(distance)](std::string_view text) {
+    if (text.empty()) return true;
+    const auto value = ParseNumber(text);
+    if (!value || *value < 0.0) return false;
+    *distance.value = value;
+    return distance.Allows(*value);
+  });
 }
 
 }  // namespace
@@ -56,11 +62,12 @@ void BHV_AvoidObstacle::Params::Describe(ParamCollector& visit) {
   visit.Also({"obid"});
   visit("allowable_ttc", allowable_time, "What comes later than this counts half, at each speed",
         InRange(Seconds(0.0), Seconds(1e5)));
-  DescribeDistance(visit, "min_util_cpa_dist", least_approach, "m, at most max_util_cpa_dist",
-                   "A way that comes this near is worth nothing; else 8 m", {}, {&free_approach});
-  DescribeDistance(visit, "max_util_cpa_dist", free_approach, "m, at least min_util_cpa_dist",
-                   "One that stays this far off is as good as any; else 16 m", {&least_approach},
-                   {});
+  DescribeDistance(visit, "min_util_cpa_dist", "m, at most max_util_cpa_dist",
+                   "A way that comes this near is worth nothing; else 8 m",
+                   {.value = &least_approach, .high = {&free_approach}});
+  DescribeDistance(visit, "max_util_cpa_dist", "m, at least min_util_cpa_dist",
+                   "One that stays this far off is as good as any; else 16 m",
+                   {.value = &free_approach, .low = {&least_approach}});
   visit.Parsed("buffer_dist", "m, from 0", "In old missions: both of them", "",
                [this](std::string_view text) {
                  if (text.empty()) return true;
@@ -69,16 +76,15 @@ void BHV_AvoidObstacle::Params::Describe(ParamCollector& visit) {
                  least_approach = free_approach = value;
                  return true;
                });
-  DescribeDistance(
-      visit, "pwt_inner_dist", inner_distance, "m, at most pwt_outer_dist and completed_dist",
-      "From here on it has its full weight; else 10 m", {}, {&outer_distance, &end_distance});
-  DescribeDistance(visit, "pwt_outer_dist", outer_distance,
-                   "m, from pwt_inner_dist to completed_dist",
-                   "Further off it has no say; else 50 m", {&inner_distance}, {&end_distance});
-  DescribeDistance(visit, "completed_dist", end_distance,
-                   "m, at least pwt_inner_dist and pwt_outer_dist",
+  DescribeDistance(visit, "pwt_inner_dist", "m, at most pwt_outer_dist and completed_dist",
+                   "From here on it has its full weight; else 10 m",
+                   {.value = &inner_distance, .high = {&outer_distance, &end_distance}});
+  DescribeDistance(visit, "pwt_outer_dist", "m, from pwt_inner_dist to completed_dist",
+                   "Further off it has no say; else 50 m",
+                   {.value = &outer_distance, .low = {&inner_distance}, .high = {&end_distance}});
+  DescribeDistance(visit, "completed_dist", "m, at least pwt_inner_dist and pwt_outer_dist",
                    "Once further off than this again it completes; else 50 m",
-                   {&inner_distance, &outer_distance}, {});
+                   {.value = &end_distance, .low = {&inner_distance, &outer_distance}});
   visit("draw_buff_min_poly", draws_least, "Draw where ways are worth nothing");
   visit("draw_buff_max_poly", draws_free, "Draw where ways are worth less");
   visit.ParsedLines("rng_flag", "[<m] VARIABLE = value", "Posted while nearer than so many metres",

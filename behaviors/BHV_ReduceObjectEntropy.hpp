@@ -20,7 +20,8 @@ class BHV_ReduceObjectEntropy final : public Behavior {
     RevisitPolicy::Params policy;
     template <class Visitor>
     void Describe(Visitor& visit) {
-      visit("lambda", lambda, "Weight of the object term in eqs (20), (23)", InRange(0.0, 1000.0));
+      visit("lambda", lambda, "Weight of the object term in eqs (20), (23) of [Bucci 2025]",
+            InRange(0.0, 1000.0));
       policy.Describe(visit);
     }
   };

@@ -5,10 +5,10 @@
 
 namespace limpet {
 
-/// The centre of a landmark's box:  r = (projected - measured) / sigma, per axis [px]; paper eq.
-/// (6), fourth sum. An axis along which the border cuts the box has an infinite sigma and counts
-/// nothing. Behind or near the camera the residual is large and its derivative zero, so that a wild
-/// estimate does no harm.
+/// The centre of a landmark's box:  r = (projected - measured) / sigma, per axis [px];
+/// [Bucci 2025] eq. (6), fourth sum. An axis along which the border cuts the box has an infinite
+/// sigma and counts nothing. Behind or near the camera the residual is large and its derivative
+/// zero, so that a wild estimate does no harm.
 class ReprojectionFactor {
  public:
   static constexpr int kDim = 2;

@@ -57,7 +57,8 @@ struct ViewParams {
           "Worth of new ground at the bottom against each other layer of the band",
           InRange(0.0, 100.0));
     visit("paper_lambda", paper_lambda,
-          "Planner paper: weight of the object term in eqs (20), (23)", InRange(0.0, 1000.0));
+          "Planner paper: weight of the object term in eqs (20), (23) of [Bucci 2025]",
+          InRange(0.0, 1000.0));
     of_generators.Describe(visit);
     camera.Describe(visit);
   }

@@ -21,7 +21,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// ln(0.7 / 0.3): voxels of an object, as the paper has it.
+/// ln(0.7 / 0.3), P_a = 0.7: a voxel above belongs to an object [Bucci 2025].
 constexpr float kObjectLogOdds = 0.8473F;
 
 struct OctreeInfo {

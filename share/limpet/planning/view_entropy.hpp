@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The gains of [Bucci 2025] in nats, over the views of a branch.
+// The gains of [Bucci 2025], whose equations these are, in nats over the views of a branch.
 #pragma once
 
 #include <span>
@@ -21,7 +21,7 @@ namespace limpet {
 
 /// What a branch would see of objects [nats].
 struct ObjectEntropy {
-  double seen = 0.0;       ///< eqs (18), (19), (21): of objects that have been looked at
+  double seen = 0.0;       ///< eqs (18), (19), (21), of objects that were looked at
   double inherited = 0.0;  ///< eq. (22), with the sign that attracts: of the former session's
 };
 /// Objects count by what the map holds of them: never by unmapped voxels, whose P = 0.5 would drown
