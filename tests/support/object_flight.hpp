@@ -114,7 +114,7 @@ class ObjectFlight {
       Box seen = *box;
       if (!random_.Chance(hit_share_)) continue;
       seen.confidence = confidence_, seen.color = "yellow";
-      if (seen.u - 0.5 * seen.w > 2.0 && seen.u + 0.5 * seen.w < 638.0) {
+      if (!ExtentAcross(seen, camera_).is_cut()) {
         seen.u += noise_px_ * random_.Normal(1.0);
       }
       boxes.push_back(seen);

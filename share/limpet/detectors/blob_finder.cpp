@@ -37,8 +37,7 @@ Blob ToBlob(const cv::Moments& moments, const cv::Rect& rect) {
   blob.fullness = moments.m00 / ellipse_area(inner);
   blob.covariance = Grown(inner);
   blob.area = blob.fullness * ellipse_area(blob.covariance);
-  blob.left = rect.x, blob.top = rect.y;
-  blob.right = rect.x + rect.width, blob.bottom = rect.y + rect.height;
+  blob.bounds = rect;
   return blob;
 }
 

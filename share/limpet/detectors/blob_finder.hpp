@@ -14,7 +14,7 @@ struct Blob {
   double area = 0.0;
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-  int left = 0, top = 0, right = 0, bottom = 0;  ///< right and bottom exclusive
+  cv::Rect bounds;
 
   /// Area over that of the ellipse with the same second moments: 1 for any full ellipse, less for
   /// branches and crescents.

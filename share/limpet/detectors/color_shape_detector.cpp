@@ -53,8 +53,9 @@ ColorShapeDetector::ColorShapeDetector(const Params& params) : params_(params) {
 bool ColorShapeDetector::Assess(const Blob& blob, Candidate& candidate) const {
   const cv::Mat& small_image = outlines_.small();
   const int factor = outlines_.factor();
-  const bool touches_border = blob.left <= 0 || blob.top <= 0 || blob.right >= small_image.cols ||
-                              blob.bottom >= small_image.rows;
+  const cv::Point low = blob.bounds.tl(), high = blob.bounds.br();
+  const bool touches_border =
+      low.x <= 0 || low.y <= 0 || high.x >= small_image.cols || high.y >= small_image.rows;
   const double fullness = blob.fullness;
   if (fullness < (touches_border ? 0.78 : 0.86) ||
       blob.Elongation() > (touches_border ? 4.0 : 2.0)) {
@@ -70,7 +71,7 @@ bool ColorShapeDetector::Assess(const Blob& blob, Candidate& candidate) const {
       fullness * contrast->support * contrast->separation / (contrast->separation + 4.0);
   candidate.ellipse = {small.center * factor, small.axes * factor};
   const double f = factor;
-  candidate.rect = {blob.left * f, blob.top * f, blob.right * f, blob.bottom * f};
+  candidate.rect = {low.x * f, low.y * f, high.x * f, high.y * f};
   return true;
 }
 

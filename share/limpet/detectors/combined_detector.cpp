@@ -19,8 +19,8 @@ constexpr double kLeastShape = 0.05;  // a weak outline is a weak witness, but o
 constexpr double kLeastScore = -6.0;  // a network that is surer than that of nothing is no surer
 
 double LogitOf(double probability) {
-  constexpr double kSurest = 0.98;
-  const double p = std::clamp(probability, 1.0 - kSurest, kSurest);
+  constexpr double kMostCertain = 0.98;
+  const double p = std::clamp(probability, 1.0 - kMostCertain, kMostCertain);
   return std::log(p / (1.0 - p));
 }
 

@@ -27,10 +27,10 @@ class Cells {
     const auto size = [&](int channel) {
       return network_.size_unit_px * std::exp(std::clamp(At(channel, row, column), -4.0, 4.0));
     };
-    NetworkFinding finding{.u = (column + 0.5 + At(kAcross, row, column)) * network_.stride_px,
-                           .v = (row + 0.5 + At(kDown, row, column)) * network_.stride_px,
-                           .w = size(kWidth),
-                           .h = size(kHeight),
+    const double u = (column + 0.5 + At(kAcross, row, column)) * network_.stride_px;
+    const double v = (row + 0.5 + At(kDown, row, column)) * network_.stride_px;
+    const double across = 0.5 * size(kWidth), down = 0.5 * size(kHeight);
+    NetworkFinding finding{.rect = {u - across, v - down, u + across, v + down},
                            .score_logit = At(kScore, row, column)};
     SetColor(row, column, finding);
     return finding;
@@ -57,10 +57,6 @@ class Cells {
   int rows_, columns_;
 };
 
-PixelRect RectOf(const NetworkFinding& one) {
-  return {one.u - 0.5 * one.w, one.v - 0.5 * one.h, one.u + 0.5 * one.w, one.v + 0.5 * one.h};
-}
-
 }  // namespace
 
 std::vector<NetworkFinding> ReadCells(const cv::Mat& cells, const NetworkDescription& network,
@@ -78,7 +74,7 @@ std::vector<NetworkFinding> ReadCells(const cv::Mat& cells, const NetworkDescrip
   std::vector<NetworkFinding> kept;
   for (const NetworkFinding& finding : findings) {
     const bool repeats = std::ranges::any_of(kept, [&](const NetworkFinding& other) {
-      return Overlap(RectOf(finding), RectOf(other)) > limits.most_overlap;
+      return Overlap(finding.rect, other.rect) > limits.most_overlap;
     });
     if (!repeats) kept.push_back(finding);
   }

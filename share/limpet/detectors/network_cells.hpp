@@ -13,7 +13,7 @@ namespace limpet {
 
 /// What a network says about one object; pixels of its input.
 struct NetworkFinding {
-  double u = 0.0, v = 0.0, w = 0.0, h = 0.0;
+  PixelRect rect;
   double score_logit = 0.0;  ///< that an object with about this box is there
   double color_logit = 0.0;  ///< that it has its colour, against all others
   std::size_t color = 0;     ///< index in the description

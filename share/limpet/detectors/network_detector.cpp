@@ -26,20 +26,16 @@ constexpr double kLeastAgreement = 0.6;  // overlap of an outline's box with the
 
 /// A ball whose visible part has this box: of one that the border cuts, the longer side is whole.
 Ellipse GuessOf(const Box& box, const ImageView& image) {
-  constexpr double kAtBorder = 2.0;
-  const PixelRect rect = RectOf(box);
   const Eigen::Vector2d half(0.5 * box.w, 0.5 * box.h);
   const double longer = half.maxCoeff();
   Ellipse guess{{box.u, box.v}, half.asDiagonal()};
-  const auto stretch = [&](int axis, double low, double high, int size) {
-    const bool is_cut_low = low < kAtBorder;
-    const bool is_cut_high = high > size - kAtBorder;
-    if (half[axis] >= longer || is_cut_low == is_cut_high) return;
-    guess.center[axis] = is_cut_low ? high - longer : low + longer;
+  const auto stretch = [&](int axis, const BoxExtent& extent) {
+    if (half[axis] >= longer || !extent.is_half_cut()) return;
+    guess.center[axis] = extent.CentreOf(longer);
     guess.axes(axis, axis) = longer;
   };
-  stretch(0, rect.left, rect.right, image.width_px);
-  stretch(1, rect.top, rect.bottom, image.height_px);
+  stretch(0, ExtentAcross(box, image.width_px));
+  stretch(1, ExtentAlong(box, image.height_px));
   return guess;
 }
 
@@ -128,10 +124,9 @@ std::vector<NetworkProposal> NetworkDetector::Propose(const ImageView& image) {
   std::vector<NetworkProposal> proposals;
   for (const NetworkFinding& one :
        ReadCells(net_->cells, description_, {kLeastLogit, kMostOverlap})) {
-    const PixelRect rect =
-        Intersection({across * (one.u - 0.5 * one.w), down * (one.v - 0.5 * one.h),
-                      across * (one.u + 0.5 * one.w), down * (one.v + 0.5 * one.h)},
-                     whole);
+    const PixelRect rect = Intersection({across * one.rect.left, down * one.rect.top,
+                                         across * one.rect.right, down * one.rect.bottom},
+                                        whole);
     if (rect.area() <= 0.0) continue;
     NetworkProposal proposal{.box = {},
                              .score_logit = one.score_logit,

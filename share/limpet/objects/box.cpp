@@ -20,12 +20,15 @@ double BoxExtent::CentreOf(double half) const {
   return 0.5 * (low + high);
 }
 
+BoxExtent ExtentAcross(const Box& box, int width_px) { return ExtentOf(box.u, box.w, width_px); }
+BoxExtent ExtentAlong(const Box& box, int height_px) { return ExtentOf(box.v, box.h, height_px); }
+
 BoxExtent ExtentAcross(const Box& box, const CameraModel& camera) {
-  return ExtentOf(box.u, box.w, camera.width_px);
+  return ExtentAcross(box, camera.width_px);
 }
 
 BoxExtent ExtentAlong(const Box& box, const CameraModel& camera) {
-  return ExtentOf(box.v, box.h, camera.height_px);
+  return ExtentAlong(box, camera.height_px);
 }
 
 bool IsCut(const Box& box, const CameraModel& camera) {

@@ -35,7 +35,9 @@ struct BoxExtent {
   [[nodiscard]] double CentreOf(double half) const;
 };
 
-/// Along u and along v.
+/// Along u and along v, in an image so many pixels wide, so many high.
+[[nodiscard]] BoxExtent ExtentAcross(const Box& box, int width_px);
+[[nodiscard]] BoxExtent ExtentAlong(const Box& box, int height_px);
 [[nodiscard]] BoxExtent ExtentAcross(const Box& box, const CameraModel& camera);
 [[nodiscard]] BoxExtent ExtentAlong(const Box& box, const CameraModel& camera);
 

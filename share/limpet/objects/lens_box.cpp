@@ -6,20 +6,18 @@
 #include <numbers>
 #include <utility>
 
+#include "limpet/objects/pixel_rect.hpp"
+
 namespace limpet {
 namespace {
 
 constexpr double kLeastSize = 1.0;  // [px] of what is left of a box inside an image
 
-struct Edges {
-  double left = 1e9, top = 1e9, right = -1e9, bottom = -1e9;
-};
-
 /// Edges of what `map` makes of the ellipse that touches the box's edges.
 template <class Map>
-Edges EdgesOf(const Box& box, Map map) {
+PixelRect EdgesOf(const Box& box, Map map) {
   constexpr int kPoints = 64;
-  Edges edges;
+  PixelRect edges{1e9, 1e9, -1e9, -1e9};
   for (int i = 0; i < kPoints; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / kPoints;
     const Eigen::Vector2d p = map(Eigen::Vector2d(box.u + 0.5 * box.w * std::cos(angle),
@@ -31,16 +29,13 @@ Edges EdgesOf(const Box& box, Map map) {
 }
 
 /// The box with these edges, as far as they are in the image.
-std::optional<Box> BoxWithin(const CameraModel& image, Edges edges, Box box) {
+std::optional<Box> BoxWithin(const CameraModel& image, PixelRect edges, Box box) {
   edges.left = std::max(edges.left, 0.0);
   edges.top = std::max(edges.top, 0.0);
   edges.right = std::min<double>(edges.right, image.width_px);
   edges.bottom = std::min<double>(edges.bottom, image.height_px);
-  box.w = edges.right - edges.left;
-  box.h = edges.bottom - edges.top;
-  if (!(box.w >= kLeastSize) || !(box.h >= kLeastSize)) return std::nullopt;
-  box.u = 0.5 * (edges.left + edges.right);
-  box.v = 0.5 * (edges.top + edges.bottom);
+  if (!(edges.width() >= kLeastSize) || !(edges.height() >= kLeastSize)) return std::nullopt;
+  SetRect(edges, box);
   return box;
 }
 
@@ -50,7 +45,7 @@ std::optional<Box> Rectified(const LensModel& lens, const Box& box) {
   if (lens.is_pinhole()) return box;
   if (!std::isfinite(box.u + box.v + box.w + box.h)) return std::nullopt;
   const CameraModel& to = lens.rectified();
-  Edges edges =
+  PixelRect edges =
       EdgesOf(box, [&](const Eigen::Vector2d& pixel) { return lens.ToPinhole(to, pixel); });
   const BoxExtent across = ExtentAcross(box, lens.image()), along = ExtentAlong(box, lens.image());
   if (across.is_low_cut) edges.left = 0.0;
@@ -75,7 +70,7 @@ RectifiedFrame Rectified(const LensModel& lens, const Detections& frame) {
 std::optional<Box> Distorted(const LensModel& lens, const Box& box) {
   if (lens.is_pinhole()) return box;
   const CameraModel& from = lens.enclosing();
-  const Edges edges =
+  const PixelRect edges =
       EdgesOf(box, [&](const Eigen::Vector2d& pixel) { return lens.FromPinhole(from, pixel); });
   return BoxWithin(lens.image(), edges, box);
 }

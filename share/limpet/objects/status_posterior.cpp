@@ -4,16 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "limpet/core/entropy.hpp"
+
 namespace limpet {
-namespace {
-
-/// p ln p, which tends to 0 at 0.
-double PLogP(double p) { return p > 0.0 ? p * std::log(p) : 0.0; }
-
-}  // namespace
 
 double StatusPosterior::Entropy() const {
-  return -(PLogP(confirmed) + PLogP(removed) + PLogP(appeared) + PLogP(nothing));
+  return MinusPLogP(confirmed) + MinusPLogP(removed) + MinusPLogP(appeared) + MinusPLogP(nothing);
 }
 
 StatusPosterior StatusPosterior::Times(double if_present, double if_absent) const {

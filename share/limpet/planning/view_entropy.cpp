@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "limpet/core/entropy.hpp"
+
 namespace limpet {
 namespace {
 
@@ -14,7 +16,6 @@ constexpr double kSeenNats = 0.13;
 /// Voxels of an object that a view from above shows (0.5 m radius, 0.2 m voxels).
 constexpr double kVoxelsPerObject = 40.0;
 
-double MinusPLogP(double p) { return p > 0.0 ? -p * std::log(p) : 0.0; }
 double Entropy(double p) { return MinusPLogP(p) + MinusPLogP(1.0 - p); }
 
 /// Whether the image from `at` shows a place at the height of `layer`.

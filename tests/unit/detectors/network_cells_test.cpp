@@ -45,10 +45,10 @@ TEST_F(NetworkCells, GiveAnObjectWhereACellIsSureOfOne) {
   Set(6, 1, 2, 2.0);
   const auto found = Read();
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_NEAR(found[0].u, (2.5 + 0.25) * 8.0, 1e-5);
-  EXPECT_NEAR(found[0].v, (1.5 - 0.5) * 8.0, 1e-5);
-  EXPECT_NEAR(found[0].w, 16.0, 1e-4);
-  EXPECT_NEAR(found[0].h, 32.0, 1e-4);
+  EXPECT_NEAR(found[0].rect.center_u(), (2.5 + 0.25) * 8.0, 1e-5);
+  EXPECT_NEAR(found[0].rect.center_v(), (1.5 - 0.5) * 8.0, 1e-5);
+  EXPECT_NEAR(found[0].rect.width(), 16.0, 1e-4);
+  EXPECT_NEAR(found[0].rect.height(), 32.0, 1e-4);
   EXPECT_EQ(found[0].color, 1U);
   // A softmax over logits 0, 2, 0: the odds are exp(2) to 2.
   EXPECT_NEAR(found[0].color_logit, std::log(std::exp(2.0) / 2.0), 1e-5);
@@ -95,7 +95,7 @@ TEST_F(NetworkCells, StayFiniteWhateverTheNetworkSays) {
   Set(5, 0, 0, 300.0);
   const auto found = Read();
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_TRUE(std::isfinite(found[0].w) && std::isfinite(found[0].h));
+  EXPECT_TRUE(std::isfinite(found[0].rect.area()));
   EXPECT_TRUE(std::isfinite(found[0].color_logit));
 }
 
