@@ -18,6 +18,7 @@
 #include "apps/limpet/verbs/check.hpp"
 #include "apps/limpet/verbs/dry_run_check.hpp"
 #include "limpet/runs/session_runner.hpp"
+#include "tests/support/sound_flight.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace limpet {
@@ -26,60 +27,16 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
 
-DryFlight SoundFlight() {
-  DryFlight flight;
-  flight.ended = "home";
-  flight.duration_s = 900.0;
-  flight.energy = FlightEnergy{.used_wh = 20.0, .left_wh = 400.0, .reserve_wh = 60.0};
-  return flight;
-}
-
-TEST(DryFlight, ThatComesHomeWithItsReserveHasNoObjections) {
-  EXPECT_THAT(SoundFlight().Objections(), IsEmpty());
-}
-
-TEST(DryFlight, SaysWhichRuleTrippedWhenAndWhere) {
-  DryFlight flight = SoundFlight();
-  flight.tripped.push_back({.rule = "depth_over_limit",
-                            .action = "surface",
-                            .phase = "DIVE",
-                            .after_s = 61.0,
-                            .north_m = -12.5,
-                            .east_m = 3.0,
-                            .down_m = 2.6});
-  EXPECT_THAT(flight.Objections(),
-              ElementsAre("rule depth_over_limit asks for surface after 61 s in DIVE, north -12.5, "
-                          "east 3.0 m, 2.6 m deep"));
-}
-
-TEST(DryFlight, IsRefusedForAnEmptyBatteryAReserveNotKeptAndAnEndElsewhere) {
-  DryFlight flight = SoundFlight();
-  flight.energy->left_wh = 50.0;
-  EXPECT_THAT(flight.Objections(),
-              ElementsAre("50 Wh left at the end, of which 60 Wh were to be in reserve"));
-  flight.energy->is_off = true;
-  EXPECT_THAT(flight.Objections(), ElementsAre("the battery is empty after 20 Wh"));
-  flight = SoundFlight();
-  flight.ended = "timeout";
-  flight.home_error_m = 40.0;
-  flight.down_m = 3.0;
-  EXPECT_THAT(flight.Objections(),
-              ElementsAre("it ended `timeout` after 900 s",
-                          "it did not come home: 40 m from the start, 3.0 m deep at the end"));
-}
-
-TEST(DryFlight, IsNotRefusedForAWarningButSaysIt) {
-  DryFlight flight = SoundFlight();
-  flight.tripped.push_back({.rule = "clock_stepped", .action = "warn", .phase = "SURVEY"});
-  EXPECT_THAT(flight.Objections(), IsEmpty());
-  EXPECT_THAT(flight.Remarks(), ElementsAre(HasSubstr("rule clock_stepped asks for warn after")));
-  for (const char* action : {"degrade", "hold", "return", "surface", "abort"}) {
-    flight.tripped.front().action = action;
-    EXPECT_THAT(flight.Objections(), ElementsAre(HasSubstr(action)));
-    EXPECT_THAT(flight.Remarks(), IsEmpty());
-  }
+TEST(DryRun, SavesNoLogAndRendersNothing) {
+  MissionFile mission = ParseMission(
+      "ProcessConfig = ANTLER\n{\n  Run = pLog\n  Run = pNav\n}\n"
+      "ProcessConfig = uSimCamera\n{\n}\nProcessConfig = uSimVehicle\n{\n}\n",
+      "m.moos");
+  mission = PreparedForDryRun(std::move(mission));
+  ASSERT_EQ(mission.launches.size(), 1U);
+  EXPECT_EQ(mission.launches.front().binary, "pNav");
+  EXPECT_EQ(mission.Block("uSimCamera")->Find("camera")->value, "boxes");
 }
 
 TEST(DryRun, SaysInJsonWhatItSaysInWords) {

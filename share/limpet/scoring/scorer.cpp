@@ -75,7 +75,7 @@ SessionScore ScoreSession(const SessionRecord& record, const Scenario& scenario,
   if (record.water && !record.believed_coverage.empty()) {
     score.water = WaterScore{.visibility = *record.water,
                              .believed = record.believed_coverage.back().value,
-                             .seen_from_m = record.grid.SightFloor()};
+                             .seen_from_m = record.grid.SeenFloor()};
   }
   if (record.area) score.bound = LowerBoundOf(*record.area, settings);
   score.begun = record.begun;

@@ -203,7 +203,7 @@ void GridRecord::Apply(const GridDelta& delta) {
   }
 }
 
-double GridRecord::SightFloor() const {
+double GridRecord::SeenFloor() const {
   std::vector<float> floors;
   EachSeen([&floors](int, int, const Cell& cell) { floors.push_back(cell.seen_floor); });
   if (floors.empty()) return 0.0;

@@ -43,7 +43,7 @@ struct GridRecord {
   /// Whether the vehicle believes to have seen this place (NED).
   [[nodiscard]] bool HasInspected(const Eigen::Vector3d& p_W) const;
   /// Lowest height that was in sight, median over what images have shown [m]; 0 if the bottom was.
-  [[nodiscard]] double SightFloor() const;
+  [[nodiscard]] double SeenFloor() const;
 };
 
 /// One decision of the helm: the path it chose and what it was offered.
