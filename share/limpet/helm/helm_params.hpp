@@ -36,9 +36,10 @@ struct HelmParams {
     visit.Required("domain", domain,
                    "Decision variables, name:low:high:points[:optional]; without depth none is "
                    "decided");
-    visit("at_points", at_points,
-          "true: nothing between the domain's points is decided, as pHelmIvP does it; so in a "
-          "block of pHelmIvP that says nothing");
+    visit(
+        "at_points", at_points,
+        "true: speeds, depths and courses are those of the domain's points, as pHelmIvP has them; "
+        "so in a block of pHelmIvP that says nothing");
     visit("start_in_drive", start_in_drive,
           "false: parked until MOOS_MANUAL_OVERRIDE = false; so is a block of pHelmIvP that says "
           "nothing");

@@ -46,9 +46,17 @@ std::optional<std::string> ProblemOf(const MotionBid& bid, const MotionDomain& d
 }
 
 double NearestPoint(const MotionAxis& axis, double value) {
-  constexpr double kRounding = 1e-9;  // 1.3 lies between 1.2 and 1.4 for a computer, too
-  const double point = std::ceil((value - axis.low) / axis.step() - 0.5 - kRounding);
+  const double point = std::ceil((value - axis.low) / axis.step() - 0.5);
   return axis.At(static_cast<int>(std::clamp(point, 0.0, axis.points - 1.0)));
+}
+
+/// In the middle of two points the value itself: a helm that knows points alone goes to and fro
+/// between the two, and so fast on average.
+double NearestPointOrMiddle(const MotionAxis& axis, double value) {
+  constexpr double kRounding = 1e-9;  // 1.3 is in the middle of 1.2 and 1.4 for a computer, too
+  const double steps = (value - axis.low) / axis.step();
+  const bool is_in_the_middle = std::abs(steps - std::floor(steps) - 0.5) < kRounding;
+  return is_in_the_middle ? value : NearestPoint(axis, value);
 }
 
 double NearestPointAround(const MotionAxis& axis, double course) {
@@ -198,7 +206,7 @@ void MotionArbiter::Choose(const VehicleState& state) {
                 : MaximizeOverInterval(peaks, axis->low, axis->high);
     if (is_at_points_ && axis) {
       value = variable == MotionVariable::kCourse ? NearestPointAround(*axis, *value)
-                                                  : NearestPoint(*axis, *value);
+                                                  : NearestPointOrMiddle(*axis, *value);
     }
   }
   decision_.course = chosen[0];
