@@ -92,7 +92,7 @@ inline void Compare(const std::vector<SphereImage>& images, const std::vector<st
       if (!look.found && Overlap(rect, images[i].visible) > 0.5) {
         look.found = boxes[b];
       }
-      is_explained[b] |= Intersection(rect, images[i].visible).area() > 0.5 * rect.area();
+      if (Intersection(rect, images[i].visible).area() > 0.5 * rect.area()) is_explained[b] = 1;
     }
     if (!overlaps) {
       result.looks.push_back(look);

@@ -43,7 +43,10 @@ class TileGrid {
     for (const auto& tile : other.tiles_)
       tiles_.push_back(tile ? std::make_unique<Tile>(*tile) : nullptr);
   }
-  TileGrid& operator=(const TileGrid& other) { return *this = TileGrid(other); }
+  TileGrid& operator=(const TileGrid& other) {
+    *this = TileGrid(other);
+    return *this;
+  }
   TileGrid(TileGrid&&) noexcept = default;
   TileGrid& operator=(TileGrid&&) noexcept = default;
   ~TileGrid() = default;

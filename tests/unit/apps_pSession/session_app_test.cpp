@@ -230,6 +230,8 @@ TEST_F(SessionAppTest, SavesEveryMinute) {
 
 /// Written as a whole each minute, a long survey's map would fill disk and log.
 TEST_F(SessionAppTest, SavesALargeMapLessOften) {
+  std::string large;
+  large.resize(25'600'000, 'm');
   SessionApp app(Context("discovery"), {});
   app.Tick(link_.time);
   const auto asked_after = [&](Seconds time) {
@@ -238,7 +240,7 @@ TEST_F(SessionAppTest, SavesALargeMapLessOften) {
     return link_.Count(topics::kMapSnapshotRequest);
   };
   EXPECT_EQ(asked_after(Seconds(60.0)), 1);
-  link_.Send(app, topics::kMapSnapshot, PackedBytes{std::string(25'600'000, 'm')});
+  link_.Send(app, topics::kMapSnapshot, PackedBytes{large});
   EXPECT_EQ(asked_after(Seconds(199.0)), 1);
   EXPECT_EQ(asked_after(Seconds(1.0)), 2);
 }

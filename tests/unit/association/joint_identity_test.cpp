@@ -16,7 +16,7 @@ class JointIdentityTest : public ::testing::Test {
  protected:
   /// Returns the thing's number. `drift`: number of the sighting, -1 for none.
   int Add(const Eigen::Vector2d& place, int drift = -1) {
-    places_.push_back({place.x(), place.y(), 7.0});
+    places_.emplace_back(place.x(), place.y(), 7.0);
     drifts_.push_back(drift);
     return static_cast<int>(places_.size()) - 1;
   }

@@ -58,11 +58,12 @@ class Dive {
 
   void Fly(double visibility) {
     std::vector<FormerObject> former;
-    for (std::size_t i = 0; i < objects_.size(); ++i)
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
       former.push_back({.id = static_cast<int>(i) + 1,
                         .object = objects_[i].object(),
                         .log_likelihood_ratio = 8.0,
                         .looks = 5});
+    }
     statuses_.SetFormer(former);
     DetectionModel detector;
     detector.visibility = Meters(visibility);

@@ -31,7 +31,7 @@ TEST(ProgressLine, WritesAboutEveryTenthWhereThereIsNoTerminal) {
   std::rewind(file);
   int lines = 0;
   for (int letter = std::fgetc(file); letter != EOF; letter = std::fgetc(file))
-    lines += letter == '\n';
+    lines += letter == '\n' ? 1 : 0;
   std::fclose(file);
   EXPECT_EQ(lines, 11);
 }

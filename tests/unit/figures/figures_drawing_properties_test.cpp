@@ -65,8 +65,8 @@ TEST(SimplifiedCurves, StayWithinTheToleranceOfEveryPoint) {
   for (int run = 0; run < 100; ++run) {
     std::vector<SvgCanvas::Point> points{{0.0, 0.0}};
     for (std::uint64_t i = 2 + random.Index(200); i > 0; --i) {
-      points.push_back(points.back() +
-                       SvgCanvas::Point(random.Uniform(-1.0, 2.0), random.Uniform(-1.0, 1.0)));
+      const SvgCanvas::Point step(random.Uniform(-1.0, 2.0), random.Uniform(-1.0, 1.0));
+      points.emplace_back(points.back() + step);
     }
     const double tolerance = random.Uniform(0.05, 2.0);
     const std::vector<SvgCanvas::Point> few = Simplified(points, tolerance);

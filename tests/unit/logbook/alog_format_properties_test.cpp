@@ -30,7 +30,7 @@ constexpr Seconds kPropertyStart{1767225600.0};
 
 /// Bytes that logs stumble over, among others.
 std::string DrawText(Random& random, std::size_t longest) {
-  constexpr std::string_view kOdd{"\n\r\\ \t%,=n0r\0", 13};
+  constexpr std::string_view kOdd{"\n\r\\ \t%,=n0r\0", 12};
   std::string text;
   for (std::size_t i = random.Index(longest + 1); i > 0; --i) {
     text +=

@@ -102,9 +102,9 @@ TEST(SphereCentre, FindsTheCentreFromTheUpperCapAlone) {
   std::vector<Eigen::Vector3d> points;
   for (double tilt = 0.1; tilt < 1.2; tilt += 0.2) {
     for (double turn = 0.0; turn < 6.2; turn += 0.5) {
-      points.push_back(kPlace + kRadius * Eigen::Vector3d(std::sin(tilt) * std::cos(turn),
-                                                          std::sin(tilt) * std::sin(turn),
-                                                          -std::cos(tilt)));
+      points.emplace_back(kPlace + kRadius * Eigen::Vector3d(std::sin(tilt) * std::cos(turn),
+                                                             std::sin(tilt) * std::sin(turn),
+                                                             -std::cos(tilt)));
     }
   }
   const std::optional<Eigen::Vector3d> centre = SphereCentre(points, kRadius);
