@@ -11,7 +11,7 @@ namespace limpet {
 class BHV_CoverArea final : public Behavior {
  public:
   struct Params {
-    GroundRates rates{.cover = 1.0, .frontier = 0.5, .early = 1.5, .most = 2.5};
+    GroundRates rates = kSurveyRates;
     template <class Visitor>
     void Describe(Visitor& visit) {
       visit("cover_weight", rates.cover, "Worth of one metre of fully useful track",

@@ -30,10 +30,10 @@ struct TourGoal {
   /// The survey is over when this share of the band's top has been seen.
   double finish_share = 0.98;
   /// Metres that the way may be longer for ground to be seen a metre sooner, mean over the area.
-  double early_weight = 1.5;
+  double early_weight = kSurveyRates.early;
   /// ... and for most of bottom and band's top to have been seen a metre sooner (TourCost::most):
   /// what is left then are slivers, which may come last.
-  double most_weight = 2.5;
+  double most_weight = kSurveyRates.most;
   /// Where the vehicle goes when it is over, or on when this block of it is, NED [m].
   PlanePoint home{0.0, 0.0};
   /// What is sought besides ground, over the first `target_decay_m` of the way; its rates for

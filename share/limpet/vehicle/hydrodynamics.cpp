@@ -41,9 +41,20 @@ Matrix6 RigidBodyMass(const VehicleParams& params, const Vector3d& inertia) {
   return M;
 }
 
+/// Of the ellipsoid that is as long and wide and displaces as much.
+Vector3d HalfAxes(const VehicleParams& params) {
+  const double displaced_mass =
+      (params.mass * params.gravity + params.net_buoyancy_n) / params.gravity;
+  const double a = 0.5 * params.length_m;
+  const double b = 0.5 * params.width_m;
+  return {a, b, displaced_mass / params.water_density / (4.0 / 3.0 * std::numbers::pi * a * b)};
+}
+
+double MeanDiameter(const Vector3d& half) { return 2.0 * std::sqrt(half.y() * half.z()); }
+
 Vector6 AddedMass(const VehicleParams& params, const Vector3d& half, const Vector3d& inertia,
                   double displaced_mass) {
-  const SpheroidAddedMass k = LambFactors(2.0 * half.x(), 2.0 * std::sqrt(half.y() * half.z()));
+  const SpheroidAddedMass k = LambFactors(2.0 * half.x(), MeanDiameter(half));
   const Vector3d solid = displaced_mass * EllipsoidInertia(half);
   Vector6 added;
   added << displaced_mass * k.axial, displaced_mass * k.transverse, displaced_mass * k.transverse,
@@ -92,11 +103,8 @@ Hydrodynamics DeriveHydrodynamics(const VehicleParams& params) {
   hydro.weight_n = params.mass * params.gravity;
   hydro.buoyancy_n = hydro.weight_n + params.net_buoyancy_n;
   const double displaced_mass = hydro.buoyancy_n / params.gravity;
-  const double a = 0.5 * params.length_m;
-  const double b = 0.5 * params.width_m;
-  hydro.half_height_m =
-      displaced_mass / params.water_density / (4.0 / 3.0 * std::numbers::pi * a * b);
-  const Vector3d half(a, b, hydro.half_height_m);
+  const Vector3d half = HalfAxes(params);
+  hydro.half_height_m = half.z();
   const Vector3d inertia = params.inertia_factor * params.mass * EllipsoidInertia(half);
   hydro.mass_matrix = RigidBodyMass(params, inertia);
   hydro.mass_matrix.diagonal() += AddedMass(params, half, inertia, displaced_mass);
@@ -105,6 +113,8 @@ Hydrodynamics DeriveHydrodynamics(const VehicleParams& params) {
       params.linear_drag_rate_radps * hydro.quadratic_drag.tail<3>();
   return hydro;
 }
+
+double MeanThickness(const VehicleParams& params) { return MeanDiameter(HalfAxes(params)); }
 
 double SubmergedShare(double depth, double half_height) {
   const double z = std::clamp(depth / half_height, -1.0, 1.0);

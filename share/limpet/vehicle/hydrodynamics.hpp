@@ -23,7 +23,10 @@ struct Hydrodynamics {
   Vector6 quadratic_drag;      ///< N per (m/s)^2, N m per (rad/s)^2
 };
 
+/// REQUIRES: MeanThickness(params) < params.length_m.
 [[nodiscard]] Hydrodynamics DeriveHydrodynamics(const VehicleParams& params);
+/// Diameter [m] of the spheroid that is as long and displaces as much.
+[[nodiscard]] double MeanThickness(const VehicleParams& params);
 
 /// Added mass of a prolate spheroid, as shares of its displaced mass and of its moment of inertia
 /// (Lamb's k-factors; Fossen 2011 section 6.4.1, Imlay 1961).

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/vehicle/thruster_layout.hpp"
 
+#include <cmath>
+
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 
@@ -21,6 +23,14 @@ std::vector<int> ThrusterLayout::ControlledAxes() const {
   if (AreIndependent(wrenches, axes)) return axes;
   axes = {0, 1, 2, 5};
   return AreIndependent(wrenches, axes) ? axes : std::vector<int>{};
+}
+
+double ThrusterLayout::MostHeave() const {
+  double share = 0.0;
+  for (const Thruster& thruster : thrusters) {
+    share += std::abs(thruster.axis_B.z());
+  }
+  return share * max_thrust_n;
 }
 
 Eigen::Matrix<double, 6, kThrusters> ThrusterLayout::WrenchPerThrust() const {

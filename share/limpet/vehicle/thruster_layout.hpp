@@ -51,6 +51,8 @@ struct ThrusterLayout {
   /// righting moment, and so is pitch if it is not among them. Empty if surge, sway, heave or yaw
   /// is not.
   [[nodiscard]] std::vector<int> ControlledAxes() const;
+  /// Greatest force up or down if no thruster had to do anything else [N].
+  [[nodiscard]] double MostHeave() const;
   /// Column i is the wrench of 1 N of thruster i.
   [[nodiscard]] Eigen::Matrix<double, 6, kThrusters> WrenchPerThrust() const;
 };

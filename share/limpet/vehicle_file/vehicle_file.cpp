@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,6 +15,7 @@
 #include "limpet/mission/source_text.hpp"
 #include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/mission/yaml_reader.hpp"
+#include "limpet/vehicle/hydrodynamics.hpp"
 
 namespace limpet {
 namespace {
@@ -38,9 +41,16 @@ struct ThrusterEntry {
 };
 
 void ReadThruster(YamlReader& in, const YAML::Node& node, const std::string& path,
-                  Thruster& thruster) {
+                  std::set<std::string>& names, Thruster& thruster) {
   ThrusterEntry entry;
   in.ReadMap(node, path, in.Declared(path, DescribeParams(entry)));
+  for (const char* key : {"name", "at_m", "push"}) {
+    if (node.IsMap() && !node[key]) in.Complain(node, path + "." + key, "is missing");
+  }
+  if (!node.IsMap() || !node["push"]) return;
+  if (!names.insert(entry.name).second) {
+    in.Complain(node, path + ".name", fmt::format("`{}` is the name of two thrusters", entry.name));
+  }
   const double length = entry.push_B.norm();
   if (length <= 0.0) {
     in.Complain(node, path + ".push",
@@ -61,8 +71,9 @@ void ReadThrusterList(YamlReader& in, const YAML::Node& node, ThrusterLayout& la
                             kThrusters));
     return;
   }
+  std::set<std::string> names;
   for (std::size_t i = 0; i < node.size(); ++i) {
-    ReadThruster(in, node[i], fmt::format("{}[{}]", path, i), layout.thrusters[i]);
+    ReadThruster(in, node[i], fmt::format("{}[{}]", path, i), names, layout.thrusters[i]);
   }
   if (in.problems().empty() && layout.ControlledAxes().empty()) {
     in.Complain(
@@ -75,6 +86,18 @@ void ReadThrusterList(YamlReader& in, const YAML::Node& node, ThrusterLayout& la
 void CheckBody(YamlReader& in, const YAML::Node& root, const VehicleParams& params) {
   if (params.width_m >= params.length_m) {
     in.Complain(root["hull"], "hull.width_m", "a hull is longer than wide");
+  }
+  if (const double thickness = MeanThickness(params); thickness >= params.length_m) {
+    in.Complain(
+        root["hull"], "hull.mass_kg",
+        fmt::format("a hull of {:g} kg, {:g} m long and {:g} m wide displaces as much as if "
+                    "it were {:.2f} m thick; allowed: thinner than long",
+                    params.mass, params.length_m, params.width_m, thickness));
+  }
+  if (const double down_n = params.thrusters.MostHeave(); params.net_buoyancy_n >= down_n) {
+    in.Complain(
+        root["hull"], "hull.net_buoyancy_n",
+        fmt::format("the thrusters push down with {:.1f} N at most: it could not dive", down_n));
   }
   if (params.surfaced_depth_m >= params.submerged_depth_m) {
     in.Complain(root["hull"], "hull.surfaced_depth_m", "lies above hull.submerged_depth_m");

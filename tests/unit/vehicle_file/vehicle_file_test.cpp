@@ -164,6 +164,30 @@ TEST(VehicleFile, MissesAThruster) {
   EXPECT_THAT(ProblemsOf("name: Test\n"), ElementsAre(HasSubstr("thrusters.list: is missing")));
 }
 
+TEST(VehicleFile, MissesWhatAThrusterIsCalledAndWhereItPushesWhichWay) {
+  const auto with_first = [](const std::string& first) {
+    std::string list = kThrusterLines;
+    list.replace(list.find("{name: a"), list.find("}") + 1 - list.find("{name: a"), first);
+    return ProblemsOf(FileWith("mass_kg: 35", list));
+  };
+  EXPECT_THAT(with_first("{name: a, push: [1, -1, 0]}"),
+              ElementsAre(HasSubstr("thrusters.list[0].at_m: is missing")));
+  EXPECT_THAT(with_first("{at_m: [0.2, 0.2, 0], push: [1, -1, 0]}"),
+              ElementsAre(HasSubstr("thrusters.list[0].name: is missing")));
+  EXPECT_THAT(with_first("{name: a, at_m: [0.2, 0.2, 0]}"),
+              ElementsAre(HasSubstr("thrusters.list[0].push: is missing")));
+  EXPECT_THAT(with_first("{name: b, at_m: [0.2, 0.2, 0], push: [1, -1, 0]}"),
+              ElementsAre(HasSubstr("thrusters.list[1].name: `b` is the name of two thrusters")));
+  EXPECT_THAT(with_first("thruster"), testing::SizeIs(1));
+}
+
+TEST(VehicleFile, RefusesAHullThickerThanLongAndOneThatCannotBePushedUnder) {
+  EXPECT_THAT(ProblemsOf(FileWith("mass_kg: 120")),
+              ElementsAre(HasSubstr("hull.mass_kg: a hull of 120 kg, 0.6 m long and 0.36 m wide")));
+  EXPECT_THAT(ProblemsOf(FileWith("net_buoyancy_n: 300")),
+              ElementsAre(HasSubstr("push down with 25.0 N at most: it could not dive")));
+}
+
 TEST(VehicleFile, RefusesThrustersThatCannotMoveTheVehicle) {
   std::string flat = kThrusterLines;
   for (std::size_t at = flat.find("[0, 0, 1]"); at != std::string::npos;
