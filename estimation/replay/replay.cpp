@@ -182,9 +182,10 @@ NavigatorParams ParamsForStream(const StreamMeta& meta) {
   return params;
 }
 
-NavigatorParams ParamsForVehicle(const SensorSheets& sheets, const CameraModel& camera,
-                                 const StreamMeta& meta) {
+NavigatorParams ParamsForVehicle(const VehicleParams& hull, const SensorSheets& sheets,
+                                 const CameraModel& camera, const StreamMeta& meta) {
   NavigatorParams params;
+  BelieveHull(hull, params);
   BelieveSheets(sheets, params);
   params.camera = camera;
   params.objects.model.radius_m = meta.opi_radius;

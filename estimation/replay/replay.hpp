@@ -12,14 +12,16 @@
 #include "estimation/replay/source_feed.hpp"
 #include "limpet/core/lens_model.hpp"
 #include "limpet/vehicle/sensor_sheets.hpp"
+#include "limpet/vehicle/vehicle_params.hpp"
 
 namespace limpet {
 
 /// The navigator's parameters for a stream's vehicle, as its meta.csv has it.
 [[nodiscard]] NavigatorParams ParamsForStream(const StreamMeta& meta);
-/// The same for a vehicle by its file's sheets and camera; objects are those of the stream, whose
-/// velocities are in the vehicle's axes, however its DVL is turned.
-[[nodiscard]] NavigatorParams ParamsForVehicle(const SensorSheets& sheets,
+/// The same for a vehicle by its file's hull, sheets and camera; objects are those of the stream,
+/// whose velocities are in the vehicle's axes, however its DVL is turned.
+[[nodiscard]] NavigatorParams ParamsForVehicle(const VehicleParams& hull,
+                                               const SensorSheets& sheets,
                                                const CameraModel& camera, const StreamMeta& meta);
 /// Why boxes of the stream cannot be used: it has frames, and its meta.csv no camera.
 [[nodiscard]] std::optional<std::string> MissingCamera(const SensorStream& stream);

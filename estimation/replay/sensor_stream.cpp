@@ -77,14 +77,24 @@ class StreamParser {
     }
     const CsvFields f(line);
     const std::string_view kind = f.kind();
-    if ((missing_boxes_ > 0) != (kind == "DET")) {
-      throw BadLine{missing_boxes_ > 0 ? "a DET of the frame before is missing"
-                                       : "a DET beyond those its frame announced"};
-    }
     if (kind == "DET") {
-      --missing_boxes_;
+      if (missing_boxes_ == 0) throw BadLine{"a DET beyond those its frame announced"};
       TakeBox(f);
-    } else if (kind == "FRM") {
+      --missing_boxes_;
+      return;
+    }
+    const bool lacks_boxes = DropFrameWithoutItsBoxes();
+    TakeRow(f, kind);
+    if (lacks_boxes) throw BadLine{"a DET of the frame before is missing"};
+  }
+  void Finish() {
+    if (DropFrameWithoutItsBoxes()) stream_.cut = "the last frame's DET rows are missing";
+    noises_.ReplaceIn(stream_.meta.noise);
+  }
+
+ private:
+  void TakeRow(const CsvFields& f, std::string_view kind) {
+    if (kind == "FRM") {
       f.Expect(5);
       missing_boxes_ = f.Integer(4);
       stream_.rows.emplace_back(FrameRow{
@@ -117,16 +127,13 @@ class StreamParser {
       throw BadLine{fmt::format("`{}` is no kind of row (ATT, DVL, DEP, GPS, FRM, DET)", kind)};
     }
   }
-  /// A last frame without all its boxes would say of objects that they were not seen.
-  void Finish() {
-    if (missing_boxes_ > 0) {
-      stream_.rows.pop_back();
-      stream_.cut = "the last frame's DET rows are missing";
-    }
-    noises_.ReplaceIn(stream_.meta.noise);
+  /// It would say of objects that they were not seen.
+  bool DropFrameWithoutItsBoxes() {
+    if (missing_boxes_ == 0) return false;
+    stream_.rows.pop_back();
+    missing_boxes_ = 0;
+    return true;
   }
-
- private:
   void TakeBox(const CsvFields& f) {
     Detections& frame = std::get<FrameRow>(stream_.rows.back()).frame;
     if (!f.AreFinite(1)) {
@@ -191,23 +198,55 @@ Value MailValue(std::string_view written) {
   return is_number ? Value(number) : Value(std::string(text));
 }
 
-/// A line that could not be taken, and whether that is because it was cut in two.
-struct Stumble {
-  std::string why;  ///< with file and line
-  bool is_cut = false;
+/// What of a file's lines could not be taken.
+struct Losses {
+  std::size_t lines = 0;           ///< that were passed over
+  std::size_t sound = 0;           ///< before the first of them
+  std::string first;               ///< why the first of them was, with file and line
+  std::optional<std::string> cut;  ///< why the last line was, which is cut in two
+
+  [[nodiscard]] std::string Text() const {
+    return fmt::format("{}; {} {} passed over", first, lines, lines == 1 ? "line" : "lines");
+  }
+  /// A damaged line now and then leaves a recording sound; more is no recording of this kind.
+  [[nodiscard]] bool AreTooMany(const StreamFile& file) const {
+    constexpr std::size_t kSoundLines = 100;  // for each that is not
+    return lines * kSoundLines > file.lines.size();
+  }
 };
 
-/// Calls `take` with each line up to the first one that it chokes on.
+/// Calls `take` with each line, also after one that it chokes on.
 template <class Take>
-std::optional<Stumble> ForEachLine(const StreamFile& file, Take take) {
+Losses ForEachLine(const StreamFile& file, Take take) {
+  Losses losses;
   for (std::size_t i = 0; i < file.lines.size(); ++i) {
     try {
       take(file.lines[i]);
     } catch (const BadLine& bad) {
-      return Stumble{.why = fmt::format("{}:{}: {}", file.name, i + 1, bad.why),
-                     .is_cut = i + 1 == file.lines.size() && !file.is_last_line_whole};
+      const std::string why = fmt::format("{}:{}: {}", file.name, i + 1, bad.why);
+      if (i + 1 == file.lines.size() && !file.is_last_line_whole) {
+        losses.cut = why;
+      } else if (losses.lines++ == 0) {
+        losses.first = why;
+        losses.sound = i;
+      }
     }
   }
+  return losses;
+}
+
+/// What comes before the first line that cannot be read: behind damage, gzip's lines are made up.
+StreamFile SoundPart(const StreamFile& file, const Losses& losses) {
+  const auto end = file.lines.begin() + static_cast<std::ptrdiff_t>(losses.sound);
+  return {.name = file.name, .lines = {file.lines.begin(), end}, .damage = losses.first};
+}
+
+/// Notes in the stream what it lacks; an error if that is too much.
+std::optional<Error> Note(const Losses& losses, const StreamFile& file, SensorStream& stream) {
+  if (losses.AreTooMany(file)) return Error{losses.first};
+  if (losses.lines > 0) stream.left_out.push_back(losses.Text());
+  if (file.damage) stream.cut = file.damage;
+  if (losses.cut) stream.cut = losses.cut;
   return std::nullopt;
 }
 
@@ -215,8 +254,15 @@ std::optional<Stumble> ForEachLine(const StreamFile& file, Take take) {
 
 Expected<StreamMeta> ParseStreamMeta(const StreamFile& meta) {
   StreamMeta said;
-  const auto key = [&said](std::string_view line) { TakeMeta(line, said); };
-  if (const auto bad = ForEachLine(meta, key)) return Error{bad->why};
+  // What a stream would be wrongly read by if it were another vehicle's.
+  said.unsaid = {"cam_pos_body", "cam_R_body_from_cam", "dvl_pos_body", "opi_radius"};
+  const auto key = [&said](std::string_view line) {
+    TakeMeta(line, said);
+    std::erase(said.unsaid, line.substr(0, line.find(',')));
+  };
+  if (const Losses losses = ForEachLine(meta, key); losses.lines > 0 || losses.cut) {
+    return Error{losses.lines > 0 ? losses.first : *losses.cut};
+  }
   if (meta.damage) return Error{*meta.damage};
   if (!said.distortion.is_none() && !LensModel::IsOneToOne(said.camera, said.distortion)) {
     return Error{fmt::format("{}: distortion_k1_k2_p1_p2_k3: folds the image", meta.name)};
@@ -231,12 +277,12 @@ Expected<SensorStream> ParseSensorStream(const StreamFile& meta, const StreamFil
   stream.meta = *std::move(said);
   StreamParser parser(stream);
   const auto row = [&parser](std::string_view line) { parser.Take(line); };
-  const auto bad = ForEachLine(rows, row);
-  if (bad && !bad->is_cut) return Error{bad->why};
+  const Losses losses = ForEachLine(rows, row);
+  if (losses.AreTooMany(rows) && rows.damage)
+    return ParseSensorStream(meta, SoundPart(rows, losses));
   parser.Finish();
   if (stream.cut) stream.cut = fmt::format("{}: {}", rows.name, *stream.cut);
-  if (rows.damage) stream.cut = rows.damage;
-  if (bad) stream.cut = bad->why;
+  if (auto error = Note(losses, rows, stream)) return *std::move(error);
   if (stream.rows.empty()) {
     return Error{fmt::format("{}: holds no measurement", rows.name)};
   }
@@ -258,10 +304,7 @@ std::optional<Error> AddSourceRows(const StreamFile& file, SensorStream& stream)
                                   .variable = f.Text(1),
                                   .value = MailValue(line.substr(line.find(',', variable) + 1))});
   };
-  const auto bad = ForEachLine(file, take);
-  if (bad && !bad->is_cut) return Error{bad->why};
-  if (file.damage) stream.cut = file.damage;
-  if (bad) stream.cut = bad->why;
+  if (auto error = Note(ForEachLine(file, take), file, stream)) return error;
   std::ranges::stable_sort(stream.source_rows, {}, &SourceRow::t);
   return std::nullopt;
 }

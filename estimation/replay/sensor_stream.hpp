@@ -34,6 +34,7 @@ struct StreamMeta {
   CameraModel camera;                                   ///< of the image as it comes, but for
   LensDistortion distortion;                            ///< its lens
   bool has_image_size = false, has_intrinsics = false;  ///< of the camera, in the file
+  std::vector<std::string> unsaid;  ///< keys that the file lacks: what stands here is usual
   StatedNoise noise;
   Eigen::Vector3d dvl_B = Eigen::Vector3d::Zero();
   double yaw_random_walk = 3.5e-6;  ///< [rad/sqrt(s)]
@@ -96,7 +97,8 @@ struct StreamFile {
   std::optional<std::string> damage;  ///< of what comes after the lines; names file and line
 };
 /// The error names file and line. A recorder that lost power leaves a last line, frame or block of
-/// a gzip file cut in two: what comes before is the stream, and `cut` says so.
+/// a gzip file cut in two: what comes before is the stream, and `cut` says so. Damaged lines in
+/// between, up to one in a hundred, are passed over, and `left_out` names the first.
 [[nodiscard]] Expected<SensorStream> ParseSensorStream(const StreamFile& meta,
                                                        const StreamFile& rows);
 /// What meta.csv says; the error names file and line.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "estimation/navigation/source_block.hpp"
+#include "estimation/replay/clock_steps.hpp"
 #include "estimation/replay/replay.hpp"
 #include "limpet/core/config.hpp"
 
@@ -31,6 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   auto stream = limpet::ParseSensorStream(meta, rows);
   if (!stream || limpet::AddSourceRows(further, *stream)) return 0;
   if (stream->rows.size() + stream->source_rows.size() > kRows) return 0;
+  limpet::TakeOutClockSteps("stream", *stream);
   limpet::ReplaySensors sensors = limpet::SensorsForStream(stream->meta);
   for (auto& [name, factory] : limpet::ParseSources("acoustic_fix, magnetic_heading"))
     sensors.sources.emplace_back(name, std::move(factory));

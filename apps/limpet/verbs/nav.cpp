@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/verbs/nav_input.hpp"
@@ -153,7 +154,7 @@ Expected<ReplayParams> ParamsFor(const Arguments& given, const NavInput& input) 
       // A speed that navigation says is the vehicle's, not its DVL's.
       if (input.is_own_navigation) vehicle.sensors.dvl.p_BD.setZero();
       return ReplayParams{
-          ParamsForVehicle(vehicle.sensors, vehicle.camera.geometry(), stream.meta),
+          ParamsForVehicle(vehicle.params, vehicle.sensors, vehicle.camera.geometry(), stream.meta),
           {.attitude = BelievedAttitude(vehicle.sensors), .lens = vehicle.camera.lens()}};
     } catch (const ConfigError& error) {
       return Error{error.what()};
@@ -163,6 +164,12 @@ Expected<ReplayParams> ParamsFor(const Arguments& given, const NavInput& input) 
     const fs::path named = given.positionals().front();
     const fs::path meta = fs::is_directory(named) ? named / "meta.csv" : named;
     return Error{fmt::format("{}: {}", meta.string(), *problem)};
+  }
+  if (const std::vector<std::string>& unsaid = stream.meta.unsaid; !unsaid.empty()) {
+    fmt::print(
+        stderr,
+        "{}: its meta.csv does not say {}: usual values are taken; --vehicle FILE says them\n",
+        given.positionals().front(), fmt::join(unsaid, ", "));
   }
   return ReplayParams{ParamsForStream(stream.meta), SensorsForStream(stream.meta)};
 }

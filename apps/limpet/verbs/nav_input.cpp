@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "estimation/replay/clock_steps.hpp"
 #include "estimation/replay/rawlog.hpp"
 #include "limpet/console/command_output.hpp"
 #include "limpet/recordings/check_text.hpp"
@@ -22,7 +23,10 @@ namespace fs = std::filesystem;
 
 Expected<SensorStream> LoadStream(const fs::path& named) {
   std::error_code error;
-  return fs::is_regular_file(named, error) ? LoadRawlog(named) : LoadSensorStream(named);
+  Expected<SensorStream> stream =
+      fs::is_regular_file(named, error) ? LoadRawlog(named) : LoadSensorStream(named);
+  if (stream) TakeOutClockSteps(named.string(), *stream);
+  return stream;
 }
 
 Expected<Recording> LoadRecording(const fs::path& named) {

@@ -87,9 +87,10 @@ TEST_F(LogRawlog, HoldsEveryMeasurementAtItsTime) {
 TEST_F(LogRawlog, IsReplayedByTheEstimator) {
   const SensorStream stream = Convert({"--vehicle", "feelhippo.yaml"});
   const VehicleFile vehicle = LoadMissionVehicle("feelhippo.yaml", ".");
-  const ReplayResult result =
-      Replay(stream, ParamsForVehicle(vehicle.sensors, vehicle.camera.geometry(), stream.meta),
-             [] { return 0.0; });
+  const ReplayResult result = Replay(
+      stream,
+      ParamsForVehicle(vehicle.params, vehicle.sensors, vehicle.camera.geometry(), stream.meta),
+      [] { return 0.0; });
   ASSERT_FALSE(result.smoothed.empty());
   EXPECT_NEAR(result.smoothed.back().X_WB.p_WB.x(), 7.0 + 1.25 + 0.5 * 29.0, 0.3);
   EXPECT_NEAR(result.smoothed.back().X_WB.p_WB.y(), -3.0, 0.3);

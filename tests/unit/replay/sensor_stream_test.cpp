@@ -12,6 +12,7 @@
 namespace limpet {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 /// zlib reads plain text as it is, so the tests need not compress.
@@ -37,6 +38,14 @@ TEST_F(SensorStreamTest, ReadsEveryKindOfRow) {
   EXPECT_EQ(std::get<FrameRow>(stream->rows.back()).frame.boxes.front().color, "1");
 }
 
+TEST(StreamMetaText, WhatItDoesNotSayOfTheVehicleIsNamed) {
+  const auto meta = ParseStreamMeta({.name = "meta.csv",
+                                     .lines = {"key,v1", "cam_pos_body,0,0,0", "opi_radius,1"},
+                                     .damage = {}});
+  ASSERT_TRUE(meta.has_value());
+  EXPECT_THAT(meta->unsaid, ElementsAre("cam_R_body_from_cam", "dvl_pos_body"));
+}
+
 TEST(StreamMetaText, ALensThatFoldsTheImageIsRefused) {
   const auto meta_of = [](const char* line) {
     return ParseStreamMeta({.name = "meta.csv", .lines = {"key,v1", line}, .damage = {}});
@@ -59,6 +68,20 @@ TEST_F(SensorStreamTest, NamesTheLineThatHasAWordWhereANumberBelongs) {
   const auto stream = Load("DEP,0.1,3.5,0.02\nDEP,0.2,deep,0.02\n");
   ASSERT_FALSE(stream.has_value());
   EXPECT_THAT(stream.error().text, HasSubstr("stream.csv.gz:2: column 3 of DEP is `deep`"));
+}
+
+TEST_F(SensorStreamTest, PassesOverADamagedLineOfManyAndSaysSo) {
+  std::string text;
+  for (int i = 0; i < 300; ++i) {
+    text += "DEP,0.1,3.5,0.02\n";
+    if (i == 100) text += "D\x80L,xx,1\nFRM,0.3,0.5,7,2\nDET,0.3,0.5,7,0,9,9,8,8,0.9,1\n";
+  }
+  const auto stream = Load(text);
+  ASSERT_TRUE(stream.has_value()) << stream.error().text;
+  EXPECT_EQ(stream->rows.size(), 300U) << "a frame that lacks a box is none";
+  EXPECT_THAT(stream->left_out, ElementsAre(HasSubstr("stream.csv.gz:102:")));
+  EXPECT_THAT(stream->left_out.front(), HasSubstr("2 lines passed over"));
+  EXPECT_FALSE(stream->cut.has_value());
 }
 
 TEST_F(SensorStreamTest, NamesTheLineWithTooFewColumns) {
@@ -132,6 +155,24 @@ TEST_F(SensorStreamTest, UsesWhatIsSoundOfAFileCutShortAndSaysWhatIsNot) {
   EXPECT_GT(stream->rows.size(), 100U);
   EXPECT_LT(stream->rows.size(), 2000U);
   EXPECT_THAT(stream->cut.value_or(""), HasSubstr("cut short"));
+}
+
+TEST_F(SensorStreamTest, OfAFileWithFlippedBytesReadsWhatComesBeforeThem) {
+  const std::filesystem::path file = folder_.path() / "stream.csv.gz";
+  std::string text;
+  for (int i = 0; i < 20000; ++i) {
+    text += "DEP," + std::to_string(0.1 * i) + "," + std::to_string(0.37 * (i * 7919 % 1000)) +
+            ",0.02\n";
+  }
+  static_cast<void>(Load(text));
+  std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
+  bytes.seekp(static_cast<std::streamoff>(std::filesystem::file_size(file) / 2));
+  bytes << "\x5a\xa5\x5a\xa5";
+  bytes.close();
+  const auto stream = LoadSensorStream(folder_.path());
+  ASSERT_TRUE(stream.has_value()) << stream.error().text;
+  EXPECT_GT(stream->rows.size(), 5000U);
+  EXPECT_TRUE(stream->cut || !stream->left_out.empty());
 }
 
 TEST_F(SensorStreamTest, ReadsFurtherSensorsInOrderOfTime) {

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/replay/clock_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "limpet/core/frames.hpp"
+
+namespace limpet {
+namespace {
+
+constexpr double kBack = 5.0;        // [s] that stamps may come late
+constexpr double kAhead = 600.0;     // [s] that a recorder may pause without being asked why
+constexpr double kLongest = 1800.0;  // [s] that are bridged
+constexpr double kTogether = 5.0;    // [s] between rows of one clock
+constexpr std::size_t kAsked = 20, kAgreeing = 14;  // rows that show where the clock is
+
+double TimeOf(const StreamRow& row) {
+  if (const auto* frame = std::get_if<FrameRow>(&row)) return frame->arrival;
+  return std::visit(
+      [](const auto& one) {
+        if constexpr (requires { one.t; }) {
+          return one.t;
+        } else {
+          return 0.0;
+        }
+      },
+      row);
+}
+
+/// What a vehicle that swims on has much the same a moment later; of the rows that say it.
+struct Bearing {
+  std::optional<double> yaw, tilt, depth;
+
+  void Note(const StreamRow& row) {
+    if (const auto* attitude = std::get_if<AttitudeEstimate>(&row)) {
+      yaw = attitude->yaw;
+      tilt = std::hypot(attitude->roll, attitude->pitch);
+    } else if (const auto* inertial = std::get_if<InertialInput>(&row)) {
+      yaw = inertial->heading;
+    } else if (const auto* depth_row = std::get_if<DepthRow>(&row)) {
+      depth = depth_row->depth;
+    }
+  }
+  [[nodiscard]] bool IsWhole() const { return yaw && depth; }
+  [[nodiscard]] bool GoesOnAs(const Bearing& next) const {
+    constexpr double kTurn = 0.1, kLean = 0.1;  // [rad]
+    constexpr double kSink = 0.2;               // [m]
+    if (!yaw || !next.yaw || std::abs(WrapAngle(*yaw - *next.yaw)) > kTurn) return false;
+    if (tilt && next.tilt && std::abs(*tilt - *next.tilt) > kLean) return false;
+    return depth && next.depth && std::abs(*depth - *next.depth) < kSink;
+  }
+};
+
+class ClockMender {
+ public:
+  ClockMender(const std::string& name, SensorStream& stream)
+      : name_(name), stream_(stream), rows_(stream.rows) {}
+
+  void Run() {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (Leaps(i) && IsAgreedFrom(i) && !Follow(i)) {
+        rows_.resize(i);
+        break;
+      }
+      Mend(rows_[i]);
+      before_.Note(rows_[i]);
+    }
+    for (SourceRow& row : stream_.source_rows) {
+      row.t = MendedSource(row.t);
+    }
+    std::ranges::stable_sort(stream_.source_rows, {}, &SourceRow::t);
+  }
+
+ private:
+  /// Stamps from `from` on are `by` [s] too late. `from`: as they are stamped.
+  struct Stretch {
+    double from = -std::numeric_limits<double>::infinity();
+    double by = 0.0;
+  };
+
+  [[nodiscard]] double by() const { return stretches_.back().by; }
+  [[nodiscard]] bool Leaps(std::size_t i) const {
+    if (!newest_) return false;
+    const double leap = LeapOf(i);
+    return leap < -kBack || leap > kAhead || (leap > kBack && IsOnTheFormerClock(i));
+  }
+  [[nodiscard]] double LeapOf(std::size_t i) const { return TimeOf(rows_[i]) - by() - *newest_; }
+  [[nodiscard]] bool IsOnTheFormerClock(std::size_t i) const {
+    if (stretches_.size() < 2) return false;
+    const double former = stretches_[stretches_.size() - 2].by;
+    return std::abs(TimeOf(rows_[i]) - former - *newest_) < kBack;
+  }
+  /// Whether most of the rows that follow have about this row's time; some may have been measured
+  /// before.
+  [[nodiscard]] bool IsAgreedFrom(std::size_t i) const {
+    if (i + kAsked > rows_.size()) return false;
+    const double t = TimeOf(rows_[i]);
+    const auto first = rows_.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto agreeing =
+        std::count_if(first, first + static_cast<std::ptrdiff_t>(kAsked),
+                      [t](const StreamRow& row) { return std::abs(TimeOf(row) - t) < kTogether; });
+    return static_cast<std::size_t>(agreeing) >= kAgreeing;
+  }
+  /// Until attitude and depth have been said again.
+  [[nodiscard]] Bearing BearingFrom(std::size_t i) const {
+    Bearing next;
+    const double t = TimeOf(rows_[i]);
+    for (; i < rows_.size() && !next.IsWhole(); ++i) {
+      if (std::abs(TimeOf(rows_[i]) - t) < kTogether) next.Note(rows_[i]);
+    }
+    return next;
+  }
+
+  /// The rows from `i` on are on another clock, or after a pause; false if they are of another
+  /// dive.
+  bool Follow(std::size_t i) {
+    const double leap = LeapOf(i);
+    if (leap < 0.0 || IsOnTheFormerClock(i) || before_.GoesOnAs(BearingFrom(i))) {
+      Step(i);
+      return true;
+    }
+    if (leap > kLongest) {
+      stream_.cut = fmt::format(
+          "{}: after {:.1f} s nothing is said for {:.0f} s, and the vehicle is not as it was: what "
+          "follows is another dive",
+          name_, *newest_, leap);
+      return false;
+    }
+    newest_ = TimeOf(rows_[i]) - by();
+    return true;
+  }
+
+  void Step(std::size_t i) {
+    const double stamped = TimeOf(rows_[i]);
+    const double leap = LeapOf(i);
+    stretches_.push_back({.from = stamped, .by = by() + leap + LatenessOf(i)});
+    stream_.left_out.push_back(fmt::format(
+        "{}: the clock was set {} by {:.1f} s after {:.1f} s, as all sensors' stamps say at once: "
+        "later stamps count from there",
+        name_, leap > 0.0 ? "ahead" : "back", std::abs(leap), *newest_));
+  }
+  /// How far rows like this one are behind the newest, as the last of them was [s].
+  [[nodiscard]] double LatenessOf(std::size_t i) const {
+    for (std::size_t j = i; j-- > 0;) {
+      if (rows_[j].index() == rows_[i].index())
+        return std::max(0.0, newest_at_[j] - TimeOf(rows_[j]));
+    }
+    return 0.0;
+  }
+
+  /// Of the clock before, which a frame's exposure may still be by, and of this one that which
+  /// leads nearer to the present.
+  [[nodiscard]] double Mended(double t) const {
+    const double now = t - by();
+    if (stretches_.size() < 2 || !newest_) return now;
+    const double former = t - stretches_[stretches_.size() - 2].by;
+    return std::abs(former - *newest_) < std::abs(now - *newest_) ? former : now;
+  }
+  void Mend(StreamRow& row) {
+    std::visit(
+        [this](auto& one) {
+          if constexpr (requires { one.t; }) {
+            one.t = Mended(one.t);
+          } else {
+            one.arrival = Mended(one.arrival);
+            one.frame.exposure = Seconds(Mended(one.frame.exposure.value()));
+          }
+        },
+        row);
+    const double t = TimeOf(row);
+    if (std::isfinite(t) && (!newest_ || (t > *newest_ && t < *newest_ + kAhead))) newest_ = t;
+    newest_at_.push_back(newest_.value_or(t));
+  }
+  /// By the last stretch that holds it.
+  [[nodiscard]] double MendedSource(double t) const {
+    const auto holds = [t](const Stretch& stretch) { return t >= stretch.from - kTogether; };
+    const auto last = std::find_if(stretches_.rbegin(), stretches_.rend(), holds);
+    return t - last->by;
+  }
+
+  const std::string& name_;
+  SensorStream& stream_;
+  std::vector<StreamRow>& rows_;
+  std::vector<Stretch> stretches_{Stretch{}};
+  std::optional<double> newest_;   ///< mended time
+  std::vector<double> newest_at_;  ///< as each row came
+  Bearing before_;
+};
+
+}  // namespace
+
+void TakeOutClockSteps(const std::string& name, SensorStream& stream) {
+  ClockMender(name, stream).Run();
+}
+
+}  // namespace limpet
