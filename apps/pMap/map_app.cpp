@@ -353,8 +353,8 @@ void MapApp::PublishObjects() {
   for (OpiBelief& belief : beliefs.opis) {
     belief.centroid_W = belief.object.p_W;
     if (const std::optional<ObjectCluster> cluster = layer_.Cluster(belief.id)) {
-      belief.centroid_W = cluster->centre;
-      belief.centroid_sd = cluster->deviation;
+      belief.centroid_W = cluster->centre_W;
+      belief.centroid_sd = cluster->deviation_W;
     }
   }
   Value encoded = TopicCodec<OpiBeliefs>::Encode(beliefs);

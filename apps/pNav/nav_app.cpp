@@ -114,8 +114,8 @@ void NavApp::OnImu(const Stamped<ImuSample>& imu) {
   const double t = imu.time.value();
   const int outliers = attitude_.outliers();
   const bool is_good = attitude_.AddInertial({.t = t,
-                                              .force = {sample.fx, sample.fy, sample.fz},
-                                              .rate = {sample.p, sample.q, sample.r},
+                                              .force_B = {sample.fx, sample.fy, sample.fz},
+                                              .rate_B = {sample.p, sample.q, sample.r},
                                               .heading = sample.heading});
   imu_refusals_.Note(t, attitude_.outliers() != outliers);
   if (!is_good) {
@@ -268,7 +268,7 @@ void NavApp::PublishCurrent(double now) {
   current_t_ = now;
   Publish(topics::kNavCurrent, WaterCurrent{.north = water->current_W.x(),
                                             .east = water->current_W.y(),
-                                            .sd = water->sd_current.norm() / std::sqrt(2.0)});
+                                            .sd = water->sd_current_W.norm() / std::sqrt(2.0)});
 }
 
 void NavApp::NoteTrack() {

@@ -29,7 +29,8 @@ void CameraMount::Begin(bool is_needed) {
 
 CameraErrors CameraMount::errors() const {
   if (!slots_) return {};
-  return {.tilt_B = smoother_->BorderAt((*slots_)[0]), .shift = smoother_->BorderAt((*slots_)[1])};
+  return {.tilt_B = smoother_->BorderAt((*slots_)[0]),
+          .shift_B = smoother_->BorderAt((*slots_)[1])};
 }
 
 CameraModel CameraMount::At(const BodyMotion& motion) const {

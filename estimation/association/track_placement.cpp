@@ -15,7 +15,7 @@ void Locate(TrackedObject& object, const Smoother& smoother, const CameraMount& 
   object.p_W = found.p_W;
   object.log_size = found.log_size;
   object.state =
-      Tentative{.covariance_W = found.covariance, .worst_residual = found.worst_residual};
+      Tentative{.covariance_W = found.covariance_W, .worst_residual = found.worst_residual};
 }
 
 }  // namespace

@@ -210,7 +210,7 @@ Triangulation Triangulate(const std::vector<Observation>& observations,
     const Eigen::Vector4d step = llt.solve(normal.g);
     result.p_W += step.head<3>();
     result.log_size = std::clamp(result.log_size + step(3), -kMostLogSize, kMostLogSize);
-    result.covariance = llt.solve(Eigen::Matrix4d::Identity()).topLeftCorner<3, 3>();
+    result.covariance_W = llt.solve(Eigen::Matrix4d::Identity()).topLeftCorner<3, 3>();
   }
   return result;
 }

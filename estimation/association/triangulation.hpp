@@ -35,8 +35,8 @@ struct ObjectModel {
 };
 
 struct Triangulation {
-  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();             ///< [m]
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< [m^2]
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();               ///< [m]
+  Eigen::Matrix3d covariance_W = Eigen::Matrix3d::Identity();  ///< [m^2]
   double log_size = 0.0;        ///< natural logarithm of its share of the believed radius
   double worst_residual = 0.0;  ///< whitened, over the observations
 };

@@ -41,7 +41,7 @@ bool AttitudeFilter::is_aligned() const {
 void AttitudeFilter::Start(const InertialInput& input) {
   const double sd = params_.tilt_sigma.value();
   const double bias_sd = params_.gyro_bias_sigma.value();
-  x_ << TiltFromForce(input.force), 0.0, 0.0;
+  x_ << TiltFromForce(input.force_B), 0.0, 0.0;
   P_ = Eigen::Vector4d(sd * sd, sd * sd, bias_sd * bias_sd, bias_sd * bias_sd).asDiagonal();
   start_t_ = aligned_from_ = input.t;
   heading_offset_ = input.heading;
@@ -76,8 +76,8 @@ InertialGate::Verdict AttitudeFilter::Judge(const InertialInput& input) {
 }
 
 bool AttitudeFilter::AddInertial(const InertialInput& input) {
-  const bool is_finite = std::isfinite(input.t) && input.force.allFinite() &&
-                         input.rate.allFinite() && std::isfinite(input.heading);
+  const bool is_finite = std::isfinite(input.t) && input.force_B.allFinite() &&
+                         input.rate_B.allFinite() && std::isfinite(input.heading);
   if (!is_finite || !IsInOrder(input)) {
     ++refused_;
     return false;
@@ -88,7 +88,7 @@ bool AttitudeFilter::AddInertial(const InertialInput& input) {
   leaps_ = 0;
   const bool was_set_back = std::exchange(set_back_, 0) >= kBelieve;
   const bool has_fog = std::abs(input.t - fog_t_) < kFogMaxAge;
-  Eigen::Vector3d rate = input.rate;
+  Eigen::Vector3d rate = input.rate_B;
   rate.z() = has_fog ? fog_rate_ : rate.z();
   const bool was_first_false =
       verdict == Verdict::kBelieved && estimate_ && estimate_->t <= start_t_;
@@ -139,8 +139,8 @@ void AttitudeFilter::Predict(const Eigen::Vector3d& rate, double dt) {
 }
 
 void AttitudeFilter::CorrectTilt(const InertialInput& input, double yaw_body_rate) {
-  const Eigen::Vector3d rate(input.rate.x() - x_(2), input.rate.y() - x_(3), yaw_body_rate);
-  const Eigen::Vector3d force = input.force - rate.cross(v_WB_B_);
+  const Eigen::Vector3d rate(input.rate_B.x() - x_(2), input.rate_B.y() - x_(3), yaw_body_rate);
+  const Eigen::Vector3d force = input.force_B - rate.cross(v_WB_B_);
   if (std::abs(force.norm() - kGravity) > params_.force_gate) {
     return;  // the vehicle accelerates, or a wave slaps it
   }

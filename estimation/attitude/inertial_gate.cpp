@@ -31,8 +31,8 @@ InertialGate::Verdict InertialGate::JudgeMotion(const InertialInput& sample) {
     const double age = AgeOf(former, sample);
     const double turn = params_.rate_jump.value() + params_.rate_growth.value() * age;
     const double push = params_.force_jump + params_.force_growth * age;
-    return (sample.rate - former.rate).cwiseAbs().maxCoeff() <= turn &&
-           (sample.force - former.force).cwiseAbs().maxCoeff() <= push;
+    return (sample.rate_B - former.rate_B).cwiseAbs().maxCoeff() <= turn &&
+           (sample.force_B - former.force_B).cwiseAbs().maxCoeff() <= push;
   });
 }
 
@@ -40,7 +40,7 @@ InertialGate::Verdict InertialGate::JudgeHeading(const InertialInput& sample) {
   return Judge(sample, heading_, [&](const InertialInput& former) {
     const double age = AgeOf(former, sample);
     // Of a level vehicle: at a steep pitch it explains less, over a sample's time.
-    const double turned = 0.5 * (sample.rate.z() + former.rate.z()) * age;
+    const double turned = 0.5 * (sample.rate_B.z() + former.rate_B.z()) * age;
     return std::abs(WrapAngle(sample.heading - former.heading - turned)) <=
            params_.heading_jump.value() + params_.heading_growth.value() * age;
   });

@@ -27,10 +27,10 @@ void Look(TentativeObject& tentative, const ObservedFrame& frame, const WatchMod
       VisibleShare(model.camera, frame.X_WB, tentative.place.p_W, model.object_radius);
   const Eigen::Vector3d& eye = frame.X_WB.p_WB;
   const bool is_new =
-      !tentative.last_viewpoint || (*tentative.last_viewpoint - eye).norm() >= kNewViewpoint;
+      !tentative.last_viewpoint_W || (*tentative.last_viewpoint_W - eye).norm() >= kNewViewpoint;
   if (share >= kWhole && is_new) {
     ++tentative.good_looks;
-    tentative.last_viewpoint = eye;
+    tentative.last_viewpoint_W = eye;
   }
 }
 
@@ -88,7 +88,7 @@ void TentativeObjects::Take(const Eigen::Vector3d& p_W, const std::string& color
          .boxes = 1,
          .places = 1,
          .last_box = time,
-         .last_viewpoint = {}});
+         .last_viewpoint_W = {}});
     return;
   }
   ++near->boxes;

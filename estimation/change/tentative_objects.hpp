@@ -20,13 +20,13 @@ namespace limpet {
 struct TentativeObject {
   ObjectEstimate place;
   int boxes = 0;
-  int places = 0;                                 ///< boxes that told the place
-  bool is_counted = false;                        ///< was open before
-  bool is_left_out = false;                       ///< would have been, but there were too many
-  double last_box = 0.0;                          ///< time [s]
-  int good_looks = 0;                             ///< that had the place wholly in the image
-  std::optional<Eigen::Vector3d> last_viewpoint;  ///< of a good look, NED [m]
-  int id = 0;                                     ///< of the object it is shown as, 0 before that
+  int places = 0;                                   ///< boxes that told the place
+  bool is_counted = false;                          ///< was open before
+  bool is_left_out = false;                         ///< would have been, but there were too many
+  double last_box = 0.0;                            ///< time [s]
+  int good_looks = 0;                               ///< that had the place wholly in the image
+  std::optional<Eigen::Vector3d> last_viewpoint_W;  ///< of a good look, NED [m]
+  int id = 0;                                       ///< of the object it is shown as, 0 before that
 };
 
 /// Collects boxes that nothing known explains. What false detections cost is bounded: a tentative

@@ -37,8 +37,8 @@ ObjectCluster Describe(const std::vector<VoxelKey>& keys, double radius, double 
   for (const Eigen::Vector3d& point : points) {
     variance += (point - mean).cwiseAbs2() / static_cast<double>(keys.size());
   }
-  return {.centre = SphereCentre(points, radius).value_or(mean),
-          .deviation = variance.cwiseSqrt(),
+  return {.centre_W = SphereCentre(points, radius).value_or(mean),
+          .deviation_W = variance.cwiseSqrt(),
           .voxels = static_cast<int>(keys.size())};
 }
 

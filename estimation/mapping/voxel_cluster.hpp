@@ -17,8 +17,8 @@ using VoxelKey = std::array<std::int64_t, 3>;
 
 /// Connected voxels of one object.
 struct ObjectCluster {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();     ///< of the sphere they lie on, NED [m]
-  Eigen::Vector3d deviation = Eigen::Vector3d::Zero();  ///< of the voxels about their mean [m]
+  Eigen::Vector3d centre_W = Eigen::Vector3d::Zero();     ///< of the sphere they lie on, NED [m]
+  Eigen::Vector3d deviation_W = Eigen::Vector3d::Zero();  ///< of the voxels about their mean [m]
   int voxels = 0;
 };
 

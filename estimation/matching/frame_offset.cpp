@@ -9,17 +9,18 @@ namespace limpet {
 
 Eigen::Vector3d FrameOffset::Apply(const Eigen::Vector3d& former) const {
   const Eigen::Vector2d moved =
-      pivot + Eigen::Rotation2Dd(turn) * (former.head<2>() - pivot) + shift;
+      pivot_W + Eigen::Rotation2Dd(turn) * (former.head<2>() - pivot_W) + shift_W;
   return {moved.x(), moved.y(), former.z() + down};
 }
 
 Eigen::Vector3d FrameOffset::Undo(const Eigen::Vector3d& now) const {
-  const Eigen::Vector2d moved = pivot + Eigen::Rotation2Dd(-turn) * (now.head<2>() - pivot - shift);
+  const Eigen::Vector2d moved =
+      pivot_W + Eigen::Rotation2Dd(-turn) * (now.head<2>() - pivot_W - shift_W);
   return {moved.x(), moved.y(), now.z() - down};
 }
 
 Eigen::Matrix<double, 3, 4> FrameOffset::Jacobian(const Eigen::Vector3d& former) const {
-  const Eigen::Vector2d arm = Eigen::Rotation2Dd(turn) * (former.head<2>() - pivot);
+  const Eigen::Vector2d arm = Eigen::Rotation2Dd(turn) * (former.head<2>() - pivot_W);
   Eigen::Matrix<double, 3, 4> J;
   J << 1.0, 0.0, 0.0, -arm.y(),  //
       0.0, 1.0, 0.0, arm.x(),    //
@@ -28,7 +29,7 @@ Eigen::Matrix<double, 3, 4> FrameOffset::Jacobian(const Eigen::Vector3d& former)
 }
 
 void FrameOffset::Move(const Eigen::Vector4d& step) {
-  shift += step.head<2>();
+  shift_W += step.head<2>();
   down += step(2);
   turn += step(3);
 }
@@ -37,8 +38,8 @@ FrameOffset Together(const FrameOffset& first, const FrameOffset& second) {
   FrameOffset both = first;
   both.turn = WrapAngle(first.turn + second.turn);
   both.down += second.down;
-  const Eigen::Vector3d pivot(first.pivot.x(), first.pivot.y(), 0.0);
-  both.shift = second.Apply(first.Apply(pivot)).head<2>() - first.pivot;
+  const Eigen::Vector3d pivot_W(first.pivot_W.x(), first.pivot_W.y(), 0.0);
+  both.shift_W = second.Apply(first.Apply(pivot_W)).head<2>() - first.pivot_W;
   return both;
 }
 

@@ -106,14 +106,14 @@ class FrameSearch {
         const bool fits = &a != &b && b.color == pair.b->color &&
                           std::abs(after.norm() - before.norm()) < ReachOf(*pair.b, b);
         if (!fits) continue;
-        FrameOffset offset{.pivot = pivot_};
+        FrameOffset offset{.pivot_W = pivot_};
         offset.turn =
             std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
         if (std::abs(offset.turn) > search_.turn.value()) continue;
         // Half way between the two pairs' middles: neither object decides alone.
         const Eigen::Vector3d middle = 0.5 * (pair.a->p_W + pair.b->p_W);
-        offset.shift = (0.5 * (a.p_W + b.p_W) - offset.Apply(middle)).head<2>();
-        if (offset.shift.norm() > search_.radius_m) continue;
+        offset.shift_W = (0.5 * (a.p_W + b.p_W) - offset.Apply(middle)).head<2>();
+        if (offset.shift_W.norm() > search_.radius_m) continue;
         proposals_.push_back({offset, VotesFor(offset)});
       }
     }

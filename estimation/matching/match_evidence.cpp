@@ -45,7 +45,7 @@ FramePrior FramePrior::Unknown(double radius_m, Radians turn) {
 }
 
 double FramePrior::LogDensity(const FrameOffset& offset) const {
-  const Eigen::Vector3d off(offset.shift.x(), offset.shift.y(), offset.turn);
+  const Eigen::Vector3d off(offset.shift_W.x(), offset.shift_W.y(), offset.turn);
   return log_peak_ - 0.5 * off.dot(information_ * off);
 }
 

@@ -50,9 +50,9 @@ Eigen::MatrixXd JointOfSingles(const std::vector<ObjectEstimate>& objects) {
 }
 
 SplitCovariance SplitFrom(const std::vector<Eigen::Vector3d>& places, const Eigen::MatrixXd& joint,
-                          const Eigen::Vector2d& pivot) {
+                          const Eigen::Vector2d& pivot_W) {
   const Eigen::Index n = joint.rows();
-  const FrameOffset rest{.pivot = pivot};
+  const FrameOffset rest{.pivot_W = pivot_W};
   Eigen::MatrixXd J(n, 4);
   for (std::size_t i = 0; i < places.size(); ++i) {
     J.middleRows<3>(static_cast<Eigen::Index>(3 * i)) = rest.Jacobian(places[i]);
@@ -62,7 +62,7 @@ SplitCovariance SplitFrom(const std::vector<Eigen::Vector3d>& places, const Eige
   Eigen::Matrix4d information = J.transpose() * regular.llt().solve(J);
   information += unknown.cwiseAbs2().cwiseInverse().asDiagonal();
   const Eigen::Matrix4d frame = information.inverse();
-  return {.pivot = pivot, .frame = frame, .own = regular - J * frame * J.transpose()};
+  return {.pivot_W = pivot_W, .frame = frame, .own = regular - J * frame * J.transpose()};
 }
 
 }  // namespace limpet

@@ -19,13 +19,14 @@ namespace limpet {
 [[nodiscard]] Eigen::MatrixXd JointOfSingles(const std::vector<ObjectEstimate>& objects);
 
 /// A joint covariance of places, split exactly: joint = J frame J' + own, with J the Jacobian of
-/// FrameOffset at rest about `pivot`.
+/// FrameOffset at rest about `pivot_W`.
 struct SplitCovariance {
-  Eigen::Vector2d pivot;
+  Eigen::Vector2d pivot_W;
   Eigen::Matrix4d frame;  ///< of (north, east, down [m], turn [rad])
   Eigen::MatrixXd own;    ///< three rows per place
 };
 [[nodiscard]] SplitCovariance SplitFrom(const std::vector<Eigen::Vector3d>& places,
-                                        const Eigen::MatrixXd& joint, const Eigen::Vector2d& pivot);
+                                        const Eigen::MatrixXd& joint,
+                                        const Eigen::Vector2d& pivot_W);
 
 }  // namespace limpet

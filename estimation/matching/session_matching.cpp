@@ -54,7 +54,7 @@ class SessionMatcher {
   };
 
   [[nodiscard]] SessionMatch Best() const {
-    SessionMatch best = Refine(FrameOffset{.pivot = pivot_});
+    SessionMatch best = Refine(FrameOffset{.pivot_W = pivot_});
     double best_cost = Cost(best);
     for (const Start& start : BestStarts()) {
       const SessionMatch candidate = Refine(start.offset);
@@ -80,8 +80,8 @@ class SessionMatcher {
       const std::vector<const ObjectEstimate*> neighbours = NeighboursOf(a);
       for (const ObjectEstimate& b : now_) {
         if (ColorCost(a, b) > kTellingColor) continue;
-        FrameOffset shifted{.pivot = pivot_};
-        shifted.shift = b.p_W.head<2>() - a.p_W.head<2>();
+        FrameOffset shifted{.pivot_W = pivot_};
+        shifted.shift_W = b.p_W.head<2>() - a.p_W.head<2>();
         shifted.down = DownFrom(a, b);
         AddStart(shifted, a.p_W, starts);
         for (const ObjectEstimate* neighbour : neighbours)
@@ -118,9 +118,9 @@ class SessionMatcher {
           misfit * misfit > gate_ * PairCovariance(neighbour, c).trace()) {
         continue;
       }
-      FrameOffset turned{.pivot = pivot_};
+      FrameOffset turned{.pivot_W = pivot_};
       turned.turn = std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
-      turned.shift = (b.p_W - turned.Apply(a.p_W)).head<2>();
+      turned.shift_W = (b.p_W - turned.Apply(a.p_W)).head<2>();
       turned.down = DownFrom(a, b);
       AddStart(turned, std::nullopt, starts);
     }
@@ -209,7 +209,7 @@ class SessionMatcher {
   /// Least squares for (north, east, down, turn) with the priors.
   void FitOffset(SessionMatch& match) const {
     const auto matches = CountOf(match.now_of_former);
-    FrameOffset offset{.pivot = pivot_};
+    FrameOffset offset{.pivot_W = pivot_};
     Eigen::Matrix4d covariance;
     for (int turn = 0; turn < kTurns; ++turn) {
       Eigen::Matrix4d information = prior_;
@@ -272,7 +272,7 @@ class SessionMatcher {
     const auto add = [&](std::size_t i, int j) {
       if (!MayBeOne(best, i, j)) return;
       FrameOffset shifted = best.offset;
-      shifted.shift +=
+      shifted.shift_W +=
           (now_[static_cast<std::size_t>(j)].p_W - best.offset.Apply(former_[i].p_W)).head<2>();
       starts.push_back(shifted);
     };

@@ -47,12 +47,12 @@ Eigen::Vector2d DrivenSpeed::Pushed(const Knot& knot, double seconds) const {
   const double dt = std::max(seconds, 0.0) / steps;
   Eigen::Vector2d v_B = knot.v_B;
   for (int i = 0; i < steps; ++i) {
-    const Eigen::Vector2d momentum = params_.mass.cwiseProduct(v_B);
+    const Eigen::Vector2d momentum = params_.mass_B.cwiseProduct(v_B);
     const Eigen::Vector2d turned = knot.yaw_rate * Eigen::Vector2d(momentum.y(), -momentum.x());
     const Eigen::Vector2d drag =
-        params_.linear_drag + params_.quadratic_drag.cwiseProduct(v_B.cwiseAbs());
+        params_.linear_drag_B + params_.quadratic_drag_B.cwiseProduct(v_B.cwiseAbs());
     // Implicit in the drag: stable however light the hull is.
-    v_B = (momentum + dt * (knot.force_B + turned)).cwiseQuotient(params_.mass + dt * drag);
+    v_B = (momentum + dt * (knot.force_B + turned)).cwiseQuotient(params_.mass_B + dt * drag);
   }
   return v_B;
 }

@@ -12,10 +12,10 @@ namespace limpet {
 
 /// How the hull answers to thrust ahead and abeam (surge, sway), as its data sheet says.
 struct DriveParams {
-  Eigen::Vector2d mass{45.0, 65.0};            ///< with what it drags along [kg]
-  Eigen::Vector2d linear_drag{3.0, 8.0};       ///< [N per m/s]
-  Eigen::Vector2d quadratic_drag{30.0, 80.0};  ///< [N per (m/s)^2]
-  Seconds command_lasts{1.0};                  ///< without another the thrusters stop
+  Eigen::Vector2d mass_B{45.0, 65.0};            ///< with what it drags along [kg]
+  Eigen::Vector2d linear_drag_B{3.0, 8.0};       ///< [N per m/s]
+  Eigen::Vector2d quadratic_drag_B{30.0, 80.0};  ///< [N per (m/s)^2]
+  Seconds command_lasts{1.0};                    ///< without another the thrusters stop
 };
 
 /// The speed through the water, ahead and abeam, that commands of the thrusters alone would make,

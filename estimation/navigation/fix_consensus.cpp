@@ -39,7 +39,7 @@ void FixConsensus::BeginStay(const std::optional<FixPrediction>& prediction) {
 bool FixConsensus::IsAsPredicted(const HeldFix& held) const {
   if (!prediction_) return true;
   const Eigen::Matrix2d S =
-      prediction_->covariance + held.fix.sd * held.fix.sd * Eigen::Matrix2d::Identity();
+      prediction_->covariance_W + held.fix.sd * held.fix.sd * Eigen::Matrix2d::Identity();
   const Eigen::Vector2d r = held.off_W - prediction_->off_W;
   return r.dot(S.llt().solve(r)) <= kPredictionGate * kPredictionGate;
 }

@@ -22,7 +22,7 @@ struct HeldFix {
 /// Where dead reckoning and all that is known have the next fix, less dead reckoning [m].
 struct FixPrediction {
   Eigen::Vector2d off_W = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();
+  Eigen::Matrix2d covariance_W = Eigen::Matrix2d::Identity();
 };
 
 /// Which fixes of one stay at the surface are believed. Reflections put fixes metres off for

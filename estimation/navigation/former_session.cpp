@@ -136,7 +136,7 @@ void FormerSessionTie::SetFormer(FormerSession former) {
   LIMPET_REQUIRE(given_.objects.size() == given_.ids.size() && given_.covariance.rows() == n &&
                      given_.covariance.cols() == n,
                  "three rows of covariance per former object");
-  Place({.pivot = MeanOf(given_.objects)});
+  Place({.pivot_W = MeanOf(given_.objects)});
 }
 
 void FormerSessionTie::Place(const FrameOffset& placed) {
@@ -144,9 +144,9 @@ void FormerSessionTie::Place(const FrameOffset& placed) {
   former_ = given_;
   former_.objects = Moved(std::move(former_.objects), placed);
   Turn(placed.turn, former_.covariance);
-  offset_ = {.pivot = MeanOf(former_.objects)};
+  offset_ = {.pivot_W = MeanOf(former_.objects)};
   const SplitCovariance split =
-      SplitFrom(PlacesOf(former_.objects), former_.covariance, offset_.pivot);
+      SplitFrom(PlacesOf(former_.objects), former_.covariance, offset_.pivot_W);
   former_frame_ = split.frame;
   former_own_ = split.own;
   SetOwn(former_.objects, former_own_);
@@ -192,7 +192,7 @@ SessionMatch FormerSessionTie::MatchOrSearch(const std::vector<ObjectEstimate>& 
     const SessionMatch there = std::move(here);
     const double found_evidence = evidence;
     is_elsewhere_ = false;
-    Place({.pivot = placed_.pivot});
+    Place({.pivot_W = placed_.pivot_W});
     here = match();
     evidence = evidence_of(here);
     if (found_evidence >= evidence + kElsewhere) {
@@ -226,7 +226,7 @@ bool FormerSessionTie::Match(const PresentLandmarks& landmarks,
     return false;
   }
   const SplitCovariance split =
-      SplitFrom(PlacesOf(present.objects), present.covariance, offset_.pivot);
+      SplitFrom(PlacesOf(present.objects), present.covariance, offset_.pivot_W);
   SetOwn(present.objects, split.own);
   const std::vector<std::size_t> placed = WellPlaced(present, split.own);
   std::vector<ObjectEstimate> candidates;

@@ -37,8 +37,8 @@ void AddBlock(const Smoother& smoother, int slot, const Names& names,
 std::vector<NamedState> Navigator::States(double t) const {
   std::vector<NamedState> states;
   if (const auto water = Water(t)) {
-    states.push_back({"current_north", water->current_W.x(), water->sd_current.x()});
-    states.push_back({"current_east", water->current_W.y(), water->sd_current.y()});
+    states.push_back({"current_north", water->current_W.x(), water->sd_current_W.x()});
+    states.push_back({"current_east", water->current_W.y(), water->sd_current_W.y()});
     states.push_back({"water_speed", water->speed, water->sd_speed});
   }
   const OdometryErrors& errors = chain_.errors();

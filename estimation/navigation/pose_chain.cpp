@@ -168,7 +168,7 @@ void PoseChain::BeginStay(const Eigen::Vector2d& reckoned_D) {
   std::optional<FixPrediction> prediction;
   if (has_fix_) {
     prediction = FixPrediction{.off_W = Head().head<2>() - reckoned_D,
-                               .covariance = smoother_.Covariance({}).topLeftCorner<2, 2>()};
+                               .covariance_W = smoother_.Covariance({}).topLeftCorner<2, 2>()};
   }
   consensus_.BeginStay(prediction);
 }

@@ -83,9 +83,9 @@ void BelieveHull(const VehicleParams& vehicle, NavigatorParams& params) {
 
 DriveParams BelievedDrive(const VehicleParams& vehicle) {
   const Hydrodynamics hydro = DeriveHydrodynamics(vehicle);
-  return {.mass = hydro.mass_matrix.diagonal().head<2>(),
-          .linear_drag = hydro.linear_drag.head<2>(),
-          .quadratic_drag = hydro.quadratic_drag.head<2>()};
+  return {.mass_B = hydro.mass_matrix.diagonal().head<2>(),
+          .linear_drag_B = hydro.linear_drag.head<2>(),
+          .quadratic_drag_B = hydro.quadratic_drag.head<2>()};
 }
 
 void BelieveSheets(const SensorSheets& sheets, NavigatorParams& params) {

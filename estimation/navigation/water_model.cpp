@@ -185,7 +185,7 @@ WaterState WaterModel::StateAt(double t, const Conduct& conduct) const {
   ahead(kDriven) = driven;
   WaterState state{.current_W = {x_(kNorth), x_(kEast)},
                    .speed = SpeedAt(t) + x_(kDriven) * driven};
-  state.sd_current = {std::sqrt(P(kNorth, kNorth)), std::sqrt(P(kEast, kEast))};
+  state.sd_current_W = {std::sqrt(P(kNorth, kNorth)), std::sqrt(P(kEast, kEast))};
   state.sd_speed = std::sqrt((ahead * P).dot(ahead));
   return state;
 }

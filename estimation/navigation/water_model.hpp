@@ -56,7 +56,7 @@ struct Conduct {
 
 /// Current (north, east) and speed ahead through the water, as estimated [m/s], with 1-sigma.
 struct WaterState {
-  Eigen::Vector2d current_W = Eigen::Vector2d::Zero(), sd_current = Eigen::Vector2d::Zero();
+  Eigen::Vector2d current_W = Eigen::Vector2d::Zero(), sd_current_W = Eigen::Vector2d::Zero();
   double speed = 0.0, sd_speed = 0.0;
 };
 

@@ -82,8 +82,8 @@ class RawlogRows {
     } else if (const auto felt = Numbers(imu, kInertial)) {
       const std::vector<double>& f = *felt;
       const InertialInput row{
-          .t = t, .force = {f[0], f[1], f[2]}, .rate = {f[3], f[4], f[5]}, .heading = f[6]};
-      Add(row, {row.force.sum(), row.rate.sum(), row.heading});
+          .t = t, .force_B = {f[0], f[1], f[2]}, .rate_B = {f[3], f[4], f[5]}, .heading = f[6]};
+      Add(row, {row.force_B.sum(), row.rate_B.sum(), row.heading});
     } else if (imu.has(mrpt::obs::IMU_WZ) && !imu.has(mrpt::obs::IMU_WX)) {
       Add(FogRow{t, imu.get(mrpt::obs::IMU_WZ)}, {imu.get(mrpt::obs::IMU_WZ)});
     } else {
@@ -156,10 +156,10 @@ class RawlogRows {
     }
   }
   bool TakePing(double t, const CObservationIMU& imu) {
-    DvlRow ping{.t = t, .velocity = {}, .altitude = {}};
-    if (const auto v = Numbers(imu, kVelocity)) ping.velocity = {(*v)[0], (*v)[1], (*v)[2]};
+    DvlRow ping{.t = t, .v_WD_B = {}, .altitude = {}};
+    if (const auto v = Numbers(imu, kVelocity)) ping.v_WD_B = {(*v)[0], (*v)[1], (*v)[2]};
     if (imu.has(mrpt::obs::IMU_ALTITUDE)) ping.altitude = imu.get(mrpt::obs::IMU_ALTITUDE);
-    Add(ping, {ping.velocity.value_or(Eigen::Vector3d::Zero()).sum(), ping.altitude.value_or(0.0)});
+    Add(ping, {ping.v_WD_B.value_or(Eigen::Vector3d::Zero()).sum(), ping.altitude.value_or(0.0)});
     return true;
   }
   void TakeAttitude(double t, const std::vector<double>& angles) {

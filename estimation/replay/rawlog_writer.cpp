@@ -73,12 +73,12 @@ class RawlogWriter {
   }
   void operator()(const InertialInput& row) {
     mrpt::obs::CObservationIMU imu;
-    imu.set(mrpt::obs::IMU_X_ACC, row.force.x());
-    imu.set(mrpt::obs::IMU_Y_ACC, row.force.y());
-    imu.set(mrpt::obs::IMU_Z_ACC, row.force.z());
-    imu.set(mrpt::obs::IMU_WX, row.rate.x());
-    imu.set(mrpt::obs::IMU_WY, row.rate.y());
-    imu.set(mrpt::obs::IMU_WZ, row.rate.z());
+    imu.set(mrpt::obs::IMU_X_ACC, row.force_B.x());
+    imu.set(mrpt::obs::IMU_Y_ACC, row.force_B.y());
+    imu.set(mrpt::obs::IMU_Z_ACC, row.force_B.z());
+    imu.set(mrpt::obs::IMU_WX, row.rate_B.x());
+    imu.set(mrpt::obs::IMU_WY, row.rate_B.y());
+    imu.set(mrpt::obs::IMU_WZ, row.rate_B.z());
     imu.set(mrpt::obs::IMU_YAW, row.heading);
     Write(row.t, rawlog::kImu, imu);
   }
@@ -89,10 +89,10 @@ class RawlogWriter {
   }
   void operator()(const DvlRow& row) {
     mrpt::obs::CObservationIMU ping;
-    if (row.velocity) {
-      ping.set(mrpt::obs::IMU_X_VEL, row.velocity->x());
-      ping.set(mrpt::obs::IMU_Y_VEL, row.velocity->y());
-      ping.set(mrpt::obs::IMU_Z_VEL, row.velocity->z());
+    if (row.v_WD_B) {
+      ping.set(mrpt::obs::IMU_X_VEL, row.v_WD_B->x());
+      ping.set(mrpt::obs::IMU_Y_VEL, row.v_WD_B->y());
+      ping.set(mrpt::obs::IMU_Z_VEL, row.v_WD_B->z());
     }
     if (row.altitude) ping.set(mrpt::obs::IMU_ALTITUDE, *row.altitude);
     Write(row.t, rawlog::kDvl, ping);

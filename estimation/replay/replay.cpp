@@ -44,14 +44,14 @@ class Replayer {
       ++refused_inertial_;
       return;
     }
-    navigator_.AddSpecificForce(row.t, row.force);
+    navigator_.AddSpecificForce(row.t, row.force_B);
     if (filter_.is_aligned() && row.t - attitude_t_ >= Navigator::kAttitudePeriod) {
       attitude_t_ = row.t;
       (*this)(*filter_.estimate());
     }
   }
   void operator()(const DvlRow& row) {
-    navigator_.AddVelocity(row.t, row.velocity);
+    navigator_.AddVelocity(row.t, row.v_WD_B);
     if (row.altitude) navigator_.AddAltitude(row.t, *row.altitude);
     AdvanceTo(row.t);
     const bool is_filtering = filter_.estimate().has_value() && navigator_.has_started();
@@ -128,7 +128,7 @@ class Replayer {
     }
     if (is_due) {
       result_.online.push_back({now_, estimate.X_WB});
-      result_.online_covariance.push_back(estimate.covariance_p_W);
+      result_.online_covariance_W.push_back(estimate.covariance_p_W);
       result_.reckoned.push_back({now_, navigator_.DeadReckoned(now_)});
       KeepStates();
     }

@@ -41,8 +41,8 @@ struct TimedStates {
 /// Everything `limpet nav` writes.
 struct ReplayResult {
   std::vector<SmoothedPose> online, smoothed, reckoned;
-  std::vector<Eigen::Matrix3d> online_covariance;  ///< of the positions of `online`, in W [m^2]
-  std::vector<TimedStates> states;                 ///< about once a second
+  std::vector<Eigen::Matrix3d> online_covariance_W;  ///< of the positions of `online` [m^2]
+  std::vector<TimedStates> states;                   ///< about once a second
   std::vector<Landmark> landmarks;
   Eigen::MatrixXd landmark_covariance;  ///< joint, three rows each [m^2]
   FrameOffset former_offset;            ///< of the former session's frame in this one

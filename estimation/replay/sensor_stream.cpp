@@ -44,11 +44,11 @@ class StatedNoises {
 DvlRow ParseDvl(const CsvFields& f) {
   f.Expect(13);
   DvlRow row{.t = f.Number(1),
-             .velocity = {},
+             .v_WD_B = {},
              .altitude = f.Optional(8),
              .beams = {f.Optional(9), f.Optional(10), f.Optional(11), f.Optional(12)}};
   if (f.Integer(2) != 0) {
-    row.velocity = Eigen::Vector3d(f.Number(3), f.Number(4), f.Number(5));
+    row.v_WD_B = Eigen::Vector3d(f.Number(3), f.Number(4), f.Number(5));
   }
   return row;
 }

@@ -45,10 +45,10 @@ struct StreamMeta {
   double opi_radius = 0.5;             ///< [m]
 };
 
-/// `velocity` is empty without bottom lock.
+/// `v_WD_B`, of the DVL, is empty without bottom lock.
 struct DvlRow {
   double t = 0.0;
-  std::optional<Eigen::Vector3d> velocity;
+  std::optional<Eigen::Vector3d> v_WD_B;
   std::optional<double> altitude;                   ///< of the DVL above the seabed [m]
   std::array<std::optional<double>, 4> beams = {};  ///< slant ranges [m]
 };

@@ -229,7 +229,7 @@ bool ArrowSmoother::StepAll(double& cost) {
   cost = step.cost;
   std::vector<double> border;
   for (int slot = 0; slot < graph.slot_count(); ++slot) {
-    const Eigen::Vector3d& p = graph.border(slot).p;
+    const Eigen::Vector3d& p = graph.border(slot).x;
     border.insert(border.end(), p.data(), p.data() + 3);
   }
   estimates_.SetBorder(border);

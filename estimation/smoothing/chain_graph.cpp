@@ -48,7 +48,7 @@ int ChainGraph::AddBorderVariable(const Eigen::Vector3d& start) {
   if (free == border_.end()) {
     border_.emplace_back();
   }
-  border(slot) = {.is_used = true, .is_reserved = false, .p = start, .terms = {}, .nodes = {}};
+  border(slot) = {.is_used = true, .is_reserved = false, .x = start, .terms = {}, .nodes = {}};
   return slot;
 }
 
@@ -119,7 +119,7 @@ double ChainGraph::Cost() const {
     Eigen::VectorXd places(joint_prior_->mean().size());
     Eigen::Index row = 0;
     for (const int slot : joint_prior_->slots()) {
-      places.segment<3>(row) = border(slot).p;
+      places.segment<3>(row) = border(slot).x;
       row += 3;
     }
     cost += joint_prior_->Cost(places);

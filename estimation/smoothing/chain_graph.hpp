@@ -34,7 +34,7 @@ struct ChainNode {
 struct BorderVariable {
   bool is_used = false;
   bool is_reserved = false;                     ///< not yet to be used again
-  Eigen::Vector3d p = Eigen::Vector3d::Zero();  ///< where it is linearised
+  Eigen::Vector3d x = Eigen::Vector3d::Zero();  ///< where it is linearised
   std::vector<Term> terms;                      ///< on border variables alone
   std::vector<int> nodes;                       ///< that see it, ascending, one entry per term
 };
@@ -79,7 +79,7 @@ class ChainGraph {
   [[nodiscard]] std::array<const Eigen::Vector3d*, kMostBorders> PointsOf(const Term& term) const {
     std::array<const Eigen::Vector3d*, kMostBorders> points{};
     std::ranges::transform(term.slots(), points.begin(),
-                           [this](int slot) { return &border(slot).p; });
+                           [this](int slot) { return &border(slot).x; });
     return points;
   }
   /// A term of this node on these border variables goes.

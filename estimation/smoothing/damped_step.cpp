@@ -16,7 +16,7 @@ ChainValues ValuesOf(const ChainGraph& graph) {
   for (int i = 0; i < graph.node_count(); ++i)
     values.poses.push_back(graph.node(i).x);
   for (int slot = 0; slot < graph.slot_count(); ++slot)
-    values.border.push_back(graph.border(slot).p);
+    values.border.push_back(graph.border(slot).x);
   return values;
 }
 
@@ -24,7 +24,7 @@ void SetValues(const ChainValues& values, ChainGraph& graph) {
   for (int i = 0; i < graph.node_count(); ++i)
     graph.node(i).x = values.poses[AsIndex(i)];
   for (int slot = 0; slot < graph.slot_count(); ++slot)
-    graph.border(slot).p = values.border[AsIndex(slot)];
+    graph.border(slot).x = values.border[AsIndex(slot)];
 }
 
 DampedStep StepTowards(const ChainValues& from, const ChainValues& to, double cost_before,
@@ -36,7 +36,7 @@ DampedStep StepTowards(const ChainValues& from, const ChainValues& to, double co
     }
     for (int slot = 0; slot < graph.slot_count(); ++slot) {
       const Eigen::Vector3d& p = from.border[AsIndex(slot)];
-      graph.border(slot).p = p + share * (to.border[AsIndex(slot)] - p);
+      graph.border(slot).x = p + share * (to.border[AsIndex(slot)] - p);
     }
     const double cost = graph.Cost();
     const bool rises = cost > cost_before * (1.0 + kRounding);

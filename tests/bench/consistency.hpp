@@ -71,7 +71,7 @@ inline Nees NeesOf(const ReplayResult& result, const StreamTruth& truth) {
   Nees nees;
   for (std::size_t i = 0; i < result.online.size(); i += 50) {
     nees.pose.Add(result.online[i].X_WB.p_WB - truth.At(result.online[i].t),
-                  result.online_covariance[i]);
+                  result.online_covariance_W[i]);
   }
   for (const Landmark& landmark : result.landmarks) {
     nees.landmark.Add(landmark.object.p_W - TruthOf(landmark.object.p_W, alignment, truth),

@@ -50,7 +50,7 @@ SurveyArea Area(double north, double east, double band) {
 double EditsPerSecond(ViewPlanner& planner, const Pose2& pose) {
   const Situation now = planner.survey().Snapshot(Seconds(0.0), pose, 0.0);
   TourJudge judge(*now.ground, *now.region, now.turn_radius);
-  judge.Reset(DubinsPath(pose), {.home = now.next()});
+  judge.Reset(DubinsPath(pose), {.home_W = now.next()});
   std::vector<SurveyTour> lanes = LaneTours(judge, {});
   TourSearch search(Meters(8.0), Random(1, "bench"));
   constexpr int kEdits = 2000;

@@ -104,7 +104,7 @@ void PrintDetails(const SimulatedStream& session, const ReplayResult& result,
   double last = 0.0;
   for (const StreamRow& row : session.stream.rows) {
     const auto* dvl = std::get_if<DvlRow>(&row);
-    if (dvl == nullptr || !dvl->velocity) continue;
+    if (dvl == nullptr || !dvl->v_WD_B) continue;
     if (dvl->t - last > 10.0) fmt::print("  dropout {:.0f} .. {:.0f} s\n", last, dvl->t);
     last = dvl->t;
   }

@@ -93,7 +93,7 @@ class NormalEquations {
     Eigen::VectorXd off = -prior.mean();
     std::vector<int> rows;
     for (const int slot : prior.slots()) {
-      off.segment<3>(static_cast<Eigen::Index>(rows.size())) += graph.border(slot).p;
+      off.segment<3>(static_cast<Eigen::Index>(rows.size())) += graph.border(slot).x;
       for (int i = 0; i < 3; ++i)
         rows.push_back(poses_ + 3 * slot + i);
     }
@@ -120,7 +120,7 @@ void Move(ChainGraph& graph, const Eigen::VectorXd& d) {
     graph.node(i).x += d.segment<6>(6 * i);
   }
   for (int slot = 0; slot < graph.slot_count(); ++slot) {
-    graph.border(slot).p += d.segment<3>(poses + 3 * slot);
+    graph.border(slot).x += d.segment<3>(poses + 3 * slot);
   }
 }
 

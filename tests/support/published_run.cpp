@@ -93,7 +93,7 @@ class SetRunner {
     for (int i = 0; i < running.node_count(); ++i)
       running.node(i).x = smoother_.PoseAt(i);
     for (int slot = 0; slot < running.slot_count(); ++slot)
-      running.border(slot).p = smoother_.BorderAt(slot);
+      running.border(slot).x = smoother_.BorderAt(slot);
     result_.running_cost = running.Cost();
     const double start = clock_();
     result_.finish = smoother_.Converge();
@@ -220,7 +220,7 @@ SetResult RunPlanarGraph(const PlanarGraph& graph, const std::function<double()>
     for (int i = 0; i < count; ++i)
       anew.node(i).x = InPlane(graph.poses[AsIndex(i)]);
     for (const auto& [pose, slot] : runner.places())
-      anew.border(slot).p = graph.poses[AsIndex(pose)];
+      anew.border(slot).x = graph.poses[AsIndex(pose)];
   });
 }
 
@@ -258,7 +258,7 @@ SetResult RunRangeSession(const RangeSession& session, const RangeSessionParams&
     for (const auto& [id, slot] : slots) {
       const auto known = session.beacons.find(id);
       if (known == session.beacons.end()) continue;
-      anew.border(slot).p = {known->second.x(), known->second.y(), 0.0};
+      anew.border(slot).x = {known->second.x(), known->second.y(), 0.0};
     }
   });
   for (const auto& [id, slot] : slots)

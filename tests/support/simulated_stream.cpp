@@ -110,7 +110,7 @@ class Recorder {
     if (t > short_gap_end_ && random_.Chance(0.0005))
       short_gap_end_ = t + random_.Uniform(1.0, 5.0);
     const double stamp = dvl_stamp_.StampOf(Seconds(t)).value();
-    DvlRow row{.t = stamp, .velocity = {}, .altitude = {}};
+    DvlRow row{.t = stamp, .v_WD_B = {}, .altitude = {}};
     const bool is_in_dropout = troubles_->IsInDropout(t, vehicle);
     if (t > short_gap_end_ && !is_in_dropout) {
       Eigen::Vector3d v = scale_ * (R_DB_ * vehicle.VelocityOf(p_BD_)) + dvl_bias_;
@@ -122,7 +122,7 @@ class Recorder {
         v += Eigen::Vector3d(random_.Normal(0.6), random_.Normal(0.6), random_.Normal(0.2));
       }
       v += troubles_->FalsePart(t) + bursts_.At(Seconds(t));
-      row.velocity = beams_.Velocity(v, SlopesBelow(X), beams_.DrawLost());
+      row.v_WD_B = beams_.Velocity(v, SlopesBelow(X), beams_.DrawLost());
       row.altitude = ground_.Depth(p.head<2>()) - p.z() + random_.Normal(0.03);
     }
     rows_.push_back({std::max(t, stamp) + 1e-4, row});

@@ -17,10 +17,10 @@ std::string LineOf(const AttitudeEstimate& a) {
 
 std::string LineOf(const DvlRow& row) {
   const std::string altitude = row.altitude ? fmt::format("{}", *row.altitude) : "";
-  if (!row.velocity) {
+  if (!row.v_WD_B) {
     return fmt::format("DVL,{},0,,,,,,{},,,,\n", row.t, altitude);
   }
-  const Eigen::Vector3d& v = *row.velocity;
+  const Eigen::Vector3d& v = *row.v_WD_B;
   return fmt::format("DVL,{},1,{},{},{},0.01,0.005,{},,,,\n", row.t, v.x(), v.y(), v.z(), altitude);
 }
 

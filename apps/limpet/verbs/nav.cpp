@@ -89,7 +89,7 @@ std::string FormerSummary(const ReplayResult& result, const FormerSession& forme
   return fmt::format(
       "former session: {} of {} objects recognised; its frame lies {:.2f} m north, {:.2f} m east, "
       "{:.2f} m down, turned by {:.2f} deg\n",
-      matched, former.ids.size(), offset.shift.x(), offset.shift.y(), offset.down,
+      matched, former.ids.size(), offset.shift_W.x(), offset.shift_W.y(), offset.down,
       Radians(offset.turn).in_text_unit());
 }
 

@@ -47,8 +47,8 @@ OrderedJson JsonOf(const SessionComparison& comparison) {
   return {{"session_a", JsonOf(comparison.a)},
           {"session_b", JsonOf(comparison.b)},
           {"offset",
-           {{"north_m", offset.shift.x()},
-            {"east_m", offset.shift.y()},
+           {{"north_m", offset.shift_W.x()},
+            {"east_m", offset.shift_W.y()},
             {"turn_deg", DegreesFromRadians(offset.turn)}}},
           {"changes", std::move(objects)}};
 }

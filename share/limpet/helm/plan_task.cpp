@@ -11,7 +11,7 @@ MissionPlan::Task PlanTaskOf(const Situation& now, const SearchGoals& goals, dou
                          .region = now.region,
                          .turn_radius = now.turn_radius,
                          .goal = {.finish_share = is_covering ? finish_share : 0.0,
-                                  .home = now.next(),
+                                  .home_W = now.next(),
                                   .course_cost = now.course_cost},
                          .travelled = now.travelled};
   if (!is_covering) return task;

@@ -30,12 +30,12 @@ StreamMeta MetaOf(const VehicleFile& vehicle) {
 
 std::optional<StreamRow> RowOf(double t, const ImuSample& s) {
   return InertialInput{
-      .t = t, .force = {s.fx, s.fy, s.fz}, .rate = {s.p, s.q, s.r}, .heading = s.heading};
+      .t = t, .force_B = {s.fx, s.fy, s.fz}, .rate_B = {s.p, s.q, s.r}, .heading = s.heading};
 }
 
 std::optional<StreamRow> RowOf(double t, const DvlSample& s, const Eigen::Matrix3d& R_BD) {
-  DvlRow row{.t = t, .velocity = {}, .altitude = s.altitude, .beams = s.beams()};
-  if (s.has_lock && s.u && s.v && s.w) row.velocity = R_BD * Eigen::Vector3d(*s.u, *s.v, *s.w);
+  DvlRow row{.t = t, .v_WD_B = {}, .altitude = s.altitude, .beams = s.beams()};
+  if (s.has_lock && s.u && s.v && s.w) row.v_WD_B = R_BD * Eigen::Vector3d(*s.u, *s.v, *s.w);
   return row;
 }
 

@@ -73,8 +73,8 @@ class ExactOrder {
     double least = kInfinite;
     for (std::size_t node = 0; node < nodes_.size(); ++node) {
       const Pose2 out = nodes_[node].out();
-      const double cost = Best(set, node) + std::hypot(out.north - judge_.goal().home.x(),
-                                                       out.east - judge_.goal().home.y());
+      const double cost = Best(set, node) + std::hypot(out.north - judge_.goal().home_W.x(),
+                                                       out.east - judge_.goal().home_W.y());
       if (cost < least) least = cost, last = node;
     }
     SurveyTour tour;

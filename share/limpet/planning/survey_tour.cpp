@@ -72,7 +72,7 @@ TourCost TourJudge::Cost(const SurveyTour& tour) {
     stages_.push_back(stage);
   }
   TourCost cost = stage.cost;
-  const PlanePoint homeward(goal_.home.x() - stage.end.north, goal_.home.y() - stage.end.east);
+  const PlanePoint homeward(goal_.home_W.x() - stage.end.north, goal_.home_W.y() - stage.end.east);
   cost.home = std::hypot(homeward.x(), homeward.y());
   cost.toll += CurrentToll(goal_.course_cost, {.yaw = std::atan2(homeward.y(), homeward.x())},
                            {.curvature = 0.0, .length = cost.home});

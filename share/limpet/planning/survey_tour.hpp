@@ -35,7 +35,7 @@ struct TourGoal {
   /// what is left then are slivers, which may come last.
   double most_weight = kSurveyRates.most;
   /// Where the vehicle goes when it is over, or on when this block of it is, NED [m].
-  PlanePoint home{0.0, 0.0};
+  PlanePoint home_W{0.0, 0.0};
   /// What is sought besides ground, over the first `target_decay_m` of the way; its rates for
   /// ground do not count.
   Objective others{};

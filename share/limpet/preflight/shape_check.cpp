@@ -33,7 +33,7 @@ void CheckUnseen(const MissionReading& reading, const SurveyFacts& survey, const
   const std::string text = fmt::format(
       "about {:.1f} % of the area cannot be seen from where the vehicle may be and turn, first of "
       "all around {}",
-      100.0 * unseen->share, PlaceText(unseen->farthest));
+      100.0 * unseen->share, PlaceText(unseen->farthest_W));
   if (unseen->share > 1.0 - target.number()) {
     found.geometry.push_back(survey.area_line().Refuse(
         fmt::format("{}; with {} the survey never ends", text, target.Named())));

@@ -69,7 +69,7 @@ std::optional<UnseenShare> UnseenGround(const SurveyFacts& survey, const Region&
       unseen += distance > reach ? 1.0 : 0.0;
       if (distance > farthest) {
         farthest = distance;
-        found.farthest = {north, east};
+        found.farthest_W = {north, east};
       }
     }
   }

@@ -12,7 +12,7 @@ namespace limpet {
 /// from where the vehicle may be.
 struct UnseenShare {
   double share = 0.0;
-  PlanePoint farthest = PlanePoint::Zero();
+  PlanePoint farthest_W = PlanePoint::Zero();
 };
 
 /// About how much of the area's ground no image shows to the top of the band that a vehicle takes

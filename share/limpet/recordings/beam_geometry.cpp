@@ -38,9 +38,9 @@ std::optional<BeamGeometry> BeamGeometry::Estimate(const std::vector<DvlPing>& p
   BeamGeometry geometry;
   for (const DvlPing& ping : pings) {
     const auto speeds = FourSpeeds(ping);
-    if (!speeds || !ping.velocity) continue;
+    if (!speeds || !ping.v_D) continue;
     bb += *speeds * speeds->transpose();
-    vb += *ping.velocity * speeds->transpose();
+    vb += *ping.v_D * speeds->transpose();
     ++geometry.pings_;
   }
   if (geometry.pings_ < kLeastPings || !bb.allFinite() || !vb.allFinite()) return std::nullopt;

@@ -61,7 +61,7 @@ Expected<SensorStream> StreamOf(const Recording& recording, Radians heading_sigm
   for (const TimedNumber& speed : recording.own.speeds) {
     stream.rows.emplace_back(
         DvlRow{.t = speed.t,
-               .velocity = Eigen::Vector3d(speed.value, 0.0, rates.At(speed.t).value_or(0.0)),
+               .v_WD_B = Eigen::Vector3d(speed.value, 0.0, rates.At(speed.t).value_or(0.0)),
                .altitude = {},
                .beams = {}});
   }

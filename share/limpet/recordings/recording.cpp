@@ -29,7 +29,7 @@ Recording RecordingOf(const SensorStream& stream, const std::string& name) {
       recording.pings.push_back({.t = dvl->t,
                                  .beam_speeds = {},
                                  .beam_ranges = dvl->beams,
-                                 .velocity = dvl->velocity,
+                                 .v_D = dvl->v_WD_B,
                                  .altitude = dvl->altitude});
     } else if (const auto* depth = std::get_if<DepthRow>(&row)) {
       recording.depths.push_back(*depth);

@@ -17,7 +17,7 @@ struct DvlPing {
   double t = 0.0;                                         ///< [s]
   std::array<std::optional<double>, 4> beam_speeds = {};  ///< along each beam [m/s]; empty: bad
   std::array<std::optional<double>, 4> beam_ranges = {};  ///< as the instrument says them [m]
-  std::optional<Eigen::Vector3d> velocity;                ///< that it makes of them [m/s]
+  std::optional<Eigen::Vector3d> v_D;                     ///< that it makes of them [m/s]
   std::optional<double> altitude;                         ///< [m]
 };
 

@@ -43,10 +43,10 @@ void JudgeVelocities(const std::vector<DvlPing>& pings, DvlCheck& check) {
   double last = pings.front().t;
   for (const DvlPing& ping : pings) {
     check.longest_without_velocity = std::max(check.longest_without_velocity, ping.t - last);
-    if (!ping.velocity) continue;
+    if (!ping.v_D) continue;
     last = ping.t;
-    all.Add(ping.t, *ping.velocity);
-    const auto verdict = gate.Judge(ping.t, *ping.velocity);
+    all.Add(ping.t, *ping.v_D);
+    const auto verdict = gate.Judge(ping.t, *ping.v_D);
     switch (verdict) {
       case VelocityGate::Verdict::kGood:
         ++check.gate.good;
@@ -63,7 +63,7 @@ void JudgeVelocities(const std::vector<DvlPing>& pings, DvlCheck& check) {
     }
     const bool is_used =
         verdict == VelocityGate::Verdict::kGood || verdict == VelocityGate::Verdict::kBelieved;
-    if (is_used) gated.Add(ping.t, *ping.velocity);
+    if (is_used) gated.Add(ping.t, *ping.v_D);
   }
   check.path = all.path();
   check.gated_path = gated.path();
@@ -76,12 +76,12 @@ void CompareBeams(const std::vector<DvlPing>& pings, DvlCheck& check) {
     const auto good = std::ranges::count_if(
         ping.beam_speeds, [](const std::optional<double>& speed) { return speed.has_value(); });
     ++(good == 4 ? check.four_beams : good == 3 ? check.three_beams : check.fewer_beams);
-    if (!ping.velocity && good >= 3) ++check.velocity_from_beams;
+    if (!ping.v_D && good >= 3) ++check.velocity_from_beams;
     if (!check.geometry) continue;
     if (const auto length = check.geometry->Contradiction(ping)) contradiction.push_back(*length);
     const auto velocity = check.geometry->Velocity(ping);
-    if (!velocity || !ping.velocity) continue;
-    (good == 4 ? four : three).push_back((*velocity - *ping.velocity).norm());
+    if (!velocity || !ping.v_D) continue;
+    (good == 4 ? four : three).push_back((*velocity - *ping.v_D).norm());
   }
   check.four = DifferencesOf(std::move(four));
   check.three = DifferencesOf(std::move(three));
@@ -130,7 +130,7 @@ DvlCheck CheckDvl(const std::vector<DvlPing>& pings) {
   DvlCheck check;
   check.times = TimesOf(pings);
   for (const DvlPing& ping : pings) {
-    if (ping.velocity) ++check.with_velocity;
+    if (ping.v_D) ++check.with_velocity;
     if (ping.altitude) ++check.with_altitude;
   }
   CompareBeams(pings, check);
@@ -144,9 +144,9 @@ std::optional<VerticalAgreement> CompareVertically(const Recording& recording) {
   VerticalAgreement agreement;
   DepthRates rates(recording.depths);
   for (const DvlPing& ping : recording.pings) {
-    const auto rate = ping.velocity ? rates.At(ping.t) : std::nullopt;
+    const auto rate = ping.v_D ? rates.At(ping.t) : std::nullopt;
     if (!rate) continue;
-    const double speed = ping.velocity->z();
+    const double speed = ping.v_D->z();
     rate_rate += *rate * *rate;
     rate_speed += *rate * speed;
     speed_speed += speed * speed;

@@ -130,7 +130,7 @@ class LinkQuestTopic final : public RosTopic {
     DvlPing ping{.t = row.Stamp(own_.stamp),
                  .beam_speeds = {},
                  .beam_ranges = {},
-                 .velocity = {},
+                 .v_D = {},
                  .altitude = Length(row.Number(own_.altitude))};
     for (std::size_t beam = 0; beam < own_.is_good.size(); ++beam) {
       if (!row.Flag(own_.is_good[beam])) continue;
@@ -145,7 +145,7 @@ class LinkQuestTopic final : public RosTopic {
         is_finite = is_finite && value;
         velocity[static_cast<Eigen::Index>(axis)] = value.value_or(0.0);
       }
-      ping.velocity = velocity;
+      ping.v_D = velocity;
     }
     if (!is_finite) return false;
     for (AngleColumn& angle : angles_)

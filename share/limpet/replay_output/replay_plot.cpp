@@ -110,7 +110,7 @@ std::string NavErrorPlot(const ReplayResult& result, const std::string& name) {
   canvas.Text({kLeft + 313.0, 75.0}, "\u00b13 standard deviations, as the estimator says");
   for (int i = 0; i < 3; ++i) {
     std::vector<double> low, high;
-    for (const Eigen::Matrix3d& covariance : result.online_covariance) {
+    for (const Eigen::Matrix3d& covariance : result.online_covariance_W) {
       high.push_back(3.0 * std::sqrt(std::max(covariance(i, i), 0.0)));
       low.push_back(-high.back());
     }

@@ -117,7 +117,7 @@ std::string ObjectsTable(const SessionScore& session) {
     out += fmt::format(
         "<tr><td>{}</td>{}{}<td>{:.2f}</td><td>{:.2f}</td><td>{}</td><td>{}</td><td "
         "class=\"left\">{}</td></tr>\n",
-        EscapedMarkup(opi.truth), Place(opi.slam_W), Place(opi.slam_sd), opi.error_m,
+        EscapedMarkup(opi.truth), Place(opi.slam_W), Place(opi.slam_sd_W), opi.error_m,
         opi.aligned_error_m, opi.looks, EscapedMarkup(ProbabilityText(opi.probability)),
         Judged(opi.error_m <= kGoodError,
                opi.error_m <= kGoodError ? "found" : "found, misplaced"));
@@ -144,7 +144,7 @@ std::string ReportedObjectsTable(const SessionScore& session) {
   for (const ReportedOpi& opi : session.opis.reported) {
     out += fmt::format("<tr><td>{}</td>{}{}<td>{}</td><td>{}</td></tr>\n",
                        EscapedMarkup(fmt::format("id {}, {}", opi.id, opi.color)), Place(opi.p_W),
-                       Place(opi.sd), opi.looks, EscapedMarkup(ProbabilityText(opi.probability)));
+                       Place(opi.sd_W), opi.looks, EscapedMarkup(ProbabilityText(opi.probability)));
   }
   return out + "</table></div>\n";
 }

@@ -81,8 +81,8 @@ std::string DiscoveryTable(const SessionScore& session, const Painter& paint) {
                             "north   east    down [m]", "sd [m]", "error", "looks", "sure"));
   for (const OpiScore& opi : session.opis.found) {
     out += fmt::format("  {} {}   {:5.2f} {:5.2f} {:5.2f}  {:5.2f} m  {:>5} {:>6}  {}\n",
-                       Name(opi.truth), Place(opi.slam_W), opi.slam_sd.x(), opi.slam_sd.y(),
-                       opi.slam_sd.z(), opi.error_m, opi.looks, ProbabilityText(opi.probability),
+                       Name(opi.truth), Place(opi.slam_W), opi.slam_sd_W.x(), opi.slam_sd_W.y(),
+                       opi.slam_sd_W.z(), opi.error_m, opi.looks, ProbabilityText(opi.probability),
                        paint.Verdict(opi.error_m <= kGoodError, "found"));
   }
   return out;
@@ -94,8 +94,8 @@ std::string ReportedTable(const SessionScore& session, const Painter& paint) {
                                           "north   east    down [m]", "sd [m]", "looks", "sure"));
   for (const ReportedOpi& opi : session.opis.reported) {
     out += fmt::format("  {} {}   {:5.2f} {:5.2f} {:5.2f}  {:>5} {:>6}  {}\n",
-                       Name(fmt::format("id {}", opi.id)), Place(opi.p_W), opi.sd.x(), opi.sd.y(),
-                       opi.sd.z(), opi.looks, ProbabilityText(opi.probability),
+                       Name(fmt::format("id {}", opi.id)), Place(opi.p_W), opi.sd_W.x(),
+                       opi.sd_W.y(), opi.sd_W.z(), opi.looks, ProbabilityText(opi.probability),
                        OneLine(opi.color, 20));
   }
   for (const ChangeScore& change : session.opis.changes) {

@@ -47,7 +47,7 @@ std::vector<FlownTour> BestLanes(const LaneSurvey& survey, const ReportSettings&
   judge.Reset(way_in, {.finish_share = kPlannedShare,
                        .early_weight = 0.0,
                        .most_weight = 0.0,
-                       .home = survey.home});
+                       .home_W = survey.home});
   std::vector<SurveyTour> tours = LaneTours(judge, {.with_bottom_first = false});
   tours.resize(std::min(tours.size(), kScored));
   std::vector<FlownTour> flown;

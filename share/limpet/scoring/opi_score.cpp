@@ -102,9 +102,9 @@ void ScorePresence(const SessionRecord& record, const Scenario& scenario,
     OpiScore score{.truth = truth.name, .color = truth.color, .radius_m = truth.radius_m};
     score.truth_W = places[i].p_W;
     score.slam_W = belief.p_W;
-    score.slam_sd = belief.sd;
+    score.slam_sd_W = belief.sd;
     score.map_centroid_W = belief.opi->centroid_W;
-    score.map_sd = belief.opi->centroid_sd;
+    score.map_sd_W = belief.opi->centroid_sd;
     score.probability = belief.opi->posterior.present();
     score.error_m = (belief.p_W - places[i].p_W).norm();
     score.aligned_error_m = (offset.Apply(belief.p_W) - places[i].p_W).norm();

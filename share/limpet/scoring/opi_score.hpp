@@ -19,9 +19,9 @@ struct OpiScore {
   double radius_m = 0.5;
   Eigen::Vector3d truth_W = Eigen::Vector3d::Zero();
   Eigen::Vector3d slam_W = Eigen::Vector3d::Zero();
-  Eigen::Vector3d slam_sd = Eigen::Vector3d::Zero();
+  Eigen::Vector3d slam_sd_W = Eigen::Vector3d::Zero();
   Eigen::Vector3d map_centroid_W = Eigen::Vector3d::Zero();
-  Eigen::Vector3d map_sd = Eigen::Vector3d::Zero();
+  Eigen::Vector3d map_sd_W = Eigen::Vector3d::Zero();
   double probability = 0.0;
   double error_m = 0.0;
   double aligned_error_m = 0.0;  ///< after the session's common offset and heading
@@ -55,9 +55,9 @@ struct ReportedOpi {
   int id = 0;
   std::string color;
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
-  Eigen::Vector3d sd = Eigen::Vector3d::Zero();
+  Eigen::Vector3d sd_W = Eigen::Vector3d::Zero();
   Eigen::Vector3d map_centroid_W = Eigen::Vector3d::Zero();
-  Eigen::Vector3d map_sd = Eigen::Vector3d::Zero();
+  Eigen::Vector3d map_sd_W = Eigen::Vector3d::Zero();
   double probability = 0.0;
   int looks = 0;
 };

@@ -50,8 +50,8 @@ std::vector<Sample> SamplesOf(const std::string& file) {
       const auto imu = TopicCodec<ImuSample>::Decode(value);
       if (!imu) continue;
       known.input = {.t = entry.time,
-                     .force = {imu->fx, imu->fy, imu->fz},
-                     .rate = {imu->p, imu->q, imu->r},
+                     .force_B = {imu->fx, imu->fy, imu->fz},
+                     .rate_B = {imu->p, imu->q, imu->r},
                      .heading = imu->heading};
       samples.push_back(known);
     }

@@ -30,8 +30,8 @@ class KalmanCapableAttitude final : public mrpt::bayes::CKalmanFilterCapable<4, 
   void SetBodyVelocity(const Eigen::Vector3d& v_WB_B) { v_WB_B_ = v_WB_B; }
 
   void AddInertial(const InertialInput& input) {
-    force_ = input.force;
-    rate_ = {input.rate.x(), input.rate.y(), fog_rate_};
+    force_ = input.force_B;
+    rate_ = {input.rate_B.x(), input.rate_B.y(), fog_rate_};
     if (t_ < 0.0) {
       const Eigen::Vector2d tilt = TiltOf(force_);
       const double tilt_sd = params_.tilt_sigma.value(), bias_sd = params_.gyro_bias_sigma.value();

@@ -132,7 +132,7 @@ class Flight {
   /// The plan of the whole mission, as it is.
   std::optional<Option> DecideByPlan() {
     TourGoal goal = study_.tour;
-    goal.home = {home_.north, home_.east};
+    goal.home_W = {home_.north, home_.east};
     goal.others = objective_;
     std::vector<Option> options;
     plan_.Offer({.pose = pose_,

@@ -84,8 +84,8 @@ TEST_F(TriangulationTest, AWorldTurnedAndMovedHasItsSphereTurnedAndMoved) {
       x = change.ApplyToPose(x);
     const Triangulation after = Solve(scene);
     EXPECT_LT((after.p_W - change.Apply(before.p_W)).norm(), 1e-6) << i;
-    EXPECT_TRUE(
-        after.covariance.isApprox(change.R() * before.covariance * change.R().transpose(), 1e-6))
+    EXPECT_TRUE(after.covariance_W.isApprox(
+        change.R() * before.covariance_W * change.R().transpose(), 1e-6))
         << i;
     EXPECT_NEAR(after.worst_residual, before.worst_residual, 1e-6) << i;
   }
@@ -108,9 +108,9 @@ TEST_F(TriangulationTest, ABoxMoreNeverMakesThePlaceLessCertainInAnyDirection) {
     SphereScene scene = Draw(random, 5);
     const Observation last = scene.observations.back();
     scene.observations.pop_back();
-    const Eigen::Matrix3d before = Solve(scene).covariance;
+    const Eigen::Matrix3d before = Solve(scene).covariance_W;
     scene.observations.push_back(last);
-    const Eigen::Matrix3d gain = before - Solve(scene).covariance;
+    const Eigen::Matrix3d gain = before - Solve(scene).covariance_W;
     EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(gain).eigenvalues().minCoeff(), -1e-12)
         << i;
   }
@@ -123,7 +123,7 @@ TEST_F(TriangulationTest, AnUnsureDetectorMakesAnUncertainPlace) {
     SphereScene unsure = sure;
     for (Observation& one : unsure.observations)
       one.reading.sigma_px *= 2.0;
-    EXPECT_GT(Solve(unsure).covariance.trace(), Solve(sure).covariance.trace()) << i;
+    EXPECT_GT(Solve(unsure).covariance_W.trace(), Solve(sure).covariance_W.trace()) << i;
   }
 }
 
@@ -137,7 +137,7 @@ TEST_F(TriangulationTest, SaysHowFarItIsOff) {
     const SphereScene scene = Draw(random, 5, &noise);
     const Triangulation found = Solve(scene);
     const Eigen::Vector3d error = found.p_W - scene.p_W;
-    nees += error.dot(found.covariance.llt().solve(error));
+    nees += error.dot(found.covariance_W.llt().solve(error));
   }
   EXPECT_LT(nees / kPlaceCases, 3.6) << "surer than it is";
   EXPECT_GT(nees / kPlaceCases, 0.8) << "much less sure than it is";
@@ -171,8 +171,8 @@ TEST_F(TriangulationTest, OneCutBoxMakesAPlaceWithNumbersWhereverItIs) {
     const Triangulation found = Triangulate(
         {one}, [&x](int) { return x; }, mount_, model_);
     EXPECT_TRUE(found.p_W.allFinite()) << i;
-    EXPECT_TRUE(found.covariance.allFinite()) << i;
-    EXPECT_EQ(found.covariance.llt().info(), Eigen::Success) << i;
+    EXPECT_TRUE(found.covariance_W.allFinite()) << i;
+    EXPECT_EQ(found.covariance_W.llt().info(), Eigen::Success) << i;
     EXPECT_TRUE(std::isfinite(found.worst_residual)) << i;
   }
 }

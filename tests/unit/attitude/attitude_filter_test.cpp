@@ -20,8 +20,8 @@ InertialInput Steady(double t, double roll, double pitch, double yaw, double yaw
   const Eigen::Matrix3d R = RotationFromRollPitchYaw(roll, pitch, yaw);
   const Eigen::Vector3d rate = R.transpose() * Eigen::Vector3d(0.0, 0.0, yaw_rate);
   return {.t = t,
-          .force = R.transpose() * Eigen::Vector3d(0.0, 0.0, -9.81) + rate.cross(v_B),
-          .rate = rate,
+          .force_B = R.transpose() * Eigen::Vector3d(0.0, 0.0, -9.81) + rate.cross(v_B),
+          .rate_B = rate,
           .heading = yaw};
 }
 
@@ -29,7 +29,7 @@ void Feed(AttitudeFilter& filter, double until, double roll, double pitch, doubl
   const double start = filter.estimate() ? filter.estimate()->t : 0.0;
   for (double t = start + kPeriod; t < until; t += kPeriod) {
     const InertialInput input = Steady(t, roll, pitch, yaw);
-    filter.AddFogRate(t, input.rate.z());
+    filter.AddFogRate(t, input.rate_B.z());
     filter.AddInertial(input);
   }
 }
@@ -82,7 +82,7 @@ TEST(AttitudeFilter, TurnsTheBodyRateIntoAYawRateThroughRollAndPitch) {
   double yaw = 0.0;
   for (double t = 6.0; t < 16.0; t += kPeriod) {
     const InertialInput input = Steady(t, 0.2, 0.0, yaw, 0.1);
-    filter.AddFogRate(t, input.rate.z());
+    filter.AddFogRate(t, input.rate_B.z());
     filter.AddInertial(input);
     yaw += 0.1 * kPeriod;
   }
@@ -105,7 +105,7 @@ TEST(AttitudeFilter, LearnsTheBiasOfTheGyros) {
   AttitudeFilter filter{AttitudeParams{}};
   for (double t = 0.0; t < 300.0; t += kPeriod) {
     InertialInput input = Steady(t, 0.0, 0.0, 0.0);
-    input.rate.x() += 0.003;
+    input.rate_B.x() += 0.003;
     filter.AddInertial(input);
   }
   EXPECT_NEAR(filter.gyro_bias().x(), 0.003, 5e-4);
@@ -117,7 +117,7 @@ TEST(AttitudeFilter, DoesNotTakeABumpForATilt) {
   Feed(filter, 10.0, 0.0, 0.0, 0.0);
   for (double t = 10.0; t < 11.0; t += kPeriod) {
     InertialInput input = Steady(t, 0.0, 0.0, 0.0);
-    input.force.y() += 5.0;
+    input.force_B.y() += 5.0;
     filter.AddInertial(input);
   }
   EXPECT_NEAR(filter.estimate()->roll, 0.0, 1e-3);
@@ -128,7 +128,7 @@ TEST(AttitudeFilter, DropsSamplesThatAreNotNumbersOrComeFromThePast) {
   Feed(filter, 1.0, 0.0, 0.0, 0.0);
   const double t = filter.estimate()->t;
   InertialInput broken = Steady(2.0, 0.0, 0.0, 0.0);
-  broken.force.x() = std::nan("");
+  broken.force_B.x() = std::nan("");
   filter.AddInertial(broken);
   filter.AddInertial(Steady(0.5, 1.0, 0.0, 0.0));
   EXPECT_EQ(filter.estimate()->t, t);
@@ -173,8 +173,8 @@ TEST(AttitudeFilter, FindsItsHeadingAgainAfterItsClockWasSetBackWhileTheVehicleT
 InertialInput Garbled(double t, Random& random) {
   InertialInput input{.t = t};
   for (int axis = 0; axis < 3; ++axis) {
-    input.rate(axis) = random.Uniform(-4.0, 4.0);
-    input.force(axis) = random.Uniform(-40.0, 40.0);
+    input.rate_B(axis) = random.Uniform(-4.0, 4.0);
+    input.force_B(axis) = random.Uniform(-40.0, 40.0);
   }
   input.heading = random.Uniform(-3.0, 3.0);
   return input;

@@ -188,7 +188,7 @@ TEST_F(StatusFormerTest, TheFrameThatDriftedHalfAMetreIsThatOfTheMatches) {
   const std::vector<Real> now{{At(0.5, 0.0), 1, 7}, {At(8.5, 0.2), 3, 9}};
   Fly(0.0, now);
   Landmarks(now);
-  EXPECT_NEAR(statuses_.offset().shift.x(), 0.5, 0.05);
+  EXPECT_NEAR(statuses_.offset().shift_W.x(), 0.5, 0.05);
   EXPECT_THAT(Decided(),
               ::testing::ElementsAre(Status::kConfirmed, Status::kRemoved, Status::kConfirmed));
   EXPECT_NEAR(statuses_.Assess()[1].object.p_W.x(), 4.5, 0.1) << "taken along";

@@ -56,7 +56,7 @@ TEST(JsonOfASeries, HoldsEverySessionStepAndHistory) {
     series.sessions.push_back(facts);
   }
   SessionComparison step;
-  step.offset.shift = {0.5, -0.25};
+  step.offset.shift_W = {0.5, -0.25};
   step.offset.turn = 0.1;
   OpiBelief object;
   object.landmark = 7;

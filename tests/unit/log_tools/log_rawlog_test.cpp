@@ -109,7 +109,7 @@ TEST_F(LogRawlog, VelocitiesAreTurnedIntoTheVehiclesAxes) {
   const SensorStream stream = Convert({"--vehicle", (folder_.path() / "turned.yaml").string()});
   Eigen::Vector3d last = Eigen::Vector3d::Zero();
   for (const StreamRow& row : stream.rows)
-    if (const auto* ping = std::get_if<DvlRow>(&row)) last = ping->velocity.value_or(last);
+    if (const auto* ping = std::get_if<DvlRow>(&row)) last = ping->v_WD_B.value_or(last);
   EXPECT_NEAR(last.x(), 0.0, 1e-9);
   EXPECT_NEAR(last.y(), 0.5, 1e-9);
 }

@@ -109,7 +109,7 @@ TEST(MapDiff, ComparesPlacesWhereTheFramesSayTheyAre) {
     return std::hypot(north, east) < 1.0 ? 6.5 : 7.5;
   };
   FrameOffset offset;
-  offset.shift = {1.0, -2.0};
+  offset.shift_W = {1.0, -2.0};
   const auto moved = [&](double north, double east) { return heap(north - 1.0, east + 2.0); };
   EXPECT_FALSE(Difference(GridOf(heap), GridOf(moved), {}).changes.empty());
   EXPECT_TRUE(Difference(GridOf(heap), GridOf(moved), offset).changes.empty());

@@ -52,9 +52,9 @@ TEST(FormerGround, LiesWhereTheFormerFrameIsAndOccupiedWhereTwoMeet) {
   FormerGround ground(kResolution);
   ground.Set(former);
   ground.Lay();
-  ground.SetOffset({.shift = {0.05, 0.0}, .turn = 0.0, .pivot = {0.0, 0.0}, .down = 0.0});
+  ground.SetOffset({.shift_W = {0.05, 0.0}, .turn = 0.0, .pivot_W = {0.0, 0.0}, .down = 0.0});
   EXPECT_TRUE(ground.is_laid()) << "no voxel would show it";
-  ground.SetOffset({.shift = {10.0, 0.0}, .turn = 0.785, .pivot = {0.5, 0.25}, .down = 0.0});
+  ground.SetOffset({.shift_W = {10.0, 0.0}, .turn = 0.785, .pivot_W = {0.5, 0.25}, .down = 0.0});
   EXPECT_FALSE(ground.is_laid());
   ground.Lay();
   float greatest = -9.0F;

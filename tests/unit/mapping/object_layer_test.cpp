@@ -120,7 +120,7 @@ TEST(ObjectLayer, FindsTheSpheresCentreFromItsVoxels) {
   const std::optional<ObjectCluster> cluster = flight.layer.Cluster(1);
   ASSERT_TRUE(cluster);
   EXPECT_GT(cluster->voxels, 15);
-  EXPECT_LT((cluster->centre - kPlace).norm(), 0.15);
+  EXPECT_LT((cluster->centre_W - kPlace).norm(), 0.15);
 }
 
 TEST(ObjectLayer, TakesTheVoxelsAlongWhenTheLandmarkMoves) {
@@ -128,7 +128,7 @@ TEST(ObjectLayer, TakesTheVoxelsAlongWhenTheLandmarkMoves) {
   flight.Paint(StatusAt(kPlace, Status::kNew));
   const Eigen::Vector3d moved = kPlace + Eigen::Vector3d(0.6, -0.4, 0.2);
   flight.Paint(StatusAt(moved, Status::kNew));
-  EXPECT_LT((flight.layer.Cluster(1)->centre - moved).norm(), 0.15);
+  EXPECT_LT((flight.layer.Cluster(1)->centre_W - moved).norm(), 0.15);
   EXPECT_FALSE(flight.At(kPlace - Eigen::Vector3d(0.45, 0, 0.2)));
 }
 
@@ -224,7 +224,7 @@ TEST(ObjectLayer, PaintsAnObjectThatOnlyTheImagesEdgeShowed) {
   flight.Paint(StatusAt(kPlace, Status::kNew));
   const std::optional<ObjectCluster> cluster = flight.layer.Cluster(1);
   ASSERT_TRUE(cluster);
-  EXPECT_LT((cluster->centre - kPlace).norm(), 0.25);
+  EXPECT_LT((cluster->centre_W - kPlace).norm(), 0.25);
 }
 
 TEST(ObjectLayer, PaintsFromFramesOfBeforeTheSmootherKnewTheObject) {
@@ -248,7 +248,7 @@ TEST(ObjectLayer, HoldsNothingAgainstAnObjectThatWasFirstThoughtElsewhere) {
 TEST(ObjectCluster, OfOneVoxelIsAsUncertainAsThatVoxelIsLarge) {
   const std::optional<ObjectCluster> cluster = LargestCluster({{1, 2, 3}}, kRadius, 0.2);
   ASSERT_TRUE(cluster);
-  EXPECT_NEAR(cluster->deviation.x(), 0.2 / std::sqrt(12.0), 1e-9);
+  EXPECT_NEAR(cluster->deviation_W.x(), 0.2 / std::sqrt(12.0), 1e-9);
 }
 
 TEST(ObjectLayer, OnePassThatMissesDoesNotUndoAnObject) {

@@ -121,7 +121,7 @@ TEST(SemanticMap, LaysAFormerSessionWhereItsFrameTurnsOutToLie) {
   SemanticMap map;
   map.SetFormer(KnownGround());
   static_cast<void>(map.Octree().Serialize());
-  map.SetFormerOffset({.shift = {2.0, -1.0}, .turn = 0.0, .pivot = {1.0, 1.0}, .down = 0.2});
+  map.SetFormerOffset({.shift_W = {2.0, -1.0}, .turn = 0.0, .pivot_W = {1.0, 1.0}, .down = 0.2});
   const Eigen::Vector3d seabed = CentreOf(EndOfFirstBeam(), 0.2);
   const Eigen::Vector3d there = seabed + Eigen::Vector3d(2.0, -1.0, 0.2);
   EXPECT_GT(map.Octree().At(there)->occupied, 0.0F);
@@ -137,7 +137,7 @@ TEST(SemanticMap, ASessionThatIsLoadedTwiceIsSavedAlike) {
   const auto saved = [] {
     SemanticMap map;
     map.SetFormer(KnownGround());
-    map.SetFormerOffset({.shift = {0.3, 0.1}, .turn = 0.02, .pivot = {0.0, 0.0}, .down = 0.0});
+    map.SetFormerOffset({.shift_W = {0.3, 0.1}, .turn = 0.02, .pivot_W = {0.0, 0.0}, .down = 0.0});
     for (int i = 0; i < 20; ++i) {
       LayPing(map, i, 0.15 * i);
     }

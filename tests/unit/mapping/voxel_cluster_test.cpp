@@ -52,9 +52,9 @@ TEST(LargestCluster, OfOneVoxelIsThatVoxel) {
   const auto cluster = LargestCluster({{3, -4, 5}}, 0.5, kEdge);
   ASSERT_TRUE(cluster);
   EXPECT_EQ(cluster->voxels, 1);
-  EXPECT_TRUE(cluster->centre.isApprox(CentreOf({3, -4, 5}, kEdge)));
+  EXPECT_TRUE(cluster->centre_W.isApprox(CentreOf({3, -4, 5}, kEdge)));
   // Anywhere in it: a uniform spread over its edge.
-  EXPECT_NEAR(cluster->deviation.x(), kEdge / std::sqrt(12.0), 1e-12);
+  EXPECT_NEAR(cluster->deviation_W.x(), kEdge / std::sqrt(12.0), 1e-12);
 }
 
 TEST(LargestCluster, JoinsVoxelsThatTouchInACornerOnly) {
@@ -76,8 +76,9 @@ TEST_P(LargestClusterProperties, LiesAboutTheCentreOfTheSphereItIsOf) {
   const double radius = random_.Uniform(0.4, 0.8);
   const auto cluster = LargestCluster(UpperShell(centre_W, radius), radius, kEdge);
   ASSERT_TRUE(cluster);
-  EXPECT_LT((cluster->centre - centre_W).norm(), 0.05);
-  EXPECT_LT(cluster->deviation.z(), cluster->deviation.x()) << "half a sphere is flatter than wide";
+  EXPECT_LT((cluster->centre_W - centre_W).norm(), 0.05);
+  EXPECT_LT(cluster->deviation_W.z(), cluster->deviation_W.x())
+      << "half a sphere is flatter than wide";
 }
 
 TEST_P(LargestClusterProperties, IsNotMovedByASmallerOneOrByTheOrderOfVoxels) {
@@ -92,7 +93,7 @@ TEST_P(LargestClusterProperties, IsNotMovedByASmallerOneOrByTheOrderOfVoxels) {
   const auto among = LargestCluster(voxels, 0.5, kEdge);
   ASSERT_TRUE(among);
   EXPECT_EQ(static_cast<std::size_t>(among->voxels), count);
-  EXPECT_LT((among->centre - alone->centre).norm(), 1e-9);
+  EXPECT_LT((among->centre_W - alone->centre_W).norm(), 1e-9);
 }
 
 TEST_P(LargestClusterProperties, MovesWithItsVoxels) {
@@ -103,8 +104,8 @@ TEST_P(LargestClusterProperties, MovesWithItsVoxels) {
     key[0] += 7, key[1] -= 3, key[2] += 11;
   const auto here = LargestCluster(voxels, 0.5, kEdge), there = LargestCluster(moved, 0.5, kEdge);
   const Eigen::Vector3d shift = kEdge * Eigen::Vector3d(7.0, -3.0, 11.0);
-  EXPECT_LT((there->centre - here->centre - shift).norm(), 1e-6);
-  EXPECT_LT((there->deviation - here->deviation).norm(), 1e-9);
+  EXPECT_LT((there->centre_W - here->centre_W - shift).norm(), 1e-6);
+  EXPECT_LT((there->deviation_W - here->deviation_W).norm(), 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Drawn, LargestClusterProperties, ::testing::Range(1, 9));

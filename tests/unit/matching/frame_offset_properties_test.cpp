@@ -15,9 +15,9 @@ namespace limpet {
 namespace {
 
 FrameOffset DrawOffset(Random& random, double metres, double radians) {
-  return {.shift = {random.Uniform(-metres, metres), random.Uniform(-metres, metres)},
+  return {.shift_W = {random.Uniform(-metres, metres), random.Uniform(-metres, metres)},
           .turn = random.Uniform(-radians, radians),
-          .pivot = {random.Normal(30.0), random.Normal(30.0)},
+          .pivot_W = {random.Normal(30.0), random.Normal(30.0)},
           .down = random.Uniform(-1.0, 1.0)};
 }
 
@@ -48,9 +48,9 @@ TEST(FrameOffsetMotion, TheShiftIsWhatHappensToThePivot) {
   Random random(143);
   for (int i = 0; i < 300; ++i) {
     const FrameOffset offset = DrawOffset(random, 10.0, 3.0);
-    const Eigen::Vector3d pivot(offset.pivot.x(), offset.pivot.y(), 5.0);
+    const Eigen::Vector3d pivot(offset.pivot_W.x(), offset.pivot_W.y(), 5.0);
     const Eigen::Vector3d moved = offset.Apply(pivot) - pivot;
-    EXPECT_LT((moved - Eigen::Vector3d(offset.shift.x(), offset.shift.y(), offset.down)).norm(),
+    EXPECT_LT((moved - Eigen::Vector3d(offset.shift_W.x(), offset.shift_W.y(), offset.down)).norm(),
               1e-9);
   }
 }
@@ -115,7 +115,7 @@ class OffsetField : public ::testing::TestWithParam<std::uint64_t> {
 
 TEST_P(OffsetField, IsFoundAgainThroughMetresAndDegrees) {
   FrameOffset offset = DrawOffset(random_, 4.0, 0.12);
-  offset.pivot.setZero();
+  offset.pivot_W.setZero();
   const OffsetSessions sessions = SeeThrough(offset, random_, 0.3);
   const SessionMatch match = MatchSessions(sessions.former, sessions.now, WideOpen());
   EXPECT_EQ(match.now_of_former, sessions.truth);
@@ -133,7 +133,7 @@ TEST_P(OffsetField, TheOffsetIsAtItsPriorsMeanWithoutAMatch) {
 }
 
 TEST_P(OffsetField, ATurnOfBothFramesTurnsTheShiftAndNothingElse) {
-  const OffsetSessions sessions = SeeThrough({.shift = {0.5, -0.3}}, random_, 0.3);
+  const OffsetSessions sessions = SeeThrough({.shift_W = {0.5, -0.3}}, random_, 0.3);
   OffsetSessions turned = sessions;
   const FrameOffset turn{.turn = random_.Uniform(-3.0, 3.0)};
   for (auto* list : {&turned.former, &turned.now}) {
@@ -144,8 +144,8 @@ TEST_P(OffsetField, ATurnOfBothFramesTurnsTheShiftAndNothingElse) {
   const SessionMatch after = MatchSessions(turned.former, turned.now, {});
   EXPECT_EQ(after.now_of_former, before.now_of_former);
   EXPECT_NEAR(after.offset.turn, before.offset.turn, 1e-5);
-  const Eigen::Vector3d shift(before.offset.shift.x(), before.offset.shift.y(), 0.0);
-  EXPECT_LT((turn.Apply(shift).head<2>() - after.offset.shift).norm(), 1e-4);
+  const Eigen::Vector3d shift(before.offset.shift_W.x(), before.offset.shift_W.y(), 0.0);
+  EXPECT_LT((turn.Apply(shift).head<2>() - after.offset.shift_W).norm(), 1e-4);
 }
 
 TEST_P(OffsetField, AMatchMoreNeverLeavesTheOffsetLessCertain) {
@@ -166,7 +166,7 @@ TEST_P(OffsetField, AMatchMoreNeverLeavesTheOffsetLessCertain) {
 
 TEST_P(OffsetField, NoObjectOfThisSessionIsTwoOfTheFormerOne) {
   // Twice as crowded, and off by half the distance between objects: hard to tell.
-  OffsetSessions sessions = SeeThrough({.shift = {0.7, 0.7}}, random_, 0.4);
+  OffsetSessions sessions = SeeThrough({.shift_W = {0.7, 0.7}}, random_, 0.4);
   const std::size_t count = sessions.former.size();
   for (std::size_t i = 0; i < count; ++i) {
     ObjectEstimate twin = sessions.former[i];

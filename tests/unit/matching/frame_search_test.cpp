@@ -26,7 +26,7 @@ ObjectEstimate ObjectAt(const Eigen::Vector3d& p_W, int kind) {
 FarSessions Draw(Random& random, int stayed, int others) {
   FarSessions sessions;
   const double way = random.Uniform(0.0, 2.0 * std::numbers::pi);
-  sessions.truth.shift = 20.0 * Eigen::Vector2d(std::cos(way), std::sin(way));
+  sessions.truth.shift_W = 20.0 * Eigen::Vector2d(std::cos(way), std::sin(way));
   sessions.truth.turn = random.Uniform(-0.78, 0.78);
   const auto place = [&] {
     return Eigen::Vector3d(random.Uniform(-30.0, 30.0), random.Uniform(-30.0, 30.0),
@@ -82,8 +82,9 @@ TEST_P(FarFrame, LooksNoFartherThanItIsTold) {
 INSTANTIATE_TEST_SUITE_P(Seeds, FarFrame, ::testing::Range<std::uint64_t>(1, 9));
 
 TEST(FrameOffset, TogetherIsOneAfterTheOther) {
-  const FrameOffset first{.shift = {3.0, -2.0}, .turn = 0.4, .pivot = {5.0, 1.0}, .down = 0.1};
-  const FrameOffset second{.shift = {-1.0, 0.5}, .turn = -0.9, .pivot = {8.0, -1.0}, .down = 0.2};
+  const FrameOffset first{.shift_W = {3.0, -2.0}, .turn = 0.4, .pivot_W = {5.0, 1.0}, .down = 0.1};
+  const FrameOffset second{
+      .shift_W = {-1.0, 0.5}, .turn = -0.9, .pivot_W = {8.0, -1.0}, .down = 0.2};
   const Eigen::Vector3d p(12.0, 7.0, 6.0);
   EXPECT_LT((Together(first, second).Apply(p) - second.Apply(first.Apply(p))).norm(), 1e-12);
 }

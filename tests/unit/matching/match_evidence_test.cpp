@@ -117,7 +117,7 @@ TEST(FramePrior, OfAKnownFrameIsADensity) {
     for (int j = -40; j <= 40; ++j) {
       for (int k = -30; k <= 30; ++k) {
         FrameOffset offset;
-        offset.shift = {kCell * i, kCell * j};
+        offset.shift_W = {kCell * i, kCell * j};
         offset.turn = kTurn * k;
         sum += std::exp(prior.LogDensity(offset)) * kCell * kCell * kTurn;
       }
@@ -131,7 +131,7 @@ TEST(FramePrior, OfAnUnknownFrameIsEvenOverItsNeighbourhood) {
   const double density = std::exp(prior.LogDensity({}));
   EXPECT_NEAR(density * std::numbers::pi * 100.0 * 1.0, 1.0, 1e-9);
   FrameOffset off;
-  off.shift = {7.0, -5.0};
+  off.shift_W = {7.0, -5.0};
   off.turn = 0.4;
   EXPECT_EQ(prior.LogDensity(off), prior.LogDensity({}));
 }

@@ -75,7 +75,7 @@ TEST_P(RandomSessions, FindTheShiftWithinWhatTheySayOfIt) {
   // The turn about the former objects' mean leaves the shift as that of the mean.
   for (int axis = 0; axis < 2; ++axis) {
     const double sigma = std::sqrt(match.offset_cov(axis, axis));
-    EXPECT_LT(std::abs(match.offset.shift(axis) - made_.shift(axis)), 4.0 * sigma + 0.02);
+    EXPECT_LT(std::abs(match.offset.shift_W(axis) - made_.shift(axis)), 4.0 * sigma + 0.02);
     EXPECT_LT(sigma, 0.2) << "six matches tell more than the prior";
   }
 }
@@ -95,7 +95,7 @@ TEST_P(RandomSessions, MatchTheSameHoweverTheyAreListed) {
     EXPECT_EQ(match < 0 ? -1 : static_cast<int>(order[static_cast<std::size_t>(match)]),
               plain.now_of_former[i]);
   }
-  EXPECT_LT((plain.offset.shift - other.offset.shift).norm(), 1e-6);
+  EXPECT_LT((plain.offset.shift_W - other.offset.shift_W).norm(), 1e-6);
 }
 
 TEST_P(RandomSessions, MatchTheSameWhereverTheOriginLies) {
@@ -120,7 +120,7 @@ TEST_P(RandomSessions, MatchBackwardsAsTheyMatchForwards) {
       EXPECT_EQ(back.now_of_former[static_cast<std::size_t>(match)], static_cast<int>(i));
     }
   }
-  EXPECT_LT((there.offset.shift + back.offset.shift).norm(), 0.1);
+  EXPECT_LT((there.offset.shift_W + back.offset.shift_W).norm(), 0.1);
 }
 
 TEST_P(RandomSessions, GiveChancesThatAreOnes) {
@@ -176,7 +176,7 @@ TEST(FitSessionsProperties, IsTheWeightedMeanWithAWideOpenPrior) {
     }
     // The mean of the former objects is the pivot: a tiny turn moves single ones, not the shift.
     const SessionMatch fit = FitSessions(former, now, matches, params);
-    EXPECT_LT((fit.offset.shift - sum / weights).norm(), 2e-3);
+    EXPECT_LT((fit.offset.shift_W - sum / weights).norm(), 2e-3);
     EXPECT_NEAR(fit.offset_cov(0, 0), 1.0 / weights, 0.02 / weights);
   }
 }
@@ -184,9 +184,9 @@ TEST(FitSessionsProperties, IsTheWeightedMeanWithAWideOpenPrior) {
 TEST(FrameOffsetProperties, HasTheJacobianOfItsApply) {
   Random random(6, "jacobian");
   for (int run = 0; run < 50; ++run) {
-    const FrameOffset offset{.shift = {random.Uniform(-3.0, 3.0), random.Uniform(-3.0, 3.0)},
+    const FrameOffset offset{.shift_W = {random.Uniform(-3.0, 3.0), random.Uniform(-3.0, 3.0)},
                              .turn = random.Uniform(-3.0, 3.0),
-                             .pivot = {random.Uniform(-9.0, 9.0), random.Uniform(-9.0, 9.0)},
+                             .pivot_W = {random.Uniform(-9.0, 9.0), random.Uniform(-9.0, 9.0)},
                              .down = random.Uniform(-1.0, 1.0)};
     const Eigen::Vector3d point(random.Uniform(-9.0, 9.0), random.Uniform(-9.0, 9.0), 5.0);
     const auto jacobian = offset.Jacobian(point);
@@ -211,7 +211,7 @@ TEST(SplitCovariance, IsTheJointAgainWhenPutTogether) {
     Eigen::MatrixXd root =
         Eigen::MatrixXd::NullaryExpr(size, size, [&random] { return random.Uniform(-0.2, 0.2); });
     Eigen::MatrixXd J(size, 4);
-    const FrameOffset rest{.pivot = pivot};
+    const FrameOffset rest{.pivot_W = pivot};
     for (Eigen::Index i = 0; i < 5; ++i) {
       J.middleRows<3>(3 * i) = rest.Jacobian(places[static_cast<std::size_t>(i)]);
     }

@@ -24,8 +24,8 @@ TEST(MatchSessions, FindsTheOffsetThatAllObjectsShare) {
   }
   const SessionMatch match = MatchSessions(former, now, {});
   EXPECT_THAT(match.now_of_former, ElementsAre(0, 1, 2, 3));
-  EXPECT_NEAR(match.offset.shift.x(), 0.8, 0.2);
-  EXPECT_NEAR(match.offset.shift.y(), -0.6, 0.2);
+  EXPECT_NEAR(match.offset.shift_W.x(), 0.8, 0.2);
+  EXPECT_NEAR(match.offset.shift_W.y(), -0.6, 0.2);
 }
 
 TEST(MatchSessions, FindsTheTurnFromTwoMatches) {
@@ -113,9 +113,9 @@ TEST(FitSessions, GivesTheOffsetOfTheMatchesItIsGiven) {
   const std::vector<ObjectEstimate> now{FormerAt(0.5, 8), FormerAt(0.5, 0), FormerAt(8.5, 0)};
   const SessionMatch fit = FitSessions(former, now, {1, 2, 0}, {});
   EXPECT_THAT(fit.now_of_former, ElementsAre(1, 2, 0));
-  EXPECT_NEAR(fit.offset.shift.x(), 0.5, 0.12);
-  EXPECT_NEAR(fit.offset.shift.y(), 0.0, 0.05);
-  EXPECT_EQ(FitSessions(former, {}, {-1, -1, -1}, {}).offset.shift.norm(), 0.0);
+  EXPECT_NEAR(fit.offset.shift_W.x(), 0.5, 0.12);
+  EXPECT_NEAR(fit.offset.shift_W.y(), 0.0, 0.05);
+  EXPECT_EQ(FitSessions(former, {}, {-1, -1, -1}, {}).offset.shift_W.norm(), 0.0);
 }
 
 TEST(MatchSessions, WorksWithNothingToMatch) {
@@ -124,7 +124,7 @@ TEST(MatchSessions, WorksWithNothingToMatch) {
 }
 
 TEST(FrameOffset, UndoIsTheInverseOfApply) {
-  const FrameOffset offset{.shift = {0.5, -0.3}, .turn = 0.1, .pivot = {3.0, 4.0}};
+  const FrameOffset offset{.shift_W = {0.5, -0.3}, .turn = 0.1, .pivot_W = {3.0, 4.0}};
   const Eigen::Vector3d point(7.0, -2.0, 5.0);
   EXPECT_LT((offset.Undo(offset.Apply(point)) - point).norm(), 1e-12);
 }

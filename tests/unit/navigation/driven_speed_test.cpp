@@ -8,9 +8,9 @@
 namespace limpet {
 namespace {
 
-const DriveParams kHull{.mass = {40.0, 60.0},
-                        .linear_drag = {4.0, 10.0},
-                        .quadratic_drag = {32.0, 100.0},
+const DriveParams kHull{.mass_B = {40.0, 60.0},
+                        .linear_drag_B = {4.0, 10.0},
+                        .quadratic_drag_B = {32.0, 100.0},
                         .command_lasts = Seconds(1.0)};
 
 /// The same force and turn, commanded ten times a second until `end` [s].
@@ -48,9 +48,9 @@ TEST(DrivenSpeed, StopsWhenCommandsCease) {
 TEST(DrivenSpeed, ATurnCarriesTheSpeedAbeam) {
   // Without thrust and drag the momentum stays where it points in the world.
   DriveParams free_hull = kHull;
-  free_hull.linear_drag.setZero();
-  free_hull.quadratic_drag.setZero();
-  free_hull.mass = {40.0, 40.0};
+  free_hull.linear_drag_B.setZero();
+  free_hull.quadratic_drag_B.setZero();
+  free_hull.mass_B = {40.0, 40.0};
   free_hull.command_lasts = Seconds(100.0);
   DrivenSpeed driven(free_hull);
   driven.AddForce(0.0, {40.0, 0.0}, 0.0);

@@ -17,7 +17,7 @@ using namespace literals;
 constexpr double kSd = 0.5;  // [m]
 const FixError kStated{.sd = kSd, .correlation = 120.0_s};
 const FixPrediction kHere{.off_W = Eigen::Vector2d::Zero(),
-                          .covariance = 0.04 * Eigen::Matrix2d::Identity()};
+                          .covariance_W = 0.04 * Eigen::Matrix2d::Identity()};
 
 class FixConsensusTest : public ::testing::Test {
  protected:

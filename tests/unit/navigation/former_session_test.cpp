@@ -82,11 +82,11 @@ std::pair<Eigen::VectorXd, Eigen::MatrixXd> Together(const PresentLandmarks& pre
 TEST(FormerSessionTie, FindsAShiftOfMetresAndATurnOfManyDegrees) {
   FormerSessionTie tie({.datum_sigma = Meters(8.0), .datum_turn_sigma = Radians(0.3)});
   tie.SetFormer(Former());
-  FrameOffset truth{.shift = {5.0, -3.0}, .turn = 0.2, .pivot = {1.5, 0.75}};
+  FrameOffset truth{.shift_W = {5.0, -3.0}, .turn = 0.2, .pivot_W = {1.5, 0.75}};
   ASSERT_TRUE(tie.Match(Present(kPlaces, truth), std::nullopt));
   EXPECT_THAT(tie.former_ids(), ElementsAre(1, 2, 3, 4));
-  EXPECT_NEAR(tie.offset().shift.x(), 5.0, 0.05);
-  EXPECT_NEAR(tie.offset().shift.y(), -3.0, 0.05);
+  EXPECT_NEAR(tie.offset().shift_W.x(), 5.0, 0.05);
+  EXPECT_NEAR(tie.offset().shift_W.y(), -3.0, 0.05);
   EXPECT_NEAR(tie.offset().turn, 0.2, 0.01);
 }
 
@@ -98,7 +98,7 @@ TEST(FormerSessionTie, FindsAFrameThatLiesElsewhereWithoutBeingTold) {
   former.covariance = JointOf(former.objects, 0.5, 0.01, 0.05);
   FormerSessionTie tie({});
   tie.SetFormer(former);
-  const FrameOffset truth{.shift = {-14.0, 14.0}, .turn = 0.7, .pivot = {}};
+  const FrameOffset truth{.shift_W = {-14.0, 14.0}, .turn = 0.7, .pivot_W = {}};
   const PresentLandmarks present = Present(places, truth);
   ASSERT_TRUE(tie.Match(present, std::nullopt));
   EXPECT_TRUE(tie.is_elsewhere());
@@ -122,7 +122,7 @@ TEST(FormerSessionTie, AFrameThatWasFoundElsewhereStaysThere) {
   FormerSessionTie tie({});
   tie.SetFormer(former);
   // Another datum; two of the objects are gone and one has come.
-  const FrameOffset truth{.shift = {-8.0, 3.0}, .turn = 0.0, .pivot = {}};
+  const FrameOffset truth{.shift_W = {-8.0, 3.0}, .turn = 0.0, .pivot_W = {}};
   Random random(4);
   int elsewhere = 0;
   bool was_elsewhere = false;
@@ -150,7 +150,7 @@ TEST(FormerSessionTie, KnowsFourObjectsThatAgreeWhereFixesWereWorseThanTheySay) 
   former.covariance = JointOf(former.objects, 0.3, 0.01, 0.1);
   FormerSessionTie tie({});
   tie.SetFormer(former);
-  const FrameOffset off{.shift = {2.8, -1.8}, .turn = 0.0, .pivot = {}};
+  const FrameOffset off{.shift_W = {2.8, -1.8}, .turn = 0.0, .pivot_W = {}};
   const auto known = [&](const std::vector<Eigen::Vector2d>& places) {
     PresentLandmarks present = Present(places, off, 0.3);
     present.covariance = JointOf(present.objects, 0.3, 0.01, 0.1);
@@ -166,7 +166,7 @@ TEST(FormerSessionTie, KnowsFourObjectsThatAgreeWhereFixesWereWorseThanTheySay) 
 TEST(FormerSessionTie, WeighsBothSessionsFixesWhereTheirFramesAgreeAsTheyShould) {
   FormerSessionTie tie({});
   tie.SetFormer(Former());
-  const FrameOffset off{.shift = {0.6, 0.0}, .turn = 0.0, .pivot = {}};
+  const FrameOffset off{.shift_W = {0.6, 0.0}, .turn = 0.0, .pivot_W = {}};
   const PresentLandmarks present = Present(kPlaces, off);
   ASSERT_TRUE(tie.Match(present, std::nullopt));
   const auto [places, covariance] = Together(present, *tie.prior());
@@ -178,7 +178,7 @@ TEST(FormerSessionTie, WeighsBothSessionsFixesWhereTheirFramesAgreeAsTheyShould)
 TEST(FormerSessionTie, TakesOnlyTheShapeOfASessionWhoseFrameIsFarOff) {
   FormerSessionTie tie({.datum_sigma = Meters(8.0)});
   tie.SetFormer(Former());
-  const FrameOffset off{.shift = {6.0, 2.0}, .turn = 0.0, .pivot = {}};
+  const FrameOffset off{.shift_W = {6.0, 2.0}, .turn = 0.0, .pivot_W = {}};
   PresentLandmarks present = Present(kPlaces, off);
   present.objects[3].p_W.x() += 0.3;  // as drift would have it
   present.covariance(9, 9) += 0.25;
@@ -193,7 +193,7 @@ TEST(FormerSessionTie, IsNotDraggedByWhatWentCameOrMoved) {
   tie.SetFormer(Former());
   FormerSessionTie undisturbed({});
   undisturbed.SetFormer(Former());
-  const FrameOffset off{.shift = {0.4, -0.3}, .turn = 0.0, .pivot = {}};
+  const FrameOffset off{.shift_W = {0.4, -0.3}, .turn = 0.0, .pivot_W = {}};
   // The first and the last are where they were; the second moved by 2 m, one is new.
   ASSERT_TRUE(tie.Match(Present({kPlaces[0], kPlaces[3], {2.0, 12.0}, {-3.0, 11.0}}, off), {}));
   ASSERT_TRUE(undisturbed.Match(Present({kPlaces[0], kPlaces[3]}, off), {}));
@@ -205,7 +205,7 @@ TEST(FormerSessionTie, IsNotDraggedByWhatWentCameOrMoved) {
 TEST(FormerSessionTie, AMatchDoesNotProveItself) {
   FormerSessionTie tie({});
   tie.SetFormer(Former());
-  const FrameOffset off{.shift = {0.9, 0.5}, .turn = 0.01, .pivot = {}};
+  const FrameOffset off{.shift_W = {0.9, 0.5}, .turn = 0.01, .pivot_W = {}};
   const PresentLandmarks alone = Present(kPlaces, off);
   ASSERT_TRUE(tie.Match(alone, std::nullopt));
   const JointPrior first = *tie.prior();
@@ -248,7 +248,7 @@ TEST(FormerSessionTie, ALandmarkThatFitsNoFormerObjectIsNoCandidate) {
 TEST(FormerSessionTie, DecidesThroughADriftOfHalfAMetre) {
   FormerSessionTie tie({});
   tie.SetFormer(Former());
-  const FrameOffset drift{.shift = {0.4, -0.3}, .turn = 0.01, .pivot = {}};
+  const FrameOffset drift{.shift_W = {0.4, -0.3}, .turn = 0.01, .pivot_W = {}};
   ASSERT_TRUE(tie.Match(Present({kPlaces[0], kPlaces[2], kPlaces[3]}, drift), std::nullopt));
   EXPECT_THAT(tie.former_ids(), ElementsAre(1, 3, 4));
   for (const auto& candidates : tie.candidates())
@@ -277,7 +277,7 @@ TEST(FormerSessionTie, DecidesWhichOfTwoCloseFormerObjectsIsLeftIfOthersPinTheFr
   former.covariance = JointOf(former.objects, 0.5, 0.01, 0.05);
   FormerSessionTie tie({});
   tie.SetFormer(former);
-  const FrameOffset drift{.shift = {0.3, 0.4}, .turn = 0.0, .pivot = {}};
+  const FrameOffset drift{.shift_W = {0.3, 0.4}, .turn = 0.0, .pivot_W = {}};
   ASSERT_TRUE(tie.Match(Present({{4, 2}, {-6, -5}, {6, -9}, {-2, 10}}, drift), std::nullopt));
   EXPECT_THAT(tie.former_ids(), ElementsAre(2, 3, 4, 5));
   EXPECT_THAT(tie.candidates()[0], ::testing::IsEmpty());
@@ -294,8 +294,9 @@ TEST(FormerSessionTieProperties, CandidatesAreChancesOfWhatIsNotDecided) {
     FormerSession former{.ids = {1, 2, 3, 4}, .objects = Objects(places), .covariance = {}};
     former.covariance = JointOf(former.objects, 0.5, 0.01, 0.05);
     places.erase(places.begin() + trial % 4);
-    const FrameOffset drift{
-        .shift = {random.Uniform(-0.5, 0.5), random.Uniform(-0.5, 0.5)}, .turn = 0.0, .pivot = {}};
+    const FrameOffset drift{.shift_W = {random.Uniform(-0.5, 0.5), random.Uniform(-0.5, 0.5)},
+                            .turn = 0.0,
+                            .pivot_W = {}};
     PresentLandmarks present = Present(places, drift);
     present.covariance.block<2, 2>(6, 6) += random.Uniform(0.0, 2.0) * Eigen::Matrix2d::Identity();
     FormerSessionTie tie({});

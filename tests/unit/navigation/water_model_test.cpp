@@ -56,8 +56,8 @@ TEST_F(WaterModelTest, FindsAConstantCurrentOnceTheVehicleHasTurned) {
   EXPECT_LT(CurrentError(), 0.01);
   const WaterState state = model_.StateAt(t_, conduct_);
   EXPECT_NEAR(state.speed, 0.5, 0.01);
-  EXPECT_LT(state.sd_current.norm(), 0.02);
-  EXPECT_LT(CurrentError(), 3.0 * state.sd_current.norm());
+  EXPECT_LT(state.sd_current_W.norm(), 0.02);
+  EXPECT_LT(CurrentError(), 3.0 * state.sd_current_W.norm());
 }
 
 TEST_F(WaterModelTest, BeforeAnyTurnItDoesNotClaimToKnowTheCurrentAlongTheWay) {
@@ -142,8 +142,8 @@ TEST_F(WaterModelTest, TurningBringsTheLeverArmsSwayUntilTurnsTeachIt) {
 
 TEST_F(WaterModelTest, ItsCovarianceGrowsInADropout) {
   Survey(400.0);
-  const double sure = model_.StateAt(t_, conduct_).sd_current.x();
-  EXPECT_GT(model_.StateAt(t_ + 3600.0, conduct_).sd_current.x(), sure + 0.03);
+  const double sure = model_.StateAt(t_, conduct_).sd_current_W.x();
+  EXPECT_GT(model_.StateAt(t_ + 3600.0, conduct_).sd_current_W.x(), sure + 0.03);
   EXPECT_GT(model_.BridgeCovariance(t_ + 180.0, conduct_).eigenvalues().real().minCoeff(), 0.0);
 }
 
@@ -186,7 +186,7 @@ TEST_F(DrivenWaterModelTest, FindsTheCurrentThatTheVehicleStems) {
     Survey(500.0, 0.5);
     const WaterState water = model_.StateAt(t_, conduct_);
     EXPECT_LT((water.current_W - current_W_).norm(), 0.03) << sheet;
-    EXPECT_LT((water.current_W - current_W_).norm(), 4.0 * water.sd_current.norm()) << sheet;
+    EXPECT_LT((water.current_W - current_W_).norm(), 4.0 * water.sd_current_W.norm()) << sheet;
   }
 }
 

@@ -148,7 +148,7 @@ TEST_F(NavAppTest, WarnsOfAFormerSessionWhoseFrameLiesElsewhere) {
   const std::vector<Eigen::Vector3d> objects{{10.5, 32.0, 4.5}, {9.0, 36.0, 4.4},
                                              {11.2, 43.0, 4.5}, {9.4, 46.0, 4.5},
                                              {10.8, 55.0, 4.4}, {9.9, 61.0, 4.5}};
-  const FrameOffset off{.shift = {12.0, -9.0}, .turn = 0.3};
+  const FrameOffset off{.shift_W = {12.0, -9.0}, .turn = 0.3};
   SessionPrior prior;
   prior.session = "discovery";
   for (const Eigen::Vector3d& p_W : objects) {

@@ -34,7 +34,7 @@ TEST(CurrentToll, IsNoneInStillWater) {
 /// A square, so that nothing but the current tells the directions apart.
 struct SquareSurvey {
   [[nodiscard]] double CourseOfBestLanes(const CourseCost& cost) {
-    TourGoal goal{.early_weight = 0.0, .most_weight = 0.0, .home = {0.0, 0.0}};
+    TourGoal goal{.early_weight = 0.0, .most_weight = 0.0, .home_W = {0.0, 0.0}};
     goal.course_cost = cost;
     judge.Reset(DubinsPath({-12.0, -12.0, 0.25 * kPi}), goal);
     return LaneTours(judge, {.with_bottom_first = false}).front().front().in.yaw;
@@ -57,7 +57,7 @@ TEST(CurrentToll, TurnsLanesToWhereTheyCostLess) {
 TEST(CurrentToll, CountsInWhatATourCostsTheWayHomeIncluded) {
   SquareSurvey survey;
   const SurveyTour lane{{.in = {10.0, 0.0, kPi}, .length = 10.0}};
-  TourGoal goal{.early_weight = 0.0, .most_weight = 0.0, .home = {10.0, 0.0}};
+  TourGoal goal{.early_weight = 0.0, .most_weight = 0.0, .home_W = {10.0, 0.0}};
   const DubinsPath start({10.0, 0.0, kPi});
   survey.judge.Reset(start, goal);
   const TourCost still = survey.judge.Cost(lane);

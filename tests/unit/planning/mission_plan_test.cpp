@@ -20,7 +20,7 @@ struct BegunSurvey {
             .region = &region,
             .turn_radius = scene::kRadius,
             // Where most is to be seen soon, slivers may be left to a later decision.
-            .goal = {.most_weight = 0.0, .home = {pose.north, pose.east}},
+            .goal = {.most_weight = 0.0, .home_W = {pose.north, pose.east}},
             .travelled = travelled};
   }
   /// Share of the top that is seen once `path` has been flown, too.

@@ -26,7 +26,7 @@ TEST(OwnTrack, IsAStreamOfALevelVehicleThatGoesAheadAndDown) {
     const auto* velocity = std::get_if<DvlRow>(&row);
     return velocity != nullptr && velocity->t > 10.0;
   });
-  const Eigen::Vector3d& v = *std::get<DvlRow>(*dvl).velocity;
+  const Eigen::Vector3d& v = *std::get<DvlRow>(*dvl).v_WD_B;
   EXPECT_EQ(v.x(), 1.0);
   EXPECT_NEAR(v.z(), 0.01, 1e-6);
 }

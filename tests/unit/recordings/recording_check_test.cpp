@@ -49,8 +49,8 @@ TEST(RecordingCheck, ShowsABeamThatContradictsTheOthers) {
   for (std::size_t i = 0; i < recording.pings.size(); i += 20) {
     DvlPing& ping = recording.pings[i];
     *ping.beam_speeds[1] += error;
-    ping.velocity->y() += error / (2.0 * std::sin(kMadeTilt));
-    ping.velocity->z() += error / (4.0 * std::cos(kMadeTilt));
+    ping.v_D->y() += error / (2.0 * std::sin(kMadeTilt));
+    ping.v_D->z() += error / (4.0 * std::cos(kMadeTilt));
   }
   const DvlCheck dvl = *Check(recording).dvl;
   EXPECT_LT(dvl.four.greatest, 0.001);
@@ -97,7 +97,7 @@ TEST(RecordingCheck, AddsUpThePathAndLeavesPausesOut) {
 TEST(RecordingCheck, LetsTheGateJudgeAndKeepsWhatItRefusesOutOfThePath) {
   Recording recording = Made(DvlText(500));
   for (std::size_t i = 50; i < recording.pings.size(); i += 50)
-    recording.pings[i].velocity = Eigen::Vector3d(3.0, -2.0, 0.0);
+    recording.pings[i].v_D = Eigen::Vector3d(3.0, -2.0, 0.0);
   const DvlCheck dvl = *Check(recording).dvl;
   EXPECT_EQ(dvl.gate.refused, 9U);
   EXPECT_EQ(dvl.gate.good, 491U);

@@ -29,7 +29,7 @@ TEST(RosCsv, ReadsPingsAndTakesNothingOfABadBeam) {
                         "dvl.csv", recording));
   ASSERT_EQ(recording.pings.size(), 2U);
   EXPECT_NEAR(recording.pings[1].t - recording.pings[0].t, 0.25, 1e-6);
-  EXPECT_EQ(*recording.pings[0].velocity, Eigen::Vector3d(0.5, 0.1, 0.0));
+  EXPECT_EQ(*recording.pings[0].v_D, Eigen::Vector3d(0.5, 0.1, 0.0));
   EXPECT_TRUE(recording.pings[0].beam_speeds[2].has_value());
   EXPECT_FALSE(recording.pings[1].beam_speeds[2].has_value());
   EXPECT_FALSE(recording.pings[1].beam_ranges[2].has_value());
@@ -40,7 +40,7 @@ TEST(RosCsv, KnowsNoVelocityAndNoAltitudeWhereTheInstrumentHasNone) {
   Recording recording;
   ASSERT_TRUE(AddRosCsv(DvlHeader() + DvlLine({.has_velocity = false, .altitude = -2.0}), "dvl.csv",
                         recording));
-  EXPECT_FALSE(recording.pings.front().velocity.has_value());
+  EXPECT_FALSE(recording.pings.front().v_D.has_value());
   EXPECT_FALSE(recording.pings.front().altitude.has_value());
 }
 

@@ -32,12 +32,12 @@ std::vector<double> NumbersOf(const AttitudeEstimate& a) {
   return {a.t, a.roll, a.pitch, a.yaw, a.sd_roll, a.sd_pitch, a.sd_yaw};
 }
 std::vector<double> NumbersOf(const InertialInput& row) {
-  return {row.t,        row.force.x(), row.force.y(), row.force.z(),
-          row.rate.x(), row.rate.y(),  row.rate.z(),  row.heading};
+  return {row.t,          row.force_B.x(), row.force_B.y(), row.force_B.z(),
+          row.rate_B.x(), row.rate_B.y(),  row.rate_B.z(),  row.heading};
 }
 std::vector<double> NumbersOf(const FogRow& row) { return {row.t, row.rate}; }
 std::vector<double> NumbersOf(const DvlRow& row) {
-  const Eigen::Vector3d v = row.velocity.value_or(Eigen::Vector3d::Constant(-99.0));
+  const Eigen::Vector3d v = row.v_WD_B.value_or(Eigen::Vector3d::Constant(-99.0));
   return {row.t,
           v.x(),
           v.y(),
@@ -81,9 +81,9 @@ SensorStream EveryRow() {
   stream.rows = {
       AttitudeEstimate{.t = 0.1, .roll = 0.01, .yaw = 3.5, .sd_roll = 0.1, .sd_yaw = 1.0 / 3.0},
       AttitudeEstimate{.t = 0.2, .roll = 0.02, .yaw = 3.6, .sd_roll = 0.1, .sd_yaw = 0.5},
-      DvlRow{.t = 0.3, .velocity = Eigen::Vector3d(0.5, 1.0 / 7.0, -0.1), .altitude = 4.2},
-      DvlRow{.t = 0.4, .velocity = {}, .altitude = {}},
-      DvlRow{.t = 0.5, .velocity = {}, .altitude = 3.0, .beams = {{3.1, {}, 3.3, 3.4}}},
+      DvlRow{.t = 0.3, .v_WD_B = Eigen::Vector3d(0.5, 1.0 / 7.0, -0.1), .altitude = 4.2},
+      DvlRow{.t = 0.4, .v_WD_B = {}, .altitude = {}},
+      DvlRow{.t = 0.5, .v_WD_B = {}, .altitude = 3.0, .beams = {{3.1, {}, 3.3, 3.4}}},
       DepthRow{.t = 0.6, .depth = 3.0000001},
       GpsRow{.t = 0.7, .p_W = {-12.5, 1.0 / 3.0}, .sd = 0.58},
       FrameRow{
@@ -94,8 +94,8 @@ SensorStream EveryRow() {
                               {.u = 1, .v = 2, .w = 3, .h = 4, .confidence = 0.1, .color = "2"}}}},
       FrameRow{.arrival = 1.35, .frame = {.frame = 8, .exposure = Seconds(1.05), .boxes = {}}},
       InertialInput{.t = 1.1,
-                    .force = {0.1, 0.2, -9.8},
-                    .rate = {1e-3, 2e-3, 3e-3},
+                    .force_B = {0.1, 0.2, -9.8},
+                    .rate_B = {1e-3, 2e-3, 3e-3},
                     .heading = 6.0},
       FogRow{.t = 1'767'225'600.02, .rate = -1e-5}};
   return stream;

@@ -87,7 +87,7 @@ TEST_P(HardHour, ADvlOfOneHertzIsAsGoodAsThereIsLockForIt) {
 SensorStream Mismounted(SensorStream stream) {
   constexpr double kTilt = 0.035, kLever = 0.05, kDelay = 0.2;
   stream.meta.camera = WithErrors(
-      stream.meta.camera, {.tilt_B = {kTilt, -kTilt, 0.0}, .shift = {kLever, -kLever, 0.0}}, {});
+      stream.meta.camera, {.tilt_B = {kTilt, -kTilt, 0.0}, .shift_B = {kLever, -kLever, 0.0}}, {});
   for (StreamRow& row : stream.rows) {
     if (auto* frame = std::get_if<FrameRow>(&row)) frame->frame.exposure += Seconds(kDelay);
   }
@@ -211,7 +211,7 @@ TEST(SimulatedStream, ANoisierVehicleIsBelievedLess) {
         Replay(session.stream, ParamsForStream(session.stream.meta), NoClock);
     const Eigen::Vector3d error =
         result.online.back().X_WB.p_WB - session.truth.At(result.online.back().t);
-    nees += error.dot(result.online_covariance.back().llt().solve(error)) / kSessions;
+    nees += error.dot(result.online_covariance_W.back().llt().solve(error)) / kSessions;
   }
   EXPECT_LT(nees, 5.0);
 }
@@ -248,7 +248,7 @@ TEST(SimulatedStream, CovariancesAreHonestOverManySessions) {
         Replay(session.stream, ParamsForStream(session.stream.meta), NoClock);
     const Eigen::Vector3d error =
         result.online.back().X_WB.p_WB - session.truth.At(result.online.back().t);
-    pose += error.dot(result.online_covariance.back().llt().solve(error)) / kSessions;
+    pose += error.dot(result.online_covariance_W.back().llt().solve(error)) / kSessions;
     double sum = 0.0;
     for (const Landmark& l : result.landmarks) {
       double nearest = std::numeric_limits<double>::infinity();
@@ -314,7 +314,7 @@ TEST_P(LaterSession, KnowsEveryObjectThatStayedAgainAndNoOther) {
 }
 
 TEST_P(LaterSession, FindsAFrameThatLiesMetresOffAndTurned) {
-  const FrameOffset shifted{.shift = {-4.0, 2.5}, .turn = 0.1, .pivot = {}};
+  const FrameOffset shifted{.shift_W = {-4.0, 2.5}, .turn = 0.1, .pivot_W = {}};
   FormerSession moved = former_;
   for (ObjectEstimate& object : moved.objects)
     object.p_W = shifted.Undo(object.p_W);

@@ -61,7 +61,7 @@ TEST(StreamMetaText, ALensThatFoldsTheImageIsRefused) {
 TEST_F(SensorStreamTest, ReadsADvlRowWithoutLock) {
   const auto stream = Load("DVL,0.1,0,,,,,,,,,,\n");
   ASSERT_TRUE(stream.has_value());
-  EXPECT_FALSE(std::get<DvlRow>(stream->rows.front()).velocity.has_value());
+  EXPECT_FALSE(std::get<DvlRow>(stream->rows.front()).v_WD_B.has_value());
 }
 
 TEST_F(SensorStreamTest, NamesTheLineThatHasAWordWhereANumberBelongs) {

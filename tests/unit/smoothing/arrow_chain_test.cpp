@@ -69,7 +69,7 @@ class ArrowChainTest : public ::testing::Test {
       worst = std::max(worst, (smoother_.PoseAt(i) - graph.node(i).x).lpNorm<Eigen::Infinity>());
     for (const int slot : slots_) {
       if (slot < 0) continue;
-      worst = std::max(worst, (smoother_.BorderAt(slot) - graph.border(slot).p).norm());
+      worst = std::max(worst, (smoother_.BorderAt(slot) - graph.border(slot).x).norm());
     }
     return worst;
   }

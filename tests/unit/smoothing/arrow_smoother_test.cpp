@@ -87,7 +87,7 @@ class ArrowSmootherTest : public ::testing::Test {
     }
     for (const int slot : slots_) {
       if (slot >= 0) {
-        worst = std::max(worst, (smoother_->BorderAt(slot) - graph.border(slot).p).norm());
+        worst = std::max(worst, (smoother_->BorderAt(slot) - graph.border(slot).x).norm());
       }
     }
     return worst;
@@ -312,7 +312,7 @@ TEST_F(ArrowSmootherTest, FindsTheScaleOfItsSteps) {
   EXPECT_NEAR(smoother_->BorderAt(errors).x(), 0.01, 1e-3);
   ChainGraph graph = smoother_->graph();
   ASSERT_TRUE(SolveBatch(graph).has_converged);
-  EXPECT_NEAR(smoother_->BorderAt(errors).x(), graph.border(errors).p.x(), 1e-6);
+  EXPECT_NEAR(smoother_->BorderAt(errors).x(), graph.border(errors).x.x(), 1e-6);
 }
 
 TEST_F(ArrowSmootherTest, AChangeFarBackCostsAFewLeavesHoweverLongTheChain) {

@@ -168,7 +168,7 @@ class WholeGraph {
     std::vector<Eigen::Index> rows;
     Eigen::VectorXd off = -prior.mean();
     for (std::size_t i = 0; i < prior.slots().size(); ++i) {
-      off.segment<3>(static_cast<Eigen::Index>(3 * i)) += graph_.border(prior.slots()[i]).p;
+      off.segment<3>(static_cast<Eigen::Index>(3 * i)) += graph_.border(prior.slots()[i]).x;
       for (Eigen::Index k = 0; k < 3; ++k)
         rows.push_back(RowOf(prior.slots()[i]) + k);
     }

@@ -61,7 +61,7 @@ TEST_F(SlowErrorsTest, ErrorsThatAreClosedAreEstimatedAllTheSame) {
   ASSERT_TRUE(SolveBatch(graph).has_converged);
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     EXPECT_GT(smoother_->BorderAt(blocks_[i]).x(), 0.005 * static_cast<double>(i + 1));
-    EXPECT_LT((smoother_->BorderAt(blocks_[i]) - graph.border(blocks_[i]).p).norm(), 1e-5);
+    EXPECT_LT((smoother_->BorderAt(blocks_[i]) - graph.border(blocks_[i]).x).norm(), 1e-5);
   }
   for (const int node : {0, 17, 130, 255, 256, 300, 449})
     EXPECT_LT((smoother_->PoseAt(node) - graph.node(node).x).norm(), 1e-4) << node;
@@ -76,13 +76,13 @@ TEST_F(SlowErrorsTest, ErrorsThatAreClosedMayStillBeLinearisedAnew) {
   }
   ChainGraph graph = smoother_->graph();
   ASSERT_TRUE(SolveBatch(graph).has_converged);
-  EXPECT_LT((smoother_->BorderAt(blocks_[1]) - graph.border(blocks_[1]).p).norm(), 1e-4);
+  EXPECT_LT((smoother_->BorderAt(blocks_[1]) - graph.border(blocks_[1]).x).norm(), 1e-4);
   EXPECT_LT((smoother_->PoseAt(50) - graph.node(50).x).norm(), 1e-3);
   smoother_->RemoveTerm(id);
   EXPECT_TRUE(smoother_->Converge().has_converged);
   graph = smoother_->graph();
   ASSERT_TRUE(SolveBatch(graph).has_converged);
-  EXPECT_LT((smoother_->BorderAt(blocks_[1]) - graph.border(blocks_[1]).p).norm(), 1e-6);
+  EXPECT_LT((smoother_->BorderAt(blocks_[1]) - graph.border(blocks_[1]).x).norm(), 1e-6);
 }
 
 TEST_F(SlowErrorsTest, CovariancesAreTheSameWhetherErrorsAreClosedOrNot) {
