@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "tests/layers/frame_suffixes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/layers/tree_files.hpp"
+
+namespace limpet::layers {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/// A member that is in no frame, or that cannot say so, and why.
+struct Frameless {
+  std::string_view member, why;
+};
+
+constexpr std::array kFrameless = {
+    Frameless{"BoxReading::centre_px", "image"},
+    Frameless{"BoxReading::sigma_px", "image"},
+    Frameless{"BoxReading::half_angle", "image"},
+    Frameless{"Foresight::pixel", "image"},
+    Frameless{"Blob::center", "image"},
+    Frameless{"Blob::covariance", "image"},
+    Frameless{"Ellipse::center", "image"},
+    Frameless{"Ellipse::axes", "image"},
+    Frameless{"Contrast::inside", "colour"},
+    Frameless{"Contrast::lit", "colour"},
+    Frameless{"Contrast::outside", "colour"},
+    Frameless{"Contrast::weights", "colour"},
+    Frameless{"Deviation::value", "coefficients"},
+    Frameless{"Deviation::sd", "coefficients"},
+    Frameless{"VehicleParams::drag_coefficient", "coefficients"},
+    Frameless{"BorderVariable::x", "any"},
+    Frameless{"ChainValues::border", "any"},
+    Frameless{"Block::L", "any"},
+    Frameless{"Block::d", "any"},
+    Frameless{"SourceErrors::sigma", "any"},
+    Frameless{"SourceErrorEstimate::value", "any"},
+    Frameless{"SourceErrorEstimate::sd", "any"},
+    Frameless{"ScenarioObstacle::size_m", "lengths"},
+    Frameless{"OpiBelief::centroid_sd", "interface"},
+};
+
+std::string Letters() {
+  return ReadFrameLetters(
+      ReadAll(std::filesystem::path(LIMPET_SOURCE_DIR) / "docs/frames-and-units.md"));
+}
+
+std::vector<std::string> Found(std::string_view text) {
+  return MembersWithoutFrame({{"a.hpp", std::string(text)}}, "WBC");
+}
+
+TEST(FrameSuffixes, AreOnEveryVectorThatOtherFilesRead) {
+  std::vector<std::string> complaints = MembersWithoutFrame(TreeFiles(), Letters());
+  for (const auto& [member, why] : kFrameless) {
+    EXPECT_EQ(std::erase_if(complaints,
+                            [m = member](const std::string& complaint) {
+                              return complaint.ends_with(": " + std::string(m));
+                            }),
+              1U)
+        << member << " (" << why << ") need not be excused";
+  }
+  EXPECT_THAT(complaints, IsEmpty());
+}
+
+TEST(FrameSuffixes, AreTheFramesOfTheirPage) {
+  EXPECT_EQ(ReadFrameLetters("- **World W**: **not** one.\n- **Body B**: x.\n"), "WB");
+  EXPECT_EQ(Letters().substr(0, 3), "WBC");
+}
+
+TEST(FrameSuffixes, ThatAreLackingAreComplainedAbout) {
+  EXPECT_THAT(
+      Found("namespace limpet {\n"
+            "struct Look {\n"
+            "  Eigen::Vector3d p_W = Eigen::Vector3d::Zero(), arm{1.0, 2.0, 3.0};  ///< x\n"
+            "  int Count() const { return 1; }\n"
+            "  std::optional<Eigen::Vector2d> eye;\n"
+            "  struct Part {\n"
+            "    std::array<Eigen::Matrix3d, 4> turns;\n"
+            "  };\n"
+            "};\n"
+            "class Eye {\n"
+            " public:\n"
+            "  Eigen::Vector3d v;\n"
+            "};\n"
+            "}\n"),
+      ElementsAre("a.hpp: Look::arm", "a.hpp: Look::eye", "a.hpp: Part::turns", "a.hpp: Eye::v"));
+}
+
+TEST(FrameSuffixes, AreNotAskedOfWhatOthersDoNotReadNorOfFunctions) {
+  EXPECT_THAT(
+      Found("class Eye final {\n"
+            " public:\n"
+            "  [[nodiscard]] Eigen::Vector3d place() const { Eigen::Vector3d p; return p; }\n"
+            "  void Turn(const Eigen::Vector3d& by, Eigen::Vector2d shift = {});\n"
+            "  Eigen::Matrix3d R_WB;\n"
+            "  Eigen::Matrix3d J_landmark;\n"
+            " private:\n"
+            "  struct Hidden {\n"
+            "    Eigen::Vector3d q;\n"
+            "  };\n"
+            "  Eigen::Vector3d p_;\n"
+            "};\n"
+            "inline Eigen::Vector2d Half(const Eigen::Vector2d& whole) {\n"
+            "  const Eigen::Vector2d half = 0.5 * whole;\n"
+            "  return half;\n"
+            "}\n"),
+      IsEmpty());
+  EXPECT_THAT(MembersWithoutFrame({{"a.cpp", "struct A { Eigen::Vector3d p; };"},
+                                   {"tests/a.hpp", "struct A { Eigen::Vector3d p; };"}},
+                                  "W"),
+              IsEmpty());
+}
+
+}  // namespace
+}  // namespace limpet::layers
