@@ -191,7 +191,8 @@ void Navigator::TakeFrame(const Detections& frame) {
     tracker_.Refresh();
     needs_review_ = true;
   }
-  if (needs_review_ && t - last_review_t_ > kReviewPeriod) {
+  const bool is_due = !last_review_t_ || t - *last_review_t_ > kReviewPeriod;
+  if (needs_review_ && is_due) {
     ReviewObjects(t);
     has_changed = true;
   }

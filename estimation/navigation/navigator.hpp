@@ -146,8 +146,8 @@ class Navigator {
   FormerMatching former_;
   std::unique_ptr<AidingSources> aiding_;
   std::vector<ObservedFrame> posed_;
-  std::optional<double> first_time_;  ///< of an attitude, while no fix has come
-  double last_review_t_ = -1e18;
+  std::optional<double> first_time_;     ///< of an attitude, while no fix has come
+  std::optional<double> last_review_t_;  ///< of the objects
   bool needs_review_ = false;
   int landmark_version_ = 0;
 };
