@@ -66,7 +66,8 @@ void Navigator::Advance(double now) {
   }
   // Velocities that are still to come would change what lies behind the last one.
   const double ready = now - params_.frame_wait.value();
-  const double settled = std::max(track.settled_time(), now - kVelocityWait);
+  const double settled =
+      std::max(track.settled_time().value_or(now - kVelocityWait), now - kVelocityWait);
   const double limit = std::min({ready, settled, track.last_time()});
   StartIfPossible(std::min(now, track.last_time()));
   if (has_started()) {

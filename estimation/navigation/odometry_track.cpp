@@ -20,6 +20,7 @@ constexpr double kTurnMemory = 0.2;       // [s] over which a rate of turning is
 constexpr double kAttitudeGap = 2.0;      // [s] in which the vehicle does not turn away
 constexpr double kUnknownTurnRate = 0.3;  // [rad/s] 1-sigma of a turn that nobody measures
 constexpr double kContestedShare = 0.3;   // 1-sigma of what the track catches up with, as its share
+constexpr double kLongAgo = -1e18;        // [s] when a DVL measured last that never did
 constexpr double kAnyYawVariance = M_PI * M_PI / 3.0;  // [rad^2] of a heading that can be any
 
 Eigen::Matrix3d RotationOf(const AttitudeEstimate& a) {
@@ -39,7 +40,8 @@ SilenceVariance VarianceOfSilence(const OdometryParams& params, double seconds) 
 }
 
 double OdometryTrack::UntrustedSilence(double t) const {
-  const double known_t = std::max({accepted_t_, fix_t_, began_t_});
+  const double known_t =
+      std::max({accepted_t_.value_or(began_t_), fix_t_.value_or(began_t_), began_t_});
   return std::max(t - known_t - params_.bridge_trusted.value(), 0.0);
 }
 
@@ -65,29 +67,27 @@ void OdometryTrack::AddAttitude(const AttitudeEstimate& attitude) {
 }
 
 void OdometryTrack::AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B) {
-  if (t <= velocity_t_) {
+  if (rows_ && t <= rows_->newest.t) {
     return;
   }
   // A DVL that fell silent is one without lock.
-  if (v_dvl_B && has_velocity_ && t - velocity_t_ > LongestPause()) {
+  if (v_dvl_B && accepted_t_ && t - rows_->newest.t > LongestPause()) {
     AddVelocity(t - period_.value(), std::nullopt);
   } else {
     period_.Note(t);
   }
-  previous_t_ = has_velocity_ ? velocity_t_ : t;
-  previous_ = has_velocity_ ? velocity_ : v_dvl_B.value_or(Eigen::Vector3d::Zero());
-  velocity_t_ = t;
+  const Eigen::Vector3d held_B = rows_ ? rows_->newest.v_B : Eigen::Vector3d::Zero();
+  const VelocityRow newest{.t = t, .v_B = v_dvl_B.value_or(held_B)};
+  rows_ = VelocityRows{.before = accepted_t_ ? rows_->newest : newest, .newest = newest};
   if (v_dvl_B) {
-    velocity_ = *v_dvl_B;
-    HoldAgainstBridge(t, velocity_);
+    HoldAgainstBridge(t, *v_dvl_B);
     accepted_t_ = t;
-    has_velocity_ = true;
-    TeachWater(t, velocity_);
+    TeachWater(t, *v_dvl_B);
   } else if (DropoutAge(t) && !is_empty()) {
-    velocity_ = BridgedAt(t).value_or(velocity_);
+    rows_->newest.v_B = BridgedAt(t).value_or(held_B);
   }
   // What was held since the last row is integrated again with the interpolated velocity.
-  const auto is_older = [this](const Sample& s) { return s.attitude.t <= previous_t_; };
+  const auto is_older = [this](const Sample& s) { return s.attitude.t <= rows_->before.t; };
   auto sample = std::ranges::partition_point(samples_, is_older);
   for (; sample != samples_.end(); ++sample) {
     if (sample != samples_.begin()) {
@@ -97,10 +97,10 @@ void OdometryTrack::AddVelocity(double t, const std::optional<Eigen::Vector3d>& 
 }
 
 void OdometryTrack::NoteContested(double t, const Eigen::Vector3d& v_dvl_B) {
-  if (is_empty()) return;
+  if (is_empty() || !rows_) return;
   const Sample sample = SampleAt(t);
   const Eigen::Vector3d off = sample.R_DB * v_dvl_B - LevelVelocity(sample);
-  contested_way_ += (t - previous_t_) * off.head<2>();
+  contested_way_ += (t - rows_->before.t) * off.head<2>();
 }
 
 void OdometryTrack::BelieveContested() {
@@ -120,16 +120,16 @@ void OdometryTrack::ForgetContested() {
 
 // What the first velocities after a dropout taught was false.
 void OdometryTrack::ReopenBridgeEnd() {
-  if (!bridge_end_ || velocity_t_ - bridge_end_->t > kOpenEnd) return;
+  if (!bridge_end_ || rows_->newest.t - bridge_end_->t > kOpenEnd) return;
   water_ = *bridging_;
-  bridge_end_ = BridgeEnd{.t = velocity_t_,
-                          .length = bridge_end_->length + velocity_t_ - bridge_end_->t,
+  bridge_end_ = BridgeEnd{.t = rows_->newest.t,
+                          .length = bridge_end_->length + rows_->newest.t - bridge_end_->t,
                           .yaw = samples_.back().attitude.yaw,
                           .is_open = true};
 }
 
 void OdometryTrack::HoldAgainstBridge(double t, const Eigen::Vector3d& v_dvl_B) {
-  if (is_empty() || !has_velocity_) return;
+  if (is_empty() || !accepted_t_) return;
   const Sample sample = SampleAt(t);
   const double yaw = sample.attitude.yaw;
   // While the last one's end is open, what was refused for a moment is no dropout.
@@ -161,17 +161,17 @@ Eigen::Vector3d OdometryTrack::BridgedVelocity(double t, const Conduct& conduct)
 }
 
 std::optional<Eigen::Vector3d> OdometryTrack::BridgedAt(double t) const {
-  if (is_empty() || !has_velocity_ || !DropoutAge(t)) return std::nullopt;
+  if (is_empty() || !accepted_t_ || !DropoutAge(t)) return std::nullopt;
   const Sample sample = SampleAt(t);
   return sample.R_DB.transpose() * BridgedVelocity(t, ConductOf(sample));
 }
 
 Eigen::Vector3d OdometryTrack::VelocityAt(double t) const {
-  if (t >= velocity_t_ || velocity_t_ <= previous_t_) {
-    return velocity_;
-  }
-  const double share = std::clamp((t - previous_t_) / (velocity_t_ - previous_t_), 0.0, 1.0);
-  return previous_ + share * (velocity_ - previous_);
+  if (!rows_) return Eigen::Vector3d::Zero();
+  const auto& [before, newest] = *rows_;
+  if (t >= newest.t || newest.t <= before.t) return newest.v_B;
+  const double share = std::clamp((t - before.t) / (newest.t - before.t), 0.0, 1.0);
+  return before.v_B + share * (newest.v_B - before.v_B);
 }
 
 Conduct OdometryTrack::ConductAt(double t) const {
@@ -187,7 +187,7 @@ Conduct OdometryTrack::ConductOf(const Sample& sample) const {
 }
 
 std::optional<double> OdometryTrack::DropoutAge(double t) const {
-  const double age = t - accepted_t_;
+  const double age = t - accepted_t_.value_or(kLongAgo);
   return age > LongestPause() ? std::optional<double>(age) : std::nullopt;
 }
 

@@ -103,7 +103,7 @@ class OdometryTrack {
   void BelieveContested();
 
   /// A fix at `t` [s] has shown where the vehicle is: silence begins anew.
-  void NoteFix(double t) { fix_t_ = std::max(fix_t_, t); }
+  void NoteFix(double t) { fix_t_ = std::max(fix_t_.value_or(t), t); }
 
   /// Rate of depth [m/s] that stands in for the vertical velocity in a dropout.
   void SetSinkRate(double rate) { sink_rate_ = rate; }
@@ -112,8 +112,10 @@ class OdometryTrack {
   [[nodiscard]] bool is_empty() const { return samples_.empty(); }
   [[nodiscard]] double first_time() const { return samples_.front().attitude.t; }
   [[nodiscard]] double last_time() const { return samples_.back().attitude.t; }
-  /// Up to here later velocities change nothing any more.
-  [[nodiscard]] double settled_time() const { return velocity_t_; }
+  /// Up to here later velocities change nothing any more; nothing before the first one.
+  [[nodiscard]] std::optional<double> settled_time() const {
+    return rows_ ? std::optional(rows_->newest.t) : std::nullopt;
+  }
   /// Seconds since the last accepted velocity, if that is long enough to be a dropout at `t`: half
   /// a second, or more of a DVL that pings more slowly.
   [[nodiscard]] std::optional<double> DropoutAge(double t) const;
@@ -160,6 +162,15 @@ class OdometryTrack {
     /// Of the track, to catch up with what was not believed at first, in its frame [m].
     Eigen::Vector2d shift = Eigen::Vector2d::Zero();
   };
+  /// A velocity of the DVL as the track goes by it: measured, or what bridged it.
+  struct VelocityRow {
+    double t = 0.0;
+    Eigen::Vector3d v_B = Eigen::Vector3d::Zero();
+  };
+  struct VelocityRows {
+    VelocityRow before;  ///< the newest once more until one is true
+    VelocityRow newest;
+  };
   /// Neighbouring samples about a time, and the share of the way from one to the other.
   struct Bracket {
     const Sample* before = nullptr;
@@ -188,11 +199,9 @@ class OdometryTrack {
 
   OdometryParams params_;
   std::deque<Sample> samples_;
-  bool has_velocity_ = false;
-  double velocity_t_ = -1e18, previous_t_ = -1e18;  ///< of the last two velocity rows
-  double accepted_t_ = -1e18, fix_t_ = -1e18;
-  double began_t_ = 0.0;  ///< of the first attitude
-  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero(), previous_ = Eigen::Vector3d::Zero();
+  std::optional<VelocityRows> rows_;
+  std::optional<double> accepted_t_, fix_t_;  ///< of the last true velocity, of the last fix
+  double began_t_ = 0.0;                      ///< of the first attitude
   Eigen::Vector2d contested_way_ = Eigen::Vector2d::Zero();  ///< in the track's frame [m]
   SamplePeriod period_;
   WaterModel water_;
