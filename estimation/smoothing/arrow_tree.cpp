@@ -63,13 +63,12 @@ void ArrowTree::Append(ArrowLeaf leaf) {
     spine_.pop_back();
   const auto part = static_cast<int>(spine_.size());
   spine_.push_back(JoinWithTree(Before(spine_, part), leaves));
-  if (renewed_from_ < 0) return;
+  if (!renewal_) return;
   // What is joined anew behind the scenes goes on with the new tree, or this was all of it.
-  if (part <= renewed_from_) {
-    renewed_from_ = -1;
-    renewed_.clear();
+  if (part <= renewal_->from) {
+    renewal_.reset();
   } else {
-    renewed_.resize(std::min(renewed_.size(), AsIndex(part - renewed_from_)));
+    renewal_->CutAt(part);
   }
 }
 
@@ -91,11 +90,8 @@ void ArrowTree::PassOn(const Place& place, std::set<Place>& waiting, int& spine_
 
 void ArrowTree::RenewSpineFrom(int part) {
   if (part >= static_cast<int>(spine_.size())) return;
-  if (renewed_from_ < 0 || part < renewed_from_) {
-    renewed_from_ = part;
-    renewed_.clear();
-  }
-  renewed_.resize(std::min(renewed_.size(), AsIndex(part - renewed_from_)));
+  if (!renewal_ || part < renewal_->from) renewal_ = Renewal{.from = part};
+  renewal_->CutAt(part);
 }
 
 void ArrowTree::RefreshNow(const std::vector<int>& leaves) {
@@ -145,15 +141,14 @@ void ArrowTree::RejoinNow(Rejoins rejoins) {
     levels_[AsIndex(place.first)][AsIndex(place.second)] = JoinAt(place);
     PassOn(place, waiting, spine_from);
   }
-  const bool is_all = renewed_from_ >= spine_from;
+  const bool is_all = renewal_ && renewal_->from >= spine_from;
   for (int i = spine_from; i < static_cast<int>(spine_.size()); ++i) {
     const ArrowStretch& before = Before(spine_, i);
     spine_[AsIndex(i)] = JoinWithTree(before, TreeAt(before.end));
   }
   if (is_all) {
-    renewed_from_ = -1;
-    renewed_.clear();
-  } else if (renewed_from_ >= 0) {
+    renewal_.reset();
+  } else if (renewal_) {
     RenewSpineFrom(spine_from);
   }
 }
@@ -169,15 +164,15 @@ double ArrowTree::RefreshOne() {
     RenewSpineFrom(spine_from);
     return at.Work();
   }
-  if (renewed_from_ < 0) return 0.0;
-  const ArrowStretch& before = renewed_.empty() ? Before(spine_, renewed_from_) : renewed_.back();
-  renewed_.push_back(JoinWithTree(before, TreeAt(before.end)));
-  const double work = renewed_.back().Work();
-  if (renewed_.back().end == size()) {
-    spine_.resize(AsIndex(renewed_from_));
-    std::ranges::move(renewed_, std::back_inserter(spine_));
-    renewed_from_ = -1;
-    renewed_.clear();
+  if (!renewal_) return 0.0;
+  std::vector<ArrowStretch>& renewed = renewal_->parts;
+  const ArrowStretch& before = renewed.empty() ? Before(spine_, renewal_->from) : renewed.back();
+  renewed.push_back(JoinWithTree(before, TreeAt(before.end)));
+  const double work = renewed.back().Work();
+  if (renewed.back().end == size()) {
+    spine_.resize(AsIndex(renewal_->from));
+    std::ranges::move(renewed, std::back_inserter(spine_));
+    renewal_.reset();
   }
   return work;
 }
@@ -185,8 +180,7 @@ double ArrowTree::RefreshOne() {
 void ArrowTree::ReplaceAll(std::vector<ArrowLeaf> leaves) {
   leaves_ = std::move(leaves);
   waiting_.clear();
-  renewed_.clear();
-  renewed_from_ = -1;
+  renewal_.reset();
   for (int level = 1; level < static_cast<int>(levels_.size()); ++level) {
     for (int i = 0; i < static_cast<int>(levels_[AsIndex(level)].size()); ++i)
       levels_[AsIndex(level)][AsIndex(i)] = JoinAt({level, i});

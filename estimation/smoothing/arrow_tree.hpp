@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -33,7 +35,7 @@ class ArrowTree {
   /// One join of those that replaced leaves ask for; multiply-adds that it took.
   double RefreshOne();
   /// True if all joins know the newest version of all leaves.
-  [[nodiscard]] bool is_fresh() const { return waiting_.empty() && renewed_from_ < 0; }
+  [[nodiscard]] bool is_fresh() const { return waiting_.empty() && !renewal_; }
   /// All leaves in new versions.
   void ReplaceAll(std::vector<ArrowLeaf> leaves);
   /// No leaf to come depends on the block. Takes effect with the next leaf.
@@ -58,6 +60,13 @@ class ArrowTree {
   [[nodiscard]] const ArrowStretch& Before(const std::vector<ArrowStretch>& spine, int part) const {
     return part == 0 ? nothing_ : spine[AsIndex(part - 1)];
   }
+  /// The spine from a part on, as far as it has been joined anew; it takes the place of the old one
+  /// when it is whole.
+  struct Renewal {
+    int from = 0;
+    std::vector<ArrowStretch> parts = {};
+    void CutAt(int part) { parts.resize(std::min(parts.size(), AsIndex(part - from))); }
+  };
   void RenewSpineFrom(int part);
   /// What is to be joined anew: places in the levels, lowest first, and the spine from a part on.
   struct Rejoins {
@@ -78,9 +87,8 @@ class ArrowTree {
   std::vector<std::vector<ArrowStretch>> levels_{1};  ///< the first is empty: leaves
   ArrowStretch nothing_ = ArrowStretch::Nothing();
   std::vector<ArrowStretch> spine_;
-  std::set<Place> waiting_;            ///< to be joined anew, lowest first
-  int renewed_from_ = -1;              ///< part of the spine that is to be joined anew; -1: none
-  std::vector<ArrowStretch> renewed_;  ///< from there on, until it replaces the spine's
+  std::set<Place> waiting_;  ///< to be joined anew, lowest first
+  std::optional<Renewal> renewal_;
   std::vector<ClosedBlock> closed_;
 };
 
