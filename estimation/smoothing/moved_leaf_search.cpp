@@ -27,7 +27,7 @@ void MovedLeafSearch::AddLeaf(const NavVector& anchor) {
 }
 
 void MovedLeafSearch::Restart(const ArrowChain& chain, const std::vector<double>& border) {
-  at_.reset();
+  search_.reset();
   for (int leaf = 0; leaf < chain.tree().size(); ++leaf)
     anchors_[AsIndex(leaf)] = chain.tree().leaf(leaf).x_anchor();
   border_ = border;
@@ -35,13 +35,13 @@ void MovedLeafSearch::Restart(const ArrowChain& chain, const std::vector<double>
 
 std::vector<int> MovedLeafSearch::Continue(const ArrowChain& chain,
                                            const ArrowEstimates& estimates) {
-  if (!at_) {
+  if (!search_) {
     const bool has_moved = NoteMovedLandmarks(chain, estimates);
     if (++updates_since_whole_ < kUpdatesPerWhole && !has_moved && !is_due_) return {};
     Begin(chain.tree().size());
   }
   std::vector<int> moved;
-  for (int leaves = 0; leaves<kLeavesPerUpdate&& * at_> 0; ++leaves) {
+  for (int leaves = 0; leaves < kLeavesPerUpdate && search_->at > 0; ++leaves) {
     const Next next = Advance(chain, estimates);
     if (next.is_leaf) {
       const int leaf = next.anchor;
@@ -54,15 +54,15 @@ std::vector<int> MovedLeafSearch::Continue(const ArrowChain& chain,
     }
     ComeDownTo(next.anchor, estimates);
   }
-  if (*at_ == 0) at_.reset();
+  if (search_->at == 0) search_.reset();
   return moved;
 }
 
 MovedLeafSearch::Next MovedLeafSearch::Advance(const ArrowChain& chain,
                                                const ArrowEstimates& estimates) {
-  const int leaf = *at_ - 1;
+  const int leaf = search_->at - 1;
   for (const ArrowStretch* stretch : chain.tree().PathTo(leaf)) {
-    if (stretch->end == *at_ && IsUnmoved(*stretch, estimates))
+    if (stretch->end == search_->at && IsUnmoved(*stretch, estimates))
       return {.anchor = stretch->first, .is_leaf = false};
     estimates.SolveStretch(*stretch);
     for (const ArrowStretch::Block& block : stretch->blocks)
@@ -73,22 +73,23 @@ MovedLeafSearch::Next MovedLeafSearch::Advance(const ArrowChain& chain,
 
 void MovedLeafSearch::Begin(int leaves) {
   is_due_ = false;
-  is_whole_ = updates_since_whole_ >= kUpdatesPerWhole;
-  if (is_whole_) updates_since_whole_ = 0;
-  at_ = leaves;
-  has_at_moved_ = true;  // the last anchor does with every observation
+  const bool is_whole = updates_since_whole_ >= kUpdatesPerWhole;
+  if (is_whole) updates_since_whole_ = 0;
+  // The last anchor moves with every observation.
+  search_ = Search{.at = leaves, .is_whole = is_whole, .has_at_moved = true};
 }
 
 void MovedLeafSearch::ComeDownTo(int anchor, const ArrowEstimates& estimates) {
-  at_ = anchor;
-  has_at_moved_ = HasMoved(anchor, estimates);
-  if (has_at_moved_) anchors_[AsIndex(anchor)] = estimates.Anchor(anchor);
+  search_->at = anchor;
+  search_->has_at_moved = HasMoved(anchor, estimates);
+  if (search_->has_at_moved) anchors_[AsIndex(anchor)] = estimates.Anchor(anchor);
 }
 
 bool MovedLeafSearch::IsUnmoved(const ArrowStretch& stretch,
                                 const ArrowEstimates& estimates) const {
   const auto visit = visit_.lower_bound(stretch.first);
-  if (is_whole_ || has_at_moved_ || (visit != visit_.end() && *visit < stretch.end)) {
+  if (search_->is_whole || search_->has_at_moved ||
+      (visit != visit_.end() && *visit < stretch.end)) {
     return false;
   }
   // Without a begin, all that it depends on is its end and the border.

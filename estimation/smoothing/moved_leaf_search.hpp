@@ -36,12 +36,18 @@ class MovedLeafSearch {
   void RequestSearch() { is_due_ = true; }
   /// All leaves have been linearised at the estimate.
   void Restart(const ArrowChain& chain, const std::vector<double>& border);
-  [[nodiscard]] bool is_under_way() const { return at_.has_value(); }
+  [[nodiscard]] bool is_under_way() const { return search_.has_value(); }
   /// Goes on with the search, or begins one where anything has moved: leaves to be linearised anew.
   [[nodiscard]] std::vector<int> Continue(const ArrowChain& chain, const ArrowEstimates& estimates);
 
  private:
-  /// Where the search goes on after the newest leaf before `at_`, and whether that leaf is the one
+  /// A search under way.
+  struct Search {
+    int at = 0;                 ///< anchor that it has come down to
+    bool is_whole = false;      ///< visits all leaves
+    bool has_at_moved = false;  ///< that anchor, since the last search
+  };
+  /// Where the search goes on after the newest leaf before `at`, and whether that leaf is the one
   /// to look at.
   struct Next {
     int anchor;
@@ -58,15 +64,13 @@ class MovedLeafSearch {
   bool NoteIfMoved(int slot, const ArrowChain& chain, const ArrowEstimates& estimates);
 
   RelinearizeThresholds thresholds_;
-  std::optional<int> at_;      ///< anchor that the search has come down to; nothing: at rest
-  bool has_at_moved_ = false;  ///< that anchor, since the last search
-  bool is_whole_ = false;      ///< visits all leaves
+  std::optional<Search> search_;
   bool is_due_ = false;
   int updates_since_whole_ = 0;
   std::set<int> visit_;
   std::vector<bool> has_border_moved_;  ///< by slot, since the last search
   std::vector<double> border_;          ///< estimates as of the last search, three per slot
-  std::vector<NavVector> anchors_;      ///< likewise
+  std::vector<NavVector> anchors_;      ///< estimates as of the last search
 };
 
 }  // namespace limpet
