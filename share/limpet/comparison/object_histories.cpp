@@ -54,11 +54,11 @@ class HistoryKeeper {
     }
   }
 
-  /// The id that a session itself has for a landmark of its own.
-  [[nodiscard]] int IdOf(std::size_t session, int landmark) const {
+  /// The id that a session itself has for a landmark of its own; nothing: it has none.
+  [[nodiscard]] std::optional<int> IdOf(std::size_t session, int landmark) const {
     const std::vector<OpiBelief>& own = sessions_[session].memory.objects.opis;
     const auto found = std::ranges::find(own, landmark, &OpiBelief::landmark);
-    return landmark >= 0 && found != own.end() ? found->id : -1;
+    return landmark >= 0 && found != own.end() ? std::optional(found->id) : std::nullopt;
   }
 
   void Step(std::size_t now) {
@@ -91,11 +91,11 @@ class HistoryKeeper {
   /// Adds what session `now` says of an object, by comparing it with the last session that had it.
   void Follow(ObjectHistory& object, std::size_t now, std::vector<int>& taken) {
     const std::vector<OpiBelief>& said = Between(object.placed_in, now).objects;
-    const int id = object.entries[object.placed_in - object.since].id;
+    const std::optional<int> id = object.entries[object.placed_in - object.since].id;
     const auto found = std::ranges::find_if(said, [&](const OpiBelief& one) {
       return one.prior_id == id && std::ranges::find(taken, one.landmark) == taken.end();
     });
-    if (id < 0 || found == said.end()) {
+    if (found == said.end()) {
       // It was hardly one when it was last seen, or what stands there is another object's.
       object.entries.push_back({.decided = Status::kUncertain});
       return;
@@ -123,7 +123,7 @@ OrderedJson JsonOf(const HistoryEntry& entry, std::size_t session) {
   return {{"session", session + 1},
           {"decided", NameOf(entry.decided)},
           {"back", entry.is_back},
-          {"id", entry.id >= 0 ? OrderedJson(entry.id) : OrderedJson(nullptr)},
+          {"id", entry.id ? OrderedJson(*entry.id) : OrderedJson(nullptr)},
           {"posterior", entry.posterior ? JsonOf(*entry.posterior) : OrderedJson(nullptr)}};
 }
 

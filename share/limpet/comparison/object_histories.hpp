@@ -14,7 +14,7 @@ struct HistoryEntry {
   Status decided = Status::kNotInspected;
   bool is_back = false;                                     ///< was there, was gone, is there again
   std::optional<StatusPosterior> posterior = std::nullopt;  ///< nothing in the first session
-  int id = -1;                                              ///< in that session; -1: not there
+  std::optional<int> id = std::nullopt;                     ///< in that session; nothing: not there
 };
 
 /// An object over all sessions.

@@ -68,7 +68,7 @@ TEST(JsonOfASeries, HoldsEverySessionStepAndHistory) {
   HistoryEntry known = Decided(Status::kConfirmed);
   known.posterior = object.posterior;
   HistoryEntry gone = Decided(Status::kRemoved);
-  gone.id = -1;
+  gone.id.reset();
   series.objects = {HistoryOf(0, {Decided(Status::kNew), known, gone})};
 
   const nlohmann::json read = nlohmann::json::parse(Json(series));
