@@ -71,6 +71,11 @@ double WorstSigma(const Eigen::Matrix2d& S) {
   return std::sqrt(mean + std::sqrt(half * half + S(0, 1) * S(0, 1)));
 }
 
+/// Of an object from the camera, with 1-sigma [m].
+struct ExpectedRange {
+  double mean = 0.0, sd = 0.0;
+};
+
 /// Innovation of a box: both axes, then the range from size.
 class Innovation {
  public:
@@ -88,9 +93,10 @@ class Innovation {
     r_(axis) = along->offset;
     overlaps_ = overlaps_ && std::abs(along->offset) < params_.overlap_share * along->size;
   }
-  /// Range of the box's size against the expected one, whose 1-sigma is `sd` [m].
-  void AddRange(double range, double expected, double sd) {
-    const double off = std::log(range / expected) / std::hypot(params_.range_sigma, sd / expected);
+  /// Range of the box's size [m] against the expected one.
+  void AddRange(double range, const ExpectedRange& expected) {
+    const double off = std::log(range / expected.mean) /
+                       std::hypot(params_.range_sigma, expected.sd / expected.mean);
     overlaps_ = overlaps_ && std::abs(off) < kSizeSigmas;
     range_distance2_ = off * off;
   }
@@ -118,7 +124,7 @@ void AddRangeTo(Innovation& innovation, double range, const CameraPoint& point,
   const Eigen::RowVector3d ray_C(0.0, 0.0, 1.0);
   const Eigen::RowVector3d to_object = ray_C * point.J_landmark;
   const double sd = std::sqrt((to_object * covariance.bottomRightCorner<3, 3>()).dot(to_object));
-  innovation.AddRange(range, expected, sd);
+  innovation.AddRange(range, {.mean = expected, .sd = sd});
 }
 
 }  // namespace

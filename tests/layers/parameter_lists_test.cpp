@@ -12,7 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-TEST(ParameterLists, OfNoHeaderLetACallerExchangeThreeNumbers) {
+TEST(ParameterLists, OfNoFunctionLetACallerExchangeThreeNumbers) {
   EXPECT_THAT(InterchangeableNumbers(TreeFiles()), IsEmpty());
 }
 
@@ -26,12 +26,18 @@ TEST(ParameterLists, OfThreeNumbersInARowAreComplainedAbout) {
                           "radius = 1.0)"));
 }
 
-TEST(ParameterLists, OfPairsUnitsAndDefinitionsAreLeftAlone) {
+TEST(ParameterLists, OfWhatAFileKeepsToItselfCountToo) {
+  const SourceFile source{"local.cpp", "double Blend(double a, double b, double share) {"};
+  EXPECT_THAT(InterchangeableNumbers({source}),
+              ElementsAre("local.cpp: Blend(double a, double b, double share)"));
+}
+
+TEST(ParameterLists, OfPairsUnitsAndTestsAreLeftAlone) {
   const SourceFile pairs{"pairs.hpp",
                          "double At(double north, double east, Meters down, double scale);\n"
                          "Matrix RotationFromRollPitchYaw(double roll, double pitch, double yaw);"};
-  const SourceFile source{"local.cpp", "double Mix(double a, double b, double share) {"};
-  EXPECT_THAT(InterchangeableNumbers({pairs, source}), IsEmpty());
+  const SourceFile test{"tests/a.cpp", "double Blend(double a, double b, double share) {"};
+  EXPECT_THAT(InterchangeableNumbers({pairs, test}), IsEmpty());
 }
 
 }  // namespace

@@ -77,11 +77,17 @@ std::vector<double> SizeErrors(const Looks& found, double bias) {
 struct Curve {
   double middle = 0.0, width = 0.0;
 };
-/// The one that makes what was found likeliest, from a grid of middles up to `most`.
+/// The curves among which one is looked for: their peak, which way they rise, and how far their
+/// middles reach.
+struct CurveFamily {
+  double peak = 1.0, sign = 1.0, most = 1.0;
+};
+/// The one that makes what was found likeliest, from a grid of middles.
 template <class Value>
-Curve FitCurve(const Looks& looks, double peak, double sign, double most, const Value& value) {
+Curve FitCurve(const Looks& looks, const CurveFamily& family, const Value& value) {
   constexpr int kMiddles = 200;
   constexpr int kWidths = 30;
+  const auto [peak, sign, most] = family;
   Curve best{.middle = 0.0, .width = 0.05 * most};
   double best_likelihood = -1e300;
   for (int m = 0; m <= kMiddles; ++m) {
@@ -115,15 +121,15 @@ void FitChances(const Looks& balls, BoxModelConstants& k) {
   const Looks clear =
       Where(large, [](const TrialLook& look) { return IsNear(look) && IsWhole(look); });
   k.peak = std::clamp(ShareFound(clear), 0.05, 0.999);
-  const Curve faint = FitCurve(Where(large, IsWhole), k.peak, -1.0, 2.0,
+  const Curve faint = FitCurve(Where(large, IsWhole), {.peak = k.peak, .sign = -1.0, .most = 2.0},
                                [](const TrialLook& look) { return look.range_share(); });
   k.faint_at = faint.middle, k.faint_width = faint.width;
-  const Curve cut = FitCurve(Where(large, IsNear), k.peak, 1.0, 1.0,
+  const Curve cut = FitCurve(Where(large, IsNear), {.peak = k.peak},
                              [](const TrialLook& look) { return look.visible_fraction; });
   k.cut_at = cut.middle, k.cut_width = cut.width;
   const Curve small =
       FitCurve(Where(balls, [](const TrialLook& look) { return IsNear(look) && IsWhole(look); }),
-               k.peak, 1.0, 60.0, [](const TrialLook& look) { return look.size_px; });
+               {.peak = k.peak, .most = 60.0}, [](const TrialLook& look) { return look.size_px; });
   k.least_radius_px = 0.5 * small.middle;
 }
 

@@ -181,8 +181,13 @@ void LayRock(SeabedGround& ground, const Cover& cover, Random& random) {
   });
 }
 
-/// One leaf as a curved stroke, dark at its foot.
-void LayLeaf(SeabedGround& ground, double column, double row, double direction, Random& random) {
+/// Where a leaf is drawn, and which way it goes on [rad].
+struct LeafPoint {
+  double column, row, direction;
+};
+
+/// One leaf as a curved stroke from its foot, which is dark.
+void LayLeaf(SeabedGround& ground, LeafPoint at, Random& random) {
   const double length = random.Uniform(0.10, 0.38) / kTexel;
   const double curl = random.Uniform(-2.2, 2.2) / length;
   const double half_width = random.Uniform(0.5, 1.1);
@@ -191,21 +196,21 @@ void LayLeaf(SeabedGround& ground, double column, double row, double direction, 
   const Color tip =
       Between(Color(0.030F, 0.135F, 0.060F), Color(0.05F, 0.10F, 0.12F), age) * bright;
   const Color foot = Color(0.008F, 0.024F, 0.014F);
-  const float level = ground.height(static_cast<int>(column), static_cast<int>(row));
+  const float level = ground.height(static_cast<int>(at.column), static_cast<int>(at.row));
   for (double s = 0.0; s < length; s += 0.8) {
     const auto share = static_cast<float>(s / length);
     const Color color = Between(foot, tip, std::sqrt(share));
-    const double across_x = -std::sin(direction);
-    const double across_y = std::cos(direction);
+    const double across_x = -std::sin(at.direction);
+    const double across_y = std::cos(at.direction);
     for (double w = -half_width; w <= half_width; w += 0.8) {
-      const int x = static_cast<int>(std::floor(column + w * across_x));
-      const int y = static_cast<int>(std::floor(row + w * across_y));
+      const int x = static_cast<int>(std::floor(at.column + w * across_x));
+      const int y = static_cast<int>(std::floor(at.row + w * across_y));
       ground.set_color(x, y, color * static_cast<float>(1.0 - 0.25 * w / half_width));
       ground.height(x, y) = level + 0.012F * share;
     }
-    column += 0.8 * std::cos(direction);
-    row += 0.8 * std::sin(direction);
-    direction += 0.8 * curl;
+    at.column += 0.8 * std::cos(at.direction);
+    at.row += 0.8 * std::sin(at.direction);
+    at.direction += 0.8 * curl;
   }
 }
 
@@ -224,7 +229,7 @@ void LaySeagrass(SeabedGround& ground, const Cover& cover, Random& random) {
     const int row = static_cast<int>(random.Index(kSize));
     if (random.Uniform(0.0, 1.0) >= cover.At(column, row)) continue;
     const double direction = current + 1.2 * sway.At(column, row) + random.Normal(0.45);
-    LayLeaf(ground, column + 0.5, row + 0.5, direction, random);
+    LayLeaf(ground, {column + 0.5, row + 0.5, direction}, random);
   }
 }
 

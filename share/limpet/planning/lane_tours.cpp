@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "limpet/core/interval.hpp"
 #include "limpet/planning/pass_order.hpp"
 
 namespace limpet {
@@ -90,45 +91,48 @@ class LaneCutter {
       std::size_t last = first;
       while (last + 1 < alongs.size() && alongs[last + 1] - alongs[last] < gap)
         ++last;
-      AddPass(across, alongs[first], alongs[last], passes);
+      AddPass(across, {alongs[first], alongs[last]}, passes);
       first = last + 1;
     }
   }
 
   /// What of a lane lies inside the region, piece by piece.
-  void AddPass(double across, double from, double to, std::vector<Pass>& passes) const {
+  void AddPass(double across, const Interval& along, std::vector<Pass>& passes) const {
     const double inset = judge_.ground().footprint().half_along(Footprint::kLayers - 1);
-    double begin = from + inset, end = to - inset;
-    if (begin > end) begin = end = 0.5 * (from + to);
+    double begin = along.low + inset, end = along.high - inset;
+    if (begin > end) begin = end = along.middle();
     for (double at = begin; at <= end;) {
       double piece_end = at;
-      while (piece_end < end && IsOpen(piece_end, std::min(end, piece_end + kCut), across)) {
+      while (piece_end < end && IsOpen({piece_end, std::min(end, piece_end + kCut)}, across)) {
         piece_end = std::min(end, piece_end + kCut);
       }
-      AddPiece(across, at, piece_end, passes);
+      AddPiece(across, {at, piece_end}, passes);
       at = piece_end + kCut;
     }
   }
 
   /// Shorter at its ends, until there is room for the turns.
-  void AddPiece(double across, double begin, double end, std::vector<Pass>& passes) const {
-    while (begin + kCut < end && !IsFlyable(begin, across, yaw_ + std::numbers::pi))
+  void AddPiece(double across, Interval along, std::vector<Pass>& passes) const {
+    auto& [begin, end] = along;
+    while (begin + kCut < end && !IsFlyable({begin, across}, yaw_ + std::numbers::pi))
       begin += kCut;
-    while (begin + kCut < end && !IsFlyable(end, across, yaw_))
+    while (begin + kCut < end && !IsFlyable({end, across}, yaw_))
       end -= kCut;
-    if (!IsFlyable(end, across, yaw_)) return;
-    passes.push_back({.in = PoseAt(begin, across, yaw_), .length = end - begin});
+    if (!IsFlyable({end, across}, yaw_)) return;
+    passes.push_back(PassAlong(along, across));
   }
 
-  [[nodiscard]] bool IsOpen(double begin, double end, double across) const {
-    return IsInside(Pass{.in = PoseAt(begin, across, yaw_), .length = end - begin},
-                    judge_.region());
+  [[nodiscard]] bool IsOpen(const Interval& along, double across) const {
+    return IsInside(PassAlong(along, across), judge_.region());
   }
-  [[nodiscard]] Pose2 PoseAt(double along, double across, double yaw) const {
-    return {along * cos_ - across * sin_, along * sin_ + across * cos_, yaw};
+  [[nodiscard]] Pass PassAlong(const Interval& along, double across) const {
+    return {.in = PoseAt({along.low, across}, yaw_), .length = along.high - along.low};
   }
-  [[nodiscard]] bool IsFlyable(double along, double across, double yaw) const {
-    const Pose2 pose = PoseAt(along, across, yaw);
+  [[nodiscard]] Pose2 PoseAt(const LanePlace& at, double yaw) const {
+    return {at.along * cos_ - at.across * sin_, at.along * sin_ + at.across * cos_, yaw};
+  }
+  [[nodiscard]] bool IsFlyable(const LanePlace& at, double yaw) const {
+    const Pose2 pose = PoseAt(at, yaw);
     return judge_.region().Contains(pose) &&
            judge_.region().IsRecoverable(pose, judge_.turn_radius());
   }

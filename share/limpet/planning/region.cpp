@@ -18,12 +18,15 @@ namespace {
 /// A border touched exactly, or by a rounding error, is still inside.
 constexpr double kTouch = 1e-9;
 
-/// Whether going from `from` by `turned` [rad, signed] passes `angle`.
-bool Passes(double from, double turned, double angle) {
+/// A turn from a heading by an angle [rad, signed].
+struct SignedTurn {
+  double from, by;
+};
+bool Passes(const SignedTurn& turn, double heading) {
   const double full = 2.0 * std::numbers::pi;
-  double ahead = std::fmod(turned >= 0.0 ? angle - from : from - angle, full);
+  double ahead = std::fmod(turn.by >= 0.0 ? heading - turn.from : turn.from - heading, full);
   ahead = ahead < 0.0 ? ahead + full : ahead;
-  return ahead <= std::abs(turned);
+  return ahead <= std::abs(turn.by);
 }
 
 std::size_t MarkOf(const std::vector<Fence>& obstacles) {
@@ -85,7 +88,7 @@ bool Region::IsInRectangle(const Pose2& from, const PathSegment& segment) const 
   }
   for (int quarter = 0; quarter < 4; ++quarter) {
     const double heading = quarter * 0.5 * std::numbers::pi;
-    if (Passes(from.yaw, turned, heading)) {
+    if (Passes({from.yaw, turned}, heading)) {
       const double radius = 1.0 / segment.curvature;
       const double north = from.north + radius * (std::sin(heading) - std::sin(from.yaw));
       const double east = from.east + radius * (std::cos(from.yaw) - std::cos(heading));

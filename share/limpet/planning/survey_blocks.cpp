@@ -28,14 +28,20 @@ constexpr double kMostSlivers = 0.05;
 /// Within so much of a block its way begins [m].
 constexpr double kNear = 20.0;
 
-/// Blocks along an extent: the number near `side` for which the fewest lanes are needed in all.
-int BlocksAlong(double extent, double side, double swath) {
+/// Lengths that the number of blocks goes by [m].
+struct BlockLengths {
+  double side;  ///< about that of a block
+  double lane;  ///< from a lane to the next
+};
+/// Blocks along an extent: the number near its side for which the fewest lanes are needed in all.
+int BlocksAlong(double extent, const BlockLengths& lengths) {
+  const auto [side, lane] = lengths;
   const int fewest = std::max(1, static_cast<int>(std::ceil(extent / (kSlack * side))));
   const int most = std::max(fewest, static_cast<int>(std::floor(extent * kSlack / side)));
   int best = fewest;
   double least = std::numeric_limits<double>::infinity();
   for (int count = fewest; count <= most; ++count) {
-    const double lanes = count * std::ceil(extent / count / swath - 0.02);
+    const double lanes = count * std::ceil(extent / count / lane - 0.02);
     if (lanes < least) least = lanes, best = count;
   }
   return best;
@@ -67,9 +73,10 @@ SurveyBlocks::SurveyBlocks(const SurveyGrid& grid, const Footprint& footprint)
     cells_per_side_ =
         std::clamp(static_cast<int>(std::lround(footprint.swath() / kSwathOfACell)), 1, 4);
   }
-  const double lane = std::max(1.0, 2.0 * footprint.half_across(kTop));
-  const int rows = is_whole_ ? 1 : BlocksAlong(frame_.rows * frame_.cell_m, side, lane);
-  const int columns = is_whole_ ? 1 : BlocksAlong(frame_.columns * frame_.cell_m, side, lane);
+  const BlockLengths lengths{.side = side,
+                             .lane = std::max(1.0, 2.0 * footprint.half_across(kTop))};
+  const int rows = is_whole_ ? 1 : BlocksAlong(frame_.rows * frame_.cell_m, lengths);
+  const int columns = is_whole_ ? 1 : BlocksAlong(frame_.columns * frame_.cell_m, lengths);
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
       const CellBox block{.row_min = BeginOf(row, rows, frame_.rows),

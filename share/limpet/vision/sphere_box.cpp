@@ -8,16 +8,17 @@
 namespace limpet {
 namespace {
 
-/// Tangents of the two angles under which a circle of `radius` at (`across`, `ahead`) touches its
+/// Tangents of the two angles under which a circle of `radius` about (across, ahead) touches its
 /// tangents through the origin; nothing if it reaches behind.
-std::optional<std::pair<double, double>> TangentSlopes(double across, double ahead, double radius) {
+std::optional<std::pair<double, double>> TangentSlopes(const Eigen::Vector2d& center,
+                                                       double radius) {
   // A little less than a right angle, beyond which the image is at infinity.
   constexpr double kSteepest = 1.55;
-  const double distance = std::hypot(across, ahead);
+  const double distance = std::hypot(center.x(), center.y());
   if (distance <= radius) {
     return std::nullopt;
   }
-  const double middle = std::atan2(across, ahead);
+  const double middle = std::atan2(center.x(), center.y());
   const double half = std::asin(radius / distance);
   if (middle - half < -kSteepest || middle + half > kSteepest) {
     return std::nullopt;
@@ -77,8 +78,8 @@ std::optional<Chord> ChordOfSphere(const CameraModel& camera, const Eigen::Vecto
 
 std::optional<SphereImage> ImageOfSphere(const CameraModel& camera, const Eigen::Vector3d& p_C,
                                          double radius) {
-  const auto across = TangentSlopes(p_C.x(), p_C.z(), radius);
-  const auto along = TangentSlopes(p_C.y(), p_C.z(), radius);
+  const auto across = TangentSlopes({p_C.x(), p_C.z()}, radius);
+  const auto along = TangentSlopes({p_C.y(), p_C.z()}, radius);
   if (!across || !along) {
     return std::nullopt;
   }

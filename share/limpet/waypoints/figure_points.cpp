@@ -89,10 +89,14 @@ class Measures {
   std::map<std::string, std::string, std::less<>> texts_;
 };
 
-/// `right` and `ahead` of a place, for who looks along `bearing` [rad].
-MapPoint Beside(const MapPoint& place, double bearing, double right, double ahead) {
+/// How far a point lies from a place, for who looks along some bearing [m].
+struct Aside {
+  double right, ahead;
+};
+
+MapPoint Beside(const MapPoint& place, double bearing, const Aside& by) {
   constexpr double kRightAngle = 0.5 * std::numbers::pi;
-  return Project(Project(place, bearing, ahead), bearing + kRightAngle, right);
+  return Project(Project(place, bearing, by.ahead), bearing + kRightAngle, by.right);
 }
 
 /// Lanes along `degs`, or across it where the rows go from east to west, from the left of it to the
@@ -114,7 +118,7 @@ std::optional<Points> Lawnmower(const Measures& in) {
   const double last = 0.5 * breadth - (lanes - 1.0) * *lane;
   // The lanes' far and near ends; of the four corners the one at the start is the first.
   const auto end_at = [&](double left, double ahead) {
-    return Beside(*center, bearing, -left, 0.5 * length * ahead);
+    return Beside(*center, bearing, {-left, 0.5 * length * ahead});
   };
   const MapPoint start = in.Place("startx", "starty").value_or(MapPoint{});
   const std::array corners{end_at(0.5 * breadth, 1.0), end_at(0.5 * breadth, -1.0),
@@ -166,7 +170,8 @@ std::optional<Points> Zigzag(const Measures& in) {
   Points points{*start};
   double side = -1.0;
   for (int i = 0; 0.25 * *period + 0.5 * i * *period < *length; ++i) {
-    points.push_back(Beside(*start, *angle, side * *amplitude, 0.25 * *period + 0.5 * i * *period));
+    points.push_back(
+        Beside(*start, *angle, {side * *amplitude, 0.25 * *period + 0.5 * i * *period}));
     side = -side;
   }
   return points;
@@ -247,8 +252,9 @@ std::optional<Points> Pylon(const Measures& in) {
   const auto along = in.Number("axis_pad"), across = in.Number("perp_pad");
   if (!first || !second || !along || !across || *along < 0.0 || *across < 0.0) return std::nullopt;
   const double axis = BearingTo(*first, *second);
-  return Points{Beside(*first, axis, -*across, -*along), Beside(*first, axis, *across, -*along),
-                Beside(*second, axis, *across, *along), Beside(*second, axis, -*across, *along)};
+  return Points{Beside(*first, axis, {-*across, -*along}), Beside(*first, axis, {*across, -*along}),
+                Beside(*second, axis, {*across, *along}),
+                Beside(*second, axis, {-*across, *along})};
 }
 
 std::optional<Points> Spot(const Measures& in) {

@@ -12,14 +12,22 @@ struct Offset {
   double right = 0.0, ahead = 0.0;
 };
 
-/// By how much a vehicle swings off its heading before a loop whose centre lies `off` to the right
-/// of its way and `ahead`: to where the swing's circle and the loop have a tangent in common.
-double SwingTo(double off, double ahead, double radius) {
-  const double right = off - radius;  // of the centre of the swing's circle
-  const double distance = std::hypot(right, ahead);
+/// Part of a circle, by the headings on it [rad]; its centre is to starboard of who turns to
+/// starboard.
+struct TurnArc {
+  Offset center;
+  double radius = 0.0;
+  double begin = 0.0, end = 0.0;
+};
+
+/// By how much a vehicle swings off its heading before a loop about `center`: to where the swing's
+/// circle and the loop have a tangent in common.
+double SwingTo(const Offset& center, double radius) {
+  const double right = center.right - radius;  // of the centre of the swing's circle
+  const double distance = std::hypot(right, center.ahead);
   // At a bias of one radius there is no swing, but for a rounding that is none the other way.
-  return std::max(0.0,
-                  std::atan2(right, ahead) + std::asin(std::min(1.0, 2.0 * radius / distance)));
+  return std::max(
+      0.0, std::atan2(right, center.ahead) + std::asin(std::min(1.0, 2.0 * radius / distance)));
 }
 
 /// Unless it is where the last one is: arcs may have no length, and may touch.
@@ -31,30 +39,30 @@ void AddPoint(const Offset& point, std::vector<Offset>& points) {
   }
 }
 
-/// Points of an arc about `center`, by the headings on it from `begin` to `end` [rad]; the centre
-/// is to starboard of who turns to starboard.
-void AddArc(const Offset& center, double radius, double begin, double end, double gap,
-            std::vector<Offset>& points) {
-  const double side = end >= begin ? -1.0 : 1.0;
-  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(end - begin) / gap - 1e-9)));
+/// Points of an arc, `gap` [rad] apart at most.
+void AddArc(const TurnArc& arc, double gap, std::vector<Offset>& points) {
+  const double side = arc.end >= arc.begin ? -1.0 : 1.0, swept = arc.end - arc.begin;
+  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(swept) / gap - 1e-9)));
   for (int i = 0; i <= steps; ++i) {
-    const double heading = begin + (end - begin) * i / steps;
-    AddPoint({.right = center.right + side * radius * std::cos(heading),
-              .ahead = center.ahead - side * radius * std::sin(heading)},
+    const double heading = arc.begin + swept * i / steps;
+    AddPoint({.right = arc.center.right + side * arc.radius * std::cos(heading),
+              .ahead = arc.center.ahead - side * arc.radius * std::sin(heading)},
              points);
   }
 }
 
 /// A turn about whose loop goes to port, from the origin, heading ahead, back to it.
-std::vector<Offset> TurnAbout(double radius, double bias, double gap) {
-  const double off = bias * radius;
+std::vector<Offset> TurnAbout(const LegTurn& turn, double gap) {
+  const double radius = turn.radius, off = turn.bias * radius;
   const double nearer = radius - std::abs(off);
   const double ahead = std::sqrt(4.0 * radius * radius - nearer * nearer);
-  const double first = SwingTo(off, ahead, radius), last = SwingTo(-off, ahead, radius);
+  const Offset loop{.right = off, .ahead = ahead};
+  const double first = SwingTo(loop, radius);
+  const double last = -std::numbers::pi - SwingTo({.right = -off, .ahead = ahead}, radius);
   std::vector<Offset> points{{}};
-  AddArc({.right = radius}, radius, 0.0, first, gap, points);
-  AddArc({.right = off, .ahead = ahead}, radius, first, -std::numbers::pi - last, gap, points);
-  AddArc({.right = -radius}, radius, -std::numbers::pi - last, -std::numbers::pi, gap, points);
+  AddArc({{.right = radius}, radius, 0.0, first}, gap, points);
+  AddArc({loop, radius, first, last}, gap, points);
+  AddArc({{.right = -radius}, radius, last, -std::numbers::pi}, gap, points);
   return points;
 }
 
@@ -78,7 +86,9 @@ std::vector<MapPoint> LegPlan::TurnPoints(std::size_t end) const {
   const double starboard = heading + 0.5 * std::numbers::pi;
   const double side = turn.is_port ? 1.0 : -1.0;
   std::vector<MapPoint> points;
-  for (const Offset& at : TurnAbout(std::max(least_radius_, turn.radius), turn.bias, point_gap_)) {
+  LegTurn flown = turn;
+  flown.radius = std::max(least_radius_, turn.radius);
+  for (const Offset& at : TurnAbout(flown, point_gap_)) {
     points.push_back(Project(Project(begin, heading, at.ahead), starboard, side * at.right));
   }
   if (turn.extension > 0.0) points.push_back(from);
