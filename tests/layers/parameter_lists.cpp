@@ -13,7 +13,7 @@
 namespace limpet::layers {
 namespace {
 
-/// Whose order everybody knows, or whose one caller stands in the same file.
+/// Whose order everybody knows: axes; from, to and a share; distances that grow.
 constexpr std::array<std::string_view, 3> kKnownByHeart{"RotationFromRollPitchYaw", "Mix", "Worth"};
 constexpr int kMostInARow = 2;
 
