@@ -128,7 +128,7 @@ class HelmApp final : public App {
   std::vector<OwnedWarning> call_late_;         ///< of this iteration, where nothing is decided
   std::vector<BehaviorFailure> call_failures_;  ///< of this iteration, where nothing is decided
   HelmRevisits revisits_;                       ///< as last told
-  bool gives_up_ = false;                       ///< likewise
+  bool gives_up_ = false;                       ///< as last told
   HelmJournal journal_;
   HelmDrawing drawing_;
   HelmLead lead_;

@@ -80,7 +80,7 @@ class HelmJournal {
   int alive_ = 0;
   int made_ = 0;                                ///< behaviors, ever
   int functions_ = -1;                          ///< as last posted
-  std::string update_variables_;                ///< likewise
+  std::string update_variables_;                ///< as last posted
   std::map<std::string, std::string> summary_;  ///< fields as last posted
   std::map<State, std::string> names_;          ///< as last posted
 };

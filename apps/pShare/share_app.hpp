@@ -47,7 +47,8 @@ class ShareApp final : public App {
   [[nodiscard]] std::optional<Error> AddOutputs(const std::string& line, Origin origin);
   [[nodiscard]] std::optional<Error> AddInputs(const std::string& line, Origin origin);
   [[nodiscard]] std::optional<Error> WhyForbidden(const ShareSecurity& security) const;
-  /// The same for a plain input: where it may listen.
+  /// Why a command may not open this plain input where it is to listen; one that names no
+  /// interface gets the block's.
   [[nodiscard]] std::optional<Error> BoundInput(ShareInput& input) const;
   [[nodiscard]] std::optional<Error> AddInput(const ShareAddress& address, const ShareInput& line,
                                               Origin origin);

@@ -92,7 +92,7 @@ class TrackedObject {
   [[nodiscard]] int id() const { return mapped_->id; }
   /// Its variable in the smoother. REQUIRES: is_mapped().
   [[nodiscard]] int slot() const { return mapped_->slot; }
-  /// The same for its size, if that is estimated.
+  /// The smoother's variable of its size, if that is estimated. REQUIRES: is_mapped().
   [[nodiscard]] const std::optional<SizeSlot>& size() const { return mapped_->size; }
 
   template <class State>

@@ -55,9 +55,9 @@ class AttitudeFilter {
 
   [[nodiscard]] bool is_aligned() const;
   [[nodiscard]] const std::optional<AttitudeEstimate>& estimate() const { return estimate_; }
-  /// Samples, since the start: out of order or not finite.
+  /// Samples since the start that were out of order or not finite.
   [[nodiscard]] int refused() const { return refused_; }
-  /// Likewise: outliers.
+  /// Samples since the start that were outliers.
   [[nodiscard]] int outliers() const { return outliers_; }
   /// The last sample's heading may be used: it is no outlier, which its rates and forces need not
   /// share.

@@ -96,7 +96,7 @@ class LookLog {
 
   [[nodiscard]] Evidence Weigh(const FrameEvidence& frame) const;
   [[nodiscard]] bool IsNewViewpoint(const FrameEvidence& frame) const;
-  /// The same where the pass may have failed: it misses objects and lookalikes then.
+  /// Evidence of a whole pass, which may have failed: it misses objects and lookalikes then.
   [[nodiscard]] Evidence OfPass(const Evidence& pass) const;
   void CloseLook();
   void ClosePass();

@@ -86,7 +86,7 @@ class PoseChain {
   PersistenceGate depth_gate_;
   FixConsensus consensus_;
   FixRow row_;                   ///< fixes of this stay
-  std::vector<TakenFix> taken_;  ///< the same
+  std::vector<TakenFix> taken_;  ///< fixes of this stay, with their terms
   std::optional<double> last_fix_t_, before_stay_t_;
   double fix_scale_ = 1.0, spread_scale_ = 1.0;  ///< of their sigma; by their spread alone
   bool has_fix_ = false;

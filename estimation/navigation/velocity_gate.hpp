@@ -21,7 +21,8 @@ struct VelocityGateParams {
   Seconds dropout{1.0};           ///< without a good one, in which a vehicle may change its way
   Seconds longest_burst{12.0};  ///< false velocities that agree with one another do not last longer
   double felt_share = 0.3;      ///< of a change: less than this was none, says the accelerometer
-  Seconds longest_denied{60.0};  ///< likewise, of those that the accelerometer has not felt begin
+  /// False velocities of which the accelerometer has felt no beginning do not last longer.
+  Seconds longest_denied{60.0};
 };
 
 /// What else tells of the velocity [m/s].

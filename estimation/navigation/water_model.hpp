@@ -79,7 +79,7 @@ class WaterModel {
   /// Velocity of the DVL over ground [m/s], ahead and abeam in the levelled heading frame.
   void Add(double t, const Eigen::Vector2d& v_H, const Conduct& conduct);
 
-  /// The same quantity at `t`, in axes north and east, for when nothing measures it.
+  /// Velocity of the DVL over ground [m/s] at `t`, north and east, for when nothing measures it.
   [[nodiscard]] Eigen::Vector2d VelocityAt(double t, const Conduct& conduct) const;
   /// Variance of each axis of VelocityAt, their mean [m^2/s^2].
   [[nodiscard]] double VarianceAt(double t, const Conduct& conduct) const;

@@ -18,8 +18,8 @@ namespace limpet {
 
 /// The navigator's parameters for a stream's vehicle, as its meta.csv has it.
 [[nodiscard]] NavigatorParams ParamsForStream(const StreamMeta& meta);
-/// The same for a vehicle by its file's hull, sheets and camera; objects are those of the stream,
-/// whose velocities are in the vehicle's axes, however its DVL is turned.
+/// The navigator's parameters for a vehicle by its file's hull, sheets and camera; objects are
+/// those of the stream, whose velocities are in the vehicle's axes, however its DVL is turned.
 [[nodiscard]] NavigatorParams ParamsForVehicle(const VehicleParams& hull,
                                                const SensorSheets& sheets,
                                                const CameraModel& camera, const StreamMeta& meta);

@@ -46,7 +46,7 @@ class CovarianceDescent {
   Eigen::MatrixXd S_;  ///< room for more; the first n_ rows and columns count
   Eigen::Index n_ = 0;
   std::map<int, Eigen::Index> poses_;   ///< first row, by node
-  std::map<int, Eigen::Index> blocks_;  ///< likewise, by slot
+  std::map<int, Eigen::Index> blocks_;  ///< first row, by slot
 };
 
 }  // namespace limpet

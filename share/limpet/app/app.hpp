@@ -149,7 +149,7 @@ class App {
           (static_cast<A*>(this)->*handler)(Stamped<T>{time, std::move(*value)});
         });
   }
-  /// Likewise what it is better off with, and does without where nobody writes it.
+  /// Subscribes to what the app is better off with, and does without where nobody writes it.
   template <class A, class T>
   void SubscribeIfWritten(const Topic<T>& topic, void (A::*handler)(const Stamped<T>&),
                           Seconds interval = Seconds(0.0)) {

@@ -52,7 +52,7 @@ class LiveLink final : public AppLink {
   HeardBefore heard_;
   bool is_woken_ = false;
   std::set<std::string> published_, subscribed_;  ///< of the app's own thread
-  std::optional<Seconds> replayed_;               ///< too
+  std::optional<Seconds> replayed_;               ///< of the app's own thread
   TcpClient client_;  ///< last: its thread ends before what it writes to
 };
 

@@ -22,7 +22,7 @@ class FrameLine {
   FrameLine& Add(std::string_view text, Ink ink = Ink::kPlain);
   /// `text` cut or filled with blanks to `width` columns.
   FrameLine& AddCell(std::string_view text, std::size_t width, Ink ink = Ink::kPlain);
-  /// The same, at the right end of the cell.
+  /// `text` at the right end of a cell of `width` columns, cut or after blanks.
   FrameLine& AddNumber(std::string_view text, std::size_t width, Ink ink = Ink::kPlain);
   /// Cuts or fills to `width` columns in all.
   FrameLine& FitTo(std::size_t width);

@@ -66,7 +66,7 @@ enum class ScopeSort { kName, kAge, kRate, kSource };
 /// Which variables are shown. Empty lists let all through.
 struct ScopeFilter {
   std::vector<std::string> names{};    ///< patterns with * and ?
-  std::vector<std::string> sources{};  ///< likewise, of the last writer
+  std::vector<std::string> sources{};  ///< patterns of the last writer's name
   /// Words; each with * or ? must match the name, each other must occur in it, in any case of
   /// letters; one of them suffices.
   std::string typed{};

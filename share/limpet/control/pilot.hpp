@@ -39,7 +39,8 @@ class Pilot {
   /// One control step, `dt` [s] after the last.
   [[nodiscard]] ThrusterCommand Update(const NavState& nav, const DesiredMotion& desired,
                                        double dt);
-  /// The same when only the way up is left: heave upwards alone, no thrust ahead, aside or about.
+  /// One control step when only the way up is left: heave upwards alone, no thrust ahead, aside or
+  /// about.
   [[nodiscard]] ThrusterCommand Rise(const NavState& nav, double dt);
   /// Forgets what integrals and references hold; for after an interruption.
   void Reset(const NavState& nav);

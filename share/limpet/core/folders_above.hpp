@@ -14,8 +14,9 @@ void AddFoldersAbove(const std::filesystem::path& folder, const std::filesystem:
 /// Where the running program lies.
 [[nodiscard]] std::filesystem::path RunningProgramFolder();
 
-/// The same around the running program: above it, as in a source tree, and in `share/limpet` beside
-/// its `bin`, as an installation has them.
+/// Appends `wanted` of the folders around the running program, where `found` lacks it: of those
+/// above it, as in a source tree, and of `share/limpet` beside its `bin`, as an installation has
+/// them.
 void AddFoldersOfProgram(const std::filesystem::path& wanted,
                          std::vector<std::filesystem::path>& found);
 

@@ -22,10 +22,12 @@ class AppendFile {
   /// Goes on at the end of `path`, which is created if need be.
   [[nodiscard]] static Expected<AppendFile> Continue(const std::filesystem::path& path,
                                                      FileSystem& disk = RealFileSystem());
-  /// The same behind its first `size` bytes; what follows them goes. REQUIRES: it has as many.
+  /// Goes on behind the first `size` bytes of `path`; what follows them goes. REQUIRES: it has as
+  /// many.
   [[nodiscard]] static Expected<AppendFile> ContinueAt(const std::filesystem::path& path,
                                                        std::uint64_t size, FileSystem& disk);
-  /// The same with a file of lines: half a line at its end goes.
+  /// Goes on at the end of a file of lines, which is created if need be; half a line at its end
+  /// goes.
   [[nodiscard]] static Expected<AppendFile> ContinueLines(const std::filesystem::path& path,
                                                           FileSystem& disk = RealFileSystem());
 

@@ -41,7 +41,8 @@ class FailingFileSystem final : public FileSystem {
   [[nodiscard]] Fault fault() const { return state_.fault; }
   /// What one says who writes; nothing while it works.
   [[nodiscard]] std::error_code TroubleOfWriting() const;
-  /// Likewise who changes or syncs what is there: a full disk has room for that.
+  /// What one says who changes or syncs what is there, for which a full disk has room; nothing
+  /// while it works.
   [[nodiscard]] std::error_code TroubleOfChanging() const;
 
   [[nodiscard]] Opened Open(const std::filesystem::path& path, Opening how) override;

@@ -58,8 +58,9 @@ class EnergyEstimate {
   std::optional<Stamped<BatteryState>> battery_;
   std::optional<Stamped<NavState>> nav_;
   std::optional<WaterCurrent> current_;
-  double way_m_ = 0.0;    ///< since the last BATTERY
-  double still_m_ = 0.0;  ///< the same in metres of still water that take as much, by the sheets
+  double way_m_ = 0.0;  ///< since the last BATTERY
+  /// Metres of still water that would have taken as much since the last BATTERY, by the sheets.
+  double still_m_ = 0.0;
   std::optional<double> first_charge_;
   double used_wh_ = 0.0;
   /// Sums that begin with the prior's weight and forget.

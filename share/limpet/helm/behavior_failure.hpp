@@ -30,7 +30,8 @@ template <class Work>
   }
 }
 
-/// The same; a failure goes to `failures`. True if there was none.
+/// Runs `work`, which calls the behavior `owner`; what it threw goes to `failures`. True if it
+/// threw nothing.
 template <class Work>
 bool Heard(const std::string& owner, std::vector<BehaviorFailure>& failures, const Work& work) {
   std::optional<BehaviorFailure> failure = FailureOf(owner, work);

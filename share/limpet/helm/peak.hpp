@@ -36,7 +36,8 @@ struct WeightedPeak {
 [[nodiscard]] double MaximizeOverInterval(std::span<const WeightedPeak> peaks, double low,
                                           double high);
 
-/// The same over the circle; angles in radians, result in (-pi, pi]. REQUIRES: !peaks.empty().
+/// The exact maximiser over the circle of a weighted sum of peaks over angles [rad], in (-pi, pi];
+/// among equals as MaximizeOverInterval. REQUIRES: !peaks.empty().
 [[nodiscard]] double MaximizeOverCircle(std::span<const WeightedPeak> peaks);
 
 }  // namespace limpet

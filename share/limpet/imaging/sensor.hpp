@@ -37,7 +37,7 @@ class Sensor {
   std::vector<std::uint8_t> curve_;   ///< level of a signal in 1/kWhite
   std::vector<float> noise_;          ///< normal draws, 1-sigma 1
   std::vector<float> signal_;         ///< of a row: blue, then green, then red
-  std::vector<std::int32_t> levels_;  ///< likewise, in 1/kWhite
+  std::vector<std::int32_t> levels_;  ///< of a row: blue, then green, then red, in 1/kWhite
   std::vector<float> sum_;            ///< of the channels' light along a row
 };
 

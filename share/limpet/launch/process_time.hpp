@@ -15,7 +15,8 @@ namespace limpet {
 [[nodiscard]] std::optional<Seconds> ProcessorTime(pid_t process);
 
 namespace internal {
-/// The same in ticks of the system's clock, as /proc/<pid>/stat has it.
+/// A process's time on processors in ticks of the system's clock, of what /proc/<pid>/stat says;
+/// nothing of other text.
 [[nodiscard]] std::optional<double> ProcessorTicksIn(std::string_view stat);
 }  // namespace internal
 

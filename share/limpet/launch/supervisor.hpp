@@ -51,8 +51,8 @@ class Supervisor {
   [[nodiscard]] bool Poll();
   /// SIGTERM in reverse order of start, the database last; SIGKILL after `patience` (real time).
   void End(Seconds patience);
-  /// The same in two waves: those for which `is_late` holds end after the others, and after
-  /// `between` was called.
+  /// Ends all processes in two waves, each as End(patience) does: those for which `is_late` holds
+  /// after the others, and after `between` was called.
   void End(Seconds patience, const std::function<bool(const std::string& name)>& is_late,
            const std::function<void()>& between);
   /// What became of each process, as PLAUNCH_STATUS says it: `app=pNav,state=running,restarts=1,
@@ -66,7 +66,7 @@ class Supervisor {
     std::string last_end{};  ///< how it last ended; empty: it has not
     bool is_database = false;
   };
-  /// The same, one by one in order of start.
+  /// What became of each process, in order of start.
   [[nodiscard]] std::vector<Report> Reports() const;
   /// Of all processes that run [MiB]; nothing where the system does not say.
   [[nodiscard]] std::optional<double> ResidentMib() const;

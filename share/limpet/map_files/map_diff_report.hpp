@@ -11,7 +11,7 @@ namespace limpet {
 /// Depths and objects of session B beside those of session A, as JSON: objects as `limpet change`
 /// judges them. The error names the file that is damaged; throws ConfigError as CompareSessions.
 [[nodiscard]] Expected<std::string> MapDiffJson(const SavedSession& a, const SavedSession& b);
-/// The same for people.
+/// What MapDiffJson says, in words for people.
 [[nodiscard]] Expected<std::string> MapDiffText(const SavedSession& a, const SavedSession& b);
 
 }  // namespace limpet

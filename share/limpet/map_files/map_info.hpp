@@ -11,7 +11,7 @@ namespace limpet {
 
 /// As JSON. The error names the file that is damaged.
 [[nodiscard]] Expected<std::string> MapInfoJson(const SavedSession& session);
-/// The same for people.
+/// What MapInfoJson says, in words for people.
 [[nodiscard]] Expected<std::string> MapInfoText(const SavedSession& session);
 
 }  // namespace limpet

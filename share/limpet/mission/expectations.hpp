@@ -47,9 +47,9 @@ struct Expectations {
 /// `sessions` are known), bounds that no number can keep.
 [[nodiscard]] Expectations ParseExpectations(const std::string& text, const std::string& file,
                                              const std::vector<std::string>& sessions);
-/// The same of a mission's folder for a vehicle, as VehicleFile names it (`bluerov2.yaml`), with
-/// the sessions of its scenario: `expect.bluerov2.yaml` if that exists, else `expect.yaml`; nothing
-/// if there is neither.
+/// Reads what a mission's folder expects of a vehicle, as VehicleFile names it (`bluerov2.yaml`),
+/// with the sessions of the folder's scenario: `expect.bluerov2.yaml` if that exists, else
+/// `expect.yaml`; nothing if there is neither. Throws as ParseExpectations.
 [[nodiscard]] std::optional<Expectations> LoadExpectations(const std::filesystem::path& folder,
                                                            const Scenario& scenario,
                                                            const std::string& vehicle);

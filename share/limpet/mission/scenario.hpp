@@ -97,8 +97,8 @@ struct ScenarioSection {
 /// Throws ConfigError with every problem, each with file and line.
 [[nodiscard]] Scenario LoadScenario(const std::filesystem::path& file);
 
-/// The same from text; `file` names it in problems. Whether objects are in the water is left open
-/// without `checks_places`.
+/// Reads and checks a scenario's text, as LoadScenario does a file; `file` names it in problems.
+/// Whether objects are in the water is left open without `checks_places`.
 [[nodiscard]] Scenario ParseScenario(const std::string& text, const std::string& file,
                                      bool checks_places = true);
 

@@ -16,7 +16,7 @@ struct Pass {
   Pose2 in;
   double length = 0.0;  ///< [m]
   [[nodiscard]] Pose2 out() const { return Advance(in, 0.0, length); }
-  /// The same, flown the other way.
+  /// The pass over this ground that is flown the other way.
   [[nodiscard]] Pass Reversed() const;
   [[nodiscard]] bool operator==(const Pass& other) const;
 };

@@ -13,7 +13,8 @@ namespace limpet {
 void AddProp(MissionFile& mission, const TrialPlaces& places, const SafetyCase& tested,
              SafetyPhase phase);
 
-/// The same of its scenario, as lines for the end of its file; empty: nothing.
+/// What the case needs in the mission's scenario beside its fault, as lines for the end of the
+/// scenario's file; empty: nothing.
 [[nodiscard]] std::string PropLines(const Scenario& scenario, const SafetyCase& tested);
 
 /// One more line of an app's block; those with its key stay. Throws ConfigError without the block.

@@ -54,7 +54,7 @@ struct SessionMemory {
 
 /// Positions are kept to 0.1 mm, angles to 10 microradians, pixels to 0.01.
 [[nodiscard]] SessionFiles FilesOf(const SessionMemory& memory);
-/// Likewise with `map` in place of its map: a large one need not be there twice.
+/// The files of a memory with `map` in place of its map: a large one need not be there twice.
 [[nodiscard]] SessionFiles FilesOf(const SessionMemory& memory, std::string map);
 /// The error names the file whose content is not understood.
 [[nodiscard]] Expected<SessionMemory> MemoryOf(const SessionFiles& files);

@@ -26,7 +26,7 @@ struct WayDrawing {
                                              const MapPoint& next) const;
 };
 
-/// The same of a polygon that is gone round.
+/// What viewers draw of a polygon that is gone round, with the colors and sizes of the hints.
 struct RingDrawing {
   std::string vehicle, behavior;
   const VisualHints& hints;
