@@ -50,7 +50,7 @@ inline Consistency ConsistencyBetween(const Navigator& navigator, const StreamTr
   for (const TrackedObject& object : navigator.tracker().objects()) {
     if (!object.is_landmark()) continue;
     slots.push_back(object.slot());
-    errors.push_back(object.p_W - TruthOf(object.p_W, alignment, truth));
+    errors.emplace_back(object.p_W - TruthOf(object.p_W, alignment, truth));
   }
   Consistency between;
   if (slots.size() < 2) return between;

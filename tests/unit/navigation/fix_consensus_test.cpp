@@ -102,7 +102,7 @@ std::vector<Eigen::Vector2d> Errors(double white, double slow, Random& random) {
   std::vector<Eigen::Vector2d> errors;
   for (int i = 0; i < 45; ++i) {
     wander = keep * wander + Eigen::Vector2d(random.Normal(change), random.Normal(change));
-    errors.push_back(wander + Eigen::Vector2d(random.Normal(white), random.Normal(white)));
+    errors.emplace_back(wander + Eigen::Vector2d(random.Normal(white), random.Normal(white)));
   }
   return errors;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/pSafety/safety_app.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <fstream>
 
@@ -26,7 +27,7 @@ AppContext SafetyContext(TestLink& link) {
 class SafetyAppTest : public testing::Test {
  protected:
   void Run(double seconds) {
-    for (int i = 0; i < static_cast<int>(5.0 * seconds + 0.5); ++i) {
+    for (int i = 0; i < std::lround(5.0 * seconds); ++i) {
       link_.time += Seconds(0.2);
       link_.Send(app_, topics::kNavState, NavState{});
       link_.Send(app_, topics::kHelmState, std::string("DRIVE"));

@@ -218,7 +218,7 @@ std::vector<ByteBuffer> HostileDatagrams() {
   const ByteBuffer good = *EncodeShare(
       {.source = "pFar", .community = "beta", .key = "HARMFUL", .time = 5.0, .number = 1.0});
   std::vector<ByteBuffer> all{{}, ByteBuffer(1, std::byte{0})};
-  all.push_back(ByteBuffer(60'000, std::byte{0xff}));
+  all.emplace_back(60'000, std::byte{0xff});
   for (const std::size_t at : {std::size_t{0}, std::size_t{10}, std::size_t{18}}) {
     for (const std::int32_t length : {-1, 1, 0x7fffffff}) {
       all.push_back(good);
@@ -230,7 +230,7 @@ std::vector<ByteBuffer> HostileDatagrams() {
   }
   Random random(11, "hostile");
   for (int i = 0; i < 300; ++i) {
-    all.push_back(ByteBuffer(static_cast<std::size_t>(random.Uniform(1.0, 1500.0))));
+    all.emplace_back(static_cast<std::size_t>(random.Uniform(1.0, 1500.0)));
     for (std::byte& byte : all.back()) {
       byte = static_cast<std::byte>(static_cast<int>(random.Uniform(0.0, 255.99)));
     }

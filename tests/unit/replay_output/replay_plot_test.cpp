@@ -19,7 +19,7 @@ ReplayResult ShortReplay() {
     result.smoothed.push_back(pose);
     pose.X_WB.p_WB.y() = 0.1;
     result.online.push_back(pose);
-    result.online_covariance.emplace_back(0.04 * Eigen::Matrix3d::Identity());
+    result.online_covariance_W.emplace_back(0.04 * Eigen::Matrix3d::Identity());
     pose.X_WB.p_WB.y() = 0.01 * i;
     result.reckoned.push_back(pose);
   }

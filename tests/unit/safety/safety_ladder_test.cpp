@@ -2,6 +2,7 @@
 #include "limpet/safety/safety_ladder.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <string>
@@ -22,7 +23,7 @@ class SafetyLadderTest : public testing::Test {
     measures_[static_cast<std::size_t>(id)] = measure;
   }
   void Run(double seconds, SafetyPhase phase = SafetyPhase::kSurvey) {
-    for (int i = 0; i < static_cast<int>(10.0 * seconds + 0.5); ++i) {
+    for (int i = 0; i < std::lround(10.0 * seconds); ++i) {
       now_ += Seconds(0.1);
       ladder_.Update(measures_, phase, now_);
     }

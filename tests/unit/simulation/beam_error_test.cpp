@@ -22,9 +22,10 @@ TEST(BeamError, ThreeBeamsAreEnough) {
 TEST(BeamError, LosesItsShareOfBeams) {
   BeamError error({.loss_share = 0.25}, kAngle, Random(1));
   int lost = 0;
-  for (int i = 0; i < 4000; ++i)
+  for (int i = 0; i < 4000; ++i) {
     for (const bool is_lost : error.DrawLost())
       lost += is_lost ? 1 : 0;
+  }
   EXPECT_NEAR(lost / 16000.0, 0.25, 0.015);
 }
 

@@ -200,12 +200,14 @@ TEST_F(ArrowSmootherTest, CovariancesOfAnyPosesAndLandmarksTogetherAreThoseOfThe
   // Anchors and insides of leaves, the head, one twice, and landmarks between.
   const std::vector<int> nodes{40, 0, 74, 48, 17, 64, 70, 40, 3}, landmarks{slots_[1], slots_[0]};
   std::vector<int> rows;
-  for (const int node : nodes)
+  for (const int node : nodes) {
     for (int i = 0; i < 6; ++i)
       rows.push_back(6 * node + i);
-  for (const int slot : landmarks)
+  }
+  for (const int slot : landmarks) {
     for (int i = 0; i < 3; ++i)
       rows.push_back(6 * 75 + 3 * slot + i);
+  }
   const Eigen::MatrixXd expected = all(rows, rows);
   const Eigen::MatrixXd joint = smoother_->CovarianceOf(nodes, landmarks);
   ASSERT_EQ(joint.rows(), expected.rows());

@@ -80,10 +80,11 @@ TEST_P(RandomGraphTest, AlsoAfterEveryThirdLookIsTakenOut) {
   Build(60);
   for (std::size_t i = 0; i < looks_.size(); i += 3)
     smoother_.RemoveTerm(looks_[i]);
-  for (const int slot : graph_.slots)  // else one of them may be seen no more
+  for (const int slot : graph_.slots) {  // else one of them may be seen no more
     smoother_.AddBorderTerm(
         slot, Term::OnBorder(
                   BorderPriorFactor(Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()), slot));
+  }
   ExpectExact();
 }
 

@@ -68,8 +68,8 @@ PlanarGraph SquareGraph(int poses, double noise, double turn_noise) {
     const Eigen::Vector2d corner(side == 0 || side == 3 ? 0.0 : 10.0, side < 2 ? 0.0 : 10.0);
     const Eigen::Vector2d p = corner + 2.0 * along * Eigen::Vector2d(std::cos(yaw), std::sin(yaw));
     truth.emplace_back(p.x(), p.y(), yaw);
-    graph.poses.push_back(truth.back() +
-                          Eigen::Vector3d(random.Normal(0.2), random.Normal(0.2), 0.0));
+    graph.poses.emplace_back(truth.back() +
+                             Eigen::Vector3d(random.Normal(0.2), random.Normal(0.2), 0.0));
     if (k > 0) graph.edges.push_back(k % 2 == 0 ? edge(k - 1, k) : edge(k, k - 1));
     if (k >= 20) graph.edges.push_back(k % 3 == 0 ? edge(k, k - 20) : edge(k - 20, k));
     for (int j = 0; j < 2; ++j) {

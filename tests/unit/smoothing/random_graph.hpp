@@ -54,8 +54,8 @@ class RandomGraph {
   TermId See() {
     std::size_t i = slots.empty() ? 0 : random_.Index(slots.size());
     if (slots.size() < 5 && (slots.empty() || random_.Chance(0.2))) {
-      places_.push_back(truth_.head<3>() +
-                        Eigen::Vector3d(random_.Normal(2), random_.Normal(2), 3));
+      places_.emplace_back(truth_.head<3>() +
+                           Eigen::Vector3d(random_.Normal(2), random_.Normal(2), 3));
       i = slots.size();
       slots.push_back(smoother_.AddLandmark(places_.back()));
     }

@@ -102,9 +102,10 @@ TEST_P(SurveyGridProperties, WhatAMirrorWasToldInAnyPiecesIsTheGrid) {
   grid.SetReach(4.0);
   for (const SeenFrom& frame : flight_) {
     grid.Observe(frame.X_WB, frame.altitude, CameraModel{});
-    if (random_.Chance(0.3))
+    if (random_.Chance(0.3)) {
       grid.SetSeabed(
           {random_.Uniform(-4.0, 5.0), random_.Uniform(-3.0, 6.0), random_.Uniform(7.0, 8.0)});
+    }
     if (random_.Chance(0.5)) {
       EXPECT_TRUE(mirror.Apply(grid.TakeDelta()));
     }

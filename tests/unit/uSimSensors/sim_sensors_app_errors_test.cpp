@@ -37,9 +37,10 @@ class Flight {
   template <class T>
   [[nodiscard]] std::vector<Stamped<T>> Of(const Topic<T>& topic) const {
     std::vector<Stamped<T>> samples;
-    for (const MessagePtr& message : link_.published)
-      if (message->name == topic.name)
-        samples.push_back({message->time, *TopicCodec<T>::Decode(message->value)});
+    for (const MessagePtr& message : link_.published) {
+      if (message->name != topic.name) continue;
+      samples.push_back({message->time, *TopicCodec<T>::Decode(message->value)});
+    }
     return samples;
   }
 

@@ -16,10 +16,10 @@ Image Picture() {
   Image image{640, 480, std::vector<std::uint8_t>(std::size_t{3} * 640 * 480, 20)};
   for (int row = 220; row < 260; ++row) {
     for (int column = 300; column < 340; ++column) {
+      const std::size_t pixel =
+          static_cast<std::size_t>(row) * 640 + static_cast<std::size_t>(column);
       for (std::size_t c = 0; c < 3; ++c)
-        image
-            .bgr[3 * (static_cast<std::size_t>(row) * 640 + static_cast<std::size_t>(column)) + c] =
-            220;
+        image.bgr[3 * pixel + c] = 220;
     }
   }
   return image;

@@ -48,9 +48,10 @@ TEST(LensImage, IsUndistortedByMrptToWhatThePinholeSaw) {
   distorted.resize(camera.ncols, camera.nrows, mrpt::img::CH_RGB);
   for (int row = 0; row < seen.height_px; ++row) {
     for (int column = 0; column < seen.width_px; ++column) {
-      for (unsigned c = 0; c < 3; ++c)
+      for (unsigned c = 0; c < 3; ++c) {
         *distorted.ptr<std::uint8_t>(static_cast<unsigned>(column), static_cast<unsigned>(row), c) =
             seen.view().pixel(column, row)[c];
+      }
     }
   }
   distorted.undistort(straight, camera);
