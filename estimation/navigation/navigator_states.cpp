@@ -19,7 +19,7 @@ constexpr Names kMount{"gyro_scale", "dvl_lever_ahead", "dvl_lever_starboard"};
 constexpr Names kDepth{"depth_bias", "surface_depth_error", nullptr};
 constexpr Names kTilt{"camera_tilt_roll", "camera_tilt_pitch", "camera_tilt_yaw"};
 constexpr Names kCompass{"compass_offset", "compass_deviation_sin", "compass_deviation_cos"};
-constexpr Names kShift{"camera_lever_ahead", "camera_lever_starboard", "camera_delay"};
+constexpr Names kShift{"camera_lever_ahead", "camera_lever_starboard", "delay"};
 
 void AddBlock(const Smoother& smoother, int slot, const Names& names,
               std::vector<NamedState>& states) {

@@ -2,6 +2,7 @@
 #include "apps/limpet/verbs/nav_input.hpp"
 
 #include <filesystem>
+#include <fstream>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,8 +22,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// pLogger's other files (.slog, .ylog, ._moos) begin as an .alog does.
+bool IsOtherLoggerFile(const fs::path& named) {
+  std::ifstream in(named, std::ios::binary);
+  return in.get() == '%' && in.get() == '%';
+}
+
 Expected<SensorStream> LoadStream(const fs::path& named) {
   std::error_code error;
+  if (fs::is_regular_file(named, error) && IsOtherLoggerFile(named)) {
+    return Error{named.string() +
+                 ": is a file of a logger of MOOS, but not the .alog with its entries (time, "
+                 "variable, source, value): name that"};
+  }
   Expected<SensorStream> stream =
       fs::is_regular_file(named, error) ? LoadRawlog(named) : LoadSensorStream(named);
   if (stream) TakeOutClockSteps(named.string(), *stream);

@@ -15,6 +15,7 @@
 
 #include "limpet/core/harmless_text.hpp"
 #include "limpet/core/units.hpp"
+#include "limpet/recordings/place_columns.hpp"
 
 namespace limpet {
 namespace {
@@ -180,7 +181,8 @@ Expected<Recording> LoadMoosRecording(const fs::path& named) {
     if (!reader) return reader.error();
     Expected<Recording> recording = ReadMoosLog(*reader, file.filename().string());
     if (!recording) {
-      others.push_back(recording.error().text);
+      const std::string columns = PlaceColumnsText(file);
+      others.push_back(columns.empty() ? recording.error().text : columns);
     } else if (found) {
       return Error{fmt::format("{}: holds the logs {} and {}; name one of them", named.string(),
                                found->name, recording->name)};

@@ -157,7 +157,7 @@ double TruthOf(const std::string& state) {
   if (state == "camera_tilt_pitch") return 0.035;
   if (state == "camera_lever_ahead") return -0.05;
   if (state == "camera_lever_starboard") return 0.05;
-  return state == "camera_delay" ? 0.2 : 0.0;
+  return state == "delay" ? 0.2 : 0.0;
 }
 
 TEST(SimulatedStream, ACameraMountedAmissIsFoundAndCostsLittle) {
