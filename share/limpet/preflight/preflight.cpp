@@ -78,7 +78,7 @@ bool IsOurs(const MissionFile& mission, const std::string& block) {
          });
 }
 
-/// Each `$(NAME)` of a text.
+/// Each `$(NAME)` of a value.
 std::vector<std::string> MacrosIn(std::string_view text) {
   std::vector<std::string> macros;
   for (std::size_t at = text.find("$("); at != std::string_view::npos; at = text.find("$(", at)) {
@@ -90,13 +90,23 @@ std::vector<std::string> MacrosIn(std::string_view text) {
   return macros;
 }
 
+/// Each `$(NAME)` of the values that a complaint quotes; its own words name what is allowed, as in
+/// "no number, literal or $(VARIABLE)".
+std::vector<std::string> MacrosQuotedIn(const ConfigProblem& problem) {
+  std::vector<std::string> macros;
+  const std::vector<std::string> parts = Split(problem.text, '`');
+  for (std::size_t quoted = 1; quoted < parts.size(); quoted += 2)
+    std::ranges::move(MacrosIn(parts[quoted]), std::back_inserter(macros));
+  return macros;
+}
+
 /// A template is expanded before it is launched: of a value that is a macro still it is said that
 /// the macro is undefined, and not what is wrong with it as a value.
 void SetMacrosAside(MissionProblems& found) {
   std::vector<ConfigProblem> undefined;
   const auto set_aside = [&undefined](const ConfigProblem& problem) {
     if (problem.key.starts_with("$(")) return false;  // says so already
-    const std::vector<std::string> macros = MacrosIn(problem.text);
+    const std::vector<std::string> macros = MacrosQuotedIn(problem);
     for (const std::string& macro : macros)
       undefined.push_back({problem.where, macro, "undefined macro"});
     return !macros.empty();

@@ -135,6 +135,23 @@ TEST(CheckVerbOfFiles, NotesThatATemplateIsNotYetExpanded) {
       << "what follows from that is no news";
 }
 
+TEST(CheckVerbOfFiles, RefusesAConditionWhoseComplaintSpeaksOfAVariable) {
+  const TemporaryFolder folder;
+  const fs::path bhv = folder.path() / "a.bhv";
+  const auto check = [&bhv](const std::string& condition) {
+    std::ofstream(bhv) << "Behavior = BHV_Waypoint\n{\n  points = 1,2\n  condition = " << condition
+                       << "\n}\n";
+    return Check({bhv.string()});
+  };
+  const Checked bad = check("DEPLOY = true and RETURN = false");
+  EXPECT_EQ(bad.exit_code, kUsage) << bad.text;
+  EXPECT_THAT(bad.text, HasSubstr("a.bhv:4: condition: "));
+  EXPECT_THAT(bad.text, Not(HasSubstr("undefined macro"))) << "there is none in the file";
+  const Checked macro = check("DEPLOY = $(GO) and RETURN = false");
+  EXPECT_EQ(macro.exit_code, kOk) << macro.text;
+  EXPECT_THAT(macro.text, HasSubstr("note: $(GO): undefined macro"));
+}
+
 TEST(CheckVerbOfFiles, TakesMacrosWithADefaultAsNsplugDoes) {
   const TemporaryFolder folder;
   const fs::path bhv = folder.path() / "meta_vehicle.bhv";
