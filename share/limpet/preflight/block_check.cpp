@@ -21,15 +21,6 @@ void Append(const std::vector<ConfigProblem>& more, std::vector<ConfigProblem>& 
   problems.insert(problems.end(), more.begin(), more.end());
 }
 
-/// Where to say what is wrong with an app's block: of a block that was written for a stock program
-/// it is a note.
-std::vector<ConfigProblem>& ListFor(const MissionReading& reading, std::string_view process,
-                                    MissionProblems& found) {
-  const bool is_for_stock =
-      reading.StandsIn(process) || (reading.is_foreign() && IsNamesake(process));
-  return is_for_stock ? found.notes : found.syntax;
-}
-
 void CheckDomain(const LaunchedApp& helm, std::vector<ConfigProblem>& list) {
   std::vector<ConfigEntry> lines;
   std::ranges::copy_if(helm.block.entries, std::back_inserter(lines), [](const ConfigEntry& entry) {
@@ -67,6 +58,15 @@ void NoteRepeats(const LaunchedApp& app, MissionProblems& found) {
 }
 
 }  // namespace
+
+bool IsForStock(const MissionReading& reading, std::string_view process) {
+  return reading.StandsIn(process) || (reading.is_foreign() && IsNamesake(process));
+}
+
+std::vector<ConfigProblem>& ListFor(const MissionReading& reading, std::string_view process,
+                                    MissionProblems& found) {
+  return IsForStock(reading, process) ? found.notes : found.syntax;
+}
 
 void CheckBlocks(const MissionReading& reading, MissionProblems& found) {
   for (const LaunchedApp& app : reading.apps()) {

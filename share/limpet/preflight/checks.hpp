@@ -23,8 +23,14 @@ void CheckBehaviors(const MissionReading& reading, MissionProblems& found);
 void CheckLead(const MissionReading& reading, MissionProblems& found);
 /// Parameters that are one fact and are said in several places.
 void CheckAgreement(const MissionReading& reading, MissionProblems& found);
+/// Whose block was written for a stock program.
+[[nodiscard]] bool IsForStock(const MissionReading& reading, std::string_view process);
+/// Where to say what is wrong with an app's block: notes if it was written for a stock program.
+[[nodiscard]] std::vector<ConfigProblem>& ListFor(const MissionReading& reading,
+                                                  std::string_view process, MissionProblems& found);
 /// Apps that others need to hear. Returns what the apps cannot be built with; where it is known
-/// more exactly, that is said instead.
+/// more exactly, that is said instead. Of apps whose block was written for a stock program it is a
+/// note.
 [[nodiscard]] std::vector<ConfigProblem> CheckRoles(const MissionReading& reading,
                                                     MissionProblems& found);
 

@@ -210,6 +210,7 @@ MissionProblems CheckLoadedMission(const MissionFile& mission, const fs::path& f
     const std::vector<ConfigProblem> unbuildable = internal::CheckRoles(reading, found);
     CheckGeometryOf(reading, found);
     if (found.geometry.empty() && found.syntax.empty()) Join(unbuildable, found.syntax);
+    if (reading.is_foreign()) SetMacrosAside(found);
   }
   return Sorted(std::move(found));
 }

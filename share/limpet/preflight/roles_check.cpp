@@ -181,7 +181,8 @@ std::vector<ConfigProblem> CheckRoles(const MissionReading& reading, MissionProb
   for (const LaunchedApp& app : reading.apps()) {
     if (app.process == "pShare") continue;  // hears what its routes say; building it needs keys
     if (!app.stands_for.empty()) continue;  // its mission has other writers, or no use for it
-    const Names heard = HeardBy(app, reading, problems);
+    const Names heard =
+        HeardBy(app, reading, IsForStock(reading, app.process) ? found.notes : problems);
     has_image_reader = has_image_reader || heard.contains("CAMERA_FRAME");
     const Names conditions = app.process == "pHelm" ? ReadByConditions(reading) : Names{};
     for (const std::string& name : heard) {

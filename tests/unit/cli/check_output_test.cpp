@@ -135,6 +135,25 @@ TEST(CheckVerbOfFiles, NotesThatATemplateIsNotYetExpanded) {
       << "what follows from that is no news";
 }
 
+TEST(CheckVerbOfFiles, NotesWhatAStockNodeReporterIsToldAndOursWouldRefuse) {
+  const TemporaryFolder folder;
+  const fs::path moos = folder.path() / "meta_vehicle.moos";
+  const auto check = [&moos](const std::string& apps, const std::string& length) {
+    std::ofstream(moos) << "ServerPort = 9000\nCommunity = alpha\nLatOrigin = $(LAT)\n"
+                           "LongOrigin = 9.86\nProcessConfig = ANTLER\n{\n"
+                        << apps << "  Run = pNodeReporter\n}\nProcessConfig = pNodeReporter\n{\n"
+                        << "  platform_length = " << length << "\n  term_reporting = true\n}\n";
+    return Check({moos.string()});
+  };
+  const Checked stock = check("  Run = MOOSDB\n  Run = uSimMarine\n", "$(VLENGTH)");
+  EXPECT_EQ(stock.exit_code, kOk) << stock.text;
+  EXPECT_THAT(stock.text, HasSubstr("note: $(LAT): undefined macro"));
+  EXPECT_THAT(stock.text, HasSubstr("note: $(VLENGTH): undefined macro"));
+  EXPECT_THAT(stock.text, HasSubstr("note: term_reporting: unknown key"));
+  EXPECT_THAT(stock.text, Not(HasSubstr("is not allowed")));
+  EXPECT_EQ(check("  Run = LimpetDB\n", "4").exit_code, kUsage) << "ours stays checked strictly";
+}
+
 TEST(CheckVerbOfFiles, RefusesAConditionWhoseComplaintSpeaksOfAVariable) {
   const TemporaryFolder folder;
   const fs::path bhv = folder.path() / "a.bhv";
