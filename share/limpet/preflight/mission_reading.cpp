@@ -197,6 +197,14 @@ bool IsNamesake(std::string_view process) {
   return process == "pShare" || process == "pNodeReporter";
 }
 
+bool IsOthersAlone(const MissionFile& mission) {
+  return !mission.launches.empty() &&
+         std::ranges::none_of(mission.launches, [](const LaunchEntry& launch) {
+           const std::string named = fs::path(launch.binary).filename().string();
+           return named == "LimpetDB" || (AppRegistry().contains(named) && !IsNamesake(named));
+         });
+}
+
 bool MissionReading::is_foreign() const {
   return !strangers_.empty() || mission_.launches.empty() ||
          (std::ranges::all_of(apps_, [](const LaunchedApp& a) { return IsNamesake(a.process); }) &&

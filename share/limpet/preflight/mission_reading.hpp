@@ -48,6 +48,10 @@ struct LaunchedApp {
 /// those.
 [[nodiscard]] bool IsNamesake(std::string_view process);
 
+/// A mission that is other people's alone: it launches something, but neither LimpetDB nor an app
+/// that only Limpet has.
+[[nodiscard]] bool IsOthersAlone(const MissionFile& mission);
+
 /// What a mission says, ready to be asked. Files that cannot be read are problems; what they would
 /// say is then missing.
 class MissionReading {

@@ -129,6 +129,23 @@ void CheckMissingGlobals(const MissionReading& reading, MissionProblems& found) 
   }
 }
 
+void CheckStrangers(const MissionReading& reading, MissionProblems& found) {
+  for (const LaunchEntry& stranger : reading.strangers()) {
+    const std::string meant =
+        IsAmong(stranger.binary, StockNames()) ? "" : SlipOf(stranger.binary, OwnApps());
+    if (!meant.empty() && !IsOthersAlone(reading.mission())) {
+      found.syntax.push_back(
+          {stranger.where, "Run",
+           fmt::format("no app `{}`; nearest known: `{}`", stranger.binary, meant)});
+    } else {
+      found.notes.push_back(
+          {stranger.where, stranger.binary,
+           fmt::format("is no app of Limpet's: its block is not checked{}",
+                       meant.empty() ? "" : fmt::format("; nearest known: `{}`", meant))});
+    }
+  }
+}
+
 }  // namespace
 
 const std::vector<std::string>& StockBehaviors() {
@@ -176,10 +193,11 @@ void CheckBlockNames(const MissionReading& reading, MissionProblems& found) {
     const bool is_stock = IsAmong(block.name, StockNames());
     const std::string meant = !orphan.empty() ? orphan : is_stock ? "" : SlipOf(block.name, known);
     if (!meant.empty()) {
-      found.syntax.push_back({block.where, "ProcessConfig",
-                              fmt::format("`{}` is the name of no process that is launched; did "
-                                          "you mean `{}`?",
-                                          block.name, meant)});
+      auto& list = IsOthersAlone(mission) ? found.notes : found.syntax;
+      list.push_back({block.where, "ProcessConfig",
+                      fmt::format("`{}` is the name of no process that is launched; did "
+                                  "you mean `{}`?",
+                                  block.name, meant)});
     } else {
       found.notes.push_back(
           {block.where, block.name, "is no app of Limpet's and is not launched here: not checked"});
@@ -227,18 +245,7 @@ void CheckLaunches(const MissionReading& reading, MissionProblems& found) {
                        app.process)});
     }
   }
-  for (const LaunchEntry& stranger : reading.strangers()) {
-    const std::string meant =
-        IsAmong(stranger.binary, StockNames()) ? "" : SlipOf(stranger.binary, OwnApps());
-    if (!meant.empty()) {
-      found.syntax.push_back(
-          {stranger.where, "Run",
-           fmt::format("no app `{}`; nearest known: `{}`", stranger.binary, meant)});
-    } else {
-      found.notes.push_back(
-          {stranger.where, stranger.binary, "is no app of Limpet's: its block is not checked"});
-    }
-  }
+  CheckStrangers(reading, found);
 }
 
 }  // namespace limpet::internal

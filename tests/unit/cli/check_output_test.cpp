@@ -135,6 +135,24 @@ TEST(CheckVerbOfFiles, NotesThatATemplateIsNotYetExpanded) {
       << "what follows from that is no news";
 }
 
+TEST(CheckVerbOfFiles, NotesOtherPeoplesAppsWhoseNamesAreNearOneOfOurs) {
+  const TemporaryFolder folder;
+  const fs::path moos = folder.path() / "a.moos";
+  const auto check = [&moos](const std::string& database) {
+    std::ofstream(moos) << "ServerPort = 9000\nCommunity = alpha\nLatOrigin = 44\nLongOrigin = 9\n"
+                        << "ProcessConfig = ANTLER\n{\n  Run = " << database
+                        << "\n  Run = iNav\n  Run = uLog\n  Run = pNodeReporter\n}\n"
+                           "ProcessConfig = iMap\n{\n  x = 1\n}\n";
+    return Check({moos.string()});
+  };
+  const Checked others = check("MOOSDB");
+  EXPECT_EQ(others.exit_code, kOk) << others.text;
+  EXPECT_THAT(others.text, HasSubstr("note: iNav: is no app of Limpet's: its block is not checked; "
+                                     "nearest known: `pNav`"));
+  EXPECT_THAT(others.text, HasSubstr("note: ProcessConfig: `iMap`"));
+  EXPECT_EQ(check("LimpetDB").exit_code, kUsage) << "in a mission of ours it is a slip";
+}
+
 TEST(CheckVerbOfFiles, NotesWhatAStockNodeReporterIsToldAndOursWouldRefuse) {
   const TemporaryFolder folder;
   const fs::path moos = folder.path() / "meta_vehicle.moos";
