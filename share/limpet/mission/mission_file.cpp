@@ -233,7 +233,6 @@ class MissionParser {
     if (antler == nullptr) {
       return;
     }
-    std::ranges::copy(antler->problems, std::back_inserter(problems_));
     for (const ConfigEntry& entry : antler->entries) {
       if (EqualsIgnoringCase(entry.key, "Run")) {
         ParseLaunch(entry);

@@ -52,8 +52,8 @@ struct MissionFile {
 /// program that ours stands in for (stand_ins.hpp), and says what MOOS ignores: what stands outside
 /// of blocks in `warnings`, and what stands in a block (nested braces, a line that is neither a
 /// comment nor `key = value`, a `${NAME}` that nothing defines) in the block's `problems`: only the
-/// app whose block it is knows if that matters. Throws ConfigError with every problem of the rest
-/// and of the ANTLER block.
+/// app whose block it is knows if that matters, and of the ANTLER block whoever launches it. Throws
+/// ConfigError with every problem of the rest.
 [[nodiscard]] MissionFile ReadMission(std::string_view text, const std::string& file,
                                       const PlugOptions& options);
 [[nodiscard]] MissionFile LoadMission(const std::filesystem::path& file);

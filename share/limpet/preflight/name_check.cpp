@@ -227,6 +227,10 @@ void CheckGlobals(const MissionReading& reading, MissionProblems& found) {
 void CheckLaunches(const MissionReading& reading, MissionProblems& found) {
   const MissionFile& mission = reading.mission();
   CheckThatSomethingRuns(mission, found);
+  if (const ConfigBlock* antler = mission.Block("ANTLER")) {  // MOOS passes over such lines
+    std::ranges::copy(antler->problems,
+                      std::back_inserter(IsOthersAlone(mission) ? found.notes : found.syntax));
+  }
   std::vector<std::string> names;
   for (const LaunchEntry& launch : mission.launches) {
     if (std::ranges::find(names, launch.moos_name) != names.end()) {

@@ -153,6 +153,24 @@ TEST(CheckVerbOfFiles, NotesOtherPeoplesAppsWhoseNamesAreNearOneOfOurs) {
   EXPECT_EQ(check("LimpetDB").exit_code, kUsage) << "in a mission of ours it is a slip";
 }
 
+TEST(CheckVerbOfFiles, NotesLinesThatMoosPassesOverInTheLaunchersBlock) {
+  const TemporaryFolder folder;
+  const fs::path moos = folder.path() / "a.moos";
+  const auto check = [&moos](const std::string& database) {
+    std::ofstream(moos) << "ServerPort = 9000\nCommunity = alpha\nProcessConfig = ANTLER\n{\n"
+                        << "  ---------\n  [x]\n  Run: pX\n  Run = " << database
+                        << "\n  Run = uSimMarine\n}\n}\n";
+    return Check({moos.string()});
+  };
+  const Checked others = check("MOOSDB");
+  EXPECT_EQ(others.exit_code, kOk) << others.text;
+  EXPECT_THAT(others.text, HasSubstr("a.moos:7: note: ANTLER: `Run: pX` is neither a comment"));
+  EXPECT_THAT(others.text, HasSubstr("a.moos:11: note: ANTLER: a `}` too many"));
+  EXPECT_THAT(others.text, HasSubstr("note: uSimMarine: is no app of Limpet's"))
+      << "the rest is still said";
+  EXPECT_EQ(check("LimpetDB").exit_code, kUsage) << "a mission of ours has no such lines";
+}
+
 TEST(CheckVerbOfFiles, NotesWhatAStockNodeReporterIsToldAndOursWouldRefuse) {
   const TemporaryFolder folder;
   const fs::path moos = folder.path() / "meta_vehicle.moos";

@@ -197,8 +197,12 @@ TEST(MissionFile, ABraceOutsideOfBlocksThatNeverEndsSwallowsNoGlobals) {
               HasSubstr("m.moos:1: {: outside of blocks"));
 }
 
-TEST(MissionFile, TheLaunchersBlockIsAlwaysOurs) {
-  EXPECT_THROW(static_cast<void>(Read("ProcessConfig = ANTLER\n{\n  Run pNav\n}\n")), ConfigError);
+TEST(MissionFile, LaunchesWhatTheLaunchersBlockSaysBesideLinesThatMoosPassesOver) {
+  const MissionFile mission =
+      Read("ProcessConfig = ANTLER\n{\n  -------\n  Run: pNav\n  Run = MOOSDB\n}\n}\n");
+  ASSERT_EQ(mission.launches.size(), 1U);
+  EXPECT_EQ(mission.launches[0].binary, "MOOSDB");
+  EXPECT_EQ(mission.Block("ANTLER")->problems.size(), 3U);
 }
 
 TEST(MissionFile, VariablesThatStandForTooMuchEndWithTheirLine) {
