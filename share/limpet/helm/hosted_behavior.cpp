@@ -9,6 +9,7 @@
 
 #include "limpet/core/decimal_text.hpp"
 #include "limpet/helm/behavior_failure_warnings.hpp"
+#include "limpet/helm/behavior_names.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/helm/settings_text.hpp"
 
@@ -17,13 +18,9 @@ namespace {
 
 /// That there is no behavior of the block's name, and which is meant.
 ConfigProblem UnknownBehavior(const ConfigBlock& block) {
-  std::vector<std::string> known;
-  std::ranges::transform(BehaviorRegistry(), std::back_inserter(known),
-                         [](const auto& registered) { return registered.first; });
-  const std::string nearest = NearestWord(block.name, known);
-  const std::string hint = nearest.empty() ? "`limpet describe` lists those there are"
-                                           : fmt::format("nearest known: `{}`", nearest);
-  return {block.where, "Behavior", fmt::format("no behavior `{}`; {}", block.name, hint)};
+  return {block.where, "Behavior",
+          fmt::format("no behavior `{}`; {}; `limpet describe` lists those there are", block.name,
+                      NearestBehaviorText(block.name))};
 }
 
 /// Problems that a behavior itself has found: at the line of their key, else of the block.

@@ -10,6 +10,7 @@
 #include "limpet/app/registry.hpp"
 #include "limpet/helm/behavior_host.hpp"
 #include "limpet/helm/behavior_modules.hpp"
+#include "limpet/helm/behavior_names.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/mission/shared_settings.hpp"
 #include "limpet/mission/vehicle_settings.hpp"
@@ -185,16 +186,13 @@ void SetStrangersAside(BehaviorFile& file, MissionProblems& found) {
     const bool is_stock = std::ranges::find(internal::StockBehaviors(), block.name) !=
                           internal::StockBehaviors().end();
     const std::string meant = is_stock ? "" : internal::SlipOf(block.name, known);
+    const std::string nearest = NearestBehaviorText(block.name);
     if (meant.empty()) {
-      const std::string nearest = NearestWord(block.name, known);
-      found.notes.push_back(
-          {block.where, block.name,
-           fmt::format("is no behavior of Limpet's: not checked{}",
-                       nearest.empty() ? "" : fmt::format("; nearest known: `{}`", nearest))});
+      found.notes.push_back({block.where, block.name,
+                             fmt::format("is no behavior of Limpet's: not checked; {}", nearest)});
     } else {
       found.syntax.push_back(
-          {block.where, "Behavior",
-           fmt::format("no behavior `{}`; did you mean `{}`?", block.name, meant)});
+          {block.where, "Behavior", fmt::format("no behavior `{}`; {}", block.name, nearest)});
     }
     return true;
   });

@@ -232,7 +232,21 @@ TEST(CheckVerbOfFiles, NotesStockBehaviorsAndRefusesSlips) {
   }
   const Checked slip = check("BHV_StationKep");
   EXPECT_EQ(slip.exit_code, kUsage);
-  EXPECT_THAT(slip.text, HasSubstr("did you mean `BHV_StationKeep`?"));
+  EXPECT_THAT(slip.text, HasSubstr("nearest known: `BHV_StationKeep`"));
+}
+
+TEST(CheckVerbOfFiles, NamesTheNearestOfAnyUnknownBehavior) {
+  const TemporaryFolder folder;
+  const fs::path bhv = folder.path() / "a.bhv";
+  const auto check = [&bhv](const std::string& behavior) {
+    std::ofstream(bhv) << "Behavior = " << behavior << "\n{\n  name = a\n}\n";
+    return Check({bhv.string()}).text;
+  };
+  EXPECT_THAT(check("BHV_AvdColregsV19"), HasSubstr("nearest known: `BHV_AvoidObstacle`"));
+  EXPECT_THAT(check("BHV_HeadingBias"), HasSubstr("nearest known: `BHV_ConstantHeading`"));
+  EXPECT_THAT(check("BHV_Shadow"), HasSubstr("nearest known: `BHV_"));
+  EXPECT_THAT(check("BHV_Scout"), HasSubstr("nearest known: `BHV_"));
+  EXPECT_THAT(check("BHV_MinAltitude"), HasSubstr("it is called `BHV_MinAltitudeX`"));
 }
 
 TEST(CheckVerbOfFiles, ExpectsNothingOfALoggerThatOnlyListens) {
@@ -328,7 +342,7 @@ TEST(CheckVerbOfFiles, RefusesAMisspeltBehaviorAndABadParameterOfABehaviorFile) 
                         "BHV_ConstantDepth\n{\n  depth = -1\n}\n";
   const Checked checked = Check({bhv.string()});
   EXPECT_EQ(checked.exit_code, kUsage);
-  EXPECT_THAT(checked.text, HasSubstr("did you mean `BHV_HoldAltitude`?"));
+  EXPECT_THAT(checked.text, HasSubstr("nearest known: `BHV_HoldAltitude`"));
   EXPECT_THAT(checked.text, HasSubstr("a.bhv:7: depth: `-1` is not allowed"));
   EXPECT_THAT(checked.text, HasSubstr("2 problems\n"));
 }

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/helm/behavior_names.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "limpet/core/config.hpp"
+#include "limpet/core/word_distance.hpp"
+#include "limpet/helm/registry.hpp"
+
+namespace limpet {
+namespace {
+
+bool IsDigit(char letter) { return std::isdigit(static_cast<unsigned char>(letter)) != 0; }
+
+/// `AvdColregs` of `BHV_AvdColregsV19`.
+std::string_view Stem(std::string_view name) {
+  constexpr std::string_view kBehavior = "BHV_";
+  if (EqualsIgnoringCase(name.substr(0, kBehavior.size()), kBehavior)) {
+    name.remove_prefix(kBehavior.size());
+  }
+  std::string_view stem = name;
+  while (!stem.empty() && IsDigit(stem.back()))
+    stem.remove_suffix(1);
+  const bool is_version = stem.size() < name.size() && stem.size() > 1 && stem.ends_with('V');
+  return is_version ? stem.substr(0, stem.size() - 1) : name;
+}
+
+/// Letters of the longest piece that both words have.
+std::size_t SharedLetters(std::string_view a, std::string_view b) {
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      std::size_t run = 0;
+      while (i + run < a.size() && j + run < b.size() &&
+             EqualsIgnoringCase(a.substr(i + run, 1), b.substr(j + run, 1)))
+        ++run;
+      most = std::max(most, run);
+    }
+  }
+  return most;
+}
+
+/// Of unlike words one that shares a word of the name is nearer than one with as many letters.
+double FarnessOf(std::string_view a, std::string_view b) {
+  constexpr std::size_t kWord = 5;  // letters
+  const std::size_t shared = SharedLetters(a, b);
+  const auto longest = static_cast<double>(std::max({a.size(), b.size(), std::size_t{1}}));
+  const double distance = static_cast<double>(WordDistance(a, b)) / longest;
+  return shared >= kWord ? distance - 1.0 : distance;
+}
+
+std::string NearestBehavior(std::string_view name) {
+  std::vector<std::string> known;
+  std::ranges::transform(BehaviorRegistry(), std::back_inserter(known),
+                         [](const auto& registered) { return registered.first; });
+  if (known.empty()) return "";
+  return *std::ranges::min_element(known, {}, [stem = Stem(name)](const std::string& other) {
+    return FarnessOf(stem, Stem(other));
+  });
+}
+
+}  // namespace
+
+std::string NearestBehaviorText(std::string_view name) {
+  constexpr std::string_view kAltitude = "BHV_MinAltitudeX";
+  if (name == "BHV_MinAltitude" && BehaviorRegistry().contains(std::string(kAltitude))) {
+    return fmt::format("it is called `{}`", kAltitude);
+  }
+  const std::string nearest = NearestBehavior(name);
+  return nearest.empty() ? "" : fmt::format("nearest known: `{}`", nearest);
+}
+
+}  // namespace limpet

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// What to say of a behavior that is not registered.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace limpet {
+
+/// ``nearest known: `BHV_Loiter` ``: by what the name says behind BHV_ and before a version such as
+/// V19; of a name under which missions ask for one that there is, that this is its name. Never
+/// empty, unless no behavior is registered.
+[[nodiscard]] std::string NearestBehaviorText(std::string_view name);
+
+}  // namespace limpet
