@@ -150,34 +150,52 @@ void CheckGeometryOf(const MissionReading& reading, MissionProblems& found) {
   }
 }
 
-/// Globals of the mission beside a behavior file whose helm reads it; none if there is no such
-/// mission, or it cannot be read.
-std::vector<ConfigEntry> GlobalsBeside(const fs::path& file) {
+/// The missions beside a file, by name, as far as they can be read: their problems are told when
+/// they are checked themselves.
+std::vector<MissionFile> MissionsBeside(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  std::vector<fs::path> missions;
+  std::vector<fs::path> paths;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".moos") missions.push_back(entry.path());
+    if (entry.path().extension() == ".moos") paths.push_back(entry.path());
   }
-  std::ranges::sort(missions);
-  for (const fs::path& path : missions) {
+  std::ranges::sort(paths);
+  std::vector<MissionFile> missions;
+  for (const fs::path& path : paths) {
     try {
-      const MissionFile mission = LoadMission(path);
-      const ConfigBlock* helm = mission.Block("pHelm");
-      const bool reads =
-          helm != nullptr && std::ranges::any_of(helm->entries, [&file](const ConfigEntry& entry) {
-            return EqualsIgnoringCase(entry.key, "behaviors") &&
-                   entry.value == file.filename().string();
-          });
-      if (reads) return mission.globals;
+      missions.push_back(LoadMission(path));
     } catch (const ConfigError&) {
-      continue;  // its problems are told when it is checked itself
+      continue;
     }
+  }
+  return missions;
+}
+
+/// Globals of the mission beside a behavior file whose helm reads it; none if there is none.
+std::vector<ConfigEntry> GlobalsBeside(const fs::path& file,
+                                       const std::vector<MissionFile>& missions) {
+  for (const MissionFile& mission : missions) {
+    const ConfigBlock* helm = mission.Block("pHelm");
+    const bool reads =
+        helm != nullptr && std::ranges::any_of(helm->entries, [&file](const ConfigEntry& entry) {
+          return EqualsIgnoringCase(entry.key, "behaviors") &&
+                 entry.value == file.filename().string();
+        });
+    if (reads) return mission.globals;
   }
   return {};
 }
 
-/// Sorts the behaviors of a file into ours, which stay, and others', which are noted.
-void SetStrangersAside(BehaviorFile& file, MissionProblems& found) {
+/// Beside missions of which some are other people's alone, and the rest launches nothing.
+bool IsOfOthers(const std::vector<MissionFile>& missions) {
+  return std::ranges::any_of(missions, IsOthersAlone) &&
+         std::ranges::all_of(missions, [](const MissionFile& mission) {
+           return mission.launches.empty() || IsOthersAlone(mission);
+         });
+}
+
+/// Sorts the behaviors of a file into ours, which stay, and others', which are noted; a slip of the
+/// pen is a problem, unless the file `is_others`.
+void SetStrangersAside(BehaviorFile& file, bool is_others, MissionProblems& found) {
   std::vector<std::string> known;
   std::ranges::transform(BehaviorRegistry(), std::back_inserter(known),
                          [](const auto& registered) { return registered.first; });
@@ -187,7 +205,7 @@ void SetStrangersAside(BehaviorFile& file, MissionProblems& found) {
                           internal::StockBehaviors().end();
     const std::string meant = is_stock ? "" : internal::SlipOf(block.name, known);
     const std::string nearest = NearestBehaviorText(block.name);
-    if (meant.empty()) {
+    if (meant.empty() || is_others) {
       found.notes.push_back({block.where, block.name,
                              fmt::format("is no behavior of Limpet's: not checked; {}", nearest)});
     } else {
@@ -226,12 +244,13 @@ MissionProblems CheckBehaviorFile(const fs::path& file) {
   try {
     LoadBehaviorModules({}, file.parent_path());
     BehaviorFile behaviors = LoadBehaviors(file);
-    TakeGlobals(GlobalsBeside(file), behaviors.behaviors);
+    const std::vector<MissionFile> missions = MissionsBeside(file);
+    TakeGlobals(GlobalsBeside(file, missions), behaviors.behaviors);
     Join(behaviors.warnings, found.notes);
     if (behaviors.behaviors.empty() && behaviors.modes.empty() && behaviors.initializes.empty()) {
       found.syntax.push_back({{.file = file.string(), .line = 0}, "", "has no behavior"});
     }
-    SetStrangersAside(behaviors, found);
+    SetStrangersAside(behaviors, IsOfOthers(missions), found);
     const BehaviorHost host({behaviors});
     Join(host.IgnoredLines(), found.notes);
   } catch (const ConfigError& error) {

@@ -249,6 +249,25 @@ TEST(CheckVerbOfFiles, NamesTheNearestOfAnyUnknownBehavior) {
   EXPECT_THAT(check("BHV_MinAltitude"), HasSubstr("it is called `BHV_MinAltitudeX`"));
 }
 
+TEST(CheckVerbOfFiles, NotesABehaviorBesideAMissionOfOtherPeopleThatIsNearOneOfOurs) {
+  const TemporaryFolder folder;
+  const fs::path bhv = folder.path() / "a.bhv";
+  std::ofstream(bhv) << "Behavior = BHV_WaypointX\n{\n  name = a\n}\n";
+  EXPECT_EQ(Check({bhv.string()}).exit_code, kUsage) << "nobody says whose it is";
+  const auto mission_of = [&folder](const std::string& database) {
+    std::ofstream(folder.path() / "a.moos")
+        << "ServerPort = 9000\nCommunity = alpha\nProcessConfig = ANTLER\n{\n  Run = " << database
+        << "\n  Run = pHelmIvP\n}\n";
+  };
+  mission_of("MOOSDB");
+  const Checked others = Check({bhv.string()});
+  EXPECT_EQ(others.exit_code, kOk) << others.text;
+  EXPECT_THAT(others.text, HasSubstr("note: BHV_WaypointX: is no behavior of Limpet's: not "
+                                     "checked; nearest known: `BHV_Waypoint`"));
+  mission_of("LimpetDB");
+  EXPECT_EQ(Check({bhv.string()}).exit_code, kUsage);
+}
+
 TEST(CheckVerbOfFiles, ExpectsNothingOfALoggerThatOnlyListens) {
   const TemporaryFolder folder;
   const fs::path moos = folder.path() / "a.moos";
