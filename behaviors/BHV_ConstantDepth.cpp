@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "behaviors/BHV_ConstantDepth.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "limpet/helm/act_list.hpp"
@@ -10,7 +11,8 @@
 namespace limpet {
 
 void BHV_ConstantDepth::Params::Describe(ParamCollector& visit) {
-  visit("depth", depth, "Depth to keep", InRange(Meters(0.0), Meters(6000.0)));
+  visit("depth", depth, "Depth to keep; below 0: the surface",
+        InRange(Meters(-6000.0), Meters(6000.0)));
   visit("peakwidth", peakwidth, "Depths this near are as good", AtLeast(Meters(0.0)));
   visit("basewidth", basewidth, "Preference falls to nothing over this depth",
         AtLeast(Meters(0.0)));
@@ -21,10 +23,11 @@ void BHV_ConstantDepth::Params::Describe(ParamCollector& visit) {
 
 MotionBid BHV_ConstantDepth::Move(const VehicleState& state) {
   const double flat = params_.peakwidth.value();
+  const double depth = std::max(params_.depth.value(), 0.0);
   ActList acts;
-  acts.Post(params_.mismatch_variable, std::abs(state.nav.down - params_.depth.value()));
+  acts.Post(params_.mismatch_variable, std::abs(state.nav.down - depth));
   MotionBid bid;
-  bid.depth = Peak{.summit = params_.depth.value(),
+  bid.depth = Peak{.summit = depth,
                    .flat_half_width = flat,
                    .base_half_width = BaseBeyond(flat, params_.basewidth.value())};
   bid.acts = acts.Take();

@@ -11,8 +11,8 @@
 namespace limpet {
 
 void BHV_ConstantHeading::Params::Describe(ParamCollector& visit) {
-  visit("heading", heading, "Heading to keep, clockwise from north",
-        InRange(Radians::FromTextUnit(-360.0), Radians::FromTextUnit(360.0)));
+  visit("heading", heading, "Heading to keep, clockwise from north; 370 is 10",
+        InRange(Radians::FromTextUnit(-36000.0), Radians::FromTextUnit(36000.0)));
   visit("peakwidth", peakwidth, "Headings this near are as good",
         InRange(Radians(0.0), Radians::FromTextUnit(180.0)));
   visit("basewidth", basewidth, "Preference falls to nothing over this angle",

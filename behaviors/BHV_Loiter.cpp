@@ -40,7 +40,9 @@ double Coarse(double value) {
 }
 
 /// What a corner ahead is preferred by: with 0 75 degrees, with 100 one.
-double InertiaOf(double spiral_factor) { return RadiansFromDegrees(75.0 - 0.74 * spiral_factor); }
+double InertiaOf(double spiral_factor) {
+  return RadiansFromDegrees(75.0 - 0.74 * std::clamp(spiral_factor, 0.0, 100.0));
+}
 
 }  // namespace
 

@@ -85,8 +85,10 @@ void BHV_Loiter::Params::Describe(ParamCollector& visit) {
   visit.Also({"acquire_distance"});
   visit("slingshot", slingshot_deg, "Complete after so much of a round [deg]; below 0: never",
         InRange(-1.0, 36000.0));
-  visit("spiral_factor", spiral_factor,
-        "From inside: 0 keeps on ahead, 100 turns for the best corner", InRange(0.0, 100.0));
+  visit(
+      "spiral_factor", spiral_factor,
+      "From inside: 0 keeps on ahead, 100 turns for the best corner; beyond, as the nearer of them",
+      InRange(-1e6, 1e6));
   DescribeSuffix(visit, "post_suffix", suffix);
   DescribeHints(visit, hints);
   visit.WithoutEffect({"patience", "ipf_type", "ipf-type"});

@@ -2,6 +2,7 @@
 #include "behaviors/BHV_PeriodicSurface.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -30,8 +31,16 @@ void BHV_PeriodicSurface::Params::Describe(ParamCollector& visit) {
                  return true;
                });
   visit.Also({"speed_to_surface"});
-  visit.Choice("ascent_grade", ascent_grade, "How the speed falls on the way up",
-               {"linear", "quadratic", "quasi", "fullspeed"});
+  visit.Parsed("ascent_grade", "linear, quadratic, quasi, fullspeed; in any letters",
+               "How the speed falls on the way up", "linear", [this](std::string_view text) {
+                 constexpr std::array kGrades{"linear", "quadratic", "quasi", "fullspeed"};
+                 const auto grade = std::ranges::find_if(kGrades, [text](const char* known) {
+                   return EqualsIgnoringCase(known, text);
+                 });
+                 if (grade == kGrades.end()) return false;
+                 ascent_grade = *grade;
+                 return true;
+               });
   visit("zero_speed_depth", zero_speed_depth, "From this depth up it is at the surface",
         InRange(Meters(0.0), Meters(6000.0)));
   visit("max_time_at_surface", longest_stay, "It dives again after so long without a mark",

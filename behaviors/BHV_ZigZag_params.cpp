@@ -51,8 +51,8 @@ void DescribeTurns(ParamCollector& visit, ZigZagParams& params) {
 }  // namespace
 
 void BHV_ZigZag::Params::Describe(ParamCollector& visit) {
-  visit("stem_hdg", stem_heading, "Heading of the stem, clockwise from north",
-        InRange(Radians::FromTextUnit(-360.0), Radians::FromTextUnit(360.0)));
+  visit("stem_hdg", stem_heading, "Heading of the stem, clockwise from north; 370 is 10",
+        InRange(Radians::FromTextUnit(-36000.0), Radians::FromTextUnit(36000.0)));
   visit("stem_on_active", takes_heading, "Take the heading that it begins with instead");
   visit("speed", speed, "Speed to keep", InRange(MetersPerSecond(0.0), MetersPerSecond(100.0)));
   visit("spd_on_active", takes_speed, "Take the speed that it begins with instead");

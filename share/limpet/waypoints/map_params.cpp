@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/waypoints/map_params.hpp"
 
+#include <cmath>
+
 #include "limpet/core/number_text.hpp"
 
 namespace limpet {
@@ -13,9 +15,9 @@ bool ReadRepeats(std::string_view text, std::optional<int>& repeats) {
     repeats.reset();
     return true;
   }
-  const auto number = ParseInteger(text);
-  constexpr int kMost = 1'000'000;
-  if (!number || *number < 0 || *number > kMost) return false;
+  const auto number = ParseNumber(text);  // `2.0` is a whole number, too
+  constexpr double kMost = 1e6;
+  if (!number || *number != std::floor(*number) || *number < 0.0 || *number > kMost) return false;
   repeats = static_cast<int>(*number);
   return true;
 }

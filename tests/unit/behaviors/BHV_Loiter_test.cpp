@@ -67,6 +67,16 @@ TEST(BhvLoiter, EntersWithTheRounds) {
   EXPECT_GT(MoosHeadingFromYaw(*other.decision().course), 90.0);
 }
 
+TEST(BhvLoiter, TakesASpiralFactorBeyondItsScaleForTheEndOfIt) {
+  const auto course_with = [](const std::string& factor) {
+    HelmFlight flight = Begun("  spiral_factor = " + factor + "\n", 10.0, 0.0, 90.0);
+    flight.Tick();
+    return *flight.decision().course;
+  };
+  EXPECT_EQ(course_with("-2"), course_with("0"));
+  EXPECT_EQ(course_with("250"), course_with("100"));
+}
+
 TEST(BhvLoiter, TakesTheBetterDirectionIfLeftTo) {
   HelmFlight flight = Begun("  clockwise = best\n  runflag = CW = $[CWISE]\n", -100.0, 0.0, 120.0);
   flight.Tick();

@@ -132,6 +132,13 @@ TEST(BhvWaypoint, RepeatsAsOftenAsItIsToldAndThenCompletes) {
   EXPECT_THAT(flight.host().statuses(), SizeIs(1)) << "what repeats lives on";
 }
 
+TEST(BhvWaypoint, TakesAWholeNumberOfRepeatsWithADecimalPoint) {
+  HelmFlight flight = AtTheFirstPoint("  repeat = 1.0\n  endflag = DONE = true\n");
+  ASSERT_TRUE(flight.FlyUntil([&] { return !flight.Posts("DONE").empty(); }, 1500.0));
+  EXPECT_THAT(flight.Posts("CYCLE_INDEX"), ElementsAre("1", "2"));
+  EXPECT_THROW(HelmFlight(Survey("  repeat = 1.5\n")), ConfigError);
+}
+
 TEST(BhvWaypoint, RepeatsForEverIfToldSo) {
   HelmFlight flight = AtTheFirstPoint("  repeat = forever\n  endflag = DONE = true\n");
   flight.Fly(1200.0);

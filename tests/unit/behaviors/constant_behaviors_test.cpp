@@ -26,6 +26,13 @@ TEST(BhvConstantHeading, TurnsTheVehicleToItsHeadingAndSaysHowFarOffItIs) {
   EXPECT_NEAR(flight.heading_deg(), 225.0, 0.1);
 }
 
+TEST(BhvConstantHeading, TakesMoreThanAFullTurnForWhatIsLeftOfIt) {
+  HelmFlight flight(Block("BHV_ConstantHeading", "  heading = 450\n"));
+  flight.PlaceAt(0.0, 0.0, 45.0);
+  flight.Fly(10.0);
+  EXPECT_NEAR(flight.heading_deg(), 90.0, 0.1);
+}
+
 TEST(BhvConstantHeading, CompletesOnceItIsNearEnoughIfAskedTo) {
   HelmFlight flight(Block("BHV_ConstantHeading",
                           "  heading = 90\n  complete_thresh = 5\n  endflag = DONE = $[OSH]\n"));
@@ -65,6 +72,12 @@ TEST(BhvConstantDepth, DivesToItsDepthAndSaysHowFarOffItIs) {
   EXPECT_EQ(flight.Last("OFF"), "12");
   flight.Fly(45.0);
   EXPECT_NEAR(flight.depth(), 12.0, 1e-6);
+}
+
+TEST(BhvConstantDepth, TakesADepthAboveTheSurfaceForTheSurface) {
+  HelmFlight flight(Block("BHV_ConstantDepth", "  depth = -3\n  depth_mismatch_var = OFF\n"));
+  flight.Tick();
+  EXPECT_EQ(flight.Last("OFF"), "0");
 }
 
 TEST(BhvTimer, CountsHowLongItHasRunAndBeenIdleAndBidsOnNothing) {

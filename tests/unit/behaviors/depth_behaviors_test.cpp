@@ -131,6 +131,7 @@ TEST(BhvPeriodicSurface, SlowsDownOnItsWayUpAsItsGradeSays) {
   EXPECT_NEAR(speed_at("quadratic"), 0.5, 0.02);
   EXPECT_NEAR(speed_at("quasi"), 2.0 * std::pow(0.5, 1.5), 0.02);
   EXPECT_NEAR(speed_at("fullspeed"), 2.0, 0.02);
+  EXPECT_NEAR(speed_at("QUADRATIC"), 0.5, 0.02);
 }
 
 }  // namespace

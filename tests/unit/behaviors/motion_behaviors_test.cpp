@@ -136,9 +136,9 @@ TEST(BhvHoldStation, StaysWhereItIsUntilHomeIsKnown) {
   EXPECT_DOUBLE_EQ(behavior.Move(state).speed->summit, 0.0);
 }
 
-TEST(BhvConstantDepth, RefusesADepthBelowItsRange) {
+TEST(BhvConstantDepth, RefusesADepthBeyondItsRange) {
   ConfigBlock block{
-      .name = "BHV_ConstantDepth", .where = {}, .entries = {{"depth", "-3", {"x.bhv", 4}}}};
+      .name = "BHV_ConstantDepth", .where = {}, .entries = {{"depth", "7000", {"x.bhv", 4}}}};
   EXPECT_THROW(static_cast<void>(ReadParams<BHV_ConstantDepth::Params>(block)), ConfigError);
 }
 

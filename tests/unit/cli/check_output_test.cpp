@@ -358,11 +358,11 @@ TEST(CheckVerbOfFiles, RefusesAMisspeltBehaviorAndABadParameterOfABehaviorFile) 
   const TemporaryFolder folder;
   const fs::path bhv = folder.path() / "a.bhv";
   std::ofstream(bhv) << "Behavior = BHV_HoldAltitud\n{\n  altitude_m = 3\n}\nBehavior = "
-                        "BHV_ConstantDepth\n{\n  depth = -1\n}\n";
+                        "BHV_ConstantDepth\n{\n  peakwidth = -1\n}\n";
   const Checked checked = Check({bhv.string()});
   EXPECT_EQ(checked.exit_code, kUsage);
   EXPECT_THAT(checked.text, HasSubstr("nearest known: `BHV_HoldAltitude`"));
-  EXPECT_THAT(checked.text, HasSubstr("a.bhv:7: depth: `-1` is not allowed"));
+  EXPECT_THAT(checked.text, HasSubstr("a.bhv:7: peakwidth: `-1` is not allowed"));
   EXPECT_THAT(checked.text, HasSubstr("2 problems\n"));
 }
 
