@@ -207,6 +207,19 @@ TEST(CheckVerbOfFiles, RefusesAConditionWhoseComplaintSpeaksOfAVariable) {
   EXPECT_THAT(macro.text, HasSubstr("note: $(GO): undefined macro"));
 }
 
+TEST(CheckVerbOfFiles, SaysWhatElseIsWrongWithABehaviorWhoseNameIsAMacro) {
+  const TemporaryFolder folder;
+  const fs::path bhv = folder.path() / "meta_vehicle.bhv";
+  std::ofstream(bhv) << "Behavior = BHV_Loiter\n{\n  name = w_$(V)\n  speeed = 1\n"
+                        "  polygon = 1,2\n}\nBehavior = BHV_Timer\n{\n  name = w_$(V)\n}\n";
+  const Checked checked = Check({bhv.string()});
+  EXPECT_EQ(checked.exit_code, kUsage) << checked.text;
+  EXPECT_THAT(checked.text, HasSubstr("a_vehicle.bhv:3: note: $(V): undefined macro"));
+  EXPECT_THAT(checked.text, HasSubstr("a_vehicle.bhv:4: speeed: unknown key in BHV_Loiter"));
+  EXPECT_THAT(checked.text, HasSubstr("a_vehicle.bhv:5: polygon: "));
+  EXPECT_THAT(checked.text, HasSubstr("a_vehicle.bhv:9: note: $(V): undefined macro"));
+}
+
 TEST(CheckVerbOfFiles, TakesMacrosWithADefaultAsNsplugDoes) {
   const TemporaryFolder folder;
   const fs::path bhv = folder.path() / "meta_vehicle.bhv";
