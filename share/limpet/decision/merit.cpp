@@ -24,9 +24,11 @@ double TotalOf(std::span<const OptionBid> bids) {
   return total;
 }
 
-double RateOf(double total, const BiddenOption& option) {
-  return total / std::max(option.rate_length.value_or(option.length), kShortestUnit);
+double RateLengthOf(const BiddenOption& option) {
+  return std::max(option.rate_length.value_or(option.length), kShortestUnit);
 }
+
+double RateOf(double total, const BiddenOption& option) { return total / RateLengthOf(option); }
 
 double MeritOf(const BiddenOption& option, OptionOrder order) {
   return order == OptionOrder::kPerMetre ? option.rate : option.total;

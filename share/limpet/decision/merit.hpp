@@ -14,6 +14,9 @@ namespace limpet {
 
 /// Sum of values times weights, in the order of the bids [m of path, or nats].
 [[nodiscard]] double TotalOf(std::span<const OptionBid> bids);
+/// What a total is divided by to rank an option per metre [m]: its length, or the one that it
+/// shares with others; at least a metre.
+[[nodiscard]] double RateLengthOf(const BiddenOption& option);
 /// `total` per metre of an option, or of the length that it shares with others; less than a metre
 /// counts as a metre.
 [[nodiscard]] double RateOf(double total, const BiddenOption& option);

@@ -76,6 +76,7 @@ ExplainedOption Explained(const BiddenOption& option) {
       .end = option.end,
       .total = option.total,
       .rate = option.rate,
+      .rate_length = RateLengthOf(option),
       .vetoed_by = veto == nullptr ? std::nullopt : std::optional(veto->behavior),
       .lost_because = {},
       .bids = {}};

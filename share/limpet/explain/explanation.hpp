@@ -30,7 +30,8 @@ struct ExplainedOption {
   double length = 0.0;          ///< [m]
   std::array<double, 2> end{};  ///< north, east [m]
   double total = 0.0;           ///< sum of values times weights
-  double rate = 0.0;            ///< total per metre
+  double rate = 0.0;            ///< total per metre of `rate_length`
+  double rate_length = 0.0;     ///< [m]
   std::optional<std::string> vetoed_by;
   std::string lost_because;  ///< empty for the one that was chosen
   std::vector<ExplainedBid> bids;

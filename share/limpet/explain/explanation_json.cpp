@@ -35,6 +35,7 @@ Json Built(const ExplainedOption& option) {
           {"end_ned_m", option.end},
           {"total", option.total},
           {"rate", option.rate},
+          {"rate_length_m", option.rate_length},
           {"vetoed_by", OrNull(option.vetoed_by)},
           {"lost_because", option.lost_because},
           {"bids", bids}};

@@ -70,7 +70,8 @@ TEST(Explanation, AsJsonIsAllThatOneNeedsToDecideAgain) {
       total += bid.at("weight").get<double>() * bid.at("value").get<double>();
     }
     EXPECT_EQ(option.at("total"), total);
-    EXPECT_EQ(option.at("rate"), total / option.at("length_m").get<double>());
+    EXPECT_EQ(option.at("rate"), total / option.at("rate_length_m").get<double>());
+    EXPECT_EQ(option.at("rate_length_m"), option.at("length_m"));
   }
   EXPECT_EQ(json.at("options").at(2).at("bids").at(1).at("veto"), "leaves the operating region");
   EXPECT_TRUE(json.at("options").at(0).at("bids").at(0).at("veto").is_null());
@@ -80,6 +81,19 @@ TEST(Explanation, AsJsonIsAllThatOneNeedsToDecideAgain) {
   EXPECT_EQ(flips.at(1).at("behavior"), "revisit");
   EXPECT_NEAR(flips.at(1).at("weight"), 1.5, 1e-6);
   EXPECT_EQ(flips.at(1).at("to"), 1);
+}
+
+TEST(Explanation, AsJsonSaysOverWhichLengthATotalIsRanked) {
+  LoggedDecision decision = SurveyDecision();
+  for (BiddenOption& option : decision.bids.options) {
+    option.rate_length = 5.0;
+    option.rate = option.total / 5.0;
+  }
+  const auto json = nlohmann::json::parse(JsonOf(Explain(decision), ""));
+  for (const auto& option : json.at("options")) {
+    EXPECT_EQ(option.at("rate_length_m"), 5.0);
+    EXPECT_EQ(option.at("rate"), option.at("total").get<double>() / 5.0);
+  }
 }
 
 TEST(Explanation, AsTextShowsTheTableAndWhatWouldHaveChangedIt) {
