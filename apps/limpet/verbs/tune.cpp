@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -16,6 +15,7 @@
 #include "apps/limpet/verbs/tune_command.hpp"
 #include "apps/limpet/verbs/tune_form.hpp"
 #include "apps/limpet/verbs/tune_live.hpp"
+#include "apps/limpet/verbs/tune_resume.hpp"
 #include "limpet/console/command_output.hpp"
 #include "limpet/console/progress_line.hpp"
 #include "limpet/console/shown_text.hpp"
@@ -241,13 +241,7 @@ int Search(std::vector<std::string> words, const Arguments& given) {
     return run.Run(given.Has("json"));
   }
   const std::string out = *given.Find("resume");
-  if (!given.positionals().empty()) {
-    throw UsageError(fmt::format("--resume knows the mission from {}: leave out `{}`", OneLine(out),
-                                 OneLine(given.positionals().front())));
-  }
-  std::vector<std::string> all = Remembered(out);
-  std::ranges::move(Without("--out", Without("--resume", words)), std::back_inserter(all));
-  all.push_back("--out=" + out);
+  const std::vector<std::string> all = ResumedWords(Remembered(out), given);
   const Arguments again = ReadArguments(TuneForm(), all);
   return TuneRun(ReadTuneCommand(again)).Run(again.Has("json"));
 }

@@ -29,12 +29,15 @@ ReportExpression ExpressionOf(const std::string& option, const std::string& text
 
 ParameterSpace SpaceOf(const Arguments& given) {
   std::vector<VariedParameter> parameters;
-  for (const std::string& text : given.All("vary")) {
+  const std::vector<std::string> texts = given.All("vary");
+  for (auto at = texts.begin(); at != texts.end(); ++at) {
+    const std::string& text = *at;
+    if (std::find(texts.begin(), at, text) != at) continue;  // said twice, and equally
     Expected<VariedParameter> parameter = VariedParameter::Parse(text);
     if (!parameter) throw UsageError("--vary " + parameter.error().text);
     const bool is_double = std::ranges::any_of(
         parameters, [&](const VariedParameter& p) { return p.name == parameter->name; });
-    if (is_double) throw UsageError(fmt::format("--vary {} is given twice", parameter->name));
+    if (is_double) throw UsageError(fmt::format("--vary {} is given two ranges", parameter->name));
     parameters.push_back(*std::move(parameter));
   }
   if (parameters.empty())
