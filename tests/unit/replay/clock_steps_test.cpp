@@ -30,7 +30,7 @@ SensorStream Swim() {
     stream.rows.emplace_back(AttitudeEstimate{.t = t, .yaw = 0.003 * t});
     stream.rows.emplace_back(DepthRow{t + 0.03, 3.0 + 0.001 * t});
     if (i % 2 == 0 && i > 2)
-      stream.rows.emplace_back(DvlRow{.t = t - 0.2, .velocity_B = {}, .altitude = {}});
+      stream.rows.emplace_back(DvlRow{.t = t - 0.2, .v_WD_B = {}, .altitude = {}});
     if (i % 5 == 0 && i > 5) {
       stream.rows.emplace_back(
           FrameRow{.arrival = t, .frame = {.frame = i, .exposure = Seconds(t - 0.3), .boxes = {}}});
