@@ -17,6 +17,7 @@
 #include "limpet/explain/decision_log.hpp"
 #include "limpet/explain/explanation_json.hpp"
 #include "limpet/explain/explanation_text.hpp"
+#include "limpet/explain/motion_explanation.hpp"
 
 namespace limpet {
 namespace {
@@ -49,7 +50,8 @@ change of its weight that would have led elsewhere.
            {.names = "--json", .meaning = "as JSON; a list with --from, --to or --changes"}}),
       .more = R"(Times are seconds since the start of the log; of a live community, MOOS time. The
 worth of an option is the sum of bids times weights, in metres of path (nats with the paper's
-planner); the best per metre wins. Exit code 1 if there is no such decision.)",
+planner); the best per metre wins. Of a vehicle without a survey it says who wants which course,
+speed and depth, and with --from, --to or --changes each time that changes. Exit code 1 if there is no such decision.)",
       .takes = "one run folder, one log, or one mission",
       .least_words = 1,
       .most_words = 1};
@@ -114,6 +116,41 @@ int PrintOne(const WhySource& source, const Arguments& given) {
   return kOk;
 }
 
+/// Where no behavior decides where next, how it moves is all there is to say.
+int PrintMotion(const WhySource& source, const Arguments& given) {
+  const std::vector<LoggedMotion>& all = source.log.motions();
+  if (!given.Has("from") && !given.Has("to") && !given.Has("changes")) {
+    const std::optional<double> time = given.Number("at");
+    const LoggedMotion* motion = time ? source.log.MotionAt(*time) : &all.back();
+    if (motion == nullptr) {
+      return Complain(fmt::format("{}: the helm says nothing yet at {:g} s; first at {:.1f} s",
+                                  source.place, *time, all.front().time));
+    }
+    const Explanation explanation = ExplainMotion(*motion);
+    if (given.Has("json")) {
+      fmt::print("{}", JsonOf(explanation, source.session));
+    } else {
+      PrintFrame(FrameOfMotion(explanation));
+    }
+    return kOk;
+  }
+  std::vector<LoggedMotion> chosen;
+  std::ranges::copy_if(all, std::back_inserter(chosen), [&](const LoggedMotion& motion) {
+    return motion.time >= given.Number("from").value_or(motion.time) &&
+           motion.time <= given.Number("to").value_or(motion.time);
+  });
+  chosen = ChangesOfMotion(chosen);
+  if (chosen.empty()) return Complain(source.place + ": the helm says nothing in that time");
+  if (given.Has("json")) {
+    std::vector<Explanation> explanations;
+    std::ranges::transform(chosen, std::back_inserter(explanations), ExplainMotion);
+    fmt::print("{}", JsonOf(explanations, source.session));
+  } else {
+    PrintFrame(FrameOfMotions(chosen));
+  }
+  return kOk;
+}
+
 void CheckTimes(const Arguments& given) {
   const bool has_range = given.Has("from") || given.Has("to") || given.Has("changes");
   if (given.Has("at") && (has_range || given.Has("last"))) {
@@ -132,12 +169,13 @@ int PrintWhy(const Arguments& given) {
                "limpet why: {}: {} HELM_BIDS or HELM_MOTION cannot be read and are left out\n",
                OneLine(source.place), source.log.unreadable());
   }
-  if (source.log.decisions().empty()) {
-    return Complain(source.place + ": no decision of the helm: no HELM_BIDS");
+  if (source.log.decisions().empty() && source.log.motions().empty()) {
+    return Complain(source.place + ": no decision of the helm: no HELM_BIDS, no HELM_MOTION");
   }
   if (!source.session.empty() && !given.Has("json")) {
     fmt::print("session {}\n\n", OneLine(source.session));
   }
+  if (source.log.decisions().empty()) return PrintMotion(source, given);
   const bool wants_many = given.Has("from") || given.Has("to") || given.Has("changes");
   return wants_many ? PrintMany(source, given) : PrintOne(source, given);
 }

@@ -33,6 +33,8 @@ class DecisionLog {
   void Take(std::string_view variable, std::string_view value, double time);
 
   [[nodiscard]] const std::vector<LoggedDecision>& decisions() const { return decisions_; }
+  /// Once a second or so.
+  [[nodiscard]] const std::vector<LoggedMotion>& motions() const { return motions_; }
   [[nodiscard]] std::size_t unreadable() const { return unreadable_; }
   /// The one in force at a time: the last made until then. Null before the first.
   [[nodiscard]] const LoggedDecision* InForceAt(double time) const;

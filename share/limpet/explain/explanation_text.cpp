@@ -188,6 +188,34 @@ Frame FrameOf(const Explanation& explanation) {
   return frame;
 }
 
+Frame FrameOfMotion(const Explanation& explanation) {
+  Frame frame{Line(fmt::format("{:.1f} s: {}", explanation.time, OneLine(explanation.cause, 60)),
+                   Ink::kTitle)};
+  if (explanation.motion) Add(MotionTable(*explanation.motion), frame);
+  return frame;
+}
+
+Frame FrameOfMotions(std::span<const LoggedMotion> motions) {
+  TextTable table({"     time", "course", "speed", "depth", "wanted by"});
+  for (const LoggedMotion& logged : motions) {
+    const HelmMotion& motion = logged.motion;
+    std::string wanted;
+    for (const MotionOpinion& opinion : motion.opinions) {
+      wanted += fmt::format("{}{}: {}", wanted.empty() ? "" : ", ", Shown(opinion.behavior),
+                            OneLine(opinion.variables, 24));
+      if (opinion.summit) {
+        wanted += " " + DecimalText(*opinion.summit, 2) + UnitOf(opinion.variables);
+      }
+    }
+    table.Add({{fmt::format("{:>9.1f}", logged.time)},
+               {Shown(motion.course_deg, " deg")},
+               {Shown(motion.speed_mps, " m/s")},
+               {Shown(motion.depth_m, " m")},
+               {wanted.empty() ? "nobody" : wanted}});
+  }
+  return table.Lines();
+}
+
 Frame ChangesOf(std::span<const LoggedDecision> decisions) {
   TextTable table({"     time", "path", "cause", "chosen", "decided by"});
   for (const LoggedDecision& decision : decisions) {

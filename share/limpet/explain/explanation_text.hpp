@@ -14,4 +14,9 @@ namespace limpet {
 /// A line per decision: when, why then, what was chosen, and whose bid decided.
 [[nodiscard]] Frame ChangesOf(std::span<const LoggedDecision> decisions);
 
+/// How a vehicle moves that no behavior leads, as ExplainMotion has it.
+[[nodiscard]] Frame FrameOfMotion(const Explanation& explanation);
+/// A line each: what it does, and who wants what.
+[[nodiscard]] Frame FrameOfMotions(std::span<const LoggedMotion> motions);
+
 }  // namespace limpet

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -116,6 +117,35 @@ TEST_F(WhyVerbTest, LeavesOutWhatCannotBeReadAndSaysSo) {
   std::ofstream(folder_.path() / "a.alog", std::ios::app) << "12.0  HELM_BIDS  pHelm  {broken\n";
   EXPECT_EQ(Run({At("a.alog")}), kOk);
   EXPECT_THAT(err_, HasSubstr("1 HELM_BIDS or HELM_MOTION cannot be read"));
+}
+
+TEST_F(WhyVerbTest, OfAVehicleWithoutASurveySaysWhoWantsWhichCourse) {
+  std::ofstream log(At("alpha.alog"));
+  log << "%% LOGSTART 1000\n";
+  const auto say = [&log](double time, double course, double speed) {
+    HelmMotion motion;
+    motion.course_deg = course, motion.speed_mps = speed;
+    motion.opinions.resize(2);
+    motion.opinions[0].behavior = "waypt_survey", motion.opinions[0].variables = "course";
+    motion.opinions[0].summit = course;
+    motion.opinions[1].behavior = "op_region", motion.opinions[1].variables = "course+speed";
+    log << time << "  HELM_MOTION  pHelm  "
+        << std::get<std::string>(TopicCodec<HelmMotion>::Encode(motion)) << "\n";
+  };
+  say(10.0, 358.0, 2.0), say(11.0, 1.0, 2.0), say(12.0, 1.5, 2.0), say(13.0, 90.0, 2.0);
+  log.close();
+  ASSERT_EQ(Run({At("alpha.alog"), "--at", "12.5"}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("12.0 s: no behavior decides where next"));
+  EXPECT_THAT(out_, HasSubstr("course 1.5 deg"));
+  ASSERT_EQ(Run({At("alpha.alog"), "--json"}), 0) << err_;
+  EXPECT_TRUE(Json().at("chosen").is_null());
+  EXPECT_TRUE(Json().at("options").empty());
+  EXPECT_EQ(Json().at("motion").at("course_deg"), 90.0);
+  ASSERT_EQ(Run({At("alpha.alog"), "--changes"}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("waypt_survey: course 358 deg, op_region: course+speed"));
+  EXPECT_EQ(std::ranges::count(out_, '\n'), 3) << out_;
+  EXPECT_EQ(Run({At("alpha.alog"), "--at", "5"}), 1);
+  EXPECT_THAT(err_, HasSubstr("says nothing yet at 5 s; first at 10.0 s"));
 }
 
 }  // namespace
