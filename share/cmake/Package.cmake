@@ -86,6 +86,7 @@ set(CPACK_DEBIAN_LIMPET-DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIMPET-DEV_PACKAGE_DEPENDS
     "limpet (= ${PROJECT_VERSION}), libasio-dev, libeigen3-dev, libfmt-dev, liburing-dev, libyaml-cpp-dev, libpugixml-dev, nlohmann-json3-dev, zlib1g-dev"
 )
+set(CPACK_DEBIAN_LIMPET-DEV_PACKAGE_RECOMMENDS libgtest-dev)
 set(CPACK_COMPONENT_LIMPET-DEV_DESCRIPTION
     "headers and archives for apps and behaviors of Limpet
 What a repository of your own is built against that adds apps or behaviors to
