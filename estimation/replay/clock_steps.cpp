@@ -70,6 +70,11 @@ class ClockMender {
       Mend(rows_[i]);
       before_.Note(rows_[i]);
     }
+    if (stray_ > 0) {
+      rows_.erase(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(stray_));
+      stream_.left_out.push_back(fmt::format(
+          "{}: the first {} rows are stamped long before all others, and left out", name_, stray_));
+    }
     for (SourceRow& row : stream_.source_rows) {
       row.t = MendedSource(row.t);
     }
@@ -120,6 +125,11 @@ class ClockMender {
   /// dive.
   bool Follow(std::size_t i) {
     const double leap = LeapOf(i);
+    if (i < kAsked && leap > 0.0) {
+      stray_ = i;
+      newest_ = TimeOf(rows_[i]) - by();
+      return true;
+    }
     if (leap < 0.0 || IsOnTheFormerClock(i) || before_.GoesOnAs(BearingFrom(i))) {
       Step(i);
       return true;
@@ -190,6 +200,7 @@ class ClockMender {
   std::optional<double> newest_;   ///< mended time
   std::vector<double> newest_at_;  ///< as each row came
   Bearing before_;
+  std::size_t stray_ = 0;  ///< rows at the beginning, of another time than all others
 };
 
 }  // namespace

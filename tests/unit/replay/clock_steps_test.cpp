@@ -133,6 +133,18 @@ TEST(ClockSteps, APauseIsAPauseAndAfterHalfAnHourAnotherDive) {
   EXPECT_NEAR(StampOf(ended.rows.back()), 300.0, 0.5);
 }
 
+TEST(ClockSteps, AFewRowsFromBeforeTheClockWasSetAreLeftOut) {
+  SensorStream stream = Swim();
+  SetClock(stream, 0.05, 1.5e9);  // all but the first
+  const std::size_t rows = stream.rows.size();
+  TakeOutClockSteps("run", stream);
+  EXPECT_FALSE(stream.cut);
+  EXPECT_GT(stream.rows.size(), rows - 10);
+  EXPECT_GT(StampOf(stream.rows.front()), 1e9);
+  EXPECT_NEAR(StampOf(stream.rows.back()), 1.5e9 + 600.0, 1.0);
+  EXPECT_THAT(stream.left_out, ElementsAre(HasSubstr("stamped long before all others")));
+}
+
 TEST(ClockSteps, FurtherSensorsGoWithTheOthers) {
   SensorStream stream = Swim();
   stream.source_rows = {{.t = 100.0, .variable = "RANGE", .value = 1.0},
