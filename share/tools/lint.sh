@@ -31,7 +31,7 @@ newest_first() { # compile commands: those of files that changed last come first
 }
 
 tests_last() { # compile commands: what time is left when the product has been looked at goes to its tests
-  awk -v of_tests="$root/build-lint/unity/tests/" '{ printf "%d\t%s\n", index($0, of_tests) > 0, $0 }' |
+  awk -v of_tests="$root/build-lint/unity/tests/" '{ printf "%d\t%s\n", (index($0, of_tests) > 0), $0 }' |
     sort -s -n -k 1,1 | cut -f 2-
 }
 

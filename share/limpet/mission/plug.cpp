@@ -14,6 +14,8 @@
 namespace limpet {
 namespace {
 
+constexpr std::string_view kInclude = "#include", kNotFound = " is not found";
+
 namespace fs = std::filesystem;
 
 // A template of 800 bytes may ask for anything: fragments include each other's copies, values
@@ -228,7 +230,7 @@ class Expander {
     name = WithoutQuotes(name);
     const std::optional<fs::path> file = FindInclude(name);
     if (!file) {
-      Fail(where, "#include", fmt::format("`{}` is not found{}", name, SearchedText()));
+      Fail(where, kInclude, fmt::format("`{}`{}{}", name, kNotFound, SearchedText()));
     }
     // A section includes nothing: so a file may take one of its own.
     if (tag.empty() &&
@@ -325,6 +327,10 @@ bool HasPlugDirective(std::string_view text) {
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return false;
+}
+
+bool IsMissingInclude(const ConfigProblem& problem) {
+  return problem.key == kInclude && problem.text.find(kNotFound) != std::string::npos;
 }
 
 PlugResult ExpandPlugs(std::string_view text, const fs::path& file, const PlugOptions& options) {

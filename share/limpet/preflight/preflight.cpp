@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -12,7 +13,9 @@
 #include "limpet/helm/behavior_modules.hpp"
 #include "limpet/helm/behavior_names.hpp"
 #include "limpet/helm/registry.hpp"
+#include "limpet/mission/plug.hpp"
 #include "limpet/mission/shared_settings.hpp"
+#include "limpet/mission/source_text.hpp"
 #include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/preflight/checks.hpp"
 
@@ -170,6 +173,48 @@ std::vector<MissionFile> MissionsBeside(const fs::path& file) {
   return missions;
 }
 
+/// A mission, and what it includes that is not there.
+struct PartOfMission {
+  MissionFile mission;
+  std::vector<ConfigProblem> missing;
+};
+
+std::string WithoutLine(const std::string& text, int line) {
+  std::size_t begin = 0;
+  for (int i = 1; i < line && begin != std::string::npos; ++i) {
+    begin = text.find('\n', begin);
+    if (begin != std::string::npos) ++begin;
+  }
+  if (begin == std::string::npos) return text;
+  std::string rest = text;
+  rest.erase(begin, std::min(text.find('\n', begin), text.size()) - begin);
+  return rest;
+}
+
+/// Other people's missions are checked without what they include from elsewhere: its folder is told
+/// to nsplug. Throws ConfigError, also for a mission of ours.
+PartOfMission LoadWithoutMissingIncludes(const fs::path& file) {
+  PartOfMission part;
+  std::string text = ReadTextFile(file);
+  std::optional<ConfigError> first;
+  while (true) {
+    try {
+      part.mission = ReadMission(text, file.string(), MissionPlugOptions(file));
+      break;
+    } catch (const ConfigError& error) {
+      const ConfigProblem problem = error.problems().front();
+      const bool is_missing = IsMissingInclude(problem) && problem.where.file == file.string();
+      const std::string rest = is_missing ? WithoutLine(text, problem.where.line) : text;
+      if (rest.size() == text.size()) throw first.value_or(error);
+      if (!first) first = error;
+      text = rest;
+      part.missing.push_back(problem);
+    }
+  }
+  if (first && !IsOthersAlone(part.mission)) throw *first;
+  return part;
+}
+
 /// Globals of the mission beside a behavior file whose helm reads it; none if there is none.
 std::vector<ConfigEntry> GlobalsBeside(const fs::path& file,
                                        const std::vector<MissionFile>& missions) {
@@ -233,7 +278,10 @@ MissionProblems CheckLoadedMission(const MissionFile& mission, const fs::path& f
 
 MissionProblems CheckMissionFile(const fs::path& file) {
   try {
-    return CheckLoadedMission(LoadMission(file), file.parent_path());
+    const PartOfMission part = LoadWithoutMissingIncludes(file);
+    MissionProblems found = CheckLoadedMission(part.mission, file.parent_path());
+    Join(part.missing, found.notes);
+    return Sorted(std::move(found));
   } catch (const ConfigError& error) {
     return Sorted({.syntax = error.problems(), .geometry = {}, .notes = {}, .energy = {}});
   }

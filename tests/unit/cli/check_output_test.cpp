@@ -153,6 +153,27 @@ TEST(CheckVerbOfFiles, NotesOtherPeoplesAppsWhoseNamesAreNearOneOfOurs) {
   EXPECT_EQ(check("LimpetDB").exit_code, kUsage) << "in a mission of ours it is a slip";
 }
 
+TEST(CheckVerbOfFiles, ChecksOthersMissionsAlsoWithoutWhatTheyIncludeFromElsewhere) {
+  const TemporaryFolder folder;
+  const fs::path moos = folder.path() / "a.moos";
+  const auto check = [&moos](const std::string& database, const std::string& port) {
+    std::ofstream(moos) << "ServerPort = " << port
+                        << "\n#include plug_location.moos\nCommunity = alpha\n"
+                           "ProcessConfig = ANTLER\n{\n  Run = "
+                        << database << "\n  Run = uSimMarine\n}\n  #include plug_more.moos";
+    return Check({moos.string()});
+  };
+  const Checked others = check("MOOSDB", "9000");
+  EXPECT_EQ(others.exit_code, kOk) << others.text;
+  EXPECT_THAT(others.text,
+              HasSubstr("a.moos:2: note: #include: `plug_location.moos` is not found"));
+  EXPECT_THAT(others.text, HasSubstr("a.moos:9: note: #include: `plug_more.moos` is not found"));
+  EXPECT_EQ(check("MOOSDB", "many").exit_code, kUsage) << "the rest is read";
+  const Checked ours = check("LimpetDB", "9000");
+  EXPECT_EQ(ours.exit_code, kUsage);
+  EXPECT_THAT(ours.text, HasSubstr("a.moos:2: #include: `plug_location.moos` is not found"));
+}
+
 TEST(CheckVerbOfFiles, NotesLinesThatMoosPassesOverInTheLaunchersBlock) {
   const TemporaryFolder folder;
   const fs::path moos = folder.path() / "a.moos";
