@@ -11,7 +11,7 @@ std::optional<PlanePoint> PlaceInside(const Region& region, const PlanePoint& he
                       0.5 * (region.east_min() + region.east_max()));
   }
   for (const double room : {6.0, 4.0, 2.0, 1.0}) {  // [m]
-    if (const auto place = NearestRoom(*region.free_space(), here, room)) return place;
+    if (auto place = NearestRoom(*region.free_space(), here, room)) return place;
   }
   return std::nullopt;
 }
