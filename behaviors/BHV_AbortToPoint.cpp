@@ -19,8 +19,8 @@ void BHV_AbortToPoint::Params::Describe(ParamCollector& visit) {
                  return text.empty() || point.has_value();
                });
   visit.NeededUnless("updates");
-  visit("speed", speed, "Speed on the way; with 0 it only turns towards the point",
-        InRange(MetersPerSecond(0.0), MetersPerSecond(100.0)));
+  visit.Required("speed", speed, "Speed on the way",
+                 InRange(MetersPerSecond(0.01), MetersPerSecond(100.0)));
   visit("radius", radius, "This near it has arrived", InRange(Meters(0.1), Meters(1e5)));
   visit("nm_radius", slip_radius, "Arrived, too, when the distance grows again within this",
         InRange(Meters(0.1), Meters(1e5)));

@@ -17,7 +17,7 @@ class BHV_AbortToPoint final : public Behavior {
  public:
   struct Params {
     std::optional<MapPoint> point{};
-    MetersPerSecond speed{0.0};
+    MetersPerSecond speed{1.0};
     Meters radius{25.0}, slip_radius{200.0};
     void Describe(ParamCollector& visit);
   };

@@ -30,7 +30,7 @@ void CameraMount::Begin(bool is_needed) {
 CameraErrors CameraMount::errors() const {
   if (!slots_) return {};
   return {.tilt_B = smoother_->BorderAt((*slots_)[0]),
-          .shift_B = smoother_->BorderAt((*slots_)[1])};
+          .lever_and_delay = smoother_->BorderAt((*slots_)[1])};
 }
 
 CameraModel CameraMount::At(const BodyMotion& motion) const {

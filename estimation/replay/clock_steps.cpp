@@ -33,7 +33,7 @@ double TimeOf(const StreamRow& row) {
 }
 
 /// What a vehicle that swims on has much the same a moment later; of the rows that say it.
-struct Bearing {
+struct AttitudeAndDepth {
   std::optional<double> yaw, tilt, depth;
 
   void Note(const StreamRow& row) {
@@ -47,7 +47,7 @@ struct Bearing {
     }
   }
   [[nodiscard]] bool IsWhole() const { return yaw && depth; }
-  [[nodiscard]] bool GoesOnAs(const Bearing& next) const {
+  [[nodiscard]] bool GoesOnAs(const AttitudeAndDepth& next) const {
     constexpr double kTurn = 0.1, kLean = 0.1;  // [rad]
     constexpr double kSink = 0.2;               // [m]
     if (!yaw || !next.yaw || std::abs(WrapAngle(*yaw - *next.yaw)) > kTurn) return false;
@@ -112,8 +112,8 @@ class ClockMender {
     return static_cast<std::size_t>(agreeing) >= kAgreeing;
   }
   /// Until attitude and depth have been said again.
-  [[nodiscard]] Bearing BearingFrom(std::size_t i) const {
-    Bearing next;
+  [[nodiscard]] AttitudeAndDepth AttitudeAndDepthFrom(std::size_t i) const {
+    AttitudeAndDepth next;
     const double t = TimeOf(rows_[i]);
     for (; i < rows_.size() && !next.IsWhole(); ++i) {
       if (std::abs(TimeOf(rows_[i]) - t) < kTogether) next.Note(rows_[i]);
@@ -130,7 +130,7 @@ class ClockMender {
       newest_ = TimeOf(rows_[i]) - by();
       return true;
     }
-    if (leap < 0.0 || IsOnTheFormerClock(i) || before_.GoesOnAs(BearingFrom(i))) {
+    if (leap < 0.0 || IsOnTheFormerClock(i) || before_.GoesOnAs(AttitudeAndDepthFrom(i))) {
       Step(i);
       return true;
     }
@@ -199,7 +199,7 @@ class ClockMender {
   std::vector<Stretch> stretches_{Stretch{}};
   std::optional<double> newest_;   ///< mended time
   std::vector<double> newest_at_;  ///< as each row came
-  Bearing before_;
+  AttitudeAndDepth before_;
   std::size_t stray_ = 0;  ///< rows at the beginning, of another time than all others
 };
 

@@ -27,14 +27,14 @@ Eigen::Matrix3d RightJacobian(const Eigen::Vector3d& rotation) {
 }
 
 Eigen::Vector3d LeverOf(const CameraErrors& errors) {
-  return {errors.shift_B.x(), errors.shift_B.y(), 0.0};
+  return {errors.lever_and_delay.x(), errors.lever_and_delay.y(), 0.0};
 }
 
 }  // namespace
 
 CameraModel WithErrors(const CameraModel& camera, const CameraErrors& errors,
                        const BodyMotion& motion) {
-  const double delay = errors.shift_B.z();
+  const double delay = errors.lever_and_delay.z();
   const Eigen::Matrix3d R_since = Exp(delay * motion.omega_B);
   CameraModel real = camera;
   real.R_BC = R_since.transpose() * Exp(errors.tilt_B) * camera.R_BC;
@@ -47,7 +47,7 @@ CameraErrorJacobians ErrorJacobiansOf(const CameraModel& camera, const CameraErr
   const Eigen::Matrix3d R_CM = camera.R_BC.transpose() * Exp(-errors.tilt_B);
   const Eigen::Vector3d from_camera_B = R_CM.transpose() * p_C;
   const Eigen::Vector3d from_body_B =
-      from_camera_B - errors.shift_B.z() * motion.v_B + camera.p_BC + LeverOf(errors);
+      from_camera_B - errors.lever_and_delay.z() * motion.v_B + camera.p_BC + LeverOf(errors);
   CameraErrorJacobians J;
   J.J_tilt = R_CM * CrossOf(from_camera_B) * RightJacobian(-errors.tilt_B);
   J.J_shift.leftCols<2>() = -R_CM.leftCols<2>();

@@ -15,7 +15,7 @@ struct CameraErrors {
   /// pitch, yaw) [rad].
   Eigen::Vector3d tilt_B = Eigen::Vector3d::Zero();
   /// It sits further ahead and to starboard [m], and its stamps are late [s].
-  Eigen::Vector3d shift_B = Eigen::Vector3d::Zero();
+  Eigen::Vector3d lever_and_delay = Eigen::Vector3d::Zero();
 };
 
 /// The camera on a body with the pose of the stamp, from which the image looks as it does:

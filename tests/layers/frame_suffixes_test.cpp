@@ -35,6 +35,7 @@ constexpr std::array kFrameless = {
     Frameless{"Contrast::lit", "colour"},
     Frameless{"Contrast::outside", "colour"},
     Frameless{"Contrast::weights", "colour"},
+    Frameless{"CameraErrors::lever_and_delay", "metres and a time"},
     Frameless{"Deviation::value", "coefficients"},
     Frameless{"Deviation::sd", "coefficients"},
     Frameless{"VehicleParams::drag_coefficient", "coefficients"},

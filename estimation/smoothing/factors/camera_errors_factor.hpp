@@ -27,9 +27,10 @@ class CameraErrorsFactor {
       : camera_(&camera), motion_(motion), factor_(std::move(factor)) {}
 
   [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p_W,
-                                  const Eigen::Vector3d& tilt_B, const Eigen::Vector3d& shift_B,
+                                  const Eigen::Vector3d& tilt_B,
+                                  const Eigen::Vector3d& lever_and_delay,
                                   Jacobians* J = nullptr) const {
-    const CameraErrors errors{.tilt_B = tilt_B, .shift_B = shift_B};
+    const CameraErrors errors{.tilt_B = tilt_B, .lever_and_delay = lever_and_delay};
     const CameraPoint point = CameraPointOf(WithErrors(*camera_, errors, motion_), x, p_W);
     const CameraErrorJacobians by_errors = ErrorJacobiansOf(*camera_, errors, motion_, point.p_C);
     BorderJacobian J_C;

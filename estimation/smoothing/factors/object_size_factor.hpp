@@ -61,16 +61,17 @@ class ObjectSizeFactor {
         believed_(believed) {}
 
   [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p_W,
-                                  const Eigen::Vector3d& tilt_B, const Eigen::Vector3d& shift_B,
+                                  const Eigen::Vector3d& tilt_B,
+                                  const Eigen::Vector3d& lever_and_delay,
                                   const Eigen::Vector3d& log_sizes, Jacobians* J = nullptr) const {
     Residual J_size;
     const double log_size = believed_ + log_sizes(index_);
     const CameraErrorsFactor look(*camera_, motion_, AtSize(factor_, log_size, J_size));
     if (J == nullptr) {
-      return look.Evaluate(x, p_W, tilt_B, shift_B);
+      return look.Evaluate(x, p_W, tilt_B, lever_and_delay);
     }
     typename decltype(look)::Jacobians J_look;
-    Residual r = look.Evaluate(x, p_W, tilt_B, shift_B, &J_look);
+    Residual r = look.Evaluate(x, p_W, tilt_B, lever_and_delay, &J_look);
     J->pose = J_look.pose;
     std::ranges::copy(J_look.border, J->border.begin());
     J->border.back().setZero();

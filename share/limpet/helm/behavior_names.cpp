@@ -60,6 +60,8 @@ std::string NearestBehavior(std::string_view name) {
   std::ranges::transform(BehaviorRegistry(), std::back_inserter(known),
                          [](const auto& registered) { return registered.first; });
   if (known.empty()) return "";
+  constexpr std::size_t kLongest = 64;  // comparing takes the product of both lengths
+  name = name.substr(0, kLongest);
   return *std::ranges::min_element(known, {}, [stem = Stem(name)](const std::string& other) {
     return FarnessOf(stem, Stem(other));
   });

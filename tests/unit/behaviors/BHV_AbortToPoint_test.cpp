@@ -77,13 +77,6 @@ TEST(BhvAbortToPoint, IsRefusedWhereNobodyWillEverSayWhereTo) {
   }
 }
 
-TEST(BhvAbortToPoint, StaysWhereItIsWithoutASpeed) {
-  HelmFlight flight("Behavior = BHV_AbortToPoint\n{\n  name = abort\n  point = 100,0\n}\n");
-  flight.PlaceAt(0.0, 0.0, 90.0);
-  flight.Fly(20.0);
-  EXPECT_EQ(flight.decision().speed, 0.0);
-}
-
 TEST(BhvAbortToPoint, StopsTheVehicleWhereNobodyHasSaidYetWhereTo) {
   HelmFlight flight(AbortBlock(""));
   flight.Say("ABORT", std::string("true"));

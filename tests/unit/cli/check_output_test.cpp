@@ -39,24 +39,6 @@ TEST(CheckVerbOfFiles, TakesAMissionFileAndABehaviorFile) {
   EXPECT_EQ(Check({(kMissions / "two_communities/shore.moos").string()}).exit_code, kOk);
 }
 
-TEST(CheckVerbOfFiles, NotesWhatBelongsToOtherPeoplesApps) {
-  const TemporaryFolder folder;
-  const fs::path moos = folder.path() / "alpha.moos";
-  std::ofstream(moos) << "ServerPort = 9000\nCommunity = alpha\nProcessConfig = ANTLER\n{\n"
-                         "  Run = MOOSDB\n  Run = pHelmIvP\n  Run = pRealm\n  Run = uSimMarine\n}\n"
-                         "ProcessConfig = pHelmIvP\n{\n  behaviors = a.bhv\n}\n"
-                         "ProcessConfig = uPokeDB\n{\n  x = 1\n}\n";
-  const Checked mission = Check({moos.string()});
-  EXPECT_EQ(mission.exit_code, kOk) << mission.text;
-  EXPECT_THAT(mission.text, HasSubstr("note: pHelmIvP: is no app of Limpet's"));
-  const fs::path bhv = folder.path() / "a.bhv";
-  std::ofstream(bhv) << "initialize DEPLOY = false\nBehavior = BHV_ConvoyV21\n{\n  name = c\n  "
-                        "radius = 2\n}\n";
-  const Checked behaviors = Check({bhv.string()});
-  EXPECT_EQ(behaviors.exit_code, kOk) << behaviors.text;
-  EXPECT_THAT(behaviors.text, HasSubstr("a.bhv:2: note: BHV_ConvoyV21"));
-}
-
 TEST(CheckVerbOfFiles, NotesKeysOfExistingMissionsThatHaveNoEffect) {
   const TemporaryFolder folder;
   const fs::path bhv = folder.path() / "a.bhv";
@@ -66,25 +48,6 @@ TEST(CheckVerbOfFiles, NotesKeysOfExistingMissionsThatHaveNoEffect) {
   EXPECT_EQ(behaviors.exit_code, kOk) << behaviors.text;
   EXPECT_THAT(behaviors.text, HasSubstr("a.bhv:4: note: patience: has no effect in BHV_Waypoint"));
   EXPECT_THAT(behaviors.text, HasSubstr("a.bhv:5: note: build_info: has no effect"));
-}
-
-TEST(CheckVerbOfFiles, NotesWhatOurHelmCouldNotRunInPlaceOfTheStockOne) {
-  const TemporaryFolder folder;
-  std::ofstream(folder.path() / "a.bhv") << "Behavior = BHV_AvdColregsV99\n{\n  name = avoid\n}\n";
-  const auto check = [&](const std::string& helm) {
-    const fs::path moos = folder.path() / "a.moos";
-    std::ofstream(moos) << "Community = alpha\nProcessConfig = ANTLER\n{\n  Run = MOOSDB\n  Run = "
-                        << helm << "\n  Run = uSimMarineV22\n}\nProcessConfig = " << helm
-                        << "\n{\n  Behaviors = a.bhv\n  Domain = course:0:359:360\n  Domain = "
-                           "speed:0:4:41\n  ok_skew = any\n  start_in_drive = true\n}\n";
-    return Check({moos.string()});
-  };
-  const Checked stock = check("pHelmIvP");
-  EXPECT_EQ(stock.exit_code, kOk) << stock.text;
-  EXPECT_THAT(stock.text, HasSubstr("no behavior `BHV_AvdColregsV99`"));
-  EXPECT_THAT(stock.text, HasSubstr("ok_skew"));
-  const Checked ours = check("pHelm");
-  EXPECT_EQ(ours.exit_code, kUsage) << ours.text;
 }
 
 TEST(CheckVerbOfFiles, RefusesToLeadAHelmThatDoesNotHearOrIsNotThere) {
@@ -135,82 +98,6 @@ TEST(CheckVerbOfFiles, NotesThatATemplateIsNotYetExpanded) {
       << "what follows from that is no news";
 }
 
-TEST(CheckVerbOfFiles, NotesOtherPeoplesAppsWhoseNamesAreNearOneOfOurs) {
-  const TemporaryFolder folder;
-  const fs::path moos = folder.path() / "a.moos";
-  const auto check = [&moos](const std::string& database) {
-    std::ofstream(moos) << "ServerPort = 9000\nCommunity = alpha\nLatOrigin = 44\nLongOrigin = 9\n"
-                        << "ProcessConfig = ANTLER\n{\n  Run = " << database
-                        << "\n  Run = iNav\n  Run = uLog\n  Run = pNodeReporter\n}\n"
-                           "ProcessConfig = iMap\n{\n  x = 1\n}\n";
-    return Check({moos.string()});
-  };
-  const Checked others = check("MOOSDB");
-  EXPECT_EQ(others.exit_code, kOk) << others.text;
-  EXPECT_THAT(others.text, HasSubstr("note: iNav: is no app of Limpet's: its block is not checked; "
-                                     "nearest known: `pNav`"));
-  EXPECT_THAT(others.text, HasSubstr("note: ProcessConfig: `iMap`"));
-  EXPECT_EQ(check("LimpetDB").exit_code, kUsage) << "in a mission of ours it is a slip";
-}
-
-TEST(CheckVerbOfFiles, ChecksOthersMissionsAlsoWithoutWhatTheyIncludeFromElsewhere) {
-  const TemporaryFolder folder;
-  const fs::path moos = folder.path() / "a.moos";
-  const auto check = [&moos](const std::string& database, const std::string& port) {
-    std::ofstream(moos) << "ServerPort = " << port
-                        << "\n#include plug_location.moos\nCommunity = alpha\n"
-                           "ProcessConfig = ANTLER\n{\n  Run = "
-                        << database << "\n  Run = uSimMarine\n}\n  #include plug_more.moos";
-    return Check({moos.string()});
-  };
-  const Checked others = check("MOOSDB", "9000");
-  EXPECT_EQ(others.exit_code, kOk) << others.text;
-  EXPECT_THAT(others.text,
-              HasSubstr("a.moos:2: note: #include: `plug_location.moos` is not found"));
-  EXPECT_THAT(others.text, HasSubstr("a.moos:9: note: #include: `plug_more.moos` is not found"));
-  EXPECT_EQ(check("MOOSDB", "many").exit_code, kUsage) << "the rest is read";
-  const Checked ours = check("LimpetDB", "9000");
-  EXPECT_EQ(ours.exit_code, kUsage);
-  EXPECT_THAT(ours.text, HasSubstr("a.moos:2: #include: `plug_location.moos` is not found"));
-}
-
-TEST(CheckVerbOfFiles, NotesLinesThatMoosPassesOverInTheLaunchersBlock) {
-  const TemporaryFolder folder;
-  const fs::path moos = folder.path() / "a.moos";
-  const auto check = [&moos](const std::string& database) {
-    std::ofstream(moos) << "ServerPort = 9000\nCommunity = alpha\nProcessConfig = ANTLER\n{\n"
-                        << "  ---------\n  [x]\n  Run: pX\n  Run = " << database
-                        << "\n  Run = uSimMarine\n}\n}\n";
-    return Check({moos.string()});
-  };
-  const Checked others = check("MOOSDB");
-  EXPECT_EQ(others.exit_code, kOk) << others.text;
-  EXPECT_THAT(others.text, HasSubstr("a.moos:7: note: ANTLER: `Run: pX` is neither a comment"));
-  EXPECT_THAT(others.text, HasSubstr("a.moos:11: note: ANTLER: a `}` too many"));
-  EXPECT_THAT(others.text, HasSubstr("note: uSimMarine: is no app of Limpet's"))
-      << "the rest is still said";
-  EXPECT_EQ(check("LimpetDB").exit_code, kUsage) << "a mission of ours has no such lines";
-}
-
-TEST(CheckVerbOfFiles, NotesWhatAStockNodeReporterIsToldAndOursWouldRefuse) {
-  const TemporaryFolder folder;
-  const fs::path moos = folder.path() / "meta_vehicle.moos";
-  const auto check = [&moos](const std::string& apps, const std::string& length) {
-    std::ofstream(moos) << "ServerPort = 9000\nCommunity = alpha\nLatOrigin = $(LAT)\n"
-                           "LongOrigin = 9.86\nProcessConfig = ANTLER\n{\n"
-                        << apps << "  Run = pNodeReporter\n}\nProcessConfig = pNodeReporter\n{\n"
-                        << "  platform_length = " << length << "\n  term_reporting = true\n}\n";
-    return Check({moos.string()});
-  };
-  const Checked stock = check("  Run = MOOSDB\n  Run = uSimMarine\n", "$(VLENGTH)");
-  EXPECT_EQ(stock.exit_code, kOk) << stock.text;
-  EXPECT_THAT(stock.text, HasSubstr("note: $(LAT): undefined macro"));
-  EXPECT_THAT(stock.text, HasSubstr("note: $(VLENGTH): undefined macro"));
-  EXPECT_THAT(stock.text, HasSubstr("note: term_reporting: unknown key"));
-  EXPECT_THAT(stock.text, Not(HasSubstr("is not allowed")));
-  EXPECT_EQ(check("  Run = LimpetDB\n", "4").exit_code, kUsage) << "ours stays checked strictly";
-}
-
 TEST(CheckVerbOfFiles, RefusesAConditionWhoseComplaintSpeaksOfAVariable) {
   const TemporaryFolder folder;
   const fs::path bhv = folder.path() / "a.bhv";
@@ -254,54 +141,6 @@ TEST(CheckVerbOfFiles, TakesMacrosWithADefaultAsNsplugDoes) {
   EXPECT_EQ(Check({bhv.string()}).exit_code, kUsage) << "the default is what counts";
 }
 
-TEST(CheckVerbOfFiles, NotesStockBehaviorsAndRefusesSlips) {
-  const TemporaryFolder folder;
-  const fs::path bhv = folder.path() / "a.bhv";
-  const auto check = [&bhv](const std::string& behavior) {
-    std::ofstream(bhv) << "Behavior = " << behavior << "\n{\n  name = a\n}\n";
-    return Check({bhv.string()});
-  };
-  for (const char* stock : {"BHV_RStationKeep", "BHV_ZigLeg", "BHV_AvoidObstacles", "BHV_Agent"}) {
-    EXPECT_EQ(check(stock).exit_code, kOk) << stock;
-  }
-  const Checked slip = check("BHV_StationKep");
-  EXPECT_EQ(slip.exit_code, kUsage);
-  EXPECT_THAT(slip.text, HasSubstr("nearest known: `BHV_StationKeep`"));
-}
-
-TEST(CheckVerbOfFiles, NamesTheNearestOfAnyUnknownBehavior) {
-  const TemporaryFolder folder;
-  const fs::path bhv = folder.path() / "a.bhv";
-  const auto check = [&bhv](const std::string& behavior) {
-    std::ofstream(bhv) << "Behavior = " << behavior << "\n{\n  name = a\n}\n";
-    return Check({bhv.string()}).text;
-  };
-  EXPECT_THAT(check("BHV_AvdColregsV19"), HasSubstr("nearest known: `BHV_AvoidObstacle`"));
-  EXPECT_THAT(check("BHV_HeadingBias"), HasSubstr("nearest known: `BHV_ConstantHeading`"));
-  EXPECT_THAT(check("BHV_Shadow"), HasSubstr("nearest known: `BHV_"));
-  EXPECT_THAT(check("BHV_Scout"), HasSubstr("nearest known: `BHV_"));
-  EXPECT_THAT(check("BHV_MinAltitude"), HasSubstr("it is called `BHV_MinAltitudeX`"));
-}
-
-TEST(CheckVerbOfFiles, NotesABehaviorBesideAMissionOfOtherPeopleThatIsNearOneOfOurs) {
-  const TemporaryFolder folder;
-  const fs::path bhv = folder.path() / "a.bhv";
-  std::ofstream(bhv) << "Behavior = BHV_WaypointX\n{\n  name = a\n}\n";
-  EXPECT_EQ(Check({bhv.string()}).exit_code, kUsage) << "nobody says whose it is";
-  const auto mission_of = [&folder](const std::string& database) {
-    std::ofstream(folder.path() / "a.moos")
-        << "ServerPort = 9000\nCommunity = alpha\nProcessConfig = ANTLER\n{\n  Run = " << database
-        << "\n  Run = pHelmIvP\n}\n";
-  };
-  mission_of("MOOSDB");
-  const Checked others = Check({bhv.string()});
-  EXPECT_EQ(others.exit_code, kOk) << others.text;
-  EXPECT_THAT(others.text, HasSubstr("note: BHV_WaypointX: is no behavior of Limpet's: not "
-                                     "checked; nearest known: `BHV_Waypoint`"));
-  mission_of("LimpetDB");
-  EXPECT_EQ(Check({bhv.string()}).exit_code, kUsage);
-}
-
 TEST(CheckVerbOfFiles, ExpectsNothingOfALoggerThatOnlyListens) {
   const TemporaryFolder folder;
   const fs::path moos = folder.path() / "a.moos";
@@ -318,21 +157,6 @@ TEST(CheckVerbOfFiles, ExpectsNothingOfALoggerThatOnlyListens) {
   const Checked simulated = check("  Run = pLogger\n  Run = uSimMarine\n");
   EXPECT_EQ(simulated.exit_code, kOk) << simulated.text;
   EXPECT_THAT(simulated.text, HasSubstr("must come from uSimMarine: pNodeReporter needs it"));
-}
-
-TEST(CheckVerbOfFiles, NotesWhatAStockPShareWouldHaveToSayToBeOurs) {
-  const TemporaryFolder folder;
-  const fs::path moos = folder.path() / "shoreside.moos";
-  const auto check = [&moos](const std::string& database) {
-    std::ofstream(moos) << "ServerPort = 9000\nCommunity = shoreside\nProcessConfig = ANTLER\n{\n"
-                        << "  Run = " << database << "\n  Run = pShare\n  Run = pMarineViewer\n}\n"
-                        << "ProcessConfig = pShare\n{\n  input = route=localhost:9200\n}\n";
-    return Check({moos.string()});
-  };
-  const Checked stock = check("MOOSDB");
-  EXPECT_EQ(stock.exit_code, kOk) << stock.text;
-  EXPECT_THAT(stock.text, HasSubstr("allow_plain_routes = true"));
-  EXPECT_EQ(check("LimpetDB").exit_code, kUsage) << "a mission of ours needs a key";
 }
 
 TEST(CheckVerbOfFiles, SaysOnceOfABlockThatItIsNoListOfSettings) {
@@ -361,31 +185,6 @@ TEST(CheckVerbOfFiles, TakesFilesOfADatumAndLinesBehindAHash) {
   EXPECT_THAT(hash.text, HasSubstr("must come from uSimMarine: pNodeReporter needs it"));
   std::ofstream(datum) << "ServerPort = 9000\nCommunity = alpha\n";
   EXPECT_EQ(Check({datum.string()}).exit_code, kUsage) << "a vehicle, but nothing to launch";
-}
-
-TEST(CheckVerbOfFiles, NestedTextOfAnAcousticModemIsANoteAndInABlockOfOursAnError) {
-  const MissionCopy mission;
-  mission.Apply({PlugOf("pDetect"), "ProcessConfig = pDetect\n{\n",
-                 "ProcessConfig = pAcommsHandler\n{\n  driver_cfg {\n    modem_id = 3\n    fsk { "
-                 "rate: 0 }\n  }\n}\nProcessConfig = pDetect\n{\n"});
-  const Checked foreign = mission.Run();
-  EXPECT_EQ(foreign.exit_code, kOk) << foreign.text;
-  EXPECT_THAT(foreign.text, HasSubstr("note: "));
-  mission.Apply(
-      {PlugOf("pDetect"), "detector = color_shape", "detector = color_shape\n  x {\n  }"});
-  EXPECT_EQ(mission.Run().exit_code, kUsage);
-}
-
-TEST(CheckVerbOfFiles, TakesASurveyWithOtherPeoplesDriversDatabaseAndLogger) {
-  const MissionCopy mission;
-  fs::remove(mission.path() / "scenario.yaml");
-  std::ofstream(mission.path() / "my_drivers.moos") << "Run = iEverything\n";
-  mission.Apply({"mission.moos", "#include plug_survey",
-                 "#define OWN_COMMUNITY\n#define DRIVERS my_drivers.moos\n#include plug_survey"});
-  const Checked checked = mission.Run();
-  EXPECT_EQ(checked.exit_code, kOk) << checked.text;
-  EXPECT_THAT(checked.text, HasSubstr("no problems"));
-  EXPECT_THAT(checked.text, HasSubstr("note: iEverything: is no app of Limpet's"));
 }
 
 TEST(CheckVerbOfFiles, RefusesAMisspeltBehaviorAndABadParameterOfABehaviorFile) {

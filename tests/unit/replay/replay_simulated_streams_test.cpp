@@ -86,8 +86,9 @@ TEST_P(HardHour, ADvlOfOneHertzIsAsGoodAsThereIsLockForIt) {
 /// along two, and whose clock is 0.2 s late.
 SensorStream Mismounted(SensorStream stream) {
   constexpr double kTilt = 0.035, kLever = 0.05, kDelay = 0.2;
-  stream.meta.camera = WithErrors(
-      stream.meta.camera, {.tilt_B = {kTilt, -kTilt, 0.0}, .shift_B = {kLever, -kLever, 0.0}}, {});
+  stream.meta.camera =
+      WithErrors(stream.meta.camera,
+                 {.tilt_B = {kTilt, -kTilt, 0.0}, .lever_and_delay = {kLever, -kLever, 0.0}}, {});
   for (StreamRow& row : stream.rows) {
     if (auto* frame = std::get_if<FrameRow>(&row)) frame->frame.exposure += Seconds(kDelay);
   }

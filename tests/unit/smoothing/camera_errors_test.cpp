@@ -26,7 +26,7 @@ class CameraErrorsTest : public ::testing::Test {
   void ExpectJacobiansMatch(const F& bare) const {
     const CameraErrorsFactor<F> factor(camera_, motion_, bare);
     typename CameraErrorsFactor<F>::Jacobians J;
-    static_cast<void>(factor.Evaluate(x_, p_W_, errors_.tilt_B, errors_.shift_B, &J));
+    static_cast<void>(factor.Evaluate(x_, p_W_, errors_.tilt_B, errors_.lever_and_delay, &J));
     const auto expect = [](const auto& exact, const auto& numeric) {
       EXPECT_LT((exact - numeric).template lpNorm<Eigen::Infinity>(),
                 1e-4 * (1.0 + exact.template lpNorm<Eigen::Infinity>()));
@@ -35,7 +35,7 @@ class CameraErrorsTest : public ::testing::Test {
                         const Eigen::Vector3d& shift) {
       return Eigen::VectorXd(factor.Evaluate(x, p_W, tilt, shift));
     };
-    const auto &tilt = errors_.tilt_B, &shift = errors_.shift_B;
+    const auto &tilt = errors_.tilt_B, &shift = errors_.lever_and_delay;
     expect(J.pose,
            NumericJacobian([&](const NavVector& x) { return at(x, p_W_, tilt, shift); }, x_));
     expect(J.border[0],
@@ -47,7 +47,7 @@ class CameraErrorsTest : public ::testing::Test {
   }
 
   CameraModel camera_;
-  const CameraErrors errors_{.tilt_B = {0.03, -0.05, 0.02}, .shift_B = {0.05, -0.04, 0.2}};
+  const CameraErrors errors_{.tilt_B = {0.03, -0.05, 0.02}, .lever_and_delay = {0.05, -0.04, 0.2}};
   const BodyMotion motion_{.v_B = {0.5, 0.05, -0.02}, .omega_B = {0.0, 0.01, 0.2}};
   const NavVector x_ = (NavVector() << 3.0, -2.0, 4.0, 0.7, 0.1, -0.2).finished();
   const Eigen::Vector3d p_W_{3.6, -1.2, 7.0};
@@ -68,7 +68,7 @@ TEST_F(CameraErrorsTest, ALateStampShowsWhatWasSeenFromWhereTheBodyWasThen) {
   then.yaw -= delay * 0.2;
   const double middle = now.yaw - 0.5 * delay * 0.2;
   then.p_WB -= delay * 0.5 * Eigen::Vector3d(std::cos(middle), std::sin(middle), 0.0);
-  const CameraModel late = WithErrors(camera_, {.shift_B = {0.0, 0.0, delay}}, motion);
+  const CameraModel late = WithErrors(camera_, {.lever_and_delay = {0.0, 0.0, delay}}, motion);
   EXPECT_LT((late.InCamera(now, p_W_) - camera_.InCamera(then, p_W_)).norm(), 3e-3);
 }
 
@@ -93,13 +93,16 @@ TEST_F(CameraErrorsTest, ALookAtAnObjectOfUnknownSizeMatchesCentralDifferences) 
     for (int index = 0; index < 3; ++index) {
       const ObjectSizeFactor<F> factor(camera_, motion_, bare, index, 0.05);
       typename ObjectSizeFactor<F>::Jacobians J;
-      static_cast<void>(factor.Evaluate(x_, p_W_, errors_.tilt_B, errors_.shift_B, sizes, &J));
+      static_cast<void>(
+          factor.Evaluate(x_, p_W_, errors_.tilt_B, errors_.lever_and_delay, sizes, &J));
       const auto &J_landmark = J.border.front(), &J_sizes = J.border.back();
       const auto by_sizes = [&](const Eigen::Vector3d& s) {
-        return Eigen::VectorXd(factor.Evaluate(x_, p_W_, errors_.tilt_B, errors_.shift_B, s));
+        return Eigen::VectorXd(
+            factor.Evaluate(x_, p_W_, errors_.tilt_B, errors_.lever_and_delay, s));
       };
       const auto by_place = [&](const Eigen::Vector3d& p) {
-        return Eigen::VectorXd(factor.Evaluate(x_, p, errors_.tilt_B, errors_.shift_B, sizes));
+        return Eigen::VectorXd(
+            factor.Evaluate(x_, p, errors_.tilt_B, errors_.lever_and_delay, sizes));
       };
       const double scale = 1.0 + J_sizes.template lpNorm<Eigen::Infinity>();
       EXPECT_LT((J_sizes - NumericJacobian(by_sizes, sizes)).template lpNorm<Eigen::Infinity>(),
