@@ -9,7 +9,6 @@
 #include "apps/pNav/source_watch.hpp"
 #include "apps/pNav/track_watch.hpp"
 #include "estimation/attitude/attitude_filter.hpp"
-#include "estimation/matching/default_matching.hpp"
 #include "estimation/navigation/navigator.hpp"
 #include "estimation/navigation/place_sigmas.hpp"
 #include "limpet/app/app.hpp"
@@ -45,7 +44,7 @@ class NavApp final : public App {
     double confirm_log_odds = 2.5;
     Seconds node_period{1.0};
     Meters node_distance{0.5};
-    MatchingParams session = DefaultMatching();
+    MatchingParams session;
     CameraParams camera;
     bool compass_aids = true;
     std::string sources = "none";

@@ -14,8 +14,9 @@
 namespace limpet {
 
 struct MatchingParams {
-  Meters offset_sigma{0.6};  ///< prior of each component of the shift: fixes of two sessions
-  Meters datum_sigma{0.0};   ///< and of what neither session's fixes know of
+  /// Prior of each component of the shift: each session has fixes of its own, with a slow error.
+  Meters offset_sigma{0.8};
+  Meters datum_sigma{0.0};  ///< and of what neither session's fixes know of
   Radians datum_turn_sigma{0.0};
   Meters down_sigma{0.05};
   Radians turn_sigma = Radians::FromTextUnit(1.0);

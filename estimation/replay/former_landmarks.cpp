@@ -35,7 +35,7 @@ std::optional<Error> ReadRows(const StreamFile& file,
 std::string LandmarksCsv(const std::vector<Landmark>& landmarks) {
   std::string text = "id,x,y,z,sd_x,sd_y,sd_z,class,looks\n";
   for (const Landmark& landmark : landmarks) {
-    const Eigen::Vector3d sd = landmark.object.cov_W.diagonal().cwiseMax(0.0).cwiseSqrt();
+    const Eigen::Vector3d sd = landmark.object.sd_W();
     text += fmt::format("{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},{}\n", landmark.id,
                         landmark.object.p_W.x(), landmark.object.p_W.y(), landmark.object.p_W.z(),
                         sd.x(), sd.y(), sd.z(), landmark.object.color, landmark.looks);

@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "estimation/matching/default_matching.hpp"
 #include "estimation/matching/own_covariance.hpp"
 #include "estimation/navigation/former_session.hpp"
 #include "limpet/core/params.hpp"
@@ -37,7 +36,7 @@ bool WasFlownWith(const SavedSession& b, const SavedSession& a) {
 
 /// What pNav's block says of matching; its other lines are not judged here.
 MatchingParams ParamsOf(const SavedSession& session) {
-  MatchingParams params = DefaultMatching();
+  MatchingParams params;
   std::optional<ConfigBlock> block = BlockOf(session, "pNav");
   if (!block) return params;
   const std::vector<ParamSpec> specs = DescribeParams(params);

@@ -40,38 +40,28 @@ void DrawBelief(const Drawing& drawing, const OpiBelief& opi) {
   DrawCross(drawing.canvas, place, 4.0, {.stroke = palette::kBlue, .width = 2.0});
 }
 
+std::string Chance(const OpiBelief& opi) { return "P " + ProbabilityText(opi.posterior.present()); }
+
 /// Name and probability beside each object; an object without a true one says so.
 void LabelBeliefs(MapAxes& map, const FigureSource& source) {
   for (const OpiScore& opi : source.score.opis.found) {
-    DrawLabel(map, opi.slam_W,
-              {.lines = {opi.truth, "P " + ProbabilityText(opi.probability)}, .distance = 20.0});
+    DrawLabel(map, opi.belief.object.p_W,
+              {.lines = {opi.truth, Chance(opi.belief)}, .distance = 20.0});
   }
-  for (const ReportedOpi& opi : source.score.opis.reported) {
-    DrawLabel(map, opi.p_W,
-              {.lines = {fmt::format("id {}", opi.id), "P " + ProbabilityText(opi.probability)},
-               .distance = 20.0});
+  for (const OpiBelief& opi : source.score.opis.reported) {
+    DrawLabel(map, opi.object.p_W,
+              {.lines = {fmt::format("id {}", opi.id), Chance(opi)}, .distance = 20.0});
   }
-  for (const FalseOpi& opi : source.score.opis.invented) {
-    DrawLabel(map, opi.p_W,
-              {.lines = {"nothing is here", "P " + ProbabilityText(opi.probability)},
+  for (const OpiBelief& opi : source.score.opis.invented) {
+    DrawLabel(map, opi.object.p_W,
+              {.lines = {"nothing is here", Chance(opi)},
                .distance = 20.0,
                .fill = palette::kVermillion});
   }
 }
 
-/// The smoother's last word on the object, as the scorer took it.
-OpiBelief BeliefAt(const SessionRecord& record, const OpiBelief& opi) {
-  OpiBelief belief = opi;
-  for (const Landmark& landmark : record.landmarks) {
-    if (opi.landmark >= 0 && landmark.id == opi.landmark) {
-      belief.object.p_W = landmark.object.p_W, belief.object.cov_W = landmark.object.cov_W;
-    }
-  }
-  return belief;
-}
-
 std::string HeightError(const OpiScore& opi) {
-  const double error = std::round(100.0 * (opi.slam_W.z() - opi.truth_W.z())) / 100.0;
+  const double error = std::round(100.0 * (opi.belief.object.p_W.z() - opi.truth_W.z())) / 100.0;
   if (error == 0.0) return "depth right to the centimetre";
   return fmt::format("{:.2f} m too {}", std::abs(error), error > 0.0 ? "deep" : "shallow");
 }
@@ -91,7 +81,8 @@ void DrawCloseUp(SvgCanvas& canvas, const Point& corner, const FigureSource& sou
   canvas.Circle(middle, opi.radius_m * scale,
                 {.fill = palette::kHalo, .stroke = palette::kMapInk, .width = 1.4});
   for (const OpiBelief& belief : source.record.opis) {
-    if (belief.posterior.present() >= 0.5) DrawBelief(drawing, BeliefAt(source.record, belief));
+    if (belief.posterior.present() >= 0.5)
+      DrawBelief(drawing, SmoothedBelief(belief, source.record.landmarks));
   }
   const Point bar = corner + Point(10.0, kCloseUp - 12.0);
   canvas.Line(bar, bar + Point(scale, 0.0), {.stroke = palette::kMapInk, .width = 2.0});
@@ -160,7 +151,7 @@ Figure ObjectsFigure(const FigureSource& source) {
   const Drawing drawing{map.canvas(), map.pixels_per_metre(),
                         [&map](double north, double east) { return map.At(north, east); }};
   for (const OpiBelief& opi : record.opis) {
-    if (opi.posterior.present() >= 0.5) DrawBelief(drawing, BeliefAt(record, opi));
+    if (opi.posterior.present() >= 0.5) DrawBelief(drawing, SmoothedBelief(opi, record.landmarks));
   }
   LabelBeliefs(map, source);
   map.EndMap();

@@ -107,7 +107,7 @@ OrderedJson Json(const std::optional<DepthInfo>& depth) {
 
 OrderedJson JsonOf(const OpiBelief& opi) {
   const Eigen::Vector3d& p_W = opi.object.p_W;
-  const Eigen::Vector3d sigma = opi.object.cov_W.diagonal().cwiseMax(0.0).cwiseSqrt();
+  const Eigen::Vector3d sigma = opi.object.sd_W();
   return {{"id", opi.id},
           {"class", opi.object.color},
           {"decided", NameOf(opi.decided)},

@@ -22,13 +22,9 @@ std::vector<OpiBelief> ObjectsOf(const SavedSession& session) {
   return objects;
 }
 
-Eigen::Vector3d SigmaOf(const OpiBelief& opi) {
-  return opi.object.cov_W.diagonal().cwiseMax(0.0).cwiseSqrt();
-}
-
 OrderedJson FeatureOf(const OpiBelief& opi, const LocalGrid& grid) {
   const Eigen::Vector3d& p_W = opi.object.p_W;
-  const Eigen::Vector3d sigma = SigmaOf(opi);
+  const Eigen::Vector3d sigma = opi.object.sd_W();
   return {{"type", "Feature"},
           {"id", opi.id},
           {"geometry", {{"type", "Point"}, {"coordinates", GeoPosition(grid, p_W.x(), p_W.y())}}},
@@ -76,7 +72,7 @@ std::string ObjectsToCsv(const SavedSession& session) {
   const std::optional<GeoPoint> datum = DatumOf(session.facts);
   for (const OpiBelief& opi : ObjectsOf(session)) {
     const Eigen::Vector3d& p_W = opi.object.p_W;
-    const Eigen::Vector3d sigma = SigmaOf(opi);
+    const Eigen::Vector3d sigma = opi.object.sd_W();
     fmt::format_to(std::back_inserter(text),
                    "{},{},{},{:.4f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{},{}\n", opi.id,
                    opi.object.color, NameOf(opi.decided), opi.posterior.present(), p_W.x(), p_W.y(),

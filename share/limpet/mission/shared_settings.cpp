@@ -4,6 +4,16 @@
 #include <algorithm>
 
 namespace limpet {
+namespace {
+
+/// Of how two sessions' frames lie: pNav matches by it, pMap believes the matches by it.
+SharedSetting OfTwoFrames(const char* key) {
+  return {.global = key,
+          .meaning = "how two sessions' frames may lie",
+          .takers = {{"pMap", key}, {"pNav", key}}};
+}
+
+}  // namespace
 
 const std::vector<SharedSetting>& SharedSettings() {
   static const std::vector<SharedSetting> settings{
@@ -24,7 +34,13 @@ const std::vector<SharedSetting>& SharedSettings() {
        .meaning = "when an object is settled",
        .takers = {{"BHV_RevisitOpi", "settled_looks"},
                   {"BHV_ReduceObjectEntropy", "settled_looks"}},
-       .is_one_fact = false}};
+       .is_one_fact = false},
+      OfTwoFrames("session_offset_sigma_m"),
+      OfTwoFrames("session_datum_sigma_m"),
+      OfTwoFrames("session_datum_turn_sigma_deg"),
+      OfTwoFrames("session_down_sigma_m"),
+      OfTwoFrames("session_turn_sigma_deg"),
+      OfTwoFrames("match_position_floor_m")};
   return settings;
 }
 

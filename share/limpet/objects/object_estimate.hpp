@@ -17,6 +17,8 @@ struct ObjectEstimate {
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();    ///< of its centre [m]
   Eigen::Matrix3d cov_W = Eigen::Matrix3d::Zero();  ///< [m^2]
   std::string color;                                ///< class, as Box::color
+  /// Standard deviation along each axis [m].
+  [[nodiscard]] Eigen::Vector3d sd_W() const { return cov_W.diagonal().cwiseMax(0.0).cwiseSqrt(); }
 };
 
 /// A former session's object that a landmark may be.

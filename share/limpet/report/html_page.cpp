@@ -117,8 +117,9 @@ std::string ObjectsTable(const SessionScore& session) {
     out += fmt::format(
         "<tr><td>{}</td>{}{}<td>{:.2f}</td><td>{:.2f}</td><td>{}</td><td>{}</td><td "
         "class=\"left\">{}</td></tr>\n",
-        EscapedMarkup(opi.truth), Place(opi.slam_W), Place(opi.slam_sd_W), opi.error_m,
-        opi.aligned_error_m, opi.looks, EscapedMarkup(ProbabilityText(opi.probability)),
+        EscapedMarkup(opi.truth), Place(opi.belief.object.p_W), Place(opi.belief.object.sd_W()),
+        opi.error_m, opi.aligned_error_m, opi.belief.looks,
+        EscapedMarkup(ProbabilityText(opi.belief.posterior.present())),
         Judged(opi.error_m <= kGoodError,
                opi.error_m <= kGoodError ? "found" : "found, misplaced"));
   }
@@ -126,11 +127,12 @@ std::string ObjectsTable(const SessionScore& session) {
     out += fmt::format("<tr><td>{}</td><td colspan=\"10\"></td><td class=\"left\">{}</td></tr>\n",
                        EscapedMarkup(name), Judged(false, "missed"));
   }
-  for (const FalseOpi& opi : session.opis.invented) {
+  for (const OpiBelief& opi : session.opis.invented) {
     out += fmt::format(
         "<tr><td>nothing</td>{}<td colspan=\"6\"></td><td>{}</td><td "
         "class=\"left\">{}</td></tr>\n",
-        Place(opi.p_W), EscapedMarkup(ProbabilityText(opi.probability)), Judged(false, "invented"));
+        Place(opi.object.p_W), EscapedMarkup(ProbabilityText(opi.posterior.present())),
+        Judged(false, "invented"));
   }
   return out + "</table></div>\n";
 }
@@ -141,10 +143,11 @@ std::string ReportedObjectsTable(const SessionScore& session) {
       "<h3>Objects as reported</h3>\n<p>There is no truth for this session: nothing is judged, and "
       "what needs the truth is left out.</p>\n<div class=\"scroll\"><table><tr><th>object<th>north "
       "[m]<th>east [m]<th>down [m]<th>sd north<th>sd east<th>sd down<th>looks<th>P</tr>\n";
-  for (const ReportedOpi& opi : session.opis.reported) {
+  for (const OpiBelief& opi : session.opis.reported) {
     out += fmt::format("<tr><td>{}</td>{}{}<td>{}</td><td>{}</td></tr>\n",
-                       EscapedMarkup(fmt::format("id {}, {}", opi.id, opi.color)), Place(opi.p_W),
-                       Place(opi.sd_W), opi.looks, EscapedMarkup(ProbabilityText(opi.probability)));
+                       EscapedMarkup(fmt::format("id {}, {}", opi.id, opi.object.color)),
+                       Place(opi.object.p_W), Place(opi.object.sd_W()), opi.looks,
+                       EscapedMarkup(ProbabilityText(opi.posterior.present())));
   }
   return out + "</table></div>\n";
 }

@@ -49,41 +49,41 @@ OrderedJson Opis(const std::vector<OpiScore>& opis) {
   for (const OpiScore& opi : opis) {
     list.push_back({{"truth", opi.truth},
                     {"truth_ned_m", PointJson(opi.truth_W)},
-                    {"slam_ned_m", PointJson(opi.slam_W)},
-                    {"slam_sd_m", PointJson(opi.slam_sd_W)},
-                    {"map_centroid_ned_m", PointJson(opi.map_centroid_W)},
-                    {"map_sd_m", PointJson(opi.map_sd_W)},
+                    {"slam_ned_m", PointJson(opi.belief.object.p_W)},
+                    {"slam_sd_m", PointJson(opi.belief.object.sd_W())},
+                    {"map_centroid_ned_m", PointJson(opi.belief.centroid_W)},
+                    {"map_sd_m", PointJson(opi.belief.centroid_sd)},
                     {"error_m", Length(opi.error_m)},
                     {"aligned_error_m", Length(opi.aligned_error_m)},
-                    {"looks", opi.looks}});
+                    {"looks", opi.belief.looks}});
   }
   return list;
 }
 
-OrderedJson Opis(const std::vector<ReportedOpi>& opis) {
+OrderedJson Opis(const std::vector<OpiBelief>& opis) {
   OrderedJson list = OrderedJson::array();
-  for (const ReportedOpi& opi : opis) {
+  for (const OpiBelief& opi : opis) {
     list.push_back({{"truth", nullptr},
                     {"truth_ned_m", nullptr},
-                    {"slam_ned_m", PointJson(opi.p_W)},
-                    {"slam_sd_m", PointJson(opi.sd_W)},
-                    {"map_centroid_ned_m", PointJson(opi.map_centroid_W)},
-                    {"map_sd_m", PointJson(opi.map_sd_W)},
+                    {"slam_ned_m", PointJson(opi.object.p_W)},
+                    {"slam_sd_m", PointJson(opi.object.sd_W())},
+                    {"map_centroid_ned_m", PointJson(opi.centroid_W)},
+                    {"map_sd_m", PointJson(opi.centroid_sd)},
                     {"error_m", nullptr},
                     {"aligned_error_m", nullptr},
                     {"looks", opi.looks},
-                    {"class", opi.color},
-                    {"probability", Share(opi.probability)}});
+                    {"class", opi.object.color},
+                    {"probability", Share(opi.posterior.present())}});
   }
   return list;
 }
 
-OrderedJson FalseOpis(const std::vector<FalseOpi>& opis) {
+OrderedJson InventedOpis(const std::vector<OpiBelief>& opis) {
   OrderedJson list = OrderedJson::array();
-  for (const FalseOpi& opi : opis) {
-    list.push_back({{"ned_m", PointJson(opi.p_W)},
-                    {"class", opi.color},
-                    {"probability", Share(opi.probability)}});
+  for (const OpiBelief& opi : opis) {
+    list.push_back({{"ned_m", PointJson(opi.object.p_W)},
+                    {"class", opi.object.color},
+                    {"probability", Share(opi.posterior.present())}});
   }
   return list;
 }
@@ -249,7 +249,7 @@ OrderedJson Session(const SessionScore& session) {
       {"nav", Navigation(session.nav)},
       {"opis", session.has_truth ? Opis(session.opis.found) : Opis(session.opis.reported)},
       {"missed", IfJudged(session, session.opis.missed)},
-      {"false", IfJudged(session, FalseOpis(session.opis.invented))}};
+      {"false", IfJudged(session, InventedOpis(session.opis.invented))}};
   out["water"] = Water(session);
   out["current"] = Current(session);
   out["energy"] = Energy(session);

@@ -75,14 +75,19 @@ std::string Heading(const SessionScore& session, const Painter& paint) {
                      session.has_truth ? "" : " by its own estimate", session.duration_s, speed);
 }
 
+std::string Deviations(const ObjectEstimate& object) {
+  const Eigen::Vector3d sd = object.sd_W();
+  return fmt::format("{:5.2f} {:5.2f} {:5.2f}", sd.x(), sd.y(), sd.z());
+}
+
 std::string DiscoveryTable(const SessionScore& session, const Painter& paint) {
   std::string out =
       paint.Dim(fmt::format("  {:<10} {:>23}   {:>17}  {:>7}  {:>5} {:>6}\n", "object",
                             "north   east    down [m]", "sd [m]", "error", "looks", "sure"));
   for (const OpiScore& opi : session.opis.found) {
-    out += fmt::format("  {} {}   {:5.2f} {:5.2f} {:5.2f}  {:5.2f} m  {:>5} {:>6}  {}\n",
-                       Name(opi.truth), Place(opi.slam_W), opi.slam_sd_W.x(), opi.slam_sd_W.y(),
-                       opi.slam_sd_W.z(), opi.error_m, opi.looks, ProbabilityText(opi.probability),
+    out += fmt::format("  {} {}   {}  {:5.2f} m  {:>5} {:>6}  {}\n", Name(opi.truth),
+                       Place(opi.belief.object.p_W), Deviations(opi.belief.object), opi.error_m,
+                       opi.belief.looks, ProbabilityText(opi.belief.posterior.present()),
                        paint.Verdict(opi.error_m <= kGoodError, "found"));
   }
   return out;
@@ -92,11 +97,10 @@ std::string DiscoveryTable(const SessionScore& session, const Painter& paint) {
 std::string ReportedTable(const SessionScore& session, const Painter& paint) {
   std::string out = paint.Dim(fmt::format("  {:<10} {:>23}   {:>17}  {:>5} {:>6}\n", "object",
                                           "north   east    down [m]", "sd [m]", "looks", "sure"));
-  for (const ReportedOpi& opi : session.opis.reported) {
-    out += fmt::format("  {} {}   {:5.2f} {:5.2f} {:5.2f}  {:>5} {:>6}  {}\n",
-                       Name(fmt::format("id {}", opi.id)), Place(opi.p_W), opi.sd_W.x(),
-                       opi.sd_W.y(), opi.sd_W.z(), opi.looks, ProbabilityText(opi.probability),
-                       OneLine(opi.color, 20));
+  for (const OpiBelief& opi : session.opis.reported) {
+    out += fmt::format("  {} {}   {}  {:>5} {:>6}  {}\n", Name(fmt::format("id {}", opi.id)),
+                       Place(opi.object.p_W), Deviations(opi.object), opi.looks,
+                       ProbabilityText(opi.posterior.present()), OneLine(opi.object.color, 20));
   }
   for (const ChangeScore& change : session.opis.changes) {
     out += fmt::format("  {:<10} {}   {} {:>6}\n", "decided", Place(change.p_W),
@@ -147,10 +151,10 @@ std::string Mistakes(const SessionScore& session, const Painter& paint) {
   for (const std::string& name : session.opis.missed) {
     out += fmt::format("  {} {}\n", Name(name), paint.Verdict(false, "MISSED"));
   }
-  for (const FalseOpi& opi : session.opis.invented) {
-    out +=
-        fmt::format("  {:<10} {}   {} {}  {}\n", "nothing", Place(opi.p_W), OneLine(opi.color, 20),
-                    ProbabilityText(opi.probability), paint.Verdict(false, "INVENTED"));
+  for (const OpiBelief& opi : session.opis.invented) {
+    out += fmt::format("  {:<10} {}   {} {}  {}\n", "nothing", Place(opi.object.p_W),
+                       OneLine(opi.object.color, 20), ProbabilityText(opi.posterior.present()),
+                       paint.Verdict(false, "INVENTED"));
   }
   return out;
 }

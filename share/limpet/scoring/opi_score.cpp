@@ -14,25 +14,10 @@ constexpr double kMovedDistance = 0.5;
 /// At one place the belief about an object of the same colour comes first.
 constexpr double kOtherColor = 1.0;
 
-struct Belief {
-  const OpiBelief* opi = nullptr;
-  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
-  Eigen::Vector3d sd = Eigen::Vector3d::Zero();
-};
-
 struct Place {
   const ScenarioOpi* opi = nullptr;
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
 };
-
-/// The smoother's last word on the object, else what the map has.
-Belief BeliefOf(const OpiBelief& opi, const std::vector<Landmark>& landmarks) {
-  const ObjectEstimate* object = &opi.object;
-  for (const Landmark& landmark : landmarks) {
-    if (opi.landmark >= 0 && landmark.id == opi.landmark) object = &landmark.object;
-  }
-  return {&opi, object->p_W, object->cov_W.diagonal().cwiseMax(0.0).cwiseSqrt()};
-}
 
 bool SaysPresent(const OpiBelief& opi) {
   return opi.decided == Status::kNew || opi.decided == Status::kConfirmed ||
@@ -49,8 +34,8 @@ double ProbabilityOf(const OpiBelief& opi) {
 
 /// For each place the belief it is matched with, or nullptr; nearest pairs first, those of one
 /// colour before others.
-std::vector<const Belief*> Match(const std::vector<Place>& places,
-                                 const std::vector<Belief>& beliefs) {
+std::vector<const OpiBelief*> Match(const std::vector<Place>& places,
+                                    const std::vector<OpiBelief>& beliefs) {
   struct Pair {
     double distance;
     std::size_t place, belief;
@@ -58,8 +43,8 @@ std::vector<const Belief*> Match(const std::vector<Place>& places,
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < places.size(); ++i) {
     for (std::size_t j = 0; j < beliefs.size(); ++j) {
-      const double distance = (places[i].p_W - beliefs[j].p_W).norm();
-      const bool is_same_color = places[i].opi->color == beliefs[j].opi->object.color;
+      const double distance = (places[i].p_W - beliefs[j].object.p_W).norm();
+      const bool is_same_color = places[i].opi->color == beliefs[j].object.color;
       if (distance <= kMatchRadius) {
         pairs.push_back({distance + (is_same_color ? 0.0 : kOtherColor), i, j});
       }
@@ -67,7 +52,7 @@ std::vector<const Belief*> Match(const std::vector<Place>& places,
   }
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
-  std::vector<const Belief*> matched(places.size(), nullptr);
+  std::vector<const OpiBelief*> matched(places.size(), nullptr);
   std::vector<bool> is_taken(beliefs.size(), false);
   for (const Pair& pair : pairs) {
     if (matched[pair.place] != nullptr || is_taken[pair.belief]) continue;
@@ -77,15 +62,15 @@ std::vector<const Belief*> Match(const std::vector<Place>& places,
   return matched;
 }
 
-bool Contains(const std::vector<const Belief*>& matched, const Belief& belief) {
+bool Contains(const std::vector<const OpiBelief*>& matched, const OpiBelief& belief) {
   return std::find(matched.begin(), matched.end(), &belief) != matched.end();
 }
 
 void ScorePresence(const SessionRecord& record, const Scenario& scenario,
                    const CommonOffset& offset, OpiScores& scores) {
-  std::vector<Belief> beliefs;
+  std::vector<OpiBelief> beliefs;
   for (const OpiBelief& opi : record.opis) {
-    if (SaysPresent(opi)) beliefs.push_back(BeliefOf(opi, record.landmarks));
+    if (SaysPresent(opi)) beliefs.push_back(SmoothedBelief(opi, record.landmarks));
   }
   std::vector<Place> places;
   for (const ScenarioOpi& opi : scenario.opis) {
@@ -98,26 +83,17 @@ void ScorePresence(const SessionRecord& record, const Scenario& scenario,
       scores.missed.push_back(truth.name);
       continue;
     }
-    const Belief& belief = *matched[i];
-    OpiScore score{.truth = truth.name, .color = truth.color, .radius_m = truth.radius_m};
-    score.truth_W = places[i].p_W;
-    score.slam_W = belief.p_W;
-    score.slam_sd_W = belief.sd;
-    score.map_centroid_W = belief.opi->centroid_W;
-    score.map_sd_W = belief.opi->centroid_sd;
-    score.probability = belief.opi->posterior.present();
-    score.error_m = (belief.p_W - places[i].p_W).norm();
-    score.aligned_error_m = (offset.Apply(belief.p_W) - places[i].p_W).norm();
-    score.looks = belief.opi->looks;
-    score.id = belief.opi->id;
-    scores.found.push_back(std::move(score));
+    const Eigen::Vector3d& said_W = matched[i]->object.p_W;
+    scores.found.push_back({.truth = truth.name,
+                            .color = truth.color,
+                            .radius_m = truth.radius_m,
+                            .truth_W = places[i].p_W,
+                            .belief = *matched[i],
+                            .error_m = (said_W - places[i].p_W).norm(),
+                            .aligned_error_m = (offset.Apply(said_W) - places[i].p_W).norm()});
   }
-  for (const Belief& belief : beliefs) {
-    if (Contains(matched, belief)) continue;
-    scores.invented.push_back({.p_W = belief.p_W,
-                               .color = belief.opi->object.color,
-                               .probability = belief.opi->posterior.present(),
-                               .id = belief.opi->id});
+  for (const OpiBelief& belief : beliefs) {
+    if (!Contains(matched, belief)) scores.invented.push_back(belief);
   }
 }
 
@@ -136,11 +112,12 @@ std::optional<std::string> ExpectedStatus(const ScenarioOpi& opi, const SessionP
 }
 
 /// True for what is left over at the old place of an object that was moved.
-bool IsTraceOfAMove(const Belief& belief, const Scenario& scenario, const SessionPair& sessions) {
+bool IsTraceOfAMove(const OpiBelief& belief, const Scenario& scenario,
+                    const SessionPair& sessions) {
   return std::any_of(scenario.opis.begin(), scenario.opis.end(), [&](const ScenarioOpi& opi) {
     const auto before = opi.Place(sessions.former);
-    return ExpectedStatus(opi, sessions) == "moved" && belief.opi->decided == Status::kRemoved &&
-           (*before - belief.p_W).norm() <= kMatchRadius;
+    return ExpectedStatus(opi, sessions) == "moved" && belief.decided == Status::kRemoved &&
+           (*before - belief.object.p_W).norm() <= kMatchRadius;
   });
 }
 
@@ -149,9 +126,9 @@ bool IsDecided(const OpiBelief& opi) { return SaysPresent(opi) || opi.decided ==
 void ScoreChanges(const SessionRecord& record, const std::string& former, const Scenario& scenario,
                   OpiScores& scores) {
   const SessionPair sessions{former, record.name};
-  std::vector<Belief> beliefs;
+  std::vector<OpiBelief> beliefs;
   for (const OpiBelief& opi : record.opis)
-    beliefs.push_back(BeliefOf(opi, record.landmarks));
+    beliefs.push_back(SmoothedBelief(opi, record.landmarks));
   std::vector<Place> places;
   for (const ScenarioOpi& opi : scenario.opis) {
     auto place = opi.Place(sessions.now);
@@ -168,19 +145,19 @@ void ScoreChanges(const SessionRecord& record, const std::string& former, const 
                       0.0,
                       {}};
     if (matched[i] != nullptr) {
-      const OpiBelief& opi = *matched[i]->opi;
+      const OpiBelief& opi = *matched[i];
       score.decided = NameOf(opi.decided);
       score.probability = ProbabilityOf(opi);
-      score.p_W = matched[i]->p_W;
+      score.p_W = opi.object.p_W;
       score.posterior = opi.posterior;
     }
     scores.changes.push_back(std::move(score));
   }
-  for (const Belief& belief : beliefs) {
+  for (const OpiBelief& belief : beliefs) {
     const bool is_known = Contains(matched, belief) || IsTraceOfAMove(belief, scenario, sessions);
-    if (is_known || !IsDecided(*belief.opi)) continue;
-    scores.changes.push_back({std::nullopt, std::nullopt, std::string(NameOf(belief.opi->decided)),
-                              ProbabilityOf(*belief.opi), belief.p_W, belief.opi->posterior});
+    if (is_known || !IsDecided(belief)) continue;
+    scores.changes.push_back({std::nullopt, std::nullopt, std::string(NameOf(belief.decided)),
+                              ProbabilityOf(belief), belief.object.p_W, belief.posterior});
   }
 }
 
@@ -188,6 +165,14 @@ void ScoreChanges(const SessionRecord& record, const std::string& former, const 
 
 bool ChangeScore::is_open() const {
   return decided == NameOf(Status::kUncertain) || decided == NameOf(Status::kNotInspected);
+}
+
+OpiBelief SmoothedBelief(OpiBelief opi, const std::vector<Landmark>& landmarks) {
+  for (const Landmark& landmark : landmarks) {
+    if (opi.landmark < 0 || landmark.id != opi.landmark) continue;
+    opi.object.p_W = landmark.object.p_W, opi.object.cov_W = landmark.object.cov_W;
+  }
+  return opi;
 }
 
 OpiScores ScoreOpis(const SessionRecord& record, const std::string& former,
@@ -201,14 +186,11 @@ OpiScores ScoreOpis(const SessionRecord& record, const std::string& former,
 OpiScores ReportedOpis(const SessionRecord& record, bool has_former) {
   OpiScores scores;
   for (const OpiBelief& opi : record.opis) {
-    const Belief belief = BeliefOf(opi, record.landmarks);
-    if (SaysPresent(opi)) {
-      scores.reported.push_back({opi.id, opi.object.color, belief.p_W, belief.sd, opi.centroid_W,
-                                 opi.centroid_sd, opi.posterior.present(), opi.looks});
-    }
+    const OpiBelief belief = SmoothedBelief(opi, record.landmarks);
+    if (SaysPresent(opi)) scores.reported.push_back(belief);
     if (has_former) {
       scores.changes.push_back({std::nullopt, std::nullopt, std::string(NameOf(opi.decided)),
-                                ProbabilityOf(opi), belief.p_W, opi.posterior});
+                                ProbabilityOf(opi), belief.object.p_W, opi.posterior});
     }
   }
   return scores;

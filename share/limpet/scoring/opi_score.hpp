@@ -18,23 +18,9 @@ struct OpiScore {
   std::string color;  ///< the true one
   double radius_m = 0.5;
   Eigen::Vector3d truth_W = Eigen::Vector3d::Zero();
-  Eigen::Vector3d slam_W = Eigen::Vector3d::Zero();
-  Eigen::Vector3d slam_sd_W = Eigen::Vector3d::Zero();
-  Eigen::Vector3d map_centroid_W = Eigen::Vector3d::Zero();
-  Eigen::Vector3d map_sd_W = Eigen::Vector3d::Zero();
-  double probability = 0.0;
+  OpiBelief belief;  ///< as SmoothedBelief gives it
   double error_m = 0.0;
   double aligned_error_m = 0.0;  ///< after the session's common offset and heading
-  int looks = 0;
-  int id = 0;  ///< of the OpiBelief
-};
-
-/// A reported object that is not there.
-struct FalseOpi {
-  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
-  std::string color;
-  double probability = 0.0;
-  int id = 0;  ///< of the OpiBelief
 };
 
 /// What became of a true object between the sessions, and what the vehicle decided.
@@ -50,25 +36,17 @@ struct ChangeScore {
   [[nodiscard]] bool is_open() const;
 };
 
-/// An object as the vehicle reports it, where nobody knows the truth.
-struct ReportedOpi {
-  int id = 0;
-  std::string color;
-  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
-  Eigen::Vector3d sd_W = Eigen::Vector3d::Zero();
-  Eigen::Vector3d map_centroid_W = Eigen::Vector3d::Zero();
-  Eigen::Vector3d map_sd_W = Eigen::Vector3d::Zero();
-  double probability = 0.0;
-  int looks = 0;
-};
-
+/// Every belief in it is as SmoothedBelief gives it.
 struct OpiScores {
-  std::vector<ReportedOpi> reported;  ///< without truth only; then the three lists below are empty
+  std::vector<OpiBelief> reported;  ///< without truth only; then the three lists below are empty
   std::vector<OpiScore> found;
   std::vector<std::string> missed;
-  std::vector<FalseOpi> invented;
+  std::vector<OpiBelief> invented;   ///< reported, and not there
   std::vector<ChangeScore> changes;  ///< empty unless the session has a former one
 };
+
+/// The belief with the smoother's last word on where the object is, else what the map has.
+[[nodiscard]] OpiBelief SmoothedBelief(OpiBelief opi, const std::vector<Landmark>& landmarks);
 
 /// Matches reported and true objects one to one, nearest first, within 2.5 m; and decisions with
 /// what became of the objects since the session `former`, if there is one.

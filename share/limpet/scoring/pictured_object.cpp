@@ -7,9 +7,10 @@ namespace limpet {
 namespace {
 
 std::string TruthOf(int id, const OpiScores& scores) {
-  const auto found = std::ranges::find(scores.found, id, &OpiScore::id);
+  const auto found =
+      std::ranges::find(scores.found, id, [](const OpiScore& score) { return score.belief.id; });
   if (found != scores.found.end()) return found->truth;
-  const auto invented = std::ranges::find(scores.invented, id, &FalseOpi::id);
+  const auto invented = std::ranges::find(scores.invented, id, &OpiBelief::id);
   return invented != scores.invented.end() ? "nothing" : "";
 }
 

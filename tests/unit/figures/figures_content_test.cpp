@@ -160,7 +160,8 @@ TEST(ObjectsFigure, PutsEachClusterWhereTheMapHasItAndNamesItsObject) {
   const auto texts = TextsIn(elements);
   for (const OpiScore& opi : drawn.score.opis.found) {
     EXPECT_THAT(texts, Contains(opi.truth));
-    EXPECT_EQ(CirclesAt(elements, map.At(opi.map_centroid_W.x(), opi.map_centroid_W.y()), 2.6), 1U);
+    const Eigen::Vector3d& centroid_W = opi.belief.centroid_W;
+    EXPECT_EQ(CirclesAt(elements, map.At(centroid_W.x(), centroid_W.y()), 2.6), 1U);
   }
   EXPECT_EQ(drawn.score.opis.found.size(), 3U);
   EXPECT_THAT(texts, Contains("Objects found: 3 of 3, 0 invented"));

@@ -75,7 +75,7 @@ TEST_P(ScoredField, EveryObjectIsFoundOrMissedAndEveryReportFoundOrInvented) {
 
 TEST_P(ScoredField, AFoundObjectIsNearItsReportAndItsErrorIsTheirDistance) {
   for (const OpiScore& found : Score().found) {
-    EXPECT_NEAR(found.error_m, (found.slam_W - found.truth_W).norm(), 1e-12);
+    EXPECT_NEAR(found.error_m, (found.belief.object.p_W - found.truth_W).norm(), 1e-12);
     EXPECT_LE(found.error_m, kReach);
     EXPECT_NEAR(found.aligned_error_m, found.error_m, 1e-9) << "without an offset";
   }
@@ -85,8 +85,8 @@ TEST_P(ScoredField, NoObjectIsMissedBesideAnInventedReportOfIt) {
   const OpiScores scores = Score();
   for (const std::string& name : scores.missed) {
     const auto truth = std::ranges::find(scenario_.opis, name, &ScenarioOpi::name);
-    for (const FalseOpi& invented : scores.invented) {
-      EXPECT_GT((*truth->Place("change") - invented.p_W).norm(), kReach) << name;
+    for (const OpiBelief& invented : scores.invented) {
+      EXPECT_GT((*truth->Place("change") - invented.object.p_W).norm(), kReach) << name;
     }
   }
 }
