@@ -13,6 +13,7 @@
 #include "limpet/sensors/gps_model.hpp"
 #include "limpet/sensors/imu_model.hpp"
 #include "limpet/sensors/sonar_model.hpp"
+#include "limpet/sensors/true_sheets.hpp"
 #include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
@@ -33,7 +34,7 @@ SoundScene SceneOf(const Scenario& scenario, const std::string& session) {
 
 ImuModel::Params ImuOf(const ImuSheet& sheet, const Scenario::Sensors& truth,
                        const SimulatedErrors::Imu& errors) {
-  ImuModel::Params params{.sheet = sheet};
+  ImuModel::Params params{.sheet = TrueSheet(sheet, errors.sheet)};
   params.compass = errors.compass;
   params.gyro = errors.gyro;
   if (truth.heading_sigma_deg) {
@@ -42,7 +43,9 @@ ImuModel::Params ImuOf(const ImuSheet& sheet, const Scenario::Sensors& truth,
   return params;
 }
 
-FogSheet FogOf(FogSheet sheet, const Scenario::Sensors& truth) {
+FogSheet FogOf(const FogSheet& said, const Scenario::Sensors& truth,
+               const SheetErrorParams& error) {
+  FogSheet sheet = TrueSheet(said, error);
   sheet.bias_deg_per_h = truth.yaw_bias_deg_per_h.value_or(sheet.bias_deg_per_h);
   return sheet;
 }
@@ -72,7 +75,8 @@ SimSensorsApp::SimSensorsApp(const AppContext& context, const Scenario& scenario
   const SimulatedErrors& errors = scenario.errors;
   AddAttitudeSensors(scenario, sheets);
   Add(topics::kDepthSensor, sheets.depth.rate, errors.depth.stamps,
-      DepthModel(sheets.depth, MakeRandom("depth"), errors.depth.pressure),
+      DepthModel(TrueSheet(sheets.depth, errors.depth.sheet), MakeRandom("depth"),
+                 errors.depth.pressure),
       [sensor = FaultySensor<double>("depth")](double depth, const FaultSchedule& faults) mutable {
         return sensor.Pass(WithDepthFault(depth, faults), faults);
       });
@@ -122,7 +126,7 @@ void SimSensorsApp::AddAttitudeSensors(const Scenario& scenario, const SensorShe
   }
   if (sheets.fog.is_present) {
     Add(topics::kFogYawRate, sheets.fog.rate, errors.fog.stamps,
-        FogModel(FogOf(sheets.fog, truth), MakeRandom("fog"), errors.fog.gyro),
+        FogModel(FogOf(sheets.fog, truth, errors.fog.sheet), MakeRandom("fog"), errors.fog.gyro),
         [sensor = FaultySensor<double>("fog")](double rate, const FaultSchedule& faults) mutable {
           return sensor.Pass(rate, faults);
         });

@@ -8,6 +8,8 @@
 
 #include <Eigen/Geometry>
 
+#include "limpet/sensors/true_sheets.hpp"
+
 namespace limpet {
 namespace {
 
@@ -19,6 +21,7 @@ constexpr std::array kAzimuths_deg = {45.0, 135.0, 225.0, 315.0};
 
 DvlModel::DvlModel(const Params& params, SoundScene scene, Random random, Random errors)
     : params_(params),
+      true_(TrueSheet(params.sheet, params.error.sheet)),
       scene_(std::move(scene)),
       random_(random),
       p_BD_(params.sheet.p_BD + params.error.mounting.off_B),
@@ -29,7 +32,7 @@ DvlModel::DvlModel(const Params& params, SoundScene scene, Random random, Random
       beam_error_(params.error.beams, params.sheet.beam_angle.value(),
                   Random(errors.Bits(), "beams")),
       bursts_(params.error.bursts, Random(errors.Bits(), "bursts")) {
-  const DvlSheet& sheet = params.sheet;
+  const DvlSheet& sheet = true_;
   const Eigen::Matrix3d R_mounting = params.error.mounting.rotation();
   const double tilt = sheet.beam_angle.value(), yaw = sheet.yaw.value();
   std::ranges::transform(kAzimuths_deg, beams_B_.begin(), [&](double azimuth_deg) {
@@ -55,8 +58,7 @@ DvlModel::Ranges DvlModel::MeasureRanges(const Pose& X_WB) {
     const double unit = random_.Normal(1.0);  // drawn even when nothing is met: noise stays aligned
     ranges[i] = scene_.Range(origin_W, R_WB * beams_B_[i], max_range);
     if (ranges[i]) {
-      *ranges[i] +=
-          unit * (params_.sheet.range_noise_m + params_.sheet.range_noise_share * *ranges[i]);
+      *ranges[i] += unit * (true_.range_noise_m + true_.range_noise_share * *ranges[i]);
     }
   }
   return ranges;
@@ -79,7 +81,7 @@ Vector3d DvlModel::MeasureVelocity(const SimTruth& truth) {
   const Vector3d at_lever = Vector3d(truth.u, truth.v, truth.w) + omega.cross(p_BD_);
   Vector3d noise;
   for (double& part : noise)
-    part = random_.Normal(params_.sheet.noise_mps);
+    part = random_.Normal(true_.noise_mps);
   noise.z() *= params_.sheet.vertical_noise_mps / params_.sheet.noise_mps;
   Vector3d velocity = distortion_ * (R_DB_ * at_lever) + bias_ + noise;
   if (faults_.Chance(params_.outlier_share)) {

@@ -46,6 +46,7 @@ class DvlModel {
   [[nodiscard]] BeamError::Slopes SlopesAt(const Pose& X_WB, const Ranges& ranges) const;
 
   Params params_;
+  DvlSheet true_;  ///< what it is; it says of itself what the sheet does
   SoundScene scene_;
   Random random_;
   Eigen::Vector3d p_BD_;

@@ -18,10 +18,10 @@ ErrorSection Section(std::string name, Params&... params) {
 std::vector<ErrorSection> ErrorSections(SimulatedErrors& errors) {
   auto& [camera, imu, fog, dvl, depth, gps, thrusters, battery] = errors;
   return {Section("camera", camera.mounting, camera.shutter, camera.stamps),
-          Section("imu", imu.gyro, imu.compass, imu.stamps),
-          Section("fog", fog.gyro, fog.stamps),
-          Section("dvl", dvl.mounting, dvl.beams, dvl.bursts, dvl.stamps),
-          Section("depth", depth.pressure, depth.stamps),
+          Section("imu", imu.sheet, imu.gyro, imu.compass, imu.stamps),
+          Section("fog", fog.sheet, fog.gyro, fog.stamps),
+          Section("dvl", dvl.sheet, dvl.mounting, dvl.beams, dvl.bursts, dvl.stamps),
+          Section("depth", depth.sheet, depth.pressure, depth.stamps),
           Section("gps", gps.multipath, gps.stamps),
           Section("thrusters", thrusters),
           Section("battery", battery)};

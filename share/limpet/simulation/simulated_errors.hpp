@@ -16,6 +16,7 @@
 #include "limpet/simulation/gyro_error.hpp"
 #include "limpet/simulation/mounting_error.hpp"
 #include "limpet/simulation/rolling_shutter.hpp"
+#include "limpet/simulation/sheet_error.hpp"
 #include "limpet/simulation/stamp_error.hpp"
 #include "limpet/simulation/thruster_error.hpp"
 
@@ -28,21 +29,25 @@ struct SimulatedErrors {
     StampErrorParams stamps;
   } camera;
   struct Imu {
+    SheetErrorParams sheet;
     GyroErrorParams gyro;
     CompassErrorParams compass;
     StampErrorParams stamps;
   } imu;
   struct Fog {
+    SheetErrorParams sheet;
     GyroErrorParams gyro;
     StampErrorParams stamps;
   } fog;
   struct Dvl {
+    SheetErrorParams sheet;
     MountingErrorParams mounting;
     BeamErrorParams beams;
     FalseVelocityParams bursts;
     StampErrorParams stamps;
   } dvl;
   struct Depth {
+    SheetErrorParams sheet;
     DepthErrorParams pressure;
     StampErrorParams stamps;
   } depth;

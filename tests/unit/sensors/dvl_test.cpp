@@ -79,6 +79,22 @@ TEST(DvlModel, HasTheNoiseItStates) {
   EXPECT_NEAR(range.sigma(), 0.0184, 0.002);
 }
 
+TEST(DvlModel, IsWorseThanItStatesIfTheScenarioSaysSo) {
+  DvlModel::Params params;
+  params.error.sheet.noise_factor = 3.0;
+  DvlModel dvl(params, FlatScene(), Random(2));
+  Statistics u, w, range;
+  for (int i = 0; i < 4000; ++i) {
+    const DvlSample sample = *dvl.Sample(Cruising(), Seconds(0.2 * i));
+    u.Add(*sample.u), w.Add(*sample.w), range.Add(*sample.b2);
+    ASSERT_EQ(sample.sd_horizontal, 0.01);
+    ASSERT_EQ(sample.sd_vertical, 0.005);
+  }
+  EXPECT_NEAR(u.sigma(), 0.03, 0.003);
+  EXPECT_NEAR(w.sigma(), 0.015, 0.0015);
+  EXPECT_NEAR(range.sigma(), 3.0 * 0.0184, 0.006);
+}
+
 TEST(DvlModel, ScaleAndMisalignmentDifferBetweenSessions) {
   Statistics scale, angle;
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
