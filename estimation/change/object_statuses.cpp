@@ -31,7 +31,8 @@ ObjectStatuses::ObjectStatuses(const StatusParams& params, const CameraModel& ca
              .detection = params.detection,
              .object_radius = params.object_radius.value(),
              .visibilities = VisibilityBelief::Grid()},
-      water_(params.detection.visibility, params.visibility_spread) {}
+      water_(params.detection.visibility, params.visibility_spread),
+      former_water_(former_views_.water) {}
 
 void ObjectStatuses::AddFrame(ObservedFrame frame) {
   LIMPET_REQUIRE(frames_.empty() || frame.exposure >= frames_.back().exposure,
@@ -91,7 +92,7 @@ double ObjectStatuses::FalseRate() const {
 void ObjectStatuses::Rejudge() {
   model_.detection.false_per_image = FalseRate();
   landmark_watch_.clear();
-  former_lambda_.clear();
+  newcomer_watch_.clear();
   WatchLandmarks();
   if (former_) {
     TakeMatches();
@@ -263,6 +264,7 @@ std::optional<OpiBelief> ObjectStatuses::StatusOfTentative(TentativeObject& tent
 
 std::vector<OpiBelief> ObjectStatuses::Assess() {
   water_ = Water();
+  if (former_) former_water_ = FormerWater();
   std::vector<OpiBelief> objects;
   std::vector<bool> is_matched(objects_.size(), false);
   for (std::size_t i = 0; former_ && i < former_->size(); ++i) {

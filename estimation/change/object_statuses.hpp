@@ -52,8 +52,9 @@ struct StatusParams {
 /// and how well it saw.
 struct FormerViews {
   std::vector<ObservedFrame> frames;  ///< boxes of the listed objects may be left out
-  WatchModel model;
+  WatchModel model;                   ///< its visibility is not asked: `water` is
   LookParams looks;
+  VisibilityBelief water{DetectionModel().visibility, StatusParams().visibility_spread};
 };
 
 /// Everything one session knows about the status of objects: frames and landmarks in, posteriors
@@ -116,7 +117,13 @@ class ObjectStatuses {
   [[nodiscard]] bool AreOne(const Landmark& a, const Landmark& b) const;
   void WatchLandmarks();
   void WatchFormer(bool rejudges_all);
+  /// What the former session saw of a newcomer's place.
+  [[nodiscard]] const PlaceWatch& FormerWatchAt(const Landmark& newcomer);
+  /// Lambda of that, as the former session's water is believed to be.
   [[nodiscard]] double FormerLambdaAt(const Landmark& newcomer);
+  /// The former session's water: what it found out itself, and what of the newcomers it may have
+  /// missed.
+  [[nodiscard]] VisibilityBelief FormerWater();
   [[nodiscard]] OwnerOf OwnerInFormerViews() const;
   /// The place where the other session's frame has it, with what is then unknown about it.
   [[nodiscard]] ObjectEstimate InOtherFrame(ObjectEstimate place, const Eigen::Vector3d& p_W) const;
@@ -143,7 +150,8 @@ class ObjectStatuses {
   StatusParams params_;
   WatchModel model_;
   ContrastLog contrasts_;
-  VisibilityBelief water_;  ///< when objects were last assessed
+  VisibilityBelief water_;         ///< when objects were last assessed
+  VisibilityBelief former_water_;  ///< the same of the former session
   std::vector<ObservedFrame> frames_;
   std::optional<std::vector<FormerObject>> former_;
   FormerViews former_views_;
@@ -155,7 +163,7 @@ class ObjectStatuses {
   std::vector<std::optional<PlaceWatch>> former_watch_;
   bool rejudges_all_ = false;  ///< frames have moved since landmarks were last set
   SessionMatch match_;  ///< of objects_; `chance` is what landmarks say, 1 for a decided match
-  std::map<int, PlaceWatch> former_lambda_;  ///< of newcomers' places, by landmark
+  std::map<int, PlaceWatch> newcomer_watch_;  ///< former views of newcomers' places, by landmark
   TentativeObjects tentative_;
   std::map<int, int> id_of_landmark_;
   int next_id_ = 1;

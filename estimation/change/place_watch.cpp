@@ -156,9 +156,9 @@ PlaceEvidence PlaceWatch::evidence() const {
   return sum;
 }
 
-PerVisibility PlaceWatch::LogLikelihood(double worth) const {
+PerVisibility PlaceWatch::LogLikelihood(double worth, double chance) const {
   const LookLog::Likelihoods seen = spots_.front().log.likelihoods();
-  return std::log(0.5) + LogSum(worth * seen.present, worth * seen.bare);
+  return LogSum(std::log(chance) + worth * seen.present, std::log1p(-chance) + worth * seen.bare);
 }
 
 }  // namespace limpet

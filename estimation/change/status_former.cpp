@@ -22,7 +22,8 @@ void ObjectStatuses::SetFormer(std::vector<FormerObject> former) {
 
 void ObjectStatuses::SetFormerViews(FormerViews views) {
   former_views_ = std::move(views);
-  former_lambda_.clear();
+  former_views_.model.visibilities = VisibilityBelief::Grid();
+  newcomer_watch_.clear();
 }
 
 OwnerOf ObjectStatuses::OwnerForFormer() const {
@@ -156,24 +157,23 @@ OwnerOf ObjectStatuses::OwnerInFormerViews() const {
   };
 }
 
-double ObjectStatuses::FormerLambdaAt(const Landmark& newcomer) {
-  const auto lambda_of = [this](const PlaceWatch& watch) {
-    return watch.evidence().Lambda(params_.priors.lookalike)(0);
-  };
+const PlaceWatch& ObjectStatuses::FormerWatchAt(const Landmark& newcomer) {
   const ObjectEstimate place =
       InOtherFrame(newcomer.object, match_.offset.Undo(newcomer.object.p_W));
-  const auto known = former_lambda_.find(newcomer.id);
-  if (known != former_lambda_.end() && !HasMoved(known->second, place)) {
-    return lambda_of(known->second);
-  }
+  const auto known = newcomer_watch_.find(newcomer.id);
+  if (known != newcomer_watch_.end() && !HasMoved(known->second, place)) return known->second;
   PlaceWatch watch(place, former_views_.looks);
   const OwnerOf owner_of = OwnerInFormerViews();
   for (const ObservedFrame& view : former_views_.frames) {
     watch.See(view, former_views_.model, owner_of);
   }
-  const double lambda = lambda_of(watch);
-  former_lambda_.insert_or_assign(newcomer.id, std::move(watch));
-  return lambda;
+  return newcomer_watch_.insert_or_assign(newcomer.id, std::move(watch)).first->second;
+}
+
+double ObjectStatuses::FormerLambdaAt(const Landmark& newcomer) {
+  return LambdaIn(former_water_,
+                  FormerWatchAt(newcomer).evidence().Lambda(params_.priors.lookalike),
+                  params_.priors);
 }
 
 }  // namespace limpet

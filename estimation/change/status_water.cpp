@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What an ObjectStatuses makes of the water. docs/water.md.
+#include <algorithm>
 #include <cmath>
 
 #include "estimation/change/object_statuses.hpp"
@@ -9,6 +10,7 @@ namespace {
 
 /// Looks at one place share water, light and pose: each is worth this share of an independent one.
 constexpr double kWorth = 0.5;
+constexpr double kAsLikelyAsNot = 0.5;
 /// What happens at one place changes the odds of two visibilities by a factor of e^5 at most.
 constexpr double kMostOfOnePlace = 5.0;
 
@@ -16,7 +18,7 @@ constexpr double kMostOfOnePlace = 5.0;
 constexpr double kMostOfContrast = 6.0;
 
 void TakeFrom(const PlaceWatch& watch, VisibilityBelief& water) {
-  water.Add(watch.LogLikelihood(kWorth), kMostOfOnePlace);
+  water.Add(watch.LogLikelihood(kWorth, kAsLikelyAsNot), kMostOfOnePlace);
 }
 
 }  // namespace
@@ -29,6 +31,20 @@ VisibilityBelief ObjectStatuses::Water() const {
   }
   for (const std::optional<PlaceWatch>& watch : former_watch_) {
     if (watch) TakeFrom(*watch, water);
+  }
+  return water;
+}
+
+VisibilityBelief ObjectStatuses::FormerWater() {
+  const StatusPriors& priors = params_.priors;
+  const double stayed = priors.presence * priors.survival;
+  const double came = (1.0 - priors.presence) * priors.appearance;
+  const double was_there = stayed / (stayed + came);  // of what is here now
+  VisibilityBelief water = former_views_.water;
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    const auto matched = std::ranges::find(match_.now_of_former, static_cast<int>(i));
+    if (matched != match_.now_of_former.end()) continue;
+    water.Add(FormerWatchAt(objects_[i]).LogLikelihood(kWorth, was_there), kMostOfOnePlace);
   }
   return water;
 }

@@ -21,6 +21,14 @@ MapParams FormerParams(const SessionPrior& prior, const MapParams& own) {
   return ReadParams<MapParams>(block, CommonAppKeys());
 }
 
+/// What the former session found out of its water, else what its mission expected.
+VisibilityBelief FormerWater(const SessionPrior& prior, const StatusParams& params) {
+  const bool has_found = prior.water && prior.water->visibility > 0.0 && prior.water->sd >= 0.0;
+  return has_found ? VisibilityBelief::Of({.visibility = Meters(prior.water->visibility),
+                                           .sd = Meters(prior.water->sd)})
+                   : VisibilityBelief(params.detection.visibility, params.visibility_spread);
+}
+
 }  // namespace
 
 FormerViews FormerViewsOf(const SessionPrior& prior, const MapParams& own) {
@@ -30,10 +38,8 @@ FormerViews FormerViewsOf(const SessionPrior& prior, const MapParams& own) {
                               .detection = params.status.detection,
                               .object_radius = params.status.object_radius.value(),
                               .obstacles = SightObstacles(prior.obstacles)},
-                    .looks = params.status.looks};
-  if (prior.visibility > 0.0) {
-    views.model.detection.visibility = Meters(prior.visibility);
-  }
+                    .looks = params.status.looks,
+                    .water = FormerWater(prior, params.status)};
   FrameGate gate(params.frame_gate());
   for (const FormerView& view : prior.views) {
     const Seconds exposure = view.frame.exposure;

@@ -178,7 +178,7 @@ SessionPrior PriorOf(const SessionFacts& facts, const SessionMemory& memory) {
                           .log_likelihood_ratio = opi.log_likelihood_ratio,
                           .looks = opi.looks});
   }
-  prior.visibility = memory.water ? memory.water->visibility : 0.0;
+  if (memory.water) prior.water = memory.water->estimate;
   prior.obstacles = memory.obstacles.obstacles;
   prior.joint_cov_W = JointOf(landmarks, memory.landmarks);
   AddFormerViews(memory, landmarks, prior);

@@ -42,6 +42,13 @@ VisibilityBelief::VisibilityBelief(Meters expected, double spread) {
   chances_ /= chances_.sum();
 }
 
+VisibilityBelief VisibilityBelief::Of(const VisibilityEstimate& estimate) {
+  constexpr double kLeastSpread = 0.1;  // of the logarithm: between two of the grid
+  const double all = estimate.sd / estimate.visibility;
+  const double own = std::sqrt(std::max(all * all - kDetectorSpread * kDetectorSpread, 0.0));
+  return {estimate.visibility, std::exp(std::max(own, kLeastSpread))};
+}
+
 void VisibilityBelief::Add(const PerVisibility& log_likelihood, double most) {
   const double best = log_likelihood.maxCoeff();
   chances_ *= log_likelihood.unaryExpr(

@@ -39,6 +39,9 @@ class VisibilityBelief {
   /// > 1.
   VisibilityBelief(Meters expected, double spread);
 
+  /// What a session said of its water, from its `estimate()`.
+  [[nodiscard]] static VisibilityBelief Of(const VisibilityEstimate& estimate);
+
   /// The visibilities that are considered [m].
   [[nodiscard]] static const PerVisibility& Grid();
   /// Takes ln P(what was seen | visibility), up to a constant. No single call makes any visibility

@@ -225,7 +225,10 @@ void to_json(nlohmann::json& out, const SessionPrior& prior) {
          {"boxes", std::move(boxes)},
          {"map_parameters", prior.map_parameters},
          {"joint", LowerTriangleOf(prior.joint_cov_W)}};
-  if (prior.visibility > 0.0) out["visibility_m"] = prior.visibility;
+  if (prior.water) {
+    out["visibility_m"] = prior.water->visibility;
+    out["visibility_sd_m"] = prior.water->sd;
+  }
   if (!prior.obstacles.empty()) out["obstacles"] = prior.obstacles;
 }
 
@@ -246,7 +249,10 @@ void from_json(const nlohmann::json& in, SessionPrior& prior) {
     }
   }
   in.at("map_parameters").get_to(prior.map_parameters);
-  prior.visibility = in.value("visibility_m", 0.0);
+  if (in.contains("visibility_m") && in.contains("visibility_sd_m")) {
+    prior.water =
+        WaterVisibility{.visibility = in.at("visibility_m"), .sd = in.at("visibility_sd_m")};
+  }
   prior.obstacles = in.value("obstacles", std::vector<Obstacle>());
   prior.joint_cov_W = SymmetricFrom(in.at("joint"));
 }

@@ -149,8 +149,8 @@ struct SessionPrior {
   /// Keys and values of pMap's block in the former mission: its camera, and how well it saw. Empty
   /// if not known.
   std::vector<std::array<std::string, 2>> map_parameters;
-  double visibility = 0.0;            ///< how far it saw, by its own account [m]; 0 if it gave none
-  std::vector<Obstacle> obstacles{};  ///< that stood in its way, in its frame
+  std::optional<WaterVisibility> water{};  ///< how far it saw, by its own account, if it gave one
+  std::vector<Obstacle> obstacles{};       ///< that stood in its way, in its frame
   /// Joint covariance of `opis` [m^2], three rows each; empty if the session did not keep it.
   Eigen::MatrixXd joint_cov_W;
 };

@@ -50,8 +50,11 @@ class ObjectStatusesTest : public ::testing::Test {
     time_ += 30.0;
   }
   /// The former session flew north over the field and saw what its list has.
-  void FormerLookedEverywhere() {
-    FormerViews views{.frames = {}, .model = {.camera = kCamera, .detection = {}}, .looks = {}};
+  void FormerLookedEverywhere(const VisibilityEstimate& water = {Meters(10.0), Meters(4.0)}) {
+    FormerViews views{.frames = {},
+                      .model = {.camera = kCamera, .detection = {}},
+                      .looks = {},
+                      .water = VisibilityBelief::Of(water)};
     for (double north = -4.0; north <= 12.0; north += 0.5) {
       views.frames.push_back(
           {.exposure = Seconds(north + 4.0), .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}});

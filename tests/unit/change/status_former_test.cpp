@@ -69,6 +69,28 @@ TEST_F(StatusFormerTest, ANewObjectIsNewWhenTheFormerSessionLookedThere) {
   EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kNew));
 }
 
+TEST_F(StatusFormerTest, AnObjectMayBeOldIfTheFormerWaterWasTooMurkyToSeeIt) {
+  const Real real{At(4, 0.5), 1};
+  statuses_.SetFormer({});
+  // By its own account it saw the place; but that account is rough, and 3 m are hardly enough.
+  FormerLookedEverywhere({Meters(3.6), Meters(1.9)});
+  Fly(0.0, {real});
+  Landmarks({real});
+  EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kUncertain));
+  EXPECT_GT(statuses_.Assess()[0].posterior.present(), 0.9);
+}
+
+TEST_F(StatusFormerTest, ManyNewcomersMakeItLikelyThatTheFormerSessionSawLittle) {
+  const Real one{At(4, 0.5), 1}, other{At(1, -0.5), 2}, third{At(7, 0.0), 3};
+  statuses_.SetFormer({});
+  FormerLookedEverywhere({Meters(5.0), Meters(2.2)});
+  Fly(0.0, {one, other, third});
+  Landmarks({one});
+  const double alone = statuses_.Assess()[0].posterior.appeared;
+  Landmarks({one, other, third});
+  EXPECT_LT(statuses_.Assess()[0].posterior.appeared, alone);
+}
+
 TEST_F(StatusFormerTest, AnObjectWhereNobodyLookedBeforeMayBeOld) {
   const Real real{At(4, 0.5), 1};
   statuses_.SetFormer({});

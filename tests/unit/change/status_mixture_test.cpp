@@ -31,7 +31,10 @@ std::array<double, 4> Parts(const StatusPosterior& posterior) {
 std::vector<OpiBelief> AssessedWith(double chance) {
   ObjectStatuses book(StatusParams{}, kDownCamera);
   const ObjectEstimate seen = YellowAt(4.0, 1.2);
-  FormerViews views{.frames = {}, .model = {.camera = kDownCamera, .detection = {}}, .looks = {}};
+  FormerViews views{.frames = {},
+                    .model = {.camera = kDownCamera, .detection = {}},
+                    .looks = {},
+                    .water = VisibilityBelief::Of({Meters(12.0), Meters(4.0)})};
   double time = 0.0;
   for (double north = -4.0; north <= 12.0; north += 0.25, time += 0.5) {
     const Pose X_WB{{north, 0.5, 3.0}, 0.0, 0.0, 0.0};

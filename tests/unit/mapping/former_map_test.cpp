@@ -51,7 +51,7 @@ TEST(FormerViews, AreJudgedByTheParametersOfTheirOwnMission) {
                                     {"AppTick", "4"}});
   const FormerViews views = FormerViewsOf(prior, MapParams{});
   EXPECT_EQ(views.model.object_radius, 0.8);
-  EXPECT_EQ(views.model.detection.visibility.value(), 3.0);
+  EXPECT_NEAR(views.water.estimate().visibility.value(), 3.0, 0.1);
   EXPECT_EQ(views.looks.new_look_distance.value(), 0.7);
   EXPECT_EQ(views.model.camera.width_px, 800);
   EXPECT_NEAR(views.model.camera.fov_across(), RadiansFromDegrees(70.0), 1e-9);
@@ -60,10 +60,14 @@ TEST(FormerViews, AreJudgedByTheParametersOfTheirOwnMission) {
 TEST(FormerViews, BelieveTheWaterThatTheFormerSessionFoundNotTheOneItExpected) {
   SessionPrior prior;
   prior.map_parameters = BlockWith({{"object_radius_m", "0.5"}, {"visibility_m", "8"}});
-  prior.visibility = 2.5;
-  EXPECT_EQ(FormerViewsOf(prior, MapParams{}).model.detection.visibility.value(), 2.5);
-  prior.visibility = 0.0;  // it gave none
-  EXPECT_EQ(FormerViewsOf(prior, MapParams{}).model.detection.visibility.value(), 8.0);
+  prior.water = WaterVisibility{.visibility = 2.5, .sd = 1.2};
+  const VisibilityEstimate found = FormerViewsOf(prior, MapParams{}).water.estimate();
+  EXPECT_NEAR(found.visibility.value(), 2.5, 0.1);
+  EXPECT_NEAR(found.sd.value(), 1.2, 0.15) << "as unsure as it was";
+  prior.water.reset();  // it gave none
+  const VisibilityEstimate expected = FormerViewsOf(prior, MapParams{}).water.estimate();
+  EXPECT_NEAR(expected.visibility.value(), 8.0, 0.3);
+  EXPECT_GT(expected.sd.value(), 4.0);
 }
 
 TEST(FormerViews, OfParametersThatAreNoneAreRefused) {

@@ -72,9 +72,10 @@ TEST(SessionMemory, NamesTheFileThatItDoesNotUnderstand) {
 
 TEST(SessionPrior, TellsHowFarTheSessionSawIfItSaidSo) {
   SessionMemory memory = Sample();
-  EXPECT_EQ(PriorOf({}, memory).visibility, 3.5);
+  EXPECT_EQ(PriorOf({}, memory).water->visibility, 3.1);
+  EXPECT_EQ(PriorOf({}, memory).water->sd, 1.4);
   memory.water.reset();  // an older session
-  EXPECT_EQ(PriorOf({}, memory).visibility, 0.0);
+  EXPECT_FALSE(PriorOf({}, memory).water);
 }
 
 TEST(SessionMemory, NamesARecordOfTheWaterThatIsNone) {

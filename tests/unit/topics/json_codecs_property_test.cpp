@@ -96,7 +96,7 @@ class Maker {
     }
     out.map_parameters = {{"camera_width_px", "640"}, {Word(), Word()}};
     out.joint_cov_W = Symmetric(static_cast<Eigen::Index>(3 * out.opis.size()));
-    out.visibility = 1.0 + std::abs(Real());
+    out.water = WaterVisibility{.visibility = Real(), .sd = Real()};
   }
   void Fill(WaterRecord& out) {
     out = {.visibility = Real(),
@@ -187,7 +187,7 @@ TYPED_TEST(JsonProperty, ComesBackTheSame) {
 TYPED_TEST(JsonProperty, IsNoneWithoutAFieldThatNothingElseSays) {
   // Who reads only these finds them; what is read back follows from the posterior.
   const std::vector<std::string> may_lack{"prior_candidates", "probability", "entropy",
-                                          "visibility_m", "ranked_by"};
+                                          "visibility_m", "visibility_sd_m", "ranked_by"};
   const Json whole = Json::parse(this->Next());
   Json walked = whole;
   this->EachField(walked, "", [&](const std::string& path) {
