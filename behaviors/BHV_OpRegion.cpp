@@ -137,17 +137,24 @@ void BHV_OpRegion::Shape(const Situation&, double, SearchGoals& goals) const {
 std::optional<Bid> BHV_OpRegion::Value(const Prospect& prospect, const Situation& now) const {
   Bid bid;
   const bool starts_inside = now.region->Outside(now.pose) <= 0.0;
-  if (starts_inside && now.region->EntersZone(prospect.path())) {
+  const bool may_end_anywhere = MayEndAnywhere(*prospect.option);
+  // Whoever is in a zone has to get out of it first, and may cross more of it on the way.
+  const bool heeds_zones = (starts_inside || !may_end_anywhere) &&
+                           !now.region->IsInZone({now.pose.north, now.pose.east});
+  if (heeds_zones && now.region->EntersZone(prospect.path())) {
     bid.veto = "enters a keep-out zone";
     return bid;
   }
-  if (MayEndAnywhere(*prospect.option)) {
+  if (may_end_anywhere) {
     return bid;
   }
   if (starts_inside && !now.region->Contains(prospect.path())) {
     bid.veto = "leaves the operating region";
   } else if (!starts_inside && !LeadsInto(*now.region, *prospect.option)) {
     bid.veto = "does not lead into the operating region";
+  } else if (!has_entered_ && IsInTransit(*now.region, now.pose) &&
+             prospect.option->source != kTransitSource) {
+    bid.veto = "is not the mission's transit";
   }
   return bid;
 }

@@ -170,6 +170,8 @@ bool Region::EntersZone(const DubinsPath& path) const {
   return false;
 }
 
+bool Region::IsInZone(const PlanePoint& at) const { return zones_ && !zones_->Contains(at); }
+
 bool Region::Contains(const Pose2& from, const DubinsWord& word) const {
   if (!Contains(from)) return false;
   Pose2 pose = from;

@@ -42,6 +42,8 @@ class Region {
   /// Whether `path` enters a keep-out zone or an obstacle; the region's own border is not asked
   /// for.
   [[nodiscard]] bool EntersZone(const DubinsPath& path) const;
+  /// True for a place in a zone.
+  [[nodiscard]] bool IsInZone(const PlanePoint& at) const;
 
   /// The shortest word to `to` that stays inside; nothing if none does. Allocates nothing.
   [[nodiscard]] std::optional<DubinsWord> ShortestWordInside(const Pose2& from, const Pose2& to,

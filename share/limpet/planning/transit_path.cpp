@@ -39,16 +39,28 @@ std::optional<DubinsPath> IntoRectangle(const Pose2& start, const Region& region
   return best;
 }
 
-std::optional<DubinsPath> IntoShape(const Pose2& start, const Region& region, Meters turn_radius) {
+/// What is left of the transit for one who is `here`; the entry last. Where the way begins matters:
+/// one that turns back comes near its end long before it is there.
+std::vector<PlanePoint> RestOfTransit(const PlanePoint& begin, const std::vector<PlanePoint>& way,
+                                      const PlanePoint& here, Meters turn_radius) {
+  std::vector<PlanePoint> whole{begin};
+  whole.insert(whole.end(), way.begin(), way.end());
+  std::vector<PlanePoint> rest = RestOfWay(whole, here, turn_radius);
+  if (rest.size() == whole.size()) rest.erase(rest.begin());  // it has begun
+  return rest;
+}
+
+std::optional<DubinsPath> IntoShape(const Pose2& start, const PlanePoint& begin,
+                                    const Region& region, Meters turn_radius) {
   const PlanePoint here(start.north, start.east);
   std::vector<PlanePoint> way =
-      region.Outside(start) > kDrift ? region.transit() : std::vector<PlanePoint>{};
+      IsInTransit(region, start) ? region.transit() : std::vector<PlanePoint>{};
   const auto entry =
       NearestRoom(*region.free_space(), way.empty() ? here : way.back(), turn_radius.value());
   if (!entry) return std::nullopt;
   way.push_back(*entry);
   std::vector<LegEnd> legs;
-  for (const PlanePoint& at : RestOfWay(way, here, turn_radius)) {
+  for (const PlanePoint& at : RestOfTransit(begin, way, here, turn_radius)) {
     legs.push_back({at, [&region](const DubinsPath& path) { return !region.EntersZone(path); }});
   }
   return PathAlong(start, legs, turn_radius, [&region, turn_radius](const Pose2& end) {
@@ -58,15 +70,20 @@ std::optional<DubinsPath> IntoShape(const Pose2& start, const Region& region, Me
 
 }  // namespace
 
-std::optional<Option> TransitPath(const Pose2& start, const Region& region, Meters turn_radius) {
+bool IsInTransit(const Region& region, const Pose2& pose) {
+  return !region.transit().empty() && region.Outside(pose) > kDrift;
+}
+
+std::optional<Option> TransitPath(const Pose2& start, const PlanePoint& begin, const Region& region,
+                                  Meters turn_radius) {
   std::optional<DubinsPath> best = region.free_space() != nullptr
-                                       ? IntoShape(start, region, turn_radius)
+                                       ? IntoShape(start, begin, region, turn_radius)
                                        : IntoRectangle(start, region, turn_radius);
   if (!best) {
     return std::nullopt;
   }
   const double length = best->length();
-  return Option{.source = "transit", .path = *std::move(best), .estimate = -length};
+  return Option{.source = kTransitSource, .path = *std::move(best), .estimate = -length};
 }
 
 bool LeadsInto(const Region& region, const Option& option) {

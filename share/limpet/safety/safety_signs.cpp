@@ -154,11 +154,9 @@ void SafetySigns::MeasurePlace(SafetyMeasures& measures, Seconds now) {
   if (region_) {
     const double outside = region_->Outside({.north = nav.north, .east = nav.east, .yaw = nav.yaw});
     was_inside_ = was_inside_ || (outside == 0.0 && phase() == SafetyPhase::kSurvey);
-    if (was_inside_) {
-      MeasureOf(measures, SafetyId::kOutsideRegion) = outside;
-      const std::optional<double> share = zones_.ShareAt({nav.north, nav.east});
-      if (share) MeasureOf(measures, SafetyId::kInsideZone) = 100.0 * *share;
-    }
+    if (was_inside_) MeasureOf(measures, SafetyId::kOutsideRegion) = outside;
+    const std::optional<double> share = zones_.ShareAt({nav.north, nav.east});
+    if (share) MeasureOf(measures, SafetyId::kInsideZone) = 100.0 * *share;
   }
   if (home_) {
     MeasureOf(measures, SafetyId::kFarFromHome) =

@@ -34,7 +34,8 @@ struct LaneSurvey {
 /// What leads into the region, for a survey that begins outside it.
 DubinsPath WayIn(const LaneSurvey& survey) {
   if (survey.region.Outside(survey.start) <= 0.0) return DubinsPath(survey.start);
-  const auto transit = TransitPath(survey.start, survey.region, survey.turn_radius);
+  const PlanePoint begin(survey.start.north, survey.start.east);
+  const auto transit = TransitPath(survey.start, begin, survey.region, survey.turn_radius);
   return transit ? transit->path : DubinsPath(survey.start);
 }
 

@@ -62,6 +62,40 @@ TEST(BhvOpRegion, VetoesEveryWayThroughAZoneAlsoTheOneHome) {
   EXPECT_EQ(veto_of(30.0, "home"), "enters a keep-out zone");
 }
 
+TEST(BhvOpRegion, VetoesAWayInThroughAZoneUnlessTheVehicleIsInIt) {
+  SurveyArea area = kRegionArea;
+  area.keep_out = "{-8,13:8,13:8,15:-8,15}";  // y 13 to 15, north of the region
+  const Region region(area);
+  const BHV_OpRegion behavior({});
+  Situation now;
+  now.region = &region;
+  const auto veto_from = [&](double north) {
+    now.pose = {north, 0.0, std::numbers::pi};
+    const Option option{.source = "beam", .path = DubinsPath(now.pose, {{0.0, north - 4.0}})};
+    return behavior.Value(Prospect(option, {}), now)->veto.value_or("");
+  };
+  EXPECT_EQ(veto_from(20.0), "enters a keep-out zone");
+  EXPECT_EQ(veto_from(14.0), "") << "it must get out, and this is a way out";
+  EXPECT_EQ(veto_from(12.0), "") << "the zone is behind it";
+}
+
+TEST(BhvOpRegion, VetoesOtherWaysInThanTheMissionsTransit) {
+  SurveyArea area = kRegionArea;
+  area.transit = "{40,60:0,40}";
+  const Region region(area);
+  const BHV_OpRegion behavior({});
+  Situation now;
+  now.region = &region;
+  now.pose = {20.0, 0.0, std::numbers::pi};
+  const auto veto_of = [&](const std::string& source) {
+    const Option option{.source = source, .path = DubinsPath(now.pose, {{0.0, 16.0}})};
+    return behavior.Value(Prospect(option, {}), now)->veto.value_or("");
+  };
+  EXPECT_EQ(veto_of("transit"), "");
+  EXPECT_EQ(veto_of("beam"), "is not the mission's transit");
+  EXPECT_EQ(veto_of("home"), "");
+}
+
 TEST(BhvOpRegion, LeadsAVehicleThatDriftedIntoAZoneBackOut) {
   SurveyArea area = kRegionArea;
   area.keep_out = "{2,-2:4,-2:4,2:2,2}";

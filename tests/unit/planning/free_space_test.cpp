@@ -125,7 +125,7 @@ TEST(TransitPath, FollowsTheMissionsWayInAndTheWayHomeGoesBackByIt) {
     });
     return nearest < 0.5;
   };
-  const auto in = TransitPath({80.0, 60.0, 0.0}, region, kShapeRadius);
+  const auto in = TransitPath({80.0, 60.0, 0.0}, {80.0, 60.0}, region, kShapeRadius);
   ASSERT_TRUE(in);
   EXPECT_TRUE(LeadsInto(region, *in));
   EXPECT_TRUE(region.IsRecoverable(in->path.end(), kShapeRadius));
@@ -135,10 +135,24 @@ TEST(TransitPath, FollowsTheMissionsWayInAndTheWayHomeGoesBackByIt) {
     EXPECT_TRUE(passes(home.path, place)) << place;
   }
   // Half way there it goes on from where it is.
-  const auto rest = TransitPath({20.0, 71.0, 3.0}, region, kShapeRadius);
+  const auto rest = TransitPath({20.0, 71.0, 3.0}, {80.0, 60.0}, region, kShapeRadius);
   ASSERT_TRUE(rest);
   EXPECT_FALSE(passes(rest->path, region.transit().front()));
   EXPECT_TRUE(passes(rest->path, region.transit().back()));
+}
+
+TEST(TransitPath, GoesAllTheWayRoundAHeadlandThatTheWayComesBackBy) {
+  SurveyArea area = EllWithPier();
+  area.transit = PlacesText({{20.0, 300.0}, {-30.0, 300.0}});
+  const Region region(area, Meters(0.5));
+  const PlanePoint begin(20.0, 70.0);  // much nearer to the last leg than to the first way point
+  const auto in = TransitPath({begin.x(), begin.y(), 0.0}, begin, region, kShapeRadius);
+  ASSERT_TRUE(in);
+  EXPECT_GT(in->path.length(), 230.0 + 50.0 + 230.0);
+  const auto on_first_leg = TransitPath({21.0, 150.0, 1.57}, begin, region, kShapeRadius);
+  EXPECT_GT(on_first_leg->path.length(), 150.0 + 50.0 + 230.0);
+  const auto on_last_leg = TransitPath({-30.0, 150.0, -1.57}, begin, region, kShapeRadius);
+  EXPECT_LT(on_last_leg->path.length(), 200.0);
 }
 
 TEST(RestOfWay, BeginsWithTheFirstPlaceForOneWhoIsNotThereYet) {

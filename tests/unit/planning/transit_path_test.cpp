@@ -25,12 +25,14 @@ Pose2 OutsidePose(Random& random, const Region& region) {
   }
 }
 
+PlanePoint PlaceOf(const Pose2& pose) { return {pose.north, pose.east}; }
+
 TEST(TransitPath, EndsInsideWhereTheVehicleCanGoOn) {
   const Region region(kTransitArea);
   Random random(1, "transit");
   for (int run = 0; run < 200; ++run) {
     const Pose2 start = OutsidePose(random, region);
-    const auto option = TransitPath(start, region, kTransitRadius);
+    const auto option = TransitPath(start, PlaceOf(start), region, kTransitRadius);
     ASSERT_TRUE(option);
     const Pose2 end = option->path.end();
     EXPECT_LE(region.Outside(end), 1e-9);
@@ -46,7 +48,7 @@ TEST(TransitPath, IsNoShorterThanTheGapAndNotMuchLonger) {
   Random random(2, "transit");
   for (int run = 0; run < 200; ++run) {
     const Pose2 start = OutsidePose(random, region);
-    const double length = TransitPath(start, region, kTransitRadius)->path.length();
+    const double length = TransitPath(start, PlaceOf(start), region, kTransitRadius)->path.length();
     EXPECT_GE(length, region.Outside(start) - 1e-9);
     // The entry lies a turning radius inside; to turn about costs less than a full turn.
     EXPECT_LE(length,
@@ -58,7 +60,8 @@ TEST(TransitPath, TurnsNoTighterThanTheVehicleCan) {
   const Region region(kTransitArea);
   Random random(3, "transit");
   for (int run = 0; run < 100; ++run) {
-    const auto option = TransitPath(OutsidePose(random, region), region, kTransitRadius);
+    const Pose2 start = OutsidePose(random, region);
+    const auto option = TransitPath(start, PlaceOf(start), region, kTransitRadius);
     for (const PathSegment& segment : option->path.segments()) {
       EXPECT_LE(std::abs(segment.curvature), 1.0 / 3.0 + 1e-9);
       EXPECT_GE(segment.length, 0.0);
@@ -69,7 +72,7 @@ TEST(TransitPath, TurnsNoTighterThanTheVehicleCan) {
 TEST(TransitPath, IsNoneIntoARegionWithoutRoomForATurn) {
   SurveyArea narrow = kTransitArea;
   narrow.north_min = -0.5, narrow.north_max = 0.5, narrow.margin = 0.5;
-  EXPECT_FALSE(TransitPath({50.0, 0.0, 0.0}, Region(narrow), kTransitRadius));
+  EXPECT_FALSE(TransitPath({50.0, 0.0, 0.0}, {50.0, 0.0}, Region(narrow), kTransitRadius));
 }
 
 TEST(TransitPath, AWayHomeIsNoWayIn) {

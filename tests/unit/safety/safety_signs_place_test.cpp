@@ -79,13 +79,16 @@ TEST_F(SafetySignsTest, MeasureHowFarItIsIntoAZoneByTheZonesOwnWidth) {
   EXPECT_NEAR(Measure(Id::kOutsideRegion).value(), 0.8, 0.01);
 }
 
-TEST_F(SafetySignsTest, MeasureNoZoneBeforeTheSurveyIsInsideItsRegion) {
+TEST_F(SafetySignsTest, MeasureAZoneOnTheWayInToo) {
   SurveyArea area{.north_min = 0.0, .north_max = 40.0, .east_min = 0.0, .east_max = 40.0};
-  area.keep_out = "{10,10:12,10:12,30:10,30}";
+  area.keep_out = "{60,10:62,10:62,30:60,30}";
   signs_.Hear(area);
-  Enter("DIVE");
-  signs_.Hear(AtPlace(20.0, 11.0), now_);
-  EXPECT_FALSE(Measure(Id::kInsideZone));
+  Enter("SURVEY");
+  signs_.Hear(AtPlace(20.0, 70.0), now_);
+  EXPECT_DOUBLE_EQ(Measure(Id::kInsideZone).value(), 0.0);
+  signs_.Hear(AtPlace(20.0, 61.0), now_);
+  EXPECT_NEAR(Measure(Id::kInsideZone).value(), 100.0, 1.0);
+  EXPECT_FALSE(Measure(Id::kOutsideRegion)) << "it has not been inside yet";
 }
 
 TEST_F(SafetySignsTest, KeepTheAreaTheyHaveWhenOneComesThatCannotBe) {
