@@ -91,6 +91,8 @@ const std::vector<std::string>& ExpectableNumbers() {
                                              "duration_s",
                                              "realtime_factor",
                                              "home_error_m",
+                                             "outside_region_m",
+                                             "inside_zone_m",
                                              "obstacle_distance_m",
                                              "missed",
                                              "invented",

@@ -12,6 +12,7 @@
 #include "limpet/report/bound_sentence.hpp"
 #include "limpet/report/current_sentence.hpp"
 #include "limpet/report/energy_sentence.hpp"
+#include "limpet/report/fences_sentence.hpp"
 #include "limpet/report/html_explanations.hpp"
 #include "limpet/report/html_pictures.hpp"
 #include "limpet/report/html_style.hpp"
@@ -210,7 +211,8 @@ std::string CoverageTable(const SessionScore& session, const ReportSettings& set
              session.coverage.band, session.coverage.detected_band) +
          "</table></div>\n" + Paragraph(BoundSentence(session)) +
          Paragraph(LanesSentence(session)) + Paragraph(WinsSentence(session)) +
-         Paragraph(UnseenSentence(session.coverage.unseen)) + Paragraph(ObstaclesSentence(session));
+         Paragraph(UnseenSentence(session.coverage.unseen)) +
+         Paragraph(ObstaclesSentence(session)) + Paragraph(FencesSentence(session));
 }
 
 /// What the reader came for, before anything else: the statuses, in a table and on the map.

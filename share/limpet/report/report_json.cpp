@@ -218,6 +218,11 @@ OrderedJson NearestObstacle(const SessionScore& session) {
   return Length(std::ranges::min(session.obstacles, {}, &ObstacleScore::distance_m).distance_m);
 }
 
+/// Null where nobody can say.
+OrderedJson OfFences(const SessionScore& session, double FenceScore::*way) {
+  return session.fences ? OrderedJson(Length(*session.fences.*way)) : OrderedJson(nullptr);
+}
+
 /// By generator of options, what it won.
 OrderedJson Wins(const std::vector<OptionWins>& wins) {
   OrderedJson out = OrderedJson::object();
@@ -244,6 +249,8 @@ OrderedJson Session(const SessionScore& session) {
       {"realtime_factor", Optional(session.realtime_factor(), Time)},
       {"ended", session.ended},
       {"home_error_m", Optional(session.home_error_m, Length)},
+      {"outside_region_m", OfFences(session, &FenceScore::outside_region_m)},
+      {"inside_zone_m", OfFences(session, &FenceScore::inside_zone_m)},
       {"obstacle_distance_m", NearestObstacle(session)},
       {"obstacles", IfJudged(session, ObstaclesPassed(session))},
       {"nav", Navigation(session.nav)},

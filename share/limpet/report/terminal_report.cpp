@@ -15,6 +15,7 @@
 #include "limpet/report/bound_sentence.hpp"
 #include "limpet/report/current_sentence.hpp"
 #include "limpet/report/energy_sentence.hpp"
+#include "limpet/report/fences_sentence.hpp"
 #include "limpet/report/lanes_sentence.hpp"
 #include "limpet/report/obstacles_sentence.hpp"
 #include "limpet/report/phase_sentence.hpp"
@@ -184,9 +185,9 @@ std::string CoverageTable(const SessionScore& session, const ReportSettings& set
 
 std::string BoundLines(const SessionScore& session) {
   std::string out;
-  for (const std::string& line :
-       {BoundSentence(session), LanesSentence(session), WinsSentence(session),
-        UnseenSentence(session.coverage.unseen), ObstaclesSentence(session)}) {
+  for (const std::string& line : {BoundSentence(session), LanesSentence(session),
+                                  WinsSentence(session), UnseenSentence(session.coverage.unseen),
+                                  ObstaclesSentence(session), FencesSentence(session)}) {
     if (!line.empty()) out += "  " + line + "\n";
   }
   return out;

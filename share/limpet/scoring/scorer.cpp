@@ -49,6 +49,7 @@ void ScoreAgainstTruth(const SessionRecord& record, const Scenario& scenario,
   const double start = record.PhaseStart("SURVEY").value_or(Seconds(record.truth.time(0))).value();
   score.survey_start_s = start - record.truth.time(0);
   score.obstacles = ScoreObstacles(record.truth, scenario);
+  score.fences = ScoreFences(record);
   score.nav = ScoreNavigation(record, start);
   score.opis = ScoreOpis(record, score.former, scenario, score.nav.offset);
 }

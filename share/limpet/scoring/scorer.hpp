@@ -7,6 +7,7 @@
 
 #include "limpet/scoring/coverage_score.hpp"
 #include "limpet/scoring/energy_record.hpp"
+#include "limpet/scoring/fence_score.hpp"
 #include "limpet/scoring/lanes_score.hpp"
 #include "limpet/scoring/lower_bound.hpp"
 #include "limpet/scoring/nav_score.hpp"
@@ -42,6 +43,7 @@ struct SessionScore {
   std::optional<WaterCurrent> current;   ///< by the vehicle's own account
   std::optional<EnergyRecord> energy;    ///< nothing of a vehicle without a battery
   std::vector<ObstacleScore> obstacles;  ///< none without truth
+  std::optional<FenceScore> fences;      ///< nothing without truth or area
   NavScore nav;
   OpiScores opis;
   std::vector<PicturedObject> pictured;  ///< none without images

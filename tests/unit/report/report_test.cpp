@@ -72,13 +72,13 @@ TEST_F(Report, HasTheContractsKeysInItsOrder) {
 }
 
 TEST_F(Report, HasTheContractsKeysOfADiscoverySession) {
-  EXPECT_THAT(
-      KeysOf(Json()["sessions"]["discovery"]),
-      testing::ElementsAre("coverage", "detectable", "covered", "detected_band", "bound", "lanes",
-                           "unseen_share", "path_m", "survey_path_m", "options_won", "duration_s",
-                           "phase_s", "wall_s", "realtime_factor", "ended", "home_error_m",
-                           "obstacle_distance_m", "obstacles", "nav", "opis", "missed", "false",
-                           "water", "current", "energy", "warnings"));
+  EXPECT_THAT(KeysOf(Json()["sessions"]["discovery"]),
+              testing::ElementsAre(
+                  "coverage", "detectable", "covered", "detected_band", "bound", "lanes",
+                  "unseen_share", "path_m", "survey_path_m", "options_won", "duration_s", "phase_s",
+                  "wall_s", "realtime_factor", "ended", "home_error_m", "outside_region_m",
+                  "inside_zone_m", "obstacle_distance_m", "obstacles", "nav", "opis", "missed",
+                  "false", "water", "current", "energy", "warnings"));
 }
 
 TEST_F(Report, AddsTheKeysOfAChangeSession) {
