@@ -14,6 +14,7 @@
 #include "limpet/mission/expanded_text.hpp"
 #include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/session/cut_session.hpp"
+#include "limpet/session/datum.hpp"
 #include "limpet/session/saved_session.hpp"
 
 namespace limpet {
@@ -133,6 +134,7 @@ bool SessionApp::MaySave() {
 
 void SessionApp::LoadFormer() {
   const SavedSession former = LoadSavedSession(context().prior_folder, "former session");
+  RequireOneDatum(former.facts, FactsNow(), context().prior_folder);
   if (const auto note = CutNote(context().prior_folder)) Warn(warnings::kFormerSessionCut, *note);
   prior_ = PriorWithParameters(former);
   prior_map_ = former.memory.map;

@@ -10,11 +10,16 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-OrderedJson ObjectJson(const OpiBelief& object) {
+OrderedJson PlaceJson(const std::optional<Eigen::Vector3d>& p_W) {
+  return p_W ? OrderedJson{p_W->x(), p_W->y(), p_W->z()} : OrderedJson(nullptr);
+}
+
+OrderedJson ObjectJson(const OpiBelief& object, const SessionComparison& comparison) {
   return {
       {"decided", NameOf(object.decided)},
       {"color", object.object.color},
-      {"ned_m", {object.object.p_W.x(), object.object.p_W.y(), object.object.p_W.z()}},
+      {"ned_m", PlaceJson(object.object.p_W)},
+      {"moved_from_ned_m", PlaceJson(comparison.MovedFrom_W(object))},
       {"id_a", object.prior_id >= 0 ? OrderedJson(object.prior_id) : OrderedJson(nullptr)},
       {"landmark_b", object.landmark >= 0 ? OrderedJson(object.landmark) : OrderedJson(nullptr)},
       {"posterior", JsonOf(object.posterior)},
@@ -42,7 +47,7 @@ OrderedJson JsonOf(const SessionFacts& facts) {
 OrderedJson JsonOf(const SessionComparison& comparison) {
   OrderedJson objects = OrderedJson::array();
   for (const OpiBelief& object : comparison.objects)
-    objects.push_back(ObjectJson(object));
+    objects.push_back(ObjectJson(object, comparison));
   const FrameOffset& offset = comparison.offset;
   return {{"session_a", JsonOf(comparison.a)},
           {"session_b", JsonOf(comparison.b)},

@@ -10,6 +10,7 @@
 #include "limpet/core/app_keys.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/mission/mission_file.hpp"
+#include "limpet/session/datum.hpp"
 
 namespace limpet {
 namespace {
@@ -48,6 +49,7 @@ MapParams MapParamsOf(const ConfigBlock& block) {
 /// What session B, replayed, believes about the objects of both.
 ObjectStatuses Compare(const SavedSession& a, const SavedSession& b,
                        const std::optional<std::string>& mission) {
+  RequireOneDatum(a.facts, b.facts, a.folder);
   const ConfigBlock block_a = MapBlockFor(a, mission);
   static_cast<void>(MapParamsOf(block_a));
   const MapParams params = MapParamsOf(MapBlockFor(b, mission));
@@ -77,6 +79,12 @@ bool IsTentative(const OpiBelief& object) { return object.landmark < 0 && object
 
 }  // namespace
 
+std::optional<Eigen::Vector3d> SessionComparison::MovedFrom_W(const OpiBelief& object) const {
+  const auto former = former_W.find(object.prior_id);
+  const bool is_known = object.decided == Status::kMoved && former != former_W.end();
+  return is_known ? std::optional(former->second) : std::nullopt;
+}
+
 SessionComparison CompareSessions(const SavedSession& a, const SavedSession& b,
                                   const std::optional<std::string>& mission) {
   ObjectStatuses book = Compare(a, b, mission);
@@ -85,6 +93,8 @@ SessionComparison CompareSessions(const SavedSession& a, const SavedSession& b,
     if (!IsTentative(object)) comparison.objects.push_back(object);
   }
   comparison.offset = book.offset();
+  for (const FormerObject& former : PriorOf(a.facts, a.memory).opis)
+    comparison.former_W[former.id] = comparison.offset.Apply(former.object.p_W);
   return comparison;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,8 +15,12 @@ namespace limpet {
 /// What changed from session A to session B.
 struct SessionComparison {
   SessionFacts a, b;
-  FrameOffset offset;              ///< of A's frame in B's
-  std::vector<OpiBelief> objects;  ///< of either; their places in B's frame
+  FrameOffset offset;                         ///< of A's frame in B's
+  std::vector<OpiBelief> objects;             ///< of either; their places in B's frame
+  std::map<int, Eigen::Vector3d> former_W{};  ///< where A's objects were, by id, in B's frame
+
+  /// Where a moved object stood before; nothing for others.
+  [[nodiscard]] std::optional<Eigen::Vector3d> MovedFrom_W(const OpiBelief& object) const;
 };
 
 /// The vehicle's own judgement, made again from what the sessions saved: each with pMap's

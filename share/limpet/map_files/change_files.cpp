@@ -20,7 +20,15 @@ std::string IdText(int id) { return id < 0 ? "" : std::to_string(id); }
 
 OrderedJson IdJson(int id) { return id < 0 ? OrderedJson(nullptr) : OrderedJson(id); }
 
-OrderedJson ChangeFeature(const OpiBelief& object, const LocalGrid& grid) {
+/// How far an object was moved [m]; nothing unless it was.
+std::optional<double> MovedBy(const SessionComparison& comparison, const OpiBelief& object) {
+  const std::optional<Eigen::Vector3d> from_W = comparison.MovedFrom_W(object);
+  return from_W ? std::optional((object.object.p_W - *from_W).norm()) : std::nullopt;
+}
+
+OrderedJson ChangeFeature(const SessionComparison& comparison, const OpiBelief& object,
+                          const LocalGrid& grid) {
+  const std::optional<double> moved = MovedBy(comparison, object);
   const Eigen::Vector3d& p_W = object.object.p_W;
   return {{"type", "Feature"},
           {"geometry", {{"type", "Point"}, {"coordinates", GeoPosition(grid, p_W.x(), p_W.y())}}},
@@ -33,7 +41,9 @@ OrderedJson ChangeFeature(const OpiBelief& object, const LocalGrid& grid) {
             {"depth_m", p_W.z()},
             {"id_a", IdJson(object.prior_id)},
             {"landmark_b", IdJson(object.landmark)},
-            {"looks_b", object.looks}}}};
+            {"looks_b", object.looks},
+            {"p_nothing", object.posterior.nothing},
+            {"moved_m", moved ? OrderedJson(*moved) : OrderedJson(nullptr)}}}};
 }
 
 }  // namespace
@@ -41,16 +51,18 @@ OrderedJson ChangeFeature(const OpiBelief& object, const LocalGrid& grid) {
 std::string ChangesToCsv(const SessionComparison& comparison) {
   std::string text =
       "decided,class,p_confirmed,p_removed,p_new,north_m,east_m,down_m,latitude_deg,longitude_deg,"
-      "id_a,landmark_b,looks_b\n";
+      "id_a,landmark_b,looks_b,p_nothing,moved_m\n";
   const std::optional<GeoPoint> datum = DatumOf(comparison.b);
   for (const OpiBelief& object : comparison.objects) {
     const Eigen::Vector3d& p_W = object.object.p_W;
     const StatusPosterior& p = object.posterior;
+    const std::optional<double> moved = MovedBy(comparison, object);
     fmt::format_to(std::back_inserter(text),
-                   "{},{},{:.4f},{:.4f},{:.4f},{:.3f},{:.3f},{:.3f},{},{},{},{}\n",
+                   "{},{},{:.4f},{:.4f},{:.4f},{:.3f},{:.3f},{:.3f},{},{},{},{},{:.4f},{}\n",
                    NameOf(object.decided), object.object.color, p.confirmed, p.removed, p.appeared,
                    p_W.x(), p_W.y(), p_W.z(), GeoFields(datum, p_W), IdText(object.prior_id),
-                   IdText(object.landmark), object.looks);
+                   IdText(object.landmark), object.looks, p.nothing,
+                   moved ? fmt::format("{:.3f}", *moved) : "");
   }
   return text;
 }
@@ -59,7 +71,7 @@ std::string ChangesToGeoJson(const SessionComparison& comparison, const GeoPoint
   const LocalGrid grid(datum);
   OrderedJson features = OrderedJson::array();
   for (const OpiBelief& object : comparison.objects)
-    features.push_back(ChangeFeature(object, grid));
+    features.push_back(ChangeFeature(comparison, object, grid));
   const OrderedJson collection{{"type", "FeatureCollection"}, {"features", std::move(features)}};
   return collection.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }

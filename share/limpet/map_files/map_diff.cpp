@@ -17,6 +17,10 @@ namespace {
 
 /// A single column is no change of the ground: beams scatter.
 constexpr int kLeastCells = 3;
+/// Neighbours share pings and the vehicle's own errors: so many of them are worth one.
+constexpr double kSharedCells = 4.0;
+/// Sigmas of a patch as a whole; a map has thousands of places where one might be.
+constexpr double kCertain = 6.0;
 
 /// Differences by cell of B; not a number where not both are known.
 struct Compared {
@@ -76,6 +80,7 @@ void AddChanges(const DepthGrid& b, const std::vector<double>& left_m, const std
   cv::Mat labels, stats, middles;
   const int count = cv::connectedComponentsWithStats(mask, labels, stats, middles, 8);
   std::vector<DepthChange> found(static_cast<std::size_t>(count));
+  std::vector<double> sum_z(found.size(), 0.0);
   for (int row = 0; row < b.rows; ++row) {
     for (int column = 0; column < b.columns; ++column) {
       const int label = labels.at<int>(row, column);
@@ -83,12 +88,14 @@ void AddChanges(const DepthGrid& b, const std::vector<double>& left_m, const std
       if (label == 0) continue;
       DepthChange& change = found[static_cast<std::size_t>(label)];
       change.mean_m += left_m[cell] / stats.at<int>(label, cv::CC_STAT_AREA);
+      sum_z[static_cast<std::size_t>(label)] += std::abs(z[cell]);
       change.z = std::abs(z[cell]) > std::abs(change.z) ? z[cell] : change.z;
     }
   }
   for (int label = 1; label < count; ++label) {
     const int cells = stats.at<int>(label, cv::CC_STAT_AREA);
-    if (cells < kLeastCells) continue;
+    const double whole_z = sum_z[static_cast<std::size_t>(label)] / std::sqrt(kSharedCells * cells);
+    if (cells < kLeastCells || whole_z < kCertain) continue;
     DepthChange& change = found[static_cast<std::size_t>(label)];
     change.north = b.north_min + (middles.at<double>(label, 1) + 0.5) * b.cell_m;
     change.east = b.east_min + (middles.at<double>(label, 0) + 0.5) * b.cell_m;

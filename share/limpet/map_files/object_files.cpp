@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "limpet/core/number_text.hpp"
 #include "limpet/map_files/geo_place.hpp"
 #include "limpet/survey/survey_shape.hpp"
 
@@ -57,13 +56,6 @@ OrderedJson FeatureOf(const SurveyArea& area, const LocalGrid& grid) {
 }
 
 }  // namespace
-
-std::optional<GeoPoint> DatumOf(const SessionFacts& facts) {
-  const std::optional<double> latitude = ParseNumber(facts.lat_origin);
-  const std::optional<double> longitude = ParseNumber(facts.long_origin);
-  if (!latitude || !longitude) return std::nullopt;
-  return GeoPoint{.latitude_deg = *latitude, .longitude_deg = *longitude};
-}
 
 std::string ObjectsToCsv(const SavedSession& session) {
   std::string text =

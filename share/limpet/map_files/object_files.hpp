@@ -6,12 +6,10 @@
 #include <string>
 
 #include "limpet/core/geodesy.hpp"
+#include "limpet/session/datum.hpp"
 #include "limpet/session/saved_session.hpp"
 
 namespace limpet {
-
-/// Where the session's frame has its origin; nothing if the mission said none.
-[[nodiscard]] std::optional<GeoPoint> DatumOf(const SessionFacts& facts);
 
 /// id,class,decided,p_present,north_m,east_m,down_m,sd_north_m,sd_east_m,sd_down_m,
 /// latitude_deg,longitude_deg,looks: one row each; without a datum the geographic columns are

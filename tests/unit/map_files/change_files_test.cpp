@@ -33,9 +33,21 @@ TEST(ChangeFiles, ATableHasOneRowPerObjectOfEitherSession) {
   SessionComparison comparison = RemovedAndNew();
   EXPECT_THAT(ChangesToCsv(comparison),
               HasSubstr("\nremoved,orange,0.0000,0.9800,0.0000,100.000,50.000,7.250,43.72"));
-  EXPECT_THAT(ChangesToCsv(comparison), HasSubstr(",4,,6\n"));
+  EXPECT_THAT(ChangesToCsv(comparison), HasSubstr(",4,,6,0.0200,\n"));
   comparison.b.lat_origin = "";
-  EXPECT_THAT(ChangesToCsv(comparison), HasSubstr("-3.000,11.000,6.000,,,,9,0\n"));
+  EXPECT_THAT(ChangesToCsv(comparison), HasSubstr("-3.000,11.000,6.000,,,,9,0,0.0030,\n"));
+}
+
+TEST(ChangeFiles, AMovedObjectSaysHowFarItWasMoved) {
+  SessionComparison comparison = RemovedAndNew();
+  OpiBelief& moved = comparison.objects[1];
+  moved.decided = Status::kMoved;
+  moved.prior_id = 4;
+  comparison.former_W[4] = {-3.0, 9.8, 5.5};
+  EXPECT_THAT(ChangesToCsv(comparison), HasSubstr(",4,9,0,0.0030,1.300\n"));
+  const auto json = nlohmann::json::parse(ChangesToGeoJson(comparison, {43.7210, 10.2830}));
+  EXPECT_NEAR(json["features"][1]["properties"]["moved_m"], 1.3, 1e-9);
+  EXPECT_TRUE(json["features"][0]["properties"]["moved_m"].is_null());
 }
 
 TEST(ChangeFiles, AnObjectIsOnTheMapWhereItIsOnEarth) {

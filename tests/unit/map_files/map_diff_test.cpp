@@ -104,6 +104,17 @@ TEST(MapDiff, WhatAllGroundDiffersByMoreThanItsSigmasIsNoChange) {
   EXPECT_TRUE(difference.changes.empty());
 }
 
+TEST(MapDiff, AFewNeighboursThatAPingPutFourSigmasOffAreNoChange) {
+  const auto with_patch = [](double cells) {
+    return GridOf([cells](double north, double east) {
+      const bool is_off = std::abs(north) < 0.1 && east > 0.0 && east < 0.2 * cells;
+      return is_off ? 7.5 - 4.0 * 0.06 * std::sqrt(2.0) : 7.5;
+    });
+  };
+  EXPECT_TRUE(Difference(GridOf(Flat), with_patch(6.0), {}).changes.empty());
+  EXPECT_EQ(Difference(GridOf(Flat), with_patch(20.0), {}).changes.size(), 1U);
+}
+
 TEST(MapDiff, ComparesPlacesWhereTheFramesSayTheyAre) {
   const auto heap = [](double north, double east) {
     return std::hypot(north, east) < 1.0 ? 6.5 : 7.5;
