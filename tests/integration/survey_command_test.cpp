@@ -71,6 +71,17 @@ TEST_F(SurveyCommandLine, ComparesEachOfThreeSessionsWithTheOneBefore) {
   EXPECT_EQ(nlohmann::json::parse(change.out).at("session_b").at("session"), "third");
 }
 
+TEST_F(SurveyCommandLine, ReportsAlsoTheSessionsThatWereFlownBefore) {
+  const CommandResult first = Run({"survey", "small", "--out", "run", "--sessions", "discovery"});
+  ASSERT_EQ(first.exit_code, kOk) << first.err << first.out;
+  const nlohmann::json discovery = Sessions("run/report.json").at("discovery");
+  const CommandResult later = Run({"survey", "small", "--out", "run", "--sessions", "change"});
+  EXPECT_EQ(later.exit_code, kOk) << later.err << later.out;
+  EXPECT_THAT(later.out, HasSubstr("DISCOVERY"));
+  EXPECT_EQ(Sessions("run/report.json").at("discovery"), discovery);
+  EXPECT_EQ(StatusesOf(Sessions("run/report.json").at("change")).at("goes"), "removed");
+}
+
 TEST_F(SurveyCommandLine, ReplacesAnEarlierRunAndNothingElse) {
   Write("small/expect.yaml", "each: {path_m: {max: 0.01}}\n");
   const std::vector<std::string> words{"survey", "small",      "--out",

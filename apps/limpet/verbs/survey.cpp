@@ -5,6 +5,8 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <map>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -29,6 +31,7 @@
 #include "limpet/runs/run_folder.hpp"
 #include "limpet/runs/run_settings.hpp"
 #include "limpet/runs/session_runner.hpp"
+#include "limpet/scoring/log_replay.hpp"
 #include "limpet/session/session_name.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
@@ -156,6 +159,7 @@ class SurveyRun {
     RunFolder folder(command_.out, RunFolder::Use::kNewRun);
     settings_.sessions = KeptSessions(folder, command_);
     std::string former = settings_.sessions.empty() ? "" : settings_.sessions.back();
+    TakeRecordsOf(settings_.sessions, folder);
     folder.MakeRoomFor(command_.sessions, settings_.sessions);
     settings_.sessions.insert(settings_.sessions.end(), command_.sessions.begin(),
                               command_.sessions.end());
@@ -169,6 +173,23 @@ class SurveyRun {
   }
 
  private:
+  /// The report is of the whole run: what was flown earlier and is kept is in its logs.
+  void TakeRecordsOf(const std::vector<std::string>& kept, const RunFolder& folder) {
+    if (kept.empty()) return;
+    const std::map<std::string, double> wall_s = ReadRun(folder.path()).settings.wall_s;
+    for (const std::string& session : kept) {
+      auto record = RecordFromLog(folder.path() / session);
+      if (!record) {
+        fmt::print(stderr, "limpet: {}\n", OneLine(record.error().text));
+        continue;
+      }
+      records_.push_back(*std::move(record));
+      if (const auto wall = wall_s.find(session); wall != wall_s.end()) {
+        settings_.wall_s.insert(*wall);
+      }
+    }
+  }
+
   /// Compares with expect.yaml and says what it breaks.
   [[nodiscard]] bool KeepsBounds(const RunScore& score) const {
     if (!expectations_) return true;
