@@ -2,8 +2,9 @@
 // Does a verdict mean what it says where the world is not the one believed? Two sessions each in
 // worlds drawn at random, flown in closed loop by the command itself; what it said beside what was
 // so.
-//   change_worlds fly LIMPET FOLDER FIRST LAST   flies seeds that FOLDER has no report of yet
-//   change_worlds tell FOLDER FIRST LAST         figures of those that have one
+//   change_worlds fly LIMPET FOLDER FIRST LAST          flies seeds that FOLDER has no report of
+//   yet change_worlds fly_waters LIMPET FOLDER FIRST LAST   each session in water of its own
+//   change_worlds tell FOLDER FIRST LAST                figures of those that have one
 #include <atomic>
 #include <cstdint>
 #include <cstdlib>
@@ -32,13 +33,32 @@ fs::path FolderOf(const fs::path& root, std::uint64_t seed) {
   return root / fmt::format("world{}", seed);
 }
 
-void FlyOne(const std::string& limpet, const fs::path& root, std::uint64_t seed) {
-  const fs::path folder = FolderOf(root, seed);
+/// One command for both sessions; or, where each has its water, one each and then the report.
+std::string FlightOf(const std::string& limpet, const fs::path& folder, std::uint64_t seed,
+                     bool has_two_waters) {
+  const std::string fly =
+      fmt::format("{0} survey {1} --seed {2} --out {1}/run", limpet, folder.string(), seed);
+  if (!has_two_waters) return fmt::format("{} > {}/log 2>&1", fly, folder.string());
+  std::string other;
+  for (const char* app : {"uSimVehicle", "uSimSensors", "uSimCamera"})
+    other += fmt::format(" --set {}.scenario=scenario_change.yaml", app);
+  return fmt::format(
+      "({0} --sessions discovery; {0} --sessions change{1}; {2} report {3}/run) > {3}/log 2>&1",
+      fly, other, limpet, folder.string());
+}
+
+struct Fleet {
+  std::string limpet;
+  fs::path root;
+  bool has_two_waters = false;
+};
+
+void FlyOne(const Fleet& fleet, std::uint64_t seed) {
+  const fs::path folder = FolderOf(fleet.root, seed);
   if (fs::exists(folder / "run/report.json")) return;
   fs::remove_all(folder / "run");
   WriteDrawnWorld(seed, folder);
-  const std::string command = fmt::format("{0} survey {1} --seed {2} --out {1}/run > {1}/log 2>&1",
-                                          limpet, folder.string(), seed);
+  const std::string command = FlightOf(fleet.limpet, folder, seed, fleet.has_two_waters);
   const int status = std::system(command.c_str());
   if (!fs::exists(folder / "run/report.json")) {
     fmt::print(stderr, "world {}: no report (status {}), see {}/log\n", seed, status,
@@ -46,11 +66,11 @@ void FlyOne(const std::string& limpet, const fs::path& root, std::uint64_t seed)
   }
 }
 
-void Fly(const std::string& limpet, const fs::path& root, Seeds seeds) {
+void Fly(const Fleet& fleet, Seeds seeds) {
   std::atomic<std::uint64_t> next = seeds.first;
   const auto work = [&] {
     for (std::uint64_t seed = next++; seed <= seeds.last; seed = next++)
-      FlyOne(limpet, root, seed);
+      FlyOne(fleet, seed);
   };
   std::vector<std::jthread> workers;
   for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
@@ -73,8 +93,9 @@ std::uint64_t Number(const char* text) { return std::strtoull(text, nullptr, 10)
 
 int main(int argc, char** argv) {
   const std::vector<std::string> args(argv + 1, argv + argc);
-  if (args.size() == 5 && args[0] == "fly") {
-    limpet::Fly(args[1], args[2], {limpet::Number(argv[4]), limpet::Number(argv[5])});
+  if (args.size() == 5 && (args[0] == "fly" || args[0] == "fly_waters")) {
+    limpet::Fly({args[1], args[2], args[0] == "fly_waters"},
+                {limpet::Number(argv[4]), limpet::Number(argv[5])});
     limpet::Tell(args[2], {limpet::Number(argv[4]), limpet::Number(argv[5])});
     return 0;
   }
@@ -82,7 +103,8 @@ int main(int argc, char** argv) {
     limpet::Tell(args[1], {limpet::Number(argv[3]), limpet::Number(argv[4])});
     return 0;
   }
-  fmt::print(stderr,
-             "usage: change_worlds fly LIMPET FOLDER FIRST LAST | tell FOLDER FIRST LAST\n");
+  fmt::print(
+      stderr,
+      "usage: change_worlds fly|fly_waters LIMPET FOLDER FIRST LAST | tell FOLDER FIRST LAST\n");
   return 2;
 }

@@ -152,7 +152,12 @@ void WriteDrawnWorld(std::uint64_t seed, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "mission.moos") << MissionText(seed, world, said_radius);
   std::ofstream(folder / "mission.bhv") << "#include plug_survey.bhv\n";
+  World later = world;
+  Random water(seed, "water of the change session");
+  later.visibility = LogUniform(water, 3.0, 10.0);
+  Random again = random;  // all else alike
   std::ofstream(folder / "scenario.yaml") << ScenarioText(world, random);
+  std::ofstream(folder / "scenario_change.yaml") << ScenarioText(later, again);
 }
 
 }  // namespace limpet
