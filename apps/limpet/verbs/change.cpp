@@ -2,8 +2,11 @@
 #include "apps/limpet/verbs/change.hpp"
 
 #include <cctype>
+#include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,6 +14,7 @@
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/verbs/session_input.hpp"
 #include "limpet/comparison/object_histories.hpp"
+#include "limpet/comparison/session_matches.hpp"
 #include "limpet/console/arguments.hpp"
 #include "limpet/console/command_output.hpp"
 #include "limpet/map_files/change_files.hpp"
@@ -30,7 +34,7 @@ Command ChangeForm() {
               "would decide. DIR is a session's run folder or the session folder in it. Each "
               "session is judged with pMap's parameters of the mission that it kept. With more "
               "than two sessions `changes` are those of the last one, and `objects` tell each "
-              "object's history.",
+              "object's history, which csv and geojson do not have.",
           .options = {{.names = "--session-a",
                        .value = "DIR",
                        .meaning = "the earlier session",
@@ -60,6 +64,11 @@ Command ChangeForm() {
           .most_words = 0};
 }
 
+/// A, B, C, ... by its index in order of time.
+std::string NameOfSession(std::size_t index) {
+  return fmt::format("session {}", static_cast<char>(std::toupper(kFirstSession) + index));
+}
+
 /// In order of time. Throws UsageError if one is left out, ConfigError if one is damaged.
 std::vector<SavedSession> SessionsOf(const Arguments& given) {
   std::vector<SavedSession> sessions;
@@ -73,10 +82,44 @@ std::vector<SavedSession> SessionsOf(const Arguments& given) {
     if (missing) {
       throw UsageError(fmt::format("--session-{} without --session-{}", letter, *missing));
     }
-    const auto name = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
-    sessions.push_back(OpenSession(*folder, fmt::format("session {}", name)));
+    sessions.push_back(OpenSession(*folder, NameOfSession(sessions.size())));
   }
   return sessions;
+}
+
+/// The same folder, or a copy of it.
+bool AreOneSession(const SavedSession& a, const SavedSession& b) {
+  std::error_code ignored;
+  if (std::filesystem::equivalent(a.folder, b.folder, ignored)) return true;
+  return a.facts.mission == b.facts.mission && a.facts.session == b.facts.session &&
+         a.facts.seed == b.facts.seed && a.facts.saved_at == b.facts.saved_at &&
+         a.memory.frames.size() == b.memory.frames.size() && a.memory.map == b.memory.map &&
+         a.memory.depths == b.memory.depths;
+}
+
+/// True if `later` was over before `earlier` began, or was the former session that `earlier` flew
+/// with. Times alone do not tell it of simulated sessions, which all begin at one time.
+bool AreInWrongOrder(const SavedSession& earlier, const SavedSession& later) {
+  const std::vector<ObservedFrame>& frames = earlier.memory.frames;
+  const bool is_over = !frames.empty() && Seconds(later.facts.saved_at) < frames.front().exposure;
+  return is_over || WasFlownWith(earlier, later);
+}
+
+/// Throws Refusal if one was given twice. Says on stderr what is not in order of time.
+void CheckOrder(const std::vector<SavedSession>& sessions) {
+  for (std::size_t b = 1; b < sessions.size(); ++b) {
+    for (std::size_t a = 0; a < b; ++a) {
+      if (AreOneSession(sessions[a], sessions[b])) {
+        throw Refusal(fmt::format("{} and {} are one session: {} and {}", NameOfSession(a),
+                                  NameOfSession(b), sessions[a].folder.string(),
+                                  sessions[b].folder.string()));
+      }
+    }
+    if (!AreInWrongOrder(sessions[b - 1], sessions[b])) continue;
+    fmt::print(stderr,
+               "note: {} was flown before {}: what changed is told from {} to {} all the same\n",
+               NameOfSession(b), NameOfSession(b - 1), NameOfSession(b - 1), NameOfSession(b));
+  }
 }
 
 std::string FormatOf(const Arguments& given) {
@@ -103,10 +146,16 @@ std::string TextOf(const SessionComparison& comparison, const std::string& forma
 int PrintComparison(const Arguments& given) {
   const std::string format = FormatOf(given);
   const std::vector<SavedSession> sessions = SessionsOf(given);
+  CheckOrder(sessions);
   const std::optional<std::string> mission = given.Find("mission");
   std::string text;
   if (sessions.size() > 2) {
     const SessionSeries series = CompareSeries(sessions, mission);
+    if (format != "json") {
+      fmt::print(stderr,
+                 "note: {} has the last step alone, {} to {}; each object's history is in json\n",
+                 format, NameOfSession(sessions.size() - 2), NameOfSession(sessions.size() - 1));
+    }
     text = format == "json" ? Json(series) : TextOf(series.steps.back(), format);
   } else {
     const SessionComparison comparison = CompareSessions(sessions[0], sessions[1], mission);

@@ -2,18 +2,17 @@
 #include "apps/limpet/verbs/detect.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "apps/limpet/cli.hpp"
+#include "apps/limpet/verbs/detect_input.hpp"
 #include "limpet/characterisation/detector_sheet.hpp"
 #include "limpet/characterisation/detector_trial.hpp"
 #include "limpet/console/arguments.hpp"
@@ -24,6 +23,7 @@
 #include "limpet/vision/color_table.hpp"
 #include "limpet/vision/detector_registry.hpp"
 #include "limpet/vision/image_file.hpp"
+#include "limpet/vision/video_frames.hpp"
 
 namespace limpet {
 namespace {
@@ -32,11 +32,13 @@ namespace fs = std::filesystem;
 
 Command DetectForm() {
   return {.name = "limpet detect",
-          .words = "<images or folders> | --characterise",
+          .words = "<images, videos or folders> | --characterise",
           .about =
               "Runs the detector alone and writes CSV: image,class,confidence,x,y,w,h in "
               "pixels, x and y of the box's upper left corner. An image that cannot be read "
-              "is named and makes the exit code 1; the others are still done. With --characterise "
+              "is named and makes the exit code 1; the others are still done. Videos are read "
+              "through the program ffmpeg, if it is on PATH; their pictures are called "
+              "FILE#000001 and so on. With --characterise "
               "it renders pictures of its own, measures what the detector finds by range, size, "
               "water and kind, and writes the file that DetectorFile in a mission names.",
           .options = {{.names = "--out",
@@ -61,7 +63,7 @@ Command DetectForm() {
                        .value = "N",
                        .meaning = "of 20 pictures each, that it is measured in",
                        .fallback = "60",
-                       .rule = NumberBetween(2.0, 10000.0)},
+                       .rule = WholeNumber(2, 10000)},
                       {.names = "--colors",
                        .value = "LIST",
                        .meaning = "of the things in these worlds: the colours sought",
@@ -70,53 +72,12 @@ Command DetectForm() {
                        .value = "S",
                        .meaning = "of these worlds",
                        .fallback = "1",
-                       .rule = NumberBetween(0.0, 1e9)},
+                       .rule = WholeNumber(0, 1'000'000'000)},
                       {.names = "--set",
                        .value = "KEY=V",
                        .meaning = "override a parameter of the detector",
                        .is_repeatable = true}},
           .takes = "images and --out FILE"};
-}
-
-std::string ExtensionOf(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char letter) {
-    return static_cast<char>(std::tolower(letter));
-  });
-  return extension;
-}
-
-bool IsImageName(const fs::path& file) {
-  const std::string extension = ExtensionOf(file);
-  constexpr std::array kKnown{".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".ppm", ".webp"};
-  return std::ranges::find(kKnown, extension) != kKnown.end();
-}
-
-/// What to do about a file that is a video.
-std::string AdviceOn(const fs::path& file) {
-  constexpr std::array kVideos{".mp4", ".avi", ".mkv", ".mov", ".m4v", ".mpg", ".mpeg", ".webm"};
-  if (std::ranges::find(kVideos, ExtensionOf(file)) == kVideos.end()) return "";
-  return fmt::format("; of a video give its frames: ffmpeg -i {} frame_%06d.png", file.string());
-}
-
-/// Files as given; of a folder its images in the order of their names.
-std::vector<fs::path> ImagesOf(const std::vector<std::string>& given) {
-  std::vector<fs::path> images;
-  for (const std::string& name : given) {
-    if (!fs::is_directory(name)) {
-      images.emplace_back(name);
-      continue;
-    }
-    std::vector<fs::path> inside;
-    for (const fs::directory_entry& entry : fs::directory_iterator(name)) {
-      if (entry.is_regular_file() && IsImageName(entry.path())) {
-        inside.push_back(entry.path());
-      }
-    }
-    std::ranges::sort(inside);
-    images.insert(images.end(), inside.begin(), inside.end());
-  }
-  return images;
 }
 
 /// The detector that --detector names, with the parameters that --set gives.
@@ -139,61 +100,86 @@ std::unique_ptr<Detector> DetectorOf(const Arguments& arguments) {
   return (*factory)->Make();
 }
 
-/// Where an image goes that its boxes are drawn in: like names from several folders do not meet.
-fs::path DrawnName(const fs::path& folder, const fs::path& image, std::set<fs::path>& taken) {
-  const std::string stem = image.stem().string();
-  fs::path name = folder / (stem + ".png");
-  for (int i = 2; !taken.insert(name).second; ++i) {
-    name = folder / fmt::format("{}-{}.png", stem, i);
-  }
-  return name;
-}
-
-/// What to do with an image's boxes.
-struct BoxOutput {
+/// What is done with every picture.
+struct Detection {
+  Detector& detector;
+  double least_confidence;
   std::ostream& table;
-  std::optional<fs::path> drawings;
-  std::set<fs::path> drawn;
+  DrawingNames& drawings;
 };
 
-std::optional<Error> DetectIn(const fs::path& file, Detector& detector, double least_confidence,
-                              BoxOutput& out) {
-  Expected<Image> image = ReadImage(file);
-  if (!image) return image.error();
-  std::vector<Box> boxes = detector.Detect(image->view());
-  std::erase_if(boxes, [&](const Box& box) { return box.confidence < least_confidence; });
+/// The complaint if its boxes could not be drawn.
+std::optional<Error> DetectIn(Image& image, const std::string& name, const fs::path& drawing,
+                              Detection& how) {
+  std::vector<Box> boxes = how.detector.Detect(image.view());
+  std::erase_if(boxes, [&](const Box& box) { return box.confidence < how.least_confidence; });
   for (const Box& box : boxes) {
-    out.table << fmt::format("{},{},{:.3f},{:.1f},{:.1f},{:.1f},{:.1f}\n", CsvField(file.string()),
+    how.table << fmt::format("{},{},{:.3f},{:.1f},{:.1f},{:.1f},{:.1f}\n", CsvField(name),
                              box.color, box.confidence, box.u - 0.5 * box.w, box.v - 0.5 * box.h,
                              box.w, box.h);
   }
-  if (!out.drawings) return std::nullopt;
-  DrawBoxes(boxes, *image);
-  return WriteImage(DrawnName(*out.drawings, file, out.drawn), *image);
+  if (!how.drawings.are_wanted()) return std::nullopt;
+  DrawBoxes(boxes, image);
+  return WriteImage(drawing, image);
 }
 
-/// Returns how many images could not be read, or drawn.
-int DetectAll(Detector& detector, const std::vector<fs::path>& images, double least_confidence,
-              BoxOutput& out) {
+/// Its pictures are named FILE#000001 and so on, as ffmpeg counts them.
+std::optional<Error> DetectInVideo(const fs::path& file, Detection& how) {
+  VideoFrames frames(file);
+  while (std::optional<Image> image = frames.Next()) {
+    const std::string name = fmt::format("{}#{:06}", file.string(), frames.count());
+    const fs::path drawing =
+        how.drawings.are_wanted() ? how.drawings.OfFrame(file, frames.count()) : fs::path();
+    if (const auto problem = DetectIn(*image, name, drawing, how)) return problem;
+  }
+  return frames.problem();
+}
+
+std::optional<Error> DetectInFile(const fs::path& file, const fs::path& drawing, Detection& how) {
+  Expected<Image> image = ReadImage(file);
+  if (!image) return Error{image.error().text + AdviceOn(file)};
+  return DetectIn(*image, file.string(), drawing, how);
+}
+
+/// Returns how many images and videos could not be read to their end, or drawn.
+int DetectAll(const std::vector<DetectInput>& inputs, Detection& how) {
   int failed = 0;
-  out.table << "image,class,confidence,x,y,w,h\n";
-  for (const fs::path& file : images) {
-    if (const auto problem = DetectIn(file, detector, least_confidence, out)) {
-      fmt::print(stderr, "limpet detect: {}{}\n", problem->text, AdviceOn(file));
-      ++failed;
-    }
+  how.table << "image,class,confidence,x,y,w,h\n";
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const fs::path& file = inputs[i].file;
+    const std::optional<Error> problem = inputs[i].is_video
+                                             ? DetectInVideo(file, how)
+                                             : DetectInFile(file, how.drawings.OfImage(i), how);
+    if (!problem) continue;
+    fmt::print(stderr, "limpet detect: {}\n", problem->text);
+    ++failed;
   }
   return failed;
 }
 
-/// Throws Refusal if it cannot be made.
-std::optional<fs::path> DrawingFolder(const Arguments& arguments) {
-  const std::optional<std::string> name = arguments.Find("draw");
-  if (!name) return std::nullopt;
+/// Throws Refusal if drawings cannot be written there.
+void MakeDrawingFolder(const fs::path& folder) {
   std::error_code problem;
-  fs::create_directories(*name, problem);
-  if (!fs::is_directory(*name)) throw Refusal(fmt::format("{}: cannot be a folder", *name));
-  return fs::path(*name);
+  fs::create_directories(folder, problem);
+  if (!fs::is_directory(folder, problem)) {
+    throw Refusal(fmt::format("{}: cannot be a folder", folder.string()));
+  }
+  if (::access(folder.c_str(), W_OK) != 0) {
+    throw Refusal(fmt::format("{}: cannot be written to", folder.string()));
+  }
+}
+
+/// Throws UsageError for an option that would do nothing.
+void RefuseIdleOptions(const Arguments& arguments) {
+  const bool is_trial = arguments.Has("characterise");
+  const std::vector<std::string> idle = is_trial
+                                            ? std::vector<std::string>{"min-confidence", "draw"}
+                                            : std::vector<std::string>{"worlds", "colors", "seed"};
+  for (const std::string& option : idle) {
+    if (!arguments.Has(option)) continue;
+    throw UsageError(is_trial ? fmt::format("--characterise takes no --{}", option)
+                              : fmt::format("--{} does nothing without --characterise", option));
+  }
 }
 
 /// Throws UsageError if one of them is none.
@@ -230,8 +216,8 @@ int Characterise(const Arguments& arguments) {
   CommandOutput output(arguments.Find("out"), true, {});  // refused before the work, not after
   TrialPlan plan;
   plan.colors = ColorsOf(arguments);
-  plan.worlds = static_cast<int>(*arguments.Number("worlds"));
-  plan.seed = static_cast<std::uint64_t>(*arguments.Number("seed"));
+  plan.worlds = arguments.Integer("worlds");
+  plan.seed = static_cast<std::uint64_t>(arguments.Integer("seed"));
   const TrialResult trial = RunTrial(plan, *detector, [&plan](int done) {
     if (done % 10 == 0) fmt::print(stderr, "{} of {} worlds\n", done, plan.worlds);
   });
@@ -247,20 +233,25 @@ int Characterise(const Arguments& arguments) {
 
 int DetectInImages(const Arguments& arguments) {
   const std::string out_name = *arguments.Find("out");
-  const double least_confidence = *arguments.Number("min-confidence");
   const std::unique_ptr<Detector> detector = DetectorOf(arguments);
-  const std::vector<fs::path> images = ImagesOf(arguments.positionals());
-  if (images.empty()) {
+  const std::vector<DetectInput> inputs = DetectInputsOf(arguments.positionals());
+  if (inputs.empty()) {
     fmt::print(stderr, "limpet detect: no image found\n");
     return kFailed;
   }
+  const std::optional<std::string> folder = arguments.Find("draw");
+  DrawingNames drawings(inputs, out_name, folder);
+  if (folder) MakeDrawingFolder(*folder);
   std::ofstream out(out_name);
   if (!out) {
     fmt::print(stderr, "limpet detect: {}: cannot be written\n", out_name);
     return kFailed;
   }
-  BoxOutput output{.table = out, .drawings = DrawingFolder(arguments), .drawn = {}};
-  const int failed = DetectAll(*detector, images, least_confidence, output);
+  Detection how{.detector = *detector,
+                .least_confidence = *arguments.Number("min-confidence"),
+                .table = out,
+                .drawings = drawings};
+  const int failed = DetectAll(inputs, how);
   out.close();
   if (!out) {
     fmt::print(stderr, "limpet detect: {}: writing failed\n", out_name);
@@ -273,6 +264,7 @@ int DetectInImages(const Arguments& arguments) {
 
 int RunDetect(std::span<const std::string> args) {
   return RunCommand(DetectForm(), args, [](const Arguments& arguments) {
+    RefuseIdleOptions(arguments);
     if (arguments.Has("characterise")) return Characterise(arguments);
     if (arguments.positionals().empty()) throw UsageError("detect takes images and --out FILE");
     return DetectInImages(arguments);

@@ -25,15 +25,6 @@ std::vector<Landmark> LandmarksOf(const OpiBeliefs& objects) {
   return landmarks;
 }
 
-bool WasFlownWith(const SavedSession& b, const SavedSession& a) {
-  constexpr double kSameTime = 1e-3;  // [s]
-  const std::optional<FormerFacts>& former = b.memory.former;
-  const FormerFacts facts = FormerFactsOf(a.facts);
-  return former && b.memory.known_landmarks && former->mission == facts.mission &&
-         former->session == facts.session && former->seed == facts.seed &&
-         std::abs(former->saved_at - facts.saved_at) < kSameTime;
-}
-
 /// What pNav's block says of matching; its other lines are not judged here.
 MatchingParams ParamsOf(const SavedSession& session) {
   MatchingParams params;
@@ -67,6 +58,15 @@ Eigen::MatrixXd JointOf(const std::vector<Landmark>& landmarks, const LandmarkJo
 }
 
 }  // namespace
+
+bool WasFlownWith(const SavedSession& b, const SavedSession& a) {
+  constexpr double kSameTime = 1e-3;  // [s]
+  const std::optional<FormerFacts>& former = b.memory.former;
+  const FormerFacts facts = FormerFactsOf(a.facts);
+  return former && b.memory.known_landmarks && former->mission == facts.mission &&
+         former->session == facts.session && former->seed == facts.seed &&
+         std::abs(former->saved_at - facts.saved_at) < kSameTime;
+}
 
 std::vector<Landmark> MatchedLandmarks(const SavedSession& a, const SavedSession& b,
                                        const SessionPrior& prior) {

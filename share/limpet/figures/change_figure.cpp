@@ -33,7 +33,8 @@ void DrawChangeLegend(MapAxes& map, bool is_judged) {
                                      {"removed", "removed: there before only"},
                                      {"new", "new: there now only"},
                                      {"moved", "moved: there, elsewhere"},
-                                     {"uncertain", "uncertain, or not inspected"}};
+                                     {"uncertain", "uncertain: looks say too little"},
+                                     {"not_inspected", "not inspected: no look"}};
   for (const auto& meaning : meanings) {
     const std::string status = meaning[0];
     map.Legend(

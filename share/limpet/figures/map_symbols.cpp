@@ -54,6 +54,10 @@ void DrawStatus(SvgCanvas& canvas, const Point& centre, const std::string& statu
   } else {
     canvas.Rect(centre - Point(radius, radius) * 0.85, Point(radius, radius) * 1.7,
                 {.fill = palette::kHalo, .stroke = color, .width = 2.0});
+    if (status == "not_inspected") {
+      const Point half = Point(radius, -radius) * 0.85;
+      canvas.Line(centre - half, centre + half, {.stroke = color, .width = 2.0});
+    }
   }
 }
 

@@ -14,7 +14,8 @@ namespace limpet {
 /// Colour of a change status; grey for what is not known.
 [[nodiscard]] std::string_view StatusColor(const std::string& status);
 
-/// confirmed: disc; removed: cross; new: triangle; moved: diamond; uncertain: hollow square.
+/// confirmed: disc; removed: cross; new: triangle; moved: diamond; uncertain: hollow square;
+/// not_inspected: one with a stroke through it.
 void DrawStatus(SvgCanvas& canvas, const SvgCanvas::Point& centre, const std::string& status,
                 double radius = 7.0);
 

@@ -34,7 +34,8 @@ struct OctreeInfo {
 struct DepthInfo {
   std::size_t cells = 0;
   double least = 0.0, greatest = 0.0;  ///< NED [m]
-  double sigma = 0.0;                  ///< mean [m]
+  double sigma = 0.0;                  ///< mean, of each column beside the others [m]
+  double zero_sigma = 0.0;             ///< of what all are off by together [m]
 };
 
 struct MapInfo {
@@ -54,7 +55,7 @@ OctreeInfo InfoOf(const SemanticOctree& octree) {
 }
 
 std::optional<DepthInfo> InfoOf(const DepthGrid& grid) {
-  DepthInfo info;
+  DepthInfo info{.zero_sigma = grid.zero_sigma_m};
   for (std::size_t cell = 0; cell < grid.down_m.size(); ++cell) {
     if (!grid.IsKnown(cell)) continue;
     const auto down = static_cast<double>(grid.down_m[cell]);
@@ -102,7 +103,8 @@ OrderedJson Json(const std::optional<DepthInfo>& depth) {
   return {{"cells", depth->cells},
           {"least_m", depth->least},
           {"greatest_m", depth->greatest},
-          {"sigma_m", depth->sigma}};
+          {"sigma_m", depth->sigma},
+          {"zero_sigma_m", depth->zero_sigma}};
 }
 
 OrderedJson JsonOf(const OpiBelief& opi) {
@@ -203,6 +205,8 @@ Expected<std::string> MapInfoText(const SavedSession& session) {
   if (info->depth) {
     pair("depth", fmt::format("{:.2f} to {:.2f} m in {} columns, sd {:.2f} m", info->depth->least,
                               info->depth->greatest, info->depth->cells, info->depth->sigma));
+    pair("", fmt::format("all of them may be off together: the depth sensor's zero, sd {:.2f} m",
+                         info->depth->zero_sigma));
   }
   return text + ObjectsTable(session.memory.objects.opis);
 }

@@ -47,10 +47,11 @@ constexpr Explanation kExplanations[] = {
      "Reported and true objects are matched one to one, nearest first, within 2.5 m. A true object "
      "without a report is "
      "missed; a report without an object is invented; an object found more than 1 m off is "
-     "misplaced."},
+     "misplaced. Of an object that is surely there (0.9) it may be open since when: it is "
+     "reported."},
     {"Confirmed, removed, new, moved",
      "There in both sessions; only in the former; only in this one; in both, elsewhere. Uncertain: "
-     "the vehicle will not say."},
+     "the vehicle will not say; such a status is open, neither right nor wrong."},
     {"Position error",
      "Between estimate, as known at the time, and truth, from the start of the survey; rms over "
      "time. At the end: as the vehicle begins its last ascent, before GPS returns; so is dead "

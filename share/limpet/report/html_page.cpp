@@ -19,6 +19,7 @@
 #include "limpet/report/html_warnings.hpp"
 #include "limpet/report/lanes_sentence.hpp"
 #include "limpet/report/obstacles_sentence.hpp"
+#include "limpet/report/open_change.hpp"
 #include "limpet/report/phase_sentence.hpp"
 #include "limpet/report/water_sentence.hpp"
 #include "limpet/scoring/verdict.hpp"
@@ -171,6 +172,13 @@ std::string DecisionsTable(const SessionScore& session) {
   return out + "</table></div>\n<p>There is no truth for this session: nothing is judged.</p>\n";
 }
 
+std::string ChangeVerdict(const ChangeScore& change) {
+  if (change.is_open()) {
+    return fmt::format("<span class=\"muted\">{}</span>", EscapedMarkup(OpenText(change)));
+  }
+  return Judged(change.is_right(), change.is_right() ? "right" : "wrong");
+}
+
 std::string ChangesTable(const SessionScore& session) {
   std::string out =
       "<div class=\"scroll\"><table><tr><th>object<th>north [m]"
@@ -183,8 +191,7 @@ std::string ChangesTable(const SessionScore& session) {
         EscapedMarkup(change.truth.value_or("nothing")),
         change.p_W ? Place(*change.p_W) : "<td colspan=\"3\">not known to the vehicle</td>",
         EscapedMarkup(change.expected.value_or("nothing there")), EscapedMarkup(change.decided),
-        EscapedMarkup(ProbabilityText(change.probability)),
-        Judged(change.is_right(), change.is_right() ? "right" : "wrong"));
+        EscapedMarkup(ProbabilityText(change.probability)), ChangeVerdict(change));
   }
   return out + "</table></div>\n";
 }

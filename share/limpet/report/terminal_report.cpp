@@ -2,9 +2,6 @@
 #include "limpet/report/terminal_report.hpp"
 
 #include <algorithm>
-#include <array>
-#include <functional>
-#include <utility>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -18,6 +15,7 @@
 #include "limpet/report/fences_sentence.hpp"
 #include "limpet/report/lanes_sentence.hpp"
 #include "limpet/report/obstacles_sentence.hpp"
+#include "limpet/report/open_change.hpp"
 #include "limpet/report/phase_sentence.hpp"
 #include "limpet/report/water_sentence.hpp"
 #include "limpet/scoring/verdict.hpp"
@@ -109,18 +107,6 @@ std::string ReportedTable(const SessionScore& session, const Painter& paint) {
   }
   return out +
          "  no truth in this session: nothing is judged, and what needs the truth is left out\n";
-}
-
-/// What an open object may be: its two likeliest statuses.
-std::string OpenText(const ChangeScore& change) {
-  if (!change.posterior || change.decided == NameOf(Status::kNotInspected)) return "open";
-  const StatusPosterior& p = *change.posterior;
-  std::array<std::pair<double, const char*>, 4> may_be{{{p.confirmed, "confirmed"},
-                                                        {p.removed, "removed"},
-                                                        {p.appeared, "new"},
-                                                        {p.nothing, "nothing"}}};
-  std::ranges::sort(may_be, std::ranges::greater());
-  return fmt::format("open: {} or {}", may_be[0].second, may_be[1].second);
 }
 
 std::string OutcomeText(const ChangeScore& change, const Painter& paint) {

@@ -6,9 +6,15 @@
 namespace limpet {
 namespace {
 
+bool HasSeenNothing(const Coverage& believed) {
+  return believed.seabed <= 0.0 && believed.band <= 0.0 && believed.band_top <= 0.0;
+}
+
 std::string InSight(const WaterScore& water) {
   if (water.seen_from_m <= 0.0) {
-    return "the bottom was in sight";
+    return HasSeenNothing(water.believed)
+               ? "no image showed any of the area: nothing was seen, nothing is inspected"
+               : "the bottom was in sight";
   }
   if (water.believed.band_top <= 0.0) {
     return "too murky: nothing was in sight from where it flew, nothing is inspected";

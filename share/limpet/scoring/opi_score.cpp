@@ -11,6 +11,9 @@ constexpr double kMatchRadius = 2.5;
 /// An object farther than this from its former place was moved.
 constexpr double kMovedDistance = 0.5;
 
+/// An object whose status is open is reported from this probability on that it is there.
+constexpr double kSurelyThere = 0.9;
+
 /// At one place the belief about an object of the same colour comes first.
 constexpr double kOtherColor = 1.0;
 
@@ -22,6 +25,14 @@ struct Place {
 bool SaysPresent(const OpiBelief& opi) {
   return opi.decided == Status::kNew || opi.decided == Status::kConfirmed ||
          opi.decided == Status::kMoved;
+}
+
+/// True for a mapped object that is there by the vehicle's account; since when may be open in a
+/// session that has a former one.
+bool IsReported(const OpiBelief& opi, bool has_former) {
+  const bool is_sure = has_former && opi.landmark >= 0 && opi.decided == Status::kUncertain &&
+                       opi.posterior.present() >= kSurelyThere;
+  return SaysPresent(opi) || is_sure;
 }
 
 double ProbabilityOf(const OpiBelief& opi) {
@@ -62,16 +73,22 @@ std::vector<const OpiBelief*> Match(const std::vector<Place>& places,
   return matched;
 }
 
+/// As SmoothedBelief gives them.
+std::vector<OpiBelief> Reported(const SessionRecord& record, bool has_former) {
+  std::vector<OpiBelief> beliefs;
+  for (const OpiBelief& opi : record.opis) {
+    if (IsReported(opi, has_former)) beliefs.push_back(SmoothedBelief(opi, record.landmarks));
+  }
+  return beliefs;
+}
+
 bool Contains(const std::vector<const OpiBelief*>& matched, const OpiBelief& belief) {
   return std::find(matched.begin(), matched.end(), &belief) != matched.end();
 }
 
-void ScorePresence(const SessionRecord& record, const Scenario& scenario,
-                   const CommonOffset& offset, OpiScores& scores) {
-  std::vector<OpiBelief> beliefs;
-  for (const OpiBelief& opi : record.opis) {
-    if (SaysPresent(opi)) beliefs.push_back(SmoothedBelief(opi, record.landmarks));
-  }
+/// REQUIRES: `beliefs` are those that are reported.
+void ScorePresence(const std::vector<OpiBelief>& beliefs, const SessionRecord& record,
+                   const Scenario& scenario, const CommonOffset& offset, OpiScores& scores) {
   std::vector<Place> places;
   for (const ScenarioOpi& opi : scenario.opis) {
     if (const auto place = opi.Place(record.name)) places.push_back({&opi, *place});
@@ -178,20 +195,19 @@ OpiBelief SmoothedBelief(OpiBelief opi, const std::vector<Landmark>& landmarks) 
 OpiScores ScoreOpis(const SessionRecord& record, const std::string& former,
                     const Scenario& scenario, const CommonOffset& offset) {
   OpiScores scores;
-  ScorePresence(record, scenario, offset, scores);
+  ScorePresence(Reported(record, !former.empty()), record, scenario, offset, scores);
   if (!former.empty()) ScoreChanges(record, former, scenario, scores);
   return scores;
 }
 
 OpiScores ReportedOpis(const SessionRecord& record, bool has_former) {
   OpiScores scores;
+  scores.reported = Reported(record, has_former);
+  if (!has_former) return scores;
   for (const OpiBelief& opi : record.opis) {
-    const OpiBelief belief = SmoothedBelief(opi, record.landmarks);
-    if (SaysPresent(opi)) scores.reported.push_back(belief);
-    if (has_former) {
-      scores.changes.push_back({std::nullopt, std::nullopt, std::string(NameOf(opi.decided)),
-                                ProbabilityOf(opi), belief.object.p_W, opi.posterior});
-    }
+    scores.changes.push_back({std::nullopt, std::nullopt, std::string(NameOf(opi.decided)),
+                              ProbabilityOf(opi), SmoothedBelief(opi, record.landmarks).object.p_W,
+                              opi.posterior});
   }
   return scores;
 }

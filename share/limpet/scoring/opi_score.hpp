@@ -38,7 +38,9 @@ struct ChangeScore {
 
 /// Every belief in it is as SmoothedBelief gives it.
 struct OpiScores {
-  std::vector<OpiBelief> reported;  ///< without truth only; then the three lists below are empty
+  /// Without truth only; then the three lists below are empty. Reported is what was decided to be
+  /// there, and what is surely there (0.9) though nothing was decided of since when.
+  std::vector<OpiBelief> reported;
   std::vector<OpiScore> found;
   std::vector<std::string> missed;
   std::vector<OpiBelief> invented;   ///< reported, and not there

@@ -15,7 +15,7 @@ namespace {
 constexpr int kLeastSide = 64;   // [px]
 constexpr int kAcross = 40;      // pixels across the small picture in which contrast is taken
 constexpr double kCoarse = 1.5;  // of those: slower changes are light and lens, not ground
-constexpr int kMargin = 2;       // of those: at the border nothing is known of what is slow
+constexpr int kBorder = 2;       // of those: at the border nothing is known of what is slow
 constexpr double kSigmaOfMedian = 1.4826;  // of a Gaussian
 constexpr double kDarkest = 1e-4;          // linear light
 
@@ -62,8 +62,8 @@ double SpreadOverMean(const cv::Mat& channel) {
   cv::Mat slow;
   cv::GaussianBlur(channel, slow, {}, kCoarse, kCoarse, cv::BORDER_REPLICATE);
   std::vector<float> steps, light;
-  for (int row = kMargin; row + kMargin < channel.rows; ++row) {
-    for (int column = kMargin; column + kMargin < channel.cols; ++column) {
+  for (int row = kBorder; row + kBorder < channel.rows; ++row) {
+    for (int column = kBorder; column + kBorder < channel.cols; ++column) {
       const auto value = channel.at<float>(row, column);
       light.push_back(value);
       steps.push_back(std::abs(value - slow.at<float>(row, column)));
@@ -82,7 +82,7 @@ GroundContrast MeasureGroundContrast(ImageView picture) {
   const double shrink = std::max(1.0, static_cast<double>(picture.width_px) / kAcross);
   cv::Mat small;
   cv::resize(linear, small, {}, 1.0 / shrink, 1.0 / shrink, cv::INTER_AREA);
-  if (std::min(small.rows, small.cols) <= 2 * kMargin) {
+  if (std::min(small.rows, small.cols) <= 2 * kBorder) {
     return {};  // a strip: all of it is border
   }
   std::array<cv::Mat, 3> channels;

@@ -6,11 +6,16 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "limpet/vision/cut_image.hpp"
+
 namespace limpet {
 
 Expected<Image> ReadImage(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) {
     return Error{file.string() + ": no such file"};
+  }
+  if (IsCutShort(file)) {
+    return Error{file.string() + ": the image is cut short, its end is missing"};
   }
   cv::Mat pixels;
   try {

@@ -90,6 +90,19 @@ TEST_F(ChangeSeriesTest, ATableAndAMapAreWrittenOnRequest) {
   EXPECT_THROW(run("shp"), UsageError);
 }
 
+TEST_F(ChangeSeriesTest, ATableOfThreeSessionsSaysThatItHasTheLastStepAlone) {
+  FlySession("discovery", {kStays}, {1.0});
+  FlySession("second", {kStays}, {1.0});
+  FlySession("third", {kStays}, {1.0});
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(RunChange(std::vector<std::string>{"--session-a", FolderOf("discovery"), "--session-b",
+                                               FolderOf("second"), "--session-c", FolderOf("third"),
+                                               "--format", "csv", "--out", FolderOf("c.csv")}),
+            kOk);
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(),
+              HasSubstr("csv has the last step alone, session B to session C"));
+}
+
 TEST_F(ChangeSeriesTest, SessionsAreNamedWithoutGaps) {
   FlySession("discovery", {kStays}, {1.0});
   FlySession("second", {kStays}, {1.0});

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "limpet/console/command_output.hpp"
 #include "limpet/core/config.hpp"
 #include "tests/unit/cli/change_sessions.hpp"
 
@@ -88,6 +89,30 @@ TEST_F(ChangeVerbTest, NothingComesOfTwoSessionsThatSawNothing) {
   FlySession("discovery", {}, {});
   FlySession("change", {}, {});
   EXPECT_TRUE(Change().at("changes").empty());
+}
+
+TEST_F(ChangeVerbTest, RefusesOneSessionGivenTwice) {
+  FlySession("discovery", {kStays}, {1.0});
+  EXPECT_THROW(static_cast<void>(Change({}, "discovery")), Refusal);
+  EXPECT_THROW(static_cast<void>(Change({}, "discovery/session")), Refusal) << "by another name";
+  fs::copy(folder_.path() / "discovery", folder_.path() / "copy", fs::copy_options::recursive);
+  EXPECT_THROW(static_cast<void>(Change({}, "copy")), Refusal) << "a copy is no other session";
+}
+
+TEST_F(ChangeVerbTest, NotesSessionsInTheWrongOrder) {
+  FlySession("discovery", {kStays}, {1.0});
+  FlySession("change", {kStays}, {1.0});
+  const auto said = [this](const std::string& a, const std::string& b) {
+    ::testing::internal::CaptureStderr();
+    ::testing::internal::CaptureStdout();
+    const std::vector<std::string> words{"--session-a", (folder_.path() / a).string(),
+                                         "--session-b", (folder_.path() / b).string()};
+    EXPECT_EQ(RunChange(words), kOk);
+    static_cast<void>(::testing::internal::GetCapturedStdout());
+    return ::testing::internal::GetCapturedStderr();
+  };
+  EXPECT_THAT(said("change", "discovery"), HasSubstr("session B was flown before session A"));
+  EXPECT_EQ(said("discovery", "change"), "");
 }
 
 TEST_F(ChangeVerbTest, NamesTheFolderThatHoldsNoSession) {

@@ -8,6 +8,7 @@
 #include "apps/limpet/command_line.hpp"
 #include "limpet/vision/image_file.hpp"
 #include "limpet/vision/scene_renderer.hpp"
+#include "tests/support/fake_ffmpeg.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace limpet {
@@ -43,12 +44,21 @@ class DetectVerb : public ::testing::Test {
     words.insert(words.end(), args.begin(), args.end());
     return RunCommandLine(words);
   }
-  std::string Csv() const {
+  /// As Run; what it says on stderr is in err_.
+  int Said(const std::vector<std::string>& args) {
+    testing::internal::CaptureStderr();
+    const int code = Run(args);
+    err_ = testing::internal::GetCapturedStderr();
+    return code;
+  }
+  std::string TextIn(const std::string& name) const {
     std::ostringstream text;
-    text << std::ifstream(folder_.path() / "out.csv").rdbuf();
+    text << std::ifstream(Path(name)).rdbuf();
     return text.str();
   }
+  std::string Csv() const { return TextIn("out.csv"); }
   TemporaryFolder folder_;
+  std::string err_;
 };
 
 TEST_F(DetectVerb, WritesOneRowPerBox) {
@@ -143,11 +153,102 @@ TEST_F(DetectVerb, SaysBeforeItCharacterisesThatItCannotWrite) {
             kFailed);
 }
 
+TEST_F(DetectVerb, WritesOverNoPictureThatItReads) {
+  const std::string before = TextIn("ball.ppm");
+  std::filesystem::create_hard_link(Path("ball.ppm"), Path("link.ppm"));
+  for (const std::string table : {"ball.ppm", "./ball.ppm", "link.ppm"}) {
+    EXPECT_EQ(Said({Path("ball.ppm"), "--out", Path(table)}), kUsage) << table;
+    EXPECT_THAT(err_, HasSubstr("is an image that is read")) << table;
+  }
+  const Expected<Image> ball = ReadImage(Path("ball.ppm"));
+  ASSERT_TRUE(ball);
+  ASSERT_FALSE(WriteImage(Path("b.png"), *ball));
+  const std::string png = TextIn("b.png");
+  EXPECT_EQ(Said({Path("ball.ppm"), Path("b.png"), "--out", Path("out.csv"), "--draw",
+                  folder_.path().string()}),
+            kUsage);
+  EXPECT_THAT(err_, HasSubstr("b.png is an image that is read"));
+  EXPECT_EQ(TextIn("ball.ppm"), before);
+  EXPECT_EQ(TextIn("b.png"), png);
+  EXPECT_FALSE(std::filesystem::exists(Path("out.csv"))) << "nothing was begun";
+  EXPECT_FALSE(std::filesystem::exists(Path("ball.png")));
+}
+
+TEST_F(DetectVerb, LooksAtTheDrawingsFolderBeforeItOpensTheTable) {
+  std::ofstream(Path("drawn")) << "a file";
+  EXPECT_EQ(Said({Path("ball.ppm"), "--out", Path("out.csv"), "--draw", Path("drawn")}), kRefused);
+  EXPECT_FALSE(std::filesystem::exists(Path("out.csv")));
+}
+
+TEST_F(DetectVerb, SaysWhatOfAFolderItPassesOver) {
+  std::filesystem::remove(Path("broken.png"));
+  std::filesystem::rename(Path("ball.ppm"), Path("ball.pgm"));
+  std::ofstream(Path("a.gif")) << "GIF89a";
+  std::ofstream(Path("notes.txt")) << "a note";
+  EXPECT_EQ(Said({folder_.path().string(), "--out", Path("out.csv")}), kOk);
+  EXPECT_THAT(err_, HasSubstr("2 files passed over, no image that it reads: a.gif and others"));
+  EXPECT_THAT(Csv(), HasSubstr("ball.pgm,yellow"));
+}
+
+TEST_F(DetectVerb, TakesNoHalfWorldsAndNoOptionThatDoesNothing) {
+  for (const std::vector<std::string>& wrong :
+       std::vector<std::vector<std::string>>{{"--characterise", "--worlds", "2.7"},
+                                             {"--characterise", "--seed", "1.5"},
+                                             {"--characterise", "--min-confidence", "0.5"},
+                                             {"--characterise", "--draw", Path("drawn")},
+                                             {Path("ball.ppm"), "--worlds", "3"},
+                                             {Path("ball.ppm"), "--colors", "yellow"},
+                                             {Path("ball.ppm"), "--seed", "3"}}) {
+    std::vector<std::string> words = wrong;
+    words.insert(words.end(), {"--out", Path("out.csv")});
+    EXPECT_EQ(Said(words), kUsage) << words[1];
+    EXPECT_FALSE(std::filesystem::exists(Path("out.csv"))) << words[1];
+  }
+}
+
+TEST_F(DetectVerb, NamesAPictureThatIsCutShort) {
+  const Expected<Image> ball = ReadImage(Path("ball.ppm"));
+  ASSERT_TRUE(ball);
+  ASSERT_FALSE(WriteImage(Path("half.jpg"), *ball));
+  std::filesystem::resize_file(Path("half.jpg"), std::filesystem::file_size(Path("half.jpg")) / 2);
+  EXPECT_EQ(Said({Path("half.jpg"), Path("ball.ppm"), "--out", Path("out.csv")}), kFailed);
+  EXPECT_THAT(err_, HasSubstr("half.jpg: the image is cut short"));
+  EXPECT_THAT(Csv(), HasSubstr("ball.ppm,yellow"));
+}
+
 TEST_F(DetectVerb, SaysHowToTakeAVideo) {
+  const FakeFfmpeg none(folder_.path());
   std::ofstream(folder_.path() / "dive.mp4") << "no image";
-  ::testing::internal::CaptureStderr();
-  EXPECT_EQ(Run({Path("dive.mp4"), "--out", Path("out.csv")}), kFailed);
-  EXPECT_THAT(::testing::internal::GetCapturedStderr(), HasSubstr("ffmpeg -i "));
+  EXPECT_EQ(Said({Path("dive.mp4"), "--out", Path("out.csv")}), kFailed);
+  EXPECT_THAT(err_, HasSubstr("ffmpeg -i "));
+  std::filesystem::remove(Path("broken.png"));
+  std::filesystem::remove(Path("out.csv"));
+  EXPECT_EQ(Said({folder_.path().string(), "--out", Path("out.csv")}), kOk);
+  EXPECT_THAT(err_, HasSubstr("one file passed over, no image that it reads: dive.mp4; a video"));
+}
+
+TEST_F(DetectVerb, DetectsInEveryPictureOfAVideo) {
+  const FakeFfmpeg ffmpeg(folder_.path());
+  const std::string ball = "while IFS= read -r line; do :; done; exec /bin/cat " +
+                           Path("ball.ppm") + " " + Path("ball.ppm");
+  ffmpeg.Does(ball);
+  std::filesystem::create_directory(Path("dives"));
+  std::ofstream(Path("dives/clip.mp4")) << "a video";
+  ASSERT_EQ(Said({Path("dives"), "--out", Path("out.csv"), "--draw", Path("drawn")}), kOk) << err_;
+  EXPECT_THAT(Csv(), HasSubstr("dives/clip.mp4#000001,yellow,"));
+  EXPECT_THAT(Csv(), HasSubstr("dives/clip.mp4#000002,yellow,"));
+  EXPECT_TRUE(ReadImage(Path("drawn/clip_000001.png")));
+  EXPECT_TRUE(ReadImage(Path("drawn/clip_000002.png")));
+}
+
+TEST_F(DetectVerb, KeepsWhatItFoundBeforeAVideoBrokeOff) {
+  const FakeFfmpeg ffmpeg(folder_.path());
+  ffmpeg.Does("/bin/cat " + Path("ball.ppm") + "; printf 'P6 640 480 255 abc'; exit 1");
+  std::ofstream(Path("clip.mp4")) << "a video";
+  EXPECT_EQ(Said({Path("clip.mp4"), Path("ball.ppm"), "--out", Path("out.csv")}), kFailed);
+  EXPECT_THAT(err_, HasSubstr("clip.mp4: ffmpeg failed (exit code 1) in the midst of picture 2"));
+  EXPECT_THAT(Csv(), HasSubstr("clip.mp4#000001,yellow,"));
+  EXPECT_THAT(Csv(), HasSubstr("ball.ppm,yellow,")) << "the others are still done";
 }
 
 }  // namespace

@@ -139,6 +139,19 @@ TEST_F(MapVerbTest, SaysWhatASessionsMapHolds) {
   EXPECT_THAT(out_, HasSubstr("  12 yellow"));
 }
 
+/// The grid of `map export --format asc` has both in its sigma.
+TEST_F(MapVerbTest, InfoSaysByHowMuchAllDepthsMayBeOffTogether) {
+  SessionMemory memory;
+  memory.depths =
+      "cell_m=0.2,zero_sigma_m=0.07\nnorth,east,beams,down_mm,square_mm2\n"
+      "5,0,1,8030,64480900\n6,0,1,8050,64802500\n";
+  ASSERT_TRUE(SessionWriter(folder_.path() / "session").Commit({}, FilesOf(memory)).has_value());
+  ASSERT_EQ(Run({"info", session_, "--json"}), kOk) << err_;
+  EXPECT_THAT(out_, HasSubstr("\"zero_sigma_m\": 0.07"));
+  ASSERT_EQ(Run({"info", session_}), kOk);
+  EXPECT_THAT(out_, HasSubstr("off together: the depth sensor's zero, sd 0.07 m"));
+}
+
 TEST_F(MapVerbTest, InfoNamesWhatIsDamaged) {
   Save("# Octomap OcTree file\nid SemanticOcTree\n");
   EXPECT_EQ(Run({"info", session_}), kFailed);

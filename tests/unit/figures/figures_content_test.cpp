@@ -192,6 +192,12 @@ TEST(ChangeFigure, RingsADecisionThatIsWrong) {
   EXPECT_THAT(TextsIn(elements), Contains("What changed: 4 of 5 statuses right"));
 }
 
+TEST(ChangeFigure, TellsNotInspectedFromUncertain) {
+  const auto texts = TextsIn(ReadSvg(ChangeFigure(Drawn().source()).svg));
+  EXPECT_THAT(texts, Contains(HasSubstr("uncertain: ")));
+  EXPECT_THAT(texts, Contains(HasSubstr("not inspected: ")));
+}
+
 TEST(CloseUpFigure, HasAPanelForEachObjectThatWasFound) {
   const DrawnSession& drawn = Drawn();
   const auto texts = TextsIn(ReadSvg(CloseUpFigure(drawn.source()).svg));
@@ -215,7 +221,8 @@ TEST(Figures, OfASessionWithoutASurveyShowWhatThereIs) {
 
 TEST(MapSymbols, TellStatusesApartByShapeToo) {
   std::set<std::string> shapes;
-  for (const char* status : {"confirmed", "removed", "new", "moved", "uncertain"}) {
+  for (const char* status :
+       {"confirmed", "removed", "new", "moved", "uncertain", "not_inspected"}) {
     SvgCanvas canvas(40.0, 40.0, "one symbol");
     DrawStatus(canvas, {20.0, 20.0}, status);
     std::string shape;

@@ -8,6 +8,7 @@ namespace limpet {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(WaterSentence, SaysWhatWasNotInSight) {
   WaterScore water{.visibility = {.visibility = 2.9, .sd = 1.2},
@@ -19,6 +20,13 @@ TEST(WaterSentence, SaysWhatWasNotInSight) {
   EXPECT_THAT(WaterSentence(water), HasSubstr("nothing is inspected"));
   water = {.visibility = {.visibility = 9.0, .sd = 4.0}, .believed = {1.0, 1.0, 1.0}};
   EXPECT_THAT(WaterSentence(water), HasSubstr("the bottom was in sight"));
+}
+
+TEST(WaterSentence, OfASessionWithoutAnImageDoesNotSayThatTheBottomWasInSight) {
+  const WaterScore water{
+      .visibility = {.visibility = 9.0, .sd = 4.0}, .believed = {}, .seen_from_m = 0.0};
+  EXPECT_THAT(WaterSentence(water), HasSubstr("nothing was seen, nothing is inspected"));
+  EXPECT_THAT(WaterSentence(water), Not(HasSubstr("in sight")));
 }
 
 }  // namespace

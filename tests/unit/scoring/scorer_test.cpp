@@ -150,6 +150,32 @@ TEST(Scorer, TakesNoUncertainBeliefForAReport) {
   EXPECT_THAT(ScoreOf(session).opis.missed, ElementsAre("OPI 4"));
 }
 
+/// Which object of the discovery it is, if any, may stay open: it is there all the same.
+TEST(Scorer, FindsAMappedObjectThatIsSurelyThereThoughItsStatusIsOpen) {
+  SyntheticSession session = Brief(Change());
+  OpiBelief& open = session.opis[0];
+  open.landmark = 7;
+  open.decided = Status::kUncertain;
+  open.posterior = {.confirmed = 0.62, .removed = 0.01, .appeared = 0.36, .nothing = 0.01};
+  const OpiScores opis = ScoreOf(session).opis;
+  EXPECT_THAT(opis.missed, IsEmpty());
+  EXPECT_EQ(opis.found.size(), 3U);
+  EXPECT_TRUE(opis.changes.at(0).is_open()) << "found, and its status is still open";
+  open.posterior = {.confirmed = 0.52, .removed = 0.20, .appeared = 0.26, .nothing = 0.02};
+  EXPECT_EQ(ScoreOf(session).opis.missed.size(), 1U) << "it may well be gone";
+}
+
+TEST(Scorer, ReportsWhatIsSurelyThereWithoutATruth) {
+  SyntheticSession session = Brief(Change());
+  session.opis[0].landmark = 7;
+  session.opis[0].decided = Status::kUncertain;
+  session.opis[0].posterior = {
+      .confirmed = 0.62, .removed = 0.01, .appeared = 0.36, .nothing = 0.01};
+  const SessionRecord record = RecordOf(session);
+  EXPECT_EQ(ReportedOpis(record, true).reported.size(), 3U);
+  EXPECT_EQ(ReportedOpis(record, false).reported.size(), 2U) << "a discovery decides that alone";
+}
+
 TEST(Scorer, PrefersTheSmoothersPlaceOverTheMaps) {
   SyntheticSession session = Brief(Discovery());
   session.opis[0].landmark = 5;
