@@ -70,6 +70,17 @@ std::optional<DubinsPath> IntoShape(const Pose2& start, const PlanePoint& begin,
 
 }  // namespace
 
+std::vector<PlanePoint> TransitPlaces(const PlanePoint& begin, const Region& region,
+                                      Meters turn_radius) {
+  std::vector<PlanePoint> places = region.transit();
+  if (places.empty()) return {};
+  const auto entry = NearestRoom(*region.free_space(), places.back(), turn_radius.value());
+  if (!entry) return {};
+  places.insert(places.begin(), begin);
+  places.push_back(*entry);
+  return places;
+}
+
 bool IsInTransit(const Region& region, const Pose2& pose) {
   return !region.transit().empty() && region.Outside(pose) > kDrift;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "limpet/core/units.hpp"
 #include "limpet/planning/option.hpp"
@@ -17,6 +18,11 @@ inline constexpr const char* kTransitSource = "transit";
 /// for a turn.
 [[nodiscard]] std::optional<Option> TransitPath(const Pose2& start, const PlanePoint& begin,
                                                 const Region& region, Meters turn_radius);
+
+/// The transit as places: `begin`, its way points, and where it enters the region; empty without a
+/// transit, or room inside.
+[[nodiscard]] std::vector<PlanePoint> TransitPlaces(const PlanePoint& begin, const Region& region,
+                                                    Meters turn_radius);
 
 /// Whether a vehicle here is on its way in by the region's transit: farther outside than it drifts.
 [[nodiscard]] bool IsInTransit(const Region& region, const Pose2& pose);

@@ -186,8 +186,8 @@ TYPED_TEST(JsonProperty, ComesBackTheSame) {
 
 TYPED_TEST(JsonProperty, IsNoneWithoutAFieldThatNothingElseSays) {
   // Who reads only these finds them; what is read back follows from the posterior.
-  const std::vector<std::string> may_lack{"prior_candidates", "probability", "entropy",
-                                          "visibility_m", "visibility_sd_m", "ranked_by"};
+  const std::vector<std::string> may_lack{"prior_candidates", "probability",     "entropy",
+                                          "visibility_m",     "visibility_sd_m", "ranked_by"};
   const Json whole = Json::parse(this->Next());
   Json walked = whole;
   this->EachField(walked, "", [&](const std::string& path) {
