@@ -158,7 +158,7 @@ void CheckCurrent(const MissionReading& reading, const SurveyFacts& survey,
   const bool is_north = std::abs(water.current_north_mps) >= std::abs(water.current_east_mps);
   const SourceLine where =
       reading.InScenario(is_north ? "current_north_mps:" : "current_east_mps:");
-  constexpr double kRounding = 1e-9;  // of a tide's share
+  constexpr double kRounding = 1e-3;  // of components in text [m/s]
   const double most = std::min(kMostCurrent * speed, std::max(0.0, top - speed));
   if (current <= most + kRounding) return;
   const bool is_carried = current >= speed || current + speed > top;
