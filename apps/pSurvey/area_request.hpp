@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "limpet/core/expected.hpp"
+#include "limpet/survey/simple_polygon.hpp"
+#include "limpet/survey/survey_params.hpp"
 #include "limpet/topics/mission.hpp"
 
 namespace limpet {
@@ -12,8 +15,15 @@ namespace limpet {
 /// XXH3 of a SURVEY_AREA_REQUEST, less its own `hash=...,`.
 [[nodiscard]] std::string HashOfRequest(std::string_view text);
 
-/// The area that a SURVEY_AREA_REQUEST asks for, of a mission that surveys `now`. The error says
-/// why it cannot be: it came damaged, cannot be read, or cannot be surveyed.
-[[nodiscard]] Expected<SurveyArea> AreaRequested(std::string_view text, const SurveyArea& now);
+/// What a request is judged by.
+struct AreaSetting {
+  const SurveyArea& area;                 ///< surveyed now
+  const SurveyParams& params;             ///< of the mission
+  std::optional<PlanePoint> vehicle_W{};  ///< where it is, if anybody knows
+};
+
+/// The area that a SURVEY_AREA_REQUEST asks for. The error says why it cannot be: it came damaged,
+/// cannot be read, says what nothing knows, or cannot be surveyed.
+[[nodiscard]] Expected<SurveyArea> AreaRequested(std::string_view text, const AreaSetting& setting);
 
 }  // namespace limpet

@@ -19,8 +19,10 @@ bool SurveyApp::IsAtSurface() const {
 
 void SurveyApp::OnAreaRequest(const Stamped<std::string>& request) {
   const std::string hash = HashOfRequest(request.value);
+  AreaSetting setting{.area = area_, .params = params_};
+  if (nav_) setting.vehicle_W.emplace(nav_->value.north, nav_->value.east);
   Expected<SurveyArea> area =
-      IsAtSurface() ? AreaRequested(request.value, area_)
+      IsAtSurface() ? AreaRequested(request.value, setting)
                     : Expected<SurveyArea>(Error{fmt::format(
                           "the area can be set at the surface before the dive alone; phase {}",
                           NameOf(phase_))});

@@ -2,6 +2,7 @@
 #include "apps/limpet/verbs/check.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -36,7 +37,8 @@ Command CheckForm() {
           "come home.",
       .options = {{.names = "--json", .meaning = "as JSON"},
                   {.names = "--draw",
-                   .meaning = "draws the area as text, too; a terminal gets it unasked"},
+                   .meaning = "draws the area as text, too (with --json on stderr); a terminal "
+                              "gets it unasked"},
                   {.names = "--dry-run", .meaning = "flies the mission, too"},
                   {.names = "--seeds",
                    .value = "N",
@@ -111,8 +113,8 @@ void PrintLines(const MissionProblems& found) {
   }
   if (found.energy) {
     fmt::print(
-        "energy: the survey takes about {:.0f} Wh, {:.0f} Wh of them for the way home; {:.0f} Wh "
-        "in the battery, {:.0f} Wh in reserve\n",
+        "energy: the survey takes about {:.0f} Wh, {:.0f} Wh of them for the way home with the "
+        "wait at the surface; {:.0f} Wh in the battery, {:.0f} Wh in reserve\n",
         found.energy->needed_wh, found.energy->home_wh, found.energy->charged_wh,
         found.energy->reserve_wh);
   }
@@ -121,13 +123,16 @@ void PrintLines(const MissionProblems& found) {
              found.notes.empty() ? "" : ", " + Counted(found.notes.size(), "note"));
 }
 
-/// The area as text on a terminal, or if it is asked for; as a picture if a file is named.
+/// The area as text on a terminal, or if it is asked for: beside JSON on stderr, which leaves that
+/// whole. As a picture if a file is named.
 void DrawSite(const Arguments& given, const std::string& path) {
   const bool is_drawn = given.Has("draw") || (isatty(STDOUT_FILENO) != 0 && !given.Has("json"));
   if (!is_drawn && !given.Has("figure")) return;
   const std::optional<Site> site = SiteOf(path);
   constexpr int kColumns = 78;
-  if (site && is_drawn) fmt::print("{}", SiteText(*site, kColumns));
+  if (site && is_drawn) {
+    fmt::print(given.Has("json") ? stderr : stdout, "{}", SiteText(*site, kColumns));
+  }
   const std::optional<std::string> figure = given.Find("figure");
   if (!figure) return;
   if (!site) {

@@ -26,6 +26,8 @@ struct DrawnBox {
 
 DrawnBox BoxOf(const Site& site, const Region& region) {
   DrawnBox box{{region.north_min(), region.east_min()}, {region.north_max(), region.east_max()}};
+  box.Take({site.area.north_min, site.area.east_min});
+  box.Take({site.area.north_max, site.area.east_max});
   for (const PlanePoint& at : region.transit())
     box.Take(at);
   if (site.start) box.Take(*site.start);
@@ -38,6 +40,51 @@ char LetterAt(const SurveyShape& shape, const Region& region, const PlanePoint& 
   if (is_in_zone) return '#';
   if (shape.outline().Contains(at)) return ':';
   return region.Contains(at.x(), at.y()) ? '.' : ' ';
+}
+
+/// The area drawn by letters, north up.
+struct LetterMap {
+  PlanePoint corner;  ///< of the first letter, north-west
+  PlanePoint step;    ///< from row to row, from column to column [m]
+  std::vector<std::string> lines;
+
+  [[nodiscard]] PlanePoint Place(std::size_t row, std::size_t column) const {
+    return {corner.x() - static_cast<double>(row) * step.x(),
+            corner.y() + static_cast<double>(column) * step.y()};
+  }
+  [[nodiscard]] std::size_t RowOf(const PlanePoint& at) const {
+    return static_cast<std::size_t>(std::lround((corner.x() - at.x()) / step.x()));
+  }
+  [[nodiscard]] std::size_t ColumnOf(const PlanePoint& at) const {
+    return static_cast<std::size_t>(std::lround((at.y() - corner.y()) / step.y()));
+  }
+  char& At(const PlanePoint& at) { return lines[RowOf(at)][ColumnOf(at)]; }
+};
+
+/// Whether it or a letter beside it is ground of the area.
+bool HasGroundNear(const std::vector<std::string>& lines, std::size_t row, std::size_t column) {
+  for (std::size_t r = row > 0 ? row - 1 : 0; r <= row + 1 && r < lines.size(); ++r) {
+    const std::size_t first = column > 0 ? column - 1 : 0;
+    if (lines[r].substr(first, column + 2 - first).find(':') != std::string::npos) return true;
+  }
+  return false;
+}
+
+/// Of an area narrower than a letter no letter's middle need be ground: its border is drawn.
+void DrawNarrows(const SimplePolygon& outline, LetterMap& map) {
+  const std::vector<std::string> sampled = map.lines;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const PlaneEdge edge = outline.Edge(i);
+    const PlanePoint along = edge.to - edge.from;
+    const auto pieces = std::max(1L, std::lround(2.0 * along.norm() / map.step.minCoeff()));
+    for (long piece = 0; piece <= pieces; ++piece) {
+      const PlanePoint at =
+          edge.from + static_cast<double>(piece) / static_cast<double>(pieces) * along;
+      char& letter = map.At(at);
+      const bool is_empty = letter == ' ' || letter == '.';
+      if (is_empty && !HasGroundNear(sampled, map.RowOf(at), map.ColumnOf(at))) letter = ':';
+    }
+  }
 }
 
 std::string FiguresText(const Site& site) {
@@ -88,24 +135,21 @@ std::string SiteText(const Site& site, int columns) {
   const double north_step = kLetterShape * east_step;
   const int rows = static_cast<int>(std::ceil(extent.x() / north_step)) + 1;
   const int width = static_cast<int>(std::ceil(extent.y() / east_step)) + 1;
-  std::vector<std::string> lines(static_cast<std::size_t>(rows));
-  for (int row = 0; row < rows; ++row) {
-    const double north = box.high.x() - row * north_step;
-    for (int column = 0; column < width; ++column) {
-      lines[static_cast<std::size_t>(row)] +=
-          LetterAt(shape, region, {north, box.low.y() + column * east_step});
+  LetterMap map{
+      .corner = {box.high.x(), box.low.y()},
+      .step = {north_step, east_step},
+      .lines = {static_cast<std::size_t>(rows), std::string(static_cast<std::size_t>(width), ' ')}};
+  for (std::size_t row = 0; row < map.lines.size(); ++row) {
+    for (std::size_t column = 0; column < map.lines[row].size(); ++column) {
+      map.lines[row][column] = LetterAt(shape, region, map.Place(row, column));
     }
   }
-  const auto put = [&](const PlanePoint& at, char letter) {
-    const auto row = std::lround((box.high.x() - at.x()) / north_step);
-    const auto column = std::lround((at.y() - box.low.y()) / east_step);
-    lines[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = letter;
-  };
+  DrawNarrows(shape.outline(), map);
   for (const PlanePoint& at : region.transit())
-    put(at, 'o');
-  if (site.start) put(*site.start, 'S');
+    map.At(at) = 'o';
+  if (site.start) map.At(*site.start) = 'S';
   std::string text;
-  for (std::string& line : lines) {
+  for (std::string& line : map.lines) {
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }

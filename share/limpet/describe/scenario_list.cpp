@@ -26,7 +26,7 @@ errors:
 ```
 A stamp that is too late comes with its message: nothing arrives before its stamp. Objects seen through a rolling shutter are where its rows see them; the texture of the seabed in rendered images is not. An object that moves is judged by its place in the scenario, and sound meets it there. A current that changes is one for the whole area.
 
-`obstacles:` stand up from the seabed, the same in every session, and must not be touched: `{name, shape: column, north_m, east_m, radius_m, height_m}` or `{name, shape: box, north_m, east_m, size_m: [northwards, eastwards], height_m}`, the height above the seabed below the middle. Sonar and DVL beams meet them; a camera does not see them, nor do they hide anything from it; a vehicle that is steered into one goes through, and the report says so (`obstacle_distance_m` is 0).
+`obstacles:` stand up from the seabed, the same in every session, and must not be touched: `{name, shape: column, north_m, east_m, radius_m, height_m}` or `{name, shape: box, north_m, east_m, size_m: [northwards, eastwards], height_m}`, the height above the seabed below the middle. Sonar and DVL beams meet them; the camera does not show them, but sees no object behind them ([obstacles](obstacles.md)); a vehicle that is steered into one goes through, and the report says so (`obstacle_distance_m` is 0).
 ```yaml
 obstacles:
   - {name: pile, shape: column, north_m: -10, east_m: -2, radius_m: 0.4, height_m: 9}

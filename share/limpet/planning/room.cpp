@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -107,27 +108,73 @@ bool IsStraightWayFree(const FreeSpace& space, const PlanePoint& from, const Pla
                         {.curvature = 0.0, .length = way.norm()});
 }
 
-}  // namespace
-
-std::vector<std::uint8_t> RoomToTurn(const FreeSpace& space, double radius) {
-  const FreeSpace::Raster& raster = space.raster();
+/// 1 where there is room for a turn, in whatever piece.
+std::vector<std::uint8_t> MarkRoom(const FreeSpace::Raster& raster, double radius) {
   std::vector<std::uint8_t> mark(raster.clearance.size());
   // A cell stands for all of its places: some of it may just have room.
   for (std::size_t cell = 0; cell < mark.size(); ++cell) {
     mark[cell] = static_cast<double>(raster.clearance[cell]) >= radius ? 1 : 0;
   }
-  std::vector<std::size_t> largest;
-  for (std::size_t cell = 0; cell < mark.size(); ++cell) {
-    if (mark[cell] == 1) {
-      std::vector<std::size_t> piece = TakePiece(raster, cell, mark);
-      if (piece.size() > largest.size()) largest = std::move(piece);
+  return mark;
+}
+
+/// Cells of the room that are met first from `start` through free cells, and those that are farther
+/// by no more than `more` [m].
+std::vector<std::size_t> RoomMetFrom(const FreeSpace::Raster& raster, std::size_t start,
+                                     const std::vector<std::uint8_t>& room, double more) {
+  constexpr int kUnknown = std::numeric_limits<int>::max();
+  std::vector<int> steps(room.size(), kUnknown);
+  std::vector<std::size_t> met, open{start};
+  steps[start] = 0;
+  double most = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < open.size() && steps[open[i]] <= most; ++i) {
+    const int here = steps[open[i]];
+    if (room[open[i]] != 0) {
+      if (met.empty()) most = here + more / raster.cell_m;
+      met.push_back(open[i]);
+      continue;
     }
+    EachNeighbour(raster, open[i], [&](std::size_t next, double) {
+      if (steps[next] != kUnknown || raster.clearance[next] < 0.0F) return;
+      steps[next] = here + 1;
+      open.push_back(next);
+    });
+  }
+  return met;
+}
+
+/// Of the pieces of `mark` that hold one of the `seeds` the largest: 1 there, 0 elsewhere.
+std::vector<std::uint8_t> LargestPiece(const FreeSpace::Raster& raster,
+                                       const std::vector<std::size_t>& seeds,
+                                       std::vector<std::uint8_t> mark) {
+  std::vector<std::size_t> largest;
+  for (const std::size_t seed : seeds) {
+    if (mark[seed] != 1) continue;
+    std::vector<std::size_t> piece = TakePiece(raster, seed, mark);
+    if (piece.size() > largest.size()) largest = std::move(piece);
   }
   std::ranges::fill(mark, std::uint8_t{0});
-  for (const std::size_t cell : largest) {
+  for (const std::size_t cell : largest)
     mark[cell] = 1;
-  }
   return mark;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> RoomToTurn(const FreeSpace& space, double radius) {
+  std::vector<std::size_t> all(space.raster().clearance.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return LargestPiece(space.raster(), all, MarkRoom(space.raster(), radius));
+}
+
+std::vector<std::uint8_t> RoomToTurnFrom(const FreeSpace& space, const PlanePoint& from,
+                                         double radius) {
+  const FreeSpace::Raster& raster = space.raster();
+  std::vector<std::uint8_t> room = MarkRoom(raster, radius);
+  const auto start = raster.At(from);
+  if (!start) return LargestPiece(raster, {}, std::move(room));
+  const std::vector<std::size_t> met = RoomMetFrom(raster, *start, room, radius);
+  return LargestPiece(raster, met, std::move(room));
 }
 
 std::optional<PlanePoint> NearestRoom(const FreeSpace& space, const PlanePoint& from,

@@ -15,7 +15,13 @@ namespace limpet {
 /// vehicle gets from each to each. 1 where that is so; all 0 if there is none.
 [[nodiscard]] std::vector<std::uint8_t> RoomToTurn(const FreeSpace& space, double radius);
 
-/// The place of that room that is nearest to `from`; nothing if there is none.
+/// The piece of such room that is nearest to `from` by ways that are free, however narrow; of those
+/// that are farther by no more than `radius` the largest. All 0 if there is none, or `from` is not
+/// in the raster.
+[[nodiscard]] std::vector<std::uint8_t> RoomToTurnFrom(const FreeSpace& space,
+                                                       const PlanePoint& from, double radius);
+
+/// The place of the former room that is nearest to `from`; nothing if there is none.
 [[nodiscard]] std::optional<PlanePoint> NearestRoom(const FreeSpace& space, const PlanePoint& from,
                                                     double radius);
 

@@ -125,8 +125,9 @@ void CheckPlace(const MissionReading& reading, const SurveyFacts& survey, const 
     return;
   }
   if (const auto shape = SurveyShape::Of(area); shape && !shape->Wants(place.head<2>())) {
-    refuse(fmt::format("[{:g}, {:g}] is in a keep-out zone, where nobody looks", place.x(),
-                       place.y()));
+    const bool is_inside = shape->outline().Contains(place.head<2>());
+    refuse(fmt::format("[{:g}, {:g}] is {}, where nobody looks", place.x(), place.y(),
+                       is_inside ? "in a keep-out zone" : "on the border of the area"));
     return;
   }
   const double down = seabed.Depth(place.x(), place.y());

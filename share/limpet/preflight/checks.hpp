@@ -13,6 +13,8 @@ namespace limpet::internal {
 // Syntax.
 void CheckBlockNames(const MissionReading& reading, MissionProblems& found);
 void CheckGlobals(const MissionReading& reading, MissionProblems& found);
+/// Macros that a mission defines and nothing in its files uses: notes.
+void CheckMacros(const MissionReading& reading, MissionProblems& found);
 /// That the mission says which vehicle flies it, if it starts an app that needs to know.
 void CheckVehicle(const MissionReading& reading, MissionProblems& found);
 void CheckLaunches(const MissionReading& reading, MissionProblems& found);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "limpet/planning/region_fences.hpp"
 #include "limpet/preflight/checks.hpp"
 #include "limpet/survey/survey_shape.hpp"
 #include "limpet/vehicle/hydrodynamics.hpp"
@@ -16,40 +17,53 @@ namespace {
 
 constexpr double kTight = 1.3;  // lanes overlap, and objects want second looks
 
+/// Lanes, plans and pilot are good to a current of this share of the cruising speed.
+constexpr double kMostCurrent = 0.5;
+
 /// The way of a whole session [m].
 struct Ways {
   double transit = 0.0;  ///< from the start to the area, and at least as much back
   PathEstimate survey;
-  double farthest_home = 0.0;  ///< from the far corner of the area
+  double farthest_home = 0.0;     ///< from the far corner of the area
+  bool is_by_way_points = false;  ///< of the transit, to the area and home
   [[nodiscard]] double there() const { return transit + survey.total(); }
   [[nodiscard]] double round() const { return there() + transit; }
 };
 
-/// By the transit's way points, if there are any [m].
-double WayIn(const SurveyFacts& survey, PlanePoint at) {
-  double length = 0.0;
-  if (const auto shape = SurveyShape::Of(survey.area)) {
+/// Who starts inside the operating region needs no transit, on the way in or home.
+bool StartsInRegion(const MissionReading& reading, const SurveyShape& shape,
+                    const PlanePoint& start) {
+  const Meters allowance(reading.Find("pHelm", "tracking_allowance_m")->number());
+  const Meters margin(std::max(0.0, shape.margin() - allowance.value()));
+  return HoldingFence(shape, margin, allowance).Clearance(start) >= 0.0;
+}
+
+/// There and home, by the transit's way points where they are flown.
+void AddTransit(const MissionReading& reading, const SurveyFacts& survey, Ways& ways) {
+  const auto shape = SurveyShape::Of(survey.area);
+  if (!reading.scenario() || !shape) return;
+  const Scenario::Start& start = reading.scenario()->start;
+  PlanePoint at(start.north_m, start.east_m);
+  ways.is_by_way_points = !shape->transit().empty() && !StartsInRegion(reading, *shape, at);
+  double by_way_points = 0.0;
+  if (ways.is_by_way_points) {
     for (const PlanePoint& next : shape->transit()) {
-      length += (next - at).norm();
+      by_way_points += (next - at).norm();
       at = next;
     }
   }
-  return length + survey.Outside(at.x(), at.y());
+  ways.transit = by_way_points + survey.Outside(at.x(), at.y());
+  double farthest = 0.0;
+  for (const PlanePoint& corner : shape->outline().corners())
+    farthest = std::max(farthest, (corner - at).norm());
+  ways.farthest_home = farthest + by_way_points;
 }
 
 Ways WaysOf(const MissionReading& reading, const SurveyFacts& survey) {
   Ways ways{.transit = 0.0,
             .survey = EstimatePath(survey, reading.Find("pSurvey", "coverage_kind")->text,
                                    reading.Find("pSurvey", "coverage_target")->number())};
-  if (reading.scenario()) {
-    const Scenario::Start& start = reading.scenario()->start;
-    const SurveyArea& area = survey.area;
-    ways.transit = WayIn(survey, {start.north_m, start.east_m});
-    ways.farthest_home = std::hypot(
-        std::max(std::abs(start.north_m - area.north_min),
-                 std::abs(start.north_m - area.north_max)),
-        std::max(std::abs(start.east_m - area.east_min), std::abs(start.east_m - area.east_max)));
-  }
+  AddTransit(reading, survey, ways);
   return ways;
 }
 
@@ -101,8 +115,10 @@ void CheckWayHome(const MissionReading& reading, const SurveyFacts& survey, cons
   const double duration = ways.farthest_home / survey.speed.number();
   if (duration > give_up.number()) {
     found.geometry.push_back(give_up.Refuse(fmt::format(
-        "the way home from the far corner, {:.0f} m, takes {:.0f} s at {}; allowed: at least that",
-        ways.farthest_home, duration, survey.speed.Named())));
+        "the way home from the far corner{}, {:.0f} m, takes {:.0f} s at {}; allowed: at least "
+        "that",
+        ways.is_by_way_points ? " by the transit" : "", ways.farthest_home, duration,
+        survey.speed.Named())));
   }
 }
 
@@ -142,18 +158,21 @@ void CheckCurrent(const MissionReading& reading, const SurveyFacts& survey,
   const bool is_north = std::abs(water.current_north_mps) >= std::abs(water.current_east_mps);
   const SourceLine where =
       reading.InScenario(is_north ? "current_north_mps:" : "current_east_mps:");
-  if (current > 0.0 && (current >= speed || current + speed > top)) {
-    found.geometry.push_back(
-        {where, "water",
-         fmt::format(
-             "a current of {:.2f} m/s carries the vehicle away: {}, and it makes {:.2f} m/s "
-             "through the water at most; allowed: below {:.2f} m/s",
-             current, survey.speed.Named(), top, std::min(speed, std::max(0.0, top - speed)))});
-  } else if (current > 0.5 * speed) {
-    found.notes.push_back({where, "water",
-                           fmt::format("a current of {:.2f} m/s is more than half of {}", current,
-                                       survey.speed.Named())});
-  }
+  constexpr double kRounding = 1e-3;  // of components in text [m/s]
+  const double most = std::min(kMostCurrent * speed, std::max(0.0, top - speed));
+  if (current <= most + kRounding) return;
+  const bool is_carried = current >= speed || current + speed > top;
+  found.geometry.push_back(
+      {where, "water",
+       fmt::format("a current of {:.2f} m/s {}; allowed: up to {:.2f} m/s", current,
+                   is_carried
+                       ? fmt::format("carries the vehicle away: {}, and it makes {:.2f} m/s "
+                                     "through the water at most",
+                                     survey.speed.Named(), top)
+                       : fmt::format("is more than half of the cruising speed, {}: no survey is "
+                                     "good in it",
+                                     survey.speed.Named()),
+                   most)});
 }
 
 }  // namespace
@@ -178,8 +197,9 @@ void CheckEndurance(const MissionReading& reading, const SurveyFacts& survey,
   if (ways.transit > margin) {
     found.notes.push_back(
         {reading.InScenario("start:"), "start",
-         fmt::format("is {:.0f} m outside the area; the way in and back is part of the session",
-                     ways.transit)});
+         fmt::format("is {:.0f} m {} the area; the way in and back is part of the session",
+                     ways.transit,
+                     ways.is_by_way_points ? "of way, by the transit, from" : "outside")});
   }
 }
 

@@ -68,10 +68,12 @@ void CheckEnergy(const MissionReading& reading, const SurveyFacts& survey, const
   const double speed = survey.speed.number();
   const CruisePowers powers = PowersOf(reading.vehicle()->params, battery, speed, way.current_mps);
   if (!std::isfinite(powers.against_w)) return;  // it makes no way: that is said of the current
-  const double seconds_at_rest = reading.Find("pSurvey", "align_s")->number() +
-                                 reading.Find("pSurvey", "last_fix_s")->number();
-  const double home_wh = powers.against_w * way.home_m / speed / kJoulesPerWh;
-  const double out_j = powers.to_and_fro_w * way.out_m / speed + battery.hotel_w * seconds_at_rest;
+  const auto at_rest_j = [&](const char* wait) {
+    return battery.hotel_w * reading.Find("pSurvey", wait)->number();
+  };
+  const double home_wh =
+      (powers.against_w * way.home_m / speed + at_rest_j("last_fix_s")) / kJoulesPerWh;
+  const double out_j = powers.to_and_fro_w * way.out_m / speed + at_rest_j("align_s");
   const double needed_wh = out_j / kJoulesPerWh + home_wh;
   const Setting reserve = reading.Find("pSurvey", "energy_reserve_percent").value();
   const double charge = reading.scenario() ? reading.scenario()->errors.battery.charge : 1.0;
@@ -82,7 +84,8 @@ void CheckEnergy(const MissionReading& reading, const SurveyFacts& survey, const
                                .charged_wh = charged_wh,
                                .reserve_wh = charged_wh - usable_wh};
   const std::string text = fmt::format(
-      "the survey takes about {:.0f} Wh, {:.0f} Wh of them for the way home, at {}; "
+      "the survey takes about {:.0f} Wh, {:.0f} Wh of them for the way home with the wait at the "
+      "surface, at {}; "
       "the battery holds {:.0f} Wh, of which {} keeps {:.0f} Wh",
       needed_wh, home_wh, survey.speed.Named(), charged_wh, reserve.Named(),
       charged_wh - usable_wh);

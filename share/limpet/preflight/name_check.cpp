@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names that nobody reads: of blocks, of globals, of programs.
+// Names that nobody reads: of blocks, of globals, of programs, of macros.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -9,6 +9,7 @@
 #include "limpet/core/number_text.hpp"
 #include "limpet/core/word_distance.hpp"
 #include "limpet/mission/shared_settings.hpp"
+#include "limpet/mission/unused_macros.hpp"
 #include "limpet/preflight/checks.hpp"
 
 namespace limpet::internal {
@@ -222,6 +223,14 @@ void CheckGlobals(const MissionReading& reading, MissionProblems& found) {
     }
   }
   CheckMissingGlobals(reading, found);
+}
+
+void CheckMacros(const MissionReading& reading, MissionProblems& found) {
+  if (reading.apps().empty() || IsOthersAlone(reading.mission())) return;
+  std::vector<std::filesystem::path> files{reading.mission().file};
+  std::ranges::transform(reading.behavior_files(), std::back_inserter(files), &BehaviorFile::file);
+  for (const std::filesystem::path& file : files)
+    std::ranges::copy(UnusedMacros(file), std::back_inserter(found.notes));
 }
 
 void CheckLaunches(const MissionReading& reading, MissionProblems& found) {

@@ -133,6 +133,7 @@ void CheckSyntax(const MissionReading& reading, MissionProblems& found) {
   internal::CheckLaunches(reading, found);
   internal::CheckBlockNames(reading, found);
   internal::CheckGlobals(reading, found);
+  internal::CheckMacros(reading, found);
   internal::CheckVehicle(reading, found);
   internal::CheckBlocks(reading, found);
   internal::CheckBehaviors(reading, found);

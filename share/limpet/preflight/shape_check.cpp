@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // An area of its own shape: room to turn, what cannot be seen, zones in the way.
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,22 +19,38 @@ std::string PlaceText(const PlanePoint& at) {
   return fmt::format("x {:.1f}, y {:.1f}", at.y(), at.x());
 }
 
+std::optional<PlanePoint> StartOf(const MissionReading& reading) {
+  if (!reading.scenario()) return std::nullopt;
+  const Scenario::Start& start = reading.scenario()->start;
+  return PlanePoint(start.north_m, start.east_m);
+}
+
 void CheckUnseen(const MissionReading& reading, const SurveyFacts& survey, const Region& region,
                  MissionProblems& found) {
   const Setting radius = reading.Find("pHelm", "turning_radius_m").value();
   const Setting target = reading.Find("pSurvey", "coverage_target").value();
-  const auto unseen = UnseenGround(survey, region);
+  const std::optional<PlanePoint> start = StartOf(reading);
+  const auto unseen = UnseenGround(survey, region, start);
   if (!unseen) {
-    found.geometry.push_back(survey.area_line().Refuse(
-        fmt::format("a full turn of {} fits nowhere into the operating region", radius.Named())));
+    const bool is_anywhere = UnseenGround(survey, region, std::nullopt).has_value();
+    found.geometry.push_back(survey.area_line().Refuse(fmt::format(
+        "a full turn of {} fits nowhere into the operating region{}", radius.Named(),
+        is_anywhere ? fmt::format(" where it hangs together with the start, {}", PlaceText(*start))
+                    : "")));
     return;
   }
   constexpr double kWorthSaying = 0.002;
   if (unseen->share < kWorthSaying) return;
   const std::string text = fmt::format(
-      "about {:.1f} % of the area cannot be seen from where the vehicle may be and turn, first of "
+      "about {:.1f} % of the area cannot be seen from where the vehicle may be and turn{}, first "
+      "of "
       "all around {}",
-      100.0 * unseen->share, PlaceText(unseen->farthest_W));
+      100.0 * unseen->share,
+      unseen->is_start_shut_off
+          ? fmt::format(" from its start on, {}, which is shut off from where there is more room",
+                        PlaceText(*start))
+          : "",
+      PlaceText(unseen->farthest_W));
   if (unseen->share > 1.0 - target.number()) {
     found.geometry.push_back(survey.area_line().Refuse(
         fmt::format("{}; with {} the survey never ends", text, target.Named())));
@@ -45,9 +62,9 @@ void CheckUnseen(const MissionReading& reading, const SurveyFacts& survey, const
 /// The start, and the way from there.
 void CheckWayIn(const MissionReading& reading, const SurveyFacts& survey, const Region& region,
                 const SurveyShape& shape, MissionProblems& found) {
-  if (!reading.scenario()) return;
-  const Scenario::Start& start = reading.scenario()->start;
-  const PlanePoint from(start.north_m, start.east_m);
+  const std::optional<PlanePoint> start = StartOf(reading);
+  if (!start) return;
+  const PlanePoint& from = *start;
   for (const SimplePolygon& zone : shape.zones()) {
     if (zone.Contains(from)) {
       found.geometry.push_back(

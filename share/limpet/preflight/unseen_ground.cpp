@@ -46,9 +46,14 @@ double DistanceTo(const FreeSpace::Raster& raster, const std::vector<std::uint8_
 
 }  // namespace
 
-std::optional<UnseenShare> UnseenGround(const SurveyFacts& survey, const Region& region) {
+std::optional<UnseenShare> UnseenGround(const SurveyFacts& survey, const Region& region,
+                                        const std::optional<PlanePoint>& start) {
   const FreeSpace& space = *region.free_space();
-  const std::vector<std::uint8_t> room = RoomToTurn(space, survey.turning_radius);
+  const std::vector<std::uint8_t> largest = RoomToTurn(space, survey.turning_radius);
+  // Who comes from outside is led to the largest room.
+  const std::vector<std::uint8_t> room = start && region.Contains(start->x(), start->y())
+                                             ? RoomToTurnFrom(space, *start, survey.turning_radius)
+                                             : largest;
   const std::vector<PlanePoint> rim = RimOf(space.raster(), room);
   const auto shape = SurveyShape::Of(survey.area);
   if (rim.empty() || !shape) return std::nullopt;
@@ -60,7 +65,7 @@ std::optional<UnseenShare> UnseenGround(const SurveyFacts& survey, const Region&
   const double step =
       std::max(kFinestStep, std::sqrt((high - low).x() * (high - low).y() / kMostPlaces));
   double wanted = 0.0, unseen = 0.0, farthest = 0.0;
-  UnseenShare found;
+  UnseenShare found{.is_start_shut_off = room != largest};
   for (double north = low.x() + 0.5 * step; north < high.x(); north += step) {
     for (double east = low.y() + 0.5 * step; east < high.y(); east += step) {
       if (!shape->Wants({north, east})) continue;

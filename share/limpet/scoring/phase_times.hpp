@@ -10,13 +10,14 @@ namespace limpet {
 
 /// How long the mission manager was in one phase.
 struct PhaseTime {
-  std::string phase;  ///< ALIGN, DIVE, SURVEY, RETURN, ASCEND, FIX
+  std::string phase;  ///< ALIGN, DIVE, SURVEY, RETURN, ASCEND, FIX, DONE
   double seconds = 0.0;
 };
 
 /// Phases in the order in which they were first entered; one that was entered again counts once,
-/// with its whole time. Before the first and after the mission's end nothing counts. `end`: MOOS
-/// time of the last pose, where a session that was cut short ends.
+/// with its whole time. The wait for DEPLOY does not count; what comes after the mission's end is
+/// DONE, so that of a session that begins with DEPLOY they add up to its duration. `end`: MOOS time
+/// of the last pose.
 [[nodiscard]] std::vector<PhaseTime> TimesOfPhases(const SessionRecord& record, Seconds end);
 
 }  // namespace limpet

@@ -12,6 +12,7 @@
 
 #include "limpet/core/config.hpp"
 #include "limpet/core/number_text.hpp"
+#include "limpet/core/units.hpp"
 
 namespace limpet {
 namespace {
@@ -19,11 +20,24 @@ namespace {
 using Json = nlohmann::json;
 using Ring = std::vector<GeoPoint>;
 
-constexpr double kFarthest = 20e3;  ///< from the datum [m]
+constexpr double kFarthest = 20e3;        ///< from the datum [m]
+constexpr double kEarthRadius = 6.371e6;  ///< [m]
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 bool IsOnEarth(const GeoPoint& at) {
   // Written so that what is no number is refused.
   return std::abs(at.latitude_deg) <= 90.0 && std::abs(at.longitude_deg) <= 180.0;
+}
+
+/// Along the great circle [m].
+double DistanceBetween(const GeoPoint& a, const GeoPoint& b) {
+  const double north_a = RadiansFromDegrees(a.latitude_deg);
+  const double north_b = RadiansFromDegrees(b.latitude_deg);
+  const double by_north = std::sin(0.5 * (north_b - north_a));
+  const double by_east = std::sin(0.5 * RadiansFromDegrees(b.longitude_deg - a.longitude_deg));
+  const double square =
+      by_north * by_north + std::cos(north_a) * std::cos(north_b) * by_east * by_east;
+  return 2.0 * kEarthRadius * std::asin(std::sqrt(std::min(1.0, square)));
 }
 
 /// Longitude first, as both formats have it.
@@ -123,6 +137,16 @@ pugi::xpath_node_set ElementsIn(const pugi::xml_node& node, const std::string& n
   return node.select_nodes((".//*[local-name()='" + name + "']").c_str());
 }
 
+/// All of it: a comment or a CDATA section in it parts it.
+std::string TextIn(const pugi::xml_node& element) {
+  std::string text;
+  for (const pugi::xml_node& part : element.children()) {
+    const bool is_text = part.type() == pugi::node_pcdata || part.type() == pugi::node_cdata;
+    if (is_text) text += part.value();
+  }
+  return text;
+}
+
 /// `longitude,latitude[,altitude]`, apart by blanks and line ends.
 Expected<Ring> RingOfKml(const pugi::xml_node& boundary) {
   const pugi::xpath_node_set found = ElementsIn(boundary, "coordinates");
@@ -131,7 +155,8 @@ Expected<Ring> RingOfKml(const pugi::xml_node& boundary) {
   }
   Ring ring;
   constexpr std::string_view kBlanks = " \t\r\n";
-  std::string_view rest = found[0].node().child_value();
+  const std::string text = TextIn(found[0].node());
+  std::string_view rest = text;
   for (;;) {
     rest.remove_prefix(std::min(rest.find_first_not_of(kBlanks), rest.size()));
     if (rest.empty()) break;
@@ -183,6 +208,7 @@ Expected<std::vector<GeoPolygon>> PolygonsOfKml(std::string_view text) {
 }  // namespace
 
 Expected<GeoPolygon> ParseGeoArea(std::string_view text) {
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   text = Trim(text);
   auto polygons = text.starts_with('<') ? PolygonsOfKml(text) : PolygonsOfJson(text);
   if (!polygons) return polygons.error();
@@ -200,10 +226,11 @@ Expected<std::vector<PlanePoint>> PlacesOnGrid(const std::vector<GeoPoint>& ring
     const std::optional<PlanePoint> place = grid.Above(corner);
     if (!place || place->norm() > kFarthest) {
       return Error{fmt::format(
-          "has a corner at latitude {:g}, longitude {:g}, {} from the mission's LatOrigin {:g}, "
+          "has a corner at latitude {:g}, longitude {:g}, {}{:.0f} km from the mission's LatOrigin "
+          "{:g}, "
           "LongOrigin {:g}; allowed: up to {:g} km (is longitude first in the file?)",
           corner.latitude_deg, corner.longitude_deg,
-          place ? fmt::format("{:.0f} km", place->norm() / 1e3) : "on the other side of the earth",
+          place ? "" : "on the other side of the earth, ", DistanceBetween(datum, corner) / 1e3,
           datum.latitude_deg, datum.longitude_deg, kFarthest / 1e3)};
     }
     places.push_back(*place);

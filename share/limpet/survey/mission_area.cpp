@@ -2,6 +2,7 @@
 #include "limpet/survey/mission_area.hpp"
 
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <ios>
 #include <iterator>
@@ -101,7 +102,12 @@ Expected<SurveyArea, AreaProblem> FromFile(const SurveyParams& params, const Sit
   if (!latitude || !longitude) {
     return GeoProblem(params, "needs a datum: the mission says no LatOrigin and LongOrigin");
   }
-  std::ifstream in(site.folder / params.area_geojson, std::ios::binary);
+  const std::filesystem::path file = site.folder / params.area_geojson;
+  if (std::filesystem::is_directory(file)) {
+    return GeoProblem(params, fmt::format("is a folder, {}; allowed: a GeoJSON or KML file",
+                                          file.lexically_normal().string()));
+  }
+  std::ifstream in(file, std::ios::binary);
   const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   if (!in.good() && text.empty()) return GeoProblem(params, "cannot be read");
   const auto geo = ParseGeoArea(text);

@@ -39,7 +39,8 @@ inline const auto kSurveyAreaRequest = Declare<std::string>(
     "area to survey in place of the mission's, before the dive: "
     "[hash=h,]area={x,y:x,y:x,y}[,keep_out={..}{..}][,operating_region={..}][,transit={..}]"
     "[,margin=m][,object_height_max=m]; h, XXH3 (64 bits, hexadecimal) of all behind its comma, "
-    "says that it came whole",
+    "says that it came whole; the mission's zones, region and transit all go: those that are to "
+    "stay are said again",
     {.unit = "m",
      .frame = "x east, y north",
      .rate = "on event",

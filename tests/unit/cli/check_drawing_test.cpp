@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/unit/cli/mission_copy.hpp"
 
@@ -30,6 +31,22 @@ TEST(CheckDrawing, ShowsGroundZonesWayPointsAndStart) {
   EXPECT_THAT(text, HasSubstr("S\n"));
   EXPECT_THAT(text, HasSubstr(" o\n"));
   EXPECT_THAT(text, HasSubstr("1565 m2 to be seen; lanes and turns of about"));
+}
+
+TEST(CheckDrawing, ShowsAnAreaThatIsNarrowerThanALetter) {
+  const MissionCopy mission;
+  mission.Apply({kMoos, "#define BAND",
+                 "#define AREA pts={0,0:1200,0:1200,8:0,8}\n#define LONGEST 99999\n#define BAND"});
+  const std::string text = Check({mission.path().string(), "--draw"}).text;
+  EXPECT_THAT(text, HasSubstr("::::::::::::::::::::")) << text;
+}
+
+TEST(CheckDrawing, LeavesJsonWhole) {
+  testing::internal::CaptureStderr();
+  const std::string folder = std::string(LIMPET_SOURCE_DIR) + "/missions/harbour";
+  const Checked checked = Check({folder, "--json", "--draw"});
+  EXPECT_TRUE(nlohmann::json::accept(checked.text)) << checked.text;
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr(":::"));
 }
 
 TEST(CheckDrawing, WritesAPictureOfTheArea) {

@@ -121,6 +121,37 @@ INSTANTIATE_TEST_SUITE_P(
              {{kMoos, "#define BAND", "#define AREA_GEOJSON area.kml\n#define BAND"}},
              3,
              {"area_geojson: area.kml cannot be read"}},
+        Slip{"AFolderForAFile",
+             {{kMoos, "#define BAND", "#define AREA_GEOJSON .\n#define BAND"}},
+             3,
+             {"area_geojson: . is a folder, ", "allowed: a GeoJSON or KML file"}},
+        Slip{"TwoAreas",
+             {{kMoos, "#define BAND",
+               "#define AREA pts={0,0:20,0:0,20}\n#define AREA_GEOJSON area.kml\n#define BAND"}},
+             2,
+             {"area_geojson: is given beside `area` or its edges; allowed: one of them"}},
+        Slip{"ANinthZone",
+             {{kMoos, "#define BAND", "#define KEEP_OUT_9 pts={9,1:11,1:11,3:9,3}\n#define BAND"}},
+             3,
+             {"OPI 2: discovery [2, 10] is in a keep-out zone"}},
+        Slip{"ATenthZone",
+             {{kMoos, "#define BAND", "#define KEEP_OUT_10 pts={9,1:11,1:11,3:9,3}\n#define BAND"}},
+             0,
+             {"note: #define: nothing in the mission's files uses the macro `KEEP_OUT_10`; nearest "
+              "that is: `KEEP_OUT"}},
+        Slip{
+            "AnObjectOnTheBorder",
+            {{kMoos, "#define BAND", "#define AREA pts={-18,-15:18,-15:18,2:-18,2}\n#define BAND"}},
+            3,
+            {"OPI 2: discovery [2, 10] is on the border of the area"}},
+        Slip{"AStartThatAZoneShutsOff",
+             {{kMoos, "#define BAND",
+               "#define COVERAGE_TARGET 0.85\n#define AREA pts={-20,-20:20,-20:20,20:-20,20}\n"
+               "#define KEEP_OUT pts={-30,-7:-7,-7:-7,-30:-5,-30:-5,-5:-30,-5}\n#define BAND"}},
+             3,
+             {"% of the area cannot be seen from where the vehicle may be and turn from its start "
+              "on, x -15.5, y -12.5, which is shut off",
+              "first of all around x 19.7, y 19.7"}},
         Slip{"AZoneThatSwallowsTheArea",
              {{kMoos, "#define BAND",
                "#define KEEP_OUT pts={-30,-30:30,-30:30,30:-30,30}\n#define BAND"}},
@@ -227,15 +258,40 @@ INSTANTIATE_TEST_SUITE_P(
              2,
              {"scenario.yaml:3: errors.camera.pitch_deg: `60` is not allowed; allowed: -20 to 20 "
               "deg"}},
+        Slip{"ACurrentOfMoreThanHalfTheSpeed",
+             {{kTruth, "current_east_mps: 0", "current_east_mps: 0.26"}},
+             3,
+             {"a current of 0.26 m/s is more than half of the cruising speed",
+              "allowed: up to 0.25 m/s"}},
+        Slip{"ATideOfMoreThanHalfTheSpeed",
+             {{kTruth, "current_north_mps: 0",
+               "tide_period_s: 900, tide_share: 0.5, current_north_mps: 0.2"}},
+             3,
+             {"a current of 0.30 m/s is more than half of the cruising speed"}},
+        Slip{"AWayHomeByTheTransit",
+             {{kMoos, "#define BAND",
+               "#define TRANSIT pts={60,590:0,590}\n#define LONGEST 12000\n#define BAND"},
+              {kTruth, "north_m: -12.5, east_m: -15.5", "north_m: 0, east_m: 60"}},
+             3,
+             {"give_up_s: the way home from the far corner by the transit, 12",
+              "allowed: at least"}},
         Slip{"ACurrentAsFastAsTheVehicle",
              {{kTruth, "current_east_mps: 0", "current_east_mps: -0.5"}},
              3,
-             {"a current of 0.50 m/s"}},
+             {"a current of 0.50 m/s carries the vehicle away"}},
         Slip{"ACurrentThatItCanTake",
-             {{kTruth, "current_east_mps: 0", "current_east_mps: 0.15"}},
+             {{kTruth, "current_east_mps: 0", "current_east_mps: 0.25"}},
              0,
              {"no problems\n"}}),
     [](const auto& slip) { return slip.param.name; });
+
+TEST(CheckTransit, IsNoPartOfASessionThatBeginsInsideTheRegion) {
+  const MissionCopy mission;
+  mission.Apply({kMoos, "#define BAND", "#define TRANSIT pts={100,100}\n#define BAND"});
+  const Checked checked = mission.Run();
+  EXPECT_EQ(checked.exit_code, 0) << checked.text;
+  EXPECT_THAT(checked.text, testing::Not(testing::HasSubstr("the area; the way in and back")));
+}
 
 }  // namespace
 }  // namespace limpet

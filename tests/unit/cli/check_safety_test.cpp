@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"ABatteryThatTheSafetyRuleTakesForLow",
              {{"scenario.yaml", "seabed:", "errors: {battery: {charge: 0.3}}\nseabed:"}},
              3,
-             {"battery_low_percent: `25`: rule battery_low would end the survey: 23 % are left"}},
+             {"battery_low_percent: `25`: rule battery_low would end the survey: 24 % are left"}},
         Slip{"AReserveThatIsAllOfIt",
              {{PlugOf("pSurvey"), "ProcessConfig = pSurvey\n{\n",
                "ProcessConfig = pSurvey\n{\n  energy_reserve_percent = 95\n"}},

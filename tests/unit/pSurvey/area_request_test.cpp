@@ -73,6 +73,52 @@ TEST_F(AreaRequest, IsRefusedWithTheReasonAndChangesNothing) {
   EXPECT_FALSE(link_.Last(topics::kSurveyArea));
 }
 
+TEST_F(AreaRequest, WithAKeyThatNothingKnowsIsRefusedWithTheNearest) {
+  SurveyApp app(Context(), Mission());
+  const std::string area = "area={0,0:20,0:20,20:0,20}";
+  EXPECT_THAT(AnswerTo(app, area + ",keep_outt={2,2:4,2:4,4}").why,
+              HasSubstr("nothing knows `keep_outt`; nearest known: `keep_out`"));
+  EXPECT_THAT(AnswerTo(app, area + ",zzz=1").why, HasSubstr("allowed: area, keep_out"));
+  EXPECT_THAT(AnswerTo(app, area + ",margin=1,margin=2").why, HasSubstr("`margin` is said twice"));
+  EXPECT_FALSE(link_.Last(topics::kSurveyArea));
+}
+
+TEST_F(AreaRequest, BeyondWhatAMissionMaySayIsRefused) {
+  SurveyApp app(Context(), Mission());
+  const std::string area = "area={0,0:20,0:20,20:0,20}";
+  EXPECT_THAT(AnswerTo(app, area + ",margin=101").why,
+              HasSubstr("margin_m: `101` is not allowed; allowed: 0 to 100"));
+  EXPECT_THAT(AnswerTo(app, area + ",object_height_max=11").why, HasSubstr("allowed: 0 to 10"));
+  EXPECT_THAT(AnswerTo(app, area + ",object_height_max=4").why,
+              HasSubstr("nothing of the band's top would be seen; allowed: below pSurvey "
+                        "altitude_m = 4"));
+  EXPECT_TRUE(AnswerTo(app, area + ",margin=100,object_height_max=3.5").is_accepted);
+}
+
+TEST_F(AreaRequest, WhoseRegionDoesNotHoldItIsRefused) {
+  SurveyApp app(Context(), Mission());
+  const std::string area = "area={0,0:20,0:20,20:0,20}";
+  EXPECT_THAT(AnswerTo(app, area + ",operating_region={0,0:20,0:20,10:0,10}").why,
+              HasSubstr("`operating_region` does not hold the area"));
+  EXPECT_THAT(
+      AnswerTo(app, area + ",operating_region={-5,-5:9,-5:10,25:11,-5:25,-5:25,30:-5,30}").why,
+      HasSubstr("does not hold the area"))
+      << "a notch between the corners";
+  const SurveyAreaAnswer same = AnswerTo(app, area + ",operating_region={0,0:20,0:20,20:0,20}");
+  EXPECT_TRUE(same.is_accepted) << same.why;
+}
+
+TEST_F(AreaRequest, FarFromTheVehicleIsRefused) {
+  SurveyApp app(Context(), Mission());
+  const std::string far = "area={90000,0:90020,0:90020,20:90000,20}";
+  EXPECT_THAT(AnswerTo(app, far).why,
+              HasSubstr("90 km from the mission's datum; allowed: up to 20"));
+  NavState nav{.altitude = 7.5};
+  nav.east = 60000.0;
+  link_.Send(app, topics::kNavState, nav);
+  EXPECT_THAT(AnswerTo(app, far).why, HasSubstr("30 km from the vehicle"));
+}
+
 TEST_F(AreaRequest, IsRefusedUnderWater) {
   SurveyApp app(Context(), Mission());
   DiveUnder(app);

@@ -161,27 +161,46 @@ TEST(RestOfWay, BeginsWithTheFirstPlaceForOneWhoIsNotThereYet) {
   EXPECT_EQ(RestOfWay(way, {-3.0, 16.0}, Meters(3.0)).size(), 1U);
 }
 
+/// Two squares joined by a passage of 4 m, too narrow for turns of 3 m; the western one is larger.
+Region TwoRooms() {
+  SurveyArea area = AreaWithin({{0, 0},
+                                {0, 20},
+                                {8, 20},
+                                {8, 30},
+                                {0, 30},
+                                {0, 44},
+                                {14, 44},
+                                {14, 30},
+                                {12, 30},
+                                {12, 20},
+                                {20, 20},
+                                {20, 0}});
+  area.margin = 0.0;
+  return Region(area);
+}
+
 TEST(RoomToTurn, IsTheLargestPieceWhereAFullTurnFits) {
-  // Two squares joined by a passage of 4 m, too narrow for turns of 3 m.
-  const SurveyArea area = AreaWithin({{0, 0},
-                                      {0, 20},
-                                      {8, 20},
-                                      {8, 30},
-                                      {0, 30},
-                                      {0, 44},
-                                      {14, 44},
-                                      {14, 30},
-                                      {12, 30},
-                                      {12, 20},
-                                      {20, 20},
-                                      {20, 0}});
-  SurveyArea tight = area;
-  tight.margin = 0.0;
-  const Region region(tight);
+  const Region region = TwoRooms();
   const auto near_small = NearestRoom(*region.free_space(), {7.0, 40.0}, 3.0);
   ASSERT_TRUE(near_small);
   EXPECT_LT(near_small->y(), 18.0);
   EXPECT_FALSE(NearestRoom(*region.free_space(), {7.0, 40.0}, 12.0));
+}
+
+TEST(RoomToTurn, OfAStartIsThePieceThatItIsInOrThatIsNearest) {
+  const Region region = TwoRooms();
+  const FreeSpace& space = *region.free_space();
+  const auto holds = [&space](const std::vector<std::uint8_t>& room, const PlanePoint& at) {
+    return room[*space.raster().At(at)] != 0;
+  };
+  const PlanePoint west(10.0, 10.0), east(7.0, 37.0), middle(10.0, 25.0), corner(0.5, 43.5);
+  for (const PlanePoint& start : {east, corner}) {
+    const auto room = RoomToTurnFrom(space, start, 3.0);
+    EXPECT_TRUE(holds(room, east));
+    EXPECT_FALSE(holds(room, west)) << "through the passage no turn leads";
+  }
+  EXPECT_TRUE(holds(RoomToTurnFrom(space, middle, 3.0), west)) << "both are as near: the larger";
+  EXPECT_FALSE(holds(RoomToTurnFrom(space, {500.0, 0.0}, 3.0), west)) << "out of the raster";
 }
 
 }  // namespace

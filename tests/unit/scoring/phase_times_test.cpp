@@ -15,18 +15,21 @@ SessionRecord Through(const std::vector<std::pair<double, std::string>>& phases)
 
 TEST(PhaseTimes, CountEachPhaseUntilTheNextOne) {
   const auto times = TimesOfPhases(
-      Through({{0.0, "IDLE"}, {10.0, "ALIGN"}, {70.0, "DIVE"}, {95.0, "DONE"}}), Seconds(500.0));
-  ASSERT_EQ(times.size(), 2U) << "neither the wait for DEPLOY nor what comes after the end";
+      Through({{0.0, "IDLE"}, {10.0, "ALIGN"}, {70.0, "DIVE"}, {95.0, "DONE"}}), Seconds(98.0));
+  ASSERT_EQ(times.size(), 3U) << "the wait for DEPLOY does not count";
   EXPECT_EQ(times[0].phase, "ALIGN");
   EXPECT_DOUBLE_EQ(times[0].seconds, 60.0);
   EXPECT_DOUBLE_EQ(times[1].seconds, 25.0);
+  EXPECT_EQ(times[2].phase, "DONE");
+  EXPECT_DOUBLE_EQ(times[0].seconds + times[1].seconds + times[2].seconds, 88.0)
+      << "they add up to the time since DEPLOY";
 }
 
 TEST(PhaseTimes, CountAPhaseThatIsEnteredAgainOnce) {
   const auto times =
       TimesOfPhases(Through({{0.0, "SURVEY"}, {10.0, "RETURN"}, {30.0, "SURVEY"}, {35.0, "DONE"}}),
                     Seconds(40.0));
-  ASSERT_EQ(times.size(), 2U);
+  ASSERT_EQ(times.size(), 3U);
   EXPECT_DOUBLE_EQ(times[0].seconds, 15.0);
   EXPECT_DOUBLE_EQ(times[1].seconds, 20.0);
 }

@@ -50,6 +50,20 @@ TEST(GeoArea, OfKmlIsReadAsXmlIs) {
   EXPECT_DOUBLE_EQ(area->outline[2].latitude_deg, 44.0);
 }
 
+TEST(GeoArea, OfKmlIsReadToItsEndWhateverCommentStandsAmongTheCorners) {
+  const auto area = ParseGeoArea(
+      "<kml><Polygon><outerBoundaryIs><LinearRing><coordinates>10,43 11,43 <!-- the pier --> "
+      "11,44<![CDATA[ 10,44]]></coordinates></LinearRing></outerBoundaryIs></Polygon></kml>");
+  ASSERT_TRUE(area) << area.error().text;
+  EXPECT_EQ(area->outline.size(), 4U);
+}
+
+TEST(GeoArea, MayBeginWithAByteOrderMark) {
+  for (const char* text : {kJson, kKml}) {
+    EXPECT_EQ(GeoProblemOf(std::string("\xEF\xBB\xBF") + text), "");
+  }
+}
+
 TEST(GeoArea, ComesOutOnTheGridWhereTheGridSaysItIs) {
   const GeoPoint datum{.latitude_deg = 43.721, .longitude_deg = 10.283};
   const LocalGrid grid(datum);
@@ -66,7 +80,10 @@ TEST(GeoArea, OfAnotherHemisphereOrWithItsCoordinatesExchangedIsRefused) {
     return PlacesOnGrid({at}, datum).error().text;
   };
   EXPECT_THAT(problem({-43.721, 10.283}), HasSubstr("latitude -43.721"));
-  EXPECT_THAT(problem({-43.721, -169.717}), HasSubstr("on the other side of the earth"));
+  EXPECT_THAT(problem({-43.721, 10.283}), HasSubstr(", 9723 km from the mission's LatOrigin"))
+      << "over the ground, not through the earth";
+  EXPECT_THAT(problem({-43.721, -169.717}),
+              HasSubstr("on the other side of the earth, 20015 km from"));
   EXPECT_THAT(problem({10.283, 43.721}), HasSubstr("is longitude first in the file?"));
   EXPECT_THAT(problem({44.221, 10.283}), HasSubstr("56 km from the mission's LatOrigin 43.721"));
 }
