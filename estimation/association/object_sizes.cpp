@@ -31,19 +31,23 @@ void ObjectSizes::Learn(const std::vector<SizeSlot>& seen) {
   // What is not known of a size leaves the spread as it is: its variance is the spread's own.
   constexpr double kBelieved = 4.0;  // objects that the stated spread is worth
   double sum = kBelieved * stated_spread_ * stated_spread_;
-  for (const SizeSlot& size : seen)
-    sum += std::pow(smoother_->BorderAt(size.slot)(size.index), 2) + VarianceOf(size);
+  for (const SizeSlot& size : seen) {
+    if (smoother_->IsAtHand(size.slot) || !variances_.contains(size.slot))
+      variances_.insert_or_assign(size.slot, Variances(size.slot));
+    sum += std::pow(smoother_->BorderAt(size.slot)(size.index), 2) +
+           std::max(variances_.at(size.slot)(size.index), 0.0);
+  }
   *spread_ = std::sqrt(sum / (kBelieved + static_cast<double>(seen.size())));
 }
 
 double ObjectSizes::VarianceOf(const SizeSlot& size) const {
-  const bool is_at_hand = smoother_->IsAtHand(size.slot);
-  auto known = variances_.find(size.slot);
-  if (is_at_hand || known == variances_.end()) {
-    const Eigen::Vector3d now = smoother_->Covariance({size.slot}).diagonal().tail<3>();
-    known = variances_.insert_or_assign(size.slot, now).first;
-  }
-  return std::max(known->second(size.index), 0.0);
+  const auto known = variances_.find(size.slot);
+  const bool is_known = known != variances_.end() && !smoother_->IsAtHand(size.slot);
+  return std::max((is_known ? known->second : Variances(size.slot))(size.index), 0.0);
+}
+
+Eigen::Vector3d ObjectSizes::Variances(int slot) const {
+  return smoother_->Covariance({slot}).diagonal().tail<3>();
 }
 
 }  // namespace limpet

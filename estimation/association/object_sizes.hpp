@@ -31,7 +31,7 @@ class ObjectSizes {
   [[nodiscard]] double LogSizeAt(const SizeSlot& size) const {
     return size.believed + smoother_->BorderAt(size.slot)(size.index);
   }
-  /// Of the logarithm; of an object far from the vehicle, what it was when it was near.
+  /// Of the logarithm; of an object far from the vehicle, what it was when sizes were last learnt.
   [[nodiscard]] double VarianceOf(const SizeSlot& size) const;
   /// How much sizes differ, from those seen so far; nothing new if these are as many as before.
   void Learn(const std::vector<SizeSlot>& seen);
@@ -39,11 +39,13 @@ class ObjectSizes {
   [[nodiscard]] double spread() const { return *spread_; }
 
  private:
+  [[nodiscard]] Eigen::Vector3d Variances(int slot) const;
+
   double stated_spread_;
   std::shared_ptr<double> spread_;  ///< the priors read it
   std::size_t learnt_from_ = 0;     ///< objects
-  /// By slot, as of the last time that it was at hand.
-  mutable std::map<int, Eigen::Vector3d> variances_;
+  /// By slot, as of the last time that sizes were learnt while it was at hand.
+  std::map<int, Eigen::Vector3d> variances_;
   Smoother* smoother_;
   SizeSlot next_{.slot = -1};
 };

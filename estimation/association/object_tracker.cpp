@@ -117,11 +117,11 @@ void ObjectTracker::DropStale() {
   });
 }
 
-std::optional<ObjectTracker::Radius> ObjectTracker::RadiusOf(const TrackedObject& landmark) const {
+std::optional<ObjectSize> ObjectTracker::SizeOf(const TrackedObject& landmark) const {
   if (!landmark.size()) return std::nullopt;
   const ObjectSizes& sizes = terms_.sizes();
   const double radius = params_.model.radius_m * std::exp(sizes.LogSizeAt(*landmark.size()));
-  return Radius{.value = radius, .sd = radius * std::sqrt(sizes.VarianceOf(*landmark.size()))};
+  return ObjectSize{.radius = radius, .sd = radius * std::sqrt(sizes.VarianceOf(*landmark.size()))};
 }
 
 bool ObjectTracker::Review() {

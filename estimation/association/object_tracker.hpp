@@ -51,11 +51,8 @@ class ObjectTracker {
   [[nodiscard]] const std::vector<TrackedObject>& objects() const { return tracks_.objects; }
   [[nodiscard]] std::vector<TrackedObject>& objects() { return tracks_.objects; }
   [[nodiscard]] const CameraMount& mount() const { return mount_; }
-  /// Radius of a landmark [m] and its 1-sigma; nothing if sizes are taken for known.
-  struct Radius {
-    double value = 0.0, sd = 0.0;
-  };
-  [[nodiscard]] std::optional<Radius> RadiusOf(const TrackedObject& landmark) const;
+  /// Nothing if sizes are taken for known.
+  [[nodiscard]] std::optional<ObjectSize> SizeOf(const TrackedObject& landmark) const;
   [[nodiscard]] int rejected_observations() const { return review_.rejected(); }
 
  private:

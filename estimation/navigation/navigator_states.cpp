@@ -57,8 +57,8 @@ std::vector<NamedState> Navigator::Sizes() const {
   std::vector<NamedState> sizes;
   for (const TrackedObject& object : tracker_.objects()) {
     if (!object.is_landmark()) continue;
-    if (const auto radius = tracker_.RadiusOf(object))
-      sizes.push_back({fmt::format("radius_{}", object.id()), radius->value, radius->sd});
+    if (const auto size = tracker_.SizeOf(object))
+      sizes.push_back({fmt::format("radius_{}", object.id()), size->radius, size->sd});
     if (object.motion_sd > 0.0)
       sizes.push_back({fmt::format("motion_{}", object.id()), object.motion_sd, 0.0});
   }

@@ -116,7 +116,9 @@ OrderedJson JsonOf(const OpiBelief& opi) {
           {"p_present", opi.posterior.present()},
           {"ned_m", {p_W.x(), p_W.y(), p_W.z()}},
           {"sd_m", {sigma.x(), sigma.y(), sigma.z()}},
-          {"looks", opi.looks}};
+          {"looks", opi.looks},
+          {"radius_m", opi.object.size ? OrderedJson(opi.object.size->radius) : nullptr},
+          {"radius_sd_m", opi.object.size ? OrderedJson(opi.object.size->sd) : nullptr}};
 }
 
 OrderedJson DatumJson(const SessionFacts& facts) {

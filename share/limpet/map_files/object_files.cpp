@@ -21,6 +21,11 @@ std::vector<OpiBelief> ObjectsOf(const SavedSession& session) {
   return objects;
 }
 
+/// Two columns, empty where nobody estimated it.
+std::string SizeFields(const std::optional<ObjectSize>& size) {
+  return size ? fmt::format("{:.3f},{:.3f}", size->radius, size->sd) : ",";
+}
+
 OrderedJson FeatureOf(const OpiBelief& opi, const LocalGrid& grid) {
   const Eigen::Vector3d& p_W = opi.object.p_W;
   const Eigen::Vector3d sigma = opi.object.sd_W();
@@ -35,7 +40,9 @@ OrderedJson FeatureOf(const OpiBelief& opi, const LocalGrid& grid) {
             {"sd_north_m", sigma.x()},
             {"sd_east_m", sigma.y()},
             {"sd_down_m", sigma.z()},
-            {"looks", opi.looks}}}};
+            {"looks", opi.looks},
+            {"radius_m", opi.object.size ? OrderedJson(opi.object.size->radius) : nullptr},
+            {"radius_sd_m", opi.object.size ? OrderedJson(opi.object.size->sd) : nullptr}}}};
 }
 
 OrderedJson FeatureOf(const SurveyArea& area, const LocalGrid& grid) {
@@ -60,15 +67,16 @@ OrderedJson FeatureOf(const SurveyArea& area, const LocalGrid& grid) {
 std::string ObjectsToCsv(const SavedSession& session) {
   std::string text =
       "id,class,decided,p_present,north_m,east_m,down_m,sd_north_m,sd_east_m,sd_down_m,"
-      "latitude_deg,longitude_deg,looks\n";
+      "latitude_deg,longitude_deg,looks,radius_m,radius_sd_m\n";
   const std::optional<GeoPoint> datum = DatumOf(session.facts);
   for (const OpiBelief& opi : ObjectsOf(session)) {
     const Eigen::Vector3d& p_W = opi.object.p_W;
     const Eigen::Vector3d sigma = opi.object.sd_W();
     fmt::format_to(std::back_inserter(text),
-                   "{},{},{},{:.4f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{},{}\n", opi.id,
+                   "{},{},{},{:.4f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{},{},{}\n", opi.id,
                    opi.object.color, NameOf(opi.decided), opi.posterior.present(), p_W.x(), p_W.y(),
-                   p_W.z(), sigma.x(), sigma.y(), sigma.z(), GeoFields(datum, p_W), opi.looks);
+                   p_W.z(), sigma.x(), sigma.y(), sigma.z(), GeoFields(datum, p_W), opi.looks,
+                   SizeFields(opi.object.size));
   }
   return text;
 }

@@ -13,10 +13,17 @@ namespace limpet {
 
 /// Where an object is believed to be, and what it is. W is the north-east-down frame of the session
 /// that says so.
+/// Of an object taken for a sphere.
+struct ObjectSize {
+  double radius = 0.0;  ///< [m]
+  double sd = 0.0;      ///< [m]
+};
+
 struct ObjectEstimate {
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();    ///< of its centre [m]
   Eigen::Matrix3d cov_W = Eigen::Matrix3d::Zero();  ///< [m^2]
   std::string color;                                ///< class, as Box::color
+  std::optional<ObjectSize> size = std::nullopt;    ///< nothing where it is not estimated
   /// Standard deviation along each axis [m].
   [[nodiscard]] Eigen::Vector3d sd_W() const { return cov_W.diagonal().cwiseMax(0.0).cwiseSqrt(); }
 };

@@ -44,6 +44,11 @@ OrderedJson Navigation(const NavScore& nav) {
           {"nees_mean", Optional(nav.nees_mean, Share)}};
 }
 
+/// As the vehicle estimates it; null where it does not.
+OrderedJson RadiusJson(const OpiBelief& opi) {
+  return opi.object.size ? OrderedJson(Length(opi.object.size->radius)) : OrderedJson(nullptr);
+}
+
 OrderedJson Opis(const std::vector<OpiScore>& opis) {
   OrderedJson list = OrderedJson::array();
   for (const OpiScore& opi : opis) {
@@ -55,7 +60,8 @@ OrderedJson Opis(const std::vector<OpiScore>& opis) {
                     {"map_sd_m", PointJson(opi.belief.centroid_sd)},
                     {"error_m", Length(opi.error_m)},
                     {"aligned_error_m", Length(opi.aligned_error_m)},
-                    {"looks", opi.belief.looks}});
+                    {"looks", opi.belief.looks},
+                    {"radius_m", RadiusJson(opi.belief)}});
   }
   return list;
 }
@@ -72,6 +78,7 @@ OrderedJson Opis(const std::vector<OpiBelief>& opis) {
                     {"error_m", nullptr},
                     {"aligned_error_m", nullptr},
                     {"looks", opi.looks},
+                    {"radius_m", RadiusJson(opi)},
                     {"class", opi.object.color},
                     {"probability", Share(opi.posterior.present())}});
   }

@@ -188,6 +188,7 @@ OpiBelief SmoothedBelief(OpiBelief opi, const std::vector<Landmark>& landmarks) 
   for (const Landmark& landmark : landmarks) {
     if (opi.landmark < 0 || landmark.id != opi.landmark) continue;
     opi.object.p_W = landmark.object.p_W, opi.object.cov_W = landmark.object.cov_W;
+    opi.object.size = landmark.object.size;
   }
   return opi;
 }

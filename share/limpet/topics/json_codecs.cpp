@@ -68,6 +68,10 @@ void AddEstimate(const ObjectEstimate& object, nlohmann::json& out) {
   out["ned"] = TripleOf(object.p_W);
   out["cov"] = {S(0, 0), S(0, 1), S(0, 2), S(1, 1), S(1, 2), S(2, 2)};
   out["color"] = object.color;
+  if (object.size) {
+    out["radius_m"] = object.size->radius;
+    out["radius_sd_m"] = object.size->sd;
+  }
 }
 
 ObjectEstimate EstimateFrom(const nlohmann::json& in) {
@@ -76,6 +80,8 @@ ObjectEstimate EstimateFrom(const nlohmann::json& in) {
   object.cov_W << cov[0], cov[1], cov[2],  //
       cov[1], cov[3], cov[4],              //
       cov[2], cov[4], cov[5];
+  if (in.contains("radius_m") && in.contains("radius_sd_m"))
+    object.size = ObjectSize{.radius = in.at("radius_m"), .sd = in.at("radius_sd_m")};
   return object;
 }
 

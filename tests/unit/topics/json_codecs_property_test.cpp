@@ -37,7 +37,9 @@ class Maker {
         Eigen::MatrixXd::NullaryExpr(size, size, [this] { return random_.Uniform(-1.0, 1.0); });
     return half * half.transpose();
   }
-  ObjectEstimate Object() { return {Place(), Symmetric(3), Word()}; }
+  ObjectEstimate Object() {
+    return {Place(), Symmetric(3), Word(), ObjectSize{.radius = Real(), .sd = Real()}};
+  }
   Box OneBox() {
     return {.u = Real(), .v = Real(), .w = Real(), .h = Real(), .confidence = 0.5, .color = Word()};
   }
@@ -187,7 +189,8 @@ TYPED_TEST(JsonProperty, ComesBackTheSame) {
 TYPED_TEST(JsonProperty, IsNoneWithoutAFieldThatNothingElseSays) {
   // Who reads only these finds them; what is read back follows from the posterior.
   const std::vector<std::string> may_lack{"prior_candidates", "probability",     "entropy",
-                                          "visibility_m",     "visibility_sd_m", "ranked_by"};
+                                          "visibility_m",     "visibility_sd_m", "radius_m",
+                                          "radius_sd_m",      "ranked_by"};
   const Json whole = Json::parse(this->Next());
   Json walked = whole;
   this->EachField(walked, "", [&](const std::string& path) {
