@@ -79,6 +79,11 @@ void RemoveFolder(const fs::path& folder, FileSystem& disk) {
 }
 
 Expected<std::string> ReadWhole(const fs::path& file) {
+  // A stream opens a folder, and fails only when it reads, by an exception without its name.
+  std::error_code unknown;
+  if (fs::is_directory(file, unknown)) {
+    return Trouble(file, "cannot open", std::make_error_code(std::errc::is_a_directory));
+  }
   std::ifstream in(file, std::ios::binary);
   if (!in) {
     return Trouble(file, "cannot open", {errno, std::generic_category()});
