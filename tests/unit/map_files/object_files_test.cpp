@@ -52,7 +52,18 @@ TEST(ObjectFiles, ATableHasOneRowPerObject) {
   EXPECT_THAT(ObjectsToCsv(session), ::testing::Not(HasSubstr("\n4,")));
   session.facts.lat_origin = "";
   EXPECT_FALSE(DatumOf(session.facts));
-  EXPECT_THAT(ObjectsToCsv(session), HasSubstr(",0.100,,,0\n"));
+  EXPECT_THAT(ObjectsToCsv(session), HasSubstr(",0.100,,,0,,\n"));
+}
+
+TEST(ObjectFiles, HaveTheSizeThatTheVehicleEstimates) {
+  SavedSession session = Session();
+  session.memory.objects.opis[0].object.size = ObjectSize{.radius = 0.42, .sd = 0.05};
+  EXPECT_THAT(ObjectsToCsv(session), HasSubstr(",0,0.420,0.050\n"));
+  const auto json = nlohmann::json::parse(ObjectsToGeoJson(session, *DatumOf(session.facts)));
+  EXPECT_NEAR(json["features"][0]["properties"]["radius_m"], 0.42, 1e-12);
+  session.memory.objects.opis[0].object.size.reset();
+  const auto without = nlohmann::json::parse(ObjectsToGeoJson(session, *DatumOf(session.facts)));
+  EXPECT_TRUE(without["features"][0]["properties"]["radius_m"].is_null());
 }
 
 }  // namespace
