@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/core/geodesy.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -44,6 +45,18 @@ Vertical VerticalAt(const GeoPoint& place) {
 }
 
 }  // namespace
+
+double DistanceBetween(const GeoPoint& a, const GeoPoint& b) {
+  constexpr double kMeanRadius = 6.371e6;  // [m]
+  const double north_a = a.latitude_deg * kRadiansPerDegree;
+  const double north_b = b.latitude_deg * kRadiansPerDegree;
+  // Haversines: exact also for places side by side.
+  const double by_north = std::sin(0.5 * (north_b - north_a));
+  const double by_east = std::sin(0.5 * kRadiansPerDegree * (b.longitude_deg - a.longitude_deg));
+  const double square =
+      by_north * by_north + std::cos(north_a) * std::cos(north_b) * by_east * by_east;
+  return 2.0 * kMeanRadius * std::asin(std::sqrt(std::min(1.0, square)));
+}
 
 LocalGrid::LocalGrid(const GeoPoint& datum) {
   const double latitude = datum.latitude_deg * kRadiansPerDegree;

@@ -1,31 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/session/datum.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "limpet/core/config.hpp"
 #include "limpet/core/number_text.hpp"
-#include "limpet/core/units.hpp"
 
 namespace limpet {
 namespace {
 
-constexpr double kEarthRadius = 6371e3;  // [m]
-constexpr double kOnePlace = 0.5;        // [m]: missions write the same datum with fewer digits
-
-/// Along the great circle [m]; haversine, so that it is exact for near places, too.
-double DistanceBetween(const GeoPoint& a, const GeoPoint& b) {
-  const double north = RadiansFromDegrees(b.latitude_deg - a.latitude_deg);
-  const double east = RadiansFromDegrees(b.longitude_deg - a.longitude_deg);
-  const double share =
-      std::pow(std::sin(0.5 * north), 2) + std::cos(RadiansFromDegrees(a.latitude_deg)) *
-                                               std::cos(RadiansFromDegrees(b.latitude_deg)) *
-                                               std::pow(std::sin(0.5 * east), 2);
-  return 2.0 * kEarthRadius * std::asin(std::sqrt(std::min(share, 1.0)));
-}
+constexpr double kOnePlace = 0.5;  // [m]: missions write the same datum with fewer digits
 
 }  // namespace
 

@@ -20,24 +20,12 @@ namespace {
 using Json = nlohmann::json;
 using Ring = std::vector<GeoPoint>;
 
-constexpr double kFarthest = 20e3;        ///< from the datum [m]
-constexpr double kEarthRadius = 6.371e6;  ///< [m]
+constexpr double kFarthest = 20e3;  ///< from the datum [m]
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 bool IsOnEarth(const GeoPoint& at) {
   // Written so that what is no number is refused.
   return std::abs(at.latitude_deg) <= 90.0 && std::abs(at.longitude_deg) <= 180.0;
-}
-
-/// Along the great circle [m].
-double DistanceBetween(const GeoPoint& a, const GeoPoint& b) {
-  const double north_a = RadiansFromDegrees(a.latitude_deg);
-  const double north_b = RadiansFromDegrees(b.latitude_deg);
-  const double by_north = std::sin(0.5 * (north_b - north_a));
-  const double by_east = std::sin(0.5 * RadiansFromDegrees(b.longitude_deg - a.longitude_deg));
-  const double square =
-      by_north * by_north + std::cos(north_a) * std::cos(north_b) * by_east * by_east;
-  return 2.0 * kEarthRadius * std::asin(std::sqrt(std::min(1.0, square)));
 }
 
 /// Longitude first, as both formats have it.

@@ -22,6 +22,14 @@ TEST(LocalGrid, AMetreIsWhatTheTablesOfTheEllipsoidSay) {
   EXPECT_NEAR(grid.At(0.0, 100.0).longitude_deg, 100.0 / 78846.8, 1e-8);
 }
 
+TEST(DistanceBetween, IsRightNearAndFarAndRoundTheDateLine) {
+  EXPECT_NEAR(DistanceBetween({43.72100, 10.283}, {43.72102, 10.283}), 2.22, 0.01);
+  EXPECT_NEAR(DistanceBetween({0.0, 0.0}, {0.0, 180.0}), 20015e3, 1e3);
+  EXPECT_NEAR(DistanceBetween({-17.5, -179.9}, {-17.5, 180.1}), 0.0, 1e-3);
+  const LocalGrid grid({.latitude_deg = 60.0, .longitude_deg = 20.0});
+  EXPECT_NEAR(DistanceBetween({60.0, 20.0}, grid.At(300.0, 400.0)), 500.0, 3.0);
+}
+
 TEST(LocalGrid, WorksSouthAndWest) {
   const GeoPoint place =
       LocalGrid({.latitude_deg = -33.0, .longitude_deg = -71.0}).At(-1000.0, -1000.0);
