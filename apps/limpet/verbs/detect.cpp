@@ -130,7 +130,7 @@ std::optional<Error> DetectInVideo(const fs::path& file, Detection& how) {
     const std::string name = fmt::format("{}#{:06}", file.string(), frames.count());
     const fs::path drawing =
         how.drawings.are_wanted() ? how.drawings.OfFrame(file, frames.count()) : fs::path();
-    if (const auto problem = DetectIn(*image, name, drawing, how)) return problem;
+    if (auto problem = DetectIn(*image, name, drawing, how)) return problem;
   }
   return frames.problem();
 }

@@ -10,11 +10,13 @@ std::string FencesSentence(const SessionScore& session) {
   if (!session.fences) return "";
   const FenceScore& fences = *session.fences;
   std::string text;
-  if (fences.inside_zone_m >= kSaid)
+  if (fences.inside_zone_m >= kSaid) {
     text = fmt::format("ENTERED A KEEP-OUT ZONE, by {:.1f} m", fences.inside_zone_m);
-  if (fences.outside_region_m >= kSaid)
+  }
+  if (fences.outside_region_m >= kSaid) {
     text += fmt::format("{}LEFT ITS REGION, by {:.1f} m", text.empty() ? "" : "; ",
                         fences.outside_region_m);
+  }
   return text;
 }
 

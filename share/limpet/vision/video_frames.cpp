@@ -41,7 +41,8 @@ std::optional<int> NumberFrom(std::FILE* in) {
 
 /// `P6 <width> <height> 255`, then red, green and blue; an empty image for anything else.
 Image PpmFrom(std::FILE* in) {
-  if (std::fgetc(in) != 'P' || std::fgetc(in) != '6') return {};
+  const int first = std::fgetc(in), second = std::fgetc(in);
+  if (first != 'P' || second != '6') return {};
   const std::optional<int> width = NumberFrom(in), height = NumberFrom(in), most = NumberFrom(in);
   if (!width || !height || most != 255) return {};
   if (*width < 1 || *height < 1 || *width > kMostPixels / *height) return {};

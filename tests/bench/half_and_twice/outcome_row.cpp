@@ -53,25 +53,19 @@ std::string OutcomeRow::Text() const {
 }
 
 std::string OutcomePageHead(std::uint64_t first, std::uint64_t last) {
-  return fmt::format(
-      "# Half and twice of what is believed\n\n"
-      "missions/table1, both sessions in closed loop with the boxes camera, seeds {} to {}: each "
-      "thing that\nthe vehicle assumes, halved and doubled in the simulator alone. Last, the DVL's "
-      "dropouts "
-      "in a current\nthat nobody knows. Statuses are "
-      "the "
-      "change session's\n(five objects a run); invented and missed objects are of both sessions. "
-      "NEES of poses: 3 if the stated\ncovariance is right, less if it is too cautious; the same "
-      "of "
-      "the objects' places, axis by axis. A\nsession's GPS error and heading are one sample for "
-      "all "
-      "of its poses and objects.\nGenerated: `half_and_twice fly build/bin/limpet missions/table1 "
-      "FOLDER {} {} > docs/half-and-twice.md`\n(`tests/bench`).\n\n"
-      "| what is not as believed | home | farthest from it [m] | right | open | wrong | invented | "
-      "missed | error of "
-      "objects, mean [m] | worst [m] | NEES of poses | of objects |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|\n",
-      first, last, first, last);
+  constexpr const char* kHead = R"(# Half and twice of what is believed
+
+missions/table1, both sessions in closed loop with the boxes camera, seeds {0} to {1} as far as they were flown
+(`home` counts sessions): each thing that the vehicle assumes, halved and doubled in the simulator alone. Last, the
+DVL's dropouts in a current that nobody knows. Statuses are the change session's (five objects a run); invented and
+missed objects are of both sessions. NEES of poses: 3 if the stated covariance is right, less if it is too cautious;
+the same of the objects' places, axis by axis. A session's GPS error and heading are one sample for all of its poses
+and objects. Generated: `half_and_twice fly build/bin/limpet missions/table1 FOLDER {0} {1}` (`tests/bench`).
+
+| what is not as believed | home | farthest from it [m] | right | open | wrong | invented | missed | error of objects, mean [m] | worst [m] | NEES of poses | of objects |
+|---|---|---|---|---|---|---|---|---|---|---|---|
+)";
+  return fmt::format(fmt::runtime(kHead), first, last);
 }
 
 }  // namespace limpet
