@@ -34,6 +34,7 @@ The hour of above, each time with one thing that the estimator is not told (`tes
 the models are the simulator's, [scenario-file.md](scenario-file.md)): what a workshop leaves, or about twice what is believed.
 30 seeds each, from 301 on, none left out. Errors are of the smoothed track, aligned; doubled, false and
 missed objects are sums over all sessions. This table alone: `nav_study --errors`.
+What is assumed halved and doubled, thing by thing, in closed loop: [half-and-twice.md](half-and-twice.md).
 
 | what is off (scene) | mean [m] | worst [m] | doubled | false | missed | NEES of poses | of landmarks | between landmarks |
 |---|---|---|---|---|---|---|---|---|
