@@ -95,8 +95,7 @@ std::optional<Error> ProblemOfNumbers(const SurveyAreaRequest& request,
   if (request.object_height_max.value_or(0.0) >= params.altitude.value()) {
     return Error{
         fmt::format("objects of {:g} m reach up to where the vehicle flies, and nothing of the "
-                    "band's top would "
-                    "be seen; allowed: below pSurvey altitude_m = {:g}",
+                    "band's top would be seen; allowed: below pSurvey altitude_m = {:g}",
                     *request.object_height_max, params.altitude.value())};
   }
   return std::nullopt;

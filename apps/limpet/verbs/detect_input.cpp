@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 
 #include <fmt/format.h>
 #include <sys/stat.h>
 
 #include "limpet/console/arguments.hpp"
+#include "limpet/core/config.hpp"
 #include "limpet/vision/video_frames.hpp"
 
 namespace limpet {
@@ -21,11 +21,10 @@ bool IsImageName(const fs::path& file) {
   constexpr std::array<std::string_view, 15> kKnown{".png", ".jpg", ".jpeg", ".jpe",  ".jp2",
                                                     ".bmp", ".dib", ".tif",  ".tiff", ".ppm",
                                                     ".pgm", ".pbm", ".pnm",  ".pxm",  ".webp"};
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char letter) {
-    return static_cast<char>(std::tolower(letter));
-  });
-  return std::ranges::find(kKnown, extension) != kKnown.end();
+  return std::ranges::any_of(kKnown,
+                             [extension = file.extension().string()](std::string_view known) {
+                               return EqualsIgnoringCase(extension, known);
+                             });
 }
 
 void SayPassedOver(const std::string& folder, const std::vector<fs::path>& files) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <string_view>
@@ -18,6 +17,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "limpet/core/config.hpp"
 #include "limpet/core/program_search.hpp"
 
 namespace limpet {
@@ -85,11 +85,10 @@ std::vector<std::string> WordsFor(const std::filesystem::path& video) {
 bool IsVideoName(const std::filesystem::path& file) {
   constexpr std::array<std::string_view, 8> kVideos{".mp4", ".avi", ".mkv",  ".mov",
                                                     ".m4v", ".mpg", ".mpeg", ".webm"};
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char letter) {
-    return static_cast<char>(std::tolower(letter));
-  });
-  return std::ranges::find(kVideos, extension) != kVideos.end();
+  return std::ranges::any_of(kVideos,
+                             [extension = file.extension().string()](std::string_view known) {
+                               return EqualsIgnoringCase(extension, known);
+                             });
 }
 
 bool CanReadVideos() { return FindOnPath(kProgram).has_value(); }

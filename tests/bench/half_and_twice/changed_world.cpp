@@ -11,6 +11,12 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include "limpet/core/units.hpp"
+#include "limpet/mission/scenario.hpp"
+#include "limpet/survey/detection_model.hpp"
+#include "limpet/vehicle/sensor_sheets.hpp"
+#include "limpet/vision/box_model.hpp"
+
 namespace limpet {
 namespace {
 
@@ -37,31 +43,36 @@ constexpr ErrorKey kErrorKeys[] = {
     {"thrust", "thrusters", "thrust_factor", "thrust at a command"},
     {"thrust_lag", "thrusters", "lag_factor", "lag of the thrust"}};
 
-/// A number of the scenario, as the vehicle believes it.
+/// A number of the scenario, as the vehicle believes it: table1 flies the default sheets.
 struct ScenarioKey {
   const char *name, *key;
   double believed;
   const char* what;
 };
-constexpr ScenarioKey kScenarioKeys[] = {
-    {"heading", "heading_sigma_deg", 0.5, "1-sigma of the compass"},
-    {"fog_bias", "yaw_bias_deg_per_h", 1.0, "bias of the gyro"},
-    {"gps", "gps_sigma_m", 0.4, "1-sigma of fixes"},
-    {"clutter", "false_detections_per_image", 0.01, "false boxes per image"},
-    {"visibility", "visibility_m", 8.0, "visibility"},
-    {"radius", "radius_m", 0.5, "radius of the objects"}};
+std::vector<ScenarioKey> ScenarioKeys() {
+  return {{"heading", "heading_sigma_deg", DegreesFromRadians(ImuSheet().heading_sigma.value()),
+           "1-sigma of the compass"},
+          {"fog_bias", "yaw_bias_deg_per_h", FogSheet().bias_deg_per_h, "bias of the gyro"},
+          {"gps", "gps_sigma_m", GpsSheet().sigma_m, "1-sigma of fixes"},
+          {"clutter", "false_detections_per_image", Scenario().sensors.false_detections_per_image,
+           "false boxes per image"},
+          {"visibility", "visibility_m", DetectionModel().visibility.value(), "visibility"},
+          {"radius", "radius_m", ScenarioOpi().radius_m, "radius of the objects"}};
+}
 
 constexpr double kDropouts_per_min[] = {0.5, 1.0, 2.0, 3.0, 4.0};
 constexpr double kCurrent_mps = 0.25;
 
 std::vector<ChangedWorld> BoxWorlds() {
+  const BoxModelConstants believed;
   std::vector<ChangedWorld> worlds;
   for (const Factor& factor : kFactors) {
     worlds.push_back({.name = fmt::format("boxes_{}", factor.name),
                       .what = fmt::format("noise of the detector's boxes x {:g}", factor.times),
                       .settings = fmt::format(" --set uSimCamera.box_centre_sd_px={:g} --set "
                                               "uSimCamera.box_size_sd_px={:g}",
-                                              0.025 * factor.times, 0.066 * factor.times)});
+                                              believed.centre_sd_px * factor.times,
+                                              believed.size_sd_px * factor.times)});
   }
   return worlds;
 }
@@ -97,7 +108,7 @@ std::vector<ChangedWorld> ErrorWorlds() {
 
 std::vector<ChangedWorld> ScenarioWorlds() {
   std::vector<ChangedWorld> worlds;
-  for (const ScenarioKey& key : kScenarioKeys) {
+  for (const ScenarioKey& key : ScenarioKeys()) {
     for (const Factor& factor : kFactors) {
       worlds.push_back({.name = fmt::format("{}_{}", key.name, factor.name),
                         .what = fmt::format("{} x {:g}", key.what, factor.times),
@@ -106,7 +117,8 @@ std::vector<ChangedWorld> ScenarioWorlds() {
   }
   worlds.push_back({.name = "heading_six",
                     .what = "1-sigma of the compass x 6",
-                    .scenario = {{"heading_sigma_deg", 3.0}}});
+                    .scenario = {{"heading_sigma_deg",
+                                  6.0 * DegreesFromRadians(ImuSheet().heading_sigma.value())}}});
   return worlds;
 }
 
