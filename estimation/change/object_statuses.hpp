@@ -150,11 +150,11 @@ class ObjectStatuses {
   StatusParams params_;
   WatchModel model_;
   ContrastLog contrasts_;
-  VisibilityBelief water_;         ///< when objects were last assessed
-  VisibilityBelief former_water_;  ///< the same of the former session
+  VisibilityBelief water_;  ///< when objects were last assessed
   std::vector<ObservedFrame> frames_;
   std::optional<std::vector<FormerObject>> former_;
   FormerViews former_views_;
+  VisibilityBelief former_water_;      ///< the former session's, when objects were last assessed
   std::vector<Landmark> landmarks_;    ///< as given
   std::vector<Landmark> objects_;      ///< merged: one per object, by id
   std::map<int, int> representative_;  ///< landmark to the one that stands for it

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/limpet/verbs/change.hpp"
 
-#include <cctype>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -66,7 +65,7 @@ Command ChangeForm() {
 
 /// A, B, C, ... by its index in order of time.
 std::string NameOfSession(std::size_t index) {
-  return fmt::format("session {}", static_cast<char>(std::toupper(kFirstSession) + index));
+  return fmt::format("session {}", static_cast<char>('A' + static_cast<char>(index)));
 }
 
 /// In order of time. Throws UsageError if one is left out, ConfigError if one is damaged.
