@@ -50,8 +50,13 @@ once() { # key check argument...: runs the check unless what has this key was cl
 
 syntax() { eval "${1/ -o * -c / -fsyntax-only }"; } # compile command: only the front end, which finds all there is
 
+texts_of() { # compile command: all files of ours that it reads, one after the other
+  eval "${1/ -o * -c / -MM }" | tr -s ' \\' '\n' | grep "^$root/" | grep -v "^$root/build" | sort -u | xargs cat
+}
+
 read_alone() { # compile command
-  once "$( (echo "$1$headers" && cat "${1##* -c }") | sha256sum | cut -d ' ' -f 1)" syntax "$1"
+  if [ "$EPOCHSECONDS" -ge "$deadline" ]; then echo left >>"$findings"; return 0; fi
+  once "$( (echo "$1" && texts_of "$1") | sha256sum | cut -d ' ' -f 1)" syntax "$1"
 }
 
 # Not of tests: fixtures are made and destroyed by googletest alone; a test sets its environment before it has threads;
@@ -69,14 +74,13 @@ run_tidy() { # file; two of a batch may call the same thing by the same name, al
     "${checks[@]}" "$1" 2>/dev/null
 }
 
-tidy() { # compile command of a batch: its key is the text of all files of ours that it reads
+tidy() { # compile command of a batch
   local batch="${1##* -c }"
   if [ "$EPOCHSECONDS" -ge "$deadline" ]; then echo left >>"$findings"; return 0; fi
-  once "$(eval "${1/ -o * -c / -MM }" | tr -s ' \\' '\n' | grep "^$root/" | grep -v "^$root/build" | sort -u |
-    xargs cat "$root/.clang-tidy" "$batch" | sha256sum | cut -d ' ' -f 1)" run_tidy "$batch"
+  once "$( (cat "$root/.clang-tidy" "$batch" && texts_of "$1") | sha256sum | cut -d ' ' -f 1)" run_tidy "$batch"
 }
 export fixtures
-export -f once syntax read_alone run_tidy tidy
+export -f texts_of once syntax read_alone run_tidy tidy
 
 each() { # check: of every compile command that comes in, on all cores
   tr '\n' '\0' | xargs -0 -r -P "$(nproc)" -n 1 bash -c "$1"' "$1"' -
@@ -85,8 +89,6 @@ each() { # check: of every compile command that comes in, on all cores
 mkdir -p build-lint "$clean"
 find "$clean" -type f -mtime +30 -delete
 : >"$findings"
-headers="$(git ls-files -z '*.hpp' '*.cmake' '*CMakeLists.txt' | xargs -0 cat | sha256sum)"
-export headers
 prepare build-lint/alone -DBUILD_TESTING=ON
 commands build-lint/alone | newest_first | each read_alone
 prepare build-lint/unity -DBUILD_TESTING=ON -DCMAKE_UNITY_BUILD=ON
