@@ -14,6 +14,7 @@
 #include "limpet/app/app.hpp"
 #include "limpet/core/camera_params.hpp"
 #include "limpet/core/lens_model.hpp"
+#include "limpet/core/long_ago.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
@@ -154,14 +155,14 @@ class NavApp final : public App {
   PlaceSigmas place_sigmas_;
   int sigma_node_ = -1;      ///< of which newest_sigma_ is
   PlaceSigma newest_sigma_;  ///< as of the last frame
-  double last_attitude_t_ = -1e18;
+  double last_attitude_t_ = kLongAgo;
   SourceWatch imu_, fog_, dvl_, lock_, depth_, gps_, camera_, sonar_, refused_fix_;
   RefusalWatch imu_refusals_, velocity_refusals_;
   std::vector<double> former_echoes_;  ///< of the sonar that looks ahead [m]
   int refused_fixes_ = 0;              ///< as of the last tick
   int gps_fixes_ = 0, dvl_pings_ = 0, dvl_pings_without_lock_ = 0;  ///< for the report
   int landmark_version_ = 0;
-  double landmarks_t_ = -1e18, current_t_ = -1e18;
+  double landmarks_t_ = kLongAgo, current_t_ = kLongAgo;
 };
 
 }  // namespace limpet

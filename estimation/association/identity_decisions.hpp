@@ -5,6 +5,7 @@
 
 #include "estimation/association/joint_identity.hpp"
 #include "estimation/association/landmark_terms.hpp"
+#include "limpet/core/long_ago.hpp"
 
 namespace limpet {
 
@@ -73,7 +74,7 @@ class IdentityDecisions {
   const ObjectTrackerParams& params_;
   TrackList& tracks_;
   LandmarkTerms& terms_;
-  double decided_t_ = -1e18;  ///< of the last decision [s]
+  double decided_t_ = kLongAgo;  ///< of the last decision [s]
   int decidable_then_ = 0;
 };
 

@@ -14,6 +14,7 @@
 #include "estimation/association/pair_evidence.hpp"
 #include "estimation/association/track_placement.hpp"
 #include "estimation/smoothing/factors/reprojection_factor.hpp"
+#include "limpet/core/long_ago.hpp"
 
 namespace limpet {
 namespace {
@@ -25,7 +26,6 @@ constexpr double kModelError = 0.05;   // [m] between two landmarks of one objec
 constexpr double kWidestMotion = 0.9;  // [m] level, between the places of one that moves
 constexpr int kAbsences = 5;           // that make it more than a detector's misses
 constexpr double kMoreMotion = 1.3;    // share beyond which a motion is noted anew
-constexpr double kLongAgo = -1e18;     // [s]
 constexpr double kOldPlace = 0.5;      // [m] that copies of places may be off one another
 
 }  // namespace

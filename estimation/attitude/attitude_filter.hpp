@@ -8,6 +8,7 @@
 
 #include "estimation/attitude/inertial_gate.hpp"
 #include "estimation/attitude/inertial_input.hpp"
+#include "limpet/core/long_ago.hpp"
 #include "limpet/core/units.hpp"
 
 namespace limpet {
@@ -79,9 +80,9 @@ class AttitudeFilter {
   Eigen::Vector4d x_ = Eigen::Vector4d::Zero();  ///< roll, pitch, bias of p, bias of q
   Eigen::Matrix4d P_ = Eigen::Matrix4d::Identity();
   Eigen::Vector3d v_WB_B_ = Eigen::Vector3d::Zero();
-  double fog_t_ = -1e9, fog_rate_ = 0.0;
+  double fog_t_ = kLongAgo, fog_rate_ = 0.0;
   double start_t_ = 0.0, aligned_from_ = 0.0;
-  double last_t_ = -1e18;                       ///< of the last sample in order
+  double last_t_ = kLongAgo;                    ///< of the last sample in order
   double yaw_integral_ = 0.0, yaw_rate_ = 0.0;  ///< since the start
   double heading_offset_ = 0.0;                 ///< yaw less its integral, averaged
   double heading_weight_ = 0.0;                 ///< of the average so far

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "estimation/smoothing/smoother.hpp"
+#include "limpet/core/long_ago.hpp"
 #include "limpet/core/units.hpp"
 
 namespace limpet {
@@ -54,7 +55,7 @@ class Compass {
   Smoother* smoother_;
   std::optional<int> slot_;
   std::shared_ptr<double> sigma_;  ///< the priors read it
-  double used_t_ = -1e18;
+  double used_t_ = kLongAgo;
   int used_ = 0;
 };
 

@@ -5,6 +5,7 @@
 
 #include "estimation/navigation/navigator_params.hpp"
 #include "estimation/smoothing/smoother.hpp"
+#include "limpet/core/long_ago.hpp"
 
 namespace limpet {
 
@@ -34,7 +35,7 @@ class DepthErrors {
   const NavigatorParams& params_;
   Smoother& smoother_;
   std::optional<int> slot_;
-  double since_ = 0.0, surfaced_t_ = -1e18;
+  double since_ = 0.0, surfaced_t_ = kLongAgo;
 };
 
 }  // namespace limpet

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "estimation/navigation/measurement_buffer.hpp"
+#include "limpet/core/long_ago.hpp"
 #include "limpet/core/units.hpp"
 
 namespace limpet {
@@ -67,7 +68,7 @@ class FixConsensus {
   std::vector<Group> groups_;
   std::optional<std::size_t> believed_;  ///< of groups_
   std::size_t added_ = 0;                ///< fixes of this stay
-  double last_t_ = -1e18;
+  double last_t_ = kLongAgo;
 };
 
 /// What fixes state of their error: its sigma, and for how long it stays about the same.

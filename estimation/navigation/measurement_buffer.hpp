@@ -13,6 +13,7 @@
 #include "estimation/navigation/scalar_history.hpp"
 #include "estimation/navigation/time_gate.hpp"
 #include "estimation/navigation/velocity_gate.hpp"
+#include "limpet/core/long_ago.hpp"
 #include "limpet/objects/frame.hpp"
 
 namespace limpet {
@@ -82,7 +83,7 @@ class MeasurementBuffer {
   TimeGate attitude_gate_;
   OdometryTrack track_;
   ScalarHistory depths_, altitudes_;  ///< altitudes: of the body origin
-  double dvl_altitude_t_ = -1e18;     ///< of the last one that the DVL gave
+  double dvl_altitude_t_ = kLongAgo;  ///< of the last one that the DVL gave
   ScalarHistory compass_;             ///< off the attitude's yaw
   std::deque<PositionFix> fixes_;
   std::vector<Detections> frames_;

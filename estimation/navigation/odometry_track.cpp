@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "limpet/core/long_ago.hpp"
 #include "limpet/core/require.hpp"
 
 namespace limpet {
@@ -20,7 +21,6 @@ constexpr double kTurnMemory = 0.2;       // [s] over which a rate of turning is
 constexpr double kAttitudeGap = 2.0;      // [s] in which the vehicle does not turn away
 constexpr double kUnknownTurnRate = 0.3;  // [rad/s] 1-sigma of a turn that nobody measures
 constexpr double kContestedShare = 0.3;   // 1-sigma of what the track catches up with, as its share
-constexpr double kLongAgo = -1e18;        // [s] when a DVL measured last that never did
 constexpr double kAnyYawVariance = M_PI * M_PI / 3.0;  // [rad^2] of a heading that can be any
 
 Eigen::Matrix3d RotationOf(const AttitudeEstimate& a) {

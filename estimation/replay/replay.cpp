@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "estimation/navigation/sensor_beliefs.hpp"
+#include "limpet/core/long_ago.hpp"
 #include "limpet/objects/lens_box.hpp"
 
 namespace limpet {
@@ -141,13 +142,13 @@ class Replayer {
 
   Navigator navigator_;
   AttitudeFilter filter_;
-  double attitude_t_ = -1e18;
+  double attitude_t_ = kLongAgo;
   int refused_inertial_ = 0;
   LensModel lens_;
   std::map<int, std::vector<int>> numbers_;  ///< of a frame's rectified boxes
   const std::function<double()>& clock_;
   SourceFeed feed_;
-  double now_ = -1e18;
+  double now_ = kLongAgo;
   std::map<std::pair<int, int>, int> landmark_of_;
   ReplayResult result_;
 };

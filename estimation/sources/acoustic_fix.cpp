@@ -7,6 +7,7 @@
 
 #include "estimation/navigation/source_registry.hpp"
 #include "estimation/smoothing/factors/position_factor.hpp"
+#include "limpet/core/long_ago.hpp"
 #include "limpet/topics/sensors.hpp"
 
 namespace limpet {
@@ -59,7 +60,7 @@ class AcousticFix final : public MeasurementSource {
 
  private:
   Params params_;
-  double used_t_ = -1e18;
+  double used_t_ = kLongAgo;
 };
 
 LIMPET_REGISTER_SOURCE(AcousticFix, "acoustic_fix");

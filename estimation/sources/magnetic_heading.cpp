@@ -8,6 +8,7 @@
 
 #include "estimation/navigation/source_registry.hpp"
 #include "estimation/smoothing/factors/compass_factor.hpp"
+#include "limpet/core/long_ago.hpp"
 #include "limpet/topics/sensors.hpp"
 
 namespace limpet {
@@ -61,7 +62,7 @@ class MagneticHeading final : public MeasurementSource {
 
  private:
   Params params_;
-  double used_t_ = -1e18;
+  double used_t_ = kLongAgo;
 };
 
 LIMPET_REGISTER_SOURCE(MagneticHeading, "magnetic_heading");
