@@ -34,7 +34,7 @@ MapApp::MapApp(const AppContext& context, const Params& params)
       }) {
   Subscribe(topics::kSurveyArea, &MapApp::OnArea);
   Subscribe(topics::kSurveyPhase, &MapApp::OnPhase);
-  Subscribe(topics::kNavSight, &MapApp::OnFrame);
+  Subscribe(topics::kNavCameraFrame, &MapApp::OnFrame);
   Subscribe(topics::kGroundContrast, &MapApp::OnContrast);
   Subscribe(topics::kNavBeams, &MapApp::OnBeams);
   SubscribeIfWritten(topics::kNavSonar, &MapApp::OnSonar);

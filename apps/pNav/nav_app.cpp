@@ -304,7 +304,7 @@ std::vector<std::array<double, 3>> NavApp::TrackSigmas() const {
 void NavApp::PublishFrames() {
   for (ObservedFrame& frame : navigator_.TakeFrames()) {
     frame.sigma = NewestSigma();
-    Publish(topics::kNavSight, frame);
+    Publish(topics::kNavCameraFrame, frame);
   }
 }
 

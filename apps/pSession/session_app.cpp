@@ -55,7 +55,7 @@ SessionApp::SessionApp(const AppContext& context, const Params& params)
   Subscribe(topics::kNavLandmarks, &SessionApp::OnLandmarks);
   Subscribe(topics::kMapOpis, &SessionApp::OnObjects);
   Subscribe(topics::kNavLandmarkJoint, &SessionApp::OnLandmarkJoint);
-  Subscribe(topics::kNavSight, &SessionApp::OnFrame);
+  Subscribe(topics::kNavCameraFrame, &SessionApp::OnFrame);
   SubscribeIfWritten(topics::kDetectionChips, &SessionApp::OnChips);
   SubscribeIfWritten(topics::kMapObstacles, &SessionApp::OnObstacles);
   Subscribe(topics::kNavTrackShift, &SessionApp::OnTrackShift);

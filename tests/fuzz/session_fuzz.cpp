@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text(reinterpret_cast<const char*>(data), size);
   const limpet::SessionFiles sound{{"objects.json", R"({"opis":[]})"}};
   for (const char* name : {"area.txt", "objects.json", "known_landmarks.json", "landmarks.json",
-                           "sights.csv", "phases.csv", "depths.csv"}) {
+                           "frames.csv", "phases.csv", "depths.csv"}) {
     limpet::SessionFiles files = sound;
     files[name] = text;
     if (const auto memory = limpet::MemoryOf(files)) {

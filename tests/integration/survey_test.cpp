@@ -166,13 +166,13 @@ TEST(Survey, AnInterruptEndsItWithTheLogIntact) {
   int frames = 0;
   const SessionOutcome outcome =
       RunSession(BasinWithBoxes(), PlanFor(folder, "discovery"), [&frames](const Message& message) {
-        frames += message.name == "NAV_SIGHT" ? 1 : 0;
+        frames += message.name == "NAV_CAMERA_FRAME" ? 1 : 0;
         interrupt_requested = frames > 100;
       });
   interrupt_requested = false;
   EXPECT_EQ(outcome.ended, "aborted");
   const std::string log = OnBoardLog(folder.path() / "discovery", "discovery");
-  EXPECT_NE(log.find("NAV_SIGHT"), std::string::npos);
+  EXPECT_NE(log.find("NAV_CAMERA_FRAME"), std::string::npos);
   EXPECT_TRUE(log.ends_with("\n"));
   EXPECT_TRUE(fs::exists(folder.path() / "discovery" / "session"));
 }

@@ -85,7 +85,7 @@ void CollectChips(SessionRecord& record, const Message& message) {
 }
 
 void CollectFrame(SessionRecord& record, const Message& message) {
-  if (const auto frame = Read(topics::kNavSight, message)) record.chips.Add(*frame);
+  if (const auto frame = Read(topics::kNavCameraFrame, message)) record.chips.Add(*frame);
 }
 
 void CollectCoverage(SessionRecord& record, const Message& message) {
@@ -169,7 +169,7 @@ const std::map<std::string, Collector, std::less<>>& Collectors() {
       {topics::kNavLandmarks.name, CollectLandmarks},
       {topics::kMapOpis.name, CollectOpis},
       {topics::kDetectionChips.name, CollectChips},
-      {topics::kNavSight.name, CollectFrame},
+      {topics::kNavCameraFrame.name, CollectFrame},
       {topics::kMapCoverage.name, CollectCoverage},
       {topics::kWaterState.name, CollectWater},
       {topics::kNavCurrent.name, CollectCurrent},

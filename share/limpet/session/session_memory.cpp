@@ -19,7 +19,9 @@ constexpr const char* kObjects = "objects.json";
 constexpr const char* kObstacles = "obstacles.json";
 constexpr const char* kLandmarks = "landmarks.json";
 constexpr const char* kKnownLandmarks = "known_landmarks.json";
-constexpr const char* kFrames = "sights.csv";
+constexpr const char* kFrames = "frames.csv";
+constexpr const char* kFramesOfOld =
+    "sights.csv";  // the same, as sessions before 2026-11-27 have it
 constexpr const char* kPhases = "phases.csv";
 constexpr const char* kWater = "water.json";
 constexpr const char* kMap = "map.ot";
@@ -131,9 +133,11 @@ Expected<SessionMemory> MemoryOf(const SessionFiles& files) {
     if (!phases) return Error{std::string(kPhases) + ": " + phases.error().text};
     memory.phases = *std::move(phases);
   }
-  if (const std::string* text = Find(files, kFrames)) {
+  for (const char* name : {kFramesOfOld, kFrames}) {
+    const std::string* text = Find(files, name);
+    if (text == nullptr) continue;
     Expected<std::vector<ObservedFrame>> frames = FramesFromCsv(*text);
-    if (!frames) return Error{std::string(kFrames) + ": " + frames.error().text};
+    if (!frames) return Error{std::string(name) + ": " + frames.error().text};
     memory.frames = *std::move(frames);
   }
   if (const std::string* text = Find(files, kWater)) {
@@ -171,8 +175,8 @@ SessionPrior PriorOf(const SessionFacts& facts, const SessionMemory& memory) {
   prior.session = facts.session;
   std::vector<int> landmarks;
   for (const OpiBelief& opi : memory.objects.opis) {
-    if (opi.landmark < 0 || opi.posterior.present() < kLikely) continue;
-    landmarks.push_back(opi.landmark);
+    if (!opi.landmark || opi.posterior.present() < kLikely) continue;
+    landmarks.push_back(*opi.landmark);
     prior.opis.push_back({.id = opi.id,
                           .object = opi.object,
                           .log_likelihood_ratio = opi.log_likelihood_ratio,

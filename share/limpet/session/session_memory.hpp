@@ -34,7 +34,7 @@ struct FormerFacts {
 [[nodiscard]] FormerFacts FormerFactsOf(const SessionFacts& facts);
 
 /// Files: area.txt, former.txt, objects.json, obstacles.json, known_landmarks.json, landmarks.json,
-/// sights.csv, phases.csv, water.json, map.ot, depths.csv, chips.csv, chips/*, mission/*.
+/// frames.csv, phases.csv, water.json, map.ot, depths.csv, chips.csv, chips/*, mission/*.
 struct SessionMemory {
   std::optional<SurveyArea> area;
   std::optional<FormerFacts> former;  ///< nothing in a discovery session, or an older one

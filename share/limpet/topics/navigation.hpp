@@ -110,7 +110,7 @@ template <>
 struct TopicCodec<ObservedFrame> : JsonCodec<ObservedFrame> {};
 
 /// How the smoother moved the way already travelled since it last said so: after a fix that ends a
-/// dive, or a loop closed. Landmarks move with it; so must whoever keeps poses of NAV_SIGHT.
+/// dive, or a loop closed. Landmarks move with it; so must whoever keeps poses of NAV_CAMERA_FRAME.
 struct TrackShift {
   /// MOOS time, and the shift of north, east, down [m] and yaw [rad] then; linear in between.
   std::vector<std::array<double, 5>> steps;
@@ -195,8 +195,8 @@ inline const auto kNavLandmarks = Declare<Landmarks>(
 inline const auto kNavLandmarkJoint = Declare<LandmarkJoint>(
     "NAV_LANDMARK_JOINT", "joint covariance of all objects, for the saved session",
     {.unit = "m", .frame = "NED", .rate = "on MAP_SNAPSHOT_REQUEST", .writers = {"pNav"}});
-inline const auto kNavSight = Declare<ObservedFrame>(
-    "NAV_SIGHT", "each camera frame, posed and associated",
+inline const auto kNavCameraFrame = Declare<ObservedFrame>(
+    "NAV_CAMERA_FRAME", "each camera frame, posed and associated",
     {.unit = "m, rad, px", .frame = "NED, body FRD, image", .rate = "4 Hz", .writers = {"pNav"}});
 inline const auto kNavTrackShift = Declare<TrackShift>(
     "NAV_TRACK_SHIFT",

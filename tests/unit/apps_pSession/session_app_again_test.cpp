@@ -21,7 +21,7 @@ class SessionAppAgain : public SessionAppTest {
     link_.Send(app, topics::kSurveyArea, SurveyArea{});
     ObservedFrame frame;
     frame.exposure = link_.time, frame.X_WB.p_WB = {north, 0, 1};
-    link_.Send(app, topics::kNavSight, frame);
+    link_.Send(app, topics::kNavCameraFrame, frame);
   }
   double SavedNorth(const fs::path& session) {
     const Expected<StoredSession> stored = LoadSession(session);
@@ -43,7 +43,7 @@ TEST_F(SessionAppAgain, NeverSavesOverAFormerSessionBeforeItIsDeployed) {
   app.Tick(link_.time);
   ObservedFrame frame;  // the camera sees the surface before anybody deploys
   frame.exposure = link_.time, frame.X_WB.p_WB = {7, 0, 0};
-  link_.Send(app, topics::kNavSight, frame);
+  link_.Send(app, topics::kNavCameraFrame, frame);
   app.Finish(link_.time + Seconds(100.0));
   EXPECT_EQ(SavedNorth(Run()), 1.0);
   EXPECT_TRUE(app.warnings().contains("FORMER_SESSION"));

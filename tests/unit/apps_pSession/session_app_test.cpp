@@ -29,7 +29,7 @@ TEST_F(SessionAppTest, KeepsPicturesOfItsObjectsAndOfNothingElse) {
              ImageChips{.exposure = frame.exposure,
                         .chips = {{.box = frame.boxes[0], .jpeg = "object"},
                                   {.box = frame.boxes[1], .jpeg = "no object"}}});
-  link_.Send(app, topics::kNavSight, frame);
+  link_.Send(app, topics::kNavCameraFrame, frame);
   link_.Send(app, topics::kMapOpis, OneObject());
   link_.Send(app, topics::kSessionSave, std::string("home"));
   link_.Send(app, topics::kMapSnapshot, PackedBytes{"1"});
@@ -43,7 +43,7 @@ TEST_F(SessionAppTest, KeepsItsFramesWhereTheSmootherMovesThem) {
   SessionApp app(Context("discovery"), {});
   ObservedFrame frame;
   frame.exposure = link_.time, frame.X_WB.p_WB = {1, 2, 3};
-  link_.Send(app, topics::kNavSight, frame);
+  link_.Send(app, topics::kNavCameraFrame, frame);
   const double t = link_.time.value();
   link_.Send(app, topics::kNavTrackShift,
              TrackShift{{{t - 5.0, 0.0, 0.0, 0.0, 0.0}, {t + 5.0, 1.0, -2.0, 0.0, 0.1}}});
@@ -175,7 +175,7 @@ TEST_F(SessionAppTest, KeepsThePhasesOfItsFramesAndTheLandmarksOfItsObjects) {
     frame.exposure = link_.time += Seconds(1.0);
     frame.X_WB.p_WB = {north, 0, 3};
     frame.altitude = 4.0;
-    link_.Send(app, topics::kNavSight, frame);
+    link_.Send(app, topics::kNavCameraFrame, frame);
   };
   see(1.0);
   link_.Send(app, topics::kSurveyPhase, std::string("ALIGN"));

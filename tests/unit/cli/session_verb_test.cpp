@@ -69,7 +69,7 @@ class CutSession {
     link_.time += Seconds(1.0);
     ObservedFrame frame;
     frame.exposure = link_.time, frame.X_WB.p_WB = {north, 0, 3};
-    Hear(topics::kNavSight, frame);
+    Hear(topics::kNavCameraFrame, frame);
   }
   [[nodiscard]] Seconds now() const { return link_.time; }
 

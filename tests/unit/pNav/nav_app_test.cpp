@@ -135,7 +135,7 @@ TEST_F(NavAppTest, PosesAFrameAtItsExposureAlsoWhenItShowsNothing) {
   RunFor(0.25);
   link_.Send(*app_, topics::kDetections, Detections{.frame = 7, .exposure = exposure, .boxes = {}});
   RunFor(1.0);
-  const auto frame = link_.Last(topics::kNavSight);
+  const auto frame = link_.Last(topics::kNavCameraFrame);
   ASSERT_TRUE(frame.has_value());
   EXPECT_EQ(frame->frame, 7);
   EXPECT_NEAR(frame->X_WB.p_WB.y(), east, 0.05);
@@ -181,7 +181,7 @@ TEST_F(NavAppTest, RectifiesTheBoxesOfALensThatDistorts) {
   link_.Send(*app_, topics::kDetections,
              Detections{.frame = 7, .exposure = exposure, .boxes = {corner, box}});
   RunFor(1.0);
-  const auto frame = link_.Last(topics::kNavSight);
+  const auto frame = link_.Last(topics::kNavCameraFrame);
   ASSERT_TRUE(frame.has_value());
   ASSERT_EQ(frame->boxes.size(), 1U) << "the corner is not in the rectified image";
   const LensModel lens = params.camera.lens();

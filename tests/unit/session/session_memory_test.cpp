@@ -10,7 +10,7 @@
 namespace limpet {
 namespace {
 
-OpiBelief Object(int id, int landmark, double probability) {
+OpiBelief Object(int id, std::optional<int> landmark, double probability) {
   OpiBelief opi;
   opi.id = id;
   opi.landmark = landmark;
@@ -64,10 +64,19 @@ TEST(SessionMemory, ComesBackFromItsFiles) {
 
 TEST(SessionMemory, NamesTheFileThatItDoesNotUnderstand) {
   SessionFiles files = FilesOf(Sample());
-  files["sights.csv"] += "12,not a number\n";
+  files["frames.csv"] += "12,not a number\n";
   const Expected<SessionMemory> loaded = MemoryOf(files);
   ASSERT_FALSE(loaded);
-  EXPECT_THAT(loaded.error().text, ::testing::StartsWith("sights.csv: line 4"));
+  EXPECT_THAT(loaded.error().text, ::testing::StartsWith("frames.csv: line 4"));
+}
+
+TEST(SessionMemory, ReadsTheFramesOfSessionsThatCallThemSights) {
+  SessionFiles files = FilesOf(Sample());
+  files["sights.csv"] = files.at("frames.csv");
+  files.erase("frames.csv");
+  const Expected<SessionMemory> loaded = MemoryOf(files);
+  ASSERT_TRUE(loaded);
+  EXPECT_EQ(loaded->frames.size(), 2U);
 }
 
 TEST(SessionPrior, TellsHowFarTheSessionSawIfItSaidSo) {
@@ -86,7 +95,7 @@ TEST(SessionMemory, NamesARecordOfTheWaterThatIsNone) {
 
 TEST(SessionPrior, HandsOverObjectsThatWereThere) {
   SessionMemory memory = Sample();
-  memory.objects.opis.push_back(Object(2, -1, 0.02));
+  memory.objects.opis.push_back(Object(2, std::nullopt, 0.02));
   SessionFacts facts;
   facts.session = "discovery";
   const SessionPrior prior = PriorOf(facts, memory);
