@@ -64,7 +64,7 @@ void MapApp::Report(ReportLines& report) const {
                   std::string(NameOf(object.decided)),
                   fmt::format("{:.3f}", object.posterior.present()), std::to_string(object.looks),
                   std::to_string(object.looks_with_box),
-                  object.prior_id < 0 ? "-" : std::to_string(object.prior_id)});
+                  object.prior_id ? std::to_string(*object.prior_id) : "-"});
   }
   report.Add(table);
 }

@@ -39,7 +39,8 @@ void ObjectStatuses::AddFrame(ObservedFrame frame) {
                  "frames out of order");
   for (std::size_t i = 0; i < frame.boxes.size(); ++i) {
     for (std::size_t j = i + 1; j < frame.boxes.size(); ++j) {
-      seen_together_.insert(std::minmax(frame.boxes[i].landmark, frame.boxes[j].landmark));
+      const std::optional<int>&a = frame.boxes[i].landmark, &b = frame.boxes[j].landmark;
+      if (a && b) seen_together_.insert(std::minmax(*a, *b));
     }
   }
   for (auto& [landmark, watch] : landmark_watch_) {
@@ -49,7 +50,7 @@ void ObjectStatuses::AddFrame(ObservedFrame frame) {
     if (watch) watch->See(frame, model_, OwnerForFormer());
   }
   tentative_.AddFrame(frame, model_, [this](const ObservedFrame& in, const Box& box) {
-    return Representative(box.landmark) >= 0 || IsExplained(in, box);
+    return Representative(box.landmark) || IsExplained(in, box);
   });
   frames_.push_back(std::move(frame));
 }
@@ -83,7 +84,7 @@ double ObjectStatuses::FalseRate() const {
   double boxes = kBelievedFrames * params_.detection.false_per_image;
   for (const ObservedFrame& frame : frames_) {
     boxes += static_cast<double>(std::ranges::count_if(frame.boxes, [&](const Box& box) {
-      return Representative(box.landmark) < 0 && !IsExplained(frame, box);
+      return !Representative(box.landmark) && !IsExplained(frame, box);
     }));
   }
   return boxes / (kBelievedFrames + static_cast<double>(frames_.size()));
@@ -101,15 +102,15 @@ void ObjectStatuses::Rejudge() {
   rejudges_all_ = false;
 }
 
-int ObjectStatuses::Representative(int landmark) const {
-  const auto found = representative_.find(landmark);
-  return found == representative_.end() ? -1 : found->second;
+std::optional<int> ObjectStatuses::Representative(const std::optional<int>& landmark) const {
+  if (!landmark) return std::nullopt;
+  const auto found = representative_.find(*landmark);
+  return found == representative_.end() ? std::nullopt : std::optional(found->second);
 }
 
 const Box* ObjectStatuses::BoxOf(const OpiBelief& object, const ObservedFrame& frame) const {
-  return object.landmark < 0 ? nullptr
-                             : FindBox(frame, WatchedPlace(object.object), model_,
-                                       OwnerForLandmark(object.landmark));
+  if (!object.landmark) return nullptr;
+  return FindBox(frame, WatchedPlace(object.object), model_, OwnerForLandmark(*object.landmark));
 }
 
 void ObjectStatuses::Replay(PlaceWatch& watch, const OwnerOf& owner_of) const {
@@ -120,8 +121,8 @@ void ObjectStatuses::Replay(PlaceWatch& watch, const OwnerOf& owner_of) const {
 
 OwnerOf ObjectStatuses::OwnerForLandmark(int landmark) const {
   return [this, landmark](const ObservedFrame&, const Box& box) {
-    const int owner = Representative(box.landmark);
-    if (owner < 0) return BoxOwner::kUnknown;
+    const std::optional<int> owner = Representative(box.landmark);
+    if (!owner) return BoxOwner::kUnknown;
     return owner == landmark ? BoxOwner::kThisPlace : BoxOwner::kAnotherPlace;
   };
 }
@@ -203,7 +204,7 @@ OpiBelief ObjectStatuses::StatusOfFormer(std::size_t index) const {
   const PlaceWatch& watch =
       object != nullptr ? landmark_watch_.at(object->id) : *former_watch_[index];
   OpiBelief status{.id = static_cast<int>(index) + 1,
-                   .landmark = object != nullptr ? object->id : -1,
+                   .landmark = object != nullptr ? std::optional(object->id) : std::nullopt,
                    .prior_id = former.id,
                    .object = object != nullptr ? object->object : FormerPlace(index),
                    .log_likelihood_ratio = LambdaOf(watch),
@@ -298,10 +299,10 @@ void ObjectStatuses::PairMoved(std::vector<OpiBelief>& objects) const {
     if (moved == objects.end()) continue;
     moved->decided = Status::kMoved;
     moved->prior_id = removed.prior_id;
-    removed.prior_id = -1;  // its story goes on in the other entry
+    removed.prior_id.reset();  // its story goes on in the other entry
   }
   std::erase_if(objects, [](const OpiBelief& object) {
-    return object.decided == Status::kRemoved && object.prior_id < 0;
+    return object.decided == Status::kRemoved && !object.prior_id;
   });
 }
 

@@ -101,8 +101,9 @@ class ObjectStatuses {
   [[nodiscard]] VisibilityBelief Water() const;
   /// Places that boxes hint at but that nobody is sent to, because there were too many.
   [[nodiscard]] int tentative_left_out() const { return tentative_.left_out(); }
-  /// The landmark that stands for `landmark` after merging; -1 if it is not confirmed.
-  [[nodiscard]] int Representative(int landmark) const;
+  /// The landmark that stands for `landmark` after merging; nothing if it is not
+  /// confirmed.
+  [[nodiscard]] std::optional<int> Representative(const std::optional<int>& landmark) const;
   /// The box of an object in a frame, also in one from before the smoother knew the object.
   /// nullptr if the frame has none, or the object is no landmark.
   [[nodiscard]] const Box* BoxOf(const OpiBelief& object, const ObservedFrame& frame) const;

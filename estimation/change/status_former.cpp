@@ -30,7 +30,7 @@ OwnerOf ObjectStatuses::OwnerForFormer() const {
   // A former place is watched by itself only while no landmark stands for it, so every confirmed
   // landmark is another object; also in frames from before it was confirmed.
   return [this](const ObservedFrame& frame, const Box& box) {
-    const bool is_another = Representative(box.landmark) >= 0 || IsExplained(frame, box);
+    const bool is_another = Representative(box.landmark) || IsExplained(frame, box);
     return is_another ? BoxOwner::kAnotherPlace : BoxOwner::kUnknown;
   };
 }

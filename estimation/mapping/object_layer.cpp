@@ -78,7 +78,7 @@ void ObjectLayer::Look(Painted& object, const ObservedFrame& frame,
                        const ObjectStatuses& book) const {
   const Eigen::Vector3d& p_W = object.status.object.p_W;
   const Eigen::Vector3d p_OC = frame.X_WB.p_WB - p_W;
-  if (object.status.landmark < 0 || !IsNewViewpoint(object, p_OC)) {
+  if (!object.status.landmark || !IsNewViewpoint(object, p_OC)) {
     return;
   }
   if (const Box* box = book.BoxOf(object.status, frame)) {
@@ -189,7 +189,7 @@ std::map<VoxelKey, double> ObjectLayer::Gather(const Painted& object, double rad
   for (auto& [key, log_odds] : sum) {
     log_odds += object.miss_log_odds;
   }
-  if (sum.empty() && object.status.prior_id >= 0) {
+  if (sum.empty() && object.status.prior_id) {
     const ObjectLook look = VirtualLook(object.status.object.p_W, radius, camera_);
     for (const VoxelEvidence& point : NearSurface(look, camera_, radius, 0.5 * resolution)) {
       sum[KeyOf(point.p_W, resolution)] = kFormerLogOdds;

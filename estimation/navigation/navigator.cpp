@@ -204,7 +204,7 @@ void Navigator::TakeFrame(const Detections& frame) {
                     .altitude = from.altitude,
                     .boxes = frame.boxes});
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
-    posed_.back().boxes[i].landmark = landmarks[i].value_or(-1);
+    posed_.back().boxes[i].landmark = landmarks[i];
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace limpet::trial {
 struct Sphere {
   Eigen::Vector3d ned = Eigen::Vector3d::Zero();
   std::string color = "yellow";
-  int landmark = -1;  ///< id the smoother gave it
+  std::optional<int> landmark{};  ///< id the smoother gave it
   double radius = 0.5;
 };
 

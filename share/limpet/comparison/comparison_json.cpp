@@ -15,17 +15,16 @@ OrderedJson PlaceJson(const std::optional<Eigen::Vector3d>& p_W) {
 }
 
 OrderedJson ObjectJson(const OpiBelief& object, const SessionComparison& comparison) {
-  return {
-      {"decided", NameOf(object.decided)},
-      {"color", object.object.color},
-      {"ned_m", PlaceJson(object.object.p_W)},
-      {"moved_from_ned_m", PlaceJson(comparison.MovedFrom_W(object))},
-      {"id_a", object.prior_id >= 0 ? OrderedJson(object.prior_id) : OrderedJson(nullptr)},
-      {"landmark_b", object.landmark >= 0 ? OrderedJson(object.landmark) : OrderedJson(nullptr)},
-      {"posterior", JsonOf(object.posterior)},
-      {"looks_b", object.looks},
-      {"looks_with_box_b", object.looks_with_box},
-      {"log_likelihood_ratio_b", object.log_likelihood_ratio}};
+  return {{"decided", NameOf(object.decided)},
+          {"color", object.object.color},
+          {"ned_m", PlaceJson(object.object.p_W)},
+          {"moved_from_ned_m", PlaceJson(comparison.MovedFrom_W(object))},
+          {"id_a", object.prior_id ? OrderedJson(*object.prior_id) : OrderedJson(nullptr)},
+          {"landmark_b", object.landmark ? OrderedJson(*object.landmark) : OrderedJson(nullptr)},
+          {"posterior", JsonOf(object.posterior)},
+          {"looks_b", object.looks},
+          {"looks_with_box_b", object.looks_with_box},
+          {"log_likelihood_ratio_b", object.log_likelihood_ratio}};
 }
 
 }  // namespace

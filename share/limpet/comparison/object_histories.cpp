@@ -16,7 +16,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-bool IsThere(const OpiBelief& object) { return object.landmark >= 0; }
+bool IsThere(const OpiBelief& object) { return object.landmark.has_value(); }
 
 /// Follows objects from session to session.
 class HistoryKeeper {
@@ -55,10 +55,11 @@ class HistoryKeeper {
   }
 
   /// The id that a session itself has for a landmark of its own; nothing: it has none.
-  [[nodiscard]] std::optional<int> IdOf(std::size_t session, int landmark) const {
+  [[nodiscard]] std::optional<int> IdOf(std::size_t session,
+                                        const std::optional<int>& landmark) const {
     const std::vector<OpiBelief>& own = sessions_[session].memory.objects.opis;
     const auto found = std::ranges::find(own, landmark, &OpiBelief::landmark);
-    return landmark >= 0 && found != own.end() ? std::optional(found->id) : std::nullopt;
+    return landmark && found != own.end() ? std::optional(found->id) : std::nullopt;
   }
 
   void Step(std::size_t now) {
@@ -74,7 +75,7 @@ class HistoryKeeper {
     }
     for (const OpiBelief& object : Between(now - 1, now).objects) {
       const bool is_known = std::ranges::find(taken, object.landmark) != taken.end();
-      if (object.prior_id >= 0 || !IsThere(object) || is_known) continue;
+      if (object.prior_id || !IsThere(object) || is_known) continue;
       series_.objects.push_back({.color = object.object.color,
                                  .p_W = object.object.p_W,
                                  .placed_in = now,
@@ -108,7 +109,7 @@ class HistoryKeeper {
     entry.is_back = IsThere(*found) && was_gone;
     object.entries.push_back(entry);
     if (!IsThere(*found)) return;
-    taken.push_back(found->landmark);
+    taken.push_back(*found->landmark);
     object.p_W = found->object.p_W;
     object.placed_in = now;
   }

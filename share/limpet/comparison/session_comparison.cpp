@@ -75,14 +75,14 @@ ObjectStatuses Compare(const SavedSession& a, const SavedSession& b,
 }
 
 /// True for a place that is only worth a look: nothing was judged there.
-bool IsTentative(const OpiBelief& object) { return object.landmark < 0 && object.prior_id < 0; }
+bool IsTentative(const OpiBelief& object) { return !object.landmark && !object.prior_id; }
 
 }  // namespace
 
 std::optional<Eigen::Vector3d> SessionComparison::MovedFrom_W(const OpiBelief& object) const {
-  const auto former = former_W.find(object.prior_id);
-  const bool is_known = object.decided == Status::kMoved && former != former_W.end();
-  return is_known ? std::optional(former->second) : std::nullopt;
+  if (object.decided != Status::kMoved || !object.prior_id) return std::nullopt;
+  const auto former = former_W.find(*object.prior_id);
+  return former != former_W.end() ? std::optional(former->second) : std::nullopt;
 }
 
 SessionComparison CompareSessions(const SavedSession& a, const SavedSession& b,

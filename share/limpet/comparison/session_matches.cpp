@@ -18,9 +18,9 @@ namespace {
 std::vector<Landmark> LandmarksOf(const OpiBeliefs& objects) {
   std::vector<Landmark> landmarks;
   for (const OpiBelief& opi : objects.opis) {
-    if (opi.landmark < 0) continue;
+    if (!opi.landmark) continue;
     landmarks.push_back(
-        {.id = opi.landmark, .object = opi.object, .looks = opi.looks, .is_confirmed = true});
+        {.id = *opi.landmark, .object = opi.object, .looks = opi.looks, .is_confirmed = true});
   }
   return landmarks;
 }

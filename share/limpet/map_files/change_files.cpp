@@ -16,9 +16,11 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-std::string IdText(int id) { return id < 0 ? "" : std::to_string(id); }
+std::string IdText(const std::optional<int>& id) { return id ? std::to_string(*id) : ""; }
 
-OrderedJson IdJson(int id) { return id < 0 ? OrderedJson(nullptr) : OrderedJson(id); }
+OrderedJson IdJson(const std::optional<int>& id) {
+  return id ? OrderedJson(*id) : OrderedJson(nullptr);
+}
 
 /// How far an object was moved [m]; nothing unless it was.
 std::optional<double> MovedBy(const SessionComparison& comparison, const OpiBelief& object) {

@@ -41,11 +41,11 @@ void BestChips::Add(const ObservedFrame& frame) {
   });
   if (of_frame == waiting_.end()) return;
   for (const Box& box : frame.boxes) {
-    if (box.landmark < 0) continue;
+    if (!box.landmark) continue;
     const auto chip = std::ranges::find_if(of_frame->chips, [&box](const ImageChip& one) {
       return Overlap(RectOf(one.box), RectOf(box)) >= kSameBox;
     });
-    if (chip != of_frame->chips.end()) Keep(box.landmark, of_frame->exposure, *chip);
+    if (chip != of_frame->chips.end()) Keep(*box.landmark, of_frame->exposure, *chip);
   }
   waiting_.erase(waiting_.begin(), of_frame + 1);  // frames come in order
 }
@@ -68,9 +68,9 @@ void BestChips::Keep(int landmark, const Seconds& exposure, const ImageChip& chi
   if (kept.size() > kOfEach) kept.pop_back();
 }
 
-const std::vector<ObjectChip>& BestChips::Of(int landmark) const {
+const std::vector<ObjectChip>& BestChips::Of(const std::optional<int>& landmark) const {
   static const std::vector<ObjectChip> kNone;
-  const auto found = of_landmark_.find(landmark);
+  const auto found = landmark ? of_landmark_.find(*landmark) : of_landmark_.end();
   return found != of_landmark_.end() ? found->second : kNone;
 }
 

@@ -33,8 +33,8 @@ class BestChips {
   /// Pictures wait for the frame that says which landmarks they show.
   void Add(ImageChips chips);
   void Add(const ObservedFrame& frame);
-  /// Best first; empty for a landmark without pictures.
-  [[nodiscard]] const std::vector<ObjectChip>& Of(int landmark) const;
+  /// Best first; empty for a landmark without pictures, and for none.
+  [[nodiscard]] const std::vector<ObjectChip>& Of(const std::optional<int>& landmark) const;
 
  private:
   static constexpr std::size_t kWaiting = 16;

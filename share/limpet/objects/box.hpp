@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "limpet/core/camera_model.hpp"
@@ -12,8 +13,8 @@ struct Box {
   double u = 0.0, v = 0.0, w = 0.0, h = 0.0;
   double confidence = 0.0;
   std::string color;  ///< class: yellow, orange, green, ...
-  /// NAV_LANDMARKS id of the object that pNav says it shows; -1: of none, or not yet asked.
-  int landmark = -1;
+  /// NAV_LANDMARKS id of the object that pNav says it shows; nothing: of none, or not yet asked.
+  std::optional<int> landmark{};
 };
 
 /// A box's edge this near the image's border is the border, not the object's edge [px]: detectors

@@ -60,9 +60,9 @@ struct FormerObject {
 
 /// An object of potential interest, as map and smoother together know it.
 struct OpiBelief {
-  int id = 0;             ///< unique in the session and lasting
-  int landmark = -1;      ///< NAV_LANDMARKS id, or -1 if only the former session knew it
-  int prior_id = -1;      ///< id in SESSION_PRIOR, or -1
+  int id = 0;                     ///< unique in the session and lasting
+  std::optional<int> landmark{};  ///< NAV_LANDMARKS id; nothing if only the former session knew it
+  std::optional<int> prior_id{};  ///< id in SESSION_PRIOR, if the former session knew it
   ObjectEstimate object;  ///< the smoother's, else the former session's in this session's frame
   /// Lambda of this session: ln P(looks | present) / P(looks | absent).
   double log_likelihood_ratio = 0.0;

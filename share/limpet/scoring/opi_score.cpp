@@ -30,7 +30,7 @@ bool SaysPresent(const OpiBelief& opi) {
 /// True for a mapped object that is there by the vehicle's account; since when may be open in a
 /// session that has a former one.
 bool IsReported(const OpiBelief& opi, bool has_former) {
-  const bool is_sure = has_former && opi.landmark >= 0 && opi.decided == Status::kUncertain &&
+  const bool is_sure = has_former && opi.landmark && opi.decided == Status::kUncertain &&
                        opi.posterior.present() >= kSurelyThere;
   return SaysPresent(opi) || is_sure;
 }
@@ -186,7 +186,7 @@ bool ChangeScore::is_open() const {
 
 OpiBelief SmoothedBelief(OpiBelief opi, const std::vector<Landmark>& landmarks) {
   for (const Landmark& landmark : landmarks) {
-    if (opi.landmark < 0 || landmark.id != opi.landmark) continue;
+    if (opi.landmark != landmark.id) continue;
     opi.object.p_W = landmark.object.p_W, opi.object.cov_W = landmark.object.cov_W;
     opi.object.size = landmark.object.size;
   }

@@ -69,7 +69,7 @@ void AddView(const View& view, Seconds start, const std::vector<int>& landmarks,
   for (const Box& box : frame.boxes) {
     if (IsListed(box, landmarks)) continue;
     former.frame.boxes.push_back(box);
-    former.frame.boxes.back().landmark = -1;  // of none that is handed on
+    former.frame.boxes.back().landmark.reset();  // of none that is handed on
   }
   prior.views.push_back(std::move(former));
 }

@@ -14,10 +14,11 @@ constexpr std::string_view kHeader =
     "frame,t,north_m,east_m,down_m,roll_rad,pitch_rad,yaw_rad,altitude_m,boxes";
 constexpr std::size_t kColumns = 10;
 constexpr std::size_t kBoxFields = 7;
+constexpr int kNoLandmark = -1;  // how the file says that a box is of none
 
 std::string BoxText(const Box& box) {
   return fmt::format("{:.2f}:{:.2f}:{:.2f}:{:.2f}:{:.4f}:{}:{}", box.u, box.v, box.w, box.h,
-                     box.confidence, ClassText(box.color), box.landmark);
+                     box.confidence, ClassText(box.color), box.landmark.value_or(kNoLandmark));
 }
 
 /// Reads numbers until one is bad.
@@ -38,13 +39,14 @@ std::optional<Box> ParseBox(std::string_view text) {
   const std::vector<std::string> fields = Split(text, ':');
   if (fields.size() != kBoxFields) return std::nullopt;
   NumberReader number;
-  const Box box{.u = number(fields[0]),
-                .v = number(fields[1]),
-                .w = number(fields[2]),
-                .h = number(fields[3]),
-                .confidence = number(fields[4]),
-                .color = ClassFrom(fields[5]),
-                .landmark = static_cast<int>(number(fields[6]))};
+  Box box{.u = number(fields[0]),
+          .v = number(fields[1]),
+          .w = number(fields[2]),
+          .h = number(fields[3]),
+          .confidence = number(fields[4]),
+          .color = ClassFrom(fields[5])};
+  const int landmark = static_cast<int>(number(fields[6]));
+  if (landmark >= 0) box.landmark = landmark;
   return number.is_good() ? std::optional<Box>(box) : std::nullopt;
 }
 

@@ -35,6 +35,14 @@ struct adl_serializer<std::optional<double>> {
 
 namespace limpet {
 
+/// How a message says that there is no such landmark or object.
+constexpr int kNoId = -1;
+
+std::optional<int> IdFrom(const nlohmann::json& in) {
+  const int id = in;
+  return id < 0 ? std::nullopt : std::optional(id);
+}
+
 /// Which landmark it shows is said beside a box, where it is known.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Box, u, v, w, h, confidence, color)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Detections, frame, exposure, boxes)
@@ -91,7 +99,7 @@ void to_json(nlohmann::json& out, const Landmark& landmark) {
   out = {{"id", landmark.id},
          {"looks", landmark.looks},
          {"is_confirmed", landmark.is_confirmed},
-         {"prior_id", landmark.former_id.value_or(-1)}};
+         {"prior_id", landmark.former_id.value_or(kNoId)}};
   if (landmark.former_id && landmark.former_probability < 1.0) {
     out["prior_p"] = landmark.former_probability;
   }
@@ -102,12 +110,11 @@ void to_json(nlohmann::json& out, const Landmark& landmark) {
 }
 
 void from_json(const nlohmann::json& in, Landmark& landmark) {
-  const int former = in.at("prior_id");
   landmark = {.id = in.at("id"),
               .object = EstimateFrom(in),
               .looks = in.at("looks"),
               .is_confirmed = in.at("is_confirmed"),
-              .former_id = former < 0 ? std::nullopt : std::optional(former),
+              .former_id = IdFrom(in.at("prior_id")),
               .former_probability = in.value("prior_p", 1.0)};
   for (const nlohmann::json& candidate : in.value("prior_candidates", nlohmann::json::array())) {
     landmark.former_candidates.push_back(
@@ -133,8 +140,8 @@ void from_json(const nlohmann::json& in, LandmarkJoint& joint) {
 /// them.
 void to_json(nlohmann::json& out, const OpiBelief& opi) {
   out = {{"id", opi.id},
-         {"landmark", opi.landmark},
-         {"prior_id", opi.prior_id},
+         {"landmark", opi.landmark.value_or(kNoId)},
+         {"prior_id", opi.prior_id.value_or(kNoId)},
          {"centroid", TripleOf(opi.centroid_W)},
          {"centroid_sd", TripleOf(opi.centroid_sd)},
          {"probability", opi.posterior.present()},
@@ -149,8 +156,8 @@ void to_json(nlohmann::json& out, const OpiBelief& opi) {
 void from_json(const nlohmann::json& in, OpiBelief& opi) {
   opi = {
       .id = in.at("id"),
-      .landmark = in.at("landmark"),
-      .prior_id = in.at("prior_id"),
+      .landmark = IdFrom(in.at("landmark")),
+      .prior_id = IdFrom(in.at("prior_id")),
       .object = EstimateFrom(in),
       .log_likelihood_ratio = in.at("log_likelihood_ratio"),
       .looks = in.at("looks"),
@@ -183,7 +190,7 @@ void to_json(nlohmann::json& out, const ObservedFrame& frame) {
   const Pose& X_WB = frame.X_WB;
   nlohmann::json boxes = nlohmann::json::array();
   for (const Box& box : frame.boxes) {
-    boxes.push_back({{"box", box}, {"landmark", box.landmark}});
+    boxes.push_back({{"box", box}, {"landmark", box.landmark.value_or(kNoId)}});
   }
   out = {{"frame", frame.frame},       {"exposure", frame.exposure}, {"ned", TripleOf(X_WB.p_WB)},
          {"roll", X_WB.roll},          {"pitch", X_WB.pitch},        {"yaw", X_WB.yaw},
@@ -201,7 +208,7 @@ void from_json(const nlohmann::json& in, ObservedFrame& frame) {
   in.at("altitude").get_to(frame.altitude);
   for (const nlohmann::json& sighted : in.at("boxes")) {
     frame.boxes.push_back(sighted.at("box").get<Box>());
-    sighted.at("landmark").get_to(frame.boxes.back().landmark);
+    frame.boxes.back().landmark = IdFrom(sighted.at("landmark"));
   }
   if (in.contains("sd_absolute") && in.contains("sd_beside")) {
     frame.sigma = PlaceSigma{.absolute = in.at("sd_absolute"), .beside = in.at("sd_beside")};

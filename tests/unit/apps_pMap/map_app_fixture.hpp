@@ -20,7 +20,7 @@ inline constexpr SurveyArea kArea{
 inline const Eigen::Vector3d kCovariance(0.04, 0.04, 0.09);  // of each place [m^2]
 
 inline Landmark LandmarkOf(const trial::Sphere& sphere) {
-  return {.id = sphere.landmark,
+  return {.id = sphere.landmark.value(),
           .object = {.p_W = sphere.ned, .cov_W = kCovariance.asDiagonal(), .color = sphere.color},
           .looks = 5,
           .is_confirmed = true};
@@ -70,7 +70,7 @@ class MapAppTest : public ::testing::Test {
               const trial::Detector& detector = {}) {
     for (const ObservedFrame& frame : trial::Fly(leg, link_.time, spheres, detector, random_)) {
       link_.time = frame.exposure;
-      link_.Send(app_, topics::kNavSight, frame);
+      link_.Send(app_, topics::kNavCameraFrame, frame);
       app_.Tick(link_.time);
     }
     link_.time += Seconds(20.0);
@@ -80,7 +80,7 @@ class MapAppTest : public ::testing::Test {
     Landmarks landmarks;
     for (const trial::Sphere& sphere : spheres) {
       landmarks.landmarks.push_back(LandmarkOf(sphere));
-      const auto former = former_of.find(sphere.landmark);
+      const auto former = former_of.find(sphere.landmark.value());
       if (former != former_of.end()) landmarks.landmarks.back().former_id = former->second;
     }
     link_.Send(app_, topics::kNavLandmarks, landmarks);

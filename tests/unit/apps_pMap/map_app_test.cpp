@@ -23,7 +23,7 @@ TEST_F(MapAppTest, TellsPlannersToCountOnSmallerImagesWherePassesMayHaveComeApar
        trial::Fly({.north = -14, .length = 28}, link_.time, {}, {}, random_)) {
     frame.sigma = PlaceSigma{.absolute = 0.6, .beside = 0.6};
     link_.time = frame.exposure;
-    link_.Send(app_, topics::kNavSight, frame);
+    link_.Send(app_, topics::kNavCameraFrame, frame);
     app_.Tick(link_.time);
   }
   const auto look = link_.Last(topics::kMapLook);
@@ -89,7 +89,7 @@ TEST_F(MapAppTest, DecidesAllFourWaysInAChangeSession) {
   Survey({.north = -3, .east = 1, .length = 16}, {kYellow, newcomer});
   Survey({.north = -3, .east = 8, .length = 16}, {kYellow, newcomer});
   Survey({.north = -3, .east = -4, .length = 16}, {kYellow, newcomer});
-  Confirm({kYellow, newcomer}, {{kYellow.landmark, 1}});
+  Confirm({kYellow, newcomer}, {{kYellow.landmark.value(), 1}});
   std::vector<Status> decided;
   for (const OpiBelief& opi : Objects()) {
     decided.push_back(opi.decided);
@@ -316,7 +316,7 @@ TEST_F(MapAppTest, BareGroundThatDoesNotStandOutIsNotCovered) {
   for (const ObservedFrame& frame :
        trial::Fly({.north = -10, .length = 20}, link_.time, {}, {}, random_)) {
     link_.time = frame.exposure;
-    link_.Send(app_, topics::kNavSight, frame);
+    link_.Send(app_, topics::kNavCameraFrame, frame);
     link_.Send(app_, topics::kGroundContrast,
                {.exposure = link_.time.value(), .green = 0.0005, .noise = 0.0008});
     app_.Tick(link_.time);

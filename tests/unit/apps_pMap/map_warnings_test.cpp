@@ -38,15 +38,15 @@ TEST_F(MapWarningsTest, SaysThatItFliesTooHighToSee) {
 TEST_F(MapWarningsTest, SaysThatFramesWithoutAnAltitudeAreLeftOut) {
   ObservedFrame frame;
   frame.exposure = link_.time;
-  link_.Send(app_, topics::kNavSight, frame);
+  link_.Send(app_, topics::kNavCameraFrame, frame);
   EXPECT_TRUE(app_.warnings().contains("VIEW_WITHOUT_ALTITUDE"));
   frame.exposure = link_.time - Seconds(1.0);
-  link_.Send(app_, topics::kNavSight, frame);
+  link_.Send(app_, topics::kNavCameraFrame, frame);
   EXPECT_TRUE(app_.warnings().contains("SIGHT_OUT_OF_ORDER"));
   EXPECT_THAT(LeftOutIn(app_), ::testing::HasSubstr("1 out of order, 1 without an altitude"));
   frame.exposure = link_.time + Seconds(1.0);
   frame.altitude = 4.0;
-  link_.Send(app_, topics::kNavSight, frame);
+  link_.Send(app_, topics::kNavCameraFrame, frame);
   EXPECT_TRUE(app_.warnings().empty());
 }
 
@@ -60,11 +60,11 @@ TEST_F(MapWarningsTest, TellsHowFarItSeesAndWarnsWhereTheSeabedIsOutOfSight) {
       trial::Fly({.north = -3, .length = 22}, link_.time, high, {.detects = 1.0}, random_);
   for (ObservedFrame& frame : frames) {
     std::erase_if(frame.boxes, [&](const Box& box) {
-      return (high[static_cast<std::size_t>(box.landmark - 10)].ned - frame.X_WB.p_WB).norm() >
+      return (high[static_cast<std::size_t>(*box.landmark - 10)].ned - frame.X_WB.p_WB).norm() >
              1.85;
     });
     link_.time = frame.exposure;
-    link_.Send(app_, topics::kNavSight, frame);
+    link_.Send(app_, topics::kNavCameraFrame, frame);
     app_.Tick(link_.time);
   }
   EXPECT_NEAR(link_.Last(topics::kWaterState)->visibility, 8.0, 2.5);
@@ -89,7 +89,7 @@ TEST_F(MapWarningsTest, SaysThatItDoesNotFollowUpEveryHint) {
   std::vector<trial::Sphere> ghosts;
   for (int i = 0; i < 11; ++i) {
     // At the image's edge: what was seen whole would need no second look.
-    ghosts.push_back({.ned = {3.0 * i, 3.0, 6.0}, .color = "yellow", .landmark = -1});
+    ghosts.push_back({.ned = {3.0 * i, 3.0, 6.0}, .color = "yellow"});
   }
   Survey({.north = -4, .east = 1, .length = 16}, ghosts);
   link_.time += Seconds(1.0);

@@ -57,7 +57,7 @@ TEST_F(ObjectStatusesBorders, HeightDoesNotKeepLandmarksApart) {
 TEST_F(ObjectStatusesBorders, ALandmarkThatIsNotConfirmedIsNone) {
   Fly(0.0, {{At(4.0, 0.5), 1}});
   statuses_.SetLandmarks({{.id = 1, .object = At(4.0, 0.5), .looks = 9, .is_confirmed = false}});
-  EXPECT_EQ(statuses_.Representative(1), -1);
+  EXPECT_EQ(statuses_.Representative(1), std::nullopt);
 }
 
 /// Statuses after an object of the former session was found that far from its place.

@@ -25,7 +25,7 @@ class ObjectStatusesTest : public ::testing::Test {
  protected:
   struct Real {
     ObjectEstimate object;
-    int landmark = -1;
+    std::optional<int> landmark{};
     std::optional<int> former_id = std::nullopt;
     std::vector<FormerCandidate> candidates = {};
   };
@@ -64,9 +64,9 @@ class ObjectStatusesTest : public ::testing::Test {
   void Landmarks(const std::vector<Real>& objects) {
     std::vector<Landmark> known;
     for (const Real& real : objects) {
-      known.push_back({.id = real.landmark,
+      known.push_back({.id = *real.landmark,
                        .object = real.object,
-                       .looks = 10 - real.landmark,
+                       .looks = 10 - *real.landmark,
                        .is_confirmed = true,
                        .former_id = real.former_id,
                        .former_candidates = real.candidates});

@@ -25,9 +25,11 @@ void ExpectSameBeliefs(const Field& field, const std::vector<OpiBelief>& a,
   EXPECT_EQ(a.size(), b.size());
   for (const FieldObject& one : field.objects) {
     const std::optional<OpiBelief> in_a = BeliefOf(one, a), in_b = BeliefOf(one, b);
-    ASSERT_EQ(in_a.has_value(), in_b.has_value()) << one.landmark << "/" << one.former;
+    ASSERT_EQ(in_a.has_value(), in_b.has_value())
+        << one.landmark.value_or(-1) << "/" << one.former.value_or(-1);
     if (!in_a) continue;
-    EXPECT_EQ(in_a->decided, in_b->decided) << one.landmark << "/" << one.former;
+    EXPECT_EQ(in_a->decided, in_b->decided)
+        << one.landmark.value_or(-1) << "/" << one.former.value_or(-1);
     EXPECT_EQ(in_a->looks, in_b->looks);
     EXPECT_NEAR(in_a->log_likelihood_ratio, in_b->log_likelihood_ratio, within);
     ExpectSamePosterior(in_a->posterior, in_b->posterior, within);
@@ -60,11 +62,11 @@ TEST_P(RandomField, NoIdIsGivenTwiceAndNoLandmarkNorFormerObjectIsListedTwice) {
   for (const OpiBelief& belief : all) {
     EXPECT_TRUE(ids.insert(belief.id).second) << "id " << belief.id;
     EXPECT_GT(belief.id, 0);
-    if (belief.landmark >= 0) {
-      EXPECT_TRUE(landmarks.insert(belief.landmark).second) << "landmark " << belief.landmark;
+    if (belief.landmark.has_value()) {
+      EXPECT_TRUE(landmarks.insert(*belief.landmark).second) << "landmark " << *belief.landmark;
     }
-    if (belief.prior_id >= 0) {
-      EXPECT_TRUE(former.insert(belief.prior_id).second) << "former " << belief.prior_id;
+    if (belief.prior_id.has_value()) {
+      EXPECT_TRUE(former.insert(*belief.prior_id).second) << "former " << *belief.prior_id;
     }
   }
 }
@@ -73,10 +75,10 @@ TEST_P(RandomField, SaysOfEveryObjectWhatBecameOfIt) {
   const std::vector<OpiBelief> all = StatusesOf(field_).Assess();
   for (const FieldObject& one : field_.objects) {
     const std::optional<OpiBelief> belief = BeliefOf(one, all);
-    ASSERT_TRUE(belief) << one.landmark << "/" << one.former;
+    ASSERT_TRUE(belief) << one.landmark.value_or(-1) << "/" << one.former.value_or(-1);
     const StatusPosterior& p = belief->posterior;
-    const double truth = one.landmark < 0 ? p.removed : (one.former < 0 ? p.appeared : p.confirmed);
-    EXPECT_GT(truth, 0.5) << one.landmark << "/" << one.former;
+    const double truth = !one.landmark ? p.removed : (!one.former ? p.appeared : p.confirmed);
+    EXPECT_GT(truth, 0.5) << one.landmark.value_or(-1) << "/" << one.former.value_or(-1);
   }
 }
 
@@ -110,7 +112,8 @@ TEST_P(RandomField, ATurnByAnyAngleChangesNoDecision) {
   for (const FieldObject& one : field_.objects) {
     const std::optional<OpiBelief> a = BeliefOf(one, here), b = BeliefOf(one, turned);
     ASSERT_TRUE(a && b);
-    EXPECT_EQ(a->decided, b->decided) << one.landmark << "/" << one.former;
+    EXPECT_EQ(a->decided, b->decided)
+        << one.landmark.value_or(-1) << "/" << one.former.value_or(-1);
   }
 }
 
@@ -139,9 +142,9 @@ TEST_P(RandomField, IdsLastAsLandmarksComeOneByOne) {
   for (std::size_t count = 1; count <= all.size(); ++count) {
     statuses.SetLandmarks({all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)});
     for (const OpiBelief& belief : statuses.Assess()) {
-      if (belief.landmark < 0) continue;
-      const auto known = id_of_landmark.try_emplace(belief.landmark, belief.id).first;
-      EXPECT_EQ(known->second, belief.id) << "landmark " << belief.landmark;
+      if (!belief.landmark) continue;
+      const auto known = id_of_landmark.try_emplace(*belief.landmark, belief.id).first;
+      EXPECT_EQ(known->second, belief.id) << "landmark " << *belief.landmark;
     }
   }
 }
@@ -165,8 +168,7 @@ TEST_P(RandomField, AnObjectFarAwayChangesNothingOfTheOthers) {
   more.objects.push_back({.object = {.p_W = {500.0, 500.0, 6.0},
                                      .cov_W = 0.04 * Eigen::Matrix3d::Identity(),
                                      .color = "yellow"},
-                          .landmark = 77,
-                          .former = -1});
+                          .landmark = 77});
   std::vector<OpiBelief> with = StatusesOf(more).Assess();
   std::erase_if(with, [](const OpiBelief& belief) { return belief.landmark == 77; });
   ExpectSameBeliefs(field_, StatusesOf(field_).Assess(), with, 1e-9);
@@ -198,7 +200,7 @@ TEST_P(RandomField, EveryBoxOfALandmarkIsFoundAndNoOtherIs) {
     for (const ObservedFrame& frame : statuses.frames()) {
       const Box* box = statuses.BoxOf(belief, frame);
       const auto own = std::ranges::find(frame.boxes, belief.landmark, &Box::landmark);
-      const bool has_own = belief.landmark >= 0 && own != frame.boxes.end();
+      const bool has_own = belief.landmark.has_value() && own != frame.boxes.end();
       ASSERT_EQ(box != nullptr, has_own);
       if (box != nullptr) {
         EXPECT_EQ(box->landmark, belief.landmark);
@@ -215,7 +217,7 @@ TEST_P(RandomField, ADetectorThatMissesMoreLeavesNoObjectSurer) {
   const auto present = [](const std::vector<OpiBelief>& beliefs, bool is_found) {
     double sum = 0.0;
     for (const OpiBelief& belief : beliefs)
-      sum += (belief.landmark >= 0) == is_found ? belief.posterior.present() : 0.0;
+      sum += (belief.landmark.has_value()) == is_found ? belief.posterior.present() : 0.0;
     return sum;
   };
   constexpr double kExcused = 0.02;  // what misses more may as well be in murkier water

@@ -40,7 +40,7 @@ TEST_F(ObjectStatusesTest, BoxesThatNoLandmarkExplainsAreWorthALook) {
   const std::vector<OpiBelief> objects = statuses_.Assess();
   ASSERT_EQ(objects.size(), 1U);
   EXPECT_EQ(objects[0].decided, Status::kUncertain);
-  EXPECT_EQ(objects[0].landmark, -1);
+  EXPECT_EQ(objects[0].landmark, std::nullopt);
   EXPECT_GT(objects[0].posterior.Entropy(), 0.25);
 }
 
@@ -99,8 +99,7 @@ TEST_F(ObjectStatusesTest, FalseDetectionsNeverAddUpToAnObject) {
                              .w = 80,
                              .h = 80,
                              .confidence = 0.5,
-                             .color = "yellow",
-                             .landmark = -1});
+                             .color = "yellow"});
     }
     statuses_.AddFrame(std::move(frame));
   }

@@ -190,7 +190,7 @@ TEST_F(StatusFormerTest, BelievesTheMatchThatItIsTold) {
   Landmarks(now);
   const std::vector<OpiBelief> objects = statuses_.Assess();
   ASSERT_EQ(objects.size(), 2U);
-  EXPECT_EQ(objects[0].landmark, -1);
+  EXPECT_EQ(objects[0].landmark, std::nullopt);
   EXPECT_EQ(objects[1].landmark, 1);
   EXPECT_EQ(objects[1].prior_id, 8);
   EXPECT_EQ(objects[1].decided, Status::kConfirmed);
@@ -272,7 +272,7 @@ TEST_F(StatusFormerTest, MatchesWithAnotherFormerSessionSayNothing) {
   const Real real{At(4, 0.5), 1, 99};
   Fly(0.0, {real});
   Landmarks({real});
-  EXPECT_EQ(statuses_.Assess()[0].prior_id, -1);
+  EXPECT_EQ(statuses_.Assess()[0].prior_id, std::nullopt);
   EXPECT_EQ(statuses_.Assess()[0].decided, Status::kNew);
 }
 

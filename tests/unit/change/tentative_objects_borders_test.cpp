@@ -97,7 +97,7 @@ TEST(TentativeObjectBelief, IsNotHeldBesideALandmarkNearerThanAMetreAndAHalf) {
     statuses.SetLandmarks({landmark});
     bool is_held = false;
     for (const OpiBelief& object : statuses.Assess())
-      is_held = is_held || object.landmark < 0;
+      is_held = is_held || !object.landmark;
     EXPECT_EQ(is_held, distance > 1.5) << distance;
   }
 }

@@ -31,8 +31,7 @@ Box BoxAt(double forward, double starboard) {
           .w = right - left,
           .h = bottom - top,
           .confidence = 0.9,
-          .color = "yellow",
-          .landmark = -1};
+          .color = "yellow"};
 }
 
 TEST(PlaceOfBox, IsWhereTheObjectIs) {

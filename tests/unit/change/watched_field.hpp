@@ -18,8 +18,8 @@ namespace limpet {
 /// An object of the field, and what landmark and former object it is.
 struct FieldObject {
   ObjectEstimate object;
-  int landmark = -1;  ///< -1: it is not there now
-  int former = -1;    ///< -1: it was not there then
+  std::optional<int> landmark{};  ///< nothing: it is not there now
+  std::optional<int> former{};    ///< nothing: it was not there then
 };
 
 struct Field {
@@ -29,21 +29,21 @@ struct Field {
   [[nodiscard]] std::vector<Landmark> Landmarks() const {
     std::vector<Landmark> landmarks;
     for (const FieldObject& one : objects) {
-      if (one.landmark < 0) continue;
-      landmarks.push_back({.id = one.landmark,
+      if (!one.landmark) continue;
+      landmarks.push_back({.id = *one.landmark,
                            .object = one.object,
                            .looks = 10,
                            .is_confirmed = true,
-                           .former_id = one.former < 0 ? std::nullopt : std::optional(one.former)});
+                           .former_id = one.former});
     }
     return landmarks;
   }
   [[nodiscard]] std::vector<FormerObject> Former() const {
     std::vector<FormerObject> former;
     for (const FieldObject& one : objects) {
-      if (one.former < 0) continue;
+      if (!one.former) continue;
       former.push_back(
-          {.id = one.former, .object = one.object, .log_likelihood_ratio = 8.0, .looks = 5});
+          {.id = *one.former, .object = one.object, .log_likelihood_ratio = 8.0, .looks = 5});
     }
     return former;
   }
@@ -59,7 +59,7 @@ inline std::vector<Box> BoxesFrom(const Pose& X_WB, const Field& field, double d
   const CameraModel camera;
   std::vector<Box> boxes;
   for (const FieldObject& one : field.objects) {
-    if (one.landmark < 0 || VisibleShare(camera, X_WB, one.object.p_W, 0.5) < 0.6) continue;
+    if (!one.landmark || VisibleShare(camera, X_WB, one.object.p_W, 0.5) < 0.6) continue;
     if (!random.Chance(detects)) continue;
     const Eigen::Vector2d pixel = *camera.Project(camera.InCamera(X_WB, one.object.p_W));
     boxes.push_back({.u = pixel.x(),
@@ -106,8 +106,8 @@ inline Field DrawField(std::uint64_t seed, double detects = 0.95) {
     field.objects.push_back({.object = {.p_W = p_W,
                                         .cov_W = 0.04 * Eigen::Matrix3d::Identity(),
                                         .color = colors[random.Index(2)]},
-                             .landmark = fate < 0.7 ? number : -1,
-                             .former = fate > 0.35 ? 100 + number : -1});
+                             .landmark = fate < 0.7 ? std::optional(number) : std::nullopt,
+                             .former = fate > 0.35 ? std::optional(100 + number) : std::nullopt});
   }
   field.frames = FlyLanes(field, detects, random);
   Field then = field;
@@ -136,8 +136,8 @@ inline ObjectStatuses StatusesOf(const Field& field, bool with_former = true) {
 inline std::optional<OpiBelief> BeliefOf(const FieldObject& one,
                                          const std::vector<OpiBelief>& all) {
   const auto found = std::ranges::find_if(all, [&](const OpiBelief& belief) {
-    return (one.landmark >= 0 && belief.landmark == one.landmark) ||
-           (one.former >= 0 && belief.prior_id == one.former);
+    return (one.landmark && belief.landmark == one.landmark) ||
+           (one.former && belief.prior_id == one.former);
   });
   return found == all.end() ? std::nullopt : std::optional(*found);
 }

@@ -69,7 +69,7 @@ class ChangeVerbTest : public ::testing::Test {
             const std::vector<trial::Sphere>& spheres) {
     for (const ObservedFrame& frame :
          trial::Fly(leg, community.now(), spheres, {.detects = 0.8}, random_)) {
-      Say(community, topics::kNavSight, frame);
+      Say(community, topics::kNavCameraFrame, frame);
       Wait(community, 0.25);
     }
     Wait(community, 20.0);
@@ -83,7 +83,7 @@ class ChangeVerbTest : public ::testing::Test {
                       const std::vector<trial::Sphere>& spheres, const Eigen::Vector3d& off) {
     Landmarks landmarks;
     for (const trial::Sphere& sphere : spheres) {
-      landmarks.landmarks.push_back({.id = sphere.landmark,
+      landmarks.landmarks.push_back({.id = sphere.landmark.value(),
                                      .object = {.p_W = sphere.ned + off,
                                                 .cov_W = kCovariance.asDiagonal(),
                                                 .color = sphere.color},

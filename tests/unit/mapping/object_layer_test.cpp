@@ -23,11 +23,11 @@ Box BoxAround(const Pose& X_WB, const Eigen::Vector3d& p_W, int landmark) {
           .landmark = landmark};
 }
 
-OpiBelief StatusAt(const Eigen::Vector3d& ned, Status decided, int landmark = 1) {
+OpiBelief StatusAt(const Eigen::Vector3d& ned, Status decided, std::optional<int> landmark = 1) {
   OpiBelief status;
   status.id = 1;
   status.landmark = landmark;
-  status.prior_id = landmark < 0 ? 7 : -1;
+  if (!landmark) status.prior_id = 7;
   status.object.p_W = ned;
   status.posterior.appeared = 0.98;
   status.posterior.nothing = 0.02;
@@ -144,7 +144,7 @@ TEST(ObjectLayer, LabelsVoxelsWithTheirObjectsStatus) {
 
 TEST(ObjectLayer, DrawsAFormerObjectThatIsGone) {
   Flight flight(kPlace);
-  OpiBelief gone = StatusAt(kPlace, Status::kRemoved, -1);
+  OpiBelief gone = StatusAt(kPlace, Status::kRemoved, std::nullopt);
   gone.posterior = {.confirmed = 0.02, .removed = 0.98};
   flight.Paint(gone);
   const auto top = flight.At(kPlace - Eigen::Vector3d(0, 0, 0.45));

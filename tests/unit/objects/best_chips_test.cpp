@@ -13,7 +13,8 @@ Box BoxOf(double u, double size, double confidence) {
 }
 
 /// One image in which a landmark was seen, with its picture.
-void See(BestChips& best, double t, int landmark, const Box& box, const std::string& picture) {
+void See(BestChips& best, double t, std::optional<int> landmark, const Box& box,
+         const std::string& picture) {
   best.Add(ImageChips{.exposure = Seconds(t), .chips = {{.box = box, .jpeg = picture}}});
   ObservedFrame frame;
   frame.exposure = Seconds(t);
@@ -67,8 +68,8 @@ TEST(BestChips, BelongToTheLandmarkWhoseBoxTheyShow) {
 
 TEST(BestChips, AreNobodysWhereTheFrameKnowsNoLandmark) {
   BestChips best;
-  See(best, 10.0, -1, BoxOf(100, 40, 0.9), "ghost");
-  EXPECT_TRUE(best.Of(-1).empty());
+  See(best, 10.0, std::nullopt, BoxOf(100, 40, 0.9), "ghost");
+  EXPECT_TRUE(best.Of(std::nullopt).empty());
 }
 
 TEST(BestChips, ForgetAnImageWhoseFrameNeverCame) {

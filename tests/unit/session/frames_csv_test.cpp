@@ -35,7 +35,8 @@ std::vector<ObservedFrame> RandomFrames(Random& random) {
                              .h = random.Uniform(1.0, 99.0),
                              .confidence = random.Uniform(0.0, 1.0),
                              .color = random.Chance(0.5) ? "yellow" : "orange",
-                             .landmark = static_cast<int>(random.Index(9)) - 1});
+                             .landmark = static_cast<int>(random.Index(9))});
+      if (random.Chance(0.1)) frame.boxes.back().landmark.reset();
     }
     frames.push_back(frame);
   }
