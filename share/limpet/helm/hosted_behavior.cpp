@@ -65,6 +65,7 @@ HostedBehavior::HostedBehavior(ConfigBlock block, RealClock clock)
     throw ConfigError(problems);
   }
   clock_.SetSettings(settings_.duration);
+  if (const auto note = DurationNote()) complaint_ = name() + ": " + note->key + " " + note->text;
 }
 
 BehaviorStatus HostedBehavior::Status() const {
@@ -121,6 +122,13 @@ std::vector<ConfigProblem> HostedBehavior::IgnoredLines() const {
     }
   }
   return lines;
+}
+
+std::optional<ConfigProblem> HostedBehavior::DurationNote() const {
+  if (!IsAskedForDuration(block_.name) || block_.Find("duration") != nullptr) return std::nullopt;
+  return ConfigProblem{block_.where, "duration",
+                       "is not said: no limit here, while pHelmIvP ends " + block_.name +
+                           " at once; `no-time-limit` is right for both"};
 }
 
 bool HostedBehavior::HoldsConditions(const HelmTurn& turn) {
