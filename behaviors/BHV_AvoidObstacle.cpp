@@ -59,7 +59,22 @@ class Worth {
   double least_, free_;
 };
 
+/// Text mail of a variable that came after `began` and is newer than `last`, which then is its.
+const std::string* NewMail(const VehicleState& state, const char* variable, Seconds began,
+                           std::optional<Seconds>& last) {
+  const Stamped<limpet::Value>* heard = state.Heard(variable);
+  if (heard == nullptr || heard->time < began || last == heard->time) return nullptr;
+  last = heard->time;
+  return std::get_if<std::string>(&heard->value);
+}
+
 }  // namespace
+
+std::vector<std::string> BHV_AvoidObstacle::Variables() const {
+  std::vector<std::string> names{"OBM_RESOLVED"};
+  if (params_.can_be_silenced) names.emplace_back("BHV_ABLE_FILTER");
+  return names;
+}
 
 bool BHV_AvoidObstacle::TakeOver(const Behavior& former, const std::vector<std::string>& keys) {
   const auto& old = dynamic_cast<const BHV_AvoidObstacle&>(former);
@@ -103,12 +118,40 @@ bool BHV_AvoidObstacle::IsResolved(const VehicleState& state) const {
          heard->time >= *passage_.began;
 }
 
+void BHV_AvoidObstacle::HearManager(const VehicleState& state, ActList& acts) {
+  const Seconds began = passage_.began.value_or(state.now);
+  passage_.began = began;
+  if (const auto* id = NewMail(state, "OBM_RESOLVED", began, passage_.resolved_at)) {
+    acts.Post("NOTED_RESOLVED", *id);
+  }
+  if (!params_.can_be_silenced) return;
+  if (const auto* text = NewMail(state, "BHV_ABLE_FILTER", began, passage_.filtered_at)) {
+    HearFilter(*text);
+  }
+}
+
+void BHV_AvoidObstacle::HearFilter(std::string_view text) {
+  std::string action, id, source;
+  for (const std::string& part : Split(text, ',')) {
+    const std::size_t equals = std::min(part.find('='), part.size());
+    const std::string_view key = Trim(std::string_view(part).substr(0, equals));
+    const std::string_view value =
+        equals < part.size() ? Trim(std::string_view(part).substr(equals + 1)) : "";
+    if (EqualsIgnoringCase(key, "action")) action = value;
+    if (EqualsIgnoringCase(key, "obstacle_id")) id = value;
+    if (EqualsIgnoringCase(key, "vsource")) source = value;
+  }
+  const bool is_meant = id.empty() ? !source.empty() && EqualsIgnoringCase(source, params_.source)
+                                   : EqualsIgnoringCase(id, params_.id);
+  if (!is_meant) return;
+  passage_.is_expunged = passage_.is_expunged || EqualsIgnoringCase(action, "expunge");
+  if (EqualsIgnoringCase(action, "disable")) passage_.is_silenced = true;
+  if (EqualsIgnoringCase(action, "enable")) passage_.is_silenced = false;
+}
+
 bool BHV_AvoidObstacle::Watch(const VehicleState& state, ActList& acts) {
   const double range = Range(state);
-  if (!passage_.began) {
-    passage_.began = state.now;
-    passage_.extreme = range;
-  }
+  if (!passage_.nearest_ever) passage_.extreme = range;
   passage_.nearest_ever = std::min(passage_.nearest_ever.value_or(range), range);
   const bool has_passed = HasPassed(range);
   if (!has_passed) passage_.reported = *passage_.nearest_ever;
@@ -119,7 +162,7 @@ bool BHV_AvoidObstacle::Watch(const VehicleState& state, ActList& acts) {
   if (has_passed && range < params_.outer()) acts.Raise(params_.approach_flags, *this, state);
   const bool is_near = range <= params_.end();
   passage_.was_near = passage_.was_near || is_near;
-  return IsResolved(state) || (passage_.was_near && !is_near);
+  return IsResolved(state) || passage_.is_expunged || (passage_.was_near && !is_near);
 }
 
 double BHV_AvoidObstacle::Nearness(double range) const {
@@ -191,17 +234,23 @@ void BHV_AvoidObstacle::FillTable(const VehicleState& state, double relevance) {
 
 MotionBid BHV_AvoidObstacle::Move(const VehicleState& state) {
   MotionBid bid;
+  ActList acts;
+  HearManager(state, acts);
   if (!params_.polygon) {
     bid.warning = BehaviorWarning{kNoObstacle, "it has no poly"};
+    bid.acts = acts.Take();
     return bid;
   }
-  ActList acts;
   KeepSide(state);
+  const bool is_inside = params_.polygon->Contains(state.place());
   if (Watch(state, acts)) {
     acts.Complete();
-  } else if (params_.stops_inside && params_.polygon->Contains(state.place())) {
+  } else if (passage_.is_silenced) {
+    Draw(false, acts);
+  } else if (params_.stops_inside && is_inside) {
     acts.Halt("it is inside the obstacle");
   } else if (const double relevance = Relevance(state); relevance > 0.0 && table_) {
+    if (is_inside) acts.Post("BHV_WARNING", name() + ": it is inside the obstacle");
     FillTable(state, relevance);
     bid.table = &*table_;
     Draw(true, acts);
@@ -212,6 +261,7 @@ MotionBid BHV_AvoidObstacle::Move(const VehicleState& state) {
 
 std::vector<BehaviorAct> BHV_AvoidObstacle::Idle(const VehicleState& state) {
   ActList acts;
+  HearManager(state, acts);
   if (params_.polygon && Watch(state, acts)) acts.Complete();
   return acts.Take();
 }
@@ -255,7 +305,14 @@ void BHV_AvoidObstacle::Draw(bool is_active, ActList& acts) const {
 
 std::optional<std::string> BHV_AvoidObstacle::Macro(std::string_view name,
                                                     const VehicleState& state) const {
-  if (name == "OID") return params_.id.empty() ? params_.label : params_.id;
+  const std::string& id = params_.id.empty() ? params_.label : params_.id;
+  if (name == "OID") return id;
+  if (name == "OIDX") {  // 7 of rock_7
+    const std::size_t mark = id.rfind('_');
+    return mark == std::string::npos ? "" : id.substr(mark + 1);
+  }
+  if (name == "MINU_CPA") return MacroNumber(params_.least());
+  if (name == "MAXU_CPA") return MacroNumber(params_.free());
   if (!params_.polygon) return std::nullopt;
   if (name == "CPA") return MacroNumber(passage_.reported);
   if (name == "RNG") return MacroNumber(Range(state));

@@ -22,11 +22,13 @@ class BHV_AvoidObstacle final : public Behavior {
   struct Params {
     std::optional<ConvexPolygon> polygon{};
     std::string label{}, id{};
+    std::string source{};          ///< who has seen it, as its poly says (`vsource`)
     Seconds allowable_time{20.0};  ///< an approach that is further off in time counts half
     std::optional<double> least_approach{}, free_approach{};                   ///< [m]
     std::optional<double> inner_distance{}, outer_distance{}, end_distance{};  ///< [m]
     bool draws_least = true, draws_free = true;
-    bool stops_inside = false;  ///< in place of leading out
+    bool stops_inside = true;      ///< in place of leading out
+    bool can_be_silenced = false;  ///< by mail, `can_disable`
     std::vector<Flag> range_flags{}, approach_flags{};
     VisualHints hints{};
     void Describe(ParamCollector& visit);
@@ -40,7 +42,7 @@ class BHV_AvoidObstacle final : public Behavior {
   };
   explicit BHV_AvoidObstacle(const Params& params) : params_(params) {}
 
-  [[nodiscard]] std::vector<std::string> Variables() const override { return {"OBM_RESOLVED"}; }
+  [[nodiscard]] std::vector<std::string> Variables() const override;
   /// Asks MOOS-IvP's pObstacleMgr for obstacles from `pwt_outer_dist` on.
   [[nodiscard]] std::optional<BehaviorPost> Request(const std::string& updates) const override;
   [[nodiscard]] std::optional<std::string> Macro(std::string_view name,
@@ -58,9 +60,11 @@ class BHV_AvoidObstacle final : public Behavior {
     std::optional<Seconds> began;
     std::optional<double> nearest_ever;  ///< [m]
     double extreme = 0.0;                ///< nearest while it closes, farthest while it opens [m]
+    std::optional<Seconds> resolved_at, filtered_at;  ///< of the mail that was heard last
     bool is_closing = false;
-    bool was_near = false;  ///< within the distance at which it ends
-    double reported = 0.0;  ///< of the last approach, for its flags [m]
+    bool is_silenced = false, is_expunged = false;  ///< by BHV_ABLE_FILTER
+    bool was_near = false;                          ///< within the distance at which it ends
+    double reported = 0.0;                          ///< of the last approach, for its flags [m]
     /// Where the obstacle lies while the vehicle passes it, which is to stay so.
     enum class Side { kOpen, kPort, kStarboard } side = Side::kOpen;
   };
@@ -76,6 +80,10 @@ class BHV_AvoidObstacle final : public Behavior {
   [[nodiscard]] bool Watch(const VehicleState& state, ActList& acts);
   [[nodiscard]] bool HasPassed(double range);
   [[nodiscard]] bool IsResolved(const VehicleState& state) const;
+  /// What pObstacleMgr says of obstacles since this one is guarded.
+  void HearManager(const VehicleState& state, ActList& acts);
+  /// `action=disable,obstacle_id=7` and the like: silences it, or gives it its say again.
+  void HearFilter(std::string_view text);
   /// How much it matters, from 0 to 1: by distance, and by how much ahead it lies.
   [[nodiscard]] double Relevance(const VehicleState& state) const;
   void FillTable(const VehicleState& state, double relevance);

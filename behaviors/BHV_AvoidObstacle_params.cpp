@@ -11,12 +11,11 @@ namespace {
 
 using ObstacleParams = BHV_AvoidObstacle::Params;
 
-/// `pts={...},label=rock`: the label, or nothing.
-std::string LabelOf(std::string_view text) {
-  constexpr std::string_view kKey = "label=";
-  const std::size_t at = text.find(kKey);
+/// `rock` of `pts={...},label=rock` and the key `label=`, or nothing.
+std::string FieldOf(std::string_view text, std::string_view key) {
+  const std::size_t at = text.find(key);
   if (at == std::string_view::npos) return "";
-  const std::string_view rest = text.substr(at + kKey.size());
+  const std::string_view rest = text.substr(at + key.size());
   return std::string(Trim(rest.substr(0, rest.find(','))));
 }
 
@@ -24,7 +23,8 @@ bool ReadObstacle(std::string_view text, ObstacleParams& params) {
   auto corners = ParsePoints(text);
   if (!corners) return false;
   params.polygon = ConvexPolygon::Of(*std::move(corners));
-  params.label = LabelOf(text);
+  params.label = FieldOf(text, "label=");
+  params.source = FieldOf(text, "vsource=");
   return params.polygon.has_value();
 }
 
@@ -92,9 +92,12 @@ void BHV_AvoidObstacle::Params::Describe(ParamCollector& visit) {
   DescribeFlags(visit, "cpa_flag", approach_flags, "Posted when it gets farther again");
   DescribeHints(visit, hints);
   visit("allstop_on_breach", stops_inside,
-        "Stop inside the obstacle, instead of leading out of it");
-  visit.WithoutEffect({"use_refinery", "holonomic_ok", "can_disable", "no_alert_request",
-                       "obstacle_key", "resolved", "i_understand_this_behavior_is_deprecated"});
+        "Inside the obstacle it stops the vehicle; false: it leads out of it");
+  visit("can_disable", can_be_silenced,
+        "Heed BHV_ABLE_FILTER, e.g. action=disable,obstacle_id=7 (or enable, expunge; "
+        "vsource=radar)");
+  visit.WithoutEffect({"use_refinery", "holonomic_ok", "no_alert_request", "obstacle_key",
+                       "resolved", "i_understand_this_behavior_is_deprecated"});
 }
 
 double BHV_AvoidObstacle::Params::least() const {

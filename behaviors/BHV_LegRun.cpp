@@ -59,6 +59,7 @@ bool BHV_LegRun::TakeOver(const Behavior& former, const std::vector<std::string>
   const auto& old = dynamic_cast<const BHV_LegRun&>(former);
   plan_ = old.plan_;
   run_ = old.run_;
+  crossings_ = old.crossings_;
   run_.legs.SetRepeats(params_.repeats);
   const std::vector<Edit> edits = EditsOf(params_.edits, keys);
   ApplyEdits(edits, plan_);
@@ -134,12 +135,14 @@ void BHV_LegRun::AdvanceTurn(const VehicleState& state, ActList& acts) {
   run_.is_turning = false;
   run_.is_mid_told = false;
   run_.leg_odo = 0.0;
+  crossings_.Reset();
   run_.legs.ForgetApproach();
   TakeSpeed();
 }
 
 void BHV_LegRun::Advance(const VehicleState& state, ActList& acts) {
   const MapPoint at = state.place();
+  crossings_.Move(at);
   if (run_.last && !run_.is_turning) run_.leg_odo += DistanceBetween(*run_.last, at);
   run_.last = at;
   run_.is_turning ? AdvanceTurn(state, acts) : AdvanceLeg(state, acts);
@@ -183,6 +186,11 @@ std::vector<BehaviorAct> BHV_LegRun::Stop(const VehicleState& state) {
   ActList acts;
   if (run_.is_begun) Draw(state, false, acts);
   return acts.Take();
+}
+
+std::vector<BehaviorAct> BHV_LegRun::Idle(const VehicleState& state) {
+  crossings_.Move(state.place());
+  return {};
 }
 
 std::string BHV_LegRun::ModeText() const {
@@ -245,6 +253,7 @@ std::optional<std::string> BHV_LegRun::Macro(std::string_view name,
   if (name == "CYCREM") return count(run_.legs.repeats_left().value_or(0));
   if (name == "WPTS_HIT") return count(run_.legs.hits());
   if (name == "LEG_ID") return count(run_.legs_done);
+  if (name == "WRAPS") return count(crossings_.count());
   if (name == "LEG_ODO") return MacroNumber(run_.leg_odo);
   if (!run_.is_begun) return std::nullopt;
   const MapPoint at = state.place(), next = run_.legs.next();

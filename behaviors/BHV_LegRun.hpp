@@ -12,6 +12,7 @@
 #include "limpet/shapes/visual_hints.hpp"
 #include "limpet/waypoints/lead_point.hpp"
 #include "limpet/waypoints/leg_plan.hpp"
+#include "limpet/waypoints/track_crossings.hpp"
 #include "limpet/waypoints/waypoint_progress.hpp"
 
 namespace limpet {
@@ -52,6 +53,7 @@ class BHV_LegRun final : public Behavior {
   void Start(const VehicleState& state) override;
   [[nodiscard]] MotionBid Move(const VehicleState& state) override;
   [[nodiscard]] std::vector<BehaviorAct> Stop(const VehicleState& state) override;
+  [[nodiscard]] std::vector<BehaviorAct> Idle(const VehicleState& state) override;
 
  private:
   /// How far it has come.
@@ -94,6 +96,7 @@ class BHV_LegRun final : public Behavior {
   Params params_;
   LegPlan plan_;
   Run run_;
+  TrackCrossings crossings_;  ///< since the last turn
 };
 
 }  // namespace limpet

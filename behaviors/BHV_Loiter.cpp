@@ -140,11 +140,24 @@ void BHV_Loiter::SetMode(double outside) {
   mode = std::string(was_there ? "recovering_" : "acquiring_") + side;
 }
 
-bool BHV_Loiter::IsSlungRound(const MapPoint& at) {
+void BHV_Loiter::Complete(const VehicleState&) {
+  rounds_.is_completion_due = true;
+  rounds_.last_bearing.reset();
+  rounds_.swept = 0.0;
+}
+
+void BHV_Loiter::TellCompletion(ActList& acts) {
+  if (std::exchange(rounds_.is_completion_due, false)) acts.Post("LOITER_COMPLETE", "true");
+}
+
+bool BHV_Loiter::IsSlungRound(const MapPoint& at, ActList& acts) {
   if (params_.slingshot_deg < 0.0 || rounds_.is_acquiring) return false;
   const double bearing = BearingTo(at, rounds_.polygon->Center());
   if (rounds_.last_bearing) {
-    rounds_.swept += std::abs(WrapAngle(bearing - *rounds_.last_bearing));
+    const double step = std::abs(WrapAngle(bearing - *rounds_.last_bearing));
+    rounds_.swept += step;
+    acts.Post("LOITER_BNG_TOTAL", DegreesFromRadians(rounds_.swept));
+    acts.Post("LOITER_BNG_DELTA", DegreesFromRadians(step));
   }
   rounds_.last_bearing = bearing;
   return rounds_.swept > RadiansFromDegrees(params_.slingshot_deg);
@@ -166,7 +179,8 @@ MotionBid BHV_Loiter::Move(const VehicleState& state) {
   rounds_.is_acquiring = outside > params_.acquire_distance.value();
   if (rounds_.is_acquiring) Enter(vehicle);
   ActList acts;
-  const bool is_done = IsSlungRound(vehicle.at);
+  TellCompletion(acts);
+  const bool is_done = IsSlungRound(vehicle.at, acts);
   if (rounds_.progress.Advance(vehicle.at, params_.capture) != WaypointProgress::Step::kUnderway) {
     rounds_.is_acquiring = false;
   }
@@ -188,6 +202,7 @@ MotionBid BHV_Loiter::Move(const VehicleState& state) {
 
 std::vector<BehaviorAct> BHV_Loiter::Ended(const VehicleState& state) {
   ActList acts;
+  TellCompletion(acts);
   rounds_.mode = "idle";
   if (rounds_.polygon) {
     Draw(state, false, acts);

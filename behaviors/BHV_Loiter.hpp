@@ -43,6 +43,7 @@ class BHV_Loiter final : public Behavior {
                                                  const VehicleState& state) const override;
   [[nodiscard]] bool TakeOver(const Behavior& former,
                               const std::vector<std::string>& keys) override;
+  void Complete(const VehicleState& state) override;
   void Start(const VehicleState& state) override;
   [[nodiscard]] MotionBid Move(const VehicleState& state) override;
   [[nodiscard]] std::vector<BehaviorAct> Idle(const VehicleState& state) override;
@@ -57,7 +58,8 @@ class BHV_Loiter final : public Behavior {
     bool is_center_due = false;  ///< at the present position, once it runs
     std::string mode = "idle";
     std::optional<double> last_bearing;
-    double swept = 0.0;  ///< angle round the center [rad]
+    double swept = 0.0;              ///< angle round the center [rad]
+    bool is_completion_due = false;  ///< it has completed, and is to say so
   };
 
   void AssignCenter(const std::vector<std::string>& keys);
@@ -65,7 +67,10 @@ class BHV_Loiter final : public Behavior {
   void LayCorners();
   void SetMode(double outside);
   void Enter(const MapPose& vehicle);
-  [[nodiscard]] bool IsSlungRound(const MapPoint& at);
+  /// Counts the angle that it has come round, and tells it; true if that is as much as asked.
+  [[nodiscard]] bool IsSlungRound(const MapPoint& at, ActList& acts);
+  /// Once after each completion.
+  void TellCompletion(ActList& acts);
   [[nodiscard]] std::vector<BehaviorAct> Ended(const VehicleState& state);
   void PostStatus(const VehicleState& state, ActList& acts) const;
   void Draw(const VehicleState& state, bool is_active, ActList& acts) const;

@@ -47,6 +47,7 @@ void BHV_OpRegion::Params::Describe(ParamCollector& visit) {
         "fast as this",
         InRange(MetersPerSecond(0.01), MetersPerSecond(2.0)));
   limits.DescribeLimits(visit, "polygon");
+  limits.tells_borders = true;
   visit("soft_poly_breach", limits.is_soft,
         "Outside the polygon the vehicle is the operator's (MOOS_MANUAL_OVERRIDE), not stopped");
   DescribeVariable(visit, "time_remaining_var", limits.time_variable,

@@ -126,8 +126,10 @@ void BHV_OpRegionV24::GiveUp(const VehicleState& state, ActList& acts) {
 }
 
 std::vector<BehaviorAct> BHV_OpRegionV24::Idle(const VehicleState& state) {
+  ActList acts;
   Begin(state);
-  return {};
+  TellTimeLeft(state, acts);
+  return acts.Take();
 }
 
 void BHV_OpRegionV24::Guard(bool is_breached, const std::string& reason,
@@ -185,6 +187,7 @@ bool BHV_OpRegionV24::MustReturn(const VehicleState& state, ActList& acts) {
   if (save_->Contains(state.place())) {
     watch_.was_in_save = true;
     watch_.left_save.reset();
+    watch_.turn = Watch::Turn::kNone;
     return false;
   }
   if (!watch_.was_in_save) return false;
@@ -195,19 +198,6 @@ bool BHV_OpRegionV24::MustReturn(const VehicleState& state, ActList& acts) {
   acts.Raise(params_.savex_flags, *this, state);
   if (params_.draws_save) DrawStatus(state, "save_status_edge_color", "yellow", true, acts);
   return true;
-}
-
-/// Straight in, as far as the core.
-void BHV_OpRegionV24::SteerBack(const VehicleState& state, MotionBid& bid) const {
-  constexpr double kLeastSkirt = 0.2;  // [m/s]
-  const ConvexPolygon& target = params_.core ? *params_.core : *save_;
-  const double speed = params_.recover_speed.value();
-  bid.course = Peak{.summit = BearingTo(state.place(), target.NearestOnBorder(state.place())),
-                    .flat_half_width = 0.0,
-                    .base_half_width = std::numbers::pi};
-  bid.speed = Peak{.summit = speed,
-                   .flat_half_width = 0.0,
-                   .base_half_width = std::max(kLeastSkirt, 0.5 * speed)};
 }
 
 MotionBid BHV_OpRegionV24::Move(const VehicleState& state) {
@@ -225,8 +215,9 @@ MotionBid BHV_OpRegionV24::Move(const VehicleState& state) {
   Draw(state, true, acts);
   GuardLimits(state, acts);
   GuardHalt(state, acts);
+  TellBorders(state, acts);
   if (MustReturn(state, acts)) {
-    SteerBack(state, bid);
+    SteerBack(state, acts, bid);
   } else if (!watch_.breaches_poly) {
     EraseStatus(state, acts);
   }
@@ -285,25 +276,6 @@ void BHV_OpRegionV24::DrawStatus(const VehicleState& state, const std::string& h
                                                .edge_size = 1.0},
                                      .is_active = is_active},
                                     "stat")});
-}
-
-/// DIST_TO_CORE, ETA_TO_SAVE and the like: to the polygon's border, at the fastest that the helm
-/// may ask for.
-std::optional<std::string> BHV_OpRegionV24::DistanceMacro(std::string_view name,
-                                                          const VehicleState& state) const {
-  const bool is_eta = name.starts_with("ETA_TO_");
-  if (!is_eta && !name.starts_with("DIST_TO_")) return std::nullopt;
-  const std::string_view what = name.substr(name.rfind('_') + 1);
-  const std::optional<ConvexPolygon> none;
-  const std::optional<ConvexPolygon>& polygon = what == "CORE"   ? params_.core
-                                                : what == "SAVE" ? save_
-                                                : what == "HALT" ? halt_
-                                                                 : none;
-  if (!polygon) return std::nullopt;
-  const double distance = std::abs(polygon->Outside(state.place()));
-  if (!is_eta) return MacroNumber(distance);
-  const double fastest = state.domain.speed ? state.domain.speed->high : 0.0;
-  return fastest > 0.0 ? std::optional(MacroNumber(distance / fastest)) : std::nullopt;
 }
 
 std::optional<std::string> BHV_OpRegionV24::Macro(std::string_view name,

@@ -39,6 +39,7 @@ class BHV_OpRegionV24 final : public Behavior {
     /// place of stopping it; variables for the time left, and for the halt polygon.
     bool is_soft = false;
     std::string time_variable{}, polygon_variable{};
+    bool tells_borders = false;  ///< OPREG_* and SECS_IN_POLY, also of BHV_OpRegion alone
     void Describe(ParamCollector& visit);
     /// Keys that BHV_OpRegion has, too: limits, their flags, and a polygon that may not be left.
     void DescribeLimits(ParamCollector& visit, const char* key);
@@ -62,6 +63,8 @@ class BHV_OpRegionV24 final : public Behavior {
     std::optional<Seconds> entered_halt, left_halt, left_save;
     bool was_in_halt = false;  ///< for long enough to count
     bool was_in_save = false;
+    /// The way round on which it turns back, until it heads for the save polygon.
+    enum class Turn { kNone, kLeft, kRight } turn = Turn::kNone;
     /// Limits that are breached now: their flags go out as that begins.
     bool breaches_poly = false, breaches_time = false;
     bool breaches_altitude = false, breaches_depth = false;
@@ -79,11 +82,17 @@ class BHV_OpRegionV24 final : public Behavior {
   void GuardHalt(const VehicleState& state, ActList& acts);
   /// True if the vehicle has left the save polygon.
   [[nodiscard]] bool MustReturn(const VehicleState& state, ActList& acts);
-  void SteerBack(const VehicleState& state, MotionBid& bid) const;
+  void SteerBack(const VehicleState& state, ActList& acts, MotionBid& bid);
+  /// Settles which way round it turns back, while it does not head for the save polygon.
+  void CommitTurn(const VehicleState& state, ActList& acts);
+  /// How far the border is, and how long it has been inside.
+  void TellBorders(const VehicleState& state, ActList& acts) const;
   void Draw(const VehicleState& state, bool is_active, ActList& acts) const;
   void EraseStatus(const VehicleState& state, ActList& acts) const;
   void DrawStatus(const VehicleState& state, const std::string& hint, const char* color,
                   bool is_active, ActList& acts) const;
+  /// The polygon that a macro ends with, e.g. SAVE; null if there is none.
+  [[nodiscard]] const ConvexPolygon* PolygonOf(std::string_view macro) const;
   [[nodiscard]] std::optional<std::string> DistanceMacro(std::string_view name,
                                                          const VehicleState& state) const;
 

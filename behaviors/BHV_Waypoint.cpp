@@ -246,6 +246,7 @@ std::optional<std::string> BHV_Waypoint::Macro(std::string_view name,
   if (name == "USE_SPEED_ALT") return params_.uses_alt_speed ? "true" : "false";
   if (name == "WPT_FLAG_ON_START") return params_.has_flags_on_start ? "true" : "false";
   if (name == "LEAD_TO_START") return params_.leads_to_start ? "true" : "false";
+  if (name == "IPF_TYPE") return params_.function_kind;
   if (name == "LEAD_DAMPER") return MacroNumber(params_.lead.damper);
   if (name == "ORDER") return travel_.is_reversed ? "reverse" : "normal";
   if (name == "CYCLES") return count(progress.cycles());

@@ -148,8 +148,20 @@ void BHV_Waypoint::Params::Describe(ParamCollector& visit) {
   DescribeLegs(visit, *this);
   DescribeSpeed(visit, *this);
   DescribePosts(visit, *this);
-  visit.WithoutEffect({"ipf_type", "ipf-type", "patience", "crs_spd_zaic_ratio",
-                       "eager_prev_index_flag", "draw_path_loop"});
+  visit.Parsed("ipf_type", "text",
+               "zaic, zaic_spd, roc or rate_of_closure, functions of pHelmIvP; here only the macro "
+               "IPF_TYPE says it",
+               "zaic", [this](std::string_view text) {
+                 // Other words leave it alone, as there.
+                 const std::string word = Lower(text);
+                 const bool is_known = word == "zaic" || word == "zaic_spd" || word == "roc" ||
+                                       word == "rate_of_closure";
+                 if (is_known) function_kind = word;
+                 return true;
+               });
+  visit.Also({"ipf-type"});
+  visit.WithoutEffect(
+      {"patience", "crs_spd_zaic_ratio", "eager_prev_index_flag", "draw_path_loop"});
 }
 
 }  // namespace limpet

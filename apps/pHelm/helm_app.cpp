@@ -68,6 +68,8 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
       host_(LoadBehaviorFiles(context, params), ClockOf(context)),
       planner_(params.views, MakeRandom("views"), ClockOf(context)),
       arbiter_(DomainOf(params), ClockOf(context), params.at_points),
+      app_wait_(context.runs_live ? params.hold_on_app : std::vector<std::string>()),
+      mail_skew_(params.ok_skew),
       journal_(params.domain,
                [this](std::string variable, Value value) {
                  // Those of a helm that is led are read as the vehicle's.
@@ -87,8 +89,7 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
             }) {
   is_parked_ = !params_.start_in_drive;
   SubscribeToNavigation();
-  Subscribe(topics::kManualOverride, &HelmApp::OnOverride);
-  Subscribe(topics::kManualOverrideMisspelt, &HelmApp::OnOverride);
+  SubscribeToOverride();
   SubscribeIfWritten(topics::kSafetyAction, &HelmApp::OnSafety);
   HearSurvey();
   SubscribeRaw(topics::kHelmRejournal.name, [this](const MessagePtr&) { journal_.Rejournal(); });
@@ -133,17 +134,6 @@ void HelmApp::TakeStockNav(Seconds now) {
   // Under a time warp mail comes in bursts of real time.
   const Seconds grace = std::max(params_.nav_grace, Seconds(context().warp));
   nav_ = stock_nav_.At(now, grace, arbiter_.domain().depth.has_value());
-}
-
-void HelmApp::SubscribeForBehaviors() {
-  for (const std::string& variable : host_.Variables()) {
-    if (heard_variables_.insert(variable).second) {
-      SubscribeRaw(variable, [this](const MessagePtr& message) {
-        host_.SetVariable(message->name, message->value, message->time);
-        journal_.PostUpdateResults(host_.TakeUpdateResults());
-      });
-    }
-  }
 }
 
 void HelmApp::OnArea(const Stamped<SurveyArea>& area) {
@@ -200,17 +190,6 @@ void HelmApp::Post(const std::vector<HelmPost>& posts) {
   }
 }
 
-void HelmApp::PostInitialValues() {
-  if (!has_posted_initial_) {
-    has_posted_initial_ = true;
-    journal_.PostStart(host_, now());
-    journal_.PostLifeEvents(host_.TakeLifeEvents(), 1, now());
-    if (!context().is_restarted) {  // else DEPLOY = false would end a mission under way
-      Post(host_.InitialPosts());
-    }
-  }
-}
-
 std::vector<WeightedBehavior> HelmApp::Bidders() {
   std::vector<WeightedBehavior> bidders = host_.running();
   if (params_.views.gain == "coverage") {  // [Bucci 2025] eq. (17): objects have no say
@@ -235,6 +214,7 @@ void HelmApp::Tick(Seconds now) {
 
 void HelmApp::Iterate(Seconds now) {
   PostInitialValues();
+  PostRequests();
   ++helm_iteration_;
   motion_ = {};
   TakeStockNav(now);
@@ -264,6 +244,7 @@ void HelmApp::Iterate(Seconds now) {
     TellRevisits(now);
     state.guidance = planner_.Guide(*nav_);
     Steer(state);
+    if (params_.park_on_allstop && allstop_text_ != "clear") Park(true);
   }
   SettleBehaviors(state);
   if (lead_.leads()) JudgeLedHelm(now);

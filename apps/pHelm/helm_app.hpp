@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "apps/pHelm/app_wait.hpp"
 #include "apps/pHelm/helm_drawing.hpp"
 #include "apps/pHelm/helm_journal.hpp"
 #include "apps/pHelm/helm_lead.hpp"
 #include "apps/pHelm/led_answers.hpp"
+#include "apps/pHelm/mail_skew.hpp"
 #include "apps/pHelm/stock_nav.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/helm/behavior_host.hpp"
@@ -45,9 +47,17 @@ class HelmApp final : public App {
   /// What there is to steer by where nobody writes NAV_STATE.
   void TakeStockNav(Seconds now);
   void SubscribeToNavigation();
-  void OnOverride(const Stamped<bool>& parked) {
-    if (!parked.value || params_.allow_park) is_parked_ = parked.value;
+  void OnOverride(const Stamped<bool>& parked) { Park(parked.value); }
+  void Park(bool is_parked) {
+    if (!is_parked || params_.allow_park) is_parked_ = is_parked;
   }
+  /// MOOS_MANUAL_OVERRIDE, its other spelling, and what the mission calls it besides.
+  void SubscribeToOverride();
+  /// Whether mail of a variable is to be heard; says so if not, for its stamp. Who takes the
+  /// vehicle over is heard whatever the clocks say.
+  [[nodiscard]] bool IsInTime(const std::string& variable, Seconds stamp);
+  /// What behaviors ask for as the helm begins, once all are there that it waits for.
+  void PostRequests();
   void OnSafety(const Stamped<std::string>& action);
   /// Safety has taken the decision away: hold, surface, abort.
   [[nodiscard]] bool IsOverruled() const;
@@ -116,6 +126,9 @@ class HelmApp final : public App {
   bool is_parked_ = false;
   SafetyAction safety_ = SafetyAction::kNone;
   bool has_posted_initial_ = false;
+  AppWait app_wait_;
+  std::vector<HelmPost> requests_;  ///< of behaviors, that wait for apps
+  MailSkew mail_skew_;
   std::string allstop_text_;       ///< clear, or why all is stopped
   std::string published_allstop_;  ///< as last posted
   std::int64_t helm_iteration_ = 0;

@@ -36,6 +36,23 @@ inline const WarningId kBandAboveView = DeclareWarning(
          "Survey from higher up (survey_altitude_m), or lower object_height_max_m of pSurvey.",
      .clears = "With the next SURVEY_AREA whose band can be covered."});
 
+inline const WarningId kMailSkewed = DeclareWarning(
+    "MAIL_SKEWED",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pHelm"},
+     .meaning = "Mail was left out: its stamp is further from now than ok_skew allows.",
+     .action = "Set the clock of who writes it, or give ok_skew more room (any: none is left out).",
+     .clears = "With mail in time of each such variable."});
+
+inline const WarningId kAppsAwaited = DeclareWarning(
+    "APPS_AWAITED",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pHelm"},
+     .meaning = "Apps of hold_on_app are not connected yet: what behaviors ask for as the helm "
+                "begins (OBM_ALERT_REQUEST) is not posted.",
+     .action = "Start them, or take them out of hold_on_app.",
+     .clears = "Once each of them was among the database's clients."});
+
 inline const WarningId kNoOption = DeclareWarning(
     "NO_OPTION",
     {.severity = Severity::kWarning,

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "limpet/core/config.hpp"
+#include "limpet/helm/node_message.hpp"
 
 namespace limpet {
 
@@ -37,7 +38,7 @@ bool AddFlag(std::string_view text, std::vector<Flag>& flags) {
     return true;
   }
   Expected<Flag> flag = Flag::Parse(text);
-  if (!flag) return false;
+  if (!flag || !IsKnownDestination(*flag)) return false;
   flag->has_parenthesis_macros = true;
   flags.push_back(*std::move(flag));
   return true;

@@ -89,6 +89,7 @@ std::vector<ConfigProblem> BehaviorHost::IgnoredLines() const {
   std::vector<ConfigProblem> lines;
   for (const auto& hosted : hosted_) {
     std::ranges::move(hosted->IgnoredLines(), std::back_inserter(lines));
+    if (auto note = hosted->DurationNote()) lines.push_back(*std::move(note));
   }
   return lines;
 }

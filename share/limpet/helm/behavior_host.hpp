@@ -51,7 +51,8 @@ class BehaviorHost {
   [[nodiscard]] std::vector<std::string> TakeUpdateResults() {
     return std::exchange(update_results_, {});
   }
-  /// Lines of the behaviors' blocks that are known from existing missions and have no effect.
+  /// Lines of the behaviors' blocks that are known from existing missions and have no effect, and
+  /// those that are missing where MOOS-IvP's helm needs them.
   [[nodiscard]] std::vector<ConfigProblem> IgnoredLines() const;
   /// True if a behavior asks for view decisions when it runs.
   [[nodiscard]] bool WantsView() const;

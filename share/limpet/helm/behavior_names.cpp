@@ -78,4 +78,9 @@ std::string NearestBehaviorText(std::string_view name) {
   return nearest.empty() ? "" : fmt::format("nearest known: `{}`", nearest);
 }
 
+bool IsAskedForDuration(std::string_view name) {
+  return name == "BHV_ConstantDepth" || name == "BHV_ConstantHeading" ||
+         name == "BHV_ConstantSpeed";
+}
+
 }  // namespace limpet

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What to say of a behavior that is not registered.
+// What to say of behaviors by their names.
 #pragma once
 
 #include <string>
@@ -11,5 +11,8 @@ namespace limpet {
 /// V19; of a name under which missions ask for one that there is, that this is its name. Never
 /// empty, unless no behavior is registered.
 [[nodiscard]] std::string NearestBehaviorText(std::string_view name);
+
+/// True for the behaviors that MOOS-IvP's helm ends at once unless their block says a `duration`.
+[[nodiscard]] bool IsAskedForDuration(std::string_view name);
 
 }  // namespace limpet

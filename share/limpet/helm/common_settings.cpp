@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "limpet/core/number_text.hpp"
+#include "limpet/helm/node_message.hpp"
 #include "limpet/mission/behavior_file.hpp"
 
 namespace limpet {
@@ -119,8 +120,9 @@ Reader FlagTo(std::vector<Flag> FlagLists::*list) {
     }
     Expected<Flag> flag = Flag::Parse(text);
     if (!flag) return flag.error().text;
-    if (!flag->group.empty() && !EqualsIgnoringCase(flag->group, "all")) {
-      return fmt::format("`#{}` is not supported; supported: #all, #all+", flag->group);
+    if (!IsKnownDestination(*flag)) {
+      return fmt::format("`#{}` is not supported; supported: #all, #all+, #group, #group+",
+                         flag->group);
     }
     flag->has_parenthesis_macros = true;
     flags.push_back(*std::move(flag));

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "limpet/core/config.hpp"
+#include "limpet/core/number_text.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/core/units.hpp"
 #include "limpet/helm/view_params.hpp"
@@ -20,6 +24,10 @@ struct HelmParams {
   bool at_points = false;
   bool allow_park = true;
   Seconds nav_grace{5.0};
+  std::vector<std::string> hold_on_app;
+  std::optional<Seconds> ok_skew;  ///< absent: any
+  std::string other_override_var{};
+  bool park_on_allstop = false;
   bool post_ipf = false;
   std::string lead{};
   std::string lead_depth{}, lead_course{}, lead_speed{};
@@ -60,12 +68,32 @@ struct HelmParams {
     visit("lead_course", lead_course,
           "Of its BHV_ConstantHeading, told a course while there is no way; with lead_speed");
     visit("lead_speed", lead_speed, "Of its BHV_ConstantSpeed; with lead_course");
-    visit.WithoutEffect({"ok_skew", "node_skew", "verbose", "hold_on_app", "hold_on_apps",
-                         "goals_mandatory", "park_on_allstop", "standby", "helm_prefix",
-                         "helm_alias", "contact_max_age", "other_override_var", "pmgen",
-                         "seed_random", "ivp_behavior_dir", "ivp_behavior_dirs",
-                         "bhv_dir_not_found_ok", "bhv_dirs_not_found_ok"});
+    DescribeMail(visit);
+    visit.WithoutEffect({"node_skew", "verbose", "goals_mandatory", "standby", "helm_prefix",
+                         "helm_alias", "contact_max_age", "pmgen", "seed_random",
+                         "ivp_behavior_dir", "ivp_behavior_dirs", "bhv_dir_not_found_ok",
+                         "bhv_dirs_not_found_ok"});
     views.Describe(visit);
+  }
+
+  template <class Visitor>
+  void DescribeMail(Visitor& visit) {
+    visit("hold_on_app", hold_on_app,
+          "What behaviors ask of apps as the helm begins (OBM_ALERT_REQUEST) waits until these are "
+          "there, several separated by commas; embedded runs wait for nobody");
+    visit.Also({"hold_on_apps"});
+    visit.Parsed("ok_skew", "seconds, from 0, or any",
+                 "Mail for behaviors whose stamp is further from now is left out (IVPHELM_SKEW)",
+                 "any", [this](std::string_view text) {
+                   const auto seconds = ParseNumber(text);
+                   ok_skew.reset();
+                   if (seconds && *seconds >= 0.0) ok_skew = Seconds(*seconds);
+                   return ok_skew || EqualsIgnoringCase(text, "any");
+                 });
+    visit("other_override_var", other_override_var,
+          "Another variable that parks the helm, or lets it drive, as MOOS_MANUAL_OVERRIDE does");
+    visit("park_on_allstop", park_on_allstop,
+          "With the first iteration that stops all it is parked, if it may be (allow_park)");
   }
 };
 

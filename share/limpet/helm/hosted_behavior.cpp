@@ -7,11 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "limpet/core/decimal_text.hpp"
 #include "limpet/helm/behavior_failure_warnings.hpp"
 #include "limpet/helm/behavior_names.hpp"
+#include "limpet/helm/node_message.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/helm/settings_text.hpp"
+#include "limpet/topics/viewer.hpp"
 
 namespace limpet {
 namespace {
@@ -31,16 +32,6 @@ std::vector<ConfigProblem> Located(std::vector<ConfigProblem> problems, const Co
     problem.where = entry == nullptr ? block.where : entry->where;
   }
   return problems;
-}
-
-/// To other vehicles: MOOS-IvP's envelope for a post that leaves the vehicle.
-std::string NodeMessage(std::string_view ownship, const std::string& owner, const HelmPost& post) {
-  std::string text = fmt::format("src_node={},dest_node=all,src_app=pHelm,src_bhv={},var_name={}",
-                                 ownship, owner, post.variable);
-  if (const auto* number = std::get_if<double>(&post.value)) {
-    return text + ",double_val=" + DecimalText(*number, 8);
-  }
-  return text + ",string_val=\"" + std::get<std::string>(post.value) + "\"";
 }
 
 }  // namespace
@@ -74,6 +65,7 @@ HostedBehavior::HostedBehavior(ConfigBlock block, RealClock clock)
     throw ConfigError(problems);
   }
   clock_.SetSettings(settings_.duration);
+  if (const auto note = DurationNote()) complaint_ = name() + ": " + note->key + " " + note->text;
 }
 
 BehaviorStatus HostedBehavior::Status() const {
@@ -111,6 +103,9 @@ std::vector<std::string> HostedBehavior::Variables() const {
   for (const StarveLimit& limit : settings_.starve_limits) {
     names.push_back(limit.variable);
   }
+  if (std::ranges::any_of(block_.entries, HasGroupFlag)) {
+    names.emplace_back(topics::kNodeReportLocal.name);
+  }
   for (const std::string* variable :
        {&settings_.updates_variable, &settings_.duration.reset_variable}) {
     if (!variable->empty()) names.push_back(*variable);
@@ -127,6 +122,13 @@ std::vector<ConfigProblem> HostedBehavior::IgnoredLines() const {
     }
   }
   return lines;
+}
+
+std::optional<ConfigProblem> HostedBehavior::DurationNote() const {
+  if (!IsAskedForDuration(block_.name) || block_.Find("duration") != nullptr) return std::nullopt;
+  return ConfigProblem{block_.where, "duration",
+                       "is not said: no limit here, while pHelmIvP ends " + block_.name +
+                           " at once; `no-time-limit` is right for both"};
 }
 
 bool HostedBehavior::HoldsConditions(const HelmTurn& turn) {
@@ -296,8 +298,11 @@ void HostedBehavior::PostFlag(const Flag& flag, HelmTurn& turn) {
     Post({.variable = flag.variable, .value = value, .is_repeated = true}, turn);
   }
   if (!flag.group.empty()) {
+    const std::string group =
+        EqualsIgnoringCase(flag.group, "group") ? OwnGroup(turn.state) : std::string();
     turn.posts.push_back({"NODE_MESSAGE_LOCAL",
-                          NodeMessage(turn.state.ownship, name(), {flag.variable, value, name()}),
+                          NodeMessage({.node = turn.state.ownship, .behavior = name()}, group,
+                                      {flag.variable, value, name()}),
                           name()});
   }
 }

@@ -117,6 +117,9 @@ inline const auto kHelmUpdateResult = Declare<std::string>(
     "IVPHELM_UPDATE_RESULT",
     "bhv=, var=, time=, result=success, param_error, name_mismatch or duplicate, val=",
     {.rate = "on event", .writers = {"pHelm"}});
+inline const auto kHelmSkew =
+    Declare<std::string>("IVPHELM_SKEW", "mail that was left out for its stamp (ok_skew)",
+                         {.rate = "each", .writers = {"pHelm"}});
 inline const auto kHelmLifeEvent =
     Declare<std::string>("IVPHELM_LIFE_EVENT", "a behavior was made, or ended",
                          {.rate = "on event", .writers = {"pHelm"}});

@@ -9,11 +9,45 @@
 #include "limpet/waypoints/map_geometry.hpp"
 
 namespace limpet {
+namespace {
+
+/// What of a line lies within a polygon, from its begin on [m].
+struct Crossing {
+  double first, last;
+};
+
+/// Where a way is within the polygon, by clipping it at one edge after the other; the first is
+/// negative for a way that begins inside.
+std::optional<Crossing> CrossingOf(const ConvexPolygon& polygon, const MapPoint& from,
+                                   double bearing) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  const double step_x = std::sin(bearing), step_y = std::cos(bearing);
+  Crossing crossing{.first = -kFar, .last = kFar};
+  const std::vector<MapPoint>& corners = polygon.corners();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const MapPoint& a = corners[i];
+    const MapPoint& b = corners[(i + 1) % corners.size()];
+    // Corners are clockwise: what is inside lies to the right of each edge.
+    const double beyond = (b.x - a.x) * (from.y - a.y) - (b.y - a.y) * (from.x - a.x);
+    const double rate = (b.x - a.x) * step_y - (b.y - a.y) * step_x;
+    if (rate == 0.0) {
+      if (beyond > 0.0) return std::nullopt;
+    } else if (rate < 0.0) {
+      crossing.first = std::max(crossing.first, -beyond / rate);
+    } else {
+      crossing.last = std::min(crossing.last, -beyond / rate);
+    }
+  }
+  const bool meets = crossing.first <= crossing.last && crossing.last >= 0.0;
+  return meets ? std::optional(crossing) : std::nullopt;
+}
+
+}  // namespace
 
 RayApproach::RayApproach(const ConvexPolygon& polygon, const MapPoint& from, double bearing)
     : polygon_(&polygon), from_(from), bearing_(bearing) {
-  if (const std::optional<double> entry = Entry()) {
-    along_ = *entry;
+  if (const std::optional<Crossing> crossing = CrossingOf(polygon, from, bearing)) {
+    along_ = std::max(0.0, crossing->first);
     return;
   }
   // A way that misses is nearest at a corner, or where it begins.
@@ -30,32 +64,17 @@ RayApproach::RayApproach(const ConvexPolygon& polygon, const MapPoint& from, dou
   }
 }
 
-/// Where the way meets the polygon [m], by clipping it at one edge after the other.
-std::optional<double> RayApproach::Entry() const {
-  const double step_x = std::sin(bearing_), step_y = std::cos(bearing_);
-  double first = 0.0, last = std::numeric_limits<double>::infinity();
-  const std::vector<MapPoint>& corners = polygon_->corners();
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const MapPoint& a = corners[i];
-    const MapPoint& b = corners[(i + 1) % corners.size()];
-    // Corners are clockwise: what is inside lies to the right of each edge.
-    const double beyond = (b.x - a.x) * (from_.y - a.y) - (b.y - a.y) * (from_.x - a.x);
-    const double rate = (b.x - a.x) * step_y - (b.y - a.y) * step_x;
-    if (rate == 0.0) {
-      if (beyond > 0.0) return std::nullopt;
-    } else if (rate < 0.0) {
-      first = std::max(first, -beyond / rate);
-    } else {
-      last = std::min(last, -beyond / rate);
-    }
-  }
-  return first <= last ? std::optional(first) : std::nullopt;
-}
-
 double RayApproach::Within(double length) const {
   // The distance falls until there and grows from there on: the polygon is convex.
   if (length >= along_) return distance_;
   return std::max(0.0, polygon_->Outside(Project(from_, bearing_, length)));
+}
+
+std::optional<double> DistanceToBorder(const ConvexPolygon& polygon, const MapPoint& from,
+                                       double bearing) {
+  const std::optional<Crossing> crossing = CrossingOf(polygon, from, bearing);
+  if (!crossing) return std::nullopt;
+  return crossing->first >= 0.0 ? crossing->first : crossing->last;
 }
 
 std::vector<MapPoint> BufferedCorners(const ConvexPolygon& polygon, double distance) {

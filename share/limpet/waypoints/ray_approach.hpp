@@ -20,14 +20,17 @@ class RayApproach {
   [[nodiscard]] double Within(double length) const;
 
  private:
-  [[nodiscard]] std::optional<double> Entry() const;
-
   const ConvexPolygon* polygon_;
   MapPoint from_;
   double bearing_;
   double along_ = 0.0;  ///< where on the way it is nearest [m]
   double distance_ = 0.0;
 };
+
+/// How far a straight way from `from` on `bearing` [rad clockwise from north] goes to the border of
+/// a convex polygon [m], from outside or from inside; nothing if it never meets it.
+[[nodiscard]] std::optional<double> DistanceToBorder(const ConvexPolygon& polygon,
+                                                     const MapPoint& from, double bearing);
 
 /// The corners of what lies within `distance` [m] of a convex polygon; its round corners by a point
 /// every 30 degrees, so that the ring is a little inside.

@@ -78,10 +78,13 @@ TEST(BhvAvoidObstacle, PrefersToBeSlowWhereItCannotTurnAside) {
 }
 
 TEST(BhvAvoidObstacle, LeadsOutOfAnObstacleByTheShortestWay) {
-  HelmFlight flight(kTravel + AvoidBlock("  poly = -50,-50 : 50,-50 : 50,10 : -50,10\n"));
+  HelmFlight flight(kTravel + AvoidBlock("  poly = -50,-50 : 50,-50 : 50,10 : -50,10\n"
+                                         "  allstop_on_breach = false\n"));
   flight.PlaceAt(0.0, 0.0, 90.0);
   flight.Tick();
   EXPECT_LT(flight.decision().course.value(), 0.8) << "to the north";
+  EXPECT_EQ(flight.Last("BHV_WARNING"), "avoid: it is inside the obstacle");
+  EXPECT_EQ(flight.Last("BHV_ERROR"), "");
 }
 
 TEST(BhvAvoidObstacle, HasNoSayAboutWhatLiesAsternOrFarOff) {
@@ -170,9 +173,8 @@ TEST(BhvAvoidObstacle, KeepsToTheSideOnWhichItHasBegunToPass) {
   EXPECT_EQ(flight.Last("LOCK"), "") << "well off it is open again";
 }
 
-TEST(BhvAvoidObstacle, StopsInsideAnObstacleWhereSaid) {
-  HelmFlight flight(
-      AvoidBlock("  poly = -50,-50 : 50,-50 : 50,10 : -50,10\n  allstop_on_breach = true\n"));
+TEST(BhvAvoidObstacle, StopsInsideAnObstacleUnlessToldToLeadOut) {
+  HelmFlight flight(AvoidBlock("  poly = -50,-50 : 50,-50 : 50,10 : -50,10\n"));
   flight.PlaceAt(0.0, 0.0, 90.0);
   flight.Tick();
   EXPECT_THAT(flight.Last("BHV_ERROR"), HasSubstr("it is inside the obstacle"));
@@ -207,6 +209,60 @@ TEST(BhvAvoidObstacle, WarnsWhileItKnowsNoObstacle) {
   HelmFlight flight(AvoidBlock(""));
   flight.Tick();
   EXPECT_EQ(flight.decision().warnings.at(0).warning.id.name(), "OBSTACLE_NOT_SET");
+}
+
+TEST(BhvAvoidObstacle, SaysTheNumberOfItsObstacleAndItsDistances) {
+  const auto said = [](const std::string& lines) {
+    HelmFlight flight(AvoidBlock("  poly = 30,-5 : 40,-5 : 40,5 : 30,5\n" + lines +
+                                 "  runflag = SAID = <$[OIDX]> $[MINU_CPA] $[MAXU_CPA]\n"));
+    flight.Tick();
+    return flight.Last("SAID");
+  };
+  EXPECT_EQ(said("  id = ais_17_4\n"), "<4> 8 16");
+  EXPECT_EQ(said("  id = rock\n  min_util_cpa_dist = 5\n  max_util_cpa_dist = 9\n"), "<> 5 9");
+}
+
+TEST(BhvAvoidObstacle, SaysOfEachResolvedObstacleThatItHasHeardOfIt) {
+  HelmFlight flight(
+      AvoidBlock("  condition = GO = true\n  poly = 30,-5 : 40,-5 : 40,5 : 30,5\n"
+                 "  id = a\n"));
+  flight.state().now += Seconds(1.0);
+  flight.host().SetVariable("OBM_RESOLVED", std::string("old"), Seconds(1000.0));
+  flight.Tick();
+  EXPECT_THAT(flight.Posts("NOTED_RESOLVED"), IsEmpty()) << "before its time";
+  flight.Say("OBM_RESOLVED", std::string("b"));
+  flight.Tick();
+  flight.Say("GO", std::string("true"));
+  flight.Tick();
+  flight.Say("OBM_RESOLVED", std::string("a"));
+  flight.Tick();
+  EXPECT_THAT(flight.Posts("NOTED_RESOLVED"), ElementsAre("b", "a")) << "idle and running";
+}
+
+TEST(BhvAvoidObstacle, IsSilencedByNameOrBySourceWhereItMayBe) {
+  const std::string block =
+      "  poly = pts={30,-5:40,-5:40,5:30,5},label=rock,vsource=radar\n  id = rock_7\n";
+  HelmFlight flight(AvoidBlock(block + "  can_disable = true\n"));
+  const auto has_say = [](HelmFlight& vehicle, const std::string& filter) {
+    vehicle.PlaceAt(0.0, 0.0, 90.0);
+    vehicle.Say("BHV_ABLE_FILTER", filter);
+    vehicle.Tick();
+    return !vehicle.decision().active.empty();
+  };
+  EXPECT_TRUE(has_say(flight, "action=disable,obstacle_id=rock_8"));
+  EXPECT_FALSE(has_say(flight, "action=disable, obstacle_id=ROCK_7"));
+  EXPECT_THAT(flight.Last("VIEW_POLYGON"), HasSubstr("active=false"));
+  flight.Tick();
+  EXPECT_THAT(flight.decision().active, IsEmpty()) << "as long as nobody says otherwise";
+  EXPECT_TRUE(has_say(flight, "action=enable,obstacle_id=rock_7"));
+  EXPECT_FALSE(has_say(flight, "action=disable,vsource=radar"));
+  EXPECT_TRUE(has_say(flight, "vsource=radar,action=enable"));
+  EXPECT_TRUE(has_say(flight, "action=disable")) << "of nobody";
+  static_cast<void>(has_say(flight, "action=expunge,obstacle_id=rock_7"));
+  flight.Tick();
+  EXPECT_THAT(flight.host().statuses(), IsEmpty());
+  HelmFlight firm{AvoidBlock(block)};
+  EXPECT_TRUE(has_say(firm, "action=disable,obstacle_id=rock_7"));
 }
 
 }  // namespace

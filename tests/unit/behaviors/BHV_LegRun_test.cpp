@@ -162,5 +162,20 @@ TEST(BhvLegRun, RefusesWhatIsNoLegAndNoTurn) {
   }
 }
 
+TEST(BhvLegRun, CountsHowOftenItHasCrossedItsTrackSinceTheLastTurn) {
+  HelmFlight flight = UnderWay(std::string(kEastLeg) +
+                               "  repeat = forever\n  runxflag = WRAPS = $[WRAPS]\n"
+                               "  turn_endflag = TURNED = $[WRAPS]\n");
+  // Somebody leads it round by hand.
+  for (const auto& [x, y] : {std::pair{60, 0}, {50, 0}, {40, 0}, {30, 10}, {45, 10}, {45, -10}}) {
+    flight.PlaceAt(x, y, 270.0);
+    flight.Tick();
+  }
+  EXPECT_EQ(flight.Last("WRAPS"), "1");
+  ASSERT_TRUE(flight.FlyUntil([&] { return !flight.Posts("TURNED").empty(); }, 300.0));
+  flight.Tick();
+  EXPECT_EQ(flight.Last("WRAPS"), "0") << "anew after a turn";
+}
+
 }  // namespace
 }  // namespace limpet

@@ -176,5 +176,36 @@ TEST(BhvLoiter, RefusesAPolygonThatIsNotConvex) {
   }
 }
 
+TEST(BhvLoiter, SaysHowFarRoundItHasComeOfItsSlingshotAndThatItIsDone) {
+  HelmFlight flight = Begun("  slingshot = 200\n", -60.0, 0.0, 90.0);
+  ASSERT_TRUE(flight.FlyUntil([&] { return !flight.Posts("LOITER_COMPLETE").empty(); }, 300.0));
+  EXPECT_EQ(flight.Last("LOITER_COMPLETE"), "true");
+  EXPECT_NEAR(std::stod(flight.Last("LOITER_BNG_TOTAL")), 200.0, 1.0);
+  double sum = 0.0;
+  for (const std::string& step : flight.Posts("LOITER_BNG_DELTA")) {
+    sum += std::stod(step);
+  }
+  EXPECT_NEAR(sum, 200.0, 2.0);
+  HelmFlight endless = Begun("", -60.0, 0.0, 90.0);
+  endless.Fly(60.0);
+  EXPECT_THAT(endless.Posts("LOITER_BNG_TOTAL"), SizeIs(0)) << "nobody asked";
+}
+
+TEST(BhvLoiter, BeginsToCountAnewAfterEachSlingshotIfItLivesOn) {
+  HelmFlight flight =
+      Begun("  slingshot = 90\n  perpetual = true\n  endflag = ROUND = $[CTR]\n", -60.0, 0.0, 90.0);
+  ASSERT_TRUE(flight.FlyUntil([&] { return flight.Posts("ROUND").size() == 4; }, 400.0));
+  EXPECT_GT(flight.travelled(), 200.0) << "a round";
+  EXPECT_EQ(flight.Last("LOITER_COMPLETE"), "true");
+}
+
+TEST(BhvLoiter, SaysThatItIsDoneAlsoWhenItsTimeIsUp) {
+  HelmFlight flight = Begun("  duration = 5\n", -60.0, 0.0, 90.0);
+  flight.Fly(4.0);
+  EXPECT_EQ(flight.Last("LOITER_COMPLETE"), "");
+  flight.Fly(2.0);
+  EXPECT_EQ(flight.Last("LOITER_COMPLETE"), "true");
+}
+
 }  // namespace
 }  // namespace limpet

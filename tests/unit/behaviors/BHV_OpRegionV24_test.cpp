@@ -219,5 +219,41 @@ TEST(BhvOpRegionV24, TakesAnotherCoreFromTheVariableThatTellsIt) {
   EXPECT_GT(flight.x(), 150.0);
 }
 
+TEST(BhvOpRegionV24, SaysHowFarItsBordersAreAlongItsHeading) {
+  HelmFlight flight = AtTheOrigin(
+      std::string(kCore) +
+      "  save_dist = 10\n  halt_dist = 20\n  updates = UP\n"
+      "  runxflag = FAR = $[TRAJ_DIST_TO_CORE] $[TRAJ_DIST_TO_SAVE] $[TRAJ_DIST_TO_HALT]\n"
+      "  runxflag = ETA = $[TRAJ_ETA_TO_CORE] $[TRAJ_ETA_TO_SAVE] $[TRAJ_ETA_TO_HALT]\n");
+  flight.PlaceAt(20.0, 0.0, 90.0);
+  flight.Tick();
+  EXPECT_EQ(flight.Last("FAR"), "30 40 50");
+  EXPECT_EQ(flight.Last("ETA"), "6 8 10") << "at the fastest that the helm may ask for";
+  flight.PlaceAt(55.0, 0.0, 90.0);
+  flight.Tick();
+  EXPECT_EQ(flight.Last("FAR"), "-1 5 15") << "the core lies astern";
+  EXPECT_EQ(flight.Last("ETA"), "-1 1 3");
+}
+
+TEST(BhvOpRegionV24, TurnsBackByTheWayRoundThatItHasBegun) {
+  for (const auto& [heading, word] : {std::pair{60.0, "left"}, std::pair{120.0, "right"}}) {
+    HelmFlight flight = AtTheOrigin(std::string(kCore) + "  save_dist = 10\n");
+    flight.Tick();
+    flight.PlaceAt(75.0, 0.0, heading);
+    flight.Tick();
+    EXPECT_EQ(flight.Last("COMMITTED"), word);
+    // A gust turns the bow past where the other way round is shorter.
+    flight.PlaceAt(75.0, 0.0, 180.0 - heading);
+    flight.Tick();
+    EXPECT_EQ(flight.Last("COMMITTED"), word);
+    const double turn = WrapAngle(*flight.decision().course - YawFromMoosHeading(180.0 - heading));
+    EXPECT_EQ(turn < 0.0, heading < 90.0) << heading;
+    flight.PlaceAt(75.0, 0.0, 270.0);
+    flight.Tick();
+    EXPECT_EQ(flight.Last("COMMITTED"), "none") << "it heads for the region";
+    EXPECT_NEAR(MoosHeadingFromYaw(*flight.decision().course), 270.0, 0.1);
+  }
+}
+
 }  // namespace
 }  // namespace limpet

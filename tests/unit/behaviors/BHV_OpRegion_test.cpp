@@ -208,5 +208,37 @@ TEST(BhvOpRegion, GivesTheVehicleToTheOperatorWhereTheBreachIsSoft) {
   EXPECT_EQ(flight.Last("REGION"), "pts={-50,-50:-50,50:50,50:50,-50}");
 }
 
+TEST(BhvOpRegion, SaysHowFarItsBorderIsAndHowLongItIsInside) {
+  HelmFlight flight = Eastward("  max_time = 100\n");
+  flight.state().nav.u = 2.0;
+  flight.Tick();
+  EXPECT_EQ(flight.Last("OPREG_TRAJECTORY_PERIM_DIST"), "50");
+  EXPECT_EQ(flight.Last("OPREG_TRAJECTORY_PERIM_ETA"), "25");
+  EXPECT_EQ(flight.Last("OPREG_ABSOLUTE_PERIM_DIST"), "50");
+  EXPECT_EQ(flight.Last("OPREG_ABSOLUTE_PERIM_ETA"), "10") << "at 5 m/s";
+  EXPECT_EQ(flight.Last("OPREG_TIME_REMAINING"), "100");
+  EXPECT_EQ(flight.Last("SECS_IN_POLY"), "0");
+  flight.Fly(10.0);
+  EXPECT_EQ(flight.Last("OPREG_TRAJECTORY_PERIM_DIST"), "30");
+  EXPECT_NEAR(std::stod(flight.Last("OPREG_TIME_REMAINING")), 90.0, 0.01);
+  EXPECT_NEAR(std::stod(flight.Last("SECS_IN_POLY")), 10.0, 0.01);
+  flight.PlaceAt(49.4, 30.0, 0.0);
+  flight.Tick();
+  EXPECT_EQ(flight.Last("OPREG_TRAJECTORY_PERIM_DIST"), "20");
+  EXPECT_NEAR(std::stod(flight.Last("OPREG_ABSOLUTE_PERIM_DIST")), 0.6, 1e-6) << "the last metre";
+  flight.PlaceAt(60.0, 0.0, 90.0);
+  flight.Tick();
+  EXPECT_EQ(flight.Last("OPREG_TRAJECTORY_PERIM_DIST"), "-1") << "not that way";
+  EXPECT_EQ(flight.Last("SECS_IN_POLY"), "0");
+}
+
+TEST(BhvOpRegion, SaysNothingOfBordersWhereItHasNoPolygon) {
+  HelmFlight flight("Behavior = BHV_OpRegion\n{\n  name = region\n  max_depth = 20\n}\n");
+  flight.Fly(1.0);
+  EXPECT_TRUE(flight.Posts("OPREG_ABSOLUTE_PERIM_DIST").empty());
+  EXPECT_TRUE(flight.Posts("SECS_IN_POLY").empty());
+  EXPECT_TRUE(flight.Posts("OPREG_TIME_REMAINING").empty());
+}
+
 }  // namespace
 }  // namespace limpet

@@ -317,5 +317,18 @@ TEST(BhvWaypoint, RefusesWhatIsNoWayAndSaysWhatWouldBe) {
   }
 }
 
+TEST(BhvWaypoint, SaysTheFormOfFunctionThatItsBlockNames) {
+  const auto kind = [](const std::string& lines) {
+    HelmFlight flight("Behavior = BHV_Waypoint\n{\n  points = 100,0\n  speed = 1\n" + lines +
+                      "  runflag = KIND = $[IPF_TYPE]\n}\n");
+    flight.Tick();
+    return flight.Last("KIND");
+  };
+  EXPECT_EQ(kind(""), "zaic");
+  EXPECT_EQ(kind("  ipf_type = ROC\n"), "roc");
+  EXPECT_EQ(kind("  ipf-type = zaic_spd\n"), "zaic_spd");
+  EXPECT_EQ(kind("  ipf_type = unheard_of\n"), "zaic") << "as pHelmIvP takes it";
+}
+
 }  // namespace
 }  // namespace limpet

@@ -80,6 +80,22 @@ TEST(BhvConstantDepth, TakesADepthAboveTheSurfaceForTheSurface) {
   EXPECT_EQ(flight.Last("OFF"), "0");
 }
 
+TEST(BhvConstantDepth, HasNoLimitWithoutADurationAndSaysThatStockHelmsWouldEndItUnlessToldSo) {
+  HelmFlight flight(Block("BHV_ConstantDepth", "  depth = 12\n"));
+  flight.Fly(30.0);
+  EXPECT_EQ(flight.decision().depth, 12.0);
+  EXPECT_THAT(flight.Posts("BHV_WARNING"), SizeIs(1));
+  EXPECT_THAT(flight.Last("BHV_WARNING"), ::testing::HasSubstr("BHV_ConstantDepth: duration"));
+  EXPECT_THAT(flight.host().IgnoredLines(), SizeIs(1)) << "a note of limpet check";
+  for (const char* lines :
+       {"  depth = 12\n  duration = no-time-limit\n", "  depth = 12\n  duration = 100\n"}) {
+    HelmFlight silent(Block("BHV_ConstantDepth", lines));
+    silent.Fly(1.0);
+    EXPECT_THAT(silent.Posts("BHV_WARNING"), IsEmpty());
+    EXPECT_THAT(silent.host().IgnoredLines(), IsEmpty());
+  }
+}
+
 TEST(BhvTimer, CountsHowLongItHasRunAndBeenIdleAndBidsOnNothing) {
   HelmFlight flight(Block("BHV_Timer",
                           "  condition = GO = true\n  duration = 5\n  status_suffix = a\n"

@@ -43,16 +43,18 @@ TEST(CheckOfOthers, NotesWhatOurHelmCouldNotRunInPlaceOfTheStockOne) {
   std::ofstream(folder.path() / "a.bhv") << "Behavior = BHV_AvdColregsV99\n{\n  name = avoid\n}\n";
   const auto check = [&](const std::string& helm) {
     const fs::path moos = folder.path() / "a.moos";
-    std::ofstream(moos) << "Community = alpha\nProcessConfig = ANTLER\n{\n  Run = MOOSDB\n  Run = "
-                        << helm << "\n  Run = uSimMarineV22\n}\nProcessConfig = " << helm
-                        << "\n{\n  Behaviors = a.bhv\n  Domain = course:0:359:360\n  Domain = "
-                           "speed:0:4:41\n  ok_skew = any\n  start_in_drive = true\n}\n";
+    std::ofstream(moos)
+        << "Community = alpha\nProcessConfig = ANTLER\n{\n  Run = MOOSDB\n  Run = " << helm
+        << "\n  Run = uSimMarineV22\n}\nProcessConfig = " << helm
+        << "\n{\n  Behaviors = a.bhv\n  Domain = course:0:359:360\n  Domain = "
+           "speed:0:4:41\n  verbose = terse\n  ok_skew = any\n  start_in_drive = true\n}\n";
     return Check({moos.string()});
   };
   const Checked stock = check("pHelmIvP");
   EXPECT_EQ(stock.exit_code, kOk) << stock.text;
   EXPECT_THAT(stock.text, HasSubstr("no behavior `BHV_AvdColregsV99`"));
-  EXPECT_THAT(stock.text, HasSubstr("ok_skew"));
+  EXPECT_THAT(stock.text, HasSubstr("verbose"));
+  EXPECT_THAT(stock.text, Not(HasSubstr("ok_skew"))) << "that is heeded";
   const Checked ours = check("pHelm");
   EXPECT_EQ(ours.exit_code, kUsage) << ours.text;
 }

@@ -225,7 +225,7 @@ INSTANTIATE_TEST_SUITE_P(
              {"plug_pHelm.moos:", "behaviors: `misson.bhv` cannot be read"}},
         Slip{"ABehaviorFileWithoutBehaviors",
              {{kBhv, "Behavior = BHV_CoverArea", "#ifdef NEVER\nBehavior = BHV_CoverArea"},
-              {kBhv, "  depth     = 0\n}", "  depth     = 0\n}\n#endif"}},
+              {kBhv, "no-time-limit\n}", "no-time-limit\n}\n#endif"}},
              2,
              {"mission.bhv: has no behavior"}},
         Slip{"AScenarioThatIsNotThere",

@@ -322,6 +322,18 @@ TEST_F(BehaviorLife, AFlagMayHaveAConditionAndMayGoToOtherVehicles) {
   EXPECT_EQ(Iterate().at(0), "A=1");
 }
 
+TEST_F(BehaviorLife, AFlagMayGoToTheVehiclesGroup) {
+  Make("  runxflag = #group+ B = 2\n  runxflag = #group C = x\n");
+  EXPECT_THAT(host_->Variables(), ElementsAre("NODE_REPORT_LOCAL"));
+  Say("NODE_REPORT_LOCAL", std::string("NAME=alpha,X=1,Y=2,SPD=0,HDG=0,GROUP=blue"));
+  const std::string envelope =
+      "NODE_MESSAGE_LOCAL=src_node=alpha,dest_node=all,dest_group=blue,src_app=pHelm,"
+      "src_bhv=probe,var_name=";
+  EXPECT_THAT(Iterate(),
+              ElementsAre("B=2", envelope + "B,double_val=2", envelope + "C,string_val=\"x\""));
+  EXPECT_THROW(Make("  runflag = #blue A = 1\n"), ConfigError);
+}
+
 TEST_F(BehaviorLife, SaysWhichKeysOfItsBlockNobodyHeeds) {
   Make("  old_habit = 3\n  build_info = uniform_piece=discrete\n");
   ASSERT_THAT(host_->warnings(), SizeIs(1));

@@ -64,5 +64,14 @@ TEST(BufferedCorners, LieAtTheirDistanceAllRound) {
   }
 }
 
+TEST(RayApproach, TheBorderIsMetFromOutsideAndFromInsideOrNotAtAll) {
+  const auto square = ConvexPolygon::Of({{-10, -10}, {-10, 10}, {10, 10}, {10, -10}});
+  constexpr double kEast = 0.5 * std::numbers::pi;
+  EXPECT_NEAR(DistanceToBorder(*square, {.x = 4.0, .y = 0.0}, kEast).value(), 6.0, 1e-9);
+  EXPECT_NEAR(DistanceToBorder(*square, {.x = -25.0, .y = 3.0}, kEast).value(), 15.0, 1e-9);
+  EXPECT_FALSE(DistanceToBorder(*square, {.x = 25.0, .y = 3.0}, kEast)) << "it lies astern";
+  EXPECT_FALSE(DistanceToBorder(*square, {.x = -25.0, .y = 12.0}, kEast)) << "it passes by";
+}
+
 }  // namespace
 }  // namespace limpet
