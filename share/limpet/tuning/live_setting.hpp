@@ -43,6 +43,14 @@ struct LiveEvent {
   LiveChange change{};
   std::vector<LiveChange> undoable{};
 
+  /// What a key was set to last, of what this tells; nothing if it tells of no such change that was
+  /// applied.
+  [[nodiscard]] std::optional<std::string> InForce(std::string_view behavior,
+                                                   std::string_view key) const;
+  /// True if this is what was sent last, and the helm did not apply it.
+  [[nodiscard]] bool WasRefused(std::string_view behavior, std::string_view key,
+                                std::string_view value) const;
+
   [[nodiscard]] std::string Text() const;
   [[nodiscard]] static Expected<LiveEvent> FromText(const std::string& text);
 
