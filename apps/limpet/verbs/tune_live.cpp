@@ -184,8 +184,11 @@ int Apply(LiveCommunity& community, const TunedPlace& place, LiveEvent event) {
   const std::optional<UpdateCount> after = community.Count(place.owner, before);
   event.is_applied = after && after->good > before->good;
   if (event.is_undo) {
-    // One that is refused would be refused again, and keep those below it from being taken back.
-    if (after) event.undoable.pop_back();
+    if (event.is_applied) {
+      event.undoable.pop_back();
+    } else if (after) {
+      event.DropRefusedUndo();
+    }
   } else if (event.is_applied) {
     event.undoable.push_back(change);
     if (event.undoable.size() > LiveEvent::kMostUndoable) {

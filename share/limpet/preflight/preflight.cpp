@@ -47,6 +47,7 @@ void Sort(std::vector<ConfigProblem>& problems) {
 /// What is missing in several blocks is said once, by a global or the vehicle's file: names it.
 void NameGlobals(std::vector<ConfigProblem>& problems) {
   for (ConfigProblem& problem : problems) {
+    if (problem.text.find("says it for all") != std::string::npos) continue;
     for (const SharedSetting& shared : SharedSettings()) {
       const bool stands_in = std::ranges::any_of(shared.takers, [&problem](const auto& taker) {
         return problem.key == taker.key &&

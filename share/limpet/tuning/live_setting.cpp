@@ -82,11 +82,19 @@ std::optional<std::string> UpdatedValue(std::string_view mail, std::string_view 
 
 std::optional<std::string> LiveEvent::InForce(std::string_view behavior,
                                               std::string_view key) const {
-  if (is_applied && IsOf(change, behavior, key)) return change.new_value;
+  if (IsOf(change, behavior, key)) return is_applied ? change.new_value : change.old_value;
   const auto newest = std::find_if(undoable.rbegin(), undoable.rend(), [&](const LiveChange& each) {
     return IsOf(each, behavior, key);
   });
   return newest == undoable.rend() ? std::nullopt : std::optional(newest->new_value);
+}
+
+void LiveEvent::DropRefusedUndo() {
+  undoable.pop_back();
+  const auto below = std::find_if(
+      undoable.rbegin(), undoable.rend(),
+      [this](const LiveChange& each) { return IsOf(each, change.behavior, change.key); });
+  if (below != undoable.rend()) below->new_value = change.old_value;
 }
 
 bool LiveEvent::WasRefused(std::string_view behavior, std::string_view key,
