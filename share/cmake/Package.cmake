@@ -23,20 +23,34 @@ find_program(LIMPET_HELP2MAN help2man)
 find_program(LIMPET_GZIP gzip)
 if(LIMPET_HELP2MAN AND LIMPET_GZIP)
   set(pages)
-  foreach(program limpet ${processes})
-    set(page "${documents}/man1/${program}.1.gz")
-    limpet_summary(${program} summary)
+  # The page of `program`, which says its help when `command` is asked for it.
+  function(limpet_manual_page page_name program command summary)
+    set(page "${documents}/man1/${page_name}.1")
     add_custom_command(
-      OUTPUT "${page}"
+      OUTPUT "${page}.gz"
       COMMAND "${CMAKE_COMMAND}" -E make_directory "${documents}/man1"
       COMMAND "${LIMPET_HELP2MAN}" --no-info --section=1 --source=Limpet --manual=Limpet
-              "--version-string=${PROJECT_VERSION}"
-              "--name=${summary}"
-              "--output=${documents}/man1/${program}.1" "$<TARGET_FILE:${program}>"
-      COMMAND "${LIMPET_GZIP}" -9nf "${documents}/man1/${program}.1"
+              "--version-string=${PROJECT_VERSION}" "--name=${summary}" "--output=${page}" "${command}"
+      COMMAND "${LIMPET_GZIP}" -9nf "${page}"
       DEPENDS ${program}
       VERBATIM)
-    list(APPEND pages "${page}")
+    set(pages ${pages} "${page}.gz" PARENT_SCOPE)
+  endfunction()
+  foreach(program limpet ${processes})
+    limpet_summary(${program} summary)
+    limpet_manual_page(${program} ${program} "$<TARGET_FILE:${program}>" "${summary}")
+  endforeach()
+  # And one of each verb, limpet-<verb>: a program of that name, for help2man alone, says the verb's help.
+  set(verbs "${CMAKE_SOURCE_DIR}/apps/limpet/verbs/verbs.cpp")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${verbs}")
+  file(STRINGS "${verbs}" lines REGEX "^ +{\"[a-z]+\", \"")
+  foreach(line IN LISTS lines)
+    string(REGEX MATCH "{\"([a-z]+)\", \"(.*)\", Run" ignored "${line}")
+    set(verb "${CMAKE_MATCH_1}")
+    set(command "${documents}/verbs/limpet-${verb}")
+    file(GENERATE OUTPUT "${command}" CONTENT "#!/bin/sh\nexec \"$<TARGET_FILE:limpet>\" ${verb} \"$@\"\n"
+         FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+    limpet_manual_page(limpet-${verb} limpet "${command}" "${CMAKE_MATCH_2}")
   endforeach()
   add_custom_target(man_pages DEPENDS ${pages})
 else()

@@ -16,6 +16,7 @@
 #include "apps/limpet/cli.hpp"
 #include "limpet/mission/expanded_text.hpp"
 #include "limpet/sweeps/child_process.hpp"
+#include "limpet/tuning/live_setting.hpp"
 #include "tests/support/free_port.hpp"
 #include "tests/support/limpet_command.hpp"
 #include "tests/support/small_mission.hpp"
@@ -26,6 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 fs::path ProgramBeside(const std::string& name) { return OwnProgram().parent_path() / name; }
 
@@ -144,6 +146,11 @@ TEST_F(TuneCommandLine, RefusesSlipsBeforeItSearches) {
   EXPECT_THAT(complaint({objective, "--vary=covr.pwt=0:1"}), HasSubstr("did you mean `cover`"));
   EXPECT_THAT(complaint({objective, "--vary=cover.frontier_weigt=0:1"}),
               HasSubstr("did you mean `frontier_weight`"));
+  EXPECT_THAT(complaint({objective, "--vary=cover.nosuch=0:1"}),
+              StartsWith("cover.nosuch: no parameter `nosuch`"));
+  EXPECT_THAT(complaint({objective, "--vary=cover.frontier_weight=0:999"}),
+              HasSubstr("--vary cover.frontier_weight=0:999: `999` is not allowed; allowed: 0 to "
+                        "100"));
   EXPECT_THAT(complaint({objective, "--vary=home.when=0:1"}), HasSubstr("no number"));
   EXPECT_THAT(complaint({objective, "--vary=cover.pwt=0:1", "--constraint=seed"}),
               HasSubstr("compares nothing"));
@@ -203,6 +210,34 @@ TEST_F(TuneCommandLine, ChangesABehaviorThatRunsAndTakesItBack) {
   const CommandResult none = live({"--undo"});
   EXPECT_EQ(none.exit_code, kFailed);
   EXPECT_THAT(none.err, HasSubstr("nothing to undo"));
+}
+
+TEST_F(TuneCommandLine, CountsOnlyWhatTheRunningHelmAppliedAndUndoesPastWhatItRefuses) {
+  const LiveHelm helm(At("small"));
+  const auto run = [&](std::vector<std::string> words, std::vector<std::string> more) {
+    words.insert(words.end(), {"small", helm.port(), "--wait=20"});
+    words.insert(words.end(), more.begin(), more.end());
+    return RunLimpet(folder_.path(), words);
+  };
+  const auto live = [&](const std::string& wish) { return run({"tune", "--live"}, {wish}); };
+  ASSERT_EQ(live("cover.frontier_weight=0.3").exit_code, kOk);
+  const std::string updates = "COVER_UPDATES";
+  ASSERT_EQ(run({"poke"}, {updates + ":=name=cover#frontier_weight=-1"}).exit_code, kOk);
+  EXPECT_THAT(live("cover.frontier_weight=0.7").out, HasSubstr("0.3 -> 0.7, applied"))
+      << "-1 was never in force";
+  // As a change looks that was told with a value before it that nobody can set.
+  const LiveEvent bad{.user = "ann",
+                      .host = "boat",
+                      .is_applied = true,
+                      .change = {"cover", "frontier_weight", "900", "0.7"},
+                      .undoable = {{"cover", "frontier_weight", "0.5", "0.3"},
+                                   {"cover", "frontier_weight", "900", "0.7"}}};
+  ASSERT_EQ(run({"poke"}, {"TUNE_EVENT:=" + bad.Text()}).exit_code, kOk);
+  const CommandResult refused = live("--undo");
+  EXPECT_EQ(refused.exit_code, kFailed);
+  EXPECT_THAT(refused.err, HasSubstr("the helm refused cover.frontier_weight = 900"));
+  EXPECT_THAT(live("--undo").out, HasSubstr("0.7 -> 0.5, applied"));
+  EXPECT_THAT(live("--undo").err, HasSubstr("nothing to undo"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -99,6 +100,53 @@ TEST_F(OwnRepository, IsNeededByTheMissionThatNamesItsBehavior) {
                                               At("limpet/bin/limpet"), At("own/missions/trial")));
   EXPECT_NE(check.exit_code, 0);
   EXPECT_THAT(check.text, HasSubstr("BHV_KeepOff"));
+}
+
+TEST_F(OwnRepository, IsFoundByCheckFromEitherPath) {
+  const std::string limpet = At("limpet/bin/limpet"), mission = At("own/missions/trial");
+  const auto check = [&](const std::string& environment, const std::string& what) {
+    return Shell(fmt::format("{} {} check {}", environment, limpet, what));
+  };
+  const std::string behaviors = mission + "/mission.bhv";
+  EXPECT_EQ(check("LIMPET_BEHAVIOR_PATH=" + At("own/build"), behaviors).exit_code, 0);
+  const std::string none = "env -u LIMPET_BEHAVIOR_PATH";
+  EXPECT_THAT(check(none, behaviors).text, HasSubstr("BHV_KeepOff"));
+  fs::copy(mission, At("own/missions/paths"));
+  const std::string file = At("own/missions/paths/mission.moos");
+  const std::string text = TextOfFile(file);
+  std::ofstream(file) << "#define BEHAVIOR_PATH ../../build\n" << text;
+  const ShellResult by_mission = check(none, At("own/missions/paths"));
+  EXPECT_EQ(by_mission.exit_code, 0) << by_mission.text;
+  const ShellResult beside = check(none, At("own/missions/paths/mission.bhv"));
+  EXPECT_EQ(beside.exit_code, 0) << beside.text;
+  EXPECT_THAT(beside.text, ::testing::Not(HasSubstr("BHV_KeepOff: is no behavior")));
+}
+
+/// The tutorial's first block is README.md's own lines. The first is run here, on what is built: it
+/// compiles nothing. The second takes minutes: `./limpet nightly` runs it.
+TEST(Tutorial, BeginsWithLinesOfTheReadmeThatBuildAndSurvey) {
+  const auto text = [](const char* name) { return TextOfFile(fs::path(LIMPET_SOURCE_DIR) / name); };
+  std::istringstream page(text("docs/tutorial.md"));
+  std::vector<std::string> lines;
+  bool is_inside = false;
+  for (std::string line; std::getline(page, line);) {
+    const bool is_fence = line.starts_with("```");
+    if (is_inside && !is_fence) lines.push_back(line);
+    is_inside = is_fence ? line == "```console" : is_inside;
+  }
+  ASSERT_EQ(lines, (std::vector<std::string>{"./limpet build", "./limpet survey missions/table1"}));
+  const std::string readme = text("README.md");
+  EXPECT_THAT(readme, HasSubstr("`./limpet build`"));
+  EXPECT_THAT(readme, HasSubstr("\n./limpet survey missions/table1 "));
+  EXPECT_THAT(
+      text("limpet"),
+      HasSubstr("limpet\" survey \"$root/missions/table1\" --out \"$build/nightly-table1\""));
+  if (fs::path(LIMPET_BUILD) != fs::path(LIMPET_SOURCE_DIR) / "build") {
+    GTEST_SKIP() << "it would build another folder than this";
+  }
+  const ShellResult build = Shell(fmt::format("cd {} && {}", LIMPET_SOURCE_DIR, lines.front()));
+  EXPECT_EQ(build.exit_code, 0) << build.text;
+  EXPECT_THAT(build.text, HasSubstr("the programs are in build/bin"));
 }
 
 TEST_F(OwnRepository, IsNeverWrittenOver) {

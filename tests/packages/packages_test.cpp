@@ -2,6 +2,7 @@
 // The Debian packages, looked at as dpkg does, and unpacked and run without being installed.
 #include <filesystem>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -106,6 +107,24 @@ TEST_F(DebianPackages, HaveAManualPageForEachProgramIfHelp2manIsThere) {
     EXPECT_THAT(text, HasSubstr("\n" + name + " \\- ")) << "its name and what it does";
     EXPECT_THAT(text, HasSubstr("usage: ")) << name;
   }
+}
+
+TEST_F(DebianPackages, HaveAManualPageForEachVerbIfHelp2manIsThere) {
+  if (Shell("help2man --version").exit_code != 0) GTEST_SKIP() << "help2man is missing";
+  const fs::path root = Unpacked("limpet");
+  std::istringstream help(Shell((root / "usr/bin/limpet").string() + " --help").text);
+  int verbs = 0;
+  for (std::string line; std::getline(help, line);) {
+    if (!line.starts_with("  ")) continue;  // `  survey     survey twice, embedded, ...`
+    const std::string verb = line.substr(2, line.find(' ', 2) - 2);
+    const fs::path page = root / "usr/share/man/man1" / ("limpet-" + verb + ".1.gz");
+    ASSERT_TRUE(fs::exists(page)) << page;
+    const std::string text = Shell("gzip -dc " + page.string()).text;
+    EXPECT_THAT(text, HasSubstr("\nlimpet-" + verb + " \\- ")) << "its name and what it does";
+    EXPECT_THAT(text, HasSubstr("usage: limpet " + verb)) << verb;
+    ++verbs;
+  }
+  EXPECT_GT(verbs, 20);
 }
 
 TEST_F(DebianPackages, AreWithoutErrorsForLintianIfThatIsThere) {

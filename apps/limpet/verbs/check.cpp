@@ -29,7 +29,10 @@ Command CheckForm() {
           "Says everything that is wrong with a mission, with file and line, and runs "
           "nothing: what cannot be read, what cannot work (with its scenario.yaml: water, "
           "currents, places), and, as notes, what belongs to other people's apps or is "
-          "near a limit. With --dry-run it then flies the mission in simulation, "
+          "near a limit. What is written for stock programs is noted, too, where Limpet's own "
+          "would not start with it; the last line then says so. Behaviors from elsewhere are "
+          "those of behavior_path in the helm's block and of LIMPET_BEHAVIOR_PATH. With --dry-run "
+          "it then flies the mission in simulation, "
           "its change session after its discovery, with boxes for a camera and all safety rules "
           "armed, in the scenario's water and with its battery, and refuses it if a rule trips "
           "that asks for more than a "
@@ -54,7 +57,9 @@ Command CheckForm() {
                    .value = "FILE",
                    .meaning = "writes a picture of the area (SVG)"}},
       .more =
-          "Exit code 0: it may be run (notes or not); 2: it cannot be read; 3: it cannot "
+          "Exit code 0: nothing is wrong with it (notes or not; Limpet's own programs run it "
+          "unless "
+          "the last line says that they would refuse some); 2: it cannot be read; 3: it cannot "
           "work, or a flight of the dry run was refused.",
       .takes = "one mission folder, .moos or .bhv file",
       .least_words = 1,
@@ -84,11 +89,18 @@ nlohmann::ordered_json EnergyJson(const std::optional<EnergyOutlook>& energy) {
 struct CheckLine {
   ConfigProblem problem;
   bool is_note = false;
+  bool is_refused_here = false;
 };
 
-/// `file:line: key: text`; a note says so before its key.
+bool IsSame(const ConfigProblem& a, const ConfigProblem& b) {
+  return std::tie(a.where.file, a.where.line, a.key, a.text) ==
+         std::tie(b.where.file, b.where.line, b.key, b.text);
+}
+
+/// `file:line: key: text`; a note says so before its key, and behind its text if ours refuses it.
 std::string TextOf(const CheckLine& line) {
   ConfigProblem shown = line.problem;
+  if (line.is_refused_here) shown.text += " [Limpet's own would not start with this]";
   if (line.is_note) shown.key = shown.key.empty() ? "note" : "note: " + shown.key;
   return OneLine(shown.Format());
 }
@@ -97,12 +109,31 @@ std::string Counted(std::size_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+/// How much was found; and of a mission for stock programs, if ours would not run it.
+std::string SummaryOf(const MissionProblems& found) {
+  const std::size_t problems = found.syntax.size() + found.geometry.size();
+  std::string text = problems == 0 ? "no problems" : Counted(problems, "problem");
+  if (!found.notes.empty()) text += ", " + Counted(found.notes.size(), "note");
+  if (!found.refused_here.empty()) {
+    text += fmt::format(
+        "; for {} of them Limpet's own programs would not run it: it needs the stock ones, or a "
+        "change",
+        found.refused_here.size());
+  }
+  return text;
+}
+
 /// Problems and notes together, by file and line.
 void PrintLines(const MissionProblems& found) {
   std::vector<CheckLine> lines;
   for (const auto* list : {&found.syntax, &found.geometry, &found.notes}) {
     for (const ConfigProblem& problem : *list) {
-      lines.push_back({problem, list == &found.notes});
+      const bool is_note = list == &found.notes;
+      const bool is_refused_here =
+          is_note && std::ranges::any_of(found.refused_here, [&problem](const auto& refused) {
+            return IsSame(refused, problem);
+          });
+      lines.push_back({problem, is_note, is_refused_here});
     }
   }
   std::ranges::stable_sort(lines, {}, [](const CheckLine& line) {
@@ -118,9 +149,7 @@ void PrintLines(const MissionProblems& found) {
         found.energy->needed_wh, found.energy->home_wh, found.energy->charged_wh,
         found.energy->reserve_wh);
   }
-  const std::size_t problems = found.syntax.size() + found.geometry.size();
-  fmt::print("{}{}\n", problems == 0 ? "no problems" : Counted(problems, "problem"),
-             found.notes.empty() ? "" : ", " + Counted(found.notes.size(), "note"));
+  fmt::print("{}\n", SummaryOf(found));
 }
 
 /// The area as text on a terminal, or if it is asked for: beside JSON on stderr, which leaves that
@@ -168,6 +197,7 @@ int CheckInJson(const Arguments& given, const std::string& path, const MissionPr
   nlohmann::ordered_json out{{"syntax", JsonOf(found.syntax)},
                              {"geometry", JsonOf(found.geometry)},
                              {"notes", JsonOf(found.notes)},
+                             {"refused_here", JsonOf(found.refused_here)},
                              {"energy", EnergyJson(found.energy)}};
   int code = CodeOf(found);
   if (given.Has("dry-run")) {

@@ -18,6 +18,7 @@
 #include "limpet/console/shown_text.hpp"
 #include "limpet/core/folders_above.hpp"
 #include "limpet/helm/registry.hpp"
+#include "limpet/mission/process_name.hpp"
 #include "limpet/mission/source_text.hpp"
 
 namespace limpet {
@@ -68,15 +69,16 @@ const Kind& KindOf(const std::string& word) {
 void CheckName(const Kind& kind, const std::string& name) {
   const bool is_word =
       std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
-  const bool has_start = &kind == &kBehavior
-                             ? name.starts_with("BHV_") && name.size() > 4
-                             : std::isalpha(static_cast<unsigned char>(name[0])) != 0;
-  if (!is_word || !has_start) {
-    throw UsageError(fmt::format("`{}` is no name for {} {}: letters, digits and _, as `{}`",
+  const bool has_form =
+      &kind == &kBehavior ? name.starts_with("BHV_") && name.size() > 4 : IsNameOfMoosProcess(name);
+  if (!is_word || !has_form) {
+    throw UsageError(fmt::format("`{}` is no name for {} {}: {}letters, digits and _, as `{}`",
                                  OneLine(name, 40), &kind == &kApp ? "an" : "a", kind.word,
+                                 &kind == &kApp ? "p, i or u and a capital letter, then " : "",
                                  kind.pattern));
   }
-  if (BehaviorRegistry().contains(name) || AppRegistry().contains(name)) {
+  const bool is_database = name == "LimpetDB" || name == "MOOSDB";
+  if (BehaviorRegistry().contains(name) || AppRegistry().contains(name) || is_database) {
     throw UsageError(fmt::format("`{}` is one of Limpet's own: call yours something else", name));
   }
 }

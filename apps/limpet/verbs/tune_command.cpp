@@ -12,6 +12,7 @@
 #include "apps/limpet/verbs/tune_form.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/preflight/mission_reading.hpp"
+#include "limpet/preflight/preflight.hpp"
 #include "limpet/runs/run_settings.hpp"
 #include "limpet/runs/session_runner.hpp"
 #include "limpet/tuning/tuned_place.hpp"
@@ -43,6 +44,30 @@ ParameterSpace SpaceOf(const Arguments& given) {
   if (parameters.empty())
     throw UsageError("nothing to vary: --vary owner.key=low:high is expected");
   return ParameterSpace(std::move(parameters));
+}
+
+/// Throws UsageError for a range whose ends are not allowed: the search would find out run by run.
+void RefuseBadRanges(const TuneCommand& command) {
+  const std::vector<VariedParameter>& parameters = command.space.parameters();
+  SettingValues lows, highs;
+  for (const VariedParameter& parameter : parameters) {
+    lows.push_back(parameter.low);
+    highs.push_back(parameter.high);
+  }
+  for (const SettingValues& ends : {lows, highs}) {
+    const MissionProblems found = CheckLoadedMission(
+        MissionWith(command, command.space.TextsOf(ends)), command.plan.mission_folder);
+    for (const ConfigProblem& problem : found.syntax) {
+      // Of one that only does not go with another, some settings may be flown.
+      if (problem.text.find("allowed: ") == std::string::npos) continue;
+      const auto ranged = std::ranges::find_if(parameters, [&](const VariedParameter& parameter) {
+        return problem.where.file.find(parameter.name + "=") != std::string::npos;
+      });
+      if (ranged == parameters.end()) continue;
+      throw UsageError(fmt::format("--vary {}={:g}:{:g}: {}", ranged->name, ranged->low,
+                                   ranged->high, problem.text));
+    }
+  }
 }
 
 }  // namespace
@@ -85,9 +110,16 @@ TuneCommand ReadTuneCommand(const Arguments& given) {
                   .survey_options = SurveyOptionsGiven(given),
                   .runner = RunnerOptionsOf(given, out),
                   .keeps_runs = given.Has("keep-runs")};
+  if (!MissionReading(MissionWith(command, {}), mission).Launches("pSurvey")) {
+    throw UsageError(
+        fmt::format("{} launches no pSurvey: limpet tune flies surveys, as limpet survey does",
+                    (mission / "mission.moos").string()));
+  }
   if (const auto first = FirstSettings(command.space, command.task.rules); !first) {
     throw UsageError("--vary: " + first.error().text);
   }
+  static_cast<void>(DefaultOf(command));  // complains of names that there are not
+  RefuseBadRanges(command);
   return command;
 }
 

@@ -22,7 +22,7 @@ struct TuneCommand {
   std::vector<std::string> settings{};  ///< of `--set` and its kin, for every run
 };
 
-/// Throws UsageError.
+/// Throws UsageError; ConfigError of what is varied and is not there.
 [[nodiscard]] TuneCommand ReadTuneCommand(const Arguments& given);
 
 /// The mission with the command's settings, and more of them on top.

@@ -48,7 +48,7 @@ std::vector<CommandOption> SearchOptions() {
        .rule = WholeNumber(1, 10000)},
       {.names = "--runs",
        .value = "N",
-       .meaning = "seeds of each setting; as many others judge the winner",
+       .meaning = "seeds of each setting; as many others judge the best one",
        .fallback = "10",
        .rule = WholeNumber(2, 100000)},
       {.names = "--seed",
@@ -82,8 +82,10 @@ Command TuneForm() {
           "Looks for the setting of a mission that makes the objective least. All settings, the "
           "mission as it stands (the default) among them, fly the same seeds; after every block "
           "of seeds those that are surely worse than the leader are eliminated (one-sided paired "
-          "t-test, 5 % shared out over the settings). The winner and the default then fly seeds "
-          "that the search has not seen; their paired difference is what counts. Means come with "
+          "t-test, 5 % shared out over the settings). The default, and the best beside it, then "
+          "fly "
+          "seeds that the search has not seen; their paired difference is what counts. Means come "
+          "with "
           "95 % intervals by Student's t.\n\nLeaves <out>/tune.json, tune.txt, tune.svg and "
           "best.bhv.diff, for `patch`. A run is never done twice: after an interruption --resume, "
           "or the same command, goes on.",

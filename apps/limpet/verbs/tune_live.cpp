@@ -16,7 +16,7 @@
 #include "limpet/console/tool_frame.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/preflight/mission_reading.hpp"
-#include "limpet/runs/mission_check.hpp"
+#include "limpet/preflight/preflight.hpp"
 #include "limpet/runs/session_runner.hpp"
 #include "limpet/topics/tuning.hpp"
 #include "limpet/topics/viewer.hpp"
@@ -130,17 +130,39 @@ class LiveCommunity {
   std::map<std::string, std::string> latest_;
 };
 
-/// The value in force: the last one that was sent, else what the mission says.
-std::string ValueInForce(const LiveCommunity& community, const TunedPlace& place,
-                         const std::optional<LiveEvent>& last) {
-  if (const auto sent = UpdatedValue(community.Latest(place.updates), place.owner, place.key)) {
-    return *sent;
+/// A mission, and the folder of its files.
+struct ReadMissionFile {
+  MissionFile mission;
+  fs::path folder;
+
+  explicit ReadMissionFile(const fs::path& file)
+      : mission(LoadMission(file)),
+        folder(file.has_parent_path() ? file.parent_path() : fs::path(".")) {}
+};
+
+/// What the mission's check says of a value; nothing if it is allowed.
+std::optional<ConfigProblem> ProblemOf(const ReadMissionFile& read, const std::string& name,
+                                       const std::string& value) {
+  MissionFile changed = read.mission;
+  ApplySetting(changed, name + "=" + value);
+  const MissionProblems found = CheckLoadedMission(changed, read.folder);
+  for (const auto* list : {&found.syntax, &found.refused_here}) {
+    for (const ConfigProblem& problem : *list) {
+      // Other problems of the mission did not keep it from running.
+      if (problem.where.file.find(name) != std::string::npos) return problem;
+    }
   }
-  for (std::size_t i = last ? last->undoable.size() : 0; i > 0; --i) {
-    const LiveChange& change = last->undoable[i - 1];
-    if (change.behavior == place.owner && change.key == place.key) return change.new_value;
-  }
-  return place.value;
+  return std::nullopt;
+}
+
+/// The value in force: of what was sent the last that the helm applied, else what the mission says.
+std::string ValueInForce(const LiveCommunity& community, const ReadMissionFile& read,
+                         const TunedPlace& place, const std::optional<LiveEvent>& last) {
+  const auto sent = UpdatedValue(community.Latest(place.updates), place.owner, place.key);
+  const bool is_refused = sent && last && last->WasRefused(place.owner, place.key, *sent);
+  if (sent && !is_refused && !ProblemOf(read, place.owner + "." + place.key, *sent)) return *sent;
+  const auto set = last ? last->InForce(place.owner, place.key) : std::nullopt;
+  return set.value_or(place.value);
 }
 
 std::optional<LiveEvent> LastEvent(const LiveCommunity& community) {
@@ -161,21 +183,28 @@ int Apply(LiveCommunity& community, const TunedPlace& place, LiveEvent event) {
   community.Write(place.updates, UpdateText(change.behavior, change.key, change.new_value));
   const std::optional<UpdateCount> after = community.Count(place.owner, before);
   event.is_applied = after && after->good > before->good;
-  if (event.is_applied && !event.is_undo) {
+  if (event.is_undo) {
+    if (event.is_applied) {
+      event.undoable.pop_back();
+    } else if (after) {
+      event.DropRefusedUndo();
+    }
+  } else if (event.is_applied) {
     event.undoable.push_back(change);
     if (event.undoable.size() > LiveEvent::kMostUndoable) {
       event.undoable.erase(event.undoable.begin());
     }
-  } else if (event.is_applied) {
-    event.undoable.pop_back();
   }
   community.Write(topics::kTuneEvent.name, event.Text());
   community.Settle();
   if (!event.is_applied) {
     fmt::print(stderr, "limpet tune: {}\n",
                OneLine(after ? fmt::format("the helm refused {} = {}: see PHELM_WARNINGS ({} of {} "
-                                           "updates applied)",
-                                           named, change.new_value, after->good, after->all)
+                                           "updates applied){}",
+                                           named, change.new_value, after->good, after->all,
+                                           event.is_undo ? "; it stays as it is, and the next "
+                                                           "--undo takes back the change before"
+                                                         : "")
                              : fmt::format("it is not known whether {} = {} was applied: the helm "
                                            "has not said so in time",
                                            named, change.new_value)));
@@ -187,25 +216,15 @@ int Apply(LiveCommunity& community, const TunedPlace& place, LiveEvent event) {
   return kOk;
 }
 
-void RefuseBadValue(const MissionFile& mission, const fs::path& folder, const Wish& wish) {
-  MissionFile changed = mission;
-  ApplySetting(changed, wish.name + "=" + wish.value);
-  for (const ConfigProblem& problem : CheckConfiguration(changed, folder)) {
-    // Other problems of the mission did not keep it from running.
-    if (problem.where.file.find(wish.name) != std::string::npos) throw ConfigError(problem);
-  }
-}
-
 int Set(const Arguments& given, const fs::path& file, const std::string& word) {
   const Wish wish = WishIn(word);
-  const MissionFile mission = LoadMission(file);
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  const TunedPlace place = LivePlace(MissionReading(mission, folder), wish.name);
-  RefuseBadValue(mission, folder, wish);
+  const ReadMissionFile read(file);
+  const TunedPlace place = LivePlace(MissionReading(read.mission, read.folder), wish.name);
+  if (const auto problem = ProblemOf(read, wish.name, wish.value)) throw ConfigError(*problem);
   LiveCommunity community(given, file.string());
   community.Watch({place.updates, topics::kTuneEvent.name, topics::kHelmSummary.name});
   const std::optional<LiveEvent> last = LastEvent(community);
-  const std::string old_value = ValueInForce(community, place, last);
+  const std::string old_value = ValueInForce(community, read, place, last);
   if (old_value == wish.value) {
     fmt::print("{}\n", OneLine(fmt::format("{} is {} already", wish.name, wish.value)));
     return kOk;
@@ -221,8 +240,7 @@ int Set(const Arguments& given, const fs::path& file, const std::string& word) {
 }
 
 int Undo(const Arguments& given, const fs::path& file) {
-  const MissionFile mission = LoadMission(file);
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  const ReadMissionFile read(file);
   LiveCommunity community(given, file.string());
   community.Watch({topics::kTuneEvent.name, topics::kHelmSummary.name});
   const std::optional<LiveEvent> last = LastEvent(community);
@@ -232,14 +250,15 @@ int Undo(const Arguments& given, const fs::path& file) {
   }
   const LiveChange& done = last->undoable.back();
   const TunedPlace place =
-      LivePlace(MissionReading(mission, folder), done.behavior + "." + done.key);
+      LivePlace(MissionReading(read.mission, read.folder), done.behavior + "." + done.key);
+  community.Watch({place.updates});
   return Apply(community, place,
                {.user = UserName(),
                 .host = HostName(),
                 .is_undo = true,
                 .change = {.behavior = done.behavior,
                            .key = done.key,
-                           .old_value = done.new_value,
+                           .old_value = ValueInForce(community, read, place, last),
                            .new_value = done.old_value},
                 .undoable = last->undoable});
 }

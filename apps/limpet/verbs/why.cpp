@@ -159,6 +159,10 @@ void CheckTimes(const Arguments& given) {
   if (given.Has("last") && has_range) {
     throw UsageError("--last is one decision: it goes with none of --from, --to, --changes");
   }
+  const std::optional<double> from = given.Number("from"), to = given.Number("to");
+  if (from && to && *from > *to) {
+    throw UsageError(fmt::format("--from {:g} is after --to {:g}", *from, *to));
+  }
 }
 
 int PrintWhy(const Arguments& given) {

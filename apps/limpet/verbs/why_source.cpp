@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "limpet/console/community.hpp"
 #include "limpet/core/config.hpp"
@@ -56,8 +57,13 @@ RunLog LogIn(const fs::path& run, const std::optional<std::string>& session) {
     throw UsageError(fmt::format("{}: holds no .alog file", run.string()));
   }
   if (logs.empty()) {
-    throw UsageError(fmt::format("{}: no session `{}`; nearest: `{}`", run.string(), *session,
-                                 NearestWord(*session, names)));
+    const std::string nearest = NearestWord(*session, names);
+    std::ranges::sort(names);
+    const auto [first, last] = std::ranges::unique(names);
+    names.erase(first, last);
+    throw UsageError(fmt::format("{}: no session `{}`{}; sessions: {}", run.string(), *session,
+                                 nearest.empty() ? "" : fmt::format("; nearest: `{}`", nearest),
+                                 fmt::join(names, ", ")));
   }
   std::ranges::sort(logs, {}, &RunLog::file);
   return *std::ranges::max_element(logs, {}, [](const RunLog& log) { return StartOf(log.file); });

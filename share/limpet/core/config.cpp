@@ -34,9 +34,10 @@ const ConfigEntry* ConfigBlock::Find(std::string_view key) const {
 }
 
 std::string ConfigProblem::Format() const {
-  const std::string place =
-      where.line > 0 ? fmt::format("{}:{}", where.file, where.line) : where.file;
-  return HarmlessText(fmt::format("{}: {}{}{}", place, key, key.empty() ? "" : ": ", text));
+  std::string place = where.file;
+  if (where.line > 0) place += fmt::format(":{}", where.line);
+  const auto led = [](const std::string& part) { return part.empty() ? "" : part + ": "; };
+  return HarmlessText(led(place) + led(key) + text);
 }
 
 ConfigError::ConfigError(std::vector<ConfigProblem> problems)

@@ -29,6 +29,27 @@ MeritLine LineOf(const BiddenOption& option, std::string_view behavior, OptionOr
   return line;
 }
 
+/// Of two options' merits: what is less than this part of them is rounding.
+constexpr double kRounding = 1e-9;
+
+/// How two options compare over the weight of one behavior.
+struct Comparison {
+  double lead = 0.0;  ///< of the chosen one at weight 0
+  double gain = 0.0;  ///< of the other one with each unit of weight
+};
+
+/// Differences that are rounding are none: options that are worth the same are one.
+Comparison Compare(const MeritLine& chosen, const MeritLine& other, double weight) {
+  const double unit = std::max(1.0, weight);
+  const double scale = std::max(std::abs(chosen.at_zero), std::abs(other.at_zero)) +
+                       std::max(std::abs(chosen.slope), std::abs(other.slope)) * unit;
+  const auto rounded = [scale](double difference, double times) {
+    return std::abs(difference) * times > kRounding * scale ? difference : 0.0;
+  };
+  return {.lead = rounded(chosen.at_zero - other.at_zero, 1.0),
+          .gain = rounded(other.slope - chosen.slope, unit)};
+}
+
 std::optional<double> WeightOf(const HelmBids& bids, std::string_view behavior) {
   for (const BiddenOption& option : bids.options) {
     if (const OptionBid* bid = BidOf(option, behavior)) {
@@ -53,11 +74,10 @@ std::vector<Crossing> CrossingsFrom(double weight, std::string_view behavior, co
     if (i == chosen || VetoOn(bids.options[i]) != nullptr) {
       continue;
     }
-    const MeritLine other = LineOf(bids.options[i], behavior, bids.order);
-    const double gain = other.slope - winner.slope;
-    const double level = (winner.at_zero - other.at_zero) / gain;
-    if (gain != 0.0 && std::isfinite(level) && level >= 0.0) {
-      crossings.push_back({.weight = level, .way = gain > 0.0 ? 1.0 : -1.0});
+    const Comparison with = Compare(winner, LineOf(bids.options[i], behavior, bids.order), weight);
+    const double level = with.lead / with.gain;
+    if (with.gain != 0.0 && std::isfinite(level) && level >= 0.0) {
+      crossings.push_back({.weight = level, .way = with.gain > 0.0 ? 1.0 : -1.0});
     }
   }
   std::ranges::stable_sort(
@@ -65,8 +85,17 @@ std::vector<Crossing> CrossingsFrom(double weight, std::string_view behavior, co
   return crossings;
 }
 
-/// The first weight behind a crossing at which another option wins. At the crossing itself rounding
-/// decides, so it steps out from a billionth of the weights.
+/// True if two options are worth the same whatever the behavior's weight.
+bool IsSameWorth(const HelmBids& bids, std::size_t a, std::size_t b, const Flip& flip) {
+  const auto line = [&](std::size_t option) {
+    return LineOf(bids.options[option], flip.behavior, bids.order);
+  };
+  const Comparison with = Compare(line(a), line(b), flip.weight);
+  return with.lead == 0.0 && with.gain == 0.0;
+}
+
+/// The first weight behind a crossing at which an option wins that differs. At the crossing itself
+/// rounding decides, so it steps out from a billionth of the weights.
 std::optional<Flip> FlipBehind(const Crossing& crossing, const Flip& in_force, const HelmBids& bids,
                                std::size_t chosen) {
   constexpr double kFirstStep = 1e-9;
@@ -76,7 +105,7 @@ std::optional<Flip> FlipBehind(const Crossing& crossing, const Flip& in_force, c
     Flip flip = in_force;
     flip.new_weight = std::max(0.0, crossing.weight + crossing.way * step);
     const auto choice = ChoiceOf(Reweighted(bids, flip.behavior, flip.new_weight));
-    if (choice && *choice != chosen) {
+    if (choice && *choice != chosen && !IsSameWorth(bids, chosen, *choice, in_force)) {
       flip.to = *choice;
       return flip;
     }

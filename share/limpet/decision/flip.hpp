@@ -12,7 +12,8 @@
 namespace limpet {
 
 /// The smallest change of one behavior's weight (`pwt`) that would have made another option win,
-/// all bids and other weights as they were.
+/// all bids and other weights as they were. Options that are worth the same to within rounding are
+/// one: to go from one to the other is no flip.
 struct Flip {
   std::string behavior;
   double weight = 0.0;      ///< in force
@@ -23,7 +24,8 @@ struct Flip {
 /// The bids with another weight of `behavior`; totals and rates follow.
 [[nodiscard]] HelmBids Reweighted(const HelmBids& bids, std::string_view behavior, double weight);
 
-/// Nothing if the helm chose nothing, or no weight of this behavior changes the choice.
+/// Nothing if the helm chose nothing, or no weight of this behavior leads to an option that
+/// differs.
 [[nodiscard]] std::optional<Flip> FlipOf(const HelmBids& bids, std::string_view behavior);
 
 /// Of every behavior that bid on any option, in the order of their bids, those that can.

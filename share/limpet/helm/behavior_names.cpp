@@ -46,7 +46,8 @@ std::size_t SharedLetters(std::string_view a, std::string_view b) {
   return most;
 }
 
-/// Of unlike words one that shares a word of the name is nearer than one with as many letters.
+/// Share of the letters that are wrong, up to 1. Of unlike words one that shares a word of the name
+/// is nearer than one with as many letters: less 1.
 double FarnessOf(std::string_view a, std::string_view b) {
   constexpr std::size_t kWord = 5;  // letters
   const std::size_t shared = SharedLetters(a, b);
@@ -55,6 +56,9 @@ double FarnessOf(std::string_view a, std::string_view b) {
   return shared >= kWord ? distance - 1.0 : distance;
 }
 
+/// Of farther ones nobody would say that they are near.
+constexpr double kFarthest = 1.0 / 3.0;
+
 std::string NearestBehavior(std::string_view name) {
   std::vector<std::string> known;
   std::ranges::transform(BehaviorRegistry(), std::back_inserter(known),
@@ -62,9 +66,11 @@ std::string NearestBehavior(std::string_view name) {
   if (known.empty()) return "";
   constexpr std::size_t kLongest = 64;  // comparing takes the product of both lengths
   name = name.substr(0, kLongest);
-  return *std::ranges::min_element(known, {}, [stem = Stem(name)](const std::string& other) {
+  const auto farness = [stem = Stem(name)](const std::string& other) {
     return FarnessOf(stem, Stem(other));
-  });
+  };
+  const std::string& nearest = *std::ranges::min_element(known, {}, farness);
+  return farness(nearest) <= kFarthest ? nearest : "";
 }
 
 }  // namespace
@@ -74,8 +80,11 @@ std::string NearestBehaviorText(std::string_view name) {
   if (name == "BHV_MinAltitude" && BehaviorRegistry().contains(std::string(kAltitude))) {
     return fmt::format("it is called `{}`", kAltitude);
   }
+  // A short form of a word that is written out here.
+  if (EqualsIgnoringCase(Stem(name), "AvdColregs")) name = "BHV_AvoidCollision";
   const std::string nearest = NearestBehavior(name);
-  return nearest.empty() ? "" : fmt::format("nearest known: `{}`", nearest);
+  return nearest.empty() ? "none that is known has a name near it"
+                         : fmt::format("nearest known: `{}`", nearest);
 }
 
 bool IsAskedForDuration(std::string_view name) {

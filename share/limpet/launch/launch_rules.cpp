@@ -3,30 +3,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include <fmt/format.h>
 
 #include "limpet/core/program_search.hpp"
 #include "limpet/mission/outside.hpp"
+#include "limpet/mission/process_name.hpp"
 
 namespace limpet {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool IsNameOfMoosProcess(std::string_view name) {
-  const auto is_upper = [](char letter) {
-    return std::isupper(static_cast<unsigned char>(letter)) != 0;
-  };
-  const bool is_word = std::ranges::all_of(name, [](char letter) {
-    return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_' || letter == '-';
-  });
-  const bool has_form = name.size() > 2 &&
-                        std::string_view("piu").find(name[0]) != std::string_view::npos &&
-                        is_upper(name[1]);
-  return name == "MOOSDB" || name == "LimpetDB" || (is_word && has_form);
-}
 
 /// The line that names a folder for the program: the process's own, else that of the whole block.
 const ConfigEntry* FolderLine(const LaunchEntry& entry, const MissionFile& mission) {

@@ -65,13 +65,13 @@ bool IsForStock(const MissionReading& reading, std::string_view process) {
 
 std::vector<ConfigProblem>& ListFor(const MissionReading& reading, std::string_view process,
                                     MissionProblems& found) {
-  return IsForStock(reading, process) ? found.notes : found.syntax;
+  return IsForStock(reading, process) ? found.refused_here : found.syntax;
 }
 
 void CheckBlocks(const MissionReading& reading, MissionProblems& found) {
   for (const LaunchedApp& app : reading.apps()) {
     std::vector<ConfigProblem>& list =
-        app.stands_for.empty() ? ListFor(reading, app.process, found) : found.notes;
+        app.stands_for.empty() ? ListFor(reading, app.process, found) : found.refused_here;
     Append(app.entry->check(app.block), list);
     Append(IgnoredKeys(app.block, app.entry->describe()), found.notes);
     NoteRepeats(app, found);
@@ -83,7 +83,7 @@ void CheckBlocks(const MissionReading& reading, MissionProblems& found) {
   for (const auto& [name, entry] : AppRegistry()) {
     const ConfigBlock* block = reading.mission().Block(name);
     if (block != nullptr && !reading.Launches(name)) {
-      Append(entry.check(*block), ListFor(reading, name, found));
+      Append(entry.check(*block), IsForStock(reading, name) ? found.notes : found.syntax);
     }
   }
 }

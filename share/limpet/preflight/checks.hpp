@@ -27,7 +27,8 @@ void CheckLead(const MissionReading& reading, MissionProblems& found);
 void CheckAgreement(const MissionReading& reading, MissionProblems& found);
 /// Whose block was written for a stock program.
 [[nodiscard]] bool IsForStock(const MissionReading& reading, std::string_view process);
-/// Where to say what is wrong with an app's block: notes if it was written for a stock program.
+/// Where to say what is wrong with the block of an app that is launched: refused_here if it was
+/// written for a stock program. What is there becomes a note, too, once all is checked.
 [[nodiscard]] std::vector<ConfigProblem>& ListFor(const MissionReading& reading,
                                                   std::string_view process, MissionProblems& found);
 /// Apps that others need to hear. Returns what the apps cannot be built with; where it is known

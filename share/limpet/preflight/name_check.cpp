@@ -8,7 +8,9 @@
 
 #include "limpet/core/number_text.hpp"
 #include "limpet/core/word_distance.hpp"
+#include "limpet/mission/process_name.hpp"
 #include "limpet/mission/shared_settings.hpp"
+#include "limpet/mission/source_text.hpp"
 #include "limpet/mission/unused_macros.hpp"
 #include "limpet/preflight/checks.hpp"
 
@@ -85,12 +87,23 @@ void CheckGlobalValue(const ConfigEntry& global, const GlobalRule& rule, Mission
   }
 }
 
+/// Some trees keep the plugs of a mission in one file, each behind a line `<tag><name>` by which it
+/// is included.
+bool IsPlugCollection(const std::string& file) {
+  if (!std::filesystem::is_regular_file(file)) return false;
+  const std::vector<std::string> lines = Split(ReadTextFile(file), '\n');
+  return std::ranges::any_of(
+      lines, [](const std::string& line) { return Trim(line).starts_with("<tag>"); });
+}
+
 /// Plugs of a mission, files of other people's apps alone, and those that neither name a vehicle
 /// nor have a block, e.g. a datum, are not launched by themselves.
 bool IsFragment(const MissionFile& mission) {
   const bool has_own = std::ranges::any_of(
       mission.blocks, [](const ConfigBlock& block) { return IsAmong(block.name, OwnApps()); });
-  const bool is_plug = std::filesystem::path(mission.file).filename().string().starts_with("plug");
+  const bool is_plug =
+      std::filesystem::path(mission.file).filename().string().starts_with("plug") ||
+      IsPlugCollection(mission.file);
   if (mission.blocks.empty()) {
     const bool is_vehicle =
         !mission.Global("Community").empty() || !mission.Global("ServerPort").empty();
@@ -115,7 +128,8 @@ void CheckThatSomethingRuns(const MissionFile& mission, MissionProblems& found) 
 
 void CheckMissingGlobals(const MissionReading& reading, MissionProblems& found) {
   if (reading.apps().empty()) return;  // somebody else's mission: its apps know what they need
-  auto& list = reading.strangers().empty() ? found.syntax : found.notes;
+  const bool is_others = !reading.strangers().empty() || IsOthersAlone(reading.mission());
+  auto& list = is_others ? found.notes : found.syntax;
   const auto want = [&](const char* name, const char* reason) {
     if (reading.mission().Global(name).empty()) {
       list.push_back({{.file = reading.mission().file, .line = 0},
@@ -237,8 +251,9 @@ void CheckLaunches(const MissionReading& reading, MissionProblems& found) {
   const MissionFile& mission = reading.mission();
   CheckThatSomethingRuns(mission, found);
   if (const ConfigBlock* antler = mission.Block("ANTLER")) {  // MOOS passes over such lines
-    std::ranges::copy(antler->problems,
-                      std::back_inserter(IsOthersAlone(mission) ? found.notes : found.syntax));
+    std::ranges::copy(
+        antler->problems,
+        std::back_inserter(IsOthersAlone(mission) ? found.refused_here : found.syntax));
   }
   std::vector<std::string> names;
   for (const LaunchEntry& launch : mission.launches) {
@@ -248,6 +263,13 @@ void CheckLaunches(const MissionReading& reading, MissionProblems& found) {
           {launch.where, "Run", fmt::format("`{}` is launched twice", launch.moos_name)});
     }
     names.push_back(launch.moos_name);
+    if (!IsNameOfMoosProcess(launch.binary)) {
+      found.refused_here.push_back(
+          {launch.where, "Run",
+           fmt::format("`{}` is not the plain name of a MOOS process (p, i or u and a capital "
+                       "letter, no path): it is launched with --allow-outside only",
+                       launch.binary)});
+    }
   }
   for (const LaunchedApp& app : reading.apps()) {
     if (!app.stands_for.empty()) {

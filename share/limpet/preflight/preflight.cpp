@@ -28,21 +28,26 @@ void Join(const std::vector<ConfigProblem>& more, std::vector<ConfigProblem>& pr
   problems.insert(problems.end(), more.begin(), more.end());
 }
 
+bool IsSame(const ConfigProblem& a, const ConfigProblem& b) {
+  const auto key = [](const ConfigProblem& p) {
+    return std::tie(p.where.file, p.where.line, p.key, p.text);
+  };
+  return key(a) == key(b);
+}
+
 /// By file and line, each once.
 void Sort(std::vector<ConfigProblem>& problems) {
   const auto key = [](const ConfigProblem& p) {
     return std::tie(p.where.file, p.where.line, p.key, p.text);
   };
   std::ranges::sort(problems, {}, key);
-  const auto alike = [&key](const ConfigProblem& a, const ConfigProblem& b) {
-    return key(a) == key(b);
-  };
-  problems.erase(std::unique(problems.begin(), problems.end(), alike), problems.end());
+  problems.erase(std::unique(problems.begin(), problems.end(), IsSame), problems.end());
 }
 
 /// What is missing in several blocks is said once, by a global or the vehicle's file: names it.
 void NameGlobals(std::vector<ConfigProblem>& problems) {
   for (ConfigProblem& problem : problems) {
+    if (problem.text.find("says it for all") != std::string::npos) continue;
     for (const SharedSetting& shared : SharedSettings()) {
       const bool stands_in = std::ranges::any_of(shared.takers, [&problem](const auto& taker) {
         return problem.key == taker.key &&
@@ -66,6 +71,7 @@ MissionProblems Sorted(MissionProblems found) {
   Sort(found.syntax);
   Sort(found.geometry);
   Sort(found.notes);
+  Sort(found.refused_here);
   return found;
 }
 
@@ -117,6 +123,7 @@ void SetMacrosAside(MissionProblems& found) {
   };
   std::erase_if(found.syntax, set_aside);
   std::erase_if(found.notes, set_aside);
+  std::erase_if(found.refused_here, set_aside);
   std::erase_if(undefined, [&found](const ConfigProblem& macro) {
     return std::ranges::any_of(found.notes, [&macro](const ConfigProblem& note) {
       return note.key == macro.key && note.where.file == macro.where.file &&
@@ -216,19 +223,32 @@ PartOfMission LoadWithoutMissingIncludes(const fs::path& file) {
   return part;
 }
 
-/// Globals of the mission beside a behavior file whose helm reads it; none if there is none.
-std::vector<ConfigEntry> GlobalsBeside(const fs::path& file,
-                                       const std::vector<MissionFile>& missions) {
-  for (const MissionFile& mission : missions) {
-    const ConfigBlock* helm = mission.Block("pHelm");
-    const bool reads =
-        helm != nullptr && std::ranges::any_of(helm->entries, [&file](const ConfigEntry& entry) {
-          return EqualsIgnoringCase(entry.key, "behaviors") &&
-                 entry.value == file.filename().string();
-        });
-    if (reads) return mission.globals;
-  }
-  return {};
+/// The helm's block, ours or the stock one's; null if there is none.
+const ConfigBlock* HelmOf(const MissionFile& mission) {
+  const ConfigBlock* own = mission.Block("pHelm");
+  return own != nullptr ? own : mission.Block("pHelmIvP");
+}
+
+/// The mission beside a behavior file whose helm reads it; null if there is none.
+const MissionFile* ReaderOf(const fs::path& file, const std::vector<MissionFile>& missions) {
+  const auto reads = [&file](const MissionFile& mission) {
+    const ConfigBlock* helm = HelmOf(mission);
+    return helm != nullptr && std::ranges::any_of(helm->entries, [&file](const ConfigEntry& entry) {
+             return EqualsIgnoringCase(entry.key, "behaviors") &&
+                    entry.value == file.filename().string();
+           });
+  };
+  const auto found = std::ranges::find_if(missions, reads);
+  return found == missions.end() ? nullptr : &*found;
+}
+
+/// Where a mission's helm finds behaviors from elsewhere.
+std::vector<ConfigEntry> BehaviorPathsOf(const MissionFile& mission) {
+  std::vector<ConfigEntry> paths;
+  std::ranges::copy_if(
+      HelmOf(mission)->entries, std::back_inserter(paths),
+      [](const ConfigEntry& entry) { return EqualsIgnoringCase(entry.key, "behavior_path"); });
+  return paths;
 }
 
 /// Beside missions of which some are other people's alone, and the rest launches nothing.
@@ -250,7 +270,8 @@ void SetStrangersAside(BehaviorFile& file, bool is_others, MissionProblems& foun
     const bool is_stock = std::ranges::find(internal::StockBehaviors(), block.name) !=
                           internal::StockBehaviors().end();
     const std::string meant = is_stock ? "" : internal::SlipOf(block.name, known);
-    const std::string nearest = NearestBehaviorText(block.name);
+    const std::string nearest =
+        NearestBehaviorText(block.name) + "; `limpet describe` lists those there are";
     if (meant.empty() || is_others) {
       found.notes.push_back({block.where, block.name,
                              fmt::format("is no behavior of Limpet's: not checked; {}", nearest)});
@@ -274,6 +295,7 @@ MissionProblems CheckLoadedMission(const MissionFile& mission, const fs::path& f
     if (found.geometry.empty() && found.syntax.empty()) Join(unbuildable, found.syntax);
     if (reading.is_foreign()) SetMacrosAside(found);
   }
+  Join(found.refused_here, found.notes);
   return Sorted(std::move(found));
 }
 
@@ -282,19 +304,26 @@ MissionProblems CheckMissionFile(const fs::path& file) {
     const PartOfMission part = LoadWithoutMissingIncludes(file);
     MissionProblems found = CheckLoadedMission(part.mission, file.parent_path());
     Join(part.missing, found.notes);
+    Join(part.missing, found.refused_here);  // a launcher is not told of other folders
     return Sorted(std::move(found));
   } catch (const ConfigError& error) {
-    return Sorted({.syntax = error.problems(), .geometry = {}, .notes = {}, .energy = {}});
+    return Sorted({.syntax = error.problems(),
+                   .geometry = {},
+                   .notes = {},
+                   .refused_here = {},
+                   .energy = {}});
   }
 }
 
 MissionProblems CheckBehaviorFile(const fs::path& file) {
   MissionProblems found;
   try {
-    LoadBehaviorModules({}, file.parent_path());
-    BehaviorFile behaviors = LoadBehaviors(file);
     const std::vector<MissionFile> missions = MissionsBeside(file);
-    TakeGlobals(GlobalsBeside(file, missions), behaviors.behaviors);
+    const MissionFile* mission = ReaderOf(file, missions);
+    LoadBehaviorModules(mission == nullptr ? std::vector<ConfigEntry>{} : BehaviorPathsOf(*mission),
+                        file.parent_path());
+    BehaviorFile behaviors = LoadBehaviors(file);
+    if (mission != nullptr) TakeGlobals(mission->globals, behaviors.behaviors);
     Join(behaviors.warnings, found.notes);
     if (behaviors.behaviors.empty() && behaviors.modes.empty() && behaviors.initializes.empty()) {
       found.syntax.push_back({{.file = file.string(), .line = 0}, "", "has no behavior"});
@@ -323,6 +352,7 @@ MissionProblems CheckPath(const fs::path& path) {
     Join(more.syntax, found.syntax);
     Join(more.geometry, found.geometry);
     Join(more.notes, found.notes);
+    Join(more.refused_here, found.refused_here);
     if (!found.energy) found.energy = more.energy;
   }
   if (!has_mission) {

@@ -25,11 +25,14 @@ struct EnergyOutlook {
 /// What is to be said of a mission. `syntax`: what cannot be read or is not allowed (exit code 2).
 /// `geometry`: what reads well and cannot work, e.g. water deeper than the helm's domain (exit code
 /// 3). `notes`: what may be meant so: what belongs to other people's apps, what is near a limit.
+/// `refused_here`: those of the notes for which Limpet's own programs would not start what is
+/// written for stock ones: its helm in pHelmIvP's place, its pShare, its launcher.
 /// `energy`: what the mission is expected to take, if its vehicle has a battery.
 struct MissionProblems {
   std::vector<ConfigProblem> syntax;
   std::vector<ConfigProblem> geometry;
   std::vector<ConfigProblem> notes;
+  std::vector<ConfigProblem> refused_here{};
   std::optional<EnergyOutlook> energy{};
 };
 

@@ -182,7 +182,7 @@ std::vector<ConfigProblem> CheckRoles(const MissionReading& reading, MissionProb
     if (app.process == "pShare") continue;  // hears what its routes say; building it needs keys
     if (!app.stands_for.empty()) continue;  // its mission has other writers, or no use for it
     const Names heard =
-        HeardBy(app, reading, IsForStock(reading, app.process) ? found.notes : problems);
+        HeardBy(app, reading, IsForStock(reading, app.process) ? found.refused_here : problems);
     has_image_reader = has_image_reader || heard.contains("CAMERA_FRAME");
     const Names conditions = app.process == "pHelm" ? ReadByConditions(reading) : Names{};
     for (const std::string& name : heard) {

@@ -10,6 +10,7 @@
 #include "limpet/app/embedded.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/interrupt.hpp"
+#include "limpet/mission/stand_ins.hpp"
 #include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/runs/mission_check.hpp"
 #include "limpet/runs/session_faults.hpp"
@@ -146,6 +147,11 @@ void ApplySetting(MissionFile& mission, const std::string& setting) {
   }
   auto block = std::ranges::find_if(
       mission.blocks, [&](const ConfigBlock& b) { return EqualsIgnoringCase(b.name, block_name); });
+  if (block == mission.blocks.end()) {  // ours may run in a stock program's place, by its block
+    block = std::ranges::find_if(mission.blocks, [&](const ConfigBlock& b) {
+      return EqualsIgnoringCase(OwnNameOf(b.name), block_name);
+    });
+  }
   if (block == mission.blocks.end()) {
     mission.blocks.push_back({.name = block_name, .where = entry.where, .entries = {}});
     block = std::prev(mission.blocks.end());

@@ -12,6 +12,7 @@
 #include "limpet/durable/durable_file.hpp"
 #include "limpet/runs/run_settings.hpp"
 #include "limpet/session/checksum.hpp"
+#include "limpet/sweeps/refused_run.hpp"
 
 namespace limpet {
 namespace {
@@ -153,8 +154,7 @@ void Sweep::RefuseIfChanged() const {
 void Sweep::Take(const SweepTask& task, int exit_code) {
   const fs::path log = RunOf(task).log;
   if (exit_code == kRefused || exit_code == kUsage) {
-    throw Refusal(
-        fmt::format("a run with seed {} was refused: see {}", task.seed, OneLine(log.string())));
+    throw Refusal("a run with " + RefusedRunText(task.seed, log));
   }
   RefuseIfChanged();
   const Expected<std::string> report = ReadWhole(WorkFolder(task) / "report.json");

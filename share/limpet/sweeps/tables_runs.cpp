@@ -10,6 +10,7 @@
 #include "limpet/console/shown_text.hpp"
 #include "limpet/durable/durable_file.hpp"
 #include "limpet/sweeps/child_runs.hpp"
+#include "limpet/sweeps/refused_run.hpp"
 
 namespace limpet {
 namespace {
@@ -102,7 +103,7 @@ class SeedRuns {
   Reached Judge(int seed, int exit_code) {
     const fs::path log = command_.out / fmt::format("{}.txt", seed);
     if (exit_code == kRefused || exit_code == kUsage) {
-      progress_.Note(fmt::format("seed {} was refused: see {}", seed, OneLine(log.string())));
+      progress_.Note(RefusedRunText(static_cast<std::uint64_t>(seed), log));
       return Reached::kRefused;
     }
     const RunConfiguration now = ConfigurationOf(command_);

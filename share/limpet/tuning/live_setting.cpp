@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/tuning/live_setting.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -29,6 +30,10 @@ Json JsonOf(const LiveChange& change) {
           {"key", change.key},
           {"old", change.old_value},
           {"new", change.new_value}};
+}
+
+bool IsOf(const LiveChange& change, std::string_view behavior, std::string_view key) {
+  return change.behavior == behavior && EqualsIgnoringCase(change.key, key);
 }
 
 LiveChange ChangeFrom(const nlohmann::json& json) {
@@ -73,6 +78,28 @@ std::optional<std::string> UpdatedValue(std::string_view mail, std::string_view 
     if (EqualsIgnoringCase(name, key)) value = text;
   }
   return value;
+}
+
+std::optional<std::string> LiveEvent::InForce(std::string_view behavior,
+                                              std::string_view key) const {
+  if (IsOf(change, behavior, key)) return is_applied ? change.new_value : change.old_value;
+  const auto newest = std::find_if(undoable.rbegin(), undoable.rend(), [&](const LiveChange& each) {
+    return IsOf(each, behavior, key);
+  });
+  return newest == undoable.rend() ? std::nullopt : std::optional(newest->new_value);
+}
+
+void LiveEvent::DropRefusedUndo() {
+  undoable.pop_back();
+  const auto below = std::find_if(
+      undoable.rbegin(), undoable.rend(),
+      [this](const LiveChange& each) { return IsOf(each, change.behavior, change.key); });
+  if (below != undoable.rend()) below->new_value = change.old_value;
+}
+
+bool LiveEvent::WasRefused(std::string_view behavior, std::string_view key,
+                           std::string_view value) const {
+  return !is_applied && IsOf(change, behavior, key) && change.new_value == value;
 }
 
 std::string LiveEvent::Text() const {

@@ -43,6 +43,18 @@ struct LiveEvent {
   LiveChange change{};
   std::vector<LiveChange> undoable{};
 
+  /// What a key was set to last, of what this tells; nothing if it tells of no such change.
+  [[nodiscard]] std::optional<std::string> InForce(std::string_view behavior,
+                                                   std::string_view key) const;
+  /// True if this is what was sent last, and the helm did not apply it.
+  [[nodiscard]] bool WasRefused(std::string_view behavior, std::string_view key,
+                                std::string_view value) const;
+
+  /// Takes what was to be undone off the list though it was not: it would be refused again, and
+  /// keep those below it from being taken back. They lead from what is in force now.
+  /// REQUIRES: something can be undone.
+  void DropRefusedUndo();
+
   [[nodiscard]] std::string Text() const;
   [[nodiscard]] static Expected<LiveEvent> FromText(const std::string& text);
 

@@ -174,7 +174,7 @@ void DrawCoordinates(SvgCanvas& canvas, const ParameterSpace& space,
 void DrawTuningKeys(SvgCanvas& canvas) {
   double x = kFigureLeft;
   for (const auto& [text, color] : {std::pair{"default", palette::kVermillion},
-                                    std::pair{"winner of the search", palette::kGreen},
+                                    std::pair{"best beside the default", palette::kGreen},
                                     std::pair{"flown with every seed", palette::kBlue},
                                     std::pair{"eliminated", palette::kMuted}}) {
     canvas.Circle({x + 6.0, 69.0}, 4.5, {.fill = color});

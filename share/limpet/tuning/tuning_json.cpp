@@ -60,13 +60,14 @@ std::string TuneJson(const TuningTask& task, const ParameterSpace& space,
   }
   json["verdict"] = VerdictText(task, space, outcome);
   json["is_better"] = outcome.is_better;
-  // On held-out seeds, if a winner was judged there.
+  // On held-out seeds, if another setting was judged there.
   const Contender& by_default =
       outcome.held_out ? outcome.held_out->by_default : outcome.contenders.front();
   const Contender& best = outcome.is_better ? outcome.held_out->winner : by_default;
   json["best"] = SettingJson(task, space, best);
   json["default"] = SettingJson(task, space, by_default);
-  json["winner"] = outcome.held_out ? SettingJson(task, space, outcome.held_out->winner) : Json();
+  json["best_other"] =
+      outcome.held_out ? SettingJson(task, space, outcome.held_out->winner) : Json();
   json["difference"] = Json::object();
   AddInterval(ObjectiveDifference(task, outcome), json["difference"]);
   json["difference"]["runs"] = outcome.held_out ? outcome.held_out->differences.size() : 0;

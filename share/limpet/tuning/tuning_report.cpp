@@ -55,24 +55,24 @@ std::string VerdictText(const TuningTask& task, const ParameterSpace& space,
   const std::string judged =
       fmt::format("paired over {} seeds held out from the search, 95 % interval by Student's t",
                   outcome.held_out->differences.size());
-  const std::string winner = ValuesText(space, outcome.contenders[*outcome.winner].setting);
+  const std::string other = ValuesText(space, outcome.contenders[*outcome.winner].setting);
   if (!difference || !difference->low) {
     return fmt::format(
-        "too few runs have an objective to judge the search's winner {} on held-out "
-        "seeds",
-        winner);
+        "too few runs have an objective to judge {}, the best setting beside the default in the "
+        "search, on held-out seeds",
+        other);
   }
   const std::string interval = fmt::format("{:.4g}, interval [{:.4g}, {:.4g}]", difference->mean,
                                            *difference->low, *difference->high);
   if (outcome.is_better) {
-    return fmt::format("{} is better than the default: difference {} ({})", winner, interval,
+    return fmt::format("{} is better than the default: difference {} ({})", other, interval,
                        judged);
   }
   const bool breaks = outcome.Difference()->high < 0.0;
   return fmt::format(
-      "no setting is better than the default: difference {} of the search's winner "
-      "{} ({}){}",
-      interval, winner, judged, breaks ? "; it breaks a constraint too often there" : "");
+      "no setting is better than the default: difference {} of {}, the best beside it in the "
+      "search ({}){}",
+      interval, other, judged, breaks ? "; it breaks a constraint too often there" : "");
 }
 
 }  // namespace limpet

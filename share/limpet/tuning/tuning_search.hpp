@@ -40,9 +40,9 @@ struct TuningOutcome {
 [[nodiscard]] Expected<std::vector<SettingValues>> FirstSettings(const ParameterSpace& space,
                                                                  const TuningRules& rules);
 
-/// Searches, and judges the winner on held-out seeds: `fly` is asked for seed indices 0 to runs-1
-/// in the search, and runs to 2 runs-1 then. Nothing if interrupted. REQUIRES: FirstSettings does
-/// not complain.
+/// Searches, and judges the best setting but the default (which may have been better) on held-out
+/// seeds: `fly` is asked for seed indices 0 to runs-1 in the search, and runs to 2 runs-1 then.
+/// Nothing if interrupted. REQUIRES: FirstSettings does not complain.
 [[nodiscard]] std::optional<TuningOutcome> RunTuning(const ParameterSpace& space,
                                                      const SettingValues& by_default,
                                                      const TuningRules& rules,

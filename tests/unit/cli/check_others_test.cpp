@@ -150,7 +150,7 @@ TEST(CheckOfOthers, NotesStockBehaviorsAndRefusesSlips) {
   EXPECT_THAT(slip.text, HasSubstr("nearest known: `BHV_StationKeep`"));
 }
 
-TEST(CheckOfOthers, NamesTheNearestOfAnyUnknownBehavior) {
+TEST(CheckOfOthers, NamesTheNearestOfAnUnknownBehaviorIfThereIsANearOne) {
   const TemporaryFolder folder;
   const fs::path bhv = folder.path() / "a.bhv";
   const auto check = [&bhv](const std::string& behavior) {
@@ -159,8 +159,12 @@ TEST(CheckOfOthers, NamesTheNearestOfAnyUnknownBehavior) {
   };
   EXPECT_THAT(check("BHV_AvdColregsV19"), HasSubstr("nearest known: `BHV_AvoidObstacle`"));
   EXPECT_THAT(check("BHV_HeadingBias"), HasSubstr("nearest known: `BHV_ConstantHeading`"));
-  EXPECT_THAT(check("BHV_Shadow"), HasSubstr("nearest known: `BHV_"));
-  EXPECT_THAT(check("BHV_Scout"), HasSubstr("nearest known: `BHV_"));
+  for (const char* far :
+       {"BHV_Shadow", "BHV_Scout", "BHV_Convoy", "BHV_Trail", "BHV_SecurityFence"}) {
+    const std::string text = check(far);
+    EXPECT_THAT(text, Not(HasSubstr("nearest known"))) << "a name that is far off misleads";
+    EXPECT_THAT(text, HasSubstr("none that is known has a name near it; `limpet describe` lists"));
+  }
   EXPECT_THAT(check("BHV_MinAltitude"), HasSubstr("it is called `BHV_MinAltitudeX`"));
 }
 
@@ -230,7 +234,80 @@ TEST(CheckOfOthers, ANameOfMillionsOfLettersTakesNoTime) {
   for (int i = 0; i < 700'000; ++i)
     name += "Abc";
   std::ofstream(bhv) << "Behavior = " << name << "\n{\n  name = x\n}\n";
-  EXPECT_THAT(Check({bhv.string()}).text, HasSubstr("nearest known: `BHV_"));
+  EXPECT_THAT(Check({bhv.string()}).text, HasSubstr("is no behavior of Limpet's"));
+}
+
+/// A mission of other people's whose helm's place ours takes.
+class CheckOfStockMission : public ::testing::Test {
+ protected:
+  [[nodiscard]] Checked Run(const std::string& helm_line, const std::string& behaviors,
+                            const std::string& run = "uSimMarineV22") const {
+    std::ofstream(folder_.path() / "a.bhv") << behaviors;
+    const fs::path moos = folder_.path() / "a.moos";
+    std::ofstream(moos) << "ServerPort = 9000\nCommunity = alpha\nProcessConfig = ANTLER\n{\n"
+                        << "  Run = MOOSDB\n  Run = pHelmIvP\n  Run = " << run
+                        << "\n}\nProcessConfig = pHelmIvP\n{\n  " << helm_line
+                        << "\n  domain = course:0:359:360\n  domain = speed:0:4:41\n}\n";
+    return Check({moos.string()});
+  }
+  TemporaryFolder folder_;
+};
+
+constexpr const char* kWaypoint = "Behavior = BHV_Waypoint\n{\n  name = way\n  points = 0,9\n  ";
+
+TEST_F(CheckOfStockMission, SaysInTheEndIfOursWouldNotRunIt) {
+  const std::string good = std::string(kWaypoint) + "speed = 2\n}\n";
+  const Checked fine = Run("behaviors = a.bhv", good);
+  EXPECT_EQ(fine.exit_code, kOk) << fine.text;
+  EXPECT_THAT(fine.text, Not(HasSubstr("would not"))) << "ours runs it";
+  struct Bad {
+    std::string helm_line, behaviors, run;
+  };
+  for (const Bad& bad :
+       {Bad{"behaviors = a.bhv", good + "Behavior = BHV_Trail\n{\n  name = t\n}\n", "pX"},
+        Bad{"behaviors = a.bhv", std::string(kWaypoint) + "endflag = DONE\n}\n", "pX"},
+        Bad{"behaviors = a.bhv", good + "Behavior = BHV_Waypoint\n{\n  = =\n", "pX"},
+        Bad{"behaviours = a.bhv", good, "pX"}, Bad{"behaviors = a.bhv", good, "Deep"}}) {
+    const Checked checked = Run(bad.helm_line, bad.behaviors, bad.run);
+    EXPECT_EQ(checked.exit_code, kOk) << "the stock programs may take it\n" << checked.text;
+    EXPECT_THAT(checked.text, HasSubstr("[Limpet's own would not start with this]"))
+        << bad.helm_line << bad.behaviors;
+    EXPECT_THAT(checked.text, HasSubstr("Limpet's own programs would not run it"));
+  }
+}
+
+TEST_F(CheckOfStockMission, OfAPShareWithoutAKeySaysSo) {
+  const fs::path moos = folder_.path() / "share.moos";
+  std::ofstream(moos) << "ServerPort = 9000\nProcessConfig = ANTLER\n{\n  Run = pShare ~ "
+                         "ShareA\n  Run = pShare ~ ShareB\n}\nProcessConfig = ShareA\n{\n  "
+                         "Output = X->localhost:9021\n}\n";
+  const Checked share = Check({moos.string()});
+  EXPECT_EQ(share.exit_code, kOk) << "MOOS's runs it, also without a Community\n" << share.text;
+  EXPECT_THAT(share.text, HasSubstr("note: Community: this global is missing"));
+  EXPECT_THAT(share.text, HasSubstr("Limpet's own programs would not run it"));
+}
+
+TEST(CheckOfOthers, TakesAFileOfSeveralTaggedPlugsForAPiece) {
+  const TemporaryFolder folder;
+  const fs::path moos = folder.path() / "uav_plugs.moos";
+  std::ofstream(moos) << "<tag><origin_warp>\nMOOSTimeWarp = 1\n\n<tag><pShare>\nProcessConfig = "
+                         "pShare\n{\n  input = route = localhost:9200\n}\n";
+  EXPECT_EQ(Check({moos.string()}).exit_code, kOk) << Check({moos.string()}).text;
+}
+
+TEST(CheckOfOthers, LooksForBehaviorsWhereTheMissionBesideABehaviorFileSays) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "a.bhv") << "Behavior = BHV_Timer\n{\n  name = t\n}\n";
+  std::ofstream(folder.path() / "a.moos")
+      << "Community = a\nProcessConfig = ANTLER\n{\n  Run = LimpetDB\n  Run = pHelm\n}\n"
+         "ProcessConfig = pHelm\n{\n  behaviors = a.bhv\n  behavior_path = elsewhere\n}\n";
+  for (const char* name : {"a.bhv", "a.moos"}) {
+    const Checked checked = Check({(folder.path() / name).string()});
+    EXPECT_EQ(checked.exit_code, kUsage) << checked.text;
+    EXPECT_THAT(checked.text, HasSubstr("a.moos:10: behavior_path: `")) << "it is not there";
+    EXPECT_THAT(checked.text,
+                Not(::testing::ContainsRegex("says it for all[^\n]*says it for all")));
+  }
 }
 
 }  // namespace

@@ -89,7 +89,10 @@ TEST_F(WhyVerbTest, OfARunAnswersForTheSessionThatBeganLastOrTheOneAskedFor) {
   ASSERT_EQ(Run({At("run"), "--session", "discovery", "--json"}), kOk);
   EXPECT_EQ(Json().at("path_id"), 1);
   EXPECT_EQ(Run({At("run"), "--session", "discover"}), kUsage);
-  EXPECT_THAT(err_, HasSubstr("no session `discover`; nearest: `discovery`"));
+  EXPECT_THAT(
+      err_, HasSubstr("no session `discover`; nearest: `discovery`; sessions: change, discovery"));
+  EXPECT_EQ(Run({At("run"), "--session", "nix"}), kUsage);
+  EXPECT_THAT(err_, HasSubstr("no session `nix`; sessions: change, discovery"));
 }
 
 TEST_F(WhyVerbTest, SaysWhenThereIsNoSuchDecision) {
@@ -106,6 +109,8 @@ TEST_F(WhyVerbTest, RefusesWhatContradictsItself) {
   WriteLog("a.alog", 1000.0, {{10.0, 1}});
   EXPECT_EQ(Run({At("a.alog"), "--at", "3", "--changes"}), kUsage);
   EXPECT_EQ(Run({At("a.alog"), "--last", "--from", "3"}), kUsage);
+  EXPECT_EQ(Run({At("a.alog"), "--from", "300", "--to", "200"}), kUsage);
+  EXPECT_THAT(err_, HasSubstr("--from 300 is after --to 200"));
   EXPECT_EQ(Run({At("a.alog"), "--session", "discovery"}), kUsage);
   std::ofstream(folder_.path() / "mission.moos") << "ServerPort = 9000\n";
   EXPECT_EQ(Run({At("mission.moos"), "--at", "3"}), kUsage);

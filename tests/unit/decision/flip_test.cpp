@@ -71,6 +71,29 @@ TEST(Flip, NeverLeadsToWhatSomebodyForbids) {
   EXPECT_EQ(FlipOf(bids, "look"), std::nullopt);
 }
 
+TEST(Flip, IsNotThereWhereTheBidsDifferByRounding) {
+  const HelmBids bids = Table({{10.0, {Bid("cover", 8.0), Bid("home", 0.3)}},
+                               {10.0, {Bid("cover", 5.0), Bid("home", 0.1 + 0.2)}}});
+  ASSERT_NE(0.1 + 0.2, 0.3);
+  EXPECT_EQ(FlipOf(bids, "home"), std::nullopt) << "a weight of 6e16 is no advice";
+}
+
+TEST(Flip, LeadsPastAnOptionThatIsWorthTheSame) {
+  const HelmBids bids = Table({{246.2, {Bid("cover", 100.3), Bid("look", 0.3)}},
+                               {246.2, {Bid("cover", 100.3), Bid("look", 0.1 + 0.2)}},
+                               {246.2, {Bid("cover", 90.0), Bid("look", 5.0)}}});
+  const std::optional<std::size_t> chosen = ChoiceOf(bids);
+  ASSERT_LT(*chosen, 2U);
+  for (const char* behavior : {"cover", "look"}) {
+    const auto flip = FlipOf(bids, behavior);
+    ASSERT_TRUE(flip) << behavior;
+    EXPECT_EQ(flip->to, 2U) << behavior;
+    EXPECT_EQ(ChoiceOf(Reweighted(bids, behavior, flip->new_weight)), 2U) << behavior;
+  }
+  const auto look = FlipOf(bids, "look");
+  EXPECT_NEAR(look->new_weight, 10.3 / 4.7, 1e-6);
+}
+
 /// Against a scan over weights: no smaller change flips, and the one found does.
 TEST(Flip, AgreesWithTryingEveryWeight) {
   Random random(11, "flip");

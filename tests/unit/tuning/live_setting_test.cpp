@@ -42,5 +42,28 @@ TEST(LiveEvent, ComesBackFromItsTextAndFromNoOther) {
   }
 }
 
+TEST(LiveEvent, CountsOnlyWhatTheHelmHasApplied) {
+  const LiveChange to_2{"wp", "speed", "1", "2"}, to_minus_1{"wp", "speed", "2", "-1"};
+  LiveEvent event;
+  event.change = to_minus_1;
+  event.undoable = {to_2};
+  EXPECT_EQ(event.InForce("wp", "speed"), "2");
+  EXPECT_TRUE(event.WasRefused("wp", "speed", "-1"));
+  EXPECT_FALSE(event.WasRefused("wp", "speed", "2"));
+  EXPECT_FALSE(event.InForce("wp", "pwt"));
+  event.is_undo = true;
+  event.change = {"wp", "speed", "3", "-1"};
+  event.undoable = {to_2, to_minus_1};
+  event.DropRefusedUndo();
+  ASSERT_EQ(event.undoable.size(), 1U);
+  EXPECT_EQ(event.InForce("wp", "speed"), "3");
+  EXPECT_EQ(event.undoable.front().new_value, "3") << "the next undo leads from there";
+  event = {};
+  event.is_undo = event.is_applied = true;
+  event.change = {"wp", "speed", "2", "1"};
+  EXPECT_EQ(event.InForce("wp", "Speed"), "1") << "taken back";
+  EXPECT_FALSE(event.WasRefused("wp", "speed", "1"));
+}
+
 }  // namespace
 }  // namespace limpet
