@@ -129,6 +129,10 @@ std::vector<ConfigProblem> HostedBehavior::IgnoredLines() const {
   return lines;
 }
 
+std::vector<ConfigProblem> HostedBehavior::AlteredLines() const {
+  return AlteredValues(block_, BehaviorRegistry().at(block_.name).describe());
+}
+
 bool HostedBehavior::HoldsConditions(const HelmTurn& turn) {
   return std::ranges::all_of(settings_.conditions, [&turn](Condition& condition) {
     return condition.Holds(turn.lookup, turn.state.now);

@@ -54,6 +54,8 @@ class HostedBehavior {
   [[nodiscard]] std::vector<std::string> Variables() const;
   /// Keys of its block that nothing heeds.
   [[nodiscard]] std::vector<ConfigProblem> IgnoredLines() const;
+  /// Values of its block that are not allowed and were taken as others.
+  [[nodiscard]] std::vector<ConfigProblem> AlteredLines() const;
 
   /// It was made by an update, while the helm ran.
   void MarkSpawned(std::string base_name) { spawn_base_ = std::move(base_name); }
