@@ -204,10 +204,12 @@ void BHV_OpRegionV24::SteerBack(const VehicleState& state, MotionBid& bid) const
   const double speed = params_.recover_speed.value();
   bid.course = Peak{.summit = BearingTo(state.place(), target.NearestOnBorder(state.place())),
                     .flat_half_width = 0.0,
-                    .base_half_width = std::numbers::pi};
+                    .base_half_width = std::numbers::pi,
+                    .share = kCoupledShare};
   bid.speed = Peak{.summit = speed,
                    .flat_half_width = 0.0,
-                   .base_half_width = std::max(kLeastSkirt, 0.5 * speed)};
+                   .base_half_width = std::max(kLeastSkirt, 0.5 * speed),
+                   .share = kCoupledShare};
 }
 
 MotionBid BHV_OpRegionV24::Move(const VehicleState& state) {

@@ -43,6 +43,7 @@ class BHV_Waypoint final : public Behavior {
     double slow_distance = 0.0, stop_distance = 0.0;  ///< of `end_spd` [m]; 0: off
     bool is_greedy = false, is_reset_on_idle = false;
     bool measures_efficiency = false;
+    double patience = 50.0;
     VisualHints hints{};
     void Describe(ParamCollector& visit);
   };
