@@ -41,6 +41,19 @@ std::vector<BehaviorFile> LoadBehaviorFiles(const AppContext& context, const Hel
   return files;
 }
 
+/// Who listens hears of a helm that cannot be made, before its process ends.
+template <class Make>
+auto OrMalconfig(const AppContext& context, const HelmParams& params, const Make& make) {
+  try {
+    return make();
+  } catch (const ConfigError&) {
+    if (params.lead.empty()) {  // else the state is the other helm's
+      context.link->Publish(topics::kHelmState.name, std::string("MALCONFIG"), "");
+    }
+    throw;
+  }
+}
+
 /// None embedded: nobody is late there, so that runs repeat.
 RealClock ClockOf(const AppContext& context) {
   return context.runs_live ? RealClock(SteadyTime) : RealClock();
@@ -65,9 +78,12 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
     : App(context),
       params_(params),
       ownship_(context.Global("Community")),
-      host_(LoadBehaviorFiles(context, params), ClockOf(context)),
+      host_(OrMalconfig(
+          context, params,
+          [&] { return BehaviorHost(LoadBehaviorFiles(context, params), ClockOf(context)); })),
       planner_(params.views, MakeRandom("views"), ClockOf(context)),
-      arbiter_(DomainOf(params), ClockOf(context), params.at_points),
+      arbiter_(OrMalconfig(context, params, [&] { return DomainOf(params); }), ClockOf(context),
+               params.at_points),
       journal_(params.domain,
                [this](std::string variable, Value value) {
                  // Those of a helm that is led are read as the vehicle's.
@@ -200,17 +216,6 @@ void HelmApp::Post(const std::vector<HelmPost>& posts) {
   }
 }
 
-void HelmApp::PostInitialValues() {
-  if (!has_posted_initial_) {
-    has_posted_initial_ = true;
-    journal_.PostStart(host_, now());
-    journal_.PostLifeEvents(host_.TakeLifeEvents(), 1, now());
-    if (!context().is_restarted) {  // else DEPLOY = false would end a mission under way
-      Post(host_.InitialPosts());
-    }
-  }
-}
-
 std::vector<WeightedBehavior> HelmApp::Bidders() {
   std::vector<WeightedBehavior> bidders = host_.running();
   if (params_.views.gain == "coverage") {  // [Bucci 2025] eq. (17): objects have no say
@@ -230,6 +235,7 @@ void HelmApp::Tick(Seconds now) {
   if (context().runs_live && !lead_.leads()) {  // embedded, equal runs say the same
     Publish(topics::kHelmCreateTime, arbiter_.asked_for().value());
     Publish(topics::kHelmLoopTime, (SteadyTime() - began).value());
+    TellLoad();
   }
 }
 
@@ -260,6 +266,7 @@ void HelmApp::Iterate(Seconds now) {
     view_late_.clear();
     AllStop(is_parked_ ? "ManualOverride" : "Safety:" + std::string(NameOf(safety_)));
   } else {
+    TellRestart();
     DecideView(now);
     TellRevisits(now);
     state.guidance = planner_.Guide(*nav_);
