@@ -113,6 +113,7 @@ void DescribeCapture(ParamCollector& visit, CaptureRule& rule) {
 void DescribeLead(ParamCollector& visit, LeadRule& rule) {
   visit("lead", rule.lead, "Steer for a point on the leg this far ahead [m]; 0: off",
         AtLeast(-1.0));
+  visit.Clipped();
   visit("lead_damper", rule.damper, "Nearer to the leg than this, further ahead [m]; 0: off",
         AtLeast(-1.0));
 }

@@ -122,7 +122,8 @@ TEST(ClippedValues, AreTakenAsStockHelmsTakeThemAndSaid) {
       Block("BHV_StationKeep", "  station_pt = 0,0\n  swing_time = 90\n  inner_radius = .05\n") +
       Block("BHV_PeriodicSurface", "  period = .5\n") +
       Block("BHV_Waypoint",
-            "  points = 0,0:9,9\n  repeat = 2.7\n  currix = 1.5\n  capture_radius = 5 m\n");
+            "  points = 0,0:9,9\n  repeat = 2.7\n  currix = 1.5\n  capture_radius = 5 m\n"
+            "  lead = -5\n");
   HelmFlight flight(blocks);
   std::vector<std::string> said;
   for (const ConfigProblem& line : flight.host().IgnoredLines()) {
@@ -136,7 +137,8 @@ TEST(ClippedValues, AreTakenAsStockHelmsTakeThemAndSaid) {
                                 StartsWith("swing_time `90` is taken as 60"),
                                 StartsWith("repeat `2.7` is taken as 2"),
                                 StartsWith("currix `1.5` is taken as 1"),
-                                StartsWith("capture_radius `5 m` is taken as 5")));
+                                StartsWith("capture_radius `5 m` is taken as 5"),
+                                StartsWith("lead `-5` is taken as -1")));
   const std::vector<OwnedWarning> warnings = flight.host().warnings();
   EXPECT_TRUE(std::ranges::any_of(warnings, [](const OwnedWarning& warning) {
     return warning.owner == "BHV_StationKeep" &&
