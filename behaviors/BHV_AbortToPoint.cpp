@@ -63,10 +63,12 @@ MotionBid BHV_AbortToPoint::Move(const VehicleState& state) {
   constexpr double kSpeedSkirt = 2.6;  // [m/s]
   bid.course = Peak{.summit = BearingTo(at, *params_.point),
                     .flat_half_width = 0.0,
-                    .base_half_width = std::numbers::pi};
+                    .base_half_width = std::numbers::pi,
+                    .share = kCoupledShare};
   bid.speed = Peak{.summit = rests ? 0.0 : params_.speed.value(),
                    .flat_half_width = 0.0,
-                   .base_half_width = kSpeedSkirt};
+                   .base_half_width = kSpeedSkirt,
+                   .share = kCoupledShare};
   return bid;
 }
 

@@ -13,12 +13,15 @@ namespace limpet {
 void BHV_ConstantDepth::Params::Describe(ParamCollector& visit) {
   visit("depth", depth, "Depth to keep; below 0: the surface",
         InRange(Meters(-6000.0), Meters(6000.0)));
-  visit("peakwidth", peakwidth, "Depths this near are as good", AtLeast(Meters(0.0)));
-  visit("basewidth", basewidth, "Preference falls to nothing over this depth",
+  visit("peakwidth", peakwidth, "Depths this near are nearly as good: less summitdelta at its end",
         AtLeast(Meters(0.0)));
+  visit.Clipped();
+  visit("basewidth", basewidth, "Beyond that, preference falls to nothing over this depth",
+        AtLeast(Meters(0.0)));
+  visit.Clipped();
+  DescribeSummitDelta(visit, summit_delta);
   DescribeVariable(visit, "depth_mismatch_var", mismatch_variable,
                    "Where the difference from this depth goes [m]");
-  visit.WithoutEffect({"summitdelta"});
 }
 
 MotionBid BHV_ConstantDepth::Move(const VehicleState& state) {
@@ -29,7 +32,8 @@ MotionBid BHV_ConstantDepth::Move(const VehicleState& state) {
   MotionBid bid;
   bid.depth = Peak{.summit = depth,
                    .flat_half_width = flat,
-                   .base_half_width = BaseBeyond(flat, params_.basewidth.value())};
+                   .base_half_width = BaseBeyond(flat, params_.basewidth.value()),
+                   .edge_value = EdgeValue(params_.summit_delta)};
   bid.acts = acts.Take();
   return bid;
 }

@@ -13,8 +13,9 @@ class BHV_ConstantDepth final : public Behavior {
  public:
   struct Params {
     Meters depth{0.0};
-    Meters peakwidth{0.0};
-    Meters basewidth{2.0};
+    Meters peakwidth{3.0};
+    Meters basewidth{100.0};
+    double summit_delta = 50.0;
     std::string mismatch_variable{};
     void Describe(ParamCollector& visit);
   };

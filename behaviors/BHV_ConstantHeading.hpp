@@ -16,6 +16,7 @@ class BHV_ConstantHeading final : public Behavior {
     Radians heading{0.0};
     Radians peakwidth = Radians::FromTextUnit(10.0);
     Radians basewidth = Radians::FromTextUnit(170.0);
+    double summit_delta = 25.0;
     Radians complete_threshold = Radians::FromTextUnit(-1.0);
     std::string mismatch_variable{};
     void Describe(ParamCollector& visit);

@@ -11,12 +11,16 @@ namespace limpet {
 
 void BHV_ConstantSpeed::Params::Describe(ParamCollector& visit) {
   visit("speed", speed, "Speed to keep", InRange(MetersPerSecond(0.0), MetersPerSecond(100.0)));
-  visit("peakwidth", peakwidth, "Speeds this near are as good", AtLeast(MetersPerSecond(0.0)));
-  visit("basewidth", basewidth, "Preference falls to nothing over this speed",
+  visit.Clipped();
+  visit("peakwidth", peakwidth, "Speeds this near are nearly as good: less summitdelta at its end",
         AtLeast(MetersPerSecond(0.0)));
+  visit.Clipped();
+  visit("basewidth", basewidth, "Beyond that, preference falls to nothing over this speed",
+        AtLeast(MetersPerSecond(0.0)));
+  visit.Clipped();
+  DescribeSummitDelta(visit, summit_delta);
   DescribeVariable(visit, "speed_mismatch_var", mismatch_variable,
                    "Where the difference from this speed goes [m/s]");
-  visit.WithoutEffect({"summitdelta"});
 }
 
 MotionBid BHV_ConstantSpeed::Move(const VehicleState& state) {
@@ -26,7 +30,8 @@ MotionBid BHV_ConstantSpeed::Move(const VehicleState& state) {
   MotionBid bid;
   bid.speed = Peak{.summit = params_.speed.value(),
                    .flat_half_width = flat,
-                   .base_half_width = BaseBeyond(flat, params_.basewidth.value())};
+                   .base_half_width = BaseBeyond(flat, params_.basewidth.value()),
+                   .edge_value = EdgeValue(params_.summit_delta)};
   bid.acts = acts.Take();
   return bid;
 }

@@ -15,6 +15,7 @@ class BHV_ConstantSpeed final : public Behavior {
     MetersPerSecond speed{0.0};
     MetersPerSecond peakwidth{0.0};
     MetersPerSecond basewidth{0.2};
+    double summit_delta = 0.0;
     std::string mismatch_variable{};
     void Describe(ParamCollector& visit);
   };

@@ -86,9 +86,14 @@ MotionBid BHV_FullStop::Move(const VehicleState& state) {
     return bid;
   }
   constexpr double kSpeedSkirt = 0.1;  // [m/s] nothing faster will do
-  bid.course =
-      Peak{.summit = braking_.heading, .flat_half_width = 0.0, .base_half_width = std::numbers::pi};
-  bid.speed = Peak{.summit = 0.0, .flat_half_width = 0.0, .base_half_width = kSpeedSkirt};
+  bid.course = Peak{.summit = braking_.heading,
+                    .flat_half_width = 0.0,
+                    .base_half_width = std::numbers::pi,
+                    .share = kCoupledShare};
+  bid.speed = Peak{.summit = 0.0,
+                   .flat_half_width = 0.0,
+                   .base_half_width = kSpeedSkirt,
+                   .share = kCoupledShare};
   return bid;
 }
 

@@ -6,6 +6,7 @@
 #include "limpet/core/number_text.hpp"
 #include "limpet/helm/act_list.hpp"
 #include "limpet/helm/registry.hpp"
+#include "limpet/waypoints/map_params.hpp"
 
 namespace limpet {
 namespace {
@@ -36,6 +37,7 @@ void BHV_GoToDepth::Params::Describe(ParamCollector& visit) {
         InRange(Meters(0.0), Meters(1000.0)));
   visit.Also({"arrival_delta"});
   visit("repeat", repeats, "How often again", InRange(0, 1000000));
+  TakeWholePart(visit);
   visit("arrival_flag", arrival_flag, "The number of arrivals goes to GTD_ and this");
   visit.Also({"capture_flag"});
 }

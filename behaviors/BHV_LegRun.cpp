@@ -176,8 +176,12 @@ MotionBid BHV_LegRun::Move(const VehicleState& state) {
   constexpr double kSpeedSkirt = 0.4;  // [m/s] besides the speed itself
   bid.course = Peak{.summit = BearingTo(state.place(), SteeringPoint(state.place())),
                     .flat_half_width = 0.0,
-                    .base_half_width = std::numbers::pi};
-  bid.speed = Peak{.summit = speed, .flat_half_width = 0.0, .base_half_width = speed + kSpeedSkirt};
+                    .base_half_width = std::numbers::pi,
+                    .share = kCoupledShare};
+  bid.speed = Peak{.summit = speed,
+                   .flat_half_width = 0.0,
+                   .base_half_width = speed + kSpeedSkirt,
+                   .share = kCoupledShare};
   bid.acts = acts.Take();
   return bid;
 }

@@ -194,8 +194,12 @@ MotionBid BHV_Loiter::Move(const VehicleState& state) {
   constexpr double kSpeedSkirt = 0.3;  // [m/s]
   bid.course = Peak{.summit = BearingTo(vehicle.at, next),
                     .flat_half_width = 0.0,
-                    .base_half_width = std::numbers::pi};
-  bid.speed = Peak{.summit = speed, .flat_half_width = 0.0, .base_half_width = kSpeedSkirt};
+                    .base_half_width = std::numbers::pi,
+                    .share = params_.patience / 100.0};
+  bid.speed = Peak{.summit = speed,
+                   .flat_half_width = 0.0,
+                   .base_half_width = kSpeedSkirt,
+                   .share = 1.0 - params_.patience / 100.0};
   bid.acts = acts.Take();
   return bid;
 }

@@ -33,6 +33,7 @@ class BHV_Loiter final : public Behavior {
     bool is_center_activated = false;
     double slingshot_deg = -1.0;  ///< completes after so much of a round; below 0: never
     double spiral_factor = 100.0;
+    double patience = 50.0;
     std::string suffix{};
     VisualHints hints{};
     void Describe(ParamCollector& visit);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "behaviors/BHV_Loiter.hpp"
@@ -29,6 +30,15 @@ bool ReadCenter(std::string_view text, LoiterParams& params) {
   const bool is_half = text.find(',') == std::string_view::npos && text.find('=') == 1;
   return text.empty() || EqualsIgnoringCase(text, "present_position") || ParsePoint(text) ||
          (is_half && (text[0] == 'x' || text[0] == 'y') && ParseNumber(text.substr(2)));
+}
+
+bool ReadSuffix(std::string_view text, LoiterParams& params) {
+  if (text.find_first_of(" \t") != std::string_view::npos) return false;
+  params.suffix = text.empty() ? "" : "_";
+  for (const char c : text) {
+    params.suffix += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  return true;
 }
 
 void DescribePlace(ParamCollector& visit, LoiterParams& params) {
@@ -89,9 +99,12 @@ void BHV_Loiter::Params::Describe(ParamCollector& visit) {
       "spiral_factor", spiral_factor,
       "From inside: 0 keeps on ahead, 100 turns for the best corner; beyond, as the nearer of them",
       InRange(-1e6, 1e6));
-  DescribeSuffix(visit, "post_suffix", suffix);
+  visit.Parsed("post_suffix", "text",
+               "Added to the names of status variables in capitals, after `_`", "",
+               [this](std::string_view text) { return ReadSuffix(text, *this); });
   DescribeHints(visit, hints);
-  visit.WithoutEffect({"patience", "ipf_type", "ipf-type"});
+  DescribePatience(visit, patience);
+  visit.WithoutEffect({"ipf_type", "ipf-type"});
 }
 
 }  // namespace limpet

@@ -10,9 +10,11 @@ namespace limpet {
 void BHV_MaxDepth::Params::Describe(ParamCollector& visit) {
   visit("max_depth", max_depth, "Depths down to this are as good",
         InRange(Meters(0.0), Meters(6000.0)));
+  visit.Clipped();
   visit("basewidth", basewidth, "Preference falls to nothing over this depth below it",
         AtLeast(Meters(0.0)));
   visit.Also({"tolerance"});
+  visit.Clipped();
   DescribeVariable(visit, "depth_slack_var", slack_variable,
                    "Where the depth left below the vehicle goes [m]");
 }

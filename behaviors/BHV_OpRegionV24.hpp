@@ -26,7 +26,7 @@ class BHV_OpRegionV24 final : public Behavior {
     std::optional<Seconds> longest{};
     bool waits_for_entry = true;  ///< the halt polygon counts once it has been entered
     Seconds entry_time{1.0}, exit_time{0.5};
-    MetersPerSecond recover_speed{1.0};
+    MetersPerSecond recover_speed{0.8};
     bool is_reset = false;
     std::string reset_variable{};
     std::vector<Flag> poly_flags{}, time_flags{}, altitude_flags{}, depth_flags{};

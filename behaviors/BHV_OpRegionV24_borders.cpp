@@ -83,10 +83,14 @@ void BHV_OpRegionV24::SteerBack(const VehicleState& state, ActList& acts, Motion
     constexpr double kAstern = 1e-6 - std::numbers::pi;  // either way is as far
     if (turn < 0.0 && turn > kAstern) course = WrapAngle(state.nav.yaw + side * kTurn);
   }
-  bid.course = Peak{.summit = course, .flat_half_width = 0.0, .base_half_width = std::numbers::pi};
+  bid.course = Peak{.summit = course,
+                    .flat_half_width = 0.0,
+                    .base_half_width = std::numbers::pi,
+                    .share = kCoupledShare};
   bid.speed = Peak{.summit = speed,
                    .flat_half_width = 0.0,
-                   .base_half_width = std::max(kLeastSkirt, 0.5 * speed)};
+                   .base_half_width = std::max(kLeastSkirt, 0.5 * speed),
+                   .share = kCoupledShare};
 }
 
 const ConvexPolygon* BHV_OpRegionV24::PolygonOf(std::string_view macro) const {

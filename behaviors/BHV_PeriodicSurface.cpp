@@ -14,7 +14,7 @@
 namespace limpet {
 
 void BHV_PeriodicSurface::Params::Describe(ParamCollector& visit) {
-  visit("period", period, "Time between ascents", InRange(Seconds(1.0), Seconds(1e6)));
+  visit("period", period, "Time between ascents", InRange(Seconds(1e-3), Seconds(1e6)));
   DescribeVariable(visit, "mark_variable", mark_variable,
                    "A new value of it ends the stay at the surface, or puts the ascent off");
   DescribeVariable(visit, "pending_status_var", pending_variable,
@@ -120,12 +120,17 @@ MotionBid BHV_PeriodicSurface::Move(const VehicleState& state) {
     dive_.marked = state.now;
     acts.Post("PSF_AT_SURFACE_TIMEOUT", fmt::format("Timestamp={:.2f}", state.now.value()));
   } else {
-    constexpr double kSpeedSkirt = 0.5;  // [m/s]
-    constexpr double kDepthSkirt = 0.1;  // [m] nothing deeper will do
-    bid.speed = Peak{.summit = AscentSpeed(state.nav.down),
+    constexpr double kSpeedSkirt = 0.5, kStopSkirt = 0.1;  // [m/s] nothing faster than a stop does
+    constexpr double kDepthSkirt = 0.1;                    // [m] nothing deeper will do
+    const double speed = AscentSpeed(state.nav.down);
+    bid.speed = Peak{.summit = speed,
                      .flat_half_width = 0.0,
-                     .base_half_width = kSpeedSkirt};
-    bid.depth = Peak{.summit = 0.0, .flat_half_width = 0.0, .base_half_width = kDepthSkirt};
+                     .base_half_width = speed > 0.0 ? kSpeedSkirt : kStopSkirt,
+                     .share = kCoupledShare};
+    bid.depth = Peak{.summit = 0.0,
+                     .flat_half_width = 0.0,
+                     .base_half_width = kDepthSkirt,
+                     .share = kCoupledShare};
   }
   bid.acts = acts.Take();
   return bid;

@@ -40,9 +40,11 @@ void BHV_StationKeep::Params::Describe(ParamCollector& visit) {
   visit("center_activate", is_center_activated, "Stay where it is, whenever it begins to run");
   visit("swing_time", swing_time, "With that, the station moves along for so long at first",
         InRange(Seconds(0.0), Seconds(60.0)));
+  visit.Clipped();
   visit("inner_radius", inner_radius, "Nearer than this it stops",
-        InRange(Meters(0.1), Meters(1e5)));
-  visit("outer_radius", outer_radius, "From here on it hurries", InRange(Meters(0.1), Meters(1e5)));
+        InRange(Meters(1e-3), Meters(1e5)));
+  visit("outer_radius", outer_radius, "From here on it hurries",
+        InRange(Meters(1e-3), Meters(1e5)));
   visit("outer_speed", outer_speed, "Speed at outer_radius; less nearer",
         InRange(MetersPerSecond(0.01), MetersPerSecond(100.0)));
   visit("transit_speed", transit_speed, "Speed beyond outer_radius",
@@ -62,7 +64,10 @@ void BHV_StationKeep::Params::Describe(ParamCollector& visit) {
 
 bool BHV_StationKeep::TakeOver(const Behavior& former, const std::vector<std::string>& keys) {
   watch_ = dynamic_cast<const BHV_StationKeep&>(former).watch_;
-  if (HasKey(keys, {"station_pt", "point"}) && params_.station) {
+  if (!HasKey(keys, {"station_pt", "point", "center_activate"})) return true;
+  if (params_.is_center_activated) {
+    watch_.is_center_due = true;
+  } else if (params_.station) {
     watch_ = {.station = params_.station, .swings_until = {}, .distances = {}};
   }
   return true;
@@ -71,6 +76,7 @@ bool BHV_StationKeep::TakeOver(const Behavior& former, const std::vector<std::st
 void BHV_StationKeep::Start(const VehicleState& state) {
   watch_.distances.clear();
   watch_.rest = Rest::kHibernating;
+  watch_.is_center_due = false;
   if (params_.is_center_activated) {
     watch_.station = state.place();
     watch_.swings_until = state.now + params_.swing_time;
@@ -123,6 +129,9 @@ bool BHV_StationKeep::MayRest(double distance, Seconds now) {
 
 MotionBid BHV_StationKeep::Move(const VehicleState& state) {
   MotionBid bid;
+  if (watch_.is_center_due) {
+    watch_ = {.station = state.place(), .swings_until = {}, .distances = {}};
+  }
   if (!watch_.station) {
     bid.warning = BehaviorWarning{kNoStation, "neither station_pt nor center_activate"};
     return bid;
@@ -134,16 +143,20 @@ MotionBid BHV_StationKeep::Move(const VehicleState& state) {
   const bool rests = MayRest(distance, state.now);
   ActList acts;
   acts.Post("DIST_TO_STATION", distance);
-  if (params_.hibernation_radius) {
-    acts.Post("PSKEEP_MODE", std::string(rests ? "HIBERNATING" : "SEEKING_STATION"));
-  }
+  acts.Post("PSKEEP_MODE", std::string(!params_.hibernation_radius ? "DISABLED"
+                                       : rests                     ? "HIBERNATING"
+                                                                   : "SEEKING_STATION"));
   Draw(state, true, acts);
   constexpr double kSpeedSkirt = 0.4;  // [m/s]
   const double course = swings || distance == 0.0 ? state.nav.yaw : BearingTo(at, *watch_.station);
-  bid.course = Peak{.summit = course, .flat_half_width = 0.0, .base_half_width = std::numbers::pi};
+  bid.course = Peak{.summit = course,
+                    .flat_half_width = 0.0,
+                    .base_half_width = std::numbers::pi,
+                    .share = kCoupledShare};
   bid.speed = Peak{.summit = rests ? 0.0 : Speed(distance),
                    .flat_half_width = 0.0,
-                   .base_half_width = kSpeedSkirt};
+                   .base_half_width = kSpeedSkirt,
+                   .share = kCoupledShare};
   bid.acts = acts.Take();
   return bid;
 }

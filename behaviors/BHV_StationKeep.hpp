@@ -43,6 +43,7 @@ class BHV_StationKeep final : public Behavior {
   struct Watch {
     std::optional<MapPoint> station;
     std::optional<Seconds> swings_until;  ///< the station moves along until then
+    bool is_center_due = false;           ///< an update wants it where the vehicle is
     Rest rest = Rest::kHibernating;
     std::deque<std::pair<Seconds, double>> distances;  ///< of the last seconds [m]
   };

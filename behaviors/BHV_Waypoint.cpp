@@ -158,11 +158,17 @@ MotionBid BHV_Waypoint::Move(const VehicleState& state) {
     acts.Draw(Drawing(state).Draw(progress.points(), progress.next(), steering));
     const double speed = Speed(at);
     constexpr double kSpeedSkirt = 1.6;  // [m/s] besides half the speed
+    constexpr double kSpeedEdge = 0.8;   // left of the preference at half the speed
+    const double course_share = params_.patience / 100.0;
     bid.course = Peak{.summit = BearingTo(at, steering),
                       .flat_half_width = 0.0,
-                      .base_half_width = std::numbers::pi};
-    bid.speed =
-        Peak{.summit = speed, .flat_half_width = 0.0, .base_half_width = 0.5 * speed + kSpeedSkirt};
+                      .base_half_width = std::numbers::pi,
+                      .share = course_share};
+    bid.speed = Peak{.summit = speed,
+                     .flat_half_width = 0.5 * speed,
+                     .base_half_width = 0.5 * speed + kSpeedSkirt,
+                     .edge_value = kSpeedEdge,
+                     .share = 1.0 - course_share};
   }
   bid.acts = acts.Take();
   return bid;

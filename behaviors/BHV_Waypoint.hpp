@@ -44,6 +44,7 @@ class BHV_Waypoint final : public Behavior {
     bool is_greedy = false, is_reset_on_idle = false;
     bool measures_efficiency = false;
     std::string function_kind = "zaic";  ///< of MOOS-IvP's helm; only a macro says it here
+    double patience = 50.0;
     VisualHints hints{};
     void Describe(ParamCollector& visit);
   };

@@ -72,6 +72,7 @@ void DescribeWay(ParamCollector& visit, Params& params) {
                  if (index && *index >= 0) params.index = static_cast<int>(*index);
                  return text.empty() || (index && *index >= 0);
                });
+  TakeWholePart(visit);
   visit("greedy_tour", params.is_greedy, "Order the points: always to the nearest one left");
   visit.Also({"shortest_tour"});
   visit("reset_on_idle", params.is_reset_on_idle, "Begin at the first point after each idle spell");
@@ -104,6 +105,8 @@ void DescribeSpeed(ParamCollector& visit, Params& params) {
                  return true;
                });
   visit("use_alt_speed", params.uses_alt_speed, "Go at speed_alt, if there is one");
+  DescribePatience(visit, params.patience);
+  visit.Also({"crs_spd_zaic_ratio"});
   visit.Parsed(
       "end_spd", "slow_dist=..., stop_dist=...",
       "Slow down before the end of the way, and stop [m]", "",
@@ -160,8 +163,7 @@ void BHV_Waypoint::Params::Describe(ParamCollector& visit) {
                  return true;
                });
   visit.Also({"ipf-type"});
-  visit.WithoutEffect(
-      {"patience", "crs_spd_zaic_ratio", "eager_prev_index_flag", "draw_path_loop"});
+  visit.WithoutEffect({"eager_prev_index_flag", "draw_path_loop"});
 }
 
 }  // namespace limpet

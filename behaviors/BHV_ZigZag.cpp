@@ -140,9 +140,12 @@ MotionBid BHV_ZigZag::Move(const VehicleState& state) {
     constexpr double kSpeedSkirt = 0.4;  // [m/s] besides the speed itself
     bid.course = Peak{.summit = Steered(state.nav.yaw),
                       .flat_half_width = 0.0,
-                      .base_half_width = std::numbers::pi};
-    bid.speed = Peak{
-        .summit = run_.speed, .flat_half_width = 0.0, .base_half_width = run_.speed + kSpeedSkirt};
+                      .base_half_width = std::numbers::pi,
+                      .share = kCoupledShare};
+    bid.speed = Peak{.summit = run_.speed,
+                     .flat_half_width = 0.0,
+                     .base_half_width = run_.speed + kSpeedSkirt,
+                     .share = kCoupledShare};
   }
   bid.acts = acts.Take();
   return bid;

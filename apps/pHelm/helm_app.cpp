@@ -41,6 +41,19 @@ std::vector<BehaviorFile> LoadBehaviorFiles(const AppContext& context, const Hel
   return files;
 }
 
+/// Who listens hears of a helm that cannot be made, before its process ends.
+template <class Make>
+auto OrMalconfig(const AppContext& context, const HelmParams& params, const Make& make) {
+  try {
+    return make();
+  } catch (const ConfigError&) {
+    if (params.lead.empty()) {  // else the state is the other helm's
+      context.link->Publish(topics::kHelmState.name, std::string("MALCONFIG"), "");
+    }
+    throw;
+  }
+}
+
 /// None embedded: nobody is late there, so that runs repeat.
 RealClock ClockOf(const AppContext& context) {
   return context.runs_live ? RealClock(SteadyTime) : RealClock();
@@ -65,9 +78,12 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
     : App(context),
       params_(params),
       ownship_(context.Global("Community")),
-      host_(LoadBehaviorFiles(context, params), ClockOf(context)),
+      host_(OrMalconfig(
+          context, params,
+          [&] { return BehaviorHost(LoadBehaviorFiles(context, params), ClockOf(context)); })),
       planner_(params.views, MakeRandom("views"), ClockOf(context)),
-      arbiter_(DomainOf(params), ClockOf(context), params.at_points),
+      arbiter_(OrMalconfig(context, params, [&] { return DomainOf(params); }), ClockOf(context),
+               params.at_points),
       app_wait_(context.runs_live ? params.hold_on_app : std::vector<std::string>()),
       mail_skew_(params.ok_skew),
       journal_(params.domain,
@@ -209,6 +225,7 @@ void HelmApp::Tick(Seconds now) {
   if (context().runs_live && !lead_.leads()) {  // embedded, equal runs say the same
     Publish(topics::kHelmCreateTime, arbiter_.asked_for().value());
     Publish(topics::kHelmLoopTime, (SteadyTime() - began).value());
+    TellLoad();
   }
 }
 
@@ -240,6 +257,7 @@ void HelmApp::Iterate(Seconds now) {
     view_late_.clear();
     AllStop(is_parked_ ? "ManualOverride" : "Safety:" + std::string(NameOf(safety_)));
   } else {
+    TellRestart();
     DecideView(now);
     TellRevisits(now);
     state.guidance = planner_.Guide(*nav_);

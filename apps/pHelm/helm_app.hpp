@@ -14,6 +14,7 @@
 #include "apps/pHelm/mail_skew.hpp"
 #include "apps/pHelm/stock_nav.hpp"
 #include "limpet/app/app.hpp"
+#include "limpet/app/app_status.hpp"
 #include "limpet/helm/behavior_host.hpp"
 #include "limpet/helm/helm_params.hpp"
 #include "limpet/helm/motion_decision.hpp"
@@ -81,6 +82,10 @@ class HelmApp final : public App {
   /// To every variable that the behaviors want by now.
   void SubscribeForBehaviors();
   void PostInitialValues();
+  /// Once, as the first decision of a helm whose process was replaced is due.
+  void TellRestart();
+  /// IVPHELM_CPU, once a second.
+  void TellLoad();
   void Post(const std::vector<HelmPost>& posts);
   void Iterate(Seconds now);
   void DecideView(Seconds now);
@@ -106,6 +111,7 @@ class HelmApp final : public App {
   /// Raises what behaviors raise now, and clears what none raises any more.
   void TellBehaviorWarnings();
   void AllStop(const std::string& why);
+  void ClearAllStop();
   void PublishState(Seconds now);
   [[nodiscard]] const char* StateText() const { return is_parked_ ? "PARK" : "DRIVE"; }
   [[nodiscard]] std::optional<double> last_course_deg() const;
@@ -129,8 +135,13 @@ class HelmApp final : public App {
   AppWait app_wait_;
   std::vector<HelmPost> requests_;  ///< of behaviors, that wait for apps
   MailSkew mail_skew_;
+  bool is_restart_told_ = false;
+  ProcessUse told_use_;            ///< of the machine, when that was last told
+  Seconds told_use_at_;            ///< real time
   std::string allstop_text_;       ///< clear, or why all is stopped
   std::string published_allstop_;  ///< as last posted
+  std::string stopped_for_;        ///< why the vehicle was last told to stop
+  int empty_decisions_ = 0;        ///< iterations in a row
   std::int64_t helm_iteration_ = 0;
   WarningBook warning_book_;
   std::string told_failures_;                   ///< as last posted in BHV_ERROR

@@ -2,9 +2,11 @@
 #include "apps/pHelm/helm_journal.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "limpet/core/decimal_text.hpp"
 #include "limpet/helm/motion_domain.hpp"
@@ -57,15 +59,17 @@ void HelmJournal::PostStart(const BehaviorHost& host, Seconds now) {
   for (const BehaviorStatus& behavior : behaviors) {
     entries_.push_back({.behavior = behavior, .state = State::kIdle, .since = now});
   }
-  std::string heard;
+  post_(topics::kHelmPiecesFormed.name, 0.0);
+  post_(topics::kHelmPiecesCached.name, 0.0);
+  std::set<std::string> named;
   for (const std::string& variable : host.Variables()) {
     post_(topics::kHelmRegister.name, variable);
-    heard += (heard.empty() ? "" : ",") + variable;
+    named.insert(variable);
   }
   for (const std::string& variable : host.PostedVariables()) {
-    heard += (heard.empty() ? "" : ",") + variable;
+    named.insert(variable);
   }
-  post_(topics::kHelmStateVars.name, heard);
+  post_(topics::kHelmStateVars.name, fmt::format("{}", fmt::join(named, ",")));
   PostUpdateVariables(host.UpdateVariables());
 }
 
@@ -180,6 +184,12 @@ void HelmJournal::PostLifeEvents(std::span<const LifeEvent> events, std::int64_t
   if (made_ != made) post_(topics::kHelmBehaviorCountEver.name, static_cast<double>(made_));
   if (completed_ != completed) {
     post_(topics::kHelmCompletedCount.name, static_cast<double>(completed_));
+  }
+}
+
+void HelmJournal::PostPieces(int pieces) {
+  if (std::exchange(pieces_, pieces) != pieces) {
+    post_(topics::kHelmPiecesFormed.name, static_cast<double>(pieces));
   }
 }
 

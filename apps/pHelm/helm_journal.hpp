@@ -48,6 +48,8 @@ class HelmJournal {
   void PostUpdateResults(std::span<const std::string> results);
   /// Where behaviors take them, if that is new.
   void PostUpdateVariables(const std::string& variables);
+  /// Of the functions in BHV_IPF, if their number is new.
+  void PostPieces(int pieces);
   /// The next summary is a whole one.
   void Rejournal() { summary_.clear(); }
 
@@ -80,6 +82,7 @@ class HelmJournal {
   int alive_ = 0;
   int made_ = 0;                                ///< behaviors, ever
   int functions_ = -1;                          ///< as last posted
+  int pieces_ = 0;                              ///< as last posted
   std::string update_variables_;                ///< as last posted
   std::map<std::string, std::string> summary_;  ///< fields as last posted
   std::map<State, std::string> names_;          ///< as last posted

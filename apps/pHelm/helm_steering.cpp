@@ -29,12 +29,15 @@ void HelmApp::Steer(const VehicleState& state) {
 }
 
 void HelmApp::PublishFunctions() {
+  int pieces = 0;
   for (const OwnedMotionBid& owned : arbiter_.bids()) {
     const std::string text = IpfText(owned, arbiter_.domain(), helm_iteration_);
+    pieces += IpfPieces(text);
     for (std::string& packet : IpfPackets(text, owned.owner, helm_iteration_)) {
       PublishRaw(topics::kBehaviorFunction.name, std::move(packet), owned.owner);
     }
   }
+  journal_.PostPieces(pieces);
 }
 
 void HelmApp::Lead() {
@@ -43,7 +46,7 @@ void HelmApp::Lead() {
     AllStop("NothingToDo");
     return;
   }
-  allstop_text_ = "clear";
+  ClearAllStop();
   lead_.Steer(has_path, motion_);
 }
 
@@ -54,10 +57,12 @@ void HelmApp::Drive() {
     return;
   }
   if (const std::string missing = decision.Missing(arbiter_.domain()); !missing.empty()) {
-    AllStop("MissingDecVars:" + missing);
+    const std::string why = "MissingDecVars:" + missing;
+    if (allstop_text_ != why) Publish(topics::kBehaviorError, why);
+    AllStop(why);
     return;
   }
-  allstop_text_ = "clear";
+  ClearAllStop();
   if (decision.course) Publish(topics::kDesiredHeading, MoosHeadingFromYaw(*decision.course));
   if (decision.speed) Publish(topics::kDesiredSpeed, *decision.speed);
   if (decision.depth) Publish(topics::kDesiredDepth, *decision.depth);
@@ -65,15 +70,26 @@ void HelmApp::Drive() {
 }
 
 void HelmApp::AllStop(const std::string& why) {
+  // One iteration without a decision is held off: one behavior may hand over to another by a flag.
+  const bool is_empty = why == "NothingToDo" || why.starts_with("MissingDecVars");
+  empty_decisions_ = is_empty ? empty_decisions_ + 1 : 0;
+  allstop_text_ = why;
+  if (empty_decisions_ == 1) return;
   if (lead_.leads()) {
     lead_.Stop();
-  } else if (allstop_text_ != why) {
+  } else if (stopped_for_ != why) {
     // Once: a pilot that hears nothing more goes to zero by itself.
     Publish(topics::kDesiredSpeed, 0.0);
     Publish(topics::kDesiredTurnRate, 0.0);
     if (arbiter_.domain().depth) Publish(topics::kDesiredDepth, 0.0);
   }
-  allstop_text_ = why;
+  stopped_for_ = why;
+}
+
+void HelmApp::ClearAllStop() {
+  allstop_text_ = "clear";
+  stopped_for_.clear();
+  empty_decisions_ = 0;
 }
 
 std::optional<double> HelmApp::last_course_deg() const {

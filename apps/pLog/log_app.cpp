@@ -171,7 +171,12 @@ void LogApp::OnCopyRequest(std::string_view name, std::string_view asker) {
 
 Expected<fs::path> LogApp::CopyableFile(std::string_view name) const {
   std::error_code failure;
-  const fs::path real = fs::canonical(fs::path(name), failure);
+  fs::path asked(name);
+  if (const fs::path beside = context().mission_file.parent_path() / asked;
+      asked.is_relative() && fs::exists(beside, failure)) {
+    asked = beside;  // so helms ask for their behavior files
+  }
+  const fs::path real = fs::canonical(asked, failure);
   if (failure || !fs::is_regular_file(real, failure)) {
     return Error{"no such file"};
   }

@@ -2,6 +2,7 @@
 #include "limpet/core/params.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -67,6 +68,11 @@ bool Names(const ParamSpec& spec, std::string_view key) {
          });
 }
 
+/// What the value of a line stands for, if that is not what it says.
+std::optional<std::string> ReadInstead(const ParamSpec& spec, std::string_view text) {
+  return spec.taken_as ? spec.taken_as(text) : std::nullopt;
+}
+
 }  // namespace
 
 void ParamCollector::Add(ParamSpec spec) {
@@ -85,6 +91,7 @@ void ParamCollector::DeclareNumber(const char* name, const char* unit, double de
                  .allowed = AllowedText(range, unit),
                  .help = help,
                  .is_repeatable = false,
+                 .bounds = range,
                  .set = nullptr};
   spec.set = [range, store = std::move(store),
               allowed = spec.allowed](std::string_view text) -> std::optional<std::string> {
@@ -109,6 +116,7 @@ void ParamCollector::operator()(const char* name, int& field, const char* help, 
   if (range.high) as_double.high = *range.high;
   DeclareNumber(name, "", field, help, as_double, [](double) {});
   ParamSpec& spec = specs_.back();
+  spec.is_whole = true;
   spec.set = [&field, check = spec.set,
               allowed = spec.allowed](std::string_view text) -> std::optional<std::string> {
     if (auto complaint = check(text)) {
@@ -274,6 +282,26 @@ void ParamCollector::Also(std::initializer_list<const char*> aliases) {
   specs_.back().aliases.assign(aliases.begin(), aliases.end());
 }
 
+void ParamCollector::Clipped() {
+  const ParamSpec& spec = specs_.back();
+  const auto nearest = [bounds = spec.bounds, is_whole = spec.is_whole](
+                           std::string_view text) -> std::optional<std::string> {
+    const std::optional<double> value = ParseNumber(text);
+    if (!value || !std::isfinite(*value)) return std::nullopt;
+    double inside = is_whole ? std::trunc(*value) : *value;
+    if (bounds.low) inside = std::max(inside, *bounds.low);
+    if (bounds.high) inside = std::min(inside, *bounds.high);
+    return inside == *value ? std::nullopt : std::optional(TextOf(inside));
+  };
+  TakenAs("else the nearest", nearest);
+}
+
+void ParamCollector::TakenAs(const char* rule,
+                             std::function<std::optional<std::string>(std::string_view)> taken_as) {
+  specs_.back().otherwise = rule;
+  specs_.back().taken_as = std::move(taken_as);
+}
+
 void ParamCollector::WithoutEffect(std::initializer_list<const char*> names) {
   for (const char* name : names) {
     Parsed(name, "text", "Of existing missions; has no effect here", "",
@@ -290,6 +318,22 @@ std::vector<ConfigProblem> IgnoredKeys(const ConfigBlock& block,
         specs, [&entry](const ParamSpec& known) { return Names(known, entry.key); });
     if (spec != specs.end() && spec->is_without_effect) {
       notes.push_back({entry.where, entry.key, "has no effect in " + block.name});
+    }
+  }
+  return notes;
+}
+
+std::vector<ConfigProblem> AlteredValues(const ConfigBlock& block,
+                                         const std::vector<ParamSpec>& specs) {
+  std::vector<ConfigProblem> notes;
+  for (const ConfigEntry& entry : block.entries) {
+    const auto spec = std::ranges::find_if(
+        specs, [&entry](const ParamSpec& known) { return Names(known, entry.key); });
+    if (spec == specs.end()) continue;
+    if (const auto other = ReadInstead(*spec, entry.value)) {
+      notes.push_back(
+          {entry.where, entry.key,
+           fmt::format("`{}` is taken as {}; allowed: {}", entry.value, *other, spec->allowed)});
     }
   }
   return notes;
@@ -312,7 +356,7 @@ std::vector<ConfigProblem> ApplyBlock(const ConfigBlock& block, const std::vecto
         specs, [&entry](const ParamSpec& known_spec) { return Names(known_spec, entry.key); });
     if (spec != specs.end()) {
       given.push_back(spec->name);
-      if (const auto complaint = spec->set(entry.value)) {
+      if (const auto complaint = spec->set(ReadInstead(*spec, entry.value).value_or(entry.value))) {
         problems.push_back({entry.where, entry.key, *complaint});
       }
       continue;

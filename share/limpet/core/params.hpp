@@ -52,6 +52,12 @@ struct ParamSpec {
   std::vector<std::string> example{};
   std::vector<std::string> aliases{};  ///< other names of it that blocks may use
   bool is_without_effect = false;      ///< a key of existing missions that is read and not heeded
+  Range<double> bounds{};              ///< of a number, in its unit
+  bool is_whole = false;               ///< a number without a fraction
+  /// What a text stands for that is not allowed and that existing missions may hold, e.g. the
+  /// nearest bound; nothing for others.
+  std::function<std::optional<std::string>(std::string_view)> taken_as{};
+  std::string otherwise{};  ///< that in words, e.g. "else the nearest"
   /// Parses and stores; the complaint if the text is no allowed value.
   std::function<std::optional<std::string>(std::string_view)> set;
 };
@@ -84,6 +90,14 @@ class ParamCollector {
                    std::function<bool(std::string_view)> store);
   /// Other names of the parameter declared last, as existing missions spell it.
   void Also(std::initializer_list<const char*> aliases);
+  /// Existing missions may hold values of the number declared last that are not allowed: beyond its
+  /// range they are taken as the nearest bound, and a fraction of a whole number is cut off. Who
+  /// reads the block says so (`AlteredValues`).
+  void Clipped();
+  /// As Clipped, where `taken_as` says what a text stands for; nothing for those that are allowed,
+  /// and those that are refused.
+  void TakenAs(const char* rule,
+               std::function<std::optional<std::string>(std::string_view)> taken_as);
   /// Keys that existing missions may hold and nothing here heeds: they are known, and who reads
   /// the block says so (`IgnoredKeys`).
   void WithoutEffect(std::initializer_list<const char*> names);
@@ -146,6 +160,10 @@ template <class P>
 /// A note for each line of `block` whose key `specs` declare to be without effect.
 [[nodiscard]] std::vector<ConfigProblem> IgnoredKeys(const ConfigBlock& block,
                                                      const std::vector<ParamSpec>& specs);
+
+/// A note for each line of `block` whose value is not allowed and is taken as another.
+[[nodiscard]] std::vector<ConfigProblem> AlteredValues(const ConfigBlock& block,
+                                                       const std::vector<ParamSpec>& specs);
 
 /// Reads a params struct. Throws ConfigError with every problem of the block.
 template <class P>

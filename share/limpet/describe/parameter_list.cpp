@@ -63,7 +63,8 @@ std::string DefaultOf(const ParamSpec& parameter) {
 }
 
 std::string AllowedOf(const ParamSpec& parameter) {
-  return parameter.is_repeatable ? parameter.allowed + " (may repeat)" : parameter.allowed;
+  return parameter.allowed + (parameter.is_repeatable ? " (may repeat)" : "") +
+         (parameter.otherwise.empty() ? "" : "; " + parameter.otherwise);
 }
 
 /// The global that a mission may say it by.
@@ -87,6 +88,7 @@ OrderedJson JsonOf(const ParameterOwner& owner) {
                           {"required", parameter.is_required},
                           {"example", parameter.example},
                           {"allowed", parameter.allowed},
+                          {"otherwise", parameter.otherwise},
                           {"repeatable", parameter.is_repeatable},
                           {"aliases", parameter.aliases},
                           {"without_effect", parameter.is_without_effect},

@@ -25,7 +25,7 @@ struct BehaviorWarning {
 };
 
 /// How now: preferences over course [rad], speed [m/s] and depth [m]; absent means no opinion. They
-/// add up: each peak, and the table, is worth up to the behavior's weight.
+/// add up: each peak is worth up to its share of the behavior's weight, the table up to all of it.
 struct MotionBid {
   std::optional<Peak> course;
   std::optional<Peak> speed;

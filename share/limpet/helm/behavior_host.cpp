@@ -56,15 +56,23 @@ void BehaviorHost::NoteRequest(const HostedBehavior& hosted) {
   if (request) requests_.push_back({request->variable, request->value, hosted.name()});
 }
 
-void BehaviorHost::Adopt(std::unique_ptr<HostedBehavior> hosted, std::string seed) {
-  std::string keys;
-  for (const ConfigProblem& line : hosted->IgnoredLines()) {
+void BehaviorHost::NoteLines(const HostedBehavior& hosted) {
+  const auto warn = [&](const WarningFamily& family, const std::string& text) {
+    block_warnings_.push_back({hosted.name(), {family.Of(hosted.name()), text}});
+  };
+  std::string keys, values;
+  for (const ConfigProblem& line : hosted.IgnoredLines()) {
     keys += (keys.empty() ? "" : ", ") + line.key;
   }
-  if (!keys.empty()) {
-    ignored_warnings_.push_back(
-        {hosted->name(), {warnings::kBehaviorKeys.Of(hosted->name()), "without effect: " + keys}});
+  for (const ConfigProblem& line : hosted.AlteredLines()) {
+    values += fmt::format("{}{}: {}", values.empty() ? "" : "; ", line.key, line.text);
   }
+  if (!keys.empty()) warn(warnings::kBehaviorKeys, "without effect: " + keys);
+  if (!values.empty()) warn(warnings::kBehaviorValues, values);
+}
+
+void BehaviorHost::Adopt(std::unique_ptr<HostedBehavior> hosted, std::string seed) {
+  NoteLines(*hosted);
   events_.push_back({.kind = LifeEvent::Kind::kSpawn,
                      .name = hosted->name(),
                      .type = hosted->type(),
@@ -90,6 +98,7 @@ std::vector<ConfigProblem> BehaviorHost::IgnoredLines() const {
   for (const auto& hosted : hosted_) {
     std::ranges::move(hosted->IgnoredLines(), std::back_inserter(lines));
     if (auto note = hosted->DurationNote()) lines.push_back(*std::move(note));
+    std::ranges::move(hosted->AlteredLines(), std::back_inserter(lines));
   }
   return lines;
 }
@@ -182,7 +191,7 @@ void BehaviorHost::Spawn(const std::string& variable, const std::string& text) {
 
 std::vector<OwnedWarning> BehaviorHost::warnings() const {
   std::vector<OwnedWarning> all = update_warnings_;
-  all.insert(all.end(), ignored_warnings_.begin(), ignored_warnings_.end());
+  all.insert(all.end(), block_warnings_.begin(), block_warnings_.end());
   return all;
 }
 
@@ -245,7 +254,7 @@ void BehaviorHost::RemoveComplete() {
                        .reason = hosted->reason()});
     const auto is_its = [&hosted](const OwnedWarning& old) { return old.owner == hosted->name(); };
     std::erase_if(update_warnings_, is_its);
-    std::erase_if(ignored_warnings_, is_its);
+    std::erase_if(block_warnings_, is_its);
     std::erase_if(running_, [&hosted](const WeightedBehavior& running) {
       return running.behavior == &hosted->behavior();
     });

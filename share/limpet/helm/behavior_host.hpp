@@ -51,8 +51,8 @@ class BehaviorHost {
   [[nodiscard]] std::vector<std::string> TakeUpdateResults() {
     return std::exchange(update_results_, {});
   }
-  /// Lines of the behaviors' blocks that are known from existing missions and have no effect, and
-  /// those that are missing where MOOS-IvP's helm needs them.
+  /// Lines of the behaviors' blocks that are known from existing missions, and have no effect or
+  /// are taken as others; and those that are missing where MOOS-IvP's helm needs them.
   [[nodiscard]] std::vector<ConfigProblem> IgnoredLines() const;
   /// True if a behavior asks for view decisions when it runs.
   [[nodiscard]] bool WantsView() const;
@@ -95,6 +95,8 @@ class BehaviorHost {
   void AddBehavior(const ConfigBlock& block, std::vector<ConfigProblem>& problems);
   void Adopt(std::unique_ptr<HostedBehavior> hosted, std::string seed);
   void NoteRequest(const HostedBehavior& hosted);
+  /// Warns of lines of its block that nobody heeds as they are.
+  void NoteLines(const HostedBehavior& hosted);
   void Spawn(const std::string& variable, const std::string& text);
   void RemoveComplete();
   void RefreshStatuses();
@@ -114,7 +116,7 @@ class BehaviorHost {
   std::vector<std::string> update_results_;
   std::vector<BehaviorFailure> failures_;
   std::vector<OwnedWarning> late_calls_;
-  std::vector<OwnedWarning> update_warnings_, ignored_warnings_;
+  std::vector<OwnedWarning> update_warnings_, block_warnings_;
 };
 
 }  // namespace limpet

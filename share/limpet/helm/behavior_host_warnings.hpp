@@ -24,4 +24,14 @@ inline const WarningFamily kBehaviorKeys = DeclareWarningFamily(
      .action = "See in docs/parameters.md whether the mission needs them; else remove them.",
      .clears = "Once the behavior is gone."});
 
+inline const WarningFamily kBehaviorValues = DeclareWarningFamily(
+    "BHV_VALUES_<BEHAVIOR>",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pHelm"},
+     .meaning =
+         "The block of a behavior has values that are not allowed: the nearest ones that are "
+         "count, as in MOOS-IvP.",
+     .action = "Write what is meant; the text has what was taken.",
+     .clears = "Once the behavior is gone."});
+
 }  // namespace limpet::warnings

@@ -131,6 +131,10 @@ std::optional<ConfigProblem> HostedBehavior::DurationNote() const {
                            " at once; `no-time-limit` is right for both"};
 }
 
+std::vector<ConfigProblem> HostedBehavior::AlteredLines() const {
+  return AlteredValues(block_, BehaviorRegistry().at(block_.name).describe());
+}
+
 bool HostedBehavior::HoldsConditions(const HelmTurn& turn) {
   return std::ranges::all_of(settings_.conditions, [&turn](Condition& condition) {
     return condition.Holds(turn.lookup, turn.state.now);

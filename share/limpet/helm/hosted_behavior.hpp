@@ -56,6 +56,8 @@ class HostedBehavior {
   [[nodiscard]] std::vector<ConfigProblem> IgnoredLines() const;
   /// That it has no limit in time, where MOOS-IvP's helm would end it at once.
   [[nodiscard]] std::optional<ConfigProblem> DurationNote() const;
+  /// Values of its block that are not allowed and were taken as others.
+  [[nodiscard]] std::vector<ConfigProblem> AlteredLines() const;
 
   /// It was made by an update, while the helm ran.
   void MarkSpawned(std::string base_name) { spawn_base_ = std::move(base_name); }

@@ -12,6 +12,7 @@
 
 #include "limpet/core/decimal_text.hpp"
 #include "limpet/core/frames.hpp"
+#include "limpet/core/number_text.hpp"
 #include "limpet/helm/peak.hpp"
 
 namespace limpet {
@@ -40,9 +41,9 @@ std::vector<double> ValuesOf(const Peak& peak, const MotionAxis& axis, MotionVar
   std::vector<double> values;
   for (int i = 0; i < axis.points; ++i) {
     const double away = axis.At(i) - peak.summit;
-    values.push_back(kFull * PeakValue(peak, variable == MotionVariable::kCourse
-                                                 ? std::abs(WrapAngle(away))
-                                                 : std::abs(away)));
+    values.push_back(kFull * peak.share *
+                     PeakValue(peak, variable == MotionVariable::kCourse ? std::abs(WrapAngle(away))
+                                                                         : std::abs(away)));
   }
   return values;
 }
@@ -51,26 +52,26 @@ std::vector<double> ValuesOf(const Peak& peak, const MotionAxis& axis, MotionVar
 class IndexedBid {
  public:
   IndexedBid(const MotionBid& bid, const MotionDomain& domain) : table_(bid.table) {
-    int preferences = table_ != nullptr ? 1 : 0;
+    shares_ = table_ != nullptr ? 1.0 : 0.0;
     for (const MotionVariable variable : kMotionVariables) {
       const std::size_t v = IndexOf(variable);
       const std::optional<MotionAxis>& axis = domain.axis(variable);
       if (!axis) continue;
       const std::optional<Peak>& peak = PeakOf(variable, bid);
       const bool is_joined = table_ != nullptr && table_->Covers(variable);
-      if (peak) values_[v] = ValuesOf(*peak, *axis, variable), ++preferences;
+      if (peak) values_[v] = ValuesOf(*peak, *axis, variable), shares_ += peak->share;
       if (!peak && is_joined) values_[v].assign(static_cast<std::size_t>(axis->points), 0.0);
       is_joined_[v] = is_joined;
     }
-    preferences_ = preferences;
   }
-  [[nodiscard]] int preferences() const { return preferences_; }
+  /// Of the behavior's weight, that all its preferences have together.
+  [[nodiscard]] double shares() const { return shares_; }
   [[nodiscard]] bool IsAbout(std::size_t v) const { return !values_[v].empty(); }
   [[nodiscard]] bool IsJoined(std::size_t v) const { return is_joined_[v]; }
   [[nodiscard]] int Points(std::size_t v) const { return static_cast<int>(values_[v].size()); }
   /// Of one variable's peak.
   [[nodiscard]] double Own(std::size_t v, int point) const {
-    return values_[v][static_cast<std::size_t>(point)] / preferences_;
+    return values_[v][static_cast<std::size_t>(point)] / shares_;
   }
   /// Of the table and of peaks on its variables.
   [[nodiscard]] double Joined(const Index& at) const {
@@ -82,14 +83,14 @@ class IndexedBid {
       sum += Own(v, at[v]);
       place += static_cast<std::size_t>(at[v]) * table_->stride(variable);
     }
-    return sum + kFull * static_cast<double>(table_->values()[place]) / preferences_;
+    return sum + kFull * static_cast<double>(table_->values()[place]) / shares_;
   }
 
  private:
   const MotionTable* table_;
   std::array<std::vector<double>, 3> values_;  ///< of peaks; empty: not about that variable
   std::array<bool, 3> is_joined_{};
-  int preferences_ = 0;
+  double shares_ = 0.0;
 };
 
 /// Runs of points over which a variable's own preference is a straight line.
@@ -233,12 +234,12 @@ std::string IpfText(const OwnedMotionBid& owned, const MotionDomain& domain,
   for (std::size_t v = 0; v < 3; ++v) {
     if (bid.IsAbout(v)) variables.push_back(v);
   }
-  if (variables.empty()) return "";
+  if (variables.empty() || bid.shares() <= 0.0) return "";
   const std::vector<Piece> pieces = PiecesOf(bid);
   const std::string context = fmt::format("{}:{}", iteration, owned.owner);
   std::string text = fmt::format(
       "H,{},{},{},{},1,{},D,{},G", context.size(), context, variables.size(), pieces.size(),
-      DecimalText(owned.weight * bid.preferences(), 4), DomainText(bid, domain));
+      DecimalText(owned.weight * bid.shares(), 4), DomainText(bid, domain));
   for (const std::size_t v : variables) {
     text += fmt::format(",{}", bid.Points(v) - 1);
   }
@@ -248,6 +249,16 @@ std::string IpfText(const OwnedMotionBid& owned, const MotionDomain& domain,
     AddPiece(piece, variables, text);
   }
   return text;
+}
+
+int IpfPieces(const std::string& text) {
+  // H,<size>,<context>,<variables>,<pieces>,...: the context, a behavior's name, may have commas.
+  const std::size_t end = text.find(",D,");
+  if (end == std::string::npos) return 0;
+  const std::vector<std::string> head = Split(std::string_view(text).substr(0, end), ',');
+  constexpr std::size_t kFromEnd = 3;  // pieces, 1, weight
+  const auto pieces = ParseInteger(head.at(head.size() - kFromEnd));
+  return static_cast<int>(pieces.value_or(0));
 }
 
 std::vector<std::string> IpfPackets(const std::string& text, const std::string& behavior,

@@ -3,18 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "limpet/core/frames.hpp"
 #include "limpet/helm/behavior_failure_warnings.hpp"
+#include "limpet/helm/peak_points.hpp"
 
 namespace limpet {
 namespace {
 
-const std::optional<Peak>& PeakOf(const MotionBid& bid, MotionVariable variable) {
+template <class Bid>
+auto& PeakOf(Bid& bid, MotionVariable variable) {
   return variable == MotionVariable::kCourse  ? bid.course
          : variable == MotionVariable::kSpeed ? bid.speed
                                               : bid.depth;
@@ -28,6 +29,10 @@ std::optional<std::string> ProblemOf(const Peak& peak, MotionVariable variable) 
   if (!(peak.flat_half_width >= 0.0 && peak.base_half_width > peak.flat_half_width)) {
     return fmt::format("a base of {:g} under a flat top of {:g} in its bid on {}",
                        peak.base_half_width, peak.flat_half_width, NameOf(variable));
+  }
+  const auto is_share = [](double value) { return value >= 0.0 && value <= 1.0; };
+  if (!is_share(peak.edge_value) || !is_share(peak.share)) {
+    return fmt::format("a share beyond 0 to 1 in its bid on {}", NameOf(variable));
   }
   return std::nullopt;
 }
@@ -43,27 +48,6 @@ std::optional<std::string> ProblemOf(const MotionBid& bid, const MotionDomain& d
   if (bid.table == nullptr) return std::nullopt;
   if (bid.table->domain() != domain) return "its function was made for another domain";
   return bid.table->Problem();
-}
-
-double NearestPoint(const MotionAxis& axis, double value) {
-  const double point = std::ceil((value - axis.low) / axis.step() - 0.5);
-  return axis.At(static_cast<int>(std::clamp(point, 0.0, axis.points - 1.0)));
-}
-
-/// In the middle of two points the value itself: a helm that knows points alone goes to and fro
-/// between the two, and so fast on average.
-double NearestPointOrMiddle(const MotionAxis& axis, double value) {
-  constexpr double kRounding = 1e-9;  // 1.3 is in the middle of 1.2 and 1.4 for a computer, too
-  const double steps = (value - axis.low) / axis.step();
-  const bool is_in_the_middle = std::abs(steps - std::floor(steps) - 0.5) < kRounding;
-  return is_in_the_middle ? value : NearestPoint(axis, value);
-}
-
-double NearestPointAround(const MotionAxis& axis, double course) {
-  const double above = WrapAngle(course - axis.low - std::numbers::pi) + std::numbers::pi;
-  if (above <= axis.high - axis.low) return WrapAngle(NearestPoint(axis, axis.low + above));
-  const auto distance = [course](double end) { return std::abs(WrapAngle(course - end)); };
-  return WrapAngle(distance(axis.low) < distance(axis.high) ? axis.low : axis.high);
 }
 
 /// Its opinion on what the domain has.
@@ -135,9 +119,18 @@ void MotionArbiter::Ask(const WeightedBehavior& running, const VehicleState& sta
   if (owned.bid.warning) {
     decision_.warnings.push_back({.owner = running.name, .warning = *owned.bid.warning});
   }
+  if (is_at_points_) StandAtPoints(owned.bid);
   owned.owner = running.name;
   owned.weight = running.weight;
   ++heard_;
+}
+
+void MotionArbiter::StandAtPoints(MotionBid& bid) const {
+  for (const MotionVariable variable : kMotionVariables) {
+    const std::optional<MotionAxis>& axis = domain_.axis(variable);
+    std::optional<Peak>& peak = PeakOf(bid, variable);
+    if (peak && axis) peak = StandingAtPoints(*peak, *axis, variable);
+  }
 }
 
 bool MotionArbiter::Hear(const WeightedBehavior& running, const VehicleState& state,
@@ -173,7 +166,7 @@ void MotionArbiter::Add(const OwnedMotionBid& owned) {
   for (const MotionVariable variable : kMotionVariables) {
     const std::optional<Peak>& peak = PeakOf(owned.bid, variable);
     if (peak && domain_.axis(variable)) {
-      peaks_.at(IndexOf(variable)).push_back({*peak, owned.weight});
+      peaks_.at(IndexOf(variable)).push_back({*peak, owned.weight * peak->share});
     }
   }
   if (owned.bid.table != nullptr) tables_.push_back({owned.bid.table, owned.weight});
@@ -201,13 +194,10 @@ void MotionArbiter::Choose(const VehicleState& state) {
     const std::vector<WeightedPeak>& peaks = peaks_.at(IndexOf(variable));
     const std::optional<MotionAxis>& axis = domain_.axis(variable);
     if (value || peaks.empty()) continue;
-    value = variable == MotionVariable::kCourse
+    value = is_at_points_ ? MaximizeOverPoints(peaks, *axis, variable)
+            : variable == MotionVariable::kCourse
                 ? MaximizeOverCircle(peaks)
                 : MaximizeOverInterval(peaks, axis->low, axis->high);
-    if (is_at_points_ && axis) {
-      value = variable == MotionVariable::kCourse ? NearestPointAround(*axis, *value)
-                                                  : NearestPointOrMiddle(*axis, *value);
-    }
   }
   decision_.course = chosen[0];
   decision_.speed = chosen[1];

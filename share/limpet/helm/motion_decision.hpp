@@ -53,8 +53,8 @@ struct MotionDecision {
 /// allocates nothing.
 class MotionArbiter {
  public:
-  /// With a `clock`, behaviors that answer late are not heard. `is_at_points`: what peaks alone
-  /// decide is rounded to the domain's nearest point, the lower of two, as in MOOS-IvP.
+  /// With a `clock`, behaviors that answer late are not heard. `is_at_points`: peaks alone
+  /// decide over the domain's points, too, as in MOOS-IvP (peak_points.hpp).
   explicit MotionArbiter(const MotionDomain& domain, RealClock clock = {},
                          bool is_at_points = false)
       : domain_(domain), search_(domain), watch_(std::move(clock)), is_at_points_(is_at_points) {}
@@ -75,6 +75,7 @@ class MotionArbiter {
   [[nodiscard]] bool Hear(const WeightedBehavior& running, const VehicleState& state,
                           OwnedMotionBid& owned);
   void Fail(const std::string& owner, const std::string& text);
+  void StandAtPoints(MotionBid& bid) const;
   void Add(const OwnedMotionBid& owned);
   void Choose(const VehicleState& state);
   void ChooseTurnRate(bool is_course_joined);

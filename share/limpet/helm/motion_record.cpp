@@ -29,10 +29,10 @@ MotionOpinion OpinionOf(const OwnedMotionBid& owned, MotionVariable variable, do
   const double unit = is_course ? 180.0 / std::numbers::pi : 1.0;
   return {.behavior = owned.owner,
           .variables = NameOf(variable),
-          .weight = owned.weight,
+          .weight = owned.weight * peak.share,
           .value = PeakValue(peak, DistanceBetween(chosen, peak.summit, variable)),
           .summit = is_course ? MoosHeadingFromYaw(WrapAngle(peak.summit)) : peak.summit,
-          .flat_half_width = peak.flat_half_width * unit,
+          .flat_half_width = peak.edge_value < 1.0 ? 0.0 : peak.flat_half_width * unit,
           .base_half_width = peak.base_half_width * unit};
 }
 

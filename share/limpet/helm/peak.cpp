@@ -53,31 +53,47 @@ double SumAt(std::span<const WeightedPeak> peaks, double x, Distance distance) {
       });
 }
 
-/// How far from what was wished, where it makes no difference any more: weighted metres beyond the
-/// flat tops.
-double DissentAt(std::span<const WeightedPeak> peaks, double x) {
-  return std::transform_reduce(
-      peaks.begin(), peaks.end(), 0.0, std::plus<>(), [x](const WeightedPeak& weighted) {
-        const Peak& peak = weighted.peak;
-        return weighted.weight * std::max(0.0, std::abs(x - peak.summit) - peak.flat_half_width);
-      });
+/// What decides among candidates whose sums are equal; less of the first is better, then less of
+/// the second.
+struct Discord {
+  double beyond_limits = 0.0;  ///< weighted metres
+  /// How far from what was wished, where it makes no difference any more: weighted metres beyond
+  /// the tops.
+  double dissent = 0.0;
+};
+
+Discord DiscordAt(std::span<const WeightedPeak> peaks, double x, double low) {
+  Discord discord;
+  for (const auto& [peak, weight] : peaks) {
+    discord.beyond_limits += weight * BeyondLimit(peak, x, low);
+    discord.dissent += weight * BeyondTop(peak, x);
+  }
+  return discord;
 }
 
-/// Keeps the best of the candidates it is shown; of equals that of least dissent, then the first.
+bool IsLess(const Discord& one, const Discord& other) {
+  constexpr double kLevel = 1e-9;
+  if (std::abs(one.beyond_limits - other.beyond_limits) > kLevel) {
+    return one.beyond_limits < other.beyond_limits;
+  }
+  return one.dissent < other.dissent - kLevel;
+}
+
+/// Keeps the best of the candidates it is shown; of equals that of least discord, then the first.
 template <class Distance>
 class BestOf {
  public:
   BestOf(std::span<const WeightedPeak> peaks, Distance distance)
       : peaks_(peaks), distance_(distance) {}
 
-  void Consider(double candidate, double dissent = 0.0) {
+  void Consider(double candidate, const Discord& discord = {}) {
     constexpr double kLevel = 1e-9;  // rounding must not let a knee beat an equal summit
     const double value = SumAt(peaks_, candidate, distance_);
-    const bool is_as_good = value > best_value_ - kLevel && dissent < best_dissent_ - kLevel;
+    const bool is_as_good = value > best_value_ - kLevel && IsLess(discord, best_discord_);
     if (!has_any_ || value > best_value_ + kLevel || is_as_good) {
       best_ = candidate;
       best_value_ = value;
-      best_dissent_ = dissent;
+      best_discord_ = discord;
     }
     has_any_ = true;
   }
@@ -86,22 +102,36 @@ class BestOf {
  private:
   std::span<const WeightedPeak> peaks_;
   Distance distance_;
-  double best_ = 0.0, best_value_ = 0.0, best_dissent_ = 0.0;
+  double best_ = 0.0, best_value_ = 0.0;
+  Discord best_discord_;
   bool has_any_ = false;
 };
 
 }  // namespace
 
 double PeakValue(const Peak& peak, double distance) {
-  const double beyond = std::abs(distance) - peak.flat_half_width;
-  const double slope_width = peak.base_half_width - peak.flat_half_width;
-  return std::clamp(1.0 - beyond / slope_width, 0.0, 1.0);
+  const double top = peak.flat_half_width;
+  const double beyond = std::abs(distance) - top;
+  if (beyond <= 0.0) {
+    return top > 0.0 ? 1.0 - (1.0 - peak.edge_value) * std::abs(distance) / top : 1.0;
+  }
+  const double edge = top > 0.0 ? peak.edge_value : 1.0;
+  return edge * std::clamp(1.0 - beyond / (peak.base_half_width - top), 0.0, 1.0);
+}
+
+double BeyondLimit(const Peak& peak, double x, double low) {
+  const bool is_limit = peak.edge_value >= 1.0 && peak.summit - peak.flat_half_width <= low;
+  return is_limit ? std::max(0.0, x - (peak.summit + peak.flat_half_width)) : 0.0;
+}
+
+double BeyondTop(const Peak& peak, double x) {
+  return std::max(0.0, std::abs(x - peak.summit) - peak.flat_half_width);
 }
 
 double MaximizeOverInterval(std::span<const WeightedPeak> peaks, double low, double high) {
   LIMPET_REQUIRE(!peaks.empty() && low <= high, "a decision needs a preference and a domain");
   BestOf best(peaks, [](double x, double summit) { return x - summit; });
-  const auto consider = [&](double x) { best.Consider(x, DissentAt(peaks, x)); };
+  const auto consider = [&](double x) { best.Consider(x, DiscordAt(peaks, x, low)); };
   VisitCandidates(peaks, [&](double x) { consider(std::clamp(x, low, high)); });
   consider(low);
   consider(high);

@@ -12,7 +12,14 @@ struct Peak {
   double summit = 0.0;
   double flat_half_width = 0.0;
   double base_half_width = 1.0;  ///< REQUIRES: > flat_half_width
+  /// At the end of the top: below 1 that is not flat, but falls to there from the summit.
+  double edge_value = 1.0;
+  /// Of the behavior's weight that this variable gets; two that are coupled have a part each.
+  double share = 1.0;
 };
+
+/// Of the weight of a behavior that couples two variables, what each of them gets.
+inline constexpr double kCoupledShare = 0.5;
 
 /// Where a peak ends that is flat to `flat_half_width` and falls over `skirt`; one without a skirt
 /// gets a thin one.
@@ -29,10 +36,16 @@ struct WeightedPeak {
 /// Value of a peak at a distance from its summit, in [0, 1].
 [[nodiscard]] double PeakValue(const Peak& peak, double distance);
 
+/// How far beyond a limit `x` is: a peak that is as good from `low` up to the end of its top sets
+/// one there, as safety behaviors do; 0 for other peaks.
+[[nodiscard]] double BeyondLimit(const Peak& peak, double x, double low);
+/// How far beyond the top of a peak `x` is.
+[[nodiscard]] double BeyondTop(const Peak& peak, double x);
+
 /// The exact maximiser of the weighted sum over [low, high]. The sum is piecewise linear, so its
-/// maximum is at a summit, a knee or an end of the domain; among equals the nearest to what those
-/// want who get nothing wins (7 m at most, and 50 m wanted: 7 m), then the summit of the heaviest
-/// peak. REQUIRES: !peaks.empty().
+/// maximum is at a summit, a knee or an end of the domain. Among equals wins what is least beyond
+/// the limits of others (BeyondLimit), then the nearest to what those want who get nothing (7 m at
+/// most, and 50 m wanted: 7 m), then the summit of the heaviest peak. REQUIRES: !peaks.empty().
 [[nodiscard]] double MaximizeOverInterval(std::span<const WeightedPeak> peaks, double low,
                                           double high);
 

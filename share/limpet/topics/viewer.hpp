@@ -110,6 +110,20 @@ inline const auto kHelmCreateTime = Declare<double>(
 inline const auto kHelmLoopTime =
     Declare<double>("IVPHELM_LOOP_CPU", "real time that the iteration took; not embedded",
                     {.unit = "s", .rate = "10 Hz", .writers = {"pHelm"}});
+inline const auto kLoggerCommand =
+    Declare<std::string>("PLOGGER_CMD", "COPY_FILE_REQUEST = a behavior file: keep a copy of it",
+                         {.rate = "once each", .writers = {"pHelm"}, .is_command = true});
+inline const auto kHelmCpu =
+    Declare<double>("IVPHELM_CPU", "share of a core that the helm's process took; not embedded",
+                    {.unit = "%", .rate = "1 Hz", .writers = {"pHelm"}});
+inline const auto kHelmPiecesFormed = Declare<double>(
+    "IVPHELM_TOTAL_PCS_FORMED", "pieces of the functions in BHV_IPF; 0 without post_ipf",
+    {.rate = "on change", .writers = {"pHelm"}});
+inline const auto kHelmPiecesCached = Declare<double>(
+    "IVPHELM_TOTAL_PCS_CACHED", "0: no bid is used twice", {.rate = "once", .writers = {"pHelm"}});
+inline const auto kHelmRestarted = Declare<std::string>(
+    "IVPHELM_RESTARTED", "true: the helm decides again, after its process was replaced",
+    {.rate = "on event", .writers = {"pHelm"}});
 inline const auto kHelmUpdateVars = Declare<std::string>(
     "IVPHELM_UPDATEVARS", "behavior=variable, ...: where behaviors take updates",
     {.rate = "on change", .writers = {"pHelm"}});

@@ -8,6 +8,9 @@
 namespace limpet {
 namespace {
 
+constexpr double kHundred = 100.0;
+constexpr double kMostRepeats = 1e6;  ///< of repeats and the like
+
 bool HasBlank(std::string_view text) { return text.find_first_of(" \t") != std::string_view::npos; }
 
 bool ReadRepeats(std::string_view text, std::optional<int>& repeats) {
@@ -16,8 +19,8 @@ bool ReadRepeats(std::string_view text, std::optional<int>& repeats) {
     return true;
   }
   const auto number = ParseNumber(text);  // `2.0` is a whole number, too
-  constexpr double kMost = 1e6;
-  if (!number || *number != std::floor(*number) || *number < 0.0 || *number > kMost) return false;
+  if (!number || *number != std::floor(*number) || *number < 0.0 || *number > kMostRepeats)
+    return false;
   repeats = static_cast<int>(*number);
   return true;
 }
@@ -33,6 +36,26 @@ bool ReadCaptureLine(std::string_view text, CaptureRule& rule) {
 }
 
 }  // namespace
+
+void TakeWholePart(ParamCollector& visit) {
+  visit.TakenAs("else its whole part", [](std::string_view text) -> std::optional<std::string> {
+    const auto number = ParseNumber(text);
+    const bool is_cut =
+        number && *number >= 0.0 && *number <= kMostRepeats && *number != std::floor(*number);
+    return is_cut ? std::optional(TextOf(std::floor(*number))) : std::nullopt;
+  });
+}
+
+void TakeMetres(ParamCollector& visit) {
+  visit.TakenAs("also with a unit, m", [](std::string_view text) -> std::optional<std::string> {
+    for (const std::string_view unit : {"meters", "metres", "m"}) {
+      if (!text.ends_with(unit)) continue;
+      const std::string_view number = Trim(text.substr(0, text.size() - unit.size()));
+      return ParseNumber(number) ? std::optional<std::string>(number) : std::nullopt;
+    }
+    return std::nullopt;
+  });
+}
 
 void DescribeVariable(ParamCollector& visit, const char* name, std::string& field,
                       const char* help) {
@@ -59,13 +82,29 @@ void DescribeSuffix(ParamCollector& visit, const char* name, std::string& suffix
                });
 }
 
+void DescribeSummitDelta(ParamCollector& visit, double& summit_delta) {
+  visit("summitdelta", summit_delta, "How far preference falls within peakwidth, of a hundred",
+        InRange(0.0, kHundred));
+  visit.Clipped();
+}
+
+double EdgeValue(double summit_delta) { return 1.0 - summit_delta / kHundred; }
+
+void DescribePatience(ParamCollector& visit, double& percent) {
+  visit("patience", percent,
+        "Of the weight, what the course gets, of a hundred; the speed the rest",
+        InRange(1.0, kHundred - 1.0));
+}
+
 void DescribeCapture(ParamCollector& visit, CaptureRule& rule) {
   visit("capture_radius", rule.capture_radius, "A point this near is reached [m]",
         InRange(0.0, 10000.0));
   visit.Also({"radius"});
+  TakeMetres(visit);
   visit("slip_radius", rule.slip_radius,
         "Reached, too, when the distance grows again within this [m]", InRange(0.0, 10000.0));
   visit.Also({"nm_radius"});
+  TakeMetres(visit);
   visit.Parsed("capture_line", "true, false or absolute",
                "Reached, too, beyond the line across the leg's end; absolute: only so", "false",
                [&rule](std::string_view text) { return ReadCaptureLine(text, rule); });
@@ -74,6 +113,7 @@ void DescribeCapture(ParamCollector& visit, CaptureRule& rule) {
 void DescribeLead(ParamCollector& visit, LeadRule& rule) {
   visit("lead", rule.lead, "Steer for a point on the leg this far ahead [m]; 0: off",
         AtLeast(-1.0));
+  visit.Clipped();
   visit("lead_damper", rule.damper, "Nearer to the leg than this, further ahead [m]; 0: off",
         AtLeast(-1.0));
 }
@@ -81,6 +121,7 @@ void DescribeLead(ParamCollector& visit, LeadRule& rule) {
 void DescribeRepeats(ParamCollector& visit, std::optional<int>& repeats) {
   visit.Parsed("repeat", "a whole number or forever", "How often again", "0",
                [&repeats](std::string_view text) { return ReadRepeats(text, repeats); });
+  TakeWholePart(visit);
 }
 
 std::optional<bool> ParseIsPort(std::string_view text) {

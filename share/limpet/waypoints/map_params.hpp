@@ -15,6 +15,11 @@
 
 namespace limpet {
 
+/// Of the parameter declared last existing missions may give `1.5` for 1.
+void TakeWholePart(ParamCollector& visit);
+/// Of the number of metres declared last existing missions may give the unit, too: `5 m`.
+void TakeMetres(ParamCollector& visit);
+
 /// The name of a variable without blanks; empty: not posted.
 void DescribeVariable(ParamCollector& visit, const char* name, std::string& field,
                       const char* help);
@@ -22,6 +27,12 @@ void DescribeVariable(ParamCollector& visit, const char* name, std::string& fiel
 void DescribeHints(ParamCollector& visit, VisualHints& hints);
 /// `post_suffix`: appended to status variables, after an underscore.
 void DescribeSuffix(ParamCollector& visit, const char* name, std::string& suffix);
+/// `summitdelta`: how far a preference falls within its peakwidth, of a hundred.
+void DescribeSummitDelta(ParamCollector& visit, double& summit_delta);
+/// What is left of the preference there, of one; Peak::edge_value.
+[[nodiscard]] double EdgeValue(double summit_delta);
+/// `patience`: of a weight over course and speed, what the course gets; of a hundred.
+void DescribePatience(ParamCollector& visit, double& percent);
 
 /// `capture_radius`, `slip_radius`, `capture_line`.
 void DescribeCapture(ParamCollector& visit, CaptureRule& rule);

@@ -87,7 +87,7 @@ TEST(BhvLoiter, TakesTheBetterDirectionIfLeftTo) {
 }
 
 TEST(BhvLoiter, SaysHowFarItIs) {
-  HelmFlight flight = Begun("  post_suffix = A\n", -137.0, 0.0, 90.0);
+  HelmFlight flight = Begun("  post_suffix = a\n", -137.0, 0.0, 90.0);
   flight.Tick();
   EXPECT_EQ(flight.Last("LOITER_MODE_A"), "acquiring_external");
   EXPECT_EQ(flight.Last("LOITER_ACQUIRE_A"), "1");

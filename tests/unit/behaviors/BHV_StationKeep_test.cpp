@@ -115,5 +115,30 @@ TEST(BhvStationKeep, WarnsWhileItKnowsNoStation) {
   EXPECT_EQ(flight.decision().warnings.at(0).warning.id.name(), "STATION_POINT_NOT_SET");
 }
 
+TEST(BhvStationKeep, StaysHereAtOnceWhenAnUpdateSaysSo) {
+  HelmFlight flight(Keep("  station_pt = 0,0\n  updates = KEEP\n"));
+  flight.Say("STAY", std::string("true"));
+  flight.PlaceAt(30.0, 40.0, 0.0);
+  flight.Tick();
+  EXPECT_EQ(flight.Last("DIST_TO_STATION"), "50");
+  flight.Say("KEEP", std::string("center_activate = true"));
+  flight.Tick();
+  EXPECT_EQ(flight.Last("DIST_TO_STATION"), "0");
+  flight.PlaceAt(30.0, 70.0, 0.0);
+  flight.Tick();
+  EXPECT_NEAR(std::stod(flight.Last("DIST_TO_STATION")), 30.0, 0.1) << "the station stays";
+  flight.Say("KEEP", std::string("center_activate = false"));
+  flight.PlaceAt(30.0, 40.0, 0.0);
+  flight.Tick();
+  EXPECT_NEAR(std::stod(flight.Last("DIST_TO_STATION")), 50.0, 0.1) << "back to its own";
+}
+
+TEST(BhvStationKeep, SaysThatItDoesNotHibernate) {
+  HelmFlight flight(Keep("  station_pt = 0,0\n"));
+  flight.Say("STAY", std::string("true"));
+  flight.Tick();
+  EXPECT_EQ(flight.Last("PSKEEP_MODE"), "DISABLED");
+}
+
 }  // namespace
 }  // namespace limpet

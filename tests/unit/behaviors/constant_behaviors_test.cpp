@@ -44,9 +44,10 @@ TEST(BhvConstantHeading, CompletesOnceItIsNearEnoughIfAskedTo) {
 }
 
 TEST(BhvConstantHeading, IsAsContentWithHeadingsWithinItsPeak) {
-  HelmFlight flight(Block("BHV_ConstantHeading", "  heading = 90\n  peakwidth = 10\n") +
-                    "Behavior = BHV_ConstantHeading\n{\n  name = other\n  heading = 200\n"
-                    "  pwt = 10\n}\n");
+  HelmFlight flight(
+      Block("BHV_ConstantHeading", "  heading = 90\n  peakwidth = 10\n  summitdelta = 0\n") +
+      "Behavior = BHV_ConstantHeading\n{\n  name = other\n  heading = 200\n"
+      "  pwt = 10\n}\n");
   flight.Tick();
   EXPECT_NEAR(MoosHeadingFromYaw(*flight.decision().course), 100.0, 1e-6)
       << "as far as the lighter one likes";
@@ -118,6 +119,61 @@ TEST(BhvTimer, BeginsAnewWhenItsDurationIsWoundUp) {
   flight.Fly(4.0);
   EXPECT_LT(std::stod(flight.Last("TIMER_RUNNING")), 4.2);
   EXPECT_THAT(flight.host().statuses(), SizeIs(1));
+}
+
+TEST(BhvConstantHeading, FallsWithinItsPeakByItsSummitDelta) {
+  HelmFlight flight(Block("BHV_ConstantHeading", "  heading = 90\n  peakwidth = 10\n") +
+                    "Behavior = BHV_ConstantHeading\n{\n  name = other\n  heading = 200\n"
+                    "  peakwidth = 0\n  pwt = 10\n}\n");
+  flight.Tick();
+  EXPECT_NEAR(MoosHeadingFromYaw(*flight.decision().course), 90.0, 1e-6);
+}
+
+TEST(ClippedValues, AreTakenAsStockHelmsTakeThemAndSaid) {
+  const std::string blocks =
+      Block("BHV_ConstantSpeed", "  speed = -1\n  peakwidth = -1\n") +
+      Block("BHV_ConstantHeading",
+            "  heading = 90\n  basewidth = 200\n  peakwidth = 200\n  complete_thresh = -5\n") +
+      Block("BHV_MaxDepth", "  max_depth = -3\n") +
+      Block("BHV_StationKeep", "  station_pt = 0,0\n  swing_time = 90\n  inner_radius = .05\n") +
+      Block("BHV_PeriodicSurface", "  period = .5\n") +
+      Block("BHV_Waypoint",
+            "  points = 0,0:9,9\n  repeat = 2.7\n  currix = 1.5\n  capture_radius = 5 m\n"
+            "  lead = -5\n");
+  HelmFlight flight(blocks);
+  std::vector<std::string> said;
+  for (const ConfigProblem& line : flight.host().IgnoredLines()) {
+    said.push_back(line.key + " " + line.text);
+  }
+  using ::testing::StartsWith;
+  EXPECT_THAT(said, ElementsAre(StartsWith("speed `-1` is taken as 0; allowed: 0 to 100 mps"),
+                                StartsWith("peakwidth `-1` is taken as 0"),
+                                StartsWith("complete_thresh `-5` is taken as -1"),
+                                StartsWith("max_depth `-3` is taken as 0"),
+                                StartsWith("swing_time `90` is taken as 60"),
+                                StartsWith("repeat `2.7` is taken as 2"),
+                                StartsWith("currix `1.5` is taken as 1"),
+                                StartsWith("capture_radius `5 m` is taken as 5"),
+                                StartsWith("lead `-5` is taken as -1")));
+  const std::vector<OwnedWarning> warnings = flight.host().warnings();
+  EXPECT_TRUE(std::ranges::any_of(warnings, [](const OwnedWarning& warning) {
+    return warning.owner == "BHV_StationKeep" &&
+           warning.warning.text == "swing_time: `90` is taken as 60; allowed: 0 to 60 s";
+  }));
+  EXPECT_THROW(HelmFlight(Block("BHV_ConstantSpeed", "  speed = fast\n")), ConfigError);
+}
+
+TEST(CoupledBehaviors, ShareTheirWeightBetweenCourseAndSpeed) {
+  const std::string way = Block("BHV_Waypoint", "  points = 0,1000\n  speed = 2\n  pwt = 100\n");
+  HelmFlight flight(way + Block("BHV_ConstantSpeed", "  speed = 0.5\n  pwt = 30\n"));
+  flight.Tick();
+  EXPECT_NEAR(*flight.decision().speed, 0.5, 1e-9)
+      << "of the way, which likes that half as well, 50";
+  HelmFlight patient(
+      Block("BHV_Waypoint", "  points = 0,1000\n  speed = 2\n  pwt = 100\n  patience = 10\n") +
+      Block("BHV_ConstantSpeed", "  speed = 0.5\n  pwt = 30\n"));
+  patient.Tick();
+  EXPECT_NEAR(*patient.decision().speed, 2.0, 1e-9) << "90 of the way";
 }
 
 }  // namespace

@@ -134,5 +134,41 @@ TEST(BhvPeriodicSurface, SlowsDownOnItsWayUpAsItsGradeSays) {
   EXPECT_NEAR(speed_at("QUADRATIC"), 0.5, 0.02);
 }
 
+/// What a stock helm's domain of 5 m steps would be told to go to, 5 m deep over 25 m of water.
+double DepthAtPoints(const std::string& behaviors) {
+  BehaviorHost host({ParseBehaviors(behaviors, "points.bhv")});
+  MotionDomain domain;
+  domain.depth = MotionAxis{.low = 0.0, .high = 100.0, .points = 21};
+  MotionArbiter arbiter(domain, {}, true);
+  VehicleState state;
+  state.domain = domain;
+  state.nav.down = 5.0;
+  state.nav.altitude = 20.0;
+  state.heard = &host.heard();
+  static_cast<void>(host.Update(state));
+  return arbiter.Decide(host.running(), state).depth.value_or(-1.0);
+}
+
+TEST(DepthAtPoints, IsNoneThatASafetyBehaviorForbids) {
+  const std::string deep = BlockOfDepth("BHV_ConstantDepth", "  depth = 30\n");
+  const auto above_seabed = [](const std::string& weight) {
+    return BlockOfDepth("BHV_MinAltitudeX", "  min_altitude = 2.4\n  pwt = " + weight + "\n");
+  };
+  EXPECT_EQ(DepthAtPoints(deep + above_seabed("1000")), 20.0);
+  EXPECT_EQ(DepthAtPoints(deep + above_seabed("100")), 20.0) << "of one weight, too";
+  const auto at_most = [](const std::string& lines) {
+    return BlockOfDepth("BHV_MaxDepth", "  pwt = 200\n  tolerance = 1\n" + lines);
+  };
+  EXPECT_EQ(DepthAtPoints(deep + at_most("  max_depth = 7.6\n")), 5.0);
+  EXPECT_EQ(DepthAtPoints(deep + at_most("  max_depth = 8\n")), 5.0);
+}
+
+TEST(BhvConstantDepth, PrefersDepthsAsStockHelmsDo) {
+  HelmFlight flight(BlockOfDepth("BHV_ConstantDepth", "  depth = 30\n") +
+                    BlockOfDepth("BHV_MaxDepth", "  max_depth = 20\n  basewidth = 0\n"));
+  flight.Tick();
+  EXPECT_NEAR(flight.decision().depth.value_or(-1.0), 20.0, 0.01) << "of one weight with a limit";
+}
+
 }  // namespace
 }  // namespace limpet

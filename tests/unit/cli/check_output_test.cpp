@@ -42,12 +42,22 @@ TEST(CheckVerbOfFiles, TakesAMissionFileAndABehaviorFile) {
 TEST(CheckVerbOfFiles, NotesKeysOfExistingMissionsThatHaveNoEffect) {
   const TemporaryFolder folder;
   const fs::path bhv = folder.path() / "a.bhv";
-  std::ofstream(bhv) << "Behavior = BHV_Waypoint\n{\n  points = 1,2\n  patience = 40\n"
+  std::ofstream(bhv) << "Behavior = BHV_Waypoint\n{\n  points = 1,2\n  ipf_type = zaic\n"
                         "  build_info = uniform_piece=discrete\n}\n";
   const Checked behaviors = Check({bhv.string()});
   EXPECT_EQ(behaviors.exit_code, kOk) << behaviors.text;
-  EXPECT_THAT(behaviors.text, HasSubstr("a.bhv:4: note: patience: has no effect in BHV_Waypoint"));
+  EXPECT_THAT(behaviors.text, HasSubstr("a.bhv:4: note: ipf_type: has no effect in BHV_Waypoint"));
   EXPECT_THAT(behaviors.text, HasSubstr("a.bhv:5: note: build_info: has no effect"));
+}
+
+TEST(CheckVerbOfFiles, NotesValuesThatStockHelmsCutToARangeAndWhatTheyAreTakenAs) {
+  const TemporaryFolder folder;
+  const fs::path bhv = folder.path() / "a.bhv";
+  std::ofstream(bhv) << "Behavior = BHV_StationKeep\n{\n  station_pt = 1,2\n  swing_time = 90\n}\n";
+  const Checked behaviors = Check({bhv.string()});
+  EXPECT_EQ(behaviors.exit_code, kOk) << behaviors.text;
+  EXPECT_THAT(behaviors.text,
+              HasSubstr("a.bhv:4: note: swing_time: `90` is taken as 60; allowed: 0 to 60 s"));
 }
 
 TEST(CheckVerbOfFiles, RefusesToLeadAHelmThatDoesNotHearOrIsNotThere) {
@@ -191,11 +201,11 @@ TEST(CheckVerbOfFiles, RefusesAMisspeltBehaviorAndABadParameterOfABehaviorFile) 
   const TemporaryFolder folder;
   const fs::path bhv = folder.path() / "a.bhv";
   std::ofstream(bhv) << "Behavior = BHV_HoldAltitud\n{\n  altitude_m = 3\n}\nBehavior = "
-                        "BHV_ConstantDepth\n{\n  peakwidth = -1\n}\n";
+                        "BHV_ConstantDepth\n{\n  peakwidth = wide\n}\n";
   const Checked checked = Check({bhv.string()});
   EXPECT_EQ(checked.exit_code, kUsage);
   EXPECT_THAT(checked.text, HasSubstr("nearest known: `BHV_HoldAltitude`"));
-  EXPECT_THAT(checked.text, HasSubstr("a.bhv:7: peakwidth: `-1` is not allowed"));
+  EXPECT_THAT(checked.text, HasSubstr("a.bhv:7: peakwidth: `wide` is not allowed"));
   EXPECT_THAT(checked.text, HasSubstr("2 problems\n"));
 }
 

@@ -104,7 +104,8 @@ TEST(IpfText, OfPeaksIsWhatTheHelmAddsUp) {
   const MotionDomain domain = SmallDomain();
   OwnedMotionBid owned{.owner = "go", .weight = 60.0, .bid = {}};
   // Over north, and between the domain's points.
-  owned.bid.course = Peak{.summit = 0.05, .flat_half_width = 0.1, .base_half_width = 2.0};
+  owned.bid.course =
+      Peak{.summit = 0.05, .flat_half_width = 0.1, .base_half_width = 2.0, .share = 0.5};
   owned.bid.speed = Peak{.summit = 0.52, .flat_half_width = 0.0, .base_half_width = 0.3};
   const ReadFunction read = Read(IpfText(owned, domain, 7));
   EXPECT_EQ(read.context, "7:go");
@@ -114,7 +115,7 @@ TEST(IpfText, OfPeaksIsWhatTheHelmAddsUp) {
     for (int speed = 0; speed < 21; ++speed) {
       const double north = std::abs(WrapAngle(domain.course->At(course) - 0.05));
       const double wanted =
-          60.0 * (PeakValue(*owned.bid.course, north) +
+          60.0 * (0.5 * PeakValue(*owned.bid.course, north) +
                   PeakValue(*owned.bid.speed, std::abs(domain.speed->At(speed) - 0.52)));
       const auto [value, times] = read.At({course, speed});
       ASSERT_EQ(times, 1) << course << ", " << speed;

@@ -75,5 +75,21 @@ TEST(MotionRecord, IsDueOnceASecondAndWhenOthersHaveASay) {
   EXPECT_TRUE(rate.IsDue(decision, Seconds(11.1)));
 }
 
+TEST(MotionRecord, SaysAtPointsWhatEachGetsAtThePointThatWasChosen) {
+  MotionBid narrow, heavy;
+  narrow.speed = Peak{.summit = 0.26, .flat_half_width = 0.0, .base_half_width = 0.003};
+  heavy.speed = Peak{.summit = 0.9, .flat_half_width = 0.0, .base_half_width = 1.0, .share = 0.5};
+  OpinionatedBehavior one(narrow), other(heavy);
+  MotionArbiter arbiter(MotionDomain{}, {}, true);
+  const std::vector<WeightedBehavior> running{{"one", 100.0, &one}, {"other", 100.0, &other}};
+  const MotionDecision& decision = arbiter.Decide(running, {});
+  EXPECT_NEAR(decision.speed.value_or(-1.0), 0.25, 1e-9);
+  const HelmMotion motion = RecordOf(arbiter, decision);
+  EXPECT_EQ(motion.opinions.at(0).value, 1.0);
+  EXPECT_NEAR(motion.opinions.at(0).summit.value_or(-1.0), 0.25, 1e-9);
+  EXPECT_NEAR(motion.opinions.at(1).value, 0.35, 1e-9);
+  EXPECT_EQ(motion.opinions.at(1).weight, 50.0) << "the share that speed has";
+}
+
 }  // namespace
 }  // namespace limpet

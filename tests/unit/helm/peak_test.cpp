@@ -82,5 +82,15 @@ TEST(MotionArbitration, TakesTheShortWayAcrossNorth) {
   EXPECT_GT(std::abs(MaximizeOverCircle(peaks)), std::numbers::pi - 0.11);
 }
 
+TEST(PeakValue, FallsFromTheSummitToTheEdgeOfATopThatIsNotFlat) {
+  const Peak peak{
+      .summit = 0.0, .flat_half_width = 3.0, .base_half_width = 103.0, .edge_value = 0.5};
+  EXPECT_DOUBLE_EQ(PeakValue(peak, 0.0), 1.0);
+  EXPECT_DOUBLE_EQ(PeakValue(peak, -1.5), 0.75);
+  EXPECT_DOUBLE_EQ(PeakValue(peak, 3.0), 0.5);
+  EXPECT_DOUBLE_EQ(PeakValue(peak, 53.0), 0.25);
+  EXPECT_DOUBLE_EQ(PeakValue(peak, 200.0), 0.0);
+}
+
 }  // namespace
 }  // namespace limpet

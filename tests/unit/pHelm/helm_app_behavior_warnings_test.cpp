@@ -146,6 +146,7 @@ TEST_F(BehaviorWarningsTest, HearsNoBidOfABehaviorThatCannotBeStartedAndSaysWhy)
   Tick();
   EXPECT_FALSE(app_->warnings().contains("BHV_FAILED_worry"));
   EXPECT_EQ(link_.Last(topics::kHelmAllStop), "MissingDecVars:course,depth") << "it bids on speed";
+  EXPECT_EQ(link_.Last(topics::kBehaviorError), "MissingDecVars:course,depth");
 }
 
 TEST_F(BehaviorWarningsTest, SaysThatABehaviorFailsWhileIdleAlsoWhenParked) {

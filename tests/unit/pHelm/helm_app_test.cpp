@@ -101,6 +101,8 @@ TEST_F(HelmAppTest, SaysBidsAsPiecesForDisplaysIfAsked) {
   EXPECT_THAT(posts.front(), HasSubstr(",1,H,7,1:north,3,"));
   EXPECT_THAT(posts.front(), HasSubstr("D,course;0;359;360:speed;0;1;21:depth;0;100;1001,G,359,20,"
                                        "1000,F,0,"));
+  const int pieces = std::stoi(posts.front().substr(posts.front().find("north,3,") + 8));
+  EXPECT_EQ(link_.Last(topics::kHelmPiecesFormed), pieces);
 }
 
 TEST_F(HelmAppTest, IntroducesItselfOnce) {
@@ -237,6 +239,53 @@ TEST_F(HelmAppTest, StopsWhenNavigationIsNotValid) {
   Tick();
   EXPECT_EQ(link_.Last(topics::kDesiredSpeed), 0.0);
   EXPECT_EQ(link_.Last(topics::kHelmAllStop), "MissingNav");
+}
+
+TEST_F(HelmAppTest, HoldsOneIterationWithoutADecisionOff) {
+  Tick();
+  Deploy();
+  Tick();
+  const int stops = link_.Count(topics::kDesiredTurnRate);
+  link_.Send(*app_, topics::kDeploy, false);
+  Tick();
+  EXPECT_EQ(Posts("IVPHELM_ALLSTOP").back(), "NothingToDo");
+  EXPECT_EQ(link_.Last(topics::kDesiredSpeed), 0.5) << "another behavior may take over";
+  link_.Send(*app_, topics::kDeploy, true);
+  Tick();
+  EXPECT_EQ(Posts("IVPHELM_ALLSTOP").back(), "clear");
+  EXPECT_EQ(link_.Last(topics::kDesiredSpeed), 0.5);
+  link_.Send(*app_, topics::kDeploy, false);
+  Tick();
+  Tick();
+  EXPECT_EQ(link_.Last(topics::kDesiredSpeed), 0.0);
+  Tick();
+  EXPECT_EQ(link_.Count(topics::kDesiredTurnRate), stops + 2) << "told once";
+}
+
+TEST_F(HelmAppTest, SaysThatItIsMalconfiguredBeforeItEnds) {
+  std::ofstream(folder_.path() / "mission.bhv") << "Behavior = BHV_TestNorth\n{\n  nord = 1\n}\n";
+  EXPECT_THROW(Make({}), ConfigError);
+  EXPECT_THAT(Posts("IVPHELM_STATE"), ElementsAre("MALCONFIG"));
+}
+
+TEST_F(HelmAppTest, AsksTheLoggerForItsBehaviorFilesAndSaysThatItIsBack) {
+  context_.runs_live = true;
+  context_.is_restarted = true;
+  Make({});
+  Deploy();
+  Tick();
+  Tick();
+  EXPECT_THAT(Posts("PLOGGER_CMD"), ElementsAre("COPY_FILE_REQUEST = mission.bhv"));
+  EXPECT_THAT(Posts("IVPHELM_RESTARTED"), ElementsAre("true"));
+}
+
+TEST_F(HelmAppTest, NamesEachVariableOfItsStateOnce) {
+  std::ofstream(folder_.path() / "mission.bhv")
+      << "Behavior = BHV_TestNorth\n{\n  name = a\n  condition = RETURN = false\n"
+         "  endflag = RETURN = true\n}\n";
+  Make({});
+  Tick();
+  EXPECT_EQ(Posts("IVPHELM_STATEVARS").back(), "RETURN");
 }
 
 }  // namespace

@@ -260,11 +260,14 @@ TEST_F(LiveLogAppTest, KeepsACopyOfTheMissionAndOfWhatIsAskedFor) {
   std::ofstream(folder_ / "alpha.bhv") << "Behavior = BHV_X\n";
   context_.mission_file = folder_ / "alpha.moos";
   Start();
+  std::ofstream(folder_ / "more.bhv") << "Behavior = BHV_Y\n";
   Send("PLOGGER_CMD", "COPY_FILE_REQUEST = " + (folder_ / "alpha.bhv").string());
+  Send("PLOGGER_CMD", std::string("COPY_FILE_REQUEST = more.bhv"));
   Send("PLOGGER_CMD", std::string("COPY_FILE_REQUEST = /no/such/file"));
   End();
   EXPECT_EQ(Text("LOG_ALPHA/LOG_ALPHA._moos"), "Community = alpha\n");
   EXPECT_EQ(Text("LOG_ALPHA/alpha._bhv"), "Behavior = BHV_X\n");
+  EXPECT_EQ(Text("LOG_ALPHA/more._bhv"), "Behavior = BHV_Y\n") << "as a helm names it";
   EXPECT_THAT(Text("LOG_ALPHA/LOG_ALPHA.alog"), HasSubstr("%% file is not copied: no such file\n"));
 }
 
