@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which mail the helm hears, and what it says as it begins.
-#include <algorithm>
-#include <iterator>
+// Which mail the helm hears.
 #include <utility>
 #include <variant>
 
@@ -46,24 +44,6 @@ void HelmApp::SubscribeForBehaviors() {
       });
     }
   }
-}
-
-void HelmApp::PostInitialValues() {
-  if (std::exchange(has_posted_initial_, true)) return;
-  journal_.PostStart(host_, now());
-  journal_.PostLifeEvents(host_.TakeLifeEvents(), 1, now());
-  if (context().is_restarted) return;  // DEPLOY = false would end a mission under way
-  std::vector<HelmPost> posts = host_.InitialPosts();
-  const auto requests = std::ranges::stable_partition(
-      posts, [](const HelmPost& post) { return post.aux == "HELM_VAR_INIT"; });
-  requests_.assign(std::make_move_iterator(requests.begin()),
-                   std::make_move_iterator(requests.end()));
-  posts.erase(requests.begin(), requests.end());
-  Post(posts);
-  if (app_wait_.is_over()) return;
-  SubscribeRaw("DB_CLIENTS", [this](const MessagePtr& message) {
-    if (const auto* clients = std::get_if<std::string>(&message->value)) app_wait_.Hear(*clients);
-  });
 }
 
 void HelmApp::PostRequests() {

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What the helm says of itself: as it starts, or starts again, and how busy it is.
+#include <algorithm>
+#include <iterator>
 #include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "apps/pHelm/helm_app.hpp"
 #include "limpet/core/clock.hpp"
@@ -9,8 +14,7 @@
 namespace limpet {
 
 void HelmApp::PostInitialValues() {
-  if (has_posted_initial_) return;
-  has_posted_initial_ = true;
+  if (std::exchange(has_posted_initial_, true)) return;
   journal_.PostStart(host_, now());
   journal_.PostLifeEvents(host_.TakeLifeEvents(), 1, now());
   if (context().runs_live) {  // embedded, no logger keeps copies
@@ -18,9 +22,18 @@ void HelmApp::PostInitialValues() {
       Publish(topics::kLoggerCommand, "COPY_FILE_REQUEST = " + file);
     }
   }
-  if (!context().is_restarted) {  // else DEPLOY = false would end a mission under way
-    Post(host_.InitialPosts());
-  }
+  if (context().is_restarted) return;  // DEPLOY = false would end a mission under way
+  std::vector<HelmPost> posts = host_.InitialPosts();
+  const auto requests = std::ranges::stable_partition(
+      posts, [](const HelmPost& post) { return post.aux == "HELM_VAR_INIT"; });
+  requests_.assign(std::make_move_iterator(requests.begin()),
+                   std::make_move_iterator(requests.end()));
+  posts.erase(requests.begin(), requests.end());
+  Post(posts);
+  if (app_wait_.is_over()) return;
+  SubscribeRaw("DB_CLIENTS", [this](const MessagePtr& message) {
+    if (const auto* clients = std::get_if<std::string>(&message->value)) app_wait_.Hear(*clients);
+  });
 }
 
 void HelmApp::TellRestart() {
