@@ -129,11 +129,20 @@ TEST(BhvConstantHeading, FallsWithinItsPeakByItsSummitDelta) {
   EXPECT_NEAR(MoosHeadingFromYaw(*flight.decision().course), 90.0, 1e-6);
 }
 
+TEST(ClippedValues, AreWarnedOf) {
+  HelmFlight flight(Block("BHV_MaxDepth", "  max_depth = -3\n"));
+  std::vector<std::string> ids;
+  for (const auto& said : flight.host().warnings())
+    ids.push_back(said.warning.id.name());
+  EXPECT_THAT(ids, ElementsAre(::testing::StartsWith("BHV_VALUES_")));
+}
+
 TEST(ClippedValues, AreTakenAsStockHelmsTakeThemAndSaid) {
   const std::string blocks =
-      Block("BHV_ConstantSpeed", "  speed = -1\n  peakwidth = -1\n") +
+      Block("BHV_ConstantSpeed", "  speed = -1\n  peakwidth = -1\n  duration = no-time-limit\n") +
       Block("BHV_ConstantHeading",
-            "  heading = 90\n  basewidth = 200\n  peakwidth = 200\n  complete_thresh = -5\n") +
+            "  heading = 90\n  basewidth = 200\n  peakwidth = 200\n  complete_thresh = -5\n"
+            "  duration = no-time-limit\n") +
       Block("BHV_MaxDepth", "  max_depth = -3\n") +
       Block("BHV_StationKeep", "  station_pt = 0,0\n  swing_time = 90\n  inner_radius = .05\n") +
       Block("BHV_PeriodicSurface", "  period = .5\n") +

@@ -42,11 +42,12 @@ TEST(CheckVerbOfFiles, TakesAMissionFileAndABehaviorFile) {
 TEST(CheckVerbOfFiles, NotesKeysOfExistingMissionsThatHaveNoEffect) {
   const TemporaryFolder folder;
   const fs::path bhv = folder.path() / "a.bhv";
-  std::ofstream(bhv) << "Behavior = BHV_Waypoint\n{\n  points = 1,2\n  ipf_type = zaic\n"
+  std::ofstream(bhv) << "Behavior = BHV_Waypoint\n{\n  points = 1,2\n  draw_path_loop = true\n"
                         "  build_info = uniform_piece=discrete\n}\n";
   const Checked behaviors = Check({bhv.string()});
   EXPECT_EQ(behaviors.exit_code, kOk) << behaviors.text;
-  EXPECT_THAT(behaviors.text, HasSubstr("a.bhv:4: note: ipf_type: has no effect in BHV_Waypoint"));
+  EXPECT_THAT(behaviors.text,
+              HasSubstr("a.bhv:4: note: draw_path_loop: has no effect in BHV_Waypoint"));
   EXPECT_THAT(behaviors.text, HasSubstr("a.bhv:5: note: build_info: has no effect"));
 }
 
