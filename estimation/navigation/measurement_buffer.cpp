@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/navigation/measurement_buffer.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include <Eigen/Geometry>
 
 #include "limpet/core/frames.hpp"
 
@@ -9,6 +12,7 @@ namespace limpet {
 namespace {
 
 constexpr double kAhead = 5.0;           // [s] of a sensor before the attitude
+constexpr double kTurnSpan = 0.2;        // [s] of attitudes that tell how fast the body turns
 constexpr double kSinkRateSpan = 1.0;    // [s] of depths that tell the sink rate
 constexpr double kAltitudeMaxAge = 1.5;  // [s]
 constexpr double kCompassMaxAge = 1.5;   // [s]
@@ -45,9 +49,23 @@ void MeasurementBuffer::AddSpecificForce(double t, const Eigen::Vector3d& force_
   felt_.AddForce(t, force_B, LevelRotationAt(t));
 }
 
+Eigen::Vector3d MeasurementBuffer::SwingAt(double t) const {
+  if (track_.is_empty()) return Eigen::Vector3d::Zero();
+  const double before = std::max(t - kTurnSpan, track_.first_time());
+  if (t <= before) return Eigen::Vector3d::Zero();
+  const Eigen::AngleAxisd turned(LevelRotationAt(before).transpose() * LevelRotationAt(t));
+  return (turned.angle() / (t - before) * turned.axis()).cross(p_dvl_B_);
+}
+
 VelocityEvidence MeasurementBuffer::EvidenceAt(double t) const {
   if (track_.is_empty()) return {};
-  return {.predicted_B = track_.BridgedAt(t), .felt_B = felt_.At(t, LevelRotationAt(t))};
+  std::optional<Eigen::Vector3d> predicted_B = track_.BridgedAt(t);
+  if (predicted_B) *predicted_B -= SwingAt(t);
+  return {.predicted_B = predicted_B, .felt_B = felt_.At(t, LevelRotationAt(t))};
+}
+
+VelocityGate::Verdict MeasurementBuffer::Judge(double t, const Eigen::Vector3d& v_dvl_B) {
+  return velocity_gate_.Judge(t, v_dvl_B - SwingAt(t), EvidenceAt(t));
 }
 
 void MeasurementBuffer::AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B) {
@@ -56,10 +74,9 @@ void MeasurementBuffer::AddVelocity(double t, const std::optional<Eigen::Vector3
     return;
   }
   using Verdict = VelocityGate::Verdict;
-  const Verdict verdict =
-      v_dvl_B ? velocity_gate_.Judge(t, *v_dvl_B, EvidenceAt(t)) : Verdict::kRefused;
+  const Verdict verdict = v_dvl_B ? Judge(t, *v_dvl_B) : Verdict::kRefused;
   const bool is_good = verdict == Verdict::kGood || verdict == Verdict::kBelieved;
-  if (is_good && !track_.is_empty()) felt_.Believe(t, *v_dvl_B, LevelRotationAt(t));
+  if (is_good && !track_.is_empty()) felt_.Believe(t, *v_dvl_B - SwingAt(t), LevelRotationAt(t));
   counts_.velocities += v_dvl_B && !is_good ? 1 : 0;
   if (const auto rate = is_good ? std::nullopt : depths_.Slope(kSinkRateSpan)) {
     track_.SetSinkRate(*rate);
@@ -69,7 +86,7 @@ void MeasurementBuffer::AddVelocity(double t, const std::optional<Eigen::Vector3
   if (verdict == Verdict::kBelieved) track_.BelieveContested();
   if (verdict == Verdict::kGood && !velocity_gate_.alternative_B()) track_.ForgetContested();
   if (is_good && velocity_gate_.alternative_B()) {
-    track_.NoteContested(t, *velocity_gate_.alternative_B());
+    track_.NoteContested(t, *velocity_gate_.alternative_B() + SwingAt(t));
   }
 }
 

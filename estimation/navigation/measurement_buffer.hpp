@@ -75,7 +75,12 @@ class MeasurementBuffer {
   [[nodiscard]] bool IsPlausible(double t) const;
   /// From the body to level axes, by the attitude. REQUIRES: there is one.
   [[nodiscard]] Eigen::Matrix3d LevelRotationAt(double t) const;
+  /// Velocity of the DVL because the body turns about its origin [m/s]. REQUIRES: an attitude.
+  [[nodiscard]] Eigen::Vector3d SwingAt(double t) const;
+  /// Of the body's origin.
   [[nodiscard]] VelocityEvidence EvidenceAt(double t) const;
+  /// Of what the DVL measured, as the velocity of the body's origin.
+  [[nodiscard]] VelocityGate::Verdict Judge(double t, const Eigen::Vector3d& v_dvl_B);
 
   Eigen::Vector3d p_dvl_B_;
   VelocityGate velocity_gate_;

@@ -26,6 +26,7 @@ struct NavigatorParams {
   double depth_bias_drift = 0.05;  ///< 1-sigma of how that changes within an hour [m]
   /// Depth of the body origin where fixes come, with its 1-sigma.
   Meters surface_depth{0.13}, surface_depth_sigma{0.087};
+  Eigen::Vector3d antenna_B = Eigen::Vector3d::Zero();  ///< lever arm of the GPS antenna [m]
   Radians tilt_sigma{0.0047};
   Meters start_sigma{5.0};          ///< of the first position, before any fix
   Seconds errors_period{1800.0};    ///< slow errors of the odometry are estimated anew after this

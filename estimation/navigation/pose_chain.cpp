@@ -9,6 +9,7 @@
 #include "estimation/smoothing/factors/gps_factor.hpp"
 #include "estimation/smoothing/factors/pose_prior_factor.hpp"
 #include "estimation/smoothing/factors/roll_pitch_factor.hpp"
+#include "limpet/core/frames.hpp"
 
 namespace limpet {
 namespace {
@@ -121,12 +122,20 @@ void PoseChain::AddDepth(int node, const Interval& span) {
   }
 }
 
-PoseChain::FixUse PoseChain::AddFix(const PositionFix& fix) {
-  if (IsTooLate(fix.t)) {
+PositionFix PoseChain::OfBody(PositionFix fix, int node) const {
+  const NavVector x = smoother_.PoseAt(node);
+  const Eigen::Matrix3d R_WB = RotationFromRollPitchYaw(x(kNavRoll), x(kNavPitch), x(kNavYaw));
+  fix.p_W -= (R_WB * params_.antenna_B).head<2>();
+  return fix;
+}
+
+PoseChain::FixUse PoseChain::AddFix(const PositionFix& of_antenna) {
+  if (IsTooLate(of_antenna.t)) {
     ++measurements_.counts().stale_samples;
     return FixUse::kLate;
   }
-  const int node = NodeAt(fix.t);
+  const int node = NodeAt(of_antenna.t);
+  const PositionFix fix = OfBody(of_antenna, node);
   const Eigen::Vector2d reckoned_D = measurements_.track().At(fix.t).X_DB.p_WB.head<2>();
   if (consensus_.IsNewStay(fix.t)) BeginStay(reckoned_D);
   const FixConsensus::Verdict verdict =

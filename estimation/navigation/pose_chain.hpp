@@ -31,7 +31,7 @@ class PoseChain {
   void Begin(double t, const Eigen::Vector2d& p_W);
   /// The node at `t`: a new one, or the head if it is that old.
   int NodeAt(double t);
-  FixUse AddFix(const PositionFix& fix);
+  FixUse AddFix(const PositionFix& of_antenna);
 
   [[nodiscard]] bool has_begun() const { return !times_.empty(); }
   [[nodiscard]] int size() const { return static_cast<int>(times_.size()); }
@@ -60,6 +60,8 @@ class PoseChain {
     TermId term{};
   };
   void AddTilt(int node, double t);
+  /// A fix of the antenna as one of the body's origin, turned as the node is now known to be.
+  [[nodiscard]] PositionFix OfBody(PositionFix fix, int node) const;
   /// The mean of the depths in `span` [s], carried to its end.
   void AddDepth(int node, const Interval& span);
 

@@ -144,6 +144,13 @@ double StrongestCurrent(const Scenario::Water& water) {
 
 void CheckCurrent(const MissionReading& reading, const SurveyFacts& survey,
                   MissionProblems& found) {
+  if (reading.vehicle() && survey.speed.number() > reading.vehicle()->params.top_speed.value()) {
+    found.geometry.push_back(survey.speed.Refuse(
+        fmt::format("`{}` is faster than the vehicle is by its file; allowed: up to "
+                    "hull.top_speed_mps, {:g} m/s",
+                    survey.speed.text, reading.vehicle()->params.top_speed.value())));
+    return;
+  }
   if (!reading.Launches("uSimVehicle")) return;  // another vehicle has another top speed
   const double top = TopSpeed(
       LoadMissionVehicle(reading.mission().Global(kVehicleFileGlobal), reading.folder()).params);

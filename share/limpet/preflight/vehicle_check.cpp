@@ -21,6 +21,22 @@ SourceLine LineOfGlobal(const MissionFile& mission) {
   return {.file = mission.file, .line = 0};
 }
 
+/// Slower ones leave pNav without an attitude, or without bottom track, from one sample to the
+/// next.
+constexpr Hertz kSlowestImu{5.0}, kSlowestDvl{1.0};
+
+/// Of the DVL: with 1 m pNav was as good as with 0.2 m, with 2 m it was not.
+constexpr Meters kLongestArm{1.5};
+
+void CheckRate(const MissionReading& reading, const char* key, Hertz rate, Hertz slowest,
+               MissionProblems& found) {
+  if (rate >= slowest) return;
+  found.syntax.push_back({reading.InVehicle(key), key,
+                          fmt::format("`{:g}`: pNav cannot navigate by samples that rare; allowed: "
+                                      "{:g} Hz and more",
+                                      rate.value(), slowest.value())});
+}
+
 /// What a vehicle lacks for an app that the mission launches.
 void CheckSensorsFor(const MissionReading& reading, MissionProblems& found) {
   if (!reading.vehicle() || !reading.Launches("pNav")) return;
@@ -28,6 +44,16 @@ void CheckSensorsFor(const MissionReading& reading, MissionProblems& found) {
   if (!vehicle.sensors.imu.is_present) {
     found.syntax.push_back({reading.InVehicle("imu.present"), "imu.present",
                             "`false`: pNav has no attitude without an IMU; allowed: true"});
+  }
+  CheckRate(reading, "imu.rate_hz", vehicle.sensors.imu.rate, kSlowestImu, found);
+  CheckRate(reading, "dvl.rate_hz", vehicle.sensors.dvl.rate, kSlowestDvl, found);
+  const double arm = vehicle.sensors.dvl.p_BD.norm();
+  if (arm > kLongestArm.value()) {
+    found.syntax.push_back(
+        {reading.InVehicle("dvl.at_m"), "dvl.at_m",
+         fmt::format("{:.2f} m from the body's origin: from so far pNav takes turns for false "
+                     "velocities; allowed: up to {:g} m",
+                     arm, kLongestArm.value())});
   }
   const auto wait = reading.Find("pNav", "frame_wait_s");
   const double latency = vehicle.camera_timing.latency.value();

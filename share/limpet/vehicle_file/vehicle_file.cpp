@@ -100,24 +100,54 @@ void CheckBody(YamlReader& in, const YAML::Node& root, const VehicleParams& para
         fmt::format("the thrusters push down with {:.1f} N at most: it could not dive", down_n));
   }
   if (params.surfaced_depth_m >= params.submerged_depth_m) {
-    in.Complain(root["hull"], "hull.surfaced_depth_m", "lies above hull.submerged_depth_m");
+    in.Complain(
+        root["hull"], "hull.surfaced_depth_m",
+        fmt::format("`{:g}` is not allowed; allowed: less than hull.submerged_depth_m, {:g}",
+                    params.surfaced_depth_m, params.submerged_depth_m));
+  }
+  if (params.antenna_B.z() >= 0.0) {
+    in.Complain(root["hull"], "hull.antenna_m",
+                "does not stand above the body's origin: it is under water wherever the vehicle "
+                "floats, and no fix would come; allowed: a negative last number");
   }
 }
 
 void CheckSensors(YamlReader& in, const YAML::Node& root, const SensorSheets& sensors) {
   if (sensors.sonar.least_range >= sensors.sonar.greatest_range) {
-    in.Complain(root["obstacle_sonar"], "obstacle_sonar.least_range_m",
-                "lies below obstacle_sonar.greatest_range_m");
+    in.Complain(
+        root["obstacle_sonar"], "obstacle_sonar.least_range_m",
+        fmt::format("`{:g}` is not allowed; allowed: less than "
+                    "obstacle_sonar.greatest_range_m, {:g}",
+                    sensors.sonar.least_range.value(), sensors.sonar.greatest_range.value()));
   }
   if (sensors.dvl.least_altitude >= sensors.dvl.greatest_altitude) {
-    in.Complain(root["dvl"], "dvl.least_altitude_m", "lies below dvl.greatest_altitude_m");
+    in.Complain(
+        root["dvl"], "dvl.least_altitude_m",
+        fmt::format("`{:g}` is not allowed; allowed: less than dvl.greatest_altitude_m, {:g}",
+                    sensors.dvl.least_altitude.value(), sensors.dvl.greatest_altitude.value()));
   }
 }
 
 void CheckBattery(YamlReader& in, const YAML::Node& root, const BatterySheet& battery) {
   if (battery.is_present && battery.empty_v >= battery.full_v) {
-    in.Complain(root["battery"], "battery.empty_v", "lies below battery.full_v");
+    in.Complain(root["battery"], "battery.empty_v",
+                fmt::format("`{:g}` is not allowed; allowed: less than battery.full_v, {:g}",
+                            battery.empty_v, battery.full_v));
   }
+}
+
+/// Where a camera's axis meets the image, of so many pixels.
+struct AxisPlace {
+  const char* key;
+  double px;
+  int size_px;
+};
+
+void CheckAxis(YamlReader& in, const YAML::Node& root, const AxisPlace& axis) {
+  if (axis.px < axis.size_px) return;
+  in.Complain(root["camera"], axis.key,
+              fmt::format("`{:g}`: the axis does not meet the image; allowed: less than {}",
+                          axis.px, axis.size_px));
 }
 
 void CheckCamera(YamlReader& in, const YAML::Node& root, const CameraParams& camera) {
@@ -128,6 +158,8 @@ void CheckCamera(YamlReader& in, const YAML::Node& root, const CameraParams& cam
                             "make {:.0f} deg; allowed: less than 85 deg from straight down",
                             DegreesFromRadians(highest)));
   }
+  CheckAxis(in, root, {"camera.cx_px", camera.cx_px, camera.width_px});
+  CheckAxis(in, root, {"camera.cy_px", camera.cy_px, camera.height_px});
   if (!LensModel::IsOneToOne(camera.pinhole(), camera.lens_distortion())) {
     in.Complain(
         root["camera"], "camera.distortion",

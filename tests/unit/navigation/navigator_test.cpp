@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/navigation/navigator.hpp"
 
+#include <algorithm>
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 namespace limpet {
@@ -107,6 +110,42 @@ TEST_F(NavigatorTest, VelocitiesThatGoBackInTimeAreCounted) {
   navigator_.AddVelocity(t_ - 3.0, Eigen::Vector3d(2.0, 0.0, 0.0));
   EXPECT_EQ(navigator_.counts().stale_samples, 1);
   EXPECT_EQ(navigator_.counts().velocities, 0);
+}
+
+TEST(NavigatorMounting, AFixIsOfTheAntennaWhereverThatIs) {
+  NavigatorParams params;
+  params.antenna_B = {2.0, 1.0, -0.3};
+  Navigator navigator(params);
+  for (double t = 0.0; t < 5.0; t += 0.1) {
+    AttitudeEstimate attitude;
+    attitude.t = t, attitude.yaw = 0.5 * std::numbers::pi;
+    navigator.AddAttitude(attitude);
+    navigator.AddDepth(t, 0.1);
+    navigator.AddVelocity(t, Eigen::Vector3d::Zero());
+    navigator.AddGps(t, {10.0, 20.0}, 0.4);
+    navigator.Advance(t);
+  }
+  const Eigen::Vector3d p_WB = navigator.Estimate(5.0).X_WB.p_WB;
+  EXPECT_NEAR(p_WB.x(), 10.0 + 1.0, 0.05);
+  EXPECT_NEAR(p_WB.y(), 20.0 - 2.0, 0.05);
+}
+
+TEST(NavigatorMounting, ATurnOnTheSpotIsNoFalseVelocityHoweverFarOffTheDvlIs) {
+  NavigatorParams params;
+  params.odometry.dvl_B = {-2.0, 0.0, 0.4};
+  Navigator navigator(params);
+  constexpr double kRate = 0.4;  // [rad/s], from 3 s on
+  for (double t = 0.0; t < 20.0; t += 0.1) {
+    AttitudeEstimate attitude;
+    attitude.t = t, attitude.yaw = WrapAngle(kRate * std::max(0.0, t - 3.0));
+    navigator.AddAttitude(attitude);
+    navigator.AddDepth(t, 3.0);
+    navigator.AddVelocity(t, Eigen::Vector3d(0.0, t > 3.0 ? -2.0 * kRate : 0.0, 0.0));
+    if (t < 1.0) navigator.AddGps(t, {0.0, 0.0}, 0.4);
+    navigator.Advance(t);
+  }
+  EXPECT_LE(navigator.counts().velocities, 2) << "while it begins to turn, at once";
+  EXPECT_LT(navigator.Estimate(20.0).X_WB.p_WB.head<2>().norm(), 0.2);
 }
 
 }  // namespace

@@ -108,7 +108,18 @@ TEST(VehicleFile, HasABatteryIfItSaysAnythingOfOne) {
 
 TEST(VehicleFile, RefusesABatteryThatIsEmptyAboveItsFullVoltage) {
   EXPECT_THAT(ProblemsOf(FileWith("mass_kg: 20") + "battery: {empty_v: 30}\n"),
-              ElementsAre(HasSubstr("battery.empty_v: lies below battery.full_v")));
+              ElementsAre(HasSubstr(
+                  "battery.empty_v: `30` is not allowed; allowed: less than battery.full_v")));
+}
+
+TEST(VehicleFile, RefusesAnAntennaThatIsUnderWaterWhereTheVehicleFloats) {
+  EXPECT_THAT(ProblemsOf(FileWith("mass_kg: 20\n  antenna_m: [0, 0, 0.25]")),
+              ElementsAre(HasSubstr("hull.antenna_m: does not stand above the body's origin")));
+}
+
+TEST(VehicleFile, RefusesACameraWhoseAxisMissesItsImage) {
+  EXPECT_THAT(ProblemsOf(FileWith("mass_kg: 20") + "camera: {width_px: 640, cx_px: 2000}\n"),
+              ElementsAre(HasSubstr("camera.cx_px: `2000`: the axis does not meet the image")));
 }
 
 TEST(VehicleFile, RefusesACameraThatSeesTheHorizon) {
@@ -205,7 +216,7 @@ TEST(VehicleFile, RefusesThrustersThatCannotMoveTheVehicle) {
 TEST(VehicleFile, RefusesABodyThatContradictsItself) {
   EXPECT_THAT(ProblemsOf(FileWith("width_m: 0.7")), ElementsAre(HasSubstr("longer than wide")));
   EXPECT_THAT(ProblemsOf(FileWith("surfaced_depth_m: 0.4")),
-              ElementsAre(HasSubstr("lies above hull.submerged_depth_m")));
+              ElementsAre(HasSubstr("allowed: less than hull.submerged_depth_m")));
 }
 
 TEST(VehicleFile, RefusesWhatIsNoYamlAndWhatIsNoMap) {
