@@ -83,7 +83,7 @@ NavApp::NavApp(const AppContext& context, const Params& params, const VehicleFil
 void NavApp::Hear(const std::string& name, std::unique_ptr<MeasurementSource> source) {
   const MeasurementSource* heard = source.get();
   const int number = navigator_.AddSource(std::move(source));
-  aiding_.push_back(name);
+  aiding_.push_back({.name = name, .heard = {}});
   SubscribeRaw(heard->variable(), [this, heard, number](const MessagePtr& message) {
     if (!HasUsableStamp(message->name, message->time, message->source)) return;
     auto seen = heard->Observe(message->time.value(), message->value);
@@ -92,6 +92,7 @@ void NavApp::Hear(const std::string& name, std::unique_ptr<MeasurementSource> so
       return;
     }
     ClearWarning(warnings::kBadMail, message->name);
+    aiding_[static_cast<std::size_t>(number)].heard.Note(message->time.value(), now().value());
     navigator_.AddObservation(number, std::move(seen));
   });
 }
@@ -203,6 +204,7 @@ void NavApp::OnSnapshotRequest(const Stamped<std::string>& /*why*/) {
 void NavApp::Tick(Seconds now) {
   navigator_.Advance(now.value());
   WatchSensors(now.value());
+  WatchAiding(now.value());
   if (navigator_.has_started()) {
     PublishState(now.value());
     NoteTrack();

@@ -138,6 +138,7 @@ class NavApp final : public App {
   void AddSources(double now, NavState& state) const;
   void ReportSources(ReportLines& report) const;
   void ReportAiding(ReportLines& report) const;
+  void WatchAiding(double now);
 
   NavApp(const AppContext& context, const Params& params, const VehicleFile& vehicle);
 
@@ -150,7 +151,12 @@ class NavApp final : public App {
   LensModel lens_;       ///< boxes are rectified where they come in; what follows is a pinhole's
   AttitudeFilter attitude_;
   Navigator navigator_;
-  std::vector<std::string> aiding_;  ///< names of the further sensors
+  struct AidingWatch {
+    std::string name;
+    SourceWatch heard;
+  };
+  std::vector<AidingWatch> aiding_;       ///< the further sensors
+  std::optional<double> aiding_awaited_;  ///< since when [s]
   TrackWatch track_watch_;
   PlaceSigmas place_sigmas_;
   int sigma_node_ = -1;      ///< of which newest_sigma_ is

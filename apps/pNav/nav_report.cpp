@@ -74,7 +74,7 @@ void NavApp::ReportAiding(ReportLines& report) const {
       errors += fmt::format("{}{} {:.3f} +- {:.3f}", k == 0 ? "" : ", ", known->names[k],
                             now->value(axis), now->sd(axis));
     }
-    table.AddRow({aiding_[static_cast<std::size_t>(i)], std::to_string(counts.taken),
+    table.AddRow({aiding_[static_cast<std::size_t>(i)].name, std::to_string(counts.taken),
                   std::to_string(counts.refused), std::to_string(counts.late), errors});
   }
   report.Add(table);

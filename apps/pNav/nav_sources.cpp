@@ -4,12 +4,15 @@
 
 #include "apps/pNav/nav_app.hpp"
 #include "apps/pNav/nav_warnings.hpp"
+#include "estimation/navigation/aiding_sources.hpp"
 
 namespace limpet {
 namespace {
 
 constexpr Seconds kGpsPause(5.0);  // fixes come once a second, some are left out
 constexpr Seconds kRefusedFixPause(10.0);
+constexpr Seconds kAidingPause(60.0);  // between what a further sensor says
+constexpr int kRefusedInRow = 5;       // of a further sensor
 
 }  // namespace
 
@@ -63,6 +66,26 @@ void NavApp::WatchSensors(double now) {
   watch(
       warnings::kNavInvalid, navigator_.has_started() && !IsValid(now),
       "no attitude, or nothing else either: NAV_STATE is not valid, NAV_X and its kin are silent");
+}
+
+void NavApp::WatchAiding(double now) {
+  if (!navigator_.has_started()) return;
+  aiding_awaited_ = aiding_awaited_.value_or(now);
+  for (std::size_t i = 0; i < aiding_.size(); ++i) {
+    const AidingWatch& watch = aiding_[i];
+    const double awaited = now - *aiding_awaited_;
+    if (std::min(watch.heard.Age(now).value_or(awaited), awaited) > kAidingPause.value()) {
+      Warn(warnings::kAidingSilent.Of(watch.name), "nothing of it for a minute");
+    } else {
+      ClearWarning(warnings::kAidingSilent, watch.name);
+    }
+    if (navigator_.aiding().counts(static_cast<int>(i)).refused_in_row >= kRefusedInRow) {
+      Warn(warnings::kAidingRefused.Of(watch.name),
+           "it has said for a while what cannot be by all that is known otherwise");
+    } else {
+      ClearWarning(warnings::kAidingRefused, watch.name);
+    }
+  }
 }
 
 }  // namespace limpet

@@ -71,6 +71,25 @@ inline const WarningId kGpsRefused = DeclareWarning(
                "fixes before the dive.",
      .clears = "10 s after the last such fix."});
 
+inline const WarningFamily kAidingSilent = DeclareWarningFamily(
+    "AIDING_SILENT_<SOURCE>",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pNav"},
+     .meaning = "A further sensor that pNav's block names (`sources`) has said nothing for a "
+                "minute, or ever: navigation goes on without it.",
+     .action = "See to its driver, and whether it writes the variable that docs/variables.md has.",
+     .clears = "With the next that it says."});
+
+inline const WarningFamily kAidingRefused = DeclareWarningFamily(
+    "AIDING_REFUSED_<SOURCE>",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pNav"},
+     .meaning = "What a further sensor says has been far off what all others say, five times in a "
+                "row: it is not used. What is less than 25 sigmas off is believed at the tenth.",
+     .action = "See to its place, units and sigma in pNav's block; surface for fixes if it may be "
+               "navigation that is wrong.",
+     .clears = "With the next that is believed."});
+
 inline const WarningId kCompassDeviates = DeclareWarning(
     "COMPASS_DEVIATES",
     {.severity = Severity::kWarning,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -16,6 +17,9 @@ namespace {
 
 constexpr int kBelieveAfter = 10;  // refused in a row, then taken after all
 constexpr double kGateSigmas = 5.0;
+/// No estimate is that much worse than it says: what is further off is the source's own fault,
+/// however often it says so.
+constexpr double kMostSigmas = 25.0;
 constexpr std::size_t kLongestQueue = 4096;  // observations that wait: a source gone wild
 
 }  // namespace
@@ -73,17 +77,20 @@ std::optional<AidingSources::Offer> AidingSources::Take() {
 
 bool AidingSources::Use(Offer offer, int node) {
   Entry& entry = At(offer.source);
-  if (!entry.gate.Accepts(IsAsPredicted(offer.term))) {
+  const double misfit = Misfit(offer.term);
+  if (!(misfit <= kMostSigmas) || !entry.gate.Accepts(misfit <= kGateSigmas)) {
     ++entry.counts.refused;
+    ++entry.counts.refused_in_row;
     return false;
   }
+  entry.counts.refused_in_row = 0;
   ++entry.counts.taken;
   smoother_.AddTerm(node, std::move(offer.term));
   smoother_.Update();
   return entry.source->is_fix();
 }
 
-bool AidingSources::IsAsPredicted(const Term& term) const {
+double AidingSources::Misfit(const Term& term) const {
   const std::vector<int> slots(term.slots().begin(), term.slots().end());
   const NavVector x = smoother_.PoseAt(smoother_.graph().node_count() - 1);
   std::array<Eigen::Vector3d, kMostBorders> errors;
@@ -103,7 +110,7 @@ bool AidingSources::IsAsPredicted(const Term& term) const {
   const Eigen::MatrixXd S =
       J * covariance * J.transpose() + Eigen::MatrixXd::Identity(linear.rows, linear.rows);
   const Eigen::VectorXd r = linear.r.head(linear.rows);
-  return r.dot(S.llt().solve(r)) <= kGateSigmas * kGateSigmas;
+  return std::sqrt(r.dot(S.llt().solve(r)));
 }
 
 std::optional<SourceErrorEstimate> AidingSources::ErrorsOf(int i) const {

@@ -18,8 +18,9 @@ namespace limpet {
 struct SourceCounts {
   int taken = 0;
   int refused = 0;  ///< off their prediction
-  int late = 0;     ///< older than the chain's head
-  int unused = 0;   ///< of which the source itself made nothing
+  int refused_in_row = 0;
+  int late = 0;    ///< older than the chain's head
+  int unused = 0;  ///< of which the source itself made nothing
 };
 
 /// Slow errors of a source as estimated now, with 1-sigma, in the units of its names.
@@ -76,8 +77,8 @@ class AidingSources {
   };
   [[nodiscard]] const Entry& At(int i) const { return entries_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] Entry& At(int i) { return entries_[static_cast<std::size_t>(i)]; }
-  /// Within what pose, slow errors and noise allow together.
-  [[nodiscard]] bool IsAsPredicted(const Term& term) const;
+  /// How far it is off, in sigmas of what pose, slow errors and noise allow together.
+  [[nodiscard]] double Misfit(const Term& term) const;
 
   Smoother& smoother_;
   std::vector<Entry> entries_;

@@ -128,6 +128,24 @@ TEST_F(HearingNav, AFurtherSensorMovesTheEstimateAndIsReported) {
   EXPECT_THAT(Report(), AllOf(HasSubstr("further source"), HasSubstr("acoustic_fix")));
 }
 
+TEST_F(HearingNav, ASensorThatContradictsAllOthersIsNeverBelievedAndWarnedOf) {
+  RunFor(20.0, 0.0);
+  RunFor(200.0, 90.0);
+  EXPECT_NEAR(link_.Last(topics::kNavState)->north, 0.0, 1.0);
+  EXPECT_TRUE(app_->warnings().contains("AIDING_REFUSED_acoustic_fix"));
+  RunFor(5.0, 0.0);
+  EXPECT_FALSE(app_->warnings().contains("AIDING_REFUSED_acoustic_fix"));
+}
+
+TEST_F(HearingNav, ASensorThatSaysNothingIsWarnedOf) {
+  RunFor(20.0, 0.0);
+  EXPECT_FALSE(app_->warnings().contains("AIDING_SILENT_acoustic_fix"));
+  RunFor(5.0, 0.0);
+  link_.time += Seconds(61.0);
+  app_->Tick(link_.time);
+  EXPECT_TRUE(app_->warnings().contains("AIDING_SILENT_acoustic_fix"));
+}
+
 TEST_F(HearingNav, MailThatMakesNoSenseIsWarnedOf) {
   RunFor(1.0, 0.0);
   link_.Send(*app_, Topic<std::string>{"USBL_FIX", ""}, std::string("somewhere"));
