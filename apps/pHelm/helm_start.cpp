@@ -24,11 +24,10 @@ void HelmApp::PostInitialValues() {
   }
   if (context().is_restarted) return;  // DEPLOY = false would end a mission under way
   std::vector<HelmPost> posts = host_.InitialPosts();
-  const auto requests = std::ranges::stable_partition(
-      posts, [](const HelmPost& post) { return post.aux == "HELM_VAR_INIT"; });
-  requests_.assign(std::make_move_iterator(requests.begin()),
-                   std::make_move_iterator(requests.end()));
-  posts.erase(requests.begin(), requests.end());
+  const auto requests = std::stable_partition(
+      posts.begin(), posts.end(), [](const HelmPost& post) { return post.aux == "HELM_VAR_INIT"; });
+  requests_.assign(std::make_move_iterator(requests), std::make_move_iterator(posts.end()));
+  posts.erase(requests, posts.end());
   Post(posts);
   if (app_wait_.is_over()) return;
   SubscribeRaw("DB_CLIENTS", [this](const MessagePtr& message) {

@@ -59,8 +59,7 @@ RunLog LogIn(const fs::path& run, const std::optional<std::string>& session) {
   if (logs.empty()) {
     const std::string nearest = NearestWord(*session, names);
     std::ranges::sort(names);
-    const auto [first, last] = std::ranges::unique(names);
-    names.erase(first, last);
+    names.erase(std::unique(names.begin(), names.end()), names.end());
     throw UsageError(fmt::format("{}: no session `{}`{}; sessions: {}", run.string(), *session,
                                  nearest.empty() ? "" : fmt::format("; nearest: `{}`", nearest),
                                  fmt::join(names, ", ")));

@@ -10,6 +10,7 @@
 
 #include "limpet/core/frames.hpp"
 #include "limpet/core/random.hpp"
+#include "limpet/core/units.hpp"
 
 namespace limpet {
 namespace {
