@@ -45,6 +45,15 @@ const std::string* Find(const SessionFiles& files, const char* name) {
   return found == files.end() ? nullptr : &found->second;
 }
 
+Expected<std::vector<ObservedFrame>> FramesIn(const SessionFiles& files) {
+  const char* name = Find(files, kFrames) != nullptr ? kFrames : kFramesOfOld;
+  const std::string* text = Find(files, name);
+  if (text == nullptr) return std::vector<ObservedFrame>();
+  Expected<std::vector<ObservedFrame>> frames = FramesFromCsv(*text);
+  if (!frames) return Error{std::string(name) + ": " + frames.error().text};
+  return frames;
+}
+
 }  // namespace
 
 FormerFacts FormerFactsOf(const SessionFacts& facts) {
@@ -133,13 +142,9 @@ Expected<SessionMemory> MemoryOf(const SessionFiles& files) {
     if (!phases) return Error{std::string(kPhases) + ": " + phases.error().text};
     memory.phases = *std::move(phases);
   }
-  for (const char* name : {kFramesOfOld, kFrames}) {
-    const std::string* text = Find(files, name);
-    if (text == nullptr) continue;
-    Expected<std::vector<ObservedFrame>> frames = FramesFromCsv(*text);
-    if (!frames) return Error{std::string(name) + ": " + frames.error().text};
-    memory.frames = *std::move(frames);
-  }
+  Expected<std::vector<ObservedFrame>> frames = FramesIn(files);
+  if (!frames) return frames.error();
+  memory.frames = *std::move(frames);
   if (const std::string* text = Find(files, kWater)) {
     memory.water = TopicCodec<WaterRecord>::Decode(*text);
     if (!memory.water) return Error{std::string(kWater) + ": not a record of the water"};
