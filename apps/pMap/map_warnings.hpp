@@ -8,7 +8,7 @@
 namespace limpet::warnings {
 
 inline const WarningId kFrameOutOfOrder =
-    DeclareWarning("SIGHT_OUT_OF_ORDER",
+    DeclareWarning("FRAME_OUT_OF_ORDER",
                    {.severity = Severity::kNote,
                     .raised_by = {"pMap"},
                     .meaning = "A frame came after a later one and was left out.",

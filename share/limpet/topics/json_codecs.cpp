@@ -206,9 +206,9 @@ void from_json(const nlohmann::json& in, ObservedFrame& frame) {
   in.at("exposure").get_to(frame.exposure);
   frame.X_WB = {VectorFrom(in.at("ned")), in.at("roll"), in.at("pitch"), in.at("yaw")};
   in.at("altitude").get_to(frame.altitude);
-  for (const nlohmann::json& sighted : in.at("boxes")) {
-    frame.boxes.push_back(sighted.at("box").get<Box>());
-    frame.boxes.back().landmark = IdFrom(sighted.at("landmark"));
+  for (const nlohmann::json& entry : in.at("boxes")) {
+    frame.boxes.push_back(entry.at("box").get<Box>());
+    frame.boxes.back().landmark = IdFrom(entry.at("landmark"));
   }
   if (in.contains("sd_absolute") && in.contains("sd_beside")) {
     frame.sigma = PlaceSigma{.absolute = in.at("sd_absolute"), .beside = in.at("sd_beside")};

@@ -42,7 +42,7 @@ TEST_F(MapWarningsTest, SaysThatFramesWithoutAnAltitudeAreLeftOut) {
   EXPECT_TRUE(app_.warnings().contains("VIEW_WITHOUT_ALTITUDE"));
   frame.exposure = link_.time - Seconds(1.0);
   link_.Send(app_, topics::kNavCameraFrame, frame);
-  EXPECT_TRUE(app_.warnings().contains("SIGHT_OUT_OF_ORDER"));
+  EXPECT_TRUE(app_.warnings().contains("FRAME_OUT_OF_ORDER"));
   EXPECT_THAT(LeftOutIn(app_), ::testing::HasSubstr("1 out of order, 1 without an altitude"));
   frame.exposure = link_.time + Seconds(1.0);
   frame.altitude = 4.0;
